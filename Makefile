@@ -1,0 +1,64 @@
+# `make demo` and `make test` need nothing but Debian, Python 3.11 or later, git, make and gcc:
+# .ci/setup installs what is missing and keeps .venv/ up to date with the sources.
+
+BIN := .venv/bin
+SANITIZE ?= address,undefined
+comma := ,
+SANITIZE_BUILD := build/sanitize-$(subst $(comma),-,$(SANITIZE))
+C_FILES = $(wildcard kernel/*.[ch] tests/kernel/*.[ch])
+
+export PATH := $(CURDIR)/$(BIN):$(PATH)
+
+# In the order written, whatever -j says: pytest's closing line comes last. Ninja counts the cores itself.
+.NOTPARALLEL:
+unexport MAKEFLAGS
+
+.PHONY: help setup demo test test-kernel test-python lint format sanitize clean
+
+help:
+	@echo 'make demo         run the study studies/sphere_over_bars.toml; its files go to build/demo'
+	@echo 'make test         check style and types, test the kernel, test the package'
+	@echo 'make setup        install or update planemotion in .venv/'
+	@echo 'make lint         style and types only'
+	@echo 'make test-kernel  the C tests only'
+	@echo 'make test-python  the Python tests only'
+	@echo 'make format       rewrite the sources in the house style'
+	@echo 'make sanitize     the C tests under ASan and UBSan (SANITIZE=thread: under TSan)'
+	@echo 'make clean        remove build/ and .venv/'
+
+setup:
+	@.ci/setup
+
+demo: setup
+	@rm -rf build/demo
+	$(BIN)/planemotion sweep studies/sphere_over_bars.toml --out build/demo
+
+test: lint test-kernel test-python
+
+test-kernel: setup
+	$(BIN)/meson test -C build/python --print-errorlogs
+
+test-python: setup
+	$(BIN)/python -m pytest
+
+lint: setup
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	@# The type checker reads the generated module of constants as a stub beside its users.
+	@$(BIN)/python kernel/layout.py kernel/planemotion.h wrapper/planemotion/_layout.pyi
+	$(BIN)/mypy
+	$(BIN)/clang-format --dry-run --Werror $(C_FILES)
+
+format: setup
+	$(BIN)/ruff check --fix .
+	$(BIN)/ruff format .
+	$(BIN)/clang-format -i $(C_FILES)
+
+sanitize:
+	@.ci/setup --tools
+	@test -f $(SANITIZE_BUILD)/build.ninja || $(BIN)/meson setup $(SANITIZE_BUILD) -Dpython=false \
+	    -Dbuildtype=debug -Doptimization=1 -Dwerror=false -Db_sanitize=$(SANITIZE) -Db_lundef=false
+	$(BIN)/meson test -C $(SANITIZE_BUILD) --print-errorlogs
+
+clean:
+	rm -rf build .venv wrapper/planemotion/_layout.pyi

@@ -1,0 +1,178 @@
+/* active.c - the active set of a phase.
+ *
+ * A row that depends on the rows before it is *redundant* if it also does so at a neighbouring configuration on the
+ * constraints: it is left out.  If it does so here only (a dead centre), it is kept. */
+#include "active.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "body.h"
+#include "contact.h"
+#include "project.h"
+#include "row.h"
+#include "saddle.h"
+
+#define NEIGHBOUR 1e-3          /* displacement, in sizes of the scene */
+#define STILL_DEPENDENT 1e-6    /* independent part at the neighbour below which a row is redundant */
+
+void pm_active_clear(pm_workspace *w)
+{
+    w->nactive = w->njoint_active = w->nredundant = w->asymmetric = 0;
+    for (int i = 0; i < w->model->njoint_row; i++) w->joint_active[i] = PM_NONE;
+    for (int i = 0; i < w->model->nslot; i++) w->slot_normal[i] = w->slot_tangent[i] = PM_NONE;
+}
+
+/* Goes a little along the motion (or, at rest, any way the rows allow) and looks whether `row` still depends. */
+static int depends_nearby(pm_workspace *w, const pm_row *row, int nbasis, int *depends)
+{
+    const pm_model *m = w->model;
+    pm_state *s = &w->probe;
+    double step[3] = {0.91, 0.57, 0.73}, norm = 0;
+    pm_state_copy(s, &w->state);
+    for (int i = 0; i < m->nq; i++) norm += s->v[i] * s->v[i];
+    norm = sqrt(norm);
+    for (int i = 0; i < m->nq; i++) {
+        const double along = norm > 0 ? s->v[i] / norm : step[i % 3] * (1 + 0.1 * (i / 3));
+        s->q[i] += NEIGHBOUR * w->size * along * (w->inverse_mass[i] > 0);
+    }
+    int status = pm_project(w, s);
+    if (status == PM_SINGULAR) { /* cannot tell: treat it as a place like any other */
+        *depends = 0;
+        status = PM_OK;
+    } else if (!status) {
+        pm_row copy = *row;
+        double left;
+        int n = 0;
+        for (int i = 0; i < w->nactive; i++) n = pm_basis_add(w, n, w->row[i].j, w->row[i].body, &left);
+        pm_row_kind(copy.kind)->evaluate(w, &copy);
+        pm_basis_add(w, n, copy.j, copy.body, &left);
+        *depends = left < STILL_DEPENDENT;
+    }
+    pm_frame_look_state(w, &w->state);
+    int n = 0;
+    double left;
+    for (int i = 0; i < w->nactive; i++) {
+        pm_row_kind(w->row[i].kind)->evaluate(w, &w->row[i]);
+        n = pm_basis_add(w, n, w->row[i].j, w->row[i].body, &left);
+    }
+    (void)nbasis;
+    return status;
+}
+
+/* Appends the row unless it is redundant; *index: its place, or PM_NONE. */
+static int append(pm_workspace *w, const pm_row *row, int *nbasis, int *index)
+{
+    pm_row *place = &w->row[w->nactive];
+    double left;
+    int depends = 0;
+    *place = *row;
+    pm_row_kind(place->kind)->evaluate(w, place);
+    const int n = pm_basis_add(w, *nbasis, place->j, place->body, &left);
+    if (n == *nbasis) {
+        const int status = depends_nearby(w, row, *nbasis, &depends);
+        if (status) return status;
+        *place = *row;
+    }
+    *nbasis = n;
+    *index = PM_NONE;
+    if (depends)
+        w->nredundant++;
+    else
+        *index = w->nactive++;
+    return PM_OK;
+}
+
+static int append_joints(pm_workspace *w, int *nbasis)
+{
+    const pm_model *m = w->model;
+    for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
+        pm_row row[PM_JOINT_ROWS];
+        const int n = pm_row_of_joint(w, i, row);
+        for (int k = 0; k < n; k++) {
+            const int status = append(w, &row[k], nbasis, &w->joint_active[m->joint_row[i] + k]);
+            if (status) return status;
+        }
+    }
+    w->njoint_active = w->nactive;
+    return PM_OK;
+}
+
+static double slide_factor(const pm_workspace *w, int contact, int mode)
+{
+    const double mu = pm_contact_kinetic(w, contact);
+    return mode == PM_SLIDE_FORWARD ? -mu : mu; /* friction opposes the slip */
+}
+
+static int append_contacts(pm_workspace *w, int *nbasis)
+{
+    const pm_model *m = w->model;
+    const pm_slot *slot = w->state.slot;
+    pm_row normal, tangent;
+    for (int tangents = 0; tangents < 2; tangents++)
+        for (int i = 0; i < m->nslot; i++) {
+            if (slot[i].mode == PM_OPEN || (tangents && slot[i].mode != PM_STICK)) continue;
+            const int contact = pm_contact_of_slot(m, i);
+            pm_row_of_contact(w, contact, i, slot[i].member, &normal, &tangent);
+            if (!tangents && slot[i].mode >= PM_SLIDE_FORWARD) {
+                normal.slide = slide_factor(w, contact, slot[i].mode);
+                w->asymmetric |= normal.slide != 0;
+            }
+            const int status = append(w, tangents ? &tangent : &normal, nbasis,
+                                      tangents ? &w->slot_tangent[i] : &w->slot_normal[i]);
+            if (status) return status;
+        }
+    return PM_OK;
+}
+
+/* Tangents that sliding normals carry stand behind the active rows; an entry without a normal ends them. */
+static void append_carried(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    int n = w->nactive;
+    for (int i = 0; i < m->nslot && w->asymmetric; i++) {
+        const int mode = w->state.slot[i].mode;
+        if ((mode != PM_SLIDE_FORWARD && mode != PM_SLIDE_BACKWARD) || w->slot_normal[i] == PM_NONE) continue;
+        pm_row normal, tangent;
+        pm_row_of_contact(w, pm_contact_of_slot(m, i), i, w->state.slot[i].member, &normal, &tangent);
+        tangent.normal = w->slot_normal[i];
+        w->row[n++] = tangent;
+    }
+    w->row[n].normal = PM_NONE;
+}
+
+int pm_active_build(pm_workspace *w)
+{
+    int nbasis = 0;
+    pm_active_clear(w);
+    int status = append_joints(w, &nbasis);
+    if (!status) status = append_contacts(w, &nbasis);
+    if (!status) append_carried(w);
+    return status;
+}
+
+void pm_active_anchor(pm_workspace *w, pm_state *s, int slot)
+{
+    pm_row normal, tangent;
+    pm_row_of_contact(w, pm_contact_of_slot(w->model, slot), slot, s->slot[slot].member, &normal, &tangent);
+    pm_row_kind(tangent.kind)->remember(w, &tangent, &s->memory[tangent.memory], 1);
+}
+
+void pm_active_anchor_joints(pm_workspace *w, pm_state *s)
+{
+    for (int i = 0; i < w->model->rows[PM_TABLE_JOINT]; i++) {
+        if (w->model->joint_memory[i] == PM_NONE) continue;
+        pm_row row[PM_JOINT_ROWS];
+        pm_row_of_joint(w, i, row);
+        pm_row_kind(row[1].kind)->remember(w, &row[1], &s->memory[row[1].memory], 1);
+    }
+}
+
+void pm_active_follow(pm_workspace *w, pm_state *s)
+{
+    for (int i = 0; i < w->nactive; i++) {
+        const pm_row *row = &w->row[i];
+        if (row->memory != PM_NONE && pm_row_kind(row->kind)->remember)
+            pm_row_kind(row->kind)->remember(w, row, &s->memory[row->memory], 0);
+    }
+}

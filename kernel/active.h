@@ -1,0 +1,18 @@
+/* active.h - which rows hold now: independent joint rows, normals of closed contacts, tangents of sticking ones. */
+#ifndef PM_ACTIVE_H
+#define PM_ACTIVE_H
+
+#include "model.h"
+
+/* Fills w->row from the joints and the modes of the slots in w->state; the frame must look at w->state. */
+int pm_active_build(pm_workspace *w);
+/* Anchors the no-slip rows of slot (just closed or stuck) at the frame. */
+void pm_active_anchor(pm_workspace *w, pm_state *s, int slot);
+/* Anchors all rolling joints at the frame (once, after the assembly). */
+void pm_active_anchor_joints(pm_workspace *w, pm_state *s);
+/* After an accepted step: unwrapped directions follow. */
+void pm_active_follow(pm_workspace *w, pm_state *s);
+/* Zeroes the list (all rows of a slot PM_NONE). */
+void pm_active_clear(pm_workspace *w);
+
+#endif

@@ -1,0 +1,279 @@
+/* ask.c - answers taken at instants, over the run, and on grids.
+ *
+ * Extremes: every interval between nodes where the rate of the watched value changes sign is searched for the root of
+ * the rate (differences of the route's dense output), and the value is taken on an exact state there. */
+#include "ask.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "body.h"
+#include "event.h"
+#include "program.h"
+#include "root.h"
+#include "route.h"
+#include "saddle.h"
+
+#define RATE_STEP 2e-3  /* of the step: distance of the differences that make a rate */
+#define ON_GRID 1e-9    /* relative: a grid value met at the very start or end of the run */
+
+int pm_ask_create(pm_workspace *w)
+{
+    const size_t nask = (size_t)w->model->nask, nout = (size_t)w->model->nout;
+    pm_ask_set *a = w->ask = calloc(1, sizeof *a);
+    if (!a) return PM_NO_MEMORY;
+    a->observer = calloc(nask + 1, sizeof *a->observer);
+    a->sample = calloc((PM_NODES + 2) * nask + 1, sizeof *a->sample);
+    a->undefined = calloc(nask + nout + 1, 1);
+    a->solver = pm_root_create();
+    if (!a->observer || !a->sample || !a->undefined || !a->solver) return PM_NO_MEMORY;
+    a->best = a->sample + PM_NODES * nask;
+    a->before = a->best + nask;
+    a->filled = a->undefined + nask;
+    a->level = PM_LEVEL_KINEMATIC;
+    for (int i = 0; i < w->model->nask; i++) {
+        const int32_t *e = PM_ASK_ROW(w->model, i);
+        if (e[PM_ASK_KIND] < PM_ASK_MAX || e[PM_ASK_KIND] > PM_ASK_GRID) continue;
+        a->observer[a->nobserver++] = i;
+        for (int k = 0; k < 2; k++) {
+            const int program = e[k ? PM_ASK_PROGRAM_2 : PM_ASK_PROGRAM];
+            if (program >= 0 && w->model->program_level[program] > a->level) a->level = w->model->program_level[program];
+        }
+    }
+    return PM_OK;
+}
+
+void pm_ask_free(pm_workspace *w)
+{
+    if (!w->ask) return;
+    free(w->ask->observer);
+    free(w->ask->sample);
+    free(w->ask->undefined);
+    pm_root_free(w->ask->solver);
+    free(w->ask);
+    w->ask = NULL;
+}
+
+void pm_ask_reset(pm_workspace *w)
+{
+    pm_ask_set *a = w->ask;
+    for (int i = 0; i < w->model->nask; i++) a->best[i] = NAN;
+    memset(a->undefined, 0, (size_t)(w->model->nask + w->model->nout));
+    for (int i = 0; i < w->model->nout; i++) w->out[i] = NAN;
+    for (int i = 0; i < w->model->nask; i++) w->reason[i] = PM_REASON_NOT_REACHED;
+}
+
+static double run(pm_workspace *w, int program) { return pm_program_run(w->model, program, w->param, w->value, w); }
+
+static void answer(pm_workspace *w, int ask, int column, double value)
+{
+    const int out = PM_ASK_ROW(w->model, ask)[PM_ASK_OUT] + column;
+    w->out[out] = value;
+    w->ask->filled[out] = 1;
+}
+
+static int is_greatest(const int32_t *e) { return e[PM_ASK_KIND] == PM_ASK_MAX || e[PM_ASK_KIND] == PM_ASK_AT_MAX; }
+static int at_extreme(const int32_t *e) { return e[PM_ASK_KIND] == PM_ASK_AT_MAX || e[PM_ASK_KIND] == PM_ASK_AT_MIN; }
+static int watched_program(const int32_t *e)
+{
+    return e[PM_ASK_KIND] == PM_ASK_GRID || at_extreme(e) ? e[PM_ASK_PROGRAM_2] : e[PM_ASK_PROGRAM];
+}
+
+/* Takes a value of a watched extreme at the frame. */
+static void offer(pm_workspace *w, int ask, double value)
+{
+    pm_ask_set *a = w->ask;
+    const int32_t *e = PM_ASK_ROW(w->model, ask);
+    if (isnan(value)) {
+        a->undefined[ask] = 1;
+        return;
+    }
+    const int better = is_greatest(e) ? value > a->best[ask] : value < a->best[ask];
+    if (!isnan(a->best[ask]) && !better) return;
+    a->best[ask] = value;
+    answer(w, ask, 0, at_extreme(e) ? run(w, e[PM_ASK_PROGRAM]) : value);
+}
+
+static void offer_grid(pm_workspace *w, int ask, double value, double tolerance)
+{
+    const int32_t *e = PM_ASK_ROW(w->model, ask);
+    for (int k = 0; k < e[PM_ASK_COUNT]; k++) {
+        const double wanted = w->value[e[PM_ASK_FIRST_VALUE] + k];
+        if (w->ask->filled[e[PM_ASK_OUT] + k] || !(fabs(value - wanted) <= tolerance * fmax(fabs(wanted), 1e-3))) continue;
+        answer(w, ask, k, run(w, e[PM_ASK_PROGRAM]));
+    }
+}
+
+void pm_ask_sample(pm_workspace *w, int node)
+{
+    for (int i = 0; i < w->ask->nobserver; i++) {
+        const int ask = w->ask->observer[i];
+        w->ask->sample[node * w->model->nask + ask] = run(w, watched_program(PM_ASK_ROW(w->model, ask)));
+    }
+}
+
+typedef struct pm_watch {
+    int program;
+    double minus; /* value to take off: a grid value */
+    double step;  /* > 0: the rate by differences instead of the value */
+} pm_watch;
+
+static int look(pm_workspace *w, double t, int exact)
+{
+    const int status = exact ? w->route->exact(w, t, &w->probe) : w->route->at(w, t, &w->probe);
+    if (status) return status;
+    pm_frame_look(w, w->probe.t, w->probe.q, w->probe.v, w->probe.z, w->state.memory);
+    return w->ask->level == PM_LEVEL_DYNAMIC ? pm_saddle_accelerate(w) : PM_OK;
+}
+
+static double value_at(pm_workspace *w, double t, const pm_watch *x) { return look(w, t, 0) ? NAN : run(w, x->program) - x->minus; }
+
+static double along(pm_workspace *w, double t, void *context)
+{
+    const pm_watch *x = context;
+    const double d = x->step;
+    if (d == 0) return value_at(w, t, x);
+    return (8 * (value_at(w, t + d, x) - value_at(w, t - d, x)) - (value_at(w, t + 2 * d, x) - value_at(w, t - 2 * d, x))) / (12 * d);
+}
+
+/* Between two nodes where the value may have an extreme better than the best so far: the root of its rate. */
+static int refine(pm_workspace *w, int ask, double a, double b)
+{
+    pm_watch x = {watched_program(PM_ASK_ROW(w->model, ask)), 0, RATE_STEP * (w->step_end - w->step_begin)};
+    const double fa = along(w, a, &x), fb = along(w, b, &x);
+    const int greatest = is_greatest(PM_ASK_ROW(w->model, ask));
+    double t;
+    if (!(greatest ? fa > 0 && fb < 0 : fa < 0 && fb > 0)) return PM_OK;
+    int status = pm_root_find(w, w->ask->solver, along, &x, a, fa, b, fb, &t);
+    if (status || (status = look(w, t, 1))) return status;
+    offer(w, ask, run(w, x.program));
+    return PM_OK;
+}
+
+/* Least-squares-free slope test: the quartic through five nodes tells where the rate may change sign; intervals next to
+ * the greatest node are always looked at. */
+static int extreme_in_step(pm_workspace *w, int ask)
+{
+    const int nask = w->model->nask;
+    const double sign = is_greatest(PM_ASK_ROW(w->model, ask)) ? 1 : -1;
+    double g[PM_NODES], spread = 0;
+    int top = 0;
+    for (int k = 0; k < PM_NODES; k++) {
+        g[k] = sign * w->ask->sample[k * nask + ask];
+        if (isnan(g[k])) {
+            w->ask->undefined[ask] = 1;
+            return PM_OK;
+        }
+        if (g[k] > g[top]) top = k;
+        spread = fmax(spread, fabs(g[k] - g[0]));
+    }
+    /* an extreme between the nodes exceeds them by no more than their spread */
+    if (spread == 0 || g[top] + spread < sign * w->ask->best[ask]) return PM_OK;
+    const double h = (w->step_end - w->step_begin) / (PM_NODES - 1), t0 = w->step_begin;
+    for (int k = top - 1; k <= top; k++) {
+        if (k < 0 || k + 1 >= PM_NODES) continue;
+        const int status = refine(w, ask, t0 + k * h, k + 2 == PM_NODES ? w->step_end : t0 + (k + 1) * h);
+        if (status) return status;
+    }
+    return PM_OK;
+}
+
+static int grid_in_step(pm_workspace *w, int ask)
+{
+    const int32_t *e = PM_ASK_ROW(w->model, ask);
+    const double h = (w->step_end - w->step_begin) / (PM_NODES - 1);
+    for (int k = 0; k < e[PM_ASK_COUNT]; k++) {
+        pm_watch x = {e[PM_ASK_PROGRAM_2], w->value[e[PM_ASK_FIRST_VALUE] + k], 0};
+        for (int i = 0; i + 1 < PM_NODES && !w->ask->filled[e[PM_ASK_OUT] + k]; i++) {
+            const double a = w->ask->sample[i * w->model->nask + ask] - x.minus;
+            const double b = w->ask->sample[(i + 1) * w->model->nask + ask] - x.minus;
+            double t, from = w->step_begin + i * h, to = i + 2 == PM_NODES ? w->step_end : from + h;
+            if (!((a < 0 && b >= 0) || (a > 0 && b <= 0))) continue;
+            int status = pm_root_find(w, w->ask->solver, along, &x, from, a, to, b, &t);
+            if (status || (status = look(w, t, 1))) return status;
+            answer(w, ask, k, run(w, e[PM_ASK_PROGRAM]));
+        }
+    }
+    return PM_OK;
+}
+
+/* The nodes themselves were offered by value only; where something else is asked at the extreme, look again. */
+static int offer_node(pm_workspace *w, int ask)
+{
+    const int nask = w->model->nask;
+    const int32_t *e = PM_ASK_ROW(w->model, ask);
+    for (int k = 0; k < PM_NODES; k++) {
+        const double value = w->ask->sample[k * nask + ask], best = w->ask->best[ask];
+        if (!isnan(value) && !isnan(best) && !(is_greatest(e) ? value > best : value < best)) continue;
+        const double t = w->step_begin + (w->step_end - w->step_begin) * k / (PM_NODES - 1);
+        if (at_extreme(e)) {
+            const int status = look(w, k == PM_NODES - 1 ? w->step_end : t, 1);
+            if (status) return status;
+        }
+        offer(w, ask, value);
+    }
+    return PM_OK;
+}
+
+int pm_ask_step(pm_workspace *w)
+{
+    for (int i = 0; i < w->ask->nobserver; i++) {
+        const int ask = w->ask->observer[i], grid = PM_ASK_ROW(w->model, ask)[PM_ASK_KIND] == PM_ASK_GRID;
+        int status = grid ? grid_in_step(w, ask) : offer_node(w, ask);
+        if (!status && !grid) status = extreme_in_step(w, ask);
+        if (status) return status;
+    }
+    return PM_OK;
+}
+
+void pm_ask_instant(pm_workspace *w)
+{
+    for (int i = 0; i < w->ask->nobserver; i++) {
+        const int ask = w->ask->observer[i];
+        const int32_t *e = PM_ASK_ROW(w->model, ask);
+        const double value = run(w, watched_program(e));
+        if (e[PM_ASK_KIND] == PM_ASK_GRID)
+            offer_grid(w, ask, value, ON_GRID);
+        else
+            offer(w, ask, value);
+    }
+}
+
+void pm_ask_look_before(pm_workspace *w)
+{
+    for (int i = 0; i < w->model->nask; i++) {
+        const int32_t *e = PM_ASK_ROW(w->model, i);
+        if (e[PM_ASK_BEFORE] && e[PM_ASK_EVENT_INDEX] != PM_NONE) w->ask->before[i] = run(w, e[PM_ASK_PROGRAM]);
+    }
+}
+
+void pm_ask_fired(pm_workspace *w, int event)
+{
+    const int64_t nth = w->event->count[event];
+    for (int i = 0; i < w->model->nask; i++) {
+        const int32_t *e = PM_ASK_ROW(w->model, i);
+        if (e[PM_ASK_EVENT_INDEX] != event) continue;
+        const double value = e[PM_ASK_BEFORE] ? w->ask->before[i] : run(w, e[PM_ASK_PROGRAM]);
+        if (e[PM_ASK_KIND] == PM_ASK_EVENT && nth == e[PM_ASK_NTH]) answer(w, i, 0, value);
+        if (e[PM_ASK_KIND] == PM_ASK_EACH && nth <= e[PM_ASK_COUNT]) answer(w, i, (int)nth - 1, value);
+    }
+}
+
+void pm_ask_end(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    for (int i = 0; i < m->nask; i++) {
+        const int32_t *e = PM_ASK_ROW(m, i);
+        if (e[PM_ASK_KIND] == PM_ASK_END) answer(w, i, 0, run(w, e[PM_ASK_PROGRAM]));
+        if (e[PM_ASK_KIND] == PM_ASK_GRID) offer_grid(w, i, run(w, e[PM_ASK_PROGRAM_2]), ON_GRID);
+        if (w->ask->undefined[i]) answer(w, i, 0, NAN);
+        int filled = 1, undefined = 0;
+        for (int k = 0; k < e[PM_ASK_COUNT]; k++) {
+            filled &= w->ask->filled[e[PM_ASK_OUT] + k];
+            undefined |= isnan(w->out[e[PM_ASK_OUT] + k]);
+        }
+        if (e[PM_ASK_KIND] == PM_ASK_EACH) filled = w->ask->filled[e[PM_ASK_OUT]];
+        if (filled) w->reason[i] = undefined && e[PM_ASK_KIND] != PM_ASK_EACH ? PM_REASON_UNDEFINED : PM_REASON_NONE;
+    }
+}

@@ -1,0 +1,37 @@
+/* ask.h - answers: values at the end and at events, extremes over the run, values on a grid. */
+#ifndef PM_ASK_H
+#define PM_ASK_H
+
+#include "model.h"
+
+typedef struct pm_ask_set {
+    int *observer;      /* [nask] asks that watch the whole run: extremes and grids */
+    int nobserver;
+    int level;          /* highest level that they need */
+    double *sample;     /* [PM_NODES][nask] watched values in a step */
+    double *best;       /* [nask] extreme so far, NaN before the first value */
+    double *before;     /* [nask] values before the jump of the present instant */
+    unsigned char *undefined; /* [nask] an extreme met a not-a-number */
+    unsigned char *filled;    /* [nout] */
+    void *solver;       /* gsl_root_fsolver */
+    void *block;
+} pm_ask_set;
+
+int pm_ask_create(pm_workspace *w);
+void pm_ask_free(pm_workspace *w);
+void pm_ask_reset(pm_workspace *w);
+
+/* Watched values at one node of a step; the frame looks there at the level that pm_ask_set.level says. */
+void pm_ask_sample(pm_workspace *w, int node);
+/* All nodes of [w->step_begin, w->step_end] are sampled: extremes between nodes, grid values passed. */
+int pm_ask_step(pm_workspace *w);
+/* An instant outside a step (start, after a jump): the frame looks at w->state. */
+void pm_ask_instant(pm_workspace *w);
+
+/* Events: keeps values before the jump; after it, answers the asks of events that have just fired. */
+void pm_ask_look_before(pm_workspace *w);
+void pm_ask_fired(pm_workspace *w, int event);
+/* Answers what is asked at the end, marks what was not reached. */
+void pm_ask_end(pm_workspace *w);
+
+#endif

@@ -1,0 +1,169 @@
+/* audit.c - two ledgers that the routes do not use.
+ *
+ * Work and energy:      T1 + V1 + (work of forces without potential, friction) - (losses of blows) = T2 + V2   (17.11)
+ * Impulse and momentum: momenta1 + impulses of the outer world = momenta2, about the origin                   (17.14)
+ * Outer impulses are taken from points and directions of the forces (row.act), never from the Jacobian; the energy of
+ * a blow from sum P (u + u')/2 with the touching points' own velocities.  A wrong sign in a Jacobian opens a ledger. */
+#include "audit.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "body.h"
+#include "force.h"
+#include "project.h"
+#include "row.h"
+#include "saddle.h"
+
+#define LEAST_BOUND 1e-7   /* relative residual above which a run is not trusted, at the tightest tolerance */
+#define BOUND_FACTOR 1e4   /* times the tolerance of integration, if that is more */
+
+static int friction_z(const pm_model *m) { return m->nz_controlled; }
+static int ledger_z(const pm_model *m) { return m->nz_controlled + 1; }
+
+static void add_outer(double *impulse, const double at[2], const double force[2], double couple, double sign)
+{
+    impulse[0] += sign * force[0];
+    impulse[1] += sign * force[1];
+    impulse[2] += sign * (couple + at[0] * force[1] - at[1] * force[0]);
+}
+
+/* Forces (or impulses) of the rows on the scene from outside: only rows with the ground give any. */
+static void add_rows(const pm_workspace *w, const double *size, double *impulse)
+{
+    const int ground = w->model->nbody;
+    for (int i = 0; i < w->nactive; i++) {
+        const pm_row *row = &w->row[i];
+        const double sign = (row->body[0] != ground) - (row->body[1] != ground);
+        if (sign == 0) continue;
+        pm_line_of_action x;
+        pm_row_kind(row->kind)->act(w, row, &x);
+        const double force[2] = {size[i] * x.direction[0], size[i] * x.direction[1]};
+        add_outer(impulse, x.at, force, size[i] * x.couple, sign);
+    }
+    if (!w->asymmetric) return;
+    for (int i = w->nactive; w->row[i].normal != PM_NONE; i++) { /* sliding friction */
+        const pm_row *row = &w->row[i];
+        const double sign = (row->body[0] != ground) - (row->body[1] != ground);
+        const double friction = w->row[row->normal].slide * size[row->normal];
+        pm_line_of_action x;
+        pm_row_kind(row->kind)->act(w, row, &x);
+        const double force[2] = {friction * x.direction[0], friction * x.direction[1]};
+        add_outer(impulse, x.at, force, 0, sign);
+    }
+}
+
+static double friction_power(pm_workspace *w, const double *size)
+{
+    double sum = 0;
+    if (!w->asymmetric) return 0;
+    for (int i = w->nactive; w->row[i].normal != PM_NONE; i++) {
+        const pm_row *normal = &w->row[w->row[i].normal];
+        sum += normal->slide * size[w->row[i].normal] * pm_row_rate(w, &w->row[i]);
+    }
+    return sum;
+}
+
+void pm_audit_rates(pm_workspace *w, double *zdot)
+{
+    const pm_model *m = w->model;
+    for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++)
+        if (m->force_z[i] != PM_NONE) zdot[m->force_z[i]] = w->frame.power[i];
+    for (int i = 0; i < m->rows[PM_TABLE_MEASURE]; i++) {
+        if (m->path_z[i] == PM_NONE) continue;
+        const pm_point p = pm_point_of(w, PM_MEASURE_ROW(m, i)[PM_MEASURE_A]);
+        zdot[m->path_z[i]] = hypot(p.v[0], p.v[1]);
+    }
+    zdot[friction_z(m)] = friction_power(w, w->frame.lambda);
+    double *outer = zdot + ledger_z(m);
+    outer[0] = outer[1] = outer[2] = 0;
+    for (int i = 0; i < m->nbody; i++) {
+        const double force[2] = {w->mass[i] * w->gravity[0], w->mass[i] * w->gravity[1]};
+        add_outer(outer, w->frame.pose + 5 * i, force, 0, 1);
+    }
+    for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++) {
+        const pm_action x = pm_force_action(w, i);
+        if (x.body_a != m->nbody) add_outer(outer, x.at_a, x.force, x.couple, 1);
+        if (x.body_b != m->nbody) add_outer(outer, x.at_b, x.force, x.couple, -1);
+    }
+    add_rows(w, w->frame.lambda, outer);
+}
+
+static double energy(pm_workspace *w) { return pm_body_kinetic(w, PM_NONE) + pm_body_weight_energy(w) + pm_force_potential(w); }
+
+void pm_audit_begin(pm_workspace *w)
+{
+    pm_frame_look_state(w, &w->state);
+    w->energy_start = energy(w);
+    w->energy_lost = 0;
+    w->energy_scale = pm_body_kinetic(w, PM_NONE);
+    w->momentum_scale = 0;
+    w->constraint_worst = 0;
+    pm_body_momentum(w, PM_NONE, w->momentum_start);
+}
+
+static double work_of_forces(const pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    double sum = w->state.z[friction_z(m)];
+    for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++)
+        if (m->force_z[i] != PM_NONE) sum += w->state.z[m->force_z[i]];
+    return sum;
+}
+
+/* Linear momentum counts as m v, angular as m v times the scene's size: one scale for all three. */
+static double momentum_size(const pm_workspace *w, const double p[PM_LEDGER])
+{
+    return fmax(fmax(fabs(p[0]), fabs(p[1])), fabs(p[2]) / w->size);
+}
+
+static void update_scales(pm_workspace *w)
+{
+    double p[PM_LEDGER];
+    const double kinetic = pm_body_kinetic(w, PM_NONE);
+    pm_body_momentum(w, PM_NONE, p);
+    w->energy_scale = fmax(w->energy_scale, fmax(kinetic, fabs(work_of_forces(w))));
+    w->momentum_scale = fmax(w->momentum_scale, fmax(momentum_size(w, p), momentum_size(w, w->state.z + ledger_z(w->model))));
+}
+
+void pm_audit_step(pm_workspace *w)
+{
+    update_scales(w);
+    pm_saddle_rows(w);
+    w->constraint_worst = fmax(w->constraint_worst, pm_project_residual(w));
+}
+
+void pm_audit_jump(pm_workspace *w, const double *before)
+{
+    const pm_model *m = w->model;
+    const double *lambda = w->rhs;
+    double *velocity = w->frame.velocity, loss = 0;
+    add_rows(w, lambda, w->state.z + ledger_z(m));
+    for (int side = 0; side < 2; side++) { /* mean of the rates before and after */
+        if (side == 1) memcpy(velocity, before, (size_t)m->nq * sizeof *velocity);
+        for (int i = 0; i < w->nactive; i++) loss -= 0.5 * lambda[i] * pm_row_rate(w, &w->row[i]);
+        loss -= 0.5 * friction_power(w, lambda);
+    }
+    const double kinetic_before = pm_body_kinetic(w, PM_NONE);
+    memcpy(velocity, w->state.v, (size_t)m->nq * sizeof *velocity);
+    w->lost += kinetic_before - pm_body_kinetic(w, PM_NONE);
+    w->energy_lost += loss;
+    update_scales(w);
+}
+
+int pm_audit_close(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    double p[PM_LEDGER], open[PM_LEDGER];
+    pm_frame_look_state(w, &w->state);
+    pm_body_momentum(w, PM_NONE, p);
+    for (int i = 0; i < PM_LEDGER; i++) open[i] = p[i] - w->momentum_start[i] - w->state.z[ledger_z(m) + i];
+    const double energy_open = energy(w) - w->energy_start - work_of_forces(w) + w->energy_lost;
+    w->audit[PM_AUDIT_ENERGY] = w->energy_scale > 0 ? fabs(energy_open) / w->energy_scale : 0;
+    w->audit[PM_AUDIT_MOMENTUM] = w->momentum_scale > 0 ? momentum_size(w, open) / w->momentum_scale : 0;
+    w->audit[PM_AUDIT_CONSTRAINT] = w->constraint_worst;
+    const double bound = fmax(LEAST_BOUND, BOUND_FACTOR * w->tolerance);
+    for (int i = 0; i < PM_AUDITS; i++)
+        if (!(w->audit[i] <= bound)) return pm_fail(w, PM_AUDIT, PM_NONE, i, w->audit[i], bound);
+    return PM_OK;
+}

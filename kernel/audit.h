@@ -1,0 +1,20 @@
+/* audit.h - evidence from principles that the routes do not use: work and energy, impulse and momentum. */
+#ifndef PM_AUDIT_H
+#define PM_AUDIT_H
+
+#include "model.h"
+
+/* Rates of all running integrals at the DYNAMIC frame: work of forces, paths, work of sliding friction, and the
+ * impulses that the outer world gives (x, y, moment about the origin), taken from points and directions of the forces
+ * without the Jacobian. */
+void pm_audit_rates(pm_workspace *w, double *zdot);
+/* Opens the ledger at the start of the run (after the assembly). */
+void pm_audit_begin(pm_workspace *w);
+/* After an accepted step, at the KINEMATIC frame of w->state. */
+void pm_audit_step(pm_workspace *w);
+/* A jump from velocities `before` to those of the frame, with w->rhs the impulses of the active rows. */
+void pm_audit_jump(pm_workspace *w, const double *before);
+/* Closes the ledger: w->audit; PM_AUDIT if it does not close within its bound. */
+int pm_audit_close(pm_workspace *w);
+
+#endif

@@ -1,0 +1,173 @@
+/* case.c - parameters -> values; every bound that a number must keep is checked here, with its place. */
+#include "case.h"
+
+#include <math.h>
+
+#include "body.h"
+#include "program.h"
+
+#define NOTICEABLE 1.1 /* growth of the speed scale that is worth new weights */
+
+static int out_of_bound(pm_workspace *w, int table, int row, int member, double value, double bound)
+{
+    pm_fail(w, PM_BAD_VALUE, table, row, value, bound);
+    w->where.member = member;
+    return PM_BAD_VALUE;
+}
+
+static int compute_values(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    for (int i = 0; i < m->nparam; i++)
+        if (!isfinite(w->param[i])) return out_of_bound(w, PM_NONE, i, PM_NONE, w->param[i], 0);
+    for (int i = 0; i < m->nvalue; i++) {
+        const int program = m->table[PM_TABLE_VALUE][i * PM_VALUE_COLUMNS + PM_VALUE_PROGRAM];
+        w->value[i] = pm_program_run(m, program, w->param, w->value, NULL);
+    }
+    return PM_OK;
+}
+
+/* value must be finite and > low (or >= low). */
+static int check(pm_workspace *w, int table, int row, int column, int index, double low, int strict)
+{
+    const double value = w->value[index];
+    if (isfinite(value) && (strict ? value > low : value >= low)) return PM_OK;
+    return out_of_bound(w, table, row, column, value, low);
+}
+
+static int read_bodies(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    for (int i = 0; i < m->nbody; i++) {
+        const int32_t *e = PM_BODY_ROW(m, i);
+        int status = check(w, PM_TABLE_BODY, i, PM_BODY_MASS, e[PM_BODY_MASS], 0, 1);
+        if (!status && e[PM_BODY_TURNS]) status = check(w, PM_TABLE_BODY, i, PM_BODY_INERTIA, e[PM_BODY_INERTIA], 0, 1);
+        for (int k = PM_BODY_X; !status && k <= PM_BODY_ANGLE; k++) status = check(w, PM_TABLE_BODY, i, k, e[k], -INFINITY, 0);
+        if (status) return status;
+        w->mass[i] = w->value[e[PM_BODY_MASS]];
+        w->inverse_mass[3 * i] = w->inverse_mass[3 * i + 1] = 1 / w->mass[i];
+        w->inverse_mass[3 * i + 2] = e[PM_BODY_TURNS] ? 1 / w->value[e[PM_BODY_INERTIA]] : 0;
+    }
+    return PM_OK;
+}
+
+static int check_marks(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    int status = PM_OK;
+    for (int i = 0; !status && i < m->rows[PM_TABLE_POINT]; i++)
+        for (int k = PM_POINT_X; !status && k <= PM_POINT_Y; k++)
+            status = check(w, PM_TABLE_POINT, i, k, PM_POINT_ROW(m, i)[k], -INFINITY, 0);
+    for (int i = 0; !status && i < m->rows[PM_TABLE_LINE]; i++)
+        status = check(w, PM_TABLE_LINE, i, PM_LINE_ANGLE, PM_LINE_ROW(m, i)[PM_LINE_ANGLE], -INFINITY, 0);
+    for (int i = 0; !status && i < m->rows[PM_TABLE_CIRCLE]; i++)
+        status = check(w, PM_TABLE_CIRCLE, i, PM_CIRCLE_RADIUS, PM_CIRCLE_ROW(m, i)[PM_CIRCLE_RADIUS], 0, 0);
+    for (int i = 0; !status && i < m->rows[PM_TABLE_ROW]; i++) {
+        const int32_t *e = PM_ROW_ROW(m, i);
+        const double step = hypot(w->value[e[PM_ROW_STEP_X]], w->value[e[PM_ROW_STEP_Y]]);
+        if (!(step > 0) || !isfinite(step)) status = out_of_bound(w, PM_TABLE_ROW, i, PM_ROW_STEP_X, step, 0);
+    }
+    return status;
+}
+
+static int check_elements(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    int status = PM_OK;
+    for (int i = 0; !status && i < m->rows[PM_TABLE_JOINT]; i++) {
+        const int32_t *e = PM_JOINT_ROW(m, i);
+        if (e[PM_JOINT_KIND] == PM_JOINT_LINK) status = check(w, PM_TABLE_JOINT, i, PM_JOINT_VALUE, e[PM_JOINT_VALUE], 0, 1);
+        if (e[PM_JOINT_KIND] == PM_JOINT_WELD || e[PM_JOINT_KIND] == PM_JOINT_SLIDER_FIXED)
+            status = check(w, PM_TABLE_JOINT, i, PM_JOINT_VALUE, e[PM_JOINT_VALUE], -INFINITY, 0);
+    }
+    for (int i = 0; !status && i < m->rows[PM_TABLE_CONTACT]; i++) {
+        const int32_t *e = PM_CONTACT_ROW_OF(m, i);
+        status = check(w, PM_TABLE_CONTACT, i, PM_CONTACT_RESTITUTION, e[PM_CONTACT_RESTITUTION], 0, 0);
+        if (!status && w->value[e[PM_CONTACT_RESTITUTION]] > 1)
+            status = out_of_bound(w, PM_TABLE_CONTACT, i, PM_CONTACT_RESTITUTION, w->value[e[PM_CONTACT_RESTITUTION]], 1);
+        for (int k = PM_CONTACT_STATIC; !status && k <= PM_CONTACT_KINETIC; k++)
+            if (e[PM_CONTACT_FRICTION] == PM_FRICTION_COULOMB) status = check(w, PM_TABLE_CONTACT, i, k, e[k], 0, 0);
+    }
+    for (int i = 0; !status && i < m->rows[PM_TABLE_FORCE]; i++) {
+        const int32_t *e = PM_FORCE_ROW(m, i);
+        if (e[PM_FORCE_KIND] > PM_FORCE_ROTARY_DAMPER) continue;
+        status = check(w, PM_TABLE_FORCE, i, PM_FORCE_VALUE_1, e[PM_FORCE_VALUE_1], 0, 0);
+        if (!status && e[PM_FORCE_KIND] <= PM_FORCE_TORSION)
+            status = check(w, PM_TABLE_FORCE, i, PM_FORCE_VALUE_2, e[PM_FORCE_VALUE_2], -INFINITY, 0);
+    }
+    for (int i = 0; !status && i < m->rows[PM_TABLE_START]; i++)
+        status = check(w, PM_TABLE_START, i, PM_START_VALUE, PM_START_ROW(m, i)[PM_START_VALUE], -INFINITY, 0);
+    return status;
+}
+
+static int read_settings(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    static const int columns[] = {PM_SETTING_GRAVITY_X, PM_SETTING_GRAVITY_Y};
+    for (int k = 0; k < 2; k++) {
+        const int status = check(w, PM_TABLE_SETTING, 0, columns[k], PM_SETTING(m, columns[k]), -INFINITY, 0);
+        if (status) return status;
+        w->gravity[k] = w->value[PM_SETTING(m, columns[k])];
+    }
+    static const double least[] = {1e-14, 0, 0};
+    for (int k = PM_SETTING_ACCURACY; k <= PM_SETTING_ASSEMBLY; k++) {
+        const int status = check(w, PM_TABLE_SETTING, 0, k, PM_SETTING(m, k), least[k - PM_SETTING_ACCURACY], k > PM_SETTING_ACCURACY);
+        if (status) return status;
+    }
+    w->tolerance = w->value[PM_SETTING(m, PM_SETTING_ACCURACY)];
+    if (w->tolerance > 1e-2) return out_of_bound(w, PM_TABLE_SETTING, 0, PM_SETTING_ACCURACY, w->tolerance, 1e-2);
+    return PM_OK;
+}
+
+/* Extent of the marks on bodies and of the bodies as drawn; 1 m where there is none. */
+static void set_size(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY}, size = 0;
+    for (int i = 0; i < m->nbody; i++)
+        for (int k = 0; k < 2; k++) {
+            const double x = w->value[PM_BODY_ROW(m, i)[PM_BODY_X + k]];
+            low[k] = fmin(low[k], x);
+            high[k] = fmax(high[k], x);
+        }
+    for (int k = 0; k < 2 && m->nbody > 0; k++) size = fmax(size, high[k] - low[k]);
+    for (int i = 0; i < m->rows[PM_TABLE_POINT]; i++) {
+        const int32_t *e = PM_POINT_ROW(m, i);
+        if (e[PM_POINT_BODY] != PM_GROUND) size = fmax(size, hypot(w->value[e[PM_POINT_X]], w->value[e[PM_POINT_Y]]));
+    }
+    for (int i = 0; i < m->rows[PM_TABLE_CIRCLE]; i++) size = fmax(size, w->value[PM_CIRCLE_ROW(m, i)[PM_CIRCLE_RADIUS]]);
+    for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
+        const int32_t *e = PM_JOINT_ROW(m, i);
+        if (e[PM_JOINT_KIND] == PM_JOINT_LINK) size = fmax(size, w->value[e[PM_JOINT_VALUE]]);
+    }
+    if (size == 0) /* a particle alone: how far it is from the ground's marks */
+        for (int i = 0; i < m->rows[PM_TABLE_POINT]; i++) {
+            const int32_t *e = PM_POINT_ROW(m, i);
+            if (e[PM_POINT_BODY] != PM_GROUND || m->nbody == 0) continue;
+            size = fmax(size, hypot(w->value[e[PM_POINT_X]] - low[0], w->value[e[PM_POINT_Y]] - low[1]));
+        }
+    w->size = size > 0 && isfinite(size) ? size : 1;
+}
+
+int pm_case_speed(pm_workspace *w, const double *v)
+{
+    double fastest = 0;
+    for (int i = 0; i < w->model->nq; i++) fastest = fmax(fastest, fabs(v[i]) * (i % 3 == 2 ? w->size : 1));
+    if (!(fastest > NOTICEABLE * w->speed)) return 0;
+    w->speed = fastest;
+    return 1;
+}
+
+int pm_case_begin(pm_workspace *w, const double *param)
+{
+    w->param = param;
+    int status = compute_values(w);
+    if (!status) status = read_settings(w);
+    if (!status) status = read_bodies(w);
+    if (!status) status = check_marks(w);
+    if (!status) status = check_elements(w);
+    if (status) return status;
+    set_size(w);
+    w->speed = 0;
+    return PM_OK;
+}

@@ -1,0 +1,12 @@
+/* case.h - the numbers of one case: values, masses, scales. */
+#ifndef PM_CASE_H
+#define PM_CASE_H
+
+#include "model.h"
+
+/* Computes the value table from the parameters and checks it; fills masses, gravity, size, tolerance. */
+int pm_case_begin(pm_workspace *w, const double *param);
+/* Lets the speed scale follow v; 1 if it grew noticeably. */
+int pm_case_speed(pm_workspace *w, const double *v);
+
+#endif

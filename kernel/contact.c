@@ -1,0 +1,113 @@
+/* contact.c - gaps of potential contacts.  A periodic row has members k = .. -1, 0, 1 ..: the gap of a circle to a member
+ * grows with |k - k0|, k0 its place along the row, so the nearest open member is the first open one below or above k0. */
+#include "contact.h"
+
+#include <math.h>
+
+#include "body.h"
+#include "row.h"
+#include "saddle.h"
+
+#define TOUCHING 1e-10 /* of the scene's size */
+#define STILL 1e-11    /* of the scene's speed */
+
+double pm_contact_length(const pm_workspace *w) { return TOUCHING * w->size; }
+double pm_contact_speed(const pm_workspace *w) { return STILL * w->speed; }
+
+int pm_contact_slots(const pm_model *m, int contact)
+{
+    return PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_KIND] == PM_CONTACT_ROW ? PM_ROW_SLOTS : 1;
+}
+
+int pm_contact_of_slot(const pm_model *m, int slot)
+{
+    int contact = 0;
+    while (contact + 1 < m->rows[PM_TABLE_CONTACT] && m->contact_slot[contact + 1] <= slot) contact++;
+    return contact;
+}
+
+int pm_contact_free_slot(const pm_workspace *w, const pm_state *s, int contact)
+{
+    const int first = w->model->contact_slot[contact];
+    for (int i = first; i < first + pm_contact_slots(w->model, contact); i++)
+        if (s->slot[i].mode == PM_OPEN) return i;
+    return PM_NONE;
+}
+
+static int is_closed(const pm_workspace *w, const pm_state *s, int contact, int member)
+{
+    const int first = w->model->contact_slot[contact];
+    for (int i = first; i < first + pm_contact_slots(w->model, contact); i++)
+        if (s->slot[i].mode != PM_OPEN && s->slot[i].member == member) return 1;
+    return 0;
+}
+
+double pm_contact_restitution(const pm_workspace *w, int contact)
+{
+    return w->value[PM_CONTACT_ROW_OF(w->model, contact)[PM_CONTACT_RESTITUTION]];
+}
+
+int pm_contact_friction(const pm_model *m, int contact) { return PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_FRICTION]; }
+
+static double coefficient(const pm_workspace *w, int contact, int column)
+{
+    return pm_contact_friction(w->model, contact) == PM_FRICTION_COULOMB
+               ? w->value[PM_CONTACT_ROW_OF(w->model, contact)[column]]
+               : 0;
+}
+
+double pm_contact_static(const pm_workspace *w, int contact) { return coefficient(w, contact, PM_CONTACT_STATIC); }
+double pm_contact_kinetic(const pm_workspace *w, int contact) { return coefficient(w, contact, PM_CONTACT_KINETIC); }
+
+double pm_contact_member_gap(const pm_workspace *w, int contact, int member, double *rate)
+{
+    pm_row normal, tangent;
+    pm_row_of_contact(w, contact, w->model->contact_slot[contact], member, &normal, &tangent);
+    pm_row_kind(normal.kind)->evaluate(w, &normal);
+    if (rate) *rate = pm_saddle_times(w, &normal, w->frame.v);
+    return normal.g;
+}
+
+double pm_contact_member_slip(const pm_workspace *w, int contact, int member)
+{
+    pm_row normal, tangent;
+    pm_row_of_contact(w, contact, w->model->contact_slot[contact], member, &normal, &tangent);
+    return pm_row_rate(w, &tangent);
+}
+
+/* Where the circle's centre is along the row, in steps. */
+static double place_along_row(const pm_workspace *w, const int32_t *e)
+{
+    const pm_model *m = w->model;
+    const int32_t *row = PM_ROW_ROW(m, e[PM_CONTACT_B]);
+    const pm_point c = pm_point_of(w, PM_CIRCLE_ROW(m, e[PM_CONTACT_A])[PM_CIRCLE_POINT]);
+    const pm_point first = pm_point_of(w, row[PM_ROW_POINT]);
+    const double *axes = w->frame.pose + 5 * first.body;
+    const double sx = w->value[row[PM_ROW_STEP_X]], sy = w->value[row[PM_ROW_STEP_Y]];
+    const double step[2] = {axes[3] * sx - axes[4] * sy, axes[4] * sx + axes[3] * sy};
+    const double d[2] = {c.p[0] - first.p[0], c.p[1] - first.p[1]};
+    return pm_dot(d, step) / pm_dot(step, step);
+}
+
+static double row_gap(const pm_workspace *w, const pm_state *s, int contact, const int32_t *e, int *member)
+{
+    const double count = w->value[PM_ROW_ROW(w->model, e[PM_CONTACT_B])[PM_ROW_COUNT]];
+    const double place = place_along_row(w, e), limit = 1e9; /* members are int32 */
+    const int last = count < 0 ? (int)limit : (int)count - 1, first = count < 0 ? -(int)limit : 0;
+    const int below = (int)fmax(first - 1.0, fmin(last, fmin(limit, fmax(-limit, floor(place)))));
+    int down = below, up = below + 1;
+    while (down >= first && is_closed(w, s, contact, down)) down--;
+    while (up <= last && is_closed(w, s, contact, up)) up++;
+    const double gap_down = down >= first ? pm_contact_member_gap(w, contact, down, 0) : INFINITY;
+    const double gap_up = up <= last ? pm_contact_member_gap(w, contact, up, 0) : INFINITY;
+    *member = gap_down < gap_up ? down : up;
+    return fmin(gap_down, gap_up);
+}
+
+double pm_contact_gap(const pm_workspace *w, const pm_state *s, int contact, int *member)
+{
+    const int32_t *e = PM_CONTACT_ROW_OF(w->model, contact);
+    if (e[PM_CONTACT_KIND] == PM_CONTACT_ROW) return row_gap(w, s, contact, e, member);
+    *member = 0;
+    return is_closed(w, s, contact, 0) ? INFINITY : pm_contact_member_gap(w, contact, 0, 0);
+}

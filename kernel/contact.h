@@ -1,0 +1,29 @@
+/* contact.h - potential contacts: their gaps, the nearest member of a periodic row, and the slots of closed ones. */
+#ifndef PM_CONTACT_H
+#define PM_CONTACT_H
+
+#include "model.h"
+
+/* Smallest gap over the members that are not closed, at the frame; *member tells which.  INFINITY if all are closed. */
+double pm_contact_gap(const pm_workspace *w, const pm_state *s, int contact, int *member);
+/* Gap, and its rate, of one member at the frame. */
+double pm_contact_member_gap(const pm_workspace *w, int contact, int member, double *rate);
+/* Rate of slip of one member at the frame. */
+double pm_contact_member_slip(const pm_workspace *w, int contact, int member);
+
+int pm_contact_slots(const pm_model *m, int contact);
+/* The contact that a slot belongs to. */
+int pm_contact_of_slot(const pm_model *m, int slot);
+/* A free slot, or PM_NONE. */
+int pm_contact_free_slot(const pm_workspace *w, const pm_state *s, int contact);
+
+double pm_contact_restitution(const pm_workspace *w, int contact);
+int pm_contact_friction(const pm_model *m, int contact);
+double pm_contact_static(const pm_workspace *w, int contact);
+double pm_contact_kinetic(const pm_workspace *w, int contact);
+
+/* Gaps below this count as touching, m; normal and tangential speeds below this count as none, m/s. */
+double pm_contact_length(const pm_workspace *w);
+double pm_contact_speed(const pm_workspace *w);
+
+#endif

@@ -1,0 +1,78 @@
+/* dense.c - Cholesky and LU for some tens of unknowns: plain loops, no library call overhead, the same bits everywhere. */
+#include "dense.h"
+
+#include <math.h>
+
+/* A pivot this much smaller than its diagonal has lost all figures: the rows depend on each other. */
+#define PIVOT_LOSS 1e-14
+
+int pm_cholesky_factor(int n, double *a)
+{
+    for (int j = 0; j < n; j++) {
+        double *aj = a + j * n;
+        const double diagonal = aj[j];
+        double sum = diagonal;
+        for (int k = 0; k < j; k++) sum -= aj[k] * aj[k];
+        if (!(sum > PIVOT_LOSS * diagonal)) return j + 1;
+        const double root = sqrt(sum), inverse = 1 / root;
+        aj[j] = root;
+        for (int i = j + 1; i < n; i++) {
+            double *ai = a + i * n, s = ai[j];
+            for (int k = 0; k < j; k++) s -= ai[k] * aj[k];
+            ai[j] = s * inverse;
+        }
+    }
+    return 0;
+}
+
+void pm_cholesky_solve(int n, const double *a, double *x)
+{
+    for (int i = 0; i < n; i++) {
+        double s = x[i];
+        for (int k = 0; k < i; k++) s -= a[i * n + k] * x[k];
+        x[i] = s / a[i * n + i];
+    }
+    for (int i = n - 1; i >= 0; i--) {
+        double s = x[i];
+        for (int k = i + 1; k < n; k++) s -= a[k * n + i] * x[k];
+        x[i] = s / a[i * n + i];
+    }
+}
+
+int pm_lu_factor(int n, double *a, int *pivot)
+{
+    for (int j = 0; j < n; j++) {
+        int best = j;
+        for (int i = j + 1; i < n; i++)
+            if (fabs(a[i * n + j]) > fabs(a[best * n + j])) best = i;
+        pivot[j] = best;
+        if (!(fabs(a[best * n + j]) > 0)) return j + 1;
+        if (best != j)
+            for (int k = 0; k < n; k++) {
+                const double swap = a[j * n + k];
+                a[j * n + k] = a[best * n + k];
+                a[best * n + k] = swap;
+            }
+        const double inverse = 1 / a[j * n + j];
+        for (int i = j + 1; i < n; i++) {
+            const double factor = a[i * n + j] *= inverse;
+            if (factor == 0) continue;
+            for (int k = j + 1; k < n; k++) a[i * n + k] -= factor * a[j * n + k];
+        }
+    }
+    return 0;
+}
+
+void pm_lu_solve(int n, const double *a, const int *pivot, double *x)
+{
+    for (int i = 0; i < n; i++) {
+        const double swap = x[pivot[i]];
+        x[pivot[i]] = x[i];
+        x[i] = swap;
+        for (int k = 0; k < i; k++) x[i] -= a[i * n + k] * x[k];
+    }
+    for (int i = n - 1; i >= 0; i--) {
+        for (int k = i + 1; k < n; k++) x[i] -= a[i * n + k] * x[k];
+        x[i] /= a[i * n + i];
+    }
+}

@@ -1,0 +1,223 @@
+/* jump.c - restitution with all joints held.
+ *
+ *   M (v' - v) = H^T P,   G v' = -e (G v) at struck normals, 0 at joints and at tangents that hold     (17.19)
+ *
+ * Which contacts take part: the struck ones alone first; a resting contact joins only if its pair would otherwise
+ * approach; a contact whose impulse would pull drops out; repeat.  Friction in a blow: rough holds, Coulomb holds while
+ * |P_t| <= mu P_n of the same blow and else slides against the slip before it.  Resting contacts that do not join carry
+ * nothing, their tangents included. */
+#include "jump.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "active.h"
+#include "audit.h"
+#include "body.h"
+#include "contact.h"
+#include "event.h"
+#include "mode.h"
+#include "row.h"
+#include "saddle.h"
+
+#define PULLS 1e-11       /* of the impulses in the blow: a normal impulse this small does not pull */
+#define LAST_BOUNCE 1e-7  /* of the scene's speed: slower approaches do not bounce; heights below rounding */
+#define BLOWS_AT_ONCE 64
+
+enum pm_share { OUT = 0, STRUCK = 1, JOINED = 2, DROPPED = 3 };
+
+/* Closes the open members that touch and approach; their slots are marked STRUCK. */
+static int find_struck(pm_workspace *w, unsigned char *share, int *struck)
+{
+    const pm_model *m = w->model;
+    *struck = 0;
+    for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++)
+        for (int n = 0; n < pm_contact_slots(m, i); n++) {
+            int member, slot;
+            double rate;
+            if (pm_contact_gap(w, &w->state, i, &member) > pm_contact_length(w)) break;
+            pm_contact_member_gap(w, i, member, &rate);
+            if (rate >= -pm_contact_speed(w)) break;
+            const int status = pm_mode_close(w, i, member, &slot);
+            if (status) return status;
+            share[slot] = STRUCK;
+            pm_event_mark(w, PM_TRIGGER_STRIKE, i);
+            ++*struck;
+        }
+    return PM_OK;
+}
+
+/* Rows of this trial: modes of the contacts that take part; the others are open for the blow. */
+static int build(pm_workspace *w, const unsigned char *share, const int32_t *trial)
+{
+    const pm_model *m = w->model;
+    for (int i = 0; i < m->nslot; i++) w->state.slot[i].mode = share[i] == STRUCK || share[i] == JOINED ? trial[i] : PM_OPEN;
+    pm_frame_look_state(w, &w->state);
+    const int status = pm_active_build(w);
+    if (!status) pm_saddle_rows(w);
+    return status;
+}
+
+static double restitution_of(const pm_workspace *w, int slot, double approach)
+{
+    return approach < -LAST_BOUNCE * w->speed ? pm_contact_restitution(w, pm_contact_of_slot(w->model, slot)) : 0;
+}
+
+/* Impulses (w->rhs) and the velocities after the blow. */
+static int solve(pm_workspace *w, const unsigned char *share, double *after)
+{
+    const int nq = w->model->nq;
+    memcpy(after, w->state.v, (size_t)nq * sizeof *after);
+    if (w->nactive == 0) return PM_OK;
+    for (int i = 0; i < w->nactive; i++) {
+        const pm_row *row = &w->row[i];
+        const double u = pm_saddle_times(w, row, w->state.v);
+        const int normal = row->slot != PM_NONE && w->slot_normal[row->slot] == i;
+        w->rhs[i] = normal && share[row->slot] == STRUCK ? -(1 + restitution_of(w, row->slot, u)) * u : -u;
+    }
+    const int status = pm_saddle_factor(w);
+    if (status) return status;
+    pm_saddle_solve(w);
+    pm_saddle_spread(w, 1, after);
+    return PM_OK;
+}
+
+static double impulse_size(const pm_workspace *w)
+{
+    double size = 0;
+    for (int i = 0; i < w->nactive; i++) size = fmax(size, fabs(w->rhs[i]));
+    return size;
+}
+
+static int drop_pulling(const pm_workspace *w, unsigned char *share)
+{
+    int worst = PM_NONE;
+    double least = -PULLS * impulse_size(w);
+    for (int i = 0; i < w->model->nslot; i++) {
+        if (w->slot_normal[i] == PM_NONE || w->rhs[w->slot_normal[i]] >= least) continue;
+        least = w->rhs[w->slot_normal[i]];
+        worst = i;
+    }
+    if (worst != PM_NONE) share[worst] = DROPPED;
+    return worst != PM_NONE;
+}
+
+static int slide_where_it_must(pm_workspace *w, int32_t *trial)
+{
+    for (int i = 0; i < w->model->nslot; i++) {
+        const int contact = pm_contact_of_slot(w->model, i);
+        if (w->slot_tangent[i] == PM_NONE || w->slot_normal[i] == PM_NONE) continue;
+        if (pm_contact_friction(w->model, contact) != PM_FRICTION_COULOMB) continue;
+        const double friction = w->rhs[w->slot_tangent[i]];
+        if (fabs(friction) <= pm_contact_static(w, contact) * w->rhs[w->slot_normal[i]] + PULLS * impulse_size(w)) continue;
+        const double slip = pm_contact_member_slip(w, contact, w->state.slot[i].member);
+        const int forward = fabs(slip) > pm_contact_speed(w) ? slip > 0 : friction < 0;
+        trial[i] = forward ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
+        return 1;
+    }
+    return 0;
+}
+
+/* A resting contact whose pair would approach joins. */
+static int join_approaching(pm_workspace *w, unsigned char *share, const int32_t *resting, int32_t *trial, const double *after)
+{
+    for (int i = 0; i < w->model->nslot; i++) {
+        if (share[i] != OUT || resting[i] == PM_OPEN) continue;
+        pm_row normal, tangent;
+        const int contact = pm_contact_of_slot(w->model, i);
+        pm_row_of_contact(w, contact, i, w->state.slot[i].member, &normal, &tangent);
+        pm_row_kind(normal.kind)->evaluate(w, &normal);
+        if (pm_saddle_times(w, &normal, after) >= -pm_contact_speed(w)) continue;
+        share[i] = JOINED;
+        trial[i] = pm_contact_friction(w->model, contact) == PM_FRICTION_SMOOTH ? PM_SMOOTH : PM_STICK;
+        return 1;
+    }
+    return 0;
+}
+
+static void record(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    memset(w->joint_impulse, 0, (size_t)m->njoint_row * sizeof(double));
+    memset(w->slot_impulse, 0, 2 * (size_t)m->nslot * sizeof(double));
+    for (int i = 0; i < m->njoint_row; i++)
+        if (w->joint_active[i] != PM_NONE) w->joint_impulse[i] = w->rhs[w->joint_active[i]];
+    for (int i = 0; i < m->nslot; i++) {
+        if (w->slot_normal[i] == PM_NONE) continue;
+        pm_row normal, tangent;
+        pm_line_of_action along;
+        pm_row_of_contact(w, pm_contact_of_slot(m, i), i, w->state.slot[i].member, &normal, &tangent);
+        const double p = w->rhs[w->slot_normal[i]];
+        w->slot_impulse[2 * i] = p;
+        w->slot_impulse[2 * i + 1] =
+            w->slot_tangent[i] != PM_NONE ? w->rhs[w->slot_tangent[i]] : w->row[w->slot_normal[i]].slide * p;
+        pm_row_kind(normal.kind)->act(w, &normal, &along);
+        memcpy(w->slot_direction + 4 * i, along.direction, sizeof along.direction);
+        pm_row_kind(tangent.kind)->act(w, &tangent, &along);
+        memcpy(w->slot_direction + 4 * i + 2, along.direction, sizeof along.direction);
+    }
+}
+
+/* Modes after the blow: what parts is open; what stays is closed with the friction its slip asks for. */
+static void set_modes(pm_workspace *w, const unsigned char *share, const int32_t *resting)
+{
+    for (int i = 0; i < w->model->nslot; i++) {
+        const int contact = pm_contact_of_slot(w->model, i), member = w->state.slot[i].member;
+        double rate;
+        w->state.slot[i].mode = PM_OPEN;
+        if (share[i] == OUT && resting[i] == PM_OPEN) continue;
+        pm_contact_member_gap(w, contact, member, &rate);
+        if (fabs(rate) > pm_contact_speed(w)) continue; /* parts, or is struck again by the next blow */
+        w->state.slot[i].mode = pm_mode_of_slip(w, contact, member);
+        if (share[i] != OUT || w->state.slot[i].mode != resting[i]) pm_active_anchor(w, &w->state, i);
+    }
+}
+
+static int one_blow(pm_workspace *w, unsigned char *share, double *scratch)
+{
+    const pm_model *m = w->model;
+    double *after = scratch;
+    int32_t *resting = (int32_t *)(void *)(scratch + m->nq), *trial = resting + m->nslot;
+    int status = PM_OK, again = 1;
+    for (int i = 0; i < m->nslot; i++) {
+        resting[i] = share[i] == STRUCK ? PM_OPEN : w->state.slot[i].mode;
+        trial[i] = pm_contact_friction(m, pm_contact_of_slot(m, i)) == PM_FRICTION_SMOOTH ? PM_SMOOTH : PM_STICK;
+    }
+    const int most = 4 * m->nslot + 4;
+    for (int i = 0; again; i++) {
+        if (i == most) return pm_fail(w, PM_BLOW_UNDECIDED, PM_TABLE_CONTACT, PM_NONE, most, most);
+        if ((status = build(w, share, trial)) || (status = solve(w, share, after))) return status;
+        again = drop_pulling(w, share) || slide_where_it_must(w, trial) ||
+                join_approaching(w, share, resting, trial, after);
+    }
+    record(w);
+    double *before = after + m->nq + m->nslot; /* behind resting and trial */
+    memcpy(before, w->state.v, (size_t)m->nq * sizeof *before);
+    memcpy(w->state.v, after, (size_t)m->nq * sizeof *after);
+    pm_frame_look_state(w, &w->state);
+    pm_audit_jump(w, before);
+    set_modes(w, share, resting);
+    w->count[PM_COUNT_JUMPS]++;
+    return PM_OK;
+}
+
+int pm_jump(pm_workspace *w, int *jumped)
+{
+    const pm_model *m = w->model;
+    *jumped = 0;
+    if (m->nslot == 0) return PM_OK;
+    double *scratch = w->scratch;
+    unsigned char *share = (unsigned char *)(void *)(scratch + 2 * m->nq + 2 * m->nslot);
+    for (int i = 0;; i++) {
+        int struck;
+        memset(share, OUT, (size_t)m->nslot);
+        pm_frame_look_state(w, &w->state);
+        int status = find_struck(w, share, &struck);
+        if (status || struck == 0) return status;
+        if (i == BLOWS_AT_ONCE) return pm_fail(w, PM_BLOW_UNDECIDED, PM_TABLE_CONTACT, PM_NONE, i, BLOWS_AT_ONCE);
+        if (*jumped == 0) w->lost = 0;
+        status = one_blow(w, share, scratch);
+        if (status) return status;
+        ++*jumped;
+    }
+}

@@ -1,0 +1,181 @@
+/* mode.c - complementarity at the level of accelerations: a closed contact pushes (lambda_n >= 0) or opens; friction by
+ * Coulomb holds within mu lambda_n or slides against the slip; a rough contact never slips, a smooth one has no friction.
+ * Found by an active set: drop what pulls, slide what does not hold, close again what would approach. */
+#include "mode.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "active.h"
+#include "body.h"
+#include "contact.h"
+#include "event.h"
+#include "project.h"
+#include "row.h"
+#include "saddle.h"
+
+#define SLACK 1e-11 /* of the forces in the scene: a normal force this small does not pull */
+
+int pm_mode_of_slip(pm_workspace *w, int contact, int member)
+{
+    switch (pm_contact_friction(w->model, contact)) {
+    case PM_FRICTION_SMOOTH: return PM_SMOOTH;
+    case PM_FRICTION_ROUGH: return PM_STICK;
+    default: {
+        const double slip = pm_contact_member_slip(w, contact, member);
+        if (fabs(slip) <= pm_contact_speed(w)) return PM_STICK;
+        return slip > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
+    }
+    }
+}
+
+int pm_mode_close(pm_workspace *w, int contact, int member, int *slot)
+{
+    *slot = pm_contact_free_slot(w, &w->state, contact);
+    if (*slot == PM_NONE) return pm_fail(w, PM_CONTACT_SLOTS, PM_TABLE_CONTACT, contact, PM_ROW_SLOTS, PM_ROW_SLOTS);
+    w->state.slot[*slot] = (pm_slot){pm_mode_of_slip(w, contact, member), member};
+    pm_active_anchor(w, &w->state, *slot);
+    return PM_OK;
+}
+
+static int slides(int mode) { return mode == PM_SLIDE_FORWARD || mode == PM_SLIDE_BACKWARD; }
+
+/* The way a contact begins to slide: against the friction that would have held it. */
+static int slide_against(double friction) { return friction > 0 ? PM_SLIDE_BACKWARD : PM_SLIDE_FORWARD; }
+
+void pm_mode_begin(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    memcpy(w->slot_before, w->state.slot, (size_t)m->nslot * sizeof(pm_slot));
+    memset(w->slot_released, 0, (size_t)m->nslot);
+    for (int i = 0; i < w->event->nfunction; i++) {
+        if (!w->event->hit[i]) continue;
+        const int what = pm_event_contact_change(w, i), slot = w->event->function[i].index;
+        if (what == PM_TRIGGER_OPEN) {
+            w->state.slot[slot].mode = PM_OPEN;
+            w->slot_released[slot] = 1;
+        } else if (what == PM_TRIGGER_SLIP) {
+            w->state.slot[slot].mode = slide_against(w->frame.lambda[w->slot_tangent[slot]]);
+        } else if (what == PM_TRIGGER_STICK) {
+            w->state.slot[slot].mode = PM_STICK;
+            pm_active_anchor(w, &w->state, slot);
+        }
+    }
+}
+
+/* Open contacts that touch and do not part are closed; not those let go at this instant. */
+static int close_touching(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
+        for (int n = 0; n < pm_contact_slots(m, i); n++) {
+            int member, slot, released = 0;
+            double rate;
+            if (pm_contact_gap(w, &w->state, i, &member) > pm_contact_length(w)) break;
+            pm_contact_member_gap(w, i, member, &rate);
+            if (rate > pm_contact_speed(w)) break;
+            for (int k = m->contact_slot[i]; k < m->contact_slot[i] + pm_contact_slots(m, i); k++)
+                released |= w->slot_released[k] && w->slot_before[k].member == member;
+            if (released) break;
+            const int status = pm_mode_close(w, i, member, &slot);
+            if (status) return status;
+        }
+    }
+    return PM_OK;
+}
+
+static double force_size(const pm_workspace *w)
+{
+    double sum = 0;
+    for (int i = 0; i < w->model->nq; i++)
+        if (i % 3 != 2) sum += fabs(w->frame.f[i]);
+    for (int i = 0; i < w->nactive; i++) sum = fmax(sum, fabs(w->frame.lambda[i]));
+    return sum;
+}
+
+/* The worst pulling contact is let go; 1 if there was one. */
+static int let_go(pm_workspace *w)
+{
+    int worst = PM_NONE;
+    double least = -SLACK * force_size(w);
+    for (int i = 0; i < w->model->nslot; i++) {
+        if (w->slot_normal[i] == PM_NONE || w->frame.lambda[w->slot_normal[i]] >= least) continue;
+        least = w->frame.lambda[w->slot_normal[i]];
+        worst = i;
+    }
+    if (worst == PM_NONE) return 0;
+    w->state.slot[worst].mode = PM_OPEN;
+    w->slot_released[worst] = 1;
+    return 1;
+}
+
+/* The first sticking contact that needs more than mu N begins to slide; 1 if there was one. */
+static int slide(pm_workspace *w)
+{
+    const double slack = SLACK * force_size(w);
+    for (int i = 0; i < w->model->nslot; i++) {
+        const int contact = pm_contact_of_slot(w->model, i);
+        if (w->slot_tangent[i] == PM_NONE || w->slot_normal[i] == PM_NONE) continue;
+        if (pm_contact_friction(w->model, contact) != PM_FRICTION_COULOMB) continue;
+        const double friction = w->frame.lambda[w->slot_tangent[i]], normal = w->frame.lambda[w->slot_normal[i]];
+        if (fabs(friction) <= pm_contact_static(w, contact) * normal + slack) continue;
+        w->state.slot[i].mode = slide_against(friction);
+        return 1;
+    }
+    return 0;
+}
+
+/* A contact let go by this search whose pair would now approach is closed again; 1 if there was one. */
+static int close_again(pm_workspace *w)
+{
+    for (int i = 0; i < w->model->nslot; i++) {
+        if (!w->slot_released[i] || w->state.slot[i].mode != PM_OPEN || w->slot_released[i] == 2) continue;
+        pm_row normal, tangent;
+        const int contact = pm_contact_of_slot(w->model, i), member = w->state.slot[i].member;
+        pm_row_of_contact(w, contact, i, member, &normal, &tangent);
+        pm_row_kind(normal.kind)->evaluate(w, &normal);
+        const double acceleration = pm_saddle_times(w, &normal, w->frame.a) - normal.gamma;
+        if (acceleration >= -SLACK * (hypot(w->gravity[0], w->gravity[1]) + w->speed * w->speed / w->size)) continue;
+        w->state.slot[i].mode = pm_mode_of_slip(w, contact, member);
+        w->slot_released[i] = 2; /* once only: no cycles */
+        return 1;
+    }
+    return 0;
+}
+
+int pm_mode_settle(pm_workspace *w)
+{
+    const int most = 4 * w->model->nslot + 4;
+    pm_frame_look_state(w, &w->state);
+    int status = close_touching(w);
+    for (int i = 0; !status && i < most; i++) {
+        pm_frame_look_state(w, &w->state);
+        if ((status = pm_active_build(w)) || (status = pm_project(w, &w->state))) return status;
+        if ((status = pm_saddle_accelerate(w))) return status;
+        if (!let_go(w) && !slide(w) && !close_again(w)) return PM_OK;
+    }
+    return status ? status : pm_fail(w, PM_BLOW_UNDECIDED, PM_TABLE_CONTACT, PM_NONE, most, most);
+}
+
+static int was_closed_with(const pm_workspace *w, const pm_slot *slots, int contact, int member)
+{
+    const int first = w->model->contact_slot[contact];
+    for (int i = first; i < first + pm_contact_slots(w->model, contact); i++)
+        if (slots[i].mode != PM_OPEN && slots[i].member == member) return i;
+    return PM_NONE;
+}
+
+void pm_mode_mark(pm_workspace *w)
+{
+    for (int i = 0; i < w->model->nslot; i++) {
+        const int contact = pm_contact_of_slot(w->model, i);
+        if (w->slot_before[i].mode == PM_OPEN) continue;
+        const int now = was_closed_with(w, w->state.slot, contact, w->slot_before[i].member);
+        if (now == PM_NONE)
+            pm_event_mark(w, PM_TRIGGER_OPEN, contact);
+        else if (slides(w->state.slot[now].mode) && !slides(w->slot_before[i].mode))
+            pm_event_mark(w, PM_TRIGGER_SLIP, contact);
+        else if (!slides(w->state.slot[now].mode) && slides(w->slot_before[i].mode))
+            pm_event_mark(w, PM_TRIGGER_STICK, contact);
+    }
+}

@@ -1,0 +1,19 @@
+/* mode.h - after an event: which contacts stay closed, stick or slide. */
+#ifndef PM_MODE_H
+#define PM_MODE_H
+
+#include "model.h"
+
+/* Opens an instant: remembers the modes, applies what the located events say (a normal force vanished: open; the grip
+ * is exceeded: slide; the slip vanished: stick). */
+void pm_mode_begin(pm_workspace *w);
+/* Fixes the modes and the active rows of the next phase; on return w->state is projected and the frame DYNAMIC. */
+int pm_mode_settle(pm_workspace *w);
+/* Marks the triggers of contacts that opened, slipped or stuck during the instant. */
+void pm_mode_mark(pm_workspace *w);
+/* Closes `contact` with `member` in a free slot, in the mode that its friction and slip ask for. */
+int pm_mode_close(pm_workspace *w, int contact, int member, int *slot);
+/* The mode of a closed contact with its present slip. */
+int pm_mode_of_slip(pm_workspace *w, int contact, int member);
+
+#endif

@@ -1,0 +1,322 @@
+/* model.c - flat tables -> immutable structure.  Every index is checked here, once, so that the rest of the kernel
+ * may trust the tables; a table that contradicts planemotion.h is PM_BAD_TABLE with table, row, value and bound. */
+#include "model.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "measure.h"
+#include "program.h"
+
+static const int table_columns[PM_TABLES] = {
+    [PM_TABLE_CODE] = PM_CODE_COLUMNS,       [PM_TABLE_PROGRAM] = PM_PROGRAM_COLUMNS,
+    [PM_TABLE_VALUE] = PM_VALUE_COLUMNS,     [PM_TABLE_BODY] = PM_BODY_COLUMNS,
+    [PM_TABLE_POINT] = PM_POINT_COLUMNS,     [PM_TABLE_LINE] = PM_LINE_COLUMNS,
+    [PM_TABLE_CIRCLE] = PM_CIRCLE_COLUMNS,   [PM_TABLE_ROW] = PM_ROW_COLUMNS,
+    [PM_TABLE_JOINT] = PM_JOINT_COLUMNS,     [PM_TABLE_CONTACT] = PM_CONTACT_COLUMNS,
+    [PM_TABLE_FORCE] = PM_FORCE_COLUMNS,     [PM_TABLE_MEASURE] = PM_MEASURE_COLUMNS,
+    [PM_TABLE_START] = PM_START_COLUMNS,     [PM_TABLE_TRIGGER] = PM_TRIGGER_COLUMNS,
+    [PM_TABLE_EVENT] = PM_EVENT_COLUMNS,     [PM_TABLE_UNTIL] = PM_UNTIL_COLUMNS,
+    [PM_TABLE_ASK] = PM_ASK_COLUMNS,         [PM_TABLE_SETTING] = PM_SETTING_COLUMNS,
+};
+
+static int bad(pm_where *where, int table, int row, double value, double bound)
+{
+    *where = (pm_where){table, row, PM_NONE, value, bound};
+    return PM_BAD_TABLE;
+}
+
+static int read_directory(pm_model *m, int64_t ntable, const int32_t *table, pm_where *where)
+{
+    if (ntable < 2 * PM_TABLES) return bad(where, PM_NONE, 0, (double)ntable, 2 * PM_TABLES);
+    for (int i = 0; i < PM_TABLES; i++) {
+        const int64_t first = table[2 * i], rows = table[2 * i + 1];
+        if (first < 0 || rows < 0 || first + rows * table_columns[i] > ntable)
+            return bad(where, i, PM_NONE, (double)(first + rows * table_columns[i]), (double)ntable);
+        m->table[i] = table + first;
+        m->rows[i] = (int)rows;
+    }
+    return m->rows[PM_TABLE_SETTING] == 1 ? PM_OK
+                                          : bad(where, PM_TABLE_SETTING, PM_NONE, m->rows[PM_TABLE_SETTING], 1);
+}
+
+/* One column of one table must lie in [low, rows of `of`), or be PM_NONE where that is allowed. */
+typedef struct pm_range {
+    int table, column, of, low, none_allowed;
+} pm_range;
+
+static const pm_range ranges[] = {
+    {PM_TABLE_BODY, PM_BODY_MASS, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_BODY, PM_BODY_INERTIA, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_BODY, PM_BODY_X, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_BODY, PM_BODY_Y, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_BODY, PM_BODY_ANGLE, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_POINT, PM_POINT_BODY, PM_TABLE_BODY, PM_GROUND, 0},
+    {PM_TABLE_POINT, PM_POINT_X, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_POINT, PM_POINT_Y, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_LINE, PM_LINE_POINT, PM_TABLE_POINT, 0, 0},
+    {PM_TABLE_LINE, PM_LINE_ANGLE, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_CIRCLE, PM_CIRCLE_POINT, PM_TABLE_POINT, 0, 0},
+    {PM_TABLE_CIRCLE, PM_CIRCLE_RADIUS, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_ROW, PM_ROW_POINT, PM_TABLE_POINT, 0, 0},
+    {PM_TABLE_ROW, PM_ROW_STEP_X, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_ROW, PM_ROW_STEP_Y, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_ROW, PM_ROW_COUNT, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_CONTACT, PM_CONTACT_SIDE, PM_TABLE_VALUE, 0, 1},
+    {PM_TABLE_CONTACT, PM_CONTACT_RESTITUTION, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_CONTACT, PM_CONTACT_STATIC, PM_TABLE_VALUE, 0, 1},
+    {PM_TABLE_CONTACT, PM_CONTACT_KINETIC, PM_TABLE_VALUE, 0, 1},
+    {PM_TABLE_MEASURE, PM_MEASURE_IN, PM_TABLE_BODY, PM_GROUND, 1},
+    {PM_TABLE_MEASURE, PM_MEASURE_ON, PM_TABLE_BODY, PM_GROUND, 1},
+    {PM_TABLE_MEASURE, PM_MEASURE_ABOUT, PM_TABLE_POINT, 0, 1},
+    {PM_TABLE_MEASURE, PM_MEASURE_VALUE, PM_TABLE_VALUE, 0, 1},
+    {PM_TABLE_START, PM_START_MEASURE, PM_TABLE_MEASURE, 0, 0},
+    {PM_TABLE_START, PM_START_VALUE, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_TRIGGER, PM_TRIGGER_EVENT, PM_TABLE_EVENT, 0, 0},
+    {PM_TABLE_TRIGGER, PM_TRIGGER_PROGRAM, PM_TABLE_PROGRAM, 0, 1},
+    {PM_TABLE_UNTIL, PM_UNTIL_EVENT, PM_TABLE_EVENT, 0, 0},
+    {PM_TABLE_ASK, PM_ASK_PROGRAM, PM_TABLE_PROGRAM, 0, 0},
+    {PM_TABLE_ASK, PM_ASK_EVENT_INDEX, PM_TABLE_EVENT, 0, 1},
+    {PM_TABLE_ASK, PM_ASK_PROGRAM_2, PM_TABLE_PROGRAM, 0, 1},
+    {PM_TABLE_ASK, PM_ASK_FIRST_VALUE, PM_TABLE_VALUE, 0, 1},
+    {PM_TABLE_SETTING, PM_SETTING_GRAVITY_X, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_SETTING, PM_SETTING_GRAVITY_Y, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_SETTING, PM_SETTING_ACCURACY, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_SETTING, PM_SETTING_MAX_TIME, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_SETTING, PM_SETTING_ASSEMBLY, PM_TABLE_VALUE, 0, 0},
+};
+
+/* Partners of elements: which table columns a and b point into, by kind.  PM_NONE: not used. */
+typedef struct pm_partner {
+    int a, b, value_1, value_2, program_x, program_y;
+} pm_partner;
+
+static const pm_partner joint_partner[PM_JOINT_KINDS] = {
+    [PM_JOINT_PIN] = {PM_TABLE_POINT, PM_TABLE_POINT, 0, 0, 0, 0},
+    [PM_JOINT_SLIDER] = {PM_TABLE_POINT, PM_TABLE_LINE, 0, 0, 0, 0},
+    [PM_JOINT_SLIDER_FIXED] = {PM_TABLE_POINT, PM_TABLE_LINE, 1, 0, 0, 0},
+    [PM_JOINT_LINK] = {PM_TABLE_POINT, PM_TABLE_POINT, 1, 0, 0, 0},
+    [PM_JOINT_WELD] = {PM_TABLE_POINT, PM_TABLE_POINT, 1, 0, 0, 0},
+    [PM_JOINT_ROLLING_LINE] = {PM_TABLE_CIRCLE, PM_TABLE_LINE, 0, 0, 0, 0},
+    [PM_JOINT_ROLLING_CIRCLE] = {PM_TABLE_CIRCLE, PM_TABLE_CIRCLE, 1, 0, 0, 0},
+};
+static const pm_partner contact_partner[PM_CONTACT_KINDS] = {
+    [PM_CONTACT_LINE] = {PM_TABLE_CIRCLE, PM_TABLE_LINE, 0, 0, 0, 0},
+    [PM_CONTACT_CIRCLE] = {PM_TABLE_CIRCLE, PM_TABLE_CIRCLE, 0, 0, 0, 0},
+    [PM_CONTACT_ROW] = {PM_TABLE_CIRCLE, PM_TABLE_ROW, 0, 0, 0, 0},
+};
+static const pm_partner force_partner[PM_FORCE_KINDS] = {
+    [PM_FORCE_SPRING] = {PM_TABLE_POINT, PM_TABLE_POINT, 1, 1, 0, 0},
+    [PM_FORCE_TORSION] = {PM_TABLE_BODY, PM_TABLE_BODY, 1, 1, 0, 0},
+    [PM_FORCE_DAMPER] = {PM_TABLE_POINT, PM_TABLE_POINT, 1, 0, 0, 0},
+    [PM_FORCE_ROTARY_DAMPER] = {PM_TABLE_BODY, PM_TABLE_BODY, 1, 0, 0, 0},
+    [PM_FORCE_APPLIED] = {PM_TABLE_POINT, PM_TABLE_BODY, 0, 0, 1, 1},
+    [PM_FORCE_COUPLE] = {PM_TABLE_BODY, PM_TABLE_BODY, 0, 0, 1, 0},
+};
+
+static int in_range(const pm_model *m, int of, int index)
+{
+    return index >= (of == PM_TABLE_BODY ? PM_GROUND : 0) && index < m->rows[of];
+}
+
+static int check_ranges(const pm_model *m, pm_where *where)
+{
+    for (size_t r = 0; r < sizeof ranges / sizeof *ranges; r++) {
+        const pm_range *x = &ranges[r];
+        for (int i = 0; i < m->rows[x->table]; i++) {
+            const int index = pm_row_of(m, x->table, i, table_columns[x->table])[x->column];
+            if (index == PM_NONE && x->none_allowed) continue;
+            if (index < x->low || index >= m->rows[x->of]) return bad(where, x->table, i, index, m->rows[x->of]);
+        }
+    }
+    return PM_OK;
+}
+
+static int check_elements(const pm_model *m, int table, int kinds, const pm_partner *partner, int has_numbers,
+                          pm_where *where)
+{
+    for (int i = 0; i < m->rows[table]; i++) {
+        const int32_t *e = pm_row_of(m, table, i, table_columns[table]);
+        if (e[0] < 0 || e[0] >= kinds) return bad(where, table, i, e[0], kinds);
+        const pm_partner *p = &partner[e[0]];
+        if (!in_range(m, p->a, e[1])) return bad(where, table, i, e[1], m->rows[p->a]);
+        if (!in_range(m, p->b, e[2])) return bad(where, table, i, e[2], m->rows[p->b]);
+        if (!has_numbers) continue;
+        const int column[] = {3, 4, 5, 6}, of[] = {PM_TABLE_VALUE, PM_TABLE_VALUE, PM_TABLE_PROGRAM, PM_TABLE_PROGRAM};
+        const int wanted[] = {p->value_1, p->value_2, p->program_x, p->program_y};
+        const int n = table == PM_TABLE_JOINT ? 1 : 4;
+        for (int k = 0; k < n; k++)
+            if (wanted[k] && !in_range(m, of[k], e[column[k]])) return bad(where, table, i, e[column[k]], m->rows[of[k]]);
+    }
+    return PM_OK;
+}
+
+static int check_contacts(const pm_model *m, pm_where *where)
+{
+    for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
+        const int32_t *e = PM_CONTACT_ROW_OF(m, i);
+        const int friction = e[PM_CONTACT_FRICTION];
+        if (friction < PM_FRICTION_SMOOTH || friction > PM_FRICTION_ROUGH)
+            return bad(where, PM_TABLE_CONTACT, i, friction, PM_FRICTION_ROUGH);
+        if (friction == PM_FRICTION_COULOMB && (e[PM_CONTACT_STATIC] < 0 || e[PM_CONTACT_KINETIC] < 0))
+            return bad(where, PM_TABLE_CONTACT, i, PM_NONE, 0);
+        if (e[PM_CONTACT_KIND] == PM_CONTACT_CIRCLE && e[PM_CONTACT_SIDE] < 0)
+            return bad(where, PM_TABLE_CONTACT, i, PM_NONE, 0);
+    }
+    return PM_OK;
+}
+
+static int check_triggers(const pm_model *m, pm_where *where)
+{
+    for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
+        const int32_t *e = PM_TRIGGER_ROW(m, i);
+        const int kind = e[PM_TRIGGER_KIND], a = e[PM_TRIGGER_A];
+        if (kind < 0 || kind >= PM_TRIGGER_KINDS) return bad(where, PM_TABLE_TRIGGER, i, kind, PM_TRIGGER_KINDS);
+        if (kind <= PM_TRIGGER_EVERY && e[PM_TRIGGER_PROGRAM] < 0)
+            return bad(where, PM_TABLE_TRIGGER, i, e[PM_TRIGGER_PROGRAM], 0);
+        if (kind >= PM_TRIGGER_STRIKE && kind <= PM_TRIGGER_STICK && !in_range(m, PM_TABLE_CONTACT, a))
+            return bad(where, PM_TABLE_TRIGGER, i, a, m->rows[PM_TABLE_CONTACT]);
+        if (kind == PM_TRIGGER_REST && a != PM_NONE && (a < 0 || a >= m->nbody))
+            return bad(where, PM_TABLE_TRIGGER, i, a, m->nbody);
+    }
+    return PM_OK;
+}
+
+static int check_asks(pm_model *m, pm_where *where)
+{
+    for (int i = 0; i < m->nask; i++) {
+        const int32_t *e = PM_ASK_ROW(m, i);
+        const int kind = e[PM_ASK_KIND], count = e[PM_ASK_COUNT];
+        if (kind < 0 || kind >= PM_ASK_KINDS) return bad(where, PM_TABLE_ASK, i, kind, PM_ASK_KINDS);
+        if (count < 1 || e[PM_ASK_OUT] != m->nout) return bad(where, PM_TABLE_ASK, i, e[PM_ASK_OUT], m->nout);
+        if (kind != PM_ASK_GRID && kind != PM_ASK_EACH && count != 1) return bad(where, PM_TABLE_ASK, i, count, 1);
+        if ((kind == PM_ASK_EVENT || kind == PM_ASK_EACH) && e[PM_ASK_EVENT_INDEX] < 0)
+            return bad(where, PM_TABLE_ASK, i, e[PM_ASK_EVENT_INDEX], m->rows[PM_TABLE_EVENT]);
+        if ((kind == PM_ASK_AT_MAX || kind == PM_ASK_AT_MIN || kind == PM_ASK_GRID) && e[PM_ASK_PROGRAM_2] < 0)
+            return bad(where, PM_TABLE_ASK, i, e[PM_ASK_PROGRAM_2], m->rows[PM_TABLE_PROGRAM]);
+        if (kind == PM_ASK_GRID && (e[PM_ASK_FIRST_VALUE] < 0 || e[PM_ASK_FIRST_VALUE] + count > m->nvalue))
+            return bad(where, PM_TABLE_ASK, i, e[PM_ASK_FIRST_VALUE] + count, m->nvalue);
+        m->nout += count;
+    }
+    return PM_OK;
+}
+
+static int check_settings(const pm_model *m, pm_where *where)
+{
+    const int route = PM_SETTING(m, PM_SETTING_ROUTE);
+    if (route < 0 || route >= PM_ROUTES) return bad(where, PM_TABLE_SETTING, 0, route, PM_ROUTES);
+    if (PM_SETTING(m, PM_SETTING_MAX_EVENTS) < 1) return bad(where, PM_TABLE_SETTING, 0, 0, 1);
+    if (PM_SETTING(m, PM_SETTING_MAX_STEPS) < 1) return bad(where, PM_TABLE_SETTING, 0, 0, 1);
+    return PM_OK;
+}
+
+static int check_tables(pm_model *m, pm_where *where)
+{
+    int status = check_ranges(m, where);
+    if (!status) status = check_elements(m, PM_TABLE_JOINT, PM_JOINT_KINDS, joint_partner, 1, where);
+    if (!status) status = check_elements(m, PM_TABLE_CONTACT, PM_CONTACT_KINDS, contact_partner, 0, where);
+    if (!status) status = check_elements(m, PM_TABLE_FORCE, PM_FORCE_KINDS, force_partner, 1, where);
+    if (!status) status = check_contacts(m, where);
+    if (!status) status = check_triggers(m, where);
+    if (!status) status = check_asks(m, where);
+    if (!status) status = check_settings(m, where);
+    if (!status) status = pm_measure_validate(m, where);
+    if (!status) status = pm_program_validate(m, where);
+    return status;
+}
+
+static const int joint_rows[PM_JOINT_KINDS] = {
+    [PM_JOINT_PIN] = 2,  [PM_JOINT_SLIDER] = 1,       [PM_JOINT_SLIDER_FIXED] = 2,  [PM_JOINT_LINK] = 1,
+    [PM_JOINT_WELD] = 3, [PM_JOINT_ROLLING_LINE] = 2, [PM_JOINT_ROLLING_CIRCLE] = 2,
+};
+
+/* Numbers rows, slots, memories and running integrals. */
+static void lay_out(pm_model *m)
+{
+    for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
+        const int kind = PM_JOINT_ROW(m, i)[PM_JOINT_KIND];
+        const int rolls = kind == PM_JOINT_ROLLING_LINE || kind == PM_JOINT_ROLLING_CIRCLE;
+        m->joint_row[i] = m->njoint_row;
+        m->joint_memory[i] = rolls ? m->nmemory++ : PM_NONE;
+        m->njoint_row += joint_rows[kind];
+    }
+    for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
+        m->contact_slot[i] = m->nslot;
+        m->nslot += PM_CONTACT_ROW_OF(m, i)[PM_CONTACT_KIND] == PM_CONTACT_ROW ? PM_ROW_SLOTS : 1;
+    }
+    m->nmemory += m->nslot; /* the slots' memories come last */
+    m->nrow = m->njoint_row + 2 * m->nslot;
+    for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++) {
+        const int kind = PM_FORCE_ROW(m, i)[PM_FORCE_KIND];
+        m->force_z[i] = kind == PM_FORCE_SPRING || kind == PM_FORCE_TORSION ? PM_NONE : m->nz++;
+    }
+    for (int i = 0; i < m->rows[PM_TABLE_MEASURE]; i++)
+        m->path_z[i] = PM_MEASURE_ROW(m, i)[PM_MEASURE_KIND] == PM_MEASURE_PATH ? m->nz++ : PM_NONE;
+    m->nz_controlled = m->nz;
+    m->nz += 1 + PM_LEDGER; /* work done by sliding friction, then the outer impulses */
+}
+
+/* What each program needs of a state, and whether some force depends on time. */
+static void grade_programs(pm_model *m)
+{
+    for (int i = 0; i < m->rows[PM_TABLE_PROGRAM]; i++) {
+        const int32_t *p = pm_row_of(m, PM_TABLE_PROGRAM, i, PM_PROGRAM_COLUMNS);
+        const int32_t *code = pm_row_of(m, PM_TABLE_CODE, p[PM_PROGRAM_FIRST], PM_CODE_COLUMNS);
+        int level = PM_LEVEL_NONE;
+        for (int k = 0; k < p[PM_PROGRAM_LENGTH]; k++, code += PM_CODE_COLUMNS) {
+            if (code[PM_CODE_OP] != PM_OP_MEASURE) continue;
+            const int needs = pm_measure_level(m, code[PM_CODE_ARG]);
+            if (needs > level) level = needs;
+            if (PM_MEASURE_ROW(m, code[PM_CODE_ARG])[PM_MEASURE_KIND] == PM_MEASURE_TIME) m->uses_time = 1;
+        }
+        m->program_level[i] = (unsigned char)level;
+    }
+}
+
+int pm_model_create(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t nparam,
+                    pm_model **model, pm_where *where)
+{
+    pm_model *m = calloc(1, sizeof *m);
+    *model = NULL;
+    if (!m) return PM_NO_MEMORY;
+    m->constant = constant;
+    m->nconstant = (int)nconstant;
+    m->nparam = (int)nparam;
+    int status = read_directory(m, ntable, table, where);
+    if (!status) {
+        m->nbody = m->rows[PM_TABLE_BODY];
+        m->nq = 3 * m->nbody;
+        m->nvalue = m->rows[PM_TABLE_VALUE];
+        m->nask = m->rows[PM_TABLE_ASK];
+        status = check_tables(m, where);
+    }
+    if (status) {
+        free(m);
+        return status;
+    }
+    const size_t nint = (size_t)m->rows[PM_TABLE_CONTACT] + 2 * (size_t)m->rows[PM_TABLE_JOINT] +
+                        (size_t)m->rows[PM_TABLE_FORCE] + (size_t)m->rows[PM_TABLE_MEASURE];
+    int *block = calloc(nint + 1, sizeof *block);
+    m->program_level = calloc((size_t)m->rows[PM_TABLE_PROGRAM] + 1, 1);
+    m->contact_slot = block;
+    if (!block || !m->program_level) {
+        pm_model_free(m);
+        return PM_NO_MEMORY;
+    }
+    m->joint_row = m->contact_slot + m->rows[PM_TABLE_CONTACT];
+    m->joint_memory = m->joint_row + m->rows[PM_TABLE_JOINT];
+    m->force_z = m->joint_memory + m->rows[PM_TABLE_JOINT];
+    m->path_z = m->force_z + m->rows[PM_TABLE_FORCE];
+    lay_out(m);
+    grade_programs(m);
+    *model = m;
+    return PM_OK;
+}
+
+void pm_model_free(pm_model *model)
+{
+    if (!model) return;
+    free(model->contact_slot); /* head of the block of all index arrays */
+    free(model->program_level);
+    free(model);
+}

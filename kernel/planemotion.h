@@ -1,0 +1,406 @@
+/* planemotion.h - the public face of the kernel: rigid bodies in plane motion.
+ *
+ * A scene arrives as flat integer tables plus constants (pm_model_create); a case is a vector of
+ * parameters; a run gives numbers for the questions ("asks") of the scene.  SI units and radians only.
+ *
+ * Every number of a scene (a mass, a coordinate, a coefficient) is an entry of the case's *value table*:
+ * value[i] is computed by a program (postfix code) from the parameters and from values of lower index.
+ * In the tables below a column named `..._value` holds an index into the value table, `..._program` an
+ * index of a program that is run on the current state, `body` a body index (PM_GROUND = ground).
+ *
+ * The constants of this file are read by kernel/layout.py, so that Python uses the same numbers.
+ */
+#ifndef PLANEMOTION_H
+#define PLANEMOTION_H
+
+#include <stdint.h>
+
+#define PM_GROUND (-1)
+#define PM_NONE (-2)
+
+/* ---- status ---------------------------------------------------------------------------------------
+ * 0 ok; > 0 an early stop: what was answered before stands; < 0 failure: no answer can be trusted. */
+enum pm_status {
+    PM_OK = 0,
+    PM_LIMIT_TIME = 1,         /* max_time reached before the end of the run */
+    PM_LIMIT_EVENTS = 2,       /* max_events reached */
+    PM_LIMIT_STEPS = 3,        /* max_steps reached */
+    PM_CANCELLED = 4,          /* the stop flag was raised */
+    PM_STAYS_AT_REST = 5,      /* nothing moves any more and the end was not reached */
+    PM_BAD_TABLE = -1,         /* the tables contradict this header: where = table, row */
+    PM_NO_MEMORY = -2,
+    PM_BAD_VALUE = -3,         /* a value is not finite or out of its bound: where = table, row; detail = value, bound */
+    PM_ASSEMBLY = -4,          /* joints cannot be met from the start given: where; detail = opening */
+    PM_START_CONFLICT = -5,    /* start velocities contradict joints or each other: where; detail = asked, implied */
+    PM_START_OPEN = -6,        /* start velocities leave a fastened body's motion open: where = body */
+    PM_SINGULAR = -7,          /* the saddle-point system has no unique acceleration */
+    PM_STEP_TOO_SMALL = -8,    /* the integrator cannot go on at the tolerance asked */
+    PM_BLOW_UNDECIDED = -9,    /* no consistent set of contacts was found for a blow or a phase */
+    PM_AUDIT = -10,            /* the independent evidence does not close: detail = residual, bound */
+    PM_SOLVER = -11,           /* IDA or GSL reported a failure: detail = its code */
+    PM_PENETRATION = -12,      /* contacts overlap at the start: where; detail = gap */
+    PM_UNSUPPORTED = -13,      /* the scene needs something that this route or build does not do */
+    PM_CONTACT_SLOTS = -14     /* more members of one row are closed at once than the kernel keeps */
+};
+
+/* ---- tables ---------------------------------------------------------------------------------------
+ * `table` is one int32 array: first a directory of PM_TABLES pairs (offset, rows), in the order of
+ * enum pm_table, then the tables row by row, each with the number of columns given by its enum. */
+enum pm_table {
+    PM_TABLE_CODE = 0,      /* pm_code_column: instructions of all programs */
+    PM_TABLE_PROGRAM = 1,   /* pm_program_column: first instruction and length of each program */
+    PM_TABLE_VALUE = 2,     /* pm_value_column: the program of each value, in order of evaluation */
+    PM_TABLE_BODY = 3,
+    PM_TABLE_POINT = 4,
+    PM_TABLE_LINE = 5,
+    PM_TABLE_CIRCLE = 6,
+    PM_TABLE_ROW = 7,       /* periodic rows of points */
+    PM_TABLE_JOINT = 8,
+    PM_TABLE_CONTACT = 9,
+    PM_TABLE_FORCE = 10,
+    PM_TABLE_MEASURE = 11,
+    PM_TABLE_START = 12,
+    PM_TABLE_TRIGGER = 13,
+    PM_TABLE_EVENT = 14,    /* pm_event_column: one row per named event (no data; its count matters) */
+    PM_TABLE_UNTIL = 15,
+    PM_TABLE_ASK = 16,
+    PM_TABLE_SETTING = 17,  /* one row: pm_setting_column */
+    PM_TABLES = 18
+};
+
+/* ---- programs -------------------------------------------------------------------------------------
+ * A stack machine on doubles.  Comparisons and logic give 1 or 0.  Binary operators take the value below
+ * the top as their left operand. */
+enum pm_op {
+    PM_OP_CONSTANT = 0, /* push constant[arg] */
+    PM_OP_PARAMETER = 1, /* push parameter[arg] of the case */
+    PM_OP_VALUE = 2, /* push value[arg] */
+    PM_OP_MEASURE = 3, /* push measure arg of the current state (not allowed in values) */
+    PM_OP_ADD = 4,
+    PM_OP_SUB = 5,
+    PM_OP_MUL = 6,
+    PM_OP_DIV = 7,
+    PM_OP_POW = 8,
+    PM_OP_NEG = 9,
+    PM_OP_LT = 10,
+    PM_OP_LE = 11,
+    PM_OP_GT = 12,
+    PM_OP_GE = 13,
+    PM_OP_EQ = 14,
+    PM_OP_NE = 15,
+    PM_OP_AND = 16,
+    PM_OP_OR = 17,
+    PM_OP_NOT = 18,
+    PM_OP_SIN = 19,
+    PM_OP_COS = 20,
+    PM_OP_TAN = 21,
+    PM_OP_ASIN = 22,
+    PM_OP_ACOS = 23,
+    PM_OP_ATAN2 = 24,
+    PM_OP_SQRT = 25,
+    PM_OP_ABS = 26,
+    PM_OP_MIN = 27,
+    PM_OP_MAX = 28,
+    PM_OP_EXP = 29,
+    PM_OP_LOG = 30,
+    PM_OP_HYPOT = 31, /* sqrt(a^2 + b^2) */
+    PM_OP_FLOOR = 32,
+    PM_OP_SELECT = 33, /* c a b -> a if c != 0, else b */
+    PM_OP_ATAN = 34,
+    PM_OPS = 35
+};
+#define PM_STACK 64 /* greatest depth of the stack */
+enum pm_code_column { PM_CODE_OP = 0, PM_CODE_ARG = 1, PM_CODE_COLUMNS = 2 };
+enum pm_program_column { PM_PROGRAM_FIRST = 0, PM_PROGRAM_LENGTH = 1, PM_PROGRAM_COLUMNS = 2 };
+enum pm_value_column { PM_VALUE_PROGRAM = 0, PM_VALUE_COLUMNS = 1 };
+
+/* ---- bodies and marks -------------------------------------------------------------------------------
+ * A body's coordinates are (x, y, angle) of its mass centre G.  x, y, angle are the pose as drawn: the
+ * assembly keeps what the start table fixes and moves the rest.  Points are given in body axes from G (of
+ * the ground: scene coordinates). */
+enum pm_body_column {
+    PM_BODY_TURNS = 0,   /* 0: a particle, its angle stays 0 */
+    PM_BODY_MASS = 1,    /* value index, > 0 */
+    PM_BODY_INERTIA = 2, /* value index, centroidal, > 0 if the body turns */
+    PM_BODY_X = 3,       /* value indices of the pose of G as drawn */
+    PM_BODY_Y = 4,
+    PM_BODY_ANGLE = 5,
+    PM_BODY_COLUMNS = 6
+};
+enum pm_point_column { PM_POINT_BODY = 0, PM_POINT_X = 1, PM_POINT_Y = 2, PM_POINT_COLUMNS = 3 };
+/* A line through a point, at `angle` from the body's x axis; its free side is on its left. */
+enum pm_line_column { PM_LINE_POINT = 0, PM_LINE_ANGLE = 1, PM_LINE_COLUMNS = 2 };
+/* A circle round a point; radius value >= 0 (0: the point itself). */
+enum pm_circle_column { PM_CIRCLE_POINT = 0, PM_CIRCLE_RADIUS = 1, PM_CIRCLE_COLUMNS = 2 };
+/* Members point + k*(step_x, step_y) in the axes of the point's body, k = 0 .. count-1; count < 0: endless
+ * both ways. */
+enum pm_row_column { PM_ROW_POINT = 0, PM_ROW_STEP_X = 1, PM_ROW_STEP_Y = 2, PM_ROW_COUNT = 3, PM_ROW_COLUMNS = 4 };
+
+/* ---- joints: held both ways --------------------------------------------------------------------------- */
+enum pm_joint_kind {
+    PM_JOINT_PIN = 0,            /* a, b points: coincide.                                  2 rows */
+    PM_JOINT_SLIDER = 1,         /* a point on line b.                                      1 row  */
+    PM_JOINT_SLIDER_FIXED = 2,   /* the same, angle(a) - angle(b) = value held.             2 rows */
+    PM_JOINT_LINK = 3,           /* a, b points at distance value > 0 (also: point in circular slot). 1 row */
+    PM_JOINT_WELD = 4,           /* a, b points coincide and angle(a) - angle(b) = value.   3 rows */
+    PM_JOINT_ROLLING_LINE = 5,   /* a circle rolls on line b, on its left.                  2 rows */
+    PM_JOINT_ROLLING_CIRCLE = 6, /* a circle rolls on circle b; value = side (below).       2 rows */
+    PM_JOINT_KINDS = 7
+};
+/* side of two circles: 1 outside each other, -1 a inside b, -2 b inside a */
+enum pm_joint_column { PM_JOINT_KIND = 0, PM_JOINT_A = 1, PM_JOINT_B = 2, PM_JOINT_VALUE = 3, PM_JOINT_COLUMNS = 4 };
+
+/* ---- contacts: push only ------------------------------------------------------------------------------ */
+enum pm_contact_kind {
+    PM_CONTACT_LINE = 0,   /* circle a (radius 0: a point) against line b */
+    PM_CONTACT_CIRCLE = 1, /* circle a against circle b; side value as for rolling; not both radii 0 */
+    PM_CONTACT_ROW = 2,    /* circle a (radius > 0) against the members of row b */
+    PM_CONTACT_KINDS = 3
+};
+enum pm_friction { PM_FRICTION_SMOOTH = 0, PM_FRICTION_COULOMB = 1, PM_FRICTION_ROUGH = 2 };
+enum pm_contact_column {
+    PM_CONTACT_KIND = 0,
+    PM_CONTACT_A = 1,
+    PM_CONTACT_B = 2,
+    PM_CONTACT_SIDE = 3,        /* value index (circle/circle) or PM_NONE */
+    PM_CONTACT_RESTITUTION = 4, /* value index, 0..1 */
+    PM_CONTACT_FRICTION = 5,    /* enum pm_friction */
+    PM_CONTACT_STATIC = 6,      /* value index of the static coefficient, PM_NONE unless Coulomb */
+    PM_CONTACT_KINETIC = 7,     /* value index of the kinetic coefficient, PM_NONE unless Coulomb */
+    PM_CONTACT_COLUMNS = 8
+};
+
+/* ---- forces --------------------------------------------------------------------------------------------- */
+enum pm_force_kind {
+    PM_FORCE_SPRING = 0,        /* points a, b; value_1 stiffness, value_2 free length; option: pm_spring_only */
+    PM_FORCE_TORSION = 1,       /* bodies a, b; value_1 stiffness, value_2 free angle(a) - angle(b) */
+    PM_FORCE_DAMPER = 2,        /* points a, b; value_1 rate of (N s/m) the change of distance */
+    PM_FORCE_ROTARY_DAMPER = 3, /* bodies a, b; value_1 rate (N m s/rad) */
+    PM_FORCE_APPLIED = 4,       /* at point a: program_x, program_y, in the axes of body b (PM_GROUND: the scene's) */
+    PM_FORCE_COUPLE = 5,        /* on body a, opposite on body b (PM_GROUND: none): program_x */
+    PM_FORCE_KINDS = 6
+};
+enum pm_spring_only { PM_SPRING_BOTH = 0, PM_SPRING_PULL = 1, PM_SPRING_PUSH = 2 };
+enum pm_force_column {
+    PM_FORCE_KIND = 0,
+    PM_FORCE_A = 1,
+    PM_FORCE_B = 2,
+    PM_FORCE_VALUE_1 = 3,
+    PM_FORCE_VALUE_2 = 4,
+    PM_FORCE_PROGRAM_X = 5,
+    PM_FORCE_PROGRAM_Y = 6,
+    PM_FORCE_OPTION = 7,
+    PM_FORCE_COLUMNS = 8
+};
+
+/* ---- measures: what can be read off a state --------------------------------------------------------------
+ * `a` is a body, point, joint, contact, force or event index as the kind says.  Vector kinds take a part.
+ * `in_body`: the quantity as seen from a moving body, in its axes (PM_NONE: scene).  `about`: point index
+ * (PM_NONE: the body's own G; scene: the origin).  `on`: body on which a joint's force acts (PM_NONE: the first
+ * partner).  `value`: value index of the direction angle of part ALONG.  `member`: of a row (PM_NONE: all). */
+enum pm_measure_kind {
+    PM_MEASURE_TIME = 0,
+    PM_MEASURE_ANGLE = 1,             /* body a; in_body: relative angle */
+    PM_MEASURE_TURNED = 2,            /* body a: angle since the start */
+    PM_MEASURE_OMEGA = 3,             /* body a; in_body: relative */
+    PM_MEASURE_ALPHA = 4,             /* body a */
+    PM_MEASURE_MASS = 5,              /* body a, PM_NONE: all bodies */
+    PM_MEASURE_WEIGHT = 6,            /* body a, PM_NONE: all bodies: mass times |gravity| */
+    PM_MEASURE_INERTIA = 7,           /* body a, about G or `about` */
+    PM_MEASURE_KINETIC = 8,           /* body a, PM_NONE: all bodies */
+    PM_MEASURE_MOMENTUM = 9,          /* vector; body a, PM_NONE: all bodies */
+    PM_MEASURE_ANGULAR_MOMENTUM = 10, /* body a about G or `about`; PM_NONE: all about the origin or `about` */
+    PM_MEASURE_POLE = 11,             /* vector: instantaneous centre of body a */
+    PM_MEASURE_POSITION = 12,         /* vector: point a; in_body */
+    PM_MEASURE_MOVED = 13,            /* vector: point a since the start */
+    PM_MEASURE_PATH = 14,             /* distance travelled by point a */
+    PM_MEASURE_VELOCITY = 15,         /* vector: point a; in_body */
+    PM_MEASURE_ACCELERATION = 16,     /* vector: point a */
+    PM_MEASURE_JOINT_FORCE = 17,      /* vector */
+    PM_MEASURE_JOINT_COUPLE = 18,
+    PM_MEASURE_JOINT_IMPULSE = 19,    /* vector, of the last jump */
+    PM_MEASURE_JOINT_NORMAL = 20,     /* rolling: > 0 pushes */
+    PM_MEASURE_JOINT_FRICTION = 21,   /* rolling: along the line, or along the tangent (left of the normal on a) */
+    PM_MEASURE_JOINT_FRICTION_NEEDED = 22, /* |F|/N; undefined (not a number) unless N > 0 */
+    PM_MEASURE_CONTACT_GAP = 23,
+    PM_MEASURE_CONTACT_CLOSED = 24,   /* 1 or 0; a row without member: how many are closed */
+    PM_MEASURE_CONTACT_SLIP = 25,
+    PM_MEASURE_CONTACT_NORMAL = 26,   /* sum over the closed members; 0 when open */
+    PM_MEASURE_CONTACT_FRICTION = 27,
+    PM_MEASURE_CONTACT_FRICTION_NEEDED = 28, /* greatest |F|/N over the closed members; 0 when open */
+    PM_MEASURE_CONTACT_FORCE = 29,    /* vector, on a's body */
+    PM_MEASURE_CONTACT_IMPULSE = 30,  /* vector, on a's body, of the last jump */
+    PM_MEASURE_FORCE_FORCE = 31,      /* vector: on a's body */
+    PM_MEASURE_FORCE_COUPLE = 32,
+    PM_MEASURE_FORCE_WORK = 33,       /* since the start */
+    PM_MEASURE_FORCE_POWER = 34,
+    PM_MEASURE_FORCE_STRETCH = 35,
+    PM_MEASURE_FORCE_ENERGY = 36,
+    PM_MEASURE_EVENT_COUNT = 37,
+    PM_MEASURE_EVENT_TIME = 38,       /* of the last firing; undefined before the first */
+    PM_MEASURE_POTENTIAL = 39,        /* of weight and springs; weight is zero at the scene's origin */
+    PM_MEASURE_TOTAL = 40,            /* kinetic + potential */
+    PM_MEASURE_LOST = 41,             /* kinetic energy lost in the last jump */
+    PM_MEASURE_KINDS = 42
+};
+enum pm_part {
+    PM_PART_NONE = 0,
+    PM_PART_X = 1,
+    PM_PART_Y = 2,
+    PM_PART_NORM = 3,
+    PM_PART_ANGLE = 4, /* direction, in (-pi, pi] */
+    PM_PART_ALONG = 5,
+    PM_PARTS = 6
+};
+enum pm_measure_column {
+    PM_MEASURE_KIND = 0,
+    PM_MEASURE_A = 1,
+    PM_MEASURE_PART = 2,
+    PM_MEASURE_IN = 3,
+    PM_MEASURE_ON = 4,
+    PM_MEASURE_ABOUT = 5,
+    PM_MEASURE_VALUE = 6,
+    PM_MEASURE_MEMBER = 7,
+    PM_MEASURE_COLUMNS = 8
+};
+
+/* ---- start ------------------------------------------------------------------------------------------------
+ * One row per written start value: measure = value.  POSITION rows take ANGLE or POSITION (x, y, along),
+ * VELOCITY rows OMEGA or VELOCITY (x, y, along).  What is not written: positions are moved as little as possible to
+ * meet the joints; velocities follow from the joints, and are 0 for a body on its own. */
+enum pm_start_level { PM_START_POSITION = 0, PM_START_VELOCITY = 1 };
+enum pm_start_column { PM_START_LEVEL = 0, PM_START_MEASURE = 1, PM_START_VALUE = 2, PM_START_COLUMNS = 3 };
+
+/* ---- events ------------------------------------------------------------------------------------------------
+ * A trigger makes its event fire; several triggers may belong to one event. */
+enum pm_trigger_kind {
+    PM_TRIGGER_CROSS = 0, /* program goes through 0, either way; a zero that holds must first be left */
+    PM_TRIGGER_RISE = 1,  /* program becomes > 0 */
+    PM_TRIGGER_FALL = 2,  /* program becomes < 0 */
+    PM_TRIGGER_EVERY = 3, /* program reaches an integer */
+    PM_TRIGGER_START = 4,
+    PM_TRIGGER_STRIKE = 5, /* contact a */
+    PM_TRIGGER_OPEN = 6,   /* contact a */
+    PM_TRIGGER_SLIP = 7,   /* contact a starts to slide */
+    PM_TRIGGER_STICK = 8,  /* contact a stops sliding */
+    PM_TRIGGER_REST = 9,   /* a = body, or PM_NONE: all bodies are at rest and stay */
+    PM_TRIGGER_KINDS = 10
+};
+enum pm_trigger_column {
+    PM_TRIGGER_KIND = 0,
+    PM_TRIGGER_EVENT = 1,
+    PM_TRIGGER_PROGRAM = 2, /* or PM_NONE */
+    PM_TRIGGER_A = 3,
+    PM_TRIGGER_COLUMNS = 4
+};
+enum pm_event_column { PM_EVENT_RESERVED = 0, PM_EVENT_COLUMNS = 1 };
+/* The run ends when for some group every row's event has fired `nth` times. */
+enum pm_until_column { PM_UNTIL_GROUP = 0, PM_UNTIL_EVENT = 1, PM_UNTIL_NTH = 2, PM_UNTIL_COLUMNS = 3 };
+
+/* ---- asks --------------------------------------------------------------------------------------------------- */
+enum pm_ask_kind {
+    PM_ASK_END = 0,      /* program at the end of the run, after its jump */
+    PM_ASK_EVENT = 1,    /* program at the nth firing of an event, before or after its jump */
+    PM_ASK_MAX = 2,      /* greatest value of program over the run */
+    PM_ASK_MIN = 3,
+    PM_ASK_AT_MAX = 4,   /* program where program_2 is greatest */
+    PM_ASK_AT_MIN = 5,
+    PM_ASK_GRID = 6,     /* program where program_2 first equals each of `count` values from first_value on */
+    PM_ASK_EACH = 7,     /* program at each firing of an event, up to `count` of them */
+    PM_ASK_KINDS = 8
+};
+enum pm_ask_column {
+    PM_ASK_KIND = 0,
+    PM_ASK_PROGRAM = 1,
+    PM_ASK_EVENT_INDEX = 2, /* or PM_NONE */
+    PM_ASK_NTH = 3,         /* from 1 */
+    PM_ASK_BEFORE = 4,      /* 1: before the jump */
+    PM_ASK_PROGRAM_2 = 5,   /* or PM_NONE */
+    PM_ASK_FIRST_VALUE = 6, /* or PM_NONE */
+    PM_ASK_OUT = 7,         /* first column of out[] */
+    PM_ASK_COUNT = 8,       /* number of columns of out[] */
+    PM_ASK_COLUMNS = 9
+};
+/* Why an ask has no number (out is NaN there). */
+enum pm_reason {
+    PM_REASON_NONE = 0,
+    PM_REASON_NOT_REACHED = 1, /* the instant did not come */
+    PM_REASON_UNDEFINED = 2,   /* the expression has no value at some instant (a ratio to a force <= 0, 0/0) */
+    PM_REASON_FAILED = 3       /* the run failed */
+};
+
+/* ---- settings ----------------------------------------------------------------------------------------------- */
+enum pm_route { PM_ROUTE_AUTO = 0, PM_ROUTE_RK = 1, PM_ROUTE_IDA = 2, PM_ROUTES = 3 };
+enum pm_setting_column {
+    PM_SETTING_GRAVITY_X = 0, /* value indices */
+    PM_SETTING_GRAVITY_Y = 1,
+    PM_SETTING_ACCURACY = 2,  /* value index: relative tolerance of the integration, 1e-14 .. 1e-2 */
+    PM_SETTING_MAX_TIME = 3,  /* value index, s */
+    PM_SETTING_ASSEMBLY = 4,  /* value index: allowed opening relative to the scene's size */
+    PM_SETTING_ROUTE = 5,     /* enum pm_route */
+    PM_SETTING_MAX_EVENTS = 6,
+    PM_SETTING_MAX_STEPS = 7,
+    PM_SETTING_COLUMNS = 8
+};
+
+/* ---- results -------------------------------------------------------------------------------------------------- */
+enum pm_audit { PM_AUDIT_ENERGY = 0, PM_AUDIT_MOMENTUM = 1, PM_AUDIT_CONSTRAINT = 2, PM_AUDITS = 3 };
+/* Where a case failed: table and row (PM_NONE if nowhere in particular) and numbers that belong to the message. */
+enum pm_where_column { PM_WHERE_TABLE = 0, PM_WHERE_ROW = 1, PM_WHERE_MEMBER = 2, PM_WHERE_COLUMNS = 3 };
+enum pm_detail_column { PM_DETAIL_VALUE = 0, PM_DETAIL_BOUND = 1, PM_DETAIL_TIME = 2, PM_DETAIL_COLUMNS = 3 };
+enum pm_count_column {
+    PM_COUNT_PHASES = 0,
+    PM_COUNT_EVENTS = 1,
+    PM_COUNT_JUMPS = 2,
+    PM_COUNT_STEPS = 3,
+    PM_COUNT_SOLVES = 4, /* saddle-point solutions */
+    PM_COUNT_ROUTE = 5,  /* enum pm_route that ran */
+    PM_COUNT_COLUMNS = 6
+};
+/* What pm_check reports of the assembled start. */
+enum pm_check_column {
+    PM_CHECK_COORDINATES = 0,
+    PM_CHECK_ROWS = 1,      /* joint and closed contact rows at the start */
+    PM_CHECK_REDUNDANT = 2, /* rows that depend on others */
+    PM_CHECK_FREEDOM = 3,   /* degrees of freedom */
+    PM_CHECK_CLOSED = 4,    /* contacts closed at the start */
+    PM_CHECK_COLUMNS = 5
+};
+enum pm_check_number {
+    PM_CHECK_MOVED = 0,    /* greatest displacement by the assembly, m */
+    PM_CHECK_SIZE = 1,     /* size of the scene, m */
+    PM_CHECK_OPENING = 2,  /* greatest residual after assembly, m */
+    PM_CHECK_NUMBERS = 3
+};
+
+/* Runs cases first .. over `nworker` threads; every row of the results depends on its own parameters only.
+ *   table[ntable], constant[nconstant]   the scene (see above)
+ *   param[ncase][nparam]                 parameters of each case, SI
+ *   stop[1]                              raised (non-zero) by another thread to end early; cases not begun get PM_CANCELLED
+ *   progress[1]                          number of cases finished, for another thread to read
+ *   out[ncase][nout], reason[ncase][nask], status[ncase], where[ncase][PM_WHERE_COLUMNS],
+ *   detail[ncase][PM_DETAIL_COLUMNS], audit[ncase][PM_AUDITS], count[ncase][PM_COUNT_COLUMNS]
+ * Returns PM_OK, or PM_BAD_TABLE / PM_NO_MEMORY with where[0] set; then no case has run. */
+int pm_batch(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t ncase, int64_t nparam,
+             const double *param, int nworker, const int32_t *stop, int64_t *progress, int64_t nout, double *out,
+             int64_t nask, int32_t *reason, int32_t *status, int32_t *where, double *detail, double *audit,
+             int64_t *count);
+
+/* Runs one case as pm_batch does and records it: one row (t, program values) at every accepted step, before and
+ * after every event; `mark` is 0 for a step, 1 before an event, 2 after it.
+ *   trace_program[ntrace]  programs to record;  history[cap][1 + ntrace], mark[cap];  needed[1]: rows wanted.
+ * If needed > cap the first cap rows are there: call again with larger buffers. */
+int pm_trace(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t nparam,
+             const double *param, int64_t ntrace, const int32_t *trace_program, int64_t cap, double *history,
+             int32_t *mark, int64_t *needed, int32_t *where, double *detail);
+
+/* Assembles the start of one case: info[PM_CHECK_COLUMNS], number[PM_CHECK_NUMBERS], pose[nbody][3] (x, y, angle),
+ * velocity[nbody][3].  Returns a status of the case. */
+int pm_check(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t nparam,
+             const double *param, int32_t *info, double *number, int64_t nbody, double *pose, double *velocity,
+             int32_t *where, double *detail);
+
+/* Text of a status, at most ntext-1 characters and a zero; returns its length. */
+int pm_status_text(int status, int64_t ntext, int8_t *text);
+
+#endif

@@ -1,0 +1,14 @@
+/* project.h - removes drift: q and v back onto the active rows, by the least change in the metric of M. */
+#ifndef PM_PROJECT_H
+#define PM_PROJECT_H
+
+#include "model.h"
+
+/* Projects the state; on return the frame looks at it (KINEMATIC, rows evaluated). */
+int pm_project(pm_workspace *w, pm_state *s);
+/* Velocities only: G v = 0 at the state's position. */
+int pm_project_velocity(pm_workspace *w, pm_state *s);
+/* Residuals of the active rows at the frame relative to size and speed: the greater one. */
+double pm_project_residual(pm_workspace *w);
+
+#endif

@@ -1,0 +1,49 @@
+/* root.c - GSL's bracketing solver on functions of time along a step. */
+#include "root.h"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_roots.h>
+#include <math.h>
+
+#define ITERATIONS 100
+#define ROUNDING 2.3e-16
+
+typedef struct pm_root_call {
+    pm_workspace *w;
+    pm_along *f;
+    void *context;
+} pm_root_call;
+
+static double call(double t, void *x)
+{
+    const pm_root_call *c = x;
+    return c->f(c->w, t, c->context);
+}
+
+int pm_root_find(pm_workspace *w, void *solver, pm_along *f, void *context, double a, double fa, double b, double fb,
+                 double *root)
+{
+    pm_root_call c = {w, f, context};
+    gsl_function function = {.function = call, .params = &c};
+    *root = fa == 0 ? a : b;
+    if (fa == 0 || fb == 0) return PM_OK;
+    int status = gsl_root_fsolver_set(solver, &function, a, b);
+    for (int i = 0; i < ITERATIONS && !status; i++) {
+        status = gsl_root_fsolver_iterate(solver);
+        *root = gsl_root_fsolver_root(solver);
+        const double low = gsl_root_fsolver_x_lower(solver), high = gsl_root_fsolver_x_upper(solver);
+        if (high - low <= 4 * ROUNDING * fmax(fabs(low), fabs(high)) || high - low <= 1e-14 * fabs(b - a)) break;
+    }
+    return status ? pm_fail(w, PM_SOLVER, PM_NONE, PM_NONE, status, 0) : PM_OK;
+}
+
+void *pm_root_create(void)
+{
+    gsl_set_error_handler_off(); /* the default one aborts the process */
+    return gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
+}
+
+void pm_root_free(void *solver)
+{
+    if (solver) gsl_root_fsolver_free(solver);
+}

@@ -1,0 +1,36 @@
+/* route.h - the one interface of all ways to compute a phase.
+ *
+ * A phase is smooth motion with the fixed active rows of the workspace (active.h).  The event loop calls
+ *   begin   the phase starts at w->state: consistent with the rows, the frame looks at it
+ *   step    one accepted step from w->state towards t_limit, never beyond it: afterwards w->state is at w->step_end,
+ *           projected on the rows; w->step_begin is where the step began
+ *   at      a state inside the last step (slightly outside is allowed), from the route's dense output: t, q, v, z;
+ *           memory and slots are those of w->state
+ *   exact   the same to the accuracy of the trajectory, projected; used where an event or an extremum is taken
+ * All return a status.  A route that finds roots itself stops its step at the first root of the event functions
+ * (w->event->nfunction, pm_event_values) and marks them in w->event->root (which event.c clears before the step). */
+#ifndef PM_ROUTE_H
+#define PM_ROUTE_H
+
+#include "model.h"
+
+typedef struct pm_route_ops {
+    int route; /* enum pm_route */
+    int (*create)(pm_workspace *w);
+    void (*free)(pm_workspace *w);
+    int (*begin)(pm_workspace *w);
+    int (*step)(pm_workspace *w, double t_limit);
+    int (*at)(pm_workspace *w, double t, pm_state *s);
+    int (*exact)(pm_workspace *w, double t, pm_state *s);
+    int finds_roots;
+} pm_route_ops;
+
+extern const pm_route_ops pm_route_rk, pm_route_ida;
+
+/* Creates what all routes need; frees it. */
+int pm_route_create(pm_workspace *w);
+void pm_route_free(pm_workspace *w);
+/* The route that the settings ask for. */
+const pm_route_ops *pm_route_choose(const pm_model *m);
+
+#endif

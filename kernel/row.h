@@ -1,0 +1,61 @@
+/* row.h - scalar constraint rows: one table of kinds, each with residual, Jacobian, gamma and line of action. */
+#ifndef PM_ROW_H
+#define PM_ROW_H
+
+#include "body.h"
+#include "model.h"
+
+enum pm_row_kind {
+    PM_ROW_POINT_X = 0,
+    PM_ROW_POINT_Y = 1,
+    PM_ROW_LINE_NORMAL = 2,
+    PM_ROW_LINE_TANGENT = 3,
+    PM_ROW_DISTANCE = 4,
+    PM_ROW_CIRCLE_TANGENT = 5,
+    PM_ROW_ANGLE = 6,
+    PM_ROW_KINDS = 7
+};
+
+/* Where a unit reaction acts on body[0] (the opposite acts on body[1] in the same line), from geometry alone: the
+ * audit uses it instead of the Jacobian. */
+typedef struct pm_line_of_action {
+    double at[2], direction[2], couple;
+} pm_line_of_action;
+
+/* One kind: `evaluate` fills j, g, gamma at the frame; `act` gives the line of action; `remember` (no-slip rows)
+ * sets or refreshes the memory from the frame: anchor_too = 1 closes the row here. */
+typedef struct pm_row_ops {
+    void (*evaluate)(const pm_workspace *w, pm_row *row);
+    void (*act)(const pm_workspace *w, const pm_row *row, pm_line_of_action *x);
+    void (*remember)(const pm_workspace *w, const pm_row *row, pm_memory *memory, int anchor_too);
+} pm_row_ops;
+
+extern const pm_row_ops pm_row_point_x, pm_row_point_y, pm_row_line_normal, pm_row_line_tangent, pm_row_distance,
+    pm_row_circle_tangent, pm_row_angle;
+
+const pm_row_ops *pm_row_kind(int kind);
+
+/* The rows of joint i with the numbers of the case; returns how many. */
+int pm_row_of_joint(const pm_workspace *w, int joint, pm_row row[PM_JOINT_ROWS]);
+/* Normal and tangential row of a contact that is closed (or may close) in `slot` with `member`. */
+void pm_row_of_contact(const pm_workspace *w, int contact, int slot, int member, pm_row *normal, pm_row *tangent);
+
+/* Rate of a row from the geometry of its line of action (equals j v). */
+double pm_row_rate(const pm_workspace *w, const pm_row *row);
+
+/* The two marks of a row in the frame, and what all kinds share. */
+typedef struct pm_marks {
+    pm_point a, b;
+    double d[2];     /* a - b */
+    double u[2];     /* velocity of a - velocity of b */
+    double quad[2];  /* relative acceleration of the marks when the coordinates do not accelerate */
+    double omega_a, omega_b;
+} pm_marks;
+pm_marks pm_row_marks(const pm_workspace *w, const pm_row *row);
+/* j = (n, r_a x n) on a, -(n, r_b x n) on b. */
+void pm_row_along(pm_row *row, const pm_marks *x, const double n[2], double factor);
+
+static inline double pm_dot(const double a[2], const double b[2]) { return a[0] * b[0] + a[1] * b[1]; }
+static inline double pm_cross(const double a[2], const double b[2]) { return a[0] * b[1] - a[1] * b[0]; }
+
+#endif

@@ -1,0 +1,34 @@
+/* row_distance.c - two points at a given distance: links, and the gap of two circles.
+ *
+ * d = p_a - p_b, D = |d|, n = d/D, t = k x n, u = v_a - v_b, s = sign (-1 where one circle is inside the other):
+ *   C = s (D - L)    Cdot = s u.n    gamma = -s (quad.n + (u.t)^2 / D)
+ * For circles L = R_a + R_b with signed radii: a inside b has R_a < 0, b inside a has R_b < 0; the touching point is
+ * p_a - R_a n. */
+#include <math.h>
+
+#include "row.h"
+
+static void evaluate(const pm_workspace *w, pm_row *row)
+{
+    const pm_marks x = pm_row_marks(w, row);
+    const double distance = hypot(x.d[0], x.d[1]);
+    const double n[2] = {x.d[0] / distance, x.d[1] / distance}, t[2] = {-n[1], n[0]};
+    const double across = pm_dot(x.u, t);
+    pm_row_along(row, &x, n, row->sign);
+    row->g = row->sign * (distance - row->value);
+    row->gamma = -row->sign * (pm_dot(x.quad, n) + across * across / distance);
+}
+
+static void act(const pm_workspace *w, const pm_row *row, pm_line_of_action *x)
+{
+    const pm_point a = pm_point_at(w, row->body[0], row->a[0], row->a[1]);
+    const pm_point b = pm_point_at(w, row->body[1], row->b[0], row->b[1]);
+    const double d[2] = {a.p[0] - b.p[0], a.p[1] - b.p[1]}, distance = hypot(d[0], d[1]);
+    x->couple = 0;
+    for (int k = 0; k < 2; k++) {
+        x->direction[k] = row->sign * d[k] / distance;
+        x->at[k] = a.p[k] - row->radius_a * d[k] / distance;
+    }
+}
+
+const pm_row_ops pm_row_distance = {evaluate, act, 0};

@@ -1,0 +1,80 @@
+/* row_line.c - a circle (or a point: radius 0) and a straight line of another body.
+ *
+ * Line: through p_b at angle phi = angle_b + value, t = (cos phi, sin phi), n = k x t its free side; d = p_a - p_b,
+ * u = v_a - v_b, w = omega_b, R the radius.  With k x n = -t and quad the velocity-quadratic part of a_a - a_b:
+ *   normal    C = d.n - R                      Cdot = u.n - w d.t
+ *             gamma = -(quad.n - 2 w u.t - w^2 d.n)
+ *   tangent   slip = u.t + w d.n + R (omega_a - w): the relative velocity of the touching points along t
+ *             C = d.t + R (angle_a - angle_b) - anchor      gamma = -(quad.t + 2 w u.n - w^2 d.t) */
+#include <math.h>
+
+#include "row.h"
+
+typedef struct pm_line_frame {
+    double t[2], n[2];
+} pm_line_frame;
+
+static pm_line_frame line_frame(const pm_workspace *w, const pm_row *row)
+{
+    const double phi = w->frame.pose[5 * row->body[1] + 2] + row->value, c = cos(phi), s = sin(phi);
+    return (pm_line_frame){.t = {c, s}, .n = {-s, c}};
+}
+
+static void evaluate_normal(const pm_workspace *w, pm_row *row)
+{
+    const pm_marks x = pm_row_marks(w, row);
+    const pm_line_frame l = line_frame(w, row);
+    pm_row_along(row, &x, l.n, 1);
+    row->j[5] -= pm_dot(x.d, l.t);
+    row->g = pm_dot(x.d, l.n) - row->radius_a;
+    row->gamma = -(pm_dot(x.quad, l.n) - 2 * x.omega_b * pm_dot(x.u, l.t) - x.omega_b * x.omega_b * pm_dot(x.d, l.n));
+}
+
+static double rolled(const pm_workspace *w, const pm_row *row, const pm_marks *x, const pm_line_frame *l)
+{
+    const double turned = w->frame.pose[5 * row->body[0] + 2] - w->frame.pose[5 * row->body[1] + 2];
+    return pm_dot(x->d, l->t) + row->radius_a * turned;
+}
+
+static void evaluate_tangent(const pm_workspace *w, pm_row *row)
+{
+    const pm_marks x = pm_row_marks(w, row);
+    const pm_line_frame l = line_frame(w, row);
+    pm_row_along(row, &x, l.t, 1);
+    row->j[2] += row->radius_a;
+    row->j[5] += pm_dot(x.d, l.n) - row->radius_a;
+    row->g = rolled(w, row, &x, &l) - w->frame.memory[row->memory].anchor;
+    row->gamma = -(pm_dot(x.quad, l.t) + 2 * x.omega_b * pm_dot(x.u, l.n) - x.omega_b * x.omega_b * pm_dot(x.d, l.t));
+}
+
+static void remember(const pm_workspace *w, const pm_row *row, pm_memory *memory, int anchor_too)
+{
+    if (!anchor_too) return;
+    const pm_marks x = pm_row_marks(w, row);
+    const pm_line_frame l = line_frame(w, row);
+    memory->anchor = rolled(w, row, &x, &l);
+}
+
+static void touch(const pm_workspace *w, const pm_row *row, const pm_line_frame *l, pm_line_of_action *x)
+{
+    const pm_point a = pm_point_at(w, row->body[0], row->a[0], row->a[1]);
+    for (int k = 0; k < 2; k++) x->at[k] = a.p[k] - row->radius_a * l->n[k];
+    x->couple = 0;
+}
+
+static void act_normal(const pm_workspace *w, const pm_row *row, pm_line_of_action *x)
+{
+    const pm_line_frame l = line_frame(w, row);
+    touch(w, row, &l, x);
+    for (int k = 0; k < 2; k++) x->direction[k] = l.n[k];
+}
+
+static void act_tangent(const pm_workspace *w, const pm_row *row, pm_line_of_action *x)
+{
+    const pm_line_frame l = line_frame(w, row);
+    touch(w, row, &l, x);
+    for (int k = 0; k < 2; k++) x->direction[k] = l.t[k];
+}
+
+const pm_row_ops pm_row_line_normal = {evaluate_normal, act_normal, 0};
+const pm_row_ops pm_row_line_tangent = {evaluate_tangent, act_tangent, remember};

@@ -1,0 +1,176 @@
+/* run.c - begin -> phase -> event -> jump -> modes -> next phase.  The table of contents of a run. */
+#include "run.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "active.h"
+#include "ask.h"
+#include "audit.h"
+#include "body.h"
+#include "case.h"
+#include "event.h"
+#include "force.h"
+#include "jump.h"
+#include "mode.h"
+#include "route.h"
+#include "saddle.h"
+#include "trace.h"
+
+#define STILL 1e-12 /* accelerations of a scene at rest, relative to what its forces could do */
+
+static int begin_case(pm_workspace *w, const double *param, pm_start_report *report)
+{
+    memset(w->count, 0, sizeof w->count);
+    w->where = (pm_where){PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
+    w->lost = 0;
+    w->route = pm_route_choose(w->model);
+    w->count[PM_COUNT_ROUTE] = w->route->route;
+    w->event->nfunction = 0;
+    pm_event_reset(w);
+    memset(w->joint_impulse, 0, (size_t)w->model->njoint_row * sizeof(double));
+    memset(w->slot_impulse, 0, 2 * (size_t)w->model->nslot * sizeof(double));
+    int status = pm_case_begin(w, param);
+    if (!status) status = pm_start(w, report);
+    return status;
+}
+
+/* A scene at rest has no speed yet: what its forces would make of its size is the scale. */
+static int set_speed_scale(pm_workspace *w)
+{
+    double fastest = 0;
+    pm_force_all(w);
+    for (int i = 0; i < w->model->nq; i++) {
+        const double length = i % 3 == 2 ? w->size : 1;
+        fastest = fmax(fastest, sqrt(fabs(w->inverse_mass[i] * w->frame.f[i]) * length * w->size));
+    }
+    if (fastest > w->speed) w->speed = fastest;
+    if (w->speed == 0) w->speed = w->size; /* nothing acts, nothing moves */
+    return PM_OK;
+}
+
+static void open_ledger(pm_workspace *w)
+{
+    for (int i = 0; i < w->model->rows[PM_TABLE_FORCE]; i++) w->force_energy_start[i] = pm_force_action(w, i).energy;
+    pm_audit_begin(w);
+}
+
+/* What happens at one instant: `before` values, blows, modes, firings.  The frame is DYNAMIC before and after. */
+static int instant(pm_workspace *w)
+{
+    int jumped, status;
+    pm_ask_look_before(w);
+    pm_event_look_before(w);
+    pm_mode_begin(w);
+    if ((status = pm_jump(w, &jumped)) || (status = pm_mode_settle(w))) return status;
+    pm_mode_mark(w);
+    pm_event_look_after(w);
+    return PM_OK;
+}
+
+static int at_rest(const pm_workspace *w, int body)
+{
+    const double speed = STILL * w->speed * 10, acceleration = STILL * w->speed * w->speed / w->size * 10;
+    const int first = body == PM_NONE ? 0 : 3 * body, last = body == PM_NONE ? w->model->nq : first + 3;
+    for (int i = first; i < last; i++) {
+        const double length = i % 3 == 2 ? w->size : 1;
+        if (fabs(w->frame.v[i]) * length > speed || fabs(w->frame.a[i]) * length > acceleration) return 0;
+    }
+    return 1;
+}
+
+static void mark_rest(pm_workspace *w)
+{
+    if (at_rest(w, PM_NONE)) pm_event_mark(w, PM_TRIGGER_REST, PM_NONE);
+    for (int i = 0; i < w->model->nbody; i++)
+        if (at_rest(w, i)) pm_event_mark(w, PM_TRIGGER_REST, i);
+}
+
+static int finish_instant(pm_workspace *w, int *ended)
+{
+    mark_rest(w);
+    pm_event_commit(w);
+    pm_ask_instant(w);
+    w->count[PM_COUNT_EVENTS]++;
+    *ended = pm_event_until(w);
+    const int most = PM_SETTING(w->model, PM_SETTING_MAX_EVENTS);
+    if (*ended) return PM_OK;
+    if (w->count[PM_COUNT_EVENTS] >= most) return pm_fail(w, PM_LIMIT_EVENTS, PM_TABLE_SETTING, 0, most, most);
+    if (at_rest(w, PM_NONE) && !w->model->uses_time) return pm_fail(w, PM_STAYS_AT_REST, PM_NONE, PM_NONE, w->state.t, 0);
+    return PM_OK;
+}
+
+int pm_run_start(pm_workspace *w, const double *param, pm_start_report *report)
+{
+    int status = begin_case(w, param, report);
+    if (status) return status;
+    set_speed_scale(w);
+    open_ledger(w);
+    pm_frame_look_state(w, &w->state);
+    if ((status = pm_active_build(w)) || (status = pm_saddle_accelerate(w))) return status;
+    if ((status = instant(w))) return status;
+    pm_event_mark(w, PM_TRIGGER_START, PM_NONE);
+    return PM_OK;
+}
+
+static int phase(pm_workspace *w)
+{
+    int happened, status;
+    pm_event_begin(w);
+    if ((status = w->route->begin(w))) return status;
+    w->count[PM_COUNT_PHASES]++;
+    if ((status = pm_event_advance(w, &happened))) return status;
+    pm_frame_look_state(w, &w->state);
+    return pm_saddle_accelerate(w);
+}
+
+static int run_phases(pm_workspace *w)
+{
+    int ended, status = finish_instant(w, &ended);
+    if (!status) status = pm_trace_row(w, 2);
+    while (!status && !ended) {
+        if ((status = phase(w)) || (status = pm_trace_row(w, 1))) break;
+        if (w->trace && (status = pm_saddle_accelerate(w))) break;
+        if ((status = instant(w)) || (status = finish_instant(w, &ended))) break;
+        status = pm_trace_row(w, 2);
+    }
+    return status;
+}
+
+static void fail_asks(pm_workspace *w)
+{
+    for (int i = 0; i < w->model->nout; i++) w->out[i] = NAN;
+    for (int i = 0; i < w->model->nask; i++) w->reason[i] = PM_REASON_FAILED;
+}
+
+/* An early stop keeps what was answered; what is asked at the end was not reached. */
+static int end_early(pm_workspace *w, int status)
+{
+    const pm_model *m = w->model;
+    for (int i = 0; i < m->nask; i++) {
+        const int32_t *e = PM_ASK_ROW(m, i);
+        const int at_instant = e[PM_ASK_KIND] == PM_ASK_EVENT || e[PM_ASK_KIND] == PM_ASK_EACH || e[PM_ASK_KIND] == PM_ASK_GRID;
+        if (at_instant && w->ask->filled[e[PM_ASK_OUT]])
+            w->reason[i] = PM_REASON_NONE;
+        else
+            for (int k = 0; k < e[PM_ASK_COUNT]; k++) w->out[e[PM_ASK_OUT] + k] = NAN;
+    }
+    const int audit = pm_audit_close(w);
+    return audit ? audit : status;
+}
+
+int pm_run(pm_workspace *w, const double *param)
+{
+    pm_start_report report;
+    pm_ask_reset(w);
+    for (int i = 0; i < PM_AUDITS; i++) w->audit[i] = NAN;
+    int status = pm_run_start(w, param, &report);
+    if (!status) status = run_phases(w);
+    if (status > 0) status = end_early(w, status);
+    if (!status) {
+        pm_ask_end(w);
+        status = pm_audit_close(w);
+    }
+    if (status < 0) fail_asks(w);
+    return status;
+}

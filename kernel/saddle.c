@@ -1,0 +1,139 @@
+/* saddle.c - [M H^T; G 0] [a; -l] = [f; c] by the Schur complement S = G M^-1 H^T: S l = c - G M^-1 f,
+ * a = M^-1 (f + H^T l).  Cholesky where H = G, LU where a contact slides. */
+#include "saddle.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "body.h"
+#include "dense.h"
+#include "force.h"
+#include "row.h"
+
+void pm_saddle_rows(pm_workspace *w)
+{
+    const int n = w->nactive;
+    for (int i = 0; i < n; i++) {
+        pm_row *row = &w->row[i];
+        pm_row_kind(row->kind)->evaluate(w, row);
+    }
+    if (!w->asymmetric) return;
+    for (int i = 0; i < n; i++) memcpy(w->row[i].h, w->row[i].j, sizeof w->row[i].h);
+    for (int i = n; w->row[i].normal != PM_NONE; i++) { /* carried tangents, closed by an entry without normal */
+        pm_row *tangent = &w->row[i], *normal = &w->row[tangent->normal];
+        pm_row_kind(tangent->kind)->evaluate(w, tangent);
+        for (int k = 0; k < 6; k++) normal->h[k] = normal->j[k] + normal->slide * tangent->j[k];
+    }
+}
+
+static const double *force_direction(const pm_workspace *w, const pm_row *row) { return w->asymmetric ? row->h : row->j; }
+
+/* Product of two rows over the bodies that they share, in the metric of M^-1. */
+static double coupled(const pm_workspace *w, const pm_row *a, const double *ja, const pm_row *b, const double *jb)
+{
+    const int ground = w->model->nbody;
+    double sum = 0;
+    for (int p = 0; p < 2; p++) {
+        const int body = a->body[p];
+        if (body == ground) continue;
+        const double *im = w->inverse_mass + 3 * body, *x = ja + 3 * p;
+        for (int r = 0; r < 2; r++) {
+            if (b->body[r] != body) continue;
+            const double *y = jb + 3 * r;
+            sum += x[0] * im[0] * y[0] + x[1] * im[1] * y[1] + x[2] * im[2] * y[2];
+        }
+    }
+    return sum;
+}
+
+int pm_saddle_factor(pm_workspace *w)
+{
+    const int n = w->nactive;
+    for (int i = 0; i < n; i++) {
+        const int last = w->asymmetric ? n - 1 : i;
+        for (int k = 0; k <= last; k++)
+            w->schur[i * n + k] = coupled(w, &w->row[i], w->row[i].j, &w->row[k], force_direction(w, &w->row[k]));
+    }
+    const int bad = w->asymmetric ? pm_lu_factor(n, w->schur, w->pivot) : pm_cholesky_factor(n, w->schur);
+    w->count[PM_COUNT_SOLVES]++;
+    if (!bad) return PM_OK;
+    const pm_row *row = &w->row[bad - 1];
+    return row->joint != PM_NONE ? pm_fail(w, PM_SINGULAR, PM_TABLE_JOINT, row->joint, 0, 0)
+                                 : pm_fail(w, PM_SINGULAR, PM_TABLE_CONTACT, PM_NONE, 0, 0);
+}
+
+void pm_saddle_solve(pm_workspace *w)
+{
+    if (w->asymmetric)
+        pm_lu_solve(w->nactive, w->schur, w->pivot, w->rhs);
+    else
+        pm_cholesky_solve(w->nactive, w->schur, w->rhs);
+}
+
+void pm_saddle_spread(const pm_workspace *w, int use_h, double *x)
+{
+    const int ground = w->model->nbody;
+    for (int i = 0; i < w->nactive; i++) {
+        const pm_row *row = &w->row[i];
+        const double *d = use_h ? force_direction(w, row) : row->j, l = w->rhs[i];
+        for (int p = 0; p < 2; p++) {
+            const int body = row->body[p];
+            if (body == ground) continue;
+            for (int k = 0; k < 3; k++) x[3 * body + k] += w->inverse_mass[3 * body + k] * d[3 * p + k] * l;
+        }
+    }
+}
+
+double pm_saddle_times(const pm_workspace *w, const pm_row *row, const double *x)
+{
+    const int ground = w->model->nbody;
+    double sum = 0;
+    for (int p = 0; p < 2; p++) {
+        if (row->body[p] == ground) continue;
+        const double *y = x + 3 * row->body[p], *j = row->j + 3 * p;
+        sum += j[0] * y[0] + j[1] * y[1] + j[2] * y[2];
+    }
+    return sum;
+}
+
+int pm_saddle_accelerate(pm_workspace *w)
+{
+    pm_frame *f = &w->frame;
+    pm_force_all(w);
+    for (int i = 0; i < w->model->nq; i++) f->a[i] = w->inverse_mass[i] * f->f[i];
+    if (w->nactive > 0) {
+        pm_saddle_rows(w);
+        const int status = pm_saddle_factor(w);
+        if (status) return status;
+        for (int i = 0; i < w->nactive; i++) w->rhs[i] = w->row[i].gamma - pm_saddle_times(w, &w->row[i], f->a);
+        pm_saddle_solve(w);
+        pm_saddle_spread(w, 1, f->a);
+        memcpy(f->lambda, w->rhs, (size_t)w->nactive * sizeof(double));
+    }
+    f->level = PM_LEVEL_DYNAMIC;
+    return PM_OK;
+}
+
+int pm_basis_add(pm_workspace *w, int n, const double j[6], const int body[2], double *left)
+{
+    const int nq = w->model->nq, ground = w->model->nbody;
+    double *row = w->basis + (size_t)n * (size_t)nq, before = 0, after = 0;
+    memset(row, 0, (size_t)nq * sizeof *row);
+    for (int p = 0; p < 2; p++)
+        for (int k = 0; k < 3 && body[p] != ground; k++)
+            row[3 * body[p] + k] += j[3 * p + k] * sqrt(w->inverse_mass[3 * body[p] + k]);
+    for (int i = 0; i < nq; i++) before += row[i] * row[i];
+    for (int pass = 0; pass < 2; pass++) /* twice is enough (Kahan, Parlett) */
+        for (int b = 0; b < n; b++) {
+            const double *e = w->basis + (size_t)b * (size_t)nq;
+            double dot = 0;
+            for (int i = 0; i < nq; i++) dot += e[i] * row[i];
+            for (int i = 0; i < nq; i++) row[i] -= dot * e[i];
+        }
+    for (int i = 0; i < nq; i++) after += row[i] * row[i];
+    *left = before > 0 ? sqrt(after / before) : 0;
+    if (!(*left > PM_INDEPENDENT) || n >= nq) return n;
+    const double scale = 1 / sqrt(after);
+    for (int i = 0; i < nq; i++) row[i] *= scale;
+    return n + 1;
+}

@@ -1,0 +1,25 @@
+/* saddle.h - the one linear system of the kernel, [M H^T; G 0], on the active rows. */
+#ifndef PM_SADDLE_H
+#define PM_SADDLE_H
+
+#include "model.h"
+
+/* Evaluates the active rows at the frame (and the tangents that sliding contacts carry). */
+void pm_saddle_rows(pm_workspace *w);
+/* Factors S = G M^-1 H^T of the active rows. */
+int pm_saddle_factor(pm_workspace *w);
+/* w->rhs: S x = rhs in place. */
+void pm_saddle_solve(pm_workspace *w);
+/* x += M^-1 H^T l (use_h) or M^-1 G^T l, with l = w->rhs. */
+void pm_saddle_spread(const pm_workspace *w, int use_h, double *x);
+/* Motion: accelerations and reactions at the frame; level DYNAMIC. */
+int pm_saddle_accelerate(pm_workspace *w);
+/* Product of row i with a vector on q. */
+double pm_saddle_times(const pm_workspace *w, const pm_row *row, const double *x);
+
+/* Row basis (modified Gram-Schmidt in the metric of M^-1): adds `row` if it does not depend on the first n rows of
+ * w->basis; returns the new n.  *left is the part of its norm that is independent, 0..1. */
+int pm_basis_add(pm_workspace *w, int n, const double j[6], const int body[2], double *left);
+#define PM_INDEPENDENT 1e-9 /* `left` above this: an independent row */
+
+#endif

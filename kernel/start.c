@@ -1,0 +1,308 @@
+/* start.c - assembly of an approximate start.
+ *
+ * Positions: Gauss-Newton on joint rows and written positions together, each step the least one (row basis in the metric
+ * of M), so what is written stays and the rest moves as little as possible.  Velocities: the rows of joints and of
+ * contacts that rest (rough ones hold their tangents too), then what is written, are taken one after the other into an
+ * orthonormal basis: a row that depends on the others must agree with them (else a conflict that names it); directions
+ * that stay open are an error for fastened bodies and zero for a body on its own. */
+#include "start.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "active.h"
+#include "body.h"
+#include "case.h"
+#include "contact.h"
+#include "measure.h"
+#include "row.h"
+#include "saddle.h"
+
+#define SWEEPS 60
+#define LONGEST 0.3      /* step of the assembly, in sizes of the scene */
+#define AGREES 1e-9      /* relative disagreement of start velocities that is rounding */
+#define OPEN_PART 1e-6   /* of a unit velocity of a body left open */
+
+static void draw(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    memset(w->state.block, 0, w->state.bytes);
+    w->state.t = 0;
+    for (int i = 0; i < m->nbody; i++)
+        for (int k = 0; k < 3; k++) w->state.q[3 * i + k] = w->value[PM_BODY_ROW(m, i)[PM_BODY_X + k]];
+    for (int i = 0; i < m->nbody; i++)
+        if (!PM_BODY_ROW(m, i)[PM_BODY_TURNS]) w->state.q[3 * i + 2] = 0;
+}
+
+/* A dense row in the metric of M: x_k sqrt(1/m_k).  Adds it to the basis; `left` as pm_basis_add. */
+static int basis_add_dense(pm_workspace *w, int n, const double *x, double *left, double *norm)
+{
+    const int nq = w->model->nq;
+    double *row = w->basis + (size_t)n * (size_t)nq, before = 0, after = 0;
+    for (int i = 0; i < nq; i++) {
+        row[i] = x[i] * sqrt(w->inverse_mass[i]);
+        before += row[i] * row[i];
+    }
+    for (int pass = 0; pass < 2; pass++)
+        for (int b = 0; b < n; b++) {
+            const double *e = w->basis + (size_t)b * (size_t)nq;
+            double dot = 0;
+            for (int i = 0; i < nq; i++) dot += e[i] * row[i];
+            for (int i = 0; i < nq; i++) row[i] -= dot * e[i];
+        }
+    for (int i = 0; i < nq; i++) after += row[i] * row[i];
+    *norm = sqrt(before);
+    *left = before > 0 ? sqrt(after / before) : 0;
+    if (!(*left > PM_INDEPENDENT) || n >= nq) return n;
+    for (int i = 0; i < nq; i++) row[i] /= sqrt(after);
+    return n + 1;
+}
+
+/* The least change x (in the metric of M) that the basis spans with the given components y: x = M^-1/2 B^T y.  A new row
+ * with right-hand side r: its component is (r - row.x) / (left * norm). */
+typedef struct pm_solution {
+    int n;
+    double *x; /* [nq] */
+} pm_solution;
+
+/* Takes one equation row.x = rhs into the solution; *miss is by how much it is violated if it depends on the others. */
+static int take(pm_workspace *w, pm_solution *s, const double *row, double rhs, double *miss)
+{
+    const int nq = w->model->nq;
+    double left, norm, now = 0;
+    for (int i = 0; i < nq; i++) now += row[i] * s->x[i];
+    const int n = basis_add_dense(w, s->n, row, &left, &norm);
+    *miss = rhs - now;
+    if (n == s->n) return 0;
+    const double *e = w->basis + (size_t)s->n * (size_t)nq, component = *miss / (left * norm);
+    for (int i = 0; i < nq; i++) s->x[i] += component * e[i] * sqrt(w->inverse_mass[i]);
+    s->n = n;
+    *miss = 0;
+    return 1;
+}
+
+static void spread_row(const pm_workspace *w, const pm_row *row, double *dense)
+{
+    memset(dense, 0, (size_t)w->model->nq * sizeof *dense);
+    for (int p = 0; p < 2; p++)
+        for (int k = 0; k < 3 && row->body[p] != w->model->nbody; k++) dense[3 * row->body[p] + k] += row->j[3 * p + k];
+}
+
+static double start_value(const pm_workspace *w, int i) { return w->value[PM_START_ROW(w->model, i)[PM_START_VALUE]]; }
+static int start_measure(const pm_workspace *w, int i) { return PM_START_ROW(w->model, i)[PM_START_MEASURE]; }
+static int start_level(const pm_workspace *w, int i) { return PM_START_ROW(w->model, i)[PM_START_LEVEL]; }
+
+/* Worst opening of joints and written positions at the frame; where it is. */
+static double worst_opening(pm_workspace *w, int *table, int *row)
+{
+    const pm_model *m = w->model;
+    double worst = 0;
+    for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
+        pm_row rows[PM_JOINT_ROWS];
+        const int n = pm_row_of_joint(w, i, rows);
+        for (int k = 0; k < n; k++) {
+            if (rows[k].memory != PM_NONE) continue; /* no slip: anchored where the assembly ends */
+            pm_row_kind(rows[k].kind)->evaluate(w, &rows[k]);
+            const double size = fabs(rows[k].g) * (rows[k].kind == PM_ROW_ANGLE ? w->size : 1);
+            if (!(size <= worst)) {
+                worst = size;
+                *table = PM_TABLE_JOINT;
+                *row = i;
+            }
+        }
+    }
+    for (int i = 0; i < m->rows[PM_TABLE_START]; i++) {
+        if (start_level(w, i) != PM_START_POSITION) continue;
+        const double miss = fabs(pm_measure(w, start_measure(w, i)) - start_value(w, i));
+        if (!(miss <= worst)) {
+            worst = miss;
+            *table = PM_TABLE_START;
+            *row = i;
+        }
+    }
+    return worst;
+}
+
+/* One Gauss-Newton step in w->scratch; what is written comes first, so that it decides where rows disagree. */
+static void position_step(pm_workspace *w, double *x, double *dense)
+{
+    const pm_model *m = w->model;
+    pm_solution s = {0, x};
+    double miss;
+    memset(x, 0, (size_t)m->nq * sizeof *x);
+    for (int i = 0; i < m->rows[PM_TABLE_START]; i++) {
+        if (start_level(w, i) != PM_START_POSITION) continue;
+        const double residual = pm_measure(w, start_measure(w, i)) - start_value(w, i);
+        pm_measure_start_row(w, start_measure(w, i), PM_START_POSITION, dense);
+        take(w, &s, dense, -residual, &miss);
+    }
+    for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
+        pm_row rows[PM_JOINT_ROWS];
+        const int n = pm_row_of_joint(w, i, rows);
+        for (int k = 0; k < n; k++) {
+            if (rows[k].memory != PM_NONE) continue;
+            pm_row_kind(rows[k].kind)->evaluate(w, &rows[k]);
+            spread_row(w, &rows[k], dense);
+            take(w, &s, dense, -rows[k].g, &miss);
+        }
+    }
+}
+
+static void limit_step(const pm_workspace *w, double *x)
+{
+    double longest = 0;
+    for (int i = 0; i < w->model->nq; i++) longest = fmax(longest, fabs(x[i]) * (i % 3 == 2 ? w->size : 1));
+    const double factor = longest > LONGEST * w->size ? LONGEST * w->size / longest : 1;
+    for (int i = 0; i < w->model->nq; i++) x[i] *= factor;
+}
+
+static int assemble(pm_workspace *w, pm_start_report *report)
+{
+    const pm_model *m = w->model;
+    const double allowed = w->value[PM_SETTING(m, PM_SETTING_ASSEMBLY)] * w->size;
+    double *x = w->scratch, *dense = x + m->nq, best = INFINITY;
+    int table = PM_NONE, row = PM_NONE;
+    for (int sweep = 0; sweep < SWEEPS; sweep++) {
+        pm_frame_look_state(w, &w->state);
+        report->opening = worst_opening(w, &table, &row);
+        const int gains = report->opening < 0.5 * best;
+        if (!(report->opening > 4e-16 * w->size) || (report->opening <= allowed && !gains)) break;
+        best = fmin(best, report->opening);
+        position_step(w, x, dense);
+        limit_step(w, x);
+        for (int i = 0; i < m->nq; i++) w->state.q[i] += x[i];
+    }
+    for (int i = 0; i < m->nbody; i++)
+        for (int k = 0; k < 3; k++) {
+            const double drawn = PM_BODY_ROW(m, i)[PM_BODY_TURNS] || k < 2 ? w->value[PM_BODY_ROW(m, i)[PM_BODY_X + k]] : 0;
+            report->moved = fmax(report->moved, fabs(w->state.q[3 * i + k] - drawn) * (k == 2 ? w->size : 1));
+        }
+    pm_frame_look_state(w, &w->state);
+    return report->opening <= allowed ? PM_OK : pm_fail(w, PM_ASSEMBLY, table, row, report->opening, allowed);
+}
+
+/* ---- velocities ---- */
+static int any_velocity_written(const pm_workspace *w)
+{
+    for (int i = 0; i < w->model->rows[PM_TABLE_START]; i++)
+        if (start_level(w, i) == PM_START_VELOCITY && start_value(w, i) != 0) return 1;
+    return 0;
+}
+
+static void hold_joints(pm_workspace *w, pm_solution *s, double *dense, unsigned char *fastened)
+{
+    double miss;
+    for (int i = 0; i < w->model->rows[PM_TABLE_JOINT]; i++) {
+        pm_row rows[PM_JOINT_ROWS];
+        const int n = pm_row_of_joint(w, i, rows);
+        for (int k = 0; k < n; k++) {
+            pm_row_kind(rows[k].kind)->evaluate(w, &rows[k]);
+            spread_row(w, &rows[k], dense);
+            take(w, s, dense, 0, &miss);
+            for (int p = 0; p < 2; p++) fastened[rows[k].body[p]] = 1;
+        }
+    }
+}
+
+/* Contacts that touch at the start and never slip count as joints: the normal, too, unless the start breaks it. */
+static void hold_rough_contacts(pm_workspace *w, pm_solution *s, double *dense, unsigned char *fastened)
+{
+    double miss;
+    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
+        int member;
+        pm_row row[2];
+        if (pm_contact_friction(w->model, i) != PM_FRICTION_ROUGH) continue;
+        if (pm_contact_gap(w, &w->state, i, &member) > pm_contact_length(w)) continue;
+        pm_row_of_contact(w, i, w->model->contact_slot[i], member, &row[0], &row[1]);
+        for (int k = 0; k < 2; k++) {
+            pm_row_kind(row[k].kind)->evaluate(w, &row[k]);
+            spread_row(w, &row[k], dense);
+            take(w, s, dense, 0, &miss);
+            for (int p = 0; p < 2; p++) fastened[row[k].body[p]] = 1;
+        }
+    }
+}
+
+static int take_written(pm_workspace *w, pm_solution *s, double *dense)
+{
+    for (int i = 0; i < w->model->rows[PM_TABLE_START]; i++) {
+        if (start_level(w, i) != PM_START_VELOCITY) continue;
+        const double value = start_value(w, i);
+        double miss, size = 0;
+        pm_measure_start_row(w, start_measure(w, i), PM_START_VELOCITY, dense);
+        for (int k = 0; k < w->model->nq; k++) size = fmax(size, fabs(dense[k] * s->x[k]));
+        if (take(w, s, dense, value, &miss) || fabs(miss) <= AGREES * fmax(size, fabs(value))) continue;
+        pm_fail(w, PM_START_CONFLICT, PM_TABLE_START, i, value, value - miss);
+        return PM_START_CONFLICT;
+    }
+    return PM_OK;
+}
+
+/* Every body's own directions must be settled now; of a body on its own the open ones are set to zero. */
+static int settle_rest(pm_workspace *w, pm_solution *s, double *dense, const unsigned char *fastened)
+{
+    const pm_model *m = w->model;
+    for (int i = 0; i < m->nbody; i++)
+        for (int k = 2; k >= 0; k--) { /* the spin first, then the velocity of G */
+            double miss;
+            if (w->inverse_mass[3 * i + k] == 0) continue;
+            memset(dense, 0, (size_t)m->nq * sizeof *dense);
+            dense[3 * i + k] = 1;
+            const int n = s->n;
+            if (!fastened[i]) {
+                take(w, s, dense, 0, &miss);
+                continue;
+            }
+            double left, norm;
+            if (basis_add_dense(w, n, dense, &left, &norm) > n && left > OPEN_PART)
+                return pm_fail(w, PM_START_OPEN, PM_TABLE_BODY, i, k, left);
+        }
+    return PM_OK;
+}
+
+static int velocities(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    double *x = w->scratch, *dense = x + m->nq;
+    unsigned char *fastened = (unsigned char *)(void *)(dense + m->nq); /* [nbody + 1] */
+    pm_solution s = {0, x};
+    memset(x, 0, (size_t)m->nq * sizeof *x);
+    if (!any_velocity_written(w)) return PM_OK; /* at rest */
+    memset(fastened, 0, (size_t)m->nbody + 1);
+    hold_joints(w, &s, dense, fastened);
+    hold_rough_contacts(w, &s, dense, fastened);
+    int status = take_written(w, &s, dense);
+    if (!status) status = settle_rest(w, &s, dense, fastened);
+    memcpy(w->state.v, x, (size_t)m->nq * sizeof *x);
+    return status;
+}
+
+/* No contact may overlap at the start. */
+static int check_overlap(pm_workspace *w)
+{
+    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
+        int member;
+        const double gap = pm_contact_gap(w, &w->state, i, &member);
+        if (gap >= -pm_contact_length(w)) continue;
+        pm_fail(w, PM_PENETRATION, PM_TABLE_CONTACT, i, gap, -pm_contact_length(w));
+        w->where.member = member;
+        return PM_PENETRATION;
+    }
+    return PM_OK;
+}
+
+int pm_start(pm_workspace *w, pm_start_report *report)
+{
+    *report = (pm_start_report){0, 0};
+    pm_active_clear(w);
+    draw(w);
+    int status = assemble(w, report);
+    if (status) return status;
+    pm_active_anchor_joints(w, &w->state);
+    pm_frame_look_state(w, &w->state);
+    if ((status = velocities(w)) || (status = check_overlap(w))) return status;
+    pm_frame_look_state(w, &w->state);
+    pm_case_speed(w, w->state.v);
+    pm_state_copy(&w->start, &w->state);
+    return PM_OK;
+}

@@ -1,0 +1,36 @@
+/* status.c - status -> text. */
+#include <stdio.h>
+
+#include "planemotion.h"
+
+static const char *text_of(enum pm_status status)
+{
+    switch (status) { /* no default: the compiler finds a missing one */
+    case PM_OK: return "ok";
+    case PM_LIMIT_TIME: return "the time limit was reached before the end of the run";
+    case PM_LIMIT_EVENTS: return "the limit on events was reached before the end of the run";
+    case PM_LIMIT_STEPS: return "the limit on steps was reached before the end of the run";
+    case PM_CANCELLED: return "stopped on request";
+    case PM_STAYS_AT_REST: return "everything is at rest and stays so; the end of the run cannot come";
+    case PM_BAD_TABLE: return "the scene's tables are inconsistent";
+    case PM_NO_MEMORY: return "out of memory";
+    case PM_BAD_VALUE: return "a value is not finite or out of its bound";
+    case PM_ASSEMBLY: return "the joints cannot be met from the start that is written";
+    case PM_START_CONFLICT: return "the start velocities contradict the joints or each other";
+    case PM_START_OPEN: return "the start velocities leave the motion of a fastened body open";
+    case PM_SINGULAR: return "the joints and forces do not determine the accelerations";
+    case PM_STEP_TOO_SMALL: return "the integrator cannot go on at the accuracy asked";
+    case PM_BLOW_UNDECIDED: return "no consistent set of contacts was found";
+    case PM_AUDIT: return "the independent check of the run does not close";
+    case PM_SOLVER: return "a numerical library reported a failure";
+    case PM_PENETRATION: return "contacts overlap at the start";
+    case PM_UNSUPPORTED: return "the scene needs something that this route does not do";
+    case PM_CONTACT_SLOTS: return "too many members of one row are in contact at once";
+    }
+    return "unknown status";
+}
+
+int pm_status_text(int status, int64_t ntext, int8_t *text)
+{
+    return snprintf((char *)text, (size_t)ntext, "%s", text_of((enum pm_status)status));
+}

@@ -1,0 +1,125 @@
+/* workspace.c - memory of states and of a thread: allocated once, carved from one block each. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "ask.h"
+#include "event.h"
+#include "model.h"
+#include "route.h"
+
+int pm_state_create(const pm_model *m, pm_state *s)
+{
+    const size_t ndouble = 2 * (size_t)m->nq + (size_t)m->nz, nmemory = (size_t)m->nmemory, nslot = (size_t)m->nslot;
+    s->t = 0;
+    s->bytes = ndouble * sizeof(double) + nmemory * sizeof(pm_memory) + nslot * sizeof(pm_slot);
+    s->block = calloc(1, s->bytes + 1);
+    if (!s->block) return PM_NO_MEMORY;
+    s->q = s->block;
+    s->v = s->q + m->nq;
+    s->z = s->v + m->nq;
+    s->memory = (pm_memory *)(void *)(s->z + m->nz);
+    s->slot = (pm_slot *)(void *)(s->memory + m->nmemory);
+    return PM_OK;
+}
+
+void pm_state_free(pm_state *s)
+{
+    free(s->block);
+    s->block = NULL;
+}
+
+void pm_state_copy(pm_state *to, const pm_state *from)
+{
+    to->t = from->t;
+    memcpy(to->block, from->block, from->bytes);
+}
+
+/* Adds an array of n doubles (or things no larger) to the plan of the block; filled in by place(). */
+typedef struct pm_part_of_block {
+    void **where;
+    size_t bytes;
+} pm_part_of_block;
+
+static size_t aligned(size_t bytes) { return (bytes + 63) & ~(size_t)63; }
+
+static int carve(void **block, const pm_part_of_block *part, size_t nparts)
+{
+    size_t total = 0;
+    for (size_t i = 0; i < nparts; i++) total += aligned(part[i].bytes);
+    char *p = *block = calloc(1, total + 64);
+    if (!p) return PM_NO_MEMORY;
+    for (size_t i = 0; i < nparts; i++) {
+        *part[i].where = p;
+        p += aligned(part[i].bytes);
+    }
+    return PM_OK;
+}
+
+#define PART(pointer, count) {(void **)(void *)&(pointer), (size_t)(count) * sizeof *(pointer)}
+
+int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
+{
+    pm_workspace *w = calloc(1, sizeof *w);
+    *workspace = NULL;
+    if (!w) return PM_NO_MEMORY;
+    w->model = m;
+    const int nforce = m->rows[PM_TABLE_FORCE], nrow = m->nrow, nq = m->nq;
+    const pm_part_of_block part[] = {
+        PART(w->value, m->nvalue),
+        PART(w->mass, m->nbody),
+        PART(w->inverse_mass, nq),
+        PART(w->row, nrow + 1),
+        PART(w->joint_active, m->njoint_row),
+        PART(w->slot_normal, m->nslot),
+        PART(w->slot_tangent, m->nslot),
+        PART(w->schur, (size_t)nrow * (size_t)nrow),
+        PART(w->pivot, nrow),
+        PART(w->rhs, nrow),
+        PART(w->basis, (size_t)(nq + 1) * (size_t)nq),
+        PART(w->frame.pose, 5 * (m->nbody + 1)),
+        PART(w->frame.velocity, 3 * (m->nbody + 1)),
+        PART(w->frame.f, nq),
+        PART(w->frame.power, nforce),
+        PART(w->frame.a, nq),
+        PART(w->frame.lambda, nrow),
+        PART(w->joint_impulse, m->njoint_row),
+        PART(w->slot_impulse, 2 * m->nslot),
+        PART(w->slot_direction, 4 * m->nslot),
+        PART(w->slot_before, m->nslot),
+        PART(w->slot_released, m->nslot),
+        PART(w->force_energy_start, nforce),
+        PART(w->scratch, 8 * (nq + nrow + m->nslot)),
+    };
+    int status = carve(&w->block, part, sizeof part / sizeof *part);
+    if (!status) status = pm_state_create(m, &w->state);
+    if (!status) status = pm_state_create(m, &w->start);
+    if (!status) status = pm_state_create(m, &w->probe);
+    if (!status) status = pm_event_create(w);
+    if (!status) status = pm_ask_create(w);
+    if (!status) status = pm_route_create(w);
+    if (status) {
+        pm_workspace_free(w);
+        return status;
+    }
+    *workspace = w;
+    return PM_OK;
+}
+
+void pm_workspace_free(pm_workspace *w)
+{
+    if (!w) return;
+    pm_route_free(w);
+    pm_ask_free(w);
+    pm_event_free(w);
+    pm_state_free(&w->probe);
+    pm_state_free(&w->start);
+    pm_state_free(&w->state);
+    free(w->block);
+    free(w);
+}
+
+int pm_fail(pm_workspace *w, int status, int table, int row, double value, double bound)
+{
+    w->where = (pm_where){table, row, PM_NONE, value, bound};
+    return status;
+}

@@ -1,0 +1,374 @@
+"""The result of a sweep as files for others: one HDF5 file, and from it a CSV table and a summary.
+
+The HDF5 file is a netCDF-4 file: `xarray.open_dataset(path, engine="h5netcdf")` opens it as it is.  It has one
+dimension per swept parameter (those of a zip share the first one's), on which stand
+
+    the swept parameters     coordinates, in the unit of the grid
+    each ask                 float, in its unit, NaN without an answer; a list has one more dimension, KEY_number
+    status                   int, enum pm_status: 0 ok, > 0 an early stop, < 0 a failure
+    reason                   int per ask, enum pm_reason: why it is NaN
+    message                  text of what was wrong, "" where all is well
+    route, audit_energy, ... how each case was computed, and the evidence for it
+
+In a scene with [runs], route, audit and run_status have one more dimension, run.  Everything here streams:
+memory does not grow with the number of cases.
+"""
+
+from __future__ import annotations
+
+import csv
+import math
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import h5py
+import numpy as np
+import numpy.typing as npt
+
+from ._layout import pm_audit, pm_reason, pm_route, pm_status
+from .errors import StudyError
+from .store import Block, Floats, appearing
+
+# Cases that are turned into text at once.
+_TABLE_CASES = 16384
+# Elements of a chunk of the messages: what is never written, the cases that ended well, takes no space.
+_MESSAGE_CHUNK = 4096
+
+
+def _words(enumeration: Mapping[str, int], prefix: str, count: str = "") -> dict[int, str]:
+    """Values of an enumeration of the kernel as words; its entry `count` is no value."""
+    return {value: name.removeprefix(prefix).lower() for name, value in enumeration.items() if name != count}
+
+
+STATUS_WORDS = _words(pm_status, "PM_")
+REASON_WORDS = _words(pm_reason, "PM_REASON_")
+ROUTE_WORDS = _words(pm_route, "PM_ROUTE_", "PM_ROUTES")
+AUDIT_WORDS = _words(pm_audit, "PM_AUDIT_", "PM_AUDITS")
+
+# Names in the result besides those of parameters and asks.
+RESERVED_NAMES = frozenset(
+    {"status", "reason", "message", "route", "run", "run_status", "ask"}
+    | {f"audit_{word}" for word in AUDIT_WORDS.values()}
+)
+
+
+@dataclass(frozen=True)
+class Coordinate:
+    """The values of one swept parameter, in `unit`, along the dimension `dim`."""
+
+    name: str
+    dim: str
+    unit: str
+    values: Floats
+
+
+@dataclass(frozen=True)
+class AskVariable:
+    """One ask: `count` columns of Block.value; `text` is what was asked."""
+
+    key: str
+    unit: str
+    text: str
+    count: int
+    is_list: bool
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Names and sizes of everything in a result; `runs` are the named runs, empty if the scene has none."""
+
+    dims: tuple[tuple[str, int], ...]
+    coordinates: tuple[Coordinate, ...]
+    asks: tuple[AskVariable, ...]
+    runs: tuple[str, ...] = ()
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        return tuple(size for _, size in self.dims)
+
+    @property
+    def cases(self) -> int:
+        return math.prod(self.shape)
+
+
+# ---- HDF5 -----------------------------------------------------------------------------------------------
+
+
+def hyperslabs(shape: Sequence[int], first: int, count: int) -> Iterator[tuple[slice, ...]]:
+    """The boxes that cover cases first .. first+count-1 of a C-ordered grid, in that order."""
+    if count <= 0:
+        return
+    if len(shape) == 1:
+        yield (slice(first, first + count),)
+        return
+    inner = shape[1:]
+    row = math.prod(inner)
+    i, begun = divmod(first, row)
+    if begun:
+        part = min(count, row - begun)
+        for box in hyperslabs(inner, begun, part):
+            yield (slice(i, i + 1), *box)
+        i, count = i + 1, count - part
+    whole, rest = divmod(count, row)
+    if whole:
+        yield (slice(i, i + whole), *(slice(0, size) for size in inner))
+    for box in hyperslabs(inner, 0, rest):
+        yield (slice(i + whole, i + whole + 1), *box)
+
+
+def write_result(
+    path: Path, layout: Layout, blocks: Iterable[Block], attributes: Mapping[str, Any]
+) -> None:
+    """Writes the file that `xarray.open_dataset(path, engine="h5netcdf")` opens; `blocks` in order of cases.
+
+    Memory does not grow with the number of cases.  Raises OSError if the file cannot be written.
+    """
+    import h5netcdf
+
+    try:
+        with h5netcdf.File(path, "w") as file:
+            _declare(file, layout)
+            summary = _write_blocks(file, layout, blocks)
+            parameters = " ".join(coordinate.name for coordinate in layout.coordinates)
+            for name, value in {**attributes, **summary, "parameters": parameters}.items():
+                file.attrs[name] = value
+    except RuntimeError as error:  # what HDF5 says when closing fails
+        raise OSError(str(error)) from error
+
+
+def _declare(file: Any, layout: Layout) -> None:
+    """Dimensions, coordinates and empty variables of the result."""
+    grid = tuple(name for name, _ in layout.dims)
+    of_run = (*grid, "run") if layout.runs else grid
+    extra = {f"{ask.key}_number": ask.count for ask in layout.asks if ask.is_list}
+    file.dimensions = {**dict(layout.dims), **extra, "ask": len(layout.asks)}
+    for coordinate in layout.coordinates:
+        variable = file.create_variable(coordinate.name, (coordinate.dim,), "f8", data=coordinate.values)
+        variable.attrs.update(units=coordinate.unit or "1", long_name=f"parameter {coordinate.name}")
+    _texts(file, "ask", [ask.key for ask in layout.asks])
+    for name, count in extra.items():
+        file.create_variable(name, (name,), "i4", data=np.arange(1, count + 1, dtype=np.int32))
+    if layout.runs:
+        file.dimensions["run"] = len(layout.runs)
+        _texts(file, "run", layout.runs)
+
+    # CF: coordinates that are not dimensions (the other columns of a zip) are named by the variables.
+    zipped = " ".join(item.name for item in layout.coordinates if item.name != item.dim)
+
+    def declare(name: str, dims: tuple[str, ...], dtype: Any, **attributes: Any) -> None:
+        fill = np.nan if dtype == "f8" else None
+        variable = file.create_variable(name, dims, dtype, fillvalue=fill)
+        variable.attrs.update({**attributes, **({"coordinates": zipped} if zipped else {})})
+
+    for ask in layout.asks:
+        dims = (*grid, f"{ask.key}_number") if ask.is_list else grid
+        declare(ask.key, dims, "f8", units=ask.unit or "1", long_name=ask.text)
+    declare("status", grid, "i4", long_name="how the case ended", **_flags(STATUS_WORDS, np.int32))
+    declare("reason", (*grid, "ask"), "i1", long_name="why an ask has no number", **_flags(REASON_WORDS, np.int8))
+    declare("route", of_run, "i1", long_name="route that was taken", **_flags(ROUTE_WORDS, np.int8))
+    for word in AUDIT_WORDS.values():
+        declare(f"audit_{word}", of_run, "f8", units="1", long_name=f"relative residual of the {word}")
+    if layout.runs:
+        declare("run_status", of_run, "i4", long_name="how each run ended", **_flags(STATUS_WORDS, np.int32))
+    message = file.create_variable("message", grid, h5py.string_dtype(), chunks=_message_chunks(layout.shape))
+    message.attrs.update({"long_name": "what was wrong with the case"} | ({"coordinates": zipped} if zipped else {}))
+
+
+def _message_chunks(shape: Sequence[int]) -> tuple[int, ...]:
+    """A chunk that is filled in the order in which cases are written."""
+    chunks: list[int] = []
+    room = _MESSAGE_CHUNK
+    for size in reversed(shape):
+        chunks.append(min(size, room))
+        room //= chunks[-1]
+    return tuple(max(1, size) for size in reversed(chunks))
+
+
+def _texts(file: Any, name: str, values: Sequence[str]) -> None:
+    file.create_variable(name, (name,), h5py.string_dtype(), data=np.array(values, dtype=object))
+
+
+def _flags(meaning: Mapping[int, str], dtype: type[np.signedinteger[Any]]) -> dict[str, Any]:
+    """CF attributes that say what the values of an integer variable mean."""
+    return {"flag_values": np.array(list(meaning), dtype), "flag_meanings": " ".join(meaning.values())}
+
+
+def _write_blocks(file: Any, layout: Layout, blocks: Iterable[Block]) -> dict[str, Any]:
+    """Fills the variables; returns the attributes that follow from all cases."""
+    first, failed, seconds = 0, 0, 0.0
+    routes: set[int] = set()
+    for block in blocks:
+        row = 0
+        for box in hyperslabs(layout.shape, first, len(block)):
+            count = math.prod(edge.stop - edge.start for edge in box)
+            _write_box(file, layout, box, block, slice(row, row + count))
+            row += count
+        first += len(block)
+        failed += int(np.count_nonzero(block.status))
+        seconds += block.seconds
+        routes.update(np.unique(block.route).tolist())
+    if first != layout.cases:
+        raise StudyError(f"{first} of {layout.cases} cases are stored; the result needs all")
+    return {
+        "cases": np.int64(layout.cases),
+        "cases_not_ok": np.int64(failed),
+        "routes": " ".join(ROUTE_WORDS[route] for route in sorted(routes)),
+        "elapsed_seconds": seconds,
+    }
+
+
+def _write_box(file: Any, layout: Layout, box: tuple[slice, ...], block: Block, rows: slice) -> None:
+    """Rows of a block, which fill a box of the grid."""
+    edges = tuple(edge.stop - edge.start for edge in box)
+
+    def write(name: str, values: npt.NDArray[Any]) -> None:
+        file.variables[name][box] = values[rows].reshape(edges + values.shape[1:])
+
+    column = 0
+    for ask in layout.asks:
+        write(ask.key, block.value[:, column : column + ask.count] if ask.is_list else block.value[:, column])
+        column += ask.count
+    per_run = slice(None) if layout.runs else 0
+    write("status", block.status)
+    write("reason", block.reason)
+    write("route", block.route[:, per_run])
+    for index, word in AUDIT_WORDS.items():
+        write(f"audit_{word}", block.audit[:, per_run, index])
+    if layout.runs:
+        write("run_status", block.run_status)
+    texts = {row - rows.start: text for row, text in block.message.items() if rows.start <= row < rows.stop}
+    if texts:
+        column_of_texts = np.full(rows.stop - rows.start, "", dtype=object)
+        for row, text in texts.items():
+            column_of_texts[row] = text
+        file.variables["message"][box] = column_of_texts.reshape(edges)
+
+
+# ---- CSV ------------------------------------------------------------------------------------------------
+
+
+def write_csv(result: Path, table: Path) -> None:
+    """Writes the result of a sweep as a table, one row per case in C order; it appears whole or not at all.
+
+    Columns: the swept parameters and the asks, with units in the header ("d [in]"; the numbers of a list:
+    "v[1] [m/s]", ...), then `reason` (why something is missing) and, last, `status` as a word.  Numbers have
+    as many digits as give back the same bits; missing ones are nan.  Raises StudyError if `result` cannot
+    be read or `table` cannot be written.
+    """
+    with _opened(result) as file, appearing(table) as temporary:
+        columns = _Columns(file)
+        with open(temporary, "w", encoding="utf-8", newline="") as text:
+            writer = csv.writer(text, lineterminator="\n")
+            writer.writerow(columns.header)
+            for first in range(0, columns.cases, _TABLE_CASES):
+                count = min(_TABLE_CASES, columns.cases - first)
+                writer.writerows(columns.rows(first, count))
+
+
+class _Columns:
+    """The columns of the table of an opened result."""
+
+    def __init__(self, file: Any) -> None:
+        self._variables = file.variables
+        status = self._variables["status"]
+        self._grid: tuple[str, ...] = status.dimensions
+        self.shape: tuple[int, ...] = status.shape
+        self.cases = math.prod(self.shape)
+        self._asks: list[str] = file["ask"][...].tolist()
+        self._parameters: dict[str, tuple[int, Floats]] = {}  # axis of the grid, values along it
+        self.header: list[str] = []
+        for name in file.attrs["parameters"].split():
+            variable = self._variables[name]
+            self._parameters[name] = self._grid.index(variable.dimensions[0]), variable[...]
+            self.header.append(f"{name} [{variable.attrs['units']}]")
+        for key in self._asks:
+            variable = self._variables[key]
+            numbers = range(1, math.prod(variable.shape[len(self._grid) :]) + 1)
+            names = [f"{key}[{number}]" for number in numbers] if self._is_list(key) else [key]
+            self.header += [f"{name} [{variable.attrs['units']}]" for name in names]
+        self.header += ["reason", "status"]
+
+    def rows(self, first: int, count: int) -> Iterator[tuple[Any, ...]]:
+        """The rows of cases first .. first+count-1."""
+        columns: list[list[Any]] = []
+        place = np.unravel_index(np.arange(first, first + count, dtype=np.int64), self.shape)
+        for axis, values in self._parameters.values():
+            columns.append(values[place[axis]].tolist())
+        for key in self._asks:
+            numbers = self._read(key, first, count)
+            columns += numbers.T.tolist() if self._is_list(key) else [numbers.tolist()]
+        columns.append(self._reasons(first, count))
+        columns.append([STATUS_WORDS.get(status, str(status)) for status in self.statuses(first, count)])
+        return zip(*columns, strict=True)
+
+    def statuses(self, first: int, count: int) -> list[int]:
+        statuses: list[int] = self._read("status", first, count).tolist()
+        return statuses
+
+    def _is_list(self, key: str) -> bool:
+        return len(self._variables[key].dimensions) > len(self._grid)
+
+    def _reasons(self, first: int, count: int) -> list[str]:
+        """Why something is missing: what was wrong with the case, or else with each ask."""
+        texts: list[str] = self._read("message", first, count).tolist()
+        reasons = self._read("reason", first, count)
+        for row in np.flatnonzero(reasons.any(axis=1)).tolist():
+            texts[row] = texts[row] or "; ".join(
+                f"{key}: {REASON_WORDS.get(code, str(code)).replace('_', ' ')}"
+                for key, code in zip(self._asks, reasons[row].tolist(), strict=True)
+                if code
+            )
+        return texts
+
+    def _read(self, name: str, first: int, count: int) -> npt.NDArray[Any]:
+        """A variable of consecutive cases: [count] or [count, its further dimension]."""
+        variable = self._variables[name]
+        further = variable.shape[len(self.shape) :]
+        boxes = [variable[box].reshape(-1, *further) for box in hyperslabs(self.shape, first, count)]
+        return np.concatenate(boxes)
+
+
+@contextmanager
+def _opened(result: Path) -> Iterator[Any]:
+    import h5netcdf
+
+    try:
+        file = h5netcdf.File(result, "r")
+    except OSError as error:
+        raise StudyError(f"{result}: cannot be read: {error}") from error
+    with file:
+        yield file
+
+
+# ---- the terminal ---------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Summary:
+    """What a terminal shows of a result: some rows of the table, and how many cases ended how (in words)."""
+
+    header: tuple[str, ...]
+    rows: tuple[tuple[Any, ...], ...]
+    cases: int
+    statuses: Mapping[str, int]
+
+
+def summarise(result: Path, rows: int = 11) -> Summary:
+    """`rows` cases evenly spread over the result, first and last included, and the count of each status.
+
+    Raises StudyError if `result` cannot be read.
+    """
+    with _opened(result) as file:
+        columns = _Columns(file)
+        statuses: Counter[str] = Counter()
+        for first in range(0, columns.cases, _TABLE_CASES):
+            count = min(_TABLE_CASES, columns.cases - first)
+            statuses.update(STATUS_WORDS.get(status, str(status)) for status in columns.statuses(first, count))
+        steps = max(1, min(rows, columns.cases) - 1)
+        shown = sorted({i * (columns.cases - 1) // steps for i in range(steps + 1)})
+        picked = tuple(row for case in shown for row in columns.rows(case, 1))
+        return Summary(tuple(columns.header), picked, columns.cases, dict(statuses))
