@@ -17,6 +17,7 @@
 
 #define LEAST_BOUND 1e-7   /* relative residual above which a run is not trusted, at the tightest tolerance */
 #define BOUND_FACTOR 1e4   /* times the tolerance of integration, if that is more */
+#define SLOWEST 1e-3       /* of the scene's speed: motion below it is not judged by itself; a scene at rest has rounding only */
 
 static int friction_z(const pm_model *m) { return m->nz_controlled; }
 static int ledger_z(const pm_model *m) { return m->nz_controlled + 1; }
@@ -159,6 +160,10 @@ int pm_audit_close(pm_workspace *w)
     pm_body_momentum(w, PM_NONE, p);
     for (int i = 0; i < PM_LEDGER; i++) open[i] = p[i] - w->momentum_start[i] - w->state.z[ledger_z(m) + i];
     const double energy_open = energy(w) - w->energy_start - work_of_forces(w) + w->energy_lost;
+    double mass = 0;
+    for (int i = 0; i < m->nbody; i++) mass += w->mass[i];
+    w->momentum_scale = fmax(w->momentum_scale, SLOWEST * mass * w->speed);
+    w->energy_scale = fmax(w->energy_scale, SLOWEST * SLOWEST * mass * w->speed * w->speed);
     w->audit[PM_AUDIT_ENERGY] = w->energy_scale > 0 ? fabs(energy_open) / w->energy_scale : 0;
     w->audit[PM_AUDIT_MOMENTUM] = w->momentum_scale > 0 ? momentum_size(w, open) / w->momentum_scale : 0;
     w->audit[PM_AUDIT_CONSTRAINT] = w->constraint_worst;

@@ -66,8 +66,31 @@ static int check_marks(pm_workspace *w)
         const int32_t *e = PM_ROW_ROW(m, i);
         const double step = hypot(w->value[e[PM_ROW_STEP_X]], w->value[e[PM_ROW_STEP_Y]]);
         if (!(step > 0) || !isfinite(step)) status = out_of_bound(w, PM_TABLE_ROW, i, PM_ROW_STEP_X, step, 0);
+        if (!status) status = check(w, PM_TABLE_ROW, i, PM_ROW_COUNT, e[PM_ROW_COUNT], -INFINITY, 0);
     }
     return status;
+}
+
+/* 1, -1 or -2: which circle is inside the other. */
+static int check_side(pm_workspace *w, int table, int row, int column, int index)
+{
+    const double side = w->value[index];
+    return side == 1 || side == -1 || side == -2 ? PM_OK : out_of_bound(w, table, row, column, side, 1);
+}
+
+/* A point touches neither a point nor a row of points. */
+static int check_partners(pm_workspace *w, int contact)
+{
+    const pm_model *m = w->model;
+    const int32_t *e = PM_CONTACT_ROW_OF(m, contact);
+    double radius = w->value[PM_CIRCLE_ROW(m, e[PM_CONTACT_A])[PM_CIRCLE_RADIUS]];
+    if (e[PM_CONTACT_KIND] == PM_CONTACT_LINE) return PM_OK;
+    if (e[PM_CONTACT_KIND] == PM_CONTACT_CIRCLE) {
+        radius = fmax(radius, w->value[PM_CIRCLE_ROW(m, e[PM_CONTACT_B])[PM_CIRCLE_RADIUS]]);
+        const int status = check_side(w, PM_TABLE_CONTACT, contact, PM_CONTACT_SIDE, e[PM_CONTACT_SIDE]);
+        if (status) return status;
+    }
+    return radius > 0 ? PM_OK : out_of_bound(w, PM_TABLE_CONTACT, contact, PM_CONTACT_A, radius, 0);
 }
 
 static int check_elements(pm_workspace *w)
@@ -79,6 +102,8 @@ static int check_elements(pm_workspace *w)
         if (e[PM_JOINT_KIND] == PM_JOINT_LINK) status = check(w, PM_TABLE_JOINT, i, PM_JOINT_VALUE, e[PM_JOINT_VALUE], 0, 1);
         if (e[PM_JOINT_KIND] == PM_JOINT_WELD || e[PM_JOINT_KIND] == PM_JOINT_SLIDER_FIXED)
             status = check(w, PM_TABLE_JOINT, i, PM_JOINT_VALUE, e[PM_JOINT_VALUE], -INFINITY, 0);
+        if (e[PM_JOINT_KIND] == PM_JOINT_ROLLING_CIRCLE)
+            status = check_side(w, PM_TABLE_JOINT, i, PM_JOINT_VALUE, e[PM_JOINT_VALUE]);
     }
     for (int i = 0; !status && i < m->rows[PM_TABLE_CONTACT]; i++) {
         const int32_t *e = PM_CONTACT_ROW_OF(m, i);
@@ -87,6 +112,7 @@ static int check_elements(pm_workspace *w)
             status = out_of_bound(w, PM_TABLE_CONTACT, i, PM_CONTACT_RESTITUTION, w->value[e[PM_CONTACT_RESTITUTION]], 1);
         for (int k = PM_CONTACT_STATIC; !status && k <= PM_CONTACT_KINETIC; k++)
             if (e[PM_CONTACT_FRICTION] == PM_FRICTION_COULOMB) status = check(w, PM_TABLE_CONTACT, i, k, e[k], 0, 0);
+        if (!status) status = check_partners(w, i);
     }
     for (int i = 0; !status && i < m->rows[PM_TABLE_FORCE]; i++) {
         const int32_t *e = PM_FORCE_ROW(m, i);

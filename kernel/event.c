@@ -26,6 +26,7 @@ enum pm_function_kind { FUNCTION_TRIGGER, FUNCTION_GAP, FUNCTION_NORMAL, FUNCTIO
 #define SAME_TIME 1e-11   /* of a step: events closer than this are one instant */
 #define POLISH 4          /* exact states taken to polish an event */
 #define HALVINGS 30       /* of a step, to find the top of a short bounce */
+#define LEAVING 20        /* halvings of a step: a trigger has left its zero at the first place where it is seen off it */
 #define POSITION_ROUNDING 4e-15 /* of the scene's size */
 #define FORCE_SLACK 1e-10 /* of the scene's weight-like force */
 
@@ -293,6 +294,19 @@ static int leaves_and_returns(pm_workspace *w, const pm_event_function *f, doubl
     return 1;
 }
 
+/* A trigger that was on zero at a: where it has definitely left tells its side; it may have come back before b. */
+static int leaves_and_crosses(pm_workspace *w, const pm_event_function *f, double a, double b, double gb, double noise,
+                              pm_bracket *x)
+{
+    for (int i = LEAVING; i > 0; i--) {
+        const double t = a + ldexp(b - a, -i), g = along(w, t, (void *)(uintptr_t)f);
+        if (t <= a || !(fabs(g) > noise)) continue;
+        *x = (pm_bracket){t, b, g, gb};
+        return crosses(f, g, gb);
+    }
+    return 0;
+}
+
 /* The first bracket of function i in the step, if any. */
 static int bracket(pm_workspace *w, int i, pm_bracket *x)
 {
@@ -308,6 +322,7 @@ static int bracket(pm_workspace *w, int i, pm_bracket *x)
     if (e->first_step && f->kind == FUNCTION_TRIGGER && fabs(g[0]) <= ON_ZERO * biggest) f->held = 1;
     if (e->first_step && f->held) { /* enters on the side where it goes; contacts start on the open side */
         if (f->kind == FUNCTION_TRIGGER) {
+            if (leaves_and_crosses(w, f, t[0], t[1], g[1], ON_ZERO * biggest, x)) return 1;
             first = 1;
         } else {
             for (int k = 1; k < PM_NODES; k++)
@@ -330,18 +345,20 @@ static int bracket(pm_workspace *w, int i, pm_bracket *x)
     return 0;
 }
 
-/* Moves the located time until the exact state there is on the root. */
-static int polish(pm_workspace *w, const pm_event_function *f, double slope, double *t)
+/* Moves the located time until the exact state there is on the root; *taken is where w->probe was taken last. */
+static int polish(pm_workspace *w, const pm_event_function *f, double slope, double *t, double *taken)
 {
     pm_state *s = &w->probe;
     double best = INFINITY;
     for (int i = 0; i < POLISH; i++) {
+        *taken = *t;
         int status = w->route->exact(w, *t, s);
         if (status) return status;
         pm_frame_look(w, s->t, s->q, s->v, s->z, w->state.memory);
         if (f->level == PM_LEVEL_DYNAMIC && (status = pm_saddle_accelerate(w))) return status;
         const double g = evaluate(w, f), shift = slope != 0 ? -g / slope : 0;
-        if (!(fabs(g) < best) || fabs(shift) <= 4e-16 * fabs(*t) || fabs(shift) > 0.1 * (w->step_end - w->step_begin)) break;
+        const double h = w->step_end - w->step_begin, rounding = 2e-16 * fabs(*t) + 1e-15 * h;
+        if (!(fabs(g) < best) || fabs(shift) <= rounding || fabs(shift) > 0.1 * h) break;
         best = fabs(g);
         *t = fmin(fmax(*t + shift, w->step_begin), w->step_end);
     }
@@ -354,8 +371,8 @@ static double slope_at(pm_workspace *w, pm_event_function *f, double t)
     return (along(w, t + d, f) - along(w, t - d, f)) / (2 * d);
 }
 
-/* Locates all functions that fire in the step; *first the earliest time. */
-static int locate(pm_workspace *w, double *first)
+/* Locates all functions that fire in the step; *first the earliest time, *taken where w->probe holds an exact state. */
+static int locate(pm_workspace *w, double *first, double *taken)
 {
     pm_event_set *e = w->event;
     const double h = w->step_end - w->step_begin;
@@ -382,13 +399,13 @@ static int locate(pm_workspace *w, double *first)
     }
     if (earliest == PM_NONE || *first <= w->step_begin) return PM_OK;
     pm_event_function *f = &e->function[earliest];
-    return polish(w, f, slope_at(w, f, *first), first);
+    return polish(w, f, slope_at(w, f, *first), first, taken);
 }
 
-/* Shortens the step to end at t, with the exact state there. */
-static int stop_at(pm_workspace *w, double t)
+/* Shortens the step to end at t, with the exact state there (already in w->probe if it was taken at t). */
+static int stop_at(pm_workspace *w, double t, double taken)
 {
-    const int status = w->route->exact(w, t, &w->probe);
+    const int status = taken == t ? PM_OK : w->route->exact(w, t, &w->probe);
     if (status) return status;
     memcpy(w->probe.slot, w->state.slot, (size_t)w->model->nslot * sizeof(pm_slot));
     memcpy(w->probe.memory, w->state.memory, (size_t)w->model->nmemory * sizeof(pm_memory));
@@ -442,7 +459,7 @@ int pm_event_advance(pm_workspace *w, int *happened)
     const double max_time = w->value[PM_SETTING(w->model, PM_SETTING_MAX_TIME)];
     *happened = 0;
     for (;;) {
-        double first = INFINITY;
+        double first = INFINITY, taken = NAN;
         int status = limit_reached(w, max_time);
         if (status) return status;
         memset(e->root, 0, (size_t)e->nfunction * sizeof(int));
@@ -452,10 +469,10 @@ int pm_event_advance(pm_workspace *w, int *happened)
         }
         status = w->route->step(w, max_time);
         if (!status) status = sample(w, !w->route->finds_roots);
-        if (!status) status = w->route->finds_roots ? take_roots(w, &first) : locate(w, &first);
+        if (!status) status = w->route->finds_roots ? take_roots(w, &first) : locate(w, &first, &taken);
         if (status) return status;
         if (first < INFINITY && first < w->step_end) {
-            if ((status = stop_at(w, first)) || (status = sample(w, 0))) return status;
+            if ((status = stop_at(w, first, taken)) || (status = sample(w, 0))) return status;
         }
         if (w->step_end > w->step_begin && (status = pm_ask_step(w))) return status;
         if ((status = end_step(w))) return status;

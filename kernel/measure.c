@@ -459,7 +459,8 @@ int pm_measure_validate(const pm_model *m, pm_where *where)
     }
     for (int i = 0; i < m->rows[PM_TABLE_START]; i++) {
         const int32_t *e = PM_START_ROW(m, i);
-        if (!pm_measure_can_start(m, e[PM_START_MEASURE], e[PM_START_LEVEL])) {
+        const int level = e[PM_START_LEVEL];
+        if (level < PM_START_POSITION || level > PM_START_VELOCITY || !pm_measure_can_start(m, e[PM_START_MEASURE], level)) {
             *where = (pm_where){PM_TABLE_START, i, PM_NONE, e[PM_START_MEASURE], e[PM_START_LEVEL]};
             return PM_BAD_TABLE;
         }

@@ -46,6 +46,7 @@ typedef struct pm_range {
 } pm_range;
 
 static const pm_range ranges[] = {
+    {PM_TABLE_VALUE, PM_VALUE_PROGRAM, PM_TABLE_PROGRAM, 0, 0},
     {PM_TABLE_BODY, PM_BODY_MASS, PM_TABLE_VALUE, 0, 0},
     {PM_TABLE_BODY, PM_BODY_INERTIA, PM_TABLE_VALUE, 0, 0},
     {PM_TABLE_BODY, PM_BODY_X, PM_TABLE_VALUE, 0, 0},
@@ -166,6 +167,35 @@ static int check_contacts(const pm_model *m, pm_where *where)
     return PM_OK;
 }
 
+static int needs_forces(const pm_model *m, int measure)
+{
+    const int32_t *e = PM_MEASURE_ROW(m, measure);
+    const int kind = e[PM_MEASURE_KIND];
+    const int of_force = kind == PM_MEASURE_FORCE_FORCE || kind == PM_MEASURE_FORCE_COUPLE || kind == PM_MEASURE_FORCE_POWER ||
+                         kind == PM_MEASURE_FORCE_STRETCH || kind == PM_MEASURE_FORCE_ENERGY;
+    return pm_measure_level(m, measure) == PM_LEVEL_DYNAMIC ||
+           (of_force && PM_FORCE_ROW(m, e[PM_MEASURE_A])[PM_FORCE_KIND] >= PM_FORCE_APPLIED);
+}
+
+/* A force's program may not use what must itself be computed from forces: accelerations, reactions, other programs'. */
+static int check_forces(const pm_model *m, pm_where *where)
+{
+    for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++) {
+        const int32_t *e = PM_FORCE_ROW(m, i);
+        const int kind = e[PM_FORCE_KIND], option = e[PM_FORCE_OPTION];
+        if (kind == PM_FORCE_SPRING && (option < PM_SPRING_BOTH || option > PM_SPRING_PUSH))
+            return bad(where, PM_TABLE_FORCE, i, option, PM_SPRING_PUSH);
+        for (int k = 0; k < (kind == PM_FORCE_APPLIED ? 2 : kind == PM_FORCE_COUPLE); k++) {
+            const int32_t *p = pm_row_of(m, PM_TABLE_PROGRAM, e[PM_FORCE_PROGRAM_X + k], PM_PROGRAM_COLUMNS);
+            const int32_t *code = pm_row_of(m, PM_TABLE_CODE, p[PM_PROGRAM_FIRST], PM_CODE_COLUMNS);
+            for (int c = 0; c < p[PM_PROGRAM_LENGTH]; c++, code += PM_CODE_COLUMNS)
+                if (code[PM_CODE_OP] == PM_OP_MEASURE && needs_forces(m, code[PM_CODE_ARG]))
+                    return bad(where, PM_TABLE_FORCE, i, code[PM_CODE_ARG], PM_NONE);
+        }
+    }
+    return PM_OK;
+}
+
 static int check_triggers(const pm_model *m, pm_where *where)
 {
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
@@ -188,15 +218,26 @@ static int check_asks(pm_model *m, pm_where *where)
         const int32_t *e = PM_ASK_ROW(m, i);
         const int kind = e[PM_ASK_KIND], count = e[PM_ASK_COUNT];
         if (kind < 0 || kind >= PM_ASK_KINDS) return bad(where, PM_TABLE_ASK, i, kind, PM_ASK_KINDS);
+        if (kind == PM_ASK_EVENT && e[PM_ASK_NTH] < 1) return bad(where, PM_TABLE_ASK, i, e[PM_ASK_NTH], 1);
         if (count < 1 || e[PM_ASK_OUT] != m->nout) return bad(where, PM_TABLE_ASK, i, e[PM_ASK_OUT], m->nout);
         if (kind != PM_ASK_GRID && kind != PM_ASK_EACH && count != 1) return bad(where, PM_TABLE_ASK, i, count, 1);
         if ((kind == PM_ASK_EVENT || kind == PM_ASK_EACH) && e[PM_ASK_EVENT_INDEX] < 0)
             return bad(where, PM_TABLE_ASK, i, e[PM_ASK_EVENT_INDEX], m->rows[PM_TABLE_EVENT]);
         if ((kind == PM_ASK_AT_MAX || kind == PM_ASK_AT_MIN || kind == PM_ASK_GRID) && e[PM_ASK_PROGRAM_2] < 0)
             return bad(where, PM_TABLE_ASK, i, e[PM_ASK_PROGRAM_2], m->rows[PM_TABLE_PROGRAM]);
-        if (kind == PM_ASK_GRID && (e[PM_ASK_FIRST_VALUE] < 0 || e[PM_ASK_FIRST_VALUE] + count > m->nvalue))
-            return bad(where, PM_TABLE_ASK, i, e[PM_ASK_FIRST_VALUE] + count, m->nvalue);
+        if (kind == PM_ASK_GRID && (e[PM_ASK_FIRST_VALUE] < 0 || e[PM_ASK_FIRST_VALUE] > m->nvalue - count))
+            return bad(where, PM_TABLE_ASK, i, (double)e[PM_ASK_FIRST_VALUE] + count, m->nvalue);
+        if (count > INT32_MAX - m->nout) return bad(where, PM_TABLE_ASK, i, count, INT32_MAX);
         m->nout += count;
+    }
+    return PM_OK;
+}
+
+static int check_untils(const pm_model *m, pm_where *where)
+{
+    for (int i = 0; i < m->rows[PM_TABLE_UNTIL]; i++) {
+        const int nth = PM_UNTIL_ROW(m, i)[PM_UNTIL_NTH];
+        if (nth < 1) return bad(where, PM_TABLE_UNTIL, i, nth, 1);
     }
     return PM_OK;
 }
@@ -219,9 +260,11 @@ static int check_tables(pm_model *m, pm_where *where)
     if (!status) status = check_contacts(m, where);
     if (!status) status = check_triggers(m, where);
     if (!status) status = check_asks(m, where);
+    if (!status) status = check_untils(m, where);
     if (!status) status = check_settings(m, where);
     if (!status) status = pm_measure_validate(m, where);
     if (!status) status = pm_program_validate(m, where);
+    if (!status) status = check_forces(m, where); /* looks into programs */
     return status;
 }
 
@@ -256,7 +299,7 @@ static void lay_out(pm_model *m)
     m->nz += 1 + PM_LEDGER; /* work done by sliding friction, then the outer impulses */
 }
 
-/* What each program needs of a state, and whether some force depends on time. */
+/* What each program needs of a state. */
 static void grade_programs(pm_model *m)
 {
     for (int i = 0; i < m->rows[PM_TABLE_PROGRAM]; i++) {
@@ -267,9 +310,32 @@ static void grade_programs(pm_model *m)
             if (code[PM_CODE_OP] != PM_OP_MEASURE) continue;
             const int needs = pm_measure_level(m, code[PM_CODE_ARG]);
             if (needs > level) level = needs;
-            if (PM_MEASURE_ROW(m, code[PM_CODE_ARG])[PM_MEASURE_KIND] == PM_MEASURE_TIME) m->uses_time = 1;
         }
         m->program_level[i] = (unsigned char)level;
+    }
+}
+
+static int reads_time(const pm_model *m, int program)
+{
+    const int32_t *p = pm_row_of(m, PM_TABLE_PROGRAM, program, PM_PROGRAM_COLUMNS);
+    const int32_t *code = pm_row_of(m, PM_TABLE_CODE, p[PM_PROGRAM_FIRST], PM_CODE_COLUMNS);
+    for (int k = 0; k < p[PM_PROGRAM_LENGTH]; k++, code += PM_CODE_COLUMNS)
+        if (code[PM_CODE_OP] == PM_OP_MEASURE && PM_MEASURE_ROW(m, code[PM_CODE_ARG])[PM_MEASURE_KIND] == PM_MEASURE_TIME)
+            return 1;
+    return 0;
+}
+
+/* Whether a scene at rest may still see something happen: a force or a trigger that depends on time. */
+static void look_for_time(pm_model *m)
+{
+    for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++) {
+        const int32_t *e = PM_FORCE_ROW(m, i);
+        if (e[PM_FORCE_KIND] >= PM_FORCE_APPLIED) m->uses_time |= reads_time(m, e[PM_FORCE_PROGRAM_X]);
+        if (e[PM_FORCE_KIND] == PM_FORCE_APPLIED) m->uses_time |= reads_time(m, e[PM_FORCE_PROGRAM_Y]);
+    }
+    for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
+        const int32_t *e = PM_TRIGGER_ROW(m, i);
+        if (e[PM_TRIGGER_KIND] <= PM_TRIGGER_EVERY) m->uses_time |= reads_time(m, e[PM_TRIGGER_PROGRAM]);
     }
 }
 
@@ -309,6 +375,7 @@ int pm_model_create(int64_t ntable, const int32_t *table, int64_t nconstant, con
     m->path_z = m->force_z + m->rows[PM_TABLE_FORCE];
     lay_out(m);
     grade_programs(m);
+    look_for_time(m);
     *model = m;
     return PM_OK;
 }

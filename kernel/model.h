@@ -30,7 +30,7 @@ typedef struct pm_model {
     int nrow;                /* most active rows: njoint_row + 2 nslot */
     int nz;                  /* running integrals: forces' work, paths, then PM_LEDGER audit entries */
     int nz_controlled;       /* of these the first are under error control */
-    int uses_time;           /* some force depends on t: rest does not last */
+    int uses_time;           /* some force or trigger depends on t: rest does not last, or is waited out */
     int *contact_slot;       /* [ncontact] first slot */
     int *joint_row;          /* [njoint] first row among the joint rows */
     int *joint_memory;       /* [njoint] or PM_NONE */

@@ -155,7 +155,6 @@ int pm_program_validate(const pm_model *m, pm_where *where)
 {
     for (int i = 0; i < m->nvalue; i++) {
         const int index = m->table[PM_TABLE_VALUE][i * PM_VALUE_COLUMNS + PM_VALUE_PROGRAM];
-        if (index < 0 || index >= m->rows[PM_TABLE_PROGRAM]) return bad(where, i, index, m->rows[PM_TABLE_PROGRAM]);
         const int status = validate_one(m, index, i, where); /* only values of lower index */
         if (status) return status;
     }

@@ -2,6 +2,8 @@
 #ifndef PM_ROW_H
 #define PM_ROW_H
 
+#include <math.h>
+
 #include "body.h"
 #include "model.h"
 
@@ -55,6 +57,8 @@ pm_marks pm_row_marks(const pm_workspace *w, const pm_row *row);
 /* j = (n, r_a x n) on a, -(n, r_b x n) on b. */
 void pm_row_along(pm_row *row, const pm_marks *x, const double n[2], double factor);
 
+/* No overflow is possible at the scale of scenes: a plain root is an eighth of hypot's price. */
+static inline double pm_length(const double a[2]) { return sqrt(a[0] * a[0] + a[1] * a[1]); }
 static inline double pm_dot(const double a[2], const double b[2]) { return a[0] * b[0] + a[1] * b[1]; }
 static inline double pm_cross(const double a[2], const double b[2]) { return a[0] * b[1] - a[1] * b[0]; }
 

@@ -11,7 +11,7 @@
 static void evaluate(const pm_workspace *w, pm_row *row)
 {
     const pm_marks x = pm_row_marks(w, row);
-    const double distance = hypot(x.d[0], x.d[1]);
+    const double distance = pm_length(x.d);
     const double n[2] = {x.d[0] / distance, x.d[1] / distance}, t[2] = {-n[1], n[0]};
     const double across = pm_dot(x.u, t);
     pm_row_along(row, &x, n, row->sign);
@@ -23,7 +23,7 @@ static void act(const pm_workspace *w, const pm_row *row, pm_line_of_action *x)
 {
     const pm_point a = pm_point_at(w, row->body[0], row->a[0], row->a[1]);
     const pm_point b = pm_point_at(w, row->body[1], row->b[0], row->b[1]);
-    const double d[2] = {a.p[0] - b.p[0], a.p[1] - b.p[1]}, distance = hypot(d[0], d[1]);
+    const double d[2] = {a.p[0] - b.p[0], a.p[1] - b.p[1]}, distance = pm_length(d);
     x->couple = 0;
     for (int k = 0; k < 2; k++) {
         x->direction[k] = row->sign * d[k] / distance;

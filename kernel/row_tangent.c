@@ -25,7 +25,7 @@ static double rolled(const pm_workspace *w, const pm_row *row, double direction)
 static void evaluate(const pm_workspace *w, pm_row *row)
 {
     const pm_marks x = pm_row_marks(w, row);
-    const double distance = hypot(x.d[0], x.d[1]);
+    const double distance = pm_length(x.d);
     const double n[2] = {x.d[0] / distance, x.d[1] / distance}, t[2] = {-n[1], n[0]};
     const double factor = row->value / distance, spin = pm_dot(x.u, t) / distance;
     const pm_memory *memory = &w->frame.memory[row->memory];
@@ -46,7 +46,7 @@ static void remember(const pm_workspace *w, const pm_row *row, pm_memory *memory
 static void act(const pm_workspace *w, const pm_row *row, pm_line_of_action *x)
 {
     const pm_marks y = pm_row_marks(w, row);
-    const double distance = hypot(y.d[0], y.d[1]);
+    const double distance = pm_length(y.d);
     const double n[2] = {y.d[0] / distance, y.d[1] / distance};
     for (int k = 0; k < 2; k++) x->at[k] = y.a.p[k] - row->radius_a * n[k];
     x->direction[0] = -n[1];

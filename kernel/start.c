@@ -260,20 +260,32 @@ static int settle_rest(pm_workspace *w, pm_solution *s, double *dense, const uns
     return PM_OK;
 }
 
-static int velocities(pm_workspace *w)
+/* Solves for the velocities; contacts that rest and never slip hold like joints if `with_contacts`. */
+static int solve_velocities(pm_workspace *w, int with_contacts)
 {
     const pm_model *m = w->model;
     double *x = w->scratch, *dense = x + m->nq;
     unsigned char *fastened = (unsigned char *)(void *)(dense + m->nq); /* [nbody + 1] */
     pm_solution s = {0, x};
     memset(x, 0, (size_t)m->nq * sizeof *x);
-    if (!any_velocity_written(w)) return PM_OK; /* at rest */
     memset(fastened, 0, (size_t)m->nbody + 1);
     hold_joints(w, &s, dense, fastened);
-    hold_rough_contacts(w, &s, dense, fastened);
+    if (with_contacts) hold_rough_contacts(w, &s, dense, fastened);
     int status = take_written(w, &s, dense);
     if (!status) status = settle_rest(w, &s, dense, fastened);
     memcpy(w->state.v, x, (size_t)m->nq * sizeof *x);
+    return status;
+}
+
+/* What is written may break a resting contact: that is no contradiction but a blow, or a parting, at t = 0. */
+static int velocities(pm_workspace *w)
+{
+    if (!any_velocity_written(w)) return PM_OK; /* at rest */
+    const int status = solve_velocities(w, 1);
+    if (status != PM_START_CONFLICT) return status;
+    const pm_where where = w->where;
+    if (solve_velocities(w, 0) == PM_OK) return PM_OK;
+    w->where = where;
     return status;
 }
 

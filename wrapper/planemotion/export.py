@@ -1,10 +1,11 @@
 """The result of a sweep as files for others: one HDF5 file, and from it a CSV table and a summary.
 
-The HDF5 file is a netCDF-4 file: `xarray.open_dataset(path, engine="h5netcdf")` opens it as it is.  It has one
-dimension per swept parameter (those of a zip share the first one's), on which stand
+The HDF5 file is a netCDF-4 file: `xarray.open_dataset(path, engine="h5netcdf")` opens it as it is.  It has
+one dimension per swept parameter (those of a zip share the first one's), on which stand
 
     the swept parameters     coordinates, in the unit of the grid
-    each ask                 float, in its unit, NaN without an answer; a list has one more dimension, KEY_number
+    each ask                 float, in its unit, NaN without an answer; a list has one more dimension,
+                             KEY_at (the values of its grid) or KEY_number
     status                   int, enum pm_status: 0 ok, > 0 an early stop, < 0 a failure
     reason                   int per ask, enum pm_reason: why it is NaN
     message                  text of what was wrong, "" where all is well
@@ -17,6 +18,7 @@ memory does not grow with the number of cases.
 from __future__ import annotations
 
 import csv
+import io
 import math
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -33,8 +35,9 @@ from ._layout import pm_audit, pm_reason, pm_route, pm_status
 from .errors import StudyError
 from .store import Block, Floats, appearing
 
-# Cases that are turned into text at once.
-_TABLE_CASES = 16384
+# Cases, and numbers, that are turned into text at once.
+_TABLE_CASES = 65536
+_TABLE_NUMBERS = 1 << 20
 # Elements of a chunk of the messages: what is never written, the cases that ended well, takes no space.
 _MESSAGE_CHUNK = 4096
 
@@ -68,13 +71,21 @@ class Coordinate:
 
 @dataclass(frozen=True)
 class AskVariable:
-    """One ask: `count` columns of Block.value; `text` is what was asked."""
+    """One ask: `count` columns of Block.value; `text` is what was asked; `at`: unit and grid of a list."""
 
     key: str
     unit: str
     text: str
     count: int
     is_list: bool
+    at: tuple[str, Floats] | None = None
+
+    @property
+    def dim(self) -> tuple[str, ...]:
+        """The dimension of a list: its grid's values, or else the numbers 1, 2, ..."""
+        if not self.is_list:
+            return ()
+        return (f"{self.key}_at" if self.at else f"{self.key}_number",)
 
 
 @dataclass(frozen=True)
@@ -120,38 +131,75 @@ def hyperslabs(shape: Sequence[int], first: int, count: int) -> Iterator[tuple[s
         yield (slice(i + whole, i + whole + 1), *box)
 
 
-def write_result(
-    path: Path, layout: Layout, blocks: Iterable[Block], attributes: Mapping[str, Any]
-) -> None:
+def write_result(path: Path, layout: Layout, blocks: Iterable[Block], attributes: Mapping[str, Any]) -> None:
     """Writes the file that `xarray.open_dataset(path, engine="h5netcdf")` opens; `blocks` in order of cases.
 
     Memory does not grow with the number of cases.  Raises OSError if the file cannot be written.
     """
     import h5netcdf
 
-    try:
-        with h5netcdf.File(path, "w") as file:
+    with _CarefulFile(path) as target:
+        with h5netcdf.File(target, "w") as file:
             _declare(file, layout)
-            summary = _write_blocks(file, layout, blocks)
+            summary = _write_blocks(file, layout, target.checked(blocks))
             parameters = " ".join(coordinate.name for coordinate in layout.coordinates)
             for name, value in {**attributes, **summary, "parameters": parameters}.items():
                 file.attrs[name] = value
-    except RuntimeError as error:  # what HDF5 says when closing fails
-        raise OSError(str(error)) from error
+        target.check()
+
+
+class _CarefulFile(io.FileIO):
+    """A file for HDF5 to write to, which does not survive a failed write: it crashes when it closes the file.
+
+    So a failure is only remembered here, and what follows is dropped; `check` tells of it.
+    """
+
+    def __init__(self, path: Path) -> None:
+        super().__init__(path, "w+")
+        self._error: OSError | None = None
+
+    def check(self) -> None:
+        """Raises the first OSError that there was."""
+        if self._error:
+            raise self._error
+
+    def checked(self, blocks: Iterable[Block]) -> Iterator[Block]:
+        """The blocks, until one could not be written."""
+        for block in blocks:
+            yield block
+            self.check()
+
+    def write(self, data: Any) -> int:
+        written, size = 0, len(data)
+        try:
+            while written < size and not self._error:
+                written += super().write(data[written:])
+        except OSError as error:
+            self._error = error
+        return size
+
+    def truncate(self, size: int | None = None) -> int:
+        try:
+            return super().truncate(size)
+        except OSError as error:
+            self._error = self._error or error
+            return size or 0
 
 
 def _declare(file: Any, layout: Layout) -> None:
     """Dimensions, coordinates and empty variables of the result."""
     grid = tuple(name for name, _ in layout.dims)
     of_run = (*grid, "run") if layout.runs else grid
-    extra = {f"{ask.key}_number": ask.count for ask in layout.asks if ask.is_list}
-    file.dimensions = {**dict(layout.dims), **extra, "ask": len(layout.asks)}
+    file.dimensions = {**dict(layout.dims), "ask": len(layout.asks)}
     for coordinate in layout.coordinates:
         variable = file.create_variable(coordinate.name, (coordinate.dim,), "f8", data=coordinate.values)
         variable.attrs.update(units=coordinate.unit or "1", long_name=f"parameter {coordinate.name}")
     _texts(file, "ask", [ask.key for ask in layout.asks])
-    for name, count in extra.items():
-        file.create_variable(name, (name,), "i4", data=np.arange(1, count + 1, dtype=np.int32))
+    for ask in layout.asks:
+        for dim in ask.dim:
+            unit, values = ask.at or ("", np.arange(1.0, ask.count + 1))
+            file.dimensions[dim] = ask.count
+            file.create_variable(dim, (dim,), "f8", data=values).attrs["units"] = unit or "1"
     if layout.runs:
         file.dimensions["run"] = len(layout.runs)
         _texts(file, "run", layout.runs)
@@ -160,22 +208,22 @@ def _declare(file: Any, layout: Layout) -> None:
     zipped = " ".join(item.name for item in layout.coordinates if item.name != item.dim)
 
     def declare(name: str, dims: tuple[str, ...], dtype: Any, **attributes: Any) -> None:
-        fill = np.nan if dtype == "f8" else None
-        variable = file.create_variable(name, dims, dtype, fillvalue=fill)
+        chunks = _message_chunks(layout.shape) if name == "message" else None
+        variable = file.create_variable(name, dims, dtype, chunks=chunks)
         variable.attrs.update({**attributes, **({"coordinates": zipped} if zipped else {})})
 
     for ask in layout.asks:
-        dims = (*grid, f"{ask.key}_number") if ask.is_list else grid
-        declare(ask.key, dims, "f8", units=ask.unit or "1", long_name=ask.text)
+        declare(ask.key, (*grid, *ask.dim), "f8", units=ask.unit or "1", long_name=ask.text)
     declare("status", grid, "i4", long_name="how the case ended", **_flags(STATUS_WORDS, np.int32))
-    declare("reason", (*grid, "ask"), "i1", long_name="why an ask has no number", **_flags(REASON_WORDS, np.int8))
+    declare(
+        "reason", (*grid, "ask"), "i1", long_name="why there is no number", **_flags(REASON_WORDS, np.int8)
+    )
     declare("route", of_run, "i1", long_name="route that was taken", **_flags(ROUTE_WORDS, np.int8))
     for word in AUDIT_WORDS.values():
         declare(f"audit_{word}", of_run, "f8", units="1", long_name=f"relative residual of the {word}")
     if layout.runs:
         declare("run_status", of_run, "i4", long_name="how each run ended", **_flags(STATUS_WORDS, np.int32))
-    message = file.create_variable("message", grid, h5py.string_dtype(), chunks=_message_chunks(layout.shape))
-    message.attrs.update({"long_name": "what was wrong with the case"} | ({"coordinates": zipped} if zipped else {}))
+    declare("message", grid, h5py.string_dtype(), long_name="what was wrong with the case")
 
 
 def _message_chunks(shape: Sequence[int]) -> tuple[int, ...]:
@@ -264,8 +312,7 @@ def write_csv(result: Path, table: Path) -> None:
         with open(temporary, "w", encoding="utf-8", newline="") as text:
             writer = csv.writer(text, lineterminator="\n")
             writer.writerow(columns.header)
-            for first in range(0, columns.cases, _TABLE_CASES):
-                count = min(_TABLE_CASES, columns.cases - first)
+            for first, count in columns.slices():
                 writer.writerows(columns.rows(first, count))
 
 
@@ -292,6 +339,12 @@ class _Columns:
             self.header += [f"{name} [{variable.attrs['units']}]" for name in names]
         self.header += ["reason", "status"]
 
+    def slices(self) -> Iterator[tuple[int, int]]:
+        """First case and number of cases of each piece that fits well into memory."""
+        most = max(1, min(_TABLE_CASES, _TABLE_NUMBERS // len(self.header)))
+        for first in range(0, self.cases, most):
+            yield first, min(most, self.cases - first)
+
     def rows(self, first: int, count: int) -> Iterator[tuple[Any, ...]]:
         """The rows of cases first .. first+count-1."""
         columns: list[list[Any]] = []
@@ -302,12 +355,12 @@ class _Columns:
             numbers = self._read(key, first, count)
             columns += numbers.T.tolist() if self._is_list(key) else [numbers.tolist()]
         columns.append(self._reasons(first, count))
-        columns.append([STATUS_WORDS.get(status, str(status)) for status in self.statuses(first, count)])
+        columns.append(self.statuses(first, count))
         return zip(*columns, strict=True)
 
-    def statuses(self, first: int, count: int) -> list[int]:
-        statuses: list[int] = self._read("status", first, count).tolist()
-        return statuses
+    def statuses(self, first: int, count: int) -> list[str]:
+        """The statuses of these cases as words."""
+        return [STATUS_WORDS[status] for status in self._read("status", first, count).tolist()]
 
     def _is_list(self, key: str) -> bool:
         return len(self._variables[key].dimensions) > len(self._grid)
@@ -318,7 +371,7 @@ class _Columns:
         reasons = self._read("reason", first, count)
         for row in np.flatnonzero(reasons.any(axis=1)).tolist():
             texts[row] = texts[row] or "; ".join(
-                f"{key}: {REASON_WORDS.get(code, str(code)).replace('_', ' ')}"
+                f"{key}: {REASON_WORDS[code].replace('_', ' ')}"
                 for key, code in zip(self._asks, reasons[row].tolist(), strict=True)
                 if code
             )
@@ -337,7 +390,7 @@ def _opened(result: Path) -> Iterator[Any]:
     import h5netcdf
 
     try:
-        file = h5netcdf.File(result, "r")
+        file = h5netcdf.File(result, "r", decode_vlen_strings=True)
     except OSError as error:
         raise StudyError(f"{result}: cannot be read: {error}") from error
     with file:
@@ -365,9 +418,8 @@ def summarise(result: Path, rows: int = 11) -> Summary:
     with _opened(result) as file:
         columns = _Columns(file)
         statuses: Counter[str] = Counter()
-        for first in range(0, columns.cases, _TABLE_CASES):
-            count = min(_TABLE_CASES, columns.cases - first)
-            statuses.update(STATUS_WORDS.get(status, str(status)) for status in columns.statuses(first, count))
+        for first, count in columns.slices():
+            statuses.update(columns.statuses(first, count))
         steps = max(1, min(rows, columns.cases) - 1)
         shown = sorted({i * (columns.cases - 1) // steps for i in range(steps + 1)})
         picked = tuple(row for case in shown for row in columns.rows(case, 1))

@@ -39,11 +39,14 @@ from .errors import StudyError
 Floats = npt.NDArray[np.float64]
 Integers = npt.NDArray[np.signedinteger[Any]]
 
+# Key of the manifest under which numbers stand that say only that something differs, not what.
+CHECKSUMS = "checksums"
 # Hexadecimal digits of the SHA-256 of a part in its name: 64 bits against accidental damage.
 _CHECKSUM_DIGITS = 16
 _PART = re.compile(rf"part-(\d+)-(\d+)-([0-9a-f]{{{_CHECKSUM_DIGITS}}})\.h5")
-# Cases that are read at once for the final file: few large writes, tens of megabytes of memory at most.
+# Cases, and bytes of their answers, that are read at once for the final file: few large writes.
 _SLAB_CASES = 65536
+_SLAB_BYTES = 1 << 25
 _FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG}
 _FULL_TEXTS = ("no space left", "quota exceeded", "file too large")  # HDF5 does not always pass the number on
 
@@ -128,7 +131,8 @@ _BLOCK_TYPES: dict[str, type[np.generic]] = {
 
 @contextmanager
 def appearing(path: Path) -> Iterator[Path]:
-    """A temporary path beside `path`; what the block wrote there becomes `path` and is on the disk, or nothing is.
+    """A temporary path beside `path`: what is written there becomes `path` when the context ends well, on the
+    disk for good; otherwise nothing of it stays.
 
     Raises StudyError if the disk is full or the place cannot be written.
     """
@@ -268,11 +272,11 @@ class SweepStore:
         """
         if self.folder.exists() and not self.folder.is_dir():
             raise StudyError(f"{self.folder}: is a file; --out wants a folder")
-        with _disk_errors(self.folder):
-            self._made_folder = not self.folder.exists()
-            self.folder.mkdir(parents=True, exist_ok=True)
-            self._lock.acquire()
         try:
+            with _disk_errors(self.folder):
+                self._made_folder = not self.folder.exists()
+                self.folder.mkdir(parents=True, exist_ok=True)
+                self._lock.acquire()
             self._open()
         except BaseException:
             self.__exit__()
@@ -308,8 +312,8 @@ class SweepStore:
         if found:
             stored = sum(part.count for part in found)
             raise StudyError(
-                f"{self.parts_folder}: an unfinished sweep is there ({stored} cases stored); go on with --resume, "
-                "give another --out, or remove that folder"
+                f"{self.parts_folder}: an unfinished sweep is there ({stored} cases stored); go on with "
+                "--resume, give another --out, or remove that folder"
             )
         if self.table.exists():
             raise StudyError(f"{self.table}: is there already; give another --out, or remove it")
@@ -330,8 +334,8 @@ class SweepStore:
             stored = json.loads(self._manifest_path.read_text(encoding="utf-8"))
         except (OSError, ValueError) as error:
             raise StudyError(
-                f"{self._manifest_path}: cannot be read ({error}), so it is not known what the parts beside it "
-                f"belong to; remove {self.parts_folder} to start again"
+                f"{self._manifest_path}: cannot be read ({error}), so it is not known what the parts beside "
+                f"it belong to; remove {self.parts_folder} to start again"
             ) from None
         self._compare(stored, self.parts_folder)
         for before, part in zip([None, *found], found, strict=False):
@@ -346,9 +350,10 @@ class SweepStore:
         """Raises StudyError naming what differs between the stored manifest and this sweep's."""
         differences = list(_differences(stored, self.manifest))
         if differences:
+            told = [text for text in differences if not text.startswith(f"{CHECKSUMS}.")]
             raise StudyError(
                 f"{place}: belongs to another sweep, so this one cannot go on there. Different: "
-                f"{'; '.join(differences)}. Give another --out, or undo the change"
+                f"{'; '.join(told or differences)}. Give another --out, or undo the change"
             )
 
     @property
@@ -380,13 +385,17 @@ class SweepStore:
         self._parts.sort()
 
     def blocks(self) -> Iterator[Block]:
-        """All stored cases in order, joined to blocks of some ten thousand cases."""
+        """All stored cases in order, small parts joined to larger blocks."""
         waiting: list[Block] = []
+        cases = size = 0
         for part in self._parts:
-            waiting.append(_read_part(part))
-            if sum(map(len, waiting)) >= _SLAB_CASES:
+            block = _read_part(part)
+            waiting.append(block)
+            cases += len(block)
+            size += block.value.nbytes
+            if cases >= _SLAB_CASES or size >= _SLAB_BYTES:
                 yield Block.join(waiting)
-                waiting = []
+                waiting, cases, size = [], 0, 0
         if waiting:
             yield Block.join(waiting)
 
@@ -425,9 +434,9 @@ def _read_part(part: _Part) -> Block:
         raise StudyError(f"{part.path}: cannot be read: {error.strerror}") from error
     if _checksum(data) != part.checksum:
         raise StudyError(
-            f"{part.path}: this part file is damaged (checksum {_checksum(data)}, {part.checksum} when it was "
-            f"written). Remove it and go on with --resume: its {part.count} cases, {part.first} to {part.end - 1}, "
-            "are then computed again"
+            f"{part.path}: this part file is damaged (checksum {_checksum(data)}, {part.checksum} when it "
+            f"was written). Remove it and go on with --resume: its {part.count} cases, {part.first} to "
+            f"{part.end - 1}, are then computed again"
         )
     return Block.from_bytes(data)
 

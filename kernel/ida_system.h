@@ -1,0 +1,20 @@
+/* ida_system.h - the differential-algebraic system of a phase. */
+#ifndef PM_IDA_SYSTEM_H
+#define PM_IDA_SYSTEM_H
+
+#include "ida.h"
+
+/* The length of the phase's unknowns, from the active rows. */
+void pm_ida_system_layout(pm_workspace *w);
+/* Consistent y, y' at w->state; the frame becomes DYNAMIC there. */
+int pm_ida_system_start(pm_workspace *w, double *y, double *yp);
+/* Looks at (t, y) with the accelerations and reactions of y': a DYNAMIC frame without a linear system solved. */
+void pm_ida_system_look(pm_workspace *w, double t, const double *y, const double *yp);
+/* r = F(t, y, y'). */
+void pm_ida_system_residual(pm_workspace *w, double t, const double *y, const double *yp, double *r);
+/* w->ida->weight from the scales of the case; the rows must be evaluated. */
+void pm_ida_system_weights(pm_workspace *w);
+/* The shortest time in which the motion changes its own kind: 1/omega, sqrt(size/a), size/v; INFINITY at rest. */
+double pm_ida_system_time_scale(const pm_workspace *w, const double *v, const double *a);
+
+#endif

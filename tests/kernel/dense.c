@@ -1,0 +1,87 @@
+/* Cholesky and LU on random systems: the residual is at rounding, a singular matrix is reported with its row. */
+#include "dense.h"
+
+#include <string.h>
+
+#include "check.h"
+
+#define MOST 24
+#define SYSTEMS 200
+
+/* max |A x - b| relative to |A| |x| */
+static double residual(int n, const double *a, const double *x, const double *b)
+{
+    double worst = 0;
+    for (int i = 0; i < n; i++) {
+        double sum = -b[i], size = 1e-300;
+        for (int k = 0; k < n; k++) {
+            sum += a[i * n + k] * x[k];
+            size += fabs(a[i * n + k] * x[k]);
+        }
+        worst = fmax(worst, fabs(sum) / size);
+    }
+    return worst;
+}
+
+static void random_matrix(int rows, int columns, double *a)
+{
+    for (int i = 0; i < rows * columns; i++) a[i] = check_random(-1, 1);
+}
+
+static void gram(int n, const double *g, double *a)
+{
+    for (int i = 0; i < n; i++)
+        for (int k = 0; k < n; k++) {
+            a[i * n + k] = 0;
+            for (int j = 0; j < 2 * n; j++) a[i * n + k] += g[i * 2 * n + j] * g[k * 2 * n + j];
+        }
+}
+
+static void cholesky(int n)
+{
+    double g[2 * MOST * MOST], a[MOST * MOST], f[MOST * MOST], b[MOST], x[MOST];
+    random_matrix(n, 2 * n, g);
+    gram(n, g, a);
+    random_matrix(n, 1, b);
+    memcpy(f, a, sizeof a);
+    memcpy(x, b, sizeof b);
+    for (int i = 0; i < n; i++) /* only the lower half is read */
+        for (int k = i + 1; k < n; k++) f[i * n + k] = NAN;
+    EQUAL(pm_cholesky_factor(n, f), 0);
+    pm_cholesky_solve(n, f, x);
+    NEAR(residual(n, a, x, b), 0, 1e-13);
+    if (n < 2) return;
+    for (int j = 0; j < 2 * n; j++) g[(n - 1) * 2 * n + j] = -0.5 * g[j]; /* the last row depends on the first */
+    gram(n, g, a);
+    EQUAL(pm_cholesky_factor(n, a), n);
+}
+
+static void lu(int n)
+{
+    double a[MOST * MOST], f[MOST * MOST], b[MOST], x[MOST];
+    int pivot[MOST];
+    random_matrix(n, n, a);
+    a[0] = 0; /* needs a row exchange */
+    if (n == 1) a[0] = 2.385;
+    random_matrix(n, 1, b);
+    memcpy(f, a, sizeof a);
+    memcpy(x, b, sizeof b);
+    EQUAL(pm_lu_factor(n, f, pivot), 0);
+    pm_lu_solve(n, f, pivot, x);
+    NEAR(residual(n, a, x, b), 0, 1e-11);
+    memcpy(f, a, sizeof a);
+    for (int i = 0; i < n; i++) f[i * n] = 0;
+    EQUAL(pm_lu_factor(n, f, pivot), 1);
+}
+
+int main(void)
+{
+    for (int i = 0; i < SYSTEMS; i++) {
+        const int n = 1 + i % MOST;
+        cholesky(n);
+        lu(n);
+    }
+    double indefinite[] = {1, 0, 2, 1}; /* [1 2; 2 1] */
+    EQUAL(pm_cholesky_factor(2, indefinite), 2);
+    return check_failures();
+}

@@ -1,0 +1,353 @@
+/* Blows: the laws of impulsive motion recomputed from the velocities before and after, for one contact struck or several,
+ * with resting contacts, with joints, for every friction; and the awkward cases that have one right answer. */
+#include "jump.h"
+
+#include "body.h"
+#include "check.h"
+#include "contact.h"
+#include "row.h"
+#include "saddle.h"
+#include "scene.h"
+
+#define MOST 32
+#define CLOSE 1e-11
+
+typedef struct blow {
+    int jumped;
+    double before[MOST], after[MOST];
+} blow;
+
+static void look(pm_workspace *w, const double *v) { pm_frame_look(w, 0, w->state.q, v, w->state.z, w->state.memory); }
+
+static double kinetic(pm_workspace *w, const double *v)
+{
+    look(w, v);
+    return pm_body_kinetic(w, PM_NONE);
+}
+
+/* Gives the assembled scene the velocities v at an instant; contact i rests before if bit i of `resting` is set. */
+static blow strike(scene *s, const double *v, unsigned resting)
+{
+    pm_workspace *w = s->w;
+    blow x = {.jumped = 0};
+    double fastest = 0;
+    for (int i = 0; i < w->model->nslot; i++)
+        if (!(resting >> i & 1)) w->state.slot[i].mode = PM_OPEN;
+    for (int i = 0; i < w->model->nq; i++) {
+        w->state.v[i] = x.before[i] = v[i];
+        fastest = fmax(fastest, fabs(v[i]));
+    }
+    w->speed = fastest;
+    pm_frame_look_state(w, &w->state);
+    EQUAL(pm_jump(w, &x.jumped), PM_OK);
+    memcpy(x.after, w->state.v, (size_t)w->model->nq * sizeof *v);
+    return x;
+}
+
+/* M (v' - v) = sum of the impulses, each at its point along its direction: no Jacobian. */
+static void momentum_balance(scene *s, const blow *x)
+{
+    pm_workspace *w = s->w;
+    const pm_model *m = w->model;
+    double sum[MOST] = {0};
+    look(w, x->after);
+    for (int pass = 0; pass < 2; pass++) {
+        const int n = pass ? m->nslot : m->rows[PM_TABLE_JOINT];
+        for (int i = 0; i < n; i++) {
+            pm_row row[PM_JOINT_ROWS];
+            const int rows = pass ? 2 : pm_row_of_joint(w, i, row);
+            if (pass) pm_row_of_contact(w, pm_contact_of_slot(m, i), i, w->state.slot[i].member, &row[0], &row[1]);
+            for (int k = 0; k < rows; k++) {
+                const double size = pass ? w->slot_impulse[2 * i + k] : w->joint_impulse[m->joint_row[i] + k];
+                pm_line_of_action a;
+                pm_row_kind(row[k].kind)->act(w, &row[k], &a);
+                for (int p = 0; p < 2; p++) {
+                    const int body = row[k].body[p];
+                    if (body == m->nbody) continue;
+                    const double *pose = w->frame.pose + 5 * body, sign = p ? -size : size;
+                    sum[3 * body] += sign * a.direction[0];
+                    sum[3 * body + 1] += sign * a.direction[1];
+                    sum[3 * body + 2] += sign * (a.couple + (a.at[0] - pose[0]) * a.direction[1] - (a.at[1] - pose[1]) * a.direction[0]);
+                }
+            }
+        }
+    }
+    for (int i = 0; i < m->nq; i++)
+        if (w->inverse_mass[i] > 0) NEAR(sum[i] * w->inverse_mass[i], x->after[i] - x->before[i], CLOSE);
+}
+
+static double normal_rate(pm_workspace *w, int slot, const double *v)
+{
+    double rate;
+    look(w, v);
+    pm_contact_member_gap(w, pm_contact_of_slot(w->model, slot), w->state.slot[slot].member, &rate);
+    return rate;
+}
+
+static double slip_rate(pm_workspace *w, int slot, const double *v)
+{
+    look(w, v);
+    return pm_contact_member_slip(w, pm_contact_of_slot(w->model, slot), w->state.slot[slot].member);
+}
+
+static void contact_laws(scene *s, const blow *x, int slot, int rested)
+{
+    pm_workspace *w = s->w;
+    const int contact = pm_contact_of_slot(w->model, slot), friction = pm_contact_friction(w->model, contact);
+    const double u = normal_rate(w, slot, x->before), after = normal_rate(w, slot, x->after);
+    const double slip_before = slip_rate(w, slot, x->before), slip = slip_rate(w, slot, x->after);
+    const double p = w->slot_impulse[2 * slot], f = w->slot_impulse[2 * slot + 1], mu = pm_contact_static(w, contact);
+    CHECK(p >= -CLOSE);
+    CHECK(after >= -CLOSE);
+    if (p > CLOSE) NEAR(after, rested ? 0 : -pm_contact_restitution(w, contact) * u, CLOSE); /* (17.19) */
+    if (p <= CLOSE) NEAR(f, 0, CLOSE); /* no normal impulse, no friction */
+    if (friction == PM_FRICTION_SMOOTH) EQUAL(f, 0);
+    if (friction == PM_FRICTION_ROUGH && p > CLOSE) NEAR(slip, 0, CLOSE);
+    if (friction != PM_FRICTION_COULOMB) return;
+    CHECK(fabs(f) <= mu * p + CLOSE);
+    if (fabs(slip) > CLOSE && p > CLOSE) {
+        NEAR(fabs(f), mu * p, CLOSE);
+        CHECK(f * slip_before <= CLOSE);
+    }
+}
+
+static void laws(scene *s, const blow *x, unsigned resting)
+{
+    pm_workspace *w = s->w;
+    int smooth = 1;
+    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) smooth &= pm_contact_friction(w->model, i) == PM_FRICTION_SMOOTH;
+    if (smooth) CHECK(kinetic(w, x->after) <= kinetic(w, x->before) * (1 + 1e-13));
+    for (int i = 0; i < w->model->rows[PM_TABLE_JOINT]; i++) {
+        pm_row row[PM_JOINT_ROWS];
+        const int n = pm_row_of_joint(w, i, row);
+        look(w, x->after);
+        for (int k = 0; k < n; k++) NEAR(pm_row_rate(w, &row[k]), 0, CLOSE);
+    }
+    for (int i = 0; i < w->model->nslot; i++) CHECK(normal_rate(w, i, x->after) >= -CLOSE);
+    if (x->jumped != 1) return; /* a sequence: the impulses kept are those of its last blow */
+    NEAR(w->lost, kinetic(w, x->before) - kinetic(w, x->after), CLOSE);
+    momentum_balance(s, x);
+    for (int i = 0; i < w->model->nslot; i++) contact_laws(s, x, i, resting >> i & 1);
+}
+
+/* ---- one rod, one corner ---- */
+static scene *rod(double angle, double e, int friction, double mu, int ends)
+{
+    scene *s = scene_create();
+    const int b = scene_body(s, 2, 0.3, 0, 0.6 * fabs(sin(angle)), angle), line = scene_floor(s, 0);
+    for (int i = 0; i < ends; i++) {
+        const int end = scene_circle(s, scene_point(s, b, i ? 0.6 : -0.6, 0), 0);
+        scene_contact(s, PM_CONTACT_LINE, end, line, 0, e, friction, mu);
+    }
+    scene_until_time(s, 1);
+    scene_set(s, PM_SETTING_GRAVITY_Y, 0);
+    CHECK(scene_begin(s) == PM_OK);
+    return s;
+}
+
+static void rod_corner(void)
+{
+    static const double restitution[] = {0, 0.3, 1}, mu[] = {0, 0.05, 5, 0};
+    static const int friction[] = {PM_FRICTION_SMOOTH, PM_FRICTION_COULOMB, PM_FRICTION_COULOMB, PM_FRICTION_ROUGH};
+    for (int k = 0; k < 4; k++)
+        for (int i = 0; i < 3; i++)
+            for (int n = 0; n < 20; n++) {
+                scene *s = rod(check_random(0.1, 1.4), restitution[i], friction[k], mu[k], 1);
+                const double v[] = {check_random(-2, 2), check_random(-6, -3), check_random(-2, 2)};
+                const blow x = strike(s, v, 0);
+                EQUAL(x.jumped, 1);
+                laws(s, &x, 0);
+                CHECK(s->w->slot_impulse[0] > 0);
+                scene_free(s);
+            }
+}
+
+/* A corner that parts already is not struck. */
+static void parts_already(void)
+{
+    scene *s = rod(0.5, 0.5, PM_FRICTION_ROUGH, 0, 1);
+    const double v[] = {1, 0.5, 0};
+    const blow x = strike(s, v, 0);
+    EQUAL(x.jumped, 0);
+    for (int i = 0; i < 3; i++) EQUAL(x.after[i], v[i]);
+    scene_free(s);
+}
+
+/* A flat rod: both ends at once, or one after the other. */
+static void two_ends(void)
+{
+    static const double restitution[] = {0, 0.6, 1};
+    for (int i = 0; i < 3; i++) {
+        scene *s = rod(0, restitution[i], PM_FRICTION_SMOOTH, 0, 2);
+        const double v[] = {0.4, -2, 0};
+        blow x = strike(s, v, 0);
+        EQUAL(x.jumped, 1);
+        laws(s, &x, 0);
+        NEAR(x.after[1], 2 * restitution[i], CLOSE);
+        NEAR(x.after[2], 0, CLOSE);
+        scene_free(s);
+        for (int n = 0; n < 40; n++) {
+            static const int friction[] = {PM_FRICTION_SMOOTH, PM_FRICTION_COULOMB, PM_FRICTION_ROUGH};
+            s = rod(0, restitution[i], friction[n % 3], 0.3, 2);
+            const double u[] = {check_random(-1, 1), check_random(-3, -1), check_random(-4, 4)};
+            x = strike(s, u, 0);
+            CHECK(x.jumped >= 1);
+            laws(s, &x, 0);
+            scene_free(s);
+        }
+    }
+}
+
+/* A rod that rests on two supports at -a and a is struck at its right end from above by a ball. */
+static blow rod_on_supports(double a, double e, int friction, double impulse[3])
+{
+    const double half = 0.6;
+    scene *s = scene_create();
+    const int b = scene_body(s, 2, 2 * half * half / 3, 0, 0, 0), ball = scene_body(s, 0.5, 0, half, 0.1, 0);
+    const int top = scene_line(s, scene_point(s, b, 0, 0), 0);
+    for (int i = -1; i <= 1; i += 2) {
+        const int support = scene_line(s, scene_point(s, PM_GROUND, 0, 0), 0);
+        scene_contact(s, PM_CONTACT_LINE, scene_circle(s, scene_point(s, b, i * a, 0), 0), support, 0, 0, friction, 0);
+    }
+    scene_contact(s, PM_CONTACT_LINE, scene_circle(s, scene_point(s, ball, 0, 0), 0.1), top, 0, e, PM_FRICTION_SMOOTH, 0);
+    scene_until_time(s, 1);
+    scene_set(s, PM_SETTING_GRAVITY_Y, 0);
+    CHECK(scene_begin(s) == PM_OK);
+    const double v[] = {0, 0, 0, 0, -3, 0};
+    const blow x = strike(s, v, 3); /* both supports rest */
+    EQUAL(x.jumped, 1);
+    laws(s, &x, 3);
+    for (int i = 0; i < 3; i++) impulse[i] = s->w->slot_impulse[2 * i];
+    scene_free(s);
+    return x;
+}
+
+static void resting_contact_joins(void)
+{
+    static const int friction[] = {PM_FRICTION_SMOOTH, PM_FRICTION_ROUGH};
+    double p[3];
+    for (int k = 0; k < 2; k++) {
+        const double a = 0.4, e = 0.5, half = 0.6, i_support = 2 * half * half / 3 + 2 * a * a, arm = half - a;
+        blow x = rod_on_supports(a, e, friction[k], p);
+        CHECK(p[0] == 0 && p[1] > 0 && p[2] > 0); /* the near one is pressed, the far one rises and carries nothing */
+        const double struck = (1 + e) * 3 / (1 / 0.5 + arm * arm / i_support);
+        NEAR(p[2], struck, CLOSE);
+        NEAR(x.after[2], -struck * arm / i_support, CLOSE);
+        x = rod_on_supports(0.15, 0, friction[k], p); /* within the middle third both could be pressed: one is enough */
+        CHECK(p[1] > 0);
+        x = rod_on_supports(0.7, 1, friction[k], p); /* struck between the supports: nothing moves but the ball */
+        CHECK(p[0] >= 0 && p[1] > 0);
+        NEAR(x.after[4], 3, CLOSE);
+        NEAR(x.after[1], 0, CLOSE);
+        NEAR(x.after[2], 0, CLOSE);
+    }
+}
+
+/* ---- joints hold ---- */
+static void pendulum_struck(void)
+{
+    for (int n = 0; n < 20; n++) {
+        const double e = check_random(0, 1), place = check_random(-0.4, 0.6);
+        scene *s = scene_create();
+        const int b = scene_body(s, 2, 0.24, 0, -0.6, -acos(0.)), ball = scene_body(s, 0.7, 0.01, -0.2, -0.6 - place, 0);
+        scene_joint(s, PM_JOINT_PIN, scene_point(s, b, -0.6, 0), scene_point(s, PM_GROUND, 0, 0), 0);
+        const int face = scene_line(s, scene_point(s, b, 0, 0), 2 * acos(0.)); /* its free side is on the left of the rod */
+        scene_contact(s, PM_CONTACT_LINE, scene_circle(s, scene_point(s, ball, 0, 0), 0.2), face, 0, e, PM_FRICTION_ROUGH, 0);
+        scene_until_time(s, 1);
+        CHECK(scene_begin(s) == PM_OK);
+        const double arm = 0.6 + place, v[] = {0.6 * 0.5, 0, 0.5, 4, 0, 1.5};
+        const blow x = strike(s, v, 0);
+        EQUAL(x.jumped, 1);
+        laws(s, &x, 0);
+        /* moment of momentum about the pin: kept, whatever the pin's impulse is */
+        double h[2];
+        for (int k = 0; k < 2; k++) {
+            const double *u = k ? x.after : x.before;
+            h[k] = 0.24 * u[2] + 2 * 0.6 * u[0] + 0.01 * u[5] + 0.7 * (arm * u[3] - 0.2 * u[4]);
+        }
+        NEAR(h[1], h[0], CLOSE);
+        scene_free(s);
+    }
+}
+
+/* ---- the sphere between two rough bars ---- */
+static void never_wedged(void)
+{
+    for (double d = 0.1; d < 1.4; d += 0.25) { /* bars, in radii apart; beyond it would leave the bar */
+        const double beta = asin(0.5 * d), k = (2 + 5 * cos(2 * beta)) / 7;
+        scene *s = scene_create();
+        const int b = scene_body(s, 3, 0.4 * 3, 0, 1, 0), g = scene_point(s, b, 0, 0);
+        const int row = SCENE_ROW(s, PM_TABLE_ROW, scene_point(s, PM_GROUND, 0, 0), scene_value(s, d), scene_value(s, 0), scene_value(s, -1));
+        scene_contact(s, PM_CONTACT_ROW, scene_circle(s, g, 1), row, 0, 0, PM_FRICTION_ROUGH, 0);
+        scene_start_omega(s, b, -1.5);
+        const int hit = scene_on(s, PM_TRIGGER_STRIKE, 0), omega = scene_measure(s, PM_MEASURE_OMEGA, b);
+        const int before = scene_ask_event(s, scene_read(s, omega), hit, 1, 1);
+        const int after = scene_ask_event(s, scene_read(s, omega), hit, 1, 0);
+        const int closed = scene_ask_measure(s, scene_measure(s, PM_MEASURE_CONTACT_CLOSED, 0));
+        scene_until(s, hit, 1);
+        EQUAL(scene_run(s, NULL), PM_OK);
+        NEAR(s->out[after], k * s->out[before], 1e-10);
+        NEAR(s->out[before], -sqrt(2.25 + 2 * 9.81 * (1 - cos(beta)) / 1.4), 1e-9);
+        EQUAL(s->out[closed], 1); /* the bar behind is left at once and carries nothing in the blow */
+        scene_free(s);
+    }
+}
+
+/* Two rolling spheres: the floor's no-slip rows carry nothing in the blow between them. */
+static void rolling_spheres(void)
+{
+    scene *s = scene_create();
+    const double r = 0.2, v1 = 3, e = 0.8;
+    int circle[2], line = scene_floor(s, 0);
+    for (int i = 0; i < 2; i++) {
+        const int b = scene_body(s, 1, 0.4 * r * r, 2 * r * i, r, 0);
+        circle[i] = scene_circle(s, scene_point(s, b, 0, 0), r);
+        scene_contact(s, PM_CONTACT_LINE, circle[i], line, 0, 0, PM_FRICTION_COULOMB, 0.3);
+    }
+    scene_contact(s, PM_CONTACT_CIRCLE, circle[0], circle[1], 1, e, PM_FRICTION_SMOOTH, 0);
+    scene_until_time(s, 1);
+    CHECK(scene_begin(s) == PM_OK);
+    const double v[] = {v1, 0, -v1 / r, 0, 0, 0};
+    const blow x = strike(s, v, 3);
+    laws(s, &x, 3);
+    NEAR(x.after[0], 0.5 * (1 - e) * v1, CLOSE);
+    NEAR(x.after[3], 0.5 * (1 + e) * v1, CLOSE);
+    NEAR(x.after[2], -v1 / r, CLOSE); /* they slide now */
+    NEAR(x.after[5], 0, CLOSE);
+    EQUAL(s->w->state.slot[0].mode, PM_SLIDE_BACKWARD);
+    EQUAL(s->w->state.slot[1].mode, PM_SLIDE_FORWARD);
+    scene_free(s);
+}
+
+/* A row of balls at rest, struck at its end: together without restitution, never with more energy. */
+static void row_of_balls(void)
+{
+    for (int n = 0; n < 3; n++) {
+        scene *s = scene_create();
+        int circle[4];
+        for (int i = 0; i < 4; i++) circle[i] = scene_circle(s, scene_point(s, scene_body(s, 1 + i, 0.1, 0.4 * i, 0, 0), 0, 0), 0.2);
+        for (int i = 0; i < 3; i++) scene_contact(s, PM_CONTACT_CIRCLE, circle[i], circle[i + 1], 1, 0.5 * n, PM_FRICTION_SMOOTH, 0);
+        scene_until_time(s, 1);
+        scene_set(s, PM_SETTING_GRAVITY_Y, 0);
+        CHECK(scene_begin(s) == PM_OK);
+        const double v[12] = {2};
+        const blow x = strike(s, v, 6);
+        laws(s, &x, 6);
+        if (n == 0)
+            for (int i = 0; i < 4; i++) NEAR(x.after[3 * i], 0.2, CLOSE);
+        scene_free(s);
+    }
+}
+
+int main(void)
+{
+    rod_corner();
+    parts_already();
+    two_ends();
+    resting_contact_joins();
+    pendulum_struck();
+    never_wedged();
+    rolling_spheres();
+    row_of_balls();
+    return check_failures();
+}

@@ -1,0 +1,56 @@
+"""Rigid bodies in plane motion: energy and momentum methods, impacts, sweeps.
+
+    import planemotion
+
+    planemotion.load("studies/sphere_over_bars.toml").run(d="2 in").omega_B
+
+Names are imported when they are first used, so that the command line starts at once.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from .builder import Scene
+    from .errors import PlanemotionError, SceneError, SimulationError, StudyError
+    from .file import load, load_text
+
+__all__ = [
+    "PlanemotionError",
+    "Scene",
+    "SceneError",
+    "SimulationError",
+    "StudyError",
+    "__version__",
+    "load",
+    "load_text",
+]
+
+_HOME = {
+    "PlanemotionError": "errors",
+    "Scene": "builder",
+    "SceneError": "errors",
+    "SimulationError": "errors",
+    "StudyError": "errors",
+    "load": "file",
+    "load_text": "file",
+}
+
+
+def __getattr__(name: str) -> Any:
+    if name == "__version__":
+        from importlib.metadata import PackageNotFoundError, version
+
+        try:
+            return version("planemotion")
+        except PackageNotFoundError:
+            return "0+unknown"
+    if name in _HOME:
+        return getattr(import_module(f"{__name__}.{_HOME[name]}"), name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

@@ -1,0 +1,273 @@
+"""Scenes in Python: the same words as in a file, one method for each table.
+
+    s = Scene("pendulum", until="t = 2 s")
+    s.body("AB", rod=["A", "B"], length="1 m", mass="2 kg", at={"A": [0, 0]})
+    s.joint("A", pin=["AB.A", "ground"])
+    s.ask("omega", of="AB.omega", unit="rad/s")
+    s.run().omega
+
+A scene holds its table as TOML would give it (`raw`); it is validated when it is first needed (`data`).
+"""
+
+from __future__ import annotations
+
+import copy
+import os
+import tomllib
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Self
+
+from .errors import SceneError
+from .parameters import override, unknown
+from .scene import DEFAULT_G, SceneData, validate
+from .units import parse_quantity
+
+if TYPE_CHECKING:
+    from .result import RunResult
+
+# Tables that may be set beside parameters, as in "sweep.d.num".
+_SETTABLE = ("parameters", "sweep", "solve")
+
+
+class Scene:
+    """A scene under construction, or one read from a file.
+
+    Values are those of a file: numbers, texts such as "10 in", true and false, lists and dicts; quantities of
+    pint and numbers of numpy are taken as well.  Methods return the scene, so that they can be chained.
+    """
+
+    def __init__(
+        self,
+        id: str = "",
+        *,
+        title: str | None = None,
+        description: str | None = None,
+        plane: str | None = None,
+        until: Any = None,
+    ) -> None:
+        given = {"id": id or None, "title": title, "description": description, "plane": plane, "until": until}
+        self.raw: dict[str, Any] = {key: _plain(value) for key, value in given.items() if value is not None}
+        self.file: str | None = None
+        self._text: str | None = None
+        self._data: SceneData | None = None
+
+    @classmethod
+    def from_raw(cls, raw: Mapping[str, Any], *, file: str | None = None, text: str | None = None) -> Self:
+        """A scene from its table; `text` is the TOML it was read from."""
+        scene = cls()
+        scene.raw = copy.deepcopy(dict(raw))
+        scene.file = file
+        scene._text = text
+        return scene
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> Scene:
+        """The scene in a TOML file; see `planemotion.load`."""
+        from .file import load
+
+        return load(path)
+
+    # ---- tables ----
+
+    def parameters(self, **values: Any) -> Self:
+        """Parameters: quantities, or expressions of each other."""
+        return self._update("parameters", values)
+
+    def ground(self, **marks: Any) -> Self:
+        """`points`, `lines`, `circles` and `rows` of the ground, each a dict by name."""
+        for group, named in marks.items():
+            self._table("ground").setdefault(group, {}).update(_plain(named))
+        return self._changed()
+
+    def body(self, name: str, **keys: Any) -> Self:
+        """A body with its shape, mass, marks and place."""
+        return self._update("bodies", {name: keys})
+
+    def joint(self, name: str, **keys: Any) -> Self:
+        """A joint: one kind with its partners, and options."""
+        return self._update("joints", {name: keys})
+
+    def contact(self, name: str, **keys: Any) -> Self:
+        """A contact: touch = [mark, mark], and options."""
+        return self._update("contacts", {name: keys})
+
+    def force(self, name: str, **keys: Any) -> Self:
+        """A spring, damper, applied force or couple."""
+        return self._update("forces", {name: keys})
+
+    def start(self, values: Mapping[str, Any] | None = None, /, **more: Any) -> Self:
+        """Start values by address."""
+        return self._update("start", {**(values or {}), **more})
+
+    def event(self, name: str, when: Any) -> Self:
+        """A named event: a condition or a list of them."""
+        return self._update("events", {name: when})
+
+    def until(self, instant: Any) -> Self:
+        """What ends the run."""
+        self.raw["until"] = _plain(instant)
+        return self._changed()
+
+    def ask(self, name: str, of: Any = None, **keys: Any) -> Self:
+        """A question: `of` an expression, or `max` or `min`; with `at`, `unit` and `run`."""
+        return self._update("ask", {name: {**({} if of is None else {"of": of}), **keys}})
+
+    def runs(self, **values: Mapping[str, Any]) -> Self:
+        """Named runs, each a dict of parameters."""
+        return self._update("runs", values)
+
+    def solve(self, **settings: Any) -> Self:
+        """Settings: route, accuracy, max_time, max_events, max_steps, assembly."""
+        return self._update("solve", settings)
+
+    # ---- what it says ----
+
+    @property
+    def data(self) -> SceneData:
+        """The validated scene.  Raises SceneError for the first fault."""
+        if self._data is None:
+            name = Path(self.file).stem if self.file else "scene"
+            self._data = validate(self.raw, file=self.file, name=name)
+        return self._data
+
+    @property
+    def id(self) -> str:
+        """Its name in results."""
+        return self.data.id
+
+    @property
+    def run_names(self) -> tuple[str, ...]:
+        """Names of its [runs]; empty if it is run once."""
+        return tuple(self.data.runs)
+
+    @property
+    def text(self) -> str:
+        """The scene as TOML: the text of its file if nothing was changed."""
+        return self._text if self._text is not None else self.to_toml()
+
+    def to_toml(self) -> str:
+        """The scene as TOML, written anew."""
+        from .file import to_toml
+
+        return to_toml(self.raw)
+
+    def with_values(self, values: Mapping[str, Any]) -> Scene:
+        """A copy with other values: parameters by name (a bare number takes the unit of the file), or
+        settings such as "sweep.d.num" and "solve.route".
+
+        Raises SceneError for an unknown name or a value of another dimension.
+        """
+        scene = Scene.from_raw(self.raw, file=self.file, text=self._text)
+        for name, value in values.items():
+            scene._set(name, _plain(value))
+        return scene
+
+    # ---- running ----
+
+    def run(self, **parameters: Any) -> RunResult:
+        """Answers of the scene, with other values for some parameters.
+
+        Raises SceneError for a fault in the scene, SimulationError (with the partial result) if a run fails.
+        An early stop, such as a limit, is a result whose status is not "ok".
+        """
+        from .run import run
+
+        return run(self.with_values(parameters) if parameters else self)
+
+    def sweep(
+        self,
+        *,
+        out: str | os.PathLike[str] | None = None,
+        workers: int | None = None,
+        resume: bool = False,
+        progress: Any = None,
+        **grids: Any,
+    ) -> Any:
+        """The study over grids of parameters: those given here, else those of [sweep].
+
+        See `planemotion.study.run_sweep` for `out`, `workers`, `resume`, `progress` and what it returns.
+        """
+        from .study import run_sweep
+
+        scene = self
+        if grids:
+            scene = type(self).from_raw({**self.raw, "sweep": _plain(grids)}, file=self.file)
+        return run_sweep(scene, out=out, workers=workers, resume=resume, progress=progress)
+
+    # ---- changing ----
+
+    def _table(self, key: str) -> dict[str, Any]:
+        table: dict[str, Any] = self.raw.setdefault(key, {})
+        return table
+
+    def _update(self, table: str, values: Mapping[str, Any]) -> Self:
+        self._table(table).update(_plain(values))
+        return self._changed()
+
+    def _changed(self) -> Self:
+        self._data = self._text = None
+        return self
+
+    def _set(self, name: str, value: Any) -> None:
+        """Sets a parameter or a setting by its dotted name."""
+        first, _, rest = name.partition(".")
+        declared = {"g": DEFAULT_G, **self.raw.get("parameters", {})}
+        if not rest or first == "parameters":
+            key = rest or name
+            if key not in declared and not rest:
+                reason = unknown(name, declared, "parameter") + "; or set sweep.PARAMETER..., solve.KEY"
+                raise SceneError(reason, file=self.file, path=name)
+            try:
+                changed = override(declared, key, value)
+            except SceneError as error:
+                raise error.at(file=self.file) from None
+            self._update("parameters", {key: changed})
+            return
+        if first not in _SETTABLE:
+            reason = f"only parameters, sweep and solve can be set, not {first}"
+            raise SceneError(reason, file=self.file, path=name)
+        keys = name.split(".")
+        table = self.raw
+        for key in keys[:-1]:
+            below = table.setdefault(key, {})
+            if not isinstance(below, dict):
+                raise SceneError(f"{key} is no table", file=self.file, path=name)
+            table = below
+        table[keys[-1]] = _literal(value)
+        self._changed()
+
+
+def _literal(value: Any) -> Any:
+    """A setting given as a text, such as "200", "true" or "[1, 2]", read as TOML reads it; else the text."""
+    if not isinstance(value, str):
+        return value
+    try:
+        read = tomllib.loads(f"value = {value}")
+    except tomllib.TOMLDecodeError:
+        return value
+    return read["value"] if set(read) == {"value"} else value
+
+
+def _plain(value: Any) -> Any:
+    """A value as TOML has it: quantities of pint become texts, numbers of numpy plain ones."""
+    if isinstance(value, str | bool | int | float):
+        return value if type(value) in (str, bool, int, float) else _builtin(value)
+    if isinstance(value, Mapping):
+        return {str(key): _plain(one) for key, one in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(one) for one in value]
+    if hasattr(value, "dimensionality"):
+        quantity = parse_quantity(value)
+        return f"{quantity.value!r} {quantity.unit_text}".strip()
+    if hasattr(value, "tolist"):
+        return _plain(value.tolist())
+    raise SceneError(f"a scene has no values of type {type(value).__name__}")
+
+
+def _builtin(value: str | int | float) -> str | int | float:
+    """The plain value of a subclass, such as a float of numpy."""
+    for plain in (str, int, float):
+        if isinstance(value, plain):
+            return plain(value)
+    return value

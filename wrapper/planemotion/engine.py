@@ -1,0 +1,305 @@
+"""Runs flat scenes in the compiled kernel: arrays in, arrays out, SI units only.
+
+Every array that the kernel writes is allocated here; its type and shape are checked here, because f2py would
+convert silently.  The kernel runs without the GIL.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _layout as layout
+from .errors import SimulationError
+from .flatten import FlatScene
+
+Floats = npt.NDArray[np.float64]
+Ints = npt.NDArray[np.int32]
+Longs = npt.NDArray[np.int64]
+
+_STATUS_TEXT_LENGTH = 256
+# Rows that a history is first given room for; the kernel says how many it needs.
+_FIRST_ROWS = 4096
+
+_STATUS_NAMES = {value: name.removeprefix("PM_").lower() for name, value in layout.pm_status.items()}
+_ROUTE_NAMES = {value: name.removeprefix("PM_ROUTE_").lower() for name, value in layout.pm_route.items()}
+AUDITS = tuple(
+    name.removeprefix("PM_AUDIT_").lower() for name in layout.pm_audit if name != "PM_AUDITS"
+)
+REASONS: Mapping[int, str] = {
+    layout.PM_REASON_NONE: "",
+    layout.PM_REASON_NOT_REACHED: "not reached",
+    layout.PM_REASON_UNDEFINED: "undefined: the expression has no value at some instant",
+    layout.PM_REASON_FAILED: "the run failed",
+}
+_TABLE_NAMES = {value: name.removeprefix("PM_TABLE_").lower() for name, value in layout.pm_table.items()}
+
+
+@dataclass(frozen=True)
+class CaseResults:
+    """What the kernel says of each case; row i belongs to case i.
+
+    `out` [ncase, nout] in SI (not-a-number where there is no answer), `reason` [ncase, nask], `status`
+    [ncase], `where` [ncase, 3], `detail` [ncase, 3], `audit` [ncase, 3], `count` [ncase, 6]: the columns are
+    those of planemotion.h.
+    """
+
+    out: Floats
+    reason: Ints
+    status: Ints
+    where: Ints
+    detail: Floats
+    audit: Floats
+    count: Longs
+
+
+@dataclass(frozen=True)
+class History:
+    """One run over time: `time` [n], `columns` name -> [n] in SI, `units`; `mark` 0 step, 1 before and 2
+    after an event; `status` as of the run."""
+
+    time: Floats
+    columns: Mapping[str, Floats]
+    units: Mapping[str, str]
+    mark: Ints
+    status: int
+
+
+@dataclass(frozen=True)
+class Start:
+    """The assembled start: `status`, counts and sizes by name, `pose` and `velocity` [nbody, 3] of the
+    mass centres (x, y, angle) in SI, and the message if it failed."""
+
+    status: int
+    info: Mapping[str, int]
+    number: Mapping[str, float]
+    pose: Floats
+    velocity: Floats
+    message: str
+
+
+def run_cases(
+    flat: FlatScene,
+    param: npt.ArrayLike,
+    *,
+    workers: int = 1,
+    stop: Ints | None = None,
+    progress: Longs | None = None,
+) -> CaseResults:
+    """Runs one case for each row of `param` [ncase, parameters] (SI, in the order of `flat.parameters`).
+
+    `stop` [1]: raised by another thread to end early; cases not begun are then "cancelled".  `progress` [1]:
+    number of cases finished, to be read meanwhile.  A case that fails has a negative status and does not stop
+    the others.  Raises SimulationError if the kernel takes the tables as a whole for wrong, or has no memory.
+    """
+    cases = _params(flat, param)
+    if workers < 1:
+        raise ValueError(f"workers is {workers}; at least 1 is wanted")
+    stop = _flag(stop, np.dtype(np.int32), "stop")
+    progress = _flag(progress, np.dtype(np.int64), "progress")
+    count = len(cases)
+    results = CaseResults(
+        out=np.full((count, flat.out_columns), np.nan),
+        reason=np.zeros((count, len(flat.asks)), np.int32),
+        status=np.zeros(count, np.int32),
+        where=np.full((count, layout.PM_WHERE_COLUMNS), layout.PM_NONE, np.int32),
+        detail=np.full((count, layout.PM_DETAIL_COLUMNS), np.nan),
+        audit=np.full((count, layout.PM_AUDITS), np.nan),
+        count=np.zeros((count, layout.PM_COUNT_COLUMNS), np.int64),
+    )
+    if count == 0:
+        return results
+    arrays = (results.out, results.reason, results.status, results.where)
+    more = (results.detail, results.audit, results.count)
+    status = _kernel().pm_batch(flat.table, flat.constant, cases, workers, stop, progress, *arrays, *more)
+    if status != layout.PM_OK:
+        _raise(flat, status, results.where[0], results.detail[0])
+    return results
+
+
+def trace(flat: FlatScene, param: npt.ArrayLike) -> History:
+    """Runs one case and records the columns of `flat.trace` at every step and around every event.
+
+    `param` [parameters].  Raises SimulationError only if nothing at all can be recorded; a run that fails on
+    the way gives what it has, with its status.
+    """
+    case = _params(flat, np.atleast_2d(np.asarray(param)))[0]
+    programs = np.array([program for program, _ in flat.trace.values()], np.int32)
+    rows = _FIRST_ROWS
+    while True:
+        history = np.full((rows, 1 + len(programs)), np.nan)
+        mark = np.zeros(rows, np.int32)
+        needed = np.zeros(1, np.int64)
+        where, detail = _place()
+        status = _kernel().pm_trace(
+            flat.table, flat.constant, case, programs, history, mark, needed, where, detail
+        )
+        if needed[0] <= rows:
+            break
+        rows = int(needed[0])
+    if needed[0] == 0 and status < layout.PM_OK:
+        _raise(flat, status, where, detail)
+    used = int(needed[0])
+    columns = {name: history[:used, 1 + index].copy() for index, name in enumerate(flat.trace)}
+    units = {name: unit for name, (_, unit) in flat.trace.items()}
+    return History(history[:used, 0].copy(), columns, units, mark[:used], int(status))
+
+
+def check(flat: FlatScene, param: npt.ArrayLike | None = None) -> Start:
+    """Assembles the start of one case without running it; `param` defaults to the scene's own values."""
+    given = flat.defaults if param is None else np.asarray(param)
+    case = _params(flat, np.atleast_2d(given))[0]
+    info = np.zeros(layout.PM_CHECK_COLUMNS, np.int32)
+    number = np.zeros(layout.PM_CHECK_NUMBERS)
+    pose, velocity = np.zeros((len(flat.bodies), 3)), np.zeros((len(flat.bodies), 3))
+    where, detail = _place()
+    status = _kernel().pm_check(flat.table, flat.constant, case, info, number, pose, velocity, where, detail)
+    if status in (layout.PM_BAD_TABLE, layout.PM_NO_MEMORY):
+        _raise(flat, status, where, detail)
+    return Start(
+        status=int(status),
+        info={_column(name): int(info[index]) for name, index in layout.pm_check_column.items() if index < len(info)},
+        number={_column(name): float(number[i]) for name, i in layout.pm_check_number.items() if i < len(number)},
+        pose=pose,
+        velocity=velocity,
+        message="" if status == layout.PM_OK else describe(flat, int(status), where, detail),
+    )
+
+
+def values(flat: FlatScene, param: npt.ArrayLike | None = None) -> Floats:
+    """The value table of one case, SI, as the kernel computes it: for pictures and messages."""
+    from .evaluator import value_table
+
+    given = flat.defaults if param is None else param
+    return value_table(flat, _params(flat, np.atleast_2d(np.asarray(given)))[0])
+
+
+# ---- words ----------------------------------------------------------------------------------------------
+
+
+def status_name(status: int) -> str:
+    """The word of a status: "ok", "limit_time", "assembly" ..."""
+    return _STATUS_NAMES.get(status, f"status {status}")
+
+
+def route_name(route: int) -> str:
+    """The word of a route: "rk", "ida"."""
+    return _ROUTE_NAMES.get(route, f"route {route}")
+
+
+def status_text(status: int) -> str:
+    """The kernel's own sentence for a status."""
+    text = np.zeros(_STATUS_TEXT_LENGTH, np.int8)
+    length = _kernel().pm_status_text(status, text)
+    return bytes(text[:length].tobytes()).decode("utf-8")
+
+
+def message(flat: FlatScene, results: CaseResults, i: int) -> str:
+    """What happened to case i, in the scene's own words; "" if it is ok."""
+    status = int(results.status[i])
+    return "" if status == layout.PM_OK else describe(flat, status, results.where[i], results.detail[i])
+
+
+def describe(flat: FlatScene, status: int, where: Ints, detail: Floats) -> str:
+    """File, place, what is wrong, value and bound of a status that is not ok."""
+    place = _place_name(flat, where)
+    found, bound, time = (float(number) for number in detail)
+    text = _DESCRIPTIONS.get(status)
+    sentence = text(place, found, bound) if text is not None else ""
+    if not sentence:
+        sentence = ": ".join(piece for piece in (place, status_text(status)) if piece)
+        if math.isfinite(found):
+            numbers = f"{found:.6g}" + (f", bound {bound:.6g}" if math.isfinite(bound) else "")
+            sentence += f" ({numbers})"
+    if math.isfinite(time) and time > 0:
+        sentence += f", at t = {time:.6g} s"
+    return f"{flat.file}: {sentence}" if flat.file else sentence
+
+
+def _place_name(flat: FlatScene, where: Ints) -> str:
+    """The key path of the row at fault."""
+    table, row = int(where[layout.PM_WHERE_TABLE]), int(where[layout.PM_WHERE_ROW])
+    names = flat.names.get(table, ())
+    if 0 <= row < len(names):
+        member = int(where[layout.PM_WHERE_MEMBER])
+        is_contact = table == layout.PM_TABLE_CONTACT
+        return f"{names[row]}[{member}]" if is_contact and member > 0 else names[row]
+    return _TABLE_NAMES.get(table, "") if table >= 0 else ""
+
+
+def _open_joint(place: str, found: float, bound: float) -> str:
+    # The kernel measures openings in m, or rad where a direction is held.
+    return (
+        f"start: the joints cannot be met with the values written: {place or 'a joint'} is open by {found:.4g} m "
+        f"(allowed {bound:.2g} m); mark a value as a guess with ~, or change a length"
+    )
+
+
+_DESCRIPTIONS: dict[int, Any] = {
+    layout.PM_LIMIT_TIME: lambda place, found, bound: "until: not reached within solve.max_time",
+    layout.PM_LIMIT_EVENTS: lambda place, found, bound: "until: not reached within solve.max_events",
+    layout.PM_LIMIT_STEPS: lambda place, found, bound: "until: not reached within solve.max_steps",
+    layout.PM_CANCELLED: lambda place, found, bound: "cancelled before it was finished",
+    layout.PM_STAYS_AT_REST: lambda place, found, bound: "until: not reached; everything has come to rest and stays",
+    layout.PM_BAD_VALUE: lambda place, found, bound: f"{place}: it is {found:.6g} (SI); the bound is {bound:.6g}",
+    layout.PM_ASSEMBLY: _open_joint,
+    layout.PM_START_CONFLICT: lambda place, found, bound: (
+        f"{place}: {found:.6g} (SI) is given, but the other start values and the joints give {bound:.6g}; "
+        "leave one of them out"
+    ),
+    layout.PM_START_OPEN: lambda place, found, bound: (
+        f"start: what is given leaves the motion of {place} undetermined; give its omega or a velocity"
+    ),
+    layout.PM_PENETRATION: lambda place, found, bound: (
+        f"{place}: the two overlap by {abs(found):.4g} m at the start; move one of them"
+    ),
+}
+
+
+# ---- arrays ---------------------------------------------------------------------------------------------
+
+
+def _kernel() -> Any:
+    """The extension, imported when the first run needs it."""
+    from . import _kernel as kernel
+
+    return kernel
+
+
+def _params(flat: FlatScene, param: npt.ArrayLike) -> Floats:
+    given = np.asarray(param)
+    if given.dtype.kind not in "fiu":
+        raise TypeError(f"param has the type {given.dtype}; real numbers are wanted")
+    if given.ndim != 2 or given.shape[1] != len(flat.parameters):
+        raise ValueError(f"param has the shape {given.shape}; (cases, {len(flat.parameters)}) is wanted")
+    return np.ascontiguousarray(given, dtype=np.float64)
+
+
+def _flag(flag: npt.NDArray[Any] | None, dtype: np.dtype[Any], name: str) -> npt.NDArray[Any]:
+    """A shared one-number array: the caller's own, never a copy."""
+    if flag is None:
+        return np.zeros(1, dtype)
+    if flag.dtype != dtype or flag.shape != (1,):
+        raise ValueError(f"{name} has the type {flag.dtype} and shape {flag.shape}; {dtype} and (1,) are wanted")
+    return flag
+
+
+def _place() -> tuple[Ints, Floats]:
+    """Where and detail of a single case."""
+    where = np.full(layout.PM_WHERE_COLUMNS, layout.PM_NONE, np.int32)
+    return where, np.full(layout.PM_DETAIL_COLUMNS, np.nan)
+
+
+def _raise(flat: FlatScene, status: int, where: Ints, detail: Floats) -> None:
+    time = float(detail[layout.PM_DETAIL_TIME])
+    known = time if math.isfinite(time) else None
+    raise SimulationError(describe(flat, int(status), where, detail), status=int(status), time=known)
+
+
+def _column(name: str) -> str:
+    return name.removeprefix("PM_CHECK_").lower()

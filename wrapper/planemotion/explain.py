@@ -1,0 +1,185 @@
+"""What a scene is made of and how it will be computed, in words; and how its start was assembled.
+
+`check` assembles the start and counts coordinates, rows and degrees of freedom; `explain` also lists what the
+scene has, with its masses in SI; `explain_run` tells what happened in a run.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from . import _layout as layout
+from . import engine
+from .flatten import FlatScene, flatten
+from .grids import ask_text
+from .scene import Friction, SceneData, Vector
+
+if TYPE_CHECKING:
+    from .builder import Scene
+    from .result import RunResult
+
+# A start that the assembly moved by more than this part of the scene's size is worth a warning.
+_FAR = 0.05
+
+
+@dataclass(frozen=True)
+class Report:
+    """A text for people, and what is wrong, one message each."""
+
+    text: str
+    faults: tuple[str, ...] = ()
+
+
+def check(scene: Scene) -> Report:
+    """The assembled start of a scene, of each of its [runs].  Raises SceneError for a fault in the scene."""
+    texts, faults = [], []
+    for flat in _runs(scene):
+        start = engine.check(flat)
+        texts.append("\n".join([_title(flat, start.message), *_indented(_assembly(start))]))
+        if start.message:
+            faults.append(start.message)
+    return Report("\n".join(texts), tuple(faults))
+
+
+def explain(scene: Scene) -> Report:
+    """The whole scene in words.  Raises SceneError for a fault in it."""
+    data = scene.data
+    flats = _runs(scene)
+    starts = [engine.check(flat) for flat in flats]
+    blocks = [
+        [data.id + (f": {data.title}" if data.title else "")],
+        [f"{data.plane} plane" + (", weight acts along -y" if data.plane == "vertical" else ", weight does not act in it")],
+        _section("parameters", ((name, _written(value)) for name, value in data.parameters.items())),
+        *(_bodies(data, flat, start) for flat, start in zip(flats, starts, strict=True)),
+        _section("joints", ((name, joint.kind, _pair(joint.partners), _options(joint)) for name, joint in data.joints.items())),
+        _section("contacts", ((name, _pair(contact.touch), _laws(contact)) for name, contact in data.contacts.items())),
+        _section("forces", ((name, force.kind, _pair(getattr(force, force.kind)), _options(force)) for name, force in data.forces.items())),
+        _section("start", ((address, _written(value)) for address, value in data.start.items())),
+        _section("events", ((name, " or ".join(when)) for name, when in data.events.items())),
+        _section("until", ((" and ".join(group),) for group in data.until)),
+        _section("asks", ((key, ask_text(ask), f"[{ask.unit}]" if ask.unit else "") for key, ask in data.ask.items())),
+        *(_motion(flat, start) for flat, start in zip(flats, starts, strict=True)),
+        ["route", *_indented([_route(data)])],
+    ]
+    faults = tuple(start.message for start in starts if start.message)
+    return Report("\n\n".join("\n".join(block) for block in blocks if block), faults)
+
+
+def explain_run(result: RunResult) -> str:
+    """What happened in a run, and the evidence for its answers."""
+    return "\n" + result.explain()
+
+
+def _runs(scene: Scene) -> list[FlatScene]:
+    return [flatten(scene, name) for name in scene.run_names or (None,)]
+
+
+def _title(flat: FlatScene, fault: str) -> str:
+    run = f", run {flat.run}" if flat.run is not None else ""
+    return f"{flat.id}{run}: {'the start cannot be assembled' if fault else 'ok'}"
+
+
+# ---- the start ------------------------------------------------------------------------------------------
+
+
+def _assembly(start: engine.Start) -> list[str]:
+    """Freedom of the motion, and how far the assembly had to move what is drawn."""
+    info, number = start.info, start.number
+    lines = []
+    if not start.message:
+        lines += [
+            f"{_count(info['freedom'], 'degree')} of freedom: {_count(info['coordinates'], 'coordinate')}, "
+            f"{_count(info['rows'], 'row')} of joints and closed contacts, {info['redundant']} of them redundant",
+            f"{_count(info['closed'], 'contact')} closed at the start",
+        ]
+    size, moved = number["size"], number["moved"]
+    share = moved / size if size > 0 else 0.0
+    if not start.message or moved > 0:
+        lines.append(f"the assembly moved the drawing by {moved:.3g} m at most ({share:.2%} of the scene's size)")
+    if not start.message and share > _FAR:
+        lines.append(f"warning: that is far (more than {_FAR:.0%}): look at it with `planemotion draw`")
+    if info["redundant"] and not start.message:
+        lines.append("the motion is right, but reactions of redundant rows are not unique")
+    return lines
+
+
+def _motion(flat: FlatScene, start: engine.Start) -> list[str]:
+    run = f" of run {flat.run}" if flat.run is not None else ""
+    return [f"motion{run}", *_indented(_assembly(start))] if not start.message else []
+
+
+def _bodies(data: SceneData, flat: FlatScene, start: engine.Start) -> list[str]:
+    """Shape, mass, inertia and assembled place of each body."""
+    values = engine.values(flat)
+    rows = flat.rows(layout.PM_TABLE_BODY)
+    lines = []
+    for index, name in enumerate(flat.bodies):
+        body, row = data.bodies[name], rows[index]
+        mass, inertia = (float(values[row[column]]) for column in (layout.PM_BODY_MASS, layout.PM_BODY_INERTIA))
+        x, y, angle = (float(part) for part in start.pose[index])
+        kind = body.shape or ("body" if body.turns else "particle")
+        place = f"G at ({_short(x)}, {_short(y)}) m" + (f", angle {_short(angle)} rad" if body.turns else "")
+        turning = f"{inertia:.6g} kg*m^2" if body.turns else ""
+        lines.append((name, kind, f"{mass:.6g} kg", turning, place if not start.message else ""))
+    return _section(f"bodies of run {flat.run}" if flat.run is not None else "bodies", lines)
+
+
+def _short(number: float) -> str:
+    return f"{number:.6g}" if abs(number) > 1e-12 else "0"
+
+
+def _route(data: SceneData) -> str:
+    if data.solve.route == "auto":
+        return 'rk, by route = "auto": explicit steps of 8th order; choose "ida" where forces are stiff'
+    return f"{data.solve.route}, as solve.route says"
+
+
+# ---- words ----------------------------------------------------------------------------------------------
+
+
+def _section(title: str, rows: Iterable[Sequence[str]]) -> list[str]:
+    """A title and aligned rows below it; nothing if there are none."""
+    cells = [list(row) for row in rows]
+    if not cells:
+        return []
+    widths = [max(len(row[i]) for row in cells) for i in range(len(cells[0]))]
+    aligned = ("  ".join(f"{cell:<{width}}" for cell, width in zip(row, widths, strict=True)) for row in cells)
+    return [title, *_indented(aligned)]
+
+
+def _indented(lines: Iterable[str]) -> list[str]:
+    return [f"  {line}".rstrip() for line in lines]
+
+
+def _pair(partners: str | Sequence[str]) -> str:
+    return partners if isinstance(partners, str) else " - ".join(partners)
+
+
+def _options(element: Any) -> str:
+    """The options that were written, but for kind and partners."""
+    written = element.model_fields_set - {element.kind}
+    return ", ".join(f"{key} = {_written(getattr(element, key))}" for key in type(element).model_fields if key in written)
+
+
+def _laws(contact: Any) -> str:
+    friction = contact.friction
+    if isinstance(friction, Friction):
+        text = f"friction {_written(friction.static)} static, {_written(friction.kinetic)} kinetic"
+    elif friction in (0, "smooth"):
+        text = "smooth"
+    else:
+        text = "rough" if friction == "rough" else f"friction {_written(friction)}"
+    return f"restitution {_written(contact.restitution)}, {text}"
+
+
+def _written(value: object) -> str:
+    if isinstance(value, Vector):
+        pair = f"[{_written(value.first)}, {_written(value.second)}]"
+        return f"polar {pair}" if value.polar else pair
+    return ("true" if value else "false") if isinstance(value, bool) else str(value)
+
+
+def _count(number: int, what: str) -> str:
+    return f"{number} {what}{'' if number == 1 else 's'}"

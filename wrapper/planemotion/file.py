@@ -1,0 +1,93 @@
+"""Scene files: TOML to a scene and back."""
+
+from __future__ import annotations
+
+import math
+import os
+import re
+import tomllib
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from .errors import SceneError
+
+if TYPE_CHECKING:
+    from .builder import Scene
+
+_BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
+_LINE_AND_COLUMN = re.compile(r"(.*) \(at (line \d+), column \d+\)")
+# A file that is larger is no scene.
+_MOST_BYTES = 10_000_000
+
+
+def load(path: str | os.PathLike[str]) -> Scene:
+    """The scene in a TOML file.
+
+    Raises SceneError for a file that cannot be read, is no TOML (with the line), or says what no scene can.
+    """
+    name = os.fspath(path)
+    try:
+        if Path(path).stat().st_size > _MOST_BYTES:
+            raise SceneError(f"the file is larger than {_MOST_BYTES} bytes", file=name)
+        text = Path(path).read_text(encoding="utf-8")
+    except UnicodeDecodeError:
+        raise SceneError("the file is not text in UTF-8", file=name) from None
+    except OSError as error:
+        raise SceneError(f"cannot be read: {error.strerror or error}", file=name) from None
+    return load_text(text, file=name)
+
+
+def load_text(text: str, *, file: str | None = None) -> Scene:
+    """The scene in a TOML text; `file` is named in messages, and its stem is the id if there is none."""
+    from .builder import Scene
+
+    try:
+        raw = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        match = _LINE_AND_COLUMN.fullmatch(str(error))
+        reason = f"{match[2]}: {match[1]}" if match else str(error)
+        raise SceneError(f"no TOML: {reason}", file=file) from None
+    scene = Scene.from_raw(raw, file=file, text=text)
+    scene.data  # noqa: B018 - faults are to be found when the file is read
+    return scene
+
+
+def to_toml(raw: Mapping[str, Any]) -> str:
+    """A scene's table as TOML: plain keys first, then one table for each group with an entry on each line."""
+    top = [f"{_key(key)} = {_inline(value)}" for key, value in raw.items() if not isinstance(value, Mapping)]
+    groups = [(key, value) for key, value in raw.items() if isinstance(value, Mapping)]
+    texts = ["\n".join(top)] if top else []
+    for key, group in groups:
+        lines = [f"[{_key(key)}]", *(f"{_key(name)} = {_inline(value)}" for name, value in group.items())]
+        texts.append("\n".join(lines))
+    return "\n\n".join(texts) + "\n"
+
+
+def _key(key: str) -> str:
+    return key if _BARE_KEY.fullmatch(key) else _quoted(key)
+
+
+def _quoted(text: str) -> str:
+    escaped = text.replace("\\", "\\\\").replace('"', '\\"')
+    return '"' + "".join(_escape(character) for character in escaped) + '"'
+
+
+def _escape(character: str) -> str:
+    return f"\\u{ord(character):04x}" if ord(character) < 32 or ord(character) == 127 else character
+
+
+def _inline(value: Any) -> str:
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, str):
+        return _quoted(value)
+    if isinstance(value, int):
+        return str(value)
+    if isinstance(value, float):
+        return repr(value) if math.isfinite(value) else str(value)
+    if isinstance(value, Mapping):
+        return "{ " + ", ".join(f"{_key(key)} = {_inline(one)}" for key, one in value.items()) + " }"
+    if isinstance(value, list | tuple):
+        return "[" + ", ".join(_inline(one) for one in value) + "]"
+    raise TypeError(f"a scene has no values of type {type(value).__name__}")

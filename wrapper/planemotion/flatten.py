@@ -1,0 +1,269 @@
+"""From a validated scene to the kernel's tables.
+
+`flatten` goes through the scene once: parameters, drawing (bodies and marks), joints, contacts, forces,
+measures in start values, events, the end of the run and asks, settings.  Every number becomes a value
+program over the parameters, so that one `FlatScene` serves all cases of a sweep.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Protocol, TypeVar
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _layout as layout
+from .asks import AskColumn, Asks
+from .bounds import check_bounds
+from .contacts import Contacts
+from .drawing import GROUND, Drawing
+from .errors import SceneError
+from .forces import Forces
+from .histories import trace_columns
+from .instants import Instants, add_event, firing
+from .joints import JointInfo, Joints
+from .measures import Measures, Scope
+from .node import ZERO, Name, negative
+from .parameters import Parameters, Reader, is_zero, override, unknown
+from .scene import Body, Contact, Force, Joint, SceneData, Value
+from .starts import Starts
+from .tables import Tables
+from .units import DIMENSIONLESS, TIME
+
+_E = TypeVar("_E", Body, Joint, Contact, Force)
+_COLUMNS = {
+    number: getattr(layout, f"{name.replace('_TABLE_', '_')}_COLUMNS")
+    for name, number in layout.pm_table.items()
+    if name != "PM_TABLES"
+}
+
+
+@dataclass(frozen=True)
+class Shape:
+    """What a body looks like, for pictures: kernel indices of its points and circles.
+
+    `kind` is the shape's key, or "particle" or "body"; `corners` are the kernel points of a rod's ends or a
+    plate's corners in order.
+    """
+
+    body: str
+    kind: str
+    corners: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class FlatScene:
+    """The tables of one run of a scene, and what turns their numbers back into words.
+
+    `table`, `constant`: as planemotion.h says.  `parameters`: names of the columns of param, with `defaults`
+    (SI) and `units` as in the file.  `asks`: columns of out.  `names[table][row]`: key paths.  `trace`:
+    column name -> (program, unit) of a history.  `bodies`, `points`: names by kernel index.
+    """
+
+    id: str
+    run: str | None
+    file: str | None
+    table: npt.NDArray[np.int32]
+    constant: npt.NDArray[np.float64]
+    parameters: tuple[str, ...]
+    defaults: npt.NDArray[np.float64]
+    units: tuple[str, ...]
+    asks: tuple[AskColumn, ...]
+    names: Mapping[int, tuple[str, ...]]
+    trace: Mapping[str, tuple[int, str]]
+    bodies: tuple[str, ...]
+    shapes: tuple[Shape, ...]
+
+    @property
+    def out_columns(self) -> int:
+        """Columns of the results' `out`."""
+        return sum(ask.count for ask in self.asks)
+
+    def rows(self, table: int) -> npt.NDArray[np.int32]:
+        """One table, as rows and columns."""
+        first, count = self.table[2 * table : 2 * table + 2]
+        columns = _COLUMNS[table]
+        return self.table[first : first + count * columns].reshape(count, columns)
+
+
+class HasData(Protocol):
+    """What holds a validated scene, such as builder.Scene."""
+
+    @property
+    def data(self) -> SceneData: ...
+
+
+def flatten(scene: SceneData | HasData, run_name: str | None = None) -> FlatScene:
+    """The tables of a scene.
+
+    `run_name` chooses one of [runs]; without it the first is taken if there are any.  An ask that names no
+    run is answered in the first.  Swept parameters are columns of `param` even where the file gives an
+    expression.  Raises SceneError with file and key path.
+    """
+    data = scene if isinstance(scene, SceneData) else scene.data
+    try:
+        return _Flattener(data, run_name).flat()
+    except SceneError as error:
+        raise error.at(file=data.file) from None
+
+
+class _Flattener:
+    """One pass over the scene; each step adds to the same tables."""
+
+    def __init__(self, data: SceneData, run_name: str | None) -> None:
+        self.data = data
+        self.run = _run(data, run_name)
+        declared = run_parameters(data, self.run)
+        self.parameters = Parameters(declared, data.sweep.grids)
+        self.reader = Reader(self.parameters)
+        self.tables = Tables(self.parameters)
+        bodies = self._active("bodies", data.bodies)
+        self.drawing = Drawing(data, bodies, self.reader, self.tables)
+        self.scope = self._elements()
+        self.measures = Measures(self.drawing, self.reader, self.tables, self.scope)
+
+    def flat(self) -> FlatScene:
+        data, tables = self.data, self.tables
+        self._check_masses()
+        Starts(self.drawing, self.reader, self.measures, tables).add(data.start, self._fastened())
+        instants = Instants(self.scope.events, self.measures, tables)
+        instants.add_events(data.events)
+        instants.add_until(data.until)
+        asks = Asks(self.scope.events, self._bounds(), self.measures, self.reader, tables)
+        first_run = next(iter(data.runs), None)
+        for key, ask in data.ask.items():
+            if (ask.run or first_run) == self.run:
+                asks.add(key, ask)
+        self._settings()
+        trace = trace_columns(self.measures, tables, self.scope, self.drawing)
+        shapes = tuple(self._shape(name, body) for name, body in self.drawing.bodies.items())
+        check_bounds(tables, data)
+        table, constant = tables.pack()
+        independent = self.parameters.independent
+        return FlatScene(
+            id=data.id,
+            run=self.run,
+            file=data.file,
+            table=table,
+            constant=constant,
+            parameters=independent,
+            defaults=np.array([self.parameters.defaults[name] for name in independent], dtype=np.float64),
+            units=tuple(self.parameters.units[name] for name in independent),
+            asks=tuple(asks.columns),
+            names={index: tuple(paths) for index, paths in tables.names.items()},
+            trace=trace,
+            bodies=tuple(self.drawing.bodies),
+            shapes=shapes,
+        )
+
+    # ---- elements ----
+
+    def _active(self, group: str, elements: Mapping[str, _E]) -> dict[str, _E]:
+        """The elements whose `active` holds at the parameters of this run."""
+        return {name: one for name, one in elements.items() if self._is_active(one.active, f"{group}.{name}.active")}
+
+    def _is_active(self, written: Value, where: str) -> bool:
+        node = self.reader.number(written, where, DIMENSIONLESS)
+        swept = self.reader.depends_on(node) & set(self.data.sweep.grids)
+        if swept:
+            reason = f"not built yet: sweeping {sorted(swept)[0]}, on which it depends what is active; use [runs]"
+            raise SceneError(reason, path=where, value=written)
+        return self.reader.default(node) != 0
+
+    def _elements(self) -> Scope:
+        data = self.data
+        joints = self._active("joints", data.joints)
+        contacts = self._active("contacts", data.contacts)
+        forces = self._active("forces", data.forces)
+        groups = ((data.bodies, self.drawing.bodies), (data.joints, joints), (data.contacts, contacts), (data.forces, forces))
+        inactive = {name for written, active in groups for name in written if name not in active}
+        add_joint = Joints(self.drawing, self.reader, self.tables).add
+        add_contact = Contacts(self.drawing, self.reader, self.tables).add
+        add_force = Forces(self.drawing, self.reader, self.tables).add
+        return Scope(
+            joints={name: add_joint(name, joint) for name, joint in joints.items()},
+            contacts={name: add_contact(name, contact) for name, contact in contacts.items()},
+            forces={name: add_force(name, force) for name, force in forces.items()},
+            events={name: add_event(self.tables, f"events.{name}") for name in data.events},
+            inactive=frozenset(inactive),
+        )
+
+    def _fastened(self) -> set[str]:
+        """Bodies that some joint holds: the assembly may move them."""
+        return {owner for joint in self.scope.joints.values() for owner in joint.owners}
+
+    def _check_masses(self) -> None:
+        """A mass may be left out only if the mass centre cannot move: it is pinned to the ground."""
+        for name, mass in self.drawing.masses.items():
+            if not mass.known and not any(_holds(joint, name, self.drawing) for joint in self.scope.joints.values()):
+                reason = "mass or weight is wanted; it may be left out only where the mass centre is pinned to the ground"
+                raise SceneError(reason, path=f"bodies.{name}.mass")
+
+    def _bounds(self) -> dict[int, int]:
+        """How often an event can fire, where the end of the run is a firing of it alone."""
+        bounds: dict[int, int] = {}
+        for group in self.data.until:
+            found = firing(group[0], self.scope.events) if len(group) == 1 else None
+            if found is not None:
+                event, nth = found
+                bounds[event] = min(nth or 1, bounds.get(event, nth or 1))
+        return bounds
+
+    # ---- settings ----
+
+    def _settings(self) -> None:
+        solve, value = self.data.solve, self.tables.value
+        down = negative(Name("g")) if self.data.plane == "vertical" else ZERO
+        accuracy = self.reader.number(solve.accuracy, "solve.accuracy", DIMENSIONLESS)
+        max_time = self.reader.number(solve.max_time, "solve.max_time", TIME)
+        assembly = self.reader.number(solve.assembly, "solve.assembly", DIMENSIONLESS)
+        row = {
+            layout.PM_SETTING_GRAVITY_X: value(ZERO, "plane"),
+            layout.PM_SETTING_GRAVITY_Y: value(down, "parameters.g"),
+            layout.PM_SETTING_ACCURACY: value(accuracy, "solve.accuracy"),
+            layout.PM_SETTING_MAX_TIME: value(max_time, "solve.max_time"),
+            layout.PM_SETTING_ASSEMBLY: value(assembly, "solve.assembly"),
+            layout.PM_SETTING_ROUTE: layout.pm_route[f"PM_ROUTE_{solve.route.upper()}"],
+            layout.PM_SETTING_MAX_EVENTS: solve.max_events,
+            layout.PM_SETTING_MAX_STEPS: solve.max_steps,
+        }
+        self.tables.add(layout.PM_TABLE_SETTING, row, "solve")
+
+    # ---- for people ----
+
+    def _shape(self, name: str, body: Body) -> Shape:
+        corners = body.rod if body.rod is not None else body.corners or ()
+        points = tuple(self.drawing.point(self.drawing.point_ref(f"{name}.{corner}")) for corner in corners)
+        return Shape(name, body.shape or ("body" if body.turns else "particle"), points)
+
+
+
+def _run(data: SceneData, name: str | None) -> str | None:
+    """The run to be flattened: the one named, else the first, else none."""
+    if name is None:
+        return next(iter(data.runs), None)
+    if name not in data.runs:
+        raise SceneError(unknown(name, data.runs, "run"), path="runs")
+    return name
+
+
+def run_parameters(data: SceneData, run: str | None) -> dict[str, Value]:
+    """The parameters as declared, with what the run gives for them."""
+    declared = dict(data.parameters)
+    for name, value in (data.runs[run] if run is not None else {}).items():
+        try:
+            declared[name] = override(data.parameters, name, value)
+        except SceneError as error:
+            raise SceneError(error.reason, path=f"runs.{run}.{name}", value=value) from None
+    return declared
+
+
+def _holds(joint: JointInfo, name: str, drawing: Drawing) -> bool:
+    """Whether a joint pins the mass centre of a body to the ground."""
+    if joint.kind != "pin" or set(joint.owners) != {name, GROUND}:
+        return False
+    own = next(partner for partner in joint.partners if partner.owner == name)
+    x, y = drawing.local(own.ref)
+    return is_zero(x) and is_zero(y)

@@ -1,0 +1,196 @@
+"""Forces: springs, dampers, applied forces and couples, to rows of the kernel's force table."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from . import _layout as layout
+from .drawing import GROUND, Drawing
+from .errors import SceneError
+from .expression import Leaf, dimension, names, parse
+from .marks import distance
+from .node import Name, Node, cos, sin
+from .parameters import Reader
+from .partners import Partner, drawn_pair, pairs, partner, point_pair
+from .scene import Force, Value, Vector
+from .substitute import substitute
+from .tables import Tables
+from .units import DAMPING, DIMENSIONLESS, FORCE, LENGTH, MOMENT, STIFFNESS, TIME, Dimension
+
+ROTARY_DAMPING = MOMENT * TIME
+_ROTARY = (layout.PM_FORCE_TORSION, layout.PM_FORCE_ROTARY_DAMPER, layout.PM_FORCE_COUPLE)
+_SPRING_ONLY = {None: layout.PM_SPRING_BOTH, "pull": layout.PM_SPRING_PULL, "push": layout.PM_SPRING_PUSH}
+
+
+@dataclass(frozen=True)
+class ForceInfo:
+    """What measures need to know of a force: its row, the owners of its partners, whether it is a couple."""
+
+    index: int
+    owners: tuple[str, ...]
+    rotary: bool
+
+
+class Forces:
+    """Adds forces to the tables, one method for each kind."""
+
+    def __init__(self, drawing: Drawing, reader: Reader, tables: Tables) -> None:
+        self.drawing = drawing
+        self.reader = reader
+        self.tables = tables
+
+    def add(self, name: str, force: Force) -> ForceInfo:
+        """Adds the row of one force.  Raises SceneError for partners and options that do not fit."""
+        path = f"forces.{name}"
+        row = {column: layout.PM_NONE for column in range(layout.PM_FORCE_COLUMNS)}
+        row[layout.PM_FORCE_OPTION] = 0
+        try:
+            owners = getattr(self, f"_{force.kind}")(force, path, row)
+        except SceneError as error:
+            raise error.at(path=path) from None
+        rotary = row[layout.PM_FORCE_KIND] in _ROTARY
+        return ForceInfo(self.tables.add(layout.PM_TABLE_FORCE, row, path), owners, rotary)
+
+    def _spring(self, force: Force, path: str, row: dict[int, int]) -> tuple[str, ...]:
+        assert force.spring is not None
+        a, b = self._points(force.spring, f"{path}.spring")
+        stiffness = self._wanted(force.stiffness, f"{path}.stiffness", STIFFNESS)
+        if force.free_length is not None:
+            free = self.reader.number(force.free_length, f"{path}.free_length", LENGTH)
+        else:
+            free = distance(*drawn_pair(self.drawing, a, b))
+        row[layout.PM_FORCE_KIND] = layout.PM_FORCE_SPRING
+        row[layout.PM_FORCE_A], row[layout.PM_FORCE_B] = point_pair(self.drawing, a, b)
+        row[layout.PM_FORCE_VALUE_1] = self.tables.value(stiffness, f"{path}.stiffness")
+        row[layout.PM_FORCE_VALUE_2] = self.tables.value(free, f"{path}.free_length")
+        row[layout.PM_FORCE_OPTION] = _SPRING_ONLY[force.only]
+        return a.owner, b.owner
+
+    def _torsion(self, force: Force, path: str, row: dict[int, int]) -> tuple[str, ...]:
+        assert force.torsion is not None
+        a, b = self._bodies(force.torsion, f"{path}.torsion")
+        # N*m for each radian: a moment.
+        stiffness = self._wanted(force.stiffness, f"{path}.stiffness", MOMENT)
+        if force.free_angle is not None:
+            free = self.reader.number(force.free_angle, f"{path}.free_angle", DIMENSIONLESS)
+        else:
+            free = self.drawing.angle(a) - self.drawing.angle(b)
+        row[layout.PM_FORCE_KIND] = layout.PM_FORCE_TORSION
+        row[layout.PM_FORCE_A], row[layout.PM_FORCE_B] = (self.drawing.body_index(one) for one in (a, b))
+        row[layout.PM_FORCE_VALUE_1] = self.tables.value(stiffness, f"{path}.stiffness")
+        row[layout.PM_FORCE_VALUE_2] = self.tables.value(free, f"{path}.free_angle")
+        return a, b
+
+    def _damper(self, force: Force, path: str, row: dict[int, int]) -> tuple[str, ...]:
+        assert force.damper is not None
+        where = f"{path}.rate"
+        if force.rate is None:
+            raise SceneError("a rate is wanted", path=where)
+        # Bare names are bodies or their mass centres: the unit of the rate tells.
+        bare = not any("." in one for one in force.damper)
+        found = dimension(parse(force.rate, where=where), self.reader.parameters.dimension_of)
+        if bare and found == ROTARY_DAMPING:
+            first, second = self._bodies(force.damper, f"{path}.damper")
+            rate = self.reader.number(force.rate, where, ROTARY_DAMPING)
+            row[layout.PM_FORCE_KIND] = layout.PM_FORCE_ROTARY_DAMPER
+            row[layout.PM_FORCE_A], row[layout.PM_FORCE_B] = (
+                self.drawing.body_index(one) for one in (first, second)
+            )
+            owners = first, second
+        else:
+            a, b = self._points(force.damper, f"{path}.damper")
+            rate = self.reader.number(force.rate, where, DAMPING)
+            row[layout.PM_FORCE_KIND] = layout.PM_FORCE_DAMPER
+            row[layout.PM_FORCE_A], row[layout.PM_FORCE_B] = point_pair(self.drawing, a, b)
+            owners = a.owner, b.owner
+        row[layout.PM_FORCE_VALUE_1] = self.tables.value(rate, where)
+        return owners
+
+    def _force(self, force: Force, path: str, row: dict[int, int]) -> tuple[str, ...]:
+        assert force.force is not None
+        point = partner(self.drawing, force.force, f"{path}.force", "point")
+        if point.owner == GROUND:
+            raise SceneError("a point of a body is wanted", path=point.where, value=force.force)
+        if not isinstance(force.value, Vector):
+            raise SceneError("a vector is wanted: [x, y] or { polar = [size, angle] }", path=f"{path}.value")
+        axes = GROUND
+        if force.turns_with is not None:
+            axes = self._body(force.turns_with, f"{path}.turns_with")
+        x, y = self._vector(force.value, f"{path}.value")
+        row[layout.PM_FORCE_KIND] = layout.PM_FORCE_APPLIED
+        row[layout.PM_FORCE_A] = self.drawing.point(point.ref)
+        row[layout.PM_FORCE_B] = self.drawing.body_index(axes)
+        row[layout.PM_FORCE_PROGRAM_X] = self.tables.program(x, f"{path}.value")
+        row[layout.PM_FORCE_PROGRAM_Y] = self.tables.program(y, f"{path}.value")
+        return (point.owner,)
+
+    def _couple(self, force: Force, path: str, row: dict[int, int]) -> tuple[str, ...]:
+        assert force.couple is not None
+        where = f"{path}.couple"
+        if isinstance(force.couple, str):
+            owners: tuple[str, ...] = (self._body(force.couple, where),)
+        else:
+            owners = self._bodies(force.couple, where)
+        if force.value is None or isinstance(force.value, Vector):
+            raise SceneError("a number is wanted: the couple, counterclockwise positive", path=f"{path}.value")
+        value = self._over_time(force.value, f"{path}.value", MOMENT)
+        row[layout.PM_FORCE_KIND] = layout.PM_FORCE_COUPLE
+        row[layout.PM_FORCE_A] = self.drawing.body_index(owners[0])
+        row[layout.PM_FORCE_B] = self.drawing.body_index(owners[1] if len(owners) > 1 else GROUND)
+        row[layout.PM_FORCE_PROGRAM_X] = self.tables.program(value, f"{path}.value")
+        return owners
+
+    # ---- reading ----
+
+    def _points(self, names_: tuple[str, ...], path: str) -> tuple[Partner, Partner]:
+        return pairs(names_, path, lambda text, where, _index: partner(self.drawing, text, where, "point"))
+
+    def _bodies(self, names_: tuple[str, ...], path: str) -> tuple[str, str]:
+        first, second = (self._body(name, f"{path}[{index}]") for index, name in enumerate(names_))
+        if first == second:
+            raise SceneError("two different bodies are wanted", path=path)
+        return first, second
+
+    def _body(self, name: str, where: str) -> str:
+        """A body that turns, or the ground."""
+        try:
+            if name != GROUND and not self.drawing.body_of(name).turns:
+                raise SceneError("a particle does not turn; a body with an inertia is wanted")
+        except SceneError as error:
+            raise error.at(path=where, value=name) from None
+        return name
+
+    def _wanted(self, written: Value | None, where: str, wanted: Dimension) -> Node:
+        if written is None:
+            raise SceneError("is wanted and left out", path=where)
+        return self.reader.number(written, where, wanted)
+
+    def _vector(self, written: Vector, where: str) -> tuple[Node, Node]:
+        if not written.polar:
+            return (
+                self._over_time(written.first, f"{where}[0]", FORCE),
+                self._over_time(written.second, f"{where}[1]", FORCE),
+            )
+        size = self._over_time(written.first, f"{where}.polar[0]", FORCE)
+        angle = self._over_time(written.second, f"{where}.polar[1]", DIMENSIONLESS)
+        return size * cos(angle), size * sin(angle)
+
+    def _over_time(self, written: Value, where: str, wanted: Dimension) -> Node:
+        """An expression of parameters and t, with t made the measure of time."""
+
+        def resolve(leaf: Leaf) -> Dimension | None:
+            return TIME if leaf == Name("t") else self.reader.parameters.dimension_of(leaf)
+
+        node = self.reader.number_of(written, where, wanted, resolve)
+        if Name("t") not in names(node):
+            return node
+        time = self.tables.measure_leaf(time_row(), where)
+        return substitute(node, lambda leaf: time if leaf == Name("t") else leaf)
+
+
+def time_row() -> dict[int, int]:
+    """The measure of time, whose other columns are empty."""
+    row = {column: layout.PM_NONE for column in range(layout.PM_MEASURE_COLUMNS)}
+    row[layout.PM_MEASURE_KIND] = layout.PM_MEASURE_TIME
+    row[layout.PM_MEASURE_PART] = layout.PM_PART_NONE
+    return row

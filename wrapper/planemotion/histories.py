@@ -1,0 +1,47 @@
+"""The columns of a history: positions, velocities, energies and reactions over time."""
+
+from __future__ import annotations
+
+from .drawing import Drawing
+from .errors import SceneError
+from .joints import JointInfo
+from .measures import Measures, Scope
+from .tables import Tables
+
+_OF_BODY = ("x", "y", "velocity.x", "velocity.y")
+_OF_TURNING_BODY = ("angle", "omega")
+_OF_JOINT = ("force.x", "force.y")
+_WITH_COUPLE = ("weld", "slider")
+_OF_ROLLING = ("normal", "friction")
+_OF_CONTACT = ("gap", "normal", "friction")
+_ENERGIES = ("kinetic", "potential", "total")
+
+
+def trace_columns(measures: Measures, tables: Tables, scope: Scope, drawing: Drawing) -> dict[str, tuple[int, str]]:
+    """Column name (an address) -> program and SI unit."""
+    addresses: list[str] = []
+    for name, body in drawing.bodies.items():
+        quantities = (*_OF_BODY, *(_OF_TURNING_BODY if body.turns else ()))
+        addresses += [f"{name}.{quantity}" for quantity in quantities]
+    for name, joint in scope.joints.items():
+        addresses += [f"{name}.{quantity}" for quantity in _joint_quantities(joint)]
+    for name in scope.contacts:
+        addresses += [f"{name}.{quantity}" for quantity in _OF_CONTACT]
+    for name, force in scope.forces.items():
+        addresses += [f"{name}.{quantity}" for quantity in (("couple",) if force.rotary else _OF_JOINT)]
+    addresses += [f"energy.{kind}" for kind in _ENERGIES]
+    columns: dict[str, tuple[int, str]] = {}
+    for address in addresses:
+        try:
+            reading = measures.lower(address, f"history.{address}")
+        except SceneError:
+            # A force that needs a mass which was left out has no value; its column is left out with it.
+            continue
+        columns[address] = (tables.program(reading.node, f"history.{address}"), reading.dimension.unit or "1")
+    return columns
+
+
+def _joint_quantities(joint: JointInfo) -> tuple[str, ...]:
+    couple = ("couple",) if joint.kind in _WITH_COUPLE else ()
+    return (*_OF_JOINT, *couple, *(_OF_ROLLING if joint.kind == "rolling" else ()))
+

@@ -1,0 +1,300 @@
+"""The drawing signs of mechanics: supports, sliders, springs, dampers, forces, ground; and names beside them.
+
+A `Pen` draws on axes with equal scales.  Places are in the axes' unit, sizes of signs in inches on paper, so
+that they look the same for a watch and for a crane.  What has been inked is remembered, and `write_names`
+puts each name where it covers least of it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+from matplotlib.axes import Axes
+from matplotlib.patches import Arc, Circle, FancyArrowPatch, Polygon
+
+from .picture import BLUE, INK, RED, SOFT
+
+Floats = npt.NDArray[np.float64]
+Place = tuple[float, float]
+
+BODY_FILL = "#dbe5ef"
+SPRING = "#3b7d5e"
+TOUCH = "#c8741a"
+
+_PIN = 0.05  # radius of a pin, in
+_SUPPORT = 0.17  # height of a support's triangle, in
+_HATCH = 0.075  # length of a hatch stroke, in
+_HATCH_STEP = 0.085
+_BLOCK = (0.24, 0.13)  # a sliding block, in
+_COIL = 0.065  # half the width of a spring, in
+_INK_STEP = 0.04  # between remembered places along a line, in
+_POINTS_PER_INCH = 72.0
+
+
+@dataclass
+class _Name:
+    place: Place
+    text: str
+    colour: str
+    bold: bool
+
+
+@dataclass
+class Pen:
+    """Draws on `axes`; `inch` is the length on the drawing, in the axes' unit, that is an inch on paper."""
+
+    axes: Axes
+    inch: float
+    ink: list[Place] = field(default_factory=list)
+    names: list[_Name] = field(default_factory=list)
+
+    # ---- lines and shapes ----
+
+    def line(self, places: Sequence[Place] | Floats, colour: str = INK, width: float = 1.0, **options: Any) -> None:
+        """A broken line; `width` in points."""
+        xy = np.asarray(places, np.float64)
+        options = {"solid_capstyle": "round", "zorder": 3, **options}
+        self.axes.plot(xy[:, 0], xy[:, 1], color=colour, linewidth=width, **options)
+        self.remember(xy)
+
+    def polygon(self, places: Sequence[Place] | Floats, fill: str = BODY_FILL, edge: str = BLUE, **options: Any) -> None:
+        xy = np.asarray(places, np.float64)
+        options = {"linewidth": 1.1, "zorder": 2, "joinstyle": "round", **options}
+        self.axes.add_patch(Polygon(xy, closed=True, facecolor=fill, edgecolor=edge, **options))
+        self.remember(np.vstack([xy, xy[:1]]))
+
+    def circle(self, center: Place, radius: float, fill: str = "none", edge: str = BLUE, **options: Any) -> None:
+        options = {"linewidth": 1.1, "zorder": 2, **options}
+        self.axes.add_patch(Circle(center, radius, facecolor=fill, edgecolor=edge, **options))
+        turn = np.linspace(0, 2 * math.pi, 73)
+        self.remember(np.column_stack([center[0] + radius * np.cos(turn), center[1] + radius * np.sin(turn)]))
+
+    def bar(self, a: Place, b: Place, width: float) -> None:
+        """A rod of that width (in inches) with round ends."""
+        along, across = _frame(a, b)
+        half = 0.5 * width * self.inch
+        turn = np.linspace(math.pi / 2, 3 * math.pi / 2, 13)
+        cap = np.column_stack([np.cos(turn), np.sin(turn)]) * half
+        first = np.asarray(a) + cap[:, :1] * along + cap[:, 1:] * across
+        second = np.asarray(b) - cap[:, :1] * along - cap[:, 1:] * across
+        self.polygon(np.vstack([first, second]))
+
+    def dot(self, at: Place, colour: str = INK, radius: float = 0.022) -> None:
+        self.circle(at, radius * self.inch, fill=colour, edge=colour, linewidth=0, zorder=5)
+
+    def arrow(self, tail: Place, tip: Place, colour: str = RED, style: str = "-|>", **options: Any) -> None:
+        options = {"mutation_scale": 9, "linewidth": 1.4, "shrinkA": 0, "shrinkB": 0, "zorder": 6, **options}
+        self.axes.add_patch(FancyArrowPatch(tail, tip, arrowstyle=style, color=colour, **options))
+        self.remember(np.array([tail, tip]))
+
+    def remember(self, places: Floats) -> None:
+        """Notes what is inked along a broken line, for the names to keep off."""
+        for a, b in zip(places[:-1], places[1:], strict=True):
+            count = 1 + int(min(math.dist(a, b) / (_INK_STEP * self.inch), 400))
+            for i in range(count):
+                share = i / count
+                self.ink.append((a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])))
+
+    # ---- ground ----
+
+    def ground_line(self, a: Place, b: Place) -> None:
+        """A fixed line from a to b, hatched on its right."""
+        self.line([a, b], INK, 1.2, zorder=1.5)
+        along, across = _frame(a, b)
+        length = math.dist(a, b)
+        step, size = _HATCH_STEP * self.inch, _HATCH * self.inch
+        strokes = []
+        for i in range(int(min(length / step, 2000)) + 1):
+            foot = np.asarray(a) + along * i * step
+            strokes += [foot, foot - size * (along + across), np.array([math.nan, math.nan])]
+        xy = np.array(strokes)
+        self.axes.plot(xy[:, 0], xy[:, 1], color=SOFT, linewidth=0.6, zorder=1.4)
+
+    def support(self, at: Place) -> None:
+        """The triangle and hatched ground that hold a pin."""
+        half, height = 0.62 * _SUPPORT * self.inch, _SUPPORT * self.inch
+        foot = at[1] - height
+        self.polygon([at, (at[0] - half, foot), (at[0] + half, foot)], "white", INK, linewidth=0.9, zorder=3.5)
+        self.ground_line((at[0] - 1.6 * half, foot), (at[0] + 1.6 * half, foot))
+
+    # ---- joints ----
+
+    def pin(self, at: Place) -> None:
+        self.circle(at, _PIN * self.inch, fill="white", edge=INK, linewidth=1.1, zorder=5)
+
+    def weld(self, at: Place) -> None:
+        size = 0.045 * self.inch
+        corners = [(at[0] + x * size, at[1] + y * size) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+        self.polygon(corners, INK, INK, linewidth=0.5, zorder=5)
+
+    def block(self, at: Place, angle: float) -> None:
+        """The block of a slider, along its guide."""
+        along = np.array([math.cos(angle), math.sin(angle)])
+        across = np.array([-along[1], along[0]])
+        half = 0.5 * np.asarray(_BLOCK) * self.inch
+        corners = [np.asarray(at) + x * half[0] * along + y * half[1] * across for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+        self.polygon(np.array(corners), "white", INK, linewidth=1.0, zorder=4)
+
+    def link(self, a: Place, b: Place) -> None:
+        """A massless link: a double line between two pins."""
+        self.line([a, b], INK, 3.0, zorder=2.6)
+        self.line([a, b], "white", 1.4, zorder=2.7)
+        self.pin(a)
+        self.pin(b)
+
+    def rolls(self, at: Place, angle: float) -> None:
+        """Where one body rolls on another: a short cross stroke and a dot, as on a gear's pitch point."""
+        along = np.array([math.cos(angle), math.sin(angle)]) * 0.07 * self.inch
+        across = np.array([-along[1], along[0]])
+        for sign in (-1, 1):
+            self.line([np.asarray(at) - across + sign * 0.4 * along, np.asarray(at) + across + sign * 0.4 * along], INK, 0.8, zorder=4)
+        self.dot(at)
+
+    # ---- contacts and forces ----
+
+    def touch(self, a: Place, b: Place) -> None:
+        """A contact: the gap as a dotted line, a ring where it is closed."""
+        if math.dist(a, b) > 0.06 * self.inch:
+            self.line([a, b], TOUCH, 1.1, linestyle=(0, (1.2, 1.6)), zorder=4)
+            for end in (a, b):
+                self.dot(end, TOUCH)
+        else:
+            self.circle(a, 0.06 * self.inch, edge=TOUCH, linewidth=1.5, zorder=5)
+
+    def spring(self, a: Place, b: Place) -> None:
+        length = math.dist(a, b)
+        if length == 0:
+            return
+        along, across = _frame(a, b)
+        end = min(0.12 * self.inch, 0.2 * length)
+        coils = int(np.clip((length - 2 * end) / (0.11 * self.inch), 3, 14))
+        middle = np.linspace(end, length - end, 2 * coils + 1)
+        side = np.array([0.0, *[(-1.0) ** i for i in range(2 * coils - 1)], 0.0]) * _COIL * self.inch
+        reach = np.array([0.0, *middle, length])
+        aside = np.array([0.0, *side, 0.0])
+        self.line(np.asarray(a) + reach[:, None] * along + aside[:, None] * across, SPRING, 1.1, zorder=4)
+
+    def damper(self, a: Place, b: Place) -> None:
+        length = math.dist(a, b)
+        if length == 0:
+            return
+        along, across = _frame(a, b)
+        middle, half = 0.5 * length, min(0.13 * self.inch, 0.25 * length)
+        wide = _COIL * self.inch
+
+        def at(reach: float, aside: float = 0.0) -> Floats:
+            return np.asarray(a) + reach * along + aside * across
+
+        self.line([a, at(middle - half)], SPRING, 1.1, zorder=4)
+        cup = [at(middle + half, wide), at(middle - half, wide), at(middle - half, -wide), at(middle + half, -wide)]
+        self.line(np.array(cup), SPRING, 1.1, zorder=4)
+        self.line([at(middle, 0.75 * wide), at(middle, -0.75 * wide)], SPRING, 2.0, zorder=4)
+        self.line([at(middle), b], SPRING, 1.1, zorder=4)
+
+    def spiral(self, at: Place) -> None:
+        turn = np.linspace(0, 5 * math.pi, 90)
+        size = (0.03 + 0.09 * turn / turn[-1]) * self.inch
+        self.line(np.column_stack([at[0] + size * np.cos(turn), at[1] + size * np.sin(turn)]), SPRING, 1.0, zorder=4)
+
+    def couple(self, at: Place, counterclockwise: bool) -> None:
+        """A curved arrow round a place."""
+        radius = 0.24 * self.inch
+        first, last = math.radians(-50), math.radians(190)
+        if not counterclockwise:
+            first, last = last, first
+        self.axes.add_patch(
+            Arc(at, 2 * radius, 2 * radius, theta1=-50, theta2=190, color=RED, linewidth=1.4, zorder=6)
+        )
+        tip = (at[0] + radius * math.cos(last), at[1] + radius * math.sin(last))
+        sense = 1.0 if counterclockwise else -1.0
+        back = last - sense * 0.35
+        tail = (at[0] + radius * math.cos(back), at[1] + radius * math.sin(back))
+        self.arrow(tail, tip)
+
+    def mass_centre(self, at: Place) -> None:
+        """The quartered circle."""
+        radius = 0.045 * self.inch
+        self.circle(at, radius, fill="white", edge=BLUE, linewidth=0.7, zorder=4.5)
+        for first in (0, 180):
+            turn = np.radians(np.linspace(first, first + 90, 9))
+            arc = np.column_stack([at[0] + radius * np.cos(turn), at[1] + radius * np.sin(turn)])
+            self.axes.add_patch(Polygon(np.vstack([[at], arc]), facecolor=BLUE, edgecolor="none", zorder=4.6))
+
+    # ---- names ----
+
+    def name(self, at: Place, text: str, colour: str = INK, bold: bool = False) -> None:
+        """Remembers a name to be written beside a place; one that stands there already is not repeated."""
+        near = 0.04 * self.inch
+        for other in self.names:
+            if math.dist(other.place, at) < near and other.colour == colour and other.bold == bold:
+                if text not in other.text.split(", "):
+                    other.text += f", {text}"
+                return
+        self.names.append(_Name(at, text, colour, bold))
+
+    def write_names(self) -> None:
+        """Writes all names, each at the free place nearest to what it names."""
+        figure = self.axes.figure
+        renderer = figure.canvas.get_renderer()  # type: ignore[union-attr]
+        to_dots = self.axes.transData.transform
+        ink = to_dots(np.array(self.ink)) if self.ink else np.empty((0, 2))
+        dot = figure.dpi / _POINTS_PER_INCH
+        frame = self.axes.get_window_extent(renderer)
+        taken: list[tuple[float, float, float, float]] = []
+        for name in self.names:
+            text = self.axes.text(
+                *name.place, name.text, color=name.colour, size=8.5, weight="bold" if name.bold else "normal", zorder=8
+            )
+            box = text.get_window_extent(renderer)
+            center = to_dots(name.place)
+            best = min(
+                _candidates(center, box.width, box.height, dot),
+                key=lambda spot: _cost(spot, ink, taken, frame, dot),
+            )
+            taken.append(best[:4])
+            text.set_position(self.axes.transData.inverted().transform(best[:2]))
+            text.set_verticalalignment("bottom")
+        self.names.clear()
+
+
+_Spot = tuple[float, float, float, float, float]  # x0, y0, x1, y1 in dots, distance
+
+
+def _candidates(center: Floats, width: float, height: float, dot: float) -> Iterable[_Spot]:
+    """Boxes round a place, near ones first."""
+    for distance in (5.0, 9.0, 14.0, 21.0, 30.0):
+        for i in range(16):
+            turn = math.pi / 4 + i * math.pi / 8
+            x = center[0] + (distance * dot + 0.5 * width) * _squared(math.cos(turn))
+            y = center[1] + (distance * dot + 0.5 * height) * _squared(math.sin(turn))
+            yield x - 0.5 * width, y - 0.5 * height, x + 0.5 * width, y + 0.5 * height, distance
+
+
+def _squared(part: float) -> float:
+    """Pushes directions towards the sides of a box."""
+    return math.copysign(min(1.0, abs(part) * 1.25), part)
+
+
+def _cost(spot: _Spot, ink: Floats, taken: Sequence[tuple[float, float, float, float]], frame: Any, dot: float) -> float:
+    """How much a name would cover there, and how far it is from what it names."""
+    x0, y0, x1, y1, distance = spot
+    pad = 1.5 * dot
+    covered = (
+        (ink[:, 0] > x0 - pad) & (ink[:, 0] < x1 + pad) & (ink[:, 1] > y0 - pad) & (ink[:, 1] < y1 + pad)
+    )
+    overlaps = sum(x0 < u1 and u0 < x1 and y0 < v1 and v0 < y1 for u0, v0, u1, v1 in taken)
+    outside = x0 < frame.x0 or x1 > frame.x1 or y0 < frame.y0 or y1 > frame.y1
+    return float(np.count_nonzero(covered)) * 2.0 + 100.0 * overlaps + 200.0 * outside + distance
+
+
+def _frame(a: Sequence[float] | Place, b: Sequence[float] | Place) -> tuple[Floats, Floats]:
+    """Unit vectors along a line and to its left; along x where both ends are one."""
+    along = np.asarray(b, np.float64) - np.asarray(a, np.float64)
+    length = float(np.hypot(*along))
+    along = along / length if length > 0 else np.array([1.0, 0.0])
+    return along, np.array([-along[1], along[0]])

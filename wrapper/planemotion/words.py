@@ -1,0 +1,283 @@
+"""The words of the scene language, and the check of every key before anything is read from it.
+
+Tables here say which keys a table has, which kinds an element, which options a kind.  A key is known, known
+but not built yet, or unknown; the last two are errors, so that nothing written is silently ignored.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from .address import KEYWORDS
+from .errors import SceneError, nearest
+
+TOP_KEYS = (
+    *("id", "title", "description", "plane", "until", "parameters", "ground", "bodies", "joints"),
+    *("contacts", "forces", "start", "events", "ask", "runs", "sweep", "solve"),
+)
+NOT_BUILT_TOP = {
+    "spin": "a plane that itself turns",
+    "couplings": "gears, belts, cords and motors",
+    "find": "a sought parameter",
+}
+
+SHAPES = ("rod", "disk", "cylinder", "hoop", "sphere", "half_ring", "plate")
+ROUND_SHAPES = ("disk", "cylinder", "hoop", "sphere", "half_ring")
+BODY_KEYS = (
+    *SHAPES,
+    *("length", "corners", "mass", "weight", "inertia", "gyration", "mass_center"),
+    *("points", "lines", "circles", "at", "angle", "active"),
+)
+NOT_BUILT_BODY = {
+    "driven": "prescribed motion of a body",
+    "depth": "bodies of a spinning plane",
+    "edge_on": "bodies of a spinning plane",
+}
+GROUND_KEYS = ("points", "lines", "circles", "rows")
+ROW_KEYS = ("from", "step", "count")
+
+# Element tables: kind -> options; `active` goes with every kind.
+KINDS: dict[str, dict[str, tuple[str, ...]]] = {
+    "joints": {
+        "pin": (),
+        "slider": ("turning",),
+        "slot": (),
+        "link": ("length",),
+        "weld": (),
+        "rolling": (),
+    },
+    "contacts": {"touch": ("restitution", "friction", "normal", "law", "capture")},
+    "forces": {
+        "spring": ("stiffness", "free_length", "only"),
+        "torsion": ("stiffness", "free_angle"),
+        "damper": ("rate",),
+        "force": ("value", "turns_with"),
+        "couple": ("value",),
+    },
+}
+NOT_BUILT_KINDS: dict[str, dict[str, str]] = {
+    "joints": {},
+    "contacts": {"table": "spheres on a table"},
+    "forces": {},
+}
+NOT_BUILT_OPTIONS: dict[str, dict[str, str]] = {
+    "pin": {"friction": "friction of a bearing"},
+    "slider": {"friction": "friction of a slider"},
+    "slot": {"friction": "friction of a slot"},
+    "touch": {
+        "surface_speed": "a moving surface",
+        "tangential": "tangential restitution",
+    },
+    "force": {"power": "a force of given power"},
+    "couple": {"power": "a couple of given power"},
+}
+SINGULAR = {"joints": "joint", "contacts": "contact", "forces": "force"}
+
+EVENT_KEYS = ("when",)
+NOT_BUILT_EVENT = {"do": "actions at an event", "nth": "events that count"}
+ASK_KEYS = ("of", "max", "min", "at", "unit", "run")
+AT_KEYS = ("max", "min", "each", "values")
+GRID_KEYS = ("from", "to", "num", "step", "scale")
+SOLVE_KEYS = ("route", "accuracy", "max_time", "max_events", "max_steps", "assembly")
+NOT_BUILT_SOLVE = {"simultaneous": "blows one by one"}
+ROUTES = ("auto", "rk", "ida")
+NOT_BUILT_ROUTES = ("jump", "uniform", "path")
+
+CONTACT_CHANGES = ("strikes", "opens", "slips", "sticks")
+CORD_CHANGES = ("slackens", "tightens")
+
+BODY_QUANTITIES = (
+    *("angle", "turned", "omega", "alpha", "mass", "weight", "inertia", "kinetic_energy"),
+    *("momentum", "angular_momentum", "pole"),
+)
+POINT_QUANTITIES = ("x", "y", "position", "moved", "path", "velocity", "speed", "acceleration")
+JOINT_QUANTITIES = ("force", "couple", "impulse", "normal", "friction", "friction_needed")
+CONTACT_QUANTITIES = (
+    *("gap", "closed", "slip", "normal", "friction", "friction_needed", "force", "impulse"),
+)
+FORCE_QUANTITIES = ("force", "couple", "work", "power", "stretch", "energy")
+EVENT_QUANTITIES = ("count", "time")
+ENERGIES = ("kinetic", "potential", "total", "lost")
+SCENE_QUANTITIES = ("t", "energy", "weight", "momentum", "angular_momentum")
+PARTS = ("x", "y", "norm", "angle")
+
+# What an element or parameter cannot be called: the words would mean two things.
+RESERVED = frozenset({*SCENE_QUANTITIES, *KEYWORDS, "ground", "spin", "pi", "start", "end", "rest"})
+_NAME = re.compile(r"[^\W\d]\w*")
+
+
+def check(raw: Mapping[str, Any]) -> None:
+    """Raises SceneError for the first key that is unknown or not built yet, and for names that clash."""
+    _keys(raw, TOP_KEYS, "", "a scene", NOT_BUILT_TOP)
+    for name, value in table(raw, "parameters").items():
+        check_name(name, "parameters")
+        if isinstance(value, Mapping):
+            raise SceneError(_VALUE_TABLE, path=f"parameters.{name}")
+    _ground(table(raw, "ground"))
+    for name, body in table(raw, "bodies").items():
+        _body(body, f"bodies.{name}")
+    for group in KINDS:
+        for name, element in table(raw, group).items():
+            _element(element, group, name)
+    _unique(raw)
+    _instants(raw)
+    _keys(table(raw, "solve"), SOLVE_KEYS, "solve", "[solve]", NOT_BUILT_SOLVE)
+    for name, values in table(raw, "runs").items():
+        _keys(_mapping(values, f"runs.{name}"), tuple(table(raw, "parameters")), f"runs.{name}", "a run of this scene",
+              {"find": NOT_BUILT_TOP["find"]})  # fmt: skip
+
+
+_VALUE_TABLE = "not built yet: values from a table over time or a measure"
+
+
+def table(raw: Mapping[str, Any], key: str) -> Mapping[str, Any]:
+    """The table of that name, empty if it is not written."""
+    return _mapping(raw.get(key, {}), key)
+
+
+def check_name(name: str, path: str) -> None:
+    """Raises SceneError if `name` cannot be used in an address."""
+    if not _NAME.fullmatch(name):
+        raise SceneError("a name is letters, digits and _, and begins with a letter", path=f"{path}.{name}")
+    if name in RESERVED:
+        raise SceneError(f'"{name}" has a meaning of its own; choose another name', path=f"{path}.{name}")
+
+
+def not_built(what: str, path: str, value: object = None) -> SceneError:
+    """The error for a word that the language has and this version does not do."""
+    return SceneError(f"not built yet: {what}", path=path, value=value)
+
+
+def kind_of(element: Mapping[str, Any], group: str, path: str) -> str:
+    """The one kind key of an element.  Raises SceneError if there is none or more than one."""
+    kinds = KINDS[group]
+    for kind, what in NOT_BUILT_KINDS[group].items():
+        if kind in element:
+            raise not_built(what, f"{path}.{kind}")
+    given = [kind for kind in kinds if kind in element]
+    if len(given) == 1:
+        return given[0]
+    wanted = f"which kind of {SINGULAR[group]}? one of {', '.join(kinds)} is wanted"
+    if len(given) > 1:
+        raise SceneError(f"{wanted}, not {' and '.join(given)}", path=path)
+    for key in element:
+        guess = nearest(key, kinds)
+        if guess:
+            wanted += f' ("{key}": did you mean "{guess}"?)'
+            break
+    raise SceneError(wanted, path=path)
+
+
+def _mapping(value: Any, path: str) -> Mapping[str, Any]:
+    if not isinstance(value, Mapping):
+        raise SceneError("a table is wanted", path=path, value=value)
+    return value
+
+
+def _keys(
+    given: Iterable[str],
+    known: tuple[str, ...],
+    path: str,
+    owner: str,
+    unbuilt: Mapping[str, str] | None = None,
+) -> None:
+    unbuilt = unbuilt or {}
+    for key in given:
+        full = f"{path}.{key}" if path else key
+        if key in known:
+            continue
+        if key in unbuilt:
+            raise not_built(unbuilt[key], full)
+        guess = nearest(key, [*known, *unbuilt])
+        has = f"{owner} has {', '.join(known)}" if known else f"{owner} has no options"
+        raise SceneError(f"unknown key; {has}" + (f' (did you mean "{guess}"?)' if guess else ""), path=full)
+
+
+def _marks(owner: Mapping[str, Any], path: str) -> None:
+    quantities = (*BODY_QUANTITIES, *POINT_QUANTITIES)
+    for group in ("points", "lines", "circles", "rows"):
+        for name, mark in _mapping(owner.get(group, {}), f"{path}.{group}").items():
+            place = f"{path}.{group}.{name}"
+            check_name(name, f"{path}.{group}")
+            if name in quantities:
+                raise SceneError(f'"{name}" is a quantity in addresses; choose another name', path=place)
+            if not isinstance(mark, Mapping):
+                continue
+            match group:
+                case "points":
+                    _keys(mark, ("from", "by", "polar"), place, "a point")
+                case "lines":
+                    _keys(mark, ("through", "angle", "from", "to"), place, "a line")
+                case "circles":
+                    _keys(mark, ("center", "radius"), place, "a circle")
+                case "rows":
+                    _keys(mark, ROW_KEYS, place, "a row")
+
+
+def _ground(ground: Mapping[str, Any]) -> None:
+    _keys(ground, GROUND_KEYS, "ground", "the ground")
+    _marks(ground, "ground")
+
+
+def _body(body: Any, path: str) -> None:
+    _keys(_mapping(body, path), BODY_KEYS, path, "a body", NOT_BUILT_BODY)
+    given = [shape for shape in SHAPES if shape in body]
+    if len(given) > 1:
+        raise SceneError(f"one shape is possible, not {' and '.join(given)}", path=path)
+    for option, shape in (("length", "rod"), ("corners", "plate")):
+        if option in body and shape not in body:
+            raise SceneError(f"only a {shape} has {option}", path=f"{path}.{option}")
+    _marks(body, path)
+
+
+def _element(element: Any, group: str, name: str) -> None:
+    path = f"{group}.{name}"
+    kind = kind_of(_mapping(element, path), group, path)
+    options = (*KINDS[group][kind], "active")
+    article = "an" if kind[0] in "aeiou" else "a"
+    _keys(
+        [key for key in element if key != kind],
+        options,
+        path,
+        f"{article} {kind}",
+        NOT_BUILT_OPTIONS.get(kind),
+    )
+    if isinstance(element.get("value"), Mapping) and "polar" not in element["value"]:
+        raise SceneError(_VALUE_TABLE, path=f"{path}.value")
+
+
+def _unique(raw: Mapping[str, Any]) -> None:
+    """Elements need no prefix in addresses, so their names must differ."""
+    owner: dict[str, str] = {}
+    for group in ("bodies", "joints", "contacts", "forces", "events"):
+        for name in table(raw, group):
+            check_name(name, group)
+            if name in owner:
+                raise SceneError(f"the name is taken by {owner[name]}.{name}", path=f"{group}.{name}")
+            owner[name] = group
+
+
+def _instants(raw: Mapping[str, Any]) -> None:
+    for name, event in table(raw, "events").items():
+        if isinstance(event, Mapping):
+            _keys(event, EVENT_KEYS, f"events.{name}", "an event", NOT_BUILT_EVENT)
+    for name, ask in table(raw, "ask").items():
+        if not isinstance(ask, Mapping):
+            continue
+        _keys(ask, ASK_KEYS, f"ask.{name}", "an ask")
+        at = ask.get("at")
+        if isinstance(at, Mapping):
+            _keys(at, AT_KEYS, f"ask.{name}.at", "an instant")
+            _grid(at.get("values"), f"ask.{name}.at.values")
+    for name, grid in table(raw, "sweep").items():
+        if name != "zip":
+            _grid(grid, f"sweep.{name}")
+    if "nudge" in table(raw, "start"):
+        raise not_built("the side to which an unstable rest is left", "start.nudge")
+
+
+def _grid(grid: Any, path: str) -> None:
+    if isinstance(grid, Mapping):
+        _keys(grid, GRID_KEYS, path, "a grid")
