@@ -16,6 +16,7 @@
 #include "saddle.h"
 
 #define RATE_STEP 2e-3  /* of the step: distance of the differences that make a rate */
+#define NEARLY_FLAT 0.1 /* of the spread in a step: a slope between nodes that may have either sign */
 #define ON_GRID 1e-9    /* relative: a grid value met at the very start or end of the run */
 
 int pm_ask_create(pm_workspace *w)
@@ -151,8 +152,18 @@ static int refine(pm_workspace *w, int ask, double a, double b)
     return PM_OK;
 }
 
-/* Least-squares-free slope test: the quartic through five nodes tells where the rate may change sign; intervals next to
- * the greatest node are always looked at. */
+/* Slopes at the nodes, times the distance of nodes, of the quartic through them. */
+static void slopes(const double g[PM_NODES], double d[PM_NODES])
+{
+    static const double weight[PM_NODES][PM_NODES] = {
+        {-25, 48, -36, 16, -3}, {-3, -10, 18, -6, 1}, {1, -8, 0, 8, -1}, {-1, 6, -18, 10, 3}, {3, -16, 36, -48, 25}};
+    for (int k = 0; k < PM_NODES; k++) {
+        d[k] = 0;
+        for (int i = 0; i < PM_NODES; i++) d[k] += weight[k][i] * g[i] / 12;
+    }
+}
+
+/* The intervals next to the greatest node are searched, unless the slopes clearly do not change sign there. */
 static int extreme_in_step(pm_workspace *w, int ask)
 {
     const int nask = w->model->nask;
@@ -170,9 +181,11 @@ static int extreme_in_step(pm_workspace *w, int ask)
     }
     /* an extreme between the nodes exceeds them by no more than their spread */
     if (spread == 0 || g[top] + spread < sign * w->ask->best[ask]) return PM_OK;
-    const double h = (w->step_end - w->step_begin) / (PM_NODES - 1), t0 = w->step_begin;
+    double d[PM_NODES];
+    slopes(g, d);
+    const double h = (w->step_end - w->step_begin) / (PM_NODES - 1), t0 = w->step_begin, flat = NEARLY_FLAT * spread;
     for (int k = top - 1; k <= top; k++) {
-        if (k < 0 || k + 1 >= PM_NODES) continue;
+        if (k < 0 || k + 1 >= PM_NODES || d[k] < -flat || d[k + 1] > flat) continue;
         const int status = refine(w, ask, t0 + k * h, k + 2 == PM_NODES ? w->step_end : t0 + (k + 1) * h);
         if (status) return status;
     }

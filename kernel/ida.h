@@ -53,7 +53,8 @@ typedef struct pm_ida {
     SUNMatrix matrix;
     SUNLinearSolver solver;
     int most;            /* unknowns with all rows active */
-    double *weight;      /* [most] reciprocal error weights */
+    double tolerance;    /* of IDA */
+    double *weight;      /* [most] reciprocal of the allowed errors, rounding left aside */
     double first, last;  /* the step as integrated: dense output is known there */
     int status;          /* of the kernel inside a function that IDA called, or PM_OK */
     pm_ida_jacobian jacobian;

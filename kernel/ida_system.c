@@ -20,7 +20,11 @@
 #include "row.h"
 #include "saddle.h"
 
-#define LEDGER_WEIGHT 1e-2 /* of an entry that is controlled: it feeds nothing back */
+#define TIGHTER 1e-2          /* of the accuracy asked: the errors of backward differences add up, and the same accuracy
+                                 should mean about the same error whatever the route */
+#define TIGHTEST 1e-12        /* below it steps follow rounding */
+#define LEDGER_WEIGHT 1e-2    /* of an entry that is controlled: it feeds nothing back */
+#define ROUNDING 3.6e-15      /* of a value: no error below this can be told from rounding (angles and L grow) */
 
 void pm_ida_system_layout(pm_workspace *w)
 {
@@ -95,34 +99,41 @@ static void weigh_ledger(pm_workspace *w, double *weight, double mass)
     const pm_model *m = w->model;
     const double momentum = mass * w->speed, energy = momentum * w->speed;
     for (int i = 0; i < m->nz_controlled; i++) /* forces come first, then paths */
-        weight[i] = 1 / (w->tolerance * (i < m->rows[PM_TABLE_FORCE] ? energy : w->size));
+        weight[i] = 1 / (w->ida->tolerance * (i < m->rows[PM_TABLE_FORCE] ? energy : w->size));
     for (int i = m->nz_controlled; i < m->nz; i++) {
         const int entry = i - m->nz_controlled; /* friction, then impulses along x, y, and their moment */
         const double scale = entry == 0 ? energy : entry < 3 ? momentum : momentum * w->size;
-        weight[i] = LEDGER_WEIGHT / (w->tolerance * scale);
+        weight[i] = LEDGER_WEIGHT / (w->ida->tolerance * scale);
     }
 }
 
-void pm_ida_system_weights(pm_workspace *w)
+void pm_ida_system_scale(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    const int l = pm_ida_place_l(w), mu = pm_ida_place_mu(w), controlled = 2 * m->nq + m->nz_controlled;
-    double *weight = w->ida->weight, mass = 0;
+    pm_ida *r = w->ida;
+    const int l = pm_ida_place_l(w), mu = pm_ida_place_mu(w);
+    const double tolerance = r->tolerance = fmax(TIGHTER * w->tolerance, TIGHTEST);
+    double *weight = r->weight, mass = 0;
     for (int i = 0; i < m->nbody; i++) mass += w->mass[i];
     for (int i = 0; i < m->nq; i++) {
         const int angle = i % 3 == 2; /* angles by the absolute tolerance only: they grow with every turn */
-        weight[i] = 1 / (w->tolerance * (angle ? 1 : w->size));
-        weight[m->nq + i] = 1 / (w->tolerance * (angle ? w->speed / w->size : w->speed));
+        weight[i] = 1 / (tolerance * (angle ? 1 : w->size));
+        weight[m->nq + i] = 1 / (tolerance * (angle ? w->speed / w->size : w->speed));
     }
     weigh_ledger(w, weight + 2 * m->nq, mass);
-    for (int i = 0; i < w->ida->stride; i++) {
+    for (int i = 0; i < r->stride; i++) {
         const double unit = i < w->nactive ? sqrt(mobility(w, &w->row[i]) / mass) : 1 / mass;
-        weight[l + i] = unit / (w->tolerance * w->speed);
-        weight[mu + i] = unit / (w->tolerance * w->size);
+        weight[l + i] = unit / (tolerance * w->speed);
+        weight[mu + i] = unit / (tolerance * w->size);
     }
+}
+
+void pm_ida_system_weights(const pm_workspace *w, const double *y, double *weight)
+{
+    const pm_ida *r = w->ida;
     /* IDA takes the root mean square over all unknowns: count those under control only */
-    const double share = sqrt((double)w->ida->n / controlled);
-    for (int i = 0; i < w->ida->n; i++) weight[i] *= share;
+    const double share = sqrt((double)r->n / (2 * w->model->nq + w->model->nz_controlled));
+    for (int i = 0; i < r->n; i++) weight[i] = share * r->weight[i] / (1 + ROUNDING * r->weight[i] * fabs(y[i]));
 }
 
 double pm_ida_system_time_scale(const pm_workspace *w, const double *v, const double *a)

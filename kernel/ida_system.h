@@ -12,8 +12,10 @@ int pm_ida_system_start(pm_workspace *w, double *y, double *yp);
 void pm_ida_system_look(pm_workspace *w, double t, const double *y, const double *yp);
 /* r = F(t, y, y'). */
 void pm_ida_system_residual(pm_workspace *w, double t, const double *y, const double *yp, double *r);
-/* w->ida->weight from the scales of the case; the rows must be evaluated. */
-void pm_ida_system_weights(pm_workspace *w);
+/* Tolerance and the reciprocal of what each unknown may err by, from the scales of the case; the rows must be evaluated. */
+void pm_ida_system_scale(pm_workspace *w);
+/* Error weights at y. */
+void pm_ida_system_weights(const pm_workspace *w, const double *y, double *weight);
 /* The shortest time in which the motion changes its own kind: 1/omega, sqrt(size/a), size/v; INFINITY at rest. */
 double pm_ida_system_time_scale(const pm_workspace *w, const double *v, const double *a);
 

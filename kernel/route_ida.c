@@ -47,9 +47,7 @@ static int residual(double t, N_Vector y, N_Vector yp, N_Vector r, void *workspa
 
 static int weigh(N_Vector y, N_Vector weight, void *workspace)
 {
-    const pm_ida *r = ((pm_workspace *)workspace)->ida;
-    (void)y;
-    memcpy(N_VGetArrayPointer(weight), r->weight, (size_t)r->n * sizeof(double));
+    pm_ida_system_weights(workspace, N_VGetArrayPointer(y), N_VGetArrayPointer(weight));
     return 0;
 }
 
@@ -164,10 +162,10 @@ static int begin(pm_workspace *w)
     pm_ida_system_layout(w);
     int status = pm_ida_system_start(w, N_VGetArrayPointer(r->y), N_VGetArrayPointer(r->yp));
     if (status) return status;
-    pm_ida_system_weights(w);
+    pm_ida_system_scale(w);
     const double scale = pm_ida_system_time_scale(w, w->state.v, w->frame.a);
     int flag = IDAReInit(r->memory, w->state.t, r->y, r->yp);
-    if (flag == IDA_SUCCESS) flag = IDASetInitStep(r->memory, isfinite(scale) ? FIRST_STEP * sqrt(w->tolerance) * scale : 0);
+    if (flag == IDA_SUCCESS) flag = IDASetInitStep(r->memory, isfinite(scale) ? FIRST_STEP * sqrt(r->tolerance) * scale : 0);
     if (flag == IDA_SUCCESS) flag = limit_step(w);
     r->first = r->last = w->state.t;
     return flag == IDA_SUCCESS ? pm_ida_root_begin(w, accelerations(w)) : failed(w, flag);
@@ -224,7 +222,7 @@ static int step(pm_workspace *w, double t_limit)
     if (w->step_end != t) status = look_up(w, w->step_end, w->state.q);
     if (!status) status = pm_project(w, &w->state);
     w->count[PM_COUNT_STEPS]++;
-    if (!status && pm_case_speed(w, w->state.v)) pm_ida_system_weights(w);
+    if (!status && pm_case_speed(w, w->state.v)) pm_ida_system_scale(w);
     if (!status && (flag = limit_step(w))) status = failed(w, flag);
     return status;
 }

@@ -24,6 +24,7 @@ static int begin_case(pm_workspace *w, const double *param, pm_start_report *rep
     memset(w->count, 0, sizeof w->count);
     w->where = (pm_where){PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
     w->lost = 0;
+    w->state.t = 0; /* a case that fails before its start reports no time of another */
     w->route = pm_route_choose(w->model);
     w->count[PM_COUNT_ROUTE] = w->route->route;
     w->event->nfunction = 0;

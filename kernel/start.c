@@ -277,6 +277,23 @@ static int solve_velocities(pm_workspace *w, int with_contacts)
     return status;
 }
 
+/* A rough contact that touches, neither approaches nor parts, and yet slips: that cannot be. */
+static int rough_contact_slips(pm_workspace *w)
+{
+    pm_frame_look_state(w, &w->state);
+    pm_case_speed(w, w->state.v);
+    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
+        int member;
+        double rate;
+        if (pm_contact_friction(w->model, i) != PM_FRICTION_ROUGH) continue;
+        if (pm_contact_gap(w, &w->state, i, &member) > pm_contact_length(w)) continue;
+        pm_contact_member_gap(w, i, member, &rate);
+        if (fabs(rate) > AGREES * w->speed) continue;
+        if (fabs(pm_contact_member_slip(w, i, member)) > AGREES * w->speed) return 1;
+    }
+    return 0;
+}
+
 /* What is written may break a resting contact: that is no contradiction but a blow, or a parting, at t = 0. */
 static int velocities(pm_workspace *w)
 {
@@ -284,7 +301,7 @@ static int velocities(pm_workspace *w)
     const int status = solve_velocities(w, 1);
     if (status != PM_START_CONFLICT) return status;
     const pm_where where = w->where;
-    if (solve_velocities(w, 0) == PM_OK) return PM_OK;
+    if (solve_velocities(w, 0) == PM_OK && !rough_contact_slips(w)) return PM_OK;
     w->where = where;
     return status;
 }

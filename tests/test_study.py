@@ -16,10 +16,12 @@ import xarray as xr
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+import planemotion
 from planemotion import study, units
 from planemotion._layout import (
     PM_ASSEMBLY,
     PM_AUDITS,
+    PM_BAD_VALUE,
     PM_CANCELLED,
     PM_COUNT_COLUMNS,
     PM_COUNT_ROUTE,
@@ -30,7 +32,8 @@ from planemotion._layout import (
 )
 from planemotion.errors import SceneError, StudyError
 from planemotion.grids import read_grid
-from planemotion.scene import Grid, validate
+from planemotion.scene import Grid
+from planemotion.validate import validate
 
 TESTS = Path(__file__).parent
 
@@ -368,6 +371,49 @@ def test_a_broken_engine_is_not_swallowed(engine, tmp_path, monkeypatch):
     with pytest.raises(RuntimeError, match="broken"):
         study.sweep_files(FakeScene(SWEEP), tmp_path / "out")
     assert not (tmp_path / "out").exists()
+
+
+# ---- the real engine ---------------------------------------------------------------------------------------
+
+
+PENDULUM = """
+id = "pendulum"
+until = "AB.omega < 0"
+parameters = { L = "2*b", b = "10 in", omega0 = "30 deg/s", m = "1 kg" }
+sweep = { L = ["18 in", "0.5 m", "2 ft"], omega0 = { from = "30 deg/s", to = "100 deg/s", num = 8 } }
+start.AB.omega = "omega0"
+joints.A = { pin = ["AB.A", "ground"] }
+[bodies]
+AB = { rod = ["A", "B"], length = "L", mass = "m", at = { A = [0, 0] }, angle = "-90 deg" }
+[ask]
+height = { of = "AB.B.y", unit = "in" }
+swing = "t"
+angles = { of = "t", at = { each = "AB.angle", values = ["-89 deg", "-80 deg"] }, unit = "min" }
+"""
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_every_row_is_a_run_of_its_own_bit_for_bit(workers, monkeypatch):
+    monkeypatch.setattr(study, "_MAX_CHUNK", 5 * workers)
+    scene = planemotion.load_text(PENDULUM)
+    data = scene.sweep(workers=workers)
+    plan = study.plan_sweep(scene)
+    assert data.sizes == {"L": 3, "omega0": 8, "ask": 3, "angles_at": 2}
+    assert data.angles_at.values.tolist() == [-89, -80]
+    for case in range(plan.cases):
+        values = plan.case(case)
+        alone = scene.run(**values)
+        row = data.sel({name: float(text.split()[0]) for name, text in values.items()})
+        assert (row.height.item(), row.swing.item()) == (alone.height, alone.swing)
+        assert np.array_equal(row.angles.values, np.array(alone.angles, float), equal_nan=True)
+        assert row.audit_energy.item() == alone.audit["energy"]
+
+
+def test_a_case_that_fails_does_not_stop_the_others():
+    data = planemotion.load_text(PENDULUM).sweep(m=["1 kg", "-1 kg", "2 kg"])
+    assert data.status.values.tolist() == [0, PM_BAD_VALUE, 0]
+    assert np.isfinite(data.height.values).tolist() == [True, False, True]
+    assert "bodies.AB" in str(data.message[1].values)
 
 
 # ---- resume -------------------------------------------------------------------------------------------

@@ -9,26 +9,28 @@ static int check_count;
 
 static inline int check_failures(void) { return check_count > 0; }
 
-static inline int check_report(int good, const char *file, int line, const char *what)
+static inline int check_report(int good, const char *file, int line, const char *function, const char *what)
 {
     if (good) return 1;
     check_count++;
-    fprintf(stderr, "%s:%d: %s\n", file, line, what);
+    fprintf(stderr, "%s:%d: %s: %s\n", file, line, function, what);
     return 0;
 }
 
 /* |a - b| <= tolerance, or both are not a number. */
-static inline int check_near(double a, double b, double tolerance, const char *file, int line, const char *what)
+static inline int check_near(double a, double b, double tolerance, const char *file, int line,
+                             const char *what)
 {
     if (fabs(a - b) <= tolerance || (isnan(a) && isnan(b)) || a == b) return 1;
     check_count++;
-    fprintf(stderr, "%s:%d: %s: %.17g, expected %.17g, off by %.3g > %.3g\n", file, line, what, a, b, fabs(a - b), tolerance);
+    fprintf(stderr, "%s:%d: %s: %s: %.17g, expected %.17g, off by %.3g > %.3g\n", file, line, function, what,
+            a, b, fabs(a - b), tolerance);
     return 0;
 }
 
-#define CHECK(condition) check_report((condition) != 0, __FILE__, __LINE__, #condition)
-#define EQUAL(a, b) check_near((double)(a), (double)(b), 0, __FILE__, __LINE__, #a)
-#define NEAR(a, b, tolerance) check_near(a, b, tolerance, __FILE__, __LINE__, #a)
+#define CHECK(condition) check_report((condition) != 0, __FILE__, __LINE__, __func__, #condition)
+#define EQUAL(a, b) check_near((double)(a), (double)(b), 0, __FILE__, __LINE__, __func__, #a)
+#define NEAR(a, b, tolerance) check_near(a, b, tolerance, __FILE__, __LINE__, __func__, #a)
 
 /* The same numbers in every run: a linear congruential generator, uniform in [low, high). */
 static inline double check_random(double low, double high)

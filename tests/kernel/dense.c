@@ -51,7 +51,8 @@ static void cholesky(int n)
     pm_cholesky_solve(n, f, x);
     NEAR(residual(n, a, x, b), 0, 1e-13);
     if (n < 2) return;
-    for (int j = 0; j < 2 * n; j++) g[(n - 1) * 2 * n + j] = -0.5 * g[j]; /* the last row depends on the first */
+    for (int j = 0; j < 2 * n; j++)
+        g[(n - 1) * 2 * n + j] = -0.5 * g[j]; /* the last row depends on the first */
     gram(n, g, a);
     EQUAL(pm_cholesky_factor(n, a), n);
 }

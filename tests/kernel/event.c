@@ -25,8 +25,14 @@ static flight thrown(double vx, double vy)
     return t;
 }
 
-static int count_of(scene *s, int event) { return scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, event)); }
-static int time_of(flight *t, int event, int nth) { return scene_ask_event(t->s, scene_read(t->s, t->time), event, nth, 0); }
+static int count_of(scene *s, int event)
+{
+    return scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, event));
+}
+static int time_of(flight *t, int event, int nth)
+{
+    return scene_ask_event(t->s, scene_read(t->s, t->time), event, nth, 0);
+}
 
 static void cross_rise_fall(void)
 {
@@ -40,7 +46,8 @@ static void cross_rise_fall(void)
         count[i] = count_of(s, event[i]);
         first[i] = time_of(&t, event[i], 1);
     }
-    const int second = time_of(&t, event[0], 2), last = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_TIME, event[0]));
+    const int second = time_of(&t, event[0], 2),
+              last = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_TIME, event[0]));
     const int each = scene_ask(s, PM_ASK_EACH, scene_read(s, t.x), event[0], 1, 0, PM_NONE, PM_NONE, 3);
     scene_until_time(s, 1.6);
     EQUAL(scene_run(s, NULL), PM_OK);
@@ -62,8 +69,10 @@ static void every(void)
 {
     flight t = thrown(-3, 8); /* backwards through the multiples of 0.4 */
     scene *s = t.s;
-    const int step = scene_when(s, PM_TRIGGER_EVERY, SCENE_PROGRAM(s, scene_m(t.x), scene_k(s, 0.4), scene_op(PM_OP_DIV)));
-    const int each = scene_ask(s, PM_ASK_EACH, scene_read(s, t.x), step, 1, 0, PM_NONE, PM_NONE, 20), count = count_of(s, step);
+    const int step =
+        scene_when(s, PM_TRIGGER_EVERY, SCENE_PROGRAM(s, scene_m(t.x), scene_k(s, 0.4), scene_op(PM_OP_DIV)));
+    const int each = scene_ask(s, PM_ASK_EACH, scene_read(s, t.x), step, 1, 0, PM_NONE, PM_NONE, 20),
+              count = count_of(s, step);
     scene_until_time(s, 1.9);
     EQUAL(scene_run(s, NULL), PM_OK);
     EQUAL(s->out[count], 14);
@@ -98,7 +107,8 @@ static void held_zero(void)
 {
     flight t = thrown(1, 8);
     scene *s = t.s;
-    const int event = scene_when(s, PM_TRIGGER_CROSS, scene_read(s, t.y)), count = count_of(s, event), at = time_of(&t, event, 1);
+    const int event = scene_when(s, PM_TRIGGER_CROSS, scene_read(s, t.y)), count = count_of(s, event),
+              at = time_of(&t, event, 1);
     scene_until_time(s, 2);
     EQUAL(scene_run(s, NULL), PM_OK);
     EQUAL(s->out[count], 1);
@@ -112,7 +122,8 @@ static void at_one_instant(void)
     flight t = thrown(2, 8);
     scene *s = t.s;
     const double top = 8 / G;
-    const int a = scene_when(s, PM_TRIGGER_FALL, scene_read(s, t.vy)), b = scene_when(s, PM_TRIGGER_RISE, scene_minus(s, t.x, 2 * top));
+    const int a = scene_when(s, PM_TRIGGER_FALL, scene_read(s, t.vy)),
+              b = scene_when(s, PM_TRIGGER_RISE, scene_minus(s, t.x, 2 * top));
     scene_trigger(s, PM_TRIGGER_RISE, a, scene_minus(s, t.time, top), PM_NONE);
     const int ca = count_of(s, a), cb = count_of(s, b), at = time_of(&t, b, 1);
     scene_until_time(s, 1.3);
@@ -131,11 +142,16 @@ static void bounces(void)
     flight t = thrown(0, 0);
     scene *s = t.s;
     const int line = scene_line(s, scene_point(s, PM_GROUND, 0, -h), 0);
-    const int c = scene_contact(s, PM_CONTACT_LINE, scene_circle(s, t.point, 0), line, 0, e, PM_FRICTION_SMOOTH, 0);
-    const int strike = scene_on(s, PM_TRIGGER_STRIKE, c), turn = scene_when(s, PM_TRIGGER_RISE, scene_read(s, t.vy));
-    const int before = scene_ask_event(s, scene_read(s, t.vy), strike, 1, 1), after = scene_ask_event(s, scene_read(s, t.vy), strike, 1, 0);
-    const int lost = scene_ask_event(s, scene_read(s, scene_measure(s, PM_MEASURE_LOST, PM_NONE)), strike, 1, 0);
-    const int impulse = scene_ask_event(s, scene_read(s, scene_part(s, PM_MEASURE_CONTACT_IMPULSE, c, PM_PART_Y)), strike, 2, 0);
+    const int c =
+        scene_contact(s, PM_CONTACT_LINE, scene_circle(s, t.point, 0), line, 0, e, PM_FRICTION_SMOOTH, 0);
+    const int strike = scene_on(s, PM_TRIGGER_STRIKE, c),
+              turn = scene_when(s, PM_TRIGGER_RISE, scene_read(s, t.vy));
+    const int before = scene_ask_event(s, scene_read(s, t.vy), strike, 1, 1),
+              after = scene_ask_event(s, scene_read(s, t.vy), strike, 1, 0);
+    const int lost =
+        scene_ask_event(s, scene_read(s, scene_measure(s, PM_MEASURE_LOST, PM_NONE)), strike, 1, 0);
+    const int impulse = scene_ask_event(
+        s, scene_read(s, scene_part(s, PM_MEASURE_CONTACT_IMPULSE, c, PM_PART_Y)), strike, 2, 0);
     const int count = count_of(s, strike), turns = count_of(s, turn);
     const int third = time_of(&t, strike, 3);
     scene_until(s, strike, 4);
@@ -170,7 +186,8 @@ static void start_event(void)
 {
     flight t = thrown(2, 8);
     scene *s = t.s;
-    const int begin = scene_on(s, PM_TRIGGER_START, PM_NONE), v = scene_ask_event(s, scene_read(s, t.vx), begin, 1, 0);
+    const int begin = scene_on(s, PM_TRIGGER_START, PM_NONE),
+              v = scene_ask_event(s, scene_read(s, t.vx), begin, 1, 0);
     scene_until(s, begin, 1);
     EQUAL(scene_run(s, NULL), PM_OK);
     EQUAL(s->out[v], 2);
@@ -197,9 +214,11 @@ static void limits(void)
     for (int i = 0; i < 4; i++) {
         flight t = thrown(2, 8);
         scene *s = t.s;
-        const int never = scene_when(s, PM_TRIGGER_RISE, scene_minus(s, t.y, 100)), x1 = scene_when(s, PM_TRIGGER_RISE, scene_minus(s, t.x, 0.5));
+        const int never = scene_when(s, PM_TRIGGER_RISE, scene_minus(s, t.y, 100)),
+                  x1 = scene_when(s, PM_TRIGGER_RISE, scene_minus(s, t.x, 0.5));
         scene_until(s, never, 1);
-        const int end = scene_ask_measure(s, t.x), reached = scene_ask_event(s, scene_read(s, t.time), x1, 1, 0);
+        const int end = scene_ask_measure(s, t.x),
+                  reached = scene_ask_event(s, scene_read(s, t.time), x1, 1, 0);
         if (i == 0) scene_set(s, PM_SETTING_MAX_TIME, 3);
         if (i == 1) *scene_setting(s, PM_SETTING_MAX_EVENTS) = 3;
         if (i == 2) *scene_setting(s, PM_SETTING_MAX_STEPS) = 5;

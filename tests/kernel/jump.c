@@ -17,7 +17,10 @@ typedef struct blow {
     double before[MOST], after[MOST];
 } blow;
 
-static void look(pm_workspace *w, const double *v) { pm_frame_look(w, 0, w->state.q, v, w->state.z, w->state.memory); }
+static void look(pm_workspace *w, const double *v)
+{
+    pm_frame_look(w, 0, w->state.q, v, w->state.z, w->state.memory);
+}
 
 static double kinetic(pm_workspace *w, const double *v)
 {
@@ -56,7 +59,8 @@ static void momentum_balance(scene *s, const blow *x)
         for (int i = 0; i < n; i++) {
             pm_row row[PM_JOINT_ROWS];
             const int rows = pass ? 2 : pm_row_of_joint(w, i, row);
-            if (pass) pm_row_of_contact(w, pm_contact_of_slot(m, i), i, w->state.slot[i].member, &row[0], &row[1]);
+            if (pass)
+                pm_row_of_contact(w, pm_contact_of_slot(m, i), i, w->state.slot[i].member, &row[0], &row[1]);
             for (int k = 0; k < rows; k++) {
                 const double size = pass ? w->slot_impulse[2 * i + k] : w->joint_impulse[m->joint_row[i] + k];
                 pm_line_of_action a;
@@ -67,7 +71,8 @@ static void momentum_balance(scene *s, const blow *x)
                     const double *pose = w->frame.pose + 5 * body, sign = p ? -size : size;
                     sum[3 * body] += sign * a.direction[0];
                     sum[3 * body + 1] += sign * a.direction[1];
-                    sum[3 * body + 2] += sign * (a.couple + (a.at[0] - pose[0]) * a.direction[1] - (a.at[1] - pose[1]) * a.direction[0]);
+                    sum[3 * body + 2] += sign * (a.couple + (a.at[0] - pose[0]) * a.direction[1] -
+                                                 (a.at[1] - pose[1]) * a.direction[0]);
                 }
             }
         }
@@ -96,7 +101,8 @@ static void contact_laws(scene *s, const blow *x, int slot, int rested)
     const int contact = pm_contact_of_slot(w->model, slot), friction = pm_contact_friction(w->model, contact);
     const double u = normal_rate(w, slot, x->before), after = normal_rate(w, slot, x->after);
     const double slip_before = slip_rate(w, slot, x->before), slip = slip_rate(w, slot, x->after);
-    const double p = w->slot_impulse[2 * slot], f = w->slot_impulse[2 * slot + 1], mu = pm_contact_static(w, contact);
+    const double p = w->slot_impulse[2 * slot], f = w->slot_impulse[2 * slot + 1],
+                 mu = pm_contact_static(w, contact);
     CHECK(p >= -CLOSE);
     CHECK(after >= -CLOSE);
     if (p > CLOSE) NEAR(after, rested ? 0 : -pm_contact_restitution(w, contact) * u, CLOSE); /* (17.19) */
@@ -115,7 +121,8 @@ static void laws(scene *s, const blow *x, unsigned resting)
 {
     pm_workspace *w = s->w;
     int smooth = 1;
-    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) smooth &= pm_contact_friction(w->model, i) == PM_FRICTION_SMOOTH;
+    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++)
+        smooth &= pm_contact_friction(w->model, i) == PM_FRICTION_SMOOTH;
     if (smooth) CHECK(kinetic(w, x->after) <= kinetic(w, x->before) * (1 + 1e-13));
     for (int i = 0; i < w->model->rows[PM_TABLE_JOINT]; i++) {
         pm_row row[PM_JOINT_ROWS];
@@ -148,7 +155,8 @@ static scene *rod(double angle, double e, int friction, double mu, int ends)
 static void rod_corner(void)
 {
     static const double restitution[] = {0, 0.3, 1}, mu[] = {0, 0.05, 5, 0};
-    static const int friction[] = {PM_FRICTION_SMOOTH, PM_FRICTION_COULOMB, PM_FRICTION_COULOMB, PM_FRICTION_ROUGH};
+    static const int friction[] = {PM_FRICTION_SMOOTH, PM_FRICTION_COULOMB, PM_FRICTION_COULOMB,
+                                   PM_FRICTION_ROUGH};
     for (int k = 0; k < 4; k++)
         for (int i = 0; i < 3; i++)
             for (int n = 0; n < 20; n++) {
@@ -207,9 +215,11 @@ static blow rod_on_supports(double a, double e, int friction, double impulse[3])
     const int top = scene_line(s, scene_point(s, b, 0, 0), 0);
     for (int i = -1; i <= 1; i += 2) {
         const int support = scene_line(s, scene_point(s, PM_GROUND, 0, 0), 0);
-        scene_contact(s, PM_CONTACT_LINE, scene_circle(s, scene_point(s, b, i * a, 0), 0), support, 0, 0, friction, 0);
+        scene_contact(s, PM_CONTACT_LINE, scene_circle(s, scene_point(s, b, i * a, 0), 0), support, 0, 0,
+                      friction, 0);
     }
-    scene_contact(s, PM_CONTACT_LINE, scene_circle(s, scene_point(s, ball, 0, 0), 0.1), top, 0, e, PM_FRICTION_SMOOTH, 0);
+    scene_contact(s, PM_CONTACT_LINE, scene_circle(s, scene_point(s, ball, 0, 0), 0.1), top, 0, e,
+                  PM_FRICTION_SMOOTH, 0);
     scene_until_time(s, 1);
     scene_set(s, PM_SETTING_GRAVITY_Y, 0);
     CHECK(scene_begin(s) == PM_OK);
@@ -227,15 +237,19 @@ static void resting_contact_joins(void)
     static const int friction[] = {PM_FRICTION_SMOOTH, PM_FRICTION_ROUGH};
     double p[3];
     for (int k = 0; k < 2; k++) {
-        const double a = 0.4, e = 0.5, half = 0.6, i_support = 2 * half * half / 3 + 2 * a * a, arm = half - a;
+        const double a = 0.4, e = 0.5, half = 0.6, i_support = 2 * half * half / 3 + 2 * a * a,
+                     arm = half - a;
         blow x = rod_on_supports(a, e, friction[k], p);
-        CHECK(p[0] == 0 && p[1] > 0 && p[2] > 0); /* the near one is pressed, the far one rises and carries nothing */
+        CHECK(p[0] == 0 && p[1] > 0 &&
+              p[2] > 0); /* the near one is pressed, the far one rises and carries nothing */
         const double struck = (1 + e) * 3 / (1 / 0.5 + arm * arm / i_support);
         NEAR(p[2], struck, CLOSE);
         NEAR(x.after[2], -struck * arm / i_support, CLOSE);
-        x = rod_on_supports(0.15, 0, friction[k], p); /* within the middle third both could be pressed: one is enough */
+        x = rod_on_supports(0.15, 0, friction[k],
+                            p); /* within the middle third both could be pressed: one is enough */
         CHECK(p[1] > 0);
-        x = rod_on_supports(0.7, 1, friction[k], p); /* struck between the supports: nothing moves but the ball */
+        x = rod_on_supports(0.7, 1, friction[k],
+                            p); /* struck between the supports: nothing moves but the ball */
         CHECK(p[0] >= 0 && p[1] > 0);
         NEAR(x.after[4], 3, CLOSE);
         NEAR(x.after[1], 0, CLOSE);
@@ -249,10 +263,13 @@ static void pendulum_struck(void)
     for (int n = 0; n < 20; n++) {
         const double e = check_random(0, 1), place = check_random(-0.4, 0.6);
         scene *s = scene_create();
-        const int b = scene_body(s, 2, 0.24, 0, -0.6, -acos(0.)), ball = scene_body(s, 0.7, 0.01, -0.2, -0.6 - place, 0);
+        const int b = scene_body(s, 2, 0.24, 0, -0.6, -acos(0.)),
+                  ball = scene_body(s, 0.7, 0.01, -0.2, -0.6 - place, 0);
         scene_joint(s, PM_JOINT_PIN, scene_point(s, b, -0.6, 0), scene_point(s, PM_GROUND, 0, 0), 0);
-        const int face = scene_line(s, scene_point(s, b, 0, 0), 2 * acos(0.)); /* its free side is on the left of the rod */
-        scene_contact(s, PM_CONTACT_LINE, scene_circle(s, scene_point(s, ball, 0, 0), 0.2), face, 0, e, PM_FRICTION_ROUGH, 0);
+        const int face = scene_line(s, scene_point(s, b, 0, 0),
+                                    2 * acos(0.)); /* its free side is on the left of the rod */
+        scene_contact(s, PM_CONTACT_LINE, scene_circle(s, scene_point(s, ball, 0, 0), 0.2), face, 0, e,
+                      PM_FRICTION_ROUGH, 0);
         scene_until_time(s, 1);
         CHECK(scene_begin(s) == PM_OK);
         const double arm = 0.6 + place, v[] = {0.6 * 0.5, 0, 0.5, 4, 0, 1.5};
@@ -277,7 +294,8 @@ static void never_wedged(void)
         const double beta = asin(0.5 * d), k = (2 + 5 * cos(2 * beta)) / 7;
         scene *s = scene_create();
         const int b = scene_body(s, 3, 0.4 * 3, 0, 1, 0), g = scene_point(s, b, 0, 0);
-        const int row = SCENE_ROW(s, PM_TABLE_ROW, scene_point(s, PM_GROUND, 0, 0), scene_value(s, d), scene_value(s, 0), scene_value(s, -1));
+        const int row = SCENE_ROW(s, PM_TABLE_ROW, scene_point(s, PM_GROUND, 0, 0), scene_value(s, d),
+                                  scene_value(s, 0), scene_value(s, -1));
         scene_contact(s, PM_CONTACT_ROW, scene_circle(s, g, 1), row, 0, 0, PM_FRICTION_ROUGH, 0);
         scene_start_omega(s, b, -1.5);
         const int hit = scene_on(s, PM_TRIGGER_STRIKE, 0), omega = scene_measure(s, PM_MEASURE_OMEGA, b);
@@ -325,8 +343,10 @@ static void row_of_balls(void)
     for (int n = 0; n < 3; n++) {
         scene *s = scene_create();
         int circle[4];
-        for (int i = 0; i < 4; i++) circle[i] = scene_circle(s, scene_point(s, scene_body(s, 1 + i, 0.1, 0.4 * i, 0, 0), 0, 0), 0.2);
-        for (int i = 0; i < 3; i++) scene_contact(s, PM_CONTACT_CIRCLE, circle[i], circle[i + 1], 1, 0.5 * n, PM_FRICTION_SMOOTH, 0);
+        for (int i = 0; i < 4; i++)
+            circle[i] = scene_circle(s, scene_point(s, scene_body(s, 1 + i, 0.1, 0.4 * i, 0, 0), 0, 0), 0.2);
+        for (int i = 0; i < 3; i++)
+            scene_contact(s, PM_CONTACT_CIRCLE, circle[i], circle[i + 1], 1, 0.5 * n, PM_FRICTION_SMOOTH, 0);
         scene_until_time(s, 1);
         scene_set(s, PM_SETTING_GRAVITY_Y, 0);
         CHECK(scene_begin(s) == PM_OK);

@@ -13,16 +13,20 @@ static slope block(double angle, double mu_static, double mu_kinetic, double v0,
 {
     scene *s = scene_create();
     const int b = scene_body(s, 2, 0, 0, 0, 0), p = scene_point(s, b, 0, 0);
-    const int c = scene_contact(s, PM_CONTACT_LINE, scene_circle(s, p, 0), scene_floor(s, angle), 0, 0, PM_FRICTION_COULOMB, mu_kinetic);
+    const int c = scene_contact(s, PM_CONTACT_LINE, scene_circle(s, p, 0), scene_floor(s, angle), 0, 0,
+                                PM_FRICTION_COULOMB, mu_kinetic);
     s->cell[PM_TABLE_CONTACT][c * PM_CONTACT_COLUMNS + PM_CONTACT_STATIC] = scene_value(s, mu_static);
     if (v0 != 0) scene_start_velocity(s, p, v0 * cos(angle), v0 * sin(angle));
     scene_until_time(s, t);
     scene_until(s, scene_on(s, PM_TRIGGER_REST, PM_NONE), 1);
     s->cell[PM_TABLE_UNTIL][PM_UNTIL_COLUMNS + PM_UNTIL_GROUP] = 1; /* either */
-    const int along = scene_measure_with(s, PM_MEASURE_POSITION, p, PM_PART_ALONG, PM_MEASURE_VALUE, scene_value(s, angle));
+    const int along =
+        scene_measure_with(s, PM_MEASURE_POSITION, p, PM_PART_ALONG, PM_MEASURE_VALUE, scene_value(s, angle));
     const int time = scene_ask_measure(s, scene_time(s)), distance = scene_ask_measure(s, along);
-    const int sticks = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, scene_on(s, PM_TRIGGER_STICK, c)));
-    const int normal = scene_ask_extreme(s, PM_ASK_MIN, scene_read(s, scene_measure(s, PM_MEASURE_CONTACT_NORMAL, c)), PM_NONE);
+    const int sticks =
+        scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, scene_on(s, PM_TRIGGER_STICK, c)));
+    const int normal = scene_ask_extreme(
+        s, PM_ASK_MIN, scene_read(s, scene_measure(s, PM_MEASURE_CONTACT_NORMAL, c)), PM_NONE);
     scene_run(s, NULL);
     const slope x = {s->out[time], s->out[distance], s->status, s->out[sticks], s->out[normal]};
     scene_free(s);
@@ -58,7 +62,8 @@ static void begins_to_slip(void)
     const double m = 2, c = 3, mu_static = 0.5, mu_kinetic = 0.3, t0 = mu_static * m * G / c, end = t0 + 1.5;
     scene *s = scene_create();
     const int b = scene_body(s, m, 0, 0, 0, 0), p = scene_point(s, b, 0, 0), line = scene_floor(s, 0);
-    const int contact = scene_contact(s, PM_CONTACT_LINE, scene_circle(s, p, 0), line, 0, 0, PM_FRICTION_COULOMB, mu_kinetic);
+    const int contact =
+        scene_contact(s, PM_CONTACT_LINE, scene_circle(s, p, 0), line, 0, 0, PM_FRICTION_COULOMB, mu_kinetic);
     s->cell[PM_TABLE_CONTACT][PM_CONTACT_STATIC] = scene_value(s, mu_static);
     const int push = SCENE_PROGRAM(s, scene_m(scene_time(s)), scene_k(s, c), scene_op(PM_OP_MUL));
     scene_applied(s, p, PM_GROUND, push, SCENE_PROGRAM(s, scene_k(s, 0)));
@@ -78,13 +83,15 @@ static void slides_then_rolls(double direction)
     const double r = 0.1, mu = 0.2, v0 = 4 * direction;
     scene *s = scene_create();
     const int b = scene_body(s, 2, 0.8 * r * r, 0, r, 0), g = scene_point(s, b, 0, 0);
-    const int c = scene_contact(s, PM_CONTACT_LINE, scene_circle(s, g, r), scene_floor(s, 0), 0, 0, PM_FRICTION_COULOMB, mu);
+    const int c = scene_contact(s, PM_CONTACT_LINE, scene_circle(s, g, r), scene_floor(s, 0), 0, 0,
+                                PM_FRICTION_COULOMB, mu);
     const int vx = scene_part(s, PM_MEASURE_VELOCITY, g, PM_PART_X);
     scene_start(s, PM_START_VELOCITY, vx, v0);
     const int sticks = scene_on(s, PM_TRIGGER_STICK, c);
     const int at = scene_ask_event(s, scene_read(s, scene_time(s)), sticks, 1, 0);
     scene_until_time(s, 2);
-    const int v = scene_ask_measure(s, vx), omega = scene_ask_measure(s, scene_measure(s, PM_MEASURE_OMEGA, b));
+    const int v = scene_ask_measure(s, vx),
+              omega = scene_ask_measure(s, scene_measure(s, PM_MEASURE_OMEGA, b));
     const int friction = scene_ask_measure(s, scene_measure(s, PM_MEASURE_CONTACT_FRICTION, c));
     EQUAL(scene_run(s, NULL), PM_OK);
     NEAR(s->out[at], fabs(2 * v0 / (7 * mu * G)), 1e-10);
@@ -103,12 +110,15 @@ static void block_on_a_plank(int block_first)
     const int pb = scene_point(s, b, 0, 0), pp = scene_point(s, plank, 0, 0);
     scene_joint(s, PM_JOINT_SLIDER_FIXED, pp, scene_floor(s, 0), 0);
     const int line = scene_line(s, pp, 0);
-    const int c = scene_contact(s, PM_CONTACT_LINE, scene_circle(s, pb, 0), line, 0, 0, PM_FRICTION_COULOMB, mu);
+    const int c =
+        scene_contact(s, PM_CONTACT_LINE, scene_circle(s, pb, 0), line, 0, 0, PM_FRICTION_COULOMB, mu);
     scene_start_velocity(s, pb, block_first ? v0 : 0, 0);
-    scene_start(s, PM_START_VELOCITY, scene_part(s, PM_MEASURE_VELOCITY, pp, PM_PART_X), block_first ? 0 : v0);
+    scene_start(s, PM_START_VELOCITY, scene_part(s, PM_MEASURE_VELOCITY, pp, PM_PART_X),
+                block_first ? 0 : v0);
     const int sticks = scene_on(s, PM_TRIGGER_STICK, c);
     scene_until(s, sticks, 1);
-    const int t = scene_ask_measure(s, scene_time(s)), v = scene_ask_measure(s, scene_part(s, PM_MEASURE_VELOCITY, pp, PM_PART_X));
+    const int t = scene_ask_measure(s, scene_time(s)),
+              v = scene_ask_measure(s, scene_part(s, PM_MEASURE_VELOCITY, pp, PM_PART_X));
     EQUAL(scene_run(s, NULL), PM_OK);
     NEAR(s->out[t], v0 / (mu * G * (1 + m / big)), 1e-10);
     NEAR(s->out[v], v0 * (block_first ? m : big) / (m + big), 1e-10);
@@ -126,19 +136,24 @@ static void leaves_a_circle(double r, int friction)
     const int c = scene_contact(s, PM_CONTACT_CIRCLE, scene_circle(s, g, r), fixed, 1, 0, friction, 0);
     scene_start_velocity(s, g, v0, 0);
     const int opens = scene_on(s, PM_TRIGGER_OPEN, c);
-    const int y = scene_ask_event(s, scene_read(s, scene_part(s, PM_MEASURE_POSITION, g, PM_PART_Y)), opens, 1, 0);
-    const int normal = scene_ask_event(s, scene_read(s, scene_measure(s, PM_MEASURE_CONTACT_NORMAL, c)), opens, 1, 1);
-    const int least = scene_ask_extreme(s, PM_ASK_MIN, scene_read(s, scene_measure(s, PM_MEASURE_CONTACT_NORMAL, c)), PM_NONE);
+    const int y =
+        scene_ask_event(s, scene_read(s, scene_part(s, PM_MEASURE_POSITION, g, PM_PART_Y)), opens, 1, 0);
+    const int normal =
+        scene_ask_event(s, scene_read(s, scene_measure(s, PM_MEASURE_CONTACT_NORMAL, c)), opens, 1, 1);
+    const int least = scene_ask_extreme(
+        s, PM_ASK_MIN, scene_read(s, scene_measure(s, PM_MEASURE_CONTACT_NORMAL, c)), PM_NONE);
     const int x = scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, g, PM_PART_X));
     const int gap = scene_ask_measure(s, scene_measure(s, PM_MEASURE_CONTACT_GAP, c));
-    const int fall = scene_when(s, PM_TRIGGER_FALL, scene_read(s, scene_part(s, PM_MEASURE_POSITION, g, PM_PART_Y)));
+    const int fall =
+        scene_when(s, PM_TRIGGER_FALL, scene_read(s, scene_part(s, PM_MEASURE_POSITION, g, PM_PART_Y)));
     scene_until(s, fall, 1);
     EQUAL(scene_run(s, NULL), PM_OK);
     const double cosine = friction == PM_FRICTION_ROUGH ? (10 + 7 * ratio) / 17 : (2 + ratio) / 3;
     NEAR(s->out[y] / arm, cosine, 1e-9);
     NEAR(s->out[normal], 0, 1e-7);
     CHECK(s->out[least] > -1e-7);
-    const double v = sqrt(G * arm * cosine), sine = sqrt(1 - cosine * cosine), vy = v * sine, h = arm * cosine;
+    const double v = sqrt(G * arm * cosine), sine = sqrt(1 - cosine * cosine), vy = v * sine,
+                 h = arm * cosine;
     const double time = (-vy + sqrt(vy * vy + 2 * G * h)) / G; /* free flight */
     NEAR(s->out[x], arm * sine + v * cosine * time, 1e-7);
     CHECK(s->out[gap] > 0);
@@ -150,15 +165,23 @@ static void ladder(void)
 {
     const double length = 2, theta = 1.1;
     scene *s = scene_create();
-    const int b = scene_body(s, 5, 5 * length * length / 12, 0.5 * length * cos(theta), 0.5 * length * sin(theta), 2 * acos(0.) - theta);
+    const int b = scene_body(s, 5, 5 * length * length / 12, 0.5 * length * cos(theta),
+                             0.5 * length * sin(theta), 2 * acos(0.) - theta);
     const int low = scene_point(s, b, -0.5 * length, 0), top = scene_point(s, b, 0.5 * length, 0);
-    const int floor_contact = scene_contact(s, PM_CONTACT_LINE, scene_circle(s, low, 0), scene_floor(s, 0), 0, 0, PM_FRICTION_SMOOTH, 0);
-    const int wall = scene_contact(s, PM_CONTACT_LINE, scene_circle(s, top, 0), scene_floor(s, -acos(0.)), 0, 0, PM_FRICTION_SMOOTH, 0);
+    const int floor_contact = scene_contact(s, PM_CONTACT_LINE, scene_circle(s, low, 0), scene_floor(s, 0), 0,
+                                            0, PM_FRICTION_SMOOTH, 0);
+    const int wall = scene_contact(s, PM_CONTACT_LINE, scene_circle(s, top, 0), scene_floor(s, -acos(0.)), 0,
+                                   0, PM_FRICTION_SMOOTH, 0);
     const int opens = scene_on(s, PM_TRIGGER_OPEN, wall);
-    const int y = scene_ask_event(s, scene_read(s, scene_part(s, PM_MEASURE_POSITION, top, PM_PART_Y)), opens, 1, 0);
-    const int least = scene_ask_extreme(s, PM_ASK_MIN, scene_read(s, scene_measure(s, PM_MEASURE_CONTACT_NORMAL, floor_contact)), PM_NONE);
+    const int y =
+        scene_ask_event(s, scene_read(s, scene_part(s, PM_MEASURE_POSITION, top, PM_PART_Y)), opens, 1, 0);
+    const int least = scene_ask_extreme(
+        s, PM_ASK_MIN, scene_read(s, scene_measure(s, PM_MEASURE_CONTACT_NORMAL, floor_contact)), PM_NONE);
     scene_until(s, scene_on(s, PM_TRIGGER_STRIKE, floor_contact), 1);
-    scene_until(s, scene_when(s, PM_TRIGGER_FALL, scene_minus(s, scene_part(s, PM_MEASURE_POSITION, top, PM_PART_Y), 0.3)), 1);
+    scene_until(s,
+                scene_when(s, PM_TRIGGER_FALL,
+                           scene_minus(s, scene_part(s, PM_MEASURE_POSITION, top, PM_PART_Y), 0.3)),
+                1);
     s->cell[PM_TABLE_UNTIL][PM_UNTIL_COLUMNS + PM_UNTIL_GROUP] = 1;
     EQUAL(scene_run(s, NULL), PM_OK);
     NEAR(s->out[y], 2 / 3. * length * sin(theta), 1e-9);
@@ -167,16 +190,20 @@ static void ladder(void)
 }
 
 /* A crate on a slope: it stands, slides without tipping, or tips about its lower edge. */
-static int crate(double angle, double mu, double half_width, double half_height, double t, double *turned, double *moved)
+static int crate(double angle, double mu, double half_width, double half_height, double t, double *turned,
+                 double *moved)
 {
     scene *s = scene_create();
     const double c = cos(angle), d = sin(angle);
-    const int b = scene_body(s, 3, 3 * (half_width * half_width + half_height * half_height) / 3, -half_height * d, half_height * c, angle);
+    const int b = scene_body(s, 3, 3 * (half_width * half_width + half_height * half_height) / 3,
+                             -half_height * d, half_height * c, angle);
     for (int i = -1; i <= 1; i += 2)
-        scene_contact(s, PM_CONTACT_LINE, scene_circle(s, scene_point(s, b, i * half_width, -half_height), 0), scene_floor(s, angle), 0, 0, PM_FRICTION_COULOMB, mu);
+        scene_contact(s, PM_CONTACT_LINE, scene_circle(s, scene_point(s, b, i * half_width, -half_height), 0),
+                      scene_floor(s, angle), 0, 0, PM_FRICTION_COULOMB, mu);
     scene_until_time(s, t);
     const int turn = scene_ask_measure(s, scene_measure(s, PM_MEASURE_TURNED, b));
-    const int move = scene_ask_measure(s, scene_part(s, PM_MEASURE_MOVED, scene_point(s, b, 0, 0), PM_PART_NORM));
+    const int move =
+        scene_ask_measure(s, scene_part(s, PM_MEASURE_MOVED, scene_point(s, b, 0, 0), PM_PART_NORM));
     const int status = scene_run(s, NULL);
     *turned = s->out[turn];
     *moved = s->out[move];
@@ -193,7 +220,8 @@ static void crates(void)
     EQUAL(crate(0.5, 0.2, 0.3, 0.3, 0.5, &turned, &moved), PM_OK);
     NEAR(turned, 0, 1e-10);
     NEAR(moved, 0.125 * G * (sin(0.5) - 0.2 * cos(0.5)), 1e-9);
-    EQUAL(crate(0.5, 0.9, 0.2, 0.6, 0.2, &turned, &moved), PM_OK); /* tan 0.5 > 0.2/0.6: tips down the slope */
+    EQUAL(crate(0.5, 0.9, 0.2, 0.6, 0.2, &turned, &moved),
+          PM_OK); /* tan 0.5 > 0.2/0.6: tips down the slope */
     CHECK(turned > 0.01);
     const double i_edge = 4 / 3. * (0.04 + 0.36), couple = G * (0.6 * sin(0.5) - 0.2 * cos(0.5));
     NEAR(turned, 0.5 * couple / i_edge * 0.04, 5e-2 * turned); /* and a little faster as it goes */

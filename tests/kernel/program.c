@@ -88,7 +88,8 @@ static void binary_operations(void)
 /* Arithmetic keeps a not-a-number, min and max too; a comparison with one is false. */
 static void not_a_number(void)
 {
-    static const int keeps[] = {PM_OP_ADD, PM_OP_SUB, PM_OP_MUL, PM_OP_DIV, PM_OP_MIN, PM_OP_MAX, PM_OP_HYPOT, PM_OP_ATAN2};
+    static const int keeps[] = {PM_OP_ADD, PM_OP_SUB, PM_OP_MUL,   PM_OP_DIV,
+                                PM_OP_MIN, PM_OP_MAX, PM_OP_HYPOT, PM_OP_ATAN2};
     static const int compares[] = {PM_OP_LT, PM_OP_LE, PM_OP_GT, PM_OP_GE, PM_OP_EQ};
     for (size_t i = 0; i < sizeof keeps / sizeof *keeps; i++) {
         CHECK(isnan(binary(keeps[i], NAN, 1.5)));
@@ -137,7 +138,8 @@ static void bad_programs(void)
     EQUAL(status_of_depth(PM_STACK), PM_OK);
     EQUAL(status_of_depth(PM_STACK + 1), PM_BAD_TABLE);
     const scene_code one = {PM_OP_CONSTANT, 0};
-    const scene_code two_left[] = {one, one}, empty_stack[] = {{PM_OP_NEG, 0}}, too_few[] = {one, {PM_OP_SELECT, 0}};
+    const scene_code two_left[] = {one, one}, empty_stack[] = {{PM_OP_NEG, 0}},
+                     too_few[] = {one, {PM_OP_SELECT, 0}};
     const scene_code unknown[] = {one, {PM_OPS, 0}}, negative[] = {one, {-1, 0}};
     EQUAL(status_of(two_left, 2), PM_BAD_TABLE);
     EQUAL(status_of(empty_stack, 1), PM_BAD_TABLE);

@@ -49,7 +49,8 @@ static void look(pm_workspace *w, const double *direction, double eps)
     const pm_model *m = w->model;
     for (int i = 0; i < m->nbody; i++)
         for (int k = 0; k < 3; k++) {
-            w->state.q[3 * i + k] = w->value[PM_BODY_ROW(m, i)[PM_BODY_X + k]] + (direction ? eps * direction[3 * i + k] : 0);
+            w->state.q[3 * i + k] =
+                w->value[PM_BODY_ROW(m, i)[PM_BODY_X + k]] + (direction ? eps * direction[3 * i + k] : 0);
             w->state.v[3 * i + k] = speed[3 * i + k];
         }
     pm_frame_look_state(w, &w->state);
@@ -78,11 +79,13 @@ static void check_row(pm_workspace *w, pm_row row, int on_constraint)
     pm_row_kind(row.kind)->evaluate(w, &row);
     if (row.memory != PM_NONE) NEAR(row.g, 0, 1e-14);
     for (int p = 0; p < 2; p++)
-        for (int k = 0; k < 3 && row.body[p] < w->model->nbody; k++) dense[3 * row.body[p] + k] += row.j[3 * p + k];
+        for (int k = 0; k < 3 && row.body[p] < w->model->nbody; k++)
+            dense[3 * row.body[p] + k] += row.j[3 * p + k];
     for (int i = 0; i < nq; i++) {
         double direction[6] = {0};
         direction[i] = 1;
-        difference[i] = (residual_at(w, row, direction, STEP) - residual_at(w, row, direction, -STEP)) / (2 * STEP);
+        difference[i] =
+            (residual_at(w, row, direction, STEP) - residual_at(w, row, direction, -STEP)) / (2 * STEP);
         NEAR(dense[i], difference[i], 2e-9);
     }
     const double change = (rate_at(w, row, speed, STEP) - rate_at(w, row, speed, -STEP)) / (2 * STEP);
@@ -134,9 +137,11 @@ static void point_joints(int ground_side)
 static void line_rows(int ground_side, double radius)
 {
     pair x = make_pair(ground_side);
-    const double direction = atan2(x.at[0][1] - x.at[1][1], x.at[0][0] - x.at[1][0]) - asin(radius / x.distance);
+    const double direction =
+        atan2(x.at[0][1] - x.at[1][1], x.at[0][0] - x.at[1][0]) - asin(radius / x.distance);
     const double of_body = ground_side == 1 ? 0 : pose_b[2];
-    const int circle = scene_circle(x.s, x.point[0], radius), line = scene_line(x.s, x.point[1], direction - of_body);
+    const int circle = scene_circle(x.s, x.point[0], radius),
+              line = scene_line(x.s, x.point[1], direction - of_body);
     scene_joint(x.s, PM_JOINT_ROLLING_LINE, circle, line, 0);
     scene_contact(x.s, PM_CONTACT_LINE, circle, line, 0, 0.5, PM_FRICTION_ROUGH, 0);
     check_scene(x.s, 1);
@@ -149,7 +154,8 @@ static void line_rows(int ground_side, double radius)
     }
     scene_free(x.s);
     x = make_pair(ground_side); /* sliders: the centre on the line */
-    const int slide = scene_line(x.s, x.point[1], atan2(x.at[0][1] - x.at[1][1], x.at[0][0] - x.at[1][0]) - of_body);
+    const int slide =
+        scene_line(x.s, x.point[1], atan2(x.at[0][1] - x.at[1][1], x.at[0][0] - x.at[1][0]) - of_body);
     scene_joint(x.s, PM_JOINT_SLIDER, x.point[0], slide, 0);
     scene_joint(x.s, PM_JOINT_SLIDER_FIXED, x.point[0], slide, 0.4);
     check_scene(x.s, 1);
@@ -190,13 +196,16 @@ static void periodic_row(int ground_side)
 {
     pair x = make_pair(ground_side);
     const int circle = scene_circle(x.s, x.point[0], x.distance);
-    const int row = SCENE_ROW(x.s, PM_TABLE_ROW, x.point[1], scene_value(x.s, 0.3), scene_value(x.s, 0.05), scene_value(x.s, -1));
+    const int row = SCENE_ROW(x.s, PM_TABLE_ROW, x.point[1], scene_value(x.s, 0.3), scene_value(x.s, 0.05),
+                              scene_value(x.s, -1));
     scene_contact(x.s, PM_CONTACT_ROW, circle, row, 0, 0, PM_FRICTION_ROUGH, 0);
     check_scene(x.s, 1);
     scene_free(x.s);
     x = make_pair(ground_side); /* member 2 */
-    scene_contact(x.s, PM_CONTACT_LINE, scene_circle(x.s, x.point[0], 0), scene_line(x.s, x.point[1], 0), 0, 0, PM_FRICTION_SMOOTH, 0);
-    const int again = SCENE_ROW(x.s, PM_TABLE_ROW, x.point[1], scene_value(x.s, 0.3), scene_value(x.s, 0.05), scene_value(x.s, -1));
+    scene_contact(x.s, PM_CONTACT_LINE, scene_circle(x.s, x.point[0], 0), scene_line(x.s, x.point[1], 0), 0,
+                  0, PM_FRICTION_SMOOTH, 0);
+    const int again = SCENE_ROW(x.s, PM_TABLE_ROW, x.point[1], scene_value(x.s, 0.3), scene_value(x.s, 0.05),
+                                scene_value(x.s, -1));
     scene_contact(x.s, PM_CONTACT_ROW, scene_circle(x.s, x.point[0], 0.2), again, 0, 0, PM_FRICTION_ROUGH, 0);
     check_scene(x.s, 0);
     scene_free(x.s);
@@ -211,7 +220,11 @@ static void rolls_on_a_line(void)
     scene_joint(s, PM_JOINT_ROLLING_LINE, scene_circle(s, g, r), scene_floor(s, 0), 0);
     scene_start_omega(s, b, -40);
     const int turned = scene_measure(s, PM_MEASURE_TURNED, b);
-    scene_until(s, scene_when(s, PM_TRIGGER_FALL, SCENE_PROGRAM(s, scene_m(turned), scene_k(s, TWO_PI * turns), scene_op(PM_OP_ADD))), 1);
+    scene_until(
+        s,
+        scene_when(s, PM_TRIGGER_FALL,
+                   SCENE_PROGRAM(s, scene_m(turned), scene_k(s, TWO_PI * turns), scene_op(PM_OP_ADD))),
+        1);
     const int place = scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, g, PM_PART_X));
     const int end = scene_ask_measure(s, scene_time(s));
     EQUAL(scene_run(s, NULL), PM_OK);

@@ -18,7 +18,8 @@ static scene *chain(int n, int fixed)
     int end = scene_point(s, PM_GROUND, 0, 0);
     for (int i = 0; i < n; i++) {
         const double length = 0.5 + 0.1 * i, angle = -0.4 - 0.3 * i, c = cos(angle), d = sin(angle);
-        const int b = scene_body(s, 1 + 0.5 * i, 0.02 + 0.01 * i, x + 0.5 * length * c, y + 0.5 * length * d, angle);
+        const int b =
+            scene_body(s, 1 + 0.5 * i, 0.02 + 0.01 * i, x + 0.5 * length * c, y + 0.5 * length * d, angle);
         const int a = scene_point(s, b, -0.5 * length, 0);
         if (fixed || i > 0) scene_joint(s, PM_JOINT_PIN, a, end, 0);
         end = scene_point(s, b, 0.5 * length, 0);
@@ -52,7 +53,8 @@ static void recompute(pm_workspace *w)
         const double *h = w->asymmetric ? row->h : row->j;
         NEAR(pm_saddle_times(w, row, w->frame.a), row->gamma, 1e-10);
         for (int p = 0; p < 2; p++)
-            for (int k = 0; k < 3 && row->body[p] < w->model->nbody; k++) sum[3 * row->body[p] + k] += h[3 * p + k] * w->frame.lambda[i];
+            for (int k = 0; k < 3 && row->body[p] < w->model->nbody; k++)
+                sum[3 * row->body[p] + k] += h[3 * p + k] * w->frame.lambda[i];
     }
     for (int i = 0; i < nq; i++)
         if (w->inverse_mass[i] > 0) NEAR(sum[i], w->frame.a[i] / w->inverse_mass[i], 1e-10);
@@ -94,8 +96,10 @@ static void sliding(void)
     const double mu = 0.3, angle = 0.2;
     const int b = scene_body(s, 2, 0.1, -0.5 * sin(angle), 0.5 * cos(angle), angle);
     const int line = scene_floor(s, angle);
-    scene_contact(s, PM_CONTACT_LINE, scene_circle(s, scene_point(s, b, -0.4, -0.5), 0), line, 0, 0, PM_FRICTION_COULOMB, mu);
-    scene_contact(s, PM_CONTACT_LINE, scene_circle(s, scene_point(s, b, 0.4, -0.5), 0), line, 0, 0, PM_FRICTION_COULOMB, mu);
+    scene_contact(s, PM_CONTACT_LINE, scene_circle(s, scene_point(s, b, -0.4, -0.5), 0), line, 0, 0,
+                  PM_FRICTION_COULOMB, mu);
+    scene_contact(s, PM_CONTACT_LINE, scene_circle(s, scene_point(s, b, 0.4, -0.5), 0), line, 0, 0,
+                  PM_FRICTION_COULOMB, mu);
     scene_start_velocity(s, scene_point(s, b, 0, 0), 3 * cos(angle), 3 * sin(angle));
     scene_start_omega(s, b, 0);
     if (CHECK(scene_begin(s) == PM_OK)) {
@@ -116,7 +120,8 @@ static void forces(void)
     scene *s = chain(3, 0);
     scene_force(s, PM_FORCE_DAMPER, scene_point(s, 0, 0.1, 0.3), scene_point(s, 2, 0, -0.2), 4, 0);
     scene_force(s, PM_FORCE_ROTARY_DAMPER, 1, PM_GROUND, 0.7, 0);
-    const int constant = SCENE_PROGRAM(s, scene_k(s, 2.5)), angle = scene_read(s, scene_measure(s, PM_MEASURE_ANGLE, 1));
+    const int constant = SCENE_PROGRAM(s, scene_k(s, 2.5)),
+              angle = scene_read(s, scene_measure(s, PM_MEASURE_ANGLE, 1));
     scene_applied(s, scene_point(s, 1, 0.3, 0.1), 0, constant, angle);
     scene_couple(s, 0, 2, angle);
     scene_set(s, PM_SETTING_GRAVITY_X, 1.7);

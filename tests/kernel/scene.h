@@ -55,7 +55,7 @@ static inline int scene_row(scene *s, int table, int columns, const int32_t *cel
     memcpy(s->cell[table] + row * columns, cell, (size_t)columns * sizeof *cell);
     return row;
 }
-#define SCENE_ROW(s, table, ...)                                                                             \
+#define SCENE_ROW(s, table, ...) \
     scene_row(s, table, (int)(sizeof((int32_t[]){__VA_ARGS__}) / sizeof(int32_t)), (int32_t[]){__VA_ARGS__})
 
 /* ---- programs and values ---- */
@@ -65,7 +65,10 @@ static inline int scene_constant(scene *s, double x)
     return s->nconstant++;
 }
 static inline scene_code scene_op(int op) { return (scene_code){op, 0}; }
-static inline scene_code scene_k(scene *s, double x) { return (scene_code){PM_OP_CONSTANT, scene_constant(s, x)}; }
+static inline scene_code scene_k(scene *s, double x)
+{
+    return (scene_code){PM_OP_CONSTANT, scene_constant(s, x)};
+}
 static inline scene_code scene_v(int value) { return (scene_code){PM_OP_VALUE, value}; }
 static inline scene_code scene_p(int parameter) { return (scene_code){PM_OP_PARAMETER, parameter}; }
 static inline scene_code scene_m(int measure) { return (scene_code){PM_OP_MEASURE, measure}; }
@@ -76,19 +79,26 @@ static inline int scene_program(scene *s, int n, const scene_code *code)
     for (int i = 0; i < n; i++) SCENE_ROW(s, PM_TABLE_CODE, code[i].op, code[i].arg);
     return SCENE_ROW(s, PM_TABLE_PROGRAM, first, n);
 }
-#define SCENE_PROGRAM(s, ...)                                                                                \
-    scene_program(s, (int)(sizeof((scene_code[]){__VA_ARGS__}) / sizeof(scene_code)), (scene_code[]){__VA_ARGS__})
+#define SCENE_PROGRAM(s, ...)                                                         \
+    scene_program(s, (int)(sizeof((scene_code[]){__VA_ARGS__}) / sizeof(scene_code)), \
+                  (scene_code[]){__VA_ARGS__})
 
 static inline int scene_value_of(scene *s, int program) { return SCENE_ROW(s, PM_TABLE_VALUE, program); }
-static inline int scene_value(scene *s, double x) { return scene_value_of(s, SCENE_PROGRAM(s, scene_k(s, x))); }
+static inline int scene_value(scene *s, double x)
+{
+    return scene_value_of(s, SCENE_PROGRAM(s, scene_k(s, x)));
+}
 /* A value that is the next parameter of the case. */
-static inline int scene_parameter(scene *s) { return scene_value_of(s, SCENE_PROGRAM(s, scene_p(s->nparam++))); }
+static inline int scene_parameter(scene *s)
+{
+    return scene_value_of(s, SCENE_PROGRAM(s, scene_p(s->nparam++)));
+}
 
 /* ---- bodies and marks ---- */
 static inline int scene_body(scene *s, double mass, double inertia, double x, double y, double angle)
 {
-    return SCENE_ROW(s, PM_TABLE_BODY, inertia > 0, scene_value(s, mass), scene_value(s, inertia), scene_value(s, x),
-                     scene_value(s, y), scene_value(s, angle));
+    return SCENE_ROW(s, PM_TABLE_BODY, inertia > 0, scene_value(s, mass), scene_value(s, inertia),
+                     scene_value(s, x), scene_value(s, y), scene_value(s, angle));
 }
 static inline int scene_point(scene *s, int body, double x, double y)
 {
@@ -102,7 +112,10 @@ static inline int scene_circle(scene *s, int point, double radius)
 {
     return SCENE_ROW(s, PM_TABLE_CIRCLE, point, scene_value(s, radius));
 }
-static inline int scene_floor(scene *s, double angle) { return scene_line(s, scene_point(s, PM_GROUND, 0, 0), angle); }
+static inline int scene_floor(scene *s, double angle)
+{
+    return scene_line(s, scene_point(s, PM_GROUND, 0, 0), angle);
+}
 
 /* ---- joints, contacts, forces ---- */
 static inline int scene_joint(scene *s, int kind, int a, int b, double number)
@@ -110,20 +123,23 @@ static inline int scene_joint(scene *s, int kind, int a, int b, double number)
     return SCENE_ROW(s, PM_TABLE_JOINT, kind, a, b, scene_value(s, number));
 }
 /* friction: PM_FRICTION_...; static and kinetic coefficient mu */
-static inline int scene_contact(scene *s, int kind, int a, int b, double side, double e, int friction, double mu)
+static inline int scene_contact(scene *s, int kind, int a, int b, double side, double e, int friction,
+                                double mu)
 {
     const int value = friction == PM_FRICTION_COULOMB ? scene_value(s, mu) : PM_NONE;
-    return SCENE_ROW(s, PM_TABLE_CONTACT, kind, a, b, kind == PM_CONTACT_CIRCLE ? scene_value(s, side) : PM_NONE,
-                     scene_value(s, e), friction, value, value);
+    return SCENE_ROW(s, PM_TABLE_CONTACT, kind, a, b,
+                     kind == PM_CONTACT_CIRCLE ? scene_value(s, side) : PM_NONE, scene_value(s, e), friction,
+                     value, value);
 }
 static inline int scene_force(scene *s, int kind, int a, int b, double value_1, double value_2)
 {
-    return SCENE_ROW(s, PM_TABLE_FORCE, kind, a, b, scene_value(s, value_1), scene_value(s, value_2), PM_NONE, PM_NONE,
-                     PM_SPRING_BOTH);
+    return SCENE_ROW(s, PM_TABLE_FORCE, kind, a, b, scene_value(s, value_1), scene_value(s, value_2), PM_NONE,
+                     PM_NONE, PM_SPRING_BOTH);
 }
 static inline int scene_applied(scene *s, int point, int axes, int program_x, int program_y)
 {
-    return SCENE_ROW(s, PM_TABLE_FORCE, PM_FORCE_APPLIED, point, axes, PM_NONE, PM_NONE, program_x, program_y, 0);
+    return SCENE_ROW(s, PM_TABLE_FORCE, PM_FORCE_APPLIED, point, axes, PM_NONE, PM_NONE, program_x, program_y,
+                     0);
 }
 static inline int scene_couple(scene *s, int a, int b, int program)
 {
@@ -190,8 +206,8 @@ static inline void scene_until_time(scene *s, double t)
     scene_until(s, scene_when(s, PM_TRIGGER_RISE, scene_minus(s, scene_time(s), t)), 1);
 }
 
-static inline int scene_ask(scene *s, int kind, int program, int event, int nth, int before, int program_2, int first,
-                            int count)
+static inline int scene_ask(scene *s, int kind, int program, int event, int nth, int before, int program_2,
+                            int first, int count)
 {
     const int out = s->nout;
     SCENE_ROW(s, PM_TABLE_ASK, kind, program, event, nth, before, program_2, first, out, count);
@@ -210,12 +226,18 @@ static inline int scene_ask_extreme(scene *s, int kind, int program, int program
 {
     return scene_ask(s, kind, program, PM_NONE, 1, 0, program_2, PM_NONE, 1);
 }
-static inline int scene_ask_measure(scene *s, int measure) { return scene_ask_end(s, scene_read(s, measure)); }
+static inline int scene_ask_measure(scene *s, int measure)
+{
+    return scene_ask_end(s, scene_read(s, measure));
+}
 
 /* ---- settings ---- */
 static inline int32_t *scene_setting(scene *s, int column) { return &s->cell[PM_TABLE_SETTING][column]; }
 /* A setting that is a value. */
-static inline void scene_set(scene *s, int column, double number) { *scene_setting(s, column) = scene_value(s, number); }
+static inline void scene_set(scene *s, int column, double number)
+{
+    *scene_setting(s, column) = scene_value(s, number);
+}
 
 static inline scene *scene_create(void)
 {
@@ -269,9 +291,10 @@ static inline int scene_run(scene *s, const double *param)
     const int32_t stop = 0;
     int64_t progress = 0;
     scene_pack(s);
-    const int result = pm_batch(s->ntable, s->table, s->nconstant, s->constant, 1, s->nparam, param ? param : &none, 1,
-                                &stop, &progress, s->nout, s->out, s->rows[PM_TABLE_ASK], s->reason, &status, s->where,
-                                s->detail, s->audit, s->count);
+    const int result =
+        pm_batch(s->ntable, s->table, s->nconstant, s->constant, 1, s->nparam, param ? param : &none, 1,
+                 &stop, &progress, s->nout, s->out, s->rows[PM_TABLE_ASK], s->reason, &status, s->where,
+                 s->detail, s->audit, s->count);
     s->status = result ? result : status;
     return s->status;
 }
@@ -282,7 +305,8 @@ static inline int scene_open(scene *s)
     pm_where where;
     scene_close(s);
     scene_pack(s);
-    int status = pm_model_create(s->ntable, s->table, s->nconstant, s->constant, s->nparam, &s->model, &where);
+    int status =
+        pm_model_create(s->ntable, s->table, s->nconstant, s->constant, s->nparam, &s->model, &where);
     if (!status) status = pm_workspace_create(s->model, &s->w);
     if (status) return status;
     s->w->out = s->out;

@@ -14,8 +14,8 @@ static start check_scene(scene *s)
     start x = {.status = 0};
     const double none = 0;
     scene_pack(s);
-    x.status = pm_check(s->ntable, s->table, s->nconstant, s->constant, s->nparam, &none, x.info, x.number, s->rows[PM_TABLE_BODY],
-                        x.pose[0], x.velocity[0], x.where, x.detail);
+    x.status = pm_check(s->ntable, s->table, s->nconstant, s->constant, s->nparam, &none, x.info, x.number,
+                        s->rows[PM_TABLE_BODY], x.pose[0], x.velocity[0], x.where, x.detail);
     return x;
 }
 
@@ -79,7 +79,8 @@ static void keeps_what_is_written(void)
 static void slider_crank(void)
 {
     scene *s = scene_create();
-    const int crank = scene_body(s, 1, 0.01, 0.1, 0.05, 0.3), rod = scene_body(s, 2, 0.1, 0.5, 0.1, -0.1), piston = scene_body(s, 1, 0, 0.8, 0.05, 0);
+    const int crank = scene_body(s, 1, 0.01, 0.1, 0.05, 0.3), rod = scene_body(s, 2, 0.1, 0.5, 0.1, -0.1),
+              piston = scene_body(s, 1, 0, 0.8, 0.05, 0);
     scene_joint(s, PM_JOINT_PIN, scene_point(s, crank, -0.1, 0), scene_point(s, PM_GROUND, 0, 0), 0);
     scene_joint(s, PM_JOINT_PIN, scene_point(s, crank, 0.1, 0), scene_point(s, rod, -0.35, 0), 0);
     scene_joint(s, PM_JOINT_PIN, scene_point(s, rod, 0.35, 0), scene_point(s, piston, 0, 0), 0);
@@ -116,7 +117,8 @@ static void contradictory_velocities(void)
 {
     scene *s = pendulum(0, 0); /* the end of a rod that swings at 2 rad/s moves at 2 m/s, not at 3 */
     scene_start_omega(s, 0, 2);
-    scene_start(s, PM_START_VELOCITY, scene_part(s, PM_MEASURE_VELOCITY, scene_point(s, 0, 0.5, 0), PM_PART_Y), 3);
+    scene_start(s, PM_START_VELOCITY,
+                scene_part(s, PM_MEASURE_VELOCITY, scene_point(s, 0, 0.5, 0), PM_PART_Y), 3);
     start x = check_scene(s);
     EQUAL(x.status, PM_START_CONFLICT);
     EQUAL(x.where[PM_WHERE_TABLE], PM_TABLE_START);
@@ -126,13 +128,15 @@ static void contradictory_velocities(void)
     scene_free(s);
 
     s = pendulum(0, 0); /* along the rod it cannot move at all */
-    scene_start(s, PM_START_VELOCITY, scene_part(s, PM_MEASURE_VELOCITY, scene_point(s, 0, 0.5, 0), PM_PART_X), 0.1);
+    scene_start(s, PM_START_VELOCITY,
+                scene_part(s, PM_MEASURE_VELOCITY, scene_point(s, 0, 0.5, 0), PM_PART_X), 0.1);
     EQUAL(check_scene(s).status, PM_START_CONFLICT);
     scene_free(s);
 
     s = pendulum(0, 0); /* the same said twice is no contradiction */
     scene_start_omega(s, 0, 2);
-    scene_start(s, PM_START_VELOCITY, scene_part(s, PM_MEASURE_VELOCITY, scene_point(s, 0, 0.5, 0), PM_PART_Y), 2);
+    scene_start(s, PM_START_VELOCITY,
+                scene_part(s, PM_MEASURE_VELOCITY, scene_point(s, 0, 0.5, 0), PM_PART_Y), 2);
     EQUAL(check_scene(s).status, PM_OK);
     scene_free(s);
 }
@@ -152,7 +156,8 @@ static void open_motion(void)
     s = pendulum(0, 0); /* a body on its own: what is not said is zero */
     const int c = scene_body(s, 2, 0.5, 3, 3, 0);
     scene_start_omega(s, 0, 2);
-    scene_start(s, PM_START_VELOCITY, scene_part(s, PM_MEASURE_VELOCITY, scene_point(s, c, 0.2, 0), PM_PART_X), 1);
+    scene_start(s, PM_START_VELOCITY,
+                scene_part(s, PM_MEASURE_VELOCITY, scene_point(s, c, 0.2, 0), PM_PART_X), 1);
     x = check_scene(s);
     EQUAL(x.status, PM_OK);
     NEAR(x.velocity[c][0], 1, 1e-15);

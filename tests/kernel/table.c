@@ -8,7 +8,8 @@ static scene *everything(void)
 {
     scene *s = scene_create();
     const int a = scene_body(s, 2, 0.1, 0, 1, 0), b = scene_body(s, 1, 0.1, 1, 1, 0);
-    const int pa = scene_point(s, a, 0.5, 0), pb = scene_point(s, b, -0.5, 0), o = scene_point(s, PM_GROUND, 0, 0);
+    const int pa = scene_point(s, a, 0.5, 0), pb = scene_point(s, b, -0.5, 0),
+              o = scene_point(s, PM_GROUND, 0, 0);
     const int line = scene_line(s, o, 0.1), ca = scene_circle(s, pa, 0.1), cb = scene_circle(s, pb, 0.2);
     const int row = SCENE_ROW(s, PM_TABLE_ROW, o, scene_value(s, 1), scene_value(s, 0), scene_value(s, 3));
     scene_joint(s, PM_JOINT_PIN, pa, pb, 0);
@@ -28,7 +29,8 @@ static scene *everything(void)
     scene_force(s, PM_FORCE_ROTARY_DAMPER, a, b, 10, 0);
     scene_applied(s, pa, b, program, program);
     scene_couple(s, a, b, program);
-    const int along = scene_measure_with(s, PM_MEASURE_VELOCITY, pa, PM_PART_ALONG, PM_MEASURE_VALUE, scene_value(s, 0.3));
+    const int along =
+        scene_measure_with(s, PM_MEASURE_VELOCITY, pa, PM_PART_ALONG, PM_MEASURE_VALUE, scene_value(s, 0.3));
     scene_measure_with(s, PM_MEASURE_OMEGA, a, 0, PM_MEASURE_IN, b);
     scene_measure_with(s, PM_MEASURE_JOINT_FORCE, 0, PM_PART_X, PM_MEASURE_ON, b);
     scene_measure_with(s, PM_MEASURE_INERTIA, a, 0, PM_MEASURE_ABOUT, o);
@@ -56,7 +58,8 @@ static int is_free(int table, int column)
 {
     return (table == PM_TABLE_BODY && column == PM_BODY_TURNS) || table == PM_TABLE_EVENT ||
            (table == PM_TABLE_UNTIL && (column == PM_UNTIL_GROUP || column == PM_UNTIL_NTH)) ||
-           (table == PM_TABLE_ASK && (column == PM_ASK_COUNT || column == PM_ASK_NTH || column == PM_ASK_BEFORE)) ||
+           (table == PM_TABLE_ASK &&
+            (column == PM_ASK_COUNT || column == PM_ASK_NTH || column == PM_ASK_BEFORE)) ||
            (table == PM_TABLE_MEASURE && (column == PM_MEASURE_MEMBER || column == PM_MEASURE_PART)) ||
            (table == PM_TABLE_SETTING && (column == PM_SETTING_MAX_EVENTS || column == PM_SETTING_MAX_STEPS));
 }
@@ -66,7 +69,8 @@ static int is_unread(const int32_t *row, int table, int column)
 {
     switch (table) {
     case PM_TABLE_JOINT:
-        return column == PM_JOINT_VALUE && (row[0] == PM_JOINT_PIN || row[0] == PM_JOINT_SLIDER || row[0] == PM_JOINT_ROLLING_LINE);
+        return column == PM_JOINT_VALUE &&
+               (row[0] == PM_JOINT_PIN || row[0] == PM_JOINT_SLIDER || row[0] == PM_JOINT_ROLLING_LINE);
     case PM_TABLE_FORCE:
         if (column == PM_FORCE_VALUE_1) return row[0] >= PM_FORCE_APPLIED;
         if (column == PM_FORCE_VALUE_2) return row[0] >= PM_FORCE_DAMPER;
@@ -91,9 +95,11 @@ static void corrupt_every_column(void)
                 for (int i = 0; i < 4; i++) {
                     first[column] = wrong[i];
                     const int status = scene_run(s, NULL);
-                    if (status != PM_BAD_TABLE || s->where[PM_WHERE_TABLE] != table || s->where[PM_WHERE_ROW] != row) {
-                        fprintf(stderr, "table %d row %d column %d = %d: status %d at table %d row %d\n", table, row,
-                                column, wrong[i], status, s->where[PM_WHERE_TABLE], s->where[PM_WHERE_ROW]);
+                    if (status != PM_BAD_TABLE || s->where[PM_WHERE_TABLE] != table ||
+                        s->where[PM_WHERE_ROW] != row) {
+                        fprintf(stderr, "table %d row %d column %d = %d: status %d at table %d row %d\n",
+                                table, row, column, wrong[i], status, s->where[PM_WHERE_TABLE],
+                                s->where[PM_WHERE_ROW]);
                         CHECK(0);
                     }
                     first[column] = kept;
@@ -150,7 +156,8 @@ static void wrong_directory(void)
             const int32_t kept = s->table[2 * i + k], wrong[] = {-1, (int32_t)s->ntable + 1, INT32_MAX};
             for (int n = 0; n < 3; n++) {
                 s->table[2 * i + k] = wrong[n];
-                EQUAL(pm_model_create(s->ntable, s->table, s->nconstant, s->constant, 0, &s->model, &where), PM_BAD_TABLE);
+                EQUAL(pm_model_create(s->ntable, s->table, s->nconstant, s->constant, 0, &s->model, &where),
+                      PM_BAD_TABLE);
                 EQUAL(where.table, i);
             }
             s->table[2 * i + k] = kept;
@@ -162,7 +169,8 @@ static void wrong_directory(void)
 /* A force may not depend on what depends on forces: that would have no end, or an old value. */
 static void forces_on_forces(void)
 {
-    static const int kinds[] = {PM_MEASURE_FORCE_FORCE, PM_MEASURE_FORCE_POWER, PM_MEASURE_FORCE_ENERGY, PM_MEASURE_ACCELERATION};
+    static const int kinds[] = {PM_MEASURE_FORCE_FORCE, PM_MEASURE_FORCE_POWER, PM_MEASURE_FORCE_ENERGY,
+                                PM_MEASURE_ACCELERATION};
     for (int i = 0; i < 4; i++) {
         scene *s = scene_create();
         const int b = scene_body(s, 1, 0, 0, 0, 0), p = scene_point(s, b, 0, 0);
@@ -172,7 +180,8 @@ static void forces_on_forces(void)
         scene_until(s, scene_on(s, PM_TRIGGER_START, PM_NONE), 1);
         pm_where where = {0, 0, 0, 0, 0};
         scene_pack(s);
-        const int status = pm_model_create(s->ntable, s->table, s->nconstant, s->constant, 0, &s->model, &where);
+        const int status =
+            pm_model_create(s->ntable, s->table, s->nconstant, s->constant, 0, &s->model, &where);
         if (CHECK(status == PM_BAD_TABLE)) EQUAL(where.table, PM_TABLE_FORCE);
         scene_free(s);
     }
@@ -232,9 +241,12 @@ static void points_that_touch(void)
 {
     for (int kind = PM_CONTACT_CIRCLE; kind <= PM_CONTACT_ROW; kind++) {
         scene *s = scene_create();
-        const int o = scene_point(s, PM_GROUND, 0, 0), c = scene_circle(s, scene_point(s, scene_body(s, 1, 0, 0, 1, 0), 0, 0), 0);
-        const int row = SCENE_ROW(s, PM_TABLE_ROW, o, scene_value(s, 1), scene_value(s, 0), scene_value(s, -1));
-        scene_contact(s, kind, c, kind == PM_CONTACT_ROW ? row : scene_circle(s, o, 0), 1, 0, PM_FRICTION_SMOOTH, 0);
+        const int o = scene_point(s, PM_GROUND, 0, 0),
+                  c = scene_circle(s, scene_point(s, scene_body(s, 1, 0, 0, 1, 0), 0, 0), 0);
+        const int row =
+            SCENE_ROW(s, PM_TABLE_ROW, o, scene_value(s, 1), scene_value(s, 0), scene_value(s, -1));
+        scene_contact(s, kind, c, kind == PM_CONTACT_ROW ? row : scene_circle(s, o, 0), 1, 0,
+                      PM_FRICTION_SMOOTH, 0);
         scene_until_time(s, 1);
         EQUAL(scene_run(s, NULL), PM_BAD_VALUE);
         EQUAL(s->where[PM_WHERE_TABLE], PM_TABLE_CONTACT);

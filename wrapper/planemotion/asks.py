@@ -8,12 +8,14 @@ from dataclasses import dataclass
 from . import _layout as layout
 from .errors import SceneError
 from .instants import firing
-from .measures import Measures, Reading
+from .measure_rows import Reading
+from .measures import Measures
 from .node import Node, binary
-from .parameters import Reader, unknown
+from .parameters import Reader
 from .scene import Ask, At, Grid, Value
 from .tables import Tables
 from .units import DIMENSIONLESS, Dimension, factor
+from .words import unknown
 
 # Columns of an answer "each EVENT" where nothing says how often the event fires.
 EACH_FIRINGS = 64
@@ -43,7 +45,12 @@ class Asks:
     """Adds asks to the tables."""
 
     def __init__(
-        self, events: Mapping[str, int], bounds: Mapping[int, int], measures: Measures, reader: Reader, tables: Tables
+        self,
+        events: Mapping[str, int],
+        bounds: Mapping[int, int],
+        measures: Measures,
+        reader: Reader,
+        tables: Tables,
     ) -> None:
         """`bounds`: how often an event can fire before the run ends, where that is known."""
         self.events = events
@@ -159,7 +166,8 @@ def grid_nodes(reader: Reader, grid: Grid, where: str, reading: Reading) -> list
         if not grid.values:
             raise SceneError("at least 1 value is needed", path=where)
         return [reader.number(value, f"{where}[{i}]", wanted) for i, value in enumerate(grid.values)]
-    assert grid.from_ is not None and grid.to is not None
+    assert grid.from_ is not None
+    assert grid.to is not None
     start = reader.number(grid.from_, f"{where}.from", wanted)
     stop = reader.number(grid.to, f"{where}.to", wanted)
     if grid.step is not None:
@@ -177,13 +185,17 @@ def grid_nodes(reader: Reader, grid: Grid, where: str, reading: Reading) -> list
     return [start, *between, stop]
 
 
-def _steps(reader: Reader, written: Value, start: Node, stop: Node, where: str, wanted: Dimension) -> list[Node]:
+def _steps(
+    reader: Reader, written: Value, start: Node, stop: Node, where: str, wanted: Dimension
+) -> list[Node]:
     step = reader.number(written, f"{where}.step", wanted)
     if any(reader.depends_on(node) for node in (start, stop, step)):
         reason = "the number of steps would depend on parameters; give num instead"
         raise SceneError(reason, path=f"{where}.step", value=written)
     first, last, size = (reader.default(node) for node in (start, stop, step))
     if size == 0 or (last - first) / size < 0:
-        raise SceneError("the steps do not lead from the first value to the last", path=f"{where}.step", value=written)
+        raise SceneError(
+            "the steps do not lead from the first value to the last", path=f"{where}.step", value=written
+        )
     count = int((last - first) / size + _STEP_ROUNDING) + 1
     return [start + step * i for i in range(count)]

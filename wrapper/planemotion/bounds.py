@@ -64,7 +64,9 @@ def check_bounds(tables: Tables, data: SceneData) -> None:
             continue
         value = tables.default_value(index)
         if not math.isfinite(value):
-            raise SceneError(f"it is {value} and must be a finite number", path=path, value=written(data, path))
+            raise SceneError(
+                f"it is {value} and must be a finite number", path=path, value=written(data, path)
+            )
     for bound in _BOUNDS:
         for row in tables.rows[bound.table]:
             if bound.only is not None and row[bound.only[0]] != bound.only[1]:
@@ -75,7 +77,10 @@ def check_bounds(tables: Tables, data: SceneData) -> None:
             value = tables.default_value(index)
             if not bound.allows(value):
                 path = tables.names[layout.PM_TABLE_VALUE][index]
-                raise SceneError(f"it is {value:g} (SI) and {bound.text}", path=path, value=written(data, path))
+                shown = written(data, path)
+                # A bare number says it already; a quantity or an expression does not.
+                found = "it " if isinstance(shown, int | float) else f"it is {value:g} (SI) and "
+                raise SceneError(found + bound.text, path=path, value=shown)
 
 
 def written(data: SceneData, path: str) -> object:

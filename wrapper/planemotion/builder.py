@@ -19,9 +19,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
 from .errors import SceneError
-from .parameters import override, unknown
-from .scene import DEFAULT_G, SceneData, validate
+from .parameters import override
+from .scene import DEFAULT_G, SceneData
 from .units import parse_quantity
+from .validate import validate
+from .words import unknown
 
 if TYPE_CHECKING:
     from .result import RunResult

@@ -29,7 +29,8 @@ _FAILED, _WRONG, _INTERRUPTED = 1, 2, 130
 # Without a terminal: seconds between two lines of progress.
 _PLAIN_PROGRESS_EVERY = 5.0
 _SHOWN_OF_LIST = 6
-_DIGITS = 8
+_DIGITS = 8  # significant, of an answer; of a table of many
+_DIGITS_OF_TABLE = 6
 
 
 class _Commands(click.Group):
@@ -44,7 +45,7 @@ class _Commands(click.Group):
             status, text = (_INTERRUPTED if _is_interruption(error) else _WRONG), str(error)
         except KeyboardInterrupt:
             status, text = _INTERRUPTED, "stopped"
-        _say(text, error=True)
+        _say(text, error=status != _INTERRUPTED)
         ctx.exit(status)
 
 
@@ -311,38 +312,39 @@ class _PlainProgress:
     def __init__(self) -> None:
         self._begun = self._told = time.perf_counter()
         self._first: int | None = None
+        self._ended = False
 
     def __call__(self, done: int, total: int) -> None:
         now = time.perf_counter()
         if self._first is None:
-            self._first = done
-        if done < total and now - self._told < _PLAIN_PROGRESS_EVERY:
+            self._first = done  # a resumed sweep does not begin at 0
+        if self._ended or (done < total and now - self._told < _PLAIN_PROGRESS_EVERY):
             return
-        self._told = now
+        self._told, self._ended = now, done >= total
         rate = (done - self._first) / max(now - self._begun, 1e-9)
-        left = f", {(total - done) / rate:.0f} s left" if rate > 0 and done < total else ""
-        _say(f"{done} of {total} cases, {rate:.0f} cases/s{left}")
+        left = f", {rate:.0f} cases/s, {(total - done) / rate:.0f} s left" if rate > 0 and done < total else ""
+        _say(f"{done} of {total} cases{left}")
 
 
 def _table(header: Sequence[str], rows: Sequence[Sequence[Any]]) -> str:
-    """Columns aligned on the right, words on the left; an empty column of words is left out."""
-    shown = [[value if isinstance(value, str) else _number_or_gap(value) for value in row] for row in rows]
-    columns = [
-        (name, [row[i] for row in shown], bool(rows) and isinstance(rows[0][i], str)) for i, name in enumerate(header)
-    ]
-    columns = [column for column in columns if not column[2] or any(column[1])]
+    """Aligned columns below names and units; numbers on the right; a column of empty words is left out."""
     texts = []
-    for name, cells, is_word in columns:
-        width = max(len(name), *(len(cell) for cell in cells)) if cells else len(name)
-        side = "<" if is_word else ">"
-        texts.append([f"{cell:{side}{width}}" for cell in (name, *cells)])
+    for i, title in enumerate(header):
+        cells = [row[i] if isinstance(row[i], str) else _number_or_gap(row[i]) for row in rows]
+        is_word = any(isinstance(row[i], str) for row in rows)
+        if is_word and not any(cells):
+            continue
+        name, _, unit = title.partition(" ")
+        shown = [name, unit if unit != "[1]" else "", *cells]
+        width = max(map(len, shown))
+        texts.append([f"{cell:{'<' if is_word else '>'}{width}}" for cell in shown])
     lines = ["  ".join(cells).rstrip() for cells in zip(*texts, strict=True)]
-    return "\n".join([click.style(lines[0], bold=True), *lines[1:]]) if lines else ""
+    return "\n".join([*(click.style(line, bold=True) for line in lines[:2]), *lines[2:]])
 
 
 def _number_or_gap(value: Any) -> str:
     number = float(value)
-    return "-" if number != number else f"{number:.{_DIGITS}g}"
+    return "-" if number != number else f"{number:.{_DIGITS_OF_TABLE}g}"
 
 
 # ---- check, explain -------------------------------------------------------------------------------------
@@ -373,7 +375,10 @@ def check(ctx: click.Context, scene: Path, values: Mapping[str, str]) -> None:
 @_set_option
 @click.pass_context
 def explain(ctx: click.Context, scene: Path, also_run: bool, values: Mapping[str, str]) -> None:
-    """Tell what a scene is made of, how it moves and how it will be computed."""
+    """Tell what a scene is made of and how it is computed.
+
+    With --run also what happened in the run.
+    """
     from . import explain as explanations
     from .file import load
     from .run import simulate
@@ -398,7 +403,10 @@ def explain(ctx: click.Context, scene: Path, also_run: bool, values: Mapping[str
 @click.argument("result", type=_path)
 @click.option("--out", metavar="PNG", type=_path, help="The picture (default: beside RESULT).")
 def plot(result: Path, out: Path | None) -> None:
-    """Draw the result of a sweep (.h5), or a history that `run --history` recorded."""
+    """Draw the result of a sweep, or a recorded history.
+
+    RESULT is the .h5 file that `sweep` or `run --history` wrote.
+    """
     from . import picture
 
     click.echo(picture.plot(result, out))
@@ -410,7 +418,10 @@ def plot(result: Path, out: Path | None) -> None:
 @_set_option
 @click.pass_context
 def draw(ctx: click.Context, scene: Path, out: Path | None, values: Mapping[str, str]) -> None:
-    """Draw a scene at its start, with names: it shows most modelling errors."""
+    """Draw a scene at its start, with names.
+
+    It shows most modelling errors.
+    """
     from . import sketch
     from .file import load
 
@@ -442,6 +453,8 @@ def _claimed(path: Path) -> Iterator[Path]:
     if path.exists() and not path.is_file():
         yield path
         return
+    if not path.parent.is_dir():
+        raise StudyError(f"{path}: cannot be written: there is no folder {path.parent}")
     from .store import appearing
 
     with suppress(_NothingWritten), appearing(path.resolve()) as temporary:

@@ -16,7 +16,7 @@ from .drawing import GROUND, Drawing
 from .errors import SceneError
 from .joints import side
 from .marks import LineMark, RowMark
-from .node import ZERO, Number
+from .node import ZERO, Node, Number
 from .parameters import Reader, is_zero
 from .partners import Partner, different, kernel_circle, pairs, partner
 from .scene import Contact, Friction, Value
@@ -56,7 +56,9 @@ class Contacts:
         first, second = pairs(
             contact.touch,
             f"{path}.touch",
-            lambda text, where, _index: partner(self.drawing, text, where, "circle", "point", "line", "row", "set"),
+            lambda text, where, _index: partner(
+                self.drawing, text, where, "circle", "point", "line", "row", "set"
+            ),
         )
         for one in (first, second):
             self._check(one)
@@ -91,7 +93,10 @@ class Contacts:
     def _geometry(self, a: Partner, b: Partner, contact: Contact, path: str, swapped: bool) -> dict[int, int]:
         """Kind, partners and side of a row."""
         if a.kind not in _ROUND or b.kind == "set":
-            raise SceneError(f"a {a.kind} and a {b.kind} do not touch; a circle or a point is wanted first", path=f"{path}.touch")
+            raise SceneError(
+                f"a {a.kind} and a {b.kind} do not touch; a circle or a point is wanted first",
+                path=f"{path}.touch",
+            )
         different(a, b)
         points = a.kind == "point" and b.kind == "point"
         if contact.normal is not None and not points:
@@ -103,7 +108,9 @@ class Contacts:
         elif b.kind == "row":
             assert isinstance(b.mark, RowMark)
             if a.kind == "point":
-                raise SceneError("a circle is wanted to touch a row of points", path=a.where, value=str(a.ref))
+                raise SceneError(
+                    "a circle is wanted to touch a row of points", path=a.where, value=str(a.ref)
+                )
             kind, other = layout.PM_CONTACT_ROW, self.drawing.row(b.mark, b.where)
         elif points:
             kind, other = layout.PM_CONTACT_LINE, self._line_through(b, contact.normal, path)
@@ -120,17 +127,22 @@ class Contacts:
     def _line_through(self, b: Partner, normal: Value | None, path: str) -> int:
         """The second of two points acts as a line through it, whose free side the normal points to."""
         if normal is None:
-            reason = 'two points need a normal: the direction of the second one\'s free side, such as "90 deg"'
+            reason = (
+                'two points need a normal: the direction of the second one\'s free side, such as "90 deg"'
+            )
             raise SceneError(reason, path=f"{path}.normal")
         direction = self.reader.number(normal, f"{path}.normal", DIMENSIONLESS)
         along = direction - Number(math.pi / 2) - self.drawing.angle(b.owner)
-        return self.drawing.line(b.owner, LineMark(self.drawing.marks(b.owner).point(b.name), along, False), b.where)
+        return self.drawing.line(
+            b.owner, LineMark(self.drawing.marks(b.owner).point(b.name), along, False), b.where
+        )
 
     def _laws(self, contact: Contact, path: str) -> dict[int, int]:
         """Restitution and friction of a row."""
         restitution = self.reader.number(contact.restitution, f"{path}.restitution", DIMENSIONLESS)
         law = layout.PM_FRICTION_COULOMB
-        static = kinetic = ZERO
+        static: Node = ZERO
+        kinetic: Node = ZERO
         where = f"{path}.friction"
         if isinstance(contact.friction, Friction):
             static = self.reader.number(contact.friction.static, f"{where}.static", DIMENSIONLESS)

@@ -28,9 +28,7 @@ _FIRST_ROWS = 4096
 
 _STATUS_NAMES = {value: name.removeprefix("PM_").lower() for name, value in layout.pm_status.items()}
 _ROUTE_NAMES = {value: name.removeprefix("PM_ROUTE_").lower() for name, value in layout.pm_route.items()}
-AUDITS = tuple(
-    name.removeprefix("PM_AUDIT_").lower() for name in layout.pm_audit if name != "PM_AUDITS"
-)
+AUDITS = tuple(name.removeprefix("PM_AUDIT_").lower() for name in layout.pm_audit if name != "PM_AUDITS")
 REASONS: Mapping[int, str] = {
     layout.PM_REASON_NONE: "",
     layout.PM_REASON_NOT_REACHED: "not reached",
@@ -163,8 +161,14 @@ def check(flat: FlatScene, param: npt.ArrayLike | None = None) -> Start:
         _raise(flat, status, where, detail)
     return Start(
         status=int(status),
-        info={_column(name): int(info[index]) for name, index in layout.pm_check_column.items() if index < len(info)},
-        number={_column(name): float(number[i]) for name, i in layout.pm_check_number.items() if i < len(number)},
+        info={
+            _column(name): int(info[index])
+            for name, index in layout.pm_check_column.items()
+            if index < len(info)
+        },
+        number={
+            _column(name): float(number[i]) for name, i in layout.pm_check_number.items() if i < len(number)
+        },
         pose=pose,
         velocity=velocity,
         message="" if status == layout.PM_OK else describe(flat, int(status), where, detail),
@@ -235,8 +239,9 @@ def _place_name(flat: FlatScene, where: Ints) -> str:
 def _open_joint(place: str, found: float, bound: float) -> str:
     # The kernel measures openings in m, or rad where a direction is held.
     return (
-        f"start: the joints cannot be met with the values written: {place or 'a joint'} is open by {found:.4g} m "
-        f"(allowed {bound:.2g} m); mark a value as a guess with ~, or change a length"
+        f"start: the joints cannot be met with the values written: {place or 'a joint'} is open by "
+        f'{found:.4g} m (allowed {bound:.2g} m); mark a value as a guess, such as angle = "~0 deg", '
+        "or change a length"
     )
 
 
@@ -245,8 +250,12 @@ _DESCRIPTIONS: dict[int, Any] = {
     layout.PM_LIMIT_EVENTS: lambda place, found, bound: "until: not reached within solve.max_events",
     layout.PM_LIMIT_STEPS: lambda place, found, bound: "until: not reached within solve.max_steps",
     layout.PM_CANCELLED: lambda place, found, bound: "cancelled before it was finished",
-    layout.PM_STAYS_AT_REST: lambda place, found, bound: "until: not reached; everything has come to rest and stays",
-    layout.PM_BAD_VALUE: lambda place, found, bound: f"{place}: it is {found:.6g} (SI); the bound is {bound:.6g}",
+    layout.PM_STAYS_AT_REST: lambda place, found, bound: (
+        "until: not reached; everything has come to rest and stays"
+    ),
+    layout.PM_BAD_VALUE: lambda place, found, bound: (
+        f"{place or 'a value'}: it is {found:.6g} (SI); the bound is {bound:.6g}"
+    ),
     layout.PM_ASSEMBLY: _open_joint,
     layout.PM_START_CONFLICT: lambda place, found, bound: (
         f"{place}: {found:.6g} (SI) is given, but the other start values and the joints give {bound:.6g}; "
@@ -285,7 +294,9 @@ def _flag(flag: npt.NDArray[Any] | None, dtype: np.dtype[Any], name: str) -> npt
     if flag is None:
         return np.zeros(1, dtype)
     if flag.dtype != dtype or flag.shape != (1,):
-        raise ValueError(f"{name} has the type {flag.dtype} and shape {flag.shape}; {dtype} and (1,) are wanted")
+        raise ValueError(
+            f"{name} has the type {flag.dtype} and shape {flag.shape}; {dtype} and (1,) are wanted"
+        )
     return flag
 
 

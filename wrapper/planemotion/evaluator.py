@@ -19,8 +19,19 @@ Floats = npt.NDArray[np.float64]
 
 # Operations whose name in node.py is not that of the code in small letters.
 _SYMBOLS = {
-    **{"ADD": "+", "SUB": "-", "MUL": "*", "DIV": "/", "POW": "^", "NEG": "-", "HYPOT": "norm"},
-    **{"LT": "<", "LE": "<=", "GT": ">", "GE": ">=", "EQ": "=", "NE": "!="},
+    "ADD": "+",
+    "SUB": "-",
+    "MUL": "*",
+    "DIV": "/",
+    "POW": "^",
+    "NEG": "-",
+    "HYPOT": "norm",
+    "LT": "<",
+    "LE": "<=",
+    "GT": ">",
+    "GE": ">=",
+    "EQ": "=",
+    "NE": "!=",
 }
 _PUSHES = ("PM_OP_CONSTANT", "PM_OP_PARAMETER", "PM_OP_VALUE", "PM_OP_MEASURE")
 
@@ -51,7 +62,11 @@ def value_table(flat: FlatScene, param: Floats) -> Floats:
 
 
 def run_program(
-    flat: FlatScene, program: int, param: Floats, values: Floats, measure: Callable[[int], float] | None = None
+    flat: FlatScene,
+    program: int,
+    param: Floats,
+    values: Floats,
+    measure: Callable[[int], float] | None = None,
 ) -> float:
     """One program; `measure` gives what a measure reads (none: a program of values)."""
     first, length = flat.rows(layout.PM_TABLE_PROGRAM)[program]

@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any
 from . import _layout as layout
 from . import engine
 from .flatten import FlatScene, flatten
-from .grids import ask_text
 from .scene import Friction, SceneData, Vector
 
 if TYPE_CHECKING:
@@ -45,6 +44,8 @@ def check(scene: Scene) -> Report:
 
 def explain(scene: Scene) -> Report:
     """The whole scene in words.  Raises SceneError for a fault in it."""
+    from .study import ask_text
+
     data = scene.data
     flats = _runs(scene)
     starts = [engine.check(flat) for flat in flats]

@@ -24,13 +24,15 @@ from .forces import Forces
 from .histories import trace_columns
 from .instants import Instants, add_event, firing
 from .joints import JointInfo, Joints
-from .measures import Measures, Scope
+from .measure_rows import Scope
+from .measures import Measures
 from .node import ZERO, Name, negative
-from .parameters import Parameters, Reader, is_zero, override, unknown
+from .parameters import Parameters, Reader, is_zero, override
 from .scene import Body, Contact, Force, Joint, SceneData, Value
 from .starts import Starts
 from .tables import Tables
 from .units import DIMENSIONLESS, TIME
+from .words import unknown
 
 _E = TypeVar("_E", Body, Joint, Contact, Force)
 _COLUMNS = {
@@ -162,13 +164,19 @@ class _Flattener:
 
     def _active(self, group: str, elements: Mapping[str, _E]) -> dict[str, _E]:
         """The elements whose `active` holds at the parameters of this run."""
-        return {name: one for name, one in elements.items() if self._is_active(one.active, f"{group}.{name}.active")}
+        return {
+            name: one
+            for name, one in elements.items()
+            if self._is_active(one.active, f"{group}.{name}.active")
+        }
 
     def _is_active(self, written: Value, where: str) -> bool:
         node = self.reader.number(written, where, DIMENSIONLESS)
         swept = self.reader.depends_on(node) & set(self.data.sweep.grids)
         if swept:
-            reason = f"not built yet: sweeping {sorted(swept)[0]}, on which it depends what is active; use [runs]"
+            reason = (
+                f"not built yet: sweeping {sorted(swept)[0]}, on which it depends what is active; use [runs]"
+            )
             raise SceneError(reason, path=where, value=written)
         return self.reader.default(node) != 0
 
@@ -177,7 +185,12 @@ class _Flattener:
         joints = self._active("joints", data.joints)
         contacts = self._active("contacts", data.contacts)
         forces = self._active("forces", data.forces)
-        groups = ((data.bodies, self.drawing.bodies), (data.joints, joints), (data.contacts, contacts), (data.forces, forces))
+        groups = (
+            (data.bodies, self.drawing.bodies),
+            (data.joints, joints),
+            (data.contacts, contacts),
+            (data.forces, forces),
+        )
         inactive = {name for written, active in groups for name in written if name not in active}
         add_joint = Joints(self.drawing, self.reader, self.tables).add
         add_contact = Contacts(self.drawing, self.reader, self.tables).add
@@ -197,8 +210,10 @@ class _Flattener:
     def _check_masses(self) -> None:
         """A mass may be left out only if the mass centre cannot move: it is pinned to the ground."""
         for name, mass in self.drawing.masses.items():
-            if not mass.known and not any(_holds(joint, name, self.drawing) for joint in self.scope.joints.values()):
-                reason = "mass or weight is wanted; it may be left out only where the mass centre is pinned to the ground"
+            if not mass.known and not any(
+                _holds(joint, name, self.drawing) for joint in self.scope.joints.values()
+            ):
+                reason = "mass or weight is wanted (unless the mass centre is pinned to the ground)"
                 raise SceneError(reason, path=f"bodies.{name}.mass")
 
     def _bounds(self) -> dict[int, int]:
@@ -237,7 +252,6 @@ class _Flattener:
         corners = body.rod if body.rod is not None else body.corners or ()
         points = tuple(self.drawing.point(self.drawing.point_ref(f"{name}.{corner}")) for corner in corners)
         return Shape(name, body.shape or ("body" if body.turns else "particle"), points)
-
 
 
 def _run(data: SceneData, name: str | None) -> str | None:

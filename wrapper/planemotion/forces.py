@@ -42,7 +42,7 @@ class Forces:
     def add(self, name: str, force: Force) -> ForceInfo:
         """Adds the row of one force.  Raises SceneError for partners and options that do not fit."""
         path = f"forces.{name}"
-        row = {column: layout.PM_NONE for column in range(layout.PM_FORCE_COLUMNS)}
+        row = dict.fromkeys(range(layout.PM_FORCE_COLUMNS), layout.PM_NONE)
         row[layout.PM_FORCE_OPTION] = 0
         try:
             owners = getattr(self, f"_{force.kind}")(force, path, row)
@@ -132,7 +132,9 @@ class Forces:
         else:
             owners = self._bodies(force.couple, where)
         if force.value is None or isinstance(force.value, Vector):
-            raise SceneError("a number is wanted: the couple, counterclockwise positive", path=f"{path}.value")
+            raise SceneError(
+                "a number is wanted: the couple, counterclockwise positive", path=f"{path}.value"
+            )
         value = self._over_time(force.value, f"{path}.value", MOMENT)
         row[layout.PM_FORCE_KIND] = layout.PM_FORCE_COUPLE
         row[layout.PM_FORCE_A] = self.drawing.body_index(owners[0])
@@ -162,7 +164,7 @@ class Forces:
 
     def _wanted(self, written: Value | None, where: str, wanted: Dimension) -> Node:
         if written is None:
-            raise SceneError("is wanted and left out", path=where)
+            raise SceneError("it is wanted and left out", path=where)
         return self.reader.number(written, where, wanted)
 
     def _vector(self, written: Vector, where: str) -> tuple[Node, Node]:
@@ -190,7 +192,7 @@ class Forces:
 
 def time_row() -> dict[int, int]:
     """The measure of time, whose other columns are empty."""
-    row = {column: layout.PM_NONE for column in range(layout.PM_MEASURE_COLUMNS)}
+    row = dict.fromkeys(range(layout.PM_MEASURE_COLUMNS), layout.PM_NONE)
     row[layout.PM_MEASURE_KIND] = layout.PM_MEASURE_TIME
     row[layout.PM_MEASURE_PART] = layout.PM_PART_NONE
     return row

@@ -5,7 +5,8 @@ from __future__ import annotations
 from .drawing import Drawing
 from .errors import SceneError
 from .joints import JointInfo
-from .measures import Measures, Scope
+from .measure_rows import Scope
+from .measures import Measures
 from .tables import Tables
 
 _OF_BODY = ("x", "y", "velocity.x", "velocity.y")
@@ -17,7 +18,9 @@ _OF_CONTACT = ("gap", "normal", "friction")
 _ENERGIES = ("kinetic", "potential", "total")
 
 
-def trace_columns(measures: Measures, tables: Tables, scope: Scope, drawing: Drawing) -> dict[str, tuple[int, str]]:
+def trace_columns(
+    measures: Measures, tables: Tables, scope: Scope, drawing: Drawing
+) -> dict[str, tuple[int, str]]:
     """Column name (an address) -> program and SI unit."""
     addresses: list[str] = []
     for name, body in drawing.bodies.items():
@@ -44,4 +47,3 @@ def trace_columns(measures: Measures, tables: Tables, scope: Scope, drawing: Dra
 def _joint_quantities(joint: JointInfo) -> tuple[str, ...]:
     couple = ("couple",) if joint.kind in _WITH_COUPLE else ()
     return (*_OF_JOINT, *couple, *(_OF_ROLLING if joint.kind == "rolling" else ()))
-

@@ -59,8 +59,16 @@ def _write_run(group: Any, recorded: History) -> None:
     mark.attrs.update(flag_values=np.array(list(_MARKS), np.int8), flag_meanings=" ".join(_MARKS.values()))
     for address, values in recorded.columns.items():
         variable = group.create_variable(address, ("row",), "f8", data=values, fillvalue=np.nan)
-        variable.attrs["units"] = recorded.units[address] or "1"
+        variable.attrs["units"] = _unit(address, recorded.units[address])
     group.attrs.update(status=np.int32(recorded.status), status_word=status_name(recorded.status))
+
+
+def _unit(address: str, unit: str) -> str:
+    """The unit as people say it: J and rad are N*m and 1 for a calculation only."""
+    words = address.split(".")
+    if "energy" in words or words[-1] == "work":
+        return "J"
+    return "rad" if words[-1] in ("angle", "turned") else unit or "1"
 
 
 def is_history(path: Path) -> bool:
@@ -91,4 +99,5 @@ def _read_run(group: Any) -> History:
     named = {name: item for name, item in group.items() if name not in ("t", "mark", "row")}
     columns = {name: item[...].astype(np.float64) for name, item in named.items()}
     units = {name: str(item.attrs["units"]) for name, item in named.items()}
-    return History(group["t"][...], columns, units, group["mark"][...].astype(np.int32), int(group.attrs["status"]))
+    status = int(np.ravel(group.attrs["status"])[0])
+    return History(group["t"][...], columns, units, group["mark"][...].astype(np.int32), status)

@@ -15,11 +15,12 @@ from .errors import SceneError
 from .expression import dimension, parse
 from .measures import Measures
 from .node import Binary, Name, Node
-from .parameters import unknown
 from .substitute import substitute
 from .tables import Tables
 
-_CHANGE = re.compile(rf"(\S+)\s+({'|'.join((*words.CONTACT_CHANGES, *words.CORD_CHANGES, 'rests', 'happens'))})")
+_CHANGE = re.compile(
+    rf"(\S+)\s+({'|'.join((*words.CONTACT_CHANGES, *words.CORD_CHANGES, 'rests', 'happens'))})"
+)
 _EVERY = re.compile(r"(.+?)\s+every\s+(.+)")
 _FIRING = re.compile(r"([^\W\d]\w*)(?:\s+(\d+))?")
 _CONTACT_TRIGGER = {
@@ -80,7 +81,8 @@ class Instants:
         except SceneError as error:
             if _FIRING.fullmatch(text.strip()) and text.strip() not in ("start", "rest"):
                 word = text.split()[0]
-                raise SceneError(unknown(word, self.events, "event"), path=where, value=text) from None
+                reason = words.unknown(word, self.events, "event") + '; a condition is, say, "t = 2 s"'
+                raise SceneError(reason, path=where, value=text) from None
             raise error
         return event, 1
 
@@ -142,7 +144,7 @@ class Instants:
         if name not in contacts:
             if name in self.measures.scope.inactive:
                 raise SceneError(f'"{name}" is not active in this run')
-            raise SceneError(unknown(name, contacts, "contact"))
+            raise SceneError(words.unknown(name, contacts, "contact"))
         contact = contacts[name]
         indices = contact.indices
         if bracket:

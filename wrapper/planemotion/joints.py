@@ -46,6 +46,7 @@ class JointInfo:
     def owners(self) -> tuple[str, str]:
         return self.partners[0].owner, self.partners[1].owner
 
+
 # Part of the radius from which on a point counts as drawn on a circle.
 _ON_CIRCLE = 1 - 1e-6
 
@@ -101,7 +102,9 @@ class Joints:
         assert isinstance(b.mark, CircleMark)
         if a.anywhere:
             raise SceneError("a point of a body or of the ground is wanted", path=a.where, value=GROUND)
-        center = self.drawing.point_at(b.owner, self.drawing.from_mass_center(b.owner, b.mark.center), b.where)
+        center = self.drawing.point_at(
+            b.owner, self.drawing.from_mass_center(b.owner, b.mark.center), b.where
+        )
         return layout.PM_JOINT_LINK, self.drawing.point(a.ref), center, (b.mark.radius, path)
 
     def _link(self, a: Partner, b: Partner, joint: Joint, path: str) -> _Row:
@@ -120,15 +123,16 @@ class Joints:
         if not any(turning):
             raise SceneError("two particles would have to turn; give one of the bodies an inertia", path=path)
         # The place where both are held: the mass centre of the one that does not turn, else of the first.
-        held = b if turning[0] and not turning[1] or a.owner == GROUND else a
+        held = b if (turning[0] and not turning[1]) or a.owner == GROUND else a
         position = self.drawing.position(held.ref)
-        points = [
-            self.drawing.point_at(one.owner, self.drawing.to_body(one.owner, position), path) for one in (a, b)
-        ]
+        point_a, point_b = (
+            self.drawing.point_at(one.owner, self.drawing.to_body(one.owner, position), path)
+            for one in (a, b)
+        )
         if not all(turning):
-            return layout.PM_JOINT_PIN, *points, None
+            return layout.PM_JOINT_PIN, point_a, point_b, None
         angle = self.drawing.angle(a.owner) - self.drawing.angle(b.owner)
-        return layout.PM_JOINT_WELD, *points, (angle, path)
+        return layout.PM_JOINT_WELD, point_a, point_b, (angle, path)
 
     def _rolling(self, a: Partner, b: Partner, _joint: Joint, path: str) -> _Row:
         circle = kernel_circle(self.drawing, a)

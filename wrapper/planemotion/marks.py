@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from . import words
 from .errors import SceneError
 from .node import ZERO, Node, Number, atan2, norm
-from .parameters import Reader, unknown
+from .parameters import Reader
 from .scene import Body, Circle, Ground, Line, Offset, Row, Value, Vector
 from .units import ACCELERATION, DIMENSIONLESS, FORCE, INERTIA, LENGTH, MASS
 
@@ -120,7 +120,9 @@ def body_marks(reader: Reader, name: str, body: Body, length: Node | None) -> Ma
     if body.shape in words.ROUND_SHAPES:
         marks.circles["rim"] = CircleMark((ZERO, ZERO), radius(reader, name, body))
     if not body.turns and (body.points or body.lines or body.circles):
-        raise SceneError("a particle has no marks; give the body a shape, an inertia or a gyration", path=path)
+        raise SceneError(
+            "a particle has no marks; give the body a shape, an inertia or a gyration", path=path
+        )
     _add_points(reader, marks, body.points)
     for key, line in body.lines.items():
         marks.lines[key] = _line(reader, line, f"{path}.lines.{key}")
@@ -194,14 +196,20 @@ def _force_for_mass(written: Value, error: SceneError, right: str) -> SceneError
     unit = str(written).split()[-1]
     if "this is a force" not in error.reason:
         return None
-    return SceneError(f'{unit} is a force; write weight = "{written}", or {right}', path=error.path, value=written)
+    return SceneError(
+        f'{unit} is a force; write weight = "{written}", or {right}', path=error.path, value=written
+    )
 
 
 def _mass_for_weight(written: Value, error: SceneError) -> SceneError | None:
     unit = str(written).split()[-1]
     if "this is a mass" not in error.reason:
         return None
-    return SceneError(f'{unit} is a mass; write mass = "{written}", or a weight in N, lb or kip', path=error.path, value=written)
+    return SceneError(
+        f'{unit} is a mass; write mass = "{written}", or a weight in N, lb or kip',
+        path=error.path,
+        value=written,
+    )
 
 
 def _add_rod(marks: Marks, ends: tuple[str, ...], length: Node) -> None:
@@ -238,7 +246,9 @@ def _check_mark_names(marks: Marks, given: tuple[str, ...], key: str) -> None:
     for name in given:
         words.check_name(name, f"{marks.path}.{key}")
         if name in marks.points or name in quantities:
-            raise SceneError(f'"{name}" has a meaning of its own; choose another name', path=f"{marks.path}.{key}")
+            raise SceneError(
+                f'"{name}" has a meaning of its own; choose another name', path=f"{marks.path}.{key}"
+            )
 
 
 def _add_points(reader: Reader, marks: Marks, points: Mapping[str, Vector | Offset]) -> None:
@@ -256,7 +266,9 @@ def _add_points(reader: Reader, marks: Marks, points: Mapping[str, Vector | Offs
         if written.start not in marks.points:
             if written.start not in points:
                 known = {**marks.points, **points}
-                raise SceneError(marks.has_no("point", written.start, known), path=f"{where}.from", value=written.start)
+                raise SceneError(
+                    marks.has_no("point", written.start, known), path=f"{where}.from", value=written.start
+                )
             add(written.start, (*path, name))
         start = marks.points[written.start]
         by = reader.vector(written.by, f"{where}.by", LENGTH)
@@ -303,4 +315,3 @@ def rod_length(reader: Reader, name: str, body: Body) -> Node | None:
 def distance(a: Pair, b: Pair) -> Node:
     """The distance of two points."""
     return norm(a[0] - b[0], a[1] - b[1])
-

@@ -11,11 +11,12 @@ from collections.abc import Callable, Collection, Mapping
 from numbers import Real
 
 from .address import Address
-from .errors import SceneError, nearest
+from .errors import SceneError
 from .expression import Leaf, dimension, evaluate, names, parse, require
 from .node import Name, Node, Number, cos, sin
 from .scene import Value, Vector
 from .units import DIMENSIONLESS, Dimension, parse_quantity
+from .words import unknown
 
 
 class Parameters:
@@ -52,7 +53,9 @@ class Parameters:
 
     def _check_leaf(self, leaf: Leaf, path: str | None, value: object) -> None:
         if isinstance(leaf, Address):
-            raise SceneError(f'"{leaf}" is a measure of the motion; only parameters can stand here', path=path, value=value)
+            raise SceneError(
+                f'"{leaf}" is a measure of the motion; only parameters can stand here', path=path, value=value
+            )
         if leaf.text not in self.nodes:
             raise SceneError(unknown(str(leaf), self.nodes, "parameter"), path=path, value=value)
 
@@ -63,7 +66,9 @@ class Parameters:
         def visit(name: str, path: list[str]) -> None:
             if name in path:
                 circle = " -> ".join([*path[path.index(name) :], name])
-                raise SceneError(f"parameters that need each other in a circle: {circle}", path=f"parameters.{name}")
+                raise SceneError(
+                    f"parameters that need each other in a circle: {circle}", path=f"parameters.{name}"
+                )
             if name in order:
                 return
             for leaf in sorted(names(self.nodes[name]), key=str):
@@ -129,13 +134,6 @@ def _is_bare(value: object) -> bool:
     except ValueError:
         return False
     return True
-
-
-def unknown(word: str, known: Collection[str], what: str) -> str:
-    """The text that there is no such parameter, body, ..., with the nearest one that there is."""
-    guess = nearest(word, known)
-    there_is = f"there is {', '.join(known)}" if known else "there is none"
-    return f'unknown {what} "{word}"; {there_is}' + (f' (did you mean "{guess}"?)' if guess else "")
 
 
 class Reader:

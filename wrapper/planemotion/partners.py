@@ -118,7 +118,9 @@ def kernel_circle(drawing: Drawing, at: Partner) -> int:
     return drawing.circle(at.owner, at.mark, at.where)
 
 
-def pairs(text: tuple[str, ...], path: str, read: Callable[[str, str, int], Partner]) -> tuple[Partner, Partner]:
+def pairs(
+    text: tuple[str, ...], path: str, read: Callable[[str, str, int], Partner]
+) -> tuple[Partner, Partner]:
     """Both partners of an element, read with their key paths; they must belong to different bodies."""
     first, second = (read(one, f"{path}[{index}]", index) for index, one in enumerate(text))
     different(first, second)

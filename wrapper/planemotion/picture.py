@@ -44,7 +44,7 @@ RED = "#b5362b"
 PALE_RED = "#dd9c95"
 EMPTY = "#ebebeb"
 # A family of curves or the parts of a vector: dark, well apart, also in print and for the colour-blind.
-CURVES = (BLUE, "#c8741a", "#3b7d5e", "#7a4a8c", "#8a8a2b", "#4c9bbf")
+CURVES = (BLUE, "#c8741a", "#3b7d5e", "#7a4a8c", "#8a8a2b", "#4c9bbf", "#b5362b", "#5d5d5d")
 
 STYLE = {
     "axes.axisbelow": True,
@@ -115,6 +115,8 @@ def save(figure: Figure, path: Path) -> None:
     """Writes the PNG; it appears whole or not at all.  Raises StudyError if it cannot be written."""
     from .store import appearing
 
+    if not path.parent.is_dir():
+        raise StudyError(f"{path}: cannot be written: there is no folder {path.parent}")
     FigureCanvasAgg(figure)
     with appearing(path) as temporary:
         figure.savefig(temporary, format="png", dpi=RESOLUTION, facecolor="white")
@@ -469,7 +471,8 @@ _KINDS = {
     "N": "forces",
     "N*m": "couples",
 }
-_MAX_CURVES = 12
+_MAX_SOURCES = 8  # colours in a panel
+_DASHES = {"x": "-", "y": (0, (4, 1.5))}
 
 
 def plot_history(runs: Mapping[str, History], title: str) -> Figure:
@@ -495,15 +498,25 @@ def plot_history(runs: Mapping[str, History], title: str) -> Figure:
 
 
 def _history_panel(place: Axes, recorded: History, unit: str) -> None:
-    """All columns of one unit over time; where there are many, the nearest to the whole bodies."""
+    """All columns of one unit over time, or the first of them where there are too many to tell apart."""
     names = [name for name, own in recorded.units.items() if own == unit]
-    shown = sorted(sorted(names, key=lambda name: name.count("."))[:_MAX_CURVES], key=names.index)
+    sources = list(dict.fromkeys(_source(name)[0] for name in names))[:_MAX_SOURCES]
+    shown = [name for name in names if _source(name)[0] in sources]
     for instant in event_times(recorded):
         place.axvline(instant, color=SOFT, linewidth=0.5, alpha=0.6, zorder=1)
-    for name, colour in zip(shown, _colours(len(shown)), strict=True):
-        place.plot(recorded.time, recorded.columns[name], color=colour, linewidth=1.1, label=name)
+    for name in shown:
+        source, part = _source(name)
+        colour = CURVES[sources.index(source)]
+        dashes = _DASHES.get(part, "-")
+        place.plot(recorded.time, recorded.columns[name], color=colour, linestyle=dashes, linewidth=1.1, label=name)
     kind = _KINDS.get(unit, "")
     place.set_title(f"{kind} [{unit}]" if unit != "1" else kind or "numbers")
     if len(shown) < len(names):
         place.set_title(f"{len(shown)} of {len(names)}", loc="right", size=8, weight="normal", color=SOFT)
     place.legend(loc="upper left", bbox_to_anchor=(1.0, 1.05), handlelength=1.2, labelspacing=0.25, fontsize=7.5)
+
+
+def _source(address: str) -> tuple[str, str]:
+    """What a column is a part of, and which part: "A.force", "x"."""
+    source, _, part = address.rpartition(".")
+    return (source, part) if part in _DASHES else (address, "")

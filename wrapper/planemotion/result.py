@@ -104,7 +104,9 @@ def answers(flat: FlatScene, results: CaseResults, i: int) -> dict[str, AskValue
 
 def answer(column: AskColumn, out: npt.NDArray[np.float64], reason: int, status: int) -> AskValue:
     """One answer from a row of `out`; `reason` and `status` are the kernel's for this ask and case."""
-    values = [_finite(float(value) / column.factor) for value in out[column.first : column.first + column.count]]
+    values = [
+        _finite(float(value) / column.factor) for value in out[column.first : column.first + column.count]
+    ]
     if column.open_ended:
         while values and values[-1] is None:
             values.pop()
@@ -137,7 +139,9 @@ def collect(
         error=error,
         route=tuple(dict.fromkeys(routes)),
         asks={key: found[key] for key in order if key in found},
-        audit={name: _worst(result.audit[0, index] for _, result in runs) for index, name in enumerate(AUDITS)},
+        audit={
+            name: _worst(result.audit[0, index] for _, result in runs) for index, name in enumerate(AUDITS)
+        },
         counts={
             name.removeprefix("PM_COUNT_").lower(): int(sum(result.count[0, index] for _, result in runs))
             for name, index in layout.pm_count_column.items()

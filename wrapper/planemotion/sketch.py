@@ -19,10 +19,10 @@ import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from . import picture
+from . import engine, picture
 from .drawing import GROUND, Drawing
 from .expression import evaluate, parse
-from .flatten import run_parameters
+from .flatten import flatten, run_parameters
 from .marks import CircleMark, LineMark, Pair, RowMark
 from .node import Node
 from .parameters import Parameters, Reader
@@ -34,6 +34,7 @@ from .tables import Tables
 from .units import DIMENSIONLESS, LENGTH, factor
 
 if TYPE_CHECKING:
+    from .builder import Scene
     from .scene import Contact, Force, Joint
 
 # Greatest size of the drawing, and the room left around what is drawn, in inches.
@@ -71,6 +72,18 @@ def drawing_of(data: SceneData, run: str | None) -> Drawing:
         if reader.constant(body.active, f"bodies.{name}.active", DIMENSIONLESS)
     }
     return Drawing(data, bodies, reader, Tables(parameters))
+
+
+def start_of(scene: Scene, run: str | None = None) -> Start:
+    """The start of a run (default: the first).  Raises SceneError for a fault in the scene."""
+    flat = flatten(scene, run)
+    drawing = drawing_of(scene.data, flat.run)
+    found = engine.check(flat)
+    poses = {name: (float(x), float(y), float(angle)) for name, (x, y, angle) in zip(flat.bodies, found.pose, strict=True)}
+    if found.message:
+        default = drawing.tables.default
+        poses = {name: (default(pose.x), default(pose.y), default(pose.angle)) for name in drawing.bodies for pose in [drawing.pose(name)]}
+    return Start(scene.data, drawing, poses, found.message)
 
 
 def draw(start: Start, out: Path) -> None:
@@ -153,7 +166,7 @@ class _Sketch:
         room = 2 * _ROOM
         inch = max(size[0] / (_WIDTH - room), size[1] / (_HEIGHT - room))
         paper = np.maximum(size / inch + room, (3.2, 1.6))
-        left, right, below, above = 0.62, 0.15, 0.5, 0.66
+        left, right, below, above = 0.85, 0.15, 0.5, 0.66
         width, height = paper[0] + left + right, paper[1] + below + above
         made = Figure(figsize=(width, height), dpi=picture.RESOLUTION)
         FigureCanvasAgg(made)
@@ -164,6 +177,7 @@ class _Sketch:
         axes.set_ylim(self.low[1], self.high[1])
         axes.set_xlabel(f"x [{self.unit}]")
         axes.set_ylabel(f"y [{self.unit}]")
+        axes.yaxis.set_label_coords(-0.62 / paper[0], 0.5)
         axes.grid(True, color="#f0f0f0", linewidth=0.5)
         return made, Pen(axes, float(inch))
 
@@ -185,17 +199,24 @@ class _Sketch:
         if self.start.fault:
             note = "as written, not assembled (see the message)"
         picture.head(self.figure, self.data.title or self.data.id or "Scene", note)
-        self.pen.write_names()
         if self.data.plane == "vertical":
             self._gravity()
+        self.pen.write_names()
 
     def _gravity(self) -> None:
-        axes = self.pen.axes
-        width, height = (self.high - self.low) / self.pen.inch
-        x, y = 1 - 0.22 / width, 1 - 0.12 / height
-        options = {"arrowstyle": "-|>", "color": SOFT, "linewidth": 1.0}
-        axes.annotate("", (x, y - 0.36 / height), (x, y), "axes fraction", "axes fraction", arrowprops=options)
-        axes.text(x - 0.07 / width, y - 0.2 / height, "g", color=SOFT, ha="right", va="center", transform=axes.transAxes, style="italic")
+        """The direction of weight, in the emptiest corner."""
+        inch = self.pen.inch
+        ink = np.array([*self.pen.ink, *(name.place for name in self.pen.names)])
+        corners = [(x, y) for y in (self.high[1] - 0.12 * inch, self.low[1] + 0.5 * inch) for x in (self.high[0] - 0.22 * inch, self.low[0] + 0.3 * inch)]
+
+        def crowd(corner: Place) -> int:
+            x, y = corner
+            near = (np.abs(ink[:, 0] - x) < 0.35 * inch) & (np.abs(ink[:, 1] - y + 0.2 * inch) < 0.4 * inch)
+            return int(np.count_nonzero(near))
+
+        x, y = min(corners, key=crowd)
+        self.pen.arrow((x, y), (x, y - 0.38 * inch), SOFT, linewidth=1.0)
+        self.pen.axes.text(x - 0.07 * inch, y - 0.19 * inch, "g", color=SOFT, ha="right", va="center", style="italic")
 
     def _ground(self) -> None:
         marks = self.drawing.marks(GROUND)

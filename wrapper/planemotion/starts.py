@@ -13,7 +13,8 @@ from . import _layout as layout
 from .address import Address, parse_address
 from .drawing import Drawing, PointRef
 from .errors import SceneError
-from .measures import Measures, Reading
+from .measure_rows import Reading
+from .measures import Measures
 from .node import Node
 from .parameters import Reader, is_guess
 from .scene import Value, Vector
@@ -63,7 +64,7 @@ class Starts:
             self._row(layout.PM_MEASURE_ANGLE, index, layout.PM_PART_NONE, pose.angle, f"bodies.{name}.angle")
 
     def _row(self, kind: int, a: int, part: int, value: Node, path: str) -> None:
-        measure = {column: layout.PM_NONE for column in range(layout.PM_MEASURE_COLUMNS)}
+        measure = dict.fromkeys(range(layout.PM_MEASURE_COLUMNS), layout.PM_NONE)
         measure[layout.PM_MEASURE_KIND] = kind
         measure[layout.PM_MEASURE_A] = a
         measure[layout.PM_MEASURE_PART] = part
@@ -102,8 +103,13 @@ class Starts:
         measure = self.tables.measure_index(node)
         row = None if measure is None else self.tables.rows[layout.PM_TABLE_MEASURE][measure]
         level = None if row is None else _LEVELS.get(row[layout.PM_MEASURE_KIND])
-        if row is None or measure is None or level is None or row[layout.PM_MEASURE_PART] not in _LINEAR_PARTS:
-            reason = "it cannot be given at the start; angle, omega, and x, y or along of position and velocity can"
+        if (
+            row is None
+            or measure is None
+            or level is None
+            or row[layout.PM_MEASURE_PART] not in _LINEAR_PARTS
+        ):
+            reason = "it cannot be given at the start; angle, omega, x, y and along of points can"
             raise SceneError(reason)
         self._start(level, measure, value, path)
 

@@ -379,10 +379,13 @@ class SweepStore:
         data = block.to_bytes()
         checksum = _checksum(data)
         path = self.parts_folder / f"part-{first:012d}-{len(block):08d}-{checksum}.h5"
-        with appearing(path) as temporary:
-            temporary.write_bytes(data)
-        self._parts.append(_Part(first, len(block), checksum, path))
-        self._parts.sort()
+        try:
+            with appearing(path) as temporary:
+                temporary.write_bytes(data)
+        finally:
+            if path.exists():  # it counts even if Ctrl-C came just after the rename
+                self._parts.append(_Part(first, len(block), checksum, path))
+                self._parts.sort()
 
     def blocks(self) -> Iterator[Block]:
         """All stored cases in order, small parts joined to larger blocks."""

@@ -239,7 +239,7 @@ class _Study:
         taken = set(RESERVED_NAMES)
         for name, path in [
             *((name, f"sweep.{name}") for name in self.plan.names),
-            *((ask.key, f"ask.{ask.key}") for ask in asks),
+            *((name, f"ask.{ask.key}") for ask in asks for name in (ask.key, *ask.dim)),
         ]:
             if name in taken or "/" in name:
                 raise SceneError(
@@ -394,7 +394,6 @@ class _ChunkCall:
     """A chunk computed in a thread of its own: the main thread shows progress meanwhile, and can stop it."""
 
     def __init__(self, study: _Study, first: int, count: int) -> None:
-        self.first = first
         self._stop = np.zeros(1, np.int32)
         self._done = np.zeros(len(study.flats), np.int64)
         self._block: Block | None = None

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from .address import Address
 from .expression import Leaf
 from .node import Binary, Call, Name, Node, Number, Unary, binary, call, negative
-from .address import Address
 
 
 def substitute(node: Node, leaf: Callable[[Leaf], Node]) -> Node:

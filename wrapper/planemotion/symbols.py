@@ -102,9 +102,9 @@ class Pen:
 
     # ---- ground ----
 
-    def ground_line(self, a: Place, b: Place) -> None:
+    def ground_line(self, a: Place, b: Place, zorder: float = 1.5) -> None:
         """A fixed line from a to b, hatched on its right."""
-        self.line([a, b], INK, 1.2, zorder=1.5)
+        self.line([a, b], INK, 1.2, zorder=zorder)
         along, across = _frame(a, b)
         length = math.dist(a, b)
         step, size = _HATCH_STEP * self.inch, _HATCH * self.inch
@@ -113,14 +113,16 @@ class Pen:
             foot = np.asarray(a) + along * i * step
             strokes += [foot, foot - size * (along + across), np.array([math.nan, math.nan])]
         xy = np.array(strokes)
-        self.axes.plot(xy[:, 0], xy[:, 1], color=SOFT, linewidth=0.6, zorder=1.4)
+        self.axes.plot(xy[:, 0], xy[:, 1], color=SOFT, linewidth=0.6, zorder=zorder - 0.1)
+        middle = [np.asarray(end) - 0.6 * size * across for end in (a, b)]
+        self.remember(np.array(middle))
 
     def support(self, at: Place) -> None:
         """The triangle and hatched ground that hold a pin."""
         half, height = 0.62 * _SUPPORT * self.inch, _SUPPORT * self.inch
         foot = at[1] - height
         self.polygon([at, (at[0] - half, foot), (at[0] + half, foot)], "white", INK, linewidth=0.9, zorder=3.5)
-        self.ground_line((at[0] - 1.6 * half, foot), (at[0] + 1.6 * half, foot))
+        self.ground_line((at[0] - 1.6 * half, foot), (at[0] + 1.6 * half, foot), 3.4)
 
     # ---- joints ----
 
@@ -128,7 +130,7 @@ class Pen:
         self.circle(at, _PIN * self.inch, fill="white", edge=INK, linewidth=1.1, zorder=5)
 
     def weld(self, at: Place) -> None:
-        size = 0.045 * self.inch
+        size = 0.032 * self.inch
         corners = [(at[0] + x * size, at[1] + y * size) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
         self.polygon(corners, INK, INK, linewidth=0.5, zorder=5)
 
@@ -215,6 +217,8 @@ class Pen:
         back = last - sense * 0.35
         tail = (at[0] + radius * math.cos(back), at[1] + radius * math.sin(back))
         self.arrow(tail, tip)
+        turns = np.radians(np.linspace(-50, 190, 25))
+        self.remember(np.column_stack([at[0] + radius * np.cos(turns), at[1] + radius * np.sin(turns)]))
 
     def mass_centre(self, at: Place) -> None:
         """The quartered circle."""
@@ -246,7 +250,7 @@ class Pen:
         dot = figure.dpi / _POINTS_PER_INCH
         frame = self.axes.get_window_extent(renderer)
         taken: list[tuple[float, float, float, float]] = []
-        for name in self.names:
+        for name in sorted(self.names, key=lambda one: one.bold):  # bodies have more room
             text = self.axes.text(
                 *name.place, name.text, color=name.colour, size=8.5, weight="bold" if name.bold else "normal", zorder=8
             )
@@ -283,13 +287,13 @@ def _squared(part: float) -> float:
 def _cost(spot: _Spot, ink: Floats, taken: Sequence[tuple[float, float, float, float]], frame: Any, dot: float) -> float:
     """How much a name would cover there, and how far it is from what it names."""
     x0, y0, x1, y1, distance = spot
-    pad = 1.5 * dot
+    pad = 2.5 * dot
     covered = (
         (ink[:, 0] > x0 - pad) & (ink[:, 0] < x1 + pad) & (ink[:, 1] > y0 - pad) & (ink[:, 1] < y1 + pad)
     )
     overlaps = sum(x0 < u1 and u0 < x1 and y0 < v1 and v0 < y1 for u0, v0, u1, v1 in taken)
     outside = x0 < frame.x0 or x1 > frame.x1 or y0 < frame.y0 or y1 > frame.y1
-    return float(np.count_nonzero(covered)) * 2.0 + 100.0 * overlaps + 200.0 * outside + distance
+    return float(np.count_nonzero(covered)) * 4.0 + 100.0 * overlaps + 200.0 * outside + distance
 
 
 def _frame(a: Sequence[float] | Place, b: Sequence[float] | Place) -> tuple[Floats, Floats]:

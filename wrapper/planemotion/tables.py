@@ -109,7 +109,9 @@ class Tables:
 
         def look_up(leaf: Leaf) -> float:
             text = str(leaf)
-            return self._defaults[int(text[1:])] if text.startswith(_VALUE) else self.parameters.defaults[text]
+            return (
+                self._defaults[int(text[1:])] if text.startswith(_VALUE) else self.parameters.defaults[text]
+            )
 
         return evaluate(node, look_up)
 

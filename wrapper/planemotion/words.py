@@ -7,7 +7,7 @@ but not built yet, or unknown; the last two are errors, so that nothing written 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from typing import Any
 
 from .address import KEYWORDS
@@ -80,8 +80,7 @@ NOT_BUILT_EVENT = {"do": "actions at an event", "nth": "events that count"}
 ASK_KEYS = ("of", "max", "min", "at", "unit", "run")
 AT_KEYS = ("max", "min", "each", "values")
 GRID_KEYS = ("from", "to", "num", "step", "scale")
-SOLVE_KEYS = ("route", "accuracy", "max_time", "max_events", "max_steps", "assembly")
-NOT_BUILT_SOLVE = {"simultaneous": "blows one by one"}
+SOLVE_KEYS = ("route", "accuracy", "max_time", "max_events", "max_steps", "assembly", "simultaneous")
 ROUTES = ("auto", "rk", "ida")
 NOT_BUILT_ROUTES = ("jump", "uniform", "path")
 
@@ -123,10 +122,11 @@ def check(raw: Mapping[str, Any]) -> None:
             _element(element, group, name)
     _unique(raw)
     _instants(raw)
-    _keys(table(raw, "solve"), SOLVE_KEYS, "solve", "[solve]", NOT_BUILT_SOLVE)
+    _keys(table(raw, "solve"), SOLVE_KEYS, "solve", "[solve]")
     for name, values in table(raw, "runs").items():
-        _keys(_mapping(values, f"runs.{name}"), tuple(table(raw, "parameters")), f"runs.{name}", "a run of this scene",
-              {"find": NOT_BUILT_TOP["find"]})  # fmt: skip
+        parameters = ("g", *table(raw, "parameters"))
+        unbuilt = {"find": NOT_BUILT_TOP["find"]}
+        _keys(_mapping(values, f"runs.{name}"), parameters, f"runs.{name}", "a run of this scene", unbuilt)
 
 
 _VALUE_TABLE = "not built yet: values from a table over time or a measure"
@@ -148,6 +148,13 @@ def check_name(name: str, path: str) -> None:
 def not_built(what: str, path: str, value: object = None) -> SceneError:
     """The error for a word that the language has and this version does not do."""
     return SceneError(f"not built yet: {what}", path=path, value=value)
+
+
+def unknown(word: str, known: Collection[str], what: str) -> str:
+    """The text that there is no such parameter, body, ..., with the nearest one that there is."""
+    guess = nearest(word, known)
+    there_is = f"there is {', '.join(known)}" if known else "there is none"
+    return f'unknown {what} "{word}"; {there_is}' + (f' (did you mean "{guess}"?)' if guess else "")
 
 
 def kind_of(element: Mapping[str, Any], group: str, path: str) -> str:

@@ -1,0 +1,422 @@
+"""Plants faults in a copy of the kernel, one at a time, and expects its tests to catch each of them.
+
+    python tests/faults.py            all faults (`make faults`)
+    python tests/faults.py gamma ida  those whose name has one of these words
+
+A fault is one small change of one source: a sign in a column of a Jacobian, a wrong gamma, a dropped event function, a
+wrong restitution, a dropped row ... The table tells what caught it: names of tests, "audit" where a run said by itself
+that it cannot be trusted, "routes" where two routes disagreed. A fault that nothing catches, or that no longer fits the
+source, makes the exit status 1.
+"""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+COMPILER = os.environ.get("CC", "gcc")
+FLAGS = ["-std=gnu11", "-O1", "-ffp-contract=off", "-fno-math-errno", "-D_GNU_SOURCE", "-UNDEBUG", "-w"]
+LIBRARIES = os.environ.get("FAULTS_LIBRARIES", "-lgsl -lgslcblas -lsundials_ida -lm -lpthread").split()
+TEST_SECONDS = 60  # a test that takes longer hangs; the slowest needs a few seconds
+AUDIT = "-10, expected 0"  # how check.h prints a run that ended with PM_AUDIT
+
+
+@dataclass(frozen=True)
+class Fault:
+    """In `file`, `old` becomes `new`; white space in `old` stands for any white space. `old` occurs once."""
+
+    name: str
+    file: str
+    old: str
+    new: str
+
+
+FAULTS = [
+    # Jacobians: a sign in each kind of column
+    Fault(
+        "jacobian: x of the first partner", "row.c", "row->j[0] = factor * n[0]", "row->j[0] = -factor * n[0]"
+    ),
+    Fault(
+        "jacobian: y of the first partner", "row.c", "row->j[1] = factor * n[1]", "row->j[1] = -factor * n[1]"
+    ),
+    Fault("jacobian: angle of the first partner", "row.c", "row->j[2] = factor *", "row->j[2] = -factor *"),
+    Fault(
+        "jacobian: x of the second partner",
+        "row.c",
+        "row->j[3] = -factor * n[0]",
+        "row->j[3] = factor * n[0]",
+    ),
+    Fault(
+        "jacobian: y of the second partner",
+        "row.c",
+        "row->j[4] = -factor * n[1]",
+        "row->j[4] = factor * n[1]",
+    ),
+    Fault("jacobian: angle of the second partner", "row.c", "row->j[5] = -factor *", "row->j[5] = factor *"),
+    Fault("jacobian: relative angle", "row_angle.c", "row->j[5] = -1", "row->j[5] = 1"),
+    Fault(
+        "jacobian: line that turns, normal",
+        "row_line.c",
+        "row->j[5] -= pm_dot(x.d, l.t)",
+        "row->j[5] += pm_dot(x.d, l.t)",
+    ),
+    Fault(
+        "jacobian: wheel on a line", "row_line.c", "row->j[2] += row->radius_a", "row->j[2] -= row->radius_a"
+    ),
+    Fault(
+        "jacobian: line that turns, tangent",
+        "row_line.c",
+        "pm_dot(x.d, l.n) - row->radius_a; row->g = rolled",
+        "pm_dot(x.d, l.n) + row->radius_a; row->g = rolled",
+    ),
+    Fault(
+        "jacobian: wheel on a circle",
+        "row_tangent.c",
+        "row->j[2] -= row->radius_a",
+        "row->j[2] += row->radius_a",
+    ),
+    Fault(
+        "jacobian: circle under a wheel",
+        "row_tangent.c",
+        "row->j[5] -= row->radius_b",
+        "row->j[5] += row->radius_b",
+    ),
+    Fault(
+        "jacobian: side of a distance",
+        "row_distance.c",
+        "pm_row_along(row, &x, n, row->sign)",
+        "pm_row_along(row, &x, n, 1)",
+    ),
+    # gamma and memory
+    Fault("gamma: pin", "row_point.c", "row->gamma = -pm_dot", "row->gamma = pm_dot"),
+    Fault(
+        "gamma: line, Coriolis",
+        "row_line.c",
+        "- 2 * x.omega_b * pm_dot(x.u, l.t)",
+        "+ 2 * x.omega_b * pm_dot(x.u, l.t)",
+    ),
+    Fault(
+        "gamma: line, no slip",
+        "row_line.c",
+        "+ 2 * x.omega_b * pm_dot(x.u, l.n)",
+        "- 2 * x.omega_b * pm_dot(x.u, l.n)",
+    ),
+    Fault(
+        "gamma: distance", "row_distance.c", "+ across * across / distance", "- across * across / distance"
+    ),
+    Fault(
+        "gamma: circle, no slip",
+        "row_tangent.c",
+        "- 2 * pm_dot(x.u, n) * spin",
+        "+ 2 * pm_dot(x.u, n) * spin",
+    ),
+    Fault("memory: turns are forgotten", "row_tangent.c", "TWO_PI * round(", "0 * round("),
+    Fault(
+        "memory: anchor of another place",
+        "row_line.c",
+        "memory->anchor = rolled(w, row, &x, &l)",
+        "memory->anchor = rolled(w, row, &x, &l) + 1e-3",
+    ),
+    Fault(
+        "line of action: other side of the wheel",
+        "row_distance.c",
+        "a.p[k] - row->radius_a",
+        "a.p[k] + row->radius_a",
+    ),
+    # the linear system and the projection
+    Fault(
+        "saddle: sign of gamma", "saddle.c", "w->rhs[i] = w->row[i].gamma -", "w->rhs[i] = -w->row[i].gamma -"
+    ),
+    Fault(
+        "saddle: friction left out of the force",
+        "saddle.c",
+        "use_h ? force_direction(w, row) : row->j",
+        "use_h ? row->j : row->j",
+    ),
+    Fault(
+        "saddle: coupling of the second partner",
+        "saddle.c",
+        "for (int r = 0; r < 2; r++)",
+        "for (int r = 0; r < 1; r++)",
+    ),
+    Fault("dense: Cholesky", "dense.c", "s -= ai[k] * aj[k]", "s += ai[k] * aj[k]"),
+    Fault(
+        "dense: LU without its pivots",
+        "dense.c",
+        "const double swap = x[pivot[i]]",
+        "const double swap = x[i]",
+    ),
+    Fault(
+        "projection: position goes away", "project.c", "w->rhs[i] = -w->row[i].g", "w->rhs[i] = w->row[i].g"
+    ),
+    Fault(
+        "projection: velocity goes away",
+        "project.c",
+        "w->rhs[i] = -pm_saddle_times",
+        "w->rhs[i] = pm_saddle_times",
+    ),
+    Fault("projection: position left out", "project.c", "pm_saddle_spread(w, 0, s->q)", "(void)0"),
+    Fault("rows: a redundant row is kept", "active.c", "*depends = left < STILL_DEPENDENT", "*depends = 0"),
+    # forces
+    Fault(
+        "force: spring pushes", "force.c", "return stiffness * x->stretch", "return -stiffness * x->stretch"
+    ),
+    Fault("force: couple of a torsion spring", "force.c", "x->couple = -stiffness", "x->couple = stiffness"),
+    Fault("force: no reaction on the second partner", "force.c", "x.couple, -1)", "x.couple, 0)"),
+    Fault(
+        "force: moment of a force", "force.c", "(couple + (at[0] - pose[0])", "(couple - (at[0] - pose[0])"
+    ),
+    # blows
+    Fault("blow: sign of restitution", "jump.c", "-(1 + restitution_of", "-(1 - restitution_of"),
+    Fault("blow: row of a resting contact dropped", "jump.c", "share[i] = JOINED", "share[i] = DROPPED"),
+    Fault("blow: pulling contacts stay", "jump.c", "return worst != PM_NONE", "return 0"),
+    Fault(
+        "blow: friction beyond its bound",
+        "jump.c",
+        "pm_contact_static(w, contact) * w->rhs",
+        "2 * pm_contact_static(w, contact) * w->rhs",
+    ),
+    Fault("blow: friction along the slip", "jump.c", "slip > 0 : friction < 0", "slip < 0 : friction > 0"),
+    Fault(
+        "blow: what stays is opened",
+        "jump.c",
+        "w->state.slot[i].mode = pm_mode_of_slip(w, contact, member)",
+        "w->state.slot[i].mode = PM_OPEN",
+    ),
+    # modes
+    Fault(
+        "mode: friction along the slip",
+        "active.c",
+        "PM_SLIDE_FORWARD ? -mu : mu",
+        "PM_SLIDE_FORWARD ? mu : -mu",
+    ),
+    Fault(
+        "mode: slides against the force",
+        "mode.c",
+        "friction > 0 ? PM_SLIDE_BACKWARD : PM_SLIDE_FORWARD",
+        "friction > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD",
+    ),
+    Fault("mode: contacts may pull", "mode.c", "if (worst == PM_NONE) return 0", "return 0"),
+    Fault(
+        "mode: stick has no bound",
+        "mode.c",
+        "pm_contact_static(w, contact) * normal + slack) continue",
+        "0 * slack + 1e300) continue",
+    ),
+    # events
+    Fault(
+        "missed root: gap of a contact", "event.c", "add(w, FUNCTION_GAP, i", "if (0) add(w, FUNCTION_GAP, i"
+    ),
+    Fault(
+        "missed root: normal force",
+        "event.c",
+        "add(w, FUNCTION_NORMAL, i",
+        "if (0) add(w, FUNCTION_NORMAL, i",
+    ),
+    Fault("missed root: grip", "event.c", "add(w, FUNCTION_GRIP, i", "add(w, FUNCTION_NORMAL, i"),
+    Fault("missed root: slip", "event.c", "add(w, FUNCTION_SLIP, i", "if (0) add(w, FUNCTION_SLIP, i"),
+    Fault("missed root: two in one step", "event.c", "return s * *value <= 0", "return 0"),
+    Fault(
+        "missed root: comes back to a held zero at once", "event.c", "return crosses(f, g, gb)", "return 0"
+    ),
+    Fault(
+        "event: the wrong way",
+        "event.c",
+        "if (f->direction <= 0 && a > 0 && b <= 0)",
+        "if (f->direction >= 0 && a > 0 && b <= 0)",
+    ),
+    Fault(
+        "event: a blow's change of sign",
+        "event.c",
+        "const int rises = before < 0 && after > 0",
+        "const int rises = 0",
+    ),
+    Fault(
+        "event: not at its place",
+        "event.c",
+        "return polish(w, f, slope_at(w, f, *first), first)",
+        "*first += 1e-8; return PM_OK",
+    ),
+    # the rk route
+    Fault("rk: a digit of the dense output", "dop853.h", "18.148505520854727", "18.148515520854727"),
+    Fault(
+        "rk: a digit of the step",
+        "dop853.h",
+        "0.3111643669578199, -0.1521609496625161",
+        "0.3111653669578199, -0.1521609496625161",
+    ),
+    Fault("rk: a sign of the dense output", "route_rk.c", "2 * change - (f0 + f1)", "2 * change - (f0 - f1)"),
+    Fault("rk: no control of the error", "route_rk.c", "return sum5 == 0 ? 0 :", "return sum5 >= 0 ? 0 :"),
+    # answers, audit, batch, start
+    Fault(
+        "ask: maxima for minima", "ask.c", "greatest ? fa > 0 && fb < 0 :", "greatest ? fa < 0 && fb > 0 :"
+    ),
+    Fault(
+        "ask: grid value of another instant",
+        "ask.c",
+        "w->value[e[PM_ASK_FIRST_VALUE] + k], 0}",
+        "w->value[e[PM_ASK_FIRST_VALUE]], 0}",
+    ),
+    Fault(
+        "audit: always content", "audit.c", "return pm_fail(w, PM_AUDIT", "w->where.row = pm_fail(w, PM_AUDIT"
+    ),
+    Fault("audit: loss of a blow", "audit.c", "loss -= 0.5 * lambda[i]", "loss -= 0.4 * lambda[i]"),
+    Fault(
+        "batch: a step size from the case before",
+        "route_rk.c",
+        "if (w->count[PM_COUNT_STEPS] == 0) r->next = 0",
+        "(void)0",
+    ),
+    Fault("batch: counts from the case before", "run.c", "pm_event_reset(w)", "(void)0"),
+    Fault("start: contradictions pass", "start.c", "return PM_START_CONFLICT", "continue"),
+    Fault("start: open motions pass", "start.c", "&& left > OPEN_PART", "&& left > 2"),
+    Fault(
+        "program: left and right", "program.c", "case PM_OP_SUB: return a - b", "case PM_OP_SUB: return b - a"
+    ),
+    Fault(
+        "measure: velocity of a moving observer",
+        "measure.c",
+        "out[0] = p.v[0] - (v[0] - v[2]",
+        "out[0] = p.v[0] - (v[0] + v[2]",
+    ),
+    # the ida route
+    Fault("ida: sign in the residual of q", "ida_system.c", "r[i] = yp[i] - v[i]", "r[i] = yp[i] + v[i]"),
+    Fault(
+        "ida: sign of the forces",
+        "ida_system.c",
+        "r[nq + i] = -w->inverse_mass[i] * force[i]",
+        "r[nq + i] = w->inverse_mass[i] * force[i]",
+    ),
+    Fault("ida: sign of the reactions", "ida_system.c", "w->rhs[i] = -yp[l + i]", "w->rhs[i] = yp[l + i]"),
+    Fault(
+        "ida: friction left out",
+        "ida_system.c",
+        "pm_saddle_spread(w, 1, r + nq)",
+        "pm_saddle_spread(w, 0, r + nq)",
+    ),
+    Fault("ida: missed roots", "ida_root.c", "w->event->root[i] = x->info[i] != 0", "w->event->root[i] = 0"),
+    Fault(
+        "ida: roots the wrong way",
+        "ida_root.c",
+        "w->event->function[i].direction * x->side[i]",
+        "-w->event->function[i].direction * x->side[i]",
+    ),
+]
+
+
+class Misfit(Exception):
+    """A fault whose text does not occur once in the source."""
+
+
+def planted(source: str, fault: Fault) -> str:
+    pattern = r"\s+".join(re.escape(word) for word in fault.old.split())
+    changed, n = re.subn(pattern, lambda _: fault.new, source)
+    if n != 1:
+        raise Misfit(f"kernel/{fault.file} has {n} places like `{fault.old}`")
+    return changed
+
+
+def run(command: list[str]) -> None:
+    result = subprocess.run(command, capture_output=True, text=True)
+    if result.returncode:
+        sys.exit(" ".join(command) + "\n" + result.stderr)
+
+
+class Workshop:
+    """A copy of the kernel with its objects, and the tests as objects; work is shared by a pool of threads."""
+
+    def __init__(self, folder: Path, pool: ThreadPoolExecutor) -> None:
+        self.pool = pool
+        self.kernel = folder / "kernel"
+        shutil.copytree(ROOT / "kernel", self.kernel)
+        self.sources = sorted(path.name for path in self.kernel.glob("*.c"))
+        listed = (ROOT / "tests/kernel/meson.build").read_text(encoding="utf-8")
+        self.tests = re.findall(r"^  '(\w+)',$", listed, re.MULTILINE)
+        self.objects = folder
+        list(pool.map(self.compile, self.sources))
+        list(
+            pool.map(
+                lambda name: self.compile_to(ROOT / f"tests/kernel/{name}.c", folder / f"test_{name}.o"),
+                self.tests,
+            )
+        )
+
+    def compile_to(self, source: Path, target: Path) -> None:
+        run([COMPILER, *FLAGS, f"-I{self.kernel}", "-c", str(source), "-o", str(target)])
+
+    def compile(self, name: str) -> None:
+        self.compile_to(self.kernel / name, self.objects / f"kernel_{Path(name).stem}.o")
+
+    def users(self, file: str) -> list[str]:
+        """What must be compiled again when `file` changes."""
+        if file.endswith(".c"):
+            return [file]
+        return [
+            name for name in self.sources if f'"{file}"' in (self.kernel / name).read_text(encoding="utf-8")
+        ]
+
+    def findings(self, name: str) -> list[str]:
+        """What test `name` has to say: nothing, or its name and what else it noticed."""
+        program = self.objects / f"test_{name}"
+        objects = [str(self.objects / f"kernel_{Path(source).stem}.o") for source in self.sources]
+        run([COMPILER, str(program) + ".o", *objects, "-o", str(program), *LIBRARIES])
+        try:
+            result = subprocess.run(
+                [str(program)], capture_output=True, text=True, errors="replace", timeout=TEST_SECONDS
+            )
+        except subprocess.TimeoutExpired:
+            return [f"{name} (hangs)"]
+        if result.returncode == 0:
+            return []
+        noticed = ["audit"] if AUDIT in result.stderr else []
+        noticed += ["routes"] if ": routes_agree: " in result.stderr else []
+        return [*noticed, name]
+
+    def check(self) -> list[str]:
+        """All that the tests find now; the audit and the comparison of routes come first."""
+        found = {word for words in self.pool.map(self.findings, self.tests) for word in words}
+        return sorted(found, key=lambda word: (word not in ("audit", "routes"), word))
+
+    def plant(self, fault: Fault) -> list[str]:
+        path = self.kernel / fault.file
+        sound = path.read_text(encoding="utf-8")
+        path.write_text(planted(sound, fault), encoding="utf-8")
+        try:
+            list(self.pool.map(self.compile, self.users(fault.file)))
+            return self.check()
+        finally:
+            path.write_text(sound, encoding="utf-8")
+            list(self.pool.map(self.compile, self.users(fault.file)))
+
+
+def main() -> int:
+    words = sys.argv[1:]
+    faults = [fault for fault in FAULTS if not words or any(word in fault.name for word in words)]
+    width = max(len(fault.name) for fault in faults)
+    survivors = 0
+    with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(os.cpu_count()) as pool:
+        workshop = Workshop(Path(folder), pool)
+        found = workshop.check()
+        if found:
+            sys.exit(f"the tests fail without any fault: {', '.join(found)}")
+        print(f"{'fault':{width}}  caught by")
+        for fault in faults:
+            try:
+                found = workshop.plant(fault)
+                verdict = ", ".join(found) or "NOTHING"
+            except Misfit as misfit:
+                found, verdict = [], f"DOES NOT FIT: {misfit}"
+            survivors += not found
+            print(f"{fault.name:{width}}  {verdict}", flush=True)
+    print(f"{len(faults)} faults, {len(faults) - survivors} caught")
+    return 1 if survivors else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

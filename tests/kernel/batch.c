@@ -1,0 +1,213 @@
+/* Batches: the same bits for any number of workers and any chunks, the stop flag, the trace, texts of statuses. */
+#include <pthread.h>
+#include <time.h>
+
+#include "check.h"
+#include "scene.h"
+
+#define CASES 48
+#define OUTS 4
+
+typedef struct results {
+    double out[CASES][OUTS], audit[CASES][PM_AUDITS], detail[CASES][PM_DETAIL_COLUMNS];
+    int32_t reason[CASES][OUTS], status[CASES], where[CASES][PM_WHERE_COLUMNS];
+    int64_t count[CASES][PM_COUNT_COLUMNS], progress;
+} results;
+
+static double param[CASES][2];
+
+/* A sphere that rolls over bars, d and omega apart; some cases fail, some end early. */
+static scene *bars(void)
+{
+    scene *s = scene_create();
+    const int d = scene_parameter(s), omega = scene_parameter(s);
+    const int b = scene_body(s, 3, 0.4 * 3 * 0.0625, 0, 0.25, 0), g = scene_point(s, b, 0, 0);
+    const int row =
+        SCENE_ROW(s, PM_TABLE_ROW, scene_point(s, PM_GROUND, 0, 0), d, scene_value(s, 0), scene_value(s, -1));
+    scene_contact(s, PM_CONTACT_ROW, scene_circle(s, g, 0.25), row, 0, 0, PM_FRICTION_ROUGH, 0);
+    const int w = scene_measure(s, PM_MEASURE_OMEGA, b);
+    SCENE_ROW(s, PM_TABLE_START, PM_START_VELOCITY, w, omega);
+    const int strike = scene_on(s, PM_TRIGGER_STRIKE, 0);
+    scene_until(s, scene_when(s, PM_TRIGGER_RISE, scene_read(s, w)), 1);
+    scene_ask_event(s, scene_read(s, w), strike, 1, 1);
+    scene_ask_event(s, scene_read(s, w), strike, 2, 0);
+    scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, strike));
+    scene_ask_extreme(s, PM_ASK_MIN, scene_read(s, scene_measure(s, PM_MEASURE_CONTACT_NORMAL, 0)), PM_NONE);
+    *scene_setting(s, PM_SETTING_MAX_EVENTS) = 60;
+    scene_pack(s);
+    for (int i = 0; i < CASES; i++) {
+        param[i][0] = i % 11 == 5 ? -0. : 0.02 + 0.004 * i; /* bars at one place: refused */
+        param[i][1] = -0.4 - 0.05 * (i % 9);
+    }
+    return s;
+}
+
+static int run(const scene *s, results *x, int first, int n, int workers, const int32_t *stop)
+{
+    return pm_batch(s->ntable, s->table, s->nconstant, s->constant, n, s->nparam, param[first], workers, stop,
+                    &x->progress, OUTS, x->out[first], OUTS, x->reason[first], x->status + first,
+                    x->where[first], x->detail[first], x->audit[first], x->count[first]);
+}
+
+static int same(const results *a, const results *b)
+{
+    return !memcmp(a->out, b->out, sizeof a->out) && !memcmp(a->audit, b->audit, sizeof a->audit) &&
+           !memcmp(a->detail, b->detail, sizeof a->detail) &&
+           !memcmp(a->reason, b->reason, sizeof a->reason) &&
+           !memcmp(a->status, b->status, sizeof a->status) && !memcmp(a->where, b->where, sizeof a->where) &&
+           !memcmp(a->count, b->count, sizeof a->count);
+}
+
+static void same_bits(void)
+{
+    static results one, other;
+    scene *s = bars();
+    const int32_t stop = 0;
+    EQUAL(run(s, &one, 0, CASES, 1, &stop), PM_OK);
+    EQUAL(one.progress, CASES);
+    int seen[64] = {0};
+    for (int i = 0; i < CASES; i++) seen[one.status[i] + 32]++;
+    CHECK(seen[32] > 20 && seen[32 + PM_BAD_VALUE] > 3);
+    for (int workers = 0; workers <= 3; workers++) {
+        memset(&other, 0, sizeof other);
+        EQUAL(run(s, &other, 0, CASES, workers, &stop), PM_OK);
+        CHECK(same(&one, &other));
+    }
+    for (int chunk = 1; chunk < CASES; chunk = 2 * chunk + 5) {
+        memset(&other, 0, sizeof other);
+        for (int first = 0; first < CASES; first += chunk)
+            EQUAL(run(s, &other, first, first + chunk < CASES ? chunk : CASES - first, 1 + chunk % 3, &stop),
+                  PM_OK);
+        CHECK(same(&one, &other));
+    }
+    memset(&other, 0, sizeof other); /* backwards: no case owes anything to the one before */
+    for (int i = CASES - 1; i >= 0; i--) EQUAL(run(s, &other, i, 1, 1, &stop), PM_OK);
+    CHECK(same(&one, &other));
+    EQUAL(run(s, &other, 0, 0, 2, &stop), PM_OK);
+    scene_free(s);
+}
+
+static void stopped_before(void)
+{
+    static results x;
+    scene *s = bars();
+    const int32_t stop = 1;
+    EQUAL(run(s, &x, 0, CASES, 2, &stop), PM_OK);
+    EQUAL(x.progress, CASES);
+    for (int i = 0; i < CASES; i++) {
+        EQUAL(x.status[i], PM_CANCELLED);
+        CHECK(isnan(x.out[i][0]) && isnan(x.audit[i][0]));
+        EQUAL(x.reason[i][0], PM_REASON_FAILED);
+    }
+    scene_free(s);
+}
+
+static void *raise_soon(void *stop)
+{
+    const struct timespec a_while = {0, 20000000};
+    nanosleep(&a_while, NULL);
+    __atomic_store_n((int32_t *)stop, 1, __ATOMIC_RELAXED);
+    return NULL;
+}
+
+/* A run without end stops when the flag is raised. */
+static void stopped_inside(void)
+{
+    scene *s = scene_create();
+    const int b = scene_body(s, 1, 1, 0, 0, 0);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, b, -1, 0), scene_point(s, PM_GROUND, 0, 0), 0);
+    scene_until_time(s, 1e9);
+    scene_set(s, PM_SETTING_MAX_TIME, 1e9);
+    *scene_setting(s, PM_SETTING_MAX_STEPS) = INT32_MAX;
+    scene_pack(s);
+    static int32_t stop = 0;
+    int32_t status, reason[1], where[3];
+    double out[1], detail[3], audit[3];
+    int64_t count[PM_COUNT_COLUMNS], progress = 0;
+    pthread_t thread;
+    CHECK(pthread_create(&thread, NULL, raise_soon, &stop) == 0);
+    EQUAL(pm_batch(s->ntable, s->table, s->nconstant, s->constant, 1, 0, detail, 1, &stop, &progress, 0, out,
+                   0, reason, &status, where, detail, audit, count),
+          PM_OK);
+    pthread_join(thread, NULL);
+    EQUAL(status, PM_CANCELLED);
+    scene_free(s);
+}
+
+static void wrong_sizes(void)
+{
+    static results x;
+    scene *s = bars();
+    const int32_t stop = 0;
+    EQUAL(pm_batch(s->ntable, s->table, s->nconstant, s->constant, 1, s->nparam, param[0], 1, &stop,
+                   &x.progress, OUTS + 1, x.out[0], OUTS, x.reason[0], x.status, x.where[0], x.detail[0],
+                   x.audit[0], x.count[0]),
+          PM_BAD_TABLE);
+    EQUAL(x.where[0][PM_WHERE_TABLE], PM_TABLE_ASK);
+    scene_free(s);
+}
+
+/* A buffer too small says how much is wanted; the rows that fit are those of the large one. */
+static void trace(void)
+{
+    scene *s = bars();
+    const int32_t program[] = {s->cell[PM_TABLE_TRIGGER][PM_TRIGGER_COLUMNS + PM_TRIGGER_PROGRAM]};
+    static double small[4][2], large[20000][2];
+    static int32_t small_mark[4], mark[20000];
+    int64_t needed, again;
+    int32_t where[3];
+    double detail[3];
+    const double *p = param[20];
+    const int status = pm_trace(s->ntable, s->table, s->nconstant, s->constant, s->nparam, p, 1, program, 4,
+                                small[0], small_mark, &needed, where, detail);
+    CHECK(needed > 4 && needed < 20000);
+    EQUAL(pm_trace(s->ntable, s->table, s->nconstant, s->constant, s->nparam, p, 1, program, needed, large[0],
+                   mark, &again, where, detail),
+          status);
+    EQUAL(again, needed);
+    CHECK(!memcmp(small, large, sizeof small) && !memcmp(small_mark, mark, sizeof small_mark));
+    static results x;
+    const int32_t stop = 0;
+    EQUAL(run(s, &x, 20, 1, 1, &stop), PM_OK);
+    EQUAL(x.status[20], status);
+    int strikes = 0;
+    NEAR(large[0][1], p[1], 1e-15);
+    EQUAL(mark[0], 2);
+    for (int i = 1; i < needed; i++) {
+        CHECK(large[i][0] >= large[i - 1][0]);
+        if (mark[i] == 1) CHECK(mark[i + 1] == 2 && large[i + 1][0] == large[i][0]);
+        if (mark[i] != 2) continue;
+        if (++strikes == 1)
+            EQUAL(large[i - 1][1], x.out[20][0]); /* the same bits as the batch, before the first blow */
+    }
+    EQUAL(strikes, x.count[20][PM_COUNT_EVENTS] - 1);
+    const int32_t wrong[] = {100000};
+    EQUAL(pm_trace(s->ntable, s->table, s->nconstant, s->constant, s->nparam, p, 1, wrong, 4, small[0],
+                   small_mark, &needed, where, detail),
+          PM_BAD_TABLE);
+    scene_free(s);
+}
+
+static void texts(void)
+{
+    int8_t text[200], few[8];
+    for (int status = PM_CONTACT_SLOTS; status <= PM_STAYS_AT_REST; status++) {
+        const int n = pm_status_text(status, sizeof text, text);
+        CHECK(n > 1 && n < (int)sizeof text && strcmp((char *)text, "unknown status") != 0);
+        pm_status_text(status, sizeof few, few);
+        CHECK(strlen((char *)few) < sizeof few);
+    }
+    pm_status_text(-77, sizeof text, text);
+    CHECK(strcmp((char *)text, "unknown status") == 0);
+}
+
+int main(void)
+{
+    same_bits();
+    stopped_before();
+    stopped_inside();
+    wrong_sizes();
+    trace();
+    texts();
+    return check_failures();
+}

@@ -1,0 +1,111 @@
+/* Gaps: the nearest open member of a periodic row is that of a search over all; closed ones do not count. */
+#include "contact.h"
+
+#include "body.h"
+#include "check.h"
+#include "scene.h"
+
+#define STEP_X 0.31
+#define STEP_Y 0.07
+
+static scene *row_scene(double x, double y, double count)
+{
+    scene *s = scene_create();
+    const int c = scene_circle(s, scene_point(s, scene_body(s, 1, 0.1, x, y, 0.3), 0, 0), 0.2);
+    const int row = SCENE_ROW(s, PM_TABLE_ROW, scene_point(s, PM_GROUND, 0.1, -0.2), scene_value(s, STEP_X),
+                              scene_value(s, STEP_Y), scene_value(s, count));
+    scene_contact(s, PM_CONTACT_ROW, c, row, 0, 0, PM_FRICTION_SMOOTH, 0);
+    scene_until_time(s, 1);
+    return s;
+}
+
+static double distance(double x, double y, int k)
+{
+    return hypot(x - 0.1 - k * STEP_X, y + 0.2 - k * STEP_Y) - 0.2;
+}
+
+static void nearest_member(void)
+{
+    for (int n = 0; n < 400; n++) {
+        const int count = n % 4 == 0 ? -1 : n % 9; /* endless, or 0 .. 8 */
+        const double x = check_random(-3, 5), y = check_random(0.9, 2);
+        scene *s = row_scene(x, y, count);
+        if (CHECK(scene_begin(s) == PM_OK)) {
+            int first = count < 0 ? -30 : 0, last = count < 0 ? 30 : count - 1, best = 0, second = 0, member;
+            double least = INFINITY, next = INFINITY;
+            for (int k = first; k <= last; k++)
+                if (distance(x, y, k) < least) {
+                    least = distance(x, y, k);
+                    best = k;
+                }
+            for (int k = first; k <= last; k++)
+                if (k != best && distance(x, y, k) < next) {
+                    next = distance(x, y, k);
+                    second = k;
+                }
+            NEAR(pm_contact_gap(s->w, &s->w->state, 0, &member), least, 1e-13);
+            if (isfinite(least)) EQUAL(member, best);
+            s->w->state.slot[1] = (pm_slot){PM_SMOOTH, best};
+            NEAR(pm_contact_gap(s->w, &s->w->state, 0, &member), next, 1e-13);
+            if (isfinite(next)) EQUAL(member, second);
+            EQUAL(pm_contact_free_slot(s->w, &s->w->state, 0), 0);
+        }
+        scene_free(s);
+    }
+}
+
+/* A gap's rate is its derivative along the motion, with both partners moving. */
+static void rates(void)
+{
+    scene *s = scene_create();
+    const int a = scene_body(s, 1, 0.1, 0, 1, 0.2), b = scene_body(s, 2, 0.3, 0.4, 0, -0.1);
+    scene_contact(s, PM_CONTACT_LINE, scene_circle(s, scene_point(s, a, 0.1, 0.1), 0.2),
+                  scene_line(s, scene_point(s, b, 0, 0.1), 0.2), 0, 0, PM_FRICTION_ROUGH, 0);
+    scene_contact(s, PM_CONTACT_CIRCLE, scene_circle(s, scene_point(s, a, 0.1, 0.1), 0.2),
+                  scene_circle(s, scene_point(s, b, 0, 0.1), 0.3), 1, 0, PM_FRICTION_ROUGH, 0);
+    scene_start_velocity(s, scene_point(s, a, 0, 0), 0.3, -0.8);
+    scene_start_velocity(s, scene_point(s, b, 0, 0), -0.5, 0.4);
+    scene_start_omega(s, a, 1.5);
+    scene_start_omega(s, b, -2.5);
+    scene_until_time(s, 1);
+    if (CHECK(scene_begin(s) == PM_OK)) {
+        pm_workspace *w = s->w;
+        for (int i = 0; i < 2; i++) {
+            double rate, gap[2];
+            int member;
+            pm_frame_look_state(w, &w->state);
+            NEAR(pm_contact_member_gap(w, i, 0, &rate), pm_contact_gap(w, &w->state, i, &member), 0);
+            for (int side = 0; side < 2; side++) {
+                pm_state_copy(&w->probe, &w->state);
+                for (int k = 0; k < w->model->nq; k++) w->probe.q[k] += (side ? 1e-6 : -1e-6) * w->state.v[k];
+                pm_frame_look_state(w, &w->probe);
+                gap[side] = pm_contact_member_gap(w, i, 0, NULL);
+            }
+            NEAR(rate, (gap[1] - gap[0]) / 2e-6, 1e-8);
+        }
+    }
+    scene_free(s);
+}
+
+/* More members at once than there are slots for is said, not guessed. */
+static void too_many(void)
+{
+    scene *s = scene_create(); /* bars much closer than what counts as touching */
+    const int c = scene_circle(s, scene_point(s, scene_body(s, 1, 0.1, 0, 0.2, 0), 0, 0), 0.2);
+    const int row = SCENE_ROW(s, PM_TABLE_ROW, scene_point(s, PM_GROUND, 0, 0), scene_value(s, 1e-12),
+                              scene_value(s, 0), scene_value(s, -1));
+    scene_contact(s, PM_CONTACT_ROW, c, row, 0, 0, PM_FRICTION_SMOOTH, 0);
+    scene_until_time(s, 1);
+    EQUAL(scene_run(s, NULL), PM_CONTACT_SLOTS);
+    EQUAL(s->where[PM_WHERE_TABLE], PM_TABLE_CONTACT);
+    EQUAL(s->where[PM_WHERE_ROW], 0);
+    scene_free(s);
+}
+
+int main(void)
+{
+    nearest_member();
+    rates();
+    too_many();
+    return check_failures();
+}

@@ -1,0 +1,185 @@
+/* Routes: the error follows the tolerance, the dense output meets the exact states, and both routes give the same
+ * answers for swings, rolling, throws, bounces and sliding. */
+#include "route.h"
+
+#include "active.h"
+#include "body.h"
+#include "check.h"
+#include "event.h"
+#include "scene.h"
+
+#define G 9.81
+
+static scene *swing(void)
+{
+    scene *s = scene_create();
+    const int a = scene_body(s, 1, 1 / 12., 0.5, 0, 0), b = scene_body(s, 1, 1 / 12., 1.5, 0, 0);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, a, -0.5, 0), scene_point(s, PM_GROUND, 0, 0), 0);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, b, -0.5, 0), scene_point(s, a, 0.5, 0), 0);
+    const int tip = scene_point(s, b, 0.5, 0);
+    scene_until_time(s, 2);
+    scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, tip, PM_PART_X));
+    scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, tip, PM_PART_Y));
+    scene_ask_extreme(s, PM_ASK_MAX, scene_read(s, scene_part(s, PM_MEASURE_VELOCITY, tip, PM_PART_NORM)),
+                      PM_NONE);
+    return s;
+}
+
+/* A hoop with a collar fixed on it rolls on level ground, one turn. */
+static scene *collar(void)
+{
+    const double r = 0.3, d = 0.2;
+    scene *s = scene_create();
+    const int hoop = scene_body(s, 2, 2 * r * r, 0, r, 0), c = scene_body(s, 2, 0, 0, r - d, 0);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, hoop, 0, -d), scene_point(s, c, 0, 0), 0);
+    scene_joint(s, PM_JOINT_ROLLING_LINE, scene_circle(s, scene_point(s, hoop, 0, 0), r), scene_floor(s, 0),
+                0);
+    scene_start_omega(s, hoop, -15);
+    const int turned = scene_measure(s, PM_MEASURE_TURNED, hoop);
+    scene_until(s,
+                scene_when(s, PM_TRIGGER_CROSS,
+                           SCENE_PROGRAM(s, scene_m(turned), scene_k(s, 4 * acos(0.)), scene_op(PM_OP_ADD))),
+                1);
+    scene_ask_measure(s, scene_time(s));
+    scene_ask_measure(s, scene_measure(s, PM_MEASURE_OMEGA, hoop));
+    scene_ask_extreme(s, PM_ASK_MIN, scene_read(s, scene_measure(s, PM_MEASURE_JOINT_NORMAL, 1)), PM_NONE);
+    return s;
+}
+
+/* A ball thrown on the floor that bounces, and passes a height on its way. */
+static scene *ball(void)
+{
+    scene *s = scene_create();
+    const int p = scene_point(s, scene_body(s, 1, 0, 0, 1, 0), 0, 0),
+              y = scene_part(s, PM_MEASURE_POSITION, p, PM_PART_Y);
+    const int c = scene_contact(s, PM_CONTACT_LINE, scene_circle(s, p, 0.1), scene_floor(s, 0), 0, 0.8,
+                                PM_FRICTION_SMOOTH, 0);
+    const int strike = scene_on(s, PM_TRIGGER_STRIKE, c),
+              height = scene_when(s, PM_TRIGGER_CROSS, scene_minus(s, y, 0.3));
+    scene_start_velocity(s, p, 1, 1);
+    scene_until(s, strike, 3);
+    scene_ask_measure(s, scene_time(s));
+    scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, height));
+    scene_ask_measure(s, scene_part(s, PM_MEASURE_VELOCITY, p, PM_PART_Y));
+    return s;
+}
+
+/* A particle leaves a smooth circle. */
+static scene *leaves(void)
+{
+    scene *s = scene_create();
+    const int p = scene_point(s, scene_body(s, 1, 0, 0, 1, 0), 0, 0),
+              y = scene_part(s, PM_MEASURE_POSITION, p, PM_PART_Y);
+    const int c =
+        scene_contact(s, PM_CONTACT_CIRCLE, scene_circle(s, p, 0),
+                      scene_circle(s, scene_point(s, PM_GROUND, 0, 0), 1), 1, 0, PM_FRICTION_SMOOTH, 0);
+    scene_start_velocity(s, p, 0.5, 0);
+    const int opens = scene_on(s, PM_TRIGGER_OPEN, c);
+    scene_until(s, opens, 1);
+    scene_ask_measure(s, y);
+    scene_ask_measure(s, scene_part(s, PM_MEASURE_VELOCITY, p, PM_PART_NORM));
+    scene_ask_measure(s, scene_time(s));
+    return s;
+}
+
+/* A sphere that slides, then rolls. */
+static scene *bowl(void)
+{
+    scene *s = scene_create();
+    const int b = scene_body(s, 2, 0.008, 0, 0.1, 0), g = scene_point(s, b, 0, 0);
+    const int c = scene_contact(s, PM_CONTACT_LINE, scene_circle(s, g, 0.1), scene_floor(s, 0), 0, 0,
+                                PM_FRICTION_COULOMB, 0.2);
+    scene_start(s, PM_START_VELOCITY, scene_part(s, PM_MEASURE_VELOCITY, g, PM_PART_X), 4);
+    scene_until_time(s, 1);
+    scene_ask_measure(s, scene_part(s, PM_MEASURE_VELOCITY, g, PM_PART_X));
+    scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, g, PM_PART_X));
+    scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, scene_on(s, PM_TRIGGER_STICK, c)));
+    return s;
+}
+
+typedef scene *maker(void);
+static maker *const makers[] = {swing, collar, ball, leaves, bowl};
+enum { MAKERS = sizeof makers / sizeof *makers };
+
+static int run(maker *make, int route, double accuracy, double out[3])
+{
+    scene *s = make();
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    scene_set(s, PM_SETTING_ACCURACY, accuracy);
+    const int status = scene_run(s, NULL);
+    for (int i = 0; i < 3; i++) out[i] = s->out[i];
+    if (status == PM_OK) {
+        EQUAL(s->count[PM_COUNT_ROUTE], route);
+        CHECK(s->audit[PM_AUDIT_ENERGY] <= fmax(1e-7, 1e4 * accuracy));
+    }
+    scene_free(s);
+    return status;
+}
+
+/* No tolerance gives an error far above it, and a finer one a smaller error. */
+static void converges(void)
+{
+    for (int i = 0; i < MAKERS; i++) {
+        double best[3], out[3];
+        EQUAL(run(makers[i], PM_ROUTE_RK, 1e-13, best), PM_OK);
+        for (double accuracy = 1e-4; accuracy > 1e-12; accuracy *= 1e-2) {
+            EQUAL(run(makers[i], PM_ROUTE_RK, accuracy, out), PM_OK);
+            for (int k = 0; k < 3; k++) NEAR(out[k], best[k], 100 * accuracy * (1 + fabs(best[k])));
+        }
+    }
+}
+
+static void routes_agree(void)
+{
+    for (int i = 0; i < MAKERS; i++) {
+        double rk[3], ida[3];
+        EQUAL(run(makers[i], PM_ROUTE_RK, 1e-12, rk), PM_OK);
+        EQUAL(run(makers[i], PM_ROUTE_IDA, 1e-9, ida), PM_OK);
+        for (int k = 0; k < 3; k++) NEAR(ida[k], rk[k], 1e-5 * (1 + fabs(rk[k])));
+    }
+}
+
+/* Inside a step the dense output is as good as the order that it has, and continuous at both ends. */
+static void dense_output(int route, double tolerance)
+{
+    scene *s = swing();
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    scene_set(s, PM_SETTING_ACCURACY, 1e-9);
+    if (CHECK(scene_begin(s) == PM_OK)) {
+        pm_workspace *w = s->w;
+        const int nq = w->model->nq;
+        w->event->nfunction = 0;
+        pm_event_begin(w);
+        CHECK(w->route->begin(w) == PM_OK);
+        for (int step = 0; step < 40; step++) {
+            double begin[12], dense[12], x[12];
+            memcpy(begin, w->state.q, sizeof(double) * 2 * (size_t)nq);
+            memset(w->event->root, 0, sizeof(int) * (size_t)w->event->nfunction);
+            if (!CHECK(w->route->step(w, 1.9) == PM_OK) || w->state.t >= 1.9) break;
+            CHECK(w->step_begin < w->step_end && w->step_end == w->state.t);
+            for (int k = 0; k <= 8; k++) {
+                const double t = w->step_begin + (w->step_end - w->step_begin) * k / 8.;
+                CHECK(w->route->at(w, t, &w->probe) == PM_OK);
+                memcpy(dense, w->probe.q, sizeof dense);
+                CHECK(w->route->exact(w, t, &w->probe) == PM_OK);
+                memcpy(x, w->probe.q, sizeof x);
+                for (int i = 0; i < 2 * nq; i++) NEAR(dense[i], x[i], tolerance);
+                if (k == 0)
+                    for (int i = 0; i < 2 * nq; i++) NEAR(dense[i], begin[i], tolerance);
+                if (k == 8)
+                    for (int i = 0; i < 2 * nq; i++) NEAR(dense[i], w->state.q[i], tolerance);
+            }
+            pm_frame_look_state(w, &w->state);
+            pm_active_follow(w, &w->state);
+        }
+    }
+    scene_free(s);
+}
+
+int main(void)
+{
+    converges();
+    dense_output(PM_ROUTE_RK, 1e-8);
+    routes_agree();
+    return check_failures();
+}

@@ -1,0 +1,128 @@
+"""The one entrance to a validated scene: words first (words.py), then types, then what no type says.
+
+Every fault becomes a SceneError with its key path.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from pydantic import ValidationError
+
+from . import words
+from .errors import SceneError
+from .scene import DEFAULT_G, Ask, At, SceneData, Table
+
+
+def validate(raw: Mapping[str, Any], *, file: str | None = None, name: str = "") -> SceneData:
+    """The validated scene of a table as TOML gives it.
+
+    `file` is named in messages; `name` is the id where the table has none.  Raises SceneError for the first
+    fault found.
+    """
+    try:
+        words.check(raw)
+        if "until" not in raw:
+            raise SceneError('what ends the run is wanted, such as until = "t = 2 s"', path="until")
+        if not words.table(raw, "bodies"):
+            raise SceneError("a scene needs at least one body", path="bodies")
+        parameters = {
+            **({} if "g" in words.table(raw, "parameters") else {"g": DEFAULT_G}),
+            **raw.get("parameters", {}),
+        }
+        data = _construct({**raw, "id": raw.get("id", name), "parameters": parameters, "file": file})
+        _check_more(data)
+    except SceneError as error:
+        raise error.at(file=file) from None
+    return data
+
+
+def _construct(content: Mapping[str, Any]) -> SceneData:
+    try:
+        return SceneData.model_validate(content)
+    except ValidationError as fault:
+        raise _translate(fault) from None
+
+
+def _translate(fault: ValidationError) -> SceneError:
+    """Pydantic's first complaint in the manner of this package."""
+    first = fault.errors()[0]
+    # Parts of a location that are names of types or models are no keys.
+    keys = [part for part in first["loc"] if not (isinstance(part, str) and _is_type(part))]
+    path = ""
+    for part in keys:
+        path += f"[{part}]" if isinstance(part, int) else f".{part}" if path else part
+    path = path.replace("sweep.grids.", "sweep.")
+    written = first.get("input")
+    shown = written if isinstance(written, str | int | float | bool) else None
+    if first["type"] == "missing":
+        return SceneError("it is wanted and left out", path=path)
+    if first["type"] == "value_error":
+        return SceneError(str(first["ctx"]["error"]), path=path, value=shown)
+    wanted = first["msg"].removeprefix("Input should be ")
+    return SceneError(f"{wanted} is wanted", path=path, value=shown)
+
+
+def _is_type(part: str) -> bool:
+    return (
+        (part[:1].isupper() and part in _MODELS)
+        or "-" in part
+        or "[" in part
+        or part in ("str", "int", "float", "bool")
+    )
+
+
+_MODELS = {model.__name__ for model in Table.__subclasses__()}
+
+
+def _check_more(data: SceneData) -> None:
+    """Faults between keys that no type says."""
+    solve = data.solve
+    if solve.route in words.NOT_BUILT_ROUTES:
+        raise words.not_built(f"the route {solve.route}", "solve.route", solve.route)
+    if solve.route not in words.ROUTES:
+        raise SceneError(words.unknown(solve.route, words.ROUTES, "route"), path="solve.route")
+    if solve.simultaneous != "together":
+        raise words.not_built("blows one by one", "solve.simultaneous", solve.simultaneous)
+    for key in ("max_events", "max_steps"):
+        if getattr(solve, key) < 1:
+            raise SceneError("at least 1 is wanted", path=f"solve.{key}", value=getattr(solve, key))
+    for name, contact in data.contacts.items():
+        if contact.law != "newton":
+            raise words.not_built("other impact laws than newton", f"contacts.{name}.law", contact.law)
+        if contact.capture != "none":
+            raise words.not_built("contacts that capture", f"contacts.{name}.capture", contact.capture)
+    for name, ask in data.ask.items():
+        _check_ask(data, ask, f"ask.{name}")
+    zipped = [name for group in data.sweep.zip for name in group]
+    for name in (*data.sweep.grids, *zipped):
+        if name not in data.parameters:
+            raise SceneError(words.unknown(name, tuple(data.parameters), "parameter"), path=f"sweep.{name}")
+    for name in zipped:
+        if name not in data.sweep.grids:
+            raise SceneError("zipped, but it has no grid", path=f"sweep.{name}")
+        if zipped.count(name) > 1:
+            raise SceneError(f'"{name}" is zipped twice', path="sweep.zip")
+
+
+def _check_ask(data: SceneData, ask: Ask, path: str) -> None:
+    given = [key for key in ("of", "max", "min") if getattr(ask, key) is not None]
+    if len(given) != 1:
+        raise SceneError(
+            "one of of, max, min is wanted" + (f", not {' and '.join(given)}" if given else ""), path=path
+        )
+    if given[0] != "of" and ask.at is not None:
+        raise SceneError(
+            f"an extreme over the run has no instant; write of = ..., at = {{ {given[0]} = ... }}",
+            path=f"{path}.at",
+        )
+    if isinstance(ask.at, At):
+        kinds = [key for key in ("max", "min", "each") if getattr(ask.at, key) is not None]
+        if len(kinds) != 1 or (kinds == ["each"]) != (ask.at.values is not None):
+            raise SceneError(
+                "an instant is { max = ... }, { min = ... } or { each = ..., values = grid }",
+                path=f"{path}.at",
+            )
+    if ask.run is not None and ask.run not in data.runs:
+        raise SceneError(words.unknown(ask.run, tuple(data.runs), "run"), path=f"{path}.run")
