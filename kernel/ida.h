@@ -30,14 +30,15 @@ typedef struct pm_ida_jacobian {
     double *turn;         /* [nrow][nq] d(G v)/dq */
     double *stiffness;    /* [nq][nq] M^-1 d(f + H^T lambda)/dq */
     double *damping;      /* [nq][nq] M^-1 df/dv */
-    double *ledger;       /* [nz][nrow] dz'/dlambda */
+    double *ledger;       /* [nz][nrow + 2 nq] dz'/dlambda, dz'/dq, dz'/dv */
     double *schur;        /* [nactive][nactive] Cholesky factor of G M^-1 G^T */
     double *spread;       /* [nq][nrow] M^-1 G^T (G M^-1 G^T)^-1 */
     double *system;       /* [nq + nactive][nq + nactive] LU factors in (v, L), scaled */
     int *pivot;           /* [nq + nrow] */
     double *scale;        /* [nq + nrow] of the unknowns of `system` */
     double *work;         /* scratch of the differences and of a solution */
-    int has_damping;      /* some force may depend on velocities */
+    int has_forces;       /* some force may depend on positions */
+    int has_damping;      /* and some on velocities */
 } pm_ida_jacobian;
 
 typedef struct pm_ida {

@@ -2,7 +2,7 @@
  *
  * Rows give G, H and dz'/dlambda as they are.  Differences give M^-1 d(f + H^T lambda)/dq (stiffness of springs and of the
  * geometry), M^-1 df/dv where some force may depend on velocities, and d(G v)/dq.  Left out, because Newton's iteration
- * does not need them: d(M^-1 G^T Mu')/dq, where Mu' is small, and dz'/d(q, v), which feed nothing back. */
+ * does not need them: d(M^-1 G^T Mu')/dq, where Mu' is small, and dz'/dq, dz'/dv of what is not stiff. */
 #include "ida_jacobian.h"
 
 #include <float.h>
@@ -44,7 +44,7 @@ static pm_ida_differences differences(const pm_model *m, double *work)
 size_t pm_ida_jacobian_doubles(const pm_model *m)
 {
     const size_t nq = (size_t)m->nq, nrow = (size_t)m->nrow, nz = (size_t)m->nz, both = nq + nrow;
-    return 4 * nrow * nq + 2 * nq * nq + nz * nrow + nrow * nrow + both * both + both + work_size(m);
+    return 4 * nrow * nq + 2 * nq * nq + nz * (nrow + 2 * nq) + nrow * nrow + both * both + both + work_size(m);
 }
 
 size_t pm_ida_jacobian_ints(const pm_model *m) { return (size_t)(m->nq + m->nrow); }
@@ -68,11 +68,12 @@ void pm_ida_jacobian_place(pm_ida_jacobian *x, const pm_model *m, double *p, int
     x->stiffness = x->spread + nq * nrow;
     x->damping = x->stiffness + nq * nq;
     x->ledger = x->damping + nq * nq;
-    x->schur = x->ledger + nz * nrow;
+    x->schur = x->ledger + nz * (nrow + 2 * nq);
     x->system = x->schur + nrow * nrow;
     x->scale = x->system + both * both;
     x->work = x->scale + both;
     x->pivot = ints;
+    x->has_forces = m->rows[PM_TABLE_FORCE] > 0;
     x->has_damping = has_damping(m);
 }
 
@@ -102,17 +103,23 @@ static void rows(pm_workspace *w, pm_ida_jacobian *x)
     }
 }
 
+/* One column of the derivatives of z', from the rates at the frame. */
+static void ledger_column(pm_workspace *w, pm_ida_jacobian *x, const pm_ida_differences *d, int column, double step)
+{
+    const int nz = w->model->nz, width = w->model->nrow + 2 * w->model->nq;
+    pm_audit_rates(w, d->z_moved);
+    for (int i = 0; i < nz; i++) x->ledger[i * width + column] = (d->z_moved[i] - d->z[i]) / step;
+}
+
 /* dz'/dlambda: the rates are linear in the reactions. */
 static void ledger(pm_workspace *w, pm_ida_jacobian *x, const pm_ida_differences *d)
 {
-    const int nz = w->model->nz, nrow = w->model->nrow;
     pm_audit_rates(w, d->z);
     for (int k = 0; k < w->nactive; k++) {
         const double old = w->frame.lambda[k], step = fmax(1, fabs(old));
         w->frame.lambda[k] = old + step;
-        pm_audit_rates(w, d->z_moved);
+        ledger_column(w, x, d, k, step);
         w->frame.lambda[k] = old;
-        for (int i = 0; i < nz; i++) x->ledger[i * nrow + k] = (d->z_moved[i] - d->z[i]) / step;
     }
 }
 
@@ -136,6 +143,7 @@ static void velocities(pm_workspace *w, pm_ida_jacobian *x, double t, const pm_i
         pm_force_all(w);
         v[k] = old;
         for (int i = 0; i < nq; i++) x->damping[i * nq + k] = w->inverse_mass[i] * (w->frame.f[i] - d->force[i]) / step;
+        ledger_column(w, x, d, w->model->nrow + nq + k, step);
     }
 }
 
@@ -151,6 +159,7 @@ static void positions(pm_workspace *w, pm_ida_jacobian *x, double t, const doubl
         d->y[k] = old;
         for (int i = 0; i < nq; i++) x->stiffness[i * nq + k] = (d->force_moved[i] - d->force[i]) / step;
         for (int i = 0; i < w->nactive; i++) x->turn[i * nq + k] = (d->rate_moved[i] - d->rate[i]) / step;
+        if (x->has_forces) ledger_column(w, x, d, w->model->nrow + k, step);
     }
 }
 

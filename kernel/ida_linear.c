@@ -1,8 +1,8 @@
 /* ida_linear.c - block elimination of dF/dy + cj dF/dy'.
  *
- * With W = M^-1, K and D the blocks W d(f + H^T lambda)/dq and W df/dv, N = d(G v)/dq, Z = dz'/dlambda:
+ * With W = M^-1, K and D the blocks W d(f + H^T lambda)/dq and W df/dv, N = d(G v)/dq, Z = dz'/d(lambda, q, v):
  *
- *   cj dq - dv + cj W G^T dMu = b1        K dq + D dv + cj W H^T dL - cj dv = -b2       cj dz - cj Z dL = b3
+ *   cj dq - dv + cj W G^T dMu = b1        K dq + D dv + cj W H^T dL - cj dv = -b2       cj dz - Z (cj dL, dq, dv) = b3
  *   G dq = b4                             N dq + G dv = b5
  *
  * The first and fourth give dq on the rows, with S = G W G^T (Cholesky), X = W G^T S^-1 and u = (b1 + dv)/cj:
@@ -10,7 +10,7 @@
  * which leaves one system of nq + nactive equations (LU), scaled by the square roots of W and S:
  *   [1 - D/cj - K (1 - X G)/cj^2   -W H^T] [dv]   [(b2 + K d0)/cj]
  *   [G + N (1 - X G)/cj             0    ] [dL] = [b5 - N d0     ]
- * and dz = b3/cj + Z dL.  An eighth of the work of a dense LU on all unknowns, and less of it the more bodies there are. */
+ * and then dz.  An eighth of the work of a dense LU on all unknowns, and less of it the more bodies there are. */
 #include "ida_linear.h"
 
 #include <math.h>
@@ -124,9 +124,12 @@ void pm_ida_linear_solve(pm_workspace *w, const double *b, double *x)
     take_away(nq, na, nrow, j->spread, e, u);
     pm_cholesky_solve(na, j->schur, e);
     for (int i = 0; i < nz; i++) {
-        double sum = ic * b[2 * nq + i];
-        for (int r = 0; r < na; r++) sum += j->ledger[i * nrow + r] * f[nq + r];
-        x[2 * nq + i] = sum;
+        const double *z = j->ledger + i * (nrow + 2 * nq), *zq = z + nrow, *zv = zq + nq;
+        double sum = b[2 * nq + i], by_reactions = 0;
+        for (int k = 0; k < nq && j->has_forces; k++) sum += zq[k] * u[k];
+        for (int k = 0; k < nq && j->has_damping; k++) sum += zv[k] * f[k];
+        for (int r = 0; r < na; r++) by_reactions += z[r] * f[nq + r];
+        x[2 * nq + i] = ic * sum + by_reactions;
     }
     memcpy(x, u, (size_t)nq * sizeof *x);
     memcpy(x + nq, f, (size_t)nq * sizeof *x);

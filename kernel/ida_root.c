@@ -20,23 +20,26 @@
 #define ON_ZERO 1e-12    /* of a trigger's size: zero */
 #define STILL_ZERO 1e-3  /* of its size: a trigger that has just fired may be this far off, and not yet armed */
 #define CLEAR 10         /* times the value after the firing: now it has left */
-#define AHEAD 0.1        /* of the motion's own time: how far ahead a trigger's size is looked up */
+#define AHEAD 0.1        /* of the motion's own time: over it a trigger changes by its size */
+#define RATE_TIME 1e-4   /* of the motion's own time: distance of the differences at the begin of a phase */
+#define RATE_STEP 1e-3   /* of a step: distance of the differences in it */
+#define FLIGHT 0.05      /* of a bounce, as a first step */
 #define REACH 4          /* changes in a step within which a function may dip to zero */
 #define SAME_TIME 1e-11  /* of a step: roots closer than this are one instant */
 #define HALVINGS 30      /* of a step, to find the top of a short bounce */
 
 typedef struct pm_ida_roots {
-    int most;         /* functions that IDA knows of; those that the phase has not are 1 */
-    int *direction;   /* [most] as IDA sees them */
-    int *side;        /* [most] 1, -1; 0: not armed */
-    int *index;       /* [most] 0, 1, 2 ..: contexts of root searches */
-    int *suspect;     /* [most] may have a root inside the step */
-    int *info;        /* [most] IDA's roots */
-    double *zero;     /* [most] not armed: this or less is zero */
-    double *latest;   /* [most] values at the last evaluation */
-    double *node;     /* [PM_NODES][most] values in the step, those at its begin known */
-    double *last;     /* [most] values at the begin of the step before */
-    double length;    /* of that step */
+    int most;        /* functions that IDA knows of; those that the phase has not are 1 */
+    int *direction;  /* [most] as IDA sees them */
+    int *side;       /* [most] 1, -1; 0: not armed */
+    int *suspect;    /* [most] may have a root inside the step */
+    int *info;       /* [most] IDA's roots */
+    double *zero;    /* [most] not armed: this or less is zero */
+    double *base;    /* [most] not armed: a contact's function that starts below zero returns to where it was */
+    double *latest;  /* [most] values at the last evaluation */
+    double *node;    /* [PM_NODES][most] values in the step, those at its begin known */
+    double *last;    /* [most] values at the begin of the step before */
+    double length;   /* of that step */
     void *block;
 } pm_ida_roots;
 
@@ -79,19 +82,18 @@ int pm_ida_root_create(pm_workspace *w)
     const size_t most = (size_t)w->event->most;
     pm_ida_roots *x = w->ida->roots = calloc(1, sizeof *x);
     if (!x) return PM_NO_MEMORY;
-    double *p = x->block = calloc((3 + PM_NODES) * most + 1, sizeof *p);
-    x->direction = calloc(5 * most + 1, sizeof *x->direction);
+    double *p = x->block = calloc((4 + PM_NODES) * most + 1, sizeof *p);
+    x->direction = calloc(4 * most + 1, sizeof *x->direction);
     if (!p || !x->direction) return PM_NO_MEMORY;
     x->most = w->event->most;
     x->zero = p;
-    x->latest = x->zero + most;
+    x->base = x->zero + most;
+    x->latest = x->base + most;
     x->last = x->latest + most;
     x->node = x->last + most;
     x->side = x->direction + most;
-    x->index = x->side + most;
-    x->suspect = x->index + most;
+    x->suspect = x->side + most;
     x->info = x->suspect + most;
-    for (int i = 0; i < x->most; i++) x->index[i] = i;
     if (x->most == 0) return PM_OK;
     int flag = IDARootInit(w->ida->memory, x->most, shown);
     if (flag == IDA_SUCCESS) flag = IDASetNoInactiveRootWarn(w->ida->memory);
@@ -121,50 +123,81 @@ static int tell_directions(pm_workspace *w)
     return flag == IDA_SUCCESS ? PM_OK : pm_fail(w, PM_SOLVER, PM_NONE, PM_NONE, flag, 0);
 }
 
-/* A trigger's size: the greater of its values now and a little ahead on the present course. */
-static void look_ahead(pm_workspace *w, const double *a, const double *now, double *size)
+/* ---- the begin of a phase ---- */
+/* Values a little later or earlier on a course of constant acceleration. */
+static int values_on_course(pm_workspace *w, const double *a, double time, double *g)
 {
-    const int nq = w->model->nq;
-    const double time = AHEAD * pm_ida_system_time_scale(w, w->state.v, a);
     pm_state *s = &w->probe;
-    memcpy(size, now, (size_t)w->event->nfunction * sizeof *now);
-    if (!isfinite(time)) return;
     pm_state_copy(s, &w->state);
-    for (int i = 0; i < nq; i++) {
+    for (int i = 0; i < w->model->nq; i++) {
         s->q[i] += time * (s->v[i] + 0.5 * time * a[i]);
         s->v[i] += time * a[i];
     }
     pm_frame_look(w, s->t + time, s->q, s->v, s->z, w->state.memory);
-    if (values(w, size)) return;
-    for (int i = 0; i < w->event->nfunction; i++)
-        size[i] = isfinite(size[i]) ? fmax(fabs(size[i]), fabs(now[i])) : fabs(now[i]);
+    return values(w, g);
 }
 
-int pm_ida_root_begin(pm_workspace *w, const double *a)
+/* Zero, its base and whether function i is armed, from its value, rate and second rate; *first is made short enough for
+ * a contact that leaves to be seen to come back. */
+static void begin_one(pm_workspace *w, int i, double g, double rate, double second, double scale, double *first)
 {
     pm_ida_roots *x = w->ida->roots;
-    const pm_event_set *e = w->event;
-    double *size = x->latest;
+    const pm_event_function *f = &w->event->function[i];
+    x->base[i] = 0;
+    if (f->slack > 0) { /* of a contact */
+        x->zero[i] = f->slack;
+        if (!f->held && g > 0) arm(w, i, g);
+        if (x->side[i]) return;
+        x->base[i] = fmin(g, 0);
+        if (rate > 0 && second < 0) *first = fmin(*first, FLIGHT * 2 * rate / -second);
+        return;
+    }
+    const double time = isfinite(scale) ? AHEAD * scale : 0;
+    const double size = fmax(fabs(g), fmax(fabs(rate) * time, 0.5 * fabs(second) * time * time));
+    x->zero[i] = ON_ZERO * size;
+    if (f->held && fabs(g) <= STILL_ZERO * size) x->zero[i] = fmax(x->zero[i], CLEAR * fabs(g));
+    if (fabs(g) > x->zero[i]) arm(w, i, g);
+}
+
+int pm_ida_root_begin(pm_workspace *w, const double *a, double *first)
+{
+    pm_ida_roots *x = w->ida->roots;
+    const int n = w->event->nfunction;
+    const double scale = pm_ida_system_time_scale(w, w->state.v, a), d = isfinite(scale) ? RATE_TIME * scale : 1;
+    double *later = x->node + x->most, *earlier = later + x->most;
     x->length = 0;
     memset(x->side, 0, (size_t)x->most * sizeof *x->side);
     memset(x->direction, 0, (size_t)x->most * sizeof *x->direction);
+    if (n == 0) return PM_OK;
     pm_event_values(w, x->node);
-    look_ahead(w, a, x->node, size);
-    for (int i = 0; i < e->nfunction; i++) {
-        const pm_event_function *f = &e->function[i];
-        const double g = x->node[i];
-        x->zero[i] = f->slack > 0 ? f->slack : ON_ZERO * fabs(size[i]);
-        if (f->held && f->slack == 0 && fabs(g) <= STILL_ZERO * fabs(size[i])) x->zero[i] = fmax(x->zero[i], CLEAR * fabs(g));
-        if (!(f->held && f->slack > 0) && fabs(g) > x->zero[i]) arm(w, i, g);
+    if (values_on_course(w, a, d, later) || values_on_course(w, a, -d, earlier)) { /* it was a guess: as if at rest */
+        memcpy(later, x->node, (size_t)n * sizeof *later);
+        memcpy(earlier, x->node, (size_t)n * sizeof *earlier);
+    }
+    for (int i = 0; i < n; i++) {
+        const double g = x->node[i], rate = (later[i] - earlier[i]) / (2 * d), second = (later[i] - 2 * g + earlier[i]) / (d * d);
+        begin_one(w, i, g, isfinite(rate) ? rate : 0, isfinite(second) ? second : 0, scale, first);
     }
     return tell_directions(w);
 }
 
 /* ---- one step ---- */
+typedef struct pm_search {
+    int function;
+    double minus; /* level whose crossing is sought */
+    double d;     /* > 0: the rate by differences instead */
+} pm_search;
+
+static double value_at(pm_workspace *w, double t, int i)
+{
+    return values_inside(w, t, w->ida->roots->latest) ? NAN : w->ida->roots->latest[i];
+}
+
 static double along(pm_workspace *w, double t, void *context)
 {
-    const int i = *(const int *)context;
-    return values_inside(w, t, w->ida->roots->latest) ? NAN : w->ida->roots->latest[i];
+    const pm_search *x = context;
+    if (x->d > 0) return (value_at(w, t + x->d, x->function) - value_at(w, t - x->d, x->function)) / (2 * x->d);
+    return value_at(w, t, x->function) - x->minus;
 }
 
 static int crosses(const pm_event_function *f, double a, double b)
@@ -173,34 +206,48 @@ static int crosses(const pm_event_function *f, double a, double b)
 }
 
 typedef struct pm_bracket {
-    double a, ga, b, gb;
+    double a, ga, b, gb, minus;
 } pm_bracket;
 
-/* Three nodes dip towards zero: 1 if the function goes through zero at the vertex of their parabola. */
-static int dips(pm_workspace *w, int i, const double g[3], const double t[3], pm_bracket *x)
+/* Whether |g| may turn between nodes k and k + 1, by the changes before and after; unknown ones may be anything. */
+static int may_turn(const double *g, int k)
+{
+    const double s = g[k] > 0 ? 1 : -1;
+    return (k == 0 || s * (g[k] - g[k - 1]) < 0) && (k + 2 >= PM_NODES || s * (g[k + 2] - g[k + 1]) > 0);
+}
+
+/* Between two nodes of one sign: does the function turn back there, beyond zero?  A turn is where its rate is zero. */
+static int dips(pm_workspace *w, int i, pm_bracket *x)
 {
     const int direction = w->event->function[i].direction;
-    const double s = g[1] > 0 ? 1 : -1, a = s * g[0], b = s * g[1], c = s * g[2];
-    if (!(b < a && b < c && b > 0) || direction * s > 0) return 0;
-    const double bend = a - 2 * b + c, shift = 0.5 * (a - c) / bend, low = b - 0.125 * (a - c) * (a - c) / bend;
-    if (low > 0.1 * b) return 0;
-    *x = (pm_bracket){.a = t[0], .ga = g[0], .b = t[1] + shift * (t[2] - t[1])};
-    x->gb = along(w, x->b, &w->ida->roots->index[i]);
+    const double s = x->ga > 0 ? 1 : -1, h = x->b - x->a;
+    pm_search rate = {i, 0, RATE_STEP * h};
+    double turn;
+    if (!(x->ga * x->gb > 0) || direction * s > 0) return 0;
+    const double ra = along(w, x->a, &rate), rb = along(w, x->b, &rate);
+    if (!(s * ra < 0 && s * rb > 0)) return 0;
+    /* no lower than where the tangents meet */
+    const double meet = (x->gb - x->ga - rb * h) / (ra - rb);
+    if (s * (x->ga + ra * meet) > 0) return 0;
+    if (pm_root_find(w, w->event->solver, along, &rate, x->a, ra, x->b, rb, &turn)) return 0;
+    x->b = turn;
+    x->gb = value_at(w, turn, i);
     return s * x->gb <= 0;
 }
 
-/* A contact's function goes from zero to the wrong side by t[0] + span: it has bounced in between, or the event is now. */
+/* A contact's function is below its base by begin + span: it has bounced in between, or the event is now. */
 static void bounce(pm_workspace *w, int i, double begin, double span, double g, pm_bracket *x)
 {
+    const double base = w->ida->roots->base[i];
     *x = (pm_bracket){.a = begin, .b = begin};
     for (int k = 0; k < HALVINGS; k++) {
-        const double t = begin + ldexp(span, -1 - k), value = along(w, t, &w->ida->roots->index[i]);
+        const double t = begin + ldexp(span, -1 - k), value = value_at(w, t, i) - base;
         if (t <= begin) return;
         if (value > 0) {
-            *x = (pm_bracket){.a = t, .ga = value, .b = begin + ldexp(span, -k), .gb = g};
+            *x = (pm_bracket){.a = t, .ga = value, .b = begin + ldexp(span, -k), .gb = g - base, .minus = base};
             return;
         }
-        g = value;
+        g = value + base;
     }
 }
 
@@ -214,16 +261,15 @@ static int scan(pm_workspace *w, int i, const double *t, pm_bracket *x)
     for (int k = 0; k < PM_NODES; k++) g[k] = r->node[k * r->most + i];
     for (int k = 0; k + 1 < PM_NODES; k++) {
         if (side == 0) {
-            if (f->slack > 0 && g[k + 1] < -r->zero[i]) {
+            if (f->slack > 0 && g[k + 1] < r->base[i] - r->zero[i]) {
                 bounce(w, i, t[0], t[k + 1] - t[0], g[k + 1], x);
                 return 1;
             }
-            if (fabs(g[k + 1]) > r->zero[i]) side = g[k + 1] > 0 ? 1 : -1;
+            if (f->slack > 0 ? g[k + 1] > r->zero[i] : fabs(g[k + 1]) > r->zero[i]) side = g[k + 1] > 0 ? 1 : -1;
             continue;
         }
-        *x = (pm_bracket){t[k], g[k], t[k + 1], g[k + 1]};
-        if (crosses(f, g[k], g[k + 1])) return 1;
-        if (k + 2 < PM_NODES && dips(w, i, g + k, t + k, x)) return 1;
+        *x = (pm_bracket){t[k], g[k], t[k + 1], g[k + 1], 0};
+        if (crosses(f, g[k], g[k + 1]) || (may_turn(g, k) && dips(w, i, x))) return 1;
     }
     if (r->side[i] == 0 && side) arm(w, i, g[PM_NODES - 1]);
     return 0;
@@ -261,7 +307,8 @@ static int unseen(pm_workspace *w, double end, double *first)
         pm_bracket b;
         if (!x->suspect[i] || !scan(w, i, node, &b)) continue;
         double root = b.a;
-        if (b.b > b.a) status = pm_root_find(w, e->solver, along, &x->index[i], b.a, b.ga, b.b, b.gb, &root);
+        pm_search search = {i, b.minus, 0};
+        if (b.b > b.a) status = pm_root_find(w, e->solver, along, &search, b.a, b.ga, b.b, b.gb, &root);
         if (status || root > *first + same) continue;
         if (root < *first - same)
             for (int k = 0; k < i; k++) e->root[k] = 0;

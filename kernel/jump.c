@@ -26,7 +26,8 @@
 
 enum pm_share { OUT = 0, STRUCK = 1, JOINED = 2, DROPPED = 3 };
 
-/* Closes the open members that touch and approach; their slots are marked STRUCK. */
+/* Closes the open members that touch and do not part: what approaches is struck (its slot is marked STRUCK), what is
+ * still rests, so that it can join the blow; at the start nothing is closed yet. */
 static int find_struck(pm_workspace *w, unsigned char *share, int *struck)
 {
     const pm_model *m = w->model;
@@ -37,9 +38,11 @@ static int find_struck(pm_workspace *w, unsigned char *share, int *struck)
             double rate;
             if (pm_contact_gap(w, &w->state, i, &member) > pm_contact_length(w)) break;
             pm_contact_member_gap(w, i, member, &rate);
-            if (rate >= -pm_contact_speed(w)) break;
+            const int approaches = rate < -pm_contact_speed(w);
+            if (rate > pm_contact_speed(w) || (!approaches && pm_mode_released(w, i, member))) break;
             const int status = pm_mode_close(w, i, member, &slot);
             if (status) return status;
+            if (!approaches) continue;
             share[slot] = STRUCK;
             pm_event_mark(w, PM_TRIGGER_STRIKE, i);
             ++*struck;
@@ -158,8 +161,17 @@ static void record(pm_workspace *w)
     }
 }
 
-/* Modes after the blow: what parts is open; what stays is closed with the friction its slip asks for. */
-static void set_modes(pm_workspace *w, const unsigned char *share, const int32_t *resting)
+static int slid(const pm_workspace *w, int slot, const double *v)
+{
+    pm_row normal, tangent;
+    pm_row_of_contact(w, pm_contact_of_slot(w->model, slot), slot, w->state.slot[slot].member, &normal, &tangent);
+    pm_row_kind(tangent.kind)->evaluate(w, &tangent);
+    return fabs(pm_saddle_times(w, &tangent, v)) > pm_contact_speed(w);
+}
+
+/* Modes after the blow: what parts is open; what stays is closed with the friction its slip asks for.  A struck contact
+ * that slid and stays without slip sticks from the blow on. */
+static void set_modes(pm_workspace *w, const unsigned char *share, const int32_t *resting, const double *before)
 {
     for (int i = 0; i < w->model->nslot; i++) {
         const int contact = pm_contact_of_slot(w->model, i), member = w->state.slot[i].member;
@@ -170,6 +182,8 @@ static void set_modes(pm_workspace *w, const unsigned char *share, const int32_t
         if (fabs(rate) > pm_contact_speed(w)) continue; /* parts, or is struck again by the next blow */
         w->state.slot[i].mode = pm_mode_of_slip(w, contact, member);
         if (share[i] != OUT || w->state.slot[i].mode != resting[i]) pm_active_anchor(w, &w->state, i);
+        if (share[i] == STRUCK && w->state.slot[i].mode == PM_STICK && slid(w, i, before))
+            pm_event_mark(w, PM_TRIGGER_STICK, contact);
     }
 }
 
@@ -196,7 +210,7 @@ static int one_blow(pm_workspace *w, unsigned char *share, double *scratch)
     memcpy(w->state.v, after, (size_t)m->nq * sizeof *after);
     pm_frame_look_state(w, &w->state);
     pm_audit_jump(w, before);
-    set_modes(w, share, resting);
+    set_modes(w, share, resting, before);
     w->count[PM_COUNT_JUMPS]++;
     return PM_OK;
 }

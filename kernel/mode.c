@@ -63,20 +63,25 @@ void pm_mode_begin(pm_workspace *w)
     }
 }
 
+int pm_mode_released(const pm_workspace *w, int contact, int member)
+{
+    const int first = w->model->contact_slot[contact];
+    for (int i = first; i < first + pm_contact_slots(w->model, contact); i++)
+        if (w->slot_released[i] && w->slot_before[i].member == member) return 1;
+    return 0;
+}
+
 /* Open contacts that touch and do not part are closed; not those let go at this instant. */
 static int close_touching(pm_workspace *w)
 {
     const pm_model *m = w->model;
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
         for (int n = 0; n < pm_contact_slots(m, i); n++) {
-            int member, slot, released = 0;
+            int member, slot;
             double rate;
             if (pm_contact_gap(w, &w->state, i, &member) > pm_contact_length(w)) break;
             pm_contact_member_gap(w, i, member, &rate);
-            if (rate > pm_contact_speed(w)) break;
-            for (int k = m->contact_slot[i]; k < m->contact_slot[i] + pm_contact_slots(m, i); k++)
-                released |= w->slot_released[k] && w->slot_before[k].member == member;
-            if (released) break;
+            if (rate > pm_contact_speed(w) || pm_mode_released(w, i, member)) break;
             const int status = pm_mode_close(w, i, member, &slot);
             if (status) return status;
         }

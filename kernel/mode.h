@@ -13,6 +13,8 @@ int pm_mode_settle(pm_workspace *w);
 void pm_mode_mark(pm_workspace *w);
 /* Closes `contact` with `member` in a free slot, in the mode that its friction and slip ask for. */
 int pm_mode_close(pm_workspace *w, int contact, int member, int *slot);
+/* 1 if `contact` let go of `member` at this instant. */
+int pm_mode_released(const pm_workspace *w, int contact, int member);
 /* The mode of a closed contact with its present slip. */
 int pm_mode_of_slip(pm_workspace *w, int contact, int member);
 

@@ -12,18 +12,22 @@ typedef struct pm_root_call {
     pm_workspace *w;
     pm_along *f;
     void *context;
+    double a, fa, b, fb;
 } pm_root_call;
 
+/* At the ends the values that were given: they differ in sign, also where the dense output is off by its error. */
 static double call(double t, void *x)
 {
     const pm_root_call *c = x;
+    if (t == c->a) return c->fa;
+    if (t == c->b) return c->fb;
     return c->f(c->w, t, c->context);
 }
 
 int pm_root_find(pm_workspace *w, void *solver, pm_along *f, void *context, double a, double fa, double b, double fb,
                  double *root)
 {
-    pm_root_call c = {w, f, context};
+    pm_root_call c = {w, f, context, a, fa, b, fb};
     gsl_function function = {.function = call, .params = &c};
     *root = fa == 0 ? a : b;
     if (fa == 0 || fb == 0) return PM_OK;

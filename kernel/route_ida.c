@@ -163,12 +163,14 @@ static int begin(pm_workspace *w)
     int status = pm_ida_system_start(w, N_VGetArrayPointer(r->y), N_VGetArrayPointer(r->yp));
     if (status) return status;
     pm_ida_system_scale(w);
-    const double scale = pm_ida_system_time_scale(w, w->state.v, w->frame.a);
+    double first = FIRST_STEP * sqrt(r->tolerance) * pm_ida_system_time_scale(w, w->state.v, w->frame.a);
     int flag = IDAReInit(r->memory, w->state.t, r->y, r->yp);
-    if (flag == IDA_SUCCESS) flag = IDASetInitStep(r->memory, isfinite(scale) ? FIRST_STEP * sqrt(r->tolerance) * scale : 0);
     if (flag == IDA_SUCCESS) flag = limit_step(w);
+    if (flag != IDA_SUCCESS) return failed(w, flag);
+    if ((status = pm_ida_root_begin(w, accelerations(w), &first))) return status;
+    flag = IDASetInitStep(r->memory, isfinite(first) ? first : 0); /* 0: as IDA thinks fit */
     r->first = r->last = w->state.t;
-    return flag == IDA_SUCCESS ? pm_ida_root_begin(w, accelerations(w)) : failed(w, flag);
+    return flag == IDA_SUCCESS ? PM_OK : failed(w, flag);
 }
 
 /* y and y' inside the last step, beyond its begin on the tangent there. */

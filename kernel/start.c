@@ -4,7 +4,8 @@
  * of M), so what is written stays and the rest moves as little as possible.  Velocities: the rows of joints and of
  * contacts that rest (rough ones hold their tangents too), then what is written, are taken one after the other into an
  * orthonormal basis: a row that depends on the others must agree with them (else a conflict that names it); directions
- * that stay open are an error for fastened bodies and zero for a body on its own. */
+ * that stay open are an error for fastened bodies, unless nothing is written of any that are fastened to each other
+ * (those rest), and zero for a body on its own. */
 #include "start.h"
 
 #include <math.h>
@@ -189,7 +190,47 @@ static int any_velocity_written(const pm_workspace *w)
     return 0;
 }
 
-static void hold_joints(pm_workspace *w, pm_solution *s, double *dense, unsigned char *fastened)
+/* Which bodies hang together; the ground joins nobody. */
+typedef struct pm_islands {
+    int *island;             /* [nbody] the same number: held to each other, or one written velocity is of both */
+    unsigned char *fastened; /* [nbody + 1] */
+    unsigned char *written;  /* [nbody] a velocity that is not zero */
+} pm_islands;
+
+static void join(const pm_workspace *w, const pm_islands *x, int a, int b)
+{
+    if (a == w->model->nbody || b == w->model->nbody) return;
+    const int from = x->island[b], to = x->island[a];
+    for (int i = 0; i < w->model->nbody; i++)
+        if (x->island[i] == from) x->island[i] = to;
+}
+
+static void fasten(const pm_workspace *w, const pm_islands *x, const pm_row *row)
+{
+    for (int p = 0; p < 2; p++) x->fastened[row->body[p]] = 1;
+    join(w, x, row->body[0], row->body[1]);
+}
+
+static void note_written(const pm_workspace *w, const pm_islands *x, const double *row, double value)
+{
+    int first = PM_NONE;
+    for (int k = 0; k < w->model->nq; k++) {
+        if (row[k] == 0) continue;
+        if (first == PM_NONE) first = k / 3;
+        join(w, x, first, k / 3);
+        if (value != 0) x->written[k / 3] = 1;
+    }
+}
+
+/* Nothing is written of this body, nor of any that hangs together with it. */
+static int left_alone(const pm_workspace *w, const pm_islands *x, int body)
+{
+    for (int i = 0; i < w->model->nbody; i++)
+        if (x->island[i] == x->island[body] && x->written[i]) return 0;
+    return 1;
+}
+
+static void hold_joints(pm_workspace *w, pm_solution *s, double *dense, const pm_islands *islands)
 {
     double miss;
     for (int i = 0; i < w->model->rows[PM_TABLE_JOINT]; i++) {
@@ -199,13 +240,13 @@ static void hold_joints(pm_workspace *w, pm_solution *s, double *dense, unsigned
             pm_row_kind(rows[k].kind)->evaluate(w, &rows[k]);
             spread_row(w, &rows[k], dense);
             take(w, s, dense, 0, &miss);
-            for (int p = 0; p < 2; p++) fastened[rows[k].body[p]] = 1;
+            fasten(w, islands, &rows[k]);
         }
     }
 }
 
 /* Contacts that touch at the start and never slip count as joints: the normal, too, unless the start breaks it. */
-static void hold_rough_contacts(pm_workspace *w, pm_solution *s, double *dense, unsigned char *fastened)
+static void hold_rough_contacts(pm_workspace *w, pm_solution *s, double *dense, const pm_islands *islands)
 {
     double miss;
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
@@ -218,18 +259,19 @@ static void hold_rough_contacts(pm_workspace *w, pm_solution *s, double *dense, 
             pm_row_kind(row[k].kind)->evaluate(w, &row[k]);
             spread_row(w, &row[k], dense);
             take(w, s, dense, 0, &miss);
-            for (int p = 0; p < 2; p++) fastened[row[k].body[p]] = 1;
+            fasten(w, islands, &row[k]);
         }
     }
 }
 
-static int take_written(pm_workspace *w, pm_solution *s, double *dense)
+static int take_written(pm_workspace *w, pm_solution *s, double *dense, const pm_islands *islands)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_START]; i++) {
         if (start_level(w, i) != PM_START_VELOCITY) continue;
         const double value = start_value(w, i);
         double miss, size = 0;
         pm_measure_start_row(w, start_measure(w, i), PM_START_VELOCITY, dense);
+        note_written(w, islands, dense, value);
         for (int k = 0; k < w->model->nq; k++) size = fmax(size, fabs(dense[k] * s->x[k]));
         if (take(w, s, dense, value, &miss) || fabs(miss) <= AGREES * fmax(size, fabs(value))) continue;
         pm_fail(w, PM_START_CONFLICT, PM_TABLE_START, i, value, value - miss);
@@ -238,8 +280,8 @@ static int take_written(pm_workspace *w, pm_solution *s, double *dense)
     return PM_OK;
 }
 
-/* Every body's own directions must be settled now; of a body on its own the open ones are set to zero. */
-static int settle_rest(pm_workspace *w, pm_solution *s, double *dense, const unsigned char *fastened)
+/* Every body's own directions must be settled now; of a body on its own, or left alone, the open ones are set to zero. */
+static int settle_rest(pm_workspace *w, pm_solution *s, double *dense, const pm_islands *islands)
 {
     const pm_model *m = w->model;
     for (int i = 0; i < m->nbody; i++)
@@ -249,7 +291,7 @@ static int settle_rest(pm_workspace *w, pm_solution *s, double *dense, const uns
             memset(dense, 0, (size_t)m->nq * sizeof *dense);
             dense[3 * i + k] = 1;
             const int n = s->n;
-            if (!fastened[i]) {
+            if (!islands->fastened[i] || left_alone(w, islands, i)) {
                 take(w, s, dense, 0, &miss);
                 continue;
             }
@@ -265,14 +307,17 @@ static int solve_velocities(pm_workspace *w, int with_contacts)
 {
     const pm_model *m = w->model;
     double *x = w->scratch, *dense = x + m->nq;
-    unsigned char *fastened = (unsigned char *)(void *)(dense + m->nq); /* [nbody + 1] */
+    pm_islands islands = {(int *)(void *)(dense + m->nq), NULL, NULL};
+    islands.fastened = (unsigned char *)(islands.island + m->nbody);
+    islands.written = islands.fastened + m->nbody + 1;
     pm_solution s = {0, x};
     memset(x, 0, (size_t)m->nq * sizeof *x);
-    memset(fastened, 0, (size_t)m->nbody + 1);
-    hold_joints(w, &s, dense, fastened);
-    if (with_contacts) hold_rough_contacts(w, &s, dense, fastened);
-    int status = take_written(w, &s, dense);
-    if (!status) status = settle_rest(w, &s, dense, fastened);
+    for (int i = 0; i < m->nbody; i++) islands.island[i] = i;
+    memset(islands.fastened, 0, 2 * (size_t)m->nbody + 1);
+    hold_joints(w, &s, dense, &islands);
+    if (with_contacts) hold_rough_contacts(w, &s, dense, &islands);
+    int status = take_written(w, &s, dense, &islands);
+    if (!status) status = settle_rest(w, &s, dense, &islands);
     memcpy(w->state.v, x, (size_t)m->nq * sizeof *x);
     return status;
 }

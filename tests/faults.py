@@ -3,10 +3,10 @@
     python tests/faults.py            all faults (`make faults`)
     python tests/faults.py gamma ida  those whose name has one of these words
 
-A fault is one small change of one source: a sign in a column of a Jacobian, a wrong gamma, a dropped event function, a
-wrong restitution, a dropped row ... The table tells what caught it: names of tests, "audit" where a run said by itself
-that it cannot be trusted, "routes" where two routes disagreed. A fault that nothing catches, or that no longer fits the
-source, makes the exit status 1.
+A fault is one small change of one source: a sign in a column of a Jacobian, a wrong gamma, a dropped event
+function, a wrong restitution, a dropped row ... The table tells what caught it: names of tests, "audit" where a
+run said by itself that it cannot be trusted, "routes" where two routes disagreed. A fault that nothing catches,
+or that no longer fits the source, makes the exit status 1.
 """
 
 import os
@@ -24,6 +24,7 @@ COMPILER = os.environ.get("CC", "gcc")
 FLAGS = ["-std=gnu11", "-O1", "-ffp-contract=off", "-fno-math-errno", "-D_GNU_SOURCE", "-UNDEBUG", "-w"]
 LIBRARIES = os.environ.get("FAULTS_LIBRARIES", "-lgsl -lgslcblas -lsundials_ida -lm -lpthread").split()
 TEST_SECONDS = 60  # a test that takes longer hangs; the slowest needs a few seconds
+MESSAGE = 2000  # characters of a compiler's message that are worth showing
 AUDIT = "-10, expected 0"  # how check.h prints a run that ended with PM_AUDIT
 
 
@@ -325,11 +326,11 @@ def planted(source: str, fault: Fault) -> str:
 def run(command: list[str]) -> None:
     result = subprocess.run(command, capture_output=True, text=True)
     if result.returncode:
-        sys.exit(" ".join(command) + "\n" + result.stderr)
+        sys.exit(" ".join(command) + "\n" + result.stderr[:MESSAGE])
 
 
 class Workshop:
-    """A copy of the kernel with its objects, and the tests as objects; work is shared by a pool of threads."""
+    """A copy of the kernel with its objects, and the tests as objects; a pool of threads shares the work."""
 
     def __init__(self, folder: Path, pool: ThreadPoolExecutor) -> None:
         self.pool = pool

@@ -9,7 +9,6 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -36,16 +35,18 @@ reaction = { of = "A.force.norm", at = "low", unit = "N" }
 speeds = { of = "AB.B.speed", at = { each = "t", values = ["0.1 s", "0.2 s"] }, unit = "m/s" }
 """
 # Another angle than the rod can reach: one ask has no number.
-NOT_REACHED = PENDULUM.replace('"AB.angle = -60 deg"', '"AB.angle = 60 deg"').replace('"pendulum"', '"unreached"')
+NOT_REACHED = PENDULUM.replace('"AB.angle = -60 deg"', '"AB.angle = 60 deg"').replace(
+    '"pendulum"', '"unreached"'
+)
 UNKNOWN_KEY = PENDULUM.replace("length =", "lenght =")
 # The run ends by its limit: an answer that cannot stand for the asked end.
 ENDLESS = 'id = "endless"\n' + PENDULUM.replace('id = "pendulum"', "").replace(
     'until = "t = 0.35 s"', 'until = "AB.angle = 60 deg"\nsolve.max_time = "0.2 s"'
 )
 # The two ends of the rod are pinned farther apart than it is long.
-TORN = PENDULUM.replace("joints.A =", 'ground.points.P = [2, 0]\njoints.B = { pin = ["AB.B", "ground.P"] }\njoints.A =').replace(
-    "[2, 0]", '["2 m", 0]'
-)
+TORN = PENDULUM.replace(
+    "joints.A =", 'ground.points.P = [2, 0]\njoints.B = { pin = ["AB.B", "ground.P"] }\njoints.A ='
+).replace("[2, 0]", '["2 m", 0]')
 
 
 @pytest.fixture
@@ -122,9 +123,13 @@ def test_a_scene_that_fails_does_not_stop_the_others(folder: Path) -> None:
     assert "b_unknown.toml" in entries[1]["error"]
 
 
-@pytest.mark.parametrize(("text", "status"), [(PENDULUM, 0), (TORN, 1), (ENDLESS, 1), (UNKNOWN_KEY, 2), ("x = [", 2)])
+@pytest.mark.parametrize(
+    ("text", "status"), [(PENDULUM, 0), (TORN, 1), (ENDLESS, 1), (UNKNOWN_KEY, 2), ("x = [", 2)]
+)
 def test_exit_status_of_a_process(folder: Path, text: str, status: int) -> None:
-    done = subprocess.run(command("run", write(folder, "s.toml", text)), capture_output=True, text=True, check=False)
+    done = subprocess.run(
+        command("run", write(folder, "s.toml", text)), capture_output=True, text=True, check=False
+    )
     assert done.returncode == status
     assert "Traceback" not in done.stderr
     assert ("error: " in done.stderr) == (status != 0)
@@ -244,7 +249,9 @@ def test_a_sweep_leaves_three_files_and_tells_their_paths(folder: Path) -> None:
     for name in left_in(folder / "out"):
         assert os.path.join("out", name) in done.stdout
     assert "6 cases (6 ok)" in done.stdout
-    assert "omega [rad/s]" in done.stdout
+    names, units, *_ = done.stdout.splitlines()
+    assert names.split()[:2] == ["L", "omega"]
+    assert units.split()[:2] == ["[m]", "[rad/s]"]
     assert "6 of 6 cases" in done.stderr
     with open("out/pendulum.csv", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
@@ -280,7 +287,9 @@ def test_results_are_not_overwritten_but_resumed(folder: Path) -> None:
         (UNKNOWN_KEY, [], "did you mean"),
     ],
 )
-def test_a_sweep_that_cannot_be_leaves_nothing(folder: Path, text: str, arguments: list[str], message: str) -> None:
+def test_a_sweep_that_cannot_be_leaves_nothing(
+    folder: Path, text: str, arguments: list[str], message: str
+) -> None:
     done = invoke("sweep", write(folder, "a.toml", text), "--out", "out", *arguments)
     assert done.exit_code == 2
     assert message in done.stderr
@@ -302,10 +311,10 @@ def test_a_sweep_without_one_good_case_fails_but_is_kept(folder: Path) -> None:
 
 
 @pytest.fixture
-def long_sweep(folder: Path) -> Iterator[list[str]]:
+def long_sweep(folder: Path) -> list[str]:
     """A sweep of some seconds."""
     text = PENDULUM.replace("0.35 s", "20 s").replace("num = 6", "num = 20001")
-    yield command("sweep", write(folder, "long.toml", text), "--out", "out", "--workers", "1")
+    return command("sweep", write(folder, "long.toml", text), "--out", "out", "--workers", "1")
 
 
 def test_ctrl_c_keeps_what_is_done_and_resume_goes_on(folder: Path, long_sweep: list[str]) -> None:
@@ -325,7 +334,9 @@ def test_ctrl_c_keeps_what_is_done_and_resume_goes_on(folder: Path, long_sweep: 
 
 
 def test_ctrl_c_ends_a_run(folder: Path) -> None:
-    text = PENDULUM.replace('"t = 0.35 s"', '"t = 500000 s"\nsolve.max_time = "900000 s"\nsolve.max_steps = 2000000000')
+    text = PENDULUM.replace(
+        '"t = 0.35 s"', '"t = 500000 s"\nsolve.max_time = "900000 s"\nsolve.max_steps = 2000000000'
+    )
     process = subprocess.Popen(
         command("run", write(folder, "a.toml", text), "--json", "out.json"), stderr=subprocess.PIPE, text=True
     )
@@ -357,7 +368,9 @@ def test_check_tells_an_open_joint(folder: Path) -> None:
 
 
 def test_check_warns_of_a_start_that_moved_far(folder: Path) -> None:
-    guess = PENDULUM.replace('"-30 deg"', '"~50 deg"').replace("joints.A =", 'ground.points.P = [0, "0.73 m"]\njoints.B = { pin = ["AB.B", "ground.P"] }\njoints.A =')
+    guess = PENDULUM.replace('"-30 deg"', '"~50 deg"').replace(
+        "joints.A =", 'ground.points.P = [0, "0.73 m"]\njoints.B = { pin = ["AB.B", "ground.P"] }\njoints.A ='
+    )
     done = invoke("check", write(folder, "a.toml", guess))
     assert "warning: that is far" in done.stdout
     assert "0 degrees of freedom" in done.stdout
@@ -366,7 +379,17 @@ def test_check_warns_of_a_start_that_moved_far(folder: Path) -> None:
 def test_explain_names_all_there_is(folder: Path) -> None:
     done = invoke("explain", write(folder, "a.toml", PENDULUM), "--run", "--set", "L=1")
     assert done.exit_code == 0
-    for word in ("AB", "rod", "1.3 kg", "0.108333 kg*m^2", "AB.A - ground", "AB.angle = -60 deg", "rk", "audit", "phases"):
+    for word in (
+        "AB",
+        "rod",
+        "1.3 kg",
+        "0.108333 kg*m^2",
+        "AB.A - ground",
+        "AB.angle = -60 deg",
+        "rk",
+        "audit",
+        "phases",
+    ):
         assert word in done.stdout, word
 
 
@@ -417,7 +440,9 @@ def test_help_and_version_import_nothing_heavy() -> None:
         "sys.exit(', '.join(heavy) or 0)\n"
     )
     for option in ("--help", "--version"):
-        done = subprocess.run([sys.executable, "-c", code, option], capture_output=True, text=True, check=False)
+        done = subprocess.run(
+            [sys.executable, "-c", code, option], capture_output=True, text=True, check=False
+        )
         assert done.returncode == 0, done.stderr
         assert "planemotion" in done.stdout or "Usage" in done.stdout
 

@@ -1,9 +1,10 @@
 """The two named studies against closed forms and quadratures that share nothing with the engine.
 
-Sphere over bars (chapter problem 17.C3): with beta = asin(d/2r), c = (10 g/7 r)(1 - cos beta), k = (2 + 5 cos 2 beta)/7
-the speed above the n-th bar is omega_n^2 = k^(2n) (omega0^2 + c) - c; the normal force is least just before bar B.
-Rolling collar: work and energy (17.11) with the kinetic energy of hoop and collar about the contact point; times by
-mpmath quadrature, the normal force from the vertical acceleration of the collar.
+Sphere over bars (chapter problem 17.C3): with beta = asin(d/2r), c = (10 g/7 r)(1 - cos beta) and
+k = (2 + 5 cos 2 beta)/7 the speed above the n-th bar is omega_n^2 = k^(2n) (omega0^2 + c) - c; the normal
+force is least just before bar B.  Rolling collar: work and energy (17.11) with the kinetic energy of hoop and
+collar about the contact point; times by mpmath quadrature, the normal force from the vertical acceleration of
+the collar.
 """
 
 from __future__ import annotations
@@ -43,7 +44,7 @@ def relative(value: float, reference: mp.mpf) -> float:
 
 
 @pytest.mark.parametrize("d", ["1", "1.5", "2.37", "3", "4.4", "5.5", "6"])
-@pytest.mark.parametrize("route,bound", [("rk", RK), ("ida", IDA)])
+@pytest.mark.parametrize(("route", "bound"), [("rk", RK), ("ida", IDA)])
 def test_sphere_over_bars_matches_the_recursion(d: str, route: str, bound: float) -> None:
     if route == "ida" and float(d) < 2.3:
         pytest.skip("hundreds of blows amplify the error of this route; measured in the README")
@@ -56,7 +57,7 @@ def test_sphere_over_bars_matches_the_recursion(d: str, route: str, bound: float
 
 
 class Collar:
-    """Hoop of mass m and radius r with a collar of mass mc at d: energy in the turned angle, all by mpmath."""
+    """Hoop of mass m and radius r with a collar of mass mc at d: energy in the turned angle."""
 
     def __init__(self, d: str, r: str, m: str, mass_ratio: str, omega_below: str) -> None:
         self.d, self.r, self.m, self.omega = (mp.mpf(x) for x in (d, r, m, omega_below))
@@ -64,7 +65,9 @@ class Collar:
 
     def inertia(self, turned: mp.mpf) -> mp.mpf:
         """About the contact point: 2 m r^2 of the hoop and mc (distance of the collar)^2."""
-        return 2 * self.m * self.r**2 + self.mc * (self.r**2 + self.d**2 - 2 * self.r * self.d * mp.cos(turned))
+        return 2 * self.m * self.r**2 + self.mc * (
+            self.r**2 + self.d**2 - 2 * self.r * self.d * mp.cos(turned)
+        )
 
     def speed(self, turned: mp.mpf) -> mp.mpf:
         work = 2 * self.mc * G_SI * self.d * (1 - mp.cos(turned))
@@ -97,7 +100,7 @@ COLLARS = [
 
 
 @pytest.mark.parametrize("case", COLLARS)
-@pytest.mark.parametrize("route,bound", [("rk", RK), ("ida", IDA)])
+@pytest.mark.parametrize(("route", "bound"), [("rk", RK), ("ida", IDA)])
 def test_rolling_collar_matches_energy_and_quadrature(
     case: tuple[str, str, str, str, str], route: str, bound: float
 ) -> None:

@@ -1,10 +1,10 @@
-"""The figures of the main job: speed beside error, each against a reference that shares nothing with the engine.
+"""The figures of the main job: speed beside error, against references that share nothing with the engine.
 
-    .venv/bin/python studies/benchmarks/figures.py            all tables but the last
-    .venv/bin/python studies/benchmarks/figures.py memory     resident memory of a sweep of 10^6 cases (minutes)
+    .venv/bin/python studies/benchmarks/figures.py          all tables but the last
+    .venv/bin/python studies/benchmarks/figures.py memory   resident memory of a sweep of 10^6 cases (minutes)
 
-Times are the least of several repetitions of calls into the kernel (thread time is not used: two workers are compared
-with one by the clock); compare ratios within one run, machines are noisy.
+Times are the least of several repetitions of calls into the kernel, by the clock, since two workers are
+compared with one; compare ratios within one run, machines are noisy.
 """
 
 from __future__ import annotations
@@ -44,7 +44,9 @@ def flat_of(name: str, only: str | None = None, **values: object) -> FlatScene:
     """The tables of a study's base case; with `only` that ask alone, so that extremes cost nothing."""
     scene = planemotion.load(STUDIES / f"{name}.toml").with_values(values)
     if only:
-        scene = planemotion.Scene.from_raw({**scene.raw, "ask": {only: scene.raw["ask"][only]}}, file=scene.file)
+        scene = planemotion.Scene.from_raw(
+            {**scene.raw, "ask": {only: scene.raw["ask"][only]}}, file=scene.file
+        )
     return flatten(scene.data)
 
 
@@ -84,7 +86,8 @@ def sphere_reference(d: float, r: float, omega0: float) -> tuple[float, int]:
 
 def table_17_c3() -> None:
     print("\n17.C3: r = 10 in, omega0 = 1.5 rad/s; route rk at the default accuracy")
-    print(f"{'d [in]':>7} {'bars':>5} {'closed form':>12} {'omega_B [rad/s]':>18} {'closed form':>18} {'rel. error':>10}")
+    header = ("d [in]", "bars", "closed form", "omega_B [rad/s]", "closed form", "rel. error")
+    print("{:>7} {:>5} {:>12} {:>18} {:>18} {:>10}".format(*header))
     flat = flat_of("sphere_over_bars")
     spacings = np.arange(1, 6.01, 0.5)
     results = engine.run_cases(flat, columns(flat, d=spacings * INCH))
@@ -117,7 +120,9 @@ def sphere_speed(route: str, cases: int, low: float, accuracy: str = "1e-10") ->
 # ---- rolling collar ----
 
 
-def collar_reference(d: float, ratio: float, omega: float = 15.0, r: float = 0.3, m: float = 2.0) -> tuple[float, float]:
+def collar_reference(
+    d: float, ratio: float, omega: float = 15.0, r: float = 0.3, m: float = 2.0
+) -> tuple[float, float]:
     """omega with the collar above and the time of a turn: energy and adaptive quadrature."""
     d, ratio, omega, r, m, g = (mp.mpf(x) for x in (d, ratio, omega, r, m, G_SI))
     mc = ratio * m
@@ -142,9 +147,9 @@ def collar_speed(route: str, side: int, accuracy: str = "1e-10") -> None:
     error = max(max(abs(above[i] / a - 1), abs(turn[i] / t - 1)) for i, (a, t) in reference.items())
     one, two = (best_time(lambda n=n: engine.run_cases(flat, param, workers=n)) for n in (1, 2))
     print(
-        f"rolling collar    {route:4} {accuracy:>6} {d.size:6d} cases: {d.size / one:9.1f} cases/s on 1 core, "
-        f"{d.size / two:9.1f} on 2 ({one / two:.2f}x); error of omega_above and time_of_turn {error:.1e}, "
-        f"failed {np.count_nonzero(results.status)}"
+        f"rolling collar    {route:4} {accuracy:>6} {d.size:6d} cases: "
+        f"{d.size / one:9.1f} cases/s on 1 core, {d.size / two:9.1f} on 2 ({one / two:.2f}x); "
+        f"error of omega_above and time_of_turn {error:.1e}, failed {np.count_nonzero(results.status)}"
     )
 
 
@@ -174,7 +179,7 @@ def engine_steps() -> int:
 
 
 def double_pendulum_reference() -> float:
-    """Height of the lower tip after 5 s: Taylor series in 30 digits on the hand-derived equations (rods 1 m, 1 kg)."""
+    """Height of the lower tip after 5 s: hand-derived equations (rods 1 m, 1 kg) in 30 digits."""
     with mp.workdps(30):
         g, inertia = mp.mpf("9.81"), mp.mpf(1) / 12
 
@@ -216,7 +221,7 @@ def slider_crank_reference() -> float:
 
 
 def gragg_extrapolation(rhs, y0, t_end, intervals: int, order: int = 12):
-    """Bulirsch-Stoer with fixed intervals: modified midpoint with 2, 4 .. 2 order substeps, extrapolated in h^2."""
+    """Bulirsch-Stoer with fixed intervals: midpoint rule with 2, 4 .. 2 order substeps, extrapolated."""
     y, h = list(y0), t_end / intervals
     for i in range(intervals):
         table: list[list[list[mp.mpf]]] = []
@@ -231,7 +236,9 @@ def gragg_extrapolation(rhs, y0, t_end, intervals: int, order: int = 12):
             row = [[(u + v + step * f) / 2 for u, v, f in zip(z0, z1, last, strict=True)]]
             for m in range(1, j + 1):
                 ratio = (mp.mpf(j + 1) / (j + 1 - m)) ** 2 - 1
-                row.append([u + (u - v) / ratio for u, v in zip(row[m - 1], table[j - 1][m - 1], strict=True)])
+                row.append(
+                    [u + (u - v) / ratio for u, v in zip(row[m - 1], table[j - 1][m - 1], strict=True)]
+                )
             table.append(row)
         y = table[-1][-1]
     return y
@@ -261,7 +268,9 @@ def memory() -> None:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("what", nargs="?", choices=("all", "memory"), default="all")
     if parser.parse_args().what == "memory":
         memory()

@@ -19,7 +19,7 @@ static inline int check_report(int good, const char *file, int line, const char 
 
 /* |a - b| <= tolerance, or both are not a number. */
 static inline int check_near(double a, double b, double tolerance, const char *file, int line,
-                             const char *what)
+                             const char *function, const char *what)
 {
     if (fabs(a - b) <= tolerance || (isnan(a) && isnan(b)) || a == b) return 1;
     check_count++;

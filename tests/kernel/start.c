@@ -153,6 +153,16 @@ static void open_motion(void)
     EQUAL(x.where[PM_WHERE_ROW], b);
     scene_free(s);
 
+    s = pendulum(0, 0); /* a pendulum of its own, of which nothing is said: at rest */
+    const int d = scene_body(s, 2, 0.5, 3, 3, 0);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, d, -0.5, 0), scene_point(s, PM_GROUND, 2.5, 3), 0);
+    scene_start_omega(s, 0, 2);
+    x = check_scene(s);
+    EQUAL(x.status, PM_OK);
+    NEAR(x.velocity[0][2], 2, 1e-14);
+    for (int k = 0; k < 3; k++) NEAR(x.velocity[d][k], 0, 1e-15);
+    scene_free(s);
+
     s = pendulum(0, 0); /* a body on its own: what is not said is zero */
     const int c = scene_body(s, 2, 0.5, 3, 3, 0);
     scene_start_omega(s, 0, 2);

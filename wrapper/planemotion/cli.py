@@ -75,7 +75,7 @@ _set_option = click.option(
     metavar="NAME=VALUE",
     multiple=True,
     callback=_values,
-    help='A parameter, with or without unit (d="2 in"), or a setting (solve.route=ida, sweep.d.num=200). Repeatable.',
+    help='A parameter, with or without unit (d="2 in"), or a setting (solve.route=ida). Repeatable.',
 )
 _path = click.Path(path_type=Path)
 
@@ -96,13 +96,21 @@ def main() -> None:
 @click.argument("paths", nargs=-1, required=True, type=_path)
 @click.option("--json", "json_out", metavar="OUT", help="Write the answers as JSON to OUT (- for stdout).")
 @_set_option
-@click.option("--history", "history_out", metavar="FILE.h5", type=_path, help="Record the motion of one scene.")
+@click.option(
+    "--history", "history_out", metavar="FILE.h5", type=_path, help="Record the motion of one scene."
+)
 @click.pass_context
-def run(ctx: click.Context, paths: Sequence[Path], json_out: str | None, values: Mapping[str, str], history_out: Path | None) -> None:
+def run(
+    ctx: click.Context,
+    paths: Sequence[Path],
+    json_out: str | None,
+    values: Mapping[str, str],
+    history_out: Path | None,
+) -> None:
     """Run scenes and answer what they ask.
 
-    PATHS are files, or folders whose *.toml files are run. A study runs its base case. A scene that fails does
-    not stop the others; the exit status is 0 only if every one is ok.
+    PATHS are files, or folders whose *.toml files are run. A study runs its base case. A scene that fails
+    does not stop the others; the exit status is 0 only if every one is ok.
     """
     files = _scene_files(paths)
     if history_out is not None and len(files) > 1:
@@ -151,7 +159,7 @@ def _is_hidden(path: Path) -> bool:
 
 
 def _run_one(file: Path, values: Mapping[str, str], history: Path | None) -> tuple[dict[str, Any], str, int]:
-    """One scene: its entry for JSON, its text for people, its exit status.  Never raises for the scene's sake."""
+    """One scene: its entry for JSON, its text for people, its exit status.  Raises no SceneError."""
     from .file import load
     from .run import simulate
 
@@ -217,7 +225,9 @@ def _answers(scene: Scene, result: RunResult) -> str:
         value = number if is_list else f"{number:>{numbers}}"
         tail = click.style(f"  ({note})", dim=True) if note else ""
         lines.append(f"  {key:<{keys}}  {value}  {unit}".rstrip() + tail)
-    audit = ", ".join(f"{name} {'-' if value is None else f'{value:.1e}'}" for name, value in result.audit.items())
+    audit = ", ".join(
+        f"{name} {'-' if value is None else f'{value:.1e}'}" for name, value in result.audit.items()
+    )
     lines.append(click.style(f"  audit: {audit}; route: {', '.join(result.route) or 'none'}", dim=True))
     return "\n".join(lines) + "\n\n"
 
@@ -241,8 +251,12 @@ def _number(value: float | None) -> str:
 
 @main.command()
 @click.argument("study", type=_path)
-@click.option("--out", required=True, metavar="DIR", type=_path, help="Folder of the result; it is made if need be.")
-@click.option("--workers", metavar="N", type=click.IntRange(min=1), help="Threads (default: one for each core).")
+@click.option(
+    "--out", required=True, metavar="DIR", type=_path, help="Folder of the result; it is made if need be."
+)
+@click.option(
+    "--workers", metavar="N", type=click.IntRange(min=1), help="Threads (default: one for each core)."
+)
 @click.option("--resume", is_flag=True, help="Go on where a sweep into DIR was ended.")
 @_set_option
 @click.pass_context
@@ -322,7 +336,9 @@ class _PlainProgress:
             return
         self._told, self._ended = now, done >= total
         rate = (done - self._first) / max(now - self._begun, 1e-9)
-        left = f", {rate:.0f} cases/s, {(total - done) / rate:.0f} s left" if rate > 0 and done < total else ""
+        left = (
+            f", {rate:.0f} cases/s, {(total - done) / rate:.0f} s left" if rate > 0 and done < total else ""
+        )
         _say(f"{done} of {total} cases{left}")
 
 
@@ -371,7 +387,9 @@ def check(ctx: click.Context, scene: Path, values: Mapping[str, str]) -> None:
 
 @main.command()
 @click.argument("scene", type=_path)
-@click.option("--run", "also_run", is_flag=True, help="Run it too: phases, events, jumps, steps, audit, answers.")
+@click.option(
+    "--run", "also_run", is_flag=True, help="Run it too: phases, events, jumps, steps, audit, answers."
+)
 @_set_option
 @click.pass_context
 def explain(ctx: click.Context, scene: Path, also_run: bool, values: Mapping[str, str]) -> None:

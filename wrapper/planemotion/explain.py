@@ -51,16 +51,37 @@ def explain(scene: Scene) -> Report:
     starts = [engine.check(flat) for flat in flats]
     blocks = [
         [data.id + (f": {data.title}" if data.title else "")],
-        [f"{data.plane} plane" + (", weight acts along -y" if data.plane == "vertical" else ", weight does not act in it")],
+        [
+            f"{data.plane} plane"
+            + (", weight acts along -y" if data.plane == "vertical" else ", weight does not act in it")
+        ],
         _section("parameters", ((name, _written(value)) for name, value in data.parameters.items())),
         *(_bodies(data, flat, start) for flat, start in zip(flats, starts, strict=True)),
-        _section("joints", ((name, joint.kind, _pair(joint.partners), _options(joint)) for name, joint in data.joints.items())),
-        _section("contacts", ((name, _pair(contact.touch), _laws(contact)) for name, contact in data.contacts.items())),
-        _section("forces", ((name, force.kind, _pair(getattr(force, force.kind)), _options(force)) for name, force in data.forces.items())),
+        _section(
+            "joints",
+            (
+                (name, joint.kind, _pair(joint.partners), _options(joint))
+                for name, joint in data.joints.items()
+            ),
+        ),
+        _section(
+            "contacts",
+            ((name, _pair(contact.touch), _laws(contact)) for name, contact in data.contacts.items()),
+        ),
+        _section(
+            "forces",
+            (
+                (name, force.kind, _pair(getattr(force, force.kind)), _options(force))
+                for name, force in data.forces.items()
+            ),
+        ),
         _section("start", ((address, _written(value)) for address, value in data.start.items())),
         _section("events", ((name, " or ".join(when)) for name, when in data.events.items())),
         _section("until", ((" and ".join(group),) for group in data.until)),
-        _section("asks", ((key, ask_text(ask), f"[{ask.unit}]" if ask.unit else "") for key, ask in data.ask.items())),
+        _section(
+            "asks",
+            ((key, ask_text(ask), f"[{ask.unit}]" if ask.unit else "") for key, ask in data.ask.items()),
+        ),
         *(_motion(flat, start) for flat, start in zip(flats, starts, strict=True)),
         ["route", *_indented([_route(data)])],
     ]
@@ -92,13 +113,16 @@ def _assembly(start: engine.Start) -> list[str]:
     if not start.message:
         lines += [
             f"{_count(info['freedom'], 'degree')} of freedom: {_count(info['coordinates'], 'coordinate')}, "
-            f"{_count(info['rows'], 'row')} of joints and closed contacts, {info['redundant']} of them redundant",
+            f"{_count(info['rows'], 'row')} of joints and closed contacts, "
+            f"{info['redundant']} of them redundant",
             f"{_count(info['closed'], 'contact')} closed at the start",
         ]
     size, moved = number["size"], number["moved"]
     share = moved / size if size > 0 else 0.0
     if not start.message or moved > 0:
-        lines.append(f"the assembly moved the drawing by {moved:.3g} m at most ({share:.2%} of the scene's size)")
+        lines.append(
+            f"the assembly moved the drawing by {moved:.3g} m at most ({share:.2%} of the scene's size)"
+        )
     if not start.message and share > _FAR:
         lines.append(f"warning: that is far (more than {_FAR:.0%}): look at it with `planemotion draw`")
     if info["redundant"] and not start.message:
@@ -118,7 +142,9 @@ def _bodies(data: SceneData, flat: FlatScene, start: engine.Start) -> list[str]:
     lines = []
     for index, name in enumerate(flat.bodies):
         body, row = data.bodies[name], rows[index]
-        mass, inertia = (float(values[row[column]]) for column in (layout.PM_BODY_MASS, layout.PM_BODY_INERTIA))
+        mass, inertia = (
+            float(values[row[column]]) for column in (layout.PM_BODY_MASS, layout.PM_BODY_INERTIA)
+        )
         x, y, angle = (float(part) for part in start.pose[index])
         kind = body.shape or ("body" if body.turns else "particle")
         place = f"G at ({_short(x)}, {_short(y)}) m" + (f", angle {_short(angle)} rad" if body.turns else "")
@@ -146,7 +172,9 @@ def _section(title: str, rows: Iterable[Sequence[str]]) -> list[str]:
     if not cells:
         return []
     widths = [max(len(row[i]) for row in cells) for i in range(len(cells[0]))]
-    aligned = ("  ".join(f"{cell:<{width}}" for cell, width in zip(row, widths, strict=True)) for row in cells)
+    aligned = (
+        "  ".join(f"{cell:<{width}}" for cell, width in zip(row, widths, strict=True)) for row in cells
+    )
     return [title, *_indented(aligned)]
 
 
@@ -161,7 +189,9 @@ def _pair(partners: str | Sequence[str]) -> str:
 def _options(element: Any) -> str:
     """The options that were written, but for kind and partners."""
     written = element.model_fields_set - {element.kind}
-    return ", ".join(f"{key} = {_written(getattr(element, key))}" for key in type(element).model_fields if key in written)
+    return ", ".join(
+        f"{key} = {_written(getattr(element, key))}" for key in type(element).model_fields if key in written
+    )
 
 
 def _laws(contact: Any) -> str:

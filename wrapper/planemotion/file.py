@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from .builder import Scene
 
 _BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
-_LINE_AND_COLUMN = re.compile(r"(.*) \(at (line \d+), column \d+\)")
+_FAULT = re.compile(r"(.*) \(at (?:(line \d+), column \d+|end of document)\)")
 # A file that is larger is no scene.
 _MOST_BYTES = 10_000_000
 
@@ -45,8 +45,9 @@ def load_text(text: str, *, file: str | None = None) -> Scene:
     try:
         raw = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
-        match = _LINE_AND_COLUMN.fullmatch(str(error))
-        reason = f"{match[2]}: {match[1]}" if match else str(error)
+        match = _FAULT.fullmatch(str(error))
+        last = f"line {len(text.splitlines())}"
+        reason = f"{match[2] or last}: {match[1]}" if match else str(error)
         raise SceneError(f"no TOML: {reason}", file=file) from None
     scene = Scene.from_raw(raw, file=file, text=text)
     scene.data  # noqa: B018 - faults are to be found when the file is read

@@ -134,9 +134,9 @@ class Instants:
     def _change(self, thing: str, change: str) -> tuple[int, int, tuple[int, ...]]:
         nothing = layout.PM_NONE
         if change == "happens":
-            raise words.not_built('"happens", which belongs to [find]', "")
+            raise words.not_built('"happens", which belongs to [find]')
         if change in words.CORD_CHANGES:
-            raise words.not_built("cords", "")
+            raise words.not_built("cords")
         if change == "rests":
             return layout.PM_TRIGGER_REST, nothing, (self.measures.drawing.body_index(thing),)
         name, bracket, index = thing.partition("[")
@@ -149,7 +149,7 @@ class Instants:
         indices = contact.indices
         if bracket:
             if not contact.is_set:
-                raise words.not_built("events of one member of a row", "")
+                raise words.not_built("events of one member of a row")
             member = int(index.rstrip("]"))
             if not 0 <= member < len(indices):
                 raise SceneError(f"the members are [0] to [{len(indices) - 1}]")

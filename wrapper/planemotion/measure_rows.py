@@ -229,7 +229,8 @@ class MeasureRows:
 
     def _ends(self, address: Address, length: int) -> None:
         if len(address.path) > length:
-            raise SceneError(f'"{address}": {address.path[length - 1]} has no parts')
+            word = (address.thing, *address.path)[length]
+            raise SceneError(f'"{address}": {word} has no parts')
 
     def _plain(self, address: Address, allowed: tuple[str, ...]) -> None:
         """Raises SceneError for in, on, about, along or an index where they mean nothing."""

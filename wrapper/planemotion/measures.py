@@ -162,12 +162,14 @@ class Measures(MeasureRows):
     def _scene(self, address: Address) -> Reading:
         match address.thing:
             case "t":
+                self._ends(address, 0)
                 self._plain(address, ())
                 return Reading(self._leaf(layout.PM_MEASURE_TIME, layout.PM_NONE, address), TIME)
             case "energy":
                 quantity = self._quantity(address, words.ENERGIES, "the scene's energy")
                 return Reading(self._leaf(_ENERGY[quantity], layout.PM_NONE, address), ENERGY)
             case "weight":
+                self._ends(address, 0)
                 self._plain(address, ())
                 self._need_masses(self.drawing.bodies)
                 return self._weight(layout.PM_NONE, address)
@@ -175,6 +177,7 @@ class Measures(MeasureRows):
                 self._need_masses(self.drawing.bodies)
                 kind = layout.PM_MEASURE_MOMENTUM
                 return self._vector(address, address.path, [(kind, layout.PM_NONE)], IMPULSE, ("along",))
+        self._ends(address, 0)
         self._plain(address, ("about",))
         self._need_masses(self.drawing.bodies)
         leaf = self._leaf(layout.PM_MEASURE_ANGULAR_MOMENTUM, layout.PM_NONE, address)

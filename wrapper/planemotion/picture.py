@@ -46,7 +46,7 @@ EMPTY = "#ebebeb"
 # A family of curves or the parts of a vector: dark, well apart, also in print and for the colour-blind.
 CURVES = (BLUE, "#c8741a", "#3b7d5e", "#7a4a8c", "#8a8a2b", "#4c9bbf", "#b5362b", "#5d5d5d")
 
-STYLE = {
+STYLE: Any = {
     "axes.axisbelow": True,
     "axes.edgecolor": SOFT,
     "axes.formatter.useoffset": False,
@@ -80,7 +80,7 @@ _FEW_POINTS = 40
 # Whole numbers of at most so many different values get a colour each.
 _STEPS_OF_COLOUR = 12
 # Positive values that span more than this are drawn on a logarithmic axis.
-_LOG_SPAN = 300.0
+_LOG_SPAN = 100.0
 # Values along one axis of a map: more than the picture has dots is not drawn.
 _MAP_CELLS = 1200
 _COLUMN_WIDTH, _ROW_HEIGHT, _MAP_HEIGHT = 5.2, 1.75, 3.1  # inches
@@ -100,7 +100,7 @@ def plot(result: str | os.PathLike[str], out: str | os.PathLike[str] | None = No
             runs, attributes = read_history(source)
             figure = plot_history(runs, str(attributes.get("title") or attributes.get("id") or "History"))
         else:
-            with _sweep(source) as dataset:
+            with open_sweep(source) as dataset:
                 figure = plot_sweep(dataset)
         save(figure, target)
     return target
@@ -132,7 +132,8 @@ def head(figure: Figure, title: str, subtitle: str) -> None:
         engine.set(rect=(0, 0, 1, 1 - _HEAD / height), w_pad=_PAD, h_pad=_PAD)
 
 
-def _sweep(path: Path) -> xr.Dataset:
+def open_sweep(path: Path) -> xr.Dataset:
+    """The result of a sweep, lazily.  Raises StudyError if it is none."""
     import xarray as xr
 
     if not path.is_file():
@@ -143,7 +144,9 @@ def _sweep(path: Path) -> xr.Dataset:
         raise StudyError(f"{path}: is no result of a sweep or a run: {error}") from error
     if "parameters" not in dataset.attrs or "status" not in dataset:
         dataset.close()
-        raise StudyError(f"{path}: is no result of a sweep or a run; plot wants an .h5 that planemotion wrote")
+        raise StudyError(
+            f"{path}: is no result of a sweep or a run; plot wants an .h5 that planemotion wrote"
+        )
     return dataset
 
 
@@ -173,7 +176,7 @@ class _Panel:
 def plot_sweep(dataset: xr.Dataset) -> Figure:
     """The figure of a sweep as `xarray.open_dataset` gives it."""
     held = _held(dataset)
-    shown = dataset.isel({dim: 0 for dim in held})
+    shown = dataset.isel(dict.fromkeys(held, 0))
     axes = [_axis(dataset, dim) for dim in _drawn_dims(dataset)]
     family = None
     if len(axes) == 2 and min(len(axis.values) for axis in axes) <= _FAMILY:
@@ -260,7 +263,9 @@ def _curve_names(variable: xr.DataArray, family: _Axis | None, lists: Sequence[s
         if dim.endswith("_number"):
             texts = [f"{value:g}" for value in coordinate.values]
         else:
-            texts = [f"{name} = {value:g}" + (f" {unit}" if unit != "1" else "") for value in coordinate.values]
+            texts = [
+                f"{name} = {value:g}" + (f" {unit}" if unit != "1" else "") for value in coordinate.values
+            ]
         names = [", ".join(filter(None, [begun, text])) for begun in names for text in texts]
     return tuple(names) if len(names) > 1 else ()
 
@@ -472,7 +477,8 @@ _KINDS = {
     "N*m": "couples",
 }
 _MAX_SOURCES = 8  # colours in a panel
-_DASHES = {"x": "-", "y": (0, (4, 1.5))}
+_LONG_LEGEND = 7  # curves whose names fill two columns
+_DASHES: dict[str, Any] = {"x": "-", "y": (0, (4, 1.5))}
 
 
 def plot_history(runs: Mapping[str, History], title: str) -> Figure:
@@ -508,12 +514,16 @@ def _history_panel(place: Axes, recorded: History, unit: str) -> None:
         source, part = _source(name)
         colour = CURVES[sources.index(source)]
         dashes = _DASHES.get(part, "-")
-        place.plot(recorded.time, recorded.columns[name], color=colour, linestyle=dashes, linewidth=1.1, label=name)
+        place.plot(
+            recorded.time, recorded.columns[name], color=colour, linestyle=dashes, linewidth=1.1, label=name
+        )
     kind = _KINDS.get(unit, "")
     place.set_title(f"{kind} [{unit}]" if unit != "1" else kind or "numbers")
     if len(shown) < len(names):
         place.set_title(f"{len(shown)} of {len(names)}", loc="right", size=8, weight="normal", color=SOFT)
-    place.legend(loc="upper left", bbox_to_anchor=(1.0, 1.05), handlelength=1.2, labelspacing=0.25, fontsize=7.5)
+    columns = 1 + (len(shown) > _LONG_LEGEND)
+    options = {"handlelength": 1.2, "labelspacing": 0.25, "columnspacing": 0.8, "fontsize": 7.5}
+    place.legend(loc="upper left", bbox_to_anchor=(1.0, 1.05), ncols=columns, **options)
 
 
 def _source(address: str) -> tuple[str, str]:

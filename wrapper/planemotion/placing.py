@@ -186,7 +186,7 @@ class Placing:
         if set(at) != set(body.rod):
             reason = "the length of a rod is wanted, or at with both its ends"
             raise SceneError(reason, path=f"bodies.{name}.length")
-        self._enter(name)
+        self._enter(f"{name}.length")
         ends = [self._place(name, end, at[end]).position for end in body.rod]
         self._drawing.pop()
         return self.tables.leaf(distance(*ends), f"bodies.{name}.length")

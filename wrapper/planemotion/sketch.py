@@ -41,6 +41,14 @@ if TYPE_CHECKING:
 _WIDTH, _HEIGHT, _ROOM = 7.6, 5.6, 0.55
 _ROD = 0.1  # width of a rod, in
 _PARTICLE = 0.06  # radius of a particle, in
+_OPEN = 0.02  # a joint that is open by more is drawn open, in
+_CENTRE_LINE = (0, (7, 2, 1.5, 2))  # dashes of a line on a body
+# Kinds of marks that the partners of a joint are, where they are not two points.
+_WANTED: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
+    "slider": (("point",), ("line",)),
+    "slot": (("point",), ("circle",)),
+    "rolling": (("circle",), ("line", "circle")),
+}
 # A scene of no size (one particle) is drawn as if it were so large, in m.
 _NO_SIZE = 1.0
 # Members of an endless row that are drawn at most.
@@ -79,10 +87,17 @@ def start_of(scene: Scene, run: str | None = None) -> Start:
     flat = flatten(scene, run)
     drawing = drawing_of(scene.data, flat.run)
     found = engine.check(flat)
-    poses = {name: (float(x), float(y), float(angle)) for name, (x, y, angle) in zip(flat.bodies, found.pose, strict=True)}
+    poses = {
+        name: (float(x), float(y), float(angle))
+        for name, (x, y, angle) in zip(flat.bodies, found.pose, strict=True)
+    }
     if found.message:
         default = drawing.tables.default
-        poses = {name: (default(pose.x), default(pose.y), default(pose.angle)) for name in drawing.bodies for pose in [drawing.pose(name)]}
+        poses = {
+            name: (default(pose.x), default(pose.y), default(pose.angle))
+            for name in drawing.bodies
+            for pose in [drawing.pose(name)]
+        }
     return Start(scene.data, drawing, poses, found.message)
 
 
@@ -149,9 +164,8 @@ class _Sketch:
                 (x, y), radius = self.place(owner, circle.center), self.length(circle.radius)
                 places += [(x - radius, y - radius), (x + radius, y + radius)]
             places += [self.place(owner, row.start) for row in marks.rows.values()]
-            for line in marks.lines.values():
-                if owner == GROUND and not line.finite:
-                    continue
+        for name, body in self.drawing.bodies.items():
+            places += self._plate(name, body.plate) if body.plate is not None else []
         xy = np.array(places)
         low, high = xy.min(axis=0), xy.max(axis=0)
         size = max(float((high - low).max()), 0.0)
@@ -169,7 +183,7 @@ class _Sketch:
         left, right, below, above = 0.85, 0.15, 0.5, 0.66
         width, height = paper[0] + left + right, paper[1] + below + above
         made = Figure(figsize=(width, height), dpi=picture.RESOLUTION)
-        FigureCanvasAgg(made)
+        canvas = FigureCanvasAgg(made)
         axes = made.add_axes((left / width, below / height, paper[0] / width, paper[1] / height))
         middle = 0.5 * (self.low + self.high)
         self.low, self.high = middle - 0.5 * paper * inch, middle + 0.5 * paper * inch
@@ -179,7 +193,7 @@ class _Sketch:
         axes.set_ylabel(f"y [{self.unit}]")
         axes.yaxis.set_label_coords(-0.62 / paper[0], 0.5)
         axes.grid(True, color="#f0f0f0", linewidth=0.5)
-        return made, Pen(axes, float(inch))
+        return made, Pen(axes, canvas, float(inch))
 
     # ---- what is drawn ----
 
@@ -207,7 +221,11 @@ class _Sketch:
         """The direction of weight, in the emptiest corner."""
         inch = self.pen.inch
         ink = np.array([*self.pen.ink, *(name.place for name in self.pen.names)])
-        corners = [(x, y) for y in (self.high[1] - 0.12 * inch, self.low[1] + 0.5 * inch) for x in (self.high[0] - 0.22 * inch, self.low[0] + 0.3 * inch)]
+        corners = [
+            (x, y)
+            for y in (self.high[1] - 0.12 * inch, self.low[1] + 0.5 * inch)
+            for x in (self.high[0] - 0.22 * inch, self.low[0] + 0.3 * inch)
+        ]
 
         def crowd(corner: Place) -> int:
             x, y = corner
@@ -216,7 +234,9 @@ class _Sketch:
 
         x, y = min(corners, key=crowd)
         self.pen.arrow((x, y), (x, y - 0.38 * inch), SOFT, linewidth=1.0)
-        self.pen.axes.text(x - 0.07 * inch, y - 0.19 * inch, "g", color=SOFT, ha="right", va="center", style="italic")
+        self.pen.axes.text(
+            x - 0.07 * inch, y - 0.19 * inch, "g", color=SOFT, ha="right", va="center", style="italic"
+        )
 
     def _ground(self) -> None:
         marks = self.drawing.marks(GROUND)
@@ -228,7 +248,9 @@ class _Sketch:
             center, radius = self.place(GROUND, circle.center), self.length(circle.radius)
             self.pen.circle(center, radius, edge=INK, linewidth=1.2)
             turn = 0.8 * math.pi
-            self.pen.name((center[0] + radius * math.cos(turn), center[1] + radius * math.sin(turn)), name, SOFT)
+            self.pen.name(
+                (center[0] + radius * math.cos(turn), center[1] + radius * math.sin(turn)), name, SOFT
+            )
         for name, row in marks.rows.items():
             self._row(name, row)
 
@@ -278,39 +300,39 @@ class _Sketch:
             pen.dot(center, BLUE, _PARTICLE)
             pen.name(center, name, BLUE, bold=True)
             return
+        self._shape(name, body, center)
+        for key in body.circles:
+            at, radius = self.place(name, marks.circles[key].center), self.length(marks.circles[key].radius)
+            pen.circle(at, radius, fill=BODY_FILL, linewidth=0.9, zorder=2.2)
+        for key in body.lines:
+            pen.line(self._ends(name, marks.lines[key]), BLUE, 0.8, linestyle=_CENTRE_LINE, zorder=3)
+        mass_centre = self.point(name, "G")
+        pen.mass_centre(mass_centre)
+        pen.name(mass_centre, name, BLUE, bold=True)
+
+    def _shape(self, name: str, body: Body, center: Place) -> None:
+        """The outline of a body that turns."""
+        pen, marks = self.pen, self.drawing.marks(name)
         if body.rod is not None:
             pen.bar(self.point(name, body.rod[0]), self.point(name, body.rod[1]), _ROD)
         elif body.plate is not None:
             pen.polygon(self._plate(name, body.plate))
         elif body.shape == "hoop":
-            radius = self.length(marks.circles["rim"].radius)
-            pen.circle(center, radius - 0.025 * pen.inch, edge=BODY_FILL, linewidth=4.0, zorder=1.9)
-            pen.circle(center, radius)
-            pen.circle(center, radius - 0.055 * pen.inch, linewidth=0.7)
+            pen.ring(center, self.length(marks.circles["rim"].radius))
         elif body.shape == "half_ring":
-            radius, turn = self.length(marks.circles["rim"].radius), self.angle(name)
-            turns = np.linspace(turn - math.pi / 2, turn + math.pi / 2, 49)
-            arc = np.column_stack([center[0] + radius * np.cos(turns), center[1] + radius * np.sin(turns)])
-            pen.line(arc, BLUE, 5.0, zorder=2)
-            pen.line(arc, BODY_FILL, 3.0, zorder=2.1)
+            pen.half_ring(center, self.length(marks.circles["rim"].radius), self.angle(name))
         elif body.shape is not None:
-            pen.circle(center, self.length(marks.circles["rim"].radius), fill=BODY_FILL)
-            self._radius_line(name, center)
+            radius = self.length(marks.circles["rim"].radius)
+            pen.circle(center, radius, fill=BODY_FILL)
+            self._radius_line(name, center, radius)
         else:
             self._plain_body(name)
-        for key, circle in marks.circles.items():
-            if key != "rim":
-                pen.circle(self.place(name, circle.center), self.length(circle.radius), fill=BODY_FILL, linewidth=0.9, zorder=2.2)
-        for key in body.lines:
-            pen.line(self._ends(name, marks.lines[key]), BLUE, 0.8, linestyle=(0, (7, 2, 1.5, 2)), zorder=3)
-        mass_centre = self.point(name, "G")
-        pen.mass_centre(mass_centre)
-        pen.name(mass_centre if math.dist(mass_centre, center) > 0 else center, name, BLUE, bold=True)
 
-    def _radius_line(self, name: str, center: Place) -> None:
+    def _radius_line(self, name: str, center: Place, radius: float) -> None:
         """A thin line along the body's x axis, so that one sees how it is turned."""
-        radius, turn = self._reach(name), self.angle(name)
-        self.pen.line([center, (center[0] + radius * math.cos(turn), center[1] + radius * math.sin(turn))], BLUE, 0.5, zorder=2.3)
+        turn = self.angle(name)
+        rim = (center[0] + radius * math.cos(turn), center[1] + radius * math.sin(turn))
+        self.pen.line([center, rim], BLUE, 0.5, zorder=2.3)
 
     def _plate(self, name: str, size: Vector) -> list[Place]:
         width, height = self.drawing.reader.vector(size, f"bodies.{name}.plate", LENGTH)
@@ -339,58 +361,67 @@ class _Sketch:
 
     # ---- joints, contacts, forces ----
 
-    def _pair(self, table: str, name: str, kind: str, texts: tuple[str, ...], *wanted: tuple[str, ...]) -> tuple[Partner, Partner]:
+    def _pair(
+        self, table: str, name: str, kind: str, texts: tuple[str, ...], *wanted: tuple[str, ...]
+    ) -> tuple[Partner, Partner]:
         a, b = (
-            partner(self.drawing, text, f"{table}.{name}.{kind}[{i}]", *wanted[i]) for i, text in enumerate(texts)
+            partner(self.drawing, text, f"{table}.{name}.{kind}[{i}]", *wanted[i])
+            for i, text in enumerate(texts)
         )
         return a, b
 
     def _joint(self, name: str, joint: Joint) -> None:
-        point, line, circle = ("point",), ("line",), ("circle",)
-        wanted = {
-            "slider": (point, line),
-            "slot": (point, circle),
-            "rolling": (circle, (*line, *circle)),
-        }.get(joint.kind, (point, point))
+        wanted = _WANTED.get(joint.kind, (("point",), ("point",)))
         a, b = self._pair("joints", name, joint.kind, joint.partners, *wanted)
-        pen, at = self.pen, self.of_partner(a, b)
-        if joint.kind == "pin":
-            if GROUND in (a.owner, b.owner):
-                pen.support(at)
-            pen.pin(at)
-            there = self.of_partner(b, a)
-            if math.dist(at, there) > 0.02 * pen.inch:  # a start that could not be assembled
-                pen.line([at, there], RED, 1.2, linestyle=":")
-                pen.pin(there)
-        elif joint.kind == "weld":
-            pen.weld(at)
-        elif joint.kind == "link":
-            there = self.of_partner(b, a)
-            for end, one in ((at, a), (there, b)):
-                if one.owner == GROUND:
-                    pen.support(end)
-            pen.link(at, there)
-            at = ((at[0] + there[0]) / 2, (at[1] + there[1]) / 2)
-        elif isinstance(b.mark, LineMark):
+        self.pen.name(getattr(self, f"_{joint.kind}")(a, b), name)
+
+    # One method for each kind of joint: it gives the place that the name belongs to.
+
+    def _pin(self, a: Partner, b: Partner) -> Place:
+        at, there = self.of_partner(a, b), self.of_partner(b, a)
+        if GROUND in (a.owner, b.owner):
+            self.pen.support(there if b.owner == GROUND else at)
+        self.pen.pin(at)
+        if math.dist(at, there) > _OPEN * self.pen.inch:  # a start that could not be assembled
+            self.pen.line([at, there], RED, 1.2, linestyle=":")
+            self.pen.pin(there)
+        return at
+
+    def _weld(self, a: Partner, b: Partner) -> Place:
+        at = self.of_partner(a, b)
+        self.pen.weld(at)
+        return at
+
+    def _link(self, a: Partner, b: Partner) -> Place:
+        ends = self.of_partner(a, b), self.of_partner(b, a)
+        for end, one in zip(ends, (a, b), strict=True):
+            if one.owner == GROUND:
+                self.pen.support(end)
+        self.pen.link(*ends)
+        return _middle(*ends)
+
+    def _slider(self, a: Partner, b: Partner) -> Place:
+        assert isinstance(b.mark, LineMark)
+        at = self.of_partner(a, b)
+        self.pen.block(at, self.number(b.mark.angle) + self.angle(b.owner))
+        self.pen.pin(at)
+        return at
+
+    def _slot(self, a: Partner, b: Partner) -> Place:
+        at, center = self.of_partner(a, b), self.of_partner(b, a)
+        self.pen.block(at, math.atan2(at[1] - center[1], at[0] - center[0]) + math.pi / 2)
+        self.pen.pin(at)
+        return at
+
+    def _rolling(self, a: Partner, b: Partner) -> Place:
+        at, _ = self._touching(a, b)
+        if isinstance(b.mark, LineMark):
             turn = self.number(b.mark.angle) + self.angle(b.owner)
-            if joint.kind == "slider":
-                pen.block(at, turn)
-                pen.pin(at)
-            else:
-                assert isinstance(a.mark, CircleMark)
-                radius = self.length(a.mark.radius)
-                at = (at[0] + radius * math.sin(turn), at[1] - radius * math.cos(turn))
-                pen.rolls(at, turn)
-        elif isinstance(b.mark, CircleMark):
+        else:
             center = self.of_partner(b, a)
-            turn = math.atan2(at[1] - center[1], at[0] - center[0])
-            if joint.kind == "slot":
-                pen.block(at, turn + math.pi / 2)
-                pen.pin(at)
-            else:
-                at = self._between_circles(a, b)[0]
-                pen.rolls(at, turn + math.pi / 2)
-        pen.name(at, name)
+            turn = math.atan2(at[1] - center[1], at[0] - center[0]) + math.pi / 2
+        self.pen.rolls(at, turn)
+        return at
 
     def _between_circles(self, a: Partner, b: Partner) -> tuple[Place, Place]:
         """The places of two circles that are nearest to each other, on the line through their centres."""
@@ -410,19 +441,18 @@ class _Sketch:
     def _contact(self, name: str, contact: Contact) -> None:
         any_mark = ("circle", "point", "line", "row", "set")
         a, b = self._pair("contacts", name, "touch", contact.touch, any_mark, any_mark)
-        if a.kind in ("line", "row", "set") and b.kind not in ("set",):
+        if a.kind in ("line", "row") or b.kind == "set":
             a, b = b, a
         members = [a]
         if a.kind == "set":
             assert isinstance(a.mark, tuple)
             members = [Partner(a.owner, "point", key, a.where) for key in a.mark]
-        for one in members:
-            places = self._touching(one, b)
-            if places:
-                self.pen.touch(*places)
-                self.pen.name(((places[0][0] + places[1][0]) / 2, (places[0][1] + places[1][1]) / 2), name, TOUCH)
+        pairs = [self._touching(one, b) for one in members]
+        for places in pairs:
+            self.pen.touch(*places)
+        self.pen.name(_middle(*min(pairs, key=lambda places: math.dist(*places))), name, TOUCH)
 
-    def _touching(self, a: Partner, b: Partner) -> tuple[Place, Place] | None:
+    def _touching(self, a: Partner, b: Partner) -> tuple[Place, Place]:
         """The nearest places of two marks that may touch."""
         center = self.of_partner(a, b)
         radius = self.length(a.mark.radius) if isinstance(a.mark, CircleMark) else 0.0
@@ -444,9 +474,7 @@ class _Sketch:
             distance = float(np.hypot(*away)) or 1.0
             near = (center[0] + radius * away[0] / distance, center[1] + radius * away[1] / distance)
             return (float(near[0]), float(near[1])), (float(at[0]), float(at[1]))
-        if b.kind in ("point", "circle"):
-            return self._between_circles(a, b)
-        return None
+        return self._between_circles(a, b)
 
     def _force(self, name: str, force: Force) -> None:
         written = getattr(force, force.kind)
@@ -459,7 +487,7 @@ class _Sketch:
             pen.spiral(at)
         elif force.kind in ("spring", "damper"):
             getattr(pen, force.kind)(*places)
-            at = ((places[0][0] + places[1][0]) / 2, (places[0][1] + places[1][1]) / 2)
+            at = _middle(*places)
             for end, one in zip(places, ends, strict=True):
                 if one.owner == GROUND:
                     pen.support(end)
@@ -500,7 +528,13 @@ class _Sketch:
                 yield name, element
 
 
-def _clip(at: np.ndarray, along: np.ndarray, low: np.ndarray, high: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _middle(a: Place, b: Place) -> Place:
+    return (a[0] + b[0]) / 2, (a[1] + b[1]) / 2
+
+
+def _clip(
+    at: np.ndarray, along: np.ndarray, low: np.ndarray, high: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
     """Where the line through `at` enters and leaves a box; a short piece at `at` if it misses it."""
     first, last = -math.inf, math.inf
     for i in range(2):

@@ -10,12 +10,15 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.patches import Arc, Circle, FancyArrowPatch, Polygon
+from matplotlib.transforms import BboxBase
 
 from .picture import BLUE, INK, RED, SOFT
 
@@ -26,11 +29,13 @@ BODY_FILL = "#dbe5ef"
 SPRING = "#3b7d5e"
 TOUCH = "#c8741a"
 
+_WALL = 0.055  # of a hoop, in
 _PIN = 0.05  # radius of a pin, in
 _SUPPORT = 0.17  # height of a support's triangle, in
 _HATCH = 0.075  # length of a hatch stroke, in
 _HATCH_STEP = 0.085
 _BLOCK = (0.24, 0.13)  # a sliding block, in
+_SQUARE = ((-1, -1), (1, -1), (1, 1), (-1, 1))  # its corners
 _COIL = 0.065  # half the width of a spring, in
 _INK_STEP = 0.04  # between remembered places along a line, in
 _POINTS_PER_INCH = 72.0
@@ -49,26 +54,33 @@ class Pen:
     """Draws on `axes`; `inch` is the length on the drawing, in the axes' unit, that is an inch on paper."""
 
     axes: Axes
+    canvas: FigureCanvasAgg
     inch: float
     ink: list[Place] = field(default_factory=list)
     names: list[_Name] = field(default_factory=list)
 
     # ---- lines and shapes ----
 
-    def line(self, places: Sequence[Place] | Floats, colour: str = INK, width: float = 1.0, **options: Any) -> None:
+    def line(
+        self, places: Sequence[Place] | Floats, colour: str = INK, width: float = 1.0, **options: Any
+    ) -> None:
         """A broken line; `width` in points."""
         xy = np.asarray(places, np.float64)
         options = {"solid_capstyle": "round", "zorder": 3, **options}
         self.axes.plot(xy[:, 0], xy[:, 1], color=colour, linewidth=width, **options)
         self.remember(xy)
 
-    def polygon(self, places: Sequence[Place] | Floats, fill: str = BODY_FILL, edge: str = BLUE, **options: Any) -> None:
+    def polygon(
+        self, places: Sequence[Place] | Floats, fill: str = BODY_FILL, edge: str = BLUE, **options: Any
+    ) -> None:
         xy = np.asarray(places, np.float64)
         options = {"linewidth": 1.1, "zorder": 2, "joinstyle": "round", **options}
         self.axes.add_patch(Polygon(xy, closed=True, facecolor=fill, edgecolor=edge, **options))
         self.remember(np.vstack([xy, xy[:1]]))
 
-    def circle(self, center: Place, radius: float, fill: str = "none", edge: str = BLUE, **options: Any) -> None:
+    def circle(
+        self, center: Place, radius: float, fill: str = "none", edge: str = BLUE, **options: Any
+    ) -> None:
         options = {"linewidth": 1.1, "zorder": 2, **options}
         self.axes.add_patch(Circle(center, radius, facecolor=fill, edgecolor=edge, **options))
         turn = np.linspace(0, 2 * math.pi, 73)
@@ -84,6 +96,19 @@ class Pen:
         second = np.asarray(b) - cap[:, :1] * along - cap[:, 1:] * across
         self.polygon(np.vstack([first, second]))
 
+    def ring(self, center: Place, radius: float) -> None:
+        """A hoop: its rim, and a wall of a width that can be seen."""
+        self.circle(center, radius - 0.5 * _WALL * self.inch, edge=BODY_FILL, linewidth=4.0, zorder=1.9)
+        self.circle(center, radius)
+        self.circle(center, radius - _WALL * self.inch, linewidth=0.7)
+
+    def half_ring(self, center: Place, radius: float, angle: float) -> None:
+        """The half of a ring on the side of its x axis."""
+        turn = np.linspace(angle - math.pi / 2, angle + math.pi / 2, 49)
+        arc = np.column_stack([center[0] + radius * np.cos(turn), center[1] + radius * np.sin(turn)])
+        self.line(arc, BLUE, 5.0, zorder=2)
+        self.line(arc, BODY_FILL, 3.0, zorder=2.1)
+
     def dot(self, at: Place, colour: str = INK, radius: float = 0.022) -> None:
         self.circle(at, radius * self.inch, fill=colour, edge=colour, linewidth=0, zorder=5)
 
@@ -94,7 +119,7 @@ class Pen:
 
     def remember(self, places: Floats) -> None:
         """Notes what is inked along a broken line, for the names to keep off."""
-        for a, b in zip(places[:-1], places[1:], strict=True):
+        for a, b in pairwise(places):
             count = 1 + int(min(math.dist(a, b) / (_INK_STEP * self.inch), 400))
             for i in range(count):
                 share = i / count
@@ -121,7 +146,8 @@ class Pen:
         """The triangle and hatched ground that hold a pin."""
         half, height = 0.62 * _SUPPORT * self.inch, _SUPPORT * self.inch
         foot = at[1] - height
-        self.polygon([at, (at[0] - half, foot), (at[0] + half, foot)], "white", INK, linewidth=0.9, zorder=3.5)
+        triangle = [at, (at[0] - half, foot), (at[0] + half, foot)]
+        self.polygon(triangle, "white", INK, linewidth=0.9, zorder=3.5)
         self.ground_line((at[0] - 1.6 * half, foot), (at[0] + 1.6 * half, foot), 3.4)
 
     # ---- joints ----
@@ -131,7 +157,7 @@ class Pen:
 
     def weld(self, at: Place) -> None:
         size = 0.032 * self.inch
-        corners = [(at[0] + x * size, at[1] + y * size) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+        corners = [(at[0] + x * size, at[1] + y * size) for x, y in _SQUARE]
         self.polygon(corners, INK, INK, linewidth=0.5, zorder=5)
 
     def block(self, at: Place, angle: float) -> None:
@@ -139,7 +165,7 @@ class Pen:
         along = np.array([math.cos(angle), math.sin(angle)])
         across = np.array([-along[1], along[0]])
         half = 0.5 * np.asarray(_BLOCK) * self.inch
-        corners = [np.asarray(at) + x * half[0] * along + y * half[1] * across for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+        corners = [np.asarray(at) + x * half[0] * along + y * half[1] * across for x, y in _SQUARE]
         self.polygon(np.array(corners), "white", INK, linewidth=1.0, zorder=4)
 
     def link(self, a: Place, b: Place) -> None:
@@ -154,7 +180,8 @@ class Pen:
         along = np.array([math.cos(angle), math.sin(angle)]) * 0.07 * self.inch
         across = np.array([-along[1], along[0]])
         for sign in (-1, 1):
-            self.line([np.asarray(at) - across + sign * 0.4 * along, np.asarray(at) + across + sign * 0.4 * along], INK, 0.8, zorder=4)
+            middle = np.asarray(at) + sign * 0.4 * along
+            self.line(np.array([middle - across, middle + across]), INK, 0.8, zorder=4)
         self.dot(at)
 
     # ---- contacts and forces ----
@@ -192,16 +219,17 @@ class Pen:
         def at(reach: float, aside: float = 0.0) -> Floats:
             return np.asarray(a) + reach * along + aside * across
 
-        self.line([a, at(middle - half)], SPRING, 1.1, zorder=4)
-        cup = [at(middle + half, wide), at(middle - half, wide), at(middle - half, -wide), at(middle + half, -wide)]
-        self.line(np.array(cup), SPRING, 1.1, zorder=4)
-        self.line([at(middle, 0.75 * wide), at(middle, -0.75 * wide)], SPRING, 2.0, zorder=4)
-        self.line([at(middle), b], SPRING, 1.1, zorder=4)
+        cup = ((half, wide), (-half, wide), (-half, -wide), (half, -wide))
+        self.line(np.array([a, at(middle - half)]), SPRING, 1.1, zorder=4)
+        self.line(np.array([at(middle + x, y) for x, y in cup]), SPRING, 1.1, zorder=4)
+        self.line(np.array([at(middle, 0.75 * wide), at(middle, -0.75 * wide)]), SPRING, 2.0, zorder=4)
+        self.line(np.array([at(middle), b]), SPRING, 1.1, zorder=4)
 
     def spiral(self, at: Place) -> None:
         turn = np.linspace(0, 5 * math.pi, 90)
         size = (0.03 + 0.09 * turn / turn[-1]) * self.inch
-        self.line(np.column_stack([at[0] + size * np.cos(turn), at[1] + size * np.sin(turn)]), SPRING, 1.0, zorder=4)
+        spiral = np.column_stack([at[0] + size * np.cos(turn), at[1] + size * np.sin(turn)])
+        self.line(spiral, SPRING, 1.0, zorder=4)
 
     def couple(self, at: Place, counterclockwise: bool) -> None:
         """A curved arrow round a place."""
@@ -243,40 +271,38 @@ class Pen:
 
     def write_names(self) -> None:
         """Writes all names, each at the free place nearest to what it names."""
-        figure = self.axes.figure
-        renderer = figure.canvas.get_renderer()  # type: ignore[union-attr]
-        to_dots = self.axes.transData.transform
+        renderer = self.canvas.get_renderer()
+        to_dots, to_unit = self.axes.transData.transform, self.axes.transData.inverted().transform
         ink = to_dots(np.array(self.ink)) if self.ink else np.empty((0, 2))
-        dot = figure.dpi / _POINTS_PER_INCH
+        dot = self.canvas.figure.dpi / _POINTS_PER_INCH
         frame = self.axes.get_window_extent(renderer)
-        taken: list[tuple[float, float, float, float]] = []
+        taken: list[_Box] = []
         for name in sorted(self.names, key=lambda one: one.bold):  # bodies have more room
+            weight = "bold" if name.bold else "normal"
             text = self.axes.text(
-                *name.place, name.text, color=name.colour, size=8.5, weight="bold" if name.bold else "normal", zorder=8
+                *name.place, name.text, color=name.colour, size=8.5, weight=weight, zorder=8
             )
             box = text.get_window_extent(renderer)
-            center = to_dots(name.place)
-            best = min(
-                _candidates(center, box.width, box.height, dot),
-                key=lambda spot: _cost(spot, ink, taken, frame, dot),
-            )
-            taken.append(best[:4])
-            text.set_position(self.axes.transData.inverted().transform(best[:2]))
+            spots = _candidates(to_dots(name.place), box.width, box.height, dot)
+            best, _ = min(spots, key=lambda spot: _cost(spot[0], spot[1], ink, taken, frame, dot))
+            taken.append(best)
+            x, y = to_unit(best[:2])
+            text.set_position((float(x), float(y)))
             text.set_verticalalignment("bottom")
         self.names.clear()
 
 
-_Spot = tuple[float, float, float, float, float]  # x0, y0, x1, y1 in dots, distance
+_Box = tuple[float, float, float, float]  # x0, y0, x1, y1 in dots
 
 
-def _candidates(center: Floats, width: float, height: float, dot: float) -> Iterable[_Spot]:
-    """Boxes round a place, near ones first."""
+def _candidates(center: Floats, width: float, height: float, dot: float) -> Iterable[tuple[_Box, float]]:
+    """Boxes round a place with their distance, near ones first."""
     for distance in (5.0, 9.0, 14.0, 21.0, 30.0):
         for i in range(16):
             turn = math.pi / 4 + i * math.pi / 8
             x = center[0] + (distance * dot + 0.5 * width) * _squared(math.cos(turn))
             y = center[1] + (distance * dot + 0.5 * height) * _squared(math.sin(turn))
-            yield x - 0.5 * width, y - 0.5 * height, x + 0.5 * width, y + 0.5 * height, distance
+            yield (x - 0.5 * width, y - 0.5 * height, x + 0.5 * width, y + 0.5 * height), distance
 
 
 def _squared(part: float) -> float:
@@ -284,16 +310,17 @@ def _squared(part: float) -> float:
     return math.copysign(min(1.0, abs(part) * 1.25), part)
 
 
-def _cost(spot: _Spot, ink: Floats, taken: Sequence[tuple[float, float, float, float]], frame: Any, dot: float) -> float:
+def _cost(
+    box: _Box, distance: float, ink: Floats, taken: Sequence[_Box], frame: BboxBase, dot: float
+) -> float:
     """How much a name would cover there, and how far it is from what it names."""
-    x0, y0, x1, y1, distance = spot
+    x0, y0, x1, y1 = box
     pad = 2.5 * dot
-    covered = (
-        (ink[:, 0] > x0 - pad) & (ink[:, 0] < x1 + pad) & (ink[:, 1] > y0 - pad) & (ink[:, 1] < y1 + pad)
-    )
-    overlaps = sum(x0 < u1 and u0 < x1 and y0 < v1 and v0 < y1 for u0, v0, u1, v1 in taken)
+    x, y = ink[:, 0], ink[:, 1]
+    covered = np.count_nonzero((x > x0 - pad) & (x < x1 + pad) & (y > y0 - pad) & (y < y1 + pad))
+    overlaps = sum(x0 - pad < u1 and u0 < x1 + pad and y0 < v1 and v0 < y1 for u0, v0, u1, v1 in taken)
     outside = x0 < frame.x0 or x1 > frame.x1 or y0 < frame.y0 or y1 > frame.y1
-    return float(np.count_nonzero(covered)) * 4.0 + 100.0 * overlaps + 200.0 * outside + distance
+    return 4.0 * float(covered) + 100.0 * overlaps + 200.0 * outside + distance
 
 
 def _frame(a: Sequence[float] | Place, b: Sequence[float] | Place) -> tuple[Floats, Floats]:

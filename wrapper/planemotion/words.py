@@ -145,7 +145,7 @@ def check_name(name: str, path: str) -> None:
         raise SceneError(f'"{name}" has a meaning of its own; choose another name', path=f"{path}.{name}")
 
 
-def not_built(what: str, path: str, value: object = None) -> SceneError:
+def not_built(what: str, path: str | None = None, value: object = None) -> SceneError:
     """The error for a word that the language has and this version does not do."""
     return SceneError(f"not built yet: {what}", path=path, value=value)
 

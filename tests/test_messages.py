@@ -1,0 +1,269 @@
+"""Every fault in a scene is told with file, key path, value and the nearest right word."""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from planemotion import SceneError, load, load_text
+from planemotion.builder import Scene
+from planemotion.flatten import flatten
+
+BASE = """
+until = "t = 1 s"
+parameters = { L = "1 m", m = "2 kg" }
+ground = { points = { O = [0, 0] }, lines = { floor = { through = [0, 0] } } }
+[bodies]
+AB = { rod = ["A", "B"], length = "L", mass = "m", at = { A = [0, 0] }, angle = "0 deg" }
+disk = { disk = "0.1 m", mass = "1 kg", at = [0, "0.1 m"] }
+P = { mass = "1 kg", at = ["1 m", "2 m"] }
+"""
+
+# What is added to (or put over) the base, and the message after "x.toml: ".
+FAULTS = [
+    # words
+    (
+        'joints.A = { pin = ["AB.A", "ground"], frictoin = 0.1 }',
+        'joints.A.frictoin: unknown key; a pin has active (did you mean "friction"?)',
+    ),
+    ('untill = "start"', 'did you mean "until"?'),
+    ('bodies.AB.colour = "red"', "bodies.AB.colour: unknown key; a body has rod, disk, "),
+    (
+        'joints.A = { pinn = ["AB.A", "ground"] }',
+        "joints.A: which kind of joint? one of pin, slider, slot, link, weld, rolling is wanted "
+        '("pinn": did you mean "pin"?)',
+    ),
+    ('joints.A = { pin = ["AB.A", "ground"], link = ["AB.A", "ground"] }', "is wanted, not pin and link"),
+    ('bodies.Q = { rod = ["A", "B"], disk = "1 m" }', "bodies.Q: one shape is possible, not rod and disk"),
+    ('bodies.Q = { disk = "1 m", length = "1 m" }', "bodies.Q.length: only a rod has length"),
+    (
+        'ask.a = { of = "AB.omega", att = "end" }',
+        "ask.a.att: unknown key; an ask has of, max, min, at, unit, run",
+    ),
+    (
+        "sweep.L = { from = 1, to = 2, nun = 3 }",
+        "sweep.L.nun: unknown key; a grid has from, to, num, step, scale",
+    ),
+    (
+        'bodies.start = { mass = "1 kg" }',
+        'bodies.start: "start" has a meaning of its own; choose another name',
+    ),
+    ('contacts.AB = { touch = ["disk.rim", "ground.floor"] }', "contacts.AB: the name is taken by bodies.AB"),
+    ("ground.points.x = [0, 0]", 'ground.points.x: "x" is a quantity in addresses; choose another name'),
+    # types
+    ("bodies = 3", "bodies = 3: a table is wanted"),
+    ("id = 3", "id = 3: a text is wanted"),
+    ('plane = "tilted"', "plane = \"tilted\": 'vertical' or 'horizontal' is wanted"),
+    ('joints.A = { pin = ["AB.A"] }', "joints.A.pin: two partners are wanted"),
+    ("ground.points.Q = [0]", "ground.points.Q: a vector is wanted: [x, y] or { polar = [size, angle] }"),
+    ("bodies.AB.mass = nan", "bodies.AB.mass = nan: the number must be finite"),
+    ("bodies.AB.mass = [1]", "bodies.AB.mass: a number, a quantity"),
+    ('until = ["start", 3]', "until: a condition or a list of conditions is wanted"),
+    (
+        'contacts.c = { touch = ["disk.rim", "ground.floor"], friction = { static = 0.2 } }',
+        "contacts.c.friction: friction is",
+    ),
+    ("solve.max_events = 0", "solve.max_events = 0: at least 1 is wanted"),
+    ("sweep.L = { from = 1, to = 2 }", "sweep.L: a grid has from, to and either num or step"),
+    # units and dimensions
+    (
+        'bodies.AB.mass = "240 lb"',
+        'bodies.AB.mass = "240 lb": lb is a force; write weight = "240 lb", or a mass in kg, slug or lbm',
+    ),
+    ('bodies.Q = { weight = "3 kg" }', 'bodies.Q.weight = "3 kg": kg is a mass; write mass = "3 kg"'),
+    (
+        'bodies.AB.inertia = "10.5 lb*ft"',
+        'bodies.AB.inertia = "10.5 lb*ft": a moment of inertia (mass*length^2, such as kg*m^2) is wanted; '
+        "this is a moment or energy",
+    ),
+    ("bodies.AB.mass = 3", "bodies.AB.mass = 3: a mass (such as kg) is wanted; this is a plain number"),
+    ('bodies.AB.mass = "k*m"', 'bodies.AB.mass = "k*m": unknown parameter "k"; there is g, L, m'),
+    (
+        'parameters.x = "L + m"',
+        'parameters.x = "L + m": in "L + m": L is a length, m is a mass; they cannot be added',
+    ),
+    (
+        'ask.a = { of = "AB.omega", unit = "m/s" }',
+        'ask.a.unit = "m/s": this is a velocity; the answer is an angular velocity',
+    ),
+    ('ask.a = { of = "AB.omega", unit = "parsnip" }', 'ask.a.unit = "parsnip": unknown unit "parsnip"'),
+    ('start.AB.omega = "3 m/s"', 'start.AB.omega = "3 m/s": an angular velocity'),
+    ('events.e = "AB.angle > 3 m"', "AB.angle is a plain number, 3 m is a length; they cannot be compared"),
+    ('events.e = "AB.x every 3 s"', "AB.x is a length, 3 s is a time; they must be of one kind"),
+    ('forces.f = { force = "AB.B", value = ["3 N", "2 kg"] }', 'forces.f.value[1] = "2 kg": a force'),
+    ('runs = { a = { L = "3 kg" } }', 'runs.a.L = "3 kg": a length (such as m) is wanted; this is a mass'),
+    # bounds
+    ('bodies.AB.mass = "-3 kg"', 'bodies.AB.mass = "-3 kg": it is -3 (SI) and must be positive'),
+    (
+        'contacts.c = { touch = ["disk.rim", "ground.floor"], restitution = 1.2 }',
+        "contacts.c.restitution = 1.2: it must lie between 0 and 1",
+    ),
+    (
+        'contacts.c = { touch = ["disk.rim", "ground.floor"], friction = -1 }',
+        "contacts.c.friction = -1: it must not be negative",
+    ),
+    ("solve.accuracy = 1", "solve.accuracy = 1: it must lie between 1e-14 and 0.01"),
+    ('bodies.AB.mass = "m/0"', 'bodies.AB.mass = "m/0": it is inf and must be a finite number'),
+    # names
+    (
+        'joints.A = { pin = ["AB.A", "disk.D"] }',
+        'joints.A.pin[1] = "disk.D": body "disk" has no point "D"; it has G, center',
+    ),
+    (
+        'joints.A = { pin = ["AB.A", "dsk.G"] }',
+        'joints.A.pin[1] = "dsk.G": unknown body "dsk"; there is AB, disk, P, ground (did you mean "disk"?)',
+    ),
+    (
+        'joints.A = { slider = ["AB.A", "ground.O"] }',
+        'joints.A.slider[1] = "ground.O": ground.O is a point; a line is wanted',
+    ),
+    (
+        'joints.A = { slider = ["AB.A", "ground"] }',
+        'joints.A.slider[1] = "ground": a line is wanted, such as ground.floor',
+    ),
+    ('joints.A = { pin = ["AB.A", "AB.B"] }', 'joints.A.pin: both partners belong to body "AB"'),
+    (
+        'ask.a = "AB.velocity"',
+        'ask.a = "AB.velocity": a part is wanted: x, y, norm, angle, or along a direction',
+    ),
+    (
+        'ask.a = "AB.omga"',
+        'body "AB" has no point or quantity "omga"; it has A, B, G, center (did you mean "omega"?)',
+    ),
+    ('ask.a = "t.x"', 'ask.a = "t.x": t has no parts'),
+    ('ask.a = "AB.omega about disk.G"', '"about" does not go with this quantity'),
+    ('ask.a = "AC.omega"', 'unknown name "AC"; there is AB, disk, P, ground, t,'),
+    (
+        'ask.a = { of = "AB.omega", at = "strike" }',
+        'ask.a.at = "strike": unknown instant "strike"; there is end',
+    ),
+    ('ask.a = { of = "AB.omega", run = "b" }', 'ask.a.run: unknown run "b"; there is none'),
+    (
+        'until = "blow 3"',
+        'until = "blow 3": unknown event "blow"; there is none; a condition is, say, "t = 2 s"',
+    ),
+    ('events.e = "flor strikes"', 'events.e = "flor strikes": unknown contact "flor"; there is none'),
+    ("sweep.d = { from = 1, to = 2, num = 3 }", 'sweep.d: unknown parameter "d"; there is g, L, m'),
+    ('solve.route = "fast"', 'solve.route: unknown route "fast"; there is auto, rk, ida'),
+    # sense
+    ('parameters = { x = "y", y = "x" }', "parameters that need each other in a circle: x -> y -> x"),
+    (
+        'bodies.Q = { mass = "1 kg", at = "R" }\nbodies.R = { mass = "1 kg", at = "Q" }',
+        'bodies.Q.at = "Q": bodies that are placed at each other in a circle: Q -> R -> Q',
+    ),
+    ('bodies.Q = { mass = "1 kg", angle = "3 deg" }', "a particle does not turn; leave out angle"),
+    ('bodies.Q = { disk = "1 m" }', "bodies.Q.mass: mass or weight is wanted"),
+    (
+        'bodies.Q = { inertia = "1 kg*m^2" }',
+        "bodies.Q.mass: mass or weight is wanted (unless the mass centre is pinned",
+    ),
+    ('bodies.Q = { rod = ["A", "B"], mass = "1 kg" }', "bodies.Q.length: the length of a rod is wanted"),
+    (
+        'bodies.Q = { rod = ["A", "B"], length = "1 m", mass = "1 kg", at = { A = [0, 0], B = ["2 m", 0] } }',
+        "bodies.Q.at: A and B are 2 m apart here and 1 m on the body; they must fit",
+    ),
+    ('contacts.c = { touch = ["P", "ground.O"] }', "contacts.c.normal: two points need a normal"),
+    ('contacts.c = { touch = ["AB.axis", "ground.floor"] }', "a line and a line do not touch"),
+    ('events.e = "3 > 2"', 'events.e = "3 > 2": nothing in this condition changes with the motion'),
+    ('events.e = "AB.angle >= 3"', 'events.e = "AB.angle >= 3": an event fires on a crossing; write >'),
+    ('ask.a = { max = "AB.omega", at = "end" }', "ask.a.at: an extreme over the run has no instant"),
+    ("ask.a = {}", "ask.a: one of of, max, min is wanted"),
+    ('start.AB.speed = "3 m/s"', 'start.AB.speed = "3 m/s": it cannot be given at the start'),
+    ('forces.f = { force = "AB.B", value = ["(3 N/m)*AB.x", 0] }', "only parameters can stand here"),
+]
+
+NOT_BUILT = [
+    ("find = {}", "find"),
+    ("spin = {}", "spin"),
+    ("couplings.c = {}", "couplings"),
+    ("bodies.AB.driven = {}", "bodies.AB.driven"),
+    ('joints.A = { pin = ["AB.A", "ground"], friction = "1 N*m" }', "joints.A.friction"),
+    ('contacts.c = { touch = ["AB.top", "ground.O"] }', 'contacts.c.touch[0] = "AB.top"'),
+    (
+        'contacts.c = { touch = ["disk.rim", "ground.floor"], capture = "point" }',
+        'contacts.c.capture = "point"',
+    ),
+    ('contacts.c = { touch = ["disk.rim", "ground.floor"], law = "stronge" }', 'contacts.c.law = "stronge"'),
+    ('contacts.c = { table = ["P"] }', "contacts.c.table"),
+    ('forces.f = { couple = "AB", power = "3 W" }', "forces.f.power"),
+    ('forces.f = { couple = "AB", value = { over = "t", at = [0], values = [0] } }', "forces.f.value"),
+    ('events.e = { when = "start", do = [] }', "events.e.do"),
+    ('events.e = "c slackens"', 'events.e = "c slackens"'),
+    ('start.nudge = "AB.omega > 0"', "start.nudge"),
+    ('start.AB.omega = "~3 rad/s"', 'start.AB.omega = "~3 rad/s"'),
+    ('solve.route = "path"', 'solve.route = "path"'),
+    ('solve.simultaneous = "one by one"', 'solve.simultaneous = "one by one"'),
+    ("runs = { a = { find = {} } }", "runs.a.find"),
+]
+
+
+def merged(change: str) -> dict[str, Any]:
+    """The base scene with the change put over it."""
+
+    def merge(table: dict[str, Any], other: dict[str, Any]) -> None:
+        for key, value in other.items():
+            if isinstance(value, dict) and isinstance(table.get(key), dict):
+                merge(table[key], value)
+            else:
+                table[key] = value
+
+    raw = tomllib.loads(BASE)
+    merge(raw, tomllib.loads(change))
+    return raw
+
+
+def message(change: str) -> str:
+    with pytest.raises(SceneError) as caught:
+        flatten(Scene.from_raw(merged(change), file="x.toml"))
+    assert caught.value.file == "x.toml"
+    return str(caught.value)
+
+
+def test_the_base_is_right() -> None:
+    flatten(load_text(BASE))
+
+
+@pytest.mark.parametrize(("change", "expected"), FAULTS)
+def test_fault(change: str, expected: str) -> None:
+    text = message(change)
+    assert text.startswith("x.toml: ")
+    assert expected in text
+
+
+@pytest.mark.parametrize(("change", "place"), NOT_BUILT)
+def test_words_that_are_known_and_not_built(change: str, place: str) -> None:
+    text = message(change)
+    assert text.startswith(f"x.toml: {place}: ")
+    assert "not built yet" in text
+
+
+def test_left_out_end_and_bodies() -> None:
+    with pytest.raises(SceneError, match="until: what ends the run is wanted"):
+        load_text('bodies.P = { mass = "1 kg" }')
+    with pytest.raises(SceneError, match="bodies: a scene needs at least one body"):
+        load_text('until = "start"')
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("a = 1\na = 2", "no TOML: line 2: Cannot overwrite a value"),
+        ("until = ", "no TOML: line 1: Invalid value"),
+        ("[a]\n[a]", "no TOML: line 2"),
+    ],
+)
+def test_toml_faults_name_file_and_line(text: str, expected: str) -> None:
+    with pytest.raises(SceneError) as caught:
+        load_text(text, file="x.toml")
+    assert str(caught.value).startswith(f"x.toml: {expected}")
+
+
+def test_files_that_cannot_be_read(tmp_path: Path) -> None:
+    with pytest.raises(SceneError, match=r"none\.toml: cannot be read: No such file"):
+        load(tmp_path / "none.toml")
+    (tmp_path / "binary.toml").write_bytes(b"\xff\xfe\x00")
+    with pytest.raises(SceneError, match="not text in UTF-8"):
+        load(tmp_path / "binary.toml")

@@ -1,0 +1,187 @@
+"""Scenes: files, the builder, overrides; both ways of writing make the same validated scene."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import planemotion
+from planemotion import Scene, SceneError, load, load_text
+from planemotion.flatten import flatten
+from planemotion.scene import Ask, Grid
+from planemotion.units import registry
+from planemotion.written import Place, Vector
+
+STUDIES = sorted((Path(__file__).parent.parent / "studies").glob("*.toml"))
+
+FILE = """
+id = "pendulum"
+until = ["t = 2 s", "low"]
+parameters = { L = "1 m", m = "2 kg", n = 3, wide = "2*L", up = true }
+start.AB.omega = "1 rad/s"
+start."AB.B.velocity in AB" = ["0 m/s", 0]
+events = { low = ["AB.angle < -90 deg", "AB.angle > 3"] }
+[bodies.AB]
+rod = ["A", "B"]
+length = "L"
+mass = "m"
+at = { A = [0, 0] }
+points.C = { from = "B", by = [0, "1 in"] }
+[joints]
+A = { pin = ["AB.A", "ground"] }
+[ask]
+omega = "AB.omega"
+top = { max = "AB.B.y", unit = "in" }
+[sweep]
+L = ["1 m", "2 m"]
+m = { from = "1 kg", to = "2 kg", num = 3 }
+zip = [["L"]]
+[solve]
+route = "rk"
+"""
+
+
+def built() -> Scene:
+    scene = Scene("pendulum", until=["t = 2 s", "low"])
+    scene.parameters(L="1 m", m="2 kg", n=3, wide="2*L", up=True)
+    scene.start({"AB.omega": "1 rad/s", "AB.B.velocity in AB": ("0 m/s", 0)})
+    scene.event("low", ["AB.angle < -90 deg", "AB.angle > 3"])
+    scene.body(
+        "AB",
+        rod=["A", "B"],
+        length="L",
+        mass="m",
+        at={"A": [0, 0]},
+        points={"C": {"from": "B", "by": [0, "1 in"]}},
+    )
+    scene.joint("A", pin=["AB.A", "ground"])
+    scene.ask("omega", "AB.omega").ask("top", max="AB.B.y", unit="in")
+    scene.solve(route="rk")
+    scene.raw["sweep"] = {"L": ["1 m", "2 m"], "m": {"from": "1 kg", "to": "2 kg", "num": 3}, "zip": [["L"]]}
+    return scene
+
+
+def test_file_and_builder_make_the_same_scene() -> None:
+    assert built().data == load_text(FILE).data
+
+
+def test_what_is_written_comes_back() -> None:
+    scene = load_text(FILE)
+    assert load_text(scene.to_toml()).data == scene.data
+    assert scene.text == FILE
+    assert built().text == built().to_toml()
+
+
+def test_values_are_brought_into_one_form() -> None:
+    data = load_text(FILE).data
+    assert data.parameters["g"] == "9.81 m/s^2"
+    assert data.until == (("t = 2 s",), ("low",))
+    assert data.start == {"AB.omega": "1 rad/s", "AB.B.velocity in AB": Vector("0 m/s", 0)}
+    assert data.ask["omega"] == Ask(of="AB.omega")
+    assert data.bodies["AB"].at == Place((("A", Vector(0, 0)),))
+    assert data.sweep.grids["L"] == Grid(values=("1 m", "2 m"))
+    assert data.sweep.zip == (("L",),)
+
+
+def test_the_id_is_the_name_of_the_file_if_there_is_none() -> None:
+    assert load_text(FILE.replace('id = "pendulum"', ""), file="a/b/swing.toml").id == "swing"
+
+
+def test_quantities_of_pint_and_numbers_of_numpy_are_taken() -> None:
+    units = registry()
+    scene = Scene("x", until="start")
+    scene.parameters(L=units.Quantity(10, "inch"), n=np.float64(2.5), k=np.int64(3))
+    scene.body("P", mass=units.Quantity(1.5, "kg"), at=np.array([0.0, 0.0]))
+    assert scene.raw["parameters"]["n"] == 2.5
+    assert type(scene.raw["parameters"]["n"]) is float
+    flat = flatten(scene)
+    assert dict(zip(flat.parameters, flat.defaults, strict=True)) == pytest.approx(
+        {"g": 9.81, "L": 0.254, "n": 2.5, "k": 3}
+    )
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "written"),
+    [
+        ("L", "2", "2 m"),
+        ("L", 2, "2 m"),
+        ("L", 0.1, "0.1 m"),
+        ("L", "3 ft", "3 ft"),
+        ("L", "n*(2 m)", "n*(2 m)"),
+        ("n", "4", "4"),
+        ("wide", "7 in", "7 in"),
+        ("g", "32.2 ft/s^2", "32.2 ft/s^2"),
+        ("up", False, False),
+        ("parameters.L", "2", "2 m"),
+    ],
+)
+def test_a_bare_number_takes_the_unit_of_the_file(name: str, value: object, written: object) -> None:
+    scene = load_text(FILE).with_values({name: value})
+    assert scene.data.parameters[name.removeprefix("parameters.")] == written
+
+
+def test_settings_are_set_by_their_dotted_names() -> None:
+    scene = load_text(FILE).with_values({"sweep.m.num": "200", "solve.route": "ida", "solve.max_events": 7})
+    assert scene.data.sweep.grids["m"].num == 200
+    assert scene.data.solve.route == "ida"
+    assert scene.data.solve.max_events == 7
+
+
+@pytest.mark.parametrize(
+    ("values", "expected"),
+    [
+        ({"K": 1}, 'K: unknown parameter "K"; there is g, L, m, n, wide, up'),
+        ({"L": "2 kg"}, 'parameters.L = "2 kg": a length (such as m) is wanted; this is a mass'),
+        ({"wide": 2}, "parameters.wide = 2: a unit is wanted (such as m); the file gives an expression"),
+        ({"bodies.AB.mass": "1 kg"}, "only parameters, sweep and solve can be set, not bodies"),
+        ({"L": "q"}, 'parameters.L = "q": unknown parameter "q"'),
+    ],
+)
+def test_overrides_that_are_refused(values: dict[str, object], expected: str) -> None:
+    with pytest.raises(SceneError) as caught:
+        load_text(FILE, file="x.toml").with_values(values)
+    assert expected in str(caught.value)
+    assert str(caught.value).startswith("x.toml: ")
+
+
+def test_a_copy_with_values_leaves_the_scene_alone() -> None:
+    scene = load_text(FILE)
+    scene.with_values({"L": 3, "sweep.m.num": 9})
+    assert scene.raw == load_text(FILE).raw
+
+
+@pytest.mark.parametrize("path", STUDIES, ids=lambda path: path.stem)
+def test_every_study_is_valid_and_survives_writing(path: Path) -> None:
+    scene = load(path)
+    flatten(scene)
+    again = load_text(scene.to_toml(), file=str(path))
+    assert again.data == scene.data
+    assert np.array_equal(flatten(again).table, flatten(scene).table)
+
+
+def test_the_package_starts_without_heavy_imports() -> None:
+    heavy = ("pydantic", "pint", "numpy", "xarray")
+    code = f"import sys, planemotion; print([name for name in {heavy} if name in sys.modules])"
+    found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert found.stdout.strip() == "[]"
+
+
+def test_a_scene_with_common_units_does_not_import_pint() -> None:
+    code = (
+        "import sys, planemotion; from planemotion.flatten import flatten;"
+        f"flatten(planemotion.load({str(STUDIES[0])!r})); print('pint' in sys.modules)"
+    )
+    found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert found.stdout.strip() == "False"
+
+
+def test_names_of_the_package() -> None:
+    assert set(dir(planemotion)) == set(planemotion.__all__)
+    for name in planemotion.__all__:
+        assert getattr(planemotion, name) is not None
+    with pytest.raises(AttributeError):
+        planemotion.nothing  # noqa: B018
