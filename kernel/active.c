@@ -7,6 +7,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "basis.h"
 #include "body.h"
 #include "contact.h"
 #include "project.h"
@@ -23,54 +24,63 @@ void pm_active_clear(pm_workspace *w)
     for (int i = 0; i < w->model->nslot; i++) w->slot_normal[i] = w->slot_tangent[i] = PM_NONE;
 }
 
-/* Goes a little along the motion (or, at rest, any way the rows allow) and looks whether `row` still depends. */
-static int depends_nearby(pm_workspace *w, const pm_row *row, int nbasis, int *depends)
+/* The basis of the rows that are active so far, at the frame; its size. */
+static int basis_of_active(pm_workspace *w)
 {
-    const pm_model *m = w->model;
-    pm_state *s = &w->probe;
-    double step[3] = {0.91, 0.57, 0.73}, norm = 0;
+    pm_basis_rest rest;
+    int n = 0;
+    for (int i = 0; i < w->nactive; i++) {
+        pm_row_kind(w->row[i].kind)->evaluate(w, &w->row[i]);
+        n = pm_basis_add(w, n, w->row[i].j, w->row[i].body, &rest);
+    }
+    return n;
+}
+
+/* A neighbour of the state on the active rows: a little along the motion or, at rest, any way that they allow. */
+static int go_nearby(pm_workspace *w, pm_state *s)
+{
+    static const double step[3] = {0.91, 0.57, 0.73}; /* no direction of the scene */
+    const int nq = w->model->nq;
+    double norm = 0;
     pm_state_copy(s, &w->state);
-    for (int i = 0; i < m->nq; i++) norm += s->v[i] * s->v[i];
+    for (int i = 0; i < nq; i++) norm += s->v[i] * s->v[i];
     norm = sqrt(norm);
-    for (int i = 0; i < m->nq; i++) {
+    for (int i = 0; i < nq; i++) {
         const double along = norm > 0 ? s->v[i] / norm : step[i % 3] * (1 + 0.1 * (i / 3));
         s->q[i] += NEIGHBOUR * w->size * along * (w->inverse_mass[i] > 0);
     }
-    int status = pm_project(w, s);
-    if (status == PM_SINGULAR) { /* cannot tell: treat it as a place like any other */
-        *depends = 0;
-        status = PM_OK;
-    } else if (!status) {
+    return pm_project(w, s);
+}
+
+/* Whether a row that depends on the active ones here does so nearby, too.  A neighbour that cannot be reached tells
+ * nothing: the row is then kept. */
+static int depends_nearby(pm_workspace *w, const pm_row *row, int *depends)
+{
+    int status = go_nearby(w, &w->probe);
+    *depends = 0;
+    if (!status) {
         pm_row copy = *row;
-        double left;
-        int n = 0;
-        for (int i = 0; i < w->nactive; i++) n = pm_basis_add(w, n, w->row[i].j, w->row[i].body, &left);
+        pm_basis_rest rest;
         pm_row_kind(copy.kind)->evaluate(w, &copy);
-        pm_basis_add(w, n, copy.j, copy.body, &left);
-        *depends = left < STILL_DEPENDENT;
+        pm_basis_add(w, basis_of_active(w), copy.j, copy.body, &rest);
+        *depends = rest.left < STILL_DEPENDENT;
     }
     pm_frame_look_state(w, &w->state);
-    int n = 0;
-    double left;
-    for (int i = 0; i < w->nactive; i++) {
-        pm_row_kind(w->row[i].kind)->evaluate(w, &w->row[i]);
-        n = pm_basis_add(w, n, w->row[i].j, w->row[i].body, &left);
-    }
-    (void)nbasis;
-    return status;
+    basis_of_active(w);
+    return status == PM_SINGULAR ? PM_OK : status;
 }
 
 /* Appends the row unless it is redundant; *index: its place, or PM_NONE. */
 static int append(pm_workspace *w, const pm_row *row, int *nbasis, int *index)
 {
     pm_row *place = &w->row[w->nactive];
-    double left;
+    pm_basis_rest rest;
     int depends = 0;
     *place = *row;
     pm_row_kind(place->kind)->evaluate(w, place);
-    const int n = pm_basis_add(w, *nbasis, place->j, place->body, &left);
+    const int n = pm_basis_add(w, *nbasis, place->j, place->body, &rest);
     if (n == *nbasis) {
-        const int status = depends_nearby(w, row, *nbasis, &depends);
+        const int status = depends_nearby(w, row, &depends);
         if (status) return status;
         *place = *row;
     }

@@ -113,27 +113,3 @@ int pm_saddle_accelerate(pm_workspace *w)
     f->level = PM_LEVEL_DYNAMIC;
     return PM_OK;
 }
-
-int pm_basis_add(pm_workspace *w, int n, const double j[6], const int body[2], double *left)
-{
-    const int nq = w->model->nq, ground = w->model->nbody;
-    double *row = w->basis + (size_t)n * (size_t)nq, before = 0, after = 0;
-    memset(row, 0, (size_t)nq * sizeof *row);
-    for (int p = 0; p < 2; p++)
-        for (int k = 0; k < 3 && body[p] != ground; k++)
-            row[3 * body[p] + k] += j[3 * p + k] * sqrt(w->inverse_mass[3 * body[p] + k]);
-    for (int i = 0; i < nq; i++) before += row[i] * row[i];
-    for (int pass = 0; pass < 2; pass++) /* twice is enough (Kahan, Parlett) */
-        for (int b = 0; b < n; b++) {
-            const double *e = w->basis + (size_t)b * (size_t)nq;
-            double dot = 0;
-            for (int i = 0; i < nq; i++) dot += e[i] * row[i];
-            for (int i = 0; i < nq; i++) row[i] -= dot * e[i];
-        }
-    for (int i = 0; i < nq; i++) after += row[i] * row[i];
-    *left = before > 0 ? sqrt(after / before) : 0;
-    if (!(*left > PM_INDEPENDENT) || n >= nq) return n;
-    const double scale = 1 / sqrt(after);
-    for (int i = 0; i < nq; i++) row[i] *= scale;
-    return n + 1;
-}

@@ -17,9 +17,4 @@ int pm_saddle_accelerate(pm_workspace *w);
 /* Product of row i with a vector on q. */
 double pm_saddle_times(const pm_workspace *w, const pm_row *row, const double *x);
 
-/* Row basis (modified Gram-Schmidt in the metric of M^-1): adds `row` if it does not depend on the first n rows of
- * w->basis; returns the new n.  *left is the part of its norm that is independent, 0..1. */
-int pm_basis_add(pm_workspace *w, int n, const double j[6], const int body[2], double *left);
-#define PM_INDEPENDENT 1e-9 /* `left` above this: an independent row */
-
 #endif

@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include "active.h"
+#include "basis.h"
 #include "body.h"
 #include "case.h"
 #include "contact.h"
@@ -35,30 +36,6 @@ static void draw(pm_workspace *w)
         if (!PM_BODY_ROW(m, i)[PM_BODY_TURNS]) w->state.q[3 * i + 2] = 0;
 }
 
-/* A dense row in the metric of M: x_k sqrt(1/m_k).  Adds it to the basis; `left` as pm_basis_add. */
-static int basis_add_dense(pm_workspace *w, int n, const double *x, double *left, double *norm)
-{
-    const int nq = w->model->nq;
-    double *row = w->basis + (size_t)n * (size_t)nq, before = 0, after = 0;
-    for (int i = 0; i < nq; i++) {
-        row[i] = x[i] * sqrt(w->inverse_mass[i]);
-        before += row[i] * row[i];
-    }
-    for (int pass = 0; pass < 2; pass++)
-        for (int b = 0; b < n; b++) {
-            const double *e = w->basis + (size_t)b * (size_t)nq;
-            double dot = 0;
-            for (int i = 0; i < nq; i++) dot += e[i] * row[i];
-            for (int i = 0; i < nq; i++) row[i] -= dot * e[i];
-        }
-    for (int i = 0; i < nq; i++) after += row[i] * row[i];
-    *norm = sqrt(before);
-    *left = before > 0 ? sqrt(after / before) : 0;
-    if (!(*left > PM_INDEPENDENT) || n >= nq) return n;
-    for (int i = 0; i < nq; i++) row[i] /= sqrt(after);
-    return n + 1;
-}
-
 /* The least change x (in the metric of M) that the basis spans with the given components y: x = M^-1/2 B^T y.  A new row
  * with right-hand side r: its component is (r - row.x) / (left * norm). */
 typedef struct pm_solution {
@@ -70,12 +47,13 @@ typedef struct pm_solution {
 static int take(pm_workspace *w, pm_solution *s, const double *row, double rhs, double *miss)
 {
     const int nq = w->model->nq;
-    double left, norm, now = 0;
+    pm_basis_rest rest;
+    double now = 0;
     for (int i = 0; i < nq; i++) now += row[i] * s->x[i];
-    const int n = basis_add_dense(w, s->n, row, &left, &norm);
+    const int n = pm_basis_add_dense(w, s->n, row, &rest);
     *miss = rhs - now;
     if (n == s->n) return 0;
-    const double *e = w->basis + (size_t)s->n * (size_t)nq, component = *miss / (left * norm);
+    const double *e = w->basis + (size_t)s->n * (size_t)nq, component = *miss / (rest.left * rest.norm);
     for (int i = 0; i < nq; i++) s->x[i] += component * e[i] * sqrt(w->inverse_mass[i]);
     s->n = n;
     *miss = 0;
@@ -295,9 +273,9 @@ static int settle_rest(pm_workspace *w, pm_solution *s, double *dense, const pm_
                 take(w, s, dense, 0, &miss);
                 continue;
             }
-            double left, norm;
-            if (basis_add_dense(w, n, dense, &left, &norm) > n && left > OPEN_PART)
-                return pm_fail(w, PM_START_OPEN, PM_TABLE_BODY, i, k, left);
+            pm_basis_rest rest;
+            if (pm_basis_add_dense(w, n, dense, &rest) > n && rest.left > OPEN_PART)
+                return pm_fail(w, PM_START_OPEN, PM_TABLE_BODY, i, k, rest.left);
         }
     return PM_OK;
 }

@@ -31,6 +31,7 @@ from .history import read as read_history
 if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.axes import Axes
+    from matplotlib.axis import Axis
     from matplotlib.colors import Colormap, Normalize
 
     from .engine import History
@@ -317,9 +318,9 @@ def _curves(axis: _Axis, panels: Sequence[_Panel], bad: npt.NDArray[np.bool_]) -
             _whole_ticks(place)
         _title(place, panel)
         if _spans_decades(panel.values):
-            place.set_yscale("log")
+            _logarithmic(place, "y")
         if axis.log:
-            place.set_xscale("log")
+            _logarithmic(place, "x")
         _ticks_of_bad_cases(place, axis.values[bad.any(axis=1)])
     for i, place in enumerate(places):
         below = i + columns < len(places)
@@ -404,6 +405,24 @@ def _ticks_of_bad_cases(place: Axes, x: Floats) -> None:
         )
 
 
+def _logarithmic(place: Axes, which: str) -> None:
+    """Makes an axis logarithmic."""
+    if which == "x":
+        place.set_xscale("log")
+        _plain_numbers(place.xaxis)
+    else:
+        place.set_yscale("log")
+        _plain_numbers(place.yaxis)
+
+
+def _plain_numbers(axis: Axis) -> None:
+    """Labels 1, 10, 100 instead of powers, which would need mathematical text."""
+    from matplotlib.ticker import LogFormatter
+
+    axis.set_major_formatter(LogFormatter())
+    axis.set_minor_formatter(LogFormatter(minor_thresholds=(1.0, 0.4)))
+
+
 def _spans_decades(values: Floats) -> bool:
     known = values[np.isfinite(values)]
     return bool(known.size and known.min() > 0 and known.max() / known.min() > _LOG_SPAN)
@@ -423,7 +442,7 @@ def _legend(figure: Figure, places: Sequence[Axes], panels: Sequence[_Panel]) ->
 
 
 def _maps(axes: Sequence[_Axis], panels: Sequence[_Panel], bad: npt.NDArray[np.bool_]) -> Figure:
-    from matplotlib.colors import ListedColormap
+    from matplotlib.colors import ListedColormap, LogNorm
 
     figure, places, _ = _grid(len(panels), _MAP_HEIGHT)
     for place, panel in zip(places, panels, strict=True):
@@ -439,8 +458,11 @@ def _maps(axes: Sequence[_Axis], panels: Sequence[_Panel], bad: npt.NDArray[np.b
             place.pcolormesh(x, y, mark, cmap=ListedColormap([PALE_RED]), shading="nearest", rasterized=True)
         bar = figure.colorbar(mesh, ax=place, pad=0.02, aspect=28, ticks=ticks)
         bar.outline.set_visible(False)
-        place.set_xscale("log" if axes[0].log else "linear")
-        place.set_yscale("log" if axes[1].log else "linear")
+        if isinstance(norm, LogNorm):
+            _plain_numbers(bar.ax.yaxis)
+        for which, axis in zip("xy", axes, strict=True):
+            if axis.log:
+                _logarithmic(place, which)
         place.set_xlabel(axes[0].label)
         place.set_ylabel(axes[1].label)
         _title(place, panel)

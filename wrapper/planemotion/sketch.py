@@ -199,8 +199,8 @@ class _Sketch:
 
     def _draw_all(self) -> None:
         self._ground()
-        for name, body in self.drawing.bodies.items():
-            self._body(name, body)
+        for name in sorted(self.drawing.bodies, key=self._reach, reverse=True):  # small ones on top
+            self._body(name, self.drawing.bodies[name])
         for name, joint in self._active("joints"):
             self._joint(name, joint)
         for name, contact in self._active("contacts"):
@@ -303,7 +303,7 @@ class _Sketch:
         self._shape(name, body, center)
         for key in body.circles:
             at, radius = self.place(name, marks.circles[key].center), self.length(marks.circles[key].radius)
-            pen.circle(at, radius, fill=BODY_FILL, linewidth=0.9, zorder=2.2)
+            pen.circle(at, radius, fill="none" if body.shape else BODY_FILL, linewidth=0.9)
         for key in body.lines:
             pen.line(self._ends(name, marks.lines[key]), BLUE, 0.8, linestyle=_CENTRE_LINE, zorder=3)
         mass_centre = self.point(name, "G")

@@ -1,0 +1,354 @@
+/* The ida route: its Newton matrix against differences of its residual; motions against the rk route and closed forms;
+ * stiff forces; roots that change no sign between steps; failures that come back as numbers; the same bits always. */
+#include "check.h"
+#include "ida_jacobian.h"
+#include "ida_linear.h"
+#include "ida_system.h"
+#include "route.h"
+#include "scene.h"
+
+#define G 9.81
+#define MOST 128 /* unknowns */
+
+static scene *with_ida(double accuracy)
+{
+    scene *s = scene_create();
+    *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_IDA;
+    scene_set(s, PM_SETTING_ACCURACY, accuracy);
+    return s;
+}
+
+static int rod(scene *s, double mass, double length, double x, double y, double angle)
+{
+    return scene_body(s, mass, mass * length * length / 12, x, y, angle);
+}
+
+/* Two rods of 1 m and 1 kg in series, released from the horizontal. */
+static void double_pendulum(scene *s, int out[3])
+{
+    const int a = rod(s, 1, 1, 0.5, 0, 0), b = rod(s, 1, 1, 1.5, 0, 0), tip = scene_point(s, b, 0.5, 0);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, a, -0.5, 0), scene_point(s, PM_GROUND, 0, 0), 0);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, b, -0.5, 0), scene_point(s, a, 0.5, 0), 0);
+    out[0] = scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, tip, PM_PART_X));
+    out[1] = scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, tip, PM_PART_Y));
+    out[2] = scene_ask_measure(s, scene_measure(s, PM_MEASURE_OMEGA, a));
+    scene_until_time(s, 5);
+}
+
+typedef struct crank_parts {
+    int crank, rod, slider, crank_pin, slider_pin;
+} crank_parts;
+
+/* Crank 0.1 m, rod 0.3 m; 0.2, 0.2, 0.4 kg; from 45 degrees with 10 rad/s; the slider is a particle. */
+static crank_parts slider_crank_of(scene *s)
+{
+    const double r = 0.1, l = 0.3, t = 0.78539816339744831, c = cos(t), d = sin(t), phi = -asin(r / l * d);
+    const double x = r * c + l * cos(phi);
+    crank_parts p;
+    p.crank = rod(s, 0.2, r, r / 2 * c, r / 2 * d, t);
+    p.rod = rod(s, 0.2, l, r * c + l / 2 * cos(phi), r / 2 * d, phi);
+    p.slider = scene_body(s, 0.4, 0, x, 0, 0);
+    p.crank_pin = scene_point(s, p.crank, r / 2, 0);
+    p.slider_pin = scene_point(s, p.slider, 0, 0);
+    scene_set(s, PM_SETTING_ASSEMBLY, 1e-9);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, p.crank, -r / 2, 0), scene_point(s, PM_GROUND, 0, 0), 0);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, p.rod, -l / 2, 0), p.crank_pin, 0);
+    scene_joint(s, PM_JOINT_PIN, p.slider_pin, scene_point(s, p.rod, l / 2, 0), 0);
+    scene_joint(s, PM_JOINT_SLIDER, p.slider_pin, scene_floor(s, 0), 0);
+    scene_start_omega(s, p.crank, 10);
+    return p;
+}
+
+static void slider_crank(scene *s, int out[3])
+{
+    const crank_parts p = slider_crank_of(s);
+    out[0] = scene_ask_measure(s, scene_measure(s, PM_MEASURE_ANGLE, p.crank));
+    out[1] = scene_ask_measure(s, scene_measure(s, PM_MEASURE_OMEGA, p.rod));
+    out[2] = scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, p.slider_pin, PM_PART_X));
+    scene_until_time(s, 3);
+}
+
+/* ---- the Newton matrix ---- */
+/* J x by central differences of F along (x, cj x) and solved again gives x. */
+static void check_newton_matrix(scene *s, double cj)
+{
+    double y[MOST] = {0}, yp[MOST] = {0}, x[MOST], moved[2][MOST], b[MOST];
+    EQUAL(scene_begin(s), PM_OK);
+    pm_workspace *w = s->w;
+    pm_ida *r = w->ida;
+    pm_ida_system_layout(w);
+    CHECK(r->n <= MOST);
+    EQUAL(pm_ida_system_start(w, y, yp), PM_OK);
+    pm_ida_jacobian_evaluate(w, w->state.t, cj, y, yp);
+    EQUAL(pm_ida_linear_factor(w), PM_OK);
+    const double step = 1e-5;
+    for (int i = 0; i < r->n; i++) x[i] = check_random(-1, 1);
+    for (int i = 2; i < 3 * s->rows[PM_TABLE_BODY]; i += 3)
+        if (w->inverse_mass[i] == 0) x[i] = x[w->model->nq + i] = 0; /* held */
+    for (int sign = 0; sign < 2; sign++) {
+        double z[MOST], zp[MOST];
+        for (int i = 0; i < r->n; i++) {
+            z[i] = y[i] + (sign ? step : -step) * x[i];
+            zp[i] = yp[i] + (sign ? step : -step) * cj * x[i];
+        }
+        pm_ida_system_residual(w, w->state.t, z, zp, moved[sign]);
+    }
+    for (int i = 0; i < r->n; i++) b[i] = (moved[1][i] - moved[0][i]) / (2 * step);
+    pm_ida_linear_solve(w, b, b);
+    for (int i = 0; i < r->n; i++) NEAR(b[i], x[i], 2e-5);
+}
+
+static void newton_matrix(void)
+{
+    scene *s = with_ida(1e-8);
+    const crank_parts p = slider_crank_of(s);
+    const int post = scene_point(s, PM_GROUND, 0.1, 0.5), time = scene_time(s);
+    const int push = SCENE_PROGRAM(s, scene_m(scene_part(s, PM_MEASURE_VELOCITY, p.slider_pin, PM_PART_X)), scene_m(time),
+                                   scene_op(PM_OP_ADD));
+    scene_force(s, PM_FORCE_SPRING, p.slider_pin, post, 400, 0.3);
+    scene_force(s, PM_FORCE_DAMPER, p.crank_pin, post, 30, 0);
+    scene_force(s, PM_FORCE_TORSION, p.rod, p.crank, 7, 0.2);
+    scene_force(s, PM_FORCE_ROTARY_DAMPER, p.crank, PM_GROUND, 0.4, 0);
+    scene_applied(s, p.slider_pin, p.rod, push, push);
+    check_newton_matrix(s, 23.85);
+    check_newton_matrix(s, 2385);
+    scene_free(s);
+}
+
+/* A block on a floor, sliding on two corners with friction: the friction rides on the normal forces. */
+static scene *sliding_block(double accuracy, double v)
+{
+    scene *s = with_ida(accuracy);
+    const int b = scene_body(s, 1.5, 0.02, 0, 0.1, 0), floor = scene_floor(s, 0);
+    for (int side = -1; side <= 1; side += 2) {
+        const int corner = scene_circle(s, scene_point(s, b, 0.2 * side, -0.1), 0);
+        scene_contact(s, PM_CONTACT_LINE, corner, floor, 0, 0, PM_FRICTION_COULOMB, 0.3);
+    }
+    scene_start_velocity(s, scene_point(s, b, 0, 0), v, 0);
+    return s;
+}
+
+static void newton_matrix_with_friction(void)
+{
+    scene *s = sliding_block(1e-8, 2);
+    const int spring = scene_point(s, 0, 0.1, 0.05); /* positions must not be without forces */
+    scene_force(s, PM_FORCE_DAMPER, spring, scene_point(s, PM_GROUND, 1, 1), 3, 0);
+    check_newton_matrix(s, 238.5);
+    CHECK(s->w->asymmetric);
+    scene_free(s);
+}
+
+/* ---- motions ---- */
+static void agrees_with_rk(void (*make)(scene *, int *), const double bound[3])
+{
+    int out[3];
+    scene *reference = scene_create();
+    make(reference, out);
+    scene_set(reference, PM_SETTING_ACCURACY, 1e-13);
+    EQUAL(scene_run(reference, NULL), PM_OK);
+    for (int i = 0; i < 3; i++) {
+        const double accuracy[] = {1e-6, 1e-8, 1e-10};
+        scene *s = with_ida(accuracy[i]);
+        make(s, out);
+        EQUAL(scene_run(s, NULL), PM_OK);
+        EQUAL(s->count[PM_COUNT_ROUTE], PM_ROUTE_IDA);
+        for (int k = 0; k < 3; k++) NEAR(s->out[out[k]], reference->out[out[k]], bound[i]);
+        CHECK(s->audit[PM_AUDIT_ENERGY] < 100 * accuracy[i]);
+        CHECK(s->audit[PM_AUDIT_MOMENTUM] < 10 * accuracy[i]);
+        scene_free(s);
+    }
+    scene_free(reference);
+}
+
+static void motions(void)
+{
+    agrees_with_rk(double_pendulum, (double[]){5e-5, 2e-6, 5e-8});
+    agrees_with_rk(slider_crank, (double[]){2e-3, 5e-5, 1e-6});
+}
+
+/* The block stops after v^2 / (2 mu g) and v / (mu g), and stays. */
+static void friction_stops(void)
+{
+    scene *s = sliding_block(1e-8, 2);
+    const int x = scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, scene_point(s, 0, 0, 0), PM_PART_X));
+    const int t = scene_ask_measure(s, scene_time(s));
+    scene_until(s, scene_on(s, PM_TRIGGER_REST, PM_NONE), 1);
+    EQUAL(scene_run(s, NULL), PM_OK);
+    NEAR(s->out[x], 4 / (0.6 * G), 1e-9);
+    NEAR(s->out[t], 2 / (0.3 * G), 1e-9);
+    scene_free(s);
+}
+
+/* A disk rolls down 30 degrees: a = 2/3 g sin; 200 turns, and still on its anchor. */
+static void rolls_far(void)
+{
+    const double angle = -0.52359877559829887, r = 0.25, way = 200 * 6.283185307179586 * r;
+    scene *s = with_ida(1e-8);
+    const int b = scene_body(s, 3, 3 * r * r / 2, -r * sin(angle), r * cos(angle), 0);
+    const int centre = scene_point(s, b, 0, 0);
+    scene_joint(s, PM_JOINT_ROLLING_LINE, scene_circle(s, centre, r), scene_floor(s, angle), 0);
+    const int turned = scene_measure(s, PM_MEASURE_TURNED, b);
+    const int x = scene_ask_measure(s, scene_part(s, PM_MEASURE_MOVED, centre, PM_PART_X)), t = scene_ask_measure(s, scene_time(s));
+    scene_until(s, scene_when(s, PM_TRIGGER_FALL, scene_minus(s, turned, -way / r)), 1);
+    EQUAL(scene_run(s, NULL), PM_OK);
+    NEAR(s->out[x], way * cos(angle), 1e-8);
+    NEAR(s->out[t], sqrt(3 * way / (G * sin(-angle))), 1e-8);
+    CHECK(s->audit[PM_AUDIT_CONSTRAINT] < 1e-11);
+    scene_free(s);
+}
+
+/* A rod sinks against a very strong rotary damper c: theta' = -k cos theta, k = m g l / (2 c), so that theta is
+ * -2 atan tanh (k t / 2), and the integrator does not see the time constant I / c of 3e-7 s. */
+static void stiff_damper(void)
+{
+    const double c = 1e6, k = G * 0.5 / c, t = 4e5;
+    scene *s = with_ida(1e-6);
+    const int b = rod(s, 1, 1, 0.5, 0, 0);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, b, -0.5, 0), scene_point(s, PM_GROUND, 0, 0), 0);
+    scene_force(s, PM_FORCE_ROTARY_DAMPER, b, PM_GROUND, c, 0);
+    const int theta = scene_ask_measure(s, scene_measure(s, PM_MEASURE_ANGLE, b));
+    scene_set(s, PM_SETTING_MAX_TIME, 2 * t);
+    scene_until_time(s, t);
+    EQUAL(scene_run(s, NULL), PM_OK);
+    NEAR(s->out[theta], -2 * atan(tanh(k * t / 2)), 1e-6);
+    CHECK(s->count[PM_COUNT_STEPS] < 500);
+    scene_free(s);
+}
+
+/* ---- roots ---- */
+typedef struct flight {
+    scene *s;
+    int body, point, x, y;
+} flight;
+
+static flight thrown(double vx, double vy, double accuracy)
+{
+    flight f = {.s = with_ida(accuracy)};
+    f.body = scene_body(f.s, 0.7, 0, 0, 0, 0);
+    f.point = scene_point(f.s, f.body, 0, 0);
+    f.x = scene_part(f.s, PM_MEASURE_POSITION, f.point, PM_PART_X);
+    f.y = scene_part(f.s, PM_MEASURE_POSITION, f.point, PM_PART_Y);
+    scene_start_velocity(f.s, f.point, vx, vy);
+    return f;
+}
+
+static int count_of(scene *s, int event)
+{
+    return scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, event));
+}
+
+/* Heights just below the top are passed twice within one step, wherever the step begins. */
+static void grazes(void)
+{
+    for (int i = 0; i < 20; i++) {
+        flight f = thrown(1, 8 + 0.0137 * i, 1e-7);
+        scene *s = f.s;
+        const double v = 8 + 0.0137 * i, below = 1e-8 * (1 + i), top = v * v / (2 * G), dt = sqrt(2 * below / G);
+        const int event = scene_when(s, PM_TRIGGER_CROSS, scene_minus(s, f.y, top - below)), count = count_of(s, event);
+        const int first = scene_ask_event(s, scene_read(s, scene_time(s)), event, 1, 0);
+        scene_until_time(s, 1.2);
+        EQUAL(scene_run(s, NULL), PM_OK);
+        EQUAL(s->out[count], 2);
+        NEAR(s->out[first], v / G - dt, 0.1 * dt);
+        scene_free(s);
+    }
+}
+
+/* A function that holds zero at the start counts when it comes back, from either side; multiples count each once. */
+static void held_zeros(void)
+{
+    for (int side = -1; side <= 1; side += 2) {
+        flight f = thrown(3 * side, 8, 1e-8);
+        scene *s = f.s;
+        const int y = SCENE_PROGRAM(s, scene_m(f.y), scene_k(s, side), scene_op(PM_OP_MUL));
+        const int zero = scene_when(s, PM_TRIGGER_CROSS, y), zeros = count_of(s, zero);
+        const int every = scene_when(s, PM_TRIGGER_EVERY, scene_read(s, f.x)), multiples = count_of(s, every);
+        const int t = scene_ask_event(s, scene_read(s, scene_time(s)), zero, 1, 0);
+        scene_until_time(s, 1.7);
+        EQUAL(scene_run(s, NULL), PM_OK);
+        EQUAL(s->out[zeros], 1);
+        NEAR(s->out[t], 16 / G, 1e-9);
+        EQUAL(s->out[multiples], 5);
+        scene_free(s);
+    }
+}
+
+/* Bounces die out after t1 (1 + e) / (1 - e): each flight is found, down to the last. */
+static void bounces_to_rest(void)
+{
+    const double e = 0.6, h = 1.25, t1 = sqrt(2 * h / G);
+    flight f = thrown(0, 0, 1e-8);
+    scene *s = f.s;
+    const int line = scene_line(s, scene_point(s, PM_GROUND, 0, -h), 0);
+    const int c = scene_contact(s, PM_CONTACT_LINE, scene_circle(s, f.point, 0), line, 0, e, PM_FRICTION_SMOOTH, 0);
+    const int strike = scene_on(s, PM_TRIGGER_STRIKE, c), t = scene_ask_measure(s, scene_time(s));
+    const int each = scene_ask(s, PM_ASK_EACH, scene_read(s, scene_time(s)), strike, 1, 0, PM_NONE, PM_NONE, 10);
+    scene_until(s, scene_on(s, PM_TRIGGER_REST, f.body), 1);
+    EQUAL(scene_run(s, NULL), PM_OK);
+    NEAR(s->out[t], t1 * (1 + e) / (1 - e), 1e-6);
+    double strikes = t1;
+    for (int i = 0; i < 10; i++) {
+        NEAR(s->out[each + i], strikes, 1e-9);
+        strikes += 2 * t1 * pow(e, i + 1);
+    }
+    scene_free(s);
+}
+
+/* ---- failures, sameness ---- */
+/* A force that has no value from t = 0.5 on: IDA's code comes back. */
+static void fails_with_a_number(void)
+{
+    flight f = thrown(0, 0, 1e-8);
+    scene *s = f.s;
+    const int root = SCENE_PROGRAM(s, scene_k(s, 0.5), scene_m(scene_time(s)), scene_op(PM_OP_SUB), scene_op(PM_OP_LOG));
+    scene_applied(s, f.point, PM_GROUND, root, root);
+    scene_ask_measure(s, f.x);
+    scene_until_time(s, 1);
+    EQUAL(scene_run(s, NULL), PM_SOLVER);
+    CHECK(s->detail[PM_DETAIL_VALUE] < 0);
+    NEAR(s->detail[PM_DETAIL_TIME], 0.5, 1e-3);
+    CHECK(isnan(s->out[0]));
+    scene_free(s);
+}
+
+/* Cases in any order and over any threads give the same bits: nothing is left over from the case before. */
+static void same_bits(void)
+{
+    enum { CASES = 12 };
+    flight f = thrown(2, 5, 1e-6);
+    scene *s = f.s;
+    const int line = scene_line(s, scene_point(s, PM_GROUND, 0, -1), 0), g = scene_parameter(s);
+    scene_contact(s, PM_CONTACT_LINE, scene_circle(s, f.point, 0), line, 0, 0.5, PM_FRICTION_COULOMB, 0.2);
+    *scene_setting(s, PM_SETTING_GRAVITY_Y) = g;
+    scene_ask_measure(s, f.x);
+    scene_until_time(s, 3);
+    scene_pack(s);
+    double param[2][CASES], out[2][CASES], detail[CASES * PM_DETAIL_COLUMNS], audit[CASES * PM_AUDITS];
+    int32_t reason[CASES], status[CASES], where[CASES * PM_WHERE_COLUMNS], stop = 0;
+    int64_t progress = 0, count[CASES * PM_COUNT_COLUMNS];
+    for (int i = 0; i < CASES; i++) param[0][i] = param[1][CASES - 1 - i] = -9 - 0.3 * i;
+    for (int run = 0; run < 2; run++) {
+        EQUAL(pm_batch(s->ntable, s->table, s->nconstant, s->constant, CASES, 1, param[run], run + 1, &stop, &progress, 1,
+                       out[run], 1, reason, status, where, detail, audit, count),
+              PM_OK);
+        for (int i = 0; i < CASES; i++) EQUAL(status[i], PM_OK);
+    }
+    for (int i = 0; i < CASES; i++) EQUAL(out[0][i], out[1][CASES - 1 - i]);
+    scene_free(s);
+}
+
+int main(void)
+{
+    newton_matrix();
+    newton_matrix_with_friction();
+    motions();
+    friction_stops();
+    rolls_far();
+    stiff_damper();
+    grazes();
+    held_zeros();
+    bounces_to_rest();
+    fails_with_a_number();
+    same_bits();
+    return check_failures();
+}
