@@ -138,6 +138,14 @@ static double along(pm_workspace *w, double t, void *context)
     return (8 * (value_at(w, t + d, x) - value_at(w, t - d, x)) - (value_at(w, t + 2 * d, x) - value_at(w, t - 2 * d, x))) / (12 * d);
 }
 
+static int exactly(pm_workspace *w, double t, void *context, double *value)
+{
+    const pm_watch *x = context;
+    const int status = look(w, t, 1);
+    *value = run(w, x->program) - x->minus;
+    return status;
+}
+
 /* Between two nodes where the value may have an extreme better than the best so far: the root of its rate. */
 static int refine(pm_workspace *w, int ask, double a, double b)
 {
@@ -203,8 +211,11 @@ static int grid_in_step(pm_workspace *w, int ask)
             const double b = w->ask->sample[(i + 1) * w->model->nask + ask] - x.minus;
             double t, from = w->step_begin + i * h, to = i + 2 == PM_NODES ? w->step_end : from + h;
             if (!((a < 0 && b >= 0) || (a > 0 && b <= 0))) continue;
+            double taken;
             int status = pm_root_find(w, w->ask->solver, along, &x, from, a, to, b, &t);
-            if (status || (status = look(w, t, 1))) return status;
+            if (!status) status = pm_root_polish(w, along, exactly, &x, &t, &taken);
+            if (!status && taken != t) status = look(w, t, 1);
+            if (status) return status;
             answer(w, ask, k, run(w, e[PM_ASK_PROGRAM]));
         }
     }

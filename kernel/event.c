@@ -24,7 +24,6 @@ enum pm_function_kind { FUNCTION_TRIGGER, FUNCTION_GAP, FUNCTION_NORMAL, FUNCTIO
 
 #define ON_ZERO 1e-12     /* of a function's greatest size in the step: zero when the phase begins */
 #define SAME_TIME 1e-11   /* of a step: events closer than this are one instant */
-#define POLISH 4          /* exact states taken to polish an event */
 #define HALVINGS 30       /* of a step, to find the top of a short bounce */
 #define LEAVING 20        /* halvings of a step: a trigger has left its zero at the first place where it is seen off it */
 #define POSITION_ROUNDING 4e-15 /* of the scene's size */
@@ -345,30 +344,16 @@ static int bracket(pm_workspace *w, int i, pm_bracket *x)
     return 0;
 }
 
-/* Moves the located time until the exact state there is on the root; *taken is where w->probe was taken last. */
-static int polish(pm_workspace *w, const pm_event_function *f, double slope, double *t, double *taken)
+static int exactly(pm_workspace *w, double t, void *context, double *value)
 {
-    pm_state *s = &w->probe;
-    double best = INFINITY;
-    for (int i = 0; i < POLISH; i++) {
-        *taken = *t;
-        int status = w->route->exact(w, *t, s);
-        if (status) return status;
-        pm_frame_look(w, s->t, s->q, s->v, s->z, w->state.memory);
-        if (f->level == PM_LEVEL_DYNAMIC && (status = pm_saddle_accelerate(w))) return status;
-        const double g = evaluate(w, f), shift = slope != 0 ? -g / slope : 0;
-        const double h = w->step_end - w->step_begin, rounding = 2e-16 * fabs(*t) + 1e-15 * h;
-        if (!(fabs(g) < best) || fabs(shift) <= rounding || fabs(shift) > 0.1 * h) break;
-        best = fabs(g);
-        *t = fmin(fmax(*t + shift, w->step_begin), w->step_end);
-    }
-    return PM_OK;
-}
-
-static double slope_at(pm_workspace *w, pm_event_function *f, double t)
-{
-    const double h = w->step_end - w->step_begin, d = 1e-4 * h;
-    return (along(w, t + d, f) - along(w, t - d, f)) / (2 * d);
+    const pm_event_function *f = context;
+    const pm_state *s = &w->probe;
+    int status = w->route->exact(w, t, &w->probe);
+    if (status) return status;
+    pm_frame_look(w, s->t, s->q, s->v, s->z, w->state.memory);
+    if (f->level == PM_LEVEL_DYNAMIC) status = pm_saddle_accelerate(w);
+    *value = evaluate(w, f);
+    return status;
 }
 
 /* Locates all functions that fire in the step; *first the earliest time, *taken where w->probe holds an exact state. */
@@ -398,8 +383,7 @@ static int locate(pm_workspace *w, double *first, double *taken)
         }
     }
     if (earliest == PM_NONE || *first <= w->step_begin) return PM_OK;
-    pm_event_function *f = &e->function[earliest];
-    return polish(w, f, slope_at(w, f, *first), first, taken);
+    return pm_root_polish(w, along, exactly, &e->function[earliest], first, taken);
 }
 
 /* Shortens the step to end at t, with the exact state there (already in w->probe if it was taken at t). */

@@ -7,6 +7,9 @@
 
 #define ITERATIONS 100
 #define ROUNDING 2.3e-16
+#define POLISH 4        /* exact states taken to polish a root */
+#define SLOPE_STEP 1e-4 /* of the step: distance of the difference that makes a slope */
+#define FAR 0.1         /* of the step: a shift this long is no polish */
 
 typedef struct pm_root_call {
     pm_workspace *w;
@@ -39,6 +42,28 @@ int pm_root_find(pm_workspace *w, void *solver, pm_along *f, void *context, doub
         if (high - low <= 4 * ROUNDING * fmax(fabs(low), fabs(high)) || high - low <= 1e-14 * fabs(b - a)) break;
     }
     return status ? pm_fail(w, PM_SOLVER, PM_NONE, PM_NONE, status, 0) : PM_OK;
+}
+
+static double slope_at(pm_workspace *w, pm_along *f, void *context, double t, double d)
+{
+    return (f(w, t + d, context) - f(w, t - d, context)) / (2 * d);
+}
+
+int pm_root_polish(pm_workspace *w, pm_along *f, pm_exactly *exactly, void *context, double *t, double *taken)
+{
+    const double h = w->step_end - w->step_begin, rounding = ROUNDING * fabs(*t) + 1e-15 * h;
+    const double slope = slope_at(w, f, context, *t, SLOPE_STEP * h);
+    double best = INFINITY, value;
+    for (int i = 0; i < POLISH; i++) {
+        *taken = *t;
+        const int status = exactly(w, *t, context, &value);
+        if (status) return status;
+        const double shift = slope != 0 ? -value / slope : 0;
+        if (!(fabs(value) < best) || fabs(shift) <= rounding || fabs(shift) > FAR * h) break;
+        best = fabs(value);
+        *t = fmin(fmax(*t + shift, w->step_begin), w->step_end);
+    }
+    return PM_OK;
 }
 
 void *pm_root_create(void)

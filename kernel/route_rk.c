@@ -17,6 +17,8 @@
 #include "route.h"
 #include "saddle.h"
 
+#define MARGIN 0.1         /* of the accuracy asked: errors of steps add up, and grow with the motion */
+#define TIGHTEST 5e-15     /* below it the error estimate is rounding */
 #define SAFETY 0.7
 #define SHRINK 0.2
 #define GROW 4.0
@@ -78,17 +80,18 @@ static void set_scale(pm_workspace *w)
 {
     const pm_model *m = w->model;
     struct pm_rk *r = w->rk;
+    const double tolerance = fmax(MARGIN * w->tolerance, TIGHTEST);
     double mass = 0;
     for (int i = 0; i < m->nq; i++) {
         const int angle = i % 3 == 2;
-        r->scale[i] = 1 / (w->tolerance * (angle ? 1 : w->size));
-        r->scale[m->nq + i] = 1 / (w->tolerance * (angle ? w->speed / w->size : w->speed));
+        r->scale[i] = 1 / (tolerance * (angle ? 1 : w->size));
+        r->scale[m->nq + i] = 1 / (tolerance * (angle ? w->speed / w->size : w->speed));
     }
     for (int i = 0; i < m->nbody; i++) mass += w->mass[i];
     for (int i = 0; i < m->nz; i++) {
         const int work = i < m->rows[PM_TABLE_FORCE]; /* forces come first, then paths */
         const double size = work ? mass * w->speed * w->speed : w->size;
-        r->scale[2 * m->nq + i] = i < m->nz_controlled ? 1 / (w->tolerance * size) : 0;
+        r->scale[2 * m->nq + i] = i < m->nz_controlled ? 1 / (tolerance * size) : 0;
     }
 }
 

@@ -197,6 +197,21 @@ def test_places_that_cannot_be_written_are_known_before_the_work(
     assert left_in(folder) == {"a.toml"}
 
 
+def test_a_full_disk_behind_stdout_is_told(folder: Path) -> None:
+    if not Path("/dev/full").exists():
+        pytest.skip("no /dev/full")
+    with open("/dev/full", "w") as full:
+        run = command("run", write(folder, "a.toml", PENDULUM))
+        done = subprocess.run(run, stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+    assert done.returncode != 0
+    assert "No space left" in done.stderr
+
+
+def test_a_device_is_written_and_not_replaced(folder: Path) -> None:
+    assert invoke("run", write(folder, "a.toml", PENDULUM), "--json", "/dev/null").exit_code == 0
+    assert Path("/dev/null").is_char_device()
+
+
 # ---- history --------------------------------------------------------------------------------------------
 
 

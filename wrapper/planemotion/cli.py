@@ -8,6 +8,7 @@ Heavy modules are imported inside the commands, so that --help and a mistyped op
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import sys
@@ -43,6 +44,10 @@ class _Commands(click.Group):
             status, text = _FAILED, str(error)
         except PlanemotionError as error:
             status, text = (_INTERRUPTED if _is_interruption(error) else _WRONG), str(error)
+        except OSError as error:
+            if error.errno == errno.EPIPE:  # `planemotion ... | head`: click ends quietly
+                raise
+            status, text = _WRONG, f"{error.filename or 'standard output'}: {error.strerror or error}"
         except KeyboardInterrupt:
             status, text = _INTERRUPTED, "stopped"
         _say(text, error=status != _INTERRUPTED)
