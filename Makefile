@@ -13,7 +13,7 @@ export PATH := $(CURDIR)/$(BIN):$(PATH)
 .NOTPARALLEL:
 unexport MAKEFLAGS
 
-.PHONY: help setup demo test test-kernel test-python lint format sanitize clean
+.PHONY: help setup demo test test-kernel test-python lint format sanitize faults clean
 
 help:
 	@echo 'make demo         run the study studies/sphere_over_bars.toml; its files go to build/demo'
@@ -24,6 +24,7 @@ help:
 	@echo 'make test-python  the Python tests only'
 	@echo 'make format       rewrite the sources in the house style'
 	@echo 'make sanitize     the C tests under ASan and UBSan (SANITIZE=thread: under TSan)'
+	@echo 'make faults       plant faults in a copy of the kernel: the C tests must catch each'
 	@echo 'make clean        remove build/ and .venv/'
 
 setup:
@@ -59,6 +60,10 @@ sanitize:
 	@test -f $(SANITIZE_BUILD)/build.ninja || $(BIN)/meson setup $(SANITIZE_BUILD) -Dpython=false \
 	    -Dbuildtype=debug -Doptimization=1 -Dwerror=false -Db_sanitize=$(SANITIZE) -Db_lundef=false
 	$(BIN)/meson test -C $(SANITIZE_BUILD) --print-errorlogs
+
+faults:
+	@.ci/setup --tools
+	$(BIN)/python tests/faults.py
 
 clean:
 	rm -rf build .venv wrapper/planemotion/_layout.pyi

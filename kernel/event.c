@@ -281,7 +281,7 @@ static int leaves_and_returns(pm_workspace *w, const pm_event_function *f, doubl
 {
     *x = (pm_bracket){a, a, 0, 0};
     for (int i = 0; i < HALVINGS; i++) {
-        const double t = a + ldexp(b - a, -1 - i), g = along(w, t, (void *)(uintptr_t)f);
+        const double t = 0.5 * (a + b), g = along(w, t, (void *)(uintptr_t)f);
         if (t <= a) break;
         if (g > 0) {
             *x = (pm_bracket){t, b, g, gb};
@@ -319,17 +319,18 @@ static int bracket(pm_workspace *w, int i, pm_bracket *x)
     }
     int first = 0;
     if (e->first_step && f->kind == FUNCTION_TRIGGER && fabs(g[0]) <= ON_ZERO * biggest) f->held = 1;
-    if (e->first_step && f->held) { /* enters on the side where it goes; contacts start on the open side */
-        if (f->kind == FUNCTION_TRIGGER) {
-            if (leaves_and_crosses(w, f, t[0], t[1], g[1], ON_ZERO * biggest, x)) return 1;
-            first = 1;
-        } else {
-            for (int k = 1; k < PM_NODES; k++)
-                if (g[k] < 0 && g[k] >= -f->slack) g[k] = f->slack;
-            if (g[1] < 0) return leaves_and_returns(w, f, t[0], t[1], g[1], x);
-            first = 1;
-        }
+    if (f->held && f->kind == FUNCTION_TRIGGER) { /* enters on the side where it goes */
+        if (leaves_and_crosses(w, f, t[0], t[1], g[1], ON_ZERO * biggest, x)) return 1;
+        first = 1;
+    } else if (f->held) { /* a contact starts on the open side; it counts again from where it has left its zero */
+        for (first = 1; first < PM_NODES && fabs(g[first]) <= f->slack;) first++;
+        if (first == PM_NODES) return 0;
+        if (g[first] < 0) return leaves_and_returns(w, f, t[first - 1], t[first], g[first], x);
+    } else if (f->kind != FUNCTION_TRIGGER && g[0] <= 0) { /* the last step ended on its zero */
+        *x = (pm_bracket){t[0], t[0], 0, 0};
+        return 1;
     }
+    if (fabs(g[PM_NODES - 1]) > f->slack) f->held = 0;
     for (int k = first; k + 1 < PM_NODES; k++) {
         double where, value;
         if (crosses(f, g[k], g[k + 1])) {

@@ -16,8 +16,9 @@
 
 #include "model.h"
 
-/* 1: vectors, matrix and linear solver of the library and its Jacobian by differences, to measure what ours save.  The
- * library's vectors have a fixed length, so that rows which are not active get the equations L' = 0, Mu' = 0. */
+/* 1: vectors, matrix and linear solver of the library and its Jacobian by differences, to measure what ours
+ * save.  The library's vectors have a fixed length, so that rows which are not active get the equations L'
+ * = 0, Mu' = 0. */
 #ifndef PM_IDA_STOCK
 #define PM_IDA_STOCK 0
 #endif
@@ -26,38 +27,38 @@
 typedef struct pm_ida_jacobian {
     int nactive;
     double cj;
-    double *g, *h;        /* [nrow][nq] rows and the directions of their forces */
-    double *turn;         /* [nrow][nq] d(G v)/dq */
-    double *stiffness;    /* [nq][nq] M^-1 d(f + H^T lambda)/dq */
-    double *damping;      /* [nq][nq] M^-1 df/dv */
-    double *ledger;       /* [nz][nrow + 2 nq] dz'/dlambda, dz'/dq, dz'/dv */
-    double *schur;        /* [nactive][nactive] Cholesky factor of G M^-1 G^T */
-    double *spread;       /* [nq][nrow] M^-1 G^T (G M^-1 G^T)^-1 */
-    double *system;       /* [nq + nactive][nq + nactive] LU factors in (v, L), scaled */
-    int *pivot;           /* [nq + nrow] */
-    double *scale;        /* [nq + nrow] of the unknowns of `system` */
-    double *work;         /* scratch of the differences and of a solution */
-    int has_forces;       /* some force may depend on positions */
-    int has_damping;      /* and some on velocities */
+    double *g, *h;     /* [nrow][nq] rows and the directions of their forces */
+    double *turn;      /* [nrow][nq] d(G v)/dq */
+    double *stiffness; /* [nq][nq] M^-1 d(f + H^T lambda)/dq */
+    double *damping;   /* [nq][nq] M^-1 df/dv */
+    double *ledger;    /* [nz][nrow + 2 nq] dz'/dlambda, dz'/dq, dz'/dv */
+    double *schur;     /* [nactive][nactive] Cholesky factor of G M^-1 G^T */
+    double *spread;    /* [nq][nrow] M^-1 G^T (G M^-1 G^T)^-1 */
+    double *system;    /* [nq + nactive][nq + nactive] LU factors in (v, L), scaled */
+    int *pivot;        /* [nq + nrow] */
+    double *scale;     /* [nq + nrow] of the unknowns of `system` */
+    double *work;      /* scratch of the differences and of a solution */
+    int has_forces;    /* some force may depend on positions */
+    int has_damping;   /* and some on velocities */
 } pm_ida_jacobian;
 
 typedef struct pm_ida {
     /* the phase */
-    int n;               /* unknowns */
-    int stride;          /* places of L, and of Mu: the active rows (PM_IDA_STOCK: all rows) */
+    int n;      /* unknowns */
+    int stride; /* places of L, and of Mu: the active rows (PM_IDA_STOCK: all rows) */
     /* SUNDIALS */
     SUNContext context;
     void *memory;
-    N_Vector y, yp;      /* solution as returned by the last step */
-    N_Vector dense;      /* values inside it */
-    N_Vector id;         /* 1: under error control */
+    N_Vector y, yp; /* solution as returned by the last step */
+    N_Vector dense; /* values inside it */
+    N_Vector id;    /* 1: under error control */
     SUNMatrix matrix;
     SUNLinearSolver solver;
-    int most;            /* unknowns with all rows active */
-    double tolerance;    /* of IDA */
-    double *weight;      /* [most] reciprocal of the allowed errors, rounding left aside */
-    double first, last;  /* the step as integrated: dense output is known there */
-    int status;          /* of the kernel inside a function that IDA called, or PM_OK */
+    int most;           /* unknowns with all rows active */
+    double tolerance;   /* of IDA */
+    double *weight;     /* [most] reciprocal of the allowed errors, rounding left aside */
+    double first, last; /* the step as integrated: dense output is known there */
+    int status;         /* of the kernel inside a function that IDA called, or PM_OK */
     pm_ida_jacobian jacobian;
     struct pm_ida_roots *roots;
     void *block;

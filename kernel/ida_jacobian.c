@@ -1,8 +1,9 @@
 /* ida_jacobian.c - derivatives of the system of ida_system.c.
  *
- * Rows give G, H and dz'/dlambda as they are.  Differences give M^-1 d(f + H^T lambda)/dq (stiffness of springs and of the
- * geometry), M^-1 df/dv where some force may depend on velocities, and d(G v)/dq.  Left out, because Newton's iteration
- * does not need them: d(M^-1 G^T Mu')/dq, where Mu' is small, and dz'/dq, dz'/dv of what is not stiff. */
+ * Rows give G, H and dz'/dlambda as they are.  Differences give M^-1 d(f + H^T lambda)/dq (stiffness of
+ * springs and of the geometry), M^-1 df/dv where some force may depend on velocities, and d(G v)/dq.  Left
+ * out, because Newton's iteration does not need them: d(M^-1 G^T Mu')/dq, where Mu' is small, and dz'/dq,
+ * dz'/dv of what is not stiff. */
 #include "ida_jacobian.h"
 
 #include <float.h>
@@ -18,10 +19,10 @@
 
 /* What the differences are taken from, in the scratch of the blocks. */
 typedef struct pm_ida_differences {
-    double *y;                  /* [2 nq + nz] moved in one coordinate at a time */
+    double *y;                   /* [2 nq + nz] moved in one coordinate at a time */
     double *force, *force_moved; /* [nq] M^-1 (f + H^T lambda) */
-    double *rate, *rate_moved;  /* [nrow] G v */
-    double *z, *z_moved;        /* [nz] */
+    double *rate, *rate_moved;   /* [nrow] G v */
+    double *z, *z_moved;         /* [nz] */
 } pm_ida_differences;
 
 static size_t work_size(const pm_model *m) /* as much as ida_linear.c needs, too */
@@ -44,7 +45,8 @@ static pm_ida_differences differences(const pm_model *m, double *work)
 size_t pm_ida_jacobian_doubles(const pm_model *m)
 {
     const size_t nq = (size_t)m->nq, nrow = (size_t)m->nrow, nz = (size_t)m->nz, both = nq + nrow;
-    return 4 * nrow * nq + 2 * nq * nq + nz * (nrow + 2 * nq) + nrow * nrow + both * both + both + work_size(m);
+    return 4 * nrow * nq + 2 * nq * nq + nz * (nrow + 2 * nq) + nrow * nrow + both * both + both +
+           work_size(m);
 }
 
 size_t pm_ida_jacobian_ints(const pm_model *m) { return (size_t)(m->nq + m->nrow); }
@@ -82,7 +84,8 @@ static void spread_out(const pm_workspace *w, const pm_row *row, const double *s
 {
     memset(dense, 0, (size_t)w->model->nq * sizeof *dense);
     for (int p = 0; p < 2; p++)
-        for (int k = 0; k < 3 && row->body[p] != w->model->nbody; k++) dense[3 * row->body[p] + k] += six[3 * p + k];
+        for (int k = 0; k < 3 && row->body[p] != w->model->nbody; k++)
+            dense[3 * row->body[p] + k] += six[3 * p + k];
 }
 
 /* M^-1 (f + H^T lambda) and G v at the frame, lambda as there. */
@@ -104,7 +107,8 @@ static void rows(pm_workspace *w, pm_ida_jacobian *x)
 }
 
 /* One column of the derivatives of z', from the rates at the frame. */
-static void ledger_column(pm_workspace *w, pm_ida_jacobian *x, const pm_ida_differences *d, int column, double step)
+static void ledger_column(pm_workspace *w, pm_ida_jacobian *x, const pm_ida_differences *d, int column,
+                          double step)
 {
     const int nz = w->model->nz, width = w->model->nrow + 2 * w->model->nq;
     pm_audit_rates(w, d->z_moved);
@@ -142,12 +146,14 @@ static void velocities(pm_workspace *w, pm_ida_jacobian *x, double t, const pm_i
         pm_frame_look(w, t, d->y, v, v + nq, w->state.memory);
         pm_force_all(w);
         v[k] = old;
-        for (int i = 0; i < nq; i++) x->damping[i * nq + k] = w->inverse_mass[i] * (w->frame.f[i] - d->force[i]) / step;
+        for (int i = 0; i < nq; i++)
+            x->damping[i * nq + k] = w->inverse_mass[i] * (w->frame.f[i] - d->force[i]) / step;
         ledger_column(w, x, d, w->model->nrow + nq + k, step);
     }
 }
 
-static void positions(pm_workspace *w, pm_ida_jacobian *x, double t, const double *yp, const pm_ida_differences *d)
+static void positions(pm_workspace *w, pm_ida_jacobian *x, double t, const double *yp,
+                      const pm_ida_differences *d)
 {
     const int nq = w->model->nq;
     pm_ida_system_look(w, t, d->y, yp);

@@ -1,16 +1,19 @@
 /* ida_linear.c - block elimination of dF/dy + cj dF/dy'.
  *
- * With W = M^-1, K and D the blocks W d(f + H^T lambda)/dq and W df/dv, N = d(G v)/dq, Z = dz'/d(lambda, q, v):
+ * With W = M^-1, K and D the blocks W d(f + H^T lambda)/dq and W df/dv, N = d(G v)/dq, Z = dz'/d(lambda, q,
+ * v):
  *
  *   cj dq - dv + cj W G^T dMu = b1        K dq + D dv + cj W H^T dL - cj dv = -b2       cj dz - Z (cj dL, dq, dv) = b3
  *   G dq = b4                             N dq + G dv = b5
  *
- * The first and fourth give dq on the rows, with S = G W G^T (Cholesky), X = W G^T S^-1 and u = (b1 + dv)/cj:
+ * The first and fourth give dq on the rows, with S = G W G^T (Cholesky), X = W G^T S^-1 and u = (b1 +
+ * dv)/cj:
  *   dMu = S^-1 (G u - b4),   dq = u - X (G u - b4) = d0 + (1 - X G) dv / cj,
  * which leaves one system of nq + nactive equations (LU), scaled by the square roots of W and S:
  *   [1 - D/cj - K (1 - X G)/cj^2   -W H^T] [dv]   [(b2 + K d0)/cj]
  *   [G + N (1 - X G)/cj             0    ] [dL] = [b5 - N d0     ]
- * and then dz.  An eighth of the work of a dense LU on all unknowns, and less of it the more bodies there are. */
+ * and then dz.  An eighth of the work of a dense LU on all unknowns, and less of it the more bodies there
+ * are. */
 #include "ida_linear.h"
 
 #include <math.h>
@@ -98,7 +101,7 @@ int pm_ida_linear_factor(pm_workspace *w)
         memset(row + nq, 0, (size_t)na * sizeof *row);
     }
     w->count[PM_COUNT_SOLVES]++;
-    return pm_lu_factor(n, j->system, j->pivot) ? pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0) : PM_OK;
+    return pm_lu_factor(n, j->system, j->pivot) ? PM_SOLVER : PM_OK;
 }
 
 void pm_ida_linear_solve(pm_workspace *w, const double *b, double *x)
@@ -160,8 +163,8 @@ SUNMatrix pm_ida_linear_matrix(SUNContext context)
     return matrix;
 }
 
-int pm_ida_linear_jacobian(double t, double cj, N_Vector y, N_Vector yp, N_Vector r, SUNMatrix matrix, void *workspace,
-                           N_Vector a, N_Vector b, N_Vector c)
+int pm_ida_linear_jacobian(double t, double cj, N_Vector y, N_Vector yp, N_Vector r, SUNMatrix matrix,
+                           void *workspace, N_Vector a, N_Vector b, N_Vector c)
 {
     (void)r;
     (void)matrix;
@@ -190,7 +193,7 @@ static int setup(SUNLinearSolver solver, SUNMatrix matrix)
     pm_workspace *w = solver->content;
     (void)matrix;
     const int status = pm_ida_linear_factor(w);
-    if (status) w->ida->status = status;
+    if (status == PM_SINGULAR) w->ida->status = status; /* else it is IDA's to say what failed */
     return status ? 1 : 0;
 }
 

@@ -4,7 +4,8 @@
 
 #include "ida.h"
 
-/* Factors the blocks of w->ida->jacobian; PM_SINGULAR if the rows depend on each other. */
+/* Factors the blocks of w->ida->jacobian; PM_SINGULAR if the rows depend on each other, PM_SOLVER if the
+ * rest has no pivot. */
 int pm_ida_linear_factor(pm_workspace *w);
 /* J x = b for all unknowns of the phase; x may be b. */
 void pm_ida_linear_solve(pm_workspace *w, const double *b, double *x);
@@ -14,7 +15,7 @@ SUNMatrix pm_ida_linear_matrix(SUNContext context);
 SUNLinearSolver pm_ida_linear_solver(pm_workspace *w, SUNContext context);
 void pm_ida_linear_free(SUNMatrix matrix, SUNLinearSolver solver);
 /* Jacobian function for IDA: evaluates the blocks. */
-int pm_ida_linear_jacobian(double t, double cj, N_Vector y, N_Vector yp, N_Vector r, SUNMatrix matrix, void *workspace,
-                           N_Vector a, N_Vector b, N_Vector c);
+int pm_ida_linear_jacobian(double t, double cj, N_Vector y, N_Vector yp, N_Vector r, SUNMatrix matrix,
+                           void *workspace, N_Vector a, N_Vector b, N_Vector c);
 
 #endif

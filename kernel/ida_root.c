@@ -1,9 +1,10 @@
 /* ida_root.c - which event functions IDA watches, and what it cannot see.
  *
- * IDA looks for changes of sign from step to step.  A function that is zero when the phase begins would fire at once: IDA
- * is shown 1 in its place (it is not armed) until the function has left zero, and from then on its value times the side
- * to which it went.  A function that leaves zero and returns within one step, or that dips to zero and back, changes no
- * sign either: steps in which this can be are sampled here and such roots located on the dense output. */
+ * IDA looks for changes of sign from step to step.  A function that is zero when the phase begins would
+ * fire at once: IDA is shown 1 in its place (it is not armed) until the function has left zero, and from
+ * then on its value times the side to which it went.  A function that leaves zero and returns within one
+ * step, or that dips to zero and back, changes no sign either: steps in which this can be are sampled here
+ * and such roots located on the dense output. */
 #include "ida_root.h"
 
 #include <math.h>
@@ -17,29 +18,30 @@
 #include "route.h"
 #include "saddle.h"
 
-#define ON_ZERO 1e-12    /* of a trigger's size: zero */
-#define STILL_ZERO 1e-3  /* of its size: a trigger that has just fired may be this far off, and not yet armed */
-#define CLEAR 10         /* times the value after the firing: now it has left */
-#define AHEAD 0.1        /* of the motion's own time: over it a trigger changes by its size */
-#define RATE_TIME 1e-4   /* of the motion's own time: distance of the differences at the begin of a phase */
-#define RATE_STEP 1e-3   /* of a step: distance of the differences in it */
-#define FLIGHT 0.05      /* of a bounce, as a first step */
-#define REACH 4          /* changes in a step within which a function may dip to zero */
-#define SAME_TIME 1e-11  /* of a step: roots closer than this are one instant */
-#define HALVINGS 30      /* of a step, to find the top of a short bounce */
+#define ON_ZERO 1e-12   /* of a trigger's size: zero */
+#define STILL_ZERO 1e-3 /* of its size: so far off may a trigger be that has just fired */
+#define CLEAR 10        /* times the value after the firing: now it has left */
+#define AHEAD 0.1       /* of the motion's own time: over it a trigger changes by its size */
+#define RATE_TIME 1e-4  /* of the motion's own time: distance of the differences at the begin of a phase */
+#define RATE_STEP 1e-3  /* of a step: distance of the differences in it */
+#define FLIGHT 0.05     /* of a bounce, as a first step */
+#define SHORTEST 1e-4   /* of the first step that would be taken without it */
+#define REACH 4         /* changes in a step within which a function may dip to zero */
+#define SAME_TIME 1e-11 /* of a step: roots closer than this are one instant */
+#define HALVINGS 30     /* of a step, to find the top of a short bounce */
 
 typedef struct pm_ida_roots {
-    int most;        /* functions that IDA knows of; those that the phase has not are 1 */
-    int *direction;  /* [most] as IDA sees them */
-    int *side;       /* [most] 1, -1; 0: not armed */
-    int *suspect;    /* [most] may have a root inside the step */
-    int *info;       /* [most] IDA's roots */
-    double *zero;    /* [most] not armed: this or less is zero */
-    double *base;    /* [most] not armed: a contact's function that starts below zero returns to where it was */
-    double *latest;  /* [most] values at the last evaluation */
-    double *node;    /* [PM_NODES][most] values in the step, those at its begin known */
-    double *last;    /* [most] values at the begin of the step before */
-    double length;   /* of that step */
+    int most;       /* functions that IDA knows of; those that the phase has not are 1 */
+    int *direction; /* [most] as IDA sees them */
+    int *side;      /* [most] 1, -1; 0: not armed */
+    int *suspect;   /* [most] may have a root inside the step */
+    int *info;      /* [most] IDA's roots */
+    int news;       /* directions that IDA has not been told */
+    double *zero;   /* [most] not armed: this or less is zero */
+    double *latest; /* [most] values at the last evaluation */
+    double *node;   /* [PM_NODES][most] values in the step, those at its begin known */
+    double *last;   /* [most] values at the begin of the step before */
+    double length;  /* of that step */
     void *block;
 } pm_ida_roots;
 
@@ -73,7 +75,8 @@ static int shown(double t, N_Vector y, N_Vector yp, double *g, void *workspace)
         w->ida->status = status;
         return -1;
     }
-    for (int i = 0; i < x->most; i++) g[i] = i < w->event->nfunction && x->side[i] ? x->side[i] * x->latest[i] : 1;
+    for (int i = 0; i < x->most; i++)
+        g[i] = i < w->event->nfunction && x->side[i] ? x->side[i] * x->latest[i] : 1;
     return 0;
 }
 
@@ -82,13 +85,12 @@ int pm_ida_root_create(pm_workspace *w)
     const size_t most = (size_t)w->event->most;
     pm_ida_roots *x = w->ida->roots = calloc(1, sizeof *x);
     if (!x) return PM_NO_MEMORY;
-    double *p = x->block = calloc((4 + PM_NODES) * most + 1, sizeof *p);
+    double *p = x->block = calloc((3 + PM_NODES) * most + 1, sizeof *p);
     x->direction = calloc(4 * most + 1, sizeof *x->direction);
     if (!p || !x->direction) return PM_NO_MEMORY;
     x->most = w->event->most;
     x->zero = p;
-    x->base = x->zero + most;
-    x->latest = x->base + most;
+    x->latest = x->zero + most;
     x->last = x->latest + most;
     x->node = x->last + most;
     x->side = x->direction + most;
@@ -115,11 +117,15 @@ static void arm(pm_workspace *w, int i, double value)
     pm_ida_roots *x = w->ida->roots;
     x->side[i] = value > 0 ? 1 : -1;
     x->direction[i] = w->event->function[i].direction * x->side[i];
+    x->news = 1;
 }
 
 static int tell_directions(pm_workspace *w)
 {
-    const int flag = w->ida->roots->most ? IDASetRootDirection(w->ida->memory, w->ida->roots->direction) : IDA_SUCCESS;
+    pm_ida_roots *x = w->ida->roots;
+    if (!x->news) return PM_OK;
+    x->news = 0;
+    const int flag = IDASetRootDirection(w->ida->memory, x->direction);
     return flag == IDA_SUCCESS ? PM_OK : pm_fail(w, PM_SOLVER, PM_NONE, PM_NONE, flag, 0);
 }
 
@@ -137,22 +143,21 @@ static int values_on_course(pm_workspace *w, const double *a, double time, doubl
     return values(w, g);
 }
 
-/* Zero, its base and whether function i is armed, from its value, rate and second rate; *first is made short enough for
- * a contact that leaves to be seen to come back. */
-static void begin_one(pm_workspace *w, int i, double g, double rate, double second, double scale, double *first)
+/* Whether function i is armed, and what is zero for it until then, from its value, rate and second rate;
+ * *first is made short enough for a contact that leaves to be seen to come back. */
+static void begin_one(pm_workspace *w, int i, double g, double rate, double second, double scale,
+                      double least, double *first)
 {
     pm_ida_roots *x = w->ida->roots;
     const pm_event_function *f = &w->event->function[i];
-    x->base[i] = 0;
     if (f->slack > 0) { /* of a contact */
         x->zero[i] = f->slack;
         if (!f->held && g > 0) arm(w, i, g);
         if (x->side[i]) return;
-        x->base[i] = fmin(g, 0);
-        if (rate > 0 && second < 0) *first = fmin(*first, FLIGHT * 2 * rate / -second);
+        if (rate > 0 && second < 0) *first = fmin(*first, fmax(least, FLIGHT * 2 * rate / -second));
         return;
     }
-    const double time = isfinite(scale) ? AHEAD * scale : 0;
+    const double time = AHEAD * scale;
     const double size = fmax(fabs(g), fmax(fabs(rate) * time, 0.5 * fabs(second) * time * time));
     x->zero[i] = ON_ZERO * size;
     if (f->held && fabs(g) <= STILL_ZERO * size) x->zero[i] = fmax(x->zero[i], CLEAR * fabs(g));
@@ -163,20 +168,23 @@ int pm_ida_root_begin(pm_workspace *w, const double *a, double *first)
 {
     pm_ida_roots *x = w->ida->roots;
     const int n = w->event->nfunction;
-    const double scale = pm_ida_system_time_scale(w, w->state.v, a), d = isfinite(scale) ? RATE_TIME * scale : 1;
+    const double longest = w->value[PM_SETTING(w->model, PM_SETTING_MAX_TIME)]; /* even at rest */
+    const double scale = fmin(pm_ida_system_time_scale(w, w->state.v, a), longest), d = RATE_TIME * scale;
+    const double least = SHORTEST * *first;
     double *later = x->node + x->most, *earlier = later + x->most;
     x->length = 0;
     memset(x->side, 0, (size_t)x->most * sizeof *x->side);
     memset(x->direction, 0, (size_t)x->most * sizeof *x->direction);
     if (n == 0) return PM_OK;
     pm_event_values(w, x->node);
-    if (values_on_course(w, a, d, later) || values_on_course(w, a, -d, earlier)) { /* it was a guess: as if at rest */
+    if (values_on_course(w, a, d, later) || values_on_course(w, a, -d, earlier)) { /* then as if at rest */
         memcpy(later, x->node, (size_t)n * sizeof *later);
         memcpy(earlier, x->node, (size_t)n * sizeof *earlier);
     }
     for (int i = 0; i < n; i++) {
-        const double g = x->node[i], rate = (later[i] - earlier[i]) / (2 * d), second = (later[i] - 2 * g + earlier[i]) / (d * d);
-        begin_one(w, i, g, isfinite(rate) ? rate : 0, isfinite(second) ? second : 0, scale, first);
+        const double g = x->node[i], rate = (later[i] - earlier[i]) / (2 * d);
+        const double second = (later[i] - 2 * g + earlier[i]) / (d * d);
+        begin_one(w, i, g, isfinite(rate) ? rate : 0, isfinite(second) ? second : 0, scale, least, first);
     }
     return tell_directions(w);
 }
@@ -184,8 +192,7 @@ int pm_ida_root_begin(pm_workspace *w, const double *a, double *first)
 /* ---- one step ---- */
 typedef struct pm_search {
     int function;
-    double minus; /* level whose crossing is sought */
-    double d;     /* > 0: the rate by differences instead */
+    double d; /* > 0: the rate by differences instead */
 } pm_search;
 
 static double value_at(pm_workspace *w, double t, int i)
@@ -196,8 +203,9 @@ static double value_at(pm_workspace *w, double t, int i)
 static double along(pm_workspace *w, double t, void *context)
 {
     const pm_search *x = context;
-    if (x->d > 0) return (value_at(w, t + x->d, x->function) - value_at(w, t - x->d, x->function)) / (2 * x->d);
-    return value_at(w, t, x->function) - x->minus;
+    if (x->d > 0)
+        return (value_at(w, t + x->d, x->function) - value_at(w, t - x->d, x->function)) / (2 * x->d);
+    return value_at(w, t, x->function);
 }
 
 static int crosses(const pm_event_function *f, double a, double b)
@@ -206,22 +214,24 @@ static int crosses(const pm_event_function *f, double a, double b)
 }
 
 typedef struct pm_bracket {
-    double a, ga, b, gb, minus;
+    double a, ga, b, gb;
 } pm_bracket;
 
-/* Whether |g| may turn between nodes k and k + 1, by the changes before and after; unknown ones may be anything. */
+/* Whether |g| may turn between nodes k and k + 1, by the changes before and after; unknown ones may be
+ * anything. */
 static int may_turn(const double *g, int k)
 {
     const double s = g[k] > 0 ? 1 : -1;
     return (k == 0 || s * (g[k] - g[k - 1]) < 0) && (k + 2 >= PM_NODES || s * (g[k + 2] - g[k + 1]) > 0);
 }
 
-/* Between two nodes of one sign: does the function turn back there, beyond zero?  A turn is where its rate is zero. */
+/* Between two nodes of one sign: does the function turn back there, beyond zero?  A turn is where its rate
+ * is zero. */
 static int dips(pm_workspace *w, int i, pm_bracket *x)
 {
     const int direction = w->event->function[i].direction;
     const double s = x->ga > 0 ? 1 : -1, h = x->b - x->a;
-    pm_search rate = {i, 0, RATE_STEP * h};
+    pm_search rate = {i, RATE_STEP * h};
     double turn;
     if (!(x->ga * x->gb > 0) || direction * s > 0) return 0;
     const double ra = along(w, x->a, &rate), rb = along(w, x->b, &rate);
@@ -235,19 +245,19 @@ static int dips(pm_workspace *w, int i, pm_bracket *x)
     return s * x->gb <= 0;
 }
 
-/* A contact's function is below its base by begin + span: it has bounced in between, or the event is now. */
+/* A contact's function is on the wrong side by begin + span: it has bounced in between, or the event is
+ * now. */
 static void bounce(pm_workspace *w, int i, double begin, double span, double g, pm_bracket *x)
 {
-    const double base = w->ida->roots->base[i];
     *x = (pm_bracket){.a = begin, .b = begin};
     for (int k = 0; k < HALVINGS; k++) {
-        const double t = begin + ldexp(span, -1 - k), value = value_at(w, t, i) - base;
+        const double t = begin + ldexp(span, -1 - k), value = value_at(w, t, i);
         if (t <= begin) return;
         if (value > 0) {
-            *x = (pm_bracket){.a = t, .ga = value, .b = begin + ldexp(span, -k), .gb = g - base, .minus = base};
+            *x = (pm_bracket){.a = t, .ga = value, .b = begin + ldexp(span, -k), .gb = g};
             return;
         }
-        g = value + base;
+        g = value;
     }
 }
 
@@ -261,14 +271,15 @@ static int scan(pm_workspace *w, int i, const double *t, pm_bracket *x)
     for (int k = 0; k < PM_NODES; k++) g[k] = r->node[k * r->most + i];
     for (int k = 0; k + 1 < PM_NODES; k++) {
         if (side == 0) {
-            if (f->slack > 0 && g[k + 1] < r->base[i] - r->zero[i]) {
+            if (f->slack > 0 && g[k + 1] < -r->zero[i]) {
                 bounce(w, i, t[0], t[k + 1] - t[0], g[k + 1], x);
                 return 1;
             }
-            if (f->slack > 0 ? g[k + 1] > r->zero[i] : fabs(g[k + 1]) > r->zero[i]) side = g[k + 1] > 0 ? 1 : -1;
+            if (f->slack > 0 ? g[k + 1] > r->zero[i] : fabs(g[k + 1]) > r->zero[i])
+                side = g[k + 1] > 0 ? 1 : -1;
             continue;
         }
-        *x = (pm_bracket){t[k], g[k], t[k + 1], g[k + 1], 0};
+        *x = (pm_bracket){t[k], g[k], t[k + 1], g[k + 1]};
         if (crosses(f, g[k], g[k + 1]) || (may_turn(g, k) && dips(w, i, x))) return 1;
     }
     if (r->side[i] == 0 && side) arm(w, i, g[PM_NODES - 1]);
@@ -307,7 +318,7 @@ static int unseen(pm_workspace *w, double end, double *first)
         pm_bracket b;
         if (!x->suspect[i] || !scan(w, i, node, &b)) continue;
         double root = b.a;
-        pm_search search = {i, b.minus, 0};
+        pm_search search = {i, 0};
         if (b.b > b.a) status = pm_root_find(w, e->solver, along, &search, b.a, b.ga, b.b, b.gb, &root);
         if (status || root > *first + same) continue;
         if (root < *first - same)
@@ -334,7 +345,7 @@ static int roots_of_ida(pm_workspace *w)
     pm_ida_roots *x = w->ida->roots;
     const int flag = IDAGetRootInfo(w->ida->memory, x->info);
     if (flag != IDA_SUCCESS) return pm_fail(w, PM_SOLVER, PM_NONE, PM_NONE, flag, 0);
-    for (int i = 0; i < w->event->nfunction; i++) w->event->root[i] = x->info[i] != 0;
+    for (int i = 0; i < w->event->nfunction; i++) w->event->root[i] |= x->info[i] != 0;
     return PM_OK;
 }
 

@@ -1,4 +1,5 @@
-/* ida_system.c - stabilised index 2 (Gear, Gupta, Leimkuhler) with integrated multipliers, M the metric of the bodies:
+/* ida_system.c - stabilised index 2 (Gear, Gupta, Leimkuhler) with integrated multipliers, M the metric of
+ * the bodies:
  *
  *   q' - v + M^-1 G^T Mu' = 0         the motion, kept on the rows
  *   v' - M^-1 (f + H^T L') = 0        M a = f + H^T lambda, signs as in saddle.c; v' = 0 where M^-1 = 0 (held)
@@ -6,9 +7,9 @@
  *   g(t, q) = 0
  *   G v = 0
  *
- * Only L' and Mu' appear, so the multipliers may be wrong by jumps without a trace in the error test, from which L, Mu and
- * the entries of the ledger are left out.  In the test of Newton's iteration L weighs as the velocity that it makes, Mu as
- * the displacement. */
+ * Only L' and Mu' appear, so the multipliers may be wrong by jumps without a trace in the error test, from
+ * which L, Mu and the entries of the ledger are left out.  In the test of Newton's iteration L weighs as
+ * the velocity that it makes, Mu as the displacement. */
 #include "ida_system.h"
 
 #include <math.h>
@@ -20,11 +21,12 @@
 #include "row.h"
 #include "saddle.h"
 
-#define TIGHTER 1e-2          /* of the accuracy asked: the errors of backward differences add up, and the same accuracy
+#define TIGHTER \
+    1e-2 /* of the accuracy asked: the errors of backward differences add up, and the same accuracy
                                  should mean about the same error whatever the route */
-#define TIGHTEST 1e-12        /* below it steps follow rounding */
-#define LEDGER_WEIGHT 1e-2    /* of an entry that is controlled: it feeds nothing back */
-#define ROUNDING 3.6e-15      /* of a value: no error below this can be told from rounding (angles and L grow) */
+#define TIGHTEST 1e-12     /* below it steps follow rounding */
+#define LEDGER_WEIGHT 1e-2 /* of an entry that is controlled: it feeds nothing back */
+#define ROUNDING 3.6e-15   /* of a value: no error below this can be told from rounding (angles and L grow) */
 
 void pm_ida_system_layout(pm_workspace *w)
 {
@@ -133,7 +135,8 @@ void pm_ida_system_weights(const pm_workspace *w, const double *y, double *weigh
     const pm_ida *r = w->ida;
     /* IDA takes the root mean square over all unknowns: count those under control only */
     const double share = sqrt((double)r->n / (2 * w->model->nq + w->model->nz_controlled));
-    for (int i = 0; i < r->n; i++) weight[i] = share * r->weight[i] / (1 + ROUNDING * r->weight[i] * fabs(y[i]));
+    for (int i = 0; i < r->n; i++)
+        weight[i] = share * r->weight[i] / (1 + ROUNDING * r->weight[i] * fabs(y[i]));
 }
 
 double pm_ida_system_time_scale(const pm_workspace *w, const double *v, const double *a)

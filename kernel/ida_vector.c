@@ -1,9 +1,9 @@
-/* ida_vector.c - the vector operations that IDA uses, compiled with our flags: a distribution's SUNDIALS may come without
- * optimisation, and these loops are most of its time.
+/* ida_vector.c - the vector operations that IDA uses, compiled with our flags: a distribution's SUNDIALS
+ * may come without optimisation, and these loops are most of its time.
  *
- * All clones of a vector share one length that their owner may change between two runs of the integrator: the number of
- * active rows changes with the phase, and neither the work nor the root mean squares may depend on rows that a scene
- * could have but has not. */
+ * All clones of a vector share one length that their owner may change between two runs of the integrator:
+ * the number of active rows changes with the phase, and neither the work nor the root mean squares may
+ * depend on rows that a scene could have but has not. */
 #include "ida_vector.h"
 
 #include <math.h>

@@ -21,7 +21,7 @@
 #include "saddle.h"
 
 #define PULLS 1e-11       /* of the impulses in the blow: a normal impulse this small does not pull */
-#define LAST_BOUNCE 1e-7  /* of the scene's speed: slower approaches do not bounce; heights below rounding */
+#define LAST_BOUNCE 2e-7 /* of the scene's speed: slower rebounds stay; their height would be lost in rounding */
 #define BLOWS_AT_ONCE 64
 
 enum pm_share { OUT = 0, STRUCK = 1, JOINED = 2, DROPPED = 3 };
@@ -63,7 +63,8 @@ static int build(pm_workspace *w, const unsigned char *share, const int32_t *tri
 
 static double restitution_of(const pm_workspace *w, int slot, double approach)
 {
-    return approach < -LAST_BOUNCE * w->speed ? pm_contact_restitution(w, pm_contact_of_slot(w->model, slot)) : 0;
+    const double e = pm_contact_restitution(w, pm_contact_of_slot(w->model, slot));
+    return e * -approach > LAST_BOUNCE * w->speed ? e : 0;
 }
 
 /* Impulses (w->rhs) and the velocities after the blow. */

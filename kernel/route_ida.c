@@ -1,8 +1,10 @@
-/* route_ida.c - SUNDIALS IDA on the stabilised index-2 system of ida_system.c: the reference, and stiff forces.
+/* route_ida.c - SUNDIALS IDA on the stabilised index-2 system of ida_system.c: the reference, and stiff
+ * forces.
  *
- * One instance per thread, made for the most active rows that the scene can have; each phase is a restart with its own
- * number of unknowns (ida_vector.c), from values that the saddle-point system makes consistent.  The state after a step is
- * projected on the rows; IDA's own history is not touched: the rows are among its equations. */
+ * One instance per thread, made for the most active rows that the scene can have; each phase is a restart
+ * with its own number of unknowns (ida_vector.c), from values that the saddle-point system makes
+ * consistent.  The state after a step is projected on the rows; IDA's own history is not touched: the rows
+ * are among its equations. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -28,7 +30,8 @@
 #define NEWTON 0.1        /* of the error allowed: where Newton's iteration may stop */
 #define FIRST_STEP 0.3    /* of sqrt(tolerance) times the motion's own time: one step of order 1 */
 #define LONGEST_STEP 0.25 /* of the motion's own time, where events or extremes are watched */
-#define LEAST_STEP 4e-15  /* of the time: below it IDA finds begin and end too close */
+#define LEAST_STEP 8e-16  /* of the time: below it a step changes nothing */
+#define LEAST_ROOM 4e-15  /* of the time: below it IDA finds begin and end too close */
 
 static int failed(pm_workspace *w, int flag) { return pm_fail(w, PM_SOLVER, PM_NONE, PM_NONE, flag, 0); }
 
@@ -41,7 +44,8 @@ static int status_of(pm_workspace *w, int flag)
 
 static int residual(double t, N_Vector y, N_Vector yp, N_Vector r, void *workspace)
 {
-    pm_ida_system_residual(workspace, t, N_VGetArrayPointer(y), N_VGetArrayPointer(yp), N_VGetArrayPointer(r));
+    pm_ida_system_residual(workspace, t, N_VGetArrayPointer(y), N_VGetArrayPointer(yp),
+                           N_VGetArrayPointer(r));
     return 0;
 }
 
@@ -66,7 +70,8 @@ static int create_arrays(pm_workspace *w)
 static int create_vectors(pm_workspace *w)
 {
     pm_ida *r = w->ida;
-    r->y = PM_IDA_STOCK ? N_VNew_Serial(r->most, r->context) : pm_ida_vector_create(r->context, &r->n, r->most);
+    r->y =
+        PM_IDA_STOCK ? N_VNew_Serial(r->most, r->context) : pm_ida_vector_create(r->context, &r->n, r->most);
     if (!r->y) return PM_NO_MEMORY;
     N_VConst(0, r->y);
     r->yp = N_VClone(r->y);
@@ -83,9 +88,11 @@ static int create_vectors(pm_workspace *w)
 static int create_solver(pm_workspace *w)
 {
     pm_ida *r = w->ida;
-    r->matrix = PM_IDA_STOCK ? SUNDenseMatrix(r->most, r->most, r->context) : pm_ida_linear_matrix(r->context);
+    r->matrix =
+        PM_IDA_STOCK ? SUNDenseMatrix(r->most, r->most, r->context) : pm_ida_linear_matrix(r->context);
     if (!r->matrix) return PM_NO_MEMORY;
-    r->solver = PM_IDA_STOCK ? SUNLinSol_Dense(r->y, r->matrix, r->context) : pm_ida_linear_solver(w, r->context);
+    r->solver =
+        PM_IDA_STOCK ? SUNLinSol_Dense(r->y, r->matrix, r->context) : pm_ida_linear_solver(w, r->context);
     if (!r->solver) return PM_NO_MEMORY;
     int flag = IDASetLinearSolver(r->memory, r->solver, r->matrix);
     if (flag == IDA_SUCCESS && !PM_IDA_STOCK) flag = IDASetJacFn(r->memory, pm_ida_linear_jacobian);
@@ -202,19 +209,26 @@ static int exact(pm_workspace *w, double t, pm_state *s)
     return status ? status : pm_project(w, s);
 }
 
+static int too_small(pm_workspace *w, double length, double bound)
+{
+    return pm_fail(w, PM_STEP_TOO_SMALL, PM_NONE, PM_NONE, length, bound);
+}
+
 static int step(pm_workspace *w, double t_limit)
 {
     pm_ida *r = w->ida;
     double t, length;
-    const double room = t_limit - w->state.t, least = LEAST_STEP * fmax(fabs(w->state.t), fabs(t_limit));
-    if (!(room > least)) return pm_fail(w, PM_STEP_TOO_SMALL, PM_NONE, PM_NONE, room, least);
+    const double room = t_limit - w->state.t, least = LEAST_STEP * fabs(w->state.t);
+    if (!(room > LEAST_ROOM * fabs(t_limit))) return too_small(w, room, LEAST_ROOM * fabs(t_limit));
     r->status = PM_OK;
     int flag = IDASetStopTime(r->memory, t_limit);
     if (flag == IDA_SUCCESS) flag = IDASolve(r->memory, t_limit, &t, r->y, r->yp, IDA_ONE_STEP);
     int status = status_of(w, flag);
     if (status) return status;
     const int found = flag == IDA_ROOT_RETURN;
-    if ((flag = IDAGetCurrentTime(r->memory, &r->last)) || (flag = IDAGetLastStep(r->memory, &length))) return failed(w, flag);
+    if ((flag = IDAGetCurrentTime(r->memory, &r->last)) || (flag = IDAGetLastStep(r->memory, &length)))
+        return failed(w, flag);
+    if (!(length > least)) return too_small(w, length, least); /* IDA itself would go on for ever */
     r->first = r->last - length;
     w->step_begin = w->state.t;
     w->step_end = t;
@@ -230,5 +244,12 @@ static int step(pm_workspace *w, double t_limit)
 }
 
 const pm_route_ops pm_route_ida = {
-    .route = PM_ROUTE_IDA, .create = create, .free = destroy, .begin = begin, .step = step, .at = at, .exact = exact, .finds_roots = 1,
+    .route = PM_ROUTE_IDA,
+    .create = create,
+    .free = destroy,
+    .begin = begin,
+    .step = step,
+    .at = at,
+    .exact = exact,
+    .finds_roots = 1,
 };

@@ -48,6 +48,31 @@ static void closes(void)
     scene_free(s);
 }
 
+/* A plate that swings carries a slide with a weld on it, a wheel on its edge and one round its hub: every kind of row
+ * with two moving partners does its part in the ledgers. */
+static void closes_on_moving_partners(void)
+{
+    scene *s = scene_create();
+    const int plate = scene_body(s, 3, 0.4, 0, 0, 0), hub = scene_point(s, plate, 0, 0);
+    const int slide = scene_body(s, 0.5, 0.02, 0.5, 0.1, 0), arm = scene_body(s, 0.3, 0.01, 0.5, 0.4, 0);
+    const int planet = scene_body(s, 0.6, 0.012, 0, -0.5, 0), wheel = scene_body(s, 0.4, 0.002, -0.5, 0.2, 0);
+    const int edge = scene_line(s, scene_point(s, plate, 0, 0.1), 0);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, plate, -0.2, 0), scene_point(s, PM_GROUND, -0.2, 0), 0);
+    scene_joint(s, PM_JOINT_SLIDER_FIXED, scene_point(s, slide, 0, 0), edge, 0);
+    scene_joint(s, PM_JOINT_WELD, scene_point(s, arm, 0, 0), scene_point(s, slide, 0, 0.3), 0);
+    scene_joint(s, PM_JOINT_ROLLING_CIRCLE, scene_circle(s, scene_point(s, planet, 0, 0), 0.2),
+                scene_circle(s, hub, 0.3), 1);
+    scene_joint(s, PM_JOINT_ROLLING_LINE, scene_circle(s, scene_point(s, wheel, 0, 0), 0.1), edge, 0);
+    scene_until_time(s, 0.5);
+    const int turned = scene_ask_measure(s, scene_measure(s, PM_MEASURE_TURNED, plate));
+    EQUAL(scene_run(s, NULL), PM_OK);
+    CHECK(fabs(s->out[turned]) > 0.3);
+    CHECK(s->audit[PM_AUDIT_ENERGY] < 1e-9);
+    CHECK(s->audit[PM_AUDIT_MOMENTUM] < 1e-9);
+    CHECK(s->audit[PM_AUDIT_CONSTRAINT] < 1e-12);
+    scene_free(s);
+}
+
 /* Runs, then tampers with what was kept, and closes the ledger again. */
 static int tampered(int what, int *which)
 {
@@ -104,6 +129,7 @@ static void at_rest(void)
 int main(void)
 {
     closes();
+    closes_on_moving_partners();
     opens();
     at_rest();
     return check_failures();

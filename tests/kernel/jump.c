@@ -257,6 +257,38 @@ static void resting_contact_joins(void)
     }
 }
 
+/* What touches without approaching rests, though it is not closed yet, as at the start of a run. */
+static void touching_joins(void)
+{
+    scene *s = rod(0, 0.5, PM_FRICTION_SMOOTH, 0, 2);
+    const double v[] = {0, -0.6,
+                        -1}; /* about the left end, which the blow at the right end would press down */
+    const blow x = strike(s, v, 0);
+    EQUAL(x.jumped, 1);
+    laws(s, &x, 1);
+    NEAR(x.after[1], 0.3, CLOSE);
+    NEAR(x.after[2], 0.5, CLOSE);
+    scene_free(s);
+}
+
+/* A spinning ball that rolls from the blow on: that is where it comes to stick. */
+static void sticks_by_a_blow(void)
+{
+    scene *s = scene_create();
+    const int b = scene_body(s, 1, 0.4, 0, 1, 0), center = scene_point(s, b, 0, 0);
+    const int contact = scene_contact(s, PM_CONTACT_LINE, scene_circle(s, center, 1), scene_floor(s, 0), 0, 0,
+                                      PM_FRICTION_COULOMB, 5);
+    scene_start_velocity(s, center, 0, -3);
+    scene_start_omega(s, b, -1);
+    scene_until(s, scene_on(s, PM_TRIGGER_STICK, contact), 1);
+    const int t = scene_ask_measure(s, scene_time(s));
+    const int v = scene_ask_measure(s, scene_part(s, PM_MEASURE_VELOCITY, center, PM_PART_X));
+    EQUAL(scene_run(s, NULL), PM_OK);
+    EQUAL(s->out[t], 0);
+    NEAR(s->out[v], 2.0 / 7, CLOSE);
+    scene_free(s);
+}
+
 /* ---- joints hold ---- */
 static void pendulum_struck(void)
 {
@@ -365,6 +397,8 @@ int main(void)
     parts_already();
     two_ends();
     resting_contact_joins();
+    touching_joins();
+    sticks_by_a_blow();
     pendulum_struck();
     never_wedged();
     rolling_spheres();

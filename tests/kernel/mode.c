@@ -204,7 +204,12 @@ static int crate(double angle, double mu, double half_width, double half_height,
     const int turn = scene_ask_measure(s, scene_measure(s, PM_MEASURE_TURNED, b));
     const int move =
         scene_ask_measure(s, scene_part(s, PM_MEASURE_MOVED, scene_point(s, b, 0, 0), PM_PART_NORM));
+    int least[2];
+    for (int i = 0; i < 2; i++)
+        least[i] = scene_ask_extreme(s, PM_ASK_MIN,
+                                     scene_read(s, scene_measure(s, PM_MEASURE_CONTACT_NORMAL, i)), PM_NONE);
     const int status = scene_run(s, NULL);
+    for (int i = 0; i < 2; i++) CHECK(s->out[least[i]] > -1e-9); /* at the very start too */
     *turned = s->out[turn];
     *moved = s->out[move];
     scene_free(s);

@@ -170,6 +170,8 @@ def grid_nodes(reader: Reader, grid: Grid, where: str, reading: Reading) -> list
     assert grid.to is not None
     start = reader.number(grid.from_, f"{where}.from", wanted)
     stop = reader.number(grid.to, f"{where}.to", wanted)
+    if grid.step is not None and grid.scale == "log":
+        raise SceneError("a logarithmic grid has num, not step", path=f"{where}.step", value=grid.step)
     if grid.step is not None:
         return _steps(reader, grid.step, start, stop, where, wanted)
     assert grid.num is not None

@@ -264,6 +264,18 @@ _DESCRIPTIONS: dict[int, Any] = {
     layout.PM_START_OPEN: lambda place, found, bound: (
         f"start: what is given leaves the motion of {place} undetermined; give its omega or a velocity"
     ),
+    layout.PM_SINGULAR: lambda place, found, bound: (
+        f"{place or 'the scene'}: the joints do not determine the accelerations here: a singular position "
+        "(a dead centre, or two joints that have come together); end the run before it, or change a length"
+    ),
+    layout.PM_STEP_TOO_SMALL: lambda place, found, bound: (
+        "the integrator cannot go on at solve.accuracy: the motion has no smooth continuation here (a singular "
+        "position, a force that jumps); end the run before it, or lower the accuracy"
+    ),
+    layout.PM_SOLVER: lambda place, found, bound: (
+        f"{place + ': ' if place else ''}the solver of this route gave up (its code {found:.0f}); "
+        'try solve.route = "rk" or another accuracy'
+    ),
     layout.PM_PENETRATION: lambda place, found, bound: (
         f"{place}: the two overlap by {abs(found):.4g} m at the start; move one of them"
     ),

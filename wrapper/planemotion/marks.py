@@ -193,18 +193,18 @@ def _mass(reader: Reader, path: str, body: Body) -> Node | None:
 
 
 def _force_for_mass(written: Value, error: SceneError, right: str) -> SceneError | None:
-    unit = str(written).split()[-1]
     if "this is a force" not in error.reason:
         return None
+    unit = str(written).split()[-1]
     return SceneError(
         f'{unit} is a force; write weight = "{written}", or {right}', path=error.path, value=written
     )
 
 
 def _mass_for_weight(written: Value, error: SceneError) -> SceneError | None:
-    unit = str(written).split()[-1]
     if "this is a mass" not in error.reason:
         return None
+    unit = str(written).split()[-1]
     return SceneError(
         f'{unit} is a mass; write mass = "{written}", or a weight in N, lb or kip',
         path=error.path,

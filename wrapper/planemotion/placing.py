@@ -227,9 +227,8 @@ class Placing:
             if point not in marks.points:
                 raise SceneError(marks.has_no("point", point, marks.points), path=f"{path}.at.{point}")
         if not placed:
-            placed = [self._guess(point, ref) for point, ref in self._guesses.get(name, ())]
-            if body.angle is not None:
-                placed = placed[:1]
+            guesses = self._guesses.get(name, ())[: 1 if body.angle is not None else 2]
+            placed = [self._guess(point, partner) for point, partner in guesses if point in marks.points]
         first = placed[0] if placed else Placed("center", (ZERO, ZERO), (False, False))
         angle, exact = self._angle(name, body, placed)
         angle = self.tables.leaf(angle, f"{path}.angle")
@@ -241,6 +240,7 @@ class Placing:
         return Pose(x, y, angle, c, s, tuple(placed), exact)
 
     def _guess(self, point: str, partner: str) -> Placed:
+        """A point drawn where a pin holds it."""
         return Placed(point, self.position(self.point_ref(partner)), (False, False))
 
     def _angle(self, name: str, body: Body, placed: list[Placed]) -> tuple[Node, bool]:

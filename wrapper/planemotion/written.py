@@ -6,7 +6,7 @@ is wanted.
 
 from __future__ import annotations
 
-import math
+import sys
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, TypeAlias
@@ -40,7 +40,8 @@ class Place:
 
 def read_value(written: Any) -> Value:
     """A number, true or false, or the text of a quantity or an expression."""
-    if isinstance(written, float) and not math.isfinite(written):
+    # An integer beyond the range of doubles is no number either.
+    if isinstance(written, int | float) and not abs(written) <= sys.float_info.max:
         raise ValueError("the number must be finite")
     if not isinstance(written, str | int | float | bool):
         raise ValueError('a number, a quantity such as "10 in" or an expression is wanted')
