@@ -10,11 +10,13 @@
 #include <string.h>
 
 #include "body.h"
+#include "contact.h"
 #include "force.h"
 #include "project.h"
 #include "row.h"
 #include "saddle.h"
 
+#define POSITION_ROUNDING 5e-16 /* of how far bodies are from the origin */
 #define LEAST_BOUND 1e-7   /* relative residual above which a run is not trusted, at the tightest tolerance */
 #define BOUND_FACTOR 1e4   /* times the tolerance of integration, if that is more */
 #define SLOWEST 1e-3       /* of the scene's speed: motion below it is not judged by itself; a scene at rest has rounding only */
@@ -152,6 +154,14 @@ void pm_audit_jump(pm_workspace *w, const double *before)
     update_scales(w);
 }
 
+/* Far from the origin positions, and with them heights, are rounded: relative to the energy scale, once per event. */
+static double energy_rounding(const pm_workspace *w, double mass)
+{
+    const double acceleration = hypot(w->gravity[0], w->gravity[1]) + w->speed * w->speed / w->size;
+    const double rounding = POSITION_ROUNDING * pm_contact_reach(w) * (double)(1 + w->count[PM_COUNT_EVENTS]);
+    return w->energy_scale > 0 ? mass * acceleration * rounding / w->energy_scale : 0;
+}
+
 int pm_audit_close(pm_workspace *w)
 {
     const pm_model *m = w->model;
@@ -167,8 +177,10 @@ int pm_audit_close(pm_workspace *w)
     w->audit[PM_AUDIT_ENERGY] = w->energy_scale > 0 ? fabs(energy_open) / w->energy_scale : 0;
     w->audit[PM_AUDIT_MOMENTUM] = w->momentum_scale > 0 ? momentum_size(w, open) / w->momentum_scale : 0;
     w->audit[PM_AUDIT_CONSTRAINT] = w->constraint_worst;
-    const double bound = fmax(LEAST_BOUND, BOUND_FACTOR * w->tolerance);
-    for (int i = 0; i < PM_AUDITS; i++)
+    const double least = fmax(LEAST_BOUND, BOUND_FACTOR * w->tolerance);
+    for (int i = 0; i < PM_AUDITS; i++) {
+        const double bound = i == PM_AUDIT_ENERGY ? least + energy_rounding(w, mass) : least;
         if (!(w->audit[i] <= bound)) return pm_fail(w, PM_AUDIT, PM_NONE, i, w->audit[i], bound);
+    }
     return PM_OK;
 }

@@ -14,6 +14,14 @@
 double pm_contact_length(const pm_workspace *w) { return TOUCHING * w->size; }
 double pm_contact_speed(const pm_workspace *w) { return STILL * w->speed; }
 
+double pm_contact_reach(const pm_workspace *w)
+{
+    double reach = w->size;
+    for (int i = 0; i < w->model->nq; i++)
+        if (i % 3 != 2) reach = fmax(reach, fabs(w->state.q[i]));
+    return reach;
+}
+
 int pm_contact_slots(const pm_model *m, int contact)
 {
     return PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_KIND] == PM_CONTACT_ROW ? PM_ROW_SLOTS : 1;

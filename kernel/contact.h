@@ -25,5 +25,7 @@ double pm_contact_kinetic(const pm_workspace *w, int contact);
 /* Gaps below this count as touching, m; normal and tangential speeds below this count as none, m/s. */
 double pm_contact_length(const pm_workspace *w);
 double pm_contact_speed(const pm_workspace *w);
+/* How far bodies are from the origin, at least the scene's size: what the rounding of positions goes by, m. */
+double pm_contact_reach(const pm_workspace *w);
 
 #endif

@@ -26,7 +26,7 @@ enum pm_function_kind { FUNCTION_TRIGGER, FUNCTION_GAP, FUNCTION_NORMAL, FUNCTIO
 #define SAME_TIME 1e-11   /* of a step: events closer than this are one instant */
 #define HALVINGS 30       /* of a step, to find the top of a short bounce */
 #define LEAVING 20        /* halvings of a step: a trigger has left its zero at the first place where it is seen off it */
-#define POSITION_ROUNDING 4e-15 /* of the scene's size */
+#define POSITION_ROUNDING 4e-15 /* of how far bodies are from the origin */
 #define FORCE_SLACK 1e-10 /* of the scene's weight-like force */
 
 /* ---- memory ---- */
@@ -42,9 +42,10 @@ int pm_event_create(pm_workspace *w)
     e->value = calloc(PM_NODES * (most + 1) + ntrigger + nevent, sizeof(double));
     e->hit = calloc(2 * (most + 1), sizeof(int));
     e->count = calloc(nevent + 1, sizeof *e->count);
-    e->fired = calloc(ntrigger + 1, 1);
+    e->fired = calloc(ntrigger + (size_t)m->rows[PM_TABLE_CONTACT] + 1, 1);
     e->solver = pm_root_create();
     if (!e->function || !e->value || !e->hit || !e->count || !e->fired || !e->solver) return PM_NO_MEMORY;
+    e->spent = e->fired + ntrigger;
     e->root = e->hit + most + 1;
     e->before = e->value + PM_NODES * (most + 1);
     e->time = e->before + ntrigger;
@@ -192,13 +193,14 @@ void pm_event_begin(pm_workspace *w)
     add_triggers(w);
     add_contacts(w);
     e->first_step = 1;
+    memset(e->spent, 0, (size_t)w->model->rows[PM_TABLE_CONTACT]);
     set_multiples(w);
     pm_event_values(w, e->value);
     for (int i = 0; i < e->nfunction; i++) {
         pm_event_function *f = &e->function[i];
         if (f->kind == FUNCTION_TRIGGER || e->value[i] > f->slack) continue;
         f->held = 1;
-        if (f->kind == FUNCTION_GAP && leaves(w, f->index)) f->slack = POSITION_ROUNDING * w->size;
+        if (f->kind == FUNCTION_GAP && leaves(w, f->index)) f->slack = POSITION_ROUNDING * pm_contact_reach(w);
     }
     memset(e->fired, 0, (size_t)w->model->rows[PM_TABLE_TRIGGER]);
 }
@@ -290,6 +292,7 @@ static int leaves_and_returns(pm_workspace *w, const pm_event_function *f, doubl
         b = t;
         gb = g;
     }
+    if (f->kind == FUNCTION_GAP && x->a == x->b) w->event->spent[f->index] = 1;
     return 1;
 }
 

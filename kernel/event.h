@@ -25,6 +25,7 @@ typedef struct pm_event_set {
     int *hit;            /* [most functions] fired at this instant */
     int *root;           /* [most functions] roots that the route itself found, or 0 */
     unsigned char *fired; /* [ntrigger] at this instant */
+    unsigned char *spent; /* [ncontact] left its zero by less than rounding: the bounce is over */
     double *before;      /* [ntrigger] program values before the jump */
     int64_t *count;      /* [nevent] */
     double *time;        /* [nevent] */

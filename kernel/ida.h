@@ -16,9 +16,8 @@
 
 #include "model.h"
 
-/* 1: vectors, matrix and linear solver of the library and its Jacobian by differences, to measure what ours
- * save.  The library's vectors have a fixed length, so that rows which are not active get the equations L'
- * = 0, Mu' = 0. */
+/* 1: vectors, matrix, linear solver and Jacobian (by differences) of the library, to measure what ours save.
+ * The library's vectors have a fixed length: rows that are not active get the equations L' = 0, Mu' = 0. */
 #ifndef PM_IDA_STOCK
 #define PM_IDA_STOCK 0
 #endif

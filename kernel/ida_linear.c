@@ -1,19 +1,19 @@
 /* ida_linear.c - block elimination of dF/dy + cj dF/dy'.
  *
- * With W = M^-1, K and D the blocks W d(f + H^T lambda)/dq and W df/dv, N = d(G v)/dq, Z = dz'/d(lambda, q,
- * v):
+ * With W = M^-1, K = W d(f + H^T lambda)/dq, D = W df/dv, N = d(G v)/dq and Z = dz'/d(lambda, q, v):
  *
- *   cj dq - dv + cj W G^T dMu = b1        K dq + D dv + cj W H^T dL - cj dv = -b2       cj dz - Z (cj dL, dq, dv) = b3
- *   G dq = b4                             N dq + G dv = b5
+ *   cj dq - dv + cj W G^T dMu = b1
+ *   cj dv - K dq - D dv - cj W H^T dL = b2
+ *   cj dz - Z (cj dL, dq, dv) = b3
+ *   G dq = b4
+ *   N dq + G dv = b5
  *
- * The first and fourth give dq on the rows, with S = G W G^T (Cholesky), X = W G^T S^-1 and u = (b1 +
- * dv)/cj:
+ * The first and fourth give dq, with S = G W G^T (Cholesky), X = W G^T S^-1 and u = (b1 + dv)/cj:
  *   dMu = S^-1 (G u - b4),   dq = u - X (G u - b4) = d0 + (1 - X G) dv / cj,
  * which leaves one system of nq + nactive equations (LU), scaled by the square roots of W and S:
  *   [1 - D/cj - K (1 - X G)/cj^2   -W H^T] [dv]   [(b2 + K d0)/cj]
  *   [G + N (1 - X G)/cj             0    ] [dL] = [b5 - N d0     ]
- * and then dz.  An eighth of the work of a dense LU on all unknowns, and less of it the more bodies there
- * are. */
+ * and then dz.  An eighth of the work of a dense LU on all unknowns, and less than that without z. */
 #include "ida_linear.h"
 
 #include <math.h>

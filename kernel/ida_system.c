@@ -1,8 +1,7 @@
-/* ida_system.c - stabilised index 2 (Gear, Gupta, Leimkuhler) with integrated multipliers, M the metric of
- * the bodies:
+/* ida_system.c - stabilised index 2 (Gear, Gupta, Leimkuhler) with integrated multipliers:
  *
  *   q' - v + M^-1 G^T Mu' = 0         the motion, kept on the rows
- *   v' - M^-1 (f + H^T L') = 0        M a = f + H^T lambda, signs as in saddle.c; v' = 0 where M^-1 = 0 (held)
+ *   v' - M^-1 (f + H^T L') = 0        signs as in saddle.c; v' = 0 where M^-1 = 0 (held)
  *   z' - rates(t, q, v, L') = 0       work, paths, the ledger
  *   g(t, q) = 0
  *   G v = 0
@@ -21,12 +20,12 @@
 #include "row.h"
 #include "saddle.h"
 
-#define TIGHTER \
-    1e-2 /* of the accuracy asked: the errors of backward differences add up, and the same accuracy
-                                 should mean about the same error whatever the route */
+/* The errors of backward differences add up, and the same accuracy should mean about the same error whatever
+ * the route. */
+#define TIGHTER 1e-2       /* of the accuracy asked */
 #define TIGHTEST 1e-12     /* below it steps follow rounding */
 #define LEDGER_WEIGHT 1e-2 /* of an entry that is controlled: it feeds nothing back */
-#define ROUNDING 3.6e-15   /* of a value: no error below this can be told from rounding (angles and L grow) */
+#define ROUNDING 3.6e-15   /* of a value: smaller errors are not told from rounding (angles and L grow) */
 
 void pm_ida_system_layout(pm_workspace *w)
 {

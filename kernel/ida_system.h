@@ -8,8 +8,7 @@
 void pm_ida_system_layout(pm_workspace *w);
 /* Consistent y, y' at w->state; the frame becomes DYNAMIC there. */
 int pm_ida_system_start(pm_workspace *w, double *y, double *yp);
-/* Looks at (t, y) with the accelerations and reactions of y': a DYNAMIC frame without a linear system
- * solved. */
+/* Looks at (t, y) with accelerations and reactions from y': a DYNAMIC frame, and no linear system solved. */
 void pm_ida_system_look(pm_workspace *w, double t, const double *y, const double *yp);
 /* r = F(t, y, y'). */
 void pm_ida_system_residual(pm_workspace *w, double t, const double *y, const double *yp, double *r);
@@ -18,8 +17,7 @@ void pm_ida_system_residual(pm_workspace *w, double t, const double *y, const do
 void pm_ida_system_scale(pm_workspace *w);
 /* Error weights at y. */
 void pm_ida_system_weights(const pm_workspace *w, const double *y, double *weight);
-/* The shortest time in which the motion changes its own kind: 1/omega, sqrt(size/a), size/v; INFINITY at
- * rest. */
+/* The shortest time in which the motion changes: 1/omega, sqrt(size/a), size/v; INFINITY at rest. */
 double pm_ida_system_time_scale(const pm_workspace *w, const double *v, const double *a);
 
 #endif

@@ -21,10 +21,20 @@
 #include "saddle.h"
 
 #define PULLS 1e-11       /* of the impulses in the blow: a normal impulse this small does not pull */
-#define LAST_BOUNCE 2e-7 /* of the scene's speed: slower rebounds stay; their height would be lost in rounding */
+#define LAST_BOUNCE 1e-7 /* of the scene's speed: slower rebounds stay; their height would be lost in rounding */
+#define SPENT 1e-6       /* of the scene's speed: a rebound that cannot be seen and is slower than this is over */
 #define BLOWS_AT_ONCE 64
 
+/* Heights are lost in the rounding of positions sooner the farther off the scene is: speeds by the root of it. */
+static double far_off(const pm_workspace *w) { return sqrt(pm_contact_reach(w) / w->size); }
+
 enum pm_share { OUT = 0, STRUCK = 1, JOINED = 2, DROPPED = 3 };
+
+/* A rebound too low to be seen is over: its speed is taken away as if by one more, plastic, blow. */
+static int is_spent(const pm_workspace *w, int contact, double rate)
+{
+    return w->event->spent[contact] && rate > pm_contact_speed(w) && rate <= SPENT * w->speed * far_off(w);
+}
 
 /* Closes the open members that touch and do not part: what approaches is struck (its slot is marked STRUCK), what is
  * still rests, so that it can join the blow; at the start nothing is closed yet. */
@@ -38,13 +48,13 @@ static int find_struck(pm_workspace *w, unsigned char *share, int *struck)
             double rate;
             if (pm_contact_gap(w, &w->state, i, &member) > pm_contact_length(w)) break;
             pm_contact_member_gap(w, i, member, &rate);
-            const int approaches = rate < -pm_contact_speed(w);
-            if (rate > pm_contact_speed(w) || (!approaches && pm_mode_released(w, i, member))) break;
+            const int approaches = rate < -pm_contact_speed(w), rests = is_spent(w, i, rate);
+            if (!rests && (rate > pm_contact_speed(w) || (!approaches && pm_mode_released(w, i, member)))) break;
             const int status = pm_mode_close(w, i, member, &slot);
             if (status) return status;
-            if (!approaches) continue;
+            if (!approaches && !rests) continue;
             share[slot] = STRUCK;
-            pm_event_mark(w, PM_TRIGGER_STRIKE, i);
+            if (approaches) pm_event_mark(w, PM_TRIGGER_STRIKE, i);
             ++*struck;
         }
     return PM_OK;
@@ -61,10 +71,11 @@ static int build(pm_workspace *w, const unsigned char *share, const int32_t *tri
     return status;
 }
 
+/* A rebound whose height, that is its speed squared, is lost in the rounding of positions is the last. */
 static double restitution_of(const pm_workspace *w, int slot, double approach)
 {
     const double e = pm_contact_restitution(w, pm_contact_of_slot(w->model, slot));
-    return e * -approach > LAST_BOUNCE * w->speed ? e : 0;
+    return e * -approach > LAST_BOUNCE * w->speed * far_off(w) ? e : 0;
 }
 
 /* Impulses (w->rhs) and the velocities after the blow. */
@@ -99,6 +110,7 @@ static int drop_pulling(const pm_workspace *w, unsigned char *share)
     double least = -PULLS * impulse_size(w);
     for (int i = 0; i < w->model->nslot; i++) {
         if (w->slot_normal[i] == PM_NONE || w->rhs[w->slot_normal[i]] >= least) continue;
+        if (w->event->spent[pm_contact_of_slot(w->model, i)]) continue;
         least = w->rhs[w->slot_normal[i]];
         worst = i;
     }

@@ -1,5 +1,4 @@
-/* route_ida.c - SUNDIALS IDA on the stabilised index-2 system of ida_system.c: the reference, and stiff
- * forces.
+/* route_ida.c - SUNDIALS IDA on the stabilised index-2 system of ida_system.c: the reference; stiff forces.
  *
  * One instance per thread, made for the most active rows that the scene can have; each phase is a restart
  * with its own number of unknowns (ida_vector.c), from values that the saddle-point system makes
