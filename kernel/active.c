@@ -14,8 +14,8 @@
 #include "row.h"
 #include "saddle.h"
 
-#define NEIGHBOUR 1e-3          /* displacement, in sizes of the scene */
-#define STILL_DEPENDENT 1e-6    /* independent part at the neighbour below which a row is redundant */
+#define NEIGHBOUR 1e-3       /* displacement, in sizes of the scene */
+#define STILL_DEPENDENT 1e-6 /* independent part at the neighbour below which a row is redundant */
 
 void pm_active_clear(pm_workspace *w)
 {

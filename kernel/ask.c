@@ -39,7 +39,8 @@ int pm_ask_create(pm_workspace *w)
         a->observer[a->nobserver++] = i;
         for (int k = 0; k < 2; k++) {
             const int program = e[k ? PM_ASK_PROGRAM_2 : PM_ASK_PROGRAM];
-            if (program >= 0 && w->model->program_level[program] > a->level) a->level = w->model->program_level[program];
+            if (program >= 0 && w->model->program_level[program] > a->level)
+                a->level = w->model->program_level[program];
         }
     }
     return PM_OK;
@@ -65,7 +66,10 @@ void pm_ask_reset(pm_workspace *w)
     for (int i = 0; i < w->model->nask; i++) w->reason[i] = PM_REASON_NOT_REACHED;
 }
 
-static double run(pm_workspace *w, int program) { return pm_program_run(w->model, program, w->param, w->value, w); }
+static double run(pm_workspace *w, int program)
+{
+    return pm_program_run(w->model, program, w->param, w->value, w);
+}
 
 static void answer(pm_workspace *w, int ask, int column, double value)
 {
@@ -74,8 +78,14 @@ static void answer(pm_workspace *w, int ask, int column, double value)
     w->ask->filled[out] = 1;
 }
 
-static int is_greatest(const int32_t *e) { return e[PM_ASK_KIND] == PM_ASK_MAX || e[PM_ASK_KIND] == PM_ASK_AT_MAX; }
-static int at_extreme(const int32_t *e) { return e[PM_ASK_KIND] == PM_ASK_AT_MAX || e[PM_ASK_KIND] == PM_ASK_AT_MIN; }
+static int is_greatest(const int32_t *e)
+{
+    return e[PM_ASK_KIND] == PM_ASK_MAX || e[PM_ASK_KIND] == PM_ASK_AT_MAX;
+}
+static int at_extreme(const int32_t *e)
+{
+    return e[PM_ASK_KIND] == PM_ASK_AT_MAX || e[PM_ASK_KIND] == PM_ASK_AT_MIN;
+}
 static int watched_program(const int32_t *e)
 {
     return e[PM_ASK_KIND] == PM_ASK_GRID || at_extreme(e) ? e[PM_ASK_PROGRAM_2] : e[PM_ASK_PROGRAM];
@@ -101,7 +111,9 @@ static void offer_grid(pm_workspace *w, int ask, double value, double tolerance)
     const int32_t *e = PM_ASK_ROW(w->model, ask);
     for (int k = 0; k < e[PM_ASK_COUNT]; k++) {
         const double wanted = w->value[e[PM_ASK_FIRST_VALUE] + k];
-        if (w->ask->filled[e[PM_ASK_OUT] + k] || !(fabs(value - wanted) <= tolerance * fmax(fabs(wanted), 1e-3))) continue;
+        if (w->ask->filled[e[PM_ASK_OUT] + k] ||
+            !(fabs(value - wanted) <= tolerance * fmax(fabs(wanted), 1e-3)))
+            continue;
         answer(w, ask, k, run(w, e[PM_ASK_PROGRAM]));
     }
 }
@@ -128,14 +140,19 @@ static int look(pm_workspace *w, double t, int exact)
     return w->ask->level == PM_LEVEL_DYNAMIC ? pm_saddle_accelerate(w) : PM_OK;
 }
 
-static double value_at(pm_workspace *w, double t, const pm_watch *x) { return look(w, t, 0) ? NAN : run(w, x->program) - x->minus; }
+static double value_at(pm_workspace *w, double t, const pm_watch *x)
+{
+    return look(w, t, 0) ? NAN : run(w, x->program) - x->minus;
+}
 
 static double along(pm_workspace *w, double t, void *context)
 {
     const pm_watch *x = context;
     const double d = x->step;
     if (d == 0) return value_at(w, t, x);
-    return (8 * (value_at(w, t + d, x) - value_at(w, t - d, x)) - (value_at(w, t + 2 * d, x) - value_at(w, t - 2 * d, x))) / (12 * d);
+    return (8 * (value_at(w, t + d, x) - value_at(w, t - d, x)) -
+            (value_at(w, t + 2 * d, x) - value_at(w, t - 2 * d, x))) /
+           (12 * d);
 }
 
 static int exactly(pm_workspace *w, double t, void *context, double *value)
@@ -163,8 +180,11 @@ static int refine(pm_workspace *w, int ask, double a, double b)
 /* Slopes at the nodes, times the distance of nodes, of the quartic through them. */
 static void slopes(const double g[PM_NODES], double d[PM_NODES])
 {
-    static const double weight[PM_NODES][PM_NODES] = {
-        {-25, 48, -36, 16, -3}, {-3, -10, 18, -6, 1}, {1, -8, 0, 8, -1}, {-1, 6, -18, 10, 3}, {3, -16, 36, -48, 25}};
+    static const double weight[PM_NODES][PM_NODES] = {{-25, 48, -36, 16, -3},
+                                                      {-3, -10, 18, -6, 1},
+                                                      {1, -8, 0, 8, -1},
+                                                      {-1, 6, -18, 10, 3},
+                                                      {3, -16, 36, -48, 25}};
     for (int k = 0; k < PM_NODES; k++) {
         d[k] = 0;
         for (int i = 0; i < PM_NODES; i++) d[k] += weight[k][i] * g[i] / 12;
@@ -191,7 +211,8 @@ static int extreme_in_step(pm_workspace *w, int ask)
     if (spread == 0 || g[top] + spread < sign * w->ask->best[ask]) return PM_OK;
     double d[PM_NODES];
     slopes(g, d);
-    const double h = (w->step_end - w->step_begin) / (PM_NODES - 1), t0 = w->step_begin, flat = NEARLY_FLAT * spread;
+    const double h = (w->step_end - w->step_begin) / (PM_NODES - 1), t0 = w->step_begin,
+                 flat = NEARLY_FLAT * spread;
     for (int k = top - 1; k <= top; k++) {
         if (k < 0 || k + 1 >= PM_NODES || d[k] < -flat || d[k + 1] > flat) continue;
         const int status = refine(w, ask, t0 + k * h, k + 2 == PM_NODES ? w->step_end : t0 + (k + 1) * h);
@@ -268,7 +289,8 @@ void pm_ask_look_before(pm_workspace *w)
 {
     for (int i = 0; i < w->model->nask; i++) {
         const int32_t *e = PM_ASK_ROW(w->model, i);
-        if (e[PM_ASK_BEFORE] && e[PM_ASK_EVENT_INDEX] != PM_NONE) w->ask->before[i] = run(w, e[PM_ASK_PROGRAM]);
+        if (e[PM_ASK_BEFORE] && e[PM_ASK_EVENT_INDEX] != PM_NONE)
+            w->ask->before[i] = run(w, e[PM_ASK_PROGRAM]);
     }
 }
 
@@ -298,6 +320,7 @@ void pm_ask_end(pm_workspace *w)
             undefined |= isnan(w->out[e[PM_ASK_OUT] + k]);
         }
         if (e[PM_ASK_KIND] == PM_ASK_EACH) filled = w->ask->filled[e[PM_ASK_OUT]];
-        if (filled) w->reason[i] = undefined && e[PM_ASK_KIND] != PM_ASK_EACH ? PM_REASON_UNDEFINED : PM_REASON_NONE;
+        if (filled)
+            w->reason[i] = undefined && e[PM_ASK_KIND] != PM_ASK_EACH ? PM_REASON_UNDEFINED : PM_REASON_NONE;
     }
 }

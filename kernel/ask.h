@@ -5,15 +5,15 @@
 #include "model.h"
 
 typedef struct pm_ask_set {
-    int *observer;      /* [nask] asks that watch the whole run: extremes and grids */
+    int *observer; /* [nask] asks that watch the whole run: extremes and grids */
     int nobserver;
-    int level;          /* highest level that they need */
-    double *sample;     /* [PM_NODES][nask] watched values in a step */
-    double *best;       /* [nask] extreme so far, NaN before the first value */
-    double *before;     /* [nask] values before the jump of the present instant */
+    int level;                /* highest level that they need */
+    double *sample;           /* [PM_NODES][nask] watched values in a step */
+    double *best;             /* [nask] extreme so far, NaN before the first value */
+    double *before;           /* [nask] values before the jump of the present instant */
     unsigned char *undefined; /* [nask] an extreme met a not-a-number */
     unsigned char *filled;    /* [nout] */
-    void *solver;       /* gsl_root_fsolver */
+    void *solver;             /* gsl_root_fsolver */
     void *block;
 } pm_ask_set;
 

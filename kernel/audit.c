@@ -17,9 +17,10 @@
 #include "saddle.h"
 
 #define POSITION_ROUNDING 5e-16 /* of how far bodies are from the origin */
-#define LEAST_BOUND 1e-7   /* relative residual above which a run is not trusted, at the tightest tolerance */
-#define BOUND_FACTOR 1e4   /* times the tolerance of integration, if that is more */
-#define SLOWEST 1e-3       /* of the scene's speed: motion below it is not judged by itself; a scene at rest has rounding only */
+#define LEAST_BOUND 1e-7 /* relative residual above which a run is not trusted, at the tightest tolerance */
+#define BOUND_FACTOR 1e4 /* times the tolerance of integration, if that is more */
+#define SLOWEST \
+    1e-3 /* of the scene's speed: motion below it is not judged by itself; a scene at rest has rounding only */
 
 static int friction_z(const pm_model *m) { return m->nz_controlled; }
 static int ledger_z(const pm_model *m) { return m->nz_controlled + 1; }
@@ -92,7 +93,10 @@ void pm_audit_rates(pm_workspace *w, double *zdot)
     add_rows(w, w->frame.lambda, outer);
 }
 
-static double energy(pm_workspace *w) { return pm_body_kinetic(w, PM_NONE) + pm_body_weight_energy(w) + pm_force_potential(w); }
+static double energy(pm_workspace *w)
+{
+    return pm_body_kinetic(w, PM_NONE) + pm_body_weight_energy(w) + pm_force_potential(w);
+}
 
 void pm_audit_begin(pm_workspace *w)
 {
@@ -126,7 +130,8 @@ static void update_scales(pm_workspace *w)
     const double kinetic = pm_body_kinetic(w, PM_NONE);
     pm_body_momentum(w, PM_NONE, p);
     w->energy_scale = fmax(w->energy_scale, fmax(kinetic, fabs(work_of_forces(w))));
-    w->momentum_scale = fmax(w->momentum_scale, fmax(momentum_size(w, p), momentum_size(w, w->state.z + ledger_z(w->model))));
+    w->momentum_scale =
+        fmax(w->momentum_scale, fmax(momentum_size(w, p), momentum_size(w, w->state.z + ledger_z(w->model))));
 }
 
 void pm_audit_step(pm_workspace *w)

@@ -78,7 +78,8 @@ static void *work(void *x)
         else
             run_one(worker->workspace, job, i);
         const int64_t done = atomic_fetch_add(&job->done, 1) + 1;
-        if (job->progress && done > *(volatile int64_t *)job->progress) *(volatile int64_t *)job->progress = done;
+        if (job->progress && done > *(volatile int64_t *)job->progress)
+            *(volatile int64_t *)job->progress = done;
     }
 }
 
@@ -95,7 +96,8 @@ static int run_workers(pm_job *job, int nworker)
         if (!status) worker[n].workspace->stop = job->stop;
     }
     if (!status) {
-        for (int i = 1; i < n; i++) worker[i].started = pthread_create(&worker[i].thread, NULL, work, &worker[i]) == 0;
+        for (int i = 1; i < n; i++)
+            worker[i].started = pthread_create(&worker[i].thread, NULL, work, &worker[i]) == 0;
         work(&worker[0]); /* fewer threads than asked still do all cases */
         for (int i = 1; i < n; i++)
             if (worker[i].started) pthread_join(worker[i].thread, NULL);
@@ -114,10 +116,10 @@ static void report_model(const pm_where *x, int32_t *where, double *detail)
     detail[PM_DETAIL_TIME] = NAN;
 }
 
-int pm_batch(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t ncase, int64_t nparam,
-             const double *param, int nworker, const int32_t *stop, int64_t *progress, int64_t nout, double *out,
-             int64_t nask, int32_t *reason, int32_t *status, int32_t *where, double *detail, double *audit,
-             int64_t *count)
+int pm_batch(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t ncase,
+             int64_t nparam, const double *param, int nworker, const int32_t *stop, int64_t *progress,
+             int64_t nout, double *out, int64_t nask, int32_t *reason, int32_t *status, int32_t *where,
+             double *detail, double *audit, int64_t *count)
 {
     pm_model *model;
     pm_where place = {PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
@@ -127,9 +129,18 @@ int pm_batch(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
         result = PM_BAD_TABLE;
     }
     if (!result && ncase > 0) {
-        pm_job job = {.model = model, .ncase = ncase, .param = param, .stop = stop, .progress = progress,
-                      .out = out, .detail = detail, .audit = audit, .reason = reason, .status = status,
-                      .where = where, .count = count};
+        pm_job job = {.model = model,
+                      .ncase = ncase,
+                      .param = param,
+                      .stop = stop,
+                      .progress = progress,
+                      .out = out,
+                      .detail = detail,
+                      .audit = audit,
+                      .reason = reason,
+                      .status = status,
+                      .where = where,
+                      .count = count};
         result = run_workers(&job, nworker);
     }
     if (result && ncase > 0) report_model(&place, where, detail);
@@ -138,8 +149,8 @@ int pm_batch(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
 }
 
 /* One case in a workspace of its own. */
-static int open_one(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t nparam,
-                    pm_model **model, pm_workspace **w, int32_t *where, double *detail)
+static int open_one(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant,
+                    int64_t nparam, pm_model **model, pm_workspace **w, int32_t *where, double *detail)
 {
     pm_where place = {PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
     int status = pm_model_create(ntable, table, nconstant, constant, nparam, model, &place);
@@ -200,8 +211,8 @@ static void report_check(const pm_workspace *w, const pm_start_report *report, i
 }
 
 int pm_check(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t nparam,
-             const double *param, int32_t *info, double *number, int64_t nbody, double *pose, double *velocity,
-             int32_t *where, double *detail)
+             const double *param, int32_t *info, double *number, int64_t nbody, double *pose,
+             double *velocity, int32_t *where, double *detail)
 {
     pm_model *model;
     pm_workspace *w;

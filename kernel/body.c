@@ -7,7 +7,8 @@
 
 #include <math.h>
 
-void pm_frame_look(pm_workspace *w, double t, const double *q, const double *v, const double *z, const pm_memory *memory)
+void pm_frame_look(pm_workspace *w, double t, const double *q, const double *v, const double *z,
+                   const pm_memory *memory)
 {
     pm_frame *f = &w->frame;
     const int n = w->model->nbody;
@@ -52,7 +53,8 @@ pm_point pm_point_at(const pm_workspace *w, int body, double x, double y)
 pm_point pm_point_of(const pm_workspace *w, int index)
 {
     const int32_t *e = PM_POINT_ROW(w->model, index);
-    return pm_point_at(w, pm_body_index(w->model, e[PM_POINT_BODY]), w->value[e[PM_POINT_X]], w->value[e[PM_POINT_Y]]);
+    return pm_point_at(w, pm_body_index(w->model, e[PM_POINT_BODY]), w->value[e[PM_POINT_X]],
+                       w->value[e[PM_POINT_Y]]);
 }
 
 void pm_point_acceleration(const pm_workspace *w, const pm_point *p, double a[2])

@@ -11,7 +11,8 @@ typedef struct pm_point {
 } pm_point;
 
 /* Looks at (t, q, v, z): poses and velocities of all bodies; level KINEMATIC. */
-void pm_frame_look(pm_workspace *w, double t, const double *q, const double *v, const double *z, const pm_memory *memory);
+void pm_frame_look(pm_workspace *w, double t, const double *q, const double *v, const double *z,
+                   const pm_memory *memory);
 void pm_frame_look_state(pm_workspace *w, const pm_state *s);
 
 /* A mark at body axes (x, y) of `body` (nbody: the ground). */

@@ -41,8 +41,10 @@ static int read_bodies(pm_workspace *w)
     for (int i = 0; i < m->nbody; i++) {
         const int32_t *e = PM_BODY_ROW(m, i);
         int status = check(w, PM_TABLE_BODY, i, PM_BODY_MASS, e[PM_BODY_MASS], 0, 1);
-        if (!status && e[PM_BODY_TURNS]) status = check(w, PM_TABLE_BODY, i, PM_BODY_INERTIA, e[PM_BODY_INERTIA], 0, 1);
-        for (int k = PM_BODY_X; !status && k <= PM_BODY_ANGLE; k++) status = check(w, PM_TABLE_BODY, i, k, e[k], -INFINITY, 0);
+        if (!status && e[PM_BODY_TURNS])
+            status = check(w, PM_TABLE_BODY, i, PM_BODY_INERTIA, e[PM_BODY_INERTIA], 0, 1);
+        for (int k = PM_BODY_X; !status && k <= PM_BODY_ANGLE; k++)
+            status = check(w, PM_TABLE_BODY, i, k, e[k], -INFINITY, 0);
         if (status) return status;
         w->mass[i] = w->value[e[PM_BODY_MASS]];
         w->inverse_mass[3 * i] = w->inverse_mass[3 * i + 1] = 1 / w->mass[i];
@@ -99,7 +101,8 @@ static int check_elements(pm_workspace *w)
     int status = PM_OK;
     for (int i = 0; !status && i < m->rows[PM_TABLE_JOINT]; i++) {
         const int32_t *e = PM_JOINT_ROW(m, i);
-        if (e[PM_JOINT_KIND] == PM_JOINT_LINK) status = check(w, PM_TABLE_JOINT, i, PM_JOINT_VALUE, e[PM_JOINT_VALUE], 0, 1);
+        if (e[PM_JOINT_KIND] == PM_JOINT_LINK)
+            status = check(w, PM_TABLE_JOINT, i, PM_JOINT_VALUE, e[PM_JOINT_VALUE], 0, 1);
         if (e[PM_JOINT_KIND] == PM_JOINT_WELD || e[PM_JOINT_KIND] == PM_JOINT_SLIDER_FIXED)
             status = check(w, PM_TABLE_JOINT, i, PM_JOINT_VALUE, e[PM_JOINT_VALUE], -INFINITY, 0);
         if (e[PM_JOINT_KIND] == PM_JOINT_ROLLING_CIRCLE)
@@ -109,9 +112,11 @@ static int check_elements(pm_workspace *w)
         const int32_t *e = PM_CONTACT_ROW_OF(m, i);
         status = check(w, PM_TABLE_CONTACT, i, PM_CONTACT_RESTITUTION, e[PM_CONTACT_RESTITUTION], 0, 0);
         if (!status && w->value[e[PM_CONTACT_RESTITUTION]] > 1)
-            status = out_of_bound(w, PM_TABLE_CONTACT, i, PM_CONTACT_RESTITUTION, w->value[e[PM_CONTACT_RESTITUTION]], 1);
+            status = out_of_bound(w, PM_TABLE_CONTACT, i, PM_CONTACT_RESTITUTION,
+                                  w->value[e[PM_CONTACT_RESTITUTION]], 1);
         for (int k = PM_CONTACT_STATIC; !status && k <= PM_CONTACT_KINETIC; k++)
-            if (e[PM_CONTACT_FRICTION] == PM_FRICTION_COULOMB) status = check(w, PM_TABLE_CONTACT, i, k, e[k], 0, 0);
+            if (e[PM_CONTACT_FRICTION] == PM_FRICTION_COULOMB)
+                status = check(w, PM_TABLE_CONTACT, i, k, e[k], 0, 0);
         if (!status) status = check_partners(w, i);
     }
     for (int i = 0; !status && i < m->rows[PM_TABLE_FORCE]; i++) {
@@ -122,7 +127,8 @@ static int check_elements(pm_workspace *w)
             status = check(w, PM_TABLE_FORCE, i, PM_FORCE_VALUE_2, e[PM_FORCE_VALUE_2], -INFINITY, 0);
     }
     for (int i = 0; !status && i < m->rows[PM_TABLE_START]; i++)
-        status = check(w, PM_TABLE_START, i, PM_START_VALUE, PM_START_ROW(m, i)[PM_START_VALUE], -INFINITY, 0);
+        status =
+            check(w, PM_TABLE_START, i, PM_START_VALUE, PM_START_ROW(m, i)[PM_START_VALUE], -INFINITY, 0);
     return status;
 }
 
@@ -137,11 +143,13 @@ static int read_settings(pm_workspace *w)
     }
     static const double least[] = {1e-14, 0, 0};
     for (int k = PM_SETTING_ACCURACY; k <= PM_SETTING_ASSEMBLY; k++) {
-        const int status = check(w, PM_TABLE_SETTING, 0, k, PM_SETTING(m, k), least[k - PM_SETTING_ACCURACY], k > PM_SETTING_ACCURACY);
+        const int status = check(w, PM_TABLE_SETTING, 0, k, PM_SETTING(m, k), least[k - PM_SETTING_ACCURACY],
+                                 k > PM_SETTING_ACCURACY);
         if (status) return status;
     }
     w->tolerance = w->value[PM_SETTING(m, PM_SETTING_ACCURACY)];
-    if (w->tolerance > 1e-2) return out_of_bound(w, PM_TABLE_SETTING, 0, PM_SETTING_ACCURACY, w->tolerance, 1e-2);
+    if (w->tolerance > 1e-2)
+        return out_of_bound(w, PM_TABLE_SETTING, 0, PM_SETTING_ACCURACY, w->tolerance, 1e-2);
     return PM_OK;
 }
 
@@ -159,9 +167,11 @@ static void set_size(pm_workspace *w)
     for (int k = 0; k < 2 && m->nbody > 0; k++) size = fmax(size, high[k] - low[k]);
     for (int i = 0; i < m->rows[PM_TABLE_POINT]; i++) {
         const int32_t *e = PM_POINT_ROW(m, i);
-        if (e[PM_POINT_BODY] != PM_GROUND) size = fmax(size, hypot(w->value[e[PM_POINT_X]], w->value[e[PM_POINT_Y]]));
+        if (e[PM_POINT_BODY] != PM_GROUND)
+            size = fmax(size, hypot(w->value[e[PM_POINT_X]], w->value[e[PM_POINT_Y]]));
     }
-    for (int i = 0; i < m->rows[PM_TABLE_CIRCLE]; i++) size = fmax(size, w->value[PM_CIRCLE_ROW(m, i)[PM_CIRCLE_RADIUS]]);
+    for (int i = 0; i < m->rows[PM_TABLE_CIRCLE]; i++)
+        size = fmax(size, w->value[PM_CIRCLE_ROW(m, i)[PM_CIRCLE_RADIUS]]);
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
         const int32_t *e = PM_JOINT_ROW(m, i);
         if (e[PM_JOINT_KIND] == PM_JOINT_LINK) size = fmax(size, w->value[e[PM_JOINT_VALUE]]);

@@ -55,7 +55,10 @@ double pm_contact_restitution(const pm_workspace *w, int contact)
     return w->value[PM_CONTACT_ROW_OF(w->model, contact)[PM_CONTACT_RESTITUTION]];
 }
 
-int pm_contact_friction(const pm_model *m, int contact) { return PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_FRICTION]; }
+int pm_contact_friction(const pm_model *m, int contact)
+{
+    return PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_FRICTION];
+}
 
 static double coefficient(const pm_workspace *w, int contact, int column)
 {
@@ -64,8 +67,14 @@ static double coefficient(const pm_workspace *w, int contact, int column)
                : 0;
 }
 
-double pm_contact_static(const pm_workspace *w, int contact) { return coefficient(w, contact, PM_CONTACT_STATIC); }
-double pm_contact_kinetic(const pm_workspace *w, int contact) { return coefficient(w, contact, PM_CONTACT_KINETIC); }
+double pm_contact_static(const pm_workspace *w, int contact)
+{
+    return coefficient(w, contact, PM_CONTACT_STATIC);
+}
+double pm_contact_kinetic(const pm_workspace *w, int contact)
+{
+    return coefficient(w, contact, PM_CONTACT_KINETIC);
+}
 
 double pm_contact_member_gap(const pm_workspace *w, int contact, int member, double *rate)
 {

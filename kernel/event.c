@@ -22,12 +22,13 @@
 
 enum pm_function_kind { FUNCTION_TRIGGER, FUNCTION_GAP, FUNCTION_NORMAL, FUNCTION_GRIP, FUNCTION_SLIP };
 
-#define ON_ZERO 1e-12     /* of a function's greatest size in the step: zero when the phase begins */
-#define SAME_TIME 1e-11   /* of a step: events closer than this are one instant */
-#define HALVINGS 30       /* of a step, to find the top of a short bounce */
-#define LEAVING 20        /* halvings of a step: a trigger has left its zero at the first place where it is seen off it */
+#define ON_ZERO 1e-12   /* of a function's greatest size in the step: zero when the phase begins */
+#define SAME_TIME 1e-11 /* of a step: events closer than this are one instant */
+#define HALVINGS 30     /* of a step, to find the top of a short bounce */
+#define LEAVING \
+    20 /* halvings of a step: a trigger has left its zero at the first place where it is seen off it */
 #define POSITION_ROUNDING 4e-15 /* of how far bodies are from the origin */
-#define FORCE_SLACK 1e-10 /* of the scene's weight-like force */
+#define FORCE_SLACK 1e-10       /* of the scene's weight-like force */
 
 /* ---- memory ---- */
 int pm_event_create(pm_workspace *w)
@@ -83,23 +84,26 @@ double pm_event_time(const pm_workspace *w, int event) { return w->event->time[e
 static void add(pm_workspace *w, int kind, int index, int direction, int level, double slack)
 {
     pm_event_set *e = w->event;
-    e->function[e->nfunction++] =
-        (pm_event_function){.kind = kind, .index = index, .direction = direction, .level = level, .slack = slack};
+    e->function[e->nfunction++] = (pm_event_function){
+        .kind = kind, .index = index, .direction = direction, .level = level, .slack = slack};
     if (level > e->level) e->level = level;
 }
 
 static double trigger_program(pm_workspace *w, int trigger)
 {
-    return pm_program_run(w->model, PM_TRIGGER_ROW(w->model, trigger)[PM_TRIGGER_PROGRAM], w->param, w->value, w);
+    return pm_program_run(w->model, PM_TRIGGER_ROW(w->model, trigger)[PM_TRIGGER_PROGRAM], w->param, w->value,
+                          w);
 }
 
 static void add_triggers(pm_workspace *w)
 {
-    static const int direction[] = {[PM_TRIGGER_CROSS] = 0, [PM_TRIGGER_RISE] = 1, [PM_TRIGGER_FALL] = -1, [PM_TRIGGER_EVERY] = -1};
+    static const int direction[] = {
+        [PM_TRIGGER_CROSS] = 0, [PM_TRIGGER_RISE] = 1, [PM_TRIGGER_FALL] = -1, [PM_TRIGGER_EVERY] = -1};
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *e = PM_TRIGGER_ROW(w->model, i);
         if (e[PM_TRIGGER_KIND] > PM_TRIGGER_EVERY) continue;
-        add(w, FUNCTION_TRIGGER, i, direction[e[PM_TRIGGER_KIND]], w->model->program_level[e[PM_TRIGGER_PROGRAM]], 0);
+        add(w, FUNCTION_TRIGGER, i, direction[e[PM_TRIGGER_KIND]],
+            w->model->program_level[e[PM_TRIGGER_PROGRAM]], 0);
         w->event->function[w->event->nfunction - 1].held = w->event->fired[i];
     }
 }
@@ -143,10 +147,12 @@ static double evaluate(pm_workspace *w, const pm_event_function *f)
     case FUNCTION_GRIP: {
         if (w->slot_tangent[f->index] == PM_NONE || w->slot_normal[f->index] == PM_NONE) return 1;
         const double mu = pm_contact_static(w, pm_contact_of_slot(w->model, f->index));
-        return mu * w->frame.lambda[w->slot_normal[f->index]] - fabs(w->frame.lambda[w->slot_tangent[f->index]]);
+        return mu * w->frame.lambda[w->slot_normal[f->index]] -
+               fabs(w->frame.lambda[w->slot_tangent[f->index]]);
     }
     case FUNCTION_SLIP: {
-        const double slip = pm_contact_member_slip(w, pm_contact_of_slot(w->model, f->index), slot[f->index].member);
+        const double slip =
+            pm_contact_member_slip(w, pm_contact_of_slot(w->model, f->index), slot[f->index].member);
         return slot[f->index].mode == PM_SLIDE_FORWARD ? slip : -slip;
     }
     default: {
@@ -167,7 +173,9 @@ static void set_multiples(pm_workspace *w)
 {
     for (int i = 0; i < w->event->nfunction; i++) {
         pm_event_function *f = &w->event->function[i];
-        if (f->kind != FUNCTION_TRIGGER || PM_TRIGGER_ROW(w->model, f->index)[PM_TRIGGER_KIND] != PM_TRIGGER_EVERY) continue;
+        if (f->kind != FUNCTION_TRIGGER ||
+            PM_TRIGGER_ROW(w->model, f->index)[PM_TRIGGER_KIND] != PM_TRIGGER_EVERY)
+            continue;
         const double p = trigger_program(w, f->index), nearest = round(p);
         const int holds = fabs(p - nearest) <= 1e-9 * fmax(1, fabs(p));
         f->low = holds ? nearest - 1 : floor(p);
@@ -200,7 +208,8 @@ void pm_event_begin(pm_workspace *w)
         pm_event_function *f = &e->function[i];
         if (f->kind == FUNCTION_TRIGGER || e->value[i] > f->slack) continue;
         f->held = 1;
-        if (f->kind == FUNCTION_GAP && leaves(w, f->index)) f->slack = POSITION_ROUNDING * pm_contact_reach(w);
+        if (f->kind == FUNCTION_GAP && leaves(w, f->index))
+            f->slack = POSITION_ROUNDING * pm_contact_reach(w);
     }
     memset(e->fired, 0, (size_t)w->model->rows[PM_TABLE_TRIGGER]);
 }
@@ -261,12 +270,14 @@ static int crosses(const pm_event_function *f, double a, double b)
 }
 
 /* A dip of three nodes towards zero: the vertex of their parabola, if the function goes through zero there. */
-static int dips(pm_workspace *w, const pm_event_function *f, const double *g, const double *t, double *where, double *value)
+static int dips(pm_workspace *w, const pm_event_function *f, const double *g, const double *t, double *where,
+                double *value)
 {
     const double s = g[1] > 0 ? 1 : -1, a = s * g[0], b = s * g[1], c = s * g[2];
     if (!(b < a && b < c) || !(a > 0 && b > 0 && c > 0)) return 0;
     if ((f->direction > 0 && s > 0) || (f->direction < 0 && s < 0)) return 0;
-    const double bend = a - 2 * b + c, shift = 0.5 * (a - c) / bend, low = b - 0.125 * (a - c) * (a - c) / bend;
+    const double bend = a - 2 * b + c, shift = 0.5 * (a - c) / bend,
+                 low = b - 0.125 * (a - c) * (a - c) / bend;
     if (low > 0.1 * b) return 0;
     *where = t[1] + shift * (t[2] - t[1]);
     *value = along(w, *where, (void *)(uintptr_t)f);
@@ -279,7 +290,8 @@ typedef struct pm_bracket {
 
 /* A function held at zero is negative at b: it has gone up and come back (a short bounce), or it went the wrong way at
  * once and the event is now. */
-static int leaves_and_returns(pm_workspace *w, const pm_event_function *f, double a, double b, double gb, pm_bracket *x)
+static int leaves_and_returns(pm_workspace *w, const pm_event_function *f, double a, double b, double gb,
+                              pm_bracket *x)
 {
     *x = (pm_bracket){a, a, 0, 0};
     for (int i = 0; i < HALVINGS; i++) {
@@ -297,8 +309,8 @@ static int leaves_and_returns(pm_workspace *w, const pm_event_function *f, doubl
 }
 
 /* A trigger that was on zero at a: where it has definitely left tells its side; it may have come back before b. */
-static int leaves_and_crosses(pm_workspace *w, const pm_event_function *f, double a, double b, double gb, double noise,
-                              pm_bracket *x)
+static int leaves_and_crosses(pm_workspace *w, const pm_event_function *f, double a, double b, double gb,
+                              double noise, pm_bracket *x)
 {
     for (int i = LEAVING; i > 0; i--) {
         const double t = a + ldexp(b - a, -i), g = along(w, t, (void *)(uintptr_t)f);
@@ -325,7 +337,8 @@ static int bracket(pm_workspace *w, int i, pm_bracket *x)
     if (f->held && f->kind == FUNCTION_TRIGGER) { /* enters on the side where it goes */
         if (leaves_and_crosses(w, f, t[0], t[1], g[1], ON_ZERO * biggest, x)) return 1;
         first = 1;
-    } else if (f->held) { /* a contact starts on the open side; it counts again from where it has left its zero */
+    } else if (
+        f->held) { /* a contact starts on the open side; it counts again from where it has left its zero */
         for (first = 1; first < PM_NODES && fabs(g[first]) <= f->slack;) first++;
         if (first == PM_NODES) return 0;
         if (g[first] < 0) return leaves_and_returns(w, f, t[first - 1], t[first], g[first], x);
@@ -428,7 +441,8 @@ static int limit_reached(pm_workspace *w, double max_time)
     if (w->stop && *w->stop) return PM_CANCELLED;
     if (w->state.t >= max_time) return pm_fail(w, PM_LIMIT_TIME, PM_TABLE_SETTING, 0, w->state.t, max_time);
     const double most = PM_SETTING(w->model, PM_SETTING_MAX_STEPS);
-    if ((double)w->count[PM_COUNT_STEPS] >= most) return pm_fail(w, PM_LIMIT_STEPS, PM_TABLE_SETTING, 0, most, most);
+    if ((double)w->count[PM_COUNT_STEPS] >= most)
+        return pm_fail(w, PM_LIMIT_STEPS, PM_TABLE_SETTING, 0, most, most);
     return PM_OK;
 }
 
@@ -477,7 +491,8 @@ int pm_event_advance(pm_workspace *w, int *happened)
 void pm_event_look_before(pm_workspace *w)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++)
-        if (PM_TRIGGER_ROW(w->model, i)[PM_TRIGGER_KIND] <= PM_TRIGGER_FALL) w->event->before[i] = trigger_program(w, i);
+        if (PM_TRIGGER_ROW(w->model, i)[PM_TRIGGER_KIND] <= PM_TRIGGER_FALL)
+            w->event->before[i] = trigger_program(w, i);
 }
 
 void pm_event_look_after(pm_workspace *w)
@@ -487,7 +502,8 @@ void pm_event_look_after(pm_workspace *w)
         if (kind > PM_TRIGGER_FALL || w->event->fired[i]) continue;
         const double before = w->event->before[i], after = trigger_program(w, i);
         const int rises = before < 0 && after > 0, falls = before > 0 && after < 0;
-        w->event->fired[i] = (unsigned char)((rises && kind != PM_TRIGGER_FALL) || (falls && kind != PM_TRIGGER_RISE));
+        w->event->fired[i] =
+            (unsigned char)((rises && kind != PM_TRIGGER_FALL) || (falls && kind != PM_TRIGGER_RISE));
     }
 }
 
@@ -495,7 +511,8 @@ void pm_event_mark(pm_workspace *w, int kind, int a)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *e = PM_TRIGGER_ROW(w->model, i);
-        if (e[PM_TRIGGER_KIND] == kind && (kind == PM_TRIGGER_START || e[PM_TRIGGER_A] == a)) w->event->fired[i] = 1;
+        if (e[PM_TRIGGER_KIND] == kind && (kind == PM_TRIGGER_START || e[PM_TRIGGER_A] == a))
+            w->event->fired[i] = 1;
     }
 }
 

@@ -8,30 +8,30 @@
 #define PM_NODES 5 /* places in a step where functions are sampled, its ends included */
 
 typedef struct pm_event_function {
-    int kind;      /* enum in event.c */
-    int index;     /* trigger, contact or slot */
-    int direction; /* 0: either way, 1: rising, -1: falling */
-    int level;     /* enum pm_level it needs */
-    int held;      /* zero when the phase began: must first be left */
-    double slack;  /* a held function counts as crossed only below -slack */
+    int kind;         /* enum in event.c */
+    int index;        /* trigger, contact or slot */
+    int direction;    /* 0: either way, 1: rising, -1: falling */
+    int level;        /* enum pm_level it needs */
+    int held;         /* zero when the phase began: must first be left */
+    double slack;     /* a held function counts as crossed only below -slack */
     double low, high; /* `every`: the multiples below and above */
 } pm_event_function;
 
 typedef struct pm_event_set {
     pm_event_function *function;
     int nfunction;
-    int level;           /* highest level of all */
-    double *value;       /* [PM_NODES][most functions] */
-    int *hit;            /* [most functions] fired at this instant */
-    int *root;           /* [most functions] roots that the route itself found, or 0 */
+    int level;            /* highest level of all */
+    double *value;        /* [PM_NODES][most functions] */
+    int *hit;             /* [most functions] fired at this instant */
+    int *root;            /* [most functions] roots that the route itself found, or 0 */
     unsigned char *fired; /* [ntrigger] at this instant */
     unsigned char *spent; /* [ncontact] left its zero by less than rounding: the bounce is over */
-    double *before;      /* [ntrigger] program values before the jump */
-    int64_t *count;      /* [nevent] */
-    double *time;        /* [nevent] */
-    void *solver;        /* gsl_root_fsolver */
-    int first_step;      /* of the phase */
-    int most;            /* size of the function array */
+    double *before;       /* [ntrigger] program values before the jump */
+    int64_t *count;       /* [nevent] */
+    double *time;         /* [nevent] */
+    void *solver;         /* gsl_root_fsolver */
+    int first_step;       /* of the phase */
+    int most;             /* size of the function array */
     void *block;
 } pm_event_set;
 

@@ -9,7 +9,8 @@
 typedef void pm_force_law(pm_workspace *w, const int32_t *e, pm_action *x);
 
 /* Two points: direction and rate of their distance; `pull` N draws them together. */
-static void line_action(pm_workspace *w, const int32_t *e, pm_action *x, double (*law)(pm_workspace *, const int32_t *, pm_action *))
+static void line_action(pm_workspace *w, const int32_t *e, pm_action *x,
+                        double (*law)(pm_workspace *, const int32_t *, pm_action *))
 {
     const pm_point a = pm_point_of(w, e[PM_FORCE_A]), b = pm_point_of(w, e[PM_FORCE_B]);
     const double d[2] = {b.p[0] - a.p[0], b.p[1] - a.p[1]}, length = hypot(d[0], d[1]);
@@ -31,7 +32,8 @@ static double spring_pull(pm_workspace *w, const int32_t *e, pm_action *x)
 {
     const double stiffness = w->value[e[PM_FORCE_VALUE_1]];
     x->stretch -= w->value[e[PM_FORCE_VALUE_2]];
-    if ((e[PM_FORCE_OPTION] == PM_SPRING_PULL && x->stretch < 0) || (e[PM_FORCE_OPTION] == PM_SPRING_PUSH && x->stretch > 0))
+    if ((e[PM_FORCE_OPTION] == PM_SPRING_PULL && x->stretch < 0) ||
+        (e[PM_FORCE_OPTION] == PM_SPRING_PUSH && x->stretch > 0))
         return 0;
     x->energy = 0.5 * stiffness * x->stretch * x->stretch;
     return stiffness * x->stretch;
@@ -92,8 +94,8 @@ static void applied(pm_workspace *w, const int32_t *e, pm_action *x)
 }
 
 static pm_force_law *const laws[PM_FORCE_KINDS] = {
-    [PM_FORCE_SPRING] = spring, [PM_FORCE_TORSION] = torsion,
-    [PM_FORCE_DAMPER] = damper, [PM_FORCE_ROTARY_DAMPER] = rotary_damper,
+    [PM_FORCE_SPRING] = spring,   [PM_FORCE_TORSION] = torsion,
+    [PM_FORCE_DAMPER] = damper,   [PM_FORCE_ROTARY_DAMPER] = rotary_damper,
     [PM_FORCE_APPLIED] = applied, [PM_FORCE_COUPLE] = couple,
 };
 
@@ -105,7 +107,8 @@ pm_action pm_force_action(pm_workspace *w, int i)
     return x;
 }
 
-static void add(const pm_workspace *w, int body, const double at[2], const double force[2], double couple, double sign)
+static void add(const pm_workspace *w, int body, const double at[2], const double force[2], double couple,
+                double sign)
 {
     if (body == w->model->nbody) return;
     const double *pose = w->frame.pose + 5 * body;

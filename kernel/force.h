@@ -8,9 +8,10 @@
 typedef struct pm_action {
     int body_a, body_b; /* nbody: the ground */
     double at_a[2], at_b[2], force[2], couple;
-    double stretch, rate; /* of springs and dampers: length - free length (or angle), and d/dt of the length */
-    double power;         /* on the bodies, W */
-    double energy;        /* stored */
+    double stretch,
+        rate;      /* of springs and dampers: length - free length (or angle), and d/dt of the length */
+    double power;  /* on the bodies, W */
+    double energy; /* stored */
 } pm_action;
 
 pm_action pm_force_action(pm_workspace *w, int i);

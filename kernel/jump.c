@@ -20,9 +20,10 @@
 #include "row.h"
 #include "saddle.h"
 
-#define PULLS 1e-11       /* of the impulses in the blow: a normal impulse this small does not pull */
-#define LAST_BOUNCE 1e-7 /* of the scene's speed: slower rebounds stay; their height would be lost in rounding */
-#define SPENT 1e-6       /* of the scene's speed: a rebound that cannot be seen and is slower than this is over */
+#define PULLS 1e-11 /* of the impulses in the blow: a normal impulse this small does not pull */
+#define LAST_BOUNCE \
+    1e-7           /* of the scene's speed: slower rebounds stay; their height would be lost in rounding */
+#define SPENT 1e-6 /* of the scene's speed: a rebound that cannot be seen and is slower than this is over */
 #define BLOWS_AT_ONCE 64
 
 /* Heights are lost in the rounding of positions sooner the farther off the scene is: speeds by the root of it. */
@@ -49,7 +50,8 @@ static int find_struck(pm_workspace *w, unsigned char *share, int *struck)
             if (pm_contact_gap(w, &w->state, i, &member) > pm_contact_length(w)) break;
             pm_contact_member_gap(w, i, member, &rate);
             const int approaches = rate < -pm_contact_speed(w), rests = is_spent(w, i, rate);
-            if (!rests && (rate > pm_contact_speed(w) || (!approaches && pm_mode_released(w, i, member)))) break;
+            if (!rests && (rate > pm_contact_speed(w) || (!approaches && pm_mode_released(w, i, member))))
+                break;
             const int status = pm_mode_close(w, i, member, &slot);
             if (status) return status;
             if (!approaches && !rests) continue;
@@ -64,7 +66,8 @@ static int find_struck(pm_workspace *w, unsigned char *share, int *struck)
 static int build(pm_workspace *w, const unsigned char *share, const int32_t *trial)
 {
     const pm_model *m = w->model;
-    for (int i = 0; i < m->nslot; i++) w->state.slot[i].mode = share[i] == STRUCK || share[i] == JOINED ? trial[i] : PM_OPEN;
+    for (int i = 0; i < m->nslot; i++)
+        w->state.slot[i].mode = share[i] == STRUCK || share[i] == JOINED ? trial[i] : PM_OPEN;
     pm_frame_look_state(w, &w->state);
     const int status = pm_active_build(w);
     if (!status) pm_saddle_rows(w);
@@ -125,7 +128,9 @@ static int slide_where_it_must(pm_workspace *w, int32_t *trial)
         if (w->slot_tangent[i] == PM_NONE || w->slot_normal[i] == PM_NONE) continue;
         if (pm_contact_friction(w->model, contact) != PM_FRICTION_COULOMB) continue;
         const double friction = w->rhs[w->slot_tangent[i]];
-        if (fabs(friction) <= pm_contact_static(w, contact) * w->rhs[w->slot_normal[i]] + PULLS * impulse_size(w)) continue;
+        if (fabs(friction) <=
+            pm_contact_static(w, contact) * w->rhs[w->slot_normal[i]] + PULLS * impulse_size(w))
+            continue;
         const double slip = pm_contact_member_slip(w, contact, w->state.slot[i].member);
         const int forward = fabs(slip) > pm_contact_speed(w) ? slip > 0 : friction < 0;
         trial[i] = forward ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
@@ -135,7 +140,8 @@ static int slide_where_it_must(pm_workspace *w, int32_t *trial)
 }
 
 /* A resting contact whose pair would approach joins. */
-static int join_approaching(pm_workspace *w, unsigned char *share, const int32_t *resting, int32_t *trial, const double *after)
+static int join_approaching(pm_workspace *w, unsigned char *share, const int32_t *resting, int32_t *trial,
+                            const double *after)
 {
     for (int i = 0; i < w->model->nslot; i++) {
         if (share[i] != OUT || resting[i] == PM_OPEN) continue;
@@ -177,14 +183,16 @@ static void record(pm_workspace *w)
 static int slid(const pm_workspace *w, int slot, const double *v)
 {
     pm_row normal, tangent;
-    pm_row_of_contact(w, pm_contact_of_slot(w->model, slot), slot, w->state.slot[slot].member, &normal, &tangent);
+    pm_row_of_contact(w, pm_contact_of_slot(w->model, slot), slot, w->state.slot[slot].member, &normal,
+                      &tangent);
     pm_row_kind(tangent.kind)->evaluate(w, &tangent);
     return fabs(pm_saddle_times(w, &tangent, v)) > pm_contact_speed(w);
 }
 
 /* Modes after the blow: what parts is open; what stays is closed with the friction its slip asks for.  A struck contact
  * that slid and stays without slip sticks from the blow on. */
-static void set_modes(pm_workspace *w, const unsigned char *share, const int32_t *resting, const double *before)
+static void set_modes(pm_workspace *w, const unsigned char *share, const int32_t *resting,
+                      const double *before)
 {
     for (int i = 0; i < w->model->nslot; i++) {
         const int contact = pm_contact_of_slot(w->model, i), member = w->state.slot[i].member;
@@ -208,7 +216,8 @@ static int one_blow(pm_workspace *w, unsigned char *share, double *scratch)
     int status = PM_OK, again = 1;
     for (int i = 0; i < m->nslot; i++) {
         resting[i] = share[i] == STRUCK ? PM_OPEN : w->state.slot[i].mode;
-        trial[i] = pm_contact_friction(m, pm_contact_of_slot(m, i)) == PM_FRICTION_SMOOTH ? PM_SMOOTH : PM_STICK;
+        trial[i] =
+            pm_contact_friction(m, pm_contact_of_slot(m, i)) == PM_FRICTION_SMOOTH ? PM_SMOOTH : PM_STICK;
     }
     const int most = 4 * m->nslot + 4;
     for (int i = 0; again; i++) {
@@ -241,7 +250,8 @@ int pm_jump(pm_workspace *w, int *jumped)
         pm_frame_look_state(w, &w->state);
         int status = find_struck(w, share, &struck);
         if (status || struck == 0) return status;
-        if (i == BLOWS_AT_ONCE) return pm_fail(w, PM_BLOW_UNDECIDED, PM_TABLE_CONTACT, PM_NONE, i, BLOWS_AT_ONCE);
+        if (i == BLOWS_AT_ONCE)
+            return pm_fail(w, PM_BLOW_UNDECIDED, PM_TABLE_CONTACT, PM_NONE, i, BLOWS_AT_ONCE);
         if (*jumped == 0) w->lost = 0;
         status = one_blow(w, share, scratch);
         if (status) return status;

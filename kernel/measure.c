@@ -25,9 +25,15 @@ static const double *velocity(const pm_measure_args *x, int body)
 {
     return x->w->frame.velocity + 3 * pm_body_index(x->w->model, body);
 }
-static const double *pose(const pm_measure_args *x, int body) { return x->w->frame.pose + 5 * pm_body_index(x->w->model, body); }
+static const double *pose(const pm_measure_args *x, int body)
+{
+    return x->w->frame.pose + 5 * pm_body_index(x->w->model, body);
+}
 
-static int seen_from(const pm_measure_args *x) { return x->e[PM_MEASURE_IN] == PM_NONE ? PM_GROUND : x->e[PM_MEASURE_IN]; }
+static int seen_from(const pm_measure_args *x)
+{
+    return x->e[PM_MEASURE_IN] == PM_NONE ? PM_GROUND : x->e[PM_MEASURE_IN];
+}
 
 static double measure_time(const pm_measure_args *x) { return x->w->frame.t; }
 static double angle(const pm_measure_args *x) { return pose(x, x->a)[2] - pose(x, seen_from(x))[2]; }
@@ -59,7 +65,10 @@ static double inertia(const pm_measure_args *x)
     return sum;
 }
 
-static double kinetic(const pm_measure_args *x) { return x->a == PM_GROUND ? 0 : pm_body_kinetic(x->w, x->a); }
+static double kinetic(const pm_measure_args *x)
+{
+    return x->a == PM_GROUND ? 0 : pm_body_kinetic(x->w, x->a);
+}
 
 static void momentum(const pm_measure_args *x, double out[2])
 {
@@ -131,7 +140,8 @@ static void moved(const pm_measure_args *x, double out[2])
     const pm_point now = pm_point_of(x->w, x->a);
     out[0] = out[1] = 0;
     if (e[PM_POINT_BODY] == PM_GROUND) return;
-    const double *q = x->w->start.q + 3 * e[PM_POINT_BODY], px = x->w->value[e[PM_POINT_X]], py = x->w->value[e[PM_POINT_Y]];
+    const double *q = x->w->start.q + 3 * e[PM_POINT_BODY], px = x->w->value[e[PM_POINT_X]],
+                 py = x->w->value[e[PM_POINT_Y]];
     out[0] = now.p[0] - (q[0] + cos(q[2]) * px - sin(q[2]) * py);
     out[1] = now.p[1] - (q[1] + sin(q[2]) * px + cos(q[2]) * py);
 }
@@ -147,7 +157,8 @@ static double path(const pm_measure_args *x)
 static void joint_sum(const pm_measure_args *x, const double *reaction, int by_active, double out[3])
 {
     const pm_model *m = x->w->model;
-    const int first = m->joint_row[x->a], last = x->a + 1 < m->rows[PM_TABLE_JOINT] ? m->joint_row[x->a + 1] : m->njoint_row;
+    const int first = m->joint_row[x->a],
+              last = x->a + 1 < m->rows[PM_TABLE_JOINT] ? m->joint_row[x->a + 1] : m->njoint_row;
     out[0] = out[1] = out[2] = 0;
     for (int i = first; i < last; i++) {
         const int active = x->w->joint_active[i];
@@ -192,7 +203,10 @@ static double joint_row_reaction(const pm_measure_args *x, int row)
 static double joint_normal(const pm_measure_args *x) { return joint_row_reaction(x, 0); }
 static double joint_friction(const pm_measure_args *x) { return joint_row_reaction(x, 1); }
 static double needed(double normal, double friction) { return normal > 0 ? fabs(friction) / normal : NAN; }
-static double joint_friction_needed(const pm_measure_args *x) { return needed(joint_normal(x), joint_friction(x)); }
+static double joint_friction_needed(const pm_measure_args *x)
+{
+    return needed(joint_normal(x), joint_friction(x));
+}
 
 /* ---- contacts ---- */
 static void slots_of(const pm_measure_args *x, int *first, int *last)
@@ -323,7 +337,8 @@ static void contact_impulse(const pm_measure_args *x, double out[2])
 static void force_force(const pm_measure_args *x, double out[2])
 {
     const pm_action f = pm_force_action(x->w, x->a);
-    const int other = x->e[PM_MEASURE_ON] != PM_NONE && pm_body_index(x->w->model, x->e[PM_MEASURE_ON]) != f.body_a;
+    const int other =
+        x->e[PM_MEASURE_ON] != PM_NONE && pm_body_index(x->w->model, x->e[PM_MEASURE_ON]) != f.body_a;
     for (int k = 0; k < 2; k++) out[k] = other ? -f.force[k] : f.force[k];
 }
 static double force_couple(const pm_measure_args *x) { return pm_force_action(x->w, x->a).couple; }
@@ -338,7 +353,10 @@ static double force_stretch(const pm_measure_args *x) { return pm_force_action(x
 static double force_energy(const pm_measure_args *x) { return pm_force_action(x->w, x->a).energy; }
 static double event_count(const pm_measure_args *x) { return pm_event_count(x->w, x->a); }
 static double event_time(const pm_measure_args *x) { return pm_event_time(x->w, x->a); }
-static double potential(const pm_measure_args *x) { return pm_body_weight_energy(x->w) + pm_force_potential(x->w); }
+static double potential(const pm_measure_args *x)
+{
+    return pm_body_weight_energy(x->w) + pm_force_potential(x->w);
+}
 static double total(const pm_measure_args *x) { return pm_body_kinetic(x->w, PM_NONE) + potential(x); }
 static double lost(const pm_measure_args *x) { return x->w->lost; }
 
@@ -382,7 +400,8 @@ static const pm_measure_ops kinds[PM_MEASURE_KINDS] = {
     [PM_MEASURE_CONTACT_SLIP] = {PM_LEVEL_KINEMATIC, PM_TABLE_CONTACT, slip, 0, 0},
     [PM_MEASURE_CONTACT_NORMAL] = {PM_LEVEL_DYNAMIC, PM_TABLE_CONTACT, contact_normal, 0, 0},
     [PM_MEASURE_CONTACT_FRICTION] = {PM_LEVEL_DYNAMIC, PM_TABLE_CONTACT, contact_friction, 0, 0},
-    [PM_MEASURE_CONTACT_FRICTION_NEEDED] = {PM_LEVEL_DYNAMIC, PM_TABLE_CONTACT, contact_friction_needed, 0, 0},
+    [PM_MEASURE_CONTACT_FRICTION_NEEDED] = {PM_LEVEL_DYNAMIC, PM_TABLE_CONTACT, contact_friction_needed, 0,
+                                            0},
     [PM_MEASURE_CONTACT_FORCE] = {PM_LEVEL_DYNAMIC, PM_TABLE_CONTACT, 0, contact_force, 0},
     [PM_MEASURE_CONTACT_IMPULSE] = {PM_LEVEL_KINEMATIC, PM_TABLE_CONTACT, 0, contact_impulse, 0},
     [PM_MEASURE_FORCE_FORCE] = {PM_LEVEL_KINEMATIC, PM_TABLE_FORCE, 0, force_force, 0},
@@ -422,16 +441,14 @@ double pm_measure(pm_workspace *w, int i)
     return part_of(w, x.e, v);
 }
 
-int pm_measure_level(const pm_model *m, int i)
-{
-    return kinds[PM_MEASURE_ROW(m, i)[PM_MEASURE_KIND]].level;
-}
+int pm_measure_level(const pm_model *m, int i) { return kinds[PM_MEASURE_ROW(m, i)[PM_MEASURE_KIND]].level; }
 
 int pm_measure_can_start(const pm_model *m, int i, int level)
 {
     const int32_t *e = PM_MEASURE_ROW(m, i);
     const int linear = e[PM_MEASURE_PART] != PM_PART_NORM && e[PM_MEASURE_PART] != PM_PART_ANGLE;
-    return linear && (kinds[e[PM_MEASURE_KIND]].flags & (level == PM_START_POSITION ? CAN_START_POSITION : CAN_START_VELOCITY));
+    return linear && (kinds[e[PM_MEASURE_KIND]].flags &
+                      (level == PM_START_POSITION ? CAN_START_POSITION : CAN_START_VELOCITY));
 }
 
 static int bad(pm_where *where, int row, double value, double bound)
@@ -449,18 +466,22 @@ int pm_measure_validate(const pm_model *m, pm_where *where)
         const pm_measure_ops *ops = &kinds[kind];
         const int low = ops->of == PM_TABLE_BODY && kind != PM_MEASURE_POLE ? PM_GROUND : 0;
         const int all = (ops->flags & ALL_ALLOWED) && a == PM_NONE;
-        if (ops->of >= 0 && !all && (a < low || a >= m->rows[ops->of])) return bad(where, i, a, m->rows[ops->of]);
+        if (ops->of >= 0 && !all && (a < low || a >= m->rows[ops->of]))
+            return bad(where, i, a, m->rows[ops->of]);
         if (ops->vector && (part <= PM_PART_NONE || part >= PM_PARTS)) return bad(where, i, part, PM_PARTS);
         if (part == PM_PART_ALONG && e[PM_MEASURE_VALUE] < 0) return bad(where, i, e[PM_MEASURE_VALUE], 0);
-        if (kind == PM_MEASURE_JOINT_NORMAL || kind == PM_MEASURE_JOINT_FRICTION || kind == PM_MEASURE_JOINT_FRICTION_NEEDED) {
+        if (kind == PM_MEASURE_JOINT_NORMAL || kind == PM_MEASURE_JOINT_FRICTION ||
+            kind == PM_MEASURE_JOINT_FRICTION_NEEDED) {
             const int joint = PM_JOINT_ROW(m, a)[PM_JOINT_KIND];
-            if (joint != PM_JOINT_ROLLING_LINE && joint != PM_JOINT_ROLLING_CIRCLE) return bad(where, i, joint, PM_JOINT_KINDS);
+            if (joint != PM_JOINT_ROLLING_LINE && joint != PM_JOINT_ROLLING_CIRCLE)
+                return bad(where, i, joint, PM_JOINT_KINDS);
         }
     }
     for (int i = 0; i < m->rows[PM_TABLE_START]; i++) {
         const int32_t *e = PM_START_ROW(m, i);
         const int level = e[PM_START_LEVEL];
-        if (level < PM_START_POSITION || level > PM_START_VELOCITY || !pm_measure_can_start(m, e[PM_START_MEASURE], level)) {
+        if (level < PM_START_POSITION || level > PM_START_VELOCITY ||
+            !pm_measure_can_start(m, e[PM_START_MEASURE], level)) {
             *where = (pm_where){PM_TABLE_START, i, PM_NONE, e[PM_START_MEASURE], e[PM_START_LEVEL]};
             return PM_BAD_TABLE;
         }
@@ -475,7 +496,8 @@ void pm_measure_start_row(pm_workspace *w, int i, int level, double *coefficient
     int32_t rate[PM_MEASURE_COLUMNS];
     memcpy(rate, e, sizeof rate);
     if (level == PM_START_POSITION)
-        rate[PM_MEASURE_KIND] = e[PM_MEASURE_KIND] == PM_MEASURE_ANGLE ? PM_MEASURE_OMEGA : PM_MEASURE_VELOCITY;
+        rate[PM_MEASURE_KIND] =
+            e[PM_MEASURE_KIND] == PM_MEASURE_ANGLE ? PM_MEASURE_OMEGA : PM_MEASURE_VELOCITY;
     const pm_measure_args x = {w, rate, rate[PM_MEASURE_A]};
     const pm_measure_ops *ops = &kinds[rate[PM_MEASURE_KIND]];
     double *velocity_of = w->frame.velocity;

@@ -32,7 +32,8 @@ int pm_mode_of_slip(pm_workspace *w, int contact, int member)
 int pm_mode_close(pm_workspace *w, int contact, int member, int *slot)
 {
     *slot = pm_contact_free_slot(w, &w->state, contact);
-    if (*slot == PM_NONE) return pm_fail(w, PM_CONTACT_SLOTS, PM_TABLE_CONTACT, contact, PM_ROW_SLOTS, PM_ROW_SLOTS);
+    if (*slot == PM_NONE)
+        return pm_fail(w, PM_CONTACT_SLOTS, PM_TABLE_CONTACT, contact, PM_ROW_SLOTS, PM_ROW_SLOTS);
     w->state.slot[*slot] = (pm_slot){pm_mode_of_slip(w, contact, member), member};
     pm_active_anchor(w, &w->state, *slot);
     return PM_OK;
@@ -122,7 +123,8 @@ static int slide(pm_workspace *w)
         const int contact = pm_contact_of_slot(w->model, i);
         if (w->slot_tangent[i] == PM_NONE || w->slot_normal[i] == PM_NONE) continue;
         if (pm_contact_friction(w->model, contact) != PM_FRICTION_COULOMB) continue;
-        const double friction = w->frame.lambda[w->slot_tangent[i]], normal = w->frame.lambda[w->slot_normal[i]];
+        const double friction = w->frame.lambda[w->slot_tangent[i]],
+                     normal = w->frame.lambda[w->slot_normal[i]];
         if (fabs(friction) <= pm_contact_static(w, contact) * normal + slack) continue;
         w->state.slot[i].mode = slide_against(friction);
         return 1;
@@ -140,7 +142,8 @@ static int close_again(pm_workspace *w)
         pm_row_of_contact(w, contact, i, member, &normal, &tangent);
         pm_row_kind(normal.kind)->evaluate(w, &normal);
         const double acceleration = pm_saddle_times(w, &normal, w->frame.a) - normal.gamma;
-        if (acceleration >= -SLACK * (hypot(w->gravity[0], w->gravity[1]) + w->speed * w->speed / w->size)) continue;
+        if (acceleration >= -SLACK * (hypot(w->gravity[0], w->gravity[1]) + w->speed * w->speed / w->size))
+            continue;
         w->state.slot[i].mode = pm_mode_of_slip(w, contact, member);
         w->slot_released[i] = 2; /* once only: no cycles */
         return 1;

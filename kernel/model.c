@@ -9,15 +9,15 @@
 #include "program.h"
 
 static const int table_columns[PM_TABLES] = {
-    [PM_TABLE_CODE] = PM_CODE_COLUMNS,       [PM_TABLE_PROGRAM] = PM_PROGRAM_COLUMNS,
-    [PM_TABLE_VALUE] = PM_VALUE_COLUMNS,     [PM_TABLE_BODY] = PM_BODY_COLUMNS,
-    [PM_TABLE_POINT] = PM_POINT_COLUMNS,     [PM_TABLE_LINE] = PM_LINE_COLUMNS,
-    [PM_TABLE_CIRCLE] = PM_CIRCLE_COLUMNS,   [PM_TABLE_ROW] = PM_ROW_COLUMNS,
-    [PM_TABLE_JOINT] = PM_JOINT_COLUMNS,     [PM_TABLE_CONTACT] = PM_CONTACT_COLUMNS,
-    [PM_TABLE_FORCE] = PM_FORCE_COLUMNS,     [PM_TABLE_MEASURE] = PM_MEASURE_COLUMNS,
-    [PM_TABLE_START] = PM_START_COLUMNS,     [PM_TABLE_TRIGGER] = PM_TRIGGER_COLUMNS,
-    [PM_TABLE_EVENT] = PM_EVENT_COLUMNS,     [PM_TABLE_UNTIL] = PM_UNTIL_COLUMNS,
-    [PM_TABLE_ASK] = PM_ASK_COLUMNS,         [PM_TABLE_SETTING] = PM_SETTING_COLUMNS,
+    [PM_TABLE_CODE] = PM_CODE_COLUMNS,     [PM_TABLE_PROGRAM] = PM_PROGRAM_COLUMNS,
+    [PM_TABLE_VALUE] = PM_VALUE_COLUMNS,   [PM_TABLE_BODY] = PM_BODY_COLUMNS,
+    [PM_TABLE_POINT] = PM_POINT_COLUMNS,   [PM_TABLE_LINE] = PM_LINE_COLUMNS,
+    [PM_TABLE_CIRCLE] = PM_CIRCLE_COLUMNS, [PM_TABLE_ROW] = PM_ROW_COLUMNS,
+    [PM_TABLE_JOINT] = PM_JOINT_COLUMNS,   [PM_TABLE_CONTACT] = PM_CONTACT_COLUMNS,
+    [PM_TABLE_FORCE] = PM_FORCE_COLUMNS,   [PM_TABLE_MEASURE] = PM_MEASURE_COLUMNS,
+    [PM_TABLE_START] = PM_START_COLUMNS,   [PM_TABLE_TRIGGER] = PM_TRIGGER_COLUMNS,
+    [PM_TABLE_EVENT] = PM_EVENT_COLUMNS,   [PM_TABLE_UNTIL] = PM_UNTIL_COLUMNS,
+    [PM_TABLE_ASK] = PM_ASK_COLUMNS,       [PM_TABLE_SETTING] = PM_SETTING_COLUMNS,
 };
 
 static int bad(pm_where *where, int table, int row, double value, double bound)
@@ -36,8 +36,9 @@ static int read_directory(pm_model *m, int64_t ntable, const int32_t *table, pm_
         m->table[i] = table + first;
         m->rows[i] = (int)rows;
     }
-    return m->rows[PM_TABLE_SETTING] == 1 ? PM_OK
-                                          : bad(where, PM_TABLE_SETTING, PM_NONE, m->rows[PM_TABLE_SETTING], 1);
+    return m->rows[PM_TABLE_SETTING] == 1
+               ? PM_OK
+               : bad(where, PM_TABLE_SETTING, PM_NONE, m->rows[PM_TABLE_SETTING], 1);
 }
 
 /* One column of one table must lie in [low, rows of `of`), or be PM_NONE where that is allowed. */
@@ -127,7 +128,8 @@ static int check_ranges(const pm_model *m, pm_where *where)
         for (int i = 0; i < m->rows[x->table]; i++) {
             const int index = pm_row_of(m, x->table, i, table_columns[x->table])[x->column];
             if (index == PM_NONE && x->none_allowed) continue;
-            if (index < x->low || index >= m->rows[x->of]) return bad(where, x->table, i, index, m->rows[x->of]);
+            if (index < x->low || index >= m->rows[x->of])
+                return bad(where, x->table, i, index, m->rows[x->of]);
         }
     }
     return PM_OK;
@@ -143,11 +145,13 @@ static int check_elements(const pm_model *m, int table, int kinds, const pm_part
         if (!in_range(m, p->a, e[1])) return bad(where, table, i, e[1], m->rows[p->a]);
         if (!in_range(m, p->b, e[2])) return bad(where, table, i, e[2], m->rows[p->b]);
         if (!has_numbers) continue;
-        const int column[] = {3, 4, 5, 6}, of[] = {PM_TABLE_VALUE, PM_TABLE_VALUE, PM_TABLE_PROGRAM, PM_TABLE_PROGRAM};
+        const int column[] = {3, 4, 5, 6},
+                  of[] = {PM_TABLE_VALUE, PM_TABLE_VALUE, PM_TABLE_PROGRAM, PM_TABLE_PROGRAM};
         const int wanted[] = {p->value_1, p->value_2, p->program_x, p->program_y};
         const int n = table == PM_TABLE_JOINT ? 1 : 4;
         for (int k = 0; k < n; k++)
-            if (wanted[k] && !in_range(m, of[k], e[column[k]])) return bad(where, table, i, e[column[k]], m->rows[of[k]]);
+            if (wanted[k] && !in_range(m, of[k], e[column[k]]))
+                return bad(where, table, i, e[column[k]], m->rows[of[k]]);
     }
     return PM_OK;
 }
@@ -171,8 +175,9 @@ static int needs_forces(const pm_model *m, int measure)
 {
     const int32_t *e = PM_MEASURE_ROW(m, measure);
     const int kind = e[PM_MEASURE_KIND];
-    const int of_force = kind == PM_MEASURE_FORCE_FORCE || kind == PM_MEASURE_FORCE_COUPLE || kind == PM_MEASURE_FORCE_POWER ||
-                         kind == PM_MEASURE_FORCE_STRETCH || kind == PM_MEASURE_FORCE_ENERGY;
+    const int of_force = kind == PM_MEASURE_FORCE_FORCE || kind == PM_MEASURE_FORCE_COUPLE ||
+                         kind == PM_MEASURE_FORCE_POWER || kind == PM_MEASURE_FORCE_STRETCH ||
+                         kind == PM_MEASURE_FORCE_ENERGY;
     return pm_measure_level(m, measure) == PM_LEVEL_DYNAMIC ||
            (of_force && PM_FORCE_ROW(m, e[PM_MEASURE_A])[PM_FORCE_KIND] >= PM_FORCE_APPLIED);
 }
@@ -201,7 +206,8 @@ static int check_triggers(const pm_model *m, pm_where *where)
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *e = PM_TRIGGER_ROW(m, i);
         const int kind = e[PM_TRIGGER_KIND], a = e[PM_TRIGGER_A];
-        if (kind < 0 || kind >= PM_TRIGGER_KINDS) return bad(where, PM_TABLE_TRIGGER, i, kind, PM_TRIGGER_KINDS);
+        if (kind < 0 || kind >= PM_TRIGGER_KINDS)
+            return bad(where, PM_TABLE_TRIGGER, i, kind, PM_TRIGGER_KINDS);
         if (kind <= PM_TRIGGER_EVERY && e[PM_TRIGGER_PROGRAM] < 0)
             return bad(where, PM_TABLE_TRIGGER, i, e[PM_TRIGGER_PROGRAM], 0);
         if (kind >= PM_TRIGGER_STRIKE && kind <= PM_TRIGGER_STICK && !in_range(m, PM_TABLE_CONTACT, a))
@@ -220,10 +226,12 @@ static int check_asks(pm_model *m, pm_where *where)
         if (kind < 0 || kind >= PM_ASK_KINDS) return bad(where, PM_TABLE_ASK, i, kind, PM_ASK_KINDS);
         if (kind == PM_ASK_EVENT && e[PM_ASK_NTH] < 1) return bad(where, PM_TABLE_ASK, i, e[PM_ASK_NTH], 1);
         if (count < 1 || e[PM_ASK_OUT] != m->nout) return bad(where, PM_TABLE_ASK, i, e[PM_ASK_OUT], m->nout);
-        if (kind != PM_ASK_GRID && kind != PM_ASK_EACH && count != 1) return bad(where, PM_TABLE_ASK, i, count, 1);
+        if (kind != PM_ASK_GRID && kind != PM_ASK_EACH && count != 1)
+            return bad(where, PM_TABLE_ASK, i, count, 1);
         if ((kind == PM_ASK_EVENT || kind == PM_ASK_EACH) && e[PM_ASK_EVENT_INDEX] < 0)
             return bad(where, PM_TABLE_ASK, i, e[PM_ASK_EVENT_INDEX], m->rows[PM_TABLE_EVENT]);
-        if ((kind == PM_ASK_AT_MAX || kind == PM_ASK_AT_MIN || kind == PM_ASK_GRID) && e[PM_ASK_PROGRAM_2] < 0)
+        if ((kind == PM_ASK_AT_MAX || kind == PM_ASK_AT_MIN || kind == PM_ASK_GRID) &&
+            e[PM_ASK_PROGRAM_2] < 0)
             return bad(where, PM_TABLE_ASK, i, e[PM_ASK_PROGRAM_2], m->rows[PM_TABLE_PROGRAM]);
         if (kind == PM_ASK_GRID && (e[PM_ASK_FIRST_VALUE] < 0 || e[PM_ASK_FIRST_VALUE] > m->nvalue - count))
             return bad(where, PM_TABLE_ASK, i, (double)e[PM_ASK_FIRST_VALUE] + count, m->nvalue);
@@ -269,7 +277,7 @@ static int check_tables(pm_model *m, pm_where *where)
 }
 
 static const int joint_rows[PM_JOINT_KINDS] = {
-    [PM_JOINT_PIN] = 2,  [PM_JOINT_SLIDER] = 1,       [PM_JOINT_SLIDER_FIXED] = 2,  [PM_JOINT_LINK] = 1,
+    [PM_JOINT_PIN] = 2,  [PM_JOINT_SLIDER] = 1,       [PM_JOINT_SLIDER_FIXED] = 2,   [PM_JOINT_LINK] = 1,
     [PM_JOINT_WELD] = 3, [PM_JOINT_ROLLING_LINE] = 2, [PM_JOINT_ROLLING_CIRCLE] = 2,
 };
 
@@ -320,7 +328,8 @@ static int reads_time(const pm_model *m, int program)
     const int32_t *p = pm_row_of(m, PM_TABLE_PROGRAM, program, PM_PROGRAM_COLUMNS);
     const int32_t *code = pm_row_of(m, PM_TABLE_CODE, p[PM_PROGRAM_FIRST], PM_CODE_COLUMNS);
     for (int k = 0; k < p[PM_PROGRAM_LENGTH]; k++, code += PM_CODE_COLUMNS)
-        if (code[PM_CODE_OP] == PM_OP_MEASURE && PM_MEASURE_ROW(m, code[PM_CODE_ARG])[PM_MEASURE_KIND] == PM_MEASURE_TIME)
+        if (code[PM_CODE_OP] == PM_OP_MEASURE &&
+            PM_MEASURE_ROW(m, code[PM_CODE_ARG])[PM_MEASURE_KIND] == PM_MEASURE_TIME)
             return 1;
     return 0;
 }
@@ -339,8 +348,8 @@ static void look_for_time(pm_model *m)
     }
 }
 
-int pm_model_create(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t nparam,
-                    pm_model **model, pm_where *where)
+int pm_model_create(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant,
+                    int64_t nparam, pm_model **model, pm_where *where)
 {
     pm_model *m = calloc(1, sizeof *m);
     *model = NULL;

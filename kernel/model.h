@@ -12,9 +12,9 @@
 
 #include "planemotion.h"
 
-#define PM_ROW_SLOTS 4   /* members of one periodic row that may be closed at once */
-#define PM_JOINT_ROWS 3  /* most rows of one joint */
-#define PM_LEDGER 3      /* impulses of the outer world: x, y, moment about the origin */
+#define PM_ROW_SLOTS 4  /* members of one periodic row that may be closed at once */
+#define PM_JOINT_ROWS 3 /* most rows of one joint */
+#define PM_LEDGER 3     /* impulses of the outer world: x, y, moment about the origin */
 
 typedef struct pm_model {
     const int32_t *table[PM_TABLES]; /* first row of each table, in the caller's array */
@@ -22,20 +22,20 @@ typedef struct pm_model {
     const double *constant;
     int nconstant;
     int nparam;
-    int nbody, nq;           /* nq = 3 nbody: x, y, angle of each mass centre */
+    int nbody, nq; /* nq = 3 nbody: x, y, angle of each mass centre */
     int nvalue, nask, nout;
-    int njoint_row;          /* rows of all joints */
-    int nslot;               /* places for closed contacts: 1 per contact, PM_ROW_SLOTS per periodic row */
-    int nmemory;             /* rolling joints and slots: what their no-slip rows remember */
-    int nrow;                /* most active rows: njoint_row + 2 nslot */
-    int nz;                  /* running integrals: forces' work, paths, then PM_LEDGER audit entries */
-    int nz_controlled;       /* of these the first are under error control */
-    int uses_time;           /* some force or trigger depends on t: rest does not last, or is waited out */
-    int *contact_slot;       /* [ncontact] first slot */
-    int *joint_row;          /* [njoint] first row among the joint rows */
-    int *joint_memory;       /* [njoint] or PM_NONE */
-    int *force_z;            /* [nforce] running integral of its work, or PM_NONE: it has a potential */
-    int *path_z;             /* [nmeasure] running integral of a path measure, or PM_NONE */
+    int njoint_row;    /* rows of all joints */
+    int nslot;         /* places for closed contacts: 1 per contact, PM_ROW_SLOTS per periodic row */
+    int nmemory;       /* rolling joints and slots: what their no-slip rows remember */
+    int nrow;          /* most active rows: njoint_row + 2 nslot */
+    int nz;            /* running integrals: forces' work, paths, then PM_LEDGER audit entries */
+    int nz_controlled; /* of these the first are under error control */
+    int uses_time;     /* some force or trigger depends on t: rest does not last, or is waited out */
+    int *contact_slot; /* [ncontact] first slot */
+    int *joint_row;    /* [njoint] first row among the joint rows */
+    int *joint_memory; /* [njoint] or PM_NONE */
+    int *force_z;      /* [nforce] running integral of its work, or PM_NONE: it has a potential */
+    int *path_z;       /* [nmeasure] running integral of a path measure, or PM_NONE */
     unsigned char *program_level; /* [nprogram] enum pm_level that its measures need */
 } pm_model;
 
@@ -77,29 +77,29 @@ typedef struct pm_memory {
 
 typedef struct pm_state {
     double t;
-    double *q, *v, *z;  /* [nq], [nq], [nz] */
-    pm_memory *memory;  /* [nmemory]: rolling joints, then slots */
-    pm_slot *slot;      /* [nslot] */
+    double *q, *v, *z; /* [nq], [nq], [nz] */
+    pm_memory *memory; /* [nmemory]: rolling joints, then slots */
+    pm_slot *slot;     /* [nslot] */
     void *block;
     size_t bytes;
 } pm_state;
 
 /* One scalar constraint row of the active set; which formula is row.c's table of kinds. */
 typedef struct pm_row {
-    int kind;           /* enum pm_row_kind */
-    int body[2];        /* body index, or nbody for the ground */
-    double a[2], b[2];  /* marks in body axes */
+    int kind;                  /* enum pm_row_kind */
+    int body[2];               /* body index, or nbody for the ground */
+    double a[2], b[2];         /* marks in body axes */
     double radius_a, radius_b; /* signed: see row_distance.c */
-    double value;       /* length, angle, or direction of a line in its body */
-    double sign;        /* distance rows: which way is positive */
-    int memory;         /* index of its memory, or PM_NONE */
-    int joint, slot;    /* owner: one of both is PM_NONE */
-    int normal;         /* sliding rows and friction: index of the active row of its normal, else PM_NONE */
-    double slide;       /* normal row of a sliding contact: -mu sgn(slip) rides on it; else 0 */
-    double j[6];        /* Jacobian on (x, y, angle) of body[0] and body[1], at the frame's state */
-    double h[6];        /* direction of the force: j, but for sliding contacts */
-    double g;           /* residual, m or rad */
-    double gamma;       /* -(dG/dt) v */
+    double value;              /* length, angle, or direction of a line in its body */
+    double sign;               /* distance rows: which way is positive */
+    int memory;                /* index of its memory, or PM_NONE */
+    int joint, slot;           /* owner: one of both is PM_NONE */
+    int normal;   /* sliding rows and friction: index of the active row of its normal, else PM_NONE */
+    double slide; /* normal row of a sliding contact: -mu sgn(slip) rides on it; else 0 */
+    double j[6];  /* Jacobian on (x, y, angle) of body[0] and body[1], at the frame's state */
+    double h[6];  /* direction of the force: j, but for sliding contacts */
+    double g;     /* residual, m or rad */
+    double gamma; /* -(dG/dt) v */
 } pm_row;
 
 /* A state looked at: positions of marks, forces, accelerations, reactions; filled as far as `level` says. */
@@ -130,36 +130,36 @@ typedef struct pm_workspace {
     const volatile int32_t *stop; /* raised by another thread, or NULL */
     /* the case */
     const double *param;
-    double *value;            /* [nvalue] */
-    double *mass;             /* [nbody] */
-    double *inverse_mass;     /* [nq] inverse of the diagonal of M; 0: held (a particle's angle) */
+    double *value;        /* [nvalue] */
+    double *mass;         /* [nbody] */
+    double *inverse_mass; /* [nq] inverse of the diagonal of M; 0: held (a particle's angle) */
     double gravity[2];
-    double size;              /* length scale of the scene, m */
-    double speed;             /* speed scale, m/s, grows with the motion */
-    double tolerance;         /* relative tolerance of integration */
-    pm_state state, start;    /* now; at t = 0 after the assembly */
-    pm_state probe;           /* a state inside a step */
+    double size;           /* length scale of the scene, m */
+    double speed;          /* speed scale, m/s, grows with the motion */
+    double tolerance;      /* relative tolerance of integration */
+    pm_state state, start; /* now; at t = 0 after the assembly */
+    pm_state probe;        /* a state inside a step */
     /* active rows: joints first, then normals, then tangents */
-    pm_row *row;              /* [nrow] */
+    pm_row *row; /* [nrow] */
     int nactive;
     int njoint_active;
-    int *joint_active;        /* [njoint_row] active row of each joint row, or PM_NONE (redundant) */
-    int *slot_normal;         /* [nslot] active row, or PM_NONE */
-    int *slot_tangent;        /* [nslot] */
+    int *joint_active; /* [njoint_row] active row of each joint row, or PM_NONE (redundant) */
+    int *slot_normal;  /* [nslot] active row, or PM_NONE */
+    int *slot_tangent; /* [nslot] */
     int nredundant;
-    int asymmetric;           /* some contact slides: H differs from G */
+    int asymmetric; /* some contact slides: H differs from G */
     /* saddle.c */
-    double *schur;            /* [nrow][nrow] */
-    int *pivot;               /* [nrow] */
-    double *rhs;              /* [nrow] */
-    double *basis;            /* [nq + nrow][nq] orthonormal rows */
+    double *schur; /* [nrow][nrow] */
+    int *pivot;    /* [nrow] */
+    double *rhs;   /* [nrow] */
+    double *basis; /* [nq + nrow][nq] orthonormal rows */
     pm_frame frame;
     /* the last jump */
-    double *joint_impulse;    /* [njoint_row] */
-    double *slot_impulse;     /* [2 nslot] normal, tangential */
+    double *joint_impulse;      /* [njoint_row] */
+    double *slot_impulse;       /* [2 nslot] normal, tangential */
     double *force_energy_start; /* [nforce] energy of springs at the start */
-    double *slot_direction;   /* [nslot][4] normal x, y, tangent x, y on the first partner at the jump */
-    double lost;              /* kinetic energy, J */
+    double *slot_direction;     /* [nslot][4] normal x, y, tangent x, y on the first partner at the jump */
+    double lost;                /* kinetic energy, J */
     /* ledger */
     double energy_start, energy_lost, energy_scale, momentum_scale, constraint_worst;
     double momentum_start[PM_LEDGER];
@@ -172,21 +172,21 @@ typedef struct pm_workspace {
     struct pm_event_set *event;
     struct pm_ask_set *ask;
     pm_where where;
-    pm_slot *slot_before;     /* [nslot] modes when the instant began */
+    pm_slot *slot_before;         /* [nslot] modes when the instant began */
     unsigned char *slot_released; /* [nslot] let go at this instant: not closed again at it */
     /* scratch for start, jump, mode */
-    double *scratch;          /* [8 (nq + nrow)] */
-    double *out;              /* [nout] of the case */
-    int32_t *reason;          /* [nask] */
-    double *audit;            /* [PM_AUDITS] */
+    double *scratch; /* [8 (nq + nrow)] */
+    double *out;     /* [nout] of the case */
+    int32_t *reason; /* [nask] */
+    double *audit;   /* [PM_AUDITS] */
     /* trace: NULL in a batch */
     struct pm_record *trace;
-    void *block;              /* owns the arrays above */
+    void *block; /* owns the arrays above */
 } pm_workspace;
 
 /* model.c */
-int pm_model_create(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t nparam,
-                    pm_model **model, pm_where *where);
+int pm_model_create(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant,
+                    int64_t nparam, pm_model **model, pm_where *where);
 void pm_model_free(pm_model *model);
 
 /* workspace.c */

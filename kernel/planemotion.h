@@ -22,49 +22,49 @@
  * 0 ok; > 0 an early stop: what was answered before stands; < 0 failure: no answer can be trusted. */
 enum pm_status {
     PM_OK = 0,
-    PM_LIMIT_TIME = 1,         /* max_time reached before the end of the run */
-    PM_LIMIT_EVENTS = 2,       /* max_events reached */
-    PM_LIMIT_STEPS = 3,        /* max_steps reached */
-    PM_CANCELLED = 4,          /* the stop flag was raised */
-    PM_STAYS_AT_REST = 5,      /* nothing moves any more and the end was not reached */
-    PM_BAD_TABLE = -1,         /* the tables contradict this header: where = table, row */
+    PM_LIMIT_TIME = 1,    /* max_time reached before the end of the run */
+    PM_LIMIT_EVENTS = 2,  /* max_events reached */
+    PM_LIMIT_STEPS = 3,   /* max_steps reached */
+    PM_CANCELLED = 4,     /* the stop flag was raised */
+    PM_STAYS_AT_REST = 5, /* nothing moves any more and the end was not reached */
+    PM_BAD_TABLE = -1,    /* the tables contradict this header: where = table, row */
     PM_NO_MEMORY = -2,
-    PM_BAD_VALUE = -3,         /* a value is not finite or out of its bound: where = table, row; detail = value, bound */
-    PM_ASSEMBLY = -4,          /* joints cannot be met from the start given: where; detail = opening */
-    PM_START_CONFLICT = -5,    /* start velocities contradict joints or each other: where; detail = asked, implied */
-    PM_START_OPEN = -6,        /* start velocities leave a fastened body's motion open: where = body */
-    PM_SINGULAR = -7,          /* the saddle-point system has no unique acceleration */
-    PM_STEP_TOO_SMALL = -8,    /* the integrator cannot go on at the tolerance asked */
-    PM_BLOW_UNDECIDED = -9,    /* no consistent set of contacts was found for a blow or a phase */
-    PM_AUDIT = -10,            /* the independent evidence does not close: detail = residual, bound */
-    PM_SOLVER = -11,           /* IDA or GSL reported a failure: detail = its code */
-    PM_PENETRATION = -12,      /* contacts overlap at the start: where; detail = gap */
-    PM_UNSUPPORTED = -13,      /* the scene needs something that this route or build does not do */
-    PM_CONTACT_SLOTS = -14     /* more members of one row are closed at once than the kernel keeps */
+    PM_BAD_VALUE = -3,      /* not finite or out of its bound: where = table, row; detail = value, bound */
+    PM_ASSEMBLY = -4,       /* joints cannot be met from the start given: where; detail = opening */
+    PM_START_CONFLICT = -5, /* start velocities contradict joints or each other: detail = asked, implied */
+    PM_START_OPEN = -6,     /* start velocities leave a fastened body's motion open: where = body */
+    PM_SINGULAR = -7,       /* the saddle-point system has no unique acceleration */
+    PM_STEP_TOO_SMALL = -8, /* the integrator cannot go on at the tolerance asked */
+    PM_BLOW_UNDECIDED = -9, /* no consistent set of contacts was found for a blow or a phase */
+    PM_AUDIT = -10,         /* the independent evidence does not close: detail = residual, bound */
+    PM_SOLVER = -11,        /* IDA or GSL reported a failure: detail = its code */
+    PM_PENETRATION = -12,   /* contacts overlap at the start: where; detail = gap */
+    PM_UNSUPPORTED = -13,   /* the scene needs something that this route or build does not do */
+    PM_CONTACT_SLOTS = -14  /* more members of one row are closed at once than the kernel keeps */
 };
 
 /* ---- tables ---------------------------------------------------------------------------------------
  * `table` is one int32 array: first a directory of PM_TABLES pairs (offset, rows), in the order of
  * enum pm_table, then the tables row by row, each with the number of columns given by its enum. */
 enum pm_table {
-    PM_TABLE_CODE = 0,      /* pm_code_column: instructions of all programs */
-    PM_TABLE_PROGRAM = 1,   /* pm_program_column: first instruction and length of each program */
-    PM_TABLE_VALUE = 2,     /* pm_value_column: the program of each value, in order of evaluation */
+    PM_TABLE_CODE = 0,    /* pm_code_column: instructions of all programs */
+    PM_TABLE_PROGRAM = 1, /* pm_program_column: first instruction and length of each program */
+    PM_TABLE_VALUE = 2,   /* pm_value_column: the program of each value, in order of evaluation */
     PM_TABLE_BODY = 3,
     PM_TABLE_POINT = 4,
     PM_TABLE_LINE = 5,
     PM_TABLE_CIRCLE = 6,
-    PM_TABLE_ROW = 7,       /* periodic rows of points */
+    PM_TABLE_ROW = 7, /* periodic rows of points */
     PM_TABLE_JOINT = 8,
     PM_TABLE_CONTACT = 9,
     PM_TABLE_FORCE = 10,
     PM_TABLE_MEASURE = 11,
     PM_TABLE_START = 12,
     PM_TABLE_TRIGGER = 13,
-    PM_TABLE_EVENT = 14,    /* pm_event_column: one row per named event (no data; its count matters) */
+    PM_TABLE_EVENT = 14, /* pm_event_column: one row per named event (no data; its count matters) */
     PM_TABLE_UNTIL = 15,
     PM_TABLE_ASK = 16,
-    PM_TABLE_SETTING = 17,  /* one row: pm_setting_column */
+    PM_TABLE_SETTING = 17, /* one row: pm_setting_column */
     PM_TABLES = 18
 };
 
@@ -72,10 +72,10 @@ enum pm_table {
  * A stack machine on doubles.  Comparisons and logic give 1 or 0.  Binary operators take the value below
  * the top as their left operand. */
 enum pm_op {
-    PM_OP_CONSTANT = 0, /* push constant[arg] */
+    PM_OP_CONSTANT = 0,  /* push constant[arg] */
     PM_OP_PARAMETER = 1, /* push parameter[arg] of the case */
-    PM_OP_VALUE = 2, /* push value[arg] */
-    PM_OP_MEASURE = 3, /* push measure arg of the current state (not allowed in values) */
+    PM_OP_VALUE = 2,     /* push value[arg] */
+    PM_OP_MEASURE = 3,   /* push measure arg of the current state (not allowed in values) */
     PM_OP_ADD = 4,
     PM_OP_SUB = 5,
     PM_OP_MUL = 6,
@@ -134,7 +134,13 @@ enum pm_line_column { PM_LINE_POINT = 0, PM_LINE_ANGLE = 1, PM_LINE_COLUMNS = 2 
 enum pm_circle_column { PM_CIRCLE_POINT = 0, PM_CIRCLE_RADIUS = 1, PM_CIRCLE_COLUMNS = 2 };
 /* Members point + k*(step_x, step_y) in the axes of the point's body, k = 0 .. count-1; count < 0: endless
  * both ways. */
-enum pm_row_column { PM_ROW_POINT = 0, PM_ROW_STEP_X = 1, PM_ROW_STEP_Y = 2, PM_ROW_COUNT = 3, PM_ROW_COLUMNS = 4 };
+enum pm_row_column {
+    PM_ROW_POINT = 0,
+    PM_ROW_STEP_X = 1,
+    PM_ROW_STEP_Y = 2,
+    PM_ROW_COUNT = 3,
+    PM_ROW_COLUMNS = 4
+};
 
 /* ---- joints: held both ways --------------------------------------------------------------------------- */
 enum pm_joint_kind {
@@ -148,7 +154,13 @@ enum pm_joint_kind {
     PM_JOINT_KINDS = 7
 };
 /* side of two circles: 1 outside each other, -1 a inside b, -2 b inside a */
-enum pm_joint_column { PM_JOINT_KIND = 0, PM_JOINT_A = 1, PM_JOINT_B = 2, PM_JOINT_VALUE = 3, PM_JOINT_COLUMNS = 4 };
+enum pm_joint_column {
+    PM_JOINT_KIND = 0,
+    PM_JOINT_A = 1,
+    PM_JOINT_B = 2,
+    PM_JOINT_VALUE = 3,
+    PM_JOINT_COLUMNS = 4
+};
 
 /* ---- contacts: push only ------------------------------------------------------------------------------ */
 enum pm_contact_kind {
@@ -172,11 +184,11 @@ enum pm_contact_column {
 
 /* ---- forces --------------------------------------------------------------------------------------------- */
 enum pm_force_kind {
-    PM_FORCE_SPRING = 0,        /* points a, b; value_1 stiffness, value_2 free length; option: pm_spring_only */
-    PM_FORCE_TORSION = 1,       /* bodies a, b; value_1 stiffness, value_2 free angle(a) - angle(b) */
-    PM_FORCE_DAMPER = 2,        /* points a, b; value_1 rate of (N s/m) the change of distance */
+    PM_FORCE_SPRING = 0,  /* points a, b; value_1 stiffness, value_2 free length; option: pm_spring_only */
+    PM_FORCE_TORSION = 1, /* bodies a, b; value_1 stiffness, value_2 free angle(a) - angle(b) */
+    PM_FORCE_DAMPER = 2,  /* points a, b; value_1 rate of (N s/m) the change of distance */
     PM_FORCE_ROTARY_DAMPER = 3, /* bodies a, b; value_1 rate (N m s/rad) */
-    PM_FORCE_APPLIED = 4,       /* at point a: program_x, program_y, in the axes of body b (PM_GROUND: the scene's) */
+    PM_FORCE_APPLIED = 4,       /* at point a: program_x, program_y, in the axes of body b (ground: scene) */
     PM_FORCE_COUPLE = 5,        /* on body a, opposite on body b (PM_GROUND: none): program_x */
     PM_FORCE_KINDS = 6
 };
@@ -200,47 +212,48 @@ enum pm_force_column {
  * partner).  `value`: value index of the direction angle of part ALONG.  `member`: of a row (PM_NONE: all). */
 enum pm_measure_kind {
     PM_MEASURE_TIME = 0,
-    PM_MEASURE_ANGLE = 1,             /* body a; in_body: relative angle */
-    PM_MEASURE_TURNED = 2,            /* body a: angle since the start */
-    PM_MEASURE_OMEGA = 3,             /* body a; in_body: relative */
-    PM_MEASURE_ALPHA = 4,             /* body a */
-    PM_MEASURE_MASS = 5,              /* body a, PM_NONE: all bodies */
-    PM_MEASURE_WEIGHT = 6,            /* body a, PM_NONE: all bodies: mass times |gravity| */
-    PM_MEASURE_INERTIA = 7,           /* body a, about G or `about` */
-    PM_MEASURE_KINETIC = 8,           /* body a, PM_NONE: all bodies */
-    PM_MEASURE_MOMENTUM = 9,          /* vector; body a, PM_NONE: all bodies */
-    PM_MEASURE_ANGULAR_MOMENTUM = 10, /* body a about G or `about`; PM_NONE: all about the origin or `about` */
-    PM_MEASURE_POLE = 11,             /* vector: instantaneous centre of body a */
-    PM_MEASURE_POSITION = 12,         /* vector: point a; in_body */
-    PM_MEASURE_MOVED = 13,            /* vector: point a since the start */
-    PM_MEASURE_PATH = 14,             /* distance travelled by point a */
-    PM_MEASURE_VELOCITY = 15,         /* vector: point a; in_body */
-    PM_MEASURE_ACCELERATION = 16,     /* vector: point a */
-    PM_MEASURE_JOINT_FORCE = 17,      /* vector */
+    PM_MEASURE_ANGLE = 1,    /* body a; in_body: relative angle */
+    PM_MEASURE_TURNED = 2,   /* body a: angle since the start */
+    PM_MEASURE_OMEGA = 3,    /* body a; in_body: relative */
+    PM_MEASURE_ALPHA = 4,    /* body a */
+    PM_MEASURE_MASS = 5,     /* body a, PM_NONE: all bodies */
+    PM_MEASURE_WEIGHT = 6,   /* body a, PM_NONE: all bodies: mass times |gravity| */
+    PM_MEASURE_INERTIA = 7,  /* body a, about G or `about` */
+    PM_MEASURE_KINETIC = 8,  /* body a, PM_NONE: all bodies */
+    PM_MEASURE_MOMENTUM = 9, /* vector; body a, PM_NONE: all bodies */
+    PM_MEASURE_ANGULAR_MOMENTUM =
+        10,                       /* body a about G or `about`; PM_NONE: all about the origin or `about` */
+    PM_MEASURE_POLE = 11,         /* vector: instantaneous centre of body a */
+    PM_MEASURE_POSITION = 12,     /* vector: point a; in_body */
+    PM_MEASURE_MOVED = 13,        /* vector: point a since the start */
+    PM_MEASURE_PATH = 14,         /* distance travelled by point a */
+    PM_MEASURE_VELOCITY = 15,     /* vector: point a; in_body */
+    PM_MEASURE_ACCELERATION = 16, /* vector: point a */
+    PM_MEASURE_JOINT_FORCE = 17,  /* vector */
     PM_MEASURE_JOINT_COUPLE = 18,
-    PM_MEASURE_JOINT_IMPULSE = 19,    /* vector, of the last jump */
-    PM_MEASURE_JOINT_NORMAL = 20,     /* rolling: > 0 pushes */
-    PM_MEASURE_JOINT_FRICTION = 21,   /* rolling: along the line, or along the tangent (left of the normal on a) */
+    PM_MEASURE_JOINT_IMPULSE = 19,         /* vector, of the last jump */
+    PM_MEASURE_JOINT_NORMAL = 20,          /* rolling: > 0 pushes */
+    PM_MEASURE_JOINT_FRICTION = 21,        /* rolling: along the line, or left of the normal on a */
     PM_MEASURE_JOINT_FRICTION_NEEDED = 22, /* |F|/N; undefined (not a number) unless N > 0 */
     PM_MEASURE_CONTACT_GAP = 23,
-    PM_MEASURE_CONTACT_CLOSED = 24,   /* 1 or 0; a row without member: how many are closed */
+    PM_MEASURE_CONTACT_CLOSED = 24, /* 1 or 0; a row without member: how many are closed */
     PM_MEASURE_CONTACT_SLIP = 25,
-    PM_MEASURE_CONTACT_NORMAL = 26,   /* sum over the closed members; 0 when open */
+    PM_MEASURE_CONTACT_NORMAL = 26, /* sum over the closed members; 0 when open */
     PM_MEASURE_CONTACT_FRICTION = 27,
     PM_MEASURE_CONTACT_FRICTION_NEEDED = 28, /* greatest |F|/N over the closed members; 0 when open */
-    PM_MEASURE_CONTACT_FORCE = 29,    /* vector, on a's body */
-    PM_MEASURE_CONTACT_IMPULSE = 30,  /* vector, on a's body, of the last jump */
-    PM_MEASURE_FORCE_FORCE = 31,      /* vector: on a's body */
+    PM_MEASURE_CONTACT_FORCE = 29,           /* vector, on a's body */
+    PM_MEASURE_CONTACT_IMPULSE = 30,         /* vector, on a's body, of the last jump */
+    PM_MEASURE_FORCE_FORCE = 31,             /* vector: on a's body */
     PM_MEASURE_FORCE_COUPLE = 32,
-    PM_MEASURE_FORCE_WORK = 33,       /* since the start */
+    PM_MEASURE_FORCE_WORK = 33, /* since the start */
     PM_MEASURE_FORCE_POWER = 34,
     PM_MEASURE_FORCE_STRETCH = 35,
     PM_MEASURE_FORCE_ENERGY = 36,
     PM_MEASURE_EVENT_COUNT = 37,
-    PM_MEASURE_EVENT_TIME = 38,       /* of the last firing; undefined before the first */
-    PM_MEASURE_POTENTIAL = 39,        /* of weight and springs; weight is zero at the scene's origin */
-    PM_MEASURE_TOTAL = 40,            /* kinetic + potential */
-    PM_MEASURE_LOST = 41,             /* kinetic energy lost in the last jump */
+    PM_MEASURE_EVENT_TIME = 38, /* of the last firing; undefined before the first */
+    PM_MEASURE_POTENTIAL = 39,  /* of weight and springs; weight is zero at the scene's origin */
+    PM_MEASURE_TOTAL = 40,      /* kinetic + potential */
+    PM_MEASURE_LOST = 41,       /* kinetic energy lost in the last jump */
     PM_MEASURE_KINDS = 42
 };
 enum pm_part {
@@ -299,14 +312,14 @@ enum pm_until_column { PM_UNTIL_GROUP = 0, PM_UNTIL_EVENT = 1, PM_UNTIL_NTH = 2,
 
 /* ---- asks --------------------------------------------------------------------------------------------------- */
 enum pm_ask_kind {
-    PM_ASK_END = 0,      /* program at the end of the run, after its jump */
-    PM_ASK_EVENT = 1,    /* program at the nth firing of an event, before or after its jump */
-    PM_ASK_MAX = 2,      /* greatest value of program over the run */
+    PM_ASK_END = 0,   /* program at the end of the run, after its jump */
+    PM_ASK_EVENT = 1, /* program at the nth firing of an event, before or after its jump */
+    PM_ASK_MAX = 2,   /* greatest value of program over the run */
     PM_ASK_MIN = 3,
-    PM_ASK_AT_MAX = 4,   /* program where program_2 is greatest */
+    PM_ASK_AT_MAX = 4, /* program where program_2 is greatest */
     PM_ASK_AT_MIN = 5,
-    PM_ASK_GRID = 6,     /* program where program_2 first equals each of `count` values from first_value on */
-    PM_ASK_EACH = 7,     /* program at each firing of an event, up to `count` of them */
+    PM_ASK_GRID = 6, /* program where program_2 first equals each of `count` values from first_value on */
+    PM_ASK_EACH = 7, /* program at each firing of an event, up to `count` of them */
     PM_ASK_KINDS = 8
 };
 enum pm_ask_column {
@@ -325,8 +338,8 @@ enum pm_ask_column {
 enum pm_reason {
     PM_REASON_NONE = 0,
     PM_REASON_NOT_REACHED = 1, /* the instant did not come */
-    PM_REASON_UNDEFINED = 2,   /* the expression has no value at some instant (a ratio to a force <= 0, 0/0) */
-    PM_REASON_FAILED = 3       /* the run failed */
+    PM_REASON_UNDEFINED = 2, /* the expression has no value at some instant (a ratio to a force <= 0, 0/0) */
+    PM_REASON_FAILED = 3     /* the run failed */
 };
 
 /* ---- settings ----------------------------------------------------------------------------------------------- */
@@ -334,10 +347,10 @@ enum pm_route { PM_ROUTE_AUTO = 0, PM_ROUTE_RK = 1, PM_ROUTE_IDA = 2, PM_ROUTES 
 enum pm_setting_column {
     PM_SETTING_GRAVITY_X = 0, /* value indices */
     PM_SETTING_GRAVITY_Y = 1,
-    PM_SETTING_ACCURACY = 2,  /* value index: relative tolerance of the integration, 1e-14 .. 1e-2 */
-    PM_SETTING_MAX_TIME = 3,  /* value index, s */
-    PM_SETTING_ASSEMBLY = 4,  /* value index: allowed opening relative to the scene's size */
-    PM_SETTING_ROUTE = 5,     /* enum pm_route */
+    PM_SETTING_ACCURACY = 2, /* value index: relative tolerance of the integration, 1e-14 .. 1e-2 */
+    PM_SETTING_MAX_TIME = 3, /* value index, s */
+    PM_SETTING_ASSEMBLY = 4, /* value index: allowed opening relative to the scene's size */
+    PM_SETTING_ROUTE = 5,    /* enum pm_route */
     PM_SETTING_MAX_EVENTS = 6,
     PM_SETTING_MAX_STEPS = 7,
     PM_SETTING_COLUMNS = 8
@@ -367,9 +380,9 @@ enum pm_check_column {
     PM_CHECK_COLUMNS = 5
 };
 enum pm_check_number {
-    PM_CHECK_MOVED = 0,    /* greatest displacement by the assembly, m */
-    PM_CHECK_SIZE = 1,     /* size of the scene, m */
-    PM_CHECK_OPENING = 2,  /* greatest residual after assembly, m */
+    PM_CHECK_MOVED = 0,   /* greatest displacement by the assembly, m */
+    PM_CHECK_SIZE = 1,    /* size of the scene, m */
+    PM_CHECK_OPENING = 2, /* greatest residual after assembly, m */
     PM_CHECK_NUMBERS = 3
 };
 
@@ -381,10 +394,10 @@ enum pm_check_number {
  *   out[ncase][nout], reason[ncase][nask], status[ncase], where[ncase][PM_WHERE_COLUMNS],
  *   detail[ncase][PM_DETAIL_COLUMNS], audit[ncase][PM_AUDITS], count[ncase][PM_COUNT_COLUMNS]
  * Returns PM_OK, or PM_BAD_TABLE / PM_NO_MEMORY with where[0] set; then no case has run. */
-int pm_batch(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t ncase, int64_t nparam,
-             const double *param, int nworker, const int32_t *stop, int64_t *progress, int64_t nout, double *out,
-             int64_t nask, int32_t *reason, int32_t *status, int32_t *where, double *detail, double *audit,
-             int64_t *count);
+int pm_batch(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t ncase,
+             int64_t nparam, const double *param, int nworker, const int32_t *stop, int64_t *progress,
+             int64_t nout, double *out, int64_t nask, int32_t *reason, int32_t *status, int32_t *where,
+             double *detail, double *audit, int64_t *count);
 
 /* Runs one case as pm_batch does and records it: one row (t, program values) at every accepted step, before and
  * after every event; `mark` is 0 for a step, 1 before an event, 2 after it.
@@ -397,8 +410,8 @@ int pm_trace(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
 /* Assembles the start of one case: info[PM_CHECK_COLUMNS], number[PM_CHECK_NUMBERS], pose[nbody][3] (x, y, angle),
  * velocity[nbody][3].  Returns a status of the case. */
 int pm_check(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t nparam,
-             const double *param, int32_t *info, double *number, int64_t nbody, double *pose, double *velocity,
-             int32_t *where, double *detail);
+             const double *param, int32_t *info, double *number, int64_t nbody, double *pose,
+             double *velocity, int32_t *where, double *detail);
 
 /* Text of a status, at most ntext-1 characters and a zero; returns its length. */
 int pm_status_text(int status, int64_t ntext, int8_t *text);

@@ -138,7 +138,8 @@ static int validate_one(const pm_model *m, int index, int first_value_allowed, p
         return bad(where, index, first, m->rows[PM_TABLE_CODE]);
     const int32_t *code = pm_row_of(m, PM_TABLE_CODE, first, PM_CODE_COLUMNS);
     const int is_value = first_value_allowed < m->nvalue;
-    const int limit[] = {m->nconstant, m->nparam, first_value_allowed, is_value ? 0 : m->rows[PM_TABLE_MEASURE]};
+    const int limit[] = {m->nconstant, m->nparam, first_value_allowed,
+                         is_value ? 0 : m->rows[PM_TABLE_MEASURE]};
     int depth = 0;
     for (int i = 0; i < length; i++, code += PM_CODE_COLUMNS) {
         const int op = code[PM_CODE_OP], arg = code[PM_CODE_ARG], takes = operands(op);

@@ -7,7 +7,8 @@
 /* Runs program `index`.  With `w` it may use measures of w->frame, which must be filled to
  * model->program_level[index]; without (values), `value` holds the entries computed so far.  Not a number where
  * the expression has no value. */
-double pm_program_run(const pm_model *m, int index, const double *param, const double *value, pm_workspace *w);
+double pm_program_run(const pm_model *m, int index, const double *param, const double *value,
+                      pm_workspace *w);
 
 /* Checks codes, arguments and stack of every program of a table set; returns PM_OK or PM_BAD_TABLE. */
 int pm_program_validate(const pm_model *m, pm_where *where);

@@ -27,8 +27,8 @@ static double call(double t, void *x)
     return c->f(c->w, t, c->context);
 }
 
-int pm_root_find(pm_workspace *w, void *solver, pm_along *f, void *context, double a, double fa, double b, double fb,
-                 double *root)
+int pm_root_find(pm_workspace *w, void *solver, pm_along *f, void *context, double a, double fa, double b,
+                 double fb, double *root)
 {
     pm_root_call c = {w, f, context, a, fa, b, fb};
     gsl_function function = {.function = call, .params = &c};
@@ -39,7 +39,8 @@ int pm_root_find(pm_workspace *w, void *solver, pm_along *f, void *context, doub
         status = gsl_root_fsolver_iterate(solver);
         *root = gsl_root_fsolver_root(solver);
         const double low = gsl_root_fsolver_x_lower(solver), high = gsl_root_fsolver_x_upper(solver);
-        if (high - low <= 4 * ROUNDING * fmax(fabs(low), fabs(high)) || high - low <= 1e-14 * fabs(b - a)) break;
+        if (high - low <= 4 * ROUNDING * fmax(fabs(low), fabs(high)) || high - low <= 1e-14 * fabs(b - a))
+            break;
     }
     return status ? pm_fail(w, PM_SOLVER, PM_NONE, PM_NONE, status, 0) : PM_OK;
 }

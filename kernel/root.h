@@ -8,13 +8,14 @@
 typedef double pm_along(pm_workspace *w, double t, void *context);
 
 /* A root of f in [a, b], where f(a) = fa and f(b) = fb differ in sign; to the rounding of t. */
-int pm_root_find(pm_workspace *w, void *solver, pm_along *f, void *context, double a, double fa, double b, double fb,
-                 double *root);
+int pm_root_find(pm_workspace *w, void *solver, pm_along *f, void *context, double a, double fa, double b,
+                 double fb, double *root);
 /* Value of the same function on the exact state at t, which is left in w->probe and in the frame. */
 typedef int pm_exactly(pm_workspace *w, double t, void *context, double *value);
 
 /* Moves a root of the dense output to where the exact state is on it; *taken is where that was looked at last. */
-int pm_root_polish(pm_workspace *w, pm_along *f, pm_exactly *exactly, void *context, double *t, double *taken);
+int pm_root_polish(pm_workspace *w, pm_along *f, pm_exactly *exactly, void *context, double *t,
+                   double *taken);
 void *pm_root_create(void);
 void pm_root_free(void *solver);
 

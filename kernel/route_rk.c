@@ -17,24 +17,24 @@
 #include "route.h"
 #include "saddle.h"
 
-#define MARGIN 0.1         /* of the accuracy asked: errors of steps add up, and grow with the motion */
-#define TIGHTEST 5e-15     /* below it the error estimate is rounding */
+#define MARGIN 0.1     /* of the accuracy asked: errors of steps add up, and grow with the motion */
+#define TIGHTEST 5e-15 /* below it the error estimate is rounding */
 #define SAFETY 0.7
 #define SHRINK 0.2
 #define GROW 4.0
-#define DENSE 7            /* coefficients of the dense output */
-#define LEAST_STEP 8e-16   /* of the time: below it a step changes nothing */
+#define DENSE 7          /* coefficients of the dense output */
+#define LEAST_STEP 8e-16 /* of the time: below it a step changes nothing */
 #define FIRST_RETRY 0.25
 
 struct pm_rk {
-    int n;             /* 2 nq + nz */
-    double *y0, *y;    /* [n] begin of the step; stage */
-    double *k;         /* [ALL_STAGES][n] */
-    double *side;      /* [STAGES][n] stages of `exact`, so that the dense output stays */
-    double *dense;     /* [DENSE][n] */
-    double *scale;     /* [n] reciprocal error weights, 0: not controlled */
-    double t0, h;      /* the last step as integrated */
-    double next;       /* step to try next, 0: none known */
+    int n;          /* 2 nq + nz */
+    double *y0, *y; /* [n] begin of the step; stage */
+    double *k;      /* [ALL_STAGES][n] */
+    double *side;   /* [STAGES][n] stages of `exact`, so that the dense output stays */
+    double *dense;  /* [DENSE][n] */
+    double *scale;  /* [n] reciprocal error weights, 0: not controlled */
+    double t0, h;   /* the last step as integrated */
+    double next;    /* step to try next, 0: none known */
     int dense_ready, k0_ready;
     void *block;
 };
@@ -96,7 +96,8 @@ static void set_scale(pm_workspace *w)
 }
 
 /* y = y0 + h sum_k weight[k] stage[k]; weights end with the last non-zero one. */
-static void combine(int n, const double *y0, double h, const double *weight, int nweight, const double *stage, double *y)
+static void combine(int n, const double *y0, double h, const double *weight, int nweight, const double *stage,
+                    double *y)
 {
     for (int i = 0; i < n; i++) y[i] = 0;
     for (int s = 0; s < nweight; s++) {
@@ -283,5 +284,12 @@ static int exact(pm_workspace *w, double t, pm_state *s)
 }
 
 const pm_route_ops pm_route_rk = {
-    .route = PM_ROUTE_RK, .create = create, .free = destroy, .begin = begin, .step = step, .at = at, .exact = exact, .finds_roots = 0,
+    .route = PM_ROUTE_RK,
+    .create = create,
+    .free = destroy,
+    .begin = begin,
+    .step = step,
+    .at = at,
+    .exact = exact,
+    .finds_roots = 0,
 };

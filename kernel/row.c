@@ -6,9 +6,12 @@
 const pm_row_ops *pm_row_kind(int kind)
 {
     static const pm_row_ops *const kinds[PM_ROW_KINDS] = {
-        [PM_ROW_POINT_X] = &pm_row_point_x,         [PM_ROW_POINT_Y] = &pm_row_point_y,
-        [PM_ROW_LINE_NORMAL] = &pm_row_line_normal, [PM_ROW_LINE_TANGENT] = &pm_row_line_tangent,
-        [PM_ROW_DISTANCE] = &pm_row_distance,       [PM_ROW_CIRCLE_TANGENT] = &pm_row_circle_tangent,
+        [PM_ROW_POINT_X] = &pm_row_point_x,
+        [PM_ROW_POINT_Y] = &pm_row_point_y,
+        [PM_ROW_LINE_NORMAL] = &pm_row_line_normal,
+        [PM_ROW_LINE_TANGENT] = &pm_row_line_tangent,
+        [PM_ROW_DISTANCE] = &pm_row_distance,
+        [PM_ROW_CIRCLE_TANGENT] = &pm_row_circle_tangent,
         [PM_ROW_ANGLE] = &pm_row_angle,
     };
     return kinds[kind];
@@ -166,7 +169,8 @@ int pm_row_of_joint(const pm_workspace *w, int joint, pm_row row[PM_JOINT_ROWS])
     return n;
 }
 
-void pm_row_of_contact(const pm_workspace *w, int contact, int slot, int member, pm_row *normal, pm_row *tangent)
+void pm_row_of_contact(const pm_workspace *w, int contact, int slot, int member, pm_row *normal,
+                       pm_row *tangent)
 {
     const pm_model *m = w->model;
     const int32_t *e = PM_CONTACT_ROW_OF(m, contact);

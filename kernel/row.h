@@ -32,15 +32,16 @@ typedef struct pm_row_ops {
     void (*remember)(const pm_workspace *w, const pm_row *row, pm_memory *memory, int anchor_too);
 } pm_row_ops;
 
-extern const pm_row_ops pm_row_point_x, pm_row_point_y, pm_row_line_normal, pm_row_line_tangent, pm_row_distance,
-    pm_row_circle_tangent, pm_row_angle;
+extern const pm_row_ops pm_row_point_x, pm_row_point_y, pm_row_line_normal, pm_row_line_tangent,
+    pm_row_distance, pm_row_circle_tangent, pm_row_angle;
 
 const pm_row_ops *pm_row_kind(int kind);
 
 /* The rows of joint i with the numbers of the case; returns how many. */
 int pm_row_of_joint(const pm_workspace *w, int joint, pm_row row[PM_JOINT_ROWS]);
 /* Normal and tangential row of a contact that is closed (or may close) in `slot` with `member`. */
-void pm_row_of_contact(const pm_workspace *w, int contact, int slot, int member, pm_row *normal, pm_row *tangent);
+void pm_row_of_contact(const pm_workspace *w, int contact, int slot, int member, pm_row *normal,
+                       pm_row *tangent);
 
 /* Rate of a row from the geometry of its line of action (equals j v). */
 double pm_row_rate(const pm_workspace *w, const pm_row *row);
@@ -48,9 +49,9 @@ double pm_row_rate(const pm_workspace *w, const pm_row *row);
 /* The two marks of a row in the frame, and what all kinds share. */
 typedef struct pm_marks {
     pm_point a, b;
-    double d[2];     /* a - b */
-    double u[2];     /* velocity of a - velocity of b */
-    double quad[2];  /* relative acceleration of the marks when the coordinates do not accelerate */
+    double d[2];    /* a - b */
+    double u[2];    /* velocity of a - velocity of b */
+    double quad[2]; /* relative acceleration of the marks when the coordinates do not accelerate */
     double omega_a, omega_b;
 } pm_marks;
 pm_marks pm_row_marks(const pm_workspace *w, const pm_row *row);

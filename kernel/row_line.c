@@ -27,7 +27,8 @@ static void evaluate_normal(const pm_workspace *w, pm_row *row)
     pm_row_along(row, &x, l.n, 1);
     row->j[5] -= pm_dot(x.d, l.t);
     row->g = pm_dot(x.d, l.n) - row->radius_a;
-    row->gamma = -(pm_dot(x.quad, l.n) - 2 * x.omega_b * pm_dot(x.u, l.t) - x.omega_b * x.omega_b * pm_dot(x.d, l.n));
+    row->gamma =
+        -(pm_dot(x.quad, l.n) - 2 * x.omega_b * pm_dot(x.u, l.t) - x.omega_b * x.omega_b * pm_dot(x.d, l.n));
 }
 
 static double rolled(const pm_workspace *w, const pm_row *row, const pm_marks *x, const pm_line_frame *l)
@@ -44,7 +45,8 @@ static void evaluate_tangent(const pm_workspace *w, pm_row *row)
     row->j[2] += row->radius_a;
     row->j[5] += pm_dot(x.d, l.n) - row->radius_a;
     row->g = rolled(w, row, &x, &l) - w->frame.memory[row->memory].anchor;
-    row->gamma = -(pm_dot(x.quad, l.t) + 2 * x.omega_b * pm_dot(x.u, l.n) - x.omega_b * x.omega_b * pm_dot(x.d, l.t));
+    row->gamma =
+        -(pm_dot(x.quad, l.t) + 2 * x.omega_b * pm_dot(x.u, l.n) - x.omega_b * x.omega_b * pm_dot(x.d, l.t));
 }
 
 static void remember(const pm_workspace *w, const pm_row *row, pm_memory *memory, int anchor_too)

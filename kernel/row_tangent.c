@@ -19,7 +19,8 @@ static double unwrapped(const double d[2], double reference)
 static double rolled(const pm_workspace *w, const pm_row *row, double direction)
 {
     const double *pose = w->frame.pose;
-    return row->value * direction - row->radius_a * pose[5 * row->body[0] + 2] - row->radius_b * pose[5 * row->body[1] + 2];
+    return row->value * direction - row->radius_a * pose[5 * row->body[0] + 2] -
+           row->radius_b * pose[5 * row->body[1] + 2];
 }
 
 static void evaluate(const pm_workspace *w, pm_row *row)

@@ -52,7 +52,8 @@ static int set_speed_scale(pm_workspace *w)
 
 static void open_ledger(pm_workspace *w)
 {
-    for (int i = 0; i < w->model->rows[PM_TABLE_FORCE]; i++) w->force_energy_start[i] = pm_force_action(w, i).energy;
+    for (int i = 0; i < w->model->rows[PM_TABLE_FORCE]; i++)
+        w->force_energy_start[i] = pm_force_action(w, i).energy;
     pm_audit_begin(w);
 }
 
@@ -96,8 +97,10 @@ static int finish_instant(pm_workspace *w, int *ended)
     *ended = pm_event_until(w);
     const int most = PM_SETTING(w->model, PM_SETTING_MAX_EVENTS);
     if (*ended) return PM_OK;
-    if (w->count[PM_COUNT_EVENTS] >= most) return pm_fail(w, PM_LIMIT_EVENTS, PM_TABLE_SETTING, 0, most, most);
-    if (at_rest(w, PM_NONE) && !w->model->uses_time) return pm_fail(w, PM_STAYS_AT_REST, PM_NONE, PM_NONE, w->state.t, 0);
+    if (w->count[PM_COUNT_EVENTS] >= most)
+        return pm_fail(w, PM_LIMIT_EVENTS, PM_TABLE_SETTING, 0, most, most);
+    if (at_rest(w, PM_NONE) && !w->model->uses_time)
+        return pm_fail(w, PM_STAYS_AT_REST, PM_NONE, PM_NONE, w->state.t, 0);
     return PM_OK;
 }
 
@@ -150,7 +153,8 @@ static int end_early(pm_workspace *w, int status)
     const pm_model *m = w->model;
     for (int i = 0; i < m->nask; i++) {
         const int32_t *e = PM_ASK_ROW(m, i);
-        const int at_instant = e[PM_ASK_KIND] == PM_ASK_EVENT || e[PM_ASK_KIND] == PM_ASK_EACH || e[PM_ASK_KIND] == PM_ASK_GRID;
+        const int at_instant =
+            e[PM_ASK_KIND] == PM_ASK_EVENT || e[PM_ASK_KIND] == PM_ASK_EACH || e[PM_ASK_KIND] == PM_ASK_GRID;
         if (at_instant && w->ask->filled[e[PM_ASK_OUT]])
             w->reason[i] = PM_REASON_NONE;
         else

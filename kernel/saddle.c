@@ -19,17 +19,22 @@ void pm_saddle_rows(pm_workspace *w)
     }
     if (!w->asymmetric) return;
     for (int i = 0; i < n; i++) memcpy(w->row[i].h, w->row[i].j, sizeof w->row[i].h);
-    for (int i = n; w->row[i].normal != PM_NONE; i++) { /* carried tangents, closed by an entry without normal */
+    for (int i = n; w->row[i].normal != PM_NONE;
+         i++) { /* carried tangents, closed by an entry without normal */
         pm_row *tangent = &w->row[i], *normal = &w->row[tangent->normal];
         pm_row_kind(tangent->kind)->evaluate(w, tangent);
         for (int k = 0; k < 6; k++) normal->h[k] = normal->j[k] + normal->slide * tangent->j[k];
     }
 }
 
-static const double *force_direction(const pm_workspace *w, const pm_row *row) { return w->asymmetric ? row->h : row->j; }
+static const double *force_direction(const pm_workspace *w, const pm_row *row)
+{
+    return w->asymmetric ? row->h : row->j;
+}
 
 /* Product of two rows over the bodies that they share, in the metric of M^-1. */
-static double coupled(const pm_workspace *w, const pm_row *a, const double *ja, const pm_row *b, const double *jb)
+static double coupled(const pm_workspace *w, const pm_row *a, const double *ja, const pm_row *b,
+                      const double *jb)
 {
     const int ground = w->model->nbody;
     double sum = 0;
@@ -52,7 +57,8 @@ int pm_saddle_factor(pm_workspace *w)
     for (int i = 0; i < n; i++) {
         const int last = w->asymmetric ? n - 1 : i;
         for (int k = 0; k <= last; k++)
-            w->schur[i * n + k] = coupled(w, &w->row[i], w->row[i].j, &w->row[k], force_direction(w, &w->row[k]));
+            w->schur[i * n + k] =
+                coupled(w, &w->row[i], w->row[i].j, &w->row[k], force_direction(w, &w->row[k]));
     }
     const int bad = w->asymmetric ? pm_lu_factor(n, w->schur, w->pivot) : pm_cholesky_factor(n, w->schur);
     w->count[PM_COUNT_SOLVES]++;
@@ -105,7 +111,8 @@ int pm_saddle_accelerate(pm_workspace *w)
         pm_saddle_rows(w);
         const int status = pm_saddle_factor(w);
         if (status) return status;
-        for (int i = 0; i < w->nactive; i++) w->rhs[i] = w->row[i].gamma - pm_saddle_times(w, &w->row[i], f->a);
+        for (int i = 0; i < w->nactive; i++)
+            w->rhs[i] = w->row[i].gamma - pm_saddle_times(w, &w->row[i], f->a);
         pm_saddle_solve(w);
         pm_saddle_spread(w, 1, f->a);
         memcpy(f->lambda, w->rhs, (size_t)w->nactive * sizeof(double));

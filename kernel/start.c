@@ -21,9 +21,9 @@
 #include "saddle.h"
 
 #define SWEEPS 60
-#define LONGEST 0.3      /* step of the assembly, in sizes of the scene */
-#define AGREES 1e-9      /* relative disagreement of start velocities that is rounding */
-#define OPEN_PART 1e-6   /* of a unit velocity of a body left open */
+#define LONGEST 0.3    /* step of the assembly, in sizes of the scene */
+#define AGREES 1e-9    /* relative disagreement of start velocities that is rounding */
+#define OPEN_PART 1e-6 /* of a unit velocity of a body left open */
 
 static void draw(pm_workspace *w)
 {
@@ -64,10 +64,14 @@ static void spread_row(const pm_workspace *w, const pm_row *row, double *dense)
 {
     memset(dense, 0, (size_t)w->model->nq * sizeof *dense);
     for (int p = 0; p < 2; p++)
-        for (int k = 0; k < 3 && row->body[p] != w->model->nbody; k++) dense[3 * row->body[p] + k] += row->j[3 * p + k];
+        for (int k = 0; k < 3 && row->body[p] != w->model->nbody; k++)
+            dense[3 * row->body[p] + k] += row->j[3 * p + k];
 }
 
-static double start_value(const pm_workspace *w, int i) { return w->value[PM_START_ROW(w->model, i)[PM_START_VALUE]]; }
+static double start_value(const pm_workspace *w, int i)
+{
+    return w->value[PM_START_ROW(w->model, i)[PM_START_VALUE]];
+}
 static int start_measure(const pm_workspace *w, int i) { return PM_START_ROW(w->model, i)[PM_START_MEASURE]; }
 static int start_level(const pm_workspace *w, int i) { return PM_START_ROW(w->model, i)[PM_START_LEVEL]; }
 
@@ -153,7 +157,8 @@ static int assemble(pm_workspace *w, pm_start_report *report)
     }
     for (int i = 0; i < m->nbody; i++)
         for (int k = 0; k < 3; k++) {
-            const double drawn = PM_BODY_ROW(m, i)[PM_BODY_TURNS] || k < 2 ? w->value[PM_BODY_ROW(m, i)[PM_BODY_X + k]] : 0;
+            const double drawn =
+                PM_BODY_ROW(m, i)[PM_BODY_TURNS] || k < 2 ? w->value[PM_BODY_ROW(m, i)[PM_BODY_X + k]] : 0;
             report->moved = fmax(report->moved, fabs(w->state.q[3 * i + k] - drawn) * (k == 2 ? w->size : 1));
         }
     pm_frame_look_state(w, &w->state);
@@ -170,7 +175,7 @@ static int any_velocity_written(const pm_workspace *w)
 
 /* Which bodies hang together; the ground joins nobody. */
 typedef struct pm_islands {
-    int *island;             /* [nbody] the same number: held to each other, or one written velocity is of both */
+    int *island; /* [nbody] the same number: held to each other, or one written velocity is of both */
     unsigned char *fastened; /* [nbody + 1] */
     unsigned char *written;  /* [nbody] a velocity that is not zero */
 } pm_islands;

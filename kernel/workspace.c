@@ -9,7 +9,8 @@
 
 int pm_state_create(const pm_model *m, pm_state *s)
 {
-    const size_t ndouble = 2 * (size_t)m->nq + (size_t)m->nz, nmemory = (size_t)m->nmemory, nslot = (size_t)m->nslot;
+    const size_t ndouble = 2 * (size_t)m->nq + (size_t)m->nz, nmemory = (size_t)m->nmemory,
+                 nslot = (size_t)m->nslot;
     s->t = 0;
     s->bytes = ndouble * sizeof(double) + nmemory * sizeof(pm_memory) + nslot * sizeof(pm_slot);
     s->block = calloc(1, s->bytes + 1);
@@ -55,7 +56,10 @@ static int carve(void **block, const pm_part_of_block *part, size_t nparts)
     return PM_OK;
 }
 
-#define PART(pointer, count) {(void **)(void *)&(pointer), (size_t)(count) * sizeof *(pointer)}
+#define PART(pointer, count)                                             \
+    {                                                                    \
+        (void **)(void *)&(pointer), (size_t)(count) * sizeof *(pointer) \
+    }
 
 int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
 {

@@ -269,8 +269,8 @@ _DESCRIPTIONS: dict[int, Any] = {
         "(a dead centre, or two joints that have come together); end the run before it, or change a length"
     ),
     layout.PM_STEP_TOO_SMALL: lambda place, found, bound: (
-        "the integrator cannot go on at solve.accuracy: the motion has no smooth continuation here (a singular "
-        "position, a force that jumps); end the run before it, or lower the accuracy"
+        "the integrator cannot go on at solve.accuracy: the motion has no smooth continuation here (a "
+        "singular position, a force that jumps); end the run before it, or lower the accuracy"
     ),
     layout.PM_SOLVER: lambda place, found, bound: (
         f"{place + ': ' if place else ''}the solver of this route gave up (its code {found:.0f}); "
