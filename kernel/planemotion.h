@@ -212,24 +212,23 @@ enum pm_force_column {
  * partner).  `value`: value index of the direction angle of part ALONG.  `member`: of a row (PM_NONE: all). */
 enum pm_measure_kind {
     PM_MEASURE_TIME = 0,
-    PM_MEASURE_ANGLE = 1,    /* body a; in_body: relative angle */
-    PM_MEASURE_TURNED = 2,   /* body a: angle since the start */
-    PM_MEASURE_OMEGA = 3,    /* body a; in_body: relative */
-    PM_MEASURE_ALPHA = 4,    /* body a */
-    PM_MEASURE_MASS = 5,     /* body a, PM_NONE: all bodies */
-    PM_MEASURE_WEIGHT = 6,   /* body a, PM_NONE: all bodies: mass times |gravity| */
-    PM_MEASURE_INERTIA = 7,  /* body a, about G or `about` */
-    PM_MEASURE_KINETIC = 8,  /* body a, PM_NONE: all bodies */
-    PM_MEASURE_MOMENTUM = 9, /* vector; body a, PM_NONE: all bodies */
-    PM_MEASURE_ANGULAR_MOMENTUM =
-        10,                       /* body a about G or `about`; PM_NONE: all about the origin or `about` */
-    PM_MEASURE_POLE = 11,         /* vector: instantaneous centre of body a */
-    PM_MEASURE_POSITION = 12,     /* vector: point a; in_body */
-    PM_MEASURE_MOVED = 13,        /* vector: point a since the start */
-    PM_MEASURE_PATH = 14,         /* distance travelled by point a */
-    PM_MEASURE_VELOCITY = 15,     /* vector: point a; in_body */
-    PM_MEASURE_ACCELERATION = 16, /* vector: point a */
-    PM_MEASURE_JOINT_FORCE = 17,  /* vector */
+    PM_MEASURE_ANGLE = 1,             /* body a; in_body: relative angle */
+    PM_MEASURE_TURNED = 2,            /* body a: angle since the start */
+    PM_MEASURE_OMEGA = 3,             /* body a; in_body: relative */
+    PM_MEASURE_ALPHA = 4,             /* body a */
+    PM_MEASURE_MASS = 5,              /* body a, PM_NONE: all bodies */
+    PM_MEASURE_WEIGHT = 6,            /* body a, PM_NONE: all bodies: mass times |gravity| */
+    PM_MEASURE_INERTIA = 7,           /* body a, about G or `about` */
+    PM_MEASURE_KINETIC = 8,           /* body a, PM_NONE: all bodies */
+    PM_MEASURE_MOMENTUM = 9,          /* vector; body a, PM_NONE: all bodies */
+    PM_MEASURE_ANGULAR_MOMENTUM = 10, /* body a about G or `about`; all: the origin or `about` */
+    PM_MEASURE_POLE = 11,             /* vector: instantaneous centre of body a */
+    PM_MEASURE_POSITION = 12,         /* vector: point a; in_body */
+    PM_MEASURE_MOVED = 13,            /* vector: point a since the start */
+    PM_MEASURE_PATH = 14,             /* distance travelled by point a */
+    PM_MEASURE_VELOCITY = 15,         /* vector: point a; in_body */
+    PM_MEASURE_ACCELERATION = 16,     /* vector: point a */
+    PM_MEASURE_JOINT_FORCE = 17,      /* vector */
     PM_MEASURE_JOINT_COUPLE = 18,
     PM_MEASURE_JOINT_IMPULSE = 19,         /* vector, of the last jump */
     PM_MEASURE_JOINT_NORMAL = 20,          /* rolling: > 0 pushes */
