@@ -194,6 +194,16 @@ int pm_case_speed(pm_workspace *w, const double *v)
     return 1;
 }
 
+double pm_case_time_scale(const pm_workspace *w, const double *v, const double *a)
+{
+    double rate = 0;
+    for (int i = 0; i < w->model->nq; i++) {
+        const double length = i % 3 == 2 ? 1 : w->size;
+        rate = fmax(rate, fmax(fabs(v[i]) / length, sqrt(fabs(a[i]) / length)));
+    }
+    return rate > 0 ? 1 / rate : INFINITY;
+}
+
 int pm_case_begin(pm_workspace *w, const double *param)
 {
     w->param = param;

@@ -9,4 +9,8 @@ int pm_case_begin(pm_workspace *w, const double *param);
 /* Lets the speed scale follow v; 1 if it grew noticeably. */
 int pm_case_speed(pm_workspace *w, const double *v);
 
+/* The shortest time in which motion with velocities v and accelerations a changes its own kind, s: 1/omega,
+ * sqrt(size/a), size/v; INFINITY at rest without forces. */
+double pm_case_time_scale(const pm_workspace *w, const double *v, const double *a);
+
 #endif

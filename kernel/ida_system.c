@@ -137,13 +137,3 @@ void pm_ida_system_weights(const pm_workspace *w, const double *y, double *weigh
     for (int i = 0; i < r->n; i++)
         weight[i] = share * r->weight[i] / (1 + ROUNDING * r->weight[i] * fabs(y[i]));
 }
-
-double pm_ida_system_time_scale(const pm_workspace *w, const double *v, const double *a)
-{
-    double rate = 0;
-    for (int i = 0; i < w->model->nq; i++) {
-        const double length = i % 3 == 2 ? 1 : w->size;
-        rate = fmax(rate, fmax(fabs(v[i]) / length, sqrt(fabs(a[i]) / length)));
-    }
-    return rate > 0 ? 1 / rate : INFINITY;
-}

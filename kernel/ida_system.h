@@ -17,7 +17,5 @@ void pm_ida_system_residual(pm_workspace *w, double t, const double *y, const do
 void pm_ida_system_scale(pm_workspace *w);
 /* Error weights at y. */
 void pm_ida_system_weights(const pm_workspace *w, const double *y, double *weight);
-/* The shortest time in which the motion changes: 1/omega, sqrt(size/a), size/v; INFINITY at rest. */
-double pm_ida_system_time_scale(const pm_workspace *w, const double *v, const double *a);
 
 #endif

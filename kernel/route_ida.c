@@ -157,7 +157,7 @@ static double *accelerations(const pm_workspace *w) { return N_VGetArrayPointer(
 static int limit_step(pm_workspace *w)
 {
     const int watched = w->event->nfunction > 0 || w->ask->nobserver > 0;
-    const double scale = watched ? pm_ida_system_time_scale(w, w->state.v, accelerations(w)) : INFINITY;
+    const double scale = watched ? pm_case_time_scale(w, w->state.v, accelerations(w)) : INFINITY;
     return IDASetMaxStep(w->ida->memory, isfinite(scale) ? LONGEST_STEP * scale : 0); /* 0: no limit */
 }
 
@@ -169,7 +169,7 @@ static int begin(pm_workspace *w)
     int status = pm_ida_system_start(w, N_VGetArrayPointer(r->y), N_VGetArrayPointer(r->yp));
     if (status) return status;
     pm_ida_system_scale(w);
-    double first = FIRST_STEP * sqrt(r->tolerance) * pm_ida_system_time_scale(w, w->state.v, w->frame.a);
+    double first = FIRST_STEP * sqrt(r->tolerance) * pm_case_time_scale(w, w->state.v, w->frame.a);
     int flag = IDAReInit(r->memory, w->state.t, r->y, r->yp);
     if (flag == IDA_SUCCESS) flag = limit_step(w);
     if (flag != IDA_SUCCESS) return failed(w, flag);

@@ -142,18 +142,6 @@ static double error_norm(const pm_workspace *w, double h)
     return sum5 == 0 ? 0 : fabs(h) * sum5 / sqrt((sum5 + 0.01 * sum3) * n);
 }
 
-/* The shortest time in which the motion changes its own kind: 1/omega, sqrt(size/a), size/v. */
-static double time_scale(const pm_workspace *w)
-{
-    double rate = 0;
-    for (int i = 0; i < w->model->nq; i++) {
-        const int angle = i % 3 == 2;
-        const double length = angle ? 1 : w->size;
-        rate = fmax(rate, fmax(fabs(w->frame.v[i]) / length, sqrt(fabs(w->frame.a[i]) / length)));
-    }
-    return rate > 0 ? 1 / rate : INFINITY;
-}
-
 static int begin(pm_workspace *w)
 {
     struct pm_rk *r = w->rk;
@@ -166,7 +154,8 @@ static int begin(pm_workspace *w)
 /* A step that is sampled for events or extremes may not outrun the motion, even where the formula would be exact. */
 static double longest_step(const pm_workspace *w)
 {
-    return w->event->nfunction > 0 || w->ask->nobserver > 0 ? time_scale(w) : INFINITY;
+    return w->event->nfunction > 0 || w->ask->nobserver > 0 ? pm_case_time_scale(w, w->frame.v, w->frame.a)
+                                                            : INFINITY;
 }
 
 static int accept(pm_workspace *w, double t, const double *y)
@@ -197,7 +186,8 @@ static int step(pm_workspace *w, double t_limit)
         const int status = derivative(w, r->t0, r->y0, r->k);
         if (status) return status;
         r->k0_ready = 1;
-        if (r->next == 0) r->next = fmin(time_scale(w), 1e3) * pow(w->tolerance, 1.0 / 8);
+        if (r->next == 0)
+            r->next = fmin(pm_case_time_scale(w, w->frame.v, w->frame.a), 1e3) * pow(w->tolerance, 1.0 / 8);
     }
     pm_frame_look(w, r->t0, r->y0, r->y0 + w->model->nq, r->y0 + 2 * w->model->nq, w->state.memory);
     memcpy(w->frame.a, r->k + w->model->nq, (size_t)w->model->nq * sizeof(double));

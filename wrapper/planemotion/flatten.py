@@ -31,8 +31,8 @@ from .parameters import Parameters, Reader, is_zero, override
 from .scene import Body, Contact, Force, Joint, SceneData, Value
 from .starts import Starts
 from .tables import Tables
-from .units import DIMENSIONLESS, TIME
-from .words import unknown
+from .units import DIMENSIONLESS, LENGTH, TIME
+from .words import ROUND_SHAPES, unknown
 
 _E = TypeVar("_E", Body, Joint, Contact, Force)
 _COLUMNS = {
@@ -40,19 +40,6 @@ _COLUMNS = {
     for name, number in layout.pm_table.items()
     if name != "PM_TABLES"
 }
-
-
-@dataclass(frozen=True)
-class Shape:
-    """What a body looks like, for pictures: kernel indices of its points and circles.
-
-    `kind` is the shape's key, or "particle" or "body"; `corners` are the kernel points of a rod's ends or a
-    plate's corners in order.
-    """
-
-    body: str
-    kind: str
-    corners: tuple[int, ...]
 
 
 @dataclass(frozen=True)
@@ -76,7 +63,6 @@ class FlatScene:
     names: Mapping[int, tuple[str, ...]]
     trace: Mapping[str, tuple[int, str]]
     bodies: tuple[str, ...]
-    shapes: tuple[Shape, ...]
 
     @property
     def out_columns(self) -> int:
@@ -140,7 +126,7 @@ class _Flattener:
                 asks.add(key, ask)
         self._settings()
         trace = trace_columns(self.measures, tables, self.scope, self.drawing)
-        shapes = tuple(self._shape(name, body) for name, body in self.drawing.bodies.items())
+        self._check_sizes()
         check_bounds(tables, data)
         table, constant = tables.pack()
         independent = self.parameters.independent
@@ -157,7 +143,6 @@ class _Flattener:
             names={index: tuple(paths) for index, paths in tables.names.items()},
             trace=trace,
             bodies=tuple(self.drawing.bodies),
-            shapes=shapes,
         )
 
     # ---- elements ----
@@ -207,6 +192,20 @@ class _Flattener:
         """Bodies that some joint holds: the assembly may move them."""
         return {owner for joint in self.scope.joints.values() for owner in joint.owners}
 
+    def _check_sizes(self) -> None:
+        """Lengths, widths and radii of shapes are positive (their inertia alone would not tell)."""
+        for name, body in self.drawing.bodies.items():
+            sizes = {key: getattr(body, key) for key in ("length", *ROUND_SHAPES)}
+            if body.plate is not None:
+                sizes |= {"plate[0]": body.plate.first, "plate[1]": body.plate.second}
+            for key, size in sizes.items():
+                if size is None:
+                    continue
+                where = f"bodies.{name}.{key}"
+                node = self.reader.number(size, where, LENGTH)
+                if self.tables.default(node) <= 0:
+                    raise SceneError("a size must be positive", path=where, value=size)
+
     def _check_masses(self) -> None:
         """A mass may be left out only if the mass centre cannot move: it is pinned to the ground."""
         for name, mass in self.drawing.masses.items():
@@ -247,11 +246,6 @@ class _Flattener:
         self.tables.add(layout.PM_TABLE_SETTING, row, "solve")
 
     # ---- for people ----
-
-    def _shape(self, name: str, body: Body) -> Shape:
-        corners = body.rod if body.rod is not None else body.corners or ()
-        points = tuple(self.drawing.point(self.drawing.point_ref(f"{name}.{corner}")) for corner in corners)
-        return Shape(name, body.shape or ("body" if body.turns else "particle"), points)
 
 
 def _run(data: SceneData, name: str | None) -> str | None:
