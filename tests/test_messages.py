@@ -267,3 +267,18 @@ def test_files_that_cannot_be_read(tmp_path: Path) -> None:
     (tmp_path / "binary.toml").write_bytes(b"\xff\xfe\x00")
     with pytest.raises(SceneError, match="not text in UTF-8"):
         load(tmp_path / "binary.toml")
+
+
+@pytest.mark.parametrize(
+    ("shape", "place"),
+    [
+        ('rod = ["A", "B"], length = "-1 m"', "length"),
+        ('rod = ["A", "B"], length = 0', "length"),
+        ('disk = "-3 in"', "disk"),
+        ('plate = ["1 m", "-2 m"]', r"plate\[1\]"),
+    ],
+)
+def test_sizes_of_shapes_are_positive(shape: str, place: str) -> None:
+    text = f'until = "t = 1 s"\nask.x = "a.x"\nbodies.a = {{ {shape}, mass = "1 kg", at = [0, 0] }}'
+    with pytest.raises(SceneError, match=rf"bodies\.a\.{place} = .*must be positive"):
+        load_text(text).run()

@@ -20,8 +20,8 @@ STUDIES = Path(__file__).parent.parent / "studies"
 G_US = mp.mpf("32.2") * mp.mpf("0.3048")
 G_SI = mp.mpf("9.81")
 INCH = mp.mpf("0.0254")
-RK = 1e-9  # the bound; what is reached is two orders better
-IDA = 1e-5
+RK = 1e-9  # reached: some 1e-11
+IDA = 1e-8  # reached: some 1e-10, at ten times the time
 
 
 def sphere_closed_form(d: mp.mpf, r: mp.mpf, omega0: mp.mpf) -> dict[str, mp.mpf]:
@@ -43,11 +43,9 @@ def relative(value: float, reference: mp.mpf) -> float:
     return float(abs(value / reference - 1)) if reference else abs(value)
 
 
-@pytest.mark.parametrize("d", ["1", "1.5", "2.37", "3", "4.4", "5.5", "6"])
+@pytest.mark.parametrize("d", ["1", "2.37", "3", "4.4", "5.5", "6"])
 @pytest.mark.parametrize(("route", "bound"), [("rk", RK), ("ida", IDA)])
 def test_sphere_over_bars_matches_the_recursion(d: str, route: str, bound: float) -> None:
-    if route == "ida" and float(d) < 2.3:
-        pytest.skip("hundreds of blows amplify the error of this route; measured in the README")
     result = planemotion.load(STUDIES / "sphere_over_bars.toml").run(**{"d": f"{d} in", "solve.route": route})
     reference = sphere_closed_form(mp.mpf(d) * INCH, 10 * INCH, mp.mpf("1.5"))
     assert result.status == "ok"
