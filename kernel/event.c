@@ -408,8 +408,6 @@ static int stop_at(pm_workspace *w, double t, double taken)
 {
     const int status = taken == t ? PM_OK : w->route->exact(w, t, &w->probe);
     if (status) return status;
-    memcpy(w->probe.slot, w->state.slot, (size_t)w->model->nslot * sizeof(pm_slot));
-    memcpy(w->probe.memory, w->state.memory, (size_t)w->model->nmemory * sizeof(pm_memory));
     pm_state_copy(&w->state, &w->probe);
     w->state.t = t;
     w->step_end = t;
@@ -417,7 +415,7 @@ static int stop_at(pm_workspace *w, double t, double taken)
 }
 
 /* A route with its own root finding has ended its step at the root. */
-static int take_roots(pm_workspace *w, double *first)
+static void take_roots(pm_workspace *w, double *first)
 {
     pm_event_set *e = w->event;
     int any = 0;
@@ -426,7 +424,6 @@ static int take_roots(pm_workspace *w, double *first)
         any |= e->hit[i];
     }
     *first = any ? w->step_end : INFINITY;
-    return PM_OK;
 }
 
 static void mark_hits(pm_workspace *w)
@@ -446,13 +443,12 @@ static int limit_reached(pm_workspace *w, double max_time)
     return PM_OK;
 }
 
-static int end_step(pm_workspace *w)
+static void end_step(pm_workspace *w)
 {
     pm_frame_look_state(w, &w->state);
     pm_active_follow(w, &w->state);
     pm_audit_step(w);
     w->event->first_step = 0;
-    return PM_OK;
 }
 
 int pm_event_advance(pm_workspace *w, int *happened)
@@ -471,13 +467,14 @@ int pm_event_advance(pm_workspace *w, int *happened)
         }
         status = w->route->step(w, max_time);
         if (!status) status = sample(w, !w->route->finds_roots);
-        if (!status) status = w->route->finds_roots ? take_roots(w, &first) : locate(w, &first, &taken);
+        if (!status && w->route->finds_roots) take_roots(w, &first);
+        if (!status && !w->route->finds_roots) status = locate(w, &first, &taken);
         if (status) return status;
         if (first < INFINITY && first < w->step_end) {
             if ((status = stop_at(w, first, taken)) || (status = sample(w, 0))) return status;
         }
         if (w->step_end > w->step_begin && (status = pm_ask_step(w))) return status;
-        if ((status = end_step(w))) return status;
+        end_step(w);
         if (first < INFINITY) {
             mark_hits(w);
             *happened = 1;

@@ -20,9 +20,8 @@
 #include "row.h"
 #include "saddle.h"
 
-#define PULLS 1e-11 /* of the impulses in the blow: a normal impulse this small does not pull */
-#define LAST_BOUNCE \
-    1e-7           /* of the scene's speed: slower rebounds stay; their height would be lost in rounding */
+#define PULLS 1e-11      /* of the impulses in the blow: a normal impulse this small does not pull */
+#define LAST_BOUNCE 1e-7 /* of the scene's speed: slower rebounds stay, their height is lost in rounding */
 #define SPENT 1e-6 /* of the scene's speed: a rebound that cannot be seen and is slower than this is over */
 #define BLOWS_AT_ONCE 64
 

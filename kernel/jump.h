@@ -4,7 +4,7 @@
 
 #include "model.h"
 
-/* Resolves all blows at this instant, one after the other; *jumped = how many.  The frame looks at w->state
+/* Closes the contacts that touch and do not part, and resolves all blows at this instant, one after the other; *jumped = how many.  The frame looks at w->state
  * afterwards (KINEMATIC); struck contacts' triggers are marked. */
 int pm_jump(pm_workspace *w, int *jumped);
 

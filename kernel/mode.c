@@ -72,24 +72,6 @@ int pm_mode_released(const pm_workspace *w, int contact, int member)
     return 0;
 }
 
-/* Open contacts that touch and do not part are closed; not those let go at this instant. */
-static int close_touching(pm_workspace *w)
-{
-    const pm_model *m = w->model;
-    for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
-        for (int n = 0; n < pm_contact_slots(m, i); n++) {
-            int member, slot;
-            double rate;
-            if (pm_contact_gap(w, &w->state, i, &member) > pm_contact_length(w)) break;
-            pm_contact_member_gap(w, i, member, &rate);
-            if (rate > pm_contact_speed(w) || pm_mode_released(w, i, member)) break;
-            const int status = pm_mode_close(w, i, member, &slot);
-            if (status) return status;
-        }
-    }
-    return PM_OK;
-}
-
 static double force_size(const pm_workspace *w)
 {
     double sum = 0;
@@ -154,15 +136,14 @@ static int close_again(pm_workspace *w)
 int pm_mode_settle(pm_workspace *w)
 {
     const int most = 4 * w->model->nslot + 4;
-    pm_frame_look_state(w, &w->state);
-    int status = close_touching(w);
-    for (int i = 0; !status && i < most; i++) {
+    for (int i = 0; i < most; i++) {
+        int status;
         pm_frame_look_state(w, &w->state);
         if ((status = pm_active_build(w)) || (status = pm_project(w, &w->state))) return status;
         if ((status = pm_saddle_accelerate(w))) return status;
         if (!let_go(w) && !slide(w) && !close_again(w)) return PM_OK;
     }
-    return status ? status : pm_fail(w, PM_BLOW_UNDECIDED, PM_TABLE_CONTACT, PM_NONE, most, most);
+    return pm_fail(w, PM_BLOW_UNDECIDED, PM_TABLE_CONTACT, PM_NONE, most, most);
 }
 
 static int was_closed_with(const pm_workspace *w, const pm_slot *slots, int contact, int member)

@@ -6,7 +6,8 @@
  *           projected on the rows; w->step_begin is where the step began
  *   at      a state inside the last step (slightly outside is allowed), from the route's dense output: t, q, v, z;
  *           memory and slots are those of w->state
- *   exact   the same to the accuracy of the trajectory, projected; used where an event or an extremum is taken
+ *   exact   the same to the accuracy of the trajectory, projected, with memory and slots of w->state in it; used where
+ *           an event or an extremum is taken
  * All return a status.  A route that finds roots itself stops its step at the first root of the event functions
  * (w->event->nfunction, pm_event_values) and marks them in w->event->root (which event.c clears before the step). */
 #ifndef PM_ROUTE_H

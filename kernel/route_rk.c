@@ -161,7 +161,6 @@ static double longest_step(const pm_workspace *w)
 static int accept(pm_workspace *w, double t, const double *y)
 {
     struct pm_rk *r = w->rk;
-    const int nq = w->model->nq;
     memcpy(w->state.q, y, (size_t)r->n * sizeof *y); /* q, v, z lie together */
     w->state.t = t;
     int status = pm_project(w, &w->state);
@@ -171,7 +170,6 @@ static int accept(pm_workspace *w, double t, const double *y)
     w->step_end = t;
     w->count[PM_COUNT_STEPS]++;
     if (!status && pm_case_speed(w, w->state.v)) set_scale(w);
-    (void)nq;
     return status;
 }
 

@@ -17,7 +17,7 @@
 #include "saddle.h"
 #include "trace.h"
 
-#define STILL 1e-12 /* accelerations of a scene at rest, relative to what its forces could do */
+#define STILL 1e-11 /* speeds and accelerations of a scene at rest, relative to its own scales */
 
 static int begin_case(pm_workspace *w, const double *param, pm_start_report *report)
 {
@@ -37,7 +37,7 @@ static int begin_case(pm_workspace *w, const double *param, pm_start_report *rep
 }
 
 /* A scene at rest has no speed yet: what its forces would make of its size is the scale. */
-static int set_speed_scale(pm_workspace *w)
+static void set_speed_scale(pm_workspace *w)
 {
     double fastest = 0;
     pm_force_all(w);
@@ -47,7 +47,6 @@ static int set_speed_scale(pm_workspace *w)
     }
     if (fastest > w->speed) w->speed = fastest;
     if (w->speed == 0) w->speed = w->size; /* nothing acts, nothing moves */
-    return PM_OK;
 }
 
 static void open_ledger(pm_workspace *w)
@@ -72,7 +71,7 @@ static int instant(pm_workspace *w)
 
 static int at_rest(const pm_workspace *w, int body)
 {
-    const double speed = STILL * w->speed * 10, acceleration = STILL * w->speed * w->speed / w->size * 10;
+    const double speed = STILL * w->speed, acceleration = STILL * w->speed * w->speed / w->size;
     const int first = body == PM_NONE ? 0 : 3 * body, last = body == PM_NONE ? w->model->nq : first + 3;
     for (int i = first; i < last; i++) {
         const double length = i % 3 == 2 ? w->size : 1;

@@ -9,7 +9,7 @@ from .drawing import GROUND, Drawing
 from .errors import SceneError
 from .expression import Leaf, dimension, names, parse
 from .marks import distance
-from .node import Name, Node, cos, sin
+from .node import Name, Node
 from .parameters import Reader
 from .partners import Partner, drawn_pair, pairs, partner, point_pair
 from .scene import Force, Value, Vector
@@ -116,7 +116,7 @@ class Forces:
         axes = GROUND
         if force.turns_with is not None:
             axes = self._body(force.turns_with, f"{path}.turns_with")
-        x, y = self._vector(force.value, f"{path}.value")
+        x, y = self.reader.vector(force.value, f"{path}.value", FORCE, self._over_time)
         row[layout.PM_FORCE_KIND] = layout.PM_FORCE_APPLIED
         row[layout.PM_FORCE_A] = self.drawing.point(point.ref)
         row[layout.PM_FORCE_B] = self.drawing.body_index(axes)
@@ -166,16 +166,6 @@ class Forces:
         if written is None:
             raise SceneError("it is wanted and left out", path=where)
         return self.reader.number(written, where, wanted)
-
-    def _vector(self, written: Vector, where: str) -> tuple[Node, Node]:
-        if not written.polar:
-            return (
-                self._over_time(written.first, f"{where}[0]", FORCE),
-                self._over_time(written.second, f"{where}[1]", FORCE),
-            )
-        size = self._over_time(written.first, f"{where}.polar[0]", FORCE)
-        angle = self._over_time(written.second, f"{where}.polar[1]", DIMENSIONLESS)
-        return size * cos(angle), size * sin(angle)
 
     def _over_time(self, written: Value, where: str, wanted: Dimension) -> Node:
         """An expression of parameters and t, with t made the measure of time."""

@@ -162,15 +162,19 @@ class Reader:
             raise error.at(path=where, value=written) from None
         return node
 
-    def vector(self, written: Vector, where: str, wanted: Dimension) -> tuple[Node, Node]:
-        """The two components of a vector, polar ones resolved."""
+    def vector(
+        self,
+        written: Vector,
+        where: str,
+        wanted: Dimension,
+        read: Callable[[Value, str, Dimension], Node] | None = None,
+    ) -> tuple[Node, Node]:
+        """The two components of a vector, polar ones resolved; `read` (default `number`) reads each."""
+        read = read or self.number
         if not written.polar:
-            return (
-                self.number(written.first, f"{where}[0]", wanted),
-                self.number(written.second, f"{where}[1]", wanted),
-            )
-        size = self.number(written.first, f"{where}.polar[0]", wanted)
-        angle = self.number(written.second, f"{where}.polar[1]", DIMENSIONLESS)
+            return read(written.first, f"{where}[0]", wanted), read(written.second, f"{where}[1]", wanted)
+        size = read(written.first, f"{where}.polar[0]", wanted)
+        angle = read(written.second, f"{where}.polar[1]", DIMENSIONLESS)
         return size * cos(angle), size * sin(angle)
 
     def constant(self, written: Value, where: str, wanted: Dimension) -> float:
