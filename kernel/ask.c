@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "body.h"
+#include "crossing.h"
 #include "event.h"
 #include "program.h"
 #include "root.h"
@@ -25,22 +26,23 @@ int pm_ask_create(pm_workspace *w)
     pm_ask_set *a = w->ask = calloc(1, sizeof *a);
     if (!a) return PM_NO_MEMORY;
     a->observer = calloc(nask + 1, sizeof *a->observer);
-    a->sample = calloc((PM_NODES + 2) * nask + 1, sizeof *a->sample);
+    a->sample = calloc((PM_NODES_MOST + 2) * nask + 1, sizeof *a->sample);
     a->undefined = calloc(nask + nout + 1, 1);
     a->solver = pm_root_create();
     if (!a->observer || !a->sample || !a->undefined || !a->solver) return PM_NO_MEMORY;
-    a->best = a->sample + PM_NODES * nask;
+    a->best = a->sample + PM_NODES_MOST * nask;
     a->before = a->best + nask;
     a->filled = a->undefined + nask;
-    a->level = PM_LEVEL_KINEMATIC;
+    a->level = a->instant_level = PM_LEVEL_KINEMATIC;
     for (int i = 0; i < w->model->nask; i++) {
         const int32_t *e = PM_ASK_ROW(w->model, i);
-        if (e[PM_ASK_KIND] < PM_ASK_MAX || e[PM_ASK_KIND] > PM_ASK_GRID) continue;
-        a->observer[a->nobserver++] = i;
+        const int watches = e[PM_ASK_KIND] >= PM_ASK_MAX && e[PM_ASK_KIND] <= PM_ASK_GRID;
+        if (watches) a->observer[a->nobserver++] = i;
         for (int k = 0; k < 2; k++) {
             const int program = e[k ? PM_ASK_PROGRAM_2 : PM_ASK_PROGRAM];
-            if (program >= 0 && w->model->program_level[program] > a->level)
-                a->level = w->model->program_level[program];
+            const int level = program >= 0 ? w->model->program_level[program] : PM_LEVEL_NONE;
+            if (level > a->instant_level) a->instant_level = level;
+            if (watches && level > a->level) a->level = level;
         }
     }
     return PM_OK;
@@ -177,17 +179,12 @@ static int refine(pm_workspace *w, int ask, double a, double b)
     return PM_OK;
 }
 
-/* Slopes at the nodes, times the distance of nodes, of the quartic through them. */
-static void slopes(const double g[PM_NODES], double d[PM_NODES])
+/* Slopes at the nodes, by the fraction of the step, of the polynomial through them. */
+static void slopes(const pm_nodes *nodes, const double *g, double *d)
 {
-    static const double weight[PM_NODES][PM_NODES] = {{-25, 48, -36, 16, -3},
-                                                      {-3, -10, 18, -6, 1},
-                                                      {1, -8, 0, 8, -1},
-                                                      {-1, 6, -18, 10, 3},
-                                                      {3, -16, 36, -48, 25}};
-    for (int k = 0; k < PM_NODES; k++) {
+    for (int k = 0; k < nodes->n; k++) {
         d[k] = 0;
-        for (int i = 0; i < PM_NODES; i++) d[k] += weight[k][i] * g[i] / 12;
+        for (int i = 0; i < nodes->n; i++) d[k] += nodes->slope[k * nodes->n + i] * g[i];
     }
 }
 
@@ -195,10 +192,11 @@ static void slopes(const double g[PM_NODES], double d[PM_NODES])
 static int extreme_in_step(pm_workspace *w, int ask)
 {
     const int nask = w->model->nask;
+    const pm_nodes *nodes = w->route->nodes;
     const double sign = is_greatest(PM_ASK_ROW(w->model, ask)) ? 1 : -1;
-    double g[PM_NODES], spread = 0;
+    double g[PM_NODES_MOST], d[PM_NODES_MOST], spread = 0;
     int top = 0;
-    for (int k = 0; k < PM_NODES; k++) {
+    for (int k = 0; k < nodes->n; k++) {
         g[k] = sign * w->ask->sample[k * nask + ask];
         if (isnan(g[k])) {
             w->ask->undefined[ask] = 1;
@@ -209,13 +207,12 @@ static int extreme_in_step(pm_workspace *w, int ask)
     }
     /* an extreme between the nodes exceeds them by no more than their spread */
     if (spread == 0 || g[top] + spread < sign * w->ask->best[ask]) return PM_OK;
-    double d[PM_NODES];
-    slopes(g, d);
-    const double h = (w->step_end - w->step_begin) / (PM_NODES - 1), t0 = w->step_begin,
-                 flat = NEARLY_FLAT * spread;
+    slopes(nodes, g, d);
     for (int k = top - 1; k <= top; k++) {
-        if (k < 0 || k + 1 >= PM_NODES || d[k] < -flat || d[k + 1] > flat) continue;
-        const int status = refine(w, ask, t0 + k * h, k + 2 == PM_NODES ? w->step_end : t0 + (k + 1) * h);
+        if (k < 0 || k + 1 >= nodes->n) continue;
+        const double flat = NEARLY_FLAT * spread / (nodes->at[k + 1] - nodes->at[k]);
+        if (d[k] < -flat || d[k + 1] > flat) continue;
+        const int status = refine(w, ask, pm_crossing_node(w, k), pm_crossing_node(w, k + 1));
         if (status) return status;
     }
     return PM_OK;
@@ -224,15 +221,15 @@ static int extreme_in_step(pm_workspace *w, int ask)
 static int grid_in_step(pm_workspace *w, int ask)
 {
     const int32_t *e = PM_ASK_ROW(w->model, ask);
-    const double h = (w->step_end - w->step_begin) / (PM_NODES - 1);
+    const int n = w->route->nodes->n;
     for (int k = 0; k < e[PM_ASK_COUNT]; k++) {
         pm_watch x = {e[PM_ASK_PROGRAM_2], w->value[e[PM_ASK_FIRST_VALUE] + k], 0};
-        for (int i = 0; i + 1 < PM_NODES && !w->ask->filled[e[PM_ASK_OUT] + k]; i++) {
+        for (int i = 0; i + 1 < n && !w->ask->filled[e[PM_ASK_OUT] + k]; i++) {
             const double a = w->ask->sample[i * w->model->nask + ask] - x.minus;
             const double b = w->ask->sample[(i + 1) * w->model->nask + ask] - x.minus;
-            double t, from = w->step_begin + i * h, to = i + 2 == PM_NODES ? w->step_end : from + h;
+            const double from = pm_crossing_node(w, i), to = pm_crossing_node(w, i + 1);
             if (!((a < 0 && b >= 0) || (a > 0 && b <= 0))) continue;
-            double taken;
+            double t, taken;
             int status = pm_root_find(w, w->ask->solver, along, &x, from, a, to, b, &t);
             if (!status) status = pm_root_polish(w, along, exactly, &x, &t, &taken);
             if (!status && taken != t) status = look(w, t, 1);
@@ -248,12 +245,12 @@ static int offer_node(pm_workspace *w, int ask)
 {
     const int nask = w->model->nask;
     const int32_t *e = PM_ASK_ROW(w->model, ask);
-    for (int k = 0; k < PM_NODES; k++) {
+    const int n = w->route->nodes->n;
+    for (int k = 0; k < n; k++) {
         const double value = w->ask->sample[k * nask + ask], best = w->ask->best[ask];
         if (!isnan(value) && !isnan(best) && !(is_greatest(e) ? value > best : value < best)) continue;
-        const double t = w->step_begin + (w->step_end - w->step_begin) * k / (PM_NODES - 1);
         if (at_extreme(e)) {
-            const int status = look(w, k == PM_NODES - 1 ? w->step_end : t, 1);
+            const int status = look(w, pm_crossing_node(w, k), 1);
             if (status) return status;
         }
         offer(w, ask, value);

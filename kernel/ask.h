@@ -8,7 +8,8 @@ typedef struct pm_ask_set {
     int *observer; /* [nask] asks that watch the whole run: extremes and grids */
     int nobserver;
     int level;                /* highest level that they need */
-    double *sample;           /* [PM_NODES][nask] watched values in a step */
+    int instant_level;        /* highest level that any ask needs */
+    double *sample;           /* [PM_NODES_MOST][nask] watched values in a step */
     double *best;             /* [nask] extreme so far, NaN before the first value */
     double *before;           /* [nask] values before the jump of the present instant */
     unsigned char *undefined; /* [nask] an extreme met a not-a-number */

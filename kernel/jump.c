@@ -19,6 +19,7 @@
 #include "mode.h"
 #include "row.h"
 #include "saddle.h"
+#include "trigger.h"
 
 #define PULLS 1e-11      /* of the impulses in the blow: a normal impulse this small does not pull */
 #define LAST_BOUNCE 1e-7 /* of the scene's speed: slower rebounds stay, their height is lost in rounding */
@@ -55,7 +56,7 @@ static int find_struck(pm_workspace *w, unsigned char *share, int *struck)
             if (status) return status;
             if (!approaches && !rests) continue;
             share[slot] = STRUCK;
-            if (approaches) pm_event_mark(w, PM_TRIGGER_STRIKE, i);
+            if (approaches) pm_trigger_mark(w, PM_TRIGGER_STRIKE, i);
             ++*struck;
         }
     return PM_OK;
@@ -203,7 +204,7 @@ static void set_modes(pm_workspace *w, const unsigned char *share, const int32_t
         w->state.slot[i].mode = pm_mode_of_slip(w, contact, member);
         if (share[i] != OUT || w->state.slot[i].mode != resting[i]) pm_active_anchor(w, &w->state, i);
         if (share[i] == STRUCK && w->state.slot[i].mode == PM_STICK && slid(w, i, before))
-            pm_event_mark(w, PM_TRIGGER_STICK, contact);
+            pm_trigger_mark(w, PM_TRIGGER_STICK, contact);
     }
 }
 

@@ -10,6 +10,7 @@
 #include "force.h"
 #include "row.h"
 #include "saddle.h"
+#include "trigger.h"
 
 typedef struct pm_measure_args {
     pm_workspace *w;
@@ -351,8 +352,8 @@ static double force_work(const pm_measure_args *x)
 static double force_power(const pm_measure_args *x) { return pm_force_action(x->w, x->a).power; }
 static double force_stretch(const pm_measure_args *x) { return pm_force_action(x->w, x->a).stretch; }
 static double force_energy(const pm_measure_args *x) { return pm_force_action(x->w, x->a).energy; }
-static double event_count(const pm_measure_args *x) { return pm_event_count(x->w, x->a); }
-static double event_time(const pm_measure_args *x) { return pm_event_time(x->w, x->a); }
+static double event_count(const pm_measure_args *x) { return pm_trigger_count(x->w, x->a); }
+static double event_time(const pm_measure_args *x) { return pm_trigger_time(x->w, x->a); }
 static double potential(const pm_measure_args *x)
 {
     return pm_body_weight_energy(x->w) + pm_force_potential(x->w);

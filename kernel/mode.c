@@ -13,6 +13,7 @@
 #include "project.h"
 #include "row.h"
 #include "saddle.h"
+#include "trigger.h"
 
 #define SLACK 1e-11 /* of the forces in the scene: a normal force this small does not pull */
 
@@ -161,10 +162,10 @@ void pm_mode_mark(pm_workspace *w)
         if (w->slot_before[i].mode == PM_OPEN) continue;
         const int now = was_closed_with(w, w->state.slot, contact, w->slot_before[i].member);
         if (now == PM_NONE)
-            pm_event_mark(w, PM_TRIGGER_OPEN, contact);
+            pm_trigger_mark(w, PM_TRIGGER_OPEN, contact);
         else if (slides(w->state.slot[now].mode) && !slides(w->slot_before[i].mode))
-            pm_event_mark(w, PM_TRIGGER_SLIP, contact);
+            pm_trigger_mark(w, PM_TRIGGER_SLIP, contact);
         else if (!slides(w->state.slot[now].mode) && slides(w->slot_before[i].mode))
-            pm_event_mark(w, PM_TRIGGER_STICK, contact);
+            pm_trigger_mark(w, PM_TRIGGER_STICK, contact);
     }
 }

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "measure.h"
+#include "nature.h"
 #include "program.h"
 
 static const int table_columns[PM_TABLES] = {
@@ -320,18 +321,8 @@ static void grade_programs(pm_model *m)
             if (needs > level) level = needs;
         }
         m->program_level[i] = (unsigned char)level;
+        m->program_nature[i] = (unsigned char)pm_nature_of(m, i);
     }
-}
-
-static int reads_time(const pm_model *m, int program)
-{
-    const int32_t *p = pm_row_of(m, PM_TABLE_PROGRAM, program, PM_PROGRAM_COLUMNS);
-    const int32_t *code = pm_row_of(m, PM_TABLE_CODE, p[PM_PROGRAM_FIRST], PM_CODE_COLUMNS);
-    for (int k = 0; k < p[PM_PROGRAM_LENGTH]; k++, code += PM_CODE_COLUMNS)
-        if (code[PM_CODE_OP] == PM_OP_MEASURE &&
-            PM_MEASURE_ROW(m, code[PM_CODE_ARG])[PM_MEASURE_KIND] == PM_MEASURE_TIME)
-            return 1;
-    return 0;
 }
 
 /* Whether a scene at rest may still see something happen: a force or a trigger that depends on time. */
@@ -339,12 +330,31 @@ static void look_for_time(pm_model *m)
 {
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++) {
         const int32_t *e = PM_FORCE_ROW(m, i);
-        if (e[PM_FORCE_KIND] >= PM_FORCE_APPLIED) m->uses_time |= reads_time(m, e[PM_FORCE_PROGRAM_X]);
-        if (e[PM_FORCE_KIND] == PM_FORCE_APPLIED) m->uses_time |= reads_time(m, e[PM_FORCE_PROGRAM_Y]);
+        if (e[PM_FORCE_KIND] >= PM_FORCE_APPLIED)
+            m->uses_time |= pm_nature_reads_time(m, e[PM_FORCE_PROGRAM_X]);
+        if (e[PM_FORCE_KIND] == PM_FORCE_APPLIED)
+            m->uses_time |= pm_nature_reads_time(m, e[PM_FORCE_PROGRAM_Y]);
     }
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *e = PM_TRIGGER_ROW(m, i);
-        if (e[PM_TRIGGER_KIND] <= PM_TRIGGER_EVERY) m->uses_time |= reads_time(m, e[PM_TRIGGER_PROGRAM]);
+        if (e[PM_TRIGGER_KIND] <= PM_TRIGGER_EVERY)
+            m->uses_time |= pm_nature_reads_time(m, e[PM_TRIGGER_PROGRAM]);
+    }
+}
+
+/* Whether a program that is watched within steps reads the count or time of an event: it jumps where one is marked. */
+static void look_for_counts(pm_model *m)
+{
+    for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
+        const int32_t *e = PM_TRIGGER_ROW(m, i);
+        if (e[PM_TRIGGER_KIND] <= PM_TRIGGER_EVERY)
+            m->watches_counts |= pm_nature_reads_counts(m, e[PM_TRIGGER_PROGRAM]);
+    }
+    for (int i = 0; i < m->nask; i++) {
+        const int32_t *e = PM_ASK_ROW(m, i);
+        if (e[PM_ASK_KIND] < PM_ASK_MAX || e[PM_ASK_KIND] > PM_ASK_GRID) continue;
+        m->watches_counts |= pm_nature_reads_counts(m, e[PM_ASK_PROGRAM]);
+        if (e[PM_ASK_PROGRAM_2] >= 0) m->watches_counts |= pm_nature_reads_counts(m, e[PM_ASK_PROGRAM_2]);
     }
 }
 
@@ -372,12 +382,13 @@ int pm_model_create(int64_t ntable, const int32_t *table, int64_t nconstant, con
     const size_t nint = (size_t)m->rows[PM_TABLE_CONTACT] + 2 * (size_t)m->rows[PM_TABLE_JOINT] +
                         (size_t)m->rows[PM_TABLE_FORCE] + (size_t)m->rows[PM_TABLE_MEASURE];
     int *block = calloc(nint + 1, sizeof *block);
-    m->program_level = calloc((size_t)m->rows[PM_TABLE_PROGRAM] + 1, 1);
+    m->program_level = calloc(2 * (size_t)m->rows[PM_TABLE_PROGRAM] + 1, 1);
     m->contact_slot = block;
     if (!block || !m->program_level) {
         pm_model_free(m);
         return PM_NO_MEMORY;
     }
+    m->program_nature = m->program_level + m->rows[PM_TABLE_PROGRAM];
     m->joint_row = m->contact_slot + m->rows[PM_TABLE_CONTACT];
     m->joint_memory = m->joint_row + m->rows[PM_TABLE_JOINT];
     m->force_z = m->joint_memory + m->rows[PM_TABLE_JOINT];
@@ -385,6 +396,7 @@ int pm_model_create(int64_t ntable, const int32_t *table, int64_t nconstant, con
     lay_out(m);
     grade_programs(m);
     look_for_time(m);
+    look_for_counts(m);
     *model = m;
     return PM_OK;
 }

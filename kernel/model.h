@@ -36,7 +36,9 @@ typedef struct pm_model {
     int *joint_memory; /* [njoint] or PM_NONE */
     int *force_z;      /* [nforce] running integral of its work, or PM_NONE: it has a potential */
     int *path_z;       /* [nmeasure] running integral of a path measure, or PM_NONE */
-    unsigned char *program_level; /* [nprogram] enum pm_level that its measures need */
+    unsigned char *program_level;  /* [nprogram] enum pm_level that its measures need */
+    unsigned char *program_nature; /* [nprogram] enum pm_nature */
+    int watches_counts;            /* what is watched in a step reads the count or time of an event */
 } pm_model;
 
 /* What must be known of a state before a program can be run on it. */
@@ -139,6 +141,7 @@ typedef struct pm_workspace {
     double tolerance;      /* relative tolerance of integration */
     pm_state state, start; /* now; at t = 0 after the assembly */
     pm_state probe;        /* a state inside a step */
+    pm_state ahead;        /* the end of a step while an instant inside it is marked */
     /* active rows: joints first, then normals, then tangents */
     pm_row *row; /* [nrow] */
     int nactive;
@@ -168,7 +171,10 @@ typedef struct pm_workspace {
     const struct pm_route_ops *route;
     struct pm_rk *rk;
     struct pm_ida *ida;
-    double step_begin, step_end; /* the last accepted step: state is at step_end */
+    double step_begin,
+        step_end; /* the last accepted step, by its progress coordinate: state is at step_end */
+    int turns;    /* the motion turns back at the end of the step */
+    double *turn; /* [nq] the velocities with which it does, at the scene's speed */
     struct pm_event_set *event;
     struct pm_ask_set *ask;
     pm_where where;

@@ -5,8 +5,7 @@
 
 #include "measure.h"
 
-/* What each operation takes off the stack; all leave one number. */
-static int operands(int op)
+int pm_program_operands(int op)
 {
     switch ((enum pm_op)op) {
     case PM_OP_CONSTANT:
@@ -113,7 +112,7 @@ double pm_program_run(const pm_model *m, int index, const double *param, const d
             stack[top] = stack[top] != 0 ? stack[top + 1] : stack[top + 2];
             break;
         default:
-            if (operands(op) == 1) {
+            if (pm_program_operands(op) == 1) {
                 stack[top] = unary(op, stack[top]);
             } else {
                 top--;
@@ -142,7 +141,7 @@ static int validate_one(const pm_model *m, int index, int first_value_allowed, p
                          is_value ? 0 : m->rows[PM_TABLE_MEASURE]};
     int depth = 0;
     for (int i = 0; i < length; i++, code += PM_CODE_COLUMNS) {
-        const int op = code[PM_CODE_OP], arg = code[PM_CODE_ARG], takes = operands(op);
+        const int op = code[PM_CODE_OP], arg = code[PM_CODE_ARG], takes = pm_program_operands(op);
         if (takes < 0) return bad(where, index, op, PM_OPS);
         if (takes == 0 && (arg < 0 || arg >= limit[op])) return bad(where, index, arg, limit[op]);
         if (depth < takes) return bad(where, index, depth, takes);

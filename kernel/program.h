@@ -13,4 +13,7 @@ double pm_program_run(const pm_model *m, int index, const double *param, const d
 /* Checks codes, arguments and stack of every program of a table set; returns PM_OK or PM_BAD_TABLE. */
 int pm_program_validate(const pm_model *m, pm_where *where);
 
+/* What an operation takes off the stack; all leave one number; < 0: no such operation. */
+int pm_program_operands(int op);
+
 #endif

@@ -2,10 +2,12 @@
  *
  * A phase is smooth motion with the fixed active rows of the workspace (active.h).  The event loop calls
  *   begin   the phase starts at w->state: consistent with the rows, the frame looks at it
- *   step    one accepted step from w->state towards t_limit, never beyond it: afterwards w->state is at w->step_end,
- *           projected on the rows; w->step_begin is where the step began
+ *   step    one accepted step from w->state towards the time t_limit, never beyond it: afterwards w->state is at
+ *           w->step_end, projected on the rows; w->step_begin is where the step began; w->turns tells that the motion
+ *           turns back there
  *   at      a state inside the last step (slightly outside is allowed), from the route's dense output: t, q, v, z;
  *           memory and slots are those of w->state
+ * Places in a step are given by the route's progress coordinate x: the time, or the way along the path.
  *   exact   the same to the accuracy of the trajectory, projected, with memory and slots of w->state in it; used where
  *           an event or an extremum is taken
  * All return a status.  A route that finds roots itself stops its step at the first root of the event functions
@@ -14,6 +16,7 @@
 #define PM_ROUTE_H
 
 #include "model.h"
+#include "nodes.h"
 
 typedef struct pm_route_ops {
     int route; /* enum pm_route */
@@ -24,6 +27,8 @@ typedef struct pm_route_ops {
     int (*at)(pm_workspace *w, double t, pm_state *s);
     int (*exact)(pm_workspace *w, double t, pm_state *s);
     int finds_roots;
+    int in_time;           /* its progress coordinate is the time */
+    const pm_nodes *nodes; /* where its steps are sampled */
 } pm_route_ops;
 
 extern const pm_route_ops pm_route_rk, pm_route_ida;

@@ -251,4 +251,6 @@ const pm_route_ops pm_route_ida = {
     .at = at,
     .exact = exact,
     .finds_roots = 1,
+    .in_time = 1,
+    .nodes = &pm_nodes_equal,
 };

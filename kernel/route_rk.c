@@ -280,4 +280,6 @@ const pm_route_ops pm_route_rk = {
     .at = at,
     .exact = exact,
     .finds_roots = 0,
+    .in_time = 1,
+    .nodes = &pm_nodes_equal,
 };

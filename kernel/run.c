@@ -11,13 +11,11 @@
 #include "case.h"
 #include "event.h"
 #include "force.h"
-#include "jump.h"
-#include "mode.h"
+#include "instant.h"
 #include "route.h"
 #include "saddle.h"
 #include "trace.h"
-
-#define STILL 1e-11 /* speeds and accelerations of a scene at rest, relative to its own scales */
+#include "trigger.h"
 
 static int begin_case(pm_workspace *w, const double *param, pm_start_report *report)
 {
@@ -28,7 +26,8 @@ static int begin_case(pm_workspace *w, const double *param, pm_start_report *rep
     w->route = pm_route_choose(w->model);
     w->count[PM_COUNT_ROUTE] = w->route->route;
     w->event->nfunction = 0;
-    pm_event_reset(w);
+    w->turns = 0;
+    pm_trigger_reset(w);
     memset(w->joint_impulse, 0, (size_t)w->model->njoint_row * sizeof(double));
     memset(w->slot_impulse, 0, 2 * (size_t)w->model->nslot * sizeof(double));
     int status = pm_case_begin(w, param);
@@ -56,53 +55,6 @@ static void open_ledger(pm_workspace *w)
     pm_audit_begin(w);
 }
 
-/* What happens at one instant: `before` values, blows, modes, firings.  The frame is DYNAMIC before and after. */
-static int instant(pm_workspace *w)
-{
-    int jumped, status;
-    pm_ask_look_before(w);
-    pm_event_look_before(w);
-    pm_mode_begin(w);
-    if ((status = pm_jump(w, &jumped)) || (status = pm_mode_settle(w))) return status;
-    pm_mode_mark(w);
-    pm_event_look_after(w);
-    return PM_OK;
-}
-
-static int at_rest(const pm_workspace *w, int body)
-{
-    const double speed = STILL * w->speed, acceleration = STILL * w->speed * w->speed / w->size;
-    const int first = body == PM_NONE ? 0 : 3 * body, last = body == PM_NONE ? w->model->nq : first + 3;
-    for (int i = first; i < last; i++) {
-        const double length = i % 3 == 2 ? w->size : 1;
-        if (fabs(w->frame.v[i]) * length > speed || fabs(w->frame.a[i]) * length > acceleration) return 0;
-    }
-    return 1;
-}
-
-static void mark_rest(pm_workspace *w)
-{
-    if (at_rest(w, PM_NONE)) pm_event_mark(w, PM_TRIGGER_REST, PM_NONE);
-    for (int i = 0; i < w->model->nbody; i++)
-        if (at_rest(w, i)) pm_event_mark(w, PM_TRIGGER_REST, i);
-}
-
-static int finish_instant(pm_workspace *w, int *ended)
-{
-    mark_rest(w);
-    pm_event_commit(w);
-    pm_ask_instant(w);
-    w->count[PM_COUNT_EVENTS]++;
-    *ended = pm_event_until(w);
-    const int most = PM_SETTING(w->model, PM_SETTING_MAX_EVENTS);
-    if (*ended) return PM_OK;
-    if (w->count[PM_COUNT_EVENTS] >= most)
-        return pm_fail(w, PM_LIMIT_EVENTS, PM_TABLE_SETTING, 0, most, most);
-    if (at_rest(w, PM_NONE) && !w->model->uses_time)
-        return pm_fail(w, PM_STAYS_AT_REST, PM_NONE, PM_NONE, w->state.t, 0);
-    return PM_OK;
-}
-
 int pm_run_start(pm_workspace *w, const double *param, pm_start_report *report)
 {
     int status = begin_case(w, param, report);
@@ -111,31 +63,30 @@ int pm_run_start(pm_workspace *w, const double *param, pm_start_report *report)
     open_ledger(w);
     pm_frame_look_state(w, &w->state);
     if ((status = pm_active_build(w)) || (status = pm_saddle_accelerate(w))) return status;
-    if ((status = instant(w))) return status;
-    pm_event_mark(w, PM_TRIGGER_START, PM_NONE);
+    if ((status = pm_instant_start(w))) return status;
+    pm_trigger_mark(w, PM_TRIGGER_START, PM_NONE);
     return PM_OK;
 }
 
-static int phase(pm_workspace *w)
+static int phase(pm_workspace *w, int *ended)
 {
-    int happened, status;
+    int status;
     pm_event_begin(w);
     if ((status = w->route->begin(w))) return status;
     w->count[PM_COUNT_PHASES]++;
-    if ((status = pm_event_advance(w, &happened))) return status;
-    pm_frame_look_state(w, &w->state);
+    if ((status = pm_event_advance(w, ended)) || !*ended) return status;
+    pm_frame_look_state(
+        w, &w->state); /* the end came inside a step: what is asked there may need accelerations */
     return pm_saddle_accelerate(w);
 }
 
 static int run_phases(pm_workspace *w)
 {
-    int ended, status = finish_instant(w, &ended);
+    int ended, status = pm_instant_finish(w, &ended);
     if (!status) status = pm_trace_row(w, 2);
     while (!status && !ended) {
-        if ((status = phase(w)) || (status = pm_trace_row(w, 1))) break;
-        if (w->trace && (status = pm_saddle_accelerate(w))) break;
-        if ((status = instant(w)) || (status = finish_instant(w, &ended))) break;
-        status = pm_trace_row(w, 2);
+        status = phase(w, &ended);
+        if (!status && !ended) status = pm_instant_full(w, &ended);
     }
     return status;
 }

@@ -92,12 +92,14 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
         PART(w->slot_before, m->nslot),
         PART(w->slot_released, m->nslot),
         PART(w->force_energy_start, nforce),
+        PART(w->turn, nq),
         PART(w->scratch, 8 * (nq + nrow + m->nslot)),
     };
     int status = carve(&w->block, part, sizeof part / sizeof *part);
     if (!status) status = pm_state_create(m, &w->state);
     if (!status) status = pm_state_create(m, &w->start);
     if (!status) status = pm_state_create(m, &w->probe);
+    if (!status) status = pm_state_create(m, &w->ahead);
     if (!status) status = pm_event_create(w);
     if (!status) status = pm_ask_create(w);
     if (!status) status = pm_route_create(w);
@@ -115,6 +117,7 @@ void pm_workspace_free(pm_workspace *w)
     pm_route_free(w);
     pm_ask_free(w);
     pm_event_free(w);
+    pm_state_free(&w->ahead);
     pm_state_free(&w->probe);
     pm_state_free(&w->start);
     pm_state_free(&w->state);

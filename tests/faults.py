@@ -224,27 +224,34 @@ FAULTS = [
     ),
     Fault("missed root: grip", "event.c", "add(w, FUNCTION_GRIP, i", "add(w, FUNCTION_NORMAL, i"),
     Fault("missed root: slip", "event.c", "add(w, FUNCTION_SLIP, i", "if (0) add(w, FUNCTION_SLIP, i"),
-    Fault("missed root: two in one step", "event.c", "return s * *value <= 0", "return 0"),
+    Fault("missed root: two in one step", "crossing.c", "return s * *value <= 0", "return 0"),
     Fault(
-        "missed root: comes back to a held zero at once", "event.c", "return crosses(f, g, gb)", "return 0"
+        "missed root: comes back to a held zero at once", "crossing.c", "return crosses(f, g, gb)", "return 0"
     ),
     Fault(
         "event: the wrong way",
-        "event.c",
+        "crossing.c",
         "if (f->direction <= 0 && a > 0 && b <= 0)",
         "if (f->direction >= 0 && a > 0 && b <= 0)",
     ),
     Fault(
         "event: a blow's change of sign",
-        "event.c",
+        "trigger.c",
         "const int rises = before < 0 && after > 0",
         "const int rises = 0",
     ),
     Fault(
         "event: not at its place",
-        "event.c",
+        "crossing.c",
         "return pm_root_polish(w, along, exactly, &e->function[earliest], first, taken)",
         "*first += 1e-8; return PM_OK",
+    ),
+    Fault("event: a mark passed twice", "event.c", "e->function[i].since = x", "e->function[i].since = 0"),
+    Fault(
+        "event: a trigger on time that comes late",
+        "trigger.c",
+        "double due = now - here / slope;",
+        "double due = now - 1.001 * here / slope - 1e-9;",
     ),
     # the rk route
     Fault("rk: a digit of the dense output", "dop853.h", "18.148505520854727", "18.148515520854727"),
@@ -276,7 +283,7 @@ FAULTS = [
         "if (w->count[PM_COUNT_STEPS] == 0) r->next = 0",
         "(void)0",
     ),
-    Fault("batch: counts from the case before", "run.c", "pm_event_reset(w)", "(void)0"),
+    Fault("batch: counts from the case before", "run.c", "pm_trigger_reset(w)", "(void)0"),
     Fault("start: contradictions pass", "start.c", "return PM_START_CONFLICT", "continue"),
     Fault("start: open motions pass", "start.c", "&& rest.left > OPEN_PART", "&& rest.left > 2"),
     Fault(

@@ -1,0 +1,225 @@
+/* crossing.c - finds and locates the zeros of the functions of a phase.
+ *
+ * Every function is sampled at the nodes of each step.  A change of sign between two nodes, or a dip between three that
+ * goes through zero, is bracketed, located on the route's dense output, and then polished on exact states, so that an
+ * event is as accurate as the trajectory and never only as good as an interpolant. */
+#include "crossing.h"
+
+#include <math.h>
+
+#include "ask.h"
+#include "body.h"
+#include "root.h"
+#include "route.h"
+#include "saddle.h"
+
+#define ON_ZERO 1e-12 /* of a function's greatest size in the step: zero when the phase begins */
+#define HALVINGS 30   /* of a step, to find the top of a short bounce */
+#define LEAVING \
+    20 /* halvings of a step: a trigger has left its zero at the first place where it is seen off it */
+
+double pm_crossing_node(const pm_workspace *w, int node)
+{
+    const pm_nodes *nodes = w->route->nodes;
+    return node == nodes->n - 1 ? w->step_end
+                                : w->step_begin + (w->step_end - w->step_begin) * nodes->at[node];
+}
+
+static int look(pm_workspace *w, double x, int level)
+{
+    int status = PM_OK;
+    const pm_state *s = &w->state;
+    if (x != w->step_end) {
+        status = w->route->at(w, x, &w->probe);
+        s = &w->probe;
+    }
+    if (status) return status;
+    pm_frame_look(w, s->t, s->q, s->v, s->z, w->state.memory);
+    return level == PM_LEVEL_DYNAMIC ? pm_saddle_accelerate(w) : PM_OK;
+}
+
+int pm_crossing_sample(pm_workspace *w, int with_functions)
+{
+    pm_event_set *e = w->event;
+    const int functions = with_functions && e->nfunction > 0;
+    const int watched = w->ask->nobserver > 0;
+    if (!functions && !watched) return PM_OK;
+    int level = PM_LEVEL_KINEMATIC;
+    if (functions && e->level > level) level = e->level;
+    if (watched && w->ask->level > level) level = w->ask->level;
+    for (int k = 0; k < w->route->nodes->n; k++) {
+        const int status = look(w, pm_crossing_node(w, k), level);
+        if (status) return status;
+        for (int i = 0; functions && i < e->nfunction; i++)
+            e->value[k * e->nfunction + i] = pm_event_sample(w, &e->function[i]);
+        if (watched) pm_ask_sample(w, k);
+    }
+    return PM_OK;
+}
+
+static double along(pm_workspace *w, double x, void *context)
+{
+    const pm_event_function *f = context;
+    if (look(w, x, f->level)) return NAN;
+    return pm_event_value(w, f);
+}
+
+/* Sign with which a function enters the interval after a node: a held zero has none yet. */
+static int crosses(const pm_event_function *f, double a, double b)
+{
+    if (isnan(a) || isnan(b)) return 0;
+    if (f->direction <= 0 && a > 0 && b <= 0) return 1;
+    if (f->direction >= 0 && a < 0 && b >= 0) return 1;
+    return 0;
+}
+
+/* A dip of three nodes towards zero: the vertex of their parabola, if the function goes through zero there. */
+static int dips(pm_workspace *w, const pm_event_function *f, const double *g, const double *x, double *where,
+                double *value)
+{
+    const double s = g[1] > 0 ? 1 : -1, a = s * g[0], b = s * g[1], c = s * g[2];
+    if (!(b < a && b < c) || !(a > 0 && b > 0 && c > 0)) return 0;
+    if ((f->direction > 0 && s > 0) || (f->direction < 0 && s < 0)) return 0;
+    const double left = (a - b) / (x[1] - x[0]), right = (c - b) / (x[2] - x[1]);
+    const double bend = (left + right) / (x[2] - x[0]);
+    const double slope = (right * (x[1] - x[0]) - left * (x[2] - x[1])) / (x[2] - x[0]);
+    if (b - slope * slope / (4 * bend) > 0.1 * b) return 0;
+    *where = x[1] - slope / (2 * bend);
+    *value = along(w, *where, (void *)(uintptr_t)f);
+    return s * *value <= 0;
+}
+
+typedef struct pm_bracket {
+    double a, b, ga, gb;
+} pm_bracket;
+
+/* A function held at zero is negative at b: it has gone up and come back (a short bounce), or it went the wrong way at
+ * once and the event is now. */
+static int leaves_and_returns(pm_workspace *w, const pm_event_function *f, double a, double b, double gb,
+                              pm_bracket *x)
+{
+    *x = (pm_bracket){a, a, 0, 0};
+    for (int i = 0; i < HALVINGS; i++) {
+        const double middle = 0.5 * (a + b), g = along(w, middle, (void *)(uintptr_t)f);
+        if (middle <= a) break;
+        if (g > 0) {
+            *x = (pm_bracket){middle, b, g, gb};
+            break;
+        }
+        b = middle;
+        gb = g;
+    }
+    if (f->kind == FUNCTION_GAP && x->a == x->b) w->event->spent[f->index] = 1;
+    return 1;
+}
+
+/* A trigger that was on zero at a: where it has definitely left tells its side; it may have come back before b. */
+static int leaves_and_crosses(pm_workspace *w, const pm_event_function *f, double a, double b, double gb,
+                              double noise, pm_bracket *x)
+{
+    for (int i = LEAVING; i > 0; i--) {
+        const double place = a + ldexp(b - a, -i), g = along(w, place, (void *)(uintptr_t)f);
+        if (place <= a || !(fabs(g) > noise)) continue;
+        *x = (pm_bracket){place, b, g, gb};
+        return crosses(f, g, gb);
+    }
+    return 0;
+}
+
+/* The first bracket of function i in the step after `from`, if any. */
+static int bracket(pm_workspace *w, int i, double from, pm_bracket *x)
+{
+    pm_event_set *e = w->event;
+    pm_event_function *f = &e->function[i];
+    const int n = w->route->nodes->n;
+    double g[PM_NODES_MOST], place[PM_NODES_MOST], biggest = 0;
+    int first = 0;
+    for (int k = 0; k < n; k++) {
+        g[k] = pm_event_of_sample(f, e->value[k * e->nfunction + i]);
+        place[k] = pm_crossing_node(w, k);
+        biggest = fmax(biggest, fabs(g[k]));
+        if (place[k] <= from) first = k;
+    }
+    if (first == n - 1) return 0;
+    if (e->first_step && from == place[0] && f->kind == FUNCTION_TRIGGER && fabs(g[0]) <= ON_ZERO * biggest) {
+        f->held = 1;
+        f->since = from;
+    }
+    if (f->held && f->kind == FUNCTION_TRIGGER) { /* enters on the side where it goes */
+        const double since = fmax(f->since, place[0]);
+        while (first < n - 1 && place[first] <= since) first++;
+        if (leaves_and_crosses(w, f, since, place[first], g[first], ON_ZERO * biggest, x)) return 1;
+    } else if (
+        f->held) { /* a contact starts on the open side, and counts again from where it has left its zero */
+        for (first = 1; first < n && fabs(g[first]) <= f->slack;) first++;
+        if (first == n) return 0;
+        if (g[first] < 0) return leaves_and_returns(w, f, place[first - 1], place[first], g[first], x);
+    } else if (f->kind != FUNCTION_TRIGGER && g[0] <= 0) { /* the last step ended on its zero */
+        *x = (pm_bracket){place[0], place[0], 0, 0};
+        return 1;
+    }
+    for (int k = first; k + 1 < n; k++) {
+        double where, value;
+        if (crosses(f, g[k], g[k + 1])) {
+            *x = (pm_bracket){place[k], place[k + 1], g[k], g[k + 1]};
+            return 1;
+        }
+        if (k + 2 < n && dips(w, f, g + k, place + k, &where, &value) && where > from) {
+            *x = (pm_bracket){place[k], where, g[k], value};
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static int exactly(pm_workspace *w, double x, void *context, double *value)
+{
+    const pm_event_function *f = context;
+    const pm_state *s = &w->probe;
+    int status = w->route->exact(w, x, &w->probe);
+    if (status) return status;
+    pm_frame_look(w, s->t, s->q, s->v, s->z, w->state.memory);
+    if (f->level == PM_LEVEL_DYNAMIC) status = pm_saddle_accelerate(w);
+    *value = pm_event_value(w, f);
+    return status;
+}
+
+int pm_crossing_first(pm_workspace *w, double from, double *first, double *taken)
+{
+    pm_event_set *e = w->event;
+    const double same = PM_SAME_PLACE * (w->step_end - w->step_begin);
+    int earliest = PM_NONE;
+    *first = INFINITY;
+    for (int i = 0; i < e->nfunction; i++) {
+        pm_bracket x;
+        e->hit[i] = 0;
+        if (!bracket(w, i, from, &x)) continue;
+        if (x.a > *first) continue; /* cannot be the first */
+        int status = PM_OK;
+        double place = x.a;
+        if (x.b > x.a)
+            status = pm_root_find(w, e->solver, along, &e->function[i], x.a, x.ga, x.b, x.gb, &place);
+        if (status) return status;
+        if (place < *first - same)
+            for (int k = 0; k < i; k++) e->hit[k] = 0;
+        if (place > *first + same) continue;
+        e->hit[i] = 1;
+        if (place < *first) {
+            *first = place;
+            earliest = i;
+        }
+    }
+    if (earliest == PM_NONE || *first <= w->step_begin) return PM_OK;
+    return pm_root_polish(w, along, exactly, &e->function[earliest], first, taken);
+}
+
+void pm_crossing_leave(pm_workspace *w)
+{
+    pm_event_set *e = w->event;
+    const double *last = e->value + (w->route->nodes->n - 1) * e->nfunction;
+    for (int i = 0; i < e->nfunction; i++) {
+        pm_event_function *f = &e->function[i];
+        if (fabs(pm_event_of_sample(f, last[i])) > f->slack) f->held = 0;
+        f->since = 0;
+    }
+}

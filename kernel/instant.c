@@ -1,0 +1,117 @@
+/* instant.c - one instant: `before` values, blows, modes, firings, answers. */
+#include "instant.h"
+
+#include <math.h>
+
+#include "ask.h"
+#include "body.h"
+#include "event.h"
+#include "jump.h"
+#include "mode.h"
+#include "saddle.h"
+#include "trace.h"
+#include "trigger.h"
+
+#define STILL 1e-11  /* speeds and accelerations of a scene at rest, relative to its own scales */
+#define TURNING 1e-7 /* of the scene's speed: how fast it is seen just before and after it turns back */
+
+/* What happens to the bodies.  The frame is DYNAMIC before and after. */
+static int act(pm_workspace *w)
+{
+    int jumped, status;
+    pm_ask_look_before(w);
+    pm_trigger_look_before(w);
+    pm_mode_begin(w);
+    if ((status = pm_jump(w, &jumped)) || (status = pm_mode_settle(w))) return status;
+    pm_mode_mark(w);
+    pm_trigger_look_after(w);
+    return PM_OK;
+}
+
+static int at_rest(const pm_workspace *w, int body)
+{
+    const double speed = STILL * w->speed, acceleration = STILL * w->speed * w->speed / w->size;
+    const int first = body == PM_NONE ? 0 : 3 * body, last = body == PM_NONE ? w->model->nq : first + 3;
+    for (int i = first; i < last; i++) {
+        const double length = i % 3 == 2 ? w->size : 1;
+        if (fabs(w->frame.v[i]) * length > speed || fabs(w->frame.a[i]) * length > acceleration) return 0;
+    }
+    return 1;
+}
+
+static void mark_rest(pm_workspace *w)
+{
+    if (at_rest(w, PM_NONE)) pm_trigger_mark(w, PM_TRIGGER_REST, PM_NONE);
+    for (int i = 0; i < w->model->nbody; i++)
+        if (at_rest(w, i)) pm_trigger_mark(w, PM_TRIGGER_REST, i);
+}
+
+/* Fires what is due at the frame and answers for it. */
+static int close(pm_workspace *w, int *ended)
+{
+    pm_trigger_commit(w);
+    pm_ask_instant(w);
+    w->count[PM_COUNT_EVENTS]++;
+    *ended = pm_trigger_until(w);
+    const int most = PM_SETTING(w->model, PM_SETTING_MAX_EVENTS);
+    if (!*ended && w->count[PM_COUNT_EVENTS] >= most)
+        return pm_fail(w, PM_LIMIT_EVENTS, PM_TABLE_SETTING, 0, most, most);
+    return PM_OK;
+}
+
+int pm_instant_finish(pm_workspace *w, int *ended)
+{
+    mark_rest(w);
+    const int status = close(w, ended);
+    if (!status && !*ended && at_rest(w, PM_NONE) && !w->model->uses_time)
+        return pm_fail(w, PM_STAYS_AT_REST, PM_NONE, PM_NONE, w->state.t, 0);
+    return status;
+}
+
+int pm_instant_start(pm_workspace *w) { return act(w); }
+
+/* Where the motion turns back speeds are zero: triggers that read them change sign as the velocities do. */
+static int mark_turning(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    double *velocity = w->frame.velocity;
+    for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
+        const int kind = PM_TRIGGER_ROW(m, i)[PM_TRIGGER_KIND];
+        double value[2];
+        if (kind > PM_TRIGGER_FALL || w->event->fired[i]) continue;
+        for (int side = 0; side < 2; side++) {
+            for (int k = 0; k < m->nq; k++) velocity[k] = (side ? -TURNING : TURNING) * w->turn[k];
+            const int status = pm_saddle_accelerate(w);
+            if (status) return status;
+            value[side] = pm_trigger_program(w, i);
+        }
+        const int rises = value[0] < 0 && value[1] > 0, falls = value[0] > 0 && value[1] < 0;
+        w->event->fired[i] =
+            (unsigned char)((rises && kind != PM_TRIGGER_FALL) || (falls && kind != PM_TRIGGER_RISE));
+    }
+    for (int k = 0; k < m->nq; k++) velocity[k] = w->state.v[k];
+    return pm_saddle_accelerate(w);
+}
+
+int pm_instant_full(pm_workspace *w, int *ended)
+{
+    int status = pm_trace_row(w, 1);
+    pm_frame_look_state(w, &w->state);
+    if (!status) status = pm_saddle_accelerate(w);
+    if (!status && w->turns) status = mark_turning(w);
+    if (!status) status = act(w);
+    if (!status) status = pm_instant_finish(w, ended);
+    if (!status) status = pm_trace_row(w, 2);
+    return status;
+}
+
+int pm_instant_mark(pm_workspace *w, int *ended)
+{
+    int status = pm_trace_row(w, 1);
+    pm_frame_look_state(w, &w->state);
+    if (!status && w->ask->instant_level == PM_LEVEL_DYNAMIC) status = pm_saddle_accelerate(w);
+    if (status) return status;
+    pm_ask_look_before(w);
+    status = close(w, ended);
+    return status ? status : pm_trace_row(w, 2);
+}

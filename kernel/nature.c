@@ -1,0 +1,93 @@
+/* nature.c - abstract interpretation of programs: each stack entry carries its nature instead of a number. */
+#include "nature.h"
+
+#include "program.h"
+
+static const int32_t *code_of(const pm_model *m, int program, int *length)
+{
+    const int32_t *p = pm_row_of(m, PM_TABLE_PROGRAM, program, PM_PROGRAM_COLUMNS);
+    *length = p[PM_PROGRAM_LENGTH];
+    return pm_row_of(m, PM_TABLE_CODE, p[PM_PROGRAM_FIRST], PM_CODE_COLUMNS);
+}
+
+static int measure_nature(const pm_model *m, int measure)
+{
+    switch ((enum pm_measure_kind)PM_MEASURE_ROW(m, measure)[PM_MEASURE_KIND]) {
+    case PM_MEASURE_TIME: return PM_NATURE_TIME;
+    case PM_MEASURE_MASS:
+    case PM_MEASURE_WEIGHT: return PM_NATURE_CONSTANT;
+    case PM_MEASURE_ANGLE:
+    case PM_MEASURE_TURNED:
+    case PM_MEASURE_INERTIA:
+    case PM_MEASURE_POSITION:
+    case PM_MEASURE_MOVED:
+    case PM_MEASURE_CONTACT_GAP:
+    case PM_MEASURE_FORCE_STRETCH:
+    case PM_MEASURE_FORCE_ENERGY:
+    case PM_MEASURE_POTENTIAL: return PM_NATURE_PLACE;
+    default: return PM_NATURE_MOTION;
+    }
+}
+
+/* Time stays linear under sums, and products and quotients with constants; places may be combined at will. */
+static int combine(int op, int a, int b)
+{
+    if (a == PM_NATURE_MOTION || b == PM_NATURE_MOTION) return PM_NATURE_MOTION;
+    if (a != PM_NATURE_TIME && b != PM_NATURE_TIME) return a > b ? a : b;
+    if (a == PM_NATURE_PLACE || b == PM_NATURE_PLACE) return PM_NATURE_MOTION;
+    const int linear = op == PM_OP_ADD || op == PM_OP_SUB || (op == PM_OP_MUL && a != b) ||
+                       (op == PM_OP_DIV && b == PM_NATURE_CONSTANT);
+    return linear ? PM_NATURE_TIME : PM_NATURE_MOTION;
+}
+
+static int alone(int op, int a)
+{
+    if (a != PM_NATURE_TIME || op == PM_OP_NEG) return a;
+    return PM_NATURE_MOTION;
+}
+
+int pm_nature_of(const pm_model *m, int program)
+{
+    int stack[PM_STACK], top = -1, length;
+    const int32_t *code = code_of(m, program, &length);
+    for (int i = 0; i < length; i++, code += PM_CODE_COLUMNS) {
+        const int op = code[PM_CODE_OP];
+        if (op <= PM_OP_VALUE) {
+            stack[++top] = PM_NATURE_CONSTANT;
+        } else if (op == PM_OP_MEASURE) {
+            stack[++top] = measure_nature(m, code[PM_CODE_ARG]);
+        } else if (op == PM_OP_SELECT) {
+            top -= 2;
+            const int c = combine(op, stack[top], stack[top + 1]);
+            stack[top] = combine(op, c, stack[top + 2]);
+        } else if (pm_program_operands(op) == 1) {
+            stack[top] = alone(op, stack[top]);
+        } else {
+            top--;
+            stack[top] = combine(op, stack[top], stack[top + 1]);
+        }
+    }
+    return stack[0];
+}
+
+static int reads(const pm_model *m, int program, int kind_a, int kind_b)
+{
+    int length;
+    const int32_t *code = code_of(m, program, &length);
+    for (int i = 0; i < length; i++, code += PM_CODE_COLUMNS) {
+        if (code[PM_CODE_OP] != PM_OP_MEASURE) continue;
+        const int kind = PM_MEASURE_ROW(m, code[PM_CODE_ARG])[PM_MEASURE_KIND];
+        if (kind == kind_a || kind == kind_b) return 1;
+    }
+    return 0;
+}
+
+int pm_nature_reads_time(const pm_model *m, int program)
+{
+    return reads(m, program, PM_MEASURE_TIME, PM_MEASURE_EVENT_TIME);
+}
+
+int pm_nature_reads_counts(const pm_model *m, int program)
+{
+    return reads(m, program, PM_MEASURE_EVENT_COUNT, PM_MEASURE_EVENT_TIME);
+}
