@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "active.h"
+#include "find.h"
 #include "model.h"
 #include "run.h"
 #include "trace.h"
@@ -19,7 +20,7 @@ typedef struct pm_job {
     const double *param;
     const volatile int32_t *stop;
     int64_t *progress;
-    double *out, *detail, *audit;
+    double *out, *detail, *audit, *found;
     int32_t *reason, *status, *where;
     int64_t *count;
     atomic_llong next, done;
@@ -48,7 +49,7 @@ static void run_one(pm_workspace *w, pm_job *job, int64_t i)
     w->out = job->out + i * m->nout;
     w->reason = job->reason + i * m->nask;
     w->audit = job->audit + i * PM_AUDITS;
-    job->status[i] = pm_run(w, job->param + i * m->nparam);
+    job->status[i] = pm_find_run(w, job->param + i * m->nparam, job->found + i * PM_FOUND_COLUMNS);
     report_where(w, job->where + i * PM_WHERE_COLUMNS, job->detail + i * PM_DETAIL_COLUMNS);
     memcpy(job->count + i * PM_COUNT_COLUMNS, w->count, sizeof w->count);
 }
@@ -62,6 +63,7 @@ static void cancel_one(pm_job *job, int64_t i)
     for (int k = 0; k < PM_AUDITS; k++) job->audit[i * PM_AUDITS + k] = NAN;
     for (int k = 0; k < PM_WHERE_COLUMNS; k++) job->where[i * PM_WHERE_COLUMNS + k] = PM_NONE;
     for (int k = 0; k < PM_DETAIL_COLUMNS; k++) job->detail[i * PM_DETAIL_COLUMNS + k] = NAN;
+    for (int k = 0; k < PM_FOUND_COLUMNS; k++) job->found[i * PM_FOUND_COLUMNS + k] = NAN;
     memset(job->count + i * PM_COUNT_COLUMNS, 0, PM_COUNT_COLUMNS * sizeof *job->count);
     job->status[i] = PM_CANCELLED;
 }
@@ -119,7 +121,7 @@ static void report_model(const pm_where *x, int32_t *where, double *detail)
 int pm_batch(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t ncase,
              int64_t nparam, const double *param, int nworker, const int32_t *stop, int64_t *progress,
              int64_t nout, double *out, int64_t nask, int32_t *reason, int32_t *status, int32_t *where,
-             double *detail, double *audit, int64_t *count)
+             double *detail, double *audit, int64_t *count, double *found)
 {
     pm_model *model;
     pm_where place = {PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
@@ -140,7 +142,8 @@ int pm_batch(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
                       .reason = reason,
                       .status = status,
                       .where = where,
-                      .count = count};
+                      .count = count,
+                      .found = found};
         result = run_workers(&job, nworker);
     }
     if (result && ncase > 0) report_model(&place, where, detail);

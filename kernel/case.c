@@ -15,9 +15,10 @@ static int out_of_bound(pm_workspace *w, int table, int row, int member, double 
     return PM_BAD_VALUE;
 }
 
-static int compute_values(pm_workspace *w)
+int pm_case_values(pm_workspace *w, const double *param)
 {
     const pm_model *m = w->model;
+    w->param = param;
     for (int i = 0; i < m->nparam; i++)
         if (!isfinite(w->param[i])) return out_of_bound(w, PM_NONE, i, PM_NONE, w->param[i], 0);
     for (int i = 0; i < m->nvalue; i++) {
@@ -206,8 +207,7 @@ double pm_case_time_scale(const pm_workspace *w, const double *v, const double *
 
 int pm_case_begin(pm_workspace *w, const double *param)
 {
-    w->param = param;
-    int status = compute_values(w);
+    int status = pm_case_values(w, param);
     if (!status) status = read_settings(w);
     if (!status) status = read_bodies(w);
     if (!status) status = check_marks(w);

@@ -4,6 +4,8 @@
 
 #include "model.h"
 
+/* The value table alone, from the parameters. */
+int pm_case_values(pm_workspace *w, const double *param);
 /* Computes the value table from the parameters and checks it; fills masses, gravity, size, tolerance. */
 int pm_case_begin(pm_workspace *w, const double *param);
 /* Lets the speed scale follow v; 1 if it grew noticeably. */

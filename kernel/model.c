@@ -19,6 +19,8 @@ static const int table_columns[PM_TABLES] = {
     [PM_TABLE_START] = PM_START_COLUMNS,   [PM_TABLE_TRIGGER] = PM_TRIGGER_COLUMNS,
     [PM_TABLE_EVENT] = PM_EVENT_COLUMNS,   [PM_TABLE_UNTIL] = PM_UNTIL_COLUMNS,
     [PM_TABLE_ASK] = PM_ASK_COLUMNS,       [PM_TABLE_SETTING] = PM_SETTING_COLUMNS,
+    [PM_TABLE_FIND] = PM_FIND_COLUMNS,     [PM_TABLE_VARY] = PM_VARY_COLUMNS,
+    [PM_TABLE_CONDITION] = PM_CONDITION_COLUMNS,
 };
 
 static int bad(pm_where *where, int table, int row, double value, double bound)
@@ -87,6 +89,11 @@ static const pm_range ranges[] = {
     {PM_TABLE_SETTING, PM_SETTING_ACCURACY, PM_TABLE_VALUE, 0, 0},
     {PM_TABLE_SETTING, PM_SETTING_MAX_TIME, PM_TABLE_VALUE, 0, 0},
     {PM_TABLE_SETTING, PM_SETTING_ASSEMBLY, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_SETTING, PM_SETTING_NUDGE, PM_TABLE_PROGRAM, 0, 1},
+    {PM_TABLE_FIND, PM_FIND_PROGRAM, PM_TABLE_PROGRAM, 0, 1},
+    {PM_TABLE_VARY, PM_VARY_LOW, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_VARY, PM_VARY_HIGH, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_CONDITION, PM_CONDITION_PROGRAM, PM_TABLE_PROGRAM, 0, 0},
 };
 
 /* Partners of elements: which table columns a and b point into, by kind.  PM_NONE: not used. */
@@ -260,6 +267,35 @@ static int check_settings(const pm_model *m, pm_where *where)
     return PM_OK;
 }
 
+/* A find: one or two parameters, and as many conditions ZERO as it needs. */
+static int check_find(const pm_model *m, pm_where *where)
+{
+    const int nvary = m->rows[PM_TABLE_VARY], nfind = m->rows[PM_TABLE_FIND];
+    if (nfind > 1) return bad(where, PM_TABLE_FIND, 1, nfind, 1);
+    if (nfind == 0) return PM_OK;
+    const int32_t *find = PM_FIND_ROW(m, 0);
+    if (nvary < 1 || nvary > PM_FIND_MOST) return bad(where, PM_TABLE_VARY, PM_NONE, nvary, PM_FIND_MOST);
+    if (find[PM_FIND_GOAL] < 0 || find[PM_FIND_GOAL] >= PM_FIND_GOALS)
+        return bad(where, PM_TABLE_FIND, 0, find[PM_FIND_GOAL], PM_FIND_GOALS);
+    if (find[PM_FIND_SAMPLES] < 2 || find[PM_FIND_SAMPLES] > PM_FIND_MOST_SAMPLES)
+        return bad(where, PM_TABLE_FIND, 0, find[PM_FIND_SAMPLES], PM_FIND_MOST_SAMPLES);
+    for (int i = 0; i < nvary; i++) {
+        const int parameter = PM_VARY_ROW(m, i)[PM_VARY_PARAMETER];
+        if (parameter < 0 || parameter >= m->nparam) return bad(where, PM_TABLE_VARY, i, parameter, m->nparam);
+    }
+    int zeros = 0;
+    if (m->rows[PM_TABLE_CONDITION] > PM_FIND_MOST_CONDITIONS)
+        return bad(where, PM_TABLE_CONDITION, PM_NONE, m->rows[PM_TABLE_CONDITION], PM_FIND_MOST_CONDITIONS);
+    for (int i = 0; i < m->rows[PM_TABLE_CONDITION]; i++) {
+        const int kind = PM_CONDITION_ROW(m, i)[PM_CONDITION_KIND];
+        if (kind < 0 || kind >= PM_CONDITION_KINDS)
+            return bad(where, PM_TABLE_CONDITION, i, kind, PM_CONDITION_KINDS);
+        zeros += kind == PM_CONDITION_ZERO;
+    }
+    const int fewest = nvary == 2 || find[PM_FIND_GOAL] == PM_FIND_VALUE ? nvary : 0;
+    return zeros < fewest || zeros > nvary ? bad(where, PM_TABLE_CONDITION, PM_NONE, zeros, nvary) : PM_OK;
+}
+
 static int check_tables(pm_model *m, pm_where *where)
 {
     int status = check_ranges(m, where);
@@ -271,6 +307,7 @@ static int check_tables(pm_model *m, pm_where *where)
     if (!status) status = check_asks(m, where);
     if (!status) status = check_untils(m, where);
     if (!status) status = check_settings(m, where);
+    if (!status) status = check_find(m, where);
     if (!status) status = pm_measure_validate(m, where);
     if (!status) status = pm_program_validate(m, where);
     if (!status) status = check_forces(m, where); /* looks into programs */

@@ -61,6 +61,9 @@ static inline const int32_t *pm_row_of(const pm_model *m, int table, int row, in
 #define PM_TRIGGER_ROW(m, i) pm_row_of(m, PM_TABLE_TRIGGER, i, PM_TRIGGER_COLUMNS)
 #define PM_UNTIL_ROW(m, i) pm_row_of(m, PM_TABLE_UNTIL, i, PM_UNTIL_COLUMNS)
 #define PM_ASK_ROW(m, i) pm_row_of(m, PM_TABLE_ASK, i, PM_ASK_COLUMNS)
+#define PM_FIND_ROW(m, i) pm_row_of(m, PM_TABLE_FIND, i, PM_FIND_COLUMNS)
+#define PM_VARY_ROW(m, i) pm_row_of(m, PM_TABLE_VARY, i, PM_VARY_COLUMNS)
+#define PM_CONDITION_ROW(m, i) pm_row_of(m, PM_TABLE_CONDITION, i, PM_CONDITION_COLUMNS)
 #define PM_SETTING(m, column) ((m)->table[PM_TABLE_SETTING][column])
 
 /* How a closed contact moves. */
@@ -126,6 +129,7 @@ typedef struct pm_where {
 struct pm_route_ops;
 struct pm_event_set;
 struct pm_ask_set;
+struct pm_find;
 
 typedef struct pm_workspace {
     const pm_model *model;
@@ -177,6 +181,7 @@ typedef struct pm_workspace {
     double *turn; /* [nq] the velocities with which it does, at the scene's speed */
     struct pm_event_set *event;
     struct pm_ask_set *ask;
+    struct pm_find *find; /* NULL where nothing is sought */
     pm_where where;
     pm_slot *slot_before;         /* [nslot] modes when the instant began */
     unsigned char *slot_released; /* [nslot] let go at this instant: not closed again at it */

@@ -19,7 +19,8 @@
 #define PM_NONE (-2)
 
 /* ---- status ---------------------------------------------------------------------------------------
- * 0 ok; > 0 an early stop: what was answered before stands; < 0 failure: no answer can be trusted. */
+ * 0 ok; > 0 an early stop (what was answered before stands) or, for a find, a remark (all answers stand);
+ * < 0 failure: no answer can be trusted. */
 enum pm_status {
     PM_OK = 0,
     PM_LIMIT_TIME = 1,    /* max_time reached before the end of the run */
@@ -27,6 +28,9 @@ enum pm_status {
     PM_LIMIT_STEPS = 3,   /* max_steps reached */
     PM_CANCELLED = 4,     /* the stop flag was raised */
     PM_STAYS_AT_REST = 5, /* nothing moves any more and the end was not reached */
+    PM_FIND_SEVERAL = 6,  /* the first of several is the answer: where = condition; detail = the next, how many */
+    PM_FIND_AT_BOUND = 7, /* what is sought lies at a bound of the interval, or where runs begin to fail: where =
+                             varied parameter; detail = its value */
     PM_BAD_TABLE = -1,    /* the tables contradict this header: where = table, row */
     PM_NO_MEMORY = -2,
     PM_BAD_VALUE = -3,      /* not finite or out of its bound: where = table, row; detail = value, bound */
@@ -40,7 +44,9 @@ enum pm_status {
     PM_SOLVER = -11,        /* IDA or GSL reported a failure: detail = its code */
     PM_PENETRATION = -12,   /* contacts overlap at the start: where; detail = gap */
     PM_UNSUPPORTED = -13,   /* the scene needs something that this route or build does not do */
-    PM_CONTACT_SLOTS = -14  /* more members of one row are closed at once than the kernel keeps */
+    PM_CONTACT_SLOTS = -14, /* more members of one row are closed at once than the kernel keeps */
+    PM_FIND_NONE = -15, /* nothing found: where = condition or find; detail = what it is at both bounds */
+    PM_FIND_JUMP = -16  /* the condition jumps over zero: where = condition; detail = value on both sides */
 };
 
 /* ---- tables ---------------------------------------------------------------------------------------
@@ -65,7 +71,10 @@ enum pm_table {
     PM_TABLE_UNTIL = 15,
     PM_TABLE_ASK = 16,
     PM_TABLE_SETTING = 17, /* one row: pm_setting_column */
-    PM_TABLES = 18
+    PM_TABLE_FIND = 18,    /* one row where parameters are sought: pm_find_column; none otherwise */
+    PM_TABLE_VARY = 19,
+    PM_TABLE_CONDITION = 20,
+    PM_TABLES = 21
 };
 
 /* ---- programs -------------------------------------------------------------------------------------
@@ -107,7 +116,8 @@ enum pm_op {
     PM_OP_FLOOR = 32,
     PM_OP_SELECT = 33, /* c a b -> a if c != 0, else b */
     PM_OP_ATAN = 34,
-    PM_OPS = 35
+    PM_OP_ANSWER = 35, /* push out[arg], answered before (only in the programs of a find) */
+    PM_OPS = 36
 };
 #define PM_STACK 64 /* greatest depth of the stack */
 enum pm_code_column { PM_CODE_OP = 0, PM_CODE_ARG = 1, PM_CODE_COLUMNS = 2 };
@@ -352,8 +362,40 @@ enum pm_setting_column {
     PM_SETTING_ROUTE = 5,    /* enum pm_route */
     PM_SETTING_MAX_EVENTS = 6,
     PM_SETTING_MAX_STEPS = 7,
-    PM_SETTING_COLUMNS = 8
+    PM_SETTING_NUDGE = 8, /* program or PM_NONE: an unstable rest is left to the side where it becomes > 0 */
+    PM_SETTING_COLUMNS = 9
 };
+
+/* ---- finds ----------------------------------------------------------------------------------------------------
+ * A case looks for one or two of its parameters by whole runs, and answers the asks with what it found; param[] of a
+ * varied parameter is ignored.  Conditions and the extreme ask are read at the end of each run, after its jump. */
+#define PM_FIND_MOST 2 /* parameters that vary */
+#define PM_FIND_MOST_SAMPLES 4096
+#define PM_FIND_MOST_CONDITIONS 8
+enum pm_find_goal {
+    PM_FIND_VALUE = 0, /* as many conditions ZERO as parameters vary */
+    PM_FIND_GREATEST = 1,
+    PM_FIND_LEAST = 2,
+    PM_FIND_GOALS = 3
+};
+enum pm_find_column {
+    PM_FIND_GOAL = 0,
+    PM_FIND_PROGRAM = 1, /* what is to be extreme; PM_NONE: the (one) parameter itself */
+    PM_FIND_SAMPLES = 2, /* equal intervals into which the bounds are divided to look for brackets, >= 2 */
+    PM_FIND_COLUMNS = 3
+};
+/* Parameter and its bounds; their values must not depend on varied parameters. */
+enum pm_vary_column { PM_VARY_PARAMETER = 0, PM_VARY_LOW = 1, PM_VARY_HIGH = 2, PM_VARY_COLUMNS = 3 };
+enum pm_condition_kind {
+    PM_CONDITION_ZERO = 0,         /* program = 0; the run must come to its end */
+    PM_CONDITION_POSITIVE = 1,     /* program > 0; likewise */
+    PM_CONDITION_NOT_NEGATIVE = 2, /* program >= 0; likewise */
+    PM_CONDITION_HOLDS = 3,        /* program != 0; an early stop is an outcome, too */
+    PM_CONDITION_KINDS = 4
+};
+enum pm_condition_column { PM_CONDITION_KIND = 0, PM_CONDITION_PROGRAM = 1, PM_CONDITION_COLUMNS = 2 };
+/* What a find says beside the answers; not a number where there is none. */
+enum pm_found_column { PM_FOUND_FIRST = 0, PM_FOUND_SECOND = 1, PM_FOUND_COLUMNS = 2 };
 
 /* ---- results -------------------------------------------------------------------------------------------------- */
 enum pm_audit { PM_AUDIT_ENERGY = 0, PM_AUDIT_MOMENTUM = 1, PM_AUDIT_CONSTRAINT = 2, PM_AUDITS = 3 };
@@ -367,7 +409,9 @@ enum pm_count_column {
     PM_COUNT_STEPS = 3,
     PM_COUNT_SOLVES = 4, /* saddle-point solutions */
     PM_COUNT_ROUTE = 5,  /* enum pm_route that ran */
-    PM_COUNT_COLUMNS = 6
+    PM_COUNT_RUNS = 6,   /* whole runs of the case: more than 1 in a find, whose last one the other counts are of */
+    PM_COUNT_FOUND = 7,  /* brackets of a find in which something was found */
+    PM_COUNT_COLUMNS = 8
 };
 /* What pm_check reports of the assembled start. */
 enum pm_check_column {
@@ -391,14 +435,15 @@ enum pm_check_number {
  *   stop[1]                              raised (non-zero) by another thread to end early; cases not begun get PM_CANCELLED
  *   progress[1]                          number of cases finished, for another thread to read
  *   out[ncase][nout], reason[ncase][nask], status[ncase], where[ncase][PM_WHERE_COLUMNS],
- *   detail[ncase][PM_DETAIL_COLUMNS], audit[ncase][PM_AUDITS], count[ncase][PM_COUNT_COLUMNS]
+ *   detail[ncase][PM_DETAIL_COLUMNS], audit[ncase][PM_AUDITS], count[ncase][PM_COUNT_COLUMNS],
+ *   found[ncase][PM_FOUND_COLUMNS]
  * Returns PM_OK, or PM_BAD_TABLE / PM_NO_MEMORY with where[0] set; then no case has run. */
 int pm_batch(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t ncase,
              int64_t nparam, const double *param, int nworker, const int32_t *stop, int64_t *progress,
              int64_t nout, double *out, int64_t nask, int32_t *reason, int32_t *status, int32_t *where,
-             double *detail, double *audit, int64_t *count);
+             double *detail, double *audit, int64_t *count, double *found);
 
-/* Runs one case as pm_batch does and records it: one row (t, program values) at every accepted step, before and
+/* Runs one case as pm_batch does, but with all parameters as given (no find), and records it: one row (t, program values) at every accepted step, before and
  * after every event; `mark` is 0 for a step, 1 before an event, 2 after it.
  *   trace_program[ntrace]  programs to record;  history[cap][1 + ntrace], mark[cap];  needed[1]: rows wanted.
  * If needed > cap the first cap rows are there: call again with larger buffers. */

@@ -11,7 +11,8 @@ int pm_program_operands(int op)
     case PM_OP_CONSTANT:
     case PM_OP_PARAMETER:
     case PM_OP_VALUE:
-    case PM_OP_MEASURE: return 0;
+    case PM_OP_MEASURE:
+    case PM_OP_ANSWER: return 0;
     case PM_OP_NEG:
     case PM_OP_NOT:
     case PM_OP_SIN:
@@ -107,6 +108,7 @@ double pm_program_run(const pm_model *m, int index, const double *param, const d
         case PM_OP_PARAMETER: stack[++top] = param[arg]; break;
         case PM_OP_VALUE: stack[++top] = value[arg]; break;
         case PM_OP_MEASURE: stack[++top] = pm_measure(w, arg); break;
+        case PM_OP_ANSWER: stack[++top] = w->out[arg]; break;
         case PM_OP_SELECT:
             top -= 2;
             stack[top] = stack[top] != 0 ? stack[top + 1] : stack[top + 2];
@@ -129,6 +131,16 @@ static int bad(pm_where *where, int row, double value, double bound)
     return PM_BAD_TABLE;
 }
 
+/* Answers may be read only when a run has ended. */
+static int is_of_find(const pm_model *m, int program)
+{
+    for (int i = 0; i < m->rows[PM_TABLE_FIND]; i++)
+        if (PM_FIND_ROW(m, i)[PM_FIND_PROGRAM] == program) return 1;
+    for (int i = 0; i < m->rows[PM_TABLE_CONDITION]; i++)
+        if (PM_CONDITION_ROW(m, i)[PM_CONDITION_PROGRAM] == program) return 1;
+    return 0;
+}
+
 static int validate_one(const pm_model *m, int index, int first_value_allowed, pm_where *where)
 {
     const int32_t *program = pm_row_of(m, PM_TABLE_PROGRAM, index, PM_PROGRAM_COLUMNS);
@@ -137,8 +149,13 @@ static int validate_one(const pm_model *m, int index, int first_value_allowed, p
         return bad(where, index, first, m->rows[PM_TABLE_CODE]);
     const int32_t *code = pm_row_of(m, PM_TABLE_CODE, first, PM_CODE_COLUMNS);
     const int is_value = first_value_allowed < m->nvalue;
-    const int limit[] = {m->nconstant, m->nparam, first_value_allowed,
-                         is_value ? 0 : m->rows[PM_TABLE_MEASURE]};
+    const int limit[PM_OPS] = {
+        [PM_OP_CONSTANT] = m->nconstant,
+        [PM_OP_PARAMETER] = m->nparam,
+        [PM_OP_VALUE] = first_value_allowed,
+        [PM_OP_MEASURE] = is_value ? 0 : m->rows[PM_TABLE_MEASURE],
+        [PM_OP_ANSWER] = !is_value && is_of_find(m, index) ? m->nout : 0,
+    };
     int depth = 0;
     for (int i = 0; i < length; i++, code += PM_CODE_COLUMNS) {
         const int op = code[PM_CODE_OP], arg = code[PM_CODE_ARG], takes = pm_program_operands(op);

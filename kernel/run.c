@@ -91,7 +91,7 @@ static int run_phases(pm_workspace *w)
     return status;
 }
 
-static void fail_asks(pm_workspace *w)
+void pm_run_fail_asks(pm_workspace *w)
 {
     for (int i = 0; i < w->model->nout; i++) w->out[i] = NAN;
     for (int i = 0; i < w->model->nask; i++) w->reason[i] = PM_REASON_FAILED;
@@ -126,6 +126,6 @@ int pm_run(pm_workspace *w, const double *param)
         pm_ask_end(w);
         status = pm_audit_close(w);
     }
-    if (status < 0) fail_asks(w);
+    if (status < 0) pm_run_fail_asks(w);
     return status;
 }

@@ -12,6 +12,8 @@ static const char *text_of(enum pm_status status)
     case PM_LIMIT_STEPS: return "the limit on steps was reached before the end of the run";
     case PM_CANCELLED: return "stopped on request";
     case PM_STAYS_AT_REST: return "everything is at rest and stays so; the end of the run cannot come";
+    case PM_FIND_SEVERAL: return "several values were found; the answers are those of the first";
+    case PM_FIND_AT_BOUND: return "what is sought lies at a bound";
     case PM_BAD_TABLE: return "the scene's tables are inconsistent";
     case PM_NO_MEMORY: return "out of memory";
     case PM_BAD_VALUE: return "a value is not finite or out of its bound";
@@ -26,6 +28,8 @@ static const char *text_of(enum pm_status status)
     case PM_PENETRATION: return "contacts overlap at the start";
     case PM_UNSUPPORTED: return "the scene needs something that this route does not do";
     case PM_CONTACT_SLOTS: return "too many members of one row are in contact at once";
+    case PM_FIND_NONE: return "no value between the bounds does what is sought";
+    case PM_FIND_JUMP: return "what is sought jumps over the value wanted";
     }
     return "unknown status";
 }

@@ -4,6 +4,7 @@
 
 #include "ask.h"
 #include "event.h"
+#include "find.h"
 #include "model.h"
 #include "route.h"
 
@@ -103,6 +104,7 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
     if (!status) status = pm_event_create(w);
     if (!status) status = pm_ask_create(w);
     if (!status) status = pm_route_create(w);
+    if (!status) status = pm_find_create(w);
     if (status) {
         pm_workspace_free(w);
         return status;
@@ -114,6 +116,7 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
 void pm_workspace_free(pm_workspace *w)
 {
     if (!w) return;
+    pm_find_free(w);
     pm_route_free(w);
     pm_ask_free(w);
     pm_event_free(w);

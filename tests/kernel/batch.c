@@ -12,6 +12,7 @@ typedef struct results {
     double out[CASES][OUTS], audit[CASES][PM_AUDITS], detail[CASES][PM_DETAIL_COLUMNS];
     int32_t reason[CASES][OUTS], status[CASES], where[CASES][PM_WHERE_COLUMNS];
     int64_t count[CASES][PM_COUNT_COLUMNS], progress;
+    double found[CASES][PM_FOUND_COLUMNS];
 } results;
 
 static double param[CASES][2];
@@ -46,7 +47,7 @@ static int run(const scene *s, results *x, int first, int n, int workers, const 
 {
     return pm_batch(s->ntable, s->table, s->nconstant, s->constant, n, s->nparam, param[first], workers, stop,
                     &x->progress, OUTS, x->out[first], OUTS, x->reason[first], x->status + first,
-                    x->where[first], x->detail[first], x->audit[first], x->count[first]);
+                    x->where[first], x->detail[first], x->audit[first], x->count[first], x->found[first]);
 }
 
 static int same(const results *a, const results *b)
@@ -122,12 +123,12 @@ static void stopped_inside(void)
     scene_pack(s);
     static int32_t stop = 0;
     int32_t status, reason[1], where[3];
-    double out[1], detail[3], audit[3];
+    double out[1], detail[3], audit[3], found[PM_FOUND_COLUMNS];
     int64_t count[PM_COUNT_COLUMNS], progress = 0;
     pthread_t thread;
     CHECK(pthread_create(&thread, NULL, raise_soon, &stop) == 0);
     EQUAL(pm_batch(s->ntable, s->table, s->nconstant, s->constant, 1, 0, detail, 1, &stop, &progress, 0, out,
-                   0, reason, &status, where, detail, audit, count),
+                   0, reason, &status, where, detail, audit, count, found),
           PM_OK);
     pthread_join(thread, NULL);
     EQUAL(status, PM_CANCELLED);
@@ -141,7 +142,7 @@ static void wrong_sizes(void)
     const int32_t stop = 0;
     EQUAL(pm_batch(s->ntable, s->table, s->nconstant, s->constant, 1, s->nparam, param[0], 1, &stop,
                    &x.progress, OUTS + 1, x.out[0], OUTS, x.reason[0], x.status, x.where[0], x.detail[0],
-                   x.audit[0], x.count[0]),
+                   x.audit[0], x.count[0], x.found[0]),
           PM_BAD_TABLE);
     EQUAL(x.where[0][PM_WHERE_TABLE], PM_TABLE_ASK);
     scene_free(s);

@@ -344,12 +344,13 @@ static void same_bits(void)
     scene_until_time(s, 3);
     scene_pack(s);
     double param[2][CASES], out[2][CASES], detail[CASES * PM_DETAIL_COLUMNS], audit[CASES * PM_AUDITS];
+    double found[CASES * PM_FOUND_COLUMNS];
     int32_t reason[CASES], status[CASES], where[CASES * PM_WHERE_COLUMNS], stop = 0;
     int64_t progress = 0, count[CASES * PM_COUNT_COLUMNS];
     for (int i = 0; i < CASES; i++) param[0][i] = param[1][CASES - 1 - i] = -9 - 0.3 * i;
     for (int run = 0; run < 2; run++) {
         EQUAL(pm_batch(s->ntable, s->table, s->nconstant, s->constant, CASES, 1, param[run], run + 1, &stop,
-                       &progress, 1, out[run], 1, reason, status, where, detail, audit, count),
+                       &progress, 1, out[run], 1, reason, status, where, detail, audit, count, found),
               PM_OK);
         for (int i = 0; i < CASES; i++) EQUAL(status[i], PM_OK);
     }

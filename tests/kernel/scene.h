@@ -40,6 +40,7 @@ typedef struct scene {
     double out[SCENE_OUTS], audit[PM_AUDITS], detail[PM_DETAIL_COLUMNS];
     int32_t reason[SCENE_OUTS], where[PM_WHERE_COLUMNS];
     int64_t count[PM_COUNT_COLUMNS];
+    double found[PM_FOUND_COLUMNS];
     int status;
     /* an open workspace, for tests that look inside */
     pm_model *model;
@@ -231,6 +232,20 @@ static inline int scene_ask_measure(scene *s, int measure)
     return scene_ask_end(s, scene_read(s, measure));
 }
 
+/* ---- finds ---- */
+static inline void scene_find(scene *s, int goal, int program, int samples)
+{
+    SCENE_ROW(s, PM_TABLE_FIND, goal, program, samples);
+}
+static inline void scene_vary(scene *s, int parameter, double low, double high)
+{
+    SCENE_ROW(s, PM_TABLE_VARY, parameter, scene_value(s, low), scene_value(s, high));
+}
+static inline void scene_where(scene *s, int kind, int program)
+{
+    SCENE_ROW(s, PM_TABLE_CONDITION, kind, program);
+}
+
 /* ---- settings ---- */
 static inline int32_t *scene_setting(scene *s, int column) { return &s->cell[PM_TABLE_SETTING][column]; }
 /* A setting that is a value. */
@@ -245,7 +260,7 @@ static inline scene *scene_create(void)
     if (!s) abort();
     const int none = scene_value(s, 0);
     SCENE_ROW(s, PM_TABLE_SETTING, none, scene_value(s, -9.81), scene_value(s, 1e-11), scene_value(s, 1000),
-              scene_value(s, 1e-12), PM_ROUTE_RK, 20000, 300000);
+              scene_value(s, 1e-12), PM_ROUTE_RK, 20000, 300000, PM_NONE);
     return s;
 }
 
@@ -294,7 +309,7 @@ static inline int scene_run(scene *s, const double *param)
     const int result =
         pm_batch(s->ntable, s->table, s->nconstant, s->constant, 1, s->nparam, param ? param : &none, 1,
                  &stop, &progress, s->nout, s->out, s->rows[PM_TABLE_ASK], s->reason, &status, s->where,
-                 s->detail, s->audit, s->count);
+                 s->detail, s->audit, s->count, s->found);
     s->status = result ? result : status;
     return s->status;
 }

@@ -1,0 +1,15 @@
+/* find_pair.h - two conditions met by two parameters. */
+#ifndef PM_FIND_PAIR_H
+#define PM_FIND_PAIR_H
+
+#include "find_look.h"
+
+#define PM_PAIR_SAMPLES 8 /* intervals along each of two parameters */
+
+void *pm_pair_create(void);
+void pm_pair_free(void *solver);
+
+/* Fills find->found with the places within the bounds where both conditions ZERO are met. */
+int pm_find_pair(pm_workspace *w);
+
+#endif

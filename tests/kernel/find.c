@@ -1,0 +1,377 @@
+/* Finds: values, extremes and thresholds of parameters by whole runs, against closed forms of throws and pendulums; what is
+ * said where nothing, or more than one thing, is found. */
+#include "check.h"
+#include "scene.h"
+
+#define G 9.81
+#define PI 3.14159265358979323846
+
+/* A particle thrown from the origin with speed parameter 0 at the angle parameter 1. */
+typedef struct throwing {
+    scene *s;
+    int point, x, y, time;
+} throwing;
+
+static throwing thrown(void)
+{
+    throwing f = {.s = scene_create()};
+    scene *s = f.s;
+    const int body = scene_body(s, 1, 0, 0, 0, 0);
+    f.point = scene_point(s, body, 0, 0);
+    const int v = scene_parameter(s), angle = scene_parameter(s);
+    const int vx =
+        scene_value_of(s, SCENE_PROGRAM(s, scene_v(v), scene_v(angle), scene_op(PM_OP_COS), scene_op(PM_OP_MUL)));
+    const int vy =
+        scene_value_of(s, SCENE_PROGRAM(s, scene_v(v), scene_v(angle), scene_op(PM_OP_SIN), scene_op(PM_OP_MUL)));
+    SCENE_ROW(s, PM_TABLE_START, PM_START_VELOCITY, scene_part(s, PM_MEASURE_VELOCITY, f.point, PM_PART_X), vx);
+    SCENE_ROW(s, PM_TABLE_START, PM_START_VELOCITY, scene_part(s, PM_MEASURE_VELOCITY, f.point, PM_PART_Y), vy);
+    f.x = scene_part(s, PM_MEASURE_POSITION, f.point, PM_PART_X);
+    f.y = scene_part(s, PM_MEASURE_POSITION, f.point, PM_PART_Y);
+    f.time = scene_time(s);
+    return f;
+}
+
+/* The run ends when the particle comes down to a height. */
+static throwing thrown_down_to(double height)
+{
+    throwing f = thrown();
+    scene_until(f.s, scene_when(f.s, PM_TRIGGER_FALL, scene_minus(f.s, f.y, height)), 1);
+    return f;
+}
+
+static int range_less(const throwing *f, double wanted) { return scene_minus(f->s, f->x, wanted); }
+
+/* The speed for a range, and what is asked of the run with it. */
+static void one_value(void)
+{
+    throwing f = thrown_down_to(0);
+    scene_find(f.s, PM_FIND_VALUE, PM_NONE, 32);
+    scene_vary(f.s, 0, 1, 40);
+    scene_where(f.s, PM_CONDITION_ZERO, range_less(&f, 20));
+    const int speed = scene_ask_end(f.s, SCENE_PROGRAM(f.s, scene_p(0)));
+    const int range = scene_ask_measure(f.s, f.x), time = scene_ask_measure(f.s, f.time);
+    const double param[] = {NAN, 0.7}, v = sqrt(20 * G / sin(1.4));
+    EQUAL(scene_run(f.s, param), PM_OK);
+    NEAR(f.s->found[PM_FOUND_FIRST], v, 1e-10 * v);
+    EQUAL(f.s->out[speed], f.s->found[PM_FOUND_FIRST]);
+    NEAR(f.s->out[range], 20, 1e-9);
+    NEAR(f.s->out[time], 2 * v * sin(0.7) / G, 1e-9);
+    EQUAL(f.s->count[PM_COUNT_FOUND], 1);
+    CHECK(f.s->count[PM_COUNT_RUNS] > 33 && f.s->count[PM_COUNT_RUNS] < 60);
+    CHECK(isnan(f.s->found[PM_FOUND_SECOND]));
+    const double own[] = {f.s->found[PM_FOUND_FIRST], 0.7}, x = f.s->out[range];
+    f.s->rows[PM_TABLE_FIND] = 0; /* a run with what was found is the same run, bit for bit */
+    EQUAL(scene_run(f.s, own), PM_OK);
+    EQUAL(f.s->out[range], x);
+    scene_free(f.s);
+}
+
+/* Flat and steep throw: the first is taken and the status says that there are two; the least and greatest are one. */
+static void several_values(void)
+{
+    static const int goal[] = {PM_FIND_VALUE, PM_FIND_LEAST, PM_FIND_GREATEST};
+    const double flat = 0.5 * asin(20 * G / 400);
+    for (int i = 0; i < 3; i++) {
+        throwing f = thrown_down_to(0);
+        scene_find(f.s, goal[i], PM_NONE, 16);
+        scene_vary(f.s, 1, 0.01, 1.56);
+        scene_where(f.s, PM_CONDITION_ZERO, range_less(&f, 20));
+        const double param[] = {20, 0};
+        EQUAL(scene_run(f.s, param), i == 0 ? PM_FIND_SEVERAL : PM_OK);
+        NEAR(f.s->found[0], i == 2 ? PI / 2 - flat : flat, 1e-10);
+        EQUAL(f.s->count[PM_COUNT_FOUND], 2);
+        if (i == 0) {
+            NEAR(f.s->detail[PM_DETAIL_VALUE], PI / 2 - flat, 1e-10);
+            EQUAL(f.s->detail[PM_DETAIL_BOUND], 2);
+        }
+        scene_free(f.s);
+    }
+}
+
+/* Of two roots the one with the shorter flight. */
+static void best_of_several(void)
+{
+    throwing f = thrown_down_to(0);
+    scene_find(f.s, PM_FIND_GREATEST, scene_read(f.s, f.time), 16);
+    scene_vary(f.s, 1, 0.01, 1.56);
+    scene_where(f.s, PM_CONDITION_ZERO, range_less(&f, 20));
+    const double param[] = {20, 0};
+    EQUAL(scene_run(f.s, param), PM_OK);
+    NEAR(f.s->found[0], PI / 2 - 0.5 * asin(20 * G / 400), 1e-10);
+    scene_free(f.s);
+}
+
+/* Two roots between two samples, near the greatest range. */
+static void roots_close_together(void)
+{
+    throwing f = thrown_down_to(0);
+    const double most = 400 / G, wanted = most * (1 - 1e-4);
+    scene_find(f.s, PM_FIND_LEAST, PM_NONE, 8);
+    scene_vary(f.s, 1, 0.01, 1.5);
+    scene_where(f.s, PM_CONDITION_ZERO, range_less(&f, wanted));
+    const double param[] = {20, 0};
+    EQUAL(scene_run(f.s, param), PM_OK);
+    EQUAL(f.s->count[PM_COUNT_FOUND], 2);
+    NEAR(f.s->found[0], 0.5 * asin(1 - 1e-4), 1e-8);
+    scene_free(f.s);
+}
+
+/* The angle of the farthest throw onto a level below: tan = v / sqrt(v^2 + 2 g h). */
+static void extremes(void)
+{
+    for (int goal = PM_FIND_GREATEST; goal <= PM_FIND_LEAST; goal++) {
+        throwing f = thrown_down_to(-3);
+        const int program = goal == PM_FIND_GREATEST
+                                ? scene_read(f.s, f.x)
+                                : SCENE_PROGRAM(f.s, scene_m(f.x), scene_op(PM_OP_NEG));
+        scene_find(f.s, goal, program, 32);
+        scene_vary(f.s, 1, 0, 1.5);
+        scene_ask_measure(f.s, f.x);
+        const double param[] = {7, 0};
+        EQUAL(scene_run(f.s, param), PM_OK);
+        NEAR(f.s->found[0], atan(7 / sqrt(49 + 6 * G)), 1e-9);
+        NEAR(f.s->out[0], 7 / G * sqrt(49 + 6 * G), 1e-9);
+        scene_free(f.s);
+    }
+}
+
+/* The ends count, those of the bounds and those of the part where a condition holds. */
+static void extremes_at_ends(void)
+{
+    throwing f = thrown_down_to(0);
+    scene_find(f.s, PM_FIND_GREATEST, scene_read(f.s, f.x), 10);
+    scene_vary(f.s, 1, 0.1, 0.6);
+    const double param[] = {7, 0};
+    EQUAL(scene_run(f.s, param), PM_FIND_AT_BOUND);
+    EQUAL(f.s->found[0], 0.6);
+    EQUAL(f.s->where[PM_WHERE_TABLE], PM_TABLE_VARY);
+    /* no longer than 0.7 s in flight: sin = g t / (2 v) = 0.49 */
+    scene_where(f.s, PM_CONDITION_NOT_NEGATIVE,
+                SCENE_PROGRAM(f.s, scene_k(f.s, 0.7), scene_m(f.time), scene_op(PM_OP_SUB)));
+    EQUAL(scene_run(f.s, param), PM_OK);
+    NEAR(f.s->found[0], asin(0.35 * G / 7), 1e-10);
+    scene_free(f.s);
+}
+
+/* An ask with a corner, and one that is best inside the first interval between samples. */
+static void corners(void)
+{
+    scene *s = scene_create();
+    scene_parameter(s);
+    scene_body(s, 1, 1, 0, 0, 0);
+    scene_until(s, scene_when(s, PM_TRIGGER_START, PM_NONE), 1);
+    const int corner = SCENE_PROGRAM(s, scene_p(0), scene_k(s, 0.3), scene_op(PM_OP_SUB), scene_op(PM_OP_ABS));
+    const int top = SCENE_PROGRAM(s, scene_p(0), scene_k(s, 0.01), scene_op(PM_OP_SUB), scene_op(PM_OP_COS));
+    scene_find(s, PM_FIND_LEAST, corner, 7);
+    scene_vary(s, 0, 0, 1);
+    scene_ask_end(s, SCENE_PROGRAM(s, scene_p(0)));
+    const double param[] = {0};
+    EQUAL(scene_run(s, param), PM_OK);
+    NEAR(s->found[0], 0.3, 1e-11);
+    s->cell[PM_TABLE_FIND][PM_FIND_GOAL] = PM_FIND_GREATEST;
+    s->cell[PM_TABLE_FIND][PM_FIND_PROGRAM] = top;
+    EQUAL(scene_run(s, param), PM_OK);
+    NEAR(s->found[0], 0.01, 1e-11);
+    scene_free(s);
+}
+
+/* The least speed with which a rod on a pin goes over the top: omega^2 = 6 g / L for a rod of length L from rest below. */
+static void thresholds(void)
+{
+    const double length = 0.8, wanted = sqrt(6 * G / length);
+    for (int goal = PM_FIND_GREATEST; goal <= PM_FIND_LEAST; goal++) {
+        scene *s = scene_create();
+        const int omega = scene_parameter(s);
+        const int b = scene_body(s, 2, 2 * length * length / 12, 0, -length / 2, -PI / 2);
+        scene_joint(s, PM_JOINT_PIN, scene_point(s, b, -length / 2, 0), scene_point(s, PM_GROUND, 0, 0), 0);
+        const int angle = scene_measure(s, PM_MEASURE_TURNED, b), spin = scene_measure(s, PM_MEASURE_OMEGA, b);
+        SCENE_ROW(s, PM_TABLE_START, PM_START_VELOCITY, spin, omega);
+        const int over = scene_when(s, PM_TRIGGER_RISE, scene_minus(s, angle, PI));
+        const int back = scene_when(s, PM_TRIGGER_FALL, scene_read(s, spin));
+        SCENE_ROW(s, PM_TABLE_UNTIL, 0, over, 1);
+        SCENE_ROW(s, PM_TABLE_UNTIL, 1, back, 1);
+        const int happens = scene_read(
+            s, scene_measure(s, PM_MEASURE_EVENT_COUNT, goal == PM_FIND_LEAST ? over : back));
+        scene_find(s, goal, PM_NONE, 8);
+        scene_vary(s, 0, 1, 20);
+        scene_where(s, PM_CONDITION_HOLDS, happens);
+        scene_ask_measure(s, angle);
+        const double param[] = {0};
+        EQUAL(scene_run(s, param), PM_OK);
+        NEAR(s->found[0], wanted, 1e-9 * wanted);
+        NEAR(s->out[0], PI, 1e-3); /* the last run is on the side where the condition holds */
+        EQUAL(s->status, PM_OK);
+        scene_free(s);
+    }
+}
+
+/* x > c at the end has a size: its root, to the rounding, in few runs. */
+static void smooth_threshold(void)
+{
+    throwing f = thrown_down_to(0);
+    scene_find(f.s, PM_FIND_LEAST, PM_NONE, 16);
+    scene_vary(f.s, 0, 1, 40);
+    scene_where(f.s, PM_CONDITION_POSITIVE, range_less(&f, 20));
+    const double param[] = {0, 0.7}, v = sqrt(20 * G / sin(1.4));
+    EQUAL(scene_run(f.s, param), PM_OK);
+    NEAR(f.s->found[0], v, 1e-10 * v);
+    CHECK(f.s->count[PM_COUNT_RUNS] < 40);
+    f.s->cell[PM_TABLE_VARY][PM_VARY_LOW] = scene_value(f.s, 20); /* it holds everywhere */
+    EQUAL(scene_run(f.s, param), PM_FIND_AT_BOUND);
+    EQUAL(f.s->found[0], 20);
+    scene_free(f.s);
+}
+
+/* Speed and angle to be at a place at a time. */
+static void two_parameters(void)
+{
+    throwing f = thrown();
+    scene_until_time(f.s, 1.2);
+    scene_find(f.s, PM_FIND_VALUE, PM_NONE, 8);
+    scene_vary(f.s, 0, 1, 30);
+    scene_vary(f.s, 1, 0.05, 1.5);
+    scene_where(f.s, PM_CONDITION_ZERO, range_less(&f, 9));
+    scene_where(f.s, PM_CONDITION_ZERO, scene_minus(f.s, f.y, 2));
+    const int out = scene_ask_measure(f.s, f.y);
+    const double vx = 9 / 1.2, vy = 2 / 1.2 + 0.6 * G, param[] = {0, 0};
+    EQUAL(scene_run(f.s, param), PM_OK);
+    NEAR(f.s->found[PM_FOUND_FIRST], hypot(vx, vy), 1e-10 * vx);
+    NEAR(f.s->found[PM_FOUND_SECOND], atan2(vy, vx), 1e-10);
+    NEAR(f.s->out[out], 2, 1e-10);
+    f.s->cell[PM_TABLE_VARY][PM_VARY_HIGH] = scene_value(f.s, 5); /* too slow */
+    EQUAL(scene_run(f.s, param), PM_FIND_NONE);
+    CHECK(isnan(f.s->out[out]));
+    scene_free(f.s);
+}
+
+static void nothing_found(void)
+{
+    throwing f = thrown_down_to(0);
+    scene_find(f.s, PM_FIND_VALUE, PM_NONE, 16);
+    scene_vary(f.s, 0, 1, 10);
+    scene_where(f.s, PM_CONDITION_ZERO, range_less(&f, 20));
+    const int out = scene_ask_measure(f.s, f.x);
+    const double param[] = {0, 0.7};
+    EQUAL(scene_run(f.s, param), PM_FIND_NONE);
+    EQUAL(f.s->where[PM_WHERE_TABLE], PM_TABLE_CONDITION);
+    NEAR(f.s->detail[PM_DETAIL_VALUE], sin(1.4) / G - 20, 1e-9);
+    NEAR(f.s->detail[PM_DETAIL_BOUND], 100 * sin(1.4) / G - 20, 1e-9);
+    CHECK(isnan(f.s->out[out]) && isnan(f.s->found[0]) && isnan(f.s->audit[0]));
+    EQUAL(f.s->reason[0], PM_REASON_FAILED);
+    f.s->cell[PM_TABLE_VARY][PM_VARY_HIGH] = scene_value(f.s, 0.5); /* bounds the wrong way round */
+    EQUAL(scene_run(f.s, param), PM_BAD_VALUE);
+    EQUAL(f.s->where[PM_WHERE_TABLE], PM_TABLE_VARY);
+    scene_free(f.s);
+}
+
+/* A sign that changes through a pole or a step is no root; a run that fails says why. */
+static void no_root(void)
+{
+    static const int op[] = {PM_OP_DIV, PM_OP_FLOOR};
+    for (int i = 0; i < 2; i++) {
+        throwing f = thrown_down_to(0);
+        const int jump = i == 0 ? SCENE_PROGRAM(f.s, scene_k(f.s, 1), scene_p(0), scene_k(f.s, 7.3),
+                                                scene_op(PM_OP_SUB), scene_op(op[i]))
+                                : SCENE_PROGRAM(f.s, scene_p(0), scene_k(f.s, 7.3), scene_op(PM_OP_SUB),
+                                                scene_op(op[i]), scene_k(f.s, 0.5), scene_op(PM_OP_ADD));
+        scene_find(f.s, PM_FIND_VALUE, PM_NONE, 8);
+        scene_vary(f.s, 0, 1, 10);
+        scene_where(f.s, PM_CONDITION_ZERO, jump);
+        const double param[] = {0, 0.7};
+        EQUAL(scene_run(f.s, param), PM_FIND_JUMP);
+        CHECK(f.s->detail[PM_DETAIL_VALUE] < 0 && f.s->detail[PM_DETAIL_BOUND] > 0);
+        f.s->cell[PM_TABLE_BODY][PM_BODY_MASS] = scene_value(f.s, -1);
+        EQUAL(scene_run(f.s, param), PM_BAD_VALUE);
+        EQUAL(f.s->where[PM_WHERE_TABLE], PM_TABLE_BODY);
+        scene_free(f.s);
+    }
+}
+
+/* A condition on an answer taken at an event: the greatest height, which is not the state at the end. */
+static void answers(void)
+{
+    throwing f = thrown_down_to(0);
+    const int height = scene_ask_extreme(f.s, PM_ASK_MAX, scene_read(f.s, f.y), PM_NONE);
+    scene_find(f.s, PM_FIND_VALUE, PM_NONE, 8);
+    scene_vary(f.s, 0, 1, 20);
+    const scene_code answer = {PM_OP_ANSWER, height};
+    scene_where(f.s, PM_CONDITION_ZERO, SCENE_PROGRAM(f.s, answer, scene_k(f.s, 3), scene_op(PM_OP_SUB)));
+    const double param[] = {0, 0.7}, v = sqrt(6 * G) / sin(0.7);
+    EQUAL(scene_run(f.s, param), PM_OK);
+    NEAR(f.s->found[0], v, 1e-9 * v);
+    SCENE_ROW(f.s, PM_TABLE_TRIGGER, PM_TRIGGER_RISE, 0, SCENE_PROGRAM(f.s, answer), PM_NONE);
+    EQUAL(scene_run(f.s, param), PM_BAD_TABLE); /* only a find reads answers */
+    scene_free(f.s);
+}
+
+/* Each case has its own find; a case is the same alone and in a batch. */
+static void batch(void)
+{
+    enum { CASES = 6 };
+    throwing f = thrown_down_to(0);
+    scene_find(f.s, PM_FIND_VALUE, PM_NONE, 16);
+    scene_vary(f.s, 0, 1, 40);
+    scene_where(f.s, PM_CONDITION_ZERO, range_less(&f, 20));
+    scene_ask_measure(f.s, f.time);
+    scene_pack(f.s);
+    double param[CASES][2], out[2][CASES], detail[CASES * PM_DETAIL_COLUMNS], audit[CASES * PM_AUDITS];
+    double found[2][CASES][PM_FOUND_COLUMNS];
+    int32_t reason[CASES], status[CASES], where[CASES * PM_WHERE_COLUMNS], stop = 0;
+    int64_t progress = 0, count[CASES * PM_COUNT_COLUMNS];
+    for (int i = 0; i < CASES; i++) {
+        param[i][0] = i;
+        param[i][1] = 0.3 + 0.2 * i;
+    }
+    for (int run = 0; run < 2; run++)
+        EQUAL(pm_batch(f.s->ntable, f.s->table, f.s->nconstant, f.s->constant, CASES, 2, param[0], 1 + run,
+                       &stop, &progress, 1, out[run], 1, reason, status, where, detail, audit, count,
+                       found[run][0]),
+              PM_OK);
+    for (int i = 0; i < CASES; i++) {
+        NEAR(found[0][i][0], sqrt(20 * G / sin(2 * param[i][1])), 1e-9);
+        EQUAL(found[0][i][0], found[1][i][0]);
+        EQUAL(out[0][i], out[1][i]);
+        EQUAL(scene_run(f.s, param[i]), PM_OK);
+        EQUAL(f.s->found[0], found[0][i][0]);
+        EQUAL(f.s->out[0], out[0][i]);
+    }
+    scene_free(f.s);
+}
+
+static void wrong_tables(void)
+{
+    throwing f = thrown_down_to(0);
+    const double param[] = {1, 0.7};
+    scene_find(f.s, PM_FIND_VALUE, PM_NONE, 16);
+    EQUAL(scene_run(f.s, param), PM_BAD_TABLE); /* nothing varies */
+    scene_vary(f.s, 2, 1, 10);
+    scene_where(f.s, PM_CONDITION_ZERO, range_less(&f, 20));
+    EQUAL(scene_run(f.s, param), PM_BAD_TABLE); /* no such parameter */
+    f.s->cell[PM_TABLE_VARY][PM_VARY_PARAMETER] = 0;
+    f.s->cell[PM_TABLE_FIND][PM_FIND_SAMPLES] = 1;
+    EQUAL(scene_run(f.s, param), PM_BAD_TABLE);
+    f.s->cell[PM_TABLE_FIND][PM_FIND_SAMPLES] = 16;
+    f.s->cell[PM_TABLE_CONDITION][PM_CONDITION_KIND] = PM_CONDITION_POSITIVE;
+    EQUAL(scene_run(f.s, param), PM_BAD_TABLE); /* a value needs a condition that can be met */
+    scene_free(f.s);
+}
+
+int main(void)
+{
+    one_value();
+    several_values();
+    best_of_several();
+    roots_close_together();
+    extremes();
+    extremes_at_ends();
+    corners();
+    thresholds();
+    smooth_threshold();
+    two_parameters();
+    nothing_found();
+    no_root();
+    answers();
+    batch();
+    wrong_tables();
+    return check_failures();
+}
