@@ -24,10 +24,12 @@
 #include "program.h"
 #include "run.h"
 
-#define PROBE 1e-3 /* of the distance of samples: where it shows whether the ask gets better away from an end */
-#define TIE 1e-9   /* of their size: extremes that differ by less are several */
-#define SAME 1e-9  /* of the bounds' distance: places that are one */
-#define TOUCH 4    /* a condition that comes this much nearer to zero between samples than at them may reach it */
+#define PROBE \
+    1e-3         /* of the distance of samples: where it shows whether the ask gets better away from an end */
+#define TIE 1e-9 /* of their size: extremes that differ by less are several */
+#define SAME 1e-9 /* of the bounds' distance: places that are one */
+#define TOUCH \
+    4 /* a condition that comes this much nearer to zero between samples than at them may reach it */
 
 /* ---- memory ---- */
 static int nodes_of(const pm_find *f)
@@ -118,8 +120,8 @@ static int close_bracket(pm_workspace *w, const pm_look *a, const pm_look *b, pm
     pm_find *f = w->find;
     pm_root_place place;
     pm_look look;
-    int status = pm_find_root(w, pm_find_reading, &f->zero[0], a->x[0], zero_at(f, a), b->x[0],
-                              zero_at(f, b), &place);
+    int status =
+        pm_find_root(w, pm_find_reading, &f->zero[0], a->x[0], zero_at(f, a), b->x[0], zero_at(f, b), &place);
     if (status) return status;
     if (place.jumps) {
         *jump = place;
@@ -292,8 +294,7 @@ static const pm_look *choose(const pm_find *f, int *several, const pm_look **oth
 
 static int is_at_bound(const pm_find *f, const pm_look *look)
 {
-    return f->goal != PM_FIND_VALUE && f->nzero == 0 &&
-           (look->x[0] == f->low[0] || look->x[0] == f->high[0]);
+    return f->goal != PM_FIND_VALUE && f->nzero == 0 && (look->x[0] == f->low[0] || look->x[0] == f->high[0]);
 }
 
 /* The run with what was found is the case's own. */
@@ -312,15 +313,24 @@ static int finish(pm_workspace *w, double *found)
         const int table = f->nzero > 0 ? PM_TABLE_CONDITION : PM_TABLE_FIND;
         return pm_fail(w, PM_FIND_SEVERAL, table, f->nzero > 0 ? f->zero[0] : 0, other->x[0], several);
     }
-    if (is_at_bound(f, chosen)) return pm_fail(w, PM_FIND_AT_BOUND, PM_TABLE_VARY, 0, chosen->x[0], chosen->x[0]);
+    if (is_at_bound(f, chosen))
+        return pm_fail(w, PM_FIND_AT_BOUND, PM_TABLE_VARY, 0, chosen->x[0], chosen->x[0]);
     return PM_OK;
 }
 
-/* If no sample could be run at all, the first one's own failure says more. */
+static int says_nothing(const pm_find *f, const pm_look *look)
+{
+    if (look->status == PM_OK) return 0;
+    for (int i = 0; i < f->ncondition; i++)
+        if (!isnan(look->reading[i])) return 0;
+    return 1;
+}
+
+/* If no sample could be run to where something is read, the first one's own status says more. */
 static int all_failed(const pm_find *f)
 {
     for (int i = 0; i < nodes_of(f); i++)
-        if (f->node[i].status >= 0) return 0;
+        if (!says_nothing(f, &f->node[i])) return 0;
     return 1;
 }
 
@@ -333,9 +343,12 @@ static int search(pm_workspace *w)
         status = pm_find_pair(w);
     } else {
         status = sample(w);
-        if (!status && f->nzero > 0) status = find_value(w);
-        else if (!status && f->program != PM_NONE) status = find_extreme(w);
-        else if (!status) status = find_threshold(w);
+        if (!status && f->nzero > 0)
+            status = find_value(w);
+        else if (!status && f->program != PM_NONE)
+            status = find_extreme(w);
+        else if (!status)
+            status = find_threshold(w);
     }
     if ((status == PM_OK && f->nfound > 0) || status == PM_CANCELLED) return status;
     if (all_failed(f)) {

@@ -12,9 +12,9 @@
 
 #include "find_root.h"
 
-#define LEVELS 6         /* of the Richardson table */
-#define WIDEST 0.25      /* first distance of the differences, of the interval */
-#define HALVINGS 12      /* towards the end of the interval to find where the derivative has its other sign */
+#define LEVELS 6    /* of the Richardson table */
+#define WIDEST 0.25 /* first distance of the differences, of the interval */
+#define HALVINGS 12 /* towards the end of the interval to find where the derivative has its other sign */
 #define ITERATIONS 100
 #define CLOSE 1e-13 /* relative width at which the minimiser stops */
 #define NOISE 1e-9  /* of its own size: by how much a value may seem worse at the derivative's root */

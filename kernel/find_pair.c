@@ -129,8 +129,7 @@ static int best_node(const pm_find *f, const double size[2])
     int best = PM_NONE;
     double least = INFINITY;
     for (int i = 0; i < SIDE * SIDE; i++) {
-        const double miss =
-            hypot(reading(f, &f->node[i], 0) / size[0], reading(f, &f->node[i], 1) / size[1]);
+        const double miss = hypot(reading(f, &f->node[i], 0) / size[0], reading(f, &f->node[i], 1) / size[1]);
         if (!(miss < least)) continue;
         least = miss;
         best = i;
@@ -151,6 +150,7 @@ int pm_find_pair(pm_workspace *w)
     }
     const int best = status || crossed ? PM_NONE : best_node(f, c.size);
     if (best != PM_NONE)
-        status = go_from(&c, (double)(best / SIDE) / PM_PAIR_SAMPLES, (double)(best % SIDE) / PM_PAIR_SAMPLES);
+        status =
+            go_from(&c, (double)(best / SIDE) / PM_PAIR_SAMPLES, (double)(best % SIDE) / PM_PAIR_SAMPLES);
     return status;
 }

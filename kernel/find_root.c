@@ -12,7 +12,7 @@
 #define ITERATIONS 200
 #define ROUNDING 2.3e-16 /* of a double */
 #define FEW 1e-9         /* of the bracket: as far as a root's error goes */
-#define JUMP 1e-3        /* of the first step of the function: what a bracket of rounding width cannot have left */
+#define JUMP 1e-3 /* of the first step of the function: what a bracket of rounding width cannot have left */
 
 typedef struct pm_root_context {
     pm_workspace *w;
@@ -46,10 +46,7 @@ static double call(double x, void *context)
     return value;
 }
 
-static int is_narrow(double a, double b)
-{
-    return fabs(b - a) <= 2 * ROUNDING * fmax(fabs(a), fabs(b));
-}
+static int is_narrow(double a, double b) { return fabs(b - a) <= 2 * ROUNDING * fmax(fabs(a), fabs(b)); }
 
 int pm_find_root(pm_workspace *w, pm_of_parameter *f, void *context, double a, double fa, double b, double fb,
                  pm_root_place *place)

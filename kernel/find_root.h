@@ -8,10 +8,10 @@
 typedef int pm_of_parameter(pm_workspace *w, double x, void *context, double *value);
 
 typedef struct pm_root_place {
-    double x;                  /* the root, or where the function jumps over zero */
-    double below, above;       /* nearest arguments that were taken with a value < 0 and > 0 (or = 0) */
-    double f_below, f_above;   /* the function there */
-    int jumps;                 /* it is no root: the function jumps over zero, or has no value there */
+    double x;                /* the root, or where the function jumps over zero */
+    double below, above;     /* nearest arguments that were taken with a value < 0 and > 0 (or = 0) */
+    double f_below, f_above; /* the function there */
+    int jumps;               /* it is no root: the function jumps over zero, or has no value there */
 } pm_root_place;
 
 /* The root in [a, b] of a function with values fa, fb of different sign, by GSL's Brent method. */

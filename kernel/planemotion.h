@@ -28,10 +28,12 @@ enum pm_status {
     PM_LIMIT_STEPS = 3,   /* max_steps reached */
     PM_CANCELLED = 4,     /* the stop flag was raised */
     PM_STAYS_AT_REST = 5, /* nothing moves any more and the end was not reached */
-    PM_FIND_SEVERAL = 6,  /* the first of several is the answer: where = condition; detail = the next, how many */
-    PM_FIND_AT_BOUND = 7, /* what is sought lies at a bound of the interval, or where runs begin to fail: where =
+    PM_FIND_SEVERAL =
+        6, /* the first of several is the answer: where = condition; detail = the next, how many */
+    PM_FIND_AT_BOUND =
+        7,             /* what is sought lies at a bound of the interval, or where runs begin to fail: where =
                              varied parameter; detail = its value */
-    PM_BAD_TABLE = -1,    /* the tables contradict this header: where = table, row */
+    PM_BAD_TABLE = -1, /* the tables contradict this header: where = table, row */
     PM_NO_MEMORY = -2,
     PM_BAD_VALUE = -3,      /* not finite or out of its bound: where = table, row; detail = value, bound */
     PM_ASSEMBLY = -4,       /* joints cannot be met from the start given: where; detail = opening */
@@ -45,8 +47,8 @@ enum pm_status {
     PM_PENETRATION = -12,   /* contacts overlap at the start: where; detail = gap */
     PM_UNSUPPORTED = -13,   /* the scene needs something that this route or build does not do */
     PM_CONTACT_SLOTS = -14, /* more members of one row are closed at once than the kernel keeps */
-    PM_FIND_NONE = -15, /* nothing found: where = condition or find; detail = what it is at both bounds */
-    PM_FIND_JUMP = -16  /* the condition jumps over zero: where = condition; detail = value on both sides */
+    PM_FIND_NONE = -15,     /* nothing found: where = condition or find; detail = what it is at both bounds */
+    PM_FIND_JUMP = -16 /* the condition jumps over zero: where = condition; detail = value on both sides */
 };
 
 /* ---- tables ---------------------------------------------------------------------------------------
@@ -409,8 +411,9 @@ enum pm_count_column {
     PM_COUNT_STEPS = 3,
     PM_COUNT_SOLVES = 4, /* saddle-point solutions */
     PM_COUNT_ROUTE = 5,  /* enum pm_route that ran */
-    PM_COUNT_RUNS = 6,   /* whole runs of the case: more than 1 in a find, whose last one the other counts are of */
-    PM_COUNT_FOUND = 7,  /* brackets of a find in which something was found */
+    PM_COUNT_RUNS =
+        6, /* whole runs of the case: more than 1 in a find, whose last one the other counts are of */
+    PM_COUNT_FOUND = 7, /* brackets of a find in which something was found */
     PM_COUNT_COLUMNS = 8
 };
 /* What pm_check reports of the assembled start. */

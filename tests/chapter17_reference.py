@@ -14,14 +14,12 @@ from typing import Any
 
 TESTS = Path(__file__).parent
 SCENES = TESTS.parent / "studies" / "chapter17"
-# `t` is the time in a scene: a parameter of that name is called otherwise.
-RENAMED = {"t": "t_end"}
 
 
 def parameter(name: str, value: float, units: dict[str, str]) -> str:
     """One parameter with its unit; without one it is in the unit that the scene declares."""
     unit = units.get(name, "1")
-    return f"{RENAMED.get(name, name)} = " + (str(value) if unit == "1" else f'"{value} {unit}"')
+    return f"{name} = " + (str(value) if unit == "1" else f'"{value} {unit}"')
 
 
 def lines(entry: dict[str, Any]) -> Iterator[str]:

@@ -322,6 +322,50 @@ FAULTS = [
         "return !(fmin(fabs(a), fabs(b)) > REACH * change)",
         "return 0",
     ),
+    # Finds
+    Fault(
+        "find: a change of sign between samples is not seen",
+        "find.c",
+        "if (value * last < 0) status = close_bracket",
+        "if (value * last < -1e300) status = close_bracket",
+    ),
+    Fault(
+        "find: two roots between samples are not looked for",
+        "find.c",
+        "if (!status && i > 1 && value * last > 0",
+        "if (!status && i > 1 && value * last > 1e300",
+    ),
+    Fault("find: a pole is taken for a root", "find_root.c", "#define JUMP 1e-3", "#define JUMP 1e300"),
+    Fault(
+        "find: the outcome is bisected to the wrong side",
+        "find_root.c",
+        "if (look.holds) *yes = look; else no = x;",
+        "if (!look.holds) *yes = look; else no = x;",
+    ),
+    Fault(
+        "find: differences without Richardson's correction",
+        "find_extremum.c",
+        "for (int k = 1; k <= i; k++) {",
+        "error = i == 0 ? *value = table[0][0], INFINITY : error; for (int k = 1; k <= 0; k++) {",
+    ),
+    Fault(
+        "find: the ends of the bounds do not count",
+        "find.c",
+        "const int left = i == 0 || !is_feasible(p - 1)",
+        "const int left = i > 0 && !is_feasible(p - 1)",
+    ),
+    Fault(
+        "find: the least is taken for the greatest",
+        "find_look.c",
+        "(f->goal == PM_FIND_GREATEST ? 1 : -1) * read_program",
+        "(f->goal == PM_FIND_GREATEST ? 1 : 1) * read_program",
+    ),
+    Fault(
+        "find: the other value is given for the second parameter",
+        "find_pair.c",
+        "x[k] = f->low[k] + part * (f->high[k] - f->low[k]);\n    }\n    if (!c->status)",
+        "x[k] = f->low[0] + part * (f->high[k] - f->low[k]);\n    }\n    if (!c->status)",
+    ),
 ]
 
 

@@ -19,12 +19,14 @@ static throwing thrown(void)
     const int body = scene_body(s, 1, 0, 0, 0, 0);
     f.point = scene_point(s, body, 0, 0);
     const int v = scene_parameter(s), angle = scene_parameter(s);
-    const int vx =
-        scene_value_of(s, SCENE_PROGRAM(s, scene_v(v), scene_v(angle), scene_op(PM_OP_COS), scene_op(PM_OP_MUL)));
-    const int vy =
-        scene_value_of(s, SCENE_PROGRAM(s, scene_v(v), scene_v(angle), scene_op(PM_OP_SIN), scene_op(PM_OP_MUL)));
-    SCENE_ROW(s, PM_TABLE_START, PM_START_VELOCITY, scene_part(s, PM_MEASURE_VELOCITY, f.point, PM_PART_X), vx);
-    SCENE_ROW(s, PM_TABLE_START, PM_START_VELOCITY, scene_part(s, PM_MEASURE_VELOCITY, f.point, PM_PART_Y), vy);
+    const int vx = scene_value_of(
+        s, SCENE_PROGRAM(s, scene_v(v), scene_v(angle), scene_op(PM_OP_COS), scene_op(PM_OP_MUL)));
+    const int vy = scene_value_of(
+        s, SCENE_PROGRAM(s, scene_v(v), scene_v(angle), scene_op(PM_OP_SIN), scene_op(PM_OP_MUL)));
+    SCENE_ROW(s, PM_TABLE_START, PM_START_VELOCITY, scene_part(s, PM_MEASURE_VELOCITY, f.point, PM_PART_X),
+              vx);
+    SCENE_ROW(s, PM_TABLE_START, PM_START_VELOCITY, scene_part(s, PM_MEASURE_VELOCITY, f.point, PM_PART_Y),
+              vy);
     f.x = scene_part(s, PM_MEASURE_POSITION, f.point, PM_PART_X);
     f.y = scene_part(s, PM_MEASURE_POSITION, f.point, PM_PART_Y);
     f.time = scene_time(s);
@@ -121,9 +123,8 @@ static void extremes(void)
 {
     for (int goal = PM_FIND_GREATEST; goal <= PM_FIND_LEAST; goal++) {
         throwing f = thrown_down_to(-3);
-        const int program = goal == PM_FIND_GREATEST
-                                ? scene_read(f.s, f.x)
-                                : SCENE_PROGRAM(f.s, scene_m(f.x), scene_op(PM_OP_NEG));
+        const int program = goal == PM_FIND_GREATEST ? scene_read(f.s, f.x)
+                                                     : SCENE_PROGRAM(f.s, scene_m(f.x), scene_op(PM_OP_NEG));
         scene_find(f.s, goal, program, 32);
         scene_vary(f.s, 1, 0, 1.5);
         scene_ask_measure(f.s, f.x);
@@ -145,6 +146,10 @@ static void extremes_at_ends(void)
     EQUAL(scene_run(f.s, param), PM_FIND_AT_BOUND);
     EQUAL(f.s->found[0], 0.6);
     EQUAL(f.s->where[PM_WHERE_TABLE], PM_TABLE_VARY);
+    f.s->cell[PM_TABLE_FIND][PM_FIND_GOAL] = PM_FIND_LEAST;
+    EQUAL(scene_run(f.s, param), PM_FIND_AT_BOUND);
+    EQUAL(f.s->found[0], 0.1);
+    f.s->cell[PM_TABLE_FIND][PM_FIND_GOAL] = PM_FIND_GREATEST;
     /* no longer than 0.7 s in flight: sin = g t / (2 v) = 0.49 */
     scene_where(f.s, PM_CONDITION_NOT_NEGATIVE,
                 SCENE_PROGRAM(f.s, scene_k(f.s, 0.7), scene_m(f.time), scene_op(PM_OP_SUB)));
@@ -160,7 +165,8 @@ static void corners(void)
     scene_parameter(s);
     scene_body(s, 1, 1, 0, 0, 0);
     scene_until(s, scene_when(s, PM_TRIGGER_START, PM_NONE), 1);
-    const int corner = SCENE_PROGRAM(s, scene_p(0), scene_k(s, 0.3), scene_op(PM_OP_SUB), scene_op(PM_OP_ABS));
+    const int corner =
+        SCENE_PROGRAM(s, scene_p(0), scene_k(s, 0.3), scene_op(PM_OP_SUB), scene_op(PM_OP_ABS));
     const int top = SCENE_PROGRAM(s, scene_p(0), scene_k(s, 0.01), scene_op(PM_OP_SUB), scene_op(PM_OP_COS));
     scene_find(s, PM_FIND_LEAST, corner, 7);
     scene_vary(s, 0, 0, 1);
@@ -184,14 +190,15 @@ static void thresholds(void)
         const int omega = scene_parameter(s);
         const int b = scene_body(s, 2, 2 * length * length / 12, 0, -length / 2, -PI / 2);
         scene_joint(s, PM_JOINT_PIN, scene_point(s, b, -length / 2, 0), scene_point(s, PM_GROUND, 0, 0), 0);
-        const int angle = scene_measure(s, PM_MEASURE_TURNED, b), spin = scene_measure(s, PM_MEASURE_OMEGA, b);
+        const int angle = scene_measure(s, PM_MEASURE_TURNED, b),
+                  spin = scene_measure(s, PM_MEASURE_OMEGA, b);
         SCENE_ROW(s, PM_TABLE_START, PM_START_VELOCITY, spin, omega);
         const int over = scene_when(s, PM_TRIGGER_RISE, scene_minus(s, angle, PI));
         const int back = scene_when(s, PM_TRIGGER_FALL, scene_read(s, spin));
         SCENE_ROW(s, PM_TABLE_UNTIL, 0, over, 1);
         SCENE_ROW(s, PM_TABLE_UNTIL, 1, back, 1);
-        const int happens = scene_read(
-            s, scene_measure(s, PM_MEASURE_EVENT_COUNT, goal == PM_FIND_LEAST ? over : back));
+        const int happens =
+            scene_read(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, goal == PM_FIND_LEAST ? over : back));
         scene_find(s, goal, PM_NONE, 8);
         scene_vary(s, 0, 1, 20);
         scene_where(s, PM_CONDITION_HOLDS, happens);

@@ -59,6 +59,7 @@ class Asks:
         self.reader = reader
         self.tables = tables
         self.columns: list[AskColumn] = []
+        self.dimensions: dict[str, Dimension] = {}
         self._width = 0
 
     def add(self, key: str, ask: Ask) -> None:
@@ -76,6 +77,7 @@ class Asks:
         is_each = kind == layout.PM_ASK_EACH
         is_list = is_each or kind == layout.PM_ASK_GRID
         self.columns.append(AskColumn(key, unit, size, self._width, count, is_list, ask.run, is_each))
+        self.dimensions[key] = reading.dimension
         self._width += count
 
     def _instant(self, word: str, at: str | At | None, where: str) -> tuple[dict[int, int], int]:

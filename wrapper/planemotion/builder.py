@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from .result import RunResult
 
 # Tables that may be set beside parameters, as in "sweep.d.num".
-_SETTABLE = ("parameters", "sweep", "solve")
+_SETTABLE = ("parameters", "find", "sweep", "solve")
 
 
 class Scene:
@@ -118,6 +118,10 @@ class Scene:
     def runs(self, **values: Mapping[str, Any]) -> Self:
         """Named runs, each a dict of parameters."""
         return self._update("runs", values)
+
+    def find(self, **keys: Any) -> Self:
+        """What is sought: `vary`, with `where`, `greatest` or `least`."""
+        return self._update("find", keys)
 
     def solve(self, **settings: Any) -> Self:
         """Settings: route, accuracy, max_time, max_events, max_steps, assembly."""
@@ -221,13 +225,14 @@ class Scene:
                 reason = unknown(name, declared, "parameter") + "; or set sweep.PARAMETER..., solve.KEY"
                 raise SceneError(reason, file=self.file, path=name)
             try:
+                self._check_not_sought(key)
                 changed = override(declared, key, value)
             except SceneError as error:
                 raise error.at(file=self.file) from None
             self._update("parameters", {key: changed})
             return
         if first not in _SETTABLE:
-            reason = f"only parameters, sweep and solve can be set, not {first}"
+            reason = f"only parameters, find, sweep and solve can be set, not {first}"
             raise SceneError(reason, file=self.file, path=name)
         keys = name.split(".")
         table = self.raw
@@ -238,6 +243,13 @@ class Scene:
             table = below
         table[keys[-1]] = _literal(value)
         self._changed()
+
+    def _check_not_sought(self, name: str) -> None:
+        """Raises SceneError for a parameter that every run looks for: setting it would do nothing."""
+        top = self.raw.get("find")
+        own = [run.get("find", top) for run in self.raw.get("runs", {}).values()] or [top]
+        if all(find and name in find.get("vary", {}) for find in own):
+            raise SceneError(f"[find] looks for it; set find.vary.{name}", path=f"parameters.{name}")
 
 
 def _literal(value: Any) -> Any:

@@ -43,8 +43,9 @@ class CaseResults:
     """What the kernel says of each case; row i belongs to case i.
 
     `out` [ncase, nout] in SI (not-a-number where there is no answer), `reason` [ncase, nask], `status`
-    [ncase], `where` [ncase, 3], `detail` [ncase, 3], `audit` [ncase, 3], `count` [ncase, 6]: the columns are
-    those of planemotion.h.
+    [ncase], `where` [ncase, 3], `detail` [ncase, 3], `audit` [ncase, 3], `count` [ncase, 8], `found`
+    [ncase, 2] (the sought parameters, SI): the columns are those of planemotion.h.  `param`
+    [ncase, parameters]: as given.
     """
 
     out: Floats
@@ -54,6 +55,8 @@ class CaseResults:
     detail: Floats
     audit: Floats
     count: Longs
+    found: Floats
+    param: Floats
 
 
 @dataclass(frozen=True)
@@ -109,11 +112,13 @@ def run_cases(
         detail=np.full((count, layout.PM_DETAIL_COLUMNS), np.nan),
         audit=np.full((count, layout.PM_AUDITS), np.nan),
         count=np.zeros((count, layout.PM_COUNT_COLUMNS), np.int64),
+        found=np.full((count, layout.PM_FOUND_COLUMNS), np.nan),
+        param=cases,
     )
     if count == 0:
         return results
     arrays = (results.out, results.reason, results.status, results.where)
-    more = (results.detail, results.audit, results.count)
+    more = (results.detail, results.audit, results.count, results.found)
     status = _kernel().pm_batch(flat.table, flat.constant, cases, workers, stop, progress, *arrays, *more)
     if status != layout.PM_OK:
         _raise(flat, status, results.where[0], results.detail[0])
@@ -123,10 +128,10 @@ def run_cases(
 def trace(flat: FlatScene, param: npt.ArrayLike) -> History:
     """Runs one case and records the columns of `flat.trace` at every step and around every event.
 
-    `param` [parameters].  Raises SimulationError only if nothing at all can be recorded; a run that fails on
-    the way gives what it has, with its status.
+    `param` [parameters]; what is sought is found first.  Raises SimulationError only if nothing at all can be
+    recorded; a run that fails on the way gives what it has, with its status.
     """
-    case = _params(flat, np.atleast_2d(np.asarray(param)))[0]
+    case = _found(flat, _params(flat, np.atleast_2d(np.asarray(param))))[0]
     programs = np.array([program for program, _ in flat.trace.values()], np.int32)
     rows = _FIRST_ROWS
     while True:
@@ -206,12 +211,19 @@ def status_text(status: int) -> str:
 def message(flat: FlatScene, results: CaseResults, i: int) -> str:
     """What happened to case i, in the scene's own words; "" if it is ok."""
     status = int(results.status[i])
-    return "" if status == layout.PM_OK else describe(flat, status, results.where[i], results.detail[i])
+    if status == layout.PM_OK:
+        return ""
+    return describe(flat, status, results.where[i], results.detail[i], results.param[i])
 
 
-def describe(flat: FlatScene, status: int, where: Ints, detail: Floats) -> str:
-    """File, place, what is wrong, value and bound of a status that is not ok."""
+def describe(flat: FlatScene, status: int, where: Ints, detail: Floats, param: Floats | None = None) -> str:
+    """File, place, what is wrong, value and bound of a status that is not ok; `param`: of the case."""
+    from .find_text import FIND_STATUSES, describe_find
+
     place = _place_name(flat, where)
+    if status in FIND_STATUSES and flat.find is not None:
+        sentence = describe_find(flat, status, where, detail, flat.defaults if param is None else param)
+        return f"{flat.file}: {sentence}" if flat.file else sentence
     found, bound, time = (float(number) for number in detail)
     text = _DESCRIPTIONS.get(status)
     sentence = text(place, found, bound) if text is not None else ""
@@ -299,6 +311,19 @@ def _params(flat: FlatScene, param: npt.ArrayLike) -> Floats:
     if given.ndim != 2 or given.shape[1] != len(flat.parameters):
         raise ValueError(f"param has the shape {given.shape}; (cases, {len(flat.parameters)}) is wanted")
     return np.ascontiguousarray(given, dtype=np.float64)
+
+
+def _found(flat: FlatScene, cases: Floats) -> Floats:
+    """The cases with what their finds found.  Raises SimulationError where nothing was."""
+    if flat.find is None:
+        return cases
+    results = run_cases(flat, cases)
+    if results.status[0] < layout.PM_OK:
+        raise SimulationError(message(flat, results, 0), status=int(results.status[0]))
+    found = cases.copy()
+    for number, name in enumerate(flat.find.vary):
+        found[:, flat.parameters.index(name)] = results.found[:, number]
+    return found
 
 
 def _flag(flag: npt.NDArray[Any] | None, dtype: np.dtype[Any], name: str) -> npt.NDArray[Any]:

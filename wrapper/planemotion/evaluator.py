@@ -33,7 +33,7 @@ _SYMBOLS = {
     "EQ": "=",
     "NE": "!=",
 }
-_PUSHES = ("PM_OP_CONSTANT", "PM_OP_PARAMETER", "PM_OP_VALUE", "PM_OP_MEASURE")
+_PUSHES = ("PM_OP_CONSTANT", "PM_OP_PARAMETER", "PM_OP_VALUE", "PM_OP_MEASURE", "PM_OP_ANSWER")
 
 
 def _operations() -> dict[int, tuple[str, int]]:

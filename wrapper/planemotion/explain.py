@@ -82,6 +82,7 @@ def explain(scene: Scene) -> Report:
             "asks",
             ((key, ask_text(ask), f"[{ask.unit}]" if ask.unit else "") for key, ask in data.ask.items()),
         ),
+        *(_finds(data)),
         *(_motion(flat, start) for flat, start in zip(flats, starts, strict=True)),
         ["route", *_indented([_route(data)])],
     ]
@@ -101,6 +102,19 @@ def _runs(scene: Scene) -> list[FlatScene]:
 def _title(flat: FlatScene, fault: str) -> str:
     run = f", run {flat.run}" if flat.run is not None else ""
     return f"{flat.id}{run}: {'the start cannot be assembled' if fault else 'ok'}"
+
+
+def _finds(data: SceneData) -> list[list[str]]:
+    """What is sought, of each run."""
+    found = {}
+    for run in data.runs or (None,):
+        sought = data.find_of(run)
+        if sought is not None:
+            find, path = sought
+            vary = [f"{name}  {low} .. {high}" for name, (low, high) in find.vary.items()]
+            goal = [f"{find.goal} {getattr(find, find.goal)}"] if find.goal else []
+            found[path] = [(*vary, *goal, " and ".join(find.where))]
+    return [_section(path, rows) for path, rows in found.items()]
 
 
 # ---- the start ------------------------------------------------------------------------------------------

@@ -20,6 +20,7 @@ from .bounds import check_bounds
 from .contacts import Contacts
 from .drawing import GROUND, Drawing
 from .errors import SceneError
+from .finds import Finds, FlatFind
 from .forces import Forces
 from .histories import trace_columns
 from .instants import Instants, add_event, firing
@@ -48,7 +49,8 @@ class FlatScene:
 
     `table`, `constant`: as planemotion.h says.  `parameters`: names of the columns of param, with `defaults`
     (SI) and `units` as in the file.  `asks`: columns of out.  `names[table][row]`: key paths.  `trace`:
-    column name -> (program, unit) of a history.  `bodies`, `points`: names by kernel index.
+    column name -> (program, unit) of a history.  `bodies`, `points`: names by kernel index.  `find`: what is
+    sought, if anything.
     """
 
     id: str
@@ -63,6 +65,7 @@ class FlatScene:
     names: Mapping[int, tuple[str, ...]]
     trace: Mapping[str, tuple[int, str]]
     bodies: tuple[str, ...]
+    find: FlatFind | None = None
 
     @property
     def out_columns(self) -> int:
@@ -104,7 +107,9 @@ class _Flattener:
         self.data = data
         self.run = _run(data, run_name)
         declared = run_parameters(data, self.run)
-        self.parameters = Parameters(declared, data.sweep.grids)
+        self.find = data.find_of(self.run)
+        self.varied = self.find[0].vary if self.find is not None else {}
+        self.parameters = Parameters(declared, {*data.sweep.grids, *self.varied})
         self.reader = Reader(self.parameters)
         self.tables = Tables(self.parameters)
         bodies = self._active("bodies", data.bodies)
@@ -115,7 +120,9 @@ class _Flattener:
     def flat(self) -> FlatScene:
         data, tables = self.data, self.tables
         self._check_masses()
-        Starts(self.drawing, self.reader, self.measures, tables).add(data.start, self._fastened())
+        starts = Starts(self.drawing, self.reader, self.measures, tables)
+        starts.add(data.start, self._fastened())
+        nudge = starts.nudge(data.nudge)
         instants = Instants(self.scope.events, self.measures, tables)
         instants.add_events(data.events)
         instants.add_until(data.until)
@@ -124,7 +131,11 @@ class _Flattener:
         for key, ask in data.ask.items():
             if (ask.run or first_run) == self.run:
                 asks.add(key, ask)
-        self._settings()
+        found = None
+        if self.find is not None:
+            finds = Finds(self.scope.events, asks, self.measures, self.reader, tables)
+            found = finds.add(*self.find)
+        self._settings(nudge)
         trace = trace_columns(self.measures, tables, self.scope, self.drawing)
         self._check_sizes()
         check_bounds(tables, data)
@@ -143,6 +154,7 @@ class _Flattener:
             names={index: tuple(paths) for index, paths in tables.names.items()},
             trace=trace,
             bodies=tuple(self.drawing.bodies),
+            find=found,
         )
 
     # ---- elements ----
@@ -157,7 +169,12 @@ class _Flattener:
 
     def _is_active(self, written: Value, where: str) -> bool:
         node = self.reader.number(written, where, DIMENSIONLESS)
-        swept = self.reader.depends_on(node) & set(self.data.sweep.grids)
+        depends = self.reader.depends_on(node)
+        sought = sorted(depends & set(self.varied))
+        if sought:
+            reason = f"what is active cannot depend on {sought[0]}, which is sought"
+            raise SceneError(reason, path=where, value=written)
+        swept = depends & set(self.data.sweep.grids)
         if swept:
             reason = (
                 f"not built yet: sweeping {sorted(swept)[0]}, on which it depends what is active; use [runs]"
@@ -227,7 +244,7 @@ class _Flattener:
 
     # ---- settings ----
 
-    def _settings(self) -> None:
+    def _settings(self, nudge: int) -> None:
         solve, value = self.data.solve, self.tables.value
         down = negative(Name("g")) if self.data.plane == "vertical" else ZERO
         accuracy = self.reader.number(solve.accuracy, "solve.accuracy", DIMENSIONLESS)
@@ -242,6 +259,7 @@ class _Flattener:
             layout.PM_SETTING_ROUTE: layout.pm_route[f"PM_ROUTE_{solve.route.upper()}"],
             layout.PM_SETTING_MAX_EVENTS: solve.max_events,
             layout.PM_SETTING_MAX_STEPS: solve.max_steps,
+            layout.PM_SETTING_NUDGE: nudge,
         }
         self.tables.add(layout.PM_TABLE_SETTING, row, "solve")
 

@@ -134,7 +134,7 @@ class Instants:
     def _change(self, thing: str, change: str) -> tuple[int, int, tuple[int, ...]]:
         nothing = layout.PM_NONE
         if change == "happens":
-            raise words.not_built('"happens", which belongs to [find]')
+            raise SceneError('"happens" is a condition of [find]; here the name of the event stands alone')
         if change in words.CORD_CHANGES:
             raise words.not_built("cords")
         if change == "rests":
@@ -175,7 +175,10 @@ class Instants:
 
         substitute(node, look)
         if not any(isinstance(leaf, Name) and self.tables.measure_index(leaf) is not None for leaf in found):
-            raise SceneError("nothing in this condition changes with the motion")
+            hint = ""
+            if "t" in self.measures.reader.parameters.nodes and Name("t") in found:
+                hint = '; t is a parameter of this scene, the time is called "time"'
+            raise SceneError(f"nothing in this condition changes with the motion{hint}")
 
 
 def add_event(tables: Tables, path: str) -> int:

@@ -7,6 +7,9 @@ several.  `Measures.lower` does so for every leaf of an expression and checks it
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+
 from . import _layout as layout
 from . import words
 from .address import Address
@@ -18,7 +21,7 @@ from .forces import ForceInfo
 from .joints import JointInfo
 from .marks import LineMark
 from .measure_rows import PARTS, MeasureRows, Reading, Scope
-from .node import Node, call, cos, negative, sin
+from .node import Name, Node, call, cos, negative, sin
 from .parameters import Reader
 from .scene import Value
 from .substitute import substitute
@@ -98,6 +101,16 @@ class Measures(MeasureRows):
     def __init__(self, drawing: Drawing, reader: Reader, tables: Tables, scope: Scope) -> None:
         super().__init__(drawing, reader, tables, scope)
         self._readings: dict[Leaf, Reading] = {}
+        self._answers: Mapping[str, Reading] = {}
+
+    @contextmanager
+    def answered(self, answers: Mapping[str, Reading]) -> Iterator[None]:
+        """Meanwhile names of asks stand for their answers."""
+        self._answers = answers
+        try:
+            yield
+        finally:
+            self._answers = {}
 
     # ---- expressions ----
 
@@ -128,10 +141,16 @@ class Measures(MeasureRows):
         )
 
     def _is_measure(self, leaf: Leaf) -> bool:
-        return isinstance(leaf, Address) or leaf.text in words.SCENE_QUANTITIES
+        if isinstance(leaf, Address):
+            return True
+        if leaf.text in self.reader.parameters.nodes:
+            return False  # also a parameter called t: the time is then called time
+        return leaf.text in words.SCENE_QUANTITIES or leaf.text in self._answers
 
     def reading(self, leaf: Leaf) -> Reading:
         """What an address stands for.  Raises SceneError naming the word that is wrong."""
+        if isinstance(leaf, Name) and leaf.text in self._answers:
+            return self._answers[leaf.text]
         if leaf not in self._readings:
             address = leaf if isinstance(leaf, Address) else Address(leaf.text)
             self._readings[leaf] = self._read(address)
@@ -161,7 +180,7 @@ class Measures(MeasureRows):
 
     def _scene(self, address: Address) -> Reading:
         match address.thing:
-            case "t":
+            case "t" | "time":
                 self._ends(address, 0)
                 self._plain(address, ())
                 return Reading(self._leaf(layout.PM_MEASURE_TIME, layout.PM_NONE, address), TIME)

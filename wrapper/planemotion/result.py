@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -14,6 +14,10 @@ from . import _layout as layout
 from .asks import AskColumn
 from .engine import AUDITS, REASONS, CaseResults, message, route_name, status_name
 from .flatten import FlatScene
+from .units import factor
+
+# Counts that say something only where a parameter is sought.
+_OF_FINDS = ("PM_COUNT_RUNS", "PM_COUNT_FOUND")
 
 Answer = float | list[float | None] | None
 
@@ -42,7 +46,8 @@ class RunResult:
     `status`: "ok", or the word of the first run that is not; `code`: its number (enum pm_status);
     `error`: its message.  `route`: the routes taken.  `asks`: answers by key, in the order of the file.
     `audit`: greatest residuals of energy, momentum and constraints (None where there is none).  `counts`:
-    phases, events, jumps, steps and solves of all runs.
+    phases, events, jumps, steps and solves of all runs; with a find also whole runs and brackets.  `found`:
+    what was sought, by parameter ("h"), or by run and parameter ("kept.h") where the scene has runs.
     """
 
     id: str
@@ -56,6 +61,7 @@ class RunResult:
     counts: Mapping[str, int]
     time: float | None = None
     notes: tuple[str, ...] = field(default=())
+    found: Mapping[str, AskValue] = field(default_factory=dict)
 
     def __getattr__(self, name: str) -> Answer:
         # Only for names that are no field; the fields may not be there yet while a copy is made.
@@ -78,6 +84,9 @@ class RunResult:
         entry["route"] = list(self.route)
         entry["asks"] = {key: ask.to_json() for key, ask in self.asks.items()}
         entry["audit"] = dict(self.audit)
+        if self.found:
+            entry["found"] = {name: value.to_json() for name, value in self.found.items()}
+            entry["runs"] = self.counts["runs"]
         return entry
 
     def explain(self) -> str:
@@ -90,6 +99,7 @@ class RunResult:
             f"  audit (relative residuals): {audit}",
             *(f"  {note}" for note in self.notes),
         ]
+        lines += [f"  found: {name} = {_shown(value)}" for name, value in self.found.items()]
         lines += [f"  {key} = {_shown(ask)}" for key, ask in self.asks.items()]
         return "\n".join(lines)
 
@@ -130,6 +140,7 @@ def collect(
     if error and flat.run is not None:
         error = f"run {flat.run}: {error}"
     time = float(results.detail[0, layout.PM_DETAIL_TIME])
+    sought = any(one.find is not None for one, _ in runs)
     routes = [route_name(int(result.count[0, layout.PM_COUNT_ROUTE])) for _, result in runs]
     return RunResult(
         id=scene_id,
@@ -145,10 +156,20 @@ def collect(
         counts={
             name.removeprefix("PM_COUNT_").lower(): int(sum(result.count[0, index] for _, result in runs))
             for name, index in layout.pm_count_column.items()
-            if name not in ("PM_COUNT_ROUTE", "PM_COUNT_COLUMNS")
+            if name not in ("PM_COUNT_ROUTE", "PM_COUNT_COLUMNS") and (sought or name not in _OF_FINDS)
         },
+        found={name: value for one, result in runs for name, value in _found(one, result)},
         time=time if worst != layout.PM_OK and math.isfinite(time) else None,
     )
+
+
+def _found(flat: FlatScene, results: CaseResults) -> Iterator[tuple[str, AskValue]]:
+    """What was sought in a run, by name, in the units of the scene."""
+    for number, name in enumerate(flat.find.vary if flat.find is not None else ()):
+        unit = flat.units[flat.parameters.index(name)]
+        value = _finite(float(results.found[0, number]) / (factor(unit)[0] if unit else 1.0))
+        key = name if flat.run is None else f"{flat.run}.{name}"
+        yield key, AskValue(value, unit or "1", "" if value is not None else "not found")
 
 
 def _finite(value: float) -> float | None:

@@ -19,6 +19,7 @@ from .written import (
     read_ask,
     read_at,
     read_body_or_two,
+    read_bounds,
     read_circle,
     read_event,
     read_friction,
@@ -26,6 +27,7 @@ from .written import (
     read_names,
     read_place,
     read_point,
+    read_sequence,
     read_start,
     read_sweep,
     read_text,
@@ -40,6 +42,8 @@ DEFAULT_G = "9.81 m/s^2"
 DEFAULT_MAX_EVENTS = 1_000_000
 DEFAULT_MAX_STEPS = 1_000_000
 DEFAULT_MAX_TIME = "1000 s"
+# Intervals into which a find divides its bounds.
+DEFAULT_SAMPLES = 32
 
 Number = Annotated[Value, BeforeValidator(read_value)]
 Text = Annotated[str, BeforeValidator(read_text)]
@@ -212,6 +216,23 @@ class Ask(Table):
     run: Text | None = None
 
 
+class Find(Table):
+    """What is sought: parameters between bounds, under conditions, with something extreme."""
+
+    vary: dict[str, Annotated[tuple[Value, Value], BeforeValidator(read_bounds)]]
+    where: Annotated[tuple[str, ...], BeforeValidator(read_sequence)] = ()
+    greatest: Number | None = None
+    least: Number | None = None
+    samples: Annotated[int, Field(strict=True)] = DEFAULT_SAMPLES
+
+    @property
+    def goal(self) -> Literal["greatest", "least"] | None:
+        """The key that says what is to be extreme."""
+        if self.greatest is not None:
+            return "greatest"
+        return "least" if self.least is not None else None
+
+
 class Solve(Table):
     route: Text = "auto"
     accuracy: Number = 1e-10
@@ -245,8 +266,17 @@ class SceneData(Table):
     contacts: dict[str, Contact] = {}
     forces: dict[str, Force] = {}
     start: Annotated[dict[str, Value | Vector], BeforeValidator(read_start)] = {}
+    nudge: Text | None = None
     events: dict[str, Annotated[tuple[str, ...], BeforeValidator(read_event)]] = {}
     ask: dict[str, Annotated[Ask, BeforeValidator(read_ask)]] = {}
     runs: dict[str, dict[str, Number]] = {}
+    find: Find | None = None
+    run_finds: dict[str, Find] = {}
     sweep: Annotated[Sweep, BeforeValidator(read_sweep)] = Sweep()
     solve: Solve = Solve()
+
+    def find_of(self, run: str | None) -> tuple[Find, str] | None:
+        """What a run looks for - its own find, or that of the scene - and its key path."""
+        if run is not None and run in self.run_finds:
+            return self.run_finds[run], f"runs.{run}.find"
+        return (self.find, "find") if self.find is not None else None

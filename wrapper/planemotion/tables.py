@@ -1,7 +1,7 @@
 """The kernel's tables while they are made: rows, programs, values and measures, each kept once.
 
-The expressions that go into them have three kinds of leaves, all of them `Name`: parameters by their name,
-values ("#3") and measures ("@7") by the index that they have here.
+The expressions that go into them have leaves of four kinds, all of them `Name`: parameters by their name,
+values ("#3") and measures ("@7") by the index that they have here, answers ("!2") by their column.
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ from .parameters import Parameters
 Row = Mapping[int, int]
 _VALUE = "#"
 _MEASURE = "@"
+_ANSWER = "!"
 
 
 class Tables:
@@ -91,6 +92,10 @@ class Tables:
         """The leaf that stands for a measure."""
         return Name(f"{_MEASURE}{self.measure(row, name)}")
 
+    def answer_leaf(self, column: int) -> Node:
+        """The leaf that stands for a column of the answers, once the run has ended."""
+        return Name(f"{_ANSWER}{column}")
+
     def measure_index(self, node: Node) -> int | None:
         """The measure that a leaf stands for; None if it is anything else."""
         is_measure = isinstance(node, Name) and node.text.startswith(_MEASURE)
@@ -136,6 +141,8 @@ class Tables:
             return layout.PM_OP_VALUE, int(text[1:])
         if text.startswith(_MEASURE):
             return layout.PM_OP_MEASURE, int(text[1:])
+        if text.startswith(_ANSWER):
+            return layout.PM_OP_ANSWER, int(text[1:])
         if text in self._column:
             return layout.PM_OP_PARAMETER, self._column[text]
         return layout.PM_OP_VALUE, self._dependent[text]

@@ -5,14 +5,16 @@ Every fault becomes a SceneError with its key path.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from typing import Any
 
 from pydantic import ValidationError
 
 from . import words
+from ._layout import PM_FIND_MOST_SAMPLES
 from .errors import SceneError
-from .scene import DEFAULT_G, Ask, At, SceneData, Table
+from .scene import DEFAULT_G, Ask, At, Find, SceneData, Table
 
 
 def validate(raw: Mapping[str, Any], *, file: str | None = None, name: str = "") -> SceneData:
@@ -31,11 +33,28 @@ def validate(raw: Mapping[str, Any], *, file: str | None = None, name: str = "")
             **({} if "g" in words.table(raw, "parameters") else {"g": DEFAULT_G}),
             **raw.get("parameters", {}),
         }
-        data = _construct({**raw, "id": raw.get("id", name), "parameters": parameters, "file": file})
+        content = {**raw, "id": raw.get("id", name), "parameters": parameters, "file": file}
+        data = _construct({**content, **_taken_apart(raw)})
         _check_more(data)
     except SceneError as error:
         raise error.at(file=file) from None
     return data
+
+
+def _taken_apart(raw: Mapping[str, Any]) -> dict[str, Any]:
+    """What stands beside other things in a table of the file and has a place of its own in the scene."""
+    apart: dict[str, Any] = {}
+    start = words.table(raw, "start")
+    if isinstance(start.get("nudge"), str):
+        apart["nudge"] = start["nudge"]
+        apart["start"] = {key: value for key, value in start.items() if key != "nudge"}
+    runs = words.table(raw, "runs")
+    if any("find" in run for run in runs.values()):
+        apart["runs"] = {
+            name: {key: value for key, value in run.items() if key != "find"} for name, run in runs.items()
+        }
+        apart["run_finds"] = {name: run["find"] for name, run in runs.items() if "find" in run}
+    return apart
 
 
 def _construct(content: Mapping[str, Any]) -> SceneData:
@@ -54,6 +73,8 @@ def _translate(fault: ValidationError) -> SceneError:
     for part in keys:
         path += f"[{part}]" if isinstance(part, int) else f".{part}" if path else part
     path = path.replace("sweep.grids.", "sweep.")
+    path = re.sub(r"^run_finds\.(\w+)", r"runs.\1.find", path)
+    path = "start.nudge" if path == "nudge" else path
     written = first.get("input")
     shown = written if isinstance(written, str | int | float | bool) else None
     if first["type"] == "missing":
@@ -95,6 +116,10 @@ def _check_more(data: SceneData) -> None:
             raise words.not_built("contacts that capture", f"contacts.{name}.capture", contact.capture)
     for name, ask in data.ask.items():
         _check_ask(data, ask, f"ask.{name}")
+    for run in data.runs or (None,):
+        found = data.find_of(run)
+        if found is not None:
+            _check_find(data, *found, run)
     zipped = [name for group in data.sweep.zip for name in group]
     for name in (*data.sweep.grids, *zipped):
         if name not in data.parameters:
@@ -126,3 +151,26 @@ def _check_ask(data: SceneData, ask: Ask, path: str) -> None:
             )
     if ask.run is not None and ask.run not in data.runs:
         raise SceneError(words.unknown(ask.run, tuple(data.runs), "run"), path=f"{path}.run")
+
+
+def _check_find(data: SceneData, find: Find, path: str, run: str | None) -> None:
+    if not 1 <= len(find.vary) <= 2:
+        reason = f"one or two parameters can be sought, not {len(find.vary)}"
+        raise SceneError(reason, path=f"{path}.vary")
+    for name in find.vary:
+        if name not in data.parameters:
+            raise SceneError(
+                words.unknown(name, tuple(data.parameters), "parameter"), path=f"{path}.vary.{name}"
+            )
+        if name in data.sweep.grids:
+            raise SceneError("it is swept; it cannot be sought, too", path=f"{path}.vary.{name}")
+        if run is not None and name in data.runs[run]:
+            raise SceneError(f"runs.{run} gives it; it cannot be sought, too", path=f"{path}.vary.{name}")
+    if find.greatest is not None and find.least is not None:
+        raise SceneError("greatest or least, not both", path=path)
+    if not find.where and find.goal is None:
+        raise SceneError("what makes a value the right one is wanted: where, greatest or least", path=path)
+    if not 2 <= find.samples <= PM_FIND_MOST_SAMPLES:
+        raise SceneError(
+            f"2 to {PM_FIND_MOST_SAMPLES} are possible", path=f"{path}.samples", value=find.samples
+        )

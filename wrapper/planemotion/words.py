@@ -15,12 +15,11 @@ from .errors import SceneError, nearest
 
 TOP_KEYS = (
     *("id", "title", "description", "plane", "until", "parameters", "ground", "bodies", "joints"),
-    *("contacts", "forces", "start", "events", "ask", "runs", "sweep", "solve"),
+    *("contacts", "forces", "start", "events", "ask", "find", "runs", "sweep", "solve"),
 )
 NOT_BUILT_TOP = {
     "spin": "a plane that itself turns",
     "couplings": "gears, belts, cords and motors",
-    "find": "a sought parameter",
 }
 
 SHAPES = ("rod", "disk", "cylinder", "hoop", "sphere", "half_ring", "plate")
@@ -79,6 +78,7 @@ EVENT_KEYS = ("when",)
 NOT_BUILT_EVENT = {"do": "actions at an event", "nth": "events that count"}
 ASK_KEYS = ("of", "max", "min", "at", "unit", "run")
 AT_KEYS = ("max", "min", "each", "values")
+FIND_KEYS = ("vary", "where", "greatest", "least", "samples")
 GRID_KEYS = ("from", "to", "num", "step", "scale")
 SOLVE_KEYS = ("route", "accuracy", "max_time", "max_events", "max_steps", "assembly", "simultaneous")
 ROUTES = ("auto", "rk", "ida")
@@ -99,7 +99,7 @@ CONTACT_QUANTITIES = (
 FORCE_QUANTITIES = ("force", "couple", "work", "power", "stretch", "energy")
 EVENT_QUANTITIES = ("count", "time")
 ENERGIES = ("kinetic", "potential", "total", "lost")
-SCENE_QUANTITIES = ("t", "energy", "weight", "momentum", "angular_momentum")
+SCENE_QUANTITIES = ("t", "time", "energy", "weight", "momentum", "angular_momentum")
 PARTS = ("x", "y", "norm", "angle")
 
 # What an element or parameter cannot be called: the words would mean two things.
@@ -111,7 +111,8 @@ def check(raw: Mapping[str, Any]) -> None:
     """Raises SceneError for the first key that is unknown or not built yet, and for names that clash."""
     _keys(raw, TOP_KEYS, "", "a scene", NOT_BUILT_TOP)
     for name, value in table(raw, "parameters").items():
-        check_name(name, "parameters")
+        if name != "t":  # a parameter may have that name: the time is then called time
+            check_name(name, "parameters")
         if isinstance(value, Mapping):
             raise SceneError(_VALUE_TABLE, path=f"parameters.{name}")
     _ground(table(raw, "ground"))
@@ -125,8 +126,11 @@ def check(raw: Mapping[str, Any]) -> None:
     _keys(table(raw, "solve"), SOLVE_KEYS, "solve", "[solve]")
     for name, values in table(raw, "runs").items():
         parameters = ("g", *table(raw, "parameters"))
-        unbuilt = {"find": NOT_BUILT_TOP["find"]}
-        _keys(_mapping(values, f"runs.{name}"), parameters, f"runs.{name}", "a run of this scene", unbuilt)
+        _keys(_mapping(values, f"runs.{name}"), (*parameters, "find"), f"runs.{name}", "a run of this scene")
+        if "find" in values:
+            _find(values["find"], f"runs.{name}.find")
+    if "find" in raw:
+        _find(raw["find"], "find")
 
 
 _VALUE_TABLE = "not built yet: values from a table over time or a measure"
@@ -281,8 +285,14 @@ def _instants(raw: Mapping[str, Any]) -> None:
     for name, grid in table(raw, "sweep").items():
         if name != "zip":
             _grid(grid, f"sweep.{name}")
-    if "nudge" in table(raw, "start"):
-        raise not_built("the side to which an unstable rest is left", "start.nudge")
+
+
+def _find(find: Any, path: str) -> None:
+    _keys(_mapping(find, path), FIND_KEYS, path, "a find")
+    if "vary" not in find:
+        reason = 'what is sought is wanted, such as vary = { h = ["0 m", "2 m"] }'
+        raise SceneError(reason, path=f"{path}.vary")
+    _mapping(find["vary"], f"{path}.vary")
 
 
 def _grid(grid: Any, path: str) -> None:

@@ -118,6 +118,13 @@ def read_until(written: Any) -> tuple[tuple[str, ...], ...]:
     return tuple((one,) for one in read_sequence(written))
 
 
+def read_bounds(written: Any) -> tuple[Value, Value]:
+    """The bounds of a sought parameter."""
+    if not isinstance(written, list | tuple) or len(written) != 2:
+        raise ValueError("two bounds are wanted: [lowest, greatest]")
+    return read_value(written[0]), read_value(written[1])
+
+
 def read_circle(written: Any) -> Any:
     """A bare radius, or a table."""
     return written if isinstance(written, Mapping) else {"radius": written}

@@ -1,0 +1,266 @@
+"""[find]: values, extremes and thresholds against closed forms, runs, sweeps, and what is said of them."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+from planemotion import SceneError, SimulationError, load_text
+from planemotion import _layout as layout
+from planemotion.engine import trace
+from planemotion.explain import explain
+from planemotion.flatten import flatten
+from planemotion.result import RunResult
+
+G = 9.81
+
+# A particle thrown from the origin, until it comes down to the level below.
+THROW = """
+until = "P.y < -below"
+parameters = { v = "7 m/s", theta = "40 deg", below = "3 m", wanted = "6 m" }
+bodies.P = { mass = "1 kg", at = [0, 0] }
+start.P.velocity = { polar = ["v", "theta"] }
+[ask]
+range = "P.x"
+angle = { of = "theta", unit = "deg" }
+speed = { of = "v", unit = "km/h" }
+"""
+# A rod on a pin, from rest below, which may go over the top.
+ROD = """
+until = ["over", "back"]
+parameters = { L = "0.8 m", omega = "1 rad/s" }
+bodies.AB = { rod = ["A", "B"], length = "L", mass = "2 kg", at = { A = [0, 0] }, angle = "-90 deg" }
+joints.A = { pin = ["AB.A", "ground"] }
+start.AB.omega = "omega"
+events = { over = "AB.turned > 180 deg", back = "AB.omega < 0" }
+ask.omega = { of = "omega", unit = "rpm" }
+"""
+
+
+def found(text: str, find: str, **parameters: Any) -> RunResult:
+    return load_text(f"{text}\n[find]\n{find}").run(**parameters)
+
+
+def speed_for(x: float, theta: float, below: float) -> float:
+    return math.sqrt(G * x**2 / (2 * math.cos(theta) ** 2 * (below + x * math.tan(theta))))
+
+
+def test_a_value() -> None:
+    result = found(THROW, 'vary.v = ["1 m/s", "20 m/s"]\nwhere = "P.x = wanted"')
+    v = speed_for(6, math.radians(40), 3)
+    assert result.status == "ok"
+    assert result.speed == pytest.approx(3.6 * v, rel=1e-10)
+    assert result.range == pytest.approx(6, rel=1e-10)
+    assert result.found["v"].value == pytest.approx(v, rel=1e-10)
+    assert result.found["v"].unit == "m/s"
+    assert result.counts["found"] == 1
+    assert 34 < result.counts["runs"] < 60
+    assert result.to_json()["found"]["v"]["value"] == result.found["v"].value
+    assert result.to_json()["runs"] == result.counts["runs"]
+    assert "found: v = " in result.explain()
+
+
+def test_an_ask_in_a_condition_is_its_answer() -> None:
+    text = THROW + 'top = { max = "P.y" }\n'
+    result = found(text, 'vary.v = ["1 m/s", "20 m/s"]\nwhere = "top = 1.5 m"')
+    assert result.found["v"].value == pytest.approx(math.sqrt(3 * G) / math.sin(math.radians(40)), rel=1e-9)
+    assert result.top == pytest.approx(1.5, rel=1e-9)
+
+
+def test_an_extreme() -> None:
+    best = math.atan(7 / math.sqrt(49 + 6 * G))
+    for goal in ('greatest = "P.x"', 'greatest = "range"', 'least = "-range"'):
+        result = found(THROW, f'vary.theta = [0, "80 deg"]\n{goal}')
+        assert result.status == "ok"
+        assert result.angle == pytest.approx(math.degrees(best), rel=1e-9)
+        assert result.range == pytest.approx(7 / G * math.sqrt(49 + 6 * G), rel=1e-11)
+
+
+def test_a_threshold() -> None:
+    """The rod just reaches the top: omega^2 = 6 g / L; just does not for the greatest that comes back."""
+    wanted = math.sqrt(6 * G / 0.8) * 30 / math.pi
+    for find in (
+        'least = "omega"\nwhere = "over happens"',
+        'greatest = "omega"\nwhere = "back happens"',
+        'least = "omega"\nwhere = "over 1 happens"',
+        'least = "omega"\nwhere = "over.count = 1"',
+        'least = "omega"\nwhere = "not (AB.turned < 179.9 deg) and over.count > 0"',
+    ):
+        result = found(ROD, f'vary.omega = ["1 rad/s", "20 rad/s"]\n{find}')
+        assert result.status == "ok"
+        assert result.omega == pytest.approx(wanted, rel=1e-9)
+
+
+def test_a_threshold_with_a_size() -> None:
+    find = 'vary.v = ["1 m/s", "20 m/s"]\nleast = "v"\nwhere = "P.x >= wanted"'
+    result = found(THROW, find)
+    assert result.speed == pytest.approx(3.6 * speed_for(6, math.radians(40), 3), rel=1e-10)
+    assert result.counts["runs"] < 60
+
+
+def test_two_parameters() -> None:
+    text = THROW.replace('"P.y < -below"', '"t = 1.2 s"')
+    vary = 'vary = { v = ["1 m/s", "30 m/s"], theta = ["3 deg", "85 deg"] }'
+    result = found(text, f'{vary}\nwhere = ["P.x = 9 m", "P.y = 2 m"]')
+    vx, vy = 9 / 1.2, 2 / 1.2 + 0.6 * G
+    assert result.status == "ok"
+    assert result.speed == pytest.approx(3.6 * math.hypot(vx, vy), rel=1e-10)
+    assert result.angle == pytest.approx(math.degrees(math.atan2(vy, vx)), rel=1e-10)
+    assert list(result.found) == ["v", "theta"]
+
+
+def test_runs_have_their_own_finds_and_share_the_top_one() -> None:
+    own = """
+[runs]
+near = { wanted = "5 m" }
+far = { find = { vary.v = ["1 m/s", "20 m/s"], where = "P.x = 2*wanted" } }
+[find]
+vary = { v = ["1 m/s", "20 m/s"] }
+where = "P.x = wanted"
+"""
+    text = THROW.replace("[ask]", "[ask]\nfar = { of = 'v', run = 'far' }")
+    result = load_text(text + own).run()
+    theta = math.radians(40)
+    assert result.speed == pytest.approx(3.6 * speed_for(5, theta, 3), rel=1e-10)
+    assert result.far == pytest.approx(speed_for(12, theta, 3), rel=1e-10)
+    assert list(result.found) == ["near.v", "far.v"]
+
+
+def test_each_case_of_a_sweep_has_its_find() -> None:
+    find = '[find]\nvary.v = ["1 m/s", "20 m/s"]\nwhere = "P.x = wanted"\n'
+    scene = load_text(THROW + find + '[sweep]\ntheta = { from = "20 deg", to = "60 deg", num = 5 }')
+    swept = scene.sweep(workers=2)
+    for i, theta in enumerate(np.radians([20, 30, 40, 50, 60])):
+        assert swept["speed"].values[i] == pytest.approx(3.6 * speed_for(6, theta, 3), rel=1e-10)
+    alone = load_text(THROW + find).run(theta="30 deg")
+    assert alone.speed == swept["speed"].values[1]
+
+
+def test_the_history_is_of_what_was_found() -> None:
+    flat = flatten(load_text(THROW + '[find]\nvary.v = ["1 m/s", "20 m/s"]\nwhere = "P.x = wanted"'))
+    history = trace(flat, flat.defaults)
+    assert history.columns["P.x"][-1] == pytest.approx(6, rel=1e-9)
+    nothing = flatten(load_text(THROW + '[find]\nvary.v = ["1 m/s", "2 m/s"]\nwhere = "P.x = wanted"'))
+    with pytest.raises(SimulationError, match="is not met"):
+        trace(nothing, nothing.defaults)
+
+
+def test_bounds_may_depend_on_other_parameters() -> None:
+    find = 'vary.v = ["sqrt(below*g)/9", "3*sqrt(below*g)"]\nwhere = "P.x = wanted"'
+    assert found(THROW, find, below="5 m").speed == pytest.approx(
+        3.6 * speed_for(6, math.radians(40), 5), rel=1e-10
+    )
+
+
+# ---- what is said -----------------------------------------------------------------------------------------
+
+
+def said(text: str, find: str, **parameters: Any) -> str:
+    with pytest.raises(SimulationError) as caught:
+        found(text, find, **parameters)
+    return str(caught.value)
+
+
+def test_nothing_found() -> None:
+    text = said(
+        THROW.replace('v = "7 m/s"', 'v = "7 km/h"'), 'vary.v = ["1 km/h", "2 km/h"]\nwhere = "P.x = wanted"'
+    )
+    assert text.startswith('find.where: "P.x = wanted" is not met with v from 1 km/h to 2 km/h: the')
+    assert "m at v = 1 km/h and -5.6" in text
+    assert "widen find.vary.v, or take more find.samples" in text
+    text = said(ROD, 'vary.omega = ["1 rad/s", "2 rad/s"]\nleast = "omega"\nwhere = "over happens"')
+    assert text == (
+        'find.where: no change of "over happens" with omega from 1 rad/s to 2 rad/s (it never holds); '
+        "widen find.vary.omega"
+    )
+    text = said(THROW, 'vary.v = ["1 m/s", "2 m/s"]\ngreatest = "P.x"\nwhere = "P.x > wanted"')
+    assert text == (
+        'find.greatest = "P.x": it has no value, or the conditions hold nowhere, with v from 1 m/s to 2 m/s'
+    )
+    text = said(
+        THROW, 'vary = { v = ["1 m/s", "2 m/s"], theta = [0, 1] }\nwhere = ["P.x = wanted", "t = 1 s"]'
+    )
+    assert "is not met with v from 1 m/s to 2 m/s and theta from 0 deg to 57.2958 deg" in text
+
+
+def test_a_jump_is_no_root() -> None:
+    text = said(THROW, 'vary.v = ["1 m/s", "20 m/s"]\nwhere = "floor(P.x/wanted) = 0.5"')
+    assert text.endswith("the difference of its sides jumps from -0.5 to 0.5")
+
+
+def test_several_found() -> None:
+    find = 'vary.theta = ["1 deg", "89 deg"]\nwhere = "P.x = wanted"'
+    result = found(THROW, find, below=0, v="9 m/s")
+    flat = 0.5 * math.asin(6 * G / 81)
+    assert result.status == "find_several"
+    assert result.angle == pytest.approx(math.degrees(flat), rel=1e-10)
+    assert result.error.startswith(
+        'find: 2 places with "P.x = wanted", theta from 1 deg to 89 deg; the answers are those of the first, '
+        f"another is at theta = {90 - math.degrees(flat):.6g} deg; narrow find.vary.theta"
+    )
+    steep = found(THROW, f'{find}\ngreatest = "theta"', below=0, v="9 m/s")
+    assert steep.status == "ok"
+    assert steep.angle == pytest.approx(90 - math.degrees(flat), rel=1e-10)
+
+
+def test_at_the_bound() -> None:
+    result = found(THROW, 'vary.theta = [0, "20 deg"]\ngreatest = "P.x"')
+    assert result.status == "find_at_bound"
+    assert result.angle == pytest.approx(20, rel=1e-15)
+    assert result.error == ("find: what is sought lies at the bound theta = 20 deg of find.vary.theta")
+
+
+def test_runs_that_all_fail_say_why() -> None:
+    find = 'vary.v = ["4.5 m/s", "6 m/s"]\nwhere = "P.x = wanted"'
+    text = said(THROW.replace('"1 kg"', '"(1 kg)*(4 - v/(1 m/s))"').replace("7 m/s", "3 m/s"), find)
+    assert text.startswith("bodies.P: it is -0.5 (SI)")
+    assert found(THROW, find, g=0).status == "limit_time"
+
+
+def test_a_sought_parameter_cannot_be_set() -> None:
+    find = 'vary.v = ["1 m/s", "20 m/s"]\nwhere = "P.x = wanted"'
+    with pytest.raises(SceneError, match=r"v: \[find\] looks for it; set find\.vary\.v"):
+        found(THROW, find, v="3 m/s")
+    scene = load_text(f"{THROW}\n[find]\n{find}").with_values({"find.vary.v": '["1 m/s", "2 m/s"]'})
+    with pytest.raises(SimulationError, match="v from 1 m/s to 2 m/s"):
+        scene.run()
+
+
+def test_explain_tells_what_is_sought() -> None:
+    find = 'vary.omega = [0, "20 rad/s"]\nleast = "omega"\nwhere = "over happens"'
+    text = explain(load_text(f"{ROD}\n[find]\n{find}"))
+    assert "find\n  omega  0 .. 20 rad/s  least omega  over happens" in text.text
+
+
+def test_builder() -> None:
+    scene = load_text(THROW).find(vary={"v": ["1 m/s", "20 m/s"]}, where="P.x = wanted")
+    assert scene.run().range == pytest.approx(6, rel=1e-10)
+    assert load_text(scene.to_toml()).run().asks == scene.run().asks
+
+
+# ---- the nudge, and the parameter t -----------------------------------------------------------------------
+
+
+def test_a_nudge_is_a_program_that_is_positive_on_its_side() -> None:
+    text = ROD.replace("start.AB.omega", "# ")
+    for sign, side in (("<", -1.0), (">", 1.0)):
+        flat = flatten(load_text(f'{text}\n[start]\nnudge = "AB.omega {sign} 0"'))
+        program = int(flat.rows(layout.PM_TABLE_SETTING)[0, layout.PM_SETTING_NUDGE])
+        first, length = flat.rows(layout.PM_TABLE_PROGRAM)[program]
+        code = flat.rows(layout.PM_TABLE_CODE)[first : first + length]
+        assert code[0, 0] == layout.PM_OP_MEASURE
+        assert (length == 2 and code[1, 0] == layout.PM_OP_NEG) == (side < 0)
+    flat = flatten(load_text(ROD))
+    assert flat.rows(layout.PM_TABLE_SETTING)[0, layout.PM_SETTING_NUDGE] == layout.PM_NONE
+
+
+def test_a_parameter_called_t_is_not_the_time() -> None:
+    body = 'bodies.P = { mass = "1 kg", at = [0, 0] }\nask.y = "P.y"'
+    text = f'until = "time = t"\nparameters.t = "2 s"\n{body}'
+    assert load_text(text).run().y == pytest.approx(-2 * G, rel=1e-10)
+    assert load_text(text).run(t=3).y == pytest.approx(-4.5 * G, rel=1e-10)
+    plain = text.replace('parameters.t = "2 s"\n', "").replace("time = t", "time = 2 s")
+    assert load_text(plain).run().y == pytest.approx(-2 * G, rel=1e-10)
