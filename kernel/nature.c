@@ -56,6 +56,8 @@ int pm_nature_of(const pm_model *m, int program)
             stack[++top] = PM_NATURE_CONSTANT;
         } else if (op == PM_OP_MEASURE) {
             stack[++top] = measure_nature(m, code[PM_CODE_ARG]);
+        } else if (op == PM_OP_ANSWER) {
+            stack[++top] = PM_NATURE_MOTION;
         } else if (op == PM_OP_SELECT) {
             top -= 2;
             const int c = combine(op, stack[top], stack[top + 1]);
