@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "active.h"
-#include "find.h"
+#include "error.h"
 #include "model.h"
 #include "run.h"
 #include "trace.h"
@@ -20,7 +20,7 @@ typedef struct pm_job {
     const double *param;
     const volatile int32_t *stop;
     int64_t *progress;
-    double *out, *detail, *audit, *found;
+    double *out, *detail, *audit, *found, *error, *margin, *trust;
     int32_t *reason, *status, *where;
     int64_t *count;
     atomic_llong next, done;
@@ -49,7 +49,9 @@ static void run_one(pm_workspace *w, pm_job *job, int64_t i)
     w->out = job->out + i * m->nout;
     w->reason = job->reason + i * m->nask;
     w->audit = job->audit + i * PM_AUDITS;
-    job->status[i] = pm_find_run(w, job->param + i * m->nparam, job->found + i * PM_FOUND_COLUMNS);
+    job->status[i] =
+        pm_error_run(w, job->param + i * m->nparam, job->found + i * PM_FOUND_COLUMNS,
+                     job->error + i * m->nout, job->margin + i * m->nask, job->trust + i * PM_TRUSTS);
     report_where(w, job->where + i * PM_WHERE_COLUMNS, job->detail + i * PM_DETAIL_COLUMNS);
     memcpy(job->count + i * PM_COUNT_COLUMNS, w->count, sizeof w->count);
 }
@@ -58,8 +60,12 @@ static void run_one(pm_workspace *w, pm_job *job, int64_t i)
 static void cancel_one(pm_job *job, int64_t i)
 {
     const pm_model *m = job->model;
-    for (int k = 0; k < m->nout; k++) job->out[i * m->nout + k] = NAN;
-    for (int k = 0; k < m->nask; k++) job->reason[i * m->nask + k] = PM_REASON_FAILED;
+    for (int k = 0; k < m->nout; k++) job->out[i * m->nout + k] = job->error[i * m->nout + k] = NAN;
+    for (int k = 0; k < PM_TRUSTS; k++) job->trust[i * PM_TRUSTS + k] = NAN;
+    for (int k = 0; k < m->nask; k++) {
+        job->reason[i * m->nask + k] = PM_REASON_FAILED;
+        job->margin[i * m->nask + k] = NAN;
+    }
     for (int k = 0; k < PM_AUDITS; k++) job->audit[i * PM_AUDITS + k] = NAN;
     for (int k = 0; k < PM_WHERE_COLUMNS; k++) job->where[i * PM_WHERE_COLUMNS + k] = PM_NONE;
     for (int k = 0; k < PM_DETAIL_COLUMNS; k++) job->detail[i * PM_DETAIL_COLUMNS + k] = NAN;
@@ -121,7 +127,8 @@ static void report_model(const pm_where *x, int32_t *where, double *detail)
 int pm_batch(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t ncase,
              int64_t nparam, const double *param, int nworker, const int32_t *stop, int64_t *progress,
              int64_t nout, double *out, int64_t nask, int32_t *reason, int32_t *status, int32_t *where,
-             double *detail, double *audit, int64_t *count, double *found)
+             double *detail, double *audit, int64_t *count, double *found, double *error, double *margin,
+             double *trust)
 {
     pm_model *model;
     pm_where place = {PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
@@ -143,7 +150,10 @@ int pm_batch(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
                       .status = status,
                       .where = where,
                       .count = count,
-                      .found = found};
+                      .found = found,
+                      .error = error,
+                      .margin = margin,
+                      .trust = trust};
         result = run_workers(&job, nworker);
     }
     if (result && ncase > 0) report_model(&place, where, detail);
@@ -174,8 +184,8 @@ int pm_trace(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
     *needed = 0;
     int status = open_one(ntable, table, nconstant, constant, nparam, &model, &w, where, detail);
     if (status) return status;
-    double audit[PM_AUDITS];
-    double *out = calloc((size_t)model->nout + 1, sizeof *out);
+    double audit[PM_AUDITS], trust[PM_TRUSTS];
+    double *out = calloc(2 * (size_t)model->nout + (size_t)model->nask + 1, sizeof *out);
     int32_t *reason = calloc((size_t)model->nask + 1, sizeof *reason);
     pm_record record = {ntrace, cap, 0, trace_program, history, mark};
     for (int64_t i = 0; i < ntrace && !status; i++)
@@ -186,7 +196,8 @@ int pm_trace(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
         w->reason = reason;
         w->audit = audit;
         w->trace = &record;
-        status = pm_run(w, param);
+        double *error = out + model->nout;
+        status = pm_error_run(w, param, NULL, error, error + model->nout, trust);
         report_where(w, where, detail);
         *needed = record.needed;
     }

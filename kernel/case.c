@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "body.h"
+#include "error.h"
 #include "program.h"
 
 #define NOTICEABLE 1.1 /* growth of the speed scale that is worth new weights */
@@ -148,9 +149,10 @@ static int read_settings(pm_workspace *w)
                                  k > PM_SETTING_ACCURACY);
         if (status) return status;
     }
-    w->tolerance = w->value[PM_SETTING(m, PM_SETTING_ACCURACY)];
-    if (w->tolerance > 1e-2)
-        return out_of_bound(w, PM_TABLE_SETTING, 0, PM_SETTING_ACCURACY, w->tolerance, 1e-2);
+    w->accuracy = w->value[PM_SETTING(m, PM_SETTING_ACCURACY)];
+    if (w->accuracy > 1e-2)
+        return out_of_bound(w, PM_TABLE_SETTING, 0, PM_SETTING_ACCURACY, w->accuracy, 1e-2);
+    w->tolerance = pm_error_tolerance(w);
     return PM_OK;
 }
 
@@ -202,7 +204,7 @@ double pm_case_time_scale(const pm_workspace *w, const double *v, const double *
         const double length = i % 3 == 2 ? 1 : w->size;
         rate = fmax(rate, fmax(fabs(v[i]) / length, sqrt(fabs(a[i]) / length)));
     }
-    return rate > 0 ? 1 / rate : INFINITY;
+    return rate > 0 ? w->stretch / rate : INFINITY;
 }
 
 int pm_case_begin(pm_workspace *w, const double *param)

@@ -9,12 +9,15 @@
 
 #include "ask.h"
 #include "body.h"
+#include "decision.h"
+#include "error.h"
 #include "root.h"
 #include "route.h"
 #include "saddle.h"
 
-#define ON_ZERO 1e-12 /* of a function's greatest size in the step: zero when the phase begins */
-#define HALVINGS 30   /* of a step, to find the top of a short bounce */
+#define ON_ZERO 1e-12  /* of a function's greatest size in the step: zero when the phase begins */
+#define RATE_STEP 1e-4 /* of the step: distance of the differences that make a rate */
+#define HALVINGS 30    /* of a step, to find the top of a short bounce */
 #define LEAVING \
     20 /* halvings of a step: a trigger has left its zero at the first place where it is seen off it */
 
@@ -74,7 +77,7 @@ static int crosses(const pm_event_function *f, double a, double b)
 }
 
 /* A dip of three nodes towards zero: the vertex of their parabola, if the function goes through zero there. */
-static int dips(pm_workspace *w, const pm_event_function *f, const double *g, const double *x, double *where,
+static int dips(pm_workspace *w, pm_event_function *f, const double *g, const double *x, double *where,
                 double *value)
 {
     const double s = g[1] > 0 ? 1 : -1, a = s * g[0], b = s * g[1], c = s * g[2];
@@ -85,7 +88,11 @@ static int dips(pm_workspace *w, const pm_event_function *f, const double *g, co
     const double slope = (right * (x[1] - x[0]) - left * (x[2] - x[1])) / (x[2] - x[0]);
     if (b - slope * slope / (4 * bend) > 0.1 * b) return 0;
     *where = x[1] - slope / (2 * bend);
-    *value = along(w, *where, (void *)(uintptr_t)f);
+    *value = along(w, *where, f);
+    if (s * *value > 0 && s * *value < f->near) {
+        f->near = s * *value;
+        f->near_reach = fmax(a, c);
+    }
     return s * *value <= 0;
 }
 
@@ -184,6 +191,15 @@ static int exactly(pm_workspace *w, double x, void *context, double *value)
     return status;
 }
 
+/* How fast the function goes through its zero: a decision, for it might not have reached it. */
+static void take_rate(pm_workspace *w, int function, double x)
+{
+    if (!w->error->active) return;
+    pm_event_function *f = &w->event->function[function];
+    const double d = RATE_STEP * (w->step_end - w->step_begin);
+    pm_decision_rate(w, function, (along(w, x + d, f) - along(w, x - d, f)) / (2 * d));
+}
+
 int pm_crossing_first(pm_workspace *w, double from, double *first, double *taken)
 {
     pm_event_set *e = w->event;
@@ -210,6 +226,7 @@ int pm_crossing_first(pm_workspace *w, double from, double *first, double *taken
         }
     }
     if (earliest == PM_NONE || *first <= w->step_begin) return PM_OK;
+    take_rate(w, earliest, *first);
     return pm_root_polish(w, along, exactly, &e->function[earliest], first, taken);
 }
 

@@ -61,11 +61,16 @@ void pm_event_free(pm_workspace *w)
 }
 
 /* ---- the functions of a phase ---- */
-static void add(pm_workspace *w, int kind, int index, int direction, int level, double slack)
+static void add(pm_workspace *w, int kind, int index, int direction, int level, double slack, double natural)
 {
     pm_event_set *e = w->event;
-    e->function[e->nfunction++] = (pm_event_function){
-        .kind = kind, .index = index, .direction = direction, .level = level, .slack = slack};
+    e->function[e->nfunction++] = (pm_event_function){.kind = kind,
+                                                      .index = index,
+                                                      .direction = direction,
+                                                      .level = level,
+                                                      .slack = slack,
+                                                      .natural = natural,
+                                                      .near = INFINITY};
     if (level > e->level) e->level = level;
 }
 
@@ -80,7 +85,7 @@ static void add_triggers(pm_workspace *w)
         w->event->due[i] = in_time ? pm_trigger_due(w, i) : INFINITY;
         if (in_time || e[PM_TRIGGER_KIND] > PM_TRIGGER_EVERY) continue;
         add(w, FUNCTION_TRIGGER, i, direction[e[PM_TRIGGER_KIND]],
-            w->model->program_level[e[PM_TRIGGER_PROGRAM]], 0);
+            w->model->program_level[e[PM_TRIGGER_PROGRAM]], 0, 1);
         pm_event_function *f = &w->event->function[w->event->nfunction - 1];
         f->held = w->event->fired[i];
         f->every = e[PM_TRIGGER_KIND] == PM_TRIGGER_EVERY;
@@ -98,17 +103,17 @@ static double force_scale(const pm_workspace *w)
 static void add_contacts(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    const double force = FORCE_SLACK * force_scale(w);
+    const double size = force_scale(w), force = FORCE_SLACK * size;
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++)
-        add(w, FUNCTION_GAP, i, -1, PM_LEVEL_KINEMATIC, pm_contact_length(w));
+        add(w, FUNCTION_GAP, i, -1, PM_LEVEL_KINEMATIC, pm_contact_length(w), w->size);
     for (int i = 0; i < m->nslot; i++) {
         const int mode = w->state.slot[i].mode;
         if (mode == PM_OPEN) continue;
-        add(w, FUNCTION_NORMAL, i, -1, PM_LEVEL_DYNAMIC, force);
+        add(w, FUNCTION_NORMAL, i, -1, PM_LEVEL_DYNAMIC, force, size);
         if (mode == PM_STICK && pm_contact_friction(m, pm_contact_of_slot(m, i)) == PM_FRICTION_COULOMB)
-            add(w, FUNCTION_GRIP, i, -1, PM_LEVEL_DYNAMIC, force);
+            add(w, FUNCTION_GRIP, i, -1, PM_LEVEL_DYNAMIC, force, size);
         if (mode == PM_SLIDE_FORWARD || mode == PM_SLIDE_BACKWARD)
-            add(w, FUNCTION_SLIP, i, -1, PM_LEVEL_KINEMATIC, pm_contact_speed(w));
+            add(w, FUNCTION_SLIP, i, -1, PM_LEVEL_KINEMATIC, pm_contact_speed(w), w->speed);
     }
 }
 

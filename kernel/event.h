@@ -12,15 +12,18 @@
 enum pm_function_kind { FUNCTION_TRIGGER, FUNCTION_GAP, FUNCTION_NORMAL, FUNCTION_GRIP, FUNCTION_SLIP };
 
 typedef struct pm_event_function {
-    int kind;         /* enum pm_function_kind */
-    int index;        /* trigger, contact or slot */
-    int direction;    /* 0: either way, 1: rising, -1: falling */
-    int level;        /* enum pm_level it needs */
-    int held;         /* zero when the phase began, or just fired: must first be left */
-    int every;        /* the samples are places along multiples: see pm_event_sample */
-    double since;     /* x from which it is held */
-    double slack;     /* a held function counts as crossed only below -slack */
-    double low, high; /* `every`: the multiples below and above */
+    int kind;          /* enum pm_function_kind */
+    int index;         /* trigger, contact or slot */
+    int direction;     /* 0: either way, 1: rising, -1: falling */
+    int level;         /* enum pm_level it needs */
+    int held;          /* zero when the phase began, or just fired: must first be left */
+    int every;         /* the samples are places along multiples: see pm_event_sample */
+    double since;      /* x from which it is held */
+    double slack;      /* a held function counts as crossed only below -slack */
+    double natural;    /* its natural size; of a trigger 1 */
+    double near;       /* least value where it came close and turned back, since the last instant */
+    double near_reach; /* its value on both sides of there */
+    double low, high;  /* `every`: the multiples below and above */
 } pm_event_function;
 
 typedef struct pm_event_set {

@@ -22,8 +22,6 @@
 
 /* The errors of backward differences add up, and the same accuracy should mean about the same error whatever
  * the route. */
-#define TIGHTER 1e-2       /* of the accuracy asked */
-#define TIGHTEST 1e-12     /* below it steps follow rounding */
 #define LEDGER_WEIGHT 1e-2 /* of an entry that is controlled: it feeds nothing back */
 #define ROUNDING 3.6e-15   /* of a value: smaller errors are not told from rounding (angles and L grow) */
 
@@ -113,7 +111,7 @@ void pm_ida_system_scale(pm_workspace *w)
     const pm_model *m = w->model;
     pm_ida *r = w->ida;
     const int l = pm_ida_place_l(w), mu = pm_ida_place_mu(w);
-    const double tolerance = r->tolerance = fmax(TIGHTER * w->tolerance, TIGHTEST);
+    const double tolerance = r->tolerance = fmax(PM_IDA_TIGHTER * w->tolerance, PM_IDA_TIGHTEST);
     double *weight = r->weight, mass = 0;
     for (int i = 0; i < m->nbody; i++) mass += w->mass[i];
     for (int i = 0; i < m->nq; i++) {

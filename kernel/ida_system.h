@@ -4,6 +4,9 @@
 
 #include "ida.h"
 
+#define PM_IDA_TIGHTER 1e-2   /* of the tolerance: IDA's errors are far above what it is asked for */
+#define PM_IDA_TIGHTEST 1e-12 /* below it steps follow rounding */
+
 /* The length of the phase's unknowns, from the active rows. */
 void pm_ida_system_layout(pm_workspace *w);
 /* Consistent y, y' at w->state; the frame becomes DYNAMIC there. */

@@ -5,6 +5,7 @@
 
 #include "ask.h"
 #include "body.h"
+#include "decision.h"
 #include "event.h"
 #include "jump.h"
 #include "mode.h"
@@ -19,6 +20,7 @@
 static int act(pm_workspace *w)
 {
     int jumped, status;
+    pm_decision_instant(w);
     pm_ask_look_before(w);
     pm_trigger_look_before(w);
     pm_mode_begin(w);
@@ -49,6 +51,7 @@ static void mark_rest(pm_workspace *w)
 /* Fires what is due at the frame and answers for it. */
 static int close(pm_workspace *w, int *ended)
 {
+    pm_decision_close(w);
     pm_trigger_commit(w);
     pm_ask_instant(w);
     w->count[PM_COUNT_EVENTS]++;
@@ -111,6 +114,7 @@ int pm_instant_mark(pm_workspace *w, int *ended)
     pm_frame_look_state(w, &w->state);
     if (!status && w->ask->instant_level == PM_LEVEL_DYNAMIC) status = pm_saddle_accelerate(w);
     if (status) return status;
+    pm_decision_instant(w);
     pm_ask_look_before(w);
     status = close(w, ended);
     return status ? status : pm_trace_row(w, 2);

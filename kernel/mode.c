@@ -9,6 +9,7 @@
 #include "active.h"
 #include "body.h"
 #include "contact.h"
+#include "decision.h"
 #include "event.h"
 #include "project.h"
 #include "row.h"
@@ -86,9 +87,12 @@ static double force_size(const pm_workspace *w)
 static int let_go(pm_workspace *w)
 {
     int worst = PM_NONE;
-    double least = -SLACK * force_size(w);
+    const double size = force_size(w);
+    double least = -SLACK * size;
     for (int i = 0; i < w->model->nslot; i++) {
-        if (w->slot_normal[i] == PM_NONE || w->frame.lambda[w->slot_normal[i]] >= least) continue;
+        if (w->slot_normal[i] == PM_NONE) continue;
+        pm_decision_sign(w, i, w->frame.lambda[w->slot_normal[i]], size);
+        if (w->frame.lambda[w->slot_normal[i]] >= least) continue;
         least = w->frame.lambda[w->slot_normal[i]];
         worst = i;
     }
@@ -101,14 +105,16 @@ static int let_go(pm_workspace *w)
 /* The first sticking contact that needs more than mu N begins to slide; 1 if there was one. */
 static int slide(pm_workspace *w)
 {
-    const double slack = SLACK * force_size(w);
+    const double size = force_size(w);
     for (int i = 0; i < w->model->nslot; i++) {
         const int contact = pm_contact_of_slot(w->model, i);
         if (w->slot_tangent[i] == PM_NONE || w->slot_normal[i] == PM_NONE) continue;
         if (pm_contact_friction(w->model, contact) != PM_FRICTION_COULOMB) continue;
         const double friction = w->frame.lambda[w->slot_tangent[i]],
                      normal = w->frame.lambda[w->slot_normal[i]];
-        if (fabs(friction) <= pm_contact_static(w, contact) * normal + slack) continue;
+        const double room = pm_contact_static(w, contact) * normal - fabs(friction);
+        pm_decision_sign(w, i, room, size);
+        if (room >= -SLACK * size) continue;
         w->state.slot[i].mode = slide_against(friction);
         return 1;
     }

@@ -272,6 +272,8 @@ static int check_settings(const pm_model *m, pm_where *where)
 {
     const int route = PM_SETTING(m, PM_SETTING_ROUTE);
     if (route < 0 || route >= PM_ROUTES) return bad(where, PM_TABLE_SETTING, 0, route, PM_ROUTES);
+    const int estimate = PM_SETTING(m, PM_SETTING_ESTIMATE);
+    if (estimate < 0 || estimate > 1) return bad(where, PM_TABLE_SETTING, 0, estimate, 1);
     if (PM_SETTING(m, PM_SETTING_MAX_EVENTS) < 1) return bad(where, PM_TABLE_SETTING, 0, 0, 1);
     if (PM_SETTING(m, PM_SETTING_MAX_STEPS) < 1) return bad(where, PM_TABLE_SETTING, 0, 0, 1);
     return PM_OK;

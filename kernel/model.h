@@ -130,6 +130,7 @@ struct pm_route_ops;
 struct pm_event_set;
 struct pm_ask_set;
 struct pm_find;
+struct pm_error_set;
 
 typedef struct pm_workspace {
     const pm_model *model;
@@ -142,7 +143,9 @@ typedef struct pm_workspace {
     double gravity[2];
     double size;           /* length scale of the scene, m */
     double speed;          /* speed scale, m/s, grows with the motion */
+    double accuracy;       /* asked, relative, of the answers */
     double tolerance;      /* relative tolerance of integration */
+    double stretch;        /* of the motion's own time: 1, but in a companion (error.c) */
     pm_state state, start; /* now; at t = 0 after the assembly */
     pm_state probe;        /* a state inside a step */
     pm_state ahead;        /* the end of a step while an instant inside it is marked */
@@ -182,6 +185,7 @@ typedef struct pm_workspace {
     struct pm_event_set *event;
     struct pm_ask_set *ask;
     struct pm_find *find; /* NULL where nothing is sought */
+    struct pm_error_set *error;
     pm_where where;
     pm_slot *slot_before;         /* [nslot] modes when the instant began */
     unsigned char *slot_released; /* [nslot] let go at this instant: not closed again at it */

@@ -93,3 +93,36 @@ int pm_nature_reads_counts(const pm_model *m, int program)
 {
     return reads(m, program, PM_MEASURE_EVENT_COUNT, PM_MEASURE_EVENT_TIME);
 }
+
+/* Continuous (1) or not (0): what leaves an operation, from the greatest of its operands. */
+static int smooth(int op, int operand)
+{
+    switch (op) {
+    case PM_OP_LT:
+    case PM_OP_LE:
+    case PM_OP_GT:
+    case PM_OP_GE:
+    case PM_OP_EQ:
+    case PM_OP_NE:
+    case PM_OP_AND:
+    case PM_OP_OR:
+    case PM_OP_NOT:
+    case PM_OP_FLOOR: return 0;
+    default: return operand;
+    }
+}
+
+int pm_nature_is_discrete(const pm_model *m, int program)
+{
+    int stack[PM_STACK], top = -1, length;
+    const int32_t *code = code_of(m, program, &length);
+    for (int i = 0; i < length; i++, code += PM_CODE_COLUMNS) {
+        const int op = code[PM_CODE_OP];
+        int continuous = 0;
+        for (int k = pm_program_operands(op); k > 0; k--) continuous |= stack[top--];
+        if (op == PM_OP_MEASURE)
+            continuous = PM_MEASURE_ROW(m, code[PM_CODE_ARG])[PM_MEASURE_KIND] != PM_MEASURE_EVENT_COUNT;
+        stack[++top] = smooth(op, continuous);
+    }
+    return !stack[0];
+}

@@ -17,4 +17,7 @@ int pm_nature_reads_time(const pm_model *m, int program);
 /* A program that the count or time of an event enters. */
 int pm_nature_reads_counts(const pm_model *m, int program);
 
+/* An integer, or a yes or no: only counts of events, constants and comparisons enter. */
+int pm_nature_is_discrete(const pm_model *m, int program);
+
 #endif

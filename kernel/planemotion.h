@@ -33,6 +33,7 @@ enum pm_status {
     PM_FIND_AT_BOUND =
         7,             /* what is sought lies at a bound of the interval, or where runs begin to fail: where =
                              varied parameter; detail = its value */
+    PM_UNDECIDED = 8,  /* the run came to its end, but its errors might have changed a decision on the way */
     PM_BAD_TABLE = -1, /* the tables contradict this header: where = table, row */
     PM_NO_MEMORY = -2,
     PM_BAD_VALUE = -3,      /* not finite or out of its bound: where = table, row; detail = value, bound */
@@ -365,7 +366,8 @@ enum pm_setting_column {
     PM_SETTING_MAX_EVENTS = 6,
     PM_SETTING_MAX_STEPS = 7,
     PM_SETTING_NUDGE = 8, /* program or PM_NONE: an unstable rest is left to the side where it becomes > 0 */
-    PM_SETTING_COLUMNS = 9
+    PM_SETTING_ESTIMATE = 9, /* 1: errors and margins are estimated, by further passes of the case */
+    PM_SETTING_COLUMNS = 10
 };
 
 /* ---- finds ----------------------------------------------------------------------------------------------------
@@ -397,10 +399,24 @@ enum pm_condition_kind {
 };
 enum pm_condition_column { PM_CONDITION_KIND = 0, PM_CONDITION_PROGRAM = 1, PM_CONDITION_COLUMNS = 2 };
 /* What a find says beside the answers; not a number where there is none. */
-enum pm_found_column { PM_FOUND_FIRST = 0, PM_FOUND_SECOND = 1, PM_FOUND_COLUMNS = 2 };
+enum pm_found_column {
+    PM_FOUND_FIRST = 0,
+    PM_FOUND_SECOND = 1,
+    PM_FOUND_FIRST_ERROR = 2, /* estimated, absolute */
+    PM_FOUND_SECOND_ERROR = 3,
+    PM_FOUND_COLUMNS = 4
+};
 
 /* ---- results -------------------------------------------------------------------------------------------------- */
 enum pm_audit { PM_AUDIT_ENERGY = 0, PM_AUDIT_MOMENTUM = 1, PM_AUDIT_CONSTRAINT = 2, PM_AUDITS = 3 };
+/* How far a case can be trusted; not a number where nothing was estimated. */
+enum pm_trust {
+    PM_TRUST_MARGIN =
+        0, /* least distance of a decision from its threshold over its error; infinite: none was taken */
+    PM_TRUST_EXCESS =
+        1, /* greatest error of an answer over what the accuracy asked allows; 1 or less: kept */
+    PM_TRUSTS = 2
+};
 /* Where a case failed: table and row (PM_NONE if nowhere in particular) and numbers that belong to the message. */
 enum pm_where_column { PM_WHERE_TABLE = 0, PM_WHERE_ROW = 1, PM_WHERE_MEMBER = 2, PM_WHERE_COLUMNS = 3 };
 enum pm_detail_column { PM_DETAIL_VALUE = 0, PM_DETAIL_BOUND = 1, PM_DETAIL_TIME = 2, PM_DETAIL_COLUMNS = 3 };
@@ -414,7 +430,9 @@ enum pm_count_column {
     PM_COUNT_RUNS =
         6, /* whole runs of the case: more than 1 in a find, whose last one the other counts are of */
     PM_COUNT_FOUND = 7, /* brackets of a find in which something was found */
-    PM_COUNT_COLUMNS = 8
+    PM_COUNT_PASSES =
+        8, /* of the case, the others for its errors; all other counts are of the one that answers */
+    PM_COUNT_COLUMNS = 9
 };
 /* What pm_check reports of the assembled start. */
 enum pm_check_column {
@@ -440,11 +458,15 @@ enum pm_check_number {
  *   out[ncase][nout], reason[ncase][nask], status[ncase], where[ncase][PM_WHERE_COLUMNS],
  *   detail[ncase][PM_DETAIL_COLUMNS], audit[ncase][PM_AUDITS], count[ncase][PM_COUNT_COLUMNS],
  *   found[ncase][PM_FOUND_COLUMNS]
+ *   error[ncase][nout]                   estimated, absolute, in the unit of out; not a number where there is none
+ *   margin[ncase][nask]                  that of the case for integers and yes-or-no answers, else not a number
+ *   trust[ncase][PM_TRUSTS]
  * Returns PM_OK, or PM_BAD_TABLE / PM_NO_MEMORY with where[0] set; then no case has run. */
 int pm_batch(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t ncase,
              int64_t nparam, const double *param, int nworker, const int32_t *stop, int64_t *progress,
              int64_t nout, double *out, int64_t nask, int32_t *reason, int32_t *status, int32_t *where,
-             double *detail, double *audit, int64_t *count, double *found);
+             double *detail, double *audit, int64_t *count, double *found, double *error, double *margin,
+             double *trust);
 
 /* Runs one case as pm_batch does, but with all parameters as given (no find), and records it: one row (t, program values) at every accepted step, before and
  * after every event; `mark` is 0 for a step, 1 before an event, 2 after it.

@@ -26,6 +26,8 @@ typedef struct pm_route_ops {
     int (*step)(pm_workspace *w, double t_limit);
     int (*at)(pm_workspace *w, double t, pm_state *s);
     int (*exact)(pm_workspace *w, double t, pm_state *s);
+    double finest; /* tolerance below which it does not get better */
+    double spread; /* how far its errors scatter about what goes with the tolerance, as a factor */
     int finds_roots;
     int in_time;           /* its progress coordinate is the time */
     const pm_nodes *nodes; /* where its steps are sampled */

@@ -9,6 +9,7 @@
 #include "audit.h"
 #include "body.h"
 #include "case.h"
+#include "error.h"
 #include "event.h"
 #include "force.h"
 #include "instant.h"
@@ -27,6 +28,7 @@ static int begin_case(pm_workspace *w, const double *param, pm_start_report *rep
     w->count[PM_COUNT_ROUTE] = w->route->route;
     w->event->nfunction = 0;
     w->turns = 0;
+    pm_error_begin(w);
     pm_trigger_reset(w);
     memset(w->joint_impulse, 0, (size_t)w->model->njoint_row * sizeof(double));
     memset(w->slot_impulse, 0, 2 * (size_t)w->model->nslot * sizeof(double));
@@ -70,7 +72,8 @@ int pm_run_start(pm_workspace *w, const double *param, pm_start_report *report)
 
 static int phase(pm_workspace *w, int *ended)
 {
-    int status;
+    int status = pm_error_disturb(w);
+    if (status) return status;
     pm_event_begin(w);
     if ((status = w->route->begin(w))) return status;
     w->count[PM_COUNT_PHASES]++;

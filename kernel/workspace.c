@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "ask.h"
+#include "error.h"
 #include "event.h"
 #include "find.h"
 #include "model.h"
@@ -103,6 +104,7 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
     if (!status) status = pm_state_create(m, &w->ahead);
     if (!status) status = pm_event_create(w);
     if (!status) status = pm_ask_create(w);
+    if (!status) status = pm_error_create(w);
     if (!status) status = pm_route_create(w);
     if (!status) status = pm_find_create(w);
     if (status) {
@@ -118,6 +120,7 @@ void pm_workspace_free(pm_workspace *w)
     if (!w) return;
     pm_find_free(w);
     pm_route_free(w);
+    pm_error_free(w);
     pm_ask_free(w);
     pm_event_free(w);
     pm_state_free(&w->ahead);

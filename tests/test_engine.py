@@ -202,7 +202,8 @@ grid = { of = "t", at = { each = "AB.angle", values = ["-20 deg", "50 deg"] } }
     assert (entry["id"], entry["file"], entry["status"], entry["route"]) == ("p", "p.toml", "ok", ["rk"])
     assert set(entry["audit"]) == {"energy", "momentum", "constraint"}
     asks = entry["asks"]
-    assert asks["omega"] == {"value": pytest.approx(90 / math.pi), "unit": "rpm"}
+    assert (asks["omega"]["value"], asks["omega"]["unit"]) == (pytest.approx(90 / math.pi), "rpm")
+    assert len(asks["list"]["error"]) == len(asks["list"]["value"])
     assert asks["none"] == {"value": None, "unit": "rad/s", "reason": "not reached"}
     assert asks["undefined"]["value"] is None
     assert asks["undefined"]["reason"].startswith("undefined")

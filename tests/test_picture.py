@@ -55,6 +55,8 @@ def result(
         run_status=status[:, None],
         route=np.full((cases, 1), PM_ROUTE_RK, np.int8),
         audit=np.full((cases, 1, PM_AUDITS), 1e-12),
+        error=np.empty((cases, 0), np.float32),
+        trust=np.empty((cases, 0), np.float32),
         message={},
     )
     layout = Layout(dims, tuple(coordinate for group in grids for coordinate in group), asks)

@@ -29,20 +29,22 @@ def block(first, count, columns=3, runs=1, message=None):
         run_status=np.zeros((count, runs), np.int32),
         route=np.full((count, runs), PM_ROUTE_RK, np.int8),
         audit=case[:, None, None] * np.full((1, runs, PM_AUDITS), 1e-15),
+        error=((case[:, None] + np.arange(columns) / 10) * 1e-12).astype(np.float32),
+        trust=(case[:, None] + np.array([100.0, 0.5])).astype(np.float32),
         message={at - first: text for at, text in (message or {}).items() if first <= at < first + count},
         seconds=0.25,
     )
 
 
-def layout(*sizes, runs=(), at=None):
+def layout(*sizes, runs=(), at=None, estimate=False):
     dims = tuple((f"p{i}", size) for i, size in enumerate(sizes))
     coordinates = tuple(Coordinate(name, name, "min", np.arange(size) + 0.5) for name, size in dims)
     asks = (AskVariable("v", "s", "t", 1, False), AskVariable("w", "h", "each t", 2, True, at))
-    return Layout(dims, coordinates, asks, runs)
+    return Layout(dims, coordinates, asks, runs, estimate)
 
 
 def same(a, b):
-    names = ("value", "reason", "status", "run_status", "route", "audit")
+    names = ("value", "reason", "status", "run_status", "route", "audit", "error", "trust")
     equal = all(getattr(a, name).tobytes() == getattr(b, name).tobytes() for name in names)
     return equal and (a.message, a.seconds) == (b.message, b.seconds)
 

@@ -114,7 +114,9 @@ class FakeEngine:
             progress[0] = i + 1
         progress[0] = n
         audit = np.stack([d * 1e-15] * PM_AUDITS, axis=1)
-        return SimpleNamespace(out=out, reason=reason, status=status, audit=audit, count=count)
+        trust = np.stack([1 + d, np.full(n, 0.5)], axis=1)
+        numbers = {"out": out, "error": 1e-12 * out, "audit": audit, "trust": trust}
+        return SimpleNamespace(**numbers, reason=reason, status=status, count=count)
 
     def message(self, flat, results, i):
         return f"case with status {results.status[i]}, as said"
@@ -280,7 +282,11 @@ def test_a_result_opens_in_xarray_with_labels_and_units(engine, tmp_path):
         assert data.identical(again)
         assert data.sizes == {"d": 501, "m": 4, "ask": 3, "list_number": 2}
         assert data.d.attrs["units"] == "in"
-        assert data["sum"].attrs == {"units": "ft", "long_name": "d"}
+        assert data["sum"].attrs == {"units": "ft", "long_name": "d", "ancillary_variables": "sum_error"}
+        assert data["sum_error"].attrs == {"units": "ft", "long_name": "estimated absolute error of sum"}
+        assert float(data["list_error"].sel(d=6, m=1)[1]) == pytest.approx(1e-12 * 2 * (6 * 0.0254) / RPM)
+        assert float(data["margin"].sel(d=6, m=1)) == pytest.approx(1 + 6 * 0.0254)
+        assert float(data["error_over_accuracy"].sel(d=6, m=1)) == 0.5
         assert float(data["sum"].sel(d=1.01, m=1)) == (1.01 * 0.0254 + 2) / 0.3048
         assert data.list.sel(d=6, m=1).values.tolist() == [2 / RPM, 2 * (6 * 0.0254) / RPM]
         failed = data.sel(d=1.5, m=13)
@@ -307,10 +313,13 @@ def test_the_table_has_a_row_per_case_and_the_status_last(engine, tmp_path):
     with open(tmp_path / "fake.csv", newline="") as file:
         header, *rows = csv.reader(file)
     asks = ["sum [ft]", "list[1] [rpm]", "list[2] [rpm]", "odd [1]"]
-    assert header == ["d [in]", "m [1]", *asks, "reason", "status"]
+    errors = ["sum error [ft]", "list error [rpm]", "odd error [1]", "margin"]
+    assert header == ["d [in]", "m [1]", *asks, *errors, "reason", "status"]
     assert len(rows) == 2004
-    assert rows[4] == ["1.01", "1.0", repr((1.01 * 0.0254 + 2) / 0.3048), *rows[4][3:6], "", "ok"]
-    assert rows[5][2:] == ["nan"] * 4 + [f"case with status {PM_ASSEMBLY}, as said", "assembly"]
+    assert rows[4][:3] == ["1.01", "1.0", repr((1.01 * 0.0254 + 2) / 0.3048)]
+    assert rows[4][6:] == ["6.65e-12", "1.91e-11", "1e-12", "1.03", "", "ok"]
+    assert rows[5][2:6] == ["nan"] * 4
+    assert rows[5][-2:] == [f"case with status {PM_ASSEMBLY}, as said", "assembly"]
     assert rows[7][2] == "nan"
     assert rows[7][-2:] == ["sum: not reached", "ok"]
 
@@ -611,7 +620,7 @@ def test_an_output_that_cannot_be_written_is_refused(engine, tmp_path, place):
 
 
 @pytest.mark.parametrize(
-    ("limit", "file"), [(500, "manifest.json"), (10_000, "part-"), (30_000, "fake.h5"), (105_000, "fake.csv")]
+    ("limit", "file"), [(500, "manifest.json"), (10_000, "part-"), (40_000, "fake.h5"), (141_000, "fake.csv")]
 )
 def test_a_full_disk_is_said_and_leaves_nothing_half_written(tmp_path, engine, limit, file):
     out = tmp_path / "out"

@@ -9,7 +9,8 @@
 #define OUTS 4
 
 typedef struct results {
-    double out[CASES][OUTS], audit[CASES][PM_AUDITS], detail[CASES][PM_DETAIL_COLUMNS];
+    double out[CASES][OUTS], error[CASES][OUTS], margin[CASES][OUTS], trust[CASES][PM_TRUSTS],
+        audit[CASES][PM_AUDITS], detail[CASES][PM_DETAIL_COLUMNS];
     int32_t reason[CASES][OUTS], status[CASES], where[CASES][PM_WHERE_COLUMNS];
     int64_t count[CASES][PM_COUNT_COLUMNS], progress;
     double found[CASES][PM_FOUND_COLUMNS];
@@ -47,13 +48,15 @@ static int run(const scene *s, results *x, int first, int n, int workers, const 
 {
     return pm_batch(s->ntable, s->table, s->nconstant, s->constant, n, s->nparam, param[first], workers, stop,
                     &x->progress, OUTS, x->out[first], OUTS, x->reason[first], x->status + first,
-                    x->where[first], x->detail[first], x->audit[first], x->count[first], x->found[first]);
+                    x->where[first], x->detail[first], x->audit[first], x->count[first], x->found[first],
+                    x->error[first], x->margin[first], x->trust[first]);
 }
 
 static int same(const results *a, const results *b)
 {
     return !memcmp(a->out, b->out, sizeof a->out) && !memcmp(a->audit, b->audit, sizeof a->audit) &&
-           !memcmp(a->detail, b->detail, sizeof a->detail) &&
+           !memcmp(a->error, b->error, sizeof a->error) && !memcmp(a->margin, b->margin, sizeof a->margin) &&
+           !memcmp(a->trust, b->trust, sizeof a->trust) && !memcmp(a->detail, b->detail, sizeof a->detail) &&
            !memcmp(a->reason, b->reason, sizeof a->reason) &&
            !memcmp(a->status, b->status, sizeof a->status) && !memcmp(a->where, b->where, sizeof a->where) &&
            !memcmp(a->count, b->count, sizeof a->count);
@@ -123,12 +126,12 @@ static void stopped_inside(void)
     scene_pack(s);
     static int32_t stop = 0;
     int32_t status, reason[1], where[3];
-    double out[1], detail[3], audit[3], found[PM_FOUND_COLUMNS];
+    double out[1], detail[3], audit[3], found[PM_FOUND_COLUMNS], trust[PM_TRUSTS];
     int64_t count[PM_COUNT_COLUMNS], progress = 0;
     pthread_t thread;
     CHECK(pthread_create(&thread, NULL, raise_soon, &stop) == 0);
     EQUAL(pm_batch(s->ntable, s->table, s->nconstant, s->constant, 1, 0, detail, 1, &stop, &progress, 0, out,
-                   0, reason, &status, where, detail, audit, count, found),
+                   0, reason, &status, where, detail, audit, count, found, out, out, trust),
           PM_OK);
     pthread_join(thread, NULL);
     EQUAL(status, PM_CANCELLED);
@@ -142,7 +145,7 @@ static void wrong_sizes(void)
     const int32_t stop = 0;
     EQUAL(pm_batch(s->ntable, s->table, s->nconstant, s->constant, 1, s->nparam, param[0], 1, &stop,
                    &x.progress, OUTS + 1, x.out[0], OUTS, x.reason[0], x.status, x.where[0], x.detail[0],
-                   x.audit[0], x.count[0], x.found[0]),
+                   x.audit[0], x.count[0], x.found[0], x.error[0], x.margin[0], x.trust[0]),
           PM_BAD_TABLE);
     EQUAL(x.where[0][PM_WHERE_TABLE], PM_TABLE_ASK);
     scene_free(s);

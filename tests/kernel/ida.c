@@ -345,12 +345,14 @@ static void same_bits(void)
     scene_pack(s);
     double param[2][CASES], out[2][CASES], detail[CASES * PM_DETAIL_COLUMNS], audit[CASES * PM_AUDITS];
     double found[CASES * PM_FOUND_COLUMNS];
+    double error[CASES], margin[CASES], trust[CASES * PM_TRUSTS];
     int32_t reason[CASES], status[CASES], where[CASES * PM_WHERE_COLUMNS], stop = 0;
     int64_t progress = 0, count[CASES * PM_COUNT_COLUMNS];
     for (int i = 0; i < CASES; i++) param[0][i] = param[1][CASES - 1 - i] = -9 - 0.3 * i;
     for (int run = 0; run < 2; run++) {
         EQUAL(pm_batch(s->ntable, s->table, s->nconstant, s->constant, CASES, 1, param[run], run + 1, &stop,
-                       &progress, 1, out[run], 1, reason, status, where, detail, audit, count, found),
+                       &progress, 1, out[run], 1, reason, status, where, detail, audit, count, found, error,
+                       margin, trust),
               PM_OK);
         for (int i = 0; i < CASES; i++) EQUAL(status[i], PM_OK);
     }

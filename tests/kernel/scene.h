@@ -37,7 +37,8 @@ typedef struct scene {
     int32_t *table; /* as packed for the kernel */
     int64_t ntable;
     /* what the last run gave */
-    double out[SCENE_OUTS], audit[PM_AUDITS], detail[PM_DETAIL_COLUMNS];
+    double out[SCENE_OUTS], error[SCENE_OUTS], margin[SCENE_OUTS], trust[PM_TRUSTS], audit[PM_AUDITS],
+        detail[PM_DETAIL_COLUMNS];
     int32_t reason[SCENE_OUTS], where[PM_WHERE_COLUMNS];
     int64_t count[PM_COUNT_COLUMNS];
     double found[PM_FOUND_COLUMNS];
@@ -260,7 +261,7 @@ static inline scene *scene_create(void)
     if (!s) abort();
     const int none = scene_value(s, 0);
     SCENE_ROW(s, PM_TABLE_SETTING, none, scene_value(s, -9.81), scene_value(s, 1e-11), scene_value(s, 1000),
-              scene_value(s, 1e-12), PM_ROUTE_RK, 20000, 300000, PM_NONE);
+              scene_value(s, 1e-12), PM_ROUTE_RK, 20000, 300000, PM_NONE, 0);
     return s;
 }
 
@@ -309,7 +310,7 @@ static inline int scene_run(scene *s, const double *param)
     const int result =
         pm_batch(s->ntable, s->table, s->nconstant, s->constant, 1, s->nparam, param ? param : &none, 1,
                  &stop, &progress, s->nout, s->out, s->rows[PM_TABLE_ASK], s->reason, &status, s->where,
-                 s->detail, s->audit, s->count, s->found);
+                 s->detail, s->audit, s->count, s->found, s->error, s->margin, s->trust);
     s->status = result ? result : status;
     return s->status;
 }

@@ -124,7 +124,7 @@ class Scene:
         return self._update("find", keys)
 
     def solve(self, **settings: Any) -> Self:
-        """Settings: route, accuracy, max_time, max_events, max_steps, assembly."""
+        """Settings: route, accuracy, estimate, max_time, max_events, max_steps, assembly."""
         return self._update("solve", settings)
 
     # ---- what it says ----

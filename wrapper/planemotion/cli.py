@@ -226,25 +226,41 @@ def _answers(scene: Scene, result: RunResult) -> str:
     rows = [(key, *_value_and_unit(ask)) for key, ask in result.asks.items()]
     keys = max((len(row[0]) for row in rows), default=0)
     numbers = max((len(row[1]) for row in rows if not row[3]), default=0)
-    for key, number, unit, is_list, note in rows:
-        value = number if is_list else f"{number:>{numbers}}"
-        tail = click.style(f"  ({note})", dim=True) if note else ""
-        lines.append(f"  {key:<{keys}}  {value}  {unit}".rstrip() + tail)
+    units = max((len(row[2]) for row in rows if not row[3]), default=0)
+    for key, number, unit, is_list, *notes in rows:
+        value = f"{number}  {unit}" if is_list else f"{number:>{numbers}}  {unit:<{units}}"
+        tail = "".join(click.style(f"  {note}", dim=True) for note in notes if note)
+        lines.append(f"  {key:<{keys}}  {value}{tail}" if tail else f"  {key:<{keys}}  {value}".rstrip())
     audit = ", ".join(
         f"{name} {'-' if value is None else f'{value:.1e}'}" for name, value in result.audit.items()
     )
     lines.append(click.style(f"  audit: {audit}; route: {', '.join(result.route) or 'none'}", dim=True))
+    lines += [click.style(f"  {note}", fg="yellow") for note in result.notes]
     return "\n".join(lines) + "\n\n"
 
 
-def _value_and_unit(ask: AskValue) -> tuple[str, str, bool, str]:
-    """The answer as text, its unit, whether it is a list, and why something is missing."""
-    unit = "" if ask.unit == "1" else ask.unit
+def _value_and_unit(ask: AskValue) -> tuple[str, str, bool, str, str]:
+    """The answer as text, its unit, whether it is a list, its error, and why something is missing."""
+    unit, error, reason = (
+        "" if ask.unit == "1" else ask.unit,
+        _error(ask),
+        f"({ask.reason})" if ask.reason else "",
+    )
     if not isinstance(ask.value, list):
-        return _number(ask.value), unit, False, ask.reason
+        return _number(ask.value), unit, False, error, reason
     shown = [_number(value) for value in ask.value[:_SHOWN_OF_LIST]]
     more = [f"... {len(ask.value)} values"] if len(ask.value) > _SHOWN_OF_LIST else []
-    return ", ".join([*shown, *more]) or "-", unit, True, ask.reason
+    return ", ".join([*shown, *more]) or "-", unit, True, error, reason
+
+
+def _error(ask: AskValue) -> str:
+    """The estimated error, of a list the greatest, or the margin."""
+    if ask.margin is not None:
+        return f"margin {ask.margin:.1e}"
+    if ask.error is None:
+        return ""
+    errors = ask.error if isinstance(ask.error, list) else [ask.error]
+    return f"\u00b1 {max(error for error in errors if error is not None):.1e}"
 
 
 def _number(value: float | None) -> str:

@@ -43,8 +43,9 @@ class CaseResults:
     """What the kernel says of each case; row i belongs to case i.
 
     `out` [ncase, nout] in SI (not-a-number where there is no answer), `reason` [ncase, nask], `status`
-    [ncase], `where` [ncase, 3], `detail` [ncase, 3], `audit` [ncase, 3], `count` [ncase, 8], `found`
-    [ncase, 2] (the sought parameters, SI): the columns are those of planemotion.h.  `param`
+    [ncase], `where` [ncase, 3], `detail` [ncase, 3], `audit` [ncase, 3], `count` [ncase, 9], `found`
+    [ncase, 4] (the sought parameters and their errors, SI), `error` [ncase, nout or 1] as `out`, `margin`
+    [ncase, nask or 1], `trust` [ncase, 2]: the columns are those of planemotion.h.  `param`
     [ncase, parameters]: as given.
     """
 
@@ -57,6 +58,9 @@ class CaseResults:
     count: Longs
     found: Floats
     param: Floats
+    error: Floats
+    margin: Floats
+    trust: Floats
 
 
 @dataclass(frozen=True)
@@ -114,12 +118,18 @@ def run_cases(
         count=np.zeros((count, layout.PM_COUNT_COLUMNS), np.int64),
         found=np.full((count, layout.PM_FOUND_COLUMNS), np.nan),
         param=cases,
+        error=np.full((count, max(flat.out_columns, 1)), np.nan),
+        margin=np.full((count, max(len(flat.asks), 1)), np.nan),
+        trust=np.full((count, layout.PM_TRUSTS), np.nan),
     )
     if count == 0:
         return results
     arrays = (results.out, results.reason, results.status, results.where)
     more = (results.detail, results.audit, results.count, results.found)
-    status = _kernel().pm_batch(flat.table, flat.constant, cases, workers, stop, progress, *arrays, *more)
+    errors = (results.error, results.margin, results.trust)
+    status = _kernel().pm_batch(
+        flat.table, flat.constant, cases, workers, stop, progress, *arrays, *more, *errors
+    )
     if status != layout.PM_OK:
         _raise(flat, status, results.where[0], results.detail[0])
     return results
@@ -264,6 +274,11 @@ _DESCRIPTIONS: dict[int, Any] = {
     layout.PM_CANCELLED: lambda place, found, bound: "cancelled before it was finished",
     layout.PM_STAYS_AT_REST: lambda place, found, bound: (
         "until: not reached; everything has come to rest and stays"
+    ),
+    layout.PM_UNDECIDED: lambda place, found, bound: (
+        "the run came to its end, but a decision on the way (what fires first, what touches, what holds) is "
+        f"closer to its threshold than the errors of the run: margin {found:.2g}, at least 1 is wanted; "
+        "ask for more solve.accuracy"
     ),
     layout.PM_BAD_VALUE: lambda place, found, bound: (
         f"{place or 'a value'}: it is {found:.6g} (SI); the bound is {bound:.6g}"

@@ -6,6 +6,10 @@ one dimension per swept parameter (those of a zip share the first one's), on whi
     the swept parameters     coordinates, in the unit of the grid
     each ask                 float, in its unit, NaN without an answer; a list has one more dimension,
                              KEY_at (the values of its grid) or KEY_number
+    KEY_error                its estimated absolute error, likewise (not with solve.estimate = false)
+    margin                   least distance of a decision on the way from its threshold, over its error: below
+                             1 counts and outcomes are not certain; infinite if there was none (likewise)
+    error_over_accuracy      greatest estimated error over what solve.accuracy allows (likewise)
     status                   int, enum pm_status: 0 ok, > 0 an early stop, < 0 a failure
     reason                   int per ask, enum pm_reason: why it is NaN
     message                  text of what was wrong, "" where all is well
@@ -31,15 +35,17 @@ import h5py
 import numpy as np
 import numpy.typing as npt
 
-from ._layout import pm_audit, pm_reason, pm_route, pm_status
+from ._layout import PM_TRUST_EXCESS, PM_TRUST_MARGIN, pm_audit, pm_reason, pm_route, pm_status
 from .errors import StudyError
-from .store import Block, Floats, appearing
+from .store import Block, Floats, Singles, appearing
 
 # Cases, and numbers, that are turned into text at once.
 _TABLE_CASES = 65536
 _TABLE_NUMBERS = 1 << 20
 # Elements of a chunk of the messages: what is never written, the cases that ended well, takes no space.
 _MESSAGE_CHUNK = 4096
+# Significant digits of an error in the table.
+_ERROR_DIGITS = 3
 
 
 def _words(enumeration: Mapping[str, int], prefix: str, count: str = "") -> dict[int, str]:
@@ -51,12 +57,22 @@ STATUS_WORDS = _words(pm_status, "PM_")
 REASON_WORDS = _words(pm_reason, "PM_REASON_")
 ROUTE_WORDS = _words(pm_route, "PM_ROUTE_", "PM_ROUTES")
 AUDIT_WORDS = _words(pm_audit, "PM_AUDIT_", "PM_AUDITS")
+TRUST_WORDS = {PM_TRUST_MARGIN: "margin", PM_TRUST_EXCESS: "error_over_accuracy"}
+_TRUST_TEXTS = {
+    PM_TRUST_MARGIN: "least distance of a decision from its threshold over its error",
+    PM_TRUST_EXCESS: "greatest estimated error over what solve.accuracy allows",
+}
 
 # Names in the result besides those of parameters and asks.
 RESERVED_NAMES = frozenset(
-    {"status", "reason", "message", "route", "run", "run_status", "ask"}
+    {"status", "reason", "message", "route", "run", "run_status", "ask", *TRUST_WORDS.values()}
     | {f"audit_{word}" for word in AUDIT_WORDS.values()}
 )
+
+
+def error_name(key: str) -> str:
+    """The variable of the errors of the ask `key`."""
+    return f"{key}_error"
 
 
 @dataclass(frozen=True)
@@ -81,6 +97,11 @@ class AskVariable:
     at: tuple[str, Floats] | None = None
 
     @property
+    def error(self) -> str:
+        """The variable of its errors."""
+        return error_name(self.key)
+
+    @property
     def dim(self) -> tuple[str, ...]:
         """The dimension of a list: its grid's values, or else the numbers 1, 2, ..."""
         if not self.is_list:
@@ -90,12 +111,14 @@ class AskVariable:
 
 @dataclass(frozen=True)
 class Layout:
-    """Names and sizes of everything in a result; `runs` are the named runs, empty if the scene has none."""
+    """Names and sizes of everything in a result; `runs` are the named runs, empty if the scene has none;
+    `estimate`: whether there are errors."""
 
     dims: tuple[tuple[str, int], ...]
     coordinates: tuple[Coordinate, ...]
     asks: tuple[AskVariable, ...]
     runs: tuple[str, ...] = ()
+    estimate: bool = False
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -213,7 +236,13 @@ def _declare(file: Any, layout: Layout) -> None:
         variable.attrs.update({**attributes, **({"coordinates": zipped} if zipped else {})})
 
     for ask in layout.asks:
-        declare(ask.key, (*grid, *ask.dim), "f8", units=ask.unit or "1", long_name=ask.text)
+        ancillary = {"ancillary_variables": ask.error} if layout.estimate else {}
+        declare(ask.key, (*grid, *ask.dim), "f8", units=ask.unit or "1", long_name=ask.text, **ancillary)
+    for ask in layout.asks if layout.estimate else ():
+        text = f"estimated absolute error of {ask.key}"
+        declare(ask.error, (*grid, *ask.dim), "f4", units=ask.unit or "1", long_name=text)
+    for column, word in TRUST_WORDS.items() if layout.estimate else ():
+        declare(word, grid, "f4", units="1", long_name=_TRUST_TEXTS[column])
     declare("status", grid, "i4", long_name="how the case ended", **_flags(STATUS_WORDS, np.int32))
     declare(
         "reason", (*grid, "ask"), "i1", long_name="why there is no number", **_flags(REASON_WORDS, np.int8)
@@ -278,8 +307,13 @@ def _write_box(file: Any, layout: Layout, box: tuple[slice, ...], block: Block, 
 
     column = 0
     for ask in layout.asks:
-        write(ask.key, block.value[:, column : column + ask.count] if ask.is_list else block.value[:, column])
+        columns = slice(column, column + ask.count) if ask.is_list else column
+        write(ask.key, block.value[:, columns])
+        if layout.estimate:
+            write(ask.error, block.error[:, columns])
         column += ask.count
+    for index, word in TRUST_WORDS.items() if layout.estimate else ():
+        write(word, block.trust[:, index])
     per_run = slice(None) if layout.runs else 0
     write("status", block.status)
     write("reason", block.reason)
@@ -303,7 +337,8 @@ def write_csv(result: Path, table: Path) -> None:
     """Writes the result of a sweep as a table, one row per case in C order; it appears whole or not at all.
 
     Columns: the swept parameters and the asks, with units in the header ("d [in]"; the numbers of a list:
-    "v[1] [m/s]", ...), then `reason` (why something is missing) and, last, `status` as a word.  Numbers have
+    "v[1] [m/s]", ...), their estimated errors ("v error [m/s]", of a list the greatest) and the margin, then
+    `reason` (why something is missing) and, last, `status` as a word.  Numbers have
     as many digits as give back the same bits; missing ones are nan.  Raises StudyError if `result` cannot
     be read or `table` cannot be written.
     """
@@ -337,6 +372,12 @@ class _Columns:
             numbers = range(1, math.prod(variable.shape[len(self._grid) :]) + 1)
             names = [f"{key}[{number}]" for number in numbers] if self._is_list(key) else [key]
             self.header += [f"{name} [{variable.attrs['units']}]" for name in names]
+        self.answers = len(self.header)  # columns in front of the evidence
+        self._has_errors = TRUST_WORDS[PM_TRUST_MARGIN] in self._variables
+        if self._has_errors:
+            units = [self._variables[key].attrs["units"] for key in self._asks]
+            self.header += [f"{key} error [{unit}]" for key, unit in zip(self._asks, units, strict=True)]
+            self.header.append(TRUST_WORDS[PM_TRUST_MARGIN])
         self.header += ["reason", "status"]
 
     def slices(self) -> Iterator[tuple[int, int]]:
@@ -354,9 +395,21 @@ class _Columns:
         for key in self._asks:
             numbers = self._read(key, first, count)
             columns += numbers.T.tolist() if self._is_list(key) else [numbers.tolist()]
+        if self._has_errors:
+            columns += [self._greatest_error(key, first, count) for key in self._asks]
+            columns.append(_rounded(self._read(TRUST_WORDS[PM_TRUST_MARGIN], first, count)))
         columns.append(self._reasons(first, count))
         columns.append(self.statuses(first, count))
         return zip(*columns, strict=True)
+
+    def _greatest_error(self, key: str, first: int, count: int) -> list[float]:
+        """The error of an ask, of a list the greatest of those known."""
+        errors = self._read(error_name(key), first, count)
+        return _rounded(np.fmax.reduce(errors, axis=1) if self._is_list(key) else errors)
+
+    def for_people(self, row: Sequence[Any]) -> tuple[Any, ...]:
+        """A row without the errors: they make a table too wide to read."""
+        return (*row[: self.answers], *row[-2:])
 
     def statuses(self, first: int, count: int) -> list[str]:
         """The statuses of these cases as words."""
@@ -383,6 +436,11 @@ class _Columns:
         further = variable.shape[len(self.shape) :]
         boxes = [variable[box].reshape(-1, *further) for box in hyperslabs(self.shape, first, count)]
         return np.concatenate(boxes)
+
+
+def _rounded(errors: Singles) -> list[float]:
+    """The digits that an error has."""
+    return [float(f"{error:.{_ERROR_DIGITS}g}") for error in errors.tolist()]
 
 
 @contextmanager
@@ -422,5 +480,5 @@ def summarise(result: Path, rows: int = 11) -> Summary:
             statuses.update(columns.statuses(first, count))
         steps = max(1, min(rows, columns.cases) - 1)
         shown = sorted({i * (columns.cases - 1) // steps for i in range(steps + 1)})
-        picked = tuple(row for case in shown for row in columns.rows(case, 1))
-        return Summary(tuple(columns.header), picked, columns.cases, dict(statuses))
+        picked = tuple(columns.for_people(row) for case in shown for row in columns.rows(case, 1))
+        return Summary(columns.for_people(columns.header), picked, columns.cases, dict(statuses))

@@ -260,6 +260,7 @@ class _Flattener:
             layout.PM_SETTING_MAX_EVENTS: solve.max_events,
             layout.PM_SETTING_MAX_STEPS: solve.max_steps,
             layout.PM_SETTING_NUDGE: nudge,
+            layout.PM_SETTING_ESTIMATE: int(solve.estimate),
         }
         self.tables.add(layout.PM_TABLE_SETTING, row, "solve")
 

@@ -241,6 +241,7 @@ class Solve(Table):
     max_steps: int = DEFAULT_MAX_STEPS
     assembly: Number = 1e-12
     simultaneous: Text = "together"
+    estimate: bool = True
 
 
 class Sweep(Table):

@@ -37,6 +37,7 @@ import numpy.typing as npt
 from .errors import StudyError
 
 Floats = npt.NDArray[np.float64]
+Singles = npt.NDArray[np.float32]
 Integers = npt.NDArray[np.signedinteger[Any]]
 
 # Key of the manifest under which numbers stand that say only that something differs, not what.
@@ -60,7 +61,8 @@ class Block:
 
     value[n, columns]: the asks one after the other, in their units; reason[n, asks]: enum pm_reason;
     status[n]: enum pm_status, of the worst run; run_status, route[n, runs]; audit[n, runs, PM_AUDITS];
-    message: row -> text, of the cases that did not end well; seconds: time taken to compute them.
+    error[n, columns]: as value, and trust[n, PM_TRUSTS], of the worst run, have no columns where nothing is
+    estimated; message: row -> text, of the cases that did not end well; seconds: time taken to compute them.
     """
 
     value: Floats
@@ -69,6 +71,8 @@ class Block:
     run_status: Integers
     route: Integers
     audit: Floats
+    error: Singles
+    trust: Singles
     message: Mapping[int, str]
     seconds: float = 0.0
 
@@ -123,6 +127,8 @@ _BLOCK_TYPES: dict[str, type[np.generic]] = {
     "run_status": np.int32,
     "route": np.int8,
     "audit": np.float64,
+    "error": np.float32,  # as many digits as an error has
+    "trust": np.float32,
 }
 
 

@@ -26,14 +26,14 @@ import numpy as np
 import numpy.typing as npt
 
 from . import engine
-from ._layout import PM_AUDITS, PM_COUNT_ROUTE, PM_OK
+from ._layout import PM_AUDITS, PM_COUNT_ROUTE, PM_OK, PM_TRUST_EXCESS, PM_TRUST_MARGIN, PM_TRUSTS
 from .errors import SceneError, StudyError
 from .export import RESERVED_NAMES, AskVariable, Coordinate, Layout, write_csv, write_result
 from .flatten import FlatScene, flatten
 from .grids import read_grid
 from .parameters import Parameters
 from .scene import Ask, At, SceneData, Value
-from .store import CHECKSUMS, Block, Floats, SweepStore
+from .store import CHECKSUMS, Block, Floats, Singles, SweepStore
 from .units import factor, parse_quantity
 from .versions import versions
 
@@ -55,7 +55,7 @@ _GRACE = 0.7
 # Other versions of these might compute other bits; the rest only writes files.
 _ROW_VERSIONS = ("planemotion", "kernel", "SUNDIALS", "GSL")
 # Of the part files and the manifest: another number, no resume.
-_FORMAT = 1
+_FORMAT = 2
 
 Progress = Callable[[int, int], None]
 
@@ -239,7 +239,7 @@ class _Study:
         taken = set(RESERVED_NAMES)
         for name, path in [
             *((name, f"sweep.{name}") for name in self.plan.names),
-            *((name, f"ask.{ask.key}") for ask in asks for name in (ask.key, *ask.dim)),
+            *((name, f"ask.{ask.key}") for ask in asks for name in (ask.key, ask.error, *ask.dim)),
         ]:
             if name in taken or "/" in name:
                 raise SceneError(
@@ -249,12 +249,12 @@ class _Study:
                     path=path,
                 )
             taken.add(name)
-        return Layout(self.plan.dims, coordinates, asks, self.runs)
+        return Layout(self.plan.dims, coordinates, asks, self.runs, self.data.solve.estimate)
 
     @property
     def max_chunk(self) -> int:
         """Cases that are computed at once at most."""
-        case_bytes = 8 * sum(ask.count for ask in self.asks)
+        case_bytes = 8 * sum(ask.count for ask in self.asks) * (1 + self.data.solve.estimate)
         return max(1, min(_MAX_CHUNK, _MAX_CHUNK_BYTES // max(case_bytes, 1)))
 
     def compute(
@@ -282,10 +282,8 @@ class _Study:
 
     def _block(self, results: Sequence[engine.CaseResults], begun: float) -> Block:
         run_status = np.stack([result.status for result in results], axis=1).astype(np.int32)
-        value = [
-            np.asarray(results[ask.run].out[:, ask.first : ask.first + ask.count]) / ask.factor
-            for ask in self.asks
-        ]
+        value = self._columns([result.out for result in results])
+        error = self._columns([result.error for result in results])
         reason = np.empty((len(run_status), len(self.asks)), np.int8)
         for i, ask in enumerate(self.asks):
             reason[:, i] = results[ask.run].reason[:, ask.index]
@@ -293,15 +291,24 @@ class _Study:
             value[i][np.isinf(value[i])] = np.nan
         status = _worst(run_status)
         return Block(
-            value=np.concatenate(value, axis=1) if value else np.empty((len(status), 0)),
+            value=_side_by_side(value, len(status)),
             reason=reason,
             status=status,
             run_status=run_status,
             route=np.stack([result.count[:, PM_COUNT_ROUTE] for result in results], axis=1),
             audit=np.stack([result.audit[:, :PM_AUDITS] for result in results], axis=1),
+            error=_side_by_side(error if self.data.solve.estimate else [], len(status)).astype(np.float32),
+            trust=_worst_trust([result.trust for result in results], self.data.solve.estimate),
             message={int(row): self._message(results, row) for row in np.flatnonzero(status)},
             seconds=time.perf_counter() - begun,
         )
+
+    def _columns(self, of_runs: Sequence[Floats]) -> list[Floats]:
+        """The columns of each ask, in its unit, from the columns of the runs."""
+        return [
+            np.asarray(of_runs[ask.run][:, ask.first : ask.first + ask.count]) / ask.factor
+            for ask in self.asks
+        ]
 
     def _message(self, results: Sequence[engine.CaseResults], row: np.intp) -> str:
         texts = []
@@ -376,6 +383,20 @@ def _worst(run_status: npt.NDArray[np.int32]) -> npt.NDArray[np.int32]:
     worst = np.zeros(len(run_status), np.int32)
     for status in run_status.T:
         worst = np.where((worst == PM_OK) | ((worst > PM_OK) & (status < PM_OK)), status, worst)
+    return worst
+
+
+def _side_by_side(columns: Sequence[Floats], cases: int) -> Floats:
+    return np.concatenate(columns, axis=1) if columns else np.empty((cases, 0))
+
+
+def _worst_trust(of_runs: Sequence[Floats], estimate: bool) -> Singles:
+    """Per case: the least margin of its runs and the greatest excess; no columns without estimates."""
+    if not estimate:
+        return np.empty((len(of_runs[0]), 0), np.float32)
+    worst = np.empty((len(of_runs[0]), PM_TRUSTS), np.float32)
+    worst[:, PM_TRUST_MARGIN] = np.min([trust[:, PM_TRUST_MARGIN] for trust in of_runs], axis=0)
+    worst[:, PM_TRUST_EXCESS] = np.max([trust[:, PM_TRUST_EXCESS] for trust in of_runs], axis=0)
     return worst
 
 

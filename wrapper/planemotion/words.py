@@ -80,7 +80,9 @@ ASK_KEYS = ("of", "max", "min", "at", "unit", "run")
 AT_KEYS = ("max", "min", "each", "values")
 FIND_KEYS = ("vary", "where", "greatest", "least", "samples")
 GRID_KEYS = ("from", "to", "num", "step", "scale")
-SOLVE_KEYS = ("route", "accuracy", "max_time", "max_events", "max_steps", "assembly", "simultaneous")
+SOLVE_KEYS = (
+    *("route", "accuracy", "estimate", "max_time", "max_events", "max_steps", "assembly", "simultaneous"),
+)
 ROUTES = ("auto", "rk", "ida")
 NOT_BUILT_ROUTES = ("jump", "uniform", "path")
 

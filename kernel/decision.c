@@ -1,0 +1,169 @@
+/* decision.c - the log of decisions, and the margin from two of them.
+ *
+ * Every decision compares a number x with 0: a function of the phase that did not fire, the rate of one that did, an
+ * impulse that must not pull.  Two passes of a case that differ by their errors only give x and x': the margin of the
+ * decision is the smaller of both over |x - x'|.  As long as the passes decide alike their logs run in step, which the
+ * history proves; near misses are seen by one pass and perhaps not by the other, and are then left out. */
+#include "decision.h"
+
+#include <math.h>
+
+#include "error.h"
+#include "event.h"
+
+#define NOTHING 1e-14    /* of its natural size: zero in both passes, that is by the scene's structure */
+#define ROUNDING 2.2e-16 /* least difference, of the natural size */
+
+static uint32_t mix(uint32_t history, uint32_t what) { return (history ^ what) * 16777619u; } /* FNV-1a */
+
+void pm_decision_begin(pm_decision_log *log)
+{
+    log->n = 0;
+    log->instant = 0;
+    log->stride = 1;
+    log->history = 2166136261u;
+}
+
+/* The log is full: from now on only every second instant of those kept so far. */
+static void thin_out(pm_decision_log *log)
+{
+    int n = 0;
+    log->stride *= 2;
+    for (int i = 0; i < log->n; i++)
+        if (log->entry[i].instant % log->stride == 0) log->entry[n++] = log->entry[i];
+    log->n = n;
+}
+
+static void take(pm_workspace *w, const pm_decision *decision)
+{
+    pm_decision_log *log = &w->error->present->log;
+    while (log->n == PM_DECISIONS && log->instant % log->stride == 0 && log->stride <= log->instant)
+        thin_out(log);
+    if (log->n == PM_DECISIONS || log->instant % log->stride != 0) return;
+    log->entry[log->n] = *decision;
+    log->entry[log->n].instant = log->instant;
+    log->entry[log->n++].history = log->history;
+}
+
+void pm_decision_sign(pm_workspace *w, int what, double x, double unit)
+{
+    if (!w->error->active) return;
+    take(w, &(pm_decision){.kind = PM_DECISION_SIGN,
+                           .what = what,
+                           .trigger = PM_NONE,
+                           .distance = x,
+                           .reach = fabs(x),
+                           .unit = unit});
+}
+
+/* A trigger's program is measured by its own size, all else by a natural one. */
+static int trigger_of(const pm_event_function *f)
+{
+    return f->kind == FUNCTION_TRIGGER && !f->every ? f->index : PM_NONE;
+}
+
+void pm_decision_rate(pm_workspace *w, int function, double rate)
+{
+    if (!w->error->active) return;
+    const pm_event_function *f = &w->event->function[function];
+    take(w, &(pm_decision){.kind = PM_DECISION_RATE,
+                           .what = function,
+                           .trigger = trigger_of(f),
+                           .distance = rate,
+                           .reach = INFINITY,
+                           .unit = f->natural * w->speed / w->size});
+}
+
+/* Of a function at the frame from its zero, `every` from the nearest multiple. */
+static double distance_of(pm_workspace *w, const pm_event_function *f)
+{
+    const double x = pm_event_sample(w, f);
+    return f->every ? fabs(x - round(x)) : x;
+}
+
+void pm_decision_instant(pm_workspace *w)
+{
+    if (!w->error->active) return;
+    pm_event_set *e = w->event;
+    for (int i = 0; i < e->nfunction; i++) {
+        pm_event_function *f = &e->function[i];
+        pm_decision x = {.kind = PM_DECISION_NEAR,
+                         .what = i,
+                         .trigger = trigger_of(f),
+                         .distance = f->near,
+                         .reach = f->near_reach,
+                         .unit = f->natural};
+        if (isfinite(f->near)) take(w, &x);
+        f->near = INFINITY;
+        if (e->hit[i] || f->held || f->level > w->frame.level) continue;
+        x.kind = PM_DECISION_VALUE;
+        x.distance = distance_of(w, f);
+        x.reach = fabs(x.distance);
+        take(w, &x);
+    }
+}
+
+void pm_decision_close(pm_workspace *w)
+{
+    if (!w->error->active) return;
+    pm_decision_log *log = &w->error->present->log;
+    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++)
+        log->history = mix(log->history, w->event->fired[i]);
+    for (int i = 0; i < w->model->nslot; i++) {
+        log->history = mix(log->history, (uint32_t)w->state.slot[i].mode);
+        if (w->state.slot[i].mode != PM_OPEN)
+            log->history = mix(log->history, (uint32_t)w->state.slot[i].member);
+    }
+    log->instant++;
+}
+
+static double margin_of(const pm_decision *x, const pm_decision *y, const double *trigger_scale)
+{
+    const double unit = x->unit * (x->trigger == PM_NONE ? 1 : trigger_scale[x->trigger]);
+    const double a = fabs(x->distance), b = fabs(y->distance), apart = fabs(x->distance - y->distance);
+    if (!(fmax(x->reach, y->reach) > NOTHING * unit)) return INFINITY;
+    return fmin(a, b) / fmax(apart, ROUNDING * unit);
+}
+
+static int same(const pm_decision *x, const pm_decision *y)
+{
+    return x->instant == y->instant && x->history == y->history && x->kind == y->kind && x->what == y->what;
+}
+
+/* Whether a function is still held at its last zero, and whether it is seen to come close, depends on the steps. */
+static int may_lack(const pm_decision *x)
+{
+    return x->kind == PM_DECISION_VALUE || x->kind == PM_DECISION_NEAR;
+}
+
+/* In the order in which pm_decision_instant takes them. */
+static int comes_first(const pm_decision *x, const pm_decision *y)
+{
+    if (x->instant != y->instant) return x->instant < y->instant;
+    return x->what != y->what ? x->what < y->what : x->kind == PM_DECISION_NEAR;
+}
+
+double pm_decision_margin(const pm_decision_log *a, const pm_decision_log *b, const double *trigger_scale)
+{
+    const int32_t stride = a->stride > b->stride ? a->stride : b->stride;
+    double margin = INFINITY;
+    for (int i = 0, j = 0; i < a->n && j < b->n;) {
+        const pm_decision *x = &a->entry[i], *y = &b->entry[j];
+        if (x->instant % stride != 0) {
+            i++;
+        } else if (y->instant % stride != 0) {
+            j++;
+        } else if (same(x, y)) {
+            margin = fmin(margin, margin_of(x, y, trigger_scale));
+            i++;
+            j++;
+        } else if (may_lack(x) && (!may_lack(y) || comes_first(x, y))) {
+            i++;
+        } else if (may_lack(y)) {
+            j++;
+        } else {
+            break; /* from here on the passes have gone different ways */
+        }
+    }
+    return margin;
+}

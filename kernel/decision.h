@@ -1,0 +1,47 @@
+/* decision.h - the decisions of a pass: what fired, what touched, pulled, slid or held, each with its distance from the
+ * threshold.  Two passes of a case that differ by their errors only take the same decisions at slightly different
+ * distances: distance over difference is the margin. */
+#ifndef PM_DECISION_H
+#define PM_DECISION_H
+
+#include "model.h"
+
+enum pm_decision_kind {
+    PM_DECISION_VALUE = 0, /* of a function of the phase that did not fire at this instant */
+    PM_DECISION_RATE = 1,  /* at which a function went through zero: none, and it would have turned back */
+    PM_DECISION_NEAR = 2,  /* least value of a function that came close and turned back */
+    PM_DECISION_SIGN = 3   /* of an impulse, a force, a speed: compared in a blow or a choice of modes */
+};
+
+typedef struct pm_decision {
+    int32_t instant, kind, what; /* what: which of its kind */
+    int32_t trigger;             /* whose program the distance is in the unit of, or PM_NONE */
+    uint32_t history;            /* of all that was decided before */
+    double distance;             /* from the threshold */
+    double reach; /* how far it was nearby: nothing by the scene's structure if that is rounding */
+    double unit;  /* natural size of the distance; of triggers over the size of their program */
+} pm_decision;
+
+typedef struct pm_decision_log {
+    pm_decision *entry; /* [PM_DECISIONS] */
+    int n;
+    int32_t instant, stride; /* every stride-th instant is kept: the log never grows */
+    uint32_t history;
+} pm_decision_log;
+
+#define PM_DECISIONS 4096 /* kept of a pass */
+
+void pm_decision_begin(pm_decision_log *log);
+/* An instant begins; then whatever is decided at it; then what came of it is mixed into the history. */
+void pm_decision_instant(pm_workspace *w);
+/* How fast a function of the phase goes through its zero. */
+void pm_decision_rate(pm_workspace *w, int function, double rate);
+/* The sign of x, of natural size `unit`, decides what contact slot (or contact) `what` does. */
+void pm_decision_sign(pm_workspace *w, int what, double x, double unit);
+void pm_decision_close(pm_workspace *w);
+
+/* Least distance over difference of the decisions that both passes took; trigger_scale[ntrigger] natural sizes of
+ * the trigger programs. */
+double pm_decision_margin(const pm_decision_log *a, const pm_decision_log *b, const double *trigger_scale);
+
+#endif

@@ -1,0 +1,64 @@
+/* error.h - how far each answer can be trusted: estimated errors of the asks and the margin of the run's decisions.
+ *
+ * pm_error_run makes the passes of a case and fills error and trust.  A route that knows its own errors says so while
+ * it answers (pm_error_answer for every column of out, pm_error_decision for every decision): then no companion runs. */
+#ifndef PM_ERROR_H
+#define PM_ERROR_H
+
+#include "decision.h"
+#include "model.h"
+
+/* One pass of a case and what came of it. */
+typedef struct pm_pass {
+    double *out;     /* [nout] */
+    double *error;   /* [nout] as the route itself says, NaN where it does not */
+    int32_t *reason; /* [nask] */
+    double audit[PM_AUDITS];
+    double found[PM_FOUND_COLUMNS];
+    int64_t count[PM_COUNT_COLUMNS];
+    pm_where where;
+    double t;         /* where it ended */
+    double factor;    /* what was asked of it: of the tolerance that the accuracy gives */
+    double tolerance; /* of the integration */
+    double margin;    /* of the decisions whose errors the route itself gave */
+    uint64_t outcome; /* hash of status, reasons and event counts */
+    int status;
+    int companion;
+    pm_decision_log log;
+} pm_pass;
+
+typedef struct pm_error_set {
+    int active; /* the present case is run for its errors too */
+    int npass;
+    int seeks; /* a pass is a find with all its runs */
+    uint64_t noise;
+    pm_pass pass[3], *present, *main, *other, *spare;
+    double *scale;           /* [nask] natural size of each ask */
+    double *trigger_scale;   /* [ntrigger] */
+    unsigned char *discrete; /* [nask] integers and yes or no: they have no error, but a margin */
+    void *block;
+} pm_error_set;
+
+int pm_error_create(pm_workspace *w);
+void pm_error_free(pm_workspace *w);
+
+/* Runs a case as pm_find_run does (with found NULL as pm_run, all parameters as given), and with PM_SETTING_ESTIMATE
+ * again, as often as it takes: see error.c.  error[nout] in the unit of out, NaN where there is none; margin[nask], NaN
+ * for what is no integer and no yes or no; trust[PM_TRUSTS]; found[PM_FOUND_COLUMNS]. */
+int pm_error_run(pm_workspace *w, const double *param, double *found, double *error, double *margin,
+                 double *trust);
+
+/* For run.c, when a run begins: nothing is known of its errors and decisions. */
+void pm_error_begin(pm_workspace *w);
+/* For case.c: the tolerance of the present pass. */
+double pm_error_tolerance(const pm_workspace *w);
+/* For run.c, before a phase: in a companion the state's velocities are disturbed by a few roundings.  The frame is
+ * DYNAMIC before and after. */
+int pm_error_disturb(pm_workspace *w);
+
+/* For routes that know their errors: that of out[column], absolute; a decision that was taken at `distance` from its
+ * threshold, known to `error` in the same unit. */
+void pm_error_answer(pm_workspace *w, int column, double error);
+void pm_error_decision(pm_workspace *w, double distance, double error);
+
+#endif

@@ -1,0 +1,211 @@
+/* Estimated errors and margins: against true errors, on decisions that are close, and what is asked of accuracy. */
+#include "error.h"
+#include "check.h"
+#include "nature.h"
+#include "scene.h"
+
+#define G 9.81
+
+static scene *estimating(double accuracy)
+{
+    scene *s = scene_create();
+    scene_set(s, PM_SETTING_ACCURACY, accuracy);
+    *scene_setting(s, PM_SETTING_ESTIMATE) = 1;
+    return s;
+}
+
+/* A rod, pinned at one end, from the horizontal to the vertical: omega^2 = 3 g / L, the pin carries 2.5 weights. */
+static scene *pendulum(double accuracy, double length)
+{
+    scene *s = estimating(accuracy);
+    const int rod = scene_body(s, 3, 3 * length * length / 12, length / 2, 0, 0);
+    const int end = scene_point(s, rod, -length / 2, 0);
+    const int pin = scene_joint(s, PM_JOINT_PIN, end, scene_point(s, PM_GROUND, 0, 0), 0);
+    const int turned = scene_measure(s, PM_MEASURE_TURNED, rod);
+    scene_until(s, scene_when(s, PM_TRIGGER_FALL, scene_minus(s, turned, -1.5707963267948966)), 1);
+    scene_ask_measure(s, scene_measure(s, PM_MEASURE_OMEGA, rod));
+    scene_ask_measure(s, scene_part(s, PM_MEASURE_JOINT_FORCE, pin, PM_PART_Y));
+    scene_ask_measure(s, scene_part(s, PM_MEASURE_JOINT_FORCE, pin, PM_PART_X)); /* 0 */
+    return s;
+}
+
+/* Of all asks at many accuracies, on both routes, nearly all errors lie below their estimates, and not far below. */
+static void calibrated(void)
+{
+    static const int routes[] = {PM_ROUTE_RK, PM_ROUTE_IDA};
+    for (int r = 0; r < 2; r++) {
+        int asks = 0, covered = 0, close = 0;
+        for (int i = 0; i < 40; i++) {
+            const double length = check_random(0.3, 3), accuracy = pow(10, check_random(-11, -4));
+            scene *s = pendulum(accuracy, length);
+            *scene_setting(s, PM_SETTING_ROUTE) = routes[r];
+            EQUAL(scene_run(s, NULL), PM_OK);
+            const double truth[] = {-sqrt(3 * G / length), 2.5 * 3 * G, 0};
+            for (int k = 0; k < 3; k++) {
+                const double scale = k == 0 ? -truth[0] : truth[1];
+                const double error = fmax(fabs(s->out[k] - truth[k]), 1e-14 * fabs(truth[k]));
+                asks++;
+                covered += error <= s->error[k];
+                close += s->error[k] <= 100 * error;
+                CHECK(s->error[k] <= accuracy * s->trust[PM_TRUST_EXCESS] * 1000 * scale);
+            }
+            CHECK(s->trust[PM_TRUST_MARGIN] > 1);
+            CHECK(isnan(s->margin[0]));
+            CHECK(s->trust[PM_TRUST_EXCESS] <= 1 || accuracy < 1e-9);
+            CHECK(s->count[PM_COUNT_PASSES] >= 2);
+            scene_free(s);
+        }
+        CHECK(covered >= 0.95 * asks);
+        CHECK(close >= 0.5 * asks);
+    }
+}
+
+/* Without the setting one pass is made, and the numbers are those of the kernel without estimates. */
+static void switched_off(void)
+{
+    scene *s = pendulum(1e-8, 1), *t = pendulum(1e-8, 1);
+    *scene_setting(t, PM_SETTING_ESTIMATE) = 0;
+    EQUAL(scene_run(s, NULL), PM_OK);
+    EQUAL(scene_run(t, NULL), PM_OK);
+    for (int k = 0; k < 3; k++) {
+        if (s->count[PM_COUNT_PASSES] == 2) EQUAL(s->out[k], t->out[k]);
+        CHECK(isnan(t->error[k]));
+    }
+    EQUAL(t->count[PM_COUNT_PASSES], 1);
+    CHECK(isnan(t->trust[PM_TRUST_MARGIN]) && isnan(t->trust[PM_TRUST_EXCESS]));
+    scene_free(s);
+    scene_free(t);
+}
+
+/* A double pendulum multiplies errors: the accuracy asked takes a tighter tolerance, and is kept. */
+static void promise(void)
+{
+    double out[2];
+    for (int pass = 0; pass < 2; pass++) {
+        scene *s = estimating(pass ? 1e-8 : 1e-12);
+        const int upper = scene_body(s, 1, 1. / 12, 0.5, 0, 0), lower = scene_body(s, 1, 1. / 12, 1.5, 0, 0);
+        scene_joint(s, PM_JOINT_PIN, scene_point(s, upper, -0.5, 0), scene_point(s, PM_GROUND, 0, 0), 0);
+        scene_joint(s, PM_JOINT_PIN, scene_point(s, upper, 0.5, 0), scene_point(s, lower, -0.5, 0), 0);
+        const int tip = scene_point(s, lower, 0.5, 0);
+        scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, tip, PM_PART_X));
+        scene_until_time(s, 5);
+        EQUAL(scene_run(s, NULL), PM_OK);
+        out[pass] = s->out[0];
+        if (pass) {
+            CHECK(s->count[PM_COUNT_PASSES] > 2);
+            CHECK(s->trust[PM_TRUST_EXCESS] <= 1);
+            CHECK(fabs(out[1] - out[0]) <= s->error[0]);
+        }
+        scene_free(s);
+    }
+}
+
+/* A ball thrown up towards a ceiling: it strikes if v^2 > 2 g h.  The nearer to it, the smaller the margin; nearer than
+ * rounding the outcome is not decided. */
+static scene *thrown(double above, double accuracy)
+{
+    scene *s = estimating(accuracy);
+    const double v = sqrt(2 * G * 1.5 * (1 + above));
+    const int ball = scene_body(s, 1, 0, 0, 0, 0), g = scene_point(s, ball, 0, 0);
+    scene_start_velocity(s, g, 0.3, v);
+    const int y = scene_part(s, PM_MEASURE_POSITION, g, PM_PART_Y), up = scene_event(s);
+    scene_trigger(s, PM_TRIGGER_RISE, up, scene_minus(s, y, 1.5), PM_NONE);
+    scene_until_time(s, 2);
+    scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, up));
+    return s;
+}
+
+static void margins(void)
+{
+    double last = INFINITY;
+    for (int i = 2; i < 12; i++) {
+        for (int side = -1; side <= 1; side += 2) {
+            scene *s = thrown(side * pow(10, -i), 1e-10);
+            const int status = scene_run(s, NULL);
+            EQUAL(status, PM_OK);
+            EQUAL(s->out[0], side > 0);
+            EQUAL(s->error[0], 0);
+            EQUAL(s->margin[0], s->trust[PM_TRUST_MARGIN]);
+            CHECK(s->margin[0] > 1);
+            if (side > 0) {
+                CHECK(s->margin[0] < last);
+                last = s->margin[0];
+            }
+            scene_free(s);
+        }
+    }
+    int undecided = 0;
+    for (int i = -3; i <= 3; i++) {
+        scene *s = thrown(i * 3e-16, 1e-10);
+        undecided += scene_run(s, NULL) == PM_UNDECIDED && s->margin[0] < 1;
+        scene_free(s);
+    }
+    CHECK(undecided >= 5);
+}
+
+/* What a companion shows without truncation, and at once: a parabola is exact, only the disturbance is seen. */
+static void rounding(void)
+{
+    scene *s = thrown(0.5, 1e-10);
+    const int y = scene_ask_end(s, scene_read(s, scene_part(s, PM_MEASURE_POSITION, 0, PM_PART_Y)));
+    EQUAL(scene_run(s, NULL), PM_OK);
+    const double v = sqrt(2 * G * 1.5 * 1.5), truth = 2 * v - 2 * G;
+    CHECK(fabs(s->out[y] - truth) <= s->error[y]);
+    CHECK(s->error[y] < 1e-12);
+    scene_free(s);
+}
+
+/* Routes may bring their own errors; what they say counts. */
+static void own_errors(void)
+{
+    scene *s = pendulum(1e-8, 1);
+    scene_open(s);
+    pm_workspace *w = s->w;
+    double out[3], error[3], margin[3], trust[PM_TRUSTS], audit[PM_AUDITS];
+    int32_t reason[3];
+    w->out = out;
+    w->reason = reason;
+    w->audit = audit;
+    EQUAL(pm_error_run(w, NULL, NULL, error, margin, trust), PM_OK);
+    pm_error_set *e = w->error;
+    e->present->margin = INFINITY;
+    pm_error_decision(w, -3e-9, 1e-9);
+    NEAR(e->present->margin, 3, 1e-12);
+    pm_error_answer(w, 1, 0.25);
+    EQUAL(e->present->error[1], 0.25);
+    scene_close(s);
+    scene_free(s);
+}
+
+/* Only counts, constants and comparisons: no error, but a margin. */
+static void discrete(void)
+{
+    scene *s = scene_create();
+    const int ball = scene_body(s, 1, 0, 0, 0, 0),
+              x = scene_part(s, PM_MEASURE_POSITION, scene_point(s, ball, 0, 0), 1);
+    const int count = scene_measure(s, PM_MEASURE_EVENT_COUNT, scene_event(s));
+    const int program[] = {
+        scene_read(s, count),
+        SCENE_PROGRAM(s, scene_m(x), scene_k(s, 1), scene_op(PM_OP_LT), scene_m(count), scene_op(PM_OP_ADD)),
+        SCENE_PROGRAM(s, scene_m(x), scene_op(PM_OP_FLOOR)),
+        SCENE_PROGRAM(s, scene_m(x), scene_k(s, 1), scene_op(PM_OP_LT), scene_m(x), scene_op(PM_OP_ADD)),
+        SCENE_PROGRAM(s, scene_m(count), scene_m(x), scene_k(s, 2), scene_op(PM_OP_SELECT)),
+        scene_read(s, x),
+    };
+    scene_until_time(s, 1);
+    scene_open(s);
+    for (int i = 0; i < 6; i++) EQUAL(pm_nature_is_discrete(s->model, program[i]), i < 3);
+    scene_free(s);
+}
+
+int main(void)
+{
+    calibrated();
+    switched_off();
+    promise();
+    margins();
+    rounding();
+    own_errors();
+    discrete();
+    return check_failures();
+}
