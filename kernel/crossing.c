@@ -17,6 +17,10 @@
 
 #define ON_ZERO 1e-12  /* of a function's greatest size in the step: zero when the phase begins */
 #define RATE_STEP 1e-4 /* of the step: distance of the differences that make a rate */
+#define NEAR 0.3       /* of a function's greatest size in the step: below it there may be a dip to zero */
+#define CLOSE 0.1      /* of the values beside it: a dip that is worth a closer look */
+#define DIP_STEP 1e-3  /* of the nodes' distance: distance of the differences at the bottom of a dip */
+#define DIP_STEPS 3    /* of Newton's method to the bottom */
 #define HALVINGS 30    /* of a step, to find the top of a short bounce */
 #define LEAVING \
     20 /* halvings of a step: a trigger has left its zero at the first place where it is seen off it */
@@ -76,24 +80,80 @@ static int crosses(const pm_event_function *f, double a, double b)
     return 0;
 }
 
+/* From near the bottom of a dip to it, by Newton's method on differences; s is the side of zero. */
+static double bottom(pm_workspace *w, pm_event_function *f, double s, double low, double high, double *where)
+{
+    const double d = DIP_STEP * (high - low);
+    double value = s * along(w, *where, f);
+    for (int i = 0; i < DIP_STEPS && value > 0; i++) {
+        const double a = s * along(w, *where - d, f), b = s * along(w, *where + d, f),
+                     bend = a - 2 * value + b;
+        if (!(bend > 0)) break;
+        const double next = fmin(fmax(*where + 0.5 * d * (a - b) / bend, low), high),
+                     there = s * along(w, next, f);
+        if (!(there < value)) break;
+        *where = next;
+        value = there;
+    }
+    return value;
+}
+
+/* A function that came close to zero at `where` goes through it there, or has turned back: a decision to be noted. */
+static int reaches(pm_workspace *w, pm_event_function *f, double s, double around, double low, double high,
+                   double *where, double *value)
+{
+    const double least = bottom(w, f, s, low, high, where);
+    *value = s * least;
+    if (least > 0 && least < f->near) {
+        f->near = least;
+        f->near_reach = around;
+    }
+    return least <= 0;
+}
+
+static int may_cross(const pm_event_function *f, double s)
+{
+    return !(f->direction > 0 && s > 0) && !(f->direction < 0 && s < 0);
+}
+
 /* A dip of three nodes towards zero: the vertex of their parabola, if the function goes through zero there. */
 static int dips(pm_workspace *w, pm_event_function *f, const double *g, const double *x, double *where,
                 double *value)
 {
     const double s = g[1] > 0 ? 1 : -1, a = s * g[0], b = s * g[1], c = s * g[2];
-    if (!(b < a && b < c) || !(a > 0 && b > 0 && c > 0)) return 0;
-    if ((f->direction > 0 && s > 0) || (f->direction < 0 && s < 0)) return 0;
+    if (!(b < a && b < c) || !(a > 0 && b > 0 && c > 0) || !may_cross(f, s)) return 0;
     const double left = (a - b) / (x[1] - x[0]), right = (c - b) / (x[2] - x[1]);
     const double bend = (left + right) / (x[2] - x[0]);
     const double slope = (right * (x[1] - x[0]) - left * (x[2] - x[1])) / (x[2] - x[0]);
-    if (b - slope * slope / (4 * bend) > 0.1 * b) return 0;
+    if (b - slope * slope / (4 * bend) > CLOSE * b) return 0;
     *where = x[1] - slope / (2 * bend);
-    *value = along(w, *where, f);
-    if (s * *value > 0 && s * *value < f->near) {
-        f->near = s * *value;
-        f->near_reach = fmax(a, c);
+    return reaches(w, f, s, fmax(a, c), x[0], x[2], where, value);
+}
+
+/* A dip between two nodes, told by the slopes there: also one beside an end of the step, where three nodes do not show
+ * it.  The bottom of the cubic through both values and slopes. */
+static int turns(pm_workspace *w, pm_event_function *f, const double *g, const double *slope, const double *x,
+                 double *where, double *value)
+{
+    const double s = g[0] > 0 ? 1 : -1, h = x[1] - x[0];
+    const double a = s * g[0], b = s * g[1], p = s * slope[0] * h, q = s * slope[1] * h;
+    if (!(a > 0 && b > 0 && p < 0 && q > 0) || !may_cross(f, s)) return 0;
+    const double c2 = 3 * (b - a) - 2 * p - q, c3 = 2 * (a - b) + p + q;
+    const double t = -p / (c2 + sqrt(fmax(c2 * c2 - 3 * c3 * p, 0)));
+    if (!(t > 0 && t < 1) || a + t * (p + t * (c2 + t * c3)) > CLOSE * fmin(a, b)) return 0;
+    *where = x[0] + t * h;
+    return reaches(w, f, s, fmax(a, b), x[0], x[1], where, value);
+}
+
+/* Slopes at the nodes of the polynomial through the values there. */
+static void slopes_of(const pm_workspace *w, const double *g, double *slope)
+{
+    const pm_nodes *nodes = w->route->nodes;
+    for (int k = 0; k < nodes->n; k++) {
+        slope[k] = 0;
+        for (int i = 0; i < nodes->n; i++) slope[k] += nodes->slope[k * nodes->n + i] * g[i];
+        slope[k] /= w->step_end - w->step_begin;
     }
-    return s * *value <= 0;
 }
 
 typedef struct pm_bracket {
@@ -139,12 +199,13 @@ static int bracket(pm_workspace *w, int i, double from, pm_bracket *x)
     pm_event_set *e = w->event;
     pm_event_function *f = &e->function[i];
     const int n = w->route->nodes->n;
-    double g[PM_NODES_MOST], place[PM_NODES_MOST], biggest = 0;
+    double g[PM_NODES_MOST], place[PM_NODES_MOST], slope[PM_NODES_MOST], biggest = 0, least = INFINITY;
     int first = 0;
     for (int k = 0; k < n; k++) {
         g[k] = pm_event_of_sample(f, e->value[k * e->nfunction + i]);
         place[k] = pm_crossing_node(w, k);
         biggest = fmax(biggest, fabs(g[k]));
+        least = fmin(least, fabs(g[k]));
         if (place[k] <= from) first = k;
     }
     if (first == n - 1) return 0;
@@ -165,13 +226,16 @@ static int bracket(pm_workspace *w, int i, double from, pm_bracket *x)
         *x = (pm_bracket){place[0], place[0], 0, 0};
         return 1;
     }
+    const int near = least < NEAR * biggest;
+    if (near) slopes_of(w, g, slope);
     for (int k = first; k + 1 < n; k++) {
         double where, value;
         if (crosses(f, g[k], g[k + 1])) {
             *x = (pm_bracket){place[k], place[k + 1], g[k], g[k + 1]};
             return 1;
         }
-        if (k + 2 < n && dips(w, f, g + k, place + k, &where, &value) && where > from) {
+        const int turned = near && turns(w, f, g + k, slope + k, place + k, &where, &value);
+        if ((turned || (k + 2 < n && dips(w, f, g + k, place + k, &where, &value))) && where > from) {
             *x = (pm_bracket){place[k], where, g[k], value};
             return 1;
         }

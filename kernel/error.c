@@ -341,6 +341,7 @@ static int good_enough(const pm_workspace *w, const double *trust)
 static int refine(pm_workspace *w, const double *param, double *error, double *trust)
 {
     pm_error_set *e = w->error;
+    const int doubtful = trust[PM_TRUST_MARGIN] < 1; /* rounding may be what decides: see it disturbed */
     const double factor = next_factor(e->main->factor, trust);
     make_pass(w, param, e->spare, factor, 0);
     if (!stands(e->spare)) {
@@ -351,7 +352,8 @@ static int refine(pm_workspace *w, const double *param, double *error, double *t
     swap(&e->main, &e->spare);
     swap(&e->other, &e->spare); /* the last main pass; what it was compared with is free */
     find_sizes(w);
-    if (e->main->tolerance < NEAR_ENOUGH * e->other->tolerance && !find_companion(w, param)) return 0;
+    if ((doubtful || e->main->tolerance < NEAR_ENOUGH * e->other->tolerance) && !find_companion(w, param))
+        return 0;
     judge(w, error, trust);
     return 1;
 }

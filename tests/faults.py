@@ -39,6 +39,39 @@ class Fault:
 
 
 FAULTS = [
+    # estimated errors and margins
+    Fault(
+        "error: the companion as tight as the run",
+        "error.c",
+        "? COARSER * tightest : tightest",
+        "? 2 * tightest : tightest",
+    ),
+    Fault(
+        "error: steps that nothing limits are the same",
+        "error.c",
+        "w->stretch = companion ? STRETCH : 1",
+        "w->stretch = 1",
+    ),
+    Fault(
+        "error: nothing of rounding",
+        "error.c",
+        "1 + DISTURBANCE * sign(w->error)",
+        "1 + 0 * DISTURBANCE * sign(w->error)",
+    ),
+    Fault("error: what was not kept is not repeated", "error.c", "trust[PM_TRUST_EXCESS] <= 1;", "1;"),
+    Fault("margin: near misses", "crossing.c", "if (least > 0 && least < f->near)", "if (0)"),
+    Fault(
+        "margin: other counts in the companion",
+        "error.c",
+        "e->main->outcome == e->other->outcome ? margin",
+        "1 ? margin",
+    ),
+    Fault(
+        "margin: undecided is not told",
+        "error.c",
+        "e->main->status = PM_UNDECIDED",
+        "e->main->status = PM_OK",
+    ),
     # Jacobians: a sign in each kind of column
     Fault(
         "jacobian: x of the first partner", "row.c", "row->j[0] = factor * n[0]", "row->j[0] = -factor * n[0]"
@@ -209,8 +242,8 @@ FAULTS = [
     Fault(
         "mode: stick has no bound",
         "mode.c",
-        "pm_contact_static(w, contact) * normal + slack) continue",
-        "0 * slack + 1e300) continue",
+        "if (room >= -SLACK * size) continue; w->state.slot[i].mode",
+        "if (room >= -1e300 * size) continue; w->state.slot[i].mode",
     ),
     # events
     Fault(
@@ -224,7 +257,13 @@ FAULTS = [
     ),
     Fault("missed root: grip", "event.c", "add(w, FUNCTION_GRIP, i", "add(w, FUNCTION_NORMAL, i"),
     Fault("missed root: slip", "event.c", "add(w, FUNCTION_SLIP, i", "if (0) add(w, FUNCTION_SLIP, i"),
-    Fault("missed root: two in one step", "crossing.c", "return s * *value <= 0", "return 0"),
+    Fault("missed root: two in one step", "crossing.c", "return least <= 0", "return 0"),
+    Fault(
+        "missed root: a dip beside the end of a step",
+        "crossing.c",
+        "const int turned = near &&",
+        "const int turned = 0 &&",
+    ),
     Fault(
         "missed root: comes back to a held zero at once", "crossing.c", "return crosses(f, g, gb)", "return 0"
     ),

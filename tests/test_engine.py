@@ -390,3 +390,53 @@ def test_values_in_python_are_those_of_the_kernel() -> None:
 def test_every_status_has_a_text() -> None:
     for name, status in layout.pm_status.items():
         assert len(status_text(status)) > 1, name
+
+
+# A ball that is thrown up to just where it touches nothing: whether it gets there is a matter of rounding.
+THROWN = """
+until = "t = 2 s"
+parameters = { h = "1.5 m", more = 0 }
+bodies.ball = { mass = "1 kg", at = [0, 0] }
+start = { ball.velocity = [0, "sqrt(2*g*h*(1 + more))"] }
+events.up = "ball.y > h"
+ask = { ups = "up.count", y = "ball.y", v = "ball.velocity.y" }
+"""
+
+
+def test_answers_have_errors_and_counts_a_margin() -> None:
+    result = load_text(THROWN).run(more=0.25)
+    true = math.sqrt(2 * 9.81 * 1.5 * 1.25) - 9.81 * 2
+    assert abs(result.v - true) <= result.asks["v"].error < 1e-12
+    assert result.asks["v"].margin is None
+    assert (result.ups, result.asks["ups"].error) == (1, 0)
+    assert result.asks["ups"].margin == result.margin > 1e6
+    assert 0 < result.excess < 1
+    assert "margin of decisions" in result.explain()
+    assert "error" in result.to_json()["asks"]["y"]
+
+
+def test_what_the_errors_might_change_is_undecided() -> None:
+    scene = load_text(THROWN, file="thrown.toml")
+    result = scene.run()
+    assert (result.status, result.ok) == ("undecided", False)
+    assert result.margin < 1
+    assert result.error.startswith("thrown.toml: the run came to its end, but a decision on the way")
+    assert math.isfinite(result.v)  # the numbers stand
+    assert scene.run(more=1e-9).ok
+
+
+def test_estimates_can_be_switched_off() -> None:
+    with_errors = load_text(PENDULUM + 'ask.omega = "AB.omega"')
+    without = with_errors.with_values({"solve.estimate": False}).run()
+    assert without.omega == with_errors.run().omega
+    assert without.asks["omega"].error is None
+    assert without.margin is without.excess is None
+    assert without.to_json()["asks"]["omega"].keys() == {"value", "unit"}
+    assert (without.counts["passes"], with_errors.run().counts["passes"]) == (1, 2)
+
+
+def test_an_accuracy_that_cannot_be_kept_is_told() -> None:
+    result = load_text(PENDULUM + 'ask.omega = "AB.omega"\nsolve = { route = "ida", accuracy = 1e-13 }').run()
+    assert result.ok
+    assert result.excess > 1
+    assert result.notes[0].startswith("solve.accuracy was not reached")

@@ -315,3 +315,19 @@ def test_a_summary_shows_both_ends_and_counts_the_statuses(tmp_path):
     assert len(summarise(tmp_path / "r.h5", rows=1000).rows) == 100
     with pytest.raises(StudyError, match=r"no\.h5: cannot be read"):
         summarise(tmp_path / "no.h5")
+
+
+def test_errors_stand_beside_their_answers(tmp_path):
+    written = layout(2, 2, estimate=True)
+    write_result(tmp_path / "s.h5", written, [block(0, 4)], {})
+    with xr.open_dataset(tmp_path / "s.h5", engine="h5netcdf") as data:
+        assert data.v.attrs["ancillary_variables"] == "v_error"
+        assert data.w_error.dims == data.w.dims
+        assert data.w_error.values.tolist() == (1e-12 * data.w.values).astype(np.float32).tolist()
+        assert data.margin.values.tolist() == [[100, 101], [102, 103]]
+    write_csv(tmp_path / "s.h5", tmp_path / "s.csv")
+    with open(tmp_path / "s.csv", newline="") as file:
+        header, *rows = csv.reader(file)
+    assert header[5:] == ["v error [s]", "w error [h]", "margin", "reason", "status"]
+    assert rows[3][5:8] == ["3e-12", "3.2e-12", "103.0"]
+    assert summarise(tmp_path / "s.h5").header == (*header[:5], "reason", "status")

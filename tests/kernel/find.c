@@ -322,7 +322,7 @@ static void batch(void)
     scene_ask_measure(f.s, f.time);
     scene_pack(f.s);
     double param[CASES][2], out[2][CASES], detail[CASES * PM_DETAIL_COLUMNS], audit[CASES * PM_AUDITS];
-    double found[2][CASES][PM_FOUND_COLUMNS];
+    double found[2][CASES][PM_FOUND_COLUMNS], error[CASES], margin[CASES], trust[CASES * PM_TRUSTS];
     int32_t reason[CASES], status[CASES], where[CASES * PM_WHERE_COLUMNS], stop = 0;
     int64_t progress = 0, count[CASES * PM_COUNT_COLUMNS];
     for (int i = 0; i < CASES; i++) {
@@ -332,7 +332,7 @@ static void batch(void)
     for (int run = 0; run < 2; run++)
         EQUAL(pm_batch(f.s->ntable, f.s->table, f.s->nconstant, f.s->constant, CASES, 2, param[0], 1 + run,
                        &stop, &progress, 1, out[run], 1, reason, status, where, detail, audit, count,
-                       found[run][0]),
+                       found[run][0], error, margin, trust),
               PM_OK);
     for (int i = 0; i < CASES; i++) {
         NEAR(found[0][i][0], sqrt(20 * G / sin(2 * param[i][1])), 1e-9);
