@@ -54,6 +54,20 @@ def test_sphere_over_bars_matches_the_recursion(d: str, route: str, bound: float
         assert relative(result.asks[key].value, expected) < bound, key
 
 
+def test_widest_spacing_is_where_the_recursion_ends_with_no_speed() -> None:
+    """Above the fifth bar nothing is left: k^10 (omega0^2 + c) = c."""
+    result = planemotion.load(STUDIES / "widest_spacing.toml").sweep()
+    assert (result["status"].values == 0).all()
+    for omega0, d in zip(result["omega0"].values, result["d"].values, strict=True):
+
+        def left(spacing: mp.mpf, omega0: float = float(omega0)) -> mp.mpf:
+            beta = mp.asin(spacing / 20)
+            c = 10 * G_US / (70 * INCH) * (1 - mp.cos(beta))
+            return ((2 + 5 * mp.cos(2 * beta)) / 7) ** 10 * (omega0**2 + c) - c
+
+        assert relative(d, mp.findroot(left, (mp.mpf(1), mp.mpf(6)), solver="anderson")) < RK
+
+
 class Collar:
     """Hoop of mass m and radius r with a collar of mass mc at d: energy in the turned angle."""
 
