@@ -34,7 +34,7 @@
 /* ---- memory ---- */
 static int nodes_of(const pm_find *f)
 {
-    return f->nvary == 2 ? (PM_PAIR_SAMPLES + 1) * (PM_PAIR_SAMPLES + 1) : f->samples + 1;
+    return f->nvary == 2 ? (f->samples + 1) * (f->samples + 1) : f->samples + 1;
 }
 
 int pm_find_create(pm_workspace *w)

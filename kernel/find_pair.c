@@ -10,7 +10,6 @@
 #include <gsl/gsl_multiroots.h>
 #include <math.h>
 
-#define SIDE (PM_PAIR_SAMPLES + 1)
 #define ITERATIONS 60
 #define STILL 1e-15 /* of the bounds' distance: a step that is no step */
 #define MET 1e-8    /* of the greatest size on the grid: a condition that is met */
@@ -54,9 +53,10 @@ static int conditions(const gsl_vector *u, void *context, gsl_vector *value)
 static int sample(pm_workspace *w, double size[2])
 {
     pm_find *f = w->find;
+    const int n = f->samples, side = n + 1;
     size[0] = size[1] = 0;
-    for (int i = 0; i < SIDE * SIDE; i++) {
-        const double part[2] = {(double)(i / SIDE) / PM_PAIR_SAMPLES, (double)(i % SIDE) / PM_PAIR_SAMPLES};
+    for (int i = 0; i < side * side; i++) {
+        const double part[2] = {(double)(i / side) / n, (double)(i % side) / n};
         double x[2];
         for (int k = 0; k < 2; k++)
             x[k] = part[k] < 1 ? f->low[k] + part[k] * (f->high[k] - f->low[k]) : f->high[k];
@@ -75,7 +75,8 @@ static int is_crossed(const pm_find *f, int cell_x, int cell_y)
     for (int k = 0; k < 2; k++) {
         int below = 0, above = 0;
         for (int i = 0; i < 4; i++) {
-            const double value = reading(f, &f->node[(cell_x + i / 2) * SIDE + cell_y + i % 2], k);
+            const double value =
+                reading(f, &f->node[(cell_x + i / 2) * (f->samples + 1) + cell_y + i % 2], k);
             if (isnan(value)) return 0;
             below |= value <= 0;
             above |= value >= 0;
@@ -128,7 +129,7 @@ static int best_node(const pm_find *f, const double size[2])
 {
     int best = PM_NONE;
     double least = INFINITY;
-    for (int i = 0; i < SIDE * SIDE; i++) {
+    for (int i = 0; i < (f->samples + 1) * (f->samples + 1); i++) {
         const double miss = hypot(reading(f, &f->node[i], 0) / size[0], reading(f, &f->node[i], 1) / size[1]);
         if (!(miss < least)) continue;
         least = miss;
@@ -141,16 +142,14 @@ int pm_find_pair(pm_workspace *w)
 {
     pm_find *f = w->find;
     pm_pair_context c = {.w = w};
+    const int n = f->samples, side = n + 1;
     int crossed = 0, status = sample(w, c.size);
-    for (int i = 0; i < PM_PAIR_SAMPLES * PM_PAIR_SAMPLES && !status; i++) {
-        const int cell_x = i / PM_PAIR_SAMPLES, cell_y = i % PM_PAIR_SAMPLES;
-        if (!is_crossed(f, cell_x, cell_y)) continue;
+    for (int i = 0; i < n * n && !status; i++) {
+        if (!is_crossed(f, i / n, i % n)) continue;
         crossed++;
-        status = go_from(&c, (cell_x + 0.5) / PM_PAIR_SAMPLES, (cell_y + 0.5) / PM_PAIR_SAMPLES);
+        status = go_from(&c, (i / n + 0.5) / n, (i % n + 0.5) / n);
     }
     const int best = status || crossed ? PM_NONE : best_node(f, c.size);
-    if (best != PM_NONE)
-        status =
-            go_from(&c, (double)(best / SIDE) / PM_PAIR_SAMPLES, (double)(best % SIDE) / PM_PAIR_SAMPLES);
+    if (best != PM_NONE) status = go_from(&c, (double)(best / side) / n, (double)(best % side) / n);
     return status;
 }

@@ -4,8 +4,6 @@
 
 #include "find_look.h"
 
-#define PM_PAIR_SAMPLES 8 /* intervals along each of two parameters */
-
 void *pm_pair_create(void);
 void pm_pair_free(void *solver);
 

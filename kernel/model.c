@@ -289,8 +289,9 @@ static int check_find(const pm_model *m, pm_where *where)
     if (nvary < 1 || nvary > PM_FIND_MOST) return bad(where, PM_TABLE_VARY, PM_NONE, nvary, PM_FIND_MOST);
     if (find[PM_FIND_GOAL] < 0 || find[PM_FIND_GOAL] >= PM_FIND_GOALS)
         return bad(where, PM_TABLE_FIND, 0, find[PM_FIND_GOAL], PM_FIND_GOALS);
-    if (find[PM_FIND_SAMPLES] < 2 || find[PM_FIND_SAMPLES] > PM_FIND_MOST_SAMPLES)
-        return bad(where, PM_TABLE_FIND, 0, find[PM_FIND_SAMPLES], PM_FIND_MOST_SAMPLES);
+    const int most = nvary == 2 ? PM_FIND_MOST_PAIR_SAMPLES : PM_FIND_MOST_SAMPLES;
+    if (find[PM_FIND_SAMPLES] < 2 || find[PM_FIND_SAMPLES] > most)
+        return bad(where, PM_TABLE_FIND, 0, find[PM_FIND_SAMPLES], most);
     for (int i = 0; i < nvary; i++) {
         const int parameter = PM_VARY_ROW(m, i)[PM_VARY_PARAMETER];
         if (parameter < 0 || parameter >= m->nparam)

@@ -375,6 +375,7 @@ enum pm_setting_column {
  * varied parameter is ignored.  Conditions and the extreme ask are read at the end of each run, after its jump. */
 #define PM_FIND_MOST 2 /* parameters that vary */
 #define PM_FIND_MOST_SAMPLES 4096
+#define PM_FIND_MOST_PAIR_SAMPLES 64 /* of each of two parameters */
 #define PM_FIND_MOST_CONDITIONS 8
 enum pm_find_goal {
     PM_FIND_VALUE = 0, /* as many conditions ZERO as parameters vary */
@@ -385,7 +386,7 @@ enum pm_find_goal {
 enum pm_find_column {
     PM_FIND_GOAL = 0,
     PM_FIND_PROGRAM = 1, /* what is to be extreme; PM_NONE: the (one) parameter itself */
-    PM_FIND_SAMPLES = 2, /* equal intervals into which the bounds are divided to look for brackets, >= 2 */
+    PM_FIND_SAMPLES = 2, /* equal intervals into which each range is divided to look for brackets, >= 2 */
     PM_FIND_COLUMNS = 3
 };
 /* Parameter and its bounds; their values must not depend on varied parameters. */

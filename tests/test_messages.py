@@ -77,6 +77,10 @@ FAULTS = [
         "find.samples = 1: 2 to 4096 are possible",
     ),
     (
+        'find = { vary = { L = [0, 1], m = [0, 1] }, where = ["AB.x = 0", "AB.y = 0"], samples = 65 }',
+        "find.samples = 65: 2 to 64 are possible",
+    ),
+    (
         'find = { vary.L = ["2 m", "1 m"], where = "AB.x = 0" }',
         "find.vary.L: the lower bound 2 m must be less than the upper bound 1 m",
     ),

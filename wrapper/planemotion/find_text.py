@@ -81,8 +81,10 @@ def _none(said: _Said) -> str:
     if condition.unit is None:
         never = f'no change of "{condition.text}" with {said.range()} (it never holds)'
         return f"{condition.path}: {never}; {said.widen}"
-    more = f", or take more {said.find.path}.samples" if len(said.find.vary) == 1 else ""
-    return f"{_unmet(said, condition)} is {said.ends(condition.unit)}; {said.widen}{more}"
+    return (
+        f"{_unmet(said, condition)} is {said.ends(condition.unit)}; {said.widen}, or take more "
+        f"{said.find.path}.samples"
+    )
 
 
 def _unmet(said: _Said, condition: FindCondition) -> str:

@@ -222,7 +222,7 @@ class Finds:
         row = {
             layout.PM_FIND_GOAL: _GOALS[word],
             layout.PM_FIND_PROGRAM: program,
-            layout.PM_FIND_SAMPLES: find.samples,
+            layout.PM_FIND_SAMPLES: find.intervals,
         }
         self.tables.add(layout.PM_TABLE_FIND, row, f"{path}.{word or 'where'}")
         return word, of

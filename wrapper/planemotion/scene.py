@@ -42,8 +42,9 @@ DEFAULT_G = "9.81 m/s^2"
 DEFAULT_MAX_EVENTS = 1_000_000
 DEFAULT_MAX_STEPS = 1_000_000
 DEFAULT_MAX_TIME = "1000 s"
-# Intervals into which a find divides its bounds.
+# Intervals into which a find divides the range of one parameter, and of each of two.
 DEFAULT_SAMPLES = 32
+DEFAULT_PAIR_SAMPLES = 8
 
 Number = Annotated[Value, BeforeValidator(read_value)]
 Text = Annotated[str, BeforeValidator(read_text)]
@@ -223,7 +224,14 @@ class Find(Table):
     where: Annotated[tuple[str, ...], BeforeValidator(read_sequence)] = ()
     greatest: Number | None = None
     least: Number | None = None
-    samples: Annotated[int, Field(strict=True)] = DEFAULT_SAMPLES
+    samples: Annotated[int, Field(strict=True)] | None = None
+
+    @property
+    def intervals(self) -> int:
+        """`samples`, or what is taken without it."""
+        if self.samples is not None:
+            return self.samples
+        return DEFAULT_SAMPLES if len(self.vary) == 1 else DEFAULT_PAIR_SAMPLES
 
     @property
     def goal(self) -> Literal["greatest", "least"] | None:

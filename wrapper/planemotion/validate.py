@@ -12,7 +12,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from . import words
-from ._layout import PM_FIND_MOST_SAMPLES
+from ._layout import PM_FIND_MOST_PAIR_SAMPLES, PM_FIND_MOST_SAMPLES
 from .errors import SceneError
 from .scene import DEFAULT_G, Ask, At, Find, SceneData, Table
 
@@ -170,7 +170,6 @@ def _check_find(data: SceneData, find: Find, path: str, run: str | None) -> None
         raise SceneError("greatest or least, not both", path=path)
     if not find.where and find.goal is None:
         raise SceneError("what makes a value the right one is wanted: where, greatest or least", path=path)
-    if not 2 <= find.samples <= PM_FIND_MOST_SAMPLES:
-        raise SceneError(
-            f"2 to {PM_FIND_MOST_SAMPLES} are possible", path=f"{path}.samples", value=find.samples
-        )
+    most = PM_FIND_MOST_SAMPLES if len(find.vary) == 1 else PM_FIND_MOST_PAIR_SAMPLES
+    if not 2 <= find.intervals <= most:
+        raise SceneError(f"2 to {most} are possible", path=f"{path}.samples", value=find.samples)
