@@ -15,6 +15,7 @@
 #include "root.h"
 #include "route.h"
 #include "saddle.h"
+#include "series.h"
 
 #define RATE_STEP 2e-3  /* of the step: distance of the differences that make a rate */
 #define NEARLY_FLAT 0.1 /* of the spread in a step: a slope between nodes that may have either sign */
@@ -179,6 +180,19 @@ static int refine(pm_workspace *w, int ask, double a, double b)
     return PM_OK;
 }
 
+/* The same where the nodes resolve the value: the root of the polynomial's slope d. */
+static int refine_samples(pm_workspace *w, int ask, const double *d, int k)
+{
+    const pm_nodes *nodes = w->route->nodes;
+    double s;
+    if (!(d[k] > 0 && d[k + 1] < 0)) return PM_OK;
+    int status = pm_series_root(w, d, nodes->at[k], d[k], nodes->at[k + 1], d[k + 1], &s);
+    if (!status) status = look(w, w->step_begin + s * (w->step_end - w->step_begin), 1);
+    if (status) return status;
+    offer(w, ask, run(w, watched_program(PM_ASK_ROW(w->model, ask))));
+    return PM_OK;
+}
+
 /* Slopes at the nodes, by the fraction of the step, of the polynomial through them. */
 static void slopes(const pm_nodes *nodes, const double *g, double *d)
 {
@@ -212,7 +226,9 @@ static int extreme_in_step(pm_workspace *w, int ask)
         if (k < 0 || k + 1 >= nodes->n) continue;
         const double flat = NEARLY_FLAT * spread / (nodes->at[k + 1] - nodes->at[k]);
         if (d[k] < -flat || d[k + 1] > flat) continue;
-        const int status = refine(w, ask, pm_crossing_node(w, k), pm_crossing_node(w, k + 1));
+        const int status = nodes == &pm_nodes_chebyshev && !at_extreme(PM_ASK_ROW(w->model, ask))
+                               ? refine_samples(w, ask, d, k)
+                               : refine(w, ask, pm_crossing_node(w, k), pm_crossing_node(w, k + 1));
         if (status) return status;
     }
     return PM_OK;
@@ -229,9 +245,9 @@ static int grid_in_step(pm_workspace *w, int ask)
             const double b = w->ask->sample[(i + 1) * w->model->nask + ask] - x.minus;
             const double from = pm_crossing_node(w, i), to = pm_crossing_node(w, i + 1);
             if (!((a < 0 && b >= 0) || (a > 0 && b <= 0))) continue;
-            double t, taken;
+            double t, taken, off;
             int status = pm_root_find(w, w->ask->solver, along, &x, from, a, to, b, &t);
-            if (!status) status = pm_root_polish(w, along, exactly, &x, &t, &taken);
+            if (!status) status = pm_root_polish(w, along, exactly, &x, NAN, &t, &taken, &off);
             if (!status && taken != t) status = look(w, t, 1);
             if (status) return status;
             answer(w, ask, k, run(w, e[PM_ASK_PROGRAM]));

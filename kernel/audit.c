@@ -23,7 +23,7 @@
     1e-3 /* of the scene's speed: motion below it is not judged by itself; a scene at rest has rounding only */
 
 static int friction_z(const pm_model *m) { return m->nz_controlled; }
-static int ledger_z(const pm_model *m) { return m->nz_controlled + 1; }
+int pm_audit_ledger(const pm_model *m) { return m->nz_controlled + 1; }
 
 static void add_outer(double *impulse, const double at[2], const double force[2], double couple, double sign)
 {
@@ -68,7 +68,7 @@ static double friction_power(pm_workspace *w, const double *size)
     return sum;
 }
 
-void pm_audit_rates(pm_workspace *w, double *zdot)
+void pm_audit_controlled_rates(pm_workspace *w, double *zdot)
 {
     const pm_model *m = w->model;
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++)
@@ -78,8 +78,14 @@ void pm_audit_rates(pm_workspace *w, double *zdot)
         const pm_point p = pm_point_of(w, PM_MEASURE_ROW(m, i)[PM_MEASURE_A]);
         zdot[m->path_z[i]] = hypot(p.v[0], p.v[1]);
     }
+}
+
+void pm_audit_rates(pm_workspace *w, double *zdot)
+{
+    const pm_model *m = w->model;
+    pm_audit_controlled_rates(w, zdot);
     zdot[friction_z(m)] = friction_power(w, w->frame.lambda);
-    double *outer = zdot + ledger_z(m);
+    double *outer = zdot + pm_audit_ledger(m);
     outer[0] = outer[1] = outer[2] = 0;
     for (int i = 0; i < m->nbody; i++) {
         const double force[2] = {w->mass[i] * w->gravity[0], w->mass[i] * w->gravity[1]};
@@ -105,7 +111,7 @@ void pm_audit_begin(pm_workspace *w)
     w->energy_lost = 0;
     w->energy_scale = pm_body_kinetic(w, PM_NONE);
     w->momentum_scale = 0;
-    w->constraint_worst = 0;
+    w->constraint_worst = w->evidence = 0;
     pm_body_momentum(w, PM_NONE, w->momentum_start);
 }
 
@@ -131,7 +137,8 @@ static void update_scales(pm_workspace *w)
     pm_body_momentum(w, PM_NONE, p);
     w->energy_scale = fmax(w->energy_scale, fmax(kinetic, fabs(work_of_forces(w))));
     w->momentum_scale =
-        fmax(w->momentum_scale, fmax(momentum_size(w, p), momentum_size(w, w->state.z + ledger_z(w->model))));
+        fmax(w->momentum_scale,
+             fmax(momentum_size(w, p), momentum_size(w, w->state.z + pm_audit_ledger(w->model))));
 }
 
 void pm_audit_step(pm_workspace *w)
@@ -146,7 +153,7 @@ void pm_audit_jump(pm_workspace *w, const double *before)
     const pm_model *m = w->model;
     const double *lambda = w->rhs;
     double *velocity = w->frame.velocity, loss = 0;
-    add_rows(w, lambda, w->state.z + ledger_z(m));
+    add_rows(w, lambda, w->state.z + pm_audit_ledger(m));
     for (int side = 0; side < 2; side++) { /* mean of the rates before and after */
         if (side == 1) memcpy(velocity, before, (size_t)m->nq * sizeof *velocity);
         for (int i = 0; i < w->nactive; i++) loss -= 0.5 * lambda[i] * pm_row_rate(w, &w->row[i]);
@@ -173,13 +180,15 @@ int pm_audit_close(pm_workspace *w)
     double p[PM_LEDGER], open[PM_LEDGER];
     pm_frame_look_state(w, &w->state);
     pm_body_momentum(w, PM_NONE, p);
-    for (int i = 0; i < PM_LEDGER; i++) open[i] = p[i] - w->momentum_start[i] - w->state.z[ledger_z(m) + i];
+    for (int i = 0; i < PM_LEDGER; i++)
+        open[i] = p[i] - w->momentum_start[i] - w->state.z[pm_audit_ledger(m) + i];
     const double energy_open = energy(w) - w->energy_start - work_of_forces(w) + w->energy_lost;
     double mass = 0;
     for (int i = 0; i < m->nbody; i++) mass += w->mass[i];
     w->momentum_scale = fmax(w->momentum_scale, SLOWEST * mass * w->speed);
     w->energy_scale = fmax(w->energy_scale, SLOWEST * SLOWEST * mass * w->speed * w->speed);
     w->audit[PM_AUDIT_ENERGY] = w->energy_scale > 0 ? fabs(energy_open) / w->energy_scale : 0;
+    if (w->evidence > w->audit[PM_AUDIT_ENERGY]) w->audit[PM_AUDIT_ENERGY] = w->evidence; /* a NaN stays */
     w->audit[PM_AUDIT_MOMENTUM] = w->momentum_scale > 0 ? momentum_size(w, open) / w->momentum_scale : 0;
     w->audit[PM_AUDIT_CONSTRAINT] = w->constraint_worst;
     const double least = fmax(LEAST_BOUND, BOUND_FACTOR * w->tolerance);

@@ -145,6 +145,7 @@ static int read_settings(pm_workspace *w)
     }
     static const double least[] = {1e-14, 0, 0};
     for (int k = PM_SETTING_ACCURACY; k <= PM_SETTING_ASSEMBLY; k++) {
+        if (PM_SETTING(m, k) == PM_NONE) continue;
         const int status = check(w, PM_TABLE_SETTING, 0, k, PM_SETTING(m, k), least[k - PM_SETTING_ACCURACY],
                                  k > PM_SETTING_ACCURACY);
         if (status) return status;
@@ -186,6 +187,12 @@ static void set_size(pm_workspace *w)
             size = fmax(size, hypot(w->value[e[PM_POINT_X]] - low[0], w->value[e[PM_POINT_Y]] - low[1]));
         }
     w->size = size > 0 && isfinite(size) ? size : 1;
+}
+
+double pm_case_max_time(const pm_workspace *w)
+{
+    const int index = PM_SETTING(w->model, PM_SETTING_MAX_TIME);
+    return index == PM_NONE ? PM_MAX_TIME : w->value[index];
 }
 
 int pm_case_speed(pm_workspace *w, const double *v)

@@ -8,6 +8,8 @@
 int pm_case_values(pm_workspace *w, const double *param);
 /* Computes the value table from the parameters and checks it; fills masses, gravity, size, tolerance. */
 int pm_case_begin(pm_workspace *w, const double *param);
+/* When a run ends at the latest, s. */
+double pm_case_max_time(const pm_workspace *w);
 /* Lets the speed scale follow v; 1 if it grew noticeably. */
 int pm_case_speed(pm_workspace *w, const double *v);
 

@@ -14,6 +14,7 @@
 #include "root.h"
 #include "route.h"
 #include "saddle.h"
+#include "series.h"
 
 #define ON_ZERO 1e-12  /* of a function's greatest size in the step: zero when the phase begins */
 #define RATE_STEP 1e-4 /* of the step: distance of the differences that make a rate */
@@ -21,6 +22,7 @@
 #define CLOSE 0.1      /* of the values beside it: a dip that is worth a closer look */
 #define DIP_STEP 1e-3  /* of the nodes' distance: distance of the differences at the bottom of a dip */
 #define DIP_STEPS 3    /* of Newton's method to the bottom */
+#define OFF 1e-9       /* of a function's values next to its zero: not on it */
 #define HALVINGS 30    /* of a step, to find the top of a short bounce */
 #define LEAVING \
     20 /* halvings of a step: a trigger has left its zero at the first place where it is seen off it */
@@ -45,6 +47,18 @@ static int look(pm_workspace *w, double x, int level)
     return level == PM_LEVEL_DYNAMIC ? pm_saddle_accelerate(w) : PM_OK;
 }
 
+static void sample_functions(pm_workspace *w, double *value)
+{
+    pm_event_set *e = w->event;
+    for (int i = 0; i < e->nfunction; i++) {
+        const pm_event_function *f = &e->function[i];
+        value[i] = pm_event_sample(w, f);
+        if (f->kind != FUNCTION_TRIGGER) continue;
+        e->least[f->index] = fmin(e->least[f->index], value[i]);
+        e->greatest[f->index] = fmax(e->greatest[f->index], value[i]);
+    }
+}
+
 int pm_crossing_sample(pm_workspace *w, int with_functions)
 {
     pm_event_set *e = w->event;
@@ -57,8 +71,7 @@ int pm_crossing_sample(pm_workspace *w, int with_functions)
     for (int k = 0; k < w->route->nodes->n; k++) {
         const int status = look(w, pm_crossing_node(w, k), level);
         if (status) return status;
-        for (int i = 0; functions && i < e->nfunction; i++)
-            e->value[k * e->nfunction + i] = pm_event_sample(w, &e->function[i]);
+        if (functions) sample_functions(w, e->value + k * e->nfunction);
         if (watched) pm_ask_sample(w, k);
     }
     return PM_OK;
@@ -264,21 +277,69 @@ static void take_rate(pm_workspace *w, int function, double x)
     pm_decision_rate(w, function, (along(w, x + d, f) - along(w, x - d, f)) / (2 * d));
 }
 
+static void samples_of(const pm_workspace *w, int i, double value[PM_NODES_MOST])
+{
+    const pm_event_set *e = w->event;
+    for (int k = 0; k < PM_NODES_MOST; k++)
+        value[k] = pm_event_of_sample(&e->function[i], e->value[k * e->nfunction + i]);
+}
+
+static double slope_of_samples(const pm_workspace *w, int i, double place)
+{
+    const double h = w->step_end - w->step_begin;
+    double value[PM_NODES_MOST], slope[PM_NODES_MOST];
+    samples_of(w, i, value);
+    pm_series_slopes(value, slope);
+    return pm_series_value(slope, 1, (place - w->step_begin) / h) / h;
+}
+
+/* Where the polynomial through the samples has its root: the nodes of a spectral route resolve the function. */
+static int root_of_samples(pm_workspace *w, int i, const pm_bracket *x, double *place)
+{
+    const double begin = w->step_begin, h = w->step_end - begin;
+    double value[PM_NODES_MOST], s;
+    samples_of(w, i, value);
+    const int status = pm_series_root(w, value, (x->a - begin) / h, x->ga, (x->b - begin) / h, x->gb, &s);
+    *place = begin + s * h;
+    return status;
+}
+
+static int root_in(pm_workspace *w, int i, const pm_bracket *x, double *place)
+{
+    pm_event_set *e = w->event;
+    *place = x->a;
+    if (!(x->b > x->a)) return PM_OK;
+    if (w->route->nodes == &pm_nodes_chebyshev) return root_of_samples(w, i, x, place);
+    return pm_root_find(w, e->solver, along, &e->function[i], x->a, x->ga, x->b, x->gb, place);
+}
+
+/* A function with a corner is no polynomial: where the polished place is not on its zero it is looked for once more. */
+static int polish(pm_workspace *w, int i, const pm_bracket *x, double *first, double *taken)
+{
+    pm_event_function *f = &w->event->function[i];
+    const int spectral = w->route->nodes == &pm_nodes_chebyshev;
+    const double size = fmax(fabs(x->ga), fabs(x->gb));
+    double off;
+    int status = pm_root_polish(w, along, exactly, f, spectral ? slope_of_samples(w, i, *first) : NAN, first,
+                                taken, &off);
+    if (status || !(fabs(off) > OFF * size) || !spectral) return status;
+    status = pm_root_find(w, w->event->solver, along, f, x->a, x->ga, x->b, x->gb, first);
+    return status ? status : pm_root_polish(w, along, exactly, f, NAN, first, taken, &off);
+}
+
 int pm_crossing_first(pm_workspace *w, double from, double *first, double *taken)
 {
     pm_event_set *e = w->event;
     const double same = PM_SAME_PLACE * (w->step_end - w->step_begin);
+    pm_bracket x, of_first = {0, 0, 0, 0};
     int earliest = PM_NONE;
     *first = INFINITY;
     for (int i = 0; i < e->nfunction; i++) {
-        pm_bracket x;
         e->hit[i] = 0;
         if (!bracket(w, i, from, &x)) continue;
         if (x.a > *first) continue; /* cannot be the first */
-        int status = PM_OK;
-        double place = x.a;
-        if (x.b > x.a)
-            status = pm_root_find(w, e->solver, along, &e->function[i], x.a, x.ga, x.b, x.gb, &place);
+        double place;
+        const int status = root_in(w, i, &x, &place);
         if (status) return status;
         if (place < *first - same)
             for (int k = 0; k < i; k++) e->hit[k] = 0;
@@ -287,11 +348,12 @@ int pm_crossing_first(pm_workspace *w, double from, double *first, double *taken
         if (place < *first) {
             *first = place;
             earliest = i;
+            of_first = x;
         }
     }
     if (earliest == PM_NONE || *first <= w->step_begin) return PM_OK;
     take_rate(w, earliest, *first);
-    return pm_root_polish(w, along, exactly, &e->function[earliest], first, taken);
+    return polish(w, earliest, &of_first, first, taken);
 }
 
 void pm_crossing_leave(pm_workspace *w)

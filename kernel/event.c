@@ -9,6 +9,7 @@
 #include "ask.h"
 #include "audit.h"
 #include "body.h"
+#include "case.h"
 #include "contact.h"
 #include "crossing.h"
 #include "instant.h"
@@ -32,7 +33,7 @@ int pm_event_create(pm_workspace *w)
     if (!e) return PM_NO_MEMORY;
     e->most = (int)most;
     e->function = calloc(most + 1, sizeof *e->function);
-    e->value = calloc(PM_NODES_MOST * (most + 1) + 2 * ntrigger + nevent, sizeof(double));
+    e->value = calloc(PM_NODES_MOST * (most + 1) + 4 * ntrigger + nevent, sizeof(double));
     e->hit = calloc(2 * (most + 1), sizeof(int));
     e->count = calloc(nevent + 1, sizeof *e->count);
     e->fired = calloc(ntrigger + (size_t)m->rows[PM_TABLE_CONTACT] + 1, 1);
@@ -42,7 +43,9 @@ int pm_event_create(pm_workspace *w)
     e->root = e->hit + most + 1;
     e->before = e->value + PM_NODES_MOST * (most + 1);
     e->due = e->before + ntrigger;
-    e->time = e->due + ntrigger;
+    e->least = e->due + ntrigger;
+    e->greatest = e->least + ntrigger;
+    e->time = e->greatest + ntrigger;
     return PM_OK;
 }
 
@@ -82,6 +85,8 @@ static void add_triggers(pm_workspace *w)
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *e = PM_TRIGGER_ROW(w->model, i);
         const int in_time = w->route->in_time && !w->route->finds_roots && pm_trigger_on_time(w, i);
+        w->event->least[i] = INFINITY;
+        w->event->greatest[i] = -INFINITY;
         w->event->due[i] = in_time ? pm_trigger_due(w, i) : INFINITY;
         if (in_time || e[PM_TRIGGER_KIND] > PM_TRIGGER_EVERY) continue;
         add(w, FUNCTION_TRIGGER, i, direction[e[PM_TRIGGER_KIND]],
@@ -330,7 +335,7 @@ static int pass_marks(pm_workspace *w, double *first, double *taken, int *ended)
 int pm_event_advance(pm_workspace *w, int *ended)
 {
     pm_event_set *e = w->event;
-    const double max_time = w->value[PM_SETTING(w->model, PM_SETTING_MAX_TIME)];
+    const double max_time = pm_case_max_time(w);
     *ended = 0;
     for (;;) {
         double first = INFINITY, taken = NAN;
@@ -358,7 +363,11 @@ int pm_event_advance(pm_workspace *w, int *ended)
         const int due = first >= w->step_end && mark_due(w);
         if (*ended) return PM_OK;
         if (first < INFINITY) mark_hits(w);
-        if (first < INFINITY || due || w->turns) return PM_OK;
+        if (first < INFINITY || due || w->turns) {
+            w->lap = 0;
+            return PM_OK;
+        }
+        if (w->lap) return PM_OK;
         if (w->trace && (status = pm_trace_row(w, 0))) return status;
     }
 }

@@ -29,19 +29,20 @@ typedef struct pm_event_function {
 typedef struct pm_event_set {
     pm_event_function *function;
     int nfunction;
-    int level;            /* highest level of all */
-    double *value;        /* [PM_NODES_MOST][most functions] samples */
-    int *hit;             /* [most functions] fired at this instant */
-    int *root;            /* [most functions] roots that the route itself found, or 0 */
-    double *due;          /* [ntrigger] time at which a trigger on time alone fires next, or INFINITY */
-    unsigned char *fired; /* [ntrigger] at this instant */
-    unsigned char *spent; /* [ncontact] left its zero by less than rounding: the bounce is over */
-    double *before;       /* [ntrigger] program values before the jump */
-    int64_t *count;       /* [nevent] */
-    double *time;         /* [nevent] */
-    void *solver;         /* gsl_root_fsolver */
-    int first_step;       /* of the phase */
-    int most;             /* size of the function array */
+    int level;                /* highest level of all */
+    double *value;            /* [PM_NODES_MOST][most functions] samples */
+    int *hit;                 /* [most functions] fired at this instant */
+    int *root;                /* [most functions] roots that the route itself found, or 0 */
+    double *due;              /* [ntrigger] time at which a trigger on time alone fires next, or INFINITY */
+    unsigned char *fired;     /* [ntrigger] at this instant */
+    unsigned char *spent;     /* [ncontact] left its zero by less than rounding: the bounce is over */
+    double *before;           /* [ntrigger] program values before the jump */
+    double *least, *greatest; /* [ntrigger] of the samples in the phase */
+    int64_t *count;           /* [nevent] */
+    double *time;             /* [nevent] */
+    void *solver;             /* gsl_root_fsolver */
+    int first_step;           /* of the phase */
+    int most;                 /* size of the function array */
 } pm_event_set;
 
 int pm_event_create(pm_workspace *w);

@@ -169,7 +169,7 @@ int pm_ida_root_begin(pm_workspace *w, const double *a, double *first)
 {
     pm_ida_roots *x = w->ida->roots;
     const int n = w->event->nfunction;
-    const double longest = w->value[PM_SETTING(w->model, PM_SETTING_MAX_TIME)]; /* even at rest */
+    const double longest = pm_case_max_time(w); /* even at rest */
     const double scale = fmin(pm_case_time_scale(w, w->state.v, a), longest), d = RATE_TIME * scale;
     const double least = SHORTEST * *first;
     double *later = x->node + x->most, *earlier = later + x->most;

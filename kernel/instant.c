@@ -8,7 +8,9 @@
 #include "decision.h"
 #include "event.h"
 #include "jump.h"
+#include "leg.h"
 #include "mode.h"
+#include "route.h"
 #include "saddle.h"
 #include "trace.h"
 #include "trigger.h"
@@ -98,8 +100,13 @@ static int mark_turning(pm_workspace *w)
 
 int pm_instant_full(pm_workspace *w, int *ended)
 {
-    int status = pm_trace_row(w, 1);
+    *ended = 0;
     pm_frame_look_state(w, &w->state);
+    if (w->route == &pm_route_path) {
+        pm_leg_end(w);
+        if (pm_leg_refuted(w)) return PM_OK;
+    }
+    int status = pm_trace_row(w, 1);
     if (!status) status = pm_saddle_accelerate(w);
     if (!status && w->turns) status = mark_turning(w);
     if (!status) status = act(w);

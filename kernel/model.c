@@ -97,7 +97,7 @@ static const pm_range ranges[] = {
     {PM_TABLE_SETTING, PM_SETTING_GRAVITY_X, PM_TABLE_VALUE, 0, 0},
     {PM_TABLE_SETTING, PM_SETTING_GRAVITY_Y, PM_TABLE_VALUE, 0, 0},
     {PM_TABLE_SETTING, PM_SETTING_ACCURACY, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_SETTING, PM_SETTING_MAX_TIME, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_SETTING, PM_SETTING_MAX_TIME, PM_TABLE_VALUE, 0, 1},
     {PM_TABLE_SETTING, PM_SETTING_ASSEMBLY, PM_TABLE_VALUE, 0, 0},
     {PM_TABLE_SETTING, PM_SETTING_NUDGE, PM_TABLE_PROGRAM, 0, 1},
     {PM_TABLE_FIND, PM_FIND_PROGRAM, PM_TABLE_PROGRAM, 0, 1},
@@ -353,6 +353,7 @@ static void lay_out(pm_model *m)
         const int kind = PM_FORCE_ROW(m, i)[PM_FORCE_KIND];
         m->force_z[i] = kind == PM_FORCE_SPRING || kind == PM_FORCE_TORSION ? PM_NONE : m->nz++;
     }
+    m->nz_work = m->nz;
     for (int i = 0; i < m->rows[PM_TABLE_MEASURE]; i++)
         m->path_z[i] = PM_MEASURE_ROW(m, i)[PM_MEASURE_KIND] == PM_MEASURE_PATH ? m->nz++ : PM_NONE;
     m->nz_controlled = m->nz;
@@ -373,6 +374,7 @@ static void grade_programs(pm_model *m)
         }
         m->program_level[i] = (unsigned char)level;
         m->program_nature[i] = (unsigned char)pm_nature_of(m, i);
+        m->program_growth[i] = (unsigned char)pm_nature_growth(m, i);
     }
 }
 
@@ -390,6 +392,27 @@ static void look_for_time(pm_model *m)
         const int32_t *e = PM_TRIGGER_ROW(m, i);
         if (e[PM_TRIGGER_KIND] <= PM_TRIGGER_EVERY)
             m->uses_time |= pm_nature_reads_time(m, e[PM_TRIGGER_PROGRAM]);
+    }
+}
+
+static int by_place(const pm_model *m, int program)
+{
+    const int nature = m->program_nature[program];
+    return nature == PM_NATURE_CONSTANT || nature == PM_NATURE_PLACE;
+}
+
+/* Whether work depends on the way alone: springs, and applied forces and couples that read no motion and no time. */
+static void look_at_forces(pm_model *m)
+{
+    m->forces_by_place = 1;
+    for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++) {
+        const int32_t *e = PM_FORCE_ROW(m, i);
+        const int kind = e[PM_FORCE_KIND];
+        int ok = kind == PM_FORCE_SPRING || kind == PM_FORCE_TORSION;
+        if (kind == PM_FORCE_COUPLE) ok = by_place(m, e[PM_FORCE_PROGRAM_X]);
+        if (kind == PM_FORCE_APPLIED)
+            ok = by_place(m, e[PM_FORCE_PROGRAM_X]) && by_place(m, e[PM_FORCE_PROGRAM_Y]);
+        m->forces_by_place &= ok;
     }
 }
 
@@ -433,13 +456,14 @@ int pm_model_create(int64_t ntable, const int32_t *table, int64_t nconstant, con
     const size_t nint = (size_t)m->rows[PM_TABLE_CONTACT] + 2 * (size_t)m->rows[PM_TABLE_JOINT] +
                         (size_t)m->rows[PM_TABLE_FORCE] + (size_t)m->rows[PM_TABLE_MEASURE];
     int *block = calloc(nint + 1, sizeof *block);
-    m->program_level = calloc(2 * (size_t)m->rows[PM_TABLE_PROGRAM] + 1, 1);
+    m->program_level = calloc(3 * (size_t)m->rows[PM_TABLE_PROGRAM] + 1, 1);
     m->contact_slot = block;
     if (!block || !m->program_level) {
         pm_model_free(m);
         return PM_NO_MEMORY;
     }
     m->program_nature = m->program_level + m->rows[PM_TABLE_PROGRAM];
+    m->program_growth = m->program_nature + m->rows[PM_TABLE_PROGRAM];
     m->joint_row = m->contact_slot + m->rows[PM_TABLE_CONTACT];
     m->joint_memory = m->joint_row + m->rows[PM_TABLE_JOINT];
     m->force_z = m->joint_memory + m->rows[PM_TABLE_JOINT];
@@ -448,6 +472,9 @@ int pm_model_create(int64_t ntable, const int32_t *table, int64_t nconstant, con
     grade_programs(m);
     look_for_time(m);
     look_for_counts(m);
+    look_at_forces(m);
+    for (int i = 0; i < m->rows[PM_TABLE_PROGRAM]; i++) m->reads_time |= pm_nature_reads_time(m, i);
+    m->reads_time |= PM_SETTING(m, PM_SETTING_MAX_TIME) >= 0;
     *model = m;
     return PM_OK;
 }

@@ -29,6 +29,7 @@ typedef struct pm_model {
     int nmemory;       /* rolling joints and slots: what their no-slip rows remember */
     int nrow;          /* most active rows: njoint_row + 2 nslot */
     int nz;            /* running integrals: forces' work, paths, then PM_LEDGER audit entries */
+    int nz_work;       /* of these the first are works of forces */
     int nz_controlled; /* of these the first are under error control */
     int uses_time;     /* some force or trigger depends on t: rest does not last, or is waited out */
     int *contact_slot; /* [ncontact] first slot */
@@ -38,6 +39,9 @@ typedef struct pm_model {
     int *path_z;       /* [nmeasure] running integral of a path measure, or PM_NONE */
     unsigned char *program_level;  /* [nprogram] enum pm_level that its measures need */
     unsigned char *program_nature; /* [nprogram] enum pm_nature */
+    unsigned char *program_growth; /* [nprogram] enum pm_growth */
+    int forces_by_place;           /* all forces depend on the configuration alone */
+    int reads_time;                /* some program reads the time */
     int watches_counts;            /* what is watched in a step reads the count or time of an event */
 } pm_model;
 
@@ -175,7 +179,13 @@ typedef struct pm_workspace {
     double momentum_start[PM_LEDGER];
     int64_t count[PM_COUNT_COLUMNS];
     /* route */
-    const struct pm_route_ops *route;
+    const struct pm_route_ops *route; /* of the present phase */
+    int rule, price;                  /* why it was chosen (plan.c); cost of the dearest so far */
+    double evidence;                  /* worst relative disagreement that the path route found */
+    struct pm_tree *tree;
+    struct pm_path *path;
+    struct pm_leg *leg;
+    int lap; /* the path may have closed at the end of the step */
     struct pm_rk *rk;
     struct pm_ida *ida;
     double step_begin,

@@ -11,7 +11,20 @@ enum pm_nature {
     PM_NATURE_MOTION = 3    /* of anything else */
 };
 
+/* How a program changes with the kinetic energy T at a fixed place on a path of one degree of freedom: what is known of
+ * it at two values of T then holds for all between. */
+enum pm_growth {
+    PM_GROWTH_NONE = 0,    /* the place alone tells it */
+    PM_GROWTH_LINEAR = 1,  /* a + b T: accelerations, reactions, energies */
+    PM_GROWTH_ROOT = 2,    /* c sqrt(T): velocities */
+    PM_GROWTH_STEADY = 3,  /* monotone in T */
+    PM_GROWTH_CONVEX = 4,  /* greatest at the ends of any range of T */
+    PM_GROWTH_CONCAVE = 5, /* least at the ends */
+    PM_GROWTH_UNKNOWN = 6
+};
+
 int pm_nature_of(const pm_model *m, int program);
+int pm_nature_growth(const pm_model *m, int program);
 /* A program that some measure of time (the time itself, or that of an event) enters. */
 int pm_nature_reads_time(const pm_model *m, int program);
 /* A program that the count or time of an event enters. */

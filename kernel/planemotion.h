@@ -122,7 +122,8 @@ enum pm_op {
     PM_OP_ANSWER = 35, /* push out[arg], answered before (only in the programs of a find) */
     PM_OPS = 36
 };
-#define PM_STACK 64 /* greatest depth of the stack */
+#define PM_MAX_TIME 1000 /* s: limit of runs for which none is set */
+#define PM_STACK 64      /* greatest depth of the stack */
 enum pm_code_column { PM_CODE_OP = 0, PM_CODE_ARG = 1, PM_CODE_COLUMNS = 2 };
 enum pm_program_column { PM_PROGRAM_FIRST = 0, PM_PROGRAM_LENGTH = 1, PM_PROGRAM_COLUMNS = 2 };
 enum pm_value_column { PM_VALUE_PROGRAM = 0, PM_VALUE_COLUMNS = 1 };
@@ -355,12 +356,21 @@ enum pm_reason {
 };
 
 /* ---- settings ----------------------------------------------------------------------------------------------- */
-enum pm_route { PM_ROUTE_AUTO = 0, PM_ROUTE_RK = 1, PM_ROUTE_IDA = 2, PM_ROUTES = 3 };
+enum pm_route {
+    PM_ROUTE_AUTO = 0,    /* each phase by the cheapest route that is exact enough */
+    PM_ROUTE_RK = 1,      /* smooth motion in time: explicit, 8th order */
+    PM_ROUTE_IDA = 2,     /* smooth motion in time: SUNDIALS IDA; stiff forces; the reference */
+    PM_ROUTE_STATE = 3,   /* only the start is asked */
+    PM_ROUTE_JUMP = 4,    /* only states before and after an impulse are asked */
+    PM_ROUTE_UNIFORM = 5, /* constant accelerations */
+    PM_ROUTE_PATH = 6,    /* one degree of freedom: work and energy along the path */
+    PM_ROUTES = 7
+};
 enum pm_setting_column {
     PM_SETTING_GRAVITY_X = 0, /* value indices */
     PM_SETTING_GRAVITY_Y = 1,
     PM_SETTING_ACCURACY = 2, /* value index: relative tolerance of the integration, 1e-14 .. 1e-2 */
-    PM_SETTING_MAX_TIME = 3, /* value index, s */
+    PM_SETTING_MAX_TIME = 3, /* value index, s; or PM_NONE: PM_MAX_TIME where the run steps in time */
     PM_SETTING_ASSEMBLY = 4, /* value index: allowed opening relative to the scene's size */
     PM_SETTING_ROUTE = 5,    /* enum pm_route */
     PM_SETTING_MAX_EVENTS = 6,
@@ -427,13 +437,15 @@ enum pm_count_column {
     PM_COUNT_JUMPS = 2,
     PM_COUNT_STEPS = 3,
     PM_COUNT_SOLVES = 4, /* saddle-point solutions */
-    PM_COUNT_ROUTE = 5,  /* enum pm_route that ran */
+    PM_COUNT_ROUTE = 5,  /* enum pm_route that ran: the costliest, if phases took several */
     PM_COUNT_RUNS =
         6, /* whole runs of the case: more than 1 in a find, whose last one the other counts are of */
-    PM_COUNT_FOUND = 7, /* brackets of a find in which something was found */
+    PM_COUNT_FOUND = 7,  /* brackets of a find in which something was found */
     PM_COUNT_PASSES =
         8, /* of the case, the others for its errors; all other counts are of the one that answers */
-    PM_COUNT_COLUMNS = 9
+    PM_COUNT_ROUTES = 9, /* sum of 2^route over all that ran */
+    PM_COUNT_LEGS = 10,  /* legs that repeat one that was computed, and were passed over */
+    PM_COUNT_COLUMNS = 11
 };
 /* What pm_check reports of the assembled start. */
 enum pm_check_column {

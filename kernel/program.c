@@ -49,7 +49,7 @@ int pm_program_operands(int op)
     return -1;
 }
 
-static double unary(int op, double a)
+double pm_program_unary(int op, double a)
 {
     switch (op) {
     case PM_OP_NEG: return -a;
@@ -72,7 +72,7 @@ static double unary(int op, double a)
 static double lesser(double a, double b) { return isnan(a) || a < b ? a : b; }
 static double greater(double a, double b) { return isnan(a) || a > b ? a : b; }
 
-static double binary(int op, double a, double b)
+double pm_program_binary(int op, double a, double b)
 {
     switch (op) {
     case PM_OP_ADD: return a + b;
@@ -115,10 +115,10 @@ double pm_program_run(const pm_model *m, int index, const double *param, const d
             break;
         default:
             if (pm_program_operands(op) == 1) {
-                stack[top] = unary(op, stack[top]);
+                stack[top] = pm_program_unary(op, stack[top]);
             } else {
                 top--;
-                stack[top] = binary(op, stack[top], stack[top + 1]);
+                stack[top] = pm_program_binary(op, stack[top], stack[top + 1]);
             }
         }
     }

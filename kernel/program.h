@@ -15,5 +15,7 @@ int pm_program_validate(const pm_model *m, pm_where *where);
 
 /* What an operation takes off the stack; all leave one number; < 0: no such operation. */
 int pm_program_operands(int op);
+double pm_program_unary(int op, double a);
+double pm_program_binary(int op, double a, double b);
 
 #endif

@@ -7,7 +7,7 @@
 
 #define ITERATIONS 100
 #define ROUNDING 2.3e-16
-#define POLISH 4        /* exact states taken to polish a root */
+#define POLISH 6        /* exact states taken to polish a root */
 #define SLOPE_STEP 1e-4 /* of the step: distance of the difference that makes a slope */
 #define FAR 0.1         /* of the step: a shift this long is no polish */
 
@@ -50,18 +50,23 @@ static double slope_at(pm_workspace *w, pm_along *f, void *context, double t, do
     return (f(w, t + d, context) - f(w, t - d, context)) / (2 * d);
 }
 
-int pm_root_polish(pm_workspace *w, pm_along *f, pm_exactly *exactly, void *context, double *t, double *taken)
+int pm_root_polish(pm_workspace *w, pm_along *f, pm_exactly *exactly, void *context, double slope, double *t,
+                   double *taken, double *off)
 {
     const double h = w->step_end - w->step_begin, rounding = ROUNDING * fabs(*t) + 1e-15 * h;
-    const double slope = slope_at(w, f, context, *t, SLOPE_STEP * h);
-    double best = INFINITY, value;
+    double best = INFINITY, value, last = 0, place = *t;
+    if (isnan(slope)) slope = slope_at(w, f, context, *t, SLOPE_STEP * h);
     for (int i = 0; i < POLISH; i++) {
         *taken = *t;
         const int status = exactly(w, *t, context, &value);
         if (status) return status;
+        *off = value;
+        if (i > 0 && value != last && *t != place) slope = (value - last) / (*t - place); /* secant */
         const double shift = slope != 0 ? -value / slope : 0;
         if (!(fabs(value) < best) || fabs(shift) <= rounding || fabs(shift) > FAR * h) break;
         best = fabs(value);
+        last = value;
+        place = *t;
         *t = fmin(fmax(*t + shift, w->step_begin), w->step_end);
     }
     return PM_OK;

@@ -13,9 +13,10 @@ int pm_root_find(pm_workspace *w, void *solver, pm_along *f, void *context, doub
 /* Value of the same function on the exact state at t, which is left in w->probe and in the frame. */
 typedef int pm_exactly(pm_workspace *w, double t, void *context, double *value);
 
-/* Moves a root of the dense output to where the exact state is on it; *taken is where that was looked at last. */
-int pm_root_polish(pm_workspace *w, pm_along *f, pm_exactly *exactly, void *context, double *t,
-                   double *taken);
+/* Moves a root of the dense output to where the exact state is on it; *taken is where that was looked at last, *off the
+ * value there.  slope: of f at the root, or NAN where it is to be found by differences. */
+int pm_root_polish(pm_workspace *w, pm_along *f, pm_exactly *exactly, void *context, double slope, double *t,
+                   double *taken, double *off);
 void *pm_root_create(void);
 void pm_root_free(void *solver);
 

@@ -1,13 +1,20 @@
 /* route.c - which routes there are. */
 #include "route.h"
 
-static const pm_route_ops *const routes[] = {&pm_route_rk, &pm_route_ida};
+#include <stddef.h>
+
+static const pm_route_ops *const routes[] = {&pm_route_rk, &pm_route_ida, &pm_route_path};
 enum { NROUTES = sizeof routes / sizeof *routes };
 
+/* IDA's memory is large, and made only for scenes that ask for it. */
 int pm_route_create(pm_workspace *w)
 {
-    const pm_route_ops *chosen = pm_route_choose(w->model);
-    return chosen->create(w);
+    const int wanted = PM_SETTING(w->model, PM_SETTING_ROUTE);
+    int status = PM_OK;
+    for (int i = 0; i < NROUTES && !status; i++)
+        if ((wanted == PM_ROUTE_AUTO && routes[i]->route != PM_ROUTE_IDA) || wanted == routes[i]->route)
+            status = routes[i]->create(w);
+    return status;
 }
 
 void pm_route_free(pm_workspace *w)
@@ -15,9 +22,9 @@ void pm_route_free(pm_workspace *w)
     for (int i = 0; i < NROUTES; i++) routes[i]->free(w);
 }
 
-const pm_route_ops *pm_route_choose(const pm_model *m)
+const pm_route_ops *pm_route_of(int route)
 {
     for (int i = 0; i < NROUTES; i++)
-        if (routes[i]->route == PM_SETTING(m, PM_SETTING_ROUTE)) return routes[i];
-    return &pm_route_rk; /* auto: smooth, not stiff */
+        if (routes[i]->route == route) return routes[i];
+    return NULL;
 }

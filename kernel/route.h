@@ -1,6 +1,7 @@
 /* route.h - the one interface of all ways to compute a phase.
  *
  * A phase is smooth motion with the fixed active rows of the workspace (active.h).  The event loop calls
+ *   applies whether it can compute the phase that starts at w->state; the workspace may be prepared for begin
  *   begin   the phase starts at w->state: consistent with the rows, the frame looks at it
  *   step    one accepted step from w->state towards the time t_limit, never beyond it: afterwards w->state is at
  *           w->step_end, projected on the rows; w->step_begin is where the step began; w->turns tells that the motion
@@ -22,6 +23,7 @@ typedef struct pm_route_ops {
     int route; /* enum pm_route */
     int (*create)(pm_workspace *w);
     void (*free)(pm_workspace *w);
+    int (*applies)(pm_workspace *w); /* NULL: always */
     int (*begin)(pm_workspace *w);
     int (*step)(pm_workspace *w, double t_limit);
     int (*at)(pm_workspace *w, double t, pm_state *s);
@@ -30,15 +32,16 @@ typedef struct pm_route_ops {
     double spread; /* how far its errors scatter about what goes with the tolerance, as a factor */
     int finds_roots;
     int in_time;           /* its progress coordinate is the time */
+    int price;             /* routes in order of their cost */
     const pm_nodes *nodes; /* where its steps are sampled */
 } pm_route_ops;
 
-extern const pm_route_ops pm_route_rk, pm_route_ida;
+extern const pm_route_ops pm_route_rk, pm_route_ida, pm_route_path;
 
 /* Creates what all routes need; frees it. */
 int pm_route_create(pm_workspace *w);
 void pm_route_free(pm_workspace *w);
-/* The route that the settings ask for. */
-const pm_route_ops *pm_route_choose(const pm_model *m);
+/* The route of a number of enum pm_route; NULL if there is none. */
+const pm_route_ops *pm_route_of(int route);
 
 #endif

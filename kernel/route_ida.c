@@ -254,5 +254,6 @@ const pm_route_ops pm_route_ida = {
     .spread = 60, /* its order changes on the way */
     .finds_roots = 1,
     .in_time = 1,
+    .price = 4,
     .nodes = &pm_nodes_equal,
 };

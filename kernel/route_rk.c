@@ -283,5 +283,6 @@ const pm_route_ops pm_route_rk = {
     .spread = 30,
     .finds_roots = 0,
     .in_time = 1,
+    .price = 3,
     .nodes = &pm_nodes_equal,
 };

@@ -13,6 +13,8 @@
 #include "event.h"
 #include "force.h"
 #include "instant.h"
+#include "leg.h"
+#include "plan.h"
 #include "route.h"
 #include "saddle.h"
 #include "trace.h"
@@ -24,8 +26,8 @@ static int begin_case(pm_workspace *w, const double *param, pm_start_report *rep
     w->where = (pm_where){PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
     w->lost = 0;
     w->state.t = 0; /* a case that fails before its start reports no time of another */
-    w->route = pm_route_choose(w->model);
-    w->count[PM_COUNT_ROUTE] = w->route->route;
+    w->price = w->lap = 0;
+    pm_leg_forget(w);
     w->event->nfunction = 0;
     w->turns = 0;
     pm_error_begin(w);
@@ -72,9 +74,19 @@ int pm_run_start(pm_workspace *w, const double *param, pm_start_report *report)
 
 static int phase(pm_workspace *w, int *ended)
 {
-    int status = pm_error_disturb(w);
+    int passed = 0, status = pm_error_disturb(w);
+    if (!status) status = pm_plan_phase(w);
+    pm_frame_look_state(w, &w->state);
+    if (!status && w->route == &pm_route_path)
+        status = pm_leg_begin(w, &passed);
+    else
+        pm_leg_forget(w);
+    if (!status && passed) status = pm_plan_phase(w);
     if (status) return status;
+    pm_frame_look_state(w, &w->state);
+    if ((status = pm_saddle_accelerate(w))) return status;
     pm_event_begin(w);
+    if (w->lap) w->event->first_step = 0; /* the motion goes on: what is on zero need not be left first */
     if ((status = w->route->begin(w))) return status;
     w->count[PM_COUNT_PHASES]++;
     if ((status = pm_event_advance(w, ended)) || !*ended) return status;
@@ -89,7 +101,11 @@ static int run_phases(pm_workspace *w)
     if (!status) status = pm_trace_row(w, 2);
     while (!status && !ended) {
         status = phase(w, &ended);
-        if (!status && !ended) status = pm_instant_full(w, &ended);
+        if (status || ended) break;
+        if (w->lap)
+            pm_leg_lap(w);
+        else
+            status = pm_instant_full(w, &ended);
     }
     return status;
 }

@@ -6,8 +6,10 @@
 #include "error.h"
 #include "event.h"
 #include "find.h"
+#include "leg.h"
 #include "model.h"
 #include "route.h"
+#include "tree.h"
 
 int pm_state_create(const pm_model *m, pm_state *s)
 {
@@ -105,6 +107,8 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
     if (!status) status = pm_event_create(w);
     if (!status) status = pm_ask_create(w);
     if (!status) status = pm_error_create(w);
+    if (!status) status = pm_tree_create(w);
+    if (!status) status = pm_leg_create(w);
     if (!status) status = pm_route_create(w);
     if (!status) status = pm_find_create(w);
     if (status) {
@@ -121,6 +125,8 @@ void pm_workspace_free(pm_workspace *w)
     pm_find_free(w);
     pm_route_free(w);
     pm_error_free(w);
+    pm_leg_free(w);
+    pm_tree_free(w);
     pm_ask_free(w);
     pm_event_free(w);
     pm_state_free(&w->ahead);

@@ -91,7 +91,7 @@ def test_json_on_stdout_is_the_contract(folder: Path) -> None:
     assert entry["id"] == "pendulum"
     assert entry["file"] == str(scene)
     assert entry["status"] == "ok"
-    assert entry["route"] == ["rk"]
+    assert entry["route"] == ["path"]
     assert set(entry["audit"]) == {"energy", "momentum", "constraint"}
     omega = entry["asks"]["omega"]
     assert (omega["value"], omega["unit"]) == (planemotion.load(scene).run().omega, "rad/s")

@@ -6,6 +6,7 @@
 #include "body.h"
 #include "check.h"
 #include "event.h"
+#include "plan.h"
 #include "scene.h"
 
 #define G 9.81
@@ -149,6 +150,7 @@ static void dense_output(int route, double tolerance)
         pm_workspace *w = s->w;
         const int nq = w->model->nq;
         w->event->nfunction = 0;
+        CHECK(pm_plan_phase(w) == PM_OK);
         pm_event_begin(w);
         CHECK(w->route->begin(w) == PM_OK);
         for (int step = 0; step < 40; step++) {

@@ -248,13 +248,14 @@ class _Flattener:
         solve, value = self.data.solve, self.tables.value
         down = negative(Name("g")) if self.data.plane == "vertical" else ZERO
         accuracy = self.reader.number(solve.accuracy, "solve.accuracy", DIMENSIONLESS)
-        max_time = self.reader.number(solve.max_time, "solve.max_time", TIME)
         assembly = self.reader.number(solve.assembly, "solve.assembly", DIMENSIONLESS)
         row = {
             layout.PM_SETTING_GRAVITY_X: value(ZERO, "plane"),
             layout.PM_SETTING_GRAVITY_Y: value(down, "parameters.g"),
             layout.PM_SETTING_ACCURACY: value(accuracy, "solve.accuracy"),
-            layout.PM_SETTING_MAX_TIME: value(max_time, "solve.max_time"),
+            layout.PM_SETTING_MAX_TIME: layout.PM_NONE
+            if solve.max_time is None
+            else value(self.reader.number(solve.max_time, "solve.max_time", TIME), "solve.max_time"),
             layout.PM_SETTING_ASSEMBLY: value(assembly, "solve.assembly"),
             layout.PM_SETTING_ROUTE: layout.pm_route[f"PM_ROUTE_{solve.route.upper()}"],
             layout.PM_SETTING_MAX_EVENTS: solve.max_events,

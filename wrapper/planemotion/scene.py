@@ -41,7 +41,6 @@ DEFAULT_G = "9.81 m/s^2"
 # Far beyond what a scene needs: they end runs that would not end by themselves.
 DEFAULT_MAX_EVENTS = 1_000_000
 DEFAULT_MAX_STEPS = 1_000_000
-DEFAULT_MAX_TIME = "1000 s"
 # Intervals into which a find divides the range of one parameter, and of each of two.
 DEFAULT_SAMPLES = 32
 DEFAULT_PAIR_SAMPLES = 8
@@ -244,7 +243,7 @@ class Find(Table):
 class Solve(Table):
     route: Text = "auto"
     accuracy: Number = 1e-10
-    max_time: Number = DEFAULT_MAX_TIME
+    max_time: Number | None = None
     max_events: int = DEFAULT_MAX_EVENTS
     max_steps: int = DEFAULT_MAX_STEPS
     assembly: Number = 1e-12

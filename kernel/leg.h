@@ -1,0 +1,23 @@
+/* leg.h - what a path phase has shown once is used again: for the next period of a row, for the next turn of a closed
+ * path. */
+#ifndef PM_LEG_H
+#define PM_LEG_H
+
+#include "model.h"
+
+int pm_leg_create(pm_workspace *w);
+void pm_leg_free(pm_workspace *w);
+/* A new case, or a phase on another route: nothing is known. */
+void pm_leg_forget(pm_workspace *w);
+/* A path phase begins at w->state (the frame looks at it, the rows are built): if it repeats the last leg, as many legs
+ * as nobody asks about are passed over; *passed = 1: w->state is the begin of a later leg and the rows are built for it. */
+int pm_leg_begin(pm_workspace *w, int *passed);
+/* Before the blows of the instant that ends the leg. */
+void pm_leg_end(pm_workspace *w);
+/* The path may have closed: a lap ends at w->state. */
+void pm_leg_lap(pm_workspace *w);
+/* 1 if the instant is not the one that legs passed over were to end with: then they are given back, and the run goes on
+ * from the begin of the first of them. */
+int pm_leg_refuted(pm_workspace *w);
+
+#endif

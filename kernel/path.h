@@ -1,0 +1,58 @@
+/* path.h - the configuration path of a phase with one degree of freedom, as route_path.c and its parts share it. */
+#ifndef PM_PATH_H
+#define PM_PATH_H
+
+#include "model.h"
+#include "nodes.h"
+
+/* A place on the path: the configuration, and the velocities that go with a unit rate of the driver. */
+typedef struct pm_place {
+    double *y;               /* [n] tree coordinates */
+    double *slope;           /* [n] dy/du */
+    double *q;               /* [nq] */
+    double *tangent;         /* [nq] dq/du */
+    double *rate;            /* [nz_controlled] of the running integrals, by u */
+    double mass;             /* generalised: T = mass (du/dt)^2 / 2 */
+    double potential, force; /* V, and the generalised force of all applied forces */
+    double kinetic;          /* T, once the work is known */
+} pm_place;
+
+enum pm_path_clock {
+    PM_CLOCK_NONE = 0,   /* nobody asks for the time */
+    PM_CLOCK_PLAIN = 1,  /* dt/du is smooth over the step */
+    PM_CLOCK_LEAVES = 2, /* the step begins at rest: dt/du = g / sqrt(u - u0) */
+    PM_CLOCK_RESTS = 3   /* the step ends at rest: dt/du = g / sqrt(u1 - u) */
+};
+
+typedef struct pm_path {
+    int n;                   /* tree coordinates of the phase */
+    int driver;              /* the one that is the path parameter u */
+    double sense;            /* +1 or -1: which way it goes */
+    double u0, h;            /* the last step: u = u0 + sense x, x from 0 to h */
+    double energy;           /* T + V - (work of forces without potential): constant */
+    int at_rest;             /* the step begins at rest */
+    int balanced;            /* it begins in equilibrium, too: it takes for ever to leave it */
+    int fresh;               /* no step of the phase has been taken yet */
+    int clock;               /* enum pm_path_clock */
+    double t0;               /* time at the begin of the step */
+    double g[PM_NODES_MOST]; /* smooth part of dt/du at the nodes */
+    pm_place node[PM_NODES_MOST], spare;
+    double *basis;             /* [nq][n] */
+    double *loop;              /* [n][n] rows that the tree does not solve, on its coordinates */
+    double *weight;            /* [nz_controlled] z at the begin of the step */
+    double *work;              /* [nz_controlled] z somewhere in the step */
+    int *column;               /* [n] pivots */
+    double least, lowest;      /* T of the step, of the phase */
+    double way;                /* of the driver since the phase began, or since the last lap */
+    double impulse[PM_LEDGER]; /* what the ledger of the outer impulses exceeds the momenta by */
+    void *block;
+} pm_path;
+
+/* path_place.c: the place at driver value u; place->y holds a guess on entry. */
+int pm_path_place(pm_workspace *w, double u, pm_place *place);
+/* The place at the tree coordinates place->y, told by some rate. */
+void pm_path_look(pm_workspace *w, pm_place *place);
+/* Chooses the coordinate that moves most as driver, unless the present one still does, and tells the place by it. */
+int pm_path_drive(pm_workspace *w, pm_place *place);
+
+#endif

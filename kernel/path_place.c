@@ -1,0 +1,150 @@
+/* path_place.c - one place on the path: the configuration at a value of the driver, and the direction of motion there.
+ *
+ * With one degree of freedom one tree coordinate, the driver u, tells the whole configuration: what the tree does not
+ * solve explicitly (loop rows) is met by Newton's method with u kept (coordinate partitioning: Wehage and Haug, J. Mech.
+ * Des. 104, 1982).  The direction t = dy/du is the null vector of the loop rows on the tree coordinates. */
+#include <math.h>
+#include <string.h>
+
+#include "audit.h"
+#include "body.h"
+#include "force.h"
+#include "path.h"
+#include "saddle.h"
+#include "tree.h"
+
+#define KEEP 0.3 /* of the fastest coordinate's rate: a driver this fast stays */
+
+static double scale_of(const pm_workspace *w, int coordinate)
+{
+    return pm_tree_is_angle(w, coordinate) ? 1 : w->size;
+}
+
+/* Null vector of the loop rows (one more column than rows) by elimination with full pivoting. */
+static void null_vector(pm_path *p, int rows, double *t)
+{
+    const int n = p->n;
+    double *a = p->loop;
+    int *column = p->column;
+    for (int k = 0; k < n; k++) column[k] = k;
+    for (int i = 0; i < rows; i++) {
+        int at_row = i, at_column = i;
+        for (int r = i; r < rows; r++)
+            for (int k = i; k < n; k++)
+                if (fabs(a[r * n + column[k]]) > fabs(a[at_row * n + column[at_column]])) {
+                    at_row = r;
+                    at_column = k;
+                }
+        const int swap = column[i];
+        column[i] = column[at_column];
+        column[at_column] = swap;
+        for (int k = 0; k < n && at_row != i; k++) {
+            const double x = a[i * n + k];
+            a[i * n + k] = a[at_row * n + k];
+            a[at_row * n + k] = x;
+        }
+        const double pivot = a[i * n + column[i]];
+        for (int r = i + 1; r < rows && pivot != 0; r++) {
+            const double factor = a[r * n + column[i]] / pivot;
+            for (int k = i; k < n; k++) a[r * n + column[k]] -= factor * a[i * n + column[k]];
+        }
+    }
+    t[column[n - 1]] = 1;
+    for (int i = rows - 1; i >= 0; i--) {
+        double sum = 0;
+        for (int k = i + 1; k < n; k++) sum += a[i * n + column[k]] * t[column[k]];
+        const double pivot = a[i * n + column[i]];
+        t[column[i]] = pivot != 0 ? -sum / pivot : 0;
+    }
+}
+
+/* dy/du at the frame, not yet scaled to a unit rate of the driver. */
+static void direction(pm_workspace *w, double *t)
+{
+    if (w->tree->nloop == 0) {
+        t[0] = 1;
+        return;
+    }
+    pm_tree_basis(w, w->path->basis);
+    pm_tree_loops(w, w->path->basis, w->path->loop);
+    null_vector(w->path, w->tree->nloop, t);
+}
+
+/* What motion at a unit rate of the driver makes of masses and forces. */
+static void measure_motion(pm_workspace *w, pm_place *place)
+{
+    const pm_model *m = w->model;
+    pm_tree_spread(w, place->slope, place->tangent);
+    const double *t = place->tangent;
+    place->mass = place->force = 0;
+    for (int i = 0; i < m->nbody; i++)
+        place->mass += w->mass[i] * (t[3 * i] * t[3 * i] + t[3 * i + 1] * t[3 * i + 1]) +
+                       pm_body_inertia(w, i) * t[3 * i + 2] * t[3 * i + 2];
+    memcpy(w->frame.velocity, t, (size_t)m->nq * sizeof *t); /* powers and speeds at a unit rate */
+    pm_force_all(w);
+    for (int i = 0; i < m->nq; i++) place->force += w->frame.f[i] * t[i];
+    if (m->nz_controlled > 0) pm_audit_controlled_rates(w, place->rate);
+    place->potential = pm_body_weight_energy(w) + pm_force_potential(w);
+}
+
+static void look(pm_workspace *w, pm_place *place)
+{
+    pm_tree_place(w, w->state.memory, place->y, place->q);
+    pm_frame_look(w, w->state.t, place->q, w->state.v, w->state.z, w->state.memory);
+}
+
+int pm_path_place(pm_workspace *w, double u, pm_place *place)
+{
+    pm_path *p = w->path;
+    place->y[p->driver] = u;
+    if (w->tree->nloop > 0) {
+        const int status = pm_tree_close(w, place->y, p->driver, place->q, p->basis);
+        if (status) return status;
+    }
+    look(w, place);
+    direction(w, place->slope);
+    const double rate = place->slope[p->driver];
+    if (rate == 0) return pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
+    for (int i = 0; i < p->n; i++) place->slope[i] /= rate;
+    measure_motion(w, place);
+    return PM_OK;
+}
+
+void pm_path_look(pm_workspace *w, pm_place *place)
+{
+    look(w, place);
+    direction(w, place->slope);
+    measure_motion(w, place);
+}
+
+/* The same motion, told by a unit rate of coordinate i. */
+static void tell_by(const pm_workspace *w, pm_place *place, int i)
+{
+    const pm_model *m = w->model;
+    const double factor = 1 / place->slope[i];
+    for (int k = 0; k < w->path->n; k++) place->slope[k] *= factor;
+    for (int k = 0; k < m->nq; k++) place->tangent[k] *= factor;
+    for (int k = 0; k < m->nz_controlled; k++) place->rate[k] *= k < m->nz_work ? factor : fabs(factor);
+    place->mass *= factor * factor;
+    place->force *= factor;
+}
+
+int pm_path_drive(pm_workspace *w, pm_place *place)
+{
+    pm_path *p = w->path;
+    double fastest = 0;
+    int best = PM_NONE;
+    for (int i = 0; i < p->n; i++) {
+        const double rate = fabs(place->slope[i]) / scale_of(w, i);
+        if (!(rate > fastest)) continue;
+        fastest = rate;
+        best = i;
+    }
+    if (best == PM_NONE) return pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
+    if (p->driver != PM_NONE && fabs(place->slope[p->driver]) / scale_of(w, p->driver) >= KEEP * fastest)
+        return PM_OK;
+    if (place->slope[best] < 0) p->sense = -p->sense;
+    p->driver = best;
+    tell_by(w, place, best);
+    return PM_OK;
+}

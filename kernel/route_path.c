@@ -1,0 +1,492 @@
+/* route_path.c - one degree of freedom, forces that depend on position only: the principle of work and energy along the
+ * configuration path (17.1), (17.9) of the book.
+ *
+ *   T(u) = T1 + V1 - V(u) + work of forces without potential,   T = mass(u) (du/dt)^2 / 2
+ *
+ * u is the driver of path_place.c.  Every place on the path is met exactly, so that neither positions nor speeds carry any
+ * error of integration; the time, where anybody asks for it, is the integral of sqrt(mass / 2T), with the root taken out
+ * where the step begins or ends at rest.  The motion turns back where T vanishes. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "audit.h"
+#include "body.h"
+#include "case.h"
+#include "event.h"
+#include "path.h"
+#include "root.h"
+#include "route.h"
+#include "row.h"
+#include "saddle.h"
+#include "series.h"
+#include "tree.h"
+
+#define TURN (2 * 3.14159265358979323846)
+#define STEPS_PER_TURN 8
+#define LENGTHS 0.5      /* of the scene's size: longest step of a coordinate that is a length */
+#define FASTER 2.0       /* other coordinates may go this much farther than the driver */
+#define CLOCK_TAIL 1e-13 /* relative error of the integrand of the time */
+#define WORK_TAIL 1e-12  /* the same of the rates of work */
+#define SHORTEST 1e-12   /* of a full step */
+#define ROUNDING 1e-14
+#define STILL 1e-11    /* of the scene's speed: at rest */
+#define BALANCED 1e-12 /* of the forces: in equilibrium */
+#define POLISH 4       /* exact places on the way to a turning point */
+
+/* ---- memory ---- */
+static double *carve(pm_place *x, double *p, int nq, int nz)
+{
+    x->y = p;
+    x->slope = x->y + nq;
+    x->q = x->slope + nq;
+    x->tangent = x->q + nq;
+    x->rate = x->tangent + nq;
+    return x->rate + nz;
+}
+
+static int create(pm_workspace *w)
+{
+    const int nq = w->model->nq, nz = w->model->nz_controlled;
+    pm_path *p = w->path = calloc(1, sizeof *p);
+    if (!p) return PM_NO_MEMORY;
+    const size_t n = (size_t)nq, places = PM_NODES_MOST + 1;
+    double *block = p->block =
+        calloc(places * (4 * n + (size_t)nz) + 2 * n * n + n + 2 * (size_t)nz + 1, sizeof *block);
+    if (!block) return PM_NO_MEMORY;
+    for (int k = 0; k < PM_NODES_MOST; k++) block = carve(&p->node[k], block, nq, nz);
+    block = carve(&p->spare, block, nq, nz);
+    p->basis = block;
+    p->loop = p->basis + n * n;
+    p->work = p->loop + n * n;
+    p->weight = p->work + nz;
+    p->column = (int *)(void *)(p->weight + nz);
+    return PM_OK;
+}
+
+static void destroy(pm_workspace *w)
+{
+    if (!w->path) return;
+    free(w->path->block);
+    free(w->path);
+    w->path = NULL;
+}
+
+/* ---- a phase ---- */
+static void copy_place(const pm_workspace *w, pm_place *to, const pm_place *from)
+{
+    const size_t nq = (size_t)w->model->nq, nz = (size_t)w->model->nz_controlled;
+    memcpy(to->y, from->y, (4 * nq + nz) * sizeof(double)); /* its arrays lie together */
+    to->mass = from->mass;
+    to->potential = from->potential;
+    to->force = from->force;
+    to->kinetic = from->kinetic;
+}
+
+static double work_so_far(const pm_workspace *w, const double *z)
+{
+    double sum = 0;
+    for (int i = 0; i < w->model->rows[PM_TABLE_FORCE]; i++)
+        if (w->model->force_z[i] != PM_NONE) sum += z[w->model->force_z[i]];
+    return sum;
+}
+
+static double total_mass(const pm_workspace *w)
+{
+    double sum = 0;
+    for (int i = 0; i < w->model->nbody; i++) sum += w->mass[i];
+    return sum;
+}
+
+/* Rate of the driver from given velocities: their part along the path. */
+static double rate_of(const pm_workspace *w, const pm_place *x, const double *v)
+{
+    double sum = 0;
+    for (int i = 0; i < w->model->nbody; i++)
+        sum += w->mass[i] * (v[3 * i] * x->tangent[3 * i] + v[3 * i + 1] * x->tangent[3 * i + 1]) +
+               pm_body_inertia(w, i) * v[3 * i + 2] * x->tangent[3 * i + 2];
+    return sum / x->mass;
+}
+
+/* At rest the forces tell which way it goes; in equilibrium it stays: 0. */
+static int leave_rest(pm_workspace *w, const pm_place *x)
+{
+    pm_path *p = w->path;
+    double size = 0;
+    for (int i = 0; i < w->model->nq; i++) size += fabs(w->frame.f[i] * x->tangent[i]);
+    p->balanced = !(fabs(x->force) > BALANCED * size);
+    if (!p->balanced) {
+        p->sense = x->force > 0 ? 1 : -1;
+        return 1;
+    }
+    return 0;
+}
+
+static int applies(pm_workspace *w)
+{
+    pm_path *p = w->path;
+    pm_place *x = &p->node[PM_NODES_MOST - 1];
+    if (!w->model->forces_by_place || w->asymmetric) return 0;
+    pm_tree_build(w);
+    if (w->tree->n - w->tree->nloop != 1) return 0;
+    p->n = w->tree->n;
+    p->driver = PM_NONE;
+    p->sense = 1;
+    pm_frame_look_state(w, &w->state);
+    pm_tree_read(w, x->y);
+    pm_path_look(w, x);
+    if (pm_path_drive(w, x)) return 0;
+    const double rate = rate_of(w, x, w->state.v);
+    x->kinetic = 0.5 * x->mass * rate * rate;
+    p->sense = rate > 0 ? 1 : -1;
+    p->balanced = 0;
+    p->at_rest = !(2 * x->kinetic > STILL * STILL * total_mass(w) * w->speed * w->speed);
+    if (p->at_rest) x->kinetic = 0;
+    return !p->at_rest || leave_rest(w, x);
+}
+
+static int begin(pm_workspace *w)
+{
+    pm_path *p = w->path;
+    const pm_place *x = &p->node[PM_NODES_MOST - 1];
+    const double *ledger = w->state.z + pm_audit_ledger(w->model);
+    double momentum[PM_LEDGER];
+    p->fresh = 1;
+    p->way = 0;
+    p->lowest = x->kinetic;
+    p->energy = x->kinetic + x->potential - work_so_far(w, w->state.z);
+    pm_frame_look_state(w, &w->state);
+    pm_body_momentum(w, PM_NONE, momentum);
+    for (int i = 0; i < PM_LEDGER; i++) p->impulse[i] = ledger[i] - momentum[i];
+    return PM_OK;
+}
+
+/* ---- one step ---- */
+/* How far the driver may go so that no coordinate outruns the sampling. */
+static double full_step(const pm_workspace *w, const pm_place *x)
+{
+    double h = INFINITY;
+    for (int i = 0; i < w->path->n; i++) {
+        const double most = pm_tree_is_angle(w, i) ? TURN / STEPS_PER_TURN : LENGTHS * w->size;
+        const double factor = i == w->path->driver ? 1 : FASTER;
+        if (x->slope[i] != 0) h = fmin(h, factor * most / fabs(x->slope[i]));
+    }
+    return h;
+}
+
+/* A guess of the tree coordinates at x from the node before: along the slope, then along the polynomial. */
+static void guess_ahead(const pm_path *p, const pm_place *from, double du, double *y)
+{
+    for (int i = 0; i < p->n; i++) y[i] = from->y[i] + du * from->slope[i];
+}
+
+static double clock_value(const pm_path *p, int node, int clock)
+{
+    const double s = pm_nodes_chebyshev.at[node], h = p->h;
+    const pm_place *x = &p->node[node];
+    if (clock == PM_CLOCK_PLAIN) return sqrt(0.5 * x->mass / x->kinetic);
+    /* T / (distance to where it vanishes): there its slope */
+    const double distance = clock == PM_CLOCK_LEAVES ? s : 1 - s;
+    const double slope = distance > 0 ? x->kinetic / (distance * h) : fabs(x->force);
+    return sqrt(0.5 * x->mass / (slope * h));
+}
+
+/* The smooth part of dt/du; 0 if it is not resolved by the nodes. */
+static int set_clock(pm_path *p, int clock, double tail)
+{
+    p->clock = clock;
+    if (clock == PM_CLOCK_NONE) return 1;
+    for (int k = 0; k < PM_NODES_MOST; k++) p->g[k] = clock_value(p, k, clock);
+    return pm_series_tail(p->g) <= tail;
+}
+
+static double time_at(const pm_path *p, double s)
+{
+    switch (p->clock) {
+    case PM_CLOCK_PLAIN: return p->t0 + p->h * pm_series_integral(p->g, 1, s);
+    case PM_CLOCK_LEAVES: return p->t0 + p->h * pm_series_integral_leaving(p->g, s);
+    case PM_CLOCK_RESTS:
+        return p->t0 + p->h * (pm_series_integral_resting(p->g, 0) - pm_series_integral_resting(p->g, s));
+    default: return p->t0; /* nobody asks; an equilibrium takes for ever to leave */
+    }
+}
+
+/* The running integrals at the fraction s of the step: works go by the way of the driver, distances by its length. */
+static void integrals_at(const pm_workspace *w, double s, double *z)
+{
+    const pm_path *p = w->path;
+    const int stride = (int)(p->node[1].rate - p->node[0].rate);
+    for (int i = 0; i < w->model->nz_controlled; i++) {
+        const double way = i < w->model->nz_work ? p->sense * p->h : p->h;
+        z[i] = p->weight[i] + way * pm_series_integral(p->node[0].rate + i, stride, s);
+    }
+}
+
+static int rates_resolved(const pm_workspace *w)
+{
+    const pm_path *p = w->path;
+    double value[PM_NODES_MOST];
+    for (int i = 0; i < w->model->nz_controlled; i++) {
+        for (int k = 0; k < PM_NODES_MOST; k++) value[k] = p->node[k].rate[i];
+        if (pm_series_tail(value) > WORK_TAIL) return 0;
+    }
+    return 1;
+}
+
+static double kinetic_at(const pm_workspace *w, const pm_place *x, double s)
+{
+    if (w->model->nz_work == 0) return w->path->energy - x->potential;
+    integrals_at(w, s, w->path->work);
+    return w->path->energy - x->potential + work_so_far(w, w->path->work);
+}
+
+/* The nodes of a step of length h from node 0. */
+static int fill(pm_workspace *w, double h)
+{
+    pm_path *p = w->path;
+    const double *at = pm_nodes_chebyshev.at;
+    p->h = h;
+    for (int k = 1; k < PM_NODES_MOST; k++) {
+        guess_ahead(p, &p->node[k - 1], p->sense * h * (at[k] - at[k - 1]), p->node[k].y);
+        const int status = pm_path_place(w, p->u0 + p->sense * (h * at[k]), &p->node[k]);
+        if (status) return status;
+    }
+    for (int k = 1; k < PM_NODES_MOST; k++) p->node[k].kinetic = kinetic_at(w, &p->node[k], at[k]);
+    return PM_OK;
+}
+
+/* First fraction of the step where T, a polynomial through its nodes, vanishes; INFINITY if it does not. */
+static int find_turning(pm_workspace *w, double *s)
+{
+    pm_path *p = w->path;
+    const pm_nodes *nodes = &pm_nodes_chebyshev;
+    double value[PM_NODES_MOST], slope[PM_NODES_MOST];
+    p->least = INFINITY;
+    *s = INFINITY;
+    for (int k = 0; k < nodes->n; k++) {
+        value[k] = p->node[k].kinetic;
+        slope[k] = p->sense * p->node[k].force;
+    }
+    for (int k = 1; k < nodes->n; k++) {
+        double low = nodes->at[k], lowest = value[k];
+        if (value[k] > 0 && slope[k - 1] < 0 && slope[k] > 0) { /* a dip */
+            const int status =
+                pm_series_root(w, slope, nodes->at[k - 1], slope[k - 1], nodes->at[k], slope[k], &low);
+            if (status) return status;
+            lowest = pm_series_value(value, 1, low);
+        }
+        p->least = fmin(p->least, lowest);
+        if (lowest > 0) continue;
+        return pm_series_root(w, value, nodes->at[k - 1], value[k - 1], low, lowest, s);
+    }
+    return PM_OK;
+}
+
+/* Where T vanishes on exact places, from the fraction s of the filled step; *h becomes the way there. */
+static int polish_turning(pm_workspace *w, double s, double *h)
+{
+    pm_path *p = w->path;
+    double way = s * p->h;
+    for (int i = 0; i < POLISH; i++) {
+        guess_ahead(p, &p->node[0], 0, p->spare.y);
+        for (int k = 0; k < p->n; k++)
+            p->spare.y[k] = pm_series_value(p->node[0].y + k, (int)(p->node[1].y - p->node[0].y), way / p->h);
+        const int status = pm_path_place(w, p->u0 + p->sense * way, &p->spare);
+        if (status) return status;
+        const double slope = p->sense * p->spare.force;
+        if (slope == 0) break;
+        const double shift = -kinetic_at(w, &p->spare, way / p->h) / slope;
+        if (!(fabs(shift) < p->h)) break;
+        way += shift;
+        if (fabs(shift) <= 1e-15 * fabs(way)) break;
+    }
+    *h = way;
+    return PM_OK;
+}
+
+/* Tries a step of length h; *next is a shorter one to try instead, or 0. */
+static int try_step(pm_workspace *w, double h, int turning, double *next)
+{
+    pm_path *p = w->path;
+    double s = INFINITY;
+    int status = fill(w, h);
+    *next = 0;
+    if (status == PM_SINGULAR || status == PM_ASSEMBLY) {
+        *next = 0.5 * h;
+        return PM_OK;
+    }
+    if (!status && w->model->nz_controlled > 0 && !rates_resolved(w)) *next = 0.5 * h;
+    if (turning) {
+        p->node[PM_NODES_MOST - 1].kinetic = 0;
+    } else if (!status && *next == 0) {
+        status = find_turning(w, &s);
+        if (!status && s < INFINITY) {
+            status = polish_turning(w, s, next);
+            if (p->at_rest) *next *= 0.5; /* the root at each end needs a step of its own */
+        }
+    }
+    if (status || *next > 0) return status;
+    const int watched = w->model->reads_time || w->trace;
+    const int clock = !watched || p->balanced ? PM_CLOCK_NONE
+                      : p->at_rest            ? PM_CLOCK_LEAVES
+                      : turning               ? PM_CLOCK_RESTS
+                                              : PM_CLOCK_PLAIN;
+    if (!set_clock(p, clock, fmax(w->tolerance, CLOCK_TAIL))) *next = 0.5 * h;
+    return PM_OK;
+}
+
+static int take_step(pm_workspace *w, double full)
+{
+    pm_path *p = w->path;
+    double h = full, next;
+    int turning = 0;
+    for (;;) {
+        const int status = try_step(w, h, turning, &next);
+        if (status) return status;
+        if (next == 0) break;
+        turning = next != 0.5 * h && !p->at_rest; /* not a halving: the way to a turning point */
+        h = next;
+        if (!(h > SHORTEST * full))
+            return pm_fail(w, PM_STEP_TOO_SMALL, PM_NONE, PM_NONE, h, SHORTEST * full);
+    }
+    w->turns = turning;
+    p->lowest = fmin(p->lowest, turning ? 0 : p->least);
+    if (turning) {
+        const pm_place *x = &p->node[PM_NODES_MOST - 1];
+        const double rate = p->sense * w->speed * sqrt(total_mass(w) / x->mass);
+        for (int i = 0; i < w->model->nq; i++) w->turn[i] = rate * x->tangent[i];
+    }
+    return PM_OK;
+}
+
+static void state_of(pm_workspace *w, const pm_place *x, double s, pm_state *state)
+{
+    const pm_path *p = w->path;
+    const double rate = p->sense * sqrt(2 * fmax(x->kinetic, 0) / x->mass);
+    memcpy(state->q, x->q, (size_t)w->model->nq * sizeof *x->q);
+    for (int i = 0; i < w->model->nq; i++) state->v[i] = rate * x->tangent[i];
+    if (w->model->nz_controlled > 0) integrals_at(w, s, state->z);
+    state->t = time_at(p, s);
+}
+
+static int at(pm_workspace *w, double x, pm_state *state)
+{
+    pm_path *p = w->path;
+    const double s = x / p->h;
+    for (int k = 0; k < PM_NODES_MOST; k++)
+        if (x == p->h * pm_nodes_chebyshev.at[k]) {
+            state_of(w, &p->node[k], s, state);
+            return PM_OK;
+        }
+    for (int k = 0; k < p->n; k++)
+        p->spare.y[k] = pm_series_value(p->node[0].y + k, (int)(p->node[1].y - p->node[0].y), s);
+    const int status = pm_path_place(w, p->u0 + p->sense * x, &p->spare);
+    if (status) return status;
+    p->spare.kinetic = kinetic_at(w, &p->spare, s);
+    state_of(w, &p->spare, s, state);
+    return PM_OK;
+}
+
+/* The impulse of the outer world is read off the momentum: this route does not know the forces over time. */
+static void close_momentum(pm_workspace *w, pm_state *state)
+{
+    double *ledger = state->z + pm_audit_ledger(w->model), momentum[PM_LEDGER];
+    pm_frame_look_state(w, state);
+    pm_body_momentum(w, PM_NONE, momentum);
+    for (int i = 0; i < PM_LEDGER; i++) ledger[i] = w->path->impulse[i] + momentum[i];
+}
+
+static int exact(pm_workspace *w, double x, pm_state *state)
+{
+    pm_state_copy(state, &w->state);
+    const int status = at(w, x, state);
+    if (!status) close_momentum(w, state);
+    return status;
+}
+
+/* Evidence that the route itself does not use: the work of all forces against the energy, and the acceleration that the
+ * saddle-point system gives against dT/du. */
+static int look_for_evidence(pm_workspace *w)
+{
+    pm_path *p = w->path;
+    double force[PM_NODES_MOST], scale = 0, acceleration = 0;
+    const pm_place *first = &p->node[0], *last = &p->node[PM_NODES_MOST - 1];
+    for (int k = 0; k < PM_NODES_MOST; k++) force[k] = p->node[k].force;
+    const double work = p->sense * p->h * pm_series_integral(force, 1, 1);
+    scale = fmax(fmax(first->kinetic, last->kinetic), w->energy_scale);
+    if (scale > 0 && pm_series_tail(force) < WORK_TAIL)
+        w->evidence = fmax(w->evidence, fabs(last->kinetic - first->kinetic - work) / scale);
+    pm_frame_look_state(w, &w->state);
+    const int status = pm_saddle_accelerate(w);
+    if (status) return status == PM_SINGULAR ? PM_OK : status;
+    double size = 0;
+    for (int i = 0; i < w->model->nq; i++) {
+        if (w->inverse_mass[i] == 0) continue;
+        const double part = last->tangent[i] * w->frame.a[i] / w->inverse_mass[i];
+        acceleration += part;
+        size += fabs(part) + fabs(w->frame.f[i] * last->tangent[i]);
+    }
+    if (size > 0) w->evidence = fmax(w->evidence, fabs(acceleration - last->force) / size);
+    return PM_OK;
+}
+
+static double after_limit(pm_workspace *w, double s, void *t_limit)
+{
+    return time_at(w->path, s) - *(double *)t_limit;
+}
+
+/* Shortens the step to where the time is t_limit. */
+static int end_at_limit(pm_workspace *w, double t_limit)
+{
+    pm_path *p = w->path;
+    if (p->clock == PM_CLOCK_NONE || !(w->state.t > t_limit)) return PM_OK;
+    double s;
+    int status = pm_root_find(w, w->event->solver, after_limit, &t_limit, 0, p->t0 - t_limit, 1,
+                              w->state.t - t_limit, &s);
+    if (!status) status = at(w, s * p->h, &w->state);
+    w->state.t = t_limit;
+    w->step_end = s * p->h;
+    w->turns = 0;
+    return status;
+}
+
+static int step(pm_workspace *w, double t_limit)
+{
+    pm_path *p = w->path;
+    copy_place(w, &p->node[0], &p->node[PM_NODES_MOST - 1]);
+    if (!p->fresh) p->at_rest = p->balanced = 0;
+    p->fresh = 0;
+    int status = pm_path_drive(w, &p->node[0]);
+    p->u0 = p->node[0].y[p->driver];
+    p->t0 = w->state.t;
+    memcpy(p->weight, w->state.z, (size_t)w->model->nz_controlled * sizeof(double));
+    const int may_close = pm_tree_is_angle(w, p->driver);
+    const double full = full_step(w, &p->node[0]);
+    if (!status) status = take_step(w, may_close ? fmin(full, TURN - p->way) : full);
+    if (status) return status;
+    w->step_begin = 0;
+    w->step_end = p->h;
+    p->way += p->h;
+    w->lap = may_close && p->way > TURN * (1 - ROUNDING);
+    state_of(w, &p->node[PM_NODES_MOST - 1], 1, &w->state);
+    if ((status = look_for_evidence(w)) || (status = end_at_limit(w, t_limit))) return status;
+    close_momentum(w, &w->state);
+    w->count[PM_COUNT_STEPS]++;
+    pm_case_speed(w, w->state.v);
+    return PM_OK;
+}
+
+const pm_route_ops pm_route_path = {
+    .route = PM_ROUTE_PATH,
+    .create = create,
+    .free = destroy,
+    .applies = applies,
+    .begin = begin,
+    .step = step,
+    .at = at,
+    .exact = exact,
+    .finds_roots = 0,
+    .in_time = 0,
+    .price = 2,
+    .nodes = &pm_nodes_chebyshev,
+};
