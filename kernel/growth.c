@@ -126,6 +126,8 @@ int pm_nature_growth(const pm_model *m, int program)
             stack[++top] = PM_GROWTH_NONE;
         } else if (op == PM_OP_MEASURE) {
             stack[++top] = measure_growth(m, code[PM_CODE_ARG]);
+        } else if (op == PM_OP_ANSWER) {
+            stack[++top] = PM_GROWTH_UNKNOWN;
         } else if (op == PM_OP_SELECT) {
             top -= 2;
             const int all_still = stack[top] + stack[top + 1] + stack[top + 2] == 3 * PM_GROWTH_NONE;

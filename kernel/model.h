@@ -185,7 +185,8 @@ typedef struct pm_workspace {
     struct pm_tree *tree;
     struct pm_path *path;
     struct pm_leg *leg;
-    int lap; /* the path may have closed at the end of the step */
+    int lap;       /* the path may have closed at the end of the step */
+    int path_left; /* the path route has given up in this case */
     struct pm_rk *rk;
     struct pm_ida *ida;
     double step_begin,

@@ -7,4 +7,9 @@
 /* Chooses w->route for the phase that begins at w->state with the active rows; w->rule tells why. */
 int pm_plan_phase(pm_workspace *w);
 
+/* The scene states on which side it leaves an unstable rest, and it is at its start. */
+int pm_plan_nudged(const pm_workspace *w);
+/* The sign of the motion along `tangent` that the nudge asks for; 0: it does not tell. */
+double pm_plan_nudge(pm_workspace *w, const double *tangent);
+
 #endif

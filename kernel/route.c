@@ -6,14 +6,19 @@
 static const pm_route_ops *const routes[] = {&pm_route_rk, &pm_route_ida, &pm_route_path};
 enum { NROUTES = sizeof routes / sizeof *routes };
 
-/* IDA's memory is large, and made only for scenes that ask for it. */
+/* IDA's memory is large, and made only for scenes that ask for it; a nudge takes one step along the path. */
+static int needed(const pm_model *m, int route)
+{
+    const int wanted = PM_SETTING(m, PM_SETTING_ROUTE);
+    if (wanted == PM_ROUTE_AUTO) return route != PM_ROUTE_IDA;
+    return route == wanted || (route == PM_ROUTE_PATH && PM_SETTING(m, PM_SETTING_NUDGE) >= 0);
+}
+
 int pm_route_create(pm_workspace *w)
 {
-    const int wanted = PM_SETTING(w->model, PM_SETTING_ROUTE);
     int status = PM_OK;
     for (int i = 0; i < NROUTES && !status; i++)
-        if ((wanted == PM_ROUTE_AUTO && routes[i]->route != PM_ROUTE_IDA) || wanted == routes[i]->route)
-            status = routes[i]->create(w);
+        if (needed(w->model, routes[i]->route)) status = routes[i]->create(w);
     return status;
 }
 

@@ -15,6 +15,7 @@
 #include "case.h"
 #include "event.h"
 #include "path.h"
+#include "plan.h"
 #include "root.h"
 #include "route.h"
 #include "row.h"
@@ -108,25 +109,25 @@ static double rate_of(const pm_workspace *w, const pm_place *x, const double *v)
     return sum / x->mass;
 }
 
-/* At rest the forces tell which way it goes; in equilibrium it stays: 0. */
+/* At rest the forces tell which way it goes; out of an equilibrium the nudge does; 0: it stays. */
 static int leave_rest(pm_workspace *w, const pm_place *x)
 {
     pm_path *p = w->path;
     double size = 0;
-    for (int i = 0; i < w->model->nq; i++) size += fabs(w->frame.f[i] * x->tangent[i]);
-    p->balanced = !(fabs(x->force) > BALANCED * size);
-    if (!p->balanced) {
-        p->sense = x->force > 0 ? 1 : -1;
-        return 1;
+    for (int i = 0; i < w->model->nbody; i++) {
+        const double *f = w->frame.f + 3 * i, *t = x->tangent + 3 * i;
+        size += hypot(f[0], f[1]) * hypot(t[0], t[1]) + fabs(f[2] * t[2]);
     }
-    return 0;
+    p->balanced = !(fabs(x->force) > BALANCED * size);
+    p->sense = !p->balanced ? (x->force > 0 ? 1 : -1) : pm_plan_nudged(w) ? pm_plan_nudge(w, x->tangent) : 0;
+    return p->sense != 0;
 }
 
 static int applies(pm_workspace *w)
 {
     pm_path *p = w->path;
     pm_place *x = &p->node[PM_NODES_MOST - 1];
-    if (!w->model->forces_by_place || w->asymmetric) return 0;
+    if (!w->model->forces_by_place || w->asymmetric || w->path_left) return 0;
     pm_tree_build(w);
     if (w->tree->n - w->tree->nloop != 1) return 0;
     p->n = w->tree->n;
@@ -467,7 +468,9 @@ static int step(pm_workspace *w, double t_limit)
     w->step_begin = 0;
     w->step_end = p->h;
     p->way += p->h;
-    w->lap = may_close && p->way > TURN * (1 - ROUNDING);
+    const int hands_over = p->balanced && PM_SETTING(w->model, PM_SETTING_ROUTE) != PM_ROUTE_AUTO &&
+                           PM_SETTING(w->model, PM_SETTING_ROUTE) != PM_ROUTE_PATH;
+    w->lap = hands_over || (may_close && p->way > TURN * (1 - ROUNDING));
     state_of(w, &p->node[PM_NODES_MOST - 1], 1, &w->state);
     if ((status = look_for_evidence(w)) || (status = end_at_limit(w, t_limit))) return status;
     close_momentum(w, &w->state);
@@ -488,5 +491,7 @@ const pm_route_ops pm_route_path = {
     .finds_roots = 0,
     .in_time = 0,
     .price = 2,
+    .finest = CLOCK_TAIL,
+    .spread = 30,
     .nodes = &pm_nodes_chebyshev,
 };

@@ -26,7 +26,7 @@ static int begin_case(pm_workspace *w, const double *param, pm_start_report *rep
     w->where = (pm_where){PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
     w->lost = 0;
     w->state.t = 0; /* a case that fails before its start reports no time of another */
-    w->price = w->lap = 0;
+    w->price = w->lap = w->path_left = 0;
     pm_leg_forget(w);
     w->event->nfunction = 0;
     w->turns = 0;
@@ -87,6 +87,7 @@ static int phase(pm_workspace *w, int *ended)
     if ((status = pm_saddle_accelerate(w))) return status;
     pm_event_begin(w);
     if (w->lap) w->event->first_step = 0; /* the motion goes on: what is on zero need not be left first */
+    w->lap = 0;
     if ((status = w->route->begin(w))) return status;
     w->count[PM_COUNT_PHASES]++;
     if ((status = pm_event_advance(w, ended)) || !*ended) return status;
@@ -95,12 +96,29 @@ static int phase(pm_workspace *w, int *ended)
     return pm_saddle_accelerate(w);
 }
 
+/* A path that cannot be followed (it approaches an equilibrium for ever, its rows are singular) is left to the next
+ * rule, from where the last step ended. */
+static int leave_path(pm_workspace *w, int status)
+{
+    const int lost = status == PM_STEP_TOO_SMALL || status == PM_SINGULAR || status == PM_ASSEMBLY;
+    if (!lost || w->route != &pm_route_path || PM_SETTING(w->model, PM_SETTING_ROUTE) != PM_ROUTE_AUTO)
+        return 0;
+    w->path_left = 1;
+    w->where = (pm_where){PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
+    pm_frame_look_state(w, &w->state);
+    return pm_active_build(w) == PM_OK;
+}
+
 static int run_phases(pm_workspace *w)
 {
     int ended, status = pm_instant_finish(w, &ended);
     if (!status) status = pm_trace_row(w, 2);
     while (!status && !ended) {
         status = phase(w, &ended);
+        if (status && leave_path(w, status)) {
+            status = PM_OK;
+            continue;
+        }
         if (status || ended) break;
         if (w->lap)
             pm_leg_lap(w);

@@ -245,6 +245,7 @@ int pm_symmetry_program(const pm_workspace *w, const pm_shift *shift, int progra
         case PM_OP_PARAMETER: stack[++top] = (pm_entry){NUMBER, w->param[arg]}; break;
         case PM_OP_VALUE: stack[++top] = (pm_entry){NUMBER, w->value[arg]}; break;
         case PM_OP_MEASURE: stack[++top] = read_measure(w, shift, arg); break;
+        case PM_OP_ANSWER: stack[++top] = lost; break;
         case PM_OP_SELECT:
             top -= 2;
             if (stack[top].response > SAME_VALUE || stack[top + 1].response > SAME_VALUE ||
