@@ -33,3 +33,9 @@ const pm_route_ops *pm_route_of(int route)
         if (routes[i]->route == route) return routes[i];
     return NULL;
 }
+
+const pm_route_ops *pm_route_default(const pm_model *m)
+{
+    const int wanted = PM_SETTING(m, PM_SETTING_ROUTE);
+    return wanted == PM_ROUTE_AUTO ? &pm_route_rk : pm_route_of(wanted);
+}

@@ -43,5 +43,7 @@ int pm_route_create(pm_workspace *w);
 void pm_route_free(pm_workspace *w);
 /* The route of a number of enum pm_route; NULL if there is none. */
 const pm_route_ops *pm_route_of(int route);
+/* The one that the settings ask for; rk where phases choose. */
+const pm_route_ops *pm_route_default(const pm_model *m);
 
 #endif

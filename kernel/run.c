@@ -27,6 +27,7 @@ static int begin_case(pm_workspace *w, const double *param, pm_start_report *rep
     w->lost = 0;
     w->state.t = 0; /* a case that fails before its start reports no time of another */
     w->price = w->lap = w->path_left = 0;
+    w->route = pm_route_default(w->model); /* until the first phase is planned */
     pm_leg_forget(w);
     w->event->nfunction = 0;
     w->turns = 0;
