@@ -248,6 +248,7 @@ static int find_threshold(pm_workspace *w)
     pm_find *f = w->find;
     const int side = f->goal == PM_FIND_LEAST ? 1 : -1;
     int i = side > 0 ? 0 : f->samples;
+    for (int k = 0; k < f->samples; k++) f->changes += f->node[k].holds != f->node[k + 1].holds;
     while (i >= 0 && i <= f->samples && !f->node[i].holds) i += side;
     if (i < 0 || i > f->samples) {
         int row = 0; /* what keeps the last sample from holding */
@@ -294,7 +295,8 @@ static const pm_look *choose(const pm_find *f, int *several, const pm_look **oth
 
 static int is_at_bound(const pm_find *f, const pm_look *look)
 {
-    return f->goal != PM_FIND_VALUE && f->nzero == 0 && (look->x[0] == f->low[0] || look->x[0] == f->high[0]);
+    return f->goal != PM_FIND_VALUE && f->nzero == 0 &&
+           (look->x[0] == f->low[0] || look->x[0] == f->high[0] || look->edge);
 }
 
 /* The run with what was found is the case's own. */
@@ -378,7 +380,7 @@ int pm_find_run(pm_workspace *w, const double *param, double *found)
     }
     memcpy(f->param, param, (size_t)w->model->nparam * sizeof *param);
     for (int i = 0; i < f->nvary; i++) f->param[PM_VARY_ROW(w->model, i)[PM_VARY_PARAMETER]] = 0;
-    f->nfound = 0;
+    f->nfound = f->changes = 0;
     f->runs = 0;
     int status = search(w);
     if (status)
@@ -386,6 +388,6 @@ int pm_find_run(pm_workspace *w, const double *param, double *found)
     else
         status = finish(w, found);
     w->count[PM_COUNT_RUNS] = f->runs;
-    w->count[PM_COUNT_FOUND] = f->nfound;
+    w->count[PM_COUNT_FOUND] = f->changes > f->nfound ? f->changes : f->nfound;
     return status;
 }

@@ -11,6 +11,7 @@ typedef struct pm_look {
     int holds;  /* it came to an outcome, and all conditions but the ZERO ones hold */
     double reading[PM_FIND_MOST_CONDITIONS];
     double goal; /* what is to be greatest: the extreme ask, its negative for the least */
+    int edge;    /* beyond it runs fail */
 } pm_look;
 
 typedef struct pm_find {
@@ -21,6 +22,7 @@ typedef struct pm_find {
     pm_look *node;  /* [nodes] the samples */
     pm_look *found; /* [2 nodes] what was found, in ascending order of the first parameter */
     int nfound;
+    int changes; /* of the outcome between samples, where the parameter itself is to be extreme */
     int64_t runs;
     void *root, *minimum, *pair; /* GSL's solvers */
 } pm_find;

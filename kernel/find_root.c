@@ -78,7 +78,7 @@ int pm_find_reading(pm_workspace *w, double x, void *condition, double *value)
     return status;
 }
 
-static int bisect(pm_workspace *w, double no, pm_look *yes)
+static int bisect(pm_workspace *w, double no, int no_status, pm_look *yes)
 {
     pm_look look;
     for (int i = 0; i < ITERATIONS && !is_narrow(no, yes->x[0]); i++) {
@@ -88,9 +88,12 @@ static int bisect(pm_workspace *w, double no, pm_look *yes)
         if (status) return status;
         if (look.holds)
             *yes = look;
-        else
+        else {
             no = x;
+            no_status = look.status;
+        }
     }
+    yes->edge = no_status < 0;
     return PM_OK;
 }
 
@@ -107,16 +110,16 @@ static int step_over(pm_workspace *w, double root, pm_look *yes)
         *yes = look;
         return PM_OK;
     }
-    return bisect(w, root, yes); /* another condition changes, too */
+    return bisect(w, root, PM_OK, yes); /* another condition changes, too */
 }
 
 int pm_find_threshold(pm_workspace *w, const pm_look *no, pm_look *yes)
 {
     int margin = pm_find_margin(w, no, yes);
-    if (margin == PM_NONE) return bisect(w, no->x[0], yes);
+    if (margin == PM_NONE) return bisect(w, no->x[0], no->status, yes);
     pm_root_place place;
     const int status = pm_find_root(w, pm_find_reading, &margin, no->x[0], no->reading[margin], yes->x[0],
                                     yes->reading[margin], &place);
     if (status) return status;
-    return place.jumps ? bisect(w, no->x[0], yes) : step_over(w, place.x, yes);
+    return place.jumps ? bisect(w, no->x[0], no->status, yes) : step_over(w, place.x, yes);
 }

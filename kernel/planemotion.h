@@ -440,7 +440,7 @@ enum pm_count_column {
     PM_COUNT_ROUTE = 5,  /* enum pm_route that ran: the costliest, if phases took several */
     PM_COUNT_RUNS =
         6, /* whole runs of the case: more than 1 in a find, whose last one the other counts are of */
-    PM_COUNT_FOUND = 7, /* brackets of a find in which something was found */
+    PM_COUNT_FOUND = 7, /* brackets of a find in which something was found; changes of an outcome */
     PM_COUNT_PASSES =
         8, /* of the case, the others for its errors; all other counts are of the one that answers */
     PM_COUNT_ROUTES = 9, /* sum of 2^route over all that ran */

@@ -213,6 +213,13 @@ def test_at_the_bound() -> None:
     assert result.error == ("find: what is sought lies at the bound theta = 20 deg of find.vary.theta")
 
 
+def test_where_runs_begin_to_fail() -> None:
+    text = THROW.replace('"1 kg"', '"(1 kg)*(v/(3 m/s) - 1)"')
+    result = found(text, 'vary.v = ["1 m/s", "20 m/s"]\nleast = "P.x"')
+    assert result.status == "find_at_bound"
+    assert result.error == "find: what is sought lies at v = 3 m/s, beyond which runs fail"
+
+
 def test_runs_that_all_fail_say_why() -> None:
     find = 'vary.v = ["4.5 m/s", "6 m/s"]\nwhere = "P.x = wanted"'
     text = said(THROW.replace('"1 kg"', '"(1 kg)*(4 - v/(1 m/s))"').replace("7 m/s", "3 m/s"), find)

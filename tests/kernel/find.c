@@ -251,6 +251,44 @@ static void two_parameters(void)
     scene_free(f.s);
 }
 
+/* Where runs begin to fail is said to be a bound. */
+static void edges(void)
+{
+    for (int by_ask = 0; by_ask < 2; by_ask++) {
+        scene *s = scene_create();
+        const int mass =
+            scene_value_of(s, SCENE_PROGRAM(s, scene_p(s->nparam++), scene_k(s, 0.3), scene_op(PM_OP_SUB)));
+        scene_body(s, 1, 1, 0, 0, 0);
+        s->cell[PM_TABLE_BODY][PM_BODY_MASS] = mass;
+        scene_until(s, scene_when(s, PM_TRIGGER_START, PM_NONE), 1);
+        const int program = SCENE_PROGRAM(s, scene_p(0));
+        scene_find(s, PM_FIND_LEAST, by_ask ? program : PM_NONE, 7);
+        scene_vary(s, 0, 0, 1);
+        if (!by_ask) scene_where(s, PM_CONDITION_POSITIVE, program);
+        const double param[] = {1};
+        EQUAL(scene_run(s, param), PM_FIND_AT_BOUND);
+        NEAR(s->found[0], 0.3, 1e-15);
+        scene_free(s);
+    }
+}
+
+/* An outcome that changes three times: the least of all, and how often it changes. */
+static void islands(void)
+{
+    throwing f = thrown_down_to(0);
+    scene_find(f.s, PM_FIND_LEAST, PM_NONE, 16);
+    scene_vary(f.s, 0, 1, 10);
+    const int cosine = SCENE_PROGRAM(f.s, scene_p(0), scene_op(PM_OP_COS));
+    scene_where(f.s, PM_CONDITION_POSITIVE, cosine); /* not from pi/2 to 3 pi/2, nor beyond 5 pi/2 */
+    const double param[] = {0, 0.7};
+    EQUAL(scene_run(f.s, param), PM_FIND_AT_BOUND);
+    EQUAL(f.s->count[PM_COUNT_FOUND], 3);
+    f.s->cell[PM_TABLE_FIND][PM_FIND_GOAL] = PM_FIND_GREATEST;
+    EQUAL(scene_run(f.s, param), PM_OK);
+    NEAR(f.s->found[0], 2.5 * PI, 1e-14);
+    scene_free(f.s);
+}
+
 static void nothing_found(void)
 {
     throwing f = thrown_down_to(0);
@@ -375,6 +413,8 @@ int main(void)
     thresholds();
     smooth_threshold();
     two_parameters();
+    edges();
+    islands();
     nothing_found();
     no_root();
     answers();

@@ -112,10 +112,10 @@ def _several(said: _Said) -> str:
 
 def _at_bound(said: _Said) -> str:
     name = said.find.vary[0]
-    return (
-        f"{said.find.path}: what is sought lies at the bound {name} = {said.parameter(0, said.first)} of "
-        f"{said.find.path}.vary.{name}"
-    )
+    place = f"{name} = {said.parameter(0, said.first)}"
+    if said.first not in said.bounds[0]:
+        return f"{said.find.path}: what is sought lies at {place}, beyond which runs fail"
+    return f"{said.find.path}: what is sought lies at the bound {place} of {said.find.path}.vary.{name}"
 
 
 _TEXTS: dict[int, Callable[[_Said], str]] = {
