@@ -112,13 +112,34 @@ static int smooth(int op, int operand)
     }
 }
 
+static int reads_sought(const pm_model *m, int program);
+
+/* A parameter that is sought changes by and by, and so do values that depend on it. */
+static int is_sought(const pm_model *m, int op, int arg)
+{
+    if (op == PM_OP_VALUE)
+        return reads_sought(m, m->table[PM_TABLE_VALUE][arg * PM_VALUE_COLUMNS + PM_VALUE_PROGRAM]);
+    for (int i = 0; op == PM_OP_PARAMETER && i < m->rows[PM_TABLE_VARY]; i++)
+        if (PM_VARY_ROW(m, i)[PM_VARY_PARAMETER] == arg) return 1;
+    return 0;
+}
+
+static int reads_sought(const pm_model *m, int program)
+{
+    int length;
+    const int32_t *code = code_of(m, program, &length);
+    for (int i = 0; i < length; i++, code += PM_CODE_COLUMNS)
+        if (is_sought(m, code[PM_CODE_OP], code[PM_CODE_ARG])) return 1;
+    return 0;
+}
+
 int pm_nature_is_discrete(const pm_model *m, int program)
 {
     int stack[PM_STACK], top = -1, length;
     const int32_t *code = code_of(m, program, &length);
     for (int i = 0; i < length; i++, code += PM_CODE_COLUMNS) {
         const int op = code[PM_CODE_OP];
-        int continuous = 0;
+        int continuous = is_sought(m, op, code[PM_CODE_ARG]);
         for (int k = pm_program_operands(op); k > 0; k--) continuous |= stack[top--];
         if (op == PM_OP_MEASURE)
             continuous = PM_MEASURE_ROW(m, code[PM_CODE_ARG])[PM_MEASURE_KIND] != PM_MEASURE_EVENT_COUNT;

@@ -63,6 +63,16 @@ def test_a_value() -> None:
     assert "found: v = " in result.explain()
 
 
+def test_what_was_found_has_an_error_not_a_margin() -> None:
+    text = THROW.replace('wanted = "6 m"', 'wanted = "6 m", twice = "2*v"') + 'twice = "twice"\n'
+    result = found(text, 'vary.v = ["1 m/s", "20 m/s"]\nwhere = "P.x = wanted"')
+    v = speed_for(6, math.radians(40), 3)
+    for key, exact in (("speed", 3.6 * v), ("twice", 2 * v)):
+        ask = result.asks[key]
+        assert ask.margin is None
+        assert abs(ask.value - exact) <= ask.error < 1e-9 * exact
+
+
 def test_an_ask_in_a_condition_is_its_answer() -> None:
     text = THROW + 'top = { max = "P.y" }\n'
     result = found(text, 'vary.v = ["1 m/s", "20 m/s"]\nwhere = "top = 1.5 m"')
