@@ -180,16 +180,21 @@ static int refine(pm_workspace *w, int ask, double a, double b)
     return PM_OK;
 }
 
-/* The same where the nodes resolve the value: the root of the polynomial's slope d. */
-static int refine_samples(pm_workspace *w, int ask, const double *d, int k)
+/* Extremes between nodes that resolve the value g (the greater the better): where the slope d of the polynomial through
+ * them falls through zero; an exact look is taken only where it promises to be better than the best so far. */
+static int extremes_of_samples(pm_workspace *w, int ask, const double *g, const double *d, double best)
 {
     const pm_nodes *nodes = w->route->nodes;
-    double s;
-    if (!(d[k] > 0 && d[k + 1] < 0)) return PM_OK;
-    int status = pm_series_root(w, d, nodes->at[k], d[k], nodes->at[k + 1], d[k + 1], &s);
-    if (!status) status = look(w, w->step_begin + s * (w->step_end - w->step_begin), 1);
-    if (status) return status;
-    offer(w, ask, run(w, watched_program(PM_ASK_ROW(w->model, ask))));
+    for (int k = 0; k + 1 < nodes->n; k++) {
+        double s;
+        if (!(d[k] > 0 && d[k + 1] < 0)) continue;
+        int status = pm_series_root(w, d, nodes->at[k], d[k], nodes->at[k + 1], d[k + 1], &s);
+        const double place = w->step_begin + s * (w->sampled_end - w->step_begin);
+        if (status) return status;
+        if (place > w->step_end || pm_series_value(g, 1, s) <= best) continue;
+        if ((status = look(w, place, 1))) return status;
+        offer(w, ask, run(w, watched_program(PM_ASK_ROW(w->model, ask))));
+    }
     return PM_OK;
 }
 
@@ -222,13 +227,15 @@ static int extreme_in_step(pm_workspace *w, int ask)
     /* an extreme between the nodes exceeds them by no more than their spread */
     if (spread == 0 || g[top] + spread < sign * w->ask->best[ask]) return PM_OK;
     slopes(nodes, g, d);
+    if (nodes == &pm_nodes_chebyshev && !at_extreme(PM_ASK_ROW(w->model, ask)))
+        return extremes_of_samples(w, ask, g, d, sign * w->ask->best[ask]);
     for (int k = top - 1; k <= top; k++) {
         if (k < 0 || k + 1 >= nodes->n) continue;
         const double flat = NEARLY_FLAT * spread / (nodes->at[k + 1] - nodes->at[k]);
         if (d[k] < -flat || d[k + 1] > flat) continue;
-        const int status = nodes == &pm_nodes_chebyshev && !at_extreme(PM_ASK_ROW(w->model, ask))
-                               ? refine_samples(w, ask, d, k)
-                               : refine(w, ask, pm_crossing_node(w, k), pm_crossing_node(w, k + 1));
+        const double end = fmin(pm_crossing_node(w, k + 1), w->step_end);
+        if (pm_crossing_node(w, k) >= end) continue;
+        const int status = refine(w, ask, pm_crossing_node(w, k), end);
         if (status) return status;
     }
     return PM_OK;
@@ -250,28 +257,41 @@ static int grid_in_step(pm_workspace *w, int ask)
             if (!status) status = pm_root_polish(w, along, exactly, &x, NAN, &t, &taken, &off);
             if (!status && taken != t) status = look(w, t, 1);
             if (status) return status;
-            answer(w, ask, k, run(w, e[PM_ASK_PROGRAM]));
+            if (t <= w->step_end) answer(w, ask, k, run(w, e[PM_ASK_PROGRAM]));
         }
     }
     return PM_OK;
 }
 
-/* The nodes themselves were offered by value only; where something else is asked at the extreme, look again. */
+/* The best of the nodes, by its value; where something else is asked at the extreme, look again. */
 static int offer_node(pm_workspace *w, int ask)
 {
     const int nask = w->model->nask;
     const int32_t *e = PM_ASK_ROW(w->model, ask);
     const int n = w->route->nodes->n;
-    for (int k = 0; k < n; k++) {
-        const double value = w->ask->sample[k * nask + ask], best = w->ask->best[ask];
-        if (!isnan(value) && !isnan(best) && !(is_greatest(e) ? value > best : value < best)) continue;
-        if (at_extreme(e)) {
-            const int status = look(w, pm_crossing_node(w, k), 1);
-            if (status) return status;
-        }
-        offer(w, ask, value);
+    int top = PM_NONE;
+    for (int k = 0; k < n && pm_crossing_node(w, k) <= w->step_end; k++) {
+        const double value = w->ask->sample[k * nask + ask];
+        if (isnan(value)) offer(w, ask, value);
+        if (isnan(value)) return PM_OK;
+        const double best = top == PM_NONE ? NAN : w->ask->sample[top * nask + ask];
+        if (top == PM_NONE || (is_greatest(e) ? value > best : value < best)) top = k;
     }
-    return PM_OK;
+    const double value = w->ask->sample[top * nask + ask], best = w->ask->best[ask];
+    if (!isnan(best) && !(is_greatest(e) ? value > best : value < best)) return PM_OK;
+    const int status = look(w, pm_crossing_node(w, top), 1);
+    if (!status) offer(w, ask, value);
+    return status;
+}
+
+/* The samples of a whole step serve for its part up to step_end, too, where they resolve the values. */
+int pm_ask_keeps_samples(const pm_workspace *w)
+{
+    if (w->route->nodes != &pm_nodes_chebyshev) return 0;
+    for (int i = 0; i < w->ask->nobserver; i++)
+        for (int k = 0; k < w->route->nodes->n; k++)
+            if (isnan(w->ask->sample[k * w->model->nask + w->ask->observer[i]])) return 0;
+    return 1;
 }
 
 int pm_ask_step(pm_workspace *w)

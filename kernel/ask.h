@@ -26,6 +26,8 @@ void pm_ask_reset(pm_workspace *w);
 void pm_ask_sample(pm_workspace *w, int node);
 /* All nodes of [w->step_begin, w->step_end] are sampled: extremes between nodes, grid values passed. */
 int pm_ask_step(pm_workspace *w);
+/* 1 if the samples of a step that was shortened since need not be taken again. */
+int pm_ask_keeps_samples(const pm_workspace *w);
 /* An instant outside a step (start, after a jump): the frame looks at w->state. */
 void pm_ask_instant(pm_workspace *w);
 

@@ -30,8 +30,8 @@
 double pm_crossing_node(const pm_workspace *w, int node)
 {
     const pm_nodes *nodes = w->route->nodes;
-    return node == nodes->n - 1 ? w->step_end
-                                : w->step_begin + (w->step_end - w->step_begin) * nodes->at[node];
+    return node == nodes->n - 1 ? w->sampled_end
+                                : w->step_begin + (w->sampled_end - w->step_begin) * nodes->at[node];
 }
 
 static int look(pm_workspace *w, double x, int level)
@@ -64,6 +64,7 @@ int pm_crossing_sample(pm_workspace *w, int with_functions)
     pm_event_set *e = w->event;
     const int functions = with_functions && e->nfunction > 0;
     const int watched = w->ask->nobserver > 0;
+    w->sampled_end = w->step_end;
     if (!functions && !watched) return PM_OK;
     int level = PM_LEVEL_KINEMATIC;
     if (functions && e->level > level) level = e->level;

@@ -356,7 +356,7 @@ int pm_event_advance(pm_workspace *w, int *ended)
         if (first < w->step_end) {
             if (!*ended && (status = stop_at(w, first, taken))) return status;
             w->step_end = first;
-            if ((status = pm_crossing_sample(w, 0))) return status;
+            if (!pm_ask_keeps_samples(w) && (status = pm_crossing_sample(w, 0))) return status;
         }
         if (w->step_end > w->step_begin && (status = pm_ask_step(w))) return status;
         end_step(w);

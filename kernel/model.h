@@ -190,9 +190,10 @@ typedef struct pm_workspace {
     struct pm_rk *rk;
     struct pm_ida *ida;
     double step_begin,
-        step_end; /* the last accepted step, by its progress coordinate: state is at step_end */
-    int turns;    /* the motion turns back at the end of the step */
-    double *turn; /* [nq] the velocities with which it does, at the scene's speed */
+        step_end;       /* the last accepted step, by its progress coordinate: state is at step_end */
+    double sampled_end; /* where the step ended when it was sampled */
+    int turns;          /* the motion turns back at the end of the step */
+    double *turn;       /* [nq] the velocities with which it does, at the scene's speed */
     struct pm_event_set *event;
     struct pm_ask_set *ask;
     struct pm_find *find; /* NULL where nothing is sought */

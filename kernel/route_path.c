@@ -13,6 +13,7 @@
 #include "audit.h"
 #include "body.h"
 #include "case.h"
+#include "contact.h"
 #include "event.h"
 #include "path.h"
 #include "plan.h"
@@ -29,6 +30,7 @@
 #define FASTER 2.0       /* other coordinates may go this much farther than the driver */
 #define CLOCK_TAIL 1e-13 /* relative error of the integrand of the time */
 #define WORK_TAIL 1e-12  /* the same of the rates of work */
+#define BEYOND 1.2       /* of the way to a contact that seems to come: the step shall see it */
 #define SHORTEST 1e-12   /* of a full step */
 #define ROUNDING 1e-14
 #define STILL 1e-11    /* of the scene's speed: at rest */
@@ -173,6 +175,24 @@ static double full_step(const pm_workspace *w, const pm_place *x)
         if (x->slope[i] != 0) h = fmin(h, factor * most / fabs(x->slope[i]));
     }
     return h;
+}
+
+/* The step may end soon: where the nearest gap would close if it went on closing at its present rate. */
+static double next_contact(pm_workspace *w, const pm_place *x)
+{
+    double h = INFINITY;
+    if (w->model->rows[PM_TABLE_CONTACT] == 0) return h;
+    pm_frame_look(w, w->state.t, x->q, x->tangent, w->state.z, w->state.memory);
+    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
+        int member;
+        double rate;
+        const double gap = pm_contact_gap(w, &w->state, i, &member);
+        if (!(gap > pm_contact_length(w)) || isinf(gap)) continue;
+        pm_contact_member_gap(w, i, member, &rate);
+        rate *= w->path->sense;
+        if (rate < 0) h = fmin(h, -gap / rate);
+    }
+    return BEYOND * h;
 }
 
 /* A guess of the tree coordinates at x from the node before: along the slope, then along the polynomial. */
@@ -462,7 +482,7 @@ static int step(pm_workspace *w, double t_limit)
     p->t0 = w->state.t;
     memcpy(p->weight, w->state.z, (size_t)w->model->nz_controlled * sizeof(double));
     const int may_close = pm_tree_is_angle(w, p->driver);
-    const double full = full_step(w, &p->node[0]);
+    const double full = fmin(full_step(w, &p->node[0]), next_contact(w, &p->node[0]));
     if (!status) status = take_step(w, may_close ? fmin(full, TURN - p->way) : full);
     if (status) return status;
     w->step_begin = 0;
