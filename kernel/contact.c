@@ -92,31 +92,42 @@ double pm_contact_member_slip(const pm_workspace *w, int contact, int member)
     return pm_row_rate(w, &tangent);
 }
 
-/* Where the circle's centre is along the row, in steps. */
-static double place_along_row(const pm_workspace *w, const int32_t *e)
+/* A circle beside a row of points: its centre from the row's first member, and the row's step, in the scene. */
+typedef struct pm_beside {
+    double d[2], step[2], radius;
+} pm_beside;
+
+static pm_beside beside_row(const pm_workspace *w, const int32_t *e)
 {
     const pm_model *m = w->model;
-    const int32_t *row = PM_ROW_ROW(m, e[PM_CONTACT_B]);
-    const pm_point c = pm_point_of(w, PM_CIRCLE_ROW(m, e[PM_CONTACT_A])[PM_CIRCLE_POINT]);
-    const pm_point first = pm_point_of(w, row[PM_ROW_POINT]);
+    const int32_t *row = PM_ROW_ROW(m, e[PM_CONTACT_B]), *circle = PM_CIRCLE_ROW(m, e[PM_CONTACT_A]);
+    const pm_point c = pm_point_of(w, circle[PM_CIRCLE_POINT]), first = pm_point_of(w, row[PM_ROW_POINT]);
     const double *axes = w->frame.pose + 5 * first.body;
     const double sx = w->value[row[PM_ROW_STEP_X]], sy = w->value[row[PM_ROW_STEP_Y]];
-    const double step[2] = {axes[3] * sx - axes[4] * sy, axes[4] * sx + axes[3] * sy};
-    const double d[2] = {c.p[0] - first.p[0], c.p[1] - first.p[1]};
-    return pm_dot(d, step) / pm_dot(step, step);
+    return (pm_beside){.d = {c.p[0] - first.p[0], c.p[1] - first.p[1]},
+                       .step = {axes[3] * sx - axes[4] * sy, axes[4] * sx + axes[3] * sy},
+                       .radius = w->value[circle[PM_CIRCLE_RADIUS]]};
+}
+
+/* As row_distance.c has it. */
+static double gap_beside(const pm_beside *x, int member)
+{
+    const double d[2] = {x->d[0] - member * x->step[0], x->d[1] - member * x->step[1]};
+    return pm_length(d) - x->radius;
 }
 
 static double row_gap(const pm_workspace *w, const pm_state *s, int contact, const int32_t *e, int *member)
 {
     const double count = w->value[PM_ROW_ROW(w->model, e[PM_CONTACT_B])[PM_ROW_COUNT]];
-    const double place = place_along_row(w, e), limit = 1e9; /* members are int32 */
+    const pm_beside x = beside_row(w, e);
+    const double place = pm_dot(x.d, x.step) / pm_dot(x.step, x.step), limit = 1e9; /* members are int32 */
     const int last = count < 0 ? (int)limit : (int)count - 1, first = count < 0 ? -(int)limit : 0;
     const int below = (int)fmax(first - 1.0, fmin(last, fmin(limit, fmax(-limit, floor(place)))));
     int down = below, up = below + 1;
     while (down >= first && is_closed(w, s, contact, down)) down--;
     while (up <= last && is_closed(w, s, contact, up)) up++;
-    const double gap_down = down >= first ? pm_contact_member_gap(w, contact, down, 0) : INFINITY;
-    const double gap_up = up <= last ? pm_contact_member_gap(w, contact, up, 0) : INFINITY;
+    const double gap_down = down >= first ? gap_beside(&x, down) : INFINITY;
+    const double gap_up = up <= last ? gap_beside(&x, up) : INFINITY;
     *member = gap_down < gap_up ? down : up;
     return fmin(gap_down, gap_up);
 }

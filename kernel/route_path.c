@@ -28,7 +28,8 @@
 #define STEPS_PER_TURN 8
 #define LENGTHS 0.5      /* of the scene's size: longest step of a coordinate that is a length */
 #define FASTER 2.0       /* other coordinates may go this much farther than the driver */
-#define CLOCK_TAIL 1e-13 /* relative error of the integrand of the time */
+#define CLOCK_TAIL 1e-13 /* highest coefficients of the integrand of the time, at the least */
+#define TAIL 30          /* times the tolerance, if that is more: the integral is some 1000 times better */
 #define WORK_TAIL 1e-12  /* the same of the rates of work */
 #define BEYOND 1.2       /* of the way to a contact that seems to come: the step shall see it */
 #define SHORTEST 1e-12   /* of a full step */
@@ -352,7 +353,7 @@ static int try_step(pm_workspace *w, double h, int turning, double *next)
                       : p->at_rest            ? PM_CLOCK_LEAVES
                       : turning               ? PM_CLOCK_RESTS
                                               : PM_CLOCK_PLAIN;
-    if (!set_clock(p, clock, fmax(w->tolerance, CLOCK_TAIL))) *next = 0.5 * h;
+    if (!set_clock(p, clock, fmax(TAIL * w->tolerance, CLOCK_TAIL))) *next = 0.5 * h;
     return PM_OK;
 }
 
