@@ -6,6 +6,7 @@
 #include "body.h"
 
 #include <math.h>
+#include <string.h>
 
 void pm_frame_look(pm_workspace *w, double t, const double *q, const double *v, const double *z,
                    const pm_memory *memory)
@@ -30,6 +31,19 @@ void pm_frame_look(pm_workspace *w, double t, const double *q, const double *v, 
         velocity[2] = v[3 * i + 2];
     }
     f->pose[5 * n + 3] = 1; /* the ground: all else stays 0 */
+}
+
+void pm_frame_look_placed(pm_workspace *w, const double *q, const double *v)
+{
+    pm_frame *f = &w->frame;
+    f->t = w->state.t;
+    f->q = q;
+    f->v = v;
+    f->z = w->state.z;
+    f->memory = w->state.memory;
+    f->level = PM_LEVEL_KINEMATIC;
+    memcpy(f->velocity, v, (size_t)w->model->nq * sizeof *v);
+    f->pose[5 * w->model->nbody + 3] = 1;
 }
 
 void pm_frame_look_state(pm_workspace *w, const pm_state *s)

@@ -13,6 +13,8 @@ typedef struct pm_point {
 /* Looks at (t, q, v, z): poses and velocities of all bodies; level KINEMATIC. */
 void pm_frame_look(pm_workspace *w, double t, const double *q, const double *v, const double *z,
                    const pm_memory *memory);
+/* The same where the poses are there already: the tree has just placed the bodies at q. */
+void pm_frame_look_placed(pm_workspace *w, const double *q, const double *v);
 void pm_frame_look_state(pm_workspace *w, const pm_state *s);
 
 /* A mark at body axes (x, y) of `body` (nbody: the ground). */

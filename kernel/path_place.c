@@ -58,16 +58,13 @@ static void null_vector(pm_path *p, int rows, double *t)
     }
 }
 
-/* dy/du at the frame, not yet scaled to a unit rate of the driver. */
+/* dy/du at the frame, not yet scaled to a unit rate of the driver; the loop rows are in w->path->loop. */
 static void direction(pm_workspace *w, double *t)
 {
-    if (w->tree->nloop == 0) {
+    if (w->tree->nloop == 0)
         t[0] = 1;
-        return;
-    }
-    pm_tree_basis(w, w->path->basis);
-    pm_tree_loops(w, w->path->basis, w->path->loop);
-    null_vector(w->path, w->tree->nloop, t);
+    else
+        null_vector(w->path, w->tree->nloop, t);
 }
 
 /* What motion at a unit rate of the driver makes of masses and forces. */
@@ -80,28 +77,19 @@ static void measure_motion(pm_workspace *w, pm_place *place)
     for (int i = 0; i < m->nbody; i++)
         place->mass += w->mass[i] * (t[3 * i] * t[3 * i] + t[3 * i + 1] * t[3 * i + 1]) +
                        pm_body_inertia(w, i) * t[3 * i + 2] * t[3 * i + 2];
-    memcpy(w->frame.velocity, t, (size_t)m->nq * sizeof *t); /* powers and speeds at a unit rate */
+    pm_frame_look_placed(w, place->q, t); /* powers and speeds at a unit rate */
     pm_force_all(w);
     for (int i = 0; i < m->nq; i++) place->force += w->frame.f[i] * t[i];
     if (m->nz_controlled > 0) pm_audit_controlled_rates(w, place->rate);
     place->potential = pm_body_weight_energy(w) + pm_force_potential(w);
 }
 
-static void look(pm_workspace *w, pm_place *place)
-{
-    pm_tree_place(w, w->state.memory, place->y, place->q);
-    pm_frame_look(w, w->state.t, place->q, w->state.v, w->state.z, w->state.memory);
-}
-
 int pm_path_place(pm_workspace *w, double u, pm_place *place)
 {
     pm_path *p = w->path;
     place->y[p->driver] = u;
-    if (w->tree->nloop > 0) {
-        const int status = pm_tree_close(w, place->y, p->driver, place->q, p->basis);
-        if (status) return status;
-    }
-    look(w, place);
+    const int status = pm_tree_close(w, place->y, p->driver, place->q, p->basis, p->loop);
+    if (status) return status;
     direction(w, place->slope);
     const double rate = place->slope[p->driver];
     if (rate == 0) return pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
@@ -112,7 +100,12 @@ int pm_path_place(pm_workspace *w, double u, pm_place *place)
 
 void pm_path_look(pm_workspace *w, pm_place *place)
 {
-    look(w, place);
+    pm_path *p = w->path;
+    pm_tree_place(w, w->state.memory, place->y, place->q);
+    if (w->tree->nloop > 0) {
+        pm_tree_basis(w, p->basis);
+        pm_tree_loops(w, p->basis, p->loop);
+    }
     direction(w, place->slope);
     measure_motion(w, place);
 }

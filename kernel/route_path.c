@@ -196,10 +196,22 @@ static double next_contact(pm_workspace *w, const pm_place *x)
     return BEYOND * h;
 }
 
-/* A guess of the tree coordinates at x from the node before: along the slope, then along the polynomial. */
-static void guess_ahead(const pm_path *p, const pm_place *from, double du, double *y)
+/* A guess of the coordinates at node k: the cubic through the two nodes before it and their slopes, or the tangent. */
+static void guess_node(const pm_path *p, int k, double *y)
 {
-    for (int i = 0; i < p->n; i++) y[i] = from->y[i] + du * from->slope[i];
+    const double *at = pm_nodes_chebyshev.at;
+    const pm_place *b = &p->node[k - 1];
+    const double step = p->sense * p->h * (at[k] - at[k - 1]);
+    if (k == 1) {
+        for (int i = 0; i < p->n; i++) y[i] = b->y[i] + step * b->slope[i];
+        return;
+    }
+    const pm_place *a = &p->node[k - 2];
+    const double width = p->sense * p->h * (at[k - 1] - at[k - 2]), x = step / width;
+    for (int i = 0; i < p->n; i++) {
+        const double rise = (b->y[i] - a->y[i]) / width, da = a->slope[i] - rise, db = b->slope[i] - rise;
+        y[i] = b->y[i] + step * (b->slope[i] + x * (da + 2 * db + x * (da + db)));
+    }
 }
 
 static double clock_value(const pm_path *p, int node, int clock)
@@ -269,7 +281,7 @@ static int fill(pm_workspace *w, double h)
     const double *at = pm_nodes_chebyshev.at;
     p->h = h;
     for (int k = 1; k < PM_NODES_MOST; k++) {
-        guess_ahead(p, &p->node[k - 1], p->sense * h * (at[k] - at[k - 1]), p->node[k].y);
+        guess_node(p, k, p->node[k].y);
         const int status = pm_path_place(w, p->u0 + p->sense * (h * at[k]), &p->node[k]);
         if (status) return status;
     }
@@ -310,7 +322,6 @@ static int polish_turning(pm_workspace *w, double s, double *h)
     pm_path *p = w->path;
     double way = s * p->h;
     for (int i = 0; i < POLISH; i++) {
-        guess_ahead(p, &p->node[0], 0, p->spare.y);
         for (int k = 0; k < p->n; k++)
             p->spare.y[k] = pm_series_value(p->node[0].y + k, (int)(p->node[1].y - p->node[0].y), way / p->h);
         const int status = pm_path_place(w, p->u0 + p->sense * way, &p->spare);

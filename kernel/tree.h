@@ -40,8 +40,8 @@ void pm_tree_bias(const pm_workspace *w, double *a);
 void pm_tree_basis(pm_workspace *w, double *basis);
 /* The loop rows' Jacobian on the coordinates, [nloop][n], at the frame; the rows are evaluated. */
 void pm_tree_loops(pm_workspace *w, const double *basis, double *jacobian);
-/* Meets the loop rows by Newton's method with coordinate `held` kept; n = nloop + 1.  PM_SINGULAR or PM_ASSEMBLY if it
- * does not converge. */
-int pm_tree_close(pm_workspace *w, double *y, int held, double *q, double *basis);
+/* Meets the loop rows by Newton's method with coordinate `held` kept; n = nloop + 1.  Leaves q, the poses of the frame,
+ * and the basis and Jacobian of the loop rows there.  PM_SINGULAR or PM_ASSEMBLY if it does not converge. */
+int pm_tree_close(pm_workspace *w, double *y, int held, double *q, double *basis, double *jacobian);
 
 #endif

@@ -160,30 +160,39 @@ void pm_tree_loops(pm_workspace *w, const double *basis, double *jacobian)
     }
 }
 
-int pm_tree_close(pm_workspace *w, double *y, int held, double *q, double *basis)
+/* Places the bodies and evaluates the loop rows; their greatest residual. */
+static double look(pm_workspace *w, const double *y, double *q, double *basis, double *jacobian)
+{
+    const pm_tree *t = w->tree;
+    double worst = 0;
+    pm_tree_place(w, w->state.memory, y, q);
+    if (t->nloop == 0) return 0;
+    pm_tree_basis(w, basis);
+    pm_tree_loops(w, basis, jacobian);
+    for (int i = 0; i < t->nloop; i++) {
+        t->residual[i] = -w->row[t->loop[i]].g;
+        worst = fmax(worst, fabs(t->residual[i]));
+    }
+    return worst;
+}
+
+int pm_tree_close(pm_workspace *w, double *y, int held, double *q, double *basis, double *jacobian)
 {
     pm_tree *t = w->tree;
     const int n = t->nloop;
-    double worst = INFINITY, before = INFINITY;
+    double worst = look(w, y, q, basis, jacobian), before = INFINITY;
     for (int sweep = 0; sweep < SWEEPS; sweep++) {
-        pm_tree_place(w, w->state.memory, y, q);
-        pm_tree_basis(w, basis);
-        pm_tree_loops(w, basis, t->jacobian);
-        before = worst;
-        worst = 0;
-        for (int i = 0; i < n; i++) {
-            t->residual[i] = -w->row[t->loop[i]].g;
-            worst = fmax(worst, fabs(t->residual[i]));
-        }
         if (worst <= ROUNDING * w->size || (worst <= STALLED * w->size && worst > 0.25 * before))
             return PM_OK;
         for (int i = 0; i < n; i++) /* without the column that is held */
             for (int k = 0, c = 0; k < t->n; k++)
-                if (k != held) t->jacobian[i * n + c++] = t->jacobian[i * t->n + k];
+                if (k != held) t->jacobian[i * n + c++] = jacobian[i * t->n + k];
         if (pm_lu_factor(n, t->jacobian, t->pivot)) return pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
         pm_lu_solve(n, t->jacobian, t->pivot, t->residual);
         for (int k = 0, c = 0; k < t->n; k++)
             if (k != held) y[k] += t->residual[c++];
+        before = worst;
+        worst = look(w, y, q, basis, jacobian);
     }
     return pm_fail(w, PM_ASSEMBLY, PM_NONE, PM_NONE, worst, STALLED * w->size);
 }
