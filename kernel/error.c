@@ -273,20 +273,29 @@ static double share_of(const pm_workspace *w)
     return e->other->companion ? share : fmax(share, LEAST_SHARE);
 }
 
-/* Errors of the sought parameters of the main pass. */
-static void judge_found(const pm_error_set *e, double share)
+/* Errors of the sought parameters of the main pass.  What follows from parameters alone is known no better than the
+ * threshold of an outcome. */
+static void judge_found(const pm_workspace *w, double share, double *error)
 {
+    const pm_error_set *e = w->error;
+    const double resolution = pm_find_resolution(w);
     double *found = e->main->found;
     for (int i = 0; i < PM_FIND_MOST; i++)
         found[PM_FOUND_FIRST_ERROR + i] =
-            fmax(share * fabs(found[i] - e->other->found[i]), ROUNDING * fabs(found[i]));
+            fmax(share * fabs(found[i] - e->other->found[i]), fmax(ROUNDING, resolution) * fabs(found[i]));
+    for (int i = 0; i < w->model->nask; i++) {
+        const int32_t *row = PM_ASK_ROW(w->model, i);
+        if (e->discrete[i] || w->model->program_nature[row[PM_ASK_PROGRAM]] != PM_NATURE_CONSTANT) continue;
+        const int out = row[PM_ASK_OUT];
+        error[out] = fmax(error[out], resolution * fabs(e->main->out[out]));
+    }
 }
 
 static void judge(pm_workspace *w, double *error, double *trust)
 {
     const double share = share_of(w);
     trust[PM_TRUST_EXCESS] = judge_answers(w, share, error);
-    if (w->error->seeks) judge_found(w->error, share);
+    if (w->error->seeks) judge_found(w, share, error);
     trust[PM_TRUST_MARGIN] = judge_decisions(w, share);
 }
 

@@ -28,6 +28,8 @@
     1e-3         /* of the distance of samples: where it shows whether the ask gets better away from an end */
 #define TIE 1e-9 /* of their size: extremes that differ by less are several */
 #define SAME 1e-9 /* of the bounds' distance: places that are one */
+#define OUTCOME \
+    5e-11 /* relative: what the tolerances of decisions (1e-11 of forces, impulses, speeds) leave */
 #define TOUCH \
     4 /* a condition that comes this much nearer to zero between samples than at them may reach it */
 
@@ -309,6 +311,7 @@ static int finish(pm_workspace *w, double *found)
     int status = pm_find_look(w, chosen->x, &last);
     if (status) return status;
     for (int k = 0; k < f->nvary; k++) found[PM_FOUND_FIRST + k] = chosen->x[k];
+    f->resolution = chosen->bisected ? OUTCOME : 0;
     status = last.status;
     if (status) return status;
     if (several > 1) {
@@ -382,6 +385,7 @@ int pm_find_run(pm_workspace *w, const double *param, double *found)
     for (int i = 0; i < f->nvary; i++) f->param[PM_VARY_ROW(w->model, i)[PM_VARY_PARAMETER]] = 0;
     f->nfound = f->changes = 0;
     f->runs = 0;
+    f->resolution = 0;
     int status = search(w);
     if (status)
         fail(w);
@@ -391,3 +395,5 @@ int pm_find_run(pm_workspace *w, const double *param, double *found)
     w->count[PM_COUNT_FOUND] = f->changes > f->nfound ? f->changes : f->nfound;
     return status;
 }
+
+double pm_find_resolution(const pm_workspace *w) { return w->find ? w->find->resolution : 0; }

@@ -11,4 +11,7 @@ void pm_find_free(pm_workspace *w);
  * [PM_FOUND_COLUMNS] and leaves the run with them as the case's results. */
 int pm_find_run(pm_workspace *w, const double *param, double *found);
 
+/* Relative: how well the last find can know its parameters, where they bound an outcome; else 0. */
+double pm_find_resolution(const pm_workspace *w);
+
 #endif

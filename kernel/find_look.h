@@ -10,8 +10,9 @@ typedef struct pm_look {
     int status; /* of the run */
     int holds;  /* it came to an outcome, and all conditions but the ZERO ones hold */
     double reading[PM_FIND_MOST_CONDITIONS];
-    double goal; /* what is to be greatest: the extreme ask, its negative for the least */
-    int edge;    /* beyond it runs fail */
+    double goal;  /* what is to be greatest: the extreme ask, its negative for the least */
+    int edge;     /* beyond it runs fail */
+    int bisected; /* it is where an outcome changes */
 } pm_look;
 
 typedef struct pm_find {
@@ -24,6 +25,8 @@ typedef struct pm_find {
     int nfound;
     int changes; /* of the outcome between samples, where the parameter itself is to be extreme */
     int64_t runs;
+    double
+        resolution; /* relative: how well the threshold of an outcome can be known; 0 for roots and extremes */
     void *root, *minimum, *pair; /* GSL's solvers */
 } pm_find;
 

@@ -86,14 +86,15 @@ static int bisect(pm_workspace *w, double no, int no_status, pm_look *yes)
         if (x == no || x == yes->x[0]) break;
         const int status = pm_find_look(w, &x, &look);
         if (status) return status;
-        if (look.holds)
+        if (look.holds) {
             *yes = look;
-        else {
+        } else {
             no = x;
             no_status = look.status;
         }
     }
     yes->edge = no_status < 0;
+    yes->bisected = 1;
     return PM_OK;
 }
 

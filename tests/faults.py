@@ -378,8 +378,8 @@ FAULTS = [
     Fault(
         "find: the outcome is bisected to the wrong side",
         "find_root.c",
-        "if (look.holds) *yes = look; else no = x;",
-        "if (!look.holds) *yes = look; else no = x;",
+        "if (look.holds) { *yes = look; } else {",
+        "if (!look.holds) { *yes = look; } else {",
     ),
     Fault(
         "find: differences without Richardson's correction",

@@ -102,6 +102,7 @@ def test_a_threshold() -> None:
         result = found(ROD, f'vary.omega = ["1 rad/s", "20 rad/s"]\n{find}')
         assert result.status == "ok"
         assert result.omega == pytest.approx(wanted, rel=1e-9)
+        assert abs(result.omega - wanted) <= result.asks["omega"].error < 1e-10 * wanted
 
 
 def test_a_threshold_with_a_size() -> None:
