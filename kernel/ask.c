@@ -294,8 +294,24 @@ int pm_ask_keeps_samples(const pm_workspace *w)
     return 1;
 }
 
+/* The end of a step that was shortened is no node. */
+static int offer_end(pm_workspace *w)
+{
+    pm_frame_look_state(w, &w->state);
+    const int status = w->ask->level == PM_LEVEL_DYNAMIC ? pm_saddle_accelerate(w) : PM_OK;
+    for (int i = 0; i < w->ask->nobserver && !status; i++) {
+        const int32_t *e = PM_ASK_ROW(w->model, w->ask->observer[i]);
+        if (e[PM_ASK_KIND] != PM_ASK_GRID) offer(w, w->ask->observer[i], run(w, watched_program(e)));
+    }
+    return status;
+}
+
 int pm_ask_step(pm_workspace *w)
 {
+    if (w->ask->nobserver > 0 && w->step_end < w->sampled_end) {
+        const int status = offer_end(w);
+        if (status) return status;
+    }
     for (int i = 0; i < w->ask->nobserver; i++) {
         const int ask = w->ask->observer[i], grid = PM_ASK_ROW(w->model, ask)[PM_ASK_KIND] == PM_ASK_GRID;
         int status = grid ? grid_in_step(w, ask) : offer_node(w, ask);

@@ -412,6 +412,18 @@ static int pass(pm_workspace *w, int64_t legs, double kinetic_now, double kineti
     return pm_active_build(w);
 }
 
+/* From one begin to the next, places that differ by the shift alone: the work of the weight on the way that all bodies
+ * have gone, and what forces without potential have done; exactly, while differences of energies would be rounded, and
+ * alike in all legs. */
+static double work_of_leg(const pm_workspace *w)
+{
+    const pm_leg *l = w->leg;
+    double mass = 0, work = 0;
+    for (int i = 0; i < w->model->nbody; i++) mass += w->mass[i];
+    for (int i = 0; i < w->model->nz_work; i++) work += w->state.z[i] - l->begin.z[i];
+    return work + mass * (w->gravity[0] * l->by[0] + w->gravity[1] * l->by[1]);
+}
+
 int pm_leg_begin(pm_workspace *w, int *passed)
 {
     pm_leg *l = w->leg;
@@ -427,7 +439,7 @@ int pm_leg_begin(pm_workspace *w, int *passed)
     const pm_shift shift = {{l->by[0], l->by[1]}, l->turn};
     const int in_time = w->model->reads_time || w->trace;
     const double time = in_time ? w->state.t - l->begin.t : 0;
-    l->work = l->before - l->kinetic;
+    l->work = work_of_leg(w);
     l->ratio = kinetic / l->before;
     const int steady = fabs(kinetic - l->kinetic) <= SAME_ENERGY * kinetic;
     if (w->trace || (in_time && !steady) || !pm_symmetry_holds(w, &shift)) {

@@ -25,17 +25,19 @@ enum pm_path_clock {
 };
 
 typedef struct pm_path {
-    int n;                   /* tree coordinates of the phase */
-    int driver;              /* the one that is the path parameter u */
-    double sense;            /* +1 or -1: which way it goes */
-    double u0, h;            /* the last step: u = u0 + sense x, x from 0 to h */
-    double energy;           /* T + V - (work of forces without potential): constant */
-    int at_rest;             /* the step begins at rest */
-    int balanced;            /* it begins in equilibrium, too: it takes for ever to leave it */
-    int fresh;               /* no step of the phase has been taken yet */
-    int clock;               /* enum pm_path_clock */
-    double t0;               /* time at the begin of the step */
-    double g[PM_NODES_MOST]; /* smooth part of dt/du at the nodes */
+    int n;         /* tree coordinates of the phase */
+    int driver;    /* the one that is the path parameter u */
+    double sense;  /* +1 or -1: which way it goes */
+    double u0, h;  /* the last step: u = u0 + sense x, x from 0 to h */
+    double energy; /* T + V - (work of forces without potential): constant */
+    int at_rest;   /* the step begins at rest */
+    int balanced;  /* it begins in equilibrium, too: it takes for ever to leave it */
+    int fresh;     /* no step of the phase has been taken yet */
+    int clock;     /* enum pm_path_clock */
+    int by_work;   /* T by the work of all forces, not by their potential: the better of both in this step */
+    double force[PM_NODES_MOST]; /* generalised, at the nodes, the way it goes */
+    double t0;                   /* time at the begin of the step */
+    double g[PM_NODES_MOST];     /* smooth part of dt/du at the nodes */
     pm_place node[PM_NODES_MOST], spare;
     double *basis;             /* [nq][n] */
     double *loop;              /* [n][n] rows that the tree does not solve, on its coordinates */

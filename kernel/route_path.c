@@ -34,6 +34,7 @@
 #define BEYOND 1.2       /* of the way to a contact that seems to come: the step shall see it */
 #define SHORTEST 1e-12   /* of a full step */
 #define ROUNDING 1e-14
+#define DOUBLE_ROUNDING 2.2e-16
 #define STILL 1e-11    /* of the scene's speed: at rest */
 #define BALANCED 1e-12 /* of the forces: in equilibrium */
 #define POLISH 4       /* exact places on the way to a turning point */
@@ -145,6 +146,8 @@ static int applies(pm_workspace *w)
     p->sense = rate > 0 ? 1 : -1;
     p->balanced = 0;
     p->at_rest = !(2 * x->kinetic > STILL * STILL * total_mass(w) * w->speed * w->speed);
+    /* the contacts are met anew, to rounding: what the forces do on that way is not lost */
+    for (int i = 0; i < w->model->nq; i++) x->kinetic += w->frame.f[i] * (x->q[i] - w->state.q[i]);
     if (p->at_rest) x->kinetic = 0;
     return !p->at_rest || leave_rest(w, x);
 }
@@ -269,9 +272,20 @@ static int rates_resolved(const pm_workspace *w)
 
 static double kinetic_at(const pm_workspace *w, const pm_place *x, double s)
 {
-    if (w->model->nz_work == 0) return w->path->energy - x->potential;
+    const pm_path *p = w->path;
+    if (p->by_work) return p->node[0].kinetic + p->h * pm_series_integral(p->force, 1, s);
+    if (w->model->nz_work == 0) return p->energy - x->potential;
     integrals_at(w, s, w->path->work);
-    return w->path->energy - x->potential + work_so_far(w, w->path->work);
+    return p->energy - x->potential + work_so_far(w, p->work);
+}
+
+/* Small differences of large potentials are lost in their rounding; the work over a short way is not, where the nodes
+ * resolve the forces. */
+static int work_is_better(const pm_path *p)
+{
+    double greatest = 0;
+    for (int k = 0; k < PM_NODES_MOST; k++) greatest = fmax(greatest, fabs(p->force[k]));
+    return pm_series_tail(p->force) * greatest * p->h <= DOUBLE_ROUNDING * fabs(p->node[0].potential);
 }
 
 /* The nodes of a step of length h from node 0. */
@@ -285,7 +299,15 @@ static int fill(pm_workspace *w, double h)
         const int status = pm_path_place(w, p->u0 + p->sense * (h * at[k]), &p->node[k]);
         if (status) return status;
     }
-    for (int k = 1; k < PM_NODES_MOST; k++) p->node[k].kinetic = kinetic_at(w, &p->node[k], at[k]);
+    for (int k = 0; k < PM_NODES_MOST; k++) p->force[k] = p->sense * p->node[k].force;
+    p->by_work = work_is_better(p);
+    if (!p->by_work) {
+        for (int k = 1; k < PM_NODES_MOST; k++) p->node[k].kinetic = kinetic_at(w, &p->node[k], at[k]);
+        return PM_OK;
+    }
+    double work[PM_NODES_MOST];
+    pm_series_integrals(p->force, work);
+    for (int k = 1; k < PM_NODES_MOST; k++) p->node[k].kinetic = p->node[0].kinetic + h * work[k];
     return PM_OK;
 }
 
@@ -442,13 +464,13 @@ static int exact(pm_workspace *w, double x, pm_state *state)
 static int look_for_evidence(pm_workspace *w)
 {
     pm_path *p = w->path;
-    double force[PM_NODES_MOST], scale = 0, acceleration = 0;
+    double scale = 0, acceleration = 0, z = 0;
     const pm_place *first = &p->node[0], *last = &p->node[PM_NODES_MOST - 1];
-    for (int k = 0; k < PM_NODES_MOST; k++) force[k] = p->node[k].force;
-    const double work = p->sense * p->h * pm_series_integral(force, 1, 1);
+    const double work = p->h * pm_series_integral(p->force, 1, 1);
     scale = fmax(fmax(first->kinetic, last->kinetic), w->energy_scale);
-    if (scale > 0 && pm_series_tail(force) < WORK_TAIL)
-        w->evidence = fmax(w->evidence, fabs(last->kinetic - first->kinetic - work) / scale);
+    if (w->model->nz_work > 0) z = work_so_far(w, w->state.z) - work_so_far(w, p->weight);
+    if (scale > 0 && pm_series_tail(p->force) < WORK_TAIL)
+        w->evidence = fmax(w->evidence, fabs(first->potential - last->potential + z - work) / scale);
     pm_frame_look_state(w, &w->state);
     const int status = pm_saddle_accelerate(w);
     if (status) return status == PM_SINGULAR ? PM_OK : status;

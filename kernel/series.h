@@ -10,6 +10,8 @@ double pm_series_value(const double *node_value, int stride, double s);
 void pm_series_slopes(const double *node_value, double *slope);
 /* Integral from 0 to s. */
 double pm_series_integral(const double *node_value, int stride, double s);
+/* Integrals from 0 to each node. */
+void pm_series_integrals(const double *node_value, double *integral);
 /* Integral of g(s) / sqrt(s) from 0 to s; of g(s) / sqrt(1 - s) from s to 1. */
 double pm_series_integral_leaving(const double *g, double s);
 double pm_series_integral_resting(const double *g, double s);
