@@ -113,15 +113,22 @@ static double rate_of(const pm_workspace *w, const pm_place *x, const double *v)
     return sum / x->mass;
 }
 
-/* At rest the forces tell which way it goes; out of an equilibrium the nudge does; 0: it stays. */
-static int leave_rest(pm_workspace *w, const pm_place *x)
+/* What the generalised force would be if the forces were along the motion. */
+static double force_size(const pm_workspace *w, const pm_place *x)
 {
-    pm_path *p = w->path;
     double size = 0;
     for (int i = 0; i < w->model->nbody; i++) {
         const double *f = w->frame.f + 3 * i, *t = x->tangent + 3 * i;
         size += hypot(f[0], f[1]) * hypot(t[0], t[1]) + fabs(f[2] * t[2]);
     }
+    return size;
+}
+
+/* At rest the forces tell which way it goes; out of an equilibrium the nudge does; 0: it stays. */
+static int leave_rest(pm_workspace *w, const pm_place *x)
+{
+    pm_path *p = w->path;
+    const double size = force_size(w, x);
     p->balanced = !(fabs(x->force) > BALANCED * size);
     p->sense = !p->balanced ? (x->force > 0 ? 1 : -1) : pm_plan_nudged(w) ? pm_plan_nudge(w, x->tangent) : 0;
     return p->sense != 0;
@@ -474,12 +481,12 @@ static int look_for_evidence(pm_workspace *w)
     pm_frame_look_state(w, &w->state);
     const int status = pm_saddle_accelerate(w);
     if (status) return status == PM_SINGULAR ? PM_OK : status;
-    double size = 0;
+    double size = force_size(w, last);
     for (int i = 0; i < w->model->nq; i++) {
         if (w->inverse_mass[i] == 0) continue;
         const double part = last->tangent[i] * w->frame.a[i] / w->inverse_mass[i];
         acceleration += part;
-        size += fabs(part) + fabs(w->frame.f[i] * last->tangent[i]);
+        size += fabs(part);
     }
     if (size > 0) w->evidence = fmax(w->evidence, fabs(acceleration - last->force) / size);
     return PM_OK;
