@@ -39,6 +39,43 @@ void pm_cholesky_solve(int n, const double *a, double *x)
     }
 }
 
+int pm_skyline_factor(int n, const int *first, double *a)
+{
+    for (int i = 0; i < n; i++) {
+        double *ai = a + i * n;
+        const double diagonal = ai[i];
+        for (int j = first[i]; j < i; j++) {
+            const double *aj = a + j * n;
+            double s = ai[j];
+            for (int k = first[i] > first[j] ? first[i] : first[j]; k < j; k++) s -= ai[k] * aj[k];
+            ai[j] = s * aj[j];
+        }
+        double sum = diagonal;
+        for (int k = first[i]; k < i; k++) sum -= ai[k] * ai[k];
+        if (!(sum > PIVOT_LOSS * diagonal)) return i + 1;
+        ai[i] = 1 / sqrt(sum); /* the reciprocal: solving needs no division */
+    }
+    return 0;
+}
+
+void pm_skyline_lower(int n, const int *first, const double *a, double *x)
+{
+    for (int i = 0; i < n; i++) {
+        const double *ai = a + i * n;
+        double s = x[i];
+        for (int k = first[i]; k < i; k++) s -= ai[k] * x[k];
+        x[i] = s * ai[i];
+    }
+}
+
+void pm_skyline_upper(int n, const int *first, const double *a, double *x)
+{
+    for (int i = n - 1; i >= 0; i--) {
+        const double *ai = a + i * n, s = x[i] *= ai[i];
+        for (int k = first[i]; k < i; k++) x[k] -= ai[k] * s;
+    }
+}
+
 int pm_lu_factor(int n, double *a, int *pivot)
 {
     for (int j = 0; j < n; j++) {

@@ -6,6 +6,11 @@
  * diagonal. */
 int pm_cholesky_factor(int n, double *a);
 void pm_cholesky_solve(int n, const double *a, double *x);
+/* The same where row i of A and L begins at column first[i]: what is left of it is zero, and not looked at. */
+int pm_skyline_factor(int n, const int *first, double *a);
+/* L x = b and L^T x = b in place. */
+void pm_skyline_lower(int n, const int *first, const double *a, double *x);
+void pm_skyline_upper(int n, const int *first, const double *a, double *x);
 /* P A = L U with partial pivoting; returns 0, or 1 + the column without a pivot. */
 int pm_lu_factor(int n, double *a, int *pivot);
 void pm_lu_solve(int n, const double *a, const int *pivot, double *x);

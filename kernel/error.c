@@ -1,6 +1,6 @@
 /* error.c - estimated errors of the answers, from a second pass of the case, and the promise of accuracy.
  *
- * The companion of a pass is the same case at a tolerance COARSER times as large, with a stretched time scale (so that
+ * The companion of a pass is the same case at a tolerance COARSER times as large, with a longer time scale (so that
  * steps which the tolerance does not limit differ too) and with velocities disturbed by some roundings when a phase
  * begins.  Its answers a' differ from the answers a by its own error: truncation, amplified as the scene amplifies
  * errors, and rounding, amplified likewise.  The errors of a method go with its tolerance, so that a's own error is
@@ -31,9 +31,9 @@
 #include "trigger.h"
 
 #define COARSER 100.0
-#define ROUNDING 1e-14    /* least relative error that is claimed */
-#define LOOSEST 1e-2      /* tolerance of a companion: beyond it steps are not resolved */
-#define STRETCH 0.83      /* of the motion's own time, in a companion */
+#define ROUNDING 1e-14 /* least relative error that is claimed */
+#define LOOSEST 1e-2   /* tolerance of a companion: beyond it steps are not resolved */
+#define STRETCH 1.2 /* of the motion's own time, in a companion: coarser where only that limits the steps */
 #define DISTURBANCE 1e-14 /* of velocities at the begin of a phase, in a companion: some 45 roundings */
 #define REFINEMENTS 2     /* passes at tighter tolerances */
 #define LEAST_FACTOR 1e-4 /* of the tolerance, from one pass to the next */

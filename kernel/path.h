@@ -39,7 +39,6 @@ typedef struct pm_path {
     double t0;                   /* time at the begin of the step */
     double g[PM_NODES_MOST];     /* smooth part of dt/du at the nodes */
     pm_place node[PM_NODES_MOST], spare;
-    double *basis;             /* [nq][n] */
     double *loop;              /* [n][n] rows that the tree does not solve, on its coordinates */
     double *weight;            /* [nz_controlled] z at the begin of the step */
     double *work;              /* [nz_controlled] z somewhere in the step */

@@ -88,7 +88,7 @@ int pm_path_place(pm_workspace *w, double u, pm_place *place)
 {
     pm_path *p = w->path;
     place->y[p->driver] = u;
-    const int status = pm_tree_close(w, place->y, p->driver, place->q, p->basis, p->loop);
+    const int status = pm_tree_close(w, place->y, p->driver, place->q, p->loop);
     if (status) return status;
     direction(w, place->slope);
     const double rate = place->slope[p->driver];
@@ -102,10 +102,7 @@ void pm_path_look(pm_workspace *w, pm_place *place)
 {
     pm_path *p = w->path;
     pm_tree_place(w, w->state.memory, place->y, place->q);
-    if (w->tree->nloop > 0) {
-        pm_tree_basis(w, p->basis);
-        pm_tree_loops(w, p->basis, p->loop);
-    }
+    if (w->tree->nloop > 0) pm_tree_loops(w, p->loop);
     direction(w, place->slope);
     measure_motion(w, place);
 }

@@ -57,12 +57,11 @@ static int create(pm_workspace *w)
     if (!p) return PM_NO_MEMORY;
     const size_t n = (size_t)nq, places = PM_NODES_MOST + 1;
     double *block = p->block =
-        calloc(places * (4 * n + (size_t)nz) + 2 * n * n + n + 2 * (size_t)nz + 1, sizeof *block);
+        calloc(places * (4 * n + (size_t)nz) + n * n + n + 2 * (size_t)nz + 1, sizeof *block);
     if (!block) return PM_NO_MEMORY;
     for (int k = 0; k < PM_NODES_MOST; k++) block = carve(&p->node[k], block, nq, nz);
     block = carve(&p->spare, block, nq, nz);
-    p->basis = block;
-    p->loop = p->basis + n * n;
+    p->loop = block;
     p->work = p->loop + n * n;
     p->weight = p->work + nz;
     p->column = (int *)(void *)(p->weight + nz);

@@ -1,8 +1,10 @@
-/* route_rk.c - explicit 8th order (DOP853) on accelerations from the saddle-point system, projected after each step.
+/* route_rk.c - explicit 8th order (DOP853) in the explicit coordinates of the phase (tree.h), back on the loop rows after
+ * each step.
  *
- * y = (q, v, z), y' = (v, a(t, q, v), z').  Error in the norm of Hairer, Norsett, Wanner I, II.10, lengths against the
- * scene's size, angles against 1 rad (they grow with every turn), speeds against its speed.  The step control aims well
- * below the tolerance (safety 0.7): fewer rejections and errors several times smaller for the same work. */
+ * y = (coordinates, their rates, z), y' = (rates, accelerations(t, y), z').  Error in the norm of Hairer, Norsett,
+ * Wanner I, II.10, lengths against the scene's size, angles against 1 rad (they grow with every turn), speeds against
+ * its speed.  The step control aims well below the tolerance (safety 0.7): fewer rejections and errors several times
+ * smaller for the same work.  The ledger feeds nothing back: it is integrated over the step by the stages that count. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,9 +15,8 @@
 #include "case.h"
 #include "dop853.h"
 #include "event.h"
-#include "project.h"
 #include "route.h"
-#include "saddle.h"
+#include "tree.h"
 
 #define MARGIN 0.1     /* of the accuracy asked: errors of steps add up, and grow with the motion */
 #define TIGHTEST 5e-15 /* below it the error estimate is rounding */
@@ -27,12 +28,16 @@
 #define FIRST_RETRY 0.25
 
 struct pm_rk {
-    int n;          /* 2 nq + nz */
-    double *y0, *y; /* [n] begin of the step; stage */
-    double *k;      /* [ALL_STAGES][n] */
-    double *side;   /* [STAGES][n] stages of `exact`, so that the dense output stays */
-    double *dense;  /* [DENSE][n] */
-    double *scale;  /* [n] reciprocal error weights, 0: not controlled */
+    int n;          /* coordinates of the phase */
+    int all;        /* 2 n + nz */
+    int controlled; /* 2 n + nz_controlled: what stages need */
+    double *now;    /* [all] at w->state */
+    double *y0, *y; /* [all] begin of the step; stage */
+    double *k;      /* [ALL_STAGES][all] */
+    double *side;   /* [STAGES][all] stages of `exact`, so that the dense output stays */
+    double *dense;  /* [DENSE][all] */
+    double *scale;  /* [controlled] reciprocal error weights */
+    double own;     /* the motion's own time at the end of the last step */
     double t0, h;   /* the last step as integrated */
     double next;    /* step to try next, 0: none known */
     int dense_ready, k0_ready;
@@ -43,10 +48,11 @@ static int create(pm_workspace *w)
 {
     struct pm_rk *r = w->rk = calloc(1, sizeof *r);
     if (!r) return PM_NO_MEMORY;
-    const size_t n = (size_t)(r->n = 2 * w->model->nq + w->model->nz);
-    double *p = r->block = calloc((3 + ALL_STAGES + STAGES + DENSE) * n + 1, sizeof *p);
+    const size_t n = 2 * (size_t)w->model->nq + (size_t)w->model->nz;
+    double *p = r->block = calloc((4 + ALL_STAGES + STAGES + DENSE) * n + 1, sizeof *p);
     if (!p) return PM_NO_MEMORY;
-    r->y0 = p;
+    r->now = p;
+    r->y0 = r->now + n;
     r->y = r->y0 + n;
     r->scale = r->y + n;
     r->k = r->scale + n;
@@ -63,17 +69,28 @@ static void destroy(pm_workspace *w)
     w->rk = NULL;
 }
 
-/* y' at (t, y). */
-static int derivative(pm_workspace *w, double t, const double *y, double *k)
+/* y' at the frame, which looks at y. */
+static int derivative_here(pm_workspace *w, const double *y, int with_ledger, double *k)
 {
-    const int nq = w->model->nq;
-    pm_frame_look(w, t, y, y + nq, y + 2 * nq, w->state.memory);
-    const int status = pm_saddle_accelerate(w);
+    const struct pm_rk *r = w->rk;
+    const int status = pm_tree_accelerate(w, k + r->n);
     if (status) return status;
-    memcpy(k, y + nq, (size_t)nq * sizeof *k);
-    memcpy(k + nq, w->frame.a, (size_t)nq * sizeof *k);
-    pm_audit_rates(w, k + 2 * nq);
+    for (int i = 0; i < r->n; i++) k[i] = y[r->n + i];
+    if (with_ledger) {
+        pm_tree_react(w);
+        pm_audit_rates(w, k + 2 * r->n);
+    } else if (r->controlled > 2 * r->n) {
+        pm_audit_controlled_rates(w, k + 2 * r->n);
+    }
     return PM_OK;
+}
+
+/* y' at (t, y). */
+static int derivative(pm_workspace *w, double t, const double *y, int with_ledger, double *k)
+{
+    const int n = w->rk->n;
+    pm_tree_look(w, t, y, y + n, y + 2 * n);
+    return derivative_here(w, y, with_ledger, k);
 }
 
 static void set_scale(pm_workspace *w)
@@ -82,26 +99,25 @@ static void set_scale(pm_workspace *w)
     struct pm_rk *r = w->rk;
     const double tolerance = fmax(MARGIN * w->tolerance, TIGHTEST);
     double mass = 0;
-    for (int i = 0; i < m->nq; i++) {
-        const int angle = i % 3 == 2;
+    for (int i = 0; i < r->n; i++) {
+        const int angle = pm_tree_is_angle(w, i);
         r->scale[i] = 1 / (tolerance * (angle ? 1 : w->size));
-        r->scale[m->nq + i] = 1 / (tolerance * (angle ? w->speed / w->size : w->speed));
+        r->scale[r->n + i] = 1 / (tolerance * (angle ? w->speed / w->size : w->speed));
     }
     for (int i = 0; i < m->nbody; i++) mass += w->mass[i];
-    for (int i = 0; i < m->nz; i++) {
+    for (int i = 0; i < m->nz_controlled; i++) {
         const int work = i < m->rows[PM_TABLE_FORCE]; /* forces come first, then paths */
-        const double size = work ? mass * w->speed * w->speed : w->size;
-        r->scale[2 * m->nq + i] = i < m->nz_controlled ? 1 / (tolerance * size) : 0;
+        r->scale[2 * r->n + i] = 1 / (tolerance * (work ? mass * w->speed * w->speed : w->size));
     }
 }
 
-/* y = y0 + h sum_k weight[k] stage[k]; weights end with the last non-zero one. */
-static void combine(int n, const double *y0, double h, const double *weight, int nweight, const double *stage,
-                    double *y)
+/* y = y0 + h sum_k weight[k] stage[k] for the first n of `stride` entries. */
+static void combine(int n, int stride, const double *y0, double h, const double *weight, int nweight,
+                    const double *stage, double *y)
 {
-    for (int i = 0; i < n; i++) y[i] = 0;
-    for (int s = 0; s < nweight; s++) {
-        const double c = weight[s], *k = stage + s * n;
+    for (int i = 0; i < n; i++) y[i] = weight[0] * stage[i];
+    for (int s = 1; s < nweight; s++) {
+        const double c = weight[s], *k = stage + s * stride;
         if (c == 0) continue;
         for (int i = 0; i < n; i++) y[i] += c * k[i];
     }
@@ -113,11 +129,11 @@ static int stages(pm_workspace *w, double h, double *k, double *y)
 {
     struct pm_rk *r = w->rk;
     for (int s = 1; s < STAGES; s++) {
-        combine(r->n, r->y0, h, stage_weight[s], s, k, y);
-        const int status = derivative(w, r->t0 + stage_time[s] * h, y, k + s * r->n);
+        combine(r->controlled, r->all, r->y0, h, stage_weight[s], s, k, y);
+        const int status = derivative(w, r->t0 + stage_time[s] * h, y, step_weight[s] != 0, k + s * r->all);
         if (status) return status;
     }
-    combine(r->n, r->y0, h, step_weight, STAGES, k, y);
+    combine(r->all, r->all, r->y0, h, step_weight, STAGES, k, y);
     return PM_OK;
 }
 
@@ -125,26 +141,34 @@ static double error_norm(const pm_workspace *w, double h)
 {
     const struct pm_rk *r = w->rk;
     double sum3 = 0, sum5 = 0;
-    int n = 0;
-    for (int i = 0; i < r->n; i++) {
-        if (r->scale[i] == 0) continue;
+    for (int i = 0; i < r->controlled; i++) {
         double e3 = 0, e5 = 0;
         for (int s = 0; s < STAGES; s++) {
-            e3 += error_weight_3[s] * r->k[s * r->n + i];
-            e5 += error_weight_5[s] * r->k[s * r->n + i];
+            e3 += error_weight_3[s] * r->k[s * r->all + i];
+            e5 += error_weight_5[s] * r->k[s * r->all + i];
         }
         e3 *= r->scale[i];
         e5 *= r->scale[i];
         sum3 += e3 * e3;
         sum5 += e5 * e5;
-        n++;
     }
-    return sum5 == 0 ? 0 : fabs(h) * sum5 / sqrt((sum5 + 0.01 * sum3) * n);
+    return sum5 == 0 ? 0 : fabs(h) * sum5 / sqrt((sum5 + 0.01 * sum3) * r->controlled);
 }
+
+/* x^(-1/8) */
+static double eighth_root_of_inverse(double x) { return 1 / sqrt(sqrt(sqrt(x))); }
 
 static int begin(pm_workspace *w)
 {
     struct pm_rk *r = w->rk;
+    pm_tree_build(w);
+    pm_frame_look_state(w, &w->state);
+    r->n = w->tree->n;
+    r->all = 2 * r->n + w->model->nz;
+    r->controlled = 2 * r->n + w->model->nz_controlled;
+    pm_tree_read(w, r->now);
+    pm_tree_read_rates(w, w->state.v, r->now + r->n);
+    memcpy(r->now + 2 * r->n, w->state.z, (size_t)w->model->nz * sizeof(double));
     r->k0_ready = r->dense_ready = 0;
     if (w->count[PM_COUNT_STEPS] == 0) r->next = 0; /* a new case owes nothing to the last one */
     set_scale(w);
@@ -154,81 +178,104 @@ static int begin(pm_workspace *w)
 /* A step that is sampled for events or extremes may not outrun the motion, even where the formula would be exact. */
 static double longest_step(const pm_workspace *w)
 {
-    return w->event->nfunction > 0 || w->ask->nobserver > 0 ? pm_case_time_scale(w, w->frame.v, w->frame.a)
-                                                            : INFINITY;
+    return w->event->nfunction > 0 || w->ask->nobserver > 0 ? w->rk->own : INFINITY;
 }
 
-static int accept(pm_workspace *w, double t, const double *y)
+/* Coordinates y, where the frame looks, as a state. */
+static void tell(const pm_workspace *w, double t, const double *y, pm_state *s)
+{
+    memcpy(s->q, w->tree->q, (size_t)w->model->nq * sizeof *y);
+    memcpy(s->v, w->tree->v, (size_t)w->model->nq * sizeof *y);
+    memcpy(s->z, y + 2 * w->rk->n, (size_t)w->model->nz * sizeof *y);
+    s->t = t;
+}
+
+/* y back on the rows, and the state there. */
+static int settle(pm_workspace *w, double t, double *y, pm_state *s)
+{
+    const int n = w->rk->n, status = pm_tree_project(w, t, y, y + n, y + 2 * n);
+    if (!status) tell(w, t, y, s);
+    return status;
+}
+
+static int accept(pm_workspace *w, double t)
 {
     struct pm_rk *r = w->rk;
-    memcpy(w->state.q, y, (size_t)r->n * sizeof *y); /* q, v, z lie together */
-    w->state.t = t;
-    int status = pm_project(w, &w->state);
-    if (!status) status = derivative(w, t, w->state.q, r->k + STAGES * r->n);
+    memcpy(r->now, r->y, (size_t)r->all * sizeof(double));
+    int status = settle(w, t, r->now, &w->state);
+    if (!status) status = derivative_here(w, r->now, 1, r->k + STAGES * r->all);
+    if (status) return status;
+    r->own = pm_case_time_scale(w, w->state.v, w->frame.a);
     r->dense_ready = 0;
     w->step_begin = r->t0;
     w->step_end = t;
     w->count[PM_COUNT_STEPS]++;
-    if (!status && pm_case_speed(w, w->state.v)) set_scale(w);
-    return status;
+    if (pm_case_speed(w, w->state.v)) set_scale(w);
+    return PM_OK;
+}
+
+/* The derivative at the begin of a step: that at the end of the last one, but for the first. */
+static int first_stage(pm_workspace *w)
+{
+    struct pm_rk *r = w->rk;
+    if (r->k0_ready) {
+        memcpy(r->k, r->k + STAGES * r->all, (size_t)r->all * sizeof(double));
+        return PM_OK;
+    }
+    const int status = derivative(w, r->t0, r->y0, 1, r->k);
+    if (status) return status;
+    r->k0_ready = 1;
+    r->own = pm_case_time_scale(w, w->state.v, w->frame.a);
+    if (r->next == 0) r->next = fmin(r->own, 1e3) * eighth_root_of_inverse(1 / w->tolerance);
+    return PM_OK;
 }
 
 static int step(pm_workspace *w, double t_limit)
 {
     struct pm_rk *r = w->rk;
     r->t0 = w->state.t;
-    memcpy(r->y0, w->state.q, (size_t)r->n * sizeof(double));
-    if (r->k0_ready)
-        memcpy(r->k, r->k + STAGES * r->n, (size_t)r->n * sizeof(double));
-    else {
-        const int status = derivative(w, r->t0, r->y0, r->k);
-        if (status) return status;
-        r->k0_ready = 1;
-        if (r->next == 0)
-            r->next = fmin(pm_case_time_scale(w, w->frame.v, w->frame.a), 1e3) * pow(w->tolerance, 1.0 / 8);
-    }
-    pm_frame_look(w, r->t0, r->y0, r->y0 + w->model->nq, r->y0 + 2 * w->model->nq, w->state.memory);
-    memcpy(w->frame.a, r->k + w->model->nq, (size_t)w->model->nq * sizeof(double));
-    const double cap = longest_step(w);
-    double h = fmin(r->next, cap);
+    memcpy(r->y0, r->now, (size_t)r->all * sizeof(double));
+    int status = first_stage(w);
+    if (status) return status;
+    double h = fmin(r->next, longest_step(w));
     for (int rejected = 0;;) {
         const int last = r->t0 + h >= t_limit;
         if (last) h = t_limit - r->t0;
         if (!(h > LEAST_STEP * fabs(r->t0)))
             return pm_fail(w, PM_STEP_TOO_SMALL, PM_NONE, PM_NONE, h, LEAST_STEP * fabs(r->t0));
-        const int status = stages(w, h, r->k, r->y);
+        status = stages(w, h, r->k, r->y);
         const double error = status ? INFINITY : error_norm(w, h);
         if (status && status != PM_SINGULAR) return status;
         if (error <= 1) {
-            const double factor = error > 0 ? SAFETY * pow(error, -1.0 / 8) : GROW;
+            const double factor = error > 0 ? SAFETY * eighth_root_of_inverse(error) : GROW;
             const double proposed = h * fmin(rejected ? 1 : GROW, fmax(SHRINK, factor));
             r->h = h;
             r->next = last && proposed < r->next ? r->next : proposed;
-            return accept(w, last ? t_limit : r->t0 + h, r->y);
+            return accept(w, last ? t_limit : r->t0 + h);
         }
         rejected = 1;
-        h *= isfinite(error) ? fmax(SHRINK, SAFETY * pow(error, -1.0 / 8)) : FIRST_RETRY;
+        h *= isfinite(error) ? fmax(SHRINK, SAFETY * eighth_root_of_inverse(error)) : FIRST_RETRY;
     }
 }
 
+/* The ledger is not asked for inside a step. */
 static int prepare_dense(pm_workspace *w)
 {
     struct pm_rk *r = w->rk;
-    const int n = r->n;
+    const int n = r->controlled, all = r->all;
     for (int s = STAGES + 1; s < ALL_STAGES; s++) {
-        combine(n, r->y0, r->h, stage_weight[s], s, r->k, r->y);
-        const int status = derivative(w, r->t0 + stage_time[s] * r->h, r->y, r->k + s * n);
+        combine(n, all, r->y0, r->h, stage_weight[s], s, r->k, r->y);
+        const int status = derivative(w, r->t0 + stage_time[s] * r->h, r->y, 0, r->k + s * all);
         if (status) return status;
     }
-    const double *end = w->state.q;
     for (int i = 0; i < n; i++) {
-        const double change = end[i] - r->y0[i], f0 = r->h * r->k[i], f1 = r->h * r->k[STAGES * n + i];
+        const double change = r->now[i] - r->y0[i], f0 = r->h * r->k[i], f1 = r->h * r->k[STAGES * all + i];
         r->dense[i] = change;
         r->dense[n + i] = f0 - change;
         r->dense[2 * n + i] = 2 * change - (f0 + f1);
         for (int d = 3; d < DENSE; d++) {
             double sum = 0;
-            for (int s = 0; s < ALL_STAGES; s++) sum += dense_weight[d - 3][s] * r->k[s * n + i];
+            for (int s = 0; s < ALL_STAGES; s++) sum += dense_weight[d - 3][s] * r->k[s * all + i];
             r->dense[d * n + i] = r->h * sum;
         }
     }
@@ -239,36 +286,36 @@ static int prepare_dense(pm_workspace *w)
 static int at(pm_workspace *w, double t, pm_state *s)
 {
     struct pm_rk *r = w->rk;
-    const int n = r->n;
+    const int n = r->controlled;
     if (!r->dense_ready) {
         const int status = prepare_dense(w);
         if (status) return status;
     }
     const double x = (t - r->t0) / r->h;
-    double *y = s->q;
     for (int i = 0; i < n; i++) {
         double sum = 0;
         for (int d = DENSE - 1; d >= 0; d--) sum = (sum + r->dense[d * n + i]) * (d % 2 == 0 ? x : 1 - x);
-        y[i] = r->y0[i] + sum;
+        r->y[i] = r->y0[i] + sum;
     }
-    s->t = t;
+    memcpy(r->y + n, r->y0 + n, (size_t)(r->all - n) * sizeof *r->y);
+    pm_tree_look(w, t, r->y, r->y + r->n, r->y + 2 * r->n);
+    tell(w, t, r->y, s);
     return PM_OK;
 }
 
 static int exact(pm_workspace *w, double t, pm_state *s)
 {
     struct pm_rk *r = w->rk;
+    const size_t bytes = (size_t)r->all * sizeof(double);
     int status = PM_OK;
     if (s != &w->state) pm_state_copy(s, &w->state);
     if (t == r->t0) {
-        memcpy(s->q, r->y0, (size_t)r->n * sizeof(double));
+        memcpy(r->y, r->y0, bytes);
     } else {
-        memcpy(r->side, r->k, (size_t)r->n * sizeof(double));
+        memcpy(r->side, r->k, bytes);
         status = stages(w, t - r->t0, r->side, r->y);
-        memcpy(s->q, r->y, (size_t)r->n * sizeof(double));
     }
-    s->t = t;
-    return status ? status : pm_project(w, s);
+    return status ? status : settle(w, t, r->y, s);
 }
 
 const pm_route_ops pm_route_rk = {

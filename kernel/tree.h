@@ -10,16 +10,24 @@
 typedef struct pm_tree_node pm_tree_node;
 
 typedef struct pm_tree {
-    int n;                 /* coordinates */
-    int nloop;             /* active rows that are not solved */
-    int *loop;             /* [nrow] their places in w->row */
-    int *kind;             /* [nq] of each coordinate: 0, 1 a length (x, y or along a line), 2 an angle */
-    pm_tree_node *node;    /* [nbody] in the order of placing */
-    unsigned char *used;   /* [nrow] */
-    int *placed;           /* [nbody] */
-    double *unit, *column; /* [nq] */
-    double *jacobian, *residual; /* [nq][nq], [nq]: of the loop rows */
-    int *pivot;
+    int n;               /* coordinates */
+    int nloop;           /* active rows that are not solved */
+    int *loop;           /* [nrow] their places in w->row */
+    int *kind;           /* [nq] of each coordinate: 0, 1 a length (x, y or along a line), 2 an angle */
+    pm_tree_node *node;  /* [nbody] in the order of placing */
+    unsigned char *used; /* [nrow] */
+    int *placed;         /* [nbody] 1 + index of its node */
+    int *moved_by;       /* the coordinates that move each body: node->list, node->nlist */
+    int *first_coupled;  /* [nq] the first coordinate to which the mass matrix couples each */
+    double *influence;   /* [3] for each entry of moved_by: velocity of the body at a unit rate */
+    double *jacobian;    /* [nrow][n] of the loop rows */
+    double *residual;    /* [2 nrow] */
+    double *mass;        /* [n][n] lower triangle of B^T M B, then its factor */
+    double *reduced;     /* [nrow][n] L^-1 of each row of the Jacobian, L the factor of the mass matrix */
+    double *schur;       /* [nrow][nrow] */
+    double *force, *bias, *rate, *wrench; /* [nq] */
+    double *q, *v;                        /* [nq] where pm_tree_look looks */
+    int *pivot;                           /* [nq + nrow] */
     void *block;
 } pm_tree;
 
@@ -32,16 +40,37 @@ int pm_tree_is_angle(const pm_workspace *w, int coordinate);
 /* Coordinates y[n] of a configuration q[nq] that meets the solved rows (the frame looks at it); and back. */
 void pm_tree_read(const pm_workspace *w, double *y);
 void pm_tree_place(const pm_workspace *w, const pm_memory *memory, const double *y, double *q);
+/* Rates ydot[n] of velocities that meet the solved rows, both at the frame. */
+void pm_tree_read_rates(pm_workspace *w, const double *v, double *ydot);
+/* The frame looks at coordinates y with rates ydot: positions and velocities are in t->q, t->v. */
+void pm_tree_look(pm_workspace *w, double t, const double *y, const double *ydot, const double *z);
 /* At the frame's pose: velocities v[nq] from rates ydot[n]. */
-void pm_tree_spread(const pm_workspace *w, const double *ydot, double *v);
+void pm_tree_spread(pm_workspace *w, const double *ydot, double *v);
 /* At the frame's pose and velocities: accelerations at yddot = 0. */
-void pm_tree_bias(const pm_workspace *w, double *a);
+void pm_tree_bias(pm_workspace *w, double *a);
 /* Columns of v by unit rates: basis[nq][n]. */
 void pm_tree_basis(pm_workspace *w, double *basis);
 /* The loop rows' Jacobian on the coordinates, [nloop][n], at the frame; the rows are evaluated. */
-void pm_tree_loops(pm_workspace *w, const double *basis, double *jacobian);
+void pm_tree_loops(pm_workspace *w, double *jacobian);
+
+/* After pm_tree_look: accelerations yddot[n] of the coordinates and, in the frame, of the bodies. */
+int pm_tree_accelerate(pm_workspace *w, double *yddot);
+/* After it: reactions of all active rows, in the frame, which is DYNAMIC then (the rows are not evaluated). */
+void pm_tree_react(pm_workspace *w);
+
 /* Meets the loop rows by Newton's method with coordinate `held` kept; n = nloop + 1.  Leaves q, the poses of the frame,
- * and the basis and Jacobian of the loop rows there.  PM_SINGULAR or PM_ASSEMBLY if it does not converge. */
-int pm_tree_close(pm_workspace *w, double *y, int held, double *q, double *basis, double *jacobian);
+ * and the Jacobian of the loop rows there.  PM_SINGULAR or PM_ASSEMBLY if it does not converge. */
+int pm_tree_close(pm_workspace *w, double *y, int held, double *q, double *jacobian);
+/* Meets them by the least corrections in the metric of M, of coordinates and rates; the frame looks there. */
+int pm_tree_project(pm_workspace *w, double t, double *y, double *ydot, const double *z);
+
+/* tree_place.c, for the tree's own files: the vectors of all nodes at the frame's pose. */
+void pm_tree_couple(pm_workspace *w);
+/* tree_rates.c: columns of all bodies' velocities, after pm_tree_couple. */
+void pm_tree_influence(pm_workspace *w);
+/* Accelerations of the bodies from those of the coordinates, and back; after pm_tree_couple, velocities in the frame. */
+void pm_tree_spread_accelerations(const pm_workspace *w, const double *yddot, double *a);
+void pm_tree_read_accelerations(const pm_workspace *w, const double *a, double *yddot);
+void pm_tree_loop_row(const pm_workspace *w, const pm_row *row, double *on_coordinates);
 
 #endif

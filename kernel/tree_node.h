@@ -1,4 +1,8 @@
-/* tree_node.h - how one body is placed on its parent; shared by the tree's own files. */
+/* tree_node.h - how one body is placed on its parent; shared by the tree's own files.
+ *
+ * Velocities of a body c from those of its parent p (tree_place.c sets the vectors at the frame's pose):
+ *   v_c = v_p + omega_p by_parent + omega_c by_own + rate by_slide,
+ * omega_c the parent's (weld, slider), zero (a particle) or the rate of its own coordinate. */
 #ifndef PM_TREE_NODE_H
 #define PM_TREE_NODE_H
 
@@ -7,14 +11,49 @@ enum pm_placement { FREE, PIN, WELD, SLIDER, ROLL_LINE, ROLL_CIRCLE };
 struct pm_tree_node {
     int body, parent, placement;
     int child_is_a;
-    int first;       /* its first coordinate */
-    int turns;       /* its body does */
-    double child[2]; /* mark on the body */
-    double mark[2];  /* mark on the parent */
-    double angle;    /* weld, slider: angle of a minus angle of b */
-    double line;     /* direction of the line in b */
-    double radius_a, radius_b, length;
+    int first, ncoordinate;       /* its own coordinates */
+    int list, nlist;              /* those that move it, in tree->moved_by */
+    int turns;                    /* its body does */
+    int row[PM_JOINT_ROWS], nrow; /* the active rows that it solves */
+    double child[2];              /* mark on the body */
+    double mark[2];               /* mark on the parent */
+    double angle;                 /* weld, slider: of the body minus that of the parent */
+    double turn[2];               /* its cosine and sine */
+    double line[2];               /* direction of the line in b */
+    double radius;                /* of a circle on a line */
+    double length;                /* distance of the centres */
+    double roll_own,
+        roll_parent; /* rolling: way, or direction, by the angles of the body and of the parent */
     int memory;
+    /* at the frame's pose */
+    double r_child[2], r_mark[2]; /* marks from the mass centres */
+    double rho[2];                /* P_a - p_b */
+    double t[2];                  /* direction of the line; k x (direction of the centres) */
+    double by_parent[2], by_own[2], by_slide[2];
 };
+
+static inline int pm_tree_follows(const struct pm_tree_node *x)
+{
+    return x->placement == WELD || x->placement == SLIDER;
+}
+
+/* Velocity of the body at rates own[ncoordinate] of its coordinates, by that of its parent. */
+static inline void pm_tree_move(const struct pm_tree_node *x, const double parent[3], const double *own,
+                                double to[3])
+{
+    if (x->placement == FREE) {
+        to[0] = own[0];
+        to[1] = own[1];
+        to[2] = x->turns ? own[2] : 0;
+        return;
+    }
+    const double omega = pm_tree_follows(x) ? parent[2] : x->turns ? own[0] : 0;
+    to[0] = parent[0] + parent[2] * x->by_parent[0] + omega * x->by_own[0];
+    to[1] = parent[1] + parent[2] * x->by_parent[1] + omega * x->by_own[1];
+    to[2] = omega;
+    if (x->placement != SLIDER) return;
+    to[0] += own[0] * x->by_slide[0];
+    to[1] += own[0] * x->by_slide[1];
+}
 
 #endif

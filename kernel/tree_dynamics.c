@@ -1,0 +1,253 @@
+/* tree_dynamics.c - motion in tree coordinates: v = B ydot, a = B yddot + c.
+ *
+ *   [ B^T M B  J^T ] [ yddot ]   [ B^T (f - M c)   ]
+ *   [ J        0   ] [  -l   ] = [ gamma - G c     ]      J = G B of the loop rows
+ * by Cholesky: with B^T M B = L L^T and X = J L^-T the loops have S = X X^T.  What the solved rows carry follows inward
+ * from M a - f, body by body (d'Alembert): a parent gives each body what its mass and its children need. */
+#include <math.h>
+#include <string.h>
+
+#include "body.h"
+#include "dense.h"
+#include "force.h"
+#include "row.h"
+#include "saddle.h"
+#include "tree.h"
+#include "tree_node.h"
+
+#define SWEEPS 8
+#define ROUNDING 4e-15 /* residual relative to the size of the scene below which nothing is left to gain */
+
+/* The lower triangle of B^T M B, factored; pm_tree_influence has been called. */
+static int factor_mass(pm_workspace *w)
+{
+    pm_tree *t = w->tree;
+    const int n = t->n;
+    for (int i = 0; i < n; i++)
+        for (int k = t->first_coupled[i]; k <= i; k++) t->mass[i * n + k] = 0;
+    for (int i = 0; i < w->model->nbody; i++) {
+        const pm_tree_node *x = &t->node[i];
+        const double m = w->mass[x->body], inertia = pm_body_inertia(w, x->body);
+        const double *b = t->influence + 3 * x->list;
+        const int *by = t->moved_by + x->list;
+        for (int k = 0; k < x->nlist; k++, b += 3, by++) {
+            const double p[3] = {m * b[0], m * b[1], inertia * b[2]};
+            double *to = t->mass + by[0] * n;
+            for (int l = 0; l < x->nlist - k; l++)
+                to[by[l]] += p[0] * b[3 * l] + p[1] * b[3 * l + 1] + p[2] * b[3 * l + 2];
+        }
+    }
+    w->count[PM_COUNT_SOLVES]++;
+    return pm_skyline_factor(n, t->first_coupled, t->mass) ? pm_fail(w, PM_SINGULAR, PM_TABLE_BODY, 0, 0, 0)
+                                                           : PM_OK;
+}
+
+static int singular_loop(pm_workspace *w, int loop)
+{
+    const pm_row *row = &w->row[w->tree->loop[loop]];
+    return row->joint != PM_NONE ? pm_fail(w, PM_SINGULAR, PM_TABLE_JOINT, row->joint, 0, 0)
+                                 : pm_fail(w, PM_SINGULAR, PM_TABLE_CONTACT, PM_NONE, 0, 0);
+}
+
+/* J and X of the evaluated loop rows, and the factor of S. */
+static int factor_loops(pm_workspace *w)
+{
+    pm_tree *t = w->tree;
+    const int n = t->n;
+    for (int i = 0; i < t->nloop; i++) {
+        double *j = t->jacobian + i * n, *x = t->reduced + i * n;
+        pm_tree_loop_row(w, &w->row[t->loop[i]], j);
+        memcpy(x, j, (size_t)n * sizeof *x);
+        pm_skyline_lower(n, t->first_coupled, t->mass, x);
+        for (int k = 0; k <= i; k++) {
+            double sum = 0;
+            for (int c = 0; c < n; c++) sum += x[c] * t->reduced[k * n + c];
+            t->schur[i * t->nloop + k] = sum;
+        }
+    }
+    const int bad = pm_cholesky_factor(t->nloop, t->schur);
+    return bad ? singular_loop(w, bad - 1) : PM_OK;
+}
+
+/* x += X^T l with S l = residual, in place. */
+static void add_loops(const pm_tree *t, double *x)
+{
+    pm_cholesky_solve(t->nloop, t->schur, t->residual);
+    for (int i = 0; i < t->nloop; i++)
+        for (int k = 0; k < t->n; k++) x[k] += t->residual[i] * t->reduced[i * t->n + k];
+}
+
+static void evaluate_loops(pm_workspace *w)
+{
+    for (int i = 0; i < w->tree->nloop; i++) {
+        pm_row *row = &w->row[w->tree->loop[i]];
+        pm_row_kind(row->kind)->evaluate(w, row);
+    }
+}
+
+/* L^-1 B^T (f - M c) in x; the frame has the forces. */
+static void reduce_forces(const pm_workspace *w, double *x)
+{
+    const pm_tree *t = w->tree;
+    memset(x, 0, (size_t)t->n * sizeof *x);
+    for (int i = 0; i < w->model->nbody; i++) {
+        const pm_tree_node *node = &t->node[i];
+        const double m = w->mass[node->body], inertia = pm_body_inertia(w, node->body);
+        const double *f = w->frame.f + 3 * node->body, *c = t->bias + 3 * node->body;
+        const double p[3] = {f[0] - m * c[0], f[1] - m * c[1], f[2] - inertia * c[2]};
+        for (int k = node->list; k < node->list + node->nlist; k++) {
+            const double *b = t->influence + 3 * k;
+            x[t->moved_by[k]] += b[0] * p[0] + b[1] * p[1] + b[2] * p[2];
+        }
+    }
+    pm_skyline_lower(t->n, t->first_coupled, t->mass, x);
+}
+
+/* Where a contact slides its friction depends on reactions: the whole system. */
+static int accelerate_all(pm_workspace *w, double *yddot)
+{
+    const int status = pm_saddle_accelerate(w);
+    if (!status) pm_tree_read_accelerations(w, w->frame.a, yddot);
+    return status;
+}
+
+int pm_tree_accelerate(pm_workspace *w, double *yddot)
+{
+    pm_tree *t = w->tree;
+    if (w->asymmetric) return accelerate_all(w, yddot);
+    pm_force_all(w);
+    memset(yddot, 0, (size_t)t->n * sizeof *yddot);
+    pm_tree_spread_accelerations(w, yddot, t->bias);
+    pm_tree_influence(w);
+    int status = factor_mass(w);
+    if (status) return status;
+    reduce_forces(w, yddot);
+    if (t->nloop > 0) {
+        evaluate_loops(w);
+        if ((status = factor_loops(w))) return status;
+        for (int i = 0; i < t->nloop; i++) {
+            const pm_row *row = &w->row[t->loop[i]];
+            t->residual[i] = row->gamma - pm_saddle_times(w, row, t->bias);
+            for (int k = 0; k < t->n; k++) t->residual[i] -= t->reduced[i * t->n + k] * yddot[k];
+        }
+        add_loops(t, yddot);
+        for (int i = 0; i < t->nloop; i++) w->frame.lambda[t->loop[i]] = t->residual[i];
+    }
+    pm_skyline_upper(t->n, t->first_coupled, t->mass, yddot);
+    pm_tree_spread_accelerations(w, yddot, w->frame.a);
+    return PM_OK;
+}
+
+/* Reactions of the rows of a node: force and couple about its mass centre that its parent gives. */
+static void read_reactions(pm_workspace *w, const pm_tree_node *x, const double *wrench)
+{
+    const double sign = x->child_is_a ? 1 : -1, fx = sign * wrench[0], fy = sign * wrench[1];
+    double *lambda = w->frame.lambda;
+    if (x->placement == PIN || x->placement == WELD) {
+        lambda[x->row[0]] = fx;
+        lambda[x->row[1]] = fy;
+        if (x->placement == WELD)
+            lambda[x->row[2]] = sign * (wrench[2] - x->r_child[0] * wrench[1] + x->r_child[1] * wrench[0]);
+    } else if (x->placement == ROLL_CIRCLE) {
+        const double inward = w->row[x->row[0]].sign;
+        lambda[x->row[0]] = inward * (fx * x->t[1] - fy * x->t[0]);
+        lambda[x->row[1]] = fx * x->t[0] + fy * x->t[1];
+    } else {
+        const double normal = -fx * x->t[1] + fy * x->t[0];
+        lambda[x->row[0]] = normal;
+        if (x->placement == ROLL_LINE) {
+            lambda[x->row[1]] = fx * x->t[0] + fy * x->t[1];
+            return;
+        }
+        /* the normal force acts through P_a */
+        double r[2] = {x->r_child[0], x->r_child[1]};
+        for (int k = 0; k < 2 && !x->child_is_a; k++) r[k] += x->rho[k];
+        const double moment = normal * (r[0] * x->t[0] + r[1] * x->t[1]);
+        lambda[x->row[1]] = sign * wrench[2] - moment;
+    }
+}
+
+/* What the loop rows give is not the parent's to give. */
+static void take_off_loops(const pm_workspace *w, double *wrench)
+{
+    const pm_tree *t = w->tree;
+    for (int i = 0; i < t->nloop; i++) {
+        const pm_row *row = &w->row[t->loop[i]];
+        const double lambda = w->frame.lambda[t->loop[i]];
+        for (int side = 0; side < 2; side++)
+            for (int k = 0; k < 3 && row->body[side] != w->model->nbody; k++)
+                wrench[3 * row->body[side] + k] -= lambda * row->j[3 * side + k];
+    }
+}
+
+void pm_tree_react(pm_workspace *w)
+{
+    const pm_tree *t = w->tree;
+    pm_frame *f = &w->frame;
+    const int ground = w->model->nbody;
+    if (f->level == PM_LEVEL_DYNAMIC) return;
+    for (int i = 0; i < ground; i++) {
+        const double inertia = pm_body_inertia(w, i);
+        for (int k = 0; k < 3; k++)
+            t->wrench[3 * i + k] = (k < 2 ? w->mass[i] : inertia) * f->a[3 * i + k] - f->f[3 * i + k];
+    }
+    take_off_loops(w, t->wrench);
+    for (int i = ground - 1; i >= 0; i--) {
+        const pm_tree_node *x = &t->node[i];
+        if (x->placement == FREE) continue;
+        const double *wrench = t->wrench + 3 * x->body;
+        read_reactions(w, x, wrench);
+        if (x->parent == ground) continue;
+        const double *child = f->pose + 5 * x->body, *parent = f->pose + 5 * x->parent;
+        double *to = t->wrench + 3 * x->parent;
+        to[0] += wrench[0];
+        to[1] += wrench[1];
+        to[2] += wrench[2] + (child[0] - parent[0]) * wrench[1] - (child[1] - parent[1]) * wrench[0];
+    }
+    f->level = PM_LEVEL_DYNAMIC;
+}
+
+/* ---- back onto the loop rows ---- */
+static double worst_of(const double *residual, int n)
+{
+    double worst = 0;
+    for (int i = 0; i < n; i++) worst = fmax(worst, fabs(residual[i]));
+    return worst;
+}
+
+/* J dy = residual with the least dy in the metric of M. */
+static int correct(pm_workspace *w, double *y)
+{
+    pm_tree *t = w->tree;
+    pm_tree_influence(w);
+    int status = factor_mass(w);
+    if (!status) status = factor_loops(w);
+    if (status) return status;
+    memset(t->rate, 0, (size_t)t->n * sizeof *t->rate);
+    add_loops(t, t->rate);
+    pm_skyline_upper(t->n, t->first_coupled, t->mass, t->rate);
+    for (int k = 0; k < t->n; k++) y[k] += t->rate[k];
+    return PM_OK;
+}
+
+int pm_tree_project(pm_workspace *w, double time, double *y, double *ydot, const double *z)
+{
+    pm_tree *t = w->tree;
+    double before = INFINITY;
+    pm_tree_look(w, time, y, ydot, z);
+    for (int sweep = 0; t->nloop > 0; sweep++) {
+        evaluate_loops(w);
+        for (int i = 0; i < t->nloop; i++) t->residual[i] = -w->row[t->loop[i]].g;
+        const double worst = worst_of(t->residual, t->nloop);
+        if (worst <= ROUNDING * w->size || sweep == SWEEPS || (sweep > 1 && worst > 0.5 * before)) break;
+        before = worst;
+        const int status = correct(w, y);
+        if (status) return status;
+        pm_tree_look(w, time, y, ydot, z);
+    }
+    for (int i = 0; i < t->nloop; i++) t->residual[i] = -pm_saddle_times(w, &w->row[t->loop[i]], t->v);
+    if (worst_of(t->residual, t->nloop) <= ROUNDING * w->speed) return PM_OK;
+    const int status = correct(w, ydot);
+    if (!status) pm_tree_look(w, time, y, ydot, z);
+    return status;
+}
