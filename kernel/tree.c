@@ -118,6 +118,9 @@ static void place(pm_workspace *w, int *nplaced, int body, int placement, const 
     } else if (placement == ROLL_CIRCLE) {
         x->roll_own = (child_is_a ? row->radius_a : row->radius_b) / x->length;
         x->roll_parent = (child_is_a ? row->radius_b : row->radius_a) / x->length;
+        const double direction = w->state.memory[x->memory].anchor / x->length;
+        x->touch[0] = x->length * cos(direction);
+        x->touch[1] = x->length * sin(direction);
     }
     for (int i = 0; i < g->n; i++) t->used[g->row[i]] = 1;
 }

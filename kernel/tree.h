@@ -40,17 +40,18 @@ int pm_tree_is_angle(const pm_workspace *w, int coordinate);
 /* Coordinates y[n] of a configuration q[nq] that meets the solved rows (the frame looks at it); and back. */
 void pm_tree_read(const pm_workspace *w, double *y);
 void pm_tree_place(const pm_workspace *w, const pm_memory *memory, const double *y, double *q);
-/* Rates ydot[n] of velocities that meet the solved rows, both at the frame. */
+/* All that follows is at the pose where pm_tree_read, pm_tree_place or pm_tree_look has looked last. */
+/* Rates ydot[n] of velocities that meet the solved rows. */
 void pm_tree_read_rates(pm_workspace *w, const double *v, double *ydot);
 /* The frame looks at coordinates y with rates ydot: positions and velocities are in t->q, t->v. */
 void pm_tree_look(pm_workspace *w, double t, const double *y, const double *ydot, const double *z);
-/* At the frame's pose: velocities v[nq] from rates ydot[n]. */
+/* Velocities v[nq] from rates ydot[n]. */
 void pm_tree_spread(pm_workspace *w, const double *ydot, double *v);
-/* At the frame's pose and velocities: accelerations at yddot = 0. */
+/* At the frame's velocities: accelerations at yddot = 0. */
 void pm_tree_bias(pm_workspace *w, double *a);
 /* Columns of v by unit rates: basis[nq][n]. */
 void pm_tree_basis(pm_workspace *w, double *basis);
-/* The loop rows' Jacobian on the coordinates, [nloop][n], at the frame; the rows are evaluated. */
+/* The loop rows' Jacobian on the coordinates, [nloop][n]; the rows are evaluated. */
 void pm_tree_loops(pm_workspace *w, double *jacobian);
 
 /* After pm_tree_look: accelerations yddot[n] of the coordinates and, in the frame, of the bodies. */
@@ -64,11 +65,9 @@ int pm_tree_close(pm_workspace *w, double *y, int held, double *q, double *jacob
 /* Meets them by the least corrections in the metric of M, of coordinates and rates; the frame looks there. */
 int pm_tree_project(pm_workspace *w, double t, double *y, double *ydot, const double *z);
 
-/* tree_place.c, for the tree's own files: the vectors of all nodes at the frame's pose. */
-void pm_tree_couple(pm_workspace *w);
-/* tree_rates.c: columns of all bodies' velocities, after pm_tree_couple. */
+/* For the tree's own files.  Columns of all bodies' velocities. */
 void pm_tree_influence(pm_workspace *w);
-/* Accelerations of the bodies from those of the coordinates, and back; after pm_tree_couple, velocities in the frame. */
+/* Accelerations of the bodies from those of the coordinates, and back; velocities are in the frame. */
 void pm_tree_spread_accelerations(const pm_workspace *w, const double *yddot, double *a);
 void pm_tree_read_accelerations(const pm_workspace *w, const double *a, double *yddot);
 void pm_tree_loop_row(const pm_workspace *w, const pm_row *row, double *on_coordinates);

@@ -24,6 +24,7 @@ struct pm_tree_node {
     double length;                /* distance of the centres */
     double roll_own,
         roll_parent; /* rolling: way, or direction, by the angles of the body and of the parent */
+    double touch[2]; /* rolling on a point: P_a - p_b in the axes of the circle's body */
     int memory;
     /* at the frame's pose */
     double r_child[2], r_mark[2]; /* marks from the mass centres */

@@ -50,7 +50,6 @@ static void place_angle(const pm_tree_node *x, const double *own, const double *
 static void distance_of_marks(const pm_workspace *w, const pm_tree_node *x, const pm_memory *memory,
                               double own, const double *from, const double *at, double rho[2])
 {
-    rho[0] = rho[1] = 0;
     if (x->placement == SLIDER || x->placement == ROLL_LINE) {
         double t[2];
         turned(pose_of_b(w, x), x->line, t);
@@ -59,6 +58,10 @@ static void distance_of_marks(const pm_workspace *w, const pm_tree_node *x, cons
                              : memory[x->memory].anchor + x->roll_own * at[2] + x->roll_parent * from[2];
         rho[0] = s * t[0] - x->radius * t[1];
         rho[1] = s * t[1] + x->radius * t[0];
+    } else if (x->placement == ROLL_CIRCLE && x->roll_own == 1 && x->roll_parent == 0) {
+        turned(at, x->touch, rho); /* on a point: pinned to it where they touch */
+    } else if (x->placement == ROLL_CIRCLE && x->roll_own == 0 && x->roll_parent == 1) {
+        turned(from, x->touch, rho);
     } else if (x->placement == ROLL_CIRCLE) {
         const double phi =
             memory[x->memory].anchor / x->length + x->roll_own * at[2] + x->roll_parent * from[2];
@@ -67,73 +70,72 @@ static void distance_of_marks(const pm_workspace *w, const pm_tree_node *x, cons
     }
 }
 
-static void place_node(const pm_workspace *w, const pm_tree_node *x, const pm_memory *memory, const double *y)
+/* What the rates need, once r_mark, r_child and rho are known. */
+static void couple(const pm_workspace *w, pm_tree_node *x)
 {
-    const double *own = y + x->first, *from = w->frame.pose + 5 * x->parent;
-    double *at = w->frame.pose + 5 * x->body, r_mark[2], r_child[2], rho[2];
-    if (x->placement == FREE) {
-        place_free(x, own, at);
-        return;
-    }
-    place_angle(x, own, from, at);
-    turned(from, x->mark, r_mark);
-    turned(at, x->child, r_child);
-    distance_of_marks(w, x, memory, own[0], from, at, rho);
-    const double sign = x->child_is_a ? 1 : -1;
-    for (int k = 0; k < 2; k++) at[k] = from[k] + r_mark[k] + sign * rho[k] - r_child[k];
-}
-
-void pm_tree_place(const pm_workspace *w, const pm_memory *memory, const double *y, double *q)
-{
-    for (int i = 0; i < w->model->nbody; i++) {
-        const pm_tree_node *x = &w->tree->node[i];
-        place_node(w, x, memory, y);
-        memcpy(q + 3 * x->body, w->frame.pose + 5 * x->body, 3 * sizeof *q);
-    }
-}
-
-/* rho and t of a placement at a distance, from the poses. */
-static void look_along(const pm_workspace *w, pm_tree_node *x)
-{
-    const double *at = w->frame.pose + 5 * x->body, *from = w->frame.pose + 5 * x->parent;
-    const double sign = x->child_is_a ? 1 : -1;
-    for (int k = 0; k < 2; k++) x->rho[k] = sign * (at[k] + x->r_child[k] - from[k] - x->r_mark[k]);
-    if (x->placement == ROLL_CIRCLE) {
-        x->t[0] = -x->rho[1] / x->length;
-        x->t[1] = x->rho[0] / x->length;
-    } else {
-        turned(pose_of_b(w, x), x->line, x->t);
-    }
-}
-
-static void couple_node(const pm_workspace *w, pm_tree_node *x)
-{
-    if (x->placement == FREE) return;
-    turned(w->frame.pose + 5 * x->parent, x->mark, x->r_mark);
-    turned(w->frame.pose + 5 * x->body, x->child, x->r_child);
     x->by_parent[0] = -x->r_mark[1];
     x->by_parent[1] = x->r_mark[0];
     x->by_own[0] = x->r_child[1];
     x->by_own[1] = -x->r_child[0];
     if (x->placement <= WELD) return;
-    look_along(w, x);
-    const double sign = x->child_is_a ? 1 : -1, across[2] = {-sign * x->rho[1], sign * x->rho[0]};
-    double *by_b = x->child_is_a ? x->by_parent : x->by_own;
-    const double length = x->placement == ROLL_CIRCLE ? x->length : 1;
-    for (int k = 0; k < 2; k++) {
-        if (x->placement != ROLL_CIRCLE) by_b[k] += across[k];
-        if (x->placement == SLIDER) {
-            x->by_slide[k] = sign * x->t[k];
-        } else {
-            x->by_parent[k] += sign * length * x->roll_parent * x->t[k];
-            x->by_own[k] += sign * length * x->roll_own * x->t[k];
+    const double sign = x->child_is_a ? 1 : -1;
+    if (x->placement == ROLL_CIRCLE) {
+        x->t[0] = -x->rho[1] / x->length;
+        x->t[1] = x->rho[0] / x->length;
+        for (int k = 0; k < 2; k++) {
+            x->by_parent[k] += sign * x->length * x->roll_parent * x->t[k];
+            x->by_own[k] += sign * x->length * x->roll_own * x->t[k];
         }
+        return;
+    }
+    const double across[2] = {-sign * x->rho[1], sign * x->rho[0]};
+    double *by_b = x->child_is_a ? x->by_parent : x->by_own;
+    turned(pose_of_b(w, x), x->line, x->t);
+    for (int k = 0; k < 2; k++) {
+        by_b[k] += across[k];
+        x->by_slide[k] = sign * x->t[k];
+        x->by_parent[k] += sign * x->roll_parent * x->t[k];
+        x->by_own[k] += sign * x->roll_own * x->t[k];
     }
 }
 
-void pm_tree_couple(pm_workspace *w)
+static void place_node(const pm_workspace *w, pm_tree_node *x, const pm_memory *memory, const double *y)
 {
-    for (int i = 0; i < w->model->nbody; i++) couple_node(w, &w->tree->node[i]);
+    const double *own = y + x->first, *from = w->frame.pose + 5 * x->parent;
+    double *at = w->frame.pose + 5 * x->body;
+    if (x->placement == FREE) {
+        place_free(x, own, at);
+        return;
+    }
+    place_angle(x, own, from, at);
+    turned(from, x->mark, x->r_mark);
+    turned(at, x->child, x->r_child);
+    if (x->placement > WELD) distance_of_marks(w, x, memory, own[0], from, at, x->rho);
+    const double sign = x->child_is_a ? 1 : -1;
+    for (int k = 0; k < 2; k++) {
+        at[k] = from[k] + x->r_mark[k] - x->r_child[k];
+        if (x->placement > WELD) at[k] += sign * x->rho[k];
+    }
+    couple(w, x);
+}
+
+void pm_tree_place(const pm_workspace *w, const pm_memory *memory, const double *y, double *q)
+{
+    for (int i = 0; i < w->model->nbody; i++) {
+        pm_tree_node *x = &w->tree->node[i];
+        place_node(w, x, memory, y);
+        memcpy(q + 3 * x->body, w->frame.pose + 5 * x->body, 3 * sizeof *q);
+    }
+}
+
+static void look_at_marks(const pm_workspace *w, pm_tree_node *x)
+{
+    const double *at = w->frame.pose + 5 * x->body, *from = w->frame.pose + 5 * x->parent;
+    const double sign = x->child_is_a ? 1 : -1;
+    turned(from, x->mark, x->r_mark);
+    turned(at, x->child, x->r_child);
+    for (int k = 0; k < 2; k++) x->rho[k] = sign * (at[k] + x->r_child[k] - from[k] - x->r_mark[k]);
+    couple(w, x);
 }
 
 void pm_tree_read(const pm_workspace *w, double *y)
@@ -144,8 +146,10 @@ void pm_tree_read(const pm_workspace *w, double *y)
         double *own = y + x->first;
         if (x->placement == FREE) {
             memcpy(own, at, (size_t)x->ncoordinate * sizeof *own);
-        } else if (x->placement == SLIDER) {
-            couple_node(w, x);
+            continue;
+        }
+        look_at_marks(w, x);
+        if (x->placement == SLIDER) {
             own[0] = x->rho[0] * x->t[0] + x->rho[1] * x->t[1];
         } else if (x->ncoordinate > 0) {
             own[0] = at[2];
@@ -169,7 +173,6 @@ void pm_tree_look(pm_workspace *w, double t, const double *y, const double *ydot
         pm_tree_node *x = &tree->node[i];
         double *velocity = f->velocity + 3 * x->body;
         place_node(w, x, f->memory, y);
-        couple_node(w, x);
         pm_tree_move(x, x->parent == ground ? still : f->velocity + 3 * x->parent, ydot + x->first, velocity);
         for (int k = 0; k < 3; k++) {
             tree->q[3 * x->body + k] = f->pose[5 * x->body + k];

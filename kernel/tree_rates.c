@@ -25,7 +25,6 @@ static const double *rates_of(const pm_workspace *w, const double *v, int body)
 
 void pm_tree_spread(pm_workspace *w, const double *ydot, double *v)
 {
-    pm_tree_couple(w);
     for (int i = 0; i < w->model->nbody; i++) {
         const pm_tree_node *x = &w->tree->node[i];
         pm_tree_move(x, rates_of(w, v, x->parent), ydot + x->first, v + 3 * x->body);
@@ -43,7 +42,6 @@ static double slide_rate(const pm_tree_node *x, const double *parent, const doub
 
 void pm_tree_read_rates(pm_workspace *w, const double *v, double *ydot)
 {
-    pm_tree_couple(w);
     for (int i = 0; i < w->model->nbody; i++) {
         const pm_tree_node *x = &w->tree->node[i];
         const double *to = v + 3 * x->body;
@@ -107,7 +105,6 @@ void pm_tree_read_accelerations(const pm_workspace *w, const double *a, double *
 
 void pm_tree_bias(pm_workspace *w, double *a)
 {
-    pm_tree_couple(w);
     memset(w->tree->rate, 0, (size_t)w->tree->n * sizeof(double));
     pm_tree_spread_accelerations(w, w->tree->rate, a);
 }
@@ -132,7 +129,6 @@ void pm_tree_basis(pm_workspace *w, double *basis)
 {
     const pm_tree *t = w->tree;
     memset(basis, 0, (size_t)w->model->nq * (size_t)t->n * sizeof *basis);
-    pm_tree_couple(w);
     pm_tree_influence(w);
     for (int i = 0; i < w->model->nbody; i++) {
         const pm_tree_node *x = &t->node[i];
@@ -160,7 +156,6 @@ void pm_tree_loop_row(const pm_workspace *w, const pm_row *row, double *on_coord
 void pm_tree_loops(pm_workspace *w, double *jacobian)
 {
     const pm_tree *t = w->tree;
-    pm_tree_couple(w);
     pm_tree_influence(w);
     for (int i = 0; i < t->nloop; i++) {
         pm_row *row = &w->row[t->loop[i]];
