@@ -94,6 +94,11 @@ static int watched_program(const int32_t *e)
     return e[PM_ASK_KIND] == PM_ASK_GRID || at_extreme(e) ? e[PM_ASK_PROGRAM_2] : e[PM_ASK_PROGRAM];
 }
 
+int pm_ask_watched(const pm_workspace *w, int i)
+{
+    return watched_program(PM_ASK_ROW(w->model, w->ask->observer[i]));
+}
+
 /* Takes a value of a watched extreme at the frame. */
 static void offer(pm_workspace *w, int ask, double value)
 {
@@ -363,13 +368,15 @@ void pm_ask_end(pm_workspace *w)
         if (e[PM_ASK_KIND] == PM_ASK_END) answer(w, i, 0, run(w, e[PM_ASK_PROGRAM]));
         if (e[PM_ASK_KIND] == PM_ASK_GRID) offer_grid(w, i, run(w, e[PM_ASK_PROGRAM_2]), ON_GRID);
         if (w->ask->undefined[i]) answer(w, i, 0, NAN);
-        int filled = 1, undefined = 0;
+        int filled = 1, undefined = 0, infinite = 0;
         for (int k = 0; k < e[PM_ASK_COUNT]; k++) {
             filled &= w->ask->filled[e[PM_ASK_OUT] + k];
             undefined |= isnan(w->out[e[PM_ASK_OUT] + k]);
+            infinite |= isinf(w->out[e[PM_ASK_OUT] + k]);
         }
-        if (e[PM_ASK_KIND] == PM_ASK_EACH) filled = w->ask->filled[e[PM_ASK_OUT]];
-        if (filled)
-            w->reason[i] = undefined && e[PM_ASK_KIND] != PM_ASK_EACH ? PM_REASON_UNDEFINED : PM_REASON_NONE;
+        const int each = e[PM_ASK_KIND] == PM_ASK_EACH;
+        if (each) filled = w->ask->filled[e[PM_ASK_OUT]];
+        if (filled) w->reason[i] = infinite ? PM_REASON_INFINITE : PM_REASON_NONE;
+        if (filled && undefined && !each) w->reason[i] = PM_REASON_UNDEFINED;
     }
 }

@@ -22,6 +22,8 @@ int pm_ask_create(pm_workspace *w);
 void pm_ask_free(pm_workspace *w);
 void pm_ask_reset(pm_workspace *w);
 
+/* The program that observer i (of nobserver) watches. */
+int pm_ask_watched(const pm_workspace *w, int i);
 /* Watched values at one node of a step; the frame looks there at the level that pm_ask_set.level says. */
 void pm_ask_sample(pm_workspace *w, int node);
 /* All nodes of [w->step_begin, w->step_end] are sampled: extremes between nodes, grid values passed. */

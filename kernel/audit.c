@@ -166,6 +166,40 @@ void pm_audit_jump(pm_workspace *w, const double *before)
     update_scales(w);
 }
 
+/* One row's share of a series of blows: what the outer world gives; the energy that it takes. */
+static double add_series_row(pm_workspace *w, const pm_row *row, double impulse)
+{
+    const int ground = w->model->nbody;
+    const double sign = (row->body[0] != ground) - (row->body[1] != ground);
+    pm_line_of_action x;
+    pm_row_kind(row->kind)->act(w, row, &x);
+    const double force[2] = {impulse * x.direction[0], impulse * x.direction[1]};
+    add_outer(w->state.z + pm_audit_ledger(w->model), x.at, force, impulse * x.couple, sign);
+    return -impulse * pm_row_rate(w, row);
+}
+
+void pm_audit_series(pm_workspace *w, double factor)
+{
+    const pm_model *m = w->model;
+    double loss = 0;
+    for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
+        pm_row row[PM_JOINT_ROWS];
+        const int n = pm_row_of_joint(w, i, row);
+        for (int k = 0; k < n; k++)
+            loss += add_series_row(w, &row[k], w->joint_impulse[m->joint_row[i] + k] *= factor);
+    }
+    for (int i = 0; i < m->nslot; i++) {
+        pm_row normal, tangent;
+        double *impulse = w->slot_impulse + 2 * i;
+        if (impulse[0] == 0 && impulse[1] == 0) continue;
+        pm_row_of_contact(w, pm_contact_of_slot(m, i), i, w->state.slot[i].member, &normal, &tangent);
+        loss += add_series_row(w, &normal, impulse[0] *= factor);
+        loss += add_series_row(w, &tangent, impulse[1] *= factor);
+    }
+    w->energy_lost += loss;
+    w->lost = loss;
+}
+
 /* Far from the origin positions, and with them heights, are rounded: relative to the energy scale, once per event. */
 static double energy_rounding(const pm_workspace *w, double mass)
 {

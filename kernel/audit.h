@@ -18,6 +18,9 @@ void pm_audit_begin(pm_workspace *w);
 void pm_audit_step(pm_workspace *w);
 /* A jump from velocities `before` to those of the frame, with w->rhs the impulses of the active rows. */
 void pm_audit_jump(pm_workspace *w, const double *before);
+/* Blows like the last one, `factor` times its impulses in all, at the mean of their places and velocities by impulse,
+ * where the frame looks: they count as the last jump from now on. */
+void pm_audit_series(pm_workspace *w, double factor);
 /* Closes the ledger: w->audit; PM_AUDIT if it does not close within its bound. */
 int pm_audit_close(pm_workspace *w);
 

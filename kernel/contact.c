@@ -116,20 +116,58 @@ static double gap_beside(const pm_beside *x, int member)
     return pm_length(d) - x->radius;
 }
 
-static double row_gap(const pm_workspace *w, const pm_state *s, int contact, const int32_t *e, int *member)
+/* Goes from member k on, step by step, past those that are closed. */
+static int next_open(const pm_workspace *w, const pm_state *s, int contact, int k, int step, int first,
+                     int last)
+{
+    while (k >= first && k <= last && is_closed(w, s, contact, k)) k += step;
+    return k;
+}
+
+static int members_of_row(const pm_workspace *w, const pm_state *s, int contact, const int32_t *e,
+                          const pm_beside *x, int most, int *member)
 {
     const double count = w->value[PM_ROW_ROW(w->model, e[PM_CONTACT_B])[PM_ROW_COUNT]];
-    const pm_beside x = beside_row(w, e);
-    const double place = pm_dot(x.d, x.step) / pm_dot(x.step, x.step), limit = 1e9; /* members are int32 */
+    const double place = pm_dot(x->d, x->step) / pm_dot(x->step, x->step),
+                 limit = 1e9; /* members are int32 */
     const int last = count < 0 ? (int)limit : (int)count - 1, first = count < 0 ? -(int)limit : 0;
     const int below = (int)fmax(first - 1.0, fmin(last, fmin(limit, fmax(-limit, floor(place)))));
-    int down = below, up = below + 1;
-    while (down >= first && is_closed(w, s, contact, down)) down--;
-    while (up <= last && is_closed(w, s, contact, up)) up++;
-    const double gap_down = down >= first ? gap_beside(&x, down) : INFINITY;
-    const double gap_up = up <= last ? gap_beside(&x, up) : INFINITY;
-    *member = gap_down < gap_up ? down : up;
-    return fmin(gap_down, gap_up);
+    int down = below, up = below + 1, n = 0;
+    while (n + 1 < most) {
+        down = next_open(w, s, contact, down, -1, first, last);
+        up = next_open(w, s, contact, up, 1, first, last);
+        if (down < first && up > last) break;
+        if (down >= first) member[n++] = down--;
+        if (up <= last) member[n++] = up++;
+    }
+    return n;
+}
+
+int pm_contact_near(const pm_workspace *w, const pm_state *s, int contact, int most, int *member)
+{
+    const int32_t *e = PM_CONTACT_ROW_OF(w->model, contact);
+    if (e[PM_CONTACT_KIND] == PM_CONTACT_ROW) {
+        const pm_beside x = beside_row(w, e);
+        return members_of_row(w, s, contact, e, &x, most, member);
+    }
+    member[0] = 0;
+    return !is_closed(w, s, contact, 0);
+}
+
+static double row_gap(const pm_workspace *w, const pm_state *s, int contact, const int32_t *e, int *member)
+{
+    const pm_beside x = beside_row(w, e);
+    int near[2];
+    const int n = members_of_row(w, s, contact, e, &x, 2, near);
+    double least = INFINITY;
+    *member = 0;
+    for (int i = 0; i < n; i++) {
+        const double gap = gap_beside(&x, near[i]);
+        if (!(gap <= least)) continue;
+        least = gap;
+        *member = near[i];
+    }
+    return least;
 }
 
 double pm_contact_gap(const pm_workspace *w, const pm_state *s, int contact, int *member)

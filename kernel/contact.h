@@ -6,6 +6,9 @@
 
 /* Smallest gap over the members that are not closed, at the frame; *member tells which.  INFINITY if all are closed. */
 double pm_contact_gap(const pm_workspace *w, const pm_state *s, int contact, int *member);
+/* The nearest members that are not closed, at the frame, at most `most` (an even number) of a periodic row: in pairs, one
+ * on either side, as far as there are; returns how many. */
+int pm_contact_near(const pm_workspace *w, const pm_state *s, int contact, int most, int *member);
 /* Gap, and its rate, of one member at the frame. */
 double pm_contact_member_gap(const pm_workspace *w, int contact, int member, double *rate);
 /* Rate of slip of one member at the frame. */

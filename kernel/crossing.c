@@ -52,6 +52,7 @@ static void sample_functions(pm_workspace *w, double *value)
     pm_event_set *e = w->event;
     for (int i = 0; i < e->nfunction; i++) {
         const pm_event_function *f = &e->function[i];
+        if (f->owned) continue;
         value[i] = pm_event_sample(w, f);
         if (f->kind != FUNCTION_TRIGGER) continue;
         e->least[f->index] = fmin(e->least[f->index], value[i]);
@@ -62,7 +63,7 @@ static void sample_functions(pm_workspace *w, double *value)
 int pm_crossing_sample(pm_workspace *w, int with_functions)
 {
     pm_event_set *e = w->event;
-    const int functions = with_functions && e->nfunction > 0;
+    const int functions = with_functions && e->nsampled > 0;
     const int watched = w->ask->nobserver > 0;
     w->sampled_end = w->step_end;
     if (!functions && !watched) return PM_OK;
@@ -220,6 +221,7 @@ static int bracket(pm_workspace *w, int i, double from, pm_bracket *x)
         place[k] = pm_crossing_node(w, k);
         biggest = fmax(biggest, fabs(g[k]));
         least = fmin(least, fabs(g[k]));
+        if (k == n - 1 && e->at_root && fabs(g[k]) <= ON_ZERO * biggest) g[k] = 0; /* there the phase ends */
         if (place[k] <= from) first = k;
     }
     if (first == n - 1) return 0;
@@ -337,7 +339,7 @@ int pm_crossing_first(pm_workspace *w, double from, double *first, double *taken
     *first = INFINITY;
     for (int i = 0; i < e->nfunction; i++) {
         e->hit[i] = 0;
-        if (!bracket(w, i, from, &x)) continue;
+        if (e->function[i].owned || !bracket(w, i, from, &x)) continue;
         if (x.a > *first) continue; /* cannot be the first */
         double place;
         const int status = root_in(w, i, &x, &place);
@@ -363,6 +365,7 @@ void pm_crossing_leave(pm_workspace *w)
     const double *last = e->value + (w->route->nodes->n - 1) * e->nfunction;
     for (int i = 0; i < e->nfunction; i++) {
         pm_event_function *f = &e->function[i];
+        if (f->owned) continue;
         if (fabs(pm_event_of_sample(f, last[i])) > f->slack) f->held = 0;
         f->since = 0;
     }

@@ -67,14 +67,18 @@ void pm_event_free(pm_workspace *w)
 static void add(pm_workspace *w, int kind, int index, int direction, int level, double slack, double natural)
 {
     pm_event_set *e = w->event;
+    const int owned = w->route->finds_roots == PM_ROOTS_ALL ||
+                      (w->route->finds_roots == PM_ROOTS_OF_CONTACTS && kind != FUNCTION_TRIGGER);
     e->function[e->nfunction++] = (pm_event_function){.kind = kind,
                                                       .index = index,
                                                       .direction = direction,
                                                       .level = level,
                                                       .slack = slack,
+                                                      .owned = owned,
                                                       .natural = natural,
                                                       .near = INFINITY};
-    if (level > e->level) e->level = level;
+    if (!owned) e->nsampled++;
+    if (!owned && level > e->level) e->level = level;
 }
 
 /* A trigger on time alone needs no watching where the route steps in time: the step ends when it is due. */
@@ -84,7 +88,8 @@ static void add_triggers(pm_workspace *w)
         [PM_TRIGGER_CROSS] = 0, [PM_TRIGGER_RISE] = 1, [PM_TRIGGER_FALL] = -1, [PM_TRIGGER_EVERY] = -1};
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *e = PM_TRIGGER_ROW(w->model, i);
-        const int in_time = w->route->in_time && !w->route->finds_roots && pm_trigger_on_time(w, i);
+        const int in_time =
+            w->route->in_time && w->route->finds_roots != PM_ROOTS_ALL && pm_trigger_on_time(w, i);
         w->event->least[i] = INFINITY;
         w->event->greatest[i] = -INFINITY;
         w->event->due[i] = in_time ? pm_trigger_due(w, i) : INFINITY;
@@ -189,7 +194,7 @@ static int leaves(pm_workspace *w, int contact)
 void pm_event_begin(pm_workspace *w)
 {
     pm_event_set *e = w->event;
-    e->nfunction = 0;
+    e->nfunction = e->nsampled = 0;
     e->level = PM_LEVEL_KINEMATIC;
     add_triggers(w);
     add_contacts(w);
@@ -218,16 +223,23 @@ static int stop_at(pm_workspace *w, double x, double taken)
     return PM_OK;
 }
 
-/* A route with its own root finding has ended its step at the root. */
+static void look_for_roots(pm_workspace *w)
+{
+    pm_event_set *e = w->event;
+    e->at_root = 0;
+    for (int i = 0; i < e->nfunction; i++) {
+        e->hit[i] = 0;
+        e->at_root |= e->root[i] != 0;
+    }
+}
+
+/* A route that finds roots itself has ended its step there, unless something that is sampled comes first. */
 static void take_roots(pm_workspace *w, double *first)
 {
     pm_event_set *e = w->event;
-    int any = 0;
-    for (int i = 0; i < e->nfunction; i++) {
-        e->hit[i] = e->root[i] != 0;
-        any |= e->hit[i];
-    }
-    *first = any ? w->step_end : INFINITY;
+    if (!e->at_root || *first < w->step_end) return;
+    for (int i = 0; i < e->nfunction; i++) e->hit[i] |= e->root[i] != 0;
+    *first = w->step_end;
 }
 
 static void mark_hits(pm_workspace *w)
@@ -311,11 +323,12 @@ static int pass(pm_workspace *w, double x, double taken, int *ended)
     return status;
 }
 
-/* What fires right before the step's end, where triggers on time are due, belongs to that instant. */
-static void join_due(const pm_workspace *w, double *first)
+/* What fires right before the step's end, where triggers on time are due or a contact changes, belongs to that instant. */
+static void join_end(const pm_workspace *w, double *first)
 {
     const double same = PM_SAME_PLACE * (w->step_end - w->step_begin);
-    if (w->route->in_time && next_due(w) <= w->step_end && *first >= w->step_end - same) *first = w->step_end;
+    const int something = w->event->at_root || (w->route->in_time && next_due(w) <= w->step_end);
+    if (something && *first >= w->step_end - same) *first = w->step_end;
 }
 
 /* Passes the instants of the step that only mark something; *first is that of a full one, or of the end. */
@@ -324,7 +337,7 @@ static int pass_marks(pm_workspace *w, double *first, double *taken, int *ended)
     double from = w->step_begin;
     for (;;) {
         int status = pm_crossing_first(w, from, first, taken);
-        if (!status && *first < INFINITY) join_due(w, first);
+        if (!status && *first < INFINITY) join_end(w, first);
         if (status || *first >= w->step_end || *first <= w->step_begin || !only_marks(w)) return status;
         status = pass(w, *first, *taken, ended);
         if (status || *ended) return status;
@@ -347,12 +360,12 @@ int pm_event_advance(pm_workspace *w, int *ended)
             set_multiples(w);
         }
         status = w->route->step(w, fmin(max_time, next_due(w)));
-        if (!status) status = pm_crossing_sample(w, !w->route->finds_roots);
-        if (!status && w->route->finds_roots) take_roots(w, &first);
-        if (!status && !w->route->finds_roots && e->nfunction > 0)
-            status = pass_marks(w, &first, &taken, ended);
+        look_for_roots(w);
+        if (!status) status = pm_crossing_sample(w, 1);
+        if (!status && e->nsampled > 0) status = pass_marks(w, &first, &taken, ended);
         if (status) return status;
-        if (!w->route->finds_roots && e->nfunction > 0) pm_crossing_leave(w);
+        if (e->nsampled > 0) pm_crossing_leave(w);
+        if (!*ended) take_roots(w, &first);
         if (first < w->step_end) {
             if (!*ended && (status = stop_at(w, first, taken))) return status;
             w->step_end = first;

@@ -9,6 +9,8 @@
 #include "model.h"
 #include "nodes.h"
 
+#define PM_COUNTLESS (INT64_MAX / 2) /* count of an event that has fired infinitely often */
+
 enum pm_function_kind { FUNCTION_TRIGGER, FUNCTION_GAP, FUNCTION_NORMAL, FUNCTION_GRIP, FUNCTION_SLIP };
 
 typedef struct pm_event_function {
@@ -16,6 +18,7 @@ typedef struct pm_event_function {
     int index;         /* trigger, contact or slot */
     int direction;     /* 0: either way, 1: rising, -1: falling */
     int level;         /* enum pm_level it needs */
+    int owned;         /* the route itself finds its roots: not sampled */
     int held;          /* zero when the phase began, or just fired: must first be left */
     int every;         /* the samples are places along multiples: see pm_event_sample */
     double since;      /* x from which it is held */
@@ -29,10 +32,12 @@ typedef struct pm_event_function {
 typedef struct pm_event_set {
     pm_event_function *function;
     int nfunction;
+    int nsampled;             /* of them those that the route does not find */
     int level;                /* highest level of all */
     double *value;            /* [PM_NODES_MOST][most functions] samples */
     int *hit;                 /* [most functions] fired at this instant */
     int *root;                /* [most functions] roots that the route itself found, or 0 */
+    int at_root;              /* the step ends at one of these */
     double *due;              /* [ntrigger] time at which a trigger on time alone fires next, or INFINITY */
     unsigned char *fired;     /* [ntrigger] at this instant */
     unsigned char *spent;     /* [ncontact] left its zero by less than rounding: the bounce is over */

@@ -4,7 +4,9 @@
 #include <math.h>
 
 #include "body.h"
+#include "nature.h"
 #include "program.h"
+#include "steady.h"
 
 typedef void pm_force_law(pm_workspace *w, const int32_t *e, pm_action *x);
 
@@ -98,6 +100,40 @@ static pm_force_law *const laws[PM_FORCE_KINDS] = {
     [PM_FORCE_DAMPER] = damper,   [PM_FORCE_ROTARY_DAMPER] = rotary_damper,
     [PM_FORCE_APPLIED] = applied, [PM_FORCE_COUPLE] = couple,
 };
+
+/* ---- which forces stay the same along a motion with constant accelerations; the others never do ---- */
+typedef int pm_force_rule(const pm_workspace *w, const int32_t *e, const pm_steady *x);
+
+static int constant(const pm_workspace *w, int program)
+{
+    return w->model->program_nature[program] == PM_NATURE_CONSTANT;
+}
+
+static int steady_couple(const pm_workspace *w, const int32_t *e, const pm_steady *x)
+{
+    (void)x;
+    return constant(w, e[PM_FORCE_PROGRAM_X]);
+}
+
+static int steady_applied(const pm_workspace *w, const int32_t *e, const pm_steady *x)
+{
+    const int32_t *p = PM_POINT_ROW(w->model, e[PM_FORCE_A]);
+    const double at[2] = {w->value[p[PM_POINT_X]], w->value[p[PM_POINT_Y]]};
+    return constant(w, e[PM_FORCE_PROGRAM_X]) && constant(w, e[PM_FORCE_PROGRAM_Y]) &&
+           !x->turns[pm_body_index(w->model, e[PM_FORCE_B])] &&
+           pm_steady_mark(w, x, pm_body_index(w->model, p[PM_POINT_BODY]), at);
+}
+
+static pm_force_rule *const steady[PM_FORCE_KINDS] = {
+    [PM_FORCE_APPLIED] = steady_applied,
+    [PM_FORCE_COUPLE] = steady_couple,
+};
+
+int pm_force_steady(const pm_workspace *w, int i, const pm_steady *x)
+{
+    const int32_t *e = PM_FORCE_ROW(w->model, i);
+    return steady[e[PM_FORCE_KIND]] && steady[e[PM_FORCE_KIND]](w, e, x);
+}
 
 pm_action pm_force_action(pm_workspace *w, int i)
 {

@@ -18,5 +18,8 @@ pm_action pm_force_action(pm_workspace *w, int i);
 /* Fills frame.f (all applied forces on q, weight included) and frame.power. */
 void pm_force_all(pm_workspace *w);
 double pm_force_potential(pm_workspace *w);
+/* Its generalised forces stay the same along a motion with constant accelerations (steady.h). */
+struct pm_steady;
+int pm_force_steady(const pm_workspace *w, int i, const struct pm_steady *x);
 
 #endif

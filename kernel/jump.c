@@ -21,6 +21,7 @@
 #include "row.h"
 #include "saddle.h"
 #include "trigger.h"
+#include "uniform.h"
 
 #define PULLS 1e-11      /* of the impulses in the blow: a normal impulse this small does not pull */
 #define LAST_BOUNCE 1e-7 /* of the scene's speed: slower rebounds stay, their height is lost in rounding */
@@ -80,7 +81,9 @@ static int build(pm_workspace *w, const unsigned char *share, const int32_t *tri
 static double restitution_of(const pm_workspace *w, int slot, double approach)
 {
     const double e = pm_contact_restitution(w, pm_contact_of_slot(w->model, slot));
-    return e * -approach > LAST_BOUNCE * w->speed * far_off(w) ? e : 0;
+    const int seen = e * -approach > LAST_BOUNCE * w->speed * far_off(w) ||
+                     pm_uniform_resolves(w, pm_contact_of_slot(w->model, slot));
+    return seen ? e : 0;
 }
 
 /* Impulses (w->rhs) and the velocities after the blow. */

@@ -147,6 +147,7 @@ int pm_mode_settle(pm_workspace *w)
         int status;
         pm_frame_look_state(w, &w->state);
         if ((status = pm_active_build(w)) || (status = pm_project(w, &w->state))) return status;
+        if (w->kinematic) return PM_OK;
         if ((status = pm_saddle_accelerate(w))) return status;
         if (!let_go(w) && !slide(w) && !close_again(w)) return PM_OK;
     }

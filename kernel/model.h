@@ -180,6 +180,7 @@ typedef struct pm_workspace {
     int64_t count[PM_COUNT_COLUMNS];
     /* route */
     const struct pm_route_ops *route; /* of the present phase */
+    int kinematic;                    /* the run needs no accelerations (plan.h) */
     int rule, price;                  /* why it was chosen (plan.c); cost of the dearest so far */
     double evidence;                  /* worst relative disagreement that the path route found */
     struct pm_tree *tree;
@@ -187,6 +188,7 @@ typedef struct pm_workspace {
     struct pm_leg *leg;
     int lap;       /* the path may have closed at the end of the step */
     int path_left; /* the path route has given up in this case */
+    struct pm_uniform *uniform;
     struct pm_rk *rk;
     struct pm_ida *ida;
     double step_begin,

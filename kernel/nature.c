@@ -3,7 +3,7 @@
 
 #include "program.h"
 
-static const int32_t *code_of(const pm_model *m, int program, int *length)
+const int32_t *pm_nature_code(const pm_model *m, int program, int *length)
 {
     const int32_t *p = pm_row_of(m, PM_TABLE_PROGRAM, program, PM_PROGRAM_COLUMNS);
     *length = p[PM_PROGRAM_LENGTH];
@@ -49,7 +49,7 @@ static int alone(int op, int a)
 int pm_nature_of(const pm_model *m, int program)
 {
     int stack[PM_STACK], top = -1, length;
-    const int32_t *code = code_of(m, program, &length);
+    const int32_t *code = pm_nature_code(m, program, &length);
     for (int i = 0; i < length; i++, code += PM_CODE_COLUMNS) {
         const int op = code[PM_CODE_OP];
         if (op <= PM_OP_VALUE) {
@@ -75,7 +75,7 @@ int pm_nature_of(const pm_model *m, int program)
 static int reads(const pm_model *m, int program, int kind_a, int kind_b)
 {
     int length;
-    const int32_t *code = code_of(m, program, &length);
+    const int32_t *code = pm_nature_code(m, program, &length);
     for (int i = 0; i < length; i++, code += PM_CODE_COLUMNS) {
         if (code[PM_CODE_OP] != PM_OP_MEASURE) continue;
         const int kind = PM_MEASURE_ROW(m, code[PM_CODE_ARG])[PM_MEASURE_KIND];
@@ -127,7 +127,7 @@ static int is_sought(const pm_model *m, int op, int arg)
 static int reads_sought(const pm_model *m, int program)
 {
     int length;
-    const int32_t *code = code_of(m, program, &length);
+    const int32_t *code = pm_nature_code(m, program, &length);
     for (int i = 0; i < length; i++, code += PM_CODE_COLUMNS)
         if (is_sought(m, code[PM_CODE_OP], code[PM_CODE_ARG])) return 1;
     return 0;
@@ -136,7 +136,7 @@ static int reads_sought(const pm_model *m, int program)
 int pm_nature_is_discrete(const pm_model *m, int program)
 {
     int stack[PM_STACK], top = -1, length;
-    const int32_t *code = code_of(m, program, &length);
+    const int32_t *code = pm_nature_code(m, program, &length);
     for (int i = 0; i < length; i++, code += PM_CODE_COLUMNS) {
         const int op = code[PM_CODE_OP];
         int continuous = is_sought(m, op, code[PM_CODE_ARG]);

@@ -23,6 +23,9 @@ enum pm_growth {
     PM_GROWTH_UNKNOWN = 6
 };
 
+/* The instructions of a program. */
+const int32_t *pm_nature_code(const pm_model *m, int program, int *length);
+
 int pm_nature_of(const pm_model *m, int program);
 int pm_nature_growth(const pm_model *m, int program);
 /* A program that some measure of time (the time itself, or that of an event) enters. */

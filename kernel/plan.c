@@ -3,6 +3,7 @@
  * The settings may force a route; where a forced route cannot compute a phase the run fails and says so. */
 #include "plan.h"
 
+#include "ask.h"
 #include "program.h"
 #include "route.h"
 
@@ -12,6 +13,7 @@ typedef struct pm_rule {
 } pm_rule;
 
 static const pm_rule rules[] = {
+    {&pm_route_uniform, "no force changes and no row turns: constant accelerations, polynomials of the time"},
     {&pm_route_path,
      "one degree of freedom, and work that depends on position only: work and energy along the path"},
     {&pm_route_rk, "smooth motion in time: explicit integration of order 8"},
@@ -32,8 +34,8 @@ static int take(pm_workspace *w, const pm_route_ops *route, int rule)
 
 static int forced(pm_workspace *w, int wanted)
 {
-    const pm_route_ops *route = pm_route_of(wanted);
-    if (!route->applies || route->applies(w)) return take(w, route, PM_NONE);
+    const pm_route_ops *route = pm_route_of(wanted); /* none: state and jump, which have no phase */
+    if (route && (!route->applies || route->applies(w))) return take(w, route, PM_NONE);
     return pm_fail(w, PM_UNSUPPORTED, PM_TABLE_SETTING, PM_SETTING_ROUTE, wanted, 0);
 }
 
@@ -45,6 +47,51 @@ int pm_plan_phase(pm_workspace *w)
     for (int i = 0; i < NRULES; i++)
         if (!rules[i].route->applies || rules[i].route->applies(w)) return take(w, rules[i].route, i);
     return pm_fail(w, PM_UNSUPPORTED, PM_TABLE_SETTING, PM_SETTING_ROUTE, wanted, 0);
+}
+
+static int fires_at_start(const pm_model *m, int event)
+{
+    for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
+        const int32_t *e = PM_TRIGGER_ROW(m, i);
+        if (e[PM_TRIGGER_KIND] == PM_TRIGGER_START && e[PM_TRIGGER_EVENT] == event) return 1;
+    }
+    return 0;
+}
+
+/* A group of `until` whose events all fire at the start. */
+static int ends_at_start(const pm_model *m, int group)
+{
+    int any = 0;
+    for (int i = 0; i < m->rows[PM_TABLE_UNTIL]; i++) {
+        const int32_t *e = PM_UNTIL_ROW(m, i);
+        if (e[PM_UNTIL_GROUP] != group) continue;
+        if (e[PM_UNTIL_NTH] > 1 || !fires_at_start(m, e[PM_UNTIL_EVENT])) return 0;
+        any = 1;
+    }
+    return any;
+}
+
+int pm_plan_kinematic(const pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    int ends = 0;
+    if (m->nslot > 0 || w->ask->instant_level > PM_LEVEL_KINEMATIC) return 0;
+    for (int i = 0; i < m->rows[PM_TABLE_UNTIL] && !ends; i++)
+        ends = ends_at_start(m, PM_UNTIL_ROW(m, i)[PM_UNTIL_GROUP]);
+    for (int i = 0; i < m->rows[PM_TABLE_TRIGGER] && ends; i++) {
+        const int32_t *e = PM_TRIGGER_ROW(m, i);
+        const int program = e[PM_TRIGGER_KIND] <= PM_TRIGGER_EVERY;
+        if (e[PM_TRIGGER_KIND] == PM_TRIGGER_REST) return 0;
+        if (program && m->program_level[e[PM_TRIGGER_PROGRAM]] > PM_LEVEL_KINEMATIC) return 0;
+    }
+    return ends;
+}
+
+void pm_plan_no_phase(pm_workspace *w)
+{
+    const int route = w->count[PM_COUNT_JUMPS] > 0 ? PM_ROUTE_JUMP : PM_ROUTE_STATE;
+    w->count[PM_COUNT_ROUTE] = route;
+    w->count[PM_COUNT_ROUTES] = (int64_t)1 << route;
 }
 
 int pm_plan_nudged(const pm_workspace *w)

@@ -7,6 +7,11 @@
 /* Chooses w->route for the phase that begins at w->state with the active rows; w->rule tells why. */
 int pm_plan_phase(pm_workspace *w);
 
+/* By its structure the run ends at its start, nothing can touch, and nothing that is asked needs accelerations. */
+int pm_plan_kinematic(const pm_workspace *w);
+/* The run has ended before any phase: its route is `state`, or `jump` if there were blows. */
+void pm_plan_no_phase(pm_workspace *w);
+
 /* The scene states on which side it leaves an unstable rest, and it is at its start. */
 int pm_plan_nudged(const pm_workspace *w);
 /* The sign of the motion along `tangent` that the nudge asks for; 0: it does not tell. */

@@ -347,12 +347,13 @@ enum pm_ask_column {
     PM_ASK_COUNT = 8,       /* number of columns of out[] */
     PM_ASK_COLUMNS = 9
 };
-/* Why an ask has no number (out is NaN there). */
+/* Why an ask has no number (out is NaN there, or infinite). */
 enum pm_reason {
     PM_REASON_NONE = 0,
     PM_REASON_NOT_REACHED = 1, /* the instant did not come */
     PM_REASON_UNDEFINED = 2, /* the expression has no value at some instant (a ratio to a force <= 0, 0/0) */
-    PM_REASON_FAILED = 3     /* the run failed */
+    PM_REASON_FAILED = 3,    /* the run failed */
+    PM_REASON_INFINITE = 4   /* it grows without bound: the count of blows that add up in finite time, 1/0 */
 };
 
 /* ---- settings ----------------------------------------------------------------------------------------------- */

@@ -3,7 +3,7 @@
 
 #include <stddef.h>
 
-static const pm_route_ops *const routes[] = {&pm_route_rk, &pm_route_ida, &pm_route_path};
+static const pm_route_ops *const routes[] = {&pm_route_rk, &pm_route_ida, &pm_route_uniform, &pm_route_path};
 enum { NROUTES = sizeof routes / sizeof *routes };
 
 /* IDA's memory is large, and made only for scenes that ask for it; a nudge takes one step along the path. */

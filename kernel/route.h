@@ -11,13 +11,16 @@
  * Places in a step are given by the route's progress coordinate x: the time, or the way along the path.
  *   exact   the same to the accuracy of the trajectory, projected, with memory and slots of w->state in it; used where
  *           an event or an extremum is taken
- * All return a status.  A route that finds roots itself stops its step at the first root of the event functions
- * (w->event->nfunction, pm_event_values) and marks them in w->event->root (which event.c clears before the step). */
+ * All return a status.  A route that finds roots itself - of all event functions, or of those of contacts - stops its step
+ * at the first (w->event->nfunction, pm_event_values) and marks them in w->event->root (which event.c clears before the
+ * step); the others are sampled. */
 #ifndef PM_ROUTE_H
 #define PM_ROUTE_H
 
 #include "model.h"
 #include "nodes.h"
+
+enum pm_roots { PM_ROOTS_NONE = 0, PM_ROOTS_ALL = 1, PM_ROOTS_OF_CONTACTS = 2 };
 
 typedef struct pm_route_ops {
     int route; /* enum pm_route */
@@ -28,15 +31,15 @@ typedef struct pm_route_ops {
     int (*step)(pm_workspace *w, double t_limit);
     int (*at)(pm_workspace *w, double t, pm_state *s);
     int (*exact)(pm_workspace *w, double t, pm_state *s);
-    double finest; /* tolerance below which it does not get better */
-    double spread; /* how far its errors scatter about what goes with the tolerance, as a factor */
-    int finds_roots;
+    double finest;         /* tolerance below which it does not get better */
+    double spread;         /* how far its errors scatter about what goes with the tolerance, as a factor */
+    int finds_roots;       /* enum pm_roots */
     int in_time;           /* its progress coordinate is the time */
     int price;             /* routes in order of their cost */
     const pm_nodes *nodes; /* where its steps are sampled */
 } pm_route_ops;
 
-extern const pm_route_ops pm_route_rk, pm_route_ida, pm_route_path;
+extern const pm_route_ops pm_route_rk, pm_route_ida, pm_route_uniform, pm_route_path;
 
 /* Creates what all routes need; frees it. */
 int pm_route_create(pm_workspace *w);

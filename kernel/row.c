@@ -31,6 +31,26 @@ pm_marks pm_row_marks(const pm_workspace *w, const pm_row *row)
     return x;
 }
 
+/* Greatest size of omega^2 and alpha together while omega grows by alpha. */
+static double hardest_turn(double omega, double alpha, double h)
+{
+    const double fastest = fabs(omega) + fabs(alpha) * h;
+    return hypot(fastest * fastest, alpha);
+}
+
+pm_row_reach pm_row_reach_of(const pm_row *row, const pm_marks *x, const double *a, double h)
+{
+    const double *aa = a + 3 * row->body[0], *ab = a + 3 * row->body[1];
+    pm_row_reach r = {.apart = {aa[0] - ab[0], aa[1] - ab[1]}};
+    r.turn = fabs(x->omega_b) + fabs(ab[2]) * h;
+    r.spin = hardest_turn(x->omega_b, ab[2], h);
+    r.swing = pm_length(x->a.r) * hardest_turn(x->omega_a, aa[2], h) + pm_length(x->b.r) * r.spin;
+    const double speed = pm_length(x->u);
+    r.rate = speed + (pm_length(r.apart) + r.swing) * h;
+    r.distance = pm_length(x->d) + r.rate * h;
+    return r;
+}
+
 void pm_row_along(pm_row *row, const pm_marks *x, const double n[2], double factor)
 {
     row->j[0] = factor * n[0];

@@ -24,12 +24,25 @@ typedef struct pm_line_of_action {
     double at[2], direction[2], couple;
 } pm_line_of_action;
 
+typedef struct pm_steady pm_steady; /* steady.h */
+
+/* Bounds over the next h seconds of a motion with constant accelerations. */
+typedef struct pm_row_bounds {
+    double bend; /* the second rate of the residual is not below it */
+    double rate; /* its first rate is not beyond it, either way */
+    int exact;   /* the second rate *is* bend, throughout */
+} pm_row_bounds;
+
 /* One kind: `evaluate` fills j, g, gamma at the frame; `act` gives the line of action; `remember` (no-slip rows)
- * sets or refreshes the memory from the frame: anchor_too = 1 closes the row here. */
+ * sets or refreshes the memory from the frame: anchor_too = 1 closes the row here.  `steady`: the Jacobian stays the same
+ * along the curve (NULL: it never does); `bound` (rows that are gaps): of the row as evaluated at the frame, with the
+ * accelerations a[nq + 3]. */
 typedef struct pm_row_ops {
     void (*evaluate)(const pm_workspace *w, pm_row *row);
     void (*act)(const pm_workspace *w, const pm_row *row, pm_line_of_action *x);
     void (*remember)(const pm_workspace *w, const pm_row *row, pm_memory *memory, int anchor_too);
+    int (*steady)(const pm_workspace *w, const pm_row *row, const pm_steady *x);
+    void (*bound)(const pm_workspace *w, const pm_row *row, const double *a, double h, pm_row_bounds *x);
 } pm_row_ops;
 
 extern const pm_row_ops pm_row_point_x, pm_row_point_y, pm_row_line_normal, pm_row_line_tangent,
@@ -57,6 +70,16 @@ typedef struct pm_marks {
 pm_marks pm_row_marks(const pm_workspace *w, const pm_row *row);
 /* j = (n, r_a x n) on a, -(n, r_b x n) on b. */
 void pm_row_along(pm_row *row, const pm_marks *x, const double n[2], double factor);
+
+/* How far, how fast and how hard (beyond the constant accelerations of their mass centres) two marks part at most over the
+ * next h seconds; `turn`, `spin`: how fast and how hard body[1] turns. */
+typedef struct pm_row_reach {
+    double apart[2]; /* accelerations of the mass centres, relative */
+    double swing;    /* of accelerations by turning: rho sqrt(omega^4 + alpha^2), both marks */
+    double distance, rate;
+    double turn, spin;
+} pm_row_reach;
+pm_row_reach pm_row_reach_of(const pm_row *row, const pm_marks *x, const double *a, double h);
 
 /* No overflow is possible at the scale of scenes: a plain root is an eighth of hypot's price. */
 static inline double pm_length(const double a[2]) { return sqrt(a[0] * a[0] + a[1] * a[1]); }

@@ -17,4 +17,12 @@ static void act(const pm_workspace *w, const pm_row *row, pm_line_of_action *x)
     *x = (pm_line_of_action){.couple = 1};
 }
 
-const pm_row_ops pm_row_angle = {evaluate, act, 0};
+static int steady(const pm_workspace *w, const pm_row *row, const pm_steady *x)
+{
+    (void)w;
+    (void)row;
+    (void)x;
+    return 1;
+}
+
+const pm_row_ops pm_row_angle = {.evaluate = evaluate, .act = act, .steady = steady};

@@ -7,6 +7,7 @@
 #include <math.h>
 
 #include "row.h"
+#include "steady.h"
 
 static void evaluate(const pm_workspace *w, pm_row *row)
 {
@@ -31,4 +32,22 @@ static void act(const pm_workspace *w, const pm_row *row, pm_line_of_action *x)
     }
 }
 
-const pm_row_ops pm_row_distance = {evaluate, act, 0};
+static int steady(const pm_workspace *w, const pm_row *row, const pm_steady *x)
+{
+    return pm_steady_together(w, x, row);
+}
+
+/* C'' = s (d''.n + (d'.t)^2 / D): apart the last part only helps; one inside the other it counts against, as long as the
+ * centres do not meet. */
+static void bound(const pm_workspace *w, const pm_row *row, const double *a, double h, pm_row_bounds *x)
+{
+    const pm_marks m = pm_row_marks(w, row);
+    const pm_row_reach r = pm_row_reach_of(row, &m, a, h);
+    const double hardest = pm_length(r.apart) + r.swing, nearest = pm_length(m.d) - r.rate * h;
+    x->rate = r.rate;
+    x->exact = 0;
+    x->bend = -hardest;
+    if (row->sign < 0) x->bend = nearest > 0 ? -(hardest + r.rate * r.rate / nearest) : -INFINITY;
+}
+
+const pm_row_ops pm_row_distance = {.evaluate = evaluate, .act = act, .steady = steady, .bound = bound};

@@ -9,6 +9,7 @@
 #include <math.h>
 
 #include "row.h"
+#include "steady.h"
 
 typedef struct pm_line_frame {
     double t[2], n[2];
@@ -78,5 +79,34 @@ static void act_tangent(const pm_workspace *w, const pm_row *row, pm_line_of_act
     for (int k = 0; k < 2; k++) x->direction[k] = l.t[k];
 }
 
-const pm_row_ops pm_row_line_normal = {evaluate_normal, act_normal, 0};
-const pm_row_ops pm_row_line_tangent = {evaluate_tangent, act_tangent, remember};
+/* The line keeps its direction.  Where the point runs along it its lever on the line's body changes: that is felt unless
+ * the body cannot turn at all. */
+static int steady_normal(const pm_workspace *w, const pm_row *row, const pm_steady *x)
+{
+    const int b = row->body[1];
+    if (x->turns[b] || !pm_steady_marks(w, x, row)) return 0;
+    return x->locked[b] || w->inverse_mass[3 * b + 2] == 0 || pm_steady_together(w, x, row);
+}
+
+/* While the circle stays on the line (its normal row) the lever of the tangent on the line's body stays. */
+static int steady_tangent(const pm_workspace *w, const pm_row *row, const pm_steady *x)
+{
+    return !x->turns[row->body[1]] && pm_steady_marks(w, x, row);
+}
+
+/* C'' = d''.n + 2 d'.n' + d.n'' with n' = -w_b t: exact where the line does not turn and the point does not go round. */
+static void bound(const pm_workspace *w, const pm_row *row, const double *a, double h, pm_row_bounds *x)
+{
+    const pm_marks m = pm_row_marks(w, row);
+    const pm_row_reach r = pm_row_reach_of(row, &m, a, h);
+    const pm_line_frame l = line_frame(w, row);
+    x->rate = r.rate + r.turn * r.distance;
+    x->exact = r.spin == 0 && r.swing == 0;
+    x->bend = r.spin == 0 ? pm_dot(r.apart, l.n) - r.swing
+                          : -(pm_length(r.apart) + r.swing + 2 * r.turn * r.rate + r.spin * r.distance);
+}
+
+const pm_row_ops pm_row_line_normal = {
+    .evaluate = evaluate_normal, .act = act_normal, .steady = steady_normal, .bound = bound};
+const pm_row_ops pm_row_line_tangent = {
+    .evaluate = evaluate_tangent, .act = act_tangent, .remember = remember, .steady = steady_tangent};

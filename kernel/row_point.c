@@ -3,6 +3,7 @@
  * With n the axis:  C = n.(p_a - p_b),  Cdot = n.(v_a - v_b),
  * gamma = -n.(-omega_a^2 r_a + omega_b^2 r_b). */
 #include "row.h"
+#include "steady.h"
 
 static const double axis_x[2] = {1, 0}, axis_y[2] = {0, 1};
 
@@ -25,5 +26,11 @@ static void evaluate_y(const pm_workspace *w, pm_row *row) { evaluate(w, row, ax
 static void act_x(const pm_workspace *w, const pm_row *row, pm_line_of_action *x) { act(w, row, x, axis_x); }
 static void act_y(const pm_workspace *w, const pm_row *row, pm_line_of_action *x) { act(w, row, x, axis_y); }
 
-const pm_row_ops pm_row_point_x = {evaluate_x, act_x, 0};
-const pm_row_ops pm_row_point_y = {evaluate_y, act_y, 0};
+/* The levers stay: neither mark goes round. */
+static int steady(const pm_workspace *w, const pm_row *row, const pm_steady *x)
+{
+    return pm_steady_marks(w, x, row);
+}
+
+const pm_row_ops pm_row_point_x = {.evaluate = evaluate_x, .act = act_x, .steady = steady};
+const pm_row_ops pm_row_point_y = {.evaluate = evaluate_y, .act = act_y, .steady = steady};

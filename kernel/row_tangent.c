@@ -7,6 +7,7 @@
 #include <math.h>
 
 #include "row.h"
+#include "steady.h"
 
 #define TWO_PI 6.283185307179586476925286766559
 
@@ -55,4 +56,10 @@ static void act(const pm_workspace *w, const pm_row *row, pm_line_of_action *x)
     x->couple = 0;
 }
 
-const pm_row_ops pm_row_circle_tangent = {evaluate, act, remember};
+static int steady(const pm_workspace *w, const pm_row *row, const pm_steady *x)
+{
+    return pm_steady_together(w, x, row);
+}
+
+const pm_row_ops pm_row_circle_tangent = {
+    .evaluate = evaluate, .act = act, .remember = remember, .steady = steady};

@@ -67,8 +67,10 @@ int pm_run_start(pm_workspace *w, const double *param, pm_start_report *report)
     set_speed_scale(w);
     open_ledger(w);
     pm_frame_look_state(w, &w->state);
-    if ((status = pm_active_build(w)) || (status = pm_saddle_accelerate(w))) return status;
-    if ((status = pm_instant_start(w))) return status;
+    w->kinematic = pm_plan_kinematic(w);
+    status = pm_active_build(w);
+    if (!status && !w->kinematic) status = pm_saddle_accelerate(w);
+    if (status || (status = pm_instant_start(w))) return status;
     pm_trigger_mark(w, PM_TRIGGER_START, PM_NONE);
     return PM_OK;
 }
@@ -113,6 +115,7 @@ static int leave_path(pm_workspace *w, int status)
 static int run_phases(pm_workspace *w)
 {
     int ended, status = pm_instant_finish(w, &ended);
+    if (ended) pm_plan_no_phase(w);
     if (!status) status = pm_trace_row(w, 2);
     while (!status && !ended) {
         status = phase(w, &ended);

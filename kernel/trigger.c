@@ -19,7 +19,11 @@ void pm_trigger_reset(pm_workspace *w)
     memset(e->fired, 0, (size_t)w->model->rows[PM_TABLE_TRIGGER]);
 }
 
-double pm_trigger_count(const pm_workspace *w, int event) { return (double)w->event->count[event]; }
+double pm_trigger_count(const pm_workspace *w, int event)
+{
+    const int64_t count = w->event->count[event];
+    return count >= PM_COUNTLESS ? INFINITY : (double)count;
+}
 double pm_trigger_time(const pm_workspace *w, int event) { return w->event->time[event]; }
 
 double pm_trigger_program(pm_workspace *w, int trigger)

@@ -334,6 +334,82 @@ FAULTS = [
         "out[0] = p.v[0] - (v[0] - v[2]",
         "out[0] = p.v[0] - (v[0] + v[2]",
     ),
+    # the uniform route
+    Fault(
+        "uniform: sign of the accelerations",
+        "route_uniform.c",
+        "v[i] = u->v[i] + t * u->a[i]",
+        "v[i] = u->v[i] - t * u->a[i]",
+    ),
+    Fault("uniform: half of the way", "route_uniform.c", "0.5 * t * u->a[i]", "0.25 * t * u->a[i]"),
+    Fault(
+        "uniform: rows are dropped from the proof",
+        "steady.c",
+        "if (!rows_hold(w, x)) return 0",
+        "(void)rows_hold",
+    ),
+    Fault(
+        "uniform: levers of locked bodies do not change their couples",
+        "steady.c",
+        "x->levers = more = 1",
+        "more = 1",
+    ),
+    Fault(
+        "uniform: missed root of a rod that spins",
+        "row_line.c",
+        "? pm_dot(r.apart, l.n) - r.swing",
+        "? pm_dot(r.apart, l.n) - 0.5 * r.swing",
+    ),
+    Fault(
+        "uniform: missed root of a touching contact that leaves",
+        "uniform_gap.c",
+        "return rate > 0 ? (rate + sqrt(square)) / -bend",
+        "return rate > 0 ? INFINITY",
+    ),
+    Fault(
+        "uniform: missed root of one inside the other",
+        "row_distance.c",
+        "-(hardest + r.rate * r.rate / nearest)",
+        "-hardest",
+    ),
+    Fault(
+        "uniform: missed end of sliding",
+        "route_uniform.c",
+        "if (!(slope < 0)) return INFINITY",
+        "return INFINITY",
+    ),
+    Fault(
+        "uniform: a parabola passes twice",
+        "route_uniform.c",
+        "if (turn > TURN_APART && turn < 1)",
+        "if (turn < 0)",
+    ),
+    Fault(
+        "uniform: distance travelled",
+        "route_uniform.c",
+        "sum += p * p * (asinh",
+        "sum -= p * p * (asinh",
+    ),
+    Fault(
+        "zeno: wrong e",
+        "zeno.c",
+        "v[i] = u->v[i] + t * u->a[i] + d * e / (1 - e)",
+        "v[i] = u->v[i] + t * u->a[i] + d / (1 - e)",
+    ),
+    Fault(
+        "zeno: drift of the blows",
+        "zeno.c",
+        "+ d * e * e / (1 - e * e));",
+        "+ d * e / (1 - e * e));",
+    ),
+    Fault("zeno: impulses left out of the ledger", "zeno.c", "pm_audit_series(w, sum)", "(void)sum"),
+    Fault("zeno: forces at the wrong place", "zeno.c", "factor = 0.5 * t * e3", "factor = t * e3"),
+    Fault("zeno: strikes that are asked for", "zeno.c", "e[PM_ASK_COUNT] > count) return 1", "0) return 1"),
+    Fault("zeno: another contact", "zeno.c", "* r->time)) return 0", "* r->time)) continue"),
+    Fault("zeno: slip that ends", "zeno.c", "if (!(fabs(now) > change)) return 0", "(void)change"),
+    Fault(
+        "zeno: a trigger on the way", "zeno.c", "!(x.least > 0 || x.greatest < 0)) return 0", "0) return 0"
+    ),
     # the ida route
     Fault("ida: sign in the residual of q", "ida_system.c", "r[i] = yp[i] - v[i]", "r[i] = yp[i] + v[i]"),
     Fault(

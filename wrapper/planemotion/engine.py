@@ -34,6 +34,7 @@ REASONS: Mapping[int, str] = {
     layout.PM_REASON_NOT_REACHED: "not reached",
     layout.PM_REASON_UNDEFINED: "undefined: the expression has no value at some instant",
     layout.PM_REASON_FAILED: "the run failed",
+    layout.PM_REASON_INFINITE: "infinite",
 }
 _TABLE_NAMES = {value: name.removeprefix("PM_TABLE_").lower() for name, value in layout.pm_table.items()}
 

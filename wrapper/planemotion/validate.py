@@ -100,8 +100,6 @@ _MODELS = {model.__name__ for model in Table.__subclasses__()}
 def _check_more(data: SceneData) -> None:
     """Faults between keys that no type says."""
     solve = data.solve
-    if solve.route in words.NOT_BUILT_ROUTES:
-        raise words.not_built(f"the route {solve.route}", "solve.route", solve.route)
     if solve.route not in words.ROUTES:
         raise SceneError(words.unknown(solve.route, words.ROUTES, "route"), path="solve.route")
     if solve.simultaneous != "together":

@@ -83,8 +83,7 @@ GRID_KEYS = ("from", "to", "num", "step", "scale")
 SOLVE_KEYS = (
     *("route", "accuracy", "estimate", "max_time", "max_events", "max_steps", "assembly", "simultaneous"),
 )
-ROUTES = ("auto", "path", "rk", "ida")
-NOT_BUILT_ROUTES = ("jump", "uniform")
+ROUTES = ("auto", "state", "jump", "uniform", "path", "rk", "ida")
 
 CONTACT_CHANGES = ("strikes", "opens", "slips", "sticks")
 CORD_CHANGES = ("slackens", "tightens")
