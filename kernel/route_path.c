@@ -37,7 +37,6 @@
 #define DOUBLE_ROUNDING 2.2e-16
 #define STILL 1e-11    /* of the scene's speed: at rest */
 #define BALANCED 1e-12 /* of the forces: in equilibrium */
-#define POLISH 4       /* exact places on the way to a turning point */
 
 /* ---- memory ---- */
 static double *carve(pm_place *x, double *p, int nq, int nz)
@@ -317,51 +316,47 @@ static int fill(pm_workspace *w, double h)
     return PM_OK;
 }
 
-/* First fraction of the step where T, a polynomial through its nodes, vanishes; INFINITY if it does not. */
-static int find_turning(pm_workspace *w, double *s)
+/* The place at the fraction s of the filled step, in p->spare. */
+static int place_inside(pm_workspace *w, double s)
+{
+    pm_path *p = w->path;
+    for (int k = 0; k < p->n; k++)
+        p->spare.y[k] = pm_series_value(p->node[0].y + k, (int)(p->node[1].y - p->node[0].y), s);
+    const int status = pm_path_place(w, p->u0 + p->sense * p->h * s, &p->spare);
+    p->spare.kinetic = status ? 0 : kinetic_at(w, &p->spare, s);
+    return status;
+}
+
+/* T on the exact place at the fraction s of the filled step. */
+static double exact_kinetic(pm_workspace *w, double s, void *context)
+{
+    (void)context;
+    return place_inside(w, s) ? NAN : w->path->spare.kinetic;
+}
+
+/* The way to the first place of the step where T vanishes; INFINITY if there is none. */
+static int find_turning(pm_workspace *w, double *way)
 {
     pm_path *p = w->path;
     const pm_nodes *nodes = &pm_nodes_chebyshev;
-    double value[PM_NODES_MOST], slope[PM_NODES_MOST];
-    p->least = INFINITY;
-    *s = INFINITY;
-    for (int k = 0; k < nodes->n; k++) {
-        value[k] = p->node[k].kinetic;
-        slope[k] = p->sense * p->node[k].force;
-    }
+    double s;
+    p->least = *way = INFINITY;
     for (int k = 1; k < nodes->n; k++) {
-        double low = nodes->at[k], lowest = value[k];
-        if (value[k] > 0 && slope[k - 1] < 0 && slope[k] > 0) { /* a dip */
-            const int status =
-                pm_series_root(w, slope, nodes->at[k - 1], slope[k - 1], nodes->at[k], slope[k], &low);
-            if (status) return status;
-            lowest = pm_series_value(value, 1, low);
+        const double before = p->node[k - 1].kinetic, after = p->node[k].kinetic;
+        double low = nodes->at[k], lowest = after;
+        if (after > 0 && p->force[k - 1] < 0 && p->force[k] > 0) { /* a dip between the nodes */
+            const int status = pm_series_root(w, p->force, nodes->at[k - 1], p->force[k - 1], nodes->at[k],
+                                              p->force[k], &low);
+            if (status || (lowest = exact_kinetic(w, low, NULL), isnan(lowest))) return status;
         }
         p->least = fmin(p->least, lowest);
         if (lowest > 0) continue;
-        return pm_series_root(w, value, nodes->at[k - 1], value[k - 1], low, lowest, s);
+        const int status = before > 0 ? pm_root_find(w, w->event->solver, exact_kinetic, NULL,
+                                                     nodes->at[k - 1], before, low, lowest, &s)
+                                      : PM_OK;
+        *way = before > 0 ? s * p->h : 0;
+        return status;
     }
-    return PM_OK;
-}
-
-/* Where T vanishes on exact places, from the fraction s of the filled step; *h becomes the way there. */
-static int polish_turning(pm_workspace *w, double s, double *h)
-{
-    pm_path *p = w->path;
-    double way = s * p->h;
-    for (int i = 0; i < POLISH; i++) {
-        for (int k = 0; k < p->n; k++)
-            p->spare.y[k] = pm_series_value(p->node[0].y + k, (int)(p->node[1].y - p->node[0].y), way / p->h);
-        const int status = pm_path_place(w, p->u0 + p->sense * way, &p->spare);
-        if (status) return status;
-        const double slope = p->sense * p->spare.force;
-        if (slope == 0) break;
-        const double shift = -kinetic_at(w, &p->spare, way / p->h) / slope;
-        if (!(fabs(shift) < p->h)) break;
-        way += shift;
-        if (fabs(shift) <= 1e-15 * fabs(way)) break;
-    }
-    *h = way;
     return PM_OK;
 }
 
@@ -369,7 +364,6 @@ static int polish_turning(pm_workspace *w, double s, double *h)
 static int try_step(pm_workspace *w, double h, int turning, double *next)
 {
     pm_path *p = w->path;
-    double s = INFINITY;
     int status = fill(w, h);
     *next = 0;
     if (status == PM_SINGULAR || status == PM_ASSEMBLY) {
@@ -380,11 +374,10 @@ static int try_step(pm_workspace *w, double h, int turning, double *next)
     if (turning) {
         p->node[PM_NODES_MOST - 1].kinetic = 0;
     } else if (!status && *next == 0) {
-        status = find_turning(w, &s);
-        if (!status && s < INFINITY) {
-            status = polish_turning(w, s, next);
-            if (p->at_rest) *next *= 0.5; /* the root at each end needs a step of its own */
-        }
+        double way;
+        status = find_turning(w, &way);
+        if (!status && way < INFINITY)
+            *next = p->at_rest ? 0.5 * way : way; /* each root needs a step of its own */
     }
     if (status || *next > 0) return status;
     const int watched = w->model->reads_time || w->trace;
@@ -439,13 +432,9 @@ static int at(pm_workspace *w, double x, pm_state *state)
             state_of(w, &p->node[k], s, state);
             return PM_OK;
         }
-    for (int k = 0; k < p->n; k++)
-        p->spare.y[k] = pm_series_value(p->node[0].y + k, (int)(p->node[1].y - p->node[0].y), s);
-    const int status = pm_path_place(w, p->u0 + p->sense * x, &p->spare);
-    if (status) return status;
-    p->spare.kinetic = kinetic_at(w, &p->spare, s);
-    state_of(w, &p->spare, s, state);
-    return PM_OK;
+    const int status = place_inside(w, s);
+    if (!status) state_of(w, &p->spare, s, state);
+    return status;
 }
 
 /* The impulse of the outer world is read off the momentum: this route does not know the forces over time. */
