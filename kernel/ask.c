@@ -11,6 +11,7 @@
 #include "body.h"
 #include "crossing.h"
 #include "event.h"
+#include "path_error.h"
 #include "program.h"
 #include "root.h"
 #include "route.h"
@@ -81,6 +82,13 @@ static void answer(pm_workspace *w, int ask, int column, double value)
     w->ask->filled[out] = 1;
 }
 
+/* The value of a program at the frame, with what the route knows of its error. */
+static void answer_here(pm_workspace *w, int ask, int column, int program, double value)
+{
+    answer(w, ask, column, value);
+    pm_path_error_answer(w, ask, PM_ASK_ROW(w->model, ask)[PM_ASK_OUT] + column, program, value);
+}
+
 static int is_greatest(const int32_t *e)
 {
     return e[PM_ASK_KIND] == PM_ASK_MAX || e[PM_ASK_KIND] == PM_ASK_AT_MAX;
@@ -111,7 +119,7 @@ static void offer(pm_workspace *w, int ask, double value)
     const int better = is_greatest(e) ? value > a->best[ask] : value < a->best[ask];
     if (!isnan(a->best[ask]) && !better) return;
     a->best[ask] = value;
-    answer(w, ask, 0, at_extreme(e) ? run(w, e[PM_ASK_PROGRAM]) : value);
+    answer_here(w, ask, 0, e[PM_ASK_PROGRAM], at_extreme(e) ? run(w, e[PM_ASK_PROGRAM]) : value);
 }
 
 static void offer_grid(pm_workspace *w, int ask, double value, double tolerance)
@@ -122,7 +130,7 @@ static void offer_grid(pm_workspace *w, int ask, double value, double tolerance)
         if (w->ask->filled[e[PM_ASK_OUT] + k] ||
             !(fabs(value - wanted) <= tolerance * fmax(fabs(wanted), 1e-3)))
             continue;
-        answer(w, ask, k, run(w, e[PM_ASK_PROGRAM]));
+        answer_here(w, ask, k, e[PM_ASK_PROGRAM], run(w, e[PM_ASK_PROGRAM]));
     }
 }
 
@@ -262,7 +270,7 @@ static int grid_in_step(pm_workspace *w, int ask)
             if (!status) status = pm_root_polish(w, along, exactly, &x, NAN, &t, &taken, &off);
             if (!status && taken != t) status = look(w, t, 1);
             if (status) return status;
-            if (t <= w->step_end) answer(w, ask, k, run(w, e[PM_ASK_PROGRAM]));
+            if (t <= w->step_end) answer_here(w, ask, k, e[PM_ASK_PROGRAM], run(w, e[PM_ASK_PROGRAM]));
         }
     }
     return PM_OK;
@@ -348,6 +356,16 @@ void pm_ask_look_before(pm_workspace *w)
     }
 }
 
+/* A value from before the jump has left its frame: nothing is said of its error. */
+static void answer_fired(pm_workspace *w, int ask, int column, double value)
+{
+    const int32_t *e = PM_ASK_ROW(w->model, ask);
+    if (e[PM_ASK_BEFORE])
+        answer(w, ask, column, value);
+    else
+        answer_here(w, ask, column, e[PM_ASK_PROGRAM], value);
+}
+
 void pm_ask_fired(pm_workspace *w, int event)
 {
     const int64_t nth = w->event->count[event];
@@ -355,8 +373,8 @@ void pm_ask_fired(pm_workspace *w, int event)
         const int32_t *e = PM_ASK_ROW(w->model, i);
         if (e[PM_ASK_EVENT_INDEX] != event) continue;
         const double value = e[PM_ASK_BEFORE] ? w->ask->before[i] : run(w, e[PM_ASK_PROGRAM]);
-        if (e[PM_ASK_KIND] == PM_ASK_EVENT && nth == e[PM_ASK_NTH]) answer(w, i, 0, value);
-        if (e[PM_ASK_KIND] == PM_ASK_EACH && nth <= e[PM_ASK_COUNT]) answer(w, i, (int)nth - 1, value);
+        if (e[PM_ASK_KIND] == PM_ASK_EVENT && nth == e[PM_ASK_NTH]) answer_fired(w, i, 0, value);
+        if (e[PM_ASK_KIND] == PM_ASK_EACH && nth <= e[PM_ASK_COUNT]) answer_fired(w, i, (int)nth - 1, value);
     }
 }
 
@@ -365,7 +383,7 @@ void pm_ask_end(pm_workspace *w)
     const pm_model *m = w->model;
     for (int i = 0; i < m->nask; i++) {
         const int32_t *e = PM_ASK_ROW(m, i);
-        if (e[PM_ASK_KIND] == PM_ASK_END) answer(w, i, 0, run(w, e[PM_ASK_PROGRAM]));
+        if (e[PM_ASK_KIND] == PM_ASK_END) answer_here(w, i, 0, e[PM_ASK_PROGRAM], run(w, e[PM_ASK_PROGRAM]));
         if (e[PM_ASK_KIND] == PM_ASK_GRID) offer_grid(w, i, run(w, e[PM_ASK_PROGRAM_2]), ON_GRID);
         if (w->ask->undefined[i]) answer(w, i, 0, NAN);
         int filled = 1, undefined = 0, infinite = 0;

@@ -324,6 +324,10 @@ static int find_companion(pm_workspace *w, const double *param)
     pm_error_set *e = w->error;
     if (knows_itself(w)) {
         memcpy(e->other->out, e->main->out, (size_t)w->model->nout * sizeof(double));
+        e->other->log.n = 0; /* its own decisions are in its margin */
+        e->other->outcome = e->main->outcome;
+        e->other->tolerance = e->main->tolerance;
+        e->other->companion = 1;
         return 1;
     }
     make_pass(w, param, e->other, e->main->factor, 1);

@@ -36,13 +36,14 @@
 #define SAME_ENERGY 1e-13 /* a lap without gain or loss */
 #define BARRIER 1e-6      /* of the leg's energies: so near to the barrier a leg is computed */
 #define WHOLE 1e-9        /* of a multiple */
+#define ROUNDINGS 1e-15   /* of the energies, in a blow and on the leg after it */
 #define MOST_LEGS 100000000
 
 /* What legs that were passed over may have to be given back to. */
 typedef struct pm_saved {
     pm_state begin, before; /* of the first leg passed over, and of the leg before it */
     double kinetic;
-    double energy_lost;
+    double energy_lost, error;
     int64_t count[PM_COUNT_COLUMNS], count_before[PM_COUNT_COLUMNS];
     int64_t *event_count, *event_before;
     double *event_time, *out, *ask;
@@ -304,7 +305,8 @@ static int64_t limits_allow(const pm_workspace *w, double time)
 
 /* Legs from now on that get over the barrier; *kinetic the energy with which the one after them begins, *lost what their
  * blows take.  The last leg is left to be computed. */
-static int64_t legs_over_barrier(const pm_leg *l, double begin, int64_t most, double *kinetic, double *lost)
+static int64_t legs_over_barrier(const pm_leg *l, double begin, int64_t most, double *kinetic, double *lost,
+                                 double *error)
 {
     const double depth = l->kinetic - l->lowest;
     const double near = BARRIER * fmax(l->kinetic, fabs(depth));
@@ -315,6 +317,7 @@ static int64_t legs_over_barrier(const pm_leg *l, double begin, int64_t most, do
         const double end = t + l->work, next = l->ratio * end;
         if (!(next - depth > near)) break; /* the leg after this one: it must get over, too */
         loss += end - next;
+        *error = l->ratio * *error + ROUNDINGS * (end + next);
         t = next;
     }
     *kinetic = t;
@@ -332,6 +335,7 @@ static void save(pm_workspace *w)
     pm_state_copy(&s->before, &l->begin);
     s->kinetic = l->kinetic;
     s->energy_lost = w->energy_lost;
+    s->error = w->path->error;
     memcpy(s->count, w->count, sizeof s->count);
     memcpy(s->count_before, l->count, sizeof s->count);
     memcpy(s->event_count, w->event->count, nevent * sizeof *s->event_count);
@@ -352,6 +356,8 @@ static int give_back(pm_workspace *w)
     pm_state_copy(&l->begin, &s->before);
     l->kinetic = s->kinetic;
     w->energy_lost = s->energy_lost;
+    w->path->error = s->error;
+    w->path->ended = 0;
     memcpy(w->count, s->count, sizeof s->count);
     memcpy(l->count, s->count_before, sizeof s->count);
     w->count[PM_COUNT_STEPS] = steps; /* work that was done */
@@ -451,12 +457,14 @@ int pm_leg_begin(pm_workspace *w, int *passed)
     const int64_t allowed[] = {triggers_allow(w, &shift, time), asks_allow(w, &shift), limits_allow(w, time)};
     for (int i = 0; i < 3; i++)
         if (allowed[i] < most) most = allowed[i];
-    double next, lost;
-    const int64_t legs = legs_over_barrier(l, kinetic, most, &next, &lost);
+    double next, lost, error = w->path->error;
+    const int64_t legs = legs_over_barrier(l, kinetic, most, &next, &lost, &error);
     int status = PM_OK;
     l->most = MOST_LEGS;
     if (legs > 0) {
         save(w);
+        w->path->error = error;
+        w->path->ended = 0; /* the error is that at the begin of the leg that follows */
         status = pass(w, legs, kinetic, next, lost, time);
         l->pending = steady ? 0 : legs;
         l->expected_kind = l->end_kind;

@@ -43,6 +43,8 @@ typedef struct pm_path {
     double *weight;            /* [nz_controlled] z at the begin of the step */
     double *work;              /* [nz_controlled] z somewhere in the step */
     int *column;               /* [n] pivots */
+    double error;              /* of T, J */
+    double ended;              /* T at the end of the last step */
     double least, lowest;      /* T of the step, of the phase */
     double way;                /* of the driver since the phase began, or since the last lap */
     double impulse[PM_LEDGER]; /* what the ledger of the outer impulses exceeds the momenta by */

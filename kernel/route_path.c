@@ -16,6 +16,7 @@
 #include "contact.h"
 #include "event.h"
 #include "path.h"
+#include "path_error.h"
 #include "plan.h"
 #include "root.h"
 #include "route.h"
@@ -164,6 +165,7 @@ static int begin(pm_workspace *w)
     const double *ledger = w->state.z + pm_audit_ledger(w->model);
     double momentum[PM_LEDGER];
     p->fresh = 1;
+    pm_path_error_begin(w, x->kinetic);
     p->way = 0;
     p->lowest = x->kinetic;
     p->energy = x->kinetic + x->potential - work_so_far(w, w->state.z);
@@ -348,6 +350,7 @@ static int find_turning(pm_workspace *w, double *way)
             const int status = pm_series_root(w, p->force, nodes->at[k - 1], p->force[k - 1], nodes->at[k],
                                               p->force[k], &low);
             if (status || (lowest = exact_kinetic(w, low, NULL), isnan(lowest))) return status;
+            pm_path_error_barrier(w, lowest);
         }
         p->least = fmin(p->least, lowest);
         if (lowest > 0) continue;
@@ -523,6 +526,7 @@ static int step(pm_workspace *w, double t_limit)
     state_of(w, &p->node[PM_NODES_MOST - 1], 1, &w->state);
     if ((status = look_for_evidence(w)) || (status = end_at_limit(w, t_limit))) return status;
     close_momentum(w, &w->state);
+    pm_path_error_step(w, p->node[PM_NODES_MOST - 1].kinetic);
     w->count[PM_COUNT_STEPS]++;
     pm_case_speed(w, w->state.v);
     return PM_OK;

@@ -1,0 +1,16 @@
+/* path_error.h - what rounding makes of the answers of a run along paths: no companion run is needed. */
+#ifndef PM_PATH_ERROR_H
+#define PM_PATH_ERROR_H
+
+#include "model.h"
+
+/* The error of T at the begin of a path phase, from that at the end of the phase before it. */
+void pm_path_error_begin(pm_workspace *w, double kinetic);
+/* After a step that ends with `kinetic`. */
+void pm_path_error_step(pm_workspace *w, double kinetic);
+/* T passed a barrier at `distance` above it, or turned back as much below. */
+void pm_path_error_barrier(pm_workspace *w, double distance);
+/* Tells the error of out[column], the value of the program at the frame, if it is known. */
+void pm_path_error_answer(pm_workspace *w, int ask, int column, int program, double value);
+
+#endif
