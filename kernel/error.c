@@ -134,7 +134,8 @@ void pm_error_answer(pm_workspace *w, int column, double error)
 
 void pm_error_decision(pm_workspace *w, double distance, double error)
 {
-    if (w->error->active) w->error->present->margin = fmin(w->error->present->margin, fabs(distance) / error);
+    if (w->error->active && !w->error->seeks) /* what is sought lies on a threshold */
+        w->error->present->margin = fmin(w->error->present->margin, fabs(distance) / error);
 }
 
 /* ---- passes ---- */
@@ -301,6 +302,7 @@ static void judge(pm_workspace *w, double *error, double *trust)
 
 static int knows_itself(const pm_workspace *w)
 {
+    if (w->error->seeks) return 0; /* nobody knows the error of what is sought */
     const pm_pass *p = w->error->main;
     for (int i = 0; i < w->model->nask; i++) {
         const int32_t *row = PM_ASK_ROW(w->model, i);
