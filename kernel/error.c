@@ -141,7 +141,7 @@ void pm_error_decision(pm_workspace *w, double distance, double error)
 /* ---- passes ---- */
 static int run_once(pm_workspace *w, const double *param, double *found)
 {
-    return w->error->seeks ? pm_find_run(w, param, found) : pm_run(w, param);
+    return w->error->runs_find ? pm_find_run(w, param, found) : pm_run(w, param);
 }
 
 static uint64_t outcome_of(const pm_workspace *w, const pm_pass *p)
@@ -380,7 +380,8 @@ static void climb(pm_workspace *w, const double *param, double *error, double *t
     if (find_companion(w, param)) judge(w, error, trust);
     for (int i = 0; i < REFINEMENTS && !good_enough(w, trust); i++)
         if (!refine(w, param, error, trust)) break;
-    if (e->main->status == PM_OK && trust[PM_TRUST_MARGIN] < 1) {
+    /* a run that sits on the threshold that was sought is not in doubt */
+    if (e->main->status == PM_OK && trust[PM_TRUST_MARGIN] < 1 && !e->seeks) {
         e->main->status = PM_UNDECIDED;
         e->main->where = (pm_where){PM_NONE, PM_NONE, PM_NONE, trust[PM_TRUST_MARGIN], 1};
     }
@@ -419,7 +420,8 @@ int pm_error_run(pm_workspace *w, const double *param, double *found, double *er
         return status;
     }
     e->npass = 0;
-    e->seeks = found != NULL;
+    e->runs_find = found != NULL;
+    e->seeks = found != NULL && w->model->rows[PM_TABLE_FIND] > 0;
     e->main = &e->pass[0];
     e->other = &e->pass[1];
     e->spare = &e->pass[2];

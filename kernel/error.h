@@ -30,7 +30,8 @@ typedef struct pm_pass {
 typedef struct pm_error_set {
     int active; /* the present case is run for its errors too */
     int npass;
-    int seeks; /* a pass is a find with all its runs */
+    int runs_find; /* a pass goes through find.c */
+    int seeks;     /* a pass is a find with all its runs */
     uint64_t noise;
     pm_pass pass[3], *present, *main, *other, *spare;
     double *scale;           /* [nask] natural size of each ask */
