@@ -132,3 +132,15 @@ int pm_degree_of(const pm_workspace *w, const pm_steady *x, int program)
     }
     return stack[0];
 }
+
+int pm_degree_is_size(const pm_workspace *w, const pm_steady *x, int program)
+{
+    int length;
+    const int32_t *code = pm_nature_code(w->model, program, &length);
+    if (length != 1 || code[PM_CODE_OP] != PM_OP_MEASURE) return 0;
+    const int32_t *e = PM_MEASURE_ROW(w->model, code[PM_CODE_ARG]);
+    if (e[PM_MEASURE_PART] != PM_PART_NORM) return 0;
+    if (e[PM_MEASURE_KIND] == PM_MEASURE_MOMENTUM) return 1;
+    return e[PM_MEASURE_KIND] == PM_MEASURE_VELOCITY && !observer_turns(w, x, e) &&
+           point_is_steady(w, x, e[PM_MEASURE_A]);
+}

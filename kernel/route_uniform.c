@@ -4,6 +4,7 @@
  * uniform_gap.c finds it, sliding stops where the slip, linear in t, vanishes; normal forces and grip keep what they were
  * when the phase began.  What else is watched - triggers, extremes, grids - is sampled in steps: programs that are
  * polynomials of the time (degree.c) in long ones that end where a parabola turns, so that each is monotonic in its step;
+ * (so is the size of a velocity, where its square turns);
  * others as densely as the motion itself is fast.  Where nothing is watched one step is the phase.
  *
  * Running integrals: rates of work and of impulse are linear, moments quadratic in t, so that Simpson's rule is exact; the
@@ -43,9 +44,9 @@ static int create(pm_workspace *w)
     const size_t nq = (size_t)m->nq, nz = (size_t)m->nz, nslot = (size_t)m->nslot, nrow = (size_t)m->nrow,
                  ncontact = (size_t)m->rows[PM_TABLE_CONTACT];
     const size_t ndouble = 3 * (nq + 3) + nrow + nslot + 4 * nz + 5 * nq,
-                 nint = (size_t)m->rows[PM_TABLE_TRIGGER] + (size_t)m->nask + 2 * (size_t)m->nbody + 2;
-    u->closing = u->block =
-        calloc(1, ncontact * sizeof *u->closing + ndouble * sizeof(double) + nint * sizeof(int));
+                 nwatched = (size_t)m->rows[PM_TABLE_TRIGGER] + (size_t)m->nask;
+    u->closing = u->block = calloc(1, ncontact * sizeof *u->closing + ndouble * sizeof(double) +
+                                          nwatched * sizeof *u->watched + 2 * (size_t)m->nbody + 2);
     if (!u->block) return PM_NO_MEMORY;
     u->q0 = (double *)(void *)(u->closing + ncontact);
     u->v = u->q0 + nq + 3;
@@ -59,8 +60,8 @@ static int create(pm_workspace *w)
     u->series.before = u->v_look + nq;
     u->series.change = u->series.before + nq;
     u->series.spare = u->series.change + nq;
-    u->watched = (int *)(void *)(u->series.spare + nq);
-    u->turns = (unsigned char *)(u->watched + m->rows[PM_TABLE_TRIGGER] + m->nask);
+    u->watched = (pm_parabola *)(void *)(u->series.spare + nq);
+    u->turns = (unsigned char *)(u->watched + nwatched);
     u->locked = u->turns + m->nbody + 1;
     return PM_OK;
 }
@@ -263,9 +264,10 @@ static int applies(pm_workspace *w)
 static void watch(pm_workspace *w, int program)
 {
     pm_uniform *u = w->uniform;
-    const int degree = pm_degree_of(w, &u->curve, program);
+    const int size = pm_degree_is_size(w, &u->curve, program);
+    const int degree = size ? PM_DEGREE_MOST : pm_degree_of(w, &u->curve, program);
     if (degree > u->sampled) u->sampled = degree;
-    if (degree == PM_DEGREE_MOST) u->watched[u->nwatched++] = program;
+    if (degree == PM_DEGREE_MOST) u->watched[u->nwatched++] = (pm_parabola){program, size};
 }
 
 static int begin(pm_workspace *w)
@@ -288,10 +290,12 @@ static double first_turn(pm_workspace *w, double from, double to)
 {
     const double h = to - from;
     for (int i = 0; i < w->uniform->nwatched; i++) {
+        const pm_parabola x = w->uniform->watched[i];
         double p[3];
         for (int k = 0; k < 3; k++) {
             pm_uniform_look_at_forces(w, from + 0.5 * k * h);
-            p[k] = pm_program_run(w->model, w->uniform->watched[i], w->param, w->value, w);
+            p[k] = pm_program_run(w->model, x.program, w->param, w->value, w);
+            if (x.squared) p[k] *= p[k];
         }
         const double slope = 4 * p[1] - 3 * p[0] - p[2], bend = 2 * (p[0] - 2 * p[1] + p[2]);
         const double turn = bend != 0 ? -0.5 * slope / bend : INFINITY; /* of h */

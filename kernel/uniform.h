@@ -29,6 +29,11 @@ typedef struct pm_series {
     int64_t phase, jumps;  /* counts there */
 } pm_series;
 
+/* A watched program that is a parabola of the time, or whose square is one. */
+typedef struct pm_parabola {
+    int program, squared;
+} pm_parabola;
+
 typedef struct pm_uniform {
     /* the phase: q = q0 + v t + a t^2/2 */
     double t0;
@@ -43,8 +48,8 @@ typedef struct pm_uniform {
     /* the last step, from the begin of the phase */
     double begin, end;
     /* what the shared machinery samples */
-    int sampled;  /* greatest degree (degree.h) of all that is watched; -1: nothing is */
-    int *watched; /* [ntrigger + nask] programs of degree 2 */
+    int sampled;          /* greatest degree (degree.h) of all that is watched; -1: nothing is */
+    pm_parabola *watched; /* [ntrigger + nask] */
     int nwatched;
     double stride; /* longest next step, s */
     /* integrals */

@@ -391,6 +391,9 @@ FAULTS = [
         "sum -= p * p * (asinh",
     ),
     Fault(
+        "uniform: a speed that vanishes", "route_uniform.c", "if (x.squared) p[k] *= p[k]", "(void)x.squared"
+    ),
+    Fault(
         "zeno: wrong e",
         "zeno.c",
         "v[i] = u->v[i] + t * u->a[i] + d * e / (1 - e)",

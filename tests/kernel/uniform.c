@@ -245,6 +245,26 @@ static void travels(void)
     }
 }
 
+/* Straight up and down again: the speed has a corner where it vanishes. */
+static void stands_still(void)
+{
+    for (double v = 1; v < 15; v += 0.7) {
+        scene *s = scene_create();
+        const int p = scene_point(s, scene_body(s, 1, 0, 0, 0, 0), 0, 0);
+        const int speed = scene_read(s, scene_part(s, PM_MEASURE_VELOCITY, p, PM_PART_NORM));
+        scene_start_velocity(s, p, 0, v);
+        scene_until_time(s, 2);
+        scene_ask_extreme(s, PM_ASK_MIN, speed, PM_NONE);
+        scene_ask_extreme(s, PM_ASK_AT_MIN, scene_read(s, scene_time(s)), speed);
+        if (runs_uniformly(s)) {
+            NEAR(s->out[0], 0, CLOSE);
+            NEAR(s->out[1], v / G, CLOSE);
+        }
+        CHECK(s->count[PM_COUNT_STEPS] < 6);
+        scene_free(s);
+    }
+}
+
 /* What does not stay the same is left to other routes. */
 static void applies_where_it_should(void)
 {
@@ -532,6 +552,7 @@ int main(void)
     same_bits();
     friction_stops_it();
     travels();
+    stands_still();
     applies_where_it_should();
     spins_past();
     tumbles();
