@@ -4,28 +4,38 @@
 #include <math.h>
 #include <string.h>
 
-static double dot(int n, const double *a, const double *b)
+static double dot(int from, int to, const double *a, const double *b)
 {
     double sum = 0;
-    for (int i = 0; i < n; i++) sum += a[i] * b[i];
+    for (int i = from; i < to; i++) sum += a[i] * b[i];
     return sum;
 }
 
-/* Row n of the basis holds a scaled row: makes it orthonormal to those before it, if it is independent. */
+/* Row n of the basis holds a scaled row, zero outside its range: makes it orthonormal to those before it, if it is
+ * independent.  Rows that share no coordinate are orthogonal as they are. */
 static int orthonormalise(pm_workspace *w, int n, pm_basis_rest *rest)
 {
     const int nq = w->model->nq;
     double *row = w->basis + (size_t)n * (size_t)nq;
-    rest->norm = sqrt(dot(nq, row, row));
+    int *range = w->basis_range + 2 * n;
+    rest->norm = sqrt(dot(range[0], range[1], row, row));
     for (int pass = 0; pass < 2; pass++)
         for (int b = 0; b < n; b++) {
-            const double *e = w->basis + (size_t)b * (size_t)nq, along = dot(nq, e, row);
-            for (int i = 0; i < nq; i++) row[i] -= along * e[i];
+            const double *e = w->basis + (size_t)b * (size_t)nq;
+            const int *other = w->basis_range + 2 * b;
+            const int from = other[0] > range[0] ? other[0] : range[0],
+                      to = other[1] < range[1] ? other[1] : range[1];
+            if (from >= to) continue;
+            const double along = dot(from, to, e, row);
+            if (along == 0) continue;
+            for (int i = other[0]; i < other[1]; i++) row[i] -= along * e[i];
+            if (other[0] < range[0]) range[0] = other[0];
+            if (other[1] > range[1]) range[1] = other[1];
         }
-    const double after = sqrt(dot(nq, row, row));
+    const double after = sqrt(dot(range[0], range[1], row, row));
     rest->left = rest->norm > 0 ? after / rest->norm : 0;
     if (!(rest->left > PM_INDEPENDENT) || n >= nq) return n;
-    for (int i = 0; i < nq; i++) row[i] /= after;
+    for (int i = range[0]; i < range[1]; i++) row[i] /= after;
     return n + 1;
 }
 
@@ -33,6 +43,8 @@ int pm_basis_add_dense(pm_workspace *w, int n, const double *x, pm_basis_rest *r
 {
     double *row = w->basis + (size_t)n * (size_t)w->model->nq;
     for (int i = 0; i < w->model->nq; i++) row[i] = x[i] * sqrt(w->inverse_mass[i]);
+    w->basis_range[2 * n] = 0;
+    w->basis_range[2 * n + 1] = w->model->nq;
     return orthonormalise(w, n, rest);
 }
 
@@ -40,9 +52,16 @@ int pm_basis_add(pm_workspace *w, int n, const double j[6], const int body[2], p
 {
     const int nq = w->model->nq, ground = w->model->nbody;
     double *row = w->basis + (size_t)n * (size_t)nq;
+    int *range = w->basis_range + 2 * n;
     memset(row, 0, (size_t)nq * sizeof *row);
-    for (int p = 0; p < 2; p++)
-        for (int k = 0; k < 3 && body[p] != ground; k++)
+    range[0] = nq;
+    range[1] = 0;
+    for (int p = 0; p < 2; p++) {
+        if (body[p] == ground) continue;
+        if (3 * body[p] < range[0]) range[0] = 3 * body[p];
+        if (3 * body[p] + 3 > range[1]) range[1] = 3 * body[p] + 3;
+        for (int k = 0; k < 3; k++)
             row[3 * body[p] + k] += j[3 * p + k] * sqrt(w->inverse_mass[3 * body[p] + k]);
+    }
     return orthonormalise(w, n, rest);
 }

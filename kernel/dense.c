@@ -58,14 +58,19 @@ int pm_skyline_factor(int n, const int *first, double *a)
     return 0;
 }
 
-void pm_skyline_lower(int n, const int *first, const double *a, double *x)
+void pm_skyline_part(int n, int from, int to, const int *first, const double *a, double *x)
 {
-    for (int i = 0; i < n; i++) {
+    for (int i = from; i < to; i++) {
         const double *ai = a + i * n;
         double s = x[i];
-        for (int k = first[i]; k < i; k++) s -= ai[k] * x[k];
+        for (int k = first[i] > from ? first[i] : from; k < i; k++) s -= ai[k] * x[k];
         x[i] = s * ai[i];
     }
+}
+
+void pm_skyline_lower(int n, const int *first, const double *a, double *x)
+{
+    pm_skyline_part(n, 0, n, first, a, x);
 }
 
 void pm_skyline_upper(int n, const int *first, const double *a, double *x)

@@ -8,7 +8,8 @@ int pm_cholesky_factor(int n, double *a);
 void pm_cholesky_solve(int n, const double *a, double *x);
 /* The same where row i of A and L begins at column first[i]: what is left of it is zero, and not looked at. */
 int pm_skyline_factor(int n, const int *first, double *a);
-/* L x = b and L^T x = b in place. */
+/* L x = b, where b is zero before `from` and L^-1 b from `to` on, and L^T x = b; in place. */
+void pm_skyline_part(int n, int from, int to, const int *first, const double *a, double *x);
 void pm_skyline_lower(int n, const int *first, const double *a, double *x);
 void pm_skyline_upper(int n, const int *first, const double *a, double *x);
 /* P A = L U with partial pivoting; returns 0, or 1 + the column without a pivot. */

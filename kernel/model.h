@@ -100,6 +100,7 @@ typedef struct pm_row {
     double a[2], b[2];         /* marks in body axes */
     double radius_a, radius_b; /* signed: see row_distance.c */
     double value;              /* length, angle, or direction of a line in its body */
+    double axis[2];            /* cosine and sine of that direction */
     double sign;               /* distance rows: which way is positive */
     int memory;                /* index of its memory, or PM_NONE */
     int joint, slot;           /* owner: one of both is PM_NONE */
@@ -163,10 +164,12 @@ typedef struct pm_workspace {
     int nredundant;
     int asymmetric; /* some contact slides: H differs from G */
     /* saddle.c */
-    double *schur; /* [nrow][nrow] */
-    int *pivot;    /* [nrow] */
-    double *rhs;   /* [nrow] */
-    double *basis; /* [nq + nrow][nq] orthonormal rows */
+    double *schur;    /* [nrow][nrow] */
+    int *pivot;       /* [nrow] */
+    int *first_row;   /* [nbody] scratch */
+    double *rhs;      /* [nrow] */
+    double *basis;    /* [nq + 1][nq] orthonormal rows */
+    int *basis_range; /* [nq + 1][2] coordinates between which each is not zero */
     pm_frame frame;
     /* the last jump */
     double *joint_impulse;      /* [njoint_row] */

@@ -102,6 +102,8 @@ static void point_and_line(const pm_workspace *w, pm_row *row, int point, int li
     const int32_t *e = PM_LINE_ROW(w->model, line);
     two_points(w, row, point, e[PM_LINE_POINT]);
     row->value = w->value[e[PM_LINE_ANGLE]];
+    row->axis[0] = cos(row->value);
+    row->axis[1] = sin(row->value);
 }
 
 static void circle_and_line(const pm_workspace *w, pm_row *row, int circle, int line)

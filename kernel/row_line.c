@@ -17,7 +17,8 @@ typedef struct pm_line_frame {
 
 static pm_line_frame line_frame(const pm_workspace *w, const pm_row *row)
 {
-    const double phi = w->frame.pose[5 * row->body[1] + 2] + row->value, c = cos(phi), s = sin(phi);
+    const double *pose = w->frame.pose + 5 * row->body[1], *axis = row->axis;
+    const double c = pose[3] * axis[0] - pose[4] * axis[1], s = pose[4] * axis[0] + pose[3] * axis[1];
     return (pm_line_frame){.t = {c, s}, .n = {-s, c}};
 }
 

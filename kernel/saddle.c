@@ -51,16 +51,34 @@ static double coupled(const pm_workspace *w, const pm_row *a, const double *ja, 
     return sum;
 }
 
+/* The first row that shares a body with each: before it the row of S is empty.  In w->pivot, which Cholesky leaves. */
+static void find_envelope(pm_workspace *w)
+{
+    int *first = w->pivot, *first_of_body = w->first_row;
+    for (int i = 0; i < w->model->nbody; i++) first_of_body[i] = PM_NONE;
+    for (int i = 0; i < w->nactive; i++) {
+        first[i] = i;
+        for (int p = 0; p < 2; p++) {
+            const int body = w->row[i].body[p];
+            if (body == w->model->nbody) continue;
+            if (first_of_body[body] == PM_NONE) first_of_body[body] = i;
+            if (first_of_body[body] < first[i]) first[i] = first_of_body[body];
+        }
+    }
+}
+
 int pm_saddle_factor(pm_workspace *w)
 {
     const int n = w->nactive;
+    if (!w->asymmetric) find_envelope(w);
     for (int i = 0; i < n; i++) {
-        const int last = w->asymmetric ? n - 1 : i;
-        for (int k = 0; k <= last; k++)
+        const int begin = w->asymmetric ? 0 : w->pivot[i], end = w->asymmetric ? n : i + 1;
+        for (int k = begin; k < end; k++)
             w->schur[i * n + k] =
                 coupled(w, &w->row[i], w->row[i].j, &w->row[k], force_direction(w, &w->row[k]));
     }
-    const int bad = w->asymmetric ? pm_lu_factor(n, w->schur, w->pivot) : pm_cholesky_factor(n, w->schur);
+    const int bad =
+        w->asymmetric ? pm_lu_factor(n, w->schur, w->pivot) : pm_skyline_factor(n, w->pivot, w->schur);
     w->count[PM_COUNT_SOLVES]++;
     if (!bad) return PM_OK;
     const pm_row *row = &w->row[bad - 1];
@@ -70,10 +88,12 @@ int pm_saddle_factor(pm_workspace *w)
 
 void pm_saddle_solve(pm_workspace *w)
 {
-    if (w->asymmetric)
+    if (w->asymmetric) {
         pm_lu_solve(w->nactive, w->schur, w->pivot, w->rhs);
-    else
-        pm_cholesky_solve(w->nactive, w->schur, w->rhs);
+    } else {
+        pm_skyline_lower(w->nactive, w->pivot, w->schur, w->rhs);
+        pm_skyline_upper(w->nactive, w->pivot, w->schur, w->rhs);
+    }
 }
 
 void pm_saddle_spread(const pm_workspace *w, int use_h, double *x)

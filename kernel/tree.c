@@ -17,7 +17,7 @@ int pm_tree_create(pm_workspace *w)
     if (!t) return PM_NO_MEMORY;
     const size_t most = nbody * nq; /* coordinates that move a body, over all bodies */
     const size_t doubles = nq * nq + 3 * most + 2 * nrow * nq + nrow * nrow + 6 * nq + 2 * nrow;
-    const size_t ints = 2 * nrow + 3 * nq + nbody + most;
+    const size_t ints = 5 * nrow + 3 * nq + nbody + most;
     double *p = t->block = calloc(doubles * sizeof *p + ints * sizeof(int) + nrow + 1, 1);
     t->node = calloc(nbody + 1, sizeof *t->node);
     if (!p || !t->node) return PM_NO_MEMORY;
@@ -39,7 +39,10 @@ int pm_tree_create(pm_workspace *w)
     t->first_coupled = t->pivot + nq + nrow;
     t->placed = t->first_coupled + nq;
     t->moved_by = t->placed + nbody;
-    t->used = (unsigned char *)(t->moved_by + most);
+    t->from = t->moved_by + most;
+    t->to = t->from + nrow;
+    t->first_loop = t->to + nrow;
+    t->used = (unsigned char *)(t->first_loop + nrow);
     return PM_OK;
 }
 
@@ -214,6 +217,29 @@ static void list_coordinates(pm_workspace *w)
     }
 }
 
+/* Where the loop rows, and what elimination makes of them, are not zero. */
+static void bound_loops(pm_workspace *w)
+{
+    pm_tree *t = w->tree;
+    for (int i = 0; i < t->nloop; i++) {
+        const pm_row *row = &w->row[t->loop[i]];
+        int from = t->n, to = 0;
+        for (int p = 0; p < 2; p++) {
+            if (row->body[p] == w->model->nbody) continue;
+            const pm_tree_node *x = &t->node[t->placed[row->body[p]] - 1];
+            if (x->nlist == 0) continue;
+            if (t->moved_by[x->list + x->nlist - 1] < from) from = t->moved_by[x->list + x->nlist - 1];
+            if (t->moved_by[x->list] >= to) to = t->moved_by[x->list] + 1;
+        }
+        for (int k = to; k < t->n; k++)
+            if (t->first_coupled[k] < to) to = k + 1;
+        t->from[i] = from;
+        t->to[i] = to;
+        for (t->first_loop[i] = 0; t->first_loop[i] < i; t->first_loop[i]++)
+            if (t->from[t->first_loop[i]] < to && from < t->to[t->first_loop[i]]) break;
+    }
+}
+
 void pm_tree_build(pm_workspace *w)
 {
     pm_tree *t = w->tree;
@@ -226,6 +252,7 @@ void pm_tree_build(pm_workspace *w)
     list_coordinates(w);
     for (int i = 0; i < w->nactive; i++)
         if (!t->used[i]) t->loop[t->nloop++] = i;
+    bound_loops(w);
 }
 
 int pm_tree_is_angle(const pm_workspace *w, int coordinate) { return w->tree->kind[coordinate] == 2; }

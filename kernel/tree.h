@@ -15,6 +15,8 @@ typedef struct pm_tree {
     int *loop;           /* [nrow] their places in w->row */
     int *kind;           /* [nq] of each coordinate: 0, 1 a length (x, y or along a line), 2 an angle */
     pm_tree_node *node;  /* [nbody] in the order of placing */
+    int *from, *to;      /* [nrow] of each loop row: the coordinates that L^-1 J^T has, from .. to - 1 */
+    int *first_loop;     /* [nrow] the first loop row that shares some of them */
     unsigned char *used; /* [nrow] */
     int *placed;         /* [nbody] 1 + index of its node */
     int *moved_by;       /* the coordinates that move each body: node->list, node->nlist */
@@ -70,6 +72,7 @@ void pm_tree_influence(pm_workspace *w);
 /* Accelerations of the bodies from those of the coordinates, and back; velocities are in the frame. */
 void pm_tree_spread_accelerations(const pm_workspace *w, const double *yddot, double *a);
 void pm_tree_read_accelerations(const pm_workspace *w, const double *a, double *yddot);
+/* Adds a row's Jacobian on the coordinates. */
 void pm_tree_loop_row(const pm_workspace *w, const pm_row *row, double *on_coordinates);
 
 #endif

@@ -17,6 +17,7 @@
 
 #define SWEEPS 8
 #define ROUNDING 4e-15 /* residual relative to the size of the scene below which nothing is left to gain */
+#define SMALL 1e-8     /* of the size: a correction of positions this small leaves the factors as they are */
 
 /* The lower triangle of B^T M B, factored; pm_tree_influence has been called. */
 static int factor_mass(pm_workspace *w)
@@ -49,32 +50,36 @@ static int singular_loop(pm_workspace *w, int loop)
                                  : pm_fail(w, PM_SINGULAR, PM_TABLE_CONTACT, PM_NONE, 0, 0);
 }
 
-/* J and X of the evaluated loop rows, and the factor of S. */
+/* X of the evaluated loop rows, and the factor of S; row i of X is kept from t->from[i] to t->to[i]. */
 static int factor_loops(pm_workspace *w)
 {
     pm_tree *t = w->tree;
     const int n = t->n;
     for (int i = 0; i < t->nloop; i++) {
-        double *j = t->jacobian + i * n, *x = t->reduced + i * n;
-        pm_tree_loop_row(w, &w->row[t->loop[i]], j);
-        memcpy(x, j, (size_t)n * sizeof *x);
-        pm_skyline_lower(n, t->first_coupled, t->mass, x);
-        for (int k = 0; k <= i; k++) {
+        double *x = t->reduced + i * n;
+        const int from = t->from[i], to = t->to[i];
+        for (int c = from; c < to; c++) x[c] = 0;
+        pm_tree_loop_row(w, &w->row[t->loop[i]], x);
+        pm_skyline_part(n, from, to, t->first_coupled, t->mass, x);
+        for (int k = t->first_loop[i]; k <= i; k++) {
+            const double *other = t->reduced + k * n;
+            const int begin = from > t->from[k] ? from : t->from[k], end = to < t->to[k] ? to : t->to[k];
             double sum = 0;
-            for (int c = 0; c < n; c++) sum += x[c] * t->reduced[k * n + c];
+            for (int c = begin; c < end; c++) sum += x[c] * other[c];
             t->schur[i * t->nloop + k] = sum;
         }
     }
-    const int bad = pm_cholesky_factor(t->nloop, t->schur);
+    const int bad = pm_skyline_factor(t->nloop, t->first_loop, t->schur);
     return bad ? singular_loop(w, bad - 1) : PM_OK;
 }
 
 /* x += X^T l with S l = residual, in place. */
 static void add_loops(const pm_tree *t, double *x)
 {
-    pm_cholesky_solve(t->nloop, t->schur, t->residual);
+    pm_skyline_lower(t->nloop, t->first_loop, t->schur, t->residual);
+    pm_skyline_upper(t->nloop, t->first_loop, t->schur, t->residual);
     for (int i = 0; i < t->nloop; i++)
-        for (int k = 0; k < t->n; k++) x[k] += t->residual[i] * t->reduced[i * t->n + k];
+        for (int k = t->from[i]; k < t->to[i]; k++) x[k] += t->residual[i] * t->reduced[i * t->n + k];
 }
 
 static void evaluate_loops(pm_workspace *w)
@@ -128,7 +133,7 @@ int pm_tree_accelerate(pm_workspace *w, double *yddot)
         for (int i = 0; i < t->nloop; i++) {
             const pm_row *row = &w->row[t->loop[i]];
             t->residual[i] = row->gamma - pm_saddle_times(w, row, t->bias);
-            for (int k = 0; k < t->n; k++) t->residual[i] -= t->reduced[i * t->n + k] * yddot[k];
+            for (int k = t->from[i]; k < t->to[i]; k++) t->residual[i] -= t->reduced[i * t->n + k] * yddot[k];
         }
         add_loops(t, yddot);
         for (int i = 0; i < t->nloop; i++) w->frame.lambda[t->loop[i]] = t->residual[i];
@@ -215,39 +220,44 @@ static double worst_of(const double *residual, int n)
     return worst;
 }
 
-/* J dy = residual with the least dy in the metric of M. */
-static int correct(pm_workspace *w, double *y)
+static int factor(pm_workspace *w)
 {
-    pm_tree *t = w->tree;
     pm_tree_influence(w);
-    int status = factor_mass(w);
-    if (!status) status = factor_loops(w);
-    if (status) return status;
+    const int status = factor_mass(w);
+    return status ? status : factor_loops(w);
+}
+
+/* J dy = residual with the least dy in the metric of M. */
+static void correct(const pm_tree *t, double *y)
+{
     memset(t->rate, 0, (size_t)t->n * sizeof *t->rate);
     add_loops(t, t->rate);
     pm_skyline_upper(t->n, t->first_coupled, t->mass, t->rate);
     for (int k = 0; k < t->n; k++) y[k] += t->rate[k];
-    return PM_OK;
 }
 
 int pm_tree_project(pm_workspace *w, double time, double *y, double *ydot, const double *z)
 {
     pm_tree *t = w->tree;
     double before = INFINITY;
+    int status, factored = 0;
     pm_tree_look(w, time, y, ydot, z);
     for (int sweep = 0; t->nloop > 0; sweep++) {
         evaluate_loops(w);
         for (int i = 0; i < t->nloop; i++) t->residual[i] = -w->row[t->loop[i]].g;
         const double worst = worst_of(t->residual, t->nloop);
         if (worst <= ROUNDING * w->size || sweep == SWEEPS || (sweep > 1 && worst > 0.5 * before)) break;
+        factored = worst <= SMALL * w->size; /* good enough for what is left, and for the rates */
         before = worst;
-        const int status = correct(w, y);
-        if (status) return status;
+        if ((status = factor(w))) return status;
+        correct(t, y);
         pm_tree_look(w, time, y, ydot, z);
     }
     for (int i = 0; i < t->nloop; i++) t->residual[i] = -pm_saddle_times(w, &w->row[t->loop[i]], t->v);
-    if (worst_of(t->residual, t->nloop) <= ROUNDING * w->speed) return PM_OK;
-    const int status = correct(w, ydot);
-    if (!status) pm_tree_look(w, time, y, ydot, z);
-    return status;
+    const double worst = worst_of(t->residual, t->nloop);
+    if (worst <= ROUNDING * w->speed) return PM_OK;
+    if (!(factored && worst <= SMALL * w->speed) && (status = factor(w))) return status;
+    correct(t, ydot);
+    pm_tree_look(w, time, y, ydot, z);
+    return PM_OK;
 }

@@ -141,7 +141,6 @@ void pm_tree_basis(pm_workspace *w, double *basis)
 void pm_tree_loop_row(const pm_workspace *w, const pm_row *row, double *on_coordinates)
 {
     const pm_tree *t = w->tree;
-    memset(on_coordinates, 0, (size_t)t->n * sizeof *on_coordinates);
     for (int side = 0; side < 2; side++) {
         if (row->body[side] == w->model->nbody) continue;
         const pm_tree_node *x = &t->node[t->placed[row->body[side]] - 1];
@@ -160,6 +159,7 @@ void pm_tree_loops(pm_workspace *w, double *jacobian)
     for (int i = 0; i < t->nloop; i++) {
         pm_row *row = &w->row[t->loop[i]];
         pm_row_kind(row->kind)->evaluate(w, row);
+        memset(jacobian + i * t->n, 0, (size_t)t->n * sizeof *jacobian);
         pm_tree_loop_row(w, row, jacobian + i * t->n);
     }
 }

@@ -72,6 +72,38 @@ FAULTS = [
         "e->main->status = PM_UNDECIDED",
         "e->main->status = PM_OK",
     ),
+    # tree coordinates
+    Fault(
+        "tree: bias of a mark",
+        "tree_rates.c",
+        "own[2] * own[2] * x->r_child[k] - parent",
+        "own[2] * own[2] * x->r_child[k] + parent",
+    ),
+    Fault("tree: bias along a line", "tree_rates.c", "(-2 * omega * s * x->t[1]", "(2 * omega * s * x->t[1]"),
+    Fault(
+        "tree: bias of circles", "tree_rates.c", "a[k] -= sign * roll * roll", "a[k] += sign * roll * roll"
+    ),
+    Fault(
+        "tree: the other partner is the parent",
+        "tree.c",
+        "x->parent = row->body[child_is_a ? 1 : 0]",
+        "x->parent = w->model->nbody",
+    ),
+    Fault(
+        "tree: a dropped loop row",
+        "tree.c",
+        "if (!t->used[i]) t->loop",
+        "if (!t->used[i] && i + 1 < w->nactive) t->loop",
+    ),
+    Fault(
+        "tree: a reaction of the wrong sign",
+        "tree_dynamics.c",
+        "fy = sign * wrench[1]",
+        "fy = -sign * wrench[1]",
+    ),
+    Fault(
+        "tree: reactions of children are forgotten", "tree_dynamics.c", "to[1] += wrench[1];", "to[1] += 0;"
+    ),
     # Jacobians: a sign in each kind of column
     Fault(
         "jacobian: x of the first partner", "row.c", "row->j[0] = factor * n[0]", "row->j[0] = -factor * n[0]"
@@ -179,7 +211,12 @@ FAULTS = [
         "for (int r = 0; r < 2; r++)",
         "for (int r = 0; r < 1; r++)",
     ),
-    Fault("dense: Cholesky", "dense.c", "s -= ai[k] * aj[k]", "s += ai[k] * aj[k]"),
+    Fault(
+        "dense: Cholesky",
+        "dense.c",
+        "k = 0; k < j; k++) s -= ai[k] * aj[k]",
+        "k = 0; k < j; k++) s += ai[k] * aj[k]",
+    ),
     Fault(
         "dense: LU without its pivots",
         "dense.c",
