@@ -20,6 +20,8 @@
 
 #define RATE_STEP 2e-3  /* of the step: distance of the differences that make a rate */
 #define NEARLY_FLAT 0.1 /* of the spread in a step: a slope between nodes that may have either sign */
+#define RESOLVED 1e-7   /* highest coefficients of a value that its samples tell: one without corners */
+#define RESOLVED 1e-7   /* highest coefficients of a value that its samples tell: one without corners */
 #define ON_GRID 1e-9    /* relative: a grid value met at the very start or end of the run */
 
 int pm_ask_create(pm_workspace *w)
@@ -240,7 +242,8 @@ static int extreme_in_step(pm_workspace *w, int ask)
     /* an extreme between the nodes exceeds them by no more than their spread */
     if (spread == 0 || g[top] + spread < sign * w->ask->best[ask]) return PM_OK;
     slopes(nodes, g, d);
-    if (nodes == &pm_nodes_chebyshev && !at_extreme(PM_ASK_ROW(w->model, ask)))
+    if (nodes == &pm_nodes_chebyshev && !at_extreme(PM_ASK_ROW(w->model, ask)) &&
+        pm_series_tail(g) < RESOLVED)
         return extremes_of_samples(w, ask, g, d, sign * w->ask->best[ask]);
     for (int k = top - 1; k <= top; k++) {
         if (k < 0 || k + 1 >= nodes->n) continue;
@@ -267,6 +270,7 @@ static int grid_in_step(pm_workspace *w, int ask)
             if (!((a < 0 && b >= 0) || (a > 0 && b <= 0))) continue;
             double t, taken, off;
             int status = pm_root_find(w, w->ask->solver, along, &x, from, a, to, b, &t);
+            if (!status && t > w->step_end) continue; /* an instant comes before */
             if (!status) status = pm_root_polish(w, along, exactly, &x, NAN, &t, &taken, &off);
             if (!status && taken != t) status = look(w, t, 1);
             if (status) return status;

@@ -22,6 +22,7 @@
 #define CLOSE 0.1      /* of the values beside it: a dip that is worth a closer look */
 #define DIP_STEP 1e-3  /* of the nodes' distance: distance of the differences at the bottom of a dip */
 #define DIP_STEPS 3    /* of Newton's method to the bottom */
+#define RESOLVED 1e-7  /* highest coefficients of a function that its samples tell */
 #define OFF 1e-9       /* of a function's values next to its zero: not on it */
 #define HALVINGS 30    /* of a step, to find the top of a short bounce */
 #define LEAVING \
@@ -296,7 +297,16 @@ static double slope_of_samples(const pm_workspace *w, int i, double place)
     return pm_series_value(slope, 1, (place - w->step_begin) / h) / h;
 }
 
-/* Where the polynomial through the samples has its root: the nodes of a spectral route resolve the function. */
+/* The nodes of a spectral route resolve the function, unless it has a corner (the nearest of several members). */
+static int is_resolved(const pm_workspace *w, int i)
+{
+    double value[PM_NODES_MOST];
+    if (w->route->nodes != &pm_nodes_chebyshev) return 0;
+    samples_of(w, i, value);
+    return pm_series_tail(value) < RESOLVED;
+}
+
+/* Where the polynomial through the samples has its root. */
 static int root_of_samples(pm_workspace *w, int i, const pm_bracket *x, double *place)
 {
     const double begin = w->step_begin, h = w->step_end - begin;
@@ -312,7 +322,7 @@ static int root_in(pm_workspace *w, int i, const pm_bracket *x, double *place)
     pm_event_set *e = w->event;
     *place = x->a;
     if (!(x->b > x->a)) return PM_OK;
-    if (w->route->nodes == &pm_nodes_chebyshev) return root_of_samples(w, i, x, place);
+    if (is_resolved(w, i)) return root_of_samples(w, i, x, place);
     return pm_root_find(w, e->solver, along, &e->function[i], x->a, x->ga, x->b, x->gb, place);
 }
 
@@ -320,7 +330,7 @@ static int root_in(pm_workspace *w, int i, const pm_bracket *x, double *place)
 static int polish(pm_workspace *w, int i, const pm_bracket *x, double *first, double *taken)
 {
     pm_event_function *f = &w->event->function[i];
-    const int spectral = w->route->nodes == &pm_nodes_chebyshev;
+    const int spectral = is_resolved(w, i);
     const double size = fmax(fabs(x->ga), fabs(x->gb));
     double off;
     int status = pm_root_polish(w, along, exactly, f, spectral ? slope_of_samples(w, i, *first) : NAN, first,

@@ -13,6 +13,7 @@
 #include "contact.h"
 #include "crossing.h"
 #include "instant.h"
+#include "leg.h"
 #include "root.h"
 #include "route.h"
 #include "saddle.h"
@@ -289,7 +290,7 @@ static void end_step(pm_workspace *w)
 
 static int only_marks(const pm_workspace *w)
 {
-    if (w->model->watches_counts) return 0;
+    if (w->model->watches_counts || pm_leg_doubts(w)) return 0;
     for (int i = 0; i < w->event->nfunction; i++)
         if (w->event->hit[i] && w->event->function[i].kind != FUNCTION_TRIGGER) return 0;
     return 1;

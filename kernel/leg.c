@@ -34,6 +34,7 @@
 #define SAME_PLACE 1e-11  /* of the scene's reach: the same configuration */
 #define SAME_MOTION 1e-9  /* of the scene's speed: velocities in the same proportion */
 #define SAME_ENERGY 1e-13 /* a lap without gain or loss */
+#define STEADY 1e-16      /* of the energy: legs that are all the same */
 #define BARRIER 1e-6      /* of the leg's energies: so near to the barrier a leg is computed */
 #define WHOLE 1e-9        /* of a multiple */
 #define ROUNDINGS 1e-15   /* of the energies, in a blow and on the leg after it */
@@ -42,11 +43,13 @@
 /* What legs that were passed over may have to be given back to. */
 typedef struct pm_saved {
     pm_state begin, before; /* of the first leg passed over, and of the leg before it */
-    double kinetic;
-    double energy_lost, error;
+    double kinetic, end, lowest; /* of the leg before */
+    int end_kind, end_mark;
+    double energy_lost, energy_scale, momentum_scale, constraint_worst, evidence, speed, error;
     int64_t count[PM_COUNT_COLUMNS], count_before[PM_COUNT_COLUMNS];
     int64_t *event_count, *event_before;
     double *event_time, *out, *ask;
+    double *range; /* least and greatest of the triggers in the leg before */
     unsigned char *ask_flags;
 } pm_saved;
 
@@ -73,22 +76,27 @@ typedef struct pm_leg {
 static size_t ask_doubles(const pm_workspace *w) { return (PM_NODES_MOST + 2) * (size_t)w->model->nask; }
 static size_t ask_flags(const pm_workspace *w) { return (size_t)w->model->nask + (size_t)w->model->nout; }
 
+/* Least and greatest values of the triggers lie together. */
+static size_t range_doubles(const pm_workspace *w) { return 2 * (size_t)w->model->rows[PM_TABLE_TRIGGER]; }
+
 int pm_leg_create(pm_workspace *w)
 {
     const pm_model *m = w->model;
     const size_t nevent = (size_t)m->rows[PM_TABLE_EVENT], nout = (size_t)m->nout;
+    const size_t ntrigger = (size_t)m->rows[PM_TABLE_TRIGGER];
     pm_leg *l = w->leg = calloc(1, sizeof *l);
     if (!l) return PM_NO_MEMORY;
     int status = pm_state_create(m, &l->begin);
     if (!status) status = pm_state_create(m, &l->saved.begin);
     if (!status) status = pm_state_create(m, &l->saved.before);
-    const size_t doubles = (size_t)m->nbody + nevent + nout + ask_doubles(w);
+    const size_t doubles = (size_t)m->nbody + nevent + nout + ask_doubles(w) + 2 * ntrigger;
     double *p = l->block = calloc(doubles * sizeof *p + 3 * nevent * sizeof(int64_t) + ask_flags(w) + 1, 1);
     if (status || !p) return PM_NO_MEMORY;
     l->turn = p;
     l->saved.event_time = l->turn + m->nbody;
     l->saved.out = l->saved.event_time + nevent;
     l->saved.ask = l->saved.out + nout;
+    l->saved.range = l->saved.ask + ask_doubles(w);
     l->event_count = (int64_t *)(void *)(p + doubles);
     l->saved.event_count = l->event_count + nevent;
     l->saved.event_before = l->saved.event_count + nevent;
@@ -212,6 +220,12 @@ static int64_t fires(const pm_workspace *w, int event)
     return w->event->count[event] - w->leg->event_count[event];
 }
 
+/* On which side of its zero a trigger was in the whole phase; 0: on both.  range: its least values, then its greatest. */
+static int side_of(const pm_workspace *w, int trigger, const double *range)
+{
+    return range[trigger] > 0 ? 1 : range[w->model->rows[PM_TABLE_TRIGGER] + trigger] < 0 ? -1 : 0;
+}
+
 /* A trigger that moves with the legs towards its zero must stay off it. */
 static int64_t until_zero(const pm_workspace *w, int trigger, double change)
 {
@@ -232,17 +246,20 @@ static int64_t triggers_allow(pm_workspace *w, const pm_shift *shift, double tim
         if (e[PM_TRIGGER_KIND] > PM_TRIGGER_EVERY) continue;
         if (pm_trigger_on_time(w, i)) {
             const double due = pm_trigger_due(w, i);
-            if (isfinite(due)) most = fewer(most, time > 0 ? floor((due - w->state.t) / time) : 0);
+            if (isfinite(due)) most = fewer(most, time > 0 ? floor((due - w->state.t) / time) - 1 : 0);
             continue;
         }
+        const int growth = m->program_growth[e[PM_TRIGGER_PROGRAM]];
         if (!pm_symmetry_program(w, shift, e[PM_TRIGGER_PROGRAM], &change)) return 0;
-        if (m->program_growth[e[PM_TRIGGER_PROGRAM]] > PM_GROWTH_STEADY) return 0;
         if (e[PM_TRIGGER_KIND] == PM_TRIGGER_EVERY) {
-            if (fabs(change - round(change)) > WHOLE) return 0;
+            if (growth != PM_GROWTH_NONE || fabs(change - round(change)) > WHOLE) return 0;
         } else if (change != 0) {
-            if (m->program_growth[e[PM_TRIGGER_PROGRAM]] != PM_GROWTH_NONE) return 0;
+            if (growth != PM_GROWTH_NONE) return 0;
             const int64_t legs = until_zero(w, i, change);
             if (legs < most) most = legs;
+        } else if (growth > PM_GROWTH_ROOT || growth == PM_GROWTH_LINEAR) {
+            /* its zero moves with T: it must stay off it, here and in the last leg (see signs_changed) */
+            if (growth > PM_GROWTH_STEADY || side_of(w, i, w->event->least) == 0) return 0;
         }
     }
     return most;
@@ -281,6 +298,7 @@ static int64_t asks_allow(pm_workspace *w, const pm_shift *shift)
         const int least = kind == PM_ASK_MIN || kind == PM_ASK_AT_MIN;
         double change;
         if (!pm_symmetry_program(w, shift, watched, &change)) return 0;
+        if (change != 0 && growth != PM_GROWTH_NONE) return 0; /* both change: neither end is the extreme */
         if (growth > PM_GROWTH_STEADY && growth != (least ? PM_GROWTH_CONCAVE : PM_GROWTH_CONVEX)) return 0;
     }
     return most;
@@ -293,12 +311,13 @@ static int64_t limits_allow(const pm_workspace *w, double time)
     const double left = PM_SETTING(m, PM_SETTING_MAX_EVENTS) - (double)w->count[PM_COUNT_EVENTS];
     const double room = pm_case_max_time(w) - w->state.t;
     int64_t most = events > 0 ? fewer(MOST_LEGS, floor(left / (double)events) - 1) : MOST_LEGS;
-    if (time > 0 && room < INFINITY) most = fewer(most, floor(room / time));
+    /* the last leg but one is computed, too: the run may end within the last one */
+    if (time > 0 && room < INFINITY) most = fewer(most, floor(room / time) - 1);
     for (int i = 0; i < m->rows[PM_TABLE_UNTIL]; i++) {
         const int32_t *e = PM_UNTIL_ROW(m, i);
         const int64_t each = fires(w, e[PM_UNTIL_EVENT]),
                       lacks = e[PM_UNTIL_NTH] - 1 - w->event->count[e[PM_UNTIL_EVENT]];
-        if (each > 0 && lacks >= 0) most = fewer(most, (double)(lacks / each));
+        if (each > 0 && lacks >= 0) most = fewer(most, (double)(lacks / each - 1));
     }
     return most;
 }
@@ -318,6 +337,11 @@ static int64_t legs_over_barrier(const pm_leg *l, double begin, int64_t most, do
         if (!(next - depth > near)) break; /* the leg after this one: it must get over, too */
         loss += end - next;
         *error = l->ratio * *error + ROUNDINGS * (end + next);
+        if (fabs(next - t) <= STEADY * t) { /* what is gained is lost in the blow: so it goes on */
+            loss += (double)(most - n - 1) * (end - next);
+            n = most;
+            break;
+        }
         t = next;
     }
     *kinetic = t;
@@ -334,8 +358,17 @@ static void save(pm_workspace *w)
     pm_state_copy(&s->begin, &w->state);
     pm_state_copy(&s->before, &l->begin);
     s->kinetic = l->kinetic;
+    s->end = l->before;
+    s->lowest = l->lowest;
+    s->end_kind = l->end_kind;
+    s->end_mark = l->end_mark;
     s->energy_lost = w->energy_lost;
     s->error = w->path->error;
+    s->energy_scale = w->energy_scale;
+    s->momentum_scale = w->momentum_scale;
+    s->constraint_worst = w->constraint_worst;
+    s->evidence = w->evidence;
+    s->speed = w->speed;
     memcpy(s->count, w->count, sizeof s->count);
     memcpy(s->count_before, l->count, sizeof s->count);
     memcpy(s->event_count, w->event->count, nevent * sizeof *s->event_count);
@@ -344,6 +377,7 @@ static void save(pm_workspace *w)
     memcpy(s->out, w->out, (size_t)w->model->nout * sizeof *s->out);
     memcpy(s->ask, w->ask->sample, ask_doubles(w) * sizeof *s->ask);
     memcpy(s->ask_flags, w->ask->undefined, ask_flags(w));
+    memcpy(s->range, w->event->least, range_doubles(w) * sizeof *s->range);
 }
 
 static int give_back(pm_workspace *w)
@@ -355,9 +389,18 @@ static int give_back(pm_workspace *w)
     pm_state_copy(&w->state, &s->begin);
     pm_state_copy(&l->begin, &s->before);
     l->kinetic = s->kinetic;
+    l->before = s->end;
+    l->lowest = s->lowest;
+    l->end_kind = s->end_kind;
+    l->end_mark = s->end_mark;
     w->energy_lost = s->energy_lost;
     w->path->error = s->error;
     w->path->ended = 0;
+    w->energy_scale = s->energy_scale;
+    w->momentum_scale = s->momentum_scale;
+    w->constraint_worst = s->constraint_worst;
+    w->evidence = s->evidence;
+    w->speed = s->speed;
     memcpy(w->count, s->count, sizeof s->count);
     memcpy(l->count, s->count_before, sizeof s->count);
     w->count[PM_COUNT_STEPS] = steps; /* work that was done */
@@ -368,6 +411,7 @@ static int give_back(pm_workspace *w)
     memcpy(w->out, s->out, (size_t)w->model->nout * sizeof *s->out);
     memcpy(w->ask->sample, s->ask, ask_doubles(w) * sizeof *s->ask);
     memcpy(w->ask->undefined, s->ask_flags, ask_flags(w));
+    memcpy(w->event->least, s->range, range_doubles(w) * sizeof *s->range);
     pm_frame_look_state(w, &w->state);
     return pm_active_build(w);
 }
@@ -505,13 +549,41 @@ void pm_leg_lap(pm_workspace *w)
     pm_leg_end(w);
 }
 
+static int moves_with_energy(const pm_workspace *w, int trigger)
+{
+    const int32_t *e = PM_TRIGGER_ROW(w->model, trigger);
+    if (e[PM_TRIGGER_KIND] >= PM_TRIGGER_EVERY || pm_trigger_on_time(w, trigger)) return 0;
+    const int growth = w->model->program_growth[e[PM_TRIGGER_PROGRAM]];
+    return growth == PM_GROWTH_LINEAR || growth == PM_GROWTH_STEADY;
+}
+
+/* A trigger that the kinetic energy moves has gone through its zero since the first leg passed over. */
+static int signs_changed(const pm_workspace *w)
+{
+    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++)
+        if (moves_with_energy(w, i) &&
+            side_of(w, i, w->event->least) != side_of(w, i, w->leg->saved.range))
+            return 1;
+    return 0;
+}
+
+int pm_leg_doubts(const pm_workspace *w)
+{
+    const pm_event_set *e = w->event;
+    if (w->leg->pending == 0) return 0;
+    for (int i = 0; i < e->nfunction; i++)
+        if (e->hit[i] && e->function[i].kind == FUNCTION_TRIGGER && moves_with_energy(w, e->function[i].index))
+            return 1;
+    return 0;
+}
+
 int pm_leg_refuted(pm_workspace *w)
 {
     pm_leg *l = w->leg;
     int kind, mark;
     if (l->pending == 0) return 0;
     read_end(w, &kind, &mark);
-    if (kind == l->expected_kind && mark == l->expected_mark) return 0;
+    if (kind == l->expected_kind && mark == l->expected_mark && !signs_changed(w)) return 0;
     l->most = l->pending / 2;
     l->pending = 0;
     return give_back(w) == PM_OK;

@@ -16,6 +16,8 @@ int pm_leg_begin(pm_workspace *w, int *passed);
 void pm_leg_end(pm_workspace *w);
 /* The path may have closed: a lap ends at w->state. */
 void pm_leg_lap(pm_workspace *w);
+/* 1 if a trigger that is hit inside the step speaks against the legs passed over: the step must end there. */
+int pm_leg_doubts(const pm_workspace *w);
 /* 1 if the instant is not the one that legs passed over were to end with: then they are given back, and the run goes on
  * from the begin of the first of them. */
 int pm_leg_refuted(pm_workspace *w);

@@ -37,6 +37,7 @@ typedef struct pm_path {
     int by_work;   /* T by the work of all forces, not by their potential: the better of both in this step */
     double force[PM_NODES_MOST]; /* generalised, at the nodes, the way it goes */
     double t0;                   /* time at the begin of the step */
+    double tail;                 /* of the clock of the step that was tried before */
     double g[PM_NODES_MOST];     /* smooth part of dt/du at the nodes */
     pm_place node[PM_NODES_MOST], spare;
     double *loop;              /* [n][n] rows that the tree does not solve, on its coordinates */

@@ -36,6 +36,8 @@
 #define SHORTEST 1e-12   /* of a full step */
 #define ROUNDING 1e-14
 #define DOUBLE_ROUNDING 2.2e-16
+#define ROUNDINGS 8    /* that a difference of potentials may hold */
+#define NOISE 1e-6     /* a tail below it that no halving makes smaller is rounding */
 #define STILL 1e-11    /* of the scene's speed: at rest */
 #define BALANCED 1e-12 /* of the forces: in equilibrium */
 
@@ -236,12 +238,14 @@ static double clock_value(const pm_path *p, int node, int clock)
 }
 
 /* The smooth part of dt/du; 0 if it is not resolved by the nodes. */
-static int set_clock(pm_path *p, int clock, double tail)
+static int set_clock(pm_path *p, int clock, double most)
 {
     p->clock = clock;
     if (clock == PM_CLOCK_NONE) return 1;
     for (int k = 0; k < PM_NODES_MOST; k++) p->g[k] = clock_value(p, k, clock);
-    return pm_series_tail(p->g) <= tail;
+    const double tail = pm_series_tail(p->g), before = p->tail;
+    p->tail = tail;
+    return tail <= most || (tail < NOISE && tail > 0.5 * before);
 }
 
 static double time_at(const pm_path *p, double s)
@@ -292,7 +296,8 @@ static int work_is_better(const pm_path *p)
 {
     double greatest = 0;
     for (int k = 0; k < PM_NODES_MOST; k++) greatest = fmax(greatest, fabs(p->force[k]));
-    return pm_series_tail(p->force) * greatest * p->h <= DOUBLE_ROUNDING * fabs(p->node[0].potential);
+    return pm_series_tail(p->force) * greatest * p->h <=
+           DOUBLE_ROUNDING * fmax(fabs(p->energy), fabs(p->node[0].potential));
 }
 
 /* The nodes of a step of length h from node 0. */
@@ -363,6 +368,14 @@ static int find_turning(pm_workspace *w, double *way)
     return PM_OK;
 }
 
+/* T vanishes at the end; where the work of the forces tells it, that is counted from there. */
+static void end_at_rest(pm_path *p)
+{
+    const double left = p->node[PM_NODES_MOST - 1].kinetic;
+    for (int k = 0; k < PM_NODES_MOST && p->by_work; k++) p->node[k].kinetic -= left;
+    p->node[PM_NODES_MOST - 1].kinetic = 0;
+}
+
 /* Tries a step of length h; *next is a shorter one to try instead, or 0. */
 static int try_step(pm_workspace *w, double h, int turning, double *next)
 {
@@ -375,7 +388,7 @@ static int try_step(pm_workspace *w, double h, int turning, double *next)
     }
     if (!status && w->model->nz_controlled > 0 && !rates_resolved(w)) *next = 0.5 * h;
     if (turning) {
-        p->node[PM_NODES_MOST - 1].kinetic = 0;
+        end_at_rest(p);
     } else if (!status && *next == 0) {
         double way;
         status = find_turning(w, &way);
@@ -397,6 +410,7 @@ static int take_step(pm_workspace *w, double full)
     pm_path *p = w->path;
     double h = full, next;
     int turning = 0;
+    p->tail = INFINITY;
     for (;;) {
         const int status = try_step(w, h, turning, &next);
         if (status) return status;
@@ -467,8 +481,10 @@ static int look_for_evidence(pm_workspace *w)
     const double work = p->h * pm_series_integral(p->force, 1, 1);
     scale = fmax(fmax(first->kinetic, last->kinetic), w->energy_scale);
     if (w->model->nz_work > 0) z = work_so_far(w, w->state.z) - work_so_far(w, p->weight);
+    const double rounding = ROUNDINGS * DOUBLE_ROUNDING * fmax(fabs(first->potential), fabs(last->potential));
+    const double open = fabs(first->potential - last->potential + z - work) - rounding;
     if (scale > 0 && pm_series_tail(p->force) < WORK_TAIL)
-        w->evidence = fmax(w->evidence, fabs(first->potential - last->potential + z - work) / scale);
+        w->evidence = fmax(w->evidence, fmax(open, 0) / scale);
     pm_frame_look_state(w, &w->state);
     const int status = pm_saddle_accelerate(w);
     if (status) return status == PM_SINGULAR ? PM_OK : status;

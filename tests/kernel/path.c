@@ -1,0 +1,526 @@
+/* The path route: closed forms, agreement with rk and ida, turning points, nudges; energy is exact. */
+#include "check.h"
+#include "scene.h"
+
+#define G 9.81
+#define PI 3.14159265358979323846
+
+enum { ANSWERS = 10 };
+
+static int used(const scene *s, int route) { return (s->count[PM_COUNT_ROUTES] >> route & 1) != 0; }
+
+/* ---- scenes for all routes ---- */
+static int omega_of(scene *s, int body) { return scene_measure(s, PM_MEASURE_OMEGA, body); }
+static int part(scene *s, int point, int which) { return scene_part(s, PM_MEASURE_POSITION, point, which); }
+static int ground(scene *s, double x, double y) { return scene_point(s, PM_GROUND, x, y); }
+
+/* A rod of length 1 and mass 2, pinned at its end in the origin, at `angle` from the x axis. */
+static int pendulum_rod(scene *s, double angle)
+{
+    const int b = scene_body(s, 2, 2 / 12., 0.5 * cos(angle), 0.5 * sin(angle), angle);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, b, -0.5, 0), ground(s, 0, 0), 0);
+    return b;
+}
+
+/* Several swings; extremes of speed and force, marks on angle and speed on the way. */
+static scene *swings(void)
+{
+    scene *s = scene_create();
+    const int b = pendulum_rod(s, -0.3), angle = scene_measure(s, PM_MEASURE_ANGLE, b), omega = omega_of(s, b);
+    const int low = scene_when(s, PM_TRIGGER_CROSS, scene_minus(s, angle, -1.5)),
+              turns = scene_when(s, PM_TRIGGER_CROSS, scene_read(s, omega)),
+              fast = scene_when(s, PM_TRIGGER_RISE, scene_minus(s, omega, 2));
+    scene_until(s, low, 7);
+    scene_ask_measure(s, scene_time(s));
+    scene_ask_measure(s, omega);
+    scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, turns));
+    scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, fast));
+    scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_TIME, turns));
+    scene_ask_extreme(s, PM_ASK_MAX, scene_read(s, omega), PM_NONE);
+    scene_ask_extreme(s, PM_ASK_MIN, scene_read(s, angle), PM_NONE);
+    scene_ask_extreme(s, PM_ASK_MAX, scene_read(s, angle), PM_NONE);
+    scene_ask_extreme(s, PM_ASK_MAX, scene_read(s, scene_part(s, PM_MEASURE_JOINT_FORCE, 0, PM_PART_NORM)),
+                      PM_NONE);
+    scene_ask_extreme(s, PM_ASK_AT_MIN, scene_read(s, angle),
+                      scene_read(s, scene_part(s, PM_MEASURE_JOINT_FORCE, 0, PM_PART_NORM)));
+    return s;
+}
+
+/* A rod slides down between a wall and a floor, held on both: an ellipse trammel. */
+static scene *trammel(void)
+{
+    scene *s = scene_create();
+    const double a = 1.1;
+    const int b = scene_body(s, 3, 0.25, 0.5 * cos(a), 0.5 * sin(a), PI - a);
+    const int top = scene_point(s, b, 0.5, 0), foot = scene_point(s, b, -0.5, 0);
+    scene_joint(s, PM_JOINT_SLIDER, top, scene_line(s, ground(s, 0, 0), -0.5 * PI), 0);
+    scene_joint(s, PM_JOINT_SLIDER, foot, scene_floor(s, 0), 0);
+    const int y = part(s, top, PM_PART_Y), omega = omega_of(s, b);
+    scene_until(s, scene_when(s, PM_TRIGGER_RISE, scene_minus(s, y, 0.5)), 1);
+    scene_ask_measure(s, scene_time(s));
+    scene_ask_measure(s, omega);
+    scene_ask_measure(s, part(s, foot, PM_PART_X));
+    scene_ask_extreme(s, PM_ASK_MIN, scene_read(s, y), PM_NONE);
+    scene_ask_extreme(s, PM_ASK_MAX, scene_read(s, omega), PM_NONE);
+    scene_ask_extreme(s, PM_ASK_MAX, scene_read(s, scene_part(s, PM_MEASURE_JOINT_FORCE, 0, PM_PART_NORM)),
+                      PM_NONE);
+    return s;
+}
+
+/* A slider-crank that turns fully three times and passes its dead centres. */
+static scene *slider_crank(void)
+{
+    scene *s = scene_create();
+    const double r = 0.15, l = 0.5, a = 0.7, d = -asin(r / l * sin(a));
+    const int crank = scene_body(s, 2, 0.02, 0, 0, a),
+              rod = scene_body(s, 1.5, 0.04, r * cos(a) + 0.5 * l * cos(d), 0.5 * r * sin(a), d),
+              piston = scene_body(s, 0.8, 0, r * cos(a) + l * cos(d), 0, 0);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, crank, 0, 0), ground(s, 0, 0), 0);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, rod, -0.5 * l, 0), scene_point(s, crank, r, 0), 0);
+    const int pin = scene_point(s, piston, 0, 0);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, rod, 0.5 * l, 0), pin, 0);
+    scene_joint(s, PM_JOINT_SLIDER, pin, scene_floor(s, 0), 0);
+    scene_start_omega(s, crank, 9);
+    const int x = part(s, pin, PM_PART_X), turned = scene_measure(s, PM_MEASURE_TURNED, crank);
+    const int dead = scene_when(
+        s, PM_TRIGGER_CROSS, scene_read(s, scene_part(s, PM_MEASURE_VELOCITY, pin, PM_PART_X)));
+    scene_until(s, scene_when(s, PM_TRIGGER_RISE, scene_minus(s, turned, 20)), 1);
+    scene_ask_measure(s, scene_time(s));
+    scene_ask_measure(s, omega_of(s, crank));
+    scene_ask_measure(s, x);
+    scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, dead));
+    scene_ask_extreme(s, PM_ASK_MAX, scene_read(s, x), PM_NONE);
+    scene_ask_extreme(s, PM_ASK_MIN, scene_read(s, omega_of(s, crank)), PM_NONE);
+    scene_ask_extreme(s, PM_ASK_MAX, scene_read(s, scene_part(s, PM_MEASURE_JOINT_FORCE, 0, PM_PART_NORM)),
+                      PM_NONE);
+    return s;
+}
+
+/* A hoop with a mass on its rim side rolls down a slope, rocking: it turns over, speeds up. */
+static scene *hoop(void)
+{
+    scene *s = scene_create();
+    const double r = 0.3, slope = -0.08;
+    const int b = scene_body(s, 3, 0.15, -sin(slope) * r, cos(slope) * r, 0.4);
+    const int rim = scene_point(s, b, -0.1, 0.05);
+    scene_joint(s, PM_JOINT_ROLLING_LINE, scene_circle(s, rim, r), scene_floor(s, slope), 0);
+    scene_start_omega(s, b, -9);
+    const int x = part(s, rim, PM_PART_X);
+    scene_until(s, scene_when(s, PM_TRIGGER_RISE, scene_minus(s, x, 6)), 1);
+    scene_ask_measure(s, scene_time(s));
+    scene_ask_measure(s, omega_of(s, b));
+    scene_ask_extreme(s, PM_ASK_MIN, scene_read(s, omega_of(s, b)), PM_NONE);
+    scene_ask_extreme(s, PM_ASK_MIN, scene_read(s, scene_measure(s, PM_MEASURE_JOINT_NORMAL, 0)), PM_NONE);
+    scene_ask_extreme(s, PM_ASK_MAX,
+                      scene_read(s, scene_measure(s, PM_MEASURE_JOINT_FRICTION_NEEDED, 0)), PM_NONE);
+    return s;
+}
+
+/* Springs: one that stretches, one that twists, both beyond their free lengths at the turning points. */
+static scene *springs(void)
+{
+    scene *s = scene_create();
+    const int b = pendulum_rod(s, 0.2);
+    scene_force(s, PM_FORCE_SPRING, scene_point(s, b, 0.3, 0.1), ground(s, 0.1, 0.9), 60, 0.4);
+    scene_force(s, PM_FORCE_TORSION, b, PM_GROUND, 4, -0.5);
+    scene_start_omega(s, b, 3);
+    const int omega = omega_of(s, b);
+    const int turn = scene_when(s, PM_TRIGGER_CROSS, scene_read(s, omega));
+    scene_until(s, turn, 5);
+    scene_ask_measure(s, scene_time(s));
+    scene_ask_measure(s, scene_measure(s, PM_MEASURE_ANGLE, b));
+    scene_ask_measure(s, scene_measure(s, PM_MEASURE_FORCE_WORK, 0));
+    scene_ask_measure(s, scene_measure(s, PM_MEASURE_FORCE_WORK, 1));
+    scene_ask_event(s, scene_read(s, scene_measure(s, PM_MEASURE_FORCE_ENERGY, 0)), turn, 2, 0);
+    scene_ask_event(s, scene_read(s, scene_measure(s, PM_MEASURE_ALPHA, b)), turn, 3, 0);
+    return s;
+}
+
+/* A force that follows the body and a couple, both functions of the place: work without a potential. */
+static scene *driven(void)
+{
+    scene *s = scene_create();
+    const int b = pendulum_rod(s, -1.2), tip = scene_point(s, b, 0.5, 0);
+    const int angle = scene_measure(s, PM_MEASURE_ANGLE, b);
+    scene_applied(s, tip, b, SCENE_PROGRAM(s, scene_k(s, 3)),
+                  SCENE_PROGRAM(s, scene_k(s, 6), scene_m(part(s, tip, PM_PART_X)), scene_op(PM_OP_MUL)));
+    scene_couple(s, b, PM_GROUND, SCENE_PROGRAM(s, scene_m(angle), scene_op(PM_OP_SIN)));
+    const int turn = scene_when(s, PM_TRIGGER_CROSS, scene_read(s, omega_of(s, b)));
+    scene_until(s, turn, 4);
+    scene_ask_measure(s, scene_time(s));
+    scene_ask_measure(s, angle);
+    scene_ask_measure(s, scene_measure(s, PM_MEASURE_FORCE_WORK, 0));
+    scene_ask_measure(s, scene_measure(s, PM_MEASURE_FORCE_WORK, 1));
+    scene_ask_extreme(s, PM_ASK_MAX, scene_read(s, scene_measure(s, PM_MEASURE_FORCE_POWER, 0)), PM_NONE);
+    scene_ask_measure(s, scene_measure(s, PM_MEASURE_PATH, tip));
+    return s;
+}
+
+/* Marks at multiples of the angle, forwards and back: those at a turn count once. */
+static scene *multiples(void)
+{
+    scene *s = scene_create();
+    const int b = pendulum_rod(s, -0.55), angle = scene_measure(s, PM_MEASURE_ANGLE, b);
+    const int every = scene_when(s, PM_TRIGGER_EVERY,
+                                 SCENE_PROGRAM(s, scene_m(angle), scene_k(s, 0.2), scene_op(PM_OP_DIV)));
+    scene_until(s, scene_when(s, PM_TRIGGER_CROSS, scene_read(s, omega_of(s, b))), 4);
+    scene_ask(s, PM_ASK_EACH, scene_read(s, scene_time(s)), every, 1, 0, PM_NONE, PM_NONE, 3);
+    scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, every));
+    scene_ask_event(s, scene_read(s, angle), every, 13, 0);
+    scene_ask_event(s, scene_read(s, omega_of(s, b)), every, 14, 0);
+    return s;
+}
+
+/* A sphere over a row of bars that it just passes: blows, and the speeds after them. */
+static scene *bars(void)
+{
+    scene *s = scene_create();
+    const double r = 0.1, d = 0.04, lean = asin(0.5 * d / r);
+    const int b = scene_body(s, 1, 0.4 * r * r, -0.5 * d, r * cos(lean), 0);
+    const int row = SCENE_ROW(s, PM_TABLE_ROW, ground(s, -d, 0), scene_value(s, d), scene_value(s, 0),
+                              scene_value(s, -1));
+    const int g = scene_point(s, b, 0, 0);
+    const int c =
+        scene_contact(s, PM_CONTACT_ROW, scene_circle(s, g, r), row, 0, 0, PM_FRICTION_ROUGH, 0);
+    scene_start_omega(s, b, -5.5);
+    const int strike = scene_on(s, PM_TRIGGER_STRIKE, c);
+    scene_until(s, strike, 9);
+    scene_ask(s, PM_ASK_EACH, scene_read(s, omega_of(s, b)), strike, 1, 0, PM_NONE, PM_NONE, 5);
+    scene_ask_measure(s, scene_time(s));
+    scene_ask_extreme(s, PM_ASK_MAX, scene_read(s, omega_of(s, b)), PM_NONE);
+    scene_ask_extreme(s, PM_ASK_MIN, scene_read(s, scene_measure(s, PM_MEASURE_CONTACT_NORMAL, c)), PM_NONE);
+    scene_ask_measure(s, part(s, g, PM_PART_X));
+    return s;
+}
+
+/* A particle on a smooth circle, then off it: two phases, the second of two degrees of freedom. */
+static scene *lifts(void)
+{
+    scene *s = scene_create();
+    const double a = 0.1;
+    const int p = scene_point(s, scene_body(s, 1, 0, sin(a), cos(a), 0), 0, 0), y = part(s, p, PM_PART_Y);
+    const int c = scene_contact(s, PM_CONTACT_CIRCLE, scene_circle(s, p, 0), scene_circle(s, ground(s, 0, 0), 1),
+                                1, 0, PM_FRICTION_SMOOTH, 0);
+    scene_start_velocity(s, p, 0.5 * cos(a), -0.5 * sin(a));
+    const int opens = scene_on(s, PM_TRIGGER_OPEN, c);
+    scene_until(s, scene_when(s, PM_TRIGGER_FALL, scene_read(s, y)), 1);
+    scene_ask_event(s, scene_read(s, y), opens, 1, 0);
+    scene_ask_event(s, scene_read(s, scene_time(s)), opens, 1, 0);
+    scene_ask_measure(s, scene_time(s));
+    scene_ask_measure(s, part(s, p, PM_PART_X));
+    return s;
+}
+
+/* A disk rolls off a round edge: its grip gives way before it lifts. */
+static scene *slips(void)
+{
+    scene *s = scene_create();
+    const double r = 0.2, a = 0.1;
+    const int b = scene_body(s, 1, 0.5 * r * r, (1 + r) * sin(a), (1 + r) * cos(a), 0),
+              g = scene_point(s, b, 0, 0);
+    const int c = scene_contact(s, PM_CONTACT_CIRCLE, scene_circle(s, g, r), scene_circle(s, ground(s, 0, 0), 1),
+                                1, 0, PM_FRICTION_COULOMB, 0.4);
+    const int slip = scene_on(s, PM_TRIGGER_SLIP, c), opens = scene_on(s, PM_TRIGGER_OPEN, c);
+    scene_until(s, opens, 1);
+    scene_ask_event(s, scene_read(s, part(s, g, PM_PART_Y)), slip, 1, 0);
+    scene_ask_event(s, scene_read(s, scene_time(s)), slip, 1, 0);
+    scene_ask_event(s, scene_read(s, omega_of(s, b)), slip, 1, 0);
+    scene_ask_measure(s, scene_time(s));
+    scene_ask_measure(s, omega_of(s, b));
+    return s;
+}
+
+typedef scene *maker(void);
+typedef struct sample {
+    const char *name;
+    maker *make;
+    int leaves; /* some phase has more than one degree of freedom, or friction that slides */
+} sample;
+static const sample samples[] = {
+    {"swings", swings, 0},       {"trammel", trammel, 0}, {"slider-crank", slider_crank, 0},
+    {"hoop", hoop, 0},           {"springs", springs, 0}, {"driven", driven, 0},
+    {"multiples", multiples, 0}, {"bars", bars, 0},       {"lifts", lifts, 1},
+    {"slips", slips, 1},
+};
+enum { SAMPLES = sizeof samples / sizeof *samples };
+
+static int run(maker *make, int route, double accuracy, double out[ANSWERS])
+{
+    scene *s = make();
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    scene_set(s, PM_SETTING_ACCURACY, accuracy);
+    EQUAL(scene_run(s, NULL), PM_OK);
+    const int n = s->nout < ANSWERS ? s->nout : ANSWERS;
+    for (int i = 0; i < n; i++) {
+        out[i] = s->out[i];
+        CHECK(!isnan(out[i]));
+    }
+    if (route == PM_ROUTE_PATH || route == PM_ROUTE_AUTO) {
+        CHECK(used(s, PM_ROUTE_PATH));
+        CHECK(s->audit[PM_AUDIT_ENERGY] <= (route == PM_ROUTE_PATH ? 2e-13 : 1e-9));
+    }
+    scene_free(s);
+    return n;
+}
+
+static void routes_agree(void)
+{
+    for (int i = 0; i < SAMPLES; i++) {
+        double path[ANSWERS], rk[ANSWERS], ida[ANSWERS];
+        const int before = check_count;
+        const int n =
+            run(samples[i].make, samples[i].leaves ? PM_ROUTE_AUTO : PM_ROUTE_PATH, 1e-12, path);
+        run(samples[i].make, PM_ROUTE_RK, 1e-13, rk);
+        run(samples[i].make, PM_ROUTE_IDA, 1e-9, ida);
+        for (int k = 0; k < n; k++) {
+            const double size = 1 + fabs(rk[k]);
+            NEAR(path[k], rk[k], 2e-10 * size);
+            NEAR(ida[k], rk[k], 2e-4 * size);
+            if (check_count > before) fprintf(stderr, "in %s, answer %d\n", samples[i].name, k);
+            if (check_count > before) break;
+        }
+    }
+}
+
+/* ---- closed forms ---- */
+/* Complete elliptic integral of the first kind from the complementary modulus: pi / (2 agm(1, kc)). */
+static double complete(double kc)
+{
+    double a = 1, b = kc;
+    for (int i = 0; i < 40; i++) { /* converges quadratically */
+        const double mean = 0.5 * (a + b);
+        b = sqrt(a * b);
+        a = mean;
+    }
+    return PI / (a + b);
+}
+
+/* The rod's equation is that of a simple pendulum of length 2/3. */
+static const double PACE = 2 / (3 * G);
+
+/* Released at rest: four half swings, and the low point on the way; the amplitude comes within 1e-6 of the top. */
+static void periods(void)
+{
+    static const double short_of_top[] = {PI - 0.02, 2, 1, 0.3, 1e-2, 1e-4, 1e-6};
+    for (int i = 0; i < 7; i++) {
+        const double amplitude = PI - short_of_top[i], kc = sin(0.5 * short_of_top[i]);
+        scene *s = scene_create();
+        *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_PATH;
+        const int b = pendulum_rod(s, -0.5 * PI + amplitude), omega = omega_of(s, b);
+        const int angle = scene_measure(s, PM_MEASURE_ANGLE, b), time = scene_time(s);
+        const int low = scene_when(s, PM_TRIGGER_CROSS, scene_minus(s, angle, -0.5 * PI)),
+                  turn = scene_when(s, PM_TRIGGER_CROSS, scene_read(s, omega)),
+                  back = scene_when(s, PM_TRIGGER_RISE, scene_read(s, omega)),
+                  forth = scene_when(s, PM_TRIGGER_FALL, scene_read(s, omega));
+        scene_until(s, turn, 4);
+        const int at_low = scene_ask_event(s, scene_read(s, time), low, 1, 0),
+                  speed = scene_ask_event(s, scene_read(s, omega), low, 1, 0),
+                  at_low_again = scene_ask_event(s, scene_read(s, time), low, 4, 0),
+                  at_turn = scene_ask(s, PM_ASK_EACH, scene_read(s, time), turn, 1, 0, PM_NONE, PM_NONE, 4),
+                  backs = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, back)),
+                  forths = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, forth)),
+                  lowest = scene_ask_extreme(s, PM_ASK_MIN, scene_read(s, angle), PM_NONE),
+                  total = scene_ask_measure(s, scene_measure(s, PM_MEASURE_TOTAL, PM_NONE));
+        EQUAL(scene_run(s, NULL), PM_OK);
+        const double quarter = sqrt(PACE) * complete(kc);
+        /* near the top the start itself is known to a rounding of pi only */
+        const double exact = 1e-12 * quarter + 4e-16 / short_of_top[i];
+        /* and the other turning points, from the energy, to its rounding over a force that vanishes at the top */
+        const double later = 7 * exact + 3e-15 / (short_of_top[i] * short_of_top[i]);
+        NEAR(s->out[at_low], quarter, exact);
+        NEAR(s->out[at_low_again], 7 * quarter, later);
+        for (int k = 0; k < 4; k++) NEAR(s->out[at_turn + k], (2 * k + 2) * quarter, later);
+        NEAR(s->out[speed], -2 * sin(0.5 * amplitude) / sqrt(PACE), 1e-13);
+        EQUAL(s->out[backs], 2);
+        EQUAL(s->out[forths], 2);
+        NEAR(s->out[lowest], -0.5 * PI - amplitude, 1e-13 + 3e-15 / short_of_top[i]);
+        NEAR(s->out[total], -G * cos(amplitude), 1e-14 * 20);
+        NEAR(s->audit[PM_AUDIT_ENERGY], 0, 1e-13);
+        scene_free(s);
+    }
+}
+
+/* Started at the low point with little more, or less, than the energy of the top: over it, or back. */
+static void barrier(void)
+{
+    static const double excess[] = {1, 0.1, 1e-3, 1e-6, 1e-9};
+    for (int i = 0; i < 10; i++) {
+        const int over = i < 5;
+        const double e = (over ? 1 : -1) * excess[i % 5] * (over ? 1 : 0.9);
+        const double speed = 2 / sqrt(PACE) * sqrt(1 + e);
+        scene *s = scene_create();
+        *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_PATH;
+        const int b = pendulum_rod(s, -0.5 * PI);
+        scene_start_omega(s, b, speed);
+        const int angle = scene_measure(s, PM_MEASURE_ANGLE, b);
+        const int round = scene_when(s, PM_TRIGGER_RISE, scene_minus(s, angle, 1.5 * PI)),
+                  back = scene_when(s, PM_TRIGGER_FALL, scene_minus(s, angle, -0.5 * PI));
+        scene_until(s, round, 1);
+        SCENE_ROW(s, PM_TABLE_UNTIL, 1, back, 1);
+        const int time = scene_ask_measure(s, scene_time(s)), omega = scene_ask_measure(s, omega_of(s, b));
+        const int slowest = scene_ask_extreme(
+            s, PM_ASK_MIN, SCENE_PROGRAM(s, scene_m(omega_of(s, b)), scene_op(PM_OP_ABS)), PM_NONE);
+        EQUAL(scene_run(s, NULL), PM_OK);
+        /* k^2 = 1 / (1 + e), or its inverse */
+        const double expected = over ? 4 * complete(sqrt(e / (1 + e))) / speed
+                                     : 2 * sqrt(PACE) * complete(sqrt(-e));
+        const double slack = expected * (1e-12 + 1e-15 / fabs(e)); /* what rounding of the start makes of it */
+        NEAR(s->out[time], expected, slack);
+        NEAR(s->out[omega], over ? speed : -speed, 1e-12);
+        NEAR(s->out[slowest], over ? 2 / sqrt(PACE) * sqrt(e) : 0, 1e-12 + 1e-14 / sqrt(fabs(e)));
+        scene_free(s);
+    }
+}
+
+/* The tip passes a height below its top by so little that both roots lie between two samples. */
+static void two_roots(void)
+{
+    for (double depth = 1e-1; depth > 1e-11; depth *= 0.1) {
+        scene *s = scene_create();
+        *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_PATH;
+        const int b = pendulum_rod(s, 0.1), y = part(s, scene_point(s, b, 0.5, 0), PM_PART_Y);
+        scene_start_omega(s, b, 9);
+        const int angle = scene_measure(s, PM_MEASURE_ANGLE, b);
+        const int cross = scene_when(s, PM_TRIGGER_CROSS, scene_minus(s, y, 1 - depth)),
+                  above = scene_when(s, PM_TRIGGER_CROSS, scene_minus(s, y, 1 + depth));
+        scene_until(s, scene_when(s, PM_TRIGGER_RISE, scene_minus(s, angle, 6)), 1);
+        const int at = scene_ask(s, PM_ASK_EACH, scene_read(s, angle), cross, 1, 0, PM_NONE, PM_NONE, 2),
+                  n = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, cross)),
+                  none = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, above)),
+                  top = scene_ask_extreme(s, PM_ASK_MAX, scene_read(s, y), PM_NONE);
+        EQUAL(scene_run(s, NULL), PM_OK);
+        const double half = acos(1 - depth);
+        EQUAL(s->out[n], 2);
+        EQUAL(s->out[none], 0);
+        NEAR(s->out[at], 0.5 * PI - half, 1e-14 + 1e-15 / half);
+        NEAR(s->out[at + 1], 0.5 * PI + half, 1e-14 + 1e-15 / half);
+        NEAR(s->out[top], 1, 1e-14);
+        scene_free(s);
+    }
+}
+
+/* A block on a smooth slope against a spring, with a force that grows by the place: x = x0 + A cos(w t). */
+static void oscillator(void)
+{
+    const double m = 2, k = 50, push = 18, slope = 0.4, start = 0.3;
+    scene *s = scene_create();
+    *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_PATH;
+    const int b = scene_body(s, m, 0, start * cos(slope), start * sin(slope), 0), g = scene_point(s, b, 0, 0);
+    scene_joint(s, PM_JOINT_SLIDER, g, scene_floor(s, slope), 0);
+    scene_force(s, PM_FORCE_SPRING, g, ground(s, -cos(slope), -sin(slope)), k, 1);
+    const int direction = scene_value(s, slope);
+    const int x = scene_measure_with(s, PM_MEASURE_POSITION, g, PM_PART_ALONG, PM_MEASURE_VALUE, direction),
+              v = scene_measure_with(s, PM_MEASURE_VELOCITY, g, PM_PART_ALONG, PM_MEASURE_VALUE, direction),
+              time = scene_time(s);
+    /* push x along the slope, to the outside: the spring is weaker by it */
+    const int f = scene_applied(
+        s, g, PM_GROUND,
+        SCENE_PROGRAM(s, scene_k(s, push * cos(slope)), scene_m(x), scene_op(PM_OP_MUL)),
+        SCENE_PROGRAM(s, scene_k(s, push * sin(slope)), scene_m(x), scene_op(PM_OP_MUL)));
+    const double rest = -m * G * sin(slope) / (k - push), amplitude = start - rest, w = sqrt((k - push) / m);
+    const int middle = scene_when(s, PM_TRIGGER_CROSS, scene_minus(s, x, rest));
+    scene_until_time(s, 3);
+    const int at = scene_ask_event(s, scene_read(s, time), middle, 3, 0),
+              place = scene_ask_measure(s, x), speed = scene_ask_measure(s, v),
+              work = scene_ask_measure(s, scene_measure(s, PM_MEASURE_FORCE_WORK, f)),
+              fastest = scene_ask_extreme(s, PM_ASK_MAX, scene_read(s, v), PM_NONE),
+              farthest = scene_ask_extreme(s, PM_ASK_MIN, scene_read(s, x), PM_NONE),
+              when = scene_ask_extreme(s, PM_ASK_AT_MAX, scene_read(s, time), scene_read(s, v)),
+              grid = scene_ask(s, PM_ASK_GRID, scene_read(s, x), PM_NONE, 1, 0, scene_read(s, time),
+                               scene_value(s, 0.7), 1);
+    EQUAL(scene_run(s, NULL), PM_OK);
+    const double end = rest + amplitude * cos(3 * w);
+    NEAR(s->out[at], 2.5 * PI / w, 1e-13);
+    NEAR(s->out[place], end, 1e-13);
+    NEAR(s->out[speed], -amplitude * w * sin(3 * w), 1e-12);
+    NEAR(s->out[work], 0.5 * push * (end * end - start * start), 1e-13);
+    NEAR(s->out[fastest], amplitude * w, 1e-13);
+    NEAR(s->out[farthest], rest - amplitude, 1e-13);
+    NEAR(remainder(s->out[when] - 1.5 * PI / w, 2 * PI / w), 0, 1e-6); /* flat, and reached twice */
+    NEAR(s->out[grid], rest + amplitude * cos(0.7 * w), 1e-13);
+    scene_free(s);
+}
+
+/* A force that vanishes on the way: the least of its norm is zero, at a corner. */
+static void corner(void)
+{
+    for (int route = 0; route < 2; route++) {
+        scene *s = trammel();
+        *scene_setting(s, PM_SETTING_ROUTE) = route ? PM_ROUTE_RK : PM_ROUTE_PATH;
+        const int least = scene_ask_extreme(
+            s, PM_ASK_MIN, scene_read(s, scene_part(s, PM_MEASURE_JOINT_FORCE, 0, PM_PART_NORM)), PM_NONE);
+        EQUAL(scene_run(s, NULL), PM_OK);
+        NEAR(s->out[least], 0, route ? 1e-5 : 1e-11);
+        scene_free(s);
+    }
+}
+
+/* ---- nudge ---- */
+/* An upright rod leaves to the side that the nudge says, on every route: the first step is one along the path. */
+static void nudge(void)
+{
+    static const int routes[] = {PM_ROUTE_PATH, PM_ROUTE_AUTO, PM_ROUTE_RK, PM_ROUTE_IDA};
+    for (int i = 0; i < 8; i++) {
+        const int side = i < 4 ? 1 : -1, route = routes[i % 4];
+        scene *s = scene_create();
+        *scene_setting(s, PM_SETTING_ROUTE) = route;
+        const int b = pendulum_rod(s, 0.5 * PI), omega = omega_of(s, b);
+        const int angle = scene_measure(s, PM_MEASURE_ANGLE, b);
+        *scene_setting(s, PM_SETTING_NUDGE) =
+            SCENE_PROGRAM(s, scene_k(s, side), scene_m(omega), scene_op(PM_OP_MUL));
+        scene_until(s, scene_when(s, PM_TRIGGER_CROSS, scene_minus(s, angle, (0.5 + side) * PI)), 1);
+        const int speed = scene_ask_measure(s, omega),
+                  force = scene_ask_measure(s, scene_part(s, PM_MEASURE_JOINT_FORCE, 0, PM_PART_Y));
+        EQUAL(scene_run(s, NULL), PM_OK);
+        const double slack = route == PM_ROUTE_IDA ? 1e-6 : route == PM_ROUTE_RK ? 1e-9 : 1e-13;
+        NEAR(s->out[speed], side * sqrt(6 * G), slack * 10);
+        NEAR(s->out[force], 2 * G + 2 * 0.5 * 6 * G, slack * 1000);
+        CHECK(used(s, PM_ROUTE_PATH));
+        EQUAL(used(s, PM_ROUTE_RK), route == PM_ROUTE_RK);
+        EQUAL(used(s, PM_ROUTE_IDA), route == PM_ROUTE_IDA);
+        scene_free(s);
+    }
+    scene *s = scene_create(); /* nobody nudges: it stays */
+    *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_AUTO;
+    const int b = pendulum_rod(s, 0.5 * PI);
+    scene_until(s, scene_when(s, PM_TRIGGER_RISE, scene_minus(s, scene_measure(s, PM_MEASURE_ANGLE, b), 2)), 1);
+    scene_ask_measure(s, omega_of(s, b));
+    EQUAL(scene_run(s, NULL), PM_STAYS_AT_REST);
+    scene_free(s);
+}
+
+/* Two degrees of freedom are not for this route, nor are forces that depend on the speed. */
+static void unsupported(void)
+{
+    scene *s = scene_create();
+    *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_PATH;
+    const int b = scene_body(s, 1, 0.1, 0, 1, 0);
+    scene_until_time(s, 1);
+    scene_ask_measure(s, omega_of(s, b));
+    EQUAL(scene_run(s, NULL), PM_UNSUPPORTED);
+    scene_free(s);
+    for (int i = 0; i < 2; i++) {
+        s = scene_create();
+        *scene_setting(s, PM_SETTING_ROUTE) = i ? PM_ROUTE_AUTO : PM_ROUTE_PATH;
+        const int rod = pendulum_rod(s, 0);
+        scene_force(s, PM_FORCE_ROTARY_DAMPER, rod, PM_GROUND, 0.3, 0);
+        scene_until_time(s, 1);
+        scene_ask_measure(s, omega_of(s, rod));
+        EQUAL(scene_run(s, NULL), i ? PM_OK : PM_UNSUPPORTED);
+        if (i) CHECK(!used(s, PM_ROUTE_PATH));
+        scene_free(s);
+    }
+}
+
+int main(void)
+{
+    routes_agree();
+    periods();
+    barrier();
+    two_roots();
+    oscillator();
+    corner();
+    nudge();
+    unsupported();
+    return check_failures();
+}
