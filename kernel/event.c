@@ -79,7 +79,8 @@ static void add(pm_workspace *w, int kind, int index, int direction, int level, 
                                                       .natural = natural,
                                                       .near = INFINITY};
     if (!owned) e->nsampled++;
-    if (!owned && level > e->level) e->level = level;
+    /* a route that finds all roots itself reads all functions at one look; contacts of their own need none */
+    if (level > e->level && (!owned || w->route->finds_roots == PM_ROOTS_ALL)) e->level = level;
 }
 
 /* A trigger on time alone needs no watching where the route steps in time: the step ends when it is due. */

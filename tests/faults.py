@@ -104,6 +104,47 @@ FAULTS = [
     Fault(
         "tree: reactions of children are forgotten", "tree_dynamics.c", "to[1] += wrench[1];", "to[1] += 0;"
     ),
+    # trees
+    Fault("tree: the other side of a line", "tree_place.c", "rho[0] = s * t[0] - x->radius * t[1]", "rho[0] = s * t[0] + x->radius * t[1]"),
+    Fault("tree: rolls the wrong way", "tree.c", "x->roll_own = -sign * row->radius_a", "x->roll_own = sign * row->radius_a"),
+    Fault("tree: angle of the second partner", "tree.c", "x->angle = sign * last->value", "x->angle = last->value"),
+    Fault("tree: sign of a loop row's step", "tree_rates.c", "t->residual[i] = -w->row[t->loop[i]].g", "t->residual[i] = w->row[t->loop[i]].g"),
+    # the path route
+    Fault("path: sign of the tangent", "path_place.c", "t[column[i]] = pivot != 0 ? -sum / pivot : 0", "t[column[i]] = pivot != 0 ? sum / pivot : 0"),
+    Fault("path: a missed turning point", "route_path.c", "if (lowest > 0) continue; const", "if (lowest > -INFINITY) continue; const"),
+    Fault("path: a dip of T between two nodes", "route_path.c", "p->force[k - 1] < 0 && p->force[k] > 0", "p->force[k - 1] < 0 && p->force[k] > INFINITY"),
+    Fault("path: clock at rest without its root", "route_path.c", ": p->at_rest ? PM_CLOCK_LEAVES", ": p->at_rest ? PM_CLOCK_PLAIN"),
+    Fault("path: clock that is not resolved", "route_path.c", "return tail <= most ||", "return 1 ||"),
+    Fault("path: leaves rest against the force", "route_path.c", "(x->force > 0 ? 1 : -1)", "(x->force > 0 ? -1 : 1)"),
+    Fault("path: nudged to the other side", "plan.c", "side > 0 ? 1 : side < 0 ? -1 : 0", "side > 0 ? -1 : side < 0 ? 1 : 0"),
+    Fault("path: work goes by the length of the way", "route_path.c", "i < w->model->nz_work ? p->sense * p->h", "i < w->model->nz_work ? p->h"),
+    Fault("path: momentum of the outer world", "route_path.c", "ledger[i] = w->path->impulse[i] + momentum[i]", "ledger[i] = w->path->impulse[i]"),
+    Fault("path: turning back without its sign", "instant.c", "(side ? -TURNING : TURNING)", "(side ? TURNING : TURNING)"),
+    Fault("ask: an extreme at a corner", "ask.c", "pm_series_tail(g) < RESOLVED", "1"),
+    Fault("ask: a grid value beyond the instant", "ask.c", "if (!status && t > w->step_end) continue;", ""),
+    Fault("event: root of samples with a corner", "crossing.c", "return pm_series_tail(value) < RESOLVED", "return 1"),
+    # legs that repeat
+    Fault("leg: ratio of the blow", "leg.c", "l->ratio = kinetic / l->before", "l->ratio = 1.000001 * kinetic / l->before"),
+    Fault("leg: work on the way", "leg.c", "l->work = work_of_leg(w)", "l->work = -work_of_leg(w)"),
+    Fault("leg: barrier ignored", "leg.c", "if (!(next - depth > near)) break", "if (0) break"),
+    Fault("leg: anchors stay behind", "leg.c", "if (w->state.slot[i].mode == PM_STICK) pm_active_anchor(w, &w->state, i)", "if (0) pm_active_anchor(w, &w->state, i)"),
+    Fault("leg: momentum ledger", "leg.c", "close_momentum(w, momentum); return pm_active_build(w)", "return pm_active_build(w)"),
+    Fault("leg: members stay behind", "leg.c", "w->state.slot[i].member += (int32_t)(legs * l->member)", "w->state.slot[i].member += (int32_t)(l->member)"),
+    Fault("leg: what blows take is lost", "leg.c", "w->energy_lost += lost", "w->energy_lost += 0 * lost"),
+    Fault("leg: firings are not counted", "leg.c", "w->event->count[i] += legs * each", "w->event->count[i] += each"),
+    Fault("leg: the end within the last leg", "leg.c", "(double)(lacks / each - 1)", "(double)(lacks / each)"),
+    Fault("leg: a trigger that the energy moves", "leg.c", "&& !signs_changed(w)", ""),
+    Fault("leg: a mark that the energy moves", "leg.c", "if (w->leg->pending == 0) return 0; for", "return 0; for"),
+    Fault("leg: multiples of a speed", "leg.c", "if (growth != PM_GROWTH_NONE || fabs(change", "if (fabs(change"),
+    Fault("leg: what moves on and slows down", "leg.c", "if (change != 0 && growth != PM_GROWTH_NONE) return 0; /*", "/*"),
+    Fault("leg: given back without its energies", "leg.c", "l->before = s->end", "(void)0"),
+    Fault("leg: never refuted", "leg.c", "if (l->pending == 0) return 0; read_end", "return 0; read_end"),
+    Fault("leg: a list is left out", "leg.c", "kind == PM_ASK_EACH ? 0 : fewer", "fewer"),
+    Fault("leg: a grid is left out", "leg.c", "if (!grid_is_full(w, e)) return 0", "(void)grid_is_full"),
+    Fault("symmetry: any body is round", "symmetry.c", "return !turned(s, e[PM_POINT_BODY]) ||", "return 1 ||"),
+    Fault("symmetry: across a line", "symmetry.c", "return fabs(across) <= SAME * hypot(s->by[0], s->by[1])", "return 1"),
+    Fault("growth: the ratio of two forces", "growth.c", "if (b == PM_GROWTH_NONE) return product(a, b);", "if (b <= PM_GROWTH_LINEAR) return a;"),
+    Fault("nature: a product of times", "nature.c", "(op == PM_OP_MUL && a != b)", "op == PM_OP_MUL"),
     # Jacobians: a sign in each kind of column
     Fault(
         "jacobian: x of the first partner", "row.c", "row->j[0] = factor * n[0]", "row->j[0] = -factor * n[0]"
@@ -316,12 +357,7 @@ FAULTS = [
         "const int rises = before < 0 && after > 0",
         "const int rises = 0",
     ),
-    Fault(
-        "event: not at its place",
-        "crossing.c",
-        "return pm_root_polish(w, along, exactly, &e->function[earliest], first, taken)",
-        "*first += 1e-8; return PM_OK",
-    ),
+    Fault("event: not at its place", "crossing.c", "return status ? status : pm_root_polish(w, along, exactly, f, NAN, first, taken, &off);", "*first += 1e-8; return PM_OK;"),
     Fault("event: a mark passed twice", "event.c", "e->function[i].since = x", "e->function[i].since = 0"),
     Fault(
         "event: a trigger on time that comes late",
@@ -465,12 +501,7 @@ FAULTS = [
         "pm_saddle_spread(w, 1, r + nq)",
         "pm_saddle_spread(w, 0, r + nq)",
     ),
-    Fault(
-        "ida: missed root of a normal force",
-        "event.c",
-        "e->hit[i] = e->root[i] != 0",
-        "e->hit[i] = e->root[i] != 0 && e->function[i].kind != FUNCTION_NORMAL",
-    ),
+    Fault("ida: missed root of a normal force", "event.c", "e->hit[i] |= e->root[i] != 0", "e->hit[i] |= e->root[i] != 0 && e->function[i].kind != FUNCTION_NORMAL"),
     Fault(
         "ida: missed root between two steps",
         "ida_root.c",

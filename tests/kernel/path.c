@@ -41,8 +41,7 @@ static scene *swings(void)
     scene_ask_extreme(s, PM_ASK_MAX, scene_read(s, angle), PM_NONE);
     scene_ask_extreme(s, PM_ASK_MAX, scene_read(s, scene_part(s, PM_MEASURE_JOINT_FORCE, 0, PM_PART_NORM)),
                       PM_NONE);
-    scene_ask_extreme(s, PM_ASK_AT_MIN, scene_read(s, angle),
-                      scene_read(s, scene_part(s, PM_MEASURE_JOINT_FORCE, 0, PM_PART_NORM)));
+    scene_ask_extreme(s, PM_ASK_AT_MIN, scene_read(s, angle), scene_read(s, omega));
     return s;
 }
 
