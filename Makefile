@@ -52,8 +52,8 @@ lint: setup
 	$(BIN)/clang-format --dry-run --Werror $(C_FILES)
 
 format: setup
-	$(BIN)/ruff check --fix .
 	$(BIN)/ruff format .
+	$(BIN)/ruff check --fix .
 	$(BIN)/clang-format -i $(C_FILES)
 
 sanitize:

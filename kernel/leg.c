@@ -42,7 +42,7 @@
 
 /* What legs that were passed over may have to be given back to. */
 typedef struct pm_saved {
-    pm_state begin, before; /* of the first leg passed over, and of the leg before it */
+    pm_state begin, before;      /* of the first leg passed over, and of the leg before it */
     double kinetic, end, lowest; /* of the leg before */
     int end_kind, end_mark;
     double energy_lost, energy_scale, momentum_scale, constraint_worst, evidence, speed, error;
@@ -561,8 +561,7 @@ static int moves_with_energy(const pm_workspace *w, int trigger)
 static int signs_changed(const pm_workspace *w)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++)
-        if (moves_with_energy(w, i) &&
-            side_of(w, i, w->event->least) != side_of(w, i, w->leg->saved.range))
+        if (moves_with_energy(w, i) && side_of(w, i, w->event->least) != side_of(w, i, w->leg->saved.range))
             return 1;
     return 0;
 }
@@ -572,7 +571,8 @@ int pm_leg_doubts(const pm_workspace *w)
     const pm_event_set *e = w->event;
     if (w->leg->pending == 0) return 0;
     for (int i = 0; i < e->nfunction; i++)
-        if (e->hit[i] && e->function[i].kind == FUNCTION_TRIGGER && moves_with_energy(w, e->function[i].index))
+        if (e->hit[i] && e->function[i].kind == FUNCTION_TRIGGER &&
+            moves_with_energy(w, e->function[i].index))
             return 1;
     return 0;
 }

@@ -55,7 +55,8 @@ static void against_recursion(void)
         SCENE_ROW(s, PM_TABLE_UNTIL, 1, scene_when(s, PM_TRIGGER_CROSS, scene_read(s, omega)), 1);
         EQUAL(scene_run(s, NULL), PM_OK);
         const double gain = 10 / 7. * G / (r * r) * d * sin(slope);
-        const double top = 10 / 7. * G / r * (1 - cos(x.lean - slope)); /* from the begin of a leg to its top */
+        const double top =
+            10 / 7. * G / r * (1 - cos(x.lean - slope)); /* from the begin of a leg to its top */
         const double k = 1 - 5 / 7. * (1 - cos(2 * x.lean));
         /* the first leg begins over its bar, gone by lean: as if it had begun there with */
         double square = start * start + 10 / 7. * G / r * (cos(slope) - cos(x.lean - slope)), before = 0,
@@ -97,7 +98,8 @@ static void compute_every_leg(scene *s) { scene_set(s, PM_SETTING_MAX_TIME, 1e6)
 typedef void asker(bars *x);
 
 /* Runs the scene with and without legs passed over, and compares every answer. */
-static void compare(double r, double d, double slope, double omega, asker *ask, int64_t fewest, const char *name)
+static void compare(double r, double d, double slope, double omega, asker *ask, int64_t fewest,
+                    const char *name)
 {
     bars x[2];
     const int before = check_count;
@@ -166,8 +168,8 @@ static void extremes_only(bars *x)
     scene_ask_extreme(s, PM_ASK_MAX, scene_read(s, omega_of(x)), PM_NONE);
     scene_ask_extreme(s, PM_ASK_MIN, scene_read(s, scene_measure(s, PM_MEASURE_CONTACT_NORMAL, x->contact)),
                       PM_NONE);
-    scene_ask_extreme(s, PM_ASK_MAX, scene_read(s, scene_measure(s, PM_MEASURE_CONTACT_FRICTION_NEEDED,
-                                                                 x->contact)),
+    scene_ask_extreme(s, PM_ASK_MAX,
+                      scene_read(s, scene_measure(s, PM_MEASURE_CONTACT_FRICTION_NEEDED, x->contact)),
                       PM_NONE);
     scene_ask_extreme(s, PM_ASK_MAX, scene_read(s, place_of(x)), PM_NONE);
 }
@@ -201,7 +203,8 @@ static void grid(bars *x)
     const int first = scene_value(s, 0.135);
     scene_value(s, 0.555);
     scene_value(s, 0.315);
-    scene_ask(s, PM_ASK_GRID, scene_read(s, omega_of(x)), PM_NONE, 1, 0, scene_read(s, place_of(x)), first, 3);
+    scene_ask(s, PM_ASK_GRID, scene_read(s, omega_of(x)), PM_NONE, 1, 0, scene_read(s, place_of(x)), first,
+              3);
     ask_state(x);
     scene_until(s, x->strike, 80);
 }
@@ -218,10 +221,9 @@ static void until_place(bars *x)
 static void until_tops(bars *x)
 {
     scene *s = x->s;
-    const int top = scene_when(
-        s, PM_TRIGGER_EVERY,
-        SCENE_PROGRAM(s, scene_m(place_of(x)), scene_k(s, 0.003), scene_op(PM_OP_SUB),
-                      scene_k(s, x->d * cos(x->slope)), scene_op(PM_OP_DIV)));
+    const int top = scene_when(s, PM_TRIGGER_EVERY,
+                               SCENE_PROGRAM(s, scene_m(place_of(x)), scene_k(s, 0.003), scene_op(PM_OP_SUB),
+                                             scene_k(s, x->d * cos(x->slope)), scene_op(PM_OP_DIV)));
     ask_state(x);
     extremes_only(x);
     scene_until(s, top, 70);
@@ -239,14 +241,13 @@ static void marks_of_speed(bars *x)
 {
     scene *s = x->s;
     const int slow = scene_when(s, PM_TRIGGER_CROSS, scene_minus(s, omega_of(x), -5)),
-              steps = scene_when(s, PM_TRIGGER_EVERY,
-                                 SCENE_PROGRAM(s, scene_m(omega_of(x)), scene_k(s, 0.25), scene_op(PM_OP_DIV))),
-              rises = scene_when(
-                  s, PM_TRIGGER_CROSS,
-                  scene_read(s, scene_part(s, PM_MEASURE_VELOCITY, x->g, PM_PART_Y))),
-              light = scene_when(
-                  s, PM_TRIGGER_CROSS,
-                  scene_minus(s, scene_measure(s, PM_MEASURE_CONTACT_NORMAL, x->contact), 3));
+              steps =
+                  scene_when(s, PM_TRIGGER_EVERY,
+                             SCENE_PROGRAM(s, scene_m(omega_of(x)), scene_k(s, 0.25), scene_op(PM_OP_DIV))),
+              rises = scene_when(s, PM_TRIGGER_CROSS,
+                                 scene_read(s, scene_part(s, PM_MEASURE_VELOCITY, x->g, PM_PART_Y))),
+              light = scene_when(s, PM_TRIGGER_CROSS,
+                                 scene_minus(s, scene_measure(s, PM_MEASURE_CONTACT_NORMAL, x->contact), 3));
     ask_state(x);
     count_of(x, slow);
     count_of(x, steps);
@@ -321,8 +322,8 @@ static void turns_until_a_time(void)
         scene_start_omega(s, crank, 9);
         const int turned = scene_measure(s, PM_MEASURE_TURNED, crank),
                   omega = scene_measure(s, PM_MEASURE_OMEGA, crank);
-        const int dead = scene_when(s, PM_TRIGGER_RISE,
-                                    scene_read(s, scene_part(s, PM_MEASURE_VELOCITY, pin, PM_PART_X)));
+        const int dead =
+            scene_when(s, PM_TRIGGER_RISE, scene_read(s, scene_part(s, PM_MEASURE_VELOCITY, pin, PM_PART_X)));
         const int time = scene_ask_measure(s, scene_time(s)), angle = scene_ask_measure(s, turned),
                   speed = scene_ask_measure(s, omega),
                   n = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, dead)),
@@ -363,10 +364,11 @@ static void wheel_downhill(void)
     scene_joint(s, PM_JOINT_ROLLING_LINE, scene_circle(s, hub, r), scene_floor(s, -slope), 0);
     scene_start_omega(s, b, -3);
     const int turned = scene_measure(s, PM_MEASURE_TURNED, b), omega = scene_measure(s, PM_MEASURE_OMEGA, b);
-    scene_until(s, scene_when(s, PM_TRIGGER_FALL,
-                              SCENE_PROGRAM(s, scene_m(turned), scene_k(s, 2 * PI * turns),
-                                            scene_op(PM_OP_ADD))),
-                1);
+    scene_until(
+        s,
+        scene_when(s, PM_TRIGGER_FALL,
+                   SCENE_PROGRAM(s, scene_m(turned), scene_k(s, 2 * PI * turns), scene_op(PM_OP_ADD))),
+        1);
     const int speed = scene_ask_measure(s, omega),
               place = scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, hub, PM_PART_X)),
               fastest = scene_ask_extreme(s, PM_ASK_MIN, scene_read(s, omega), PM_NONE);

@@ -185,7 +185,7 @@ static void obstacles(void)
             scene_contact(s, PM_CONTACT_LINE, scene_circle(s, g, 0.3), scene_line(s, wall, 2), 0, 0,
                           PM_FRICTION_SMOOTH, 0);
             break;
-        case 6: scene_applied(s, g, PM_GROUND, one_n, one_n); break;      /* does not mind */
+        case 6: scene_applied(s, g, PM_GROUND, one_n, one_n); break;        /* does not mind */
         case 7: scene_couple(s, r.body, PM_GROUND, scene_read(s, r.omega)); /* nor does this */
         }
         const double turn[] = {-2};

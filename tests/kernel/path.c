@@ -26,7 +26,8 @@ static int pendulum_rod(scene *s, double angle)
 static scene *swings(void)
 {
     scene *s = scene_create();
-    const int b = pendulum_rod(s, -0.3), angle = scene_measure(s, PM_MEASURE_ANGLE, b), omega = omega_of(s, b);
+    const int b = pendulum_rod(s, -0.3), angle = scene_measure(s, PM_MEASURE_ANGLE, b),
+              omega = omega_of(s, b);
     const int low = scene_when(s, PM_TRIGGER_CROSS, scene_minus(s, angle, -1.5)),
               turns = scene_when(s, PM_TRIGGER_CROSS, scene_read(s, omega)),
               fast = scene_when(s, PM_TRIGGER_RISE, scene_minus(s, omega, 2));
@@ -81,8 +82,8 @@ static scene *slider_crank(void)
     scene_joint(s, PM_JOINT_SLIDER, pin, scene_floor(s, 0), 0);
     scene_start_omega(s, crank, 9);
     const int x = part(s, pin, PM_PART_X), turned = scene_measure(s, PM_MEASURE_TURNED, crank);
-    const int dead = scene_when(
-        s, PM_TRIGGER_CROSS, scene_read(s, scene_part(s, PM_MEASURE_VELOCITY, pin, PM_PART_X)));
+    const int dead =
+        scene_when(s, PM_TRIGGER_CROSS, scene_read(s, scene_part(s, PM_MEASURE_VELOCITY, pin, PM_PART_X)));
     scene_until(s, scene_when(s, PM_TRIGGER_RISE, scene_minus(s, turned, 20)), 1);
     scene_ask_measure(s, scene_time(s));
     scene_ask_measure(s, omega_of(s, crank));
@@ -110,8 +111,8 @@ static scene *hoop(void)
     scene_ask_measure(s, omega_of(s, b));
     scene_ask_extreme(s, PM_ASK_MIN, scene_read(s, omega_of(s, b)), PM_NONE);
     scene_ask_extreme(s, PM_ASK_MIN, scene_read(s, scene_measure(s, PM_MEASURE_JOINT_NORMAL, 0)), PM_NONE);
-    scene_ask_extreme(s, PM_ASK_MAX,
-                      scene_read(s, scene_measure(s, PM_MEASURE_JOINT_FRICTION_NEEDED, 0)), PM_NONE);
+    scene_ask_extreme(s, PM_ASK_MAX, scene_read(s, scene_measure(s, PM_MEASURE_JOINT_FRICTION_NEEDED, 0)),
+                      PM_NONE);
     return s;
 }
 
@@ -179,8 +180,7 @@ static scene *bars(void)
     const int row = SCENE_ROW(s, PM_TABLE_ROW, ground(s, -d, 0), scene_value(s, d), scene_value(s, 0),
                               scene_value(s, -1));
     const int g = scene_point(s, b, 0, 0);
-    const int c =
-        scene_contact(s, PM_CONTACT_ROW, scene_circle(s, g, r), row, 0, 0, PM_FRICTION_ROUGH, 0);
+    const int c = scene_contact(s, PM_CONTACT_ROW, scene_circle(s, g, r), row, 0, 0, PM_FRICTION_ROUGH, 0);
     scene_start_omega(s, b, -5.5);
     const int strike = scene_on(s, PM_TRIGGER_STRIKE, c);
     scene_until(s, strike, 9);
@@ -198,8 +198,8 @@ static scene *lifts(void)
     scene *s = scene_create();
     const double a = 0.1;
     const int p = scene_point(s, scene_body(s, 1, 0, sin(a), cos(a), 0), 0, 0), y = part(s, p, PM_PART_Y);
-    const int c = scene_contact(s, PM_CONTACT_CIRCLE, scene_circle(s, p, 0), scene_circle(s, ground(s, 0, 0), 1),
-                                1, 0, PM_FRICTION_SMOOTH, 0);
+    const int c = scene_contact(s, PM_CONTACT_CIRCLE, scene_circle(s, p, 0),
+                                scene_circle(s, ground(s, 0, 0), 1), 1, 0, PM_FRICTION_SMOOTH, 0);
     scene_start_velocity(s, p, 0.5 * cos(a), -0.5 * sin(a));
     const int opens = scene_on(s, PM_TRIGGER_OPEN, c);
     scene_until(s, scene_when(s, PM_TRIGGER_FALL, scene_read(s, y)), 1);
@@ -217,8 +217,8 @@ static scene *slips(void)
     const double r = 0.2, a = 0.1;
     const int b = scene_body(s, 1, 0.5 * r * r, (1 + r) * sin(a), (1 + r) * cos(a), 0),
               g = scene_point(s, b, 0, 0);
-    const int c = scene_contact(s, PM_CONTACT_CIRCLE, scene_circle(s, g, r), scene_circle(s, ground(s, 0, 0), 1),
-                                1, 0, PM_FRICTION_COULOMB, 0.4);
+    const int c = scene_contact(s, PM_CONTACT_CIRCLE, scene_circle(s, g, r),
+                                scene_circle(s, ground(s, 0, 0), 1), 1, 0, PM_FRICTION_COULOMB, 0.4);
     const int slip = scene_on(s, PM_TRIGGER_SLIP, c), opens = scene_on(s, PM_TRIGGER_OPEN, c);
     scene_until(s, opens, 1);
     scene_ask_event(s, scene_read(s, part(s, g, PM_PART_Y)), slip, 1, 0);
@@ -236,10 +236,9 @@ typedef struct sample {
     int leaves; /* some phase has more than one degree of freedom, or friction that slides */
 } sample;
 static const sample samples[] = {
-    {"swings", swings, 0},       {"trammel", trammel, 0}, {"slider-crank", slider_crank, 0},
-    {"hoop", hoop, 0},           {"springs", springs, 0}, {"driven", driven, 0},
-    {"multiples", multiples, 0}, {"bars", bars, 0},       {"lifts", lifts, 1},
-    {"slips", slips, 1},
+    {"swings", swings, 0},   {"trammel", trammel, 0}, {"slider-crank", slider_crank, 0}, {"hoop", hoop, 0},
+    {"springs", springs, 0}, {"driven", driven, 0},   {"multiples", multiples, 0},       {"bars", bars, 0},
+    {"lifts", lifts, 1},     {"slips", slips, 1},
 };
 enum { SAMPLES = sizeof samples / sizeof *samples };
 
@@ -267,8 +266,7 @@ static void routes_agree(void)
     for (int i = 0; i < SAMPLES; i++) {
         double path[ANSWERS], rk[ANSWERS], ida[ANSWERS];
         const int before = check_count;
-        const int n =
-            run(samples[i].make, samples[i].leaves ? PM_ROUTE_AUTO : PM_ROUTE_PATH, 1e-12, path);
+        const int n = run(samples[i].make, samples[i].leaves ? PM_ROUTE_AUTO : PM_ROUTE_PATH, 1e-12, path);
         run(samples[i].make, PM_ROUTE_RK, 1e-13, rk);
         run(samples[i].make, PM_ROUTE_IDA, 1e-9, ida);
         for (int k = 0; k < n; k++) {
@@ -361,9 +359,10 @@ static void barrier(void)
             s, PM_ASK_MIN, SCENE_PROGRAM(s, scene_m(omega_of(s, b)), scene_op(PM_OP_ABS)), PM_NONE);
         EQUAL(scene_run(s, NULL), PM_OK);
         /* k^2 = 1 / (1 + e), or its inverse */
-        const double expected = over ? 4 * complete(sqrt(e / (1 + e))) / speed
-                                     : 2 * sqrt(PACE) * complete(sqrt(-e));
-        const double slack = expected * (1e-12 + 1e-15 / fabs(e)); /* what rounding of the start makes of it */
+        const double expected =
+            over ? 4 * complete(sqrt(e / (1 + e))) / speed : 2 * sqrt(PACE) * complete(sqrt(-e));
+        const double slack =
+            expected * (1e-12 + 1e-15 / fabs(e)); /* what rounding of the start makes of it */
         NEAR(s->out[time], expected, slack);
         NEAR(s->out[omega], over ? speed : -speed, 1e-12);
         NEAR(s->out[slowest], over ? 2 / sqrt(PACE) * sqrt(e) : 0, 1e-12 + 1e-14 / sqrt(fabs(e)));
@@ -413,14 +412,13 @@ static void oscillator(void)
               time = scene_time(s);
     /* push x along the slope, to the outside: the spring is weaker by it */
     const int f = scene_applied(
-        s, g, PM_GROUND,
-        SCENE_PROGRAM(s, scene_k(s, push * cos(slope)), scene_m(x), scene_op(PM_OP_MUL)),
+        s, g, PM_GROUND, SCENE_PROGRAM(s, scene_k(s, push * cos(slope)), scene_m(x), scene_op(PM_OP_MUL)),
         SCENE_PROGRAM(s, scene_k(s, push * sin(slope)), scene_m(x), scene_op(PM_OP_MUL)));
     const double rest = -m * G * sin(slope) / (k - push), amplitude = start - rest, w = sqrt((k - push) / m);
     const int middle = scene_when(s, PM_TRIGGER_CROSS, scene_minus(s, x, rest));
     scene_until_time(s, 3);
-    const int at = scene_ask_event(s, scene_read(s, time), middle, 3, 0),
-              place = scene_ask_measure(s, x), speed = scene_ask_measure(s, v),
+    const int at = scene_ask_event(s, scene_read(s, time), middle, 3, 0), place = scene_ask_measure(s, x),
+              speed = scene_ask_measure(s, v),
               work = scene_ask_measure(s, scene_measure(s, PM_MEASURE_FORCE_WORK, f)),
               fastest = scene_ask_extreme(s, PM_ASK_MAX, scene_read(s, v), PM_NONE),
               farthest = scene_ask_extreme(s, PM_ASK_MIN, scene_read(s, x), PM_NONE),
@@ -482,7 +480,8 @@ static void nudge(void)
     scene *s = scene_create(); /* nobody nudges: it stays */
     *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_AUTO;
     const int b = pendulum_rod(s, 0.5 * PI);
-    scene_until(s, scene_when(s, PM_TRIGGER_RISE, scene_minus(s, scene_measure(s, PM_MEASURE_ANGLE, b), 2)), 1);
+    scene_until(s, scene_when(s, PM_TRIGGER_RISE, scene_minus(s, scene_measure(s, PM_MEASURE_ANGLE, b), 2)),
+                1);
     scene_ask_measure(s, omega_of(s, b));
     EQUAL(scene_run(s, NULL), PM_STAYS_AT_REST);
     scene_free(s);

@@ -72,7 +72,8 @@ static scene *rolling_on_circles(void)
               inside = scene_body(s, 0.3, 0.01, 0.4, 0.3, -0.3), round = scene_body(s, 3, 2, 0.6, 0.1, 0);
     const int rim = scene_circle(s, scene_point(s, a, 0.1, 0), 0.5);
     scene_joint(s, PM_JOINT_PIN, scene_point(s, a, -0.5, 0), ground(s, 0, 0), 0);
-    scene_joint(s, PM_JOINT_ROLLING_CIRCLE, scene_circle(s, scene_point(s, outside, 0.05, 0.02), 0.3), rim, 1);
+    scene_joint(s, PM_JOINT_ROLLING_CIRCLE, scene_circle(s, scene_point(s, outside, 0.05, 0.02), 0.3), rim,
+                1);
     scene_joint(s, PM_JOINT_ROLLING_CIRCLE, scene_circle(s, scene_point(s, inside, 0, 0.01), 0.2), rim, -1);
     scene_joint(s, PM_JOINT_ROLLING_CIRCLE, rim, scene_circle(s, scene_point(s, round, 0.04, 0), 0.8), -1);
     return s;
@@ -117,7 +118,8 @@ static scene *ladder(void)
 {
     scene *s = scene_create();
     const int a = rod(s, 0.3, 0.4, 2.2), p = scene_body(s, 0.5, 0, 0.9, 0.6, 0);
-    scene_joint(s, PM_JOINT_SLIDER, scene_point(s, a, 0.5, 0), scene_line(s, ground(s, 0, 0), 2 * acos(0.)), 0);
+    scene_joint(s, PM_JOINT_SLIDER, scene_point(s, a, 0.5, 0), scene_line(s, ground(s, 0, 0), 2 * acos(0.)),
+                0);
     scene_joint(s, PM_JOINT_SLIDER, scene_point(s, a, -0.5, 0), scene_floor(s, 0), 0);
     scene_joint(s, PM_JOINT_LINK, scene_point(s, p, 0, 0), scene_point(s, a, 0, 0.1), 0.6);
     return s;
@@ -152,10 +154,7 @@ static const sample samples[] = {
 };
 
 /* ---- looks ---- */
-static void place(pm_workspace *w, const double *y, double *q)
-{
-    pm_tree_place(w, w->state.memory, y, q);
-}
+static void place(pm_workspace *w, const double *y, double *q) { pm_tree_place(w, w->state.memory, y, q); }
 
 static void look(pm_workspace *w, const double *q, const double *v)
 {
@@ -174,8 +173,7 @@ static void differences(pm_workspace *w, const double *y, const double *ydot, do
     const double h = 10 * STEP;
     for (int i = 0; i < nq; i++) {
         first[i] = (8 * (q[3][i] - q[1][i]) - (q[4][i] - q[0][i])) / (12 * h);
-        second[i] =
-            (16 * (q[3][i] + q[1][i]) - 30 * q[2][i] - (q[4][i] + q[0][i])) / (12 * h * h);
+        second[i] = (16 * (q[3][i] + q[1][i]) - 30 * q[2][i] - (q[4][i] + q[0][i])) / (12 * h * h);
     }
 }
 
@@ -252,8 +250,7 @@ static void closes(pm_workspace *w)
         pm_tree_read(w, y);
         pm_tree_basis(w, basis);
         pm_tree_loops(w, jacobian);
-        for (int i = 0; i < nloop; i++)
-            NEAR(jacobian[i * n + k], (g[1][i] - g[0][i]) / (2 * STEP), 1e-6);
+        for (int i = 0; i < nloop; i++) NEAR(jacobian[i * n + k], (g[1][i] - g[0][i]) / (2 * STEP), 1e-6);
     }
     if (n != nloop + 1) return;
     look(w, w->state.q, w->state.v);
