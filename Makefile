@@ -13,7 +13,7 @@ export PATH := $(CURDIR)/$(BIN):$(PATH)
 .NOTPARALLEL:
 unexport MAKEFLAGS
 
-.PHONY: help setup demo figures test test-kernel test-python lint format sanitize faults clean
+.PHONY: help setup demo figures calibrate test test-kernel test-python lint format sanitize faults clean
 
 help:
 	@echo 'make demo         run the study studies/sphere_over_bars.toml; its files go to build/demo'
@@ -25,6 +25,7 @@ help:
 	@echo 'make format       rewrite the sources in the house style'
 	@echo 'make sanitize     the C tests under ASan and UBSan (SANITIZE=thread: under TSan)'
 	@echo 'make faults       plant faults in a copy of the kernel: the C tests must catch each'
+	@echo 'make calibrate    estimated errors against true ones, and what they cost (some minutes)'
 	@echo 'make figures      speed and error of the main job, as tables (some minutes)'
 	@echo 'make clean        remove build/ and .venv/'
 
@@ -68,6 +69,9 @@ faults:
 
 figures: setup
 	$(BIN)/python studies/benchmarks/figures.py
+
+calibrate: setup
+	$(BIN)/python studies/benchmarks/calibration.py
 
 clean:
 	rm -rf build .venv wrapper/planemotion/_layout.pyi

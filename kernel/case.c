@@ -211,7 +211,7 @@ double pm_case_time_scale(const pm_workspace *w, const double *v, const double *
         const double length = i % 3 == 2 ? 1 : w->size;
         rate = fmax(rate, fmax(fabs(v[i]) / length, sqrt(fabs(a[i]) / length)));
     }
-    return rate > 0 ? w->stretch / rate : INFINITY;
+    return rate > 0 ? w->coarse / rate : INFINITY;
 }
 
 int pm_case_begin(pm_workspace *w, const double *param)

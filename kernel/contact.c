@@ -11,8 +11,8 @@
 #define TOUCHING 1e-10 /* of the scene's size */
 #define STILL 1e-11    /* of the scene's speed */
 
-double pm_contact_length(const pm_workspace *w) { return TOUCHING * w->size; }
-double pm_contact_speed(const pm_workspace *w) { return STILL * w->speed; }
+double pm_contact_length(const pm_workspace *w) { return TOUCHING * w->coarse * w->size; }
+double pm_contact_speed(const pm_workspace *w) { return STILL * w->coarse * w->speed; }
 
 double pm_contact_reach(const pm_workspace *w)
 {

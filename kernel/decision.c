@@ -45,11 +45,11 @@ static void take(pm_workspace *w, const pm_decision *decision)
     log->entry[log->n++].history = log->history;
 }
 
-void pm_decision_sign(pm_workspace *w, int what, double x, double unit)
+void pm_decision_sign(pm_workspace *w, int site, int what, double x, double unit)
 {
     if (!w->error->active) return;
     take(w, &(pm_decision){.kind = PM_DECISION_SIGN,
-                           .what = what,
+                           .what = PM_DECISION_SITES * what + site,
                            .trigger = PM_NONE,
                            .distance = x,
                            .reach = fabs(x),
@@ -143,6 +143,13 @@ static int comes_first(const pm_decision *x, const pm_decision *y)
     return x->what != y->what ? x->what < y->what : x->kind == PM_DECISION_NEAR;
 }
 
+static int next_instant(const pm_decision_log *log, int i)
+{
+    const int32_t instant = log->entry[i].instant;
+    while (i < log->n && log->entry[i].instant == instant) i++;
+    return i;
+}
+
 double pm_decision_margin(const pm_decision_log *a, const pm_decision_log *b, const double *trigger_scale)
 {
     const int32_t stride = a->stride > b->stride ? a->stride : b->stride;
@@ -161,6 +168,9 @@ double pm_decision_margin(const pm_decision_log *a, const pm_decision_log *b, co
             i++;
         } else if (may_lack(y)) {
             j++;
+        } else if (x->instant == y->instant && x->history == y->history) {
+            i = next_instant(a, i); /* the same outcome by another way */
+            j = next_instant(b, j);
         } else {
             break; /* from here on the passes have gone different ways */
         }

@@ -13,6 +13,17 @@ enum pm_decision_kind {
     PM_DECISION_SIGN = 3   /* of an impulse, a force, a speed: compared in a blow or a choice of modes */
 };
 
+/* What is decided by a sign. */
+enum pm_decision_site {
+    PM_SITE_STRIKES = 0,
+    PM_SITE_PULLS_IN_BLOW = 1,
+    PM_SITE_SLIDES_IN_BLOW = 2,
+    PM_SITE_JOINS = 3,
+    PM_SITE_PULLS = 4,
+    PM_SITE_SLIDES = 5,
+    PM_DECISION_SITES = 6
+};
+
 typedef struct pm_decision {
     int32_t instant, kind, what; /* what: which of its kind */
     int32_t trigger;             /* whose program the distance is in the unit of, or PM_NONE */
@@ -37,7 +48,7 @@ void pm_decision_instant(pm_workspace *w);
 /* How fast a function of the phase goes through its zero. */
 void pm_decision_rate(pm_workspace *w, int function, double rate);
 /* The sign of x, of natural size `unit`, decides what contact slot (or contact) `what` does. */
-void pm_decision_sign(pm_workspace *w, int what, double x, double unit);
+void pm_decision_sign(pm_workspace *w, int site, int what, double x, double unit);
 void pm_decision_close(pm_workspace *w);
 
 /* Least distance over difference of the decisions that both passes took; trigger_scale[ntrigger] natural sizes of

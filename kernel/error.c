@@ -1,17 +1,18 @@
 /* error.c - estimated errors of the answers, from a second pass of the case, and the promise of accuracy.
  *
- * The companion of a pass is the same case at a tolerance COARSER times as large, with a longer time scale (so that
- * steps which the tolerance does not limit differ too) and with velocities disturbed by some roundings when a phase
- * begins.  Its answers a' differ from the answers a by its own error: truncation, amplified as the scene amplifies
- * errors, and rounding, amplified likewise.  The errors of a method go with its tolerance, so that a's own error is
- * expected at |a' - a| / COARSER; errors have signs and may be small by chance:
+ * The companion of a pass is the same case at a tolerance COARSER times as large, with longer steps where the tolerance
+ * does not limit them and less care about what counts as touching or still, and with positions and velocities disturbed
+ * by some roundings when a phase begins.  Its answers a' differ from the answers a by its own error: truncation,
+ * amplified as the scene amplifies errors, and rounding, amplified likewise.  The errors of a method go with its
+ * tolerance, so that a's own error is expected at |a' - a| / COARSER; errors have signs and may be small by chance:
  *
  *     error = max(spread |a' - a| / COARSER, ROUNDING scale)
  *
  * scale is the natural size of the ask: |a|, or how much it would change if the state changed by its own size.  Where
  * an error is greater than accuracy times scale, or passes have decided differently, the case is run again at a
  * tighter tolerance, at most REFINEMENTS times; a pass that is not too far off serves as the companion of the next.
- * The spread of a route is calibrated: studies/benchmarks/calibration.py. */
+ * The spread of a route is above COARSER: where a phase is one step, the companion, which takes it in two, shows a's
+ * own error and no more.  It is calibrated: studies/benchmarks/calibration.py. */
 #include "error.h"
 
 #include <math.h>
@@ -30,15 +31,20 @@
 #include "trace.h"
 #include "trigger.h"
 
-#define COARSER 100.0
-#define ROUNDING 1e-14 /* least relative error that is claimed */
+#define COARSER 30.0
+#define ROUNDING 2e-14 /* least relative error that is claimed */
 #define LOOSEST 1e-2   /* tolerance of a companion: beyond it steps are not resolved */
-#define STRETCH 1.2 /* of the motion's own time, in a companion: coarser where only that limits the steps */
-#define DISTURBANCE 1e-14 /* of velocities at the begin of a phase, in a companion: some 45 roundings */
-#define REFINEMENTS 2     /* passes at tighter tolerances */
+#define COARSE \
+    1.75 /* steps in a companion, of the motion's own time: in an 8th order method COARSER, and some more */
+#define DISTURBANCE \
+    3e-14 /* of velocities at the begin of a phase, in a companion: COARSER times some roundings */
+#define DISPLACEMENT \
+    2e-15             /* of positions likewise: a contact that has just been left must not seem overlapped */
+#define REFINEMENTS 2 /* passes at tighter tolerances */
 #define LEAST_FACTOR 1e-4 /* of the tolerance, from one pass to the next */
 #define MOST_FACTOR 0.1   /* the same: a smaller change is not worth a pass */
-#define AIM 0.5           /* of the accuracy asked, when the tolerance is tightened */
+#define FINER 2           /* times the finest tolerance: nothing is gained below */
+#define AIM 0.2           /* of the accuracy asked, when the tolerance is tightened */
 #define NEAR_ENOUGH 1e-3  /* factor down to which the last pass is the companion of the next */
 #define LEAST_SHARE \
     0.1            /* of a difference without a disturbance in it: rounding does not go with the tolerance */
@@ -79,7 +85,7 @@ int pm_error_create(pm_workspace *w)
                    entry + (size_t)i * (size_t)kept);
     for (int i = 0; i < m->nask; i++)
         e->discrete[i] = (unsigned char)pm_nature_is_discrete(m, PM_ASK_ROW(m, i)[PM_ASK_PROGRAM]);
-    w->stretch = 1;
+    w->coarse = 1;
     return PM_OK;
 }
 
@@ -117,11 +123,17 @@ void pm_error_begin(pm_workspace *w)
     pm_decision_begin(&p->log);
 }
 
+int pm_error_in_halves(const pm_workspace *w) { return w->error->active && w->error->present->halves; }
+
 int pm_error_disturb(pm_workspace *w)
 {
     if (!w->error->active || !w->error->present->companion) return PM_OK;
-    for (int i = 0; i < w->model->nq; i++) w->state.v[i] *= 1 + DISTURBANCE * sign(w->error);
-    const int status = pm_project_velocity(w, &w->state);
+    if (w->count[PM_COUNT_PHASES] > 0 && !w->route->in_time) return PM_OK; /* legs of a path repeat */
+    for (int i = 0; i < w->model->nq; i++) {
+        w->state.q[i] *= 1 + DISPLACEMENT * sign(w->error);
+        w->state.v[i] *= 1 + DISTURBANCE * sign(w->error);
+    }
+    const int status = pm_project(w, &w->state);
     if (status) return status;
     pm_frame_look_state(w, &w->state);
     return pm_saddle_accelerate(w);
@@ -162,10 +174,12 @@ static void make_pass(pm_workspace *w, const double *param, pm_pass *p, double f
     e->npass++;
     p->factor = factor;
     p->companion = companion;
+    p->halves = e->npass > 1 && !(companion ? e->main : e->last)->halves;
+    if (!companion) e->last = p;
     w->out = p->out;
     w->reason = p->reason;
     w->audit = p->audit;
-    w->stretch = companion ? STRETCH : 1;
+    w->coarse = companion ? COARSE : 1;
     if (companion) w->trace = NULL;
     if (w->trace) w->trace->needed = 0; /* the last pass is the one recorded */
     p->status = run_once(w, param, p->found);
@@ -349,7 +363,7 @@ static int good_enough(const pm_workspace *w, const double *trust)
 {
     const pm_pass *p = w->error->main;
     const int decided = trust[PM_TRUST_MARGIN] >= 1 && trust[PM_TRUST_EXCESS] <= 1;
-    return decided || p->status != PM_OK || p->tolerance <= w->route->finest;
+    return decided || p->status != PM_OK || p->tolerance <= FINER * w->route->finest;
 }
 
 /* One pass at a tighter tolerance becomes the main one; 0 if it fails: then all stays as it was. */

@@ -24,6 +24,7 @@ typedef struct pm_pass {
     uint64_t outcome; /* hash of status, reasons and event counts */
     int status;
     int companion;
+    int halves;
     pm_decision_log log;
 } pm_pass;
 
@@ -33,7 +34,7 @@ typedef struct pm_error_set {
     int runs_find; /* a pass goes through find.c */
     int seeks;     /* a pass is a find with all its runs */
     uint64_t noise;
-    pm_pass pass[3], *present, *main, *other, *spare;
+    pm_pass pass[3], *present, *main, *other, *spare, *last;
     double *scale;           /* [nask] natural size of each ask */
     double *trigger_scale;   /* [ntrigger] */
     unsigned char *discrete; /* [nask] integers and yes or no: they have no error, but a margin */
@@ -53,7 +54,10 @@ int pm_error_run(pm_workspace *w, const double *param, double *found, double *er
 void pm_error_begin(pm_workspace *w);
 /* For case.c: the tolerance of the present pass. */
 double pm_error_tolerance(const pm_workspace *w);
-/* For run.c, before a phase: in a companion the state's velocities are disturbed by a few roundings.  The frame is
+/* For routes that take a state inside a step from its begin: in two halves.  A phase that one step covers would else be
+ * the same in both passes that are compared. */
+int pm_error_in_halves(const pm_workspace *w);
+/* For run.c, before a phase: in a companion the state is disturbed by a few roundings.  The frame is
  * DYNAMIC before and after. */
 int pm_error_disturb(pm_workspace *w);
 

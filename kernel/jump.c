@@ -51,7 +51,7 @@ static int find_struck(pm_workspace *w, unsigned char *share, int *struck)
             double rate;
             if (pm_contact_gap(w, &w->state, i, &member) > pm_contact_length(w)) break;
             pm_contact_member_gap(w, i, member, &rate);
-            pm_decision_sign(w, i, rate, w->speed);
+            pm_decision_sign(w, PM_SITE_STRIKES, i, rate, w->speed);
             const int approaches = rate < -pm_contact_speed(w), rests = is_spent(w, i, rate);
             if (!rests && (rate > pm_contact_speed(w) || (!approaches && pm_mode_released(w, i, member))))
                 break;
@@ -119,7 +119,7 @@ static int drop_pulling(pm_workspace *w, unsigned char *share)
     double least = -PULLS * size;
     for (int i = 0; i < w->model->nslot; i++) {
         if (w->slot_normal[i] == PM_NONE) continue;
-        pm_decision_sign(w, i, w->rhs[w->slot_normal[i]], size);
+        pm_decision_sign(w, PM_SITE_PULLS_IN_BLOW, i, w->rhs[w->slot_normal[i]], size);
         if (w->rhs[w->slot_normal[i]] >= least) continue;
         if (w->event->spent[pm_contact_of_slot(w->model, i)]) continue;
         least = w->rhs[w->slot_normal[i]];
@@ -137,7 +137,7 @@ static int slide_where_it_must(pm_workspace *w, int32_t *trial)
         if (pm_contact_friction(w->model, contact) != PM_FRICTION_COULOMB) continue;
         const double friction = w->rhs[w->slot_tangent[i]], size = impulse_size(w);
         const double room = pm_contact_static(w, contact) * w->rhs[w->slot_normal[i]] - fabs(friction);
-        pm_decision_sign(w, i, room, size);
+        pm_decision_sign(w, PM_SITE_SLIDES_IN_BLOW, i, room, size);
         if (room >= -PULLS * size) continue;
         const double slip = pm_contact_member_slip(w, contact, w->state.slot[i].member);
         const int forward = fabs(slip) > pm_contact_speed(w) ? slip > 0 : friction < 0;
@@ -158,7 +158,7 @@ static int join_approaching(pm_workspace *w, unsigned char *share, const int32_t
         pm_row_of_contact(w, contact, i, w->state.slot[i].member, &normal, &tangent);
         pm_row_kind(normal.kind)->evaluate(w, &normal);
         const double rate = pm_saddle_times(w, &normal, after);
-        pm_decision_sign(w, i, rate, w->speed);
+        pm_decision_sign(w, PM_SITE_JOINS, i, rate, w->speed);
         if (rate >= -pm_contact_speed(w)) continue;
         share[i] = JOINED;
         trial[i] = pm_contact_friction(w->model, contact) == PM_FRICTION_SMOOTH ? PM_SMOOTH : PM_STICK;

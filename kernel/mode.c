@@ -91,7 +91,7 @@ static int let_go(pm_workspace *w)
     double least = -SLACK * size;
     for (int i = 0; i < w->model->nslot; i++) {
         if (w->slot_normal[i] == PM_NONE) continue;
-        pm_decision_sign(w, i, w->frame.lambda[w->slot_normal[i]], size);
+        pm_decision_sign(w, PM_SITE_PULLS, i, w->frame.lambda[w->slot_normal[i]], size);
         if (w->frame.lambda[w->slot_normal[i]] >= least) continue;
         least = w->frame.lambda[w->slot_normal[i]];
         worst = i;
@@ -113,7 +113,7 @@ static int slide(pm_workspace *w)
         const double friction = w->frame.lambda[w->slot_tangent[i]],
                      normal = w->frame.lambda[w->slot_normal[i]];
         const double room = pm_contact_static(w, contact) * normal - fabs(friction);
-        pm_decision_sign(w, i, room, size);
+        pm_decision_sign(w, PM_SITE_SLIDES, i, room, size);
         if (room >= -SLACK * size) continue;
         w->state.slot[i].mode = slide_against(friction);
         return 1;

@@ -146,11 +146,11 @@ typedef struct pm_workspace {
     double *mass;         /* [nbody] */
     double *inverse_mass; /* [nq] inverse of the diagonal of M; 0: held (a particle's angle) */
     double gravity[2];
-    double size;           /* length scale of the scene, m */
-    double speed;          /* speed scale, m/s, grows with the motion */
-    double accuracy;       /* asked, relative, of the answers */
-    double tolerance;      /* relative tolerance of integration */
-    double stretch;        /* of the motion's own time: 1, but in a companion (error.c) */
+    double size;      /* length scale of the scene, m */
+    double speed;     /* speed scale, m/s, grows with the motion */
+    double accuracy;  /* asked, relative, of the answers */
+    double tolerance; /* relative tolerance of integration */
+    double coarse;    /* factor on steps and on what counts as nothing: 1, but in a companion (error.c) */
     pm_state state, start; /* now; at t = 0 after the assembly */
     pm_state probe;        /* a state inside a step */
     pm_state ahead;        /* the end of a step while an instant inside it is marked */

@@ -94,8 +94,11 @@ int pm_nature_reads_counts(const pm_model *m, int program)
     return reads(m, program, PM_MEASURE_EVENT_COUNT, PM_MEASURE_EVENT_TIME);
 }
 
-/* Continuous (1) or not (0): what leaves an operation, from the greatest of its operands. */
-static int smooth(int op, int operand)
+/* What enters a value: nothing but constants, something that counts or decides, something continuous. */
+enum pm_grain { GRAIN_CONSTANT = 0, GRAIN_DISCRETE = 1, GRAIN_CONTINUOUS = 2 };
+
+/* What leaves an operation, from the greatest of its operands. */
+static int grain_after(int op, int operand)
 {
     switch (op) {
     case PM_OP_LT:
@@ -107,7 +110,7 @@ static int smooth(int op, int operand)
     case PM_OP_AND:
     case PM_OP_OR:
     case PM_OP_NOT:
-    case PM_OP_FLOOR: return 0;
+    case PM_OP_FLOOR: return operand == GRAIN_CONSTANT ? GRAIN_CONSTANT : GRAIN_DISCRETE;
     default: return operand;
     }
 }
@@ -139,11 +142,14 @@ int pm_nature_is_discrete(const pm_model *m, int program)
     const int32_t *code = pm_nature_code(m, program, &length);
     for (int i = 0; i < length; i++, code += PM_CODE_COLUMNS) {
         const int op = code[PM_CODE_OP];
-        int continuous = is_sought(m, op, code[PM_CODE_ARG]);
-        for (int k = pm_program_operands(op); k > 0; k--) continuous |= stack[top--];
-        if (op == PM_OP_MEASURE)
-            continuous = PM_MEASURE_ROW(m, code[PM_CODE_ARG])[PM_MEASURE_KIND] != PM_MEASURE_EVENT_COUNT;
-        stack[++top] = smooth(op, continuous);
+        int grain = is_sought(m, op, code[PM_CODE_ARG]) ? GRAIN_CONTINUOUS : GRAIN_CONSTANT;
+        for (int k = pm_program_operands(op); k > 0; k--, top--)
+            grain = stack[top] > grain ? stack[top] : grain;
+        if (op == PM_OP_MEASURE) {
+            const int kind = PM_MEASURE_ROW(m, code[PM_CODE_ARG])[PM_MEASURE_KIND];
+            grain = kind == PM_MEASURE_EVENT_COUNT ? GRAIN_DISCRETE : GRAIN_CONTINUOUS;
+        }
+        stack[++top] = grain_after(op, grain);
     }
-    return !stack[0];
+    return stack[0] == GRAIN_DISCRETE;
 }

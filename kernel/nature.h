@@ -33,7 +33,7 @@ int pm_nature_reads_time(const pm_model *m, int program);
 /* A program that the count or time of an event enters. */
 int pm_nature_reads_counts(const pm_model *m, int program);
 
-/* An integer, or a yes or no: only counts of events, constants and comparisons enter. */
+/* An integer, or a yes or no: counts of events or comparisons enter, and nothing else but constants. */
 int pm_nature_is_discrete(const pm_model *m, int program);
 
 #endif

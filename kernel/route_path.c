@@ -33,6 +33,7 @@
 #define TAIL 30          /* times the tolerance, if that is more: the integral is some 1000 times better */
 #define WORK_TAIL 1e-12  /* the same of the rates of work */
 #define BEYOND 1.2       /* of the way to a contact that seems to come: the step shall see it */
+#define PART 0.25        /* of a full step: a way to a turning point that a companion takes in two steps */
 #define SHORTEST 1e-12   /* of a full step */
 #define ROUNDING 1e-14
 #define DOUBLE_ROUNDING 2.2e-16
@@ -415,7 +416,11 @@ static int take_step(pm_workspace *w, double full)
         const int status = try_step(w, h, turning, &next);
         if (status) return status;
         if (next == 0) break;
-        turning = next != 0.5 * h && !p->at_rest; /* not a halving: the way to a turning point */
+        turning = next != 0.5 * h && !p->at_rest;             /* not a halving: the way to a turning point */
+        if (turning && w->coarse > 1 && next > PART * full) { /* other steps in a companion */
+            next *= 0.5;
+            turning = 0;
+        }
         h = next;
         if (!(h > SHORTEST * full))
             return pm_fail(w, PM_STEP_TOO_SMALL, PM_NONE, PM_NONE, h, SHORTEST * full);
@@ -530,7 +535,7 @@ static int step(pm_workspace *w, double t_limit)
     p->t0 = w->state.t;
     memcpy(p->weight, w->state.z, (size_t)w->model->nz_controlled * sizeof(double));
     const int may_close = pm_tree_is_angle(w, p->driver);
-    const double full = fmin(full_step(w, &p->node[0]), next_contact(w, &p->node[0]));
+    const double full = w->coarse * fmin(full_step(w, &p->node[0]), next_contact(w, &p->node[0]));
     if (!status) status = take_step(w, may_close ? fmin(full, TURN - p->way) : full);
     if (status) return status;
     w->step_begin = 0;
@@ -561,6 +566,6 @@ const pm_route_ops pm_route_path = {
     .in_time = 0,
     .price = 2,
     .finest = CLOCK_TAIL,
-    .spread = 30,
+    .spread = 45,
     .nodes = &pm_nodes_chebyshev,
 };

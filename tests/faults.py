@@ -49,8 +49,8 @@ FAULTS = [
     Fault(
         "error: steps that nothing limits are the same",
         "error.c",
-        "w->stretch = companion ? STRETCH : 1",
-        "w->stretch = 1",
+        "w->coarse = companion ? COARSE : 1",
+        "w->coarse = 1",
     ),
     Fault(
         "error: nothing of rounding",
@@ -463,8 +463,8 @@ FAULTS = [
     Fault(
         "event: not at its place",
         "crossing.c",
-        "|| !spectral) return status;",
-        "|| !spectral) { *first += 1e-8; return status; }",
+        "return polish(w, earliest, &of_first, first, taken)",
+        "*first += 1e-8; return PM_OK",
     ),
     Fault("event: a mark passed twice", "event.c", "e->function[i].since = x", "e->function[i].since = 0"),
     Fault(
