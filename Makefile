@@ -13,7 +13,7 @@ export PATH := $(CURDIR)/$(BIN):$(PATH)
 .NOTPARALLEL:
 unexport MAKEFLAGS
 
-.PHONY: help setup demo figures calibrate test test-kernel test-python lint format sanitize faults clean
+.PHONY: help setup demo bench bench-long calibrate test test-kernel test-python lint format sanitize faults clean
 
 help:
 	@echo 'make demo         run the study studies/sphere_over_bars.toml; its files go to build/demo'
@@ -26,7 +26,8 @@ help:
 	@echo 'make sanitize     the C tests under ASan and UBSan (SANITIZE=thread: under TSan)'
 	@echo 'make faults       plant faults in a copy of the kernel: the C tests must catch each'
 	@echo 'make calibrate    estimated errors against true ones, and what they cost (some minutes)'
-	@echo 'make figures      speed and error of the main job, as tables (some minutes)'
+	@echo 'make bench        speed beside error, against the peers: build/bench (about ten minutes)'
+	@echo 'make bench-long   a sweep of a million cases: its time and memory'
 	@echo 'make clean        remove build/ and .venv/'
 
 setup:
@@ -67,8 +68,13 @@ faults:
 	@.ci/setup --tools
 	$(BIN)/python tests/faults.py
 
-figures: setup
-	$(BIN)/python studies/benchmarks/figures.py
+bench:
+	@.ci/setup --peers
+	$(BIN)/python -m studies.benchmarks --out build/bench --keep
+
+bench-long:
+	@.ci/setup --peers
+	$(BIN)/python -m studies.benchmarks --out build/bench-long --only memory_long
 
 calibrate: setup
 	$(BIN)/python studies/benchmarks/calibration.py

@@ -1,0 +1,185 @@
+"""How cost grows: with bodies, with contacts, with cases, with threads."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+import numpy as np
+
+import planemotion
+from planemotion import _layout as layout
+from planemotion import engine
+from planemotion.errors import SceneError
+from planemotion.flatten import FlatScene
+
+from . import generate, plots
+from .peers.engine import KernelBatch, columns, finishes, flat_of, method_name
+from .problems import PROBLEMS, STUDIES, Floats
+from .rows import Row
+from .tables import Cell, Table
+from .timing import cpu, wall
+
+FOUR_BARS = (10, 20, 40, 80, 160)
+PENDULUMS = (1, 2, 4, 8, 16, 32, 64)
+FLOORS = (1, 4, 16, 64, 256)
+CASES = (1, 10, 100, 1000, 10_000)
+THREADS = (1, 2)
+REPEAT = 3
+# A batch of cases for the threads takes about this long on one, s.
+THREAD_SECONDS = 1.0
+
+
+def tables(rows: Sequence[Row], quick: bool, out: Path) -> list[Table]:
+    found = [bodies(quick, out), contacts(quick, out), cases(quick), threads(quick)]
+    return found
+
+
+def bodies(quick: bool, out: Path) -> Table:
+    """Time per step of chains: loops (A02, to the end through its flat position) and trees."""
+    table = Table(
+        "growth_bodies",
+        "Growth with the number of bodies",
+        (
+            "chain",
+            "method",
+            "N",
+            "bodies",
+            "CPU ms per run",
+            "steps",
+            "us per step",
+            "us per step and body",
+            "why not",
+        ),
+        text="N-four-bar (A02): 10 s, and 0.5 s before its first flat position; N pendulums in series: 1 s. "
+        "Without error estimates, accuracy 1e-8. Pictures: ![](growth_bodies.png)",
+    )
+    chains: list[tuple[str, Sequence[int], Callable[[int], planemotion.Scene]]] = [
+        ("N-four-bar, 10 s", FOUR_BARS, generate.four_bars),
+        ("N-four-bar, 0.5 s", FOUR_BARS, lambda n: generate.four_bars(n, "t = 0.5 s")),
+        ("pendulums, 1 s", PENDULUMS, generate.pendulums),
+    ]
+    lines: dict[str, list[tuple[float, float]]] = {}
+    for name, sizes, scene in chains:
+        for route in ("auto", "rk"):
+            method = method_name(route, True)
+            for n in sizes[:2] if quick else sizes:
+                count = len(scene(n).raw["bodies"])
+                figures, missed = one_case(scene(n), ("energy",), route)
+                table.rows.append([name, method, n, count, *per_step(figures, count), missed])
+                if missed:
+                    break
+                lines.setdefault(f"{name}, {method}", []).append((count, 1e6 * figures[0] / figures[1]))
+    plots.growth("Chains", "bodies", "CPU time per step [us]", lines, out / "growth_bodies.png")
+    return table
+
+
+def contacts(quick: bool, out: Path) -> Table:
+    """A double pendulum above level lines that it never reaches."""
+    table = Table(
+        "growth_contacts",
+        "Growth with the number of contacts",
+        (
+            "scene",
+            "method",
+            "contacts",
+            "CPU ms per run",
+            "steps",
+            "us per step",
+            "us per step and contact",
+            "why not",
+        ),
+        text="A double pendulum, 2 s, above N level lines that it does not reach; without error estimates.",
+    )
+    for route in ("auto", "rk"):
+        for n in FLOORS[:2] if quick else FLOORS:
+            figures, missed = one_case(generate.floors(n), ("energy",), route)
+            table.rows.append(["floors", method_name(route, True), n, *per_step(figures, n), missed])
+            if missed:
+                break
+    return table
+
+
+def one_case(scene: planemotion.Scene, asks: Sequence[str], route: str) -> tuple[tuple[float, float], str]:
+    """CPU s and steps of a run, least of a few; or why there is none."""
+    settings = {"solve.route": route, "solve.estimate": False, "solve.accuracy": 1e-8}
+    try:
+        flat = flat_of(scene, asks, settings)
+    except SceneError as error:
+        return (np.nan, np.nan), str(error)
+    batch = KernelBatch(flat, flat.defaults[None, :], asks)
+    if not finishes(batch):
+        return (np.nan, np.nan), "not finished in time"
+    results = engine.run_cases(flat, batch.param)
+    if results.status[0] < 0:
+        return (np.nan, np.nan), engine.message(flat, results, 0)
+    batch.lengthen(cpu(batch.answers))
+    taken = min(cpu(batch.answers) for _ in range(REPEAT)) / batch.runs()
+    return (taken, float(results.count[0, layout.PM_COUNT_STEPS])), ""
+
+
+def per_step(figures: tuple[float, float], n: int) -> list[Cell]:
+    taken, steps = figures
+    return [1e3 * taken, steps, 1e6 * taken / steps, 1e6 * taken / steps / n]
+
+
+def cases(quick: bool) -> Table:
+    """Time of a call and what a Python sweep adds."""
+    table = Table(
+        "growth_cases",
+        "Growth with the number of cases, and what Python adds to a sweep",
+        ("cases", "kernel ms", "kernel us per case", "sweep ms", "overhead ms", "overhead us per case"),
+        text="Rolling collar, all asks, default route, one thread: `engine.run_cases`, and `Scene.sweep` "
+        "without a folder for the same cases (it writes HDF5 and CSV and reads them back); CPU time, the "
+        "scene already read. Overhead: sweep less kernel.",
+    )
+    scene = planemotion.load(STUDIES / "rolling_collar.toml")
+    flat = flat_of(scene, tuple(scene.raw["ask"]), {})
+    for n in CASES[:3] if quick else CASES:
+        d = {"from": "0 m", "to": "0.3 m", "num": n} if n > 1 else ["0.2 m"]
+        param = columns(flat, ("d",), np.linspace(0, 0.3, n)[:, None] if n > 1 else np.array([[0.2]]))
+        kernel = min(cpu(lambda param=param: engine.run_cases(flat, param)) for _ in range(REPEAT))
+        sweep = min(cpu(lambda d=d: scene.sweep(workers=1, d=d)) for _ in range(REPEAT))
+        more = sweep - kernel
+        table.rows.append([n, 1e3 * kernel, 1e6 * kernel / n, 1e3 * sweep, 1e3 * more, 1e6 * more / n])
+    return table
+
+
+def threads(quick: bool) -> Table:
+    """By the clock: other work on the machine shows here."""
+    table = Table(
+        "growth_threads",
+        "Growth with the number of threads",
+        ("study", "route", "threads", "cases", "s by the clock", "times one thread"),
+        text="All asks of the named studies; least of three by the clock: other work on the machine shows.",
+    )
+    for problem in PROBLEMS[:2]:
+        for route in ("auto",) if quick else ("auto", "rk"):
+            flat = flat_of(problem.scene(), tuple(problem.scene().raw["ask"]), {"solve.route": route})
+            param = batch_for(
+                flat, columns(flat, problem.names, problem.cases), 0.1 if quick else THREAD_SECONDS
+            )
+            taken = by_the_clock(flat, param)
+            for n, seconds in zip(THREADS, taken, strict=True):
+                table.rows.append(
+                    [
+                        problem.name,
+                        "default" if route == "auto" else route,
+                        n,
+                        len(param),
+                        seconds,
+                        taken[0] / seconds,
+                    ]
+                )
+    return table
+
+
+def by_the_clock(flat: FlatScene, param: Floats) -> list[float]:
+    """Seconds with each number of threads."""
+    return [wall(lambda n=n: engine.run_cases(flat, param, workers=n)) for n in THREADS]
+
+
+def batch_for(flat: FlatScene, param: Floats, seconds: float) -> Floats:
+    """Copies of the cases that take about so long."""
+    once = max(cpu(lambda: engine.run_cases(flat, param)), 1e-6)
+    return np.tile(param, (max(1, round(seconds / once)), 1))

@@ -1,0 +1,167 @@
+"""The two named studies with all their asks: cases per second in the kernel, and from the file to HDF5."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+import planemotion
+from planemotion import engine
+from planemotion.flatten import FlatScene
+
+from .peers.engine import columns, flat_of
+from .problems import PROBLEMS, STUDIES, Floats, Problem
+from .rows import Row
+from .tables import Table
+from .timing import cpu, wall
+
+ROUTES = ("auto", "rk", "ida")
+ASKS = {
+    "sphere_over_bars": ("omega_B", "bars_passed", "min_normal_over_weight", "friction_needed"),
+    "rolling_collar": ("omega_above", "time_of_turn", "min_normal_over_weight", "friction_needed"),
+}
+# Cases of the kernel's rate, and seconds that a sweep with files should take by it.
+RATE_SECONDS = 1.0
+SWEEP_SECONDS = 3.0
+# Side of the smallest grid of a sweep.
+LEAST_SIDE = 4
+REPEAT = 3
+
+
+def tables(rows: Sequence[Row], quick: bool, out: Path) -> list[Table]:
+    return [rate_table(quick), sweep_table(quick)]
+
+
+def rate_table(quick: bool) -> Table:
+    table = Table(
+        "named_studies",
+        "The two named studies, in the kernel",
+        ("study", "asks", "route", "estimates", "cases/s a core", "2 threads", "error", "wrong", "why not"),
+        text="Cases per CPU second of one thread, and by the clock two threads over one. The error is "
+        "relative, the greatest of all asks that have a reference.",
+    )
+    for problem in PROBLEMS:
+        for asks in (ASKS.get(problem.name, ()), problem.asks) if problem.name in ASKS else ():
+            for route in ROUTES[:1] if quick else ROUTES:
+                for estimate in (True, False):
+                    words = "all four" if len(asks) == 4 else ", ".join(asks)
+                    figures = rate(problem, asks, route, estimate, quick)
+                    name = "default" if route == "auto" else route
+                    table.rows.append([problem.name, words, name, "yes" if estimate else "no", *figures])
+    return table
+
+
+def rate(
+    problem: Problem, asks: Sequence[str], route: str, estimate: bool, quick: bool
+) -> list[str | float | int | None]:
+    """Cases per CPU second, speed-up by a second thread, error, wrong counts, and why there are none."""
+    settings = {"solve.route": route, "solve.estimate": estimate}
+    flat = flat_of(problem.scene(), asks, settings)
+    cases = problem.cases[: problem.slow_cases()] if route == "ida" or quick else problem.cases
+    param = columns(flat, problem.names, cases)
+    results = engine.run_cases(flat, param)
+    if np.any(results.status < 0):
+        return [None, None, None, None, engine.message(flat, results, int(np.argmin(results.status)))]
+    error, wrong = study_error(problem, flat, results)
+    once = max(cpu(lambda: engine.run_cases(flat, param)), 1e-6)
+    param = np.tile(param, (max(1, round(RATE_SECONDS / 4 / once)), 1))
+    times = [cpu(lambda: engine.run_cases(flat, param)) for _ in range(1 if quick else REPEAT)]
+    one, two = (
+        wall(lambda n=n: engine.run_cases(flat, param, workers=n), 1 if quick else REPEAT) for n in (1, 2)
+    )
+    return [len(param) / min(times), one / two, error, wrong, ""]
+
+
+def study_error(problem: Problem, flat: FlatScene, results: engine.CaseResults) -> tuple[float, int | None]:
+    """Greatest relative error of the asks, and cases with a wrong count."""
+    greatest, wrong = 0.0, None
+    for ask in flat.asks:
+        found = results.out[:, ask.first]
+        exact = reference_of(problem, ask.key)[: len(found)]
+        if ask.key == problem.count:
+            wrong = int(np.count_nonzero(found != exact))
+            continue
+        both = np.isfinite(exact) & (exact != 0)
+        greatest = max(greatest, float(np.max(np.abs(found[both] / exact[both] - 1))))
+    return greatest, wrong
+
+
+def reference_of(problem: Problem, key: str) -> Floats:
+    reference = problem.reference
+    if key in reference.get("more", {}):
+        return np.array(reference["more"][key], float)
+    return problem.exact()[:, reference["columns"].index(key)]
+
+
+# ---- from the file to the files ----
+
+
+def sweep_table(quick: bool) -> Table:
+    table = Table(
+        "sweeps",
+        "From the scene file to HDF5",
+        ("study", "asks", "cases", "CPU s", "cases/s a core", "of it in the kernel", "MB written"),
+        text="`planemotion.load`, `Scene.sweep(out=...)` with one worker, all but the imports: reading and "
+        "validating the scene, the kernel, and writing HDF5 and CSV, with error estimates; CPU time of the "
+        "whole process.",
+    )
+    for asks in (ASKS["sphere_over_bars"], ("omega_B", "bars_passed")):
+        table.rows.append(sweep_row("sphere_over_bars_grid", asks, ("d", "omega0"), quick))
+    table.rows.append(sweep_row("rolling_collar", ASKS["rolling_collar"], ("d", "mass_ratio"), quick))
+    return table
+
+
+RANGES = {"d": {"sphere_over_bars_grid": ("1 in", "6 in"), "rolling_collar": ("0 m", "0.3 m")}}
+OTHER = {"omega0": ("1 rad/s", "3 rad/s"), "mass_ratio": (0.5, 2)}
+
+
+def sweep_row(study: str, asks: Sequence[str], names: Sequence[str], quick: bool) -> list[str | int | float]:
+    path = STUDIES / f"{study}.toml"
+    side = LEAST_SIDE
+    seconds = cpu(lambda: sweep(path, asks, grid(study, names, side), None))
+    if not quick:
+        side = max(LEAST_SIDE, int(side * (SWEEP_SECONDS / max(seconds, 1e-3)) ** 0.5))
+        seconds = cpu(lambda: sweep(path, asks, grid(study, names, side), None))
+        side = max(side, int(side * (SWEEP_SECONDS / max(seconds, 1e-3)) ** 0.5))
+    with tempfile.TemporaryDirectory() as folder:
+        seconds = cpu(lambda: sweep(path, asks, grid(study, names, side), folder))
+        size = sum(file.stat().st_size for file in Path(folder).rglob("*") if file.is_file())
+    kernel = kernel_seconds(path, asks, grid(study, names, side))
+    words = "all four" if len(asks) == 4 else ", ".join(asks)
+    cases = side * side
+    return [study, words, cases, seconds, cases / seconds, f"{100 * kernel / seconds:.0f} %", size / 2**20]
+
+
+def grid(study: str, names: Sequence[str], side: int) -> dict[str, object]:
+    first, second = names
+    low, high = RANGES[first][study]
+    least, most = OTHER[second]
+    return {
+        first: {"from": low, "to": high, "num": side},
+        second: {"from": least, "to": most, "num": side},
+    }
+
+
+def sweep(path: Path, asks: Sequence[str], grids: dict[str, object], out: str | None) -> None:
+    with_asks(path, asks).sweep(out=out, workers=1, **grids)
+
+
+def with_asks(path: Path, asks: Sequence[str]) -> planemotion.Scene:
+    scene = planemotion.load(path)
+    raw = {**scene.raw, "ask": {key: scene.raw["ask"][key] for key in asks}}
+    return planemotion.Scene.from_raw(raw, file=scene.file)
+
+
+def kernel_seconds(path: Path, asks: Sequence[str], grids: dict[str, object]) -> float:
+    """CPU s of the kernel alone for the cases of a sweep."""
+    from planemotion.study import plan_sweep
+
+    scene = with_asks(path, asks)
+    scene = planemotion.Scene.from_raw({**scene.raw, "sweep": grids}, file=scene.file)
+    plan = plan_sweep(scene)
+    flat = flat_of(scene, asks, {})
+    param = columns(flat, plan.names, plan.block(0, plan.cases))
+    return cpu(lambda: engine.run_cases(flat, param))

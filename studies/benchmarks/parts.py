@@ -1,0 +1,21 @@
+"""What is measured beside the scenes: each part gives tables, from the rows so far where it needs them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from . import growth, memory, named_studies, summary
+from .rows import Row
+from .tables import Table
+
+Part = Callable[[Sequence[Row], bool, Path], list[Table]]
+
+PARTS: dict[str, Part] = {
+    "named_studies": named_studies.tables,
+    "growth": growth.tables,
+    "memory": memory.tables,
+    "summary": summary.tables,
+}
+# By name only: they take long.
+LONG_PARTS: dict[str, Part] = {"memory_long": memory.long_tables}
