@@ -59,7 +59,7 @@ static void natures(void)
     const struct {
         int program, nature, reads_time, discrete;
     } expected[] = {
-        {SCENE_PROGRAM(s, k(&r, 1), k(&r, 2), op(PM_OP_ADD)), PM_NATURE_CONSTANT, 0, 1},
+        {SCENE_PROGRAM(s, k(&r, 1), k(&r, 2), op(PM_OP_ADD)), PM_NATURE_CONSTANT, 0, 0},
         {with(&r, r.time, 2, PM_OP_SUB), PM_NATURE_TIME, 1, 0},
         {with(&r, r.time, 2, PM_OP_MUL), PM_NATURE_TIME, 1, 0},
         {with(&r, r.time, 2, PM_OP_DIV), PM_NATURE_TIME, 1, 0},
