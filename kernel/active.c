@@ -161,28 +161,57 @@ int pm_active_build(pm_workspace *w)
     return status;
 }
 
+static void remember(const pm_workspace *w, pm_state *s, const pm_row *row, int anchor_too)
+{
+    if (row->memory == PM_NONE || !pm_row_kind(row->kind)->remember) return;
+    pm_row_kind(row->kind)->remember(w, row, &s->memory[row->memory], anchor_too);
+}
+
 void pm_active_anchor(pm_workspace *w, pm_state *s, int slot)
 {
     pm_row normal, tangent;
-    pm_row_of_contact(w, pm_contact_of_slot(w->model, slot), slot, s->slot[slot].member, &normal, &tangent);
-    pm_row_kind(tangent.kind)->remember(w, &tangent, &s->memory[tangent.memory], 1);
+    const int contact = pm_contact_of_slot(w->model, slot);
+    if (pm_contact_is_cord(w->model, contact)) return; /* its length stays */
+    pm_row_of_contact(w, contact, slot, s->slot[slot].member, &normal, &tangent);
+    remember(w, s, &tangent, 1);
 }
 
-void pm_active_anchor_joints(pm_workspace *w, pm_state *s)
+/* Measures the cords: as drawn, and what they are slack. */
+static void anchor_cords(pm_workspace *w, pm_state *s)
+{
+    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
+        if (!pm_contact_is_cord(w->model, i)) continue;
+        pm_row strand, unused;
+        pm_row_of_contact(w, i, w->model->contact_slot[i], 0, &strand, &unused);
+        remember(w, s, &strand, 1);
+        s->memory[strand.memory].anchor += w->value[PM_CONTACT_ROW_OF(w->model, i)[PM_CONTACT_SLACK]];
+    }
+}
+
+void pm_active_anchor_start(pm_workspace *w, pm_state *s)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_JOINT]; i++) {
-        if (w->model->joint_memory[i] == PM_NONE) continue;
         pm_row row[PM_JOINT_ROWS];
-        pm_row_of_joint(w, i, row);
-        pm_row_kind(row[1].kind)->remember(w, &row[1], &s->memory[row[1].memory], 1);
+        const int n = pm_row_of_joint(w, i, row);
+        for (int k = 0; k < n; k++) remember(w, s, &row[k], 1);
+    }
+    anchor_cords(w, s);
+}
+
+/* Slack cords are no active rows, and yet their strands turn. */
+static void follow_slack_cords(pm_workspace *w, pm_state *s)
+{
+    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
+        const int slot = w->model->contact_slot[i];
+        if (!pm_contact_is_cord(w->model, i) || s->slot[slot].mode != PM_OPEN) continue;
+        pm_row strand, unused;
+        pm_row_of_contact(w, i, slot, 0, &strand, &unused);
+        remember(w, s, &strand, 0);
     }
 }
 
 void pm_active_follow(pm_workspace *w, pm_state *s)
 {
-    for (int i = 0; i < w->nactive; i++) {
-        const pm_row *row = &w->row[i];
-        if (row->memory != PM_NONE && pm_row_kind(row->kind)->remember)
-            pm_row_kind(row->kind)->remember(w, row, &s->memory[row->memory], 0);
-    }
+    for (int i = 0; i < w->nactive; i++) remember(w, s, &w->row[i], 0);
+    follow_slack_cords(w, s);
 }

@@ -8,8 +8,8 @@
 int pm_active_build(pm_workspace *w);
 /* Anchors the no-slip rows of slot (just closed or stuck) at the frame. */
 void pm_active_anchor(pm_workspace *w, pm_state *s, int slot);
-/* Anchors all rolling joints at the frame (once, after the assembly). */
-void pm_active_anchor_joints(pm_workspace *w, pm_state *s);
+/* Anchors all joints with memory at the frame and measures the cords (once, after the assembly). */
+void pm_active_anchor_start(pm_workspace *w, pm_state *s);
 /* After an accepted step: unwrapped directions follow. */
 void pm_active_follow(pm_workspace *w, pm_state *s);
 /* Zeroes the list (all rows of a slot PM_NONE). */

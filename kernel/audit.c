@@ -1,6 +1,7 @@
 /* audit.c - two ledgers that the routes do not use.
  *
- * Work and energy:      T1 + V1 + (work of forces without potential, friction) - (losses of blows) = T2 + V2   (17.11)
+ * Work and energy:      T1 + V1 + (work of forces without potential, friction, drives) - (losses of blows) = T2 + V2
+ *                                                                                                             (17.11)
  * Impulse and momentum: momenta1 + impulses of the outer world = momenta2, about the origin                   (17.14)
  * Outer impulses are taken from points and directions of the forces (row.act), never from the Jacobian; the energy of
  * a blow from sum P (u + u')/2 with the touching points' own velocities.  A wrong sign in a Jacobian opens a ledger. */
@@ -57,6 +58,14 @@ static void add_rows(const pm_workspace *w, const double *size, double *impulse)
     }
 }
 
+/* What drives put in through their rows, by the rates that they prescribe. */
+static double drive_power(const pm_workspace *w, const double *size)
+{
+    double sum = 0;
+    for (int i = 0; i < w->nactive; i++) sum += size[i] * w->row[i].rate;
+    return sum;
+}
+
 static double friction_power(pm_workspace *w, const double *size)
 {
     double sum = 0;
@@ -84,7 +93,7 @@ void pm_audit_rates(pm_workspace *w, double *zdot)
 {
     const pm_model *m = w->model;
     pm_audit_controlled_rates(w, zdot);
-    zdot[friction_z(m)] = friction_power(w, w->frame.lambda);
+    zdot[friction_z(m)] = friction_power(w, w->frame.lambda) + drive_power(w, w->frame.lambda);
     double *outer = zdot + pm_audit_ledger(m);
     outer[0] = outer[1] = outer[2] = 0;
     for (int i = 0; i < m->nbody; i++) {

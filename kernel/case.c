@@ -88,7 +88,7 @@ static int check_partners(pm_workspace *w, int contact)
     const pm_model *m = w->model;
     const int32_t *e = PM_CONTACT_ROW_OF(m, contact);
     double radius = w->value[PM_CIRCLE_ROW(m, e[PM_CONTACT_A])[PM_CIRCLE_RADIUS]];
-    if (e[PM_CONTACT_KIND] == PM_CONTACT_LINE) return PM_OK;
+    if (e[PM_CONTACT_KIND] == PM_CONTACT_LINE || e[PM_CONTACT_KIND] == PM_CONTACT_CORD) return PM_OK;
     if (e[PM_CONTACT_KIND] == PM_CONTACT_CIRCLE) {
         radius = fmax(radius, w->value[PM_CIRCLE_ROW(m, e[PM_CONTACT_B])[PM_CIRCLE_RADIUS]]);
         const int status = check_side(w, PM_TABLE_CONTACT, contact, PM_CONTACT_SIDE, e[PM_CONTACT_SIDE]);
@@ -107,7 +107,7 @@ static int check_elements(pm_workspace *w)
             status = check(w, PM_TABLE_JOINT, i, PM_JOINT_VALUE, e[PM_JOINT_VALUE], 0, 1);
         if (e[PM_JOINT_KIND] == PM_JOINT_WELD || e[PM_JOINT_KIND] == PM_JOINT_SLIDER_FIXED)
             status = check(w, PM_TABLE_JOINT, i, PM_JOINT_VALUE, e[PM_JOINT_VALUE], -INFINITY, 0);
-        if (e[PM_JOINT_KIND] == PM_JOINT_ROLLING_CIRCLE)
+        if (e[PM_JOINT_KIND] == PM_JOINT_ROLLING_CIRCLE || e[PM_JOINT_KIND] == PM_JOINT_GEARS)
             status = check_side(w, PM_TABLE_JOINT, i, PM_JOINT_VALUE, e[PM_JOINT_VALUE]);
     }
     for (int i = 0; !status && i < m->rows[PM_TABLE_CONTACT]; i++) {
@@ -116,6 +116,8 @@ static int check_elements(pm_workspace *w)
         if (!status && w->value[e[PM_CONTACT_RESTITUTION]] > 1)
             status = out_of_bound(w, PM_TABLE_CONTACT, i, PM_CONTACT_RESTITUTION,
                                   w->value[e[PM_CONTACT_RESTITUTION]], 1);
+        if (!status && e[PM_CONTACT_SLACK] >= 0)
+            status = check(w, PM_TABLE_CONTACT, i, PM_CONTACT_SLACK, e[PM_CONTACT_SLACK], 0, 0);
         for (int k = PM_CONTACT_STATIC; !status && k <= PM_CONTACT_KINETIC; k++)
             if (e[PM_CONTACT_FRICTION] == PM_FRICTION_COULOMB)
                 status = check(w, PM_TABLE_CONTACT, i, k, e[k], 0, 0);

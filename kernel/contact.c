@@ -60,6 +60,11 @@ int pm_contact_friction(const pm_model *m, int contact)
     return PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_FRICTION];
 }
 
+int pm_contact_is_cord(const pm_model *m, int contact)
+{
+    return PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_KIND] == PM_CONTACT_CORD;
+}
+
 static double coefficient(const pm_workspace *w, int contact, int column)
 {
     return pm_contact_friction(w->model, contact) == PM_FRICTION_COULOMB
@@ -89,7 +94,7 @@ double pm_contact_member_slip(const pm_workspace *w, int contact, int member)
 {
     pm_row normal, tangent;
     pm_row_of_contact(w, contact, w->model->contact_slot[contact], member, &normal, &tangent);
-    return pm_row_rate(w, &tangent);
+    return pm_row_slip(w, &tangent);
 }
 
 /* A circle beside a row of points: its centre from the row's first member, and the row's step, in the scene. */

@@ -22,6 +22,7 @@ int pm_contact_free_slot(const pm_workspace *w, const pm_state *s, int contact);
 
 double pm_contact_restitution(const pm_workspace *w, int contact);
 int pm_contact_friction(const pm_model *m, int contact);
+int pm_contact_is_cord(const pm_model *m, int contact);
 double pm_contact_static(const pm_workspace *w, int contact);
 double pm_contact_kinetic(const pm_workspace *w, int contact);
 

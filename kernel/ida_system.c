@@ -4,7 +4,7 @@
  *   v' - M^-1 (f + H^T L') = 0        signs as in saddle.c; v' = 0 where M^-1 = 0 (held)
  *   z' - rates(t, q, v, L') = 0       work, paths, the ledger
  *   g(t, q) = 0
- *   G v = 0
+ *   G v = w             prescribed rates: 0 of rows that are not driven
  *
  * Only L' and Mu' appear, so the multipliers may be wrong by jumps without a trace in the error test, from
  * which L, Mu and the entries of the ledger are left out.  In the test of Newton's iteration L weighs as
@@ -79,7 +79,7 @@ void pm_ida_system_residual(pm_workspace *w, double t, const double *y, const do
     for (int i = 0; i < w->ida->stride; i++) {
         const int active = i < w->nactive;
         r[l + i] = active ? w->row[i].g : yp[l + i];
-        r[mu + i] = active ? pm_saddle_times(w, &w->row[i], v) : yp[mu + i];
+        r[mu + i] = active ? pm_saddle_times(w, &w->row[i], v) - w->row[i].rate : yp[mu + i];
     }
 }
 

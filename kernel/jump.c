@@ -1,6 +1,8 @@
 /* jump.c - restitution with all joints held.
  *
- *   M (v' - v) = H^T P,   G v' = -e (G v) at struck normals, 0 at joints and at tangents that hold     (17.19)
+ *   M (v' - v) = H^T P,   G v' = -e (G v) at struck normals, w at joints and at tangents that hold     (17.19)
+ *
+ * w is what a drive prescribes, 0 elsewhere.
  *
  * Which contacts take part: the struck ones alone first; a resting contact joins only if its pair would otherwise
  * approach; a contact whose impulse would pull drops out; repeat.  Friction in a blow: rough holds, Coulomb holds while
@@ -94,7 +96,7 @@ static int solve(pm_workspace *w, const unsigned char *share, double *after)
     if (w->nactive == 0) return PM_OK;
     for (int i = 0; i < w->nactive; i++) {
         const pm_row *row = &w->row[i];
-        const double u = pm_saddle_times(w, row, w->state.v);
+        const double u = pm_saddle_times(w, row, w->state.v) - row->rate;
         const int normal = row->slot != PM_NONE && w->slot_normal[row->slot] == i;
         w->rhs[i] = normal && share[row->slot] == STRUCK ? -(1 + restitution_of(w, row->slot, u)) * u : -u;
     }
@@ -196,7 +198,7 @@ static int slid(const pm_workspace *w, int slot, const double *v)
     pm_row_of_contact(w, pm_contact_of_slot(w->model, slot), slot, w->state.slot[slot].member, &normal,
                       &tangent);
     pm_row_kind(tangent.kind)->evaluate(w, &tangent);
-    return fabs(pm_saddle_times(w, &tangent, v)) > pm_contact_speed(w);
+    return fabs(pm_saddle_times(w, &tangent, v) - tangent.rate) > pm_contact_speed(w);
 }
 
 /* Modes after the blow: what parts is open; what stays is closed with the friction its slip asks for.  A struck contact

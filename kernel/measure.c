@@ -168,7 +168,7 @@ static void joint_sum(const pm_measure_args *x, const double *reaction, int by_a
         const double size = reaction[by_active ? active : i];
         out[0] += row->j[0] * size;
         out[1] += row->j[1] * size;
-        if (row->kind == PM_ROW_ANGLE) out[2] += row->j[2] * size;
+        if (row->kind == PM_ROW_ANGLE || row->kind == PM_ROW_TURN) out[2] += row->j[2] * size;
     }
     /* `on` another body than the first partner: the opposite */
     if (x->e[PM_MEASURE_ON] == PM_NONE) return;
@@ -196,10 +196,13 @@ static void joint_impulse(const pm_measure_args *x, double out[2])
     joint_sum(x, x->w->joint_impulse, 0, sum);
     memcpy(out, sum, 2 * sizeof *out);
 }
+/* Not unique where a row is redundant; the two strands of a belt depend on each other. */
 static double joint_row_reaction(const pm_measure_args *x, int row)
 {
-    const int active = x->w->joint_active[x->w->model->joint_row[x->a] + row];
-    return active == PM_NONE ? NAN : x->w->frame.lambda[active]; /* redundant: not unique */
+    const int *active = x->w->joint_active + x->w->model->joint_row[x->a];
+    const int belt = PM_JOINT_ROW(x->w->model, x->a)[PM_JOINT_KIND] == PM_JOINT_BELT;
+    if (active[row] == PM_NONE || (belt && active[1 - row] == PM_NONE)) return NAN;
+    return x->w->frame.lambda[active[row]];
 }
 static double joint_normal(const pm_measure_args *x) { return joint_row_reaction(x, 0); }
 static double joint_friction(const pm_measure_args *x) { return joint_row_reaction(x, 1); }
@@ -474,7 +477,7 @@ int pm_measure_validate(const pm_model *m, pm_where *where)
         if (kind == PM_MEASURE_JOINT_NORMAL || kind == PM_MEASURE_JOINT_FRICTION ||
             kind == PM_MEASURE_JOINT_FRICTION_NEEDED) {
             const int joint = PM_JOINT_ROW(m, a)[PM_JOINT_KIND];
-            if (joint != PM_JOINT_ROLLING_LINE && joint != PM_JOINT_ROLLING_CIRCLE)
+            if (joint != PM_JOINT_ROLLING_LINE && joint != PM_JOINT_ROLLING_CIRCLE && joint != PM_JOINT_BELT)
                 return bad(where, i, joint, PM_JOINT_KINDS);
         }
     }

@@ -81,6 +81,10 @@ static const pm_range ranges[] = {
     {PM_TABLE_CONTACT, PM_CONTACT_RESTITUTION, PM_TABLE_VALUE, 0, 0},
     {PM_TABLE_CONTACT, PM_CONTACT_STATIC, PM_TABLE_VALUE, 0, 1},
     {PM_TABLE_CONTACT, PM_CONTACT_KINETIC, PM_TABLE_VALUE, 0, 1},
+    {PM_TABLE_CONTACT, PM_CONTACT_SPEED, PM_TABLE_PROGRAM, 0, 1},
+    {PM_TABLE_CONTACT, PM_CONTACT_SLACK, PM_TABLE_VALUE, 0, 1},
+    {PM_TABLE_JOINT, PM_JOINT_PROGRAM_X, PM_TABLE_PROGRAM, 0, 1},
+    {PM_TABLE_JOINT, PM_JOINT_PROGRAM_Y, PM_TABLE_PROGRAM, 0, 1},
     {PM_TABLE_MEASURE, PM_MEASURE_IN, PM_TABLE_BODY, PM_GROUND, 1},
     {PM_TABLE_MEASURE, PM_MEASURE_ON, PM_TABLE_BODY, PM_GROUND, 1},
     {PM_TABLE_MEASURE, PM_MEASURE_ABOUT, PM_TABLE_POINT, 0, 1},
@@ -119,11 +123,16 @@ static const pm_partner joint_partner[PM_JOINT_KINDS] = {
     [PM_JOINT_WELD] = {PM_TABLE_POINT, PM_TABLE_POINT, 1, 0, 0, 0},
     [PM_JOINT_ROLLING_LINE] = {PM_TABLE_CIRCLE, PM_TABLE_LINE, 0, 0, 0, 0},
     [PM_JOINT_ROLLING_CIRCLE] = {PM_TABLE_CIRCLE, PM_TABLE_CIRCLE, 1, 0, 0, 0},
+    [PM_JOINT_GEARS] = {PM_TABLE_CIRCLE, PM_TABLE_CIRCLE, 1, 0, 0, 0},
+    [PM_JOINT_BELT] = {PM_TABLE_CIRCLE, PM_TABLE_CIRCLE, 1, 0, 0, 0},
+    [PM_JOINT_RATE] = {PM_TABLE_BODY, PM_TABLE_BODY, 0, 0, 1, 0},
+    [PM_JOINT_DRIVE] = {PM_TABLE_POINT, PM_TABLE_POINT, 0, 0, 1, 1},
 };
 static const pm_partner contact_partner[PM_CONTACT_KINDS] = {
     [PM_CONTACT_LINE] = {PM_TABLE_CIRCLE, PM_TABLE_LINE, 0, 0, 0, 0},
     [PM_CONTACT_CIRCLE] = {PM_TABLE_CIRCLE, PM_TABLE_CIRCLE, 0, 0, 0, 0},
     [PM_CONTACT_ROW] = {PM_TABLE_CIRCLE, PM_TABLE_ROW, 0, 0, 0, 0},
+    [PM_CONTACT_CORD] = {PM_TABLE_CIRCLE, PM_TABLE_CIRCLE, 0, 0, 0, 0},
 };
 static const pm_partner force_partner[PM_FORCE_KINDS] = {
     [PM_FORCE_SPRING] = {PM_TABLE_POINT, PM_TABLE_POINT, 1, 1, 0, 0},
@@ -163,11 +172,13 @@ static int check_elements(const pm_model *m, int table, int kinds, const pm_part
         if (!in_range(m, p->a, e[1])) return bad(where, table, i, e[1], m->rows[p->a]);
         if (!in_range(m, p->b, e[2])) return bad(where, table, i, e[2], m->rows[p->b]);
         if (!has_numbers) continue;
-        const int column[] = {3, 4, 5, 6},
-                  of[] = {PM_TABLE_VALUE, PM_TABLE_VALUE, PM_TABLE_PROGRAM, PM_TABLE_PROGRAM};
+        const int joint = table == PM_TABLE_JOINT;
+        const int column[] = {joint ? PM_JOINT_VALUE : PM_FORCE_VALUE_1, joint ? PM_NONE : PM_FORCE_VALUE_2,
+                              joint ? PM_JOINT_PROGRAM_X : PM_FORCE_PROGRAM_X,
+                              joint ? PM_JOINT_PROGRAM_Y : PM_FORCE_PROGRAM_Y};
+        const int of[] = {PM_TABLE_VALUE, PM_TABLE_VALUE, PM_TABLE_PROGRAM, PM_TABLE_PROGRAM};
         const int wanted[] = {p->value_1, p->value_2, p->program_x, p->program_y};
-        const int n = table == PM_TABLE_JOINT ? 1 : 4;
-        for (int k = 0; k < n; k++)
+        for (int k = 0; k < 4; k++)
             if (wanted[k] && !in_range(m, of[k], e[column[k]]))
                 return bad(where, table, i, e[column[k]], m->rows[of[k]]);
     }
@@ -185,6 +196,13 @@ static int check_contacts(const pm_model *m, pm_where *where)
             return bad(where, PM_TABLE_CONTACT, i, PM_NONE, 0);
         if (e[PM_CONTACT_KIND] == PM_CONTACT_CIRCLE && e[PM_CONTACT_SIDE] < 0)
             return bad(where, PM_TABLE_CONTACT, i, PM_NONE, 0);
+        if (e[PM_CONTACT_SPEED] >= 0 && e[PM_CONTACT_KIND] != PM_CONTACT_LINE)
+            return bad(where, PM_TABLE_CONTACT, i, e[PM_CONTACT_SPEED], PM_NONE);
+        if (e[PM_CONTACT_KIND] != PM_CONTACT_CORD) continue;
+        if (friction != PM_FRICTION_SMOOTH || e[PM_CONTACT_SLACK] < 0)
+            return bad(where, PM_TABLE_CONTACT, i, e[PM_CONTACT_SLACK], 0);
+        for (int k = PM_CONTACT_SENSE_A; k <= PM_CONTACT_SENSE_B; k++)
+            if (e[k] != 1 && e[k] != -1) return bad(where, PM_TABLE_CONTACT, i, e[k], 1);
     }
     return PM_OK;
 }
@@ -216,6 +234,53 @@ static int check_forces(const pm_model *m, pm_where *where)
                     return bad(where, PM_TABLE_FORCE, i, code[PM_CODE_ARG], PM_NONE);
         }
     }
+    return PM_OK;
+}
+
+static int reads_time_alone(const pm_model *m, int program)
+{
+    const int32_t *p = pm_row_of(m, PM_TABLE_PROGRAM, program, PM_PROGRAM_COLUMNS);
+    const int32_t *code = pm_row_of(m, PM_TABLE_CODE, p[PM_PROGRAM_FIRST], PM_CODE_COLUMNS);
+    for (int i = 0; i < p[PM_PROGRAM_LENGTH]; i++, code += PM_CODE_COLUMNS)
+        if (code[PM_CODE_OP] == PM_OP_MEASURE &&
+            PM_MEASURE_ROW(m, code[PM_CODE_ARG])[PM_MEASURE_KIND] != PM_MEASURE_TIME)
+            return 0;
+    return 1;
+}
+
+/* The k-th drive of the scene, a program, with its table and row; PM_NONE after the last. */
+static int drive_of(const pm_model *m, int k, int *table, int *row)
+{
+    static const int joint_column[] = {PM_JOINT_PROGRAM_X, PM_JOINT_PROGRAM_Y};
+    for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++)
+        for (int c = 0; c < 2; c++) {
+            const int program = PM_JOINT_ROW(m, i)[joint_column[c]];
+            if (program < 0 || k-- > 0) continue;
+            *table = PM_TABLE_JOINT;
+            *row = i;
+            return program;
+        }
+    for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
+        const int program = PM_CONTACT_ROW_OF(m, i)[PM_CONTACT_SPEED];
+        if (program < 0 || k-- > 0) continue;
+        *table = PM_TABLE_CONTACT;
+        *row = i;
+        return program;
+    }
+    return PM_NONE;
+}
+
+int pm_model_is_driven(const pm_model *m)
+{
+    int table, row;
+    return drive_of(m, 0, &table, &row) != PM_NONE;
+}
+
+static int check_drives(const pm_model *m, pm_where *where)
+{
+    int table = PM_NONE, row = PM_NONE, program;
+    for (int k = 0; (program = drive_of(m, k, &table, &row)) != PM_NONE; k++)
+        if (!reads_time_alone(m, program)) return bad(where, table, row, program, PM_NONE);
     return PM_OK;
 }
 
@@ -324,23 +389,38 @@ static int check_tables(pm_model *m, pm_where *where)
     if (!status) status = check_find(m, where);
     if (!status) status = pm_measure_validate(m, where);
     if (!status) status = pm_program_validate(m, where);
-    if (!status) status = check_forces(m, where); /* looks into programs */
+    if (!status) status = check_forces(m, where); /* look into programs */
+    if (!status) status = check_drives(m, where);
     return status;
 }
 
 static const int joint_rows[PM_JOINT_KINDS] = {
     [PM_JOINT_PIN] = 2,  [PM_JOINT_SLIDER] = 1,       [PM_JOINT_SLIDER_FIXED] = 2,   [PM_JOINT_LINK] = 1,
     [PM_JOINT_WELD] = 3, [PM_JOINT_ROLLING_LINE] = 2, [PM_JOINT_ROLLING_CIRCLE] = 2,
+    [PM_JOINT_GEARS] = 1, [PM_JOINT_BELT] = 2, [PM_JOINT_RATE] = 1, [PM_JOINT_DRIVE] = 2,
 };
+
+int pm_model_memories(int joint_kind)
+{
+    switch ((enum pm_joint_kind)joint_kind) {
+    case PM_JOINT_ROLLING_LINE:
+    case PM_JOINT_ROLLING_CIRCLE:
+    case PM_JOINT_GEARS:
+    case PM_JOINT_RATE: return 1;
+    case PM_JOINT_BELT:
+    case PM_JOINT_DRIVE: return 2;
+    default: return 0;
+    }
+}
 
 /* Numbers rows, slots, memories and running integrals. */
 static void lay_out(pm_model *m)
 {
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
         const int kind = PM_JOINT_ROW(m, i)[PM_JOINT_KIND];
-        const int rolls = kind == PM_JOINT_ROLLING_LINE || kind == PM_JOINT_ROLLING_CIRCLE;
         m->joint_row[i] = m->njoint_row;
-        m->joint_memory[i] = rolls ? m->nmemory++ : PM_NONE;
+        m->joint_memory[i] = pm_model_memories(kind) > 0 ? m->nmemory : PM_NONE;
+        m->nmemory += pm_model_memories(kind);
         m->njoint_row += joint_rows[kind];
     }
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
@@ -357,7 +437,7 @@ static void lay_out(pm_model *m)
     for (int i = 0; i < m->rows[PM_TABLE_MEASURE]; i++)
         m->path_z[i] = PM_MEASURE_ROW(m, i)[PM_MEASURE_KIND] == PM_MEASURE_PATH ? m->nz++ : PM_NONE;
     m->nz_controlled = m->nz;
-    m->nz += 1 + PM_LEDGER; /* work done by sliding friction, then the outer impulses */
+    m->nz += 1 + PM_LEDGER; /* work of sliding friction and of drives, then the outer impulses */
 }
 
 /* What each program needs of a state. */
@@ -378,9 +458,12 @@ static void grade_programs(pm_model *m)
     }
 }
 
-/* Whether a scene at rest may still see something happen: a force or a trigger that depends on time. */
+/* Whether a scene at rest may still see something happen: a force, a drive or a trigger that depends on time. */
 static void look_for_time(pm_model *m)
 {
+    int table, row, program;
+    for (int k = 0; (program = drive_of(m, k, &table, &row)) != PM_NONE; k++)
+        m->uses_time |= pm_nature_reads_time(m, program);
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++) {
         const int32_t *e = PM_FORCE_ROW(m, i);
         if (e[PM_FORCE_KIND] >= PM_FORCE_APPLIED)

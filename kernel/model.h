@@ -26,7 +26,7 @@ typedef struct pm_model {
     int nvalue, nask, nout;
     int njoint_row;    /* rows of all joints */
     int nslot;         /* places for closed contacts: 1 per contact, PM_ROW_SLOTS per periodic row */
-    int nmemory;       /* rolling joints and slots: what their no-slip rows remember */
+    int nmemory;       /* joints and slots: what their no-slip and driven rows and strands remember */
     int nrow;          /* most active rows: njoint_row + 2 nslot */
     int nz;            /* running integrals: forces' work, paths, then PM_LEDGER audit entries */
     int nz_work;       /* of these the first are works of forces */
@@ -34,7 +34,7 @@ typedef struct pm_model {
     int uses_time;     /* some force or trigger depends on t: rest does not last, or is waited out */
     int *contact_slot; /* [ncontact] first slot */
     int *joint_row;    /* [njoint] first row among the joint rows */
-    int *joint_memory; /* [njoint] or PM_NONE */
+    int *joint_memory; /* [njoint] first, or PM_NONE */
     int *force_z;      /* [nforce] running integral of its work, or PM_NONE: it has a potential */
     int *path_z;       /* [nmeasure] running integral of a path measure, or PM_NONE */
     unsigned char *program_level;  /* [nprogram] enum pm_level that its measures need */
@@ -78,16 +78,17 @@ typedef struct pm_slot {
     int32_t member; /* of a periodic row, else 0 */
 } pm_slot;
 
-/* A no-slip row is holonomic with memory: its constant, and the last unwrapped direction of the centres. */
+/* A no-slip row is holonomic with memory: its constant, and the last unwrapped direction of the centres or of the strand. */
 typedef struct pm_memory {
     double anchor;
     double direction;
+    double time; /* up to which the way of a drive is part of the anchor */
 } pm_memory;
 
 typedef struct pm_state {
     double t;
     double *q, *v, *z; /* [nq], [nq], [nz] */
-    pm_memory *memory; /* [nmemory]: rolling joints, then slots */
+    pm_memory *memory; /* [nmemory]: joints, then slots */
     pm_slot *slot;     /* [nslot] */
     void *block;
     size_t bytes;
@@ -98,7 +99,7 @@ typedef struct pm_row {
     int kind;                  /* enum pm_row_kind */
     int body[2];               /* body index, or nbody for the ground */
     double a[2], b[2];         /* marks in body axes */
-    double radius_a, radius_b; /* signed: see row_distance.c */
+    double radius_a, radius_b; /* signed: see row_distance.c, row_strand.c */
     double value;              /* length, angle, or direction of a line in its body */
     double axis[2];            /* cosine and sine of that direction */
     double sign;               /* distance rows: which way is positive */
@@ -109,6 +110,8 @@ typedef struct pm_row {
     double j[6];  /* Jacobian on (x, y, angle) of body[0] and body[1], at the frame's state */
     double h[6];  /* direction of the force: j, but for sliding contacts */
     double g;     /* residual, m or rad */
+    int drive;    /* program of its prescribed rate, or PM_NONE */
+    double rate;  /* prescribed at the frame: G v = rate */
     double gamma; /* -(dG/dt) v */
 } pm_row;
 
@@ -220,6 +223,10 @@ typedef struct pm_workspace {
 int pm_model_create(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant,
                     int64_t nparam, pm_model **model, pm_where *where);
 void pm_model_free(pm_model *model);
+/* How many rows of a joint, its last ones, remember something. */
+int pm_model_memories(int joint_kind);
+/* Something has a prescribed motion. */
+int pm_model_is_driven(const pm_model *model);
 
 /* workspace.c */
 int pm_workspace_create(const pm_model *model, pm_workspace **workspace);

@@ -10,6 +10,10 @@
 double pm_program_run(const pm_model *m, int index, const double *param, const double *value,
                       pm_workspace *w);
 
+/* A program that reads no measure but the time, at the time t; *rate: how fast it changes. */
+double pm_program_of_time(const pm_model *m, int index, const double *param, const double *value, double t,
+                          double *rate);
+
 /* Checks codes, arguments and stack of every program of a table set; returns PM_OK or PM_BAD_TABLE. */
 int pm_program_validate(const pm_model *m, pm_where *where);
 

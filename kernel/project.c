@@ -1,4 +1,5 @@
-/* project.c - Newton on g(q) = 0 with dq = -M^-1 G^T (G M^-1 G^T)^-1 g, then the same once for G v = 0. */
+/* project.c - Newton on g(q) = 0 with dq = -M^-1 G^T (G M^-1 G^T)^-1 g, then the same once for G v = w, the prescribed rates (0 of all rows
+ * that are not driven). */
 #include "project.h"
 
 #include <math.h>
@@ -31,7 +32,7 @@ int pm_project_velocity(pm_workspace *w, pm_state *s)
 {
     double worst = 0;
     for (int i = 0; i < w->nactive; i++) {
-        w->rhs[i] = -pm_saddle_times(w, &w->row[i], s->v);
+        w->rhs[i] = w->row[i].rate - pm_saddle_times(w, &w->row[i], s->v);
         worst = fmax(worst, fabs(w->rhs[i]));
     }
     if (worst <= ROUNDING * w->speed) return PM_OK;
@@ -66,6 +67,6 @@ double pm_project_residual(pm_workspace *w)
 {
     double worst = worst_opening(w) / w->size;
     for (int i = 0; i < w->nactive; i++)
-        worst = fmax(worst, fabs(pm_saddle_times(w, &w->row[i], w->frame.v)) / w->speed);
+        worst = fmax(worst, fabs(pm_saddle_times(w, &w->row[i], w->frame.v) - w->row[i].rate) / w->speed);
     return worst;
 }

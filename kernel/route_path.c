@@ -136,11 +136,19 @@ static int leave_rest(pm_workspace *w, const pm_place *x)
     return p->sense != 0;
 }
 
+/* A prescribed rate makes the motion one in time. */
+static int is_driven(const pm_workspace *w)
+{
+    for (int i = 0; i < w->nactive; i++)
+        if (w->row[i].drive != PM_NONE) return 1;
+    return 0;
+}
+
 static int applies(pm_workspace *w)
 {
     pm_path *p = w->path;
     pm_place *x = &p->node[PM_NODES_MOST - 1];
-    if (!w->model->forces_by_place || w->asymmetric || w->path_left) return 0;
+    if (!w->model->forces_by_place || w->asymmetric || w->path_left || is_driven(w)) return 0;
     pm_tree_build(w);
     if (w->tree->n - w->tree->nloop != 1) return 0;
     p->n = w->tree->n;

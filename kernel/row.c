@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "drive.h"
+
 const pm_row_ops *pm_row_kind(int kind)
 {
     static const pm_row_ops *const kinds[PM_ROW_KINDS] = {
@@ -13,6 +15,10 @@ const pm_row_ops *pm_row_kind(int kind)
         [PM_ROW_DISTANCE] = &pm_row_distance,
         [PM_ROW_CIRCLE_TANGENT] = &pm_row_circle_tangent,
         [PM_ROW_ANGLE] = &pm_row_angle,
+        [PM_ROW_STRAND] = &pm_row_strand,
+        [PM_ROW_DRIVE_X] = &pm_row_drive_x,
+        [PM_ROW_DRIVE_Y] = &pm_row_drive_y,
+        [PM_ROW_TURN] = &pm_row_turn,
     };
     return kinds[kind];
 }
@@ -73,13 +79,18 @@ double pm_row_rate(const pm_workspace *w, const pm_row *row)
     return pm_dot(u, x.direction) + x.couple * (va[2] - vb[2]);
 }
 
+double pm_row_slip(const pm_workspace *w, const pm_row *row)
+{
+    return pm_row_rate(w, row) - pm_drive_rate(w, row->drive);
+}
+
 static pm_row blank(int kind)
 {
     pm_row row;
     memset(&row, 0, sizeof row);
     row.kind = kind;
     row.sign = 1;
-    row.memory = row.joint = row.slot = row.normal = PM_NONE;
+    row.memory = row.joint = row.slot = row.normal = row.drive = PM_NONE;
     return row;
 }
 
@@ -127,6 +138,16 @@ static void circles(const pm_workspace *w, pm_row *row, int a, int b, double sid
     const int32_t *ea = PM_CIRCLE_ROW(w->model, a), *eb = PM_CIRCLE_ROW(w->model, b);
     two_points(w, row, ea[PM_CIRCLE_POINT], eb[PM_CIRCLE_POINT]);
     two_circles(row, w->value[ea[PM_CIRCLE_RADIUS]], w->value[eb[PM_CIRCLE_RADIUS]], side);
+}
+
+/* A strand from circle a to circle b; which way round each it goes is the sign of its radius. */
+static void strand(const pm_workspace *w, pm_row *row, int a, int b, double sense_a, double sense_b)
+{
+    const int32_t *ea = PM_CIRCLE_ROW(w->model, a), *eb = PM_CIRCLE_ROW(w->model, b);
+    *row = blank(PM_ROW_STRAND);
+    two_points(w, row, ea[PM_CIRCLE_POINT], eb[PM_CIRCLE_POINT]);
+    row->radius_a = sense_a * w->value[ea[PM_CIRCLE_RADIUS]];
+    row->radius_b = sense_b * w->value[eb[PM_CIRCLE_RADIUS]];
 }
 
 static void member_of_row(const pm_workspace *w, pm_row *row, int circle, int of, int member)
@@ -178,6 +199,31 @@ int pm_row_of_joint(const pm_workspace *w, int joint, pm_row row[PM_JOINT_ROWS])
         circles(w, &row[1], a, b, w->value[e[PM_JOINT_VALUE]]);
         n = 2;
         break;
+    case PM_JOINT_GEARS:
+        row[0] = blank(PM_ROW_CIRCLE_TANGENT);
+        circles(w, &row[0], a, b, w->value[e[PM_JOINT_VALUE]]);
+        n = 1;
+        break;
+    case PM_JOINT_BELT: /* the strand that leaves a counterclockwise, the one that leaves it clockwise */
+        for (n = 0; n < 2; n++) {
+            const double sense = n == 0 ? 1 : -1;
+            strand(w, &row[n], a, b, sense, w->value[e[PM_JOINT_VALUE]] * sense);
+        }
+        break;
+    case PM_JOINT_RATE:
+        row[0] = blank(PM_ROW_TURN);
+        row[0].body[0] = pm_body_index(w->model, a);
+        row[0].body[1] = pm_body_index(w->model, b);
+        row[0].drive = e[PM_JOINT_PROGRAM_X];
+        n = 1;
+        break;
+    case PM_JOINT_DRIVE:
+        for (n = 0; n < 2; n++) {
+            row[n] = blank(n == 0 ? PM_ROW_DRIVE_X : PM_ROW_DRIVE_Y);
+            two_points(w, &row[n], a, b);
+            row[n].drive = e[n == 0 ? PM_JOINT_PROGRAM_X : PM_JOINT_PROGRAM_Y];
+        }
+        break;
     case PM_JOINT_KINDS: break;
     }
     if (kind == PM_JOINT_WELD || kind == PM_JOINT_SLIDER_FIXED) {
@@ -186,8 +232,12 @@ int pm_row_of_joint(const pm_workspace *w, int joint, pm_row row[PM_JOINT_ROWS])
         row[n].body[1] = row[0].body[1];
         row[n++].value = w->value[e[PM_JOINT_VALUE]];
     }
-    if (w->model->joint_memory[joint] != PM_NONE) row[1].memory = w->model->joint_memory[joint];
-    for (int k = 0; k < n; k++) row[k].joint = joint;
+    const int memory = w->model->joint_memory[joint];
+    for (int k = 0; k < n; k++) {
+        row[k].joint = joint;
+        if (memory != PM_NONE && pm_row_kind(row[k].kind)->remember)
+            row[k].memory = memory + k - (n - pm_model_memories(kind));
+    }
     return n;
 }
 
@@ -206,6 +256,9 @@ void pm_row_of_contact(const pm_workspace *w, int contact, int slot, int member,
         *normal = blank(PM_ROW_DISTANCE);
         circles(w, normal, a, b, w->value[e[PM_CONTACT_SIDE]]);
         break;
+    case PM_CONTACT_CORD:
+        strand(w, normal, a, b, e[PM_CONTACT_SENSE_A], e[PM_CONTACT_SENSE_B]);
+        break;
     case PM_CONTACT_ROW:
     case PM_CONTACT_KINDS:
         *normal = blank(PM_ROW_DISTANCE);
@@ -214,6 +267,11 @@ void pm_row_of_contact(const pm_workspace *w, int contact, int slot, int member,
     }
     normal->slot = slot;
     *tangent = *normal;
-    tangent->kind = normal->kind == PM_ROW_LINE_NORMAL ? PM_ROW_LINE_TANGENT : PM_ROW_CIRCLE_TANGENT;
     tangent->memory = m->nmemory - m->nslot + slot;
+    if (normal->kind == PM_ROW_STRAND) { /* nothing acts across a cord: it is smooth */
+        normal->memory = tangent->memory;
+        return;
+    }
+    tangent->kind = normal->kind == PM_ROW_LINE_NORMAL ? PM_ROW_LINE_TANGENT : PM_ROW_CIRCLE_TANGENT;
+    tangent->drive = e[PM_CONTACT_SPEED];
 }

@@ -15,7 +15,11 @@ enum pm_row_kind {
     PM_ROW_DISTANCE = 4,
     PM_ROW_CIRCLE_TANGENT = 5,
     PM_ROW_ANGLE = 6,
-    PM_ROW_KINDS = 7
+    PM_ROW_STRAND = 7,
+    PM_ROW_DRIVE_X = 8,
+    PM_ROW_DRIVE_Y = 9,
+    PM_ROW_TURN = 10,
+    PM_ROW_KINDS = 11
 };
 
 /* Where a unit reaction acts on body[0] (the opposite acts on body[1] in the same line), from geometry alone: the
@@ -46,7 +50,8 @@ typedef struct pm_row_ops {
 } pm_row_ops;
 
 extern const pm_row_ops pm_row_point_x, pm_row_point_y, pm_row_line_normal, pm_row_line_tangent,
-    pm_row_distance, pm_row_circle_tangent, pm_row_angle;
+    pm_row_distance, pm_row_circle_tangent, pm_row_angle, pm_row_strand, pm_row_drive_x, pm_row_drive_y,
+    pm_row_turn;
 
 const pm_row_ops *pm_row_kind(int kind);
 
@@ -58,6 +63,8 @@ void pm_row_of_contact(const pm_workspace *w, int contact, int slot, int member,
 
 /* Rate of a row from the geometry of its line of action (equals j v). */
 double pm_row_rate(const pm_workspace *w, const pm_row *row);
+/* The same relative to its prescribed rate: how a surface slips on a moving belt. */
+double pm_row_slip(const pm_workspace *w, const pm_row *row);
 
 /* The two marks of a row in the frame, and what all kinds share. */
 typedef struct pm_marks {

@@ -5,9 +5,11 @@
  *   normal    C = d.n - R                      Cdot = u.n - w d.t
  *             gamma = -(quad.n - 2 w u.t - w^2 d.n)
  *   tangent   slip = u.t + w d.n + R (omega_a - w): the relative velocity of the touching points along t
- *             C = d.t + R (angle_a - angle_b) - anchor      gamma = -(quad.t + 2 w u.n - w^2 d.t) */
+ *             C = d.t + R (angle_a - angle_b) - anchor      gamma = -(quad.t + 2 w u.n - w^2 d.t)
+ * The surface of b may itself run along t (a belt): its way is taken off the residual, see drive.c. */
 #include <math.h>
 
+#include "drive.h"
 #include "row.h"
 #include "steady.h"
 
@@ -49,14 +51,22 @@ static void evaluate_tangent(const pm_workspace *w, pm_row *row)
     row->g = rolled(w, row, &x, &l) - w->frame.memory[row->memory].anchor;
     row->gamma =
         -(pm_dot(x.quad, l.t) + 2 * x.omega_b * pm_dot(x.u, l.n) - x.omega_b * x.omega_b * pm_dot(x.d, l.t));
+    if (row->drive == PM_NONE) return;
+    row->g -= pm_drive_way(w, row->drive, &w->frame.memory[row->memory]);
+    row->gamma += pm_drive_change(w, row->drive);
+    row->rate = pm_drive_rate(w, row->drive);
 }
 
 static void remember(const pm_workspace *w, const pm_row *row, pm_memory *memory, int anchor_too)
 {
-    if (!anchor_too) return;
+    if (!anchor_too) {
+        pm_drive_follow(w, row->drive, memory);
+        return;
+    }
     const pm_marks x = pm_row_marks(w, row);
     const pm_line_frame l = line_frame(w, row);
     memory->anchor = rolled(w, row, &x, &l);
+    memory->time = w->frame.t;
 }
 
 static void touch(const pm_workspace *w, const pm_row *row, const pm_line_frame *l, pm_line_of_action *x)

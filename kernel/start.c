@@ -168,6 +168,7 @@ static int assemble(pm_workspace *w, pm_start_report *report)
 /* ---- velocities ---- */
 static int any_velocity_written(const pm_workspace *w)
 {
+    if (pm_model_is_driven(w->model)) return 1;
     for (int i = 0; i < w->model->rows[PM_TABLE_START]; i++)
         if (start_level(w, i) == PM_START_VELOCITY && start_value(w, i) != 0) return 1;
     return 0;
@@ -222,26 +223,28 @@ static void hold_joints(pm_workspace *w, pm_solution *s, double *dense, const pm
         for (int k = 0; k < n; k++) {
             pm_row_kind(rows[k].kind)->evaluate(w, &rows[k]);
             spread_row(w, &rows[k], dense);
-            take(w, s, dense, 0, &miss);
+            take(w, s, dense, rows[k].rate, &miss);
             fasten(w, islands, &rows[k]);
         }
     }
 }
 
-/* Contacts that touch at the start and never slip count as joints: the normal, too, unless the start breaks it. */
-static void hold_rough_contacts(pm_workspace *w, pm_solution *s, double *dense, const pm_islands *islands)
+/* Contacts that touch at the start and never slip, and taut cords, count as joints: the normal, too, unless the start
+ * breaks it. */
+static void hold_contacts(pm_workspace *w, pm_solution *s, double *dense, const pm_islands *islands)
 {
     double miss;
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
         int member;
         pm_row row[2];
-        if (pm_contact_friction(w->model, i) != PM_FRICTION_ROUGH) continue;
+        const int cord = pm_contact_is_cord(w->model, i);
+        if (!cord && pm_contact_friction(w->model, i) != PM_FRICTION_ROUGH) continue;
         if (pm_contact_gap(w, &w->state, i, &member) > pm_contact_length(w)) continue;
         pm_row_of_contact(w, i, w->model->contact_slot[i], member, &row[0], &row[1]);
-        for (int k = 0; k < 2; k++) {
+        for (int k = 0; k < (cord ? 1 : 2); k++) {
             pm_row_kind(row[k].kind)->evaluate(w, &row[k]);
             spread_row(w, &row[k], dense);
-            take(w, s, dense, 0, &miss);
+            take(w, s, dense, row[k].rate, &miss);
             fasten(w, islands, &row[k]);
         }
     }
@@ -298,7 +301,7 @@ static int solve_velocities(pm_workspace *w, int with_contacts)
     for (int i = 0; i < m->nbody; i++) islands.island[i] = i;
     memset(islands.fastened, 0, 2 * (size_t)m->nbody + 1);
     hold_joints(w, &s, dense, &islands);
-    if (with_contacts) hold_rough_contacts(w, &s, dense, &islands);
+    if (with_contacts) hold_contacts(w, &s, dense, &islands);
     int status = take_written(w, &s, dense, &islands);
     if (!status) status = settle_rest(w, &s, dense, &islands);
     memcpy(w->state.v, x, (size_t)m->nq * sizeof *x);
@@ -355,7 +358,7 @@ int pm_start(pm_workspace *w, pm_start_report *report)
     draw(w);
     int status = assemble(w, report);
     if (status) return status;
-    pm_active_anchor_joints(w, &w->state);
+    pm_active_anchor_start(w, &w->state);
     pm_frame_look_state(w, &w->state);
     if ((status = velocities(w)) || (status = check_overlap(w))) return status;
     pm_frame_look_state(w, &w->state);

@@ -133,10 +133,18 @@ static int is_placed(const pm_workspace *w, int body)
     return body == w->model->nbody || w->tree->placed[body];
 }
 
+/* Driven rows are not solved: they depend on the time. */
+static int is_driven(const pm_workspace *w, const pm_group *g)
+{
+    for (int i = 0; i < g->n; i++)
+        if (w->row[g->row[i]].drive != PM_NONE) return 1;
+    return 0;
+}
+
 /* Places a body by the group, if just one of its two is placed. */
 static int place_by(pm_workspace *w, const pm_group *g, int *nplaced)
 {
-    if (g->n < 2 || w->tree->used[g->row[0]]) return 0;
+    if (g->n < 2 || w->tree->used[g->row[0]] || is_driven(w, g)) return 0;
     const pm_row *row = &w->row[g->row[0]];
     const int a = is_placed(w, row->body[0]), b = is_placed(w, row->body[1]);
     if (a == b) return 0;

@@ -122,7 +122,7 @@ static inline int scene_floor(scene *s, double angle)
 /* ---- joints, contacts, forces ---- */
 static inline int scene_joint(scene *s, int kind, int a, int b, double number)
 {
-    return SCENE_ROW(s, PM_TABLE_JOINT, kind, a, b, scene_value(s, number));
+    return SCENE_ROW(s, PM_TABLE_JOINT, kind, a, b, scene_value(s, number), PM_NONE, PM_NONE);
 }
 /* friction: PM_FRICTION_...; static and kinetic coefficient mu */
 static inline int scene_contact(scene *s, int kind, int a, int b, double side, double e, int friction,
@@ -131,7 +131,17 @@ static inline int scene_contact(scene *s, int kind, int a, int b, double side, d
     const int value = friction == PM_FRICTION_COULOMB ? scene_value(s, mu) : PM_NONE;
     return SCENE_ROW(s, PM_TABLE_CONTACT, kind, a, b,
                      kind == PM_CONTACT_CIRCLE ? scene_value(s, side) : PM_NONE, scene_value(s, e), friction,
-                     value, value);
+                     value, value, PM_NONE, PM_NONE, 1, 1);
+}
+static inline int scene_cord(scene *s, int a, int sense_a, int b, int sense_b, double slack, double e)
+{
+    return SCENE_ROW(s, PM_TABLE_CONTACT, PM_CONTACT_CORD, a, b, PM_NONE, scene_value(s, e),
+                     PM_FRICTION_SMOOTH, PM_NONE, PM_NONE, PM_NONE, scene_value(s, slack), sense_a, sense_b);
+}
+/* A drive: PM_JOINT_RATE of bodies or PM_JOINT_DRIVE of points, by programs of the time. */
+static inline int scene_drive(scene *s, int kind, int a, int b, int program_x, int program_y)
+{
+    return SCENE_ROW(s, PM_TABLE_JOINT, kind, a, b, PM_NONE, program_x, program_y);
 }
 static inline int scene_force(scene *s, int kind, int a, int b, double value_1, double value_2)
 {

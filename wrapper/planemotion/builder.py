@@ -90,6 +90,10 @@ class Scene:
         """A joint: one kind with its partners, and options."""
         return self._update("joints", {name: keys})
 
+    def coupling(self, name: str, **keys: Any) -> Self:
+        """A coupling: gears, a belt, a cord or a motor, and options."""
+        return self._update("couplings", {name: keys})
+
     def contact(self, name: str, **keys: Any) -> Self:
         """A contact: touch = [mark, mark], and options."""
         return self._update("contacts", {name: keys})

@@ -21,7 +21,8 @@ from .parameters import Reader, is_zero
 from .partners import Partner, different, kernel_circle, pairs, partner
 from .scene import Contact, Friction, Value
 from .tables import Tables
-from .units import DIMENSIONLESS
+from .timed import over_time
+from .units import DIMENSIONLESS, VELOCITY
 
 _ROUND = ("circle", "point")
 
@@ -101,6 +102,9 @@ class Contacts:
         points = a.kind == "point" and b.kind == "point"
         if contact.normal is not None and not points:
             raise SceneError("only two points need a normal", path=f"{path}.normal", value=contact.normal)
+        if contact.surface_speed is not None and (swapped or b.kind != "line"):
+            reason = "the second mark must be a line to have a surface that runs along it"
+            raise SceneError(reason, path=f"{path}.surface_speed", value=contact.surface_speed)
         side_value = layout.PM_NONE
         if b.kind == "line":
             assert isinstance(b.mark, LineMark)
@@ -159,4 +163,17 @@ class Contacts:
             layout.PM_CONTACT_FRICTION: law,
             layout.PM_CONTACT_STATIC: self.tables.value(static, where) if coulomb else layout.PM_NONE,
             layout.PM_CONTACT_KINETIC: self.tables.value(kinetic, where) if coulomb else layout.PM_NONE,
+            layout.PM_CONTACT_SPEED: self._surface_speed(contact, path),
+            layout.PM_CONTACT_SLACK: layout.PM_NONE,
+            layout.PM_CONTACT_SENSE_A: 1,
+            layout.PM_CONTACT_SENSE_B: 1,
         }
+
+    def _surface_speed(self, contact: Contact, path: str) -> int:
+        """The program of the speed with which the surface of a line runs."""
+        if contact.surface_speed is None:
+            return layout.PM_NONE
+        where = f"{path}.surface_speed"
+        return self.tables.program(
+            over_time(self.reader, self.tables, contact.surface_speed, where, VELOCITY), where
+        )

@@ -65,6 +65,13 @@ def explain(scene: Scene) -> Report:
             ),
         ),
         _section(
+            "couplings",
+            (
+                (name, coupling.kind, _pair(coupling.partners), _options(coupling))
+                for name, coupling in data.couplings.items()
+            ),
+        ),
+        _section(
             "contacts",
             ((name, _pair(contact.touch), _laws(contact)) for name, contact in data.contacts.items()),
         ),

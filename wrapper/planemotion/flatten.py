@@ -18,6 +18,7 @@ from . import _layout as layout
 from .asks import AskColumn, Asks
 from .bounds import check_bounds
 from .contacts import Contacts
+from .couplings import Couplings
 from .drawing import GROUND, Drawing
 from .errors import SceneError
 from .finds import Finds, FlatFind
@@ -29,13 +30,13 @@ from .measure_rows import Scope
 from .measures import Measures
 from .node import ZERO, Name, negative
 from .parameters import Parameters, Reader, is_zero, override
-from .scene import Body, Contact, Force, Joint, SceneData, Value
+from .scene import Body, Contact, Coupling, Force, Joint, SceneData, Value
 from .starts import Starts
 from .tables import Tables
 from .units import DIMENSIONLESS, LENGTH, TIME
 from .words import ROUND_SHAPES, unknown
 
-_E = TypeVar("_E", Body, Joint, Contact, Force)
+_E = TypeVar("_E", Body, Joint, Coupling, Contact, Force)
 _COLUMNS = {
     number: getattr(layout, f"{name.replace('_TABLE_', '_')}_COLUMNS")
     for name, number in layout.pm_table.items()
@@ -185,20 +186,27 @@ class _Flattener:
     def _elements(self) -> Scope:
         data = self.data
         joints = self._active("joints", data.joints)
+        couplings = self._active("couplings", data.couplings)
         contacts = self._active("contacts", data.contacts)
         forces = self._active("forces", data.forces)
         groups = (
             (data.bodies, self.drawing.bodies),
             (data.joints, joints),
+            (data.couplings, couplings),
             (data.contacts, contacts),
             (data.forces, forces),
         )
         inactive = {name for written, active in groups for name in written if name not in active}
         add_joint = Joints(self.drawing, self.reader, self.tables).add
+        coupler = Couplings(self.drawing, self.reader, self.tables)
         add_contact = Contacts(self.drawing, self.reader, self.tables).add
         add_force = Forces(self.drawing, self.reader, self.tables).add
+        driven = {name: body for name, body in self.drawing.bodies.items() if body.driven is not None}
+        for name, body in driven.items():
+            coupler.drive(name, body)
         return Scope(
             joints={name: add_joint(name, joint) for name, joint in joints.items()},
+            couplings={name: coupler.add(name, coupling) for name, coupling in couplings.items()},
             contacts={name: add_contact(name, contact) for name, contact in contacts.items()},
             forces={name: add_force(name, force) for name, force in forces.items()},
             events={name: add_event(self.tables, f"events.{name}") for name in data.events},
@@ -207,7 +215,8 @@ class _Flattener:
 
     def _fastened(self) -> set[str]:
         """Bodies that some joint holds: the assembly may move them."""
-        return {owner for joint in self.scope.joints.values() for owner in joint.owners}
+        held = {owner for joint in self.scope.joints.values() for owner in joint.owners}
+        return held | {name for name, body in self.drawing.bodies.items() if body.driven is not None}
 
     def _check_sizes(self) -> None:
         """Lengths, widths and radii of shapes are positive (their inertia alone would not tell)."""
@@ -226,7 +235,7 @@ class _Flattener:
     def _check_masses(self) -> None:
         """A mass may be left out only if the mass centre cannot move: it is pinned to the ground."""
         for name, mass in self.drawing.masses.items():
-            if not mass.known and not any(
+            if self.drawing.bodies[name].driven is None and not mass.known and not any(
                 _holds(joint, name, self.drawing) for joint in self.scope.joints.values()
             ):
                 reason = "mass or weight is wanted (unless the mass centre is pinned to the ground)"

@@ -7,14 +7,14 @@ from dataclasses import dataclass
 from . import _layout as layout
 from .drawing import GROUND, Drawing
 from .errors import SceneError
-from .expression import Leaf, dimension, names, parse
+from .expression import dimension, parse
 from .marks import distance
-from .node import Name, Node
+from .node import Node
 from .parameters import Reader
 from .partners import Partner, drawn_pair, pairs, partner, point_pair
 from .scene import Force, Value, Vector
-from .substitute import substitute
 from .tables import Tables
+from .timed import over_time
 from .units import DAMPING, DIMENSIONLESS, FORCE, LENGTH, MOMENT, STIFFNESS, TIME, Dimension
 
 ROTARY_DAMPING = MOMENT * TIME
@@ -168,21 +168,4 @@ class Forces:
         return self.reader.number(written, where, wanted)
 
     def _over_time(self, written: Value, where: str, wanted: Dimension) -> Node:
-        """An expression of parameters and t, with t made the measure of time."""
-
-        def resolve(leaf: Leaf) -> Dimension | None:
-            return TIME if leaf == Name("t") else self.reader.parameters.dimension_of(leaf)
-
-        node = self.reader.number_of(written, where, wanted, resolve)
-        if Name("t") not in names(node):
-            return node
-        time = self.tables.measure_leaf(time_row(), where)
-        return substitute(node, lambda leaf: time if leaf == Name("t") else leaf)
-
-
-def time_row() -> dict[int, int]:
-    """The measure of time, whose other columns are empty."""
-    row = dict.fromkeys(range(layout.PM_MEASURE_COLUMNS), layout.PM_NONE)
-    row[layout.PM_MEASURE_KIND] = layout.PM_MEASURE_TIME
-    row[layout.PM_MEASURE_PART] = layout.PM_PART_NONE
-    return row
+        return over_time(self.reader, self.tables, written, where, wanted)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from .couplings import CouplingInfo
 from .drawing import Drawing
 from .errors import SceneError
 from .joints import JointInfo
@@ -28,6 +29,8 @@ def trace_columns(
         addresses += [f"{name}.{quantity}" for quantity in quantities]
     for name, joint in scope.joints.items():
         addresses += [f"{name}.{quantity}" for quantity in _joint_quantities(joint)]
+    for name, coupling in scope.couplings.items():
+        addresses += [f"{name}.{quantity}" for quantity in _coupling_quantities(coupling)]
     for name in scope.contacts:
         addresses += [f"{name}.{quantity}" for quantity in _OF_CONTACT]
     for name, force in scope.forces.items():
@@ -42,6 +45,19 @@ def trace_columns(
             continue
         columns[address] = (tables.program(reading.node, f"history.{address}"), reading.dimension.unit or "1")
     return columns
+
+
+def _coupling_quantities(coupling: CouplingInfo) -> tuple[str, ...]:
+    match coupling.kind:
+        case "gears":
+            return _OF_JOINT
+        case "rate":
+            return ("couple",)
+        case "belt":
+            return ("tension[1]", "tension[2]")
+    count = len(coupling.indices)
+    spans = [f"[{span}]" for span in range(1, count + 1)] if count > 1 else [""]
+    return tuple(f"{quantity}{span}" for quantity in ("tension", "slack") for span in spans)
 
 
 def _joint_quantities(joint: JointInfo) -> tuple[str, ...]:

@@ -136,7 +136,7 @@ class Instants:
         if change == "happens":
             raise SceneError('"happens" is a condition of [find]; here the name of the event stands alone')
         if change in words.CORD_CHANGES:
-            raise words.not_built("cords")
+            return self._cord_change(thing, change)
         if change == "rests":
             return layout.PM_TRIGGER_REST, nothing, (self.measures.drawing.body_index(thing),)
         name, bracket, index = thing.partition("[")
@@ -155,6 +155,17 @@ class Instants:
                 raise SceneError(f"the members are [0] to [{len(indices) - 1}]")
             indices = (indices[member],)
         return _CONTACT_TRIGGER[change], nothing, indices
+
+    def _cord_change(self, thing: str, change: str) -> tuple[int, int, tuple[int, ...]]:
+        """Triggers of all strands of a cord."""
+        scope = self.measures.scope
+        if thing in scope.inactive:
+            raise SceneError(f'"{thing}" is not active in this run')
+        cords = {name: one for name, one in scope.couplings.items() if one.kind == "cord"}
+        if thing not in cords:
+            raise SceneError(words.unknown(thing, cords, "cord"))
+        kind = layout.PM_TRIGGER_OPEN if change == "slackens" else layout.PM_TRIGGER_STRIKE
+        return kind, layout.PM_NONE, cords[thing].indices
 
     def _every(self, measure: str, step: str, where: str) -> int:
         """The program that reaches an integer at each multiple."""

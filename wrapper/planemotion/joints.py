@@ -80,6 +80,8 @@ class Joints:
             layout.PM_JOINT_A: a,
             layout.PM_JOINT_B: b,
             layout.PM_JOINT_VALUE: layout.PM_NONE if value is None else self.tables.value(*value),
+            layout.PM_JOINT_PROGRAM_X: layout.PM_NONE,
+            layout.PM_JOINT_PROGRAM_Y: layout.PM_NONE,
         }
         return JointInfo(self.tables.add(layout.PM_TABLE_JOINT, row, path), joint.kind, (first, second))
 

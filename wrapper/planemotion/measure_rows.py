@@ -13,6 +13,7 @@ from . import _layout as layout
 from . import words
 from .address import Address
 from .contacts import ContactInfo
+from .couplings import CouplingInfo
 from .drawing import GROUND, Drawing
 from .errors import SceneError
 from .expression import names
@@ -53,6 +54,7 @@ class Scope:
     """Everything that has a name in a run."""
 
     joints: Mapping[str, JointInfo]
+    couplings: Mapping[str, CouplingInfo]
     contacts: Mapping[str, ContactInfo]
     forces: Mapping[str, ForceInfo]
     events: Mapping[str, int]
@@ -238,7 +240,8 @@ class MeasureRows:
         for word, value in given.items():
             if value is not None and word not in allowed:
                 raise SceneError(f'"{address}": "{word}" does not go with this quantity')
-        if address.member is not None and address.thing not in self.scope.contacts:
+        has_members = address.thing in self.scope.contacts or address.thing in self.scope.couplings
+        if address.member is not None and not has_members:
             raise SceneError(f'"{address}": only contacts have members')
 
     def _need_masses(self, owners: Sequence[str] | Mapping[str, object]) -> None:

@@ -14,6 +14,7 @@ from . import _layout as layout
 from . import words
 from .address import Address
 from .contacts import ContactInfo
+from .couplings import CouplingInfo
 from .drawing import GROUND, Drawing, PointRef
 from .errors import SceneError, nearest
 from .expression import Leaf, dimension, parse
@@ -166,6 +167,8 @@ class Measures(MeasureRows):
             return self._body(address)
         if thing in self.scope.joints:
             return self._joint(address, self.scope.joints[thing])
+        if thing in self.scope.couplings:
+            return self._coupling(address, self.scope.couplings[thing])
         if thing in self.scope.contacts:
             return self._contact(address, self.scope.contacts[thing])
         if thing in self.scope.forces:
@@ -174,7 +177,8 @@ class Measures(MeasureRows):
             return self._event(address, self.scope.events[thing])
         if thing in self.scope.inactive:
             raise SceneError(f'"{thing}" is not active in this run')
-        known = (*self.drawing.bodies, *self.scope.joints, *self.scope.contacts, *self.scope.forces)
+        known = (*self.drawing.bodies, *self.scope.joints, *self.scope.couplings, *self.scope.contacts)
+        known = (*known, *self.scope.forces)
         known = (*known, *self.scope.events, GROUND, *words.SCENE_QUANTITIES)
         raise SceneError(words.unknown(thing, known, "name"))
 
@@ -299,6 +303,62 @@ class Measures(MeasureRows):
         kind = layout.PM_MEASURE_JOINT_FORCE
         x, y = (self._leaf(kind, joint.index, address, part=PARTS[part]) for part in ("x", "y"))
         return y * cos(direction) - x * sin(direction)
+
+    def _coupling(self, address: Address, coupling: CouplingInfo) -> Reading:
+        quantity = self._word(address, words.COUPLING_QUANTITIES[coupling.kind], f"a {coupling.kind}")
+        if coupling.kind == "cord":
+            return self._cord(address, coupling, quantity)
+        assert coupling.index is not None
+        on = self._on(address, coupling.bodies)
+        if coupling.kind == "gears":
+            if address.member is not None:
+                raise SceneError(f'"{address}": gears have no members')
+            is_force = quantity == "force"
+            kind = layout.PM_MEASURE_JOINT_FORCE if is_force else layout.PM_MEASURE_JOINT_IMPULSE
+            found = FORCE if is_force else IMPULSE
+            sources = [(kind, coupling.index)]
+            return self._vector(address, address.path[1:], sources, found, ("in", "on", "along"), on)
+        self._ends(address, 1)
+        if coupling.kind == "belt":
+            self._plain(address, ())
+            kinds = (layout.PM_MEASURE_JOINT_NORMAL, layout.PM_MEASURE_JOINT_FRICTION)
+            return Reading(self._leaf(kinds[self._span(address, 2)], coupling.index, address), FORCE)
+        self._plain(address, ("on",))
+        return Reading(self._leaf(layout.PM_MEASURE_JOINT_COUPLE, coupling.index, address, on=on), MOMENT)
+
+    def _cord(self, address: Address, cord: CouplingInfo, quantity: str) -> Reading:
+        if quantity == "force":
+            return self._cord_force(address, cord)
+        self._ends(address, 1)
+        self._plain(address, ())
+        index = cord.indices[self._span(address, len(cord.indices))]
+        if quantity == "impulse":
+            kind, part = layout.PM_MEASURE_CONTACT_IMPULSE, PARTS["norm"]
+            return Reading(self._leaf(kind, index, address, part=part), IMPULSE)
+        slack = quantity == "slack"
+        kind = layout.PM_MEASURE_CONTACT_GAP if slack else layout.PM_MEASURE_CONTACT_NORMAL
+        return Reading(self._leaf(kind, index, address), LENGTH if slack else FORCE)
+
+    def _cord_force(self, address: Address, cord: CouplingInfo) -> Reading:
+        """The force of a cord on one of its partners: by all strands that end there."""
+        on = address.on or cord.bodies[0]
+        if on not in cord.bodies:
+            raise SceneError(f'"{address}": {address.thing} acts on {" and ".join(cord.bodies)}, not on {on}')
+        strands = [i for i, pair in zip(cord.indices, cord.owners, strict=True) if on in pair]
+        sources = [(layout.PM_MEASURE_CONTACT_FORCE, index) for index in strands]
+        body = self.drawing.body_index(on)
+        return self._vector(address, address.path[1:], sources, FORCE, ("in", "on", "along"), body)
+
+    def _span(self, address: Address, count: int) -> int:
+        """Which strand is meant, from 0."""
+        if address.member is None:
+            if count == 1:
+                return 0
+            name = f"{address.thing}.{address.path[0]}"
+            raise SceneError(f'"{address}": which strand? there are {name}[1] to [{count}]')
+        if not 1 <= address.member <= count:
+            raise SceneError(f'"{address}": the strands are [1] to [{count}]')
+        return address.member - 1
 
     def _contact(self, address: Address, contact: ContactInfo) -> Reading:
         quantity = self._word(address, words.CONTACT_QUANTITIES, "a contact")

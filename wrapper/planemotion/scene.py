@@ -29,6 +29,7 @@ from .written import (
     read_point,
     read_sequence,
     read_start,
+    read_stops,
     read_sweep,
     read_text,
     read_until,
@@ -90,6 +91,13 @@ class Ground(Table):
     rows: dict[str, Row] = {}
 
 
+class Driven(Table):
+    """Prescribed motion of a body: of its mass centre, and its spin; values may depend on t."""
+
+    velocity: Pair = Vector(0, 0)
+    omega: Number = 0
+
+
 class Body(Table):
     rod: Annotated[tuple[str, ...], BeforeValidator(read_names(2, "the names of two ends"))] | None = None
     length: Number | None = None
@@ -110,6 +118,7 @@ class Body(Table):
     circles: Circles = {}
     at: Annotated[Place, BeforeValidator(read_place)] | None = None
     angle: Number | None = None
+    driven: Driven | None = None
     active: Number = True
 
     @property
@@ -149,6 +158,28 @@ class Joint(Element):
         return partners
 
 
+class Coupling(Element):
+    gears: Partners | None = None
+    belt: Partners | None = None
+    cord: Annotated[tuple[str, ...], BeforeValidator(read_stops)] | None = None
+    rate: Partners | None = None
+    crossed: bool = False
+    length: Number | None = None
+    slack: Number | None = None
+    slips: Annotated[tuple[str, ...], BeforeValidator(read_stops)] = ()
+    restitution: Number = 0
+    value: Number | None = None
+
+    @property
+    def kind(self) -> str:
+        return next(kind for kind in words.KINDS["couplings"] if getattr(self, kind) is not None)
+
+    @property
+    def partners(self) -> tuple[str, ...]:
+        partners: tuple[str, ...] = getattr(self, self.kind)
+        return partners
+
+
 class Friction(Table):
     static: Number
     kinetic: Number
@@ -160,6 +191,7 @@ class Contact(Element):
     friction: Annotated[Value | Friction, BeforeValidator(read_friction)] = 0
     normal: Number | None = None
     law: Text = "newton"
+    surface_speed: Number | None = None
     capture: Text = "none"
 
 
@@ -271,6 +303,7 @@ class SceneData(Table):
     ground: Ground = Ground()
     bodies: dict[str, Body] = {}
     joints: dict[str, Joint] = {}
+    couplings: dict[str, Coupling] = {}
     contacts: dict[str, Contact] = {}
     forces: dict[str, Force] = {}
     start: Annotated[dict[str, Value | Vector], BeforeValidator(read_start)] = {}

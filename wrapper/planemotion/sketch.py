@@ -28,7 +28,7 @@ from .node import Node
 from .parameters import Parameters, Reader
 from .partners import Partner, partner
 from .picture import BLUE, INK, RED, SOFT
-from .scene import Body, SceneData, Value, Vector
+from .scene import Body, Coupling, SceneData, Value, Vector
 from .symbols import BODY_FILL, SPRING, TOUCH, Pen, Place
 from .tables import Tables
 from .units import DIMENSIONLESS, LENGTH, factor
@@ -203,6 +203,8 @@ class _Sketch:
             self._body(name, self.drawing.bodies[name])
         for name, joint in self._active("joints"):
             self._joint(name, joint)
+        for name, coupling in self._active("couplings"):
+            self._coupling(name, coupling)
         for name, contact in self._active("contacts"):
             self._contact(name, contact)
         for name, force in self._active("forces"):
@@ -422,6 +424,64 @@ class _Sketch:
             turn = math.atan2(at[1] - center[1], at[0] - center[0]) + math.pi / 2
         self.pen.rolls(at, turn)
         return at
+
+    def _coupling(self, name: str, coupling: Coupling) -> None:
+        where = f"couplings.{name}.{coupling.kind}"
+        if coupling.kind == "rate":
+            owners = [one for one in coupling.partners if one != GROUND]
+            at = self.point(owners[0], "center")
+            self.pen.couple(at, True)
+            self.pen.name(at, name)
+            return
+        stops = [
+            (partner(self.drawing, text.split()[0], where, "point", "circle"), text.endswith(" ccw"))
+            for text in coupling.partners
+        ]
+        if coupling.kind == "gears":
+            self.pen.name(self._mesh(stops[0][0], stops[1][0]), name)
+            return
+        spans = list(zip(stops, stops[1:], strict=False))
+        if coupling.kind == "belt":
+            a, b = stops[0][0], stops[1][0]
+            spans = [((a, ccw), (b, ccw != coupling.crossed)) for ccw in (True, False)]
+        middles = [self._strand(a, b) for a, b in spans]
+        self.pen.name(middles[0], name)
+
+    def _mesh(self, a: Partner, b: Partner) -> Place:
+        """Both pitch circles, and a mark where they touch."""
+        for one, other in ((a, b), (b, a)):
+            assert isinstance(one.mark, CircleMark)
+            center, radius = self.of_partner(one, other), self.length(one.mark.radius)
+            turns = np.linspace(0.0, 2 * np.pi, 97)
+            ring = [(center[0] + radius * math.cos(x), center[1] + radius * math.sin(x)) for x in turns]
+            self.pen.line(ring, INK, 0.6, linestyle="-.")
+        at = self._between_circles(a, b)[0]
+        self.pen.dot(at)
+        return at
+
+    def _strand(self, first: tuple[Partner, bool], second: tuple[Partner, bool]) -> Place:
+        """A straight strand between its tangent points; gives its middle."""
+        (a, a_ccw), (b, b_ccw) = first, second
+        (ax, ay), (bx, by) = self.of_partner(a, b), self.of_partner(b, a)
+        radius_a, radius_b = (
+            (1.0 if ccw else -1.0) * (self.length(one.mark.radius) if isinstance(one.mark, CircleMark) else 0)
+            for one, ccw in ((a, a_ccw), (b, b_ccw))
+        )
+        dx, dy, offset = bx - ax, by - ay, radius_b - radius_a
+        square = dx * dx + dy * dy
+        along = math.sqrt(max(square - offset * offset, 0.0))
+        if square == 0:
+            return ax, ay
+        ux, uy = (along * dx + offset * dy) / square, (along * dy - offset * dx) / square
+        ends = [
+            (ax + radius_a * uy, ay - radius_a * ux),
+            (bx + radius_b * uy, by - radius_b * ux),
+        ]
+        self.pen.line(ends, INK, 1.0)
+        for end, one in zip(ends, (a, b), strict=True):
+            if one.owner == GROUND and one.kind == "point":
+                self.pen.support(end)
+        return _middle(*ends)
 
     def _between_circles(self, a: Partner, b: Partner) -> tuple[Place, Place]:
         """The places of two circles that are nearest to each other, on the line through their centres."""

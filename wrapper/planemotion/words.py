@@ -15,27 +15,24 @@ from .errors import SceneError, nearest
 
 TOP_KEYS = (
     *("id", "title", "description", "plane", "until", "parameters", "ground", "bodies", "joints"),
-    *("contacts", "forces", "start", "events", "ask", "find", "runs", "sweep", "solve"),
+    *("couplings", "contacts", "forces", "start", "events", "ask", "find", "runs", "sweep", "solve"),
 )
-NOT_BUILT_TOP = {
-    "spin": "a plane that itself turns",
-    "couplings": "gears, belts, cords and motors",
-}
+NOT_BUILT_TOP = {"spin": "a plane that itself turns"}
 
 SHAPES = ("rod", "disk", "cylinder", "hoop", "sphere", "half_ring", "plate")
 ROUND_SHAPES = ("disk", "cylinder", "hoop", "sphere", "half_ring")
 BODY_KEYS = (
     *SHAPES,
     *("length", "corners", "mass", "weight", "inertia", "gyration", "mass_center"),
-    *("points", "lines", "circles", "at", "angle", "active"),
+    *("points", "lines", "circles", "at", "angle", "driven", "active"),
 )
 NOT_BUILT_BODY = {
-    "driven": "prescribed motion of a body",
     "depth": "bodies of a spinning plane",
     "edge_on": "bodies of a spinning plane",
 }
 GROUND_KEYS = ("points", "lines", "circles", "rows")
 ROW_KEYS = ("from", "step", "count")
+DRIVEN_KEYS = ("velocity", "omega")
 
 # Element tables: kind -> options; `active` goes with every kind.
 KINDS: dict[str, dict[str, tuple[str, ...]]] = {
@@ -47,7 +44,13 @@ KINDS: dict[str, dict[str, tuple[str, ...]]] = {
         "weld": (),
         "rolling": (),
     },
-    "contacts": {"touch": ("restitution", "friction", "normal", "law", "capture")},
+    "couplings": {
+        "gears": (),
+        "belt": ("crossed",),
+        "cord": ("length", "slack", "slips", "restitution"),
+        "rate": ("value",),
+    },
+    "contacts": {"touch": ("restitution", "friction", "normal", "law", "capture", "surface_speed")},
     "forces": {
         "spring": ("stiffness", "free_length", "only"),
         "torsion": ("stiffness", "free_angle"),
@@ -58,6 +61,7 @@ KINDS: dict[str, dict[str, tuple[str, ...]]] = {
 }
 NOT_BUILT_KINDS: dict[str, dict[str, str]] = {
     "joints": {},
+    "couplings": {"ratio": "linear relations"},
     "contacts": {"table": "spheres on a table"},
     "forces": {},
 }
@@ -66,13 +70,12 @@ NOT_BUILT_OPTIONS: dict[str, dict[str, str]] = {
     "slider": {"friction": "friction of a slider"},
     "slot": {"friction": "friction of a slot"},
     "touch": {
-        "surface_speed": "a moving surface",
         "tangential": "tangential restitution",
     },
     "force": {"power": "a force of given power"},
     "couple": {"power": "a couple of given power"},
 }
-SINGULAR = {"joints": "joint", "contacts": "contact", "forces": "force"}
+SINGULAR = {"joints": "joint", "couplings": "coupling", "contacts": "contact", "forces": "force"}
 
 EVENT_KEYS = ("when",)
 NOT_BUILT_EVENT = {"do": "actions at an event", "nth": "events that count"}
@@ -94,6 +97,16 @@ BODY_QUANTITIES = (
 )
 POINT_QUANTITIES = ("x", "y", "position", "moved", "path", "velocity", "speed", "acceleration")
 JOINT_QUANTITIES = ("force", "couple", "impulse", "normal", "friction", "friction_needed")
+GEAR_QUANTITIES = ("force", "impulse")
+BELT_QUANTITIES = ("tension",)
+CORD_QUANTITIES = ("tension", "impulse", "slack", "force")
+RATE_QUANTITIES = ("couple",)
+COUPLING_QUANTITIES = {
+    "gears": GEAR_QUANTITIES,
+    "belt": BELT_QUANTITIES,
+    "cord": CORD_QUANTITIES,
+    "rate": RATE_QUANTITIES,
+}
 CONTACT_QUANTITIES = (
     *("gap", "closed", "slip", "normal", "friction", "friction_needed", "force", "impulse"),
 )
@@ -235,6 +248,8 @@ def _ground(ground: Mapping[str, Any]) -> None:
 
 def _body(body: Any, path: str) -> None:
     _keys(_mapping(body, path), BODY_KEYS, path, "a body", NOT_BUILT_BODY)
+    if "driven" in body:
+        _keys(_mapping(body["driven"], f"{path}.driven"), DRIVEN_KEYS, f"{path}.driven", "a driven body")
     given = [shape for shape in SHAPES if shape in body]
     if len(given) > 1:
         raise SceneError(f"one shape is possible, not {' and '.join(given)}", path=path)
@@ -263,7 +278,7 @@ def _element(element: Any, group: str, name: str) -> None:
 def _unique(raw: Mapping[str, Any]) -> None:
     """Elements need no prefix in addresses, so their names must differ."""
     owner: dict[str, str] = {}
-    for group in ("bodies", "joints", "contacts", "forces", "events"):
+    for group in ("bodies", "joints", "couplings", "contacts", "forces", "events"):
         for name in table(raw, group):
             check_name(name, group)
             if name in owner:

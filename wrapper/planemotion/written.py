@@ -109,6 +109,15 @@ def read_sequence(written: Any) -> tuple[str, ...]:
     return tuple(texts)
 
 
+def read_stops(written: Any) -> tuple[str, ...]:
+    """Points and rims that a cord goes to, in order."""
+    if not isinstance(written, list | tuple) or not all(isinstance(text, str) for text in written):
+        raise ValueError('points and rims in order are wanted, such as ["drum.rim cw", "block"]')
+    if len(written) < 2:
+        raise ValueError("at least two points or rims are wanted")
+    return tuple(written)
+
+
 def read_until(written: Any) -> tuple[tuple[str, ...], ...]:
     """Groups of instants: the run ends when all of one group have come."""
     if isinstance(written, Mapping):

@@ -1,0 +1,91 @@
+/* row_drive.c - prescribed motion: the velocity of a point, along an axis e of the scene, or the spin of a body, relative to
+ * another body, is a given w(t).
+ *
+ *   point   C = e.(p_a - p_b) - anchor - W(t)     Cdot = e.(v_a - v_b) - w       gamma = -e.quad + dw/dt
+ *   spin    C = angle_a - angle_b - anchor - W    Cdot = omega_a - omega_b - w   gamma = dw/dt
+ * W is the integral of w (drive.c). */
+#include "drive.h"
+#include "row.h"
+
+static const double axis_x[2] = {1, 0}, axis_y[2] = {0, 1};
+
+/* What all driven rows share: the residual is `place` less what is prescribed. */
+static void prescribe(const pm_workspace *w, pm_row *row, double place)
+{
+    const pm_memory *memory = &w->frame.memory[row->memory];
+    row->g = place - memory->anchor - pm_drive_way(w, row->drive, memory);
+    row->gamma += pm_drive_change(w, row->drive);
+    row->rate = pm_drive_rate(w, row->drive);
+}
+
+static void keep(const pm_workspace *w, const pm_row *row, double place, pm_memory *memory, int anchor_too)
+{
+    if (anchor_too) {
+        memory->anchor = place;
+        memory->time = w->frame.t;
+    } else {
+        pm_drive_follow(w, row->drive, memory);
+    }
+}
+
+static double along(const pm_workspace *w, const pm_row *row, const double e[2])
+{
+    const pm_marks x = pm_row_marks(w, row);
+    return pm_dot(x.d, e);
+}
+
+static void evaluate(const pm_workspace *w, pm_row *row, const double e[2])
+{
+    const pm_marks x = pm_row_marks(w, row);
+    pm_row_along(row, &x, e, 1);
+    row->gamma = -pm_dot(x.quad, e);
+    prescribe(w, row, pm_dot(x.d, e));
+}
+
+static void act(const pm_workspace *w, const pm_row *row, pm_line_of_action *x, const double e[2])
+{
+    const pm_point a = pm_point_at(w, row->body[0], row->a[0], row->a[1]);
+    *x = (pm_line_of_action){.at = {a.p[0], a.p[1]}, .direction = {e[0], e[1]}};
+}
+
+static double turned(const pm_workspace *w, const pm_row *row)
+{
+    return w->frame.pose[5 * row->body[0] + 2] - w->frame.pose[5 * row->body[1] + 2];
+}
+
+static void evaluate_x(const pm_workspace *w, pm_row *row) { evaluate(w, row, axis_x); }
+static void evaluate_y(const pm_workspace *w, pm_row *row) { evaluate(w, row, axis_y); }
+static void evaluate_turn(const pm_workspace *w, pm_row *row)
+{
+    for (int k = 0; k < 6; k++) row->j[k] = 0;
+    row->j[2] = 1;
+    row->j[5] = -1;
+    row->gamma = 0;
+    prescribe(w, row, turned(w, row));
+}
+
+static void act_x(const pm_workspace *w, const pm_row *row, pm_line_of_action *x) { act(w, row, x, axis_x); }
+static void act_y(const pm_workspace *w, const pm_row *row, pm_line_of_action *x) { act(w, row, x, axis_y); }
+static void act_turn(const pm_workspace *w, const pm_row *row, pm_line_of_action *x)
+{
+    (void)w;
+    (void)row;
+    *x = (pm_line_of_action){.couple = 1};
+}
+
+static void remember_x(const pm_workspace *w, const pm_row *row, pm_memory *memory, int anchor_too)
+{
+    keep(w, row, along(w, row, axis_x), memory, anchor_too);
+}
+static void remember_y(const pm_workspace *w, const pm_row *row, pm_memory *memory, int anchor_too)
+{
+    keep(w, row, along(w, row, axis_y), memory, anchor_too);
+}
+static void remember_turn(const pm_workspace *w, const pm_row *row, pm_memory *memory, int anchor_too)
+{
+    keep(w, row, turned(w, row), memory, anchor_too);
+}
+
+const pm_row_ops pm_row_drive_x = {evaluate_x, act_x, remember_x};
+const pm_row_ops pm_row_drive_y = {evaluate_y, act_y, remember_y};
+const pm_row_ops pm_row_turn = {evaluate_turn, act_turn, remember_turn};

@@ -1,0 +1,33 @@
+"""Values that may depend on the time: expressions over the parameters and t."""
+
+from __future__ import annotations
+
+from . import _layout as layout
+from .expression import Leaf, names
+from .node import Name, Node
+from .parameters import Reader
+from .scene import Value
+from .substitute import substitute
+from .tables import Tables
+from .units import TIME, Dimension
+
+
+def over_time(reader: Reader, tables: Tables, written: Value, where: str, wanted: Dimension) -> Node:
+    """An expression of parameters and t, with t made the measure of time.  Raises SceneError."""
+
+    def resolve(leaf: Leaf) -> Dimension | None:
+        return TIME if leaf == Name("t") else reader.parameters.dimension_of(leaf)
+
+    node = reader.number_of(written, where, wanted, resolve)
+    if Name("t") not in names(node):
+        return node
+    time = tables.measure_leaf(time_row(), where)
+    return substitute(node, lambda leaf: time if leaf == Name("t") else leaf)
+
+
+def time_row() -> dict[int, int]:
+    """The measure of time, whose other columns are empty."""
+    row = dict.fromkeys(range(layout.PM_MEASURE_COLUMNS), layout.PM_NONE)
+    row[layout.PM_MEASURE_KIND] = layout.PM_MEASURE_TIME
+    row[layout.PM_MEASURE_PART] = layout.PM_PART_NONE
+    return row
