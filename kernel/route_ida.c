@@ -79,7 +79,8 @@ static int create_vectors(pm_workspace *w)
     if (!r->yp || !r->dense || !r->id) return PM_NO_MEMORY;
     N_VConst(0, r->yp);
     N_VConst(0, r->id);
-    const int controlled = 2 * w->model->nq + w->model->nz_controlled;
+    /* the work of drives varies with their reactions, not with the speeds alone */
+    const int controlled = 2 * w->model->nq + w->model->nz_controlled + pm_model_is_driven(w->model);
     for (int i = 0; i < controlled; i++) N_VGetArrayPointer(r->id)[i] = 1;
     return PM_OK;
 }

@@ -24,6 +24,7 @@
 #define LONGEST 0.3    /* step of the assembly, in sizes of the scene */
 #define AGREES 1e-9    /* relative disagreement of start velocities that is rounding */
 #define OPEN_PART 1e-6 /* of a unit velocity of a body left open */
+#define MESHES 1e-3    /* of their distance: gears that are open by less mesh, drawn by rounded numbers */
 
 static void draw(pm_workspace *w)
 {
@@ -163,6 +164,33 @@ static int assemble(pm_workspace *w, pm_start_report *report)
         }
     pm_frame_look_state(w, &w->state);
     return report->opening <= allowed ? PM_OK : pm_fail(w, PM_ASSEMBLY, table, row, report->opening, allowed);
+}
+
+/* Pitch circles touch, and strands have a way past their circles: no row holds that. */
+static int check_couplings(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    for (int i = 0; i < m->rows[PM_TABLE_JOINT] + m->rows[PM_TABLE_CONTACT]; i++) {
+        const int is_joint = i < m->rows[PM_TABLE_JOINT], at = is_joint ? i : i - m->rows[PM_TABLE_JOINT];
+        pm_row row[PM_JOINT_ROWS];
+        int n = 1;
+        if (is_joint)
+            n = pm_row_of_joint(w, at, row);
+        else
+            pm_row_of_contact(w, at, m->contact_slot[at], 0, &row[0], &row[1]);
+        for (int k = 0; k < n; k++) {
+            const pm_marks x = pm_row_marks(w, &row[k]);
+            const double apart = pm_length(x.d), past = fabs(row[k].radius_b - row[k].radius_a);
+            const double open = fabs(apart - fabs(row[k].value));
+            const int gears = is_joint && PM_JOINT_ROW(m, at)[PM_JOINT_KIND] == PM_JOINT_GEARS;
+            const int table = is_joint ? PM_TABLE_JOINT : PM_TABLE_CONTACT;
+            if (gears && !(open <= MESHES * apart))
+                return pm_fail(w, PM_ASSEMBLY, table, at, open, MESHES * apart);
+            if (row[k].kind == PM_ROW_STRAND && !(apart > past))
+                return pm_fail(w, PM_ASSEMBLY, table, at, past - apart, 0);
+        }
+    }
+    return PM_OK;
 }
 
 /* ---- velocities ---- */
@@ -357,6 +385,7 @@ int pm_start(pm_workspace *w, pm_start_report *report)
     pm_active_clear(w);
     draw(w);
     int status = assemble(w, report);
+    if (!status) status = check_couplings(w);
     if (status) return status;
     pm_active_anchor_start(w, &w->state);
     pm_frame_look_state(w, &w->state);

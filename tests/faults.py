@@ -39,6 +39,59 @@ class Fault:
 
 
 FAULTS = [
+    # couplings and drives
+    Fault(
+        "strand: tangent point on the wrong side",
+        "row_strand.c",
+        "- row->radius_a * strand.n[k]",
+        "+ row->radius_a * strand.n[k]",
+    ),
+    Fault("strand: gamma without turning", "row_strand.c", "across * across / x.length - pm_dot", "-pm_dot"),
+    Fault(
+        "strand: the other drum winds the wrong way",
+        "row_strand.c",
+        "row->j[5] -= row->radius_b",
+        "row->j[5] += row->radius_b",
+    ),
+    Fault(
+        "strand: its turning pays nothing out",
+        "row_strand.c",
+        "(row->radius_b - row->radius_a) * direction + row->radius_a",
+        "row->radius_a",
+    ),
+    Fault(
+        "cord: its length is lost where it tightens",
+        "active.c",
+        "if (pm_contact_is_cord(w->model, contact)) return;",
+        "",
+    ),
+    Fault("cord: slack ones are not followed", "active.c", "    follow_slack_cords(w, s);\n}", "}"),
+    Fault("drive: no acceleration", "row_drive.c", "row->gamma += pm_drive_change(w, row->drive);", ""),
+    Fault("drive: no work", "audit.c", "+ drive_power(w, w->frame.lambda)", ""),
+    Fault(
+        "drive: its way starts anew at every step",
+        "drive.c",
+        "memory->anchor += pm_drive_way(w, program, memory);",
+        "",
+    ),
+    Fault(
+        "drive: not in a blow",
+        "jump.c",
+        "pm_saddle_times(w, row, w->state.v) - row->rate",
+        "pm_saddle_times(w, row, w->state.v)",
+    ),
+    Fault(
+        "belt: friction does not know that it runs",
+        "row.c",
+        "return pm_row_rate(w, row) - pm_drive_rate(w, row->drive);",
+        "return pm_row_rate(w, row);",
+    ),
+    Fault(
+        "gears: both inside",
+        "row.c",
+        "row->radius_a = side == -1 ? -radius_a : radius_a;",
+        "row->radius_a = radius_a;",
+    ),
     # estimated errors and margins
     Fault(
         "error: the companion as tight as the run",

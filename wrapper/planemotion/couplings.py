@@ -1,17 +1,17 @@
 """Couplings: gears, belts, cords and motors, to rows of the kernel's joint and contact tables.
 
-Gears and belts hold both ways: they are joints of the kernel.  A cord pulls only: each of its straight strands
-is a contact whose gap is its slack.  Driven bodies are held to the ground by what is prescribed.
+Gears and belts hold both ways: they are joints of the kernel.  A cord pulls only: each of its straight
+strands is a contact whose gap is its slack.  Driven bodies are held to the ground by what is prescribed.
 """
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 from . import _layout as layout
-from . import words
 from .drawing import GROUND, Drawing, PointRef
 from .errors import SceneError
 from .joints import side
@@ -112,10 +112,8 @@ class Couplings:
 
     def _cord(self, coupling: Coupling, path: str) -> CouplingInfo:
         assert coupling.cord is not None
-        if coupling.slips:
-            raise words.not_built("cords that slip on a rim", f"{path}.slips")
         stops = [self._stop(text, f"{path}.cord[{index}]") for index, text in enumerate(coupling.cord)]
-        spans = list(zip(stops, stops[1:], strict=False))
+        spans = list(itertools.pairwise(stops))
         for (a, _), (b, _) in spans:
             different(a, b)
         slack = self._slack(coupling, [one for one, _ in stops], path)
@@ -128,7 +126,9 @@ class Couplings:
             row[layout.PM_CONTACT_B] = self._end(b)
             row[layout.PM_CONTACT_RESTITUTION] = self.tables.value(restitution, f"{path}.restitution")
             row[layout.PM_CONTACT_FRICTION] = layout.PM_FRICTION_SMOOTH
-            row[layout.PM_CONTACT_SLACK] = self.tables.value(slack, f"{path}.slack")
+            row[layout.PM_CONTACT_SLACK] = self.tables.value(
+                slack, f"{path}.{'length' if coupling.length is not None else 'slack'}"
+            )
             row[layout.PM_CONTACT_SENSE_A] = sense_a
             row[layout.PM_CONTACT_SENSE_B] = sense_b
             label = path if len(spans) == 1 else f"{path}[{number + 1}]"

@@ -260,6 +260,15 @@ def _place_name(flat: FlatScene, where: Ints) -> str:
 
 
 def _open_joint(place: str, found: float, bound: float) -> str:
+    if place.startswith("couplings.") and bound == 0:
+        return (
+            f"start: {place}: no straight strand as drawn: one circle reaches over the other by {found:.4g} m"
+        )
+    if place.startswith("couplings."):
+        return (
+            f"start: {place}: the pitch circles are drawn {found:.4g} m from touching each other "
+            f"(allowed {bound:.2g} m); move one of the centres, or change a radius"
+        )
     # The kernel measures openings in m, or rad where a direction is held.
     return (
         f"start: the joints cannot be met with the values written: {place or 'a joint'} is open by "

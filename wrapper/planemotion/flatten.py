@@ -235,8 +235,10 @@ class _Flattener:
     def _check_masses(self) -> None:
         """A mass may be left out only if the mass centre cannot move: it is pinned to the ground."""
         for name, mass in self.drawing.masses.items():
-            if self.drawing.bodies[name].driven is None and not mass.known and not any(
-                _holds(joint, name, self.drawing) for joint in self.scope.joints.values()
+            if (
+                self.drawing.bodies[name].driven is None
+                and not mass.known
+                and not any(_holds(joint, name, self.drawing) for joint in self.scope.joints.values())
             ):
                 reason = "mass or weight is wanted (unless the mass centre is pinned to the ground)"
                 raise SceneError(reason, path=f"bodies.{name}.mass")

@@ -155,7 +155,7 @@ def mass_of(reader: Reader, name: str, body: Body, length: Node | None) -> Mass:
     mass = _mass(reader, path, body)
     if mass is None and body.inertia is None and body.driven is None:
         raise SceneError("mass or weight is wanted", path=f"{path}.mass")
-    # Without a mass the mass centre does not move by forces (checked by the caller): any gives the same motion.
+    # Without a mass no force moves the mass centre (checked by the caller): any mass gives the same motion.
     known = mass is not None
     mass = mass if mass is not None else Number(1.0, MASS)
     if body.inertia is not None:

@@ -166,7 +166,6 @@ class Coupling(Element):
     crossed: bool = False
     length: Number | None = None
     slack: Number | None = None
-    slips: Annotated[tuple[str, ...], BeforeValidator(read_stops)] = ()
     restitution: Number = 0
     value: Number | None = None
 

@@ -7,6 +7,7 @@ those of symbols.py; lengths stand on the axes in the unit that the file uses mo
 
 from __future__ import annotations
 
+import itertools
 import math
 import re
 from collections import Counter
@@ -440,7 +441,7 @@ class _Sketch:
         if coupling.kind == "gears":
             self.pen.name(self._mesh(stops[0][0], stops[1][0]), name)
             return
-        spans = list(zip(stops, stops[1:], strict=False))
+        spans = list(itertools.pairwise(stops))
         if coupling.kind == "belt":
             a, b = stops[0][0], stops[1][0]
             spans = [((a, ccw), (b, ccw != coupling.crossed)) for ccw in (True, False)]

@@ -47,7 +47,7 @@ KINDS: dict[str, dict[str, tuple[str, ...]]] = {
     "couplings": {
         "gears": (),
         "belt": ("crossed",),
-        "cord": ("length", "slack", "slips", "restitution"),
+        "cord": ("length", "slack", "restitution"),
         "rate": ("value",),
     },
     "contacts": {"touch": ("restitution", "friction", "normal", "law", "capture", "surface_speed")},
@@ -66,6 +66,7 @@ NOT_BUILT_KINDS: dict[str, dict[str, str]] = {
     "forces": {},
 }
 NOT_BUILT_OPTIONS: dict[str, dict[str, str]] = {
+    "cord": {"slips": "cords that slip on a rim"},
     "pin": {"friction": "friction of a bearing"},
     "slider": {"friction": "friction of a slider"},
     "slot": {"friction": "friction of a slot"},

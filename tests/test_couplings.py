@@ -1,0 +1,238 @@
+"""Couplings and drives from scenes: what is written means what the kernel does."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import planemotion
+
+G = 9.81
+
+
+def run(text: str, **parameters: object) -> dict[str, float]:
+    result = planemotion.load_text(text).run(**parameters)
+    assert result.status == "ok", result.error
+    return {key: answer.value for key, answer in result.asks.items()}
+
+
+BLOCK = """
+until = "t = 0.5 s"
+[bodies]
+drum = { disk = "0.2 m", mass = "4 kg", at = [0, 0] }
+block = { mass = "3 kg", at = ["0.2 m", "-2 m"] }
+[joints]
+axle = { pin = ["drum.center", "ground"] }
+[couplings]
+cord = { cord = ["drum.rim cw", "block"] }
+[ask]
+v = { of = "block.velocity.y" }
+tension = "cord.tension"
+on_block = { of = "cord.force.y on block" }
+on_drum = { of = "cord.force.y on drum" }
+spin = "drum.omega"
+slack = "cord.slack"
+"""
+
+
+@pytest.mark.parametrize("route", ["auto", "rk", "ida"])
+def test_block_on_a_drum(route: str) -> None:
+    result = planemotion.load_text(BLOCK).with_values({"solve.route": route}).run()
+    values = {key: answer.value for key, answer in result.asks.items()}
+    acceleration, close = 3 * G / (3 + 2), 1e-5 if route == "ida" else 1e-9
+    assert values["v"] == pytest.approx(-0.5 * acceleration, rel=close)
+    assert values["spin"] == pytest.approx(-0.5 * acceleration / 0.2, rel=close)
+    assert values["tension"] == pytest.approx(2 * acceleration, rel=close)
+    assert values["on_block"] == pytest.approx(2 * acceleration, rel=close)
+    assert values["on_drum"] == pytest.approx(-2 * acceleration, rel=close)
+    assert values["slack"] == pytest.approx(0, abs=1e-9)
+
+
+def test_a_tape_over_drums_has_a_tension_for_each_span() -> None:
+    """Two equal drums between two weights: the tension drops where a drum must be turned."""
+    values = run(
+        """
+until = "t = 0.3 s"
+[bodies]
+left = { mass = "5 kg", at = ["-0.2 m", "-1 m"] }
+a = { disk = "0.2 m", mass = "2 kg", at = [0, 0] }
+b = { disk = "0.2 m", mass = "2 kg", at = ["1 m", 0] }
+right = { mass = "3 kg", at = ["1.2 m", "-1 m"] }
+[joints]
+a = { pin = ["a.center", "ground"] }
+axle_b = { pin = ["b.center", "ground"] }
+[couplings]
+tape = { cord = ["left", "a.rim cw", "b.rim cw", "right"] }
+[ask]
+one = "tape.tension[1]"
+two = "tape.tension[2]"
+three = "tape.tension[3]"
+v = "left.velocity.y"
+level = "a.omega - b.omega"
+""".replace("a = { pin", "axle_a = { pin")
+    )
+    acceleration = (5 - 3) * G / (5 + 3 + 1 + 1)
+    assert values["one"] == pytest.approx(5 * (G - acceleration), rel=1e-9)
+    assert values["two"] == pytest.approx(5 * (G - acceleration) - acceleration, rel=1e-9)
+    assert values["three"] == pytest.approx(3 * (G + acceleration), rel=1e-9)
+    assert values["v"] == pytest.approx(-0.3 * acceleration, rel=1e-9)
+    assert values["level"] == pytest.approx(0, abs=1e-9)
+
+
+@pytest.mark.parametrize(("e", "rebound"), [(0, 0), (0.5, 0.5)])
+def test_a_slack_cord_becomes_taut(e: float, rebound: float) -> None:
+    values = run(
+        """
+until = "taut"
+parameters.e = 0
+[ground.points]
+S = [0, 0]
+[bodies]
+P = { mass = "1.5 kg", at = [0, "-1 m"] }
+[couplings]
+cord = { cord = ["P", "ground.S"], length = "3 m", restitution = "e" }
+[events]
+taut = "cord tightens"
+[ask]
+v = "P.velocity.y"
+y = "P.y"
+impulse = "cord.impulse"
+lost = "energy.lost"
+""",
+        e=e,
+    )
+    speed = math.sqrt(2 * G * 2)
+    assert values["v"] == pytest.approx(rebound * speed, abs=1e-9)
+    assert values["y"] == pytest.approx(-3, rel=1e-12)
+    assert values["impulse"] == pytest.approx(1.5 * (1 + rebound) * speed, rel=1e-10)
+    assert values["lost"] == pytest.approx(0.75 * speed**2 * (1 - rebound**2), rel=1e-10)
+
+
+def test_a_cord_slackens_where_it_would_push() -> None:
+    """A particle thrown round on a cord from below leaves the circle where its tension is nothing."""
+    values = run("""
+until = "cord slackens"
+parameters = { v = "6 m/s", L = "1 m" }
+ground.points.S = [0, 0]
+bodies.P = { mass = "1 kg", at = [0, "-L"] }
+couplings.cord = { cord = ["P", "ground.S"] }
+start.P.velocity.x = "v"
+start.P.velocity.y = "0 m/s"
+[ask]
+y = "P.y"
+speed = "P.speed"
+""")
+    # v^2 - 2 g (L + y) = g y
+    height = (36 - 2 * G) / (3 * G)
+    assert values["y"] == pytest.approx(height, rel=1e-9)
+    assert values["speed"] == pytest.approx(math.sqrt(G * height), rel=1e-9)
+
+
+@pytest.mark.parametrize(("crossed", "sense"), [("false", 1), ("true", -1)])
+def test_belt(crossed: str, sense: int) -> None:
+    values = run(f"""
+until = "a.turned = 100 rad"
+[bodies]
+a = {{ disk = "0.1 m", mass = "2 kg", at = [0, 0] }}
+b = {{ disk = "0.3 m", mass = "5 kg", at = ["1 m", 0] }}
+[joints]
+axle_a = {{ pin = ["a.center", "ground"] }}
+axle_b = {{ pin = ["b.center", "ground"] }}
+[couplings]
+belt = {{ belt = ["a.rim", "b.rim"], crossed = {crossed} }}
+[forces]
+drive = {{ couple = "a", value = "2 N*m" }}
+[ask]
+turned = "b.turned"
+omega = "a.omega"
+""")
+    reduced = 0.5 * 2 * 0.01 + 0.5 * 5 * 0.09 / 9
+    assert values["turned"] == pytest.approx(sense * 100 / 3, rel=1e-11)
+    assert values["omega"] == pytest.approx(math.sqrt(2 * 2 * 100 / reduced), rel=1e-10)
+
+
+def test_internal_gears_turn_the_same_way() -> None:
+    values = run("""
+until = "t = 2 s"
+[bodies]
+ring = { inertia = "0.5 kg*m^2", circles = { teeth = "0.4 m" }, at = [0, 0] }
+pinion = { inertia = "0.01 kg*m^2", circles = { teeth = "0.1 m" }, at = ["0.3 m", 0] }
+[joints]
+axle_a = { pin = ["ring.center", "ground"] }
+axle_b = { pin = ["pinion.center", "ground"] }
+[couplings]
+mesh = { gears = ["pinion.teeth", "ring.teeth"] }
+[forces]
+drive = { couple = "pinion", value = "3 N*m" }
+[ask]
+ring = "ring.omega"
+pinion = "pinion.omega"
+tooth = "mesh.force.y on ring"
+""")
+    alpha = 3 / (0.01 + 0.5 / 16)
+    assert values["pinion"] == pytest.approx(2 * alpha, rel=1e-10)
+    assert values["ring"] == pytest.approx(alpha / 2, rel=1e-10)
+    assert values["tooth"] == pytest.approx(0.5 * alpha / 4 / 0.4, rel=1e-10)
+
+
+def test_motor_and_driven_body() -> None:
+    """A cart that speeds up carries a rotor on a motor; the motor's couple is that of the rotor's own spin."""
+    values = run(
+        """
+until = "t = 3 s"
+[bodies]
+cart = { driven = { velocity = ["(2 m/s^2)*t", "1 m/s"] }, disk = "1 m", mass = "1 kg", at = [0, 0] }
+rotor = { disk = "0.1 m", mass = "4 kg", at = [0, 0] }
+[joints]
+axle = { pin = ["rotor.center", "cart.center"] }
+[couplings]
+motor = { rate = ["rotor", "cart"], value = "(10 rad/s^2)*t + 3 rad/s" }
+[start]
+rotor.omega = "3 rad/s"
+[ask]
+x = "cart.x"
+y = "cart.y"
+turned = "rotor.turned"
+couple = "motor.couple on rotor"
+back = "motor.couple on cart"
+pull = "axle.force.x on rotor"
+""".replace("+ 3 rad/s", "+ (3 rad/s)")
+    )
+    assert values["x"] == pytest.approx(9, rel=1e-10)
+    assert values["y"] == pytest.approx(3, rel=1e-10)
+    assert values["turned"] == pytest.approx(45 + 9, rel=1e-10)
+    assert values["couple"] == pytest.approx(0.02 * 10, rel=1e-10)
+    assert values["back"] == pytest.approx(-0.02 * 10, rel=1e-10)
+    assert values["pull"] == pytest.approx(8, rel=1e-10)
+
+
+def test_gears_that_do_not_touch_are_told() -> None:
+    scene = planemotion.load_text("""
+until = "t = 1 s"
+[bodies]
+a = { disk = "0.1 m", mass = "2 kg", at = [0, 0] }
+b = { disk = "0.3 m", mass = "5 kg", at = ["0.45 m", 0] }
+[joints]
+axle_a = { pin = ["a.center", "ground"] }
+axle_b = { pin = ["b.center", "ground"] }
+[couplings]
+mesh = { gears = ["a.rim", "b.rim"] }
+""")
+    with pytest.raises(planemotion.SimulationError, match=r"the pitch circles are drawn 0\.05 m from touching"):
+        scene.run()
+
+
+def test_a_strand_needs_a_way() -> None:
+    scene = planemotion.load_text("""
+until = "t = 1 s"
+[bodies]
+a = { disk = "0.3 m", mass = "2 kg", at = [0, 0] }
+P = { mass = "5 kg", at = ["0.1 m", 0] }
+[joints]
+axle_a = { pin = ["a.center", "ground"] }
+[couplings]
+cord = { cord = ["a.rim cw", "P"] }
+""")
+    with pytest.raises(planemotion.SimulationError, match=r"couplings\.cord: no straight strand as drawn"):
+        scene.run()
