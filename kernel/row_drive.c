@@ -6,6 +6,7 @@
  * W is the integral of w (drive.c). */
 #include "drive.h"
 #include "row.h"
+#include "steady.h"
 
 static const double axis_x[2] = {1, 0}, axis_y[2] = {0, 1};
 
@@ -86,6 +87,19 @@ static void remember_turn(const pm_workspace *w, const pm_row *row, pm_memory *m
     keep(w, row, turned(w, row), memory, anchor_too);
 }
 
-const pm_row_ops pm_row_drive_x = {evaluate_x, act_x, remember_x};
-const pm_row_ops pm_row_drive_y = {evaluate_y, act_y, remember_y};
-const pm_row_ops pm_row_turn = {evaluate_turn, act_turn, remember_turn};
+static int steady(const pm_workspace *w, const pm_row *row, const pm_steady *x)
+{
+    return pm_steady_drive(w, row) && pm_steady_marks(w, x, row);
+}
+static int steady_turn(const pm_workspace *w, const pm_row *row, const pm_steady *x)
+{
+    (void)x;
+    return pm_steady_drive(w, row);
+}
+
+const pm_row_ops pm_row_drive_x = {
+    .evaluate = evaluate_x, .act = act_x, .remember = remember_x, .steady = steady};
+const pm_row_ops pm_row_drive_y = {
+    .evaluate = evaluate_y, .act = act_y, .remember = remember_y, .steady = steady};
+const pm_row_ops pm_row_turn = {
+    .evaluate = evaluate_turn, .act = act_turn, .remember = remember_turn, .steady = steady_turn};

@@ -102,7 +102,7 @@ static int steady_normal(const pm_workspace *w, const pm_row *row, const pm_stea
 /* While the circle stays on the line (its normal row) the lever of the tangent on the line's body stays. */
 static int steady_tangent(const pm_workspace *w, const pm_row *row, const pm_steady *x)
 {
-    return !x->turns[row->body[1]] && pm_steady_marks(w, x, row);
+    return !x->turns[row->body[1]] && pm_steady_marks(w, x, row) && pm_steady_drive(w, row);
 }
 
 /* C'' = d''.n + 2 d'.n' + d.n'' with n' = -w_b t: exact where the line does not turn and the point does not go round. */

@@ -13,6 +13,7 @@
 #include <math.h>
 
 #include "row.h"
+#include "steady.h"
 
 #define TWO_PI 6.283185307179586476925286766559
 
@@ -86,4 +87,35 @@ static void act(const pm_workspace *w, const pm_row *row, pm_line_of_action *x)
     }
 }
 
-const pm_row_ops pm_row_strand = {evaluate, act, remember};
+/* The strand keeps its direction: its ends part along it. */
+static int steady(const pm_workspace *w, const pm_row *row, const pm_steady *x)
+{
+    if (!pm_steady_marks(w, x, row)) return 0;
+    pm_marks y;
+    const pm_strand strand = look(w, row, &y);
+    double speed = 0, acceleration = 0;
+    for (int k = 0; k < 2; k++) {
+        const int a = 3 * row->body[0] + k, b = 3 * row->body[1] + k;
+        speed += (x->v[a] - x->v[b]) * strand.n[k];
+        acceleration += (x->a[a] - x->a[b]) * strand.n[k];
+    }
+    return fabs(speed) <= x->speed && fabs(acceleration) <= x->acceleration;
+}
+
+/* C'' = u.d'' + R_a alpha_a - R_b alpha_b - (d'.n)^2 / l: the last part counts against, as long as some strand is left. */
+static void bound(const pm_workspace *w, const pm_row *row, const double *a, double h, pm_row_bounds *x)
+{
+    const pm_marks m = pm_row_marks(w, row);
+    const pm_row_reach r = pm_row_reach_of(row, &m, a, h);
+    const double alpha_a = a[3 * row->body[0] + 2], alpha_b = a[3 * row->body[1] + 2];
+    const double past = row->radius_b - row->radius_a, nearest = pm_length(m.d) - r.rate * h;
+    const double square = nearest * fabs(nearest) - past * past;
+    const double wound = row->radius_a * alpha_a - row->radius_b * alpha_b;
+    x->rate = r.rate + fabs(row->radius_a) * (fabs(m.omega_a) + fabs(alpha_a) * h) +
+              fabs(row->radius_b) * (fabs(m.omega_b) + fabs(alpha_b) * h);
+    x->exact = 0;
+    x->bend = square > 0 ? wound - pm_length(r.apart) - r.swing - r.rate * r.rate / sqrt(square) : -INFINITY;
+}
+
+const pm_row_ops pm_row_strand = {
+    .evaluate = evaluate, .act = act, .remember = remember, .steady = steady, .bound = bound};

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "force.h"
+#include "nature.h"
 
 #define CENTRED 1e-15  /* of the scene's size: a mark this near to the mass centre is the mass centre */
 #define ROUNDING 1e-13 /* of speeds and accelerations in the scene */
@@ -63,6 +64,11 @@ int pm_steady_mark(const pm_workspace *w, const pm_steady *x, int body, const do
 int pm_steady_marks(const pm_workspace *w, const pm_steady *x, const pm_row *row)
 {
     return pm_steady_mark(w, x, row->body[0], row->a) && pm_steady_mark(w, x, row->body[1], row->b);
+}
+
+int pm_steady_drive(const pm_workspace *w, const pm_row *row)
+{
+    return row->drive == PM_NONE || w->model->program_nature[row->drive] == PM_NATURE_CONSTANT;
 }
 
 int pm_steady_together(const pm_workspace *w, const pm_steady *x, const pm_row *row)

@@ -34,6 +34,8 @@ int pm_steady_holds(pm_workspace *w, const pm_steady *x);
  * is the mass centre. */
 int pm_steady_mark(const pm_workspace *w, const pm_steady *x, int body, const double at[2]);
 int pm_steady_marks(const pm_workspace *w, const pm_steady *x, const pm_row *row);
+/* What drives the row, if anything, prescribes a constant rate. */
+int pm_steady_drive(const pm_workspace *w, const pm_row *row);
 /* Both marks are steady and keep their distance vector. */
 int pm_steady_together(const pm_workspace *w, const pm_steady *x, const pm_row *row);
 
