@@ -29,8 +29,7 @@ double pm_drive_rate(const pm_workspace *w, int program)
 double pm_drive_change(const pm_workspace *w, int program)
 {
     double change = 0;
-    if (program != PM_NONE)
-        pm_program_of_time(w->model, program, w->param, w->value, w->frame.t, &change);
+    if (program != PM_NONE) pm_program_of_time(w->model, program, w->param, w->value, w->frame.t, &change);
     return change;
 }
 
@@ -38,7 +37,8 @@ double pm_drive_way(const pm_workspace *w, int program, const pm_memory *memory)
 {
     if (program == PM_NONE) return 0;
     const double half = 0.5 * (w->frame.t - memory->time), middle = memory->time + half;
-    if (w->model->program_nature[program] == PM_NATURE_CONSTANT) return 2 * half * rate_at(w, program, middle);
+    if (w->model->program_nature[program] == PM_NATURE_CONSTANT)
+        return 2 * half * rate_at(w, program, middle);
     double sum = 0;
     for (int i = 0; i < GAUSS; i++)
         sum += gauss_weight[i] * (rate_at(w, program, middle - half * gauss_at[i]) +

@@ -396,8 +396,8 @@ static int check_tables(pm_model *m, pm_where *where)
 
 static const int joint_rows[PM_JOINT_KINDS] = {
     [PM_JOINT_PIN] = 2,  [PM_JOINT_SLIDER] = 1,       [PM_JOINT_SLIDER_FIXED] = 2,   [PM_JOINT_LINK] = 1,
-    [PM_JOINT_WELD] = 3, [PM_JOINT_ROLLING_LINE] = 2, [PM_JOINT_ROLLING_CIRCLE] = 2,
-    [PM_JOINT_GEARS] = 1, [PM_JOINT_BELT] = 2, [PM_JOINT_RATE] = 1, [PM_JOINT_DRIVE] = 2,
+    [PM_JOINT_WELD] = 3, [PM_JOINT_ROLLING_LINE] = 2, [PM_JOINT_ROLLING_CIRCLE] = 2, [PM_JOINT_GEARS] = 1,
+    [PM_JOINT_BELT] = 2, [PM_JOINT_RATE] = 1,         [PM_JOINT_DRIVE] = 2,
 };
 
 int pm_model_memories(int joint_kind)

@@ -165,10 +165,12 @@ enum pm_joint_kind {
     PM_JOINT_WELD = 4,           /* a, b points coincide and angle(a) - angle(b) = value.   3 rows */
     PM_JOINT_ROLLING_LINE = 5,   /* a circle rolls on line b, on its left.                  2 rows */
     PM_JOINT_ROLLING_CIRCLE = 6, /* a circle rolls on circle b; value = side (below).       2 rows */
-    PM_JOINT_GEARS = 7, /* a, b circles mesh at their pitch point; value = side; axles or a carrier keep their distance.  1 row */
-    PM_JOINT_BELT = 8,  /* a tight belt round circles a, b; value = 1 open, -1 crossed.     2 rows */
-    PM_JOINT_RATE = 9,  /* a, b bodies: the spin of a relative to b is program_x.           1 row  */
-    PM_JOINT_DRIVE = 10, /* a, b points: the velocity of a relative to b is program_x, program_y in the scene's axes.
+    PM_JOINT_GEARS =
+        7, /* a, b circles mesh at their pitch point; value = side; axles or a carrier keep their distance.  1 row */
+    PM_JOINT_BELT = 8, /* a tight belt round circles a, b; value = 1 open, -1 crossed.     2 rows */
+    PM_JOINT_RATE = 9, /* a, b bodies: the spin of a relative to b is program_x.           1 row  */
+    PM_JOINT_DRIVE =
+        10, /* a, b points: the velocity of a relative to b is program_x, program_y in the scene's axes.
                             2 rows */
     PM_JOINT_KINDS = 11
 };
@@ -188,7 +190,8 @@ enum pm_contact_kind {
     PM_CONTACT_LINE = 0,   /* circle a (radius 0: a point) against line b */
     PM_CONTACT_CIRCLE = 1, /* circle a against circle b; side value as for rolling; not both radii 0 */
     PM_CONTACT_ROW = 2,    /* circle a (radius > 0) against the members of row b */
-    PM_CONTACT_CORD = 3, /* a straight strand from circle a (radius 0: a point) to circle b: pulls only, the gap is its
+    PM_CONTACT_CORD =
+        3, /* a straight strand from circle a (radius 0: a point) to circle b: pulls only, the gap is its
                             slack; it is wound on the circles and does not slip there */
     PM_CONTACT_KINDS = 4
 };
@@ -202,10 +205,12 @@ enum pm_contact_column {
     PM_CONTACT_FRICTION = 5,    /* enum pm_friction */
     PM_CONTACT_STATIC = 6,      /* value index of the static coefficient, PM_NONE unless Coulomb */
     PM_CONTACT_KINETIC = 7,     /* value index of the kinetic coefficient, PM_NONE unless Coulomb */
-    PM_CONTACT_SPEED = 8,   /* program of the time alone: speed of the surface of b along its line (as a line: towards its
+    PM_CONTACT_SPEED =
+        8, /* program of the time alone: speed of the surface of b along its line (as a line: towards its
                                angle); or PM_NONE */
-    PM_CONTACT_SLACK = 9,   /* cord: value index, slack at the start, >= 0; or PM_NONE */
-    PM_CONTACT_SENSE_A = 10, /* cord: +1 if one passes the circle counterclockwise going from a to b, -1 clockwise */
+    PM_CONTACT_SLACK = 9, /* cord: value index, slack at the start, >= 0; or PM_NONE */
+    PM_CONTACT_SENSE_A =
+        10, /* cord: +1 if one passes the circle counterclockwise going from a to b, -1 clockwise */
     PM_CONTACT_SENSE_B = 11,
     PM_CONTACT_COLUMNS = 12
 };

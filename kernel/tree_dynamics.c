@@ -253,7 +253,10 @@ int pm_tree_project(pm_workspace *w, double time, double *y, double *ydot, const
         correct(t, y);
         pm_tree_look(w, time, y, ydot, z);
     }
-    for (int i = 0; i < t->nloop; i++) t->residual[i] = -pm_saddle_times(w, &w->row[t->loop[i]], t->v);
+    for (int i = 0; i < t->nloop; i++) {
+        const pm_row *row = &w->row[t->loop[i]];
+        t->residual[i] = row->rate - pm_saddle_times(w, row, t->v);
+    }
     const double worst = worst_of(t->residual, t->nloop);
     if (worst <= ROUNDING * w->speed) return PM_OK;
     if (!(factored && worst <= SMALL * w->speed) && (status = factor(w))) return status;

@@ -177,7 +177,7 @@ tooth = "mesh.force.y on ring"
 
 
 def test_motor_and_driven_body() -> None:
-    """A cart that speeds up carries a rotor on a motor; the motor's couple is that of the rotor's own spin."""
+    """A cart that speeds up carries a rotor on a motor; its couple is that of the rotor's own spin."""
     values = run(
         """
 until = "t = 3 s"
@@ -219,7 +219,9 @@ axle_b = { pin = ["b.center", "ground"] }
 [couplings]
 mesh = { gears = ["a.rim", "b.rim"] }
 """)
-    with pytest.raises(planemotion.SimulationError, match=r"the pitch circles are drawn 0\.05 m from touching"):
+    with pytest.raises(
+        planemotion.SimulationError, match=r"the pitch circles are drawn 0\.05 m from touching"
+    ):
         scene.run()
 
 

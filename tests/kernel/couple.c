@@ -36,7 +36,8 @@ static void check_row(pm_workspace *w, pm_row row)
     NEAR((after + before) / (STEP * STEP), -row.gamma, 1e-6);
     pm_frame_look_state(w, &w->state);
     /* the force of a drive is taken at the point of a, friction where the circle touches the line */
-    const int off = row.kind == PM_ROW_DRIVE_X || row.kind == PM_ROW_DRIVE_Y || row.kind == PM_ROW_LINE_TANGENT;
+    const int off =
+        row.kind == PM_ROW_DRIVE_X || row.kind == PM_ROW_DRIVE_Y || row.kind == PM_ROW_LINE_TANGENT;
     if (!off) NEAR(pm_row_rate(w, &row), pm_saddle_times(w, &row, w->state.v), 1e-13);
     NEAR(pm_row_slip(w, &row), pm_row_rate(w, &row) - row.rate, 1e-15);
     for (int i = 0; i < w->model->nq; i++) {
@@ -86,7 +87,8 @@ static void rows(int ground_side)
     scene *s = scene_create();
     int body[2], circle[2], line;
     for (int k = 0; k < 2; k++) {
-        body[k] = ground_side == k ? PM_GROUND : scene_body(s, 1.5 + k, 0.2, pose[k][0], pose[k][1], pose[k][2]);
+        body[k] =
+            ground_side == k ? PM_GROUND : scene_body(s, 1.5 + k, 0.2, pose[k][0], pose[k][1], pose[k][2]);
         const int point = scene_point(s, body[k], mark[k][0], mark[k][1]);
         circle[k] = scene_circle(s, point, 0.15 + 0.07 * k);
         line = scene_line(s, point, 0.4);
@@ -116,8 +118,9 @@ static void gear_rows(double side)
         at[k][1] = pose[k][1] + n * mark[k][0] + c * mark[k][1];
     }
     const double apart = hypot(at[0][0] - at[1][0], at[0][1] - at[1][1]);
-    const double radius[2] = {side == -2 ? 1.4 * apart : 0.4 * apart,
-                              side == 1 ? 0.6 * apart : side == -1 ? 1.4 * apart : 0.4 * apart};
+    const double radius[2] = {side == -2 ? 1.4 * apart : 0.4 * apart, side == 1    ? 0.6 * apart
+                                                                      : side == -1 ? 1.4 * apart
+                                                                                   : 0.4 * apart};
     for (int k = 0; k < 2; k++) {
         const int body = scene_body(s, 1.5 + k, 0.2, pose[k][0], pose[k][1], pose[k][2]);
         circle[k] = scene_circle(s, scene_point(s, body, mark[k][0], mark[k][1]), radius[k]);
@@ -171,7 +174,8 @@ static void belt(double crossed)
     const int pa = scene_point(s, a, 0, 0), pb = scene_point(s, b, 0, 0);
     scene_joint(s, PM_JOINT_PIN, pa, scene_point(s, PM_GROUND, 0, 0), 0);
     scene_joint(s, PM_JOINT_PIN, pb, scene_point(s, PM_GROUND, 0.7, 0.1), 0);
-    const int joint = scene_joint(s, PM_JOINT_BELT, scene_circle(s, pa, ra), scene_circle(s, pb, rb), crossed);
+    const int joint =
+        scene_joint(s, PM_JOINT_BELT, scene_circle(s, pa, ra), scene_circle(s, pb, rb), crossed);
     scene_couple(s, a, PM_GROUND, SCENE_PROGRAM(s, scene_k(s, couple)));
     scene_until_time(s, 5);
     const int turned_a = scene_ask_measure(s, scene_measure(s, PM_MEASURE_TURNED, a));
@@ -204,7 +208,8 @@ static void winds_up(int sense, int route)
     const int y = scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, g, PM_PART_Y));
     const int tension = scene_ask_measure(s, scene_measure(s, PM_MEASURE_CONTACT_NORMAL, 0));
     EQUAL(scene_run(s, NULL), PM_OK);
-    const double left = sqrt(l * l - 2 * R * v * t), turned = (l - left) / R; /* the strand turns by as much */
+    const double left = sqrt(l * l - 2 * R * v * t),
+                 turned = (l - left) / R; /* the strand turns by as much */
     const double close = route == PM_ROUTE_IDA ? 1e-5 : 1e-9;
     NEAR(s->out[x], R * cos(turned) - left * sin(turned), close);
     NEAR(s->out[y], sense * (R * sin(turned) + left * cos(turned)), close);
@@ -243,8 +248,8 @@ static void slackens(void)
 {
     scene *s = scene_create();
     const int body = scene_body(s, 1, 0, 0, -1, 0), g = scene_point(s, body, 0, 0);
-    const int c = scene_cord(s, scene_circle(s, g, 0), 1, scene_circle(s, scene_point(s, PM_GROUND, 0, 0), 0), 1,
-                             0, 0);
+    const int c =
+        scene_cord(s, scene_circle(s, g, 0), 1, scene_circle(s, scene_point(s, PM_GROUND, 0, 0), 0), 1, 0, 0);
     scene_start_velocity(s, g, 0, 2);
     scene_until(s, scene_on(s, PM_TRIGGER_STRIKE, c), 1);
     const int time = scene_ask_measure(s, scene_time(s));
@@ -293,13 +298,18 @@ static void driven_cart(int route)
     scene *s = scene_create();
     const double l = 0.8, m = 1.4, b = 4, g = 9.81;
     *scene_setting(s, PM_SETTING_ROUTE) = route;
-    const int cart = scene_body(s, 1, 0, 0, 0, 0), bob = scene_body(s, m, m * l * l / 12, 0, -l / 2, -TWO_PI / 4);
+    const int cart = scene_body(s, 1, 0, 0, 0, 0),
+              bob = scene_body(s, m, m * l * l / 12, 0, -l / 2, -TWO_PI / 4);
     const int pc = scene_point(s, cart, 0, 0);
     const int speed_x = SCENE_PROGRAM(s, scene_k(s, b), scene_m(scene_time(s)), scene_op(PM_OP_MUL));
-    scene_drive(s, PM_JOINT_DRIVE, pc, scene_point(s, PM_GROUND, 0, 0), speed_x, SCENE_PROGRAM(s, scene_k(s, 0)));
+    scene_drive(s, PM_JOINT_DRIVE, pc, scene_point(s, PM_GROUND, 0, 0), speed_x,
+                SCENE_PROGRAM(s, scene_k(s, 0)));
     scene_joint(s, PM_JOINT_PIN, scene_point(s, bob, -l / 2, 0), pc, 0);
     const int turned = scene_measure(s, PM_MEASURE_TURNED, bob);
-    scene_until(s, scene_when(s, PM_TRIGGER_FALL, SCENE_PROGRAM(s, scene_m(turned), scene_k(s, 0.5), scene_op(PM_OP_ADD))), 1);
+    scene_until(s,
+                scene_when(s, PM_TRIGGER_FALL,
+                           SCENE_PROGRAM(s, scene_m(turned), scene_k(s, 0.5), scene_op(PM_OP_ADD))),
+                1);
     const int omega = scene_ask_measure(s, scene_measure(s, PM_MEASURE_OMEGA, bob));
     const int x = scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, pc, PM_PART_X));
     const int time = scene_ask_measure(s, scene_time(s));
