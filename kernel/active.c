@@ -10,11 +10,13 @@
 #include "basis.h"
 #include "body.h"
 #include "contact.h"
+#include "order.h"
 #include "project.h"
 #include "row.h"
 #include "saddle.h"
 
 #define NEIGHBOUR 1e-3       /* displacement, in sizes of the scene */
+#define CLEARLY 1e-3         /* independent part of every row above which nothing else need be asked */
 #define STILL_DEPENDENT 1e-6 /* independent part at the neighbour below which a row is redundant */
 
 void pm_active_clear(pm_workspace *w)
@@ -70,9 +72,14 @@ static int depends_nearby(pm_workspace *w, const pm_row *row, int *depends)
     return status == PM_SINGULAR ? PM_OK : status;
 }
 
-/* Appends the row unless it is redundant; *index: its place, or PM_NONE. */
+/* Appends the row unless it is redundant; *index: its place, or PM_NONE.  Without a basis it is not tested. */
 static int append(pm_workspace *w, const pm_row *row, int *nbasis, int *index)
 {
+    if (!nbasis) {
+        w->row[w->nactive] = *row;
+        *index = w->nactive++;
+        return PM_OK;
+    }
     pm_row *place = &w->row[w->nactive];
     pm_basis_rest rest;
     int depends = 0;
@@ -96,9 +103,10 @@ static int append(pm_workspace *w, const pm_row *row, int *nbasis, int *index)
 static int append_joints(pm_workspace *w, int *nbasis)
 {
     const pm_model *m = w->model;
-    for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
+    if (!w->ordered) pm_order_find(w);
+    for (int j = 0; j < m->rows[PM_TABLE_JOINT]; j++) {
         pm_row row[PM_JOINT_ROWS];
-        const int n = pm_row_of_joint(w, i, row);
+        const int i = w->joint_order[j], n = pm_row_of_joint(w, i, row);
         for (int k = 0; k < n; k++) {
             const int status = append(w, &row[k], nbasis, &w->joint_active[m->joint_row[i] + k]);
             if (status) return status;
@@ -151,12 +159,21 @@ static void append_carried(pm_workspace *w)
     w->row[n].normal = PM_NONE;
 }
 
+static int append_all(pm_workspace *w, int *nbasis)
+{
+    pm_active_clear(w);
+    int status = append_joints(w, nbasis);
+    if (!status) status = append_contacts(w, nbasis);
+    return status;
+}
+
+/* A basis is dear: it is made only where rows that depend on each other are in sight. */
 int pm_active_build(pm_workspace *w)
 {
     int nbasis = 0;
-    pm_active_clear(w);
-    int status = append_joints(w, &nbasis);
-    if (!status) status = append_contacts(w, &nbasis);
+    int status = append_all(w, NULL);
+    for (int i = 0; i < w->nactive && !status; i++) pm_row_kind(w->row[i].kind)->evaluate(w, &w->row[i]);
+    if (!status && w->nactive > 0 && !(pm_saddle_independence(w) > CLEARLY)) status = append_all(w, &nbasis);
     if (!status) append_carried(w);
     return status;
 }

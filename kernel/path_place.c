@@ -58,7 +58,7 @@ static void null_vector(pm_path *p, int rows, double *t)
     }
 }
 
-/* dy/du at the frame, not yet scaled to a unit rate of the driver; the loop rows are in w->path->loop. */
+/* Where no driver is known: dy by some rate; the loop rows are in w->path->loop. */
 static void direction(pm_workspace *w, double *t)
 {
     if (w->tree->nloop == 0)
@@ -88,12 +88,9 @@ int pm_path_place(pm_workspace *w, double u, pm_place *place)
 {
     pm_path *p = w->path;
     place->y[p->driver] = u;
-    const int status = pm_tree_close(w, place->y, p->driver, place->q, p->loop);
+    int status = pm_tree_close(w, place->y, p->driver, place->q, p->loop);
+    if (!status) status = pm_tree_slope(w, p->driver, p->loop, place->slope);
     if (status) return status;
-    direction(w, place->slope);
-    const double rate = place->slope[p->driver];
-    if (rate == 0) return pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
-    for (int i = 0; i < p->n; i++) place->slope[i] /= rate;
     measure_motion(w, place);
     return PM_OK;
 }

@@ -67,16 +67,38 @@ static void find_envelope(pm_workspace *w)
     }
 }
 
+/* S = G M^-1 G^T within its envelope. */
+static void fill_symmetric(pm_workspace *w)
+{
+    const int n = w->nactive;
+    find_envelope(w);
+    for (int i = 0; i < n; i++)
+        for (int k = w->pivot[i]; k <= i; k++)
+            w->schur[i * n + k] = coupled(w, &w->row[i], w->row[i].j, &w->row[k], w->row[k].j);
+}
+
+double pm_saddle_independence(pm_workspace *w)
+{
+    const int n = w->nactive;
+    double least = 1;
+    fill_symmetric(w);
+    if (pm_skyline_factor(n, w->pivot, w->schur)) return 0;
+    for (int i = 0; i < n; i++) { /* the factor holds the reciprocal of what is left of the row */
+        const double all = coupled(w, &w->row[i], w->row[i].j, &w->row[i], w->row[i].j),
+                     *left = w->schur + i * n + i;
+        least = fmin(least, 1 / (all * *left * *left));
+    }
+    return sqrt(least);
+}
+
 int pm_saddle_factor(pm_workspace *w)
 {
     const int n = w->nactive;
-    if (!w->asymmetric) find_envelope(w);
-    for (int i = 0; i < n; i++) {
-        const int begin = w->asymmetric ? 0 : w->pivot[i], end = w->asymmetric ? n : i + 1;
-        for (int k = begin; k < end; k++)
+    if (!w->asymmetric) fill_symmetric(w);
+    for (int i = 0; i < n && w->asymmetric; i++)
+        for (int k = 0; k < n; k++)
             w->schur[i * n + k] =
                 coupled(w, &w->row[i], w->row[i].j, &w->row[k], force_direction(w, &w->row[k]));
-    }
     const int bad =
         w->asymmetric ? pm_lu_factor(n, w->schur, w->pivot) : pm_skyline_factor(n, w->pivot, w->schur);
     w->count[PM_COUNT_SOLVES]++;

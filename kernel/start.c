@@ -298,6 +298,9 @@ static int take_written(pm_workspace *w, pm_solution *s, double *dense, const pm
 static int settle_rest(pm_workspace *w, pm_solution *s, double *dense, const pm_islands *islands)
 {
     const pm_model *m = w->model;
+    int n_free = 0;
+    for (int i = 0; i < m->nq; i++) n_free += w->inverse_mass[i] > 0;
+    if (s->n >= n_free) return PM_OK; /* all is settled */
     for (int i = 0; i < m->nbody; i++)
         for (int k = 2; k >= 0; k--) { /* the spin first, then the velocity of G */
             double miss;

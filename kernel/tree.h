@@ -64,6 +64,8 @@ void pm_tree_react(pm_workspace *w);
 /* Meets the loop rows by Newton's method with coordinate `held` kept; n = nloop + 1.  Leaves q, the poses of the frame,
  * and the Jacobian of the loop rows there.  PM_SINGULAR or PM_ASSEMBLY if it does not converge. */
 int pm_tree_close(pm_workspace *w, double *y, int held, double *q, double *jacobian);
+/* Rates of all coordinates at a unit rate of `held`, by that Jacobian; PM_SINGULAR if `held` does not tell them. */
+int pm_tree_slope(pm_workspace *w, int held, const double *jacobian, double *slope);
 /* Meets them by the least corrections in the metric of M, of coordinates and rates; the frame looks there. */
 int pm_tree_project(pm_workspace *w, double t, double *y, double *ydot, const double *z);
 

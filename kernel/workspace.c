@@ -83,6 +83,8 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
         PART(w->schur, (size_t)nrow * (size_t)nrow),
         PART(w->pivot, nrow),
         PART(w->first_row, m->nbody),
+        PART(w->body_place, m->nbody),
+        PART(w->joint_order, m->rows[PM_TABLE_JOINT]),
         PART(w->basis_range, 2 * (nq + 1)),
         PART(w->rhs, nrow),
         PART(w->basis, (size_t)(nq + 1) * (size_t)nq),
