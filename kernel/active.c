@@ -9,6 +9,7 @@
 
 #include "basis.h"
 #include "body.h"
+#include "capture.h"
 #include "contact.h"
 #include "order.h"
 #include "project.h"
@@ -24,6 +25,7 @@ void pm_active_clear(pm_workspace *w)
     w->nactive = w->njoint_active = w->nredundant = w->asymmetric = 0;
     for (int i = 0; i < w->model->njoint_row; i++) w->joint_active[i] = PM_NONE;
     for (int i = 0; i < w->model->nslot; i++) w->slot_normal[i] = w->slot_tangent[i] = PM_NONE;
+    for (int i = 0; i < PM_JOINT_ROWS * w->model->nslot; i++) w->slot_held[i] = PM_NONE;
 }
 
 /* The basis of the rows that are active so far, at the frame; its size. */
@@ -116,6 +118,23 @@ static int append_joints(pm_workspace *w, int *nbasis)
     return PM_OK;
 }
 
+/* Captured pairs are joints. */
+static int append_captured(pm_workspace *w, int *nbasis)
+{
+    for (int i = 0; i < w->model->nslot; i++) {
+        pm_row row[PM_JOINT_ROWS];
+        if (w->state.slot[i].mode != PM_CAPTURED) continue;
+        const int n = pm_capture_rows(w, i, row);
+        for (int k = 0; k < n; k++) {
+            const int status = append(w, &row[k], nbasis, &w->slot_held[PM_JOINT_ROWS * i + k]);
+            if (status) return status;
+        }
+    }
+    return PM_OK;
+}
+
+static int slides(int mode) { return mode == PM_SLIDE_FORWARD || mode == PM_SLIDE_BACKWARD; }
+
 static double slide_factor(const pm_workspace *w, int contact, int mode)
 {
     const double mu = pm_contact_kinetic(w, contact);
@@ -129,10 +148,11 @@ static int append_contacts(pm_workspace *w, int *nbasis)
     pm_row normal, tangent;
     for (int tangents = 0; tangents < 2; tangents++)
         for (int i = 0; i < m->nslot; i++) {
-            if (slot[i].mode == PM_OPEN || (tangents && slot[i].mode != PM_STICK)) continue;
+            if (slot[i].mode == PM_OPEN || slot[i].mode == PM_CAPTURED) continue;
+            if (tangents && slot[i].mode != PM_STICK) continue;
             const int contact = pm_contact_of_slot(m, i);
             pm_row_of_contact(w, contact, i, slot[i].member, &normal, &tangent);
-            if (!tangents && slot[i].mode >= PM_SLIDE_FORWARD) {
+            if (!tangents && slides(slot[i].mode)) {
                 normal.slide = slide_factor(w, contact, slot[i].mode);
                 w->asymmetric |= normal.slide != 0;
             }
@@ -150,7 +170,7 @@ static void append_carried(pm_workspace *w)
     int n = w->nactive;
     for (int i = 0; i < m->nslot && w->asymmetric; i++) {
         const int mode = w->state.slot[i].mode;
-        if ((mode != PM_SLIDE_FORWARD && mode != PM_SLIDE_BACKWARD) || w->slot_normal[i] == PM_NONE) continue;
+        if (!slides(mode) || w->slot_normal[i] == PM_NONE) continue;
         pm_row normal, tangent;
         pm_row_of_contact(w, pm_contact_of_slot(m, i), i, w->state.slot[i].member, &normal, &tangent);
         tangent.normal = w->slot_normal[i];
@@ -163,6 +183,7 @@ static int append_all(pm_workspace *w, int *nbasis)
 {
     pm_active_clear(w);
     int status = append_joints(w, nbasis);
+    if (!status) status = append_captured(w, nbasis);
     if (!status) status = append_contacts(w, nbasis);
     return status;
 }
@@ -189,6 +210,10 @@ void pm_active_anchor(pm_workspace *w, pm_state *s, int slot)
     pm_row normal, tangent;
     const int contact = pm_contact_of_slot(w->model, slot);
     if (pm_contact_is_cord(w->model, contact)) return; /* its length stays */
+    if (s->slot[slot].mode == PM_CAPTURED) {
+        pm_capture_keep(w, s, slot);
+        return;
+    }
     pm_row_of_contact(w, contact, slot, s->slot[slot].member, &normal, &tangent);
     remember(w, s, &tangent, 1);
 }

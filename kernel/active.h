@@ -1,4 +1,5 @@
-/* active.h - which rows hold now: independent joint rows, normals of closed contacts, tangents of sticking ones. */
+/* active.h - which rows hold now: independent rows of joints and captured pairs, normals of closed contacts, tangents of
+ * sticking ones. */
 #ifndef PM_ACTIVE_H
 #define PM_ACTIVE_H
 
@@ -6,7 +7,7 @@
 
 /* Fills w->row from the joints and the modes of the slots in w->state; the frame must look at w->state. */
 int pm_active_build(pm_workspace *w);
-/* Anchors the no-slip rows of slot (just closed or stuck) at the frame. */
+/* Anchors the no-slip rows of slot (just closed, stuck or captured) at the frame. */
 void pm_active_anchor(pm_workspace *w, pm_state *s, int slot);
 /* Anchors all joints with memory at the frame and measures the cords (once, after the assembly). */
 void pm_active_anchor_start(pm_workspace *w, pm_state *s);

@@ -82,13 +82,17 @@ static int check_side(pm_workspace *w, int table, int row, int column, int index
     return side == 1 || side == -1 || side == -2 ? PM_OK : out_of_bound(w, table, row, column, side, 1);
 }
 
-/* A point touches neither a point nor a row of points. */
+/* A point touches neither a point nor a row of points; points that meet have no radius. */
 static int check_partners(pm_workspace *w, int contact)
 {
     const pm_model *m = w->model;
     const int32_t *e = PM_CONTACT_ROW_OF(m, contact);
     double radius = w->value[PM_CIRCLE_ROW(m, e[PM_CONTACT_A])[PM_CIRCLE_RADIUS]];
     if (e[PM_CONTACT_KIND] == PM_CONTACT_LINE || e[PM_CONTACT_KIND] == PM_CONTACT_CORD) return PM_OK;
+    if (e[PM_CONTACT_KIND] == PM_CONTACT_POINT) {
+        radius = fmax(radius, w->value[PM_CIRCLE_ROW(m, e[PM_CONTACT_B])[PM_CIRCLE_RADIUS]]);
+        return radius == 0 ? PM_OK : out_of_bound(w, PM_TABLE_CONTACT, contact, PM_CONTACT_A, radius, 0);
+    }
     if (e[PM_CONTACT_KIND] == PM_CONTACT_CIRCLE) {
         radius = fmax(radius, w->value[PM_CIRCLE_ROW(m, e[PM_CONTACT_B])[PM_CIRCLE_RADIUS]]);
         const int status = check_side(w, PM_TABLE_CONTACT, contact, PM_CONTACT_SIDE, e[PM_CONTACT_SIDE]);

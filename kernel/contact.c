@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "body.h"
+#include "capture.h"
 #include "row.h"
 #include "saddle.h"
 
@@ -81,8 +82,17 @@ double pm_contact_kinetic(const pm_workspace *w, int contact)
     return coefficient(w, contact, PM_CONTACT_KINETIC);
 }
 
+/* Two points that are at one place have no direction: nothing is known of the rate. */
+static double meeting_gap(const pm_workspace *w, int contact, double *rate)
+{
+    const double distance = pm_capture_distance(w, contact);
+    if (rate) *rate = distance > 0 ? pm_capture_approach(w, contact) / distance : 0;
+    return distance;
+}
+
 double pm_contact_member_gap(const pm_workspace *w, int contact, int member, double *rate)
 {
+    if (pm_capture_is_meeting(w->model, contact)) return meeting_gap(w, contact, rate);
     pm_row normal, tangent;
     pm_row_of_contact(w, contact, w->model->contact_slot[contact], member, &normal, &tangent);
     pm_row_kind(normal.kind)->evaluate(w, &normal);

@@ -9,6 +9,7 @@
 
 #include "ask.h"
 #include "body.h"
+#include "capture.h"
 #include "decision.h"
 #include "error.h"
 #include "root.h"
@@ -23,6 +24,7 @@
 #define DIP_STEP 1e-3  /* of the nodes' distance: distance of the differences at the bottom of a dip */
 #define DIP_STEPS 3    /* of Newton's method to the bottom */
 #define RESOLVED 1e-7  /* highest coefficients of a function that its samples tell */
+#define PASSES 1e-5    /* of the scene's size: two points farther apart where they are nearest do not meet */
 #define OFF 1e-9       /* of a function's values next to its zero: not on it */
 #define HALVINGS 30    /* of a step, to find the top of a short bounce */
 #define LEAVING \
@@ -226,11 +228,12 @@ static int bracket(pm_workspace *w, int i, double from, pm_bracket *x)
         if (place[k] <= from) first = k;
     }
     if (first == n - 1) return 0;
-    if (e->first_step && from == place[0] && f->kind == FUNCTION_TRIGGER && fabs(g[0]) <= ON_ZERO * biggest) {
+    const int changes_sign = pm_event_changes_sign(f);
+    if (e->first_step && from == place[0] && changes_sign && fabs(g[0]) <= ON_ZERO * biggest) {
         f->held = 1;
         f->since = from;
     }
-    if (f->held && f->kind == FUNCTION_TRIGGER) { /* enters on the side where it goes */
+    if (f->held && changes_sign) { /* enters on the side where it goes */
         const double since = fmax(f->since, place[0]);
         while (first < n - 1 && place[first] <= since) first++;
         if (leaves_and_crosses(w, f, since, place[first], g[first], ON_ZERO * biggest, x)) return 1;
@@ -239,7 +242,7 @@ static int bracket(pm_workspace *w, int i, double from, pm_bracket *x)
         for (first = 1; first < n && fabs(g[first]) <= f->slack;) first++;
         if (first == n) return 0;
         if (g[first] < 0) return leaves_and_returns(w, f, place[first - 1], place[first], g[first], x);
-    } else if (f->kind != FUNCTION_TRIGGER && g[0] <= 0) { /* the last step ended on its zero */
+    } else if (!changes_sign && g[0] <= 0) { /* the last step ended on its zero */
         *x = (pm_bracket){place[0], place[0], 0, 0};
         return 1;
     }
@@ -340,20 +343,41 @@ static int polish(pm_workspace *w, int i, const pm_bracket *x, double *first, do
     return status ? status : pm_root_polish(w, along, exactly, f, NAN, first, taken, &off);
 }
 
+/* Two points go by each other at a distance: nothing happens. */
+static int goes_by(pm_workspace *w, int i, double place)
+{
+    pm_event_function *f = &w->event->function[i];
+    if (f->kind != FUNCTION_MEETING) return 0;
+    along(w, place, f);
+    return pm_capture_distance(w, f->index) > PASSES * w->size;
+}
+
+/* The first place of the step, after `from`, where something happens to function i; *x brackets it; or INFINITY. */
+static int first_of(pm_workspace *w, int i, double from, double not_after, pm_bracket *x, double *place)
+{
+    for (;;) {
+        *place = INFINITY;
+        if (!bracket(w, i, from, x) || x->a > not_after) return PM_OK;
+        const int status = root_in(w, i, x, place);
+        if (status || !goes_by(w, i, *place)) return status;
+        from = x->b;
+    }
+}
+
 int pm_crossing_first(pm_workspace *w, double from, double *first, double *taken)
 {
     pm_event_set *e = w->event;
     const double same = PM_SAME_PLACE * (w->step_end - w->step_begin);
-    pm_bracket x, of_first = {0, 0, 0, 0};
+    pm_bracket x = {0, 0, 0, 0}, of_first = x;
     int earliest = PM_NONE;
     *first = INFINITY;
     for (int i = 0; i < e->nfunction; i++) {
         e->hit[i] = 0;
-        if (e->function[i].owned || !bracket(w, i, from, &x)) continue;
-        if (x.a > *first) continue; /* cannot be the first */
+        if (e->function[i].owned) continue;
         double place;
-        const int status = root_in(w, i, &x, &place);
+        const int status = first_of(w, i, from, *first, &x, &place);
         if (status) return status;
+        if (place == INFINITY) continue;
         if (place < *first - same)
             for (int k = 0; k < i; k++) e->hit[k] = 0;
         if (place > *first + same) continue;

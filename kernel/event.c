@@ -9,6 +9,7 @@
 #include "ask.h"
 #include "audit.h"
 #include "body.h"
+#include "capture.h"
 #include "case.h"
 #include "contact.h"
 #include "crossing.h"
@@ -117,10 +118,13 @@ static void add_contacts(pm_workspace *w)
     const pm_model *m = w->model;
     const double size = force_scale(w), force = FORCE_SLACK * size;
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++)
-        add(w, FUNCTION_GAP, i, -1, PM_LEVEL_KINEMATIC, pm_contact_length(w), w->size);
+        if (pm_capture_is_meeting(m, i))
+            add(w, FUNCTION_MEETING, i, 1, PM_LEVEL_KINEMATIC, 0, w->size * w->speed);
+        else
+            add(w, FUNCTION_GAP, i, -1, PM_LEVEL_KINEMATIC, pm_contact_length(w), w->size);
     for (int i = 0; i < m->nslot; i++) {
         const int mode = w->state.slot[i].mode;
-        if (mode == PM_OPEN) continue;
+        if (mode == PM_OPEN || mode == PM_CAPTURED) continue;
         add(w, FUNCTION_NORMAL, i, -1, PM_LEVEL_DYNAMIC, force, size);
         if (mode == PM_STICK && pm_contact_friction(m, pm_contact_of_slot(m, i)) == PM_FRICTION_COULOMB)
             add(w, FUNCTION_GRIP, i, -1, PM_LEVEL_DYNAMIC, force, size);
@@ -151,8 +155,16 @@ double pm_event_sample(pm_workspace *w, const pm_event_function *f)
             pm_contact_member_slip(w, pm_contact_of_slot(w->model, f->index), slot[f->index].member);
         return slot[f->index].mode == PM_SLIDE_FORWARD ? slip : -slip;
     }
+    case FUNCTION_MEETING:
+        return slot[w->model->contact_slot[f->index]].mode == PM_OPEN ? pm_capture_approach(w, f->index)
+                                                                      : w->size * w->speed;
     default: return pm_trigger_program(w, f->index);
     }
+}
+
+int pm_event_changes_sign(const pm_event_function *f)
+{
+    return f->kind == FUNCTION_TRIGGER || f->kind == FUNCTION_MEETING;
 }
 
 double pm_event_of_sample(const pm_event_function *f, double sample)
@@ -206,7 +218,7 @@ void pm_event_begin(pm_workspace *w)
     pm_event_values(w, e->value);
     for (int i = 0; i < e->nfunction; i++) {
         pm_event_function *f = &e->function[i];
-        if (f->kind == FUNCTION_TRIGGER || e->value[i] > f->slack) continue;
+        if (pm_event_changes_sign(f) || e->value[i] > f->slack) continue;
         f->held = 1;
         if (f->kind == FUNCTION_GAP && leaves(w, f->index))
             f->slack = POSITION_ROUNDING * pm_contact_reach(w);

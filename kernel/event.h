@@ -11,7 +11,14 @@
 
 #define PM_COUNTLESS (INT64_MAX / 2) /* count of an event that has fired infinitely often */
 
-enum pm_function_kind { FUNCTION_TRIGGER, FUNCTION_GAP, FUNCTION_NORMAL, FUNCTION_GRIP, FUNCTION_SLIP };
+enum pm_function_kind {
+    FUNCTION_TRIGGER,
+    FUNCTION_GAP,
+    FUNCTION_NORMAL,
+    FUNCTION_GRIP,
+    FUNCTION_SLIP,
+    FUNCTION_MEETING /* of two points: where they are nearest, they may meet */
+};
 
 typedef struct pm_event_function {
     int kind;          /* enum pm_function_kind */
@@ -61,6 +68,8 @@ void pm_event_values(pm_workspace *w, double *value);
 double pm_event_value(pm_workspace *w, const pm_event_function *f);
 double pm_event_sample(pm_workspace *w, const pm_event_function *f);
 double pm_event_of_sample(const pm_event_function *f, double sample);
+/* The function may have either sign in a phase, as that of a contact has not. */
+int pm_event_changes_sign(const pm_event_function *f);
 /* Steps until something happens or a limit is met.  On an event w->state is at it (before the jump), the phase's rows
  * still hold, w->event->hit and ->fired tell what.  Instants that only mark something are passed on the way: *ended = 1
  * if one of them ends the run. */

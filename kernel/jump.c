@@ -2,7 +2,7 @@
  *
  *   M (v' - v) = H^T P,   G v' = -e (G v) at struck normals, w at joints and at tangents that hold     (17.19)
  *
- * w is what a drive prescribes, 0 elsewhere.
+ * w is what a drive prescribes, 0 elsewhere.  Captured pairs are joints; one that is caught now is struck in all its rows.
  *
  * Which contacts take part: the struck ones alone first; a resting contact joins only if its pair would otherwise
  * approach; a contact whose impulse would pull drops out; repeat.  Friction in a blow: rough holds, Coulomb holds while
@@ -16,6 +16,7 @@
 #include "active.h"
 #include "audit.h"
 #include "body.h"
+#include "capture.h"
 #include "contact.h"
 #include "decision.h"
 #include "event.h"
@@ -41,27 +42,43 @@ static int is_spent(const pm_workspace *w, int contact, double rate)
     return w->event->spent[contact] && rate > pm_contact_speed(w) && rate <= SPENT * w->speed * far_off(w);
 }
 
-/* Closes the open members that touch and do not part: what approaches is struck (its slot is marked STRUCK), what is
- * still rests, so that it can join the blow; at the start nothing is closed yet. */
+/* An open member that touches: does it approach, is its bounce over, does it stay? */
+typedef struct pm_touch {
+    int member, approaches, rests, stays;
+} pm_touch;
+
+static int touches(pm_workspace *w, int contact, pm_touch *x)
+{
+    double rate;
+    *x = (pm_touch){.stays = 1};
+    const double gap = pm_contact_gap(w, &w->state, contact, &x->member);
+    if (pm_capture_is_meeting(w->model, contact)) return gap < INFINITY && pm_capture_meets(w, contact);
+    if (gap > pm_contact_length(w)) return 0;
+    pm_contact_member_gap(w, contact, x->member, &rate);
+    pm_decision_sign(w, PM_SITE_STRIKES, contact, rate, w->speed);
+    x->approaches = rate < -pm_contact_speed(w);
+    x->rests = is_spent(w, contact, rate);
+    x->stays = rate <= pm_contact_speed(w) && (x->approaches || !pm_mode_released(w, contact, x->member));
+    return 1;
+}
+
+/* Closes the open members that touch and do not part: what approaches is struck (its slot is marked STRUCK), and what is
+ * caught with any velocity; what is still rests, so that it can join the blow; at the start nothing is closed yet. */
 static int find_struck(pm_workspace *w, unsigned char *share, int *struck)
 {
     const pm_model *m = w->model;
+    pm_touch x;
     *struck = 0;
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++)
-        for (int n = 0; n < pm_contact_slots(m, i); n++) {
-            int member, slot;
-            double rate;
-            if (pm_contact_gap(w, &w->state, i, &member) > pm_contact_length(w)) break;
-            pm_contact_member_gap(w, i, member, &rate);
-            pm_decision_sign(w, PM_SITE_STRIKES, i, rate, w->speed);
-            const int approaches = rate < -pm_contact_speed(w), rests = is_spent(w, i, rate);
-            if (!rests && (rate > pm_contact_speed(w) || (!approaches && pm_mode_released(w, i, member))))
-                break;
-            const int status = pm_mode_close(w, i, member, &slot);
+        for (int n = 0; n < pm_contact_slots(m, i) && touches(w, i, &x) && (x.rests || x.stays); n++) {
+            int slot;
+            const int status = pm_mode_close(w, i, x.member, &slot);
             if (status) return status;
-            if (!approaches && !rests) continue;
+            if (w->state.slot[slot].mode == PM_CAPTURED)
+                x.approaches = pm_capture_speed(w, slot) > pm_contact_speed(w);
+            if (!x.approaches && !x.rests) continue;
             share[slot] = STRUCK;
-            if (approaches) pm_trigger_mark(w, PM_TRIGGER_STRIKE, i);
+            if (x.approaches) pm_trigger_mark(w, PM_TRIGGER_STRIKE, i);
             ++*struck;
         }
     return PM_OK;
@@ -149,6 +166,13 @@ static int slide_where_it_must(pm_workspace *w, int32_t *trial)
     return 0;
 }
 
+static int32_t mode_in_blow(const pm_workspace *w, int slot)
+{
+    const int smooth =
+        pm_contact_friction(w->model, pm_contact_of_slot(w->model, slot)) == PM_FRICTION_SMOOTH;
+    return smooth ? PM_SMOOTH : PM_STICK;
+}
+
 /* A resting contact whose pair would approach joins. */
 static int join_approaching(pm_workspace *w, unsigned char *share, const int32_t *resting, int32_t *trial,
                             const double *after)
@@ -163,10 +187,21 @@ static int join_approaching(pm_workspace *w, unsigned char *share, const int32_t
         pm_decision_sign(w, PM_SITE_JOINS, i, rate, w->speed);
         if (rate >= -pm_contact_speed(w)) continue;
         share[i] = JOINED;
-        trial[i] = pm_contact_friction(w->model, contact) == PM_FRICTION_SMOOTH ? PM_SMOOTH : PM_STICK;
+        trial[i] = mode_in_blow(w, i);
         return 1;
     }
     return 0;
+}
+
+/* Of a captured pair, along the axes of the scene. */
+static void record_captured(pm_workspace *w, int slot)
+{
+    static const double axes[4] = {1, 0, 0, 1};
+    memcpy(w->slot_direction + 4 * slot, axes, sizeof axes);
+    for (int k = 0; k < 2; k++) {
+        const int active = w->slot_held[PM_JOINT_ROWS * slot + k];
+        if (active != PM_NONE) w->slot_impulse[2 * slot + k] = w->rhs[active];
+    }
 }
 
 static void record(pm_workspace *w)
@@ -177,6 +212,7 @@ static void record(pm_workspace *w)
     for (int i = 0; i < m->njoint_row; i++)
         if (w->joint_active[i] != PM_NONE) w->joint_impulse[i] = w->rhs[w->joint_active[i]];
     for (int i = 0; i < m->nslot; i++) {
+        if (w->state.slot[i].mode == PM_CAPTURED) record_captured(w, i);
         if (w->slot_normal[i] == PM_NONE) continue;
         pm_row normal, tangent;
         pm_line_of_action along;
@@ -209,6 +245,7 @@ static void set_modes(pm_workspace *w, const unsigned char *share, const int32_t
     for (int i = 0; i < w->model->nslot; i++) {
         const int contact = pm_contact_of_slot(w->model, i), member = w->state.slot[i].member;
         double rate;
+        if (w->state.slot[i].mode == PM_CAPTURED) continue;
         w->state.slot[i].mode = PM_OPEN;
         if (share[i] == OUT && resting[i] == PM_OPEN) continue;
         pm_contact_member_gap(w, contact, member, &rate);
@@ -227,9 +264,10 @@ static int one_blow(pm_workspace *w, unsigned char *share, double *scratch)
     int32_t *resting = (int32_t *)(void *)(scratch + m->nq), *trial = resting + m->nslot;
     int status = PM_OK, again = 1;
     for (int i = 0; i < m->nslot; i++) {
+        const int captured = w->state.slot[i].mode == PM_CAPTURED;
         resting[i] = share[i] == STRUCK ? PM_OPEN : w->state.slot[i].mode;
-        trial[i] =
-            pm_contact_friction(m, pm_contact_of_slot(m, i)) == PM_FRICTION_SMOOTH ? PM_SMOOTH : PM_STICK;
+        trial[i] = captured ? PM_CAPTURED : mode_in_blow(w, i);
+        if (captured && share[i] == OUT) share[i] = JOINED; /* joints take part in every blow */
     }
     const int most = 4 * m->nslot + 4;
     for (int i = 0; again; i++) {

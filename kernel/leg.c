@@ -528,8 +528,9 @@ static void read_end(const pm_workspace *w, int *kind, int *mark)
     for (int i = 0; i < e->nfunction; i++) {
         if (!e->hit[i] || e->function[i].kind == FUNCTION_TRIGGER) continue;
         *kind = e->function[i].kind;
-        *mark =
-            *kind == FUNCTION_GAP ? e->function[i].index : pm_contact_of_slot(w->model, e->function[i].index);
+        *mark = *kind == FUNCTION_GAP || *kind == FUNCTION_MEETING
+                    ? e->function[i].index
+                    : pm_contact_of_slot(w->model, e->function[i].index);
         return;
     }
 }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "body.h"
+#include "capture.h"
 #include "contact.h"
 #include "event.h"
 #include "force.h"
@@ -253,8 +254,10 @@ static double slip(const pm_measure_args *x)
     return NAN;
 }
 
+/* What acts on a captured pair has no normal and no friction. */
 static double slot_normal(const pm_workspace *w, int slot)
 {
+    if (w->state.slot[slot].mode == PM_CAPTURED) return NAN;
     const int active = w->slot_normal[slot];
     return active == PM_NONE ? 0 : w->frame.lambda[active];
 }
@@ -262,6 +265,7 @@ static double slot_normal(const pm_workspace *w, int slot)
 static double slot_friction(const pm_workspace *w, int slot)
 {
     const int active = w->slot_tangent[slot];
+    if (w->state.slot[slot].mode == PM_CAPTURED) return NAN;
     if (active != PM_NONE) return w->frame.lambda[active];
     return w->slot_normal[slot] == PM_NONE ? 0 : w->row[w->slot_normal[slot]].slide * slot_normal(w, slot);
 }
@@ -309,6 +313,12 @@ static double side_of(const pm_measure_args *x)
     return normal.body[0] == pm_body_index(x->w->model, x->e[PM_MEASURE_ON]) ? 1 : -1;
 }
 
+static double held_force(const pm_workspace *w, int slot, int axis)
+{
+    const int active = w->slot_held[PM_JOINT_ROWS * slot + axis];
+    return active == PM_NONE ? 0 : w->frame.lambda[active];
+}
+
 static void contact_force(const pm_measure_args *x, double out[2])
 {
     int first, last;
@@ -316,6 +326,10 @@ static void contact_force(const pm_measure_args *x, double out[2])
     out[0] = out[1] = 0;
     for (int i = first; i < last; i++) {
         if (!counts(x, i)) continue;
+        if (x->w->state.slot[i].mode == PM_CAPTURED) {
+            for (int k = 0; k < 2; k++) out[k] += side_of(x) * held_force(x->w, i, k);
+            continue;
+        }
         pm_row normal, tangent;
         pm_line_of_action along;
         pm_row_of_contact(x->w, x->a, i, x->w->state.slot[i].member, &normal, &tangent);

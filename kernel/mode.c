@@ -8,6 +8,7 @@
 
 #include "active.h"
 #include "body.h"
+#include "capture.h"
 #include "contact.h"
 #include "decision.h"
 #include "event.h"
@@ -20,6 +21,7 @@
 
 int pm_mode_of_slip(pm_workspace *w, int contact, int member)
 {
+    if (pm_capture_kind(w->model, contact) != PM_CAPTURE_NONE) return PM_CAPTURED;
     switch (pm_contact_friction(w->model, contact)) {
     case PM_FRICTION_SMOOTH: return PM_SMOOTH;
     case PM_FRICTION_ROUGH: return PM_STICK;

@@ -133,6 +133,7 @@ static const pm_partner contact_partner[PM_CONTACT_KINDS] = {
     [PM_CONTACT_CIRCLE] = {PM_TABLE_CIRCLE, PM_TABLE_CIRCLE, 0, 0, 0, 0},
     [PM_CONTACT_ROW] = {PM_TABLE_CIRCLE, PM_TABLE_ROW, 0, 0, 0, 0},
     [PM_CONTACT_CORD] = {PM_TABLE_CIRCLE, PM_TABLE_CIRCLE, 0, 0, 0, 0},
+    [PM_CONTACT_POINT] = {PM_TABLE_CIRCLE, PM_TABLE_CIRCLE, 0, 0, 0, 0},
 };
 static const pm_partner force_partner[PM_FORCE_KINDS] = {
     [PM_FORCE_SPRING] = {PM_TABLE_POINT, PM_TABLE_POINT, 1, 1, 0, 0},
@@ -185,11 +186,21 @@ static int check_elements(const pm_model *m, int table, int kinds, const pm_part
     return PM_OK;
 }
 
+/* A contact that captures has no other law; two points must. */
+static int captures_soundly(const int32_t *e)
+{
+    const int kind = e[PM_CONTACT_KIND], capture = e[PM_CONTACT_CAPTURE];
+    if (capture == PM_CAPTURE_NONE) return kind != PM_CONTACT_POINT;
+    return capture > PM_CAPTURE_NONE && capture < PM_CAPTURES && kind != PM_CONTACT_CORD &&
+           e[PM_CONTACT_FRICTION] == PM_FRICTION_SMOOTH && e[PM_CONTACT_SPEED] < 0;
+}
+
 static int check_contacts(const pm_model *m, pm_where *where)
 {
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
         const int32_t *e = PM_CONTACT_ROW_OF(m, i);
         const int friction = e[PM_CONTACT_FRICTION];
+        if (!captures_soundly(e)) return bad(where, PM_TABLE_CONTACT, i, e[PM_CONTACT_CAPTURE], PM_CAPTURES);
         if (friction < PM_FRICTION_SMOOTH || friction > PM_FRICTION_ROUGH)
             return bad(where, PM_TABLE_CONTACT, i, friction, PM_FRICTION_ROUGH);
         if (friction == PM_FRICTION_COULOMB && (e[PM_CONTACT_STATIC] < 0 || e[PM_CONTACT_KINETIC] < 0))
@@ -424,11 +435,15 @@ static void lay_out(pm_model *m)
         m->njoint_row += joint_rows[kind];
     }
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
+        const int32_t *e = PM_CONTACT_ROW_OF(m, i);
+        const int slots = e[PM_CONTACT_KIND] == PM_CONTACT_ROW ? PM_ROW_SLOTS : 1;
         m->contact_slot[i] = m->nslot;
-        m->nslot += PM_CONTACT_ROW_OF(m, i)[PM_CONTACT_KIND] == PM_CONTACT_ROW ? PM_ROW_SLOTS : 1;
+        m->nslot += slots;
+        m->contact_kept[i] = e[PM_CONTACT_CAPTURE] == PM_CAPTURE_NONE ? PM_NONE : m->nkept;
+        if (e[PM_CONTACT_CAPTURE] != PM_CAPTURE_NONE) m->nkept += slots;
     }
     m->nmemory += m->nslot; /* the slots' memories come last */
-    m->nrow = m->njoint_row + 2 * m->nslot;
+    m->nrow = m->njoint_row + 2 * m->nslot + m->nkept;
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++) {
         const int kind = PM_FORCE_ROW(m, i)[PM_FORCE_KIND];
         m->force_z[i] = kind == PM_FORCE_SPRING || kind == PM_FORCE_TORSION ? PM_NONE : m->nz++;
@@ -536,7 +551,7 @@ int pm_model_create(int64_t ntable, const int32_t *table, int64_t nconstant, con
         free(m);
         return status;
     }
-    const size_t nint = (size_t)m->rows[PM_TABLE_CONTACT] + 2 * (size_t)m->rows[PM_TABLE_JOINT] +
+    const size_t nint = 2 * (size_t)m->rows[PM_TABLE_CONTACT] + 2 * (size_t)m->rows[PM_TABLE_JOINT] +
                         (size_t)m->rows[PM_TABLE_FORCE] + (size_t)m->rows[PM_TABLE_MEASURE];
     int *block = calloc(nint + 1, sizeof *block);
     m->program_level = calloc(3 * (size_t)m->rows[PM_TABLE_PROGRAM] + 1, 1);
@@ -547,7 +562,8 @@ int pm_model_create(int64_t ntable, const int32_t *table, int64_t nconstant, con
     }
     m->program_nature = m->program_level + m->rows[PM_TABLE_PROGRAM];
     m->program_growth = m->program_nature + m->rows[PM_TABLE_PROGRAM];
-    m->joint_row = m->contact_slot + m->rows[PM_TABLE_CONTACT];
+    m->contact_kept = m->contact_slot + m->rows[PM_TABLE_CONTACT];
+    m->joint_row = m->contact_kept + m->rows[PM_TABLE_CONTACT];
     m->joint_memory = m->joint_row + m->rows[PM_TABLE_JOINT];
     m->force_z = m->joint_memory + m->rows[PM_TABLE_JOINT];
     m->path_z = m->force_z + m->rows[PM_TABLE_FORCE];

@@ -27,12 +27,14 @@ typedef struct pm_model {
     int njoint_row;    /* rows of all joints */
     int nslot;         /* places for closed contacts: 1 per contact, PM_ROW_SLOTS per periodic row */
     int nmemory;       /* joints and slots: what their no-slip and driven rows and strands remember */
-    int nrow;          /* most active rows: njoint_row + 2 nslot */
+    int nkept;         /* slots of contacts that capture */
+    int nrow;          /* most active rows: njoint_row + 2 nslot + nkept */
     int nz;            /* running integrals: forces' work, paths, then PM_LEDGER audit entries */
     int nz_work;       /* of these the first are works of forces */
     int nz_controlled; /* of these the first are under error control */
     int uses_time;     /* some force or trigger depends on t: rest does not last, or is waited out */
     int *contact_slot; /* [ncontact] first slot */
+    int *contact_kept; /* [ncontact] first kept place, or PM_NONE */
     int *joint_row;    /* [njoint] first row among the joint rows */
     int *joint_memory; /* [njoint] first, or PM_NONE */
     int *force_z;      /* [nforce] running integral of its work, or PM_NONE: it has a potential */
@@ -71,7 +73,14 @@ static inline const int32_t *pm_row_of(const pm_model *m, int table, int row, in
 #define PM_SETTING(m, column) ((m)->table[PM_TABLE_SETTING][column])
 
 /* How a closed contact moves. */
-enum pm_mode { PM_OPEN = 0, PM_SMOOTH = 1, PM_STICK = 2, PM_SLIDE_FORWARD = 3, PM_SLIDE_BACKWARD = 4 };
+enum pm_mode {
+    PM_OPEN = 0,
+    PM_SMOOTH = 1,
+    PM_STICK = 2,
+    PM_SLIDE_FORWARD = 3,
+    PM_SLIDE_BACKWARD = 4,
+    PM_CAPTURED = 5
+};
 
 typedef struct pm_slot {
     int32_t mode;   /* enum pm_mode */
@@ -85,9 +94,15 @@ typedef struct pm_memory {
     double time; /* up to which the way of a drive is part of the anchor */
 } pm_memory;
 
+/* Where a captured pair is held, in the axes of both bodies, and its relative angle (capture.c). */
+typedef struct pm_kept {
+    double a[2], b[2], angle;
+} pm_kept;
+
 typedef struct pm_state {
     double t;
     double *q, *v, *z; /* [nq], [nq], [nz] */
+    pm_kept *kept;     /* [nkept] */
     pm_memory *memory; /* [nmemory]: joints, then slots */
     pm_slot *slot;     /* [nslot] */
     void *block;
@@ -157,13 +172,14 @@ typedef struct pm_workspace {
     pm_state state, start; /* now; at t = 0 after the assembly */
     pm_state probe;        /* a state inside a step */
     pm_state ahead;        /* the end of a step while an instant inside it is marked */
-    /* active rows: joints first, then normals, then tangents */
+    /* active rows: joints first, then captured pairs, then normals, then tangents */
     pm_row *row; /* [nrow] */
     int nactive;
     int njoint_active;
     int *joint_active; /* [njoint_row] active row of each joint row, or PM_NONE (redundant) */
     int *slot_normal;  /* [nslot] active row, or PM_NONE */
     int *slot_tangent; /* [nslot] */
+    int *slot_held;    /* [nslot][PM_JOINT_ROWS] of a captured pair, or PM_NONE */
     int nredundant;
     int asymmetric; /* some contact slides: H differs from G */
     /* saddle.c */
@@ -179,7 +195,7 @@ typedef struct pm_workspace {
     pm_frame frame;
     /* the last jump */
     double *joint_impulse;      /* [njoint_row] */
-    double *slot_impulse;       /* [2 nslot] normal, tangential */
+    double *slot_impulse;       /* [2 nslot] normal, tangential; of a captured pair x, y */
     double *force_energy_start; /* [nforce] energy of springs at the start */
     double *slot_direction;     /* [nslot][4] normal x, y, tangent x, y on the first partner at the jump */
     double lost;                /* kinetic energy, J */

@@ -193,9 +193,17 @@ enum pm_contact_kind {
     PM_CONTACT_CORD =
         3, /* a straight strand from circle a (radius 0: a point) to circle b: pulls only, the gap is its
                             slack; it is wound on the circles and does not slip there */
-    PM_CONTACT_KINDS = 4
+    PM_CONTACT_POINT = 4, /* circles a, b of radius 0: points that meet from wherever; it must capture */
+    PM_CONTACT_KINDS = 5
 };
 enum pm_friction { PM_FRICTION_SMOOTH = 0, PM_FRICTION_COULOMB = 1, PM_FRICTION_ROUGH = 2 };
+/* What becomes of a pair that touches and does not part (two points: that meet). */
+enum pm_capture {
+    PM_CAPTURE_NONE = 0,
+    PM_CAPTURE_POINT = 1, /* it stays as a pin at the place of contact */
+    PM_CAPTURE_BODY = 2,  /* it stays as one body, as it arrived */
+    PM_CAPTURES = 3
+};
 enum pm_contact_column {
     PM_CONTACT_KIND = 0,
     PM_CONTACT_A = 1,
@@ -212,7 +220,8 @@ enum pm_contact_column {
     PM_CONTACT_SENSE_A =
         10, /* cord: +1 if one passes the circle counterclockwise going from a to b, -1 clockwise */
     PM_CONTACT_SENSE_B = 11,
-    PM_CONTACT_COLUMNS = 12
+    PM_CONTACT_CAPTURE = 12, /* enum pm_capture; smooth, with no surface speed */
+    PM_CONTACT_COLUMNS = 13
 };
 
 /* ---- forces --------------------------------------------------------------------------------------------- */

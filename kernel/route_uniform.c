@@ -16,6 +16,7 @@
 #include "ask.h"
 #include "audit.h"
 #include "body.h"
+#include "capture.h"
 #include "case.h"
 #include "contact.h"
 #include "decision.h"
@@ -248,7 +249,7 @@ static int applies(pm_workspace *w)
     const int nq = w->model->nq;
     if (w->count[PM_COUNT_PHASES] == 0) pm_zeno_reset(w);
     pm_steady_curve(w, u->v, u->a, u->turns, u->locked, &u->curve);
-    if (!pm_steady_holds(w, &u->curve) || !paths_are_parabolas(w)) return 0;
+    if (!pm_steady_holds(w, &u->curve) || !paths_are_parabolas(w) || pm_capture_awaits(w)) return 0;
     u->t0 = w->state.t;
     u->begin = u->end = 0;
     u->irregular = u->status = 0;

@@ -256,6 +256,10 @@ void pm_row_of_contact(const pm_workspace *w, int contact, int slot, int member,
         *normal = blank(PM_ROW_DISTANCE);
         circles(w, normal, a, b, w->value[e[PM_CONTACT_SIDE]]);
         break;
+    case PM_CONTACT_POINT:
+        *normal = blank(PM_ROW_DISTANCE);
+        circles(w, normal, a, b, 1);
+        break;
     case PM_CONTACT_CORD: strand(w, normal, a, b, e[PM_CONTACT_SENSE_A], e[PM_CONTACT_SENSE_B]); break;
     case PM_CONTACT_ROW:
     case PM_CONTACT_KINDS:

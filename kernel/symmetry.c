@@ -92,7 +92,7 @@ static int contact_stays(const pm_workspace *w, const pm_shift *s, int contact)
 {
     const int32_t *e = PM_CONTACT_ROW_OF(w->model, contact);
     const int a = e[PM_CONTACT_A], b = e[PM_CONTACT_B];
-    if (!circle_stays(w, s, a)) return 0;
+    if (!circle_stays(w, s, a) || e[PM_CONTACT_CAPTURE] != PM_CAPTURE_NONE) return 0;
     switch ((enum pm_contact_kind)e[PM_CONTACT_KIND]) {
     case PM_CONTACT_LINE: return line_stays(w, s, b);
     case PM_CONTACT_CIRCLE: return circle_stays(w, s, b);

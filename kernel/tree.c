@@ -56,7 +56,7 @@ void pm_tree_free(pm_workspace *w)
 }
 
 /* ---- choice ---- */
-/* Active rows that belong to one joint or contact. */
+/* Active rows that belong to one joint, contact or captured pair. */
 typedef struct pm_group {
     int row[PM_JOINT_ROWS];
     int n;
@@ -168,6 +168,8 @@ static pm_group joint_group(const pm_workspace *w, int joint)
 static pm_group slot_group(const pm_workspace *w, int slot)
 {
     pm_group g = {.n = 0};
+    for (int i = PM_JOINT_ROWS * slot; i < PM_JOINT_ROWS * (slot + 1); i++)
+        if (w->slot_held[i] != PM_NONE) g.row[g.n++] = w->slot_held[i];
     if (w->slot_normal[slot] != PM_NONE) g.row[g.n++] = w->slot_normal[slot];
     if (w->slot_tangent[slot] != PM_NONE) g.row[g.n++] = w->slot_tangent[slot];
     return g;

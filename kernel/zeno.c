@@ -21,6 +21,7 @@
 #include "ask.h"
 #include "audit.h"
 #include "body.h"
+#include "capture.h"
 #include "case.h"
 #include "contact.h"
 #include "event.h"
@@ -84,7 +85,8 @@ static int is_alike(const pm_workspace *w, const double *change, double flight)
 void pm_zeno_begin(pm_workspace *w)
 {
     pm_series *x = &w->uniform->series;
-    if (!follows_a_blow(w)) {
+    if (!follows_a_blow(w) ||
+        pm_capture_holds(w)) { /* what a captured pair takes over is not thought through */
         pm_zeno_reset(w);
         return;
     }

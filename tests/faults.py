@@ -39,6 +39,59 @@ class Fault:
 
 
 FAULTS = [
+    # captures
+    Fault(
+        "capture: the place is not turned into the body",
+        "capture.c",
+        "out[1] = -pose[4] * x",
+        "out[1] = pose[4] * x",
+    ),
+    Fault(
+        "capture: a body is held as a pin", "capture.c", "can_turn(w, normal.body[1]) ? 3 : 2", "0 ? 3 : 2"
+    ),
+    Fault(
+        "capture: a particle holds the other's angle",
+        "capture.c",
+        "PM_BODY_ROW(w->model, body)[PM_BODY_TURNS]",
+        "1",
+    ),
+    Fault(
+        "capture: points are seen to meet where they part",
+        "event.c",
+        "FUNCTION_MEETING, i, 1,",
+        "FUNCTION_MEETING, i, -1,",
+    ),
+    Fault("capture: who passes by is stopped", "crossing.c", "> PASSES * w->size", "> w->size"),
+    Fault(
+        "capture: points meet from afar",
+        "capture.c",
+        "<= MEETS * w->size",
+        "<= 0.1 * w->size",
+    ),
+    Fault(
+        "capture: what is held takes no part in later blows",
+        "jump.c",
+        "if (captured && share[i] == OUT) share[i] = JOINED;",
+        "",
+    ),
+    Fault(
+        "capture: its impulse along the wrong axes",
+        "jump.c",
+        "axes[4] = {1, 0, 0, 1}",
+        "axes[4] = {0, 1, 1, 0}",
+    ),
+    Fault(
+        "capture: its force is that of its first row",
+        "measure.c",
+        "PM_JOINT_ROWS * slot + axis",
+        "PM_JOINT_ROWS * slot",
+    ),
+    Fault(
+        "capture: lets go when it would pull",
+        "active.c",
+        "status = append_captured(w, &nbasis)",
+        "status = PM_OK",
+    ),
     # couplings and drives
     Fault(
         "strand: tangent point on the wrong side",

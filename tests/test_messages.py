@@ -336,6 +336,30 @@ FAULTS = [
     ),
     ('contacts.c = { touch = ["P", "ground.O"] }', "contacts.c.normal: two points need a normal"),
     ('contacts.c = { touch = ["AB.axis", "ground.floor"] }', "a line and a line do not touch"),
+    (
+        'contacts.c = { touch = ["P", "ground.O"], capture = "pin" }',
+        "contacts.c.capture = \"pin\": 'none', 'point' or 'body' is wanted",
+    ),
+    (
+        'contacts.c = { touch = ["P", "ground.O"], capture = "point", restitution = 0.5 }',
+        "contacts.c.restitution: what is captured stays; it has no restitution",
+    ),
+    (
+        'contacts.c = { touch = ["P", "ground.O"], capture = "point", friction = "rough" }',
+        "contacts.c.friction: what is captured stays; it has no friction",
+    ),
+    (
+        'contacts.c = { touch = ["P", "ground.floor"], capture = "point", surface_speed = "1 m/s" }',
+        'contacts.c.surface_speed = "1 m/s": what is captured stays at its place',
+    ),
+    (
+        'contacts.c = { touch = ["P", "ground.O"], capture = "point" }\nask.a = "c.normal"',
+        'unknown quantity of a contact that captures "normal"; there is gap, closed, force, impulse',
+    ),
+    (
+        'contacts.c = { touch = ["P", "ground.O"], capture = "point" }\nevents.e = "c slips"',
+        'what "c" captures stays at its place; it strikes or opens',
+    ),
     ('events.e = "3 > 2"', 'events.e = "3 > 2": nothing in this condition changes with the motion'),
     ('events.e = "AB.angle >= 3"', 'events.e = "AB.angle >= 3": an event fires on a crossing; write >'),
     ('ask.a = { max = "AB.omega", at = "end" }', "ask.a.at: an extreme over the run has no instant"),
@@ -350,10 +374,6 @@ NOT_BUILT = [
     ('couplings.c = { cord = ["disk.rim cw", "P"], slips = ["disk.rim"] }', "couplings.c.slips"),
     ('joints.A = { pin = ["AB.A", "ground"], friction = "1 N*m" }', "joints.A.friction"),
     ('contacts.c = { touch = ["AB.top", "ground.O"] }', 'contacts.c.touch[0] = "AB.top"'),
-    (
-        'contacts.c = { touch = ["disk.rim", "ground.floor"], capture = "point" }',
-        'contacts.c.capture = "point"',
-    ),
     ('contacts.c = { touch = ["disk.rim", "ground.floor"], law = "stronge" }', 'contacts.c.law = "stronge"'),
     ('contacts.c = { table = ["P"] }', "contacts.c.table"),
     ('forces.f = { couple = "AB", power = "3 W" }', "forces.f.power"),

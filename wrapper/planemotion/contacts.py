@@ -25,6 +25,11 @@ from .timed import over_time
 from .units import DIMENSIONLESS, VELOCITY
 
 _ROUND = ("circle", "point")
+_CAPTURES = {
+    "none": layout.PM_CAPTURE_NONE,
+    "point": layout.PM_CAPTURE_POINT,
+    "body": layout.PM_CAPTURE_BODY,
+}
 
 
 @dataclass(frozen=True)
@@ -33,7 +38,7 @@ class ContactInfo:
 
     `indices`: its rows, one for each member of a set; `owners`: of the first and second partner as written;
     `swapped`: the kernel has them the other way round; `is_row`: the members are those of a periodic row;
-    `is_set`: the members are the rows of `indices`.
+    `is_set`: the members are the rows of `indices`; `captures`: what arrives stays.
     """
 
     indices: tuple[int, ...]
@@ -41,6 +46,7 @@ class ContactInfo:
     swapped: bool
     is_row: bool
     is_set: bool
+    captures: bool
 
 
 class Contacts:
@@ -75,7 +81,9 @@ class Contacts:
             row = {**self._geometry(one, b, contact, path, swapped), **laws}
             label = f"{path}[{member}]" if is_set else path
             rows.append(self.tables.add(layout.PM_TABLE_CONTACT, row, label))
-        return ContactInfo(tuple(rows), (first.owner, second.owner), swapped, b.kind == "row", is_set)
+        owners = (first.owner, second.owner)
+        captures = contact.capture != "none"
+        return ContactInfo(tuple(rows), owners, swapped, b.kind == "row", is_set, captures)
 
     def _check(self, one: Partner) -> None:
         if one.anywhere:
@@ -116,6 +124,8 @@ class Contacts:
                     "a circle is wanted to touch a row of points", path=a.where, value=str(a.ref)
                 )
             kind, other = layout.PM_CONTACT_ROW, self.drawing.row(b.mark, b.where)
+        elif points and contact.capture != "none" and contact.normal is None:
+            kind, other = layout.PM_CONTACT_POINT, kernel_circle(self.drawing, b)
         elif points:
             kind, other = layout.PM_CONTACT_LINE, self._line_through(b, contact.normal, path)
         else:
@@ -132,7 +142,8 @@ class Contacts:
         """The second of two points acts as a line through it, whose free side the normal points to."""
         if normal is None:
             reason = (
-                'two points need a normal: the direction of the second one\'s free side, such as "90 deg"'
+                'two points need a normal: the direction of the second one\'s free side, such as "90 deg"; '
+                "or they capture"
             )
             raise SceneError(reason, path=f"{path}.normal")
         direction = self.reader.number(normal, f"{path}.normal", DIMENSIONLESS)
@@ -167,6 +178,7 @@ class Contacts:
             layout.PM_CONTACT_SLACK: layout.PM_NONE,
             layout.PM_CONTACT_SENSE_A: 1,
             layout.PM_CONTACT_SENSE_B: 1,
+            layout.PM_CONTACT_CAPTURE: _CAPTURES[contact.capture],
         }
 
     def _surface_speed(self, contact: Contact, path: str) -> int:

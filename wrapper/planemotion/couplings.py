@@ -131,6 +131,7 @@ class Couplings:
             )
             row[layout.PM_CONTACT_SENSE_A] = sense_a
             row[layout.PM_CONTACT_SENSE_B] = sense_b
+            row[layout.PM_CONTACT_CAPTURE] = layout.PM_CAPTURE_NONE
             label = path if len(spans) == 1 else f"{path}[{number + 1}]"
             indices.append(self.tables.add(layout.PM_TABLE_CONTACT, row, label))
         owners = tuple((a.owner, b.owner) for (a, _), (b, _) in spans)

@@ -216,6 +216,8 @@ def _options(element: Any) -> str:
 
 
 def _laws(contact: Any) -> str:
+    if contact.capture != "none":
+        return f"captures as a {'pin' if contact.capture == 'point' else 'body'}"
     friction = contact.friction
     if isinstance(friction, Friction):
         text = f"friction {_written(friction.static)} static, {_written(friction.kinetic)} kinetic"

@@ -146,6 +146,9 @@ class Instants:
                 raise SceneError(f'"{name}" is not active in this run')
             raise SceneError(words.unknown(name, contacts, "contact"))
         contact = contacts[name]
+        if contact.captures and change not in words.CAPTURE_CHANGES:
+            reason = f'what "{name}" captures stays at its place; it {" or ".join(words.CAPTURE_CHANGES)}'
+            raise SceneError(reason)
         indices = contact.indices
         if bracket:
             if not contact.is_set:

@@ -361,7 +361,8 @@ class Measures(MeasureRows):
         return address.member - 1
 
     def _contact(self, address: Address, contact: ContactInfo) -> Reading:
-        quantity = self._word(address, words.CONTACT_QUANTITIES, "a contact")
+        known = words.CAPTURE_QUANTITIES if contact.captures else words.CONTACT_QUANTITIES
+        quantity = self._word(address, known, "a contact that captures" if contact.captures else "a contact")
         indices, member = self._members(address, contact)
         if quantity in ("force", "impulse"):
             kind = (

@@ -191,7 +191,7 @@ class Contact(Element):
     normal: Number | None = None
     law: Text = "newton"
     surface_speed: Number | None = None
-    capture: Text = "none"
+    capture: Literal["none", "point", "body"] = "none"
 
 
 class Force(Element):

@@ -14,7 +14,7 @@ from pydantic import ValidationError
 from . import words
 from ._layout import PM_FIND_MOST_PAIR_SAMPLES, PM_FIND_MOST_SAMPLES
 from .errors import SceneError
-from .scene import DEFAULT_G, Ask, At, Find, SceneData, Table
+from .scene import DEFAULT_G, Ask, At, Contact, Find, SceneData, Table
 
 
 def validate(raw: Mapping[str, Any], *, file: str | None = None, name: str = "") -> SceneData:
@@ -111,7 +111,7 @@ def _check_more(data: SceneData) -> None:
         if contact.law != "newton":
             raise words.not_built("other impact laws than newton", f"contacts.{name}.law", contact.law)
         if contact.capture != "none":
-            raise words.not_built("contacts that capture", f"contacts.{name}.capture", contact.capture)
+            _check_capture(contact, f"contacts.{name}")
     for name, ask in data.ask.items():
         _check_ask(data, ask, f"ask.{name}")
     for run in data.runs or (None,):
@@ -127,6 +127,16 @@ def _check_more(data: SceneData) -> None:
             raise SceneError("zipped, but it has no grid", path=f"sweep.{name}")
         if zipped.count(name) > 1:
             raise SceneError(f'"{name}" is zipped twice', path="sweep.zip")
+
+
+def _check_capture(contact: Contact, path: str) -> None:
+    """What arrives stays: no other law of contact is left to say."""
+    for key in ("restitution", "friction"):
+        if getattr(contact, key) != 0:
+            raise SceneError(f"what is captured stays; it has no {key}", path=f"{path}.{key}")
+    if contact.surface_speed is not None:
+        reason = "what is captured stays at its place; the surface cannot run on below it"
+        raise SceneError(reason, path=f"{path}.surface_speed", value=contact.surface_speed)
 
 
 def _check_ask(data: SceneData, ask: Ask, path: str) -> None:

@@ -91,6 +91,7 @@ ROUTES = ("auto", "state", "jump", "uniform", "path", "rk", "ida")
 
 CONTACT_CHANGES = ("strikes", "opens", "slips", "sticks")
 CORD_CHANGES = ("slackens", "tightens")
+CAPTURE_CHANGES = ("strikes", "opens")
 
 BODY_QUANTITIES = (
     *("angle", "turned", "omega", "alpha", "mass", "weight", "inertia", "kinetic_energy"),
@@ -111,6 +112,7 @@ COUPLING_QUANTITIES = {
 CONTACT_QUANTITIES = (
     *("gap", "closed", "slip", "normal", "friction", "friction_needed", "force", "impulse"),
 )
+CAPTURE_QUANTITIES = ("gap", "closed", "force", "impulse")  # what holds has no normal and no friction
 FORCE_QUANTITIES = ("force", "couple", "work", "power", "stretch", "energy")
 EVENT_QUANTITIES = ("count", "time")
 ENERGIES = ("kinetic", "potential", "total", "lost")
