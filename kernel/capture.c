@@ -141,9 +141,8 @@ int pm_capture_holds(const pm_workspace *w)
 
 int pm_capture_awaits(const pm_workspace *w)
 {
-    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
-        const int slot = w->model->contact_slot[i];
-        if (pm_capture_is_meeting(w->model, i) && w->state.slot[slot].mode == PM_OPEN) return 1;
-    }
+    int member;
+    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++)
+        if (pm_capture_is_meeting(w->model, i) && !isinf(pm_contact_gap(w, &w->state, i, &member))) return 1;
     return 0;
 }

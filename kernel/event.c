@@ -155,9 +155,9 @@ double pm_event_sample(pm_workspace *w, const pm_event_function *f)
             pm_contact_member_slip(w, pm_contact_of_slot(w->model, f->index), slot[f->index].member);
         return slot[f->index].mode == PM_SLIDE_FORWARD ? slip : -slip;
     }
-    case FUNCTION_MEETING:
-        return slot[w->model->contact_slot[f->index]].mode == PM_OPEN ? pm_capture_approach(w, f->index)
-                                                                      : w->size * w->speed;
+    case FUNCTION_MEETING: /* a pair that is not open meets no more */
+        return isinf(pm_contact_gap(w, &w->state, f->index, &member)) ? w->size * w->speed
+                                                                      : pm_capture_approach(w, f->index);
     default: return pm_trigger_program(w, f->index);
     }
 }

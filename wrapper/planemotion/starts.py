@@ -108,6 +108,8 @@ class Starts:
     def _add_written(self, text: str, value: Value | Vector) -> None:
         address = parse_address(text)
         path = f"start.{text}"
+        if address.thing in self.measures.scope.inactive:
+            return  # it is not there in this run; another run has it
         if not isinstance(value, Vector):
             self._add_scalar(self.measures.reading(address), value, path)
             return

@@ -1,0 +1,138 @@
+"""Contacts that capture, from the words of a scene to its answers."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import planemotion
+from planemotion import picture, sketch
+from planemotion.explain import explain
+from planemotion.result import RunResult
+
+ROUTES = ("auto", "rk", "ida")
+
+# A lump of clay flies into the foot of a rod; without weight all speeds stay.
+CLAY = """
+until = "rod.turned = 0.5 rad"
+plane = "horizontal"
+parameters = { g = "9.81 m/s^2", M = "4 kg", m = "0.3 kg", L = "1.2 m", v = "9 m/s", duration = "2 ms" }
+bodies.rod = { rod = ["A", "B"], length = "L", mass = "M", at = { A = [0, 0] }, angle = "-90 deg" }
+bodies.clay = { mass = "m", at = ["-0.6 m", "-L"] }
+joints.A = { pin = ["rod.A", "ground"] }
+contacts.hit = { touch = [PARTNERS], capture = "point" }
+start.clay.velocity.x = "v"
+events.blow = "hit strikes"
+[ask]
+time = { of = "t", at = "blow" }
+omega = "rod.omega"
+mean = { of = "A.impulse.x/duration", at = "blow" }
+lost = { of = "energy.lost", at = "blow" }
+on_clay = { of = "hit.impulse.x on clay", at = "blow" }
+on_rod = { of = "hit.impulse.x on rod", at = "blow" }
+first = { of = "hit.impulse.x", at = "blow" }
+holds = "hit.force.norm"
+gap = { of = "hit.gap", at = "before blow" }
+closed = "hit.closed"
+"""
+
+
+def values(result: RunResult) -> dict[str, float]:
+    return {key: answer.value for key, answer in result.asks.items()}
+
+
+@pytest.mark.parametrize("partners", ['"clay", "rod.B"', '"rod.B", "clay"'])
+@pytest.mark.parametrize("route", ROUTES)
+def test_clay_in_a_rod(route: str, partners: str) -> None:
+    scene = planemotion.load_text(CLAY.replace("PARTNERS", partners))
+    got = values(scene.with_values({"solve.route": route}).run())
+    inertia = 4 * 1.2**2 / 3 + 0.3 * 1.2**2
+    omega = 0.3 * 9 * 1.2 / inertia
+    impulse = 0.3 * (9 - 1.2 * omega)
+    close = 1e-6 if route == "ida" else 1e-10
+    assert got["time"] == pytest.approx(0.6 / 9, rel=close)
+    assert got["omega"] == pytest.approx(omega, rel=close)
+    assert got["mean"] == pytest.approx((4 * 0.6 * omega - impulse) / 2e-3, rel=close)
+    assert got["lost"] == pytest.approx(0.5 * (0.3 * 81 - inertia * omega**2), rel=close)
+    assert got["on_rod"] == pytest.approx(impulse, rel=close)
+    assert got["on_clay"] == pytest.approx(-impulse, rel=close)
+    assert got["first"] == got["on_clay" if partners.startswith('"clay') else "on_rod"]
+    assert got["holds"] == pytest.approx(0.3 * 1.2 * omega**2, rel=1e3 * close)
+    assert got["gap"] == pytest.approx(0, abs=1e-6)
+    assert got["closed"] == 1
+
+
+@pytest.mark.parametrize("capture", ["point", "body"])
+def test_a_disk_on_a_disk(capture: str) -> None:
+    """As a pin both turn about the place of contact, as a body they have one spin."""
+    got = values(
+        planemotion.load_text(f"""
+plane = "horizontal"
+until = "t = 0.7 s"
+bodies.a = {{ disk = "0.3 m", mass = "2 kg", at = [0, 0] }}
+bodies.b = {{ disk = "0.2 m", mass = "1 kg", at = ["1 m", "0.3 m"] }}
+contacts.c = {{ touch = ["b.rim", "a.rim"], capture = "{capture}" }}
+start.b.velocity.x = "-3 m/s"
+start.a.omega = "4 rad/s"
+events.blow = "c strikes"
+[ask]
+x = {{ of = "b.x - a.x", at = "blow" }}
+y = {{ of = "b.y - a.y", at = "blow" }}
+apart = "sqrt((b.x - a.x)^2 + (b.y - a.y)^2)"
+spin_a = "a.omega"
+spin_b = "b.omega"
+spin = {{ of = "a.omega", at = "blow" }}
+spin_2 = {{ of = "b.omega", at = "blow" }}
+momentum = "momentum.x"
+moment = "angular_momentum"
+""").run()
+    )
+    assert math.hypot(got["x"], got["y"]) == pytest.approx(0.5, rel=1e-9)
+    assert got["y"] == pytest.approx(0.3, rel=1e-9)
+    assert got["momentum"] == pytest.approx(-3, rel=1e-9)
+    assert got["moment"] == pytest.approx(0.3 * 3 + 4 * 0.5 * 2 * 0.3**2, rel=1e-9)
+    if capture == "body":
+        assert got["spin_a"] == pytest.approx(got["spin_b"], rel=1e-9)
+        assert got["spin_a"] == pytest.approx(got["spin"], rel=1e-9)
+        assert got["apart"] == pytest.approx(0.5, rel=1e-9)
+    else:
+        assert abs(got["spin"] - got["spin_2"]) > 0.1
+        assert abs(got["apart"] - 0.5) > 1e-3  # they turn about the place of contact
+
+
+def test_a_corner_of_a_set_is_caught() -> None:
+    """Whichever corner comes: the others stay free, and the box falls about the caught one as a pendulum."""
+    got = values(
+        planemotion.load_text("""
+until = "box.turned = -0.3 rad"
+parameters.b = "0.4 m"
+ground.points.P = ["0.1 m", "-0.2 m"]
+bodies.box = { plate = ["b", "b"], corners = ["A", "B", "C", "D"], mass = "3 kg", at = { A = ["0.1 m", 0] } }
+contacts.post = { touch = ["box.corners", "ground.P"], capture = "point" }
+[ask]
+first = "post[0].closed"
+all = "post.closed"
+omega = "box.omega"
+fall = { of = "box.speed", at = "before blow" }
+[events]
+blow = "post strikes"
+""").run()
+    )
+    v, inertia = math.sqrt(2 * 9.81 * 0.2), 2 * 0.4**2 / 3
+    after, r = -v * 0.2 / inertia, 0.2 * math.sqrt(2)
+    rise = r * (math.sin(math.pi / 4 - 0.3) - math.sin(math.pi / 4))
+    assert got["fall"] == pytest.approx(v, rel=1e-9)
+    assert (got["first"], got["all"]) == (1, 1)
+    assert got["omega"] == pytest.approx(-math.sqrt(after**2 - 2 * 9.81 * rise / inertia), rel=1e-9)
+
+
+def test_it_is_explained_and_drawn() -> None:
+    """Also where the points are at one place when it starts."""
+    text = CLAY.replace("PARTNERS", '"clay", "rod.B"').replace("-0.6 m", "0 m")
+    assert "hit  clay - rod.B  captures as a pin" in explain(planemotion.load_text(text)).text
+    text = text.replace('"point"', '"body"')
+    assert "captures as a body" in explain(planemotion.load_text(text)).text
+    with picture.style():
+        figure = sketch.figure(sketch.start_of(planemotion.load_text(text)))
+    assert "hit" in [one.get_text() for one in figure.axes[0].texts]
