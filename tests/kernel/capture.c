@@ -196,9 +196,10 @@ static void passes(double miss, int route)
 }
 
 /* A bead on a rotating arm comes back to a post every turn, a hair's breadth off or not. */
-static void comes_round(double miss)
+static void comes_round(double miss, int route)
 {
     scene *s = scene_create();
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
     scene_set(s, PM_SETTING_GRAVITY_Y, 0);
     const int arm = scene_body(s, 1, 0.2, 0, 0, 0), end = scene_point(s, arm, 0.8, 0);
     scene_joint(s, PM_JOINT_PIN, scene_point(s, arm, 0, 0), scene_point(s, PM_GROUND, 0, 0), 0);
@@ -209,9 +210,9 @@ static void comes_round(double miss)
     scene_until_time(s, 8);
     const int turned = scene_ask_measure(s, scene_measure(s, PM_MEASURE_TURNED, arm));
     const int closed = scene_ask_measure(s, scene_measure(s, PM_MEASURE_CONTACT_CLOSED, hit));
-    scene_run(s, NULL);
+    EQUAL(scene_run(s, NULL), PM_OK);
     EQUAL(s->out[closed], miss == 0);
-    NEAR(s->out[turned], miss == 0 ? 3 * acos(0.) : 24, 1e-9);
+    NEAR(s->out[turned], miss == 0 ? 3 * acos(0.) : 24, route == PM_ROUTE_IDA ? 1e-5 : 1e-9);
     scene_free(s);
 }
 
@@ -371,9 +372,11 @@ int main(void)
     }
     for (int i = 0; i < 200; i++)
         free_bodies(kinds[i % 3], i / 3 % 2 ? PM_CAPTURE_BODY : PM_CAPTURE_POINT, i / 6 % 2 && i % 3 < 2);
-    comes_round(0);
-    comes_round(1e-4);
-    comes_round(-1e-4);
+    for (int i = 0; i < 3; i++) {
+        comes_round(0, routes[i]); /* along the path, if it may */
+        comes_round(1e-4, routes[i]);
+        comes_round(-1e-4, routes[i]);
+    }
     driven_bat(0);
     driven_bat(0.6);
     driven_bat(1);
