@@ -212,6 +212,7 @@ static void comes_round(double miss, int route)
     const int closed = scene_ask_measure(s, scene_measure(s, PM_MEASURE_CONTACT_CLOSED, hit));
     EQUAL(scene_run(s, NULL), PM_OK);
     EQUAL(s->out[closed], miss == 0);
+    if (route == PM_ROUTE_AUTO) CHECK(s->count[PM_COUNT_ROUTES] >> PM_ROUTE_PATH & 1);
     NEAR(s->out[turned], miss == 0 ? 3 * acos(0.) : 24, route == PM_ROUTE_IDA ? 1e-5 : 1e-9);
     scene_free(s);
 }
