@@ -89,7 +89,7 @@ FAULTS = [
     Fault(
         "capture: lets go when it would pull",
         "active.c",
-        "status = append_captured(w, &nbasis)",
+        "status = append_captured(w, nbasis)",
         "status = PM_OK",
     ),
     # couplings and drives

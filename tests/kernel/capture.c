@@ -218,6 +218,41 @@ static void comes_round(double miss, int route)
 }
 
 /* ---- what stands beside ---- */
+/* A rod on a pin at its middle has caught a lump at one end; it rests when another flies against the other end.  The first
+ * takes part in that blow: H = m v L/2 = (M L^2/12 + 2 m L^2/4) omega, and it gets m omega L/2. */
+static void second_lump(int capture, int route)
+{
+    const double rod = 2, l = 1.4, m = 0.5, v = 3,
+                 omega = 0.5 * m * v * l / (rod * l * l / 12 + 0.5 * m * l * l);
+    scene *s = scene_create();
+    scene_set(s, PM_SETTING_GRAVITY_Y, 0);
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    const int a = scene_body(s, rod, rod * l * l / 12, 0, 0, 0);
+    const int first = scene_body(s, m, 0, -l / 2, 0, 0), second = scene_body(s, m, 0, l / 2, -0.6, 0);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, a, 0, 0), scene_point(s, PM_GROUND, 0, 0), 0);
+    int hit[2], impulse[2];
+    for (int i = 0; i < 2; i++) {
+        const int lump = scene_circle(s, scene_point(s, i ? second : first, 0, 0), 0);
+        const int end = scene_circle(s, scene_point(s, a, i ? l / 2 : -l / 2, 0), 0);
+        hit[i] = scene_capture(s, PM_CONTACT_POINT, lump, end, 0, capture);
+    }
+    scene_start_velocity(s, scene_point(s, second, 0, 0), 0, v);
+    const int strike = scene_on(s, PM_TRIGGER_STRIKE, hit[1]);
+    for (int i = 0; i < 2; i++)
+        impulse[i] = scene_ask_event(
+            s, scene_read(s, scene_part(s, PM_MEASURE_CONTACT_IMPULSE, hit[i], PM_PART_Y)), strike, 1, 0);
+    scene_until_time(s, 1);
+    const int spin = scene_ask_measure(s, scene_measure(s, PM_MEASURE_OMEGA, a));
+    const int held = scene_ask_measure(s, scene_part(s, PM_MEASURE_CONTACT_FORCE, hit[0], PM_PART_NORM));
+    EQUAL(scene_run(s, NULL), PM_OK);
+    const double close = route == PM_ROUTE_IDA ? 1e-6 : 1e-9;
+    routes_agree(s->out[spin], omega, close);
+    NEAR(s->out[held], m * omega * omega * l / 2, close);
+    NEAR(s->out[impulse[0]], -m * omega * l / 2, close);
+    NEAR(s->out[impulse[1]], m * (omega * l / 2 - v), close);
+    scene_free(s);
+}
+
 /* A hook with a given speed catches one end of a rod on a floor: (17.103) m v/3 by the hook, m v/6 by the floor below the
  * other end; with the floor above the rod (it would have to pull) the rod goes round its own G: m v/4 and nothing. */
 static void hook(int below)
@@ -370,6 +405,7 @@ int main(void)
         for (int k = 0; k < 4; k++) bullet(&views[k], routes[i], k % 2 ? PM_CAPTURE_BODY : PM_CAPTURE_POINT);
         for (int k = 0; k < 3; k++) passes(k == 0 ? 0 : k == 1 ? 1e-3 : -1e-4, routes[i]);
         package(routes[i]);
+        second_lump(i % 2 ? PM_CAPTURE_BODY : PM_CAPTURE_POINT, routes[i]);
     }
     for (int i = 0; i < 200; i++)
         free_bodies(kinds[i % 3], i / 3 % 2 ? PM_CAPTURE_BODY : PM_CAPTURE_POINT, i / 6 % 2 && i % 3 < 2);
