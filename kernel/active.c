@@ -199,6 +199,13 @@ int pm_active_build(pm_workspace *w)
     return status;
 }
 
+void pm_active_carry(pm_workspace *w, int slot, double ratio)
+{
+    w->row[w->slot_normal[slot]].slide = ratio;
+    w->asymmetric = 1;
+    append_carried(w);
+}
+
 static void remember(const pm_workspace *w, pm_state *s, const pm_row *row, int anchor_too)
 {
     if (row->memory == PM_NONE || !pm_row_kind(row->kind)->remember) return;

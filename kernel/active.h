@@ -7,6 +7,8 @@
 
 /* Fills w->row from the joints and the modes of the slots in w->state; the frame must look at w->state. */
 int pm_active_build(pm_workspace *w);
+/* The normal of a sliding slot carries its tangent with this ratio of impulses, whatever its law says. */
+void pm_active_carry(pm_workspace *w, int slot, double ratio);
 /* Anchors the no-slip rows of slot (just closed, stuck or captured) at the frame. */
 void pm_active_anchor(pm_workspace *w, pm_state *s, int slot);
 /* Anchors all joints with memory at the frame and measures the cords (once, after the assembly). */

@@ -93,12 +93,25 @@ static int check_partners(pm_workspace *w, int contact)
         radius = fmax(radius, w->value[PM_CIRCLE_ROW(m, e[PM_CONTACT_B])[PM_CIRCLE_RADIUS]]);
         return radius == 0 ? PM_OK : out_of_bound(w, PM_TABLE_CONTACT, contact, PM_CONTACT_A, radius, 0);
     }
+    if (e[PM_CONTACT_KIND] == PM_CONTACT_SEGMENT) {
+        const double from = w->value[e[PM_CONTACT_FROM]], to = w->value[e[PM_CONTACT_TO]];
+        return from < to ? PM_OK : out_of_bound(w, PM_TABLE_CONTACT, contact, PM_CONTACT_TO, to, from);
+    }
     if (e[PM_CONTACT_KIND] == PM_CONTACT_CIRCLE) {
         radius = fmax(radius, w->value[PM_CIRCLE_ROW(m, e[PM_CONTACT_B])[PM_CIRCLE_RADIUS]]);
         const int status = check_side(w, PM_TABLE_CONTACT, contact, PM_CONTACT_SIDE, e[PM_CONTACT_SIDE]);
         if (status) return status;
     }
     return radius > 0 ? PM_OK : out_of_bound(w, PM_TABLE_CONTACT, contact, PM_CONTACT_A, radius, 0);
+}
+
+/* Between 0 and 1. */
+static int check_restitution(pm_workspace *w, int contact, int column)
+{
+    const int index = PM_CONTACT_ROW_OF(w->model, contact)[column];
+    const int status = check(w, PM_TABLE_CONTACT, contact, column, index, 0, 0);
+    if (status || w->value[index] <= 1) return status;
+    return out_of_bound(w, PM_TABLE_CONTACT, contact, column, w->value[index], 1);
 }
 
 static int check_elements(pm_workspace *w)
@@ -116,10 +129,8 @@ static int check_elements(pm_workspace *w)
     }
     for (int i = 0; !status && i < m->rows[PM_TABLE_CONTACT]; i++) {
         const int32_t *e = PM_CONTACT_ROW_OF(m, i);
-        status = check(w, PM_TABLE_CONTACT, i, PM_CONTACT_RESTITUTION, e[PM_CONTACT_RESTITUTION], 0, 0);
-        if (!status && w->value[e[PM_CONTACT_RESTITUTION]] > 1)
-            status = out_of_bound(w, PM_TABLE_CONTACT, i, PM_CONTACT_RESTITUTION,
-                                  w->value[e[PM_CONTACT_RESTITUTION]], 1);
+        status = check_restitution(w, i, PM_CONTACT_RESTITUTION);
+        if (!status && e[PM_CONTACT_TANGENTIAL] >= 0) status = check_restitution(w, i, PM_CONTACT_TANGENTIAL);
         if (!status && e[PM_CONTACT_SLACK] >= 0)
             status = check(w, PM_TABLE_CONTACT, i, PM_CONTACT_SLACK, e[PM_CONTACT_SLACK], 0, 0);
         for (int k = PM_CONTACT_STATIC; !status && k <= PM_CONTACT_KINETIC; k++)

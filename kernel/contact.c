@@ -8,6 +8,7 @@
 #include "capture.h"
 #include "row.h"
 #include "saddle.h"
+#include "segment.h"
 
 #define TOUCHING 1e-10 /* of the scene's size */
 #define STILL 1e-11    /* of the scene's speed */
@@ -43,11 +44,13 @@ int pm_contact_free_slot(const pm_workspace *w, const pm_state *s, int contact)
     return PM_NONE;
 }
 
+/* Of a segment one member at a time is closed: it stands for all. */
 static int is_closed(const pm_workspace *w, const pm_state *s, int contact, int member)
 {
     const int first = w->model->contact_slot[contact];
     for (int i = first; i < first + pm_contact_slots(w->model, contact); i++)
-        if (s->slot[i].mode != PM_OPEN && s->slot[i].member == member) return 1;
+        if (s->slot[i].mode != PM_OPEN && (s->slot[i].member == member || pm_segment_is(w->model, contact)))
+            return 1;
     return 0;
 }
 
@@ -55,6 +58,14 @@ double pm_contact_restitution(const pm_workspace *w, int contact)
 {
     return w->value[PM_CONTACT_ROW_OF(w->model, contact)[PM_CONTACT_RESTITUTION]];
 }
+
+double pm_contact_tangential(const pm_workspace *w, int contact)
+{
+    const int index = PM_CONTACT_ROW_OF(w->model, contact)[PM_CONTACT_TANGENTIAL];
+    return index == PM_NONE ? 0 : w->value[index];
+}
+
+int pm_contact_law(const pm_model *m, int contact) { return PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_LAW]; }
 
 int pm_contact_friction(const pm_model *m, int contact)
 {
@@ -190,5 +201,13 @@ double pm_contact_gap(const pm_workspace *w, const pm_state *s, int contact, int
     const int32_t *e = PM_CONTACT_ROW_OF(w->model, contact);
     if (e[PM_CONTACT_KIND] == PM_CONTACT_ROW) return row_gap(w, s, contact, e, member);
     *member = 0;
-    return is_closed(w, s, contact, 0) ? INFINITY : pm_contact_member_gap(w, contact, 0, 0);
+    if (is_closed(w, s, contact, 0)) return INFINITY;
+    return pm_segment_is(w->model, contact) ? pm_segment_gap(w, contact, member)
+                                            : pm_contact_member_gap(w, contact, 0, 0);
+}
+
+int pm_contact_touches(const pm_workspace *w, const pm_state *s, int contact, int *member)
+{
+    if (pm_contact_gap(w, s, contact, member) > pm_contact_length(w)) return 0;
+    return !pm_segment_is(w->model, contact) || !pm_segment_behind(w, contact);
 }

@@ -6,6 +6,8 @@
 
 /* Smallest gap over the members that are not closed, at the frame; *member tells which.  INFINITY if all are closed. */
 double pm_contact_gap(const pm_workspace *w, const pm_state *s, int contact, int *member);
+/* The nearest open member touches, or overlaps. */
+int pm_contact_touches(const pm_workspace *w, const pm_state *s, int contact, int *member);
 /* The nearest members that are not closed, at the frame, at most `most` (an even number) of a periodic row: in pairs, one
  * on either side, as far as there are; returns how many. */
 int pm_contact_near(const pm_workspace *w, const pm_state *s, int contact, int most, int *member);
@@ -21,6 +23,9 @@ int pm_contact_of_slot(const pm_model *m, int slot);
 int pm_contact_free_slot(const pm_workspace *w, const pm_state *s, int contact);
 
 double pm_contact_restitution(const pm_workspace *w, int contact);
+/* Of the slip; 0 where none is given. */
+double pm_contact_tangential(const pm_workspace *w, int contact);
+int pm_contact_law(const pm_model *m, int contact); /* enum pm_law */
 int pm_contact_friction(const pm_model *m, int contact);
 int pm_contact_is_cord(const pm_model *m, int contact);
 double pm_contact_static(const pm_workspace *w, int contact);

@@ -21,7 +21,8 @@ enum pm_decision_site {
     PM_SITE_JOINS = 3,
     PM_SITE_PULLS = 4,
     PM_SITE_SLIDES = 5,
-    PM_DECISION_SITES = 6
+    PM_SITE_SLIP_LEFT = 6, /* at the end of a blow that was followed */
+    PM_DECISION_SITES = 7
 };
 
 typedef struct pm_decision {

@@ -18,6 +18,7 @@
 #include "root.h"
 #include "route.h"
 #include "saddle.h"
+#include "segment.h"
 #include "trace.h"
 #include "trigger.h"
 
@@ -30,7 +31,7 @@ int pm_event_create(pm_workspace *w)
 {
     const pm_model *m = w->model;
     const size_t ntrigger = (size_t)m->rows[PM_TABLE_TRIGGER], nevent = (size_t)m->rows[PM_TABLE_EVENT];
-    const size_t most = ntrigger + (size_t)m->rows[PM_TABLE_CONTACT] + 3 * (size_t)m->nslot;
+    const size_t most = ntrigger + (size_t)m->rows[PM_TABLE_CONTACT] + 4 * (size_t)m->nslot;
     pm_event_set *e = w->event = calloc(1, sizeof *e);
     if (!e) return PM_NO_MEMORY;
     e->most = (int)most;
@@ -113,6 +114,14 @@ static double force_scale(const pm_workspace *w)
     return sum;
 }
 
+/* On the back of a segment what is watched is that the mark comes out again. */
+static void add_gap(pm_workspace *w, int contact)
+{
+    add(w, FUNCTION_GAP, contact, -1, PM_LEVEL_KINEMATIC, pm_contact_length(w), w->size);
+    w->event->function[w->event->nfunction - 1].behind =
+        pm_segment_is(w->model, contact) && pm_segment_behind(w, contact);
+}
+
 static void add_contacts(pm_workspace *w)
 {
     const pm_model *m = w->model;
@@ -121,13 +130,15 @@ static void add_contacts(pm_workspace *w)
         if (pm_capture_is_meeting(m, i))
             add(w, FUNCTION_MEETING, i, 1, PM_LEVEL_KINEMATIC, 0, w->size * w->speed);
         else
-            add(w, FUNCTION_GAP, i, -1, PM_LEVEL_KINEMATIC, pm_contact_length(w), w->size);
+            add_gap(w, i);
     for (int i = 0; i < m->nslot; i++) {
         const int mode = w->state.slot[i].mode;
         if (mode == PM_OPEN || mode == PM_CAPTURED) continue;
         add(w, FUNCTION_NORMAL, i, -1, PM_LEVEL_DYNAMIC, force, size);
         if (mode == PM_STICK && pm_contact_friction(m, pm_contact_of_slot(m, i)) == PM_FRICTION_COULOMB)
             add(w, FUNCTION_GRIP, i, -1, PM_LEVEL_DYNAMIC, force, size);
+        if (pm_segment_is(m, pm_contact_of_slot(m, i)))
+            add(w, FUNCTION_END, i, -1, PM_LEVEL_KINEMATIC, pm_contact_length(w), w->size);
         if (mode == PM_SLIDE_FORWARD || mode == PM_SLIDE_BACKWARD)
             add(w, FUNCTION_SLIP, i, -1, PM_LEVEL_KINEMATIC, pm_contact_speed(w), w->speed);
     }
@@ -140,7 +151,8 @@ double pm_event_sample(pm_workspace *w, const pm_event_function *f)
     switch (f->kind) {
     case FUNCTION_GAP: {
         const double gap = pm_contact_gap(w, &w->state, f->index, &member);
-        return isinf(gap) ? w->size : gap; /* nothing left to close */
+        if (isinf(gap)) return w->size; /* nothing left to close */
+        return f->behind ? -gap : gap;
     }
     case FUNCTION_NORMAL:
         return w->slot_normal[f->index] == PM_NONE ? w->size : w->frame.lambda[w->slot_normal[f->index]];
@@ -158,6 +170,8 @@ double pm_event_sample(pm_workspace *w, const pm_event_function *f)
     case FUNCTION_MEETING: /* a pair that is not open meets no more */
         return isinf(pm_contact_gap(w, &w->state, f->index, &member)) ? w->size * w->speed
                                                                       : pm_capture_approach(w, f->index);
+    case FUNCTION_END:
+        return pm_segment_room(w, pm_contact_of_slot(w->model, f->index), slot[f->index].member);
     default: return pm_trigger_program(w, f->index);
     }
 }

@@ -2,6 +2,7 @@
 #include "instant.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "ask.h"
 #include "body.h"
@@ -18,20 +19,7 @@
 
 #define STILL 1e-11  /* speeds and accelerations of a scene at rest, relative to its own scales */
 #define TURNING 1e-7 /* of the scene's speed: how fast it is seen just before and after it turns back */
-
-/* What happens to the bodies.  The frame is DYNAMIC before and after. */
-static int act(pm_workspace *w)
-{
-    int jumped, status;
-    pm_decision_instant(w);
-    pm_ask_look_before(w);
-    pm_trigger_look_before(w);
-    pm_mode_begin(w);
-    if ((status = pm_jump(w, &jumped)) || (status = pm_mode_settle(w))) return status;
-    pm_mode_mark(w);
-    pm_trigger_look_after(w);
-    return PM_OK;
-}
+#define BLOWS_IN_ORDER 10000 /* one by one at one instant */
 
 static int at_rest(const pm_workspace *w, int body)
 {
@@ -65,6 +53,51 @@ static int close(pm_workspace *w, int *ended)
     return PM_OK;
 }
 
+/* What the scene looks like before something happens to it. */
+static void look_before(pm_workspace *w)
+{
+    pm_ask_look_before(w);
+    pm_trigger_look_before(w);
+    pm_mode_begin(w);
+}
+
+static int blow(pm_workspace *w)
+{
+    int jumped, status;
+    if ((status = pm_jump(w, &jumped)) || (status = pm_mode_settle(w))) return status;
+    pm_mode_mark(w);
+    pm_trigger_look_after(w);
+    return PM_OK;
+}
+
+/* Closes the instant of one blow and opens that of the next, at the same time. */
+static int go_on(pm_workspace *w, int *ended)
+{
+    int status = close(w, ended);
+    if (!status) status = pm_trace_row(w, 2);
+    pm_trigger_next_blow(w);
+    if (status || *ended) return status;
+    memset(w->event->hit, 0, (size_t)w->event->nfunction * sizeof(int));
+    if ((status = pm_trace_row(w, 1))) return status;
+    look_before(w);
+    return PM_OK;
+}
+
+/* What happens to the bodies.  The frame is DYNAMIC before and after. */
+static int act(pm_workspace *w, int *ended)
+{
+    *ended = 0;
+    pm_decision_instant(w);
+    look_before(w);
+    int status = blow(w);
+    for (int i = 1; !status && !*ended && pm_jump_goes_on(w); i++) {
+        if (i == BLOWS_IN_ORDER) return pm_fail(w, PM_BLOWS_ENDLESS, PM_TABLE_CONTACT, PM_NONE, i, i);
+        status = go_on(w, ended);
+        if (!status && !*ended) status = blow(w);
+    }
+    return status;
+}
+
 int pm_instant_finish(pm_workspace *w, int *ended)
 {
     mark_rest(w);
@@ -74,7 +107,11 @@ int pm_instant_finish(pm_workspace *w, int *ended)
     return status;
 }
 
-int pm_instant_start(pm_workspace *w) { return act(w); }
+int pm_instant_start(pm_workspace *w)
+{
+    int ended; /* is told again when the start is closed */
+    return act(w, &ended);
+}
 
 /* Where the motion turns back speeds are zero: triggers that read them change sign as the velocities do. */
 static int mark_turning(pm_workspace *w)
@@ -110,10 +147,10 @@ int pm_instant_full(pm_workspace *w, int *ended)
     int status = pm_trace_row(w, 1);
     if (!status) status = pm_saddle_accelerate(w);
     if (!status && w->turns) status = mark_turning(w);
-    if (!status) status = act(w);
-    if (!status) status = pm_instant_finish(w, ended);
-    if (!status) status = pm_trace_row(w, 2);
-    return status;
+    if (!status) status = act(w, ended);
+    if (status || *ended) return status;
+    status = pm_instant_finish(w, ended);
+    return status ? status : pm_trace_row(w, 2);
 }
 
 int pm_instant_mark(pm_workspace *w, int *ended)

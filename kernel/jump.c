@@ -2,12 +2,17 @@
  *
  *   M (v' - v) = H^T P,   G v' = -e (G v) at struck normals, w at joints and at tangents that hold     (17.19)
  *
- * w is what a drive prescribes, 0 elsewhere.  Captured pairs are joints; one that is caught now is struck in all its rows.
+ * w is what a drive prescribes, 0 elsewhere.  A tangent with a restitution of its own is left with -e_t times its slip
+ * where it can be held; only while its normal rebounds: what stays in contact holds.  One contact alone with friction is
+ * followed through its blow (impact.c).  Captured pairs are joints; one that is caught now is struck in all its rows.
  *
  * Which contacts take part: the struck ones alone first; a resting contact joins only if its pair would otherwise
  * approach; a contact whose impulse would pull drops out; repeat.  Friction in a blow: rough holds, Coulomb holds while
  * |P_t| <= mu P_n of the same blow and else slides against the slip before it.  Resting contacts that do not join carry
- * nothing, their tangents included. */
+ * nothing, their tangents included.
+ *
+ * One by one (the settings may say so): the first in the order of the contacts that approaches is struck alone, then
+ * again the first, a resting one as well; each is a jump of its own. */
 #include "jump.h"
 
 #include <math.h>
@@ -20,6 +25,7 @@
 #include "contact.h"
 #include "decision.h"
 #include "event.h"
+#include "impact.h"
 #include "mode.h"
 #include "row.h"
 #include "saddle.h"
@@ -30,6 +36,7 @@
 #define LAST_BOUNCE 1e-7 /* of the scene's speed: slower rebounds stay, their height is lost in rounding */
 #define SPENT 1e-6 /* of the scene's speed: a rebound that cannot be seen and is slower than this is over */
 #define BLOWS_AT_ONCE 64
+#define GAINS 1e-10 /* of the energies that a blow turns over: rounding */
 
 /* Heights are lost in the rounding of positions sooner the farther off the scene is: speeds by the root of it. */
 static double far_off(const pm_workspace *w) { return sqrt(pm_contact_reach(w) / w->size); }
@@ -51,9 +58,9 @@ static int touches(pm_workspace *w, int contact, pm_touch *x)
 {
     double rate;
     *x = (pm_touch){.stays = 1};
-    const double gap = pm_contact_gap(w, &w->state, contact, &x->member);
-    if (pm_capture_is_meeting(w->model, contact)) return gap < INFINITY && pm_capture_meets(w, contact);
-    if (gap > pm_contact_length(w)) return 0;
+    if (pm_capture_is_meeting(w->model, contact))
+        return pm_contact_gap(w, &w->state, contact, &x->member) < INFINITY && pm_capture_meets(w, contact);
+    if (!pm_contact_touches(w, &w->state, contact, &x->member)) return 0;
     pm_contact_member_gap(w, contact, x->member, &rate);
     pm_decision_sign(w, PM_SITE_STRIKES, contact, rate, w->speed);
     x->approaches = rate < -pm_contact_speed(w);
@@ -62,8 +69,20 @@ static int touches(pm_workspace *w, int contact, pm_touch *x)
     return 1;
 }
 
-/* Closes the open members that touch and do not part: what approaches is struck (its slot is marked STRUCK), and what is
- * caught with any velocity; what is still rests, so that it can join the blow; at the start nothing is closed yet. */
+static int one_by_one(const pm_workspace *w)
+{
+    return PM_SETTING(w->model, PM_SETTING_SIMULTANEOUS) == PM_SIMULTANEOUS_ONE_BY_ONE;
+}
+
+/* What captures strikes with any velocity. */
+static int is_blow(const pm_workspace *w, int contact, const pm_touch *x)
+{
+    return x->approaches || (x->stays && pm_capture_kind(w->model, contact) != PM_CAPTURE_NONE);
+}
+
+/* Closes the open members that touch and do not part: what approaches is struck (its slot is marked STRUCK; one by one
+ * the first alone), and what is caught with any velocity; what is still rests, so that it can join the blow; at the start
+ * nothing is closed yet. */
 static int find_struck(pm_workspace *w, unsigned char *share, int *struck)
 {
     const pm_model *m = w->model;
@@ -72,6 +91,7 @@ static int find_struck(pm_workspace *w, unsigned char *share, int *struck)
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++)
         for (int n = 0; n < pm_contact_slots(m, i) && touches(w, i, &x) && (x.rests || x.stays); n++) {
             int slot;
+            if (is_blow(w, i, &x) && *struck > 0 && one_by_one(w)) break;
             const int status = pm_mode_close(w, i, x.member, &slot);
             if (status) return status;
             if (w->state.slot[slot].mode == PM_CAPTURED)
@@ -105,22 +125,80 @@ static double restitution_of(const pm_workspace *w, int slot, double approach)
     return seen ? e : 0;
 }
 
-/* Impulses (w->rhs) and the velocities after the blow. */
-static int solve(pm_workspace *w, const unsigned char *share, double *after)
+static double rate_before(const pm_workspace *w, int i)
+{
+    return pm_saddle_times(w, &w->row[i], w->state.v) - w->row[i].rate;
+}
+
+static int is_normal(const pm_workspace *w, int i)
+{
+    return w->row[i].slot != PM_NONE && w->slot_normal[w->row[i].slot] == i;
+}
+
+/* How much the rate of active row i is to change. */
+static double change_wanted(const pm_workspace *w, const unsigned char *share, int i)
+{
+    const int slot = w->row[i].slot;
+    const double u = rate_before(w, i);
+    if (slot == PM_NONE || share[slot] != STRUCK || w->slot_normal[slot] == PM_NONE) return -u;
+    const double e = restitution_of(w, slot, rate_before(w, w->slot_normal[slot]));
+    if (is_normal(w, i)) return -(1 + e) * u;
+    return e > 0 ? -(1 + pm_contact_tangential(w, pm_contact_of_slot(w->model, slot))) * u : -u;
+}
+
+/* Impulses (w->rhs) and the velocities after the blow; `alone`: the end of a blow that was followed, or NULL. */
+static int solve(pm_workspace *w, const unsigned char *share, const pm_impact_end *alone, double *after)
 {
     const int nq = w->model->nq;
     memcpy(after, w->state.v, (size_t)nq * sizeof *after);
     if (w->nactive == 0) return PM_OK;
-    for (int i = 0; i < w->nactive; i++) {
-        const pm_row *row = &w->row[i];
-        const double u = pm_saddle_times(w, row, w->state.v) - row->rate;
-        const int normal = row->slot != PM_NONE && w->slot_normal[row->slot] == i;
-        w->rhs[i] = normal && share[row->slot] == STRUCK ? -(1 + restitution_of(w, row->slot, u)) * u : -u;
-    }
+    for (int i = 0; i < w->nactive; i++)
+        w->rhs[i] = alone && is_normal(w, i) ? alone->normal - rate_before(w, i) : change_wanted(w, share, i);
     const int status = pm_saddle_factor(w);
     if (status) return status;
     pm_saddle_solve(w);
     pm_saddle_spread(w, 1, after);
+    return PM_OK;
+}
+
+/* The slot that takes part alone and whose blow is to be followed, else PM_NONE; a law for one contact is refused where
+ * several take part.  Pairs that were captured before are joints. */
+static int find_alone(pm_workspace *w, const unsigned char *share, const int32_t *trial, int *alone)
+{
+    int n = 0, single = PM_NONE;
+    *alone = PM_NONE;
+    for (int i = 0; i < w->model->nslot; i++) {
+        if (share[i] != STRUCK && (share[i] != JOINED || trial[i] == PM_CAPTURED)) continue;
+        const int contact = pm_contact_of_slot(w->model, i);
+        if (pm_contact_law(w->model, contact) != PM_LAW_NEWTON) single = contact;
+        if (pm_impact_applies(w, i)) *alone = i;
+        n++;
+    }
+    if (n == 1) return PM_OK;
+    *alone = PM_NONE;
+    return single == PM_NONE ? PM_OK : pm_fail(w, PM_BLOW_SEVERAL, PM_TABLE_CONTACT, single, n, 1);
+}
+
+/* Follows the blow of one contact and leaves its rows as build does. */
+static int follow_alone(pm_workspace *w, unsigned char *share, const int32_t *trial, int slot,
+                        double *scratch, pm_impact_end *end)
+{
+    const int contact = pm_contact_of_slot(w->model, slot);
+    pm_impact x;
+    share[slot] = OUT;
+    int status = build(w, share, trial);
+    if (!status) status = pm_impact_read(w, slot, scratch, &x);
+    share[slot] = STRUCK;
+    if (status) return status;
+    x.restitution = restitution_of(w, slot, x.normal);
+    const int ends = pm_impact_follow(&x, end);
+    pm_decision_sign(w, PM_SITE_SLIP_LEFT, slot, end->slip, w->speed);
+    if (!ends) return pm_fail(w, PM_BLOW_UNDECIDED, PM_TABLE_CONTACT, contact, x.normal, 0);
+    w->state.slot[slot].mode = PM_SLIDE_FORWARD;
+    if ((status = pm_active_build(w))) return status;
+    if (w->slot_normal[slot] == PM_NONE) return pm_fail(w, PM_SINGULAR, PM_TABLE_CONTACT, contact, 0, 0);
+    pm_active_carry(w, slot, end->ratio);
+    pm_saddle_rows(w);
     return PM_OK;
 }
 
@@ -257,6 +335,24 @@ static void set_modes(pm_workspace *w, const unsigned char *share, const int32_t
     }
 }
 
+/* Friction and restitution together may ask for more than the approach has: that is no blow.  The energy that contacts
+ * give, sum P (u + u')/2 relative to what drives prescribe. */
+static int gains(pm_workspace *w, const double *after)
+{
+    double given = 0, size = 0;
+    int contact = PM_NONE;
+    for (int i = 0; i < w->nactive || w->row[i].normal != PM_NONE; i++) {
+        const pm_row *row = &w->row[i];
+        if (row->slot == PM_NONE) continue;
+        const double p = i < w->nactive ? w->rhs[i] : w->row[row->normal].slide * w->rhs[row->normal];
+        const double before = rate_before(w, i), now = pm_saddle_times(w, row, after) - row->rate;
+        given += 0.5 * p * (before + now);
+        size += fabs(p * before) + fabs(p * now);
+        contact = pm_contact_of_slot(w->model, row->slot);
+    }
+    return given <= GAINS * size ? PM_OK : pm_fail(w, PM_BLOW_GAINS, PM_TABLE_CONTACT, contact, given, 0);
+}
+
 static int one_blow(pm_workspace *w, unsigned char *share, double *scratch)
 {
     const pm_model *m = w->model;
@@ -272,10 +368,18 @@ static int one_blow(pm_workspace *w, unsigned char *share, double *scratch)
     const int most = 4 * m->nslot + 4;
     for (int i = 0; again; i++) {
         if (i == most) return pm_fail(w, PM_BLOW_UNDECIDED, PM_TABLE_CONTACT, PM_NONE, most, most);
-        if ((status = build(w, share, trial)) || (status = solve(w, share, after))) return status;
+        int alone;
+        pm_impact_end end;
+        if ((status = find_alone(w, share, trial, &alone))) return status;
+        if (alone != PM_NONE)
+            status = follow_alone(w, share, trial, alone, scratch + 3 * (m->nq + m->nslot), &end);
+        else
+            status = build(w, share, trial);
+        if (status || (status = solve(w, share, alone != PM_NONE ? &end : NULL, after))) return status;
         again = drop_pulling(w, share) || slide_where_it_must(w, trial) ||
-                join_approaching(w, share, resting, trial, after);
+                (!one_by_one(w) && join_approaching(w, share, resting, trial, after));
     }
+    if ((status = gains(w, after))) return status;
     record(w);
     double *before = after + m->nq + m->nslot; /* behind resting and trial */
     memcpy(before, w->state.v, (size_t)m->nq * sizeof *before);
@@ -306,5 +410,14 @@ int pm_jump(pm_workspace *w, int *jumped)
         status = one_blow(w, share, scratch);
         if (status) return status;
         ++*jumped;
+        if (one_by_one(w)) return PM_OK;
     }
+}
+
+int pm_jump_goes_on(pm_workspace *w)
+{
+    pm_touch x;
+    for (int i = 0; one_by_one(w) && i < w->model->rows[PM_TABLE_CONTACT]; i++)
+        if (touches(w, i, &x) && is_blow(w, i, &x)) return 1;
+    return 0;
 }

@@ -4,8 +4,11 @@
 
 #include "model.h"
 
-/* Closes the contacts that touch and do not part, and resolves all blows at this instant, one after the other; *jumped = how many.  The frame looks at w->state
- * afterwards (KINEMATIC); struck contacts' triggers are marked. */
+/* Closes the contacts that touch and do not part, and resolves the blows at this instant: all of them, or, where the
+ * settings want them one by one, the next; *jumped = how many.  The frame looks at w->state afterwards (KINEMATIC);
+ * struck contacts' triggers are marked. */
 int pm_jump(pm_workspace *w, int *jumped);
+/* Blows come one by one, and there is a next one. */
+int pm_jump_goes_on(pm_workspace *w);
 
 #endif

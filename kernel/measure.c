@@ -11,6 +11,7 @@
 #include "force.h"
 #include "row.h"
 #include "saddle.h"
+#include "segment.h"
 #include "trigger.h"
 
 typedef struct pm_measure_args {
@@ -245,12 +246,18 @@ static double closed(const pm_measure_args *x)
     return n;
 }
 
+/* What goes along a segment goes on so round its corners. */
+static double way(const pm_measure_args *x, int slot)
+{
+    return pm_segment_way(x->w->model, x->a, x->w->state.slot[slot].member);
+}
+
 static double slip(const pm_measure_args *x)
 {
     int first, last;
     slots_of(x, &first, &last);
     for (int i = first; i < last; i++)
-        if (counts(x, i)) return pm_contact_member_slip(x->w, x->a, x->w->state.slot[i].member);
+        if (counts(x, i)) return way(x, i) * pm_contact_member_slip(x->w, x->a, x->w->state.slot[i].member);
     return NAN;
 }
 
@@ -286,7 +293,7 @@ static double contact_friction(const pm_measure_args *x)
     double sum = 0;
     slots_of(x, &first, &last);
     for (int i = first; i < last; i++)
-        if (counts(x, i)) sum += slot_friction(x->w, i);
+        if (counts(x, i)) sum += way(x, i) * slot_friction(x->w, i);
     return sum;
 }
 

@@ -15,7 +15,11 @@
 #include "project.h"
 #include "row.h"
 #include "saddle.h"
+#include "segment.h"
 #include "trigger.h"
+
+/* Let go at this instant: it is closed again if its pair would approach; or not, for it was or the edge has ended. */
+enum pm_released { HELD = 0, LET_GO = 1, FOR_GOOD = 2 };
 
 #define SLACK 1e-11 /* of the forces in the scene: a normal force this small does not pull */
 
@@ -48,6 +52,22 @@ static int slides(int mode) { return mode == PM_SLIDE_FORWARD || mode == PM_SLID
 /* The way a contact begins to slide: against the friction that would have held it. */
 static int slide_against(double friction) { return friction > 0 ? PM_SLIDE_BACKWARD : PM_SLIDE_FORWARD; }
 
+/* A mark has come to the end of what it touches: a circle goes on round the corner, or back, with the same slip; the
+ * tangents there run against each other. */
+static void pass_end(pm_workspace *w, int slot)
+{
+    pm_slot *s = &w->state.slot[slot];
+    const int next = pm_segment_next(w, pm_contact_of_slot(w->model, slot), s->member);
+    if (next == PM_NONE) {
+        s->mode = PM_OPEN;
+        w->slot_released[slot] = FOR_GOOD;
+        return;
+    }
+    s->member = next;
+    if (slides(s->mode)) s->mode = s->mode == PM_SLIDE_FORWARD ? PM_SLIDE_BACKWARD : PM_SLIDE_FORWARD;
+    pm_active_anchor(w, &w->state, slot);
+}
+
 void pm_mode_begin(pm_workspace *w)
 {
     const pm_model *m = w->model;
@@ -55,10 +75,11 @@ void pm_mode_begin(pm_workspace *w)
     memset(w->slot_released, 0, (size_t)m->nslot);
     for (int i = 0; i < w->event->nfunction; i++) {
         if (!w->event->hit[i]) continue;
+        if (w->event->function[i].kind == FUNCTION_END) pass_end(w, w->event->function[i].index);
         const int what = pm_event_contact_change(w, i), slot = w->event->function[i].index;
         if (what == PM_TRIGGER_OPEN) {
             w->state.slot[slot].mode = PM_OPEN;
-            w->slot_released[slot] = 1;
+            w->slot_released[slot] = LET_GO;
         } else if (what == PM_TRIGGER_SLIP) {
             w->state.slot[slot].mode = slide_against(w->frame.lambda[w->slot_tangent[slot]]);
         } else if (what == PM_TRIGGER_STICK) {
@@ -100,7 +121,7 @@ static int let_go(pm_workspace *w)
     }
     if (worst == PM_NONE) return 0;
     w->state.slot[worst].mode = PM_OPEN;
-    w->slot_released[worst] = 1;
+    w->slot_released[worst] = LET_GO;
     return 1;
 }
 
@@ -127,7 +148,7 @@ static int slide(pm_workspace *w)
 static int close_again(pm_workspace *w)
 {
     for (int i = 0; i < w->model->nslot; i++) {
-        if (!w->slot_released[i] || w->state.slot[i].mode != PM_OPEN || w->slot_released[i] == 2) continue;
+        if (w->state.slot[i].mode != PM_OPEN || w->slot_released[i] != LET_GO) continue;
         pm_row normal, tangent;
         const int contact = pm_contact_of_slot(w->model, i), member = w->state.slot[i].member;
         pm_row_of_contact(w, contact, i, member, &normal, &tangent);
@@ -136,7 +157,7 @@ static int close_again(pm_workspace *w)
         if (acceleration >= -SLACK * (hypot(w->gravity[0], w->gravity[1]) + w->speed * w->speed / w->size))
             continue;
         w->state.slot[i].mode = pm_mode_of_slip(w, contact, member);
-        w->slot_released[i] = 2; /* once only: no cycles */
+        w->slot_released[i] = FOR_GOOD; /* once only: no cycles */
         return 1;
     }
     return 0;
@@ -160,7 +181,8 @@ static int was_closed_with(const pm_workspace *w, const pm_slot *slots, int cont
 {
     const int first = w->model->contact_slot[contact];
     for (int i = first; i < first + pm_contact_slots(w->model, contact); i++)
-        if (slots[i].mode != PM_OPEN && slots[i].member == member) return i;
+        if (slots[i].mode != PM_OPEN && (slots[i].member == member || pm_segment_is(w->model, contact)))
+            return i;
     return PM_NONE;
 }
 

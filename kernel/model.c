@@ -83,6 +83,9 @@ static const pm_range ranges[] = {
     {PM_TABLE_CONTACT, PM_CONTACT_KINETIC, PM_TABLE_VALUE, 0, 1},
     {PM_TABLE_CONTACT, PM_CONTACT_SPEED, PM_TABLE_PROGRAM, 0, 1},
     {PM_TABLE_CONTACT, PM_CONTACT_SLACK, PM_TABLE_VALUE, 0, 1},
+    {PM_TABLE_CONTACT, PM_CONTACT_TANGENTIAL, PM_TABLE_VALUE, 0, 1},
+    {PM_TABLE_CONTACT, PM_CONTACT_FROM, PM_TABLE_VALUE, 0, 1},
+    {PM_TABLE_CONTACT, PM_CONTACT_TO, PM_TABLE_VALUE, 0, 1},
     {PM_TABLE_JOINT, PM_JOINT_PROGRAM_X, PM_TABLE_PROGRAM, 0, 1},
     {PM_TABLE_JOINT, PM_JOINT_PROGRAM_Y, PM_TABLE_PROGRAM, 0, 1},
     {PM_TABLE_MEASURE, PM_MEASURE_IN, PM_TABLE_BODY, PM_GROUND, 1},
@@ -134,6 +137,7 @@ static const pm_partner contact_partner[PM_CONTACT_KINDS] = {
     [PM_CONTACT_ROW] = {PM_TABLE_CIRCLE, PM_TABLE_ROW, 0, 0, 0, 0},
     [PM_CONTACT_CORD] = {PM_TABLE_CIRCLE, PM_TABLE_CIRCLE, 0, 0, 0, 0},
     [PM_CONTACT_POINT] = {PM_TABLE_CIRCLE, PM_TABLE_CIRCLE, 0, 0, 0, 0},
+    [PM_CONTACT_SEGMENT] = {PM_TABLE_CIRCLE, PM_TABLE_LINE, 0, 0, 0, 0},
 };
 static const pm_partner force_partner[PM_FORCE_KINDS] = {
     [PM_FORCE_SPRING] = {PM_TABLE_POINT, PM_TABLE_POINT, 1, 1, 0, 0},
@@ -207,8 +211,15 @@ static int check_contacts(const pm_model *m, pm_where *where)
             return bad(where, PM_TABLE_CONTACT, i, PM_NONE, 0);
         if (e[PM_CONTACT_KIND] == PM_CONTACT_CIRCLE && e[PM_CONTACT_SIDE] < 0)
             return bad(where, PM_TABLE_CONTACT, i, PM_NONE, 0);
-        if (e[PM_CONTACT_SPEED] >= 0 && e[PM_CONTACT_KIND] != PM_CONTACT_LINE)
+        const int segment = e[PM_CONTACT_KIND] == PM_CONTACT_SEGMENT;
+        if (segment && (e[PM_CONTACT_FROM] < 0 || e[PM_CONTACT_TO] < 0))
+            return bad(where, PM_TABLE_CONTACT, i, PM_NONE, 0);
+        if (e[PM_CONTACT_SPEED] >= 0 && e[PM_CONTACT_KIND] != PM_CONTACT_LINE && !segment)
             return bad(where, PM_TABLE_CONTACT, i, e[PM_CONTACT_SPEED], PM_NONE);
+        const int law = e[PM_CONTACT_LAW];
+        if (law < PM_LAW_NEWTON || law >= PM_LAWS) return bad(where, PM_TABLE_CONTACT, i, law, PM_LAWS);
+        if (e[PM_CONTACT_TANGENTIAL] >= 0 && (friction == PM_FRICTION_SMOOTH || law != PM_LAW_NEWTON))
+            return bad(where, PM_TABLE_CONTACT, i, e[PM_CONTACT_TANGENTIAL], PM_NONE);
         if (e[PM_CONTACT_KIND] != PM_CONTACT_CORD) continue;
         if (friction != PM_FRICTION_SMOOTH || e[PM_CONTACT_SLACK] < 0)
             return bad(where, PM_TABLE_CONTACT, i, e[PM_CONTACT_SLACK], 0);
@@ -350,6 +361,9 @@ static int check_settings(const pm_model *m, pm_where *where)
     if (route < 0 || route >= PM_ROUTES) return bad(where, PM_TABLE_SETTING, 0, route, PM_ROUTES);
     const int estimate = PM_SETTING(m, PM_SETTING_ESTIMATE);
     if (estimate < 0 || estimate > 1) return bad(where, PM_TABLE_SETTING, 0, estimate, 1);
+    const int simultaneous = PM_SETTING(m, PM_SETTING_SIMULTANEOUS);
+    if (simultaneous < 0 || simultaneous >= PM_SIMULTANEOUS_KINDS)
+        return bad(where, PM_TABLE_SETTING, 0, simultaneous, PM_SIMULTANEOUS_KINDS);
     if (PM_SETTING(m, PM_SETTING_MAX_EVENTS) < 1) return bad(where, PM_TABLE_SETTING, 0, 0, 1);
     if (PM_SETTING(m, PM_SETTING_MAX_STEPS) < 1) return bad(where, PM_TABLE_SETTING, 0, 0, 1);
     return PM_OK;

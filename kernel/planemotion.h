@@ -49,7 +49,13 @@ enum pm_status {
     PM_UNSUPPORTED = -13,   /* the scene needs something that this route or build does not do */
     PM_CONTACT_SLOTS = -14, /* more members of one row are closed at once than the kernel keeps */
     PM_FIND_NONE = -15,     /* nothing found: where = condition or find; detail = what it is at both bounds */
-    PM_FIND_JUMP = -16 /* the condition jumps over zero: where = condition; detail = value on both sides */
+    PM_FIND_JUMP = -16, /* the condition jumps over zero: where = condition; detail = value on both sides */
+    PM_BLOWS_ENDLESS =
+        -17, /* blows one by one at one instant do not end: where = contact; detail = how many */
+    PM_BLOW_GAINS =
+        -18, /* the law of a blow with friction would create energy: where = contact; detail = J, bound */
+    PM_BLOW_SEVERAL =
+        -19 /* the law is for one contact at a time: where = contact; detail = how many take part */
 };
 
 /* ---- tables ---------------------------------------------------------------------------------------
@@ -194,7 +200,9 @@ enum pm_contact_kind {
         3, /* a straight strand from circle a (radius 0: a point) to circle b: pulls only, the gap is its
                             slack; it is wound on the circles and does not slip there */
     PM_CONTACT_POINT = 4, /* circles a, b of radius 0: points that meet from wherever; it must capture */
-    PM_CONTACT_KINDS = 5
+    PM_CONTACT_SEGMENT =
+        5, /* circle a against line b between two places of it, and its ends; see the columns */
+    PM_CONTACT_KINDS = 6
 };
 enum pm_friction { PM_FRICTION_SMOOTH = 0, PM_FRICTION_COULOMB = 1, PM_FRICTION_ROUGH = 2 };
 /* What becomes of a pair that touches and does not part (two points: that meet). */
@@ -204,6 +212,8 @@ enum pm_capture {
     PM_CAPTURE_BODY = 2,  /* it stays as one body, as it arrived */
     PM_CAPTURES = 3
 };
+/* What restitution multiplies: the velocity of approach, the impulse of compression, (squared) its work. */
+enum pm_law { PM_LAW_NEWTON = 0, PM_LAW_POISSON = 1, PM_LAW_STRONGE = 2, PM_LAWS = 3 };
 enum pm_contact_column {
     PM_CONTACT_KIND = 0,
     PM_CONTACT_A = 1,
@@ -221,7 +231,13 @@ enum pm_contact_column {
         10, /* cord: +1 if one passes the circle counterclockwise going from a to b, -1 clockwise */
     PM_CONTACT_SENSE_B = 11,
     PM_CONTACT_CAPTURE = 12, /* enum pm_capture; smooth, with no surface speed */
-    PM_CONTACT_COLUMNS = 13
+    PM_CONTACT_TANGENTIAL =
+        13,              /* value index, 0..1: restitution of the slip where it can be held; or PM_NONE */
+    PM_CONTACT_LAW = 14, /* enum pm_law */
+    PM_CONTACT_FROM =
+        15, /* segment: value indices, places on the line from its point, from < to; or PM_NONE */
+    PM_CONTACT_TO = 16,
+    PM_CONTACT_COLUMNS = 17
 };
 
 /* ---- forces --------------------------------------------------------------------------------------------- */
@@ -395,6 +411,11 @@ enum pm_route {
     PM_ROUTE_PATH = 6,    /* one degree of freedom: work and energy along the path */
     PM_ROUTES = 7
 };
+enum pm_simultaneous {
+    PM_SIMULTANEOUS_TOGETHER = 0,
+    PM_SIMULTANEOUS_ONE_BY_ONE = 1, /* in the order of the contacts, each blow an instant of its own */
+    PM_SIMULTANEOUS_KINDS = 2
+};
 enum pm_setting_column {
     PM_SETTING_GRAVITY_X = 0, /* value indices */
     PM_SETTING_GRAVITY_Y = 1,
@@ -405,8 +426,9 @@ enum pm_setting_column {
     PM_SETTING_MAX_EVENTS = 6,
     PM_SETTING_MAX_STEPS = 7,
     PM_SETTING_NUDGE = 8, /* program or PM_NONE: an unstable rest is left to the side where it becomes > 0 */
-    PM_SETTING_ESTIMATE = 9, /* 1: errors and margins are estimated, by further passes of the case */
-    PM_SETTING_COLUMNS = 10
+    PM_SETTING_ESTIMATE = 9,      /* 1: errors and margins are estimated, by further passes of the case */
+    PM_SETTING_SIMULTANEOUS = 10, /* enum pm_simultaneous */
+    PM_SETTING_COLUMNS = 11
 };
 
 /* ---- finds ----------------------------------------------------------------------------------------------------

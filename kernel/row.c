@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "drive.h"
+#include "segment.h"
 
 const pm_row_ops *pm_row_kind(int kind)
 {
@@ -159,6 +160,12 @@ static void member_of_row(const pm_workspace *w, pm_row *row, int circle, int of
     two_circles(row, w->value[ec[PM_CIRCLE_RADIUS]], 0, 1);
 }
 
+static void corner_of_segment(const pm_workspace *w, pm_row *row, int contact, int member)
+{
+    pm_segment_corner(w, contact, member, row->b);
+    two_circles(row, row->radius_a, 0, 1);
+}
+
 int pm_row_of_joint(const pm_workspace *w, int joint, pm_row row[PM_JOINT_ROWS])
 {
     const int32_t *e = PM_JOINT_ROW(w->model, joint);
@@ -252,6 +259,11 @@ void pm_row_of_contact(const pm_workspace *w, int contact, int slot, int member,
         *normal = blank(PM_ROW_LINE_NORMAL);
         circle_and_line(w, normal, a, b);
         break;
+    case PM_CONTACT_SEGMENT:
+        *normal = blank(member == PM_SEGMENT_FACE ? PM_ROW_LINE_NORMAL : PM_ROW_DISTANCE);
+        circle_and_line(w, normal, a, b);
+        if (member != PM_SEGMENT_FACE) corner_of_segment(w, normal, contact, member);
+        break;
     case PM_CONTACT_CIRCLE:
         *normal = blank(PM_ROW_DISTANCE);
         circles(w, normal, a, b, w->value[e[PM_CONTACT_SIDE]]);
@@ -275,5 +287,5 @@ void pm_row_of_contact(const pm_workspace *w, int contact, int slot, int member,
         return;
     }
     tangent->kind = normal->kind == PM_ROW_LINE_NORMAL ? PM_ROW_LINE_TANGENT : PM_ROW_CIRCLE_TANGENT;
-    tangent->drive = e[PM_CONTACT_SPEED];
+    if (tangent->kind == PM_ROW_LINE_TANGENT) tangent->drive = e[PM_CONTACT_SPEED]; /* corners do not run */
 }

@@ -267,7 +267,7 @@ static void hold_contacts(pm_workspace *w, pm_solution *s, double *dense, const 
         pm_row row[2];
         const int cord = pm_contact_is_cord(w->model, i);
         if (!cord && pm_contact_friction(w->model, i) != PM_FRICTION_ROUGH) continue;
-        if (pm_contact_gap(w, &w->state, i, &member) > pm_contact_length(w)) continue;
+        if (!pm_contact_touches(w, &w->state, i, &member)) continue;
         pm_row_of_contact(w, i, w->model->contact_slot[i], member, &row[0], &row[1]);
         for (int k = 0; k < (cord ? 1 : 2); k++) {
             pm_row_kind(row[k].kind)->evaluate(w, &row[k]);
@@ -348,7 +348,7 @@ static int rough_contact_slips(pm_workspace *w)
         int member;
         double rate;
         if (pm_contact_friction(w->model, i) != PM_FRICTION_ROUGH) continue;
-        if (pm_contact_gap(w, &w->state, i, &member) > pm_contact_length(w)) continue;
+        if (!pm_contact_touches(w, &w->state, i, &member)) continue;
         pm_contact_member_gap(w, i, member, &rate);
         if (fabs(rate) > AGREES * w->speed) continue;
         if (fabs(pm_contact_member_slip(w, i, member)) > AGREES * w->speed) return 1;
@@ -374,7 +374,7 @@ static int check_overlap(pm_workspace *w)
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
         int member;
         const double gap = pm_contact_gap(w, &w->state, i, &member);
-        if (gap >= -pm_contact_length(w)) continue;
+        if (gap >= -pm_contact_length(w) || !pm_contact_touches(w, &w->state, i, &member)) continue;
         pm_fail(w, PM_PENETRATION, PM_TABLE_CONTACT, i, gap, -pm_contact_length(w));
         w->where.member = member;
         return PM_PENETRATION;

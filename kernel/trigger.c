@@ -67,11 +67,11 @@ void pm_trigger_look_after(pm_workspace *w)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
         const int kind = PM_TRIGGER_ROW(w->model, i)[PM_TRIGGER_KIND];
-        if (kind > PM_TRIGGER_FALL || w->event->fired[i]) continue;
+        if (kind > PM_TRIGGER_FALL || w->event->fired[i] == PM_FIRED_NOW) continue;
         const double before = w->event->before[i], after = pm_trigger_program(w, i);
         const int rises = before < 0 && after > 0, falls = before > 0 && after < 0;
-        w->event->fired[i] =
-            (unsigned char)((rises && kind != PM_TRIGGER_FALL) || (falls && kind != PM_TRIGGER_RISE));
+        if ((rises && kind != PM_TRIGGER_FALL) || (falls && kind != PM_TRIGGER_RISE))
+            w->event->fired[i] = PM_FIRED_NOW;
     }
 }
 
@@ -80,8 +80,14 @@ void pm_trigger_mark(pm_workspace *w, int kind, int a)
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *e = PM_TRIGGER_ROW(w->model, i);
         if (e[PM_TRIGGER_KIND] == kind && (kind == PM_TRIGGER_START || e[PM_TRIGGER_A] == a))
-            w->event->fired[i] = 1;
+            w->event->fired[i] = PM_FIRED_NOW;
     }
+}
+
+void pm_trigger_next_blow(pm_workspace *w)
+{
+    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++)
+        if (w->event->fired[i]) w->event->fired[i] = PM_FIRED_EARLIER;
 }
 
 /* The marks stay until the next phase has begun: they tell which triggers start on zero. */
@@ -92,7 +98,7 @@ int pm_trigger_commit(pm_workspace *w)
     for (int event = 0; event < m->rows[PM_TABLE_EVENT]; event++) {
         int fires = 0;
         for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++)
-            fires |= w->event->fired[i] && PM_TRIGGER_ROW(m, i)[PM_TRIGGER_EVENT] == event;
+            fires |= w->event->fired[i] == PM_FIRED_NOW && PM_TRIGGER_ROW(m, i)[PM_TRIGGER_EVENT] == event;
         if (!fires) continue;
         w->event->count[event]++;
         w->event->time[event] = w->state.t;

@@ -4,6 +4,9 @@
 
 #include "model.h"
 
+/* What stands in pm_event_set.fired: a trigger fires at this instant, or has done so with an earlier blow of it. */
+enum pm_fired { PM_FIRED_NOT = 0, PM_FIRED_NOW = 1, PM_FIRED_EARLIER = 2 };
+
 /* A new case: counts and times are cleared. */
 void pm_trigger_reset(pm_workspace *w);
 double pm_trigger_count(const pm_workspace *w, int event);
@@ -21,6 +24,8 @@ void pm_trigger_look_before(pm_workspace *w);
 void pm_trigger_look_after(pm_workspace *w);
 /* Marks the triggers of a contact's change: kind PM_TRIGGER_STRIKE, OPEN, SLIP or STICK. */
 void pm_trigger_mark(pm_workspace *w, int kind, int contact);
+/* The next blow of the same instant: what has fired stays marked as such, and may fire again. */
+void pm_trigger_next_blow(pm_workspace *w);
 /* Counts the events whose triggers are marked (each once), stamps their time; returns how many. */
 int pm_trigger_commit(pm_workspace *w);
 /* 1 if the end of the run is reached. */

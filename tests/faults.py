@@ -130,8 +130,8 @@ FAULTS = [
     Fault(
         "drive: not in a blow",
         "jump.c",
-        "pm_saddle_times(w, row, w->state.v) - row->rate",
-        "pm_saddle_times(w, row, w->state.v)",
+        "pm_saddle_times(w, &w->row[i], w->state.v) - w->row[i].rate",
+        "pm_saddle_times(w, &w->row[i], w->state.v)",
     ),
     Fault(
         "belt: friction does not know that it runs",
@@ -496,7 +496,25 @@ FAULTS = [
         "force: moment of a force", "force.c", "(couple + (at[0] - pose[0])", "(couple - (at[0] - pose[0])"
     ),
     # blows
-    Fault("blow: sign of restitution", "jump.c", "-(1 + restitution_of", "-(1 - restitution_of"),
+    Fault("blow: sign of restitution", "jump.c", "return -(1 + e) * u;", "return -(1 - e) * u;"),
+    Fault(
+        "blow: slip is not given back",
+        "jump.c",
+        "? -(1 + pm_contact_tangential",
+        "? -(1 - pm_contact_tangential",
+    ),
+    Fault("blow: gains of energy are not seen", "jump.c", "return given <= GAINS * size ?", "return 1 ?"),
+    Fault("one by one: all at once", "jump.c", "if (approaches && *struck > 0 && one_by_one(w)) break;", ""),
+    Fault("one by one: one event for all", "trigger.c", "w->event->fired[i] = PM_FIRED_EARLIER;", ";"),
+    Fault("one by one: resting contacts join", "jump.c", "(!one_by_one(w) && join_", "(join_"),
+    Fault("impact: friction drives the slip", "impact.c", "-copysign(x->rub,", "copysign(x->rub,"),
+    Fault("impact: what has stopped holds", "impact.c", "fabs(x->b) <= x->grip * x->c", "1"),
+    Fault("impact: slip does not end", "impact.c", "now->slip * now->rate_t < 0 ?", "0 ?"),
+    Fault(
+        "impact: restitution of the whole impulse", "impact.c", "(1 + e) * now.impulse", "2 * e * now.impulse"
+    ),
+    Fault("impact: restitution of the work", "impact.c", "-e * e * now.work", "-e * now.work"),
+    Fault("impact: joints do not hold", "impact.c", "pm_saddle_spread(w, 0, x);", ""),
     Fault("blow: row of a resting contact dropped", "jump.c", "share[i] = JOINED", "share[i] = DROPPED"),
     Fault("blow: pulling contacts stay", "jump.c", "return worst != PM_NONE", "return 0"),
     Fault(

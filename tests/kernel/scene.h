@@ -131,7 +131,8 @@ static inline int scene_contact(scene *s, int kind, int a, int b, double side, d
     const int value = friction == PM_FRICTION_COULOMB ? scene_value(s, mu) : PM_NONE;
     return SCENE_ROW(s, PM_TABLE_CONTACT, kind, a, b,
                      kind == PM_CONTACT_CIRCLE ? scene_value(s, side) : PM_NONE, scene_value(s, e), friction,
-                     value, value, PM_NONE, PM_NONE, 1, 1, PM_CAPTURE_NONE);
+                     value, value, PM_NONE, PM_NONE, 1, 1, PM_CAPTURE_NONE, PM_NONE, PM_LAW_NEWTON, PM_NONE,
+                     PM_NONE);
 }
 /* A contact that captures: PM_CONTACT_POINT (circles of radius 0) and any kind but a cord. */
 static inline int scene_capture(scene *s, int kind, int a, int b, double side, int capture)
@@ -140,11 +141,25 @@ static inline int scene_capture(scene *s, int kind, int a, int b, double side, i
     s->cell[PM_TABLE_CONTACT][row * PM_CONTACT_COLUMNS + PM_CONTACT_CAPTURE] = capture;
     return row;
 }
+/* Sets a cell of a row that is there. */
+static inline void scene_cell(scene *s, int table, int row, int column, int32_t value)
+{
+    s->cell[table][row * s->columns[table] + column] = value;
+}
+/* Circle a on line b between two places of it. */
+static inline int scene_segment(scene *s, int a, int b, double from, double to, double e, int friction,
+                                double mu)
+{
+    const int contact = scene_contact(s, PM_CONTACT_SEGMENT, a, b, 0, e, friction, mu);
+    scene_cell(s, PM_TABLE_CONTACT, contact, PM_CONTACT_FROM, scene_value(s, from));
+    scene_cell(s, PM_TABLE_CONTACT, contact, PM_CONTACT_TO, scene_value(s, to));
+    return contact;
+}
 static inline int scene_cord(scene *s, int a, int sense_a, int b, int sense_b, double slack, double e)
 {
     return SCENE_ROW(s, PM_TABLE_CONTACT, PM_CONTACT_CORD, a, b, PM_NONE, scene_value(s, e),
                      PM_FRICTION_SMOOTH, PM_NONE, PM_NONE, PM_NONE, scene_value(s, slack), sense_a, sense_b,
-                     PM_CAPTURE_NONE);
+                     PM_CAPTURE_NONE, PM_NONE, PM_LAW_NEWTON, PM_NONE, PM_NONE);
 }
 /* A drive: PM_JOINT_RATE of bodies or PM_JOINT_DRIVE of points, by programs of the time. */
 static inline int scene_drive(scene *s, int kind, int a, int b, int program_x, int program_y)
@@ -279,7 +294,7 @@ static inline scene *scene_create(void)
     if (!s) abort();
     const int none = scene_value(s, 0);
     SCENE_ROW(s, PM_TABLE_SETTING, none, scene_value(s, -9.81), scene_value(s, 1e-11), scene_value(s, 1000),
-              scene_value(s, 1e-12), PM_ROUTE_RK, 20000, 300000, PM_NONE, 0);
+              scene_value(s, 1e-12), PM_ROUTE_RK, 20000, 300000, PM_NONE, 0, PM_SIMULTANEOUS_TOGETHER);
     return s;
 }
 

@@ -48,6 +48,7 @@ _BOUNDS = (
         only=(layout.PM_JOINT_KIND, layout.PM_JOINT_LINK),
     ),
     _Bound(layout.PM_TABLE_CONTACT, layout.PM_CONTACT_RESTITUTION, 0, 1),
+    _Bound(layout.PM_TABLE_CONTACT, layout.PM_CONTACT_TANGENTIAL, 0, 1),
     _Bound(layout.PM_TABLE_CONTACT, layout.PM_CONTACT_STATIC, 0),
     _Bound(layout.PM_TABLE_CONTACT, layout.PM_CONTACT_KINETIC, 0),
     _Bound(layout.PM_TABLE_CONTACT, layout.PM_CONTACT_SLACK, 0),

@@ -11,7 +11,6 @@ import math
 from dataclasses import dataclass, replace
 
 from . import _layout as layout
-from . import words
 from .drawing import GROUND, Drawing
 from .errors import SceneError
 from .joints import side
@@ -89,8 +88,6 @@ class Contacts:
         if one.anywhere:
             reason = "a mark of the ground is wanted, such as ground.floor"
             raise SceneError(reason, path=one.where, value=GROUND)
-        if isinstance(one.mark, LineMark) and one.mark.finite:
-            raise words.not_built("finite edges as partners of contacts", one.where, str(one.ref))
 
     def _members(self, one: Partner) -> list[Partner]:
         """The points of a set; anything else by itself."""
@@ -114,9 +111,13 @@ class Contacts:
             reason = "the second mark must be a line to have a surface that runs along it"
             raise SceneError(reason, path=f"{path}.surface_speed", value=contact.surface_speed)
         side_value = layout.PM_NONE
+        ends: tuple[int, ...] = (layout.PM_NONE, layout.PM_NONE)
         if b.kind == "line":
             assert isinstance(b.mark, LineMark)
             kind, other = layout.PM_CONTACT_LINE, self.drawing.line(b.owner, b.mark, b.where)
+            if b.mark.extent is not None:
+                kind = layout.PM_CONTACT_SEGMENT
+                ends = tuple(self.tables.value(end, b.where) for end in b.mark.extent)
         elif b.kind == "row":
             assert isinstance(b.mark, RowMark)
             if a.kind == "point":
@@ -136,6 +137,8 @@ class Contacts:
             layout.PM_CONTACT_A: kernel_circle(self.drawing, a),
             layout.PM_CONTACT_B: other,
             layout.PM_CONTACT_SIDE: side_value,
+            layout.PM_CONTACT_FROM: ends[0],
+            layout.PM_CONTACT_TO: ends[1],
         }
 
     def _line_through(self, b: Partner, normal: Value | None, path: str) -> int:
@@ -148,9 +151,7 @@ class Contacts:
             raise SceneError(reason, path=f"{path}.normal")
         direction = self.reader.number(normal, f"{path}.normal", DIMENSIONLESS)
         along = direction - Number(math.pi / 2) - self.drawing.angle(b.owner)
-        return self.drawing.line(
-            b.owner, LineMark(self.drawing.marks(b.owner).point(b.name), along, False), b.where
-        )
+        return self.drawing.line(b.owner, LineMark(self.drawing.marks(b.owner).point(b.name), along), b.where)
 
     def _laws(self, contact: Contact, path: str) -> dict[int, int]:
         """Restitution and friction of a row."""
@@ -179,7 +180,16 @@ class Contacts:
             layout.PM_CONTACT_SENSE_A: 1,
             layout.PM_CONTACT_SENSE_B: 1,
             layout.PM_CONTACT_CAPTURE: _CAPTURES[contact.capture],
+            layout.PM_CONTACT_TANGENTIAL: self._tangential(contact, law, path),
+            layout.PM_CONTACT_LAW: layout.pm_law[f"PM_LAW_{contact.law.upper()}"],
         }
+
+    def _tangential(self, contact: Contact, law: int, path: str) -> int:
+        """The value of the restitution along the contact; none where there is no friction."""
+        if contact.tangential is None or law == layout.PM_FRICTION_SMOOTH:
+            return layout.PM_NONE
+        where = f"{path}.tangential"
+        return self.tables.value(self.reader.number(contact.tangential, where, DIMENSIONLESS), where)
 
     def _surface_speed(self, contact: Contact, path: str) -> int:
         """The program of the speed with which the surface of a line runs."""

@@ -129,6 +129,7 @@ class Couplings:
             row[layout.PM_CONTACT_SLACK] = self.tables.value(
                 slack, f"{path}.{'length' if coupling.length is not None else 'slack'}"
             )
+            row[layout.PM_CONTACT_LAW] = layout.PM_LAW_NEWTON
             row[layout.PM_CONTACT_SENSE_A] = sense_a
             row[layout.PM_CONTACT_SENSE_B] = sense_b
             row[layout.PM_CONTACT_CAPTURE] = layout.PM_CAPTURE_NONE

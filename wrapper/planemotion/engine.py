@@ -313,6 +313,18 @@ _DESCRIPTIONS: dict[int, Any] = {
         f"{place + ': ' if place else ''}the solver of this route gave up (its code {found:.0f}); "
         'try solve.route = "rk" or another accuracy'
     ),
+    layout.PM_BLOWS_ENDLESS: lambda place, found, bound: (
+        f"the blows one by one at this instant do not end ({found:.0f} of them): bodies wedged without loss; "
+        'lower a restitution, or solve.simultaneous = "together"'
+    ),
+    layout.PM_BLOW_GAINS: lambda place, found, bound: (
+        f"{place}: with this friction its law of restitution would create energy ({found:.4g} J): "
+        'the slip changes in the blow; law = "stronge" cannot'
+    ),
+    layout.PM_BLOW_SEVERAL: lambda place, found, bound: (
+        f"{place}.law: it is for one contact at a time and {found:.0f} take part in a blow; "
+        'take law = "newton", or solve.simultaneous = "one by one"'
+    ),
     layout.PM_PENETRATION: lambda place, found, bound: (
         f"{place}: the two overlap by {abs(found):.4g} m at the start; move one of them"
     ),

@@ -225,7 +225,10 @@ def _laws(contact: Any) -> str:
         text = "smooth"
     else:
         text = "rough" if friction == "rough" else f"friction {_written(friction)}"
-    return f"restitution {_written(contact.restitution)}, {text}"
+    text = f"restitution {_written(contact.restitution)}, {text}"
+    if contact.tangential is not None:
+        text += f", {_written(contact.tangential)} along it"
+    return text if contact.law == "newton" else f"{text}, law {contact.law}"
 
 
 def _written(value: object) -> str:

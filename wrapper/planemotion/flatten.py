@@ -34,7 +34,7 @@ from .scene import Body, Contact, Coupling, Force, Joint, SceneData, Value
 from .starts import Starts
 from .tables import Tables
 from .units import DIMENSIONLESS, LENGTH, TIME
-from .words import ROUND_SHAPES, unknown
+from .words import ROUND_SHAPES, SIMULTANEOUS, unknown
 
 _E = TypeVar("_E", Body, Joint, Coupling, Contact, Force)
 _COLUMNS = {
@@ -42,6 +42,7 @@ _COLUMNS = {
     for name, number in layout.pm_table.items()
     if name != "PM_TABLES"
 }
+_SIMULTANEOUS = dict(zip(SIMULTANEOUS, layout.pm_simultaneous.values(), strict=False))
 
 
 @dataclass(frozen=True)
@@ -273,6 +274,7 @@ class _Flattener:
             layout.PM_SETTING_MAX_STEPS: solve.max_steps,
             layout.PM_SETTING_NUDGE: nudge,
             layout.PM_SETTING_ESTIMATE: int(solve.estimate),
+            layout.PM_SETTING_SIMULTANEOUS: _SIMULTANEOUS[solve.simultaneous],
         }
         self.tables.add(layout.PM_TABLE_SETTING, row, "solve")
 

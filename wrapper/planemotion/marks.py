@@ -36,11 +36,14 @@ _HALF_RING_CENTRE = 2 / math.pi
 
 @dataclass(frozen=True)
 class LineMark:
-    """A line through a point (own axes) at an angle from the own x axis; a finite one is an edge."""
+    """A line through a point (own axes) at an angle from the own x axis.
+
+    `extent`: where it begins and ends, along it from that point; None if it is endless.
+    """
 
     through: Pair
     angle: Node
-    finite: bool
+    extent: Pair | None = None
 
 
 @dataclass(frozen=True)
@@ -220,9 +223,9 @@ def _add_rod(marks: Marks, ends: tuple[str, ...], length: Node) -> None:
     _check_mark_names(marks, ends, "rod")
     marks.points[first] = (-half, ZERO)
     marks.points[second] = (half, ZERO)
-    marks.lines["axis"] = LineMark((ZERO, ZERO), ZERO, False)
-    marks.lines["top"] = LineMark((ZERO, ZERO), ZERO, True)
-    marks.lines["bottom"] = LineMark((ZERO, ZERO), Number(math.pi), True)
+    marks.lines["axis"] = LineMark((ZERO, ZERO), ZERO)
+    marks.lines["top"] = LineMark((ZERO, ZERO), ZERO, (-half, half))
+    marks.lines["bottom"] = LineMark((ZERO, ZERO), Number(math.pi), (-half, half))
 
 
 def _add_plate(marks: Marks, corners: tuple[str, ...] | None, size: Pair) -> None:
@@ -234,11 +237,12 @@ def _add_plate(marks: Marks, corners: tuple[str, ...] | None, size: Pair) -> Non
             raise SceneError("the corners need four names", path=f"{marks.path}.corners")
         marks.points.update(zip(corners, at, strict=True))
         marks.sets["corners"] = corners
-    # A line's free side is on its left; edges face outward.
+    # A line's free side is on its left; edges face outward: each ends at the corner it is given through.
     sides = ("bottom", "right", "top", "left")
     directions = (math.pi, -math.pi / 2, 0.0, math.pi / 2)
-    for side, start, direction in zip(sides, at, directions, strict=True):
-        marks.lines[side] = LineMark(start, Number(direction), True)
+    lengths = (size[0], size[1], size[0], size[1])
+    for side, end, direction, length in zip(sides, at, directions, lengths, strict=True):
+        marks.lines[side] = LineMark(end, Number(direction), (-length, ZERO))
 
 
 def _check_mark_names(marks: Marks, given: tuple[str, ...], key: str) -> None:
@@ -285,11 +289,11 @@ def _add_points(reader: Reader, marks: Marks, points: Mapping[str, Vector | Offs
 def _line(reader: Reader, line: Line, where: str) -> LineMark:
     if line.through is not None and line.start is None and line.to is None:
         angle = ZERO if line.angle is None else reader.number(line.angle, f"{where}.angle", DIMENSIONLESS)
-        return LineMark(reader.vector(line.through, f"{where}.through", LENGTH), angle, False)
+        return LineMark(reader.vector(line.through, f"{where}.through", LENGTH), angle)
     if line.start is not None and line.to is not None and line.through is None and line.angle is None:
         a = reader.vector(line.start, f"{where}.from", LENGTH)
         b = reader.vector(line.to, f"{where}.to", LENGTH)
-        return LineMark(a, atan2(b[1] - a[1], b[0] - a[0]), True)
+        return LineMark(a, atan2(b[1] - a[1], b[0] - a[0]), (ZERO, distance(a, b)))
     raise SceneError("a line is { through, angle } or { from, to }", path=where)
 
 

@@ -188,6 +188,7 @@ class Contact(Element):
     touch: Partners
     restitution: Number = 0
     friction: Annotated[Value | Friction, BeforeValidator(read_friction)] = 0
+    tangential: Number | None = None
     normal: Number | None = None
     law: Text = "newton"
     surface_speed: Number | None = None

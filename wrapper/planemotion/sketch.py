@@ -272,11 +272,13 @@ class _Sketch:
         self.pen.name((float(start[0]), float(start[1])), f"{name}[0]", SOFT)
 
     def _ends(self, owner: str, line: LineMark) -> tuple[Place, Place]:
-        """Two places of a line: where it leaves the picture, or, on a body, as long as the body is."""
+        """Two places of a line: its ends, or where it leaves the picture, or as long as its body is."""
         at = np.array(self.place(owner, line.through))
         angle = self.number(line.angle) + self.angle(owner)
         along = np.array([math.cos(angle), math.sin(angle)])
-        if owner != GROUND:
+        if line.extent is not None:
+            a, b = (at + self.length(end) * along for end in line.extent)
+        elif owner != GROUND:
             reach = self._reach(owner)
             a, b = at - reach * along, at + reach * along
         else:

@@ -102,14 +102,14 @@ def _check_more(data: SceneData) -> None:
     solve = data.solve
     if solve.route not in words.ROUTES:
         raise SceneError(words.unknown(solve.route, words.ROUTES, "route"), path="solve.route")
-    if solve.simultaneous != "together":
-        raise words.not_built("blows one by one", "solve.simultaneous", solve.simultaneous)
+    if solve.simultaneous not in words.SIMULTANEOUS:
+        reason = words.unknown(solve.simultaneous, words.SIMULTANEOUS, "order of blows")
+        raise SceneError(reason, path="solve.simultaneous")
     for key in ("max_events", "max_steps"):
         if getattr(solve, key) < 1:
             raise SceneError("at least 1 is wanted", path=f"solve.{key}", value=getattr(solve, key))
     for name, contact in data.contacts.items():
-        if contact.law != "newton":
-            raise words.not_built("other impact laws than newton", f"contacts.{name}.law", contact.law)
+        _check_law(contact, f"contacts.{name}")
         if contact.capture != "none":
             _check_capture(contact, f"contacts.{name}")
     for name, ask in data.ask.items():
@@ -137,6 +137,21 @@ def _check_capture(contact: Contact, path: str) -> None:
     if contact.surface_speed is not None:
         reason = "what is captured stays at its place; the surface cannot run on below it"
         raise SceneError(reason, path=f"{path}.surface_speed", value=contact.surface_speed)
+
+
+def _check_law(contact: Contact, path: str) -> None:
+    """The law of a contact's blows; a restitution along it goes with friction and the law newton."""
+    if contact.law not in words.LAWS:
+        raise SceneError(words.unknown(contact.law, words.LAWS, "impact law"), path=f"{path}.law")
+    if contact.tangential is None:
+        return
+    where = f"{path}.tangential"
+    if contact.friction in (0, "smooth"):
+        reason = 'a restitution along the contact needs friction, such as friction = "rough"'
+        raise SceneError(reason, path=where, value=contact.tangential)
+    if contact.law != "newton":
+        reason = f"it belongs to the law newton; the law {contact.law} says itself how the slip ends"
+        raise SceneError(reason, path=where, value=contact.tangential)
 
 
 def _check_ask(data: SceneData, ask: Ask, path: str) -> None:

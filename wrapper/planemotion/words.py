@@ -50,7 +50,9 @@ KINDS: dict[str, dict[str, tuple[str, ...]]] = {
         "cord": ("length", "slack", "restitution"),
         "rate": ("value",),
     },
-    "contacts": {"touch": ("restitution", "friction", "normal", "law", "capture", "surface_speed")},
+    "contacts": {
+        "touch": (*("restitution", "friction", "tangential", "normal", "law", "capture", "surface_speed"),)
+    },
     "forces": {
         "spring": ("stiffness", "free_length", "only"),
         "torsion": ("stiffness", "free_angle"),
@@ -70,9 +72,6 @@ NOT_BUILT_OPTIONS: dict[str, dict[str, str]] = {
     "pin": {"friction": "friction of a bearing"},
     "slider": {"friction": "friction of a slider"},
     "slot": {"friction": "friction of a slot"},
-    "touch": {
-        "tangential": "tangential restitution",
-    },
     "force": {"power": "a force of given power"},
     "couple": {"power": "a couple of given power"},
 }
@@ -87,6 +86,8 @@ GRID_KEYS = ("from", "to", "num", "step", "scale")
 SOLVE_KEYS = (
     *("route", "accuracy", "estimate", "max_time", "max_events", "max_steps", "assembly", "simultaneous"),
 )
+SIMULTANEOUS = ("together", "one by one")
+LAWS = ("newton", "poisson", "stronge")
 ROUTES = ("auto", "state", "jump", "uniform", "path", "rk", "ida")
 
 CONTACT_CHANGES = ("strikes", "opens", "slips", "sticks")

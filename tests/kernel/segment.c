@@ -1,0 +1,313 @@
+/* Contacts with edges that end: gaps beside them, marks that fall off, circles that go round the corners and come back, what
+ * passes under an edge; on every route that takes them. */
+#include "segment.h"
+
+#include "body.h"
+#include "check.h"
+#include "contact.h"
+#include "scene.h"
+
+#define CLOSE 1e-8
+#define G 9.81
+
+/* A horizontal edge of the ground from x = 0 to `length` at `height`; its free side is above. */
+static int edge(scene *s, double height) { return scene_line(s, scene_point(s, PM_GROUND, 0, height), 0); }
+
+/* ---- gaps ---- */
+static void gaps(void)
+{
+    static const double radius[] = {0, 0.3};
+    for (int k = 0; k < 2; k++) {
+        const double r = radius[k], length = 2;
+        scene *s = scene_create();
+        const int b = scene_body(s, 1, 0.1, 0.5, 1, 0);
+        scene_segment(s, scene_circle(s, scene_point(s, b, 0, 0), r),
+                      scene_line(s, scene_point(s, PM_GROUND, 0, 0), 0), 0, length, 0, PM_FRICTION_SMOOTH, 0);
+        scene_until_time(s, 1);
+        CHECK(scene_begin(s) == PM_OK);
+        pm_workspace *w = s->w;
+        for (int n = 0; n < 400; n++) {
+            int member;
+            double *q = w->state.q;
+            q[0] = check_random(-1, length + 1);
+            q[1] = check_random(-1, 1);
+            pm_frame_look_state(w, &w->state);
+            const double gap = pm_segment_gap(w, 0, &member);
+            const double o = fmax(-q[0], q[0] - length), corner = hypot(o, q[1]) - r;
+            const int next = r == 0 || o <= 0 ? PM_SEGMENT_FACE : q[0] < 0 ? PM_SEGMENT_FROM : PM_SEGMENT_TO;
+            EQUAL(member, next);
+            NEAR(gap, o <= 0 ? fmax(q[1] - r, o) : q[1] < 0 ? fmin(corner, o) : corner, 1e-8);
+            EQUAL(pm_segment_behind(w, 0), o <= 0 && q[1] < 0);
+            int touched;
+            EQUAL(pm_contact_touches(w, &w->state, 0, &touched), gap <= 0 && !(o <= 0 && q[1] < 0));
+        }
+        /* no jumps where nothing overlaps: round the ends and under them */
+        double last = NAN;
+        for (int n = 0; n <= 40000; n++) {
+            const double phi = 2 * acos(-1.) * n / 40000;
+            int member;
+            w->state.q[0] = 0.7 * cos(phi);
+            w->state.q[1] = 0.7 * sin(phi);
+            pm_frame_look_state(w, &w->state);
+            const double gap = pm_segment_gap(w, 0, &member);
+            if (n > 0) NEAR(gap, last, 2e-4);
+            last = gap;
+        }
+        scene_free(s);
+    }
+}
+
+/* ---- off the end ---- */
+/* A particle slides off a table and lands on the floor below. */
+static void slides_off(int route)
+{
+    const double v = 2.3, h = 0.8, length = 1.1, x0 = 0.2;
+    scene *s = scene_create();
+    const int b = scene_body(s, 1.3, 0, x0, h, 0), g = scene_point(s, b, 0, 0),
+              circle = scene_circle(s, g, 0);
+    const int table = scene_segment(s, circle, edge(s, h), 0, length, 0.5, PM_FRICTION_SMOOTH, 0);
+    const int floor =
+        scene_contact(s, PM_CONTACT_LINE, circle, scene_floor(s, 0), 0, 0, PM_FRICTION_SMOOTH, 0);
+    const int off = scene_on(s, PM_TRIGGER_OPEN, table), struck = scene_on(s, PM_TRIGGER_STRIKE, table);
+    const int t_off = scene_ask_event(s, scene_read(s, scene_time(s)), off, 1, 0);
+    const int x = scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, g, PM_PART_X));
+    const int t = scene_ask_measure(s, scene_time(s));
+    const int strikes = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, struck));
+    scene_start_velocity(s, g, v, 0);
+    scene_until(s, scene_on(s, PM_TRIGGER_STRIKE, floor), 1);
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    EQUAL(scene_run(s, NULL), PM_OK);
+    NEAR(s->out[t_off], (length - x0) / v, CLOSE);
+    NEAR(s->out[t], (length - x0) / v + sqrt(2 * h / G), CLOSE);
+    NEAR(s->out[x], length + v * sqrt(2 * h / G), CLOSE);
+    EQUAL(s->out[strikes], 0);
+    CHECK(s->audit[PM_AUDIT_ENERGY] < 1e-9 && s->audit[PM_AUDIT_MOMENTUM] < 1e-9);
+    scene_free(s);
+}
+
+/* The edge belongs to a body that runs away under the particle; its own axes are turned. */
+static void edge_runs_away(int route)
+{
+    const double u = 1.7, length = 0.9, turned = 0.6;
+    scene *s = scene_create();
+    const int slab = scene_body(s, 3, 0.5, 0, 0, turned), b = scene_body(s, 1, 0, 0.1, 0, 0);
+    const int line = scene_line(s, scene_point(s, slab, 0, 0), -turned);
+    const int contact = scene_segment(s, scene_circle(s, scene_point(s, b, 0, 0), 0), line, -length / 2,
+                                      length / 2, 0, PM_FRICTION_SMOOTH, 0);
+    for (int i = 0; i < 2; i++) { /* guided on the floor */
+        const int at = scene_point(s, slab, cos(-turned) * (i - 0.5), sin(-turned) * (i - 0.5));
+        scene_joint(s, PM_JOINT_SLIDER, at, scene_floor(s, 0), 0);
+    }
+    scene_start_velocity(s, scene_point(s, slab, 0, 0), u, 0);
+    scene_until(s, scene_on(s, PM_TRIGGER_OPEN, contact), 1);
+    const int t = scene_ask_measure(s, scene_time(s));
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    EQUAL(scene_run(s, NULL), PM_OK);
+    NEAR(s->out[t], (0.1 + length / 2) / u, CLOSE);
+    scene_free(s);
+}
+
+/* Dropped beside the edge, on it, and exactly on its end. */
+static void dropped(int route)
+{
+    static const double at[] = {-1e-3, 1e-3, 0, 1, 1 - 1e-3, 1 + 1e-3};
+    for (int k = 0; k < 6; k++) {
+        const double h = 0.4, from = 1.3;
+        scene *s = scene_create();
+        const int b = scene_body(s, 1, 0, at[k], from, 0), g = scene_point(s, b, 0, 0),
+                  c = scene_circle(s, g, 0);
+        const int table = scene_segment(s, c, edge(s, h), 0, 1, 0, PM_FRICTION_SMOOTH, 0);
+        const int floor =
+            scene_contact(s, PM_CONTACT_LINE, c, scene_floor(s, 0), 0, 0, PM_FRICTION_SMOOTH, 0);
+        const int end = scene_on(s, PM_TRIGGER_STRIKE, table);
+        scene_trigger(s, PM_TRIGGER_STRIKE, end, PM_NONE, floor);
+        scene_until(s, end, 1);
+        const int t = scene_ask_measure(s, scene_time(s));
+        *scene_setting(s, PM_SETTING_ROUTE) = route;
+        EQUAL(scene_run(s, NULL), PM_OK);
+        const int misses = at[k] < 0 || at[k] > 1;
+        NEAR(s->out[t], sqrt(2 * (from - (misses ? 0 : h)) / G), CLOSE);
+        scene_free(s);
+    }
+}
+
+/* ---- round the corner ---- */
+typedef struct ball {
+    scene *s;
+    int body, g, contact;
+    double r, m, i;
+} ball;
+
+static ball ball_at(double x, double y, double angle, int friction)
+{
+    ball f = {.s = scene_create(), .r = 0.25, .m = 1.4};
+    f.i = 0.4 * f.m * f.r * f.r;
+    f.body = scene_body(f.s, f.m, f.i, x, y, angle);
+    f.g = scene_point(f.s, f.body, 0, 0);
+    f.contact = scene_segment(f.s, scene_circle(f.s, f.g, f.r), edge(f.s, 0), 0, 1, 0, friction, 0);
+    return f;
+}
+
+/* Over the end with speed v: it leaves the corner where g cos phi = v'^2 / R, that is where
+ * (3 + k) cos phi = 2 + (1 + k) v^2 / g R, k = I/mR^2 where it rolls, 0 where it is smooth; at once if v^2 > g R. */
+static void goes_over(int route, int friction, double speed)
+{
+    ball f = ball_at(0.5, 0.25, 0, friction);
+    scene *s = f.s;
+    const double k = friction == PM_FRICTION_ROUGH ? 0.4 : 0, v = speed * sqrt(G * f.r);
+    const int off = scene_on(s, PM_TRIGGER_OPEN, f.contact);
+    const int stick = scene_on(s, PM_TRIGGER_STICK, f.contact);
+    const int x = scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, f.g, PM_PART_X)),
+              y = scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, f.g, PM_PART_Y));
+    const int vx = scene_ask_measure(s, scene_part(s, PM_MEASURE_VELOCITY, f.g, PM_PART_X));
+    const int omega = scene_ask_measure(s, scene_measure(s, PM_MEASURE_OMEGA, f.body));
+    const int sticks = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, stick));
+    scene_start_velocity(s, f.g, v, 0);
+    scene_start_omega(s, f.body, friction == PM_FRICTION_ROUGH ? -v / f.r : 0);
+    scene_until(s, off, 1);
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    EQUAL(scene_run(s, NULL), PM_OK);
+    const double c = fmin(1, (2 + (1 + k) * speed * speed) / (3 + k)), phi = acos(c);
+    NEAR(s->out[x], 1 + f.r * sin(phi), 1e-7);
+    NEAR(s->out[y], f.r * c, 1e-7);
+    const double u = c < 1 ? sqrt(G * f.r * c) : v;
+    NEAR(s->out[vx], u * c, 1e-7);
+    NEAR(s->out[omega], friction == PM_FRICTION_ROUGH ? -u / f.r : 0, 1e-6);
+    EQUAL(s->out[sticks], 0);
+    CHECK(s->audit[PM_AUDIT_ENERGY] < 1e-9 && s->audit[PM_AUDIT_MOMENTUM] < 1e-9);
+    scene_free(s);
+}
+
+/* From beside a corner up on to the face, with the same contact all the way; slip, friction and normal go on. */
+static void comes_up(int route, int friction, int to)
+{
+    const double phi = 0.5, r = 0.25, side = to ? 1 : -1;
+    ball f = ball_at((to ? 1 : 0) + side * r * sin(phi), r * cos(phi), 0, friction);
+    scene *s = f.s;
+    const double k = friction == PM_FRICTION_ROUGH ? 0.4 : 0, v0 = 0.9;
+    const int opened = scene_on(s, PM_TRIGGER_OPEN, f.contact),
+              struck = scene_on(s, PM_TRIGGER_STRIKE, f.contact);
+    const int vx = scene_ask_measure(s, scene_part(s, PM_MEASURE_VELOCITY, f.g, PM_PART_X)),
+              omega = scene_ask_measure(s, scene_measure(s, PM_MEASURE_OMEGA, f.body)),
+              slip = scene_ask_measure(s, scene_measure(s, PM_MEASURE_CONTACT_SLIP, f.contact)),
+              slip_before = scene_ask_extreme(
+                  s, PM_ASK_MAX, scene_read(s, scene_measure(s, PM_MEASURE_CONTACT_SLIP, f.contact)),
+                  PM_NONE),
+              opens = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, opened)),
+              strikes = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, struck));
+    scene_start_velocity(s, f.g, -side * v0 * cos(phi), v0 * sin(phi));
+    scene_start_omega(s, f.body, friction == PM_FRICTION_ROUGH ? side * v0 / r : 0);
+    scene_until(s,
+                scene_when(s, PM_TRIGGER_CROSS,
+                           SCENE_PROGRAM(s, scene_m(scene_part(s, PM_MEASURE_POSITION, f.g, PM_PART_X)),
+                                         scene_k(s, 0.5), scene_op(PM_OP_SUB))),
+                1);
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    EQUAL(scene_run(s, NULL), PM_OK);
+    const double v = sqrt(v0 * v0 - 2 * G * r * (1 - cos(phi)) / (1 + k));
+    NEAR(s->out[vx], -side * v, 1e-7);
+    NEAR(s->out[omega], friction == PM_FRICTION_ROUGH ? side * v / r : 0, 1e-6);
+    NEAR(s->out[slip], friction == PM_FRICTION_ROUGH ? 0 : -side * v, 1e-7);
+    if (friction == PM_FRICTION_SMOOTH) NEAR(s->out[slip_before], to ? -v : v0, 1e-7);
+    EQUAL(s->out[opens], 0);
+    EQUAL(s->out[strikes], 0);
+    CHECK(s->audit[PM_AUDIT_ENERGY] < 1e-9 && s->audit[PM_AUDIT_MOMENTUM] < 1e-9);
+    scene_free(s);
+}
+
+/* Sliding friction turns with the tangent: over the corner at mu and slip, against a run on a corner alone from there. */
+static void slides_over(int route)
+{
+    double spin[2];
+    for (int k = 0; k < 2; k++) {
+        const double r = 0.25, v = 1.2, mu = 0.3, t1 = 0.1;
+        scene *s = scene_create();
+        const double x1 = v * t1 - 0.5 * mu * G * t1 * t1, v1 = v - mu * G * t1, w1 = mu * G * t1 / (0.4 * r);
+        const int b = scene_body(s, 1, 0.4 * r * r, k ? 1 : 1 - x1, r, 0), g = scene_point(s, b, 0, 0);
+        const int c = scene_circle(s, g, r);
+        const int contact =
+            k ? scene_contact(s, PM_CONTACT_CIRCLE, c, scene_circle(s, scene_point(s, PM_GROUND, 1, 0), 0), 1,
+                              0, PM_FRICTION_COULOMB, mu)
+              : scene_segment(s, c, edge(s, 0), 0, 1, 0, PM_FRICTION_COULOMB, mu);
+        scene_start_velocity(s, g, k ? v1 : v, 0);
+        scene_start_omega(s, b, k ? -w1 : 0);
+        const int omega = scene_ask_measure(s, scene_measure(s, PM_MEASURE_OMEGA, b));
+        scene_until(s, scene_on(s, PM_TRIGGER_OPEN, contact), 1);
+        *scene_setting(s, PM_SETTING_ROUTE) = route;
+        EQUAL(scene_run(s, NULL), PM_OK);
+        spin[k] = s->out[omega];
+        CHECK(s->audit[PM_AUDIT_ENERGY] < 1e-9 && s->audit[PM_AUDIT_MOMENTUM] < 1e-9);
+        scene_free(s);
+    }
+    NEAR(spin[0], spin[1], 1e-7);
+}
+
+/* ---- from below ---- */
+/* A ball thrown up through an edge from its back passes; falling it is held.  It goes under an end as well. */
+static void from_below(int route, double x0, double vx)
+{
+    const double r = 0.1, h = 1, v = 6;
+    scene *s = scene_create();
+    const int b = scene_body(s, 1, 0.004, x0, 0.3, 0), g = scene_point(s, b, 0, 0);
+    const int contact = scene_segment(s, scene_circle(s, g, r), edge(s, h), 0, 1, 0, PM_FRICTION_SMOOTH, 0);
+    const int struck = scene_on(s, PM_TRIGGER_STRIKE, contact);
+    scene_start_velocity(s, g, vx, v);
+    scene_until(s, struck, 1);
+    const int t = scene_ask_measure(s, scene_time(s)),
+              y = scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, g, PM_PART_Y));
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    EQUAL(scene_run(s, NULL), PM_OK);
+    NEAR(s->out[t], (v + sqrt(v * v - 2 * G * (h + r - 0.3))) / G, CLOSE);
+    NEAR(s->out[y], h + r, CLOSE);
+    CHECK(s->count[PM_COUNT_EVENTS] < 12);
+    scene_free(s);
+}
+
+static void overlap_is_told(void)
+{
+    scene *s = scene_create();
+    const int b = scene_body(s, 1, 0.004, 0.5, 0.05, 0);
+    scene_segment(s, scene_circle(s, scene_point(s, b, 0, 0), 0.1), edge(s, 0), 0, 1, 0, PM_FRICTION_SMOOTH,
+                  0);
+    scene_until_time(s, 1);
+    EQUAL(scene_run(s, NULL), PM_PENETRATION);
+    scene_free(s);
+}
+
+static void ends_in_order(void)
+{
+    scene *s = scene_create();
+    const int b = scene_body(s, 1, 0.004, 0.5, 1, 0);
+    scene_segment(s, scene_circle(s, scene_point(s, b, 0, 0), 0.1), edge(s, 0), 1, 0, 0, PM_FRICTION_SMOOTH,
+                  0);
+    scene_until_time(s, 1);
+    EQUAL(scene_run(s, NULL), PM_BAD_VALUE);
+    scene_free(s);
+}
+
+int main(void)
+{
+    static const int routes[] = {PM_ROUTE_RK, PM_ROUTE_IDA, PM_ROUTE_AUTO};
+    gaps();
+    for (int k = 0; k < 3; k++) {
+        slides_off(routes[k]);
+        edge_runs_away(routes[k]);
+        dropped(routes[k]);
+        goes_over(routes[k], PM_FRICTION_SMOOTH, 0.5);
+        goes_over(routes[k], PM_FRICTION_ROUGH, 0.6);
+        goes_over(routes[k], PM_FRICTION_SMOOTH, 1.2);
+        for (int to = 0; to < 2; to++) {
+            comes_up(routes[k], PM_FRICTION_SMOOTH, to);
+            comes_up(routes[k], PM_FRICTION_ROUGH, to);
+        }
+        slides_over(routes[k]);
+        from_below(routes[k], 0.5, 0);
+        from_below(routes[k], -0.2, 0.6);
+        from_below(routes[k], -0.02, 0.7);
+    }
+    goes_over(PM_ROUTE_PATH, PM_FRICTION_ROUGH, 0.6);
+    comes_up(PM_ROUTE_PATH, PM_FRICTION_ROUGH, 0);
+    overlap_is_told();
+    ends_in_order();
+    return check_failures();
+}
