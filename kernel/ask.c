@@ -20,8 +20,12 @@
 
 #define RATE_STEP 2e-3  /* of the step: distance of the differences that make a rate */
 #define NEARLY_FLAT 0.1 /* of the spread in a step: a slope between nodes that may have either sign */
-#define RESOLVED 1e-7   /* highest coefficients of a value that its samples tell: one without corners */
-#define RESOLVED 1e-7   /* highest coefficients of a value that its samples tell: one without corners */
+#define SMOOTH 1e-3    /* highest coefficients of a value that its samples tell nearly: one without corners */
+#define UNTOLD 10.0    /* times these coefficients: how far the value may be from the polynomial */
+#define PEAK_STEP 1e-4 /* of the step: distance of the differences that make the rate next to an extreme */
+#define PEAK_STEPS 6   /* of Newton's method to an extreme */
+#define PEAK_GAIN 1e-16 /* of the value's size: a step that would gain less is not taken */
+#define LEVEL 1e-14     /* of a value's size: so little spread is rounding */
 #define ON_GRID 1e-9    /* relative: a grid value met at the very start or end of the run */
 
 int pm_ask_create(pm_workspace *w)
@@ -195,18 +199,55 @@ static int refine(pm_workspace *w, int ask, double a, double b)
     return PM_OK;
 }
 
-/* Extremes between nodes that resolve the value g (the greater the better): where the slope d of the polynomial through
- * them falls through zero; an exact look is taken only where it promises to be better than the best so far. */
-static int extremes_of_samples(pm_workspace *w, int ask, const double *g, const double *d, double best)
+/* A value in a step that its nodes tell nearly: g the greater the better, its slopes d by the fraction of the step. */
+typedef struct pm_peak {
+    double sign; /* of the value in g */
+    double g[PM_NODES_MOST], d[PM_NODES_MOST], bend[PM_NODES_MOST];
+    double size; /* greatest of g */
+    double tail; /* highest coefficients over it */
+} pm_peak;
+
+/* From the polynomial's extreme to that of the value, by Newton's method on the rate; the bend is the polynomial's, then
+ * the secant's.  0 if it does not stay between the nodes. */
+static int climb(pm_workspace *w, int ask, const pm_peak *p, double low, double high, double *s)
+{
+    const double h = w->sampled_end - w->step_begin;
+    const pm_watch x = {watched_program(PM_ASK_ROW(w->model, ask)), 0, 0};
+    double bend = pm_series_value(p->bend, 1, *s), last = 0, from = *s;
+    for (int i = 0; i < PEAK_STEPS; i++) {
+        const double place = w->step_begin + *s * h;
+        const double rate =
+            p->sign * (value_at(w, place + PEAK_STEP * h, &x) - value_at(w, place - PEAK_STEP * h, &x)) /
+            (2 * PEAK_STEP);
+        if (i > 0 && *s != from) bend = (rate - last) / (*s - from);
+        const double shift = -rate / bend;
+        if (!(bend < 0) || !(*s + shift > low && *s + shift < high)) return 0;
+        last = rate;
+        from = *s;
+        *s += shift;
+        if (fabs(rate * shift) <= PEAK_GAIN * p->size) return 1;
+    }
+    return 0;
+}
+
+/* Extremes between nodes: where the slope of the polynomial falls through zero; a closer look is taken only where it may
+ * be better than the best so far. */
+static int extremes_of_samples(pm_workspace *w, int ask, const pm_peak *p)
 {
     const pm_nodes *nodes = w->route->nodes;
+    const double *at = nodes->at, *d = p->d;
     for (int k = 0; k + 1 < nodes->n; k++) {
         double s;
         if (!(d[k] > 0 && d[k + 1] < 0)) continue;
-        int status = pm_series_root(w, d, nodes->at[k], d[k], nodes->at[k + 1], d[k + 1], &s);
-        const double place = w->step_begin + s * (w->sampled_end - w->step_begin);
+        int status = pm_series_root(w, d, at[k], d[k], at[k + 1], d[k + 1], &s);
         if (status) return status;
-        if (place > w->step_end || pm_series_value(g, 1, s) <= best) continue;
+        if (pm_series_value(p->g, 1, s) + UNTOLD * p->tail * p->size <= p->sign * w->ask->best[ask]) continue;
+        const int found = climb(w, ask, p, k > 0 ? at[k - 1] : 0, k + 2 < nodes->n ? at[k + 2] : 1, &s);
+        const double place = w->step_begin + s * (w->sampled_end - w->step_begin);
+        if (!found)
+            status = refine(w, ask, pm_crossing_node(w, k), fmin(pm_crossing_node(w, k + 1), w->step_end));
+        if (status) return status;
+        if (!found || place > w->step_end) continue;
         if ((status = look(w, place, 1))) return status;
         offer(w, ask, run(w, watched_program(PM_ASK_ROW(w->model, ask))));
     }
@@ -223,38 +264,46 @@ static void slopes(const pm_nodes *nodes, const double *g, double *d)
 }
 
 /* The intervals next to the greatest node are searched, unless the slopes clearly do not change sign there. */
-static int extreme_in_step(pm_workspace *w, int ask)
+static int extremes_beside_top(pm_workspace *w, int ask, const pm_peak *p, int top, double spread)
 {
-    const int nask = w->model->nask;
     const pm_nodes *nodes = w->route->nodes;
-    const double sign = is_greatest(PM_ASK_ROW(w->model, ask)) ? 1 : -1;
-    double g[PM_NODES_MOST], d[PM_NODES_MOST], spread = 0;
-    int top = 0;
-    for (int k = 0; k < nodes->n; k++) {
-        g[k] = sign * w->ask->sample[k * nask + ask];
-        if (isnan(g[k])) {
-            w->ask->undefined[ask] = 1;
-            return PM_OK;
-        }
-        if (g[k] > g[top]) top = k;
-        spread = fmax(spread, fabs(g[k] - g[0]));
-    }
-    /* an extreme between the nodes exceeds them by no more than their spread */
-    if (spread == 0 || g[top] + spread < sign * w->ask->best[ask]) return PM_OK;
-    slopes(nodes, g, d);
-    if (nodes == &pm_nodes_chebyshev && !at_extreme(PM_ASK_ROW(w->model, ask)) &&
-        pm_series_tail(g) < RESOLVED)
-        return extremes_of_samples(w, ask, g, d, sign * w->ask->best[ask]);
     for (int k = top - 1; k <= top; k++) {
         if (k < 0 || k + 1 >= nodes->n) continue;
         const double flat = NEARLY_FLAT * spread / (nodes->at[k + 1] - nodes->at[k]);
-        if (d[k] < -flat || d[k + 1] > flat) continue;
+        if (p->d[k] < -flat || p->d[k + 1] > flat) continue;
         const double end = fmin(pm_crossing_node(w, k + 1), w->step_end);
         if (pm_crossing_node(w, k) >= end) continue;
         const int status = refine(w, ask, pm_crossing_node(w, k), end);
         if (status) return status;
     }
     return PM_OK;
+}
+
+static int extreme_in_step(pm_workspace *w, int ask)
+{
+    const int nask = w->model->nask, n = w->route->nodes->n;
+    pm_peak p = {.sign = is_greatest(PM_ASK_ROW(w->model, ask)) ? 1 : -1};
+    double spread = 0;
+    int top = 0;
+    for (int k = 0; k < n; k++) {
+        p.g[k] = p.sign * w->ask->sample[k * nask + ask];
+        if (isnan(p.g[k])) {
+            w->ask->undefined[ask] = 1;
+            return PM_OK;
+        }
+        if (p.g[k] > p.g[top]) top = k;
+        spread = fmax(spread, fabs(p.g[k] - p.g[0]));
+        p.size = fmax(p.size, fabs(p.g[k]));
+    }
+    /* an extreme between the nodes exceeds them by no more than their spread */
+    if (spread <= LEVEL * p.size || p.g[top] + spread < p.sign * w->ask->best[ask]) return PM_OK;
+    slopes(w->route->nodes, p.g, p.d);
+    if (w->route->nodes == &pm_nodes_chebyshev && !at_extreme(PM_ASK_ROW(w->model, ask))) {
+        p.tail = pm_series_tail(p.g);
+        slopes(w->route->nodes, p.d, p.bend);
+        if (p.tail < SMOOTH) return extremes_of_samples(w, ask, &p);
+    }
+    return extremes_beside_top(w, ask, &p, top, spread);
 }
 
 static int grid_in_step(pm_workspace *w, int ask)

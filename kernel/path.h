@@ -39,6 +39,7 @@ typedef struct pm_path {
     double t0;                   /* time at the begin of the step */
     double tail;                 /* of the clock of the step that was tried before */
     double g[PM_NODES_MOST];     /* smooth part of dt/du at the nodes */
+    double time[PM_NODES_MOST];  /* at the nodes */
     pm_place node[PM_NODES_MOST], spare;
     double *loop;              /* [n][n] rows that the tree does not solve, on its coordinates */
     double *weight;            /* [nz_controlled] z at the begin of the step */

@@ -268,6 +268,15 @@ static double time_at(const pm_path *p, double s)
     }
 }
 
+/* The times of all nodes of an accepted step. */
+static void set_times(pm_path *p)
+{
+    if (p->clock == PM_CLOCK_PLAIN) pm_series_integrals(p->g, p->time);
+    for (int k = 0; k < PM_NODES_MOST; k++)
+        p->time[k] =
+            p->clock == PM_CLOCK_PLAIN ? p->t0 + p->h * p->time[k] : time_at(p, pm_nodes_chebyshev.at[k]);
+}
+
 /* The running integrals at the fraction s of the step: works go by the way of the driver, distances by its length. */
 static void integrals_at(const pm_workspace *w, double s, double *z)
 {
@@ -433,6 +442,7 @@ static int take_step(pm_workspace *w, double full)
         if (!(h > SHORTEST * full))
             return pm_fail(w, PM_STEP_TOO_SMALL, PM_NONE, PM_NONE, h, SHORTEST * full);
     }
+    set_times(p);
     w->turns = turning;
     p->lowest = fmin(p->lowest, turning ? 0 : p->least);
     if (turning) {
@@ -443,14 +453,14 @@ static int take_step(pm_workspace *w, double full)
     return PM_OK;
 }
 
-static void state_of(pm_workspace *w, const pm_place *x, double s, pm_state *state)
+static void state_of(pm_workspace *w, const pm_place *x, double s, double t, pm_state *state)
 {
     const pm_path *p = w->path;
     const double rate = p->sense * sqrt(2 * fmax(x->kinetic, 0) / x->mass);
     memcpy(state->q, x->q, (size_t)w->model->nq * sizeof *x->q);
     for (int i = 0; i < w->model->nq; i++) state->v[i] = rate * x->tangent[i];
     if (w->model->nz_controlled > 0) integrals_at(w, s, state->z);
-    state->t = time_at(p, s);
+    state->t = t;
 }
 
 static int at(pm_workspace *w, double x, pm_state *state)
@@ -459,11 +469,11 @@ static int at(pm_workspace *w, double x, pm_state *state)
     const double s = x / p->h;
     for (int k = 0; k < PM_NODES_MOST; k++)
         if (x == p->h * pm_nodes_chebyshev.at[k]) {
-            state_of(w, &p->node[k], s, state);
+            state_of(w, &p->node[k], s, p->time[k], state);
             return PM_OK;
         }
     const int status = place_inside(w, s);
-    if (!status) state_of(w, &p->spare, s, state);
+    if (!status) state_of(w, &p->spare, s, time_at(p, s), state);
     return status;
 }
 
@@ -552,7 +562,7 @@ static int step(pm_workspace *w, double t_limit)
     const int hands_over = p->balanced && PM_SETTING(w->model, PM_SETTING_ROUTE) != PM_ROUTE_AUTO &&
                            PM_SETTING(w->model, PM_SETTING_ROUTE) != PM_ROUTE_PATH;
     w->lap = hands_over || (may_close && p->way > TURN * (1 - ROUNDING));
-    state_of(w, &p->node[PM_NODES_MOST - 1], 1, &w->state);
+    state_of(w, &p->node[PM_NODES_MOST - 1], 1, p->time[PM_NODES_MOST - 1], &w->state);
     if ((status = look_for_evidence(w)) || (status = end_at_limit(w, t_limit))) return status;
     close_momentum(w, &w->state);
     pm_path_error_step(w, p->node[PM_NODES_MOST - 1].kinetic);
