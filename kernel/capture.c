@@ -16,10 +16,11 @@
 
 #include "body.h"
 #include "contact.h"
+#include "decision.h"
 #include "row.h"
 
-#define MEETS \
-    1e-7 /* of the scene's size: the places of a run are known better than this, its marks are farther apart */
+#define MEETS 1e-7   /* of the scene's size: places are known better than this, marks are farther apart */
+#define ACROSS 1e-10 /* cosine of d and u: below it the distance stays, but for rounding */
 
 int pm_capture_kind(const pm_model *m, int contact)
 {
@@ -47,12 +48,16 @@ double pm_capture_distance(const pm_workspace *w, int contact)
 double pm_capture_approach(const pm_workspace *w, int contact)
 {
     const pm_marks x = marks_of(w, contact);
-    return pm_dot(x.d, x.u);
+    const double approach = pm_dot(x.d, x.u);
+    return fabs(approach) > ACROSS * pm_length(x.d) * pm_length(x.u) ? approach : 0;
 }
 
-int pm_capture_meets(const pm_workspace *w, int contact)
+int pm_capture_meets(pm_workspace *w, int contact, double distance)
 {
-    return pm_capture_distance(w, contact) <= MEETS * w->size;
+    const double room = MEETS * w->size - distance;
+    if (isinf(distance)) return 0;
+    pm_decision_sign(w, PM_SITE_MEETS, contact, room, w->size);
+    return room >= 0;
 }
 
 /* ---- the kept place ---- */

@@ -13,8 +13,8 @@ int pm_capture_is_meeting(const pm_model *m, int contact);
  * zero, rising, where they are nearest. */
 double pm_capture_distance(const pm_workspace *w, int contact);
 double pm_capture_approach(const pm_workspace *w, int contact);
-/* The points are at one place. */
-int pm_capture_meets(const pm_workspace *w, int contact);
+/* Points that are so far apart (INFINITY: they do not meet any more) are at one place. */
+int pm_capture_meets(pm_workspace *w, int contact, double distance);
 
 /* Keeps in the state where, and how turned, the pair of a slot is caught at the frame. */
 void pm_capture_keep(const pm_workspace *w, pm_state *s, int slot);

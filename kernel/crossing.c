@@ -122,7 +122,7 @@ static int reaches(pm_workspace *w, pm_event_function *f, double s, double aroun
 {
     const double least = bottom(w, f, s, low, high, where);
     *value = s * least;
-    if (least > 0 && least < f->near) {
+    if (least > 0 && least < f->near && f->kind != FUNCTION_MEETING) {
         f->near = least;
         f->near_reach = around;
     }
@@ -360,7 +360,8 @@ static int first_of(pm_workspace *w, int i, double from, double not_after, pm_br
         if (!bracket(w, i, from, x) || x->a > not_after) return PM_OK;
         const int status = root_in(w, i, x, place);
         if (status || !goes_by(w, i, *place)) return status;
-        from = x->b;
+        w->event->function[i].held = 1; /* as what has fired: it must be left first */
+        w->event->function[i].since = from = *place;
     }
 }
 

@@ -8,6 +8,7 @@
 
 #include <math.h>
 
+#include "contact.h"
 #include "error.h"
 #include "event.h"
 
@@ -74,9 +75,11 @@ void pm_decision_rate(pm_workspace *w, int function, double rate)
                            .unit = f->natural * w->speed / w->size});
 }
 
-/* Of a function at the frame from its zero, `every` from the nearest multiple. */
+/* Of a function at the frame from its zero, `every` from the nearest multiple; of points that may meet, from each other. */
 static double distance_of(pm_workspace *w, const pm_event_function *f)
 {
+    int member;
+    if (f->kind == FUNCTION_MEETING) return fmin(w->size, pm_contact_gap(w, &w->state, f->index, &member));
     const double x = pm_event_sample(w, f);
     return f->every ? fabs(x - round(x)) : x;
 }
@@ -98,6 +101,7 @@ void pm_decision_instant(pm_workspace *w)
         if (e->hit[i] || f->held || f->level > w->frame.level) continue;
         x.kind = PM_DECISION_VALUE;
         x.distance = distance_of(w, f);
+        if (f->kind == FUNCTION_MEETING) x.unit = w->size;
         x.reach = fabs(x.distance);
         take(w, &x);
     }

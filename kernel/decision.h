@@ -22,7 +22,8 @@ enum pm_decision_site {
     PM_SITE_PULLS = 4,
     PM_SITE_SLIDES = 5,
     PM_SITE_SLIP_LEFT = 6, /* at the end of a blow that was followed */
-    PM_DECISION_SITES = 7
+    PM_SITE_MEETS = 7,
+    PM_DECISION_SITES = 8
 };
 
 typedef struct pm_decision {

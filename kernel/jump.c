@@ -59,7 +59,7 @@ static int touches(pm_workspace *w, int contact, pm_touch *x)
     double rate;
     *x = (pm_touch){.stays = 1};
     if (pm_capture_is_meeting(w->model, contact))
-        return pm_contact_gap(w, &w->state, contact, &x->member) < INFINITY && pm_capture_meets(w, contact);
+        return pm_capture_meets(w, contact, pm_contact_gap(w, &w->state, contact, &x->member));
     if (!pm_contact_touches(w, &w->state, contact, &x->member)) return 0;
     pm_contact_member_gap(w, contact, x->member, &rate);
     pm_decision_sign(w, PM_SITE_STRIKES, contact, rate, w->speed);

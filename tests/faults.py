@@ -61,12 +61,18 @@ FAULTS = [
         "FUNCTION_MEETING, i, 1,",
         "FUNCTION_MEETING, i, -1,",
     ),
+    Fault(
+        "capture: who has passed by is looked at for ever",
+        "crossing.c",
+        "since = from = *place",
+        "since = from",
+    ),
     Fault("capture: who passes by is stopped", "crossing.c", "> PASSES * w->size", "> w->size"),
     Fault(
         "capture: points meet from afar",
         "capture.c",
-        "<= MEETS * w->size",
-        "<= 0.1 * w->size",
+        "room = MEETS",
+        "room = 0.1",
     ),
     Fault(
         "capture: what is held takes no part in later blows",

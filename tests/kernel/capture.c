@@ -206,6 +206,9 @@ static void comes_round(double miss, int route)
     const int post = scene_point(s, PM_GROUND, 0, -0.8 - miss);
     const int hit = scene_capture(s, PM_CONTACT_POINT, scene_circle(s, end, 0), scene_circle(s, post, 0), 0,
                                   PM_CAPTURE_POINT);
+    /* its distance from the pin stays: that is no meeting, whatever the rounding of its rate says */
+    scene_capture(s, PM_CONTACT_POINT, scene_circle(s, end, 0),
+                  scene_circle(s, scene_point(s, PM_GROUND, 0, 0), 0), 0, PM_CAPTURE_BODY);
     scene_start_omega(s, arm, 3);
     scene_until_time(s, 8);
     const int turned = scene_ask_measure(s, scene_measure(s, PM_MEASURE_TURNED, arm));
