@@ -349,6 +349,10 @@ FAULTS = [
         "contacts.c.friction: what is captured stays; it has no friction",
     ),
     (
+        'contacts.c = { touch = ["P", "ground.O"], capture = "point", law = "stronge" }',
+        "contacts.c.law: what is captured stays; it has no law",
+    ),
+    (
         'contacts.c = { touch = ["P", "ground.floor"], capture = "point", surface_speed = "1 m/s" }',
         'contacts.c.surface_speed = "1 m/s": what is captured stays at its place',
     ),

@@ -131,8 +131,8 @@ def _check_more(data: SceneData) -> None:
 
 def _check_capture(contact: Contact, path: str) -> None:
     """What arrives stays: no other law of contact is left to say."""
-    for key in ("restitution", "friction"):
-        if getattr(contact, key) != 0:
+    for key, none in (("restitution", (0,)), ("friction", (0, "smooth")), ("law", ("newton",))):
+        if getattr(contact, key) not in none:
             raise SceneError(f"what is captured stays; it has no {key}", path=f"{path}.{key}")
     if contact.surface_speed is not None:
         reason = "what is captured stays at its place; the surface cannot run on below it"
