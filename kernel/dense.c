@@ -118,3 +118,18 @@ void pm_lu_solve(int n, const double *a, const int *pivot, double *x)
         x[i] /= a[i * n + i];
     }
 }
+
+void pm_lu_solve_transposed(int n, const double *a, const int *pivot, double *x)
+{
+    for (int i = 0; i < n; i++) {
+        for (int k = 0; k < i; k++) x[i] -= a[k * n + i] * x[k];
+        x[i] /= a[i * n + i];
+    }
+    for (int i = n - 1; i >= 0; i--)
+        for (int k = i + 1; k < n; k++) x[i] -= a[k * n + i] * x[k];
+    for (int i = n - 1; i >= 0; i--) {
+        const double swap = x[pivot[i]];
+        x[pivot[i]] = x[i];
+        x[i] = swap;
+    }
+}

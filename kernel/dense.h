@@ -15,5 +15,7 @@ void pm_skyline_upper(int n, const int *first, const double *a, double *x);
 /* P A = L U with partial pivoting; returns 0, or 1 + the column without a pivot. */
 int pm_lu_factor(int n, double *a, int *pivot);
 void pm_lu_solve(int n, const double *a, const int *pivot, double *x);
+/* A^T x = b in place. */
+void pm_lu_solve_transposed(int n, const double *a, const int *pivot, double *x);
 
 #endif

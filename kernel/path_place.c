@@ -88,8 +88,9 @@ int pm_path_place(pm_workspace *w, double u, pm_place *place)
 {
     pm_path *p = w->path;
     place->y[p->driver] = u;
-    int status = pm_tree_close(w, place->y, p->driver, place->q, p->loop);
-    if (!status) status = pm_tree_slope(w, p->driver, p->loop, place->slope);
+    pm_tree_hold(w, p->driver);
+    int status = pm_tree_close(w, place->y, place->q, p->loop);
+    if (!status) status = pm_tree_slope(w, p->loop, place->slope);
     if (status) return status;
     measure_motion(w, place);
     return PM_OK;

@@ -27,6 +27,8 @@
 #define DENSE 7          /* coefficients of the dense output */
 #define LEAST_STEP 8e-16 /* of the time: below it a step changes nothing */
 #define FIRST_RETRY 0.25
+#define SIDESTEP 0.83 /* a stage that came upon a singular position misses it with a step a little shorter */
+#define SIDESTEPS 8
 
 struct pm_rk {
     int n;          /* coordinates of the phase */
@@ -89,10 +91,15 @@ static int derivative_here(pm_workspace *w, const double *y, int with_ledger, do
 }
 
 /* y' at (t, y). */
-static int derivative(pm_workspace *w, double t, const double *y, int with_ledger, double *k)
+static int derivative(pm_workspace *w, double t, double *y, int with_ledger, double *k)
 {
     const int n = w->rk->n;
-    pm_tree_look(w, t, y, y + n, y + 2 * n);
+    if (w->tree->few) {
+        const int status = pm_tree_settle(w, t, y, y + n, y + 2 * n);
+        if (status) return status;
+    } else {
+        pm_tree_look(w, t, y, y + n, y + 2 * n);
+    }
     return derivative_here(w, y, with_ledger, k);
 }
 
@@ -161,6 +168,15 @@ static double error_norm(const pm_workspace *w, double h)
 /* x^(-1/8) */
 static double eighth_root_of_inverse(double x) { return 1 / sqrt(sqrt(sqrt(x))); }
 
+/* Where the last stages were, or nearly. */
+static int choose_coordinates(pm_workspace *w)
+{
+    const int bad = !w->asymmetric && (pm_tree_is_steep(w) || pm_tree_is_flat(w));
+    if (bad) pm_tree_partition(w);
+    w->tree->independence = 1;
+    return bad && w->tree->few;
+}
+
 static int begin(pm_workspace *w)
 {
     struct pm_rk *r = w->rk;
@@ -171,6 +187,8 @@ static int begin(pm_workspace *w)
     r->controlled = 2 * r->n + w->model->nz_controlled;
     pm_tree_read(w, r->now);
     pm_tree_read_rates(w, w->state.v, r->now + r->n);
+    w->tree->independence = 1;
+    choose_coordinates(w);
     memcpy(r->now + 2 * r->n, w->state.z, (size_t)w->model->nz * sizeof(double));
     r->k0_ready = r->dense_ready = 0;
     if (w->count[PM_COUNT_STEPS] == 0) r->next = 0; /* a new case owes nothing to the last one */
@@ -205,6 +223,7 @@ static int accept(pm_workspace *w, double t)
 {
     struct pm_rk *r = w->rk;
     memcpy(r->now, r->y, (size_t)r->all * sizeof(double));
+    choose_coordinates(w);
     int status = settle(w, t, r->now, &w->state);
     if (!status) status = derivative_here(w, r->now, 1, r->k + STAGES * r->all);
     if (status) return status;
@@ -256,8 +275,13 @@ static int step(pm_workspace *w, double t_limit)
             r->next = last && proposed < r->next ? r->next : proposed;
             return accept(w, last ? t_limit : r->t0 + h);
         }
-        rejected = 1;
-        h *= isfinite(error) ? fmax(SHRINK, SAFETY * eighth_root_of_inverse(error)) : FIRST_RETRY;
+        rejected++;
+        /* singular somewhere in the step */
+        if (choose_coordinates(w) && (status = derivative(w, r->t0, r->y0, 1, r->k))) return status;
+        if (w->tree->few && rejected <= SIDESTEPS)
+            h *= SIDESTEP;
+        else
+            h *= isfinite(error) ? fmax(SHRINK, SAFETY * eighth_root_of_inverse(error)) : FIRST_RETRY;
     }
 }
 

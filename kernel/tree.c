@@ -16,8 +16,9 @@ int pm_tree_create(pm_workspace *w)
     pm_tree *t = w->tree = calloc(1, sizeof *t);
     if (!t) return PM_NO_MEMORY;
     const size_t most = nbody * nq; /* coordinates that move a body, over all bodies */
-    const size_t doubles = nq * nq + 3 * most + 2 * nrow * nq + nrow * nrow + 6 * nq + 2 * nrow;
-    const size_t ints = 5 * nrow + 3 * nq + nbody + most;
+    const size_t doubles =
+        nq * nq + 3 * most + 3 * nrow * nq + nrow * nrow + (6 + PM_TREE_FEW) * nq + 2 * nrow;
+    const size_t ints = 5 * nrow + 4 * nq + nbody + most;
     double *p = t->block = calloc(doubles * sizeof *p + ints * sizeof(int) + nrow + 1, 1);
     t->node = calloc(nbody + 1, sizeof *t->node);
     if (!p || !t->node) return PM_NO_MEMORY;
@@ -33,6 +34,8 @@ int pm_tree_create(pm_workspace *w)
     t->q = t->wrench + nq;
     t->v = t->q + nq;
     t->rate = t->v + nq;
+    t->motion = t->rate + nq;
+    t->loops = t->motion + PM_TREE_FEW * nq;
     t->loop = (int *)(void *)(p + doubles);
     t->kind = t->loop + nrow;
     t->pivot = t->kind + nq;
@@ -42,7 +45,8 @@ int pm_tree_create(pm_workspace *w)
     t->from = t->moved_by + most;
     t->to = t->from + nrow;
     t->first_loop = t->to + nrow;
-    t->used = (unsigned char *)(t->first_loop + nrow);
+    t->column = t->first_loop + nrow;
+    t->used = (unsigned char *)(t->column + nq);
     return PM_OK;
 }
 
@@ -254,7 +258,7 @@ void pm_tree_build(pm_workspace *w)
 {
     pm_tree *t = w->tree;
     int nplaced = 0;
-    t->n = t->nloop = 0;
+    t->n = t->nloop = t->few = 0;
     memset(t->used, 0, (size_t)w->model->nrow);
     memset(t->placed, 0, (size_t)w->model->nbody * sizeof *t->placed);
     while (nplaced < w->model->nbody) place_next(w, &nplaced);

@@ -9,6 +9,8 @@
 
 typedef struct pm_tree_node pm_tree_node;
 
+#define PM_TREE_FEW 3 /* freedoms up to which coordinates are partitioned: work grows with their square */
+
 typedef struct pm_tree {
     int n;               /* coordinates */
     int nloop;           /* active rows that are not solved */
@@ -30,6 +32,13 @@ typedef struct pm_tree {
     double *force, *bias, *rate, *wrench; /* [nq] */
     double *q, *v;                        /* [nq] where pm_tree_look looks */
     int *pivot;                           /* [nq + nrow] */
+    int few;                              /* coordinates are partitioned */
+    int *column;    /* [nq] the dependent coordinates, nloop of them, then the independent ones */
+    double *loops;  /* [nrow][n] the loop rows' Jacobian where pm_tree_accelerate was */
+    double *motion; /* [few][nq] velocities at a unit rate of each independent coordinate */
+    double
+        independence; /* least square of the part of a loop row that those before it leave, while they are not */
+    double steepest; /* there: rate of a dependent coordinate, lengths by the scene's size */
     void *block;
 } pm_tree;
 
@@ -61,15 +70,30 @@ int pm_tree_accelerate(pm_workspace *w, double *yddot);
 /* After it: reactions of all active rows, in the frame, which is DYNAMIC then (the rows are not evaluated). */
 void pm_tree_react(pm_workspace *w);
 
-/* Meets the loop rows by Newton's method with coordinate `held` kept; n = nloop + 1.  Leaves q, the poses of the frame,
- * and the Jacobian of the loop rows there.  PM_SINGULAR or PM_ASSEMBLY if it does not converge. */
-int pm_tree_close(pm_workspace *w, double *y, int held, double *q, double *jacobian);
-/* Rates of all coordinates at a unit rate of `held`, by that Jacobian; PM_SINGULAR if `held` does not tell them. */
-int pm_tree_slope(pm_workspace *w, int held, const double *jacobian, double *slope);
+/* One freedom, n = nloop + 1: coordinate `held` is the independent one. */
+void pm_tree_hold(pm_workspace *w, int held);
+/* Few freedoms: chooses the coordinates that the loop rows tell best, at the pose of the frame, unless they are singular
+ * there; t->few says whether there is a choice. */
+void pm_tree_partition(pm_workspace *w);
+/* The choice is a bad one where pm_tree_accelerate was last. */
+int pm_tree_is_steep(const pm_workspace *w);
+/* Not partitioned, and the loop rows nearly depended on each other, or are so many that a partition is cheaper. */
+int pm_tree_is_flat(const pm_workspace *w);
+/* Meets the loop rows by Newton's method with the independent coordinates kept.  Leaves q, the poses of the frame, and the
+ * Jacobian of the loop rows there.  PM_SINGULAR or PM_ASSEMBLY if it does not converge. */
+int pm_tree_close(pm_workspace *w, double *y, double *q, double *jacobian);
+/* Rates of all coordinates at a unit rate of the first independent one, by that Jacobian; PM_SINGULAR if it does not tell
+ * them. */
+int pm_tree_slope(pm_workspace *w, const double *jacobian, double *slope);
+/* Like pm_tree_look at coordinates and rates of which the dependent ones are made to meet the loop rows. */
+int pm_tree_settle(pm_workspace *w, double t, double *y, double *ydot, const double *z);
 /* Meets them by the least corrections in the metric of M, of coordinates and rates; the frame looks there. */
 int pm_tree_project(pm_workspace *w, double t, double *y, double *ydot, const double *z);
 
-/* For the tree's own files.  Columns of all bodies' velocities. */
+/* For the tree's own files.  Partitioned: accelerations; reactions of the loop rows from t->wrench. */
+int pm_tree_accelerate_few(pm_workspace *w, double *yddot);
+void pm_tree_react_loops(pm_workspace *w);
+/*  Columns of all bodies' velocities. */
 void pm_tree_influence(pm_workspace *w);
 /* Accelerations of the bodies from those of the coordinates, and back; velocities are in the frame. */
 void pm_tree_spread_accelerations(const pm_workspace *w, const double *yddot, double *a);

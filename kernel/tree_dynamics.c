@@ -50,6 +50,16 @@ static int singular_loop(pm_workspace *w, int loop)
                                  : pm_fail(w, PM_SINGULAR, PM_TABLE_CONTACT, PM_NONE, 0, 0);
 }
 
+/* Of a row in the metric of M^-1, if nothing held its bodies. */
+static double square_of(const pm_workspace *w, const pm_row *row)
+{
+    double sum = 0;
+    for (int p = 0; p < 2; p++)
+        for (int k = 0; k < 3 && row->body[p] != w->model->nbody; k++)
+            sum += row->j[3 * p + k] * row->j[3 * p + k] * w->inverse_mass[3 * row->body[p] + k];
+    return sum;
+}
+
 /* X of the evaluated loop rows, and the factor of S; row i of X is kept from t->from[i] to t->to[i]. */
 static int factor_loops(pm_workspace *w)
 {
@@ -70,6 +80,12 @@ static int factor_loops(pm_workspace *w)
         }
     }
     const int bad = pm_skyline_factor(t->nloop, t->first_loop, t->schur);
+    if (bad) t->independence = 0;
+    for (int i = 0; i < t->nloop && !bad;
+         i++) { /* the factor holds the reciprocal of what is left of the row */
+        const double left = t->schur[i * t->nloop + i];
+        t->independence = fmin(t->independence, 1 / (square_of(w, &w->row[t->loop[i]]) * left * left));
+    }
     return bad ? singular_loop(w, bad - 1) : PM_OK;
 }
 
@@ -120,6 +136,7 @@ int pm_tree_accelerate(pm_workspace *w, double *yddot)
 {
     pm_tree *t = w->tree;
     if (w->asymmetric) return accelerate_all(w, yddot);
+    if (t->few) return pm_tree_accelerate_few(w, yddot);
     pm_force_all(w);
     memset(yddot, 0, (size_t)t->n * sizeof *yddot);
     pm_tree_spread_accelerations(w, yddot, t->bias);
@@ -196,6 +213,7 @@ void pm_tree_react(pm_workspace *w)
         for (int k = 0; k < 3; k++)
             t->wrench[3 * i + k] = (k < 2 ? w->mass[i] : inertia) * f->a[3 * i + k] - f->f[3 * i + k];
     }
+    if (t->few) pm_tree_react_loops(w);
     take_off_loops(w, t->wrench);
     for (int i = ground - 1; i >= 0; i--) {
         const pm_tree_node *x = &t->node[i];
@@ -241,6 +259,7 @@ int pm_tree_project(pm_workspace *w, double time, double *y, double *ydot, const
     pm_tree *t = w->tree;
     double before = INFINITY;
     int status, factored = 0;
+    if (t->few) return pm_tree_settle(w, time, y, ydot, z);
     pm_tree_look(w, time, y, ydot, z);
     for (int sweep = 0; t->nloop > 0; sweep++) {
         evaluate_loops(w);

@@ -8,14 +8,9 @@
 #include <string.h>
 
 #include "body.h"
-#include "dense.h"
 #include "row.h"
 #include "tree.h"
 #include "tree_node.h"
-
-#define SWEEPS 20
-#define ROUNDING 4e-15 /* of the scene's size: loop rows are met */
-#define STALLED 1e-12  /* of the scene's size: met, as far as far-off coordinates allow */
 
 static const double *rates_of(const pm_workspace *w, const double *v, int body)
 {
@@ -162,61 +157,4 @@ void pm_tree_loops(pm_workspace *w, double *jacobian)
         memset(jacobian + i * t->n, 0, (size_t)t->n * sizeof *jacobian);
         pm_tree_loop_row(w, row, jacobian + i * t->n);
     }
-}
-
-/* Places the bodies and evaluates the loop rows; their greatest residual. */
-static double look(pm_workspace *w, const double *y, double *q, double *jacobian)
-{
-    const pm_tree *t = w->tree;
-    double worst = 0;
-    pm_tree_place(w, w->state.memory, y, q);
-    if (t->nloop == 0) return 0;
-    pm_tree_loops(w, jacobian);
-    for (int i = 0; i < t->nloop; i++) {
-        t->residual[i] = -w->row[t->loop[i]].g;
-        worst = fmax(worst, fabs(t->residual[i]));
-    }
-    return worst;
-}
-
-/* The loop rows' Jacobian without the column that is held, factored. */
-static int factor_without(pm_workspace *w, int held, const double *jacobian)
-{
-    pm_tree *t = w->tree;
-    const int n = t->nloop;
-    for (int i = 0; i < n; i++) {
-        memcpy(t->jacobian + i * n, jacobian + i * t->n, (size_t)held * sizeof *jacobian);
-        memcpy(t->jacobian + i * n + held, jacobian + i * t->n + held + 1,
-               (size_t)(n - held) * sizeof *jacobian);
-    }
-    return pm_lu_factor(n, t->jacobian, t->pivot) ? pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0) : PM_OK;
-}
-
-int pm_tree_close(pm_workspace *w, double *y, int held, double *q, double *jacobian)
-{
-    pm_tree *t = w->tree;
-    double worst = look(w, y, q, jacobian), before = INFINITY;
-    for (int sweep = 0; sweep < SWEEPS; sweep++) {
-        if (worst <= ROUNDING * w->size || (worst <= STALLED * w->size && worst > 0.25 * before))
-            return PM_OK;
-        const int status = factor_without(w, held, jacobian);
-        if (status) return status;
-        pm_lu_solve(t->nloop, t->jacobian, t->pivot, t->residual);
-        for (int k = 0, c = 0; k < t->n; k++)
-            if (k != held) y[k] += t->residual[c++];
-        before = worst;
-        worst = look(w, y, q, jacobian);
-    }
-    return pm_fail(w, PM_ASSEMBLY, PM_NONE, PM_NONE, worst, STALLED * w->size);
-}
-
-int pm_tree_slope(pm_workspace *w, int held, const double *jacobian, double *slope)
-{
-    pm_tree *t = w->tree;
-    const int status = factor_without(w, held, jacobian);
-    if (status) return status;
-    for (int i = 0; i < t->nloop; i++) t->residual[i] = -jacobian[i * t->n + held];
-    pm_lu_solve(t->nloop, t->jacobian, t->pivot, t->residual);
-    for (int k = 0, c = 0; k < t->n; k++) slope[k] = k == held ? 1 : t->residual[c++];
-    return PM_OK;
 }

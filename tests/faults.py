@@ -216,6 +216,24 @@ FAULTS = [
     Fault(
         "tree: reactions of children are forgotten", "tree_dynamics.c", "to[1] += wrench[1];", "to[1] += 0;"
     ),
+    Fault(
+        "tree: partitioned, without the quadratic part",
+        "tree_partition.c",
+        "row->gamma - pm_saddle_times(w, row, a)",
+        "-pm_saddle_times(w, row, a)",
+    ),
+    Fault(
+        "tree: partitioned, a rate of the wrong sign",
+        "tree_partition.c",
+        "t->residual[i] = -jacobian[i * t->n + independent]",
+        "t->residual[i] = jacobian[i * t->n + independent]",
+    ),
+    Fault(
+        "tree: partitioned, reactions of other rows",
+        "tree_partition.c",
+        "pm_lu_solve_transposed(t->nloop",
+        "pm_lu_solve(t->nloop",
+    ),
     # trees
     Fault(
         "tree: the other side of a line",
@@ -237,7 +255,7 @@ FAULTS = [
     ),
     Fault(
         "tree: sign of a loop row's step",
-        "tree_rates.c",
+        "tree_partition.c",
         "t->residual[i] = -w->row[t->loop[i]].g",
         "t->residual[i] = w->row[t->loop[i]].g",
     ),

@@ -1,0 +1,307 @@
+/* tree_partition.c - few freedoms: the loop rows tell all coordinates but some independent ones (coordinate partitioning:
+ * Wehage and Haug, J. Mech. Des. 104, 1982).
+ *
+ * With y = (u, v), u independent, v dependent, and J = (J_u, J_v) the loop rows' Jacobian:
+ *   g(u, v) = 0     J_v vdot = w - J_u udot     J_v vddot = gamma - G c - J_u uddot
+ *   N^T M N uddot = N^T (f - M a_0)             N = B (1; -J_v^-1 J_u),  a_0 the accelerations at uddot = 0
+ *   J_v^T l = (B^T (M a - f))_v
+ * w what drives prescribe, B and c as in tree_dynamics.c.  Where the rank of J falls at one place (a dead centre, the flat
+ * parallelogram) N stays bounded along the branch, and rounding is amplified by the distance only, not by its square. */
+#include <math.h>
+#include <string.h>
+
+#include "body.h"
+#include "dense.h"
+#include "force.h"
+#include "row.h"
+#include "saddle.h"
+#include "tree.h"
+#include "tree_node.h"
+
+#define SWEEPS 20
+#define ROUNDING 4e-15 /* of the scene's size: loop rows are met */
+#define FINEST 4e-16   /* of size and speed: near a singular position what is left is amplified */
+#define STALLED 1e-12  /* of the scene's size: met, as far as far-off coordinates allow */
+#define CLOSE 1e-8     /* of the size: a correction of positions this small leaves the factors as they are */
+#define RANK 1e-9      /* of the greatest pivot: below it rows depend on each other */
+#define MANY 12        /* loop rows */
+#define FLAT 0.01      /* square of the independent part of a loop row */
+#define STEEP 5        /* rate of a dependent coordinate over that of an independent one */
+
+static double scale_of(const pm_workspace *w, int coordinate)
+{
+    return pm_tree_is_angle(w, coordinate) ? 1 : w->size;
+}
+
+void pm_tree_hold(pm_workspace *w, int held)
+{
+    pm_tree *t = w->tree;
+    for (int k = 0, c = 0; k < t->n; k++)
+        if (k != held) t->column[c++] = k;
+    t->column[t->n - 1] = held;
+}
+
+/* Moves the greatest entry of what is left of a[nloop][n] to its pivot i; rows and columns before i are done. */
+static double find_pivot(pm_tree *t, double *a, int i)
+{
+    const int n = t->n;
+    int at_row = i, at_column = i;
+    for (int r = i; r < t->nloop; r++)
+        for (int k = i; k < n; k++)
+            if (fabs(a[r * n + t->column[k]]) > fabs(a[at_row * n + t->column[at_column]])) {
+                at_row = r;
+                at_column = k;
+            }
+    const int swap = t->column[i];
+    t->column[i] = t->column[at_column];
+    t->column[at_column] = swap;
+    for (int k = 0; k < n && at_row != i; k++) {
+        const double x = a[i * n + k];
+        a[i * n + k] = a[at_row * n + k];
+        a[at_row * n + k] = x;
+    }
+    return a[i * n + t->column[i]];
+}
+
+/* Elimination with full pivoting: the pivots' columns are the dependent ones. */
+static int choose(pm_workspace *w)
+{
+    pm_tree *t = w->tree;
+    const int n = t->n;
+    double *a = t->reduced, greatest = 0;
+    pm_tree_loops(w, a);
+    for (int i = 0; i < t->nloop; i++)
+        for (int k = 0; k < n; k++) a[i * n + k] *= scale_of(w, k);
+    for (int k = 0; k < n; k++) t->column[k] = k;
+    for (int i = 0; i < t->nloop; i++) {
+        const double pivot = find_pivot(t, a, i);
+        greatest = fmax(greatest, fabs(pivot));
+        if (!(fabs(pivot) > RANK * greatest)) return 0;
+        for (int r = i + 1; r < t->nloop; r++) {
+            const double factor = a[r * n + t->column[i]] / pivot;
+            if (factor == 0) continue;
+            for (int k = i; k < n; k++) a[r * n + t->column[k]] -= factor * a[i * n + t->column[k]];
+        }
+    }
+    return 1;
+}
+
+void pm_tree_partition(pm_workspace *w)
+{
+    pm_tree *t = w->tree;
+    if (t->nloop == 0 || t->nloop >= t->n || t->n - t->nloop > PM_TREE_FEW) return;
+    memcpy(t->pivot, t->column, (size_t)t->n * sizeof *t->column);
+    if (choose(w)) {
+        t->few = 1;
+        t->steepest = 0;
+    } else {
+        memcpy(t->column, t->pivot,
+               (size_t)t->n * sizeof *t->column); /* singular here: what was chosen stays */
+    }
+}
+
+int pm_tree_is_steep(const pm_workspace *w) { return w->tree->few && w->tree->steepest > STEEP; }
+
+int pm_tree_is_flat(const pm_workspace *w)
+{
+    const pm_tree *t = w->tree;
+    return !t->few && t->nloop > 0 && (t->independence < FLAT || t->nloop > MANY);
+}
+
+static int factor_dependent(pm_workspace *w, const double *jacobian)
+{
+    pm_tree *t = w->tree;
+    const int n = t->nloop;
+    for (int i = 0; i < n; i++)
+        for (int c = 0; c < n; c++) t->jacobian[i * n + c] = jacobian[i * t->n + t->column[c]];
+    return pm_lu_factor(n, t->jacobian, t->pivot) ? pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0) : PM_OK;
+}
+
+/* y of the dependent coordinates += J_v^-1 residual. */
+static void correct(const pm_tree *t, double *y)
+{
+    pm_lu_solve(t->nloop, t->jacobian, t->pivot, t->residual);
+    for (int c = 0; c < t->nloop; c++) y[t->column[c]] += t->residual[c];
+}
+
+/* Residuals of the evaluated loop rows; the worst. */
+static double read_residuals(const pm_workspace *w)
+{
+    const pm_tree *t = w->tree;
+    double worst = 0;
+    for (int i = 0; i < t->nloop; i++) {
+        t->residual[i] = -w->row[t->loop[i]].g;
+        worst = fmax(worst, fabs(t->residual[i]));
+    }
+    return worst;
+}
+
+static double read_rate_residuals(const pm_workspace *w, const double *v)
+{
+    const pm_tree *t = w->tree;
+    double worst = 0;
+    for (int i = 0; i < t->nloop; i++) {
+        const pm_row *row = &w->row[t->loop[i]];
+        t->residual[i] = row->rate - pm_saddle_times(w, row, v);
+        worst = fmax(worst, fabs(t->residual[i]));
+    }
+    return worst;
+}
+
+/* ---- positions alone ---- */
+/* Places the bodies and evaluates the loop rows; their greatest residual. */
+static double place(pm_workspace *w, const double *y, double *q, double *jacobian)
+{
+    pm_tree_place(w, w->state.memory, y, q);
+    if (w->tree->nloop == 0) return 0;
+    pm_tree_loops(w, jacobian);
+    return read_residuals(w);
+}
+
+int pm_tree_close(pm_workspace *w, double *y, double *q, double *jacobian)
+{
+    double worst = place(w, y, q, jacobian), before = INFINITY;
+    for (int sweep = 0; sweep < SWEEPS; sweep++) {
+        if (worst <= ROUNDING * w->size || (worst <= STALLED * w->size && worst > 0.25 * before))
+            return PM_OK;
+        const int status = factor_dependent(w, jacobian);
+        if (status) return status;
+        correct(w->tree, y);
+        before = worst;
+        worst = place(w, y, q, jacobian);
+    }
+    return pm_fail(w, PM_ASSEMBLY, PM_NONE, PM_NONE, worst, STALLED * w->size);
+}
+
+/* Rates of all coordinates at a unit rate of an independent one; the factors are there. */
+static void slope_of(const pm_tree *t, int independent, const double *jacobian, double *slope)
+{
+    memset(slope, 0, (size_t)t->n * sizeof *slope);
+    slope[independent] = 1;
+    for (int i = 0; i < t->nloop; i++) t->residual[i] = -jacobian[i * t->n + independent];
+    correct(t, slope);
+}
+
+int pm_tree_slope(pm_workspace *w, const double *jacobian, double *slope)
+{
+    const int status = factor_dependent(w, jacobian);
+    if (!status) slope_of(w->tree, w->tree->column[w->tree->nloop], jacobian, slope);
+    return status;
+}
+
+/* ---- motion ---- */
+static double look(pm_workspace *w, double time, const double *y, const double *ydot, const double *z)
+{
+    pm_tree *t = w->tree;
+    pm_tree_look(w, time, y, ydot, z);
+    for (int i = 0; i < t->nloop; i++) {
+        pm_row *row = &w->row[t->loop[i]];
+        pm_row_kind(row->kind)->evaluate(w, row);
+    }
+    return read_residuals(w);
+}
+
+/* The Jacobian of the evaluated loop rows, and the factors of its dependent part. */
+static int factor_here(pm_workspace *w)
+{
+    pm_tree *t = w->tree;
+    pm_tree_influence(w);
+    memset(t->loops, 0, (size_t)t->nloop * (size_t)t->n * sizeof *t->loops);
+    for (int i = 0; i < t->nloop; i++) pm_tree_loop_row(w, &w->row[t->loop[i]], t->loops + i * t->n);
+    return factor_dependent(w, t->loops);
+}
+
+int pm_tree_settle(pm_workspace *w, double time, double *y, double *ydot, const double *z)
+{
+    const pm_tree *t = w->tree;
+    double worst = look(w, time, y, ydot, z), before = INFINITY;
+    for (int sweep = 0; sweep < SWEEPS; sweep++) {
+        const int met = worst <= FINEST * w->size || (worst <= STALLED * w->size && worst > 0.25 * before);
+        if (met && read_rate_residuals(w, t->v) <= FINEST * w->speed) return PM_OK;
+        if (met && sweep > 0 && before <= CLOSE * w->size) { /* the factors are those of this place */
+            correct(t, ydot);
+            look(w, time, y, ydot, z);
+            return PM_OK;
+        }
+        const int status = factor_here(w);
+        if (status) return status;
+        read_residuals(w);
+        correct(t, y);
+        read_rate_residuals(w, t->v);
+        correct(t, ydot);
+        before = worst;
+        worst = look(w, time, y, ydot, z);
+    }
+    return pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, worst, STALLED * w->size); /* a shorter step may do */
+}
+
+/* J_v yddot_v = gamma - G a, a the accelerations at yddot as given. */
+static void follow(pm_workspace *w, double *yddot, double *a)
+{
+    pm_tree *t = w->tree;
+    pm_tree_spread_accelerations(w, yddot, a);
+    for (int i = 0; i < t->nloop; i++) {
+        const pm_row *row = &w->row[t->loop[i]];
+        t->residual[i] = row->gamma - pm_saddle_times(w, row, a);
+    }
+    correct(t, yddot);
+    pm_tree_spread_accelerations(w, yddot, a);
+}
+
+static double inertia_of(const pm_workspace *w, int i)
+{
+    return i % 3 < 2 ? w->mass[i / 3] : pm_body_inertia(w, i / 3);
+}
+
+int pm_tree_accelerate_few(pm_workspace *w, double *yddot)
+{
+    pm_tree *t = w->tree;
+    const int nq = w->model->nq, few = t->n - t->nloop;
+    double mass[PM_TREE_FEW * PM_TREE_FEW], force[PM_TREE_FEW], *a = w->frame.a;
+    int status = factor_here(w);
+    if (status) return status;
+    pm_force_all(w);
+    memset(yddot, 0, (size_t)t->n * sizeof *yddot);
+    follow(w, yddot, a);
+    t->steepest = 0;
+    for (int k = 0; k < few; k++) {
+        double *v = t->motion + k * nq;
+        const int own = t->column[t->nloop + k];
+        slope_of(t, own, t->loops, t->rate);
+        for (int c = 0; c < t->nloop; c++)
+            t->steepest =
+                fmax(t->steepest, fabs(t->rate[t->column[c]]) * scale_of(w, own) / scale_of(w, t->column[c]));
+        pm_tree_spread(w, t->rate, v);
+        force[k] = 0;
+        for (int i = 0; i < nq; i++) force[k] += v[i] * (w->frame.f[i] - inertia_of(w, i) * a[i]);
+        for (int l = 0; l <= k; l++) {
+            const double *other = t->motion + l * nq;
+            double sum = 0;
+            for (int i = 0; i < nq; i++) sum += v[i] * inertia_of(w, i) * other[i];
+            mass[k * few + l] = sum;
+        }
+    }
+    if (pm_cholesky_factor(few, mass)) return pm_fail(w, PM_SINGULAR, PM_TABLE_BODY, 0, 0, 0);
+    pm_cholesky_solve(few, mass, force);
+    memset(yddot, 0, (size_t)t->n * sizeof *yddot);
+    for (int k = 0; k < few; k++) yddot[t->column[t->nloop + k]] = force[k];
+    follow(w, yddot, a);
+    return PM_OK;
+}
+
+void pm_tree_react_loops(pm_workspace *w)
+{
+    pm_tree *t = w->tree;
+    memset(t->rate, 0, (size_t)t->n * sizeof *t->rate);
+    for (int i = 0; i < w->model->nbody; i++) {
+        const pm_tree_node *x = &t->node[i];
+        const double *needed = t->wrench + 3 * x->body;
+        for (int k = x->list; k < x->list + x->nlist; k++) {
+            const double *b = t->influence + 3 * k;
+            t->rate[t->moved_by[k]] += b[0] * needed[0] + b[1] * needed[1] + b[2] * needed[2];
+        }
+    }
+    for (int c = 0; c < t->nloop; c++) t->residual[c] = t->rate[t->column[c]];
+    pm_lu_solve_transposed(t->nloop, t->jacobian, t->pivot, t->residual);
+    for (int i = 0; i < t->nloop; i++) w->frame.lambda[t->loop[i]] = t->residual[i];
+}
