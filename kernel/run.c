@@ -53,11 +53,16 @@ static void set_speed_scale(pm_workspace *w)
     if (w->speed == 0) w->speed = w->size; /* nothing acts, nothing moves */
 }
 
-static void open_ledger(pm_workspace *w)
+static int open_ledger(pm_workspace *w)
 {
-    for (int i = 0; i < w->model->rows[PM_TABLE_FORCE]; i++)
-        w->force_energy_start[i] = pm_force_action(w, i).energy;
+    for (int i = 0; i < w->model->rows[PM_TABLE_FORCE]; i++) {
+        const pm_action x = pm_force_action(w, i);
+        const double size = hypot(hypot(x.force[0], x.force[1]), x.couple);
+        if (!isfinite(size)) return pm_fail(w, PM_BAD_VALUE, PM_TABLE_FORCE, i, size, INFINITY);
+        w->force_energy_start[i] = x.energy;
+    }
     pm_audit_begin(w);
+    return PM_OK;
 }
 
 int pm_run_start(pm_workspace *w, const double *param, pm_start_report *report)
@@ -65,7 +70,7 @@ int pm_run_start(pm_workspace *w, const double *param, pm_start_report *report)
     int status = begin_case(w, param, report);
     if (status) return status;
     set_speed_scale(w);
-    open_ledger(w);
+    if ((status = open_ledger(w))) return status;
     pm_frame_look_state(w, &w->state);
     w->kinematic = pm_plan_kinematic(w);
     status = pm_active_build(w);

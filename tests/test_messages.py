@@ -391,6 +391,11 @@ FAULTS = [
     ("ask.a = {}", "ask.a: one of of, max, min is wanted"),
     ('start.AB.speed = "3 m/s"', 'start.AB.speed = "3 m/s": it cannot be given at the start'),
     ('forces.f = { force = "AB.B", value = ["(3 N/m)*AB.x", 0] }', "only parameters can stand here"),
+    ('forces.f = { couple = "AB", power = "3 N" }', 'forces.f.power = "3 N": a power (mass*length^2/time^3'),
+    (
+        'forces.f = { couple = "AB", power = "3 W", value = "1 N*m" }',
+        "forces.f.power: give power or value, not both",
+    ),
 ]
 
 NOT_BUILT = [
@@ -399,7 +404,6 @@ NOT_BUILT = [
     ('couplings.c = { cord = ["disk.rim cw", "P"], slips = ["disk.rim"] }', "couplings.c.slips"),
     ('joints.A = { pin = ["AB.A", "ground"], friction = "1 N*m" }', "joints.A.friction"),
     ('contacts.c = { table = ["P"] }', "contacts.c.table"),
-    ('forces.f = { couple = "AB", power = "3 W" }', "forces.f.power"),
     ('forces.f = { couple = "AB", value = { over = "t", at = [0], values = [0] } }', "forces.f.value"),
     ('events.e = { when = "start", do = [] }', "events.e.do"),
     ('start.AB.omega = "~3 rad/s"', 'start.AB.omega = "~3 rad/s"'),

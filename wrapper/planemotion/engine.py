@@ -292,6 +292,8 @@ _DESCRIPTIONS: dict[int, Any] = {
     ),
     layout.PM_BAD_VALUE: lambda place, found, bound: (
         f"{place or 'a value'}: it is {found:.6g} (SI); the bound is {bound:.6g}"
+        if math.isfinite(bound)
+        else f"{place}: it is {found:.6g} at the start; a force is finite, and a power needs a motion"
     ),
     layout.PM_ASSEMBLY: _open_joint,
     layout.PM_START_CONFLICT: lambda place, found, bound: (

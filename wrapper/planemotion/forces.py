@@ -14,8 +14,8 @@ from .parameters import Reader
 from .partners import Partner, drawn_pair, pairs, partner, point_pair
 from .scene import Force, Value, Vector
 from .tables import Tables
-from .timed import over_time
-from .units import DAMPING, DIMENSIONLESS, FORCE, LENGTH, MOMENT, STIFFNESS, TIME, Dimension
+from .timed import empty_measure, over_time
+from .units import DAMPING, DIMENSIONLESS, FORCE, LENGTH, MOMENT, POWER, STIFFNESS, TIME, Dimension
 
 ROTARY_DAMPING = MOMENT * TIME
 _ROTARY = (layout.PM_FORCE_TORSION, layout.PM_FORCE_ROTARY_DAMPER, layout.PM_FORCE_COUPLE)
@@ -111,17 +111,23 @@ class Forces:
         point = partner(self.drawing, force.force, f"{path}.force", "point")
         if point.owner == GROUND:
             raise SceneError("a point of a body is wanted", path=point.where, value=force.force)
-        if not isinstance(force.value, Vector):
-            raise SceneError("a vector is wanted: [x, y] or { polar = [size, angle] }", path=f"{path}.value")
-        axes = GROUND
-        if force.turns_with is not None:
-            axes = self._body(force.turns_with, f"{path}.turns_with")
-        x, y = self.reader.vector(force.value, f"{path}.value", FORCE, self._over_time)
         row[layout.PM_FORCE_KIND] = layout.PM_FORCE_APPLIED
         row[layout.PM_FORCE_A] = self.drawing.point(point.ref)
+        axes = GROUND
+        if force.power is not None:
+            key = "power"
+            x, y = self._along_the_motion(force, path, row[layout.PM_FORCE_A])
+        else:
+            key = "value"
+            if not isinstance(force.value, Vector):
+                reason = "a vector is wanted: [x, y] or { polar = [size, angle] }"
+                raise SceneError(reason, path=f"{path}.value")
+            if force.turns_with is not None:
+                axes = self._body(force.turns_with, f"{path}.turns_with")
+            x, y = self.reader.vector(force.value, f"{path}.value", FORCE, self._over_time)
         row[layout.PM_FORCE_B] = self.drawing.body_index(axes)
-        row[layout.PM_FORCE_PROGRAM_X] = self.tables.program(x, f"{path}.value")
-        row[layout.PM_FORCE_PROGRAM_Y] = self.tables.program(y, f"{path}.value")
+        row[layout.PM_FORCE_PROGRAM_X] = self.tables.program(x, f"{path}.{key}")
+        row[layout.PM_FORCE_PROGRAM_Y] = self.tables.program(y, f"{path}.{key}")
         return (point.owner,)
 
     def _couple(self, force: Force, path: str, row: dict[int, int]) -> tuple[str, ...]:
@@ -131,16 +137,53 @@ class Forces:
             owners: tuple[str, ...] = (self._body(force.couple, where),)
         else:
             owners = self._bodies(force.couple, where)
-        if force.value is None or isinstance(force.value, Vector):
-            raise SceneError(
-                "a number is wanted: the couple, counterclockwise positive", path=f"{path}.value"
-            )
-        value = self._over_time(force.value, f"{path}.value", MOMENT)
+        if force.power is not None:
+            key = "power"
+            value = self._power(force, path) / self._spin(owners, f"{path}.power")
+        elif force.value is None or isinstance(force.value, Vector):
+            reason = "a number is wanted: the couple, counterclockwise positive"
+            raise SceneError(reason, path=f"{path}.value")
+        else:
+            key = "value"
+            value = self._over_time(force.value, f"{path}.value", MOMENT)
         row[layout.PM_FORCE_KIND] = layout.PM_FORCE_COUPLE
         row[layout.PM_FORCE_A] = self.drawing.body_index(owners[0])
         row[layout.PM_FORCE_B] = self.drawing.body_index(owners[1] if len(owners) > 1 else GROUND)
-        row[layout.PM_FORCE_PROGRAM_X] = self.tables.program(value, f"{path}.value")
+        row[layout.PM_FORCE_PROGRAM_X] = self.tables.program(value, f"{path}.{key}")
         return owners
+
+    # ---- of given power ----
+
+    def _power(self, force: Force, path: str) -> Node:
+        """What does this work in each second: it goes the way of the motion, or against it (power < 0)."""
+        assert force.power is not None
+        for key in ("value", "turns_with"):
+            if getattr(force, key) is not None:
+                raise SceneError(f"give power or {key}, not both", path=f"{path}.power")
+        return self._over_time(force.power, f"{path}.power", POWER)
+
+    def _along_the_motion(self, force: Force, path: str, point: int) -> tuple[Node, Node]:
+        """P v / v^2."""
+        power, where = self._power(force, path), f"{path}.power"
+        parts = (layout.PM_PART_X, layout.PM_PART_Y)
+        x, y = (self._measure(layout.PM_MEASURE_VELOCITY, point, where, part) for part in parts)
+        size = x * x + y * y
+        return power * x / size, power * y / size
+
+    def _spin(self, owners: tuple[str, ...], where: str) -> Node:
+        """The spin of the first body relative to the second."""
+        spins = [
+            self._measure(layout.PM_MEASURE_OMEGA, self.drawing.body_index(owner), where)
+            for owner in owners
+            if owner != GROUND
+        ]
+        if owners[0] == GROUND:
+            return -spins[0]
+        return spins[0] if len(spins) == 1 else spins[0] - spins[1]
+
+    def _measure(self, kind: int, a: int, where: str, part: int = layout.PM_PART_NONE) -> Node:
+        row = empty_measure(kind) | {layout.PM_MEASURE_A: a, layout.PM_MEASURE_PART: part}
+        return self.tables.measure_leaf(row, where)
 
     # ---- reading ----
 

@@ -207,6 +207,7 @@ class Force(Element):
     only: Literal["push", "pull"] | None = None
     rate: Number | None = None
     value: Annotated[Value | Vector, BeforeValidator(read_value_or_vector)] | None = None
+    power: Number | None = None
     turns_with: Text | None = None
 
     @property

@@ -21,13 +21,13 @@ def over_time(reader: Reader, tables: Tables, written: Value, where: str, wanted
     node = reader.number_of(written, where, wanted, resolve)
     if Name("t") not in names(node):
         return node
-    time = tables.measure_leaf(time_row(), where)
+    time = tables.measure_leaf(empty_measure(layout.PM_MEASURE_TIME), where)
     return substitute(node, lambda leaf: time if leaf == Name("t") else leaf)
 
 
-def time_row() -> dict[int, int]:
-    """The measure of time, whose other columns are empty."""
+def empty_measure(kind: int) -> dict[int, int]:
+    """A row of the measure table of which nothing but the kind is said."""
     row = dict.fromkeys(range(layout.PM_MEASURE_COLUMNS), layout.PM_NONE)
-    row[layout.PM_MEASURE_KIND] = layout.PM_MEASURE_TIME
+    row[layout.PM_MEASURE_KIND] = kind
     row[layout.PM_MEASURE_PART] = layout.PM_PART_NONE
     return row

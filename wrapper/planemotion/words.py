@@ -57,8 +57,8 @@ KINDS: dict[str, dict[str, tuple[str, ...]]] = {
         "spring": ("stiffness", "free_length", "only"),
         "torsion": ("stiffness", "free_angle"),
         "damper": ("rate",),
-        "force": ("value", "turns_with"),
-        "couple": ("value",),
+        "force": ("value", "power", "turns_with"),
+        "couple": ("value", "power"),
     },
 }
 NOT_BUILT_KINDS: dict[str, dict[str, str]] = {
@@ -72,8 +72,6 @@ NOT_BUILT_OPTIONS: dict[str, dict[str, str]] = {
     "pin": {"friction": "friction of a bearing"},
     "slider": {"friction": "friction of a slider"},
     "slot": {"friction": "friction of a slot"},
-    "force": {"power": "a force of given power"},
-    "couple": {"power": "a couple of given power"},
 }
 SINGULAR = {"joints": "joint", "couplings": "coupling", "contacts": "contact", "forces": "force"}
 
