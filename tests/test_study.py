@@ -657,3 +657,18 @@ def test_a_million_cases_stay_below_500_megabytes(tmp_path):
     with xr.open_dataset(tmp_path / "fake.h5", engine="h5netcdf") as data:
         assert data.status.shape == (2000, 500)
         assert float(data["sum"][-1, -1]) == (6 * 0.0254 + 5) / 0.3048
+
+
+ZIPPED = {"m": ["1 kg", "-1 kg"], "b": ["10 in", "1 ft"], "zip": [["m", "b"]]}
+
+
+@pytest.mark.parametrize("grids", [{"m": ["1 kg", "-1 kg", "2 kg"]}, ZIPPED])
+def test_in_memory_as_in_the_file(grids, tmp_path):
+    """A sweep without a folder gives what one with a folder leaves: values, names, attributes."""
+    scene = planemotion.load_text(PENDULUM)
+    scene.raw["sweep"] = grids
+    in_memory, from_file = scene.sweep(), scene.sweep(out=tmp_path).load()
+    for data in (in_memory, from_file):
+        for name in ("created", "elapsed_seconds"):
+            del data.attrs[name]
+    xr.testing.assert_identical(in_memory, from_file)

@@ -130,8 +130,8 @@ def cases(quick: bool) -> Table:
         "Growth with the number of cases, and what Python adds to a sweep",
         ("cases", "kernel ms", "kernel us per case", "sweep ms", "overhead ms", "overhead us per case"),
         text="Rolling collar, all asks, default route, one thread: `engine.run_cases`, and `Scene.sweep` "
-        "without a folder for the same cases (it writes HDF5 and CSV and reads them back); CPU time, the "
-        "scene already read. Overhead: sweep less kernel.",
+        "without a folder for the same cases, which gives an xarray.Dataset in memory; CPU time, the scene "
+        "already read. Overhead: sweep less kernel.",
     )
     scene = planemotion.load(STUDIES / "rolling_collar.toml")
     flat = flat_of(scene, tuple(scene.raw["ask"]), {})

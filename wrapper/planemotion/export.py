@@ -29,7 +29,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import h5py
 import numpy as np
@@ -37,7 +37,11 @@ import numpy.typing as npt
 
 from ._layout import PM_TRUST_EXCESS, PM_TRUST_MARGIN, pm_audit, pm_reason, pm_route, pm_status
 from .errors import StudyError
+from .memory import MemoryFile
 from .store import Block, Floats, Singles, appearing
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 # Cases, and numbers, that are turned into text at once.
 _TABLE_CASES = 65536
@@ -163,12 +167,24 @@ def write_result(path: Path, layout: Layout, blocks: Iterable[Block], attributes
 
     with _CarefulFile(path) as target:
         with h5netcdf.File(target, "w") as file:
-            _declare(file, layout)
-            summary = _write_blocks(file, layout, target.checked(blocks))
-            parameters = " ".join(coordinate.name for coordinate in layout.coordinates)
-            for name, value in {**attributes, **summary, "parameters": parameters}.items():
-                file.attrs[name] = value
+            _write(file, layout, target.checked(blocks), attributes)
         target.check()
+
+
+def dataset(layout: Layout, blocks: Iterable[Block], attributes: Mapping[str, Any]) -> xr.Dataset:
+    """What `xarray.load_dataset` reads from the file that `write_result` makes of the same."""
+    file = MemoryFile()
+    _write(file, layout, blocks, attributes)
+    return file.dataset()
+
+
+def _write(file: Any, layout: Layout, blocks: Iterable[Block], attributes: Mapping[str, Any]) -> None:
+    """Fills an empty h5netcdf.File or MemoryFile."""
+    _declare(file, layout)
+    summary = _write_blocks(file, layout, blocks)
+    parameters = " ".join(coordinate.name for coordinate in layout.coordinates)
+    for name, value in {**attributes, **summary, "parameters": parameters}.items():
+        file.attrs[name] = value
 
 
 class _CarefulFile(io.FileIO):

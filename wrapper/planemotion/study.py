@@ -13,7 +13,6 @@ import json
 import math
 import os
 import re
-import tempfile
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -28,9 +27,10 @@ import numpy.typing as npt
 from . import engine
 from ._layout import PM_AUDITS, PM_COUNT_ROUTE, PM_OK, PM_TRUST_EXCESS, PM_TRUST_MARGIN, PM_TRUSTS
 from .errors import SceneError, StudyError
-from .export import RESERVED_NAMES, AskVariable, Coordinate, Layout, write_csv, write_result
+from .export import RESERVED_NAMES, AskVariable, Coordinate, Layout, dataset, write_csv, write_result
 from .flatten import FlatScene, flatten
 from .grids import read_grid
+from .memory import MemoryStore
 from .parameters import Parameters
 from .scene import Ask, At, SceneData, Value
 from .store import CHECKSUMS, Block, Floats, Singles, SweepStore
@@ -469,7 +469,7 @@ class _Pacer:
                 first += size
 
 
-def _fill(store: SweepStore, study: _Study, progress: Progress) -> None:
+def _fill(store: SweepStore | MemoryStore, study: _Study, progress: Progress) -> None:
     """Computes what is missing: each chunk while the one before it is being stored."""
     pacer = _Pacer(study.workers, study.max_chunk)
     computed: tuple[int, Block] | None = None
@@ -501,6 +501,16 @@ class SweepFiles:
     computed: int
 
 
+def _study_of(scene: Scene, workers: int | None) -> _Study:
+    if workers is not None and workers < 1:
+        raise StudyError(f"workers = {workers}: at least 1 is needed")
+    return _Study(scene, plan_sweep(scene), workers or len(os.sched_getaffinity(0)))
+
+
+def _nobody(done: int, total: int) -> None:
+    """Progress that is not shown."""
+
+
 def sweep_files(
     scene: Scene,
     out: str | os.PathLike[str],
@@ -518,16 +528,13 @@ def sweep_files(
     Raises SceneError (the scene cannot be swept), StudyError (the output cannot be used or written, or
     belongs to something else; nothing half-written stays) and SweepInterrupted (Ctrl-C).
     """
-    if workers is not None and workers < 1:
-        raise StudyError(f"workers = {workers}: at least 1 is needed")
-    plan = plan_sweep(scene)
-    study = _Study(scene, plan, workers or len(os.sched_getaffinity(0)))
-    folder = Path(out)
+    study = _study_of(scene, workers)
+    plan, folder = study.plan, Path(out)
     store = SweepStore(folder, _file_name(scene.data.id), plan.cases, study.manifest(), resume=resume)
     with store:
         missing = plan.cases - store.done
         try:
-            _fill(store, study, progress or (lambda done, total: None))
+            _fill(store, study, progress or _nobody)
             if not store.finished:
                 with store.finish() as path:
                     attributes = {**study.attributes(), "manifest": json.dumps(store.manifest)}
@@ -554,17 +561,16 @@ def run_sweep(
 ) -> xr.Dataset:
     """As `sweep_files`, but gives the labelled results: opened lazily from OUT/ID.h5 (its path is in
     `encoding["source"]`), or, without `out`, in memory, with no file left behind."""
-    import xarray as xr
-
     if out is not None:
+        import xarray as xr
+
         files = sweep_files(scene, out, workers=workers, resume=resume, progress=progress)
         return xr.open_dataset(files.result, engine="h5netcdf")
-    with tempfile.TemporaryDirectory(prefix="planemotion-") as folder:
-        try:
-            files = sweep_files(scene, folder, workers=workers, progress=progress)
-        except SweepInterrupted:
-            raise KeyboardInterrupt from None  # nothing of it is kept
-        return xr.load_dataset(files.result, engine="h5netcdf")
+    study = _study_of(scene, workers)
+    kept = MemoryStore(study.plan.cases)
+    _fill(kept, study, progress or _nobody)
+    attributes = {**study.attributes(), "manifest": json.dumps(study.manifest())}
+    return dataset(study.layout, kept.blocks, attributes)
 
 
 def _file_name(identity: str) -> str:
