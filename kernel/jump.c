@@ -37,6 +37,8 @@
 #define SPENT 1e-6 /* of the scene's speed: a rebound that cannot be seen and is slower than this is over */
 #define BLOWS_AT_ONCE 64
 #define GAINS 1e-10 /* of the energies that a blow turns over: rounding */
+#define NOTHING \
+    1e-14 /* of its impulses at the scene's speed: a blow that turns over no more is rounding itself */
 
 /* Heights are lost in the rounding of positions sooner the farther off the scene is: speeds by the root of it. */
 static double far_off(const pm_workspace *w) { return sqrt(pm_contact_reach(w) / w->size); }
@@ -339,18 +341,20 @@ static void set_modes(pm_workspace *w, const unsigned char *share, const int32_t
  * give, sum P (u + u')/2 relative to what drives prescribe. */
 static int gains(pm_workspace *w, const double *after)
 {
-    double given = 0, size = 0;
+    double given = 0, size = 0, nothing = 0;
     int contact = PM_NONE;
     for (int i = 0; i < w->nactive || w->row[i].normal != PM_NONE; i++) {
         const pm_row *row = &w->row[i];
-        if (row->slot == PM_NONE) continue;
+        if (row->slot == PM_NONE || w->slot_normal[row->slot] == PM_NONE) continue; /* captured: a joint */
         const double p = i < w->nactive ? w->rhs[i] : w->row[row->normal].slide * w->rhs[row->normal];
         const double before = rate_before(w, i), now = pm_saddle_times(w, row, after) - row->rate;
         given += 0.5 * p * (before + now);
         size += fabs(p * before) + fabs(p * now);
+        nothing += NOTHING * fabs(p) * w->speed;
         contact = pm_contact_of_slot(w->model, row->slot);
     }
-    return given <= GAINS * size ? PM_OK : pm_fail(w, PM_BLOW_GAINS, PM_TABLE_CONTACT, contact, given, 0);
+    return given <= GAINS * size + nothing ? PM_OK
+                                           : pm_fail(w, PM_BLOW_GAINS, PM_TABLE_CONTACT, contact, given, 0);
 }
 
 static int one_blow(pm_workspace *w, unsigned char *share, double *scratch)
