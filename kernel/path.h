@@ -24,6 +24,18 @@ enum pm_path_clock {
     PM_CLOCK_RESTS = 3   /* the step ends at rest: dt/du = g / sqrt(u1 - u) */
 };
 
+enum { PM_BRIDGE_PLACES = 12 };
+
+/* path_bridge.c: the branch next to a singular position, as polynomials of the driver. */
+typedef struct pm_bridge {
+    double centre, reach;          /* of the driver; reach 0: there is none */
+    int has_known;                 /* a place that the rows determine: the last one */
+    double known;                  /* its driver value */
+    double *known_y, *known_slope; /* [n] */
+    double *c;                     /* [PM_BRIDGE_PLACES][n] coefficients */
+    double *y, *slope, *bend;      /* [n] scratch: where the polynomial is read */
+} pm_bridge;
+
 typedef struct pm_path {
     int n;         /* tree coordinates of the phase */
     int driver;    /* the one that is the path parameter u */
@@ -41,6 +53,7 @@ typedef struct pm_path {
     double g[PM_NODES_MOST];     /* smooth part of dt/du at the nodes */
     double time[PM_NODES_MOST];  /* at the nodes */
     pm_place node[PM_NODES_MOST], spare;
+    pm_bridge bridge;
     double *loop;              /* [n][n] rows that the tree does not solve, on its coordinates */
     double *weight;            /* [nz_controlled] z at the begin of the step */
     double *work;              /* [nz_controlled] z somewhere in the step */
@@ -55,8 +68,8 @@ typedef struct pm_path {
 
 /* path_place.c: the place at driver value u; place->y holds a guess on entry. */
 int pm_path_place(pm_workspace *w, double u, pm_place *place);
-/* The place at the tree coordinates place->y, told by some rate. */
-void pm_path_look(pm_workspace *w, pm_place *place);
+/* The place at the tree coordinates place->y, told by some rate; PM_SINGULAR where the path has no direction. */
+int pm_path_look(pm_workspace *w, pm_place *place);
 /* Chooses the coordinate that moves most as driver, unless the present one still does, and tells the place by it. */
 int pm_path_drive(pm_workspace *w, pm_place *place);
 

@@ -10,10 +10,13 @@
 #include "body.h"
 #include "force.h"
 #include "path.h"
+#include "path_bridge.h"
+#include "row.h"
 #include "saddle.h"
 #include "tree.h"
 
-#define KEEP 0.3 /* of the fastest coordinate's rate: a driver this fast stays */
+#define KEEP 0.3  /* of the fastest coordinate's rate: a driver this fast stays */
+#define WEAK 3e-2 /* of the rows' natural size: pivots that leave slopes with rounding over its square */
 
 static double scale_of(const pm_workspace *w, int coordinate)
 {
@@ -84,6 +87,46 @@ static void measure_motion(pm_workspace *w, pm_place *place)
     place->potential = pm_body_weight_energy(w) + pm_force_potential(w);
 }
 
+/* What a loop row changes by when its coordinates do by their natural size. */
+static double row_size(const pm_workspace *w)
+{
+    for (int i = 0; i < w->tree->nloop; i++)
+        if (w->row[w->tree->loop[i]].kind == PM_ROW_ANGLE) return fmin(w->size, 1);
+    return w->size;
+}
+
+/* Do the loop rows determine the other coordinates well, going by the pivots of pm_tree_slope? */
+static int is_determined(const pm_workspace *w)
+{
+    const int n = w->tree->nloop;
+    const double weak = WEAK * row_size(w);
+    for (int i = 0; i < n; i++) {
+        const int column = w->tree->column[i];
+        if (!(fabs(w->tree->jacobian[i * n + i]) * scale_of(w, column) > weak)) return 0;
+    }
+    return 1;
+}
+
+/* Does the rank fall here, or nearly so, going by the pivots of null_vector? */
+static int rank_falls(const pm_workspace *w)
+{
+    const pm_path *p = w->path;
+    for (int i = 0; i < w->tree->nloop; i++) {
+        const int column = p->column[i];
+        if (!(fabs(p->loop[i * p->n + column]) * scale_of(w, column) > WEAK * row_size(w))) return 1;
+    }
+    return 0;
+}
+
+/* A place that the rows do not determine well with the driver kept: on a bridge, if no other driver would do. */
+static int place_on_bridge(pm_workspace *w, double u, pm_place *place, int status)
+{
+    pm_path *p = w->path;
+    if (status && status != PM_SINGULAR) return status;
+    null_vector(p, w->tree->nloop, p->bridge.y);
+    return rank_falls(w) ? pm_bridge_place(w, u, place) : status;
+}
+
 int pm_path_place(pm_workspace *w, double u, pm_place *place)
 {
     pm_path *p = w->path;
@@ -91,18 +134,24 @@ int pm_path_place(pm_workspace *w, double u, pm_place *place)
     pm_tree_hold(w, p->driver);
     int status = pm_tree_close(w, place->y, place->q, p->loop);
     if (!status) status = pm_tree_slope(w, p->loop, place->slope);
+    if (status || !is_determined(w))
+        status = place_on_bridge(w, u, place, status);
+    else if (w->tree->nloop > 0)
+        pm_bridge_determined(p, u, place);
     if (status) return status;
     measure_motion(w, place);
     return PM_OK;
 }
 
-void pm_path_look(pm_workspace *w, pm_place *place)
+int pm_path_look(pm_workspace *w, pm_place *place)
 {
     pm_path *p = w->path;
     pm_tree_place(w, w->state.memory, place->y, place->q);
     if (w->tree->nloop > 0) pm_tree_loops(w, p->loop);
     direction(w, place->slope);
+    if (w->tree->nloop > 0 && rank_falls(w)) return pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
     measure_motion(w, place);
+    return PM_OK;
 }
 
 /* The same motion, told by a unit rate of coordinate i. */
@@ -133,6 +182,7 @@ int pm_path_drive(pm_workspace *w, pm_place *place)
         return PM_OK;
     if (place->slope[best] < 0) p->sense = -p->sense;
     p->driver = best;
+    pm_bridge_forget(p);
     tell_by(w, place, best);
     return PM_OK;
 }

@@ -16,6 +16,7 @@
 #include "contact.h"
 #include "event.h"
 #include "path.h"
+#include "path_bridge.h"
 #include "path_error.h"
 #include "plan.h"
 #include "root.h"
@@ -60,14 +61,21 @@ static int create(pm_workspace *w)
     if (!p) return PM_NO_MEMORY;
     const size_t n = (size_t)nq, places = PM_NODES_MOST + 1;
     double *block = p->block =
-        calloc(places * (4 * n + (size_t)nz) + n * n + n + 2 * (size_t)nz + 1, sizeof *block);
+        calloc(places * (4 * n + (size_t)nz) + n * n + n + 2 * (size_t)nz + (5 + PM_BRIDGE_PLACES) * n + 1,
+               sizeof *block);
     if (!block) return PM_NO_MEMORY;
     for (int k = 0; k < PM_NODES_MOST; k++) block = carve(&p->node[k], block, nq, nz);
     block = carve(&p->spare, block, nq, nz);
     p->loop = block;
     p->work = p->loop + n * n;
     p->weight = p->work + nz;
-    p->column = (int *)(void *)(p->weight + nz);
+    p->bridge.known_y = p->weight + nz;
+    p->bridge.known_slope = p->bridge.known_y + n;
+    p->bridge.y = p->bridge.known_slope + n;
+    p->bridge.slope = p->bridge.y + n;
+    p->bridge.bend = p->bridge.slope + n;
+    p->bridge.c = p->bridge.bend + n;
+    p->column = (int *)(void *)(p->bridge.c + PM_BRIDGE_PLACES * n);
     return PM_OK;
 }
 
@@ -153,11 +161,11 @@ static int applies(pm_workspace *w)
     if (w->tree->n - w->tree->nloop != 1) return 0;
     p->n = w->tree->n;
     p->driver = PM_NONE;
+    pm_bridge_forget(p);
     p->sense = 1;
     pm_frame_look_state(w, &w->state);
     pm_tree_read(w, x->y);
-    pm_path_look(w, x);
-    if (pm_path_drive(w, x)) return 0;
+    if (pm_path_look(w, x) || pm_path_drive(w, x)) return 0;
     const double rate = rate_of(w, x, w->state.v);
     x->kinetic = 0.5 * x->mass * rate * rate;
     p->sense = rate > 0 ? 1 : -1;
@@ -580,6 +588,7 @@ const pm_route_ops pm_route_path = {
     .step = step,
     .at = at,
     .exact = exact,
+    .accelerate = pm_bridge_accelerate,
     .finds_roots = PM_ROOTS_NONE,
     .in_time = 0,
     .price = 2,

@@ -167,6 +167,7 @@ int pm_run(pm_workspace *w, const double *param)
     for (int i = 0; i < PM_AUDITS; i++) w->audit[i] = NAN;
     int status = pm_run_start(w, param, &report);
     if (!status) status = run_phases(w);
+    if (status == PM_SINGULAR && w->count[PM_COUNT_STEPS] > 0) status = PM_ENDS_SINGULAR;
     if (status > 0) status = end_early(w, status);
     if (!status) {
         pm_ask_end(w);

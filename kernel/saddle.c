@@ -8,6 +8,7 @@
 #include "body.h"
 #include "dense.h"
 #include "force.h"
+#include "route.h"
 #include "row.h"
 
 void pm_saddle_rows(pm_workspace *w)
@@ -144,6 +145,14 @@ double pm_saddle_times(const pm_workspace *w, const pm_row *row, const double *x
     return sum;
 }
 
+/* In a singular position a route that follows the motion by other means may know the accelerations. */
+static int from_route(pm_workspace *w)
+{
+    if (!w->route || !w->route->accelerate || !w->route->accelerate(w)) return 0;
+    w->where = (pm_where){PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
+    return 1;
+}
+
 int pm_saddle_accelerate(pm_workspace *w)
 {
     pm_frame *f = &w->frame;
@@ -152,7 +161,7 @@ int pm_saddle_accelerate(pm_workspace *w)
     if (w->nactive > 0) {
         pm_saddle_rows(w);
         const int status = pm_saddle_factor(w);
-        if (status) return status;
+        if (status) return from_route(w) ? PM_OK : status;
         for (int i = 0; i < w->nactive; i++)
             w->rhs[i] = w->row[i].gamma - pm_saddle_times(w, &w->row[i], f->a);
         pm_saddle_solve(w);

@@ -14,6 +14,7 @@ static const char *text_of(enum pm_status status)
     case PM_STAYS_AT_REST: return "everything is at rest and stays so; the end of the run cannot come";
     case PM_FIND_SEVERAL: return "several values were found; the answers are those of the first";
     case PM_FIND_AT_BOUND: return "what is sought lies at a bound";
+    case PM_ENDS_SINGULAR: return "a singular position was reached before the end of the run";
     case PM_UNDECIDED: return "the errors of the run might have changed a decision on the way";
     case PM_BAD_TABLE: return "the scene's tables are inconsistent";
     case PM_NO_MEMORY: return "out of memory";

@@ -184,6 +184,14 @@ FAULTS = [
         "e->main->status = PM_UNDECIDED",
         "e->main->status = PM_OK",
     ),
+    # singular positions
+    Fault(
+        "path: nothing is bridged",
+        "path_place.c",
+        "return rank_falls(w) ? pm_bridge_place",
+        "return 0 ? pm_bridge_place",
+    ),
+    Fault("path: the bridge's own curvature", "path_bridge.c", "momentum += m * tangent[i] * f->v[i];", ";"),
     # tree coordinates
     Fault(
         "tree: bias of a mark",

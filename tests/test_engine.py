@@ -5,11 +5,12 @@ from __future__ import annotations
 import json
 import math
 import threading
+from pathlib import Path
 
 import numpy as np
 import pytest
 
-from planemotion import SceneError, SimulationError, load_text
+from planemotion import SceneError, SimulationError, load, load_text
 from planemotion import _layout as layout
 from planemotion.engine import check, message, run_cases, status_name, status_text, trace, values
 from planemotion.flatten import flatten
@@ -24,6 +25,9 @@ bodies.C = { disk = "0.2 m", mass = "1 kg", at = "AB.B" }
 joints = { A = { pin = ["AB.A", "ground"] }, B = { pin = ["C.center", "AB.B"] } }
 start = { C.omega = "3 rad/s", AB.omega = "-1 rad/s" }
 """  # noqa: E501
+
+
+STUDIES = Path(__file__).parent.parent / "studies"
 
 
 def answers(asks: dict[str, str], text: str = PENDULUM) -> dict[str, float]:
@@ -440,3 +444,15 @@ def test_an_accuracy_that_cannot_be_kept_is_told() -> None:
     assert result.ok
     assert result.excess > 1
     assert result.notes[0].startswith("solve.accuracy was not reached")
+
+
+def test_what_was_answered_before_a_singular_position_stands() -> None:
+    """In time nothing tells how the bars of 17.C5 go on where they hang; the path goes on through it."""
+    scene = load(STUDIES / "chapter17" / "17-C5.toml")
+    steps = scene.run(**{"solve.route": "ida", "solve.accuracy": 1e-8})
+    path = scene.run()
+    assert (steps.status, path.status) == ("ends_singular", "ok")
+    assert "joints.D: a singular position was reached before the end of the run" in str(steps.error)
+    early, all_of_it = steps.asks["omega_AB"].value, path.asks["omega_AB"].value
+    assert early[-1] is None
+    assert early[:-1] == pytest.approx(all_of_it[:-1], rel=1e-7)

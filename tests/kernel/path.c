@@ -452,6 +452,54 @@ static void corner(void)
     }
 }
 
+/* ---- singular positions ---- */
+/* Two hinged rods of length 1, the free end guided level through the first pin, fall from level.  With c = cos, s = sin
+ * of the first one's fall, omega^2 = 3 g s / (1 + 3 s^2).  At 90 deg the guided end passes the pin, where the rows
+ * lose their rank and the end could as well stay: the answers there are the limits, and the motion goes straight on. */
+static scene *folding(double fall, int route, int *omega, int *lift, int *time)
+{
+    scene *s = scene_create();
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    const int a = pendulum_rod(s, 0), b = scene_body(s, 2, 2 / 12., 1.5, 0, 0);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, a, 0.5, 0), scene_point(s, b, -0.5, 0), 0);
+    scene_joint(s, PM_JOINT_SLIDER, scene_point(s, b, 0.5, 0), scene_floor(s, 0), 0);
+    const int angle = scene_measure(s, PM_MEASURE_ANGLE, a), rate = omega_of(s, a),
+              centre = scene_point(s, a, 0, 0);
+    const int early = scene_when(s, PM_TRIGGER_FALL, scene_minus(s, angle, -0.5));
+    scene_until(s, scene_when(s, PM_TRIGGER_FALL, scene_minus(s, angle, -fall)), 1);
+    *omega = scene_ask_measure(s, rate);
+    *lift = scene_ask_measure(s, scene_part(s, PM_MEASURE_ACCELERATION, centre, PM_PART_Y));
+    *time = scene_ask_measure(s, scene_time(s));
+    scene_ask_event(s, PM_ASK_EVENT, early, 1, rate);
+    return s;
+}
+
+static double folding_rate(double fall)
+{
+    return sqrt(3 * G * sin(fall) / (1 + 3 * sin(fall) * sin(fall)));
+}
+
+static void singular(void)
+{
+    const double falls[] = {0.5 * PI - 0.3,  0.5 * PI - 0.012, 0.5 * PI - 0.008, 0.5 * PI - 1e-6, 0.5 * PI,
+                            0.5 * PI + 1e-5, 0.5 * PI + 0.009, 0.5 * PI + 0.4,   0.5 * PI + 1.2};
+    double before = 0, end_before = 0;
+    for (int i = 0; i < (int)(sizeof falls / sizeof *falls); i++) {
+        int omega, lift, time;
+        const double fall = falls[i], d = 1e-5, rate = folding_rate(fall),
+                     gain = (folding_rate(fall + d) - folding_rate(fall - d)) / (2 * d) * rate;
+        scene *s = folding(fall, i % 2 ? PM_ROUTE_PATH : PM_ROUTE_AUTO, &omega, &lift, &time);
+        EQUAL(scene_run(s, NULL), PM_OK);
+        CHECK(used(s, PM_ROUTE_PATH) && !used(s, PM_ROUTE_RK));
+        NEAR(s->out[omega], -rate, 1e-12 * rate);
+        NEAR(s->out[lift], 0.5 * (rate * rate * sin(fall) - gain * cos(fall)), 1e-8);
+        if (fall - end_before < 0.01) NEAR(s->out[time] - before, (fall - end_before) / rate, 1e-6);
+        before = s->out[time];
+        end_before = fall;
+        scene_free(s);
+    }
+}
+
 /* ---- nudge ---- */
 /* An upright rod leaves to the side that the nudge says, on every route: the first step is one along the path. */
 static void nudge(void)
@@ -518,6 +566,7 @@ int main(void)
     two_roots();
     oscillator();
     corner();
+    singular();
     nudge();
     unsupported();
     return check_failures();
