@@ -31,10 +31,11 @@ enum pm_status {
     PM_FIND_SEVERAL =
         6, /* the first of several is the answer: where = condition; detail = the next, how many */
     PM_FIND_AT_BOUND =
-        7,             /* what is sought lies at a bound of the interval, or where runs begin to fail: where =
+        7,            /* what is sought lies at a bound of the interval, or where runs begin to fail: where =
                              varied parameter; detail = its value */
-    PM_UNDECIDED = 8,  /* the run came to its end, but its errors might have changed a decision on the way */
-    PM_ENDS_SINGULAR = 9, /* on the way a position was reached where nothing tells how it goes on: where = joint */
+    PM_UNDECIDED = 8, /* the run came to its end, but its errors might have changed a decision on the way */
+    PM_ENDS_SINGULAR =
+        9, /* on the way a position was reached where nothing tells how it goes on: where = joint */
     PM_BAD_TABLE = -1, /* the tables contradict this header: where = table, row */
     PM_NO_MEMORY = -2,
     PM_BAD_VALUE = -3,      /* not finite or out of its bound: where = table, row; detail = value, bound */

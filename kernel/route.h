@@ -31,7 +31,8 @@ typedef struct pm_route_ops {
     int (*step)(pm_workspace *w, double t_limit);
     int (*at)(pm_workspace *w, double t, pm_state *s);
     int (*exact)(pm_workspace *w, double t, pm_state *s);
-    int (*accelerate)(pm_workspace *w); /* at the frame, where the rows are singular; 0: it cannot; NULL: never */
+    int (*accelerate)(
+        pm_workspace *w);  /* at the frame, where the rows are singular; 0: it cannot; NULL: never */
     double finest;         /* tolerance below which it does not get better */
     double spread;         /* how far its errors scatter about what goes with the tolerance, as a factor */
     int finds_roots;       /* enum pm_roots */

@@ -474,10 +474,7 @@ static scene *folding(double fall, int route, int *omega, int *lift, int *time)
     return s;
 }
 
-static double folding_rate(double fall)
-{
-    return sqrt(3 * G * sin(fall) / (1 + 3 * sin(fall) * sin(fall)));
-}
+static double folding_rate(double fall) { return sqrt(3 * G * sin(fall) / (1 + 3 * sin(fall) * sin(fall))); }
 
 static void singular(void)
 {

@@ -308,9 +308,9 @@ _DESCRIPTIONS: dict[int, Any] = {
         "(a dead centre, or two joints that have come together); end the run before it, or change a length"
     ),
     layout.PM_ENDS_SINGULAR: lambda place, found, bound: (
-        f"{place or 'the scene'}: a singular position was reached before the end of the run (a dead centre, or "
-        "two joints that have come together), and on this route nothing tells how the motion goes on; what was "
-        'answered before stands; end the run before it, or try solve.route = "path"'
+        f"{place or 'the scene'}: a singular position was reached before the end of the run (a dead centre, "
+        "or two joints that have come together), and on this route nothing tells how the motion goes on; "
+        'what was answered before stands; end the run before it, or try solve.route = "path"'
     ),
     layout.PM_STEP_TOO_SMALL: lambda place, found, bound: (
         "the integrator cannot go on at solve.accuracy: the motion has no smooth continuation here (a "
