@@ -16,8 +16,10 @@
 #include "project.h"
 #include "row.h"
 #include "saddle.h"
+#include "spin.h"
 
 #define POSITION_ROUNDING 5e-16 /* of how far bodies are from the origin */
+#define SPIN_ROUNDING 1e-14    /* of the energy of a spin, which may be much more than that of the motion in its plane */
 #define LEAST_BOUND 1e-7 /* relative residual above which a run is not trusted, at the tightest tolerance */
 #define BOUND_FACTOR 1e4 /* times the tolerance of integration, if that is more */
 #define SLOWEST \
@@ -87,15 +89,27 @@ void pm_audit_controlled_rates(pm_workspace *w, double *zdot)
         const pm_point p = pm_point_of(w, PM_MEASURE_ROW(m, i)[PM_MEASURE_A]);
         zdot[m->path_z[i]] = hypot(p.v[0], p.v[1]);
     }
+    pm_spin_rates(w, zdot);
+}
+
+double pm_audit_controlled_scale(const pm_workspace *w, int z)
+{
+    const double spin = pm_spin_scale(w, z);
+    double mass = 0;
+    if (spin > 0) return spin;
+    if (z >= w->model->nz_work) return w->size;
+    for (int i = 0; i < w->model->nbody; i++) mass += w->mass[i];
+    return mass * w->speed * w->speed;
 }
 
 void pm_audit_rates(pm_workspace *w, double *zdot)
 {
     const pm_model *m = w->model;
     pm_audit_controlled_rates(w, zdot);
-    zdot[friction_z(m)] = friction_power(w, w->frame.lambda) + drive_power(w, w->frame.lambda);
+    zdot[friction_z(m)] =
+        friction_power(w, w->frame.lambda) + drive_power(w, w->frame.lambda) + pm_spin_power(w);
     double *outer = zdot + pm_audit_ledger(m);
-    outer[0] = outer[1] = outer[2] = 0;
+    pm_spin_outer(w, outer);
     for (int i = 0; i < m->nbody; i++) {
         const double force[2] = {w->mass[i] * w->gravity[0], w->mass[i] * w->gravity[1]};
         add_outer(outer, w->frame.pose + 5 * i, force, 0, 1);
@@ -110,7 +124,8 @@ void pm_audit_rates(pm_workspace *w, double *zdot)
 
 static double energy(pm_workspace *w)
 {
-    return pm_body_kinetic(w, PM_NONE) + pm_body_weight_energy(w) + pm_force_potential(w);
+    return pm_body_kinetic(w, PM_NONE) + pm_spin_kinetic(w, PM_NONE) + pm_body_weight_energy(w) +
+           pm_force_potential(w);
 }
 
 void pm_audit_begin(pm_workspace *w)
@@ -214,7 +229,8 @@ static double energy_rounding(const pm_workspace *w, double mass)
 {
     const double acceleration = hypot(w->gravity[0], w->gravity[1]) + w->speed * w->speed / w->size;
     const double rounding = POSITION_ROUNDING * pm_contact_reach(w) * (double)(1 + w->count[PM_COUNT_EVENTS]);
-    return w->energy_scale > 0 ? mass * acceleration * rounding / w->energy_scale : 0;
+    const double spin = SPIN_ROUNDING * pm_spin_kinetic(w, PM_NONE);
+    return w->energy_scale > 0 ? (mass * acceleration * rounding + spin) / w->energy_scale : 0;
 }
 
 int pm_audit_close(pm_workspace *w)

@@ -8,8 +8,10 @@
  * impulses that the outer world gives (x, y, moment about the origin), taken from points and directions of the forces
  * without the Jacobian. */
 void pm_audit_rates(pm_workspace *w, double *zdot);
-/* Of these the first, which any route integrates: works and paths; accelerations are not needed. */
+/* Of these the first, which any route integrates: works, paths, what spins; accelerations are not needed. */
 void pm_audit_controlled_rates(pm_workspace *w, double *zdot);
+/* Natural size of one of these. */
+double pm_audit_controlled_scale(const pm_workspace *w, int z);
 /* Where the impulses of the outer world begin among the running integrals. */
 int pm_audit_ledger(const pm_model *m);
 /* Opens the ledger at the start of the run (after the assembly). */

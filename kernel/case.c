@@ -6,6 +6,7 @@
 #include "body.h"
 #include "error.h"
 #include "program.h"
+#include "spin.h"
 
 #define NOTICEABLE 1.1 /* growth of the speed scale that is worth new weights */
 
@@ -236,6 +237,7 @@ int pm_case_begin(pm_workspace *w, const double *param)
     int status = pm_case_values(w, param);
     if (!status) status = read_settings(w);
     if (!status) status = read_bodies(w);
+    if (!status) status = pm_spin_case(w);
     if (!status) status = check_marks(w);
     if (!status) status = check_elements(w);
     if (status) return status;

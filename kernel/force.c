@@ -6,6 +6,7 @@
 #include "body.h"
 #include "nature.h"
 #include "program.h"
+#include "spin.h"
 #include "steady.h"
 
 typedef void pm_force_law(pm_workspace *w, const int32_t *e, pm_action *x);
@@ -162,6 +163,7 @@ void pm_force_all(pm_workspace *w)
         w->frame.f[3 * i + 1] = w->mass[i] * w->gravity[1];
         w->frame.f[3 * i + 2] = 0;
     }
+    pm_spin_forces(w);
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++) {
         const pm_action x = pm_force_action(w, i);
         add(w, x.body_a, x.at_a, x.force, x.couple, 1);

@@ -31,7 +31,10 @@ static int measure_growth(const pm_model *m, int measure)
     case PM_MEASURE_FORCE_WORK:
     case PM_MEASURE_FORCE_STRETCH:
     case PM_MEASURE_FORCE_ENERGY:
-    case PM_MEASURE_POTENTIAL: return PM_GROWTH_NONE;
+    case PM_MEASURE_POTENTIAL:
+    case PM_MEASURE_SPIN_OMEGA: /* this route is taken where no couple acts */
+    case PM_MEASURE_SPIN_MOMENTUM:
+    case PM_MEASURE_SPIN_INERTIA: return PM_GROWTH_NONE;
     case PM_MEASURE_OMEGA:
     case PM_MEASURE_ANGULAR_MOMENTUM:
     case PM_MEASURE_CONTACT_SLIP:

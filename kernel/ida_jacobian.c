@@ -16,6 +16,7 @@
 #include "ida_system.h"
 #include "row.h"
 #include "saddle.h"
+#include "spin.h"
 
 /* What the differences are taken from, in the scratch of the blocks. */
 typedef struct pm_ida_differences {
@@ -75,7 +76,7 @@ void pm_ida_jacobian_place(pm_ida_jacobian *x, const pm_model *m, double *p, int
     x->scale = x->system + both * both;
     x->work = x->scale + both;
     x->pivot = ints;
-    x->has_forces = m->rows[PM_TABLE_FORCE] > 0;
+    x->has_forces = m->rows[PM_TABLE_FORCE] > 0 || pm_spin_turns(m);
     x->has_damping = has_damping(m);
 }
 

@@ -97,8 +97,8 @@ static void weigh_ledger(pm_workspace *w, double *weight, double mass)
 {
     const pm_model *m = w->model;
     const double momentum = mass * w->speed, energy = momentum * w->speed;
-    for (int i = 0; i < m->nz_controlled; i++) /* forces come first, then paths */
-        weight[i] = 1 / (w->ida->tolerance * (i < m->rows[PM_TABLE_FORCE] ? energy : w->size));
+    for (int i = 0; i < m->nz_controlled; i++)
+        weight[i] = 1 / (w->ida->tolerance * pm_audit_controlled_scale(w, i));
     for (int i = m->nz_controlled; i < m->nz; i++) {
         const int entry = i - m->nz_controlled; /* friction, then impulses along x, y, and their moment */
         const double scale = entry == 0 ? energy : entry < 3 ? momentum : momentum * w->size;

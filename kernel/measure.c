@@ -11,6 +11,7 @@
 #include "force.h"
 #include "row.h"
 #include "saddle.h"
+#include "spin.h"
 #include "segment.h"
 #include "trigger.h"
 
@@ -70,7 +71,7 @@ static double inertia(const pm_measure_args *x)
 
 static double kinetic(const pm_measure_args *x)
 {
-    return x->a == PM_GROUND ? 0 : pm_body_kinetic(x->w, x->a);
+    return x->a == PM_GROUND ? 0 : pm_body_kinetic(x->w, x->a) + pm_spin_kinetic(x->w, x->a);
 }
 
 static void momentum(const pm_measure_args *x, double out[2])
@@ -382,8 +383,17 @@ static double potential(const pm_measure_args *x)
 {
     return pm_body_weight_energy(x->w) + pm_force_potential(x->w);
 }
-static double total(const pm_measure_args *x) { return pm_body_kinetic(x->w, PM_NONE) + potential(x); }
+static double total(const pm_measure_args *x)
+{
+    return pm_body_kinetic(x->w, PM_NONE) + pm_spin_kinetic(x->w, PM_NONE) + potential(x);
+}
 static double lost(const pm_measure_args *x) { return x->w->lost; }
+
+/* ---- the turning plane ---- */
+static double spin_omega(const pm_measure_args *x) { return pm_spin_omega(x->w); }
+static double spin_angle(const pm_measure_args *x) { return pm_spin_angle(x->w); }
+static double spin_momentum(const pm_measure_args *x) { return pm_spin_momentum(x->w); }
+static double spin_inertia(const pm_measure_args *x) { return pm_spin_inertia(x->w); }
 
 /* ---- the table ---- */
 enum { ALL_ALLOWED = 1, CAN_START_POSITION = 2, CAN_START_VELOCITY = 4 };
@@ -440,6 +450,10 @@ static const pm_measure_ops kinds[PM_MEASURE_KINDS] = {
     [PM_MEASURE_POTENTIAL] = {PM_LEVEL_KINEMATIC, -1, potential, 0, 0},
     [PM_MEASURE_TOTAL] = {PM_LEVEL_KINEMATIC, -1, total, 0, 0},
     [PM_MEASURE_LOST] = {PM_LEVEL_KINEMATIC, -1, lost, 0, 0},
+    [PM_MEASURE_SPIN_OMEGA] = {PM_LEVEL_KINEMATIC, -1, spin_omega, 0, 0},
+    [PM_MEASURE_SPIN_ANGLE] = {PM_LEVEL_KINEMATIC, -1, spin_angle, 0, 0},
+    [PM_MEASURE_SPIN_MOMENTUM] = {PM_LEVEL_KINEMATIC, -1, spin_momentum, 0, 0},
+    [PM_MEASURE_SPIN_INERTIA] = {PM_LEVEL_KINEMATIC, -1, spin_inertia, 0, 0},
 };
 
 static double part_of(const pm_workspace *w, const int32_t *e, const double v[2])

@@ -8,6 +8,7 @@
 #include "measure.h"
 #include "nature.h"
 #include "program.h"
+#include "spin.h"
 
 static const int table_columns[PM_TABLES] = {
     [PM_TABLE_CODE] = PM_CODE_COLUMNS,
@@ -31,6 +32,8 @@ static const int table_columns[PM_TABLES] = {
     [PM_TABLE_FIND] = PM_FIND_COLUMNS,
     [PM_TABLE_VARY] = PM_VARY_COLUMNS,
     [PM_TABLE_CONDITION] = PM_CONDITION_COLUMNS,
+    [PM_TABLE_SPIN] = PM_SPIN_COLUMNS,
+    [PM_TABLE_SECOND] = PM_SECOND_COLUMNS,
 };
 
 static int bad(pm_where *where, int table, int row, double value, double bound)
@@ -111,6 +114,15 @@ static const pm_range ranges[] = {
     {PM_TABLE_VARY, PM_VARY_LOW, PM_TABLE_VALUE, 0, 0},
     {PM_TABLE_VARY, PM_VARY_HIGH, PM_TABLE_VALUE, 0, 0},
     {PM_TABLE_CONDITION, PM_CONDITION_PROGRAM, PM_TABLE_PROGRAM, 0, 0},
+    {PM_TABLE_SPIN, PM_SPIN_X, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_SPIN, PM_SPIN_Y, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_SPIN, PM_SPIN_ANGLE, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_SPIN, PM_SPIN_INERTIA, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_SPIN, PM_SPIN_OMEGA, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_SPIN, PM_SPIN_COUPLE, PM_TABLE_PROGRAM, 0, 1},
+    {PM_TABLE_SECOND, PM_SECOND_X, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_SECOND, PM_SECOND_Y, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_SECOND, PM_SECOND_Z, PM_TABLE_VALUE, 0, 0},
 };
 
 /* Partners of elements: which table columns a and b point into, by kind.  PM_NONE: not used. */
@@ -416,6 +428,7 @@ static int check_tables(pm_model *m, pm_where *where)
     if (!status) status = pm_program_validate(m, where);
     if (!status) status = check_forces(m, where); /* look into programs */
     if (!status) status = check_drives(m, where);
+    if (!status) status = pm_spin_validate(m, where);
     return status;
 }
 
@@ -465,6 +478,7 @@ static void lay_out(pm_model *m)
     m->nz_work = m->nz;
     for (int i = 0; i < m->rows[PM_TABLE_MEASURE]; i++)
         m->path_z[i] = PM_MEASURE_ROW(m, i)[PM_MEASURE_KIND] == PM_MEASURE_PATH ? m->nz++ : PM_NONE;
+    pm_spin_lay_out(m);
     m->nz_controlled = m->nz;
     m->nz += 1 + PM_LEDGER; /* work of sliding friction and of drives, then the outer impulses */
 }
@@ -491,6 +505,7 @@ static void grade_programs(pm_model *m)
 static void look_for_time(pm_model *m)
 {
     int table, row, program;
+    m->uses_time |= m->spin_z != PM_NONE || m->spin_angle_z != PM_NONE;
     for (int k = 0; (program = drive_of(m, k, &table, &row)) != PM_NONE; k++)
         m->uses_time |= pm_nature_reads_time(m, program);
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++) {
@@ -513,10 +528,11 @@ static int by_place(const pm_model *m, int program)
     return nature == PM_NATURE_CONSTANT || nature == PM_NATURE_PLACE;
 }
 
-/* Whether work depends on the way alone: springs, and applied forces and couples that read no motion and no time. */
+/* Whether work depends on the way alone: springs, and applied forces and couples that read no motion and no time.  The
+ * angle of a spin needs the time. */
 static void look_at_forces(pm_model *m)
 {
-    m->forces_by_place = 1;
+    m->forces_by_place = m->spin_z == PM_NONE && m->spin_angle_z == PM_NONE;
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++) {
         const int32_t *e = PM_FORCE_ROW(m, i);
         const int kind = e[PM_FORCE_KIND];

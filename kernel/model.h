@@ -32,6 +32,7 @@ typedef struct pm_model {
     int nz;            /* running integrals: forces' work, paths, then PM_LEDGER audit entries */
     int nz_work;       /* of these the first are works of forces */
     int nz_controlled; /* of these the first are under error control */
+    int spin_z, spin_angle_z; /* running integrals of the spin's momentum and rate, or PM_NONE */
     int uses_time;     /* some force or trigger depends on t: rest does not last, or is waited out */
     int *contact_slot; /* [ncontact] first slot */
     int *contact_kept; /* [ncontact] first kept place, or PM_NONE */
@@ -69,6 +70,7 @@ static inline const int32_t *pm_row_of(const pm_model *m, int table, int row, in
 #define PM_ASK_ROW(m, i) pm_row_of(m, PM_TABLE_ASK, i, PM_ASK_COLUMNS)
 #define PM_FIND_ROW(m, i) pm_row_of(m, PM_TABLE_FIND, i, PM_FIND_COLUMNS)
 #define PM_VARY_ROW(m, i) pm_row_of(m, PM_TABLE_VARY, i, PM_VARY_COLUMNS)
+#define PM_SECOND_ROW(m, i) pm_row_of(m, PM_TABLE_SECOND, i, PM_SECOND_COLUMNS)
 #define PM_CONDITION_ROW(m, i) pm_row_of(m, PM_TABLE_CONDITION, i, PM_CONDITION_COLUMNS)
 #define PM_SETTING(m, column) ((m)->table[PM_TABLE_SETTING][column])
 
@@ -149,6 +151,14 @@ typedef struct pm_where {
     double value, bound;
 } pm_where;
 
+/* The axis about which the plane turns, and what the case says of it (spin.c). */
+typedef struct pm_spin {
+    double through[2], angle;
+    double normal[2]; /* to the left of the axis */
+    double inertia;   /* of whatever else turns along */
+    double momentum;  /* at the start */
+} pm_spin;
+
 struct pm_route_ops;
 struct pm_event_set;
 struct pm_ask_set;
@@ -164,6 +174,7 @@ typedef struct pm_workspace {
     double *mass;         /* [nbody] */
     double *inverse_mass; /* [nq] inverse of the diagonal of M; 0: held (a particle's angle) */
     double gravity[2];
+    pm_spin spin;
     double size;      /* length scale of the scene, m */
     double speed;     /* speed scale, m/s, grows with the motion */
     double accuracy;  /* asked, relative, of the answers */

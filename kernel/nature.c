@@ -24,7 +24,10 @@ static int measure_nature(const pm_model *m, int measure)
     case PM_MEASURE_CONTACT_GAP:
     case PM_MEASURE_FORCE_STRETCH:
     case PM_MEASURE_FORCE_ENERGY:
-    case PM_MEASURE_POTENTIAL: return PM_NATURE_PLACE;
+    case PM_MEASURE_POTENTIAL:
+    case PM_MEASURE_SPIN_INERTIA: return PM_NATURE_PLACE;
+    case PM_MEASURE_SPIN_OMEGA:
+    case PM_MEASURE_SPIN_MOMENTUM: return m->spin_z == PM_NONE ? PM_NATURE_PLACE : PM_NATURE_MOTION;
     default: return PM_NATURE_MOTION;
     }
 }

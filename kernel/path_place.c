@@ -13,6 +13,7 @@
 #include "path_bridge.h"
 #include "row.h"
 #include "saddle.h"
+#include "spin.h"
 #include "tree.h"
 
 #define KEEP 0.3  /* of the fastest coordinate's rate: a driver this fast stays */
@@ -84,7 +85,7 @@ static void measure_motion(pm_workspace *w, pm_place *place)
     pm_force_all(w);
     for (int i = 0; i < m->nq; i++) place->force += w->frame.f[i] * t[i];
     if (m->nz_controlled > 0) pm_audit_controlled_rates(w, place->rate);
-    place->potential = pm_body_weight_energy(w) + pm_force_potential(w);
+    place->potential = pm_body_weight_energy(w) + pm_force_potential(w) + pm_spin_kinetic(w, PM_NONE);
 }
 
 /* What a loop row changes by when its coordinates do by their natural size. */

@@ -85,7 +85,9 @@ enum pm_table {
     PM_TABLE_FIND = 18,    /* one row where parameters are sought: pm_find_column; none otherwise */
     PM_TABLE_VARY = 19,
     PM_TABLE_CONDITION = 20,
-    PM_TABLES = 21
+    PM_TABLE_SPIN = 21,   /* one row where the plane of the scene turns about an axis in it: pm_spin_column */
+    PM_TABLE_SECOND = 22, /* then one row per body: pm_second_column */
+    PM_TABLES = 23
 };
 
 /* ---- programs -------------------------------------------------------------------------------------
@@ -313,7 +315,11 @@ enum pm_measure_kind {
     PM_MEASURE_POTENTIAL = 39,  /* of weight and springs; weight is zero at the scene's origin */
     PM_MEASURE_TOTAL = 40,      /* kinetic + potential */
     PM_MEASURE_LOST = 41,       /* kinetic energy lost in the last jump */
-    PM_MEASURE_KINDS = 42
+    PM_MEASURE_SPIN_OMEGA = 42, /* of the plane about its axis */
+    PM_MEASURE_SPIN_ANGLE = 43,
+    PM_MEASURE_SPIN_MOMENTUM = 44,
+    PM_MEASURE_SPIN_INERTIA = 45, /* of all that turns along, about the axis */
+    PM_MEASURE_KINDS = 46
 };
 enum pm_part {
     PM_PART_NONE = 0,
@@ -335,6 +341,22 @@ enum pm_measure_column {
     PM_MEASURE_MEMBER = 7,
     PM_MEASURE_COLUMNS = 8
 };
+
+/* ---- spin -------------------------------------------------------------------------------------------------
+ * The plane turns freely about an axis in it, through (x, y) at an angle; `inertia` is that of whatever else turns along;
+ * `omega` its rate at the start; `couple` a program, or PM_NONE. */
+enum pm_spin_column {
+    PM_SPIN_X = 0, /* value indices */
+    PM_SPIN_Y = 1,
+    PM_SPIN_ANGLE = 2,
+    PM_SPIN_INERTIA = 3,
+    PM_SPIN_OMEGA = 4,
+    PM_SPIN_COUPLE = 5,
+    PM_SPIN_COLUMNS = 6
+};
+/* Second moments of a body about G: integrals of x^2, y^2 (its own axes, the product zero) and z^2 (across the plane) over
+ * its mass; value indices. */
+enum pm_second_column { PM_SECOND_X = 0, PM_SECOND_Y = 1, PM_SECOND_Z = 2, PM_SECOND_COLUMNS = 3 };
 
 /* ---- start ------------------------------------------------------------------------------------------------
  * One row per written start value: measure = value.  POSITION rows take ANGLE or POSITION (x, y, along),

@@ -24,6 +24,7 @@
 #include "row.h"
 #include "saddle.h"
 #include "series.h"
+#include "spin.h"
 #include "tree.h"
 
 #define TURN (2 * 3.14159265358979323846)
@@ -131,7 +132,7 @@ static double force_size(const pm_workspace *w, const pm_place *x)
         const double *f = w->frame.f + 3 * i, *t = x->tangent + 3 * i;
         size += hypot(f[0], f[1]) * hypot(t[0], t[1]) + fabs(f[2] * t[2]);
     }
-    return size;
+    return size + pm_spin_force_size(w, x->tangent);
 }
 
 /* At rest the forces tell which way it goes; out of an equilibrium the nudge does; 0: it stays. */

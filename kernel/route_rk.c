@@ -108,17 +108,13 @@ static void set_scale(pm_workspace *w)
     const pm_model *m = w->model;
     struct pm_rk *r = w->rk;
     const double tolerance = fmax(MARGIN * w->tolerance, TIGHTEST);
-    double mass = 0;
     for (int i = 0; i < r->n; i++) {
         const int angle = pm_tree_is_angle(w, i);
         r->scale[i] = 1 / (tolerance * (angle ? 1 : w->size));
         r->scale[r->n + i] = 1 / (tolerance * (angle ? w->speed / w->size : w->speed));
     }
-    for (int i = 0; i < m->nbody; i++) mass += w->mass[i];
-    for (int i = 0; i < m->nz_controlled; i++) {
-        const int work = i < m->rows[PM_TABLE_FORCE]; /* forces come first, then paths */
-        r->scale[2 * r->n + i] = 1 / (tolerance * (work ? mass * w->speed * w->speed : w->size));
-    }
+    for (int i = 0; i < m->nz_controlled; i++)
+        r->scale[2 * r->n + i] = 1 / (tolerance * pm_audit_controlled_scale(w, i));
 }
 
 /* y = y0 + h sum_k weight[k] stage[k] for the first n of `stride` entries. */

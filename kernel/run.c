@@ -17,6 +17,7 @@
 #include "plan.h"
 #include "route.h"
 #include "saddle.h"
+#include "spin.h"
 #include "trace.h"
 #include "trigger.h"
 
@@ -49,6 +50,7 @@ static void set_speed_scale(pm_workspace *w)
         const double length = i % 3 == 2 ? w->size : 1;
         fastest = fmax(fastest, sqrt(fabs(w->inverse_mass[i] * w->frame.f[i]) * length * w->size));
     }
+    fastest = fmax(fastest, fabs(pm_spin_omega(w)) * w->size);
     if (fastest > w->speed) w->speed = fastest;
     if (w->speed == 0) w->speed = w->size; /* nothing acts, nothing moves */
 }

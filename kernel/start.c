@@ -19,6 +19,7 @@
 #include "measure.h"
 #include "row.h"
 #include "saddle.h"
+#include "spin.h"
 
 #define SWEEPS 60
 #define LONGEST 0.3    /* step of the assembly, in sizes of the scene */
@@ -395,6 +396,7 @@ int pm_start(pm_workspace *w, pm_start_report *report)
     if ((status = velocities(w)) || (status = check_overlap(w))) return status;
     pm_frame_look_state(w, &w->state);
     pm_case_speed(w, w->state.v);
+    if ((status = pm_spin_start(w))) return status;
     pm_state_copy(&w->start, &w->state);
     return PM_OK;
 }

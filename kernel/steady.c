@@ -6,6 +6,7 @@
 
 #include "force.h"
 #include "nature.h"
+#include "spin.h"
 
 #define CENTRED 1e-15  /* of the scene's size: a mark this near to the mass centre is the mass centre */
 #define ROUNDING 1e-13 /* of speeds and accelerations in the scene */
@@ -93,7 +94,7 @@ static int rows_hold(const pm_workspace *w, const pm_steady *x)
 
 int pm_steady_holds(pm_workspace *w, const pm_steady *x)
 {
-    if (!rows_hold(w, x)) return 0;
+    if (pm_spin_turns(w->model) || !rows_hold(w, x)) return 0;
     for (int i = 0; i < w->model->rows[PM_TABLE_FORCE]; i++)
         if (!pm_force_steady(w, i, x)) return 0;
     return 1;

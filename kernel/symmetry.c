@@ -7,6 +7,7 @@
 #include <math.h>
 
 #include "program.h"
+#include "spin.h"
 
 #define SAME 1e-9 /* of a turn, of a step of a row, of the way: the same but for rounding */
 #define TURN (2 * 3.14159265358979323846)
@@ -122,9 +123,19 @@ static int force_stays(const pm_workspace *w, const pm_shift *s, int force)
     }
 }
 
+/* The inertia about the axis of a spin stays under whole turns in place. */
+static int spin_stays(const pm_workspace *w, const pm_shift *s)
+{
+    if (!pm_spin_turns(w->model)) return 1;
+    for (int i = 0; i < w->model->nbody; i++)
+        if (turned(s, i)) return 0;
+    return !moved(s);
+}
+
 int pm_symmetry_holds(pm_workspace *w, const pm_shift *shift)
 {
     const pm_model *m = w->model;
+    if (!spin_stays(w, shift)) return 0;
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++)
         if (!joint_stays(w, shift, i)) return 0;
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++)
