@@ -19,7 +19,8 @@
 #include "spin.h"
 
 #define POSITION_ROUNDING 5e-16 /* of how far bodies are from the origin */
-#define SPIN_ROUNDING 1e-14    /* of the energy of a spin, which may be much more than that of the motion in its plane */
+#define SPIN_ROUNDING \
+    1e-14 /* of the energy of a spin, which may be much more than that of the motion in its plane */
 #define LEAST_BOUND 1e-7 /* relative residual above which a run is not trusted, at the tightest tolerance */
 #define BOUND_FACTOR 1e4 /* times the tolerance of integration, if that is more */
 #define SLOWEST \

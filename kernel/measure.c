@@ -11,8 +11,8 @@
 #include "force.h"
 #include "row.h"
 #include "saddle.h"
-#include "spin.h"
 #include "segment.h"
+#include "spin.h"
 #include "trigger.h"
 
 typedef struct pm_measure_args {

@@ -24,22 +24,22 @@ typedef struct pm_model {
     int nparam;
     int nbody, nq; /* nq = 3 nbody: x, y, angle of each mass centre */
     int nvalue, nask, nout;
-    int njoint_row;    /* rows of all joints */
-    int nslot;         /* places for closed contacts: 1 per contact, PM_ROW_SLOTS per periodic row */
-    int nmemory;       /* joints and slots: what their no-slip and driven rows and strands remember */
-    int nkept;         /* slots of contacts that capture */
-    int nrow;          /* most active rows: njoint_row + 2 nslot + nkept */
-    int nz;            /* running integrals: forces' work, paths, then PM_LEDGER audit entries */
-    int nz_work;       /* of these the first are works of forces */
-    int nz_controlled; /* of these the first are under error control */
+    int njoint_row;           /* rows of all joints */
+    int nslot;                /* places for closed contacts: 1 per contact, PM_ROW_SLOTS per periodic row */
+    int nmemory;              /* joints and slots: what their no-slip and driven rows and strands remember */
+    int nkept;                /* slots of contacts that capture */
+    int nrow;                 /* most active rows: njoint_row + 2 nslot + nkept */
+    int nz;                   /* running integrals: forces' work, paths, then PM_LEDGER audit entries */
+    int nz_work;              /* of these the first are works of forces */
+    int nz_controlled;        /* of these the first are under error control */
     int spin_z, spin_angle_z; /* running integrals of the spin's momentum and rate, or PM_NONE */
-    int uses_time;     /* some force or trigger depends on t: rest does not last, or is waited out */
-    int *contact_slot; /* [ncontact] first slot */
-    int *contact_kept; /* [ncontact] first kept place, or PM_NONE */
-    int *joint_row;    /* [njoint] first row among the joint rows */
-    int *joint_memory; /* [njoint] first, or PM_NONE */
-    int *force_z;      /* [nforce] running integral of its work, or PM_NONE: it has a potential */
-    int *path_z;       /* [nmeasure] running integral of a path measure, or PM_NONE */
+    int uses_time;            /* some force or trigger depends on t: rest does not last, or is waited out */
+    int *contact_slot;        /* [ncontact] first slot */
+    int *contact_kept;        /* [ncontact] first kept place, or PM_NONE */
+    int *joint_row;           /* [njoint] first row among the joint rows */
+    int *joint_memory;        /* [njoint] first, or PM_NONE */
+    int *force_z;             /* [nforce] running integral of its work, or PM_NONE: it has a potential */
+    int *path_z;              /* [nmeasure] running integral of a path measure, or PM_NONE */
     unsigned char *program_level;  /* [nprogram] enum pm_level that its measures need */
     unsigned char *program_nature; /* [nprogram] enum pm_nature */
     unsigned char *program_growth; /* [nprogram] enum pm_growth */

@@ -22,7 +22,8 @@
 #include "measure.h"
 #include "program.h"
 
-#define ALONG 1e-12 /* of the gravity: what may be across the axis, which rounding makes of an angle of 90 degrees */
+#define ALONG \
+    1e-12 /* of the gravity: what may be across the axis, which rounding makes of an angle of 90 degrees */
 
 static const int32_t *row_of(const pm_model *m) { return pm_row_of(m, PM_TABLE_SPIN, 0, PM_SPIN_COLUMNS); }
 
@@ -236,7 +237,10 @@ void pm_spin_rates(pm_workspace *w, double *zdot)
     if (m->spin_angle_z != PM_NONE) zdot[m->spin_angle_z] = pm_spin_omega(w);
 }
 
-double pm_spin_power(pm_workspace *w) { return w->model->spin_z == PM_NONE ? 0 : couple(w) * pm_spin_omega(w); }
+double pm_spin_power(pm_workspace *w)
+{
+    return w->model->spin_z == PM_NONE ? 0 : couple(w) * pm_spin_omega(w);
+}
 
 double pm_spin_scale(const pm_workspace *w, int z)
 {

@@ -39,6 +39,25 @@ class Fault:
 
 
 FAULTS = [
+    # planes that turn
+    Fault("spin: its couple turns the wrong way", "spin.c", "f[2] += square", "f[2] -= square"),
+    Fault("spin: pulls towards the axis", "spin.c", "outward = square", "outward = -square"),
+    Fault("spin: both moments in the plane exchanged", "spin.c", "sine * sine +", "cosine * cosine +"),
+    Fault("spin: nothing across the plane", "spin.c", " + second(w, i, PM_SECOND_Z);", ";"),
+    Fault(
+        "spin: keeps its rate, not its momentum", "spin.c", "momentum / pm_spin_inertia(w)", "momentum / 0.3"
+    ),
+    Fault("spin: no energy", "spin.c", "return 0.5 * omega * (i", "return 0 * (i"),
+    Fault(
+        "spin: not in the ledger",
+        "audit.c",
+        "pm_spin_outer(w, outer);",
+        "outer[0] = outer[1] = outer[2] = 0;",
+    ),
+    Fault("spin: a couple without work", "audit.c", " + pm_spin_power(w)", ""),
+    Fault("spin: no potential along the path", "path_place.c", " + pm_spin_kinetic(w, PM_NONE)", ""),
+    Fault("spin: rounding leaves the rest", "route_path.c", " + pm_spin_force_size(w, x->tangent)", ""),
+    Fault("spin: taken for uniform", "steady.c", "pm_spin_turns(w->model) || ", ""),
     # captures
     Fault(
         "capture: the place is not turned into the body",

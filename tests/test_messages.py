@@ -22,6 +22,8 @@ disk = { disk = "0.1 m", mass = "1 kg", at = [0, "0.1 m"] }
 P = { mass = "1 kg", at = ["1 m", "2 m"] }
 """
 
+SPIN = 'spin = { through = [0, 0], angle = "90 deg" }\n'
+
 # What is added to (or put over) the base, and the message after "x.toml: ".
 FAULTS = [
     # words
@@ -396,10 +398,51 @@ FAULTS = [
         'forces.f = { couple = "AB", power = "3 W", value = "1 N*m" }',
         "forces.f.power: give power or value, not both",
     ),
+    # planes that turn
+    ("spin = {}", "spin.through: it is wanted and left out"),
+    (
+        "spin = { throuhg = [0, 0] }",
+        "spin.throuhg: unknown key; a spin has through, angle, inertia, couple (did",
+    ),
+    (
+        'spin = { through = [0, 0], angle = "90 deg", inertia = "-1 kg*m^2" }',
+        'spin.inertia = "-1 kg*m^2": it is -1 (SI) and must not be negative',
+    ),
+    ('ask.a = "spin.omega"', 'ask.a = "spin.omega": the scene has no [spin]'),
+    ('start.spin.omega = "1 rad/s"', "start.spin.omega: the scene has no [spin]"),
+    (
+        'bodies.AB.depth = "0.1 m"',
+        "bodies.AB.depth: what is across the plane matters only where the plane turns: [spin]",
+    ),
+    (SPIN + "bodies.AB.edge_on = true", "bodies.AB.edge_on: only a disk or a hoop has edge_on"),
+    (SPIN + 'bodies.P.depth = "0.1 m"', 'bodies.P.depth = "0.1 m": a particle has no depth'),
+    (
+        SPIN + 'bodies.S = { sphere = "0.1 m", mass = "1 kg", depth = "0.1 m" }',
+        'bodies.S.depth = "0.1 m": a sphere has its depth; leave it out',
+    ),
+    (
+        SPIN + 'bodies.disk.edge_on = true\nbodies.disk.depth = "0.1 m"',
+        'bodies.disk.depth = "0.1 m": edge_on says its depth; leave it out',
+    ),
+    (
+        SPIN + 'bodies.AB.depth = "-0.1 m"',
+        'bodies.AB.depth = "-0.1 m": must not be negative',
+    ),
+    (
+        SPIN + 'bodies.AB.gyration = "0.4 m"',
+        'bodies.AB.gyration = "0.4 m": about the axis of the spin gyration says too little',
+    ),
+    (
+        SPIN + 'bodies.Q = { inertia = "1 kg*m^2" }\njoints.J = { pin = ["Q.G", "ground"] }',
+        "bodies.Q.mass: mass or weight is wanted: the body turns with the plane",
+    ),
+    (
+        SPIN + 'ask.a = "spin.speed"',
+        'ask.a = "spin.speed": unknown quantity of the spin "speed"; there is omega, angle, momentum',
+    ),
 ]
 
 NOT_BUILT = [
-    ("spin = {}", "spin"),
     ("couplings.c = { ratio = {} }", "couplings.c.ratio"),
     ('couplings.c = { cord = ["disk.rim cw", "P"], slips = ["disk.rim"] }', "couplings.c.slips"),
     ('joints.A = { pin = ["AB.A", "ground"], friction = "1 N*m" }', "joints.A.friction"),

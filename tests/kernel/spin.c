@@ -1,11 +1,11 @@
 /* Planes that turn about an axis in them: forces against differences of the energy, motions against closed forms and against
  * an integration of Lagrange's equations with the angle of the plane as a coordinate, ledgers, other axes, other routes. */
+#include "spin.h"
 #include "body.h"
 #include "check.h"
 #include "force.h"
 #include "measure.h"
 #include "scene.h"
-#include "spin.h"
 
 #define PI 3.14159265358979323846
 #define G 9.81
@@ -46,6 +46,14 @@ static void forces(void)
     body(s, 0.7, 0, 0, 0, 0.1, -0.6, 0);
     if (!CHECK(scene_begin(s) == PM_OK)) return;
     pm_workspace *w = s->w;
+    double inertia = 0.4 + 0.07;
+    const double moments[3][4] = {{2, 0.05, 0.31, 0.35}, {1.3, 0.2, 0, -2.1}, {0.7, 0, 0, 0}};
+    for (int i = 0; i < 3; i++) {
+        const double *x = moments[i], *q = w->state.q + 3 * i, f = x[3] - 0.7;
+        const double d = (q[1] + 0.2) * cos(0.7) - (q[0] - 0.3) * sin(0.7);
+        inertia += x[0] * d * d + x[1] * sin(f) * sin(f) + x[2] * cos(f) * cos(f);
+    }
+    NEAR(pm_spin_inertia(w), inertia, 1e-14);
     double f[9], outer[3], sum[3] = {0, 0, 0};
     const double momentum = pm_spin_momentum(w);
     pm_force_all(w);
@@ -100,7 +108,8 @@ static bead on_ring(double theta, double omega, double turn, double mirror, int 
     scene_joint(s, PM_JOINT_LINK, g, scene_point(s, PM_GROUND, 0, 0), RADIUS);
     *scene_setting(s, PM_SETTING_ROUTE) = route;
     /* how far from the axis, and how high */
-    b.theta = scene_measure_with(s, PM_MEASURE_POSITION, g, PM_PART_ALONG, PM_MEASURE_VALUE, scene_value(s, turn));
+    b.theta =
+        scene_measure_with(s, PM_MEASURE_POSITION, g, PM_PART_ALONG, PM_MEASURE_VALUE, scene_value(s, turn));
     b.omega = spin_measure(s, PM_MEASURE_SPIN_OMEGA);
     b.energy = spin_measure(s, PM_MEASURE_TOTAL);
     b.momentum = spin_measure(s, PM_MEASURE_SPIN_MOMENTUM);
@@ -184,7 +193,8 @@ static scene *rod_on_shaft(double theta, double omega, int route)
     gravity(s, 0, -G);
     spin(s, 0, 0, 0.5 * PI, SHAFT, omega);
     const double at = theta - 0.5 * PI;
-    const int i = body(s, ROD, ROD * LENGTH * LENGTH / 12, 0, 0, 0.5 * LENGTH * cos(at), 0.5 * LENGTH * sin(at), at);
+    const int i =
+        body(s, ROD, ROD * LENGTH * LENGTH / 12, 0, 0, 0.5 * LENGTH * cos(at), 0.5 * LENGTH * sin(at), at);
     scene_joint(s, PM_JOINT_PIN, scene_point(s, i, -0.5 * LENGTH, 0), scene_point(s, PM_GROUND, 0, 0), 0);
     *scene_setting(s, PM_SETTING_ROUTE) = route;
     return s;
@@ -234,18 +244,19 @@ static void driven(int route)
 /* ---- one degree of freedom: work and energy along the path, out of an unstable rest ---- */
 /* A rod pinned at its middle to the axis swings from the axis to where a stop holds it, at right angles: Omega falls with J,
  * and the stop takes what the swing had. */
-static void stopped(void)
+static void stopped(double side)
 {
     const double own = ROD * LENGTH * LENGTH / 12, plate = 0.02, omega = 12;
     scene *s = scene_create();
     gravity(s, 0, 0);
     spin(s, 0, 0, 0.5 * PI, plate, omega);
-    const int i = body(s, ROD, own, 0, 0, 0, 0, 0.5 * PI);
+    const int i = body(s, ROD, own, 0, 0, 0, 0, -0.5 * PI); /* against the axis: rounding gives it a couple */
     scene_joint(s, PM_JOINT_PIN, scene_point(s, i, 0, 0), scene_point(s, PM_GROUND, 0, 0), 0);
-    const int end = scene_circle(s, scene_point(s, i, 0.5 * LENGTH, 0), 0);
+    const int end = scene_circle(s, scene_point(s, i, -0.5 * LENGTH, 0), 0);
     const int stop = scene_contact(s, PM_CONTACT_LINE, end, scene_floor(s, 0), 0, 0, PM_FRICTION_SMOOTH, 0);
     const int swing = scene_measure(s, PM_MEASURE_OMEGA, i), rate = spin_measure(s, PM_MEASURE_SPIN_OMEGA);
-    *scene_setting(s, PM_SETTING_NUDGE) = SCENE_PROGRAM(s, scene_m(swing), scene_op(PM_OP_NEG));
+    *scene_setting(s, PM_SETTING_NUDGE) =
+        SCENE_PROGRAM(s, scene_m(swing), scene_k(s, side), scene_op(PM_OP_MUL));
     *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_AUTO;
     const int strike = scene_on(s, PM_TRIGGER_STRIKE, stop);
     scene_until(s, strike, 1);
@@ -261,7 +272,7 @@ static void stopped(void)
     const double gone = 0.5 * momentum * (omega - last);
     NEAR(s->out[spin_before], last, 1e-12);
     NEAR(s->out[spin_after], last, 1e-12);
-    NEAR(s->out[before], -sqrt(2 * gone / own), 1e-11);
+    NEAR(s->out[before], side * sqrt(2 * gone / own), 1e-11);
     NEAR(s->out[after], 0, 1e-12);
     NEAR(s->out[lost], gone, 1e-12);
     NEAR(s->out[kinetic], 0.5 * momentum * last, 1e-12);
@@ -327,7 +338,8 @@ int main(void)
     rod_moves(PM_ROUTE_PATH);
     driven(PM_ROUTE_RK);
     driven(PM_ROUTE_IDA);
-    stopped();
+    stopped(1);
+    stopped(-1);
     not_uniform();
     refused();
     return check_failures();

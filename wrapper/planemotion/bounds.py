@@ -52,6 +52,7 @@ _BOUNDS = (
     _Bound(layout.PM_TABLE_CONTACT, layout.PM_CONTACT_STATIC, 0),
     _Bound(layout.PM_TABLE_CONTACT, layout.PM_CONTACT_KINETIC, 0),
     _Bound(layout.PM_TABLE_CONTACT, layout.PM_CONTACT_SLACK, 0),
+    _Bound(layout.PM_TABLE_SPIN, layout.PM_SPIN_INERTIA, 0),
     _Bound(layout.PM_TABLE_SETTING, layout.PM_SETTING_ACCURACY, 1e-14, 1e-2),
     _Bound(layout.PM_TABLE_SETTING, layout.PM_SETTING_MAX_TIME, 0, above=True),
     _Bound(layout.PM_TABLE_SETTING, layout.PM_SETTING_ASSEMBLY, 0, above=True),

@@ -86,6 +86,10 @@ class Scene:
         """A body with its shape, mass, marks and place."""
         return self._update("bodies", {name: keys})
 
+    def spin(self, **keys: Any) -> Self:
+        """The axis about which the plane turns: `through`, `angle`, and `inertia`, `couple`."""
+        return self._update("spin", keys)
+
     def joint(self, name: str, **keys: Any) -> Self:
         """A joint: one kind with its partners, and options."""
         return self._update("joints", {name: keys})

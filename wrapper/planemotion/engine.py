@@ -36,6 +36,8 @@ REASONS: Mapping[int, str] = {
     layout.PM_REASON_FAILED: "the run failed",
     layout.PM_REASON_INFINITE: "infinite",
 }
+# Keys of the columns of a spin that may be out of their bounds.
+_SPIN_KEYS = {layout.PM_SPIN_ANGLE: "angle", layout.PM_SPIN_INERTIA: "inertia"}
 _TABLE_NAMES = {value: name.removeprefix("PM_TABLE_").lower() for name, value in layout.pm_table.items()}
 
 
@@ -254,6 +256,8 @@ def _place_name(flat: FlatScene, where: Ints) -> str:
     names = flat.names.get(table, ())
     if 0 <= row < len(names):
         member = int(where[layout.PM_WHERE_MEMBER])
+        if table == layout.PM_TABLE_SPIN:
+            return f"{names[row]}.{_SPIN_KEYS.get(member, '')}".removesuffix(".")
         is_contact = table == layout.PM_TABLE_CONTACT
         return f"{names[row]}[{member}]" if is_contact and member > 0 else names[row]
     return _TABLE_NAMES.get(table, "") if table >= 0 else ""
@@ -277,6 +281,19 @@ def _open_joint(place: str, found: float, bound: float) -> str:
     )
 
 
+def _bad_value(place: str, found: float, bound: float) -> str:
+    if place == "spin.angle":
+        return (
+            f"{place}: {found:.6g} m/s^2 of the weight act across the axis; a plane that turns keeps its "
+            'weight only along a vertical axis (angle = "90 deg"), or has none in it (plane = "horizontal")'
+        )
+    if place == "spin.inertia" and found == 0:
+        return f"{place}: nothing that turns has an inertia about the axis at the start; give it"
+    if math.isfinite(bound):
+        return f"{place or 'a value'}: it is {found:.6g} (SI); the bound is {bound:.6g}"
+    return f"{place}: it is {found:.6g} at the start; a force is finite, and a power needs a motion"
+
+
 _DESCRIPTIONS: dict[int, Any] = {
     layout.PM_LIMIT_TIME: lambda place, found, bound: "until: not reached within solve.max_time",
     layout.PM_LIMIT_EVENTS: lambda place, found, bound: "until: not reached within solve.max_events",
@@ -290,11 +307,7 @@ _DESCRIPTIONS: dict[int, Any] = {
         f"closer to its threshold than the errors of the run: margin {found:.2g}, at least 1 is wanted; "
         "ask for more solve.accuracy"
     ),
-    layout.PM_BAD_VALUE: lambda place, found, bound: (
-        f"{place or 'a value'}: it is {found:.6g} (SI); the bound is {bound:.6g}"
-        if math.isfinite(bound)
-        else f"{place}: it is {found:.6g} at the start; a force is finite, and a power needs a motion"
-    ),
+    layout.PM_BAD_VALUE: _bad_value,
     layout.PM_ASSEMBLY: _open_joint,
     layout.PM_START_CONFLICT: lambda place, found, bound: (
         f"{place}: {found:.6g} (SI) is given, but the other start values and the joints give {bound:.6g}; "

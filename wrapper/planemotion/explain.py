@@ -14,6 +14,7 @@ from . import _layout as layout
 from . import engine
 from .flatten import FlatScene, flatten
 from .scene import Friction, SceneData, Vector
+from .words import SPIN_KEYS
 
 if TYPE_CHECKING:
     from .builder import Scene
@@ -52,10 +53,11 @@ def explain(scene: Scene) -> Report:
     blocks = [
         [data.id + (f": {data.title}" if data.title else "")],
         [
-            f"{data.plane} plane"
+            (f"{data.plane} plane" if data.spin is None else "plane that turns about an axis in it")
             + (", weight acts along -y" if data.plane == "vertical" else ", weight does not act in it")
         ],
         _section("parameters", ((name, _written(value)) for name, value in data.parameters.items())),
+        _section("spin", _spin(data)),
         *(_bodies(data, flat, start) for flat, start in zip(flats, starts, strict=True)),
         _section(
             "joints",
@@ -182,6 +184,15 @@ def _route(data: SceneData) -> str:
     if data.solve.route == "auto":
         return 'rk, by route = "auto": explicit steps of 8th order; choose "ida" where forces are stiff'
     return f"{data.solve.route}, as solve.route says"
+
+
+def _spin(data: SceneData) -> list[tuple[str, str]]:
+    """The axis of the plane, and what turns along."""
+    if data.spin is None:
+        return []
+    return [
+        (key, _written(getattr(data.spin, key))) for key in SPIN_KEYS if key in data.spin.model_fields_set
+    ]
 
 
 # ---- words ----------------------------------------------------------------------------------------------

@@ -31,6 +31,7 @@ from .measures import Measures
 from .node import ZERO, Name, negative
 from .parameters import Parameters, Reader, is_zero, override
 from .scene import Body, Contact, Coupling, Force, Joint, SceneData, Value
+from .spin import Spins
 from .starts import Starts
 from .tables import Tables
 from .units import DIMENSIONLESS, LENGTH, TIME
@@ -122,6 +123,7 @@ class _Flattener:
     def flat(self) -> FlatScene:
         data, tables = self.data, self.tables
         self._check_masses()
+        Spins(self.drawing, self.reader, tables).add(data)
         starts = Starts(self.drawing, self.reader, self.measures, tables)
         starts.add(data.start, self._fastened())
         nudge = starts.nudge(data.nudge)

@@ -28,6 +28,8 @@ _SHAPE_INERTIA = {
     "sphere": 2 / 5,
     "half_ring": 1 - 4 / math.pi**2,
 }
+# The same of shapes that stand across the plane, about an axis at right angles to the plane.
+_EDGE_ON_INERTIA = {"disk": 1 / 4, "hoop": 1 / 2}
 # The points that every body has.
 _EVERY_BODY = ("G", "center")
 # Distance of a half ring's mass centre from the centre of its arc, over the radius.
@@ -120,7 +122,9 @@ def body_marks(reader: Reader, name: str, body: Body, length: Node | None) -> Ma
         _add_rod(marks, body.rod, length)
     if body.plate is not None:
         _add_plate(marks, body.corners, reader.vector(body.plate, f"{path}.plate", LENGTH))
-    if body.shape in words.ROUND_SHAPES:
+    if body.edge_on:
+        _add_edge(marks, radius(reader, name, body))
+    elif body.shape in words.ROUND_SHAPES:
         marks.circles["rim"] = CircleMark((ZERO, ZERO), radius(reader, name, body))
     if not body.turns and (body.points or body.lines or body.circles):
         raise SceneError(
@@ -171,7 +175,7 @@ def mass_of(reader: Reader, name: str, body: Body, length: Node | None) -> Mass:
         inertia = mass * (width * width + height * height) / 12
     elif body.shape is not None:
         size = length if length is not None else radius(reader, name, body)
-        inertia = mass * size * size * _SHAPE_INERTIA[body.shape]
+        inertia = mass * size * size * (_EDGE_ON_INERTIA if body.edge_on else _SHAPE_INERTIA)[body.shape]
     else:
         inertia = ZERO
     return Mass(mass, inertia, known)
@@ -226,6 +230,13 @@ def _add_rod(marks: Marks, ends: tuple[str, ...], length: Node) -> None:
     marks.lines["axis"] = LineMark((ZERO, ZERO), ZERO)
     marks.lines["top"] = LineMark((ZERO, ZERO), ZERO, (-half, half))
     marks.lines["bottom"] = LineMark((ZERO, ZERO), Number(math.pi), (-half, half))
+
+
+def _add_edge(marks: Marks, size: Node) -> None:
+    """A disk that stands across the plane shows a diameter: its x axis."""
+    marks.lines["axis"] = LineMark((ZERO, ZERO), ZERO)
+    marks.lines["top"] = LineMark((ZERO, ZERO), ZERO, (-size, size))
+    marks.lines["bottom"] = LineMark((ZERO, ZERO), Number(math.pi), (-size, size))
 
 
 def _add_plate(marks: Marks, corners: tuple[str, ...] | None, size: Pair) -> None:

@@ -87,6 +87,12 @@ _ENERGY: dict[str, int] = {
     "total": layout.PM_MEASURE_TOTAL,
     "lost": layout.PM_MEASURE_LOST,
 }
+_SPIN: dict[str, tuple[int, Dimension]] = {
+    "omega": (layout.PM_MEASURE_SPIN_OMEGA, ANGULAR_VELOCITY),
+    "angle": (layout.PM_MEASURE_SPIN_ANGLE, DIMENSIONLESS),
+    "momentum": (layout.PM_MEASURE_SPIN_MOMENTUM, ANGULAR_MOMENTUM),
+    "inertia": (layout.PM_MEASURE_SPIN_INERTIA, INERTIA),
+}
 _FORCE: dict[str, tuple[int, Dimension | None]] = {
     "couple": (layout.PM_MEASURE_FORCE_COUPLE, MOMENT),
     "work": (layout.PM_MEASURE_FORCE_WORK, ENERGY),
@@ -191,6 +197,11 @@ class Measures(MeasureRows):
             case "energy":
                 quantity = self._quantity(address, words.ENERGIES, "the scene's energy")
                 return Reading(self._leaf(_ENERGY[quantity], layout.PM_NONE, address), ENERGY)
+            case "spin":
+                if not self.tables.rows[layout.PM_TABLE_SPIN]:
+                    raise SceneError(f'"{address}": the scene has no [spin]')
+                kind, found = _SPIN[self._quantity(address, words.SPIN_QUANTITIES, "the spin")]
+                return Reading(self._leaf(kind, layout.PM_NONE, address), found)
             case "weight":
                 self._ends(address, 0)
                 self._plain(address, ())

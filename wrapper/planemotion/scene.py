@@ -98,6 +98,15 @@ class Driven(Table):
     omega: Number = 0
 
 
+class Spin(Table):
+    """An axis in the plane about which the plane turns, and what turns along."""
+
+    through: Pair
+    angle: Number
+    inertia: Number = 0
+    couple: Number | None = None
+
+
 class Body(Table):
     rod: Annotated[tuple[str, ...], BeforeValidator(read_names(2, "the names of two ends"))] | None = None
     length: Number | None = None
@@ -119,6 +128,8 @@ class Body(Table):
     at: Annotated[Place, BeforeValidator(read_place)] | None = None
     angle: Number | None = None
     driven: Driven | None = None
+    depth: Number | None = None
+    edge_on: bool = False
     active: Number = True
 
     @property
@@ -303,6 +314,7 @@ class SceneData(Table):
     parameters: dict[str, Number] = {}
     ground: Ground = Ground()
     bodies: dict[str, Body] = {}
+    spin: Spin | None = None
     joints: dict[str, Joint] = {}
     couplings: dict[str, Coupling] = {}
     contacts: dict[str, Contact] = {}

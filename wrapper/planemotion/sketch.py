@@ -167,6 +167,7 @@ class _Sketch:
             places += [self.place(owner, row.start) for row in marks.rows.values()]
         for name, body in self.drawing.bodies.items():
             places += self._plate(name, body.plate) if body.plate is not None else []
+            places += self._edge(name) if body.edge_on else []
         xy = np.array(places)
         low, high = xy.min(axis=0), xy.max(axis=0)
         size = max(float((high - low).max()), 0.0)
@@ -200,6 +201,7 @@ class _Sketch:
 
     def _draw_all(self) -> None:
         self._ground()
+        self._spin()
         for name in sorted(self.drawing.bodies, key=self._reach, reverse=True):  # small ones on top
             self._body(name, self.drawing.bodies[name])
         for name, joint in self._active("joints"):
@@ -212,6 +214,8 @@ class _Sketch:
             self._force(name, force)
         self._points()
         plane = "vertical plane" if self.data.plane == "vertical" else "horizontal plane, seen from above"
+        if self.data.spin is not None:
+            plane = "plane that turns about an axis in it"
         note = f"{plane}; at the start"
         if self.start.fault:
             note = "as written, not assembled (see the message)"
@@ -240,6 +244,17 @@ class _Sketch:
         self.pen.axes.text(
             x - 0.07 * inch, y - 0.19 * inch, "g", color=SOFT, ha="right", va="center", style="italic"
         )
+
+    def _spin(self) -> None:
+        """The axis about which the plane turns."""
+        if self.data.spin is None:
+            return
+        reader = self.drawing.reader
+        through = reader.vector(self.data.spin.through, "spin.through", LENGTH)
+        angle = reader.number(self.data.spin.angle, "spin.angle", DIMENSIONLESS)
+        a, b = self._ends(GROUND, LineMark(through, angle))
+        self.pen.line([a, b], SOFT, 1.0, linestyle=_CENTRE_LINE)
+        self.pen.name((b[0] + 0.06 * (a[0] - b[0]), b[1] + 0.06 * (a[1] - b[1])), "spin", SOFT)
 
     def _ground(self) -> None:
         marks = self.drawing.marks(GROUND)
@@ -322,6 +337,9 @@ class _Sketch:
             pen.bar(self.point(name, body.rod[0]), self.point(name, body.rod[1]), _ROD)
         elif body.plate is not None:
             pen.polygon(self._plate(name, body.plate))
+        elif body.edge_on:
+            first, last = self._edge(name)
+            pen.bar(first, last, _ROD)
         elif body.shape == "hoop":
             pen.ring(center, self.length(marks.circles["rim"].radius))
         elif body.shape == "half_ring":
@@ -343,6 +361,10 @@ class _Sketch:
         width, height = self.drawing.reader.vector(size, f"bodies.{name}.plate", LENGTH)
         x, y = width / 2, height / 2
         return [self.place(name, corner) for corner in ((-x, -y), (x, -y), (x, y), (-x, y))]
+
+    def _edge(self, name: str) -> tuple[Place, Place]:
+        """The ends of the diameter that a disk across the plane shows."""
+        return self._ends(name, self.drawing.marks(name).lines["top"])
 
     def _plain_body(self, name: str) -> None:
         """A body without a shape: the outline of its points."""

@@ -19,6 +19,7 @@ from .measures import Measures
 from .node import Binary, Node, Number, negative
 from .parameters import Reader, is_guess
 from .scene import Value, Vector
+from .spin import START_OMEGA
 from .tables import Tables
 
 _LEVELS = {
@@ -45,6 +46,8 @@ class Starts:
             if name in fastened:
                 self._add_pose(name)
         for address, value in written.items():
+            if address == START_OMEGA:
+                continue  # no velocity of a body: spin.py has taken it
             try:
                 self._add_written(address, value)
             except SceneError as error:

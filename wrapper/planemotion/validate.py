@@ -15,6 +15,7 @@ from . import words
 from ._layout import PM_FIND_MOST_PAIR_SAMPLES, PM_FIND_MOST_SAMPLES
 from .errors import SceneError
 from .scene import DEFAULT_G, Ask, At, Contact, Find, SceneData, Table
+from .spin import check_words
 
 
 def validate(raw: Mapping[str, Any], *, file: str | None = None, name: str = "") -> SceneData:
@@ -99,6 +100,7 @@ _MODELS = {model.__name__ for model in Table.__subclasses__()}
 
 def _check_more(data: SceneData) -> None:
     """Faults between keys that no type says."""
+    check_words(data)
     solve = data.solve
     if solve.route not in words.ROUTES:
         raise SceneError(words.unknown(solve.route, words.ROUTES, "route"), path="solve.route")

@@ -14,24 +14,21 @@ from .address import KEYWORDS
 from .errors import SceneError, nearest
 
 TOP_KEYS = (
-    *("id", "title", "description", "plane", "until", "parameters", "ground", "bodies", "joints"),
+    *("id", "title", "description", "plane", "until", "parameters", "ground", "bodies", "spin", "joints"),
     *("couplings", "contacts", "forces", "start", "events", "ask", "find", "runs", "sweep", "solve"),
 )
-NOT_BUILT_TOP = {"spin": "a plane that itself turns"}
 
 SHAPES = ("rod", "disk", "cylinder", "hoop", "sphere", "half_ring", "plate")
+EDGE_ON_SHAPES = ("disk", "hoop")
 ROUND_SHAPES = ("disk", "cylinder", "hoop", "sphere", "half_ring")
 BODY_KEYS = (
     *SHAPES,
     *("length", "corners", "mass", "weight", "inertia", "gyration", "mass_center"),
-    *("points", "lines", "circles", "at", "angle", "driven", "active"),
+    *("points", "lines", "circles", "at", "angle", "driven", "depth", "edge_on", "active"),
 )
-NOT_BUILT_BODY = {
-    "depth": "bodies of a spinning plane",
-    "edge_on": "bodies of a spinning plane",
-}
 GROUND_KEYS = ("points", "lines", "circles", "rows")
 ROW_KEYS = ("from", "step", "count")
+SPIN_KEYS = ("through", "angle", "inertia", "couple")
 DRIVEN_KEYS = ("velocity", "omega")
 
 # Element tables: kind -> options; `active` goes with every kind.
@@ -115,23 +112,25 @@ CAPTURE_QUANTITIES = ("gap", "closed", "force", "impulse")  # what holds has no 
 FORCE_QUANTITIES = ("force", "couple", "work", "power", "stretch", "energy")
 EVENT_QUANTITIES = ("count", "time")
 ENERGIES = ("kinetic", "potential", "total", "lost")
-SCENE_QUANTITIES = ("t", "time", "energy", "weight", "momentum", "angular_momentum")
+SPIN_QUANTITIES = ("omega", "angle", "momentum", "inertia")
+SCENE_QUANTITIES = ("t", "time", "energy", "weight", "momentum", "angular_momentum", "spin")
 PARTS = ("x", "y", "norm", "angle")
 
 # What an element or parameter cannot be called: the words would mean two things.
-RESERVED = frozenset({*SCENE_QUANTITIES, *KEYWORDS, "ground", "spin", "pi", "start", "end", "rest"})
+RESERVED = frozenset({*SCENE_QUANTITIES, *KEYWORDS, "ground", "pi", "start", "end", "rest"})
 _NAME = re.compile(r"[^\W\d]\w*")
 
 
 def check(raw: Mapping[str, Any]) -> None:
     """Raises SceneError for the first key that is unknown or not built yet, and for names that clash."""
-    _keys(raw, TOP_KEYS, "", "a scene", NOT_BUILT_TOP)
+    _keys(raw, TOP_KEYS, "", "a scene")
     for name, value in table(raw, "parameters").items():
         if name != "t":  # a parameter may have that name: the time is then called time
             check_name(name, "parameters")
         if isinstance(value, Mapping):
             raise SceneError(_VALUE_TABLE, path=f"parameters.{name}")
     _ground(table(raw, "ground"))
+    _keys(table(raw, "spin"), SPIN_KEYS, "spin", "a spin")
     for name, body in table(raw, "bodies").items():
         _body(body, f"bodies.{name}")
     for group in KINDS:
@@ -249,7 +248,7 @@ def _ground(ground: Mapping[str, Any]) -> None:
 
 
 def _body(body: Any, path: str) -> None:
-    _keys(_mapping(body, path), BODY_KEYS, path, "a body", NOT_BUILT_BODY)
+    _keys(_mapping(body, path), BODY_KEYS, path, "a body")
     if "driven" in body:
         _keys(_mapping(body["driven"], f"{path}.driven"), DRIVEN_KEYS, f"{path}.driven", "a driven body")
     given = [shape for shape in SHAPES if shape in body]
