@@ -114,6 +114,37 @@ def test_a_couple_turns_the_plane(route: str) -> None:
     assert values["x"] > 0.4 * math.sin(0.7)
 
 
+LAPS = """
+until = "laps"
+[spin]
+through = [0, 0]
+angle = "90 deg"
+inertia = "0.02 kg*m^2"
+[bodies]
+AB = { rod = ["A", "B"], length = "0.3 m", mass = "0.5 kg", at = { A = [0, 0] }, angle = "-90 deg" }
+[joints]
+pin = { pin = ["AB.A", "ground"] }
+[start]
+spin.omega = "9 rad/s"
+AB.omega = "40 rad/s"
+[events]
+laps = "AB.turned = 40*(360 deg) + (1.1 rad)"
+[ask]
+swing = "AB.omega"
+slowest = { min = "spin.omega" }
+force = { max = "pin.force.norm" }
+"""
+
+
+def test_laps_that_repeat() -> None:
+    """Round and round in the turning plane: laps computed once agree with steps in time."""
+    scene = planemotion.load_text(LAPS)
+    path, steps = scene.run(), scene.with_values({"solve.route": "rk"}).run()
+    assert path.asks["slowest"].value == pytest.approx(9 * 0.02 / (0.02 + 0.5 * 0.3**2 / 3), rel=1e-10)
+    for key, answer in path.asks.items():
+        assert answer.value == pytest.approx(steps.asks[key].value, rel=1e-8)
+
+
 def test_what_the_numbers_of_a_case_forbid() -> None:
     slanting = GOVERNOR.replace('angle = "90 deg"', 'angle = "80 deg"')
     with pytest.raises(
