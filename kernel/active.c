@@ -11,6 +11,7 @@
 #include "body.h"
 #include "capture.h"
 #include "contact.h"
+#include "grip.h"
 #include "order.h"
 #include "project.h"
 #include "row.h"
@@ -26,6 +27,7 @@ void pm_active_clear(pm_workspace *w)
     for (int i = 0; i < w->model->njoint_row; i++) w->joint_active[i] = PM_NONE;
     for (int i = 0; i < w->model->nslot; i++) w->slot_normal[i] = w->slot_tangent[i] = PM_NONE;
     for (int i = 0; i < PM_JOINT_ROWS * w->model->nslot; i++) w->slot_held[i] = PM_NONE;
+    for (int i = 0; i < w->model->ngrip; i++) w->grip_row[i] = PM_NONE;
 }
 
 /* The basis of the rows that are active so far, at the frame; its size. */
@@ -163,6 +165,19 @@ static int append_contacts(pm_workspace *w, int *nbasis)
     return PM_OK;
 }
 
+/* Frictions of joints that hold. */
+static int append_grips(pm_workspace *w, int *nbasis)
+{
+    for (int i = 0; i < w->model->ngrip; i++) {
+        pm_row row;
+        if (w->state.grip[i] != PM_STICK) continue;
+        pm_grip_row(w, i, &row);
+        const int status = append(w, &row, nbasis, &w->grip_row[i]);
+        if (status) return status;
+    }
+    return PM_OK;
+}
+
 /* Tangents that sliding normals carry stand behind the active rows; an entry without a normal ends them. */
 static void append_carried(pm_workspace *w)
 {
@@ -185,6 +200,7 @@ static int append_all(pm_workspace *w, int *nbasis)
     int status = append_joints(w, nbasis);
     if (!status) status = append_captured(w, nbasis);
     if (!status) status = append_contacts(w, nbasis);
+    if (!status) status = append_grips(w, nbasis);
     return status;
 }
 

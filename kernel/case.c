@@ -141,7 +141,11 @@ static int check_elements(pm_workspace *w)
     }
     for (int i = 0; !status && i < m->rows[PM_TABLE_FORCE]; i++) {
         const int32_t *e = PM_FORCE_ROW(m, i);
-        if (e[PM_FORCE_KIND] > PM_FORCE_ROTARY_DAMPER) continue;
+        if (e[PM_FORCE_KIND] == PM_FORCE_FRICTION)
+            status = check(w, PM_TABLE_FORCE, i, PM_FORCE_VALUE_2, e[PM_FORCE_VALUE_2], 0, 0);
+        else if (e[PM_FORCE_KIND] > PM_FORCE_ROTARY_DAMPER)
+            continue;
+        if (status) break;
         status = check(w, PM_TABLE_FORCE, i, PM_FORCE_VALUE_1, e[PM_FORCE_VALUE_1], 0, 0);
         if (!status && e[PM_FORCE_KIND] <= PM_FORCE_TORSION)
             status = check(w, PM_TABLE_FORCE, i, PM_FORCE_VALUE_2, e[PM_FORCE_VALUE_2], -INFINITY, 0);

@@ -113,6 +113,7 @@ void pm_decision_close(pm_workspace *w)
     pm_decision_log *log = &w->error->present->log;
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++)
         log->history = mix(log->history, w->event->fired[i]);
+    for (int i = 0; i < w->model->ngrip; i++) log->history = mix(log->history, (uint32_t)w->state.grip[i]);
     for (int i = 0; i < w->model->nslot; i++) {
         log->history = mix(log->history, (uint32_t)w->state.slot[i].mode);
         if (w->state.slot[i].mode != PM_OPEN)

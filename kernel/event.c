@@ -13,6 +13,7 @@
 #include "case.h"
 #include "contact.h"
 #include "crossing.h"
+#include "grip.h"
 #include "instant.h"
 #include "leg.h"
 #include "root.h"
@@ -31,7 +32,8 @@ int pm_event_create(pm_workspace *w)
 {
     const pm_model *m = w->model;
     const size_t ntrigger = (size_t)m->rows[PM_TABLE_TRIGGER], nevent = (size_t)m->rows[PM_TABLE_EVENT];
-    const size_t most = ntrigger + (size_t)m->rows[PM_TABLE_CONTACT] + 4 * (size_t)m->nslot;
+    const size_t most =
+        ntrigger + (size_t)m->rows[PM_TABLE_CONTACT] + 4 * (size_t)m->nslot + (size_t)m->ngrip;
     pm_event_set *e = w->event = calloc(1, sizeof *e);
     if (!e) return PM_NO_MEMORY;
     e->most = (int)most;
@@ -144,6 +146,17 @@ static void add_contacts(pm_workspace *w)
     }
 }
 
+static void add_grips(pm_workspace *w)
+{
+    const double size = force_scale(w), force = FORCE_SLACK * size;
+    for (int i = 0; i < w->model->ngrip; i++) {
+        if (w->state.grip[i] == PM_STICK)
+            add(w, FUNCTION_HOLD, i, -1, PM_LEVEL_DYNAMIC, force, size);
+        else
+            add(w, FUNCTION_RUB, i, -1, PM_LEVEL_KINEMATIC, pm_grip_still(w, i), w->speed);
+    }
+}
+
 double pm_event_sample(pm_workspace *w, const pm_event_function *f)
 {
     const pm_slot *slot = w->state.slot;
@@ -172,6 +185,12 @@ double pm_event_sample(pm_workspace *w, const pm_event_function *f)
                                                                       : pm_capture_approach(w, f->index);
     case FUNCTION_END:
         return pm_segment_room(w, pm_contact_of_slot(w->model, f->index), slot[f->index].member);
+    case FUNCTION_HOLD:
+        if (w->grip_row[f->index] == PM_NONE) return 1; /* something else holds it, too */
+        return pm_grip_limit(w, f->index) - fabs(w->frame.lambda[w->grip_row[f->index]]);
+    case FUNCTION_RUB:
+        return w->state.grip[f->index] == PM_SLIDE_FORWARD ? pm_grip_slip(w, f->index)
+                                                           : -pm_grip_slip(w, f->index);
     default: return pm_trigger_program(w, f->index);
     }
 }
@@ -226,6 +245,7 @@ void pm_event_begin(pm_workspace *w)
     e->level = PM_LEVEL_KINEMATIC;
     add_triggers(w);
     add_contacts(w);
+    add_grips(w);
     e->first_step = 1;
     memset(e->spent, 0, (size_t)w->model->rows[PM_TABLE_CONTACT]);
     set_multiples(w);

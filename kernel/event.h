@@ -18,7 +18,9 @@ enum pm_function_kind {
     FUNCTION_GRIP,
     FUNCTION_SLIP,
     FUNCTION_MEETING, /* of two points: where they are nearest, they may meet */
-    FUNCTION_END      /* of an edge that something touches */
+    FUNCTION_END,     /* of an edge that something touches */
+    FUNCTION_HOLD,    /* friction of a joint that holds: what is left of it */
+    FUNCTION_RUB      /* its slip where it slides */
 };
 
 typedef struct pm_event_function {

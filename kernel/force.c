@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "body.h"
+#include "grip.h"
 #include "nature.h"
 #include "program.h"
 #include "spin.h"
@@ -96,10 +97,21 @@ static void applied(pm_workspace *w, const int32_t *e, pm_action *x)
     x->power = x->force[0] * a.v[0] + x->force[1] * a.v[1];
 }
 
+static int number_of(const pm_workspace *w, const int32_t *e)
+{
+    return (int)((e - w->model->table[PM_TABLE_FORCE]) / PM_FORCE_COLUMNS);
+}
+
+static void friction(pm_workspace *w, const int32_t *e, pm_action *x)
+{
+    pm_grip_action(w, number_of(w, e), x);
+}
+
 static pm_force_law *const laws[PM_FORCE_KINDS] = {
-    [PM_FORCE_SPRING] = spring,   [PM_FORCE_TORSION] = torsion,
-    [PM_FORCE_DAMPER] = damper,   [PM_FORCE_ROTARY_DAMPER] = rotary_damper,
-    [PM_FORCE_APPLIED] = applied, [PM_FORCE_COUPLE] = couple,
+    [PM_FORCE_SPRING] = spring,     [PM_FORCE_TORSION] = torsion,
+    [PM_FORCE_DAMPER] = damper,     [PM_FORCE_ROTARY_DAMPER] = rotary_damper,
+    [PM_FORCE_APPLIED] = applied,   [PM_FORCE_COUPLE] = couple,
+    [PM_FORCE_FRICTION] = friction,
 };
 
 /* ---- which forces stay the same along a motion with constant accelerations; the others never do ---- */
@@ -125,9 +137,15 @@ static int steady_applied(const pm_workspace *w, const int32_t *e, const pm_stea
            pm_steady_mark(w, x, pm_body_index(w->model, p[PM_POINT_BODY]), at);
 }
 
+static int steady_friction(const pm_workspace *w, const int32_t *e, const pm_steady *x)
+{
+    return pm_grip_steady(w, number_of(w, e), x);
+}
+
 static pm_force_rule *const steady[PM_FORCE_KINDS] = {
     [PM_FORCE_APPLIED] = steady_applied,
     [PM_FORCE_COUPLE] = steady_couple,
+    [PM_FORCE_FRICTION] = steady_friction,
 };
 
 int pm_force_steady(const pm_workspace *w, int i, const pm_steady *x)

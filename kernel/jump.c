@@ -25,6 +25,7 @@
 #include "contact.h"
 #include "decision.h"
 #include "event.h"
+#include "grip.h"
 #include "impact.h"
 #include "mode.h"
 #include "row.h"
@@ -361,6 +362,7 @@ static int one_blow(pm_workspace *w, unsigned char *share, double *scratch)
 {
     const pm_model *m = w->model;
     double *after = scratch;
+    pm_grip_release(w);
     int32_t *resting = (int32_t *)(void *)(scratch + m->nq), *trial = resting + m->nslot;
     int status = PM_OK, again = 1;
     for (int i = 0; i < m->nslot; i++) {
@@ -383,7 +385,7 @@ static int one_blow(pm_workspace *w, unsigned char *share, double *scratch)
         again = drop_pulling(w, share) || slide_where_it_must(w, trial) ||
                 (!one_by_one(w) && join_approaching(w, share, resting, trial, after));
     }
-    if ((status = gains(w, after))) return status;
+    if ((status = gains(w, after)) || (status = pm_grip_check_blow(w))) return status;
     record(w);
     double *before = after + m->nq + m->nslot; /* behind resting and trial */
     memcpy(before, w->state.v, (size_t)m->nq * sizeof *before);
@@ -391,6 +393,7 @@ static int one_blow(pm_workspace *w, unsigned char *share, double *scratch)
     pm_frame_look_state(w, &w->state);
     pm_audit_jump(w, before);
     set_modes(w, share, resting, before);
+    pm_grip_close(w);
     w->count[PM_COUNT_JUMPS]++;
     return PM_OK;
 }

@@ -9,6 +9,7 @@
 #include "contact.h"
 #include "event.h"
 #include "force.h"
+#include "grip.h"
 #include "row.h"
 #include "saddle.h"
 #include "segment.h"
@@ -157,6 +158,18 @@ static double path(const pm_measure_args *x)
 }
 
 /* ---- joints ---- */
+/* What the friction of a joint does to its first partner. */
+static void add_friction(const pm_measure_args *x, double out[3])
+{
+    pm_row row;
+    pm_line_of_action along;
+    const double size = pm_grip_of_joint(x->w, x->a, &row);
+    if (size == 0) return;
+    pm_row_kind(row.kind)->act(x->w, &row, &along);
+    for (int k = 0; k < 2; k++) out[k] += size * along.direction[k];
+    out[2] += size * along.couple;
+}
+
 /* Sum over the rows of a joint of size[row] times its direction on the first partner. */
 static void joint_sum(const pm_measure_args *x, const double *reaction, int by_active, double out[3])
 {
@@ -173,6 +186,7 @@ static void joint_sum(const pm_measure_args *x, const double *reaction, int by_a
         out[1] += row->j[1] * size;
         if (row->kind == PM_ROW_ANGLE || row->kind == PM_ROW_TURN) out[2] += row->j[2] * size;
     }
+    if (by_active) add_friction(x, out);
     /* `on` another body than the first partner: the opposite */
     if (x->e[PM_MEASURE_ON] == PM_NONE) return;
     pm_row row[PM_JOINT_ROWS];
@@ -208,7 +222,13 @@ static double joint_row_reaction(const pm_measure_args *x, int row)
     return x->w->frame.lambda[active[row]];
 }
 static double joint_normal(const pm_measure_args *x) { return joint_row_reaction(x, 0); }
-static double joint_friction(const pm_measure_args *x) { return joint_row_reaction(x, 1); }
+static double joint_friction(const pm_measure_args *x)
+{
+    const int kind = PM_JOINT_ROW(x->w->model, x->a)[PM_JOINT_KIND];
+    pm_row row;
+    const int rolls = kind == PM_JOINT_ROLLING_LINE || kind == PM_JOINT_ROLLING_CIRCLE;
+    return rolls ? joint_row_reaction(x, 1) : pm_grip_of_joint(x->w, x->a, &row);
+}
 static double needed(double normal, double friction) { return normal > 0 ? fabs(friction) / normal : NAN; }
 static double joint_friction_needed(const pm_measure_args *x)
 {
@@ -512,6 +532,9 @@ int pm_measure_validate(const pm_model *m, pm_where *where)
         if (kind == PM_MEASURE_JOINT_NORMAL || kind == PM_MEASURE_JOINT_FRICTION ||
             kind == PM_MEASURE_JOINT_FRICTION_NEEDED) {
             const int joint = PM_JOINT_ROW(m, a)[PM_JOINT_KIND];
+            const int rubs =
+                joint == PM_JOINT_SLIDER || joint == PM_JOINT_SLIDER_FIXED || joint == PM_JOINT_LINK;
+            if (kind == PM_MEASURE_JOINT_FRICTION && rubs) continue;
             if (joint != PM_JOINT_ROLLING_LINE && joint != PM_JOINT_ROLLING_CIRCLE && joint != PM_JOINT_BELT)
                 return bad(where, i, joint, PM_JOINT_KINDS);
         }

@@ -12,6 +12,7 @@
 #include "contact.h"
 #include "decision.h"
 #include "event.h"
+#include "grip.h"
 #include "project.h"
 #include "row.h"
 #include "saddle.h"
@@ -76,6 +77,8 @@ void pm_mode_begin(pm_workspace *w)
     for (int i = 0; i < w->event->nfunction; i++) {
         if (!w->event->hit[i]) continue;
         if (w->event->function[i].kind == FUNCTION_END) pass_end(w, w->event->function[i].index);
+        if (w->event->function[i].kind == FUNCTION_HOLD) pm_grip_slides(w, w->event->function[i].index);
+        if (w->event->function[i].kind == FUNCTION_RUB) pm_grip_stops(w, w->event->function[i].index);
         const int what = pm_event_contact_change(w, i), slot = w->event->function[i].index;
         if (what == PM_TRIGGER_OPEN) {
             w->state.slot[slot].mode = PM_OPEN;
@@ -165,14 +168,15 @@ static int close_again(pm_workspace *w)
 
 int pm_mode_settle(pm_workspace *w)
 {
-    const int most = 4 * w->model->nslot + 4;
+    const int most = 4 * w->model->nslot + 2 * w->model->ngrip + 4;
     for (int i = 0; i < most; i++) {
         int status;
         pm_frame_look_state(w, &w->state);
         if ((status = pm_active_build(w)) || (status = pm_project(w, &w->state))) return status;
         if (w->kinematic) return PM_OK;
         if ((status = pm_saddle_accelerate(w))) return status;
-        if (!let_go(w) && !slide(w) && !close_again(w)) return PM_OK;
+        if (!let_go(w) && !slide(w) && !pm_grip_overcome(w, SLACK * force_size(w)) && !close_again(w))
+            return PM_OK;
     }
     return pm_fail(w, PM_BLOW_UNDECIDED, PM_TABLE_CONTACT, PM_NONE, most, most);
 }

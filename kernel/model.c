@@ -158,6 +158,7 @@ static const pm_partner force_partner[PM_FORCE_KINDS] = {
     [PM_FORCE_ROTARY_DAMPER] = {PM_TABLE_BODY, PM_TABLE_BODY, 1, 0, 0, 0},
     [PM_FORCE_APPLIED] = {PM_TABLE_POINT, PM_TABLE_BODY, 0, 0, 1, 1},
     [PM_FORCE_COUPLE] = {PM_TABLE_BODY, PM_TABLE_BODY, 0, 0, 1, 0},
+    [PM_FORCE_FRICTION] = {PM_TABLE_JOINT, PM_TABLE_JOINT, 1, 1, 0, 0},
 };
 
 static int in_range(const pm_model *m, int of, int index)
@@ -252,12 +253,22 @@ static int needs_forces(const pm_model *m, int measure)
            (of_force && PM_FORCE_ROW(m, e[PM_MEASURE_A])[PM_FORCE_KIND] >= PM_FORCE_APPLIED);
 }
 
+/* Joints that leave one way to slip. */
+static int can_rub(const pm_model *m, int joint)
+{
+    const int kind = PM_JOINT_ROW(m, joint)[PM_JOINT_KIND];
+    return kind == PM_JOINT_PIN || kind == PM_JOINT_SLIDER || kind == PM_JOINT_SLIDER_FIXED ||
+           kind == PM_JOINT_LINK;
+}
+
 /* A force's program may not use what must itself be computed from forces: accelerations, reactions, other programs'. */
 static int check_forces(const pm_model *m, pm_where *where)
 {
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++) {
         const int32_t *e = PM_FORCE_ROW(m, i);
         const int kind = e[PM_FORCE_KIND], option = e[PM_FORCE_OPTION];
+        if (kind == PM_FORCE_FRICTION && !can_rub(m, e[PM_FORCE_A]))
+            return bad(where, PM_TABLE_FORCE, i, e[PM_FORCE_A], PM_NONE);
         if (kind == PM_FORCE_SPRING && (option < PM_SPRING_BOTH || option > PM_SPRING_PUSH))
             return bad(where, PM_TABLE_FORCE, i, option, PM_SPRING_PUSH);
         for (int k = 0; k < (kind == PM_FORCE_APPLIED ? 2 : kind == PM_FORCE_COUPLE); k++) {
@@ -469,8 +480,11 @@ static void lay_out(pm_model *m)
         m->contact_kept[i] = e[PM_CONTACT_CAPTURE] == PM_CAPTURE_NONE ? PM_NONE : m->nkept;
         if (e[PM_CONTACT_CAPTURE] != PM_CAPTURE_NONE) m->nkept += slots;
     }
-    m->nmemory += m->nslot; /* the slots' memories come last */
-    m->nrow = m->njoint_row + 2 * m->nslot + m->nkept;
+    m->grip_memory = m->nmemory;
+    for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++)
+        if (PM_FORCE_ROW(m, i)[PM_FORCE_KIND] == PM_FORCE_FRICTION) m->grip_force[m->ngrip++] = i;
+    m->nmemory += m->ngrip + m->nslot; /* the slots' memories come last */
+    m->nrow = m->njoint_row + 2 * m->nslot + m->nkept + m->ngrip;
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++) {
         const int kind = PM_FORCE_ROW(m, i)[PM_FORCE_KIND];
         m->force_z[i] = kind == PM_FORCE_SPRING || kind == PM_FORCE_TORSION ? PM_NONE : m->nz++;
@@ -510,7 +524,7 @@ static void look_for_time(pm_model *m)
         m->uses_time |= pm_nature_reads_time(m, program);
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++) {
         const int32_t *e = PM_FORCE_ROW(m, i);
-        if (e[PM_FORCE_KIND] >= PM_FORCE_APPLIED)
+        if (e[PM_FORCE_KIND] == PM_FORCE_APPLIED || e[PM_FORCE_KIND] == PM_FORCE_COUPLE)
             m->uses_time |= pm_nature_reads_time(m, e[PM_FORCE_PROGRAM_X]);
         if (e[PM_FORCE_KIND] == PM_FORCE_APPLIED)
             m->uses_time |= pm_nature_reads_time(m, e[PM_FORCE_PROGRAM_Y]);
@@ -582,7 +596,7 @@ int pm_model_create(int64_t ntable, const int32_t *table, int64_t nconstant, con
         return status;
     }
     const size_t nint = 2 * (size_t)m->rows[PM_TABLE_CONTACT] + 2 * (size_t)m->rows[PM_TABLE_JOINT] +
-                        (size_t)m->rows[PM_TABLE_FORCE] + (size_t)m->rows[PM_TABLE_MEASURE];
+                        2 * (size_t)m->rows[PM_TABLE_FORCE] + (size_t)m->rows[PM_TABLE_MEASURE];
     int *block = calloc(nint + 1, sizeof *block);
     m->program_level = calloc(3 * (size_t)m->rows[PM_TABLE_PROGRAM] + 1, 1);
     m->contact_slot = block;
@@ -596,7 +610,8 @@ int pm_model_create(int64_t ntable, const int32_t *table, int64_t nconstant, con
     m->joint_row = m->contact_kept + m->rows[PM_TABLE_CONTACT];
     m->joint_memory = m->joint_row + m->rows[PM_TABLE_JOINT];
     m->force_z = m->joint_memory + m->rows[PM_TABLE_JOINT];
-    m->path_z = m->force_z + m->rows[PM_TABLE_FORCE];
+    m->grip_force = m->force_z + m->rows[PM_TABLE_FORCE];
+    m->path_z = m->grip_force + m->rows[PM_TABLE_FORCE];
     lay_out(m);
     grade_programs(m);
     look_for_time(m);

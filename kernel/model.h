@@ -29,6 +29,9 @@ typedef struct pm_model {
     int nmemory;              /* joints and slots: what their no-slip and driven rows and strands remember */
     int nkept;                /* slots of contacts that capture */
     int nrow;                 /* most active rows: njoint_row + 2 nslot + nkept */
+    int ngrip;                /* frictions of joints */
+    int grip_memory;          /* first of their memories */
+    int *grip_force;          /* [ngrip] row of each in the table of forces */
     int nz;                   /* running integrals: forces' work, paths, then PM_LEDGER audit entries */
     int nz_work;              /* of these the first are works of forces */
     int nz_controlled;        /* of these the first are under error control */
@@ -107,6 +110,7 @@ typedef struct pm_state {
     pm_kept *kept;     /* [nkept] */
     pm_memory *memory; /* [nmemory]: joints, then slots */
     pm_slot *slot;     /* [nslot] */
+    int32_t *grip;     /* [ngrip] enum pm_mode of the frictions of joints */
     void *block;
     size_t bytes;
 } pm_state;
@@ -190,6 +194,8 @@ typedef struct pm_workspace {
     int *joint_active; /* [njoint_row] active row of each joint row, or PM_NONE (redundant) */
     int *slot_normal;  /* [nslot] active row, or PM_NONE */
     int *slot_tangent; /* [nslot] */
+    int *grip_row;     /* [ngrip] active row where it holds, or PM_NONE */
+    double *grip_load; /* [ngrip] friction that goes with the load of its joint, N or N m */
     int *slot_held;    /* [nslot][PM_JOINT_ROWS] of a captured pair, or PM_NONE */
     int nredundant;
     int asymmetric; /* some contact slides: H differs from G */

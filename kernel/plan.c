@@ -75,7 +75,7 @@ int pm_plan_kinematic(const pm_workspace *w)
 {
     const pm_model *m = w->model;
     int ends = 0;
-    if (m->nslot > 0 || w->ask->instant_level > PM_LEVEL_KINEMATIC) return 0;
+    if (m->nslot > 0 || m->ngrip > 0 || w->ask->instant_level > PM_LEVEL_KINEMATIC) return 0;
     for (int i = 0; i < m->rows[PM_TABLE_UNTIL] && !ends; i++)
         ends = ends_at_start(m, PM_UNTIL_ROW(m, i)[PM_UNTIL_GROUP]);
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER] && ends; i++) {

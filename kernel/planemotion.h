@@ -252,7 +252,10 @@ enum pm_force_kind {
     PM_FORCE_ROTARY_DAMPER = 3, /* bodies a, b; value_1 rate (N m s/rad) */
     PM_FORCE_APPLIED = 4,       /* at point a: program_x, program_y, in the axes of body b (ground: scene) */
     PM_FORCE_COUPLE = 5,        /* on body a, opposite on body b (PM_GROUND: none): program_x */
-    PM_FORCE_KINDS = 6
+    PM_FORCE_FRICTION =
+        6, /* dry friction of joint a (= b): a pin, a slider, or a link as a slot; a couple or a force up to
+                                   value_1 + value_2 * its reaction */
+    PM_FORCE_KINDS = 7
 };
 enum pm_spring_only { PM_SPRING_BOTH = 0, PM_SPRING_PULL = 1, PM_SPRING_PUSH = 2 };
 enum pm_force_column {

@@ -15,6 +15,7 @@
 #include "ask.h"
 #include "case.h"
 #include "event.h"
+#include "grip.h"
 #include "ida.h"
 #include "ida_jacobian.h"
 #include "ida_library.h"
@@ -243,10 +244,14 @@ static int step(pm_workspace *w, double t_limit)
     return status;
 }
 
+/* Friction by the load is not among its unknowns. */
+static int applies(pm_workspace *w) { return !pm_grip_any_by_load(w); }
+
 const pm_route_ops pm_route_ida = {
     .route = PM_ROUTE_IDA,
     .create = create,
     .free = destroy,
+    .applies = applies,
     .begin = begin,
     .step = step,
     .at = at,

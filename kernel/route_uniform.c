@@ -24,6 +24,7 @@
 #include "error.h"
 #include "event.h"
 #include "force.h"
+#include "grip.h"
 #include "program.h"
 #include "project.h"
 #include "route.h"
@@ -45,7 +46,7 @@ static int create(pm_workspace *w)
     if (!u) return PM_NO_MEMORY;
     const size_t nq = (size_t)m->nq, nz = (size_t)m->nz, nslot = (size_t)m->nslot, nrow = (size_t)m->nrow,
                  ncontact = (size_t)m->rows[PM_TABLE_CONTACT];
-    const size_t ndouble = 3 * (nq + 3) + nrow + nslot + 4 * nz + 5 * nq,
+    const size_t ndouble = 3 * (nq + 3) + nrow + nslot + (size_t)m->ngrip + 4 * nz + 5 * nq,
                  nwatched = (size_t)m->rows[PM_TABLE_TRIGGER] + (size_t)m->nask;
     u->closing = u->block = calloc(1, ncontact * sizeof *u->closing + ndouble * sizeof(double) +
                                           nwatched * sizeof *u->watched + 2 * (size_t)m->nbody + 2);
@@ -55,7 +56,8 @@ static int create(pm_workspace *w)
     u->a = u->v + nq + 3;
     u->lambda = u->a + nq + 3;
     u->slip_end = u->lambda + nrow;
-    u->rate = u->slip_end + nslot;
+    u->rub_end = u->slip_end + nslot;
+    u->rate = u->rub_end + m->ngrip;
     u->z0 = u->rate + 3 * nz;
     u->q_look = u->z0 + nz;
     u->v_look = u->q_look + nq;
@@ -205,6 +207,16 @@ static int paths_are_parabolas(const pm_workspace *w)
     return 1;
 }
 
+/* A slip, positive while it lasts, of a slot or of a grip. */
+typedef double pm_slip(pm_workspace *w, int which, double t);
+
+static double rub_at(pm_workspace *w, int grip, double t)
+{
+    pm_uniform_look(w, t);
+    const double slip = pm_grip_slip(w, grip);
+    return w->state.grip[grip] == PM_SLIDE_FORWARD ? slip : -slip;
+}
+
 static double slip_at(pm_workspace *w, int slot, double t)
 {
     pm_uniform_look(w, t);
@@ -213,23 +225,23 @@ static double slip_at(pm_workspace *w, int slot, double t)
     return w->state.slot[slot].mode == PM_SLIDE_FORWARD ? slip : -slip;
 }
 
-static double slip_rate(pm_workspace *w, int slot)
+static double slip_rate(pm_workspace *w, pm_slip *at, int which)
 {
     const double h = pm_case_time_scale(w, w->uniform->v, w->uniform->a);
-    return h < INFINITY ? (slip_at(w, slot, h) - slip_at(w, slot, 0)) / h : 0;
+    return h < INFINITY ? (at(w, which, h) - at(w, which, 0)) / h : 0;
 }
 
 /* The slip is linear in t: a secant gives its root, a second one from there its last digits. */
-static double slip_ends(pm_workspace *w, int slot)
+static double slip_ends(pm_workspace *w, pm_slip *at, int which, double still)
 {
-    const double now = slip_at(w, slot, 0), slope = slip_rate(w, slot);
-    if (now <= pm_contact_speed(w)) { /* has just begun to slide */
+    const double now = at(w, which, 0), slope = slip_rate(w, at, which);
+    if (now <= still) { /* has just begun to slide */
         w->uniform->irregular |= slope < -DEFINITE * w->uniform->curve.acceleration;
         return INFINITY;
     }
     if (!(slope < 0)) return INFINITY;
     const double t = now / -slope;
-    return t + slip_at(w, slot, t) / -slope;
+    return t + at(w, which, t) / -slope;
 }
 
 static void begin_contacts(pm_workspace *w)
@@ -237,8 +249,12 @@ static void begin_contacts(pm_workspace *w)
     pm_uniform *u = w->uniform;
     for (int i = 0; i < w->model->nslot; i++) {
         const int mode = w->state.slot[i].mode;
-        u->slip_end[i] = mode == PM_SLIDE_FORWARD || mode == PM_SLIDE_BACKWARD ? slip_ends(w, i) : INFINITY;
+        const int slides = mode == PM_SLIDE_FORWARD || mode == PM_SLIDE_BACKWARD;
+        u->slip_end[i] = slides ? slip_ends(w, slip_at, i, pm_contact_speed(w)) : INFINITY;
     }
+    for (int i = 0; i < w->model->ngrip; i++)
+        u->rub_end[i] =
+            w->state.grip[i] == PM_STICK ? INFINITY : slip_ends(w, rub_at, i, pm_grip_still(w, i));
     pm_uniform_look(w, 0);
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) pm_uniform_begin_gap(w, i);
 }
@@ -250,7 +266,8 @@ static int applies(pm_workspace *w)
     const int nq = w->model->nq;
     if (w->count[PM_COUNT_PHASES] == 0) pm_zeno_reset(w);
     pm_steady_curve(w, u->v, u->a, u->turns, u->locked, &u->curve);
-    if (pm_segment_any(w->model)) return 0; /* the bounds of gaps know nothing of ends */
+    if (u->curve.levers && pm_grip_any(w->model)) return 0; /* reactions change, and friction with them */
+    if (pm_segment_any(w->model)) return 0;                 /* the bounds of gaps know nothing of ends */
     if (!pm_steady_holds(w, &u->curve) || !paths_are_parabolas(w) || pm_capture_awaits(w)) return 0;
     u->t0 = w->state.t;
     u->begin = u->end = 0;
@@ -312,6 +329,7 @@ static double first_contact(pm_workspace *w, double end)
 {
     pm_uniform *u = w->uniform;
     for (int i = 0; i < w->model->nslot; i++) end = fmin(end, u->slip_end[i]);
+    for (int i = 0; i < w->model->ngrip; i++) end = fmin(end, u->rub_end[i]);
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
         const pm_closing *x = &u->closing[i];
         pm_uniform_gap(w, i, end);
@@ -344,7 +362,8 @@ static int mark_roots(pm_workspace *w)
         const pm_event_function *f = &w->event->function[i];
         const int gap = f->kind == FUNCTION_GAP;
         w->event->root[i] = (gap && u->closing[f->index].root <= end) ||
-                            (f->kind == FUNCTION_SLIP && u->slip_end[f->index] <= end);
+                            (f->kind == FUNCTION_SLIP && u->slip_end[f->index] <= end) ||
+                            (f->kind == FUNCTION_RUB && u->rub_end[f->index] <= end);
         if (!w->event->root[i]) continue;
         others += !gap || struck != PM_NONE;
         struck = f->index;
@@ -358,7 +377,10 @@ static void note_decisions(pm_workspace *w)
     const pm_uniform *u = w->uniform;
     for (int i = 0; i < w->event->nfunction; i++) {
         pm_event_function *f = &w->event->function[i];
-        if (f->kind == FUNCTION_SLIP && w->event->root[i]) pm_decision_rate(w, i, slip_rate(w, f->index));
+        if (f->kind == FUNCTION_SLIP && w->event->root[i])
+            pm_decision_rate(w, i, slip_rate(w, slip_at, f->index));
+        if (f->kind == FUNCTION_RUB && w->event->root[i])
+            pm_decision_rate(w, i, slip_rate(w, rub_at, f->index));
         if (f->kind != FUNCTION_GAP) continue;
         pm_uniform_note_gap(w, f->index);
         const pm_closing *x = &u->closing[f->index];

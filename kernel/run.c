@@ -12,6 +12,7 @@
 #include "error.h"
 #include "event.h"
 #include "force.h"
+#include "grip.h"
 #include "instant.h"
 #include "leg.h"
 #include "plan.h"
@@ -32,6 +33,7 @@ static int begin_case(pm_workspace *w, const double *param, pm_start_report *rep
     pm_leg_forget(w);
     w->event->nfunction = 0;
     w->turns = 0;
+    pm_grip_release(w);
     pm_error_begin(w);
     pm_trigger_reset(w);
     memset(w->joint_impulse, 0, (size_t)w->model->njoint_row * sizeof(double));
@@ -74,6 +76,7 @@ int pm_run_start(pm_workspace *w, const double *param, pm_start_report *report)
     set_speed_scale(w);
     if ((status = open_ledger(w))) return status;
     pm_frame_look_state(w, &w->state);
+    pm_grip_close(w);
     w->kinematic = pm_plan_kinematic(w);
     status = pm_active_build(w);
     if (!status && !w->kinematic) status = pm_saddle_accelerate(w);

@@ -8,8 +8,11 @@
 #include "body.h"
 #include "dense.h"
 #include "force.h"
+#include "grip.h"
 #include "route.h"
 #include "row.h"
+
+#define ROUNDS 400 /* of friction and reactions: more, and the joint jams */
 
 void pm_saddle_rows(pm_workspace *w)
 {
@@ -153,7 +156,8 @@ static int from_route(pm_workspace *w)
     return 1;
 }
 
-int pm_saddle_accelerate(pm_workspace *w)
+/* With the friction of joints as it was found last. */
+static int accelerate(pm_workspace *w)
 {
     pm_frame *f = &w->frame;
     pm_force_all(w);
@@ -170,4 +174,13 @@ int pm_saddle_accelerate(pm_workspace *w)
     }
     f->level = PM_LEVEL_DYNAMIC;
     return PM_OK;
+}
+
+int pm_saddle_accelerate(pm_workspace *w)
+{
+    for (int i = 0; i < ROUNDS; i++) {
+        const int status = accelerate(w);
+        if (status || !pm_grip_by_load(w) || !pm_grip_update(w)) return status;
+    }
+    return pm_fail(w, PM_SINGULAR, PM_TABLE_FORCE, w->model->grip_force[0], NAN, NAN);
 }

@@ -10,6 +10,7 @@
 #include "body.h"
 #include "dense.h"
 #include "force.h"
+#include "grip.h"
 #include "row.h"
 #include "saddle.h"
 #include "tree.h"
@@ -124,7 +125,7 @@ static void reduce_forces(const pm_workspace *w, double *x)
     pm_skyline_lower(t->n, t->first_coupled, t->mass, x);
 }
 
-/* Where a contact slides its friction depends on reactions: the whole system. */
+/* Where a contact or a joint slides its friction depends on reactions: the whole system. */
 static int accelerate_all(pm_workspace *w, double *yddot)
 {
     const int status = pm_saddle_accelerate(w);
@@ -135,7 +136,7 @@ static int accelerate_all(pm_workspace *w, double *yddot)
 int pm_tree_accelerate(pm_workspace *w, double *yddot)
 {
     pm_tree *t = w->tree;
-    if (w->asymmetric) return accelerate_all(w, yddot);
+    if (w->asymmetric || pm_grip_by_load(w)) return accelerate_all(w, yddot);
     if (t->few) return pm_tree_accelerate_few(w, yddot);
     pm_force_all(w);
     memset(yddot, 0, (size_t)t->n * sizeof *yddot);

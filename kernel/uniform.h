@@ -43,6 +43,7 @@ typedef struct pm_uniform {
     pm_steady curve;
     pm_closing *closing; /* [ncontact] */
     double *slip_end;    /* [nslot] when a sliding contact stops, from the begin of the phase */
+    double *rub_end;     /* [ngrip] when the slip of a joint does */
     int irregular;       /* a contact touches and does neither leave nor rest */
     int status;          /* of looks */
     /* the last step, from the begin of the phase */

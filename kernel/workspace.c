@@ -14,10 +14,10 @@
 int pm_state_create(const pm_model *m, pm_state *s)
 {
     const size_t ndouble = 2 * (size_t)m->nq + (size_t)m->nz, nmemory = (size_t)m->nmemory,
-                 nslot = (size_t)m->nslot, nkept = (size_t)m->nkept;
+                 nslot = (size_t)m->nslot, nkept = (size_t)m->nkept, ngrip = (size_t)m->ngrip;
     s->t = 0;
     s->bytes = ndouble * sizeof(double) + nkept * sizeof(pm_kept) + nmemory * sizeof(pm_memory) +
-               nslot * sizeof(pm_slot);
+               nslot * sizeof(pm_slot) + ngrip * sizeof(int32_t);
     s->block = calloc(1, s->bytes + 1);
     if (!s->block) return PM_NO_MEMORY;
     s->q = s->block;
@@ -26,6 +26,7 @@ int pm_state_create(const pm_model *m, pm_state *s)
     s->kept = (pm_kept *)(void *)(s->z + m->nz);
     s->memory = (pm_memory *)(void *)(s->kept + m->nkept);
     s->slot = (pm_slot *)(void *)(s->memory + m->nmemory);
+    s->grip = (int32_t *)(void *)(s->slot + m->nslot);
     return PM_OK;
 }
 
@@ -82,6 +83,8 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
         PART(w->joint_active, m->njoint_row),
         PART(w->slot_normal, m->nslot),
         PART(w->slot_tangent, m->nslot),
+        PART(w->grip_row, m->ngrip),
+        PART(w->grip_load, m->ngrip),
         PART(w->slot_held, PM_JOINT_ROWS * m->nslot),
         PART(w->schur, (size_t)nrow * (size_t)nrow),
         PART(w->pivot, nrow),

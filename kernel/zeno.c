@@ -25,6 +25,7 @@
 #include "case.h"
 #include "contact.h"
 #include "event.h"
+#include "grip.h"
 #include "program.h"
 #include "project.h"
 #include "row.h"
@@ -239,6 +240,7 @@ static double slip_with(pm_workspace *w, int slot, double t, double factor)
 /* Where there is slip - of closed contacts, and of the struck one with friction - it keeps its sign. */
 static int slips_go_on(pm_workspace *w, const pm_rest *r)
 {
+    if (pm_grip_any(w->model)) return 0;
     for (int i = 0; i < w->model->nslot; i++) {
         const int contact = pm_contact_of_slot(w->model, i), mode = w->state.slot[i].mode;
         const int slides = mode == PM_SLIDE_FORWARD || mode == PM_SLIDE_BACKWARD;

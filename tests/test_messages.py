@@ -29,7 +29,7 @@ FAULTS = [
     # words
     (
         'joints.A = { pin = ["AB.A", "ground"], frictoin = 0.1 }',
-        'joints.A.frictoin: unknown key; a pin has active (did you mean "friction"?)',
+        'joints.A.frictoin: unknown key; a pin has friction, active (did you mean "friction"?)',
     ),
     ('untill = "start"', 'did you mean "until"?'),
     ('bodies.AB.colour = "red"', "bodies.AB.colour: unknown key; a body has rod, disk, "),
@@ -393,6 +393,19 @@ FAULTS = [
     ("ask.a = {}", "ask.a: one of of, max, min is wanted"),
     ('start.AB.speed = "3 m/s"', 'start.AB.speed = "3 m/s": it cannot be given at the start'),
     ('forces.f = { force = "AB.B", value = ["(3 N/m)*AB.x", 0] }', "only parameters can stand here"),
+    ('joints.A = { pin = ["AB.A", "ground"], friction = 0.3 }', "joints.A.friction = 0.3: a moment"),
+    (
+        'joints.A = { pin = ["AB.A", "ground"], friction = { mu = 0.3 } }',
+        "joints.A.friction: friction is a number, or { mu = ..., radius = ... } of a bearing",
+    ),
+    (
+        'joints.S = { slider = ["AB.A", "ground.floor"], friction = { mu = 0.3, radius = "1 m" } }',
+        "joints.S.friction: a slider has no radius",
+    ),
+    (
+        'joints.S = { pin = ["P", "ground"], friction = "1 N*m" }',
+        "joints.S.friction: a particle does not turn: its pin has no friction",
+    ),
     ('forces.f = { couple = "AB", power = "3 N" }', 'forces.f.power = "3 N": a power (mass*length^2/time^3'),
     (
         'forces.f = { couple = "AB", power = "3 W", value = "1 N*m" }',
@@ -445,7 +458,6 @@ FAULTS = [
 NOT_BUILT = [
     ("couplings.c = { ratio = {} }", "couplings.c.ratio"),
     ('couplings.c = { cord = ["disk.rim cw", "P"], slips = ["disk.rim"] }', "couplings.c.slips"),
-    ('joints.A = { pin = ["AB.A", "ground"], friction = "1 N*m" }', "joints.A.friction"),
     ('contacts.c = { table = ["P"] }', "contacts.c.table"),
     ('forces.f = { couple = "AB", value = { over = "t", at = [0], values = [0] } }', "forces.f.value"),
     ('events.e = { when = "start", do = [] }', "events.e.do"),

@@ -286,7 +286,6 @@ static void motor(int route)
     NEAR(s->out[plate], turned, close * relative);
     NEAR(s->out[couple], ia * share * (0.7 + 2 * cos(2 * t)), 1e4 * close * ia);
     CHECK(s->audit[PM_AUDIT_CONSTRAINT] < 1e-11);
-    fprintf(stderr, "motor %g %g %g\n", s->audit[0], s->audit[1], s->audit[2]);
     CHECK(s->audit[PM_AUDIT_ENERGY] < 1e-8);
     scene_free(s);
 }

@@ -329,6 +329,11 @@ _DESCRIPTIONS: dict[int, Any] = {
         "the integrator cannot go on at solve.accuracy: the motion has no smooth continuation here (a "
         "singular position, a force that jumps); end the run before it, or lower the accuracy"
     ),
+    layout.PM_UNSUPPORTED: lambda place, found, bound: (
+        f"{place}: a blow loads this joint: not built yet for friction that goes with the load"
+        if place.endswith(".friction")
+        else ""
+    ),
     layout.PM_SOLVER: lambda place, found, bound: (
         f"{place + ': ' if place else ''}the solver of this route gave up (its code {found:.0f}); "
         'try solve.route = "rk" or another accuracy'

@@ -19,9 +19,9 @@ from .partners import (
     partner,
     point_pair,
 )
-from .scene import Joint
+from .scene import Bearing, Joint
 from .tables import Tables
-from .units import LENGTH
+from .units import DIMENSIONLESS, LENGTH, MOMENT
 
 # Kinds of marks that the partners of each kind of joint are.
 _WANTED: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
@@ -83,7 +83,36 @@ class Joints:
             layout.PM_JOINT_PROGRAM_X: layout.PM_NONE,
             layout.PM_JOINT_PROGRAM_Y: layout.PM_NONE,
         }
-        return JointInfo(self.tables.add(layout.PM_TABLE_JOINT, row, path), joint.kind, (first, second))
+        index = self.tables.add(layout.PM_TABLE_JOINT, row, path)
+        if "friction" in joint.model_fields_set:
+            self._rub(joint, index, (first, second), f"{path}.friction")
+        return JointInfo(index, joint.kind, (first, second))
+
+    def _rub(self, joint: Joint, index: int, partners: tuple[Partner, Partner], path: str) -> None:
+        """The row of the friction of a joint: a part of given size, and one that goes with its load."""
+        own: Node = ZERO
+        by_load: Node = ZERO
+        if joint.kind == "pin" and not all(self._turns(one.owner) for one in partners):
+            raise SceneError("a particle does not turn: its pin has no friction", path=path)
+        if isinstance(joint.friction, Bearing):
+            if joint.kind != "pin":
+                raise SceneError(f"a {joint.kind} has no radius; give the coefficient", path=path)
+            mu = self.reader.number(joint.friction.mu, f"{path}.mu", DIMENSIONLESS)
+            by_load = mu * self.reader.number(joint.friction.radius, f"{path}.radius", LENGTH)
+        elif joint.kind == "pin":
+            own = self.reader.number(joint.friction, path, MOMENT)
+        else:
+            by_load = self.reader.number(joint.friction, path, DIMENSIONLESS)
+        row = dict.fromkeys(range(layout.PM_FORCE_COLUMNS), layout.PM_NONE)
+        row |= {
+            layout.PM_FORCE_KIND: layout.PM_FORCE_FRICTION,
+            layout.PM_FORCE_A: index,
+            layout.PM_FORCE_B: index,
+            layout.PM_FORCE_VALUE_1: self.tables.value(own, path),
+            layout.PM_FORCE_VALUE_2: self.tables.value(by_load, path),
+            layout.PM_FORCE_OPTION: 0,
+        }
+        self.tables.add(layout.PM_TABLE_FORCE, row, path)
 
     def _pin(self, a: Partner, b: Partner, _joint: Joint, _path: str) -> _Row:
         return layout.PM_JOINT_PIN, *point_pair(self.drawing, a, b), None

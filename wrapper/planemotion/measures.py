@@ -296,6 +296,8 @@ class Measures(MeasureRows):
         self._plain(address, ())
         if joint.kind == "slider" and quantity == "normal":
             return Reading(self._slider_normal(address, joint), FORCE)
+        if joint.kind in ("slider", "slot") and quantity == "friction":
+            return Reading(self._leaf(layout.PM_MEASURE_JOINT_FRICTION, joint.index, address), FORCE)
         if joint.kind != "rolling":
             raise SceneError(f'"{address}": a {joint.kind} has no {quantity}; it has force, couple, impulse')
         kind = {

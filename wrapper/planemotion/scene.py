@@ -24,6 +24,7 @@ from .written import (
     read_event,
     read_friction,
     read_grid,
+    read_joint_friction,
     read_names,
     read_place,
     read_point,
@@ -149,6 +150,13 @@ class Element(Table):
     active: Number = True
 
 
+class Bearing(Table):
+    """Friction of a pin by its load: the coefficient and the radius where it rubs."""
+
+    mu: Number
+    radius: Number
+
+
 class Joint(Element):
     pin: Partners | None = None
     slider: Partners | None = None
@@ -158,6 +166,7 @@ class Joint(Element):
     rolling: Partners | None = None
     length: Number | None = None
     turning: bool = True
+    friction: Annotated[Value | Bearing, BeforeValidator(read_joint_friction)] = 0
 
     @property
     def kind(self) -> str:

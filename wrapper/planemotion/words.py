@@ -34,9 +34,9 @@ DRIVEN_KEYS = ("velocity", "omega")
 # Element tables: kind -> options; `active` goes with every kind.
 KINDS: dict[str, dict[str, tuple[str, ...]]] = {
     "joints": {
-        "pin": (),
-        "slider": ("turning",),
-        "slot": (),
+        "pin": ("friction",),
+        "slider": ("turning", "friction"),
+        "slot": ("friction",),
         "link": ("length",),
         "weld": (),
         "rolling": (),
@@ -66,9 +66,6 @@ NOT_BUILT_KINDS: dict[str, dict[str, str]] = {
 }
 NOT_BUILT_OPTIONS: dict[str, dict[str, str]] = {
     "cord": {"slips": "cords that slip on a rim"},
-    "pin": {"friction": "friction of a bearing"},
-    "slider": {"friction": "friction of a slider"},
-    "slot": {"friction": "friction of a slot"},
 }
 SINGULAR = {"joints": "joint", "couplings": "coupling", "contacts": "contact", "forces": "force"}
 

@@ -171,6 +171,15 @@ def read_friction(written: Any) -> Any:
     return read_value(written)
 
 
+def read_joint_friction(written: Any) -> Any:
+    """A number, or the coefficient and the radius of a bearing."""
+    if isinstance(written, Mapping):
+        if set(written) != {"mu", "radius"}:
+            raise ValueError("friction is a number, or { mu = ..., radius = ... } of a bearing")
+        return written
+    return read_value(written)
+
+
 def read_value_or_vector(written: Any) -> Value | Vector:
     """A number, or a vector."""
     return read_vector(written) if isinstance(written, list | tuple | Mapping) else read_value(written)

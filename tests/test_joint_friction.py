@@ -1,0 +1,177 @@
+"""Friction of bearings, sliders and slots: it slides, stops, holds, and lets go again when overcome."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import planemotion
+
+G = 9.81
+EXACT = 1e-9
+
+
+def run(text: str, route: str = "auto", **parameters: object) -> dict[str, float]:
+    scene = planemotion.load_text(text).with_values({"solve.route": route})
+    result = scene.run(**parameters)
+    assert result.status == "ok", result.error
+    return {key: answer.value for key, answer in result.asks.items()}
+
+
+TORSION = """
+until = "wheel rests"
+parameters = { M = "0.8 N*m", k = "10 N*m", I = "0.5 kg*m^2" }
+bodies.wheel = { inertia = "I", at = [0, 0], angle = "1 rad" }
+joints.axle = { pin = ["ground", "wheel.center"], friction = "M" }
+forces.spring = { torsion = ["wheel", "ground"], stiffness = "k", free_angle = "0 rad" }
+[ask]
+angle = "wheel.angle"
+t = "t"
+couple = "axle.couple on wheel"
+opposite = "axle.couple"
+"""
+
+
+@pytest.mark.parametrize("route", ["auto", "rk", "ida"])
+def test_a_torsion_pendulum_loses_the_same_with_each_swing(route: str) -> None:
+    """It swings about +-M/k: each half swing is 2 M/k shorter, until the spring is too weak for it."""
+    close = 1e-5 if route == "ida" else EXACT
+    values = run(TORSION, route)
+    assert values["t"] == pytest.approx(6 * math.pi * math.sqrt(0.5 / 10), rel=close)
+    assert values["angle"] == pytest.approx(1 - 6 * 0.16, rel=20 * close)
+    assert values["couple"] == pytest.approx(10 * (1 - 6 * 0.16), rel=20 * close)
+    assert values["opposite"] == pytest.approx(-values["couple"])
+
+
+SLED = """
+until = "t = 2.5 s"
+parameters = { mu = 0.3, v0 = "0 m/s", rate = "4 N/s", tilt = "0 deg" }
+ground.lines.rail = { through = [0, 0], angle = "tilt" }
+bodies.sled = { mass = "2 kg", at = [0, 0] }
+joints.rail = { slider = ["sled", "ground.rail"], friction = "mu" }
+forces.pull = { force = "sled", value = ["rate*t", 0] }
+start.sled.velocity = { polar = ["v0", "tilt"] }
+[ask]
+v = "sled.velocity.x"
+x = "sled.x"
+friction = "rail.friction"
+normal = "rail.normal"
+force = "rail.force.x on sled"
+early = { of = "rail.friction", at = { each = "t", values = ["0.5 s"] } }
+"""
+
+
+@pytest.mark.parametrize("route", ["auto", "rk"])
+def test_a_sled_starts_when_the_pull_overcomes_its_friction(route: str) -> None:
+    values = run(SLED, route)
+    begins = 0.3 * 2 * G / 4
+    assert values["v"] == pytest.approx((2.5 - begins) ** 2, rel=EXACT)
+    assert values["x"] == pytest.approx((2.5 - begins) ** 3 / 3, rel=EXACT)
+    assert values["friction"] == pytest.approx(-0.3 * 2 * G, rel=EXACT)
+    assert values["force"] == pytest.approx(-0.3 * 2 * G, rel=EXACT)
+    assert values["normal"] == pytest.approx(2 * G, rel=EXACT)
+    assert values["early"] == pytest.approx([-2.0], rel=EXACT)
+
+
+@pytest.mark.parametrize("sense", [1, -1])
+def test_a_sled_stops_and_stays(sense: int) -> None:
+    values = run(SLED, v0=f"{3 * sense} m/s", rate="0 N/s")
+    assert values["x"] == pytest.approx(sense * 9 / (2 * 0.3 * G), rel=EXACT)
+    assert values["v"] == pytest.approx(0, abs=1e-12)
+    assert values["friction"] == pytest.approx(0, abs=1e-9)
+
+
+def test_a_sled_on_an_incline_slides_where_it_is_steep() -> None:
+    down = run(SLED, tilt="30 deg", rate="0 N/s")
+    acceleration = G * (math.sin(math.pi / 6) - 0.3 * math.cos(math.pi / 6))
+    assert down["x"] == pytest.approx(-0.5 * acceleration * 2.5**2 * math.cos(math.pi / 6), rel=EXACT)
+    assert run(SLED, tilt="15 deg", rate="0 N/s")["x"] == pytest.approx(0, abs=1e-12)
+
+
+DRUM = """
+until = "t = 1 s"
+parameters = { mu = 0.25, r = "0.04 m" }
+bodies.drum = { disk = "0.2 m", mass = "4 kg", at = [0, 0] }
+bodies.block = { mass = "3 kg", at = ["0.2 m", "-2 m"] }
+joints.axle = { pin = ["drum.center", "ground"], friction = { mu = "mu", radius = "r" } }
+couplings.cord = { cord = ["drum.rim cw", "block"] }
+[ask]
+v = "block.velocity.y"
+couple = "axle.couple on drum"
+load = "axle.force.norm"
+tension = "cord.tension"
+"""
+
+
+@pytest.mark.parametrize("route", ["auto", "rk"])
+def test_a_bearing_rubs_by_its_load(route: str) -> None:
+    """I a/R = T R - mu r (W + T), T = m (g - a)."""
+    values = run(DRUM, route)
+    c, inertia = 0.25 * 0.04, 0.5 * 4 * 0.04
+    a = (3 * G * (0.2 - c) - c * 4 * G) / (inertia / 0.2 + 3 * (0.2 - c))
+    assert values["v"] == pytest.approx(-a, rel=EXACT)
+    assert values["tension"] == pytest.approx(3 * (G - a), rel=EXACT)
+    assert values["load"] == pytest.approx(4 * G + 3 * (G - a), rel=EXACT)
+    assert values["couple"] == pytest.approx(c * values["load"], rel=EXACT)
+
+
+def test_a_tight_bearing_holds() -> None:
+    values = run(DRUM, mu=2.5)
+    assert values["v"] == pytest.approx(0, abs=1e-12)
+    assert values["couple"] == pytest.approx(3 * G * 0.2, rel=EXACT)
+
+
+BEAD = """
+plane = "horizontal"
+until = "bead.x = 0 m"
+parameters = { mu = 0.2, R = "0.5 m", v0 = "4 m/s" }
+ground.circles.ring = { radius = "R" }
+bodies.bead = { mass = "0.3 kg", at = ["R", 0] }
+joints.ring = { slot = ["bead", "ground.ring"], friction = "mu" }
+start.bead.velocity.y = "v0"
+[ask]
+v = "-bead.velocity.x"
+force = "ring.force.norm on bead"
+"""
+
+
+def test_a_bead_in_a_ring_slows_down_by_the_angle() -> None:
+    """dv/ds = -mu v/R: v = v0 exp(-mu angle)."""
+    values = run(BEAD)
+    speed = 4 * math.exp(-0.2 * math.pi / 2)
+    assert values["v"] == pytest.approx(speed, rel=EXACT)
+    assert values["force"] == pytest.approx(0.3 * speed**2 / 0.5 * math.hypot(1, 0.2), rel=EXACT)
+
+
+STRUCK = """
+until = "stop 2"
+events.stop = "bar rests"
+plane = "horizontal"
+parameters = { M = "0.5 N*m", mu = 0.3, by_load = false }
+bodies.bar = { rod = ["A", "B"], length = "1 m", mass = "3 kg", at = { A = [0, 0] } }
+bodies.ball = { mass = "1 kg", at = ["1 m", "1 m"] }
+joints.axle = { pin = ["bar.A", "ground"], friction = "M", active = "not by_load" }
+joints.sleeve = { pin = ["bar.A", "ground"], friction = { mu = "mu", radius = "10 mm" }, active = "by_load" }
+contacts.hit = { touch = ["ball", "bar.top"], restitution = 1 }
+start.ball.velocity.y = "-2 m/s"
+[ask]
+turned = "bar.turned"
+"""
+
+
+def test_a_friction_of_given_size_has_no_impulse() -> None:
+    """I w = m l (u - v), e = 1; then I w^2 / 2 = M turned.  Before the blow the bar is held."""
+    values = run(STRUCK)
+    omega = 2 * 1 * 2 / (1 + 1)
+    assert values["turned"] == pytest.approx(-0.5 * omega**2 / 0.5, rel=EXACT)
+
+
+def test_friction_by_the_load_in_a_blow_is_refused() -> None:
+    with pytest.raises(planemotion.SimulationError, match=r"joints\.sleeve\.friction: .*blow"):
+        planemotion.load_text(STRUCK).run(by_load=True)
+
+
+def test_friction_by_the_load_is_not_for_ida() -> None:
+    with pytest.raises(planemotion.SimulationError, match="route"):
+        planemotion.load_text(DRUM).with_values({"solve.route": "ida"}).run()
