@@ -9,6 +9,7 @@
 #include "active.h"
 #include "error.h"
 #include "model.h"
+#include "phases.h"
 #include "run.h"
 #include "trace.h"
 
@@ -175,6 +176,27 @@ static int open_one(int64_t ntable, const int32_t *table, int64_t nconstant, con
     return status;
 }
 
+/* Runs a case for what it records of itself. */
+static int run_recorded(pm_workspace *w, const double *param, int32_t *where, double *detail)
+{
+    const pm_model *m = w->model;
+    double audit[PM_AUDITS], trust[PM_TRUSTS];
+    double *out = calloc(2 * (size_t)m->nout + (size_t)m->nask + 1, sizeof *out);
+    int32_t *reason = calloc((size_t)m->nask + 1, sizeof *reason);
+    int status = out && reason ? PM_OK : PM_NO_MEMORY;
+    if (!status) {
+        double *error = out + m->nout;
+        w->out = out;
+        w->reason = reason;
+        w->audit = audit;
+        status = pm_error_run(w, param, NULL, error, error + m->nout, trust);
+        report_where(w, where, detail);
+    }
+    free(out);
+    free(reason);
+    return status;
+}
+
 int pm_trace(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t nparam,
              const double *param, int64_t ntrace, const int32_t *trace_program, int64_t cap, double *history,
              int32_t *mark, int64_t *needed, int32_t *where, double *detail)
@@ -184,25 +206,30 @@ int pm_trace(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
     *needed = 0;
     int status = open_one(ntable, table, nconstant, constant, nparam, &model, &w, where, detail);
     if (status) return status;
-    double audit[PM_AUDITS], trust[PM_TRUSTS];
-    double *out = calloc(2 * (size_t)model->nout + (size_t)model->nask + 1, sizeof *out);
-    int32_t *reason = calloc((size_t)model->nask + 1, sizeof *reason);
     pm_record record = {ntrace, cap, 0, trace_program, history, mark};
     for (int64_t i = 0; i < ntrace && !status; i++)
         if (trace_program[i] < 0 || trace_program[i] >= model->rows[PM_TABLE_PROGRAM]) status = PM_BAD_TABLE;
-    if (!out || !reason) status = PM_NO_MEMORY;
-    if (!status) {
-        w->out = out;
-        w->reason = reason;
-        w->audit = audit;
-        w->trace = &record;
-        double *error = out + model->nout;
-        status = pm_error_run(w, param, NULL, error, error + model->nout, trust);
-        report_where(w, where, detail);
-        *needed = record.needed;
-    }
-    free(out);
-    free(reason);
+    w->trace = &record;
+    if (!status) status = run_recorded(w, param, where, detail);
+    *needed = record.needed;
+    pm_workspace_free(w);
+    pm_model_free(model);
+    return status;
+}
+
+int pm_phases(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t nparam,
+              const double *param, int64_t most, int64_t cap, int32_t *phase, double *time, int64_t *needed,
+              int32_t *where, double *detail)
+{
+    pm_model *model;
+    pm_workspace *w;
+    *needed = 0;
+    int status = open_one(ntable, table, nconstant, constant, nparam, &model, &w, where, detail);
+    if (status) return status;
+    pm_phase_list list = {.cap = cap, .most = most, .row = phase, .time = time};
+    w->phases = &list;
+    status = run_recorded(w, param, where, detail);
+    *needed = list.needed;
     pm_workspace_free(w);
     pm_model_free(model);
     return status;

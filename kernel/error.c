@@ -23,6 +23,7 @@
 #include "event.h"
 #include "find.h"
 #include "nature.h"
+#include "phases.h"
 #include "program.h"
 #include "project.h"
 #include "route.h"
@@ -170,6 +171,7 @@ static void make_pass(pm_workspace *w, const double *param, pm_pass *p, double f
 {
     pm_error_set *e = w->error;
     pm_record *const trace = w->trace;
+    pm_phase_list *const phases = w->phases;
     e->present = p;
     e->npass++;
     p->factor = factor;
@@ -180,10 +182,12 @@ static void make_pass(pm_workspace *w, const double *param, pm_pass *p, double f
     w->reason = p->reason;
     w->audit = p->audit;
     w->coarse = companion ? COARSE : 1;
-    if (companion) w->trace = NULL;
+    if (companion) w->trace = NULL, w->phases = NULL;
     if (w->trace) w->trace->needed = 0; /* the last pass is the one recorded */
+    if (w->phases) w->phases->needed = w->phases->steps = w->phases->legs = 0;
     p->status = run_once(w, param, p->found);
     w->trace = trace;
+    w->phases = phases;
     memcpy(p->count, w->count, sizeof p->count);
     p->where = w->where;
     p->t = w->state.t;

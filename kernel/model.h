@@ -252,7 +252,8 @@ typedef struct pm_workspace {
     double *audit;   /* [PM_AUDITS] */
     /* trace: NULL in a batch */
     struct pm_record *trace;
-    void *block; /* owns the arrays above */
+    struct pm_phase_list *phases; /* likewise */
+    void *block;                  /* owns the arrays above */
 } pm_workspace;
 
 /* model.c */

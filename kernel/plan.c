@@ -3,6 +3,8 @@
  * The settings may force a route; where a forced route cannot compute a phase the run fails and says so. */
 #include "plan.h"
 
+#include <stdio.h>
+
 #include "ask.h"
 #include "program.h"
 #include "route.h"
@@ -12,7 +14,10 @@ typedef struct pm_rule {
     const char *reason;
 } pm_rule;
 
+enum { NUDGED = 0, FIRST = 1 }; /* the rules from FIRST on are tried in turn */
 static const pm_rule rules[] = {
+    {&pm_route_path,
+     "it leaves an unstable rest on the side that start.nudge states: by energy along the path"},
     {&pm_route_uniform, "no force changes and no row turns: constant accelerations, polynomials of the time"},
     {&pm_route_path,
      "one degree of freedom, and work that depends on position only: work and energy along the path"},
@@ -42,11 +47,17 @@ static int forced(pm_workspace *w, int wanted)
 int pm_plan_phase(pm_workspace *w)
 {
     const int wanted = PM_SETTING(w->model, PM_SETTING_ROUTE);
-    if (pm_plan_nudged(w) && pm_route_path.applies(w)) return take(w, &pm_route_path, 0);
+    if (pm_plan_nudged(w) && pm_route_path.applies(w)) return take(w, &pm_route_path, NUDGED);
     if (wanted != PM_ROUTE_AUTO) return forced(w, wanted);
-    for (int i = 0; i < NRULES; i++)
+    for (int i = FIRST; i < NRULES; i++)
         if (!rules[i].route->applies || rules[i].route->applies(w)) return take(w, rules[i].route, i);
     return pm_fail(w, PM_UNSUPPORTED, PM_TABLE_SETTING, PM_SETTING_ROUTE, wanted, 0);
+}
+
+int pm_rule_text(int rule, int64_t ntext, int8_t *text)
+{
+    const char *reason = rule >= 0 && rule < NRULES ? rules[rule].reason : "solve.route says so";
+    return snprintf((char *)text, (size_t)ntext, "%s", reason);
 }
 
 static int fires_at_start(const pm_model *m, int event)

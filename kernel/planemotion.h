@@ -567,6 +567,33 @@ int pm_trace(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
              const double *param, int64_t ntrace, const int32_t *trace_program, int64_t cap, double *history,
              int32_t *mark, int64_t *needed, int32_t *where, double *detail);
 
+/* ---- phases of a run: which route computes each, and what it has to do ---- */
+enum pm_phase_column {
+    PM_PHASE_ROUTE = 0,
+    PM_PHASE_RULE = 1,     /* of the planner, for pm_rule_text */
+    PM_PHASE_UNKNOWNS = 2, /* coordinates that the route integrates or follows */
+    PM_PHASE_LOOPS =
+        3, /* rows of joints and contacts between them; all others these coordinates meet by themselves */
+    PM_PHASE_ROWS = 4, /* rows of joints and closed contacts, redundant ones not counted */
+    PM_PHASE_REDUNDANT = 5,
+    PM_PHASE_FREEDOM = 6,
+    PM_PHASE_WATCHED = 7, /* event functions */
+    PM_PHASE_CLOCK = 8,   /* 1: the time is computed */
+    PM_PHASE_DYNAMIC = 9, /* 1: accelerations and reactions are needed within it */
+    PM_PHASE_STEPS = 10,
+    PM_PHASE_LEGS = 11, /* legs passed over before it */
+    PM_PHASE_COLUMNS = 12
+};
+/* Runs one case as pm_trace does and tells its phases: phase[cap][PM_PHASE_COLUMNS], time[cap] of their begins, s
+ * (not a number where the time is not computed); needed[1]: rows wanted.  most > 0: stops as the phase of that number
+ * begins (its row is there).  Returns a status of the case; PM_CANCELLED where it was stopped. */
+int pm_phases(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t nparam,
+              const double *param, int64_t most, int64_t cap, int32_t *phase, double *time, int64_t *needed,
+              int32_t *where, double *detail);
+
+/* Why the planner chose a route, in English, of at most ntext bytes, not ended by 0; its length. */
+int pm_rule_text(int rule, int64_t ntext, int8_t *text);
+
 /* Assembles the start of one case: info[PM_CHECK_COLUMNS], number[PM_CHECK_NUMBERS], pose[nbody][3] (x, y, angle),
  * velocity[nbody][3].  Returns a status of the case. */
 int pm_check(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t nparam,

@@ -15,6 +15,7 @@
 #include "grip.h"
 #include "instant.h"
 #include "leg.h"
+#include "phases.h"
 #include "plan.h"
 #include "route.h"
 #include "saddle.h"
@@ -103,6 +104,7 @@ static int phase(pm_workspace *w, int *ended)
     w->lap = 0;
     if ((status = w->route->begin(w))) return status;
     w->count[PM_COUNT_PHASES]++;
+    if ((status = pm_phases_add(w))) return status;
     if ((status = pm_event_advance(w, ended)) || !*ended) return status;
     pm_frame_look_state(
         w, &w->state); /* the end came inside a step: what is asked there may need accelerations */
@@ -173,6 +175,7 @@ int pm_run(pm_workspace *w, const double *param)
     int status = pm_run_start(w, param, &report);
     if (!status) status = run_phases(w);
     if (status == PM_SINGULAR && w->count[PM_COUNT_STEPS] > 0) status = PM_ENDS_SINGULAR;
+    pm_phases_end(w);
     if (status > 0) status = end_early(w, status);
     if (!status) {
         pm_ask_end(w);

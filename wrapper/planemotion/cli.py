@@ -431,7 +431,7 @@ def explain(ctx: click.Context, scene: Path, also_run: bool, values: Mapping[str
         ctx.exit(_FAILED)
     if also_run:
         result = _interruptible(simulate, read)
-        click.echo(explanations.explain_run(result))
+        click.echo(explanations.explain_run(read, result))
         ctx.exit(0 if result.ok else _FAILED)
 
 

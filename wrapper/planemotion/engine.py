@@ -7,7 +7,7 @@ convert silently.  The kernel runs without the GIL.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -166,6 +166,47 @@ def trace(flat: FlatScene, param: npt.ArrayLike) -> History:
     return History(history[:used, 0].copy(), columns, units, mark[:used], int(status))
 
 
+@dataclass(frozen=True)
+class Phase:
+    """A phase of a run: when it begins (s, NaN where the time is not computed), its route, why the planner
+    took it, and sizes: a `column` of enum pm_phase_column each."""
+
+    time: float
+    route: str
+    reason: str
+    column: Mapping[str, int]
+
+
+def phases(flat: FlatScene, param: npt.ArrayLike | None = None, most: int = 0) -> list[Phase]:
+    """The phases of one case, all or the first `most`.
+
+    `param` [parameters] defaults to the scene's own values; if given, what is sought is found first.  A run
+    that fails gives the phases that it has begun.
+    """
+    cases = _params(flat, np.atleast_2d(flat.defaults if param is None else np.asarray(param)))
+    case = (cases if param is None else _found(flat, cases))[0]
+    rows = _FIRST_ROWS
+    while True:
+        row = np.zeros((rows, layout.PM_PHASE_COLUMNS), np.int32)
+        time = np.full(rows, np.nan)
+        needed = np.zeros(1, np.int64)
+        where, detail = _place()
+        _kernel().pm_phases(flat.table, flat.constant, case, most, row, time, needed, where, detail)
+        if needed[0] <= rows:
+            break
+        rows = int(needed[0])
+    names = {value: name.removeprefix("PM_PHASE_").lower() for name, value in layout.pm_phase_column.items()}
+    return [
+        Phase(
+            float(time[i]),
+            route_name(int(row[i, layout.PM_PHASE_ROUTE])),
+            _text(_kernel().pm_rule_text, int(row[i, layout.PM_PHASE_RULE])),
+            {name: int(row[i, column]) for column, name in names.items() if column < row.shape[1]},
+        )
+        for i in range(int(needed[0]))
+    ]
+
+
 def check(flat: FlatScene, param: npt.ArrayLike | None = None) -> Start:
     """Assembles the start of one case without running it; `param` defaults to the scene's own values."""
     given = flat.defaults if param is None else np.asarray(param)
@@ -216,8 +257,13 @@ def route_name(route: int) -> str:
 
 def status_text(status: int) -> str:
     """The kernel's own sentence for a status."""
+    return _text(_kernel().pm_status_text, status)
+
+
+def _text(function: Callable[[int, npt.NDArray[np.int8]], int], number: int) -> str:
+    """A text of the kernel."""
     text = np.zeros(_STATUS_TEXT_LENGTH, np.int8)
-    length = _kernel().pm_status_text(status, text)
+    length = function(number, text)
     return bytes(text[:length].tobytes()).decode("utf-8")
 
 

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 from . import _layout as layout
 from . import engine
 from .flatten import FlatScene, flatten
+from .planned import plan, ran
 from .scene import Friction, SceneData, Vector
 from .words import SPIN_KEYS
 
@@ -93,15 +94,16 @@ def explain(scene: Scene) -> Report:
         ),
         *(_finds(data)),
         *(_motion(flat, start) for flat, start in zip(flats, starts, strict=True)),
-        ["route", *_indented([_route(data)])],
+        *(plan(flat, start) for flat, start in zip(flats, starts, strict=True)),
     ]
     faults = tuple(start.message for start in starts if start.message)
     return Report("\n\n".join("\n".join(block) for block in blocks if block), faults)
 
 
-def explain_run(result: RunResult) -> str:
-    """What happened in a run, and the evidence for its answers."""
-    return "\n" + result.explain()
+def explain_run(scene: Scene, result: RunResult) -> str:
+    """The phases of a run, and the evidence for its answers."""
+    blocks = [ran(flat) for flat in _runs(scene)]
+    return "\n" + "\n\n".join([*("\n".join(block) for block in blocks if block), result.explain()])
 
 
 def _runs(scene: Scene) -> list[FlatScene]:
@@ -178,12 +180,6 @@ def _bodies(data: SceneData, flat: FlatScene, start: engine.Start) -> list[str]:
 
 def _short(number: float) -> str:
     return f"{number:.6g}" if abs(number) > 1e-12 else "0"
-
-
-def _route(data: SceneData) -> str:
-    if data.solve.route == "auto":
-        return 'rk, by route = "auto": explicit steps of 8th order; choose "ida" where forces are stiff'
-    return f"{data.solve.route}, as solve.route says"
 
 
 def _spin(data: SceneData) -> list[tuple[str, str]]:

@@ -111,7 +111,7 @@ class RunResult:
         lines = [
             f"{self.id}: {self.status}" + (f" - {self.error}" if self.error else ""),
             f"  route: {', '.join(self.route) or 'none'}",
-            f"  {', '.join(f'{count} {name}' for name, count in self.counts.items())}",
+            f"  {', '.join(f'{count} {name}' for name, count in self.counts.items() if name != 'routes')}",
             f"  audit (relative residuals): {audit}",
             *([f"  errors: {trust_text(self)}"] if self.excess is not None else []),
             *(f"  {note}" for note in self.notes),

@@ -1,0 +1,19 @@
+/* phases.h - the list of the phases of one case. */
+#ifndef PM_PHASES_H
+#define PM_PHASES_H
+
+#include "model.h"
+
+typedef struct pm_phase_list {
+    int64_t cap, most, needed;
+    int32_t *row;        /* [cap][PM_PHASE_COLUMNS] */
+    double *time;        /* [cap] */
+    int64_t steps, legs; /* of the case, when the last phase began */
+} pm_phase_list;
+
+/* The phase that w->route has begun; PM_CANCELLED if no more are wanted.  Does nothing without a list. */
+int pm_phases_add(pm_workspace *w);
+/* The run has ended: steps of its last phase. */
+void pm_phases_end(pm_workspace *w);
+
+#endif

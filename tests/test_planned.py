@@ -1,0 +1,65 @@
+"""What `explain` tells of the planner: routes, sizes, what is left out; before a run and after it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import planemotion
+from planemotion.explain import explain, explain_run
+
+STUDIES = Path(__file__).parent.parent / "studies"
+
+
+def plan_of(text: str) -> str:
+    return explain(planemotion.load_text(text)).text.partition("\nplan\n")[2]
+
+
+FALL = """
+until = "t = 1 s"
+bodies.ball = { mass = "1 kg", at = [0, 0] }
+ask.y = { of = "ball.y", unit = "m" }
+"""
+SWING = """
+until = "rod.angle = -90 deg"
+joints.A = { pin = ["rod.A", "ground"] }
+bodies.rod = { rod = ["A", "B"], length = "1 m", mass = "1 kg", at = { A = [0, 0] }, angle = 0 }
+ask.omega = { of = "rod.omega", unit = "rad/s" }
+"""
+
+
+def test_each_rule_says_why() -> None:
+    assert "uniform (no force changes" in plan_of(FALL)
+    assert "path (one degree of freedom" in plan_of(SWING)
+    assert "rk (solve.route says so)" in plan_of(SWING + 'solve.route = "rk"\n')
+    free = (
+        SWING.replace('"ground"', '"cart"')
+        + 'bodies.cart = { mass = "2 kg", at = [0, 0] }\nstart.rod.omega = "1 rad/s"\nstart.cart.velocity = [0, 0]\n'
+    )
+    assert "rk (smooth motion in time" in plan_of(free)
+
+
+def test_what_is_skipped() -> None:
+    assert "skipped: the time (nothing asks for it)" in plan_of(SWING)
+    timed = plan_of(SWING + 'ask.t = { of = "t", unit = "s" }\n')
+    assert "skipped: the time" not in timed
+    assert "skipped: accelerations" in timed
+    felt = plan_of(SWING + 'ask.most = { max = "A.force.norm", unit = "N" }\n')
+    assert "skipped: accelerations" not in felt
+    assert "1 coordinate (they meet 2 rows by themselves), 0 rows to be solved with" in felt
+
+
+def test_no_motion() -> None:
+    assert "no motion is computed" in plan_of(SWING.replace('"rod.angle = -90 deg"', '"start"'))
+
+
+@pytest.mark.parametrize("bars", [5, 50])
+def test_phases_that_repeat_stand_on_one_line(bars: int) -> None:
+    scene = planemotion.load(STUDIES / "sphere_over_bars.toml")
+    scene.raw["until"] = f"over {bars}"
+    result = scene.run()
+    text = explain_run(scene, result)
+    assert text.count("path (one degree") == 1
+    assert f"{result.counts['legs']} legs that repeat passed over" in text
+    assert result.counts["legs"] > bars / 2 - 2

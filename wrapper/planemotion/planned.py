@@ -1,0 +1,93 @@
+"""How a scene is computed, phase by phase: the planner's choices and what they leave out, in words."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from itertools import groupby
+
+from . import engine
+from .flatten import FlatScene
+
+# What a phase is alike another by: all but its time, its steps and the legs before it.
+_OWN = ("steps", "legs")
+
+
+def plan(flat: FlatScene, start: engine.Start) -> list[str]:
+    """Before a run: the first phase, what it has to compute and what is left out."""
+    if start.message:
+        return []
+    first = engine.phases(flat, most=1)
+    if not first:
+        return [
+            _title("plan", flat),
+            "  no motion is computed: the start, and blows at it, answer all that is asked",
+        ]
+    phase = first[0]
+    return [
+        _title("plan", flat),
+        f"  first phase: {phase.route} ({phase.reason})",
+        f"  {_sizes(phase)}",
+        *(f"  skipped: {what}" for what in _skipped(phase)),
+    ]
+
+
+def ran(flat: FlatScene) -> list[str]:
+    """After a run: its phases; those alike that follow each other on one line."""
+    lines = []
+    number = 0
+    for _, group in groupby(engine.phases(flat, flat.defaults), key=_kind):
+        alike = list(group)
+        first, number = number + 1, number + len(alike)
+        which = f"{first}" if number == first else f"{first} to {number}"
+        steps = sum(phase.column["steps"] for phase in alike)
+        legs = sum(phase.column["legs"] for phase in alike)
+        time = "" if math.isnan(alike[0].time) else f" from t = {alike[0].time:.6g} s"
+        lines += [
+            f"  {which}{time}: {alike[0].route} ({alike[0].reason})",
+            f"    {_sizes(alike[0])}; {_count(steps, 'step')}"
+            + (f", {_count(legs, 'leg')} that repeat passed over" if legs else ""),
+            *(f"    skipped: {what}" for what in _skipped(alike[0])),
+        ]
+    return [_title("phases", flat), *lines] if lines else []
+
+
+def _title(word: str, flat: FlatScene) -> str:
+    return word if flat.run is None else f"{word} of run {flat.run}"
+
+
+def _kind(phase: engine.Phase) -> tuple[object, ...]:
+    return phase.route, phase.reason, *(value for name, value in phase.column.items() if name not in _OWN)
+
+
+def _sizes(phase: engine.Phase) -> str:
+    x = phase.column
+    solved = x["rows"] - x["loops"]
+    parts = [
+        _count(x["unknowns"], "coordinate")
+        + (f" (they meet {_count(solved, 'row')} by themselves)" if solved else ""),
+        f"{_count(x['loops'], 'row')} to be solved with"
+        + (f", {x['redundant']} left out" if x["redundant"] else ""),
+        f"{_count(x['freedom'], 'degree')} of freedom",
+        f"{_count(x['watched'], 'event function')} watched",
+    ]
+    return ", ".join(parts)
+
+
+def _skipped(phase: engine.Phase) -> Iterator[str]:
+    """What this phase does not compute, and why."""
+    x = phase.column
+    if not x["clock"]:
+        yield "the time (nothing asks for it)"
+    if not x["dynamic"]:
+        yield "accelerations and reactions within steps (nothing that is watched needs them)"
+    if not x["watched"]:
+        yield "the search for events (none can come before the time that is asked for)"
+    if phase.route == "path":
+        yield "integration in time (speeds follow from work and energy)"
+    if phase.route == "uniform":
+        yield "steps (the motion is a polynomial of the time)"
+
+
+def _count(number: int, what: str) -> str:
+    return f"{number} {what}{'' if number == 1 else 's'}"
