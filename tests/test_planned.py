@@ -33,10 +33,8 @@ def test_each_rule_says_why() -> None:
     assert "uniform (no force changes" in plan_of(FALL)
     assert "path (one degree of freedom" in plan_of(SWING)
     assert "rk (solve.route says so)" in plan_of(SWING + 'solve.route = "rk"\n')
-    free = (
-        SWING.replace('"ground"', '"cart"')
-        + 'bodies.cart = { mass = "2 kg", at = [0, 0] }\nstart.rod.omega = "1 rad/s"\nstart.cart.velocity = [0, 0]\n'
-    )
+    cart = 'bodies.cart = { mass = "2 kg", at = [0, 0] }\nstart.cart.velocity = [0, 0]\n'
+    free = SWING.replace('"ground"', '"cart"') + cart + 'start.rod.omega = "1 rad/s"\n'
     assert "rk (smooth motion in time" in plan_of(free)
 
 
