@@ -202,12 +202,12 @@ double pm_contact_gap(const pm_workspace *w, const pm_state *s, int contact, int
     if (e[PM_CONTACT_KIND] == PM_CONTACT_ROW) return row_gap(w, s, contact, e, member);
     *member = 0;
     if (is_closed(w, s, contact, 0)) return INFINITY;
-    return pm_segment_is(w->model, contact) ? pm_segment_gap(w, contact, member)
-                                            : pm_contact_member_gap(w, contact, 0, 0);
+    if (!pm_segment_is(w->model, contact)) return pm_contact_member_gap(w, contact, 0, 0);
+    return pm_segment_is_covered(w, s, contact) ? INFINITY : pm_segment_gap(w, contact, member);
 }
 
 int pm_contact_touches(const pm_workspace *w, const pm_state *s, int contact, int *member)
 {
     if (pm_contact_gap(w, s, contact, member) > pm_contact_length(w)) return 0;
-    return !pm_segment_is(w->model, contact) || !pm_segment_behind(w, contact);
+    return !pm_segment_is(w->model, contact) || pm_segment_touches(w, contact);
 }

@@ -4,7 +4,8 @@
 
 #include "model.h"
 
-/* Smallest gap over the members that are not closed, at the frame; *member tells which.  INFINITY if all are closed. */
+/* Smallest gap over the members that are not closed, at the frame; *member tells which.  INFINITY if all are closed (or
+ * left to another contact). */
 double pm_contact_gap(const pm_workspace *w, const pm_state *s, int contact, int *member);
 /* The nearest open member touches, or overlaps. */
 int pm_contact_touches(const pm_workspace *w, const pm_state *s, int contact, int *member);

@@ -116,12 +116,11 @@ static double force_scale(const pm_workspace *w)
     return sum;
 }
 
-/* On the back of a segment what is watched is that the mark comes out again. */
 static void add_gap(pm_workspace *w, int contact)
 {
     add(w, FUNCTION_GAP, contact, -1, PM_LEVEL_KINEMATIC, pm_contact_length(w), w->size);
-    w->event->function[w->event->nfunction - 1].behind =
-        pm_segment_is(w->model, contact) && pm_segment_behind(w, contact);
+    w->event->function[w->event->nfunction - 1].below =
+        pm_segment_is(w->model, contact) && pm_segment_is_below(w, contact);
 }
 
 static void add_contacts(pm_workspace *w)
@@ -165,7 +164,7 @@ double pm_event_sample(pm_workspace *w, const pm_event_function *f)
     case FUNCTION_GAP: {
         const double gap = pm_contact_gap(w, &w->state, f->index, &member);
         if (isinf(gap)) return w->size; /* nothing left to close */
-        return f->behind ? -gap : gap;
+        return f->below ? pm_segment_gap_from_below(w, f->index) : gap;
     }
     case FUNCTION_NORMAL:
         return w->slot_normal[f->index] == PM_NONE ? w->size : w->frame.lambda[w->slot_normal[f->index]];

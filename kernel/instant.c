@@ -54,11 +54,11 @@ static int close(pm_workspace *w, int *ended)
 }
 
 /* What the scene looks like before something happens to it. */
-static void look_before(pm_workspace *w)
+static int look_before(pm_workspace *w)
 {
     pm_ask_look_before(w);
     pm_trigger_look_before(w);
-    pm_mode_begin(w);
+    return pm_mode_begin(w);
 }
 
 static int blow(pm_workspace *w)
@@ -79,8 +79,7 @@ static int go_on(pm_workspace *w, int *ended)
     if (status || *ended) return status;
     memset(w->event->hit, 0, (size_t)w->event->nfunction * sizeof(int));
     if ((status = pm_trace_row(w, 1))) return status;
-    look_before(w);
-    return PM_OK;
+    return look_before(w);
 }
 
 /* What happens to the bodies.  The frame is DYNAMIC before and after. */
@@ -88,8 +87,8 @@ static int act(pm_workspace *w, int *ended)
 {
     *ended = 0;
     pm_decision_instant(w);
-    look_before(w);
-    int status = blow(w);
+    int status = look_before(w);
+    if (!status) status = blow(w);
     for (int i = 1; !status && !*ended && pm_jump_goes_on(w); i++) {
         if (i == BLOWS_IN_ORDER) return pm_fail(w, PM_BLOWS_ENDLESS, PM_TABLE_CONTACT, PM_NONE, i, i);
         status = go_on(w, ended);

@@ -256,6 +256,7 @@ static double gap(const pm_measure_args *x)
     slots_of(x, &first, &last);
     for (int i = first; i < last; i++)
         if (counts(x, i)) return pm_contact_member_gap(x->w, x->a, x->w->state.slot[i].member, 0);
+    if (pm_segment_is(x->w->model, x->a)) return pm_segment_gap(x->w, x->a, &member);
     return pm_contact_gap(x->w, &x->w->state, x->a, &member);
 }
 

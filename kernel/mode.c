@@ -53,30 +53,49 @@ static int slides(int mode) { return mode == PM_SLIDE_FORWARD || mode == PM_SLID
 /* The way a contact begins to slide: against the friction that would have held it. */
 static int slide_against(double friction) { return friction > 0 ? PM_SLIDE_BACKWARD : PM_SLIDE_FORWARD; }
 
-/* A mark has come to the end of what it touches: a circle goes on round the corner, or back, with the same slip; the
- * tangents there run against each other. */
-static void pass_end(pm_workspace *w, int slot)
+/* The slip goes on, or what holds holds on, where a circle comes to the face of the next edge: no blow, though friction may
+ * be another there. */
+static int hand_over(pm_workspace *w, int mode, int heir)
+{
+    const int slot = w->model->contact_slot[heir];
+    int closed;
+    if (w->state.slot[slot].mode != PM_OPEN) return PM_OK;
+    const int status = pm_mode_close(w, heir, PM_SEGMENT_FACE, &closed);
+    if (!status && mode == PM_STICK && slides(w->state.slot[closed].mode))
+        w->state.slot[closed].mode = PM_STICK;
+    return status;
+}
+
+/* A mark has come to the end of what it touches: a circle goes on round the corner, or back, with the same slip - the
+ * tangents there run against each other -, or on to the next edge. */
+static int pass_end(pm_workspace *w, int slot)
 {
     pm_slot *s = &w->state.slot[slot];
-    const int next = pm_segment_next(w, pm_contact_of_slot(w->model, slot), s->member);
+    int heir;
+    const int next = pm_segment_next(w, pm_contact_of_slot(w->model, slot), s->member, &heir);
     if (next == PM_NONE) {
+        const int mode = s->mode;
         s->mode = PM_OPEN;
         w->slot_released[slot] = FOR_GOOD;
-        return;
+        return heir == PM_NONE ? PM_OK : hand_over(w, mode, heir);
     }
     s->member = next;
     if (slides(s->mode)) s->mode = s->mode == PM_SLIDE_FORWARD ? PM_SLIDE_BACKWARD : PM_SLIDE_FORWARD;
     pm_active_anchor(w, &w->state, slot);
+    return PM_OK;
 }
 
-void pm_mode_begin(pm_workspace *w)
+int pm_mode_begin(pm_workspace *w)
 {
     const pm_model *m = w->model;
     memcpy(w->slot_before, w->state.slot, (size_t)m->nslot * sizeof(pm_slot));
     memset(w->slot_released, 0, (size_t)m->nslot);
     for (int i = 0; i < w->event->nfunction; i++) {
         if (!w->event->hit[i]) continue;
-        if (w->event->function[i].kind == FUNCTION_END) pass_end(w, w->event->function[i].index);
+        if (w->event->function[i].kind == FUNCTION_END) {
+            const int status = pass_end(w, w->event->function[i].index);
+            if (status) return status;
+        }
         if (w->event->function[i].kind == FUNCTION_HOLD) pm_grip_slides(w, w->event->function[i].index);
         if (w->event->function[i].kind == FUNCTION_RUB) pm_grip_stops(w, w->event->function[i].index);
         const int what = pm_event_contact_change(w, i), slot = w->event->function[i].index;
@@ -90,6 +109,7 @@ void pm_mode_begin(pm_workspace *w)
             pm_active_anchor(w, &w->state, slot);
         }
     }
+    return PM_OK;
 }
 
 int pm_mode_released(const pm_workspace *w, int contact, int member)

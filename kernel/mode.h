@@ -5,8 +5,8 @@
 #include "model.h"
 
 /* Opens an instant: remembers the modes, applies what the located events say (a normal force vanished: open; the grip
- * is exceeded: slide; the slip vanished: stick). */
-void pm_mode_begin(pm_workspace *w);
+ * is exceeded: slide; the slip vanished: stick; an edge has ended: its corner, or another edge, or nothing). */
+int pm_mode_begin(pm_workspace *w);
 /* Fixes the modes and the active rows of the next phase; on return w->state is projected and the frame DYNAMIC. */
 int pm_mode_settle(pm_workspace *w);
 /* Marks the triggers of contacts that opened, slipped or stuck during the instant. */

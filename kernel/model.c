@@ -475,6 +475,7 @@ static void lay_out(pm_model *m)
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
         const int32_t *e = PM_CONTACT_ROW_OF(m, i);
         const int slots = e[PM_CONTACT_KIND] == PM_CONTACT_ROW ? PM_ROW_SLOTS : 1;
+        m->nsegment += e[PM_CONTACT_KIND] == PM_CONTACT_SEGMENT;
         m->contact_slot[i] = m->nslot;
         m->nslot += slots;
         m->contact_kept[i] = e[PM_CONTACT_CAPTURE] == PM_CAPTURE_NONE ? PM_NONE : m->nkept;

@@ -26,6 +26,7 @@ typedef struct pm_model {
     int nvalue, nask, nout;
     int njoint_row;           /* rows of all joints */
     int nslot;                /* places for closed contacts: 1 per contact, PM_ROW_SLOTS per periodic row */
+    int nsegment;             /* contacts with edges that end */
     int nmemory;              /* joints and slots: what their no-slip and driven rows and strands remember */
     int nkept;                /* slots of contacts that capture */
     int nrow;                 /* most active rows: njoint_row + 2 nslot + nkept */

@@ -29,7 +29,6 @@
 #include "project.h"
 #include "route.h"
 #include "saddle.h"
-#include "segment.h"
 #include "uniform.h"
 
 #define FIRST_STRIDE 4.0 /* of the motion's own time: first step where polynomials are watched */
@@ -267,7 +266,7 @@ static int applies(pm_workspace *w)
     if (w->count[PM_COUNT_PHASES] == 0) pm_zeno_reset(w);
     pm_steady_curve(w, u->v, u->a, u->turns, u->locked, &u->curve);
     if (u->curve.levers && pm_grip_any(w->model)) return 0; /* reactions change, and friction with them */
-    if (pm_segment_any(w->model)) return 0;                 /* the bounds of gaps know nothing of ends */
+    if (w->model->nsegment > 0) return 0;                   /* the bounds of gaps know nothing of ends */
     if (!pm_steady_holds(w, &u->curve) || !paths_are_parabolas(w) || pm_capture_awaits(w)) return 0;
     u->t0 = w->state.t;
     u->begin = u->end = 0;

@@ -4,8 +4,14 @@
  *   beyond    in front   sqrt(o^2 + h^2) - R, the gap to the corner;   behind it no more than o
  *   within    h - R, but on the back, where nothing touches, not below o
  * so that it is continuous where nothing overlaps, and falls through zero also where a mark passes under an end: that is
- * no contact (pm_segment_behind).  A corner is a circle of radius 0: where a circle goes over to it from the face both
- * have the same normal. */
+ * no contact (pm_segment_touches).  As long as a mark is below the face what is watched is
+ *   beyond    sqrt(o^2 + h^2) - R           within    R - h
+ * which falls through zero where it touches a corner, where it comes through the face, or comes over it from beyond.
+ * A corner is a circle of radius 0: where a circle goes over to it from the face both
+ * have the same normal.
+ *
+ * Edges of one body that meet share a corner.  It belongs to the contact that the circle comes from, as long as that is
+ * closed; where the circle comes to the face of the other edge this one takes over. */
 #include "segment.h"
 
 #include <math.h>
@@ -13,6 +19,8 @@
 #include "body.h"
 #include "contact.h"
 #include "row.h"
+
+#define HANDING_OVER 4 /* touching lengths: so near to their corner two edges in one line are both touched */
 
 typedef struct pm_beside_edge {
     double height, radius;
@@ -55,25 +63,25 @@ double pm_segment_gap(const pm_workspace *w, int contact, int *member)
     return x.height < 0 ? fmin(gap, beyond) : gap;
 }
 
-int pm_segment_behind(const pm_workspace *w, int contact)
+int pm_segment_touches(const pm_workspace *w, int contact)
 {
     const pm_beside_edge x = beside(w, contact);
-    return fmax(x.from, x.to) <= 0 && x.height < -pm_contact_length(w);
+    const double beyond = fmax(x.from, x.to), length = pm_contact_length(w);
+    if (beyond > 0) return hypot(beyond, x.height) - x.radius <= length;
+    return x.height >= -length && x.height - x.radius <= length;
 }
 
-double pm_segment_room(const pm_workspace *w, int contact, int member)
+int pm_segment_is_below(const pm_workspace *w, int contact)
 {
     const pm_beside_edge x = beside(w, contact);
-    if (member == PM_SEGMENT_FACE) return -fmax(x.from, x.to);
-    return (member == PM_SEGMENT_FROM ? x.from : x.to) + pm_contact_length(w);
+    return x.height < x.radius - pm_contact_length(w);
 }
 
-int pm_segment_next(const pm_workspace *w, int contact, int member)
+double pm_segment_gap_from_below(const pm_workspace *w, int contact)
 {
     const pm_beside_edge x = beside(w, contact);
-    if (member != PM_SEGMENT_FACE) return PM_SEGMENT_FACE;
-    if (!(x.radius > 0)) return PM_NONE;
-    return x.from > x.to ? PM_SEGMENT_FROM : PM_SEGMENT_TO;
+    const double beyond = fmax(x.from, x.to);
+    return beyond > 0 ? hypot(beyond, x.height) - x.radius : x.radius - x.height;
 }
 
 void pm_segment_corner(const pm_workspace *w, int contact, int member, double at[2])
@@ -87,14 +95,102 @@ void pm_segment_corner(const pm_workspace *w, int contact, int member, double at
     at[1] = w->value[point[PM_POINT_Y]] + along * sin(angle);
 }
 
+/* ---- edges that meet ---- */
+static int same_circle(const pm_workspace *w, int contact, int other)
+{
+    const pm_model *m = w->model;
+    const int32_t *a = PM_CIRCLE_ROW(m, PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_A]),
+                  *b = PM_CIRCLE_ROW(m, PM_CONTACT_ROW_OF(m, other)[PM_CONTACT_A]);
+    const int32_t *p = PM_POINT_ROW(m, a[PM_CIRCLE_POINT]), *q = PM_POINT_ROW(m, b[PM_CIRCLE_POINT]);
+    return p[PM_POINT_BODY] == q[PM_POINT_BODY] && w->value[p[PM_POINT_X]] == w->value[q[PM_POINT_X]] &&
+           w->value[p[PM_POINT_Y]] == w->value[q[PM_POINT_Y]] &&
+           w->value[a[PM_CIRCLE_RADIUS]] == w->value[b[PM_CIRCLE_RADIUS]];
+}
+
+static int body_of_edge(const pm_model *m, int contact)
+{
+    const int point = PM_LINE_ROW(m, PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_B])[PM_LINE_POINT];
+    return PM_POINT_ROW(m, point)[PM_POINT_BODY];
+}
+
+/* The end of `other` that is the corner `member` of `contact`, with the same circle beside both; PM_NONE: none is. */
+static int shared_corner(const pm_workspace *w, int contact, int member, int other)
+{
+    if (other == contact || !pm_segment_is(w->model, other) || !same_circle(w, contact, other) ||
+        body_of_edge(w->model, contact) != body_of_edge(w->model, other))
+        return PM_NONE;
+    double at[2], there[2];
+    pm_segment_corner(w, contact, member, at);
+    for (int end = PM_SEGMENT_FROM; end <= PM_SEGMENT_TO; end++) {
+        pm_segment_corner(w, other, end, there);
+        if (hypot(at[0] - there[0], at[1] - there[1]) <= pm_contact_length(w)) return end;
+    }
+    return PM_NONE;
+}
+
+static double beyond_end(const pm_beside_edge *x, int end)
+{
+    return end == PM_SEGMENT_FROM ? x->from : x->to;
+}
+
+/* How far beyond their shared corner the circle is from the face of an edge that meets `contact` there; *heir: which. */
+static double room_to_next_edge(const pm_workspace *w, int contact, int member, int *heir)
+{
+    double room = INFINITY;
+    *heir = PM_NONE;
+    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
+        const int end = shared_corner(w, contact, member, i);
+        if (end == PM_NONE) continue;
+        const pm_beside_edge x = beside(w, i);
+        if (x.height <= 0 || beyond_end(&x, end) >= room) continue;
+        room = beyond_end(&x, end);
+        *heir = i;
+    }
+    return room;
+}
+
+int pm_segment_is_covered(const pm_workspace *w, const pm_state *s, int contact)
+{
+    const pm_model *m = w->model;
+    int nearest;
+    pm_segment_gap(w, contact, &nearest);
+    const pm_beside_edge x = beside(w, contact);
+    for (int i = 0; i < m->rows[PM_TABLE_CONTACT] && m->nsegment > 1; i++) {
+        const pm_slot *slot = &s->slot[m->contact_slot[i]];
+        if (slot->mode == PM_OPEN || !pm_segment_is(m, i)) continue;
+        for (int end = PM_SEGMENT_FROM; end <= PM_SEGMENT_TO; end++) {
+            const int begins =
+                nearest == PM_SEGMENT_FACE && beyond_end(&x, end) > -HANDING_OVER * pm_contact_length(w);
+            if ((nearest == end || begins) && shared_corner(w, contact, end, i) != PM_NONE) return 1;
+        }
+    }
+    return 0;
+}
+
+double pm_segment_room(const pm_workspace *w, int contact, int member)
+{
+    const pm_beside_edge x = beside(w, contact);
+    if (member == PM_SEGMENT_FACE) return -fmax(x.from, x.to);
+    int heir;
+    return fmin(beyond_end(&x, member) + pm_contact_length(w), room_to_next_edge(w, contact, member, &heir));
+}
+
+int pm_segment_next(const pm_workspace *w, int contact, int member, int *heir)
+{
+    *heir = PM_NONE;
+    const pm_beside_edge x = beside(w, contact);
+    if (!(x.radius > 0)) return PM_NONE;
+    const int corner = member != PM_SEGMENT_FACE ? member : x.from > x.to ? PM_SEGMENT_FROM : PM_SEGMENT_TO;
+    const double back = beyond_end(&x, corner) + pm_contact_length(w);
+    int next;
+    const double on = room_to_next_edge(w, contact, corner, &next);
+    if (member == PM_SEGMENT_FACE && on > 0) return corner;
+    if (member != PM_SEGMENT_FACE && back < on) return PM_SEGMENT_FACE;
+    *heir = next;
+    return PM_NONE;
+}
+
 int pm_segment_way(const pm_model *m, int contact, int member)
 {
     return pm_segment_is(m, contact) && member != PM_SEGMENT_FACE ? -1 : 1;
-}
-
-int pm_segment_any(const pm_model *m)
-{
-    for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++)
-        if (pm_segment_is(m, i)) return 1;
-    return 0;
 }

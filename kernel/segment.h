@@ -11,18 +11,22 @@ int pm_segment_is(const pm_model *m, int contact);
 /* Gap at the frame, and the member that is next.  Continuous where nothing overlaps; not below zero beyond the ends but for
  * circles that overlap a corner. */
 double pm_segment_gap(const pm_workspace *w, int contact, int *member);
-/* The mark is on the back of the segment: it does not touch. */
-int pm_segment_behind(const pm_workspace *w, int contact);
+/* The mark touches the face or, beyond it, a corner, or overlaps them: not from the back. */
+int pm_segment_touches(const pm_workspace *w, int contact);
+/* The mark is lower than where it would touch the face; what falls through zero while it is, where it touches a corner or
+ * is no longer there. */
+int pm_segment_is_below(const pm_workspace *w, int contact);
+double pm_segment_gap_from_below(const pm_workspace *w, int contact);
+/* What is next to an open contact is a corner that a closed one has, too: it is left to that one. */
+int pm_segment_is_covered(const pm_workspace *w, const pm_state *s, int contact);
 /* How far a mark that touches `member` is from leaving it for another, or for good; falls to 0 there, m. */
 double pm_segment_room(const pm_workspace *w, int contact, int member);
-/* The member that follows `member` where its room ends; PM_NONE: the contact ends. */
-int pm_segment_next(const pm_workspace *w, int contact, int member);
+/* The member that follows `member` where its room ends; PM_NONE: the contact ends, and the face of another
+ * edge, the contact *heir, takes over (PM_NONE: none does). */
+int pm_segment_next(const pm_workspace *w, int contact, int member, int *heir);
 /* The end of a corner member, in the axes of the line's body. */
 void pm_segment_corner(const pm_workspace *w, int contact, int member, double at[2]);
 
 /* Which way the tangent of a member's rows goes: 1 along the edge, -1 against it. */
 int pm_segment_way(const pm_model *m, int contact, int member);
-/* Some contact has a segment. */
-int pm_segment_any(const pm_model *m);
-
 #endif

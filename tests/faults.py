@@ -605,13 +605,18 @@ FAULTS = [
     Fault("impact: restitution of the work", "impact.c", "-e * e * now.work", "-e * now.work"),
     Fault("edge: it does not end", "event.c", "case FUNCTION_END:", "case FUNCTION_END: return 1;"),
     Fault("edge: its end is not seen beside it", "segment.c", "if (beyond <= 0) return", "return"),
-    Fault("edge: what is behind it touches", "contact.c", "|| !pm_segment_behind(w, contact)", "|| 1"),
-    Fault("edge: what is behind it stays there", "event.c", "return f->behind ? -gap : gap;", "return gap;"),
+    Fault("edge: what is behind it touches", "contact.c", "|| pm_segment_touches(w, contact)", "|| 1"),
+    Fault(
+        "edge: what is behind it stays there",
+        "event.c",
+        "return f->below ? pm_segment_gap_from_below(w, f->index) : gap;",
+        "return gap;",
+    ),
     Fault(
         "edge: the wrong corner",
         "segment.c",
-        "return x.from > x.to ? PM_SEGMENT_FROM",
-        "return x.from < x.to ? PM_SEGMENT_FROM",
+        "if (x.radius > 0) *member = x.from > x.to",
+        "if (x.radius > 0) *member = x.from < x.to",
     ),
     Fault(
         "edge: friction keeps its side round a corner",
@@ -631,6 +636,19 @@ FAULTS = [
         "member != PM_SEGMENT_FACE ? -1 : 1",
         "member != PM_SEGMENT_FACE ? 1 : 1",
     ),
+    Fault(
+        "edge: nobody takes over",
+        "mode.c",
+        "return heir == PM_NONE ? PM_OK : hand_over(w, mode, heir);",
+        "return PM_OK;",
+    ),
+    Fault(
+        "edge: both edges have the corner",
+        "contact.c",
+        "pm_segment_is_covered(w, s, contact) ? INFINITY :",
+        "",
+    ),
+    Fault("edge: the next one is not seen", "segment.c", "room = beyond_end(&x, end);", ""),
     Fault("impact: joints do not hold", "impact.c", "pm_saddle_spread(w, 0, x);", ""),
     Fault(
         "blow: row of a resting contact dropped",
