@@ -241,6 +241,13 @@ void pm_active_anchor(pm_workspace *w, pm_state *s, int slot)
     remember(w, s, &tangent, 1);
 }
 
+void pm_active_anchor_joint(pm_workspace *w, pm_state *s, int joint)
+{
+    pm_row row[PM_JOINT_ROWS];
+    const int n = pm_row_of_joint(w, joint, row);
+    for (int k = 0; k < n; k++) remember(w, s, &row[k], 1);
+}
+
 /* Measures the cords: as drawn, and what they are slack. */
 static void anchor_cords(pm_workspace *w, pm_state *s)
 {
@@ -255,11 +262,7 @@ static void anchor_cords(pm_workspace *w, pm_state *s)
 
 void pm_active_anchor_start(pm_workspace *w, pm_state *s)
 {
-    for (int i = 0; i < w->model->rows[PM_TABLE_JOINT]; i++) {
-        pm_row row[PM_JOINT_ROWS];
-        const int n = pm_row_of_joint(w, i, row);
-        for (int k = 0; k < n; k++) remember(w, s, &row[k], 1);
-    }
+    for (int i = 0; i < w->model->rows[PM_TABLE_JOINT]; i++) pm_active_anchor_joint(w, s, i);
     anchor_cords(w, s);
 }
 

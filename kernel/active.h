@@ -11,6 +11,8 @@ int pm_active_build(pm_workspace *w);
 void pm_active_carry(pm_workspace *w, int slot, double ratio);
 /* Anchors the no-slip rows of slot (just closed, stuck or captured) at the frame. */
 void pm_active_anchor(pm_workspace *w, pm_state *s, int slot);
+/* Anchors the rows with memory of a joint at the frame. */
+void pm_active_anchor_joint(pm_workspace *w, pm_state *s, int joint);
 /* Anchors all joints with memory at the frame and measures the cords (once, after the assembly). */
 void pm_active_anchor_start(pm_workspace *w, pm_state *s);
 /* After an accepted step: unwrapped directions follow. */

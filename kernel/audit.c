@@ -191,6 +191,11 @@ void pm_audit_jump(pm_workspace *w, const double *before)
     update_scales(w);
 }
 
+void pm_audit_impulse(pm_workspace *w, const double at[2], const double force[2], double couple)
+{
+    add_outer(w->state.z + pm_audit_ledger(w->model), at, force, couple, 1);
+}
+
 /* One row's share of a series of blows: what the outer world gives; the energy that it takes. */
 static double add_series_row(pm_workspace *w, const pm_row *row, double impulse)
 {

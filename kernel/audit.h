@@ -20,6 +20,8 @@ void pm_audit_begin(pm_workspace *w);
 void pm_audit_step(pm_workspace *w);
 /* A jump from velocities `before` to those of the frame, with w->rhs the impulses of the active rows. */
 void pm_audit_jump(pm_workspace *w, const double *before);
+/* An impulse that the outer world applies. */
+void pm_audit_impulse(pm_workspace *w, const double at[2], const double force[2], double couple);
 /* Blows like the last one, `factor` times its impulses in all, at the mean of their places and velocities by impulse,
  * where the frame looks: they count as the last jump from now on. */
 void pm_audit_series(pm_workspace *w, double factor);

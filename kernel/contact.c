@@ -172,6 +172,7 @@ static int members_of_row(const pm_workspace *w, const pm_state *s, int contact,
 int pm_contact_near(const pm_workspace *w, const pm_state *s, int contact, int most, int *member)
 {
     const int32_t *e = PM_CONTACT_ROW_OF(w->model, contact);
+    if (pm_is_absent(w->model, s, PM_TABLE_CONTACT, contact)) return 0;
     if (e[PM_CONTACT_KIND] == PM_CONTACT_ROW) {
         const pm_beside x = beside_row(w, e);
         return members_of_row(w, s, contact, e, &x, most, member);
@@ -198,9 +199,16 @@ static double row_gap(const pm_workspace *w, const pm_state *s, int contact, con
 
 double pm_contact_gap(const pm_workspace *w, const pm_state *s, int contact, int *member)
 {
-    const int32_t *e = PM_CONTACT_ROW_OF(w->model, contact);
-    if (e[PM_CONTACT_KIND] == PM_CONTACT_ROW) return row_gap(w, s, contact, e, member);
     *member = 0;
+    return pm_is_absent(w->model, s, PM_TABLE_CONTACT, contact) ? INFINITY
+                                                                : pm_contact_apart(w, s, contact, member);
+}
+
+double pm_contact_apart(const pm_workspace *w, const pm_state *s, int contact, int *member)
+{
+    const int32_t *e = PM_CONTACT_ROW_OF(w->model, contact);
+    *member = 0;
+    if (e[PM_CONTACT_KIND] == PM_CONTACT_ROW) return row_gap(w, s, contact, e, member);
     if (is_closed(w, s, contact, 0)) return INFINITY;
     if (!pm_segment_is(w->model, contact)) return pm_contact_member_gap(w, contact, 0, 0);
     return pm_segment_is_covered(w, s, contact) ? INFINITY : pm_segment_gap(w, contact, member);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "action.h"
 #include "active.h"
 #include "ask.h"
 #include "audit.h"
@@ -40,11 +41,13 @@ int pm_event_create(pm_workspace *w)
     e->function = calloc(most + 1, sizeof *e->function);
     e->value = calloc(PM_NODES_MOST * (most + 1) + 4 * ntrigger + nevent, sizeof(double));
     e->hit = calloc(2 * (most + 1), sizeof(int));
-    e->count = calloc(nevent + 1, sizeof *e->count);
-    e->fired = calloc(ntrigger + (size_t)m->rows[PM_TABLE_CONTACT] + 1, 1);
+    e->count = calloc(2 * nevent + 1, sizeof *e->count);
+    e->fired = calloc(ntrigger + (size_t)m->rows[PM_TABLE_CONTACT] + nevent + 1, 1);
     e->solver = pm_root_create();
     if (!e->function || !e->value || !e->hit || !e->count || !e->fired || !e->solver) return PM_NO_MEMORY;
+    e->seen = e->count + nevent;
     e->spent = e->fired + ntrigger;
+    e->acted = e->spent + m->rows[PM_TABLE_CONTACT];
     e->root = e->hit + most + 1;
     e->before = e->value + PM_NODES_MOST * (most + 1);
     e->due = e->before + ntrigger;
@@ -336,9 +339,14 @@ static void end_step(pm_workspace *w)
 
 static int only_marks(const pm_workspace *w)
 {
-    if (w->model->watches_counts || pm_leg_doubts(w)) return 0;
-    for (int i = 0; i < w->event->nfunction; i++)
-        if (w->event->hit[i] && w->event->function[i].kind != FUNCTION_TRIGGER) return 0;
+    const pm_model *m = w->model;
+    if (m->watches_counts || pm_leg_doubts(w)) return 0;
+    for (int i = 0; i < w->event->nfunction; i++) {
+        const pm_event_function *f = &w->event->function[i];
+        if (!w->event->hit[i]) continue;
+        if (f->kind != FUNCTION_TRIGGER) return 0;
+        if (m->acts && pm_action_of(m, PM_TRIGGER_ROW(m, f->index)[PM_TRIGGER_EVENT])) return 0;
+    }
     return 1;
 }
 

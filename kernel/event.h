@@ -56,6 +56,8 @@ typedef struct pm_event_set {
     double *least, *greatest; /* [ntrigger] of the samples in the phase */
     int64_t *count;           /* [nevent] */
     double *time;             /* [nevent] */
+    int64_t *seen;            /* [nevent] how often its triggers were marked */
+    unsigned char *acted;     /* [nevent] its actions are carried out at this instant */
     void *solver;             /* gsl_root_fsolver */
     int first_step;           /* of the phase */
     int most;                 /* size of the function array */

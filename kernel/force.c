@@ -151,6 +151,7 @@ static pm_force_rule *const steady[PM_FORCE_KINDS] = {
 int pm_force_steady(const pm_workspace *w, int i, const pm_steady *x)
 {
     const int32_t *e = PM_FORCE_ROW(w->model, i);
+    if (pm_is_absent(w->model, &w->state, PM_TABLE_FORCE, i)) return 1;
     return steady[e[PM_FORCE_KIND]] && steady[e[PM_FORCE_KIND]](w, e, x);
 }
 
@@ -159,6 +160,8 @@ pm_action pm_force_action(pm_workspace *w, int i)
     const int32_t *e = PM_FORCE_ROW(w->model, i);
     pm_action x = {.body_a = w->model->nbody, .body_b = w->model->nbody};
     laws[e[PM_FORCE_KIND]](w, e, &x);
+    if (pm_is_absent(w->model, &w->state, PM_TABLE_FORCE, i))
+        x.force[0] = x.force[1] = x.couple = x.power = x.energy = 0;
     return x;
 }
 

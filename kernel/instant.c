@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "action.h"
 #include "ask.h"
 #include "body.h"
 #include "decision.h"
@@ -39,6 +40,35 @@ static void mark_rest(pm_workspace *w)
         if (at_rest(w, i)) pm_trigger_mark(w, PM_TRIGGER_REST, i);
 }
 
+/* Blows, modes, and what fires by them. */
+static int settle(pm_workspace *w)
+{
+    int jumped, status;
+    if ((status = pm_jump(w, &jumped)) || (status = pm_mode_settle(w))) return status;
+    pm_mode_mark(w);
+    pm_trigger_look_after(w);
+    return PM_OK;
+}
+
+/* Actions may make further events fire, which act at the same instant; each event acts once.  Only what then is at rest
+ * is at rest. */
+static int carry_out(pm_workspace *w)
+{
+    int acted, rests = 0, status;
+    pm_action_instant(w);
+    for (;;) {
+        if ((status = pm_action_carry_out(w, &acted))) return status;
+        if (acted) {
+            if ((status = settle(w))) return status;
+        } else if (!rests) {
+            mark_rest(w);
+            rests = 1;
+        } else {
+            return PM_OK;
+        }
+    }
+}
+
 /* Fires what is due at the frame and answers for it. */
 static int close(pm_workspace *w, int *ended)
 {
@@ -61,13 +91,11 @@ static int look_before(pm_workspace *w)
     return pm_mode_begin(w);
 }
 
+/* A blow and what is done because of it. */
 static int blow(pm_workspace *w)
 {
-    int jumped, status;
-    if ((status = pm_jump(w, &jumped)) || (status = pm_mode_settle(w))) return status;
-    pm_mode_mark(w);
-    pm_trigger_look_after(w);
-    return PM_OK;
+    const int status = settle(w);
+    return status || !w->model->acts ? status : carry_out(w);
 }
 
 /* Closes the instant of one blow and opens that of the next, at the same time. */
@@ -109,6 +137,7 @@ int pm_instant_finish(pm_workspace *w, int *ended)
 int pm_instant_start(pm_workspace *w)
 {
     int ended; /* is told again when the start is closed */
+    pm_trigger_mark(w, PM_TRIGGER_START, PM_NONE);
     return act(w, &ended);
 }
 

@@ -398,6 +398,20 @@ static int one_blow(pm_workspace *w, unsigned char *share, double *scratch)
     return PM_OK;
 }
 
+/* Rough contacts that rest hold their slip, too; the other contacts join where they must. */
+int pm_jump_hold(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    unsigned char *share = (unsigned char *)(void *)(w->scratch + 2 * m->nq + 2 * m->nslot);
+    memset(share, OUT, (size_t)m->nslot);
+    for (int i = 0; i < m->nslot; i++)
+        if (w->state.slot[i].mode != PM_OPEN &&
+            pm_contact_friction(m, pm_contact_of_slot(m, i)) == PM_FRICTION_ROUGH)
+            share[i] = JOINED;
+    pm_frame_look_state(w, &w->state);
+    return one_blow(w, share, w->scratch);
+}
+
 int pm_jump(pm_workspace *w, int *jumped)
 {
     const pm_model *m = w->model;

@@ -10,5 +10,7 @@
 int pm_jump(pm_workspace *w, int *jumped);
 /* Blows come one by one, and there is a next one. */
 int pm_jump_goes_on(pm_workspace *w);
+/* Makes the velocities ones that all that holds allows: joints, contacts that rest and would approach, rough ones. */
+int pm_jump_hold(pm_workspace *w);
 
 #endif

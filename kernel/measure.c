@@ -190,7 +190,7 @@ static void joint_sum(const pm_measure_args *x, const double *reaction, int by_a
     /* `on` another body than the first partner: the opposite */
     if (x->e[PM_MEASURE_ON] == PM_NONE) return;
     pm_row row[PM_JOINT_ROWS];
-    pm_row_of_joint(x->w, x->a, row);
+    if (pm_row_of_joint(x->w, x->a, row) == 0) return; /* it is not there: nothing acts */
     if (row[0].body[0] != pm_body_index(m, x->e[PM_MEASURE_ON]))
         for (int k = 0; k < 3; k++) out[k] = -out[k];
 }
@@ -257,7 +257,7 @@ static double gap(const pm_measure_args *x)
     for (int i = first; i < last; i++)
         if (counts(x, i)) return pm_contact_member_gap(x->w, x->a, x->w->state.slot[i].member, 0);
     if (pm_segment_is(x->w->model, x->a)) return pm_segment_gap(x->w, x->a, &member);
-    return pm_contact_gap(x->w, &x->w->state, x->a, &member);
+    return pm_contact_apart(x->w, &x->w->state, x->a, &member);
 }
 
 static double closed(const pm_measure_args *x)

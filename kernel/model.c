@@ -34,6 +34,7 @@ static const int table_columns[PM_TABLES] = {
     [PM_TABLE_CONDITION] = PM_CONDITION_COLUMNS,
     [PM_TABLE_SPIN] = PM_SPIN_COLUMNS,
     [PM_TABLE_SECOND] = PM_SECOND_COLUMNS,
+    [PM_TABLE_ACTION] = PM_ACTION_COLUMNS,
 };
 
 static int bad(pm_where *where, int table, int row, double value, double bound)
@@ -123,6 +124,9 @@ static const pm_range ranges[] = {
     {PM_TABLE_SECOND, PM_SECOND_X, PM_TABLE_VALUE, 0, 0},
     {PM_TABLE_SECOND, PM_SECOND_Y, PM_TABLE_VALUE, 0, 0},
     {PM_TABLE_SECOND, PM_SECOND_Z, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_ACTION, PM_ACTION_EVENT, PM_TABLE_EVENT, 0, 1},
+    {PM_TABLE_ACTION, PM_ACTION_PROGRAM_X, PM_TABLE_PROGRAM, 0, 1},
+    {PM_TABLE_ACTION, PM_ACTION_PROGRAM_Y, PM_TABLE_PROGRAM, 0, 1},
 };
 
 /* Partners of elements: which table columns a and b point into, by kind.  PM_NONE: not used. */
@@ -282,6 +286,23 @@ static int check_forces(const pm_model *m, pm_where *where)
     return PM_OK;
 }
 
+/* What an impulse is must be known before the forces and accelerations after it are. */
+static int check_impulses(const pm_model *m, pm_where *where)
+{
+    for (int i = 0; i < m->rows[PM_TABLE_ACTION]; i++)
+        for (int k = PM_ACTION_PROGRAM_X; k <= PM_ACTION_PROGRAM_Y; k++) {
+            const int program = PM_ACTION_ROW(m, i)[k];
+            if (program < 0) continue;
+            const int32_t *p = pm_row_of(m, PM_TABLE_PROGRAM, program, PM_PROGRAM_COLUMNS);
+            const int32_t *code = pm_row_of(m, PM_TABLE_CODE, p[PM_PROGRAM_FIRST], PM_CODE_COLUMNS);
+            for (int c = 0; c < p[PM_PROGRAM_LENGTH]; c++, code += PM_CODE_COLUMNS)
+                if (code[PM_CODE_OP] == PM_OP_MEASURE &&
+                    pm_measure_level(m, code[PM_CODE_ARG]) == PM_LEVEL_DYNAMIC)
+                    return bad(where, PM_TABLE_ACTION, i, code[PM_CODE_ARG], PM_NONE);
+        }
+    return PM_OK;
+}
+
 static int reads_time_alone(const pm_model *m, int program)
 {
     const int32_t *p = pm_row_of(m, PM_TABLE_PROGRAM, program, PM_PROGRAM_COLUMNS);
@@ -378,6 +399,45 @@ static int check_untils(const pm_model *m, pm_where *where)
     return PM_OK;
 }
 
+static int check_events(const pm_model *m, pm_where *where)
+{
+    for (int i = 0; i < m->rows[PM_TABLE_EVENT]; i++) {
+        const int nth = PM_EVENT_ROW(m, i)[PM_EVENT_NTH];
+        if (nth < 0) return bad(where, PM_TABLE_EVENT, i, nth, 0);
+    }
+    return PM_OK;
+}
+
+/* Which table column a of an action points into; which programs it needs. */
+static int check_action(const pm_model *m, int i, pm_where *where)
+{
+    const int32_t *e = PM_ACTION_ROW(m, i);
+    const int kind = e[PM_ACTION_KIND], of = e[PM_ACTION_TABLE], a = e[PM_ACTION_A];
+    if (kind < 0 || kind >= PM_ACTION_KINDS) return bad(where, PM_TABLE_ACTION, i, kind, PM_ACTION_KINDS);
+    if (e[PM_ACTION_EVENT] == PM_NONE && kind != PM_ACTION_REMOVE)
+        return bad(where, PM_TABLE_ACTION, i, kind, PM_ACTION_REMOVE);
+    if (kind <= PM_ACTION_REMOVE) {
+        if (of != PM_TABLE_JOINT && of != PM_TABLE_CONTACT && of != PM_TABLE_FORCE)
+            return bad(where, PM_TABLE_ACTION, i, of, PM_TABLE_FORCE);
+        return in_range(m, of, a) ? PM_OK : bad(where, PM_TABLE_ACTION, i, a, m->rows[of]);
+    }
+    const int at = kind == PM_ACTION_IMPULSE ? PM_TABLE_POINT : PM_TABLE_BODY;
+    if (a < 0 || a >= m->rows[at]) return bad(where, PM_TABLE_ACTION, i, a, m->rows[at]);
+    const int turns = kind == PM_ACTION_IMPULSE || PM_BODY_ROW(m, a)[PM_BODY_TURNS];
+    if (!turns) return bad(where, PM_TABLE_ACTION, i, a, PM_BODY_TURNS);
+    for (int k = 0; k < (kind == PM_ACTION_IMPULSE ? 2 : 1); k++)
+        if (e[PM_ACTION_PROGRAM_X + k] < 0)
+            return bad(where, PM_TABLE_ACTION, i, e[PM_ACTION_PROGRAM_X + k], m->rows[PM_TABLE_PROGRAM]);
+    return PM_OK;
+}
+
+static int check_actions(const pm_model *m, pm_where *where)
+{
+    int status = PM_OK;
+    for (int i = 0; !status && i < m->rows[PM_TABLE_ACTION]; i++) status = check_action(m, i, where);
+    return status;
+}
+
 static int check_settings(const pm_model *m, pm_where *where)
 {
     const int route = PM_SETTING(m, PM_SETTING_ROUTE);
@@ -433,6 +493,8 @@ static int check_tables(pm_model *m, pm_where *where)
     if (!status) status = check_triggers(m, where);
     if (!status) status = check_asks(m, where);
     if (!status) status = check_untils(m, where);
+    if (!status) status = check_events(m, where);
+    if (!status) status = check_actions(m, where);
     if (!status) status = check_settings(m, where);
     if (!status) status = check_find(m, where);
     if (!status) status = pm_measure_validate(m, where);
@@ -440,6 +502,7 @@ static int check_tables(pm_model *m, pm_where *where)
     if (!status) status = check_forces(m, where); /* look into programs */
     if (!status) status = check_drives(m, where);
     if (!status) status = pm_spin_validate(m, where);
+    if (!status) status = check_impulses(m, where);
     return status;
 }
 
@@ -496,6 +559,13 @@ static void lay_out(pm_model *m)
     pm_spin_lay_out(m);
     m->nz_controlled = m->nz;
     m->nz += 1 + PM_LEDGER; /* work of sliding friction and of drives, then the outer impulses */
+}
+
+static void look_for_actions(pm_model *m)
+{
+    m->nelement = m->rows[PM_TABLE_JOINT] + m->rows[PM_TABLE_CONTACT] + m->rows[PM_TABLE_FORCE];
+    for (int i = 0; i < m->rows[PM_TABLE_ACTION]; i++) m->acts |= PM_ACTION_ROW(m, i)[PM_ACTION_EVENT] >= 0;
+    for (int i = 0; i < m->rows[PM_TABLE_EVENT]; i++) m->acts |= PM_EVENT_ROW(m, i)[PM_EVENT_NTH] > 0;
 }
 
 /* What each program needs of a state. */
@@ -614,6 +684,7 @@ int pm_model_create(int64_t ntable, const int32_t *table, int64_t nconstant, con
     m->grip_force = m->force_z + m->rows[PM_TABLE_FORCE];
     m->path_z = m->grip_force + m->rows[PM_TABLE_FORCE];
     lay_out(m);
+    look_for_actions(m);
     grade_programs(m);
     look_for_time(m);
     look_for_counts(m);

@@ -49,6 +49,8 @@ typedef struct pm_model {
     unsigned char *program_growth; /* [nprogram] enum pm_growth */
     int forces_by_place;           /* all forces depend on the configuration alone */
     int reads_time;                /* some program reads the time */
+    int nelement;                  /* joints, contacts and forces */
+    int acts;                      /* some event does something, or not whenever its triggers fire */
     int watches_counts;            /* what is watched in a step reads the count or time of an event */
 } pm_model;
 
@@ -76,6 +78,8 @@ static inline const int32_t *pm_row_of(const pm_model *m, int table, int row, in
 #define PM_VARY_ROW(m, i) pm_row_of(m, PM_TABLE_VARY, i, PM_VARY_COLUMNS)
 #define PM_SECOND_ROW(m, i) pm_row_of(m, PM_TABLE_SECOND, i, PM_SECOND_COLUMNS)
 #define PM_CONDITION_ROW(m, i) pm_row_of(m, PM_TABLE_CONDITION, i, PM_CONDITION_COLUMNS)
+#define PM_EVENT_ROW(m, i) pm_row_of(m, PM_TABLE_EVENT, i, PM_EVENT_COLUMNS)
+#define PM_ACTION_ROW(m, i) pm_row_of(m, PM_TABLE_ACTION, i, PM_ACTION_COLUMNS)
 #define PM_SETTING(m, column) ((m)->table[PM_TABLE_SETTING][column])
 
 /* How a closed contact moves. */
@@ -112,9 +116,23 @@ typedef struct pm_state {
     pm_memory *memory; /* [nmemory]: joints, then slots */
     pm_slot *slot;     /* [nslot] */
     int32_t *grip;     /* [ngrip] enum pm_mode of the frictions of joints */
+    unsigned char *absent; /* [nelement] removed, or not there yet (action.h) */
     void *block;
     size_t bytes;
 } pm_state;
+
+/* Place of a joint, contact or force among the elements. */
+static inline int pm_element(const pm_model *m, int table, int row)
+{
+    const int joints = m->rows[PM_TABLE_JOINT], contacts = m->rows[PM_TABLE_CONTACT];
+    return row + (table == PM_TABLE_JOINT ? 0 : table == PM_TABLE_CONTACT ? joints : joints + contacts);
+}
+
+/* Whether it is not there in state s. */
+static inline int pm_is_absent(const pm_model *m, const pm_state *s, int table, int row)
+{
+    return s->absent[pm_element(m, table, row)];
+}
 
 /* One scalar constraint row of the active set; which formula is row.c's table of kinds. */
 typedef struct pm_row {
@@ -217,6 +235,7 @@ typedef struct pm_workspace {
     double *force_energy_start; /* [nforce] energy of springs at the start */
     double *slot_direction;     /* [nslot][4] normal x, y, tangent x, y on the first partner at the jump */
     double lost;                /* kinetic energy, J */
+    double *impulse;            /* [nq] applied by the actions of an event */
     /* ledger */
     double energy_start, energy_lost, energy_scale, momentum_scale, constraint_worst;
     double momentum_start[PM_LEDGER];

@@ -64,7 +64,8 @@ static int fires_at_start(const pm_model *m, int event)
 {
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *e = PM_TRIGGER_ROW(m, i);
-        if (e[PM_TRIGGER_KIND] == PM_TRIGGER_START && e[PM_TRIGGER_EVENT] == event) return 1;
+        const int first = PM_EVENT_ROW(m, event)[PM_EVENT_NTH] <= 1;
+        if (e[PM_TRIGGER_KIND] == PM_TRIGGER_START && e[PM_TRIGGER_EVENT] == event) return first;
     }
     return 0;
 }

@@ -57,7 +57,8 @@ enum pm_status {
     PM_BLOW_GAINS =
         -18, /* the law of a blow with friction would create energy: where = contact; detail = J, bound */
     PM_BLOW_SEVERAL =
-        -19 /* the law is for one contact at a time: where = contact; detail = how many take part */
+        -19, /* the law is for one contact at a time: where = contact; detail = how many take part */
+    PM_NO_IMPULSE = -20 /* no impulse does that work: where = action; detail = work, the least that is possible */
 };
 
 /* ---- tables ---------------------------------------------------------------------------------------
@@ -78,7 +79,7 @@ enum pm_table {
     PM_TABLE_MEASURE = 11,
     PM_TABLE_START = 12,
     PM_TABLE_TRIGGER = 13,
-    PM_TABLE_EVENT = 14, /* pm_event_column: one row per named event (no data; its count matters) */
+    PM_TABLE_EVENT = 14, /* pm_event_column: one row per named event */
     PM_TABLE_UNTIL = 15,
     PM_TABLE_ASK = 16,
     PM_TABLE_SETTING = 17, /* one row: pm_setting_column */
@@ -87,7 +88,8 @@ enum pm_table {
     PM_TABLE_CONDITION = 20,
     PM_TABLE_SPIN = 21,   /* one row where the plane of the scene turns about an axis in it: pm_spin_column */
     PM_TABLE_SECOND = 22, /* then one row per body: pm_second_column */
-    PM_TABLES = 23
+    PM_TABLE_ACTION = 23, /* what events do */
+    PM_TABLES = 24
 };
 
 /* ---- programs -------------------------------------------------------------------------------------
@@ -390,7 +392,29 @@ enum pm_trigger_column {
     PM_TRIGGER_A = 3,
     PM_TRIGGER_COLUMNS = 4
 };
-enum pm_event_column { PM_EVENT_RESERVED = 0, PM_EVENT_COLUMNS = 1 };
+enum pm_event_column {
+    PM_EVENT_NTH = 0, /* it fires only when its triggers do so for the nth time; 0: whenever they do */
+    PM_EVENT_COLUMNS = 1
+};
+/* What an event does when it fires: its rows, in order.  What is added holds from then on, what is removed no longer;
+ * velocities that then clash meet in a plastic blow.  Impulses that follow each other in the table act at once. */
+enum pm_action_kind {
+    PM_ACTION_ADD = 0,     /* row a of `table` */
+    PM_ACTION_REMOVE = 1,  /* the same; without an event: it does not hold from the start on */
+    PM_ACTION_IMPULSE = 2, /* at point a: program_x, program_y, in the scene's axes */
+    PM_ACTION_ANGULAR = 3, /* on body a: program_x */
+    PM_ACTION_WORK = 4, /* the angular impulse on body a that does the work program_x and keeps the sense of rotation */
+    PM_ACTION_KINDS = 5
+};
+enum pm_action_column {
+    PM_ACTION_KIND = 0,
+    PM_ACTION_EVENT = 1, /* or PM_NONE */
+    PM_ACTION_TABLE = 2, /* PM_TABLE_JOINT, PM_TABLE_CONTACT or PM_TABLE_FORCE; PM_NONE for impulses */
+    PM_ACTION_A = 3,
+    PM_ACTION_PROGRAM_X = 4, /* or PM_NONE; reads no forces and no accelerations */
+    PM_ACTION_PROGRAM_Y = 5,
+    PM_ACTION_COLUMNS = 6
+};
 /* The run ends when for some group every row's event has fired `nth` times. */
 enum pm_until_column { PM_UNTIL_GROUP = 0, PM_UNTIL_EVENT = 1, PM_UNTIL_NTH = 2, PM_UNTIL_COLUMNS = 3 };
 

@@ -81,9 +81,7 @@ int pm_run_start(pm_workspace *w, const double *param, pm_start_report *report)
     w->kinematic = pm_plan_kinematic(w);
     status = pm_active_build(w);
     if (!status && !w->kinematic) status = pm_saddle_accelerate(w);
-    if (status || (status = pm_instant_start(w))) return status;
-    pm_trigger_mark(w, PM_TRIGGER_START, PM_NONE);
-    return PM_OK;
+    return status ? status : pm_instant_start(w);
 }
 
 static int phase(pm_workspace *w, int *ended)

@@ -11,6 +11,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "action.h"
 #include "active.h"
 #include "basis.h"
 #include "body.h"
@@ -36,6 +37,7 @@ static void draw(pm_workspace *w)
         for (int k = 0; k < 3; k++) w->state.q[3 * i + k] = w->value[PM_BODY_ROW(m, i)[PM_BODY_X + k]];
     for (int i = 0; i < m->nbody; i++)
         if (!PM_BODY_ROW(m, i)[PM_BODY_TURNS]) w->state.q[3 * i + 2] = 0;
+    pm_action_begin(m, &w->state);
 }
 
 /* The least change x (in the metric of M) that the basis spans with the given components y: x = M^-1/2 B^T y.  A new row

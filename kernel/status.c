@@ -36,6 +36,7 @@ static const char *text_of(enum pm_status status)
     case PM_BLOW_GAINS: return "the law of this blow with friction would create energy";
     case PM_BLOW_SEVERAL:
         return "this impact law is for one contact at a time, and several take part in a blow";
+    case PM_NO_IMPULSE: return "no impulse does the work asked";
     }
     return "unknown status";
 }

@@ -136,6 +136,7 @@ int pm_symmetry_holds(pm_workspace *w, const pm_shift *shift)
 {
     const pm_model *m = w->model;
     if (!spin_stays(w, shift)) return 0;
+    if (m->acts) return 0; /* what an event does is not part of a leg */
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++)
         if (!joint_stays(w, shift, i)) return 0;
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++)

@@ -13,7 +13,7 @@ void pm_trigger_reset(pm_workspace *w)
 {
     pm_event_set *e = w->event;
     for (int i = 0; i < w->model->rows[PM_TABLE_EVENT]; i++) {
-        e->count[i] = 0;
+        e->count[i] = e->seen[i] = 0;
         e->time[i] = NAN;
     }
     memset(e->fired, 0, (size_t)w->model->rows[PM_TABLE_TRIGGER]);
@@ -90,15 +90,28 @@ void pm_trigger_next_blow(pm_workspace *w)
         if (w->event->fired[i]) w->event->fired[i] = PM_FIRED_EARLIER;
 }
 
+static int is_marked(const pm_workspace *w, int event)
+{
+    int marked = 0;
+    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++)
+        marked |= w->event->fired[i] == PM_FIRED_NOW && PM_TRIGGER_ROW(w->model, i)[PM_TRIGGER_EVENT] == event;
+    return marked;
+}
+
+int pm_trigger_fires(const pm_workspace *w, int event)
+{
+    const int nth = PM_EVENT_ROW(w->model, event)[PM_EVENT_NTH];
+    return is_marked(w, event) && (nth == 0 || w->event->seen[event] + 1 == nth);
+}
+
 /* The marks stay until the next phase has begun: they tell which triggers start on zero. */
 int pm_trigger_commit(pm_workspace *w)
 {
     const pm_model *m = w->model;
     int n = 0;
     for (int event = 0; event < m->rows[PM_TABLE_EVENT]; event++) {
-        int fires = 0;
-        for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++)
-            fires |= w->event->fired[i] == PM_FIRED_NOW && PM_TRIGGER_ROW(m, i)[PM_TRIGGER_EVENT] == event;
+        const int fires = pm_trigger_fires(w, event);
+        w->event->seen[event] += is_marked(w, event);
         if (!fires) continue;
         w->event->count[event]++;
         w->event->time[event] = w->state.t;

@@ -26,6 +26,8 @@ void pm_trigger_look_after(pm_workspace *w);
 void pm_trigger_mark(pm_workspace *w, int kind, int contact);
 /* The next blow of the same instant: what has fired stays marked as such, and may fire again. */
 void pm_trigger_next_blow(pm_workspace *w);
+/* The event fires at this instant: one of its triggers is marked, for the time that counts. */
+int pm_trigger_fires(const pm_workspace *w, int event);
 /* Counts the events whose triggers are marked (each once), stamps their time; returns how many. */
 int pm_trigger_commit(pm_workspace *w);
 /* 1 if the end of the run is reached. */

@@ -17,7 +17,7 @@ int pm_state_create(const pm_model *m, pm_state *s)
                  nslot = (size_t)m->nslot, nkept = (size_t)m->nkept, ngrip = (size_t)m->ngrip;
     s->t = 0;
     s->bytes = ndouble * sizeof(double) + nkept * sizeof(pm_kept) + nmemory * sizeof(pm_memory) +
-               nslot * sizeof(pm_slot) + ngrip * sizeof(int32_t);
+               nslot * sizeof(pm_slot) + ngrip * sizeof(int32_t) + (size_t)m->nelement;
     s->block = calloc(1, s->bytes + 1);
     if (!s->block) return PM_NO_MEMORY;
     s->q = s->block;
@@ -27,6 +27,7 @@ int pm_state_create(const pm_model *m, pm_state *s)
     s->memory = (pm_memory *)(void *)(s->kept + m->nkept);
     s->slot = (pm_slot *)(void *)(s->memory + m->nmemory);
     s->grip = (int32_t *)(void *)(s->slot + m->nslot);
+    s->absent = (unsigned char *)(s->grip + m->ngrip);
     return PM_OK;
 }
 
@@ -107,6 +108,7 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
         PART(w->slot_released, m->nslot),
         PART(w->force_energy_start, nforce),
         PART(w->turn, nq),
+        PART(w->impulse, nq),
         PART(w->scratch, 8 * (nq + nrow + m->nslot)),
     };
     int status = carve(&w->block, part, sizeof part / sizeof *part);

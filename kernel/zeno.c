@@ -279,7 +279,8 @@ static int applies(pm_workspace *w, const pm_rest *r, double t_limit)
     const pm_uniform *u = w->uniform;
     const int observed = u->begin == 0 && u->series.contact == r->contact && u->series.alike >= ALIKE &&
                          fabs(r->flight - r->e * u->series.flight) <= GEOMETRIC * r->flight;
-    const int asked = w->model->watches_counts || w->model->nz_controlled > w->model->nz_work; /* paths */
+    const pm_model *m = w->model;
+    const int asked = m->watches_counts || m->acts || m->nz_controlled > m->nz_work; /* paths */
     return observed && !asked && !u->curve.levers && r->e > 0 && r->e < 1 && u->t0 + r->time < t_limit &&
            is_slow(w, r) && contact_is_steady(w, r->contact) && others_stay_open(w, r) && slips_go_on(w, r) &&
            triggers_are_clear(w, r) && observers_are_clear(w, r);

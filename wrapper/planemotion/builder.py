@@ -110,9 +110,9 @@ class Scene:
         """Start values by address."""
         return self._update("start", {**(values or {}), **more})
 
-    def event(self, name: str, when: Any) -> Self:
-        """A named event: a condition or a list of them."""
-        return self._update("events", {name: when})
+    def event(self, name: str, when: Any, **keys: Any) -> Self:
+        """A named event: a condition or a list of them; with `do`, a list of actions, and `nth`."""
+        return self._update("events", {name: {"when": when, **keys} if keys else when})
 
     def until(self, instant: Any) -> Self:
         """What ends the run."""

@@ -309,7 +309,16 @@ def _place_name(flat: FlatScene, where: Ints) -> str:
     return _TABLE_NAMES.get(table, "") if table >= 0 else ""
 
 
+def _here(place: str) -> str:
+    return " where it is added" if place.startswith("events.") else " at the start"
+
+
 def _open_joint(place: str, found: float, bound: float) -> str:
+    if place.startswith("events."):
+        return (
+            f"{place}: the joint does not fit there: it is open by {found:.4g} m (allowed {bound:.2g} m); "
+            "add it where its partners are as drawn"
+        )
     if place.startswith("couplings.") and bound == 0:
         return (
             f"start: {place}: no straight strand as drawn: one circle reaches over the other by {found:.4g} m"
@@ -397,7 +406,11 @@ _DESCRIPTIONS: dict[int, Any] = {
         'take law = "newton", or solve.simultaneous = "one by one"'
     ),
     layout.PM_PENETRATION: lambda place, found, bound: (
-        f"{place}: the two overlap by {abs(found):.4g} m at the start; move one of them"
+        f"{place}: the two overlap by {abs(found):.4g} m{_here(place)}; move one of them"
+    ),
+    layout.PM_NO_IMPULSE: lambda place, found, bound: (
+        f"{place}: no impulse on this body does the work {found:.6g} J and keeps the sense in which it turns"
+        + (f"; {bound:.6g} J would stop it" if math.isfinite(bound) and bound != 0 else "; it does not turn")
     ),
 }
 

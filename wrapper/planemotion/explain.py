@@ -14,7 +14,7 @@ from . import _layout as layout
 from . import engine
 from .flatten import FlatScene, flatten
 from .planned import plan, ran
-from .scene import Friction, SceneData, Vector
+from .scene import Action, Event, Friction, SceneData, Vector
 from .words import SPIN_KEYS
 
 if TYPE_CHECKING:
@@ -86,7 +86,7 @@ def explain(scene: Scene) -> Report:
             ),
         ),
         _section("start", ((address, _written(value)) for address, value in data.start.items())),
-        _section("events", ((name, " or ".join(when)) for name, when in data.events.items())),
+        _section("events", (_event(name, event) for name, event in data.events.items())),
         _section("until", ((" and ".join(group),) for group in data.until)),
         _section(
             "asks",
@@ -104,6 +104,22 @@ def explain_run(scene: Scene, result: RunResult) -> str:
     """The phases of a run, and the evidence for its answers."""
     blocks = [ran(flat) for flat in _runs(scene)]
     return "\n" + "\n\n".join([*("\n".join(block) for block in blocks if block), result.explain()])
+
+
+def _event(name: str, event: Event) -> tuple[str, ...]:
+    """An event, when it fires and what it does."""
+    when = " or ".join(event.when) + (f", time {event.nth}" if event.nth is not None else "")
+    return (name, when, *([", then ".join(_action(one) for one in event.do)] if event.do else ()))
+
+
+def _action(action: Action) -> str:
+    if action.impulse is None:
+        text = f"add {action.add}" if action.add is not None else f"remove {action.remove}"
+    elif action.work is not None:
+        text = f"work {action.work} on {action.impulse}"
+    else:
+        text = f"impulse {_written(action.value)} on {action.impulse}"
+    return text if action.active is True else f"{text} if {action.active}"
 
 
 def _runs(scene: Scene) -> list[FlatScene]:

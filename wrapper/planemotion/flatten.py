@@ -15,6 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _layout as layout
+from .actions import Actions
 from .asks import AskColumn, Asks
 from .bounds import check_bounds
 from .contacts import Contacts
@@ -30,7 +31,7 @@ from .measure_rows import Scope
 from .measures import Measures
 from .node import ZERO, Name, negative
 from .parameters import Parameters, Reader, is_zero, override
-from .scene import Body, Contact, Coupling, Force, Joint, SceneData, Value
+from .scene import Action, Body, Contact, Coupling, Force, Joint, SceneData, Value
 from .spin import Spins
 from .starts import Starts
 from .tables import Tables
@@ -115,6 +116,8 @@ class _Flattener:
         self.parameters = Parameters(declared, {*data.sweep.grids, *self.varied})
         self.reader = Reader(self.parameters)
         self.tables = Tables(self.parameters)
+        self.actions = self._active_actions()
+        self.absent: dict[str, str] = {}
         bodies = self._active("bodies", data.bodies)
         self.drawing = Drawing(data, bodies, self.reader, self.tables)
         self.scope = self._elements()
@@ -129,6 +132,10 @@ class _Flattener:
         nudge = starts.nudge(data.nudge)
         instants = Instants(self.scope.events, self.measures, tables)
         instants.add_events(data.events)
+        actions = Actions(self.measures, tables)
+        actions.absent(self.absent)
+        for name, done in self.actions.items():
+            actions.add(self.scope.events[name], done)
         instants.add_until(data.until)
         asks = Asks(self.scope.events, self._bounds(), self.measures, self.reader, tables)
         first_run = next(iter(data.runs), None)
@@ -171,6 +178,22 @@ class _Flattener:
             if self._is_active(one.active, f"{group}.{name}.active")
         }
 
+    def _present(self, group: str, elements: Mapping[str, _E]) -> dict[str, _E]:
+        """The elements that are active, or become so by what some event does: those are absent at first."""
+        active = self._active(group, elements)
+        added = {action.add for done in self.actions.values() for _, action in done}
+        later = {name for name in elements if name in added and name not in active}
+        self.absent |= {name: f"{group}.{name}.active" for name in elements if name in later}
+        return {name: one for name, one in elements.items() if name in active or name in later}
+
+    def _active_actions(self) -> dict[str, list[tuple[str, Action]]]:
+        """What each event does in this run, with the key paths."""
+        found: dict[str, list[tuple[str, Action]]] = {}
+        for name, event in self.data.events.items():
+            written = [(f"events.{name}.do[{index}]", action) for index, action in enumerate(event.do)]
+            found[name] = [one for one in written if self._is_active(one[1].active, f"{one[0]}.active")]
+        return found
+
     def _is_active(self, written: Value, where: str) -> bool:
         node = self.reader.number(written, where, DIMENSIONLESS)
         depends = self.reader.depends_on(node)
@@ -188,10 +211,10 @@ class _Flattener:
 
     def _elements(self) -> Scope:
         data = self.data
-        joints = self._active("joints", data.joints)
-        couplings = self._active("couplings", data.couplings)
-        contacts = self._active("contacts", data.contacts)
-        forces = self._active("forces", data.forces)
+        joints = self._present("joints", data.joints)
+        couplings = self._present("couplings", data.couplings)
+        contacts = self._present("contacts", data.contacts)
+        forces = self._present("forces", data.forces)
         groups = (
             (data.bodies, self.drawing.bodies),
             (data.joints, joints),
@@ -212,13 +235,17 @@ class _Flattener:
             couplings={name: coupler.add(name, coupling) for name, coupling in couplings.items()},
             contacts={name: add_contact(name, contact) for name, contact in contacts.items()},
             forces={name: add_force(name, force) for name, force in forces.items()},
-            events={name: add_event(self.tables, f"events.{name}") for name in data.events},
+            events={
+                name: add_event(self.tables, f"events.{name}", event.nth)
+                for name, event in data.events.items()
+            },
             inactive=frozenset(inactive),
         )
 
     def _fastened(self) -> set[str]:
         """Bodies that some joint holds: the assembly may move them."""
-        held = {owner for joint in self.scope.joints.values() for owner in joint.owners}
+        joints = {name: joint for name, joint in self.scope.joints.items() if name not in self.absent}
+        held = {owner for joint in joints.values() for owner in joint.owners}
         return held | {name for name, body in self.drawing.bodies.items() if body.driven is not None}
 
     def _check_sizes(self) -> None:
@@ -237,11 +264,17 @@ class _Flattener:
 
     def _check_masses(self) -> None:
         """A mass may be left out only if the mass centre cannot move: it is pinned to the ground."""
+        removed = {action.remove for done in self.actions.values() for _, action in done}
+        stay = [
+            joint
+            for name, joint in self.scope.joints.items()
+            if name not in self.absent and name not in removed
+        ]
         for name, mass in self.drawing.masses.items():
             if (
                 self.drawing.bodies[name].driven is None
                 and not mass.known
-                and not any(_holds(joint, name, self.drawing) for joint in self.scope.joints.values())
+                and not any(_holds(joint, name, self.drawing) for joint in stay)
             ):
                 reason = "mass or weight is wanted (unless the mass centre is pinned to the ground)"
                 raise SceneError(reason, path=f"bodies.{name}.mass")

@@ -15,6 +15,7 @@ from .errors import SceneError
 from .expression import dimension, parse
 from .measures import Measures
 from .node import Binary, Name, Node
+from .scene import Event
 from .substitute import substitute
 from .tables import Tables
 
@@ -48,11 +49,11 @@ class Instants:
         self.measures = measures
         self.tables = tables
 
-    def add_events(self, conditions: Mapping[str, Sequence[str]]) -> None:
+    def add_events(self, events: Mapping[str, Event]) -> None:
         """Triggers of the named events; their rows are there already."""
-        for name, texts in conditions.items():
-            for index, text in enumerate(texts):
-                where = f"events.{name}" if len(texts) == 1 else f"events.{name}[{index}]"
+        for name, event in events.items():
+            for index, text in enumerate(event.when):
+                where = f"events.{name}" if len(event.when) == 1 else f"events.{name}[{index}]"
                 self._trigger(text, self.events[name], where)
 
     def add_until(self, groups: Sequence[Sequence[str]]) -> None:
@@ -195,6 +196,6 @@ class Instants:
             raise SceneError(f"nothing in this condition changes with the motion{hint}")
 
 
-def add_event(tables: Tables, path: str) -> int:
+def add_event(tables: Tables, path: str, nth: int | None = None) -> int:
     """A row of the event table."""
-    return tables.add(layout.PM_TABLE_EVENT, {layout.PM_EVENT_RESERVED: 0}, path)
+    return tables.add(layout.PM_TABLE_EVENT, {layout.PM_EVENT_NTH: nth or 0}, path)

@@ -16,6 +16,7 @@ from .written import (
     Place,
     Value,
     Vector,
+    read_actions,
     read_ask,
     read_at,
     read_body_or_two,
@@ -258,6 +259,25 @@ class At(Table):
     values: GridOf | None = None
 
 
+class Action(Table):
+    """What an event does: one of add, remove and impulse."""
+
+    add: Text | None = None
+    remove: Text | None = None
+    impulse: Text | None = None
+    value: Annotated[Value | Vector, BeforeValidator(read_value_or_vector)] | None = None
+    work: Number | None = None
+    active: Number = True
+
+
+class Event(Table):
+    """`when` one of the conditions comes - for the `nth` time, if that is given - the actions are done."""
+
+    when: Annotated[tuple[str, ...], BeforeValidator(read_sequence)]
+    do: Annotated[tuple[Action, ...], BeforeValidator(read_actions)] = ()
+    nth: Annotated[int, Field(strict=True)] | None = None
+
+
 class Ask(Table):
     """`of` an expression `at` an instant, or the extreme `max` or `min` of one over the run."""
 
@@ -330,7 +350,7 @@ class SceneData(Table):
     forces: dict[str, Force] = {}
     start: Annotated[dict[str, Value | Vector], BeforeValidator(read_start)] = {}
     nudge: Text | None = None
-    events: dict[str, Annotated[tuple[str, ...], BeforeValidator(read_event)]] = {}
+    events: dict[str, Annotated[Event, BeforeValidator(read_event)]] = {}
     ask: dict[str, Annotated[Ask, BeforeValidator(read_ask)]] = {}
     runs: dict[str, dict[str, Number]] = {}
     find: Find | None = None

@@ -114,6 +114,9 @@ def _check_more(data: SceneData) -> None:
         _check_law(contact, f"contacts.{name}")
         if contact.capture != "none":
             _check_capture(contact, f"contacts.{name}")
+    for name, event in data.events.items():
+        if event.nth is not None and event.nth < 1:
+            raise SceneError("firings are counted from 1", path=f"events.{name}.nth", value=event.nth)
     for name, ask in data.ask.items():
         _check_ask(data, ask, f"ask.{name}")
     for run in data.runs or (None,):

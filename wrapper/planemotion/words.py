@@ -69,8 +69,9 @@ NOT_BUILT_OPTIONS: dict[str, dict[str, str]] = {
 }
 SINGULAR = {"joints": "joint", "couplings": "coupling", "contacts": "contact", "forces": "force"}
 
-EVENT_KEYS = ("when",)
-NOT_BUILT_EVENT = {"do": "actions at an event", "nth": "events that count"}
+EVENT_KEYS = ("when", "do", "nth")
+# Actions of an event: kind -> options; `active` goes with every kind.
+ACTIONS: dict[str, tuple[str, ...]] = {"add": (), "remove": (), "impulse": ("value", "work")}
 ASK_KEYS = ("of", "max", "min", "at", "unit", "run")
 AT_KEYS = ("max", "min", "each", "values")
 FIND_KEYS = ("vary", "where", "greatest", "least", "samples")
@@ -287,7 +288,8 @@ def _unique(raw: Mapping[str, Any]) -> None:
 def _instants(raw: Mapping[str, Any]) -> None:
     for name, event in table(raw, "events").items():
         if isinstance(event, Mapping):
-            _keys(event, EVENT_KEYS, f"events.{name}", "an event", NOT_BUILT_EVENT)
+            _keys(event, EVENT_KEYS, f"events.{name}", "an event")
+            _actions(event.get("do", ()), f"events.{name}.do")
     for name, ask in table(raw, "ask").items():
         if not isinstance(ask, Mapping):
             continue
@@ -299,6 +301,18 @@ def _instants(raw: Mapping[str, Any]) -> None:
     for name, grid in table(raw, "sweep").items():
         if name != "zip":
             _grid(grid, f"sweep.{name}")
+
+
+def _actions(actions: Any, path: str) -> None:
+    if not isinstance(actions, list | tuple):
+        raise SceneError('a list of actions is wanted, such as [{ remove = "cord" }]', path=path, value=actions)
+    for index, action in enumerate(actions):
+        where = f"{path}[{index}]"
+        given = [kind for kind in ACTIONS if kind in _mapping(action, where)]
+        if len(given) != 1:
+            wanted = f"one of {', '.join(ACTIONS)} is wanted"
+            raise SceneError(wanted + (f", not {' and '.join(given)}" if given else ""), path=where)
+        _keys(action, (given[0], *ACTIONS[given[0]], "active"), where, f"an action {given[0]}")
 
 
 def _find(find: Any, path: str) -> None:

@@ -202,13 +202,18 @@ def read_ask(written: Any) -> Any:
     return written if isinstance(written, Mapping) else {"of": written}
 
 
-def read_event(written: Any) -> tuple[str, ...]:
-    """A condition, a list of conditions, or { when = ... }."""
-    if isinstance(written, Mapping):
-        if "when" not in written:
-            raise ValueError("an event needs a condition: when = ...")
-        return read_sequence(written["when"])
-    return read_sequence(written)
+def read_event(written: Any) -> Any:
+    """A condition, a list of conditions, or a table with when."""
+    if not isinstance(written, Mapping):
+        return {"when": written}
+    if "when" not in written:
+        raise ValueError("an event needs a condition: when = ...")
+    return written
+
+
+def read_actions(written: Any) -> Any:
+    """The actions of an event."""
+    return tuple(written) if isinstance(written, list | tuple) else written
 
 
 def read_start(written: Any) -> dict[str, Value | Vector]:
