@@ -112,25 +112,27 @@ static double impulse_for(double work, double spin, double c)
     return 2 * work / (spin + copysign(sqrt(spin * spin + 2 * c * work), spin));
 }
 
+/* The first try tells how the spin answers. */
 static int do_work(pm_workspace *w, int i)
 {
     static const double nothing[2] = {0, 0};
     const int32_t *e = PM_ACTION_ROW(w->model, i);
     const int body = e[PM_ACTION_A], turn = 3 * body + 2;
     const double work = number(w, e[PM_ACTION_PROGRAM_X]), spin = w->state.v[turn], lost = w->energy_lost;
-    double c = w->inverse_mass[turn], done = 0;
     const int64_t jumps = w->count[PM_COUNT_JUMPS];
+    double couple = work / spin, done = 0;
+    if (work == 0) return PM_OK;
+    if (fabs(spin) * w->size <= pm_contact_speed(w)) return pm_fail(w, PM_NO_IMPULSE, PM_TABLE_ACTION, i, work, 0);
     pm_state_copy(&w->ahead, &w->state);
     for (int k = 0; k < FITS; k++) {
-        const double couple = impulse_for(work, spin, c);
-        if (fabs(spin) * w->size <= pm_contact_speed(w) || !isfinite(couple))
-            return pm_fail(w, PM_NO_IMPULSE, PM_TABLE_ACTION, i, work, -0.5 * spin * spin / c);
         no_impulse(w);
         add_impulse(w, body, nothing, nothing, couple);
         const int status = strike(w);
         done = 0.5 * couple * (spin + w->state.v[turn]);
         if (status || fabs(done - work) <= FITTED * fabs(work)) return status;
-        c = (w->state.v[turn] - spin) / couple;
+        const double c = (w->state.v[turn] - spin) / couple;
+        couple = impulse_for(work, spin, c);
+        if (!isfinite(couple)) return pm_fail(w, PM_NO_IMPULSE, PM_TABLE_ACTION, i, work, -0.5 * spin * spin / c);
         pm_state_copy(&w->state, &w->ahead);
         pm_frame_look_state(w, &w->state);
         w->energy_lost = lost;

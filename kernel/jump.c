@@ -187,13 +187,14 @@ static int follow_alone(pm_workspace *w, unsigned char *share, const int32_t *tr
                         double *scratch, pm_impact_end *end)
 {
     const int contact = pm_contact_of_slot(w->model, slot);
+    const unsigned char part = share[slot];
     pm_impact x;
     share[slot] = OUT;
     int status = build(w, share, trial);
     if (!status) status = pm_impact_read(w, slot, scratch, &x);
-    share[slot] = STRUCK;
+    share[slot] = part;
     if (status) return status;
-    x.restitution = restitution_of(w, slot, x.normal);
+    x.restitution = part == STRUCK ? restitution_of(w, slot, x.normal) : 0; /* what rests is pressed on */
     const int ends = pm_impact_follow(&x, end);
     pm_decision_sign(w, PM_SITE_SLIP_LEFT, slot, end->slip, w->speed);
     if (!ends) return pm_fail(w, PM_BLOW_UNDECIDED, PM_TABLE_CONTACT, contact, x.normal, 0);

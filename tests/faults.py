@@ -58,6 +58,80 @@ FAULTS = [
     Fault("spin: no potential along the path", "path_place.c", " + pm_spin_kinetic(w, PM_NONE)", ""),
     Fault("spin: rounding leaves the rest", "route_path.c", " + pm_spin_force_size(w, x->tangent)", ""),
     Fault("spin: taken for uniform", "steady.c", "pm_spin_turns(w->model) || ", ""),
+    # actions
+    Fault("action: an impulse has no moment", "action.c", "couple + pm_cross(arm, force)", "couple"),
+    Fault(
+        "action: the moment of an impulse has the other sign",
+        "action.c",
+        "couple + pm_cross(arm, force)",
+        "couple - pm_cross(arm, force)",
+    ),
+    Fault(
+        "action: impulses that follow each other are not added up",
+        "action.c",
+        "p[0] += force[0]",
+        "p[0] = force[0]",
+    ),
+    Fault(
+        "action: the work of an impulse counts with the velocity before it",
+        "action.c",
+        "w->energy_lost -= 0.5 * (before + work_now(w))",
+        "w->energy_lost -= 0.5 * (before + before)",
+    ),
+    Fault(
+        "action: work turns the sense of rotation",
+        "action.c",
+        "copysign(sqrt(spin * spin + 2 * c * work), spin)",
+        "-copysign(0.5 * sqrt(spin * spin + 2 * c * work), spin)",
+    ),
+    Fault(
+        "action: what work was asked is not looked at again",
+        "action.c",
+        "status || fabs(done - work)",
+        "1 || fabs(done - work)",
+    ),
+    Fault(
+        "action: a spring keeps its energy when it goes",
+        "action.c",
+        "w->energy_lost -= energy",
+        "(void)energy",
+    ),
+    Fault(
+        "action: the work of a spring that went is forgotten",
+        "action.c",
+        "w->force_energy_start[force] += energy",
+        "(void)energy",
+    ),
+    Fault(
+        "action: a removed contact stays closed", "action.c", "let_slots_go(w, a);\n    *absent", "*absent"
+    ),
+    Fault("action: a joint that is added need not fit", "action.c", "!(open <= allowed)", "open < 0"),
+    Fault(
+        "action: a joint that is added leaves the velocities",
+        "action.c",
+        "status || !clashes ? status",
+        "1 ? status",
+    ),
+    Fault("action: the event acts each time", "trigger.c", "w->event->seen[event] + 1 == nth", "nth > 0"),
+    Fault("action: what begins absent is there", "action.c", "e[PM_ACTION_A])] = 1", "e[PM_ACTION_A])] = 0"),
+    Fault(
+        "action: the outer impulse is not in the ledger",
+        "audit.c",
+        "at, force, couple, 1)",
+        "at, force, couple, 0)",
+    ),
+    Fault(
+        "jump: rough contacts that rest let go of their slip",
+        "jump.c",
+        "== PM_FRICTION_ROUGH)\n            share[i] = JOINED",
+        "> PM_FRICTION_ROUGH)\n            share[i] = JOINED",
+    ),
+    Fault(
+        "jump: what is pressed on rebounds",
+        "jump.c",
+        "part == STRUCK ? restitution_of(w, slot, x.normal) : 0",
+        "restitution_of(w, slot, x.normal)",
+    ),
     # captures
     Fault(
         "capture: the place is not turned into the body",

@@ -24,6 +24,11 @@ P = { mass = "1 kg", at = ["1 m", "2 m"] }
 
 SPIN = 'spin = { through = [0, 0], angle = "90 deg" }\n'
 
+def doing(action: str) -> str:
+    """An event that does one thing."""
+    return f'events.e = {{ when = "start", do = [{{ {action} }}] }}'
+
+
 # What is added to (or put over) the base, and the message after "x.toml: ".
 FAULTS = [
     # words
@@ -453,6 +458,51 @@ FAULTS = [
         SPIN + 'ask.a = "spin.speed"',
         'ask.a = "spin.speed": unknown quantity of the spin "speed"; there is omega, angle, momentum',
     ),
+    # actions
+    (doing('remove = "AB.A"'), 'events.e.do[0].remove = "AB.A": unknown element "AB.A"; there is none'),
+    (
+        'joints.A = { pin = ["AB.A", "ground"] }\n' + doing('add = "B"'),
+        'events.e.do[0].add = "B": unknown element "B"; there is A',
+    ),
+    (
+        'joints.A = { pin = ["AB.A", "ground"], active = false }\n' + doing('remove = "A"'),
+        'events.e.do[0].remove = "A": "A" is not active in this run',
+    ),
+    ('events.e = { when = "start", do = "AB" }', 'events.e.do = "AB": a list of actions is wanted'),
+    (doing('push = "AB"'), "events.e.do[0]: one of add, remove, impulse is wanted"),
+    (
+        doing('add = "A", remove = "A"'),
+        "events.e.do[0]: one of add, remove, impulse is wanted, not add and remove",
+    ),
+    (
+        doing('add = "A", value = 1'),
+        "events.e.do[0].value: unknown key; an action add has add, active",
+    ),
+    (doing('impulse = "AB"'), "events.e.do[0]: either value or work is wanted"),
+    (
+        doing('impulse = "AB", value = "1 N*m*s", work = "1 J"'),
+        "events.e.do[0]: either value or work is wanted",
+    ),
+    (
+        doing('impulse = "AB.A", value = "1 N*m*s"'),
+        'events.e.do[0].impulse = "AB.A": a number is an angular impulse, on a body; at a point a vector is wanted',
+    ),
+    (doing('impulse = "P", work = "1 J"'), 'events.e.do[0].impulse = "P": a body that turns is wanted'),
+    (
+        doing('impulse = "ground", value = ["1 N*s", 0]'),
+        'events.e.do[0].impulse = "ground": a point of a body is wanted',
+    ),
+    (
+        doing('impulse = "P", value = ["1 N", 0]'),
+        'events.e.do[0].value[0] = "1 N": an impulse or momentum (mass*length/time, such as N*s) is wanted',
+    ),
+    (
+        doing('impulse = "P", value = ["P.mass*P.acceleration.x*(1 s)", 0]'),
+        "an impulse cannot depend on forces and accelerations: they follow from it",
+    ),
+    ('events.e = { when = "start", nth = 0 }', "events.e.nth = 0: firings are counted from 1"),
+    ('events.e = { when = "start", nth = "2" }', 'events.e.nth = "2": a valid integer is wanted'),
+    ("events.e = { do = [] }", "events.e: an event needs a condition: when = ..."),
 ]
 
 NOT_BUILT = [
@@ -460,7 +510,6 @@ NOT_BUILT = [
     ('couplings.c = { cord = ["disk.rim cw", "P"], slips = ["disk.rim"] }', "couplings.c.slips"),
     ('contacts.c = { table = ["P"] }', "contacts.c.table"),
     ('forces.f = { couple = "AB", value = { over = "t", at = [0], values = [0] } }', "forces.f.value"),
-    ('events.e = { when = "start", do = [] }', "events.e.do"),
     ('start.AB.omega = "~3 rad/s"', 'start.AB.omega = "~3 rad/s"'),
 ]
 

@@ -50,6 +50,12 @@ static scene *everything(void)
     scene_ask_extreme(s, PM_ASK_AT_MIN, program, program);
     scene_ask(s, PM_ASK_GRID, program, PM_NONE, 1, 0, program, 3, 4);
     scene_ask(s, PM_ASK_EACH, program, e, 1, 0, PM_NONE, PM_NONE, 5);
+    SCENE_ROW(s, PM_TABLE_ACTION, PM_ACTION_REMOVE, PM_NONE, PM_TABLE_FORCE, 0, PM_NONE, PM_NONE);
+    SCENE_ROW(s, PM_TABLE_ACTION, PM_ACTION_ADD, e, PM_TABLE_FORCE, 0, PM_NONE, PM_NONE);
+    SCENE_ROW(s, PM_TABLE_ACTION, PM_ACTION_REMOVE, e, PM_TABLE_CONTACT, 0, PM_NONE, PM_NONE);
+    SCENE_ROW(s, PM_TABLE_ACTION, PM_ACTION_IMPULSE, e, PM_NONE, pa, program, program);
+    SCENE_ROW(s, PM_TABLE_ACTION, PM_ACTION_ANGULAR, e, PM_NONE, a, program, PM_NONE);
+    SCENE_ROW(s, PM_TABLE_ACTION, PM_ACTION_WORK, e, PM_NONE, b, program, PM_NONE);
     return s;
 }
 

@@ -1,7 +1,7 @@
 """Actions: what an event does when it fires, to rows of the kernel's action table.
 
-`{ add = element }` and `{ remove = element }` name joints, couplings, contacts and forces; an impulse is a vector
-at a point, a number on a body, or the work that a couple does on it at once.
+`{ add = element }` and `{ remove = element }` name joints, couplings, contacts and forces; an impulse is a
+vector at a point, a number on a body, or the work that a couple does on it at once.
 """
 
 from __future__ import annotations

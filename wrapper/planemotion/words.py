@@ -305,7 +305,9 @@ def _instants(raw: Mapping[str, Any]) -> None:
 
 def _actions(actions: Any, path: str) -> None:
     if not isinstance(actions, list | tuple):
-        raise SceneError('a list of actions is wanted, such as [{ remove = "cord" }]', path=path, value=actions)
+        raise SceneError(
+            'a list of actions is wanted, such as [{ remove = "cord" }]', path=path, value=actions
+        )
     for index, action in enumerate(actions):
         where = f"{path}[{index}]"
         given = [kind for kind in ACTIONS if kind in _mapping(action, where)]

@@ -1,0 +1,165 @@
+"""Actions of events from scenes: what is written means what the kernel does; what cannot be is told."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import planemotion
+from planemotion import SimulationError
+
+G = 9.81
+
+
+def run(text: str, **parameters: object) -> dict[str, float]:
+    result = planemotion.load_text(text).run(**parameters)
+    assert result.status == "ok", result.error
+    return {key: answer.value for key, answer in result.asks.items()}
+
+
+def fault(text: str) -> str:
+    with pytest.raises(SimulationError) as caught:
+        planemotion.load_text(text).run()
+    return str(caught.value)
+
+
+SLING = """
+plane = "horizontal"
+until = "t = 2 s"
+[parameters]
+lets_go = true
+[bodies]
+stone = { mass = "1 kg", at = ["0.5 m", 0] }
+[couplings]
+cord = { cord = ["stone", "ground.O"] }
+[ground.points]
+O = [0, 0]
+[start]
+stone.velocity.y = "3 m/s"
+[events]
+half = { when = "stone.x < -0.3 m", do = [{ remove = "cord", active = "lets_go" }] }
+[ask]
+x = { of = "stone.velocity.x" }
+y = { of = "stone.velocity.y" }
+tension = "cord.tension"
+before = { of = "cord.tension", at = "before half" }
+after = { of = "cord.tension", at = "half" }
+"""
+
+
+@pytest.mark.parametrize("route", ["auto", "rk", "ida"])
+def test_a_cord_lets_go_and_the_stone_flies_off_along_the_tangent(route: str) -> None:
+    scene = planemotion.load_text(SLING).with_values({"solve.route": route})
+    values = {key: answer.value for key, answer in scene.run().asks.items()}
+    angle, close = math.acos(-0.3 / 0.5), 1e-5 if route == "ida" else 1e-9
+    assert values["x"] == pytest.approx(-3 * math.sin(angle), rel=close)
+    assert values["y"] == pytest.approx(3 * math.cos(angle), rel=close)
+    assert values["before"] == pytest.approx(18, rel=close)
+    assert values["after"] == values["tension"] == 0
+
+
+def test_an_action_that_is_not_active_is_not_done() -> None:
+    assert run(SLING, lets_go=False)["tension"] == pytest.approx(18)
+
+
+PUNCH = """
+until = "t = 1 s"
+[bodies]
+wheel = { inertia = "2 kg*m^2", at = [0, 0] }
+[joints]
+axle = { pin = ["wheel", "ground"] }
+brake = { weld = ["wheel", "ground"], active = false }
+[start]
+wheel.omega = "3 rad/s"
+[events]
+punch = { when = "start", do = [{ impulse = "wheel", work = "-5 J" }] }
+[ask]
+omega = "wheel.omega"
+"""
+
+
+def test_work_of_a_punch() -> None:
+    assert run(PUNCH)["omega"] == pytest.approx(2, rel=1e-12)
+
+
+def test_work_that_no_impulse_does() -> None:
+    text = fault(PUNCH.replace("-5 J", "-50 J"))
+    assert "events.punch.do[0]: no impulse on this body does the work -50 J" in text
+    assert "-9 J would stop it" in text
+    text = fault(PUNCH.replace("3 rad/s", "0 rad/s"))
+    assert "it does not turn" in text
+
+
+def test_a_joint_that_does_not_fit_where_it_is_added() -> None:
+    text = fault(
+        PUNCH.replace(
+            '"start", do = [{ impulse = "wheel", work = "-5 J" }]', '"t = 0.5 s", do = [{ add = "brake" }]'
+        )
+    )
+    assert "events.punch.do[0].add: the joint does not fit there: it is open by 1.5 m" in text
+    assert "at t = 0.5 s" in text
+
+
+def test_a_weld_stops_what_turns_as_drawn() -> None:
+    text = PUNCH.replace('"start", do', '"wheel.turned = 360 deg", do').replace("1 s", "4 s")
+    assert run(
+        text.replace('{ impulse = "wheel", work = "-5 J" }', '{ impulse = "wheel", value = "-1 N*m*s" }')
+    )["omega"] == pytest.approx(2.5, rel=1e-10)
+
+
+def test_a_contact_that_is_added_where_two_overlap() -> None:
+    text = fault("""
+until = "t = 1 s"
+[ground.lines]
+floor = { through = [0, 0] }
+[bodies]
+ball = { disk = "0.1 m", mass = "1 kg", at = [0, "0.2 m"] }
+[contacts]
+floor = { touch = ["ball.rim", "ground.floor"], active = false }
+[events]
+late = { when = "t = 0.5 s", do = [{ add = "floor" }] }
+[ask]
+y = "ball.y"
+""")
+    assert "events.late.do[0].add: the two overlap by 1.126 m where it is added" in text
+
+
+def test_a_braking_force_comes_with_the_second_blow() -> None:
+    """A puck between two walls; the drag comes when it strikes the left one for the second time."""
+    values = run("""
+plane = "horizontal"
+until = "t = 6.9 s"
+[ground.lines]
+left = { through = [0, 0], angle = "-90 deg" }
+right = { through = ["1 m", 0], angle = "90 deg" }
+[bodies]
+puck = { mass = "2 kg", at = ["0.5 m", 0] }
+[contacts]
+left = { touch = ["puck", "ground.left"], restitution = 1 }
+right = { touch = ["puck", "ground.right"], restitution = 1 }
+[forces]
+drag = { damper = ["puck", "ground.O"], rate = "0.6 kg/s", active = false }
+[ground.points]
+O = [0, 0]
+[start]
+puck.velocity.x = "-1 m/s"
+[events]
+second = { when = "left strikes", nth = 2, do = [{ add = "drag" }] }
+[ask]
+time = "second.time"
+count = "second.count"
+speed = { of = "puck.speed", at = "end" }
+""")
+    assert values["time"] == pytest.approx(2.5, rel=1e-9)
+    assert values["count"] == 1
+    assert values["speed"] == pytest.approx(math.exp(-0.3 * 4.4), rel=1e-8)
+
+
+def test_explain_tells_what_events_do() -> None:
+    from planemotion.explain import explain
+
+    text = str(explain(planemotion.load_text(SLING)).text)
+    assert "remove cord if lets_go" in text
+    text = str(explain(planemotion.load_text(PUNCH)).text)
+    assert "work -5 J on wheel" in text
