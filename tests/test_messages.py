@@ -485,7 +485,7 @@ FAULTS = [
     ),
     (
         doing('impulse = "AB.A", value = "1 N*m*s"'),
-        'events.e.do[0].impulse = "AB.A": a number is an angular impulse, on a body; at a point a vector is wanted',
+        'events.e.do[0].impulse = "AB.A": a number is an angular impulse, on a body',
     ),
     (doing('impulse = "P", work = "1 J"'), 'events.e.do[0].impulse = "P": a body that turns is wanted'),
     (
