@@ -41,7 +41,10 @@ int pm_action_of(const pm_model *m, int event)
     return 0;
 }
 
-void pm_action_instant(pm_workspace *w) { memset(w->event->acted, 0, (size_t)w->model->rows[PM_TABLE_EVENT]); }
+void pm_action_instant(pm_workspace *w)
+{
+    memset(w->event->acted, 0, (size_t)w->model->rows[PM_TABLE_EVENT]);
+}
 
 /* ---- impulses ---- */
 static double number(pm_workspace *w, int program)
@@ -122,7 +125,8 @@ static int do_work(pm_workspace *w, int i)
     const int64_t jumps = w->count[PM_COUNT_JUMPS];
     double couple = work / spin, done = 0;
     if (work == 0) return PM_OK;
-    if (fabs(spin) * w->size <= pm_contact_speed(w)) return pm_fail(w, PM_NO_IMPULSE, PM_TABLE_ACTION, i, work, 0);
+    if (fabs(spin) * w->size <= pm_contact_speed(w))
+        return pm_fail(w, PM_NO_IMPULSE, PM_TABLE_ACTION, i, work, 0);
     pm_state_copy(&w->ahead, &w->state);
     for (int k = 0; k < FITS; k++) {
         no_impulse(w);
@@ -132,7 +136,8 @@ static int do_work(pm_workspace *w, int i)
         if (status || fabs(done - work) <= FITTED * fabs(work)) return status;
         const double c = (w->state.v[turn] - spin) / couple;
         couple = impulse_for(work, spin, c);
-        if (!isfinite(couple)) return pm_fail(w, PM_NO_IMPULSE, PM_TABLE_ACTION, i, work, -0.5 * spin * spin / c);
+        if (!isfinite(couple))
+            return pm_fail(w, PM_NO_IMPULSE, PM_TABLE_ACTION, i, work, -0.5 * spin * spin / c);
         pm_state_copy(&w->state, &w->ahead);
         pm_frame_look_state(w, &w->state);
         w->energy_lost = lost;
@@ -232,7 +237,8 @@ static int end_of_group(const pm_model *m, int first)
     int i = first + 1;
     for (; i < m->rows[PM_TABLE_ACTION] && kind != PM_ACTION_WORK; i++) {
         const int32_t *next = PM_ACTION_ROW(m, i);
-        const int alike = next[PM_ACTION_KIND] == kind || (is_impulse(kind) && is_impulse(next[PM_ACTION_KIND]));
+        const int alike =
+            next[PM_ACTION_KIND] == kind || (is_impulse(kind) && is_impulse(next[PM_ACTION_KIND]));
         if (!alike || next[PM_ACTION_EVENT] != e[PM_ACTION_EVENT]) break;
     }
     return i;

@@ -58,7 +58,8 @@ enum pm_status {
         -18, /* the law of a blow with friction would create energy: where = contact; detail = J, bound */
     PM_BLOW_SEVERAL =
         -19, /* the law is for one contact at a time: where = contact; detail = how many take part */
-    PM_NO_IMPULSE = -20 /* no impulse does that work: where = action; detail = work, the least that is possible */
+    PM_NO_IMPULSE =
+        -20 /* no impulse does that work: where = action; detail = work, the least that is possible */
 };
 
 /* ---- tables ---------------------------------------------------------------------------------------
@@ -403,7 +404,8 @@ enum pm_action_kind {
     PM_ACTION_REMOVE = 1,  /* the same; without an event: it does not hold from the start on */
     PM_ACTION_IMPULSE = 2, /* at point a: program_x, program_y, in the scene's axes */
     PM_ACTION_ANGULAR = 3, /* on body a: program_x */
-    PM_ACTION_WORK = 4, /* the angular impulse on body a that does the work program_x and keeps the sense of rotation */
+    PM_ACTION_WORK =
+        4, /* the angular impulse on body a that does the work program_x and keeps the sense of rotation */
     PM_ACTION_KINDS = 5
 };
 enum pm_action_column {

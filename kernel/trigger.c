@@ -94,7 +94,8 @@ static int is_marked(const pm_workspace *w, int event)
 {
     int marked = 0;
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++)
-        marked |= w->event->fired[i] == PM_FIRED_NOW && PM_TRIGGER_ROW(w->model, i)[PM_TRIGGER_EVENT] == event;
+        marked |=
+            w->event->fired[i] == PM_FIRED_NOW && PM_TRIGGER_ROW(w->model, i)[PM_TRIGGER_EVENT] == event;
     return marked;
 }
 

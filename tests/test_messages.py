@@ -24,6 +24,7 @@ P = { mass = "1 kg", at = ["1 m", "2 m"] }
 
 SPIN = 'spin = { through = [0, 0], angle = "90 deg" }\n'
 
+
 def doing(action: str) -> str:
     """An event that does one thing."""
     return f'events.e = {{ when = "start", do = [{{ {action} }}] }}'

@@ -32,8 +32,14 @@ static void work(scene *s, int event, int body, double x)
     action(s, PM_ACTION_WORK, event, PM_NONE, body, number(s, x), PM_NONE);
 }
 static int start_event(scene *s) { return scene_on(s, PM_TRIGGER_START, PM_NONE); }
-static int at_time(scene *s, double t) { return scene_when(s, PM_TRIGGER_RISE, scene_minus(s, scene_time(s), t)); }
-static int ask_part(scene *s, int kind, int a, int part) { return scene_ask_measure(s, scene_part(s, kind, a, part)); }
+static int at_time(scene *s, double t)
+{
+    return scene_when(s, PM_TRIGGER_RISE, scene_minus(s, scene_time(s), t));
+}
+static int ask_part(scene *s, int kind, int a, int part)
+{
+    return scene_ask_measure(s, scene_part(s, kind, a, part));
+}
 static int ask(scene *s, int kind, int a) { return ask_part(s, kind, a, PM_PART_NONE); }
 static int ask_on(scene *s, int joint, int body)
 {
@@ -62,7 +68,8 @@ static void free_slab(void)
         strike(s, e, scene_point(s, b, at[i][0], at[i][1]), p[i][0], p[i][1]);
     }
     turn(s, e, b, couple);
-    const int x = ask_part(s, PM_MEASURE_VELOCITY, g, PM_PART_X), y = ask_part(s, PM_MEASURE_VELOCITY, g, PM_PART_Y);
+    const int x = ask_part(s, PM_MEASURE_VELOCITY, g, PM_PART_X),
+              y = ask_part(s, PM_MEASURE_VELOCITY, g, PM_PART_Y);
     const int omega = ask(s, PM_MEASURE_OMEGA, b), lost = ask(s, PM_MEASURE_LOST, PM_NONE);
     scene_until_time(s, 0.8);
     EQUAL(scene_run(s, NULL), PM_OK);
@@ -80,7 +87,8 @@ static void hanging_bars(void)
 {
     const double m = 1.4, l = 0.6, q = 0.83, inertia = m * l * l / 12;
     scene *s = scene_create();
-    const int a = scene_body(s, m, inertia, 0, -l / 2, -PI / 2), b = scene_body(s, m, inertia, 0, -1.5 * l, -PI / 2);
+    const int a = scene_body(s, m, inertia, 0, -l / 2, -PI / 2),
+              b = scene_body(s, m, inertia, 0, -1.5 * l, -PI / 2);
     scene_joint(s, PM_JOINT_PIN, scene_point(s, a, -l / 2, 0), scene_point(s, PM_GROUND, 0, 0), 0);
     scene_joint(s, PM_JOINT_PIN, scene_point(s, a, l / 2, 0), scene_point(s, b, -l / 2, 0), 0);
     const int e = start_event(s);
@@ -145,7 +153,8 @@ static void pinned_in_flight(int let_go)
     scene *s = scene_create();
     scene_set(s, PM_SETTING_GRAVITY_Y, 0);
     const int b = scene_body(s, m, inertia, 0, 0, 0), g = scene_point(s, b, 0, 0);
-    const int pin = scene_joint(s, PM_JOINT_PIN, scene_point(s, b, l / 2, 0), scene_point(s, PM_GROUND, l / 2, 0), 0);
+    const int pin =
+        scene_joint(s, PM_JOINT_PIN, scene_point(s, b, l / 2, 0), scene_point(s, PM_GROUND, l / 2, 0), 0);
     take(s, PM_NONE, PM_TABLE_JOINT, pin);
     scene_start_velocity(s, g, vx, vy);
     scene_start_omega(s, b, spin);
@@ -155,7 +164,8 @@ static void pinned_in_flight(int let_go)
     const double omega_1 = (inertia * spin - m * vy * l / 2) / (inertia + m * l * l / 4);
     const double kinetic = 0.5 * (m * (vx * vx + vy * vy) + inertia * spin * spin);
     const int omega = ask(s, PM_MEASURE_OMEGA, b), y = ask_part(s, PM_MEASURE_VELOCITY, g, PM_PART_NORM);
-    const int lost = ask(s, PM_MEASURE_LOST, PM_NONE), force = ask_part(s, PM_MEASURE_JOINT_FORCE, 0, PM_PART_NORM);
+    const int lost = ask(s, PM_MEASURE_LOST, PM_NONE),
+              force = ask_part(s, PM_MEASURE_JOINT_FORCE, 0, PM_PART_NORM);
     scene_until_time(s, 0.5);
     EQUAL(scene_run(s, NULL), PM_OK);
     NEAR(s->out[omega], omega_1, 1e-10);
@@ -171,7 +181,8 @@ static void does_not_fit(void)
 {
     scene *s = scene_create();
     const int b = scene_body(s, 1, 0.1, 0, 0, 0);
-    const int pin = scene_joint(s, PM_JOINT_PIN, scene_point(s, b, 0.5, 0), scene_point(s, PM_GROUND, 0.5, 0), 0);
+    const int pin =
+        scene_joint(s, PM_JOINT_PIN, scene_point(s, b, 0.5, 0), scene_point(s, PM_GROUND, 0.5, 0), 0);
     take(s, PM_NONE, PM_TABLE_JOINT, pin);
     const int e = at_time(s, 0.5);
     add(s, e, PM_TABLE_JOINT, pin);
@@ -188,7 +199,8 @@ static void overlaps(void)
 {
     scene *s = scene_create();
     const int b = scene_body(s, 1, 0.1, 0, 0.3, 0), circle = scene_circle(s, scene_point(s, b, 0, 0), 0.1);
-    const int floor = scene_contact(s, PM_CONTACT_LINE, circle, scene_floor(s, 0), 0, 0, PM_FRICTION_SMOOTH, 0);
+    const int floor =
+        scene_contact(s, PM_CONTACT_LINE, circle, scene_floor(s, 0), 0, 0, PM_FRICTION_SMOOTH, 0);
     take(s, PM_NONE, PM_TABLE_CONTACT, floor);
     add(s, at_time(s, 0.25), PM_TABLE_CONTACT, floor);
     scene_until_time(s, 1);
@@ -204,17 +216,21 @@ static void floors(int route)
     scene *s = scene_create();
     *scene_setting(s, PM_SETTING_ROUTE) = route;
     const int b = scene_body(s, 1, 0, 0, 1, 0), g = scene_point(s, b, 0, 0), circle = scene_circle(s, g, 0);
-    const int high = scene_contact(s, PM_CONTACT_LINE, circle, scene_floor(s, 0), 0, 1, PM_FRICTION_SMOOTH, 0);
-    const int low = scene_contact(s, PM_CONTACT_LINE, circle,
-                                  scene_line(s, scene_point(s, PM_GROUND, 0, -1), 0), 0, 0, PM_FRICTION_SMOOTH, 0);
+    const int high =
+        scene_contact(s, PM_CONTACT_LINE, circle, scene_floor(s, 0), 0, 1, PM_FRICTION_SMOOTH, 0);
+    const int low =
+        scene_contact(s, PM_CONTACT_LINE, circle, scene_line(s, scene_point(s, PM_GROUND, 0, -1), 0), 0, 0,
+                      PM_FRICTION_SMOOTH, 0);
     const int e = at_time(s, 0.5);
     take(s, PM_NONE, PM_TABLE_CONTACT, low);
     take(s, e, PM_TABLE_CONTACT, high);
     add(s, e, PM_TABLE_CONTACT, low);
     const int struck = scene_on(s, PM_TRIGGER_STRIKE, low);
     scene_until_time(s, 3);
-    const double fall = sqrt(2 / GRAVITY), v = GRAVITY * fall, from = 0.5 - fall; /* first strike before t = 0.5 */
-    const int time = ask(s, PM_MEASURE_EVENT_TIME, struck), y = ask_part(s, PM_MEASURE_POSITION, g, PM_PART_Y);
+    const double fall = sqrt(2 / GRAVITY), v = GRAVITY * fall,
+                 from = 0.5 - fall; /* first strike before t = 0.5 */
+    const int time = ask(s, PM_MEASURE_EVENT_TIME, struck),
+              y = ask_part(s, PM_MEASURE_POSITION, g, PM_PART_Y);
     const int normal = ask(s, PM_MEASURE_CONTACT_NORMAL, low), none = ask(s, PM_MEASURE_CONTACT_CLOSED, high);
     EQUAL(scene_run(s, NULL), PM_OK);
     CHECK(from > 0);
@@ -236,11 +252,14 @@ static void spring_goes(void)
     const int e = at_time(s, 0.4), again = at_time(s, 0.6);
     take(s, e, PM_TABLE_FORCE, spring);
     add(s, again, PM_TABLE_FORCE, spring);
-    const int w = scene_measure(s, PM_MEASURE_FORCE_WORK, spring), y = scene_part(s, PM_MEASURE_POSITION, g, PM_PART_Y);
+    const int w = scene_measure(s, PM_MEASURE_FORCE_WORK, spring),
+              y = scene_part(s, PM_MEASURE_POSITION, g, PM_PART_Y);
     const int v = scene_part(s, PM_MEASURE_VELOCITY, g, PM_PART_Y);
-    const int y_1 = scene_ask_event(s, scene_read(s, y), e, 1, 0), v_1 = scene_ask_event(s, scene_read(s, v), e, 1, 0);
+    const int y_1 = scene_ask_event(s, scene_read(s, y), e, 1, 0),
+              v_1 = scene_ask_event(s, scene_read(s, v), e, 1, 0);
     const int w_1 = scene_ask_event(s, scene_read(s, w), e, 1, 0);
-    const int y_2 = scene_ask_event(s, scene_read(s, y), again, 1, 1), w_2 = scene_ask_event(s, scene_read(s, w), again, 1, 1);
+    const int y_2 = scene_ask_event(s, scene_read(s, y), again, 1, 1),
+              w_2 = scene_ask_event(s, scene_read(s, w), again, 1, 1);
     const int v_3 = scene_ask_measure(s, v), y_3 = scene_ask_measure(s, y), w_3 = scene_ask_measure(s, w);
     scene_until_time(s, 0.9);
     EQUAL(scene_run(s, NULL), PM_OK);
@@ -262,7 +281,8 @@ static void resting_disk(int friction, double px, double py, double vx, double v
     scene_contact(s, PM_CONTACT_LINE, scene_circle(s, g, r), scene_floor(s, 0), 0, 0.7, friction, 0.1);
     const int e = start_event(s);
     strike(s, e, g, px, py);
-    const int x = ask_part(s, PM_MEASURE_VELOCITY, g, PM_PART_X), y = ask_part(s, PM_MEASURE_VELOCITY, g, PM_PART_Y);
+    const int x = ask_part(s, PM_MEASURE_VELOCITY, g, PM_PART_X),
+              y = ask_part(s, PM_MEASURE_VELOCITY, g, PM_PART_Y);
     const int jx = ask_part(s, PM_MEASURE_CONTACT_IMPULSE, 0, PM_PART_X),
               jy = ask_part(s, PM_MEASURE_CONTACT_IMPULSE, 0, PM_PART_Y);
     scene_until(s, e, 1);
@@ -281,8 +301,9 @@ static void third_time(void)
     scene *s = scene_create();
     scene_set(s, PM_SETTING_GRAVITY_Y, 0);
     const int b = scene_body(s, 1, 0, 0.5, 0, 0), g = scene_point(s, b, 0, 0), circle = scene_circle(s, g, 0);
-    const int left = scene_contact(s, PM_CONTACT_LINE, circle, scene_line(s, scene_point(s, PM_GROUND, 0, 0), -PI / 2), 0,
-                                   1, PM_FRICTION_SMOOTH, 0);
+    const int left =
+        scene_contact(s, PM_CONTACT_LINE, circle, scene_line(s, scene_point(s, PM_GROUND, 0, 0), -PI / 2), 0,
+                      1, PM_FRICTION_SMOOTH, 0);
     scene_contact(s, PM_CONTACT_LINE, circle, scene_line(s, scene_point(s, PM_GROUND, 1, 0), PI / 2), 0, 1,
                   PM_FRICTION_SMOOTH, 0);
     scene_start_velocity(s, g, -1, 0);
@@ -310,7 +331,8 @@ static scene *double_pendulum(int route)
     *scene_setting(s, PM_SETTING_ROUTE) = route;
     const int a = scene_body(s, m, inertia, l / 2, 0, 0), b = scene_body(s, m, inertia, 1.5 * l, 0, 0);
     scene_joint(s, PM_JOINT_PIN, scene_point(s, a, -l / 2, 0), scene_point(s, PM_GROUND, 0, 0), 0);
-    const int pin = scene_joint(s, PM_JOINT_PIN, scene_point(s, a, l / 2, 0), scene_point(s, b, -l / 2, 0), 0);
+    const int pin =
+        scene_joint(s, PM_JOINT_PIN, scene_point(s, a, l / 2, 0), scene_point(s, b, -l / 2, 0), 0);
     const int pull = scene_applied(s, scene_point(s, a, l / 2, 0), PM_GROUND, number(s, 3), number(s, 1));
     take(s, PM_NONE, PM_TABLE_FORCE, pull);
     const int e = at_time(s, 0.4), blow = at_time(s, 0.6);
