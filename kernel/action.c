@@ -16,6 +16,7 @@
 #include "contact.h"
 #include "event.h"
 #include "force.h"
+#include "grip.h"
 #include "jump.h"
 #include "program.h"
 #include "row.h"
@@ -222,6 +223,7 @@ static int add_rows(pm_workspace *w, int first, int last)
     int clashes = 0, status = PM_OK;
     for (int i = first; !status && i < last; i++) status = add(w, i);
     if (!status) status = clash(w, &clashes);
+    pm_grip_close(w);
     no_impulse(w);
     return status || !clashes ? status : strike(w);
 }
@@ -252,6 +254,7 @@ static int carry_out_group(pm_workspace *w, int first, int last)
     case PM_ACTION_ADD: return add_rows(w, first, last);
     case PM_ACTION_REMOVE:
         for (int i = first; !status && i < last; i++) status = take_away(w, i);
+        pm_grip_close(w);
         return status;
     case PM_ACTION_IMPULSE:
     case PM_ACTION_ANGULAR: return strike_together(w, first, last);

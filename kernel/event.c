@@ -154,7 +154,7 @@ static void add_grips(pm_workspace *w)
     for (int i = 0; i < w->model->ngrip; i++) {
         if (w->state.grip[i] == PM_STICK)
             add(w, FUNCTION_HOLD, i, -1, PM_LEVEL_DYNAMIC, force, size);
-        else
+        else if (w->state.grip[i] != PM_OPEN)
             add(w, FUNCTION_RUB, i, -1, PM_LEVEL_KINEMATIC, pm_grip_still(w, i), w->speed);
     }
 }

@@ -44,7 +44,7 @@ void pm_grip_row(const pm_workspace *w, int k, pm_row *row)
 {
     const int joint = joint_of(w, k);
     pm_row rows[PM_JOINT_ROWS];
-    pm_row_of_joint(w, joint, rows);
+    pm_row_of_any_joint(w, joint, rows);
     *row = rows[0];
     row->memory = w->model->grip_memory + k;
     switch (PM_JOINT_ROW(w->model, joint)[PM_JOINT_KIND]) {
@@ -173,7 +173,9 @@ void pm_grip_close(pm_workspace *w)
 {
     for (int k = 0; k < w->model->ngrip; k++) {
         const double slip = pm_grip_slip(w, k);
-        if (fabs(slip) <= pm_grip_still(w, k))
+        if (pm_is_absent(w->model, &w->state, PM_TABLE_JOINT, joint_of(w, k)))
+            w->state.grip[k] = PM_OPEN;
+        else if (fabs(slip) <= pm_grip_still(w, k))
             hold(w, k);
         else
             w->state.grip[k] = slip > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;

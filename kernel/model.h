@@ -111,11 +111,11 @@ typedef struct pm_kept {
 
 typedef struct pm_state {
     double t;
-    double *q, *v, *z; /* [nq], [nq], [nz] */
-    pm_kept *kept;     /* [nkept] */
-    pm_memory *memory; /* [nmemory]: joints, then slots */
-    pm_slot *slot;     /* [nslot] */
-    int32_t *grip;     /* [ngrip] enum pm_mode of the frictions of joints */
+    double *q, *v, *z;     /* [nq], [nq], [nz] */
+    pm_kept *kept;         /* [nkept] */
+    pm_memory *memory;     /* [nmemory]: joints, then slots */
+    pm_slot *slot;         /* [nslot] */
+    int32_t *grip;         /* [ngrip] enum pm_mode of the frictions of joints */
     unsigned char *absent; /* [nelement] removed, or not there yet (action.h) */
     void *block;
     size_t bytes;

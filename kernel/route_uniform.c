@@ -252,8 +252,9 @@ static void begin_contacts(pm_workspace *w)
         u->slip_end[i] = slides ? slip_ends(w, slip_at, i, pm_contact_speed(w)) : INFINITY;
     }
     for (int i = 0; i < w->model->ngrip; i++)
-        u->rub_end[i] =
-            w->state.grip[i] == PM_STICK ? INFINITY : slip_ends(w, rub_at, i, pm_grip_still(w, i));
+        u->rub_end[i] = w->state.grip[i] == PM_STICK || w->state.grip[i] == PM_OPEN
+                            ? INFINITY
+                            : slip_ends(w, rub_at, i, pm_grip_still(w, i));
     pm_uniform_look(w, 0);
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) pm_uniform_begin_gap(w, i);
 }

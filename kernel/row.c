@@ -168,10 +168,15 @@ static void corner_of_segment(const pm_workspace *w, pm_row *row, int contact, i
 
 int pm_row_of_joint(const pm_workspace *w, int joint, pm_row row[PM_JOINT_ROWS])
 {
+    if (pm_is_absent(w->model, &w->state, PM_TABLE_JOINT, joint)) return 0;
+    return pm_row_of_any_joint(w, joint, row);
+}
+
+int pm_row_of_any_joint(const pm_workspace *w, int joint, pm_row row[PM_JOINT_ROWS])
+{
     const int32_t *e = PM_JOINT_ROW(w->model, joint);
     const int a = e[PM_JOINT_A], b = e[PM_JOINT_B], kind = e[PM_JOINT_KIND];
     int n = 0;
-    if (pm_is_absent(w->model, &w->state, PM_TABLE_JOINT, joint)) return 0;
     switch ((enum pm_joint_kind)kind) {
     case PM_JOINT_PIN:
     case PM_JOINT_WELD:

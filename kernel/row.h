@@ -57,6 +57,8 @@ const pm_row_ops *pm_row_kind(int kind);
 
 /* The rows of joint i with the numbers of the case; returns how many. */
 int pm_row_of_joint(const pm_workspace *w, int joint, pm_row row[PM_JOINT_ROWS]);
+/* The same, whether the joint is there or not. */
+int pm_row_of_any_joint(const pm_workspace *w, int joint, pm_row row[PM_JOINT_ROWS]);
 /* Normal and tangential row of a contact that is closed (or may close) in `slot` with `member`. */
 void pm_row_of_contact(const pm_workspace *w, int contact, int slot, int member, pm_row *normal,
                        pm_row *tangent);

@@ -163,3 +163,25 @@ def test_explain_tells_what_events_do() -> None:
     assert "remove cord if lets_go" in text
     text = str(explain(planemotion.load_text(PUNCH)).text)
     assert "work -5 J on wheel" in text
+
+
+@pytest.mark.parametrize("route", ["auto", "rk", "ida"])
+def test_a_bearing_that_is_let_go_rubs_no_more(route: str) -> None:
+    scene = planemotion.load_text("""
+plane = "horizontal"
+until = "t = 2 s"
+[bodies]
+wheel = { mass = "1 kg", inertia = "2 kg*m^2", at = [0, 0] }
+[joints]
+axle = { pin = ["wheel", "ground"], friction = "1 N*m" }
+[start]
+wheel.omega = "3 rad/s"
+[events]
+off = { when = "t = 1 s", do = [{ remove = "axle" }] }
+[ask]
+omega = "wheel.omega"
+couple = "axle.couple"
+""").with_values({"solve.route": route})
+    values = {key: answer.value for key, answer in scene.run().asks.items()}
+    assert values["omega"] == pytest.approx(2.5, rel=1e-5 if route == "ida" else 1e-9)
+    assert values["couple"] == 0
