@@ -7,7 +7,8 @@ import math
 import pytest
 
 import planemotion
-from planemotion import SimulationError
+from planemotion import SimulationError, engine
+from planemotion.flatten import flatten
 
 G = 9.81
 
@@ -154,6 +155,14 @@ def test_what_the_numbers_of_a_case_forbid() -> None:
     light = 'bodies.P = { mass = "1 kg", at = [0, 0] }\nspin = { through = [0, 0], angle = "90 deg" }\n'
     with pytest.raises(SimulationError, match=r"spin\.inertia: nothing that turns has an inertia"):
         planemotion.load_text('until = "t = 1 s"\n' + light).run()
+
+
+def test_recorded_in_histories() -> None:
+    flat = flatten(planemotion.load_text(GOVERNOR))
+    recorded = engine.trace(flat, flat.defaults)
+    omega = math.sqrt(G / (0.4 * math.cos(0.7)))
+    assert recorded.columns["spin.omega"] == pytest.approx(omega, rel=1e-9)
+    assert recorded.units["spin.inertia"] == "kg*m^2"
 
 
 def test_explained_and_drawn() -> None:

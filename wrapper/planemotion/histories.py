@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from . import _layout as layout
 from .couplings import CouplingInfo
 from .drawing import Drawing
 from .errors import SceneError
@@ -16,6 +17,7 @@ _OF_JOINT = ("force.x", "force.y")
 _WITH_COUPLE = ("weld", "slider")
 _OF_ROLLING = ("normal", "friction")
 _OF_CONTACT = ("gap", "normal", "friction")
+_OF_SPIN = ("spin.omega", "spin.inertia")
 _ENERGIES = ("kinetic", "potential", "total")
 
 
@@ -36,6 +38,8 @@ def trace_columns(
     for name, force in scope.forces.items():
         addresses += [f"{name}.{quantity}" for quantity in (("couple",) if force.rotary else _OF_JOINT)]
     addresses += [f"energy.{kind}" for kind in _ENERGIES]
+    if tables.rows[layout.PM_TABLE_SPIN]:
+        addresses += _OF_SPIN
     columns: dict[str, tuple[int, str]] = {}
     for address in addresses:
         try:
