@@ -359,13 +359,33 @@ static int gains(pm_workspace *w, const double *after)
                                            : pm_fail(w, PM_BLOW_GAINS, PM_TABLE_CONTACT, contact, given, 0);
 }
 
+/* Several contacts that slide in one blow slide as they did before it: for a slip that would turn on the way there is no
+ * law of all together. */
+static int turns(pm_workspace *w, const unsigned char *share, const int32_t *trial, const double *after)
+{
+    for (int i = 0; i < w->model->nslot; i++) {
+        const int takes_part = share[i] == STRUCK || share[i] == JOINED;
+        if (!takes_part || (trial[i] != PM_SLIDE_FORWARD && trial[i] != PM_SLIDE_BACKWARD)) continue;
+        pm_row normal, tangent;
+        const int contact = pm_contact_of_slot(w->model, i);
+        pm_row_of_contact(w, contact, i, w->state.slot[i].member, &normal, &tangent);
+        pm_row_kind(tangent.kind)->evaluate(w, &tangent);
+        const double way = trial[i] == PM_SLIDE_FORWARD ? 1 : -1;
+        const double slip = way * (pm_saddle_times(w, &tangent, after) - tangent.rate);
+        pm_decision_sign(w, PM_SITE_SLIP_LEFT, i, slip, w->speed);
+        if (slip < -pm_contact_speed(w))
+            return pm_fail(w, PM_BLOW_TURNS, PM_TABLE_CONTACT, contact, -slip, 0);
+    }
+    return PM_OK;
+}
+
 static int one_blow(pm_workspace *w, unsigned char *share, double *scratch)
 {
     const pm_model *m = w->model;
     double *after = scratch;
     pm_grip_release(w);
     int32_t *resting = (int32_t *)(void *)(scratch + m->nq), *trial = resting + m->nslot;
-    int status = PM_OK, again = 1;
+    int status = PM_OK, again = 1, alone = PM_NONE;
     for (int i = 0; i < m->nslot; i++) {
         const int captured = w->state.slot[i].mode == PM_CAPTURED;
         resting[i] = share[i] == STRUCK ? PM_OPEN : w->state.slot[i].mode;
@@ -375,7 +395,6 @@ static int one_blow(pm_workspace *w, unsigned char *share, double *scratch)
     const int most = 4 * m->nslot + 4;
     for (int i = 0; again; i++) {
         if (i == most) return pm_fail(w, PM_BLOW_UNDECIDED, PM_TABLE_CONTACT, PM_NONE, most, most);
-        int alone;
         pm_impact_end end;
         if ((status = find_alone(w, share, trial, &alone))) return status;
         if (alone != PM_NONE)
@@ -386,6 +405,7 @@ static int one_blow(pm_workspace *w, unsigned char *share, double *scratch)
         again = drop_pulling(w, share) || slide_where_it_must(w, trial) ||
                 (!one_by_one(w) && join_approaching(w, share, resting, trial, after));
     }
+    if (alone == PM_NONE && (status = turns(w, share, trial, after))) return status;
     if ((status = gains(w, after)) || (status = pm_grip_check_blow(w))) return status;
     record(w);
     double *before = after + m->nq + m->nslot; /* behind resting and trial */

@@ -59,7 +59,9 @@ enum pm_status {
     PM_BLOW_SEVERAL =
         -19, /* the law is for one contact at a time: where = contact; detail = how many take part */
     PM_NO_IMPULSE =
-        -20 /* no impulse does that work: where = action; detail = work, the least that is possible */
+        -20, /* no impulse does that work: where = action; detail = work, the least that is possible */
+    PM_BLOW_TURNS =
+        -21 /* a slip turns in a blow of several contacts: where = contact; detail = m/s after it */
 };
 
 /* ---- tables ---------------------------------------------------------------------------------------

@@ -670,6 +670,12 @@ FAULTS = [
     ),
     Fault("one by one: one event for all", "trigger.c", "w->event->fired[i] = PM_FIRED_EARLIER;", ";"),
     Fault("one by one: resting contacts join", "jump.c", "(!one_by_one(w) && join_", "(join_"),
+    Fault(
+        "blow: reversed slip",
+        "jump.c",
+        "trial[i] == PM_SLIDE_FORWARD ? 1 : -1",
+        "trial[i] == PM_SLIDE_FORWARD ? -1 : 1",
+    ),
     Fault("impact: friction drives the slip", "impact.c", "-copysign(x->rub,", "copysign(x->rub,"),
     Fault("impact: what has stopped holds", "impact.c", "fabs(x->b) <= x->grip * x->c", "1"),
     Fault("impact: slip does not end", "impact.c", "now->slip * now->rate_t < 0 ?", "0 ?"),

@@ -220,6 +220,36 @@ y = "AB.y"
     assert values["y"] == pytest.approx(0, abs=1e-9)
 
 
+def test_a_slip_that_turns_in_a_blow_of_several_is_refused() -> None:
+    """Flat on both lower corners, which rebound differently: the spin turns the slip."""
+    text = """
+until = "start"
+[ground]
+lines = { floor = { through = [0, 0] } }
+[bodies.crate]
+plate = ["1 m", "1 m"]
+corners = ["A", "B", "C", "D"]
+mass = "3 kg"
+at = { A = [0, 0] }
+[contacts]
+a = { touch = ["crate.A", "ground.floor"], friction = 0.05, restitution = 1 }
+b = { touch = ["crate.B", "ground.floor"], friction = 0.05 }
+[start]
+crate.velocity = ["0.01 m/s", "-2 m/s"]
+crate.omega = 0
+[ask]
+omega = "crate.omega"
+slip = "a.slip"
+"""
+    other_way = text.replace('"0.01 m/s"', '"-0.01 m/s"')
+    with pytest.raises(
+        planemotion.SimulationError, match=r"contacts\.a: its slip turns \(to .* m/s\) in a blow"
+    ):
+        planemotion.load_text(text).run()
+    assert run(other_way)["omega"] == pytest.approx(-2, rel=1e-12)
+    assert run(text + '[solve]\nsimultaneous = "one by one"\n')["omega"] != 0
+
+
 def test_blows_without_end_are_told() -> None:
     text = """
 until = "t = 1 s"

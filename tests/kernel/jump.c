@@ -43,7 +43,7 @@ static blow strike(scene *s, const double *v, unsigned resting)
     w->speed = fastest;
     pm_frame_look_state(w, &w->state);
     const int status = pm_jump(w, &x.jumped);
-    x.refused = status == PM_BLOW_GAINS;
+    x.refused = status == PM_BLOW_GAINS || status == PM_BLOW_TURNS;
     if (!x.refused) EQUAL(status, PM_OK);
     memcpy(x.after, w->state.v, (size_t)w->model->nq * sizeof *v);
     return x;
@@ -111,9 +111,10 @@ static void contact_laws(scene *s, const blow *x, int slot, int rested)
     if (p <= CLOSE) NEAR(f, 0, CLOSE); /* no normal impulse, no friction */
     if (friction == PM_FRICTION_SMOOTH) EQUAL(f, 0);
     if (friction == PM_FRICTION_ROUGH && p > CLOSE) NEAR(slip, 0, CLOSE);
+    const int several = w->model->nslot > 1 && w->slot_impulse[0] > CLOSE && w->slot_impulse[2] > CLOSE;
     if (friction != PM_FRICTION_COULOMB) return;
     CHECK(fabs(f) <= mu * p + CLOSE);
-    if (fabs(slip) > CLOSE && p > CLOSE && slip * slip_before >= 0) { /* reversed: impact.c */
+    if (fabs(slip) > CLOSE && p > CLOSE && (several || slip * slip_before >= 0)) { /* reversed: impact.c */
         NEAR(fabs(f), mu * p, CLOSE);
         CHECK(f * slip_before <= CLOSE);
     }

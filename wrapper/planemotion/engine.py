@@ -401,6 +401,10 @@ _DESCRIPTIONS: dict[int, Any] = {
         f"{place}: with this friction its law of restitution would create energy ({found:.4g} J): "
         'the slip changes in the blow; law = "stronge" cannot'
     ),
+    layout.PM_BLOW_TURNS: lambda place, found, bound: (
+        f"{place}: its slip turns (to {found:.3g} m/s) in a blow in which several contacts take part, "
+        'and no law says how; solve.simultaneous = "one by one" follows each'
+    ),
     layout.PM_BLOW_SEVERAL: lambda place, found, bound: (
         f"{place}.law: it is for one contact at a time and {found:.0f} take part in a blow; "
         'take law = "newton", or solve.simultaneous = "one by one"'
