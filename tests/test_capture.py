@@ -136,3 +136,40 @@ def test_it_is_explained_and_drawn() -> None:
     with picture.style():
         figure = sketch.figure(sketch.start_of(planemotion.load_text(text)))
     assert "hit" in [one.get_text() for one in figure.axes[0].texts]
+
+
+@pytest.mark.parametrize("route", ROUTES)
+def test_what_is_captured_is_let_go(route: str) -> None:
+    """Released it flies on along the tangent; added again, it is caught where it is met again."""
+    text = CLAY.replace("PARTNERS", '"clay", "rod.B"').replace('"rod.turned = 0.5 rad"', '"t = 1 s"')
+    text = text.replace(
+        "[ask]",
+        'events.go = { when = "rod.turned = 0.5 rad", do = [{ remove = "hit" }] }\n'
+        'events.opened = "hit opens"\n[ask]\n'
+        'opened = "opened.count"\ngone = { of = "t", at = "go" }\n'
+        'x = "clay.x"\ny = "clay.y"\nturned = "rod.turned"\n'
+        'held = { of = "hit.closed", at = "before go" }\nloss = { of = "energy.kinetic", at = "go" }\n',
+    )
+    got = values(planemotion.load_text(text).with_values({"solve.route": route}).run())
+    omega = 0.3 * 9 * 1.2 / (4 * 1.2**2 / 3 + 0.3 * 1.2**2)
+    gone, close = 0.6 / 9 + 0.5 / omega, 1e-6 if route == "ida" else 1e-9
+    flown = 1.2 * omega * (1 - gone)
+    assert got["gone"] == pytest.approx(gone, rel=close)
+    assert (got["held"], got["closed"], got["opened"]) == (1, 0, 1)
+    assert got["x"] == pytest.approx(1.2 * math.sin(0.5) + flown * math.cos(0.5), rel=10 * close)
+    assert got["y"] == pytest.approx(-1.2 * math.cos(0.5) + flown * math.sin(0.5), rel=10 * close)
+    assert got["turned"] == pytest.approx(omega * (1 - 0.6 / 9), rel=10 * close)
+    assert got["omega"] == pytest.approx(omega, rel=close)
+    assert got["loss"] == pytest.approx(0.5 * 0.3 * 9 * 1.2 * omega, rel=10 * close)
+
+
+def test_let_go_and_caught_again() -> None:
+    """A rod drops its lump and takes it back at the same instant: nothing has happened."""
+    text = CLAY.replace("PARTNERS", '"clay", "rod.B"').replace("turned = 0.5 rad", "turned = 1 rad")
+    again = 'do = [{ remove = "hit" }, { add = "hit" }]'
+    text = text.replace("[ask]", f'events.go = {{ when = "rod.turned = 0.5 rad", {again} }}\n[ask]')
+    got = values(planemotion.load_text(text).run())
+    omega = 0.3 * 9 * 1.2 / (4 * 1.2**2 / 3 + 0.3 * 1.2**2)
+    assert got["closed"] == 1
+    assert got["omega"] == pytest.approx(omega, rel=1e-9)
+    assert got["holds"] == pytest.approx(0.3 * 1.2 * omega**2, rel=1e-8)
