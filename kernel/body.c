@@ -83,7 +83,7 @@ void pm_point_acceleration(const pm_workspace *w, const pm_point *p, double a[2]
 
 double pm_body_inertia(const pm_workspace *w, int i)
 {
-    const double inverse = w->inverse_mass[3 * i + 2];
+    const double inverse = w->stand_in[3 * i + 2] > 0 ? 0 : w->inverse_mass[3 * i + 2];
     return inverse > 0 ? 1 / inverse : 0;
 }
 

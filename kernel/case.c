@@ -8,6 +8,8 @@
 #include "program.h"
 #include "spin.h"
 
+#define STAND_IN \
+    1e-3 /* of the least mass: each round of saddle.c gains as many digits, and the first loses them */
 #define NOTICEABLE 1.1 /* growth of the speed scale that is worth new weights */
 
 static int out_of_bound(pm_workspace *w, int table, int row, int member, double value, double bound)
@@ -43,9 +45,9 @@ static int read_bodies(pm_workspace *w)
     const pm_model *m = w->model;
     for (int i = 0; i < m->nbody; i++) {
         const int32_t *e = PM_BODY_ROW(m, i);
-        int status = check(w, PM_TABLE_BODY, i, PM_BODY_MASS, e[PM_BODY_MASS], 0, 1);
+        int status = check(w, PM_TABLE_BODY, i, PM_BODY_MASS, e[PM_BODY_MASS], 0, 0);
         if (!status && e[PM_BODY_TURNS])
-            status = check(w, PM_TABLE_BODY, i, PM_BODY_INERTIA, e[PM_BODY_INERTIA], 0, 1);
+            status = check(w, PM_TABLE_BODY, i, PM_BODY_INERTIA, e[PM_BODY_INERTIA], 0, 0);
         for (int k = PM_BODY_X; !status && k <= PM_BODY_ANGLE; k++)
             status = check(w, PM_TABLE_BODY, i, k, e[k], -INFINITY, 0);
         if (status) return status;
@@ -179,6 +181,25 @@ static int read_settings(pm_workspace *w)
     return PM_OK;
 }
 
+/* What has no mass is given some in the metric of the rows; saddle.c takes it off again.  Without any mass in the scene
+ * nothing could be told. */
+static int set_stand_ins(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    double least = INFINITY;
+    w->massless = 0;
+    for (int i = 0; i < m->nbody; i++)
+        if (w->mass[i] > 0) least = fmin(least, w->mass[i]);
+    for (int i = 0; i < m->nq; i++) {
+        const int none = isinf(w->inverse_mass[i]);
+        if (none && isinf(least)) return out_of_bound(w, PM_TABLE_BODY, i / 3, PM_BODY_MASS, 0, 0);
+        w->stand_in[i] = none ? STAND_IN * least * (i % 3 == 2 ? w->size * w->size : 1) : 0;
+        if (none) w->inverse_mass[i] = 1 / w->stand_in[i];
+        w->massless |= none;
+    }
+    return PM_OK;
+}
+
 /* Extent of the marks on bodies and of the bodies as drawn; 1 m where there is none. */
 static void set_size(pm_workspace *w)
 {
@@ -247,5 +268,5 @@ int pm_case_begin(pm_workspace *w, const double *param)
     if (status) return status;
     set_size(w);
     w->speed = 0;
-    return PM_OK;
+    return set_stand_ins(w);
 }

@@ -156,11 +156,11 @@ static int solve(pm_workspace *w, const unsigned char *share, const pm_impact_en
     memcpy(after, w->state.v, (size_t)nq * sizeof *after);
     if (w->nactive == 0) return PM_OK;
     for (int i = 0; i < w->nactive; i++)
-        w->rhs[i] = alone && is_normal(w, i) ? alone->normal - rate_before(w, i) : change_wanted(w, share, i);
-    const int status = pm_saddle_factor(w);
-    if (status) return status;
-    pm_saddle_solve(w);
-    pm_saddle_spread(w, 1, after);
+        w->wanted[i] =
+            alone && is_normal(w, i) ? alone->normal - rate_before(w, i) : change_wanted(w, share, i);
+    int status = pm_saddle_factor(w);
+    if (status || (status = pm_saddle_respond(w, NULL, after))) return status;
+    for (int i = 0; i < nq; i++) after[i] += w->state.v[i];
     return PM_OK;
 }
 

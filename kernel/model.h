@@ -195,6 +195,10 @@ typedef struct pm_workspace {
     const double *param;
     double *value;        /* [nvalue] */
     double *mass;         /* [nbody] */
+    double *stand_in;     /* [nq] what stands for a mass or inertia of 0 in inverse_mass; else 0 */
+    int massless;         /* some coordinate has such */
+    double *wanted;       /* [nrow] rates that a response is to have: see saddle.h */
+    double *previous;     /* [nq] */
     double *inverse_mass; /* [nq] inverse of the diagonal of M; 0: held (a particle's angle) */
     double gravity[2];
     pm_spin spin;

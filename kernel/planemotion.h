@@ -149,8 +149,8 @@ enum pm_value_column { PM_VALUE_PROGRAM = 0, PM_VALUE_COLUMNS = 1 };
  * the ground: scene coordinates). */
 enum pm_body_column {
     PM_BODY_TURNS = 0,   /* 0: a particle, its angle stays 0 */
-    PM_BODY_MASS = 1,    /* value index, > 0 */
-    PM_BODY_INERTIA = 2, /* value index, centroidal, > 0 if the body turns */
+    PM_BODY_MASS = 1,    /* value index, >= 0; 0 where rows determine the motion all the same */
+    PM_BODY_INERTIA = 2, /* value index, centroidal, >= 0 if the body turns */
     PM_BODY_X = 3,       /* value indices of the pose of G as drawn */
     PM_BODY_Y = 4,
     PM_BODY_ANGLE = 5,

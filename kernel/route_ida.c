@@ -244,8 +244,8 @@ static int step(pm_workspace *w, double t_limit)
     return status;
 }
 
-/* Friction by the load is not among its unknowns. */
-static int applies(pm_workspace *w) { return !pm_grip_any_by_load(w); }
+/* Friction by the load is not among its unknowns; it divides by masses. */
+static int applies(pm_workspace *w) { return !w->massless && !pm_grip_any_by_load(w); }
 
 const pm_route_ops pm_route_ida = {
     .route = PM_ROUTE_IDA,

@@ -157,7 +157,7 @@ static int applies(pm_workspace *w)
 {
     pm_path *p = w->path;
     pm_place *x = &p->node[PM_NODES_MOST - 1];
-    if (!w->model->forces_by_place || w->asymmetric || w->path_left || is_driven(w)) return 0;
+    if (!w->model->forces_by_place || w->asymmetric || w->massless || w->path_left || is_driven(w)) return 0;
     pm_tree_build(w);
     if (w->tree->n - w->tree->nloop != 1) return 0;
     p->n = w->tree->n;

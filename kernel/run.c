@@ -51,6 +51,7 @@ static void set_speed_scale(pm_workspace *w)
     pm_force_all(w);
     for (int i = 0; i < w->model->nq; i++) {
         const double length = i % 3 == 2 ? w->size : 1;
+        if (w->stand_in[i] > 0) continue;
         fastest = fmax(fastest, sqrt(fabs(w->inverse_mass[i] * w->frame.f[i]) * length * w->size));
     }
     fastest = fmax(fastest, fabs(pm_spin_omega(w)) * w->size);
@@ -70,6 +71,17 @@ static int open_ledger(pm_workspace *w)
     return PM_OK;
 }
 
+/* Before contacts and cords are closed: what has no mass may need them, and its acceleration is not known yet. */
+static int accelerate_unfastened(pm_workspace *w)
+{
+    const int status = pm_saddle_accelerate(w);
+    if (status != PM_SINGULAR || !w->massless) return status;
+    w->where = (pm_where){PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
+    memset(w->frame.a, 0, (size_t)w->model->nq * sizeof(double));
+    w->frame.level = PM_LEVEL_DYNAMIC;
+    return PM_OK;
+}
+
 int pm_run_start(pm_workspace *w, const double *param, pm_start_report *report)
 {
     int status = begin_case(w, param, report);
@@ -80,7 +92,7 @@ int pm_run_start(pm_workspace *w, const double *param, pm_start_report *report)
     pm_grip_close(w);
     w->kinematic = pm_plan_kinematic(w);
     status = pm_active_build(w);
-    if (!status && !w->kinematic) status = pm_saddle_accelerate(w);
+    if (!status && !w->kinematic) status = accelerate_unfastened(w);
     return status ? status : pm_instant_start(w);
 }
 

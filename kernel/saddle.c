@@ -1,5 +1,9 @@
 /* saddle.c - [M H^T; G 0] [a; -l] = [f; c] by the Schur complement S = G M^-1 H^T: S l = c - G M^-1 f,
- * a = M^-1 (f + H^T l).  Cholesky where H = G, LU where a contact slides. */
+ * a = M^-1 (f + H^T l).  Cholesky where H = G, LU where a contact slides.
+ *
+ * Where M has zeros (a body without mass) it is M + D that is factored, D > 0 there, and
+ *   (M + D) a_k+1 = f + D a_k + H^T l
+ * is repeated: the error shrinks by D over the inertia that the rows lend to the body.  If they lend none it stays. */
 #include "saddle.h"
 
 #include <math.h>
@@ -12,7 +16,9 @@
 #include "route.h"
 #include "row.h"
 
-#define ROUNDS 400 /* of friction and reactions: more, and the joint jams */
+#define TAKEN_OFF 60       /* rounds: three digits each, unless there is too little mass elsewhere */
+#define NOTHING_LEFT 4e-15 /* of the terms: the next round would not change them */
+#define ROUNDS 400         /* of friction and reactions: more, and the joint jams */
 
 void pm_saddle_rows(pm_workspace *w)
 {
@@ -156,20 +162,58 @@ static int from_route(pm_workspace *w)
     return 1;
 }
 
+/* The same with stand-ins for what has no mass, whose inertia is taken off by the response before. */
+static void respond_once(pm_workspace *w, const double *force, const double *before, double *x)
+{
+    for (int i = 0; i < w->model->nq; i++)
+        x[i] = w->inverse_mass[i] * ((force ? force[i] : 0) + w->stand_in[i] * before[i]);
+    for (int i = 0; i < w->nactive; i++) w->rhs[i] = w->wanted[i] - pm_saddle_times(w, &w->row[i], x);
+    pm_saddle_solve(w);
+    pm_saddle_spread(w, 1, x);
+}
+
+/* How far x is from `before`, relative to the greatest terms it is the sum of; *worst: where. */
+static double change(const pm_workspace *w, const double *force, const double *before, const double *x,
+                     int *worst)
+{
+    double most = 0, scale = 0, reaction = 0;
+    for (int i = 0; i < w->nactive; i++) reaction = fmax(reaction, fabs(w->rhs[i]));
+    for (int i = 0; i < w->model->nq; i++) {
+        const double length = i % 3 == 2 ? w->size : 1;
+        const double off = fabs(x[i] - before[i]) * length;
+        scale = fmax(scale, fabs(x[i]) * length);
+        if (force) scale = fmax(scale, fabs(w->inverse_mass[i] * force[i]) * length);
+        if (w->stand_in[i] > 0) scale = fmax(scale, w->inverse_mass[i] * reaction * length * length);
+        if (off > most) *worst = i;
+        most = fmax(most, off);
+    }
+    return scale > 0 ? most / scale : 0;
+}
+
+int pm_saddle_respond(pm_workspace *w, const double *force, double *x)
+{
+    int worst = 0;
+    memset(w->previous, 0, (size_t)w->model->nq * sizeof *x);
+    for (int i = 0; i < TAKEN_OFF; i++) {
+        respond_once(w, force, w->previous, x);
+        if (!w->massless || change(w, force, w->previous, x, &worst) <= NOTHING_LEFT) return PM_OK;
+        memcpy(w->previous, x, (size_t)w->model->nq * sizeof *x);
+    }
+    return pm_fail(w, PM_SINGULAR, PM_TABLE_BODY, worst / 3, NAN, NAN);
+}
+
 /* With the friction of joints as it was found last. */
 static int accelerate(pm_workspace *w)
 {
     pm_frame *f = &w->frame;
     pm_force_all(w);
     for (int i = 0; i < w->model->nq; i++) f->a[i] = w->inverse_mass[i] * f->f[i];
-    if (w->nactive > 0) {
+    if (w->nactive > 0 || w->massless) {
         pm_saddle_rows(w);
-        const int status = pm_saddle_factor(w);
+        int status = pm_saddle_factor(w);
         if (status) return from_route(w) ? PM_OK : status;
-        for (int i = 0; i < w->nactive; i++)
-            w->rhs[i] = w->row[i].gamma - pm_saddle_times(w, &w->row[i], f->a);
-        pm_saddle_solve(w);
-        pm_saddle_spread(w, 1, f->a);
+        for (int i = 0; i < w->nactive; i++) w->wanted[i] = w->row[i].gamma;
+        if ((status = pm_saddle_respond(w, f->f, f->a))) return status;
         memcpy(f->lambda, w->rhs, (size_t)w->nactive * sizeof(double));
     }
     f->level = PM_LEVEL_DYNAMIC;

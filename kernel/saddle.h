@@ -16,6 +16,8 @@ void pm_saddle_solve(pm_workspace *w);
 /* x += M^-1 H^T l (use_h) or M^-1 G^T l, with l = w->rhs. */
 void pm_saddle_spread(const pm_workspace *w, int use_h, double *x);
 /* Motion: accelerations and reactions at the frame; level DYNAMIC. */
+/* The rows are factored: x with M x = force + H^T l (force NULL: none), G x = w->wanted; l is in w->rhs. */
+int pm_saddle_respond(pm_workspace *w, const double *force, double *x);
 int pm_saddle_accelerate(pm_workspace *w);
 /* Product of row i with a vector on q. */
 double pm_saddle_times(const pm_workspace *w, const pm_row *row, const double *x);

@@ -18,7 +18,7 @@ static double acceleration_scale(const pm_workspace *w)
 {
     double scale = 0;
     for (int i = 0; i < w->model->nq; i++) {
-        const double applied = w->inverse_mass[i] * w->frame.f[i];
+        const double applied = w->stand_in[i] > 0 ? 0 : w->inverse_mass[i] * w->frame.f[i];
         scale = fmax(scale, fmax(fabs(applied), fabs(w->frame.a[i])) * length_of(w, i));
     }
     return scale;

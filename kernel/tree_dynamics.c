@@ -20,7 +20,7 @@
 #define ROUNDING 4e-15 /* residual relative to the size of the scene below which nothing is left to gain */
 #define SMALL 1e-8     /* of the size: a correction of positions this small leaves the factors as they are */
 
-/* The lower triangle of B^T M B, factored; pm_tree_influence has been called. */
+/* The lower triangle of B^T M B, with stand-ins for what has no mass, factored; pm_tree_influence has been called. */
 static int factor_mass(pm_workspace *w)
 {
     pm_tree *t = w->tree;
@@ -29,7 +29,8 @@ static int factor_mass(pm_workspace *w)
         for (int k = t->first_coupled[i]; k <= i; k++) t->mass[i * n + k] = 0;
     for (int i = 0; i < w->model->nbody; i++) {
         const pm_tree_node *x = &t->node[i];
-        const double m = w->mass[x->body], inertia = pm_body_inertia(w, x->body);
+        const double m = w->mass[x->body] + w->stand_in[3 * x->body],
+                     inertia = pm_body_inertia(w, x->body) + w->stand_in[3 * x->body + 2];
         const double *b = t->influence + 3 * x->list;
         const int *by = t->moved_by + x->list;
         for (int k = 0; k < x->nlist; k++, b += 3, by++) {
@@ -136,7 +137,7 @@ static int accelerate_all(pm_workspace *w, double *yddot)
 int pm_tree_accelerate(pm_workspace *w, double *yddot)
 {
     pm_tree *t = w->tree;
-    if (w->asymmetric || pm_grip_by_load(w)) return accelerate_all(w, yddot);
+    if (w->asymmetric || w->massless || pm_grip_by_load(w)) return accelerate_all(w, yddot);
     if (t->few) return pm_tree_accelerate_few(w, yddot);
     pm_force_all(w);
     memset(yddot, 0, (size_t)t->n * sizeof *yddot);

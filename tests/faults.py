@@ -218,6 +218,8 @@ FAULTS = [
         "",
     ),
     Fault("cord: slack ones are not followed", "active.c", "    follow_slack_cords(w, s);\n}", "}"),
+    Fault("massless: a stand-in stays", "saddle.c", "+ w->stand_in[i] * before[i]", ""),
+    Fault("massless: it has the energy of its stand-in", "body.c", "w->stand_in[3 * i + 2] > 0 ? 0", "0 ? 0"),
     Fault(
         "grip: friction goes with the slip",
         "grip.c",

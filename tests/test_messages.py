@@ -270,7 +270,7 @@ FAULTS = [
     ('forces.f = { force = "AB.B", value = ["3 N", "2 kg"] }', 'forces.f.value[1] = "2 kg": a force'),
     ('runs = { a = { L = "3 kg" } }', 'runs.a.L = "3 kg": a length (such as m) is wanted; this is a mass'),
     # bounds
-    ('bodies.AB.mass = "-3 kg"', 'bodies.AB.mass = "-3 kg": it is -3 (SI) and must be positive'),
+    ('bodies.AB.mass = "-3 kg"', 'bodies.AB.mass = "-3 kg": it is -3 (SI) and must not be negative'),
     (
         'contacts.c = { touch = ["disk.rim", "ground.floor"], restitution = 1.2 }',
         "contacts.c.restitution = 1.2: it must lie between 0 and 1",

@@ -229,9 +229,8 @@ static void numbers(void)
         out_of_bound(PM_TABLE_SETTING, 0, PM_SETTING_GRAVITY_X, x);
         out_of_bound(PM_TABLE_SETTING, 0, PM_SETTING_ACCURACY, x);
     }
-    out_of_bound(PM_TABLE_BODY, 0, PM_BODY_MASS, 0);
     out_of_bound(PM_TABLE_BODY, 0, PM_BODY_MASS, -3);
-    out_of_bound(PM_TABLE_BODY, 0, PM_BODY_INERTIA, 0);
+    out_of_bound(PM_TABLE_BODY, 0, PM_BODY_INERTIA, -1e-9);
     out_of_bound(PM_TABLE_CIRCLE, 0, PM_CIRCLE_RADIUS, -0.1);
     out_of_bound(PM_TABLE_JOINT, 3, PM_JOINT_VALUE, 0);
     out_of_bound(PM_TABLE_JOINT, 6, PM_JOINT_VALUE, 0.5); /* no side */

@@ -372,8 +372,11 @@ _DESCRIPTIONS: dict[int, Any] = {
         f"start: what is given leaves the motion of {place} undetermined; give its omega or a velocity"
     ),
     layout.PM_SINGULAR: lambda place, found, bound: (
-        f"{place or 'the scene'}: the joints do not determine the accelerations here: a singular position "
-        "(a dead centre, or two joints that have come together); end the run before it, or change a length"
+        f"{place}: it has no mass, and nothing else determines its motion here; give it one, or fasten it"
+        if place.startswith("bodies.")
+        else f"{place or 'the scene'}: the joints do not determine the accelerations here: a singular "
+        "position (a dead centre, or two joints that have come together); end the run before it, or "
+        "change a length"
     ),
     layout.PM_ENDS_SINGULAR: lambda place, found, bound: (
         f"{place or 'the scene'}: a singular position was reached before the end of the run (a dead centre, "
