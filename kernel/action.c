@@ -86,11 +86,21 @@ static double work_now(const pm_workspace *w)
     return sum;
 }
 
+/* An impulse on what has no mass is not computed: the first body that it is on, else PM_NONE. */
+static int struck_without_mass(const pm_workspace *w)
+{
+    for (int i = 0; i < w->model->nq; i++)
+        if (w->stand_in[i] > 0 && w->impulse[i] != 0) return i / 3;
+    return PM_NONE;
+}
+
 /* The collected impulses act and all that holds answers.  The ledger takes both one after the other; lost is what the
  * velocities before and after leave over. */
 static int strike(pm_workspace *w)
 {
     const double kinetic = pm_body_kinetic(w, PM_NONE), before = work_now(w);
+    const int light = struck_without_mass(w);
+    if (light != PM_NONE) return pm_fail(w, PM_UNSUPPORTED, PM_TABLE_BODY, light, NAN, NAN);
     for (int i = 0; i < w->model->nq; i++) w->state.v[i] += w->inverse_mass[i] * w->impulse[i];
     w->energy_lost -= 0.5 * (before + work_now(w));
     w->lost = 0;

@@ -150,6 +150,7 @@ int pm_impact_read(pm_workspace *w, int slot, double *scratch, pm_impact *x)
     const int rough = pm_contact_friction(w->model, contact) == PM_FRICTION_ROUGH;
     pm_row normal, tangent;
     const int status = w->nactive > 0 ? pm_saddle_factor(w) : PM_OK;
+    if (w->massless) return pm_fail(w, PM_UNSUPPORTED, PM_TABLE_CONTACT, contact, NAN, NAN);
     if (status) return status;
     pm_row_of_contact(w, contact, slot, w->state.slot[slot].member, &normal, &tangent);
     pm_row_kind(normal.kind)->evaluate(w, &normal);
