@@ -23,6 +23,7 @@
 #include "event.h"
 #include "find.h"
 #include "nature.h"
+#include "path_error.h"
 #include "phases.h"
 #include "program.h"
 #include "project.h"
@@ -87,6 +88,7 @@ int pm_error_create(pm_workspace *w)
     for (int i = 0; i < m->nask; i++)
         e->discrete[i] = (unsigned char)pm_nature_is_discrete(m, PM_ASK_ROW(m, i)[PM_ASK_PROGRAM]);
     w->coarse = 1;
+    e->by_places = pm_path_error_by_places(m);
     return PM_OK;
 }
 

@@ -33,6 +33,7 @@ typedef struct pm_error_set {
     int npass;
     int runs_find; /* a pass goes through find.c */
     int seeks;     /* a pass is a find with all its runs */
+    int by_places; /* path_error.h */
     uint64_t noise;
     pm_pass pass[3], *present, *main, *other, *spare, *last;
     double *scale;           /* [nask] natural size of each ask */

@@ -59,6 +59,7 @@ typedef struct pm_path {
     double *work;              /* [nz_controlled] z somewhere in the step */
     int *column;               /* [n] pivots */
     double error;              /* of T, J */
+    double clock_error;        /* of the time, s */
     double ended;              /* T at the end of the last step */
     double least, lowest;      /* T of the step, of the phase */
     double way;                /* of the driver since the phase began, or since the last lap */

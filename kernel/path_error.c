@@ -2,8 +2,9 @@
  *
  * Places on a path carry no error but rounding; T does: it is rounded with the energies that make it, in every step, and
  * a blow that leaves m T_end leaves m times the error.  An answer f(place, T) is then known to |df/dT| dT, by a difference.
- * That holds as long as places alone decide when something happens; where speeds, forces or the time do, the run says
- * nothing of its errors, and error.c makes its companion. */
+ * The time's error is that of its quadrature, and what T makes of it.  All this holds as long as places alone decide when
+ * something happens; where speeds, forces or the time do, the run says nothing of its errors, and error.c makes its
+ * companion. */
 #include "path_error.h"
 
 #include <math.h>
@@ -16,16 +17,33 @@
 #include "program.h"
 #include "route.h"
 #include "saddle.h"
+#include "series.h"
 
 #define ROUNDINGS 1e-15 /* of the energies, in a step or a blow: some roundings */
 #define FASTER 1e-6     /* of the speeds, for the difference */
+#define UNRESOLVED \
+    2e-3 /* of the highest coefficients of dt/du: what its integral may be off by; some 1000 times less */
+#define RESTING 10.0 /* an error of T moves the place of rest, too */
 
 void pm_path_error_begin(pm_workspace *w, double kinetic)
 {
     pm_path *p = w->path;
-    if (w->count[PM_COUNT_PHASES] == 0) p->error = p->ended = 0;
+    if (w->count[PM_COUNT_PHASES] == 0) p->error = p->ended = p->clock_error = 0;
     if (p->ended > 0) p->error *= kinetic / p->ended;
     p->error += ROUNDINGS * kinetic;
+}
+
+/* The time of the step: what its nodes do not resolve, and dt = -t dT / 2 T, where it rests at an end of the greatest T. */
+static void step_of_clock(const pm_workspace *w, pm_path *p)
+{
+    double least = INFINITY, greatest = 0;
+    if (p->clock == PM_CLOCK_NONE) return;
+    for (int k = 0; k < PM_NODES_MOST; k++) {
+        least = fmin(least, p->node[k].kinetic);
+        greatest = fmax(greatest, p->node[k].kinetic);
+    }
+    const double by = p->clock == PM_CLOCK_PLAIN ? least : greatest / RESTING;
+    p->clock_error += (w->state.t - p->t0) * (UNRESOLVED * pm_series_tail(p->g) + 0.5 * p->error / by);
 }
 
 void pm_path_error_step(pm_workspace *w, double kinetic)
@@ -34,6 +52,7 @@ void pm_path_error_step(pm_workspace *w, double kinetic)
     const double potential = p->by_work ? 0 : fabs(p->node[0].potential);
     p->ended = kinetic;
     p->error += ROUNDINGS * (p->node[0].kinetic + kinetic + potential);
+    step_of_clock(w, p);
 }
 
 void pm_path_error_barrier(pm_workspace *w, double distance)
@@ -41,43 +60,83 @@ void pm_path_error_barrier(pm_workspace *w, double distance)
     pm_error_decision(w, distance, w->path->error);
 }
 
-/* Places alone tell when triggers fire; a trigger that goes by sqrt(T) fires where the motion turns back. */
-static int by_places(const pm_workspace *w)
+/* ---- do places alone decide? ---- */
+/* An event that is only watched: nothing ends or acts, and nothing is asked or told by the instants when it fires. */
+static int only_watched(const pm_model *m, int event)
 {
-    const pm_model *m = w->model;
-    if (m->reads_time || w->count[PM_COUNT_ROUTES] != (int64_t)1 << PM_ROUTE_PATH) return 0;
+    for (int i = 0; i < m->rows[PM_TABLE_UNTIL]; i++)
+        if (PM_UNTIL_ROW(m, i)[PM_UNTIL_EVENT] == event) return 0;
+    for (int i = 0; i < m->nask; i++)
+        if (PM_ASK_ROW(m, i)[PM_ASK_EVENT_INDEX] == event) return 0;
+    for (int i = 0; i < m->rows[PM_TABLE_ACTION]; i++)
+        if (PM_ACTION_ROW(m, i)[PM_ACTION_EVENT] == event) return 0;
+    for (int i = 0; i < m->rows[PM_TABLE_PROGRAM]; i++)
+        if (pm_nature_reads_counts(m, i)) return 0;
+    return 1;
+}
+
+/* Places tell when a trigger fires, or sqrt(T) does and it fires where the motion turns back. */
+static int fires_by_place(const pm_model *m, const int32_t *e)
+{
+    const int kind = e[PM_TRIGGER_KIND], program = e[PM_TRIGGER_PROGRAM];
+    if (kind > PM_TRIGGER_EVERY) return kind == PM_TRIGGER_START || kind == PM_TRIGGER_STRIKE;
+    return m->program_nature[program] == PM_NATURE_PLACE || m->program_growth[program] == PM_GROWTH_ROOT;
+}
+
+int pm_path_error_by_places(const pm_model *m)
+{
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *e = PM_TRIGGER_ROW(m, i);
-        const int kind = e[PM_TRIGGER_KIND], program = e[PM_TRIGGER_PROGRAM];
-        if (kind > PM_TRIGGER_EVERY) {
-            if (kind != PM_TRIGGER_START && kind != PM_TRIGGER_STRIKE) return 0;
-            continue;
-        }
-        if (m->program_nature[program] != PM_NATURE_PLACE && m->program_growth[program] != PM_GROWTH_ROOT)
-            return 0;
+        if (!fires_by_place(m, e) && !only_watched(m, e[PM_TRIGGER_EVENT])) return 0;
     }
     return 1;
 }
 
-void pm_path_error_answer(pm_workspace *w, int ask, int column, int program, double value)
+/* ---- answers ---- */
+static void shift_velocities(pm_workspace *w, double factor)
 {
-    if (!w->error->active || w->route != &pm_route_path || !by_places(w)) return;
-    const double kinetic = pm_body_kinetic(w, PM_NONE), error = w->path->error;
-    const int growth = w->model->program_growth[program];
-    if (isnan(value) || growth == PM_GROWTH_NONE || w->error->discrete[ask]) {
-        pm_error_answer(w, column, 0); /* but for rounding; integers have the margin of their decisions */
-        return;
-    }
-    if (growth == PM_GROWTH_UNKNOWN || !(kinetic > 0)) {
-        pm_error_answer(w, column, NAN);
-        return;
-    }
-    const int nq = w->model->nq, dynamic = w->model->program_level[program] == PM_LEVEL_DYNAMIC;
-    double *v = w->frame.velocity;
-    for (int i = 0; i < nq; i++) v[i] *= 1 + FASTER;
+    for (int i = 0; i < w->model->nq; i++) w->frame.velocity[i] = factor * w->frame.v[i];
+}
+
+/* The error of the clock in a program that reads nothing but the time, linearly; legs passed over do not tell it. */
+static double error_of_time(pm_workspace *w, int program, double value)
+{
+    pm_frame *f = &w->frame;
+    const double t = f->t, shift = fmax(t, w->path->clock_error);
+    if (w->count[PM_COUNT_LEGS] > 0) return NAN;
+    if (!(shift > 0)) return 0;
+    f->t = t + shift;
+    const double changed = pm_program_run(w->model, program, w->param, w->value, w);
+    f->t = t;
+    return fabs(changed - value) / shift * w->path->clock_error;
+}
+
+/* By a difference in the speeds. */
+static double error_of_motion(pm_workspace *w, int program, double value)
+{
+    const double kinetic = pm_body_kinetic(w, PM_NONE);
+    const int dynamic = w->model->program_level[program] == PM_LEVEL_DYNAMIC;
+    if (w->model->program_growth[program] == PM_GROWTH_UNKNOWN || !(kinetic > 0)) return NAN;
+    shift_velocities(w, 1 + FASTER);
     const int failed = dynamic && pm_saddle_accelerate(w);
     const double changed = pm_program_run(w->model, program, w->param, w->value, w);
-    for (int i = 0; i < nq; i++) v[i] = w->frame.v[i];
+    shift_velocities(w, 1);
     if (dynamic) (void)pm_saddle_accelerate(w);
-    pm_error_answer(w, column, failed ? NAN : fabs(changed - value) / (2 * FASTER * kinetic) * error);
+    return failed ? NAN : fabs(changed - value) / (2 * FASTER * kinetic) * w->path->error;
+}
+
+void pm_path_error_answer(pm_workspace *w, int ask, int column, int program, double value)
+{
+    const pm_model *m = w->model;
+    if (!w->error->active || w->route != &pm_route_path || !w->error->by_places ||
+        w->count[PM_COUNT_ROUTES] != (int64_t)1 << PM_ROUTE_PATH)
+        return;
+    double error;
+    if (isnan(value) || m->program_growth[program] == PM_GROWTH_NONE || w->error->discrete[ask])
+        error = 0; /* but for rounding; integers have the margin of their decisions */
+    else if (m->program_nature[program] == PM_NATURE_TIME)
+        error = error_of_time(w, program, value);
+    else
+        error = error_of_motion(w, program, value);
+    pm_error_answer(w, column, error);
 }

@@ -13,4 +13,7 @@ void pm_path_error_barrier(pm_workspace *w, double distance);
 /* Tells the error of out[column], the value of the program at the frame, if it is known. */
 void pm_path_error_answer(pm_workspace *w, int ask, int column, int program, double value);
 
+/* Once per model: do places alone decide when what matters to the answers happens? */
+int pm_path_error_by_places(const pm_model *m);
+
 #endif

@@ -320,6 +320,19 @@ FAULTS = [
         "return 0 ? pm_bridge_place",
     ),
     Fault("path: the bridge's own curvature", "path_bridge.c", "momentum += m * tangent[i] * f->v[i];", ";"),
+    # errors that the path knows
+    Fault(
+        "error: the clock's own",
+        "path_error.c",
+        "p->clock_error += (w->state.t - p->t0)",
+        "p->clock_error += 0",
+    ),
+    Fault(
+        "error: an event that ends the run",
+        "path_error.c",
+        "if (PM_UNTIL_ROW(m, i)[PM_UNTIL_EVENT] == event)",
+        "if (0)",
+    ),
     # tree coordinates
     Fault(
         "tree: bias of a mark",
@@ -445,7 +458,7 @@ FAULTS = [
         "ledger[i] = w->path->impulse[i] + momentum[i]",
         "ledger[i] = w->path->impulse[i]",
     ),
-    Fault("ask: an extreme at a corner", "ask.c", "pm_series_tail(g) < RESOLVED", "1"),
+    Fault("ask: an extreme at a corner", "ask.c", "if (p.tail < SMOOTH)", "if (1)"),
     Fault("ask: a grid value beyond the instant", "ask.c", "if (!status && t > w->step_end) continue;", ""),
     Fault(
         "event: root of samples with a corner",

@@ -204,6 +204,60 @@ static void discrete(void)
     scene_free(s);
 }
 
+static double mean(double a, double b) /* arithmetic-geometric */
+{
+    for (int i = 0; i < 40; i++) {
+        const double c = 0.5 * (a + b);
+        b = sqrt(a * b);
+        a = c;
+    }
+    return a;
+}
+
+/* The path knows the error of its clock: times of a rod of length 1 on its pin by elliptic integrals (Gauss's mean), from
+ * rest to the lowest place and from there, fast enough, to the highest.  No companion runs; a watched event that the
+ * speeds decide changes nothing, one that ends the run is not for it. */
+static void clock_errors(void)
+{
+    const double w2 = 1.5 * G, quarter = 0.5 * 3.14159265358979323846;
+    int covered = 0, close = 0, all = 0;
+    for (int i = 0; i < 40; i++) {
+        const int turns = i % 2, watches = i % 4 > 1;
+        const double rise = check_random(0.1, 3), omega = sqrt(4 * w2) * check_random(1.05, 3);
+        const double accuracy = pow(10, check_random(-12, -6));
+        const double angle = turns ? -quarter : -quarter + rise, end = turns ? quarter : -quarter;
+        scene *s = estimating(accuracy);
+        *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_PATH;
+        const int rod = scene_body(s, 3, 0.25, 0.5 * cos(angle), 0.5 * sin(angle), angle);
+        scene_joint(s, PM_JOINT_PIN, scene_point(s, rod, -0.5, 0), scene_point(s, PM_GROUND, 0, 0), 0);
+        const int there = scene_measure(s, PM_MEASURE_ANGLE, rod),
+                  rate = scene_measure(s, PM_MEASURE_ALPHA, rod);
+        if (turns) scene_start_omega(s, rod, omega);
+        scene_until(s, scene_when(s, PM_TRIGGER_CROSS, scene_minus(s, there, end)), 1);
+        if (watches) scene_when(s, PM_TRIGGER_CROSS, scene_minus(s, rate, turns ? -1 : 1));
+        scene_ask_measure(s, scene_time(s));
+        EQUAL(scene_run(s, NULL), PM_OK);
+        const double exact = turns ? 2 * quarter / mean(omega, sqrt(omega * omega - 4 * w2))
+                                   : quarter / (mean(1, cos(0.5 * rise)) * sqrt(w2));
+        const double error = fmax(fabs(s->out[0] - exact), 1e-14 * exact);
+        EQUAL(s->count[PM_COUNT_PASSES], 1);
+        all++;
+        covered += error <= s->error[0];
+        close += s->error[0] <= 100 * error;
+        CHECK(s->error[0] <= accuracy * exact || accuracy < 1e-11);
+        scene_free(s);
+    }
+    CHECK(covered >= 0.95 * all);
+    CHECK(close >= 0.5 * all);
+    scene *s = pendulum(1e-9, 1, 0); /* ends where its acceleration says so */
+    *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_PATH;
+    scene_until(s, scene_when(s, PM_TRIGGER_CROSS, scene_minus(s, scene_measure(s, PM_MEASURE_ALPHA, 0), -3)),
+                1);
+    EQUAL(scene_run(s, NULL), PM_OK);
+    CHECK(s->count[PM_COUNT_PASSES] >= 2);
+    scene_free(s);
+}
+
 int main(void)
 {
     calibrated();
@@ -213,5 +267,6 @@ int main(void)
     rounding();
     own_errors();
     discrete();
+    clock_errors();
     return check_failures();
 }
