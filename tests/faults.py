@@ -458,7 +458,6 @@ FAULTS = [
         "ledger[i] = w->path->impulse[i] + momentum[i]",
         "ledger[i] = w->path->impulse[i]",
     ),
-    Fault("ask: an extreme at a corner", "ask.c", "if (p.tail < SMOOTH)", "if (1)"),
     Fault("ask: a grid value beyond the instant", "ask.c", "if (!status && t > w->step_end) continue;", ""),
     Fault(
         "event: root of samples with a corner",
