@@ -116,7 +116,8 @@ static int body_of_edge(const pm_model *m, int contact)
 /* The end of `other` that is the corner `member` of `contact`, with the same circle beside both; PM_NONE: none is. */
 static int shared_corner(const pm_workspace *w, int contact, int member, int other)
 {
-    if (other == contact || !pm_segment_is(w->model, other) || !same_circle(w, contact, other) ||
+    if (other == contact || pm_is_absent(w->model, &w->state, PM_TABLE_CONTACT, other) ||
+        !pm_segment_is(w->model, other) || !same_circle(w, contact, other) ||
         body_of_edge(w->model, contact) != body_of_edge(w->model, other))
         return PM_NONE;
     double at[2], there[2];
