@@ -13,7 +13,7 @@ export PATH := $(CURDIR)/$(BIN):$(PATH)
 .NOTPARALLEL:
 unexport MAKEFLAGS
 
-.PHONY: help setup demo bench bench-long calibrate test test-kernel test-python lint format sanitize faults clean
+.PHONY: help setup demo bench bench-long calibrate gallery test test-kernel test-python lint format sanitize faults clean
 
 help:
 	@echo 'make demo         run the study studies/sphere_over_bars.toml; its files go to build/demo'
@@ -28,6 +28,7 @@ help:
 	@echo 'make calibrate    estimated errors against true ones, and what they cost (some minutes)'
 	@echo 'make bench        speed beside error, against the peers: build/bench (about ten minutes)'
 	@echo 'make bench-long   a sweep of a million cases: its time and memory'
+	@echo 'make gallery      the index page of studies/chapter17, and how many of its answers are right'
 	@echo 'make clean        remove build/ and .venv/'
 
 setup:
@@ -78,6 +79,9 @@ bench-long:
 
 calibrate: setup
 	$(BIN)/python studies/benchmarks/calibration.py
+
+gallery: setup
+	$(BIN)/python tests/gallery.py
 
 clean:
 	rm -rf build .venv wrapper/planemotion/_layout.pyi
