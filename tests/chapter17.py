@@ -33,7 +33,7 @@ LEFT_OUT: dict[tuple[str, str], str] = {
     ("17-C5", "rk"): "it ends in a singular position, where time stops being a coordinate of the motion",
     ("17-C5", "ida"): "it ends in a singular position, where time stops being a coordinate of the motion",
 }
-# A time route says that it cannot decide: the run ends in a limit position, or lifts in one, within its error.
+# The route itself says that it cannot decide: the run ends or turns in a limit position, within its error.
 _UNDECIDED = ("undecided",)
 
 

@@ -20,8 +20,8 @@ BOUNDS = (1e-6, 1e-8, 1e-10)
 HEAD = """\
 # The chapter's scenes
 
-One file per problem; `planemotion run studies/chapter17 --json -` runs all of them, `make gallery` writes this page.
-Answers are those of the parameters as written.
+One file per problem; `planemotion run studies/chapter17 --json -` runs all of them,
+`make gallery` writes this page. Answers are those of the parameters as written.
 
 | problem | scene | answers |
 |---|---|---|

@@ -13,8 +13,8 @@ from chapter17 import LEFT_OUT, SCENES, TIME_ROUTES, errors, residual, run, why_
 BETWEEN_ROUTES = 1e-6
 # What the audit of a default run may leave open; the engine itself fails a run at 1e-6.
 AUDIT = 1e-9
-# The root of a difference of energies that nearly cancel, after some 500 blows: the rate at which the sphere comes
-# over its last bar is a two-hundredth of what it began with, and errors grow as the square of that.
+# The root of a difference of energies that nearly cancel, after some 500 blows: the rate at which the sphere
+# comes over its last bar is a two-hundredth of what it began with; errors grow as the square of that.
 BETWEEN_ROUTES_LAST = {("17-C3", "check_omega_last"): 1e-4}
 # The rate is given, so that the steps are long; the ledger of the pin's force, which turns with the plate, is
 # integrated over the same five steps and decides none of them.
