@@ -12,7 +12,6 @@
 #include "capture.h"
 #include "contact.h"
 #include "grip.h"
-#include "order.h"
 #include "project.h"
 #include "row.h"
 #include "saddle.h"
@@ -107,7 +106,6 @@ static int append(pm_workspace *w, const pm_row *row, int *nbasis, int *index)
 static int append_joints(pm_workspace *w, int *nbasis)
 {
     const pm_model *m = w->model;
-    if (!w->ordered) pm_order_find(w);
     for (int j = 0; j < m->rows[PM_TABLE_JOINT]; j++) {
         pm_row row[PM_JOINT_ROWS];
         const int i = w->joint_order[j], n = pm_row_of_joint(w, i, row);

@@ -226,9 +226,8 @@ typedef struct pm_workspace {
     double *schur;    /* [nrow][nrow] */
     int *pivot;       /* [nrow] */
     int *first_row;   /* [nbody] scratch */
-    int *joint_order; /* [njoint] in which their rows stand, once `ordered` (order.h) */
+    int *joint_order; /* [njoint] in which their rows stand (order.h) */
     int *body_place;  /* [nbody] scratch of it */
-    int ordered;
     double *rhs;      /* [nrow] */
     double *basis;    /* [nq + 1][nq] orthonormal rows */
     int *basis_range; /* [nq + 1][2] coordinates between which each is not zero */

@@ -57,7 +57,6 @@ static int number_bodies(pm_workspace *w, int first)
 void pm_order_find(pm_workspace *w)
 {
     const int nbody = w->model->nbody, njoint = w->model->rows[PM_TABLE_JOINT];
-    w->ordered = 1;
     for (int i = 0; i < njoint; i++) w->joint_order[i] = i;
     if (nbody <= SMALL) return;
     number_bodies(w, number_bodies(w, 0)); /* the last of all hangs at an end */

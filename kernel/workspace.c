@@ -8,6 +8,7 @@
 #include "find.h"
 #include "leg.h"
 #include "model.h"
+#include "order.h"
 #include "route.h"
 #include "tree.h"
 
@@ -130,6 +131,7 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
         pm_workspace_free(w);
         return status;
     }
+    pm_order_find(w); /* of all joints, whichever a case begins without */
     *workspace = w;
     return PM_OK;
 }

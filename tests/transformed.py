@@ -1,11 +1,12 @@
 """A flattened scene seen by another observer: turned, mirrored, in other units of length, time and mass.
 
-The tables are rewritten, the questions with them: a place x of the old scene is at  lambda R(phi) M x  in the
-new one (M mirrors x), a force is mu lambda / tau^2 times as large, and every expression reads the new motion back
-in the old terms.  So all answers must stay the same numbers, signs included, while the kernel sees other tables.
+The tables are rewritten, the questions with them: a place x of the old scene is at lambda R(phi) M x in the
+new one (M mirrors x), a force is mu lambda / tau^2 times as large, and every expression reads the new
+motion back in the old terms. So all answers must stay the same numbers, signs included, while the kernel
+sees other tables.
 
-A body's own axes are mirrored with it: its angle theta becomes phi + s theta (s = -1 mirrored), a place (x, y)
-on it (s x, y); a line's free side stays on its left, so that its direction turns round when mirrored.
+A body's own axes are mirrored with it: its angle theta becomes phi + s theta (s = -1 mirrored), a place (x,
+y) on it (s x, y); a line's free side stays on its left, so that its direction turns round when mirrored.
 """
 
 from __future__ import annotations
