@@ -24,7 +24,7 @@ from typing import Any
 
 import mpmath as mp
 import numpy as np
-from figures import G_SI, INCH, collar_reference, gragg_extrapolation, sphere_reference
+from truths import G_SI, INCH, collar_reference, gragg_extrapolation, sphere_reference
 
 import planemotion
 from planemotion import engine
