@@ -15,9 +15,11 @@
 #include "saddle.h"
 #include "spin.h"
 #include "tree.h"
+#include "tree_node.h"
 
 #define KEEP 0.3  /* of the fastest coordinate's rate: a driver this fast stays */
 #define WEAK 3e-2 /* of the rows' natural size: pivots that leave slopes with rounding over its square */
+#define LINKS 8   /* levers in the size of a scene that is no long chain */
 
 static double scale_of(const pm_workspace *w, int coordinate)
 {
@@ -88,12 +90,26 @@ static void measure_motion(pm_workspace *w, pm_place *place)
     place->potential = pm_body_weight_energy(w) + pm_force_potential(w) + pm_spin_kinetic(w, PM_NONE);
 }
 
+/* The greatest distance of a joint from a mass centre: a long chain is large, its links are not. */
+static double greatest_lever(const pm_workspace *w)
+{
+    double lever = 0;
+    for (int i = 0; i < w->model->nbody; i++) {
+        const pm_tree_node *x = &w->tree->node[i];
+        if (x->placement == FREE) continue;
+        lever = fmax(lever, pm_length(x->child));
+        if (x->parent != w->model->nbody) lever = fmax(lever, pm_length(x->mark));
+    }
+    return lever;
+}
+
 /* What a loop row changes by when its coordinates do by their natural size. */
 static double row_size(const pm_workspace *w)
 {
+    const double lever = greatest_lever(w), size = lever > 0 ? fmin(w->size, LINKS * lever) : w->size;
     for (int i = 0; i < w->tree->nloop; i++)
-        if (w->row[w->tree->loop[i]].kind == PM_ROW_ANGLE) return fmin(w->size, 1);
-    return w->size;
+        if (w->row[w->tree->loop[i]].kind == PM_ROW_ANGLE) return fmin(size, 1);
+    return size;
 }
 
 /* Do the loop rows determine the other coordinates well, going by the pivots of pm_tree_slope? */
