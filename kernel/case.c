@@ -5,6 +5,8 @@
 
 #include "body.h"
 #include "error.h"
+#include "force.h"
+#include "joint.h"
 #include "program.h"
 #include "spin.h"
 
@@ -122,13 +124,13 @@ static int check_elements(pm_workspace *w)
     const pm_model *m = w->model;
     int status = PM_OK;
     for (int i = 0; !status && i < m->rows[PM_TABLE_JOINT]; i++) {
-        const int32_t *e = PM_JOINT_ROW(m, i);
-        if (e[PM_JOINT_KIND] == PM_JOINT_LINK)
-            status = check(w, PM_TABLE_JOINT, i, PM_JOINT_VALUE, e[PM_JOINT_VALUE], 0, 1);
-        if (e[PM_JOINT_KIND] == PM_JOINT_WELD || e[PM_JOINT_KIND] == PM_JOINT_SLIDER_FIXED)
-            status = check(w, PM_TABLE_JOINT, i, PM_JOINT_VALUE, e[PM_JOINT_VALUE], -INFINITY, 0);
-        if (e[PM_JOINT_KIND] == PM_JOINT_ROLLING_CIRCLE || e[PM_JOINT_KIND] == PM_JOINT_GEARS)
-            status = check_side(w, PM_TABLE_JOINT, i, PM_JOINT_VALUE, e[PM_JOINT_VALUE]);
+        const int number = pm_joint_of(m, i)->number, index = PM_JOINT_ROW(m, i)[PM_JOINT_VALUE];
+        if (number == PM_NUMBER_SIDE)
+            status = check_side(w, PM_TABLE_JOINT, i, PM_JOINT_VALUE, index);
+        else if (number) {
+            const int length = number == PM_NUMBER_LENGTH;
+            status = check(w, PM_TABLE_JOINT, i, PM_JOINT_VALUE, index, length ? 0 : -INFINITY, length);
+        }
     }
     for (int i = 0; !status && i < m->rows[PM_TABLE_CONTACT]; i++) {
         const int32_t *e = PM_CONTACT_ROW_OF(m, i);
@@ -142,15 +144,12 @@ static int check_elements(pm_workspace *w)
         if (!status) status = check_partners(w, i);
     }
     for (int i = 0; !status && i < m->rows[PM_TABLE_FORCE]; i++) {
-        const int32_t *e = PM_FORCE_ROW(m, i);
-        if (e[PM_FORCE_KIND] == PM_FORCE_FRICTION)
-            status = check(w, PM_TABLE_FORCE, i, PM_FORCE_VALUE_2, e[PM_FORCE_VALUE_2], 0, 0);
-        else if (e[PM_FORCE_KIND] > PM_FORCE_ROTARY_DAMPER)
-            continue;
-        if (status) break;
-        status = check(w, PM_TABLE_FORCE, i, PM_FORCE_VALUE_1, e[PM_FORCE_VALUE_1], 0, 0);
-        if (!status && e[PM_FORCE_KIND] <= PM_FORCE_TORSION)
-            status = check(w, PM_TABLE_FORCE, i, PM_FORCE_VALUE_2, e[PM_FORCE_VALUE_2], -INFINITY, 0);
+        const int *number = pm_force_of(m, i)->number;
+        for (int k = 0; !status && k < 2 && number[k]; k++) {
+            const int column = PM_FORCE_VALUE_1 + k, index = PM_FORCE_ROW(m, i)[column];
+            const double low = number[k] == PM_FORCE_NOT_NEGATIVE ? 0 : -INFINITY;
+            status = check(w, PM_TABLE_FORCE, i, column, index, low, 0);
+        }
     }
     for (int i = 0; !status && i < m->rows[PM_TABLE_START]; i++)
         status =

@@ -10,8 +10,6 @@
 #include "spin.h"
 #include "steady.h"
 
-typedef void pm_force_law(pm_workspace *w, const int32_t *e, pm_action *x);
-
 /* Two points: direction and rate of their distance; `pull` N draws them together. */
 static void line_action(pm_workspace *w, const int32_t *e, pm_action *x,
                         double (*law)(pm_workspace *, const int32_t *, pm_action *))
@@ -107,16 +105,7 @@ static void friction(pm_workspace *w, const int32_t *e, pm_action *x)
     pm_grip_action(w, number_of(w, e), x);
 }
 
-static pm_force_law *const laws[PM_FORCE_KINDS] = {
-    [PM_FORCE_SPRING] = spring,     [PM_FORCE_TORSION] = torsion,
-    [PM_FORCE_DAMPER] = damper,     [PM_FORCE_ROTARY_DAMPER] = rotary_damper,
-    [PM_FORCE_APPLIED] = applied,   [PM_FORCE_COUPLE] = couple,
-    [PM_FORCE_FRICTION] = friction,
-};
-
 /* ---- which forces stay the same along a motion with constant accelerations; the others never do ---- */
-typedef int pm_force_rule(const pm_workspace *w, const int32_t *e, const pm_steady *x);
-
 static int constant(const pm_workspace *w, int program)
 {
     return w->model->program_nature[program] == PM_NATURE_CONSTANT;
@@ -142,24 +131,40 @@ static int steady_friction(const pm_workspace *w, const int32_t *e, const pm_ste
     return pm_grip_steady(w, number_of(w, e), x);
 }
 
-static pm_force_rule *const steady[PM_FORCE_KINDS] = {
-    [PM_FORCE_APPLIED] = steady_applied,
-    [PM_FORCE_COUPLE] = steady_couple,
-    [PM_FORCE_FRICTION] = steady_friction,
+enum { BODY = PM_TABLE_BODY, POINT = PM_TABLE_POINT, JOINT = PM_TABLE_JOINT };
+
+static const pm_force_ops kinds[PM_FORCE_KINDS] = {
+    [PM_FORCE_SPRING] = {POINT, POINT, {PM_FORCE_NOT_NEGATIVE, PM_FORCE_ANY}, .stores = 1, .law = spring},
+    [PM_FORCE_TORSION] = {BODY, BODY, {PM_FORCE_NOT_NEGATIVE, PM_FORCE_ANY}, .stores = 1, .law = torsion},
+    [PM_FORCE_DAMPER] = {POINT, POINT, {PM_FORCE_NOT_NEGATIVE}, .law = damper},
+    [PM_FORCE_ROTARY_DAMPER] = {BODY, BODY, {PM_FORCE_NOT_NEGATIVE}, .law = rotary_damper},
+    [PM_FORCE_APPLIED] = {POINT, BODY, .programs = 2, .law = applied, .steady = steady_applied},
+    [PM_FORCE_COUPLE] = {BODY, BODY, .programs = 1, .law = couple, .steady = steady_couple},
+    [PM_FORCE_FRICTION] = {JOINT,
+                           JOINT,
+                           {PM_FORCE_NOT_NEGATIVE, PM_FORCE_NOT_NEGATIVE},
+                           .law = friction,
+                           .steady = steady_friction},
 };
+
+const pm_force_ops *pm_force_kind(int kind) { return &kinds[kind]; }
+
+const pm_force_ops *pm_force_of(const pm_model *m, int force)
+{
+    return &kinds[PM_FORCE_ROW(m, force)[PM_FORCE_KIND]];
+}
 
 int pm_force_steady(const pm_workspace *w, int i, const pm_steady *x)
 {
-    const int32_t *e = PM_FORCE_ROW(w->model, i);
+    const pm_force_ops *ops = pm_force_of(w->model, i);
     if (pm_is_absent(w->model, &w->state, PM_TABLE_FORCE, i)) return 1;
-    return steady[e[PM_FORCE_KIND]] && steady[e[PM_FORCE_KIND]](w, e, x);
+    return ops->steady && ops->steady(w, PM_FORCE_ROW(w->model, i), x);
 }
 
 pm_action pm_force_action(pm_workspace *w, int i)
 {
-    const int32_t *e = PM_FORCE_ROW(w->model, i);
     pm_action x = {.body_a = w->model->nbody, .body_b = w->model->nbody};
-    laws[e[PM_FORCE_KIND]](w, e, &x);
+    pm_force_of(w->model, i)->law(w, PM_FORCE_ROW(w->model, i), &x);
     if (pm_is_absent(w->model, &w->state, PM_TABLE_FORCE, i))
         x.force[0] = x.force[1] = x.couple = x.power = x.energy = 0;
     return x;

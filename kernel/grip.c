@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "contact.h"
+#include "joint.h"
 
 #define SAME 4e-15 /* of itself: a friction that changes by less has been found */
 
@@ -47,14 +48,10 @@ void pm_grip_row(const pm_workspace *w, int k, pm_row *row)
     pm_row_of_any_joint(w, joint, rows);
     *row = rows[0];
     row->memory = w->model->grip_memory + k;
-    switch (PM_JOINT_ROW(w->model, joint)[PM_JOINT_KIND]) {
-    case PM_JOINT_PIN: row->kind = PM_ROW_TURN; break;
-    case PM_JOINT_LINK: /* the slot's circle round a point */
-        row->kind = PM_ROW_CIRCLE_TANGENT;
+    row->kind = pm_joint_of(w->model, joint)->rubs;
+    if (row->kind == PM_ROW_CIRCLE_TANGENT) { /* the slot's circle round a point */
         row->radius_b = row->value;
         row->sign = -1;
-        break;
-    default: row->kind = PM_ROW_LINE_TANGENT; break;
     }
 }
 
@@ -67,7 +64,7 @@ double pm_grip_slip(const pm_workspace *w, int k)
 
 double pm_grip_still(const pm_workspace *w, int k)
 {
-    const int turns = PM_JOINT_ROW(w->model, joint_of(w, k))[PM_JOINT_KIND] == PM_JOINT_PIN;
+    const int turns = pm_joint_of(w->model, joint_of(w, k))->rubs == PM_ROW_TURN;
     return pm_contact_speed(w) / (turns ? w->size : 1);
 }
 
@@ -75,7 +72,7 @@ double pm_grip_still(const pm_workspace *w, int k)
 static double load(const pm_workspace *w, int k, const double *x)
 {
     const int joint = joint_of(w, k), first = w->model->joint_row[joint];
-    const int n = PM_JOINT_ROW(w->model, joint)[PM_JOINT_KIND] == PM_JOINT_PIN ? 2 : 1;
+    const int n = pm_joint_of(w->model, joint)->rubs == PM_ROW_TURN ? 2 : 1;
     double sum = 0;
     for (int i = first; i < first + n; i++) {
         const int active = w->joint_active[i];
@@ -195,7 +192,7 @@ int pm_grip_overcome(pm_workspace *w, double slack)
 {
     for (int k = 0; k < w->model->ngrip; k++) {
         if (w->state.grip[k] != PM_STICK || w->grip_row[k] == PM_NONE) continue;
-        const int turns = PM_JOINT_ROW(w->model, joint_of(w, k))[PM_JOINT_KIND] == PM_JOINT_PIN;
+        const int turns = pm_joint_of(w->model, joint_of(w, k))->rubs == PM_ROW_TURN;
         const double needed = fabs(w->frame.lambda[w->grip_row[k]]), limit = pm_grip_limit(w, k);
         if (needed <= limit + slack * (turns ? w->size : 1)) continue;
         pm_grip_slides(w, k);

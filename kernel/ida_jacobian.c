@@ -54,10 +54,8 @@ size_t pm_ida_jacobian_ints(const pm_model *m) { return (size_t)(m->nq + m->nrow
 
 static int has_damping(const pm_model *m)
 {
-    for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++) {
-        const int kind = PM_FORCE_ROW(m, i)[PM_FORCE_KIND];
-        if (kind != PM_FORCE_SPRING && kind != PM_FORCE_TORSION) return 1;
-    }
+    for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++)
+        if (!pm_force_of(m, i)->stores) return 1;
     return 0;
 }
 

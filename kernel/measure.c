@@ -10,6 +10,7 @@
 #include "event.h"
 #include "force.h"
 #include "grip.h"
+#include "joint.h"
 #include "row.h"
 #include "saddle.h"
 #include "segment.h"
@@ -224,10 +225,9 @@ static double joint_row_reaction(const pm_measure_args *x, int row)
 static double joint_normal(const pm_measure_args *x) { return joint_row_reaction(x, 0); }
 static double joint_friction(const pm_measure_args *x)
 {
-    const int kind = PM_JOINT_ROW(x->w->model, x->a)[PM_JOINT_KIND];
     pm_row row;
-    const int rolls = kind == PM_JOINT_ROLLING_LINE || kind == PM_JOINT_ROLLING_CIRCLE;
-    return rolls ? joint_row_reaction(x, 1) : pm_grip_of_joint(x->w, x->a, &row);
+    const int presses = pm_joint_of(x->w->model, x->a)->presses;
+    return presses ? joint_row_reaction(x, 1) : pm_grip_of_joint(x->w, x->a, &row);
 }
 static double needed(double normal, double friction) { return normal > 0 ? fabs(friction) / normal : NAN; }
 static double joint_friction_needed(const pm_measure_args *x)
@@ -532,12 +532,10 @@ int pm_measure_validate(const pm_model *m, pm_where *where)
         if (part == PM_PART_ALONG && e[PM_MEASURE_VALUE] < 0) return bad(where, i, e[PM_MEASURE_VALUE], 0);
         if (kind == PM_MEASURE_JOINT_NORMAL || kind == PM_MEASURE_JOINT_FRICTION ||
             kind == PM_MEASURE_JOINT_FRICTION_NEEDED) {
-            const int joint = PM_JOINT_ROW(m, a)[PM_JOINT_KIND];
-            const int rubs =
-                joint == PM_JOINT_SLIDER || joint == PM_JOINT_SLIDER_FIXED || joint == PM_JOINT_LINK;
-            if (kind == PM_MEASURE_JOINT_FRICTION && rubs) continue;
-            if (joint != PM_JOINT_ROLLING_LINE && joint != PM_JOINT_ROLLING_CIRCLE && joint != PM_JOINT_BELT)
-                return bad(where, i, joint, PM_JOINT_KINDS);
+            const pm_joint_ops *joint = pm_joint_of(m, a);
+            const int slides = joint->rubs != PM_NONE && joint->rubs != PM_ROW_TURN;
+            if (kind == PM_MEASURE_JOINT_FRICTION && slides) continue;
+            if (!joint->presses) return bad(where, i, PM_JOINT_ROW(m, a)[PM_JOINT_KIND], PM_JOINT_KINDS);
         }
     }
     for (int i = 0; i < m->rows[PM_TABLE_START]; i++) {

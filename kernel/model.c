@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "force.h"
+#include "joint.h"
 #include "measure.h"
 #include "nature.h"
 #include "program.h"
@@ -129,40 +131,14 @@ static const pm_range ranges[] = {
     {PM_TABLE_ACTION, PM_ACTION_PROGRAM_Y, PM_TABLE_PROGRAM, 0, 1},
 };
 
-/* Partners of elements: which table columns a and b point into, by kind.  PM_NONE: not used. */
-typedef struct pm_partner {
-    int a, b, value_1, value_2, program_x, program_y;
-} pm_partner;
-
-static const pm_partner joint_partner[PM_JOINT_KINDS] = {
-    [PM_JOINT_PIN] = {PM_TABLE_POINT, PM_TABLE_POINT, 0, 0, 0, 0},
-    [PM_JOINT_SLIDER] = {PM_TABLE_POINT, PM_TABLE_LINE, 0, 0, 0, 0},
-    [PM_JOINT_SLIDER_FIXED] = {PM_TABLE_POINT, PM_TABLE_LINE, 1, 0, 0, 0},
-    [PM_JOINT_LINK] = {PM_TABLE_POINT, PM_TABLE_POINT, 1, 0, 0, 0},
-    [PM_JOINT_WELD] = {PM_TABLE_POINT, PM_TABLE_POINT, 1, 0, 0, 0},
-    [PM_JOINT_ROLLING_LINE] = {PM_TABLE_CIRCLE, PM_TABLE_LINE, 0, 0, 0, 0},
-    [PM_JOINT_ROLLING_CIRCLE] = {PM_TABLE_CIRCLE, PM_TABLE_CIRCLE, 1, 0, 0, 0},
-    [PM_JOINT_GEARS] = {PM_TABLE_CIRCLE, PM_TABLE_CIRCLE, 1, 0, 0, 0},
-    [PM_JOINT_BELT] = {PM_TABLE_CIRCLE, PM_TABLE_CIRCLE, 1, 0, 0, 0},
-    [PM_JOINT_RATE] = {PM_TABLE_BODY, PM_TABLE_BODY, 0, 0, 1, 0},
-    [PM_JOINT_DRIVE] = {PM_TABLE_POINT, PM_TABLE_POINT, 0, 0, 1, 1},
-};
-static const pm_partner contact_partner[PM_CONTACT_KINDS] = {
-    [PM_CONTACT_LINE] = {PM_TABLE_CIRCLE, PM_TABLE_LINE, 0, 0, 0, 0},
-    [PM_CONTACT_CIRCLE] = {PM_TABLE_CIRCLE, PM_TABLE_CIRCLE, 0, 0, 0, 0},
-    [PM_CONTACT_ROW] = {PM_TABLE_CIRCLE, PM_TABLE_ROW, 0, 0, 0, 0},
-    [PM_CONTACT_CORD] = {PM_TABLE_CIRCLE, PM_TABLE_CIRCLE, 0, 0, 0, 0},
-    [PM_CONTACT_POINT] = {PM_TABLE_CIRCLE, PM_TABLE_CIRCLE, 0, 0, 0, 0},
-    [PM_CONTACT_SEGMENT] = {PM_TABLE_CIRCLE, PM_TABLE_LINE, 0, 0, 0, 0},
-};
-static const pm_partner force_partner[PM_FORCE_KINDS] = {
-    [PM_FORCE_SPRING] = {PM_TABLE_POINT, PM_TABLE_POINT, 1, 1, 0, 0},
-    [PM_FORCE_TORSION] = {PM_TABLE_BODY, PM_TABLE_BODY, 1, 1, 0, 0},
-    [PM_FORCE_DAMPER] = {PM_TABLE_POINT, PM_TABLE_POINT, 1, 0, 0, 0},
-    [PM_FORCE_ROTARY_DAMPER] = {PM_TABLE_BODY, PM_TABLE_BODY, 1, 0, 0, 0},
-    [PM_FORCE_APPLIED] = {PM_TABLE_POINT, PM_TABLE_BODY, 0, 0, 1, 1},
-    [PM_FORCE_COUPLE] = {PM_TABLE_BODY, PM_TABLE_BODY, 0, 0, 1, 0},
-    [PM_FORCE_FRICTION] = {PM_TABLE_JOINT, PM_TABLE_JOINT, 1, 1, 0, 0},
+/* The tables of its partners, by kind. */
+static const int contact_partner[PM_CONTACT_KINDS][2] = {
+    [PM_CONTACT_LINE] = {PM_TABLE_CIRCLE, PM_TABLE_LINE},
+    [PM_CONTACT_CIRCLE] = {PM_TABLE_CIRCLE, PM_TABLE_CIRCLE},
+    [PM_CONTACT_ROW] = {PM_TABLE_CIRCLE, PM_TABLE_ROW},
+    [PM_CONTACT_CORD] = {PM_TABLE_CIRCLE, PM_TABLE_CIRCLE},
+    [PM_CONTACT_POINT] = {PM_TABLE_CIRCLE, PM_TABLE_CIRCLE},
+    [PM_CONTACT_SEGMENT] = {PM_TABLE_CIRCLE, PM_TABLE_LINE},
 };
 
 static int in_range(const pm_model *m, int of, int index)
@@ -184,27 +160,64 @@ static int check_ranges(const pm_model *m, pm_where *where)
     return PM_OK;
 }
 
-static int check_elements(const pm_model *m, int table, int kinds, const pm_partner *partner, int has_numbers,
-                          pm_where *where)
+static int check_kind(const pm_model *m, int table, int i, int kinds, pm_where *where)
 {
-    for (int i = 0; i < m->rows[table]; i++) {
-        const int32_t *e = pm_row_of(m, table, i, table_columns[table]);
-        if (e[0] < 0 || e[0] >= kinds) return bad(where, table, i, e[0], kinds);
-        const pm_partner *p = &partner[e[0]];
-        if (!in_range(m, p->a, e[1])) return bad(where, table, i, e[1], m->rows[p->a]);
-        if (!in_range(m, p->b, e[2])) return bad(where, table, i, e[2], m->rows[p->b]);
-        if (!has_numbers) continue;
-        const int joint = table == PM_TABLE_JOINT;
-        const int column[] = {joint ? PM_JOINT_VALUE : PM_FORCE_VALUE_1, joint ? PM_NONE : PM_FORCE_VALUE_2,
-                              joint ? PM_JOINT_PROGRAM_X : PM_FORCE_PROGRAM_X,
-                              joint ? PM_JOINT_PROGRAM_Y : PM_FORCE_PROGRAM_Y};
-        const int of[] = {PM_TABLE_VALUE, PM_TABLE_VALUE, PM_TABLE_PROGRAM, PM_TABLE_PROGRAM};
-        const int wanted[] = {p->value_1, p->value_2, p->program_x, p->program_y};
-        for (int k = 0; k < 4; k++)
-            if (wanted[k] && !in_range(m, of[k], e[column[k]]))
-                return bad(where, table, i, e[column[k]], m->rows[of[k]]);
+    const int kind = pm_row_of(m, table, i, table_columns[table])[0];
+    return kind >= 0 && kind < kinds ? PM_OK : bad(where, table, i, kind, kinds);
+}
+
+/* A column of an element of a known kind points into the table `of`. */
+static int check_column(const pm_model *m, int table, int i, int column, int of, pm_where *where)
+{
+    const int index = pm_row_of(m, table, i, table_columns[table])[column];
+    return in_range(m, of, index) ? PM_OK : bad(where, table, i, index, m->rows[of]);
+}
+
+/* Joints, contacts and forces have their partners in the same columns. */
+static int check_partners(const pm_model *m, int table, int i, int a, int b, pm_where *where)
+{
+    const int status = check_column(m, table, i, PM_JOINT_A, a, where);
+    return status ? status : check_column(m, table, i, PM_JOINT_B, b, where);
+}
+
+static int check_joint(const pm_model *m, int i, pm_where *where)
+{
+    int status = check_kind(m, PM_TABLE_JOINT, i, PM_JOINT_KINDS, where);
+    if (status) return status;
+    const pm_joint_ops *ops = pm_joint_of(m, i);
+    status = check_partners(m, PM_TABLE_JOINT, i, ops->a, ops->b, where);
+    if (!status && ops->number)
+        status = check_column(m, PM_TABLE_JOINT, i, PM_JOINT_VALUE, PM_TABLE_VALUE, where);
+    for (int k = 0; !status && k < ops->programs; k++)
+        status = check_column(m, PM_TABLE_JOINT, i, PM_JOINT_PROGRAM_X + k, PM_TABLE_PROGRAM, where);
+    return status;
+}
+
+static int check_force(const pm_model *m, int i, pm_where *where)
+{
+    int status = check_kind(m, PM_TABLE_FORCE, i, PM_FORCE_KINDS, where);
+    if (status) return status;
+    const pm_force_ops *ops = pm_force_of(m, i);
+    status = check_partners(m, PM_TABLE_FORCE, i, ops->a, ops->b, where);
+    for (int k = 0; !status && k < 2 && ops->number[k]; k++)
+        status = check_column(m, PM_TABLE_FORCE, i, PM_FORCE_VALUE_1 + k, PM_TABLE_VALUE, where);
+    for (int k = 0; !status && k < ops->programs; k++)
+        status = check_column(m, PM_TABLE_FORCE, i, PM_FORCE_PROGRAM_X + k, PM_TABLE_PROGRAM, where);
+    return status;
+}
+
+static int check_elements(const pm_model *m, pm_where *where)
+{
+    int status = PM_OK;
+    for (int i = 0; !status && i < m->rows[PM_TABLE_JOINT]; i++) status = check_joint(m, i, where);
+    for (int i = 0; !status && i < m->rows[PM_TABLE_CONTACT]; i++) {
+        status = check_kind(m, PM_TABLE_CONTACT, i, PM_CONTACT_KINDS, where);
+        if (status) break;
+        const int *of = contact_partner[PM_CONTACT_ROW_OF(m, i)[PM_CONTACT_KIND]];
+        status = check_partners(m, PM_TABLE_CONTACT, i, of[0], of[1], where);
     }
-    return PM_OK;
+    for (int i = 0; !status && i < m->rows[PM_TABLE_FORCE]; i++) status = check_force(m, i, where);
+    return status;
 }
 
 /* A contact that captures has no other law; two points must. */
@@ -257,25 +270,17 @@ static int needs_forces(const pm_model *m, int measure)
            (of_force && PM_FORCE_ROW(m, e[PM_MEASURE_A])[PM_FORCE_KIND] >= PM_FORCE_APPLIED);
 }
 
-/* Joints that leave one way to slip. */
-static int can_rub(const pm_model *m, int joint)
-{
-    const int kind = PM_JOINT_ROW(m, joint)[PM_JOINT_KIND];
-    return kind == PM_JOINT_PIN || kind == PM_JOINT_SLIDER || kind == PM_JOINT_SLIDER_FIXED ||
-           kind == PM_JOINT_LINK;
-}
-
 /* A force's program may not use what must itself be computed from forces: accelerations, reactions, other programs'. */
 static int check_forces(const pm_model *m, pm_where *where)
 {
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++) {
         const int32_t *e = PM_FORCE_ROW(m, i);
         const int kind = e[PM_FORCE_KIND], option = e[PM_FORCE_OPTION];
-        if (kind == PM_FORCE_FRICTION && !can_rub(m, e[PM_FORCE_A]))
+        if (kind == PM_FORCE_FRICTION && pm_joint_of(m, e[PM_FORCE_A])->rubs == PM_NONE)
             return bad(where, PM_TABLE_FORCE, i, e[PM_FORCE_A], PM_NONE);
         if (kind == PM_FORCE_SPRING && (option < PM_SPRING_BOTH || option > PM_SPRING_PUSH))
             return bad(where, PM_TABLE_FORCE, i, option, PM_SPRING_PUSH);
-        for (int k = 0; k < (kind == PM_FORCE_APPLIED ? 2 : kind == PM_FORCE_COUPLE); k++) {
+        for (int k = 0; k < pm_force_kind(kind)->programs; k++) {
             const int32_t *p = pm_row_of(m, PM_TABLE_PROGRAM, e[PM_FORCE_PROGRAM_X + k], PM_PROGRAM_COLUMNS);
             const int32_t *code = pm_row_of(m, PM_TABLE_CODE, p[PM_PROGRAM_FIRST], PM_CODE_COLUMNS);
             for (int c = 0; c < p[PM_PROGRAM_LENGTH]; c++, code += PM_CODE_COLUMNS)
@@ -487,9 +492,7 @@ static int check_find(const pm_model *m, pm_where *where)
 static int check_tables(pm_model *m, pm_where *where)
 {
     int status = check_ranges(m, where);
-    if (!status) status = check_elements(m, PM_TABLE_JOINT, PM_JOINT_KINDS, joint_partner, 1, where);
-    if (!status) status = check_elements(m, PM_TABLE_CONTACT, PM_CONTACT_KINDS, contact_partner, 0, where);
-    if (!status) status = check_elements(m, PM_TABLE_FORCE, PM_FORCE_KINDS, force_partner, 1, where);
+    if (!status) status = check_elements(m, where);
     if (!status) status = check_contacts(m, where);
     if (!status) status = check_triggers(m, where);
     if (!status) status = check_asks(m, where);
@@ -507,34 +510,15 @@ static int check_tables(pm_model *m, pm_where *where)
     return status;
 }
 
-static const int joint_rows[PM_JOINT_KINDS] = {
-    [PM_JOINT_PIN] = 2,  [PM_JOINT_SLIDER] = 1,       [PM_JOINT_SLIDER_FIXED] = 2,   [PM_JOINT_LINK] = 1,
-    [PM_JOINT_WELD] = 3, [PM_JOINT_ROLLING_LINE] = 2, [PM_JOINT_ROLLING_CIRCLE] = 2, [PM_JOINT_GEARS] = 1,
-    [PM_JOINT_BELT] = 2, [PM_JOINT_RATE] = 1,         [PM_JOINT_DRIVE] = 2,
-};
-
-int pm_model_memories(int joint_kind)
-{
-    switch ((enum pm_joint_kind)joint_kind) {
-    case PM_JOINT_ROLLING_LINE:
-    case PM_JOINT_ROLLING_CIRCLE:
-    case PM_JOINT_GEARS:
-    case PM_JOINT_RATE: return 1;
-    case PM_JOINT_BELT:
-    case PM_JOINT_DRIVE: return 2;
-    default: return 0;
-    }
-}
-
 /* Numbers rows, slots, memories and running integrals. */
 static void lay_out(pm_model *m)
 {
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
-        const int kind = PM_JOINT_ROW(m, i)[PM_JOINT_KIND];
+        const pm_joint_ops *ops = pm_joint_of(m, i);
         m->joint_row[i] = m->njoint_row;
-        m->joint_memory[i] = pm_model_memories(kind) > 0 ? m->nmemory : PM_NONE;
-        m->nmemory += pm_model_memories(kind);
-        m->njoint_row += joint_rows[kind];
+        m->joint_memory[i] = ops->memories > 0 ? m->nmemory : PM_NONE;
+        m->nmemory += ops->memories;
+        m->njoint_row += ops->rows;
     }
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
         const int32_t *e = PM_CONTACT_ROW_OF(m, i);
@@ -550,10 +534,8 @@ static void lay_out(pm_model *m)
         if (PM_FORCE_ROW(m, i)[PM_FORCE_KIND] == PM_FORCE_FRICTION) m->grip_force[m->ngrip++] = i;
     m->nmemory += m->ngrip + m->nslot; /* the slots' memories come last */
     m->nrow = m->njoint_row + 2 * m->nslot + m->nkept + m->ngrip;
-    for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++) {
-        const int kind = PM_FORCE_ROW(m, i)[PM_FORCE_KIND];
-        m->force_z[i] = kind == PM_FORCE_SPRING || kind == PM_FORCE_TORSION ? PM_NONE : m->nz++;
-    }
+    for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++)
+        m->force_z[i] = pm_force_of(m, i)->stores ? PM_NONE : m->nz++;
     m->nz_work = m->nz;
     for (int i = 0; i < m->rows[PM_TABLE_MEASURE]; i++)
         m->path_z[i] = PM_MEASURE_ROW(m, i)[PM_MEASURE_KIND] == PM_MEASURE_PATH ? m->nz++ : PM_NONE;
@@ -594,13 +576,9 @@ static void look_for_time(pm_model *m)
     m->uses_time |= m->spin_z != PM_NONE || m->spin_angle_z != PM_NONE;
     for (int k = 0; (program = drive_of(m, k, &table, &row)) != PM_NONE; k++)
         m->uses_time |= pm_nature_reads_time(m, program);
-    for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++) {
-        const int32_t *e = PM_FORCE_ROW(m, i);
-        if (e[PM_FORCE_KIND] == PM_FORCE_APPLIED || e[PM_FORCE_KIND] == PM_FORCE_COUPLE)
-            m->uses_time |= pm_nature_reads_time(m, e[PM_FORCE_PROGRAM_X]);
-        if (e[PM_FORCE_KIND] == PM_FORCE_APPLIED)
-            m->uses_time |= pm_nature_reads_time(m, e[PM_FORCE_PROGRAM_Y]);
-    }
+    for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++)
+        for (int k = 0; k < pm_force_of(m, i)->programs; k++)
+            m->uses_time |= pm_nature_reads_time(m, PM_FORCE_ROW(m, i)[PM_FORCE_PROGRAM_X + k]);
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *e = PM_TRIGGER_ROW(m, i);
         if (e[PM_TRIGGER_KIND] <= PM_TRIGGER_EVERY)
@@ -620,13 +598,10 @@ static void look_at_forces(pm_model *m)
 {
     m->forces_by_place = m->spin_z == PM_NONE && m->spin_angle_z == PM_NONE;
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++) {
-        const int32_t *e = PM_FORCE_ROW(m, i);
-        const int kind = e[PM_FORCE_KIND];
-        int ok = kind == PM_FORCE_SPRING || kind == PM_FORCE_TORSION;
-        if (kind == PM_FORCE_COUPLE) ok = by_place(m, e[PM_FORCE_PROGRAM_X]);
-        if (kind == PM_FORCE_APPLIED)
-            ok = by_place(m, e[PM_FORCE_PROGRAM_X]) && by_place(m, e[PM_FORCE_PROGRAM_Y]);
-        m->forces_by_place &= ok;
+        const pm_force_ops *ops = pm_force_of(m, i);
+        m->forces_by_place &= ops->stores || ops->programs > 0;
+        for (int k = 0; k < ops->programs; k++)
+            m->forces_by_place &= by_place(m, PM_FORCE_ROW(m, i)[PM_FORCE_PROGRAM_X + k]);
     }
 }
 

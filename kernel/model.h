@@ -284,7 +284,6 @@ int pm_model_create(int64_t ntable, const int32_t *table, int64_t nconstant, con
                     int64_t nparam, pm_model **model, pm_where *where);
 void pm_model_free(pm_model *model);
 /* How many rows of a joint, its last ones, remember something. */
-int pm_model_memories(int joint_kind);
 /* Something has a prescribed motion. */
 int pm_model_is_driven(const pm_model *model);
 

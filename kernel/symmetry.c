@@ -6,6 +6,8 @@
 
 #include <math.h>
 
+#include "force.h"
+#include "joint.h"
 #include "program.h"
 #include "spin.h"
 
@@ -68,25 +70,26 @@ static int together(const pm_shift *s, int a, int b)
     return fabs(turn_of(s, a) - turn_of(s, b)) <= SAME * TURN;
 }
 
+static int mark_stays(const pm_workspace *w, const pm_shift *s, int table, int mark)
+{
+    if (table == PM_TABLE_POINT) return point_stays(w, s, mark);
+    return table == PM_TABLE_LINE ? line_stays(w, s, mark) : circle_stays(w, s, mark);
+}
+
+static int body_of(const pm_workspace *w, int table, int mark)
+{
+    return table == PM_TABLE_LINE ? body_of_line(w, mark) : body_of_point(w, mark);
+}
+
 /* ---- elements ---- */
 static int joint_stays(const pm_workspace *w, const pm_shift *s, int joint)
 {
     const int32_t *e = PM_JOINT_ROW(w->model, joint);
+    const pm_joint_ops *ops = pm_joint_of(w->model, joint);
     const int a = e[PM_JOINT_A], b = e[PM_JOINT_B];
-    switch ((enum pm_joint_kind)e[PM_JOINT_KIND]) {
-    case PM_JOINT_PIN:
-    case PM_JOINT_LINK: return point_stays(w, s, a) && point_stays(w, s, b);
-    case PM_JOINT_WELD:
-        return point_stays(w, s, a) && point_stays(w, s, b) &&
-               together(s, body_of_point(w, a), body_of_point(w, b));
-    case PM_JOINT_SLIDER: return point_stays(w, s, a) && line_stays(w, s, b);
-    case PM_JOINT_SLIDER_FIXED:
-        return point_stays(w, s, a) && line_stays(w, s, b) &&
-               together(s, body_of_point(w, a), body_of_line(w, b));
-    case PM_JOINT_ROLLING_LINE: return circle_stays(w, s, a) && line_stays(w, s, b);
-    case PM_JOINT_ROLLING_CIRCLE: return circle_stays(w, s, a) && circle_stays(w, s, b);
-    default: return 0; /* a kind that nobody has thought through here */
-    }
+    if (ops->repeats == PM_REPEATS_NEVER || !mark_stays(w, s, ops->a, a) || !mark_stays(w, s, ops->b, b))
+        return 0;
+    return ops->repeats == PM_REPEATS_MARKS || together(s, body_of(w, ops->a, a), body_of(w, ops->b, b));
 }
 
 static int contact_stays(const pm_workspace *w, const pm_shift *s, int contact)

@@ -275,7 +275,7 @@ FAULTS = [
     ),
     Fault(
         "gears: both inside",
-        "row.c",
+        "mark.c",
         "row->radius_a = side == -1 ? -radius_a : radius_a;",
         "row->radius_a = radius_a;",
     ),
@@ -299,7 +299,7 @@ FAULTS = [
         "1 + 0 * DISTURBANCE * sign(w->error)",
     ),
     Fault("error: what was not kept is not repeated", "error.c", "trust[PM_TRUST_EXCESS] <= 1;", "1;"),
-    Fault("margin: near misses", "crossing.c", "if (least > 0 && least < f->near)", "if (0)"),
+    Fault("margin: near misses", "crossing.c", "if (least > 0 && least < f->near &&", "if (0 &&"),
     Fault(
         "margin: other counts in the companion",
         "error.c",
@@ -619,7 +619,10 @@ FAULTS = [
     ),
     # the linear system and the projection
     Fault(
-        "saddle: sign of gamma", "saddle.c", "w->rhs[i] = w->row[i].gamma -", "w->rhs[i] = -w->row[i].gamma -"
+        "saddle: sign of gamma",
+        "saddle.c",
+        "w->wanted[i] = w->row[i].gamma;",
+        "w->wanted[i] = -w->row[i].gamma;",
     ),
     Fault(
         "saddle: friction left out of the force",
@@ -642,8 +645,8 @@ FAULTS = [
     Fault(
         "dense: LU without its pivots",
         "dense.c",
-        "const double swap = x[pivot[i]]",
-        "const double swap = x[i]",
+        "i < n; i++) { const double swap = x[pivot[i]]",
+        "i < n; i++) { const double swap = x[i]",
     ),
     Fault(
         "projection: position goes away", "project.c", "w->rhs[i] = -w->row[i].g", "w->rhs[i] = w->row[i].g"
@@ -651,8 +654,8 @@ FAULTS = [
     Fault(
         "projection: velocity goes away",
         "project.c",
-        "w->rhs[i] = -pm_saddle_times",
-        "w->rhs[i] = pm_saddle_times",
+        "w->row[i].rate - pm_saddle_times",
+        "w->row[i].rate + pm_saddle_times",
     ),
     Fault("projection: position left out", "project.c", "pm_saddle_spread(w, 0, s->q)", "(void)0"),
     Fault(
@@ -675,7 +678,12 @@ FAULTS = [
         "? -(1 + pm_contact_tangential",
         "? -(1 - pm_contact_tangential",
     ),
-    Fault("blow: gains of energy are not seen", "jump.c", "return given <= GAINS * size ?", "return 1 ?"),
+    Fault(
+        "blow: gains of energy are not seen",
+        "jump.c",
+        "return given <= GAINS * size + nothing ?",
+        "return 1 ?",
+    ),
     Fault(
         "one by one: all at once",
         "jump.c",
@@ -786,7 +794,10 @@ FAULTS = [
     ),
     # events
     Fault(
-        "missed root: gap of a contact", "event.c", "add(w, FUNCTION_GAP, i", "if (0) add(w, FUNCTION_GAP, i"
+        "missed root: gap of a contact",
+        "event.c",
+        "add(w, FUNCTION_GAP, contact, -1",
+        "add(w, FUNCTION_GAP, contact, 1",
     ),
     Fault(
         "missed root: normal force",
@@ -884,8 +895,8 @@ FAULTS = [
     Fault(
         "uniform: rows are dropped from the proof",
         "steady.c",
-        "if (!rows_hold(w, x)) return 0",
-        "(void)rows_hold",
+        "|| !rows_hold(w, x)) return 0",
+        ") return 0",
     ),
     Fault(
         "uniform: levers of locked bodies do not change their couples",
