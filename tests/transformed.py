@@ -90,9 +90,13 @@ MEASURES = {
     "POTENTIAL": (1, 2, -2, 0),
     "TOTAL": (1, 2, -2, 0),
     "LOST": (1, 2, -2, 0),
+    "SPIN_OMEGA": (0, 0, -1, 0),
+    "SPIN_ANGLE": (0, 0, 0, 0),
+    "SPIN_MOMENTUM": (1, 2, -1, 0),
+    "SPIN_INERTIA": (1, 2, 0, 0),
 }
 BY_KIND = {number: name.removeprefix("PM_MEASURE_") for name, number in L.pm_measure_kind.items()}
-KNOWN_TABLES = set(range(L.PM_TABLE_CONDITION + 1))
+KNOWN_TABLES = set(range(L.PM_TABLE_ACTION + 1))
 
 
 def transformed(flat: FlatScene, change: Change) -> FlatScene:
@@ -194,6 +198,8 @@ class _Rewriter:
         self.joints()
         self.contacts()
         self.forces()
+        self.spin()
+        self.actions()
         (setting,) = self.rows[L.PM_TABLE_SETTING]
         self.turn(setting, L.PM_SETTING_GRAVITY_X, L.PM_SETTING_GRAVITY_Y, self.change.size(0, 1, -2))
         self.scale(setting, L.PM_SETTING_MAX_TIME, self.change.time)
@@ -297,8 +303,48 @@ class _Rewriter:
             elif kind == L.PM_FORCE_COUPLE:
                 factor = change.sign * change.size(1, 2, -2)
                 row[L.PM_FORCE_PROGRAM_X] = self.program(row[L.PM_FORCE_PROGRAM_X], factor)
+            elif kind == L.PM_FORCE_FRICTION:
+                # A size that never turns its sign: a couple and a radius of a bearing, a force and a ratio else.
+                pin = self.rows[L.PM_TABLE_JOINT][a][L.PM_JOINT_KIND] == L.PM_JOINT_PIN
+                self.scale(row, L.PM_FORCE_VALUE_1, change.size(1, 2 if pin else 1, -2))
+                self.scale(row, L.PM_FORCE_VALUE_2, change.length if pin else 1)
             else:
                 raise NoRule(f"force kind {kind}")
+
+    def spin(self) -> None:
+        """The axis turns and is mirrored as a line of the ground, and the gravity along it with it.
+
+        The sense of the rate about it says nothing about the motion in the plane: it is kept, and that of the
+        couple with it, so that every observer is possible.
+        """
+        change = self.change
+        for row in self.rows[L.PM_TABLE_SPIN]:
+            self.turn(row, L.PM_SPIN_X, L.PM_SPIN_Y, change.length)
+            self.scale(row, L.PM_SPIN_ANGLE, change.sign, change.phi)
+            self.scale(row, L.PM_SPIN_INERTIA, change.size(1, 2, 0))
+            self.scale(row, L.PM_SPIN_OMEGA, 1 / change.time)
+            if row[L.PM_SPIN_COUPLE] >= 0:
+                row[L.PM_SPIN_COUPLE] = self.program(row[L.PM_SPIN_COUPLE], change.size(1, 2, -2))
+        for row in self.rows[L.PM_TABLE_SECOND]:
+            for column in range(L.PM_SECOND_COLUMNS):
+                self.scale(row, column, change.size(1, 2, 0))
+
+    def actions(self) -> None:
+        """What is added and removed has its own rows; impulses are vectors of the scene, work is a number."""
+        change = self.change
+        factors = {
+            L.PM_ACTION_ANGULAR: change.sign * change.size(1, 2, -1),
+            L.PM_ACTION_WORK: change.size(1, 2, -2),
+        }
+        x, y = L.PM_ACTION_PROGRAM_X, L.PM_ACTION_PROGRAM_Y
+        for row in self.rows[L.PM_TABLE_ACTION]:
+            kind = row[L.PM_ACTION_KIND]
+            if kind == L.PM_ACTION_IMPULSE:
+                self.program_vector(row, x, y, change.size(1, 1, -1), L.PM_GROUND)
+            elif kind in factors:
+                row[x] = self.program(row[x], factors[kind])
+            elif kind not in (L.PM_ACTION_ADD, L.PM_ACTION_REMOVE):
+                raise NoRule(f"action kind {kind}")
 
     # ---- measures: the same quantity of the new motion, and how the old one is read off it ----
 
