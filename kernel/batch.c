@@ -9,7 +9,9 @@
 #include "active.h"
 #include "error.h"
 #include "model.h"
+#include "needed.h"
 #include "phases.h"
+#include "reduce.h"
 #include "run.h"
 #include "trace.h"
 
@@ -37,7 +39,7 @@ typedef struct pm_worker {
 static void report_where(const pm_workspace *w, int32_t *where, double *detail)
 {
     where[PM_WHERE_TABLE] = w->where.table;
-    where[PM_WHERE_ROW] = w->where.row;
+    where[PM_WHERE_ROW] = pm_reduce_original(w->model, w->where.table, w->where.row);
     where[PM_WHERE_MEMBER] = w->where.member;
     detail[PM_DETAIL_VALUE] = w->where.value;
     detail[PM_DETAIL_BOUND] = w->where.bound;
@@ -133,7 +135,7 @@ int pm_batch(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
 {
     pm_model *model;
     pm_where place = {PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
-    int result = pm_model_create(ntable, table, nconstant, constant, nparam, &model, &place);
+    int result = pm_reduce_create(ntable, table, nconstant, constant, nparam, &model, &place);
     if (!result && (model->nout != nout || model->nask != nask)) {
         place = (pm_where){PM_TABLE_ASK, PM_NONE, PM_NONE, (double)nout, model->nout};
         result = PM_BAD_TABLE;
@@ -162,12 +164,16 @@ int pm_batch(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
     return result;
 }
 
-/* One case in a workspace of its own. */
-static int open_one(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant,
-                    int64_t nparam, pm_model **model, pm_workspace **w, int32_t *where, double *detail)
+typedef int pm_create(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant,
+                      int64_t nparam, pm_model **model, pm_where *where);
+
+/* One case in a workspace of its own; `create`: of the whole scene, or of what its answers need. */
+static int open_one(pm_create *create, int64_t ntable, const int32_t *table, int64_t nconstant,
+                    const double *constant, int64_t nparam, pm_model **model, pm_workspace **w,
+                    int32_t *where, double *detail)
 {
     pm_where place = {PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
-    int status = pm_model_create(ntable, table, nconstant, constant, nparam, model, &place);
+    int status = create(ntable, table, nconstant, constant, nparam, model, &place);
     if (!status) status = pm_workspace_create(*model, w);
     report_model(&place, where, detail);
     if (!status) return PM_OK;
@@ -204,7 +210,8 @@ int pm_trace(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
     pm_model *model;
     pm_workspace *w;
     *needed = 0;
-    int status = open_one(ntable, table, nconstant, constant, nparam, &model, &w, where, detail);
+    int status =
+        open_one(pm_model_create, ntable, table, nconstant, constant, nparam, &model, &w, where, detail);
     if (status) return status;
     pm_record record = {ntrace, cap, 0, trace_program, history, mark};
     for (int64_t i = 0; i < ntrace && !status; i++)
@@ -224,7 +231,8 @@ int pm_phases(int64_t ntable, const int32_t *table, int64_t nconstant, const dou
     pm_model *model;
     pm_workspace *w;
     *needed = 0;
-    int status = open_one(ntable, table, nconstant, constant, nparam, &model, &w, where, detail);
+    int status =
+        open_one(pm_reduce_create, ntable, table, nconstant, constant, nparam, &model, &w, where, detail);
     if (status) return status;
     pm_phase_list list = {.cap = cap, .most = most, .row = phase, .time = time};
     w->phases = &list;
@@ -257,7 +265,8 @@ int pm_check(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
 {
     pm_model *model;
     pm_workspace *w;
-    int status = open_one(ntable, table, nconstant, constant, nparam, &model, &w, where, detail);
+    int status =
+        open_one(pm_model_create, ntable, table, nconstant, constant, nparam, &model, &w, where, detail);
     if (status) return status;
     if (model->nbody != nbody) {
         status = PM_BAD_TABLE;
@@ -273,6 +282,22 @@ int pm_check(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
         memcpy(velocity, w->state.v, (size_t)model->nq * sizeof *velocity);
     }
     pm_workspace_free(w);
+    pm_model_free(model);
+    return status;
+}
+
+int pm_needs(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t nparam,
+             int of, int64_t nrow, int32_t *needed, int32_t *where, double *detail)
+{
+    pm_model *model;
+    pm_needed x = {.block = NULL};
+    pm_where place = {PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
+    int status = pm_model_create(ntable, table, nconstant, constant, nparam, &model, &place);
+    if (!status) status = pm_needed_find(model, &x);
+    if (!status && (of < 0 || of >= PM_TABLES || nrow != model->rows[of])) status = PM_BAD_TABLE;
+    for (int64_t i = 0; i < nrow && !status; i++) needed[i] = x.row[of][i] != 0;
+    report_model(&place, where, detail);
+    pm_needed_free(&x);
     pm_model_free(model);
     return status;
 }

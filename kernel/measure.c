@@ -501,6 +501,8 @@ double pm_measure(pm_workspace *w, int i)
     return part_of(w, x.e, v);
 }
 
+int pm_measure_of(int kind) { return kinds[kind].of; }
+
 int pm_measure_level(const pm_model *m, int i) { return kinds[PM_MEASURE_ROW(m, i)[PM_MEASURE_KIND]].level; }
 
 int pm_measure_can_start(const pm_model *m, int i, int level)

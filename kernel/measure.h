@@ -6,6 +6,8 @@
 
 /* Value of measure i at the frame, which must be filled to pm_measure_level.  Not a number where it has none. */
 double pm_measure(pm_workspace *w, int i);
+/* The table that `a` of a kind points into; -1: none. */
+int pm_measure_of(int kind);
 int pm_measure_level(const pm_model *m, int i);
 int pm_measure_validate(const pm_model *m, pm_where *where);
 /* 1 if measure i may be written in the start table at this level (its value is linear in v, or its rate is). */

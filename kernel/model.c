@@ -10,34 +10,8 @@
 #include "measure.h"
 #include "nature.h"
 #include "program.h"
+#include "refer.h"
 #include "spin.h"
-
-static const int table_columns[PM_TABLES] = {
-    [PM_TABLE_CODE] = PM_CODE_COLUMNS,
-    [PM_TABLE_PROGRAM] = PM_PROGRAM_COLUMNS,
-    [PM_TABLE_VALUE] = PM_VALUE_COLUMNS,
-    [PM_TABLE_BODY] = PM_BODY_COLUMNS,
-    [PM_TABLE_POINT] = PM_POINT_COLUMNS,
-    [PM_TABLE_LINE] = PM_LINE_COLUMNS,
-    [PM_TABLE_CIRCLE] = PM_CIRCLE_COLUMNS,
-    [PM_TABLE_ROW] = PM_ROW_COLUMNS,
-    [PM_TABLE_JOINT] = PM_JOINT_COLUMNS,
-    [PM_TABLE_CONTACT] = PM_CONTACT_COLUMNS,
-    [PM_TABLE_FORCE] = PM_FORCE_COLUMNS,
-    [PM_TABLE_MEASURE] = PM_MEASURE_COLUMNS,
-    [PM_TABLE_START] = PM_START_COLUMNS,
-    [PM_TABLE_TRIGGER] = PM_TRIGGER_COLUMNS,
-    [PM_TABLE_EVENT] = PM_EVENT_COLUMNS,
-    [PM_TABLE_UNTIL] = PM_UNTIL_COLUMNS,
-    [PM_TABLE_ASK] = PM_ASK_COLUMNS,
-    [PM_TABLE_SETTING] = PM_SETTING_COLUMNS,
-    [PM_TABLE_FIND] = PM_FIND_COLUMNS,
-    [PM_TABLE_VARY] = PM_VARY_COLUMNS,
-    [PM_TABLE_CONDITION] = PM_CONDITION_COLUMNS,
-    [PM_TABLE_SPIN] = PM_SPIN_COLUMNS,
-    [PM_TABLE_SECOND] = PM_SECOND_COLUMNS,
-    [PM_TABLE_ACTION] = PM_ACTION_COLUMNS,
-};
 
 static int bad(pm_where *where, int table, int row, double value, double bound)
 {
@@ -50,174 +24,14 @@ static int read_directory(pm_model *m, int64_t ntable, const int32_t *table, pm_
     if (ntable < 2 * PM_TABLES) return bad(where, PM_NONE, 0, (double)ntable, 2 * PM_TABLES);
     for (int i = 0; i < PM_TABLES; i++) {
         const int64_t first = table[2 * i], rows = table[2 * i + 1];
-        if (first < 0 || rows < 0 || first + rows * table_columns[i] > ntable)
-            return bad(where, i, PM_NONE, (double)(first + rows * table_columns[i]), (double)ntable);
+        if (first < 0 || rows < 0 || first + rows * pm_table_columns[i] > ntable)
+            return bad(where, i, PM_NONE, (double)(first + rows * pm_table_columns[i]), (double)ntable);
         m->table[i] = table + first;
         m->rows[i] = (int)rows;
     }
     return m->rows[PM_TABLE_SETTING] == 1
                ? PM_OK
                : bad(where, PM_TABLE_SETTING, PM_NONE, m->rows[PM_TABLE_SETTING], 1);
-}
-
-/* One column of one table must lie in [low, rows of `of`), or be PM_NONE where that is allowed. */
-typedef struct pm_range {
-    int table, column, of, low, none_allowed;
-} pm_range;
-
-static const pm_range ranges[] = {
-    {PM_TABLE_VALUE, PM_VALUE_PROGRAM, PM_TABLE_PROGRAM, 0, 0},
-    {PM_TABLE_BODY, PM_BODY_MASS, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_BODY, PM_BODY_INERTIA, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_BODY, PM_BODY_X, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_BODY, PM_BODY_Y, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_BODY, PM_BODY_ANGLE, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_POINT, PM_POINT_BODY, PM_TABLE_BODY, PM_GROUND, 0},
-    {PM_TABLE_POINT, PM_POINT_X, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_POINT, PM_POINT_Y, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_LINE, PM_LINE_POINT, PM_TABLE_POINT, 0, 0},
-    {PM_TABLE_LINE, PM_LINE_ANGLE, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_CIRCLE, PM_CIRCLE_POINT, PM_TABLE_POINT, 0, 0},
-    {PM_TABLE_CIRCLE, PM_CIRCLE_RADIUS, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_ROW, PM_ROW_POINT, PM_TABLE_POINT, 0, 0},
-    {PM_TABLE_ROW, PM_ROW_STEP_X, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_ROW, PM_ROW_STEP_Y, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_ROW, PM_ROW_COUNT, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_CONTACT, PM_CONTACT_SIDE, PM_TABLE_VALUE, 0, 1},
-    {PM_TABLE_CONTACT, PM_CONTACT_RESTITUTION, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_CONTACT, PM_CONTACT_STATIC, PM_TABLE_VALUE, 0, 1},
-    {PM_TABLE_CONTACT, PM_CONTACT_KINETIC, PM_TABLE_VALUE, 0, 1},
-    {PM_TABLE_CONTACT, PM_CONTACT_SPEED, PM_TABLE_PROGRAM, 0, 1},
-    {PM_TABLE_CONTACT, PM_CONTACT_SLACK, PM_TABLE_VALUE, 0, 1},
-    {PM_TABLE_CONTACT, PM_CONTACT_TANGENTIAL, PM_TABLE_VALUE, 0, 1},
-    {PM_TABLE_CONTACT, PM_CONTACT_FROM, PM_TABLE_VALUE, 0, 1},
-    {PM_TABLE_CONTACT, PM_CONTACT_TO, PM_TABLE_VALUE, 0, 1},
-    {PM_TABLE_JOINT, PM_JOINT_PROGRAM_X, PM_TABLE_PROGRAM, 0, 1},
-    {PM_TABLE_JOINT, PM_JOINT_PROGRAM_Y, PM_TABLE_PROGRAM, 0, 1},
-    {PM_TABLE_MEASURE, PM_MEASURE_IN, PM_TABLE_BODY, PM_GROUND, 1},
-    {PM_TABLE_MEASURE, PM_MEASURE_ON, PM_TABLE_BODY, PM_GROUND, 1},
-    {PM_TABLE_MEASURE, PM_MEASURE_ABOUT, PM_TABLE_POINT, 0, 1},
-    {PM_TABLE_MEASURE, PM_MEASURE_VALUE, PM_TABLE_VALUE, 0, 1},
-    {PM_TABLE_START, PM_START_MEASURE, PM_TABLE_MEASURE, 0, 0},
-    {PM_TABLE_START, PM_START_VALUE, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_TRIGGER, PM_TRIGGER_EVENT, PM_TABLE_EVENT, 0, 0},
-    {PM_TABLE_TRIGGER, PM_TRIGGER_PROGRAM, PM_TABLE_PROGRAM, 0, 1},
-    {PM_TABLE_UNTIL, PM_UNTIL_EVENT, PM_TABLE_EVENT, 0, 0},
-    {PM_TABLE_ASK, PM_ASK_PROGRAM, PM_TABLE_PROGRAM, 0, 0},
-    {PM_TABLE_ASK, PM_ASK_EVENT_INDEX, PM_TABLE_EVENT, 0, 1},
-    {PM_TABLE_ASK, PM_ASK_PROGRAM_2, PM_TABLE_PROGRAM, 0, 1},
-    {PM_TABLE_ASK, PM_ASK_FIRST_VALUE, PM_TABLE_VALUE, 0, 1},
-    {PM_TABLE_SETTING, PM_SETTING_GRAVITY_X, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_SETTING, PM_SETTING_GRAVITY_Y, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_SETTING, PM_SETTING_ACCURACY, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_SETTING, PM_SETTING_MAX_TIME, PM_TABLE_VALUE, 0, 1},
-    {PM_TABLE_SETTING, PM_SETTING_ASSEMBLY, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_SETTING, PM_SETTING_NUDGE, PM_TABLE_PROGRAM, 0, 1},
-    {PM_TABLE_FIND, PM_FIND_PROGRAM, PM_TABLE_PROGRAM, 0, 1},
-    {PM_TABLE_VARY, PM_VARY_LOW, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_VARY, PM_VARY_HIGH, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_CONDITION, PM_CONDITION_PROGRAM, PM_TABLE_PROGRAM, 0, 0},
-    {PM_TABLE_SPIN, PM_SPIN_X, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_SPIN, PM_SPIN_Y, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_SPIN, PM_SPIN_ANGLE, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_SPIN, PM_SPIN_INERTIA, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_SPIN, PM_SPIN_OMEGA, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_SPIN, PM_SPIN_COUPLE, PM_TABLE_PROGRAM, 0, 1},
-    {PM_TABLE_SECOND, PM_SECOND_X, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_SECOND, PM_SECOND_Y, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_SECOND, PM_SECOND_Z, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_ACTION, PM_ACTION_EVENT, PM_TABLE_EVENT, 0, 1},
-    {PM_TABLE_ACTION, PM_ACTION_PROGRAM_X, PM_TABLE_PROGRAM, 0, 1},
-    {PM_TABLE_ACTION, PM_ACTION_PROGRAM_Y, PM_TABLE_PROGRAM, 0, 1},
-};
-
-/* The tables of its partners, by kind. */
-static const int contact_partner[PM_CONTACT_KINDS][2] = {
-    [PM_CONTACT_LINE] = {PM_TABLE_CIRCLE, PM_TABLE_LINE},
-    [PM_CONTACT_CIRCLE] = {PM_TABLE_CIRCLE, PM_TABLE_CIRCLE},
-    [PM_CONTACT_ROW] = {PM_TABLE_CIRCLE, PM_TABLE_ROW},
-    [PM_CONTACT_CORD] = {PM_TABLE_CIRCLE, PM_TABLE_CIRCLE},
-    [PM_CONTACT_POINT] = {PM_TABLE_CIRCLE, PM_TABLE_CIRCLE},
-    [PM_CONTACT_SEGMENT] = {PM_TABLE_CIRCLE, PM_TABLE_LINE},
-};
-
-static int in_range(const pm_model *m, int of, int index)
-{
-    return index >= (of == PM_TABLE_BODY ? PM_GROUND : 0) && index < m->rows[of];
-}
-
-static int check_ranges(const pm_model *m, pm_where *where)
-{
-    for (size_t r = 0; r < sizeof ranges / sizeof *ranges; r++) {
-        const pm_range *x = &ranges[r];
-        for (int i = 0; i < m->rows[x->table]; i++) {
-            const int index = pm_row_of(m, x->table, i, table_columns[x->table])[x->column];
-            if (index == PM_NONE && x->none_allowed) continue;
-            if (index < x->low || index >= m->rows[x->of])
-                return bad(where, x->table, i, index, m->rows[x->of]);
-        }
-    }
-    return PM_OK;
-}
-
-static int check_kind(const pm_model *m, int table, int i, int kinds, pm_where *where)
-{
-    const int kind = pm_row_of(m, table, i, table_columns[table])[0];
-    return kind >= 0 && kind < kinds ? PM_OK : bad(where, table, i, kind, kinds);
-}
-
-/* A column of an element of a known kind points into the table `of`. */
-static int check_column(const pm_model *m, int table, int i, int column, int of, pm_where *where)
-{
-    const int index = pm_row_of(m, table, i, table_columns[table])[column];
-    return in_range(m, of, index) ? PM_OK : bad(where, table, i, index, m->rows[of]);
-}
-
-/* Joints, contacts and forces have their partners in the same columns. */
-static int check_partners(const pm_model *m, int table, int i, int a, int b, pm_where *where)
-{
-    const int status = check_column(m, table, i, PM_JOINT_A, a, where);
-    return status ? status : check_column(m, table, i, PM_JOINT_B, b, where);
-}
-
-static int check_joint(const pm_model *m, int i, pm_where *where)
-{
-    int status = check_kind(m, PM_TABLE_JOINT, i, PM_JOINT_KINDS, where);
-    if (status) return status;
-    const pm_joint_ops *ops = pm_joint_of(m, i);
-    status = check_partners(m, PM_TABLE_JOINT, i, ops->a, ops->b, where);
-    if (!status && ops->number)
-        status = check_column(m, PM_TABLE_JOINT, i, PM_JOINT_VALUE, PM_TABLE_VALUE, where);
-    for (int k = 0; !status && k < ops->programs; k++)
-        status = check_column(m, PM_TABLE_JOINT, i, PM_JOINT_PROGRAM_X + k, PM_TABLE_PROGRAM, where);
-    return status;
-}
-
-static int check_force(const pm_model *m, int i, pm_where *where)
-{
-    int status = check_kind(m, PM_TABLE_FORCE, i, PM_FORCE_KINDS, where);
-    if (status) return status;
-    const pm_force_ops *ops = pm_force_of(m, i);
-    status = check_partners(m, PM_TABLE_FORCE, i, ops->a, ops->b, where);
-    for (int k = 0; !status && k < 2 && ops->number[k]; k++)
-        status = check_column(m, PM_TABLE_FORCE, i, PM_FORCE_VALUE_1 + k, PM_TABLE_VALUE, where);
-    for (int k = 0; !status && k < ops->programs; k++)
-        status = check_column(m, PM_TABLE_FORCE, i, PM_FORCE_PROGRAM_X + k, PM_TABLE_PROGRAM, where);
-    return status;
-}
-
-static int check_elements(const pm_model *m, pm_where *where)
-{
-    int status = PM_OK;
-    for (int i = 0; !status && i < m->rows[PM_TABLE_JOINT]; i++) status = check_joint(m, i, where);
-    for (int i = 0; !status && i < m->rows[PM_TABLE_CONTACT]; i++) {
-        status = check_kind(m, PM_TABLE_CONTACT, i, PM_CONTACT_KINDS, where);
-        if (status) break;
-        const int *of = contact_partner[PM_CONTACT_ROW_OF(m, i)[PM_CONTACT_KIND]];
-        status = check_partners(m, PM_TABLE_CONTACT, i, of[0], of[1], where);
-    }
-    for (int i = 0; !status && i < m->rows[PM_TABLE_FORCE]; i++) status = check_force(m, i, where);
-    return status;
 }
 
 /* A contact that captures has no other law; two points must. */
@@ -364,7 +178,8 @@ static int check_triggers(const pm_model *m, pm_where *where)
             return bad(where, PM_TABLE_TRIGGER, i, kind, PM_TRIGGER_KINDS);
         if (kind <= PM_TRIGGER_EVERY && e[PM_TRIGGER_PROGRAM] < 0)
             return bad(where, PM_TABLE_TRIGGER, i, e[PM_TRIGGER_PROGRAM], 0);
-        if (kind >= PM_TRIGGER_STRIKE && kind <= PM_TRIGGER_STICK && !in_range(m, PM_TABLE_CONTACT, a))
+        if (kind >= PM_TRIGGER_STRIKE && kind <= PM_TRIGGER_STICK &&
+            !pm_refer_in_range(m, PM_TABLE_CONTACT, a))
             return bad(where, PM_TABLE_TRIGGER, i, a, m->rows[PM_TABLE_CONTACT]);
         if (kind == PM_TRIGGER_REST && a != PM_NONE && (a < 0 || a >= m->nbody))
             return bad(where, PM_TABLE_TRIGGER, i, a, m->nbody);
@@ -424,7 +239,7 @@ static int check_action(const pm_model *m, int i, pm_where *where)
     if (kind <= PM_ACTION_REMOVE) {
         if (of != PM_TABLE_JOINT && of != PM_TABLE_CONTACT && of != PM_TABLE_FORCE)
             return bad(where, PM_TABLE_ACTION, i, of, PM_TABLE_FORCE);
-        return in_range(m, of, a) ? PM_OK : bad(where, PM_TABLE_ACTION, i, a, m->rows[of]);
+        return pm_refer_in_range(m, of, a) ? PM_OK : bad(where, PM_TABLE_ACTION, i, a, m->rows[of]);
     }
     if (of != PM_NONE) return bad(where, PM_TABLE_ACTION, i, of, PM_NONE);
     const int at = kind == PM_ACTION_IMPULSE ? PM_TABLE_POINT : PM_TABLE_BODY;
@@ -491,8 +306,7 @@ static int check_find(const pm_model *m, pm_where *where)
 
 static int check_tables(pm_model *m, pm_where *where)
 {
-    int status = check_ranges(m, where);
-    if (!status) status = check_elements(m, where);
+    int status = pm_refer_check(m, where);
     if (!status) status = check_contacts(m, where);
     if (!status) status = check_triggers(m, where);
     if (!status) status = check_asks(m, where);
@@ -676,5 +490,6 @@ void pm_model_free(pm_model *model)
     if (!model) return;
     free(model->contact_slot); /* head of the block of all index arrays */
     free(model->program_level);
+    free(model->reduced);
     free(model);
 }

@@ -52,6 +52,8 @@ typedef struct pm_model {
     int nelement;                  /* joints, contacts and forces */
     int acts;                      /* some event does something, or not whenever its triggers fire */
     int watches_counts;            /* what is watched in a step reads the count or time of an event */
+    int32_t *reduced;             /* own tables of a model without what no answer needs (reduce.h), or NULL */
+    int32_t *original[PM_TABLES]; /* then: the caller's row of each row */
 } pm_model;
 
 /* What must be known of a state before a program can be run on it. */

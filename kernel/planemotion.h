@@ -619,6 +619,11 @@ int pm_phases(int64_t ntable, const int32_t *table, int64_t nconstant, const dou
               const double *param, int64_t most, int64_t cap, int32_t *phase, double *time, int64_t *needed,
               int32_t *where, double *detail);
 
+/* Which rows of table `of` the answers of the scene depend on: needed[nrow], 1 or 0.  A run leaves the others out (a trace
+ * and a check do not).  Returns PM_OK, PM_BAD_TABLE or PM_NO_MEMORY. */
+int pm_needs(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t nparam,
+             int of, int64_t nrow, int32_t *needed, int32_t *where, double *detail);
+
 /* Why the planner chose a route, in English, of at most ntext bytes, not ended by 0; its length. */
 int pm_rule_text(int rule, int64_t ntext, int8_t *text);
 

@@ -39,6 +39,35 @@ class Fault:
 
 
 FAULTS = [
+    # what no answer depends on
+    Fault(
+        "needed: a contact lets nothing act",
+        "needed.c",
+        "{PM_TABLE_JOINT, PM_TABLE_CONTACT, PM_TABLE_FORCE}",
+        "{PM_TABLE_JOINT, PM_TABLE_FORCE}",
+    ),
+    Fault(
+        "needed: what a program reads is not followed",
+        "needed.c",
+        "more |= mark(x, ref[k].of, e[ref[k].column])",
+        "if (table != PM_TABLE_CODE) more |= mark(x, ref[k].of, e[ref[k].column])",
+    ),
+    Fault("needed: events do nothing", "needed.c", "more |= mark(x, PM_TABLE_ACTION, i);", ";"),
+    Fault(
+        "needed: a start beside another is its own", "needed.c", " || is_needed_body(x, e[PM_MEASURE_IN])", ""
+    ),
+    Fault(
+        "needed: the last jump is of one island",
+        "needed.c",
+        "case PM_MEASURE_LOST:",
+        "case PM_MEASURE_KINDS:",
+    ),
+    Fault(
+        "reduce: places of the smaller scene",
+        "reduce.c",
+        "return known ? m->original[table][row] : row;",
+        "return row;",
+    ),
     # planes that turn
     Fault("spin: its couple turns the wrong way", "spin.c", "f[2] += square", "f[2] -= square"),
     Fault("spin: pulls towards the axis", "spin.c", "outward = square", "outward = -square"),

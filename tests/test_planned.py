@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import planemotion
+from planemotion import engine
 from planemotion.explain import explain, explain_run
+from planemotion.flatten import flatten
 
 STUDIES = Path(__file__).parent.parent / "studies"
 
@@ -61,3 +64,41 @@ def test_phases_that_repeat_stand_on_one_line(bars: int) -> None:
     assert text.count("path (one degree") == 1
     assert f"{result.counts['legs']} legs that repeat passed over" in text
     assert result.counts["legs"] > bars / 2 - 2
+
+
+# ---- what nothing depends on ----
+ASIDE = """
+joints.C = { pin = ["aside.A", "ground"] }
+bodies.aside = { rod = ["A", "B"], length = "1 m", mass = "1 kg", at = { A = ["3 m", 0] }, angle = 0 }
+bodies.ball = { mass = "1 kg", at = ["4 m", "7 m"] }
+forces.s = { spring = ["aside.B", "ball"], stiffness = "100 N/m", free_length = "1 m" }
+events.low = "aside.angle = -30 deg"
+"""
+
+
+@pytest.mark.parametrize("route", ["auto", "rk", "ida"])
+def test_idle_parts_are_left_out(route: str) -> None:
+    solve = f'solve.route = "{route}"\n'
+    alone = planemotion.load_text(SWING + solve).run()
+    beside = planemotion.load_text(SWING + solve + ASIDE).run()
+    assert beside.omega == alone.omega
+    assert beside.counts == alone.counts
+
+
+def test_idle_parts_are_told() -> None:
+    left = (
+        "skipped: bodies aside, ball; joints C; forces s; events low (nothing that is asked depends on them"
+    )
+    assert left in plan_of(SWING + ASIDE)
+    scene = planemotion.load_text(SWING + ASIDE)
+    assert left.replace("skipped", "skipped throughout") in explain_run(scene, scene.run())
+    assert "bodies" not in plan_of(SWING + ASIDE + 'ask.all = { of = "energy.total", unit = "J" }\n')
+    asked = plan_of(SWING + ASIDE + 'ask.y = { of = "ball.y", unit = "m" }\n')
+    assert "skipped: events low (nothing" in asked
+
+
+def test_a_history_holds_idle_parts_too() -> None:
+    scene = planemotion.load_text(SWING + ASIDE)
+    history = engine.trace(flatten(scene), flatten(scene).defaults)
+    assert np.ptp(history.columns["aside.omega"]) > 0
+    assert history.columns["rod.omega"][-1] == pytest.approx(scene.run().omega, rel=1e-9)

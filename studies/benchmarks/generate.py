@@ -40,3 +40,14 @@ def floors(n: int, until: str = "t = 2 s") -> planemotion.Scene:
     for i in range(n):
         scene.contact(f"f{i}", touch=["r1.B", f"ground.f{i}"], restitution=0.5)
     return scene
+
+
+def idle(n: int, until: str = "t = 2 s") -> planemotion.Scene:
+    """A double pendulum that is asked for, and n others beside it that are not."""
+    scene = pendulums(2, until)
+    scene.raw["id"] = f"idle_{n}"
+    for i in range(n):
+        at = {"A": [f"{5 + 2 * i} m", 0]}
+        scene.body(f"i{i}", rod=["A", "B"], length="1 m", mass="1 kg", at=at, angle="0 deg")
+        scene.joint(f"I{i}", pin=[f"i{i}.A", "ground"])
+    return scene.ask("omega", "r1.omega", unit="rad/s")

@@ -23,6 +23,7 @@ from .timing import cpu, wall
 FOUR_BARS = (10, 20, 40, 80, 160)
 PENDULUMS = (1, 2, 4, 8, 16, 32, 64)
 FLOORS = (1, 4, 16, 64, 256)
+IDLE = (0, 1, 4, 16, 64)
 CASES = (1, 10, 100, 1000, 10_000)
 THREADS = (1, 2)
 REPEAT = 3
@@ -31,7 +32,7 @@ THREAD_SECONDS = 1.0
 
 
 def tables(rows: Sequence[Row], quick: bool, out: Path) -> list[Table]:
-    found = [bodies(quick, out), contacts(quick, out), cases(quick), threads(quick)]
+    found = [bodies(quick, out), contacts(quick, out), idle(quick), cases(quick), threads(quick)]
     return found
 
 
@@ -97,6 +98,26 @@ def contacts(quick: bool, out: Path) -> Table:
             table.rows.append(["floors", method_name(route, True), n, *per_step(figures, n), missed])
             if missed:
                 break
+    return table
+
+
+def idle(quick: bool) -> Table:
+    """What bodies cost that no answer depends on."""
+    table = Table(
+        "growth_idle",
+        "Growth with what nothing depends on",
+        ("scene", "method", "idle pendulums", "CPU ms per run", "steps", "times the cost without", "why not"),
+        text="A double pendulum, 2 s, its speed asked, beside N pendulums of which nothing is asked; "
+        "without error estimates.",
+    )
+    for route in ("auto", "rk"):
+        alone = np.nan
+        for n in IDLE[:2] if quick else IDLE:
+            (taken, steps), missed = one_case(generate.idle(n), ("omega",), route)
+            alone = taken if n == 0 else alone
+            table.rows.append(
+                ["idle pendulums", method_name(route, True), n, 1e3 * taken, steps, taken / alone, missed]
+            )
     return table
 
 

@@ -222,7 +222,10 @@ static void limits(void)
         if (i == 0) scene_set(s, PM_SETTING_MAX_TIME, 3);
         if (i == 1) *scene_setting(s, PM_SETTING_MAX_EVENTS) = 3;
         if (i == 2) *scene_setting(s, PM_SETTING_MAX_STEPS) = 5;
-        if (i == 1) scene_when(s, PM_TRIGGER_EVERY, scene_read(s, t.x));
+        if (i == 1) { /* events that nobody needs are none */
+            const int every = scene_when(s, PM_TRIGGER_EVERY, scene_read(s, t.x));
+            scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, every));
+        }
         if (i == 3) { /* caught by a plastic floor: nothing moves any more */
             const int line = scene_line(s, scene_point(s, PM_GROUND, 0, -1), 0);
             scene_contact(s, PM_CONTACT_LINE, scene_circle(s, t.point, 0), line, 0, 0, PM_FRICTION_ROUGH, 0);

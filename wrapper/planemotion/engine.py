@@ -207,6 +207,16 @@ def phases(flat: FlatScene, param: npt.ArrayLike | None = None, most: int = 0) -
     ]
 
 
+def needs(flat: FlatScene, table: int) -> npt.NDArray[np.bool_]:
+    """Which rows of a table the answers of the scene depend on [rows]; a run leaves the others out."""
+    needed = np.zeros(len(flat.rows(table)), np.int32)
+    where, detail = _place()
+    status = _kernel().pm_needs(flat.table, flat.constant, len(flat.parameters), table, needed, where, detail)
+    if status != layout.PM_OK:
+        _raise(flat, status, where, detail)
+    return needed != 0
+
+
 def check(flat: FlatScene, param: npt.ArrayLike | None = None) -> Start:
     """Assembles the start of one case without running it; `param` defaults to the scene's own values."""
     given = flat.defaults if param is None else np.asarray(param)

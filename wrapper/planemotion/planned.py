@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 from itertools import groupby
 
+from . import _layout as layout
 from . import engine
 from .flatten import FlatScene
 
@@ -28,6 +29,7 @@ def plan(flat: FlatScene, start: engine.Start) -> list[str]:
         _title("plan", flat),
         f"  first phase: {phase.route} ({phase.reason})",
         f"  {_sizes(phase)}",
+        *(f"  skipped: {what}" for what in _idle(flat)),
         *(f"  skipped: {what}" for what in _skipped(phase)),
     ]
 
@@ -49,11 +51,40 @@ def ran(flat: FlatScene) -> list[str]:
             + (f", {_count(legs, 'leg')} that repeat passed over" if legs else ""),
             *(f"    skipped: {what}" for what in _skipped(alike[0])),
         ]
-    return [_title("phases", flat), *lines] if lines else []
+    idle = [f"  skipped throughout: {what}" for what in _idle(flat)]
+    return [_title("phases", flat), *lines, *idle] if lines else []
 
 
 def _title(word: str, flat: FlatScene) -> str:
     return word if flat.run is None else f"{word} of run {flat.run}"
+
+
+# What a run may leave out, by table, and the word for it.
+_IDLE = {
+    layout.PM_TABLE_BODY: "bodies",
+    layout.PM_TABLE_JOINT: "joints",
+    layout.PM_TABLE_CONTACT: "contacts",
+    layout.PM_TABLE_FORCE: "forces",
+    layout.PM_TABLE_EVENT: "events",
+}
+
+
+def _idle(flat: FlatScene) -> Iterator[str]:
+    """What no answer depends on, if there is any; the ledger of the audit does not hold it."""
+    left = []
+    for table, word in _IDLE.items():
+        names = (
+            (flat.bodies if table == layout.PM_TABLE_BODY else flat.names[table])
+            if table in flat.names
+            else ()
+        )
+        needed = engine.needs(flat, table)
+        idle = dict.fromkeys(name for name, is_needed in zip(names, needed, strict=False) if not is_needed)
+        written = [name.removeprefix(f"{word}.") for name in idle if name]
+        if written:
+            left.append(f"{word} {', '.join(written)}")
+    if left:
+        yield f"{'; '.join(left)} (nothing that is asked depends on them; the audit is of the rest)"
 
 
 def _kind(phase: engine.Phase) -> tuple[object, ...]:

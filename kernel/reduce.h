@@ -1,0 +1,14 @@
+/* reduce.h - models without what no answer needs. */
+#ifndef PM_REDUCE_H
+#define PM_REDUCE_H
+
+#include "model.h"
+
+/* As pm_model_create, with only those rows of the tables that needed.h names: the bits of a case are those of the scene
+ * written without the others. */
+int pm_reduce_create(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant,
+                     int64_t nparam, pm_model **model, pm_where *where);
+/* The caller's row of a row of the model. */
+int pm_reduce_original(const pm_model *m, int table, int row);
+
+#endif
