@@ -304,7 +304,7 @@ class _Rewriter:
                 factor = change.sign * change.size(1, 2, -2)
                 row[L.PM_FORCE_PROGRAM_X] = self.program(row[L.PM_FORCE_PROGRAM_X], factor)
             elif kind == L.PM_FORCE_FRICTION:
-                # A size that never turns its sign: a couple and a radius of a bearing, a force and a ratio else.
+                # Never turns its sign: a couple and a radius of a bearing, else a force and a ratio.
                 pin = self.rows[L.PM_TABLE_JOINT][a][L.PM_JOINT_KIND] == L.PM_JOINT_PIN
                 self.scale(row, L.PM_FORCE_VALUE_1, change.size(1, 2 if pin else 1, -2))
                 self.scale(row, L.PM_FORCE_VALUE_2, change.length if pin else 1)
