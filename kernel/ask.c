@@ -156,7 +156,8 @@ typedef struct pm_watch {
 
 static int look(pm_workspace *w, double t, int exact)
 {
-    const int status = exact ? w->route->exact(w, t, &w->probe) : w->route->at(w, t, &w->probe);
+    if (!exact) return pm_route_look(w, t, w->ask->level);
+    const int status = w->route->exact(w, t, &w->probe);
     if (status) return status;
     pm_frame_look(w, w->probe.t, w->probe.q, w->probe.v, w->probe.z, w->state.memory);
     return w->ask->level == PM_LEVEL_DYNAMIC ? pm_saddle_accelerate(w) : PM_OK;

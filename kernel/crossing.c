@@ -37,19 +37,6 @@ double pm_crossing_node(const pm_workspace *w, int node)
                                 : w->step_begin + (w->sampled_end - w->step_begin) * nodes->at[node];
 }
 
-static int look(pm_workspace *w, double x, int level)
-{
-    int status = PM_OK;
-    const pm_state *s = &w->state;
-    if (x != w->step_end) {
-        status = w->route->at(w, x, &w->probe);
-        s = &w->probe;
-    }
-    if (status) return status;
-    pm_frame_look(w, s->t, s->q, s->v, s->z, w->state.memory);
-    return level == PM_LEVEL_DYNAMIC ? pm_saddle_accelerate(w) : PM_OK;
-}
-
 static void sample_functions(pm_workspace *w, double *value)
 {
     pm_event_set *e = w->event;
@@ -74,7 +61,7 @@ int pm_crossing_sample(pm_workspace *w, int with_functions)
     if (functions && e->level > level) level = e->level;
     if (watched && w->ask->level > level) level = w->ask->level;
     for (int k = 0; k < w->route->nodes->n; k++) {
-        const int status = look(w, pm_crossing_node(w, k), level);
+        const int status = pm_route_look(w, pm_crossing_node(w, k), level);
         if (status) return status;
         if (functions) sample_functions(w, e->value + k * e->nfunction);
         if (watched) pm_ask_sample(w, k);
@@ -85,7 +72,7 @@ int pm_crossing_sample(pm_workspace *w, int with_functions)
 static double along(pm_workspace *w, double x, void *context)
 {
     const pm_event_function *f = context;
-    if (look(w, x, f->level)) return NAN;
+    if (pm_route_look(w, x, f->level)) return NAN;
     return pm_event_value(w, f);
 }
 

@@ -183,9 +183,10 @@ static void joint_sum(const pm_measure_args *x, const double *reaction, int by_a
         if (active == PM_NONE) continue;
         const pm_row *row = &x->w->row[active];
         const double size = reaction[by_active ? active : i];
-        out[0] += row->j[0] * size;
-        out[1] += row->j[1] * size;
-        if (row->kind == PM_ROW_ANGLE || row->kind == PM_ROW_TURN) out[2] += row->j[2] * size;
+        pm_line_of_action along; /* the rows need not be evaluated where the frame looks */
+        pm_row_kind(row->kind)->act(x->w, row, &along);
+        for (int k = 0; k < 2; k++) out[k] += size * along.direction[k];
+        out[2] += size * along.couple;
     }
     if (by_active) add_friction(x, out);
     /* `on` another body than the first partner: the opposite */

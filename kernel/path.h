@@ -12,6 +12,8 @@ typedef struct pm_place {
     double *q;               /* [nq] */
     double *tangent;         /* [nq] dq/du */
     double *rate;            /* [nz_controlled] of the running integrals, by u */
+    double *pose;            /* [nbody][5] of the frame */
+    int determined;          /* by the rows: not a place on a bridge */
     double mass;             /* generalised: T = mass (du/dt)^2 / 2 */
     double potential, force; /* V, and the generalised force of all applied forces */
     double kinetic;          /* T, once the work is known */
@@ -71,6 +73,9 @@ typedef struct pm_path {
 int pm_path_place(pm_workspace *w, double u, pm_place *place);
 /* The place at the tree coordinates place->y, told by some rate; PM_SINGULAR where the path has no direction. */
 int pm_path_look(pm_workspace *w, pm_place *place);
+/* path_motion.c: makes the frame, which looks at a place that the rows determine, DYNAMIC.  along[nq]: velocities at any
+ * rate of the driver. */
+int pm_path_accelerate(pm_workspace *w, const double *along);
 /* Chooses the coordinate that moves most as driver, unless the present one still does, and tells the place by it. */
 int pm_path_drive(pm_workspace *w, pm_place *place);
 

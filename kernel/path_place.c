@@ -83,6 +83,7 @@ static void measure_motion(pm_workspace *w, pm_place *place)
     for (int i = 0; i < m->nbody; i++)
         place->mass += w->mass[i] * (t[3 * i] * t[3 * i] + t[3 * i + 1] * t[3 * i + 1]) +
                        pm_body_inertia(w, i) * t[3 * i + 2] * t[3 * i + 2];
+    memcpy(place->pose, w->frame.pose, 5 * (size_t)m->nbody * sizeof *place->pose);
     pm_frame_look_placed(w, place->q, t); /* powers and speeds at a unit rate */
     pm_force_all(w);
     for (int i = 0; i < m->nq; i++) place->force += w->frame.f[i] * t[i];
@@ -151,7 +152,8 @@ int pm_path_place(pm_workspace *w, double u, pm_place *place)
     pm_tree_hold(w, p->driver);
     int status = pm_tree_close(w, place->y, place->q, p->loop);
     if (!status) status = pm_tree_slope(w, p->loop, place->slope);
-    if (status || !is_determined(w))
+    place->determined = !status && (w->tree->nloop == 0 || is_determined(w));
+    if (!place->determined)
         status = place_on_bridge(w, u, place, status);
     else if (w->tree->nloop > 0)
         pm_bridge_determined(p, u, place);
@@ -167,6 +169,7 @@ int pm_path_look(pm_workspace *w, pm_place *place)
     if (w->tree->nloop > 0) pm_tree_loops(w, p->loop);
     direction(w, place->slope);
     if (w->tree->nloop > 0 && rank_falls(w)) return pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
+    place->determined = 1;
     measure_motion(w, place);
     return PM_OK;
 }

@@ -3,6 +3,9 @@
 
 #include <stddef.h>
 
+#include "body.h"
+#include "saddle.h"
+
 static const pm_route_ops *const routes[] = {&pm_route_rk, &pm_route_ida, &pm_route_uniform, &pm_route_path};
 enum { NROUTES = sizeof routes / sizeof *routes };
 
@@ -25,6 +28,20 @@ int pm_route_create(pm_workspace *w)
 void pm_route_free(pm_workspace *w)
 {
     for (int i = 0; i < NROUTES; i++) routes[i]->free(w);
+}
+
+int pm_route_look(pm_workspace *w, double x, int level)
+{
+    const pm_state *s = &w->state;
+    int status = PM_OK;
+    if (w->route->look) return w->route->look(w, x, level);
+    if (x != w->step_end) {
+        status = w->route->at(w, x, &w->probe);
+        s = &w->probe;
+    }
+    if (status) return status;
+    pm_frame_look(w, s->t, s->q, s->v, s->z, w->state.memory);
+    return level == PM_LEVEL_DYNAMIC ? pm_saddle_accelerate(w) : PM_OK;
 }
 
 const pm_route_ops *pm_route_of(int route)

@@ -15,6 +15,7 @@
 #include "case.h"
 #include "contact.h"
 #include "event.h"
+#include "grip.h"
 #include "path.h"
 #include "path_bridge.h"
 #include "path_error.h"
@@ -45,28 +46,33 @@
 #define BALANCED 1e-12 /* of the forces: in equilibrium */
 
 /* ---- memory ---- */
-static double *carve(pm_place *x, double *p, int nq, int nz)
+static size_t doubles_of_place(const pm_model *m)
+{
+    return 4 * (size_t)m->nq + (size_t)m->nz_controlled + 5 * (size_t)m->nbody;
+}
+
+static double *carve(const pm_model *m, pm_place *x, double *p)
 {
     x->y = p;
-    x->slope = x->y + nq;
-    x->q = x->slope + nq;
-    x->tangent = x->q + nq;
-    x->rate = x->tangent + nq;
-    return x->rate + nz;
+    x->slope = x->y + m->nq;
+    x->q = x->slope + m->nq;
+    x->tangent = x->q + m->nq;
+    x->rate = x->tangent + m->nq;
+    x->pose = x->rate + m->nz_controlled;
+    return p + doubles_of_place(m);
 }
 
 static int create(pm_workspace *w)
 {
-    const int nq = w->model->nq, nz = w->model->nz_controlled;
+    const pm_model *m = w->model;
     pm_path *p = w->path = calloc(1, sizeof *p);
     if (!p) return PM_NO_MEMORY;
-    const size_t n = (size_t)nq, places = PM_NODES_MOST + 1;
-    double *block = p->block =
-        calloc(places * (4 * n + (size_t)nz) + n * n + n + 2 * (size_t)nz + (5 + PM_BRIDGE_PLACES) * n + 1,
-               sizeof *block);
+    const size_t n = (size_t)m->nq, nz = (size_t)m->nz_controlled, places = PM_NODES_MOST + 1;
+    double *block = p->block = calloc(
+        places * doubles_of_place(m) + n * n + n + 2 * nz + (5 + PM_BRIDGE_PLACES) * n + 1, sizeof *block);
     if (!block) return PM_NO_MEMORY;
-    for (int k = 0; k < PM_NODES_MOST; k++) block = carve(&p->node[k], block, nq, nz);
-    block = carve(&p->spare, block, nq, nz);
+    for (int k = 0; k < PM_NODES_MOST; k++) block = carve(m, &p->node[k], block);
+    block = carve(m, &p->spare, block);
     p->loop = block;
     p->work = p->loop + n * n;
     p->weight = p->work + nz;
@@ -91,8 +97,8 @@ static void destroy(pm_workspace *w)
 /* ---- a phase ---- */
 static void copy_place(const pm_workspace *w, pm_place *to, const pm_place *from)
 {
-    const size_t nq = (size_t)w->model->nq, nz = (size_t)w->model->nz_controlled;
-    memcpy(to->y, from->y, (4 * nq + nz) * sizeof(double)); /* its arrays lie together */
+    memcpy(to->y, from->y, doubles_of_place(w->model) * sizeof(double)); /* its arrays lie together */
+    to->determined = from->determined;
     to->mass = from->mass;
     to->potential = from->potential;
     to->force = from->force;
@@ -472,18 +478,45 @@ static void state_of(pm_workspace *w, const pm_place *x, double s, double t, pm_
     state->t = t;
 }
 
-static int at(pm_workspace *w, double x, pm_state *state)
+/* The node at x, or p->spare, with the time there. */
+static int place_at(pm_workspace *w, double x, const pm_place **place, double *t)
 {
     pm_path *p = w->path;
-    const double s = x / p->h;
     for (int k = 0; k < PM_NODES_MOST; k++)
         if (x == p->h * pm_nodes_chebyshev.at[k]) {
-            state_of(w, &p->node[k], s, p->time[k], state);
+            *place = &p->node[k];
+            *t = p->time[k];
             return PM_OK;
         }
-    const int status = place_inside(w, s);
-    if (!status) state_of(w, &p->spare, s, time_at(p, s), state);
+    *place = &p->spare;
+    *t = time_at(p, x / p->h);
+    return place_inside(w, x / p->h);
+}
+
+static int at(pm_workspace *w, double x, pm_state *state)
+{
+    const pm_place *place;
+    double t;
+    const int status = place_at(w, x, &place, &t);
+    if (!status) state_of(w, place, x / w->path->h, t, state);
     return status;
+}
+
+/* Poses are known, and at a place that the rows determine nothing is factored to have accelerations and reactions. */
+static int look(pm_workspace *w, double x, int level)
+{
+    const pm_place *place;
+    double t;
+    const int status = place_at(w, x, &place, &t);
+    if (status) return status;
+    state_of(w, place, x / w->path->h, t, &w->probe);
+    memcpy(w->frame.pose, place->pose, 5 * (size_t)w->model->nbody * sizeof *place->pose);
+    pm_frame_look_placed(w, w->probe.q, w->probe.v);
+    w->frame.t = t;
+    w->frame.z = w->probe.z;
+    if (level < PM_LEVEL_DYNAMIC) return PM_OK;
+    return place->determined && !pm_grip_by_load(w) ? pm_path_accelerate(w, place->tangent)
+                                                    : pm_saddle_accelerate(w);
 }
 
 /* The impulse of the outer world is read off the momentum: this route does not know the forces over time. */
@@ -589,6 +622,7 @@ const pm_route_ops pm_route_path = {
     .step = step,
     .at = at,
     .exact = exact,
+    .look = look,
     .accelerate = pm_bridge_accelerate,
     .finds_roots = PM_ROOTS_NONE,
     .in_time = 0,

@@ -54,6 +54,8 @@ void pm_tree_place(const pm_workspace *w, const pm_memory *memory, const double 
 /* All that follows is at the pose where pm_tree_read, pm_tree_place or pm_tree_look has looked last. */
 /* Rates ydot[n] of velocities that meet the solved rows. */
 void pm_tree_read_rates(pm_workspace *w, const double *v, double *ydot);
+/* The same from the poses of the frame, which meet the solved rows; no coordinates are wanted. */
+void pm_tree_marks(const pm_workspace *w);
 /* The frame looks at coordinates y with rates ydot: positions and velocities are in t->q, t->v. */
 void pm_tree_look(pm_workspace *w, double t, const double *y, const double *ydot, const double *z);
 /* Velocities v[nq] from rates ydot[n]. */

@@ -157,6 +157,12 @@ void pm_tree_read(const pm_workspace *w, double *y)
     }
 }
 
+void pm_tree_marks(const pm_workspace *w)
+{
+    for (int i = 0; i < w->model->nbody; i++)
+        if (w->tree->node[i].placement != FREE) look_at_marks(w, &w->tree->node[i]);
+}
+
 void pm_tree_look(pm_workspace *w, double t, const double *y, const double *ydot, const double *z)
 {
     static const double still[3] = {0, 0, 0};

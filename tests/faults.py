@@ -445,6 +445,12 @@ FAULTS = [
         "t[column[i]] = pivot != 0 ? sum / pivot : 0",
     ),
     Fault(
+        "path: accelerations without what the velocities make of them",
+        "path_motion.c",
+        "t[i] * (f[i] - inertia * a[i])",
+        "t[i] * f[i]",
+    ),
+    Fault(
         "path: a missed turning point",
         "route_path.c",
         "if (lowest > 0) continue; const",

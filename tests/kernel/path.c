@@ -1,5 +1,11 @@
 /* The path route: closed forms, agreement with rk and ida, turning points, nudges; energy is exact. */
+#include "path.h"
+
+#include "body.h"
 #include "check.h"
+#include "project.h"
+#include "route.h"
+#include "saddle.h"
 #include "scene.h"
 
 #define G 9.81
@@ -276,6 +282,44 @@ static void routes_agree(void)
             if (check_count > before) fprintf(stderr, "in %s, answer %d\n", samples[i].name, k);
             if (check_count > before) break;
         }
+    }
+}
+
+/* Accelerations and reactions by the one freedom, and by the saddle point; pins around a loop too. */
+static void accelerations(void)
+{
+    for (int i = 0; i < SAMPLES; i++) {
+        scene *s = samples[i].make();
+        pm_workspace *w;
+        *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_PATH;
+        if (!CHECK(scene_begin(s) == PM_OK)) continue;
+        w = s->w;
+        for (int k = 0; k < w->model->nq; k++)
+            w->state.v[k] = w->inverse_mass[k] > 0 ? check_random(-2, 2) : 0;
+        pm_frame_look_state(w, &w->state);
+        pm_saddle_rows(w);
+        EQUAL(pm_project_velocity(w, &w->state), PM_OK);
+        pm_frame_look_state(w, &w->state);
+        if (samples[i].leaves || !CHECK(pm_route_path.applies(w))) {
+            scene_free(s);
+            continue;
+        }
+        pm_frame_look_state(w, &w->state);
+        EQUAL(pm_saddle_accelerate(w), PM_OK);
+        const size_t a_bytes = (size_t)w->model->nq * sizeof(double),
+                     l_bytes = (size_t)w->nactive * sizeof(double);
+        double a[3 * 8], lambda[3 * 8], size = 1;
+        CHECK(a_bytes <= sizeof a && l_bytes <= sizeof lambda);
+        memcpy(a, w->frame.a, a_bytes);
+        memcpy(lambda, w->frame.lambda, l_bytes);
+        for (int k = 0; k < w->nactive; k++) size = fmax(size, fabs(lambda[k]));
+        memset(w->frame.a, 0, a_bytes);
+        pm_frame_look_state(w, &w->state);
+        EQUAL(pm_path_accelerate(w, w->state.v), PM_OK);
+        EQUAL(w->frame.level, PM_LEVEL_DYNAMIC);
+        for (int k = 0; k < w->model->nq; k++) NEAR(w->frame.a[k], a[k], 1e-12 * size / 0.05);
+        for (int k = 0; k < w->nactive; k++) NEAR(w->frame.lambda[k], lambda[k], 1e-12 * size);
+        scene_free(s);
     }
 }
 
@@ -557,6 +601,7 @@ static void unsupported(void)
 
 int main(void)
 {
+    accelerations();
     routes_agree();
     periods();
     barrier();
