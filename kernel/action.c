@@ -18,6 +18,7 @@
 #include "force.h"
 #include "grip.h"
 #include "jump.h"
+#include "nudge.h"
 #include "program.h"
 #include "row.h"
 #include "saddle.h"
@@ -241,13 +242,16 @@ static int add_rows(pm_workspace *w, int first, int last)
 /* ---- in order ---- */
 static int is_impulse(int kind) { return kind == PM_ACTION_IMPULSE || kind == PM_ACTION_ANGULAR; }
 
+/* Each work is fitted by itself, each nudge is one of its own. */
+static int acts_with_others(int kind) { return kind != PM_ACTION_WORK && kind != PM_ACTION_NUDGE; }
+
 /* Where the actions end that go together with the first one. */
 static int end_of_group(const pm_model *m, int first)
 {
     const int32_t *e = PM_ACTION_ROW(m, first);
     const int kind = e[PM_ACTION_KIND];
     int i = first + 1;
-    for (; i < m->rows[PM_TABLE_ACTION] && kind != PM_ACTION_WORK; i++) {
+    for (; i < m->rows[PM_TABLE_ACTION] && acts_with_others(kind); i++) {
         const int32_t *next = PM_ACTION_ROW(m, i);
         const int alike =
             next[PM_ACTION_KIND] == kind || (is_impulse(kind) && is_impulse(next[PM_ACTION_KIND]));
@@ -269,6 +273,7 @@ static int carry_out_group(pm_workspace *w, int first, int last)
     case PM_ACTION_IMPULSE:
     case PM_ACTION_ANGULAR: return strike_together(w, first, last);
     case PM_ACTION_WORK: return do_work(w, first);
+    case PM_ACTION_NUDGE: return pm_nudge_add(w, first);
     case PM_ACTION_KINDS: break;
     }
     return status;

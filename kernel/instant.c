@@ -12,7 +12,7 @@
 #include "jump.h"
 #include "leg.h"
 #include "mode.h"
-#include "plan.h"
+#include "nudge.h"
 #include "route.h"
 #include "saddle.h"
 #include "trace.h"
@@ -129,7 +129,7 @@ int pm_instant_finish(pm_workspace *w, int *ended)
 {
     mark_rest(w);
     const int status = close(w, ended);
-    if (!status && !*ended && at_rest(w, PM_NONE) && !w->model->uses_time && !pm_plan_nudged(w))
+    if (!status && !*ended && at_rest(w, PM_NONE) && !w->model->uses_time && !pm_nudge_waits(w))
         return pm_fail(w, PM_STAYS_AT_REST, PM_NONE, PM_NONE, w->state.t, 0);
     return status;
 }

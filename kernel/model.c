@@ -242,6 +242,11 @@ static int check_action(const pm_model *m, int i, pm_where *where)
         return pm_refer_in_range(m, of, a) ? PM_OK : bad(where, PM_TABLE_ACTION, i, a, m->rows[of]);
     }
     if (of != PM_NONE) return bad(where, PM_TABLE_ACTION, i, of, PM_NONE);
+    if (kind == PM_ACTION_NUDGE) {
+        const int program = e[PM_ACTION_PROGRAM_X];
+        if (a != PM_NONE) return bad(where, PM_TABLE_ACTION, i, a, PM_NONE);
+        return program >= 0 ? PM_OK : bad(where, PM_TABLE_ACTION, i, program, m->rows[PM_TABLE_PROGRAM]);
+    }
     const int at = kind == PM_ACTION_IMPULSE ? PM_TABLE_POINT : PM_TABLE_BODY;
     if (a < 0 || a >= m->rows[at]) return bad(where, PM_TABLE_ACTION, i, a, m->rows[at]);
     const int turns = kind == PM_ACTION_IMPULSE || PM_BODY_ROW(m, a)[PM_BODY_TURNS];

@@ -189,6 +189,7 @@ struct pm_event_set;
 struct pm_ask_set;
 struct pm_find;
 struct pm_error_set;
+struct pm_nudge;
 
 typedef struct pm_workspace {
     const pm_model *model;
@@ -267,6 +268,7 @@ typedef struct pm_workspace {
     struct pm_ask_set *ask;
     struct pm_find *find; /* NULL where nothing is sought */
     struct pm_error_set *error;
+    struct pm_nudge *nudge; /* NULL where the scene has none */
     pm_where where;
     pm_slot *slot_before;         /* [nslot] modes when the instant began */
     unsigned char *slot_released; /* [nslot] let go at this instant: not closed again at it */

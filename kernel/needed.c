@@ -190,7 +190,8 @@ static int add_actions(const pm_model *m, pm_needed *x)
         const int32_t *e = PM_ACTION_ROW(m, i);
         const int kind = e[PM_ACTION_KIND], a = e[PM_ACTION_A];
         const int body = body_of(m, kind == PM_ACTION_IMPULSE ? PM_TABLE_POINT : PM_TABLE_BODY, a);
-        if (kind <= PM_ACTION_REMOVE ? x->row[e[PM_ACTION_TABLE]][a] : is_needed_body(x, body))
+        const int needed = kind <= PM_ACTION_REMOVE ? x->row[e[PM_ACTION_TABLE]][a] : is_needed_body(x, body);
+        if (kind == PM_ACTION_NUDGE || needed) /* where a nudge leads nowhere the run says so */
             more |= mark(x, PM_TABLE_ACTION, i);
     }
     return more;

@@ -6,6 +6,7 @@
 #include <stdio.h>
 
 #include "ask.h"
+#include "nudge.h"
 #include "program.h"
 #include "route.h"
 
@@ -16,8 +17,7 @@ typedef struct pm_rule {
 
 enum { NUDGED = 0, FIRST = 1 }; /* the rules from FIRST on are tried in turn */
 static const pm_rule rules[] = {
-    {&pm_route_path,
-     "it leaves an unstable rest on the side that start.nudge states: by energy along the path"},
+    {&pm_route_path, "it leaves an unstable rest on the side that a nudge states: by energy along the path"},
     {&pm_route_uniform, "no force changes and no row turns: constant accelerations, polynomials of the time"},
     {&pm_route_path,
      "one degree of freedom, and work that depends on position only: work and energy along the path"},
@@ -47,7 +47,7 @@ static int forced(pm_workspace *w, int wanted)
 int pm_plan_phase(pm_workspace *w)
 {
     const int wanted = PM_SETTING(w->model, PM_SETTING_ROUTE);
-    if (pm_plan_nudged(w) && pm_route_path.applies(w)) return take(w, &pm_route_path, NUDGED);
+    if (pm_nudge_waits(w) && pm_route_path.applies(w)) return take(w, &pm_route_path, NUDGED);
     if (wanted != PM_ROUTE_AUTO) return forced(w, wanted);
     for (int i = FIRST; i < NRULES; i++)
         if (!rules[i].route->applies || rules[i].route->applies(w)) return take(w, rules[i].route, i);
@@ -104,17 +104,4 @@ void pm_plan_no_phase(pm_workspace *w)
     const int route = w->count[PM_COUNT_JUMPS] > 0 ? PM_ROUTE_JUMP : PM_ROUTE_STATE;
     w->count[PM_COUNT_ROUTE] = route;
     w->count[PM_COUNT_ROUTES] = (int64_t)1 << route;
-}
-
-int pm_plan_nudged(const pm_workspace *w)
-{
-    return PM_SETTING(w->model, PM_SETTING_NUDGE) >= 0 && w->count[PM_COUNT_PHASES] == 0;
-}
-
-double pm_plan_nudge(pm_workspace *w, const double *tangent)
-{
-    const int program = PM_SETTING(w->model, PM_SETTING_NUDGE);
-    for (int i = 0; i < w->model->nq; i++) w->frame.velocity[i] = tangent[i];
-    const double side = pm_program_run(w->model, program, w->param, w->value, w);
-    return side > 0 ? 1 : side < 0 ? -1 : 0;
 }

@@ -12,9 +12,4 @@ int pm_plan_kinematic(const pm_workspace *w);
 /* The run has ended before any phase: its route is `state`, or `jump` if there were blows. */
 void pm_plan_no_phase(pm_workspace *w);
 
-/* The scene states on which side it leaves an unstable rest, and it is at its start. */
-int pm_plan_nudged(const pm_workspace *w);
-/* The sign of the motion along `tangent` that the nudge asks for; 0: it does not tell. */
-double pm_plan_nudge(pm_workspace *w, const double *tangent);
-
 #endif

@@ -61,7 +61,11 @@ enum pm_status {
     PM_NO_IMPULSE =
         -20, /* no impulse does that work: where = action; detail = work, the least that is possible */
     PM_BLOW_TURNS =
-        -21 /* a slip turns in a blow of several contacts: where = contact; detail = m/s after it */
+        -21, /* a slip turns in a blow of several contacts: where = contact; detail = m/s after it */
+    PM_NUDGE_UNSTEADY =
+        -22, /* where it acts there is neither rest nor a steady motion: where = action, or setting */
+    PM_NUDGE_STABLE =
+        -23 /* nothing that it could begin grows: where likewise; detail = rate of what grows otherwise, 1/s */
 };
 
 /* ---- tables ---------------------------------------------------------------------------------------
@@ -408,13 +412,15 @@ enum pm_action_kind {
     PM_ACTION_ANGULAR = 3, /* on body a: program_x */
     PM_ACTION_WORK =
         4, /* the angular impulse on body a that does the work program_x and keeps the sense of rotation */
-    PM_ACTION_KINDS = 5
+    PM_ACTION_NUDGE =
+        5, /* an unstable rest or steady motion is left to the side where program_x becomes > 0 */
+    PM_ACTION_KINDS = 6
 };
 enum pm_action_column {
     PM_ACTION_KIND = 0,
-    PM_ACTION_EVENT = 1, /* or PM_NONE */
-    PM_ACTION_TABLE = 2, /* PM_TABLE_JOINT, PM_TABLE_CONTACT or PM_TABLE_FORCE; PM_NONE for impulses */
-    PM_ACTION_A = 3,
+    PM_ACTION_EVENT = 1,     /* or PM_NONE */
+    PM_ACTION_TABLE = 2,     /* PM_TABLE_JOINT, PM_TABLE_CONTACT or PM_TABLE_FORCE; PM_NONE for all others */
+    PM_ACTION_A = 3,         /* PM_NONE for a nudge */
     PM_ACTION_PROGRAM_X = 4, /* or PM_NONE; reads no forces and no accelerations */
     PM_ACTION_PROGRAM_Y = 5,
     PM_ACTION_COLUMNS = 6
@@ -480,7 +486,7 @@ enum pm_setting_column {
     PM_SETTING_ROUTE = 5,    /* enum pm_route */
     PM_SETTING_MAX_EVENTS = 6,
     PM_SETTING_MAX_STEPS = 7,
-    PM_SETTING_NUDGE = 8, /* program or PM_NONE: an unstable rest is left to the side where it becomes > 0 */
+    PM_SETTING_NUDGE = 8,         /* program or PM_NONE: of a nudge at the start */
     PM_SETTING_ESTIMATE = 9,      /* 1: errors and margins are estimated, by further passes of the case */
     PM_SETTING_SIMULTANEOUS = 10, /* enum pm_simultaneous */
     PM_SETTING_COLUMNS = 11

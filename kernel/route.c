@@ -5,6 +5,7 @@
 
 #include "body.h"
 #include "saddle.h"
+#include "nudge.h"
 
 static const pm_route_ops *const routes[] = {&pm_route_rk, &pm_route_ida, &pm_route_uniform, &pm_route_path};
 enum { NROUTES = sizeof routes / sizeof *routes };
@@ -14,7 +15,7 @@ static int needed(const pm_model *m, int route)
 {
     const int wanted = PM_SETTING(m, PM_SETTING_ROUTE);
     if (wanted == PM_ROUTE_AUTO) return route != PM_ROUTE_IDA;
-    return route == wanted || (route == PM_ROUTE_PATH && PM_SETTING(m, PM_SETTING_NUDGE) >= 0);
+    return route == wanted || (route == PM_ROUTE_PATH && pm_nudge_any(m));
 }
 
 int pm_route_create(pm_workspace *w)

@@ -16,10 +16,10 @@
 #include "contact.h"
 #include "event.h"
 #include "grip.h"
+#include "nudge.h"
 #include "path.h"
 #include "path_bridge.h"
 #include "path_error.h"
-#include "plan.h"
 #include "root.h"
 #include "route.h"
 #include "row.h"
@@ -147,7 +147,7 @@ static int leave_rest(pm_workspace *w, const pm_place *x)
     pm_path *p = w->path;
     const double size = force_size(w, x);
     p->balanced = !(fabs(x->force) > BALANCED * size);
-    p->sense = !p->balanced ? (x->force > 0 ? 1 : -1) : pm_plan_nudged(w) ? pm_plan_nudge(w, x->tangent) : 0;
+    p->sense = !p->balanced ? (x->force > 0 ? 1 : -1) : pm_nudge_waits(w) ? pm_nudge_side(w, x->tangent) : 0;
     return p->sense != 0;
 }
 

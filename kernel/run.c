@@ -15,6 +15,7 @@
 #include "grip.h"
 #include "instant.h"
 #include "leg.h"
+#include "nudge.h"
 #include "phases.h"
 #include "plan.h"
 #include "route.h"
@@ -37,6 +38,7 @@ static int begin_case(pm_workspace *w, const double *param, pm_start_report *rep
     pm_grip_release(w);
     pm_error_begin(w);
     pm_trigger_reset(w);
+    pm_nudge_begin(w);
     memset(w->joint_impulse, 0, (size_t)w->model->njoint_row * sizeof(double));
     memset(w->slot_impulse, 0, 2 * (size_t)w->model->nslot * sizeof(double));
     int status = pm_case_begin(w, param);
@@ -99,6 +101,7 @@ int pm_run_start(pm_workspace *w, const double *param, pm_start_report *report)
 static int phase(pm_workspace *w, int *ended)
 {
     int passed = 0, status = pm_error_disturb(w);
+    if (!status) status = pm_nudge_leave(w);
     if (!status) status = pm_plan_phase(w);
     pm_frame_look_state(w, &w->state);
     if (!status && w->route == &pm_route_path)
@@ -114,6 +117,7 @@ static int phase(pm_workspace *w, int *ended)
     w->lap = 0;
     if ((status = w->route->begin(w))) return status;
     w->count[PM_COUNT_PHASES]++;
+    pm_nudge_end(w);
     if ((status = pm_phases_add(w))) return status;
     if ((status = pm_event_advance(w, ended)) || !*ended) return status;
     pm_frame_look_state(

@@ -8,6 +8,7 @@
 #include "find.h"
 #include "leg.h"
 #include "model.h"
+#include "nudge.h"
 #include "order.h"
 #include "route.h"
 #include "tree.h"
@@ -127,6 +128,7 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
     if (!status) status = pm_leg_create(w);
     if (!status) status = pm_route_create(w);
     if (!status) status = pm_find_create(w);
+    if (!status) status = pm_nudge_create(w);
     if (status) {
         pm_workspace_free(w);
         return status;
@@ -139,6 +141,7 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
 void pm_workspace_free(pm_workspace *w)
 {
     if (!w) return;
+    pm_nudge_free(w);
     pm_find_free(w);
     pm_route_free(w);
     pm_error_free(w);

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import pytest
 
@@ -185,3 +186,74 @@ couple = "axle.couple"
     values = {key: answer.value for key, answer in scene.run().asks.items()}
     assert values["omega"] == pytest.approx(2.5, rel=1e-5 if route == "ida" else 1e-9)
     assert values["couple"] == 0
+
+
+# ---- nudges ---------------------------------------------------------------------------------------------
+
+TUBE = Path(__file__).parent.parent / "studies" / "chapter17" / "17-082.toml"
+
+
+@pytest.mark.parametrize("route", ["auto", "rk", "ida"])
+@pytest.mark.parametrize(
+    ("half_length", "ball", "tube", "omega"),
+    [(1.5, 0.8, 4.0, 8.0), (1.0, 3.0, 2.0, -2.5), (2.5, 0.01, 5.0, 30.0)],
+)
+def test_balls_leave_a_tube_with_its_angular_momentum(
+    route: str, half_length: float, ball: float, tube: float, omega: float
+) -> None:
+    """No couple acts about the axis: each ball takes m r^2/(I + m r^2) of what there is (ft, lb, rad/s)."""
+    scene = planemotion.Scene.load(TUBE).with_values({"solve.route": route})
+    result = scene.run(
+        half_length=f"{half_length} ft",
+        W_ball=f"{ball} lb",
+        W_tube=f"{tube} lb",
+        omega_initial=f"{omega} rad/s",
+    )
+    left = 1 / (1 + 3 * ball / tube)
+    close = 1e-7 if route == "ida" else 1e-9
+    assert result.status == "ok", result.error
+    assert result.a_omega == pytest.approx(omega * left, rel=close)
+    assert result.b_omega == pytest.approx(omega * left**2, rel=close)
+
+
+def nudged(side: str, do: str = "") -> str:
+    start = f'nudge = "{side}"' if not do else ""
+    return f"""
+until = "rod.y < 0"
+[bodies]
+rod = {{ rod = ["A", "B"], length = "1 m", mass = "2 kg", at = {{ A = [0, 0] }}, angle = "90 deg" }}
+block = {{ mass = "1 kg", at = ["2 m", 0] }}
+[joints]
+A = {{ pin = ["rod.A", "ground"] }}
+guide = {{ slider = ["block", "ground.guide"] }}
+[ground]
+lines = {{ guide = {{ through = [0, 0] }} }}
+[start]
+{start}
+[events]
+go = {{ when = "start", do = [{do}] }}
+[ask]
+omega = "rod.omega"
+"""
+
+
+def test_nudges_are_told_where_they_lead_nowhere() -> None:
+    assert run(nudged("rod.omega < 0"))["omega"] == pytest.approx(-math.sqrt(3 * G), rel=1e-9)
+    assert run(nudged("", '{ nudge = "rod.omega > 0" }'))["omega"] == pytest.approx(
+        math.sqrt(3 * G), rel=1e-9
+    )
+    told = fault(nudged("block.velocity.x < 0"))
+    assert "start.nudge: nothing that it could begin grows: " in told
+    told = fault(nudged("", '{ nudge = "block.velocity.x < 0" }'))
+    assert "events.go.do[0].nudge: nothing that it could begin grows: " in told
+    told = fault(nudged("", '{ nudge = "rod.omega < 0" }, { nudge = "rod.omega > 0" }'))
+    assert "events.go.do[1].nudge: another nudge acts at the same instant" in told
+    told = fault(nudged("rod.omega < 0").replace('"90 deg"', '"95 deg"', 1))
+    assert "start.nudge: it acts where there is neither rest nor a steady motion" in told
+
+
+def test_the_time_that_a_nudge_takes_is_not_known() -> None:
+    text = nudged("rod.omega < 0") + 'start_of_fall = "t"'
+    answer = planemotion.load_text(text).run().asks["start_of_fall"]
+    assert answer.error is not None
+    assert answer.error > 0.01

@@ -220,8 +220,12 @@ FAULTS = [
     ('start.nudge = "AB.angle > 0"', "only a velocity can have a side"),
     ('start.nudge = "AB.B.speed > 0"', "only a velocity can have a side"),
     (
-        'start = { nudge = "AB.omega > 0", P.velocity.x = "1 m/s" }',
-        "there is a start velocity; a nudge is only for a scene at rest",
+        'events.e = { when = "start", do = [{ nudge = "AB.angle > 0" }] }',
+        'events.e.do[0].nudge = "AB.angle > 0": only a velocity can have a side',
+    ),
+    (
+        'events.e = { when = "start", do = [{ nudge = "AB.omega > 0", value = 3 }] }',
+        "events.e.do[0].value: unknown key; an action nudge has nudge, active",
     ),
     (
         'parameters.t = "2 s"\nuntil = "t = 2 s"',
@@ -470,10 +474,10 @@ FAULTS = [
         'events.e.do[0].remove = "A": "A" is not active in this run',
     ),
     ('events.e = { when = "start", do = "AB" }', 'events.e.do = "AB": a list of actions is wanted'),
-    (doing('push = "AB"'), "events.e.do[0]: one of add, remove, impulse is wanted"),
+    (doing('push = "AB"'), "events.e.do[0]: one of add, remove, impulse, nudge is wanted"),
     (
         doing('add = "A", remove = "A"'),
-        "events.e.do[0]: one of add, remove, impulse is wanted, not add and remove",
+        "events.e.do[0]: one of add, remove, impulse, nudge is wanted, not add and remove",
     ),
     (
         doing('add = "A", value = 1'),

@@ -1,7 +1,8 @@
 """Actions: what an event does when it fires, to rows of the kernel's action table.
 
 `{ add = element }` and `{ remove = element }` name joints, couplings, contacts and forces; an impulse is a
-vector at a point, a number on a body, or the work that a couple does on it at once.
+vector at a point, a number on a body, or the work that a couple does on it at once; `{ nudge = side }` says
+how an unstable rest or steady motion is left from here on.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from .drawing import GROUND
 from .errors import SceneError
 from .measures import Measures
 from .node import Name, Node
+from .nudges import add_nudge
 from .partners import partner
 from .scene import Action, Value, Vector
 from .substitute import substitute
@@ -59,6 +61,8 @@ class Actions:
                 self._rows(layout.PM_ACTION_ADD, event, action.add, f"{where}.add")
             elif action.remove is not None:
                 self._rows(layout.PM_ACTION_REMOVE, event, action.remove, f"{where}.remove")
+            elif action.nudge is not None:
+                self._nudge(event, action.nudge, f"{where}.nudge")
             else:
                 self._impulse(event, action, where)
 
@@ -87,6 +91,10 @@ class Actions:
             raise SceneError(f'"{name}" is not active in this run', path=where, value=name)
         known = (*scope.joints, *scope.couplings, *scope.contacts, *scope.forces)
         raise SceneError(words.unknown(name, known, "element"), path=where, value=name)
+
+    def _nudge(self, event: int, side: str, where: str) -> None:
+        program = add_nudge(side, self.measures, self.tables, where)
+        self._row(where, layout.PM_ACTION_NUDGE, event, layout.PM_NONE, layout.PM_NONE, program)
 
     # ---- impulses ----
 

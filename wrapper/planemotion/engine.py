@@ -310,6 +310,8 @@ def _place_name(flat: FlatScene, where: Ints) -> str:
     """The key path of the row at fault."""
     table, row = int(where[layout.PM_WHERE_TABLE]), int(where[layout.PM_WHERE_ROW])
     names = flat.names.get(table, ())
+    if table == layout.PM_TABLE_SETTING and row == layout.PM_SETTING_NUDGE:
+        return "start.nudge"
     if 0 <= row < len(names):
         member = int(where[layout.PM_WHERE_MEMBER])
         if table == layout.PM_TABLE_SPIN:
@@ -400,6 +402,8 @@ _DESCRIPTIONS: dict[int, Any] = {
     layout.PM_UNSUPPORTED: lambda place, found, bound: (
         f"{place}: a blow loads this joint: not built yet for friction that goes with the load"
         if place.endswith(".friction")
+        else f"{place}: another nudge acts at the same instant; one at a time"
+        if place.endswith(".nudge")
         else ""
     ),
     layout.PM_SOLVER: lambda place, found, bound: (
@@ -424,6 +428,15 @@ _DESCRIPTIONS: dict[int, Any] = {
     ),
     layout.PM_PENETRATION: lambda place, found, bound: (
         f"{place}: the two overlap by {abs(found):.4g} m{_here(place)}; move one of them"
+    ),
+    layout.PM_NUDGE_UNSTEADY: lambda place, found, bound: (
+        f"{place}: it acts where there is neither rest nor a steady motion that could be left to either "
+        "side: the motion goes another way by itself; leave out the nudge, or put it at another instant"
+    ),
+    layout.PM_NUDGE_STABLE: lambda place, found, bound: (
+        f"{place}: nothing that it could begin grows: "
+        + ("what grows there does not move what it names" if found > 0 else "the rest or motion is stable")
+        + "; name a velocity that changes as it is left"
     ),
     layout.PM_NO_IMPULSE: lambda place, found, bound: (
         f"{place}: no impulse on this body does the work {found:.6g} J and keeps the sense in which it turns"

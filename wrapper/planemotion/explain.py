@@ -113,8 +113,12 @@ def _event(name: str, event: Event) -> tuple[str, ...]:
 
 
 def _action(action: Action) -> str:
-    if action.impulse is None:
-        text = f"add {action.add}" if action.add is not None else f"remove {action.remove}"
+    if action.add is not None:
+        text = f"add {action.add}"
+    elif action.remove is not None:
+        text = f"remove {action.remove}"
+    elif action.nudge is not None:
+        text = f"nudge {action.nudge}"
     elif action.work is not None:
         text = f"work {action.work} on {action.impulse}"
     else:

@@ -30,6 +30,7 @@ from .joints import JointInfo, Joints
 from .measure_rows import Scope
 from .measures import Measures
 from .node import ZERO, Name, negative
+from .nudges import add_nudge
 from .parameters import Parameters, Reader, is_zero, override
 from .scene import Action, Body, Contact, Coupling, Force, Joint, SceneData, Value
 from .spin import Spins
@@ -127,9 +128,10 @@ class _Flattener:
         data, tables = self.data, self.tables
         self._check_masses()
         Spins(self.drawing, self.reader, tables).add(data)
-        starts = Starts(self.drawing, self.reader, self.measures, tables)
-        starts.add(data.start, self._fastened())
-        nudge = starts.nudge(data.nudge)
+        Starts(self.drawing, self.reader, self.measures, tables).add(data.start, self._fastened())
+        nudge = layout.PM_NONE
+        if data.nudge is not None:
+            nudge = add_nudge(data.nudge, self.measures, tables, "start.nudge")
         instants = Instants(self.scope.events, self.measures, tables)
         instants.add_events(data.events)
         actions = Actions(self.measures, tables)

@@ -260,11 +260,12 @@ class At(Table):
 
 
 class Action(Table):
-    """What an event does: one of add, remove and impulse."""
+    """What an event does: one of add, remove, impulse and nudge."""
 
     add: Text | None = None
     remove: Text | None = None
     impulse: Text | None = None
+    nudge: Text | None = None
     value: Annotated[Value | Vector, BeforeValidator(read_value_or_vector)] | None = None
     work: Number | None = None
     active: Number = True

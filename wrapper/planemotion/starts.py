@@ -13,10 +13,9 @@ from . import _layout as layout
 from .address import Address, parse_address
 from .drawing import Drawing, PointRef
 from .errors import SceneError
-from .expression import parse
 from .measure_rows import Reading
 from .measures import Measures
-from .node import Binary, Node, Number, negative
+from .node import Node
 from .parameters import Reader, is_guess
 from .scene import Value, Vector
 from .spin import START_OMEGA
@@ -53,32 +52,6 @@ class Starts:
             except SceneError as error:
                 shown = None if isinstance(value, Vector) else value
                 raise error.at(path=f"start.{address}", value=shown) from None
-
-    def nudge(self, text: str | None) -> int:
-        """The program that becomes > 0 on the side to which an unstable rest is left; PM_NONE without one."""
-        if text is None:
-            return layout.PM_NONE
-        try:
-            return self._nudge(text)
-        except SceneError as error:
-            raise error.at(path="start.nudge", value=text) from None
-
-    def _nudge(self, text: str) -> int:
-        node = parse(text)
-        if not isinstance(node, Binary) or node.operator not in ("<", ">") or not _is_nothing(node.right):
-            raise SceneError('a side is wanted: a velocity < 0 or > 0, such as "AB.omega < 0"')
-        left = self.measures.lower(node.left, "start.nudge").node
-        index = self.tables.measure_index(left)
-        row = None if index is None else self.tables.rows[layout.PM_TABLE_MEASURE][index]
-        level = None if row is None else _LEVELS.get(row[layout.PM_MEASURE_KIND])
-        is_velocity = level == layout.PM_START_VELOCITY
-        if row is None or not is_velocity or row[layout.PM_MEASURE_PART] not in _LINEAR_PARTS:
-            raise SceneError("only a velocity can have a side: omega of a body, velocity.x or .y of a point")
-        for start in self.tables.rows[layout.PM_TABLE_START]:
-            is_velocity = start[layout.PM_START_LEVEL] == layout.PM_START_VELOCITY
-            if is_velocity and self.tables.default_value(start[layout.PM_START_VALUE]) != 0:
-                raise SceneError("there is a start velocity; a nudge is only for a scene at rest")
-        return self.tables.program(left if node.operator == ">" else negative(left), "start.nudge")
 
     def _add_pose(self, name: str) -> None:
         pose = self.drawing.pose(name)
@@ -144,10 +117,6 @@ class Starts:
             reason = "it cannot be given at the start; angle, omega, x, y and along of points can"
             raise SceneError(reason)
         self._start(level, measure, value, path)
-
-
-def _is_nothing(node: Node) -> bool:
-    return isinstance(node, Number) and node.value_si == 0
 
 
 _GUESSED = "not built yet: guesses among the start values; a guess is written at the body, as at or angle"

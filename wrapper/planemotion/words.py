@@ -71,7 +71,7 @@ SINGULAR = {"joints": "joint", "couplings": "coupling", "contacts": "contact", "
 
 EVENT_KEYS = ("when", "do", "nth")
 # Actions of an event: kind -> options; `active` goes with every kind.
-ACTIONS: dict[str, tuple[str, ...]] = {"add": (), "remove": (), "impulse": ("value", "work")}
+ACTIONS: dict[str, tuple[str, ...]] = {"add": (), "remove": (), "impulse": ("value", "work"), "nudge": ()}
 ASK_KEYS = ("of", "max", "min", "at", "unit", "run")
 AT_KEYS = ("max", "min", "each", "values")
 FIND_KEYS = ("vary", "where", "greatest", "least", "samples")
