@@ -330,7 +330,7 @@ class _Rewriter:
                 self.scale(row, column, change.size(1, 2, 0))
 
     def actions(self) -> None:
-        """What is added and removed has its own rows; impulses are vectors of the scene, work is a number."""
+        """Elements have their own rows, a nudge has a sign; impulses are vectors of the scene, work is a number."""
         change = self.change
         factors = {
             L.PM_ACTION_ANGULAR: change.sign * change.size(1, 2, -1),
@@ -343,7 +343,7 @@ class _Rewriter:
                 self.program_vector(row, x, y, change.size(1, 1, -1), L.PM_GROUND)
             elif kind in factors:
                 row[x] = self.program(row[x], factors[kind])
-            elif kind not in (L.PM_ACTION_ADD, L.PM_ACTION_REMOVE):
+            elif kind not in (L.PM_ACTION_ADD, L.PM_ACTION_REMOVE, L.PM_ACTION_NUDGE):
                 raise NoRule(f"action kind {kind}")
 
     # ---- measures: the same quantity of the new motion, and how the old one is read off it ----
