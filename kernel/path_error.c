@@ -37,6 +37,7 @@ void pm_path_error_begin(pm_workspace *w, double kinetic)
 static void step_of_clock(const pm_workspace *w, pm_path *p)
 {
     double least = INFINITY, greatest = 0;
+    if (p->balanced && w->model->reads_time) p->clock_error = INFINITY; /* it takes for ever to leave */
     if (p->clock == PM_CLOCK_NONE) return;
     for (int k = 0; k < PM_NODES_MOST; k++) {
         least = fmin(least, p->node[k].kinetic);
