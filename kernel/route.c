@@ -4,8 +4,8 @@
 #include <stddef.h>
 
 #include "body.h"
-#include "saddle.h"
 #include "nudge.h"
+#include "saddle.h"
 
 static const pm_route_ops *const routes[] = {&pm_route_rk, &pm_route_ida, &pm_route_uniform, &pm_route_path};
 enum { NROUTES = sizeof routes / sizeof *routes };

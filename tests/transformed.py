@@ -330,7 +330,7 @@ class _Rewriter:
                 self.scale(row, column, change.size(1, 2, 0))
 
     def actions(self) -> None:
-        """Elements have their own rows, a nudge has a sign; impulses are vectors of the scene, work a number."""
+        """Elements have their own rows, a nudge has a sign; impulses are vectors, work a number."""
         change = self.change
         factors = {
             L.PM_ACTION_ANGULAR: change.sign * change.size(1, 2, -1),
