@@ -119,17 +119,60 @@ void pm_lu_solve(int n, const double *a, const int *pivot, double *x)
     }
 }
 
-void pm_lu_solve_transposed(int n, const double *a, const int *pivot, double *x)
+int pm_band_factor(int n, const int *bottom, const int *right, double *a, int *pivot)
 {
-    for (int i = 0; i < n; i++) {
-        for (int k = 0; k < i; k++) x[i] -= a[k * n + i] * x[k];
+    for (int j = 0; j < n; j++) {
+        const int end = bottom[j], last = right[j];
+        double *top = a + j * n;
+        int best = j;
+        for (int i = j + 1; i <= end; i++)
+            if (fabs(a[i * n + j]) > fabs(a[best * n + j])) best = i;
+        pivot[j] = best;
+        if (!(fabs(a[best * n + j]) > 0)) return j + 1;
+        for (int k = j; k <= last && best != j; k++) {
+            const double swap = top[k];
+            top[k] = a[best * n + k];
+            a[best * n + k] = swap;
+        }
+        const double inverse = 1 / top[j];
+        for (int i = j + 1; i <= end; i++) {
+            double *row = a + i * n;
+            const double factor = row[j] *= inverse;
+            if (factor == 0) continue;
+            for (int k = j + 1; k <= last; k++) row[k] -= factor * top[k];
+        }
+    }
+    return 0;
+}
+
+static void exchange(double *x, int i, int k)
+{
+    const double swap = x[k];
+    x[k] = x[i];
+    x[i] = swap;
+}
+
+void pm_band_solve(int n, const int *bottom, const int *right, const double *a, const int *pivot, double *x)
+{
+    for (int j = 0; j < n; j++) {
+        exchange(x, j, pivot[j]);
+        for (int i = j + 1; i <= bottom[j]; i++) x[i] -= a[i * n + j] * x[j];
+    }
+    for (int i = n - 1; i >= 0; i--) {
+        for (int k = i + 1; k <= right[i]; k++) x[i] -= a[i * n + k] * x[k];
         x[i] /= a[i * n + i];
     }
-    for (int i = n - 1; i >= 0; i--)
-        for (int k = i + 1; k < n; k++) x[i] -= a[k * n + i] * x[k];
-    for (int i = n - 1; i >= 0; i--) {
-        const double swap = x[pivot[i]];
-        x[pivot[i]] = x[i];
-        x[i] = swap;
+}
+
+void pm_band_solve_transposed(int n, const int *bottom, const int *right, const double *a, const int *pivot,
+                              double *x)
+{
+    for (int i = 0; i < n; i++) {
+        x[i] /= a[i * n + i];
+        for (int k = i + 1; k <= right[i]; k++) x[k] -= a[i * n + k] * x[i];
+    }
+    for (int j = n - 1; j >= 0; j--) {
+        for (int i = j + 1; i <= bottom[j]; i++) x[j] -= a[i * n + j] * x[i];
+        exchange(x, j, pivot[j]);
     }
 }

@@ -8,32 +8,27 @@
 
 #define SMALL 10 /* bodies; below it the order of the file is as good, and what depends on it stays */
 
-/* The greatest number of a joint's bodies; PM_GROUND if all are the ground. */
-static int last_place(const pm_workspace *w, int joint)
+/* The two bodies that a joint fastens; PM_GROUND for the ground. */
+static void find_bodies(const pm_workspace *w, int joint, int body[2])
 {
     pm_row row[PM_JOINT_ROWS];
+    body[0] = body[1] = PM_GROUND;
+    if (pm_row_of_joint(w, joint, row) == 0) return;
+    for (int p = 0; p < 2; p++)
+        if (row[0].body[p] != w->model->nbody) body[p] = row[0].body[p];
+}
+
+/* The greatest number of a joint's bodies; PM_GROUND if all are the ground. */
+static int last_place(const pm_workspace *w, const int body[2])
+{
     int last = PM_GROUND;
-    const int n = pm_row_of_joint(w, joint, row);
-    for (int k = 0; k < n; k++)
-        for (int p = 0; p < 2; p++)
-            if (row[k].body[p] != w->model->nbody && w->body_place[row[k].body[p]] > last)
-                last = w->body_place[row[k].body[p]];
+    for (int p = 0; p < 2; p++)
+        if (body[p] != PM_GROUND && w->body_place[body[p]] > last) last = w->body_place[body[p]];
     return last;
 }
 
-/* The body that a joint fastens to this one, or the body itself. */
-static int partner(const pm_workspace *w, int joint, int body)
-{
-    pm_row row[PM_JOINT_ROWS];
-    const int n = pm_row_of_joint(w, joint, row);
-    for (int k = 0; k < n; k++)
-        for (int p = 0; p < 2; p++)
-            if (row[k].body[p] == body && row[k].body[1 - p] != w->model->nbody) return row[k].body[1 - p];
-    return body;
-}
-
 /* Numbers the bodies from `first` on, and from the next that is left wherever the scene falls apart; the last one. */
-static int number_bodies(pm_workspace *w, int first)
+static int number_bodies(pm_workspace *w, const int *bodies, int first)
 {
     const int nbody = w->model->nbody, njoint = w->model->rows[PM_TABLE_JOINT];
     int *place = w->body_place, *queue = w->first_row, n = 0;
@@ -45,8 +40,10 @@ static int number_bodies(pm_workspace *w, int first)
             queue[n++] = start;
         }
         for (int i = 0; i < njoint; i++) {
-            const int other = partner(w, i, queue[next]);
-            if (place[other] != PM_NONE) continue;
+            const int *body = bodies + 2 * i;
+            if (body[0] != queue[next] && body[1] != queue[next]) continue;
+            const int other = body[body[0] == queue[next] ? 1 : 0];
+            if (other == PM_GROUND || place[other] != PM_NONE) continue;
             place[other] = n;
             queue[n++] = other;
         }
@@ -59,8 +56,10 @@ void pm_order_find(pm_workspace *w)
     const int nbody = w->model->nbody, njoint = w->model->rows[PM_TABLE_JOINT];
     for (int i = 0; i < njoint; i++) w->joint_order[i] = i;
     if (nbody <= SMALL) return;
-    number_bodies(w, number_bodies(w, 0)); /* the last of all hangs at an end */
+    int *bodies = (int *)(void *)w->scratch; /* [njoint][2] */
+    for (int i = 0; i < njoint; i++) find_bodies(w, i, bodies + 2 * i);
+    number_bodies(w, bodies, number_bodies(w, bodies, 0)); /* the last of all hangs at an end */
     for (int place = PM_GROUND, n = 0; place < nbody; place++)
         for (int i = 0; i < njoint; i++)
-            if (last_place(w, i) == place) w->joint_order[n++] = i;
+            if (last_place(w, bodies + 2 * i) == place) w->joint_order[n++] = i;
 }

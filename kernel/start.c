@@ -5,7 +5,11 @@
  * contacts that rest (rough ones hold their tangents too), then what is written, are taken one after the other into an
  * orthonormal basis: a row that depends on the others must agree with them (else a conflict that names it); directions
  * that stay open are an error for fastened bodies, unless nothing is written of any that are fastened to each other
- * (those rest), and zero for a body on its own. */
+ * (those rest), and zero for a body on its own.
+ *
+ * A basis of n rows costs n^3.  Many rows G of joints that clearly do not depend on each other are solved as one block
+ * instead, with S = G M^-1 G^T (saddle.h): x = M^-1 G^T S^-1 r, and of each further row d the part across them counts,
+ * d - G^T S^-1 G M^-1 d. */
 #include "start.h"
 
 #include <math.h>
@@ -26,7 +30,10 @@
 #define LONGEST 0.3    /* step of the assembly, in sizes of the scene */
 #define AGREES 1e-9    /* relative disagreement of start velocities that is rounding */
 #define OPEN_PART 1e-6 /* of a unit velocity of a body left open */
-#define MESHES 1e-3    /* of their distance: gears that are open by less mesh, drawn by rounded numbers */
+#define MANY 24 /* rows of joints: fewer are as quick in the basis, and dependent ones are told sharply */
+#define CLEARLY 1e-3 /* independent part of every row of a block */
+#define PASSES 2     /* with the factors: the second takes off what rounding left of the first */
+#define MESHES 1e-3  /* of their distance: gears that are open by less mesh, drawn by rounded numbers */
 
 static void draw(pm_workspace *w)
 {
@@ -43,9 +50,89 @@ static void draw(pm_workspace *w)
 /* The least change x (in the metric of M) that the basis spans with the given components y: x = M^-1/2 B^T y.  A new row
  * with right-hand side r: its component is (r - row.x) / (left * norm). */
 typedef struct pm_solution {
-    int n;
-    double *x; /* [nq] */
+    int n;          /* rows in the basis */
+    double *x;      /* [nq] */
+    int block;      /* rows solved as one block: the active ones */
+    double *across; /* [nq] part of a row across them */
 } pm_solution;
+
+static double norm_of(const pm_workspace *w, const double *row)
+{
+    double sum = 0;
+    for (int i = 0; i < w->model->nq; i++) sum += row[i] * row[i] * w->inverse_mass[i];
+    return sqrt(sum);
+}
+
+/* Adds a row, times a factor, to a dense one. */
+static void add_sparse(const pm_workspace *w, const pm_row *row, double factor, double *dense)
+{
+    for (int p = 0; p < 2; p++)
+        for (int k = 0; k < 3 && row->body[p] != w->model->nbody; k++)
+            dense[3 * row->body[p] + k] += factor * row->j[3 * p + k];
+}
+
+static void spread_row(const pm_workspace *w, const pm_row *row, double *dense)
+{
+    memset(dense, 0, (size_t)w->model->nq * sizeof *dense);
+    add_sparse(w, row, 1, dense);
+}
+
+/* G M^-1 d of one row of the block. */
+static double along(const pm_workspace *w, const pm_row *row, const double *d)
+{
+    double sum = 0;
+    for (int p = 0; p < 2; p++)
+        for (int k = 0; k < 3 && row->body[p] != w->model->nbody; k++)
+            sum += row->j[3 * p + k] * w->inverse_mass[3 * row->body[p] + k] * d[3 * row->body[p] + k];
+    return sum;
+}
+
+/* Adds a row to the basis if it depends neither on that nor on the block; the new size. */
+static int add_row(pm_workspace *w, const pm_solution *s, const double *row, pm_basis_rest *rest)
+{
+    if (!s->block) return pm_basis_add_dense(w, s->n, row, rest);
+    memcpy(s->across, row, (size_t)w->model->nq * sizeof *row);
+    for (int pass = 0; pass < PASSES; pass++) {
+        for (int i = 0; i < w->nactive; i++) w->rhs[i] = -along(w, &w->row[i], s->across);
+        pm_saddle_solve(w);
+        for (int i = 0; i < w->nactive; i++) add_sparse(w, &w->row[i], w->rhs[i], s->across);
+    }
+    const double all = norm_of(w, row), part = norm_of(w, s->across);
+    *rest = (pm_basis_rest){0, all};
+    if (!(part > PM_INDEPENDENT * all)) return s->n;
+    const int n = pm_basis_add_dense(w, s->n, s->across, rest);
+    rest->left *= rest->norm / all;
+    rest->norm = all;
+    return n;
+}
+
+/* Solves for the rows of joints, at the level of positions (but those that are anchored later) or velocities, if they are
+ * many and clearly independent. */
+static int take_block(pm_workspace *w, pm_solution *s, int level)
+{
+    const pm_model *m = w->model;
+    if (m->njoint_row < MANY) return 0;
+    w->nactive = 0;
+    for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
+        pm_row rows[PM_JOINT_ROWS];
+        const int n = pm_row_of_joint(w, w->joint_order[i], rows);
+        for (int k = 0; k < n; k++) {
+            if (level == PM_START_POSITION && rows[k].memory != PM_NONE) continue;
+            pm_row *row = &w->row[w->nactive];
+            *row = rows[k];
+            pm_row_kind(row->kind)->evaluate(w, row);
+            w->wanted[w->nactive++] = level == PM_START_POSITION ? -row->g : row->rate;
+        }
+    }
+    if (w->nactive < MANY || !(pm_saddle_independence(w) > CLEARLY)) return 0;
+    for (int pass = 0; pass < PASSES; pass++) {
+        for (int i = 0; i < w->nactive; i++) w->rhs[i] = w->wanted[i] - pm_saddle_times(w, &w->row[i], s->x);
+        pm_saddle_solve(w);
+        pm_saddle_spread(w, 0, s->x);
+    }
+    s->block = w->nactive;
+    return 1;
+}
 
 /* Takes one equation row.x = rhs into the solution; *miss is by how much it is violated if it depends on the others. */
 static int take(pm_workspace *w, pm_solution *s, const double *row, double rhs, double *miss)
@@ -54,7 +141,7 @@ static int take(pm_workspace *w, pm_solution *s, const double *row, double rhs, 
     pm_basis_rest rest;
     double now = 0;
     for (int i = 0; i < nq; i++) now += row[i] * s->x[i];
-    const int n = pm_basis_add_dense(w, s->n, row, &rest);
+    const int n = add_row(w, s, row, &rest);
     *miss = rhs - now;
     if (n == s->n) return 0;
     const double *e = w->basis + (size_t)s->n * (size_t)nq, component = *miss / (rest.left * rest.norm);
@@ -62,14 +149,6 @@ static int take(pm_workspace *w, pm_solution *s, const double *row, double rhs, 
     s->n = n;
     *miss = 0;
     return 1;
-}
-
-static void spread_row(const pm_workspace *w, const pm_row *row, double *dense)
-{
-    memset(dense, 0, (size_t)w->model->nq * sizeof *dense);
-    for (int p = 0; p < 2; p++)
-        for (int k = 0; k < 3 && row->body[p] != w->model->nbody; k++)
-            dense[3 * row->body[p] + k] += row->j[3 * p + k];
 }
 
 static double start_value(const pm_workspace *w, int i)
@@ -110,19 +189,33 @@ static double worst_opening(pm_workspace *w, int *table, int *row)
     return worst;
 }
 
+/* Whether each written position is independent of those before it, and of the block. */
+static int take_written_positions(pm_workspace *w, pm_solution *s, double *dense)
+{
+    int all = 1;
+    for (int i = 0; i < w->model->rows[PM_TABLE_START]; i++) {
+        double miss;
+        if (start_level(w, i) != PM_START_POSITION) continue;
+        const double residual = pm_measure(w, start_measure(w, i)) - start_value(w, i);
+        pm_measure_start_row(w, start_measure(w, i), PM_START_POSITION, dense);
+        all &= take(w, s, dense, -residual, &miss);
+    }
+    return all;
+}
+
 /* One Gauss-Newton step in w->scratch; what is written comes first, so that it decides where rows disagree. */
 static void position_step(pm_workspace *w, double *x, double *dense)
 {
     const pm_model *m = w->model;
-    pm_solution s = {0, x};
+    pm_solution s = {.x = x, .across = dense + m->nq};
     double miss;
     memset(x, 0, (size_t)m->nq * sizeof *x);
-    for (int i = 0; i < m->rows[PM_TABLE_START]; i++) {
-        if (start_level(w, i) != PM_START_POSITION) continue;
-        const double residual = pm_measure(w, start_measure(w, i)) - start_value(w, i);
-        pm_measure_start_row(w, start_measure(w, i), PM_START_POSITION, dense);
-        take(w, &s, dense, -residual, &miss);
-    }
+    const int solved = take_block(w, &s, PM_START_POSITION) && take_written_positions(w, &s, dense);
+    pm_active_clear(w);
+    if (solved) return;
+    s.n = s.block = 0;
+    memset(x, 0, (size_t)m->nq * sizeof *x);
+    take_written_positions(w, &s, dense);
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
         pm_row rows[PM_JOINT_ROWS];
         const int n = pm_row_of_joint(w, i, rows);
@@ -247,15 +340,17 @@ static int left_alone(const pm_workspace *w, const pm_islands *x, int body)
 
 static void hold_joints(pm_workspace *w, pm_solution *s, double *dense, const pm_islands *islands)
 {
+    const int solved = take_block(w, s, PM_START_VELOCITY);
     double miss;
     for (int i = 0; i < w->model->rows[PM_TABLE_JOINT]; i++) {
         pm_row rows[PM_JOINT_ROWS];
         const int n = pm_row_of_joint(w, i, rows);
         for (int k = 0; k < n; k++) {
             pm_row_kind(rows[k].kind)->evaluate(w, &rows[k]);
+            fasten(w, islands, &rows[k]);
+            if (solved) continue;
             spread_row(w, &rows[k], dense);
             take(w, s, dense, rows[k].rate, &miss);
-            fasten(w, islands, &rows[k]);
         }
     }
 }
@@ -303,7 +398,7 @@ static int settle_rest(pm_workspace *w, pm_solution *s, double *dense, const pm_
     const pm_model *m = w->model;
     int n_free = 0;
     for (int i = 0; i < m->nq; i++) n_free += w->inverse_mass[i] > 0;
-    if (s->n >= n_free) return PM_OK; /* all is settled */
+    if (s->block + s->n >= n_free) return PM_OK; /* all is settled */
     for (int i = 0; i < m->nbody; i++)
         for (int k = 2; k >= 0; k--) { /* the spin first, then the velocity of G */
             double miss;
@@ -316,7 +411,7 @@ static int settle_rest(pm_workspace *w, pm_solution *s, double *dense, const pm_
                 continue;
             }
             pm_basis_rest rest;
-            if (pm_basis_add_dense(w, n, dense, &rest) > n && rest.left > OPEN_PART)
+            if (add_row(w, s, dense, &rest) > n && rest.left > OPEN_PART)
                 return pm_fail(w, PM_START_OPEN, PM_TABLE_BODY, i, k, rest.left);
         }
     return PM_OK;
@@ -327,10 +422,10 @@ static int solve_velocities(pm_workspace *w, int with_contacts)
 {
     const pm_model *m = w->model;
     double *x = w->scratch, *dense = x + m->nq;
-    pm_islands islands = {(int *)(void *)(dense + m->nq), NULL, NULL};
+    pm_islands islands = {(int *)(void *)(dense + 2 * m->nq), NULL, NULL};
     islands.fastened = (unsigned char *)(islands.island + m->nbody);
     islands.written = islands.fastened + m->nbody + 1;
-    pm_solution s = {0, x};
+    pm_solution s = {.x = x, .across = dense + m->nq};
     memset(x, 0, (size_t)m->nq * sizeof *x);
     for (int i = 0; i < m->nbody; i++) islands.island[i] = i;
     memset(islands.fastened, 0, 2 * (size_t)m->nbody + 1);
@@ -338,6 +433,7 @@ static int solve_velocities(pm_workspace *w, int with_contacts)
     if (with_contacts) hold_contacts(w, &s, dense, &islands);
     int status = take_written(w, &s, dense, &islands);
     if (!status) status = settle_rest(w, &s, dense, &islands);
+    pm_active_clear(w);
     memcpy(w->state.v, x, (size_t)m->nq * sizeof *x);
     return status;
 }

@@ -18,7 +18,7 @@ int pm_tree_create(pm_workspace *w)
     const size_t most = nbody * nq; /* coordinates that move a body, over all bodies */
     const size_t doubles =
         nq * nq + 3 * most + 3 * nrow * nq + nrow * nrow + (6 + PM_TREE_FEW) * nq + 2 * nrow;
-    const size_t ints = 5 * nrow + 4 * nq + nbody + most;
+    const size_t ints = 9 * nrow + 5 * nq + 3 * nbody + most;
     double *p = t->block = calloc(doubles * sizeof *p + ints * sizeof(int) + nrow + 1, 1);
     t->node = calloc(nbody + 1, sizeof *t->node);
     if (!p || !t->node) return PM_NO_MEMORY;
@@ -46,7 +46,14 @@ int pm_tree_create(pm_workspace *w)
     t->to = t->from + nrow;
     t->first_loop = t->to + nrow;
     t->column = t->first_loop + nrow;
-    t->used = (unsigned char *)(t->column + nq);
+    t->position = t->column + nq;
+    t->left = t->position + nq;
+    t->bottom = t->left + nrow;
+    t->right = t->bottom + nrow;
+    t->best = t->right + nrow;
+    t->weight = t->best + nrow;
+    t->top = t->weight + nbody;
+    t->used = (unsigned char *)(t->top + nbody);
     return PM_OK;
 }
 
@@ -197,12 +204,22 @@ static int place_next(pm_workspace *w, int *nplaced)
     return 0;
 }
 
-/* Bodies placed last get the first coordinates: the mass matrix of branches then fills in little when it is factored. */
+/* A body comes after all that it carries, and branches one after the other: the mass matrix then does not fill in when it is
+ * factored, and loops between neighbours are narrow. */
 static void number_coordinates(pm_workspace *w)
 {
     pm_tree *t = w->tree;
-    for (int i = 0; i < w->model->nbody; i++)
-        t->node[i].first = t->n - t->node[i].first - t->node[i].ncoordinate;
+    const int ground = w->model->nbody;
+    int top = t->n; /* of what is left for bodies on the ground */
+    for (int i = 0; i < ground; i++) t->weight[i] = t->node[i].ncoordinate;
+    for (int i = ground - 1; i >= 0; i--)
+        if (t->node[i].parent != ground) t->weight[t->placed[t->node[i].parent] - 1] += t->weight[i];
+    for (int i = 0; i < ground; i++) {
+        const int parent = t->node[i].parent;
+        int *left = parent == ground ? &top : &t->top[t->placed[parent] - 1];
+        t->top[i] = t->node[i].first = *left - t->node[i].ncoordinate;
+        *left -= t->weight[i];
+    }
     for (int i = 0; i < w->model->nbody; i++) {
         const pm_tree_node *x = &t->node[i];
         for (int k = 0; k < x->ncoordinate; k++)
@@ -228,6 +245,36 @@ static void list_coordinates(pm_workspace *w)
         for (int k = x->list; k < n; k++)
             if (t->moved_by[n - 1] < t->first_coupled[t->moved_by[k]])
                 t->first_coupled[t->moved_by[k]] = t->moved_by[n - 1];
+    }
+}
+
+/* The greatest coordinate that moves a loop row; PM_NONE if none does. */
+static int greatest_coordinate(const pm_workspace *w, int active)
+{
+    const pm_tree *t = w->tree;
+    int greatest = PM_NONE;
+    for (int p = 0; p < 2; p++) {
+        if (w->row[active].body[p] == w->model->nbody) continue;
+        const pm_tree_node *x = &t->node[t->placed[w->row[active].body[p]] - 1];
+        if (x->nlist > 0 && t->moved_by[x->list] > greatest) greatest = t->moved_by[x->list];
+    }
+    return greatest;
+}
+
+/* Loop rows in the order of the bodies that they hold, so that what each shares with others is near. */
+static void list_loops(pm_workspace *w)
+{
+    pm_tree *t = w->tree;
+    for (int i = 0; i < w->nactive; i++) {
+        if (t->used[i]) continue;
+        const int key = greatest_coordinate(w, i);
+        int at = t->nloop++;
+        for (; at > 0 && t->to[at - 1] < key; at--) {
+            t->loop[at] = t->loop[at - 1];
+            t->to[at] = t->to[at - 1];
+        }
+        t->loop[at] = i;
+        t->to[at] = key;
     }
 }
 
@@ -264,9 +311,9 @@ void pm_tree_build(pm_workspace *w)
     while (nplaced < w->model->nbody) place_next(w, &nplaced);
     number_coordinates(w);
     list_coordinates(w);
-    for (int i = 0; i < w->nactive; i++)
-        if (!t->used[i]) t->loop[t->nloop++] = i;
+    list_loops(w);
     bound_loops(w);
+    if (t->n > 0) t->column[t->n - 1] = PM_NONE; /* none is chosen */
 }
 
 int pm_tree_is_angle(const pm_workspace *w, int coordinate) { return w->tree->kind[coordinate] == 2; }

@@ -21,6 +21,8 @@ typedef struct pm_tree {
     int *first_loop;     /* [nrow] the first loop row that shares some of them */
     unsigned char *used; /* [nrow] */
     int *placed;         /* [nbody] 1 + index of its node */
+    int *weight, *top;   /* [nbody] coordinates of a node and of all that it carries; scratch */
+    int *best;           /* [nrow] scratch */
     int *moved_by;       /* the coordinates that move each body: node->list, node->nlist */
     int *first_coupled;  /* [nq] the first coordinate to which the mass matrix couples each */
     double *influence;   /* [3] for each entry of moved_by: velocity of the body at a unit rate */
@@ -33,9 +35,11 @@ typedef struct pm_tree {
     double *q, *v;                        /* [nq] where pm_tree_look looks */
     int *pivot;                           /* [nq + nrow] */
     int few;                              /* coordinates are partitioned */
-    int *column;    /* [nq] the dependent coordinates, nloop of them, then the independent ones */
-    double *loops;  /* [nrow][n] the loop rows' Jacobian where pm_tree_accelerate was */
-    double *motion; /* [few][nq] velocities at a unit rate of each independent coordinate */
+    int *column;                /* [nq] the dependent coordinates, nloop of them, then the independent ones */
+    double *loops;              /* [nrow][n] the loop rows' Jacobian where pm_tree_accelerate was */
+    int *position;              /* [nq] of each coordinate in column */
+    int *left, *bottom, *right; /* [nrow] where J_v may differ from zero: tree_band.c, dense.h */
+    double *motion;             /* [few][nq] velocities at a unit rate of each independent coordinate */
     double
         independence; /* least square of the part of a loop row that those before it leave, while they are not */
     double steepest; /* there: rate of a dependent coordinate, lengths by the scene's size */
@@ -100,6 +104,15 @@ void pm_tree_influence(pm_workspace *w);
 /* Accelerations of the bodies from those of the coordinates, and back; velocities are in the frame. */
 void pm_tree_spread_accelerations(const pm_workspace *w, const double *yddot, double *a);
 void pm_tree_read_accelerations(const pm_workspace *w, const double *a, double *yddot);
+/* After a choice of t->column: orders it, and finds where J_v may differ from zero. */
+void pm_tree_arrange(pm_workspace *w);
+/* The factors of J_v, from the loop rows' Jacobian of which only what moves a row, and the independent coordinates, count;
+ * J_v^-1 x and J_v^-T x in place. */
+int pm_tree_factor_dependent(pm_workspace *w, const double *jacobian);
+void pm_tree_solve_dependent(const pm_tree *t, double *x);
+void pm_tree_solve_dependent_transposed(const pm_tree *t, double *x);
+/* Zeros what of a loop row's Jacobian counts. */
+void pm_tree_clear_loop(const pm_workspace *w, const pm_row *row, double *on_coordinates);
 /* Adds a row's Jacobian on the coordinates. */
 void pm_tree_loop_row(const pm_workspace *w, const pm_row *row, double *on_coordinates);
 

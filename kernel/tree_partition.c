@@ -36,52 +36,69 @@ static double scale_of(const pm_workspace *w, int coordinate)
 void pm_tree_hold(pm_workspace *w, int held)
 {
     pm_tree *t = w->tree;
-    for (int k = 0, c = 0; k < t->n; k++)
-        if (k != held) t->column[c++] = k;
+    if (t->column[t->n - 1] == held) return;
     t->column[t->n - 1] = held;
+    pm_tree_arrange(w);
 }
 
-/* Moves the greatest entry of what is left of a[nloop][n] to its pivot i; rows and columns before i are done. */
-static double find_pivot(pm_tree *t, double *a, int i)
+/* The greatest entry of a row of what is left of a[nloop][n]: columns that are taken have a position. */
+static void note_greatest(const pm_tree *t, const double *a, int row)
 {
-    const int n = t->n;
-    int at_row = i, at_column = i;
-    for (int r = i; r < t->nloop; r++)
-        for (int k = i; k < n; k++)
-            if (fabs(a[r * n + t->column[k]]) > fabs(a[at_row * n + t->column[at_column]])) {
-                at_row = r;
-                at_column = k;
-            }
-    const int swap = t->column[i];
-    t->column[i] = t->column[at_column];
-    t->column[at_column] = swap;
-    for (int k = 0; k < n && at_row != i; k++) {
-        const double x = a[i * n + k];
-        a[i * n + k] = a[at_row * n + k];
-        a[at_row * n + k] = x;
-    }
-    return a[i * n + t->column[i]];
+    int best = PM_NONE;
+    a += row * t->n;
+    for (int k = 0; k < t->n; k++)
+        if (t->position[k] == PM_NONE && (best == PM_NONE || fabs(a[k]) > fabs(a[best]))) best = k;
+    t->best[row] = best;
 }
 
-/* Elimination with full pivoting: the pivots' columns are the dependent ones. */
+/* The row with the greatest entry of all that are left: those that are done have a bottom. */
+static int find_pivot(const pm_tree *t, const double *a)
+{
+    int at = PM_NONE;
+    for (int r = 0; r < t->nloop; r++)
+        if (t->bottom[r] == PM_NONE &&
+            (at == PM_NONE || fabs(a[r * t->n + t->best[r]]) > fabs(a[at * t->n + t->best[at]])))
+            at = r;
+    return at;
+}
+
+/* Takes the pivot's column off the rows that are left, looking only at what is not zero. */
+static void eliminate(pm_tree *t, double *a, int pivot)
+{
+    const double *top = a + pivot * t->n;
+    const int column = t->best[pivot];
+    int *filled = t->pivot, nfilled = 0;
+    for (int k = 0; k < t->n; k++)
+        if (top[k] != 0 && t->position[k] == PM_NONE) filled[nfilled++] = k;
+    for (int r = 0; r < t->nloop; r++) {
+        double *row = a + r * t->n;
+        if (t->bottom[r] != PM_NONE || (row[column] == 0 && t->best[r] != column)) continue;
+        const double factor = row[column] / top[column];
+        for (int k = 0; k < nfilled; k++) row[filled[k]] -= factor * top[filled[k]];
+        note_greatest(t, a, r);
+    }
+}
+
+/* Elimination with full pivoting: the pivots' columns, which have a position then, are the dependent ones. */
 static int choose(pm_workspace *w)
 {
     pm_tree *t = w->tree;
     const int n = t->n;
     double *a = t->reduced, greatest = 0;
     pm_tree_loops(w, a);
-    for (int i = 0; i < t->nloop; i++)
-        for (int k = 0; k < n; k++) a[i * n + k] *= scale_of(w, k);
-    for (int k = 0; k < n; k++) t->column[k] = k;
+    for (int k = 0; k < n; k++) t->position[k] = PM_NONE;
     for (int i = 0; i < t->nloop; i++) {
-        const double pivot = find_pivot(t, a, i);
-        greatest = fmax(greatest, fabs(pivot));
-        if (!(fabs(pivot) > RANK * greatest)) return 0;
-        for (int r = i + 1; r < t->nloop; r++) {
-            const double factor = a[r * n + t->column[i]] / pivot;
-            if (factor == 0) continue;
-            for (int k = i; k < n; k++) a[r * n + t->column[k]] -= factor * a[i * n + t->column[k]];
-        }
+        for (int k = 0; k < n; k++) a[i * n + k] *= scale_of(w, k);
+        t->bottom[i] = PM_NONE;
+        note_greatest(t, a, i);
+    }
+    for (int i = 0; i < t->nloop; i++) {
+        const int row = find_pivot(t, a), column = t->best[row];
+        const double pivot = fabs(a[row * n + column]);
+        greatest = fmax(greatest, pivot);
+        if (!(pivot > RANK * greatest)) return 0;
+        t->bottom[row] = t->position[column] = i;
+        eliminate(t, a, row);
     }
     return 1;
 }
@@ -90,14 +107,14 @@ void pm_tree_partition(pm_workspace *w)
 {
     pm_tree *t = w->tree;
     if (t->nloop == 0 || t->nloop >= t->n || t->n - t->nloop > PM_TREE_FEW) return;
-    memcpy(t->pivot, t->column, (size_t)t->n * sizeof *t->column);
-    if (choose(w)) {
+    const int chosen = choose(w);
+    for (int k = 0, c = t->nloop; k < t->n && chosen; k++)
+        if (t->position[k] == PM_NONE) t->column[c++] = k;
+    if (chosen) {
         t->few = 1;
         t->steepest = 0;
-    } else {
-        memcpy(t->column, t->pivot,
-               (size_t)t->n * sizeof *t->column); /* singular here: what was chosen stays */
     }
+    if (t->few) pm_tree_arrange(w); /* singular here: what was chosen stays */
 }
 
 int pm_tree_is_steep(const pm_workspace *w) { return w->tree->few && w->tree->steepest > STEEP; }
@@ -108,19 +125,10 @@ int pm_tree_is_flat(const pm_workspace *w)
     return !t->few && t->nloop > 0 && (t->independence < FLAT || t->nloop > MANY);
 }
 
-static int factor_dependent(pm_workspace *w, const double *jacobian)
-{
-    pm_tree *t = w->tree;
-    const int n = t->nloop;
-    for (int i = 0; i < n; i++)
-        for (int c = 0; c < n; c++) t->jacobian[i * n + c] = jacobian[i * t->n + t->column[c]];
-    return pm_lu_factor(n, t->jacobian, t->pivot) ? pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0) : PM_OK;
-}
-
 /* y of the dependent coordinates += J_v^-1 residual. */
 static void correct(const pm_tree *t, double *y)
 {
-    pm_lu_solve(t->nloop, t->jacobian, t->pivot, t->residual);
+    pm_tree_solve_dependent(t, t->residual);
     for (int c = 0; c < t->nloop; c++) y[t->column[c]] += t->residual[c];
 }
 
@@ -164,7 +172,7 @@ int pm_tree_close(pm_workspace *w, double *y, double *q, double *jacobian)
     for (int sweep = 0; sweep < SWEEPS; sweep++) {
         if (worst <= ROUNDING * w->size || (worst <= STALLED * w->size && worst > 0.25 * before))
             return PM_OK;
-        const int status = factor_dependent(w, jacobian);
+        const int status = pm_tree_factor_dependent(w, jacobian);
         if (status) return status;
         correct(w->tree, y);
         before = worst;
@@ -184,7 +192,7 @@ static void slope_of(const pm_tree *t, int independent, const double *jacobian, 
 
 int pm_tree_slope(pm_workspace *w, const double *jacobian, double *slope)
 {
-    const int status = factor_dependent(w, jacobian);
+    const int status = pm_tree_factor_dependent(w, jacobian);
     if (!status) slope_of(w->tree, w->tree->column[w->tree->nloop], jacobian, slope);
     return status;
 }
@@ -206,9 +214,12 @@ static int factor_here(pm_workspace *w)
 {
     pm_tree *t = w->tree;
     pm_tree_influence(w);
-    memset(t->loops, 0, (size_t)t->nloop * (size_t)t->n * sizeof *t->loops);
-    for (int i = 0; i < t->nloop; i++) pm_tree_loop_row(w, &w->row[t->loop[i]], t->loops + i * t->n);
-    return factor_dependent(w, t->loops);
+    for (int i = 0; i < t->nloop; i++) {
+        const pm_row *row = &w->row[t->loop[i]];
+        pm_tree_clear_loop(w, row, t->loops + i * t->n);
+        pm_tree_loop_row(w, row, t->loops + i * t->n);
+    }
+    return pm_tree_factor_dependent(w, t->loops);
 }
 
 int pm_tree_settle(pm_workspace *w, double time, double *y, double *ydot, const double *z)
@@ -302,6 +313,6 @@ void pm_tree_react_loops(pm_workspace *w)
         }
     }
     for (int c = 0; c < t->nloop; c++) t->residual[c] = t->rate[t->column[c]];
-    pm_lu_solve_transposed(t->nloop, t->jacobian, t->pivot, t->residual);
+    pm_tree_solve_dependent_transposed(t, t->residual);
     for (int i = 0; i < t->nloop; i++) w->frame.lambda[t->loop[i]] = t->residual[i];
 }

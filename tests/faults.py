@@ -382,8 +382,8 @@ FAULTS = [
     Fault(
         "tree: a dropped loop row",
         "tree.c",
-        "if (!t->used[i]) t->loop",
-        "if (!t->used[i] && i + 1 < w->nactive) t->loop",
+        "if (t->used[i]) continue;\n        const int key",
+        "if (t->used[i] || i + 1 == w->nactive) continue;\n        const int key",
     ),
     Fault(
         "tree: a reaction of the wrong sign",
@@ -409,8 +409,26 @@ FAULTS = [
     Fault(
         "tree: partitioned, reactions of other rows",
         "tree_partition.c",
-        "pm_lu_solve_transposed(t->nloop",
-        "pm_lu_solve(t->nloop",
+        "pm_tree_solve_dependent_transposed(t, t->residual)",
+        "pm_tree_solve_dependent(t, t->residual)",
+    ),
+    Fault(
+        "tree: a band that is too narrow",
+        "tree_band.c",
+        "if (last > t->right[j]) t->right[j] = last;",
+        "if (last - 1 > t->right[j]) t->right[j] = last - 1;",
+    ),
+    Fault(
+        "start: a block of joints pushed the wrong way",
+        "start.c",
+        "level == PM_START_POSITION ? -row->g : row->rate",
+        "level == PM_START_POSITION ? row->g : row->rate",
+    ),
+    Fault(
+        "start: what lies across a block of joints",
+        "start.c",
+        "w->rhs[i] = -along(w, &w->row[i], s->across)",
+        "w->rhs[i] = along(w, &w->row[i], s->across)",
     ),
     # trees
     Fault(

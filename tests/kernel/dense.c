@@ -75,12 +75,53 @@ static void lu(int n)
     EQUAL(pm_lu_factor(n, f, pivot), 1);
 }
 
+/* A random limit from j on that does not fall. */
+static void random_limit(int n, int *limit)
+{
+    for (int j = 0; j < n; j++) {
+        limit[j] = j + (int)check_random(0, 4);
+        if (limit[j] >= n) limit[j] = n - 1;
+        if (j > 0 && limit[j] < limit[j - 1]) limit[j] = limit[j - 1];
+    }
+}
+
+/* What is outside the band is not looked at. */
+static void band(int n)
+{
+    double a[MOST * MOST], f[MOST * MOST], transposed[MOST * MOST], b[MOST], x[MOST];
+    int pivot[MOST], bottom[MOST], right[MOST];
+    random_limit(n, bottom);
+    random_limit(n, right);
+    for (int j = 0; j < n; j++)
+        if (right[j] < bottom[j]) right[j] = bottom[j]; /* the diagonal is there */
+    for (int i = 0, left = 0; i < n;
+         i++) { /* a row begins at `left` and ends as it says there, before it is filled */
+        while (bottom[left] < i) left++;
+        for (int k = 0; k < n; k++) {
+            a[i * n + k] = k >= left && k <= right[left] ? check_random(-1, 1) : 0;
+            f[i * n + k] = k >= left && k <= right[i] ? a[i * n + k] : NAN;
+            transposed[k * n + i] = a[i * n + k];
+        }
+    }
+    random_matrix(n, 1, b);
+    memcpy(x, b, sizeof b);
+    EQUAL(pm_band_factor(n, bottom, right, f, pivot), 0);
+    pm_band_solve(n, bottom, right, f, pivot, x);
+    NEAR(residual(n, a, x, b), 0, 1e-10);
+    memcpy(x, b, sizeof b);
+    pm_band_solve_transposed(n, bottom, right, f, pivot, x);
+    NEAR(residual(n, transposed, x, b), 0, 1e-10);
+    for (int i = 0; i < n; i++) a[i * n] = 0;
+    EQUAL(pm_band_factor(n, bottom, right, a, pivot), 1);
+}
+
 int main(void)
 {
     for (int i = 0; i < SYSTEMS; i++) {
         const int n = 1 + i % MOST;
         cholesky(n);
         lu(n);
+        band(n);
     }
     double indefinite[] = {1, 0, 2, 1}; /* [1 2; 2 1] */
     EQUAL(pm_cholesky_factor(2, indefinite), 2);

@@ -5,7 +5,7 @@
 
 typedef struct start {
     int32_t info[PM_CHECK_COLUMNS], where[PM_WHERE_COLUMNS];
-    double number[PM_CHECK_NUMBERS], pose[8][3], velocity[8][3], detail[PM_DETAIL_COLUMNS];
+    double number[PM_CHECK_NUMBERS], pose[24][3], velocity[24][3], detail[PM_DETAIL_COLUMNS];
     int status;
 } start;
 
@@ -94,6 +94,55 @@ static void slider_crank(void)
     NEAR(x.pose[2][0], place, 1e-13);
     NEAR(x.velocity[1][2], -2 * cos(0.9) / (0.7 * cos(beta)), 1e-12);
     NEAR(x.velocity[2][0], -2 * sin(0.9) - 2 * cos(0.9) * tan(beta), 1e-12);
+    scene_free(s);
+}
+
+/* BARS parallelograms in a row, roughly drawn: so many joints that their rows are solved as one block. */
+#define BARS 6
+static scene *parallelograms(void)
+{
+    scene *s = scene_create();
+    for (int i = 0; i <= BARS; i++) {
+        const int crank = scene_body(s, 1, 0.1, i + 0.3, 0.4 + 0.01 * i, 0.9);
+        scene_joint(s, PM_JOINT_PIN, scene_point(s, crank, -0.5, 0), scene_point(s, PM_GROUND, i, 0), 0);
+        if (i == 0) continue;
+        const int bar = scene_body(s, 2, 0.2, i + 0.05, 0.8, 0.02), before = i == 1 ? 0 : bar - 3;
+        scene_joint(s, PM_JOINT_PIN, scene_point(s, bar, -0.5, 0), scene_point(s, before, 0.5, 0), 0);
+        scene_joint(s, PM_JOINT_PIN, scene_point(s, bar, 0.5, 0), scene_point(s, crank, 0.5, 0), 0);
+    }
+    scene_start(s, PM_START_POSITION, scene_measure(s, PM_MEASURE_ANGLE, 0), 0.9);
+    scene_until_time(s, 0.01);
+    return s;
+}
+
+static void many_rows(void)
+{
+    scene *s = parallelograms();
+    scene_start_omega(s, 3, 1.5);
+    start x = check_scene(s);
+    EQUAL(x.status, PM_OK);
+    for (int i = 0; i <= BARS; i++) {
+        const int crank = i == 0 ? 0 : 2 * i - 1;
+        NEAR(x.pose[crank][2], 0.9, 1e-13);
+        NEAR(x.pose[crank][0], i + 0.5 * cos(0.9), 1e-13);
+        NEAR(x.velocity[crank][2], 1.5, 1e-13);
+        if (i == 0) continue;
+        NEAR(x.pose[crank + 1][1], sin(0.9), 1e-13);
+        NEAR(x.velocity[crank + 1][0], -1.5 * sin(0.9), 1e-13);
+        NEAR(x.velocity[crank + 1][2], 0, 1e-13);
+    }
+    scene_start_omega(s, 0, 1.5); /* said twice */
+    EQUAL(check_scene(s).status, PM_OK);
+    scene_start_omega(s, 1, 1.6);
+    x = check_scene(s);
+    EQUAL(x.status, PM_START_CONFLICT);
+    EQUAL(x.where[PM_WHERE_ROW], 3);
+    NEAR(x.detail[PM_DETAIL_BOUND], 1.5, 1e-12);
+    scene_free(s);
+
+    s = parallelograms(); /* what is written is met, and the joints cannot be */
+    scene_start(s, PM_START_POSITION, scene_measure(s, PM_MEASURE_ANGLE, 3), 0.5);
+    EQUAL(check_scene(s).status, PM_ASSEMBLY);
     scene_free(s);
 }
 
@@ -197,6 +246,7 @@ int main(void)
     moves_least();
     keeps_what_is_written();
     slider_crank();
+    many_rows();
     cannot_be_met();
     contradictory_velocities();
     open_motion();
