@@ -35,12 +35,13 @@ int pm_ask_create(pm_workspace *w)
     if (!a) return PM_NO_MEMORY;
     a->observer = calloc(nask + 1, sizeof *a->observer);
     a->sample = calloc((PM_NODES_MOST + 2) * nask + 1, sizeof *a->sample);
-    a->undefined = calloc(nask + nout + 1, 1);
+    a->undefined = calloc(nask + 2 * nout + 1, 1);
     a->solver = pm_root_create();
     if (!a->observer || !a->sample || !a->undefined || !a->solver) return PM_NO_MEMORY;
     a->best = a->sample + PM_NODES_MOST * nask;
     a->before = a->best + nask;
     a->filled = a->undefined + nask;
+    a->sound = a->filled + nout;
     a->level = a->instant_level = PM_LEVEL_KINEMATIC;
     for (int i = 0; i < w->model->nask; i++) {
         const int32_t *e = PM_ASK_ROW(w->model, i);
@@ -71,7 +72,8 @@ void pm_ask_reset(pm_workspace *w)
 {
     pm_ask_set *a = w->ask;
     for (int i = 0; i < w->model->nask; i++) a->best[i] = NAN;
-    memset(a->undefined, 0, (size_t)(w->model->nask + w->model->nout));
+    memset(a->undefined, 0, (size_t)(w->model->nask + 2 * w->model->nout));
+    a->fresh = 0;
     for (int i = 0; i < w->model->nout; i++) w->out[i] = NAN;
     for (int i = 0; i < w->model->nask; i++) w->reason[i] = PM_REASON_NOT_REACHED;
 }
@@ -85,7 +87,7 @@ static void answer(pm_workspace *w, int ask, int column, double value)
 {
     const int out = PM_ASK_ROW(w->model, ask)[PM_ASK_OUT] + column;
     w->out[out] = value;
-    w->ask->filled[out] = 1;
+    w->ask->filled[out] = w->ask->fresh = 1;
 }
 
 /* The value of a program at the frame, with what the route knows of its error. */
@@ -450,5 +452,28 @@ void pm_ask_end(pm_workspace *w)
         if (each) filled = w->ask->filled[e[PM_ASK_OUT]];
         if (filled) w->reason[i] = infinite ? PM_REASON_INFINITE : PM_REASON_NONE;
         if (filled && undefined && !each) w->reason[i] = PM_REASON_UNDEFINED;
+    }
+}
+
+/* ---- runs that do not come to their end ---- */
+void pm_ask_seal(pm_workspace *w)
+{
+    memcpy(w->ask->sound, w->ask->filled, (size_t)w->model->nout);
+    w->ask->fresh = 0;
+}
+
+void pm_ask_keep(pm_workspace *w, int sound, int others)
+{
+    const unsigned char *kept = sound ? w->ask->sound : w->ask->filled;
+    for (int i = 0; i < w->model->nask; i++) {
+        const int32_t *e = PM_ASK_ROW(w->model, i);
+        const int at_instant =
+            e[PM_ASK_KIND] == PM_ASK_EVENT || e[PM_ASK_KIND] == PM_ASK_EACH || e[PM_ASK_KIND] == PM_ASK_GRID;
+        w->reason[i] = others;
+        for (int k = e[PM_ASK_OUT]; k < e[PM_ASK_OUT] + e[PM_ASK_COUNT]; k++)
+            if (at_instant && kept[k])
+                w->reason[i] = PM_REASON_NONE;
+            else
+                w->out[k] = NAN;
     }
 }

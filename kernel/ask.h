@@ -14,6 +14,8 @@ typedef struct pm_ask_set {
     double *before;           /* [nask] values before the jump of the present instant */
     unsigned char *undefined; /* [nask] an extreme met a not-a-number */
     unsigned char *filled;    /* [nout] */
+    unsigned char *sound;     /* [nout] filled when the ledgers last closed */
+    int fresh;                /* something was filled since */
     void *solver;             /* gsl_root_fsolver */
     void *block;
 } pm_ask_set;
@@ -38,5 +40,10 @@ void pm_ask_look_before(pm_workspace *w);
 void pm_ask_fired(pm_workspace *w, int event);
 /* Answers what is asked at the end, marks what was not reached. */
 void pm_ask_end(pm_workspace *w);
+/* What is answered so far is sound. */
+void pm_ask_seal(pm_workspace *w);
+/* Keeps of a run that did not come to its end what was answered at instants (sound: of that, what is); asks without any
+ * answer get the reason `others`. */
+void pm_ask_keep(pm_workspace *w, int sound, int others);
 
 #endif

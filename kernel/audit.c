@@ -10,6 +10,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "ask.h"
 #include "body.h"
 #include "contact.h"
 #include "force.h"
@@ -239,7 +240,8 @@ static double energy_rounding(const pm_workspace *w, double mass)
     return w->energy_scale > 0 ? (mass * acceleration * rounding + spin) / w->energy_scale : 0;
 }
 
-int pm_audit_close(pm_workspace *w)
+/* Residuals and what they may be. */
+static void weigh(pm_workspace *w, double *audit, double *bound)
 {
     const pm_model *m = w->model;
     double p[PM_LEDGER], open[PM_LEDGER];
@@ -252,14 +254,28 @@ int pm_audit_close(pm_workspace *w)
     for (int i = 0; i < m->nbody; i++) mass += w->mass[i];
     w->momentum_scale = fmax(w->momentum_scale, SLOWEST * mass * w->speed);
     w->energy_scale = fmax(w->energy_scale, SLOWEST * SLOWEST * mass * w->speed * w->speed);
-    w->audit[PM_AUDIT_ENERGY] = w->energy_scale > 0 ? fabs(energy_open) / w->energy_scale : 0;
-    if (w->evidence > w->audit[PM_AUDIT_ENERGY]) w->audit[PM_AUDIT_ENERGY] = w->evidence; /* a NaN stays */
-    w->audit[PM_AUDIT_MOMENTUM] = w->momentum_scale > 0 ? momentum_size(w, open) / w->momentum_scale : 0;
-    w->audit[PM_AUDIT_CONSTRAINT] = w->constraint_worst;
-    const double least = fmax(LEAST_BOUND, BOUND_FACTOR * w->tolerance);
-    for (int i = 0; i < PM_AUDITS; i++) {
-        const double bound = i == PM_AUDIT_ENERGY ? least + energy_rounding(w, mass) : least;
-        if (!(w->audit[i] <= bound)) return pm_fail(w, PM_AUDIT, PM_NONE, i, w->audit[i], bound);
-    }
+    audit[PM_AUDIT_ENERGY] = w->energy_scale > 0 ? fabs(energy_open) / w->energy_scale : 0;
+    if (w->evidence > audit[PM_AUDIT_ENERGY]) audit[PM_AUDIT_ENERGY] = w->evidence; /* a NaN stays */
+    audit[PM_AUDIT_MOMENTUM] = w->momentum_scale > 0 ? momentum_size(w, open) / w->momentum_scale : 0;
+    audit[PM_AUDIT_CONSTRAINT] = w->constraint_worst;
+    for (int i = 0; i < PM_AUDITS; i++) bound[i] = fmax(LEAST_BOUND, BOUND_FACTOR * w->tolerance);
+    bound[PM_AUDIT_ENERGY] += energy_rounding(w, mass);
+}
+
+int pm_audit_close(pm_workspace *w)
+{
+    double bound[PM_AUDITS];
+    weigh(w, w->audit, bound);
+    for (int i = 0; i < PM_AUDITS; i++)
+        if (!(w->audit[i] <= bound[i])) return pm_fail(w, PM_AUDIT, PM_NONE, i, w->audit[i], bound[i]);
     return PM_OK;
+}
+
+void pm_audit_seal(pm_workspace *w)
+{
+    double audit[PM_AUDITS], bound[PM_AUDITS];
+    weigh(w, audit, bound);
+    for (int i = 0; i < PM_AUDITS; i++)
+        if (!(audit[i] <= bound[i])) return;
+    pm_ask_seal(w);
 }

@@ -27,5 +27,7 @@ void pm_audit_impulse(pm_workspace *w, const double at[2], const double force[2]
 void pm_audit_series(pm_workspace *w, double factor);
 /* Closes the ledger: w->audit; PM_AUDIT if it does not close within its bound. */
 int pm_audit_close(pm_workspace *w);
+/* What is answered so far is sound if the ledger closes at w->state. */
+void pm_audit_seal(pm_workspace *w);
 
 #endif

@@ -334,6 +334,7 @@ static void end_step(pm_workspace *w)
     pm_frame_look_state(w, &w->state);
     pm_active_follow(w, &w->state);
     pm_audit_step(w);
+    if (w->route->in_time && w->ask->fresh) pm_audit_seal(w);
     w->event->first_step = 0;
 }
 

@@ -20,7 +20,7 @@
 
 /* ---- status ---------------------------------------------------------------------------------------
  * 0 ok; > 0 an early stop (what was answered before stands) or, for a find, a remark (all answers stand);
- * < 0 failure: no answer can be trusted. */
+ * < 0 failure: of the answers only those stand that were reached before it while the ledgers of the audit closed. */
 enum pm_status {
     PM_OK = 0,
     PM_LIMIT_TIME = 1,    /* max_time reached before the end of the run */

@@ -167,18 +167,18 @@ void pm_run_fail_asks(pm_workspace *w)
 /* An early stop keeps what was answered; what is asked at the end was not reached. */
 static int end_early(pm_workspace *w, int status)
 {
-    const pm_model *m = w->model;
-    for (int i = 0; i < m->nask; i++) {
-        const int32_t *e = PM_ASK_ROW(m, i);
-        const int at_instant =
-            e[PM_ASK_KIND] == PM_ASK_EVENT || e[PM_ASK_KIND] == PM_ASK_EACH || e[PM_ASK_KIND] == PM_ASK_GRID;
-        if (at_instant && w->ask->filled[e[PM_ASK_OUT]])
-            w->reason[i] = PM_REASON_NONE;
-        else
-            for (int k = 0; k < e[PM_ASK_COUNT]; k++) w->out[e[PM_ASK_OUT] + k] = NAN;
-    }
     const int audit = pm_audit_close(w);
+    pm_ask_keep(w, audit != PM_OK, audit ? PM_REASON_FAILED : PM_REASON_NOT_REACHED);
     return audit ? audit : status;
+}
+
+/* What was answered before a run failed stands if the ledgers closed after it: at the last accepted step, or earlier. */
+static void keep_sound(pm_workspace *w, int status)
+{
+    const pm_where where = w->where; /* of the failure itself */
+    const int sound = status == PM_AUDIT || pm_audit_close(w) != PM_OK;
+    w->where = where;
+    pm_ask_keep(w, sound, PM_REASON_FAILED);
 }
 
 int pm_run(pm_workspace *w, const double *param)
@@ -187,6 +187,7 @@ int pm_run(pm_workspace *w, const double *param)
     pm_ask_reset(w);
     for (int i = 0; i < PM_AUDITS; i++) w->audit[i] = NAN;
     int status = pm_run_start(w, param, &report);
+    const int started = status == PM_OK;
     if (!status) status = run_phases(w);
     if (status == PM_SINGULAR && w->count[PM_COUNT_STEPS] > 0) status = PM_ENDS_SINGULAR;
     pm_phases_end(w);
@@ -195,6 +196,9 @@ int pm_run(pm_workspace *w, const double *param)
         pm_ask_end(w);
         status = pm_audit_close(w);
     }
-    if (status < 0) pm_run_fail_asks(w);
+    if (status < 0 && started)
+        keep_sound(w, status);
+    else if (status < 0)
+        pm_run_fail_asks(w);
     return status;
 }

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import gallery
-from chapter17 import LEFT_OUT, SCENES, TIME_ROUTES, errors, load, residual, run, why_not
+from chapter17 import ENDS_EARLY, FOLDER, LEFT_OUT, SCENES, TIME_ROUTES, errors, load, residual, run, why_not
 from planemotion import engine
 from planemotion.flatten import FlatScene, flatten
 from planemotion.result import collect
@@ -48,6 +48,21 @@ def test_a_route_in_time_gives_the_same(path: Path, route: str) -> None:
         if not error <= BETWEEN_ROUTES_LAST.get((path.stem, key), BETWEEN_ROUTES)
     }
     assert wrong == {}
+
+
+@pytest.mark.parametrize(("stem", "route"), ENDS_EARLY)
+def test_what_a_route_answers_before_it_fails_is_right(stem: str, route: str) -> None:
+    """Where the run fails only the last of a list of values is missing."""
+    path = FOLDER / f"{stem}.toml"
+    early, whole = run(path, route), run(path)
+    assert early.status == ENDS_EARLY[stem, route]
+    assert "were reached before" in early.error
+    for key, ask in whole.asks.items():
+        values = early.asks[key].value
+        assert isinstance(values, list)
+        assert isinstance(ask.value, list)
+        assert values[-1] is None
+        assert values[:-1] == pytest.approx(ask.value[:-1], rel=BETWEEN_ROUTES, abs=0)
 
 
 @pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)

@@ -282,7 +282,10 @@ def message(flat: FlatScene, results: CaseResults, i: int) -> str:
     status = int(results.status[i])
     if status == layout.PM_OK:
         return ""
-    return describe(flat, status, results.where[i], results.detail[i], results.param[i])
+    text = describe(flat, status, results.where[i], results.detail[i], results.param[i])
+    if status < layout.PM_OK and not np.isnan(results.out[i]).all():
+        text += "; the answers that are there were reached before, while the audit closed"
+    return text
 
 
 def describe(flat: FlatScene, status: int, where: Ints, detail: Floats, param: Floats | None = None) -> str:
