@@ -176,3 +176,56 @@ void pm_band_solve_transposed(int n, const int *bottom, const int *right, const 
         exchange(x, j, pivot[j]);
     }
 }
+
+/* ---- full pivoting ---- */
+/* The column of the greatest entry of a row from column[i] on. */
+static int greatest_of(int n, int i, const int *column, const double *row)
+{
+    int best = column[i];
+    for (int k = i + 1; k < n; k++)
+        if (fabs(row[column[k]]) > fabs(row[best])) best = column[k];
+    return best;
+}
+
+/* Brings row `at` to row i, and its best column to column[i]. */
+static void bring(int n, int i, int at, double *a, int *column, int *best)
+{
+    int k = i;
+    for (int c = 0; c < n && at != i; c++) {
+        const double swap = a[i * n + c];
+        a[i * n + c] = a[at * n + c];
+        a[at * n + c] = swap;
+    }
+    const int row_best = best[at], swap = column[i];
+    best[at] = best[i];
+    best[i] = row_best;
+    while (column[k] != row_best) k++;
+    column[k] = swap;
+    column[i] = row_best;
+}
+
+int pm_eliminate(int rows, int n, double least, double *a, int *column, int *best, int *filled)
+{
+    double greatest = 0;
+    for (int k = 0; k < n; k++) column[k] = k;
+    for (int r = 0; r < rows; r++) best[r] = greatest_of(n, 0, column, a + r * n);
+    for (int i = 0; i < rows; i++) {
+        int at = i, nfilled = 0;
+        for (int r = i + 1; r < rows; r++)
+            if (fabs(a[r * n + best[r]]) > fabs(a[at * n + best[at]])) at = r;
+        bring(n, i, at, a, column, best);
+        const double *top = a + i * n, pivot = top[column[i]];
+        greatest = fmax(greatest, fabs(pivot));
+        if (!(fabs(pivot) > least * greatest)) return i;
+        for (int k = i + 1; k < n; k++)
+            if (top[column[k]] != 0) filled[nfilled++] = column[k];
+        for (int r = i + 1; r < rows; r++) {
+            double *row = a + r * n;
+            if (row[column[i]] == 0 && best[r] != column[i]) continue;
+            const double factor = row[column[i]] / pivot;
+            for (int k = 0; k < nfilled; k++) row[filled[k]] -= factor * top[filled[k]];
+            best[r] = greatest_of(n, i + 1, column, row);
+        }
+    }
+    return rows;
+}

@@ -8,6 +8,7 @@
 
 #include "audit.h"
 #include "body.h"
+#include "dense.h"
 #include "force.h"
 #include "path.h"
 #include "path_bridge.h"
@@ -27,34 +28,12 @@ static double scale_of(const pm_workspace *w, int coordinate)
 }
 
 /* Null vector of the loop rows (one more column than rows) by elimination with full pivoting. */
-static void null_vector(pm_path *p, int rows, double *t)
+static void null_vector(pm_workspace *w, double *t)
 {
-    const int n = p->n;
-    double *a = p->loop;
-    int *column = p->column;
-    for (int k = 0; k < n; k++) column[k] = k;
-    for (int i = 0; i < rows; i++) {
-        int at_row = i, at_column = i;
-        for (int r = i; r < rows; r++)
-            for (int k = i; k < n; k++)
-                if (fabs(a[r * n + column[k]]) > fabs(a[at_row * n + column[at_column]])) {
-                    at_row = r;
-                    at_column = k;
-                }
-        const int swap = column[i];
-        column[i] = column[at_column];
-        column[at_column] = swap;
-        for (int k = 0; k < n && at_row != i; k++) {
-            const double x = a[i * n + k];
-            a[i * n + k] = a[at_row * n + k];
-            a[at_row * n + k] = x;
-        }
-        const double pivot = a[i * n + column[i]];
-        for (int r = i + 1; r < rows && pivot != 0; r++) {
-            const double factor = a[r * n + column[i]] / pivot;
-            for (int k = i; k < n; k++) a[r * n + column[k]] -= factor * a[i * n + column[k]];
-        }
-    }
+    pm_path *p = w->path;
+    const int n = p->n, rows = w->tree->nloop, *column = p->column;
+    const double *a = p->loop;
+    pm_eliminate(rows, n, 0, p->loop, p->column, w->tree->best, w->tree->filled);
     t[column[n - 1]] = 1;
     for (int i = rows - 1; i >= 0; i--) {
         double sum = 0;
@@ -70,7 +49,7 @@ static void direction(pm_workspace *w, double *t)
     if (w->tree->nloop == 0)
         t[0] = 1;
     else
-        null_vector(w->path, w->tree->nloop, t);
+        null_vector(w, t);
 }
 
 /* What motion at a unit rate of the driver makes of masses and forces. */
@@ -141,7 +120,7 @@ static int place_on_bridge(pm_workspace *w, double u, pm_place *place, int statu
 {
     pm_path *p = w->path;
     if (status && status != PM_SINGULAR) return status;
-    null_vector(p, w->tree->nloop, p->bridge.y);
+    null_vector(w, p->bridge.y);
     return rank_falls(w) ? pm_bridge_place(w, u, place) : status;
 }
 

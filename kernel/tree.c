@@ -18,7 +18,7 @@ int pm_tree_create(pm_workspace *w)
     const size_t most = nbody * nq; /* coordinates that move a body, over all bodies */
     const size_t doubles =
         nq * nq + 3 * most + 3 * nrow * nq + nrow * nrow + (6 + PM_TREE_FEW) * nq + 2 * nrow;
-    const size_t ints = 9 * nrow + 5 * nq + 3 * nbody + most;
+    const size_t ints = 9 * nrow + 6 * nq + 3 * nbody + most;
     double *p = t->block = calloc(doubles * sizeof *p + ints * sizeof(int) + nrow + 1, 1);
     t->node = calloc(nbody + 1, sizeof *t->node);
     if (!p || !t->node) return PM_NO_MEMORY;
@@ -51,7 +51,8 @@ int pm_tree_create(pm_workspace *w)
     t->bottom = t->left + nrow;
     t->right = t->bottom + nrow;
     t->best = t->right + nrow;
-    t->weight = t->best + nrow;
+    t->filled = t->best + nrow;
+    t->weight = t->filled + nq;
     t->top = t->weight + nbody;
     t->used = (unsigned char *)(t->top + nbody);
     return PM_OK;

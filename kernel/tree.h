@@ -22,7 +22,7 @@ typedef struct pm_tree {
     unsigned char *used; /* [nrow] */
     int *placed;         /* [nbody] 1 + index of its node */
     int *weight, *top;   /* [nbody] coordinates of a node and of all that it carries; scratch */
-    int *best;           /* [nrow] scratch */
+    int *best, *filled;  /* [nrow], [nq] scratch of pm_eliminate */
     int *moved_by;       /* the coordinates that move each body: node->list, node->nlist */
     int *first_coupled;  /* [nq] the first coordinate to which the mass matrix couples each */
     double *influence;   /* [3] for each entry of moved_by: velocity of the body at a unit rate */

@@ -41,76 +41,19 @@ void pm_tree_hold(pm_workspace *w, int held)
     pm_tree_arrange(w);
 }
 
-/* The greatest entry of a row of what is left of a[nloop][n]: columns that are taken have a position. */
-static void note_greatest(const pm_tree *t, const double *a, int row)
-{
-    int best = PM_NONE;
-    a += row * t->n;
-    for (int k = 0; k < t->n; k++)
-        if (t->position[k] == PM_NONE && (best == PM_NONE || fabs(a[k]) > fabs(a[best]))) best = k;
-    t->best[row] = best;
-}
-
-/* The row with the greatest entry of all that are left: those that are done have a bottom. */
-static int find_pivot(const pm_tree *t, const double *a)
-{
-    int at = PM_NONE;
-    for (int r = 0; r < t->nloop; r++)
-        if (t->bottom[r] == PM_NONE &&
-            (at == PM_NONE || fabs(a[r * t->n + t->best[r]]) > fabs(a[at * t->n + t->best[at]])))
-            at = r;
-    return at;
-}
-
-/* Takes the pivot's column off the rows that are left, looking only at what is not zero. */
-static void eliminate(pm_tree *t, double *a, int pivot)
-{
-    const double *top = a + pivot * t->n;
-    const int column = t->best[pivot];
-    int *filled = t->pivot, nfilled = 0;
-    for (int k = 0; k < t->n; k++)
-        if (top[k] != 0 && t->position[k] == PM_NONE) filled[nfilled++] = k;
-    for (int r = 0; r < t->nloop; r++) {
-        double *row = a + r * t->n;
-        if (t->bottom[r] != PM_NONE || (row[column] == 0 && t->best[r] != column)) continue;
-        const double factor = row[column] / top[column];
-        for (int k = 0; k < nfilled; k++) row[filled[k]] -= factor * top[filled[k]];
-        note_greatest(t, a, r);
-    }
-}
-
-/* Elimination with full pivoting: the pivots' columns, which have a position then, are the dependent ones. */
-static int choose(pm_workspace *w)
-{
-    pm_tree *t = w->tree;
-    const int n = t->n;
-    double *a = t->reduced, greatest = 0;
-    pm_tree_loops(w, a);
-    for (int k = 0; k < n; k++) t->position[k] = PM_NONE;
-    for (int i = 0; i < t->nloop; i++) {
-        for (int k = 0; k < n; k++) a[i * n + k] *= scale_of(w, k);
-        t->bottom[i] = PM_NONE;
-        note_greatest(t, a, i);
-    }
-    for (int i = 0; i < t->nloop; i++) {
-        const int row = find_pivot(t, a), column = t->best[row];
-        const double pivot = fabs(a[row * n + column]);
-        greatest = fmax(greatest, pivot);
-        if (!(pivot > RANK * greatest)) return 0;
-        t->bottom[row] = t->position[column] = i;
-        eliminate(t, a, row);
-    }
-    return 1;
-}
-
+/* Chooses the columns of the pivots. */
 void pm_tree_partition(pm_workspace *w)
 {
     pm_tree *t = w->tree;
-    if (t->nloop == 0 || t->nloop >= t->n || t->n - t->nloop > PM_TREE_FEW) return;
-    const int chosen = choose(w);
-    for (int k = 0, c = t->nloop; k < t->n && chosen; k++)
-        if (t->position[k] == PM_NONE) t->column[c++] = k;
-    if (chosen) {
+    const int n = t->n;
+    double *a = t->reduced;
+    int *order = t->position;
+    if (t->nloop == 0 || t->nloop >= n || n - t->nloop > PM_TREE_FEW) return;
+    pm_tree_loops(w, a);
+    for (int i = 0; i < t->nloop; i++)
+        for (int k = 0; k < n; k++) a[i * n + k] *= scale_of(w, k);
+    if (pm_eliminate(t->nloop, n, RANK, a, order, t->best, t->filled) == t->nloop) {
+        memcpy(t->column + t->nloop, order + t->nloop, (size_t)(n - t->nloop) * sizeof *order);
         t->few = 1;
         t->steepest = 0;
     }
