@@ -81,20 +81,28 @@ void pm_skyline_upper(int n, const int *first, const double *a, double *x)
     }
 }
 
+/* Exchanges row j for the one with the greatest entry in column j from there on; 0, or 1 + a column without one. */
+static int bring_pivot(int n, double *a, int j, int *pivot)
+{
+    int best = j;
+    for (int i = j + 1; i < n; i++)
+        if (fabs(a[i * n + j]) > fabs(a[best * n + j])) best = i;
+    pivot[j] = best;
+    if (!(fabs(a[best * n + j]) > 0)) return j + 1;
+    if (best != j)
+        for (int k = 0; k < n; k++) {
+            const double swap = a[j * n + k];
+            a[j * n + k] = a[best * n + k];
+            a[best * n + k] = swap;
+        }
+    return 0;
+}
+
 int pm_lu_factor(int n, double *a, int *pivot)
 {
     for (int j = 0; j < n; j++) {
-        int best = j;
-        for (int i = j + 1; i < n; i++)
-            if (fabs(a[i * n + j]) > fabs(a[best * n + j])) best = i;
-        pivot[j] = best;
-        if (!(fabs(a[best * n + j]) > 0)) return j + 1;
-        if (best != j)
-            for (int k = 0; k < n; k++) {
-                const double swap = a[j * n + k];
-                a[j * n + k] = a[best * n + k];
-                a[best * n + k] = swap;
-            }
+        const int bad = bring_pivot(n, a, j, pivot);
+        if (bad) return bad;
         const double inverse = 1 / a[j * n + j];
         for (int i = j + 1; i < n; i++) {
             const double factor = a[i * n + j] *= inverse;
@@ -228,4 +236,38 @@ int pm_eliminate(int rows, int n, double least, double *a, int *column, int *bes
         }
     }
     return rows;
+}
+
+/* ---- the inverse ---- */
+/* Row `j`, whose pivot is in its place, eliminated from all others (Gauss, Jordan); its column becomes that of the
+ * inverse. */
+static void eliminate(int n, double *a, int j)
+{
+    double *const aj = a + j * n;
+    const double inverse = 1 / aj[j];
+    aj[j] = 1;
+    for (int k = 0; k < n; k++) aj[k] *= inverse;
+    for (int i = 0; i < n; i++) {
+        double *const ai = a + i * n;
+        const double factor = ai[j];
+        if (i == j || factor == 0) continue;
+        ai[j] = 0;
+        for (int k = 0; k < n; k++) ai[k] -= factor * aj[k];
+    }
+}
+
+int pm_lu_invert(int n, double *a, int *pivot)
+{
+    for (int j = 0; j < n; j++) {
+        const int bad = bring_pivot(n, a, j, pivot);
+        if (bad) return bad;
+        eliminate(n, a, j);
+    }
+    for (int j = n - 1; j >= 0; j--)
+        for (int i = 0; i < n && pivot[j] != j; i++) {
+            const double swap = a[i * n + j];
+            a[i * n + j] = a[i * n + pivot[j]];
+            a[i * n + pivot[j]] = swap;
+        }
+    return 0;
 }

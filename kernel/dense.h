@@ -15,6 +15,8 @@ void pm_skyline_upper(int n, const int *first, const double *a, double *x);
 /* P A = L U with partial pivoting; returns 0, or 1 + the column without a pivot. */
 int pm_lu_factor(int n, double *a, int *pivot);
 void pm_lu_solve(int n, const double *a, const int *pivot, double *x);
+/* A^-1 in place; returns 0, or 1 + the column without a pivot. */
+int pm_lu_invert(int n, double *a, int *pivot);
 
 /* The same where rows below bottom[j] begin beyond column j, and rows up to bottom[j] end at column right[j]; neither falls
  * with j.  Nothing else of A is looked at.  Factors of one kind are not for the solvers of the other. */

@@ -22,23 +22,30 @@
 #define PM_IDA_STOCK 0
 #endif
 
-/* Blocks of dF/dy + cj dF/dy' and their factors, row-major. */
+/* Blocks of dF/dy + cj dF/dy', row-major, and what solves with them. */
 typedef struct pm_ida_jacobian {
     int nactive;
     double cj;
-    double *g, *h;     /* [nrow][nq] rows and the directions of their forces */
-    double *turn;      /* [nrow][nq] d(G v)/dq */
-    double *stiffness; /* [nq][nq] M^-1 d(f + H^T lambda)/dq */
-    double *damping;   /* [nq][nq] M^-1 df/dv */
-    double *ledger;    /* [nz][nrow + 2 nq] dz'/dlambda, dz'/dq, dz'/dv */
-    double *schur;     /* [nactive][nactive] Cholesky factor of G M^-1 G^T */
-    double *spread;    /* [nq][nrow] M^-1 G^T (G M^-1 G^T)^-1 */
-    double *system;    /* [nq + nactive][nq + nactive] LU factors in (v, L), scaled */
-    int *pivot;        /* [nq + nrow] */
-    double *scale;     /* [nq + nrow] of the unknowns of `system` */
-    double *work;      /* scratch of the differences and of a solution */
-    int has_forces;    /* some force may depend on positions */
-    int has_damping;   /* and some on velocities */
+    double *g, *h;         /* [nrow][nq] rows and the directions of their forces */
+    double *turn;          /* [nrow][nq] d(G v)/dq */
+    double *stiffness;     /* [nq][nq] M^-1 d(f + H^T lambda)/dq */
+    double *damping;       /* [nq][nq] M^-1 df/dv */
+    double *ledger;        /* [nrow + 2 nq][nz] dz'/dlambda, dz'/dq, dz'/dv: by columns, as all that follow */
+    double *schur;         /* [nactive][nactive] Cholesky factor of G M^-1 G^T */
+    double *inverse_schur; /* [nactive][nactive] */
+    double *share;         /* [nq][nactive] (G M^-1 G^T)^-1 G */
+    double *spread;        /* [nactive][nq] M^-1 G^T (G M^-1 G^T)^-1 */
+    double *project;       /* [nq][nq] 1 - M^-1 G^T (G M^-1 G^T)^-1 G */
+    double *bend;          /* [nbend][nq + nactive] stiffness and -turn */
+    double *system;        /* [nq + nactive][nq + nactive] the inverse in (v, L) */
+    int *pivot;            /* [nq + nrow] */
+    int *bending;          /* [nq] coordinates that `bend` is of */
+    int nbend;
+    int known;       /* the factors are of this phase */
+    double *scale;   /* [nq + nrow] of the unknowns of `system` */
+    double *work;    /* scratch of the differences and of a solution */
+    int has_forces;  /* some force may depend on positions */
+    int has_damping; /* and some on velocities */
 } pm_ida_jacobian;
 
 typedef struct pm_ida {

@@ -28,7 +28,7 @@ typedef struct pm_ida_differences {
 
 static size_t work_size(const pm_model *m) /* as much as ida_linear.c needs, too */
 {
-    return 4 * (size_t)m->nq + 3 * (size_t)m->nz + 3 * (size_t)m->nrow;
+    return 5 * (size_t)m->nq + 3 * (size_t)m->nz + 3 * (size_t)m->nrow;
 }
 
 static pm_ida_differences differences(const pm_model *m, double *work)
@@ -46,11 +46,11 @@ static pm_ida_differences differences(const pm_model *m, double *work)
 size_t pm_ida_jacobian_doubles(const pm_model *m)
 {
     const size_t nq = (size_t)m->nq, nrow = (size_t)m->nrow, nz = (size_t)m->nz, both = nq + nrow;
-    return 4 * nrow * nq + 2 * nq * nq + nz * (nrow + 2 * nq) + nrow * nrow + both * both + both +
+    return 5 * nrow * nq + 3 * nq * nq + nz * (nrow + 2 * nq) + 2 * nrow * nrow + (nq + both) * both + both +
            work_size(m);
 }
 
-size_t pm_ida_jacobian_ints(const pm_model *m) { return (size_t)(m->nq + m->nrow); }
+size_t pm_ida_jacobian_ints(const pm_model *m) { return (size_t)(2 * m->nq + m->nrow); }
 
 static int has_damping(const pm_model *m)
 {
@@ -66,14 +66,19 @@ void pm_ida_jacobian_place(pm_ida_jacobian *x, const pm_model *m, double *p, int
     x->h = x->g + nrow * nq;
     x->turn = x->h + nrow * nq;
     x->spread = x->turn + nrow * nq;
-    x->stiffness = x->spread + nq * nrow;
+    x->share = x->spread + nq * nrow;
+    x->project = x->share + nq * nrow;
+    x->stiffness = x->project + nq * nq;
     x->damping = x->stiffness + nq * nq;
     x->ledger = x->damping + nq * nq;
     x->schur = x->ledger + nz * (nrow + 2 * nq);
-    x->system = x->schur + nrow * nrow;
+    x->inverse_schur = x->schur + nrow * nrow;
+    x->bend = x->inverse_schur + nrow * nrow;
+    x->system = x->bend + nq * both;
     x->scale = x->system + both * both;
     x->work = x->scale + both;
     x->pivot = ints;
+    x->bending = ints + both;
     x->has_forces = m->rows[PM_TABLE_FORCE] > 0 || pm_spin_turns(m);
     x->has_damping = has_damping(m);
 }
@@ -109,9 +114,9 @@ static void rows(pm_workspace *w, pm_ida_jacobian *x)
 static void ledger_column(pm_workspace *w, pm_ida_jacobian *x, const pm_ida_differences *d, int column,
                           double step)
 {
-    const int nz = w->model->nz, width = w->model->nrow + 2 * w->model->nq;
+    const int nz = w->model->nz;
     pm_audit_rates(w, d->z_moved);
-    for (int i = 0; i < nz; i++) x->ledger[i * width + column] = (d->z_moved[i] - d->z[i]) / step;
+    for (int i = 0; i < nz; i++) x->ledger[column * nz + i] = (d->z_moved[i] - d->z[i]) / step;
 }
 
 /* dz'/dlambda: the rates are linear in the reactions. */

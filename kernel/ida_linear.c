@@ -8,136 +8,259 @@
  *   G dq = b4
  *   N dq + G dv = b5
  *
- * The first and fourth give dq, with S = G W G^T (Cholesky), X = W G^T S^-1 and u = (b1 + dv)/cj:
- *   dMu = S^-1 (G u - b4),   dq = u - X (G u - b4) = d0 + (1 - X G) dv / cj,
- * which leaves one system of nq + nactive equations (LU), scaled by the square roots of W and S:
- *   [1 - D/cj - K (1 - X G)/cj^2   -W H^T] [dv]   [(b2 + K d0)/cj]
- *   [G + N (1 - X G)/cj             0    ] [dL] = [b5 - N d0     ]
- * and then dz.  An eighth of the work of a dense LU on all unknowns, and less than that without z. */
+ * The first and fourth give dq, with S = G W G^T (Cholesky), Y = S^-1 G and P = 1 - W Y^T G:
+ *   dMu = Y (b1 + dv)/cj - S^-1 b4,   dq = P (b1 + dv)/cj + W Y^T b4 = d0 + P dv / cj,
+ * which leaves one system of nq + nactive equations, scaled by the square roots of W and S:
+ *   [1 - D/cj - K P/cj^2   -W H^T] [dv]   [(b2 + K d0)/cj]
+ *   [G + N P/cj             0    ] [dL] = [b5 - N d0     ]
+ * and then dz.  An eighth of the work of a dense LU on all unknowns, and less than that without z.
+ *
+ * Many systems are solved with one matrix: inverses are formed, and all matrices kept by columns, because a
+ * sum of columns runs several rows at once where substitution waits for each number before the next. */
 #include "ida_linear.h"
 
 #include <math.h>
 #include <string.h>
 
+#include "body.h"
 #include "dense.h"
 #include "ida_jacobian.h"
+#include "project.h"
+#include "saddle.h"
 
-/* y = a x or y -= a x for a matrix of m rows and n columns, leading dimension `ld`. */
-static void times(int m, int n, int ld, const double *a, const double *x, double *y)
+#define SLIGHT 1e-6    /* of size and speed: corrections that the rows of the last matrix are good for */
+#define ROUNDING 4e-15 /* of size and speed: nothing is left to correct */
+
+/* y += A x for m rows and n columns, column by column. */
+static void add_columns(int m, int n, const double *restrict a, const double *restrict x, double *restrict y)
 {
-    for (int i = 0; i < m; i++) {
-        double sum = 0;
-        for (int k = 0; k < n; k++) sum += a[i * ld + k] * x[k];
-        y[i] = sum;
+    int k = 0;
+    for (; k + 1 < n; k += 2) {
+        const double *left = a + k * m, *right = left + m, p = x[k], q = x[k + 1];
+        for (int i = 0; i < m; i++) y[i] += left[i] * p + right[i] * q;
     }
+    if (k < n)
+        for (int i = 0; i < m; i++) y[i] += a[k * m + i] * x[k];
 }
 
-static void take_away(int m, int n, int ld, const double *a, const double *x, double *y)
-{
-    for (int i = 0; i < m; i++) {
-        double sum = 0;
-        for (int k = 0; k < n; k++) sum += a[i * ld + k] * x[k];
-        y[i] -= sum;
-    }
-}
-
-/* S, its Cholesky factor, X; the scale of L from the diagonal of S. */
-static int factor_rows(pm_workspace *w)
+/* S, its inverse; the scale of L from the diagonal of S. */
+static int invert_rows(pm_workspace *w)
 {
     pm_ida_jacobian *j = &w->ida->jacobian;
-    const int nq = w->model->nq, nrow = w->model->nrow, na = j->nactive;
+    const int nq = w->model->nq, na = j->nactive;
+    double *const s = j->schur, *const unit = j->work;
     for (int r = 0; r < na; r++)
         for (int c = 0; c <= r; c++) {
             double sum = 0;
             for (int k = 0; k < nq; k++) sum += j->g[r * nq + k] * w->inverse_mass[k] * j->g[c * nq + k];
-            j->schur[r * na + c] = sum;
+            s[r * na + c] = sum;
         }
-    for (int r = 0; r < na; r++) j->scale[nq + r] = 1 / sqrt(j->schur[r * na + r]);
-    const int bad = pm_cholesky_factor(na, j->schur);
+    for (int r = 0; r < na; r++) j->scale[nq + r] = 1 / sqrt(s[r * na + r]);
+    const int bad = pm_cholesky_factor(na, s);
     if (bad) return pm_fail(w, PM_SINGULAR, PM_TABLE_JOINT, w->row[bad - 1].joint, 0, 0);
-    for (int k = 0; k < nq; k++) {
-        double *x = j->spread + k * nrow;
-        for (int r = 0; r < na; r++) x[r] = w->inverse_mass[k] * j->g[r * nq + k];
-        pm_cholesky_solve(na, j->schur, x);
+    for (int r = 0; r < na; r++) {
+        memset(unit, 0, (size_t)na * sizeof *unit);
+        unit[r] = 1;
+        pm_cholesky_solve(na, s, unit);
+        memcpy(j->inverse_schur + r * na, unit, (size_t)na * sizeof *unit);
     }
     return PM_OK;
 }
 
-/* One row of a (1 - X G) into `out`: a has nq numbers. */
+/* Y, W Y^T and P, each by columns. */
+static void project_on_rows(pm_workspace *w)
+{
+    pm_ida_jacobian *j = &w->ida->jacobian;
+    const int nq = w->model->nq, na = j->nactive;
+    memset(j->share, 0, (size_t)(nq * na) * sizeof *j->share);
+    for (int k = 0; k < nq; k++)
+        for (int r = 0; r < na; r++) {
+            const double g = j->g[r * nq + k], *s = j->inverse_schur + r * na;
+            for (int c = 0; c < na && g != 0; c++) j->share[k * na + c] += g * s[c];
+        }
+    for (int r = 0; r < na; r++)
+        for (int k = 0; k < nq; k++) j->spread[r * nq + k] = w->inverse_mass[k] * j->share[k * na + r];
+    for (int k = 0; k < nq; k++) {
+        double *p = j->project + k * nq;
+        memset(p, 0, (size_t)nq * sizeof *p);
+        p[k] = 1;
+        for (int r = 0; r < na; r++) {
+            const double g = j->g[r * nq + k], *x = j->spread + r * nq;
+            for (int i = 0; i < nq && g != 0; i++) p[i] -= g * x[i];
+        }
+    }
+}
+
+/* One row of a P into `out`: a has nq numbers, most of them 0. */
 static void on_rows(const pm_workspace *w, const double *a, double *out)
 {
     const pm_ida_jacobian *j = &w->ida->jacobian;
-    const int nq = w->model->nq, nrow = w->model->nrow, na = j->nactive;
+    const int nq = w->model->nq, na = j->nactive;
+    double *const sum = j->work;
     memcpy(out, a, (size_t)nq * sizeof *a);
+    memset(sum, 0, (size_t)na * sizeof *sum);
+    for (int k = 0; k < nq; k++) {
+        const double weight = a[k] * w->inverse_mass[k], *y = j->share + k * na;
+        for (int r = 0; r < na && weight != 0; r++) sum[r] += weight * y[r];
+    }
     for (int r = 0; r < na; r++) {
-        double sum = 0;
-        for (int k = 0; k < nq; k++) sum += a[k] * j->spread[k * nrow + r];
-        for (int k = 0; k < nq; k++) out[k] -= sum * j->g[r * nq + k];
+        const double *g = j->g + r * nq;
+        for (int k = 0; k < nq && sum[r] != 0; k++) out[k] -= sum[r] * g[k];
+    }
+}
+
+/* The scaled system, transposed: its inverse is wanted by columns. */
+static void fill_system(pm_workspace *w)
+{
+    pm_ida_jacobian *j = &w->ida->jacobian;
+    const int nq = w->model->nq, na = j->nactive, n = nq + na;
+    const double ic = 1 / j->cj, *im = w->inverse_mass;
+    double *const s = j->scale, *const a = j->system, *const row = j->work + na;
+    for (int i = 0; i < nq; i++) s[i] = im[i] > 0 ? sqrt(im[i]) : 1;
+    for (int i = 0; i < nq; i++) {
+        on_rows(w, j->stiffness + i * nq, row);
+        for (int k = 0; k < nq; k++) {
+            const double damping = j->has_damping ? j->damping[i * nq + k] : 0;
+            a[k * n + i] = ((i == k) - ic * (damping + ic * row[k])) * s[k] / s[i];
+        }
+        for (int r = 0; r < na; r++) a[(nq + r) * n + i] = -im[i] * j->h[r * nq + i] * s[nq + r] / s[i];
+    }
+    for (int r = 0; r < na; r++) {
+        on_rows(w, j->turn + r * nq, row);
+        for (int k = 0; k < nq; k++) a[k * n + nq + r] = s[nq + r] * (j->g[r * nq + k] + ic * row[k]) * s[k];
+        for (int c = 0; c < na; c++) a[(nq + c) * n + nq + r] = 0;
+    }
+}
+
+/* Takes the scales off the inverse again, and 1/cj of the upper right-hand side into it. */
+static void take_scales(pm_workspace *w)
+{
+    const pm_ida_jacobian *j = &w->ida->jacobian;
+    const int nq = w->model->nq, n = nq + j->nactive;
+    const double *s = j->scale;
+    for (int k = 0; k < n; k++) {
+        const double right = k < nq ? 1 / (j->cj * s[k]) : s[k];
+        for (int i = 0; i < n; i++) j->system[k * n + i] *= right * s[i];
+    }
+}
+
+/* (K; -N) by columns, those of zeros left out: what moves without a turn bends nothing. */
+static void pack_bends(pm_workspace *w)
+{
+    pm_ida_jacobian *j = &w->ida->jacobian;
+    const int nq = w->model->nq, na = j->nactive, n = nq + na;
+    j->nbend = 0;
+    for (int k = 0; k < nq; k++) {
+        double *column = j->bend + j->nbend * n;
+        int any = 0;
+        for (int i = 0; i < nq; i++) any |= (column[i] = j->stiffness[i * nq + k]) != 0;
+        for (int r = 0; r < na; r++) any |= (column[nq + r] = -j->turn[r * nq + k]) != 0;
+        if (any) j->bending[j->nbend++] = k;
     }
 }
 
 int pm_ida_linear_factor(pm_workspace *w)
 {
     pm_ida_jacobian *j = &w->ida->jacobian;
-    const int nq = w->model->nq, na = j->nactive, n = nq + na;
-    const double ic = 1 / j->cj, *im = w->inverse_mass;
-    const int status = factor_rows(w);
+    j->known = 0;
+    const int status = invert_rows(w);
     if (status) return status;
-    double *s = j->scale;
-    for (int i = 0; i < nq; i++) s[i] = im[i] > 0 ? sqrt(im[i]) : 1;
-    for (int i = 0; i < nq; i++) {
-        double *row = j->system + i * n;
-        on_rows(w, j->stiffness + i * nq, row);
-        for (int k = 0; k < nq; k++) {
-            const double damping = j->has_damping ? j->damping[i * nq + k] : 0;
-            row[k] = ((i == k) - ic * (damping + ic * row[k])) * s[k] / s[i];
-        }
-        for (int r = 0; r < na; r++) row[nq + r] = -im[i] * j->h[r * nq + i] * s[nq + r] / s[i];
-    }
-    for (int r = 0; r < na; r++) {
-        double *row = j->system + (nq + r) * n;
-        on_rows(w, j->turn + r * nq, row);
-        for (int k = 0; k < nq; k++) row[k] = s[nq + r] * (j->g[r * nq + k] + ic * row[k]) * s[k];
-        memset(row + nq, 0, (size_t)na * sizeof *row);
-    }
+    project_on_rows(w);
+    fill_system(w);
     w->count[PM_COUNT_SOLVES]++;
-    return pm_lu_factor(n, j->system, j->pivot) ? PM_SOLVER : PM_OK;
+    if (pm_lu_invert(w->model->nq + j->nactive, j->system, j->pivot)) return PM_SOLVER;
+    take_scales(w);
+    pack_bends(w);
+    j->known = 1;
+    return PM_OK;
 }
 
 void pm_ida_linear_solve(pm_workspace *w, const double *b, double *x)
 {
     const pm_ida_jacobian *j = &w->ida->jacobian;
-    const int nq = w->model->nq, nz = w->model->nz, nrow = w->model->nrow, na = j->nactive, n = nq + na;
+    const int nq = w->model->nq, nz = w->model->nz, na = j->nactive, n = nq + na;
     const int l = pm_ida_place_l(w), mu = pm_ida_place_mu(w);
-    const double ic = 1 / j->cj, *s = j->scale;
-    double *u = j->work, *d0 = u + nq, *e = d0 + nq, *f = e + nrow;
-    for (int i = 0; i < nq; i++) u[i] = d0[i] = ic * b[i];
-    times(na, nq, nq, j->g, u, e);
-    for (int r = 0; r < na; r++) e[r] -= b[l + r];
-    take_away(nq, na, nrow, j->spread, e, d0);
-    times(nq, nq, nq, j->stiffness, d0, f);
-    times(na, nq, nq, j->turn, d0, f + nq);
-    for (int i = 0; i < nq; i++) f[i] = ic * (b[nq + i] + f[i]) / s[i];
-    for (int r = 0; r < na; r++) f[nq + r] = (b[mu + r] - f[nq + r]) * s[nq + r];
-    pm_lu_solve(n, j->system, j->pivot, f);
-    for (int i = 0; i < n; i++) f[i] *= s[i];
-    for (int i = 0; i < nq; i++) u[i] += ic * f[i];
-    times(na, nq, nq, j->g, u, e);
-    for (int r = 0; r < na; r++) e[r] -= b[l + r];
-    take_away(nq, na, nrow, j->spread, e, u);
-    pm_cholesky_solve(na, j->schur, e);
-    for (int i = 0; i < nz; i++) {
-        const double *z = j->ledger + i * (nrow + 2 * nq), *zq = z + nrow, *zv = zq + nq;
-        double sum = b[2 * nq + i], by_reactions = 0;
-        for (int k = 0; k < nq && j->has_forces; k++) sum += zq[k] * u[k];
-        for (int k = 0; k < nq && j->has_damping; k++) sum += zv[k] * f[k];
-        for (int r = 0; r < na; r++) by_reactions += z[r] * f[nq + r];
-        x[2 * nq + i] = ic * sum + by_reactions;
+    const double ic = 1 / j->cj;
+    double *q = j->work, *u = q + nq, *bent = u + nq, *f = bent + nq, *vl = f + n, *z = vl + n;
+    for (int i = 0; i < nq; i++) {
+        u[i] = ic * b[i];
+        q[i] = 0;
     }
-    memcpy(x, u, (size_t)nq * sizeof *x);
-    memcpy(x + nq, f, (size_t)nq * sizeof *x);
-    memcpy(x + l, f + nq, (size_t)na * sizeof *x);
-    memcpy(x + mu, e, (size_t)na * sizeof *x);
+    add_columns(nq, nq, j->project, u, q);
+    add_columns(nq, na, j->spread, b + l, q);
+    memcpy(f, b + nq, (size_t)nq * sizeof *f);
+    memcpy(f + nq, b + mu, (size_t)na * sizeof *f);
+    for (int i = 0; i < j->nbend; i++) bent[i] = q[j->bending[i]];
+    add_columns(n, j->nbend, j->bend, bent, f);
+    memset(vl, 0, (size_t)n * sizeof *vl);
+    add_columns(n, n, j->system, f, vl);
+    for (int i = 0; i < nq; i++) f[i] = ic * vl[i];
+    add_columns(nq, nq, j->project, f, q);
+    for (int i = 0; i < nq; i++) u[i] += f[i];
+    for (int r = 0; r < na; r++) f[r] = -b[l + r];
+    memset(x + mu, 0, (size_t)na * sizeof *x);
+    add_columns(na, na, j->inverse_schur, f, x + mu);
+    add_columns(na, nq, j->share, u, x + mu);
+    memcpy(z, b + 2 * nq, (size_t)nz * sizeof *z);
+    if (j->has_forces) add_columns(nz, nq, j->ledger + nz * w->model->nrow, q, z);
+    if (j->has_damping) add_columns(nz, nq, j->ledger + nz * (w->model->nrow + nq), vl, z);
+    for (int i = 0; i < nz; i++) z[i] *= ic;
+    add_columns(nz, na, j->ledger, vl + nq, z);
+    memcpy(x, q, (size_t)nq * sizeof *x);
+    memcpy(x + nq, vl, (size_t)nq * sizeof *x);
+    memcpy(x + 2 * nq, z, (size_t)nz * sizeof *x);
+    memcpy(x + l, vl + nq, (size_t)na * sizeof *x);
+}
+
+/* ---- back on the rows ---- */
+/* The greatest of what the rows are missed by, in w->wanted, by positions. */
+static double openings(pm_workspace *w)
+{
+    double worst = 0;
+    pm_saddle_rows(w);
+    for (int i = 0; i < w->nactive; i++) {
+        w->wanted[i] = -w->row[i].g;
+        worst = fmax(worst, fabs(w->wanted[i]));
+    }
+    return worst;
+}
+
+/* By velocities. */
+static double slips(pm_workspace *w, const double *v)
+{
+    double worst = 0;
+    for (int i = 0; i < w->nactive; i++) {
+        w->wanted[i] = w->row[i].rate - pm_saddle_times(w, &w->row[i], v);
+        worst = fmax(worst, fabs(w->wanted[i]));
+    }
+    return worst;
+}
+
+/* One correction each; whether that was enough. */
+static int corrected(pm_workspace *w, pm_state *s)
+{
+    const double *spread = w->ida->jacobian.spread;
+    const int nq = w->model->nq, na = w->nactive;
+    pm_frame_look_state(w, s);
+    double worst = openings(w);
+    if (!(worst <= SLIGHT * w->size)) return 0;
+    if (worst > ROUNDING * w->size) {
+        add_columns(nq, na, spread, w->wanted, s->q);
+        pm_frame_look_state(w, s);
+        if (!(openings(w) <= ROUNDING * w->size)) return 0;
+    }
+    worst = slips(w, s->v);
+    if (worst <= ROUNDING * w->speed) return 1;
+    if (!(worst <= SLIGHT * w->speed)) return 0;
+    add_columns(nq, na, spread, w->wanted, s->v);
+    if (!(slips(w, s->v) <= ROUNDING * w->speed)) return 0;
+    pm_frame_look_state(w, s);
+    return 1;
+}
+
+int pm_ida_linear_project(pm_workspace *w, pm_state *s)
+{
+    return w->ida->jacobian.known && corrected(w, s) ? PM_OK : pm_project(w, s);
 }
 
 /* ---- objects of SUNDIALS: the blocks are the matrix ---- */

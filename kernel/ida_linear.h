@@ -4,11 +4,14 @@
 
 #include "ida.h"
 
-/* Factors the blocks of w->ida->jacobian; PM_SINGULAR if the rows depend on each other, PM_SOLVER if the
+/* Inverts the blocks of w->ida->jacobian; PM_SINGULAR if the rows depend on each other, PM_SOLVER if the
  * rest has no pivot. */
 int pm_ida_linear_factor(pm_workspace *w);
 /* J x = b for all unknowns of the phase; x may be b. */
 void pm_ida_linear_solve(pm_workspace *w, const double *b, double *x);
+
+/* pm_project by the rows of the last matrix, if it is of this phase and what they are missed by is slight. */
+int pm_ida_linear_project(pm_workspace *w, pm_state *s);
 
 /* The same as objects of SUNDIALS; NULL: out of memory.  The workspace must outlive them. */
 SUNMatrix pm_ida_linear_matrix(SUNContext context);

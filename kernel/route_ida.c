@@ -23,7 +23,6 @@
 #include "ida_root.h"
 #include "ida_system.h"
 #include "ida_vector.h"
-#include "project.h"
 #include "route.h"
 
 #define ORDER 5
@@ -167,6 +166,7 @@ static int begin(pm_workspace *w)
 {
     pm_ida *r = w->ida;
     r->status = PM_OK;
+    r->jacobian.known = 0;
     pm_ida_system_layout(w);
     int status = pm_ida_system_start(w, N_VGetArrayPointer(r->y), N_VGetArrayPointer(r->yp));
     if (status) return status;
@@ -207,7 +207,7 @@ static int exact(pm_workspace *w, double t, pm_state *s)
 {
     if (s != &w->state) pm_state_copy(s, &w->state);
     const int status = at(w, t, s);
-    return status ? status : pm_project(w, s);
+    return status ? status : pm_ida_linear_project(w, s);
 }
 
 static int too_small(pm_workspace *w, double length, double bound)
@@ -237,7 +237,7 @@ static int step(pm_workspace *w, double t_limit)
     memcpy(w->state.q, N_VGetArrayPointer(r->y), (size_t)(2 * w->model->nq + w->model->nz) * sizeof(double));
     w->state.t = w->step_end;
     if (w->step_end != t) status = look_up(w, w->step_end, w->state.q);
-    if (!status) status = pm_project(w, &w->state);
+    if (!status) status = pm_ida_linear_project(w, &w->state);
     w->count[PM_COUNT_STEPS]++;
     if (!status && pm_case_speed(w, w->state.v)) pm_ida_system_scale(w);
     if (!status && (flag = limit_step(w))) status = failed(w, flag);

@@ -731,6 +731,12 @@ FAULTS = [
         "i < n; i++) { const double swap = x[i]",
     ),
     Fault(
+        "dense: inverse without its exchanges",
+        "dense.c",
+        "i < n && pivot[j] != j; i++",
+        "i < 0 && pivot[j] != j; i++",
+    ),
+    Fault(
         "projection: position goes away", "project.c", "w->rhs[i] = -w->row[i].g", "w->rhs[i] = w->row[i].g"
     ),
     Fault(
@@ -1053,6 +1059,7 @@ FAULTS = [
         "r[nq + i] = -w->inverse_mass[i] * force[i]",
         "r[nq + i] = w->inverse_mass[i] * force[i]",
     ),
+    Fault("ida: sign of the bends", "ida_linear.c", "= -j->turn[", "= j->turn["),
     Fault("ida: sign of the reactions", "ida_system.c", "w->rhs[i] = -yp[l + i]", "w->rhs[i] = yp[l + i]"),
     Fault(
         "ida: friction left out",

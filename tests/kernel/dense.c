@@ -71,8 +71,16 @@ static void lu(int n)
     pm_lu_solve(n, f, pivot, x);
     NEAR(residual(n, a, x, b), 0, 1e-11);
     memcpy(f, a, sizeof a);
+    EQUAL(pm_lu_invert(n, f, pivot), 0);
+    for (int i = 0; i < n; i++) {
+        x[i] = 0;
+        for (int k = 0; k < n; k++) x[i] += f[i * n + k] * b[k];
+    }
+    NEAR(residual(n, a, x, b), 0, 1e-10);
+    memcpy(f, a, sizeof a);
     for (int i = 0; i < n; i++) f[i * n] = 0;
     EQUAL(pm_lu_factor(n, f, pivot), 1);
+    EQUAL(pm_lu_invert(n, f, pivot), 1);
 }
 
 /* A random limit from j on that does not fall. */

