@@ -15,12 +15,14 @@
 
 #define SAME 4e-15 /* of itself: a friction that changes by less has been found */
 
+int pm_grip_joint(const pm_model *m, int k) { return PM_FORCE_ROW(m, m->grip_force[k])[PM_FORCE_A]; }
+
 static const int32_t *force_of(const pm_workspace *w, int k)
 {
     return PM_FORCE_ROW(w->model, w->model->grip_force[k]);
 }
 
-static int joint_of(const pm_workspace *w, int k) { return force_of(w, k)[PM_FORCE_A]; }
+static int joint_of(const pm_workspace *w, int k) { return pm_grip_joint(w->model, k); }
 static double own(const pm_workspace *w, int k) { return w->value[force_of(w, k)[PM_FORCE_VALUE_1]]; }
 static double by_load(const pm_workspace *w, int k) { return w->value[force_of(w, k)[PM_FORCE_VALUE_2]]; }
 static int slides(int mode) { return mode == PM_SLIDE_FORWARD || mode == PM_SLIDE_BACKWARD; }

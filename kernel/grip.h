@@ -12,6 +12,8 @@ int pm_grip_by_load(const pm_workspace *w);
 /* Whether one would, if it did slide. */
 int pm_grip_any_by_load(const pm_workspace *w);
 
+/* The joint whose friction grip k is. */
+int pm_grip_joint(const pm_model *m, int k);
 /* The row of the slip of grip k, whether it holds or not. */
 void pm_grip_row(const pm_workspace *w, int k, pm_row *row);
 /* Slip at the frame, m/s or rad/s; below this it is none. */

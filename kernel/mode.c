@@ -89,6 +89,7 @@ int pm_mode_begin(pm_workspace *w)
 {
     const pm_model *m = w->model;
     memcpy(w->slot_before, w->state.slot, (size_t)m->nslot * sizeof(pm_slot));
+    memcpy(w->grip_before, w->state.grip, (size_t)m->ngrip * sizeof(int32_t));
     memset(w->slot_released, 0, (size_t)m->nslot);
     for (int i = 0; i < w->event->nfunction; i++) {
         if (!w->event->hit[i]) continue;
@@ -210,8 +211,19 @@ static int was_closed_with(const pm_workspace *w, const pm_slot *slots, int cont
     return PM_NONE;
 }
 
+/* What a joint does at the start is no change, as with contacts. */
+static void mark_grips(pm_workspace *w)
+{
+    for (int k = 0; k < w->model->ngrip && w->count[PM_COUNT_EVENTS] > 0; k++) {
+        const int before = w->grip_before[k], now = w->state.grip[k], joint = pm_grip_joint(w->model, k);
+        if (before == PM_STICK && slides(now)) pm_trigger_mark(w, PM_TRIGGER_JOINT_SLIP, joint);
+        if (slides(before) && now == PM_STICK) pm_trigger_mark(w, PM_TRIGGER_JOINT_STICK, joint);
+    }
+}
+
 void pm_mode_mark(pm_workspace *w)
 {
+    mark_grips(w);
     for (int i = 0; i < w->model->nslot; i++) {
         const int contact = pm_contact_of_slot(w->model, i);
         if (w->slot_before[i].mode == PM_OPEN) continue;

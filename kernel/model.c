@@ -181,6 +181,8 @@ static int check_triggers(const pm_model *m, pm_where *where)
         if (kind >= PM_TRIGGER_STRIKE && kind <= PM_TRIGGER_STICK &&
             !pm_refer_in_range(m, PM_TABLE_CONTACT, a))
             return bad(where, PM_TABLE_TRIGGER, i, a, m->rows[PM_TABLE_CONTACT]);
+        if (kind >= PM_TRIGGER_JOINT_SLIP && !pm_refer_in_range(m, PM_TABLE_JOINT, a))
+            return bad(where, PM_TABLE_TRIGGER, i, a, m->rows[PM_TABLE_JOINT]);
         if (kind == PM_TRIGGER_REST && a != PM_NONE && (a < 0 || a >= m->nbody))
             return bad(where, PM_TABLE_TRIGGER, i, a, m->nbody);
     }

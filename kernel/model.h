@@ -271,6 +271,7 @@ typedef struct pm_workspace {
     struct pm_nudge *nudge; /* NULL where the scene has none */
     pm_where where;
     pm_slot *slot_before;         /* [nslot] modes when the instant began */
+    int32_t *grip_before;         /* [ngrip] likewise */
     unsigned char *slot_released; /* [nslot] let go at this instant: not closed again at it */
     /* scratch for start, jump, mode */
     double *scratch; /* [8 (nq + nrow)] */

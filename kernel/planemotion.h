@@ -385,12 +385,14 @@ enum pm_trigger_kind {
     PM_TRIGGER_FALL = 2,  /* program becomes < 0 */
     PM_TRIGGER_EVERY = 3, /* program reaches an integer */
     PM_TRIGGER_START = 4,
-    PM_TRIGGER_STRIKE = 5, /* contact a */
-    PM_TRIGGER_OPEN = 6,   /* contact a */
-    PM_TRIGGER_SLIP = 7,   /* contact a starts to slide */
-    PM_TRIGGER_STICK = 8,  /* contact a stops sliding */
-    PM_TRIGGER_REST = 9,   /* a = body, or PM_NONE: all bodies are at rest and stay */
-    PM_TRIGGER_KINDS = 10
+    PM_TRIGGER_STRIKE = 5,       /* contact a */
+    PM_TRIGGER_OPEN = 6,         /* contact a */
+    PM_TRIGGER_SLIP = 7,         /* contact a starts to slide */
+    PM_TRIGGER_STICK = 8,        /* contact a stops sliding */
+    PM_TRIGGER_REST = 9,         /* a = body, or PM_NONE: all bodies are at rest and stay */
+    PM_TRIGGER_JOINT_SLIP = 10,  /* joint a, which has friction, starts to slide */
+    PM_TRIGGER_JOINT_STICK = 11, /* joint a stops sliding */
+    PM_TRIGGER_KINDS = 12
 };
 enum pm_trigger_column {
     PM_TRIGGER_KIND = 0,

@@ -217,9 +217,10 @@ static int of_measure(const int32_t *e, pm_reference *out)
 
 static int of_trigger(const int32_t *e, pm_reference *out)
 {
-    const int kind = e[PM_TRIGGER_KIND], rest = kind == PM_TRIGGER_REST;
-    *out = (pm_reference){PM_TRIGGER_A, rest ? PM_TABLE_BODY : PM_TABLE_CONTACT};
-    return rest || (kind >= PM_TRIGGER_STRIKE && kind <= PM_TRIGGER_STICK);
+    const int kind = e[PM_TRIGGER_KIND], rest = kind == PM_TRIGGER_REST,
+              joint = kind >= PM_TRIGGER_JOINT_SLIP;
+    *out = (pm_reference){PM_TRIGGER_A, rest ? PM_TABLE_BODY : joint ? PM_TABLE_JOINT : PM_TABLE_CONTACT};
+    return rest || joint || (kind >= PM_TRIGGER_STRIKE && kind <= PM_TRIGGER_STICK);
 }
 
 static int of_action(const int32_t *e, pm_reference *out)

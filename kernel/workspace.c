@@ -110,6 +110,7 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
         PART(w->slot_impulse, 2 * m->nslot),
         PART(w->slot_direction, 4 * m->nslot),
         PART(w->slot_before, m->nslot),
+        PART(w->grip_before, m->ngrip),
         PART(w->slot_released, m->nslot),
         PART(w->force_energy_start, nforce),
         PART(w->turn, nq),

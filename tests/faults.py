@@ -499,6 +499,7 @@ FAULTS = [
         "side > 0 ? 1 : side < 0 ? -1 : 0",
         "side > 0 ? -1 : side < 0 ? 1 : 0",
     ),
+    Fault("mode: a joint slips unseen", "mode.c", "if (before == PM_STICK && slides(now))", "if (0)"),
     Fault("nudge: to the other side", "nudge.c", "if (there < 0 &&", "if (there > 0 &&"),
     Fault("nudge: a deviation that is not small", "nudge.c", "#define SIZE 0.1", "#define SIZE 1e5"),
     Fault("nudge: by positions alone", "nudge.c", "s->v[i] += part * e->v[i]", "s->v[i] += 0 * part"),

@@ -175,3 +175,44 @@ def test_friction_by_the_load_in_a_blow_is_refused() -> None:
 def test_friction_by_the_load_is_not_for_ida() -> None:
     with pytest.raises(planemotion.SimulationError, match="route"):
         planemotion.load_text(DRUM).with_values({"solve.route": "ida"}).run()
+
+
+CHANGES = """
+slips = { of = "t", at = "let_go" }
+sticks = { of = "t", at = "holds" }
+n_slips = "let_go.count"
+n_sticks = "holds.count"
+[events]
+let_go = "rail slips"
+holds = "rail sticks"
+"""
+
+
+@pytest.mark.parametrize("route", ["auto", "rk"])
+def test_a_joint_slips_and_sticks_as_events(route: str) -> None:
+    """Thrown back, the sled stops, holds until the pull has grown to mu m g, and slides again."""
+    close = EXACT
+    values = run(SLED + CHANGES, route, v0="-2 m/s")
+    mu, m, rate = 0.3, 2.0, 4.0
+    # v = -2 + mu g t + rate t^2/(2 m): where it is 0
+    stop = m / rate * (-mu * G + math.sqrt((mu * G) ** 2 + 2 * rate / m * 2))
+    assert values["sticks"] == pytest.approx(stop, rel=close)
+    assert values["slips"] == pytest.approx(mu * m * G / rate, rel=close)
+    assert (values["n_slips"], values["n_sticks"]) == (1, 1)
+    assert values["v"] == pytest.approx(
+        (rate * (2.5**2 - values["slips"] ** 2) / 2 - mu * m * G * (2.5 - values["slips"])) / m,
+        rel=10 * close,
+    )
+
+
+def test_where_it_turns_back_it_does_not_stick() -> None:
+    events = 'events.holds = "axle sticks"\nevents.lets_go = "axle slips"\n'
+    values = run(events + TORSION + 'sticks = "holds.count"\nslips = "lets_go.count"\nat = "holds.time"\n')
+    assert (values["sticks"], values["slips"]) == (1, 0)
+    assert values["at"] == pytest.approx(values["t"])
+
+
+def test_what_slips_at_once_has_not_begun_to() -> None:
+    text = SLED.replace("2.5 s", "0.1 s") + CHANGES.replace("slips =", "# ", 1).replace("sticks =", "# ", 1)
+    values = run(text, tilt="-30 deg")
+    assert (values["n_slips"], values["n_sticks"]) == (0, 0)

@@ -131,6 +131,14 @@ FAULTS = [
         "the strands are [1] to [1]",
     ),
     ('events.e = "c slackens"', 'unknown cord "c"; there is none'),
+    (
+        'joints.J = { pin = ["AB.A", "ground"] }\nevents.e = "J slips"',
+        'the joint "J" has no friction: it neither sticks nor stops slipping',
+    ),
+    (
+        'joints.J = { pin = ["AB.A", "ground"] }\nevents.e = "J strikes"',
+        "a joint is always closed; it slips or sticks",
+    ),
     # finds and nudges
     ("find = {}", "find.vary: what is sought is wanted, such as"),
     ("find = { vari = {} }", "find.vari: unknown key; a find has vary, where, greatest, least, samples (did"),

@@ -31,6 +31,30 @@ static void two_disks(int route)
     scene_free(s);
 }
 
+/* A couple c = r t (1 - t/T) lets go of a bearing where it is M, t1, and the bearing stops the disk where the spin, which goes
+ * with (t - t1)^2 (t2 - t), is nothing again: t2 = 3 T/2 - 2 t1. */
+static void lets_go_and_stops(int route)
+{
+    const double m = 0.8, r = 4, t1 = 0.5 * (1 - sqrt(1 - 4 * m / r));
+    scene *s = scene_create();
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    const int a = scene_body(s, 1, 0.2, 0, 0, 0), time = scene_time(s);
+    const int pin = scene_joint(s, PM_JOINT_PIN, scene_point(s, a, 0, 0), scene_point(s, PM_GROUND, 0, 0), 0);
+    scene_force(s, PM_FORCE_FRICTION, pin, pin, m, 0);
+    scene_couple(s, a, PM_GROUND,
+                 SCENE_PROGRAM(s, scene_m(time), scene_k(s, r), scene_op(PM_OP_MUL), scene_k(s, 1),
+                               scene_m(time), scene_op(PM_OP_SUB), scene_op(PM_OP_MUL)));
+    const int slips = scene_on(s, PM_TRIGGER_JOINT_SLIP, pin),
+              sticks = scene_on(s, PM_TRIGGER_JOINT_STICK, pin);
+    const int from = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_TIME, slips));
+    const int to = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_TIME, sticks));
+    scene_until(s, sticks, 1);
+    EQUAL(scene_run(s, NULL), PM_OK);
+    NEAR(s->out[from], t1, 1e-9);
+    NEAR(s->out[to], 1.5 - 2 * t1, 1e-9);
+    scene_free(s);
+}
+
 /* A torsion spring against the couple: each half swing is 2 M/k shorter. */
 static void swings(int route)
 {
@@ -140,6 +164,8 @@ static void bad(int kind, double size, double factor, int wanted)
 
 int main(void)
 {
+    lets_go_and_stops(PM_ROUTE_RK);
+    lets_go_and_stops(PM_ROUTE_AUTO);
     static const int routes[] = {PM_ROUTE_AUTO, PM_ROUTE_RK, PM_ROUTE_IDA};
     for (int i = 0; i < 3; i++) {
         two_disks(routes[i]);

@@ -1,7 +1,8 @@
 """Instants: events with their triggers, and what ends the run.
 
 A condition is a comparison ("A = B", "A > B", "A < B"), "X every d", a change of a contact ("floor
-strikes"), "start", "rest" or "BODY rests".  A bare condition in `until` makes an event without a name.
+strikes") or of a joint with friction ("guide slips"), "start", "rest" or "BODY rests".  A bare condition in
+`until` makes an event without a name.
 """
 
 from __future__ import annotations
@@ -30,6 +31,7 @@ _CONTACT_TRIGGER = {
     "slips": layout.PM_TRIGGER_SLIP,
     "sticks": layout.PM_TRIGGER_STICK,
 }
+_JOINT_TRIGGER = {"slips": layout.PM_TRIGGER_JOINT_SLIP, "sticks": layout.PM_TRIGGER_JOINT_STICK}
 _COMPARISON = {"=": layout.PM_TRIGGER_CROSS, ">": layout.PM_TRIGGER_RISE, "<": layout.PM_TRIGGER_FALL}
 
 
@@ -140,6 +142,8 @@ class Instants:
             return self._cord_change(thing, change)
         if change == "rests":
             return layout.PM_TRIGGER_REST, nothing, (self.measures.drawing.body_index(thing),)
+        if thing in self.measures.scope.joints:
+            return self._joint_change(thing, change)
         name, bracket, index = thing.partition("[")
         contacts = self.measures.scope.contacts
         if name not in contacts:
@@ -159,6 +163,14 @@ class Instants:
                 raise SceneError(f"the members are [0] to [{len(indices) - 1}]")
             indices = (indices[member],)
         return _CONTACT_TRIGGER[change], nothing, indices
+
+    def _joint_change(self, thing: str, change: str) -> tuple[int, int, tuple[int, ...]]:
+        joint = self.measures.scope.joints[thing]
+        if change not in _JOINT_TRIGGER:
+            raise SceneError(f"a joint is always closed; it {' or '.join(_JOINT_TRIGGER)}")
+        if not joint.rubs:
+            raise SceneError(f'the joint "{thing}" has no friction: it neither sticks nor stops slipping')
+        return _JOINT_TRIGGER[change], layout.PM_NONE, (joint.index,)
 
     def _cord_change(self, thing: str, change: str) -> tuple[int, int, tuple[int, ...]]:
         """Triggers of all strands of a cord."""

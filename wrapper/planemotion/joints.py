@@ -36,11 +36,12 @@ _WANTED: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
 
 @dataclass(frozen=True)
 class JointInfo:
-    """What measures need to know of a joint: its row, kind and partners (first, second)."""
+    """What measures and events need to know of a joint: its row, kind, partners (first, second), friction."""
 
     index: int
     kind: str
     partners: tuple[Partner, Partner]
+    rubs: bool
 
     @property
     def owners(self) -> tuple[str, str]:
@@ -84,9 +85,10 @@ class Joints:
             layout.PM_JOINT_PROGRAM_Y: layout.PM_NONE,
         }
         index = self.tables.add(layout.PM_TABLE_JOINT, row, path)
-        if "friction" in joint.model_fields_set:
+        rubs = "friction" in joint.model_fields_set
+        if rubs:
             self._rub(joint, index, (first, second), f"{path}.friction")
-        return JointInfo(index, joint.kind, (first, second))
+        return JointInfo(index, joint.kind, (first, second), rubs)
 
     def _rub(self, joint: Joint, index: int, partners: tuple[Partner, Partner], path: str) -> None:
         """The row of the friction of a joint: a part of given size, and one that goes with its load."""
