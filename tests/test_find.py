@@ -234,7 +234,7 @@ def test_where_runs_begin_to_fail() -> None:
 def test_runs_that_all_fail_say_why() -> None:
     find = 'vary.v = ["4.5 m/s", "6 m/s"]\nwhere = "P.x = wanted"'
     text = said(THROW.replace('"1 kg"', '"(1 kg)*(4 - v/(1 m/s))"').replace("7 m/s", "3 m/s"), find)
-    assert text.startswith("bodies.P: it is -0.5 (SI)")
+    assert text.startswith("bodies.P.mass: it is -0.5 kg")
     assert found(THROW, find, g=0).status == "limit_time"
 
 

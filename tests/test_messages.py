@@ -8,9 +8,11 @@ from typing import Any
 
 import pytest
 
-from planemotion import SceneError, load, load_text
+from planemotion import PlanemotionError, SceneError, load, load_text
 from planemotion.builder import Scene
 from planemotion.flatten import flatten
+
+CHAPTER = Path(__file__).parent.parent / "studies" / "chapter17"
 
 BASE = """
 until = "t = 1 s"
@@ -95,7 +97,7 @@ FAULTS = [
     ),
     (
         'couplings.c = { cord = ["AB.A", "P"], length = "1 m" }',
-        'couplings.c.length = "1 m": it is -1.23607 (SI) and must not be negative',
+        'couplings.c.length = "1 m": it is -1.23607 m and must not be negative',
     ),
     (
         'couplings.c = { rate = ["disk", "AB"] }',
@@ -282,7 +284,26 @@ FAULTS = [
     ('forces.f = { force = "AB.B", value = ["3 N", "2 kg"] }', 'forces.f.value[1] = "2 kg": a force'),
     ('runs = { a = { L = "3 kg" } }', 'runs.a.L = "3 kg": a length (such as m) is wanted; this is a mass'),
     # bounds
-    ('bodies.AB.mass = "-3 kg"', 'bodies.AB.mass = "-3 kg": it is -3 (SI) and must not be negative'),
+    # numbers out of their bounds: key, value and unit
+    (
+        'forces.s = { spring = ["AB.B", "ground.O"], stiffness = "-2 N/mm", free_length = "1 m" }',
+        'forces.s.stiffness = "-2 N/mm": it is -2000 N/m and must not be negative',
+    ),
+    (
+        'forces.d = { damper = ["AB.B", "ground.O"], rate = "-2 N*s/m" }',
+        'forces.d.rate = "-2 N*s/m": it is -2 N*s/m and must not be negative',
+    ),
+    ('bodies.Q = { disk = "0 mm", mass = "1 kg" }', "it is 0 m; a size must be positive"),
+    # words of a choice
+    (
+        'contacts.c = { touch = ["disk.rim", "ground.floor"], friction = "ruff" }',
+        'contacts.c.friction = "ruff": a number, "smooth", "rough", { static = ..., kinetic = ... } or a ',
+    ),
+    (
+        'joints.s = { slider = ["P", "ground.floor"], turning = "yes" }',
+        'joints.s.turning = "yes": true or false is wanted',
+    ),
+    ('bodies.AB.mass = "-3 kg"', 'bodies.AB.mass = "-3 kg": it is -3 kg and must not be negative'),
     (
         'contacts.c = { touch = ["disk.rim", "ground.floor"], restitution = 1.2 }',
         "contacts.c.restitution = 1.2: it must lie between 0 and 1",
@@ -437,7 +458,7 @@ FAULTS = [
     ),
     (
         'spin = { through = [0, 0], angle = "90 deg", inertia = "-1 kg*m^2" }',
-        'spin.inertia = "-1 kg*m^2": it is -1 (SI) and must not be negative',
+        'spin.inertia = "-1 kg*m^2": it is -1 kg*m^2 and must not be negative',
     ),
     ('ask.a = "spin.omega"', 'ask.a = "spin.omega": the scene has no [spin]'),
     ('start.spin.omega = "1 rad/s"', "start.spin.omega: the scene has no [spin]"),
@@ -609,3 +630,117 @@ def test_sizes_of_shapes_are_positive(shape: str, place: str) -> None:
     text = f'until = "t = 1 s"\nask.x = "a.x"\nbodies.a = {{ {shape}, mass = "1 kg", at = [0, 0] }}'
     with pytest.raises(SceneError, match=rf"bodies\.a\.{place} = .*must be positive"):
         load_text(text).run()
+
+
+def said_of(text: str) -> str:
+    """What a scene that does not run says: as an exception, or as the error of its result."""
+    try:
+        return load_text(text, file="x.toml").run().error or ""
+    except PlanemotionError as error:
+        return str(error)
+
+
+# Scenes of the chapter, broken: what is replaced by what, and what is said of it.
+BROKEN = [
+    (
+        "17-C5",
+        'D = { slider = ["BD.D", "ground.level"] }',
+        'D = { rolling = ["BD.D", "ground.level"] }',
+        'joints.D.rolling[0] = "BD.D": BD.D is a point; a circle is wanted',
+    ),
+    ("17-C5", '"BD.B"]', '"BE.B"]', 'joints.B.pin[1] = "BE.B": unknown body "BE"; there is AB, BD, ground'),
+    (
+        "17-C5",
+        'L = "30 in"',
+        'L = "30 lb"',
+        'bodies.AB.length = "L": a length (such as m) is wanted; this is a force',
+    ),
+    (
+        "17-086",
+        'm_disk = "4 kg"',
+        'm_disk = "-4 kg"',
+        'bodies.disk.mass = "m_disk": it is -4 kg and must not be',
+    ),
+    ("17-086", ', mass = "m_disk"', "", "bodies.disk.mass: mass or weight is wanted"),
+    ("17-086", '"90 mm"', '"90 mmm"', 'unknown unit "mmm" (did you mean "mm"?)'),
+    (
+        "17-042",
+        'nudge = "BD.D.velocity.x < 0"',
+        'AB.omega = "2 rad/s"\nBD.omega = "5 rad/s"',
+        "start.AB.omega: 2 rad/s is given, but the other start values and the joints give 0; leave one",
+    ),
+    (
+        "17-042",
+        'nudge = "BD.D.velocity.x < 0"',
+        "",
+        "everything is at rest from the start and stays: give a velocity",
+    ),
+    ("17-042", '[0, "-L"]', '[0, "-3*L"]', "joints.D is open by 1.28 m (allowed"),
+    ("17-079", "edge_on = true", 'edge_on = "yes"', 'bodies.disk.edge_on = "yes": true or false is wanted'),
+    (
+        "17-079",
+        'W_yoke = "1.5 lb"',
+        'W_yoke = "-1.5 lb"',
+        "it is -0.00394745 kg*m^2 and must not be negative",
+    ),
+    (
+        "17-106",
+        "restitution = 1 }",
+        "restitution = 1.5 }",
+        "contacts.A.restitution = 1.5: it must lie between 0 and 1",
+    ),
+    (
+        "17-106",
+        '"A_strikes 2"',
+        '"A_strikes 2.5"',
+        'until = "A_strikes 2.5": an operator or the end is wanted',
+    ),
+    (
+        "17-076",
+        'L_rod = "8 in"',
+        'L_rod = "9 in"',
+        "couplings.mesh_A: the pitch circles are drawn 0.0127 m from",
+    ),
+    ("17-076", "= omega_rod", "= 100*omega_rod", "is not met with M from 0 ft*lb to 10 ft*lb"),
+    ("17-076", "vary = { M", "vary = { N", 'find.vary.N: unknown parameter "N"; there is g, W_gear'),
+    ("17-138", "AB.axis on AB", "AB.axis on AC", "B acts on AB and ground, not on AC"),
+    (
+        "17-138",
+        '"AB.omega < 0"',
+        '"AB.omega"',
+        'start.nudge = "AB.omega": a side is wanted: a velocity < 0 or > 0',
+    ),
+    ("17-SP04", '"k_spring"', '"-k_spring"', "it is -315228 N/m and must not be negative"),
+    ("17-SP04", '"push"', '"pushes"', "forces.spring.only = \"pushes\": 'push' or 'pull' is wanted"),
+    ("17-SP04", '["rod.A", "ground.S"]', '["rod.A"]', "forces.spring.spring: two partners are wanted"),
+    ("17-123", "turning = false", "turning = 0", "joints.floor.turning = 0: true or false is wanted"),
+    (
+        "17-123",
+        '"before blow"',
+        '"before blows"',
+        'unknown instant "blows"; there is blow, end (did you mean',
+    ),
+    ("17-123", 'of = "CD.velocity.x"', 'of = "CD.velocity"', "a part is wanted: x, y, norm, angle, or along"),
+    (
+        "17-119",
+        '"crate.omega > 0"',
+        '"crate.omega >"',
+        "it ends where a number, a name or a parenthesis is wanted",
+    ),
+    (
+        "17-119",
+        '"B strikes"',
+        '"E strikes"',
+        'events.strike = "E strikes": unknown contact "E"; there is A, B',
+    ),
+    ("17-119", '"D", "C"]', '"D"]', "bodies.crate.corners: four names are wanted"),
+]
+
+
+@pytest.mark.parametrize(("stem", "old", "new", "expected"), BROKEN)
+def test_scenes_of_the_chapter_broken_on_purpose(stem: str, old: str, new: str, expected: str) -> None:
+    text = (CHAPTER / f"{stem}.toml").read_text(encoding="utf-8")
+    assert old in text
+    said = said_of(text.replace(old, new, 1))
+    assert said.startswith("x.toml: ")
+    assert expected in said

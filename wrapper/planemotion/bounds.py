@@ -10,6 +10,7 @@ import math
 from dataclasses import dataclass
 
 from . import _layout as layout
+from .columns import named, with_unit
 from .errors import SceneError
 from .scene import SceneData
 from .tables import Tables
@@ -52,6 +53,15 @@ _BOUNDS = (
     _Bound(layout.PM_TABLE_CONTACT, layout.PM_CONTACT_STATIC, 0),
     _Bound(layout.PM_TABLE_CONTACT, layout.PM_CONTACT_KINETIC, 0),
     _Bound(layout.PM_TABLE_CONTACT, layout.PM_CONTACT_SLACK, 0),
+    *(
+        _Bound(layout.PM_TABLE_FORCE, layout.PM_FORCE_VALUE_1, 0, only=(layout.PM_FORCE_KIND, kind))
+        for kind in (
+            layout.PM_FORCE_SPRING,
+            layout.PM_FORCE_TORSION,
+            layout.PM_FORCE_DAMPER,
+            layout.PM_FORCE_ROTARY_DAMPER,
+        )
+    ),
     _Bound(layout.PM_TABLE_SPIN, layout.PM_SPIN_INERTIA, 0),
     _Bound(layout.PM_TABLE_SETTING, layout.PM_SETTING_ACCURACY, 1e-14, 1e-2),
     _Bound(layout.PM_TABLE_SETTING, layout.PM_SETTING_MAX_TIME, 0, above=True),
@@ -82,7 +92,8 @@ def check_bounds(tables: Tables, data: SceneData) -> None:
                 path = tables.names[layout.PM_TABLE_VALUE][index]
                 shown = written(data, path)
                 # A bare number says it already; a quantity or an expression does not.
-                found = "it " if isinstance(shown, int | float) else f"it is {value:g} (SI) and "
+                _, unit = named(bound.table, row, bound.column)
+                found = "it " if isinstance(shown, int | float) else f"it is {with_unit(value, unit)} and "
                 raise SceneError(found + bound.text, path=path, value=shown)
 
 

@@ -153,6 +153,17 @@ class Contacts:
         along = direction - Number(math.pi / 2) - self.drawing.angle(b.owner)
         return self.drawing.line(b.owner, LineMark(self.drawing.marks(b.owner).point(b.name), along), b.where)
 
+    def _coefficient(self, written: Value, where: str) -> Node:
+        """One number for both; a single word that is no parameter was meant for a law."""
+        word = isinstance(written, str) and written.isidentifier()
+        if word and written not in self.reader.parameters.defaults:
+            raise SceneError(
+                'a number, "smooth", "rough", { static = ..., kinetic = ... } or a parameter is wanted',
+                path=where,
+                value=written,
+            )
+        return self.reader.number(written, where, DIMENSIONLESS)
+
     def _laws(self, contact: Contact, path: str) -> dict[int, int]:
         """Restitution and friction of a row."""
         restitution = self.reader.number(contact.restitution, f"{path}.restitution", DIMENSIONLESS)
@@ -166,7 +177,7 @@ class Contacts:
         elif contact.friction == "rough":
             law = layout.PM_FRICTION_ROUGH
         elif contact.friction != "smooth":
-            static = kinetic = self.reader.number(contact.friction, where, DIMENSIONLESS)
+            static = kinetic = self._coefficient(contact.friction, where)
         if law == layout.PM_FRICTION_COULOMB and is_zero(static) and is_zero(kinetic):
             law = layout.PM_FRICTION_SMOOTH
         coulomb = law == layout.PM_FRICTION_COULOMB

@@ -15,6 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _layout as layout
+from .columns import named, with_unit
 from .errors import SimulationError
 from .flatten import FlatScene
 
@@ -36,8 +37,6 @@ REASONS: Mapping[int, str] = {
     layout.PM_REASON_FAILED: "the run failed",
     layout.PM_REASON_INFINITE: "infinite",
 }
-# Keys of the columns of a spin that may be out of their bounds.
-_SPIN_KEYS = {layout.PM_SPIN_ANGLE: "angle", layout.PM_SPIN_INERTIA: "inertia"}
 _TABLE_NAMES = {value: name.removeprefix("PM_TABLE_").lower() for name, value in layout.pm_table.items()}
 
 
@@ -292,13 +291,16 @@ def describe(flat: FlatScene, status: int, where: Ints, detail: Floats, param: F
     """File, place, what is wrong, value and bound of a status that is not ok; `param`: of the case."""
     from .find_text import FIND_STATUSES, describe_find
 
-    place = _place_name(flat, where)
+    place = _place_name(flat, where, status)
     if status in FIND_STATUSES and flat.find is not None:
         sentence = describe_find(flat, status, where, detail, flat.defaults if param is None else param)
         return f"{flat.file}: {sentence}" if flat.file else sentence
     found, bound, time = (float(number) for number in detail)
     text = _DESCRIPTIONS.get(status)
-    sentence = text(place, found, bound) if text is not None else ""
+    if status == layout.PM_BAD_VALUE:
+        sentence = _bad_value(place, found, bound, _unit(flat, where))
+    else:
+        sentence = text(place, found, bound) if text is not None else ""
     if not sentence:
         sentence = ": ".join(piece for piece in (place, status_text(status)) if piece)
         if math.isfinite(found):
@@ -309,16 +311,28 @@ def describe(flat: FlatScene, status: int, where: Ints, detail: Floats, param: F
     return f"{flat.file}: {sentence}" if flat.file else sentence
 
 
-def _place_name(flat: FlatScene, where: Ints) -> str:
-    """The key path of the row at fault."""
+def _named(flat: FlatScene, where: Ints) -> tuple[str, str]:
+    """Key and unit of the number that is out of its bound."""
+    table, row = int(where[layout.PM_WHERE_TABLE]), int(where[layout.PM_WHERE_ROW])
+    if table < 0 or row < 0:
+        return "", ""
+    return named(table, flat.rows(table)[row], int(where[layout.PM_WHERE_MEMBER]))
+
+
+def _unit(flat: FlatScene, where: Ints) -> str:
+    return _named(flat, where)[1]
+
+
+def _place_name(flat: FlatScene, where: Ints, status: int) -> str:
+    """The key path of the row at fault; of a number out of its bound that of the number."""
     table, row = int(where[layout.PM_WHERE_TABLE]), int(where[layout.PM_WHERE_ROW])
     names = flat.names.get(table, ())
     if table == layout.PM_TABLE_SETTING and row == layout.PM_SETTING_NUDGE:
         return "start.nudge"
     if 0 <= row < len(names):
         member = int(where[layout.PM_WHERE_MEMBER])
-        if table == layout.PM_TABLE_SPIN:
-            return f"{names[row]}.{_SPIN_KEYS.get(member, '')}".removesuffix(".")
+        if status == layout.PM_BAD_VALUE:
+            return f"{names[row]}.{_named(flat, where)[0]}".removesuffix(".")
         is_contact = table == layout.PM_TABLE_CONTACT
         return f"{names[row]}[{member}]" if is_contact and member > 0 else names[row]
     return _TABLE_NAMES.get(table, "") if table >= 0 else ""
@@ -351,7 +365,11 @@ def _open_joint(place: str, found: float, bound: float) -> str:
     )
 
 
-def _bad_value(place: str, found: float, bound: float) -> str:
+def _rate_unit(place: str) -> str:
+    return "rad/s" if place.endswith("omega") else "m/s"
+
+
+def _bad_value(place: str, found: float, bound: float, unit: str) -> str:
     if place == "spin.angle":
         return (
             f"{place}: {found:.6g} m/s^2 of the weight act across the axis; a plane that turns keeps its "
@@ -360,28 +378,32 @@ def _bad_value(place: str, found: float, bound: float) -> str:
     if place == "spin.inertia" and found == 0:
         return f"{place}: nothing that turns has an inertia about the axis at the start; give it"
     if math.isfinite(bound):
-        return f"{place or 'a value'}: it is {found:.6g} (SI); the bound is {bound:.6g}"
+        return f"{place or 'a value'}: it is {with_unit(found, unit)}; the bound is {bound:.6g}"
     return f"{place}: it is {found:.6g} at the start; a force is finite, and a power needs a motion"
 
 
 _DESCRIPTIONS: dict[int, Any] = {
-    layout.PM_LIMIT_TIME: lambda place, found, bound: "until: not reached within solve.max_time",
+    layout.PM_LIMIT_TIME: lambda place, found, bound: (
+        f"until: not reached within solve.max_time ({bound:g} s); does it happen at all? else allow more"
+    ),
     layout.PM_LIMIT_EVENTS: lambda place, found, bound: "until: not reached within solve.max_events",
     layout.PM_LIMIT_STEPS: lambda place, found, bound: "until: not reached within solve.max_steps",
     layout.PM_CANCELLED: lambda place, found, bound: "cancelled before it was finished",
     layout.PM_STAYS_AT_REST: lambda place, found, bound: (
         "until: not reached; everything has come to rest and stays"
+        if found > 0
+        else "until: not reached; everything is at rest from the start and stays: give a velocity in "
+        "start, or by start.nudge the side to which an unstable rest is left"
     ),
     layout.PM_UNDECIDED: lambda place, found, bound: (
         "the run came to its end, but a decision on the way (what fires first, what touches, what holds) is "
         f"closer to its threshold than the errors of the run: margin {found:.2g}, at least 1 is wanted; "
         "ask for more solve.accuracy"
     ),
-    layout.PM_BAD_VALUE: _bad_value,
     layout.PM_ASSEMBLY: _open_joint,
     layout.PM_START_CONFLICT: lambda place, found, bound: (
-        f"{place}: {found:.6g} (SI) is given, but the other start values and the joints give {bound:.6g}; "
-        "leave one of them out"
+        f"{place}: {with_unit(found, _rate_unit(place))} is given, but the other start values and the joints "
+        f"give {bound:.6g}; leave one of them out"
     ),
     layout.PM_START_OPEN: lambda place, found, bound: (
         f"start: what is given leaves the motion of {place} undetermined; give its omega or a velocity"

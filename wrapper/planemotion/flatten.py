@@ -261,8 +261,9 @@ class _Flattener:
                     continue
                 where = f"bodies.{name}.{key}"
                 node = self.reader.number(size, where, LENGTH)
-                if self.tables.default(node) <= 0:
-                    raise SceneError("a size must be positive", path=where, value=size)
+                found = self.tables.default(node)
+                if found <= 0:
+                    raise SceneError(f"it is {found:.6g} m; a size must be positive", path=where, value=size)
 
     def _check_masses(self) -> None:
         """A mass may be left out only if the mass centre cannot move: it is pinned to the ground."""

@@ -82,7 +82,7 @@ def _translate(fault: ValidationError) -> SceneError:
         return SceneError("it is wanted and left out", path=path)
     if first["type"] == "value_error":
         return SceneError(str(first["ctx"]["error"]), path=path, value=shown)
-    wanted = first["msg"].removeprefix("Input should be ")
+    wanted = first["msg"].removeprefix("Input should be ").replace("a valid boolean", "true or false")
     return SceneError(f"{wanted} is wanted", path=path, value=shown)
 
 
