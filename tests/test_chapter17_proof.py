@@ -30,7 +30,8 @@ AUDIT = 1e-9
 # comes over its last bar is a two-hundredth of what it began with; errors grow as the square of that.
 BETWEEN_ROUTES_LAST = {("17-C3", "check_omega_last"): 1e-4}
 # The rate is given, so that the steps are long; the ledger of the pin's force, which turns with the plate, is
-# integrated over the same five steps and decides none of them.
+# integrated over the same five steps and decides none of them: half the duration leaves 2e-9 open, the
+# shorter steps of IDA 1e-10.
 AUDIT_OF_LONG_STEPS = {"17-086": 1e-6}
 
 
@@ -55,7 +56,7 @@ def test_what_a_route_answers_before_it_fails_is_right(stem: str, route: str) ->
     """Where the run fails only the last of a list of values is missing."""
     path = FOLDER / f"{stem}.toml"
     early, whole = run(path, route), run(path)
-    assert early.status == ENDS_EARLY[stem, route]
+    assert early.status in ENDS_EARLY[stem, route]
     assert "were reached before" in early.error
     for key, ask in whole.asks.items():
         values = early.asks[key].value
