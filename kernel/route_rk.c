@@ -17,6 +17,7 @@
 #include "error.h"
 #include "event.h"
 #include "route.h"
+#include "saddle.h"
 #include "tree.h"
 
 #define MARGIN 0.1     /* of the accuracy asked: errors of steps add up, and grow with the motion */
@@ -326,6 +327,29 @@ static int at(pm_workspace *w, double t, pm_state *s)
     return PM_OK;
 }
 
+/* Accelerations and reactions for whoever watches, in the coordinates of the phase; where these are partitioned the loop
+ * rows are not met to rounding inside a step.  The choice of coordinates does not depend on being watched. */
+static int accelerate_watched(pm_workspace *w)
+{
+    pm_tree *t = w->tree;
+    const double independence = t->independence;
+    if (t->few) return pm_saddle_accelerate(w);
+    const int status = pm_tree_accelerate(w, w->rk->side);
+    if (!status) pm_tree_react(w);
+    t->independence = independence;
+    return status;
+}
+
+static int look(pm_workspace *w, double t, int level)
+{
+    if (t == w->step_end) {
+        pm_frame_look_state(w, &w->state);
+        return level == PM_LEVEL_DYNAMIC ? pm_saddle_accelerate(w) : PM_OK;
+    }
+    const int status = at(w, t, &w->probe);
+    return !status && level == PM_LEVEL_DYNAMIC ? accelerate_watched(w) : status;
+}
+
 /* From the begin of the step to t in two halves: a phase that one step covers would have the same error in a companion
  * (error.c).  Stage 0 is in r->side. */
 static int in_halves(pm_workspace *w, double t)
@@ -367,6 +391,7 @@ const pm_route_ops pm_route_rk = {
     .step = step,
     .at = at,
     .exact = exact,
+    .look = look,
     .finest = TIGHTEST / MARGIN,
     .spread = 45,
     .finds_roots = PM_ROOTS_NONE,
