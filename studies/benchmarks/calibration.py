@@ -286,6 +286,7 @@ class Tally:
     runs: int = 0
     passes: int = 0
     undecided: int = 0
+    unanswered: int = 0
     wrong_counts: int = 0
 
     def add(self, other: Tally) -> None:
@@ -311,7 +312,9 @@ def tally(known: Known, route: str, accuracy: float) -> Tally:
     status = int(results.status[0])
     row = Tally(runs=1, passes=int(results.count[0, PM_COUNT_PASSES]), undecided=int(status == PM_UNDECIDED))
     if status not in (PM_OK, PM_UNDECIDED):
-        raise SystemExit(f"{known.name}, {route}, {accuracy:g}: {engine.message(flat, results, 0)}")
+        row.unanswered = 1  # declined by the route, or not trusted: the run says so
+        print(f"{scene.id}, {route}, {accuracy:g}: {engine.message(flat, results, 0)}", file=sys.stderr)
+        return row
     row.kept.append(bool(results.trust[0, PM_TRUST_EXCESS] <= 1))
     for column in flat.asks:
         if column.key not in known.truth:
@@ -346,8 +349,8 @@ def compare() -> dict[tuple[str, str], Tally]:
 def show(rows: dict[tuple[str, str], Tally]) -> bool:
     """Prints the table; whether both targets are reached on every route."""
     header = ("scene", "route", "runs", "passes", "asks", "true <= estimate", "median estimate / true")
-    print("|", " | ".join((*header, "accuracy kept", "undecided", "wrong counts")), "|")
-    print("|" + 10 * "---|")
+    print("|", " | ".join((*header, "accuracy kept", "undecided", "no answer", "wrong counts")), "|")
+    print("|" + 11 * "---|")
     totals: dict[str, Tally] = {}
     for (_, route), row in rows.items():
         totals.setdefault(route, Tally()).add(row)
@@ -355,7 +358,7 @@ def show(rows: dict[tuple[str, str], Tally]) -> bool:
         print(
             f"| {name} | {route} | {row.runs} | {row.passes / row.runs:.2f} | {sum(row.weight):.0f} "
             f"| {100 * row.share():.1f} % | {row.median():.1f} | {100 * np.mean(row.kept):.0f} % "
-            f"| {row.undecided} | {row.wrong_counts} |"
+            f"| {row.undecided} | {row.unanswered} | {row.wrong_counts} |"
         )
     return all(
         row.share() >= COVERED and row.median() <= WITHIN and row.wrong_counts == 0 for row in totals.values()
