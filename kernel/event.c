@@ -131,7 +131,9 @@ static void add_contacts(pm_workspace *w)
     const pm_model *m = w->model;
     const double size = force_scale(w), force = FORCE_SLACK * size;
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++)
-        if (pm_capture_is_meeting(m, i))
+        if (pm_is_absent(m, &w->state, PM_TABLE_CONTACT, i))
+            continue;
+        else if (pm_capture_is_meeting(m, i))
             add(w, FUNCTION_MEETING, i, 1, PM_LEVEL_KINEMATIC, 0, w->size * w->speed);
         else
             add_gap(w, i);

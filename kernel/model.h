@@ -266,6 +266,8 @@ typedef struct pm_workspace {
     double *turn;       /* [nq] the velocities with which it does, at the scene's speed */
     struct pm_event_set *event;
     struct pm_ask_set *ask;
+    struct pm_hang *hang; /* [nbody + 1] where each body can be (reach.h); last: the ground */
+    int unreached;        /* contacts that can never close */
     struct pm_find *find; /* NULL where nothing is sought */
     struct pm_error_set *error;
     struct pm_nudge *nudge; /* NULL where the scene has none */

@@ -48,6 +48,7 @@ static void describe(const pm_workspace *w, int64_t legs, int32_t *row)
     row[PM_PHASE_CLOCK] = has_clock(w);
     row[PM_PHASE_DYNAMIC] = w->event->level == PM_LEVEL_DYNAMIC || w->ask->level == PM_LEVEL_DYNAMIC;
     row[PM_PHASE_STEPS] = 0;
+    row[PM_PHASE_UNREACHED] = w->unreached;
     row[PM_PHASE_LEGS] = (int32_t)legs;
 }
 

@@ -617,8 +617,9 @@ enum pm_phase_column {
     PM_PHASE_CLOCK = 8,   /* 1: the time is computed */
     PM_PHASE_DYNAMIC = 9, /* 1: accelerations and reactions are needed within it */
     PM_PHASE_STEPS = 10,
-    PM_PHASE_LEGS = 11, /* legs passed over before it */
-    PM_PHASE_COLUMNS = 12
+    PM_PHASE_LEGS = 11,      /* legs passed over before it */
+    PM_PHASE_UNREACHED = 12, /* contacts that can never close (reach.h) */
+    PM_PHASE_COLUMNS = 13
 };
 /* Runs one case as pm_trace does and tells its phases: phase[cap][PM_PHASE_COLUMNS], time[cap] of their begins, s
  * (not a number where the time is not computed); needed[1]: rows wanted.  most > 0: stops as the phase of that number

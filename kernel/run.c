@@ -18,6 +18,7 @@
 #include "nudge.h"
 #include "phases.h"
 #include "plan.h"
+#include "reach.h"
 #include "route.h"
 #include "saddle.h"
 #include "spin.h"
@@ -88,6 +89,7 @@ int pm_run_start(pm_workspace *w, const double *param, pm_start_report *report)
 {
     int status = begin_case(w, param, report);
     if (status) return status;
+    pm_reach_drop(w);
     set_speed_scale(w);
     if ((status = open_ledger(w))) return status;
     pm_frame_look_state(w, &w->state);

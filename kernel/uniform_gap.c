@@ -169,6 +169,7 @@ void pm_uniform_gap(pm_workspace *w, int contact, double until)
 {
     pm_uniform *u = w->uniform;
     pm_closing *x = &u->closing[contact];
+    if (pm_is_absent(w->model, &w->state, PM_TABLE_CONTACT, contact)) x->safe = until;
     for (int i = 0; i < ADVANCES && x->safe < until && x->root == INFINITY; i++) {
         int root; /* enum pm_end_of_advance */
         pm_uniform_look(w, x->safe);

@@ -10,6 +10,7 @@
 #include "model.h"
 #include "nudge.h"
 #include "order.h"
+#include "reach.h"
 #include "route.h"
 #include "tree.h"
 
@@ -84,6 +85,7 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
         PART(w->inverse_mass, nq),
         PART(w->stand_in, nq),
         PART(w->previous, nq),
+        PART(w->hang, m->nbody + 1),
         PART(w->wanted, nrow),
         PART(w->row, nrow + 1),
         PART(w->joint_active, m->njoint_row),

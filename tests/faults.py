@@ -39,6 +39,26 @@ class Fault:
 
 
 FAULTS = [
+    # contacts out of reach
+    Fault("reach: a chain is as short as its last rod", "reach.c", ".high = r + x->high,", ".high = r,"),
+    Fault("reach: a link has no length", "reach.c", "from.high + length;", "from.high;"),
+    Fault(
+        "reach: a joint that may go holds",
+        "reach.c",
+        "if (is_changed(w->model, PM_TABLE_JOINT, joint)) return 0;",
+        "",
+    ),
+    Fault(
+        "reach: a hole is a ball", "reach.c", "if (side > 0) return least_distance", "return least_distance"
+    ),
+    Fault(
+        "reach: nothing is too near",
+        "reach.c",
+        "fmax(r - x->high, x->low - r)",
+        "fmax(r + x->high, x->low - r)",
+    ),
+    Fault("reach: a plate hangs still", "reach.c", "if (!b->fixed) {", "if (0) {"),
+    Fault("reach: edges have no end", "reach.c", "hypot(fmax(beyond, 0), ", "hypot(0, "),
     # what no answer depends on
     Fault(
         "needed: a contact lets nothing act",

@@ -66,6 +66,18 @@ def test_phases_that_repeat_stand_on_one_line(bars: int) -> None:
     assert result.counts["legs"] > bars / 2 - 2
 
 
+@pytest.mark.parametrize("route", ["auto", "rk", "ida"])
+def test_contacts_out_of_reach_are_dropped(route: str) -> None:
+    line = 'ground.lines.floor = {{ through = [0, "{}"], angle = 0 }}\n'
+    contact = 'contacts.floor = { touch = ["rod.B", "ground.floor"], restitution = 0.5 }\n'
+    scene = SWING.replace("-90 deg", "-200 deg") + f'solve.route = "{route}"\nstart.rod.omega = "-6 rad/s"\n'
+    far, near = (scene + line.format(y) + contact for y in ("-1.001 m", "-0.999 m"))
+    told = "the gap of 1 contact (open wherever the joints let the bodies go)"
+    assert told in plan_of(far)
+    assert told not in plan_of(near)
+    assert planemotion.load_text(far).run().omega == planemotion.load_text(scene).run().omega
+
+
 # ---- what nothing depends on ----
 ASIDE = """
 joints.C = { pin = ["aside.A", "ground"] }

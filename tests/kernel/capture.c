@@ -202,7 +202,8 @@ static void comes_round(double miss, int route)
     *scene_setting(s, PM_SETTING_ROUTE) = route;
     scene_set(s, PM_SETTING_GRAVITY_Y, 0);
     const int arm = scene_body(s, 1, 0.2, 0, 0, 0), end = scene_point(s, arm, 0.8, 0);
-    scene_joint(s, PM_JOINT_PIN, scene_point(s, arm, 0, 0), scene_point(s, PM_GROUND, 0, 0), 0);
+    for (int i = 0; i < 2; i++) /* a pin of two sliders: no bound of reach tells that a miss is one */
+        scene_joint(s, PM_JOINT_SLIDER, scene_point(s, arm, 0, 0), scene_floor(s, i * acos(0.)), 0);
     const int post = scene_point(s, PM_GROUND, 0, -0.8 - miss);
     const int hit = scene_capture(s, PM_CONTACT_POINT, scene_circle(s, end, 0), scene_circle(s, post, 0), 0,
                                   PM_CAPTURE_POINT);

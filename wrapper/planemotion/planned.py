@@ -112,6 +112,8 @@ def _skipped(phase: engine.Phase) -> Iterator[str]:
         yield "the time (nothing asks for it)"
     if not x["dynamic"]:
         yield "accelerations and reactions within steps (nothing that is watched needs them)"
+    if x["unreached"]:
+        yield f"the gap of {_count(x['unreached'], 'contact')} (open wherever the joints let the bodies go)"
     if not x["watched"]:
         yield "the search for events (none can come before the time that is asked for)"
     if phase.route == "path":
