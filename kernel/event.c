@@ -17,6 +17,7 @@
 #include "grip.h"
 #include "instant.h"
 #include "leg.h"
+#include "plan.h"
 #include "root.h"
 #include "route.h"
 #include "saddle.h"
@@ -438,6 +439,7 @@ int pm_event_advance(pm_workspace *w, int *ended)
             w->lap = 0;
             return PM_OK;
         }
+        w->lap |= pm_plan_has_passed(w);
         if (w->lap) return PM_OK;
         if (w->trace && (status = pm_trace_row(w, 0))) return status;
     }

@@ -41,11 +41,12 @@ typedef struct pm_ida_jacobian {
     int *pivot;            /* [nq + nrow] */
     int *bending;          /* [nq] coordinates that `bend` is of */
     int nbend;
-    int known;       /* the factors are of this phase */
-    double *scale;   /* [nq + nrow] of the unknowns of `system` */
-    double *work;    /* scratch of the differences and of a solution */
-    int has_forces;  /* some force may depend on positions */
-    int has_damping; /* and some on velocities */
+    double independence; /* least independent part of a row, of the row, at the last matrix */
+    int known;           /* the factors are of this phase */
+    double *scale;       /* [nq + nrow] of the unknowns of `system` */
+    double *work;        /* scratch of the differences and of a solution */
+    int has_forces;      /* some force may depend on positions */
+    int has_damping;     /* and some on velocities */
 } pm_ida_jacobian;
 
 typedef struct pm_ida {

@@ -57,7 +57,10 @@ static int invert_rows(pm_workspace *w)
         }
     for (int r = 0; r < na; r++) j->scale[nq + r] = 1 / sqrt(s[r * na + r]);
     const int bad = pm_cholesky_factor(na, s);
+    j->independence = 0;
     if (bad) return pm_fail(w, PM_SINGULAR, PM_TABLE_JOINT, w->row[bad - 1].joint, 0, 0);
+    j->independence = 1;
+    for (int r = 0; r < na; r++) j->independence = fmin(j->independence, s[r * na + r] * j->scale[nq + r]);
     for (int r = 0; r < na; r++) {
         memset(unit, 0, (size_t)na * sizeof *unit);
         unit[r] = 1;

@@ -256,6 +256,7 @@ typedef struct pm_workspace {
     struct pm_leg *leg;
     int lap;       /* the path may have closed at the end of the step */
     int path_left; /* the path route has given up in this case */
+    int singular;  /* the route ida has come near a singular position: see plan.c */
     struct pm_uniform *uniform;
     struct pm_rk *rk;
     struct pm_ida *ida;

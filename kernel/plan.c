@@ -6,18 +6,24 @@
 #include <stdio.h>
 
 #include "ask.h"
+#include "body.h"
 #include "nudge.h"
 #include "program.h"
 #include "route.h"
+#include "saddle.h"
+
+#define PASSED 0.1 /* independent part of each row: clearly more than where the passage begins */
 
 typedef struct pm_rule {
     const pm_route_ops *route;
     const char *reason;
 } pm_rule;
 
-enum { NUDGED = 0, FIRST = 1 }; /* the rules from FIRST on are tried in turn */
+enum { NUDGED = 0, PASSING = 1, FIRST = 2 }; /* the rules from FIRST on are tried in turn */
 static const pm_rule rules[] = {
     {&pm_route_path, "it leaves an unstable rest on the side that a nudge states: by energy along the path"},
+    {&pm_route_rk,
+     "a singular position, where the rows do not tell the motion: passed in independent coordinates"},
     {&pm_route_uniform, "no force changes and no row turns: constant accelerations, polynomials of the time"},
     {&pm_route_path,
      "one degree of freedom, and work that depends on position only: work and energy along the path"},
@@ -37,6 +43,16 @@ static int take(pm_workspace *w, const pm_route_ops *route, int rule)
     return PM_OK;
 }
 
+int pm_plan_has_passed(pm_workspace *w)
+{
+    if (w->rule != PASSING) return 0;
+    pm_frame_look_state(w, &w->state);
+    pm_saddle_rows(w);
+    if (!(pm_saddle_independence(w) > PASSED)) return 0;
+    w->singular = 0;
+    return 1;
+}
+
 static int forced(pm_workspace *w, int wanted)
 {
     const pm_route_ops *route = pm_route_of(wanted); /* none: state and jump, which have no phase */
@@ -48,6 +64,7 @@ int pm_plan_phase(pm_workspace *w)
 {
     const int wanted = PM_SETTING(w->model, PM_SETTING_ROUTE);
     if (pm_nudge_waits(w) && pm_route_path.applies(w)) return take(w, &pm_route_path, NUDGED);
+    if (w->singular && wanted == PM_ROUTE_IDA) return take(w, &pm_route_rk, PASSING);
     if (wanted != PM_ROUTE_AUTO) return forced(w, wanted);
     for (int i = FIRST; i < NRULES; i++)
         if (!rules[i].route->applies || rules[i].route->applies(w)) return take(w, rules[i].route, i);

@@ -7,6 +7,9 @@
 /* Chooses w->route for the phase that begins at w->state with the active rows; w->rule tells why. */
 int pm_plan_phase(pm_workspace *w);
 
+/* The phase serves to pass a singular position, and that lies behind: the route that was asked for goes on. */
+int pm_plan_has_passed(pm_workspace *w);
+
 /* By its structure the run ends at its start, nothing can touch, and nothing that is asked needs accelerations. */
 int pm_plan_kinematic(const pm_workspace *w);
 /* The run has ended before any phase: its route is `state`, or `jump` if there were blows. */

@@ -3,7 +3,10 @@
  * One instance per thread, made for the most active rows that the scene can have; each phase is a restart
  * with its own number of unknowns (ida_vector.c), from values that the saddle-point system makes
  * consistent.  The state after a step is projected on the rows; IDA's own history is not touched: the rows
- * are among its equations. */
+ * are among its equations.
+ *
+ * Near a singular position (one row depends on the others: reactions without bound) steps shrink to nothing: there the
+ * phase is handed over, by w->singular (plan.c). */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -26,11 +29,12 @@
 #include "route.h"
 
 #define ORDER 5
-#define NEWTON 0.1        /* of the error allowed: where Newton's iteration may stop */
-#define FIRST_STEP 0.3    /* of sqrt(tolerance) times the motion's own time: one step of order 1 */
-#define LONGEST_STEP 0.25 /* of the motion's own time, where events or extremes are watched */
-#define LEAST_STEP 8e-16  /* of the time: below it a step changes nothing */
-#define LEAST_ROOM 4e-15  /* of the time: below it IDA finds begin and end too close */
+#define NEWTON 0.1         /* of the error allowed: where Newton's iteration may stop */
+#define FIRST_STEP 0.3     /* of sqrt(tolerance) times the motion's own time: one step of order 1 */
+#define LONGEST_STEP 0.25  /* of the motion's own time, where events or extremes are watched */
+#define LEAST_STEP 8e-16   /* of the time: below it a step changes nothing */
+#define NEAR_SINGULAR 0.05 /* independent part of a row, below which Newton's iteration may not get through */
+#define LEAST_ROOM 4e-15   /* of the time: below it IDA finds begin and end too close */
 
 static int failed(pm_workspace *w, int flag) { return pm_fail(w, PM_SOLVER, PM_NONE, PM_NONE, flag, 0); }
 
@@ -167,6 +171,7 @@ static int begin(pm_workspace *w)
     pm_ida *r = w->ida;
     r->status = PM_OK;
     r->jacobian.known = 0;
+    r->jacobian.independence = 1;
     pm_ida_system_layout(w);
     int status = pm_ida_system_start(w, N_VGetArrayPointer(r->y), N_VGetArrayPointer(r->yp));
     if (status) return status;
@@ -215,7 +220,7 @@ static int too_small(pm_workspace *w, double length, double bound)
     return pm_fail(w, PM_STEP_TOO_SMALL, PM_NONE, PM_NONE, length, bound);
 }
 
-static int step(pm_workspace *w, double t_limit)
+static int one_step(pm_workspace *w, double t_limit)
 {
     pm_ida *r = w->ida;
     double t, length;
@@ -241,6 +246,14 @@ static int step(pm_workspace *w, double t_limit)
     w->count[PM_COUNT_STEPS]++;
     if (!status && pm_case_speed(w, w->state.v)) pm_ida_system_scale(w);
     if (!status && (flag = limit_step(w))) status = failed(w, flag);
+    return status;
+}
+
+/* The last matrix tells how near a singular position is: whatever goes wrong there, a new one has been made. */
+static int step(pm_workspace *w, double t_limit)
+{
+    const int status = one_step(w, t_limit);
+    w->lap = w->singular = !w->asymmetric && w->ida->jacobian.independence < NEAR_SINGULAR;
     return status;
 }
 

@@ -31,7 +31,7 @@ static int begin_case(pm_workspace *w, const double *param, pm_start_report *rep
     w->where = (pm_where){PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
     w->lost = 0;
     w->state.t = 0; /* a case that fails before its start reports no time of another */
-    w->price = w->lap = w->path_left = 0;
+    w->price = w->lap = w->path_left = w->singular = 0;
     w->route = pm_route_default(w->model); /* until the first phase is planned */
     pm_leg_forget(w);
     w->event->nfunction = 0;
@@ -140,6 +140,16 @@ static int leave_path(pm_workspace *w, int status)
     return pm_active_build(w) == PM_OK;
 }
 
+/* The route ida has met a singular position and no step that it can make: the same phase goes on as the plan knows. */
+static int leave_ida(pm_workspace *w, int status)
+{
+    const int lost = status == PM_STEP_TOO_SMALL || status == PM_SINGULAR || status == PM_SOLVER;
+    if (!lost || w->route != &pm_route_ida || !w->singular) return 0;
+    w->where = (pm_where){PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
+    w->lap = 1;
+    return 1;
+}
+
 static int run_phases(pm_workspace *w)
 {
     int ended, status = pm_instant_finish(w, &ended);
@@ -147,7 +157,7 @@ static int run_phases(pm_workspace *w)
     if (!status) status = pm_trace_row(w, 2);
     while (!status && !ended) {
         status = phase(w, &ended);
-        if (status && leave_path(w, status)) {
+        if (status && (leave_path(w, status) || leave_ida(w, status))) {
             status = PM_OK;
             continue;
         }

@@ -1095,6 +1095,12 @@ FAULTS = [
         "e->hit[i] |= e->root[i] != 0 && e->function[i].kind != FUNCTION_NORMAL",
     ),
     Fault(
+        "ida: singular positions are not handed over",
+        "route_ida.c",
+        "w->ida->jacobian.independence < NEAR_SINGULAR",
+        "w->ida->jacobian.independence < 0",
+    ),
+    Fault(
         "ida: missed root between two steps",
         "ida_root.c",
         "return !(fmin(fabs(a), fabs(b)) > REACH * change)",
