@@ -23,6 +23,7 @@
 #define SMOOTH 1e-3    /* highest coefficients of a value that its samples tell nearly: one without corners */
 #define UNTOLD 10.0    /* times these coefficients: how far the value may be from the polynomial */
 #define PEAK_STEP 1e-4 /* of the step: distance of the differences that make the rate next to an extreme */
+#define SLOPE_TAIL 2.0 /* times the degree and the highest coefficients: error of a polynomial's slope */
 #define PEAK_STEPS 6   /* of Newton's method to an extreme */
 #define PEAK_GAIN 1e-16 /* of the value's size: a step that would gain less is not taken */
 #define LEVEL 1e-14     /* of a value's size: so little spread is rounding */
@@ -158,7 +159,7 @@ typedef struct pm_watch {
 
 static int look(pm_workspace *w, double t, int exact)
 {
-    if (!exact) return pm_route_look(w, t, w->ask->level);
+    if (!exact || w->route->look) return pm_route_look(w, t, w->ask->level);
     const int status = w->route->exact(w, t, &w->probe);
     if (status) return status;
     pm_frame_look(w, w->probe.t, w->probe.q, w->probe.v, w->probe.z, w->state.memory);
@@ -210,13 +211,20 @@ typedef struct pm_peak {
     double tail; /* highest coefficients over it */
 } pm_peak;
 
+/* How far the slope of the polynomial may be off, by the fraction of the step. */
+static double slope_error(const pm_nodes *nodes, const pm_peak *p)
+{
+    return SLOPE_TAIL * nodes->n * p->tail * p->size;
+}
+
 /* From the polynomial's extreme to that of the value, by Newton's method on the rate; the bend is the polynomial's, then
  * the secant's.  0 if it does not stay between the nodes. */
 static int climb(pm_workspace *w, int ask, const pm_peak *p, double low, double high, double *s)
 {
     const double h = w->sampled_end - w->step_begin;
     const pm_watch x = {watched_program(PM_ASK_ROW(w->model, ask)), 0, 0};
-    double bend = pm_series_value(p->bend, 1, *s), last = 0, from = *s;
+    double bend = pm_series_value(w->nodes, p->bend, 1, *s), last = 0, from = *s;
+    const double bend_error = SLOPE_TAIL * w->nodes->n * slope_error(w->nodes, p) / fabs(bend);
     for (int i = 0; i < PEAK_STEPS; i++) {
         const double place = w->step_begin + *s * h;
         const double rate =
@@ -228,24 +236,34 @@ static int climb(pm_workspace *w, int ask, const pm_peak *p, double low, double 
         last = rate;
         from = *s;
         *s += shift;
-        if (fabs(rate * shift) <= PEAK_GAIN * p->size) return 1;
+        const double left = i == 0 ? fmin(bend_error, 1) * rate : rate; /* of the rate, after this step */
+        if (fabs(left * left / bend) <= PEAK_GAIN * p->size) return 1;
     }
     return 0;
+}
+
+/* The polynomial's extreme is off by its slope's error over its bend, and the value there by half the square of that. */
+static int is_told(const pm_nodes *nodes, const pm_peak *p, double s)
+{
+    const double error = slope_error(nodes, p), bend = pm_series_value(nodes, p->bend, 1, s);
+    return bend < 0 && 0.5 * error * error <= PEAK_GAIN * p->size * -bend;
 }
 
 /* Extremes between nodes: where the slope of the polynomial falls through zero; a closer look is taken only where it may
  * be better than the best so far. */
 static int extremes_of_samples(pm_workspace *w, int ask, const pm_peak *p)
 {
-    const pm_nodes *nodes = w->route->nodes;
+    const pm_nodes *nodes = w->nodes;
     const double *at = nodes->at, *d = p->d;
     for (int k = 0; k + 1 < nodes->n; k++) {
         double s;
         if (!(d[k] > 0 && d[k + 1] < 0)) continue;
-        int status = pm_series_root(w, d, at[k], d[k], at[k + 1], d[k + 1], &s);
+        int status = pm_series_root(w, nodes, d, at[k], d[k], at[k + 1], d[k + 1], &s);
         if (status) return status;
-        if (pm_series_value(p->g, 1, s) + UNTOLD * p->tail * p->size <= p->sign * w->ask->best[ask]) continue;
-        const int found = climb(w, ask, p, k > 0 ? at[k - 1] : 0, k + 2 < nodes->n ? at[k + 2] : 1, &s);
+        const double untold = (UNTOLD * p->tail - LEVEL) * p->size;
+        if (pm_series_value(nodes, p->g, 1, s) + untold <= p->sign * w->ask->best[ask]) continue;
+        const int found = is_told(w->nodes, p, s) ||
+                          climb(w, ask, p, k > 0 ? at[k - 1] : 0, k + 2 < nodes->n ? at[k + 2] : 1, &s);
         const double place = w->step_begin + s * (w->sampled_end - w->step_begin);
         if (!found)
             status = refine(w, ask, pm_crossing_node(w, k), fmin(pm_crossing_node(w, k + 1), w->step_end));
@@ -257,19 +275,10 @@ static int extremes_of_samples(pm_workspace *w, int ask, const pm_peak *p)
     return PM_OK;
 }
 
-/* Slopes at the nodes, by the fraction of the step, of the polynomial through them. */
-static void slopes(const pm_nodes *nodes, const double *g, double *d)
-{
-    for (int k = 0; k < nodes->n; k++) {
-        d[k] = 0;
-        for (int i = 0; i < nodes->n; i++) d[k] += nodes->slope[k * nodes->n + i] * g[i];
-    }
-}
-
 /* The intervals next to the greatest node are searched, unless the slopes clearly do not change sign there. */
 static int extremes_beside_top(pm_workspace *w, int ask, const pm_peak *p, int top, double spread)
 {
-    const pm_nodes *nodes = w->route->nodes;
+    const pm_nodes *nodes = w->nodes;
     for (int k = top - 1; k <= top; k++) {
         if (k < 0 || k + 1 >= nodes->n) continue;
         const double flat = NEARLY_FLAT * spread / (nodes->at[k + 1] - nodes->at[k]);
@@ -284,7 +293,7 @@ static int extremes_beside_top(pm_workspace *w, int ask, const pm_peak *p, int t
 
 static int extreme_in_step(pm_workspace *w, int ask)
 {
-    const int nask = w->model->nask, n = w->route->nodes->n;
+    const int nask = w->model->nask, n = w->nodes->n;
     pm_peak p = {.sign = is_greatest(PM_ASK_ROW(w->model, ask)) ? 1 : -1};
     double spread = 0;
     int top = 0;
@@ -300,10 +309,10 @@ static int extreme_in_step(pm_workspace *w, int ask)
     }
     /* an extreme between the nodes exceeds them by no more than their spread */
     if (spread <= LEVEL * p.size || p.g[top] + spread < p.sign * w->ask->best[ask]) return PM_OK;
-    slopes(w->route->nodes, p.g, p.d);
-    if (w->route->nodes == &pm_nodes_chebyshev && !at_extreme(PM_ASK_ROW(w->model, ask))) {
-        p.tail = pm_series_tail(p.g);
-        slopes(w->route->nodes, p.d, p.bend);
+    pm_series_slopes(w->nodes, p.g, p.d);
+    if (pm_nodes_spectral(w->nodes) && !at_extreme(PM_ASK_ROW(w->model, ask))) {
+        p.tail = pm_series_tail(w->nodes, p.g);
+        pm_series_slopes(w->nodes, p.d, p.bend);
         if (p.tail < SMOOTH) return extremes_of_samples(w, ask, &p);
     }
     return extremes_beside_top(w, ask, &p, top, spread);
@@ -312,7 +321,7 @@ static int extreme_in_step(pm_workspace *w, int ask)
 static int grid_in_step(pm_workspace *w, int ask)
 {
     const int32_t *e = PM_ASK_ROW(w->model, ask);
-    const int n = w->route->nodes->n;
+    const int n = w->nodes->n;
     for (int k = 0; k < e[PM_ASK_COUNT]; k++) {
         pm_watch x = {e[PM_ASK_PROGRAM_2], w->value[e[PM_ASK_FIRST_VALUE] + k], 0};
         for (int i = 0; i + 1 < n && !w->ask->filled[e[PM_ASK_OUT] + k]; i++) {
@@ -337,7 +346,7 @@ static int offer_node(pm_workspace *w, int ask)
 {
     const int nask = w->model->nask;
     const int32_t *e = PM_ASK_ROW(w->model, ask);
-    const int n = w->route->nodes->n;
+    const int n = w->nodes->n;
     int top = PM_NONE;
     for (int k = 0; k < n && pm_crossing_node(w, k) <= w->step_end; k++) {
         const double value = w->ask->sample[k * nask + ask];
@@ -356,9 +365,9 @@ static int offer_node(pm_workspace *w, int ask)
 /* The samples of a whole step serve for its part up to step_end, too, where they resolve the values. */
 int pm_ask_keeps_samples(const pm_workspace *w)
 {
-    if (w->route->nodes != &pm_nodes_chebyshev) return 0;
+    if (!pm_nodes_spectral(w->nodes)) return 0;
     for (int i = 0; i < w->ask->nobserver; i++)
-        for (int k = 0; k < w->route->nodes->n; k++)
+        for (int k = 0; k < w->nodes->n; k++)
             if (isnan(w->ask->sample[k * w->model->nask + w->ask->observer[i]])) return 0;
     return 1;
 }

@@ -32,7 +32,7 @@
 
 double pm_crossing_node(const pm_workspace *w, int node)
 {
-    const pm_nodes *nodes = w->route->nodes;
+    const pm_nodes *nodes = w->nodes;
     return node == nodes->n - 1 ? w->sampled_end
                                 : w->step_begin + (w->sampled_end - w->step_begin) * nodes->at[node];
 }
@@ -60,7 +60,7 @@ int pm_crossing_sample(pm_workspace *w, int with_functions)
     int level = PM_LEVEL_KINEMATIC;
     if (functions && e->level > level) level = e->level;
     if (watched && w->ask->level > level) level = w->ask->level;
-    for (int k = 0; k < w->route->nodes->n; k++) {
+    for (int k = 0; k < w->nodes->n; k++) {
         const int status = pm_route_look(w, pm_crossing_node(w, k), level);
         if (status) return status;
         if (functions) sample_functions(w, e->value + k * e->nfunction);
@@ -153,12 +153,8 @@ static int turns(pm_workspace *w, pm_event_function *f, const double *g, const d
 /* Slopes at the nodes of the polynomial through the values there. */
 static void slopes_of(const pm_workspace *w, const double *g, double *slope)
 {
-    const pm_nodes *nodes = w->route->nodes;
-    for (int k = 0; k < nodes->n; k++) {
-        slope[k] = 0;
-        for (int i = 0; i < nodes->n; i++) slope[k] += nodes->slope[k * nodes->n + i] * g[i];
-        slope[k] /= w->step_end - w->step_begin;
-    }
+    pm_series_slopes(w->nodes, g, slope);
+    for (int k = 0; k < w->nodes->n; k++) slope[k] /= w->step_end - w->step_begin;
 }
 
 typedef struct pm_bracket {
@@ -203,7 +199,7 @@ static int bracket(pm_workspace *w, int i, double from, pm_bracket *x)
 {
     pm_event_set *e = w->event;
     pm_event_function *f = &e->function[i];
-    const int n = w->route->nodes->n;
+    const int n = w->nodes->n;
     double g[PM_NODES_MOST], place[PM_NODES_MOST], slope[PM_NODES_MOST], biggest = 0, least = INFINITY;
     int first = 0;
     for (int k = 0; k < n; k++) {
@@ -274,7 +270,7 @@ static void take_rate(pm_workspace *w, int function, double x)
 static void samples_of(const pm_workspace *w, int i, double value[PM_NODES_MOST])
 {
     const pm_event_set *e = w->event;
-    for (int k = 0; k < PM_NODES_MOST; k++)
+    for (int k = 0; k < w->nodes->n; k++)
         value[k] = pm_event_of_sample(&e->function[i], e->value[k * e->nfunction + i]);
 }
 
@@ -283,17 +279,17 @@ static double slope_of_samples(const pm_workspace *w, int i, double place)
     const double h = w->step_end - w->step_begin;
     double value[PM_NODES_MOST], slope[PM_NODES_MOST];
     samples_of(w, i, value);
-    pm_series_slopes(value, slope);
-    return pm_series_value(slope, 1, (place - w->step_begin) / h) / h;
+    pm_series_slopes(w->nodes, value, slope);
+    return pm_series_value(w->nodes, slope, 1, (place - w->step_begin) / h) / h;
 }
 
 /* The nodes of a spectral route resolve the function, unless it has a corner (the nearest of several members). */
 static int is_resolved(const pm_workspace *w, int i)
 {
     double value[PM_NODES_MOST];
-    if (w->route->nodes != &pm_nodes_chebyshev) return 0;
+    if (!pm_nodes_spectral(w->nodes)) return 0;
     samples_of(w, i, value);
-    return pm_series_tail(value) < RESOLVED;
+    return pm_series_tail(w->nodes, value) < RESOLVED;
 }
 
 /* Where the polynomial through the samples has its root. */
@@ -302,7 +298,8 @@ static int root_of_samples(pm_workspace *w, int i, const pm_bracket *x, double *
     const double begin = w->step_begin, h = w->step_end - begin;
     double value[PM_NODES_MOST], s;
     samples_of(w, i, value);
-    const int status = pm_series_root(w, value, (x->a - begin) / h, x->ga, (x->b - begin) / h, x->gb, &s);
+    const int status =
+        pm_series_root(w, w->nodes, value, (x->a - begin) / h, x->ga, (x->b - begin) / h, x->gb, &s);
     *place = begin + s * h;
     return status;
 }
@@ -384,7 +381,7 @@ int pm_crossing_first(pm_workspace *w, double from, double *first, double *taken
 void pm_crossing_leave(pm_workspace *w)
 {
     pm_event_set *e = w->event;
-    const double *last = e->value + (w->route->nodes->n - 1) * e->nfunction;
+    const double *last = e->value + (w->nodes->n - 1) * e->nfunction;
     for (int i = 0; i < e->nfunction; i++) {
         pm_event_function *f = &e->function[i];
         if (f->owned) continue;

@@ -418,6 +418,7 @@ int pm_event_advance(pm_workspace *w, int *ended)
             pm_frame_look_state(w, &w->state);
             set_multiples(w);
         }
+        w->nodes = w->route->nodes;
         status = w->route->step(w, fmin(max_time, next_due(w)));
         look_for_roots(w);
         if (!status) status = pm_crossing_sample(w, 1);

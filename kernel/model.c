@@ -488,6 +488,16 @@ int pm_model_create(int64_t ntable, const int32_t *table, int64_t nconstant, con
     look_at_forces(m);
     for (int i = 0; i < m->rows[PM_TABLE_PROGRAM]; i++) m->reads_time |= pm_nature_reads_time(m, i);
     m->reads_time |= PM_SETTING(m, PM_SETTING_MAX_TIME) >= 0;
+    for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
+        const int program = PM_TRIGGER_ROW(m, i)[PM_TRIGGER_PROGRAM];
+        m->samples_time |= program >= 0 && pm_nature_reads_time(m, program);
+    }
+    for (int i = 0; i < m->nask; i++) {
+        const int32_t *e = PM_ASK_ROW(m, i);
+        if (e[PM_ASK_KIND] < PM_ASK_MAX || e[PM_ASK_KIND] > PM_ASK_GRID) continue;
+        m->samples_time |= pm_nature_reads_time(m, e[PM_ASK_PROGRAM]);
+        m->samples_time |= e[PM_ASK_PROGRAM_2] >= 0 && pm_nature_reads_time(m, e[PM_ASK_PROGRAM_2]);
+    }
     *model = m;
     return PM_OK;
 }

@@ -49,6 +49,7 @@ typedef struct pm_model {
     unsigned char *program_growth; /* [nprogram] enum pm_growth */
     int forces_by_place;           /* all forces depend on the configuration alone */
     int reads_time;                /* some program reads the time */
+    int samples_time;              /* some trigger, extreme or grid does */
     int nelement;                  /* joints, contacts and forces */
     int acts;                      /* some event does something, or not whenever its triggers fire */
     int watches_counts;            /* what is watched in a step reads the count or time of an event */
@@ -263,8 +264,9 @@ typedef struct pm_workspace {
     double step_begin,
         step_end;       /* the last accepted step, by its progress coordinate: state is at step_end */
     double sampled_end; /* where the step ended when it was sampled */
-    int turns;          /* the motion turns back at the end of the step */
-    double *turn;       /* [nq] the velocities with which it does, at the scene's speed */
+    const struct pm_nodes *nodes; /* where the step is sampled */
+    int turns;                    /* the motion turns back at the end of the step */
+    double *turn;                 /* [nq] the velocities with which it does, at the scene's speed */
     struct pm_event_set *event;
     struct pm_ask_set *ask;
     struct pm_hang *hang; /* [nbody + 1] where each body can be (reach.h); last: the ground */

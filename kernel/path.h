@@ -49,11 +49,15 @@ typedef struct pm_path {
     int fresh;     /* no step of the phase has been taken yet */
     int clock;     /* enum pm_path_clock */
     int by_work;   /* T by the work of all forces, not by their potential: the better of both in this step */
-    double force[PM_NODES_MOST]; /* generalised, at the nodes, the way it goes */
-    double t0;                   /* time at the begin of the step */
-    double tail;                 /* of the clock of the step that was tried before */
-    double g[PM_NODES_MOST];     /* smooth part of dt/du at the nodes */
-    double time[PM_NODES_MOST];  /* at the nodes */
+    double force[PM_NODES_MOST];   /* generalised, at the nodes, the way it goes */
+    double t0;                     /* time at the begin of the step */
+    double tail;                   /* of the clock of the step that was tried before */
+    double series[PM_NODES_CLOCK]; /* Chebyshev coefficients of the smooth part of dt/du (path_clock.c) */
+    int terms;                     /* of them: how many matter */
+    const pm_nodes *nodes;         /* of the step: its node k is node[k * every] */
+    int every;
+    double safe; /* length up to which steps are taken even if their nodes do not resolve what is sampled */
+    double most; /* length that the nodes of the last steps resolved; INFINITY: any did */
     pm_place node[PM_NODES_MOST], spare;
     pm_bridge bridge;
     double *loop;              /* [n][n] rows that the tree does not solve, on its coordinates */

@@ -12,12 +12,14 @@
 
 #include "body.h"
 #include "error.h"
+#include "grip.h"
 #include "nature.h"
 #include "path.h"
 #include "program.h"
 #include "route.h"
 #include "saddle.h"
 #include "series.h"
+#include "tree.h"
 
 #define ROUNDINGS 1e-15 /* of the energies, in a step or a blow: some roundings */
 #define FASTER 1e-6     /* of the speeds, for the difference */
@@ -39,12 +41,12 @@ static void step_of_clock(const pm_workspace *w, pm_path *p)
     double least = INFINITY, greatest = 0;
     if (p->balanced && w->model->reads_time) p->clock_error = INFINITY; /* it takes for ever to leave */
     if (p->clock == PM_CLOCK_NONE) return;
-    for (int k = 0; k < PM_NODES_MOST; k++) {
-        least = fmin(least, p->node[k].kinetic);
-        greatest = fmax(greatest, p->node[k].kinetic);
+    for (int k = 0; k < p->nodes->n; k++) {
+        least = fmin(least, p->node[k * p->every].kinetic);
+        greatest = fmax(greatest, p->node[k * p->every].kinetic);
     }
     const double by = p->clock == PM_CLOCK_PLAIN ? least : greatest / RESTING;
-    p->clock_error += (w->state.t - p->t0) * (UNRESOLVED * pm_series_tail(p->g) + 0.5 * p->error / by);
+    p->clock_error += (w->state.t - p->t0) * (UNRESOLVED * p->tail + 0.5 * p->error / by);
 }
 
 void pm_path_error_step(pm_workspace *w, double kinetic)
@@ -112,6 +114,13 @@ static double error_of_time(pm_workspace *w, int program, double value)
     return fabs(changed - value) / shift * w->path->clock_error;
 }
 
+/* A place inside a step, where the active rows are those of the tree: as the route does where no row closes a loop. */
+static int accelerate(pm_workspace *w)
+{
+    const int inside = w->frame.q == w->probe.q && w->tree->nloop == 0;
+    return inside && !pm_grip_by_load(w) ? pm_path_accelerate(w, w->frame.v) : pm_saddle_accelerate(w);
+}
+
 /* By a difference in the speeds. */
 static double error_of_motion(pm_workspace *w, int program, double value)
 {
@@ -119,10 +128,10 @@ static double error_of_motion(pm_workspace *w, int program, double value)
     const int dynamic = w->model->program_level[program] == PM_LEVEL_DYNAMIC;
     if (w->model->program_growth[program] == PM_GROWTH_UNKNOWN || !(kinetic > 0)) return NAN;
     shift_velocities(w, 1 + FASTER);
-    const int failed = dynamic && pm_saddle_accelerate(w);
+    const int failed = dynamic && accelerate(w);
     const double changed = pm_program_run(w->model, program, w->param, w->value, w);
     shift_velocities(w, 1);
-    if (dynamic) (void)pm_saddle_accelerate(w);
+    if (dynamic) (void)accelerate(w);
     return failed ? NAN : fabs(changed - value) / (2 * FASTER * kinetic) * w->path->error;
 }
 

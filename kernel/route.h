@@ -40,7 +40,7 @@ typedef struct pm_route_ops {
     int finds_roots;       /* enum pm_roots */
     int in_time;           /* its progress coordinate is the time */
     int price;             /* routes in order of their cost */
-    const pm_nodes *nodes; /* where its steps are sampled */
+    const pm_nodes *nodes; /* where its steps are sampled, unless a step says otherwise (w->nodes) */
 } pm_route_ops;
 
 extern const pm_route_ops pm_route_rk, pm_route_ida, pm_route_uniform, pm_route_path;

@@ -19,6 +19,7 @@
 #include "nudge.h"
 #include "path.h"
 #include "path_bridge.h"
+#include "path_clock.h"
 #include "path_error.h"
 #include "root.h"
 #include "route.h"
@@ -30,7 +31,12 @@
 
 #define TURN (2 * 3.14159265358979323846)
 #define STEPS_PER_TURN 8
-#define LENGTHS 0.5      /* of the scene's size: longest step of a coordinate that is a length */
+#define LENGTHS 0.5 /* of the scene's size: longest step of a coordinate that is a length */
+#define FARTHER \
+    4.0 /* steps where no loop must be closed and no contact is near, if the nodes resolve the motion */
+#define FORM_TAIL \
+    1e-8 /* highest coefficients of mass and T in such steps, and in any that fewer nodes may do for */
+#define LENGTHEN 2.0     /* a step that was resolved, at the most */
 #define FASTER 2.0       /* other coordinates may go this much farther than the driver */
 #define CLOCK_TAIL 1e-13 /* highest coefficients of the integrand of the time, at the least */
 #define TAIL 30          /* times the tolerance, if that is more: the integral is some 1000 times better */
@@ -41,7 +47,6 @@
 #define ROUNDING 1e-14
 #define DOUBLE_ROUNDING 2.2e-16
 #define ROUNDINGS 8    /* that a difference of potentials may hold */
-#define NOISE 1e-6     /* a tail below it that no halving makes smaller is rounding */
 #define STILL 1e-11    /* of the scene's speed: at rest */
 #define BALANCED 1e-12 /* of the forces: in equilibrium */
 
@@ -191,6 +196,7 @@ static int begin(pm_workspace *w)
     const double *ledger = w->state.z + pm_audit_ledger(w->model);
     double momentum[PM_LEDGER];
     p->fresh = 1;
+    p->most = INFINITY;
     pm_path_error_begin(w, x->kinetic);
     p->way = 0;
     p->lowest = x->kinetic;
@@ -214,6 +220,14 @@ static double full_step(const pm_workspace *w, const pm_place *x)
     return h;
 }
 
+/* Newton's method stays on the branch of a loop, and contacts are seen, in safe steps only; the one out of an equilibrium
+ * may be the only one on the path. */
+static double step_factor(const pm_workspace *w)
+{
+    const int open = w->tree->nloop == 0 && w->model->rows[PM_TABLE_CONTACT] == 0;
+    return open && !w->path->balanced ? FARTHER : 1;
+}
+
 /* The step may end soon: where the nearest gap would close if it went on closing at its present rate. */
 static double next_contact(pm_workspace *w, const pm_place *x)
 {
@@ -232,17 +246,25 @@ static double next_contact(pm_workspace *w, const pm_place *x)
     return BEYOND * h;
 }
 
-/* A guess of the coordinates at node k: the cubic through the two nodes before it and their slopes, or the tangent. */
-static void guess_node(const pm_path *p, int k, double *y)
+static pm_place *node_of(pm_path *p, int k) { return &p->node[k * p->every]; }
+
+/* From one node to the next, in the arrays of places. */
+static int stride_of(const pm_path *p, const double *first, const double *second)
 {
-    const double *at = pm_nodes_chebyshev.at;
-    const pm_place *b = &p->node[k - 1];
+    return p->every * (int)(second - first);
+}
+
+/* A guess of the coordinates at node k: the cubic through the two nodes before it and their slopes, or the tangent. */
+static void guess_node(pm_path *p, int k, double *y)
+{
+    const double *at = p->nodes->at;
+    const pm_place *b = node_of(p, k - 1);
     const double step = p->sense * p->h * (at[k] - at[k - 1]);
     if (k == 1) {
         for (int i = 0; i < p->n; i++) y[i] = b->y[i] + step * b->slope[i];
         return;
     }
-    const pm_place *a = &p->node[k - 2];
+    const pm_place *a = node_of(p, k - 2);
     const double width = p->sense * p->h * (at[k - 1] - at[k - 2]), x = step / width;
     for (int i = 0; i < p->n; i++) {
         const double rise = (b->y[i] - a->y[i]) / width, da = a->slope[i] - rise, db = b->slope[i] - rise;
@@ -250,56 +272,14 @@ static void guess_node(const pm_path *p, int k, double *y)
     }
 }
 
-static double clock_value(const pm_path *p, int node, int clock)
-{
-    const double s = pm_nodes_chebyshev.at[node], h = p->h;
-    const pm_place *x = &p->node[node];
-    if (clock == PM_CLOCK_PLAIN) return sqrt(0.5 * x->mass / x->kinetic);
-    /* T / (distance to where it vanishes): there its slope */
-    const double distance = clock == PM_CLOCK_LEAVES ? s : 1 - s;
-    const double slope = distance > 0 ? x->kinetic / (distance * h) : fabs(x->force);
-    return sqrt(0.5 * x->mass / (slope * h));
-}
-
-/* The smooth part of dt/du; 0 if it is not resolved by the nodes. */
-static int set_clock(pm_path *p, int clock, double most)
-{
-    p->clock = clock;
-    if (clock == PM_CLOCK_NONE) return 1;
-    for (int k = 0; k < PM_NODES_MOST; k++) p->g[k] = clock_value(p, k, clock);
-    const double tail = pm_series_tail(p->g), before = p->tail;
-    p->tail = tail;
-    return tail <= most || (tail < NOISE && tail > 0.5 * before);
-}
-
-static double time_at(const pm_path *p, double s)
-{
-    switch (p->clock) {
-    case PM_CLOCK_PLAIN: return p->t0 + p->h * pm_series_integral(p->g, 1, s);
-    case PM_CLOCK_LEAVES: return p->t0 + p->h * pm_series_integral_leaving(p->g, s);
-    case PM_CLOCK_RESTS:
-        return p->t0 + p->h * (pm_series_integral_resting(p->g, 0) - pm_series_integral_resting(p->g, s));
-    default: return p->t0; /* nobody asks; an equilibrium takes for ever to leave */
-    }
-}
-
-/* The times of all nodes of an accepted step. */
-static void set_times(pm_path *p)
-{
-    if (p->clock == PM_CLOCK_PLAIN) pm_series_integrals(p->g, p->time);
-    for (int k = 0; k < PM_NODES_MOST; k++)
-        p->time[k] =
-            p->clock == PM_CLOCK_PLAIN ? p->t0 + p->h * p->time[k] : time_at(p, pm_nodes_chebyshev.at[k]);
-}
-
 /* The running integrals at the fraction s of the step: works go by the way of the driver, distances by its length. */
 static void integrals_at(const pm_workspace *w, double s, double *z)
 {
     const pm_path *p = w->path;
-    const int stride = (int)(p->node[1].rate - p->node[0].rate);
+    const int stride = stride_of(p, p->node[0].rate, p->node[1].rate);
     for (int i = 0; i < w->model->nz_controlled; i++) {
         const double way = i < w->model->nz_work ? p->sense * p->h : p->h;
-        z[i] = p->weight[i] + way * pm_series_integral(p->node[0].rate + i, stride, s);
+        z[i] = p->weight[i] + way * pm_series_integral(p->nodes, p->node[0].rate + i, stride, s);
     }
 }
 
@@ -308,16 +288,27 @@ static int rates_resolved(const pm_workspace *w)
     const pm_path *p = w->path;
     double value[PM_NODES_MOST];
     for (int i = 0; i < w->model->nz_controlled; i++) {
-        for (int k = 0; k < PM_NODES_MOST; k++) value[k] = p->node[k].rate[i];
-        if (pm_series_tail(value) > WORK_TAIL) return 0;
+        for (int k = 0; k < p->nodes->n; k++) value[k] = p->node[k * p->every].rate[i];
+        if (pm_series_tail(p->nodes, value) > WORK_TAIL) return 0;
     }
     return 1;
 }
 
+/* What is sampled along the step is made of such functions of the place. */
+static int motion_resolved(const pm_path *p)
+{
+    double mass[PM_NODES_MOST], kinetic[PM_NODES_MOST];
+    for (int k = 0; k < p->nodes->n; k++) {
+        mass[k] = p->node[k * p->every].mass;
+        kinetic[k] = p->node[k * p->every].kinetic;
+    }
+    return pm_series_tail(p->nodes, mass) <= FORM_TAIL && pm_series_tail(p->nodes, kinetic) <= FORM_TAIL;
+}
+
+/* By the energy. */
 static double kinetic_at(const pm_workspace *w, const pm_place *x, double s)
 {
     const pm_path *p = w->path;
-    if (p->by_work) return p->node[0].kinetic + p->h * pm_series_integral(p->force, 1, s);
     if (w->model->nz_work == 0) return p->energy - x->potential;
     integrals_at(w, s, w->path->work);
     return p->energy - x->potential + work_so_far(w, p->work);
@@ -328,31 +319,58 @@ static double kinetic_at(const pm_workspace *w, const pm_place *x, double s)
 static int work_is_better(const pm_path *p)
 {
     double greatest = 0;
-    for (int k = 0; k < PM_NODES_MOST; k++) greatest = fmax(greatest, fabs(p->force[k]));
-    return pm_series_tail(p->force) * greatest * p->h <=
+    for (int k = 0; k < p->nodes->n; k++) greatest = fmax(greatest, fabs(p->force[k]));
+    return pm_series_tail(p->nodes, p->force) * greatest * p->h <=
            DOUBLE_ROUNDING * fmax(fabs(p->energy), fabs(p->node[0].potential));
 }
 
-/* The nodes of a step of length h from node 0. */
+/* Forces and T at the nodes, whose places are known. */
+static void set_kinetics(pm_workspace *w)
+{
+    pm_path *p = w->path;
+    const int n = p->nodes->n;
+    double work[PM_NODES_MOST];
+    for (int k = 0; k < n; k++) p->force[k] = p->sense * node_of(p, k)->force;
+    p->by_work = work_is_better(p);
+    if (p->by_work) pm_series_integrals(p->nodes, p->force, work);
+    for (int k = 1; k < n; k++) {
+        pm_place *x = node_of(p, k);
+        x->kinetic = p->by_work ? p->node[0].kinetic + p->h * work[k] : kinetic_at(w, x, p->nodes->at[k]);
+    }
+}
+
+/* The nodes of a step of length h from node 0: every second one. */
 static int fill(pm_workspace *w, double h)
 {
     pm_path *p = w->path;
-    const double *at = pm_nodes_chebyshev.at;
     p->h = h;
-    for (int k = 1; k < PM_NODES_MOST; k++) {
-        guess_node(p, k, p->node[k].y);
-        const int status = pm_path_place(w, p->u0 + p->sense * (h * at[k]), &p->node[k]);
+    p->nodes = &pm_nodes_9;
+    p->every = 2;
+    for (int k = 1; k < p->nodes->n; k++) {
+        pm_place *x = node_of(p, k);
+        guess_node(p, k, x->y);
+        const int status = pm_path_place(w, p->u0 + p->sense * (h * p->nodes->at[k]), x);
         if (status) return status;
     }
-    for (int k = 0; k < PM_NODES_MOST; k++) p->force[k] = p->sense * p->node[k].force;
-    p->by_work = work_is_better(p);
-    if (!p->by_work) {
-        for (int k = 1; k < PM_NODES_MOST; k++) p->node[k].kinetic = kinetic_at(w, &p->node[k], at[k]);
-        return PM_OK;
+    set_kinetics(w);
+    return PM_OK;
+}
+
+/* The others. */
+static int fill_between(pm_workspace *w)
+{
+    pm_path *p = w->path;
+    const double *at = pm_nodes_17.at;
+    const int stride = stride_of(p, p->node[0].y, p->node[1].y);
+    for (int k = 1; k < pm_nodes_17.n; k += 2) {
+        pm_place *x = &p->node[k];
+        for (int i = 0; i < p->n; i++) x->y[i] = pm_series_value(p->nodes, p->node[0].y + i, stride, at[k]);
+        const int status = pm_path_place(w, p->u0 + p->sense * (p->h * at[k]), x);
+        if (status) return status;
     }
-    double work[PM_NODES_MOST];
-    pm_series_integrals(p->force, work);
-    for (int k = 1; k < PM_NODES_MOST; k++) p->node[k].kinetic = p->node[0].kinetic + h * work[k];
+    p->nodes = &pm_nodes_17;
+    p->every = 1;
+    set_kinetics(w);
     return PM_OK;
 }
 
@@ -360,11 +378,18 @@ static int fill(pm_workspace *w, double h)
 static int place_inside(pm_workspace *w, double s)
 {
     pm_path *p = w->path;
-    for (int k = 0; k < p->n; k++)
-        p->spare.y[k] = pm_series_value(p->node[0].y + k, (int)(p->node[1].y - p->node[0].y), s);
+    const int stride = stride_of(p, p->node[0].y, p->node[1].y);
+    for (int k = 0; k < p->n; k++) p->spare.y[k] = pm_series_value(p->nodes, p->node[0].y + k, stride, s);
     const int status = pm_path_place(w, p->u0 + p->sense * p->h * s, &p->spare);
-    p->spare.kinetic = status ? 0 : kinetic_at(w, &p->spare, s);
-    return status;
+    if (status) return status;
+    if (p->by_work) {
+        double kinetic[PM_NODES_MOST];
+        for (int k = 0; k < p->nodes->n; k++) kinetic[k] = node_of(p, k)->kinetic;
+        p->spare.kinetic = pm_series_value(p->nodes, kinetic, 1, s);
+    } else {
+        p->spare.kinetic = kinetic_at(w, &p->spare, s);
+    }
+    return PM_OK;
 }
 
 /* T on the exact place at the fraction s of the filled step. */
@@ -378,15 +403,15 @@ static double exact_kinetic(pm_workspace *w, double s, void *context)
 static int find_turning(pm_workspace *w, double *way)
 {
     pm_path *p = w->path;
-    const pm_nodes *nodes = &pm_nodes_chebyshev;
+    const pm_nodes *nodes = p->nodes;
     double s;
     p->least = *way = INFINITY;
     for (int k = 1; k < nodes->n; k++) {
-        const double before = p->node[k - 1].kinetic, after = p->node[k].kinetic;
+        const double before = node_of(p, k - 1)->kinetic, after = node_of(p, k)->kinetic;
         double low = nodes->at[k], lowest = after;
         if (after > 0 && p->force[k - 1] < 0 && p->force[k] > 0) { /* a dip between the nodes */
-            const int status = pm_series_root(w, p->force, nodes->at[k - 1], p->force[k - 1], nodes->at[k],
-                                              p->force[k], &low);
+            const int status = pm_series_root(w, nodes, p->force, nodes->at[k - 1], p->force[k - 1],
+                                              nodes->at[k], p->force[k], &low);
             if (status || (lowest = exact_kinetic(w, low, NULL), isnan(lowest))) return status;
             pm_path_error_barrier(w, lowest);
         }
@@ -405,36 +430,48 @@ static int find_turning(pm_workspace *w, double *way)
 static void end_at_rest(pm_path *p)
 {
     const double left = p->node[PM_NODES_MOST - 1].kinetic;
-    for (int k = 0; k < PM_NODES_MOST && p->by_work; k++) p->node[k].kinetic -= left;
+    for (int k = 0; k < p->nodes->n && p->by_work; k++) node_of(p, k)->kinetic -= left;
     p->node[PM_NODES_MOST - 1].kinetic = 0;
 }
 
-/* Tries a step of length h; *next is a shorter one to try instead, or 0. */
-static int try_step(pm_workspace *w, double h, int turning, double *next)
+/* Is the filled step one that can be taken?  *next is a shorter one to try instead, or 0. */
+static int judge(pm_workspace *w, int turning, double *next)
 {
     pm_path *p = w->path;
-    int status = fill(w, h);
+    const int half = p->every > 1 || p->h > p->safe; /* else what is not smooth is sampled as it is */
     *next = 0;
-    if (status == PM_SINGULAR || status == PM_ASSEMBLY) {
-        *next = 0.5 * h;
-        return PM_OK;
-    }
-    if (!status && w->model->nz_controlled > 0 && !rates_resolved(w)) *next = 0.5 * h;
+    if ((w->model->nz_controlled > 0 && !rates_resolved(w)) || (half && !motion_resolved(p)))
+        *next = 0.5 * p->h;
     if (turning) {
         end_at_rest(p);
-    } else if (!status && *next == 0) {
+    } else if (*next == 0) {
         double way;
-        status = find_turning(w, &way);
-        if (!status && way < INFINITY)
-            *next = p->at_rest ? 0.5 * way : way; /* each root needs a step of its own */
+        const int status = find_turning(w, &way);
+        if (status) return status;
+        if (way < INFINITY) *next = p->at_rest ? 0.5 * way : way; /* each root needs a step of its own */
     }
-    if (status || *next > 0) return status;
+    if (*next > 0) return PM_OK;
     const int watched = w->model->reads_time || w->trace;
     const int clock = !watched || p->balanced ? PM_CLOCK_NONE
                       : p->at_rest            ? PM_CLOCK_LEAVES
                       : turning               ? PM_CLOCK_RESTS
                                               : PM_CLOCK_PLAIN;
-    if (!set_clock(p, clock, fmax(TAIL * w->tolerance, CLOCK_TAIL))) *next = 0.5 * h;
+    if (!pm_clock_set(p, clock, fmax(TAIL * w->tolerance, CLOCK_TAIL))) *next = 0.5 * p->h;
+    return PM_OK;
+}
+
+/* Tries a step of length h, with more nodes if few do not resolve it; *next as above. */
+static int try_step(pm_workspace *w, double h, int turning, double *next)
+{
+    pm_path *p = w->path;
+    int status = fill(w, h);
+    if (!status) status = judge(w, turning, next);
+    if (!status && *next == 0.5 * h && p->every > 1) {
+        status = fill_between(w);
+        if (!status) status = judge(w, turning, next);
+    }
+    if (status != PM_SINGULAR && status != PM_ASSEMBLY) return status;
+    *next = 0.5 * h;
     return PM_OK;
 }
 
@@ -442,7 +479,7 @@ static int take_step(pm_workspace *w, double full)
 {
     pm_path *p = w->path;
     double h = full, next;
-    int turning = 0;
+    int turning = 0, halved = 0;
     p->tail = INFINITY;
     for (;;) {
         const int status = try_step(w, h, turning, &next);
@@ -453,11 +490,15 @@ static int take_step(pm_workspace *w, double full)
             next *= 0.5;
             turning = 0;
         }
+        halved |= next == 0.5 * h;
         h = next;
         if (!(h > SHORTEST * full))
             return pm_fail(w, PM_STEP_TOO_SMALL, PM_NONE, PM_NONE, h, SHORTEST * full);
     }
-    set_times(p);
+    if (halved)
+        p->most = h;
+    else if (p->every > 1)
+        p->most *= LENGTHEN;
     w->turns = turning;
     p->lowest = fmin(p->lowest, turning ? 0 : p->least);
     if (turning) {
@@ -478,41 +519,40 @@ static void state_of(pm_workspace *w, const pm_place *x, double s, double t, pm_
     state->t = t;
 }
 
-/* The node at x, or p->spare, with the time there. */
-static int place_at(pm_workspace *w, double x, const pm_place **place, double *t)
+/* The node at x, or p->spare. */
+static int place_at(pm_workspace *w, double x, const pm_place **place)
 {
     pm_path *p = w->path;
-    for (int k = 0; k < PM_NODES_MOST; k++)
-        if (x == p->h * pm_nodes_chebyshev.at[k]) {
-            *place = &p->node[k];
-            *t = p->time[k];
+    for (int k = 0; k < p->nodes->n; k++)
+        if (x == p->h * p->nodes->at[k]) {
+            *place = node_of(p, k);
             return PM_OK;
         }
     *place = &p->spare;
-    *t = time_at(p, x / p->h);
     return place_inside(w, x / p->h);
 }
 
 static int at(pm_workspace *w, double x, pm_state *state)
 {
     const pm_place *place;
-    double t;
-    const int status = place_at(w, x, &place, &t);
-    if (!status) state_of(w, place, x / w->path->h, t, state);
+    const double s = x / w->path->h;
+    const int status = place_at(w, x, &place);
+    if (!status) state_of(w, place, s, pm_clock_at(w->path, s), state);
     return status;
 }
 
-/* Poses are known, and at a place that the rows determine nothing is factored to have accelerations and reactions. */
+/* Poses are known, and at a place that the rows determine nothing is factored to have accelerations and reactions.  The
+ * time is told where something that is sampled reads it. */
 static int look(pm_workspace *w, double x, int level)
 {
     const pm_place *place;
-    double t;
-    const int status = place_at(w, x, &place, &t);
+    const double s = x / w->path->h;
+    const int status = place_at(w, x, &place);
     if (status) return status;
-    state_of(w, place, x / w->path->h, t, &w->probe);
+    state_of(w, place, s, w->model->samples_time ? pm_clock_at(w->path, s) : w->path->t0, &w->probe);
     memcpy(w->frame.pose, place->pose, 5 * (size_t)w->model->nbody * sizeof *place->pose);
     pm_frame_look_placed(w, w->probe.q, w->probe.v);
-    w->frame.t = t;
+    w->frame.t = w->probe.t;
     w->frame.z = w->probe.z;
     if (level < PM_LEVEL_DYNAMIC) return PM_OK;
     return place->determined && !pm_grip_by_load(w) ? pm_path_accelerate(w, place->tangent)
@@ -543,12 +583,12 @@ static int look_for_evidence(pm_workspace *w)
     pm_path *p = w->path;
     double scale = 0, acceleration = 0, z = 0;
     const pm_place *first = &p->node[0], *last = &p->node[PM_NODES_MOST - 1];
-    const double work = p->h * pm_series_integral(p->force, 1, 1);
+    const double work = p->h * pm_series_integral(p->nodes, p->force, 1, 1);
     scale = fmax(fmax(first->kinetic, last->kinetic), w->energy_scale);
     if (w->model->nz_work > 0) z = work_so_far(w, w->state.z) - work_so_far(w, p->weight);
     const double rounding = ROUNDINGS * DOUBLE_ROUNDING * fmax(fabs(first->potential), fabs(last->potential));
     const double open = fabs(first->potential - last->potential + z - work) - rounding;
-    if (scale > 0 && pm_series_tail(p->force) < WORK_TAIL)
+    if (scale > 0 && pm_series_tail(p->nodes, p->force) < WORK_TAIL)
         w->evidence = fmax(w->evidence, fmax(open, 0) / scale);
     pm_frame_look_state(w, &w->state);
     const int status = pm_saddle_accelerate(w);
@@ -566,7 +606,7 @@ static int look_for_evidence(pm_workspace *w)
 
 static double after_limit(pm_workspace *w, double s, void *t_limit)
 {
-    return time_at(w->path, s) - *(double *)t_limit;
+    return pm_clock_at(w->path, s) - *(double *)t_limit;
 }
 
 /* Shortens the step to where the time is t_limit. */
@@ -595,7 +635,9 @@ static int step(pm_workspace *w, double t_limit)
     p->t0 = w->state.t;
     memcpy(p->weight, w->state.z, (size_t)w->model->nz_controlled * sizeof(double));
     const int may_close = pm_tree_is_angle(w, p->driver);
-    const double full = w->coarse * fmin(full_step(w, &p->node[0]), next_contact(w, &p->node[0]));
+    p->safe = w->coarse * full_step(w, &p->node[0]);
+    const double full =
+        fmin(fmin(p->most, step_factor(w) * p->safe), w->coarse * next_contact(w, &p->node[0]));
     if (!status) status = take_step(w, may_close ? fmin(full, TURN - p->way) : full);
     if (status) return status;
     w->step_begin = 0;
@@ -604,7 +646,8 @@ static int step(pm_workspace *w, double t_limit)
     const int hands_over = p->balanced && PM_SETTING(w->model, PM_SETTING_ROUTE) != PM_ROUTE_AUTO &&
                            PM_SETTING(w->model, PM_SETTING_ROUTE) != PM_ROUTE_PATH;
     w->lap = hands_over || (may_close && p->way > TURN * (1 - ROUNDING));
-    state_of(w, &p->node[PM_NODES_MOST - 1], 1, p->time[PM_NODES_MOST - 1], &w->state);
+    state_of(w, &p->node[PM_NODES_MOST - 1], 1, pm_clock_at(p, 1), &w->state);
+    w->nodes = p->nodes;
     if ((status = look_for_evidence(w)) || (status = end_at_limit(w, t_limit))) return status;
     close_momentum(w, &w->state);
     pm_path_error_step(w, p->node[PM_NODES_MOST - 1].kinetic);
@@ -629,5 +672,5 @@ const pm_route_ops pm_route_path = {
     .price = 2,
     .finest = CLOCK_TAIL,
     .spread = 45,
-    .nodes = &pm_nodes_chebyshev,
+    .nodes = &pm_nodes_9,
 };

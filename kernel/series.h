@@ -1,24 +1,22 @@
-/* series.h - the polynomial through values at the Chebyshev-Lobatto nodes of a step; s is the fraction of the step. */
+/* series.h - the polynomial through values at the nodes of a step; s is the fraction of the step.  All but the slopes:
+ * Chebyshev-Lobatto nodes. */
 #ifndef PM_SERIES_H
 #define PM_SERIES_H
 
 #include "model.h"
 #include "nodes.h"
 
-double pm_series_value(const double *node_value, int stride, double s);
+double pm_series_value(const pm_nodes *nodes, const double *node_value, int stride, double s);
 /* Values of its slope (by s) at the nodes. */
-void pm_series_slopes(const double *node_value, double *slope);
+void pm_series_slopes(const pm_nodes *nodes, const double *node_value, double *slope);
 /* Integral from 0 to s. */
-double pm_series_integral(const double *node_value, int stride, double s);
+double pm_series_integral(const pm_nodes *nodes, const double *node_value, int stride, double s);
 /* Integrals from 0 to each node. */
-void pm_series_integrals(const double *node_value, double *integral);
-/* Integral of g(s) / sqrt(s) from 0 to s; of g(s) / sqrt(1 - s) from s to 1. */
-double pm_series_integral_leaving(const double *g, double s);
-double pm_series_integral_resting(const double *g, double s);
+void pm_series_integrals(const pm_nodes *nodes, const double *node_value, double *integral);
 /* How far the highest coefficients stand off from the largest: about the relative error of the polynomial. */
-double pm_series_tail(const double *node_value);
+double pm_series_tail(const pm_nodes *nodes, const double *node_value);
 /* A root between a and b, where it takes the values fa and fb of different sign. */
-int pm_series_root(pm_workspace *w, const double *node_value, double a, double fa, double b, double fb,
-                   double *s);
+int pm_series_root(pm_workspace *w, const pm_nodes *nodes, const double *node_value, double a, double fa,
+                   double b, double fb, double *s);
 
 #endif

@@ -506,7 +506,14 @@ FAULTS = [
         ": p->at_rest ? PM_CLOCK_LEAVES",
         ": p->at_rest ? PM_CLOCK_PLAIN",
     ),
-    Fault("path: clock that is not resolved", "route_path.c", "return tail <= most ||", "return 1 ||"),
+    Fault("path: clock that ends at rest, not turned round", "path_clock.c", "reversed ? -sign : 1", "1"),
+    Fault(
+        "path: mass that the nodes do not resolve",
+        "route_path.c",
+        "pm_series_tail(p->nodes, mass) <= FORM_TAIL",
+        "1",
+    ),
+    Fault("path: clock that is not resolved", "path_clock.c", "return p->tail <= most ||", "return 1 ||"),
     Fault(
         "path: leaves rest against the force",
         "route_path.c",
@@ -565,7 +572,7 @@ FAULTS = [
     Fault(
         "event: root of samples with a corner",
         "crossing.c",
-        "return pm_series_tail(value) < RESOLVED",
+        "return pm_series_tail(w->nodes, value) < RESOLVED",
         "return 1",
     ),
     # legs that repeat

@@ -1,0 +1,141 @@
+/* path_clock.c - dt/du = sqrt(mass / 2T) over a step of the path, and its integral.
+ *
+ * mass and T are smooth functions of the place, which few nodes resolve; their ratio has poles where T would vanish beyond
+ * the step.  So both are interpolated, and the ratio is expanded at nodes of its own,
+ *
+ *   g(s) = sum a_k T_k(2s - 1),    dt/ds = h g,    h g / sqrt(s),    h g / sqrt(1 - s)
+ *
+ * where the step begins or ends at rest the root is taken out: T / s, or T / (1 - s), stands for T in g.  The integrals are
+ * exact for the series: with w^2 = s, T_k(2s - 1) = T_2k(w), and ds / sqrt(s) = 2 dw. */
+#include "path_clock.h"
+
+#include <math.h>
+
+#include "series.h"
+
+#define FINE (PM_NODES_CLOCK - 1)
+#define NOISE 1e-6 /* a tail below it that no halving makes smaller is rounding */
+#define GAINS \
+    0.5 /* of the tail with fewer nodes, or over a longer step: it is smaller where it is no rounding */
+#define NOTHING_MORE 1e-17 /* of the greatest coefficient: those that are dropped */
+
+/* T, or what stands for it, at a node: T over the way to where it vanishes; there its slope. */
+static double slowness(const pm_path *p, int node)
+{
+    const pm_place *x = &p->node[node * p->every];
+    const double s = p->nodes->at[node];
+    if (p->clock == PM_CLOCK_PLAIN) return x->kinetic;
+    const double distance = p->clock == PM_CLOCK_LEAVES ? s : 1 - s;
+    return distance > 0 ? x->kinetic / distance : fabs(x->force) * p->h;
+}
+
+/* g at its nodes, from the polynomials through mass and T; 0 if T vanishes between the nodes. */
+static int expand(const pm_path *p, const double *mass, const double *kinetic, double *g)
+{
+    const pm_nodes *nodes = p->nodes;
+    const int last = nodes->n - 1, every = FINE / last;
+    for (int j = 0; j <= FINE; j++) {
+        double m = mass[j / every], t = kinetic[j / every];
+        if (j % every != 0) {
+            double below = m = t = 0;
+            for (int k = 0; k <= last; k++) {
+                const double c = (k % 2 ? -1 : 1) * (k == 0 || k == last ? 0.5 : 1) /
+                                 (0.5 * (1 - pm_nodes_cosine[j]) - nodes->at[k]);
+                m += c * mass[k];
+                t += c * kinetic[k];
+                below += c;
+            }
+            m /= below;
+            t /= below;
+        }
+        if (!(t > 0 && m > 0)) return 0;
+        g[j] = sqrt(0.5 * m / t);
+    }
+    return 1;
+}
+
+/* The coefficients of g, as many as matter; how far the highest stand off.  Nodes at both sides of the middle share their
+ * cosines. */
+static double transform(pm_path *p, const double *g)
+{
+    double part[2][FINE / 2], greatest = 0;
+    for (int j = 0; j < FINE / 2; j++) {
+        const double half = j == 0 ? 0.5 : 1;
+        part[0][j] = half * (g[FINE - j] + g[j]);
+        part[1][j] = half * (g[FINE - j] - g[j]);
+    }
+    for (int k = 0; k <= FINE; k++) {
+        const double *y = part[k % 2];
+        double sum = g[FINE / 2] * pm_nodes_cosine[FINE / 2 * k % (2 * FINE)];
+        for (int j = 0; j < FINE / 2; j++) sum += y[j] * pm_nodes_cosine[j * k % (2 * FINE)];
+        p->series[k] = (k == 0 || k == FINE ? 1.0 : 2.0) / FINE * sum;
+        greatest = fmax(greatest, fabs(p->series[k]));
+    }
+    const double tail = fmax(fabs(p->series[FINE]), fabs(p->series[FINE - 1])) / greatest;
+    p->terms = FINE + 1;
+    while (p->terms > 1 && fabs(p->series[p->terms - 1]) < NOTHING_MORE * greatest) p->terms--;
+    return tail;
+}
+
+int pm_clock_set(pm_path *p, int clock, double most)
+{
+    const int n = p->nodes->n;
+    double mass[PM_NODES_MOST], kinetic[PM_NODES_MOST], g[PM_NODES_CLOCK], least = INFINITY, greatest = 0;
+    p->clock = clock;
+    p->terms = 0;
+    if (clock == PM_CLOCK_NONE) return 1;
+    for (int k = 0; k < n; k++) {
+        mass[k] = p->node[k * p->every].mass;
+        kinetic[k] = slowness(p, k);
+        least = fmin(least, kinetic[k]);
+        greatest = fmax(greatest, kinetic[k]);
+    }
+    const double before = p->tail;
+    p->tail = INFINITY;
+    if (!(least > 0) || !expand(p, mass, kinetic, g)) return 0;
+    p->tail = fmax(fmax(pm_series_tail(p->nodes, mass), pm_series_tail(p->nodes, kinetic) * greatest / least),
+                   transform(p, g));
+    return p->tail <= most || (p->tail < NOISE && p->tail > GAINS * before);
+}
+
+/* Integral of the series from 0 to s: of T_k(x) by x it is (T_k+1 / (k + 1) - T_k-1 / (k - 1)) / 2. */
+static double plain(const pm_path *p, double s)
+{
+    const double x = 2 * s - 1;
+    double before = 1, here = x, sum = p->series[0] * (x + 1), sign = -1;
+    if (p->terms > 1) sum += p->series[1] * 0.5 * (x * x - 1);
+    for (int k = 2; k < p->terms; k++) { /* `here` is T_k-1(x) */
+        const double next = 2 * x * here - before, after = 2 * x * next - here;
+        sign = -sign; /* (-1)^k: the same at x = -1 */
+        const double to = after / (k + 1) - here / (k - 1), from = -sign / (k + 1) + sign / (k - 1);
+        sum += 0.5 * p->series[k] * (to - from);
+        before = here;
+        here = next;
+    }
+    return 0.5 * sum;
+}
+
+/* Integral of g / sqrt(s) from 0 to w^2 (of T_2k(w) by 2 dw), or with the series turned round. */
+static double from_rest(const pm_path *p, double w, int reversed)
+{
+    const double x = 2 * w * w - 1; /* T_2k(w) = T_k(x); odd ones by the same step: T_m+2 = 2 x T_m - T_m-2 */
+    double before = w, here = w * (2 * x - 1), sum = 2 * p->series[0] * w, sign = 1;
+    for (int k = 1; k < p->terms; k++) { /* before: T_2k-1(w), here: T_2k+1(w) */
+        sign = reversed ? -sign : 1;
+        sum += sign * p->series[k] * (here / (2 * k + 1) - before / (2 * k - 1));
+        const double next = 2 * x * here - before;
+        before = here;
+        here = next;
+    }
+    return sum;
+}
+
+double pm_clock_at(const pm_path *p, double s)
+{
+    switch (p->clock) {
+    case PM_CLOCK_PLAIN: return p->t0 + p->h * plain(p, s);
+    case PM_CLOCK_LEAVES: return p->t0 + p->h * from_rest(p, sqrt(s), 0);
+    case PM_CLOCK_RESTS: return p->t0 + p->h * (from_rest(p, 1, 1) - from_rest(p, sqrt(1 - s), 1));
+    default: return p->t0; /* nobody asks; an equilibrium takes for ever to leave */
+    }
+}
