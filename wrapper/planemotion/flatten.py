@@ -91,16 +91,17 @@ class HasData(Protocol):
     def data(self) -> SceneData: ...
 
 
-def flatten(scene: SceneData | HasData, run_name: str | None = None) -> FlatScene:
+def flatten(scene: SceneData | HasData, run_name: str | None = None, *, history: bool = True) -> FlatScene:
     """The tables of a scene.
 
     `run_name` chooses one of [runs]; without it the first is taken if there are any.  An ask that names no
     run is answered in the first.  Swept parameters are columns of `param` even where the file gives an
-    expression.  Raises SceneError with file and key path.
+    expression.  `history`: with the columns of one, which a sweep does not need.  Raises SceneError with file
+    and key path.
     """
     data = scene if isinstance(scene, SceneData) else scene.data
     try:
-        return _Flattener(data, run_name).flat()
+        return _Flattener(data, run_name).flat(history)
     except SceneError as error:
         raise error.at(file=data.file) from None
 
@@ -124,7 +125,7 @@ class _Flattener:
         self.scope = self._elements()
         self.measures = Measures(self.drawing, self.reader, self.tables, self.scope)
 
-    def flat(self) -> FlatScene:
+    def flat(self, history: bool) -> FlatScene:
         data, tables = self.data, self.tables
         self._check_masses()
         Spins(self.drawing, self.reader, tables).add(data)
@@ -149,7 +150,7 @@ class _Flattener:
             finds = Finds(self.scope.events, asks, self.measures, self.reader, tables)
             found = finds.add(*self.find)
         self._settings(nudge)
-        trace = trace_columns(self.measures, tables, self.scope, self.drawing)
+        trace = trace_columns(self.measures, tables, self.scope, self.drawing) if history else {}
         self._check_sizes()
         check_bounds(tables, data)
         table, constant = tables.pack()

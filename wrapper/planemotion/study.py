@@ -205,7 +205,7 @@ class _Study:
         self.plan = plan
         self.workers = workers
         self.runs = tuple(self.data.runs)
-        self.flats = [flatten(scene, run) for run in self.runs or (None,)]
+        self.flats = [flatten(scene, run, history=False) for run in self.runs or (None,)]
         self.asks = self._ask_places()
         self.layout = self._layout()
 
