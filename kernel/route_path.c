@@ -584,7 +584,8 @@ static int look_for_evidence(pm_workspace *w)
     double scale = 0, acceleration = 0, z = 0;
     const pm_place *first = &p->node[0], *last = &p->node[PM_NODES_MOST - 1];
     const double work = p->h * pm_series_integral(p->nodes, p->force, 1, 1);
-    scale = fmax(fmax(first->kinetic, last->kinetic), w->energy_scale);
+    scale = w->energy_scale; /* the step may begin and end at rest */
+    for (int k = 0; k < p->nodes->n; k++) scale = fmax(scale, node_of(p, k)->kinetic);
     if (w->model->nz_work > 0) z = work_so_far(w, w->state.z) - work_so_far(w, p->weight);
     const double rounding = ROUNDINGS * DOUBLE_ROUNDING * fmax(fabs(first->potential), fabs(last->potential));
     const double open = fabs(first->potential - last->potential + z - work) - rounding;
