@@ -213,7 +213,8 @@ int pm_trace(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
     int status =
         open_one(pm_model_create, ntable, table, nconstant, constant, nparam, &model, &w, where, detail);
     if (status) return status;
-    pm_record record = {ntrace, cap, 0, trace_program, history, mark};
+    pm_record record = {
+        .nprogram = ntrace, .cap = cap, .program = trace_program, .history = history, .mark = mark};
     for (int64_t i = 0; i < ntrace && !status; i++)
         if (trace_program[i] < 0 || trace_program[i] >= model->rows[PM_TABLE_PROGRAM]) status = PM_BAD_TABLE;
     w->trace = &record;

@@ -370,7 +370,8 @@ static void hold_hits(pm_workspace *w, double x)
 /* Something is marked at x inside the step and the motion goes on: no blow, no change of modes, no new phase. */
 static int pass(pm_workspace *w, double x, double taken, int *ended)
 {
-    int status = taken == x ? PM_OK : w->route->exact(w, x, &w->probe);
+    int status = pm_trace_inside(w, x);
+    if (!status && (taken != x || w->trace)) status = w->route->exact(w, x, &w->probe);
     if (status) return status;
     pm_state_copy(&w->ahead, &w->state);
     pm_state_copy(&w->state, &w->probe);
@@ -420,6 +421,7 @@ int pm_event_advance(pm_workspace *w, int *ended)
         }
         w->nodes = w->route->nodes;
         status = w->route->step(w, fmin(max_time, next_due(w)));
+        pm_trace_step(w);
         look_for_roots(w);
         if (!status) status = pm_crossing_sample(w, 1);
         if (!status && e->nsampled > 0) status = pass_marks(w, &first, &taken, ended);
@@ -432,6 +434,7 @@ int pm_event_advance(pm_workspace *w, int *ended)
             if (!pm_ask_keeps_samples(w) && (status = pm_crossing_sample(w, 0))) return status;
         }
         if (w->step_end > w->step_begin && (status = pm_ask_step(w))) return status;
+        if ((status = pm_trace_inside(w, w->step_end))) return status;
         end_step(w);
         const int due = first >= w->step_end && mark_due(w);
         if (*ended) return PM_OK;

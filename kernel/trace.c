@@ -3,22 +3,46 @@
 
 #include "body.h"
 #include "program.h"
+#include "route.h"
 #include "saddle.h"
 
-int pm_trace_row(pm_workspace *w, int mark)
+static int record(pm_workspace *w, const pm_state *state, int mark)
 {
     pm_record *x = w->trace;
-    if (!x) return PM_OK;
     if (x->needed < x->cap) {
         double *row = x->history + x->needed * (1 + x->nprogram);
-        pm_frame_look_state(w, &w->state);
+        pm_frame_look_state(w, state);
         const int status = pm_saddle_accelerate(w);
         if (status) return status;
-        row[0] = w->state.t;
+        row[0] = state->t;
         for (int64_t i = 0; i < x->nprogram; i++)
             row[1 + i] = pm_program_run(w->model, x->program[i], w->param, w->value, w);
         x->mark[x->needed] = mark;
     }
     x->needed++;
+    return PM_OK;
+}
+
+int pm_trace_row(pm_workspace *w, int mark) { return w->trace ? record(w, &w->state, mark) : PM_OK; }
+
+void pm_trace_step(pm_workspace *w)
+{
+    if (!w->trace) return;
+    w->trace->length = w->step_end - w->step_begin;
+    w->trace->inside = w->step_begin;
+}
+
+int pm_trace_inside(pm_workspace *w, double x)
+{
+    pm_record *r = w->trace;
+    if (!r || w->route->in_time) return PM_OK;
+    for (int k = 0; k < w->nodes->n; k++) {
+        const double place = w->step_begin + r->length * w->nodes->at[k];
+        if (place <= r->inside || place >= x) continue;
+        int status = w->route->exact(w, place, &w->probe);
+        if (!status) status = record(w, &w->probe, 0);
+        if (status) return status;
+        r->inside = place;
+    }
     return PM_OK;
 }
