@@ -68,7 +68,7 @@ ASKS = (
 )
 
 
-def fake_flatten(scene, run=None):
+def fake_flatten(scene, run=None, *, history=True):
     """Three parameters; asks that are not of this run are left out."""
     data = scene.data
     values = {**data.parameters, **(data.runs[run] if run else {})}
