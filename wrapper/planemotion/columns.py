@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from . import _layout as layout
+from .kinds import FORCES
 
 _Named = tuple[str, str]
 _COLUMNS: dict[tuple[int, int], _Named] = {
@@ -23,10 +24,7 @@ _COLUMNS: dict[tuple[int, int], _Named] = {
 }
 # Of forces the kind tells.
 _FORCES: dict[tuple[int, int], _Named] = {
-    (layout.PM_FORCE_SPRING, layout.PM_FORCE_VALUE_1): ("stiffness", "N/m"),
-    (layout.PM_FORCE_TORSION, layout.PM_FORCE_VALUE_1): ("stiffness", "N*m"),
-    (layout.PM_FORCE_DAMPER, layout.PM_FORCE_VALUE_1): ("rate", "N*s/m"),
-    (layout.PM_FORCE_ROTARY_DAMPER, layout.PM_FORCE_VALUE_1): ("rate", "N*m*s"),
+    place: name for kind in FORCES.values() for place, name in kind.bounded.items()
 }
 
 

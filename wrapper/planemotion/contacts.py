@@ -13,11 +13,10 @@ from dataclasses import dataclass, replace
 from . import _layout as layout
 from .drawing import GROUND, Drawing
 from .errors import SceneError
-from .joints import side
 from .marks import LineMark, RowMark
 from .node import ZERO, Node, Number
 from .parameters import Reader, is_zero
-from .partners import Partner, different, kernel_circle, pairs, partner
+from .partners import Partner, different, kernel_circle, pairs, partner, side
 from .scene import Contact, Friction, Value
 from .tables import Tables
 from .timed import over_time
@@ -60,7 +59,7 @@ class Contacts:
         """Adds the rows of one contact.  Raises SceneError for marks that cannot touch each other."""
         path = f"contacts.{name}"
         first, second = pairs(
-            contact.touch,
+            contact.partners,
             f"{path}.touch",
             lambda text, where, _index: partner(
                 self.drawing, text, where, "circle", "point", "line", "row", "set"

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _layout as layout
 from . import engine
+from .element import Kind
 from .flatten import FlatScene, flatten
 from .planned import plan, ran
 from .scene import Action, Event, Friction, SceneData, Vector
@@ -62,28 +63,22 @@ def explain(scene: Scene) -> Report:
         *(_bodies(data, flat, start) for flat, start in zip(flats, starts, strict=True)),
         _section(
             "joints",
-            (
-                (name, joint.kind, _pair(joint.partners), _options(joint))
-                for name, joint in data.joints.items()
-            ),
+            ((name, joint.kind, joint.between, _options(joint)) for name, joint in data.joints.items()),
         ),
         _section(
             "couplings",
             (
-                (name, coupling.kind, _pair(coupling.partners), _options(coupling))
+                (name, coupling.kind, coupling.between, _options(coupling))
                 for name, coupling in data.couplings.items()
             ),
         ),
         _section(
             "contacts",
-            ((name, _pair(contact.touch), _laws(contact)) for name, contact in data.contacts.items()),
+            ((name, contact.between, _laws(contact)) for name, contact in data.contacts.items()),
         ),
         _section(
             "forces",
-            (
-                (name, force.kind, _pair(getattr(force, force.kind)), _options(force))
-                for name, force in data.forces.items()
-            ),
+            ((name, force.kind, force.between, _options(force)) for name, force in data.forces.items()),
         ),
         _section("start", ((address, _written(value)) for address, value in data.start.items())),
         _section("events", (_event(name, event) for name, event in data.events.items())),
@@ -230,16 +225,9 @@ def _indented(lines: Iterable[str]) -> list[str]:
     return [f"  {line}".rstrip() for line in lines]
 
 
-def _pair(partners: str | Sequence[str]) -> str:
-    return partners if isinstance(partners, str) else " - ".join(partners)
-
-
-def _options(element: Any) -> str:
-    """The options that were written, but for kind and partners."""
-    written = element.model_fields_set - {element.kind}
-    return ", ".join(
-        f"{key} = {_written(getattr(element, key))}" for key in type(element).model_fields if key in written
-    )
+def _options(element: Kind) -> str:
+    """The options that were written."""
+    return ", ".join(f"{key} = {_written(getattr(element, key))}" for key in element.written)
 
 
 def _laws(contact: Any) -> str:

@@ -19,14 +19,14 @@ from .actions import Actions
 from .asks import AskColumn, Asks
 from .bounds import check_bounds
 from .contacts import Contacts
-from .couplings import Couplings
+from .couplings import add_coupling, drive
 from .drawing import GROUND, Drawing
 from .errors import SceneError
 from .finds import Finds, FlatFind
-from .forces import Forces
+from .forces import add_force
 from .histories import trace_columns
 from .instants import Instants, add_event, firing
-from .joints import JointInfo, Joints
+from .joints import JointInfo, add_joint
 from .measure_rows import Scope
 from .measures import Measures
 from .node import ZERO, Name, negative
@@ -38,6 +38,7 @@ from .starts import Starts
 from .tables import Tables
 from .units import DIMENSIONLESS, LENGTH, TIME
 from .words import ROUND_SHAPES, SIMULTANEOUS, unknown
+from .writer import Writer
 
 _E = TypeVar("_E", Body, Joint, Coupling, Contact, Force)
 _COLUMNS = {
@@ -226,18 +227,16 @@ class _Flattener:
             (data.forces, forces),
         )
         inactive = {name for written, active in groups for name in written if name not in active}
-        add_joint = Joints(self.drawing, self.reader, self.tables).add
-        coupler = Couplings(self.drawing, self.reader, self.tables)
+        to = Writer(self.drawing, self.reader, self.tables)
         add_contact = Contacts(self.drawing, self.reader, self.tables).add
-        add_force = Forces(self.drawing, self.reader, self.tables).add
         driven = {name: body for name, body in self.drawing.bodies.items() if body.driven is not None}
         for name, body in driven.items():
-            coupler.drive(name, body)
+            drive(to, name, body)
         return Scope(
-            joints={name: add_joint(name, joint) for name, joint in joints.items()},
-            couplings={name: coupler.add(name, coupling) for name, coupling in couplings.items()},
+            joints={name: add_joint(to, name, joint) for name, joint in joints.items()},
+            couplings={name: add_coupling(to, name, coupling) for name, coupling in couplings.items()},
             contacts={name: add_contact(name, contact) for name, contact in contacts.items()},
-            forces={name: add_force(name, force) for name, force in forces.items()},
+            forces={name: add_force(to, name, force) for name, force in forces.items()},
             events={
                 name: add_event(self.tables, f"events.{name}", event.nth)
                 for name, event in data.events.items()

@@ -6,16 +6,13 @@ from . import _layout as layout
 from .couplings import CouplingInfo
 from .drawing import Drawing
 from .errors import SceneError
-from .joints import JointInfo
 from .measure_rows import Scope
 from .measures import Measures
 from .tables import Tables
 
 _OF_BODY = ("x", "y", "velocity.x", "velocity.y")
 _OF_TURNING_BODY = ("angle", "omega")
-_OF_JOINT = ("force.x", "force.y")
-_WITH_COUPLE = ("weld", "slider")
-_OF_ROLLING = ("normal", "friction")
+_OF_FORCE = ("force.x", "force.y")
 _OF_CONTACT = ("gap", "normal", "friction")
 _OF_SPIN = ("spin.omega", "spin.inertia")
 _ENERGIES = ("kinetic", "potential", "total")
@@ -30,13 +27,13 @@ def trace_columns(
         quantities = (*_OF_BODY, *(_OF_TURNING_BODY if body.turns else ()))
         addresses += [f"{name}.{quantity}" for quantity in quantities]
     for name, joint in scope.joints.items():
-        addresses += [f"{name}.{quantity}" for quantity in _joint_quantities(joint)]
+        addresses += [f"{name}.{quantity}" for quantity in joint.joint.columns]
     for name, coupling in scope.couplings.items():
         addresses += [f"{name}.{quantity}" for quantity in _coupling_quantities(coupling)]
     for name in scope.contacts:
         addresses += [f"{name}.{quantity}" for quantity in _OF_CONTACT]
     for name, force in scope.forces.items():
-        addresses += [f"{name}.{quantity}" for quantity in (("couple",) if force.rotary else _OF_JOINT)]
+        addresses += [f"{name}.{quantity}" for quantity in (("couple",) if force.rotary else _OF_FORCE)]
     addresses += [f"energy.{kind}" for kind in _ENERGIES]
     if tables.rows[layout.PM_TABLE_SPIN]:
         addresses += _OF_SPIN
@@ -52,18 +49,7 @@ def trace_columns(
 
 
 def _coupling_quantities(coupling: CouplingInfo) -> tuple[str, ...]:
-    match coupling.kind:
-        case "gears":
-            return _OF_JOINT
-        case "rate":
-            return ("couple",)
-        case "belt":
-            return ("tension[1]", "tension[2]")
+    """Its columns; of strands, those of each."""
     count = len(coupling.indices)
     spans = [f"[{span}]" for span in range(1, count + 1)] if count > 1 else [""]
-    return tuple(f"{quantity}{span}" for quantity in ("tension", "slack") for span in spans)
-
-
-def _joint_quantities(joint: JointInfo) -> tuple[str, ...]:
-    couple = ("couple",) if joint.kind in _WITH_COUPLE else ()
-    return (*_OF_JOINT, *couple, *(_OF_ROLLING if joint.kind == "rolling" else ()))
+    return tuple(f"{quantity}{span}" for quantity in coupling.coupling.columns for span in spans)

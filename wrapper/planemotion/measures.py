@@ -16,6 +16,7 @@ from .address import Address
 from .contacts import ContactInfo
 from .couplings import CouplingInfo
 from .drawing import GROUND, Drawing, PointRef
+from .element import Quantity
 from .errors import SceneError, nearest
 from .expression import Leaf, dimension, parse
 from .forces import ForceInfo
@@ -294,21 +295,14 @@ class Measures(MeasureRows):
             self._plain(address, ("on",))
             return Reading(self._leaf(layout.PM_MEASURE_JOINT_COUPLE, joint.index, address, on=on), MOMENT)
         self._plain(address, ())
-        if joint.kind == "slider" and quantity == "normal":
-            return Reading(self._slider_normal(address, joint), FORCE)
-        if joint.kind in ("slider", "slot") and quantity == "friction":
-            return Reading(self._leaf(layout.PM_MEASURE_JOINT_FRICTION, joint.index, address), FORCE)
-        if joint.kind != "rolling":
-            raise SceneError(f'"{address}": a {joint.kind} has no {quantity}; it has force, couple, impulse')
-        kind = {
-            "normal": layout.PM_MEASURE_JOINT_NORMAL,
-            "friction": layout.PM_MEASURE_JOINT_FRICTION,
-            "friction_needed": layout.PM_MEASURE_JOINT_FRICTION_NEEDED,
-        }[quantity]
-        found = DIMENSIONLESS if quantity == "friction_needed" else FORCE
-        return Reading(self._leaf(kind, joint.index, address), found)
+        if quantity in joint.joint.quantities:
+            source = joint.joint.quantities[quantity]
+            return Reading(self._leaf(source.kinds[0], joint.index, address), source.dimension)
+        if quantity == "normal" and isinstance(joint.partners[1].mark, LineMark):
+            return Reading(self._across_line(address, joint), FORCE)
+        raise SceneError(f'"{address}": a {joint.kind} has no {quantity}; it has force, couple, impulse')
 
-    def _slider_normal(self, address: Address, joint: JointInfo) -> Node:
+    def _across_line(self, address: Address, joint: JointInfo) -> Node:
         """The force on the point towards the line's free side, on its left."""
         line = joint.partners[1]
         assert isinstance(line.mark, LineMark)
@@ -318,49 +312,41 @@ class Measures(MeasureRows):
         return y * cos(direction) - x * sin(direction)
 
     def _coupling(self, address: Address, coupling: CouplingInfo) -> Reading:
-        quantity = self._word(address, words.COUPLING_QUANTITIES[coupling.kind], f"a {coupling.kind}")
-        if coupling.kind == "cord":
-            return self._cord(address, coupling, quantity)
+        quantities = coupling.coupling.quantities
+        source = quantities[self._word(address, tuple(quantities), f"a {coupling.kind}")]
+        if coupling.indices:
+            return self._strands(address, coupling, source)
         assert coupling.index is not None
-        on = self._on(address, coupling.bodies)
-        if coupling.kind == "gears":
+        if source.vector:
             if address.member is not None:
-                raise SceneError(f'"{address}": gears have no members')
-            is_force = quantity == "force"
-            kind = layout.PM_MEASURE_JOINT_FORCE if is_force else layout.PM_MEASURE_JOINT_IMPULSE
-            found = FORCE if is_force else IMPULSE
-            sources = [(kind, coupling.index)]
-            return self._vector(address, address.path[1:], sources, found, ("in", "on", "along"), on)
+                raise SceneError(f'"{address}": {coupling.kind} have no members')
+            on = self._on(address, coupling.bodies)
+            rows = [(source.kinds[0], coupling.index)]
+            return self._vector(address, address.path[1:], rows, source.dimension, ("in", "on", "along"), on)
         self._ends(address, 1)
-        if coupling.kind == "belt":
-            self._plain(address, ())
-            kinds = (layout.PM_MEASURE_JOINT_NORMAL, layout.PM_MEASURE_JOINT_FRICTION)
-            return Reading(self._leaf(kinds[self._span(address, 2)], coupling.index, address), FORCE)
-        self._plain(address, ("on",))
-        return Reading(self._leaf(layout.PM_MEASURE_JOINT_COUPLE, coupling.index, address, on=on), MOMENT)
+        self._plain(address, ("on",) if source.on else ())
+        on = self._on(address, coupling.bodies) if source.on else None
+        kind = source.kinds[self._span(address, len(source.kinds))]
+        return Reading(self._leaf(kind, coupling.index, address, on=on), source.dimension)
 
-    def _cord(self, address: Address, cord: CouplingInfo, quantity: str) -> Reading:
-        if quantity == "force":
-            return self._cord_force(address, cord)
+    def _strands(self, address: Address, cord: CouplingInfo, source: Quantity) -> Reading:
+        """A quantity of a strand; a force of all strands that end at one of the partners."""
+        if source.vector:
+            return self._of_strands(address, cord, source)
         self._ends(address, 1)
         self._plain(address, ())
-        index = cord.indices[self._span(address, len(cord.indices))]
-        if quantity == "impulse":
-            kind, part = layout.PM_MEASURE_CONTACT_IMPULSE, PARTS["norm"]
-            return Reading(self._leaf(kind, index, address, part=part), IMPULSE)
-        slack = quantity == "slack"
-        kind = layout.PM_MEASURE_CONTACT_GAP if slack else layout.PM_MEASURE_CONTACT_NORMAL
-        return Reading(self._leaf(kind, index, address), LENGTH if slack else FORCE)
+        kind, index = source.kinds[0], cord.indices[self._span(address, len(cord.indices))]
+        return Reading(self._leaf(kind, index, address, part=source.part), source.dimension)
 
-    def _cord_force(self, address: Address, cord: CouplingInfo) -> Reading:
+    def _of_strands(self, address: Address, cord: CouplingInfo, source: Quantity) -> Reading:
         """The force of a cord on one of its partners: by all strands that end there."""
         on = address.on or cord.bodies[0]
         if on not in cord.bodies:
             raise SceneError(f'"{address}": {address.thing} acts on {" and ".join(cord.bodies)}, not on {on}')
         strands = [i for i, pair in zip(cord.indices, cord.owners, strict=True) if on in pair]
-        sources = [(layout.PM_MEASURE_CONTACT_FORCE, index) for index in strands]
+        rows = [(source.kinds[0], index) for index in strands]
         body = self.drawing.body_index(on)
-        return self._vector(address, address.path[1:], sources, FORCE, ("in", "on", "along"), body)
+        return self._vector(address, address.path[1:], rows, source.dimension, ("in", "on", "along"), body)
 
     def _span(self, address: Address, count: int) -> int:
         """Which strand is meant, from 0."""

@@ -7,9 +7,11 @@ from dataclasses import dataclass
 
 from .drawing import GROUND, Drawing, PointRef
 from .errors import SceneError
-from .marks import CircleMark, LineMark, Pair, RowMark
-from .node import ZERO
+from .marks import CircleMark, LineMark, Pair, RowMark, distance
+from .node import ZERO, Node, binary, call, select
 
+# Part of the radius from which on a point counts as drawn on a circle.
+_ON_CIRCLE = 1 - 1e-6
 # What may stand for what: the groups of marks of an owner, in the order in which they are searched.
 _GROUPS = {"point": "points", "line": "lines", "circle": "circles", "row": "rows", "set": "sets"}
 
@@ -33,9 +35,13 @@ class Partner:
         return PointRef(self.owner, self.name)
 
     @property
+    def is_ground(self) -> bool:
+        return self.owner == GROUND
+
+    @property
     def anywhere(self) -> bool:
         """Whether it is the bare ground: the place where the other partner is drawn."""
-        return self.owner == GROUND and not self.name
+        return self.is_ground and not self.name
 
 
 def partner(drawing: Drawing, text: str, where: str, *wanted: str) -> Partner:
@@ -87,6 +93,13 @@ def point_pair(drawing: Drawing, a: Partner, b: Partner) -> tuple[int, int]:
     return _point(drawing, a, b), _point(drawing, b, a)
 
 
+def one_point(drawing: Drawing, at: Partner) -> int:
+    """The kernel point of a partner; the bare ground is none."""
+    if at.anywhere:
+        raise SceneError("a point of a body or of the ground is wanted", path=at.where, value=GROUND)
+    return drawing.point(at.ref)
+
+
 def drawn_pair(drawing: Drawing, a: Partner, b: Partner) -> tuple[Pair, Pair]:
     """Where the points of two partners are drawn."""
     if a.anywhere:
@@ -116,6 +129,28 @@ def kernel_circle(drawing: Drawing, at: Partner) -> int:
         return drawing.circle_at(drawing.point(at.ref), ZERO, at.where)
     assert isinstance(at.mark, CircleMark)
     return drawing.circle(at.owner, at.mark, at.where)
+
+
+def side(drawing: Drawing, a: Partner, b: Partner) -> Node:
+    """1 if two circles are drawn outside each other, -1 if a is inside b, -2 if b is inside a.
+
+    The distance of the centres tells: tangent circles have Ra + Rb outside and |Ra - Rb| inside, so that the
+    greater radius lies in the middle of both.  A point is outside a circle that it is drawn on.
+    """
+    radius_a, radius_b = _radius(a), _radius(b)
+    greater = call("max", radius_a, radius_b)
+    if "point" in (a.kind, b.kind):
+        greater = _ON_CIRCLE * greater
+    apart = distance(circle_place(drawing, a), circle_place(drawing, b))
+    inside = select(binary("<", radius_a, radius_b), -1.0, -2.0)
+    return select(binary("<", apart, greater), inside, 1.0)
+
+
+def _radius(one: Partner) -> Node:
+    if one.kind == "point":
+        return ZERO
+    assert isinstance(one.mark, CircleMark)
+    return one.mark.radius
 
 
 def pairs(

@@ -283,7 +283,7 @@ def _guesses(data: SceneData, bodies: Mapping[str, Body]) -> dict[str, tuple[tup
     """For bodies without `at`: up to two of their points that a pin holds to something placed before."""
     placed = {name for name, body in bodies.items() if body.at is not None}
     guesses: dict[str, tuple[tuple[str, str], ...]] = {}
-    pins = [joint.pin for joint in data.joints.values() if joint.pin is not None]
+    pins = [joint.partners for joint in data.joints.values() if joint.kind == "pin"]
     while True:
         found = {
             name: held

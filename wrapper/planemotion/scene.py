@@ -1,16 +1,18 @@
 """The validated scene: frozen pydantic models of what a file or the builder says.
 
 Numbers stay as written ("10 in", "r + (3 in)", 0.5); units and expressions are read when the scene is made
-into tables.  `validate.validate` is the one way to make a scene.
+into tables.  `validate.validate` is the one way to make a scene.  Joints, couplings and forces are models of
+their kinds (kinds/); element.py has what they share.
 """
 
 from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
+from pydantic import BeforeValidator, Field, SerializeAsAny
 
 from . import words
+from .element import Coupling, Force, Joint, Kind, Number, Pair, Partners, Table, Text
 from .written import (
     Offset,
     Place,
@@ -19,25 +21,19 @@ from .written import (
     read_actions,
     read_ask,
     read_at,
-    read_body_or_two,
     read_bounds,
     read_circle,
     read_event,
     read_friction,
     read_grid,
-    read_joint_friction,
     read_names,
     read_place,
     read_point,
     read_sequence,
     read_start,
-    read_stops,
     read_sweep,
-    read_text,
     read_until,
-    read_value,
     read_value_or_vector,
-    read_vector,
 )
 
 DEFAULT_G = "9.81 m/s^2"
@@ -47,17 +43,6 @@ DEFAULT_MAX_STEPS = 1_000_000
 # Intervals into which a find divides the range of one parameter, and of each of two.
 DEFAULT_SAMPLES = 32
 DEFAULT_PAIR_SAMPLES = 8
-
-Number = Annotated[Value, BeforeValidator(read_value)]
-Text = Annotated[str, BeforeValidator(read_text)]
-Pair = Annotated[Vector, BeforeValidator(read_vector)]
-Partners = Annotated[tuple[str, ...], BeforeValidator(read_names(2, "two partners"))]
-
-
-class Table(BaseModel):
-    """Base of all models: no other keys, no changes."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True, arbitrary_types_allowed=True, strict=True)
 
 
 class Line(Table):
@@ -145,95 +130,21 @@ class Body(Table):
         return self.shape is not None or self.inertia is not None or self.gyration is not None
 
 
-class Element(Table):
-    """What joints, contacts and forces share: one kind key with its partners."""
-
-    active: Number = True
-
-
-class Bearing(Table):
-    """Friction of a pin by its load: the coefficient and the radius where it rubs."""
-
-    mu: Number
-    radius: Number
-
-
-class Joint(Element):
-    pin: Partners | None = None
-    slider: Partners | None = None
-    slot: Partners | None = None
-    link: Partners | None = None
-    weld: Partners | None = None
-    rolling: Partners | None = None
-    length: Number | None = None
-    turning: bool = True
-    friction: Annotated[Value | Bearing, BeforeValidator(read_joint_friction)] = 0
-
-    @property
-    def kind(self) -> str:
-        return next(kind for kind in words.KINDS["joints"] if getattr(self, kind) is not None)
-
-    @property
-    def partners(self) -> tuple[str, ...]:
-        partners: tuple[str, ...] = getattr(self, self.kind)
-        return partners
-
-
-class Coupling(Element):
-    gears: Partners | None = None
-    belt: Partners | None = None
-    cord: Annotated[tuple[str, ...], BeforeValidator(read_stops)] | None = None
-    rate: Partners | None = None
-    crossed: bool = False
-    length: Number | None = None
-    slack: Number | None = None
-    restitution: Number = 0
-    value: Number | None = None
-
-    @property
-    def kind(self) -> str:
-        return next(kind for kind in words.KINDS["couplings"] if getattr(self, kind) is not None)
-
-    @property
-    def partners(self) -> tuple[str, ...]:
-        partners: tuple[str, ...] = getattr(self, self.kind)
-        return partners
-
-
 class Friction(Table):
     static: Number
     kinetic: Number
 
 
-class Contact(Element):
-    touch: Partners
+class Contact(Kind):
+    word = "touch"
+    partners: Partners
     restitution: Number = 0
     friction: Annotated[Value | Friction, BeforeValidator(read_friction)] = 0
     tangential: Number | None = None
     normal: Number | None = None
     law: Text = "newton"
-    surface_speed: Number | None = None
     capture: Literal["none", "point", "body"] = "none"
-
-
-class Force(Element):
-    spring: Partners | None = None
-    torsion: Partners | None = None
-    damper: Partners | None = None
-    force: Text | None = None
-    couple: Annotated[str | tuple[str, ...], BeforeValidator(read_body_or_two)] | None = None
-    stiffness: Number | None = None
-    free_length: Number | None = None
-    free_angle: Number | None = None
-    only: Literal["push", "pull"] | None = None
-    rate: Number | None = None
-    value: Annotated[Value | Vector, BeforeValidator(read_value_or_vector)] | None = None
-    power: Number | None = None
-    turns_with: Text | None = None
-
-    @property
-    def kind(self) -> str:
-        return next(kind for kind in words.KINDS["forces"] if getattr(self, kind) is not None)
+    surface_speed: Number | None = None
 
 
 class Grid(Table):
@@ -345,10 +256,10 @@ class SceneData(Table):
     ground: Ground = Ground()
     bodies: dict[str, Body] = {}
     spin: Spin | None = None
-    joints: dict[str, Joint] = {}
-    couplings: dict[str, Coupling] = {}
+    joints: dict[str, SerializeAsAny[Joint]] = {}
+    couplings: dict[str, SerializeAsAny[Coupling]] = {}
     contacts: dict[str, Contact] = {}
-    forces: dict[str, Force] = {}
+    forces: dict[str, SerializeAsAny[Force]] = {}
     start: Annotated[dict[str, Value | Vector], BeforeValidator(read_start)] = {}
     nudge: Text | None = None
     events: dict[str, Annotated[Event, BeforeValidator(read_event)]] = {}

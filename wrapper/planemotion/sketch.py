@@ -7,11 +7,10 @@ those of symbols.py; lengths stand on the axes in the unit that the file uses mo
 
 from __future__ import annotations
 
-import itertools
 import math
 import re
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -29,7 +28,7 @@ from .node import Node
 from .parameters import Parameters, Reader
 from .partners import Partner, partner
 from .picture import BLUE, INK, RED, SOFT
-from .scene import Body, Coupling, SceneData, Value, Vector
+from .scene import Body, Coupling, Force, Joint, SceneData, Value, Vector
 from .symbols import BODY_FILL, SPRING, TOUCH, Pen, Place
 from .tables import Tables
 from .units import DIMENSIONLESS, LENGTH, factor
@@ -42,14 +41,7 @@ if TYPE_CHECKING:
 _WIDTH, _HEIGHT, _ROOM = 7.6, 5.6, 0.55
 _ROD = 0.1  # width of a rod, in
 _PARTICLE = 0.06  # radius of a particle, in
-_OPEN = 0.02  # a joint that is open by more is drawn open, in
 _CENTRE_LINE = (0, (7, 2, 1.5, 2))  # dashes of a line on a body
-# Kinds of marks that the partners of a joint are, where they are not two points.
-_WANTED: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
-    "slider": (("point",), ("line",)),
-    "slot": (("point",), ("circle",)),
-    "rolling": (("circle",), ("line", "circle")),
-}
 # A scene of no size (one particle) is drawn as if it were so large, in m.
 _NO_SIZE = 1.0
 # Members of an endless row that are drawn at most.
@@ -110,10 +102,12 @@ def draw(start: Start, out: Path) -> None:
 
 def figure(start: Start) -> Figure:
     """The picture of a start."""
-    return _Sketch(start).figure
+    return Sketch(start).figure
 
 
-class _Sketch:
+class Sketch:
+    """A picture under construction: what kinds of elements draw themselves with."""
+
     def __init__(self, start: Start) -> None:
         self.start = start
         self.data = start.data
@@ -388,110 +382,61 @@ class _Sketch:
 
     # ---- joints, contacts, forces ----
 
-    def _pair(
-        self, table: str, name: str, kind: str, texts: tuple[str, ...], *wanted: tuple[str, ...]
-    ) -> tuple[Partner, Partner]:
-        a, b = (
-            partner(self.drawing, text, f"{table}.{name}.{kind}[{i}]", *wanted[i])
-            for i, text in enumerate(texts)
-        )
-        return a, b
+    def read(self, texts: tuple[str, ...], where: str, *wanted: str) -> list[Partner]:
+        """The partners of an element."""
+        return [partner(self.drawing, text, where, *wanted) for text in texts]
 
     def _joint(self, name: str, joint: Joint) -> None:
-        wanted = _WANTED.get(joint.kind, (("point",), ("point",)))
-        a, b = self._pair("joints", name, joint.kind, joint.partners, *wanted)
-        self.pen.name(getattr(self, f"_{joint.kind}")(a, b), name)
-
-    # One method for each kind of joint: it gives the place that the name belongs to.
-
-    def _pin(self, a: Partner, b: Partner) -> Place:
-        at, there = self.of_partner(a, b), self.of_partner(b, a)
-        if GROUND in (a.owner, b.owner):
-            self.pen.support(there if b.owner == GROUND else at)
-        self.pen.pin(at)
-        if math.dist(at, there) > _OPEN * self.pen.inch:  # a start that could not be assembled
-            self.pen.line([at, there], RED, 1.2, linestyle=":")
-            self.pen.pin(there)
-        return at
-
-    def _weld(self, a: Partner, b: Partner) -> Place:
-        at = self.of_partner(a, b)
-        self.pen.weld(at)
-        return at
-
-    def _link(self, a: Partner, b: Partner) -> Place:
-        ends = self.of_partner(a, b), self.of_partner(b, a)
-        for end, one in zip(ends, (a, b), strict=True):
-            if one.owner == GROUND:
-                self.pen.support(end)
-        self.pen.link(*ends)
-        return _middle(*ends)
-
-    def _slider(self, a: Partner, b: Partner) -> Place:
-        assert isinstance(b.mark, LineMark)
-        at = self.of_partner(a, b)
-        self.pen.block(at, self.number(b.mark.angle) + self.angle(b.owner))
-        self.pen.pin(at)
-        return at
-
-    def _slot(self, a: Partner, b: Partner) -> Place:
-        at, center = self.of_partner(a, b), self.of_partner(b, a)
-        self.pen.block(at, math.atan2(at[1] - center[1], at[0] - center[0]) + math.pi / 2)
-        self.pen.pin(at)
-        return at
-
-    def _rolling(self, a: Partner, b: Partner) -> Place:
-        at, _ = self._touching(a, b)
-        if isinstance(b.mark, LineMark):
-            turn = self.number(b.mark.angle) + self.angle(b.owner)
-        else:
-            center = self.of_partner(b, a)
-            turn = math.atan2(at[1] - center[1], at[0] - center[0]) + math.pi / 2
-        self.pen.rolls(at, turn)
-        return at
+        where = f"joints.{name}"
+        (a,), (b,) = (
+            self.read((text,), where, *wanted)
+            for text, wanted in zip(joint.partners, joint.marks, strict=True)
+        )
+        self.pen.name(joint.draw(self, a, b), name)
 
     def _coupling(self, name: str, coupling: Coupling) -> None:
-        where = f"couplings.{name}.{coupling.kind}"
-        if coupling.kind == "rate":
-            owners = [one for one in coupling.partners if one != GROUND]
-            at = self.point(owners[0], "center")
-            self.pen.couple(at, True)
-            self.pen.name(at, name)
-            return
-        stops = [
-            (partner(self.drawing, text.split()[0], where, "point", "circle"), text.endswith(" ccw"))
-            for text in coupling.partners
-        ]
-        if coupling.kind == "gears":
-            self.pen.name(self._mesh(stops[0][0], stops[1][0]), name)
-            return
-        spans = list(itertools.pairwise(stops))
-        if coupling.kind == "belt":
-            a, b = stops[0][0], stops[1][0]
-            spans = [((a, ccw), (b, ccw != coupling.crossed)) for ccw in (True, False)]
-        middles = [self._strand(a, b) for a, b in spans]
-        self.pen.name(middles[0], name)
+        self.pen.name(coupling.draw(self, f"couplings.{name}"), name)
 
-    def _mesh(self, a: Partner, b: Partner) -> Place:
-        """Both pitch circles, and a mark where they touch."""
-        for one, other in ((a, b), (b, a)):
-            assert isinstance(one.mark, CircleMark)
-            center, radius = self.of_partner(one, other), self.length(one.mark.radius)
-            turns = np.linspace(0.0, 2 * np.pi, 97)
-            ring = [(center[0] + radius * math.cos(x), center[1] + radius * math.sin(x)) for x in turns]
-            self.pen.line(ring, INK, 0.6, linestyle="-.")
-        at = self._between_circles(a, b)[0]
-        self.pen.dot(at)
+    def _force(self, name: str, force: Force) -> None:
+        self.pen.name(force.draw(self, f"forces.{name}"), name, SPRING if force.resists else RED)
+
+    def both(self, a: Partner, b: Partner) -> tuple[Place, Place]:
+        """The places of two partners that are points or circles."""
+        return self.of_partner(a, b), self.of_partner(b, a)
+
+    def radius(self, one: Partner) -> float:
+        """Of a circle; a point has none."""
+        return self.length(one.mark.radius) if isinstance(one.mark, CircleMark) else 0.0
+
+    def middle(self, a: Place, b: Place) -> Place:
+        return _middle(a, b)
+
+    def center(self, bodies: tuple[str, ...]) -> Place:
+        """The centre of the first of some bodies that is not the ground."""
+        return self.point(next(body for body in bodies if body != GROUND), "center")
+
+    def across(self, texts: tuple[str, ...], where: str, sign: Callable[[Place, Place], None]) -> Place:
+        """A sign between two points, held where they belong to the ground; gives its middle."""
+        a, b = self.read(texts, where, "point")
+        places = self.both(a, b)
+        sign(*places)
+        for end, one in zip(places, (a, b), strict=True):
+            if one.is_ground:
+                self.pen.support(end)
+        return _middle(*places)
+
+    def spiral(self, texts: tuple[str, ...], where: str) -> Place:
+        """The sign of what turns the first of two bodies against the other."""
+        a, b = self.read(texts, where, "point")
+        at = self.of_partner(a, b) if a.is_ground else self.point(a.owner, "center")
+        self.pen.spiral(at)
         return at
 
-    def _strand(self, first: tuple[Partner, bool], second: tuple[Partner, bool]) -> Place:
+    def strand(self, first: tuple[Partner, bool], second: tuple[Partner, bool]) -> Place:
         """A straight strand between its tangent points; gives its middle."""
-        (a, a_ccw), (b, b_ccw) = first, second
+        a, b = first[0], second[0]
         (ax, ay), (bx, by) = self.of_partner(a, b), self.of_partner(b, a)
-        radius_a, radius_b = (
-            (1.0 if ccw else -1.0) * (self.length(one.mark.radius) if isinstance(one.mark, CircleMark) else 0)
-            for one, ccw in ((a, a_ccw), (b, b_ccw))
-        )
+        radius_a, radius_b = ((1.0 if ccw else -1.0) * self.radius(one) for one, ccw in (first, second))
         dx, dy, offset = bx - ax, by - ay, radius_b - radius_a
         square = dx * dx + dy * dy
         along = math.sqrt(max(square - offset * offset, 0.0))
@@ -508,11 +453,10 @@ class _Sketch:
                 self.pen.support(end)
         return _middle(*ends)
 
-    def _between_circles(self, a: Partner, b: Partner) -> tuple[Place, Place]:
+    def between_circles(self, a: Partner, b: Partner) -> tuple[Place, Place]:
         """The places of two circles that are nearest to each other, on the line through their centres."""
         (ax, ay), (bx, by) = self.of_partner(a, b), self.of_partner(b, a)
-        radius_a = self.length(a.mark.radius) if isinstance(a.mark, CircleMark) else 0.0
-        radius_b = self.length(b.mark.radius) if isinstance(b.mark, CircleMark) else 0.0
+        radius_a, radius_b = self.radius(a), self.radius(b)
         apart = math.hypot(bx - ax, by - ay)
         x, y = ((bx - ax) / apart, (by - ay) / apart) if apart else (1.0, 0.0)
         side_a, side_b = 1.0, -1.0
@@ -525,22 +469,22 @@ class _Sketch:
 
     def _contact(self, name: str, contact: Contact) -> None:
         any_mark = ("circle", "point", "line", "row", "set")
-        a, b = self._pair("contacts", name, "touch", contact.touch, any_mark, any_mark)
+        a, b = self.read(contact.partners, f"contacts.{name}", *any_mark)
         if a.kind in ("line", "row") or b.kind == "set":
             a, b = b, a
         members = [a]
         if a.kind == "set":
             assert isinstance(a.mark, tuple)
             members = [Partner(a.owner, "point", key, a.where) for key in a.mark]
-        pairs = [self._touching(one, b) for one in members]
+        pairs = [self.touching(one, b) for one in members]
         for places in pairs:
             self.pen.touch(*places)
         self.pen.name(_middle(*min(pairs, key=lambda places: math.dist(*places))), name, TOUCH)
 
-    def _touching(self, a: Partner, b: Partner) -> tuple[Place, Place]:
+    def touching(self, a: Partner, b: Partner) -> tuple[Place, Place]:
         """The nearest places of two marks that may touch."""
         center = self.of_partner(a, b)
-        radius = self.length(a.mark.radius) if isinstance(a.mark, CircleMark) else 0.0
+        radius = self.radius(a)
         if isinstance(b.mark, LineMark):
             turn = self.number(b.mark.angle) + self.angle(b.owner)
             foot = self.place(b.owner, b.mark.through)
@@ -559,48 +503,9 @@ class _Sketch:
             distance = float(np.hypot(*away)) or 1.0
             near = (center[0] + radius * away[0] / distance, center[1] + radius * away[1] / distance)
             return (float(near[0]), float(near[1])), (float(at[0]), float(at[1]))
-        return self._between_circles(a, b)
+        return self.between_circles(a, b)
 
-    def _force(self, name: str, force: Force) -> None:
-        written = getattr(force, force.kind)
-        texts = (written,) if isinstance(written, str) else written
-        pen = self.pen
-        ends = [partner(self.drawing, text, f"forces.{name}", "point") for text in texts]
-        places = [self.of_partner(one, ends[1 - i] if len(ends) > 1 else one) for i, one in enumerate(ends)]
-        if force.kind == "torsion" or (force.kind == "damper" and all("." not in text for text in texts)):
-            at = self.point(ends[0].owner, "center") if ends[0].owner != GROUND else places[0]
-            pen.spiral(at)
-        elif force.kind in ("spring", "damper"):
-            getattr(pen, force.kind)(*places)
-            at = _middle(*places)
-            for end, one in zip(places, ends, strict=True):
-                if one.owner == GROUND:
-                    pen.support(end)
-        elif force.kind == "couple":
-            at = places[0]
-            pen.couple(at, not str(force.value).lstrip().startswith("-"))
-        else:
-            at = places[0]
-            tail = self._tail(force, at)
-            pen.arrow(tail, at)
-            at = tail
-        pen.name(at, name, SPRING if force.kind in ("spring", "damper", "torsion") else RED)
-
-    def _tail(self, force: Force, at: Place) -> Place:
-        """Where the arrow of an applied force begins: its direction at t = 0."""
-        assert isinstance(force.value, Vector)
-        first, second = (self._at_start(part) for part in (force.value.first, force.value.second))
-        x, y = (first * math.cos(second), first * math.sin(second)) if force.value.polar else (first, second)
-        if force.turns_with is not None:
-            turn = self.angle(force.turns_with)
-            x, y = x * math.cos(turn) - y * math.sin(turn), x * math.sin(turn) + y * math.cos(turn)
-        size = math.hypot(x, y)
-        if size == 0.0:
-            x, y, size = 0.0, -1.0, 1.0
-        reach = 0.55 * self.pen.inch / size
-        return at[0] - reach * x, at[1] - reach * y
-
-    def _at_start(self, written: Value) -> float:
+    def at_start(self, written: Value) -> float:
         """A number of a force, which may depend on t, at t = 0."""
         defaults = self.drawing.reader.parameters.defaults
         return evaluate(parse(written), lambda leaf: 0.0 if str(leaf) == "t" else defaults[str(leaf)])

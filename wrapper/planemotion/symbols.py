@@ -38,6 +38,8 @@ _BLOCK = (0.24, 0.13)  # a sliding block, in
 _SQUARE = ((-1, -1), (1, -1), (1, 1), (-1, 1))  # its corners
 _COIL = 0.065  # half the width of a spring, in
 _INK_STEP = 0.04  # between remembered places along a line, in
+_ARROW = 0.55  # an arrow of a force, in
+_OPEN = 0.02  # a joint that is open by more is drawn open, in
 _POINTS_PER_INCH = 72.0
 
 
@@ -174,6 +176,26 @@ class Pen:
         self.line([a, b], "white", 1.4, zorder=2.7)
         self.pin(a)
         self.pin(b)
+
+    def pitch_circle(self, center: Place, radius: float) -> None:
+        """The circle on which a gear meshes."""
+        turn = np.linspace(0.0, 2 * np.pi, 97)
+        ring = np.column_stack([center[0] + radius * np.cos(turn), center[1] + radius * np.sin(turn)])
+        self.line(ring, INK, 0.6, linestyle="-.")
+
+    def open_joint(self, at: Place, there: Place) -> None:
+        """A pin whose other half is elsewhere: a start that could not be assembled."""
+        if math.dist(at, there) > _OPEN * self.inch:
+            self.line([at, there], RED, 1.2, linestyle=":")
+            self.pin(there)
+
+    def tail(self, at: Place, x: float, y: float) -> Place:
+        """Where an arrow to a place begins, along (x, y); straight above it if that is no direction."""
+        size = math.hypot(x, y)
+        if size == 0.0:
+            x, y, size = 0.0, -1.0, 1.0
+        reach = _ARROW * self.inch / size
+        return at[0] - reach * x, at[1] - reach * y
 
     def rolls(self, at: Place, angle: float) -> None:
         """Where one body rolls on another: a short cross stroke and a dot, as on a gear's pitch point."""

@@ -13,8 +13,10 @@ from pydantic import ValidationError
 
 from . import words
 from ._layout import PM_FIND_MOST_PAIR_SAMPLES, PM_FIND_MOST_SAMPLES
+from .check import check, kind_of
 from .errors import SceneError
-from .scene import DEFAULT_G, Ask, At, Contact, Find, SceneData, Table
+from .kinds import KINDS
+from .scene import DEFAULT_G, Ask, At, Contact, Find, Kind, SceneData, Table
 from .spin import check_words
 
 
@@ -25,7 +27,7 @@ def validate(raw: Mapping[str, Any], *, file: str | None = None, name: str = "")
     fault found.
     """
     try:
-        words.check(raw)
+        check(raw)
         if "until" not in raw:
             raise SceneError('what ends the run is wanted, such as until = "t = 2 s"', path="until")
         if not words.table(raw, "bodies"):
@@ -35,7 +37,7 @@ def validate(raw: Mapping[str, Any], *, file: str | None = None, name: str = "")
             **raw.get("parameters", {}),
         }
         content = {**raw, "id": raw.get("id", name), "parameters": parameters, "file": file}
-        data = _construct({**content, **_taken_apart(raw)})
+        data = _construct({**content, **_taken_apart(raw), **_elements(raw)})
         _check_more(data)
     except SceneError as error:
         raise error.at(file=file) from None
@@ -58,6 +60,26 @@ def _taken_apart(raw: Mapping[str, Any]) -> dict[str, Any]:
     return apart
 
 
+def _elements(raw: Mapping[str, Any]) -> dict[str, dict[str, Kind]]:
+    """Joints, couplings, contacts and forces, each as the model of its kind."""
+    return {
+        group: {
+            name: _element(element, group, f"{group}.{name}")
+            for name, element in words.table(raw, group).items()
+        }
+        for group in KINDS
+    }
+
+
+def _element(element: Mapping[str, Any], group: str, path: str) -> Kind:
+    kind = kind_of(element, group, path)
+    content = {"partners" if key == kind else key: value for key, value in element.items()}
+    try:
+        return KINDS[group][kind].model_validate(content)
+    except ValidationError as fault:
+        raise _translate(fault, path, {"partners": kind}) from None
+
+
 def _construct(content: Mapping[str, Any]) -> SceneData:
     try:
         return SceneData.model_validate(content)
@@ -65,13 +87,16 @@ def _construct(content: Mapping[str, Any]) -> SceneData:
         raise _translate(fault) from None
 
 
-def _translate(fault: ValidationError) -> SceneError:
-    """Pydantic's first complaint in the manner of this package."""
+def _translate(fault: ValidationError, path: str = "", called: Mapping[str, str] | None = None) -> SceneError:
+    """Pydantic's first complaint in the manner of this package.
+
+    `path`: what was constructed; `called`: how a file calls fields that have another name in the model.
+    """
     first = fault.errors()[0]
     # Parts of a location that are names of types or models are no keys.
     keys = [part for part in first["loc"] if not (isinstance(part, str) and _is_type(part))]
-    path = ""
-    for part in keys:
+    for key in keys:
+        part = called.get(key, key) if called and isinstance(key, str) else key
         path += f"[{part}]" if isinstance(part, int) else f".{part}" if path else part
     path = path.replace("sweep.grids.", "sweep.")
     path = re.sub(r"^run_finds\.(\w+)", r"runs.\1.find", path)

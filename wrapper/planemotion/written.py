@@ -185,10 +185,15 @@ def read_value_or_vector(written: Any) -> Value | Vector:
     return read_vector(written) if isinstance(written, list | tuple | Mapping) else read_value(written)
 
 
-def read_body_or_two(written: Any) -> str | tuple[str, ...]:
+def read_one(written: Any) -> tuple[str, ...]:
+    """One partner."""
+    return (read_text(written),)
+
+
+def read_body_or_two(written: Any) -> tuple[str, ...]:
     """A body, or a body and the one that takes the reaction."""
     if isinstance(written, str):
-        return written
+        return (written,)
     return read_names(2, "a body, or a body and its reaction body,")(written)
 
 

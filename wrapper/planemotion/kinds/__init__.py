@@ -1,0 +1,64 @@
+"""The kinds of joints, couplings and forces: one file and one line of a table each.
+
+The class says the word, the options (its fields), the rows that it writes and how it is drawn; nothing else
+in the package knows a kind by its name.  The order is that of messages.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TypeVar
+
+from ..element import Coupling, Force, Joint, Kind
+from ..scene import Contact
+from .belt import Belt
+from .cord import Cord
+from .couple import Couple
+from .damper import Damper
+from .force import AppliedForce
+from .gears import Gears
+from .link import Link
+from .pin import Pin
+from .rate import Rate
+from .rolling import Rolling
+from .slider import Slider
+from .slot import Slot
+from .spring import Spring
+from .torsion import Torsion
+from .weld import Weld
+
+K = TypeVar("K", bound=Kind)
+
+
+def _table(*kinds: type[K]) -> Mapping[str, type[K]]:
+    return {kind.word: kind for kind in kinds}
+
+
+JOINTS: Mapping[str, type[Joint]] = _table(
+    Pin,
+    Slider,
+    Slot,
+    Link,
+    Weld,
+    Rolling,
+)
+COUPLINGS: Mapping[str, type[Coupling]] = _table(
+    Gears,
+    Belt,
+    Cord,
+    Rate,
+)
+FORCES: Mapping[str, type[Force]] = _table(
+    Spring,
+    Torsion,
+    Damper,
+    AppliedForce,
+    Couple,
+)
+# Table of a scene -> the kinds that stand in it.
+KINDS: Mapping[str, Mapping[str, type[Kind]]] = {
+    "joints": JOINTS,
+    "couplings": COUPLINGS,
+    "contacts": _table(Contact),
+    "forces": FORCES,
+}

@@ -1,0 +1,41 @@
+"""A tight belt round two circles, open or crossed: it does not slip."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from .. import _layout as layout
+from ..couplings import CouplingRows
+from ..element import Coupling, Partners, Quantity
+from ..node import Number
+from ..partners import kernel_circle
+from ..units import FORCE
+from ..writer import Writer
+
+if TYPE_CHECKING:
+    from ..sketch import Sketch
+    from ..symbols import Place
+
+
+class Belt(Coupling):
+    word = "belt"
+    # A row for each strand: the one that leaves the first circle counterclockwise, and the other.
+    quantities = {
+        "tension": Quantity((layout.PM_MEASURE_JOINT_NORMAL, layout.PM_MEASURE_JOINT_FRICTION), FORCE)
+    }
+    columns = ("tension[1]", "tension[2]")
+    partners: Partners
+    crossed: bool = False
+
+    def rows(self, to: Writer, path: str) -> CouplingRows:
+        a, b = to.circles(self.partners, f"{path}.belt")
+        value = Number(-1.0 if self.crossed else 1.0), f"{path}.crossed"
+        circles = kernel_circle(to.drawing, a), kernel_circle(to.drawing, b)
+        index = to.joint(layout.PM_JOINT_BELT, *circles, path, value=value)
+        return CouplingRows(index, (), ((a.owner, b.owner),))
+
+    def draw(self, sketch: Sketch, where: str) -> Place:
+        a, b = sketch.read(self.partners, where, "circle")
+        at = sketch.strand((a, True), (b, not self.crossed))
+        sketch.strand((a, False), (b, self.crossed))
+        return at

@@ -1,0 +1,43 @@
+"""Gears: two circles mesh where they touch; axles or a carrier keep them at their distance."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from .. import _layout as layout
+from ..couplings import CouplingRows
+from ..element import Coupling, Partners, Quantity
+from ..partners import kernel_circle, side
+from ..units import FORCE, IMPULSE
+from ..writer import Writer
+
+if TYPE_CHECKING:
+    from ..sketch import Sketch
+    from ..symbols import Place
+
+
+class Gears(Coupling):
+    word = "gears"
+    quantities = {
+        "force": Quantity((layout.PM_MEASURE_JOINT_FORCE,), FORCE, vector=True),
+        "impulse": Quantity((layout.PM_MEASURE_JOINT_IMPULSE,), IMPULSE, vector=True),
+    }
+    columns = ("force.x", "force.y")
+    partners: Partners
+
+    def rows(self, to: Writer, path: str) -> CouplingRows:
+        where = f"{path}.gears"
+        a, b = to.circles(self.partners, where)
+        value = side(to.drawing, a, b), where
+        circles = kernel_circle(to.drawing, a), kernel_circle(to.drawing, b)
+        index = to.joint(layout.PM_JOINT_GEARS, *circles, path, value=value)
+        return CouplingRows(index, (), ((a.owner, b.owner),))
+
+    def draw(self, sketch: Sketch, where: str) -> Place:
+        """Both pitch circles, and a mark where they touch."""
+        a, b = sketch.read(self.partners, where, "circle")
+        for one, center in zip((a, b), sketch.both(a, b), strict=True):
+            sketch.pen.pitch_circle(center, sketch.radius(one))
+        at = sketch.between_circles(a, b)[0]
+        sketch.pen.dot(at)
+        return at

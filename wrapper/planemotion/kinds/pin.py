@@ -1,0 +1,32 @@
+"""A pin: two points coincide."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from .. import _layout as layout
+from ..element import RubbingJoint
+from ..joints import JointRow
+from ..partners import Partner, point_pair
+from ..writer import Writer
+
+if TYPE_CHECKING:
+    from ..sketch import Sketch
+    from ..symbols import Place
+
+
+class Pin(RubbingJoint):
+    word = "pin"
+    bearing = True
+
+    def row(self, to: Writer, a: Partner, b: Partner, path: str) -> JointRow:
+        return JointRow(layout.PM_JOINT_PIN, *point_pair(to.drawing, a, b))
+
+    def draw(self, sketch: Sketch, a: Partner, b: Partner) -> Place:
+        at, there = sketch.both(a, b)
+        support = there if b.is_ground else at
+        if a.is_ground or b.is_ground:
+            sketch.pen.support(support)
+        sketch.pen.pin(at)
+        sketch.pen.open_joint(at, there)
+        return at

@@ -1,0 +1,47 @@
+"""Rolling without slip or parting: a circle on a line, or on another circle from outside or inside."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from .. import _layout as layout
+from ..element import Joint, Quantity
+from ..joints import JointRow
+from ..marks import LineMark
+from ..partners import Partner, kernel_circle, side
+from ..units import DIMENSIONLESS, FORCE
+from ..writer import Writer
+
+if TYPE_CHECKING:
+    from ..sketch import Sketch
+    from ..symbols import Place
+
+
+class Rolling(Joint):
+    word = "rolling"
+    marks = (("circle",), ("line", "circle"))
+    quantities = {
+        "normal": Quantity((layout.PM_MEASURE_JOINT_NORMAL,), FORCE),
+        "friction": Quantity((layout.PM_MEASURE_JOINT_FRICTION,), FORCE),
+        "friction_needed": Quantity((layout.PM_MEASURE_JOINT_FRICTION_NEEDED,), DIMENSIONLESS),
+    }
+    columns = ("force.x", "force.y", "normal", "friction")
+
+    def row(self, to: Writer, a: Partner, b: Partner, path: str) -> JointRow:
+        circle = kernel_circle(to.drawing, a)
+        if isinstance(b.mark, LineMark):
+            line = to.drawing.line(b.owner, b.mark, b.where)
+            return JointRow(layout.PM_JOINT_ROLLING_LINE, circle, line)
+        other = kernel_circle(to.drawing, b)
+        return JointRow(layout.PM_JOINT_ROLLING_CIRCLE, circle, other, (side(to.drawing, a, b), path))
+
+    def draw(self, sketch: Sketch, a: Partner, b: Partner) -> Place:
+        at, _ = sketch.touching(a, b)
+        if isinstance(b.mark, LineMark):
+            turn = sketch.number(b.mark.angle) + sketch.angle(b.owner)
+        else:
+            _, center = sketch.both(a, b)
+            turn = math.atan2(at[1] - center[1], at[0] - center[0]) + math.pi / 2
+        sketch.pen.rolls(at, turn)
+        return at

@@ -1,0 +1,42 @@
+"""A slider: a point on a line, whose body may keep its direction."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from .. import _layout as layout
+from ..element import Quantity, RubbingJoint
+from ..joints import JointRow
+from ..marks import LineMark
+from ..partners import Partner, one_point
+from ..units import FORCE
+from ..writer import Writer
+
+if TYPE_CHECKING:
+    from ..sketch import Sketch
+    from ..symbols import Place
+
+
+class Slider(RubbingJoint):
+    word = "slider"
+    marks = (("point",), ("line",))
+    quantities = {"friction": Quantity((layout.PM_MEASURE_JOINT_FRICTION,), FORCE)}
+    columns = ("force.x", "force.y", "couple")
+    turning: bool = True
+
+    def row(self, to: Writer, a: Partner, b: Partner, path: str) -> JointRow:
+        assert isinstance(b.mark, LineMark)
+        point = one_point(to.drawing, a)
+        line = to.drawing.line(b.owner, b.mark, b.where)
+        # A particle has no direction that could be kept.
+        if self.turning or not to.turns(a.owner):
+            return JointRow(layout.PM_JOINT_SLIDER, point, line)
+        held = to.drawing.angle(a.owner) - to.drawing.angle(b.owner)
+        return JointRow(layout.PM_JOINT_SLIDER_FIXED, point, line, (held, f"{path}.turning"))
+
+    def draw(self, sketch: Sketch, a: Partner, b: Partner) -> Place:
+        assert isinstance(b.mark, LineMark)
+        at = sketch.of_partner(a, b)
+        sketch.pen.block(at, sketch.number(b.mark.angle) + sketch.angle(b.owner))
+        sketch.pen.pin(at)
+        return at

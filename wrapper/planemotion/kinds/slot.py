@@ -1,0 +1,37 @@
+"""A circular slot: a point on a circle; for the kernel a link of the length of its radius."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from .. import _layout as layout
+from ..element import Quantity, RubbingJoint
+from ..joints import JointRow
+from ..marks import CircleMark
+from ..partners import Partner, one_point
+from ..units import FORCE
+from ..writer import Writer
+
+if TYPE_CHECKING:
+    from ..sketch import Sketch
+    from ..symbols import Place
+
+
+class Slot(RubbingJoint):
+    word = "slot"
+    marks = (("point",), ("circle",))
+    quantities = {"friction": Quantity((layout.PM_MEASURE_JOINT_FRICTION,), FORCE)}
+
+    def row(self, to: Writer, a: Partner, b: Partner, path: str) -> JointRow:
+        assert isinstance(b.mark, CircleMark)
+        point = one_point(to.drawing, a)
+        middle = to.drawing.from_mass_center(b.owner, b.mark.center)
+        center = to.drawing.point_at(b.owner, middle, b.where)
+        return JointRow(layout.PM_JOINT_LINK, point, center, (b.mark.radius, path))
+
+    def draw(self, sketch: Sketch, a: Partner, b: Partner) -> Place:
+        at, center = sketch.both(a, b)
+        sketch.pen.block(at, math.atan2(at[1] - center[1], at[0] - center[0]) + math.pi / 2)
+        sketch.pen.pin(at)
+        return at

@@ -1,0 +1,45 @@
+"""A spring between two points; it may only pull or only push."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Literal
+
+from .. import _layout as layout
+from ..element import Force, Number
+from ..forces import ForceRow
+from ..marks import distance
+from ..partners import drawn_pair, point_pair
+from ..units import LENGTH, STIFFNESS
+from ..writer import Writer
+
+if TYPE_CHECKING:
+    from ..sketch import Sketch
+    from ..symbols import Place
+
+_ONLY = {None: layout.PM_SPRING_BOTH, "pull": layout.PM_SPRING_PULL, "push": layout.PM_SPRING_PUSH}
+
+
+class Spring(Force):
+    word = "spring"
+    bounded = {(layout.PM_FORCE_SPRING, layout.PM_FORCE_VALUE_1): ("stiffness", "N/m")}
+    stiffness: Number
+    free_length: Number | None = None  # as drawn
+    only: Literal["push", "pull"] | None = None
+
+    def row(self, to: Writer, path: str) -> ForceRow:
+        a, b = to.points(self.partners, f"{path}.spring")
+        stiffness = to.reader.number(self.stiffness, f"{path}.stiffness", STIFFNESS)
+        if self.free_length is not None:
+            free = to.reader.number(self.free_length, f"{path}.free_length", LENGTH)
+        else:
+            free = distance(*drawn_pair(to.drawing, a, b))
+        return ForceRow(
+            layout.PM_FORCE_SPRING,
+            *point_pair(to.drawing, a, b),
+            owners=(a.owner, b.owner),
+            values=((stiffness, f"{path}.stiffness"), (free, f"{path}.free_length")),
+            option=_ONLY[self.only],
+        )
+
+    def draw(self, sketch: Sketch, where: str) -> Place:
+        return sketch.across(self.partners, where, sketch.pen.spring)

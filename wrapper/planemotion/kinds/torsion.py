@@ -1,0 +1,43 @@
+"""A torsion spring between two bodies."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from .. import _layout as layout
+from ..element import Force, Number
+from ..forces import ForceRow
+from ..units import DIMENSIONLESS, MOMENT
+from ..writer import Writer
+
+if TYPE_CHECKING:
+    from ..sketch import Sketch
+    from ..symbols import Place
+
+
+class Torsion(Force):
+    word = "torsion"
+    bounded = {(layout.PM_FORCE_TORSION, layout.PM_FORCE_VALUE_1): ("stiffness", "N*m")}
+    stiffness: Number
+    free_angle: Number | None = None  # as drawn
+
+    def row(self, to: Writer, path: str) -> ForceRow:
+        owners = to.bodies(self.partners, f"{path}.torsion")
+        # N*m for each radian: a moment.
+        stiffness = to.reader.number(self.stiffness, f"{path}.stiffness", MOMENT)
+        if self.free_angle is not None:
+            free = to.reader.number(self.free_angle, f"{path}.free_angle", DIMENSIONLESS)
+        else:
+            free = to.drawing.angle(owners[0]) - to.drawing.angle(owners[1])
+        a, b = (to.drawing.body_index(owner) for owner in owners)
+        return ForceRow(
+            layout.PM_FORCE_TORSION,
+            a,
+            b,
+            owners=owners,
+            values=((stiffness, f"{path}.stiffness"), (free, f"{path}.free_angle")),
+            rotary=True,
+        )
+
+    def draw(self, sketch: Sketch, where: str) -> Place:
+        return sketch.spiral(self.partners, where)

@@ -1,0 +1,45 @@
+"""A weld: two bodies are rigid as drawn."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from .. import _layout as layout
+from ..element import Joint
+from ..errors import SceneError
+from ..joints import JointRow
+from ..partners import Partner
+from ..writer import Writer
+
+if TYPE_CHECKING:
+    from ..sketch import Sketch
+    from ..symbols import Place
+
+
+class Weld(Joint):
+    word = "weld"
+    columns = ("force.x", "force.y", "couple")
+
+    def row(self, to: Writer, a: Partner, b: Partner, path: str) -> JointRow:
+        for one in (a, b):
+            if one.name not in ("", "G"):
+                reason = "bodies are welded as drawn; name the body only"
+                raise SceneError(reason, path=one.where, value=str(one.ref))
+        turning = [to.turns(one.owner) for one in (a, b)]
+        if not any(turning):
+            raise SceneError("two particles would have to turn; give one of the bodies an inertia", path=path)
+        # The place where both are held: the mass centre of the one that does not turn, else of the first.
+        held = b if (turning[0] and not turning[1]) or a.is_ground else a
+        position = to.drawing.position(held.ref)
+        points = [
+            to.drawing.point_at(one.owner, to.drawing.to_body(one.owner, position), path) for one in (a, b)
+        ]
+        if not all(turning):
+            return JointRow(layout.PM_JOINT_PIN, points[0], points[1])
+        angle = to.drawing.angle(a.owner) - to.drawing.angle(b.owner)
+        return JointRow(layout.PM_JOINT_WELD, points[0], points[1], (angle, path))
+
+    def draw(self, sketch: Sketch, a: Partner, b: Partner) -> Place:
+        at = sketch.of_partner(a, b)
+        sketch.pen.weld(at)
+        return at
