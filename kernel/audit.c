@@ -37,28 +37,26 @@ static void add_outer(double *impulse, const double at[2], const double force[2]
     impulse[2] += sign * (couple + at[0] * force[1] - at[1] * force[0]);
 }
 
-/* Forces (or impulses) of the rows on the scene from outside: only rows with the ground give any. */
+/* What a row gives the scene from outside by a reaction (or an impulse) of that size. */
+static void add_row(const pm_workspace *w, const pm_row *row, double size, double *impulse)
+{
+    if (pm_row_is_inner(w, row)) return;
+    const int on_a = row->body[0] != w->model->nbody, on_b = row->body[1] != w->model->nbody;
+    pm_line_of_action x;
+    pm_row_kind(row->kind)->act(w, row, &x);
+    const double sign = size * (on_a - on_b);
+    const double force[2] = {sign * x.direction[0], sign * x.direction[1]};
+    add_outer(impulse, x.at, force, size * (on_a * x.couple[0] + on_b * x.couple[1]), 1);
+}
+
+/* Forces (or impulses) of the rows on the scene from outside. */
 static void add_rows(const pm_workspace *w, const double *size, double *impulse)
 {
-    const int ground = w->model->nbody;
-    for (int i = 0; i < w->nactive; i++) {
-        const pm_row *row = &w->row[i];
-        const double sign = (row->body[0] != ground) - (row->body[1] != ground);
-        if (sign == 0) continue;
-        pm_line_of_action x;
-        pm_row_kind(row->kind)->act(w, row, &x);
-        const double force[2] = {size[i] * x.direction[0], size[i] * x.direction[1]};
-        add_outer(impulse, x.at, force, size[i] * x.couple, sign);
-    }
+    for (int i = 0; i < w->nactive; i++) add_row(w, &w->row[i], size[i], impulse);
     if (!w->asymmetric) return;
     for (int i = w->nactive; w->row[i].normal != PM_NONE; i++) { /* sliding friction */
-        const pm_row *row = &w->row[i];
-        const double sign = (row->body[0] != ground) - (row->body[1] != ground);
-        const double friction = w->row[row->normal].slide * size[row->normal];
-        pm_line_of_action x;
-        pm_row_kind(row->kind)->act(w, row, &x);
-        const double force[2] = {friction * x.direction[0], friction * x.direction[1]};
-        add_outer(impulse, x.at, force, 0, sign);
+        const int normal = w->row[i].normal;
+        add_row(w, &w->row[i], w->row[normal].slide * size[normal], impulse);
     }
 }
 
@@ -200,12 +198,7 @@ void pm_audit_impulse(pm_workspace *w, const double at[2], const double force[2]
 /* One row's share of a series of blows: what the outer world gives; the energy that it takes. */
 static double add_series_row(pm_workspace *w, const pm_row *row, double impulse)
 {
-    const int ground = w->model->nbody;
-    const double sign = (row->body[0] != ground) - (row->body[1] != ground);
-    pm_line_of_action x;
-    pm_row_kind(row->kind)->act(w, row, &x);
-    const double force[2] = {impulse * x.direction[0], impulse * x.direction[1]};
-    add_outer(w->state.z + pm_audit_ledger(w->model), x.at, force, impulse * x.couple, sign);
+    add_row(w, row, impulse, w->state.z + pm_audit_ledger(w->model));
     return -impulse * pm_row_rate(w, row);
 }
 

@@ -126,7 +126,7 @@ void pm_grip_action(const pm_workspace *w, int force, pm_action *x)
         x->at_a[i] = x->at_b[i] = along.at[i];
         x->force[i] = size * along.direction[i];
     }
-    x->couple = size * along.couple;
+    x->couple = size * along.couple[0]; /* joints rub between their two bodies: the opposite acts on b */
     x->rate = pm_row_slip(w, &row);
     x->power = size * x->rate;
 }

@@ -9,7 +9,7 @@ pm_row pm_row_blank(int kind)
     pm_row row;
     memset(&row, 0, sizeof row);
     row.kind = kind;
-    row.sign = 1;
+    row.sign = row.ratio = 1;
     row.memory = row.joint = row.slot = row.normal = row.drive = PM_NONE;
     return row;
 }

@@ -159,42 +159,41 @@ static double path(const pm_measure_args *x)
 }
 
 /* ---- joints ---- */
-/* What the friction of a joint does to its first partner. */
-static void add_friction(const pm_measure_args *x, double out[3])
+/* Which partner of a joint an address means: the first, or (`on` another body) the second; PM_NONE of a joint that is not
+ * there: nothing acts. */
+static int partner_of(const pm_measure_args *x)
 {
-    pm_row row;
-    pm_line_of_action along;
-    const double size = pm_grip_of_joint(x->w, x->a, &row);
-    if (size == 0) return;
-    pm_row_kind(row.kind)->act(x->w, &row, &along);
-    for (int k = 0; k < 2; k++) out[k] += size * along.direction[k];
-    out[2] += size * along.couple;
+    pm_row row[PM_JOINT_ROWS];
+    if (x->e[PM_MEASURE_ON] == PM_NONE) return 0;
+    if (pm_row_of_joint(x->w, x->a, row) == 0) return PM_NONE;
+    return row[0].body[0] != pm_body_index(x->w->model, x->e[PM_MEASURE_ON]);
 }
 
-/* Sum over the rows of a joint of size[row] times its direction on the first partner. */
+/* What the reaction of a row does to one of its two bodies. */
+static void add_reaction(const pm_measure_args *x, const pm_row *row, double size, int on, double out[3])
+{
+    pm_line_of_action along; /* the rows need not be evaluated where the frame looks */
+    pm_row_kind(row->kind)->act(x->w, row, &along);
+    for (int k = 0; k < 2; k++) out[k] += (on == 0 ? size : -size) * along.direction[k];
+    out[2] += size * along.couple[on];
+}
+
+/* Sum over the rows of a joint of size[row] times what a unit of it does. */
 static void joint_sum(const pm_measure_args *x, const double *reaction, int by_active, double out[3])
 {
     const pm_model *m = x->w->model;
     const int first = m->joint_row[x->a],
               last = x->a + 1 < m->rows[PM_TABLE_JOINT] ? m->joint_row[x->a + 1] : m->njoint_row;
+    const int on = partner_of(x);
     out[0] = out[1] = out[2] = 0;
-    for (int i = first; i < last; i++) {
+    for (int i = first; i < last && on != PM_NONE; i++) {
         const int active = x->w->joint_active[i];
         if (active == PM_NONE) continue;
-        const pm_row *row = &x->w->row[active];
-        const double size = reaction[by_active ? active : i];
-        pm_line_of_action along; /* the rows need not be evaluated where the frame looks */
-        pm_row_kind(row->kind)->act(x->w, row, &along);
-        for (int k = 0; k < 2; k++) out[k] += size * along.direction[k];
-        out[2] += size * along.couple;
+        add_reaction(x, &x->w->row[active], reaction[by_active ? active : i], on, out);
     }
-    if (by_active) add_friction(x, out);
-    /* `on` another body than the first partner: the opposite */
-    if (x->e[PM_MEASURE_ON] == PM_NONE) return;
-    pm_row row[PM_JOINT_ROWS];
-    if (pm_row_of_joint(x->w, x->a, row) == 0) return; /* it is not there: nothing acts */
-    if (row[0].body[0] != pm_body_index(m, x->e[PM_MEASURE_ON]))
-        for (int k = 0; k < 3; k++) out[k] = -out[k];
+    pm_row rubbing;
+    const double friction = by_active ? pm_grip_of_joint(x->w, x->a, &rubbing) : 0;
+    if (friction != 0 && on != PM_NONE) add_reaction(x, &rubbing, friction, on, out);
 }
 
 static void joint_force(const pm_measure_args *x, double out[2])

@@ -146,6 +146,7 @@ typedef struct pm_row {
     double value;              /* length, angle, or direction of a line in its body */
     double axis[2];            /* cosine and sine of that direction */
     double sign;               /* distance rows: which way is positive */
+    double ratio;              /* turn rows: so many turns of b count against one of a */
     int memory;                /* index of its memory, or PM_NONE */
     int joint, slot;           /* owner: one of both is PM_NONE */
     int normal;   /* sliding rows and friction: index of the active row of its normal, else PM_NONE */

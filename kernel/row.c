@@ -74,7 +74,7 @@ double pm_row_rate(const pm_workspace *w, const pm_row *row)
     const double *pa = w->frame.pose + 5 * row->body[0], *pb = w->frame.pose + 5 * row->body[1];
     u[0] = (va[0] - va[2] * (x.at[1] - pa[1])) - (vb[0] - vb[2] * (x.at[1] - pb[1]));
     u[1] = (va[1] + va[2] * (x.at[0] - pa[0])) - (vb[1] + vb[2] * (x.at[0] - pb[0]));
-    return pm_dot(u, x.direction) + x.couple * (va[2] - vb[2]);
+    return pm_dot(u, x.direction) + x.couple[0] * va[2] + x.couple[1] * vb[2];
 }
 
 double pm_row_slip(const pm_workspace *w, const pm_row *row)

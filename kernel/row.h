@@ -22,10 +22,11 @@ enum pm_row_kind {
     PM_ROW_KINDS = 11
 };
 
-/* Where a unit reaction acts on body[0] (the opposite acts on body[1] in the same line), from geometry alone: the
- * audit uses it instead of the Jacobian. */
+/* Where a unit reaction acts on body[0], from geometry alone: the audit uses it instead of the Jacobian.  On body[1] the
+ * opposite force acts in the same line, and couple[1], which is the opposite couple unless something else takes a share:
+ * the housing of a gear box, which is the ground. */
 typedef struct pm_line_of_action {
-    double at[2], direction[2], couple;
+    double at[2], direction[2], couple[2];
 } pm_line_of_action;
 
 typedef struct pm_steady pm_steady; /* steady.h */
@@ -62,6 +63,13 @@ int pm_row_of_any_joint(const pm_workspace *w, int joint, pm_row row[PM_JOINT_RO
 /* Normal and tangential row of a contact that is closed (or may close) in `slot` with `member`. */
 void pm_row_of_contact(const pm_workspace *w, int contact, int slot, int member, pm_row *normal,
                        pm_row *tangent);
+
+/* Whether its two bodies act on each other and on nothing else. */
+static inline int pm_row_is_inner(const pm_workspace *w, const pm_row *row)
+{
+    const int ground = w->model->nbody;
+    return row->body[0] != ground && row->body[1] != ground && row->ratio == 1;
+}
 
 /* Rate of a row from the geometry of its line of action (equals j v). */
 double pm_row_rate(const pm_workspace *w, const pm_row *row);

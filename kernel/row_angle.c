@@ -14,7 +14,7 @@ static void act(const pm_workspace *w, const pm_row *row, pm_line_of_action *x)
 {
     (void)w;
     (void)row;
-    *x = (pm_line_of_action){.couple = 1};
+    *x = (pm_line_of_action){.couple = {1, -1}};
 }
 
 static int steady(const pm_workspace *w, const pm_row *row, const pm_steady *x)

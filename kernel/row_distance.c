@@ -25,7 +25,7 @@ static void act(const pm_workspace *w, const pm_row *row, pm_line_of_action *x)
     const pm_point a = pm_point_at(w, row->body[0], row->a[0], row->a[1]);
     const pm_point b = pm_point_at(w, row->body[1], row->b[0], row->b[1]);
     const double d[2] = {a.p[0] - b.p[0], a.p[1] - b.p[1]}, distance = pm_length(d);
-    x->couple = 0;
+    x->couple[0] = x->couple[1] = 0;
     for (int k = 0; k < 2; k++) {
         x->direction[k] = row->sign * d[k] / distance;
         x->at[k] = a.p[k] - row->radius_a * d[k] / distance;

@@ -2,8 +2,9 @@
  * another body, is a given w(t).
  *
  *   point   C = e.(p_a - p_b) - anchor - W(t)     Cdot = e.(v_a - v_b) - w       gamma = -e.quad + dw/dt
- *   spin    C = angle_a - angle_b - anchor - W    Cdot = omega_a - omega_b - w   gamma = dw/dt
- * W is the integral of w (drive.c). */
+ *   spin    C = angle_a - r angle_b - anchor - W  Cdot = omega_a - r omega_b - w gamma = dw/dt
+ * W is the integral of w (drive.c), nothing where nothing is prescribed.  The couples on the bodies are as 1 to -r: what is
+ * left over is held by the ground. */
 #include "drive.h"
 #include "row.h"
 #include "steady.h"
@@ -51,7 +52,7 @@ static void act(const pm_workspace *w, const pm_row *row, pm_line_of_action *x, 
 
 static double turned(const pm_workspace *w, const pm_row *row)
 {
-    return w->frame.pose[5 * row->body[0] + 2] - w->frame.pose[5 * row->body[1] + 2];
+    return w->frame.pose[5 * row->body[0] + 2] - row->ratio * w->frame.pose[5 * row->body[1] + 2];
 }
 
 static void evaluate_x(const pm_workspace *w, pm_row *row) { evaluate(w, row, axis_x); }
@@ -60,7 +61,7 @@ static void evaluate_turn(const pm_workspace *w, pm_row *row)
 {
     for (int k = 0; k < 6; k++) row->j[k] = 0;
     row->j[2] = 1;
-    row->j[5] = -1;
+    row->j[5] = -row->ratio;
     row->gamma = 0;
     prescribe(w, row, turned(w, row));
 }
@@ -70,8 +71,7 @@ static void act_y(const pm_workspace *w, const pm_row *row, pm_line_of_action *x
 static void act_turn(const pm_workspace *w, const pm_row *row, pm_line_of_action *x)
 {
     (void)w;
-    (void)row;
-    *x = (pm_line_of_action){.couple = 1};
+    *x = (pm_line_of_action){.couple = {1, -row->ratio}};
 }
 
 static void remember_x(const pm_workspace *w, const pm_row *row, pm_memory *memory, int anchor_too)

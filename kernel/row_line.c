@@ -73,7 +73,7 @@ static void touch(const pm_workspace *w, const pm_row *row, const pm_line_frame 
 {
     const pm_point a = pm_point_at(w, row->body[0], row->a[0], row->a[1]);
     for (int k = 0; k < 2; k++) x->at[k] = a.p[k] - row->radius_a * l->n[k];
-    x->couple = 0;
+    x->couple[0] = x->couple[1] = 0;
 }
 
 static void act_normal(const pm_workspace *w, const pm_row *row, pm_line_of_action *x)

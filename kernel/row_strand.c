@@ -80,7 +80,7 @@ static void act(const pm_workspace *w, const pm_row *row, pm_line_of_action *x)
 {
     pm_marks y;
     const pm_strand strand = look(w, row, &y);
-    x->couple = 0;
+    x->couple[0] = x->couple[1] = 0;
     for (int k = 0; k < 2; k++) {
         x->at[k] = y.a.p[k] - row->radius_a * strand.n[k];
         x->direction[k] = strand.u[k];

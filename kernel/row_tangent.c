@@ -53,7 +53,7 @@ static void act(const pm_workspace *w, const pm_row *row, pm_line_of_action *x)
     for (int k = 0; k < 2; k++) x->at[k] = y.a.p[k] - row->radius_a * n[k];
     x->direction[0] = -n[1];
     x->direction[1] = n[0];
-    x->couple = 0;
+    x->couple[0] = x->couple[1] = 0;
 }
 
 static int steady(const pm_workspace *w, const pm_row *row, const pm_steady *x)

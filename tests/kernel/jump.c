@@ -73,8 +73,8 @@ static void momentum_balance(scene *s, const blow *x)
                     const double *pose = w->frame.pose + 5 * body, sign = p ? -size : size;
                     sum[3 * body] += sign * a.direction[0];
                     sum[3 * body + 1] += sign * a.direction[1];
-                    sum[3 * body + 2] += sign * (a.couple + (a.at[0] - pose[0]) * a.direction[1] -
-                                                 (a.at[1] - pose[1]) * a.direction[0]);
+                    sum[3 * body + 2] += size * a.couple[p] + sign * ((a.at[0] - pose[0]) * a.direction[1] -
+                                                                      (a.at[1] - pose[1]) * a.direction[0]);
                 }
             }
         }
