@@ -88,6 +88,12 @@ static void rate(const pm_workspace *w, const int32_t *e, pm_row *row)
     row->drive = e[PM_JOINT_PROGRAM_X];
 }
 
+static void ratio(const pm_workspace *w, const int32_t *e, pm_row *row)
+{
+    rate(w, e, row);
+    row->ratio = number(w, e);
+}
+
 static void drive(const pm_workspace *w, const int32_t *e, pm_row *row)
 {
     put(w, e, &row[0], PM_ROW_DRIVE_X, pm_mark_points);
@@ -121,6 +127,8 @@ static const pm_joint_ops kinds[PM_JOINT_KINDS] = {
     [PM_JOINT_RATE] = {BODY, BODY, .programs = 1, .rows = 1, .memories = 1, .rubs = PM_NONE, .compose = rate},
     [PM_JOINT_DRIVE] = {POINT, POINT, .programs = 2, .rows = 2, .memories = 2, .rubs = PM_NONE,
                         .compose = drive},
+    [PM_JOINT_RATIO] = {BODY, BODY, PM_NUMBER_ANY, .rows = 1, .memories = 1, .rubs = PM_NONE,
+                        .compose = ratio},
 };
 
 const pm_joint_ops *pm_joint_kind(int kind) { return &kinds[kind]; }

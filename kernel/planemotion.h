@@ -191,7 +191,10 @@ enum pm_joint_kind {
     PM_JOINT_DRIVE =
         10, /* a, b points: the velocity of a relative to b is program_x, program_y in the scene's axes.
                             2 rows */
-    PM_JOINT_KINDS = 11
+    PM_JOINT_RATIO =
+        11, /* a, b bodies: angle(a) - value angle(b) as at the start; the ground takes the couples'
+                            difference.  1 row */
+    PM_JOINT_KINDS = 12
 };
 /* side of two circles: 1 outside each other, -1 a inside b, -2 b inside a */
 enum pm_joint_column {

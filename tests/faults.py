@@ -303,6 +303,9 @@ FAULTS = [
         "end = fmin(end, INFINITY)",
     ),
     Fault("drive: no acceleration", "row_drive.c", "row->gamma += pm_drive_change(w, row->drive);", ""),
+    Fault("ratio: opposite couples", "row_drive.c", ".couple = {1, -row->ratio}}", ".couple = {1, -1}}"),
+    Fault("ratio: the ground takes nothing", "row.h", " && row->ratio == 1;", ";"),
+    Fault("ratio: the other way", "row_drive.c", "row->j[5] = -row->ratio;", "row->j[5] = row->ratio;"),
     Fault("drive: no work", "audit.c", "+ drive_power(w, w->frame.lambda)", ""),
     Fault(
         "drive: its way starts anew at every step",

@@ -238,3 +238,72 @@ cord = { cord = ["a.rim cw", "P"] }
 """)
     with pytest.raises(planemotion.SimulationError, match=r"couplings\.cord: no straight strand as drawn"):
         scene.run()
+
+
+GEAR_BOX = """
+until = "t = T"
+plane = "horizontal"
+parameters = { Ia = "0.3 kg*m^2", Ib = "0.7 kg*m^2", k = "5 N*m", r = 2.5, T = "0.8 s", w = "2 rad/s" }
+[bodies]
+A = { mass = "2 kg", inertia = "Ia", at = [0, 0] }
+B = { mass = "3 kg", inertia = "Ib", at = ["1 m", 0] }
+[joints]
+a = { pin = ["A.center", "ground"] }
+b = { pin = ["B.center", "ground"] }
+[couplings]
+box = { ratio = { "A.turned" = 1, "B.turned" = "r" } }
+[forces]
+bar = { torsion = ["A", "ground"], stiffness = "k" }
+[start]
+A.omega = "w"
+[ask]
+turned = "A.turned"
+omega = "A.omega"
+on_a = "box.couple"
+on_b = { of = "box.couple on B" }
+"""
+
+
+@pytest.mark.parametrize("route", ["path", "rk", "ida"])
+@pytest.mark.parametrize("r", [2.5, -0.4])
+def test_a_gear_box_on_a_torsion_bar_swings(route: str, r: float) -> None:
+    """B turns -1/r times as fast as A, which swings with the inertia Ia + Ib / r^2."""
+    scene = planemotion.load_text(GEAR_BOX).with_values({"solve.route": route, "r": r})
+    result = scene.run()
+    assert result.status == "ok", result.error
+    values = {key: answer.value for key, answer in result.asks.items()}
+    inertia = 0.3 + 0.7 / r**2
+    w, close = math.sqrt(5 / inertia), 1e-5 if route == "ida" else 1e-9
+    turned = 2 / w * math.sin(w * 0.8)
+    assert values["turned"] == pytest.approx(turned, rel=close)
+    assert values["omega"] == pytest.approx(2 * math.cos(w * 0.8), rel=close)
+    on_a = -0.7 / r**2 * (-5 * turned / inertia)  # what turns B is taken from A
+    assert values["on_a"] == pytest.approx(on_a, rel=close)
+    assert values["on_b"] == pytest.approx(r * on_a, rel=close)
+
+
+def test_a_gear_box_shares_a_blow_and_can_be_disengaged() -> None:
+    """An impulse of moment H on A, then free turning; removed, both keep what they have."""
+    text = GEAR_BOX.split("[forces]")[0].replace('T = "0.8 s", ', "").replace('until = "t = T"', "")
+    values = run(
+        'until = "t = 3 s"\n'
+        + text
+        + """
+[events]
+blow = { when = "t = 1 s", do = [{ impulse = "A", value = "4 N*m*s" }] }
+gap = { when = "t = 2 s", do = [{ remove = "box" }] }
+more = { when = "t = 2.5 s", do = [{ impulse = "A", value = "1 N*m*s" }] }
+[start]
+A.omega = 0
+[ask]
+a = { of = "A.omega", at = "gap" }
+b = { of = "B.omega", at = "gap" }
+a_end = "A.omega"
+b_end = "B.omega"
+"""
+    )
+    omega = 4 / (0.3 + 0.7 / 2.5**2)
+    assert values["a"] == pytest.approx(omega, rel=1e-12)
+    assert values["b"] == pytest.approx(-omega / 2.5, rel=1e-12)
+    assert values["a_end"] == pytest.approx(omega + 1 / 0.3, rel=1e-12)
+    assert values["b_end"] == pytest.approx(-omega / 2.5, rel=1e-12)

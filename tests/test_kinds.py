@@ -35,6 +35,7 @@ EXAMPLES = {
     "belt": 'e = { belt = ["a.rim", "b.rim"] }\n[bodies.b]\nat = ["0.7 m", 0]',
     "cord": 'e = { cord = ["ground.S", "a.rim cw", "P"], restitution = 0.5 }',
     "rate": 'e = { rate = ["a", "b"], value = "2 rad/s" }',
+    "ratio": 'e = { ratio = { "a.turned" = 1, b.turned = -2 } }',
     "spring": 'e = { spring = ["a.E", "ground.S"], stiffness = "20 N/m", only = "pull" }',
     "torsion": 'e = { torsion = ["a", "b"], stiffness = "3 N*m", free_angle = 1 }',
     "damper": 'e = { damper = ["a", "b"], rate = "0.1 N*m*s" }',

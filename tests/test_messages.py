@@ -66,7 +66,7 @@ FAULTS = [
     # couplings and drives
     (
         'couplings.c = { gear = ["disk.rim", "AB.A"] }',
-        "couplings.c: which kind of coupling? one of gears, belt, cord, rate is wanted "
+        "couplings.c: which kind of coupling? one of gears, belt, cord, rate, ratio is wanted "
         '("gear": did you mean "gears"?)',
     ),
     (
@@ -98,6 +98,34 @@ FAULTS = [
     (
         'couplings.c = { cord = ["AB.A", "P"], length = "1 m" }',
         'couplings.c.length = "1 m": it is -1.23607 m and must not be negative',
+    ),
+    (
+        'couplings.c = { ratio = { "disk.turned" = 1 } }',
+        'couplings.c.ratio: two bodies are wanted, such as { "A.turned" = 1, "B.turned" = 2 }',
+    ),
+    (
+        'couplings.c = { ratio = ["disk", "AB"] }',
+        "couplings.c.ratio: two bodies are wanted",
+    ),
+    (
+        'couplings.c = { ratio = { disk.turned = 1, AB.turned = "2 m" } }',
+        'couplings.c.ratio.AB.turned = "2 m": ',
+    ),
+    (
+        "couplings.c = { ratio = { disk.turned = 1, AB.turned = 0 } }",
+        "couplings.c.ratio.AB.turned = 0: a body that takes part has a number that is not 0",
+    ),
+    (
+        "couplings.c = { ratio = { disk.turned = 1, AB.x = 2 } }",
+        "couplings.c.ratio.AB.x: not built yet: relations of anything but BODY.turned",
+    ),
+    (
+        "couplings.c = { ratio = { disk.turned = 1, P.turned = 2 } }",
+        'couplings.c.ratio.P.turned = "P": a particle does not turn; a body with an inertia is wanted',
+    ),
+    (
+        "couplings.c = { ratio = { disk.turned = 1, ground.turned = 2 } }",
+        "couplings.c.ratio.ground.turned: the ground does not turn; a body is wanted",
     ),
     (
         'couplings.c = { rate = ["disk", "AB"] }',
@@ -540,7 +568,6 @@ FAULTS = [
 ]
 
 NOT_BUILT = [
-    ("couplings.c = { ratio = {} }", "couplings.c.ratio"),
     ('couplings.c = { cord = ["disk.rim cw", "P"], slips = ["disk.rim"] }', "couplings.c.slips"),
     ('contacts.c = { table = ["P"] }', "contacts.c.table"),
     ('forces.f = { couple = "AB", value = { over = "t", at = [0], values = [0] } }', "forces.f.value"),

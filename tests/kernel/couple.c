@@ -100,6 +100,7 @@ static void rows(int ground_side)
     scene_joint(s, PM_JOINT_BELT, circle[0], circle[1], 1);
     scene_joint(s, PM_JOINT_BELT, circle[0], circle[1], -1);
     scene_drive(s, PM_JOINT_RATE, body[0], body[1], program, PM_NONE);
+    scene_joint(s, PM_JOINT_RATIO, body[0], body[1], -2.5);
     scene_drive(s, PM_JOINT_DRIVE, 0, 1, program, SCENE_PROGRAM(s, scene_k(s, 0.6)));
     const int touch = scene_contact(s, PM_CONTACT_LINE, circle[0], line, 0, 0, PM_FRICTION_ROUGH, 0);
     s->cell[PM_TABLE_CONTACT][touch * PM_CONTACT_COLUMNS + PM_CONTACT_SPEED] = program;
@@ -290,6 +291,47 @@ static void motor(int route)
     scene_free(s);
 }
 
+/* ---- ratios ---- */
+/* A couple on one side of a gear box whose bodies are free to go: angle_a = r angle_b, l on a and -r l on b, so that
+ * b turns with M r / (Ia r^2 + Ib); the ground gives (1 - r) l. */
+static void gear_box(double r, int route)
+{
+    scene *s = scene_create();
+    const double ia = 0.3, ib = 0.7, couple = 2, t = 1.5, start = 0.4;
+    scene_set(s, PM_SETTING_GRAVITY_Y, 0);
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    const int a = scene_body(s, 2, ia, 0.3, 0.1, 0.7), b = scene_body(s, 3, ib, 1.1, -0.4, -0.2);
+    for (int k = 0; k < 2; k++) {
+        const int centre = scene_point(s, k ? b : a, 0, 0);
+        if (route == PM_ROUTE_PATH)
+            scene_joint(s, PM_JOINT_PIN, centre, scene_point(s, PM_GROUND, k ? 1.1 : 0.3, k ? -0.4 : 0.1), 0);
+        else
+            scene_start_velocity(s, centre, 0.2, k);
+    }
+    const int box = scene_joint(s, PM_JOINT_RATIO, a, b, r);
+    scene_couple(s, a, PM_GROUND, SCENE_PROGRAM(s, scene_k(s, couple)));
+    scene_start_omega(s, b, start);
+    scene_until_time(s, t);
+    const int turned_a = scene_ask_measure(s, scene_measure(s, PM_MEASURE_TURNED, a));
+    const int turned_b = scene_ask_measure(s, scene_measure(s, PM_MEASURE_TURNED, b));
+    const int on_a = scene_ask_measure(s, scene_measure(s, PM_MEASURE_JOINT_COUPLE, box));
+    const int there = scene_measure(s, PM_MEASURE_JOINT_COUPLE, box);
+    s->cell[PM_TABLE_MEASURE][there * PM_MEASURE_COLUMNS + PM_MEASURE_ON] = b;
+    const int on_b = scene_ask_measure(s, there);
+    EQUAL(scene_run(s, NULL), PM_OK);
+    const double alpha = couple * r / (ia * r * r + ib), close = route == PM_ROUTE_IDA ? 1e-6 : 1e-11;
+    const double turned = start * t + 0.5 * alpha * t * t;
+    NEAR(s->out[turned_b], turned, close);
+    NEAR(s->out[turned_a], r * turned, close * fabs(r));
+    NEAR(s->out[on_a], ia * r * alpha - couple, 100 * close);
+    NEAR(s->out[on_b], ib * alpha, 100 * close);
+    CHECK(s->audit[PM_AUDIT_MOMENTUM] < 1e-8);
+    CHECK(s->audit[PM_AUDIT_ENERGY] < 1e-8);
+    CHECK(s->audit[PM_AUDIT_CONSTRAINT] < 1e-11);
+    EQUAL(s->count[PM_COUNT_ROUTES], (int64_t)1 << route);
+    scene_free(s);
+}
+
 /* A pendulum on a cart that is driven with a constant acceleration swings about the apparent vertical as one of length l in
  * the apparent weight: energy in the cart's frame. */
 static void driven_cart(int route)
@@ -348,6 +390,11 @@ static void on_a_belt(double way_of_belt)
 
 int main(void)
 {
+    static const int all[] = {PM_ROUTE_UNIFORM, PM_ROUTE_PATH, PM_ROUTE_RK, PM_ROUTE_IDA};
+    for (int k = 0; k < 4; k++) {
+        gear_box(-2.5, all[k]);
+        gear_box(0.3, all[k]);
+    }
     static const double sides[] = {1, -1, -2};
     static const int routes[] = {PM_ROUTE_RK, PM_ROUTE_IDA};
     for (int ground_side = -1; ground_side < 2; ground_side++) rows(ground_side);

@@ -15,7 +15,6 @@ from .kinds import KINDS
 
 # Kinds of the language that are not built yet -> what they are.
 NOT_BUILT: Mapping[str, Mapping[str, str]] = {
-    "couplings": {"ratio": "linear relations"},
     "contacts": {"table": "spheres on a table"},
 }
 

@@ -20,6 +20,7 @@ from .gears import Gears
 from .link import Link
 from .pin import Pin
 from .rate import Rate
+from .ratio import Ratio
 from .rolling import Rolling
 from .slider import Slider
 from .slot import Slot
@@ -47,6 +48,7 @@ COUPLINGS: Mapping[str, type[Coupling]] = _table(
     Belt,
     Cord,
     Rate,
+    Ratio,
 )
 FORCES: Mapping[str, type[Force]] = _table(
     Spring,
