@@ -246,6 +246,14 @@ int pm_case_speed(pm_workspace *w, const double *v)
     return 1;
 }
 
+double pm_case_force(const pm_workspace *w)
+{
+    const double acceleration = hypot(w->gravity[0], w->gravity[1]) + w->speed * w->speed / w->size;
+    double sum = 0;
+    for (int i = 0; i < w->model->nbody; i++) sum += w->mass[i] * acceleration;
+    return sum;
+}
+
 double pm_case_time_scale(const pm_workspace *w, const double *v, const double *a)
 {
     double rate = 0;

@@ -13,6 +13,9 @@ double pm_case_max_time(const pm_workspace *w);
 /* Lets the speed scale follow v; 1 if it grew noticeably. */
 int pm_case_speed(pm_workspace *w, const double *v);
 
+/* Forces of the size of the scene's weight, or that turn its motion within its size, N. */
+double pm_case_force(const pm_workspace *w);
+
 /* The shortest time in which motion with velocities v and accelerations a changes its own kind, s: 1/omega,
  * sqrt(size/a), size/v; INFINITY at rest without forces. */
 double pm_case_time_scale(const pm_workspace *w, const double *v, const double *a);

@@ -30,6 +30,18 @@
 #define LEAVING \
     20 /* halvings of a step: a trigger has left its zero at the first place where it is seen off it */
 
+/* A route that finds roots itself knows on which side its functions are. */
+static void note_sides(pm_workspace *w)
+{
+    pm_event_set *e = w->event;
+    for (int i = 0; i < e->nfunction; i++) {
+        pm_event_function *f = &e->function[i];
+        if (f->owned) continue;
+        const double x = pm_event_of_sample(f, e->value[i]);
+        f->side = f->held ? 0 : (x > 0) - (x < 0);
+    }
+}
+
 double pm_crossing_node(const pm_workspace *w, int node)
 {
     const pm_nodes *nodes = w->nodes;
@@ -66,6 +78,7 @@ int pm_crossing_sample(pm_workspace *w, int with_functions)
         if (functions) sample_functions(w, e->value + k * e->nfunction);
         if (watched) pm_ask_sample(w, k);
     }
+    if (functions) note_sides(w);
     return PM_OK;
 }
 

@@ -11,6 +11,7 @@
 #include "contact.h"
 #include "error.h"
 #include "event.h"
+#include "route.h"
 
 #define NOTHING 1e-14    /* of its natural size: zero in both passes, that is by the scene's structure */
 #define ROUNDING 2.2e-16 /* least difference, of the natural size */
@@ -69,6 +70,7 @@ void pm_decision_rate(pm_workspace *w, int function, double rate)
     const pm_event_function *f = &w->event->function[function];
     take(w, &(pm_decision){.kind = PM_DECISION_RATE,
                            .what = function,
+                           .in_time = w->route->in_time,
                            .trigger = trigger_of(f),
                            .distance = rate,
                            .reach = INFINITY,
@@ -82,6 +84,24 @@ static double distance_of(pm_workspace *w, const pm_event_function *f)
     if (f->kind == FUNCTION_MEETING) return fmin(w->size, pm_contact_gap(w, &w->state, f->index, &member));
     const double x = pm_event_sample(w, f);
     return f->every ? fabs(x - round(x)) : x;
+}
+
+/* On the side where its direction leads: it cannot fire however close to zero it comes back.  Where a speed is zero, what
+ * watches it to fall does not fire as it rises. */
+static int is_beyond(const pm_event_function *f) { return f->side * f->direction > 0; }
+
+/* What touches takes part in a blow whether or not its own zero was found at this instant. */
+static int takes_part(pm_workspace *w, const pm_event_function *f)
+{
+    int member;
+    return f->kind == FUNCTION_GAP && pm_contact_touches(w, &w->state, f->index, &member);
+}
+
+static int did_not_fire(pm_workspace *w, int i)
+{
+    const pm_event_function *f = &w->event->function[i];
+    const int known = f->level <= w->frame.level;
+    return known && !w->event->hit[i] && !f->held && !is_beyond(f) && !takes_part(w, f);
 }
 
 void pm_decision_instant(pm_workspace *w)
@@ -98,7 +118,7 @@ void pm_decision_instant(pm_workspace *w)
                          .unit = f->natural};
         if (isfinite(f->near)) take(w, &x);
         f->near = INFINITY;
-        if (e->hit[i] || f->held || f->level > w->frame.level) continue;
+        if (!did_not_fire(w, i)) continue;
         x.kind = PM_DECISION_VALUE;
         x.distance = distance_of(w, f);
         if (f->kind == FUNCTION_MEETING) x.unit = w->size;
@@ -124,6 +144,7 @@ void pm_decision_close(pm_workspace *w)
 
 static double margin_of(const pm_decision *x, const pm_decision *y, const double *trigger_scale)
 {
+    if (x->kind == PM_DECISION_RATE && x->in_time != y->in_time) return INFINITY;
     const double unit = x->unit * (x->trigger == PM_NONE ? 1 : trigger_scale[x->trigger]);
     const double a = fabs(x->distance), b = fabs(y->distance), apart = fabs(x->distance - y->distance);
     if (!(fmax(x->reach, y->reach) > NOTHING * unit)) return INFINITY;

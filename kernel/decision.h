@@ -29,10 +29,11 @@ enum pm_decision_site {
 typedef struct pm_decision {
     int32_t instant, kind, what; /* what: which of its kind */
     int32_t trigger;             /* whose program the distance is in the unit of, or PM_NONE */
-    uint32_t history;            /* of all that was decided before */
-    double distance;             /* from the threshold */
-    double reach; /* how far it was nearby: nothing by the scene's structure if that is rounding */
-    double unit;  /* natural size of the distance; of triggers over the size of their program */
+    int32_t in_time;  /* rates are by time, else by the way along a path: these two cannot be compared */
+    uint32_t history; /* of all that was decided before */
+    double distance;  /* from the threshold */
+    double reach;     /* how far it was nearby: nothing by the scene's structure if that is rounding */
+    double unit;      /* natural size of the distance; of triggers over the size of their program */
 } pm_decision;
 
 typedef struct pm_decision_log {
@@ -47,7 +48,7 @@ typedef struct pm_decision_log {
 void pm_decision_begin(pm_decision_log *log);
 /* An instant begins; then whatever is decided at it; then what came of it is mixed into the history. */
 void pm_decision_instant(pm_workspace *w);
-/* How fast a function of the phase goes through its zero. */
+/* How fast, in the route's progress, a function of the phase goes through its zero. */
 void pm_decision_rate(pm_workspace *w, int function, double rate);
 /* The sign of x, of natural size `unit`, decides what contact slot (or contact) `what` does. */
 void pm_decision_sign(pm_workspace *w, int site, int what, double x, double unit);

@@ -112,14 +112,6 @@ static void add_triggers(pm_workspace *w)
     }
 }
 
-static double force_scale(const pm_workspace *w)
-{
-    double sum = 0;
-    for (int i = 0; i < w->model->nbody; i++)
-        sum += w->mass[i] * (hypot(w->gravity[0], w->gravity[1]) + w->speed * w->speed / w->size);
-    return sum;
-}
-
 static void add_gap(pm_workspace *w, int contact)
 {
     add(w, FUNCTION_GAP, contact, -1, PM_LEVEL_KINEMATIC, pm_contact_length(w), w->size);
@@ -130,7 +122,7 @@ static void add_gap(pm_workspace *w, int contact)
 static void add_contacts(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    const double size = force_scale(w), force = FORCE_SLACK * size;
+    const double size = pm_case_force(w), force = FORCE_SLACK * size;
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++)
         if (pm_is_absent(m, &w->state, PM_TABLE_CONTACT, i))
             continue;
@@ -153,7 +145,7 @@ static void add_contacts(pm_workspace *w)
 
 static void add_grips(pm_workspace *w)
 {
-    const double size = force_scale(w), force = FORCE_SLACK * size;
+    const double size = pm_case_force(w), force = FORCE_SLACK * size;
     for (int i = 0; i < w->model->ngrip; i++) {
         if (w->state.grip[i] == PM_STICK)
             add(w, FUNCTION_HOLD, i, -1, PM_LEVEL_DYNAMIC, force, size);

@@ -31,6 +31,7 @@ typedef struct pm_event_function {
     int owned;         /* the route itself finds its roots: not sampled */
     int held;          /* zero when the phase began, or just fired: must first be left */
     int every;         /* the samples are places along multiples: see pm_event_sample */
+    int side;          /* 1, -1: its sign when the step began; 0: not known, or it was on zero */
     int below;         /* of a gap: the mark was below its edge when the phase began */
     double since;      /* x from which it is held */
     double slack;      /* a held function counts as crossed only below -slack */

@@ -369,6 +369,7 @@ int pm_ida_root_step(pm_workspace *w, int found, double *t)
     double first = INFINITY;
     int any = 0, status = PM_OK;
     if (n == 0) return PM_OK;
+    for (int i = 0; i < n; i++) w->event->function[i].side = x->side[i];
     for (int i = 0; i < n; i++) any |= x->suspect[i] = found || suspect(x, i, step);
     if (any) status = unseen(w, end, &first);
     if (!status && found && first >= end - SAME_TIME * step) {

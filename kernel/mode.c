@@ -9,6 +9,7 @@
 #include "active.h"
 #include "body.h"
 #include "capture.h"
+#include "case.h"
 #include "contact.h"
 #include "decision.h"
 #include "event.h"
@@ -121,13 +122,14 @@ int pm_mode_released(const pm_workspace *w, int contact, int member)
     return 0;
 }
 
+/* Never below the natural one: where nothing presses, reactions are rounding. */
 static double force_size(const pm_workspace *w)
 {
     double sum = 0;
     for (int i = 0; i < w->model->nq; i++)
         if (i % 3 != 2) sum += fabs(w->frame.f[i]);
     for (int i = 0; i < w->nactive; i++) sum = fmax(sum, fabs(w->frame.lambda[i]));
-    return sum;
+    return fmax(sum, pm_case_force(w));
 }
 
 /* The worst pulling contact is let go; 1 if there was one. */

@@ -353,6 +353,30 @@ FAULTS = [
     Fault("error: what was not kept is not repeated", "error.c", "trust[PM_TRUST_EXCESS] <= 1;", "1;"),
     Fault("margin: near misses", "crossing.c", "if (least > 0 && least < f->near &&", "if (0 &&"),
     Fault(
+        "margin: what rises has nearly not fallen",
+        "decision.c",
+        "return f->side * f->direction > 0;",
+        "return 0 * f->side;",
+    ),
+    Fault(
+        "margin: rates by time and by the path are one",
+        "decision.c",
+        "x->in_time != y->in_time",
+        "x->in_time > 2",
+    ),
+    Fault(
+        "margin: what touches has nearly not struck",
+        "decision.c",
+        "return f->kind == FUNCTION_GAP && pm",
+        "return 0 && pm",
+    ),
+    Fault(
+        "modes: forces that are rounding pull",
+        "mode.c",
+        "return fmax(sum, pm_case_force(w));",
+        "return sum;",
+    ),
+    Fault(
         "margin: other counts in the companion",
         "error.c",
         "e->main->outcome == e->other->outcome ? margin",

@@ -1,0 +1,120 @@
+/* Decisions that no error can turn: what is counted against the margin, and what is not. */
+#include <math.h>
+
+#include "check.h"
+#include "scene.h"
+
+#define G 9.81
+#define PI 3.14159265358979323846
+
+static scene *estimating(int route)
+{
+    scene *s = scene_create();
+    scene_set(s, PM_SETTING_ACCURACY, 1e-10);
+    *scene_setting(s, PM_SETTING_ESTIMATE) = 1;
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    return s;
+}
+
+/* A rod on a pin at one end, which is at (x, 0). */
+static int hang(scene *s, double length, double x, double angle)
+{
+    const int rod = scene_body(s, 3, 3 * length * length / 12, x + 0.5 * length * cos(angle),
+                               0.5 * length * sin(angle), angle);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, rod, -length / 2, 0), scene_point(s, PM_GROUND, x, 0), 0);
+    return rod;
+}
+
+/* Where a rod turns back its speed is zero: an event that watches the speed to fall has not nearly fired as it rises. */
+static void turning_back(int route)
+{
+    for (int i = 0; i < 20; i++) {
+        const double length = check_random(0.3, 3), angle = check_random(-1, 0.7);
+        scene *s = estimating(route);
+        const int omega = scene_measure(s, PM_MEASURE_OMEGA, hang(s, length, 0, angle)),
+                  place = scene_read(s, scene_measure(s, PM_MEASURE_TURNED, 0)),
+                  out = scene_ask_end(s, place);
+        scene_ask_event(s, place, scene_when(s, PM_TRIGGER_RISE, scene_read(s, omega)), 1, 0);
+        scene_until(s, scene_when(s, PM_TRIGGER_FALL, scene_read(s, omega)), 1);
+        EQUAL(scene_run(s, NULL), PM_OK);
+        NEAR(s->out[out], 0, 1e-8);
+        NEAR(s->out[out + 1], -PI - 2 * angle, 1e-8);
+        CHECK(s->trust[PM_TRUST_MARGIN] > 100);
+        scene_free(s);
+    }
+}
+
+/* A rod tips over from upright and passes an angle, which one pass may meet on its first step along the path and the
+ * other after it, in time: omega^2 = 3 g (1 - cos turned) / L. */
+static void on_the_first_step(int route)
+{
+    for (int i = 0; i < 40; i++) {
+        const double length = check_random(0.3, 3), there = 0.05 * (i + 1);
+        scene *s = estimating(route);
+        const int rod = hang(s, length, 0, 0.5 * PI), omega = scene_measure(s, PM_MEASURE_OMEGA, rod);
+        *scene_setting(s, PM_SETTING_NUDGE) = scene_read(s, omega);
+        const int turned = scene_measure(s, PM_MEASURE_TURNED, rod);
+        scene_until(s, scene_when(s, PM_TRIGGER_RISE, scene_minus(s, turned, there)), 1);
+        const int out = scene_ask_measure(s, omega);
+        EQUAL(scene_run(s, NULL), PM_OK);
+        NEAR(s->out[out], sqrt(3 * G * (1 - cos(there)) / length), 1e-9);
+        CHECK(s->trust[PM_TRUST_MARGIN] > 100);
+        scene_free(s);
+    }
+}
+
+/* A wheel on a pin through its centre is stopped by a bar: nothing presses on it afterwards but rounding. */
+static void nothing_presses(int route)
+{
+    for (int i = 0; i < 20; i++) {
+        const double radius = check_random(0.1, 2), angle = check_random(0.5, 2.5);
+        scene *s = estimating(route);
+        scene_set(s, PM_SETTING_GRAVITY_Y, 0);
+        const int wheel = scene_body(s, 2, radius * radius, 0, 0, angle);
+        scene_joint(s, PM_JOINT_PIN, scene_point(s, wheel, 0, 0), scene_point(s, PM_GROUND, 0, 0), 0);
+        scene_start_omega(s, wheel, check_random(-5, -1));
+        const int bar =
+            scene_contact(s, PM_CONTACT_LINE, scene_circle(s, scene_point(s, wheel, radius, 0), 0),
+                          scene_floor(s, 0), 0, 0, PM_FRICTION_SMOOTH, 0);
+        scene_until(s, scene_on(s, PM_TRIGGER_STRIKE, bar), 1);
+        const int out = scene_ask_measure(s, scene_measure(s, PM_MEASURE_OMEGA, wheel));
+        EQUAL(scene_run(s, NULL), PM_OK);
+        NEAR(s->out[out], 0, 1e-12);
+        CHECK(s->trust[PM_TRUST_MARGIN] > 100);
+        scene_free(s);
+    }
+}
+
+/* Two equal rods fall to both sides and strike the floor at one instant, whichever of the two zeros is found. */
+static void both_at_once(int route)
+{
+    for (int i = 0; i < 20; i++) {
+        const double length = check_random(0.3, 3), up = check_random(0.3, 1.4),
+                     apart = check_random(0.01, 1);
+        scene *s = estimating(route);
+        for (int side = 0; side < 2; side++) {
+            const int rod = hang(s, length, side ? apart : -apart, side ? up : PI - up);
+            scene_contact(s, PM_CONTACT_LINE, scene_circle(s, scene_point(s, rod, length / 2, 0), 0),
+                          scene_floor(s, 0), 0, 0, PM_FRICTION_SMOOTH, 0);
+        }
+        scene_until(s, scene_on(s, PM_TRIGGER_REST, PM_NONE), 1);
+        const int out = scene_ask_measure(s, scene_time(s));
+        EQUAL(scene_run(s, NULL), PM_OK);
+        CHECK(s->out[out] > 0);
+        EQUAL(s->count[PM_COUNT_JUMPS], 1);
+        CHECK(s->trust[PM_TRUST_MARGIN] > 100);
+        scene_free(s);
+    }
+}
+
+int main(void)
+{
+    static const int routes[] = {PM_ROUTE_RK, PM_ROUTE_IDA};
+    for (int i = 0; i < 2; i++) {
+        turning_back(routes[i]);
+        on_the_first_step(routes[i]);
+        nothing_presses(routes[i]);
+        both_at_once(routes[i]);
+    }
+    return check_failures();
+}
