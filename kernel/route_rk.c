@@ -14,14 +14,16 @@
 #include "body.h"
 #include "case.h"
 #include "dop853.h"
+#include "energy.h"
 #include "error.h"
 #include "event.h"
 #include "route.h"
 #include "saddle.h"
 #include "tree.h"
 
-#define MARGIN 0.1     /* of the accuracy asked: errors of steps add up, and grow with the motion */
-#define TIGHTEST 5e-15 /* below it the error estimate is rounding */
+#define MARGIN 0.1       /* of the accuracy asked: errors of steps add up, and grow with the motion */
+#define LEVEL_MARGIN 0.3 /* where energy holds a single freedom on its path: only delays add up */
+#define TIGHTEST 5e-15   /* below it the error estimate is rounding */
 #define SAFETY 0.7
 #define SHRINK 0.2
 #define GROW 4.0
@@ -46,6 +48,7 @@ struct pm_rk {
     double t0, h;   /* the last step as integrated */
     double next;    /* step to try next, 0: none known */
     int dense_ready, k0_ready;
+    pm_energy_level level; /* of the energy, where it is kept */
     void *block;
 };
 
@@ -75,40 +78,50 @@ static void destroy(pm_workspace *w)
     w->rk = NULL;
 }
 
-/* y' at the frame, which looks at y. */
-static int derivative_here(pm_workspace *w, const double *y, int with_ledger, double *k)
+/* The rest of y' once its accelerations are there; the ledger's part needs the frame to look at y. */
+static void complete(pm_workspace *w, const double *y, int with_ledger, double *k)
 {
     const struct pm_rk *r = w->rk;
-    const int status = pm_tree_accelerate(w, k + r->n);
-    if (status) return status;
     for (int i = 0; i < r->n; i++) k[i] = y[r->n + i];
     if (with_ledger) {
-        pm_tree_react(w);
+        pm_tree_tell(w, k + r->n);
         pm_audit_rates(w, k + 2 * r->n);
     } else if (r->controlled > 2 * r->n) {
         pm_audit_controlled_rates(w, k + 2 * r->n);
     }
-    return PM_OK;
+}
+
+/* y' at the frame, which looks at y. */
+static int derivative_here(pm_workspace *w, const double *y, int with_ledger, double *k)
+{
+    const int status = pm_tree_accelerate(w, k + w->rk->n);
+    if (!status) complete(w, y, with_ledger, k);
+    return status;
 }
 
 /* y' at (t, y). */
 static int derivative(pm_workspace *w, double t, double *y, int with_ledger, double *k)
 {
     const int n = w->rk->n;
+    int status = PM_OK;
     if (w->tree->few) {
-        const int status = pm_tree_settle(w, t, y, y + n, y + 2 * n);
-        if (status) return status;
+        status = pm_tree_settle(w, t, y, y + n, y + 2 * n);
+    } else if (!with_ledger && w->rk->controlled == 2 * n) {
+        status = pm_tree_accelerate_at(w, t, y, y + n, y + 2 * n, k + n);
+        if (!status) complete(w, y, 0, k);
+        return status;
     } else {
         pm_tree_look(w, t, y, y + n, y + 2 * n);
     }
-    return derivative_here(w, y, with_ledger, k);
+    return status ? status : derivative_here(w, y, with_ledger, k);
 }
 
 static void set_scale(pm_workspace *w)
 {
     const pm_model *m = w->model;
     struct pm_rk *r = w->rk;
-    const double tolerance = fmax(MARGIN * w->tolerance, TIGHTEST);
+    const int on_level = r->level.kept && w->tree->n - w->tree->nloop == 1;
+    const double tolerance = fmax((on_level ? LEVEL_MARGIN : MARGIN) * w->tolerance, TIGHTEST);
     for (int i = 0; i < r->n; i++) {
         const int angle = pm_tree_is_angle(w, i);
         r->scale[i] = 1 / (tolerance * (angle ? 1 : w->size));
@@ -184,11 +197,13 @@ static int begin(pm_workspace *w)
     r->controlled = 2 * r->n + w->model->nz_controlled;
     pm_tree_read(w, r->now);
     pm_tree_read_rates(w, w->state.v, r->now + r->n);
+    pm_tree_sum_up(w);
     w->tree->independence = 1;
     choose_coordinates(w);
     memcpy(r->now + 2 * r->n, w->state.z, (size_t)w->model->nz * sizeof(double));
     r->k0_ready = r->dense_ready = 0;
     if (w->count[PM_COUNT_STEPS] == 0) r->next = 0; /* a new case owes nothing to the last one */
+    pm_energy_begin(w, &r->level);
     set_scale(w);
     return PM_OK;
 }
@@ -208,12 +223,24 @@ static void tell(const pm_workspace *w, double t, const double *y, pm_state *s)
     s->t = t;
 }
 
-/* y back on the rows, and the state there. */
-static int settle(pm_workspace *w, double t, double *y, pm_state *s)
+/* Rates, where the frame looks, to the energy of the phase; the energy that they gain. */
+static double restore_energy(pm_workspace *w, double *rates)
+{
+    double gained;
+    const double factor = pm_energy_factor(w, &w->rk->level, &gained);
+    for (int i = 0; i < w->rk->n && factor != 1; i++) rates[i] *= factor;
+    for (int i = 0; i < w->model->nq && factor != 1; i++) w->frame.velocity[i] = w->tree->v[i] *= factor;
+    return gained;
+}
+
+/* y back on the rows and on the energy level, and the state there. */
+static int settle(pm_workspace *w, double t, double *y, pm_state *s, double *gained)
 {
     const int n = w->rk->n, status = pm_tree_project(w, t, y, y + n, y + 2 * n);
-    if (!status) tell(w, t, y, s);
-    return status;
+    if (status) return status;
+    *gained = restore_energy(w, y + n);
+    tell(w, t, y, s);
+    return PM_OK;
 }
 
 static int accept(pm_workspace *w, double t)
@@ -221,7 +248,9 @@ static int accept(pm_workspace *w, double t)
     struct pm_rk *r = w->rk;
     memcpy(r->now, r->y, (size_t)r->all * sizeof(double));
     choose_coordinates(w);
-    int status = settle(w, t, r->now, &w->state);
+    double gained;
+    int status = settle(w, t, r->now, &w->state, &gained);
+    if (!status) pm_energy_note(w, &r->level, gained);
     if (!status) status = derivative_here(w, r->now, 1, r->k + STAGES * r->all);
     if (status) return status;
     r->own = pm_case_time_scale(w, w->state.v, w->frame.a);
@@ -335,7 +364,7 @@ static int accelerate_watched(pm_workspace *w)
     const double independence = t->independence;
     if (t->few) return pm_saddle_accelerate(w);
     const int status = pm_tree_accelerate(w, w->rk->side);
-    if (!status) pm_tree_react(w);
+    if (!status) pm_tree_tell(w, w->rk->side);
     t->independence = independence;
     return status;
 }
@@ -372,6 +401,7 @@ static int exact(pm_workspace *w, double t, pm_state *s)
 {
     struct pm_rk *r = w->rk;
     const size_t bytes = (size_t)r->all * sizeof(double);
+    double gained;
     int status = PM_OK;
     if (s != &w->state) pm_state_copy(s, &w->state);
     if (t == r->t0) {
@@ -380,7 +410,7 @@ static int exact(pm_workspace *w, double t, pm_state *s)
         memcpy(r->side, r->k, bytes);
         status = pm_error_in_halves(w) ? in_halves(w, t) : stages(w, t - r->t0, r->side, r->y);
     }
-    return status ? status : settle(w, t, r->y, s);
+    return status ? status : settle(w, t, r->y, s, &gained);
 }
 
 const pm_route_ops pm_route_rk = {

@@ -8,6 +8,7 @@
 #include "body.h"
 #include "row.h"
 #include "tree_node.h"
+#include "tree_turning.h"
 
 int pm_tree_create(pm_workspace *w)
 {
@@ -16,9 +17,10 @@ int pm_tree_create(pm_workspace *w)
     pm_tree *t = w->tree = calloc(1, sizeof *t);
     if (!t) return PM_NO_MEMORY;
     const size_t most = nbody * nq; /* coordinates that move a body, over all bodies */
-    const size_t doubles =
-        nq * nq + 3 * most + 3 * nrow * nq + nrow * nrow + (6 + PM_TREE_FEW) * nq + 2 * nrow;
-    const size_t ints = 9 * nrow + 6 * nq + 3 * nbody + most;
+    const size_t summed = nq < PM_TREE_SUMMED ? nq : PM_TREE_SUMMED;
+    const size_t own = nq * nq + 3 * most + 3 * nrow * nq + nrow * nrow + (6 + PM_TREE_FEW) * nq + 2 * nrow;
+    const size_t doubles = own + pm_turning_doubles(summed, most),
+                 ints = 9 * nrow + 7 * nq + 3 * nbody + most;
     double *p = t->block = calloc(doubles * sizeof *p + ints * sizeof(int) + nrow + 1, 1);
     t->node = calloc(nbody + 1, sizeof *t->node);
     if (!p || !t->node) return PM_NO_MEMORY;
@@ -36,6 +38,7 @@ int pm_tree_create(pm_workspace *w)
     t->rate = t->v + nq;
     t->motion = t->rate + nq;
     t->loops = t->motion + PM_TREE_FEW * nq;
+    pm_turning_create(&t->turning, summed, most, p + own);
     t->loop = (int *)(void *)(p + doubles);
     t->kind = t->loop + nrow;
     t->pivot = t->kind + nq;
@@ -52,7 +55,8 @@ int pm_tree_create(pm_workspace *w)
     t->right = t->bottom + nrow;
     t->best = t->right + nrow;
     t->filled = t->best + nrow;
-    t->weight = t->filled + nq;
+    t->turning.owner = t->filled + nq;
+    t->weight = t->turning.owner + nq;
     t->top = t->weight + nbody;
     t->used = (unsigned char *)(t->top + nbody);
     return PM_OK;
@@ -306,7 +310,7 @@ void pm_tree_build(pm_workspace *w)
 {
     pm_tree *t = w->tree;
     int nplaced = 0;
-    t->n = t->nloop = t->few = 0;
+    t->n = t->nloop = t->few = t->turning.on = 0;
     memset(t->used, 0, (size_t)w->model->nrow);
     memset(t->placed, 0, (size_t)w->model->nbody * sizeof *t->placed);
     while (nplaced < w->model->nbody) place_next(w, &nplaced);

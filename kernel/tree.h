@@ -9,7 +9,23 @@
 
 typedef struct pm_tree_node pm_tree_node;
 
+#define PM_TREE_SUMMED \
+    64 /* coordinates up to which the sums of tree_turning.c are kept: their square in memory */
 #define PM_TREE_FEW 3 /* freedoms up to which coordinates are partitioned: work grows with their square */
+
+/* What stays the same in the equations of a phase, and the directions and rates of a solve: see tree_turning.c. */
+typedef struct pm_turning {
+    int on, most;
+    int forced;                   /* there are other forces than weights */
+    int shifts;                   /* some e_k is not zero */
+    int *owner;                   /* [n] the body whose direction it is, or PM_NONE: it turns nothing */
+    double *same, *cross, *level; /* [n][n] C, S, T of coordinates i >= k that move one body */
+    double *lower, *upper;        /* [n][n][2] P, Q */
+    double *fixed;                /* [n][2] e_k */
+    double *weight;               /* [n][2] of e_k alone */
+    double *arm;                  /* [2] for each entry of moved_by: d_bk */
+    double *direction, *square;   /* [n][2] cosine and sine; [n] ydot^2 */
+} pm_turning;
 
 typedef struct pm_tree {
     int n;               /* coordinates */
@@ -42,6 +58,7 @@ typedef struct pm_tree {
     double *motion;             /* [few][nq] velocities at a unit rate of each independent coordinate */
     double
         independence; /* least square of the part of a loop row that those before it leave, while they are not */
+    pm_turning turning;
     double steepest; /* there: rate of a dependent coordinate, lengths by the scene's size */
     void *block;
 } pm_tree;
@@ -71,9 +88,17 @@ void pm_tree_basis(pm_workspace *w, double *basis);
 /* The loop rows' Jacobian on the coordinates, [nloop][n]; the rows are evaluated. */
 void pm_tree_loops(pm_workspace *w, double *jacobian);
 
-/* After pm_tree_look: accelerations yddot[n] of the coordinates and, in the frame, of the bodies. */
+/* Once a phase, where the frame looks and pm_tree_read has been: sums for faster solves, where the tree allows. */
+void pm_tree_sum_up(pm_workspace *w);
+/* After pm_tree_look: accelerations yddot[n] of the coordinates. */
 int pm_tree_accelerate(pm_workspace *w, double *yddot);
-/* After it: reactions of all active rows, in the frame, which is DYNAMIC then (the rows are not evaluated). */
+/* The same at (t, y, ydot), which the frame need not look at. */
+int pm_tree_accelerate_at(pm_workspace *w, double time, const double *y, const double *ydot, const double *z,
+                          double *yddot);
+/* After pm_tree_look and pm_tree_accelerate: forces, accelerations of the bodies and reactions in the frame, which is
+ * DYNAMIC then (the rows are not evaluated). */
+void pm_tree_tell(pm_workspace *w, const double *yddot);
+/* Reactions alone, with forces and accelerations in the frame. */
 void pm_tree_react(pm_workspace *w);
 
 /* One freedom, n = nloop + 1: coordinate `held` is the independent one. */

@@ -15,13 +15,14 @@
 #include "saddle.h"
 #include "tree.h"
 #include "tree_node.h"
+#include "tree_turning.h"
 
 #define SWEEPS 8
 #define ROUNDING 4e-15 /* residual relative to the size of the scene below which nothing is left to gain */
 #define SMALL 1e-8     /* of the size: a correction of positions this small leaves the factors as they are */
 
-/* The lower triangle of B^T M B, with stand-ins for what has no mass, factored; pm_tree_influence has been called. */
-static int factor_mass(pm_workspace *w)
+/* The lower triangle of B^T M B, with stand-ins for what has no mass; pm_tree_influence has been called. */
+static void fill_mass(pm_workspace *w)
 {
     pm_tree *t = w->tree;
     const int n = t->n;
@@ -40,9 +41,15 @@ static int factor_mass(pm_workspace *w)
                 to[by[l]] += p[0] * b[3 * l] + p[1] * b[3 * l + 1] + p[2] * b[3 * l + 2];
         }
     }
+}
+
+static int factor_mass(pm_workspace *w)
+{
+    pm_tree *t = w->tree;
     w->count[PM_COUNT_SOLVES]++;
-    return pm_skyline_factor(n, t->first_coupled, t->mass) ? pm_fail(w, PM_SINGULAR, PM_TABLE_BODY, 0, 0, 0)
-                                                           : PM_OK;
+    return pm_skyline_factor(t->n, t->first_coupled, t->mass)
+               ? pm_fail(w, PM_SINGULAR, PM_TABLE_BODY, 0, 0, 0)
+               : PM_OK;
 }
 
 static int singular_loop(pm_workspace *w, int loop)
@@ -108,22 +115,45 @@ static void evaluate_loops(pm_workspace *w)
     }
 }
 
-/* L^-1 B^T (f - M c) in x; the frame has the forces. */
-static void reduce_forces(const pm_workspace *w, double *x)
+/* x += B^T (f - M c); the frame has the forces.  Without `inertial` the part of c is in x already. */
+static void add_forces(const pm_workspace *w, int inertial, double *x)
 {
     const pm_tree *t = w->tree;
-    memset(x, 0, (size_t)t->n * sizeof *x);
     for (int i = 0; i < w->model->nbody; i++) {
         const pm_tree_node *node = &t->node[i];
-        const double m = w->mass[node->body], inertia = pm_body_inertia(w, node->body);
         const double *f = w->frame.f + 3 * node->body, *c = t->bias + 3 * node->body;
-        const double p[3] = {f[0] - m * c[0], f[1] - m * c[1], f[2] - inertia * c[2]};
+        double p[3] = {f[0], f[1], f[2]};
+        if (inertial) {
+            const double m = w->mass[node->body];
+            p[0] -= m * c[0];
+            p[1] -= m * c[1];
+            p[2] -= pm_body_inertia(w, node->body) * c[2];
+        }
         for (int k = node->list; k < node->list + node->nlist; k++) {
             const double *b = t->influence + 3 * k;
             x[t->moved_by[k]] += b[0] * p[0] + b[1] * p[1] + b[2] * p[2];
         }
     }
-    pm_skyline_lower(t->n, t->first_coupled, t->mass, x);
+}
+
+/* The mass matrix, and B^T (f - M c) in x: body by body, or by the sums of the phase, whose directions are known. */
+static void assemble(pm_workspace *w, double *x)
+{
+    pm_tree *t = w->tree;
+    if (t->turning.on) {
+        pm_turning_equations(w, x);
+        if (t->nloop > 0 || t->turning.forced) pm_turning_influence(w);
+        if (!t->turning.forced) return;
+        pm_force_all(w);
+        add_forces(w, 0, x);
+        return;
+    }
+    pm_force_all(w);
+    memset(x, 0, (size_t)t->n * sizeof *x);
+    pm_tree_spread_accelerations(w, x, t->bias);
+    pm_tree_influence(w);
+    fill_mass(w);
+    add_forces(w, 1, x);
 }
 
 /* Where a contact or a joint slides its friction depends on reactions: the whole system. */
@@ -134,32 +164,53 @@ static int accelerate_all(pm_workspace *w, double *yddot)
     return status;
 }
 
-int pm_tree_accelerate(pm_workspace *w, double *yddot)
+/* The rates of the loop rows in the right-hand side L^-1 x: x, and the reactions of the loops. */
+static int close_loops(pm_workspace *w, double *x)
 {
     pm_tree *t = w->tree;
-    if (w->asymmetric || w->massless || pm_grip_by_load(w)) return accelerate_all(w, yddot);
-    if (t->few) return pm_tree_accelerate_few(w, yddot);
-    pm_force_all(w);
-    memset(yddot, 0, (size_t)t->n * sizeof *yddot);
-    pm_tree_spread_accelerations(w, yddot, t->bias);
-    pm_tree_influence(w);
+    evaluate_loops(w);
+    const int status = factor_loops(w);
+    if (status) return status;
+    for (int i = 0; i < t->nloop; i++) {
+        const pm_row *row = &w->row[t->loop[i]];
+        t->residual[i] = row->gamma - pm_saddle_times(w, row, t->bias);
+        for (int k = t->from[i]; k < t->to[i]; k++) t->residual[i] -= t->reduced[i * t->n + k] * x[k];
+    }
+    add_loops(t, x);
+    for (int i = 0; i < t->nloop; i++) w->frame.lambda[t->loop[i]] = t->residual[i];
+    return PM_OK;
+}
+
+static int solve(pm_workspace *w, double *yddot)
+{
+    pm_tree *t = w->tree;
+    assemble(w, yddot);
     int status = factor_mass(w);
     if (status) return status;
-    reduce_forces(w, yddot);
-    if (t->nloop > 0) {
-        evaluate_loops(w);
-        if ((status = factor_loops(w))) return status;
-        for (int i = 0; i < t->nloop; i++) {
-            const pm_row *row = &w->row[t->loop[i]];
-            t->residual[i] = row->gamma - pm_saddle_times(w, row, t->bias);
-            for (int k = t->from[i]; k < t->to[i]; k++) t->residual[i] -= t->reduced[i * t->n + k] * yddot[k];
-        }
-        add_loops(t, yddot);
-        for (int i = 0; i < t->nloop; i++) w->frame.lambda[t->loop[i]] = t->residual[i];
-    }
+    pm_skyline_lower(t->n, t->first_coupled, t->mass, yddot);
+    if (t->nloop > 0 && (status = close_loops(w, yddot))) return status;
     pm_skyline_upper(t->n, t->first_coupled, t->mass, yddot);
-    pm_tree_spread_accelerations(w, yddot, w->frame.a);
     return PM_OK;
+}
+
+int pm_tree_accelerate(pm_workspace *w, double *yddot)
+{
+    if (w->asymmetric || w->massless || pm_grip_by_load(w)) return accelerate_all(w, yddot);
+    if (w->tree->few) return pm_tree_accelerate_few(w, yddot);
+    if (w->tree->turning.on) pm_turning_read(w);
+    return solve(w, yddot);
+}
+
+int pm_tree_accelerate_at(pm_workspace *w, double time, const double *y, const double *ydot, const double *z,
+                          double *yddot)
+{
+    const pm_tree *t = w->tree;
+    if (t->turning.on && !t->turning.forced && t->nloop == 0) {
+        pm_turning_set(w, y, ydot);
+        return solve(w, yddot);
+    }
+    pm_tree_look(w, time, y, ydot, z);
+    return pm_tree_accelerate(w, yddot);
 }
 
 /* Reactions of the rows of a node: force and couple about its mass centre that its parent gives. */
@@ -232,6 +283,15 @@ void pm_tree_react(pm_workspace *w)
     f->level = PM_LEVEL_DYNAMIC;
 }
 
+void pm_tree_tell(pm_workspace *w, const double *yddot)
+{
+    const pm_tree *t = w->tree;
+    if (w->frame.level == PM_LEVEL_DYNAMIC) return;
+    if (t->turning.on && !t->turning.forced) pm_force_all(w);
+    if (!t->few) pm_tree_spread_accelerations(w, yddot, w->frame.a);
+    pm_tree_react(w);
+}
+
 /* ---- back onto the loop rows ---- */
 static double worst_of(const double *residual, int n)
 {
@@ -242,7 +302,14 @@ static double worst_of(const double *residual, int n)
 
 static int factor(pm_workspace *w)
 {
-    pm_tree_influence(w);
+    if (w->tree->turning.on) {
+        pm_turning_read(w);
+        pm_turning_equations(w, w->tree->rate);
+        pm_turning_influence(w);
+    } else {
+        pm_tree_influence(w);
+        fill_mass(w);
+    }
     const int status = factor_mass(w);
     return status ? status : factor_loops(w);
 }

@@ -14,6 +14,7 @@ struct pm_tree_node {
     int first, ncoordinate;       /* its own coordinates */
     int list, nlist;              /* those that move it, in tree->moved_by */
     int turns;                    /* its body does */
+    int needed;                   /* at a solve: tree_turning.c */
     int row[PM_JOINT_ROWS], nrow; /* the active rows that it solves */
     double child[2];              /* mark on the body */
     double mark[2];               /* mark on the parent */

@@ -995,6 +995,15 @@ FAULTS = [
     ),
     Fault("rk: a sign of the dense output", "route_rk.c", "2 * change - (f0 + f1)", "2 * change - (f0 - f1)"),
     Fault("rk: no control of the error", "route_rk.c", "return sum5 == 0 ? 0 :", "return sum5 >= 0 ? 0 :"),
+    Fault(
+        "rk: energy is taken instead of returned",
+        "energy.c",
+        "1 + missing / kinetic",
+        "1 - missing / kinetic",
+    ),
+    Fault("rk: a damped motion keeps its energy", "energy.c", "only_potentials(w) && drives", "drives"),
+    Fault("rk: summed weights", "tree_turning.c", "w->gravity[1] * p[0] -", "w->gravity[1] * p[0] +"),
+    Fault("rk: summed centrifugal forces", "tree_turning.c", "x[k] -= a->square", "x[k] += a->square"),
     # answers, audit, batch, start
     Fault(
         "ask: maxima for minima", "ask.c", "greatest ? fa > 0 && fb < 0 :", "greatest ? fa < 0 && fb > 0 :"

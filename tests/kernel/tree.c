@@ -227,7 +227,7 @@ static void dynamics(pm_workspace *w, const double *y)
     memcpy(lambda, w->frame.lambda, (size_t)w->nactive * sizeof(double));
     pm_tree_look(w, 0, y, ydot, w->state.z);
     EQUAL(pm_tree_accelerate(w, yddot), PM_OK);
-    pm_tree_react(w);
+    pm_tree_tell(w, yddot);
     EQUAL(w->frame.level, PM_LEVEL_DYNAMIC);
     const double size = force_scale(w);
     for (int i = 0; i < w->model->nq; i++) NEAR(w->frame.a[i], a[i], 1e-12 * size / 0.01);
