@@ -25,6 +25,7 @@
 #include "nature.h"
 #include "path_error.h"
 #include "phases.h"
+#include "plan.h"
 #include "program.h"
 #include "project.h"
 #include "route.h"
@@ -424,8 +425,8 @@ static int deliver(pm_workspace *w, double *out, int32_t *reason, double *audit)
     return p->status;
 }
 
-int pm_error_run(pm_workspace *w, const double *param, double *found, double *error, double *margin,
-                 double *trust)
+static int run(pm_workspace *w, const double *param, double *found, double *error, double *margin,
+               double *trust)
 {
     pm_error_set *e = w->error;
     double *const out = w->out, *const audit = w->audit;
@@ -451,4 +452,10 @@ int pm_error_run(pm_workspace *w, const double *param, double *found, double *er
         if (e->discrete[i]) margin[i] = trust[PM_TRUST_MARGIN];
     if (found) memcpy(found, e->main->found, sizeof e->main->found);
     return deliver(w, out, reason, audit);
+}
+
+int pm_error_run(pm_workspace *w, const double *param, double *found, double *error, double *margin,
+                 double *trust)
+{
+    return pm_plan_end(w, run(w, param, found, error, margin, trust));
 }

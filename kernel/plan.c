@@ -3,6 +3,7 @@
  * The settings may force a route; where a forced route cannot compute a phase the run fails and says so. */
 #include "plan.h"
 
+#include <math.h>
 #include <stdio.h>
 
 #include "ask.h"
@@ -30,6 +31,17 @@ static const pm_rule rules[] = {
     {&pm_route_rk, "smooth motion in time: explicit integration of order 8"},
 };
 enum { NRULES = sizeof rules / sizeof *rules };
+
+/* What each route takes, for those who asked for one that declines. */
+static const char *const scope[PM_ROUTES] = {
+    [PM_ROUTE_AUTO] = "all that any route takes",
+    [PM_ROUTE_RK] = "all smooth motion",
+    [PM_ROUTE_IDA] = "smooth motion of bodies that have mass, without joint friction that goes with the load",
+    [PM_ROUTE_STATE] = "what is answered at the start; here time passes",
+    [PM_ROUTE_JUMP] = "what is answered before and after a blow at the start; here time passes",
+    [PM_ROUTE_UNIFORM] = "constant forces, and joints and contacts that do not turn with the motion",
+    [PM_ROUTE_PATH] = "one degree of freedom, and work that depends on position only",
+};
 
 static int take(pm_workspace *w, const pm_route_ops *route, int rule)
 {
@@ -77,6 +89,12 @@ int pm_rule_text(int rule, int64_t ntext, int8_t *text)
     return snprintf((char *)text, (size_t)ntext, "%s", reason);
 }
 
+int pm_route_text(int route, int64_t ntext, int8_t *text)
+{
+    const char *known = route >= 0 && route < PM_ROUTES ? scope[route] : "nothing: there is no such route";
+    return snprintf((char *)text, (size_t)ntext, "%s", known);
+}
+
 static int fires_at_start(const pm_model *m, int event)
 {
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
@@ -121,4 +139,12 @@ void pm_plan_no_phase(pm_workspace *w)
     const int route = w->count[PM_COUNT_JUMPS] > 0 ? PM_ROUTE_JUMP : PM_ROUTE_STATE;
     w->count[PM_COUNT_ROUTE] = route;
     w->count[PM_COUNT_ROUTES] = (int64_t)1 << route;
+}
+
+int pm_plan_end(pm_workspace *w, int status)
+{
+    const int wanted = PM_SETTING(w->model, PM_SETTING_ROUTE);
+    const int in_time = wanted == PM_ROUTE_RK || wanted == PM_ROUTE_IDA;
+    if (status != PM_OK || !in_time || w->count[PM_COUNT_PHASES] > 0) return status;
+    return pm_fail(w, PM_NO_TIME_ROUTE, PM_TABLE_SETTING, PM_SETTING_ROUTE, wanted, NAN);
 }

@@ -14,5 +14,8 @@ int pm_plan_has_passed(pm_workspace *w);
 int pm_plan_kinematic(const pm_workspace *w);
 /* The run has ended before any phase: its route is `state`, or `jump` if there were blows. */
 void pm_plan_no_phase(pm_workspace *w);
+/* The status of a case that has one: PM_NO_TIME_ROUTE where all is well, but rk or ida was asked for to compute a motion
+ * and there was none (evidence of two routes in time would be no evidence). */
+int pm_plan_end(pm_workspace *w, int status);
 
 #endif

@@ -36,6 +36,8 @@ enum pm_status {
     PM_UNDECIDED = 8, /* the run came to its end, but its errors might have changed a decision on the way */
     PM_ENDS_SINGULAR =
         9, /* on the way a position was reached where nothing tells how it goes on: where = joint */
+    PM_NO_TIME_ROUTE =
+        10, /* a route in time was asked for and no time passes; all answers stand: where = setting */
     PM_BAD_TABLE = -1, /* the tables contradict this header: where = table, row */
     PM_NO_MEMORY = -2,
     PM_BAD_VALUE = -3,      /* not finite or out of its bound: where = table, row; detail = value, bound */
@@ -638,6 +640,9 @@ int pm_needs(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
 
 /* Why the planner chose a route, in English, of at most ntext bytes, not ended by 0; its length. */
 int pm_rule_text(int rule, int64_t ntext, int8_t *text);
+
+/* What a route (enum pm_route) can compute, likewise: for the message where it was asked for and declines. */
+int pm_route_text(int route, int64_t ntext, int8_t *text);
 
 /* Assembles the start of one case: info[PM_CHECK_COLUMNS], number[PM_CHECK_NUMBERS], pose[nbody][3] (x, y, angle),
  * velocity[nbody][3].  Returns a status of the case. */

@@ -16,7 +16,7 @@ static int needed(const pm_model *m, int route)
 {
     const int wanted = PM_SETTING(m, PM_SETTING_ROUTE);
     if (wanted == PM_ROUTE_AUTO) return route != PM_ROUTE_IDA;
-    if (wanted == PM_ROUTE_IDA && route == PM_ROUTE_RK) return 1;
+    if (route == PM_ROUTE_RK && (wanted == PM_ROUTE_IDA || !pm_route_of(wanted))) return 1;
     return route == wanted || (route == PM_ROUTE_PATH && pm_nudge_any(m));
 }
 
@@ -56,6 +56,6 @@ const pm_route_ops *pm_route_of(int route)
 
 const pm_route_ops *pm_route_default(const pm_model *m)
 {
-    const int wanted = PM_SETTING(m, PM_SETTING_ROUTE);
-    return wanted == PM_ROUTE_AUTO ? &pm_route_rk : pm_route_of(wanted);
+    const pm_route_ops *wanted = pm_route_of(PM_SETTING(m, PM_SETTING_ROUTE));
+    return wanted ? wanted : &pm_route_rk;
 }

@@ -52,7 +52,7 @@ void pm_route_free(pm_workspace *w);
 int pm_route_look(pm_workspace *w, double x, int level);
 /* The route of a number of enum pm_route; NULL if there is none. */
 const pm_route_ops *pm_route_of(int route);
-/* The one that the settings ask for; rk where phases choose. */
+/* The one that the settings ask for; rk where phases choose, and before anything moves (`state`, `jump`). */
 const pm_route_ops *pm_route_default(const pm_model *m);
 
 #endif

@@ -16,6 +16,7 @@ static const char *text_of(enum pm_status status)
     case PM_FIND_AT_BOUND: return "what is sought lies at a bound";
     case PM_ENDS_SINGULAR: return "a singular position was reached before the end of the run";
     case PM_UNDECIDED: return "the errors of the run might have changed a decision on the way";
+    case PM_NO_TIME_ROUTE: return "a route in time was asked for, and no time passes";
     case PM_BAD_TABLE: return "the scene's tables are inconsistent";
     case PM_NO_MEMORY: return "out of memory";
     case PM_BAD_VALUE: return "a value is not finite or out of its bound";

@@ -446,6 +446,40 @@ def test_an_accuracy_that_cannot_be_kept_is_told() -> None:
     assert result.notes[0].startswith("solve.accuracy was not reached")
 
 
+FORCED = {
+    "state": "it takes what is answered at the start; here time passes",
+    "jump": "it takes what is answered before and after a blow at the start; here time passes",
+    "uniform": "it takes constant forces, and joints and contacts that do not turn with the motion",
+    "path": "it takes one degree of freedom, and work that depends on position only",
+}
+
+
+@pytest.mark.parametrize("route", FORCED)
+def test_a_route_that_is_asked_for_and_declines_says_what_it_takes(route: str) -> None:
+    scene = load_text(PENDULUM + 'ask.omega = "AB.omega"', file="p.toml")
+    with pytest.raises(SimulationError) as raised:
+        scene.run(**{"solve.route": route})
+    said = f'p.toml: solve.route = "{route}": this route does not compute the motion; {FORCED[route]}'
+    assert str(raised.value).startswith(said)
+
+
+@pytest.mark.parametrize("route", ["rk", "ida"])
+def test_a_route_in_time_where_no_time_passes_says_so(route: str) -> None:
+    """At the start, by state or after a blow; the answers stand, as they do without a route."""
+    blow = 'events.blow = { when = "start", do = [{ impulse = "AB.B", value = [0, "2 N*s"] }] }\n'
+    for ask in ('ask.a = "AB.alpha"', blow + 'ask.a = "AB.omega"'):
+        scene = load_text(PENDULUM.replace("AB.turned = -60 deg", "start") + ask)
+        forced, free = scene.run(**{"solve.route": route}), scene.run()
+        assert (forced.status, free.status) == ("no_time_route", "ok"), free.error
+        assert forced.a == free.a
+        assert f'solve.route = "{route}": no time passes' in forced.error
+
+
+def test_a_route_in_time_that_has_only_begun_is_ok() -> None:
+    result = load_text(PENDULUM + 'ask.omega = "AB.omega"').run(**{"solve.route": "rk"})
+    assert (result.status, result.route) == ("ok", ("rk",))
+
+
 def test_what_was_answered_before_a_singular_position_stands() -> None:
     """In time nothing tells how the bars of 17.C5 go on where they hang; the path goes on through it."""
     scene = load(STUDIES / "chapter17" / "17-C5.toml")

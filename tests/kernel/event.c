@@ -189,7 +189,7 @@ static void start_event(void)
     const int begin = scene_on(s, PM_TRIGGER_START, PM_NONE),
               v = scene_ask_event(s, scene_read(s, t.vx), begin, 1, 0);
     scene_until(s, begin, 1);
-    EQUAL(scene_run(s, NULL), PM_OK);
+    EQUAL(scene_run(s, NULL), PM_NO_TIME_ROUTE);
     EQUAL(s->out[v], 2);
     EQUAL(s->count[PM_COUNT_STEPS], 0);
     scene_free(s);

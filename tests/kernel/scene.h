@@ -332,7 +332,8 @@ static inline void scene_pack(scene *s)
     }
 }
 
-/* Runs one case through the public entry; returns its status, or that of the batch where no case ran. */
+/* Runs one case through the public entry; returns its status, or that of the batch where no case ran.  Scenes ask for
+ * the route rk unless a test says otherwise: those that end at their start end as PM_NO_TIME_ROUTE. */
 static inline int scene_run(scene *s, const double *param)
 {
     const double none = 0;

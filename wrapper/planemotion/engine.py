@@ -37,6 +37,7 @@ REASONS: Mapping[int, str] = {
     layout.PM_REASON_FAILED: "the run failed",
     layout.PM_REASON_INFINITE: "infinite",
 }
+_SETTINGS = {layout.PM_SETTING_NUDGE: "start.nudge", layout.PM_SETTING_ROUTE: "solve.route"}
 _TABLE_NAMES = {value: name.removeprefix("PM_TABLE_").lower() for name, value in layout.pm_table.items()}
 
 
@@ -327,8 +328,8 @@ def _place_name(flat: FlatScene, where: Ints, status: int) -> str:
     """The key path of the row at fault; of a number out of its bound that of the number."""
     table, row = int(where[layout.PM_WHERE_TABLE]), int(where[layout.PM_WHERE_ROW])
     names = flat.names.get(table, ())
-    if table == layout.PM_TABLE_SETTING and row == layout.PM_SETTING_NUDGE:
-        return "start.nudge"
+    if table == layout.PM_TABLE_SETTING and row in _SETTINGS:
+        return _SETTINGS[row]
     if 0 <= row < len(names):
         member = int(where[layout.PM_WHERE_MEMBER])
         if status == layout.PM_BAD_VALUE:
@@ -429,7 +430,14 @@ _DESCRIPTIONS: dict[int, Any] = {
         if place.endswith(".friction")
         else f"{place}: another nudge acts at the same instant; one at a time"
         if place.endswith(".nudge")
+        else f'{place} = "{route_name(int(found))}": this route does not compute the motion; it takes '
+        f"{_text(_kernel().pm_route_text, int(found))}; leave {place} out"
+        if place == "solve.route"
         else ""
+    ),
+    layout.PM_NO_TIME_ROUTE: lambda place, found, bound: (
+        f'{place} = "{route_name(int(found))}": no time passes: everything that is asked is answered at the '
+        "start, without any integration; the answers stand"
     ),
     layout.PM_SOLVER: lambda place, found, bound: (
         f"{place + ': ' if place else ''}the solver of this route gave up (its code {found:.0f}); "
