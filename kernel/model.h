@@ -100,7 +100,7 @@ typedef struct pm_slot {
     int32_t member; /* of a periodic row, else 0 */
 } pm_slot;
 
-/* A no-slip row is holonomic with memory: its constant, and the last unwrapped direction of the centres or of the strand. */
+/* A no-slip row is holonomic with memory: its constant, and the last unwrapped direction of a strand. */
 typedef struct pm_memory {
     double anchor;
     double direction;

@@ -45,6 +45,7 @@ struct pm_rk {
     double *middle; /* [all] between the halves of a step */
     double *scale;  /* [controlled] reciprocal error weights */
     double own;     /* the motion's own time at the end of the last step */
+    double turning; /* that of the bodies' turning alone */
     double t0, h;   /* the last step as integrated */
     double next;    /* step to try next, 0: none known */
     int dense_ready, k0_ready;
@@ -208,10 +209,28 @@ static int begin(pm_workspace *w)
     return PM_OK;
 }
 
-/* A step that is sampled for events or extremes may not outrun the motion, even where the formula would be exact. */
+/* In which a body turns by about 1. */
+static double turning_time(const pm_workspace *w)
+{
+    double rate = 0;
+    for (int i = 2; i < w->model->nq; i += 3)
+        rate = fmax(rate, fmax(fabs(w->state.v[i]), sqrt(fabs(w->frame.a[i]))));
+    return w->coarse / rate;
+}
+
+/* At the frame, which knows the accelerations. */
+static void set_times(pm_workspace *w)
+{
+    w->rk->own = pm_case_time_scale(w, w->state.v, w->frame.a);
+    w->rk->turning = turning_time(w);
+}
+
+/* A step that is sampled for events or extremes may not outrun the motion, even where the formula would be exact.  Nor may
+ * one in which reactions turn with the bodies: the ledger of impulses, which does not choose the steps, is their integral. */
 static double longest_step(const pm_workspace *w)
 {
-    return w->event->nfunction > 0 || w->ask->nobserver > 0 ? w->rk->own : INFINITY;
+    if (w->event->nfunction > 0 || w->ask->nobserver > 0) return w->rk->own;
+    return w->nactive > 0 ? w->rk->turning : INFINITY;
 }
 
 /* Coordinates y, where the frame looks, as a state. */
@@ -253,7 +272,7 @@ static int accept(pm_workspace *w, double t)
     if (!status) pm_energy_note(w, &r->level, gained);
     if (!status) status = derivative_here(w, r->now, 1, r->k + STAGES * r->all);
     if (status) return status;
-    r->own = pm_case_time_scale(w, w->state.v, w->frame.a);
+    set_times(w);
     r->dense_ready = 0;
     w->step_begin = r->t0;
     w->step_end = t;
@@ -273,7 +292,7 @@ static int first_stage(pm_workspace *w)
     const int status = derivative(w, r->t0, r->y0, 1, r->k);
     if (status) return status;
     r->k0_ready = 1;
-    r->own = pm_case_time_scale(w, w->state.v, w->frame.a);
+    set_times(w);
     if (r->next == 0) r->next = fmin(r->own, 1e3) * eighth_root_of_inverse(1 / w->tolerance);
     return PM_OK;
 }

@@ -1,8 +1,9 @@
 /* row_tangent.c - no slip between two circles (a point is a circle of radius 0; signed radii as in row_distance.c).
  *
  * phi is the direction of d = p_a - p_b, D = |d|, L = R_a + R_b, u = v_a - v_b, n = d/D, t = k x n.  The touching points
- * slip at  L phidot - R_a omega_a - R_b omega_b,  so that, with phi unwrapped from the remembered direction,
+ * slip at  L phidot - R_a omega_a - R_b omega_b,  so that
  *   C = L phi - R_a angle_a - R_b angle_b - anchor
+ * with phi unwrapped to where C is nearest to zero: a step may turn the centres by any angle.
  *   gamma = -L ((quad.t) - 2 (u.n) phidot) / D,   phidot = u.t / D. */
 #include <math.h>
 
@@ -11,17 +12,17 @@
 
 #define TWO_PI 6.283185307179586476925286766559
 
-static double unwrapped(const double d[2], double reference)
-{
-    const double phi = atan2(d[1], d[0]);
-    return phi + TWO_PI * round((reference - phi) / TWO_PI);
-}
-
-static double rolled(const pm_workspace *w, const pm_row *row, double direction)
+static double rolled(const pm_workspace *w, const pm_row *row, const double d[2])
 {
     const double *pose = w->frame.pose;
-    return row->value * direction - row->radius_a * pose[5 * row->body[0] + 2] -
+    return row->value * atan2(d[1], d[0]) - row->radius_a * pose[5 * row->body[0] + 2] -
            row->radius_b * pose[5 * row->body[1] + 2];
+}
+
+static double unwrapped(const pm_row *row, double c)
+{
+    const double turn = TWO_PI * row->value;
+    return c - turn * round(c / turn);
 }
 
 static void evaluate(const pm_workspace *w, pm_row *row)
@@ -30,19 +31,18 @@ static void evaluate(const pm_workspace *w, pm_row *row)
     const double distance = pm_length(x.d);
     const double n[2] = {x.d[0] / distance, x.d[1] / distance}, t[2] = {-n[1], n[0]};
     const double factor = row->value / distance, spin = pm_dot(x.u, t) / distance;
-    const pm_memory *memory = &w->frame.memory[row->memory];
     pm_row_along(row, &x, t, factor);
     row->j[2] -= row->radius_a;
     row->j[5] -= row->radius_b;
-    row->g = rolled(w, row, unwrapped(x.d, memory->direction)) - memory->anchor;
+    row->g = unwrapped(row, rolled(w, row, x.d) - w->frame.memory[row->memory].anchor);
     row->gamma = -factor * (pm_dot(x.quad, t) - 2 * pm_dot(x.u, n) * spin);
 }
 
 static void remember(const pm_workspace *w, const pm_row *row, pm_memory *memory, int anchor_too)
 {
+    if (!anchor_too) return;
     const pm_marks x = pm_row_marks(w, row);
-    memory->direction = anchor_too ? atan2(x.d[1], x.d[0]) : unwrapped(x.d, memory->direction);
-    if (anchor_too) memory->anchor = rolled(w, row, memory->direction);
+    memory->anchor = rolled(w, row, x.d);
 }
 
 static void act(const pm_workspace *w, const pm_row *row, pm_line_of_action *x)

@@ -741,7 +741,13 @@ FAULTS = [
         "- 2 * pm_dot(x.u, n) * spin",
         "+ 2 * pm_dot(x.u, n) * spin",
     ),
-    Fault("memory: turns are forgotten", "row_tangent.c", "TWO_PI * round(", "0 * round("),
+    Fault(
+        "rk: steps outrun the reactions",
+        "route_rk.c",
+        "return w->nactive > 0 ? w->rk->turning : INFINITY;",
+        "return INFINITY;",
+    ),
+    Fault("memory: turns are forgotten", "row_tangent.c", "turn * round(c / turn)", "0 * round(c / turn)"),
     Fault(
         "memory: anchor of another place",
         "row_line.c",
