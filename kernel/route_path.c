@@ -34,8 +34,7 @@
 #define LENGTHS 0.5 /* of the scene's size: longest step of a coordinate that is a length */
 #define FARTHER \
     4.0 /* steps where no loop must be closed and no contact is near, if the nodes resolve the motion */
-#define FORM_TAIL \
-    1e-8 /* highest coefficients of mass and T in such steps, and in any that fewer nodes may do for */
+#define FORM_TAIL 1e-8   /* highest coefficients of T in such steps, and in any that fewer nodes may do for */
 #define LENGTHEN 2.0     /* a step that was resolved, at the most */
 #define FASTER 2.0       /* other coordinates may go this much farther than the driver */
 #define CLOCK_TAIL 1e-13 /* highest coefficients of the integrand of the time, at the least */
@@ -294,15 +293,13 @@ static int rates_resolved(const pm_workspace *w)
     return 1;
 }
 
-/* What is sampled along the step is made of such functions of the place. */
+/* Where T is least between the nodes is found by a polynomial.  The mass is computed at each place; only the clock takes it
+ * from a polynomial, and looks to that itself. */
 static int motion_resolved(const pm_path *p)
 {
-    double mass[PM_NODES_MOST], kinetic[PM_NODES_MOST];
-    for (int k = 0; k < p->nodes->n; k++) {
-        mass[k] = p->node[k * p->every].mass;
-        kinetic[k] = p->node[k * p->every].kinetic;
-    }
-    return pm_series_tail(p->nodes, mass) <= FORM_TAIL && pm_series_tail(p->nodes, kinetic) <= FORM_TAIL;
+    double kinetic[PM_NODES_MOST];
+    for (int k = 0; k < p->nodes->n; k++) kinetic[k] = p->node[k * p->every].kinetic;
+    return pm_series_tail(p->nodes, kinetic) <= FORM_TAIL;
 }
 
 /* By the energy. */
