@@ -126,8 +126,39 @@ static void at_rest(void)
     scene_free(s);
 }
 
+/* A couple that has no value from t = 1 on ends the run there.  What was answered before stands: its ledgers closed; what is
+ * asked at the end, and at an instant that did not come, has no value. */
+static void late_failure(int route)
+{
+    scene *s = scene_create();
+    const double inertia = 0.4, couple = 1.5;
+    scene_set(s, PM_SETTING_GRAVITY_Y, 0);
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    const int wheel = scene_body(s, 2, inertia, 0, 0, 0);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, wheel, 0, 0), scene_point(s, PM_GROUND, 0, 0), 0);
+    scene_couple(s, wheel, PM_GROUND,
+                 SCENE_PROGRAM(s, scene_k(s, 1), scene_m(scene_time(s)), scene_op(PM_OP_SUB),
+                               scene_op(PM_OP_SQRT), scene_k(s, couple), scene_op(PM_OP_MUL)));
+    const int omega = scene_measure(s, PM_MEASURE_OMEGA, wheel), time = scene_time(s);
+    const int half = scene_when(s, PM_TRIGGER_RISE, scene_minus(s, time, 0.5));
+    const int late = scene_when(s, PM_TRIGGER_RISE, scene_minus(s, time, 1.5));
+    const int before = scene_ask_event(s, scene_read(s, omega), half, 1, 0);
+    const int after = scene_ask_event(s, scene_read(s, omega), late, 1, 0);
+    const int end = scene_ask_measure(s, omega);
+    scene_until_time(s, 2);
+    CHECK(scene_run(s, NULL) < 0);
+    NEAR(s->out[before], couple / inertia * (1 - pow(0.5, 1.5)) * 2 / 3, 1e-8);
+    CHECK(isnan(s->out[after]) && isnan(s->out[end]));
+    EQUAL(s->reason[0], PM_REASON_NONE);
+    EQUAL(s->reason[1], PM_REASON_FAILED);
+    EQUAL(s->reason[2], PM_REASON_FAILED);
+    scene_free(s);
+}
+
 int main(void)
 {
+    late_failure(PM_ROUTE_RK);
+    late_failure(PM_ROUTE_IDA);
     closes();
     closes_on_moving_partners();
     opens();

@@ -287,7 +287,6 @@ class _Study:
         reason = np.empty((len(run_status), len(self.asks)), np.int8)
         for i, ask in enumerate(self.asks):
             reason[:, i] = results[ask.run].reason[:, ask.index]
-            value[i][results[ask.run].status < PM_OK] = np.nan
             value[i][np.isinf(value[i])] = np.nan
         status = _worst(run_status)
         return Block(
