@@ -380,6 +380,7 @@ int pm_crossing_first(pm_workspace *w, double from, double *first, double *taken
             for (int k = 0; k < i; k++) e->hit[k] = 0;
         if (place > *first + same) continue;
         e->hit[i] = 1;
+        e->function[i].seen = place;
         if (place < *first) {
             *first = place;
             earliest = i;

@@ -346,14 +346,15 @@ static int only_marks(const pm_workspace *w)
     return 1;
 }
 
-/* What has just fired must be left before it fires again. */
+/* What has just fired must be left before it fires again.  x is where it is zero exactly; further zeros are looked for on
+ * the dense output, which may have the same one a little later. */
 static void hold_hits(pm_workspace *w, double x)
 {
     pm_event_set *e = w->event;
     for (int i = 0; i < e->nfunction; i++) {
         if (!e->hit[i]) continue;
         e->function[i].held = 1;
-        e->function[i].since = x;
+        e->function[i].since = fmax(x, e->function[i].seen);
     }
     set_multiples(w);
     memset(e->fired, 0, (size_t)w->model->rows[PM_TABLE_TRIGGER]);

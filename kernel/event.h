@@ -34,6 +34,7 @@ typedef struct pm_event_function {
     int side;          /* 1, -1: its sign when the step began; 0: not known, or it was on zero */
     int below;         /* of a gap: the mark was below its edge when the phase began */
     double since;      /* x from which it is held */
+    double seen;       /* x of the zero that was located, on the dense output: not quite where it is exactly */
     double slack;      /* a held function counts as crossed only below -slack */
     double natural;    /* its natural size; of a trigger 1 */
     double near;       /* least value where it came close and turned back, since the last instant */

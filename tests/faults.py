@@ -994,7 +994,8 @@ FAULTS = [
         "return polish(w, earliest, &of_first, first, taken)",
         "*first += 1e-8; return PM_OK",
     ),
-    Fault("event: a mark passed twice", "event.c", "e->function[i].since = x", "e->function[i].since = 0"),
+    Fault("event: a mark passed twice", "event.c", "fmax(x, e->function[i].seen)", "0"),
+    Fault("event: a mark passed again beside its place", "event.c", "fmax(x, e->function[i].seen)", "x"),
     Fault(
         "event: a trigger on time that comes late",
         "trigger.c",

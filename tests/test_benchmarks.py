@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import csv
+import importlib
 import json
 import math
 import subprocess
 import sys
 from pathlib import Path
+from types import ModuleType
+from typing import Any
 
 import numpy as np
 import pytest
@@ -100,3 +103,62 @@ def test_a_wrong_reference_shows(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(problems, "references", lambda: stored)
     problem = next(p for p in problems.PROBLEMS if p.name == "slider_crank")
     assert problem.error(np.array([[exact]])) == pytest.approx(1e-3)
+
+
+# ---- the agreement of the routes ----
+
+
+@pytest.fixture
+def agreement(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
+    monkeypatch.syspath_prepend(str(ROOT))
+    return importlib.import_module("studies.benchmarks.agreement")
+
+
+def test_the_routes_agree_on_a_study(agreement: ModuleType) -> None:
+    table = agreement.table([found for found in agreement.scenes() if found[0] == "bouncing_ball"])
+    rows = [dict(zip(table.header, row, strict=True)) for row in table.rows]
+    assert [row["route"] for row in rows] == ["default: uniform", "rk", "ida"]
+    assert {row["cases"] for row in rows} == {agreement.CASES}
+    for row in rows[1:]:
+        assert row["agrees"] == "yes"
+        assert row["accuracy"] == 1e-10
+        assert 0 < row["greatest difference"] < 1e-6
+        assert row["what limits it"] == ""
+
+
+def test_every_study_and_scene_is_compared(agreement: ModuleType) -> None:
+    names = {name.split(",")[0] for name, _ in agreement.scenes()}
+    studies = {path.stem for path in (ROOT / "studies").glob("*.toml")}
+    scenes = {path.stem for path in (ROOT / "studies" / "benchmarks" / "scenes").glob("*.toml")}
+    assert names == studies | scenes | {"four_bars_2", "four_bars_40"}
+
+
+def test_a_route_that_answers_wrongly_does_not_agree(agreement: ModuleType) -> None:
+    def answers(*out: float, error: float = 1e-12) -> Any:
+        values = np.array([out])
+        return agreement.Answers(values, np.full_like(values, error), [0], ["rk"], 1.0, "")
+
+    right = answers(2.0, 0.0, np.nan)
+    same, agrees = agreement.compared(["a", "b", "c"], right, answers(2.0, 0.0, np.nan))
+    assert agrees
+    assert same[1] == 0
+    off, agrees = agreement.compared(["a", "b", "c"], right, answers(2.001, 1e-8, np.nan))
+    assert not agrees
+    assert off[1:3] == [pytest.approx(5e-4), "a"]
+    assert off[4:] == ["no", "not known to the estimates"]
+    said, _ = agreement.compared(["a", "b", "c"], right, answers(2.001, 0.0, np.nan, error=0.1))
+    assert said[5] == "its own truncation, as it says"
+    zero, agrees = agreement.compared(["a", "b", "c"], right, answers(2.0, 1e-5, np.nan))
+    assert not agrees
+    assert zero[1:3] == [1e-5, "b ~"]
+    missing, agrees = agreement.compared(["a", "b", "c"], right, answers(2.0, 0.0, 1.0))
+    assert not agrees
+    assert missing[1:3] == [math.inf, "c"]
+
+
+def test_a_run_that_takes_too_long_is_a_row_that_says_so(
+    agreement: ModuleType, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(agreement, "PATIENCE", 1)
+    chain = dict(agreement.scenes())["four_bars_40, 10 s"]()
+    assert agreement.limited(chain, "ida", 1e-10) == "not finished in 1 s"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from . import growth, memory, named_studies, summary
+from . import agreement, growth, memory, named_studies, summary
 from .rows import Row
 from .tables import Table
 
@@ -13,6 +13,7 @@ Part = Callable[[Sequence[Row], bool, Path], list[Table]]
 
 PARTS: dict[str, Part] = {
     "named_studies": named_studies.tables,
+    "agreement": agreement.tables,
     "growth": growth.tables,
     "memory": memory.tables,
     "summary": summary.tables,
