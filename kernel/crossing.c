@@ -49,17 +49,49 @@ double pm_crossing_node(const pm_workspace *w, int node)
                                 : w->step_begin + (w->sampled_end - w->step_begin) * nodes->at[node];
 }
 
+static int is_quiet(const pm_workspace *w, const pm_event_function *f)
+{
+    return f->kind == FUNCTION_GAP && w->event->clear.quiet[f->index];
+}
+
 static void sample_functions(pm_workspace *w, double *value)
 {
     pm_event_set *e = w->event;
     for (int i = 0; i < e->nfunction; i++) {
         const pm_event_function *f = &e->function[i];
-        if (f->owned) continue;
+        if (f->owned || is_quiet(w, f)) continue;
         value[i] = pm_event_sample(w, f);
         if (f->kind != FUNCTION_TRIGGER) continue;
         e->least[f->index] = fmin(e->least[f->index], value[i]);
         e->greatest[f->index] = fmax(e->greatest[f->index], value[i]);
     }
+}
+
+/* The functions that are sampled, but for contacts out of reach, at a node of the step; the frame looks there. */
+static void sample_node(pm_workspace *w, int node)
+{
+    pm_clear_node(w, node);
+    sample_functions(w, w->event->value + node * w->event->nfunction);
+}
+
+/* The step came closer to contacts than was expected: they are looked at, too. */
+static int sample_reached(pm_workspace *w)
+{
+    for (int k = 0; k < w->nodes->n; k++) {
+        const int status = pm_route_look(w, pm_crossing_node(w, k), w->event->level);
+        if (status) return status;
+        sample_functions(w, w->event->value + k * w->event->nfunction);
+    }
+    return PM_OK;
+}
+
+/* How far the contacts that were looked at are: some can be left alone in the next steps. */
+static void keep_gaps(pm_workspace *w)
+{
+    const pm_event_set *e = w->event;
+    for (int i = 0; i < e->nfunction; i++)
+        if (e->function[i].kind == FUNCTION_GAP && !e->function[i].owned && !is_quiet(w, &e->function[i]))
+            pm_clear_keep(w, e->function[i].index, e->value[i]);
 }
 
 int pm_crossing_sample(pm_workspace *w, int with_functions)
@@ -72,14 +104,18 @@ int pm_crossing_sample(pm_workspace *w, int with_functions)
     int level = PM_LEVEL_KINEMATIC;
     if (functions && e->level > level) level = e->level;
     if (watched && w->ask->level > level) level = w->ask->level;
+    if (functions) pm_clear_step(w);
     for (int k = 0; k < w->nodes->n; k++) {
         const int status = pm_route_look(w, pm_crossing_node(w, k), level);
         if (status) return status;
-        if (functions) sample_functions(w, e->value + k * e->nfunction);
+        if (functions) sample_node(w, k);
         if (watched) pm_ask_sample(w, k);
     }
-    if (functions) note_sides(w);
-    return PM_OK;
+    if (!functions) return PM_OK;
+    const int status = pm_clear_check(w) ? sample_reached(w) : PM_OK;
+    keep_gaps(w);
+    note_sides(w);
+    return status;
 }
 
 static double along(pm_workspace *w, double x, void *context)
@@ -371,7 +407,7 @@ int pm_crossing_first(pm_workspace *w, double from, double *first, double *taken
     *first = INFINITY;
     for (int i = 0; i < e->nfunction; i++) {
         e->hit[i] = 0;
-        if (e->function[i].owned) continue;
+        if (e->function[i].owned || is_quiet(w, &e->function[i])) continue;
         double place;
         const int status = first_of(w, i, from, *first, &x, &place);
         if (status) return status;
@@ -380,7 +416,7 @@ int pm_crossing_first(pm_workspace *w, double from, double *first, double *taken
             for (int k = 0; k < i; k++) e->hit[k] = 0;
         if (place > *first + same) continue;
         e->hit[i] = 1;
-        e->function[i].seen = place;
+        e->function[i].located = place;
         if (place < *first) {
             *first = place;
             earliest = i;
@@ -398,7 +434,7 @@ void pm_crossing_leave(pm_workspace *w)
     const double *last = e->value + (w->nodes->n - 1) * e->nfunction;
     for (int i = 0; i < e->nfunction; i++) {
         pm_event_function *f = &e->function[i];
-        if (f->owned) continue;
+        if (f->owned || is_quiet(w, f)) continue;
         if (fabs(pm_event_of_sample(f, last[i])) > f->slack) f->held = 0;
         f->since = 0;
     }

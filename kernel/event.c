@@ -46,6 +46,7 @@ int pm_event_create(pm_workspace *w)
     e->fired = calloc(ntrigger + (size_t)m->rows[PM_TABLE_CONTACT] + nevent + 1, 1);
     e->solver = pm_root_create();
     if (!e->function || !e->value || !e->hit || !e->count || !e->fired || !e->solver) return PM_NO_MEMORY;
+    if (pm_clear_create(m, &e->clear)) return PM_NO_MEMORY;
     e->seen = e->count + nevent;
     e->spent = e->fired + ntrigger;
     e->acted = e->spent + m->rows[PM_TABLE_CONTACT];
@@ -68,6 +69,7 @@ void pm_event_free(pm_workspace *w)
     free(e->count);
     free(e->fired);
     pm_root_free(e->solver);
+    pm_clear_free(&e->clear);
     free(e);
     w->event = NULL;
 }
@@ -244,6 +246,7 @@ void pm_event_begin(pm_workspace *w)
     add_contacts(w);
     add_grips(w);
     e->first_step = 1;
+    pm_clear_begin(w);
     memset(e->spent, 0, (size_t)w->model->rows[PM_TABLE_CONTACT]);
     set_multiples(w);
     pm_event_values(w, e->value);
@@ -354,7 +357,7 @@ static void hold_hits(pm_workspace *w, double x)
     for (int i = 0; i < e->nfunction; i++) {
         if (!e->hit[i]) continue;
         e->function[i].held = 1;
-        e->function[i].since = fmax(x, e->function[i].seen);
+        e->function[i].since = fmax(x, e->function[i].located);
     }
     set_multiples(w);
     memset(e->fired, 0, (size_t)w->model->rows[PM_TABLE_TRIGGER]);

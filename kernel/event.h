@@ -6,6 +6,7 @@
 #ifndef PM_EVENT_H
 #define PM_EVENT_H
 
+#include "clear.h"
 #include "model.h"
 #include "nodes.h"
 
@@ -24,20 +25,20 @@ enum pm_function_kind {
 };
 
 typedef struct pm_event_function {
-    int kind;          /* enum pm_function_kind */
-    int index;         /* trigger, contact or slot */
-    int direction;     /* 0: either way, 1: rising, -1: falling */
-    int level;         /* enum pm_level it needs */
-    int owned;         /* the route itself finds its roots: not sampled */
-    int held;          /* zero when the phase began, or just fired: must first be left */
-    int every;         /* the samples are places along multiples: see pm_event_sample */
-    int side;          /* 1, -1: its sign when the step began; 0: not known, or it was on zero */
-    int below;         /* of a gap: the mark was below its edge when the phase began */
-    double since;      /* x from which it is held */
-    double seen;       /* x of the zero that was located, on the dense output: not quite where it is exactly */
-    double slack;      /* a held function counts as crossed only below -slack */
-    double natural;    /* its natural size; of a trigger 1 */
-    double near;       /* least value where it came close and turned back, since the last instant */
+    int kind;       /* enum pm_function_kind */
+    int index;      /* trigger, contact or slot */
+    int direction;  /* 0: either way, 1: rising, -1: falling */
+    int level;      /* enum pm_level it needs */
+    int owned;      /* the route itself finds its roots: not sampled */
+    int held;       /* zero when the phase began, or just fired: must first be left */
+    int every;      /* the samples are places along multiples: see pm_event_sample */
+    int side;       /* 1, -1: its sign when the step began; 0: not known, or it was on zero */
+    int below;      /* of a gap: the mark was below its edge when the phase began */
+    double since;   /* x from which it is held */
+    double located; /* x of the zero that was located, on the dense output: not quite where it is exactly */
+    double slack;   /* a held function counts as crossed only below -slack */
+    double natural; /* its natural size; of a trigger 1 */
+    double near;    /* least value where it came close and turned back, since the last instant */
     double near_reach; /* its value on both sides of there */
     double low, high;  /* `every`: the multiples below and above */
 } pm_event_function;
@@ -61,6 +62,7 @@ typedef struct pm_event_set {
     int64_t *seen;            /* [nevent] how often its triggers were marked */
     unsigned char *acted;     /* [nevent] its actions are carried out at this instant */
     void *solver;             /* gsl_root_fsolver */
+    pm_clear clear;           /* contacts out of reach of the step */
     int first_step;           /* of the phase */
     int most;                 /* size of the function array */
 } pm_event_set;

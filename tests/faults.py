@@ -44,6 +44,10 @@ class Fault:
 
 FAULTS = [
     # contacts out of reach
+    Fault("clear: a body does not turn", "clear.c", "+ x->radius[i] * fabs(pose[2] - from[2])", ""),
+    Fault("clear: the other body stands still", "clear.c", "+ w->event->clear.moved[body[1]]", ""),
+    Fault("clear: never looked at again", "clear.c", "if (x->left[i] > 0) continue;", "continue;"),
+    Fault("clear: the way is not added up", "clear.c", "x->left[i] -= BETWEEN * moved(w, body);", ""),
     Fault("reach: a chain is as short as its last rod", "reach.c", ".high = r + x->high,", ".high = r,"),
     Fault("reach: a link has no length", "reach.c", "from.high + length;", "from.high;"),
     Fault(
@@ -994,8 +998,8 @@ FAULTS = [
         "return polish(w, earliest, &of_first, first, taken)",
         "*first += 1e-8; return PM_OK",
     ),
-    Fault("event: a mark passed twice", "event.c", "fmax(x, e->function[i].seen)", "0"),
-    Fault("event: a mark passed again beside its place", "event.c", "fmax(x, e->function[i].seen)", "x"),
+    Fault("event: a mark passed twice", "event.c", "fmax(x, e->function[i].located)", "0"),
+    Fault("event: a mark passed again beside its place", "event.c", "fmax(x, e->function[i].located)", "x"),
     Fault(
         "event: a trigger on time that comes late",
         "trigger.c",

@@ -262,6 +262,62 @@ static void once_in_long_steps(void)
     scene_free(s);
 }
 
+/* The tip of a wheel turns almost once before it strikes: a contact that is far for long, and whose mark moves because
+ * its body turns.  Time and speed of the blow as the path route has them. */
+static void far_until_a_turn_is_over(void)
+{
+    double found[2][3];
+    for (int k = 0; k < 2; k++) {
+        scene *s = scene_create();
+        const int wheel = scene_body(s, 2, 0.3, 0.02, 0, 0);
+        scene_joint(s, PM_JOINT_PIN, scene_point(s, wheel, -0.02, 0), scene_point(s, PM_GROUND, 0, 0), 0);
+        scene_start_omega(s, wheel, -3);
+        const int tip = scene_circle(s, scene_point(s, wheel, 0.9, 0.3), 0.02),
+                  wall = scene_line(s, scene_point(s, PM_GROUND, 0, 0.7), 3.14159265358979323846);
+        const int contact = scene_contact(s, PM_CONTACT_LINE, tip, wall, 0, 0.5, PM_FRICTION_SMOOTH, 0);
+        const int struck = scene_on(s, PM_TRIGGER_STRIKE, contact);
+        const int t = scene_ask_event(s, scene_read(s, scene_time(s)), struck, 1, 0),
+                  omega = scene_ask_measure(s, scene_measure(s, PM_MEASURE_OMEGA, wheel)),
+                  turned = scene_ask_event(s, scene_read(s, scene_measure(s, PM_MEASURE_TURNED, wheel)),
+                                           struck, 1, 0);
+        *scene_setting(s, PM_SETTING_ROUTE) = k ? PM_ROUTE_PATH : PM_ROUTE_RK;
+        scene_set(s, PM_SETTING_ACCURACY, 1e-13);
+        scene_until(s, struck, 1);
+        EQUAL(scene_run(s, NULL), PM_OK);
+        found[k][0] = s->out[t];
+        found[k][1] = s->out[omega];
+        found[k][2] = s->out[turned];
+        if (!k) CHECK(s->count[PM_COUNT_STEPS] > 20);
+        scene_free(s);
+    }
+    CHECK(found[0][2] < -4);
+    for (int i = 0; i < 3; i++) NEAR(found[0][i], found[1][i], 1e-10);
+}
+
+/* Two balls fall side by side; one rests in their frame, the other comes from afar: whichever is named first. */
+static void far_until_the_other_comes(void)
+{
+    for (int k = 0; k < 2; k++) {
+        scene *s = scene_create();
+        const int rests = scene_body(s, 1, 0.1, 0, 0, 0), comes = scene_body(s, 1, 0.1, 40, 0, 0);
+        const int a = scene_circle(s, scene_point(s, rests, 0, 0), 0.5),
+                  b = scene_circle(s, scene_point(s, comes, 0, 0), 0.5);
+        scene_start_velocity(s, scene_point(s, comes, 0, 0), -13, 0);
+        const int contact =
+            scene_contact(s, PM_CONTACT_CIRCLE, k ? a : b, k ? b : a, 1, 1, PM_FRICTION_SMOOTH, 0);
+        const int struck = scene_on(s, PM_TRIGGER_STRIKE, contact);
+        const int t = scene_ask_event(s, scene_read(s, scene_time(s)), struck, 1, 0),
+                  count = count_of(s, struck);
+        *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_RK;
+        scene_set(s, PM_SETTING_ACCURACY, 1e-13);
+        scene_until_time(s, 5);
+        EQUAL(scene_run(s, NULL), PM_OK);
+        EQUAL(s->out[count], 1);
+        NEAR(s->out[t], 3, 1e-11);
+        scene_free(s);
+    }
+}
+
 int main(void)
 {
     cross_rise_fall();
@@ -275,5 +331,7 @@ int main(void)
     groups();
     limits();
     once_in_long_steps();
+    far_until_a_turn_is_over();
+    far_until_the_other_comes();
     return check_failures();
 }

@@ -1,0 +1,30 @@
+/* clear.h - open contacts that a step cannot reach: they are not looked at in it. */
+#ifndef PM_CLEAR_H
+#define PM_CLEAR_H
+
+#include "model.h"
+
+typedef struct pm_clear {
+    double *left; /* [ncontact] m, how far its marks may still move until it is looked at again */
+    double
+        *moved; /* [nbody + 1] m, how far marks of a body have moved in the step, at most; last: the ground */
+    double *from;         /* [nbody][3] pose at the begin of the step */
+    double *radius;       /* [nbody] m, of the centre of a circle from its body's origin, the greatest */
+    unsigned char *quiet; /* [ncontact] not looked at in this step */
+} pm_clear;
+
+int pm_clear_create(const pm_model *m, pm_clear *x);
+void pm_clear_free(pm_clear *x);
+
+/* A phase begins: nothing is known of any gap. */
+void pm_clear_begin(pm_workspace *w);
+/* Chooses what is quiet in the step that has been taken, as the last one lets expect. */
+void pm_clear_step(pm_workspace *w);
+/* The frame looks at a node of the step. */
+void pm_clear_node(pm_workspace *w, int node);
+/* All nodes have been looked at: those that were reached after all are not quiet; returns how many. */
+int pm_clear_check(pm_workspace *w);
+/* The gap of a contact that is not quiet at the begin of the step. */
+void pm_clear_keep(pm_workspace *w, int contact, double gap);
+
+#endif
