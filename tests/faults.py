@@ -46,7 +46,6 @@ FAULTS = [
     # contacts out of reach
     Fault("clear: a body does not turn", "clear.c", "+ x->radius[i] * fabs(pose[2] - from[2])", ""),
     Fault("clear: the other body stands still", "clear.c", "+ w->event->clear.moved[body[1]]", ""),
-    Fault("clear: never looked at again", "clear.c", "if (x->left[i] > 0) continue;", "continue;"),
     Fault("clear: the way is not added up", "clear.c", "x->left[i] -= BETWEEN * moved(w, body);", ""),
     Fault("reach: a chain is as short as its last rod", "reach.c", ".high = r + x->high,", ".high = r,"),
     Fault("reach: a link has no length", "reach.c", "from.high + length;", "from.high;"),

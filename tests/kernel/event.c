@@ -3,6 +3,7 @@
 #include "scene.h"
 
 #define G 9.81
+#define PI 3.14159265358979323846
 
 /* A particle thrown from the origin. */
 typedef struct flight {
@@ -262,6 +263,17 @@ static void once_in_long_steps(void)
     scene_free(s);
 }
 
+/* Two rods that whirl elsewhere: steps are so short that others hardly move in one. */
+static void whirl(scene *s)
+{
+    const int a = scene_body(s, 1, 1.0 / 12, 100.5, 0, 0), b = scene_body(s, 1, 1.0 / 12, 101, 0.5, PI / 2);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, a, -0.5, 0), scene_point(s, PM_GROUND, 100, 0), 0);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, b, -0.5, 0), scene_point(s, a, 0.5, 0), 0);
+    scene_start_omega(s, a, 40);
+    scene_start_omega(s, b, -30);
+    scene_ask_measure(s, scene_measure(s, PM_MEASURE_OMEGA, b));
+}
+
 /* The tip of a wheel turns almost once before it strikes: a contact that is far for long, and whose mark moves because
  * its body turns.  Time and speed of the blow as the path route has them. */
 static void far_until_a_turn_is_over(void)
@@ -273,7 +285,7 @@ static void far_until_a_turn_is_over(void)
         scene_joint(s, PM_JOINT_PIN, scene_point(s, wheel, -0.02, 0), scene_point(s, PM_GROUND, 0, 0), 0);
         scene_start_omega(s, wheel, -3);
         const int tip = scene_circle(s, scene_point(s, wheel, 0.9, 0.3), 0.02),
-                  wall = scene_line(s, scene_point(s, PM_GROUND, 0, 0.7), 3.14159265358979323846);
+                  wall = scene_line(s, scene_point(s, PM_GROUND, 0, 0.7), PI);
         const int contact = scene_contact(s, PM_CONTACT_LINE, tip, wall, 0, 0.5, PM_FRICTION_SMOOTH, 0);
         const int struck = scene_on(s, PM_TRIGGER_STRIKE, contact);
         const int t = scene_ask_event(s, scene_read(s, scene_time(s)), struck, 1, 0),
@@ -294,7 +306,7 @@ static void far_until_a_turn_is_over(void)
     for (int i = 0; i < 3; i++) NEAR(found[0][i], found[1][i], 1e-10);
 }
 
-/* Two balls fall side by side; one rests in their frame, the other comes from afar: whichever is named first. */
+/* One ball rests, the other comes from afar in many steps: whichever is named first. */
 static void far_until_the_other_comes(void)
 {
     for (int k = 0; k < 2; k++) {
@@ -309,11 +321,13 @@ static void far_until_the_other_comes(void)
         const int t = scene_ask_event(s, scene_read(s, scene_time(s)), struck, 1, 0),
                   count = count_of(s, struck);
         *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_RK;
-        scene_set(s, PM_SETTING_ACCURACY, 1e-13);
-        scene_until_time(s, 5);
+        scene_set(s, PM_SETTING_GRAVITY_Y, 0);
+        whirl(s);
+        scene_until_time(s, 3.5);
         EQUAL(scene_run(s, NULL), PM_OK);
+        CHECK(s->count[PM_COUNT_STEPS] > 200);
         EQUAL(s->out[count], 1);
-        NEAR(s->out[t], 3, 1e-11);
+        NEAR(s->out[t], 3, 1e-10);
         scene_free(s);
     }
 }
