@@ -166,6 +166,13 @@ static int limit_step(pm_workspace *w)
     return IDASetMaxStep(w->ida->memory, isfinite(scale) ? LONGEST_STEP * scale : 0); /* 0: no limit */
 }
 
+/* Where a couple has just overcome what held, accelerations are rounding and tell no time: the scene's own does. */
+static double time_to_begin_with(const pm_workspace *w)
+{
+    const double scale = pm_case_time_scale(w, w->state.v, w->frame.a);
+    return isfinite(scale) ? fmin(scale, w->size / w->speed) : scale;
+}
+
 static int begin(pm_workspace *w)
 {
     pm_ida *r = w->ida;
@@ -176,7 +183,7 @@ static int begin(pm_workspace *w)
     int status = pm_ida_system_start(w, N_VGetArrayPointer(r->y), N_VGetArrayPointer(r->yp));
     if (status) return status;
     pm_ida_system_scale(w);
-    double first = FIRST_STEP * sqrt(r->tolerance) * pm_case_time_scale(w, w->state.v, w->frame.a);
+    double first = FIRST_STEP * sqrt(r->tolerance) * time_to_begin_with(w);
     int flag = IDAReInit(r->memory, w->state.t, r->y, r->yp);
     if (flag == IDA_SUCCESS) flag = limit_step(w);
     if (flag != IDA_SUCCESS) return failed(w, flag);

@@ -44,6 +44,28 @@ def test_a_torsion_pendulum_loses_the_same_with_each_swing(route: str) -> None:
     assert values["opposite"] == pytest.approx(-values["couple"])
 
 
+GROWING = """
+until = "t = 2 s"
+parameters = { M = "0.8 N*m", I = "0.5 kg*m^2", rate = "1 N*m/s" }
+bodies.wheel = { inertia = "I", at = [0, 0] }
+joints.axle = { pin = ["ground", "wheel.center"], friction = "M" }
+forces.drive = { couple = "wheel", value = "rate*t" }
+[ask]
+omega = "wheel.omega"
+turned = "wheel.turned"
+"""
+
+
+@pytest.mark.parametrize("route", ["rk", "ida"])
+@pytest.mark.parametrize("rate", [0.5, 1, 3, 70])
+def test_a_couple_that_grows_out_of_rest_overcomes_a_bearing(rate: float, route: str) -> None:
+    """It turns from t = M/rate on, with I alpha = rate (t - M/rate)."""
+    values = run(GROWING, route, rate=f"{rate} N*m/s")
+    since = 2 - 0.8 / rate
+    assert values["omega"] == pytest.approx(rate * since**2, rel=1e-8)
+    assert values["turned"] == pytest.approx(rate * since**3 / 3, rel=1e-8)
+
+
 SLED = """
 until = "t = 2.5 s"
 parameters = { mu = 0.3, v0 = "0 m/s", rate = "4 N/s", tilt = "0 deg" }
