@@ -102,7 +102,7 @@ def _weak(known: list[Path]) -> Iterator[str]:
         for path in known:
             reason = chapter17.why_not(path, route) if route != "auto" else ""
             if reason:
-                if not reason.startswith("no motion"):
+                if reason != chapter17.NO_TIME:
                     yield f"{route} {path.stem}: not compared: {reason}"
                 continue
             result = chapter17.run(path, route)
