@@ -82,6 +82,7 @@ static double friction_power(pm_workspace *w, const double *size)
 void pm_audit_controlled_rates(pm_workspace *w, double *zdot)
 {
     const pm_model *m = w->model;
+    if (m->nz_controlled == 0) return;
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++)
         if (m->force_z[i] != PM_NONE) zdot[m->force_z[i]] = w->frame.power[i];
     for (int i = 0; i < m->rows[PM_TABLE_MEASURE]; i++) {

@@ -4,7 +4,9 @@
  * y = (coordinates, their rates, z), y' = (rates, accelerations(t, y), z').  Error in the norm of Hairer, Norsett,
  * Wanner I, II.10, lengths against the scene's size, angles against 1 rad (they grow with every turn), speeds against
  * its speed.  The step control aims well below the tolerance (safety 0.7): fewer rejections and errors several times
- * smaller for the same work.  The ledger feeds nothing back: it is integrated over the step by the stages that count. */
+ * smaller for the same work.  The ledger feeds nothing back: it is integrated over the step by the stages that count.
+ * Where energy is kept (energy.h) nothing but the impulses of the outer world is in it, and they are evidence alone: one
+ * step of LEDGER_STEPS is a sample of it, the others take what the momenta say. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -32,6 +34,7 @@
 #define FIRST_RETRY 0.25
 #define SIDESTEP 0.83 /* a stage that came upon a singular position misses it with a step a little shorter */
 #define SIDESTEPS 8
+#define LEDGER_STEPS 4 /* reactions in all stages that count are a quarter of the work of a step */
 
 struct pm_rk {
     int n;          /* coordinates of the phase */
@@ -49,7 +52,9 @@ struct pm_rk {
     double t0, h;   /* the last step as integrated */
     double next;    /* step to try next, 0: none known */
     int dense_ready, k0_ready;
-    pm_energy_level level; /* of the energy, where it is kept */
+    pm_energy_level level;                               /* of the energy, where it is kept */
+    int ledger;                                          /* the last step integrates it */
+    double momentum[PM_LEDGER], momentum_now[PM_LEDGER]; /* at its begin; at w->state */
     void *block;
 };
 
@@ -136,13 +141,14 @@ static void set_scale(pm_workspace *w)
 static void combine(int n, int stride, const double *y0, double h, const double *weight, int nweight,
                     const double *stage, double *y)
 {
-    for (int i = 0; i < n; i++) y[i] = weight[0] * stage[i];
-    for (int s = 1; s < nweight; s++) {
-        const double c = weight[s], *k = stage + s * stride;
-        if (c == 0) continue;
-        for (int i = 0; i < n; i++) y[i] += c * k[i];
+    int used[ALL_STAGES], nused = 0;
+    for (int s = 0; s < nweight; s++)
+        if (weight[s] != 0) used[nused++] = s;
+    for (int i = 0; i < n; i++) {
+        double sum = 0;
+        for (int k = 0; k < nused; k++) sum += weight[used[k]] * stage[used[k] * stride + i];
+        y[i] = y0[i] + h * sum;
     }
-    for (int i = 0; i < n; i++) y[i] = y0[i] + h * y[i];
 }
 
 /* Stages 1..11 from stage 0, and the end of the step in y. */
@@ -151,10 +157,13 @@ static int stages(pm_workspace *w, double h, double *k, double *y)
     struct pm_rk *r = w->rk;
     for (int s = 1; s < STAGES; s++) {
         combine(r->controlled, r->all, r->y0, h, stage_weight[s], s, k, y);
-        const int status = derivative(w, r->t0 + stage_time[s] * h, y, step_weight[s] != 0, k + s * r->all);
+        const int status =
+            derivative(w, r->t0 + stage_time[s] * h, y, r->ledger && step_weight[s] != 0, k + s * r->all);
         if (status) return status;
     }
-    combine(r->all, r->all, r->y0, h, step_weight, STAGES, k, y);
+    const int n = r->ledger ? r->all : r->controlled;
+    combine(n, r->all, r->y0, h, step_weight, STAGES, k, y);
+    memcpy(y + n, r->y0 + n, (size_t)(r->all - n) * sizeof *y);
     return PM_OK;
 }
 
@@ -203,6 +212,7 @@ static int begin(pm_workspace *w)
     choose_coordinates(w);
     memcpy(r->now + 2 * r->n, w->state.z, (size_t)w->model->nz * sizeof(double));
     r->k0_ready = r->dense_ready = 0;
+    pm_body_momentum(w, PM_NONE, r->momentum_now);
     if (w->count[PM_COUNT_STEPS] == 0) r->next = 0; /* a new case owes nothing to the last one */
     pm_energy_begin(w, &r->level);
     set_scale(w);
@@ -252,12 +262,21 @@ static double restore_energy(pm_workspace *w, double *rates)
     return gained;
 }
 
+/* Impulses of the outer world since the begin of the step, where the frame looks. */
+static void follow_momenta(pm_workspace *w, double *impulse)
+{
+    double momentum[PM_LEDGER];
+    pm_body_momentum(w, PM_NONE, momentum);
+    for (int i = 0; i < PM_LEDGER; i++) impulse[i] += momentum[i] - w->rk->momentum[i];
+}
+
 /* y back on the rows and on the energy level, and the state there. */
 static int settle(pm_workspace *w, double t, double *y, pm_state *s, double *gained)
 {
     const int n = w->rk->n, status = pm_tree_project(w, t, y, y + n, y + 2 * n);
     if (status) return status;
     *gained = restore_energy(w, y + n);
+    if (!w->rk->ledger) follow_momenta(w, y + 2 * n + pm_audit_ledger(w->model));
     tell(w, t, y, s);
     return PM_OK;
 }
@@ -269,8 +288,10 @@ static int accept(pm_workspace *w, double t)
     choose_coordinates(w);
     double gained;
     int status = settle(w, t, r->now, &w->state, &gained);
-    if (!status) pm_energy_note(w, &r->level, gained);
-    if (!status) status = derivative_here(w, r->now, 1, r->k + STAGES * r->all);
+    if (status) return status;
+    pm_energy_note(w, &r->level, gained);
+    pm_body_momentum(w, PM_NONE, r->momentum_now);
+    status = derivative_here(w, r->now, 1, r->k + STAGES * r->all);
     if (status) return status;
     set_times(w);
     r->dense_ready = 0;
@@ -301,6 +322,8 @@ static int step(pm_workspace *w, double t_limit)
 {
     struct pm_rk *r = w->rk;
     r->t0 = w->state.t;
+    r->ledger = !r->level.kept || w->count[PM_COUNT_STEPS] % LEDGER_STEPS == 0;
+    memcpy(r->momentum, r->momentum_now, sizeof r->momentum);
     memcpy(r->y0, r->now, (size_t)r->all * sizeof(double));
     int status = first_stage(w);
     if (status) return status;

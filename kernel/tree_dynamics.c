@@ -93,7 +93,8 @@ static int factor_loops(pm_workspace *w)
     for (int i = 0; i < t->nloop && !bad;
          i++) { /* the factor holds the reciprocal of what is left of the row */
         const double left = t->schur[i * t->nloop + i];
-        t->independence = fmin(t->independence, 1 / (square_of(w, &w->row[t->loop[i]]) * left * left));
+        const double part = 1 / (square_of(w, &w->row[t->loop[i]]) * left * left);
+        if (part < t->independence) t->independence = part;
     }
     return bad ? singular_loop(w, bad - 1) : PM_OK;
 }

@@ -99,12 +99,33 @@ static void couple(const pm_workspace *w, pm_tree_node *x)
     }
 }
 
+/* The same as below, for what most trees consist of. */
+static void place_pinned(const pm_workspace *w, pm_tree_node *x, const double *y)
+{
+    const double *from = w->frame.pose + 5 * x->parent;
+    double *at = w->frame.pose + 5 * x->body;
+    at[2] = x->turns ? y[x->first] : 0;
+    at[3] = cos(at[2]);
+    at[4] = sin(at[2]);
+    turned(from, x->mark, x->r_mark);
+    turned(at, x->child, x->r_child);
+    for (int k = 0; k < 2; k++) at[k] = from[k] + x->r_mark[k] - x->r_child[k];
+    x->by_parent[0] = -x->r_mark[1];
+    x->by_parent[1] = x->r_mark[0];
+    x->by_own[0] = x->r_child[1];
+    x->by_own[1] = -x->r_child[0];
+}
+
 static void place_node(const pm_workspace *w, pm_tree_node *x, const pm_memory *memory, const double *y)
 {
     const double *own = y + x->first, *from = w->frame.pose + 5 * x->parent;
     double *at = w->frame.pose + 5 * x->body;
     if (x->placement == FREE) {
         place_free(x, own, at);
+        return;
+    }
+    if (x->placement == PIN) {
+        place_pinned(w, x, y);
         return;
     }
     place_angle(x, own, from, at);

@@ -1022,6 +1022,12 @@ FAULTS = [
         "1 - missing / kinetic",
     ),
     Fault("rk: a damped motion keeps its energy", "energy.c", "only_potentials(w) && drives", "drives"),
+    Fault(
+        "rk: impulses of a sampled step",
+        "route_rk.c",
+        "if (!w->rk->ledger) follow_momenta",
+        "follow_momenta",
+    ),
     Fault("rk: summed weights", "tree_turning.c", "w->gravity[1] * p[0] -", "w->gravity[1] * p[0] +"),
     Fault("rk: summed centrifugal forces", "tree_turning.c", "x[k] -= a->square", "x[k] += a->square"),
     # answers, audit, batch, start
