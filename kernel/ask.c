@@ -25,7 +25,7 @@
 #define PEAK_STEP 1e-4 /* of the step: distance of the differences that make the rate next to an extreme */
 #define SLOPE_TAIL 2.0 /* times the degree and the highest coefficients: error of a polynomial's slope */
 #define PEAK_STEPS 6   /* of Newton's method to an extreme */
-#define PEAK_GAIN 1e-16 /* of the value's size: a step that would gain less is not taken */
+#define PEAK_GAIN 1e-15 /* of the value's size: a step that would gain less is not taken */
 #define LEVEL 1e-14     /* of a value's size: so little spread is rounding */
 #define ON_GRID 1e-9    /* relative: a grid value met at the very start or end of the run */
 
@@ -189,24 +189,10 @@ static int exactly(pm_workspace *w, double t, void *context, double *value)
     return status;
 }
 
-/* Between two nodes where the value may have an extreme better than the best so far: the root of its rate. */
-static int refine(pm_workspace *w, int ask, double a, double b)
-{
-    pm_watch x = {watched_program(PM_ASK_ROW(w->model, ask)), 0, RATE_STEP * (w->step_end - w->step_begin)};
-    const double fa = along(w, a, &x), fb = along(w, b, &x);
-    const int greatest = is_greatest(PM_ASK_ROW(w->model, ask));
-    double t;
-    if (!(greatest ? fa > 0 && fb < 0 : fa < 0 && fb > 0)) return PM_OK;
-    int status = pm_root_find(w, w->ask->solver, along, &x, a, fa, b, fb, &t);
-    if (status || (status = look(w, t, 1))) return status;
-    offer(w, ask, run(w, x.program));
-    return PM_OK;
-}
-
 /* A value in a step that its nodes tell nearly: g the greater the better, its slopes d by the fraction of the step. */
 typedef struct pm_peak {
     double sign; /* of the value in g */
-    double g[PM_NODES_MOST], d[PM_NODES_MOST], bend[PM_NODES_MOST];
+    double g[PM_NODES_MOST], d[PM_NODES_MOST];
     double size; /* greatest of g */
     double tail; /* highest coefficients over it */
 } pm_peak;
@@ -217,18 +203,35 @@ static double slope_error(const pm_nodes *nodes, const pm_peak *p)
     return SLOPE_TAIL * nodes->n * p->tail * p->size;
 }
 
-/* From the polynomial's extreme to that of the value, by Newton's method on the rate; the bend is the polynomial's, then
- * the secant's.  0 if it does not stay between the nodes. */
-static int climb(pm_workspace *w, int ask, const pm_peak *p, double low, double high, double *s)
+static double bend_at(const pm_nodes *nodes, const pm_peak *p, double s)
 {
-    const double h = w->sampled_end - w->step_begin;
+    double slope;
+    return pm_series_slope(nodes, p->d, s, &slope);
+}
+
+/* Of the value's rate by the fraction of the step: its bend, and how far that may be off, over it. */
+typedef struct pm_slope {
+    double bend, error;
+} pm_slope;
+
+static pm_slope slope_of(const pm_nodes *nodes, const pm_peak *p, double s)
+{
+    const double bend = bend_at(nodes, p, s);
+    return (pm_slope){bend, SLOPE_TAIL * nodes->n * slope_error(nodes, p) / fabs(bend)};
+}
+
+/* To the extreme of the value from near it, by Newton's method on the rate; the bend is at first the one given, then the
+ * secant's.  0 if it does not stay between low and high.  size: of the value. */
+static int climb(pm_workspace *w, int ask, const pm_slope *slope, double low, double high, double size,
+                 double *s)
+{
+    const double h = w->sampled_end - w->step_begin, sign = is_greatest(PM_ASK_ROW(w->model, ask)) ? 1 : -1;
     const pm_watch x = {watched_program(PM_ASK_ROW(w->model, ask)), 0, 0};
-    double bend = pm_series_value(w->nodes, p->bend, 1, *s), last = 0, from = *s;
-    const double bend_error = SLOPE_TAIL * w->nodes->n * slope_error(w->nodes, p) / fabs(bend);
+    double bend = slope->bend, last = 0, from = *s;
     for (int i = 0; i < PEAK_STEPS; i++) {
         const double place = w->step_begin + *s * h;
         const double rate =
-            p->sign * (value_at(w, place + PEAK_STEP * h, &x) - value_at(w, place - PEAK_STEP * h, &x)) /
+            sign * (value_at(w, place + PEAK_STEP * h, &x) - value_at(w, place - PEAK_STEP * h, &x)) /
             (2 * PEAK_STEP);
         if (i > 0 && *s != from) bend = (rate - last) / (*s - from);
         const double shift = -rate / bend;
@@ -236,16 +239,35 @@ static int climb(pm_workspace *w, int ask, const pm_peak *p, double low, double 
         last = rate;
         from = *s;
         *s += shift;
-        const double left = i == 0 ? fmin(bend_error, 1) * rate : rate; /* of the rate, after this step */
-        if (fabs(left * left / bend) <= PEAK_GAIN * p->size) return 1;
+        const double left = i == 0 ? fmin(slope->error, 1) * rate : rate; /* of the rate, after this step */
+        if (fabs(left * left / bend) <= PEAK_GAIN * size) return 1;
     }
     return 0;
 }
 
-/* The polynomial's extreme is off by its slope's error over its bend, and the value there by half the square of that. */
-static int is_told(const pm_nodes *nodes, const pm_peak *p, double s)
+/* Between two nodes where the value may have an extreme better than the best so far: the root of its rate. */
+static int refine(pm_workspace *w, int ask, const pm_peak *p, double a, double b)
 {
-    const double error = slope_error(nodes, p), bend = pm_series_value(nodes, p->bend, 1, s);
+    const double begin = w->step_begin, h = w->sampled_end - begin;
+    pm_watch x = {watched_program(PM_ASK_ROW(w->model, ask)), 0, RATE_STEP * (w->step_end - w->step_begin)};
+    const double fa = along(w, a, &x), fb = along(w, b, &x);
+    const int greatest = is_greatest(PM_ASK_ROW(w->model, ask));
+    if (!(greatest ? fa > 0 && fb < 0 : fa < 0 && fb > 0)) return PM_OK;
+    double s = (a + (b - a) * (fa / (fa - fb)) - begin) / h, t;
+    const pm_slope slope = {(greatest ? fb - fa : fa - fb) * h * h / (b - a), 1};
+    const int climbs = !at_extreme(PM_ASK_ROW(w->model, ask)) && /* there the place matters, not the value */
+                       climb(w, ask, &slope, (a - begin) / h, (b - begin) / h, p->size, &s);
+    t = begin + s * h;
+    int status = climbs ? PM_OK : pm_root_find(w, w->ask->solver, along, &x, a, fa, b, fb, &t);
+    if (status || (status = look(w, t, 1))) return status;
+    offer(w, ask, run(w, x.program));
+    return PM_OK;
+}
+
+/* The polynomial's extreme is off by its slope's error over its bend, and the value there by half the square of that. */
+static int is_told(const pm_nodes *nodes, const pm_peak *p, double bend)
+{
+    const double error = slope_error(nodes, p);
     return bend < 0 && 0.5 * error * error <= PEAK_GAIN * p->size * -bend;
 }
 
@@ -262,11 +284,12 @@ static int extremes_of_samples(pm_workspace *w, int ask, const pm_peak *p)
         if (status) return status;
         const double untold = (UNTOLD * p->tail - LEVEL) * p->size;
         if (pm_series_value(nodes, p->g, 1, s) + untold <= p->sign * w->ask->best[ask]) continue;
-        const int found = is_told(w->nodes, p, s) ||
-                          climb(w, ask, p, k > 0 ? at[k - 1] : 0, k + 2 < nodes->n ? at[k + 2] : 1, &s);
+        const pm_slope slope = slope_of(nodes, p, s);
+        const double low = k > 0 ? at[k - 1] : 0, high = k + 2 < nodes->n ? at[k + 2] : 1;
+        const int found = is_told(nodes, p, slope.bend) || climb(w, ask, &slope, low, high, p->size, &s);
         const double place = w->step_begin + s * (w->sampled_end - w->step_begin);
         if (!found)
-            status = refine(w, ask, pm_crossing_node(w, k), fmin(pm_crossing_node(w, k + 1), w->step_end));
+            status = refine(w, ask, p, pm_crossing_node(w, k), fmin(pm_crossing_node(w, k + 1), w->step_end));
         if (status) return status;
         if (!found || place > w->step_end) continue;
         if ((status = look(w, place, 1))) return status;
@@ -285,7 +308,7 @@ static int extremes_beside_top(pm_workspace *w, int ask, const pm_peak *p, int t
         if (p->d[k] < -flat || p->d[k + 1] > flat) continue;
         const double end = fmin(pm_crossing_node(w, k + 1), w->step_end);
         if (pm_crossing_node(w, k) >= end) continue;
-        const int status = refine(w, ask, pm_crossing_node(w, k), end);
+        const int status = refine(w, ask, p, pm_crossing_node(w, k), end);
         if (status) return status;
     }
     return PM_OK;
@@ -312,7 +335,6 @@ static int extreme_in_step(pm_workspace *w, int ask)
     pm_series_slopes(w->nodes, p.g, p.d);
     if (pm_nodes_spectral(w->nodes) && !at_extreme(PM_ASK_ROW(w->model, ask))) {
         p.tail = pm_series_tail(w->nodes, p.g);
-        pm_series_slopes(w->nodes, p.d, p.bend);
         if (p.tail < SMOOTH) return extremes_of_samples(w, ask, &p);
     }
     return extremes_beside_top(w, ask, &p, top, spread);

@@ -24,9 +24,14 @@ double pm_contact_reach(const pm_workspace *w)
     return reach;
 }
 
+int pm_contact_is_row(const pm_model *m, int contact)
+{
+    return PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_KIND] == PM_CONTACT_ROW;
+}
+
 int pm_contact_slots(const pm_model *m, int contact)
 {
-    return PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_KIND] == PM_CONTACT_ROW ? PM_ROW_SLOTS : 1;
+    return pm_contact_is_row(m, contact) ? PM_ROW_SLOTS : 1;
 }
 
 int pm_contact_of_slot(const pm_model *m, int slot)
@@ -157,7 +162,7 @@ static int members_of_row(const pm_workspace *w, const pm_state *s, int contact,
     const double place = pm_dot(x->d, x->step) / pm_dot(x->step, x->step),
                  limit = 1e9; /* members are int32 */
     const int last = count < 0 ? (int)limit : (int)count - 1, first = count < 0 ? -(int)limit : 0;
-    const int below = (int)fmax(first - 1.0, fmin(last, fmin(limit, fmax(-limit, floor(place)))));
+    const int below = place < first ? first - 1 : place > last ? last : (int)floor(place);
     int down = below, up = below + 1, n = 0;
     while (n + 1 < most) {
         down = next_open(w, s, contact, down, -1, first, last);
@@ -195,6 +200,12 @@ static double row_gap(const pm_workspace *w, const pm_state *s, int contact, con
         *member = near[i];
     }
     return least;
+}
+
+double pm_contact_gap_to(const pm_workspace *w, int contact, int member)
+{
+    const pm_beside x = beside_row(w, PM_CONTACT_ROW_OF(w->model, contact));
+    return gap_beside(&x, member);
 }
 
 double pm_contact_gap(const pm_workspace *w, const pm_state *s, int contact, int *member)

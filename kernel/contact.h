@@ -14,6 +14,8 @@ double pm_contact_apart(const pm_workspace *w, const pm_state *s, int contact, i
 /* The nearest members that are not closed, at the frame, at most `most` (an even number) of a periodic row: in pairs, one
  * on either side, as far as there are; returns how many. */
 int pm_contact_near(const pm_workspace *w, const pm_state *s, int contact, int most, int *member);
+/* Gap to a member of a row, closed or not. */
+double pm_contact_gap_to(const pm_workspace *w, int contact, int member);
 /* Gap, and its rate, of one member at the frame. */
 double pm_contact_member_gap(const pm_workspace *w, int contact, int member, double *rate);
 /* Rate of slip of one member at the frame. */
@@ -30,6 +32,7 @@ double pm_contact_restitution(const pm_workspace *w, int contact);
 double pm_contact_tangential(const pm_workspace *w, int contact);
 int pm_contact_law(const pm_model *m, int contact); /* enum pm_law */
 int pm_contact_friction(const pm_model *m, int contact);
+int pm_contact_is_row(const pm_model *m, int contact);
 int pm_contact_is_cord(const pm_model *m, int contact);
 double pm_contact_static(const pm_workspace *w, int contact);
 double pm_contact_kinetic(const pm_workspace *w, int contact);

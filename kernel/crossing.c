@@ -10,6 +10,7 @@
 #include "ask.h"
 #include "body.h"
 #include "capture.h"
+#include "contact.h"
 #include "decision.h"
 #include "error.h"
 #include "root.h"
@@ -23,7 +24,7 @@
 #define CLOSE 0.1      /* of the values beside it: a dip that is worth a closer look */
 #define DIP_STEP 1e-3  /* of the nodes' distance: distance of the differences at the bottom of a dip */
 #define DIP_STEPS 3    /* of Newton's method to the bottom */
-#define RESOLVED 1e-7  /* highest coefficients of a function that its samples tell */
+#define RESOLVED 1e-6  /* highest coefficients of a function that its samples tell */
 #define PASSES 1e-5    /* of the scene's size: two points farther apart where they are nearest do not meet */
 #define OFF 1e-9       /* of a function's values next to its zero: not on it */
 #define HALVINGS 30    /* of a step, to find the top of a short bounce */
@@ -184,26 +185,28 @@ static int dips(pm_workspace *w, pm_event_function *f, const double *g, const do
     return reaches(w, f, s, fmax(a, c), x[0], x[2], where, value);
 }
 
-/* A dip between two nodes, told by the slopes there: also one beside an end of the step, where three nodes do not show
- * it.  The bottom of the cubic through both values and slopes. */
-static int turns(pm_workspace *w, pm_event_function *f, const double *g, const double *slope, const double *x,
+/* Slope at a node of the polynomial through the values there. */
+static double slope_at(const pm_workspace *w, const double *g, int k)
+{
+    return pm_series_slope_at(w->nodes, g, k) / (w->step_end - w->step_begin);
+}
+
+/* A dip between node k and the next, told by the slopes there: also one beside an end of the step, where three nodes do
+ * not show it.  The bottom of the cubic through both values and slopes. */
+static int turns(pm_workspace *w, pm_event_function *f, const double *g, int k, const double *x,
                  double *where, double *value)
 {
-    const double s = g[0] > 0 ? 1 : -1, h = x[1] - x[0];
-    const double a = s * g[0], b = s * g[1], p = s * slope[0] * h, q = s * slope[1] * h;
-    if (!(a > 0 && b > 0 && p < 0 && q > 0) || !may_cross(f, s)) return 0;
+    const double s = g[k] > 0 ? 1 : -1, a = s * g[k], b = s * g[k + 1], h = x[1] - x[0];
+    if (!(a > 0 && b > 0) || !may_cross(f, s)) return 0;
+    const double p = s * slope_at(w, g, k) * h;
+    if (!(p < 0)) return 0;
+    const double q = s * slope_at(w, g, k + 1) * h;
+    if (!(q > 0)) return 0;
     const double c2 = 3 * (b - a) - 2 * p - q, c3 = 2 * (a - b) + p + q;
     const double t = -p / (c2 + sqrt(fmax(c2 * c2 - 3 * c3 * p, 0)));
     if (!(t > 0 && t < 1) || a + t * (p + t * (c2 + t * c3)) > CLOSE * fmin(a, b)) return 0;
     *where = x[0] + t * h;
     return reaches(w, f, s, fmax(a, b), x[0], x[1], where, value);
-}
-
-/* Slopes at the nodes of the polynomial through the values there. */
-static void slopes_of(const pm_workspace *w, const double *g, double *slope)
-{
-    pm_series_slopes(w->nodes, g, slope);
-    for (int k = 0; k < w->nodes->n; k++) slope[k] /= w->step_end - w->step_begin;
 }
 
 typedef struct pm_bracket {
@@ -249,13 +252,12 @@ static int bracket(pm_workspace *w, int i, double from, pm_bracket *x)
     pm_event_set *e = w->event;
     pm_event_function *f = &e->function[i];
     const int n = w->nodes->n;
-    double g[PM_NODES_MOST], place[PM_NODES_MOST], slope[PM_NODES_MOST], biggest = 0, least = INFINITY;
+    double g[PM_NODES_MOST], place[PM_NODES_MOST], biggest = 0;
     int first = 0;
     for (int k = 0; k < n; k++) {
         g[k] = pm_event_of_sample(f, e->value[k * e->nfunction + i]);
         place[k] = pm_crossing_node(w, k);
         biggest = fmax(biggest, fabs(g[k]));
-        least = fmin(least, fabs(g[k]));
         if (k == n - 1 && e->at_root && fabs(g[k]) <= ON_ZERO * biggest) g[k] = 0; /* there the phase ends */
         if (place[k] <= from) first = k;
     }
@@ -278,15 +280,14 @@ static int bracket(pm_workspace *w, int i, double from, pm_bracket *x)
         *x = (pm_bracket){place[0], place[0], 0, 0};
         return 1;
     }
-    const int near = least < NEAR * biggest;
-    if (near) slopes_of(w, g, slope);
     for (int k = first; k + 1 < n; k++) {
         double where, value;
         if (crosses(f, g[k], g[k + 1])) {
             *x = (pm_bracket){place[k], place[k + 1], g[k], g[k + 1]};
             return 1;
         }
-        const int turned = near && turns(w, f, g + k, slope + k, place + k, &where, &value);
+        const int near = fmin(fabs(g[k]), fabs(g[k + 1])) < NEAR * biggest;
+        const int turned = near && turns(w, f, g, k, place + k, &where, &value);
         if ((turned || (k + 2 < n && dips(w, f, g + k, place + k, &where, &value))) && where > from) {
             *x = (pm_bracket){place[k], where, g[k], value};
             return 1;
@@ -307,15 +308,6 @@ static int exactly(pm_workspace *w, double x, void *context, double *value)
     return status;
 }
 
-/* How fast the function goes through its zero: a decision, for it might not have reached it. */
-static void take_rate(pm_workspace *w, int function, double x)
-{
-    if (!w->error->active) return;
-    pm_event_function *f = &w->event->function[function];
-    const double d = RATE_STEP * (w->step_end - w->step_begin);
-    pm_decision_rate(w, function, (along(w, x + d, f) - along(w, x - d, f)) / (2 * d));
-}
-
 static void samples_of(const pm_workspace *w, int i, double value[PM_NODES_MOST])
 {
     const pm_event_set *e = w->event;
@@ -326,10 +318,9 @@ static void samples_of(const pm_workspace *w, int i, double value[PM_NODES_MOST]
 static double slope_of_samples(const pm_workspace *w, int i, double place)
 {
     const double h = w->step_end - w->step_begin;
-    double value[PM_NODES_MOST], slope[PM_NODES_MOST];
+    double value[PM_NODES_MOST], here;
     samples_of(w, i, value);
-    pm_series_slopes(w->nodes, value, slope);
-    return pm_series_value(w->nodes, slope, 1, (place - w->step_begin) / h) / h;
+    return pm_series_slope(w->nodes, value, (place - w->step_begin) / h, &here) / h;
 }
 
 /* The nodes of a spectral route resolve the function, unless it has a corner (the nearest of several members). */
@@ -339,6 +330,35 @@ static int is_resolved(const pm_workspace *w, int i)
     if (!pm_nodes_spectral(w->nodes)) return 0;
     samples_of(w, i, value);
     return pm_series_tail(w->nodes, value) < RESOLVED;
+}
+
+/* The gap to the nearest member of a row has corners, that to one member has none: from now on the samples are those of
+ * the member that is met at x.  Whether it is the nearest at the root is seen there (polish). */
+static int sample_member(pm_workspace *w, int i, double x)
+{
+    pm_event_set *e = w->event;
+    const pm_event_function *f = &e->function[i];
+    int member, status = PM_OK;
+    if (f->kind != FUNCTION_GAP || !pm_nodes_spectral(w->nodes) || !pm_contact_is_row(w->model, f->index))
+        return PM_OK;
+    if ((status = pm_route_look(w, x, PM_LEVEL_KINEMATIC))) return status;
+    if (isinf(pm_contact_gap(w, &w->state, f->index, &member))) return PM_OK;
+    for (int k = 0; k < w->nodes->n && !status; k++) {
+        status = pm_route_look(w, pm_crossing_node(w, k), PM_LEVEL_KINEMATIC);
+        e->value[k * e->nfunction + i] = pm_contact_gap_to(w, f->index, member);
+    }
+    return status;
+}
+
+/* How fast the function goes through its zero: a decision, for it might not have reached it. */
+static void take_rate(pm_workspace *w, int function, double x)
+{
+    if (!w->error->active) return;
+    pm_event_function *f = &w->event->function[function];
+    const double d = RATE_STEP * (w->step_end - w->step_begin);
+    pm_decision_rate(w, function,
+                     is_resolved(w, function) ? slope_of_samples(w, function, x)
+                                              : (along(w, x + d, f) - along(w, x - d, f)) / (2 * d));
 }
 
 /* Where the polynomial through the samples has its root. */
@@ -358,7 +378,13 @@ static int root_in(pm_workspace *w, int i, const pm_bracket *x, double *place)
     pm_event_set *e = w->event;
     *place = x->a;
     if (!(x->b > x->a)) return PM_OK;
-    if (is_resolved(w, i)) return root_of_samples(w, i, x, place);
+    int resolved = is_resolved(w, i);
+    if (!resolved) {
+        const int status = sample_member(w, i, x->b);
+        if (status) return status;
+        resolved = is_resolved(w, i);
+    }
+    if (resolved) return root_of_samples(w, i, x, place);
     return pm_root_find(w, e->solver, along, &e->function[i], x->a, x->ga, x->b, x->gb, place);
 }
 
@@ -424,7 +450,9 @@ int pm_crossing_first(pm_workspace *w, double from, double *first, double *taken
         }
     }
     if (earliest == PM_NONE || *first <= w->step_begin) return PM_OK;
-    take_rate(w, earliest, *first);
+    const int at_end = *first >= w->step_end && of_first.gb == 0; /* exactly there: nothing to polish */
+    if (!at_end || !w->turns) take_rate(w, earliest, *first);
+    if (at_end) return PM_OK;
     return polish(w, earliest, &of_first, first, taken);
 }
 

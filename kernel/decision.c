@@ -142,12 +142,14 @@ void pm_decision_close(pm_workspace *w)
     log->instant++;
 }
 
+int pm_decision_is_open(const pm_decision *x, double unit) { return x->reach > NOTHING * unit; }
+
 static double margin_of(const pm_decision *x, const pm_decision *y, const double *trigger_scale)
 {
     if (x->kind == PM_DECISION_RATE && x->in_time != y->in_time) return INFINITY;
     const double unit = x->unit * (x->trigger == PM_NONE ? 1 : trigger_scale[x->trigger]);
     const double a = fabs(x->distance), b = fabs(y->distance), apart = fabs(x->distance - y->distance);
-    if (!(fmax(x->reach, y->reach) > NOTHING * unit)) return INFINITY;
+    if (!pm_decision_is_open(x, unit) && !pm_decision_is_open(y, unit)) return INFINITY;
     return fmin(a, b) / fmax(apart, ROUNDING * unit);
 }
 

@@ -54,6 +54,8 @@ void pm_decision_rate(pm_workspace *w, int function, double rate);
 void pm_decision_sign(pm_workspace *w, int site, int what, double x, double unit);
 void pm_decision_close(pm_workspace *w);
 
+/* Not zero by the scene's structure; unit: its natural size. */
+int pm_decision_is_open(const pm_decision *x, double unit);
 /* Least distance over difference of the decisions that both passes took; trigger_scale[ntrigger] natural sizes of
  * the trigger programs. */
 double pm_decision_margin(const pm_decision_log *a, const pm_decision_log *b, const double *trigger_scale);

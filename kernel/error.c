@@ -55,12 +55,16 @@
 #define SHIFT 1e-6 /* of the state's natural size: change that shows the size of an ask */
 
 /* ---- memory ---- */
-static size_t doubles_of_pass(const pm_model *m) { return 2 * (size_t)m->nout; }
+static size_t doubles_of_pass(const pm_model *m)
+{
+    return 2 * ((size_t)m->nout + (size_t)m->rows[PM_TABLE_TRIGGER]);
+}
 
 static void place_pass(const pm_model *m, pm_pass *p, double *doubles, int32_t *reason, pm_decision *entry)
 {
     p->out = doubles;
     p->error = doubles + m->nout;
+    p->extreme = doubles + 2 * m->nout;
     p->reason = reason;
     p->log.entry = entry;
 }
@@ -124,6 +128,9 @@ void pm_error_begin(pm_workspace *w)
     w->error->noise = SEED;
     for (int i = 0; i < w->model->nout; i++) p->error[i] = NAN;
     p->margin = INFINITY;
+    p->relative = 0;
+    p->unsure = 0;
+    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) p->extreme[i] = INFINITY;
     pm_decision_begin(&p->log);
 }
 
@@ -325,6 +332,7 @@ static int knows_itself(const pm_workspace *w)
 {
     if (w->error->seeks) return 0; /* nobody knows the error of what is sought */
     const pm_pass *p = w->error->main;
+    if (p->unsure) return 0;
     for (int i = 0; i < w->model->nask; i++) {
         const int32_t *row = PM_ASK_ROW(w->model, i);
         for (int k = row[PM_ASK_OUT]; k < row[PM_ASK_OUT] + row[PM_ASK_COUNT]; k++)
@@ -347,6 +355,7 @@ static int find_companion(pm_workspace *w, const double *param)
     pm_error_set *e = w->error;
     if (knows_itself(w)) {
         memcpy(e->other->out, e->main->out, (size_t)w->model->nout * sizeof(double));
+        e->main->margin = fmin(e->main->margin, pm_path_error_margin(w, e->main, e->trigger_scale));
         e->other->log.n = 0; /* its own decisions are in its margin */
         e->other->outcome = e->main->outcome;
         e->other->tolerance = e->main->tolerance;

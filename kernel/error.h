@@ -21,6 +21,10 @@ typedef struct pm_pass {
     double factor;    /* what was asked of it: of the tolerance that the accuracy gives */
     double tolerance; /* of the integration */
     double margin;    /* of the decisions whose errors the route itself gave */
+    double relative;  /* greatest error of T on its paths, of T */
+    double *
+        extreme; /* [2][ntrigger] nearest to zero of what forces or speeds decide, and how far it was nearby */
+    int unsure;  /* the extremes of such a function are not known */
     uint64_t outcome; /* hash of status, reasons and event counts */
     int status;
     int companion;

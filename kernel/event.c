@@ -17,6 +17,7 @@
 #include "grip.h"
 #include "instant.h"
 #include "leg.h"
+#include "path_error.h"
 #include "plan.h"
 #include "root.h"
 #include "route.h"
@@ -420,6 +421,7 @@ int pm_event_advance(pm_workspace *w, int *ended)
         pm_trace_step(w);
         look_for_roots(w);
         if (!status) status = pm_crossing_sample(w, 1);
+        if (!status && e->nsampled > 0) pm_path_error_sampled(w);
         if (!status && e->nsampled > 0) status = pass_marks(w, &first, &taken, ended);
         if (status) return status;
         if (e->nsampled > 0) pm_crossing_leave(w);

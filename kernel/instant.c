@@ -16,6 +16,7 @@
 #include "route.h"
 #include "saddle.h"
 #include "trace.h"
+#include "tree.h"
 #include "trigger.h"
 
 #define STILL 1e-11  /* speeds and accelerations of a scene at rest, relative to its own scales */
@@ -40,10 +41,20 @@ static void mark_rest(pm_workspace *w)
         if (at_rest(w, i)) pm_trigger_mark(w, PM_TRIGGER_REST, i);
 }
 
+/* Nothing can strike, part or slide, no loop can come to a singular position, and places on a path are exact: bodies, rows
+ * and reactions are as they were. */
+static int is_settled(const pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    if (w->count[PM_COUNT_PHASES] == 0 || w->route != &pm_route_path || w->tree->nloop > 0) return 0;
+    return m->nslot == 0 && m->ngrip == 0 && !m->acts;
+}
+
 /* Blows, modes, and what fires by them. */
 static int settle(pm_workspace *w)
 {
     int jumped, status;
+    if (is_settled(w)) return PM_OK;
     if ((status = pm_jump(w, &jumped)) || (status = pm_mode_settle(w))) return status;
     pm_mode_mark(w);
     pm_trigger_look_after(w);

@@ -423,11 +423,6 @@ static void close_momentum(pm_workspace *w, const double *before)
     for (int i = 0; i < PM_LEDGER; i++) ledger[i] += after[i] - before[i];
 }
 
-static int in_row(const pm_model *m, int slot)
-{
-    return PM_CONTACT_ROW_OF(m, pm_contact_of_slot(m, slot))[PM_CONTACT_KIND] == PM_CONTACT_ROW;
-}
-
 /* Moves the state on by n legs. */
 static int pass(pm_workspace *w, int64_t legs, double kinetic_now, double kinetic, double lost, double time)
 {
@@ -444,7 +439,7 @@ static int pass(pm_workspace *w, int64_t legs, double kinetic_now, double kineti
     for (int i = 0; i < m->nq; i++) w->state.v[i] *= faster;
     w->state.t += n * time;
     for (int i = 0; i < m->nslot; i++)
-        if (w->state.slot[i].mode != PM_OPEN && in_row(m, i))
+        if (w->state.slot[i].mode != PM_OPEN && pm_contact_is_row(m, pm_contact_of_slot(m, i)))
             w->state.slot[i].member += (int32_t)(legs * l->member);
     for (int i = 0; i < m->rows[PM_TABLE_EVENT]; i++) {
         const int64_t each = fires(w, i);

@@ -5,6 +5,9 @@
 #include "model.h"
 #include "nodes.h"
 
+#define PM_CLOCK_TAIL 1e-13 /* highest coefficients of the integrand of the time, at the least */
+#define PM_WORK_TAIL 1e-12  /* the same of the rates of work */
+
 /* A place on the path: the configuration, and the velocities that go with a unit rate of the driver. */
 typedef struct pm_place {
     double *y;               /* [n] tree coordinates */
@@ -82,5 +85,15 @@ int pm_path_look(pm_workspace *w, pm_place *place);
 int pm_path_accelerate(pm_workspace *w, const double *along);
 /* Chooses the coordinate that moves most as driver, unless the present one still does, and tells the place by it. */
 int pm_path_drive(pm_workspace *w, pm_place *place);
+
+/* path_step.c: a step from node 0, at most `full` long, into w->path. */
+int pm_path_take_step(pm_workspace *w, double full);
+/* The place at the fraction s of the filled step, with its T, in w->path->spare. */
+int pm_path_inside(pm_workspace *w, double s);
+/* The running integrals at the fraction s of the step. */
+void pm_path_integrals(const pm_workspace *w, double s, double *z);
+/* What forces without potential have done. */
+double pm_path_work(const pm_workspace *w, const double *z);
+static inline pm_place *pm_path_node(pm_path *p, int k) { return &p->node[k * p->every]; }
 
 #endif

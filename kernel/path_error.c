@@ -4,14 +4,17 @@
  * a blow that leaves m T_end leaves m times the error.  An answer f(place, T) is then known to |df/dT| dT, by a difference.
  * The time's error is that of its quadrature, and what T makes of it.  All this holds as long as places alone decide when
  * something happens; where speeds, forces or the time do, the run says nothing of its errors, and error.c makes its
- * companion. */
+ * companion.  Events that speeds or forces fire may be counted, though: their functions are off by no more than their
+ * natural size times dT / T, and their counts are right as long as none of their extremes lies that near to zero. */
 #include "path_error.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
 #include "body.h"
 #include "error.h"
+#include "event.h"
 #include "grip.h"
 #include "nature.h"
 #include "path.h"
@@ -25,6 +28,8 @@
 #define FASTER 1e-6     /* of the speeds, for the difference */
 #define UNRESOLVED \
     2e-3 /* of the highest coefficients of dt/du: what its integral may be off by; some 1000 times less */
+#define EXACT 1e-12  /* highest coefficients of a function that its samples tell to rounding */
+#define UNTOLD 10.0  /* times these, where they are more: how far an extreme may be from the polynomial's */
 #define RESTING 10.0 /* an error of T moves the place of rest, too */
 
 void pm_path_error_begin(pm_workspace *w, double kinetic)
@@ -33,6 +38,14 @@ void pm_path_error_begin(pm_workspace *w, double kinetic)
     if (w->count[PM_COUNT_PHASES] == 0) p->error = p->ended = p->clock_error = 0;
     if (p->ended > 0) p->error *= kinetic / p->ended;
     p->error += ROUNDINGS * kinetic;
+}
+
+/* The error of T in the step, of its greatest T. */
+static double relative_error(const pm_path *p)
+{
+    double greatest = 0;
+    for (int k = 0; k < p->nodes->n; k++) greatest = fmax(greatest, p->node[k * p->every].kinetic);
+    return greatest > 0 ? p->error / greatest : 0;
 }
 
 /* The time of the step: what its nodes do not resolve, and dt = -t dT / 2 T, where it rests at an end of the greatest T. */
@@ -56,6 +69,7 @@ void pm_path_error_step(pm_workspace *w, double kinetic)
     p->ended = kinetic;
     p->error += ROUNDINGS * (p->node[0].kinetic + kinetic + potential);
     step_of_clock(w, p);
+    if (w->error->active) w->error->present->relative = fmax(w->error->present->relative, relative_error(p));
 }
 
 void pm_path_error_barrier(pm_workspace *w, double distance)
@@ -64,6 +78,17 @@ void pm_path_error_barrier(pm_workspace *w, double distance)
 }
 
 /* ---- do places alone decide? ---- */
+/* Counts are read by what is an integer or a yes or no itself, and decide nothing in the run; nobody reads the times. */
+static int only_counted(const pm_model *m)
+{
+    if (m->watches_counts) return 0;
+    for (int i = 0; i < m->rows[PM_TABLE_MEASURE]; i++)
+        if (PM_MEASURE_ROW(m, i)[PM_MEASURE_KIND] == PM_MEASURE_EVENT_TIME) return 0;
+    for (int i = 0; i < m->rows[PM_TABLE_PROGRAM]; i++)
+        if (pm_nature_reads_counts(m, i) && !pm_nature_is_discrete(m, i)) return 0;
+    return 1;
+}
+
 /* An event that is only watched: nothing ends or acts, and nothing is asked or told by the instants when it fires. */
 static int only_watched(const pm_model *m, int event)
 {
@@ -73,9 +98,7 @@ static int only_watched(const pm_model *m, int event)
         if (PM_ASK_ROW(m, i)[PM_ASK_EVENT_INDEX] == event) return 0;
     for (int i = 0; i < m->rows[PM_TABLE_ACTION]; i++)
         if (PM_ACTION_ROW(m, i)[PM_ACTION_EVENT] == event) return 0;
-    for (int i = 0; i < m->rows[PM_TABLE_PROGRAM]; i++)
-        if (pm_nature_reads_counts(m, i)) return 0;
-    return 1;
+    return only_counted(m);
 }
 
 /* Places tell when a trigger fires, or sqrt(T) does and it fires where the motion turns back. */
@@ -93,6 +116,66 @@ int pm_path_error_by_places(const pm_model *m)
         if (!fires_by_place(m, e) && !only_watched(m, e[PM_TRIGGER_EVENT])) return 0;
     }
     return 1;
+}
+
+/* The extremes in the step, between nodes too; a corner may hide one that is nearer to zero than the samples tell. */
+static void take_extremes(const pm_workspace *w, int trigger, const double *value)
+{
+    const int n = w->nodes->n;
+    const double tail = pm_series_tail(w->nodes, value);
+    double slope[PM_NODES_MOST], *extreme = w->error->present->extreme + trigger, reach = 0, s;
+    pm_series_slopes(w->nodes, value, slope);
+    for (int k = 0; k < n; k++) reach = fmax(reach, fabs(value[k]));
+    const double untold = tail < EXACT ? 0 : UNTOLD * tail * reach;
+    for (int k = 0; k + 1 < n; k++) {
+        if (slope[k] * slope[k + 1] > 0) continue;
+        const double part = slope[k] == slope[k + 1] ? 0 : slope[k] / (slope[k] - slope[k + 1]);
+        s = w->nodes->at[k] + part * (w->nodes->at[k + 1] - w->nodes->at[k]);
+        const double there = fabs(pm_series_value(w->nodes, value, 1, s)) - untold;
+        if (there <= 0 && untold > 0) w->error->present->unsure = 1;
+        if (!(there < *extreme)) continue;
+        *extreme = there;
+        extreme[w->model->rows[PM_TABLE_TRIGGER]] = reach;
+    }
+}
+
+void pm_path_error_sampled(pm_workspace *w)
+{
+    const pm_event_set *e = w->event;
+    if (!w->error->active || !w->error->by_places || w->route != &pm_route_path) return;
+    for (int i = 0; i < e->nfunction; i++) {
+        const pm_event_function *f = &e->function[i];
+        double value[PM_NODES_MOST];
+        if (f->kind != FUNCTION_TRIGGER || fires_by_place(w->model, PM_TRIGGER_ROW(w->model, f->index)))
+            continue;
+        for (int k = 0; k < w->nodes->n; k++) value[k] = e->value[k * e->nfunction + i];
+        if (f->every)
+            w->error->present->unsure = 1;
+        else
+            take_extremes(w, f->index, value);
+    }
+}
+
+/* Values at instants are in the log; a rate tells nothing here that the extremes do not tell better. */
+double pm_path_error_margin(const pm_workspace *w, const pm_pass *pass, const double *trigger_scale)
+{
+    const int ntrigger = w->model->rows[PM_TABLE_TRIGGER];
+    const double relative = fmax(pass->relative, DBL_EPSILON);
+    double margin = INFINITY;
+    for (int i = 0; i < pass->log.n; i++) {
+        const pm_decision *x = &pass->log.entry[i];
+        if (x->trigger == PM_NONE || x->kind == PM_DECISION_RATE ||
+            fires_by_place(w->model, PM_TRIGGER_ROW(w->model, x->trigger)))
+            continue;
+        const double unit = x->unit * trigger_scale[x->trigger];
+        if (pm_decision_is_open(x, unit)) margin = fmin(margin, fabs(x->distance) / (unit * relative));
+    }
+    for (int i = 0; i < ntrigger; i++) {
+        const pm_decision x = {.reach = pass->extreme[ntrigger + i]};
+        if (isinf(pass->extreme[i]) || !pm_decision_is_open(&x, trigger_scale[i])) continue;
+        margin = fmin(margin, pass->extreme[i] / (trigger_scale[i] * relative));
+    }
+    return margin;
 }
 
 /* ---- answers ---- */

@@ -1,4 +1,5 @@
-/* root.h - a bracketed root of a function of time along the last step, by GSL's Brent method. */
+/* root.h - a bracketed root of a function of time along the last step: by GSL's Brent method, or, where its slope is known,
+ * by Newton's method kept inside the bracket. */
 #ifndef PM_ROOT_H
 #define PM_ROOT_H
 
@@ -10,6 +11,11 @@ typedef double pm_along(pm_workspace *w, double t, void *context);
 /* A root of f in [a, b], where f(a) = fa and f(b) = fb differ in sign; to the rounding of t. */
 int pm_root_find(pm_workspace *w, void *solver, pm_along *f, void *context, double a, double fa, double b,
                  double fb, double *root);
+/* The same of a function that tells its slope. */
+typedef double pm_sloped(pm_workspace *w, double t, void *context, double *slope);
+int pm_root_newton(pm_workspace *w, pm_sloped *f, void *context, double a, double fa, double b, double fb,
+                   double *root);
+
 /* Value of the same function on the exact state at t, which is left in w->probe and in the frame. */
 typedef int pm_exactly(pm_workspace *w, double t, void *context, double *value);
 

@@ -6,7 +6,6 @@
 
 #include <math.h>
 
-#include "event.h"
 #include "root.h"
 
 #define SHORT 5
@@ -27,11 +26,11 @@ double pm_series_value(const pm_nodes *nodes, const double *value, int stride, d
 {
     const double *at = nodes->at;
     const int last = nodes->n - 1;
-    double above = 0, below = 0;
-    for (int k = 0; k <= last; k++) {
+    double above = 0, below = 0, sign = 1;
+    for (int k = 0; k <= last; k++, sign = -sign) {
         const double d = s - at[k];
         if (d == 0) return value[k * stride];
-        const double c = (k % 2 ? -1 : 1) * (k == 0 || k == last ? 0.5 : 1) / d;
+        const double c = (k == 0 || k == last ? 0.5 * sign : sign) / d;
         above += c * value[k * stride];
         below += c;
     }
@@ -63,9 +62,14 @@ double pm_series_tail(const pm_nodes *nodes, const double *value)
     return size > 0 ? high / size : 0;
 }
 
+double pm_series_slope_at(const pm_nodes *nodes, const double *value, int node)
+{
+    return times(nodes->slope + node * nodes->n, value, nodes->n);
+}
+
 void pm_series_slopes(const pm_nodes *nodes, const double *value, double *slope)
 {
-    for (int k = 0; k < nodes->n; k++) slope[k] = times(nodes->slope + k * nodes->n, value, nodes->n);
+    for (int k = 0; k < nodes->n; k++) slope[k] = pm_series_slope_at(nodes, value, k);
 }
 
 void pm_series_integrals(const pm_nodes *nodes, const double *value, double *sum)
@@ -78,16 +82,39 @@ typedef struct pm_polynomial {
     const double *value;
 } pm_polynomial;
 
-static double at(pm_workspace *w, double s, void *context)
+/* p' = sum c_k (p - f_k) / (s - s_k) / sum c_k, c_k = w_k / (s - s_k) */
+double pm_series_slope(const pm_nodes *nodes, const double *value, double s, double *here)
+{
+    const int last = nodes->n - 1;
+    double above = 0, below = 0, steep = 0, steeper = 0, sign = 1;
+    for (int k = 0; k <= last; k++, sign = -sign) {
+        const double d = s - nodes->at[k];
+        if (d == 0) {
+            *here = value[k];
+            return pm_series_slope_at(nodes, value, k);
+        }
+        const double inverse = 1 / d, c = (k == 0 || k == last ? 0.5 * sign : sign) * inverse;
+        above += c * value[k];
+        below += c;
+        steep += c * inverse * value[k];
+        steeper += c * inverse;
+    }
+    *here = above / below;
+    return (*here * steeper - steep) / below;
+}
+
+static double at(pm_workspace *w, double s, void *context, double *slope)
 {
     const pm_polynomial *p = context;
+    double here;
     (void)w;
-    return pm_series_value(p->nodes, p->value, 1, s);
+    *slope = pm_series_slope(p->nodes, p->value, s, &here);
+    return here;
 }
 
 int pm_series_root(pm_workspace *w, const pm_nodes *nodes, const double *value, double a, double fa, double b,
                    double fb, double *s)
 {
     pm_polynomial p = {nodes, value};
-    return pm_root_find(w, w->event->solver, at, &p, a, fa, b, fb, s);
+    return pm_root_newton(w, at, &p, a, fa, b, fb, s);
 }

@@ -9,6 +9,9 @@
 double pm_series_value(const pm_nodes *nodes, const double *node_value, int stride, double s);
 /* Values of its slope (by s) at the nodes. */
 void pm_series_slopes(const pm_nodes *nodes, const double *node_value, double *slope);
+double pm_series_slope_at(const pm_nodes *nodes, const double *node_value, int node);
+/* Its slope at s, and its value there. */
+double pm_series_slope(const pm_nodes *nodes, const double *node_value, double s, double *here);
 /* Integral from 0 to s. */
 double pm_series_integral(const pm_nodes *nodes, const double *node_value, int stride, double s);
 /* Integrals from 0 to each node. */

@@ -428,6 +428,13 @@ FAULTS = [
         "if (PM_UNTIL_ROW(m, i)[PM_UNTIL_EVENT] == event)",
         "if (0)",
     ),
+    Fault(
+        "error: counts that forces decide",
+        "path_error.c",
+        "margin = fmin(margin, fabs(x->distance)",
+        "(void)(fabs(x->distance)",
+    ),
+    Fault("root: Newton's method ends too soon", "root.c", "#define NOTHING 1e-16", "#define NOTHING 1e-5"),
     # tree coordinates
     Fault(
         "tree: bias of a mark",
@@ -536,19 +543,19 @@ FAULTS = [
     ),
     Fault(
         "path: a missed turning point",
-        "route_path.c",
+        "path_step.c",
         "if (lowest > 0) continue; const",
         "if (lowest > -INFINITY) continue; const",
     ),
     Fault(
         "path: a dip of T between two nodes",
-        "route_path.c",
+        "path_step.c",
         "p->force[k - 1] < 0 && p->force[k] > 0",
         "p->force[k - 1] < 0 && p->force[k] > INFINITY",
     ),
     Fault(
         "path: clock at rest without its root",
-        "route_path.c",
+        "path_step.c",
         ": p->at_rest ? PM_CLOCK_LEAVES",
         ": p->at_rest ? PM_CLOCK_PLAIN",
     ),
@@ -598,7 +605,7 @@ FAULTS = [
     ),
     Fault(
         "path: work goes by the length of the way",
-        "route_path.c",
+        "path_step.c",
         "i < w->model->nz_work ? p->sense * p->h",
         "i < w->model->nz_work ? p->h",
     ),

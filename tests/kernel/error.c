@@ -287,6 +287,46 @@ static void slow_over_the_top(void)
     CHECK(close >= 0.5 * all);
 }
 
+/* A rod on its pin goes from its lowest to its highest place; alpha = -3/2 g cos(angle) is least half-way.  How often it
+ * passes a threshold `above` that least value, 2 or 0 times, is only counted: no companion runs, and the margin falls as
+ * the threshold comes near. */
+static scene *counting(double above)
+{
+    scene *s = estimating(1e-10);
+    *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_PATH;
+    const double quarter = 0.5 * 3.14159265358979323846;
+    const int rod = scene_body(s, 3, 0.25, 0, -0.5, -quarter);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, rod, -0.5, 0), scene_point(s, PM_GROUND, 0, 0), 0);
+    scene_start_omega(s, rod, 9);
+    const int there = scene_measure(s, PM_MEASURE_ANGLE, rod), rate = scene_measure(s, PM_MEASURE_ALPHA, rod);
+    scene_until(s, scene_when(s, PM_TRIGGER_CROSS, scene_minus(s, there, quarter)), 1);
+    const int low = scene_when(s, PM_TRIGGER_CROSS, scene_minus(s, rate, -1.5 * G * (1 - above)));
+    scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, low));
+    return s;
+}
+
+static void counted_events(void)
+{
+    for (int i = 1; i < 12; i++)
+        for (int side = -1; side <= 1; side += 2) {
+            scene *s = counting(side * pow(10, -i));
+            EQUAL(scene_run(s, NULL), PM_OK);
+            EQUAL(s->out[0], side > 0 ? 2 : 0);
+            EQUAL(s->count[PM_COUNT_PASSES], 1);
+            EQUAL(s->margin[0], s->trust[PM_TRUST_MARGIN]);
+            CHECK(s->margin[0] > 1);
+            CHECK(s->margin[0] < pow(10, 16 - i)); /* some roundings over how close it is */
+            scene_free(s);
+        }
+    int undecided = 0;
+    for (int i = -3; i <= 3; i++) {
+        scene *s = counting(i * 1e-16);
+        undecided += scene_run(s, NULL) == PM_UNDECIDED && s->margin[0] < 1;
+        scene_free(s);
+    }
+    EQUAL(undecided, 7);
+}
+
 int main(void)
 {
     calibrated();
@@ -298,5 +338,6 @@ int main(void)
     discrete();
     clock_errors();
     slow_over_the_top();
+    counted_events();
     return check_failures();
 }

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from functools import cache
 
 from .errors import SceneError
 from .node import Node
@@ -53,6 +54,12 @@ class Address(Node):
         return " ".join([".".join(words), *(f"{key} {text}" for key, text in pieces if text is not None)])
 
 
+@cache
+def _compiled(pattern: str) -> re.Pattern[str]:
+    """The patterns are few, and each is used for every word of a scene."""
+    return re.compile(pattern)
+
+
 class Scanner:
     """A place in a text that is read from left to right; addresses and expressions share it."""
 
@@ -63,7 +70,7 @@ class Scanner:
 
     def peek(self, pattern: str) -> str | None:
         """What `pattern` matches here, without taking it."""
-        match = re.compile(pattern).match(self.text, self.position)
+        match = _compiled(pattern).match(self.text, self.position)
         return match[0] if match else None
 
     def take(self, pattern: str) -> str | None:

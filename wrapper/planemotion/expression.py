@@ -18,6 +18,7 @@ from __future__ import annotations
 import math
 import struct
 from collections.abc import Callable, Iterator, Sequence
+from functools import lru_cache
 from typing import TypeAlias
 
 from . import _layout as layout
@@ -106,12 +107,18 @@ def parse(written: object, *, where: str | None = None) -> Node:
     """
     try:
         if isinstance(written, str):
-            return _Parser(written).parse()
+            return _read(written)
         if isinstance(written, bool):
             return Number(float(written))
         return as_node(parse_quantity(written))
     except SceneError as error:
         raise SceneError(error.reason, path=where, value=written) from None
+
+
+@lru_cache(maxsize=1024)
+def _read(text: str) -> Node:
+    """Nodes are frozen: a text that is read again, as in every sweep of a scene, is the same one."""
+    return _Parser(text).parse()
 
 
 class _Parser:

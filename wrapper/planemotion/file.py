@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from .builder import Scene
 
 _BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
+_CONTROL = re.compile(r"[\x00-\x1f\x7f]")
 _FAULT = re.compile(r"(.*) \(at (?:(line \d+), column \d+|end of document)\)")
 # A file that is larger is no scene.
 _MOST_BYTES = 10_000_000
@@ -71,11 +72,7 @@ def _key(key: str) -> str:
 
 def _quoted(text: str) -> str:
     escaped = text.replace("\\", "\\\\").replace('"', '\\"')
-    return '"' + "".join(_escape(character) for character in escaped) + '"'
-
-
-def _escape(character: str) -> str:
-    return f"\\u{ord(character):04x}" if ord(character) < 32 or ord(character) == 127 else character
+    return '"' + _CONTROL.sub(lambda found: f"\\u{ord(found[0]):04x}", escaped) + '"'
 
 
 def _inline(value: Any) -> str:
