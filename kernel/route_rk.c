@@ -126,7 +126,8 @@ static void set_scale(pm_workspace *w)
 {
     const pm_model *m = w->model;
     struct pm_rk *r = w->rk;
-    const int on_level = r->level.kept && w->tree->n - w->tree->nloop == 1;
+    /* in independent coordinates the others are found by closing loops: there errors of the place count, too */
+    const int on_level = r->level.kept && w->tree->n - w->tree->nloop == 1 && !w->tree->few;
     const double tolerance = fmax((on_level ? LEVEL_MARGIN : MARGIN) * w->tolerance, TIGHTEST);
     for (int i = 0; i < r->n; i++) {
         const int angle = pm_tree_is_angle(w, i);
