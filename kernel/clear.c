@@ -3,7 +3,10 @@
  * The gap of a circle beside a fixed line or fixed points, or beside another circle, changes by no more than their centres
  * move.  A centre moves by no more than its body's origin does, and its distance from there times the turn.  So a gap that
  * was g once is at least g - s after its bodies have moved by s together, whatever the way: it is looked at again when s
- * has come to a part of g.  What is not looked at could neither have closed nor have come near to it. */
+ * has come to a part of g.  What is not looked at could neither have closed nor have come near to it.
+ *
+ * Circles that meet circles part again behind each other: a step that moves them by more than their gap moves them from
+ * node to node by no more than their radii, so that one of the nodes finds them together. */
 #include "clear.h"
 
 #include <math.h>
@@ -11,12 +14,14 @@
 #include <string.h>
 
 #include "body.h"
+#include "contact.h"
 #include "event.h"
 #include "segment.h"
 
 #define PART 0.5 /* of a gap that its marks may move */
 #define BETWEEN \
     3.0 /* times the movement seen at the nodes of a step: between them it is less (Lebesgue's constants are) */
+#define WITHIN 0.9      /* of a gap: so far two circles may come in a step without meeting */
 #define LIKE_BEFORE 2.0 /* times what bodies moved in the last step: what they will in the next, mostly */
 
 int pm_clear_create(const pm_model *m, pm_clear *x)
@@ -124,4 +129,54 @@ void pm_clear_keep(pm_workspace *w, int contact, double gap)
     int body[2];
     if (bodies_of(w->model, contact, body))
         w->event->clear.left[contact] = PART * gap - BETWEEN * moved(w, body);
+}
+
+/* Two circles, or a circle and the members of a row: the sum of the radii; 0 of what cannot be gone through. */
+static double through(const pm_workspace *w, int contact)
+{
+    const pm_model *m = w->model;
+    const int32_t *e = PM_CONTACT_ROW_OF(m, contact);
+    const double radius = w->value[PM_CIRCLE_ROW(m, e[PM_CONTACT_A])[PM_CIRCLE_RADIUS]];
+    switch (e[PM_CONTACT_KIND]) {
+    case PM_CONTACT_ROW: return radius;
+    case PM_CONTACT_CIRCLE: /* side 1: outside each other; what has come through from inside stays there */
+        return w->value[e[PM_CONTACT_SIDE]] == 1
+                   ? radius + w->value[PM_CIRCLE_ROW(m, e[PM_CONTACT_B])[PM_CIRCLE_RADIUS]]
+                   : 0;
+    default: return 0;
+    }
+}
+
+/* How fast the origin of a body goes against that of another, and the circles about them: rates are velocities or
+ * accelerations. */
+static double against(const pm_workspace *w, const double *rate, const int body[2])
+{
+    static const double still[3] = {0, 0, 0};
+    const double *part[2], *radius = w->event->clear.radius;
+    double turning = 0;
+    for (int i = 0; i < 2; i++) {
+        const int moves = body[i] < w->model->nbody;
+        part[i] = moves ? rate + 3 * body[i] : still;
+        if (moves) turning += radius[body[i]] * fabs(part[i][2]);
+    }
+    return hypot(part[0][0] - part[1][0], part[0][1] - part[1][1]) + turning;
+}
+
+double pm_clear_time(const pm_workspace *w)
+{
+    const pm_event_set *e = w->event;
+    double time = INFINITY;
+    for (int i = 0; i < e->nfunction; i++) {
+        const int contact = e->function[i].index;
+        int body[2], member;
+        if (e->function[i].kind != FUNCTION_GAP || e->function[i].owned) continue;
+        const double radii = through(w, contact);
+        if (!(radii > 0) || !bodies_of(w->model, contact, body)) continue;
+        const double safe = (w->nodes->n - 1) * radii, left = e->clear.left[contact];
+        const double free = left > safe ? left : WITHIN * pm_contact_gap(w, &w->state, contact, &member);
+        const double way = fmax(free, safe);
+        const double v = against(w, w->frame.velocity, body), a = against(w, w->frame.a, body);
+        time = fmin(time, 2 * way / (v + sqrt(v * v + 2 * a * way))); /* v t + a t^2 / 2 = way */
+    }
+    return time;
 }

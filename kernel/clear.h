@@ -24,6 +24,9 @@ void pm_clear_step(pm_workspace *w);
 void pm_clear_node(pm_workspace *w, int node);
 /* All nodes have been looked at: those that were reached after all are not quiet; returns how many. */
 int pm_clear_check(pm_workspace *w);
+/* The time in which two circles that are open may be missed: what moves through between two of the nodes of a step.  At a
+ * state, whose velocities and accelerations the frame knows; INFINITY if there are none, or nothing moves. */
+double pm_clear_time(const pm_workspace *w);
 /* The gap of a contact that is not quiet at the begin of the step. */
 void pm_clear_keep(pm_workspace *w, int contact, double gap);
 

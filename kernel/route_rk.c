@@ -15,6 +15,7 @@
 #include "audit.h"
 #include "body.h"
 #include "case.h"
+#include "clear.h"
 #include "dop853.h"
 #include "energy.h"
 #include "error.h"
@@ -49,6 +50,7 @@ struct pm_rk {
     double *scale;  /* [controlled] reciprocal error weights */
     double own;     /* the motion's own time at the end of the last step */
     double turning; /* that of the bodies' turning alone */
+    double meeting; /* that of open contacts (clear.c) */
     double t0, h;   /* the last step as integrated */
     double next;    /* step to try next, 0: none known */
     int dense_ready, k0_ready;
@@ -234,13 +236,15 @@ static void set_times(pm_workspace *w)
 {
     w->rk->own = pm_case_time_scale(w, w->state.v, w->frame.a);
     w->rk->turning = turning_time(w);
+    w->rk->meeting = w->event->nfunction > 0 ? pm_clear_time(w) : INFINITY;
 }
 
-/* A step that is sampled for events or extremes may not outrun the motion, even where the formula would be exact.  Nor may
+/* A step that is sampled for events or extremes may not outrun the motion, even where the formula would be exact, and not
+ * carry circles through each other between two samples.  Nor may
  * one in which reactions turn with the bodies: the ledger of impulses, which does not choose the steps, is their integral. */
 static double longest_step(const pm_workspace *w)
 {
-    if (w->event->nfunction > 0 || w->ask->nobserver > 0) return w->rk->own;
+    if (w->event->nfunction > 0 || w->ask->nobserver > 0) return fmin(w->rk->own, w->rk->meeting);
     return w->nactive > 0 ? w->rk->turning : INFINITY;
 }
 

@@ -47,6 +47,13 @@ FAULTS = [
     Fault("clear: a body does not turn", "clear.c", "+ x->radius[i] * fabs(pose[2] - from[2])", ""),
     Fault("clear: the other body stands still", "clear.c", "+ w->event->clear.moved[body[1]]", ""),
     Fault("clear: the way is not added up", "clear.c", "x->left[i] -= BETWEEN * moved(w, body);", ""),
+    Fault(
+        "clear: circles pass each other between samples",
+        "clear.c",
+        "fmax(free, safe)",
+        "INFINITY",
+    ),
+    Fault("clear: accelerations do not count", "clear.c", "+ 2 * a * way", ""),
     Fault("reach: a chain is as short as its last rod", "reach.c", ".high = r + x->high,", ".high = r,"),
     Fault("reach: a link has no length", "reach.c", "from.high + length;", "from.high;"),
     Fault(

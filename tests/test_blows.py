@@ -348,3 +348,40 @@ f = "lie.friction"
         back = s - 0.5 * down * (2 - t) ** 2
         assert values["s"] == pytest.approx(back * math.cos(slope), rel=close)
         assert values["f"] == pytest.approx(2 * G * mu * math.cos(slope), rel=close)
+
+
+# ---- small bodies that are fast ----
+
+SHOT = """
+plane = "horizontal"
+until = "t = 1 s"
+[bodies]
+A = { disk = "0.02 m", mass = "1 kg", at = [0, 0] }
+B = { disk = "0.02 m", mass = "1 kg", at = ["d", "0.03 m"] }
+[contacts]
+hit = { touch = ["A.rim", "B.rim"], restitution = 1 }
+[parameters]
+d = "1 m"
+v = "13 m/s"
+[start]
+A.velocity = ["v", 0]
+[forces]
+[ask]
+x = { of = "A.velocity.x", unit = "m/s" }
+y = { of = "A.velocity.y", unit = "m/s" }
+"""
+PUSHED = SHOT.replace("[forces]", '[forces]\npush = { force = "A", value = ["60 N", 0] }')
+
+
+@pytest.mark.parametrize("route", ["rk", "ida"])
+@pytest.mark.parametrize("text", [SHOT, PUSHED], ids=["free", "pushed"])
+def test_small_balls_do_not_pass_through_each_other(text: str, route: str) -> None:
+    """Equal smooth balls, e = 1: along the line of centres, (-3/4, sin), they exchange what they have."""
+    for d in (0.3, 0.77, 1.31, 2.9, 5.03, 9.7):
+        start = {"d": f"{d} m", "v": "13 m/s" if text == SHOT else 0}
+        far = 0.5 * 60 if text == PUSHED else 13.0
+        met = d - math.sqrt(0.04**2 - 0.03**2) < far
+        after = run(text, route, **start)
+        along = math.sqrt(1 - 0.75**2)  # of the velocity, in the line of centres
+        before = 13.0 if text == SHOT else math.sqrt(2 * 60 * (d - 0.04 * along))
+        assert after["y"] == pytest.approx(-0.75 * along * before if met else 0, rel=1e-6), d

@@ -332,6 +332,35 @@ static void far_until_the_other_comes(void)
     }
 }
 
+/* A small ball comes to a small peg, at a constant speed or falling: no step carries it through between two samples. */
+static void small_and_fast(void)
+{
+    const double radii = 0.01, speed = 13;
+    for (int k = 0; k < 40; k++) {
+        const int falls = k % 2;
+        const double way = 0.3 + 0.23 * k;
+        scene *s = scene_create();
+        const int ball = scene_body(s, 1, 0.1, 0, way + radii, 0);
+        const int peg = scene_body(s, 1, 0.1, 0, 0, 0);
+        scene_joint(s, PM_JOINT_PIN, scene_point(s, peg, 0, 0), scene_point(s, PM_GROUND, 0, 0), 0);
+        scene_point(s, peg, 20, 0); /* the scene is much larger than the way */
+        const int a = scene_circle(s, scene_point(s, ball, 0, 0), 0.6 * radii),
+                  b = scene_circle(s, scene_point(s, peg, 0, 0), 0.4 * radii);
+        const int contact = scene_contact(s, PM_CONTACT_CIRCLE, a, b, 1, 1, PM_FRICTION_SMOOTH, 0);
+        const int struck = scene_on(s, PM_TRIGGER_STRIKE, contact);
+        const int t = scene_ask_event(s, scene_read(s, scene_time(s)), struck, 1, 0),
+                  count = count_of(s, struck);
+        scene_start_velocity(s, scene_point(s, ball, 0, 0), 0, falls ? 0 : -speed);
+        if (!falls) scene_set(s, PM_SETTING_GRAVITY_Y, 0);
+        scene_until_time(s, 1.1 * (falls ? sqrt(2 * way / 9.81) : way / speed));
+        EQUAL(scene_run(s, NULL), PM_OK);
+        EQUAL(s->out[count], 1);
+        NEAR(s->out[t], falls ? sqrt(2 * way / 9.81) : way / speed, 1e-11);
+        CHECK(s->count[PM_COUNT_STEPS] < 60);
+        scene_free(s);
+    }
+}
+
 int main(void)
 {
     cross_rise_fall();
@@ -347,5 +376,6 @@ int main(void)
     once_in_long_steps();
     far_until_a_turn_is_over();
     far_until_the_other_comes();
+    small_and_fast();
     return check_failures();
 }
