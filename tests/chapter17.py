@@ -29,7 +29,10 @@ CANCELS = 1e-8
 
 # Scenes that a route takes but is not asked to here: reason by stem and route.
 LEFT_OUT: dict[tuple[str, str], str] = {
-    ("17-076", "ida"): "a find of whole runs, each of ten turns of four gears: a minute and a half",
+    (
+        "17-076",
+        "ida",
+    ): "a find of whole runs, each of ten turns of four gears: a minute and a half (one run, where it was found, is)",
 }
 NO_TIME = "no time passes"
 # Massless hooks, and friction that goes with the load of a joint.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import math
 from pathlib import Path
 
@@ -18,11 +19,13 @@ from chapter17 import (
     TIME_ROUTES,
     errors,
     load,
+    on_route,
     residual,
     run,
     why_not,
 )
 from planemotion import engine
+from planemotion.builder import Scene
 from planemotion.flatten import FlatScene, flatten
 from planemotion.result import collect
 from transformed import Change, half_written, transformed
@@ -83,6 +86,19 @@ def test_what_a_route_answers_before_it_fails_is_right(stem: str, route: str) ->
 @pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
 def test_the_audit_closes(path: Path) -> None:
     assert residual(run(path)) <= AUDIT
+
+
+@pytest.mark.parametrize(("stem", "route"), LEFT_OUT)
+def test_a_find_that_takes_too_long_is_right_where_it_was_found(stem: str, route: str) -> None:
+    """One run on the route, with what the default route found, does what is sought."""
+    path = FOLDER / f"{stem}.toml"
+    raw = copy.deepcopy(load(path).raw)
+    left, right = raw.pop("find")["where"].split("=")
+    raw["ask"] = {side: {"of": of, "unit": "rad/s"} for side, of in (("left", left), ("right", right))}
+    values = {name: f"{found.value!r} {found.unit}" for name, found in run(path).found.items()}
+    result = on_route(Scene.from_raw(raw), route).run(**values)
+    assert (result.status, result.route) == ("ok", (route,))
+    assert result.left == pytest.approx(result.right, rel=BETWEEN_ROUTES)
 
 
 @pytest.mark.parametrize(("stem", "route"), DECLINED)
