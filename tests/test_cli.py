@@ -329,6 +329,8 @@ def test_a_sweep_without_one_good_case_fails_but_is_kept(folder: Path) -> None:
     assert "pendulum.csv" in left_in(folder / "out")
 
 
+# The second: where the interrupt met an import, Python itself ends as the signal would have; a shell tells 130, too.
+INTERRUPTED = (130, -signal.SIGINT)
 HANGS = 300  # s: a machine with much else to do is not waited for longer
 
 
@@ -360,7 +362,7 @@ def test_ctrl_c_keeps_what_is_done_and_resume_goes_on(folder: Path, long_sweep: 
     wait_for(process, lambda: any(parts.glob("part-*.h5")))
     process.send_signal(signal.SIGINT)
     _, told = process.communicate(timeout=HANGS)
-    assert process.returncode == 130
+    assert process.returncode in INTERRUPTED
     assert "cases are saved in out" in told
     assert "--resume" in told
     assert "Traceback" not in told
@@ -380,7 +382,7 @@ def test_ctrl_c_ends_a_run(folder: Path) -> None:
     wait_for(process, lambda: processor_seconds(process) > begun + 0.3)  # which is what works now
     process.send_signal(signal.SIGINT)
     _, told = process.communicate(timeout=HANGS)
-    assert process.returncode == 130
+    assert process.returncode in INTERRUPTED
     assert "Traceback" not in told
     assert left_in(folder) == {"a.toml"}
 
