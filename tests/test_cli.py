@@ -329,7 +329,8 @@ def test_a_sweep_without_one_good_case_fails_but_is_kept(folder: Path) -> None:
     assert "pendulum.csv" in left_in(folder / "out")
 
 
-# The second: where the interrupt met an import, Python itself ends as the signal would have; a shell tells 130, too.
+# The second: where the interrupt met an import, Python itself ends as the signal would have; a shell
+# tells 130, too.
 INTERRUPTED = (130, -signal.SIGINT)
 HANGS = 300  # s: a machine with much else to do is not waited for longer
 
