@@ -131,7 +131,7 @@ void pm_clear_keep(pm_workspace *w, int contact, double gap)
         w->event->clear.left[contact] = PART * gap - BETWEEN * moved(w, body);
 }
 
-/* Two circles, or a circle and the members of a row: the sum of the radii; 0 of what cannot be gone through. */
+/* The sum of the radii of two circles, or of a circle and a row's member (a point); 0 of what cannot be gone through. */
 static double through(const pm_workspace *w, int contact)
 {
     const pm_model *m = w->model;

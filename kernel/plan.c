@@ -13,6 +13,7 @@
 #include "route.h"
 #include "saddle.h"
 
+#define ONE_FREEDOM "one degree of freedom, and work that depends on position only"
 #define PASSED 0.1 /* independent part of each row: clearly more than where the passage begins */
 
 typedef struct pm_rule {
@@ -26,8 +27,7 @@ static const pm_rule rules[] = {
     {&pm_route_rk,
      "a singular position, where the rows do not tell the motion: passed in independent coordinates"},
     {&pm_route_uniform, "no force changes and no row turns: constant accelerations, polynomials of the time"},
-    {&pm_route_path,
-     "one degree of freedom, and work that depends on position only: work and energy along the path"},
+    {&pm_route_path, ONE_FREEDOM ": work and energy along the path"},
     {&pm_route_rk, "smooth motion in time: explicit integration of order 8"},
 };
 enum { NRULES = sizeof rules / sizeof *rules };
@@ -40,7 +40,7 @@ static const char *const scope[PM_ROUTES] = {
     [PM_ROUTE_STATE] = "what is answered at the start; here time passes",
     [PM_ROUTE_JUMP] = "what is answered before and after a blow at the start; here time passes",
     [PM_ROUTE_UNIFORM] = "constant forces, and joints and contacts that do not turn with the motion",
-    [PM_ROUTE_PATH] = "one degree of freedom, and work that depends on position only",
+    [PM_ROUTE_PATH] = ONE_FREEDOM,
 };
 
 static int take(pm_workspace *w, const pm_route_ops *route, int rule)

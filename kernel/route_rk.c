@@ -240,8 +240,8 @@ static void set_times(pm_workspace *w)
 }
 
 /* A step that is sampled for events or extremes may not outrun the motion, even where the formula would be exact, and not
- * carry circles through each other between two samples.  Nor may
- * one in which reactions turn with the bodies: the ledger of impulses, which does not choose the steps, is their integral. */
+ * carry circles through each other between two samples.  Nor may one in which reactions turn with the bodies: the ledger
+ * of impulses, which does not choose the steps, is their integral. */
 static double longest_step(const pm_workspace *w)
 {
     if (w->event->nfunction > 0 || w->ask->nobserver > 0) return fmin(w->rk->own, w->rk->meeting);

@@ -32,7 +32,7 @@ LEFT_OUT: dict[tuple[str, str], str] = {
     (
         "17-076",
         "ida",
-    ): "a find of whole runs, of ten turns of four gears each: one run, where it was found, is compared",
+    ): "one run of its find, where it was found, is compared",
 }
 NO_TIME = "no time passes"
 # Massless hooks, and friction that goes with the load of a joint.

@@ -8,8 +8,6 @@ import os
 import signal
 import subprocess
 import sys
-import time
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +18,7 @@ from click.testing import CliRunner, Result
 
 import planemotion
 from planemotion.cli import main
+from waiting import HANGS, wait_for
 
 PENDULUM = """
 id = "pendulum"
@@ -332,16 +331,6 @@ def test_a_sweep_without_one_good_case_fails_but_is_kept(folder: Path) -> None:
 # The second: where the interrupt met an import, Python itself ends as the signal would have; a shell
 # tells 130, too.
 INTERRUPTED = (130, -signal.SIGINT)
-HANGS = 300  # s: a machine with much else to do is not waited for longer
-
-
-def wait_for(process: subprocess.Popen[str], condition: Callable[[], bool]) -> None:
-    """Waits until something is seen of a process that goes on."""
-    deadline = time.monotonic() + HANGS
-    while not condition():
-        assert process.poll() is None, "it has ended"
-        assert time.monotonic() < deadline
-        time.sleep(0.01)
 
 
 def processor_seconds(process: subprocess.Popen[str]) -> float:

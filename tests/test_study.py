@@ -35,6 +35,7 @@ from planemotion.grids import read_grid
 from planemotion.run import simulate
 from planemotion.scene import Grid
 from planemotion.validate import validate
+from waiting import wait_for
 
 TESTS = Path(__file__).parent
 
@@ -501,11 +502,7 @@ def run_child(out, sweep, pause, arguments):
 
 
 def wait_for_parts(process, folder, wanted):
-    deadline = time.monotonic() + 300  # a machine with much else to do is not waited for longer
-    while len(list(folder.glob("fake.parts/part-*"))) < wanted:
-        assert process.poll() is None, process.stderr.read()
-        assert time.monotonic() < deadline
-        time.sleep(0.005)
+    wait_for(process, lambda: len(list(folder.glob("fake.parts/part-*"))) >= wanted)
 
 
 @pytest.fixture
