@@ -14,7 +14,7 @@
 #include "saddle.h"
 
 #define ONE_FREEDOM "one degree of freedom, and work that depends on position only"
-#define PASSED 0.1 /* independent part of each row: clearly more than where the passage begins */
+#define PASSED 0.2 /* independent part of each row: clearly more than where the passage begins */
 
 typedef struct pm_rule {
     const pm_route_ops *route;

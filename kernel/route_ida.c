@@ -29,12 +29,12 @@
 #include "route.h"
 
 #define ORDER 5
-#define NEWTON 0.1         /* of the error allowed: where Newton's iteration may stop */
-#define FIRST_STEP 0.3     /* of sqrt(tolerance) times the motion's own time: one step of order 1 */
-#define LONGEST_STEP 0.25  /* of the motion's own time, where events or extremes are watched */
-#define LEAST_STEP 8e-16   /* of the time: below it a step changes nothing */
-#define NEAR_SINGULAR 0.05 /* independent part of a row, below which Newton's iteration may not get through */
-#define LEAST_ROOM 4e-15   /* of the time: below it IDA finds begin and end too close */
+#define NEWTON 0.1        /* of the error allowed: where Newton's iteration may stop */
+#define FIRST_STEP 0.3    /* of sqrt(tolerance) times the motion's own time: one step of order 1 */
+#define LONGEST_STEP 0.25 /* of the motion's own time, where events or extremes are watched */
+#define LEAST_STEP 8e-16  /* of the time: below it a step changes nothing */
+#define NEAR_SINGULAR 0.1 /* independent part of a row, below which Newton's iteration may not get through */
+#define LEAST_ROOM 4e-15  /* of the time: below it IDA finds begin and end too close */
 
 static int failed(pm_workspace *w, int flag) { return pm_fail(w, PM_SOLVER, PM_NONE, PM_NONE, flag, 0); }
 

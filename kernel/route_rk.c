@@ -33,9 +33,11 @@
 #define DENSE 7          /* coefficients of the dense output */
 #define LEAST_STEP 8e-16 /* of the time: below it a step changes nothing */
 #define FIRST_RETRY 0.25
-#define SIDESTEP 0.83 /* a stage that came upon a singular position misses it with a step a little shorter */
-#define SIDESTEPS 8
-#define LEDGER_STEPS 4 /* reactions in all stages that count are a quarter of the work of a step */
+#define SIDESTEP 1.2 /* a step a little longer, or shorter, has its stages elsewhere */
+#define SIDESTEPS 12
+#define NEAR_SINGULAR 0.2 /* of the step's most regular stage: rounding is amplified there */
+#define OVER 0.3          /* of the motion's own time: a first step that passes a singular position */
+#define LEDGER_STEPS 4    /* reactions in all stages that count are a quarter of the work of a step */
 
 struct pm_rk {
     int n;          /* coordinates of the phase */
@@ -52,6 +54,7 @@ struct pm_rk {
     double turning; /* that of the bodies' turning alone */
     double meeting; /* that of open contacts (clear.c) */
     double t0, h;   /* the last step as integrated */
+    double end;     /* where it ended */
     double next;    /* step to try next, 0: none known */
     int dense_ready, k0_ready;
     pm_energy_level level;                               /* of the energy, where it is kept */
@@ -212,11 +215,15 @@ static int begin(pm_workspace *w)
     pm_tree_read_rates(w, w->state.v, r->now + r->n);
     pm_tree_sum_up(w);
     w->tree->independence = 1;
-    choose_coordinates(w);
+    if (w->singular)
+        pm_tree_partition(w);
+    else
+        choose_coordinates(w);
     memcpy(r->now + 2 * r->n, w->state.z, (size_t)w->model->nz * sizeof(double));
     r->k0_ready = r->dense_ready = 0;
     pm_body_momentum(w, PM_NONE, r->momentum_now);
-    if (w->count[PM_COUNT_STEPS] == 0) r->next = 0; /* a new case owes nothing to the last one */
+    /* a new case owes nothing to the last one, nor a phase to what another route has left behind */
+    if (w->count[PM_COUNT_STEPS] == 0 || w->state.t > r->end) r->next = 0;
     pm_energy_begin(w, &r->level);
     set_scale(w);
     return PM_OK;
@@ -264,6 +271,8 @@ static double restore_energy(pm_workspace *w, double *rates)
     const double factor = pm_energy_factor(w, &w->rk->level, &gained);
     for (int i = 0; i < w->rk->n && factor != 1; i++) rates[i] *= factor;
     for (int i = 0; i < w->model->nq && factor != 1; i++) w->frame.velocity[i] = w->tree->v[i] *= factor;
+    /* evaluated loop rows; nothing drives them, so that this is quadratic in the rates */
+    for (int i = 0; i < w->tree->nloop && factor != 1; i++) w->row[w->tree->loop[i]].gamma *= factor * factor;
     return gained;
 }
 
@@ -301,7 +310,7 @@ static int accept(pm_workspace *w, double t)
     set_times(w);
     r->dense_ready = 0;
     w->step_begin = r->t0;
-    w->step_end = t;
+    w->step_end = r->end = t;
     w->count[PM_COUNT_STEPS]++;
     if (pm_case_speed(w, w->state.v)) set_scale(w);
     return PM_OK;
@@ -319,8 +328,24 @@ static int first_stage(pm_workspace *w)
     if (status) return status;
     r->k0_ready = 1;
     set_times(w);
-    if (r->next == 0) r->next = fmin(r->own, 1e3) * eighth_root_of_inverse(1 / w->tolerance);
+    const double part = w->singular ? OVER : eighth_root_of_inverse(1 / w->tolerance);
+    if (r->next == 0) r->next = fmin(r->own, 1e3) * part;
     return PM_OK;
+}
+
+/* A stage was near a singular position: how long the step is makes no difference to its error, but where its stages are
+ * does. */
+static int met_singular(const pm_workspace *w)
+{
+    const pm_tree *t = w->tree;
+    return t->few && t->least_regular < NEAR_SINGULAR * t->most_regular;
+}
+
+/* The length to try after n others: by turns longer, as far as that goes, and shorter than the first. */
+static double sidestep(double first, double longest, int n)
+{
+    const double factor = pow(SIDESTEP, (n + 1) / 2);
+    return n % 2 && first * factor <= longest ? first * factor : first / factor;
 }
 
 static int step(pm_workspace *w, double t_limit)
@@ -332,12 +357,13 @@ static int step(pm_workspace *w, double t_limit)
     memcpy(r->y0, r->now, (size_t)r->all * sizeof(double));
     int status = first_stage(w);
     if (status) return status;
-    double h = fmin(r->next, longest_step(w));
-    for (int rejected = 0;;) {
+    double h = fmin(r->next, longest_step(w)), first = h;
+    for (int rejected = 0, sidesteps = 0;;) {
         const int last = r->t0 + h >= t_limit;
         if (last) h = t_limit - r->t0;
         if (!(h > LEAST_STEP * fabs(r->t0)))
             return pm_fail(w, PM_STEP_TOO_SMALL, PM_NONE, PM_NONE, h, LEAST_STEP * fabs(r->t0));
+        pm_tree_forget_regular(w->tree);
         status = stages(w, h, r->k, r->y);
         const double error = status ? INFINITY : error_norm(w, h);
         if (status && status != PM_SINGULAR) return status;
@@ -350,11 +376,12 @@ static int step(pm_workspace *w, double t_limit)
         }
         rejected++;
         /* singular somewhere in the step */
+        const int few = w->tree->few;
         if (choose_coordinates(w) && (status = derivative(w, r->t0, r->y0, 1, r->k))) return status;
-        if (w->tree->few && rejected <= SIDESTEPS)
-            h *= SIDESTEP;
-        else
-            h *= isfinite(error) ? fmax(SHRINK, SAFETY * eighth_root_of_inverse(error)) : FIRST_RETRY;
+        if (sidesteps < SIDESTEPS && met_singular(w))
+            h = sidestep(first, longest_step(w), ++sidesteps);
+        else if (few == w->tree->few)
+            first = h *= isfinite(error) ? fmax(SHRINK, SAFETY * eighth_root_of_inverse(error)) : FIRST_RETRY;
     }
 }
 

@@ -60,6 +60,8 @@ typedef struct pm_tree {
         independence; /* least square of the part of a loop row that those before it leave, while they are not */
     pm_turning turning;
     double steepest; /* there: rate of a dependent coordinate, lengths by the scene's size */
+    double regular; /* least pivot of the last factors of J_v over their greatest: 0 in a singular position */
+    double least_regular, most_regular; /* since pm_tree_forget_regular */
     void *block;
 } pm_tree;
 
@@ -68,6 +70,7 @@ void pm_tree_free(pm_workspace *w);
 /* From the active rows; called when a phase begins. */
 void pm_tree_build(pm_workspace *w);
 int pm_tree_is_angle(const pm_workspace *w, int coordinate);
+void pm_tree_forget_regular(pm_tree *t);
 
 /* Coordinates y[n] of a configuration q[nq] that meets the solved rows (the frame looks at it); and back. */
 void pm_tree_read(const pm_workspace *w, double *y);

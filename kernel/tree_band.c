@@ -4,6 +4,7 @@
  * A loop row is moved by the coordinates of two bodies and of what carries them.  Numbered by the tree (tree.c) these are
  * neighbours in a chain of loops: J_v is banded, and the work grows with the number of loops.  Where it is not nothing
  * is lost. */
+#include <math.h>
 #include <string.h>
 
 #include "dense.h"
@@ -78,6 +79,26 @@ void pm_tree_arrange(pm_workspace *w)
         if (t->right[j] < t->right[j - 1]) t->right[j] = t->right[j - 1];
 }
 
+void pm_tree_forget_regular(pm_tree *t)
+{
+    t->least_regular = INFINITY;
+    t->most_regular = 0;
+}
+
+/* How far the factors are from those of a singular position. */
+static void rate_pivots(pm_tree *t)
+{
+    const int n = t->nloop;
+    double least = INFINITY, most = 0;
+    for (int j = 0; j < n; j++) {
+        const double pivot = fabs(t->jacobian[j * n + j]);
+        least = fmin(least, pivot);
+        most = fmax(most, pivot);
+    }
+    t->least_regular = fmin(t->least_regular, least / most);
+    t->most_regular = fmax(t->most_regular, least / most);
+}
+
 int pm_tree_factor_dependent(pm_workspace *w, const double *jacobian)
 {
     pm_tree *t = w->tree;
@@ -93,9 +114,12 @@ int pm_tree_factor_dependent(pm_workspace *w, const double *jacobian)
             }
         }
     }
-    return pm_band_factor(n, t->bottom, t->right, t->jacobian, t->pivot)
-               ? pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0)
-               : PM_OK;
+    if (pm_band_factor(n, t->bottom, t->right, t->jacobian, t->pivot)) {
+        t->least_regular = 0;
+        return pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
+    }
+    rate_pivots(t);
+    return PM_OK;
 }
 
 void pm_tree_solve_dependent(const pm_tree *t, double *x)

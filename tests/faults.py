@@ -421,6 +421,18 @@ FAULTS = [
         "return rank_falls(w) ? pm_bridge_place",
         "return 0 ? pm_bridge_place",
     ),
+    Fault(
+        "rk: loop rows keep the rates that the energy did not return",
+        "route_rk.c",
+        "gamma *= factor * factor",
+        "gamma *= 1",
+    ),
+    Fault(
+        "rk: stages near a singular position only shorten the step",
+        "route_rk.c",
+        "t->least_regular < NEAR_SINGULAR * t->most_regular",
+        "t->least_regular < 0",
+    ),
     Fault("path: the bridge's own curvature", "path_bridge.c", "momentum += m * tangent[i] * f->v[i];", ";"),
     # errors that the path knows
     Fault(
