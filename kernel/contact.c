@@ -123,14 +123,10 @@ double pm_contact_member_slip(const pm_workspace *w, int contact, int member)
     return pm_row_slip(w, &tangent);
 }
 
-/* A circle beside a row of points: its centre from the row's first member, and the row's step, in the scene. */
-typedef struct pm_beside {
-    double d[2], step[2], radius;
-} pm_beside;
-
-static pm_beside beside_row(const pm_workspace *w, const int32_t *e)
+pm_beside pm_contact_beside(const pm_workspace *w, int contact)
 {
     const pm_model *m = w->model;
+    const int32_t *e = PM_CONTACT_ROW_OF(m, contact);
     const int32_t *row = PM_ROW_ROW(m, e[PM_CONTACT_B]), *circle = PM_CIRCLE_ROW(m, e[PM_CONTACT_A]);
     const pm_point c = pm_point_of(w, circle[PM_CIRCLE_POINT]), first = pm_point_of(w, row[PM_ROW_POINT]);
     const double *axes = w->frame.pose + 5 * first.body;
@@ -141,32 +137,62 @@ static pm_beside beside_row(const pm_workspace *w, const int32_t *e)
 }
 
 /* As row_distance.c has it. */
-static double gap_beside(const pm_beside *x, int member)
+double pm_contact_gap_beside(const pm_beside *x, int member)
 {
     const double d[2] = {x->d[0] - member * x->step[0], x->d[1] - member * x->step[1]};
     return pm_length(d) - x->radius;
 }
 
-/* Goes from member k on, step by step, past those that are closed. */
-static int next_open(const pm_workspace *w, const pm_state *s, int contact, int k, int step, int first,
-                     int last)
+/* The members of a row that are closed. */
+typedef struct pm_closed {
+    int n;
+    int32_t member[PM_ROW_SLOTS];
+} pm_closed;
+
+static pm_closed closed_of(const pm_workspace *w, const pm_state *s, int contact)
 {
-    while (k >= first && k <= last && is_closed(w, s, contact, k)) k += step;
+    const pm_slot *slot = s->slot + w->model->contact_slot[contact];
+    pm_closed x = {.n = 0};
+    for (int i = 0; i < PM_ROW_SLOTS; i++)
+        if (slot[i].mode != PM_OPEN) x.member[x.n++] = slot[i].member;
+    return x;
+}
+
+static int is_among(const pm_closed *x, int member)
+{
+    for (int i = 0; i < x->n; i++)
+        if (x->member[i] == member) return 1;
+    return 0;
+}
+
+/* Goes from member k on, step by step, past those that are closed. */
+static int next_open(const pm_closed *x, int k, int step, int first, int last)
+{
+    while (k >= first && k <= last && is_among(x, k)) k += step;
     return k;
 }
 
-static int members_of_row(const pm_workspace *w, const pm_state *s, int contact, const int32_t *e,
-                          const pm_beside *x, int most, int *member)
+/* The whole number below, where there is an int for it. */
+static int below_of(double place)
 {
-    const double count = w->value[PM_ROW_ROW(w->model, e[PM_CONTACT_B])[PM_ROW_COUNT]];
+    const int k = (int)place;
+    return k > place ? k - 1 : k;
+}
+
+static int members_of_row(const pm_workspace *w, const pm_state *s, int contact, const pm_beside *x, int most,
+                          int *member)
+{
+    const int32_t *row = PM_ROW_ROW(w->model, PM_CONTACT_ROW_OF(w->model, contact)[PM_CONTACT_B]);
+    const double count = w->value[row[PM_ROW_COUNT]];
     const double place = pm_dot(x->d, x->step) / pm_dot(x->step, x->step),
                  limit = 1e9; /* members are int32 */
     const int last = count < 0 ? (int)limit : (int)count - 1, first = count < 0 ? -(int)limit : 0;
-    const int below = place < first ? first - 1 : place > last ? last : (int)floor(place);
+    const int below = place < first ? first - 1 : place > last ? last : below_of(place);
+    const pm_closed closed = closed_of(w, s, contact);
     int down = below, up = below + 1, n = 0;
     while (n + 1 < most) {
-        down = next_open(w, s, contact, down, -1, first, last);
-        up = next_open(w, s, contact, up, 1, first, last);
+        down = next_open(&closed, down, -1, first, last);
+        up = next_open(&closed, up, 1, first, last);
         if (down < first && up > last) break;
         if (down >= first) member[n++] = down--;
         if (up <= last) member[n++] = up++;
@@ -179,22 +205,22 @@ int pm_contact_near(const pm_workspace *w, const pm_state *s, int contact, int m
     const int32_t *e = PM_CONTACT_ROW_OF(w->model, contact);
     if (pm_is_absent(w->model, s, PM_TABLE_CONTACT, contact)) return 0;
     if (e[PM_CONTACT_KIND] == PM_CONTACT_ROW) {
-        const pm_beside x = beside_row(w, e);
-        return members_of_row(w, s, contact, e, &x, most, member);
+        const pm_beside x = pm_contact_beside(w, contact);
+        return members_of_row(w, s, contact, &x, most, member);
     }
     member[0] = 0;
     return !is_closed(w, s, contact, 0);
 }
 
-static double row_gap(const pm_workspace *w, const pm_state *s, int contact, const int32_t *e, int *member)
+double pm_contact_nearest_beside(const pm_workspace *w, const pm_state *s, int contact, const pm_beside *x,
+                                 int *member)
 {
-    const pm_beside x = beside_row(w, e);
     int near[2];
-    const int n = members_of_row(w, s, contact, e, &x, 2, near);
+    const int n = members_of_row(w, s, contact, x, 2, near);
     double least = INFINITY;
     *member = 0;
     for (int i = 0; i < n; i++) {
-        const double gap = gap_beside(&x, near[i]);
+        const double gap = pm_contact_gap_beside(x, near[i]);
         if (!(gap <= least)) continue;
         least = gap;
         *member = near[i];
@@ -202,10 +228,16 @@ static double row_gap(const pm_workspace *w, const pm_state *s, int contact, con
     return least;
 }
 
+static double row_gap(const pm_workspace *w, const pm_state *s, int contact, int *member)
+{
+    const pm_beside x = pm_contact_beside(w, contact);
+    return pm_contact_nearest_beside(w, s, contact, &x, member);
+}
+
 double pm_contact_gap_to(const pm_workspace *w, int contact, int member)
 {
-    const pm_beside x = beside_row(w, PM_CONTACT_ROW_OF(w->model, contact));
-    return gap_beside(&x, member);
+    const pm_beside x = pm_contact_beside(w, contact);
+    return pm_contact_gap_beside(&x, member);
 }
 
 double pm_contact_gap(const pm_workspace *w, const pm_state *s, int contact, int *member)
@@ -219,7 +251,7 @@ double pm_contact_apart(const pm_workspace *w, const pm_state *s, int contact, i
 {
     const int32_t *e = PM_CONTACT_ROW_OF(w->model, contact);
     *member = 0;
-    if (e[PM_CONTACT_KIND] == PM_CONTACT_ROW) return row_gap(w, s, contact, e, member);
+    if (e[PM_CONTACT_KIND] == PM_CONTACT_ROW) return row_gap(w, s, contact, member);
     if (is_closed(w, s, contact, 0)) return INFINITY;
     if (!pm_segment_is(w->model, contact)) return pm_contact_member_gap(w, contact, 0, 0);
     return pm_segment_is_covered(w, s, contact) ? INFINITY : pm_segment_gap(w, contact, member);

@@ -14,6 +14,16 @@ double pm_contact_apart(const pm_workspace *w, const pm_state *s, int contact, i
 /* The nearest members that are not closed, at the frame, at most `most` (an even number) of a periodic row: in pairs, one
  * on either side, as far as there are; returns how many. */
 int pm_contact_near(const pm_workspace *w, const pm_state *s, int contact, int most, int *member);
+/* A circle beside a row of points: its centre from the row's first member, and the row's step, in the scene. */
+typedef struct pm_beside {
+    double d[2], step[2], radius;
+} pm_beside;
+/* That of a contact with a row, at the frame. */
+pm_beside pm_contact_beside(const pm_workspace *w, int contact);
+/* From there the gap to a member, and the smallest one as pm_contact_gap has it. */
+double pm_contact_gap_beside(const pm_beside *x, int member);
+double pm_contact_nearest_beside(const pm_workspace *w, const pm_state *s, int contact, const pm_beside *x,
+                                 int *member);
 /* Gap to a member of a row, closed or not. */
 double pm_contact_gap_to(const pm_workspace *w, int contact, int member);
 /* Gap, and its rate, of one member at the frame. */

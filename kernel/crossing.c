@@ -55,24 +55,29 @@ static int is_quiet(const pm_workspace *w, const pm_event_function *f)
     return f->kind == FUNCTION_GAP && w->event->clear.quiet[f->index];
 }
 
-static void sample_functions(pm_workspace *w, double *value)
+/* As pm_event_sample has it; where the circle is beside the row is kept: sample_member may need it. */
+static double sample_row(pm_workspace *w, const pm_event_function *f, int node)
 {
-    pm_event_set *e = w->event;
-    for (int i = 0; i < e->nfunction; i++) {
-        const pm_event_function *f = &e->function[i];
-        if (f->owned || is_quiet(w, f)) continue;
-        value[i] = pm_event_sample(w, f);
-        if (f->kind != FUNCTION_TRIGGER) continue;
-        e->least[f->index] = fmin(e->least[f->index], value[i]);
-        e->greatest[f->index] = fmax(e->greatest[f->index], value[i]);
-    }
+    pm_beside *x = w->event->beside + f->row * PM_NODES_MOST + node;
+    int member;
+    *x = pm_contact_beside(w, f->index);
+    const double gap = pm_contact_nearest_beside(w, &w->state, f->index, x, &member);
+    return isinf(gap) ? w->size : gap;
 }
 
 /* The functions that are sampled, but for contacts out of reach, at a node of the step; the frame looks there. */
-static void sample_node(pm_workspace *w, int node)
+static void sample_functions(pm_workspace *w, int node)
 {
-    pm_clear_node(w, node);
-    sample_functions(w, w->event->value + node * w->event->nfunction);
+    pm_event_set *e = w->event;
+    double *value = e->value + node * e->nfunction;
+    for (int i = 0; i < e->nfunction; i++) {
+        const pm_event_function *f = &e->function[i];
+        if (f->owned || is_quiet(w, f)) continue;
+        value[i] = f->row == PM_NONE ? pm_event_sample(w, f) : sample_row(w, f, node);
+        if (f->kind != FUNCTION_TRIGGER) continue;
+        if (value[i] < e->least[f->index]) e->least[f->index] = value[i];
+        if (value[i] > e->greatest[f->index]) e->greatest[f->index] = value[i];
+    }
 }
 
 /* The step came closer to contacts than was expected: they are looked at, too. */
@@ -81,7 +86,7 @@ static int sample_reached(pm_workspace *w)
     for (int k = 0; k < w->nodes->n; k++) {
         const int status = pm_route_look(w, pm_crossing_node(w, k), w->event->level);
         if (status) return status;
-        sample_functions(w, w->event->value + k * w->event->nfunction);
+        sample_functions(w, k);
     }
     return PM_OK;
 }
@@ -95,6 +100,18 @@ static void keep_gaps(pm_workspace *w)
             pm_clear_keep(w, e->function[i].index, e->value[i]);
 }
 
+/* Nothing is known of the step's zeros yet. */
+static void begin_samples(pm_workspace *w)
+{
+    pm_event_set *e = w->event;
+    for (int k = 0; k < w->nodes->n; k++) e->place[k] = pm_crossing_node(w, k);
+    for (int i = 0; i < e->nfunction; i++) {
+        e->function[i].search = SEARCH_NONE;
+        e->function[i].tail = -1;
+    }
+    pm_clear_step(w);
+}
+
 int pm_crossing_sample(pm_workspace *w, int with_functions)
 {
     pm_event_set *e = w->event;
@@ -105,11 +122,14 @@ int pm_crossing_sample(pm_workspace *w, int with_functions)
     int level = PM_LEVEL_KINEMATIC;
     if (functions && e->level > level) level = e->level;
     if (watched && w->ask->level > level) level = w->ask->level;
-    if (functions) pm_clear_step(w);
+    if (functions) begin_samples(w);
     for (int k = 0; k < w->nodes->n; k++) {
         const int status = pm_route_look(w, pm_crossing_node(w, k), level);
         if (status) return status;
-        if (functions) sample_node(w, k);
+        if (functions) {
+            pm_clear_node(w, k);
+            sample_functions(w, k);
+        }
         if (watched) pm_ask_sample(w, k);
     }
     if (!functions) return PM_OK;
@@ -209,21 +229,17 @@ static int turns(pm_workspace *w, pm_event_function *f, const double *g, int k, 
     return reaches(w, f, s, fmax(a, b), x[0], x[1], where, value);
 }
 
-typedef struct pm_bracket {
-    double a, b, ga, gb;
-} pm_bracket;
-
 /* A function held at zero is negative at b: it has gone up and come back (a short bounce), or it went the wrong way at
  * once and the event is now. */
 static int leaves_and_returns(pm_workspace *w, const pm_event_function *f, double a, double b, double gb,
-                              pm_bracket *x)
+                              pm_span *x)
 {
-    *x = (pm_bracket){a, a, 0, 0};
+    *x = (pm_span){a, a, 0, 0};
     for (int i = 0; i < HALVINGS; i++) {
         const double middle = 0.5 * (a + b), g = along(w, middle, (void *)(uintptr_t)f);
         if (middle <= a) break;
         if (g > 0) {
-            *x = (pm_bracket){middle, b, g, gb};
+            *x = (pm_span){middle, b, g, gb};
             break;
         }
         b = middle;
@@ -235,29 +251,29 @@ static int leaves_and_returns(pm_workspace *w, const pm_event_function *f, doubl
 
 /* A trigger that was on zero at a: where it has definitely left tells its side; it may have come back before b. */
 static int leaves_and_crosses(pm_workspace *w, const pm_event_function *f, double a, double b, double gb,
-                              double noise, pm_bracket *x)
+                              double noise, pm_span *x)
 {
     for (int i = LEAVING; i > 0; i--) {
         const double place = a + ldexp(b - a, -i), g = along(w, place, (void *)(uintptr_t)f);
         if (place <= a || !(fabs(g) > noise)) continue;
-        *x = (pm_bracket){place, b, g, gb};
+        *x = (pm_span){place, b, g, gb};
         return crosses(f, g, gb);
     }
     return 0;
 }
 
 /* The first bracket of function i in the step after `from`, if any. */
-static int bracket(pm_workspace *w, int i, double from, pm_bracket *x)
+static int bracket(pm_workspace *w, int i, double from, pm_span *x)
 {
     pm_event_set *e = w->event;
     pm_event_function *f = &e->function[i];
     const int n = w->nodes->n;
-    double g[PM_NODES_MOST], place[PM_NODES_MOST], biggest = 0;
+    const double *place = e->place;
+    double g[PM_NODES_MOST], biggest = 0;
     int first = 0;
     for (int k = 0; k < n; k++) {
         g[k] = pm_event_of_sample(f, e->value[k * e->nfunction + i]);
-        place[k] = pm_crossing_node(w, k);
-        biggest = fmax(biggest, fabs(g[k]));
+        if (fabs(g[k]) > biggest) biggest = fabs(g[k]);
         if (k == n - 1 && e->at_root && fabs(g[k]) <= ON_ZERO * biggest) g[k] = 0; /* there the phase ends */
         if (place[k] <= from) first = k;
     }
@@ -277,19 +293,19 @@ static int bracket(pm_workspace *w, int i, double from, pm_bracket *x)
         if (first == n) return 0;
         if (g[first] < 0) return leaves_and_returns(w, f, place[first - 1], place[first], g[first], x);
     } else if (!changes_sign && g[0] <= 0) { /* the last step ended on its zero */
-        *x = (pm_bracket){place[0], place[0], 0, 0};
+        *x = (pm_span){place[0], place[0], 0, 0};
         return 1;
     }
     for (int k = first; k + 1 < n; k++) {
         double where, value;
         if (crosses(f, g[k], g[k + 1])) {
-            *x = (pm_bracket){place[k], place[k + 1], g[k], g[k + 1]};
+            *x = (pm_span){place[k], place[k + 1], g[k], g[k + 1]};
             return 1;
         }
         const int near = fmin(fabs(g[k]), fabs(g[k + 1])) < NEAR * biggest;
         const int turned = near && turns(w, f, g, k, place + k, &where, &value);
         if ((turned || (k + 2 < n && dips(w, f, g + k, place + k, &where, &value))) && where > from) {
-            *x = (pm_bracket){place[k], where, g[k], value};
+            *x = (pm_span){place[k], where, g[k], value};
             return 1;
         }
     }
@@ -326,28 +342,39 @@ static double slope_of_samples(const pm_workspace *w, int i, double place)
 /* The nodes of a spectral route resolve the function, unless it has a corner (the nearest of several members). */
 static int is_resolved(const pm_workspace *w, int i)
 {
+    pm_event_function *f = &w->event->function[i];
     double value[PM_NODES_MOST];
     if (!pm_nodes_spectral(w->nodes)) return 0;
-    samples_of(w, i, value);
-    return pm_series_tail(w->nodes, value) < RESOLVED;
+    if (f->tail < 0) {
+        samples_of(w, i, value);
+        f->tail = pm_series_tail(w->nodes, value);
+    }
+    return f->tail < RESOLVED;
+}
+
+/* The member that is met at x, of those that are open; 0 if there is none. */
+static int member_at(pm_workspace *w, const pm_event_function *f, double x, int *member)
+{
+    const pm_event_set *e = w->event;
+    for (int k = 0; k < w->nodes->n; k++)
+        if (e->place[k] == x)
+            return !isinf(pm_contact_nearest_beside(w, &w->state, f->index,
+                                                    e->beside + f->row * PM_NODES_MOST + k, member));
+    return !pm_route_look(w, x, PM_LEVEL_KINEMATIC) && !isinf(pm_contact_gap(w, &w->state, f->index, member));
 }
 
 /* The gap to the nearest member of a row has corners, that to one member has none: from now on the samples are those of
  * the member that is met at x.  Whether it is the nearest at the root is seen there (polish). */
-static int sample_member(pm_workspace *w, int i, double x)
+static void sample_member(pm_workspace *w, int i, double x)
 {
     pm_event_set *e = w->event;
-    const pm_event_function *f = &e->function[i];
-    int member, status = PM_OK;
-    if (f->kind != FUNCTION_GAP || !pm_nodes_spectral(w->nodes) || !pm_contact_is_row(w->model, f->index))
-        return PM_OK;
-    if ((status = pm_route_look(w, x, PM_LEVEL_KINEMATIC))) return status;
-    if (isinf(pm_contact_gap(w, &w->state, f->index, &member))) return PM_OK;
-    for (int k = 0; k < w->nodes->n && !status; k++) {
-        status = pm_route_look(w, pm_crossing_node(w, k), PM_LEVEL_KINEMATIC);
-        e->value[k * e->nfunction + i] = pm_contact_gap_to(w, f->index, member);
-    }
-    return status;
+    pm_event_function *f = &e->function[i];
+    int member;
+    if (f->row == PM_NONE || !pm_nodes_spectral(w->nodes) || !member_at(w, f, x, &member)) return;
+    for (int k = 0; k < w->nodes->n; k++)
+        e->value[k * e->nfunction + i] =
+            pm_contact_gap_beside(e->beside + f->row * PM_NODES_MOST + k, member);
+    f->tail = -1;
 }
 
 /* How fast the function goes through its zero: a decision, for it might not have reached it. */
@@ -362,7 +389,7 @@ static void take_rate(pm_workspace *w, int function, double x)
 }
 
 /* Where the polynomial through the samples has its root. */
-static int root_of_samples(pm_workspace *w, int i, const pm_bracket *x, double *place)
+static int root_of_samples(pm_workspace *w, int i, const pm_span *x, double *place)
 {
     const double begin = w->step_begin, h = w->step_end - begin;
     double value[PM_NODES_MOST], s;
@@ -373,23 +400,18 @@ static int root_of_samples(pm_workspace *w, int i, const pm_bracket *x, double *
     return status;
 }
 
-static int root_in(pm_workspace *w, int i, const pm_bracket *x, double *place)
+static int root_in(pm_workspace *w, int i, const pm_span *x, double *place)
 {
     pm_event_set *e = w->event;
     *place = x->a;
     if (!(x->b > x->a)) return PM_OK;
-    int resolved = is_resolved(w, i);
-    if (!resolved) {
-        const int status = sample_member(w, i, x->b);
-        if (status) return status;
-        resolved = is_resolved(w, i);
-    }
-    if (resolved) return root_of_samples(w, i, x, place);
+    if (!is_resolved(w, i)) sample_member(w, i, x->b);
+    if (is_resolved(w, i)) return root_of_samples(w, i, x, place);
     return pm_root_find(w, e->solver, along, &e->function[i], x->a, x->ga, x->b, x->gb, place);
 }
 
 /* A function with a corner is no polynomial: where the polished place is not on its zero it is looked for once more. */
-static int polish(pm_workspace *w, int i, const pm_bracket *x, double *first, double *taken)
+static int polish(pm_workspace *w, int i, const pm_span *x, double *first, double *taken)
 {
     pm_event_function *f = &w->event->function[i];
     const int spectral = is_resolved(w, i);
@@ -411,24 +433,36 @@ static int goes_by(pm_workspace *w, int i, double place)
     return pm_capture_distance(w, f->index) > PASSES * w->size;
 }
 
-/* The first place of the step, after `from`, where something happens to function i; *x brackets it; or INFINITY. */
-static int first_of(pm_workspace *w, int i, double from, double not_after, pm_bracket *x, double *place)
+/* The first place of the step, after `from`, where something happens to function i; *x brackets it; or INFINITY.  What
+ * was found from an earlier place on still holds, as long as the function has not fired. */
+static int first_of(pm_workspace *w, int i, double from, double not_after, pm_span *x, double *place)
 {
+    pm_event_function *f = &w->event->function[i];
+    *place = INFINITY;
     for (;;) {
-        *place = INFINITY;
-        if (!bracket(w, i, from, x) || x->a > not_after) return PM_OK;
-        const int status = root_in(w, i, x, place);
-        if (status || !goes_by(w, i, *place)) return status;
-        w->event->function[i].held = 1; /* as what has fired: it must be left first */
-        w->event->function[i].since = from = *place;
+        if (f->search == SEARCH_NONE)
+            f->search = bracket(w, i, from, &f->bracket) ? SEARCH_BRACKETED : SEARCH_NO_ZERO;
+        if (f->search == SEARCH_NO_ZERO || f->bracket.a > not_after) return PM_OK;
+        *x = f->bracket;
+        if (f->search == SEARCH_BRACKETED) {
+            const int status = root_in(w, i, x, &f->found);
+            if (status) return status;
+            f->search = SEARCH_LOCATED;
+        }
+        if (!goes_by(w, i, f->found)) break;
+        f->held = 1; /* as what has fired: it must be left first */
+        f->since = from = f->found;
+        f->search = SEARCH_NONE;
     }
+    *place = f->found;
+    return PM_OK;
 }
 
 int pm_crossing_first(pm_workspace *w, double from, double *first, double *taken)
 {
     pm_event_set *e = w->event;
     const double same = PM_SAME_PLACE * (w->step_end - w->step_begin);
-    pm_bracket x = {0, 0, 0, 0}, of_first = x;
+    pm_span x = {0, 0, 0, 0}, of_first = x;
     int earliest = PM_NONE;
     *first = INFINITY;
     for (int i = 0; i < e->nfunction; i++) {

@@ -31,6 +31,13 @@
 #define ON_MULTIPLE 1e-9        /* of the multiples' distance: `every` begins on one of them */
 
 /* ---- memory ---- */
+static size_t rows_watched(const pm_model *m)
+{
+    size_t n = 0;
+    for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) n += (size_t)pm_contact_is_row(m, i);
+    return n;
+}
+
 int pm_event_create(pm_workspace *w)
 {
     const pm_model *m = w->model;
@@ -42,11 +49,13 @@ int pm_event_create(pm_workspace *w)
     e->most = (int)most;
     e->function = calloc(most + 1, sizeof *e->function);
     e->value = calloc(PM_NODES_MOST * (most + 1) + 4 * ntrigger + nevent, sizeof(double));
+    e->beside = calloc(PM_NODES_MOST * rows_watched(m) + 1, sizeof *e->beside);
     e->hit = calloc(2 * (most + 1), sizeof(int));
     e->count = calloc(2 * nevent + 1, sizeof *e->count);
     e->fired = calloc(ntrigger + (size_t)m->rows[PM_TABLE_CONTACT] + nevent + 1, 1);
     e->solver = pm_root_create();
-    if (!e->function || !e->value || !e->hit || !e->count || !e->fired || !e->solver) return PM_NO_MEMORY;
+    if (!e->function || !e->value || !e->beside || !e->hit || !e->count || !e->fired || !e->solver)
+        return PM_NO_MEMORY;
     if (pm_clear_create(m, &e->clear)) return PM_NO_MEMORY;
     e->seen = e->count + nevent;
     e->spent = e->fired + ntrigger;
@@ -66,6 +75,7 @@ void pm_event_free(pm_workspace *w)
     if (!e) return;
     free(e->function);
     free(e->value);
+    free(e->beside);
     free(e->hit);
     free(e->count);
     free(e->fired);
@@ -88,7 +98,8 @@ static void add(pm_workspace *w, int kind, int index, int direction, int level, 
                                                       .slack = slack,
                                                       .owned = owned,
                                                       .natural = natural,
-                                                      .near = INFINITY};
+                                                      .near = INFINITY,
+                                                      .row = PM_NONE};
     if (!owned) e->nsampled++;
     /* a route that finds all roots itself reads all functions at one look; contacts of their own need none */
     if (level > e->level && (!owned || w->route->finds_roots == PM_ROOTS_ALL)) e->level = level;
@@ -117,9 +128,11 @@ static void add_triggers(pm_workspace *w)
 
 static void add_gap(pm_workspace *w, int contact)
 {
+    pm_event_set *e = w->event;
+    pm_event_function *f = &e->function[e->nfunction];
     add(w, FUNCTION_GAP, contact, -1, PM_LEVEL_KINEMATIC, pm_contact_length(w), w->size);
-    w->event->function[w->event->nfunction - 1].below =
-        pm_segment_is(w->model, contact) && pm_segment_is_below(w, contact);
+    f->below = pm_segment_is(w->model, contact) && pm_segment_is_below(w, contact);
+    if (pm_contact_is_row(w->model, contact)) f->row = e->nrow++;
 }
 
 static void add_contacts(pm_workspace *w)
@@ -223,8 +236,10 @@ static void set_multiples(pm_workspace *w)
         if (!f->every) continue;
         const double p = pm_trigger_program(w, f->index), nearest = round(p);
         const int holds = fabs(p - nearest) <= ON_MULTIPLE * fmax(1, fabs(p));
-        f->low = holds ? nearest - 1 : floor(p);
-        f->high = holds ? nearest + 1 : floor(p) + 1;
+        const double low = holds ? nearest - 1 : floor(p), high = holds ? nearest + 1 : low + 1;
+        if (low != f->low || high != f->high) f->search = SEARCH_NONE;
+        f->low = low;
+        f->high = high;
     }
 }
 
@@ -241,7 +256,7 @@ static int leaves(pm_workspace *w, int contact)
 void pm_event_begin(pm_workspace *w)
 {
     pm_event_set *e = w->event;
-    e->nfunction = e->nsampled = 0;
+    e->nfunction = e->nsampled = e->nrow = 0;
     e->level = PM_LEVEL_KINEMATIC;
     add_triggers(w);
     add_contacts(w);
@@ -359,6 +374,7 @@ static void hold_hits(pm_workspace *w, double x)
         if (!e->hit[i]) continue;
         e->function[i].held = 1;
         e->function[i].since = fmax(x, e->function[i].located);
+        e->function[i].search = SEARCH_NONE;
     }
     set_multiples(w);
     memset(e->fired, 0, (size_t)w->model->rows[PM_TABLE_TRIGGER]);

@@ -7,6 +7,7 @@
 #define PM_EVENT_H
 
 #include "clear.h"
+#include "contact.h"
 #include "model.h"
 #include "nodes.h"
 
@@ -23,6 +24,14 @@ enum pm_function_kind {
     FUNCTION_HOLD,    /* friction of a joint that holds: what is left of it */
     FUNCTION_RUB      /* its slip where it slides */
 };
+
+/* What is known of the next zero of a function in the step that was sampled last. */
+enum pm_zero_search { SEARCH_NONE = 0, SEARCH_BRACKETED = 1, SEARCH_LOCATED = 2, SEARCH_NO_ZERO = 3 };
+
+/* Two places of a step, and a function's values there. */
+typedef struct pm_span {
+    double a, b, ga, gb;
+} pm_span;
 
 typedef struct pm_event_function {
     int kind;       /* enum pm_function_kind */
@@ -41,17 +50,25 @@ typedef struct pm_event_function {
     double near;    /* least value where it came close and turned back, since the last instant */
     double near_reach; /* its value on both sides of there */
     double low, high;  /* `every`: the multiples below and above */
+    int row;           /* of a gap to a row: its place among these, else PM_NONE */
+    int search; /* enum pm_zero_search: it holds until the function has fired, or another step is sampled */
+    pm_span bracket; /* of its next zero */
+    double found;    /* where that is */
+    double tail;     /* of its samples (series.h); negative: not known yet */
 } pm_event_function;
 
 typedef struct pm_event_set {
     pm_event_function *function;
     int nfunction;
-    int nsampled;             /* of them those that the route does not find */
-    int level;                /* highest level of all */
-    double *value;            /* [PM_NODES_MOST][most functions] samples */
-    int *hit;                 /* [most functions] fired at this instant */
-    int *root;                /* [most functions] roots that the route itself found, or 0 */
-    int at_root;              /* the step ends at one of these */
+    int nsampled;                /* of them those that the route does not find */
+    int nrow;                    /* of them gaps to rows */
+    int level;                   /* highest level of all */
+    double *value;               /* [PM_NODES_MOST][most functions] samples */
+    double place[PM_NODES_MOST]; /* x of the nodes */
+    pm_beside *beside;           /* [rows that are watched][PM_NODES_MOST] at the nodes */
+    int *hit;                    /* [most functions] fired at this instant */
+    int *root;                   /* [most functions] roots that the route itself found, or 0 */
+    int at_root;                 /* the step ends at one of these */
     double *due;              /* [ntrigger] time at which a trigger on time alone fires next, or INFINITY */
     unsigned char *fired;     /* [ntrigger] at this instant */
     unsigned char *spent;     /* [ncontact] left its zero by less than rounding: the bounce is over */
