@@ -13,6 +13,7 @@
 #include "contact.h"
 #include "grip.h"
 #include "project.h"
+#include "recall.h"
 #include "row.h"
 #include "saddle.h"
 
@@ -22,6 +23,7 @@
 
 void pm_active_clear(pm_workspace *w)
 {
+    pm_recall_drop_rows(w);
     w->nactive = w->njoint_active = w->nredundant = w->asymmetric = 0;
     for (int i = 0; i < w->model->njoint_row; i++) w->joint_active[i] = PM_NONE;
     for (int i = 0; i < w->model->nslot; i++) w->slot_normal[i] = w->slot_tangent[i] = PM_NONE;
@@ -206,15 +208,18 @@ static int append_all(pm_workspace *w, int *nbasis)
 int pm_active_build(pm_workspace *w)
 {
     int nbasis = 0;
+    if (pm_recall_is_built(w)) return PM_OK;
     int status = append_all(w, NULL);
     for (int i = 0; i < w->nactive && !status; i++) pm_row_kind(w->row[i].kind)->evaluate(w, &w->row[i]);
     if (!status && w->nactive > 0 && !(pm_saddle_independence(w) > CLEARLY)) status = append_all(w, &nbasis);
     if (!status) append_carried(w);
+    if (!status) pm_recall_built(w);
     return status;
 }
 
 void pm_active_carry(pm_workspace *w, int slot, double ratio)
 {
+    pm_recall_drop_rows(w);
     w->row[w->slot_normal[slot]].slide = ratio;
     w->asymmetric = 1;
     append_carried(w);

@@ -8,6 +8,18 @@
 #include <math.h>
 #include <string.h>
 
+/* Cosine and sine of an angle: it is often the one of the last look. */
+static void look_up_turn(double turn[3], double *pose)
+{
+    if (turn[0] != pose[2]) {
+        turn[0] = pose[2];
+        turn[1] = cos(pose[2]);
+        turn[2] = sin(pose[2]);
+    }
+    pose[3] = turn[1];
+    pose[4] = turn[2];
+}
+
 void pm_frame_look(pm_workspace *w, double t, const double *q, const double *v, const double *z,
                    const pm_memory *memory)
 {
@@ -24,8 +36,7 @@ void pm_frame_look(pm_workspace *w, double t, const double *q, const double *v, 
         pose[0] = q[3 * i];
         pose[1] = q[3 * i + 1];
         pose[2] = q[3 * i + 2];
-        pose[3] = cos(pose[2]);
-        pose[4] = sin(pose[2]);
+        look_up_turn(f->turn + 3 * i, pose);
         velocity[0] = v[3 * i];
         velocity[1] = v[3 * i + 1];
         velocity[2] = v[3 * i + 2];

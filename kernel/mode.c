@@ -133,10 +133,9 @@ static double force_size(const pm_workspace *w)
 }
 
 /* The worst pulling contact is let go; 1 if there was one. */
-static int let_go(pm_workspace *w)
+static int let_go(pm_workspace *w, double size)
 {
     int worst = PM_NONE;
-    const double size = force_size(w);
     double least = -SLACK * size;
     for (int i = 0; i < w->model->nslot; i++) {
         if (w->slot_normal[i] == PM_NONE) continue;
@@ -152,9 +151,8 @@ static int let_go(pm_workspace *w)
 }
 
 /* The first sticking contact that needs more than mu N begins to slide; 1 if there was one. */
-static int slide(pm_workspace *w)
+static int slide(pm_workspace *w, double size)
 {
-    const double size = force_size(w);
     for (int i = 0; i < w->model->nslot; i++) {
         const int contact = pm_contact_of_slot(w->model, i);
         if (w->slot_tangent[i] == PM_NONE || w->slot_normal[i] == PM_NONE) continue;
@@ -198,7 +196,8 @@ int pm_mode_settle(pm_workspace *w)
         if ((status = pm_active_build(w)) || (status = pm_project(w, &w->state))) return status;
         if (w->kinematic) return PM_OK;
         if ((status = pm_saddle_accelerate(w))) return status;
-        if (!let_go(w) && !slide(w) && !pm_grip_overcome(w, SLACK * force_size(w)) && !close_again(w))
+        const double size = force_size(w);
+        if (!let_go(w, size) && !slide(w, size) && !pm_grip_overcome(w, SLACK * size) && !close_again(w))
             return PM_OK;
     }
     return pm_fail(w, PM_BLOW_UNDECIDED, PM_TABLE_CONTACT, PM_NONE, most, most);

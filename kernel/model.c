@@ -424,6 +424,7 @@ static void look_at_forces(pm_model *m)
         for (int k = 0; k < ops->programs; k++)
             m->forces_by_place &= by_place(m, PM_FORCE_ROW(m, i)[PM_FORCE_PROGRAM_X + k]);
     }
+    m->recalls = m->forces_by_place && !m->acts && m->ngrip == 0 && !pm_model_is_driven(m);
 }
 
 /* Whether a program that is watched within steps reads the count or time of an event: it jumps where one is marked. */

@@ -48,11 +48,12 @@ typedef struct pm_model {
     unsigned char *program_nature; /* [nprogram] enum pm_nature */
     unsigned char *program_growth; /* [nprogram] enum pm_growth */
     int forces_by_place;           /* all forces depend on the configuration alone */
-    int reads_time;                /* some program reads the time */
-    int samples_time;              /* some trigger, extreme or grid does */
-    int nelement;                  /* joints, contacts and forces */
-    int acts;                      /* some event does something, or not whenever its triggers fire */
-    int watches_counts;            /* what is watched in a step reads the count or time of an event */
+    int recalls; /* and so do accelerations on given rows, but for the velocities: nothing drives, holds by load, acts */
+    int reads_time;               /* some program reads the time */
+    int samples_time;             /* some trigger, extreme or grid does */
+    int nelement;                 /* joints, contacts and forces */
+    int acts;                     /* some event does something, or not whenever its triggers fire */
+    int watches_counts;           /* what is watched in a step reads the count or time of an event */
     int32_t *reduced;             /* own tables of a model without what no answer needs (reduce.h), or NULL */
     int32_t *original[PM_TABLES]; /* then: the caller's row of each row */
 } pm_model;
@@ -167,6 +168,7 @@ typedef struct pm_frame {
     int level;
     double *pose;     /* [nbody + 1][5]: x, y, angle, cos, sin; last: the ground */
     double *velocity; /* [nbody + 1][3]; last: zero */
+    double *turn;     /* [nbody][3] an angle of the case, its cosine and its sine (pm_frame_look) */
     double *f;        /* [nq] applied forces */
     double *power;    /* [nforce] of forces without potential */
     double *a;        /* [nq] accelerations */
@@ -192,6 +194,7 @@ struct pm_ask_set;
 struct pm_find;
 struct pm_error_set;
 struct pm_nudge;
+struct pm_recall;
 
 typedef struct pm_workspace {
     const pm_model *model;
@@ -225,6 +228,8 @@ typedef struct pm_workspace {
     int *grip_row;     /* [ngrip] active row where it holds, or PM_NONE */
     double *grip_load; /* [ngrip] friction that goes with the load of its joint, N or N m */
     int *slot_held;    /* [nslot][PM_JOINT_ROWS] of a captured pair, or PM_NONE */
+    int64_t row_set;   /* counts the sets of rows */
+    struct pm_recall *recall;
     int nredundant;
     int asymmetric; /* some contact slides: H differs from G */
     /* saddle.c */

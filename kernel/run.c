@@ -19,6 +19,7 @@
 #include "phases.h"
 #include "plan.h"
 #include "reach.h"
+#include "recall.h"
 #include "route.h"
 #include "saddle.h"
 #include "spin.h"
@@ -31,6 +32,7 @@ static int begin_case(pm_workspace *w, const double *param, pm_start_report *rep
     w->where = (pm_where){PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
     w->lost = 0;
     w->state.t = 0; /* a case that fails before its start reports no time of another */
+    pm_recall_forget(w);
     w->price = w->lap = w->path_left = w->singular = 0;
     w->route = pm_route_default(w->model); /* until the first phase is planned */
     pm_leg_forget(w);

@@ -13,6 +13,7 @@
 #include "dense.h"
 #include "force.h"
 #include "grip.h"
+#include "recall.h"
 #include "route.h"
 #include "row.h"
 
@@ -222,9 +223,13 @@ static int accelerate(pm_workspace *w)
 
 int pm_saddle_accelerate(pm_workspace *w)
 {
+    if (pm_recall_take(w)) return PM_OK;
     for (int i = 0; i < ROUNDS; i++) {
         const int status = accelerate(w);
-        if (status || !pm_grip_by_load(w) || !pm_grip_update(w)) return status;
+        if (status || !pm_grip_by_load(w) || !pm_grip_update(w)) {
+            if (!status) pm_recall_keep(w);
+            return status;
+        }
     }
     return pm_fail(w, PM_SINGULAR, PM_TABLE_FORCE, w->model->grip_force[0], NAN, NAN);
 }

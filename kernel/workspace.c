@@ -11,6 +11,7 @@
 #include "nudge.h"
 #include "order.h"
 #include "reach.h"
+#include "recall.h"
 #include "route.h"
 #include "tree.h"
 
@@ -104,6 +105,7 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
         PART(w->basis, (size_t)(nq + 1) * (size_t)nq),
         PART(w->frame.pose, 5 * (m->nbody + 1)),
         PART(w->frame.velocity, 3 * (m->nbody + 1)),
+        PART(w->frame.turn, 3 * m->nbody),
         PART(w->frame.f, nq),
         PART(w->frame.power, nforce),
         PART(w->frame.a, nq),
@@ -124,6 +126,7 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
     if (!status) status = pm_state_create(m, &w->start);
     if (!status) status = pm_state_create(m, &w->probe);
     if (!status) status = pm_state_create(m, &w->ahead);
+    if (!status) status = pm_recall_create(w);
     if (!status) status = pm_event_create(w);
     if (!status) status = pm_ask_create(w);
     if (!status) status = pm_error_create(w);
@@ -152,6 +155,7 @@ void pm_workspace_free(pm_workspace *w)
     pm_tree_free(w);
     pm_ask_free(w);
     pm_event_free(w);
+    pm_recall_free(w);
     pm_state_free(&w->ahead);
     pm_state_free(&w->probe);
     pm_state_free(&w->start);

@@ -1,0 +1,37 @@
+/* recall.h - the accelerations and reactions that were found last, for a state that is looked at again. */
+#ifndef PM_RECALL_H
+#define PM_RECALL_H
+
+#include "model.h"
+
+typedef struct pm_recall {
+    int known;          /* something is kept */
+    int64_t rows;       /* w->row_set when it was found */
+    double *pose;       /* [nq] x, y, angle, as the frame had them */
+    double *velocity;   /* [nq] likewise */
+    double *a, *lambda; /* [nq], [nrow] what was found */
+    pm_memory *memory;  /* [nmemory] */
+    pm_row *row;        /* [nrow] as they were evaluated there */
+    /* the set of rows that was built last */
+    int built;
+    pm_slot *slot; /* [nslot] */
+    double *q;     /* [nq] */
+    void *block;
+} pm_recall;
+
+int pm_recall_create(pm_workspace *w);
+void pm_recall_free(pm_workspace *w);
+/* Another case begins. */
+void pm_recall_forget(pm_workspace *w);
+
+/* Makes the frame DYNAMIC where it looks at what it looked at when pm_recall_keep was called last; 0 if it does not. */
+int pm_recall_take(pm_workspace *w);
+void pm_recall_keep(pm_workspace *w);
+
+/* The active rows are those that were built last, here and for the same contacts. */
+int pm_recall_is_built(const pm_workspace *w);
+void pm_recall_built(pm_workspace *w);
+/* They are another set from now on. */
+void pm_recall_drop_rows(pm_workspace *w);
+
+#endif
