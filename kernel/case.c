@@ -25,6 +25,7 @@ int pm_case_values(pm_workspace *w, const double *param)
 {
     const pm_model *m = w->model;
     w->param = param;
+    w->has_numbers = 0;
     for (int i = 0; i < m->nparam; i++)
         if (!isfinite(w->param[i])) return out_of_bound(w, PM_NONE, i, PM_NONE, w->param[i], 0);
     for (int i = 0; i < m->nvalue; i++) {
@@ -273,6 +274,7 @@ int pm_case_begin(pm_workspace *w, const double *param)
     if (!status) status = check_marks(w);
     if (!status) status = check_elements(w);
     if (status) return status;
+    pm_program_numbers(w);
     set_size(w);
     w->speed = 0;
     return set_stand_ins(w);

@@ -10,6 +10,7 @@
 #include "measure.h"
 #include "nature.h"
 #include "program.h"
+#include "program_fold.h"
 #include "refer.h"
 #include "spin.h"
 
@@ -469,7 +470,7 @@ int pm_model_create(int64_t ntable, const int32_t *table, int64_t nconstant, con
     int *block = calloc(nint + 1, sizeof *block);
     m->program_level = calloc(3 * (size_t)m->rows[PM_TABLE_PROGRAM] + 1, 1);
     m->contact_slot = block;
-    if (!block || !m->program_level) {
+    if (!block || !m->program_level || pm_program_fold_create(m)) {
         pm_model_free(m);
         return PM_NO_MEMORY;
     }
@@ -508,6 +509,7 @@ void pm_model_free(pm_model *model)
     if (!model) return;
     free(model->contact_slot); /* head of the block of all index arrays */
     free(model->program_level);
+    pm_program_fold_free(model);
     free(model->reduced);
     free(model);
 }

@@ -16,6 +16,8 @@
 #define PM_JOINT_ROWS 3 /* most rows of one joint */
 #define PM_LEDGER 3     /* impulses of the outer world: x, y, moment about the origin */
 
+struct pm_program_fold;
+
 typedef struct pm_model {
     const int32_t *table[PM_TABLES]; /* first row of each table, in the caller's array */
     int rows[PM_TABLES];
@@ -49,11 +51,12 @@ typedef struct pm_model {
     unsigned char *program_growth; /* [nprogram] enum pm_growth */
     int forces_by_place;           /* all forces depend on the configuration alone */
     int recalls; /* and so do accelerations on given rows, but for the velocities: nothing drives, holds by load, acts */
-    int reads_time;               /* some program reads the time */
-    int samples_time;             /* some trigger, extreme or grid does */
-    int nelement;                 /* joints, contacts and forces */
-    int acts;                     /* some event does something, or not whenever its triggers fire */
-    int watches_counts;           /* what is watched in a step reads the count or time of an event */
+    int reads_time;     /* some program reads the time */
+    int samples_time;   /* some trigger, extreme or grid does */
+    int nelement;       /* joints, contacts and forces */
+    int acts;           /* some event does something, or not whenever its triggers fire */
+    int watches_counts; /* what is watched in a step reads the count or time of an event */
+    struct pm_program_fold *fold;
     int32_t *reduced;             /* own tables of a model without what no answer needs (reduce.h), or NULL */
     int32_t *original[PM_TABLES]; /* then: the caller's row of each row */
 } pm_model;
@@ -201,7 +204,9 @@ typedef struct pm_workspace {
     const volatile int32_t *stop; /* raised by another thread, or NULL */
     /* the case */
     const double *param;
-    double *value;        /* [nvalue] */
+    double *value;  /* [nvalue] */
+    double *number; /* of the programs, the same throughout the case (program_fold.h) */
+    int has_numbers;
     double *mass;         /* [nbody] */
     double *stand_in;     /* [nq] what stands for a mass or inertia of 0 in inverse_mass; else 0 */
     int massless;         /* some coordinate has such */

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "measure.h"
+#include "program_fold.h"
 
 int pm_program_operands(int op)
 {
@@ -95,13 +96,13 @@ double pm_program_binary(int op, double a, double b)
     }
 }
 
-double pm_program_run(const pm_model *m, int index, const double *param, const double *value, pm_workspace *w)
+/* Instructions as they stand in the table. */
+static double run_code(const pm_model *m, const int32_t *code, int length, const double *param,
+                       const double *value, pm_workspace *w)
 {
-    const int32_t *program = pm_row_of(m, PM_TABLE_PROGRAM, index, PM_PROGRAM_COLUMNS);
-    const int32_t *code = pm_row_of(m, PM_TABLE_CODE, program[PM_PROGRAM_FIRST], PM_CODE_COLUMNS);
     double stack[PM_STACK];
     int top = -1;
-    for (int i = 0; i < program[PM_PROGRAM_LENGTH]; i++, code += PM_CODE_COLUMNS) {
+    for (int i = 0; i < length; i++, code += PM_CODE_COLUMNS) {
         const int op = code[PM_CODE_OP], arg = code[PM_CODE_ARG];
         switch (op) {
         case PM_OP_CONSTANT: stack[++top] = m->constant[arg]; break;
@@ -123,6 +124,59 @@ double pm_program_run(const pm_model *m, int index, const double *param, const d
         }
     }
     return stack[0];
+}
+
+static inline double arithmetic(int op, double a, double b)
+{
+    switch (op) {
+    case PM_OP_ADD: return a + b;
+    case PM_OP_SUB: return a - b;
+    case PM_OP_MUL: return a * b;
+    case PM_OP_DIV: return a / b;
+    default: return pm_program_binary(op, a, b);
+    }
+}
+
+/* What is left of a program once the numbers of the case are known. */
+static double run_steps(pm_workspace *w, const pm_program_step *s, const pm_program_step *end)
+{
+    const double *number = w->number;
+    double stack[PM_STACK + 1], *top = stack;
+    stack[0] = NAN; /* it stays empty */
+    for (; s < end; s++) switch (s->kind) {
+        case STEP_NUMBER: *++top = number[s->arg]; break;
+        case STEP_MEASURE: *++top = pm_measure(w, s->arg); break;
+        case STEP_ANSWER: *++top = w->out[s->arg]; break;
+        case STEP_UNARY: *top = pm_program_unary(s->op, *top); break;
+        case STEP_WITH_NUMBER: *top = arithmetic(s->op, *top, number[s->arg]); break;
+        case STEP_BINARY:
+            top--;
+            *top = arithmetic(s->op, top[0], top[1]);
+            break;
+        default: top -= 2; *top = top[0] != 0 ? top[1] : top[2];
+        }
+    return *top;
+}
+
+double pm_program_run(const pm_model *m, int index, const double *param, const double *value, pm_workspace *w)
+{
+    const int *first = m->fold->first + index;
+    if (w && w->has_numbers && first[0] < first[1])
+        return run_steps(w, m->fold->step + first[0], m->fold->step + first[1]);
+    const int32_t *program = pm_row_of(m, PM_TABLE_PROGRAM, index, PM_PROGRAM_COLUMNS);
+    return run_code(m, pm_row_of(m, PM_TABLE_CODE, program[PM_PROGRAM_FIRST], PM_CODE_COLUMNS),
+                    program[PM_PROGRAM_LENGTH], param, value, w);
+}
+
+void pm_program_numbers(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    for (int i = 0; i < m->fold->nnumber; i++) {
+        const pm_program_part *x = &m->fold->part[i];
+        w->number[i] = run_code(m, pm_row_of(m, PM_TABLE_CODE, x->first, PM_CODE_COLUMNS), x->length,
+                                w->param, w->value, w);
+    }
+    w->has_numbers = 1;
 }
 
 static int bad(pm_where *where, int row, double value, double bound)

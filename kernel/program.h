@@ -10,6 +10,10 @@
 double pm_program_run(const pm_model *m, int index, const double *param, const double *value,
                       pm_workspace *w);
 
+/* Works out what stays the same in the case that has begun: its masses and its weight are known.  From here on all programs
+ * of the workspace are run by these numbers, until pm_case_values is told of other parameters. */
+void pm_program_numbers(pm_workspace *w);
+
 /* A program that reads no measure but the time, at the time t; *rate: how fast it changes. */
 double pm_program_of_time(const pm_model *m, int index, const double *param, const double *value, double t,
                           double *rate);

@@ -10,6 +10,7 @@
 #include "model.h"
 #include "nudge.h"
 #include "order.h"
+#include "program_fold.h"
 #include "reach.h"
 #include "recall.h"
 #include "route.h"
@@ -82,6 +83,7 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
     const int nforce = m->rows[PM_TABLE_FORCE], nrow = m->nrow, nq = m->nq;
     const pm_part_of_block part[] = {
         PART(w->value, m->nvalue),
+        PART(w->number, m->fold->nnumber),
         PART(w->mass, m->nbody),
         PART(w->inverse_mass, nq),
         PART(w->stand_in, nq),

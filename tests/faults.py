@@ -43,6 +43,31 @@ class Fault:
 
 
 FAULTS = [
+    # what is not worked out twice
+    Fault(
+        "recall: velocities do not count",
+        "recall.c",
+        "if (r->velocity[3 * i + k] != w->frame.velocity[3 * i + k]) return 0;",
+        "",
+    ),
+    Fault("recall: other rows do not count", "recall.c", "r->rows != w->row_set ||", ""),
+    Fault("recall: forces of the time do not count", "recall.c", "w->model->recalls && ", ""),
+    Fault("recall: rows of another place", "recall.c", "memcmp(r->q, w->state.q,", "memcmp(r->q, r->q,"),
+    Fault(
+        "fold: operands change places",
+        "program.c",
+        "arithmetic(s->op, *top, number[s->arg])",
+        "arithmetic(s->op, number[s->arg], *top)",
+    ),
+    Fault(
+        "fold: positions stay", "program_fold.c", "kind == PM_MEASURE_MASS ||", "kind != PM_MEASURE_TIME ||"
+    ),
+    Fault(
+        "crossing: what has fired is not sought again", "event.c", "e->function[i].search = SEARCH_NONE;", ""
+    ),
+    Fault(
+        "contact: members are counted from zero", "contact.c", "return k > place ? k - 1 : k;", "return k;"
+    ),
     # contacts out of reach
     Fault("clear: a body does not turn", "clear.c", "+ x->radius[i] * fabs(pose[2] - from[2])", ""),
     Fault("clear: the other body stands still", "clear.c", "+ w->event->clear.moved[body[1]]", ""),

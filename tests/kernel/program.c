@@ -182,8 +182,62 @@ static void values(void)
     scene_free(s);
 }
 
+/* A random expression of n leaves that stay the same in a case and of such that do not. */
+static void append_random(scene *s, int leaves, const int *measure, int parameter, scene_code *code, int *n)
+{
+    static const int binaries[] = {PM_OP_ADD, PM_OP_SUB, PM_OP_MUL,  PM_OP_DIV,
+                                   PM_OP_MIN, PM_OP_LT,  PM_OP_ATAN2};
+    static const int unaries[] = {PM_OP_NEG, PM_OP_SIN, PM_OP_ABS, PM_OP_FLOOR};
+    if (leaves == 1) {
+        switch ((int)check_random(0, 5)) {
+        case 0: code[(*n)++] = scene_k(s, check_random(-2, 2)); break;
+        case 1: code[(*n)++] = scene_p(0); break;
+        case 2: code[(*n)++] = scene_v(parameter); break;
+        case 3: code[(*n)++] = scene_m(measure[0]); break;
+        default: code[(*n)++] = scene_m(measure[1]);
+        }
+    } else {
+        const int left = 1 + (int)check_random(0, leaves - 1);
+        append_random(s, left, measure, parameter, code, n);
+        append_random(s, leaves - left, measure, parameter, code, n);
+        code[(*n)++] = scene_op(binaries[(int)check_random(0, 7)]);
+    }
+    if (check_random(0, 1) < 0.2) code[(*n)++] = scene_op(unaries[(int)check_random(0, 4)]);
+}
+
+/* What stays the same in a case is worked out once, and the programs give the same bits as instruction by instruction; the
+ * next case has numbers of its own. */
+static void folded(void)
+{
+    for (int round = 0; round < 60; round++) {
+        scene *s = scene_create();
+        const int parameter = scene_parameter(s);
+        const int b = scene_body(s, 2.5, 0.3, 0.7, -0.2, 0);
+        s->cell[PM_TABLE_BODY][PM_BODY_MASS] = parameter;
+        const int measure[] = {scene_part(s, PM_MEASURE_POSITION, scene_point(s, b, 0, 0), PM_PART_X),
+                               scene_measure(s, PM_MEASURE_WEIGHT, b)};
+        scene_code code[200];
+        int n = 0;
+        append_random(s, 1 + round / 4, measure, parameter, code, &n);
+        const int program = scene_program(s, n, code);
+        if (!CHECK(scene_open(s) == PM_OK)) return;
+        for (int k = 0; k < 2; k++) {
+            const double param[] = {k ? 1.75 : 0.5};
+            pm_start_report report;
+            EQUAL(pm_run_start(s->w, param, &report), PM_OK);
+            EQUAL(s->w->has_numbers, 1);
+            const double quick = pm_program_run(s->model, program, param, s->w->value, s->w);
+            s->w->has_numbers = 0;
+            const double slow = pm_program_run(s->model, program, param, s->w->value, s->w);
+            CHECK(isnan(slow) ? isnan(quick) : quick == slow);
+        }
+        scene_free(s);
+    }
+}
+
 int main(void)
 {
+    folded();
     unary_operations();
     binary_operations();
     not_a_number();
