@@ -25,6 +25,7 @@
 #include "case.h"
 #include "contact.h"
 #include "event.h"
+#include "leg_replay.h"
 #include "nature.h"
 #include "path.h"
 #include "symmetry.h"
@@ -59,6 +60,8 @@ typedef struct pm_leg {
     double kinetic;                                /* T there */
     double before;                                 /* T at its end, before the blow */
     double lowest;                                 /* least T on it */
+    double end;                                    /* place in the step at which it ended */
+    int64_t steps;                                 /* of which it consisted */
     int end_kind, end_mark;                        /* what ended it: kind of function, contact */
     int64_t count[PM_COUNT_COLUMNS], *event_count; /* at its begin */
     /* from one leg to the next */
@@ -322,31 +325,49 @@ static int64_t limits_allow(const pm_workspace *w, double time)
     return most;
 }
 
-/* Legs from now on that get over the barrier; *kinetic the energy with which the one after them begins, *lost what their
- * blows take.  The last leg is left to be computed. */
-static int64_t legs_over_barrier(const pm_leg *l, double begin, int64_t most, double *kinetic, double *lost,
-                                 double *error)
+/* Legs from now on. */
+typedef struct pm_course {
+    int64_t legs;   /* that are passed over */
+    double kinetic; /* T with which the one after them begins */
+    double lost;    /* what their blows take */
+    double error;   /* of T after them */
+    int is_last;    /* the one after them is the last that gets over the barrier */
+} pm_course;
+
+/* T with which the leg after the next one begins. */
+static double kinetic_after(const pm_leg *l, const pm_course *c) { return l->ratio * (c->kinetic + l->work); }
+
+static double depth_of(const pm_leg *l) { return l->kinetic - l->lowest; }
+
+static void add_leg(const pm_leg *l, pm_course *c)
 {
-    const double depth = l->kinetic - l->lowest;
-    const double near = BARRIER * fmax(l->kinetic, fabs(depth));
-    double t = begin, loss = 0;
-    int64_t n = 0;
-    if (!(begin - depth > near)) most = 0;
-    for (; n < most; n++) {
-        const double end = t + l->work, next = l->ratio * end;
-        if (!(next - depth > near)) break; /* the leg after this one: it must get over, too */
-        loss += end - next;
-        *error = l->ratio * *error + ROUNDINGS * (end + next);
-        if (fabs(next - t) <= STEADY * t) { /* what is gained is lost in the blow: so it goes on */
-            loss += (double)(most - n - 1) * (end - next);
-            n = most;
-            break;
+    const double end = c->kinetic + l->work, next = kinetic_after(l, c);
+    c->legs++;
+    c->lost += end - next;
+    c->error = l->ratio * c->error + ROUNDINGS * (end + next);
+    c->kinetic = next;
+}
+
+/* Those that get over the barrier, as the leg after each of them does, too: that one is left to be looked at. */
+static pm_course course_over_barrier(const pm_leg *l, double begin, int64_t most, double error)
+{
+    pm_course c = {.kinetic = begin, .error = error};
+    const double near = BARRIER * fmax(l->kinetic, fabs(depth_of(l)));
+    if (!(begin - depth_of(l) > near)) return c;
+    while (c.legs < most) {
+        const double t = c.kinetic, next = kinetic_after(l, &c);
+        if (!(next - depth_of(l) > near)) {
+            c.is_last = 1;
+            return c;
         }
-        t = next;
+        add_leg(l, &c);
+        if (fabs(next - t) > STEADY * t) continue;
+        /* what is gained is lost in the blow: so it goes on */
+        c.lost += (double)(most - c.legs) * (t + l->work - next);
+        c.legs = most;
+        c.kinetic = t;
     }
-    *kinetic = t;
-    *lost = loss;
-    return n;
+    return c;
 }
 
 /* ---- passing over ---- */
@@ -469,6 +490,48 @@ static double work_of_leg(const pm_workspace *w)
     return work + mass * (w->gravity[0] * l->by[0] + w->gravity[1] * l->by[1]);
 }
 
+static int moves_with_energy(const pm_workspace *w, int trigger)
+{
+    const int32_t *e = PM_TRIGGER_ROW(w->model, trigger);
+    if (e[PM_TRIGGER_KIND] >= PM_TRIGGER_EVERY || pm_trigger_on_time(w, trigger)) return 0;
+    const int growth = w->model->program_growth[e[PM_TRIGGER_PROGRAM]];
+    return growth == PM_GROWTH_LINEAR || growth == PM_GROWTH_STEADY;
+}
+
+/* A trigger that the kinetic energy moves has gone through its zero since the first leg passed over. */
+static int signs_changed(const pm_workspace *w)
+{
+    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++)
+        if (moves_with_energy(w, i) && side_of(w, i, w->event->least) != side_of(w, i, w->leg->saved.range))
+            return 1;
+    return 0;
+}
+
+/* The last leg over the barrier, by the places of the one that was computed. */
+static int tell_last(pm_workspace *w, pm_course *course, int *told)
+{
+    pm_leg *l = w->leg;
+    pm_path *p = w->path;
+    const double error = p->error, ended = p->ended;
+    const int dips = l->lowest < fmin(l->kinetic, l->before);
+    if (w->lap || l->steps != 1) return PM_OK;
+    const pm_replay replay = {.by = {l->by[0], l->by[1]},
+                              .turn = l->turn,
+                              .end = l->end,
+                              .kinetic = course->kinetic,
+                              .kinetic1 = course->kinetic + l->work,
+                              .lowest = dips ? course->kinetic - depth_of(l) : INFINITY,
+                              .error = course->error};
+    memcpy(l->saved.range, w->event->least, range_doubles(w) * sizeof *l->saved.range);
+    int clear, status = pm_leg_replay(w, &replay, &clear);
+    if (!status && clear && !signs_changed(w)) status = pm_leg_watch(w, &replay, told);
+    pm_frame_look_state(w, &w->state);
+    p->error = error;
+    p->ended = ended;
+    if (*told) add_leg(l, course);
+    return status;
+}
+
 int pm_leg_begin(pm_workspace *w, int *passed)
 {
     pm_leg *l = w->leg;
@@ -496,16 +559,15 @@ int pm_leg_begin(pm_workspace *w, int *passed)
     const int64_t allowed[] = {triggers_allow(w, &shift, time), asks_allow(w, &shift), limits_allow(w, time)};
     for (int i = 0; i < 3; i++)
         if (allowed[i] < most) most = allowed[i];
-    double next, lost, error = w->path->error;
-    const int64_t legs = legs_over_barrier(l, kinetic, most, &next, &lost, &error);
-    int status = PM_OK;
+    pm_course course = course_over_barrier(l, kinetic, most, w->path->error);
     l->most = MOST_LEGS;
-    if (legs > 0) {
-        save(w);
-        w->path->error = error;
+    if (course.legs > 0) save(w);
+    int told = 0, status = course.is_last ? tell_last(w, &course, &told) : PM_OK;
+    if (!status && course.legs > 0) {
+        w->path->error = course.error;
         w->path->ended = 0; /* the error is that at the begin of the leg that follows */
-        status = pass(w, legs, kinetic, next, lost, time);
-        l->pending = steady ? 0 : legs;
+        status = pass(w, course.legs, kinetic, course.kinetic, course.lost, time);
+        l->pending = steady || told ? 0 : course.legs;
         l->expected_kind = l->end_kind;
         l->expected_mark = l->end_mark;
         *passed = 1;
@@ -535,6 +597,8 @@ void pm_leg_end(pm_workspace *w)
     pm_leg *l = w->leg;
     if (!l->known) return;
     l->before = pm_body_kinetic(w, PM_NONE);
+    l->end = w->step_end;
+    l->steps = w->count[PM_COUNT_STEPS] - l->count[PM_COUNT_STEPS];
     l->lowest = fmin(w->path->lowest, l->kinetic);
     read_end(w, &l->end_kind, &l->end_mark);
 }
@@ -543,23 +607,6 @@ void pm_leg_lap(pm_workspace *w)
 {
     pm_frame_look_state(w, &w->state);
     pm_leg_end(w);
-}
-
-static int moves_with_energy(const pm_workspace *w, int trigger)
-{
-    const int32_t *e = PM_TRIGGER_ROW(w->model, trigger);
-    if (e[PM_TRIGGER_KIND] >= PM_TRIGGER_EVERY || pm_trigger_on_time(w, trigger)) return 0;
-    const int growth = w->model->program_growth[e[PM_TRIGGER_PROGRAM]];
-    return growth == PM_GROWTH_LINEAR || growth == PM_GROWTH_STEADY;
-}
-
-/* A trigger that the kinetic energy moves has gone through its zero since the first leg passed over. */
-static int signs_changed(const pm_workspace *w)
-{
-    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++)
-        if (moves_with_energy(w, i) && side_of(w, i, w->event->least) != side_of(w, i, w->leg->saved.range))
-            return 1;
-    return 0;
 }
 
 int pm_leg_doubts(const pm_workspace *w)

@@ -113,7 +113,7 @@ static int fail(pm_workspace *w, int status, double value)
 static int is_driven_on(pm_workspace *w, int *status)
 {
     pm_path *p = w->path;
-    const pm_place *x = &p->node[PM_NODES_MOST - 1];
+    const pm_place *x = &p->begin;
     double most = 0, size = 0;
     for (int i = 0; i < w->model->nq; i++) {
         const double length = i % 3 == 2 ? w->size : 1;
@@ -133,7 +133,7 @@ static int leave_along_path(pm_workspace *w)
     int status = PM_OK;
     if (!p->at_rest) return fail(w, PM_NUDGE_UNSTEADY, NAN);
     pm_frame_look_state(w, &w->state);
-    const double side = p->sense * pm_nudge_side(w, p->node[PM_NODES_MOST - 1].tangent);
+    const double side = p->sense * pm_nudge_side(w, p->begin.tangent);
     if (!p->balanced) return side > 0 ? PM_OK : fail(w, PM_NUDGE_UNSTEADY, NAN);
     pm_frame_look_state(w, &w->state);
     pm_force_all(w);

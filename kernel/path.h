@@ -61,7 +61,10 @@ typedef struct pm_path {
     int every;
     double safe; /* length up to which steps are taken even if their nodes do not resolve what is sampled */
     double most; /* length that the nodes of the last steps resolved; INFINITY: any did */
+    pm_place begin; /* of a phase that has been planned */
     pm_place node[PM_NODES_MOST], spare;
+    int told_by; /* driver and sense of the step in the nodes */
+    double told_sense;
     pm_bridge bridge;
     double *loop;              /* [n][n] rows that the tree does not solve, on its coordinates */
     double *weight;            /* [nz_controlled] z at the begin of the step */

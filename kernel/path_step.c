@@ -6,17 +6,19 @@
 #include <math.h>
 
 #include "error.h"
+#include "nature.h"
 #include "path.h"
 #include "path_clock.h"
 #include "path_error.h"
 #include "root.h"
 #include "series.h"
 
-#define FORM_TAIL 1e-8 /* highest coefficients of T in long steps, and in any that fewer nodes may do for */
-#define LENGTHEN 2.0   /* a step that was resolved, at the most */
-#define TAIL 30        /* times the tolerance, if that is more: the integral is some 1000 times better */
-#define PART 0.25      /* of a full step: a way to a turning point that a companion takes in two steps */
-#define SHORTEST 1e-12 /* of a full step */
+#define FORM_TAIL 1e-8  /* highest coefficients of T in long steps, and in any that fewer nodes may do for */
+#define SPEED_TAIL 1e-6 /* the same of the speed, where triggers watch it */
+#define LENGTHEN 2.0    /* a step that was resolved, at the most */
+#define TAIL 30         /* times the tolerance, if that is more: the integral is some 1000 times better */
+#define PART 0.25       /* of a full step: a way to a turning point that a companion takes in two steps */
+#define SHORTEST 1e-12  /* of a full step */
 
 /* ---- places ---- */
 /* From one node to the next, in the arrays of places. */
@@ -72,6 +74,32 @@ static int motion_resolved(const pm_path *p)
     double kinetic[PM_NODES_MOST];
     for (int k = 0; k < p->nodes->n; k++) kinetic[k] = p->node[k * p->every].kinetic;
     return pm_series_tail(p->nodes, kinetic) <= FORM_TAIL;
+}
+
+/* A trigger that depends on the speed as such, and may fire wherever that is. */
+static int watches_speed(const pm_model *m)
+{
+    for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
+        const int32_t *e = PM_TRIGGER_ROW(m, i);
+        if (e[PM_TRIGGER_KIND] > PM_TRIGGER_EVERY) continue;
+        const int growth = m->program_growth[e[PM_TRIGGER_PROGRAM]];
+        if (growth > PM_GROWTH_ROOT || (growth == PM_GROWTH_ROOT && e[PM_TRIGGER_KIND] == PM_TRIGGER_EVERY))
+            return 1;
+    }
+    return 0;
+}
+
+/* The root of T is no polynomial where T comes near to zero: over a barrier it may be much less between the nodes than at
+ * them. */
+static int speed_resolved(const pm_path *p)
+{
+    double speed[PM_NODES_MOST];
+    for (int k = 0; k < p->nodes->n; k++) {
+        const pm_place *x = &p->node[k * p->every];
+        if (!(x->kinetic > 0)) return 1; /* it turns back there */
+        speed[k] = sqrt(x->kinetic / x->mass);
+    }
+    return pm_series_tail(p->nodes, speed) <= SPEED_TAIL;
 }
 
 /* By the energy. */
@@ -215,6 +243,7 @@ static int judge(pm_workspace *w, int turning, double *next)
     *next = 0;
     if ((w->model->nz_controlled > 0 && !rates_resolved(w)) || (half && !motion_resolved(p)))
         *next = 0.5 * p->h;
+    if (!p->at_rest && !turning && watches_speed(w->model) && !speed_resolved(p)) *next = 0.5 * p->h;
     if (turning) {
         end_at_rest(p);
     } else if (*next == 0) {

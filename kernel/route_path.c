@@ -64,12 +64,13 @@ static int create(pm_workspace *w)
     const pm_model *m = w->model;
     pm_path *p = w->path = calloc(1, sizeof *p);
     if (!p) return PM_NO_MEMORY;
-    const size_t n = (size_t)m->nq, nz = (size_t)m->nz_controlled, places = PM_NODES_MOST + 1;
+    const size_t n = (size_t)m->nq, nz = (size_t)m->nz_controlled, places = PM_NODES_MOST + 2;
     double *block = p->block = calloc(
         places * doubles_of_place(m) + n * n + n + 2 * nz + (5 + PM_BRIDGE_PLACES) * n + 1, sizeof *block);
     if (!block) return PM_NO_MEMORY;
     for (int k = 0; k < PM_NODES_MOST; k++) block = carve(m, &p->node[k], block);
     block = carve(m, &p->spare, block);
+    block = carve(m, &p->begin, block);
     p->loop = block;
     p->work = p->loop + n * n;
     p->weight = p->work + nz;
@@ -159,7 +160,7 @@ static int is_driven(const pm_workspace *w)
 static int applies(pm_workspace *w)
 {
     pm_path *p = w->path;
-    pm_place *x = &p->node[PM_NODES_MOST - 1];
+    pm_place *x = &p->begin;
     if (!w->model->forces_by_place || w->asymmetric || w->massless || w->path_left || is_driven(w)) return 0;
     pm_tree_build(w);
     if (w->tree->n - w->tree->nloop != 1) return 0;
@@ -184,7 +185,7 @@ static int applies(pm_workspace *w)
 static int begin(pm_workspace *w)
 {
     pm_path *p = w->path;
-    const pm_place *x = &p->node[PM_NODES_MOST - 1];
+    const pm_place *x = &p->begin;
     const double *ledger = w->state.z + pm_audit_ledger(w->model);
     double momentum[PM_LEDGER];
     p->fresh = 1;
@@ -376,10 +377,12 @@ static int end_at_limit(pm_workspace *w, double t_limit)
 static int step(pm_workspace *w, double t_limit)
 {
     pm_path *p = w->path;
-    copy_place(w, &p->node[0], &p->node[PM_NODES_MOST - 1]);
+    copy_place(w, &p->node[0], p->fresh ? &p->begin : &p->node[PM_NODES_MOST - 1]);
     if (!p->fresh) p->at_rest = p->balanced = 0;
     p->fresh = 0;
     int status = pm_path_drive(w, &p->node[0]);
+    p->told_by = p->driver;
+    p->told_sense = p->sense;
     p->u0 = p->node[0].y[p->driver];
     p->t0 = w->state.t;
     memcpy(p->weight, w->state.z, (size_t)w->model->nz_controlled * sizeof(double));

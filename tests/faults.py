@@ -674,7 +674,7 @@ FAULTS = [
         "l->ratio = 1.000001 * kinetic / l->before",
     ),
     Fault("leg: work on the way", "leg.c", "l->work = work_of_leg(w)", "l->work = -work_of_leg(w)"),
-    Fault("leg: barrier ignored", "leg.c", "if (!(next - depth > near)) break", "if (0) break"),
+    Fault("leg: barrier ignored", "leg.c", "if (!(next - depth_of(l) > near)) {", "if (0) {"),
     Fault(
         "leg: anchors stay behind",
         "leg.c",
@@ -703,7 +703,23 @@ FAULTS = [
     Fault(
         "leg: the end within the last leg", "leg.c", "(double)(lacks / each - 1)", "(double)(lacks / each)"
     ),
-    Fault("leg: a trigger that the energy moves", "leg.c", "&& !signs_changed(w)", ""),
+    Fault(
+        "leg: a trigger that the energy moves",
+        "leg.c",
+        "mark == l->expected_mark && !signs_changed(w)",
+        "mark == l->expected_mark",
+    ),
+    Fault("replay: impulses that are read", "leg_replay.c", "kind == PM_MEASURE_CONTACT_IMPULSE", "0"),
+    Fault("replay: nothing is watched", "leg_replay.c", "status = pm_ask_step(w);", ""),
+    Fault("replay: T of the leg before", "leg_replay.c", "x->kinetic += more;", ""),
+    Fault("replay: bodies keep their angles", "leg_replay.c", "pose[3] = cos(pose[2]);", ""),
+    Fault(
+        "replay: T of the first leg passed over",
+        "leg.c",
+        ".kinetic = course->kinetic,",
+        ".kinetic = l->kinetic,",
+    ),
+    Fault("replay: the leg is not passed over", "leg.c", "if (*told) add_leg(l, course);", ""),
     Fault(
         "leg: multiples of a speed", "leg.c", "if (growth != PM_GROWTH_NONE || fabs(change", "if (fabs(change"
     ),

@@ -1,0 +1,185 @@
+/* leg_replay.c - the last leg once more, at other speeds.
+ *
+ * Its places are those of the leg that was computed, shifted, and with the potential of a shift
+ *
+ *   T(u) = T_begin + (T(u) - T_begin)_computed
+ *
+ * Functions of the place alone, and those that go with sqrt(T), fire where they did.  What is linear in T (forces of
+ * contacts, what is left of friction) is looked at again at the nodes, as is everything whose extremes are asked.  Blows
+ * are not repeated: leg.c knows what they leave. */
+#include "leg_replay.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "ask.h"
+#include "body.h"
+#include "contact.h"
+#include "crossing.h"
+#include "event.h"
+#include "nature.h"
+#include "path.h"
+#include "path_error.h"
+#include "route.h"
+#include "series.h"
+
+#define SAME 1e-9     /* of the rates at a unit rate of the driver; of T: the same leg */
+#define CLEAR 0.3     /* of a function's greatest value: none of its values may come nearer to zero */
+#define RESOLVED 1e-6 /* highest coefficients of a function that its samples tell */
+
+/* ---- may the leg be told by its nodes? ---- */
+/* Impulses of the last blow are read, and there will be none; or values where something is greatest, with counts of then. */
+static int is_missed(const pm_model *m)
+{
+    for (int i = 0; i < m->rows[PM_TABLE_MEASURE]; i++) {
+        const int kind = PM_MEASURE_ROW(m, i)[PM_MEASURE_KIND];
+        if (kind == PM_MEASURE_JOINT_IMPULSE || kind == PM_MEASURE_CONTACT_IMPULSE || kind == PM_MEASURE_LOST)
+            return 1;
+    }
+    for (int i = 0; i < m->nask; i++) {
+        const int kind = PM_ASK_ROW(m, i)[PM_ASK_KIND];
+        if (kind == PM_ASK_AT_MAX || kind == PM_ASK_AT_MIN) return 1;
+    }
+    return m->ngrip > 0;
+}
+
+/* The path is told by the same driver, the same way round, and begins with the same direction; all its places are known,
+ * and T vanishes at none of them. */
+static int begins_alike(const pm_workspace *w, const pm_replay *r)
+{
+    pm_path *p = w->path;
+    const pm_place *const first = &p->node[0], *now = &p->begin;
+    const double more = r->kinetic - first->kinetic;
+    if (p->clock != PM_CLOCK_NONE || p->driver != p->told_by || p->sense != p->told_sense) return 0;
+    double size = 0, off = 0;
+    for (int i = 0; i < w->model->nq; i++) {
+        const double length = i % 3 == 2 ? w->size : 1;
+        size = fmax(size, fabs(first->tangent[i]) * length);
+        off = fmax(off, fabs(now->tangent[i] - first->tangent[i]) * length);
+    }
+    if (!(off <= SAME * size)) return 0;
+    for (int k = 0; k < p->nodes->n; k++) {
+        const pm_place *x = pm_path_node(p, k);
+        if (!x->determined || !(x->kinetic + more > 0)) return 0;
+    }
+    return 1;
+}
+
+/* ---- its places ---- */
+static void shift_place(const pm_workspace *w, const pm_replay *r, pm_place *x)
+{
+    for (int i = 0; i < w->model->nbody; i++) {
+        double *q = x->q + 3 * i, *pose = x->pose + 5 * i;
+        q[0] = pose[0] += r->by[0];
+        q[1] = pose[1] += r->by[1];
+        if (r->turn[i] == 0) continue;
+        q[2] = pose[2] += r->turn[i];
+        pose[3] = cos(pose[2]);
+        pose[4] = sin(pose[2]);
+    }
+}
+
+/* The step of the last leg becomes one of this leg, at its T. */
+static void shift_step(pm_workspace *w, const pm_replay *r)
+{
+    pm_path *p = w->path;
+    const pm_place *begin = &p->begin;
+    const double more = r->kinetic - p->node[0].kinetic, higher = begin->potential - p->node[0].potential;
+    for (int k = p->nodes->n; k-- > 0;) { /* the first, from which the others are shifted, is the last */
+        pm_place *x = pm_path_node(p, k);
+        for (int i = 0; i < p->n; i++) x->y[i] += begin->y[i] - p->node[0].y[i];
+        shift_place(w, r, x);
+        x->kinetic += more;
+        x->potential += higher;
+    }
+    p->u0 = p->node[0].y[p->driver];
+    p->t0 = w->state.t;
+    memcpy(p->weight, w->state.z, (size_t)w->model->nz_controlled * sizeof(double));
+    p->energy = r->kinetic + begin->potential - pm_path_work(w, w->state.z);
+    p->error = r->error;
+    w->nodes = p->nodes;
+    w->step_begin = 0;
+    w->step_end = p->h;
+}
+
+/* ---- what is looked at ---- */
+static int by_place(const pm_model *m, const pm_event_function *f)
+{
+    if (f->kind == FUNCTION_NORMAL || f->kind == FUNCTION_GRIP) return 0;
+    if (f->kind != FUNCTION_TRIGGER) return 1;
+    return m->program_growth[PM_TRIGGER_ROW(m, f->index)[PM_TRIGGER_PROGRAM]] == PM_GROWTH_NONE;
+}
+
+/* The slot of the same contact that is closed now. */
+static int closed_slot(const pm_workspace *w, int slot)
+{
+    const int contact = pm_contact_of_slot(w->model, slot), first = w->model->contact_slot[contact];
+    for (int i = first; i < first + pm_contact_slots(w->model, contact); i++)
+        if (w->state.slot[i].mode != PM_OPEN) return i;
+    return slot;
+}
+
+/* The functions of the last leg serve again, but for those that the place tells. */
+static void choose_functions(pm_workspace *w)
+{
+    pm_event_set *e = w->event;
+    for (int i = 0; i < e->nfunction; i++) {
+        pm_event_function *f = &e->function[i];
+        f->owned = by_place(w->model, f);
+        if (f->owned) continue;
+        if (f->kind != FUNCTION_TRIGGER) {
+            f->index = closed_slot(w, f->index);
+        } else {
+            e->least[f->index] = INFINITY;
+            e->greatest[f->index] = -INFINITY;
+        }
+    }
+}
+
+/* Forces of contacts that stay well away from zero; a trigger must be on its side, as the caller sees. */
+static int stays_clear(const pm_workspace *w, int function)
+{
+    const pm_event_set *e = w->event;
+    double value[PM_NODES_MOST], least = INFINITY, greatest = 0;
+    if (e->function[function].owned || e->function[function].kind == FUNCTION_TRIGGER) return 1;
+    for (int k = 0; k < w->nodes->n; k++) {
+        value[k] = e->value[k * e->nfunction + function];
+        least = fmin(least, value[k]);
+        greatest = fmax(greatest, value[k]);
+    }
+    return least > CLEAR * greatest && pm_series_tail(w->nodes, value) < RESOLVED;
+}
+
+static int nothing_new(const pm_workspace *w)
+{
+    for (int i = 0; i < w->event->nfunction; i++)
+        if (!stays_clear(w, i)) return 0;
+    return pm_ask_keeps_samples(w);
+}
+
+int pm_leg_replay(pm_workspace *w, const pm_replay *r, int *clear)
+{
+    *clear = 0;
+    if (is_missed(w->model) || !begins_alike(w, r)) return PM_OK;
+    shift_step(w, r);
+    choose_functions(w);
+    const int status = pm_crossing_sample(w, 1);
+    *clear = !status && nothing_new(w);
+    return status;
+}
+
+int pm_leg_watch(pm_workspace *w, const pm_replay *r, int *told)
+{
+    pm_state_copy(&w->ahead, &w->state);
+    w->step_end = r->end;
+    int status = w->route->exact(w, r->end, &w->probe); /* the frame looks there, too */
+    *told = !status && fabs(pm_body_kinetic(w, PM_NONE) - r->kinetic1) <= SAME * r->kinetic1;
+    if (!*told) return status;
+    pm_state_copy(&w->state, &w->probe);
+    pm_path_error_sampled(w);
+    pm_path_error_step(w, r->kinetic1);
+    if (r->lowest < INFINITY) pm_path_error_barrier(w, r->lowest);
+    status = pm_ask_step(w);
+    pm_state_copy(&w->state, &w->ahead);
+    return status;
+}

@@ -1,0 +1,24 @@
+/* leg_replay.h - a leg that repeats the last one at other speeds, told by the places of that one. */
+#ifndef PM_LEG_REPLAY_H
+#define PM_LEG_REPLAY_H
+
+#include "model.h"
+
+/* What the last leg, computed in one step, makes of one that begins `by` and `turn` farther on. */
+typedef struct pm_replay {
+    double by[2];
+    const double *turn;       /* [nbody] */
+    double end;               /* x at which the last leg ended */
+    double kinetic, kinetic1; /* T at the begin and the end of the leg that is told */
+    double lowest;            /* least T on its way if that is at neither end; else INFINITY */
+    double error;             /* of T at its begin */
+} pm_replay;
+
+/* w->state is at the begin of the leg after the last one, which pm_route_path has been prepared for.  Its step is filled and
+ * sampled at the speed that goes with r->kinetic; *clear = 1: no force of a contact comes near to zero in it. */
+int pm_leg_replay(pm_workspace *w, const pm_replay *r, int *clear);
+/* Extremes that are asked see that step, up to where the leg ends; *told = 0 if it does not end as it should.  w->state
+ * stays as it is. */
+int pm_leg_watch(pm_workspace *w, const pm_replay *r, int *told);
+
+#endif
