@@ -16,8 +16,11 @@ typedef struct pm_place {
     double *tangent;         /* [nq] dq/du */
     double *rate;            /* [nz_controlled] of the running integrals, by u */
     double *pose;            /* [nbody][5] of the frame */
+    double *bend;            /* [nq] dtangent/du, where no row closes a loop */
+    double *arm;             /* [nbody][PM_TREE_ARM] of the tree there, likewise */
     int determined;          /* by the rows: not a place on a bridge */
     double mass;             /* generalised: T = mass (du/dt)^2 / 2 */
+    double change;           /* tangent . M bend: half of dmass/du */
     double potential, force; /* V, and the generalised force of all applied forces */
     double kinetic;          /* T, once the work is known */
 } pm_place;
@@ -86,6 +89,10 @@ int pm_path_look(pm_workspace *w, pm_place *place);
 /* path_motion.c: makes the frame, which looks at a place that the rows determine, DYNAMIC.  along[nq]: velocities at any
  * rate of the driver. */
 int pm_path_accelerate(pm_workspace *w, const double *along);
+/* What the two below need of a place that has just been placed and looked at with a unit rate of the driver. */
+void pm_path_bend(pm_workspace *w, pm_place *place);
+/* The same as pm_path_accelerate at such a place of an open tree; the frame looks at it at the rate of its T. */
+void pm_path_accelerate_at(pm_workspace *w, const pm_place *place);
 /* Chooses the coordinate that moves most as driver, unless the present one still does, and tells the place by it. */
 int pm_path_drive(pm_workspace *w, pm_place *place);
 

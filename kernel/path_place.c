@@ -66,6 +66,7 @@ static void measure_motion(pm_workspace *w, pm_place *place)
     pm_frame_look_placed(w, place->q, t); /* powers and speeds at a unit rate */
     pm_force_all(w);
     for (int i = 0; i < m->nq; i++) place->force += w->frame.f[i] * t[i];
+    if (w->tree->nloop == 0) pm_path_bend(w, place);
     if (m->nz_controlled > 0) pm_audit_controlled_rates(w, place->rate);
     place->potential = pm_body_weight_energy(w) + pm_force_potential(w) + pm_spin_kinetic(w, PM_NONE);
 }
@@ -124,17 +125,28 @@ static int place_on_bridge(pm_workspace *w, double u, pm_place *place, int statu
     return rank_falls(w) ? pm_bridge_place(w, u, place) : status;
 }
 
+/* An open tree of one coordinate. */
+static int place_open(pm_workspace *w, pm_place *place)
+{
+    pm_tree_place(w, w->state.memory, place->y, place->q);
+    place->slope[0] = 1;
+    place->determined = 1;
+    measure_motion(w, place);
+    return PM_OK;
+}
+
 int pm_path_place(pm_workspace *w, double u, pm_place *place)
 {
     pm_path *p = w->path;
     place->y[p->driver] = u;
+    if (w->tree->nloop == 0) return place_open(w, place);
     pm_tree_hold(w, p->driver);
     int status = pm_tree_close(w, place->y, place->q, p->loop);
     if (!status) status = pm_tree_slope(w, p->loop, place->slope);
-    place->determined = !status && (w->tree->nloop == 0 || is_determined(w));
+    place->determined = !status && is_determined(w);
     if (!place->determined)
         status = place_on_bridge(w, u, place, status);
-    else if (w->tree->nloop > 0)
+    else
         pm_bridge_determined(p, u, place);
     if (status) return status;
     measure_motion(w, place);

@@ -45,7 +45,7 @@
 /* ---- memory ---- */
 static size_t doubles_of_place(const pm_model *m)
 {
-    return 4 * (size_t)m->nq + (size_t)m->nz_controlled + 5 * (size_t)m->nbody;
+    return 5 * (size_t)m->nq + (size_t)m->nz_controlled + (5 + PM_TREE_ARM) * (size_t)m->nbody;
 }
 
 static double *carve(const pm_model *m, pm_place *x, double *p)
@@ -56,6 +56,8 @@ static double *carve(const pm_model *m, pm_place *x, double *p)
     x->tangent = x->q + m->nq;
     x->rate = x->tangent + m->nq;
     x->pose = x->rate + m->nz_controlled;
+    x->bend = x->pose + 5 * m->nbody;
+    x->arm = x->bend + m->nq;
     return p + doubles_of_place(m);
 }
 
@@ -98,6 +100,7 @@ static void copy_place(const pm_workspace *w, pm_place *to, const pm_place *from
     memcpy(to->y, from->y, doubles_of_place(w->model) * sizeof(double)); /* its arrays lie together */
     to->determined = from->determined;
     to->mass = from->mass;
+    to->change = from->change;
     to->potential = from->potential;
     to->force = from->force;
     to->kinetic = from->kinetic;
@@ -304,8 +307,10 @@ static int look(pm_workspace *w, double x, int level)
     w->frame.t = w->probe.t;
     w->frame.z = w->probe.z;
     if (level < PM_LEVEL_DYNAMIC) return PM_OK;
-    return place->determined && !pm_grip_by_load(w) ? pm_path_accelerate(w, place->tangent)
-                                                    : pm_saddle_accelerate(w);
+    if (!place->determined || pm_grip_by_load(w)) return pm_saddle_accelerate(w);
+    if (w->tree->nloop > 0) return pm_path_accelerate(w, place->tangent);
+    pm_path_accelerate_at(w, place);
+    return PM_OK;
 }
 
 /* The impulse of the outer world is read off the momentum: this route does not know the forces over time. */

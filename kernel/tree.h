@@ -80,6 +80,10 @@ void pm_tree_place(const pm_workspace *w, const pm_memory *memory, const double 
 void pm_tree_read_rates(pm_workspace *w, const double *v, double *ydot);
 /* The same from the poses of the frame, which meet the solved rows; no coordinates are wanted. */
 void pm_tree_marks(const pm_workspace *w);
+/* The levers that reactions go by, of all bodies: kept here, given back at the same pose. */
+enum { PM_TREE_ARM = 6 };
+void pm_tree_keep_arms(const pm_workspace *w, double *arm);
+void pm_tree_give_arms(const pm_workspace *w, const double *arm);
 /* The frame looks at coordinates y with rates ydot: positions and velocities are in t->q, t->v. */
 void pm_tree_look(pm_workspace *w, double t, const double *y, const double *ydot, const double *z);
 /* Velocities v[nq] from rates ydot[n]. */

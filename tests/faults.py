@@ -712,7 +712,6 @@ FAULTS = [
     Fault("replay: impulses that are read", "leg_replay.c", "kind == PM_MEASURE_CONTACT_IMPULSE", "0"),
     Fault("replay: nothing is watched", "leg_replay.c", "status = pm_ask_step(w);", ""),
     Fault("replay: T of the leg before", "leg_replay.c", "x->kinetic += more;", ""),
-    Fault("replay: bodies keep their angles", "leg_replay.c", "pose[3] = cos(pose[2]);", ""),
     Fault(
         "replay: T of the first leg passed over",
         "leg.c",
