@@ -24,6 +24,9 @@ static const double stage_time[16] = {0.0,
                                       0.1,
                                       0.2,
                                       0.7777777777777778};
+/* The stages of which each is made are the first one and those from here on. */
+static const int stage_from[16] = {0, 1, 1, 2, 2, 3, 3, 3, 3, 3, 3, 3, 5, 6, 5, 5};
+#define STEP_FROM 5 /* likewise of the step and of its errors */
 static const double stage_weight[16][16] = {
     {0.0},
     {0.05260015195876773},

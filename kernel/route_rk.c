@@ -5,8 +5,8 @@
  * Wanner I, II.10, lengths against the scene's size, angles against 1 rad (they grow with every turn), speeds against
  * its speed.  The step control aims well below the tolerance (safety 0.7): fewer rejections and errors several times
  * smaller for the same work.  The ledger feeds nothing back: it is integrated over the step by the stages that count.
- * Where energy is kept (energy.h) nothing but the impulses of the outer world is in it, and they are evidence alone: one
- * step of LEDGER_STEPS is a sample of it, the others take what the momenta say. */
+ * Where energy is kept (energy.h) nothing but the impulses of the outer world is in it, and they are evidence alone: the
+ * first step of LEDGER_STEPS is a sample of it, the others take what the momenta say. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,6 +23,7 @@
 #include "route.h"
 #include "saddle.h"
 #include "tree.h"
+#include "tree_swift.h"
 
 #define MARGIN 0.1       /* of the accuracy asked: errors of steps add up, and grow with the motion */
 #define LEVEL_MARGIN 0.3 /* where energy holds a single freedom on its path: only delays add up */
@@ -30,6 +31,7 @@
 #define SAFETY 0.7
 #define SHRINK 0.2
 #define GROW 4.0
+#define TOGETHER 4       /* numbers that a processor combines at once */
 #define DENSE 7          /* coefficients of the dense output */
 #define LEAST_STEP 8e-16 /* of the time: below it a step changes nothing */
 #define FIRST_RETRY 0.25
@@ -37,7 +39,7 @@
 #define SIDESTEPS 12
 #define NEAR_SINGULAR 0.2 /* of the step's most regular stage: rounding is amplified there */
 #define OVER 0.3          /* of the motion's own time: a first step that passes a singular position */
-#define LEDGER_STEPS 4    /* reactions in all stages that count are a quarter of the work of a step */
+#define LEDGER_STEPS 16   /* reactions in all stages that count are much more work than all else in a step */
 
 struct pm_rk {
     int n;          /* coordinates of the phase */
@@ -58,7 +60,9 @@ struct pm_rk {
     double next;    /* step to try next, 0: none known */
     int dense_ready, k0_ready;
     pm_energy_level level;                               /* of the energy, where it is kept */
-    int ledger;                                          /* the last step integrates it */
+    int ledger;                                          /* the last step integrates the ledger */
+    int64_t first;                                       /* number of the phase's first step */
+    int swift;                                           /* accelerations need no frame: tree_swift.h */
     double momentum[PM_LEDGER], momentum_now[PM_LEDGER]; /* at its begin; at w->state */
     void *block;
 };
@@ -115,6 +119,10 @@ static int derivative(pm_workspace *w, double t, double *y, int with_ledger, dou
 {
     const int n = w->rk->n;
     int status = PM_OK;
+    if (!with_ledger && w->rk->swift) {
+        for (int i = 0; i < n; i++) k[i] = y[n + i];
+        return pm_swift_accelerate(w, y, y + n, k + n);
+    }
     if (w->tree->few) {
         status = pm_tree_settle(w, t, y, y + n, y + 2 * n);
     } else if (!with_ledger && w->rk->controlled == 2 * n) {
@@ -143,16 +151,21 @@ static void set_scale(pm_workspace *w)
         r->scale[2 * r->n + i] = 1 / (tolerance * pm_audit_controlled_scale(w, i));
 }
 
-/* y = y0 + h sum_k weight[k] stage[k] for the first n of `stride` entries. */
-static void combine(int n, int stride, const double *y0, double h, const double *weight, int nweight,
+/* y = y0 + h sum_k weight[k] stage[k] for the first n of `stride` entries; k is 0 and from .. to - 1. */
+static void combine(int n, int stride, const double *y0, double h, const double *weight, int from, int to,
                     const double *stage, double *y)
 {
-    int used[ALL_STAGES], nused = 0;
-    for (int s = 0; s < nweight; s++)
-        if (weight[s] != 0) used[nused++] = s;
-    for (int i = 0; i < n; i++) {
-        double sum = 0;
-        for (int k = 0; k < nused; k++) sum += weight[used[k]] * stage[used[k] * stride + i];
+    int i = 0;
+    for (; i + TOGETHER <= n; i += TOGETHER) {
+        double sum[TOGETHER];
+        for (int c = 0; c < TOGETHER; c++) sum[c] = weight[0] * stage[i + c];
+        for (int k = from; k < to; k++)
+            for (int c = 0; c < TOGETHER; c++) sum[c] += weight[k] * stage[k * stride + i + c];
+        for (int c = 0; c < TOGETHER; c++) y[i + c] = y0[i + c] + h * sum[c];
+    }
+    for (; i < n; i++) {
+        double sum = weight[0] * stage[i];
+        for (int k = from; k < to; k++) sum += weight[k] * stage[k * stride + i];
         y[i] = y0[i] + h * sum;
     }
 }
@@ -162,13 +175,13 @@ static int stages(pm_workspace *w, double h, double *k, double *y)
 {
     struct pm_rk *r = w->rk;
     for (int s = 1; s < STAGES; s++) {
-        combine(r->controlled, r->all, r->y0, h, stage_weight[s], s, k, y);
+        combine(r->controlled, r->all, r->y0, h, stage_weight[s], stage_from[s], s, k, y);
         const int status =
             derivative(w, r->t0 + stage_time[s] * h, y, r->ledger && step_weight[s] != 0, k + s * r->all);
         if (status) return status;
     }
     const int n = r->ledger ? r->all : r->controlled;
-    combine(n, r->all, r->y0, h, step_weight, STAGES, k, y);
+    combine(n, r->all, r->y0, h, step_weight, STEP_FROM, STAGES, k, y);
     memcpy(y + n, r->y0 + n, (size_t)(r->all - n) * sizeof *y);
     return PM_OK;
 }
@@ -178,8 +191,8 @@ static double error_norm(const pm_workspace *w, double h)
     const struct pm_rk *r = w->rk;
     double sum3 = 0, sum5 = 0;
     for (int i = 0; i < r->controlled; i++) {
-        double e3 = 0, e5 = 0;
-        for (int s = 0; s < STAGES; s++) {
+        double e3 = error_weight_3[0] * r->k[i], e5 = error_weight_5[0] * r->k[i];
+        for (int s = STEP_FROM; s < STAGES; s++) {
             e3 += error_weight_3[s] * r->k[s * r->all + i];
             e5 += error_weight_5[s] * r->k[s * r->all + i];
         }
@@ -200,6 +213,7 @@ static int choose_coordinates(pm_workspace *w)
     const int bad = !w->asymmetric && (pm_tree_is_steep(w) || pm_tree_is_flat(w));
     if (bad) pm_tree_partition(w);
     w->tree->independence = 1;
+    w->rk->swift = w->rk->controlled == 2 * w->rk->n && pm_swift_applies(w);
     return bad && w->tree->few;
 }
 
@@ -214,6 +228,7 @@ static int begin(pm_workspace *w)
     pm_tree_read(w, r->now);
     pm_tree_read_rates(w, w->state.v, r->now + r->n);
     pm_tree_sum_up(w);
+    pm_swift_sum_up(w);
     w->tree->independence = 1;
     if (w->singular)
         pm_tree_partition(w);
@@ -221,6 +236,7 @@ static int begin(pm_workspace *w)
         choose_coordinates(w);
     memcpy(r->now + 2 * r->n, w->state.z, (size_t)w->model->nz * sizeof(double));
     r->k0_ready = r->dense_ready = 0;
+    r->first = w->count[PM_COUNT_STEPS];
     pm_body_momentum(w, PM_NONE, r->momentum_now);
     /* a new case owes nothing to the last one, nor a phase to what another route has left behind */
     if (w->count[PM_COUNT_STEPS] == 0 || w->state.t > r->end) r->next = 0;
@@ -295,6 +311,24 @@ static int settle(pm_workspace *w, double t, double *y, pm_state *s, double *gai
     return PM_OK;
 }
 
+/* Whether the next step integrates the ledger, and needs reactions for it. */
+static int samples_ledger(const pm_workspace *w)
+{
+    const struct pm_rk *r = w->rk;
+    return !r->level.kept || (w->count[PM_COUNT_STEPS] - r->first) % LEDGER_STEPS == 0;
+}
+
+/* The derivative at the end of a step, for the next one; accelerations of the bodies in the frame, which looks there. */
+static int last_stage(pm_workspace *w)
+{
+    struct pm_rk *r = w->rk;
+    double *k = r->k + STAGES * r->all;
+    if (samples_ledger(w)) return derivative_here(w, r->now, 1, k);
+    const int status = r->swift ? derivative(w, w->state.t, r->now, 0, k) : derivative_here(w, r->now, 0, k);
+    if (!status && !w->tree->few) pm_tree_spread_accelerations(w, k + r->n, w->frame.a);
+    return status;
+}
+
 static int accept(pm_workspace *w, double t)
 {
     struct pm_rk *r = w->rk;
@@ -305,13 +339,12 @@ static int accept(pm_workspace *w, double t)
     if (status) return status;
     pm_energy_note(w, &r->level, gained);
     pm_body_momentum(w, PM_NONE, r->momentum_now);
-    status = derivative_here(w, r->now, 1, r->k + STAGES * r->all);
-    if (status) return status;
+    w->count[PM_COUNT_STEPS]++;
+    if ((status = last_stage(w))) return status;
     set_times(w);
     r->dense_ready = 0;
     w->step_begin = r->t0;
     w->step_end = r->end = t;
-    w->count[PM_COUNT_STEPS]++;
     if (pm_case_speed(w, w->state.v)) set_scale(w);
     return PM_OK;
 }
@@ -352,9 +385,10 @@ static int step(pm_workspace *w, double t_limit)
 {
     struct pm_rk *r = w->rk;
     r->t0 = w->state.t;
-    r->ledger = !r->level.kept || w->count[PM_COUNT_STEPS] % LEDGER_STEPS == 0;
+    r->ledger = samples_ledger(w);
     memcpy(r->momentum, r->momentum_now, sizeof r->momentum);
     memcpy(r->y0, r->now, (size_t)r->all * sizeof(double));
+    if (r->swift) pm_swift_refer(w, r->y0);
     int status = first_stage(w);
     if (status) return status;
     double h = fmin(r->next, longest_step(w)), first = h;
@@ -391,7 +425,7 @@ static int prepare_dense(pm_workspace *w)
     struct pm_rk *r = w->rk;
     const int n = r->controlled, all = r->all;
     for (int s = STAGES + 1; s < ALL_STAGES; s++) {
-        combine(n, all, r->y0, r->h, stage_weight[s], s, r->k, r->y);
+        combine(n, all, r->y0, r->h, stage_weight[s], stage_from[s], s, r->k, r->y);
         const int status = derivative(w, r->t0 + stage_time[s] * r->h, r->y, 0, r->k + s * all);
         if (status) return status;
     }

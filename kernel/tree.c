@@ -8,6 +8,7 @@
 #include "body.h"
 #include "row.h"
 #include "tree_node.h"
+#include "tree_swift.h"
 #include "tree_turning.h"
 
 int pm_tree_create(pm_workspace *w)
@@ -23,7 +24,8 @@ int pm_tree_create(pm_workspace *w)
                  ints = 9 * nrow + 7 * nq + 3 * nbody + most;
     double *p = t->block = calloc(doubles * sizeof *p + ints * sizeof(int) + nrow + 1, 1);
     t->node = calloc(nbody + 1, sizeof *t->node);
-    if (!p || !t->node) return PM_NO_MEMORY;
+    t->swift = calloc(1, sizeof *t->swift);
+    if (!p || !t->node || !t->swift) return PM_NO_MEMORY;
     t->jacobian = p;
     t->mass = t->jacobian + nrow * nq;
     t->reduced = t->mass + nq * nq;
@@ -66,6 +68,7 @@ void pm_tree_free(pm_workspace *w)
 {
     if (!w->tree) return;
     free(w->tree->node);
+    free(w->tree->swift);
     free(w->tree->block);
     free(w->tree);
     w->tree = NULL;
@@ -310,7 +313,7 @@ void pm_tree_build(pm_workspace *w)
 {
     pm_tree *t = w->tree;
     int nplaced = 0;
-    t->n = t->nloop = t->few = t->turning.on = 0;
+    t->n = t->nloop = t->few = t->turning.on = t->swift->on = 0;
     memset(t->used, 0, (size_t)w->model->nrow);
     memset(t->placed, 0, (size_t)w->model->nbody * sizeof *t->placed);
     while (nplaced < w->model->nbody) place_next(w, &nplaced);

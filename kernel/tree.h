@@ -59,9 +59,10 @@ typedef struct pm_tree {
     double
         independence; /* least square of the part of a loop row that those before it leave, while they are not */
     pm_turning turning;
-    double steepest; /* there: rate of a dependent coordinate, lengths by the scene's size */
-    double regular; /* least pivot of the last factors of J_v over their greatest: 0 in a singular position */
-    double least_regular, most_regular; /* since pm_tree_forget_regular */
+    struct pm_swift *swift; /* tree_swift.h */
+    double steepest;        /* there: rate of a dependent coordinate, lengths by the scene's size */
+    /* least pivot of J_v over its greatest, 0 in a singular position: range since pm_tree_forget_regular */
+    double least_regular, most_regular;
     void *block;
 } pm_tree;
 

@@ -15,6 +15,7 @@
 #include "saddle.h"
 #include "tree.h"
 #include "tree_node.h"
+#include "tree_swift.h"
 #include "tree_turning.h"
 
 #define SWEEPS 8
@@ -330,6 +331,11 @@ int pm_tree_project(pm_workspace *w, double time, double *y, double *ydot, const
     double before = INFINITY;
     int status, factored = 0;
     if (t->few) return pm_tree_settle(w, time, y, ydot, z);
+    if (pm_swift_applies(w)) {
+        if ((status = pm_swift_project(w, y, ydot))) return status;
+        pm_tree_look(w, time, y, ydot, z);
+        return PM_OK;
+    }
     pm_tree_look(w, time, y, ydot, z);
     for (int sweep = 0; t->nloop > 0; sweep++) {
         evaluate_loops(w);

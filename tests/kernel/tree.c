@@ -10,9 +10,12 @@
 #include "row.h"
 #include "saddle.h"
 #include "scene.h"
+#include "tree_swift.h"
 
 #define MOST 64
 #define STEP 1e-6 /* of differences */
+
+static int nswift; /* scenes of which the small equations were compared */
 
 /* ---- scenes ---- */
 static int rod(scene *s, double x, double y, double angle, double length, double mass)
@@ -128,6 +131,52 @@ static scene *four_bar(void)
     pin(s, b, 0.45, 0, c, 0.4, 0);
     scene_joint(s, PM_JOINT_LINK, scene_point(s, scene_body(s, 0.5, 0.02, 0.7, 1.6, 0), 0.1, 0),
                 scene_point(s, b, 0, 0.3), 0.8);
+    return s;
+}
+
+/* Three bodies in a loop of pins, or of a wheel, a rod and a block on the ground. */
+static scene *loop_of_three(int wheel)
+{
+    scene *s = scene_create();
+    const int first = scene_body(s, 1, 0.02, 0, wheel ? 0.2 : 0, 0.3);
+    const int bar = rod(s, 0.2 * cos(0.3), (wheel ? 0.2 : 0) + 0.2 * sin(0.3), 0.1, 0.9, 2);
+    const double x = 0.2 * cos(0.3) + 0.9 * cos(0.1), y = (wheel ? 0.2 : 0) + 0.2 * sin(0.3) + 0.9 * sin(0.1);
+    const int last = scene_body(s, 0.5, 0.01, x, y, 0.4);
+    if (wheel) {
+        const int circle = scene_circle(s, scene_point(s, first, 0, 0), 0.2);
+        scene_joint(s, PM_JOINT_ROLLING_LINE, circle, scene_floor(s, 0), 0);
+        scene_joint(s, PM_JOINT_SLIDER_FIXED, scene_point(s, last, 0.05, 0),
+                    scene_line(s, scene_point(s, PM_GROUND, x + 0.05 * cos(0.4), y + 0.05 * sin(0.4)), 0.5),
+                    -0.1);
+    } else {
+        pin(s, first, -0.1, 0.05, PM_GROUND, -0.1 * cos(0.3) - 0.05 * sin(0.3),
+            -0.1 * sin(0.3) + 0.05 * cos(0.3));
+        pin(s, last, 0.3, -0.4, PM_GROUND, x + 0.3 * cos(0.4) + 0.4 * sin(0.4),
+            y + 0.3 * sin(0.4) - 0.4 * cos(0.4));
+    }
+    pin(s, first, 0.2, 0, bar, -0.45, 0);
+    pin(s, last, 0, 0, bar, 0.45, 0);
+    return s;
+}
+
+/* A frame of four rods, closed last by a weld, that swings as one body. */
+static scene *frame(void)
+{
+    scene *s = scene_create();
+    const double x[] = {0, 1, 1.2, 0, 0}, y[] = {0, 0.2, 0.9, 0, 0.8};
+    const int end[] = {1, 2, 4, 4};
+    int body[4];
+    double angle[4], length[4];
+    for (int i = 0; i < 4; i++) {
+        angle[i] = atan2(y[end[i]] - y[i], x[end[i]] - x[i]);
+        length[i] = hypot(y[end[i]] - y[i], x[end[i]] - x[i]);
+        body[i] = rod(s, x[i], y[i], angle[i], length[i], 1 + 0.3 * i);
+    }
+    pin(s, body[0], -length[0] / 2, 0, PM_GROUND, 0, 0);
+    for (int i = 0; i < 2; i++) pin(s, body[i], length[i] / 2, 0, body[i + 1], -length[i + 1] / 2, 0);
+    pin(s, body[3], -length[3] / 2, 0, body[0], -length[0] / 2, 0);
+    scene_joint(s, PM_JOINT_WELD, scene_point(s, body[2], length[2] / 2, 0),
+                scene_point(s, body[3], length[3] / 2, 0), angle[2] - angle[3]);
     return s;
 }
 
@@ -252,6 +301,57 @@ static void projects(pm_workspace *w, const double *y)
     }
 }
 
+/* Without a frame, at places and rates near the one where it was summed up and far from it; and back onto the rows. */
+static void swift(pm_workspace *w, const double *y)
+{
+    const int n = w->tree->n;
+    double near[MOST], rate[MOST], yddot[MOST], same[MOST];
+    for (int i = 0; i < n; i++) rate[i] = 0;
+    pm_tree_look(w, 0, y, rate, w->state.z);
+    pm_tree_sum_up(w);
+    pm_swift_sum_up(w);
+    if (!pm_swift_applies(w)) return;
+    for (int trial = 0; trial < 20; trial++) {
+        for (int i = 0; i < n; i++) {
+            near[i] = y[i] + check_random(-1, 1) * (trial < 10 ? 0.2 : 5);
+            rate[i] = check_random(-3, 3);
+        }
+        pm_tree_look(w, 0, near, rate, w->state.z);
+        w->tree->independence = 1;
+        EQUAL(pm_tree_accelerate(w, yddot), PM_OK);
+        const double independence = w->tree->independence;
+        w->tree->independence = 1;
+        EQUAL(pm_swift_accelerate(w, near, rate, same), PM_OK);
+        for (int i = 0; i < n; i++) NEAR(same[i], yddot[i], 1e-11 / independence * (1 + fabs(yddot[i])));
+        NEAR(w->tree->independence, independence, 1e-12);
+    }
+    projects(w, y);
+    nswift++;
+}
+
+/* The weight of a pendulum goes with the cosine of its angle: to the last figure near where it was computed, too. */
+static void swings(void)
+{
+    scene *s = scene_create();
+    const double still = 0;
+    double start, level, down;
+    pin(s, rod(s, 0, 0, 0, 1, 1), -0.5, 0, PM_GROUND, 0, 0);
+    if (CHECK(scene_begin(s) == PM_OK)) {
+        pm_tree_build(s->w);
+        pm_frame_look_state(s->w, &s->w->state);
+        pm_tree_read(s->w, &start);
+        pm_tree_sum_up(s->w);
+        pm_swift_sum_up(s->w);
+        EQUAL(pm_swift_accelerate(s->w, &still, &still, &level), PM_OK);
+        for (int i = -50; i <= 50; i++) {
+            const double y = 0.01 * i;
+            EQUAL(pm_swift_accelerate(s->w, &y, &still, &down), PM_OK);
+            NEAR(down / level, cos(y), 3e-16);
+        }
+    }
+    scene_free(s);
+}
+
 static void turns_on(pm_workspace *w, const double *y)
 {
     double far[MOST], still[MOST];
@@ -280,6 +380,7 @@ static void look_at(scene *s, int n, int nloop)
         rates(w, y);
         dynamics(w, y);
         projects(w, y);
+        swift(w, y);
         pm_frame_look_state(w, &w->state);
         pm_tree_read(w, y);
         pm_tree_partition(w); /* the same by dependent and independent coordinates */
@@ -373,5 +474,10 @@ int main(void)
     look_at(slider_crank(), 2, 1);
     look_at(four_bar(), 6, 3);
     look_at(free_bodies(), 8, 0);
+    look_at(loop_of_three(0), 3, 2);
+    look_at(loop_of_three(1), 3, 2);
+    look_at(frame(), 4, 3);
+    EQUAL(nswift, 5);
+    swings();
     return check_failures();
 }

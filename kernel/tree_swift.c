@@ -1,0 +1,527 @@
+/* tree_swift.c - accelerations of trees of a few coordinates in a few hundred instructions: no body is looked at, no row
+ * evaluated.
+ *
+ * By tree_turning.c a mark P of body b is at  P = const + sum_k (e_k y_k + R_k d_k),  where d_k is the arm of b, and of the
+ * coordinate that turns b the way on to the mark, too.  A row along a direction n that stays - a pin, a line of the
+ * ground - or between two angles is then, of both its marks,
+ *     g = const + sum_k (E_k y_k + A_k cos y_k + B_k sin y_k),     A = n . d, B = n . (k x d), E = n . e,
+ *     J_k = E_k - A_k sin y_k + B_k cos y_k,     gamma = sum_k ydot_k^2 (A_k cos y_k + B_k sin y_k)
+ * and the equations of tree_dynamics.c are some dozens of products:  with B^T M B = L D L^T, X = L^-1 J^T,
+ *     S = X^T D^-1 X,    S l = gamma - X^T D^-1 L^-1 f,    yddot = L^-T D^-1 (L^-1 f + X l).
+ * For each number of coordinates and loop rows the compiler writes the code without loops.
+ *
+ * Cosine and sine of y + x, x small, are those of y turned by x, whose own are short series. */
+#include "tree_swift.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "body.h"
+#include "grip.h"
+#include "row.h"
+#include "tree.h"
+#include "tree_node.h"
+
+#define MOST PM_SWIFT_MOST
+#define CLOSE 0.5        /* rad: so far the series below have all figures */
+#define PIVOT_LOSS 1e-14 /* as in dense.c */
+#define SWEEPS 8         /* as in tree_dynamics.c, like the next two */
+#define ROUNDING 4e-15
+#define SMALL 1e-8
+#define INLINE static inline __attribute__((always_inline))
+
+/* ---- once a phase ---- */
+/* The wave of n . R_k d from what it is now, lever = R_k d. */
+static pm_swift_wave wave_of(const double n[2], const double lever[2], const double direction[2])
+{
+    const double d[2] = {direction[0] * lever[0] + direction[1] * lever[1],
+                         direction[0] * lever[1] - direction[1] * lever[0]};
+    return (pm_swift_wave){n[0] * d[0] + n[1] * d[1], n[1] * d[0] - n[0] * d[1]};
+}
+
+static void add_wave(pm_swift_wave *to, double sign, pm_swift_wave x)
+{
+    to->a += sign * x.a;
+    to->b += sign * x.b;
+}
+
+static double value_of(pm_swift_wave x, const double direction[2])
+{
+    return x.a * direction[0] + x.b * direction[1];
+}
+
+/* The direction of a row that stays; 0 if it does not. */
+static int direction_of(const pm_workspace *w, const pm_row *row, double n[2])
+{
+    n[0] = n[1] = 0;
+    if (row->drive != PM_NONE) return 0;
+    switch (row->kind) {
+    case PM_ROW_ANGLE: return 1;
+    case PM_ROW_POINT_X: n[0] = 1; return 1;
+    case PM_ROW_POINT_Y: n[1] = 1; return 1;
+    case PM_ROW_LINE_NORMAL:
+        n[0] = -row->axis[1];
+        n[1] = row->axis[0];
+        return row->body[1] == w->model->nbody;
+    default: return 0;
+    }
+}
+
+/* What moves one of a row's marks. */
+static void add_side(const pm_workspace *w, const pm_row *row, int side, const double n[2], pm_swift_row *x)
+{
+    const pm_tree *t = w->tree;
+    const pm_turning *a = &t->turning;
+    const int body = row->body[side];
+    const double sign = side == 0 ? 1 : -1, *mark = side == 0 ? row->a : row->b;
+    x->turning[side] = PM_NONE;
+    if (body == w->model->nbody) return;
+    const double *im = w->inverse_mass + 3 * body;
+    const pm_tree_node *node = &t->node[t->placed[body] - 1];
+    const pm_point p = pm_point_at(w, body, mark[0], mark[1]);
+    x->square += n[0] * n[0] * im[0] + n[1] * n[1] * im[1];
+    for (int i = node->list; i < node->list + node->nlist; i++) {
+        const int k = t->moved_by[i], turns = t->influence[3 * i + 2] != 0;
+        const double *e = a->fixed + 2 * k, *b = t->influence + 3 * i, *direction = a->direction + 2 * k;
+        double lever[2] = {b[1] - e[1], e[0] - b[0]};
+        x->shift[k] += sign * (n[0] * e[0] + n[1] * e[1]);
+        if (turns) {
+            lever[0] += p.r[0];
+            lever[1] += p.r[1];
+            x->turning[side] = k;
+            x->lever[side] = wave_of(n, p.r, direction);
+            x->inverse_inertia[side] = im[2];
+            if (row->kind == PM_ROW_ANGLE) x->shift[k] += sign;
+        }
+        add_wave(&x->wave[k], sign, wave_of(n, lever, direction));
+    }
+    if (row->kind == PM_ROW_ANGLE) x->square += im[2];
+}
+
+static int read_row(const pm_workspace *w, const double *y, pm_row *row, pm_swift_row *x)
+{
+    double n[2];
+    if (!direction_of(w, row, n)) return 0;
+    pm_row_kind(row->kind)->evaluate(w, row);
+    memset(x, 0, sizeof *x);
+    for (int side = 0; side < 2; side++) add_side(w, row, side, n, x);
+    x->constant = row->g;
+    for (int k = 0; k < w->tree->n; k++)
+        x->constant -= x->shift[k] * y[k] + value_of(x->wave[k], w->tree->turning.direction + 2 * k);
+    return 1;
+}
+
+static void read_sums(const pm_workspace *w, pm_swift *x)
+{
+    const pm_turning *a = &w->tree->turning;
+    const int n = w->tree->n;
+    for (int i = 0; i < n; i++)
+        for (int k = 0; k <= i; k++) {
+            const int at = i * n + k;
+            const double *e = a->fixed + 2 * i, *f = a->fixed + 2 * k, *p = a->lower + 2 * at,
+                         *q = a->upper + 2 * at;
+            x->same[i][k] = a->same[at];
+            x->cross[i][k] = a->cross[at];
+            x->level[i][k] = a->level[at];
+            x->fixed[k][i] = (pm_swift_wave){f[0] * q[0] + f[1] * q[1], f[1] * q[0] - f[0] * q[1]};
+            x->fixed[i][k] = (pm_swift_wave){e[0] * p[0] + e[1] * p[1], e[1] * p[0] - e[0] * p[1]};
+        }
+    for (int i = 0; i < n; i++) {
+        const double *p = a->upper + 2 * (i * n + i);
+        x->weight[i] = a->weight[i];
+        x->turned_weight[i].a = w->gravity[1] * p[0] - w->gravity[0] * p[1];
+        x->turned_weight[i].b = -w->gravity[1] * p[1] - w->gravity[0] * p[0];
+        x->turns[i] = a->owner[i] != PM_NONE;
+    }
+    x->shifts = a->shifts;
+}
+
+void pm_swift_sum_up(pm_workspace *w)
+{
+    pm_tree *t = w->tree;
+    pm_swift *x = t->swift;
+    x->n = t->n;
+    x->nloop = t->nloop;
+    x->on = t->turning.on && !t->turning.forced && t->n > 0 && t->n <= MOST && t->nloop < t->n;
+    if (!x->on) return;
+    double y[MOST];
+    pm_tree_read(w, y);
+    pm_tree_influence(w);
+    for (int i = 0; i < t->nloop && x->on; i++) x->on = read_row(w, y, &w->row[t->loop[i]], &x->row[i]);
+    if (!x->on) return;
+    read_sums(w, x);
+    for (int k = 0; k < t->n; k++) x->y[k] = NAN;
+    pm_swift_refer(w, y);
+}
+
+int pm_swift_applies(const pm_workspace *w)
+{
+    return w->tree->swift->on && !w->tree->few && !w->asymmetric && !w->massless && !pm_grip_by_load(w);
+}
+
+/* ---- directions ---- */
+void pm_swift_refer(pm_workspace *w, const double *y)
+{
+    pm_swift *x = w->tree->swift;
+    for (int k = 0; k < x->n; k++) {
+        if (x->y[k] == y[k]) continue;
+        x->y[k] = y[k];
+        x->direction[k][0] = x->turns[k] ? cos(y[k]) : 1;
+        x->direction[k][1] = x->turns[k] ? sin(y[k]) : 0;
+    }
+}
+
+/* Cosine and sine of y_k. */
+INLINE void direct(const pm_swift *x, int k, double y, double direction[2])
+{
+    const double by = y - x->y[k], z = by * by, *from = x->direction[k];
+    if (!x->turns[k]) {
+        direction[0] = 1;
+        direction[1] = 0;
+    } else if (!(z < CLOSE * CLOSE)) {
+        direction[0] = cos(y);
+        direction[1] = sin(y);
+    } else {
+        const double z2 = z * z, z4 = z2 * z2;
+        const double sine = by + by * z *
+                                     (-1. / 6 + z * (1. / 120) + z2 * (-1. / 5040 + z * (1. / 362880)) +
+                                      z4 * (-1. / 39916800 + z * (1. / 6227020800)));
+        const double drop = z * (-1. / 2 + z * (1. / 24) + z2 * (-1. / 720 + z * (1. / 40320)) +
+                                 z4 * (-1. / 3628800 + z * (1. / 479001600) - z2 * (1. / 87178291200)));
+        direction[0] = from[0] + (from[0] * drop - from[1] * sine);
+        direction[1] = from[1] + (from[1] * drop + from[0] * sine);
+    }
+}
+
+/* ---- the equations, written out for each n and nloop ---- */
+typedef struct pm_swift_place {
+    double direction[MOST][2];
+    double mass[MOST][MOST];    /* its lower triangle; factored L, the diagonal of D^-1 */
+    double reduced[MOST][MOST]; /* X */
+    double schur[MOST][MOST];   /* like mass */
+} pm_swift_place;
+
+INLINE void look(const pm_swift *x, int n, const double *y, pm_swift_place *p)
+{
+    for (int k = 0; k < n; k++) direct(x, k, y[k], p->direction[k]);
+}
+
+/* How a wave changes with its angle. */
+INLINE double slope(const pm_swift_wave *x, const double direction[2])
+{
+    return x->b * direction[0] - x->a * direction[1];
+}
+
+INLINE double height(const pm_swift_wave *x, const double direction[2])
+{
+    return x->a * direction[0] + x->b * direction[1];
+}
+
+/* J_k */
+INLINE double jacobian(const pm_swift_row *row, int k, const pm_swift_place *p)
+{
+    return row->shift[k] + slope(&row->wave[k], p->direction[k]);
+}
+
+/* The mass matrix, and with `square` (of the rates) the forces f. */
+INLINE void equations(const pm_swift *x, int n, const double *square, pm_swift_place *p, double *f)
+{
+    for (int i = 0; i < n; i++) {
+        const double *r = p->direction[i];
+        if (square) f[i] = x->weight[i] + height(&x->turned_weight[i], r);
+        p->mass[i][i] = x->level[i][i] + x->same[i][i];
+    }
+    for (int i = 1; i < n; i++)
+        for (int k = 0; k < i; k++) {
+            const double *r = p->direction[i], *u = p->direction[k];
+            const double c = r[0] * u[0] + r[1] * u[1], s = r[1] * u[0] - r[0] * u[1];
+            p->mass[i][k] = x->level[i][k] + x->same[i][k] * c + x->cross[i][k] * s;
+            if (!square) continue;
+            const double beside = x->cross[i][k] * c - x->same[i][k] * s;
+            f[i] += square[k] * beside;
+            f[k] -= square[i] * beside;
+        }
+    if (!x->shifts) return;
+    for (int i = 0; i < n; i++)
+        for (int k = 0; k < n; k++) {
+            const double more = slope(&x->fixed[i][k], p->direction[k]);
+            if (i == k)
+                p->mass[i][i] += 2 * more;
+            else
+                p->mass[i > k ? i : k][i > k ? k : i] += more;
+            if (square) f[i] += square[k] * height(&x->fixed[i][k], p->direction[k]);
+        }
+}
+
+/* The lower triangle of a = L D L^T in place; 0, or 1 + the index of a pivot that has lost its figures. */
+INLINE int factor(int n, double a[MOST][MOST])
+{
+    for (int j = 0; j < n; j++) {
+        double scaled[MOST], pivot = a[j][j];
+        for (int k = 0; k < j; k++) {
+            scaled[k] = a[j][k]; /* L D */
+            a[j][k] *= a[k][k];
+            pivot -= a[j][k] * scaled[k];
+        }
+        if (!(pivot > PIVOT_LOSS * a[j][j])) return j + 1;
+        a[j][j] = 1 / pivot;
+        for (int i = j + 1; i < n; i++)
+            for (int k = 0; k < j; k++) a[i][j] -= a[i][k] * a[j][k];
+    }
+    return 0;
+}
+
+/* L x = b in place. */
+INLINE void lower(int n, double a[MOST][MOST], double *b)
+{
+    for (int i = 1; i < n; i++)
+        for (int k = 0; k < i; k++) b[i] -= a[i][k] * b[k];
+}
+
+/* L^T x = D^-1 b in place. */
+INLINE void upper(int n, double a[MOST][MOST], double *b)
+{
+    for (int i = 0; i < n; i++) b[i] *= a[i][i];
+    for (int i = n - 1; i > 0; i--)
+        for (int k = 0; k < i; k++) b[k] -= a[i][k] * b[i];
+}
+
+/* Of a row as in tree_dynamics.c: left / all is what those before leave of it. */
+INLINE void watch_independence(pm_workspace *w, const pm_swift_row *row, const pm_swift_place *p, double left,
+                               double all)
+{
+    double square = row->square * all;
+    for (int side = 0; side < 2; side++) {
+        if (row->turning[side] == PM_NONE) continue;
+        const double lever = slope(&row->lever[side], p->direction[row->turning[side]]);
+        square += lever * lever * row->inverse_inertia[side] * all;
+    }
+    if (w->tree->independence * square > left) w->tree->independence = left / square;
+}
+
+static int singular_loop(pm_workspace *w, int loop)
+{
+    const pm_row *row = &w->row[w->tree->loop[loop]];
+    w->tree->independence = 0;
+    return row->joint != PM_NONE ? pm_fail(w, PM_SINGULAR, PM_TABLE_JOINT, row->joint, 0, 0)
+                                 : pm_fail(w, PM_SINGULAR, PM_TABLE_CONTACT, PM_NONE, 0, 0);
+}
+
+INLINE int factor_all(pm_workspace *w, const pm_swift *x, int n, int nloop, pm_swift_place *p)
+{
+    w->count[PM_COUNT_SOLVES]++;
+    if (factor(n, p->mass)) return pm_fail(w, PM_SINGULAR, PM_TABLE_BODY, 0, 0, 0);
+    for (int i = 0; i < nloop; i++) {
+        for (int k = 0; k < n; k++) p->reduced[i][k] = jacobian(&x->row[i], k, p);
+        lower(n, p->mass, p->reduced[i]);
+        for (int l = 0; l <= i; l++) {
+            p->schur[i][l] = 0;
+            for (int k = 0; k < n; k++) p->schur[i][l] += p->reduced[i][k] * p->reduced[l][k] * p->mass[k][k];
+        }
+    }
+    const int bad = factor(nloop, p->schur);
+    if (bad) return singular_loop(w, bad - 1);
+    for (int i = 0; i < nloop; i++) watch_independence(w, &x->row[i], p, 1, p->schur[i][i]);
+    return PM_OK;
+}
+
+/* yddot from the forces f, in place, with J yddot = rate. */
+INLINE void solve(int n, int nloop, pm_swift_place *p, double *rate, double *f)
+{
+    lower(n, p->mass, f);
+    for (int i = 0; i < nloop; i++)
+        for (int k = 0; k < n; k++) rate[i] -= p->reduced[i][k] * p->mass[k][k] * f[k];
+    lower(nloop, p->schur, rate);
+    upper(nloop, p->schur, rate);
+    for (int i = 0; i < nloop; i++)
+        for (int k = 0; k < n; k++) f[k] += p->reduced[i][k] * rate[i];
+    upper(n, p->mass, f);
+}
+
+/* ---- one freedom ---- */
+INLINE double dot(int n, const double *a, const double *b)
+{
+    double sum = 0;
+    for (int k = 0; k < n; k++) sum += a[k] * b[k];
+    return sum;
+}
+
+INLINE void cross(const double *a, const double *b, double *c)
+{
+    for (int k = 0; k < 3; k++) c[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+}
+
+/* a M b, of the mass matrix or its adjugate, which is det M times the inverse */
+INLINE double between(int n, double m[MOST][MOST], const double *a, const double *b)
+{
+    double sum = 0;
+    for (int i = 0; i < n; i++) {
+        sum += m[i][i] * a[i] * b[i];
+        for (int k = 0; k < i; k++) sum += m[i][k] * (a[i] * b[k] + a[k] * b[i]);
+    }
+    return sum;
+}
+
+INLINE double adjugate(double m[MOST][MOST], double to[MOST][MOST])
+{
+    to[0][0] = m[1][1] * m[2][2] - m[2][1] * m[2][1];
+    to[1][0] = m[2][1] * m[2][0] - m[1][0] * m[2][2];
+    to[1][1] = m[0][0] * m[2][2] - m[2][0] * m[2][0];
+    to[2][0] = m[1][0] * m[2][1] - m[1][1] * m[2][0];
+    to[2][1] = m[1][0] * m[2][0] - m[0][0] * m[2][1];
+    to[2][2] = m[0][0] * m[1][1] - m[1][0] * m[1][0];
+    return m[0][0] * to[0][0] + m[1][0] * to[1][0] + m[2][0] * to[2][0];
+}
+
+/* The independence of the rows, `along` the square of the way that they leave, in the metric of M. */
+INLINE void watch_rows(pm_workspace *w, int n, double row[2][MOST], pm_swift_place *p, double along)
+{
+    const pm_swift *x = w->tree->swift;
+    if (n == 2) {
+        const double whole = p->mass[0][0] * p->mass[1][1] - p->mass[1][0] * p->mass[1][0];
+        watch_independence(w, &x->row[0], p, along, whole);
+    } else if (n == 3) {
+        double inverse[MOST][MOST];
+        const double whole = adjugate(p->mass, inverse), first = between(3, inverse, row[0], row[0]);
+        watch_independence(w, &x->row[0], p, first, whole);
+        watch_independence(w, &x->row[1], p, along, first);
+    }
+}
+
+/* The rows leave one way, along N, the vector product of the rows:  yddot = a + s N  with any a of J a = rate;
+ * s = N . (f - M a) / (N . M N).  What the rows hold at rest stays so to the last figure. */
+INLINE int solve_along(pm_workspace *w, int n, pm_swift_place *p, const double *rate, const double *f,
+                       double *yddot)
+{
+    const pm_swift *x = w->tree->swift;
+    double row[2][MOST], way[MOST] = {1}, a[MOST] = {0};
+    w->count[PM_COUNT_SOLVES]++;
+    for (int i = 0; i < n - 1; i++)
+        for (int k = 0; k < n; k++) row[i][k] = jacobian(&x->row[i], k, p);
+    if (n == 2) {
+        way[0] = -row[0][1];
+        way[1] = row[0][0];
+        const double factor = rate[0] / dot(2, way, way);
+        for (int k = 0; k < 2; k++) a[k] = factor * row[0][k];
+    } else if (n == 3) {
+        double first[3], second[3];
+        cross(row[0], row[1], way);
+        const double square = dot(3, way, way), inverse = 1 / square;
+        if (!(square > PIVOT_LOSS * dot(3, row[0], row[0]) * dot(3, row[1], row[1])))
+            return singular_loop(w, 1);
+        cross(row[1], way, first);
+        cross(way, row[0], second);
+        for (int k = 0; k < 3; k++) a[k] = (rate[0] * first[k] + rate[1] * second[k]) * inverse;
+    }
+    const double along = between(n, p->mass, way, way);
+    if (!(along > 0))
+        return n > 1 ? singular_loop(w, n - 2) : pm_fail(w, PM_SINGULAR, PM_TABLE_BODY, 0, 0, 0);
+    const double s = (dot(n, way, f) - between(n, p->mass, way, a)) / along;
+    for (int k = 0; k < n; k++) yddot[k] = a[k] + s * way[k];
+    watch_rows(w, n, row, p, along);
+    return PM_OK;
+}
+
+INLINE int accelerate(pm_workspace *w, int n, int nloop, const double *y, const double *ydot, double *yddot)
+{
+    const pm_swift *x = w->tree->swift;
+    pm_swift_place p;
+    double square[MOST], gamma[MOST], f[MOST];
+    look(x, n, y, &p);
+    for (int k = 0; k < n; k++) square[k] = x->turns[k] ? ydot[k] * ydot[k] : 0;
+    equations(x, n, square, &p, f);
+    for (int i = 0; i < nloop; i++) {
+        gamma[i] = 0;
+        for (int k = 0; k < n; k++) gamma[i] += square[k] * height(&x->row[i].wave[k], p.direction[k]);
+    }
+    if (n <= 3 && nloop == n - 1) return solve_along(w, n, &p, gamma, f, yddot);
+    const int status = factor_all(w, x, n, nloop, &p);
+    if (status) return status;
+    solve(n, nloop, &p, gamma, f);
+    for (int k = 0; k < n; k++) yddot[k] = f[k];
+    return PM_OK;
+}
+
+/* ---- back onto the loop rows ---- */
+/* -g at the place; the worst. */
+INLINE double openings(const pm_swift *x, int n, int nloop, const double *y, const pm_swift_place *p,
+                       double *opening)
+{
+    double worst = 0;
+    for (int i = 0; i < nloop; i++) {
+        double g = x->row[i].constant;
+        for (int k = 0; k < n; k++)
+            g += x->row[i].shift[k] * y[k] + height(&x->row[i].wave[k], p->direction[k]);
+        opening[i] = -g;
+        if (fabs(g) > worst) worst = fabs(g);
+    }
+    return worst;
+}
+
+/* y moves by the least way that closes the openings. */
+INLINE void close(int n, int nloop, pm_swift_place *p, double *opening, double *y)
+{
+    double by[MOST] = {0};
+    solve(n, nloop, p, opening, by);
+    for (int k = 0; k < n; k++) y[k] += by[k];
+}
+
+INLINE int factor_here(pm_workspace *w, int n, int nloop, pm_swift_place *p)
+{
+    equations(w->tree->swift, n, NULL, p, NULL);
+    return factor_all(w, w->tree->swift, n, nloop, p);
+}
+
+INLINE int project(pm_workspace *w, int n, int nloop, double *y, double *ydot)
+{
+    const pm_swift *x = w->tree->swift;
+    pm_swift_place p;
+    double opening[MOST], before = INFINITY, worst = 0;
+    int status, factored = 0;
+    for (int sweep = 0;; sweep++) {
+        look(x, n, y, &p);
+        worst = openings(x, n, nloop, y, &p, opening);
+        if (worst <= ROUNDING * w->size || sweep == SWEEPS || (sweep > 1 && worst > 0.5 * before)) break;
+        factored = worst <= SMALL * w->size;
+        before = worst;
+        if ((status = factor_here(w, n, nloop, &p))) return status;
+        close(n, nloop, &p, opening, y);
+    }
+    worst = 0;
+    for (int i = 0; i < nloop; i++) {
+        opening[i] = 0;
+        for (int k = 0; k < n; k++) opening[i] -= jacobian(&x->row[i], k, &p) * ydot[k];
+        if (fabs(opening[i]) > worst) worst = fabs(opening[i]);
+    }
+    if (worst <= ROUNDING * w->speed) return PM_OK;
+    if (!(factored && worst <= SMALL * w->speed) && (status = factor_here(w, n, nloop, &p))) return status;
+    close(n, nloop, &p, opening, ydot);
+    return PM_OK;
+}
+
+/* ---- for each n and nloop ---- */
+#define EACH(CALL)                                                  \
+    switch (w->tree->swift->n * MOST + w->tree->swift->nloop) {     \
+    case 1 * MOST: return CALL(1, 0);                               \
+    case 2 * MOST: return CALL(2, 0);                               \
+    case 2 * MOST + 1: return CALL(2, 1);                           \
+    case 3 * MOST: return CALL(3, 0);                               \
+    case 3 * MOST + 1: return CALL(3, 1);                           \
+    case 3 * MOST + 2: return CALL(3, 2);                           \
+    default: return CALL(w->tree->swift->n, w->tree->swift->nloop); \
+    }
+
+int pm_swift_accelerate(pm_workspace *w, const double *y, const double *ydot, double *yddot)
+{
+#define CALL(N, NLOOP) accelerate(w, N, NLOOP, y, ydot, yddot)
+    EACH(CALL)
+#undef CALL
+}
+
+int pm_swift_project(pm_workspace *w, double *y, double *ydot)
+{
+    if (w->tree->swift->nloop == 0) return PM_OK;
+#define CALL(N, NLOOP) project(w, N, NLOOP, y, ydot)
+    EACH(CALL)
+#undef CALL
+}
