@@ -31,6 +31,7 @@ from planemotion._layout import (
     PM_ROUTE_RK,
 )
 from planemotion.errors import SceneError, StudyError
+from planemotion.flatten import flatten
 from planemotion.grids import read_grid
 from planemotion.run import simulate
 from planemotion.scene import Grid
@@ -55,7 +56,8 @@ class FakeScene:
             "sweep": sweep,
             "runs": runs or {},
         }
-        self.data = validate(raw, file="fake.toml")
+        self.raw, self.file = raw, "fake.toml"
+        self.data = validate(raw, file=self.file)
         self.text = text
 
     def to_toml(self):
@@ -419,6 +421,45 @@ def test_every_row_is_a_run_of_its_own_bit_for_bit(workers, monkeypatch):
         assert (row.height.item(), row.swing.item()) == (alone.height, alone.swing)
         assert np.array_equal(row.angles.values, np.array(alone.angles, float), equal_nan=True)
         assert row.audit_energy.item() == alone.audit["energy"]
+
+
+def content(data):
+    """A result without what differs from call to call."""
+    return data.drop_attrs(deep=False).assign_attrs(
+        {key: value for key, value in data.attrs.items() if key not in ("created", "elapsed_seconds")}
+    )
+
+
+def test_tables_are_made_once_for_all_grids_and_anew_for_another_scene(monkeypatch, tmp_path):
+    made = []
+
+    def counted(scene, run=None, *, history=True):
+        made.append(scene.data.id)
+        return flatten(scene, run, history=history)
+
+    monkeypatch.setattr(study, "flatten", counted)
+    scene = planemotion.load_text(PENDULUM)
+
+    def agrees(tables, **grids):
+        before = len(made)
+        found = scene.sweep(workers=1, **grids)
+        assert len(made) - before == tables
+        anew = planemotion.Scene.from_raw(scene.raw)
+        assert content(found).identical(content(anew.sweep(workers=1, **grids)))
+        return found
+
+    agrees(1, L=["18 in", "2 ft"])
+    agrees(0, L={"from": "10 in", "to": "20 in", "num": 40})
+    agrees(1, omega0=["30 deg/s"])  # another parameter is one that a case gives
+    agrees(0, L=["18 in"])
+    lighter = agrees(0, L=["18 in"]).height.item()
+    scene.parameters(omega0="40 deg/s")
+    assert agrees(1, L=["18 in"]).height.item() > lighter
+    scene.raw["parameters"]["omega0"] = "50 deg/s"
+    assert agrees(1, L=["18 in"]).attrs["scene"].count("50 deg/s") == 1
+    stored = scene.sweep(workers=1, out=tmp_path, L=["18 in"])
+    with stored:
+        assert content(stored).identical(content(agrees(0, L=["18 in"])))
 
 
 def test_a_case_that_fails_does_not_stop_the_others():

@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
 from .errors import SceneError
+from .kept import Kept
 from .parameters import override
 from .scene import DEFAULT_G, SceneData
 from .units import parse_quantity
@@ -53,6 +54,7 @@ class Scene:
         self.file: str | None = None
         self._text: str | None = None
         self._data: SceneData | None = None
+        self._kept = Kept()
 
     @classmethod
     def from_raw(cls, raw: Mapping[str, Any], *, file: str | None = None, text: str | None = None) -> Self:
@@ -207,7 +209,7 @@ class Scene:
         scene = self
         if grids:
             scene = type(self).from_raw({**self.raw, "sweep": _plain(grids)}, file=self.file)
-        return run_sweep(scene, out=out, workers=workers, resume=resume, progress=progress)
+        return run_sweep(scene, out=out, workers=workers, resume=resume, progress=progress, kept=self._kept)
 
     # ---- changing ----
 

@@ -92,7 +92,8 @@ class MemoryFile:
             attributes: Mapping[str, Any] = dict(variable.attrs)
             named.update(str(attributes.get("coordinates", "")).split())
             kept = {key: value for key, value in attributes.items() if key != "coordinates"}
-            variables[name] = xr.Variable(variable.dims, variable.values, kept)
+            # What export writes needs none of the looks that xarray takes at whatever else it is given.
+            variables[name] = xr.Variable(variable.dims, variable.values, kept, fastpath=True)
         apart = {name: x for name, x in variables.items() if name in self.dimensions or name in named}
         rest = {name: x for name, x in variables.items() if name not in apart}
         return xr.Dataset(rest, apart, self.attrs)

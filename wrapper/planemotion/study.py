@@ -30,6 +30,7 @@ from .errors import SceneError, StudyError
 from .export import RESERVED_NAMES, AskVariable, Coordinate, Layout, dataset, write_csv, write_result
 from .flatten import FlatScene, flatten
 from .grids import read_grid
+from .kept import Kept
 from .memory import MemoryStore
 from .parameters import Parameters
 from .scene import Ask, At, SceneData, Value
@@ -196,16 +197,25 @@ class _AskPlace:
 
 
 class _Study:
-    """A scene made ready for its cases: one flat scene for each of its [runs]."""
+    """A scene made ready for its cases: one flat scene for each of its [runs].
 
-    def __init__(self, scene: Scene, plan: SweepPlan, workers: int) -> None:
+    `kept`: what earlier sweeps of the same scene found out.
+    """
+
+    def __init__(self, scene: Scene, plan: SweepPlan, workers: int, kept: Kept) -> None:
         self.data = scene.data
         self.text = scene.text
         self.words = scene.to_toml()  # without comments: they change no row
         self.plan = plan
         self.workers = workers
         self.runs = tuple(self.data.runs)
-        self.flats = [flatten(scene, run, history=False) for run in self.runs or (None,)]
+        self.kept = kept
+        self.flats = kept.flats(
+            scene.raw,
+            scene.file,
+            frozenset(plan.names),
+            lambda: [flatten(scene, run, history=False) for run in self.runs or (None,)],
+        )
         self.asks = self._ask_places()
         self.layout = self._layout()
 
@@ -445,12 +455,17 @@ class _ChunkCall:
 
 
 class _Pacer:
-    """Chooses the size of the next chunk from the time the last one took."""
+    """Chooses the size of the next chunk from the time the last one took; `first`: of the first, if known."""
 
-    def __init__(self, workers: int, most: int) -> None:
+    def __init__(self, workers: int, most: int, first: int | None = None) -> None:
         self._workers = workers
         self._most = most
-        self._size = min(workers * _FIRST_CHUNK_PER_WORKER, most)
+        self._size = min(first or workers * _FIRST_CHUNK_PER_WORKER, most)
+
+    @property
+    def size(self) -> int:
+        """Cases of the next chunk."""
+        return self._size
 
     def observe(self, count: int, seconds: float) -> None:
         goal = count * CHUNK_SECONDS / max(seconds, 1e-6)
@@ -470,7 +485,7 @@ class _Pacer:
 
 def _fill(store: SweepStore | MemoryStore, study: _Study, progress: Progress) -> None:
     """Computes what is missing: each chunk while the one before it is being stored."""
-    pacer = _Pacer(study.workers, study.max_chunk)
+    pacer = _Pacer(study.workers, study.max_chunk, study.kept.chunk.get(study.workers))
     computed: tuple[int, Block] | None = None
     call: _ChunkCall | None = None
     try:
@@ -483,6 +498,7 @@ def _fill(store: SweepStore | MemoryStore, study: _Study, progress: Progress) ->
             computed = first, block
         if computed:
             store.add(*computed)
+        study.kept.chunk[study.workers] = pacer.size
     except BaseException:
         if call:
             call.cancel()
@@ -500,10 +516,10 @@ class SweepFiles:
     computed: int
 
 
-def _study_of(scene: Scene, workers: int | None) -> _Study:
+def _study_of(scene: Scene, workers: int | None, kept: Kept | None = None) -> _Study:
     if workers is not None and workers < 1:
         raise StudyError(f"workers = {workers}: at least 1 is needed")
-    return _Study(scene, plan_sweep(scene), workers or len(os.sched_getaffinity(0)))
+    return _Study(scene, plan_sweep(scene), workers or len(os.sched_getaffinity(0)), kept or Kept())
 
 
 def _nobody(done: int, total: int) -> None:
@@ -517,17 +533,19 @@ def sweep_files(
     workers: int | None = None,
     resume: bool = False,
     progress: Progress | None = None,
+    kept: Kept | None = None,
 ) -> SweepFiles:
     """Runs all cases of the scene's [sweep] and leaves OUT/ID.h5 and OUT/ID.csv.
 
     `workers`: threads (default: the processors of this process).  `resume`: go on where an earlier sweep into
     `out` was ended; begins where there is none.  `progress(done, total)` is called some times a second in the
-    calling thread.  A case that fails becomes NaN, status and message; the sweep goes on.
+    calling thread.  `kept`: of earlier sweeps of the scene, over whatever grids.  A case that fails becomes
+    NaN, status and message; the sweep goes on.
 
     Raises SceneError (the scene cannot be swept), StudyError (the output cannot be used or written, or
     belongs to something else; nothing half-written stays) and SweepInterrupted (Ctrl-C).
     """
-    study = _study_of(scene, workers)
+    study = _study_of(scene, workers, kept)
     plan, folder = study.plan, Path(out)
     store = SweepStore(folder, _file_name(scene.data.id), plan.cases, study.manifest(), resume=resume)
     with store:
@@ -557,19 +575,20 @@ def run_sweep(
     workers: int | None = None,
     resume: bool = False,
     progress: Progress | None = None,
+    kept: Kept | None = None,
 ) -> xr.Dataset:
     """As `sweep_files`, but gives the labelled results: opened lazily from OUT/ID.h5 (its path is in
     `encoding["source"]`), or, without `out`, in memory, with no file left behind."""
     if out is not None:
         import xarray as xr
 
-        files = sweep_files(scene, out, workers=workers, resume=resume, progress=progress)
+        files = sweep_files(scene, out, workers=workers, resume=resume, progress=progress, kept=kept)
         return xr.open_dataset(files.result, engine="h5netcdf")
-    study = _study_of(scene, workers)
-    kept = MemoryStore(study.plan.cases)
-    _fill(kept, study, progress or _nobody)
+    study = _study_of(scene, workers, kept)
+    store = MemoryStore(study.plan.cases)
+    _fill(store, study, progress or _nobody)
     attributes = {**study.attributes(), "manifest": json.dumps(study.manifest())}
-    return dataset(study.layout, kept.blocks, attributes)
+    return dataset(study.layout, store.blocks, attributes)
 
 
 def _file_name(identity: str) -> str:
