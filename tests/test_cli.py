@@ -349,14 +349,14 @@ def long_sweep(folder: Path) -> list[str]:
 def test_ctrl_c_keeps_what_is_done_and_resume_goes_on(folder: Path, long_sweep: list[str]) -> None:
     process = subprocess.Popen(long_sweep, stderr=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
     parts = folder / "out" / "pendulum.parts"
-    wait_for(process, lambda: any(parts.glob("part-*.h5")))
+    wait_for(process, lambda: any(parts.glob("part-*.npy")))
     process.send_signal(signal.SIGINT)
     _, told = process.communicate(timeout=HANGS)
     assert process.returncode in INTERRUPTED
     assert "cases are saved in out" in told
     assert "--resume" in told
     assert "Traceback" not in told
-    assert list(parts.glob("part-*.h5"))
+    assert list(parts.glob("part-*.npy"))
     assert not list(folder.rglob("*.tmp"))
 
 

@@ -329,5 +329,5 @@ def test_errors_stand_beside_their_answers(tmp_path):
     with open(tmp_path / "s.csv", newline="") as file:
         header, *rows = csv.reader(file)
     assert header[5:] == ["v error [s]", "w error [h]", "margin", "reason", "status"]
-    assert rows[3][5:8] == ["3e-12", "3.2e-12", "103.0"]
+    assert rows[3][5:8] == ["3e-12", "3.2e-12", "103"]
     assert summarise(tmp_path / "s.h5").header == (*header[:5], "reason", "status")

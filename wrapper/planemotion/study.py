@@ -56,7 +56,7 @@ _GRACE = 0.7
 # Other versions of these might compute other bits; the rest only writes files.
 _ROW_VERSIONS = ("planemotion", "kernel", "SUNDIALS", "GSL")
 # Of the part files and the manifest: another number, no resume.
-_FORMAT = 2
+_FORMAT = 3
 
 Progress = Callable[[int, int], None]
 
