@@ -371,7 +371,7 @@ def write_csv(result: Path, table: Path) -> None:
 
 @dataclass(frozen=True)
 class _Column:
-    """A column of consecutive cases: as values, and as the table writes them; each can be gone through once."""
+    """A column of consecutive cases: as values, and as the table writes them; to be gone through once."""
 
     values: Iterable[Any]
     texts: Iterable[str]
