@@ -70,16 +70,16 @@ def test_a_route_in_time_gives_the_same(path: Path, route: str) -> None:
 
 @pytest.mark.parametrize(("stem", "route"), ENDS_EARLY)
 def test_what_a_route_answers_before_it_fails_is_right(stem: str, route: str) -> None:
-    """Where the run fails only the last of a list of values is missing."""
+    """Only the last of a list of values, at the place itself, is missing or has a great estimated error."""
     path = FOLDER / f"{stem}.toml"
     early, whole = run(path, route), run(path)
     assert early.status in ENDS_EARLY[stem, route]
-    assert "were reached before" in early.error
+    assert "before" in early.error
     for key, ask in whole.asks.items():
-        values = early.asks[key].value
+        values, estimated = early.asks[key].value, early.asks[key].error
         assert isinstance(values, list)
         assert isinstance(ask.value, list)
-        assert values[-1] is None
+        assert values[-1] is None or abs(values[-1] - ask.value[-1]) <= estimated[-1]
         assert values[:-1] == pytest.approx(ask.value[:-1], rel=BETWEEN_ROUTES, abs=0)
 
 
