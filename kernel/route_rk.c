@@ -31,7 +31,6 @@
 #define SAFETY 0.7
 #define SHRINK 0.2
 #define GROW 4.0
-#define TOGETHER 4       /* numbers that a processor combines at once */
 #define DENSE 7          /* coefficients of the dense output */
 #define LEAST_STEP 8e-16 /* of the time: below it a step changes nothing */
 #define FIRST_RETRY 0.25
@@ -119,10 +118,7 @@ static int derivative(pm_workspace *w, double t, double *y, int with_ledger, dou
 {
     const int n = w->rk->n;
     int status = PM_OK;
-    if (!with_ledger && w->rk->swift) {
-        for (int i = 0; i < n; i++) k[i] = y[n + i];
-        return pm_swift_accelerate(w, y, y + n, k + n);
-    }
+    if (!with_ledger && w->rk->swift) return pm_swift_derivative(w, y, k);
     if (w->tree->few) {
         status = pm_tree_settle(w, t, y, y + n, y + 2 * n);
     } else if (!with_ledger && w->rk->controlled == 2 * n) {
@@ -151,17 +147,33 @@ static void set_scale(pm_workspace *w)
         r->scale[2 * r->n + i] = 1 / (tolerance * pm_audit_controlled_scale(w, i));
 }
 
+/* Two numbers that a processor combines at once. */
+typedef double pm_pair __attribute__((vector_size(2 * sizeof(double))));
+
+static inline pm_pair load(const double *from)
+{
+    pm_pair x;
+    memcpy(&x, from, sizeof x);
+    return x;
+}
+
+static inline void store(double *to, pm_pair x) { memcpy(to, &x, sizeof x); }
+
 /* y = y0 + h sum_k weight[k] stage[k] for the first n of `stride` entries; k is 0 and from .. to - 1. */
 static void combine(int n, int stride, const double *y0, double h, const double *weight, int from, int to,
                     const double *stage, double *y)
 {
     int i = 0;
-    for (; i + TOGETHER <= n; i += TOGETHER) {
-        double sum[TOGETHER];
-        for (int c = 0; c < TOGETHER; c++) sum[c] = weight[0] * stage[i + c];
-        for (int k = from; k < to; k++)
-            for (int c = 0; c < TOGETHER; c++) sum[c] += weight[k] * stage[k * stride + i + c];
-        for (int c = 0; c < TOGETHER; c++) y[i + c] = y0[i + c] + h * sum[c];
+    for (; i + 4 <= n; i += 4) {
+        const double *x = stage + i;
+        pm_pair first = weight[0] * load(x), second = weight[0] * load(x + 2);
+        x += from * stride;
+        for (int k = from; k < to; k++, x += stride) {
+            first += weight[k] * load(x);
+            second += weight[k] * load(x + 2);
+        }
+        store(y + i, load(y0 + i) + h * first);
+        store(y + i + 2, load(y0 + i + 2) + h * second);
     }
     for (; i < n; i++) {
         double sum = weight[0] * stage[i];
@@ -186,22 +198,26 @@ static int stages(pm_workspace *w, double h, double *k, double *y)
     return PM_OK;
 }
 
+/* Sum of the squares of scale times sum_k weight[k] stage[k]; k is 0 and STEP_FROM .. STAGES - 1. */
+static double error_square(const struct pm_rk *r, const double *weight)
+{
+    double sum = 0;
+    for (int i = 0; i < r->controlled; i++) {
+        const double *k = r->k + STEP_FROM * r->all + i;
+        double e = weight[0] * r->k[i];
+        for (int s = STEP_FROM; s < STAGES; s++, k += r->all) e += weight[s] * *k;
+        e *= r->scale[i];
+        sum += e * e;
+    }
+    return sum;
+}
+
 static double error_norm(const pm_workspace *w, double h)
 {
     const struct pm_rk *r = w->rk;
-    double sum3 = 0, sum5 = 0;
-    for (int i = 0; i < r->controlled; i++) {
-        double e3 = error_weight_3[0] * r->k[i], e5 = error_weight_5[0] * r->k[i];
-        for (int s = STEP_FROM; s < STAGES; s++) {
-            e3 += error_weight_3[s] * r->k[s * r->all + i];
-            e5 += error_weight_5[s] * r->k[s * r->all + i];
-        }
-        e3 *= r->scale[i];
-        e5 *= r->scale[i];
-        sum3 += e3 * e3;
-        sum5 += e5 * e5;
-    }
-    return sum5 == 0 ? 0 : fabs(h) * sum5 / sqrt((sum5 + 0.01 * sum3) * r->controlled);
+    const double sum5 = error_square(r, error_weight_5);
+    return sum5 == 0 ? 0
+                     : fabs(h) * sum5 / sqrt((sum5 + 0.01 * error_square(r, error_weight_3)) * r->controlled);
 }
 
 /* x^(-1/8) */

@@ -16,11 +16,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "body.h"
 #include "grip.h"
-#include "row.h"
 #include "tree.h"
-#include "tree_node.h"
 
 #define MOST PM_SWIFT_MOST
 #define CLOSE 0.5        /* rad: so far the series below have all figures */
@@ -29,130 +26,6 @@
 #define ROUNDING 4e-15
 #define SMALL 1e-8
 #define INLINE static inline __attribute__((always_inline))
-
-/* ---- once a phase ---- */
-/* The wave of n . R_k d from what it is now, lever = R_k d. */
-static pm_swift_wave wave_of(const double n[2], const double lever[2], const double direction[2])
-{
-    const double d[2] = {direction[0] * lever[0] + direction[1] * lever[1],
-                         direction[0] * lever[1] - direction[1] * lever[0]};
-    return (pm_swift_wave){n[0] * d[0] + n[1] * d[1], n[1] * d[0] - n[0] * d[1]};
-}
-
-static void add_wave(pm_swift_wave *to, double sign, pm_swift_wave x)
-{
-    to->a += sign * x.a;
-    to->b += sign * x.b;
-}
-
-static double value_of(pm_swift_wave x, const double direction[2])
-{
-    return x.a * direction[0] + x.b * direction[1];
-}
-
-/* The direction of a row that stays; 0 if it does not. */
-static int direction_of(const pm_workspace *w, const pm_row *row, double n[2])
-{
-    n[0] = n[1] = 0;
-    if (row->drive != PM_NONE) return 0;
-    switch (row->kind) {
-    case PM_ROW_ANGLE: return 1;
-    case PM_ROW_POINT_X: n[0] = 1; return 1;
-    case PM_ROW_POINT_Y: n[1] = 1; return 1;
-    case PM_ROW_LINE_NORMAL:
-        n[0] = -row->axis[1];
-        n[1] = row->axis[0];
-        return row->body[1] == w->model->nbody;
-    default: return 0;
-    }
-}
-
-/* What moves one of a row's marks. */
-static void add_side(const pm_workspace *w, const pm_row *row, int side, const double n[2], pm_swift_row *x)
-{
-    const pm_tree *t = w->tree;
-    const pm_turning *a = &t->turning;
-    const int body = row->body[side];
-    const double sign = side == 0 ? 1 : -1, *mark = side == 0 ? row->a : row->b;
-    x->turning[side] = PM_NONE;
-    if (body == w->model->nbody) return;
-    const double *im = w->inverse_mass + 3 * body;
-    const pm_tree_node *node = &t->node[t->placed[body] - 1];
-    const pm_point p = pm_point_at(w, body, mark[0], mark[1]);
-    x->square += n[0] * n[0] * im[0] + n[1] * n[1] * im[1];
-    for (int i = node->list; i < node->list + node->nlist; i++) {
-        const int k = t->moved_by[i], turns = t->influence[3 * i + 2] != 0;
-        const double *e = a->fixed + 2 * k, *b = t->influence + 3 * i, *direction = a->direction + 2 * k;
-        double lever[2] = {b[1] - e[1], e[0] - b[0]};
-        x->shift[k] += sign * (n[0] * e[0] + n[1] * e[1]);
-        if (turns) {
-            lever[0] += p.r[0];
-            lever[1] += p.r[1];
-            x->turning[side] = k;
-            x->lever[side] = wave_of(n, p.r, direction);
-            x->inverse_inertia[side] = im[2];
-            if (row->kind == PM_ROW_ANGLE) x->shift[k] += sign;
-        }
-        add_wave(&x->wave[k], sign, wave_of(n, lever, direction));
-    }
-    if (row->kind == PM_ROW_ANGLE) x->square += im[2];
-}
-
-static int read_row(const pm_workspace *w, const double *y, pm_row *row, pm_swift_row *x)
-{
-    double n[2];
-    if (!direction_of(w, row, n)) return 0;
-    pm_row_kind(row->kind)->evaluate(w, row);
-    memset(x, 0, sizeof *x);
-    for (int side = 0; side < 2; side++) add_side(w, row, side, n, x);
-    x->constant = row->g;
-    for (int k = 0; k < w->tree->n; k++)
-        x->constant -= x->shift[k] * y[k] + value_of(x->wave[k], w->tree->turning.direction + 2 * k);
-    return 1;
-}
-
-static void read_sums(const pm_workspace *w, pm_swift *x)
-{
-    const pm_turning *a = &w->tree->turning;
-    const int n = w->tree->n;
-    for (int i = 0; i < n; i++)
-        for (int k = 0; k <= i; k++) {
-            const int at = i * n + k;
-            const double *e = a->fixed + 2 * i, *f = a->fixed + 2 * k, *p = a->lower + 2 * at,
-                         *q = a->upper + 2 * at;
-            x->same[i][k] = a->same[at];
-            x->cross[i][k] = a->cross[at];
-            x->level[i][k] = a->level[at];
-            x->fixed[k][i] = (pm_swift_wave){f[0] * q[0] + f[1] * q[1], f[1] * q[0] - f[0] * q[1]};
-            x->fixed[i][k] = (pm_swift_wave){e[0] * p[0] + e[1] * p[1], e[1] * p[0] - e[0] * p[1]};
-        }
-    for (int i = 0; i < n; i++) {
-        const double *p = a->upper + 2 * (i * n + i);
-        x->weight[i] = a->weight[i];
-        x->turned_weight[i].a = w->gravity[1] * p[0] - w->gravity[0] * p[1];
-        x->turned_weight[i].b = -w->gravity[1] * p[1] - w->gravity[0] * p[0];
-        x->turns[i] = a->owner[i] != PM_NONE;
-    }
-    x->shifts = a->shifts;
-}
-
-void pm_swift_sum_up(pm_workspace *w)
-{
-    pm_tree *t = w->tree;
-    pm_swift *x = t->swift;
-    x->n = t->n;
-    x->nloop = t->nloop;
-    x->on = t->turning.on && !t->turning.forced && t->n > 0 && t->n <= MOST && t->nloop < t->n;
-    if (!x->on) return;
-    double y[MOST];
-    pm_tree_read(w, y);
-    pm_tree_influence(w);
-    for (int i = 0; i < t->nloop && x->on; i++) x->on = read_row(w, y, &w->row[t->loop[i]], &x->row[i]);
-    if (!x->on) return;
-    read_sums(w, x);
-    for (int k = 0; k < t->n; k++) x->y[k] = NAN;
-    pm_swift_refer(w, y);
-}
 
 int pm_swift_applies(const pm_workspace *w)
 {
@@ -165,37 +38,60 @@ void pm_swift_refer(pm_workspace *w, const double *y)
     pm_swift *x = w->tree->swift;
     for (int k = 0; k < x->n; k++) {
         if (x->y[k] == y[k]) continue;
+        const double *pose = w->frame.pose + 5 * x->owner[k];
+        const int there = x->owner[k] != PM_NONE && pose[2] == y[k];
         x->y[k] = y[k];
-        x->direction[k][0] = x->turns[k] ? cos(y[k]) : 1;
-        x->direction[k][1] = x->turns[k] ? sin(y[k]) : 0;
+        x->cosine[k] = x->owner[k] == PM_NONE ? 1 : there ? pose[3] : cos(y[k]);
+        x->sine[k] = x->owner[k] == PM_NONE ? 0 : there ? pose[4] : sin(y[k]);
     }
 }
 
-/* Cosine and sine of y_k. */
-INLINE void direct(const pm_swift *x, int k, double y, double direction[2])
+/* Cosine and sine of a body's direction. */
+typedef struct pm_swift_direction {
+    double c, s;
+} pm_swift_direction;
+
+/* Two numbers that a processor handles at once. */
+typedef double pm_pair __attribute__((vector_size(2 * sizeof(double))));
+
+INLINE pm_pair pair_of(const double *from)
 {
-    const double by = y - x->y[k], z = by * by, *from = x->direction[k];
-    if (!x->turns[k]) {
-        direction[0] = 1;
-        direction[1] = 0;
-    } else if (!(z < CLOSE * CLOSE)) {
-        direction[0] = cos(y);
-        direction[1] = sin(y);
-    } else {
-        const double z2 = z * z, z4 = z2 * z2;
-        const double sine = by + by * z *
-                                     (-1. / 6 + z * (1. / 120) + z2 * (-1. / 5040 + z * (1. / 362880)) +
-                                      z4 * (-1. / 39916800 + z * (1. / 6227020800)));
-        const double drop = z * (-1. / 2 + z * (1. / 24) + z2 * (-1. / 720 + z * (1. / 40320)) +
-                                 z4 * (-1. / 3628800 + z * (1. / 479001600) - z2 * (1. / 87178291200)));
-        direction[0] = from[0] + (from[0] * drop - from[1] * sine);
-        direction[1] = from[1] + (from[1] * drop + from[0] * sine);
+    pm_pair x;
+    memcpy(&x, from, sizeof x);
+    return x;
+}
+
+/* Of two coordinates, y from x->y at k, which are close to those. */
+INLINE void turn_by(const pm_swift *x, int k, pm_pair by, pm_swift_direction *to)
+{
+    const pm_pair z = by * by, z2 = z * z, z4 = z2 * z2, c = pair_of(x->cosine + k), s = pair_of(x->sine + k);
+    const pm_pair sine = by + by * z *
+                                  (-1. / 6 + z * (1. / 120) + z2 * (-1. / 5040 + z * (1. / 362880)) +
+                                   z4 * (-1. / 39916800 + z * (1. / 6227020800)));
+    const pm_pair drop = z * (-1. / 2 + z * (1. / 24) + z2 * (-1. / 720 + z * (1. / 40320)) +
+                              z4 * (-1. / 3628800 + z * (1. / 479001600) - z2 * (1. / 87178291200)));
+    const pm_pair cosine = c + (c * drop - s * sine), with = s + (s * drop + c * sine);
+    for (int i = 0; i < 2; i++) to[k + i] = (pm_swift_direction){cosine[i], with[i]};
+}
+
+/* Of all coordinates y, and of what follows them up to the next even number. */
+INLINE void direct(const pm_swift *x, int n, const double *y, pm_swift_direction *to)
+{
+    for (int k = 0; k < n; k += 2) {
+        const pm_pair by = (pair_of(y + k) - pair_of(x->y + k)) * pair_of(x->turning + k);
+        if (by[0] < CLOSE && by[0] > -CLOSE && (k + 1 == n || (by[1] < CLOSE && by[1] > -CLOSE))) {
+            turn_by(x, k, by, to);
+            continue;
+        }
+        for (int i = k; i < k + 2 && i < n; i++)
+            to[i] = x->owner[i] == PM_NONE ? (pm_swift_direction){1, 0}
+                                           : (pm_swift_direction){cos(y[i]), sin(y[i])};
     }
 }
 
 /* ---- the equations, written out for each n and nloop ---- */
 typedef struct pm_swift_place {
-    double direction[MOST][2];
+    pm_swift_direction direction[MOST];
     double mass[MOST][MOST];    /* its lower triangle; factored L, the diagonal of D^-1 */
     double reduced[MOST][MOST]; /* X */
     double schur[MOST][MOST];   /* like mass */
@@ -203,19 +99,13 @@ typedef struct pm_swift_place {
 
 INLINE void look(const pm_swift *x, int n, const double *y, pm_swift_place *p)
 {
-    for (int k = 0; k < n; k++) direct(x, k, y[k], p->direction[k]);
+    direct(x, n, y, p->direction);
 }
 
 /* How a wave changes with its angle. */
-INLINE double slope(const pm_swift_wave *x, const double direction[2])
-{
-    return x->b * direction[0] - x->a * direction[1];
-}
+INLINE double slope(const pm_swift_wave *x, pm_swift_direction at) { return x->b * at.c - x->a * at.s; }
 
-INLINE double height(const pm_swift_wave *x, const double direction[2])
-{
-    return x->a * direction[0] + x->b * direction[1];
-}
+INLINE double height(const pm_swift_wave *x, pm_swift_direction at) { return x->a * at.c + x->b * at.s; }
 
 /* J_k */
 INLINE double jacobian(const pm_swift_row *row, int k, const pm_swift_place *p)
@@ -227,14 +117,13 @@ INLINE double jacobian(const pm_swift_row *row, int k, const pm_swift_place *p)
 INLINE void equations(const pm_swift *x, int n, const double *square, pm_swift_place *p, double *f)
 {
     for (int i = 0; i < n; i++) {
-        const double *r = p->direction[i];
-        if (square) f[i] = x->weight[i] + height(&x->turned_weight[i], r);
+        if (square) f[i] = x->weight[i] + height(&x->turned_weight[i], p->direction[i]);
         p->mass[i][i] = x->level[i][i] + x->same[i][i];
     }
     for (int i = 1; i < n; i++)
         for (int k = 0; k < i; k++) {
-            const double *r = p->direction[i], *u = p->direction[k];
-            const double c = r[0] * u[0] + r[1] * u[1], s = r[1] * u[0] - r[0] * u[1];
+            const pm_swift_direction r = p->direction[i], u = p->direction[k];
+            const double c = r.c * u.c + r.s * u.s, s = r.s * u.c - r.c * u.s;
             p->mass[i][k] = x->level[i][k] + x->same[i][k] * c + x->cross[i][k] * s;
             if (!square) continue;
             const double beside = x->cross[i][k] * c - x->same[i][k] * s;
@@ -422,23 +311,26 @@ INLINE int solve_along(pm_workspace *w, int n, pm_swift_place *p, const double *
     return PM_OK;
 }
 
-INLINE int accelerate(pm_workspace *w, int n, int nloop, const double *y, const double *ydot, double *yddot)
+INLINE int derivative(pm_workspace *w, int n, int nloop, const double *y, double *rate)
 {
     const pm_swift *x = w->tree->swift;
     pm_swift_place p;
     double square[MOST], gamma[MOST], f[MOST];
     look(x, n, y, &p);
-    for (int k = 0; k < n; k++) square[k] = x->turns[k] ? ydot[k] * ydot[k] : 0;
+    for (int k = 0; k < n; k++) {
+        rate[k] = y[n + k];
+        square[k] = x->turning[k] * y[n + k] * y[n + k];
+    }
     equations(x, n, square, &p, f);
     for (int i = 0; i < nloop; i++) {
         gamma[i] = 0;
         for (int k = 0; k < n; k++) gamma[i] += square[k] * height(&x->row[i].wave[k], p.direction[k]);
     }
-    if (n <= 3 && nloop == n - 1) return solve_along(w, n, &p, gamma, f, yddot);
+    if (n <= 3 && nloop == n - 1) return solve_along(w, n, &p, gamma, f, rate + n);
     const int status = factor_all(w, x, n, nloop, &p);
     if (status) return status;
     solve(n, nloop, &p, gamma, f);
-    for (int k = 0; k < n; k++) yddot[k] = f[k];
+    for (int k = 0; k < n; k++) rate[n + k] = f[k];
     return PM_OK;
 }
 
@@ -511,9 +403,9 @@ INLINE int project(pm_workspace *w, int n, int nloop, double *y, double *ydot)
     default: return CALL(w->tree->swift->n, w->tree->swift->nloop); \
     }
 
-int pm_swift_accelerate(pm_workspace *w, const double *y, const double *ydot, double *yddot)
+int pm_swift_derivative(pm_workspace *w, const double *y, double *rate)
 {
-#define CALL(N, NLOOP) accelerate(w, N, NLOOP, y, ydot, yddot)
+#define CALL(N, NLOOP) derivative(w, N, NLOOP, y, rate)
     EACH(CALL)
 #undef CALL
 }

@@ -32,10 +32,11 @@ typedef struct pm_swift {
     pm_swift_wave fixed[PM_SWIFT_MOST][PM_SWIFT_MOST]; /* e_i . R_k d_k, summed */
     double weight[PM_SWIFT_MOST];
     pm_swift_wave turned_weight[PM_SWIFT_MOST];
-    int turns[PM_SWIFT_MOST];
+    int owner[PM_SWIFT_MOST];      /* the body whose direction it is, or PM_NONE */
+    double turning[PM_SWIFT_MOST]; /* 1, or 0 where it turns nothing */
     pm_swift_row row[PM_SWIFT_MOST - 1];
     /* where directions were computed last */
-    double y[PM_SWIFT_MOST], direction[PM_SWIFT_MOST][2];
+    double y[PM_SWIFT_MOST], cosine[PM_SWIFT_MOST], sine[PM_SWIFT_MOST];
 } pm_swift;
 
 /* Once a phase, after pm_tree_sum_up, where the frame looks and the loop rows are evaluated. */
@@ -44,8 +45,8 @@ void pm_swift_sum_up(pm_workspace *w);
 int pm_swift_applies(const pm_workspace *w);
 /* Directions are computed at y; near it they are turned on from there. */
 void pm_swift_refer(pm_workspace *w, const double *y);
-/* Accelerations yddot[n] at (y, ydot); the frame stays where it is. */
-int pm_swift_accelerate(pm_workspace *w, const double *y, const double *ydot, double *yddot);
+/* Of y[2 n], coordinates and their rates: rates and accelerations.  The frame stays where it is. */
+int pm_swift_derivative(pm_workspace *w, const double *y, double *rate);
 /* pm_tree_project without the last look. */
 int pm_swift_project(pm_workspace *w, double *y, double *ydot);
 

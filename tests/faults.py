@@ -1097,15 +1097,19 @@ FAULTS = [
     Fault("rk: summed weights", "tree_turning.c", "w->gravity[1] * p[0] -", "w->gravity[1] * p[0] +"),
     Fault("rk: summed centrifugal forces", "tree_turning.c", "x[k] -= a->square", "x[k] += a->square"),
     Fault("swift: centrifugal forces", "tree_swift.c", "f[k] -= square[i]", "f[k] += square[i]"),
-    Fault("swift: weights", "tree_swift.c", "= -w->gravity[1] * p[1]", "= w->gravity[1] * p[1]"),
+    Fault("swift: weights", "tree_swift_sums.c", "= -w->gravity[1] * p[1]", "= w->gravity[1] * p[1]"),
     Fault("swift: gamma", "tree_swift.c", "gamma[i] += square[k]", "gamma[i] -= square[k]"),
     Fault("swift: a series is too short", "tree_swift.c", "- z2 * (1. / 87178291200)", ""),
-    Fault("swift: a series is used far away", "tree_swift.c", "!(z < CLOSE * CLOSE)", "!(z < 9 * CLOSE)"),
-    Fault("swift: a mark that does not turn", "tree_swift.c", "lever[1] += p.r[1];", ""),
-    Fault("swift: a row between two angles", "tree_swift.c", "x->shift[k] += sign;", "x->shift[k] += 1;"),
+    Fault("swift: a series is used far away", "tree_swift.c", "by[0] > -CLOSE", "by[0] > -9 * CLOSE"),
+    Fault("swift: a mark that does not turn", "tree_swift_sums.c", "lever[1] += p.r[1];", ""),
+    Fault(
+        "swift: a row between two angles", "tree_swift_sums.c", "x->shift[k] += sign;", "x->shift[k] += 1;"
+    ),
     Fault("swift: shifted masses", "tree_swift.c", "p->mass[i][i] += 2 * more", "p->mass[i][i] += more"),
     Fault("swift: a cofactor", "tree_swift.c", "- m[0][0] * m[2][1]", "+ m[0][0] * m[2][1]"),
-    Fault("swift: any moving line", "tree_swift.c", "return row->body[1] == w->model->nbody;", "return 1;"),
+    Fault(
+        "swift: any moving line", "tree_swift_sums.c", "return row->body[1] == w->model->nbody;", "return 1;"
+    ),
     Fault(
         "swift: rates keep off the rows", "tree_swift.c", "opening[i] -= jacobian", "opening[i] += jacobian"
     ),
