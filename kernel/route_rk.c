@@ -160,8 +160,8 @@ static inline pm_pair load(const double *from)
 static inline void store(double *to, pm_pair x) { memcpy(to, &x, sizeof x); }
 
 /* y = y0 + h sum_k weight[k] stage[k] for the first n of `stride` entries; k is 0 and from .. to - 1. */
-static void combine(int n, int stride, const double *y0, double h, const double *weight, int from, int to,
-                    const double *stage, double *y)
+static inline void combine(int n, int stride, const double *y0, double h, const double *weight, int from,
+                           int to, const double *stage, double *y)
 {
     int i = 0;
     for (; i + 4 <= n; i += 4) {
@@ -186,10 +186,13 @@ static void combine(int n, int stride, const double *y0, double h, const double 
 static int stages(pm_workspace *w, double h, double *k, double *y)
 {
     struct pm_rk *r = w->rk;
+    const int swift = r->swift;
     for (int s = 1; s < STAGES; s++) {
         combine(r->controlled, r->all, r->y0, h, stage_weight[s], stage_from[s], s, k, y);
-        const int status =
-            derivative(w, r->t0 + stage_time[s] * h, y, r->ledger && step_weight[s] != 0, k + s * r->all);
+        const int with_ledger = r->ledger && step_weight[s] != 0;
+        const int status = swift && !with_ledger
+                               ? pm_swift_derivative(w, y, k + s * r->all)
+                               : derivative(w, r->t0 + stage_time[s] * h, y, with_ledger, k + s * r->all);
         if (status) return status;
     }
     const int n = r->ledger ? r->all : r->controlled;
@@ -201,15 +204,18 @@ static int stages(pm_workspace *w, double h, double *k, double *y)
 /* Sum of the squares of scale times sum_k weight[k] stage[k]; k is 0 and STEP_FROM .. STAGES - 1. */
 static double error_square(const struct pm_rk *r, const double *weight)
 {
-    double sum = 0;
-    for (int i = 0; i < r->controlled; i++) {
-        const double *k = r->k + STEP_FROM * r->all + i;
-        double e = weight[0] * r->k[i];
-        for (int s = STEP_FROM; s < STAGES; s++, k += r->all) e += weight[s] * *k;
-        e *= r->scale[i];
+    const int n = r->controlled;
+    pm_pair sum = {0, 0};
+    for (int i = 0; i < n; i += 2) {
+        const double *k =
+            r->k + STEP_FROM * r->all + i; /* one number more than there are is read, not used */
+        pm_pair e = weight[0] * load(r->k + i);
+        for (int s = STEP_FROM; s < STAGES; s++, k += r->all) e += weight[s] * load(k);
+        e *= load(r->scale + i);
+        if (i + 1 == n) e[1] = 0;
         sum += e * e;
     }
-    return sum;
+    return sum[0] + sum[1];
 }
 
 static double error_norm(const pm_workspace *w, double h)
@@ -219,6 +225,8 @@ static double error_norm(const pm_workspace *w, double h)
     return sum5 == 0 ? 0
                      : fabs(h) * sum5 / sqrt((sum5 + 0.01 * error_square(r, error_weight_3)) * r->controlled);
 }
+
+static inline double greater(double a, double b) { return a > b ? a : b; }
 
 /* x^(-1/8) */
 static double eighth_root_of_inverse(double x) { return 1 / sqrt(sqrt(sqrt(x))); }
@@ -261,21 +269,28 @@ static int begin(pm_workspace *w)
     return PM_OK;
 }
 
-/* In which a body turns by about 1. */
-static double turning_time(const pm_workspace *w)
+/* In which a body turns by about 1: of rates and accelerations k[2 n] of the coordinates, or of the bodies in the frame. */
+static double turning_time(const pm_workspace *w, const double *k)
 {
-    double rate = 0;
-    for (int i = 2; i < w->model->nq; i += 3)
-        rate = fmax(rate, fmax(fabs(w->state.v[i]), sqrt(fabs(w->frame.a[i]))));
-    return w->coarse / rate;
+    const int n = w->rk->n;
+    double square = 0;
+    for (int i = 0; w->rk->swift && i < n; i++)
+        if (pm_tree_is_angle(w, i)) square = greater(square, greater(k[i] * k[i], fabs(k[n + i])));
+    for (int i = 2; !w->rk->swift && i < w->model->nq; i += 3)
+        square = greater(square, greater(w->state.v[i] * w->state.v[i], fabs(w->frame.a[i])));
+    return w->coarse / sqrt(square);
 }
 
-/* At the frame, which knows the accelerations. */
-static void set_times(pm_workspace *w)
+static int is_sampled(const pm_workspace *w) { return w->event->nfunction > 0 || w->ask->nobserver > 0; }
+
+/* Where the derivative is k; where steps are sampled the frame knows the accelerations. */
+static void set_times(pm_workspace *w, const double *k)
 {
-    w->rk->own = pm_case_time_scale(w, w->state.v, w->frame.a);
-    w->rk->turning = turning_time(w);
-    w->rk->meeting = w->event->nfunction > 0 ? pm_clear_time(w) : INFINITY;
+    struct pm_rk *r = w->rk;
+    r->turning = turning_time(w, k);
+    if (!is_sampled(w)) return;
+    r->own = pm_case_time_scale(w, w->state.v, w->frame.a);
+    r->meeting = w->event->nfunction > 0 ? pm_clear_time(w) : INFINITY;
 }
 
 /* A step that is sampled for events or extremes may not outrun the motion, even where the formula would be exact, and not
@@ -283,7 +298,7 @@ static void set_times(pm_workspace *w)
  * of impulses, which does not choose the steps, is their integral. */
 static double longest_step(const pm_workspace *w)
 {
-    if (w->event->nfunction > 0 || w->ask->nobserver > 0) return fmin(w->rk->own, w->rk->meeting);
+    if (is_sampled(w)) return fmin(w->rk->own, w->rk->meeting);
     return w->nactive > 0 ? w->rk->turning : INFINITY;
 }
 
@@ -334,14 +349,16 @@ static int samples_ledger(const pm_workspace *w)
     return !r->level.kept || (w->count[PM_COUNT_STEPS] - r->first) % LEDGER_STEPS == 0;
 }
 
-/* The derivative at the end of a step, for the next one; accelerations of the bodies in the frame, which looks there. */
+/* The derivative at the end of a step, for the next one; what accelerations of the bodies are wanted in the frame, which
+ * looks there. */
 static int last_stage(pm_workspace *w)
 {
     struct pm_rk *r = w->rk;
     double *k = r->k + STAGES * r->all;
     if (samples_ledger(w)) return derivative_here(w, r->now, 1, k);
     const int status = r->swift ? derivative(w, w->state.t, r->now, 0, k) : derivative_here(w, r->now, 0, k);
-    if (!status && !w->tree->few) pm_tree_spread_accelerations(w, k + r->n, w->frame.a);
+    const int wanted = !r->swift || is_sampled(w); /* by set_times */
+    if (!status && wanted && !w->tree->few) pm_tree_spread_accelerations(w, k + r->n, w->frame.a);
     return status;
 }
 
@@ -357,7 +374,7 @@ static int accept(pm_workspace *w, double t)
     pm_body_momentum(w, PM_NONE, r->momentum_now);
     w->count[PM_COUNT_STEPS]++;
     if ((status = last_stage(w))) return status;
-    set_times(w);
+    set_times(w, r->k + STAGES * r->all);
     r->dense_ready = 0;
     w->step_begin = r->t0;
     w->step_end = r->end = t;
@@ -376,9 +393,9 @@ static int first_stage(pm_workspace *w)
     const int status = derivative(w, r->t0, r->y0, 1, r->k);
     if (status) return status;
     r->k0_ready = 1;
-    set_times(w);
+    set_times(w, r->k);
     const double part = w->singular ? OVER : eighth_root_of_inverse(1 / w->tolerance);
-    if (r->next == 0) r->next = fmin(r->own, 1e3) * part;
+    if (r->next == 0) r->next = fmin(pm_case_time_scale(w, w->state.v, w->frame.a), 1e3) * part;
     return PM_OK;
 }
 
