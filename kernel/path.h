@@ -44,6 +44,15 @@ typedef struct pm_bridge {
     double *y, *slope, *bend;      /* [n] scratch: where the polynomial is read */
 } pm_bridge;
 
+/* path_clock.c: what only the nodes decide. */
+enum { PM_CLOCK_FINE = PM_NODES_CLOCK - 1 };
+typedef struct pm_clock_table {
+    double weight_9[9][PM_CLOCK_FINE - 8],
+        below_9[PM_CLOCK_FINE - 8]; /* barycentric, at the nodes between, and their sums */
+    double weight_17[17][PM_CLOCK_FINE - 16], below_17[PM_CLOCK_FINE - 16];
+    double cosine[PM_CLOCK_FINE / 2 + 1][PM_NODES_CLOCK]; /* of a node's multiples, even ones first */
+} pm_clock_table;
+
 typedef struct pm_path {
     int n;         /* tree coordinates of the phase */
     int driver;    /* the one that is the path parameter u */
@@ -59,8 +68,9 @@ typedef struct pm_path {
     double t0;                     /* time at the begin of the step */
     double tail;                   /* of the clock of the step that was tried before */
     double series[PM_NODES_CLOCK]; /* Chebyshev coefficients of the smooth part of dt/du (path_clock.c) */
-    int terms;                     /* of them: how many matter */
-    const pm_nodes *nodes;         /* of the step: its node k is node[k * every] */
+    pm_clock_table table;
+    int terms;             /* of them: how many matter */
+    const pm_nodes *nodes; /* of the step: its node k is node[k * every] */
     int every;
     double safe; /* length up to which steps are taken even if their nodes do not resolve what is sampled */
     double most; /* length that the nodes of the last steps resolved; INFINITY: any did */

@@ -13,7 +13,7 @@
 
 #include "series.h"
 
-#define FINE (PM_NODES_CLOCK - 1)
+#define FINE PM_CLOCK_FINE
 #define NOISE 1e-6 /* a tail below it that no halving makes smaller is rounding */
 #define GAINS \
     0.5 /* of the tail with fewer nodes, or over a longer step: it is smaller where it is no rounding */
@@ -29,27 +29,65 @@ static double slowness(const pm_path *p, int node)
     return distance > 0 ? x->kinetic / distance : fabs(x->force) * p->h;
 }
 
+/* ---- tables ---- */
+/* How many fine nodes are no coarse ones, and which fine node number i of them is. */
+static int between(const pm_nodes *nodes) { return FINE - (nodes->n - 1); }
+
+static int node_between(const pm_nodes *nodes, int i)
+{
+    const int every = FINE / (nodes->n - 1);
+    return i / (every - 1) * every + 1 + i % (every - 1);
+}
+
+/* The barycentric weights of the coarse nodes at the fine ones between them. */
+static void fill_weights(const pm_nodes *nodes, double *weight, double *below)
+{
+    const int last = nodes->n - 1;
+    for (int k = 0; k <= last; k++)
+        for (int i = 0; i < between(nodes); i++, weight++) {
+            const double s = 0.5 * (1 - pm_nodes_cosine[node_between(nodes, i)]);
+            *weight = (k % 2 ? -1 : 1) * (k == 0 || k == last ? 0.5 : 1) / (s - nodes->at[k]);
+            below[i] += *weight;
+        }
+}
+
+/* cos(pi j k / FINE), k even first, then odd. */
+static void fill_cosines(double *cosine)
+{
+    for (int j = 0; j <= FINE / 2; j++)
+        for (int odd = 0; odd < 2; odd++)
+            for (int k = odd; k <= FINE; k += 2) *cosine++ = pm_nodes_cosine[j * k % (2 * FINE)];
+}
+
+void pm_clock_fill_table(pm_clock_table *x)
+{
+    fill_weights(&pm_nodes_9, x->weight_9[0], x->below_9);
+    fill_weights(&pm_nodes_17, x->weight_17[0], x->below_17);
+    fill_cosines(x->cosine[0]);
+}
+
+/* ---- g ---- */
 /* g at its nodes, from the polynomials through mass and T; 0 if T vanishes between the nodes. */
 static int expand(const pm_path *p, const double *mass, const double *kinetic, double *g)
 {
     const pm_nodes *nodes = p->nodes;
-    const int last = nodes->n - 1, every = FINE / last;
-    for (int j = 0; j <= FINE; j++) {
-        double m = mass[j / every], t = kinetic[j / every];
-        if (j % every != 0) {
-            double below = m = t = 0;
-            for (int k = 0; k <= last; k++) {
-                const double c = (k % 2 ? -1 : 1) * (k == 0 || k == last ? 0.5 : 1) /
-                                 (0.5 * (1 - pm_nodes_cosine[j]) - nodes->at[k]);
-                m += c * mass[k];
-                t += c * kinetic[k];
-                below += c;
-            }
-            m /= below;
-            t /= below;
+    const int last = nodes->n - 1, every = FINE / last, n = between(nodes), many = every == 2;
+    const double *weight = many ? p->table.weight_17[0] : p->table.weight_9[0];
+    const double *below = many ? p->table.below_17 : p->table.below_9;
+    double m[FINE] = {0}, t[FINE] = {0};
+    for (int k = 0; k <= last; k++, weight += n) {
+        if (!(kinetic[k] > 0 && mass[k] > 0)) return 0;
+        g[every * k] = sqrt(0.5 * mass[k] / kinetic[k]);
+        for (int i = 0; i < n; i++) {
+            m[i] += weight[i] * mass[k];
+            t[i] += weight[i] * kinetic[k];
         }
-        if (!(t > 0 && m > 0)) return 0;
-        g[j] = sqrt(0.5 * m / t);
+    }
+    for (int i = 0; i < n; i++) {
+        m[i] /= below[i];
+        t[i] /= below[i];
+        if (!(t[i] > 0 && m[i] > 0)) return 0;
+        g[node_between(nodes, i)] = sqrt(0.5 * m[i] / t[i]);
     }
     return 1;
 }
@@ -58,17 +96,17 @@ static int expand(const pm_path *p, const double *mass, const double *kinetic, d
  * cosines. */
 static double transform(pm_path *p, const double *g)
 {
-    double part[2][FINE / 2], greatest = 0;
+    enum { EVEN = FINE / 2 + 1 };
+    double sum[FINE + 1], greatest = 0;
+    for (int k = 0; k <= FINE; k++) sum[k] = g[FINE / 2] * p->table.cosine[FINE / 2][k];
     for (int j = 0; j < FINE / 2; j++) {
-        const double half = j == 0 ? 0.5 : 1;
-        part[0][j] = half * (g[FINE - j] + g[j]);
-        part[1][j] = half * (g[FINE - j] - g[j]);
+        const double half = j == 0 ? 0.5 : 1, *cosine = p->table.cosine[j];
+        const double even = half * (g[FINE - j] + g[j]), odd = half * (g[FINE - j] - g[j]);
+        for (int k = 0; k < EVEN; k++) sum[k] += even * cosine[k];
+        for (int k = EVEN; k <= FINE; k++) sum[k] += odd * cosine[k];
     }
     for (int k = 0; k <= FINE; k++) {
-        const double *y = part[k % 2];
-        double sum = g[FINE / 2] * pm_nodes_cosine[FINE / 2 * k % (2 * FINE)];
-        for (int j = 0; j < FINE / 2; j++) sum += y[j] * pm_nodes_cosine[j * k % (2 * FINE)];
-        p->series[k] = (k == 0 || k == FINE ? 1.0 : 2.0) / FINE * sum;
+        p->series[k] = (k == 0 || k == FINE ? 1.0 : 2.0) / FINE * sum[k % 2 ? EVEN + k / 2 : k / 2];
         greatest = fmax(greatest, fabs(p->series[k]));
     }
     const double tail = fmax(fabs(p->series[FINE]), fabs(p->series[FINE - 1])) / greatest;

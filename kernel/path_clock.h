@@ -4,6 +4,8 @@
 
 #include "path.h"
 
+/* The table of a path that has been created; all zero before. */
+void pm_clock_fill_table(pm_clock_table *table);
 /* Makes the clock of a step whose nodes are filled; 0 if they do not resolve it: its highest coefficients exceed `most`. */
 int pm_clock_set(pm_path *p, int clock, double most);
 /* Time at the fraction s of the step. */

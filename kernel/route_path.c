@@ -73,6 +73,7 @@ static int create(pm_workspace *w)
     for (int k = 0; k < PM_NODES_MOST; k++) block = carve(m, &p->node[k], block);
     block = carve(m, &p->spare, block);
     block = carve(m, &p->begin, block);
+    pm_clock_fill_table(&p->table);
     p->loop = block;
     p->work = p->loop + n * n;
     p->weight = p->work + nz;
