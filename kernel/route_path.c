@@ -272,15 +272,18 @@ static void set_turn(pm_workspace *w)
     for (int i = 0; i < w->model->nq; i++) w->turn[i] = rate * x->tangent[i];
 }
 
-/* The node at x, or p->spare. */
+/* The node at x, or p->spare.  Nodes are mostly looked at in their order. */
 static int place_at(pm_workspace *w, double x, const pm_place **place)
 {
     pm_path *p = w->path;
-    for (int k = 0; k < p->nodes->n; k++)
-        if (x == p->h * p->nodes->at[k]) {
-            *place = pm_path_node(p, k);
-            return PM_OK;
-        }
+    const int n = p->nodes->n;
+    for (int i = 0, k = p->looked_at; i < n; i++) {
+        k = k + 1 < n ? k + 1 : 0;
+        if (x != p->h * p->nodes->at[k]) continue;
+        p->looked_at = k;
+        *place = pm_path_node(p, k);
+        return PM_OK;
+    }
     *place = &p->spare;
     return pm_path_inside(w, x / p->h);
 }

@@ -78,14 +78,30 @@ static void find_envelope(pm_workspace *w)
     }
 }
 
+/* x . y, three of each */
+static double product(const double *x, const double *y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; }
+
 /* S = G M^-1 G^T within its envelope. */
 static void fill_symmetric(pm_workspace *w)
 {
-    const int n = w->nactive;
+    const int n = w->nactive, ground = w->model->nbody;
     find_envelope(w);
-    for (int i = 0; i < n; i++)
-        for (int k = w->pivot[i]; k <= i; k++)
-            w->schur[i * n + k] = coupled(w, &w->row[i], w->row[i].j, &w->row[k], w->row[k].j);
+    for (int i = 0; i < n; i++) {
+        const pm_row *row = &w->row[i];
+        const int a = row->body[0], b = row->body[1];
+        double ja[3] = {0}, jb[3] = {0}, *to = w->schur + i * n; /* in the metric; nothing on the ground */
+        for (int k = 0; k < 3 && a != ground; k++) ja[k] = row->j[k] * w->inverse_mass[3 * a + k];
+        for (int k = 0; k < 3 && b != ground; k++) jb[k] = row->j[3 + k] * w->inverse_mass[3 * b + k];
+        for (int k = w->pivot[i]; k <= i; k++) {
+            const pm_row *other = &w->row[k];
+            double sum = 0;
+            if (a == other->body[0]) sum += product(ja, other->j);
+            if (a == other->body[1]) sum += product(ja, other->j + 3);
+            if (b == other->body[0]) sum += product(jb, other->j);
+            if (b == other->body[1]) sum += product(jb, other->j + 3);
+            to[k] = sum;
+        }
+    }
 }
 
 double pm_saddle_independence(pm_workspace *w)

@@ -58,7 +58,10 @@ double pm_series_tail(const pm_nodes *nodes, const double *value)
     const int n = nodes->n;
     const double high = fmax(fabs(times(nodes->last, value, n)), fabs(times(nodes->last + n, value, n)));
     double size = 0;
-    for (int k = 0; k < n; k++) size = fmax(size, fabs(value[k]));
+    for (int k = 0; k < n; k++) {
+        const double one = fabs(value[k]);
+        if (one > size) size = one;
+    }
     return size > 0 ? high / size : 0;
 }
 
