@@ -24,10 +24,12 @@
 #define UNTOLD 10.0    /* times these coefficients: how far the value may be from the polynomial */
 #define PEAK_STEP 1e-4 /* of the step: distance of the differences that make the rate next to an extreme */
 #define SLOPE_TAIL 2.0 /* times the degree and the highest coefficients: error of a polynomial's slope */
-#define PEAK_STEPS 6   /* of Newton's method to an extreme */
-#define PEAK_GAIN 1e-15 /* of the value's size: a step that would gain less is not taken */
-#define LEVEL 1e-14     /* of a value's size: so little spread is rounding */
-#define ON_GRID 1e-9    /* relative: a grid value met at the very start or end of the run */
+#define BESIDE 3e-6    /* of the step: from near an extreme to the second place that tells where it is */
+#define BEND_NOISE 1e-14 /* of the value's size: what rounding makes of a second difference */
+#define PEAK_STEPS 6     /* of Newton's method to an extreme */
+#define PEAK_GAIN 1e-15  /* of the value's size: a step that would gain less is not taken */
+#define LEVEL 1e-14      /* of a value's size: so little spread is rounding */
+#define ON_GRID 1e-9     /* relative: a grid value met at the very start or end of the run */
 
 int pm_ask_create(pm_workspace *w)
 {
@@ -116,8 +118,8 @@ int pm_ask_watched(const pm_workspace *w, int i)
     return watched_program(PM_ASK_ROW(w->model, w->ask->observer[i]));
 }
 
-/* Takes a value of a watched extreme at the frame. */
-static void offer(pm_workspace *w, int ask, double value)
+/* Takes a value of a watched extreme, `above` more than it is at the frame. */
+static void offer_near(pm_workspace *w, int ask, double value, double above)
 {
     pm_ask_set *a = w->ask;
     const int32_t *e = PM_ASK_ROW(w->model, ask);
@@ -125,11 +127,15 @@ static void offer(pm_workspace *w, int ask, double value)
         a->undefined[ask] = 1;
         return;
     }
-    const int better = is_greatest(e) ? value > a->best[ask] : value < a->best[ask];
+    const double extreme = value + above;
+    const int better = is_greatest(e) ? extreme > a->best[ask] : extreme < a->best[ask];
     if (!isnan(a->best[ask]) && !better) return;
-    a->best[ask] = value;
+    a->best[ask] = extreme;
     answer_here(w, ask, 0, e[PM_ASK_PROGRAM], at_extreme(e) ? run(w, e[PM_ASK_PROGRAM]) : value);
+    w->out[e[PM_ASK_OUT]] += above;
 }
+
+static void offer(pm_workspace *w, int ask, double value) { offer_near(w, ask, value, 0); }
 
 static void offer_grid(pm_workspace *w, int ask, double value, double tolerance)
 {
@@ -271,29 +277,109 @@ static int is_told(const pm_nodes *nodes, const pm_peak *p, double bend)
     return bend < 0 && 0.5 * error * error <= PEAK_GAIN * p->size * -bend;
 }
 
+/* A place near an extreme: the value there, and its rate by the fraction of the step, the greater the better. */
+typedef struct pm_near {
+    double s, value, rate;
+} pm_near;
+
+/* Looks at x->s and right beside it; the frame stays at x->s.  bend: roughly, of the value. */
+static int look_near(pm_workspace *w, int ask, double bend, double high, pm_near *x)
+{
+    const int32_t *e = PM_ASK_ROW(w->model, ask);
+    const double begin = w->step_begin, h = w->sampled_end - begin, sign = is_greatest(e) ? 1 : -1;
+    const double d = x->s + BESIDE < high ? BESIDE : -BESIDE;
+    int status = look(w, begin + (x->s + d) * h, 1);
+    const double beside = sign * run(w, watched_program(e));
+    if (!status) status = look(w, begin + x->s * h, 1);
+    x->value = sign * run(w, watched_program(e));
+    x->rate = (beside - x->value) / d - 0.5 * bend * d;
+    return status;
+}
+
+/* The bend at the second of two places, of the cubic through both. */
+static double bend_between(const pm_near *a, const pm_near *b)
+{
+    const double h = b->s - a->s;
+    return (2 * a->rate + 4 * b->rate - 6 * (b->value - a->value) / h) / h;
+}
+
+/* What an extreme has above the value at x, if the bend is known: its place, too. */
+static double above(const pm_near *x, double bend, double *place)
+{
+    *place = x->s - x->rate / bend;
+    return -0.5 * x->rate * x->rate / bend;
+}
+
+/* The extreme at `place`, `gain` better than it is at the frame. */
+static void offer_peak(pm_workspace *w, int ask, const pm_near *x, double gain, double place)
+{
+    const double sign = is_greatest(PM_ASK_ROW(w->model, ask)) ? 1 : -1;
+    if (w->step_begin + place * (w->sampled_end - w->step_begin) <= w->step_end)
+        offer_near(w, ask, sign * x->value, sign * gain);
+}
+
+/* From near an extreme to it: values and rates at one place, or at two, tell what it has above them as far as the bend is
+ * known - the fourth rate of what n nodes resolve is no more than n^4 times its bend -; *found is 0 if that does not do,
+ * and *s is nearer then. */
+static int step_up(pm_workspace *w, int ask, const pm_slope *slope, double low, double high, double size,
+                   double *s, int *found)
+{
+    const double nothing = PEAK_GAIN * size, n = w->nodes->n;
+    pm_near x = {.s = *s}, y = {.s = NAN};
+    *found = 0;
+    int status = look_near(w, ask, slope->bend, high, &x);
+    if (status || !(slope->bend < 0)) return status;
+    const double first = above(&x, slope->bend, &y.s);
+    if (!(y.s > low && y.s < high)) return PM_OK;
+    *s = y.s;
+    if (slope->error * first <= nothing) {
+        offer_peak(w, ask, &x, first, y.s);
+        *found = 1;
+        return PM_OK;
+    }
+    if ((status = look_near(w, ask, slope->bend, high, &y))) return status;
+    const double h = y.s - x.s, bend = bend_between(&x, &y), second = above(&y, bend, s);
+    const double error =
+        n * n * n * n * h * h / 12 + BEND_NOISE * size / fabs(h * h * bend); /* of the bend */
+    *found = bend < 0 && *s > low && *s < high && error * second <= nothing;
+    if (*found) offer_peak(w, ask, &y, second, *s);
+    return PM_OK;
+}
+
+/* The extreme near the fraction s of the step, between node k and the next. */
+static int take_extreme(pm_workspace *w, int ask, const pm_peak *p, int k, double s)
+{
+    const pm_nodes *nodes = w->nodes;
+    const double *at = nodes->at, low = k > 0 ? at[k - 1] : 0, high = k + 2 < nodes->n ? at[k + 2] : 1;
+    const pm_slope slope = slope_of(nodes, p, s);
+    int found = is_told(nodes, p, slope.bend);
+    if (!found) {
+        const int status = step_up(w, ask, &slope, low, high, p->size, &s, &found);
+        if (status || found) return status;
+        found = climb(w, ask, &slope, low, high, p->size, &s);
+    }
+    if (!found)
+        return refine(w, ask, p, pm_crossing_node(w, k), fmin(pm_crossing_node(w, k + 1), w->step_end));
+    const double place = w->step_begin + s * (w->sampled_end - w->step_begin);
+    if (place > w->step_end) return PM_OK;
+    const int status = look(w, place, 1);
+    if (!status) offer(w, ask, run(w, watched_program(PM_ASK_ROW(w->model, ask))));
+    return status;
+}
+
 /* Extremes between nodes: where the slope of the polynomial falls through zero; a closer look is taken only where it may
  * be better than the best so far. */
 static int extremes_of_samples(pm_workspace *w, int ask, const pm_peak *p)
 {
     const pm_nodes *nodes = w->nodes;
-    const double *at = nodes->at, *d = p->d;
+    const double *at = nodes->at, *d = p->d, untold = (UNTOLD * p->tail - LEVEL) * p->size;
     for (int k = 0; k + 1 < nodes->n; k++) {
         double s;
         if (!(d[k] > 0 && d[k + 1] < 0)) continue;
         int status = pm_series_root(w, nodes, d, at[k], d[k], at[k + 1], d[k + 1], &s);
         if (status) return status;
-        const double untold = (UNTOLD * p->tail - LEVEL) * p->size;
         if (pm_series_value(nodes, p->g, 1, s) + untold <= p->sign * w->ask->best[ask]) continue;
-        const pm_slope slope = slope_of(nodes, p, s);
-        const double low = k > 0 ? at[k - 1] : 0, high = k + 2 < nodes->n ? at[k + 2] : 1;
-        const int found = is_told(nodes, p, slope.bend) || climb(w, ask, &slope, low, high, p->size, &s);
-        const double place = w->step_begin + s * (w->sampled_end - w->step_begin);
-        if (!found)
-            status = refine(w, ask, p, pm_crossing_node(w, k), fmin(pm_crossing_node(w, k + 1), w->step_end));
-        if (status) return status;
-        if (!found || place > w->step_end) continue;
-        if ((status = look(w, place, 1))) return status;
-        offer(w, ask, run(w, watched_program(PM_ASK_ROW(w->model, ask))));
+        if ((status = take_extreme(w, ask, p, k, s))) return status;
     }
     return PM_OK;
 }

@@ -19,6 +19,7 @@
 #include "nature.h"
 #include "path.h"
 #include "program.h"
+#include "recall.h"
 #include "route.h"
 #include "saddle.h"
 #include "series.h"
@@ -204,17 +205,33 @@ static int accelerate(pm_workspace *w)
     return inside && !pm_grip_by_load(w) ? pm_path_accelerate(w, w->frame.v) : pm_saddle_accelerate(w);
 }
 
+/* The frame's accelerations and reactions, while others are looked at. */
+static void set_aside(pm_workspace *w, double *keep)
+{
+    memcpy(keep, w->frame.a, (size_t)w->model->nq * sizeof *keep);
+    memcpy(keep + w->model->nq, w->frame.lambda, (size_t)w->nactive * sizeof *keep);
+    w->recall->closed = 1;
+}
+
+static void put_back(pm_workspace *w, const double *keep)
+{
+    memcpy(w->frame.a, keep, (size_t)w->model->nq * sizeof *keep);
+    memcpy(w->frame.lambda, keep + w->model->nq, (size_t)w->nactive * sizeof *keep);
+    w->recall->closed = 0;
+}
+
 /* By a difference in the speeds. */
 static double error_of_motion(pm_workspace *w, int program, double value)
 {
     const double kinetic = pm_body_kinetic(w, PM_NONE);
     const int dynamic = w->model->program_level[program] == PM_LEVEL_DYNAMIC;
     if (w->model->program_growth[program] == PM_GROWTH_UNKNOWN || !(kinetic > 0)) return NAN;
+    if (dynamic) set_aside(w, w->scratch);
     shift_velocities(w, 1 + FASTER);
     const int failed = dynamic && accelerate(w);
     const double changed = pm_program_run(w->model, program, w->param, w->value, w);
     shift_velocities(w, 1);
-    if (dynamic) (void)accelerate(w);
+    if (dynamic) put_back(w, w->scratch);
     return failed ? NAN : fabs(changed - value) / (2 * FASTER * kinetic) * w->path->error;
 }
 

@@ -83,6 +83,7 @@ int pm_recall_take(pm_workspace *w)
 void pm_recall_keep(pm_workspace *w)
 {
     pm_recall *r = w->recall;
+    if (r->closed) return;
     r->known = applies(w);
     if (!r->known) return;
     r->rows = w->row_set;

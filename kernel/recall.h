@@ -6,6 +6,7 @@
 
 typedef struct pm_recall {
     int known;          /* something is kept */
+    int closed;         /* nothing else is to be kept for now */
     int64_t rows;       /* w->row_set when it was found */
     double *pose;       /* [nq] x, y, angle, as the frame had them */
     double *velocity;   /* [nq] likewise */
