@@ -16,6 +16,7 @@
 #include "recall.h"
 #include "row.h"
 #include "saddle.h"
+#include "still.h"
 
 #define NEIGHBOUR 1e-3       /* displacement, in sizes of the scene */
 #define CLEARLY 1e-3         /* independent part of every row above which nothing else need be asked */
@@ -112,6 +113,7 @@ static int append_joints(pm_workspace *w, int *nbasis)
         pm_row row[PM_JOINT_ROWS];
         const int i = w->joint_order[j], n = pm_row_of_joint(w, i, row);
         for (int k = 0; k < n; k++) {
+            if (pm_still_row(w, &row[k])) continue;
             const int status = append(w, &row[k], nbasis, &w->joint_active[m->joint_row[i] + k]);
             if (status) return status;
         }

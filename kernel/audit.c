@@ -18,6 +18,7 @@
 #include "row.h"
 #include "saddle.h"
 #include "spin.h"
+#include "still.h"
 
 #define POSITION_ROUNDING 5e-16 /* of how far bodies are from the origin */
 #define SPIN_ROUNDING \
@@ -41,7 +42,7 @@ static void add_outer(double *impulse, const double at[2], const double force[2]
 static void add_row(const pm_workspace *w, const pm_row *row, double size, double *impulse)
 {
     if (pm_row_is_inner(w, row)) return;
-    const int on_a = row->body[0] != w->model->nbody, on_b = row->body[1] != w->model->nbody;
+    const int on_a = !w->still->body[row->body[0]], on_b = !w->still->body[row->body[1]];
     pm_line_of_action x;
     pm_row_kind(row->kind)->act(w, row, &x);
     const double sign = size * (on_a - on_b);
@@ -112,13 +113,14 @@ void pm_audit_rates(pm_workspace *w, double *zdot)
     double *outer = zdot + pm_audit_ledger(m);
     pm_spin_outer(w, outer);
     for (int i = 0; i < m->nbody; i++) {
+        if (w->still->body[i]) continue;
         const double force[2] = {w->mass[i] * w->gravity[0], w->mass[i] * w->gravity[1]};
         add_outer(outer, w->frame.pose + 5 * i, force, 0, 1);
     }
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++) {
         const pm_action x = pm_force_action(w, i);
-        if (x.body_a != m->nbody) add_outer(outer, x.at_a, x.force, x.couple, 1);
-        if (x.body_b != m->nbody) add_outer(outer, x.at_b, x.force, x.couple, -1);
+        if (!w->still->body[x.body_a]) add_outer(outer, x.at_a, x.force, x.couple, 1);
+        if (!w->still->body[x.body_b]) add_outer(outer, x.at_b, x.force, x.couple, -1);
     }
     add_rows(w, w->frame.lambda, outer);
 }

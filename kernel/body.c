@@ -8,6 +8,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "still.h"
+
 /* Cosine and sine of an angle: it is often the one of the last look. */
 static void look_up_turn(double turn[3], double *pose)
 {
@@ -33,6 +35,7 @@ void pm_frame_look(pm_workspace *w, double t, const double *q, const double *v, 
     f->level = PM_LEVEL_KINEMATIC;
     for (int i = 0; i < n; i++) {
         double *pose = f->pose + 5 * i, *velocity = f->velocity + 3 * i;
+        if (w->still->body[i]) continue; /* as it was looked at when it was found to stand still */
         pose[0] = q[3 * i];
         pose[1] = q[3 * i + 1];
         pose[2] = q[3 * i + 2];
@@ -94,6 +97,8 @@ void pm_point_acceleration(const pm_workspace *w, const pm_point *p, double a[2]
 
 double pm_body_inertia(const pm_workspace *w, int i)
 {
+    const int32_t *e = PM_BODY_ROW(w->model, i);
+    if (w->still->body[i]) return e[PM_BODY_TURNS] ? w->value[e[PM_BODY_INERTIA]] : 0;
     const double inverse = w->stand_in[3 * i + 2] > 0 ? 0 : w->inverse_mass[3 * i + 2];
     return inverse > 0 ? 1 / inverse : 0;
 }
@@ -102,7 +107,8 @@ double pm_body_kinetic(const pm_workspace *w, int i)
 {
     if (i == PM_NONE) {
         double sum = 0;
-        for (int k = 0; k < w->model->nbody; k++) sum += pm_body_kinetic(w, k);
+        for (int k = 0; k < w->model->nbody; k++)
+            if (!w->still->body[k]) sum += pm_body_kinetic(w, k);
         return sum;
     }
     const double *v = w->frame.velocity + 3 * i;
@@ -115,6 +121,7 @@ void pm_body_momentum(const pm_workspace *w, int i, double momentum[3])
         momentum[0] = momentum[1] = momentum[2] = 0;
         for (int k = 0; k < w->model->nbody; k++) {
             double one[3];
+            if (w->still->body[k]) continue;
             pm_body_momentum(w, k, one);
             for (int c = 0; c < 3; c++) momentum[c] += one[c];
         }

@@ -117,6 +117,7 @@ int pm_clear_check(pm_workspace *w)
         int body[2];
         if (!x->quiet[i] || !bodies_of(w->model, i, body)) continue;
         x->left[i] -= BETWEEN * moved(w, body);
+        x->spared += x->left[i] > 0;
         if (x->left[i] > 0) continue;
         x->quiet[i] = 0;
         reached++;

@@ -10,6 +10,7 @@ typedef struct pm_clear {
         *moved; /* [nbody + 1] m, how far marks of a body have moved in the step, at most; last: the ground */
     double *from;         /* [nbody][3] pose at the begin of the step */
     double *radius;       /* [nbody] m, of the centre of a circle from its body's origin, the greatest */
+    int64_t spared;       /* contacts that were quiet, summed over all steps so far */
     unsigned char *quiet; /* [ncontact] not looked at in this step */
 } pm_clear;
 

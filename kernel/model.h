@@ -198,6 +198,7 @@ struct pm_find;
 struct pm_error_set;
 struct pm_nudge;
 struct pm_recall;
+struct pm_still;
 
 typedef struct pm_workspace {
     const pm_model *model;
@@ -284,6 +285,7 @@ typedef struct pm_workspace {
     int unreached;        /* contacts that can never close */
     struct pm_find *find; /* NULL where nothing is sought */
     struct pm_error_set *error;
+    struct pm_still *still;
     struct pm_nudge *nudge; /* NULL where the scene has none */
     pm_where where;
     pm_slot *slot_before;         /* [nslot] modes when the instant began */

@@ -7,6 +7,7 @@
 #include "event.h"
 #include "path.h"
 #include "route.h"
+#include "still.h"
 #include "tree.h"
 
 static int32_t *last_row(const pm_phase_list *x)
@@ -18,7 +19,9 @@ static void count_steps(const pm_workspace *w, pm_phase_list *x)
 {
     int32_t *row = last_row(x);
     if (row) row[PM_PHASE_STEPS] = (int32_t)(w->count[PM_COUNT_STEPS] - x->steps);
+    if (row) row[PM_PHASE_SPARED] = (int32_t)(w->event->clear.spared - x->spared);
     x->steps = w->count[PM_COUNT_STEPS];
+    x->spared = w->event->clear.spared;
 }
 
 static int on_tree(const pm_workspace *w) { return w->route == &pm_route_rk || w->route == &pm_route_path; }
@@ -50,6 +53,8 @@ static void describe(const pm_workspace *w, int64_t legs, int32_t *row)
     row[PM_PHASE_STEPS] = 0;
     row[PM_PHASE_UNREACHED] = w->unreached;
     row[PM_PHASE_LEGS] = (int32_t)legs;
+    row[PM_PHASE_STILL] = w->still->n;
+    row[PM_PHASE_SPARED] = 0;
 }
 
 int pm_phases_add(pm_workspace *w)

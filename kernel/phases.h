@@ -6,9 +6,9 @@
 
 typedef struct pm_phase_list {
     int64_t cap, most, needed;
-    int32_t *row;        /* [cap][PM_PHASE_COLUMNS] */
-    double *time;        /* [cap] */
-    int64_t steps, legs; /* of the case, when the last phase began */
+    int32_t *row;                /* [cap][PM_PHASE_COLUMNS] */
+    double *time;                /* [cap] */
+    int64_t spared, steps, legs; /* of the case, when the last phase began */
 } pm_phase_list;
 
 /* The phase that w->route has begun; PM_CANCELLED if no more are wanted.  Does nothing without a list. */

@@ -624,7 +624,9 @@ enum pm_phase_column {
     PM_PHASE_STEPS = 10,
     PM_PHASE_LEGS = 11,      /* legs passed over before it */
     PM_PHASE_UNREACHED = 12, /* contacts that can never close (reach.h) */
-    PM_PHASE_COLUMNS = 13
+    PM_PHASE_STILL = 13,     /* bodies that joints hold still (still.h) */
+    PM_PHASE_SPARED = 14,    /* gaps that were not looked at in its steps, out of reach of them (clear.h) */
+    PM_PHASE_COLUMNS = 15
 };
 /* Runs one case as pm_trace does and tells its phases: phase[cap][PM_PHASE_COLUMNS], time[cap] of their begins, s
  * (not a number where the time is not computed); needed[1]: rows wanted.  most > 0: stops as the phase of that number

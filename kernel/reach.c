@@ -21,6 +21,7 @@
 #include "body.h"
 #include "contact.h"
 #include "row.h"
+#include "still.h"
 
 #define CLEAR \
     1e-6 /* of the scene's reach: gaps above this are positive, whatever the rounding and drift of joints */
@@ -101,7 +102,8 @@ static int hang_by_joint(pm_workspace *w, int joint)
 static void hang_all(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    for (int i = 0; i < m->nbody; i++) w->hang[i] = (pm_hang){.known = 0};
+    for (int i = 0; i < m->nbody; i++)
+        w->hang[i] = (pm_hang){.known = w->still->body[i], .fixed = w->still->body[i]};
     w->hang[m->nbody] = (pm_hang){.known = 1, .fixed = 1};
     for (int more = 1, pass = 0; more && pass <= m->nbody; pass++) {
         more = 0;

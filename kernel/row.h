@@ -6,6 +6,7 @@
 
 #include "body.h"
 #include "model.h"
+#include "still.h"
 
 enum pm_row_kind {
     PM_ROW_POINT_X = 0,
@@ -67,8 +68,8 @@ void pm_row_of_contact(const pm_workspace *w, int contact, int slot, int member,
 /* Whether its two bodies act on each other and on nothing else. */
 static inline int pm_row_is_inner(const pm_workspace *w, const pm_row *row)
 {
-    const int ground = w->model->nbody;
-    return row->body[0] != ground && row->body[1] != ground && row->ratio == 1;
+    const unsigned char *still = w->still->body;
+    return !still[row->body[0]] && !still[row->body[1]] && row->ratio == 1;
 }
 
 /* Rate of a row from the geometry of its line of action (equals j v). */

@@ -23,6 +23,7 @@
 #include "route.h"
 #include "saddle.h"
 #include "spin.h"
+#include "still.h"
 #include "trace.h"
 #include "trigger.h"
 
@@ -42,6 +43,7 @@ static int begin_case(pm_workspace *w, const double *param, pm_start_report *rep
     pm_error_begin(w);
     pm_trigger_reset(w);
     pm_nudge_begin(w);
+    pm_still_begin(w);
     memset(w->joint_impulse, 0, (size_t)w->model->njoint_row * sizeof(double));
     memset(w->slot_impulse, 0, 2 * (size_t)w->model->nslot * sizeof(double));
     int status = pm_case_begin(w, param);
@@ -91,6 +93,7 @@ int pm_run_start(pm_workspace *w, const double *param, pm_start_report *report)
 {
     int status = begin_case(w, param, report);
     if (status) return status;
+    pm_still_find(w);
     pm_reach_drop(w);
     set_speed_scale(w);
     if ((status = open_ledger(w))) return status;
@@ -222,6 +225,7 @@ int pm_run(pm_workspace *w, const double *param)
     pm_start_report report;
     pm_ask_reset(w);
     for (int i = 0; i < PM_AUDITS; i++) w->audit[i] = NAN;
+    w->still->wanted = 1;
     int status = pm_run_start(w, param, &report);
     const int started = status == PM_OK;
     if (!status) status = run_phases(w);

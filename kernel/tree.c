@@ -7,6 +7,7 @@
 
 #include "body.h"
 #include "row.h"
+#include "still.h"
 #include "tree_node.h"
 #include "tree_swift.h"
 #include "tree_turning.h"
@@ -194,6 +195,29 @@ static pm_group slot_group(const pm_workspace *w, int slot)
     return g;
 }
 
+/* Bodies that stand still come first, as welded to the ground where they are. */
+static void place_still(pm_workspace *w, int *nplaced)
+{
+    for (int i = 0; i < w->model->nbody; i++) {
+        if (!w->still->body[i]) continue;
+        const double *pose = w->frame.pose + 5 * i;
+        w->tree->node[*nplaced] = (pm_tree_node){.body = i,
+                                                 .parent = w->model->nbody,
+                                                 .placement = WELD,
+                                                 .child_is_a = 1,
+                                                 .first = w->tree->n,
+                                                 .turns = turns(w, i),
+                                                 .mark = {pose[0], pose[1]},
+                                                 .angle = pose[2],
+                                                 .turn = {pose[3], pose[4]}};
+        w->tree->placed[i] = ++*nplaced;
+        for (int k = 3 * i; k < 3 * i + 3; k++) {
+            w->tree->q[k] = w->state.q[k];
+            w->tree->v[k] = w->tree->bias[k] = w->frame.a[k] = 0;
+        }
+    }
+}
+
 static int place_next(pm_workspace *w, int *nplaced)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_JOINT]; i++) {
@@ -316,6 +340,7 @@ void pm_tree_build(pm_workspace *w)
     t->n = t->nloop = t->few = t->turning.on = t->swift->on = 0;
     memset(t->used, 0, (size_t)w->model->nrow);
     memset(t->placed, 0, (size_t)w->model->nbody * sizeof *t->placed);
+    place_still(w, &nplaced);
     while (nplaced < w->model->nbody) place_next(w, &nplaced);
     number_coordinates(w);
     list_coordinates(w);

@@ -13,6 +13,7 @@
 #include "grip.h"
 #include "row.h"
 #include "saddle.h"
+#include "still.h"
 #include "tree.h"
 #include "tree_node.h"
 #include "tree_swift.h"
@@ -29,7 +30,7 @@ static void fill_mass(pm_workspace *w)
     const int n = t->n;
     for (int i = 0; i < n; i++)
         for (int k = t->first_coupled[i]; k <= i; k++) t->mass[i * n + k] = 0;
-    for (int i = 0; i < w->model->nbody; i++) {
+    for (int i = w->still->n; i < w->model->nbody; i++) {
         const pm_tree_node *x = &t->node[i];
         const double m = w->mass[x->body] + w->stand_in[3 * x->body],
                      inertia = pm_body_inertia(w, x->body) + w->stand_in[3 * x->body + 2];
@@ -121,7 +122,7 @@ static void evaluate_loops(pm_workspace *w)
 static void add_forces(const pm_workspace *w, int inertial, double *x)
 {
     const pm_tree *t = w->tree;
-    for (int i = 0; i < w->model->nbody; i++) {
+    for (int i = w->still->n; i < w->model->nbody; i++) {
         const pm_tree_node *node = &t->node[i];
         const double *f = w->frame.f + 3 * node->body, *c = t->bias + 3 * node->body;
         double p[3] = {f[0], f[1], f[2]};
@@ -263,19 +264,20 @@ void pm_tree_react(pm_workspace *w)
     pm_frame *f = &w->frame;
     const int ground = w->model->nbody;
     if (f->level == PM_LEVEL_DYNAMIC) return;
-    for (int i = 0; i < ground; i++) {
+    for (int n = w->still->n; n < ground; n++) {
+        const int i = t->node[n].body;
         const double inertia = pm_body_inertia(w, i);
         for (int k = 0; k < 3; k++)
             t->wrench[3 * i + k] = (k < 2 ? w->mass[i] : inertia) * f->a[3 * i + k] - f->f[3 * i + k];
     }
     if (t->few) pm_tree_react_loops(w);
     take_off_loops(w, t->wrench);
-    for (int i = ground - 1; i >= 0; i--) {
+    for (int i = ground - 1; i >= w->still->n; i--) {
         const pm_tree_node *x = &t->node[i];
         if (x->placement == FREE) continue;
         const double *wrench = t->wrench + 3 * x->body;
         read_reactions(w, x, wrench);
-        if (x->parent == ground) continue;
+        if (w->still->body[x->parent]) continue;
         const double *child = f->pose + 5 * x->body, *parent = f->pose + 5 * x->parent;
         double *to = t->wrench + 3 * x->parent;
         to[0] += wrench[0];

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "body.h"
+#include "still.h"
 #include "tree.h"
 #include "tree_node.h"
 
@@ -220,7 +221,7 @@ void pm_tree_look(pm_workspace *w, double t, const double *y, const double *ydot
     f->z = z;
     f->memory = w->state.memory;
     f->level = PM_LEVEL_KINEMATIC;
-    for (int i = 0; i < ground; i++) {
+    for (int i = w->still->n; i < ground; i++) {
         pm_tree_node *x = &tree->node[i];
         double *velocity = f->velocity + 3 * x->body;
         place_node(w, x, f->memory, y);

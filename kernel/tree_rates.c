@@ -9,6 +9,7 @@
 
 #include "body.h"
 #include "row.h"
+#include "still.h"
 #include "tree.h"
 #include "tree_node.h"
 
@@ -70,7 +71,7 @@ static void add_quadratic(const pm_tree_node *x, const double *parent, const dou
 
 void pm_tree_spread_accelerations(const pm_workspace *w, const double *yddot, double *a)
 {
-    for (int i = 0; i < w->model->nbody; i++) {
+    for (int i = w->still->n; i < w->model->nbody; i++) {
         const pm_tree_node *x = &w->tree->node[i];
         double *to = a + 3 * x->body;
         pm_tree_move(x, rates_of(w, a, x->parent), yddot + x->first, to);

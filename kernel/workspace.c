@@ -14,6 +14,7 @@
 #include "reach.h"
 #include "recall.h"
 #include "route.h"
+#include "still.h"
 #include "tree.h"
 
 int pm_state_create(const pm_model *m, pm_state *s)
@@ -129,6 +130,7 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
     if (!status) status = pm_state_create(m, &w->probe);
     if (!status) status = pm_state_create(m, &w->ahead);
     if (!status) status = pm_recall_create(w);
+    if (!status) status = pm_still_create(w);
     if (!status) status = pm_event_create(w);
     if (!status) status = pm_ask_create(w);
     if (!status) status = pm_error_create(w);
@@ -158,6 +160,7 @@ void pm_workspace_free(pm_workspace *w)
     pm_ask_free(w);
     pm_event_free(w);
     pm_recall_free(w);
+    pm_still_free(w);
     pm_state_free(&w->ahead);
     pm_state_free(&w->probe);
     pm_state_free(&w->start);

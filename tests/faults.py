@@ -98,6 +98,20 @@ FAULTS = [
     ),
     Fault("reach: a plate hangs still", "reach.c", "if (!b->fixed) {", "if (0) {"),
     Fault("reach: edges have no end", "reach.c", "hypot(fmax(beyond, 0), ", "hypot(0, "),
+    # what joints hold still
+    Fault("still: rows that nearly depend hold", "still.c", "left > CLEARLY * CLEARLY * all", "left > 0"),
+    Fault("still: a joint that may go holds", "still.c", "is_changed(m, i) || ", ""),
+    Fault("still: reactions are not told", "still.c", "w->still->told[e[PM_MEASURE_A]] = 1;", ";"),
+    Fault("still: contacts of what stands still stay", "still.c", "any |= let_go(w, &normal);", ";"),
+    Fault("still: what is pushed stays", "still.c", "let_move(w, PM_TABLE_ACTION, i);", ";"),
+    Fault(
+        "still: what moves holds",
+        "still.c",
+        "if (x->body[other] || place > i) add_row",
+        "if (place != i) add_row",
+    ),
+    Fault("still: weights are carried twice", "audit.c", "if (w->still->body[i]) continue;", ""),
+    Fault("still: bodies have no inertia", "body.c", "if (w->still->body[i]) return", "if (0) return"),
     # what no answer depends on
     Fault(
         "needed: a contact lets nothing act",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -51,6 +52,32 @@ def test_what_is_skipped() -> None:
     assert "1 coordinate (they meet 2 rows by themselves), 0 rows to be solved with" in felt
 
 
+TRUSS = """
+until = "t = 1 s"
+[bodies]
+left = { rod = ["P", "Q"], length = "1 m", mass = "1 kg", at = { P = ["5 m", 0] }, angle = "60 deg" }
+right = { rod = ["Q", "R"], length = "1 m", mass = "1 kg", at = { Q = "left.Q" }, angle = "-60 deg" }
+ball = { mass = "1 kg", at = [0, 0] }
+[joints]
+P = { pin = ["left.P", "ground"] }
+Q = { pin = ["left.Q", "right.Q"] }
+R = { pin = ["right.R", "ground"] }
+[ask]
+total = { of = "energy.total", unit = "J" }
+"""
+
+
+def test_what_joints_hold_still() -> None:
+    """They are no coordinates; whoever asks for a reaction between them has their equations."""
+    told = plan_of(TRUSS)
+    assert "skipped: 2 bodies (joints hold them still)" in told
+    assert "2 coordinates, 0 rows to be solved with, 2 degrees of freedom" in told
+    felt = planemotion.load_text(TRUSS + 'force = { of = "Q.force.norm", unit = "N" }\n')
+    assert "still" not in explain(felt).text
+    # Half of each bar's weight comes to Q, level by symmetry: H sin 60 deg = (W/2) cos 60 deg.
+    assert felt.run().force == pytest.approx(9.81 / 2 / np.tan(np.pi / 3), rel=1e-9)
+
+
 def test_no_motion() -> None:
     assert "no motion is computed" in plan_of(SWING.replace('"rod.angle = -90 deg"', '"start"'))
 
@@ -76,6 +103,18 @@ def test_contacts_out_of_reach_are_dropped(route: str) -> None:
     assert told in plan_of(far)
     assert told not in plan_of(near)
     assert planemotion.load_text(far).run().omega == planemotion.load_text(scene).run().omega
+
+
+def test_contacts_out_of_reach_of_the_steps_are_told_after_a_run() -> None:
+    floor = 'ground.lines.floor = { through = [0, "-30 m"], angle = 0 }\n'
+    contact = 'contacts.floor = { touch = ["ball.rim", "ground.floor"], restitution = 0.5 }\n'
+    ball = 'bodies.ball = { disk = "0.1 m", mass = "1 kg", at = [0, 0] }\n'
+    ask = 'ask.y = { of = "ball.y", unit = "m" }\nsolve.route = "rk"\n'
+    scene = planemotion.load_text('until = "t = 1 s"\n' + floor + ball + contact + ask)
+    assert "out of reach of the step" not in explain(scene).text
+    assert re.search(
+        r"skipped: \d+ looks? at gaps \(out of reach of the step\)", explain_run(scene, scene.run())
+    )
 
 
 # ---- what nothing depends on ----

@@ -11,7 +11,7 @@ from . import engine
 from .flatten import FlatScene
 
 # What a phase is alike another by: all but its time, its steps and the legs before it.
-_OWN = ("steps", "legs")
+_OWN = ("steps", "legs", "spared")
 
 
 def plan(flat: FlatScene, start: engine.Start) -> list[str]:
@@ -44,12 +44,18 @@ def ran(flat: FlatScene) -> list[str]:
         which = f"{first}" if number == first else f"{first} to {number}"
         steps = sum(phase.column["steps"] for phase in alike)
         legs = sum(phase.column["legs"] for phase in alike)
+        spared = sum(phase.column["spared"] for phase in alike)
         time = "" if math.isnan(alike[0].time) else f" from t = {alike[0].time:.6g} s"
         lines += [
             f"  {which}{time}: {alike[0].route} ({alike[0].reason})",
             f"    {_sizes(alike[0])}; {_count(steps, 'step')}"
             + (f", {_count(legs, 'leg')} that repeat passed over" if legs else ""),
             *(f"    skipped: {what}" for what in _skipped(alike[0])),
+            *(
+                [f"    skipped: {_count(spared, 'look')} at gaps (out of reach of the step)"]
+                if spared
+                else []
+            ),
         ]
     idle = [f"  skipped throughout: {what}" for what in _idle(flat)]
     return [_title("phases", flat), *lines, *idle] if lines else []
@@ -112,6 +118,8 @@ def _skipped(phase: engine.Phase) -> Iterator[str]:
         yield "the time (nothing asks for it)"
     if not x["dynamic"]:
         yield "accelerations and reactions within steps (nothing that is watched needs them)"
+    if x["still"]:
+        yield f"{_bodies(x['still'])} (joints hold {'it' if x['still'] == 1 else 'them'} still)"
     if x["unreached"]:
         yield f"the gap of {_count(x['unreached'], 'contact')} (open wherever the joints let the bodies go)"
     if not x["watched"]:
@@ -120,6 +128,10 @@ def _skipped(phase: engine.Phase) -> Iterator[str]:
         yield "integration in time (speeds follow from work and energy)"
     if phase.route == "uniform":
         yield "steps (the motion is a polynomial of the time)"
+
+
+def _bodies(number: int) -> str:
+    return f"{number} {'body' if number == 1 else 'bodies'}"
 
 
 def _count(number: int, what: str) -> str:
