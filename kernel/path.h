@@ -73,8 +73,8 @@ typedef struct pm_path {
     const pm_nodes *nodes; /* of the step: its node k is node[k * every] */
     int every;
     int looked_at; /* the node that was looked at last */
-    double safe; /* length up to which steps are taken even if their nodes do not resolve what is sampled */
-    double most; /* length that the nodes of the last steps resolved; INFINITY: any did */
+    double safe;   /* length up to which steps are taken even if their nodes do not resolve what is sampled */
+    double most;   /* length that the nodes of the last steps resolved; INFINITY: any did */
     pm_place begin; /* of a phase that has been planned */
     pm_place node[PM_NODES_MOST], spare;
     int told_by; /* driver and sense of the step in the nodes */

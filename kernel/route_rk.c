@@ -109,8 +109,10 @@ static void complete(pm_workspace *w, const double *y, int with_ledger, double *
 static int derivative_here(pm_workspace *w, const double *y, int with_ledger, double *k)
 {
     const int status = pm_tree_accelerate(w, k + w->rk->n);
-    if (!status) complete(w, y, with_ledger, k);
-    return status;
+    if (status) return status;
+    complete(w, y, with_ledger, k);
+    /* all stages by one formula: two that differ by rounding would make a body at rest sway */
+    return w->rk->swift ? pm_swift_derivative(w, y, k) : PM_OK;
 }
 
 /* y' at (t, y). */
