@@ -73,13 +73,9 @@ double pm_program_unary(int op, double a)
 static double lesser(double a, double b) { return isnan(a) || a < b ? a : b; }
 static double greater(double a, double b) { return isnan(a) || a > b ? a : b; }
 
-double pm_program_binary(int op, double a, double b)
+static double other_binary(int op, double a, double b)
 {
     switch (op) {
-    case PM_OP_ADD: return a + b;
-    case PM_OP_SUB: return a - b;
-    case PM_OP_MUL: return a * b;
-    case PM_OP_DIV: return a / b;
     case PM_OP_POW: return pow(a, b);
     case PM_OP_LT: return a < b;
     case PM_OP_LE: return a <= b;
@@ -95,6 +91,20 @@ double pm_program_binary(int op, double a, double b)
     default: return hypot(a, b);
     }
 }
+
+/* The most frequent ones without a call. */
+static inline double binary(int op, double a, double b)
+{
+    switch (op) {
+    case PM_OP_ADD: return a + b;
+    case PM_OP_SUB: return a - b;
+    case PM_OP_MUL: return a * b;
+    case PM_OP_DIV: return a / b;
+    default: return other_binary(op, a, b);
+    }
+}
+
+double pm_program_binary(int op, double a, double b) { return binary(op, a, b); }
 
 /* Instructions as they stand in the table. */
 static double run_code(const pm_model *m, const int32_t *code, int length, const double *param,
@@ -126,17 +136,6 @@ static double run_code(const pm_model *m, const int32_t *code, int length, const
     return stack[0];
 }
 
-static inline double arithmetic(int op, double a, double b)
-{
-    switch (op) {
-    case PM_OP_ADD: return a + b;
-    case PM_OP_SUB: return a - b;
-    case PM_OP_MUL: return a * b;
-    case PM_OP_DIV: return a / b;
-    default: return pm_program_binary(op, a, b);
-    }
-}
-
 /* What is left of a program once the numbers of the case are known. */
 static double run_steps(pm_workspace *w, const pm_program_step *s, const pm_program_step *end)
 {
@@ -148,10 +147,10 @@ static double run_steps(pm_workspace *w, const pm_program_step *s, const pm_prog
         case STEP_MEASURE: *++top = pm_measure(w, s->arg); break;
         case STEP_ANSWER: *++top = w->out[s->arg]; break;
         case STEP_UNARY: *top = pm_program_unary(s->op, *top); break;
-        case STEP_WITH_NUMBER: *top = arithmetic(s->op, *top, number[s->arg]); break;
+        case STEP_WITH_NUMBER: *top = binary(s->op, *top, number[s->arg]); break;
         case STEP_BINARY:
             top--;
-            *top = arithmetic(s->op, top[0], top[1]);
+            *top = binary(s->op, top[0], top[1]);
             break;
         default: top -= 2; *top = top[0] != 0 ? top[1] : top[2];
         }

@@ -56,8 +56,8 @@ FAULTS = [
     Fault(
         "fold: operands change places",
         "program.c",
-        "arithmetic(s->op, *top, number[s->arg])",
-        "arithmetic(s->op, number[s->arg], *top)",
+        "binary(s->op, *top, number[s->arg])",
+        "binary(s->op, number[s->arg], *top)",
     ),
     Fault(
         "fold: positions stay", "program_fold.c", "kind == PM_MEASURE_MASS ||", "kind != PM_MEASURE_TIME ||"
@@ -259,7 +259,7 @@ FAULTS = [
     Fault(
         "capture: who has passed by is looked at for ever",
         "crossing.c",
-        "since = from = *place",
+        "since = from = f->found",
         "since = from",
     ),
     Fault("capture: who passes by is stopped", "crossing.c", "> PASSES * w->size", "> w->size"),
@@ -345,8 +345,8 @@ FAULTS = [
     Fault(
         "grip: one round of friction",
         "saddle.c",
-        "|| !pm_grip_update(w)) return",
-        "|| pm_grip_update(w) >= 0) return",
+        "|| !pm_grip_update(w)) {",
+        "|| pm_grip_update(w) >= 0) {",
     ),
     Fault("grip: no reaction", "grip.c", "x->body_b = row.body[1];", ""),
     Fault(
@@ -677,7 +677,7 @@ FAULTS = [
     Fault(
         "event: root of samples with a corner",
         "crossing.c",
-        "return pm_series_tail(w->nodes, value) < RESOLVED",
+        "return f->tail < RESOLVED",
         "return 1",
     ),
     # legs that repeat
@@ -1144,7 +1144,7 @@ FAULTS = [
     Fault(
         "batch: a step size from the case before",
         "route_rk.c",
-        "if (w->count[PM_COUNT_STEPS] == 0) r->next = 0",
+        "if (w->count[PM_COUNT_STEPS] == 0 || w->state.t > r->end) r->next = 0",
         "(void)0",
     ),
     Fault("batch: counts from the case before", "run.c", "pm_trigger_reset(w)", "(void)0"),
