@@ -86,10 +86,9 @@ void pm_audit_controlled_rates(pm_workspace *w, double *zdot)
     if (m->nz_controlled == 0) return;
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++)
         if (m->force_z[i] != PM_NONE) zdot[m->force_z[i]] = w->frame.power[i];
-    for (int i = 0; i < m->rows[PM_TABLE_MEASURE]; i++) {
-        if (m->path_z[i] == PM_NONE) continue;
-        const pm_point p = pm_point_of(w, PM_MEASURE_ROW(m, i)[PM_MEASURE_A]);
-        zdot[m->path_z[i]] = hypot(p.v[0], p.v[1]);
+    for (int i = 0; i < m->npath; i++) {
+        const pm_point p = pm_point_of(w, PM_MEASURE_ROW(m, m->path[i])[PM_MEASURE_A]);
+        zdot[m->nz_work + i] = hypot(p.v[0], p.v[1]);
     }
     pm_spin_rates(w, zdot);
 }

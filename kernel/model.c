@@ -359,8 +359,12 @@ static void lay_out(pm_model *m)
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++)
         m->force_z[i] = pm_force_of(m, i)->stores ? PM_NONE : m->nz++;
     m->nz_work = m->nz;
-    for (int i = 0; i < m->rows[PM_TABLE_MEASURE]; i++)
-        m->path_z[i] = PM_MEASURE_ROW(m, i)[PM_MEASURE_KIND] == PM_MEASURE_PATH ? m->nz++ : PM_NONE;
+    for (int i = 0; i < m->rows[PM_TABLE_MEASURE]; i++) {
+        m->path_z[i] = PM_NONE;
+        if (PM_MEASURE_ROW(m, i)[PM_MEASURE_KIND] != PM_MEASURE_PATH) continue;
+        m->path_z[i] = m->nz++;
+        m->path[m->npath++] = i;
+    }
     pm_spin_lay_out(m);
     m->nz_controlled = m->nz;
     m->nz += 1 + PM_LEDGER; /* work of sliding friction and of drives, then the outer impulses */
@@ -466,7 +470,7 @@ int pm_model_create(int64_t ntable, const int32_t *table, int64_t nconstant, con
         return status;
     }
     const size_t nint = 2 * (size_t)m->rows[PM_TABLE_CONTACT] + 2 * (size_t)m->rows[PM_TABLE_JOINT] +
-                        2 * (size_t)m->rows[PM_TABLE_FORCE] + (size_t)m->rows[PM_TABLE_MEASURE];
+                        2 * (size_t)m->rows[PM_TABLE_FORCE] + 2 * (size_t)m->rows[PM_TABLE_MEASURE];
     int *block = calloc(nint + 1, sizeof *block);
     m->program_level = calloc(3 * (size_t)m->rows[PM_TABLE_PROGRAM] + 1, 1);
     m->contact_slot = block;
@@ -482,6 +486,7 @@ int pm_model_create(int64_t ntable, const int32_t *table, int64_t nconstant, con
     m->force_z = m->joint_memory + m->rows[PM_TABLE_JOINT];
     m->grip_force = m->force_z + m->rows[PM_TABLE_FORCE];
     m->path_z = m->grip_force + m->rows[PM_TABLE_FORCE];
+    m->path = m->path_z + m->rows[PM_TABLE_MEASURE];
     lay_out(m);
     look_for_actions(m);
     grade_programs(m);

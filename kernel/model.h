@@ -46,6 +46,8 @@ typedef struct pm_model {
     int *joint_memory;        /* [njoint] first, or PM_NONE */
     int *force_z;             /* [nforce] running integral of its work, or PM_NONE: it has a potential */
     int *path_z;              /* [nmeasure] running integral of a path measure, or PM_NONE */
+    int *path;                /* [npath] the measures of paths: their integrals follow the works */
+    int npath;
     unsigned char *program_level;  /* [nprogram] enum pm_level that its measures need */
     unsigned char *program_nature; /* [nprogram] enum pm_nature */
     unsigned char *program_growth; /* [nprogram] enum pm_growth */

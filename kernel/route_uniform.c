@@ -168,14 +168,13 @@ static double distance_along(const double u[2], const double a[2], double h)
 static void integrate_paths(pm_workspace *w, double t, double h, double *z)
 {
     const pm_model *m = w->model;
-    for (int i = 0; i < m->rows[PM_TABLE_MEASURE]; i++) {
-        if (m->path_z[i] == PM_NONE) continue;
+    for (int i = 0; i < m->npath; i++) {
         pm_uniform_look(w, t);
         know_forces(w);
-        const pm_point p = pm_point_of(w, PM_MEASURE_ROW(m, i)[PM_MEASURE_A]);
+        const pm_point p = pm_point_of(w, PM_MEASURE_ROW(m, m->path[i])[PM_MEASURE_A]);
         double a[2];
         pm_point_acceleration(w, &p, a);
-        z[m->path_z[i]] = w->uniform->z0[m->path_z[i]] + distance_along(p.v, a, h);
+        z[m->nz_work + i] = w->uniform->z0[m->nz_work + i] + distance_along(p.v, a, h);
     }
 }
 
@@ -197,9 +196,8 @@ static void integrate(pm_workspace *w, double t, double *z)
 static int paths_are_parabolas(const pm_workspace *w)
 {
     const pm_model *m = w->model;
-    for (int i = 0; i < m->rows[PM_TABLE_MEASURE]; i++) {
-        if (m->path_z[i] == PM_NONE) continue;
-        const int32_t *p = PM_POINT_ROW(m, PM_MEASURE_ROW(m, i)[PM_MEASURE_A]);
+    for (int i = 0; i < m->npath; i++) {
+        const int32_t *p = PM_POINT_ROW(m, PM_MEASURE_ROW(m, m->path[i])[PM_MEASURE_A]);
         const double at[2] = {w->value[p[PM_POINT_X]], w->value[p[PM_POINT_Y]]};
         if (!pm_steady_mark(w, &w->uniform->curve, pm_body_index(m, p[PM_POINT_BODY]), at)) return 0;
     }
