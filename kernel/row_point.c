@@ -7,12 +7,30 @@
 
 static const double axis_x[2] = {1, 0}, axis_y[2] = {0, 1};
 
-static void evaluate(const pm_workspace *w, pm_row *row, const double n[2])
+/* The way from a body's mass centre to its mark; the ground turns nothing. */
+static inline void lever_of(const pm_workspace *w, int body, const double mark[2], double r[2])
 {
-    const pm_marks x = pm_row_marks(w, row);
-    pm_row_along(row, &x, n, 1);
-    row->g = pm_dot(x.d, n);
-    row->gamma = -pm_dot(x.quad, n);
+    const double *pose = w->frame.pose + 5 * body;
+    r[0] = pose[3] * mark[0] - pose[4] * mark[1];
+    r[1] = pose[4] * mark[0] + pose[3] * mark[1];
+}
+
+/* Written out for each axis, k = 0 or 1: these are the rows of all pins. */
+static inline void evaluate(const pm_workspace *w, pm_row *row, int k)
+{
+    const pm_frame *f = &w->frame;
+    const double omega_a = f->velocity[3 * row->body[0] + 2], omega_b = f->velocity[3 * row->body[1] + 2];
+    double a[2], b[2];
+    lever_of(w, row->body[0], row->a, a);
+    lever_of(w, row->body[1], row->b, b);
+    row->j[k] = 1;
+    row->j[1 - k] = 0;
+    row->j[2] = k ? a[0] : -a[1];
+    row->j[3 + k] = -1;
+    row->j[4 - k] = 0;
+    row->j[5] = k ? -b[0] : b[1];
+    row->g = (f->pose[5 * row->body[0] + k] + a[k]) - (f->pose[5 * row->body[1] + k] + b[k]);
+    row->gamma = omega_a * omega_a * a[k] - omega_b * omega_b * b[k];
 }
 
 static void act(const pm_workspace *w, const pm_row *row, pm_line_of_action *x, const double n[2])
@@ -21,8 +39,8 @@ static void act(const pm_workspace *w, const pm_row *row, pm_line_of_action *x, 
     *x = (pm_line_of_action){.at = {a.p[0], a.p[1]}, .direction = {n[0], n[1]}};
 }
 
-static void evaluate_x(const pm_workspace *w, pm_row *row) { evaluate(w, row, axis_x); }
-static void evaluate_y(const pm_workspace *w, pm_row *row) { evaluate(w, row, axis_y); }
+static void evaluate_x(const pm_workspace *w, pm_row *row) { evaluate(w, row, 0); }
+static void evaluate_y(const pm_workspace *w, pm_row *row) { evaluate(w, row, 1); }
 static void act_x(const pm_workspace *w, const pm_row *row, pm_line_of_action *x) { act(w, row, x, axis_x); }
 static void act_y(const pm_workspace *w, const pm_row *row, pm_line_of_action *x) { act(w, row, x, axis_y); }
 

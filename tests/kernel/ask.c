@@ -88,6 +88,26 @@ static void grid_over_angle(void)
     scene_free(s);
 }
 
+/* Each mark of a wheel that turns evenly goes its own way: omega r t. */
+static void two_paths(int route)
+{
+    const double omega = 3, r[] = {0.2, 0.7};
+    int way[2];
+    scene *s = scene_create();
+    const int wheel = scene_body(s, 2, 0.3, 0, 0, 0);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, wheel, 0, 0), scene_point(s, PM_GROUND, 0, 0), 0);
+    scene_start_omega(s, wheel, omega);
+    for (int i = 0; i < 2; i++)
+        way[i] = scene_ask_measure(
+            s, scene_part(s, PM_MEASURE_PATH, scene_point(s, wheel, 0, r[i]), PM_PART_NONE));
+    scene_until_time(s, 1.5);
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    EQUAL(scene_run(s, NULL), PM_OK);
+    for (int i = 0; i < 2; i++)
+        NEAR(s->out[way[i]], 1.5 * omega * r[i], route == PM_ROUTE_IDA ? 1e-7 : 1e-12);
+    scene_free(s);
+}
+
 static void throw_in_time(void)
 {
     scene *s = scene_create();
@@ -164,6 +184,9 @@ int main(void)
     extremes_of_a_swing();
     grid_over_angle();
     throw_in_time();
+    two_paths(PM_ROUTE_RK);
+    two_paths(PM_ROUTE_IDA);
+    two_paths(PM_ROUTE_AUTO);
     extremes_at_a_blow();
     return check_failures();
 }
