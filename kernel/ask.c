@@ -201,6 +201,7 @@ typedef struct pm_peak {
     double g[PM_NODES_MOST], d[PM_NODES_MOST];
     double size; /* greatest of g */
     double tail; /* highest coefficients over it */
+    double best; /* known before it is looked for, as g */
 } pm_peak;
 
 /* How far the slope of the polynomial may be off, by the fraction of the step. */
@@ -378,7 +379,8 @@ static int extremes_of_samples(pm_workspace *w, int ask, const pm_peak *p)
         if (!(d[k] > 0 && d[k + 1] < 0)) continue;
         int status = pm_series_root(w, nodes, d, at[k], d[k], at[k + 1], d[k + 1], &s);
         if (status) return status;
-        if (pm_series_value(nodes, p->g, 1, s) + untold <= p->sign * w->ask->best[ask]) continue;
+        if (pm_series_value(nodes, p->g, 1, s) + untold <= fmax(p->best, p->sign * w->ask->best[ask]))
+            continue;
         if ((status = take_extreme(w, ask, p, k, s))) return status;
     }
     return PM_OK;
@@ -400,6 +402,16 @@ static int extremes_beside_top(pm_workspace *w, int ask, const pm_peak *p, int t
     return PM_OK;
 }
 
+/* The better of the best so far and the best of the nodes up to the end of the step, `p` of all nodes. */
+static double best_known(const pm_workspace *w, int ask, const pm_peak *p)
+{
+    double best = p->sign * w->ask->best[ask];
+    for (int k = 0; k < w->nodes->n && pm_crossing_node(w, k) <= w->step_end; k++)
+        if (!(p->g[k] <= best)) best = p->g[k];
+    return best;
+}
+
+/* Extremes between nodes that are better than any node. */
 static int extreme_in_step(pm_workspace *w, int ask)
 {
     const int nask = w->model->nask, n = w->nodes->n;
@@ -417,7 +429,8 @@ static int extreme_in_step(pm_workspace *w, int ask)
         p.size = fmax(p.size, fabs(p.g[k]));
     }
     /* an extreme between the nodes exceeds them by no more than their spread */
-    if (spread <= LEVEL * p.size || p.g[top] + spread < p.sign * w->ask->best[ask]) return PM_OK;
+    p.best = best_known(w, ask, &p);
+    if (spread <= LEVEL * p.size || p.g[top] + spread < p.best) return PM_OK;
     pm_series_slopes(w->nodes, p.g, p.d);
     if (pm_nodes_spectral(w->nodes) && !at_extreme(PM_ASK_ROW(w->model, ask))) {
         p.tail = pm_series_tail(w->nodes, p.g);
@@ -500,8 +513,8 @@ int pm_ask_step(pm_workspace *w)
     }
     for (int i = 0; i < w->ask->nobserver; i++) {
         const int ask = w->ask->observer[i], grid = PM_ASK_ROW(w->model, ask)[PM_ASK_KIND] == PM_ASK_GRID;
-        int status = grid ? grid_in_step(w, ask) : offer_node(w, ask);
-        if (!status && !grid) status = extreme_in_step(w, ask);
+        int status = grid ? grid_in_step(w, ask) : extreme_in_step(w, ask);
+        if (!status && !grid) status = offer_node(w, ask);
         if (status) return status;
     }
     return PM_OK;

@@ -109,8 +109,8 @@ static double meeting_gap(const pm_workspace *w, int contact, double *rate)
 double pm_contact_member_gap(const pm_workspace *w, int contact, int member, double *rate)
 {
     if (pm_capture_is_meeting(w->model, contact)) return meeting_gap(w, contact, rate);
-    pm_row normal, tangent;
-    pm_row_of_contact(w, contact, w->model->contact_slot[contact], member, &normal, &tangent);
+    pm_row normal;
+    pm_row_normal_of_contact(w, contact, w->model->contact_slot[contact], member, &normal);
     pm_row_kind(normal.kind)->evaluate(w, &normal);
     if (rate) *rate = pm_saddle_times(w, &normal, w->frame.v);
     return normal.g;
@@ -123,15 +123,27 @@ double pm_contact_member_slip(const pm_workspace *w, int contact, int member)
     return pm_row_slip(w, &tangent);
 }
 
+/* Where a point is; returns the pose of its body. */
+static inline const double *place_of(const pm_workspace *w, int point, double p[2])
+{
+    const int32_t *e = PM_POINT_ROW(w->model, point);
+    const double *pose = w->frame.pose + 5 * pm_body_index(w->model, e[PM_POINT_BODY]);
+    const double x = w->value[e[PM_POINT_X]], y = w->value[e[PM_POINT_Y]];
+    p[0] = pose[0] + (pose[3] * x - pose[4] * y);
+    p[1] = pose[1] + (pose[4] * x + pose[3] * y);
+    return pose;
+}
+
 pm_beside pm_contact_beside(const pm_workspace *w, int contact)
 {
     const pm_model *m = w->model;
     const int32_t *e = PM_CONTACT_ROW_OF(m, contact);
     const int32_t *row = PM_ROW_ROW(m, e[PM_CONTACT_B]), *circle = PM_CIRCLE_ROW(m, e[PM_CONTACT_A]);
-    const pm_point c = pm_point_of(w, circle[PM_CIRCLE_POINT]), first = pm_point_of(w, row[PM_ROW_POINT]);
-    const double *axes = w->frame.pose + 5 * first.body;
+    double c[2], first[2];
+    place_of(w, circle[PM_CIRCLE_POINT], c);
+    const double *axes = place_of(w, row[PM_ROW_POINT], first);
     const double sx = w->value[row[PM_ROW_STEP_X]], sy = w->value[row[PM_ROW_STEP_Y]];
-    return (pm_beside){.d = {c.p[0] - first.p[0], c.p[1] - first.p[1]},
+    return (pm_beside){.d = {c[0] - first[0], c[1] - first[1]},
                        .step = {axes[3] * sx - axes[4] * sy, axes[4] * sx + axes[3] * sy},
                        .radius = w->value[circle[PM_CIRCLE_RADIUS]]};
 }

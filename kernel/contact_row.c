@@ -2,14 +2,15 @@
 #include "mark.h"
 #include "segment.h"
 
+static int memory_of(const pm_model *m, int slot) { return m->nmemory - m->nslot + slot; }
+
 static void corner_of_segment(const pm_workspace *w, pm_row *row, int contact, int member)
 {
     pm_segment_corner(w, contact, member, row->b);
     pm_mark_radii(row, row->radius_a, 0, 1);
 }
 
-void pm_row_of_contact(const pm_workspace *w, int contact, int slot, int member, pm_row *normal,
-                       pm_row *tangent)
+void pm_row_normal_of_contact(const pm_workspace *w, int contact, int slot, int member, pm_row *normal)
 {
     const pm_model *m = w->model;
     const int32_t *e = PM_CONTACT_ROW_OF(m, contact);
@@ -43,12 +44,17 @@ void pm_row_of_contact(const pm_workspace *w, int contact, int slot, int member,
         break;
     }
     normal->slot = slot;
+    if (normal->kind == PM_ROW_STRAND) normal->memory = memory_of(m, slot);
+}
+
+void pm_row_of_contact(const pm_workspace *w, int contact, int slot, int member, pm_row *normal,
+                       pm_row *tangent)
+{
+    const int32_t *e = PM_CONTACT_ROW_OF(w->model, contact);
+    pm_row_normal_of_contact(w, contact, slot, member, normal);
     *tangent = *normal;
-    tangent->memory = m->nmemory - m->nslot + slot;
-    if (normal->kind == PM_ROW_STRAND) { /* nothing acts across a cord: it is smooth */
-        normal->memory = tangent->memory;
-        return;
-    }
+    tangent->memory = memory_of(w->model, slot);
+    if (normal->kind == PM_ROW_STRAND) return; /* nothing acts across a cord: it is smooth */
     tangent->kind = normal->kind == PM_ROW_LINE_NORMAL ? PM_ROW_LINE_TANGENT : PM_ROW_CIRCLE_TANGENT;
     if (tangent->kind == PM_ROW_LINE_TANGENT) tangent->drive = e[PM_CONTACT_SPEED]; /* corners do not run */
 }

@@ -21,11 +21,13 @@
 #define ON_ZERO 1e-12  /* of a function's greatest size in the step: zero when the phase begins */
 #define RATE_STEP 1e-4 /* of the step: distance of the differences that make a rate */
 #define NEAR 0.3       /* of a function's greatest size in the step: below it there may be a dip to zero */
+#define FAR 0.5        /* of a function's greatest size in the step: above it there is none */
 #define CLOSE 0.1      /* of the values beside it: a dip that is worth a closer look */
 #define DIP_STEP 1e-3  /* of the nodes' distance: distance of the differences at the bottom of a dip */
 #define DIP_STEPS 3    /* of Newton's method to the bottom */
 #define RESOLVED 1e-6  /* highest coefficients of a function that its samples tell */
 #define PASSES 1e-5    /* of the scene's size: two points farther apart where they are nearest do not meet */
+#define ROUNDING 1e-15 /* of the step */
 #define OFF 1e-9       /* of a function's values next to its zero: not on it */
 #define HALVINGS 30    /* of a step, to find the top of a short bounce */
 #define LEAVING \
@@ -214,13 +216,15 @@ static double slope_at(const pm_workspace *w, const double *g, int k)
 /* A dip between node k and the next, told by the slopes there: also one beside an end of the step, where three nodes do
  * not show it.  The bottom of the cubic through both values and slopes. */
 static int turns(pm_workspace *w, pm_event_function *f, const double *g, int k, const double *x,
-                 double *where, double *value)
+                 double *slope, double *where, double *value)
 {
     const double s = g[k] > 0 ? 1 : -1, a = s * g[k], b = s * g[k + 1], h = x[1] - x[0];
     if (!(a > 0 && b > 0) || !may_cross(f, s)) return 0;
-    const double p = s * slope_at(w, g, k) * h;
+    if (isnan(slope[k])) slope[k] = slope_at(w, g, k);
+    const double p = s * slope[k] * h;
     if (!(p < 0)) return 0;
-    const double q = s * slope_at(w, g, k + 1) * h;
+    slope[k + 1] = slope_at(w, g, k + 1);
+    const double q = s * slope[k + 1] * h;
     if (!(q > 0)) return 0;
     const double c2 = 3 * (b - a) - 2 * p - q, c3 = 2 * (a - b) + p + q;
     const double t = -p / (c2 + sqrt(fmax(c2 * c2 - 3 * c3 * p, 0)));
@@ -262,6 +266,16 @@ static int leaves_and_crosses(pm_workspace *w, const pm_event_function *f, doubl
     return 0;
 }
 
+/* All samples are on one side: where the function may not cross from there, or where it stays so far from zero that no
+ * parabola of three nodes (of which one interval is at most three times the other) comes near to it. */
+static int stays_away(const pm_event_function *f, const double *g, int n, double biggest)
+{
+    const double s = g[0] > 0 ? 1 : -1, least = may_cross(f, s) ? FAR * biggest : 0;
+    for (int k = 0; k < n; k++)
+        if (!(s * g[k] > least)) return 0;
+    return 1;
+}
+
 /* The first bracket of function i in the step after `from`, if any. */
 static int bracket(pm_workspace *w, int i, double from, pm_span *x)
 {
@@ -296,14 +310,17 @@ static int bracket(pm_workspace *w, int i, double from, pm_span *x)
         *x = (pm_span){place[0], place[0], 0, 0};
         return 1;
     }
+    if (stays_away(f, g, n, biggest)) return 0;
+    double slope[PM_NODES_MOST]; /* at the nodes, where they are known */
+    for (int k = 0; k < n; k++) slope[k] = NAN;
     for (int k = first; k + 1 < n; k++) {
         double where, value;
         if (crosses(f, g[k], g[k + 1])) {
             *x = (pm_span){place[k], place[k + 1], g[k], g[k + 1]};
             return 1;
         }
-        const int near = fmin(fabs(g[k]), fabs(g[k + 1])) < NEAR * biggest;
-        const int turned = near && turns(w, f, g, k, place + k, &where, &value);
+        const int near = fabs(g[k]) < NEAR * biggest || fabs(g[k + 1]) < NEAR * biggest;
+        const int turned = near && turns(w, f, g, k, place + k, slope, &where, &value);
         if ((turned || (k + 2 < n && dips(w, f, g + k, place + k, &where, &value))) && where > from) {
             *x = (pm_span){place[k], where, g[k], value};
             return 1;
@@ -329,6 +346,15 @@ static void samples_of(const pm_workspace *w, int i, double value[PM_NODES_MOST]
     const pm_event_set *e = w->event;
     for (int k = 0; k < w->nodes->n; k++)
         value[k] = pm_event_of_sample(&e->function[i], e->value[k * e->nfunction + i]);
+}
+
+static double biggest_of(const pm_workspace *w, int i)
+{
+    double value[PM_NODES_MOST], biggest = 0;
+    samples_of(w, i, value);
+    for (int k = 0; k < w->nodes->n; k++)
+        if (fabs(value[k]) > biggest) biggest = fabs(value[k]);
+    return biggest;
 }
 
 static double slope_of_samples(const pm_workspace *w, int i, double place)
@@ -410,6 +436,21 @@ static int root_in(pm_workspace *w, int i, const pm_span *x, double *place)
     return pm_root_find(w, e->solver, along, &e->function[i], x->a, x->ga, x->b, x->gb, place);
 }
 
+/* Where what the route looks at is exact, one step of Newton's method from the root of the polynomial leads to the zero
+ * itself, but for the error of the slope: *near, if that is nothing. */
+static int step_onto(pm_workspace *w, int i, double slope, double size, double *place, int *near)
+{
+    pm_event_function *f = &w->event->function[i];
+    const double h = w->step_end - w->step_begin, n = w->nodes->n, value = along(w, *place, f);
+    const double shift = -value / slope, next = *place + shift;
+    const double error =
+        n * n * fmax(f->tail, ROUNDING) * biggest_of(w, i) / fabs(slope * h); /* of the slope */
+    *near = fabs(value) <= OFF * size && next > w->step_begin && next < w->step_end &&
+            fabs(shift) * (error + n * n * fabs(shift) / h) <= ROUNDING * h;
+    if (*near) *place = next;
+    return isnan(value) ? PM_SOLVER : PM_OK;
+}
+
 /* A function with a corner is no polynomial: where the polished place is not on its zero it is looked for once more. */
 static int polish(pm_workspace *w, int i, const pm_span *x, double *first, double *taken)
 {
@@ -417,8 +458,13 @@ static int polish(pm_workspace *w, int i, const pm_span *x, double *first, doubl
     const int spectral = is_resolved(w, i);
     const double size = fmax(fabs(x->ga), fabs(x->gb));
     double off;
-    int status = pm_root_polish(w, along, exactly, f, spectral ? slope_of_samples(w, i, *first) : NAN, first,
-                                taken, &off);
+    const double slope = spectral ? slope_of_samples(w, i, *first) : NAN;
+    int near = 0, status = spectral && w->route->look ? step_onto(w, i, slope, size, first, &near) : PM_OK;
+    if (near) {
+        *taken = *first;
+        return status ? status : w->route->exact(w, *first, &w->probe);
+    }
+    if (!status) status = pm_root_polish(w, along, exactly, f, slope, first, taken, &off);
     if (status || !(fabs(off) > OFF * size) || !spectral) return status;
     status = pm_root_find(w, w->event->solver, along, f, x->a, x->ga, x->b, x->gb, first);
     return status ? status : pm_root_polish(w, along, exactly, f, NAN, first, taken, &off);

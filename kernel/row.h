@@ -61,7 +61,9 @@ const pm_row_ops *pm_row_kind(int kind);
 int pm_row_of_joint(const pm_workspace *w, int joint, pm_row row[PM_JOINT_ROWS]);
 /* The same, whether the joint is there or not. */
 int pm_row_of_any_joint(const pm_workspace *w, int joint, pm_row row[PM_JOINT_ROWS]);
-/* Normal and tangential row of a contact that is closed (or may close) in `slot` with `member`. */
+/* The normal row alone of a contact that is closed (or may close) in `slot` with `member`. */
+void pm_row_normal_of_contact(const pm_workspace *w, int contact, int slot, int member, pm_row *normal);
+/* Its normal and its tangential row. */
 void pm_row_of_contact(const pm_workspace *w, int contact, int slot, int member, pm_row *normal,
                        pm_row *tangent);
 
