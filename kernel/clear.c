@@ -98,6 +98,7 @@ void pm_clear_step(pm_workspace *w)
 void pm_clear_node(pm_workspace *w, int node)
 {
     pm_clear *x = &w->event->clear;
+    if (w->model->rows[PM_TABLE_CONTACT] == 0) return;
     for (int i = 0; i < w->model->nbody; i++) {
         const double *pose = w->frame.pose + 5 * i;
         double *from = x->from + 3 * i;

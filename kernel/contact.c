@@ -106,9 +106,27 @@ static double meeting_gap(const pm_workspace *w, int contact, double *rate)
     return distance;
 }
 
+/* Of a circle and a point of a row, as row_distance.c has it. */
+static double point_gap(const pm_workspace *w, int contact, int member, double *rate)
+{
+    const pm_model *m = w->model;
+    const int32_t *e = PM_CONTACT_ROW_OF(m, contact);
+    const int32_t *row = PM_ROW_ROW(m, e[PM_CONTACT_B]), *circle = PM_CIRCLE_ROW(m, e[PM_CONTACT_A]);
+    const int32_t *first = PM_POINT_ROW(m, row[PM_ROW_POINT]);
+    const pm_point a = pm_point_of(w, circle[PM_CIRCLE_POINT]);
+    const pm_point b = pm_point_at(w, pm_body_index(m, first[PM_POINT_BODY]),
+                                   w->value[first[PM_POINT_X]] + member * w->value[row[PM_ROW_STEP_X]],
+                                   w->value[first[PM_POINT_Y]] + member * w->value[row[PM_ROW_STEP_Y]]);
+    const double d[2] = {a.p[0] - b.p[0], a.p[1] - b.p[1]}, u[2] = {a.v[0] - b.v[0], a.v[1] - b.v[1]};
+    const double distance = pm_length(d);
+    if (rate) *rate = pm_dot(u, d) / distance;
+    return distance - w->value[circle[PM_CIRCLE_RADIUS]];
+}
+
 double pm_contact_member_gap(const pm_workspace *w, int contact, int member, double *rate)
 {
     if (pm_capture_is_meeting(w->model, contact)) return meeting_gap(w, contact, rate);
+    if (pm_contact_is_row(w->model, contact)) return point_gap(w, contact, member, rate);
     pm_row normal;
     pm_row_normal_of_contact(w, contact, w->model->contact_slot[contact], member, &normal);
     pm_row_kind(normal.kind)->evaluate(w, &normal);

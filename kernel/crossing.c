@@ -194,9 +194,10 @@ static int may_cross(const pm_event_function *f, double s)
 }
 
 /* A dip of three nodes towards zero: the vertex of their parabola, if the function goes through zero there. */
-static int dips(pm_workspace *w, pm_event_function *f, const double *g, const double *x, double *where,
-                double *value)
+static int dips(pm_workspace *w, pm_event_function *f, const double *g, double biggest, const double *x,
+                double *where, double *value)
 {
+    if (fabs(g[1]) > FAR * biggest) return 0;
     const double s = g[1] > 0 ? 1 : -1, a = s * g[0], b = s * g[1], c = s * g[2];
     if (!(b < a && b < c) || !(a > 0 && b > 0 && c > 0) || !may_cross(f, s)) return 0;
     const double left = (a - b) / (x[1] - x[0]), right = (c - b) / (x[2] - x[1]);
@@ -321,7 +322,8 @@ static int bracket(pm_workspace *w, int i, double from, pm_span *x)
         }
         const int near = fabs(g[k]) < NEAR * biggest || fabs(g[k + 1]) < NEAR * biggest;
         const int turned = near && turns(w, f, g, k, place + k, slope, &where, &value);
-        if ((turned || (k + 2 < n && dips(w, f, g + k, place + k, &where, &value))) && where > from) {
+        if ((turned || (k + 2 < n && dips(w, f, g + k, biggest, place + k, &where, &value))) &&
+            where > from) {
             *x = (pm_span){place[k], where, g[k], value};
             return 1;
         }
@@ -403,15 +405,14 @@ static void sample_member(pm_workspace *w, int i, double x)
     f->tail = -1;
 }
 
-/* How fast the function goes through its zero: a decision, for it might not have reached it. */
-static void take_rate(pm_workspace *w, int function, double x)
+/* How fast the function goes through its zero: a decision, for it might not have reached it.  slope: of the polynomial
+ * there, if its samples tell it. */
+static void take_rate(pm_workspace *w, int function, double x, double slope)
 {
     if (!w->error->active) return;
     pm_event_function *f = &w->event->function[function];
     const double d = RATE_STEP * (w->step_end - w->step_begin);
-    pm_decision_rate(w, function,
-                     is_resolved(w, function) ? slope_of_samples(w, function, x)
-                                              : (along(w, x + d, f) - along(w, x - d, f)) / (2 * d));
+    pm_decision_rate(w, function, isnan(slope) ? (along(w, x + d, f) - along(w, x - d, f)) / (2 * d) : slope);
 }
 
 /* Where the polynomial through the samples has its root. */
@@ -452,13 +453,12 @@ static int step_onto(pm_workspace *w, int i, double slope, double size, double *
 }
 
 /* A function with a corner is no polynomial: where the polished place is not on its zero it is looked for once more. */
-static int polish(pm_workspace *w, int i, const pm_span *x, double *first, double *taken)
+static int polish(pm_workspace *w, int i, const pm_span *x, double slope, double *first, double *taken)
 {
     pm_event_function *f = &w->event->function[i];
-    const int spectral = is_resolved(w, i);
+    const int spectral = !isnan(slope);
     const double size = fmax(fabs(x->ga), fabs(x->gb));
     double off;
-    const double slope = spectral ? slope_of_samples(w, i, *first) : NAN;
     int near = 0, status = spectral && w->route->look ? step_onto(w, i, slope, size, first, &near) : PM_OK;
     if (near) {
         *taken = *first;
@@ -531,9 +531,10 @@ int pm_crossing_first(pm_workspace *w, double from, double *first, double *taken
     }
     if (earliest == PM_NONE || *first <= w->step_begin) return PM_OK;
     const int at_end = *first >= w->step_end && of_first.gb == 0; /* exactly there: nothing to polish */
-    if (!at_end || !w->turns) take_rate(w, earliest, *first);
+    const double slope = is_resolved(w, earliest) ? slope_of_samples(w, earliest, *first) : NAN;
+    if (!at_end || !w->turns) take_rate(w, earliest, *first, slope);
     if (at_end) return PM_OK;
-    return polish(w, earliest, &of_first, first, taken);
+    return polish(w, earliest, &of_first, slope, first, taken);
 }
 
 void pm_crossing_leave(pm_workspace *w)

@@ -333,7 +333,10 @@ static void set_modes(pm_workspace *w, const unsigned char *share, const int32_t
         pm_contact_member_gap(w, contact, member, &rate);
         if (fabs(rate) > pm_contact_speed(w)) continue; /* parts, or is struck again by the next blow */
         w->state.slot[i].mode = pm_mode_of_slip(w, contact, member);
-        if (share[i] != OUT || w->state.slot[i].mode != resting[i]) pm_active_anchor(w, &w->state, i);
+        const int closed_here =
+            share[i] == STRUCK && w->state.slot[i].mode != PM_CAPTURED; /* anchored then */
+        if (!closed_here && (share[i] != OUT || w->state.slot[i].mode != resting[i]))
+            pm_active_anchor(w, &w->state, i);
         if (share[i] == STRUCK && w->state.slot[i].mode == PM_STICK && slid(w, i, before))
             pm_trigger_mark(w, PM_TRIGGER_STICK, contact);
     }

@@ -195,7 +195,7 @@ int pm_mode_settle(pm_workspace *w)
         pm_frame_look_state(w, &w->state);
         if ((status = pm_active_build(w)) || (status = pm_project(w, &w->state))) return status;
         if (w->kinematic) return PM_OK;
-        if ((status = pm_saddle_accelerate(w))) return status;
+        if ((status = pm_saddle_accelerate_projected(w))) return status;
         const double size = force_size(w);
         if (!let_go(w, size) && !slide(w, size) && !pm_grip_overcome(w, SLACK * size) && !close_again(w))
             return PM_OK;

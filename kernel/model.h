@@ -237,6 +237,7 @@ typedef struct pm_workspace {
     double *grip_load; /* [ngrip] friction that goes with the load of its joint, N or N m */
     int *slot_held;    /* [nslot][PM_JOINT_ROWS] of a captured pair, or PM_NONE */
     int64_t row_set;   /* counts the sets of rows */
+    int rows_here;     /* the last projection has left the frame where the rows were evaluated */
     struct pm_recall *recall;
     int nredundant;
     int asymmetric; /* some contact slides: H differs from G */

@@ -35,7 +35,8 @@ int pm_project_velocity(pm_workspace *w, pm_state *s)
         w->rhs[i] = w->row[i].rate - pm_saddle_times(w, &w->row[i], s->v);
         worst = fmax(worst, fabs(w->rhs[i]));
     }
-    if (worst <= ROUNDING * w->speed) return PM_OK;
+    w->rows_here = worst <= ROUNDING * w->speed;
+    if (w->rows_here) return PM_OK;
     const int status = factor_symmetric(w);
     if (status) return status;
     pm_saddle_spread(w, 0, s->v);

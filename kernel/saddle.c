@@ -220,13 +220,13 @@ int pm_saddle_respond(pm_workspace *w, const double *force, double *x)
 }
 
 /* With the friction of joints as it was found last. */
-static int accelerate(pm_workspace *w)
+static int accelerate(pm_workspace *w, int evaluated)
 {
     pm_frame *f = &w->frame;
     pm_force_all(w);
     for (int i = 0; i < w->model->nq; i++) f->a[i] = w->inverse_mass[i] * f->f[i];
     if (w->nactive > 0 || w->massless) {
-        pm_saddle_rows(w);
+        if (!evaluated) pm_saddle_rows(w);
         int status = pm_saddle_factor(w);
         if (status) return from_route(w) ? PM_OK : status;
         for (int i = 0; i < w->nactive; i++) w->wanted[i] = w->row[i].gamma;
@@ -237,15 +237,22 @@ static int accelerate(pm_workspace *w)
     return PM_OK;
 }
 
-int pm_saddle_accelerate(pm_workspace *w)
+static int accelerate_from(pm_workspace *w, int evaluated)
 {
     if (pm_recall_take(w)) return PM_OK;
     for (int i = 0; i < ROUNDS; i++) {
-        const int status = accelerate(w);
+        const int status = accelerate(w, evaluated && i == 0);
         if (status || !pm_grip_by_load(w) || !pm_grip_update(w)) {
             if (!status) pm_recall_keep(w);
             return status;
         }
     }
     return pm_fail(w, PM_SINGULAR, PM_TABLE_FORCE, w->model->grip_force[0], NAN, NAN);
+}
+
+int pm_saddle_accelerate(pm_workspace *w) { return accelerate_from(w, 0); }
+
+int pm_saddle_accelerate_projected(pm_workspace *w)
+{
+    return accelerate_from(w, w->nactive > 0 && w->rows_here);
 }

@@ -19,6 +19,8 @@ void pm_saddle_spread(const pm_workspace *w, int use_h, double *x);
 /* The rows are factored: x with M x = force + H^T l (force NULL: none), G x = w->wanted; l is in w->rhs. */
 int pm_saddle_respond(pm_workspace *w, const double *force, double *x);
 int pm_saddle_accelerate(pm_workspace *w);
+/* The same right after pm_project, which may have evaluated the rows. */
+int pm_saddle_accelerate_projected(pm_workspace *w);
 /* Product of row i with a vector on q. */
 double pm_saddle_times(const pm_workspace *w, const pm_row *row, const double *x);
 
