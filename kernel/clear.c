@@ -22,6 +22,7 @@
 #define BETWEEN \
     3.0 /* times the movement seen at the nodes of a step: between them it is less (Lebesgue's constants are) */
 #define WITHIN 0.9      /* of a gap: so far two circles may come in a step without meeting */
+#define EDGE_PART 0.01  /* of its length */
 #define LIKE_BEFORE 2.0 /* times what bodies moved in the last step: what they will in the next, mostly */
 
 int pm_clear_create(const pm_model *m, pm_clear *x)
@@ -133,6 +134,12 @@ void pm_clear_keep(pm_workspace *w, int contact, double gap)
         w->event->clear.left[contact] = PART * gap - BETWEEN * moved(w, body);
 }
 
+/* A short way of a mark beside a fixed edge: what strikes it near an end is behind it for no longer. */
+static double part_of_edge(const pm_workspace *w, const int32_t *e)
+{
+    return EDGE_PART * (w->value[e[PM_CONTACT_TO]] - w->value[e[PM_CONTACT_FROM]]);
+}
+
 /* The sum of the radii of two circles, or of a circle and a row's member (a point); 0 of what cannot be gone through. */
 static double through(const pm_workspace *w, int contact)
 {
@@ -145,8 +152,20 @@ static double through(const pm_workspace *w, int contact)
         return w->value[e[PM_CONTACT_SIDE]] == 1
                    ? radius + w->value[PM_CIRCLE_ROW(m, e[PM_CONTACT_B])[PM_CIRCLE_RADIUS]]
                    : 0;
+    case PM_CONTACT_SEGMENT: return part_of_edge(w, e);
     default: return 0;
     }
+}
+
+/* The bodies of what a mark may go through between two nodes. */
+static int bodies_of_passage(const pm_model *m, int contact, int body[2])
+{
+    const int32_t *e = PM_CONTACT_ROW_OF(m, contact);
+    if (e[PM_CONTACT_KIND] != PM_CONTACT_SEGMENT) return bodies_of(m, contact, body);
+    const int point = PM_LINE_ROW(m, e[PM_CONTACT_B])[PM_LINE_POINT];
+    body[0] = body_of_circle(m, e[PM_CONTACT_A]);
+    body[1] = m->nbody;
+    return PM_POINT_ROW(m, point)[PM_POINT_BODY] == PM_GROUND;
 }
 
 /* How fast the origin of a body goes against that of another, and the circles about them: rates are velocities or
@@ -173,7 +192,7 @@ double pm_clear_time(const pm_workspace *w)
         int body[2], member;
         if (e->function[i].kind != FUNCTION_GAP || e->function[i].owned) continue;
         const double radii = through(w, contact);
-        if (!(radii > 0) || !bodies_of(w->model, contact, body)) continue;
+        if (!(radii > 0) || !bodies_of_passage(w->model, contact, body)) continue;
         const double safe = (w->nodes->n - 1) * radii, left = e->clear.left[contact];
         const double free = left > safe ? left : WITHIN * pm_contact_gap(w, &w->state, contact, &member);
         const double way = fmax(free, safe);

@@ -45,7 +45,7 @@ static int create(pm_workspace *w)
     if (!u) return PM_NO_MEMORY;
     const size_t nq = (size_t)m->nq, nz = (size_t)m->nz, nslot = (size_t)m->nslot, nrow = (size_t)m->nrow,
                  ncontact = (size_t)m->rows[PM_TABLE_CONTACT];
-    const size_t ndouble = 3 * (nq + 3) + nrow + nslot + (size_t)m->ngrip + 4 * nz + 5 * nq,
+    const size_t ndouble = 3 * (nq + 3) + nrow + 2 * nslot + (size_t)m->ngrip + 4 * nz + 5 * nq,
                  nwatched = (size_t)m->rows[PM_TABLE_TRIGGER] + (size_t)m->nask;
     u->closing = u->block = calloc(1, ncontact * sizeof *u->closing + ndouble * sizeof(double) +
                                           nwatched * sizeof *u->watched + 2 * (size_t)m->nbody + 2);
@@ -55,7 +55,8 @@ static int create(pm_workspace *w)
     u->a = u->v + nq + 3;
     u->lambda = u->a + nq + 3;
     u->slip_end = u->lambda + nrow;
-    u->rub_end = u->slip_end + nslot;
+    u->edge_end = u->slip_end + nslot;
+    u->rub_end = u->edge_end + nslot;
     u->rate = u->rub_end + m->ngrip;
     u->z0 = u->rate + 3 * nz;
     u->q_look = u->z0 + nz;
@@ -248,6 +249,7 @@ static void begin_contacts(pm_workspace *w)
         const int mode = w->state.slot[i].mode;
         const int slides = mode == PM_SLIDE_FORWARD || mode == PM_SLIDE_BACKWARD;
         u->slip_end[i] = slides ? slip_ends(w, slip_at, i, pm_contact_speed(w)) : INFINITY;
+        u->edge_end[i] = INFINITY;
     }
     for (int i = 0; i < w->model->ngrip; i++)
         u->rub_end[i] = w->state.grip[i] == PM_STICK || w->state.grip[i] == PM_OPEN
@@ -265,8 +267,9 @@ static int applies(pm_workspace *w)
     if (w->count[PM_COUNT_PHASES] == 0) pm_zeno_reset(w);
     pm_steady_curve(w, u->v, u->a, u->turns, u->locked, &u->curve);
     if (u->curve.levers && pm_grip_any(w->model)) return 0; /* reactions change, and friction with them */
-    if (w->model->nsegment > 0) return 0;                   /* the bounds of gaps know nothing of ends */
-    if (!pm_steady_holds(w, &u->curve) || !paths_are_parabolas(w) || pm_capture_awaits(w)) return 0;
+    if (!pm_uniform_edges_hold(w) || !pm_steady_holds(w, &u->curve) || !paths_are_parabolas(w) ||
+        pm_capture_awaits(w))
+        return 0;
     u->t0 = w->state.t;
     u->begin = u->end = 0;
     u->irregular = u->status = 0;
@@ -326,7 +329,7 @@ static double first_turn(pm_workspace *w, double from, double to)
 static double first_contact(pm_workspace *w, double end)
 {
     pm_uniform *u = w->uniform;
-    for (int i = 0; i < w->model->nslot; i++) end = fmin(end, u->slip_end[i]);
+    for (int i = 0; i < w->model->nslot; i++) end = fmin(end, fmin(u->slip_end[i], u->edge_end[i]));
     for (int i = 0; i < w->model->ngrip; i++) end = fmin(end, u->rub_end[i]);
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
         const pm_closing *x = &u->closing[i];
@@ -360,6 +363,7 @@ static int mark_roots(pm_workspace *w)
         const pm_event_function *f = &w->event->function[i];
         const int gap = f->kind == FUNCTION_GAP;
         w->event->root[i] = (gap && u->closing[f->index].root <= end) ||
+                            (f->kind == FUNCTION_END && u->edge_end[f->index] <= end) ||
                             (f->kind == FUNCTION_SLIP && u->slip_end[f->index] <= end) ||
                             (f->kind == FUNCTION_RUB && u->rub_end[f->index] <= end);
         if (!w->event->root[i]) continue;
@@ -379,9 +383,10 @@ static void note_decisions(pm_workspace *w)
             pm_decision_rate(w, i, slip_rate(w, slip_at, f->index));
         if (f->kind == FUNCTION_RUB && w->event->root[i])
             pm_decision_rate(w, i, slip_rate(w, rub_at, f->index));
-        if (f->kind != FUNCTION_GAP) continue;
-        pm_uniform_note_gap(w, f->index);
-        const pm_closing *x = &u->closing[f->index];
+        if (f->kind != FUNCTION_GAP && f->kind != FUNCTION_END) continue;
+        const int contact = f->kind == FUNCTION_END ? pm_contact_of_slot(w->model, f->index) : f->index;
+        pm_uniform_note_gap(w, contact);
+        const pm_closing *x = &u->closing[contact];
         if (w->event->root[i]) pm_decision_rate(w, i, x->rate);
         f->near = x->near;
         f->near_reach = x->near_reach;

@@ -22,11 +22,6 @@
 
 #define HANDING_OVER 4 /* touching lengths: so near to their corner two edges in one line are both touched */
 
-typedef struct pm_beside_edge {
-    double height, radius;
-    double from, to; /* beyond these ends, negative within */
-} pm_beside_edge;
-
 int pm_segment_is(const pm_model *m, int contact)
 {
     return PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_KIND] == PM_CONTACT_SEGMENT;
@@ -37,7 +32,7 @@ static double end_of(const pm_workspace *w, int contact, int column)
     return w->value[PM_CONTACT_ROW_OF(w->model, contact)[column]];
 }
 
-static pm_beside_edge beside(const pm_workspace *w, int contact)
+pm_beside_edge pm_segment_beside(const pm_workspace *w, int contact)
 {
     const pm_model *m = w->model;
     const int32_t *e = PM_CONTACT_ROW_OF(m, contact);
@@ -49,12 +44,13 @@ static pm_beside_edge beside(const pm_workspace *w, int contact)
     return (pm_beside_edge){.height = pm_cross(t, d),
                             .radius = w->value[circle[PM_CIRCLE_RADIUS]],
                             .from = end_of(w, contact, PM_CONTACT_FROM) - along - reach,
-                            .to = along - end_of(w, contact, PM_CONTACT_TO) - reach};
+                            .to = along - end_of(w, contact, PM_CONTACT_TO) - reach,
+                            .along = {t[0], t[1]}};
 }
 
 double pm_segment_gap(const pm_workspace *w, int contact, int *member)
 {
-    const pm_beside_edge x = beside(w, contact);
+    const pm_beside_edge x = pm_segment_beside(w, contact);
     const double beyond = fmax(x.from, x.to);
     *member = PM_SEGMENT_FACE;
     if (beyond <= 0) return fmax(x.height - x.radius, beyond);
@@ -65,7 +61,7 @@ double pm_segment_gap(const pm_workspace *w, int contact, int *member)
 
 int pm_segment_touches(const pm_workspace *w, int contact)
 {
-    const pm_beside_edge x = beside(w, contact);
+    const pm_beside_edge x = pm_segment_beside(w, contact);
     const double beyond = fmax(x.from, x.to), length = pm_contact_length(w);
     if (beyond > 0) return hypot(beyond, x.height) - x.radius <= length;
     return x.height >= -length && x.height - x.radius <= length;
@@ -73,13 +69,13 @@ int pm_segment_touches(const pm_workspace *w, int contact)
 
 int pm_segment_is_below(const pm_workspace *w, int contact)
 {
-    const pm_beside_edge x = beside(w, contact);
+    const pm_beside_edge x = pm_segment_beside(w, contact);
     return x.height < x.radius - pm_contact_length(w);
 }
 
 double pm_segment_gap_from_below(const pm_workspace *w, int contact)
 {
-    const pm_beside_edge x = beside(w, contact);
+    const pm_beside_edge x = pm_segment_beside(w, contact);
     const double beyond = fmax(x.from, x.to);
     return beyond > 0 ? hypot(beyond, x.height) - x.radius : x.radius - x.height;
 }
@@ -129,6 +125,14 @@ static int shared_corner(const pm_workspace *w, int contact, int member, int oth
     return PM_NONE;
 }
 
+int pm_segment_meets_another(const pm_workspace *w, int contact)
+{
+    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++)
+        for (int end = PM_SEGMENT_FROM; end <= PM_SEGMENT_TO; end++)
+            if (shared_corner(w, contact, end, i) != PM_NONE) return 1;
+    return 0;
+}
+
 static double beyond_end(const pm_beside_edge *x, int end)
 {
     return end == PM_SEGMENT_FROM ? x->from : x->to;
@@ -142,7 +146,7 @@ static double room_to_next_edge(const pm_workspace *w, int contact, int member, 
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
         const int end = shared_corner(w, contact, member, i);
         if (end == PM_NONE) continue;
-        const pm_beside_edge x = beside(w, i);
+        const pm_beside_edge x = pm_segment_beside(w, i);
         if (x.height <= 0 || beyond_end(&x, end) >= room) continue;
         room = beyond_end(&x, end);
         *heir = i;
@@ -155,7 +159,7 @@ int pm_segment_is_covered(const pm_workspace *w, const pm_state *s, int contact)
     const pm_model *m = w->model;
     int nearest;
     pm_segment_gap(w, contact, &nearest);
-    const pm_beside_edge x = beside(w, contact);
+    const pm_beside_edge x = pm_segment_beside(w, contact);
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT] && m->nsegment > 1; i++) {
         const pm_slot *slot = &s->slot[m->contact_slot[i]];
         if (slot->mode == PM_OPEN || !pm_segment_is(m, i)) continue;
@@ -170,7 +174,7 @@ int pm_segment_is_covered(const pm_workspace *w, const pm_state *s, int contact)
 
 double pm_segment_room(const pm_workspace *w, int contact, int member)
 {
-    const pm_beside_edge x = beside(w, contact);
+    const pm_beside_edge x = pm_segment_beside(w, contact);
     if (member == PM_SEGMENT_FACE) return -fmax(x.from, x.to);
     int heir;
     return fmin(beyond_end(&x, member) + pm_contact_length(w), room_to_next_edge(w, contact, member, &heir));
@@ -179,7 +183,7 @@ double pm_segment_room(const pm_workspace *w, int contact, int member)
 int pm_segment_next(const pm_workspace *w, int contact, int member, int *heir)
 {
     *heir = PM_NONE;
-    const pm_beside_edge x = beside(w, contact);
+    const pm_beside_edge x = pm_segment_beside(w, contact);
     if (!(x.radius > 0)) return PM_NONE;
     const int corner = member != PM_SEGMENT_FACE ? member : x.from > x.to ? PM_SEGMENT_FROM : PM_SEGMENT_TO;
     const double back = beyond_end(&x, corner) + pm_contact_length(w);

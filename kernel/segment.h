@@ -7,7 +7,18 @@
 /* Members of a contact with a segment: its face, and, for circles of some radius, the corners at its ends. */
 enum pm_segment_member { PM_SEGMENT_FACE = 0, PM_SEGMENT_FROM = 1, PM_SEGMENT_TO = 2 };
 
+/* A circle beside an edge at the frame: height of its centre over the line, how far it is beyond either end (negative
+ * within), and the direction of the edge. */
+typedef struct pm_beside_edge {
+    double height, radius;
+    double from, to;
+    double along[2];
+} pm_beside_edge;
+
 int pm_segment_is(const pm_model *m, int contact);
+pm_beside_edge pm_segment_beside(const pm_workspace *w, int contact);
+/* Some other edge that is there has one of its corners, and the same circle beside it. */
+int pm_segment_meets_another(const pm_workspace *w, int contact);
 /* Gap at the frame, and the member that is next.  Continuous where nothing overlaps; not below zero beyond the ends but for
  * circles that overlap a corner. */
 double pm_segment_gap(const pm_workspace *w, int contact, int *member);

@@ -43,6 +43,7 @@ typedef struct pm_uniform {
     pm_steady curve;
     pm_closing *closing; /* [ncontact] */
     double *slip_end;    /* [nslot] when a sliding contact stops, from the begin of the phase */
+    double *edge_end;    /* [nslot] when what touches an edge comes to its end */
     double *rub_end;     /* [ngrip] when the slip of a joint does */
     int irregular;       /* a contact touches and does neither leave nor rest */
     int status;          /* of looks */
@@ -76,6 +77,13 @@ void pm_uniform_gap(pm_workspace *w, int contact, double until);
 
 /* The last step has ended, at u->end: how near the contact came to closing without doing so. */
 void pm_uniform_note_gap(pm_workspace *w, int contact);
+
+/* uniform_edge.c: of every contact with an edge that ends a polynomial of the time tells all. */
+int pm_uniform_edges_hold(const pm_workspace *w);
+/* At the begin of the phase: when it closes, or comes to its end, if ever. */
+void pm_uniform_begin_edge(pm_workspace *w, int contact);
+/* As pm_uniform_note_gap, whether it is open or something touches it. */
+void pm_uniform_note_edge(pm_workspace *w, int contact);
 
 /* The contact has just closed, and bounces too low for positions to resolve would still be told from rest. */
 int pm_uniform_resolves(const pm_workspace *w, int contact);

@@ -13,6 +13,7 @@
 #include "route.h"
 #include "row.h"
 #include "saddle.h"
+#include "segment.h"
 #include "uniform.h"
 
 #define NEAR 4           /* members of a periodic row that are looked at one by one */
@@ -80,6 +81,11 @@ void pm_uniform_begin_gap(pm_workspace *w, int contact)
     pm_uniform *u = w->uniform;
     int member[NEAR];
     const int n = pm_contact_near(w, &w->state, contact, NEAR, member);
+    const int there = !pm_is_absent(w->model, &w->state, PM_TABLE_CONTACT, contact);
+    if (there && pm_segment_is(w->model, contact)) {
+        pm_uniform_begin_edge(w, contact);
+        return;
+    }
     u->closing[contact] = (pm_closing){.root = INFINITY, .near = INFINITY};
     for (int i = 0; i < n; i++) {
         pm_row row, tangent;
@@ -115,6 +121,11 @@ void pm_uniform_note_gap(pm_workspace *w, int contact)
 {
     int member;
     double rate;
+    if (pm_is_absent(w->model, &w->state, PM_TABLE_CONTACT, contact)) return;
+    if (pm_segment_is(w->model, contact)) {
+        pm_uniform_note_edge(w, contact);
+        return;
+    }
     pm_uniform_look(w, w->uniform->end);
     const double gap = pm_contact_gap(w, &w->state, contact, &member);
     if (gap == INFINITY) return; /* closed */

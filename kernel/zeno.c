@@ -30,6 +30,7 @@
 #include "project.h"
 #include "row.h"
 #include "saddle.h"
+#include "segment.h"
 #include "trigger.h"
 #include "uniform.h"
 
@@ -209,6 +210,20 @@ static double kicks(const pm_workspace *w, const pm_rest *r, const pm_row *row)
     return sum / (1 - r->e);
 }
 
+/* What is struck lies below, if it ends. */
+static int stays_over(pm_workspace *w, const pm_rest *r)
+{
+    pm_row row, tangent;
+    pm_row_bounds x;
+    const int slot = w->model->contact_slot[r->contact];
+    if (!pm_segment_is(w->model, r->contact)) return 1;
+    pm_uniform_look(w, 0);
+    if (w->state.slot[slot].member != PM_SEGMENT_FACE) return 0;
+    pm_row_of_contact(w, r->contact, slot, PM_SEGMENT_FACE, &row, &tangent);
+    pm_row_kind(row.kind)->bound(w, &row, w->uniform->a, r->time, &x);
+    return pm_segment_room(w, r->contact, PM_SEGMENT_FACE) > (x.rate + kicks(w, r, &row)) * r->time;
+}
+
 static int others_stay_open(pm_workspace *w, const pm_rest *r)
 {
     const pm_model *m = w->model;
@@ -282,8 +297,8 @@ static int applies(pm_workspace *w, const pm_rest *r, double t_limit)
     const pm_model *m = w->model;
     const int asked = m->watches_counts || m->acts || m->nz_controlled > m->nz_work; /* paths */
     return observed && !asked && !u->curve.levers && r->e > 0 && r->e < 1 && u->t0 + r->time < t_limit &&
-           is_slow(w, r) && contact_is_steady(w, r->contact) && others_stay_open(w, r) && slips_go_on(w, r) &&
-           triggers_are_clear(w, r) && observers_are_clear(w, r);
+           is_slow(w, r) && contact_is_steady(w, r->contact) && stays_over(w, r) && others_stay_open(w, r) &&
+           slips_go_on(w, r) && triggers_are_clear(w, r) && observers_are_clear(w, r);
 }
 
 /* ---- the leap ---- */

@@ -98,6 +98,40 @@ FAULTS = [
     ),
     Fault("reach: a plate hangs still", "reach.c", "if (!b->fixed) {", "if (0) {"),
     Fault("reach: edges have no end", "reach.c", "hypot(fmax(beyond, 0), ", "hypot(0, "),
+    # edges that end, by polynomials of the time
+    Fault("edge: no face", "uniform_edge.c", "return first_fall(&gap, x, 0, is_within);", "return INFINITY;"),
+    Fault(
+        "edge: the face has no end",
+        "uniform_edge.c",
+        "first_fall(&gap, x, 0, is_within)",
+        "first_fall(&gap, x, 0, always)",
+    ),
+    Fault("edge: no corners", "uniform_edge.c", "if (!(x->radius > 0)) return INFINITY;", "return INFINITY;"),
+    Fault(
+        "edge: only the first root",
+        "uniform_edge.c",
+        "for (int i = 0; i <= nturn; i++) {",
+        "for (int i = 0; i < 1; i++) {",
+    ),
+    Fault(
+        "edge: what touches has no end",
+        "uniform_edge.c",
+        "end = fmin(end, first_fall(&room, x, side, always));",
+        "",
+    ),
+    Fault("edge: from one end only", "uniform_edge.c", "{{2, {x.from, -vs, -as}}", "{{2, {x.from, vs, as}}"),
+    Fault(
+        "edge: seen from rest",
+        "uniform_edge.c",
+        "v[k] = u->v[3 * body[0] + k] - u->v[3 * body[1] + k];",
+        "v[k] = u->v[3 * body[0] + k];",
+    ),
+    Fault(
+        "clear: edges are passed in long steps",
+        "clear.c",
+        "case PM_CONTACT_SEGMENT: return part_of_edge(w, e);",
+        "",
+    ),
     # what joints hold still
     Fault("still: rows that nearly depend hold", "still.c", "left > CLEARLY * CLEARLY * all", "left > 0"),
     Fault("still: a joint that may go holds", "still.c", "is_changed(m, i) || ", ""),

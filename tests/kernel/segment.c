@@ -397,6 +397,120 @@ static void ends_in_order(void)
     scene_free(s);
 }
 
+/* ---- with constant accelerations ---- */
+enum { EDGES = 4, THROWS = 200 };
+
+/* A ball, or a point, thrown among edges that lie anyhow. */
+typedef struct throw
+{
+    double at[2], velocity[2], radius, restitution;
+    double edge[EDGES][4]; /* x, y, angle, length */
+}
+throw;
+
+static throw any_throw(int k)
+{
+    throw x = {.at = {0, 0}, .radius = k % 2 ? 0.1 : 0, .restitution = check_random(0.5, 1)};
+    const double speed = check_random(1, 6), angle = check_random(0, 6.28);
+    x.velocity[0] = speed * cos(angle);
+    x.velocity[1] = speed * sin(angle);
+    for (int i = 0; i < EDGES; i++) {
+        const double phi = check_random(0, 6.28), far = check_random(0.3, 1.2);
+        x.edge[i][0] = far * cos(phi);
+        x.edge[i][1] = far * sin(phi);
+        x.edge[i][2] = phi + 1.57 + check_random(-0.5, 0.5); /* its free side looks at the start, mostly */
+        x.edge[i][3] = check_random(0.2, 0.9);
+    }
+    return x;
+}
+
+static scene *thrown(const throw *x, int route)
+{
+    scene *s = scene_create();
+    const int ball = scene_body(s, 1, 0.004, x->at[0], x->at[1], 0), g = scene_point(s, ball, 0, 0);
+    const int circle = scene_circle(s, g, x->radius), event = scene_event(s);
+    for (int i = 0; i < EDGES; i++) {
+        const double *e = x->edge[i];
+        const int line = scene_line(s, scene_point(s, PM_GROUND, e[0], e[1]), e[2]);
+        const int contact =
+            scene_segment(s, circle, line, -e[3] / 2, e[3] / 2, x->restitution, PM_FRICTION_SMOOTH, 0);
+        scene_trigger(s, PM_TRIGGER_STRIKE, event, PM_NONE, contact);
+    }
+    scene_start_velocity(s, g, x->velocity[0], x->velocity[1]);
+    scene_until_time(s, 0.7);
+    scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, event));
+    scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, g, PM_PART_X));
+    scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, g, PM_PART_Y));
+    scene_ask_measure(s, scene_part(s, PM_MEASURE_VELOCITY, g, PM_PART_NORM));
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    return s;
+}
+
+/* The polynomials of the route uniform find what rk finds step by step. */
+static void edges_among_which_something_flies(void)
+{
+    int strikes = 0, uniform = 0;
+    for (int k = 0; k < THROWS; k++) {
+        const throw x = any_throw(k);
+        scene *s = thrown(&x, PM_ROUTE_AUTO), *stepped = thrown(&x, PM_ROUTE_RK);
+        const int status = scene_run(stepped, NULL);
+        EQUAL(scene_run(s, NULL), status);
+        for (int i = 0; i < s->nout && status == PM_OK; i++) NEAR(s->out[i], stepped->out[i], 1e-7);
+        if (status == PM_OK) strikes += (int)s->out[0];
+        uniform += s->count[PM_COUNT_ROUTE] == PM_ROUTE_UNIFORM;
+        scene_free(s);
+        scene_free(stepped);
+    }
+    CHECK(strikes > THROWS / 2);
+    CHECK(uniform > THROWS * 9 / 10);
+}
+
+/* A block on two points slides down an incline that ends, with friction, until the first of them is at its end. */
+static void block_comes_to_the_end(int route)
+{
+    const double angle = 0.5, mu = 0.3, length = 1.3, half = 0.2, high = 0.05;
+    scene *s = scene_create();
+    const double t[2] = {cos(angle), sin(angle)}, n[2] = {-sin(angle), cos(angle)};
+    const double from = 1.0; /* of its middle, from the lower end */
+    const int b = scene_body(s, 2, 0.3, from * t[0] + high * n[0], from * t[1] + high * n[1], angle);
+    const int line = scene_line(s, scene_point(s, PM_GROUND, 0, 0), angle);
+    int contact[2];
+    for (int i = 0; i < 2; i++)
+        contact[i] = scene_segment(s, scene_circle(s, scene_point(s, b, i ? half : -half, -high), 0), line, 0,
+                                   length, 0, PM_FRICTION_COULOMB, mu);
+    scene_until(s, scene_on(s, PM_TRIGGER_OPEN, contact[0]), 1);
+    const int time = scene_ask_measure(s, scene_time(s));
+    const int v =
+        scene_ask_measure(s, scene_part(s, PM_MEASURE_VELOCITY, scene_point(s, b, 0, 0), PM_PART_NORM));
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    EQUAL(scene_run(s, NULL), PM_OK);
+    const double a = G * (sin(angle) - mu * cos(angle)), way = from - half;
+    NEAR(s->out[time], sqrt(2 * way / a), CLOSE);
+    NEAR(s->out[v], sqrt(2 * way * a), CLOSE);
+    scene_free(s);
+}
+
+/* Slower and slower up to just before the end, and back. */
+static void turns_back_before_the_end(int route)
+{
+    for (int over = 0; over < 2; over++) {
+        scene *s = scene_create();
+        const double a = 3, length = 1.5, v = sqrt(2 * a * length) * (over ? 1 + 1e-6 : 1 - 1e-6);
+        const int b = scene_body(s, 1, 0, 0, 0, 0), g = scene_point(s, b, 0, 0);
+        const int table =
+            scene_segment(s, scene_circle(s, g, 0), edge(s, 0), -1, length, 0, PM_FRICTION_SMOOTH, 0);
+        scene_applied(s, g, PM_GROUND, SCENE_PROGRAM(s, scene_k(s, -a)), SCENE_PROGRAM(s, scene_k(s, 0)));
+        scene_start_velocity(s, g, v, 0);
+        const int off = scene_on(s, PM_TRIGGER_OPEN, table);
+        scene_until(s, off, 1);
+        const int x = scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, g, PM_PART_X));
+        *scene_setting(s, PM_SETTING_ROUTE) = route;
+        EQUAL(scene_run(s, NULL), PM_OK);
+        NEAR(s->out[x], over ? length : -1, CLOSE);
+        scene_free(s);
+    }
+}
+
 int main(void)
 {
     static const int routes[] = {PM_ROUTE_RK, PM_ROUTE_IDA, PM_ROUTE_AUTO};
@@ -425,6 +539,15 @@ int main(void)
         from_below(routes[k], -0.2, 0.6);
         from_below(routes[k], -0.02, 0.7);
     }
+    slides_off(PM_ROUTE_UNIFORM);
+    dropped(PM_ROUTE_UNIFORM);
+    edges_among_which_something_flies();
+    for (int k = 0; k < 3; k++) {
+        block_comes_to_the_end(routes[k]);
+        turns_back_before_the_end(routes[k]);
+    }
+    block_comes_to_the_end(PM_ROUTE_UNIFORM);
+    turns_back_before_the_end(PM_ROUTE_UNIFORM);
     goes_over(PM_ROUTE_PATH, PM_FRICTION_ROUGH, 0.6);
     comes_up(PM_ROUTE_PATH, PM_FRICTION_ROUGH, 0);
     shared_corner_strikes_once();
