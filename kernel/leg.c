@@ -514,10 +514,8 @@ static int tell_last(pm_workspace *w, pm_course *course, int *told)
     pm_path *p = w->path;
     const double error = p->error, ended = p->ended;
     const int dips = l->lowest < fmin(l->kinetic, l->before);
-    if (w->lap || l->steps != 1) return PM_OK;
-    const pm_replay replay = {.by = {l->by[0], l->by[1]},
-                              .turn = l->turn,
-                              .end = l->end,
+    if (!p->repeats) return PM_OK;
+    const pm_replay replay = {.end = l->end,
                               .kinetic = course->kinetic,
                               .kinetic1 = course->kinetic + l->work,
                               .lowest = dips ? course->kinetic - depth_of(l) : INFINITY,
@@ -536,7 +534,7 @@ int pm_leg_begin(pm_workspace *w, int *passed)
 {
     pm_leg *l = w->leg;
     const double kinetic = pm_body_kinetic(w, PM_NONE);
-    *passed = 0;
+    *passed = w->path->repeats = 0;
     if (!l->known || kinetic == 0 || !same_modes(w) || !find_way(w) || !same_place_and_motion(w, kinetic)) {
         remember(w);
         l->most = MOST_LEGS;
@@ -559,6 +557,7 @@ int pm_leg_begin(pm_workspace *w, int *passed)
     const int64_t allowed[] = {triggers_allow(w, &shift, time), asks_allow(w, &shift), limits_allow(w, time)};
     for (int i = 0; i < 3; i++)
         if (allowed[i] < most) most = allowed[i];
+    w->path->repeats = !w->lap && l->steps == 1;
     pm_course course = course_over_barrier(l, kinetic, most, w->path->error);
     l->most = MOST_LEGS;
     if (course.legs > 0) save(w);

@@ -1,10 +1,6 @@
 /* leg_replay.c - the last leg once more, at other speeds.
  *
- * Its places are those of the leg that was computed, shifted, and with the potential of a shift
- *
- *   T(u) = T_begin + (T(u) - T_begin)_computed
- *
- * Functions of the place alone, and those that go with sqrt(T), fire where they did.  What is linear in T (forces of
+ * Its places are those of the leg that was computed, shifted (path_repeat.c).  Functions of the place alone, and those that go with sqrt(T), fire where they did.  What is linear in T (forces of
  * contacts, what is left of friction) is looked at again at the nodes, as is everything whose extremes are asked.  Blows
  * are not repeated: leg.c knows what they leave. */
 #include "leg_replay.h"
@@ -23,7 +19,7 @@
 #include "route.h"
 #include "series.h"
 
-#define SAME 1e-9     /* of the rates at a unit rate of the driver; of T: the same leg */
+#define SAME 1e-9     /* of T: the same leg */
 #define CLEAR 0.3     /* of a function's greatest value: none of its values may come nearer to zero */
 #define RESOLVED 1e-6 /* highest coefficients of a function that its samples tell */
 
@@ -43,59 +39,24 @@ static int is_missed(const pm_model *m)
     return m->ngrip > 0;
 }
 
-/* The path is told by the same driver, the same way round, and begins with the same direction; all its places are known,
- * and T vanishes at none of them. */
-static int begins_alike(const pm_workspace *w, const pm_replay *r)
+/* T vanishes at no place of the step. */
+static int never_rests(const pm_workspace *w, const pm_replay *r)
 {
     pm_path *p = w->path;
-    const pm_place *const first = &p->node[0], *now = &p->begin;
-    const double more = r->kinetic - first->kinetic;
-    if (p->clock != PM_CLOCK_NONE || p->driver != p->told_by || p->sense != p->told_sense) return 0;
-    double size = 0, off = 0;
-    for (int i = 0; i < w->model->nq; i++) {
-        const double length = i % 3 == 2 ? w->size : 1;
-        size = fmax(size, fabs(first->tangent[i]) * length);
-        off = fmax(off, fabs(now->tangent[i] - first->tangent[i]) * length);
-    }
-    if (!(off <= SAME * size)) return 0;
-    for (int k = 0; k < p->nodes->n; k++) {
-        const pm_place *x = pm_path_node(p, k);
-        if (!x->determined || !(x->kinetic + more > 0)) return 0;
-    }
-    return 1;
-}
-
-/* ---- its places ---- */
-static void shift_place(const pm_workspace *w, const pm_replay *r, pm_place *x)
-{
-    for (int i = 0; i < w->model->nbody; i++) {
-        double *q = x->q + 3 * i, *pose = x->pose + 5 * i;
-        q[0] = pose[0] += r->by[0];
-        q[1] = pose[1] += r->by[1];
-        if (r->turn[i] == 0) continue;
-        q[2] = pose[2] += r->turn[i];
-        pose[3] = cos(pose[2]);
-        pose[4] = sin(pose[2]);
-    }
+    const double more = r->kinetic - p->node[0].kinetic;
+    for (int k = 0; k < p->nodes->n; k++)
+        if (!(pm_path_node(p, k)->kinetic + more > 0)) return 0;
+    return p->clock == PM_CLOCK_NONE;
 }
 
 /* The step of the last leg becomes one of this leg, at its T. */
-static void shift_step(pm_workspace *w, const pm_replay *r)
+static void fill_step(pm_workspace *w, const pm_replay *r)
 {
     pm_path *p = w->path;
-    const pm_place *begin = &p->begin;
-    const double more = r->kinetic - p->node[0].kinetic, higher = begin->potential - p->node[0].potential;
-    for (int k = p->nodes->n; k-- > 0;) { /* the first, from which the others are shifted, is the last */
-        pm_place *x = pm_path_node(p, k);
-        for (int i = 0; i < p->n; i++) x->y[i] += begin->y[i] - p->node[0].y[i];
-        shift_place(w, r, x);
-        x->kinetic += more;
-        x->potential += higher;
-    }
-    p->u0 = p->node[0].y[p->driver];
+    pm_path_repeat(w, r->kinetic);
     p->t0 = w->state.t;
     memcpy(p->weight, w->state.z, (size_t)w->model->nz_controlled * sizeof(double));
-    p->energy = r->kinetic + begin->potential - pm_path_work(w, w->state.z);
+    p->energy = r->kinetic + p->begin.potential - pm_path_work(w, w->state.z);
     p->error = r->error;
     w->nodes = p->nodes;
     w->step_begin = 0;
@@ -160,8 +121,8 @@ static int nothing_new(const pm_workspace *w)
 int pm_leg_replay(pm_workspace *w, const pm_replay *r, int *clear)
 {
     *clear = 0;
-    if (is_missed(w->model) || !begins_alike(w, r)) return PM_OK;
-    shift_step(w, r);
+    if (is_missed(w->model) || !pm_path_repeats(w) || !never_rests(w, r)) return PM_OK;
+    fill_step(w, r);
     choose_functions(w);
     const int status = pm_crossing_sample(w, 1);
     *clear = !status && nothing_new(w);

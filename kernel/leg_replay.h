@@ -4,10 +4,8 @@
 
 #include "model.h"
 
-/* What the last leg, computed in one step, makes of one that begins `by` and `turn` farther on. */
+/* What is known of the leg that the last one, computed in one step, is to tell. */
 typedef struct pm_replay {
-    double by[2];
-    const double *turn;       /* [nbody] */
     double end;               /* x at which the last leg ended */
     double kinetic, kinetic1; /* T at the begin and the end of the leg that is told */
     double lowest;            /* least T on its way if that is at neither end; else INFINITY */

@@ -79,6 +79,8 @@ typedef struct pm_path {
     pm_place node[PM_NODES_MOST], spare;
     int told_by; /* driver and sense of the step in the nodes */
     double told_sense;
+    int repeats; /* the phase that has been planned begins like the one step in the nodes, but for a shift */
+    int filled;  /* the nodes hold the places of a step of length h already */
     pm_bridge bridge;
     double *loop;              /* [n][n] rows that the tree does not solve, on its coordinates */
     double *weight;            /* [nz_controlled] z at the begin of the step */
@@ -109,6 +111,10 @@ int pm_path_drive(pm_workspace *w, pm_place *place);
 
 /* path_step.c: a step from node 0, at most `full` long, into w->path. */
 int pm_path_take_step(pm_workspace *w, double full);
+/* path_repeat.c: whether p->begin is like node 0, and all nodes are determined. */
+int pm_path_repeats(const pm_workspace *w);
+/* The last step once more from p->begin, where T is `kinetic`: places and T at all nodes. */
+void pm_path_repeat(pm_workspace *w, double kinetic);
 /* The place at the fraction s of the filled step, with its T, in w->path->spare. */
 int pm_path_inside(pm_workspace *w, double s);
 /* The running integrals at the fraction s of the step. */

@@ -266,7 +266,8 @@ static int judge(pm_workspace *w, int turning, double *next)
 static int try_step(pm_workspace *w, double h, int turning, double *next)
 {
     pm_path *p = w->path;
-    int status = fill(w, h);
+    int status = p->filled ? PM_OK : fill(w, h);
+    p->filled = 0;
     if (!status) status = judge(w, turning, next);
     if (!status && *next == 0.5 * h && p->every > 1) {
         status = fill_between(w);

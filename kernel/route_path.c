@@ -39,6 +39,7 @@
 #define BEYOND 1.2 /* of the way to a contact that seems to come: the step shall see it */
 #define ROUNDING 1e-14
 #define ROUNDINGS 8    /* that a difference of potentials may hold */
+#define SAME 1e-9      /* of a step's length */
 #define STILL 1e-11    /* of the scene's speed: at rest */
 #define BALANCED 1e-12 /* of the forces: in equilibrium */
 
@@ -383,9 +384,21 @@ static int end_at_limit(pm_workspace *w, double t_limit)
     return status;
 }
 
+/* The places of the last step serve again if the step is as long as that was. */
+static double repeat(pm_workspace *w, double full)
+{
+    pm_path *p = w->path;
+    p->filled = p->repeats && fabs(full - p->h) <= SAME * full;
+    p->repeats = 0;
+    if (!p->filled) return full;
+    return p->h;
+}
+
 static int step(pm_workspace *w, double t_limit)
 {
     pm_path *p = w->path;
+    p->repeats = p->repeats && p->fresh && !p->at_rest && pm_path_repeats(w);
+    if (p->repeats) pm_path_repeat(w, p->begin.kinetic);
     copy_place(w, &p->node[0], p->fresh ? &p->begin : &p->node[PM_NODES_MOST - 1]);
     if (!p->fresh) p->at_rest = p->balanced = 0;
     p->fresh = 0;
@@ -399,7 +412,7 @@ static int step(pm_workspace *w, double t_limit)
     p->safe = w->coarse * full_step(w, &p->node[0]);
     const double full =
         fmin(fmin(p->most, step_factor(w) * p->safe), w->coarse * next_contact(w, &p->node[0]));
-    if (!status) status = pm_path_take_step(w, may_close ? fmin(full, TURN - p->way) : full);
+    if (!status) status = pm_path_take_step(w, repeat(w, may_close ? fmin(full, TURN - p->way) : full));
     if (status) return status;
     if (w->turns) set_turn(w);
     w->step_begin = 0;
