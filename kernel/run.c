@@ -105,32 +105,10 @@ int pm_run_start(pm_workspace *w, const double *param, pm_start_report *report)
     return status ? status : pm_instant_start(w);
 }
 
-/* The frame knows the accelerations at w->state: a and lambda, which nobody touches who does not count a solution. */
-static int knows_accelerations(const pm_workspace *w)
-{
-    const pm_frame *f = &w->frame;
-    if (f->level != PM_LEVEL_DYNAMIC || f->q != w->state.q || f->t != w->state.t) return 0;
-    for (int i = 0; i < w->model->nbody; i++)
-        if (memcmp(f->pose + 5 * i, w->state.q + 3 * i, 3 * sizeof(double))) return 0;
-    return !memcmp(f->velocity, w->state.v, (size_t)w->model->nq * sizeof(double));
-}
-
-/* The phase begins where the instant before it has ended. */
-static int accelerate_again(pm_workspace *w, int known)
-{
-    pm_frame_look_state(w, &w->state);
-    if (!known) return pm_saddle_accelerate(w);
-    pm_force_all(w);
-    w->frame.level = PM_LEVEL_DYNAMIC;
-    return PM_OK;
-}
-
 static int phase(pm_workspace *w, int *ended)
 {
     int passed = 0, status = pm_error_disturb(w);
     if (!status) status = pm_nudge_leave(w);
-    const int64_t solves = w->count[PM_COUNT_SOLVES];
-    const int known = knows_accelerations(w);
     if (!status) status = pm_plan_phase(w);
     pm_frame_look_state(w, &w->state);
     if (!status && w->route == &pm_route_path)
@@ -139,8 +117,8 @@ static int phase(pm_workspace *w, int *ended)
         pm_leg_forget(w);
     if (!status && passed) status = pm_plan_phase(w);
     if (status) return status;
-    const int still = known && w->route == &pm_route_path && w->count[PM_COUNT_SOLVES] == solves;
-    if ((status = accelerate_again(w, still))) return status;
+    pm_frame_look_state(w, &w->state);
+    if ((status = pm_saddle_accelerate(w))) return status;
     pm_event_begin(w);
     if (w->lap) w->event->first_step = 0; /* the motion goes on: what is on zero need not be left first */
     w->lap = 0;
