@@ -17,13 +17,15 @@ typedef struct pm_place {
     double *rate;            /* [nz_controlled] of the running integrals, by u */
     double *pose;            /* [nbody][5] of the frame */
     double *bend;            /* [nq] dtangent/du, where no row closes a loop */
-    double *arm;             /* [nbody][PM_TREE_ARM] of the tree there, likewise */
+    double *arm;             /* [nbody][PM_TREE_ARM] the levers of the tree that reactions go by, likewise */
     int determined;          /* by the rows: not a place on a bridge */
     double mass;             /* generalised: T = mass (du/dt)^2 / 2 */
     double change;           /* tangent . M bend: half of dmass/du */
     double potential, force; /* V, and the generalised force of all applied forces */
     double kinetic;          /* T, once the work is known */
 } pm_place;
+
+enum { PM_TREE_ARM = 6 };
 
 enum pm_path_clock {
     PM_CLOCK_NONE = 0,   /* nobody asks for the time */
@@ -102,10 +104,10 @@ int pm_path_look(pm_workspace *w, pm_place *place);
 /* path_motion.c: makes the frame, which looks at a place that the rows determine, DYNAMIC.  along[nq]: velocities at any
  * rate of the driver. */
 int pm_path_accelerate(pm_workspace *w, const double *along);
-/* What the two below need of a place that has just been placed and looked at with a unit rate of the driver. */
-void pm_path_bend(pm_workspace *w, pm_place *place);
-/* The same as pm_path_accelerate at such a place of an open tree; the frame looks at it at the rate of its T. */
-void pm_path_accelerate_at(pm_workspace *w, const pm_place *place);
+/* path_open.c: the same for a place of an open tree, at the rate that goes with its T; the frame looks at it. */
+void pm_open_accelerate(pm_workspace *w, const pm_place *place);
+/* All of such a place but its coordinates, once the tree is placed there; the frame looks at it, at a unit rate. */
+void pm_open_measure(pm_workspace *w, pm_place *place);
 /* Chooses the coordinate that moves most as driver, unless the present one still does, and tells the place by it. */
 int pm_path_drive(pm_workspace *w, pm_place *place);
 

@@ -43,15 +43,6 @@ static void null_vector(pm_workspace *w, double *t)
     }
 }
 
-/* Where no driver is known: dy by some rate; the loop rows are in w->path->loop. */
-static void direction(pm_workspace *w, double *t)
-{
-    if (w->tree->nloop == 0)
-        t[0] = 1;
-    else
-        null_vector(w, t);
-}
-
 /* What motion at a unit rate of the driver makes of masses and forces. */
 static void measure_motion(pm_workspace *w, pm_place *place)
 {
@@ -66,7 +57,6 @@ static void measure_motion(pm_workspace *w, pm_place *place)
     pm_frame_look_placed(w, place->q, t); /* powers and speeds at a unit rate */
     pm_force_all(w);
     for (int i = 0; i < m->nq; i++) place->force += w->frame.f[i] * t[i];
-    if (w->tree->nloop == 0) pm_path_bend(w, place);
     if (m->nz_controlled > 0) pm_audit_controlled_rates(w, place->rate);
     place->potential = pm_body_weight_energy(w) + pm_force_potential(w) + pm_spin_kinetic(w, PM_NONE);
 }
@@ -131,7 +121,7 @@ static int place_open(pm_workspace *w, pm_place *place)
     pm_tree_place(w, w->state.memory, place->y, place->q);
     place->slope[0] = 1;
     place->determined = 1;
-    measure_motion(w, place);
+    pm_open_measure(w, place);
     return PM_OK;
 }
 
@@ -156,10 +146,11 @@ int pm_path_place(pm_workspace *w, double u, pm_place *place)
 int pm_path_look(pm_workspace *w, pm_place *place)
 {
     pm_path *p = w->path;
+    if (w->tree->nloop == 0) return place_open(w, place);
     pm_tree_place(w, w->state.memory, place->y, place->q);
-    if (w->tree->nloop > 0) pm_tree_loops(w, p->loop);
-    direction(w, place->slope);
-    if (w->tree->nloop > 0 && rank_falls(w)) return pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
+    pm_tree_loops(w, p->loop);
+    null_vector(w, place->slope);
+    if (rank_falls(w)) return pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
     place->determined = 1;
     measure_motion(w, place);
     return PM_OK;

@@ -161,7 +161,8 @@ static int fill_between(pm_workspace *w)
     const int stride = stride_of(p, p->node[0].y, p->node[1].y);
     for (int k = 1; k < pm_nodes_17.n; k += 2) {
         pm_place *x = &p->node[k];
-        for (int i = 0; i < p->n; i++) x->y[i] = pm_series_value(p->nodes, p->node[0].y + i, stride, at[k]);
+        for (int i = 0; i < p->n; i++)
+            if (i != p->driver) x->y[i] = pm_series_value(p->nodes, p->node[0].y + i, stride, at[k]);
         const int status = pm_path_place(w, p->u0 + p->sense * (p->h * at[k]), x);
         if (status) return status;
     }

@@ -314,7 +314,7 @@ static int look(pm_workspace *w, double x, int level)
     if (level < PM_LEVEL_DYNAMIC) return PM_OK;
     if (!place->determined || pm_grip_by_load(w)) return pm_saddle_accelerate(w);
     if (w->tree->nloop > 0) return pm_path_accelerate(w, place->tangent);
-    pm_path_accelerate_at(w, place);
+    pm_open_accelerate(w, place);
     return PM_OK;
 }
 
@@ -342,7 +342,7 @@ static int look_for_evidence(pm_workspace *w)
     pm_path *p = w->path;
     double scale = 0, acceleration = 0, z = 0;
     const pm_place *first = &p->node[0], *last = &p->node[PM_NODES_MOST - 1];
-    const double work = p->h * pm_series_integral(p->nodes, p->force, 1, 1);
+    const double work = p->h * pm_series_whole(p->nodes, p->force);
     scale = w->energy_scale; /* the step may begin and end at rest */
     for (int k = 0; k < p->nodes->n; k++) scale = fmax(scale, pm_path_node(p, k)->kinetic);
     if (w->model->nz_work > 0) z = pm_path_work(w, w->state.z) - pm_path_work(w, p->weight);

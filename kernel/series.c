@@ -80,6 +80,11 @@ void pm_series_integrals(const pm_nodes *nodes, const double *value, double *sum
     for (int k = 0; k < nodes->n; k++) sum[k] = times(nodes->integral + k * nodes->n, value, nodes->n);
 }
 
+double pm_series_whole(const pm_nodes *nodes, const double *value)
+{
+    return times(nodes->integral + (nodes->n - 1) * nodes->n, value, nodes->n);
+}
+
 typedef struct pm_polynomial {
     const pm_nodes *nodes;
     const double *value;

@@ -81,10 +81,6 @@ void pm_tree_place(const pm_workspace *w, const pm_memory *memory, const double 
 void pm_tree_read_rates(pm_workspace *w, const double *v, double *ydot);
 /* The same from the poses of the frame, which meet the solved rows; no coordinates are wanted. */
 void pm_tree_marks(const pm_workspace *w);
-/* The levers that reactions go by, of all bodies: kept here, given back at the same pose. */
-enum { PM_TREE_ARM = 6 };
-void pm_tree_keep_arms(const pm_workspace *w, double *arm);
-void pm_tree_give_arms(const pm_workspace *w, const double *arm);
 /* The frame looks at coordinates y with rates ydot: positions and velocities are in t->q, t->v. */
 void pm_tree_look(pm_workspace *w, double t, const double *y, const double *ydot, const double *z);
 /* Velocities v[nq] from rates ydot[n]. */
@@ -108,6 +104,8 @@ int pm_tree_accelerate_at(pm_workspace *w, double time, const double *y, const d
 void pm_tree_tell(pm_workspace *w, const double *yddot);
 /* Reactions alone, with forces and accelerations in the frame. */
 void pm_tree_react(pm_workspace *w);
+/* The same once tree->wrench holds M a - f and the nodes their levers: inward along an open tree. */
+void pm_tree_react_inward(pm_workspace *w);
 
 /* One freedom, n = nloop + 1: coordinate `held` is the independent one. */
 void pm_tree_hold(pm_workspace *w, int held);

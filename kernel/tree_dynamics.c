@@ -258,6 +258,26 @@ static void take_off_loops(const pm_workspace *w, double *wrench)
     }
 }
 
+void pm_tree_react_inward(pm_workspace *w)
+{
+    const pm_tree *t = w->tree;
+    pm_frame *f = &w->frame;
+    const int ground = w->model->nbody;
+    for (int i = ground - 1; i >= w->still->n; i--) {
+        const pm_tree_node *x = &t->node[i];
+        if (x->placement == FREE) continue;
+        const double *wrench = t->wrench + 3 * x->body;
+        read_reactions(w, x, wrench);
+        if (w->still->body[x->parent]) continue;
+        const double *child = f->pose + 5 * x->body, *parent = f->pose + 5 * x->parent;
+        double *to = t->wrench + 3 * x->parent;
+        to[0] += wrench[0];
+        to[1] += wrench[1];
+        to[2] += wrench[2] + (child[0] - parent[0]) * wrench[1] - (child[1] - parent[1]) * wrench[0];
+    }
+    f->level = PM_LEVEL_DYNAMIC;
+}
+
 void pm_tree_react(pm_workspace *w)
 {
     const pm_tree *t = w->tree;
@@ -272,19 +292,7 @@ void pm_tree_react(pm_workspace *w)
     }
     if (t->few) pm_tree_react_loops(w);
     take_off_loops(w, t->wrench);
-    for (int i = ground - 1; i >= w->still->n; i--) {
-        const pm_tree_node *x = &t->node[i];
-        if (x->placement == FREE) continue;
-        const double *wrench = t->wrench + 3 * x->body;
-        read_reactions(w, x, wrench);
-        if (w->still->body[x->parent]) continue;
-        const double *child = f->pose + 5 * x->body, *parent = f->pose + 5 * x->parent;
-        double *to = t->wrench + 3 * x->parent;
-        to[0] += wrench[0];
-        to[1] += wrench[1];
-        to[2] += wrench[2] + (child[0] - parent[0]) * wrench[1] - (child[1] - parent[1]) * wrench[0];
-    }
-    f->level = PM_LEVEL_DYNAMIC;
+    pm_tree_react_inward(w);
 }
 
 void pm_tree_tell(pm_workspace *w, const double *yddot)

@@ -58,4 +58,32 @@ static inline void pm_tree_move(const struct pm_tree_node *x, const double paren
     to[1] += own[0] * x->by_slide[1];
 }
 
+/* Rate along a slider's line, from the velocities of its two bodies. */
+static inline double pm_tree_slide_rate(const struct pm_tree_node *x, const double *parent, const double *own)
+{
+    double rate = 0;
+    for (int k = 0; k < 2; k++)
+        rate += x->by_slide[k] * (own[k] - parent[k] - parent[2] * x->by_parent[k] - own[2] * x->by_own[k]);
+    return rate;
+}
+
+/* What is quadratic in the velocities in the acceleration of a body from its parent's. */
+static inline void pm_tree_add_quadratic(const struct pm_tree_node *x, const double *parent,
+                                         const double *own, double *a)
+{
+    const double sign = x->child_is_a ? 1 : -1;
+    for (int k = 0; k < 2; k++)
+        a[k] += own[2] * own[2] * x->r_child[k] - parent[2] * parent[2] * x->r_mark[k];
+    if (x->placement <= WELD) return;
+    const double roll = x->roll_own * own[2] + x->roll_parent * parent[2];
+    if (x->placement == ROLL_CIRCLE) {
+        for (int k = 0; k < 2; k++) a[k] -= sign * roll * roll * x->rho[k];
+        return;
+    }
+    const double omega = x->child_is_a ? parent[2] : own[2];
+    const double s = x->placement == SLIDER ? pm_tree_slide_rate(x, parent, own) : roll;
+    a[0] += sign * (-2 * omega * s * x->t[1] - omega * omega * x->rho[0]);
+    a[1] += sign * (2 * omega * s * x->t[0] - omega * omega * x->rho[1]);
+}
+
 #endif

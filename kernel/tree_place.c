@@ -185,30 +185,6 @@ void pm_tree_marks(const pm_workspace *w)
         if (w->tree->node[i].placement != FREE) look_at_marks(w, &w->tree->node[i]);
 }
 
-void pm_tree_keep_arms(const pm_workspace *w, double *arm)
-{
-    for (int i = 0; i < w->model->nbody; i++, arm += PM_TREE_ARM) {
-        const pm_tree_node *x = &w->tree->node[i];
-        for (int k = 0; k < 2; k++) {
-            arm[k] = x->r_child[k];
-            arm[2 + k] = x->rho[k];
-            arm[4 + k] = x->t[k];
-        }
-    }
-}
-
-void pm_tree_give_arms(const pm_workspace *w, const double *arm)
-{
-    for (int i = 0; i < w->model->nbody; i++, arm += PM_TREE_ARM) {
-        pm_tree_node *x = &w->tree->node[i];
-        for (int k = 0; k < 2; k++) {
-            x->r_child[k] = arm[k];
-            x->rho[k] = arm[2 + k];
-            x->t[k] = arm[4 + k];
-        }
-    }
-}
-
 void pm_tree_look(pm_workspace *w, double t, const double *y, const double *ydot, const double *z)
 {
     static const double still[3] = {0, 0, 0};

@@ -27,15 +27,6 @@ void pm_tree_spread(pm_workspace *w, const double *ydot, double *v)
     }
 }
 
-/* Rate along a slider's line, from the velocities of its two bodies. */
-static double slide_rate(const pm_tree_node *x, const double *parent, const double *own)
-{
-    double rate = 0;
-    for (int k = 0; k < 2; k++)
-        rate += x->by_slide[k] * (own[k] - parent[k] - parent[2] * x->by_parent[k] - own[2] * x->by_own[k]);
-    return rate;
-}
-
 void pm_tree_read_rates(pm_workspace *w, const double *v, double *ydot)
 {
     for (int i = 0; i < w->model->nbody; i++) {
@@ -45,28 +36,10 @@ void pm_tree_read_rates(pm_workspace *w, const double *v, double *ydot)
         if (x->placement == FREE)
             memcpy(own, to, (size_t)x->ncoordinate * sizeof *own);
         else if (x->placement == SLIDER)
-            own[0] = slide_rate(x, rates_of(w, v, x->parent), to);
+            own[0] = pm_tree_slide_rate(x, rates_of(w, v, x->parent), to);
         else if (x->ncoordinate > 0)
             own[0] = to[2];
     }
-}
-
-/* What is quadratic in the velocities in the acceleration of a body from its parent's. */
-static void add_quadratic(const pm_tree_node *x, const double *parent, const double *own, double *a)
-{
-    const double sign = x->child_is_a ? 1 : -1;
-    for (int k = 0; k < 2; k++)
-        a[k] += own[2] * own[2] * x->r_child[k] - parent[2] * parent[2] * x->r_mark[k];
-    if (x->placement <= WELD) return;
-    const double roll = x->roll_own * own[2] + x->roll_parent * parent[2];
-    if (x->placement == ROLL_CIRCLE) {
-        for (int k = 0; k < 2; k++) a[k] -= sign * roll * roll * x->rho[k];
-        return;
-    }
-    const double omega = x->child_is_a ? parent[2] : own[2];
-    const double s = x->placement == SLIDER ? slide_rate(x, parent, own) : roll;
-    a[0] += sign * (-2 * omega * s * x->t[1] - omega * omega * x->rho[0]);
-    a[1] += sign * (2 * omega * s * x->t[0] - omega * omega * x->rho[1]);
 }
 
 void pm_tree_spread_accelerations(const pm_workspace *w, const double *yddot, double *a)
@@ -76,7 +49,7 @@ void pm_tree_spread_accelerations(const pm_workspace *w, const double *yddot, do
         double *to = a + 3 * x->body;
         pm_tree_move(x, rates_of(w, a, x->parent), yddot + x->first, to);
         if (x->placement != FREE)
-            add_quadratic(x, w->frame.velocity + 3 * x->parent, w->frame.velocity + 3 * x->body, to);
+            pm_tree_add_quadratic(x, w->frame.velocity + 3 * x->parent, w->frame.velocity + 3 * x->body, to);
     }
 }
 
@@ -90,9 +63,10 @@ void pm_tree_read_accelerations(const pm_workspace *w, const double *a, double *
             memcpy(own, to, (size_t)x->ncoordinate * sizeof *own);
         } else if (x->placement == SLIDER) {
             double rest[3] = {to[0], to[1], to[2]}, quadratic[3] = {0, 0, 0};
-            add_quadratic(x, w->frame.velocity + 3 * x->parent, w->frame.velocity + 3 * x->body, quadratic);
+            pm_tree_add_quadratic(x, w->frame.velocity + 3 * x->parent, w->frame.velocity + 3 * x->body,
+                                  quadratic);
             for (int k = 0; k < 2; k++) rest[k] -= quadratic[k];
-            own[0] = slide_rate(x, rates_of(w, a, x->parent), rest);
+            own[0] = pm_tree_slide_rate(x, rates_of(w, a, x->parent), rest);
         } else if (x->ncoordinate > 0) {
             own[0] = to[2];
         }

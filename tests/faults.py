@@ -191,7 +191,7 @@ FAULTS = [
         "outer[0] = outer[1] = outer[2] = 0;",
     ),
     Fault("spin: a couple without work", "audit.c", " + pm_spin_power(w)", ""),
-    Fault("spin: no potential along the path", "path_place.c", " + pm_spin_kinetic(w, PM_NONE)", ""),
+    Fault("spin: no potential along the path", "path_open.c", " + pm_spin_kinetic(w, PM_NONE)", ""),
     Fault("spin: rounding leaves the rest", "route_path.c", " + pm_spin_force_size(w, x->tangent)", ""),
     Fault("spin: taken for uniform", "steady.c", "pm_spin_turns(w->model) || ", ""),
     # actions
@@ -530,14 +530,12 @@ FAULTS = [
     # tree coordinates
     Fault(
         "tree: bias of a mark",
-        "tree_rates.c",
+        "tree_node.h",
         "own[2] * own[2] * x->r_child[k] - parent",
         "own[2] * own[2] * x->r_child[k] + parent",
     ),
-    Fault("tree: bias along a line", "tree_rates.c", "(-2 * omega * s * x->t[1]", "(2 * omega * s * x->t[1]"),
-    Fault(
-        "tree: bias of circles", "tree_rates.c", "a[k] -= sign * roll * roll", "a[k] += sign * roll * roll"
-    ),
+    Fault("tree: bias along a line", "tree_node.h", "(-2 * omega * s * x->t[1]", "(2 * omega * s * x->t[1]"),
+    Fault("tree: bias of circles", "tree_node.h", "a[k] -= sign * roll * roll", "a[k] += sign * roll * roll"),
     Fault(
         "tree: the other partner is the parent",
         "tree.c",
@@ -629,9 +627,9 @@ FAULTS = [
     ),
     Fault(
         "path: accelerations without what the velocities make of them",
-        "path_motion.c",
-        "t[i] * (f[i] - inertia * a[i])",
-        "t[i] * f[i]",
+        "path_open.c",
+        "(place->force - place->change * square)",
+        "place->force",
     ),
     Fault(
         "path: a missed turning point",
@@ -758,8 +756,12 @@ FAULTS = [
         "mark == l->expected_mark",
     ),
     Fault("replay: impulses that are read", "leg_replay.c", "kind == PM_MEASURE_CONTACT_IMPULSE", "0"),
+    Fault("path: what bends it does not react", "path_open.c", "+ c[k] * square", ""),
+    Fault("path: levers of another place", "path_open.c", "x->rho[k] = arm[2 + k];", ""),
+    Fault("path: a repeated step keeps its T", "path_repeat.c", "x->kinetic += more;", ""),
+    Fault("path: a repeated step stays where it was", "path_repeat.c", "shift(w, from, x);", ""),
+    Fault("path: a dip of the speed between the nodes", "path_step.c", "&& !speed_resolved(p)", "&& 0"),
     Fault("replay: nothing is watched", "leg_replay.c", "status = pm_ask_step(w);", ""),
-    Fault("replay: T of the leg before", "leg_replay.c", "x->kinetic += more;", ""),
     Fault(
         "replay: T of the first leg passed over",
         "leg.c",
@@ -905,6 +907,12 @@ FAULTS = [
         "saddle.c",
         "for (int r = 0; r < 2; r++)",
         "for (int r = 0; r < 1; r++)",
+    ),
+    Fault(
+        "saddle: coupling of the second partner, symmetric",
+        "saddle.c",
+        "if (b == other->body[0]) sum += product(jb, other->j);",
+        "",
     ),
     Fault(
         "dense: Cholesky",

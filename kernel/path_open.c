@@ -1,0 +1,114 @@
+/* path_open.c - a place on the path of an open tree with one coordinate u: all that motion through it can need, in one pass
+ * outward.
+ *
+ *   t = dq/du,  c = dt/du     velocities and accelerations at udot = 1, uddot = 0 (tree_node.h)
+ *   mass = t . M t,  change = t . M c = (dmass/du) / 2,  force = t . f
+ *
+ * from which, at whatever T, accelerations and reactions follow by a few products:
+ *
+ *   udot^2 = 2T / mass,   uddot = (force - change udot^2) / mass,   a = t uddot + c udot^2 */
+#include <math.h>
+#include <string.h>
+
+#include "audit.h"
+#include "body.h"
+#include "force.h"
+#include "path.h"
+#include "spin.h"
+#include "still.h"
+#include "tree.h"
+#include "tree_node.h"
+
+static const double none[3] = {0, 0, 0};
+
+/* Weights alone: they need no look. */
+static int only_weights(const pm_model *m)
+{
+    return m->rows[PM_TABLE_FORCE] == 0 && m->nz_controlled == 0 && !pm_spin_turns(m);
+}
+
+/* One body: its rates, and what stays of its node. */
+static void measure_body(const pm_workspace *w, const pm_tree_node *x, pm_place *place)
+{
+    static const double one[3] = {1, 1, 1};
+    const int b = x->body, on_ground = x->parent == w->model->nbody;
+    const double *parent = on_ground ? none : place->tangent + 3 * x->parent;
+    double *t = place->tangent + 3 * b, *c = place->bend + 3 * b, *arm = place->arm + PM_TREE_ARM * b;
+    pm_tree_move(x, parent, one, t);
+    pm_tree_move(x, on_ground ? none : place->bend + 3 * x->parent, none, c);
+    pm_tree_add_quadratic(x, parent, t, c);
+    for (int k = 0; k < 2; k++) {
+        arm[k] = x->r_child[k];
+        arm[2 + k] = x->rho[k];
+        arm[4 + k] = x->t[k];
+    }
+    const double m = w->mass[b], inertia = pm_body_inertia(w, b);
+    place->mass += m * (t[0] * t[0] + t[1] * t[1]) + inertia * t[2] * t[2];
+    place->change += m * (t[0] * c[0] + t[1] * c[1]) + inertia * t[2] * c[2];
+}
+
+static void measure_still(const pm_tree_node *x, pm_place *place)
+{
+    memset(place->tangent + 3 * x->body, 0, sizeof none);
+    memset(place->bend + 3 * x->body, 0, sizeof none);
+}
+
+static void add_weights(pm_workspace *w, pm_place *place)
+{
+    for (int i = 0; i < w->model->nbody; i++) {
+        const double *t = place->tangent + 3 * i, *pose = place->pose + 5 * i;
+        double *f = w->frame.f + 3 * i;
+        f[0] = w->mass[i] * w->gravity[0];
+        f[1] = w->mass[i] * w->gravity[1];
+        f[2] = 0;
+        place->force += f[0] * t[0] + f[1] * t[1];
+        place->potential -= f[0] * pose[0] + f[1] * pose[1];
+    }
+}
+
+static void add_forces(pm_workspace *w, pm_place *place)
+{
+    pm_force_all(w); /* powers and speeds at a unit rate, too */
+    for (int i = 0; i < w->model->nq; i++) place->force += w->frame.f[i] * place->tangent[i];
+    if (w->model->nz_controlled > 0) pm_audit_controlled_rates(w, place->rate);
+    place->potential = pm_body_weight_energy(w) + pm_force_potential(w) + pm_spin_kinetic(w, PM_NONE);
+}
+
+void pm_open_measure(pm_workspace *w, pm_place *place)
+{
+    place->mass = place->change = place->force = place->potential = 0;
+    memcpy(place->pose, w->frame.pose, 5 * (size_t)w->model->nbody * sizeof *place->pose);
+    for (int i = 0; i < w->still->n; i++) measure_still(&w->tree->node[i], place);
+    for (int i = w->still->n; i < w->model->nbody; i++) measure_body(w, &w->tree->node[i], place);
+    pm_frame_look_placed(w, place->q, place->tangent);
+    if (only_weights(w->model))
+        add_weights(w, place);
+    else
+        add_forces(w, place);
+}
+
+void pm_open_accelerate(pm_workspace *w, const pm_place *place)
+{
+    pm_frame *f = &w->frame;
+    const double square = 2 * fmax(place->kinetic, 0) / place->mass;
+    const double own = (place->force - place->change * square) / place->mass;
+    w->count[PM_COUNT_SOLVES]++;
+    pm_force_all(w);
+    for (int i = w->still->n; i < w->model->nbody; i++) {
+        pm_tree_node *x = &w->tree->node[i];
+        const int b = x->body;
+        const double *t = place->tangent + 3 * b, *c = place->bend + 3 * b,
+                     *arm = place->arm + PM_TREE_ARM * b;
+        const double m[3] = {w->mass[b], w->mass[b], pm_body_inertia(w, b)};
+        for (int k = 0; k < 2; k++) {
+            x->r_child[k] = arm[k];
+            x->rho[k] = arm[2 + k];
+            x->t[k] = arm[4 + k];
+        }
+        for (int k = 0; k < 3; k++) {
+            f->a[3 * b + k] = t[k] * own + c[k] * square;
+            w->tree->wrench[3 * b + k] = m[k] * f->a[3 * b + k] - f->f[3 * b + k];
+        }
+    }
+    pm_tree_react_inward(w);
+}
