@@ -68,6 +68,32 @@ FAULTS = [
     Fault(
         "contact: members are counted from zero", "contact.c", "return k > place ? k - 1 : k;", "return k;"
     ),
+    Fault(
+        "ask: what an extreme has above the place is taken off",
+        "ask.c",
+        "sign * x->value, sign * gain",
+        "sign * x->value, -sign * gain",
+    ),
+    Fault("ask: the bend between two places", "ask.c", "4 * b->rate", "3 * b->rate"),
+    Fault(
+        "ask: an extreme between nodes is none",
+        "ask.c",
+        "if (!(p->g[k] <= best)) best = p->g[k];",
+        "if (!(p->g[k] <= best)) best = p->g[k] + fabs(p->g[k]);",
+    ),
+    Fault("crossing: what is near is far", "crossing.c", "may_cross(f, s) ? FAR * biggest : 0", "0"),
+    Fault(
+        "crossing: the last step goes the other way",
+        "crossing.c",
+        "shift = -value / slope, next",
+        "shift = value / slope, next",
+    ),
+    Fault(
+        "contact: a rate without the row's body",
+        "contact.c",
+        "a.v[0] - b.v[0], a.v[1] - b.v[1]",
+        "a.v[0], a.v[1]",
+    ),
     # contacts out of reach
     Fault("clear: a body does not turn", "clear.c", "+ x->radius[i] * fabs(pose[2] - from[2])", ""),
     Fault("clear: the other body stands still", "clear.c", "+ w->event->clear.moved[body[1]]", ""),
@@ -1116,7 +1142,7 @@ FAULTS = [
     Fault(
         "event: not at its place",
         "crossing.c",
-        "return polish(w, earliest, &of_first, first, taken)",
+        "return polish(w, earliest, &of_first, slope, first, taken)",
         "*first += 1e-8; return PM_OK",
     ),
     Fault("event: a mark passed twice", "event.c", "fmax(x, e->function[i].located)", "0"),
@@ -1196,7 +1222,10 @@ FAULTS = [
     Fault("start: contradictions pass", "start.c", "return PM_START_CONFLICT", "continue"),
     Fault("start: open motions pass", "start.c", "&& rest.left > OPEN_PART", "&& rest.left > 2"),
     Fault(
-        "program: left and right", "program.c", "case PM_OP_SUB: return a - b", "case PM_OP_SUB: return b - a"
+        "program: left and right",
+        "program.c",
+        "return a - b; case PM_OP_MUL: return a * b; case PM_OP_DIV: return a / b; case PM_OP_POW",
+        "return b - a; case PM_OP_MUL: return a * b; case PM_OP_DIV: return a / b; case PM_OP_POW",
     ),
     Fault(
         "measure: velocity of a moving observer",

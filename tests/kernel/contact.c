@@ -63,6 +63,10 @@ static void rates(void)
                   scene_line(s, scene_point(s, b, 0, 0.1), 0.2), 0, 0, PM_FRICTION_ROUGH, 0);
     scene_contact(s, PM_CONTACT_CIRCLE, scene_circle(s, scene_point(s, a, 0.1, 0.1), 0.2),
                   scene_circle(s, scene_point(s, b, 0, 0.1), 0.3), 1, 0, PM_FRICTION_ROUGH, 0);
+    const int row = SCENE_ROW(s, PM_TABLE_ROW, scene_point(s, b, 0.2, 0.1), scene_value(s, 0.3),
+                              scene_value(s, -0.1), scene_value(s, 3));
+    scene_contact(s, PM_CONTACT_ROW, scene_circle(s, scene_point(s, a, 0.1, 0.1), 0.2), row, 0, 0,
+                  PM_FRICTION_ROUGH, 0);
     scene_start_velocity(s, scene_point(s, a, 0, 0), 0.3, -0.8);
     scene_start_velocity(s, scene_point(s, b, 0, 0), -0.5, 0.4);
     scene_start_omega(s, a, 1.5);
@@ -70,7 +74,7 @@ static void rates(void)
     scene_until_time(s, 1);
     if (CHECK(scene_begin(s) == PM_OK)) {
         pm_workspace *w = s->w;
-        for (int i = 0; i < 2; i++) {
+        for (int i = 0; i < 3; i++) {
             double rate, gap[2];
             int member;
             pm_frame_look_state(w, &w->state);
