@@ -783,7 +783,7 @@ FAULTS = [
     ),
     Fault("replay: impulses that are read", "leg_replay.c", "kind == PM_MEASURE_CONTACT_IMPULSE", "0"),
     Fault("path: what bends it does not react", "path_open.c", "+ c[k] * square", ""),
-    Fault("path: levers of another place", "path_open.c", "x->rho[k] = arm[2 + k];", ""),
+    Fault("path: levers of another place", "path_open.c", "x->t[k] = arm[4 + k];", ""),
     Fault("path: a repeated step keeps its T", "path_repeat.c", "x->kinetic += more;", ""),
     Fault("path: a repeated step stays where it was", "path_repeat.c", "shift(w, from, x);", ""),
     Fault("path: a dip of the speed between the nodes", "path_step.c", "&& !speed_resolved(p)", "&& 0"),
