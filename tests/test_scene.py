@@ -185,3 +185,17 @@ def test_names_of_the_package() -> None:
         assert getattr(planemotion, name) is not None
     with pytest.raises(AttributeError):
         planemotion.nothing  # noqa: B018
+
+
+def test_a_scene_that_stays_the_same_makes_its_tables_once() -> None:
+    scene = load_text(FILE)
+    first = scene.tables()
+    scene.run()
+    assert scene.tables()[0] is first[0]
+    other = scene.with_values({"L": "2 m"})
+    assert other.tables()[0] is not first[0]
+    assert scene.tables()[0] is first[0]
+    before = scene.run().top
+    scene.start({"AB.omega": "4 rad/s"})
+    assert scene.tables()[0] is not first[0]
+    assert scene.run().top != before

@@ -27,6 +27,7 @@ from .validate import validate
 from .words import unknown
 
 if TYPE_CHECKING:
+    from .flatten import FlatScene
     from .result import RunResult
 
 # Tables that may be set beside parameters, as in "sweep.d.num".
@@ -145,7 +146,18 @@ class Scene:
         if self._data is None:
             name = Path(self.file).stem if self.file else "scene"
             self._data = validate(self.raw, file=self.file, name=name)
+            self._tables: dict[str | None, FlatScene] = {}
         return self._data
+
+    def tables(self) -> list[FlatScene]:
+        """The tables of each of its [runs], made once until it is changed.  Raises SceneError as `data` does."""
+        from .flatten import flatten
+
+        data = self.data
+        return [
+            self._tables.get(name) or self._tables.setdefault(name, flatten(data, name))
+            for name in data.runs or (None,)
+        ]
 
     @property
     def id(self) -> str:

@@ -1,28 +1,30 @@
-"""One scene, run: each of its [runs] is flattened, computed and answered."""
+"""One scene, run: each of its [runs] is computed and answered."""
 
 from __future__ import annotations
+
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from . import engine
 from .errors import SimulationError
-from .flatten import HasData, flatten
 from .result import RunResult, collect
-from .scene import SceneData
+
+if TYPE_CHECKING:
+    from .builder import Scene
 
 
-def simulate(scene: HasData) -> RunResult:
+def simulate(scene: Scene) -> RunResult:
     """Runs a scene as it is.  A run that fails is told by the result's status, not by an exception.
 
     Raises SceneError for a fault in the scene.
     """
-    data: SceneData = scene.data
-    runs = [flatten(data, name) for name in data.runs] or [flatten(data)]
-    results = [(flat, engine.run_cases(flat, np.atleast_2d(flat.defaults))) for flat in runs]
+    data = scene.data
+    results = [(flat, engine.run_cases(flat, np.atleast_2d(flat.defaults))) for flat in scene.tables()]
     return collect(data.id, data.file, tuple(data.ask), results)
 
 
-def run(scene: HasData) -> RunResult:
+def run(scene: Scene) -> RunResult:
     """The same, but a failure (negative status) raises SimulationError, which carries the partial result."""
     result = simulate(scene)
     if result.code < 0:
