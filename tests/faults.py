@@ -1179,7 +1179,6 @@ FAULTS = [
     Fault("rk: summed weights", "tree_turning.c", "w->gravity[1] * p[0] -", "w->gravity[1] * p[0] +"),
     Fault("rk: summed centrifugal forces", "tree_turning.c", "x[k] -= a->square", "x[k] += a->square"),
     Fault("rk: errors of the last coordinate", "route_rk.c", "i < n; i += 2) {", "i + 2 < n; i += 2) {"),
-    Fault("frame: a case takes over cosines", "case.c", "pm_frame_forget(w);", ""),
     Fault("audit: a path at the rate of another", "audit.c", "zdot[m->nz_work + i]", "zdot[m->nz_work]"),
     Fault("swift: centrifugal forces", "tree_swift.c", "f[k] -= square[i]", "f[k] += square[i]"),
     Fault("swift: weights", "tree_swift_sums.c", "= -w->gravity[1] * p[1]", "= w->gravity[1] * p[1]"),

@@ -150,7 +150,7 @@ class Scene:
         return self._data
 
     def tables(self) -> list[FlatScene]:
-        """The tables of each of its [runs], made once until it is changed.  Raises SceneError as `data` does."""
+        """The tables of each of its [runs], made once until it is changed; SceneError as of `data`."""
         from .flatten import flatten
 
         data = self.data
