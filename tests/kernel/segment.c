@@ -465,6 +465,31 @@ static void edges_among_which_something_flies(void)
     CHECK(uniform > THROWS * 9 / 10);
 }
 
+/* A slab flies past below a ball, both in free fall: it is struck if it has come so far, and not yet too far. */
+static void strikes_what_flies_past(int route)
+{
+    for (int k = 0; k < 3; k++) {
+        const double length = 0.5, r = 0.1, down = 2, u = 3, t = (1 - r) / down;
+        const double from = k == 0 ? -u * t : k == 1 ? -u * t - 0.6 * length : -u * t + 0.6 * length;
+        scene *s = scene_create();
+        const int slab = scene_body(s, 3, 0.5, from, 0, 0), ball = scene_body(s, 1, 0.004, 0, 1, 0);
+        const int contact = scene_segment(s, scene_circle(s, scene_point(s, ball, 0, 0), r),
+                                          scene_line(s, scene_point(s, slab, 0, 0), 0), -length / 2,
+                                          length / 2, 1, PM_FRICTION_SMOOTH, 0);
+        const int strike = scene_on(s, PM_TRIGGER_STRIKE, contact);
+        scene_start_velocity(s, scene_point(s, slab, 0, 0), u, 0);
+        scene_start_velocity(s, scene_point(s, ball, 0, 0), 0, -down);
+        scene_until(s, strike, 1);
+        scene_trigger(s, PM_TRIGGER_RISE, strike, scene_minus(s, scene_time(s), 1.2 * t), PM_NONE);
+        const int time = scene_ask_measure(s, scene_time(s));
+        *scene_setting(s, PM_SETTING_ROUTE) = route;
+        EQUAL(scene_run(s, NULL), PM_OK);
+        if (k == 0) NEAR(s->out[time], t, CLOSE);
+        if (k > 0) CHECK(fabs(s->out[time] - t) > 1e-3); /* the corner, or nothing */
+        scene_free(s);
+    }
+}
+
 /* A block on two points slides down an incline that ends, with friction, until the first of them is at its end. */
 static void block_comes_to_the_end(int route)
 {
@@ -543,9 +568,11 @@ int main(void)
     dropped(PM_ROUTE_UNIFORM);
     edges_among_which_something_flies();
     for (int k = 0; k < 3; k++) {
+        strikes_what_flies_past(routes[k]);
         block_comes_to_the_end(routes[k]);
         turns_back_before_the_end(routes[k]);
     }
+    strikes_what_flies_past(PM_ROUTE_UNIFORM);
     block_comes_to_the_end(PM_ROUTE_UNIFORM);
     turns_back_before_the_end(PM_ROUTE_UNIFORM);
     goes_over(PM_ROUTE_PATH, PM_FRICTION_ROUGH, 0.6);
