@@ -126,12 +126,6 @@ FAULTS = [
     Fault("reach: edges have no end", "reach.c", "hypot(fmax(beyond, 0), ", "hypot(0, "),
     # edges that end, by polynomials of the time
     Fault("edge: no face", "uniform_edge.c", "return first_fall(&gap, x, 0, is_within);", "return INFINITY;"),
-    Fault(
-        "edge: the face has no end",
-        "uniform_edge.c",
-        "first_fall(&gap, x, 0, is_within)",
-        "first_fall(&gap, x, 0, always)",
-    ),
     Fault("edge: no corners", "uniform_edge.c", "if (!(x->radius > 0)) return INFINITY;", "return INFINITY;"),
     Fault(
         "edge: only the first root",
