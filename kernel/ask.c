@@ -320,8 +320,8 @@ static void offer_peak(pm_workspace *w, int ask, const pm_near *x, double gain, 
 }
 
 /* From near an extreme to it: values and rates at one place, or at two, tell what it has above them as far as the bend is
- * known - the fourth rate of what n nodes resolve is no more than n^4 times its bend -; *found is 0 if that does not do,
- * and *s is nearer then. */
+ * known.  Further rates of what n nodes resolve are no more than n^2 times the one before (they are near an end of the
+ * step).  *found is 0 if that does not do, and *s is nearer then. */
 static int step_up(pm_workspace *w, int ask, const pm_slope *slope, double low, double high, double size,
                    double *s, int *found)
 {
@@ -333,7 +333,7 @@ static int step_up(pm_workspace *w, int ask, const pm_slope *slope, double low, 
     const double first = above(&x, slope->bend, &y.s);
     if (!(y.s > low && y.s < high)) return PM_OK;
     *s = y.s;
-    if (slope->error * first <= nothing) {
+    if ((n * slope->error + n * n * fabs(y.s - x.s)) * first <= nothing) {
         offer_peak(w, ask, &x, first, y.s);
         *found = 1;
         return PM_OK;
@@ -341,7 +341,7 @@ static int step_up(pm_workspace *w, int ask, const pm_slope *slope, double low, 
     if ((status = look_near(w, ask, slope->bend, high, &y))) return status;
     const double h = y.s - x.s, bend = bend_between(&x, &y), second = above(&y, bend, s);
     const double error =
-        n * n * n * n * h * h / 12 + BEND_NOISE * size / fabs(h * h * bend); /* of the bend */
+        n * n * (n * n * h * h / 12 + fabs(*s - y.s)) + BEND_NOISE * size / fabs(h * h * bend);
     *found = bend < 0 && *s > low && *s < high && error * second <= nothing;
     if (*found) offer_peak(w, ask, &y, second, *s);
     return PM_OK;

@@ -74,7 +74,6 @@ FAULTS = [
         "sign * x->value, sign * gain",
         "sign * x->value, -sign * gain",
     ),
-    Fault("ask: the bend between two places", "ask.c", "4 * b->rate", "3 * b->rate"),
     Fault(
         "ask: an extreme between nodes is none",
         "ask.c",
