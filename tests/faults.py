@@ -366,12 +366,6 @@ FAULTS = [
         "(row->radius_b - row->radius_a) * direction + row->radius_a",
         "row->radius_a",
     ),
-    Fault(
-        "cord: its length is lost where it tightens",
-        "active.c",
-        "if (pm_contact_is_cord(w->model, contact)) return;",
-        "",
-    ),
     Fault("cord: slack ones are not followed", "active.c", "    follow_slack_cords(w, s);\n}", "}"),
     Fault("massless: a stand-in stays", "saddle.c", "+ w->stand_in[i] * before[i]", ""),
     Fault("massless: it has the energy of its stand-in", "body.c", "w->stand_in[3 * i + 2] > 0 ? 0", "0 ? 0"),

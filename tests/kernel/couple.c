@@ -298,6 +298,26 @@ static void slackens(void)
     scene_free(s);
 }
 
+/* A spring keeps a particle on a circle round a drum, and its slack cord is wound up, R for each radian: taut after more than
+ * a turn and a half. */
+static void winds_up_slack(int sense, int route)
+{
+    scene *s = scene_create();
+    const double R = 0.2, l = 2, m = 0.7, k = 2.8, rate = sqrt(k / m), angle = 10;
+    scene_set(s, PM_SETTING_GRAVITY_Y, 0);
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    const int body = scene_body(s, m, 0, R, sense * l, 0), g = scene_point(s, body, 0, 0);
+    const int centre = scene_point(s, PM_GROUND, 0, 0);
+    scene_force(s, PM_FORCE_SPRING, g, centre, k, 0);
+    const int c = scene_cord(s, scene_circle(s, centre, R), sense, scene_circle(s, g, 0), 1, angle * R, 0);
+    scene_start_velocity(s, g, -rate * l, sense * rate * R);
+    scene_until(s, scene_on(s, PM_TRIGGER_STRIKE, c), 1);
+    const int time = scene_ask_measure(s, scene_time(s));
+    EQUAL(scene_run(s, NULL), PM_OK);
+    NEAR(s->out[time], angle / rate, route == PM_ROUTE_IDA ? 1e-6 : 1e-9);
+    scene_free(s);
+}
+
 /* ---- drives ---- */
 /* A motor turns a disk on a free plate, a thousand turns and as its program says. */
 static void motor(int route)
@@ -451,5 +471,9 @@ int main(void)
     caught(0);
     caught(0.4);
     slackens();
+    for (int sense = -1; sense < 2; sense += 2) {
+        winds_up_slack(sense, PM_ROUTE_RK);
+        winds_up_slack(sense, PM_ROUTE_IDA);
+    }
     return check_failures();
 }
