@@ -368,7 +368,7 @@ static double slope_of_samples(const pm_workspace *w, int i, double place)
 }
 
 /* The nodes of a spectral route resolve the function, unless it has a corner (the nearest of several members). */
-static int is_resolved(const pm_workspace *w, int i)
+int pm_crossing_resolves(const pm_workspace *w, int i)
 {
     pm_event_function *f = &w->event->function[i];
     double value[PM_NODES_MOST];
@@ -432,8 +432,8 @@ static int root_in(pm_workspace *w, int i, const pm_span *x, double *place)
     pm_event_set *e = w->event;
     *place = x->a;
     if (!(x->b > x->a)) return PM_OK;
-    if (!is_resolved(w, i)) sample_member(w, i, x->b);
-    if (is_resolved(w, i)) return root_of_samples(w, i, x, place);
+    if (!pm_crossing_resolves(w, i)) sample_member(w, i, x->b);
+    if (pm_crossing_resolves(w, i)) return root_of_samples(w, i, x, place);
     return pm_root_find(w, e->solver, along, &e->function[i], x->a, x->ga, x->b, x->gb, place);
 }
 
@@ -531,7 +531,7 @@ int pm_crossing_first(pm_workspace *w, double from, double *first, double *taken
     }
     if (earliest == PM_NONE || *first <= w->step_begin) return PM_OK;
     const int at_end = *first >= w->step_end && of_first.gb == 0; /* exactly there: nothing to polish */
-    const double slope = is_resolved(w, earliest) ? slope_of_samples(w, earliest, *first) : NAN;
+    const double slope = pm_crossing_resolves(w, earliest) ? slope_of_samples(w, earliest, *first) : NAN;
     if (!at_end || !w->turns) take_rate(w, earliest, *first, slope);
     if (at_end) return PM_OK;
     return polish(w, earliest, &of_first, slope, first, taken);

@@ -10,6 +10,8 @@
 double pm_crossing_node(const pm_workspace *w, int node);
 /* Samples functions (if asked for) and watched asks at all nodes of the step [step_begin, step_end] (state at its end). */
 int pm_crossing_sample(pm_workspace *w, int with_functions);
+/* Whether the samples of function i tell it between the nodes, too. */
+int pm_crossing_resolves(const pm_workspace *w, int i);
 /* Locates the functions that fire first after `from`: w->event->hit, *first the place (INFINITY: none), *taken where
  * w->probe holds an exact state. */
 int pm_crossing_first(pm_workspace *w, double from, double *first, double *taken);

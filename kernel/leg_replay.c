@@ -17,11 +17,9 @@
 #include "path.h"
 #include "path_error.h"
 #include "route.h"
-#include "series.h"
 
-#define SAME 1e-9     /* of T: the same leg */
-#define CLEAR 0.3     /* of a function's greatest value: none of its values may come nearer to zero */
-#define RESOLVED 1e-6 /* highest coefficients of a function that its samples tell */
+#define SAME 1e-9 /* of T: the same leg */
+#define CLEAR 0.3 /* of a function's greatest value: none of its values may come nearer to zero */
 
 /* ---- may the leg be told by its nodes? ---- */
 /* Impulses of the last blow are read, and there will be none; or values where something is greatest, with counts of then. */
@@ -101,14 +99,14 @@ static void choose_functions(pm_workspace *w)
 static int stays_clear(const pm_workspace *w, int function)
 {
     const pm_event_set *e = w->event;
-    double value[PM_NODES_MOST], least = INFINITY, greatest = 0;
+    double least = INFINITY, greatest = 0;
     if (e->function[function].owned || e->function[function].kind == FUNCTION_TRIGGER) return 1;
     for (int k = 0; k < w->nodes->n; k++) {
-        value[k] = e->value[k * e->nfunction + function];
-        least = fmin(least, value[k]);
-        greatest = fmax(greatest, value[k]);
+        const double value = e->value[k * e->nfunction + function];
+        least = fmin(least, value);
+        greatest = fmax(greatest, value);
     }
-    return least > CLEAR * greatest && pm_series_tail(w->nodes, value) < RESOLVED;
+    return least > CLEAR * greatest && pm_crossing_resolves(w, function);
 }
 
 static int nothing_new(const pm_workspace *w)

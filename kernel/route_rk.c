@@ -396,8 +396,9 @@ static int first_stage(pm_workspace *w)
     if (status) return status;
     r->k0_ready = 1;
     set_times(w, r->k);
-    const double part = w->singular ? OVER : eighth_root_of_inverse(1 / w->tolerance);
-    if (r->next == 0) r->next = fmin(pm_case_time_scale(w, w->state.v, w->frame.a), 1e3) * part;
+    if (r->next == 0)
+        r->next = fmin(pm_case_time_scale(w, w->state.v, w->frame.a), 1e3) *
+                  (w->singular ? OVER : eighth_root_of_inverse(1 / w->tolerance));
     return PM_OK;
 }
 

@@ -72,6 +72,8 @@ void pm_tree_free(pm_workspace *w);
 void pm_tree_build(pm_workspace *w);
 int pm_tree_is_angle(const pm_workspace *w, int coordinate);
 void pm_tree_forget_regular(pm_tree *t);
+/* Fails: loop row number `loop` depends on those before it. */
+int pm_tree_singular_loop(pm_workspace *w, int loop);
 
 /* Coordinates y[n] of a configuration q[nq] that meets the solved rows (the frame looks at it); and back. */
 void pm_tree_read(const pm_workspace *w, double *y);

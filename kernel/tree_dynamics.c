@@ -54,9 +54,10 @@ static int factor_mass(pm_workspace *w)
                : PM_OK;
 }
 
-static int singular_loop(pm_workspace *w, int loop)
+int pm_tree_singular_loop(pm_workspace *w, int loop)
 {
     const pm_row *row = &w->row[w->tree->loop[loop]];
+    w->tree->independence = 0;
     return row->joint != PM_NONE ? pm_fail(w, PM_SINGULAR, PM_TABLE_JOINT, row->joint, 0, 0)
                                  : pm_fail(w, PM_SINGULAR, PM_TABLE_CONTACT, PM_NONE, 0, 0);
 }
@@ -91,14 +92,13 @@ static int factor_loops(pm_workspace *w)
         }
     }
     const int bad = pm_skyline_factor(t->nloop, t->first_loop, t->schur);
-    if (bad) t->independence = 0;
     for (int i = 0; i < t->nloop && !bad;
          i++) { /* the factor holds the reciprocal of what is left of the row */
         const double left = t->schur[i * t->nloop + i];
         const double part = 1 / (square_of(w, &w->row[t->loop[i]]) * left * left);
         if (part < t->independence) t->independence = part;
     }
-    return bad ? singular_loop(w, bad - 1) : PM_OK;
+    return bad ? pm_tree_singular_loop(w, bad - 1) : PM_OK;
 }
 
 /* x += X^T l with S l = residual, in place. */

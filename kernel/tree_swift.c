@@ -188,14 +188,6 @@ INLINE void watch_independence(pm_workspace *w, const pm_swift_row *row, const p
     if (w->tree->independence * square > left) w->tree->independence = left / square;
 }
 
-static int singular_loop(pm_workspace *w, int loop)
-{
-    const pm_row *row = &w->row[w->tree->loop[loop]];
-    w->tree->independence = 0;
-    return row->joint != PM_NONE ? pm_fail(w, PM_SINGULAR, PM_TABLE_JOINT, row->joint, 0, 0)
-                                 : pm_fail(w, PM_SINGULAR, PM_TABLE_CONTACT, PM_NONE, 0, 0);
-}
-
 INLINE int factor_all(pm_workspace *w, const pm_swift *x, int n, int nloop, pm_swift_place *p)
 {
     w->count[PM_COUNT_SOLVES]++;
@@ -209,7 +201,7 @@ INLINE int factor_all(pm_workspace *w, const pm_swift *x, int n, int nloop, pm_s
         }
     }
     const int bad = factor(nloop, p->schur);
-    if (bad) return singular_loop(w, bad - 1);
+    if (bad) return pm_tree_singular_loop(w, bad - 1);
     for (int i = 0; i < nloop; i++) watch_independence(w, &x->row[i], p, 1, p->schur[i][i]);
     return PM_OK;
 }
@@ -297,14 +289,14 @@ INLINE int solve_along(pm_workspace *w, int n, pm_swift_place *p, const double *
         cross(row[0], row[1], way);
         const double square = dot(3, way, way), inverse = 1 / square;
         if (!(square > PIVOT_LOSS * dot(3, row[0], row[0]) * dot(3, row[1], row[1])))
-            return singular_loop(w, 1);
+            return pm_tree_singular_loop(w, 1);
         cross(row[1], way, first);
         cross(way, row[0], second);
         for (int k = 0; k < 3; k++) a[k] = (rate[0] * first[k] + rate[1] * second[k]) * inverse;
     }
     const double along = between(n, p->mass, way, way);
     if (!(along > 0))
-        return n > 1 ? singular_loop(w, n - 2) : pm_fail(w, PM_SINGULAR, PM_TABLE_BODY, 0, 0, 0);
+        return n > 1 ? pm_tree_singular_loop(w, n - 2) : pm_fail(w, PM_SINGULAR, PM_TABLE_BODY, 0, 0, 0);
     const double s = (dot(n, way, f) - between(n, p->mass, way, a)) / along;
     for (int k = 0; k < n; k++) yddot[k] = a[k] + s * way[k];
     watch_rows(w, n, row, p, along);

@@ -146,7 +146,6 @@ class Scene:
         if self._data is None:
             name = Path(self.file).stem if self.file else "scene"
             self._data = validate(self.raw, file=self.file, name=name)
-            self._tables: dict[str | None, FlatScene] = {}
         return self._data
 
     def tables(self) -> list[FlatScene]:
@@ -154,10 +153,10 @@ class Scene:
         from .flatten import flatten
 
         data = self.data
-        return [
-            self._tables.get(name) or self._tables.setdefault(name, flatten(data, name))
-            for name in data.runs or (None,)
-        ]
+        use = frozenset(data.sweep.grids), True
+        return self._kept.flats(
+            self.raw, self.file, use, lambda: [flatten(data, name) for name in data.runs or (None,)]
+        )
 
     @property
     def id(self) -> str:

@@ -213,7 +213,7 @@ class _Study:
         self.flats = kept.flats(
             scene.raw,
             scene.file,
-            frozenset(plan.names),
+            (frozenset(plan.names), False),
             lambda: [flatten(scene, run, history=False) for run in self.runs or (None,)],
         )
         self.asks = self._ask_places()
