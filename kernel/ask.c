@@ -16,6 +16,7 @@
 #include "root.h"
 #include "route.h"
 #include "saddle.h"
+#include "sample.h"
 #include "series.h"
 
 #define RATE_STEP 2e-3  /* of the step: distance of the differences that make a rate */
@@ -149,11 +150,13 @@ static void offer_grid(pm_workspace *w, int ask, double value, double tolerance)
     }
 }
 
-void pm_ask_sample(pm_workspace *w, int node)
+void pm_ask_sample(pm_workspace *w)
 {
+    double value[PM_NODES_MOST];
     for (int i = 0; i < w->ask->nobserver; i++) {
         const int ask = w->ask->observer[i];
-        w->ask->sample[node * w->model->nask + ask] = run(w, watched_program(PM_ASK_ROW(w->model, ask)));
+        pm_sample_run(w, watched_program(PM_ASK_ROW(w->model, ask)), value);
+        for (int k = 0; k < w->nodes->n; k++) w->ask->sample[k * w->model->nask + ask] = value[k];
     }
 }
 

@@ -26,8 +26,8 @@ void pm_ask_reset(pm_workspace *w);
 
 /* The program that observer i (of nobserver) watches. */
 int pm_ask_watched(const pm_workspace *w, int i);
-/* Watched values at one node of a step; the frame looks there at the level that pm_ask_set.level says. */
-void pm_ask_sample(pm_workspace *w, int node);
+/* Watched values at the nodes of a step, which have been read (sample.h). */
+void pm_ask_sample(pm_workspace *w);
 /* All nodes of [w->step_begin, w->step_end] are sampled: extremes between nodes, grid values passed. */
 int pm_ask_step(pm_workspace *w);
 /* 1 if the samples of a step that was shortened since need not be taken again. */

@@ -16,6 +16,7 @@
 #include "root.h"
 #include "route.h"
 #include "saddle.h"
+#include "sample.h"
 #include "series.h"
 
 #define ON_ZERO 1e-12  /* of a function's greatest size in the step: zero when the phase begins */
@@ -67,18 +68,36 @@ static double sample_row(pm_workspace *w, const pm_event_function *f, int node)
     return isinf(gap) ? w->size : gap;
 }
 
-/* The functions that are sampled, but for contacts out of reach, at a node of the step; the frame looks there. */
-static void sample_functions(pm_workspace *w, int node)
+/* The functions of contacts and grips that are sampled, but for contacts out of reach, at a node of the step; the frame
+ * looks there. */
+static void sample_contacts(pm_workspace *w, int node)
 {
     pm_event_set *e = w->event;
     double *value = e->value + node * e->nfunction;
-    for (int i = 0; i < e->nfunction; i++) {
+    for (int i = e->ntrigger; i < e->nfunction; i++) {
         const pm_event_function *f = &e->function[i];
         if (f->owned || is_quiet(w, f)) continue;
         value[i] = f->row == PM_NONE ? pm_event_sample(w, f) : sample_row(w, f, node);
-        if (f->kind != FUNCTION_TRIGGER) continue;
-        if (value[i] < e->least[f->index]) e->least[f->index] = value[i];
-        if (value[i] > e->greatest[f->index]) e->greatest[f->index] = value[i];
+    }
+}
+
+/* The triggers that are sampled, at all nodes, which have been read. */
+static void sample_triggers(pm_workspace *w)
+{
+    pm_event_set *e = w->event;
+    double value[PM_NODES_MOST];
+    for (int i = 0; i < e->ntrigger; i++) {
+        const pm_event_function *f = &e->function[i];
+        if (f->owned) continue;
+        pm_sample_run(w, PM_TRIGGER_ROW(w->model, f->index)[PM_TRIGGER_PROGRAM], value);
+        double least = e->least[f->index], greatest = e->greatest[f->index];
+        for (int k = 0; k < w->nodes->n; k++) {
+            e->value[k * e->nfunction + i] = value[k];
+            if (value[k] < least) least = value[k];
+            if (value[k] > greatest) greatest = value[k];
+        }
+        e->least[f->index] = least;
+        e->greatest[f->index] = greatest;
     }
 }
 
@@ -88,7 +107,7 @@ static int sample_reached(pm_workspace *w)
     for (int k = 0; k < w->nodes->n; k++) {
         const int status = pm_route_look(w, pm_crossing_node(w, k), w->event->level);
         if (status) return status;
-        sample_functions(w, k);
+        sample_contacts(w, k);
     }
     return PM_OK;
 }
@@ -124,17 +143,20 @@ int pm_crossing_sample(pm_workspace *w, int with_functions)
     int level = PM_LEVEL_KINEMATIC;
     if (functions && e->level > level) level = e->level;
     if (watched && w->ask->level > level) level = w->ask->level;
+    const int who = (functions ? PM_SAMPLE_TRIGGERS : 0) | (watched ? PM_SAMPLE_ASKS : 0);
     if (functions) begin_samples(w);
     for (int k = 0; k < w->nodes->n; k++) {
         const int status = pm_route_look(w, pm_crossing_node(w, k), level);
         if (status) return status;
         if (functions) {
             pm_clear_node(w, k);
-            sample_functions(w, k);
+            sample_contacts(w, k);
         }
-        if (watched) pm_ask_sample(w, k);
+        pm_sample_read(w, k, who);
     }
+    if (watched) pm_ask_sample(w);
     if (!functions) return PM_OK;
+    sample_triggers(w);
     const int status = pm_clear_check(w) ? sample_reached(w) : PM_OK;
     keep_gaps(w);
     note_sides(w);

@@ -259,6 +259,7 @@ void pm_event_begin(pm_workspace *w)
     e->nfunction = e->nsampled = e->nrow = 0;
     e->level = PM_LEVEL_KINEMATIC;
     add_triggers(w);
+    e->ntrigger = e->nfunction;
     add_contacts(w);
     add_grips(w);
     e->first_step = 1;

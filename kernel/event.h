@@ -60,6 +60,7 @@ typedef struct pm_event_function {
 typedef struct pm_event_set {
     pm_event_function *function;
     int nfunction;
+    int ntrigger;                /* of them triggers: they come first */
     int nsampled;                /* of them those that the route does not find */
     int nrow;                    /* of them gaps to rows */
     int level;                   /* highest level of all */

@@ -10,6 +10,10 @@
 double pm_program_run(const pm_model *m, int index, const double *param, const double *value,
                       pm_workspace *w);
 
+/* Program `index` at n nodes: measure i was measured[place[i]][PM_NODES_MOST] there; value[n]. */
+void pm_program_run_nodes(pm_workspace *w, int index, int n, const int *place, const double *measured,
+                          double *value);
+
 /* Works out what stays the same in the case that has begun: its masses and its weight are known.  From here on all programs
  * of the workspace are run by these numbers, until pm_case_values is told of other parameters. */
 void pm_program_numbers(pm_workspace *w);

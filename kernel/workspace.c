@@ -14,6 +14,7 @@
 #include "reach.h"
 #include "recall.h"
 #include "route.h"
+#include "sample.h"
 #include "still.h"
 #include "tree.h"
 
@@ -133,6 +134,7 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
     if (!status) status = pm_still_create(w);
     if (!status) status = pm_event_create(w);
     if (!status) status = pm_ask_create(w);
+    if (!status) status = pm_sample_create(w);
     if (!status) status = pm_error_create(w);
     if (!status) status = pm_tree_create(w);
     if (!status) status = pm_leg_create(w);
@@ -157,6 +159,7 @@ void pm_workspace_free(pm_workspace *w)
     pm_error_free(w);
     pm_leg_free(w);
     pm_tree_free(w);
+    pm_sample_free(w);
     pm_ask_free(w);
     pm_event_free(w);
     pm_recall_free(w);

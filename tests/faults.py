@@ -54,6 +54,25 @@ FAULTS = [
     Fault("recall: forces of the time do not count", "recall.c", "w->model->recalls && ", ""),
     Fault("recall: rows of another place", "recall.c", "memcmp(r->q, w->state.q,", "memcmp(r->q, r->q,"),
     Fault(
+        "nodes: the same number is read at every node",
+        "program_nodes.c",
+        "combine(s->op, n, stack[top], stack[top + 1], 1)",
+        "combine(s->op, n, stack[top], stack[top + 1], 0)",
+    ),
+    Fault(
+        "nodes: a choice takes the other way",
+        "program_nodes.c",
+        "!= 0 ? yes[k] : no[k]",
+        "!= 0 ? no[k] : yes[k]",
+    ),
+    Fault("nodes: measures in another order", "sample.c", "s->place[measure] = i;", "s->place[measure] = 0;"),
+    Fault(
+        "nodes: least of the triggers is not kept",
+        "crossing.c",
+        "if (value[k] < least) least = value[k];",
+        "",
+    ),
+    Fault(
         "fold: operands change places",
         "program.c",
         "binary(s->op, *top, number[s->arg])",

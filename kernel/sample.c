@@ -1,0 +1,71 @@
+/* sample.c - the watched programs at the nodes of a step.
+ *
+ * The frame looks at one node after the other; every measure that some program reads is read there once.  Then each program
+ * is run for all nodes together. */
+#include "sample.h"
+
+#include <stdlib.h>
+
+#include "ask.h"
+#include "measure.h"
+#include "program.h"
+#include "program_fold.h"
+
+static void add_measure(pm_samples *s, int measure, int who)
+{
+    int i = 0;
+    while (i < s->n && s->measure[i] != measure) i++;
+    if (i == s->n) s->n++;
+    s->measure[i] = measure;
+    s->place[measure] = i;
+    s->who[i] |= (unsigned char)who;
+}
+
+static void add_program(pm_workspace *w, int program, int who)
+{
+    const pm_program_fold *f = w->model->fold;
+    for (int k = f->first[program]; k < f->first[program + 1]; k++)
+        if (f->step[k].kind == STEP_MEASURE) add_measure(w->samples, f->step[k].arg, who);
+}
+
+int pm_sample_create(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    const size_t n = (size_t)m->rows[PM_TABLE_MEASURE] + 1;
+    pm_samples *s = w->samples = calloc(1, sizeof *s);
+    if (!s) return PM_NO_MEMORY;
+    s->measure = calloc(n, sizeof *s->measure);
+    s->place = calloc(n, sizeof *s->place);
+    s->who = calloc(n, sizeof *s->who);
+    s->value = calloc(n * PM_NODES_MOST, sizeof *s->value);
+    if (!s->measure || !s->place || !s->who || !s->value) return PM_NO_MEMORY;
+    for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
+        const int32_t *e = PM_TRIGGER_ROW(m, i);
+        if (e[PM_TRIGGER_KIND] <= PM_TRIGGER_EVERY) add_program(w, e[PM_TRIGGER_PROGRAM], PM_SAMPLE_TRIGGERS);
+    }
+    for (int i = 0; i < w->ask->nobserver; i++) add_program(w, pm_ask_watched(w, i), PM_SAMPLE_ASKS);
+    return PM_OK;
+}
+
+void pm_sample_free(pm_workspace *w)
+{
+    if (!w->samples) return;
+    free(w->samples->measure);
+    free(w->samples->place);
+    free(w->samples->who);
+    free(w->samples->value);
+    free(w->samples);
+    w->samples = NULL;
+}
+
+void pm_sample_read(pm_workspace *w, int node, int who)
+{
+    pm_samples *s = w->samples;
+    for (int i = 0; i < s->n; i++)
+        if (s->who[i] & who) s->value[i * PM_NODES_MOST + node] = pm_measure(w, s->measure[i]);
+}
+
+void pm_sample_run(pm_workspace *w, int program, double *value)
+{
+    pm_program_run_nodes(w, program, w->nodes->n, w->samples->place, w->samples->value, value);
+}

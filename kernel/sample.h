@@ -1,0 +1,28 @@
+/* sample.h - what triggers and asks watch, at the nodes of a step. */
+#ifndef PM_SAMPLE_H
+#define PM_SAMPLE_H
+
+#include "model.h"
+#include "nodes.h"
+
+/* Whose measures are read. */
+enum { PM_SAMPLE_TRIGGERS = 1, PM_SAMPLE_ASKS = 2 };
+
+typedef struct pm_samples {
+    int n;              /* measures that any watched program reads */
+    int *measure;       /* [n] */
+    unsigned char *who; /* [n] PM_SAMPLE_TRIGGERS, PM_SAMPLE_ASKS or both read it */
+    int *place;         /* [measures] of each among these n */
+    double *value;      /* [n][PM_NODES_MOST] at the nodes of the step */
+} pm_samples;
+
+/* After triggers and asks have been made. */
+int pm_sample_create(pm_workspace *w);
+void pm_sample_free(pm_workspace *w);
+
+/* Reads the measures off the frame, which looks at this node of the step. */
+void pm_sample_read(pm_workspace *w, int node, int who);
+/* A watched program at all nodes, each of which has been read: value[nodes]. */
+void pm_sample_run(pm_workspace *w, int program, double *value);
+
+#endif
