@@ -12,6 +12,7 @@
 #include "capture.h"
 #include "contact.h"
 #include "grip.h"
+#include "joint.h"
 #include "project.h"
 #include "recall.h"
 #include "row.h"
@@ -210,11 +211,14 @@ static int append_all(pm_workspace *w, int *nbasis)
 int pm_active_build(pm_workspace *w)
 {
     int nbasis = 0;
+    w->rows_here = 0;
     if (pm_recall_is_built(w)) return PM_OK;
     int status = append_all(w, NULL);
     for (int i = 0; i < w->nactive && !status; i++) pm_row_kind(w->row[i].kind)->evaluate(w, &w->row[i]);
-    if (!status && w->nactive > 0 && !(pm_saddle_independence(w) > CLEARLY)) status = append_all(w, &nbasis);
+    const int clear = !status && (w->nactive == 0 || pm_saddle_independence(w) > CLEARLY);
+    if (!status && !clear) status = append_all(w, &nbasis);
     if (!status) append_carried(w);
+    w->rows_here = clear && !w->asymmetric;
     if (!status) pm_recall_built(w);
     return status;
 }
@@ -249,6 +253,7 @@ void pm_active_anchor(pm_workspace *w, pm_state *s, int slot)
 void pm_active_anchor_joint(pm_workspace *w, pm_state *s, int joint)
 {
     pm_row row[PM_JOINT_ROWS];
+    if (pm_joint_of(w->model, joint)->memories == 0) return;
     const int n = pm_row_of_joint(w, joint, row);
     for (int k = 0; k < n; k++) remember(w, s, &row[k], 1);
 }

@@ -4,6 +4,8 @@
  * file row_name.c with one. */
 #include "joint.h"
 
+#include <string.h>
+
 #include "mark.h"
 
 static void put(const pm_workspace *w, const int32_t *e, pm_row *row, int kind,
@@ -11,6 +13,13 @@ static void put(const pm_workspace *w, const int32_t *e, pm_row *row, int kind,
 {
     row->kind = kind;
     marks(w, row, e[PM_JOINT_A], e[PM_JOINT_B]);
+}
+
+/* A row with the marks of another. */
+static void put_beside(pm_row *row, int kind, const pm_row *other)
+{
+    *row = *other;
+    row->kind = kind;
 }
 
 static double number(const pm_workspace *w, const int32_t *e) { return w->value[e[PM_JOINT_VALUE]]; }
@@ -26,7 +35,7 @@ static void keep_angle(const pm_workspace *w, const int32_t *e, pm_row *row, con
 static void pin(const pm_workspace *w, const int32_t *e, pm_row *row)
 {
     put(w, e, &row[0], PM_ROW_POINT_X, pm_mark_points);
-    put(w, e, &row[1], PM_ROW_POINT_Y, pm_mark_points);
+    put_beside(&row[1], PM_ROW_POINT_Y, &row[0]);
 }
 
 static void weld(const pm_workspace *w, const int32_t *e, pm_row *row)
@@ -55,7 +64,7 @@ static void link(const pm_workspace *w, const int32_t *e, pm_row *row)
 static void rolling_line(const pm_workspace *w, const int32_t *e, pm_row *row)
 {
     put(w, e, &row[0], PM_ROW_LINE_NORMAL, pm_mark_circle_and_line);
-    put(w, e, &row[1], PM_ROW_LINE_TANGENT, pm_mark_circle_and_line);
+    put_beside(&row[1], PM_ROW_LINE_TANGENT, &row[0]);
 }
 
 static void gears(const pm_workspace *w, const int32_t *e, pm_row *row)
@@ -66,9 +75,8 @@ static void gears(const pm_workspace *w, const int32_t *e, pm_row *row)
 
 static void rolling_circle(const pm_workspace *w, const int32_t *e, pm_row *row)
 {
-    gears(w, e, &row[0]);
     gears(w, e, &row[1]);
-    row[0].kind = PM_ROW_DISTANCE;
+    put_beside(&row[0], PM_ROW_DISTANCE, &row[1]);
 }
 
 /* The strand that leaves circle a counterclockwise, and the one that leaves it clockwise. */
@@ -97,7 +105,7 @@ static void ratio(const pm_workspace *w, const int32_t *e, pm_row *row)
 static void drive(const pm_workspace *w, const int32_t *e, pm_row *row)
 {
     put(w, e, &row[0], PM_ROW_DRIVE_X, pm_mark_points);
-    put(w, e, &row[1], PM_ROW_DRIVE_Y, pm_mark_points);
+    put_beside(&row[1], PM_ROW_DRIVE_Y, &row[0]);
     row[0].drive = e[PM_JOINT_PROGRAM_X];
     row[1].drive = e[PM_JOINT_PROGRAM_Y];
 }
@@ -146,6 +154,13 @@ int pm_row_of_joint(const pm_workspace *w, int joint, pm_row row[PM_JOINT_ROWS])
 
 int pm_row_of_any_joint(const pm_workspace *w, int joint, pm_row row[PM_JOINT_ROWS])
 {
+    const int n = pm_joint_of(w->model, joint)->rows;
+    memcpy(row, w->of_joint + w->model->joint_row[joint], (size_t)n * sizeof *row);
+    return n;
+}
+
+static void compose(const pm_workspace *w, int joint, pm_row *row)
+{
     const pm_joint_ops *ops = pm_joint_of(w->model, joint);
     for (int k = 0; k < ops->rows; k++) {
         row[k] = pm_row_blank(PM_NONE);
@@ -154,5 +169,10 @@ int pm_row_of_any_joint(const pm_workspace *w, int joint, pm_row row[PM_JOINT_RO
     ops->compose(w, PM_JOINT_ROW(w->model, joint), row);
     const int memory = w->model->joint_memory[joint], first = ops->rows - ops->memories;
     for (int k = first; k < ops->rows; k++) row[k].memory = memory + k - first;
-    return ops->rows;
+}
+
+void pm_joint_compose(pm_workspace *w)
+{
+    for (int i = 0; i < w->model->rows[PM_TABLE_JOINT]; i++)
+        compose(w, i, w->of_joint + w->model->joint_row[i]);
 }

@@ -35,4 +35,7 @@ typedef struct pm_joint_ops {
 const pm_joint_ops *pm_joint_kind(int kind);
 const pm_joint_ops *pm_joint_of(const pm_model *m, int joint);
 
+/* The rows of all joints, with the numbers of the case: pm_row_of_joint copies them. */
+void pm_joint_compose(pm_workspace *w);
+
 #endif

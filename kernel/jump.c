@@ -115,7 +115,7 @@ static int build(pm_workspace *w, const unsigned char *share, const int32_t *tri
         w->state.slot[i].mode = share[i] == STRUCK || share[i] == JOINED ? trial[i] : PM_OPEN;
     pm_frame_look_state(w, &w->state);
     const int status = pm_active_build(w);
-    if (!status) pm_saddle_rows(w);
+    if (!status && !w->rows_here) pm_saddle_rows(w);
     return status;
 }
 

@@ -193,7 +193,7 @@ int pm_mode_settle(pm_workspace *w)
     for (int i = 0; i < most; i++) {
         int status;
         pm_frame_look_state(w, &w->state);
-        if ((status = pm_active_build(w)) || (status = pm_project(w, &w->state))) return status;
+        if ((status = pm_active_build(w)) || (status = pm_project_built(w, &w->state))) return status;
         if (w->kinematic) return PM_OK;
         if ((status = pm_saddle_accelerate_projected(w))) return status;
         const double size = force_size(w);

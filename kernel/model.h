@@ -227,6 +227,7 @@ typedef struct pm_workspace {
     pm_state state, start; /* now; at t = 0 after the assembly */
     pm_state probe;        /* a state inside a step */
     pm_state ahead;        /* the end of a step while an instant inside it is marked */
+    pm_row *of_joint;      /* [njoint_row] rows of all joints with the numbers of the case (joint.h) */
     /* active rows: joints first, then captured pairs, then normals, then tangents */
     pm_row *row; /* [nrow] */
     int nactive;
@@ -238,7 +239,7 @@ typedef struct pm_workspace {
     double *grip_load; /* [ngrip] friction that goes with the load of its joint, N or N m */
     int *slot_held;    /* [nslot][PM_JOINT_ROWS] of a captured pair, or PM_NONE */
     int64_t row_set;   /* counts the sets of rows */
-    int rows_here;     /* the last projection has left the frame where the rows were evaluated */
+    int rows_here; /* the last projection, or building, has left the frame where the rows were evaluated */
     struct pm_recall *recall;
     int nredundant;
     int asymmetric; /* some contact slides: H differs from G */

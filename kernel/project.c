@@ -44,13 +44,12 @@ int pm_project_velocity(pm_workspace *w, pm_state *s)
     return PM_OK;
 }
 
-int pm_project(pm_workspace *w, pm_state *s)
+static int project(pm_workspace *w, pm_state *s, int evaluated)
 {
     double before = INFINITY;
-    pm_frame_look_state(w, s);
     if (w->nactive == 0) return PM_OK;
     for (int sweep = 0;; sweep++) {
-        pm_saddle_rows(w);
+        if (sweep > 0 || !evaluated) pm_saddle_rows(w);
         const double worst = worst_opening(w);
         /* at the rounding of large coordinates Newton stalls: stop when it no longer gains */
         if (worst <= ROUNDING * w->size || sweep == SWEEPS || (sweep > 1 && worst > 0.5 * before)) break;
@@ -63,6 +62,14 @@ int pm_project(pm_workspace *w, pm_state *s)
     }
     return pm_project_velocity(w, s);
 }
+
+int pm_project(pm_workspace *w, pm_state *s)
+{
+    pm_frame_look_state(w, s);
+    return project(w, s, 0);
+}
+
+int pm_project_built(pm_workspace *w, pm_state *s) { return project(w, s, w->rows_here); }
 
 double pm_project_residual(pm_workspace *w)
 {

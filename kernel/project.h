@@ -6,6 +6,8 @@
 
 /* Projects the state; on return the frame looks at it (KINEMATIC, rows evaluated). */
 int pm_project(pm_workspace *w, pm_state *s);
+/* The same where the active rows have just been built at this state, and the frame looks at it. */
+int pm_project_built(pm_workspace *w, pm_state *s);
 /* Velocities only: G v = 0 at the state's position. */
 int pm_project_velocity(pm_workspace *w, pm_state *s);
 /* Residuals of the active rows at the frame relative to size and speed: the greater one. */

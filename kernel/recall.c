@@ -21,7 +21,8 @@ int pm_recall_create(pm_workspace *w)
     r->memory = calloc((size_t)m->nmemory + 1, sizeof *r->memory);
     r->row = calloc(nrow + 1, sizeof *r->row);
     r->slot = calloc((size_t)m->nslot + 1, sizeof *r->slot);
-    if (!r->block || !r->memory || !r->row || !r->slot) return PM_NO_MEMORY;
+    r->factored = calloc(nrow + 1, sizeof *r->factored);
+    if (!r->block || !r->memory || !r->row || !r->slot || !r->factored) return PM_NO_MEMORY;
     r->velocity = r->pose + nq;
     r->a = r->velocity + nq;
     r->q = r->a + nq;
@@ -37,6 +38,7 @@ void pm_recall_free(pm_workspace *w)
     free(r->memory);
     free(r->row);
     free(r->slot);
+    free(r->factored);
     free(r);
     w->recall = NULL;
 }
@@ -44,7 +46,7 @@ void pm_recall_free(pm_workspace *w)
 /* No angle is that of the case before: its sine might have the other sign of zero. */
 void pm_recall_forget(pm_workspace *w)
 {
-    w->recall->known = w->recall->built = 0;
+    w->recall->known = w->recall->built = w->recall->nfactored = 0;
     for (int i = 0; i < w->model->nbody; i++) w->frame.turn[3 * i] = NAN;
 }
 
@@ -125,3 +127,29 @@ void pm_recall_drop_rows(pm_workspace *w)
     w->recall->built = 0;
     w->row_set++;
 }
+
+int pm_recall_is_factored(const pm_workspace *w)
+{
+    const pm_recall *r = w->recall;
+    if (r->nfactored == 0 || r->nfactored != w->nactive) return 0;
+    for (int i = 0; i < w->nactive; i++) {
+        const pm_hold *x = &r->factored[i];
+        const pm_row *row = &w->row[i];
+        if (x->body[0] != row->body[0] || x->body[1] != row->body[1]) return 0;
+        for (int k = 0; k < 6; k++)
+            if (x->j[k] != row->j[k]) return 0;
+    }
+    return 1;
+}
+
+void pm_recall_factored(pm_workspace *w)
+{
+    w->recall->nfactored = w->nactive;
+    for (int i = 0; i < w->nactive; i++) {
+        pm_hold *x = &w->recall->factored[i];
+        memcpy(x->body, w->row[i].body, sizeof x->body);
+        memcpy(x->j, w->row[i].j, sizeof x->j);
+    }
+}
+
+void pm_recall_drop_factors(pm_workspace *w) { w->recall->nfactored = 0; }

@@ -4,6 +4,12 @@
 
 #include "model.h"
 
+/* Where a row takes hold. */
+typedef struct pm_hold {
+    int body[2];
+    double j[6];
+} pm_hold;
+
 typedef struct pm_recall {
     int known;          /* something is kept */
     int closed;         /* nothing else is to be kept for now */
@@ -17,6 +23,9 @@ typedef struct pm_recall {
     int built;
     pm_slot *slot; /* [nslot] */
     double *q;     /* [nq] */
+    /* the rows whose S = G M^-1 G^T was factored last (saddle.c) */
+    int nfactored;     /* none: 0 */
+    pm_hold *factored; /* [nrow] */
     void *block;
 } pm_recall;
 
@@ -34,5 +43,11 @@ int pm_recall_is_built(const pm_workspace *w);
 void pm_recall_built(pm_workspace *w);
 /* They are another set from now on. */
 void pm_recall_drop_rows(pm_workspace *w);
+
+/* w->schur holds the factors of the active rows as they are evaluated now. */
+int pm_recall_is_factored(const pm_workspace *w);
+void pm_recall_factored(pm_workspace *w);
+/* It does not. */
+void pm_recall_drop_factors(pm_workspace *w);
 
 #endif

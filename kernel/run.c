@@ -78,10 +78,10 @@ static int open_ledger(pm_workspace *w)
     return PM_OK;
 }
 
-/* Before contacts and cords are closed: what has no mass may need them, and its acceleration is not known yet. */
+/* The rows have just been built.  Before contacts and cords are closed: what has no mass may need them, and its acceleration is not known yet. */
 static int accelerate_unfastened(pm_workspace *w)
 {
-    const int status = pm_saddle_accelerate(w);
+    const int status = pm_saddle_accelerate_projected(w);
     if (status != PM_SINGULAR || !w->massless) return status;
     w->where = (pm_where){PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
     memset(w->frame.a, 0, (size_t)w->model->nq * sizeof(double));

@@ -104,12 +104,34 @@ static void fill_symmetric(pm_workspace *w)
     }
 }
 
+/* 0, or one more than the row that depends on those before it.  At one place the same rows are asked for several times. */
+static int factor_symmetric(pm_workspace *w)
+{
+    if (pm_recall_is_factored(w)) return 0;
+    fill_symmetric(w);
+    const int bad = pm_skyline_factor(w->nactive, w->pivot, w->schur);
+    if (bad)
+        pm_recall_drop_factors(w);
+    else
+        pm_recall_factored(w);
+    return bad;
+}
+
+static int factor_asymmetric(pm_workspace *w)
+{
+    const int n = w->nactive;
+    pm_recall_drop_factors(w);
+    for (int i = 0; i < n; i++)
+        for (int k = 0; k < n; k++)
+            w->schur[i * n + k] = coupled(w, &w->row[i], w->row[i].j, &w->row[k], w->row[k].h);
+    return pm_lu_factor(n, w->schur, w->pivot);
+}
+
 double pm_saddle_independence(pm_workspace *w)
 {
     const int n = w->nactive;
     double least = 1;
-    fill_symmetric(w);
-    if (pm_skyline_factor(n, w->pivot, w->schur)) return 0;
+    if (factor_symmetric(w)) return 0;
     for (int i = 0; i < n; i++) { /* the factor holds the reciprocal of what is left of the row */
         const double all = coupled(w, &w->row[i], w->row[i].j, &w->row[i], w->row[i].j),
                      *left = w->schur + i * n + i;
@@ -120,14 +142,7 @@ double pm_saddle_independence(pm_workspace *w)
 
 int pm_saddle_factor(pm_workspace *w)
 {
-    const int n = w->nactive;
-    if (!w->asymmetric) fill_symmetric(w);
-    for (int i = 0; i < n && w->asymmetric; i++)
-        for (int k = 0; k < n; k++)
-            w->schur[i * n + k] =
-                coupled(w, &w->row[i], w->row[i].j, &w->row[k], force_direction(w, &w->row[k]));
-    const int bad =
-        w->asymmetric ? pm_lu_factor(n, w->schur, w->pivot) : pm_skyline_factor(n, w->pivot, w->schur);
+    const int bad = w->asymmetric ? factor_asymmetric(w) : factor_symmetric(w);
     w->count[PM_COUNT_SOLVES]++;
     if (!bad) return PM_OK;
     const pm_row *row = &w->row[bad - 1];

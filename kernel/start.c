@@ -134,21 +134,40 @@ static int take_block(pm_workspace *w, pm_solution *s, int level)
     return 1;
 }
 
-/* Takes one equation row.x = rhs into the solution; *miss is by how much it is violated if it depends on the others. */
-static int take(pm_workspace *w, pm_solution *s, const double *row, double rhs, double *miss)
+/* A row of which the solution misses so much has been added to the basis, which has n rows now; 1 if it is a new one. */
+static int meet(const pm_workspace *w, pm_solution *s, int n, const pm_basis_rest *rest, double *miss)
 {
-    const int nq = w->model->nq;
-    pm_basis_rest rest;
-    double now = 0;
-    for (int i = 0; i < nq; i++) now += row[i] * s->x[i];
-    const int n = add_row(w, s, row, &rest);
-    *miss = rhs - now;
     if (n == s->n) return 0;
-    const double *e = w->basis + (size_t)s->n * (size_t)nq, component = *miss / (rest.left * rest.norm);
-    for (int i = 0; i < nq; i++) s->x[i] += component * e[i] * sqrt(w->inverse_mass[i]);
+    const double *e = w->basis + (size_t)s->n * (size_t)w->model->nq,
+                 component = *miss / (rest->left * rest->norm);
+    const int *range = w->basis_range + 2 * s->n;
+    for (int i = range[0]; i < range[1]; i++) s->x[i] += component * e[i] * sqrt(w->inverse_mass[i]);
     s->n = n;
     *miss = 0;
     return 1;
+}
+
+/* Takes one equation row.x = rhs into the solution; *miss is by how much it is violated if it depends on the others. */
+static int take(pm_workspace *w, pm_solution *s, const double *row, double rhs, double *miss)
+{
+    pm_basis_rest rest;
+    double now = 0;
+    for (int i = 0; i < w->model->nq; i++) now += row[i] * s->x[i];
+    *miss = rhs - now;
+    return meet(w, s, add_row(w, s, row, &rest), &rest, miss);
+}
+
+/* The same of an evaluated row. */
+static int take_row(pm_workspace *w, pm_solution *s, const pm_row *row, double rhs, double *dense,
+                    double *miss)
+{
+    pm_basis_rest rest;
+    if (s->block) {
+        spread_row(w, row, dense);
+        return take(w, s, dense, rhs, miss);
+    }
+    *miss = rhs - pm_saddle_times(w, row, s->x);
+    return meet(w, s, pm_basis_add(w, s->n, row->j, row->body, &rest), &rest, miss);
 }
 
 static double start_value(const pm_workspace *w, int i)
@@ -222,8 +241,7 @@ static void position_step(pm_workspace *w, double *x, double *dense)
         for (int k = 0; k < n; k++) {
             if (rows[k].memory != PM_NONE) continue;
             pm_row_kind(rows[k].kind)->evaluate(w, &rows[k]);
-            spread_row(w, &rows[k], dense);
-            take(w, &s, dense, -rows[k].g, &miss);
+            take_row(w, &s, &rows[k], -rows[k].g, dense, &miss);
         }
     }
 }
@@ -242,8 +260,8 @@ static int assemble(pm_workspace *w, pm_start_report *report)
     const double allowed = w->value[PM_SETTING(m, PM_SETTING_ASSEMBLY)] * w->size;
     double *x = w->scratch, *dense = x + m->nq, best = INFINITY;
     int table = PM_NONE, row = PM_NONE;
+    pm_frame_look_state(w, &w->state);
     for (int sweep = 0; sweep < SWEEPS; sweep++) {
-        pm_frame_look_state(w, &w->state);
         report->opening = worst_opening(w, &table, &row);
         const int gains = report->opening < 0.5 * best;
         if (!(report->opening > 4e-16 * w->size) || (report->opening <= allowed && !gains)) break;
@@ -251,6 +269,7 @@ static int assemble(pm_workspace *w, pm_start_report *report)
         position_step(w, x, dense);
         limit_step(w, x);
         for (int i = 0; i < m->nq; i++) w->state.q[i] += x[i];
+        pm_frame_look_state(w, &w->state);
     }
     for (int i = 0; i < m->nbody; i++)
         for (int k = 0; k < 3; k++) {
@@ -258,35 +277,49 @@ static int assemble(pm_workspace *w, pm_start_report *report)
                 PM_BODY_ROW(m, i)[PM_BODY_TURNS] || k < 2 ? w->value[PM_BODY_ROW(m, i)[PM_BODY_X + k]] : 0;
             report->moved = fmax(report->moved, fabs(w->state.q[3 * i + k] - drawn) * (k == 2 ? w->size : 1));
         }
-    pm_frame_look_state(w, &w->state);
     return report->opening <= allowed ? PM_OK : pm_fail(w, PM_ASSEMBLY, table, row, report->opening, allowed);
+}
+
+static double apart(const pm_workspace *w, const pm_row *row)
+{
+    const pm_marks x = pm_row_marks(w, row);
+    return pm_length(x.d);
+}
+
+static int check_gears(pm_workspace *w, int joint, const pm_row *row)
+{
+    const double distance = apart(w, row), open = fabs(distance - fabs(row->value));
+    return open <= MESHES * distance
+               ? PM_OK
+               : pm_fail(w, PM_ASSEMBLY, PM_TABLE_JOINT, joint, open, MESHES * distance);
+}
+
+static int check_strand(pm_workspace *w, int table, int at, const pm_row *row)
+{
+    const double distance = apart(w, row), past = fabs(row->radius_b - row->radius_a);
+    return distance > past ? PM_OK : pm_fail(w, PM_ASSEMBLY, table, at, past - distance, 0);
 }
 
 /* Pitch circles touch, and strands have a way past their circles: no row holds that. */
 static int check_couplings(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    for (int i = 0; i < m->rows[PM_TABLE_JOINT] + m->rows[PM_TABLE_CONTACT]; i++) {
-        const int is_joint = i < m->rows[PM_TABLE_JOINT], at = is_joint ? i : i - m->rows[PM_TABLE_JOINT];
-        pm_row row[PM_JOINT_ROWS];
-        int n = 1;
-        if (is_joint)
-            n = pm_row_of_joint(w, at, row);
-        else
-            pm_row_of_contact(w, at, m->contact_slot[at], 0, &row[0], &row[1]);
-        for (int k = 0; k < n; k++) {
-            const pm_marks x = pm_row_marks(w, &row[k]);
-            const double apart = pm_length(x.d), past = fabs(row[k].radius_b - row[k].radius_a);
-            const double open = fabs(apart - fabs(row[k].value));
-            const int gears = is_joint && PM_JOINT_ROW(m, at)[PM_JOINT_KIND] == PM_JOINT_GEARS;
-            const int table = is_joint ? PM_TABLE_JOINT : PM_TABLE_CONTACT;
-            if (gears && !(open <= MESHES * apart))
-                return pm_fail(w, PM_ASSEMBLY, table, at, open, MESHES * apart);
-            if (row[k].kind == PM_ROW_STRAND && !(apart > past))
-                return pm_fail(w, PM_ASSEMBLY, table, at, past - apart, 0);
-        }
+    pm_row row[PM_JOINT_ROWS];
+    int status = PM_OK;
+    for (int i = 0; !status && i < m->rows[PM_TABLE_JOINT]; i++) {
+        const int kind = PM_JOINT_ROW(m, i)[PM_JOINT_KIND];
+        if (kind != PM_JOINT_GEARS && kind != PM_JOINT_BELT) continue;
+        const int n = pm_row_of_joint(w, i, row);
+        for (int k = 0; !status && k < n; k++)
+            status = kind == PM_JOINT_GEARS ? check_gears(w, i, &row[k])
+                                            : check_strand(w, PM_TABLE_JOINT, i, &row[k]);
     }
-    return PM_OK;
+    for (int i = 0; !status && i < m->rows[PM_TABLE_CONTACT]; i++) {
+        if (!pm_contact_is_cord(m, i)) continue;
+        pm_row_normal_of_contact(w, i, m->contact_slot[i], 0, &row[0]);
+        status = check_strand(w, PM_TABLE_CONTACT, i, &row[0]);
+    }
+    return status;
 }
 
 /* ---- velocities ---- */
@@ -349,8 +382,7 @@ static void hold_joints(pm_workspace *w, pm_solution *s, double *dense, const pm
             pm_row_kind(rows[k].kind)->evaluate(w, &rows[k]);
             fasten(w, islands, &rows[k]);
             if (solved) continue;
-            spread_row(w, &rows[k], dense);
-            take(w, s, dense, rows[k].rate, &miss);
+            take_row(w, s, &rows[k], rows[k].rate, dense, &miss);
         }
     }
 }
@@ -369,8 +401,7 @@ static void hold_contacts(pm_workspace *w, pm_solution *s, double *dense, const 
         pm_row_of_contact(w, i, w->model->contact_slot[i], member, &row[0], &row[1]);
         for (int k = 0; k < (cord ? 1 : 2); k++) {
             pm_row_kind(row[k].kind)->evaluate(w, &row[k]);
-            spread_row(w, &row[k], dense);
-            take(w, s, dense, row[k].rate, &miss);
+            take_row(w, s, &row[k], row[k].rate, dense, &miss);
             fasten(w, islands, &row[k]);
         }
     }
@@ -490,7 +521,6 @@ int pm_start(pm_workspace *w, pm_start_report *report)
     if (!status) status = check_couplings(w);
     if (status) return status;
     pm_active_anchor_start(w, &w->state);
-    pm_frame_look_state(w, &w->state);
     if ((status = velocities(w)) || (status = check_overlap(w))) return status;
     pm_frame_look_state(w, &w->state);
     pm_case_speed(w, w->state.v);

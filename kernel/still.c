@@ -8,6 +8,8 @@
  *   - a body alone: welded, or held by three rows,
  *   - two that are joined: a triangle on the ground, and whatever is built up of such,
  *   - all that hang together, if they are few.
+ * Which of them can hold at all is told by the scene alone, once: where even as many independent rows as there are would
+ * not do, no case is searched.
  * Rows that depend on each other hold as the same ones without the surplus; a set whose rows nearly do not hold is left
  * to the equations of motion.  So is what cannot be taken for ground: rows that are driven, added or removed; both bodies of a
  * joint of which a reaction is asked, or that has friction, and of a contact; bodies that a blow is given to. */
@@ -23,13 +25,14 @@
 #include "joint.h"
 #include "measure.h"
 #include "nature.h"
+#include "recall.h"
 #include "refer.h"
 
 #define FEW 6        /* bodies of a set at most */
 #define CLEARLY 1e-3 /* independent part of each row that is counted, in the metric of the masses */
 enum { WIDE = 3 * FEW };
 
-/* ---- once a scene ---- */
+/* ---- what must move, and what is told ---- */
 static int body_of(const pm_model *m, int of, int index)
 {
     if (of == PM_TABLE_LINE) return body_of(m, PM_TABLE_POINT, PM_LINE_ROW(m, index)[PM_LINE_POINT]);
@@ -89,26 +92,6 @@ static void tell_others(pm_workspace *w)
         if (pm_joint_of(m, i)->programs > 0) w->still->told[i] = 1;
 }
 
-int pm_still_create(pm_workspace *w)
-{
-    const pm_model *m = w->model;
-    const size_t nbody = (size_t)m->nbody, nrow = (size_t)m->njoint_row,
-                 njoint = (size_t)m->rows[PM_TABLE_JOINT];
-    pm_still *x = w->still = calloc(1, sizeof *x);
-    if (!x) return PM_NO_MEMORY;
-    x->block = calloc(1, (nbody + 2 * nrow) * sizeof(int) + 2 * nbody + njoint + 1);
-    if (!x->block) return PM_NO_MEMORY;
-    x->first = x->block;
-    x->next = x->first + nbody;
-    x->moves = (unsigned char *)(x->next + 2 * nrow);
-    x->body = x->moves + nbody;
-    x->told = x->body + nbody + 1;
-    tell_asked(w);
-    tell_others(w);
-    pm_still_begin(w);
-    return PM_OK;
-}
-
 void pm_still_free(pm_workspace *w)
 {
     if (w->still) free(w->still->block);
@@ -128,7 +111,7 @@ int pm_still_row(const pm_workspace *w, const pm_row *row)
     return w->still->body[row->body[0]] && w->still->body[row->body[1]];
 }
 
-/* ---- once a case ---- */
+/* ---- which bodies ---- */
 static int is_changed(const pm_model *m, int joint)
 {
     for (int i = 0; i < m->rows[PM_TABLE_ACTION]; i++) {
@@ -140,7 +123,7 @@ static int is_changed(const pm_model *m, int joint)
     return 0;
 }
 
-/* The rows of the joints that stay, evaluated, in w->row, and those of each body. */
+/* The rows of the joints that stay in w->row, evaluated unless they are only counted, and those of each body. */
 static int list_rows(pm_workspace *w)
 {
     const pm_model *m = w->model;
@@ -153,7 +136,7 @@ static int list_rows(pm_workspace *w)
         const int of_joint = pm_row_of_joint(w, i, rows);
         for (int k = 0; k < of_joint; k++, n++) {
             w->row[n] = rows[k];
-            pm_row_kind(rows[k].kind)->evaluate(w, &w->row[n]);
+            if (!x->counts) pm_row_kind(rows[k].kind)->evaluate(w, &w->row[n]);
             for (int side = 0; side < 2; side++) {
                 const int body = rows[k].body[side];
                 if (body == m->nbody) continue;
@@ -182,7 +165,7 @@ static int place_in(const pm_group *g, int body)
 static void join(const pm_workspace *w, pm_group *g, int body)
 {
     g->body[g->n++] = body;
-    for (int k = 0; k < 3; k++) g->freedom += w->inverse_mass[3 * body + k] > 0;
+    g->freedom += PM_BODY_ROW(w->model, body)[PM_BODY_TURNS] ? 3 : 2;
 }
 
 /* Counts a row if it is clearly independent of those before it (modified Gram-Schmidt, each taken off twice). */
@@ -217,7 +200,11 @@ static int holds(pm_workspace *w, pm_group *g)
         for (int at = x->first[g->body[i]]; at != PM_NONE && g->rank < g->freedom; at = x->next[at]) {
             const pm_row *row = &w->row[at / 2];
             const int other = row->body[1 - at % 2], place = place_in(g, other);
-            if (x->body[other] || place > i) add_row(w, g, row);
+            if (!x->body[other] && place <= i) continue;
+            if (x->counts)
+                g->rank++;
+            else
+                add_row(w, g, row);
         }
     if (g->rank < g->freedom) return 0;
     for (int i = 0; i < g->n; i++) x->body[g->body[i]] = 1;
@@ -225,7 +212,9 @@ static int holds(pm_workspace *w, pm_group *g)
     return 1;
 }
 
-static int may_stand(const pm_still *x, int body) { return !x->body[body] && !x->moves[body]; }
+static int must_move(const pm_still *x, int body) { return x->moves[body] || x->left[body]; }
+
+static int may_stand(const pm_still *x, int body) { return !x->body[body] && !must_move(x, body); }
 
 /* A body alone. */
 static int try_one(pm_workspace *w, int body)
@@ -258,7 +247,7 @@ static int try_all(pm_workspace *w, int body)
         for (int at = x->first[g.body[i]]; at != PM_NONE; at = x->next[at]) {
             const int other = w->row[at / 2].body[1 - at % 2];
             if (x->body[other] || place_in(&g, other) != PM_NONE) continue;
-            if (x->moves[other] || g.n == FEW) return 0;
+            if (must_move(x, other) || g.n == FEW) return 0;
             join(w, &g, other);
         }
     return holds(w, &g);
@@ -275,6 +264,41 @@ static void find(pm_workspace *w)
     }
 }
 
+/* ---- once a scene ---- */
+/* What stands still if every row holds something of its own: no case holds more. */
+static void find_possible(pm_workspace *w)
+{
+    pm_still *x = w->still;
+    pm_still_begin(w);
+    x->counts = 1;
+    find(w);
+    x->counts = 0;
+    x->possible = x->n > 0;
+}
+
+int pm_still_create(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    const size_t nbody = (size_t)m->nbody, nrow = (size_t)m->njoint_row,
+                 njoint = (size_t)m->rows[PM_TABLE_JOINT];
+    pm_still *x = w->still = calloc(1, sizeof *x);
+    if (!x) return PM_NO_MEMORY;
+    x->block = calloc(1, (nbody + 2 * nrow) * sizeof(int) + 3 * nbody + njoint + 1);
+    if (!x->block) return PM_NO_MEMORY;
+    x->first = x->block;
+    x->next = x->first + nbody;
+    x->moves = (unsigned char *)(x->next + 2 * nrow);
+    x->left = x->moves + nbody;
+    x->body = x->left + nbody;
+    x->told = x->body + nbody + 1;
+    tell_asked(w);
+    tell_others(w);
+    find_possible(w);
+    pm_still_begin(w);
+    return PM_OK;
+}
+
+/* ---- once a case ---- */
 /* Both bodies of a row that stand still are left to the equations of motion. */
 static int let_go(pm_workspace *w, const pm_row *row)
 {
@@ -282,8 +306,8 @@ static int let_go(pm_workspace *w, const pm_row *row)
     if (!pm_still_row(w, row)) return 0;
     for (int side = 0; side < 2; side++) {
         const int body = row->body[side];
-        if (body == w->model->nbody || w->still->moves[body]) continue;
-        w->still->moves[body] = 1;
+        if (body == w->model->nbody || must_move(w->still, body)) continue;
+        w->still->left[body] = 1;
         any = 1;
     }
     return any;
@@ -309,6 +333,7 @@ static int let_told_move(pm_workspace *w)
 static void stop(pm_workspace *w)
 {
     w->massless = 0;
+    pm_recall_drop_factors(w); /* they are of other masses */
     for (int i = 0; i < w->model->nq; i++) {
         if (w->still->body[i / 3]) {
             w->inverse_mass[i] = w->stand_in[i] = 0;
@@ -321,7 +346,8 @@ static void stop(pm_workspace *w)
 void pm_still_find(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    if (!w->still->wanted || w->trace || m->njoint_row == 0 || m->rows[PM_TABLE_SPIN] > 0) return;
+    if (!w->still->wanted || !w->still->possible || w->trace || m->rows[PM_TABLE_SPIN] > 0) return;
+    memset(w->still->left, 0, (size_t)m->nbody);
     pm_frame_look_state(w, &w->state);
     do {
         pm_still_begin(w);

@@ -7,10 +7,13 @@
 typedef struct pm_still {
     unsigned char *body;  /* [nbody + 1] it stands still; last: the ground, which does */
     unsigned char *moves; /* [nbody] it is not to be taken for still, whatever holds it */
+    unsigned char *left;  /* [nbody] in this case it is left to the equations of motion */
     unsigned char *told;  /* [njoint] its two bodies are not both to be taken for still */
     int *first;           /* [nbody] of the rows on each body: twice the row, plus its side; or PM_NONE */
     int *next;            /* [2 njoint_row] the next of them */
     int n;                /* bodies that stand still */
+    int possible;         /* in some case of the scene a body may */
+    int counts;           /* rows are counted, not measured */
     int wanted;           /* they are looked for: not where all is to be told, as by a check or a history */
     void *block;
 } pm_still;

@@ -6,6 +6,7 @@
 #include "error.h"
 #include "event.h"
 #include "find.h"
+#include "joint.h"
 #include "leg.h"
 #include "model.h"
 #include "nudge.h"
@@ -92,6 +93,7 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
         PART(w->previous, nq),
         PART(w->hang, m->nbody + 1),
         PART(w->wanted, nrow),
+        PART(w->of_joint, m->njoint_row),
         PART(w->row, nrow + 1),
         PART(w->joint_active, m->njoint_row),
         PART(w->slot_normal, m->nslot),
@@ -130,6 +132,7 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
     if (!status) status = pm_state_create(m, &w->start);
     if (!status) status = pm_state_create(m, &w->probe);
     if (!status) status = pm_state_create(m, &w->ahead);
+    if (!status) pm_joint_compose(w); /* which bodies they fasten is known before any case */
     if (!status) status = pm_recall_create(w);
     if (!status) status = pm_still_create(w);
     if (!status) status = pm_event_create(w);

@@ -53,6 +53,10 @@ FAULTS = [
     Fault("recall: other rows do not count", "recall.c", "r->rows != w->row_set ||", ""),
     Fault("recall: forces of the time do not count", "recall.c", "w->model->recalls && ", ""),
     Fault("recall: rows of another place", "recall.c", "memcmp(r->q, w->state.q,", "memcmp(r->q, r->q,"),
+    Fault("recall: factors of other rows", "recall.c", "if (x->j[k] != row->j[k]) return 0;", ";"),
+    Fault("recall: factors of other bodies", "recall.c", "x->body[1] != row->body[1]", "0"),
+    Fault("joint: rows are those of no case", "case.c", "pm_joint_compose(w);", ";"),
+    Fault("still: no case is searched", "still.c", "x->possible = x->n > 0;", "x->possible = 0;"),
     Fault(
         "nodes: the same number is read at every node",
         "program_nodes.c",
@@ -179,8 +183,8 @@ FAULTS = [
     Fault(
         "still: what moves holds",
         "still.c",
-        "if (x->body[other] || place > i) add_row",
-        "if (place != i) add_row",
+        "if (!x->body[other] && place <= i) continue;",
+        "if (place == i) continue;",
     ),
     Fault("still: weights are carried twice", "audit.c", "if (w->still->body[i]) continue;", ""),
     Fault("still: bodies have no inertia", "body.c", "if (w->still->body[i]) return", "if (0) return"),

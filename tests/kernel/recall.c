@@ -91,6 +91,32 @@ static void sets_of_rows(pm_workspace *w)
     EQUAL(pm_recall_is_built(w), 0);
 }
 
+/* Factors hold for rows that take hold alike, whatever else has changed, and for no others. */
+static void factors_of_rows(pm_workspace *w)
+{
+    pm_recall_forget(w);
+    EQUAL(pm_recall_is_factored(w), 0);
+    pm_saddle_rows(w);
+    EQUAL(pm_saddle_factor(w), PM_OK);
+    for (int i = 0; i < w->nactive; i++)
+        for (int k = 0; k < 6; k++) {
+            double *j = &w->row[i].j[k];
+            const double before = *j;
+            EQUAL(pm_recall_is_factored(w), 1);
+            *j = before + 1e-15;
+            EQUAL(pm_recall_is_factored(w), 0);
+            *j = before;
+        }
+    w->row[0].gamma += 1;
+    EQUAL(pm_recall_is_factored(w), 1);
+    w->row[0].body[1] = !w->row[0].body[1];
+    EQUAL(pm_recall_is_factored(w), 0);
+    w->row[0].body[1] = !w->row[0].body[1];
+    w->nactive--;
+    EQUAL(pm_recall_is_factored(w), 0);
+    w->nactive++;
+}
+
 int main(void)
 {
     scene *s = rods(0);
@@ -98,6 +124,12 @@ int main(void)
         as_if_solved(s->w);
         not_for_another(s->w);
         sets_of_rows(s->w);
+    }
+    scene_free(s);
+    s = rods(0);
+    if (CHECK(scene_begin(s) == PM_OK)) {
+        EQUAL(pm_active_build(s->w), PM_OK);
+        factors_of_rows(s->w);
     }
     scene_free(s);
     s = rods(1); /* a force that the time tells */

@@ -129,6 +129,26 @@ static void mechanisms_move(void)
     expect(s, 0);
 }
 
+/* What the scene says alone: with fewer rows than freedoms no case is searched; as many may hold, or not. */
+static void possible_or_not(void)
+{
+    for (int bars = 2; bars <= 3; bars++) {
+        scene *s = scene_create();
+        int before = PM_GROUND;
+        for (int i = 0; i < bars; i++) {
+            const int b = bar(s, i, 0, 0, 1);
+            pin(s, b, -0.5, 0, before, before == PM_GROUND ? 0 : 0.5, 0);
+            before = b;
+        }
+        pin(s, before, 0.5, 0, PM_GROUND, bars, 0);
+        scene_until_time(s, TIME);
+        scene_ask_measure(s, scene_measure(s, PM_MEASURE_TOTAL, PM_NONE));
+        EQUAL(still_of(s), 0);
+        EQUAL(s->w->still->possible, bars == 2);
+        scene_free(s);
+    }
+}
+
 enum reason { NOTHING, DRIVEN, REMOVED, ASKED, WATCHED, RUBS, PUSHED, TOUCHES, REASONS };
 
 static void what_is_not_ground(void)
@@ -242,6 +262,7 @@ int main(void)
     a_plate_on_three_bars(1);
     a_particle_on_two_links();
     mechanisms_move();
+    possible_or_not();
     what_is_not_ground();
     they_are_as_ground(PM_ROUTE_AUTO, 1e-8);
     they_are_as_ground(PM_ROUTE_RK, 1e-8);
