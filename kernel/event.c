@@ -405,6 +405,22 @@ static void join_end(const pm_workspace *w, double *first)
     if (something && *first >= w->step_end - same) *first = w->step_end;
 }
 
+/* What happens at the end of the step, found there, only marks something, and the phase goes on in another step. */
+static int marks_end(const pm_workspace *w, double first, int due)
+{
+    return first == w->step_end && !due && !w->turns && !w->lap && !w->event->at_root && only_marks(w);
+}
+
+/* Something is marked at the end of the step, where the frame looks. */
+static int pass_end(pm_workspace *w, int *ended)
+{
+    const int status = pm_instant_mark(w, ended);
+    if (status || *ended) return status;
+    hold_hits(w, w->step_end);
+    pm_crossing_leave(w); /* what has left its zero is no more held; in the next step places are others */
+    return PM_OK;
+}
+
 /* Passes the instants of the step that only mark something; *first is that of a full one, or of the end. */
 static int pass_marks(pm_workspace *w, double *first, double *taken, int *ended)
 {
@@ -443,7 +459,8 @@ int pm_event_advance(pm_workspace *w, int *ended)
         if (status) return status;
         if (e->nsampled > 0) pm_crossing_leave(w);
         if (!*ended) take_roots(w, &first);
-        if (first < w->step_end) {
+        const int inside = first < w->step_end;
+        if (inside) {
             if (!*ended && (status = stop_at(w, first, taken))) return status;
             w->step_end = first;
             if (!pm_ask_keeps_samples(w) && (status = pm_crossing_sample(w, 0))) return status;
@@ -454,6 +471,10 @@ int pm_event_advance(pm_workspace *w, int *ended)
         const int due = first >= w->step_end && mark_due(w);
         if (*ended) return PM_OK;
         if (first < INFINITY) mark_hits(w);
+        if (!inside && marks_end(w, first, due)) {
+            if ((status = pass_end(w, ended)) || *ended) return status;
+            continue;
+        }
         if (first < INFINITY || due || w->turns) {
             w->lap = 0;
             return PM_OK;

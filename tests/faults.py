@@ -57,6 +57,8 @@ FAULTS = [
     Fault("recall: factors of other bodies", "recall.c", "x->body[1] != row->body[1]", "0"),
     Fault("joint: rows are those of no case", "case.c", "pm_joint_compose(w);", ";"),
     Fault("still: no case is searched", "still.c", "x->possible = x->n > 0;", "x->possible = 0;"),
+    Fault("event: a mark at a step's end comes again", "event.c", "hold_hits(w, w->step_end);", ";"),
+    Fault("event: a turn is passed as a mark", "event.c", "!due && !w->turns &&", "!due &&"),
     Fault(
         "nodes: the same number is read at every node",
         "program_nodes.c",

@@ -263,6 +263,38 @@ static void once_in_long_steps(void)
     scene_free(s);
 }
 
+/* Marks where steps end: each is passed once and the phase goes on; the same as on a route whose steps end elsewhere. */
+static void at_ends_of_steps(void)
+{
+    enum { TURNS = 3 };
+    for (int k = 0; k < 2; k++) {
+        scene *s = scene_create();
+        const int rod = scene_body(s, 1, 1.0 / 12, 0, -0.5, 0), top = scene_point(s, rod, 0, 0.5);
+        scene_joint(s, PM_JOINT_PIN, top, scene_point(s, PM_GROUND, 0, 0), 0);
+        scene_start_omega(s, rod, 9);
+        *scene_setting(s, PM_SETTING_ROUTE) = k ? PM_ROUTE_RK : PM_ROUTE_PATH;
+        scene_set(s, PM_SETTING_ACCURACY, 1e-12);
+        const int turned = scene_measure(s, PM_MEASURE_TURNED, rod),
+                  omega = scene_read(s, scene_measure(s, PM_MEASURE_OMEGA, rod));
+        const int above = scene_when(s, PM_TRIGGER_CROSS, scene_minus(s, turned, PI)),
+                  halves = scene_when(s, PM_TRIGGER_EVERY,
+                                      SCENE_PROGRAM(s, scene_m(turned), scene_k(s, PI), scene_op(PM_OP_DIV))),
+                  quarter = scene_when(s, PM_TRIGGER_RISE, scene_minus(s, turned, PI / 2));
+        const int once = count_of(s, above), each = count_of(s, halves), inside = count_of(s, quarter),
+                  slowest = scene_ask_event(s, omega, above, 1, 0),
+                  later = scene_ask_event(s, omega, halves, 3, 0);
+        scene_until(s, scene_when(s, PM_TRIGGER_RISE, scene_minus(s, turned, (2 * TURNS + 0.5) * PI)), 1);
+        EQUAL(scene_run(s, NULL), PM_OK);
+        EQUAL(s->out[once], 1);
+        EQUAL(s->out[each], 2 * TURNS);
+        EQUAL(s->out[inside], 1);
+        NEAR(s->out[slowest], sqrt(81 - 6 * G), 1e-9); /* (l^2 / 3) (w1^2 - w^2) / 2 = g l */
+        NEAR(s->out[later], s->out[slowest], 1e-9);
+        CHECK(s->count[PM_COUNT_PHASES] <= 1 + TURNS); /* a path that has closed begins anew */
+        scene_free(s);
+    }
+}
+
 /* Two rods that whirl elsewhere: steps are so short that others hardly move in one. */
 static void whirl(scene *s)
 {
@@ -374,6 +406,7 @@ int main(void)
     groups();
     limits();
     once_in_long_steps();
+    at_ends_of_steps();
     far_until_a_turn_is_over();
     far_until_the_other_comes();
     small_and_fast();
