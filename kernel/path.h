@@ -4,6 +4,7 @@
 
 #include "model.h"
 #include "nodes.h"
+#include "pair.h"
 
 #define PM_CLOCK_TAIL 1e-13 /* highest coefficients of the integrand of the time, at the least */
 #define PM_WORK_TAIL 1e-12  /* the same of the rates of work */
@@ -55,6 +56,33 @@ typedef struct pm_clock_table {
     double cosine[PM_CLOCK_FINE / 2 + 1][PM_NODES_CLOCK]; /* of a node's multiples, even ones first */
 } pm_clock_table;
 
+/* path_rigid.c: an open tree in which one rigid group moves. */
+typedef struct pm_rigid_body {
+    int body;
+    int turns;            /* with the group */
+    int holds;            /* its reactions go by levers */
+    double angle;         /* against the first body */
+    double mass, inertia; /* inertia 0: it does not turn */
+    pm_pair weight;
+    pm_pair d, lever,
+        turn; /* in the axes of the first body: from its mark to the mass centre, from there to the mark on
+                                 what carries it; cosine and sine of the angle */
+} pm_rigid_body;
+
+typedef struct pm_rigid {
+    int n; /* bodies; 0: the tree is none such */
+    pm_rigid_body *body;
+    const struct pm_tree_node *first;
+    int turns;
+    int weights_alone; /* act on it */
+    double fixed;      /* angle of what it moves on */
+    pm_pair from;      /* the mark there */
+    pm_pair line;      /* direction of its line, in the scene, or in the axes of the first body */
+    double angle;      /* of the first body, where it does not turn */
+    pm_pair turn;      /* its cosine and sine */
+    double potential;  /* of the weight of what stands still */
+} pm_rigid;
+
 typedef struct pm_path {
     int n;         /* tree coordinates of the phase */
     int driver;    /* the one that is the path parameter u */
@@ -84,6 +112,7 @@ typedef struct pm_path {
     int repeats; /* the phase that has been planned begins like the one step in the nodes, but for a shift */
     int filled;  /* the nodes hold the places of a step of length h already */
     pm_bridge bridge;
+    pm_rigid rigid;
     double *loop;              /* [n][n] rows that the tree does not solve, on its coordinates */
     double *weight;            /* [nz_controlled] z at the begin of the step */
     double *work;              /* [nz_controlled] z somewhere in the step */
@@ -106,8 +135,10 @@ int pm_path_look(pm_workspace *w, pm_place *place);
 int pm_path_accelerate(pm_workspace *w, const double *along);
 /* path_open.c: the same for a place of an open tree, at the rate that goes with its T; the frame looks at it. */
 void pm_open_accelerate(pm_workspace *w, const pm_place *place);
-/* All of such a place but its coordinates, once the tree is placed there; the frame looks at it, at a unit rate. */
-void pm_open_measure(pm_workspace *w, pm_place *place);
+/* Such a place at place->y, the one coordinate; the frame has its forces.  pm_open_begin comes before, once a phase, where
+ * the frame looks at the state. */
+void pm_open_begin(pm_workspace *w);
+void pm_open_place(pm_workspace *w, pm_place *place);
 /* Chooses the coordinate that moves most as driver, unless the present one still does, and tells the place by it. */
 int pm_path_drive(pm_workspace *w, pm_place *place);
 

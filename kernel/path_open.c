@@ -14,6 +14,7 @@
 #include "body.h"
 #include "force.h"
 #include "path.h"
+#include "path_rigid.h"
 #include "spin.h"
 #include "still.h"
 #include "tree.h"
@@ -74,17 +75,49 @@ static void add_forces(pm_workspace *w, pm_place *place)
     place->potential = pm_body_weight_energy(w) + pm_force_potential(w) + pm_spin_kinetic(w, PM_NONE);
 }
 
-void pm_open_measure(pm_workspace *w, pm_place *place)
+static void look_at(pm_workspace *w, const pm_place *place)
 {
+    pm_frame_look_placed(w, place->q, place->tangent);
+}
+
+static void place_by_tree(pm_workspace *w, pm_place *place)
+{
+    pm_tree_place(w, w->state.memory, place->y, place->q);
     place->mass = place->change = place->force = place->potential = 0;
     memcpy(place->pose, w->frame.pose, 5 * (size_t)w->model->nbody * sizeof *place->pose);
     for (int i = 0; i < w->still->n; i++) measure_still(&w->tree->node[i], place);
     for (int i = w->still->n; i < w->model->nbody; i++) measure_body(w, &w->tree->node[i], place);
-    pm_frame_look_placed(w, place->q, place->tangent);
-    if (only_weights(w->model))
+    look_at(w, place);
+    if (w->path->rigid.weights_alone)
         add_weights(w, place);
     else
         add_forces(w, place);
+}
+
+static void place_rigid(pm_workspace *w, pm_place *place)
+{
+    pm_rigid_place(w, place->y[0], place);
+    if (w->path->rigid.weights_alone) return;
+    memcpy(w->frame.pose, place->pose, 5 * (size_t)w->model->nbody * sizeof *place->pose);
+    look_at(w, place);
+    place->force = 0;
+    add_forces(w, place);
+}
+
+void pm_open_begin(pm_workspace *w)
+{
+    w->path->rigid.weights_alone = only_weights(w->model);
+    if (pm_rigid_build(w)) pm_force_all(w); /* weights stay as they are */
+}
+
+void pm_open_place(pm_workspace *w, pm_place *place)
+{
+    place->slope[0] = 1;
+    place->determined = 1;
+    if (w->path->rigid.n > 0)
+        place_rigid(w, place);
+    else
+        place_by_tree(w, place);
 }
 
 void pm_open_accelerate(pm_workspace *w, const pm_place *place)

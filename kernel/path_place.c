@@ -115,21 +115,14 @@ static int place_on_bridge(pm_workspace *w, double u, pm_place *place, int statu
     return rank_falls(w) ? pm_bridge_place(w, u, place) : status;
 }
 
-/* An open tree of one coordinate. */
-static int place_open(pm_workspace *w, pm_place *place)
-{
-    pm_tree_place(w, w->state.memory, place->y, place->q);
-    place->slope[0] = 1;
-    place->determined = 1;
-    pm_open_measure(w, place);
-    return PM_OK;
-}
-
 int pm_path_place(pm_workspace *w, double u, pm_place *place)
 {
     pm_path *p = w->path;
     place->y[p->driver] = u;
-    if (w->tree->nloop == 0) return place_open(w, place);
+    if (w->tree->nloop == 0) {
+        pm_open_place(w, place);
+        return PM_OK;
+    }
     pm_tree_hold(w, p->driver);
     int status = pm_tree_close(w, place->y, place->q, p->loop);
     if (!status) status = pm_tree_slope(w, p->loop, place->slope);
@@ -146,7 +139,10 @@ int pm_path_place(pm_workspace *w, double u, pm_place *place)
 int pm_path_look(pm_workspace *w, pm_place *place)
 {
     pm_path *p = w->path;
-    if (w->tree->nloop == 0) return place_open(w, place);
+    if (w->tree->nloop == 0) {
+        pm_open_place(w, place);
+        return PM_OK;
+    }
     pm_tree_place(w, w->state.memory, place->y, place->q);
     pm_tree_loops(w, p->loop);
     null_vector(w, place->slope);

@@ -70,7 +70,8 @@ static int create(pm_workspace *w)
     const size_t n = (size_t)m->nq, nz = (size_t)m->nz_controlled, places = PM_NODES_MOST + 2;
     double *block = p->block = calloc(
         places * doubles_of_place(m) + n * n + n + 2 * nz + (5 + PM_BRIDGE_PLACES) * n + 1, sizeof *block);
-    if (!block) return PM_NO_MEMORY;
+    p->rigid.body = calloc((size_t)m->nbody + 1, sizeof *p->rigid.body);
+    if (!block || !p->rigid.body) return PM_NO_MEMORY;
     for (int k = 0; k < PM_NODES_MOST; k++) block = carve(m, &p->node[k], block);
     block = carve(m, &p->spare, block);
     block = carve(m, &p->begin, block);
@@ -91,6 +92,7 @@ static int create(pm_workspace *w)
 static void destroy(pm_workspace *w)
 {
     if (!w->path) return;
+    free(w->path->rigid.body);
     free(w->path->block);
     free(w->path);
     w->path = NULL;
@@ -175,6 +177,7 @@ static int applies(pm_workspace *w)
     p->sense = 1;
     pm_frame_look_state(w, &w->state);
     pm_tree_read(w, x->y);
+    pm_open_begin(w);
     if (pm_path_look(w, x) || pm_path_drive(w, x)) return 0;
     const double rate = rate_of(w, x, w->state.v);
     x->kinetic = 0.5 * x->mass * rate * rate;

@@ -20,6 +20,7 @@
 #include "energy.h"
 #include "error.h"
 #include "event.h"
+#include "pair.h"
 #include "route.h"
 #include "saddle.h"
 #include "tree.h"
@@ -149,18 +150,6 @@ static void set_scale(pm_workspace *w)
         r->scale[2 * r->n + i] = 1 / (tolerance * pm_audit_controlled_scale(w, i));
 }
 
-/* Two numbers that a processor combines at once. */
-typedef double pm_pair __attribute__((vector_size(2 * sizeof(double))));
-
-static inline pm_pair load(const double *from)
-{
-    pm_pair x;
-    memcpy(&x, from, sizeof x);
-    return x;
-}
-
-static inline void store(double *to, pm_pair x) { memcpy(to, &x, sizeof x); }
-
 /* y = y0 + h sum_k weight[k] stage[k] for the first n of `stride` entries; k is 0 and from .. to - 1. */
 static inline void combine(int n, int stride, const double *y0, double h, const double *weight, int from,
                            int to, const double *stage, double *y)
@@ -168,14 +157,14 @@ static inline void combine(int n, int stride, const double *y0, double h, const 
     int i = 0;
     for (; i + 4 <= n; i += 4) {
         const double *x = stage + i;
-        pm_pair first = weight[0] * load(x), second = weight[0] * load(x + 2);
+        pm_pair first = weight[0] * pm_pair_load(x), second = weight[0] * pm_pair_load(x + 2);
         x += from * stride;
         for (int k = from; k < to; k++, x += stride) {
-            first += weight[k] * load(x);
-            second += weight[k] * load(x + 2);
+            first += weight[k] * pm_pair_load(x);
+            second += weight[k] * pm_pair_load(x + 2);
         }
-        store(y + i, load(y0 + i) + h * first);
-        store(y + i + 2, load(y0 + i + 2) + h * second);
+        pm_pair_store(y + i, pm_pair_load(y0 + i) + h * first);
+        pm_pair_store(y + i + 2, pm_pair_load(y0 + i + 2) + h * second);
     }
     for (; i < n; i++) {
         double sum = weight[0] * stage[i];
@@ -211,9 +200,9 @@ static double error_square(const struct pm_rk *r, const double *weight)
     for (int i = 0; i < n; i += 2) {
         const double *k =
             r->k + STEP_FROM * r->all + i; /* one number more than there are is read, not used */
-        pm_pair e = weight[0] * load(r->k + i);
-        for (int s = STEP_FROM; s < STAGES; s++, k += r->all) e += weight[s] * load(k);
-        e *= load(r->scale + i);
+        pm_pair e = weight[0] * pm_pair_load(r->k + i);
+        for (int s = STEP_FROM; s < STAGES; s++, k += r->all) e += weight[s] * pm_pair_load(k);
+        e *= pm_pair_load(r->scale + i);
         if (i + 1 == n) e[1] = 0;
         sum += e * e;
     }

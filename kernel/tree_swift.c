@@ -17,6 +17,7 @@
 #include <string.h>
 
 #include "grip.h"
+#include "pair.h"
 #include "tree.h"
 
 #define MOST PM_SWIFT_MOST
@@ -51,20 +52,11 @@ typedef struct pm_swift_direction {
     double c, s;
 } pm_swift_direction;
 
-/* Two numbers that a processor handles at once. */
-typedef double pm_pair __attribute__((vector_size(2 * sizeof(double))));
-
-INLINE pm_pair pair_of(const double *from)
-{
-    pm_pair x;
-    memcpy(&x, from, sizeof x);
-    return x;
-}
-
 /* Of two coordinates, y from x->y at k, which are close to those. */
 INLINE void turn_by(const pm_swift *x, int k, pm_pair by, pm_swift_direction *to)
 {
-    const pm_pair z = by * by, z2 = z * z, z4 = z2 * z2, c = pair_of(x->cosine + k), s = pair_of(x->sine + k);
+    const pm_pair z = by * by, z2 = z * z, z4 = z2 * z2, c = pm_pair_load(x->cosine + k),
+                  s = pm_pair_load(x->sine + k);
     const pm_pair sine = by + by * z *
                                   (-1. / 6 + z * (1. / 120) + z2 * (-1. / 5040 + z * (1. / 362880)) +
                                    z4 * (-1. / 39916800 + z * (1. / 6227020800)));
@@ -78,7 +70,7 @@ INLINE void turn_by(const pm_swift *x, int k, pm_pair by, pm_swift_direction *to
 INLINE void direct(const pm_swift *x, int n, const double *y, pm_swift_direction *to)
 {
     for (int k = 0; k < n; k += 2) {
-        const pm_pair by = (pair_of(y + k) - pair_of(x->y + k)) * pair_of(x->turning + k);
+        const pm_pair by = (pm_pair_load(y + k) - pm_pair_load(x->y + k)) * pm_pair_load(x->turning + k);
         if (by[0] < CLOSE && by[0] > -CLOSE && (k + 1 == n || (by[1] < CLOSE && by[1] > -CLOSE))) {
             turn_by(x, k, by, to);
             continue;

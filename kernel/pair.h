@@ -1,0 +1,23 @@
+/* pair.h - two numbers that a processor combines at once: the same operations on each, so the same bits as one by one. */
+#ifndef PM_PAIR_H
+#define PM_PAIR_H
+
+#include <string.h>
+
+typedef double pm_pair __attribute__((vector_size(2 * sizeof(double))));
+
+static inline pm_pair pm_pair_load(const double *from)
+{
+    pm_pair x;
+    memcpy(&x, from, sizeof x);
+    return x;
+}
+
+static inline void pm_pair_store(double *to, pm_pair x) { memcpy(to, &x, sizeof x); }
+
+/* A vector turned by a right angle. */
+static inline pm_pair pm_pair_left(pm_pair v) { return (pm_pair){-v[1], v[0]}; }
+
+static inline double pm_pair_sum(pm_pair v) { return v[0] + v[1]; }
+
+#endif
