@@ -15,6 +15,13 @@ static inline pm_pair pm_pair_load(const double *from)
 
 static inline void pm_pair_store(double *to, pm_pair x) { memcpy(to, &x, sizeof x); }
 
+/* With the third number of a body's velocity, acceleration or force. */
+static inline void pm_pair_store_turn(double *to, pm_pair x, double turn)
+{
+    pm_pair_store(to, x);
+    to[2] = turn;
+}
+
 /* A vector turned by a right angle. */
 static inline pm_pair pm_pair_left(pm_pair v) { return (pm_pair){-v[1], v[0]}; }
 

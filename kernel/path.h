@@ -26,8 +26,6 @@ typedef struct pm_place {
     double kinetic;          /* T, once the work is known */
 } pm_place;
 
-enum { PM_TREE_ARM = 6 };
-
 enum pm_path_clock {
     PM_CLOCK_NONE = 0,   /* nobody asks for the time */
     PM_CLOCK_PLAIN = 1,  /* dt/du is smooth over the step */
@@ -111,6 +109,7 @@ typedef struct pm_path {
     double told_sense;
     int repeats; /* the phase that has been planned begins like the one step in the nodes, but for a shift */
     int filled;  /* the nodes hold the places of a step of length h already */
+    double *inertia; /* [nbody] of the phase on an open tree */
     pm_bridge bridge;
     pm_rigid rigid;
     double *loop;              /* [n][n] rows that the tree does not solve, on its coordinates */

@@ -13,6 +13,7 @@
 #include "audit.h"
 #include "body.h"
 #include "force.h"
+#include "pair.h"
 #include "path.h"
 #include "path_rigid.h"
 #include "spin.h"
@@ -38,12 +39,8 @@ static void measure_body(const pm_workspace *w, const pm_tree_node *x, pm_place 
     pm_tree_move(x, parent, one, t);
     pm_tree_move(x, on_ground ? none : place->bend + 3 * x->parent, none, c);
     pm_tree_add_quadratic(x, parent, t, c);
-    for (int k = 0; k < 2; k++) {
-        arm[k] = x->r_child[k];
-        arm[2 + k] = x->rho[k];
-        arm[4 + k] = x->t[k];
-    }
-    const double m = w->mass[b], inertia = pm_body_inertia(w, b);
+    memcpy(arm, x->arm, sizeof x->arm);
+    const double m = w->mass[b], inertia = w->path->inertia[b];
     place->mass += m * (t[0] * t[0] + t[1] * t[1]) + inertia * t[2] * t[2];
     place->change += m * (t[0] * c[0] + t[1] * c[1]) + inertia * t[2] * c[2];
 }
@@ -54,14 +51,10 @@ static void measure_still(const pm_tree_node *x, pm_place *place)
     memset(place->bend + 3 * x->body, 0, sizeof none);
 }
 
-static void add_weights(pm_workspace *w, pm_place *place)
+static void add_weights(const pm_workspace *w, pm_place *place)
 {
     for (int i = 0; i < w->model->nbody; i++) {
-        const double *t = place->tangent + 3 * i, *pose = place->pose + 5 * i;
-        double *f = w->frame.f + 3 * i;
-        f[0] = w->mass[i] * w->gravity[0];
-        f[1] = w->mass[i] * w->gravity[1];
-        f[2] = 0;
+        const double *t = place->tangent + 3 * i, *pose = place->pose + 5 * i, *f = w->frame.f + 3 * i;
         place->force += f[0] * t[0] + f[1] * t[1];
         place->potential -= f[0] * pose[0] + f[1] * pose[1];
     }
@@ -106,8 +99,10 @@ static void place_rigid(pm_workspace *w, pm_place *place)
 
 void pm_open_begin(pm_workspace *w)
 {
+    for (int i = 0; i < w->model->nbody; i++) w->path->inertia[i] = pm_body_inertia(w, i);
     w->path->rigid.weights_alone = only_weights(w->model);
-    if (pm_rigid_build(w)) pm_force_all(w); /* weights stay as they are */
+    pm_rigid_build(w);
+    pm_force_all(w); /* weights stay as they are */
 }
 
 void pm_open_place(pm_workspace *w, pm_place *place)
@@ -123,25 +118,19 @@ void pm_open_place(pm_workspace *w, pm_place *place)
 void pm_open_accelerate(pm_workspace *w, const pm_place *place)
 {
     pm_frame *f = &w->frame;
-    const double square = 2 * fmax(place->kinetic, 0) / place->mass;
+    const double square = 2 * (place->kinetic > 0 ? place->kinetic : 0) / place->mass;
     const double own = (place->force - place->change * square) / place->mass;
     w->count[PM_COUNT_SOLVES]++;
-    pm_force_all(w);
+    if (!w->path->rigid.weights_alone) pm_force_all(w);
     for (int i = w->still->n; i < w->model->nbody; i++) {
-        pm_tree_node *x = &w->tree->node[i];
-        const int b = x->body;
-        const double *t = place->tangent + 3 * b, *c = place->bend + 3 * b,
-                     *arm = place->arm + PM_TREE_ARM * b;
-        const double m[3] = {w->mass[b], w->mass[b], pm_body_inertia(w, b)};
-        for (int k = 0; k < 2; k++) {
-            x->r_child[k] = arm[k];
-            x->rho[k] = arm[2 + k];
-            x->t[k] = arm[4 + k];
-        }
-        for (int k = 0; k < 3; k++) {
-            f->a[3 * b + k] = t[k] * own + c[k] * square;
-            w->tree->wrench[3 * b + k] = m[k] * f->a[3 * b + k] - f->f[3 * b + k];
-        }
+        const int b = w->tree->node[i].body, k = 3 * b;
+        const double *t = place->tangent + k, *c = place->bend + k, *force = f->f + k;
+        double *a = f->a + k, *wrench = w->tree->wrench + k;
+        const pm_pair way = pm_pair_load(t) * own + pm_pair_load(c) * square;
+        const double turn = t[2] * own + c[2] * square;
+        pm_pair_store_turn(a, way, turn);
+        pm_pair_store_turn(wrench, w->mass[b] * way - pm_pair_load(force),
+                           w->path->inertia[b] * turn - force[2]);
     }
-    pm_tree_react_inward(w);
+    pm_tree_react_inward(w, place->arm);
 }

@@ -160,12 +160,6 @@ static inline void go(const pm_workspace *w, const pm_rigid *g, double u, pm_pai
     x->bend *= sign;
 }
 
-static inline void store_turn(double *to, pm_pair v, double turn)
-{
-    pm_pair_store(to, v);
-    to[2] = turn;
-}
-
 /* Its angle, and the levers of its reactions. */
 static inline void turn_body(const pm_rigid_body *b, double angle, pm_pair turn, const pm_track *x,
                              const pm_place *place)
@@ -196,10 +190,10 @@ static inline pm_sums place_body(const pm_rigid_body *b, double angle, pm_pair t
     sum.force += b->weight * t;
     sum.potential += b->weight * at;
     sum.inertia += b->inertia;
-    store_turn(place->q + 3 * b->body, at, 0);
-    store_turn(place->tangent + 3 * b->body, t, b->turns ? spin : 0);
-    store_turn(place->bend + 3 * b->body, c, 0);
-    store_turn(pose, at, 0);
+    pm_pair_store_turn(place->q + 3 * b->body, at, 0);
+    pm_pair_store_turn(place->tangent + 3 * b->body, t, b->turns ? spin : 0);
+    pm_pair_store_turn(place->bend + 3 * b->body, c, 0);
+    pm_pair_store_turn(pose, at, 0);
     pm_pair_store(pose + 3, (pm_pair){1, 0});
     if (b->turns) turn_body(b, angle, turn, x, place);
     return sum;

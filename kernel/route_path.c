@@ -68,8 +68,9 @@ static int create(pm_workspace *w)
     pm_path *p = w->path = calloc(1, sizeof *p);
     if (!p) return PM_NO_MEMORY;
     const size_t n = (size_t)m->nq, nz = (size_t)m->nz_controlled, places = PM_NODES_MOST + 2;
-    double *block = p->block = calloc(
-        places * doubles_of_place(m) + n * n + n + 2 * nz + (5 + PM_BRIDGE_PLACES) * n + 1, sizeof *block);
+    double *block = p->block = calloc(places * doubles_of_place(m) + n * n + n + 2 * nz +
+                                          (5 + PM_BRIDGE_PLACES) * n + (size_t)m->nbody + 1,
+                                      sizeof *block);
     p->rigid.body = calloc((size_t)m->nbody + 1, sizeof *p->rigid.body);
     if (!block || !p->rigid.body) return PM_NO_MEMORY;
     for (int k = 0; k < PM_NODES_MOST; k++) block = carve(m, &p->node[k], block);
@@ -85,7 +86,8 @@ static int create(pm_workspace *w)
     p->bridge.slope = p->bridge.y + n;
     p->bridge.bend = p->bridge.slope + n;
     p->bridge.c = p->bridge.bend + n;
-    p->column = (int *)(void *)(p->bridge.c + PM_BRIDGE_PLACES * n);
+    p->inertia = p->bridge.c + PM_BRIDGE_PLACES * n;
+    p->column = (int *)(void *)(p->inertia + m->nbody);
     return PM_OK;
 }
 
@@ -261,7 +263,7 @@ static double next_contact(pm_workspace *w, const pm_place *x)
 static void state_of(pm_workspace *w, const pm_place *x, double s, double t, pm_state *state)
 {
     const pm_path *p = w->path;
-    const double rate = p->sense * sqrt(2 * fmax(x->kinetic, 0) / x->mass);
+    const double rate = p->sense * sqrt(2 * (x->kinetic > 0 ? x->kinetic : 0) / x->mass);
     memcpy(state->q, x->q, (size_t)w->model->nq * sizeof *x->q);
     for (int i = 0; i < w->model->nq; i++) state->v[i] = rate * x->tangent[i];
     if (w->model->nz_controlled > 0) pm_path_integrals(w, s, state->z);

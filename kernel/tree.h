@@ -9,6 +9,8 @@
 
 typedef struct pm_tree_node pm_tree_node;
 
+enum { PM_TREE_ARM = 6 }; /* numbers that tell the levers of the reactions on a body */
+
 #define PM_TREE_SUMMED \
     64 /* coordinates up to which the sums of tree_turning.c are kept: their square in memory */
 #define PM_TREE_FEW 3 /* freedoms up to which coordinates are partitioned: work grows with their square */
@@ -106,8 +108,9 @@ int pm_tree_accelerate_at(pm_workspace *w, double time, const double *y, const d
 void pm_tree_tell(pm_workspace *w, const double *yddot);
 /* Reactions alone, with forces and accelerations in the frame. */
 void pm_tree_react(pm_workspace *w);
-/* The same once tree->wrench holds M a - f and the nodes their levers: inward along an open tree. */
-void pm_tree_react_inward(pm_workspace *w);
+/* The same once tree->wrench holds M a - f: inward along an open tree, by arm[nbody][PM_TREE_ARM], or (NULL) by the levers
+ * that the nodes hold. */
+void pm_tree_react_inward(pm_workspace *w, const double *arm);
 
 /* One freedom, n = nloop + 1: coordinate `held` is the independent one. */
 void pm_tree_hold(pm_workspace *w, int held);

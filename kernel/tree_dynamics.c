@@ -11,6 +11,7 @@
 #include "dense.h"
 #include "force.h"
 #include "grip.h"
+#include "pair.h"
 #include "row.h"
 #include "saddle.h"
 #include "still.h"
@@ -217,30 +218,31 @@ int pm_tree_accelerate_at(pm_workspace *w, double time, const double *y, const d
 }
 
 /* Reactions of the rows of a node: force and couple about its mass centre that its parent gives. */
-static void read_reactions(pm_workspace *w, const pm_tree_node *x, const double *wrench)
+static void read_reactions(pm_workspace *w, const pm_tree_node *x, const double *arm, const double *wrench)
 {
+    const double *r_child = arm, *rho = arm + 2, *t = arm + 4;
     const double sign = x->child_is_a ? 1 : -1, fx = sign * wrench[0], fy = sign * wrench[1];
     double *lambda = w->frame.lambda;
     if (x->placement == PIN || x->placement == WELD) {
         lambda[x->row[0]] = fx;
         lambda[x->row[1]] = fy;
         if (x->placement == WELD)
-            lambda[x->row[2]] = sign * (wrench[2] - x->r_child[0] * wrench[1] + x->r_child[1] * wrench[0]);
+            lambda[x->row[2]] = sign * (wrench[2] - r_child[0] * wrench[1] + r_child[1] * wrench[0]);
     } else if (x->placement == ROLL_CIRCLE) {
         const double inward = w->row[x->row[0]].sign;
-        lambda[x->row[0]] = inward * (fx * x->t[1] - fy * x->t[0]);
-        lambda[x->row[1]] = fx * x->t[0] + fy * x->t[1];
+        lambda[x->row[0]] = inward * (fx * t[1] - fy * t[0]);
+        lambda[x->row[1]] = fx * t[0] + fy * t[1];
     } else {
-        const double normal = -fx * x->t[1] + fy * x->t[0];
+        const double normal = -fx * t[1] + fy * t[0];
         lambda[x->row[0]] = normal;
         if (x->placement == ROLL_LINE) {
-            lambda[x->row[1]] = fx * x->t[0] + fy * x->t[1];
+            lambda[x->row[1]] = fx * t[0] + fy * t[1];
             return;
         }
         /* the normal force acts through P_a */
-        double r[2] = {x->r_child[0], x->r_child[1]};
-        for (int k = 0; k < 2 && !x->child_is_a; k++) r[k] += x->rho[k];
-        const double moment = normal * (r[0] * x->t[0] + r[1] * x->t[1]);
+        double r[2] = {r_child[0], r_child[1]};
+        for (int k = 0; k < 2 && !x->child_is_a; k++) r[k] += rho[k];
+        const double moment = normal * (r[0] * t[0] + r[1] * t[1]);
         lambda[x->row[1]] = sign * wrench[2] - moment;
     }
 }
@@ -258,7 +260,7 @@ static void take_off_loops(const pm_workspace *w, double *wrench)
     }
 }
 
-void pm_tree_react_inward(pm_workspace *w)
+void pm_tree_react_inward(pm_workspace *w, const double *arm)
 {
     const pm_tree *t = w->tree;
     pm_frame *f = &w->frame;
@@ -267,12 +269,11 @@ void pm_tree_react_inward(pm_workspace *w)
         const pm_tree_node *x = &t->node[i];
         if (x->placement == FREE) continue;
         const double *wrench = t->wrench + 3 * x->body;
-        read_reactions(w, x, wrench);
+        read_reactions(w, x, arm ? arm + PM_TREE_ARM * x->body : x->arm, wrench);
         if (w->still->body[x->parent]) continue;
         const double *child = f->pose + 5 * x->body, *parent = f->pose + 5 * x->parent;
         double *to = t->wrench + 3 * x->parent;
-        to[0] += wrench[0];
-        to[1] += wrench[1];
+        pm_pair_store(to, pm_pair_load(to) + pm_pair_load(wrench));
         to[2] += wrench[2] + (child[0] - parent[0]) * wrench[1] - (child[1] - parent[1]) * wrench[0];
     }
     f->level = PM_LEVEL_DYNAMIC;
@@ -292,7 +293,7 @@ void pm_tree_react(pm_workspace *w)
     }
     if (t->few) pm_tree_react_loops(w);
     take_off_loops(w, t->wrench);
-    pm_tree_react_inward(w);
+    pm_tree_react_inward(w, NULL);
 }
 
 void pm_tree_tell(pm_workspace *w, const double *yddot)

@@ -28,9 +28,15 @@ struct pm_tree_node {
     double touch[2]; /* rolling on a point: P_a - p_b in the axes of the circle's body */
     int memory;
     /* at the frame's pose */
-    double r_child[2], r_mark[2]; /* marks from the mass centres */
-    double rho[2];                /* P_a - p_b */
-    double t[2];                  /* direction of the line; k x (direction of the centres) */
+    union {
+        struct {
+            double r_child[2]; /* mark from the mass centre */
+            double rho[2];     /* P_a - p_b */
+            double t[2];       /* direction of the line; k x (direction of the centres) */
+        };
+        double arm[PM_TREE_ARM]; /* all that reactions go by */
+    };
+    double r_mark[2]; /* mark on the parent from its mass centre */
     double by_parent[2], by_own[2], by_slide[2];
 };
 

@@ -593,7 +593,10 @@ FAULTS = [
         "fy = -sign * wrench[1]",
     ),
     Fault(
-        "tree: reactions of children are forgotten", "tree_dynamics.c", "to[1] += wrench[1];", "to[1] += 0;"
+        "tree: reactions of children are forgotten",
+        "tree_dynamics.c",
+        "pm_pair_load(to) + pm_pair_load(wrench)",
+        "pm_pair_load(to)",
     ),
     Fault(
         "tree: partitioned, without the quadratic part",
@@ -794,8 +797,13 @@ FAULTS = [
         "mark == l->expected_mark",
     ),
     Fault("replay: impulses that are read", "leg_replay.c", "kind == PM_MEASURE_CONTACT_IMPULSE", "0"),
-    Fault("path: what bends it does not react", "path_open.c", "+ c[k] * square", ""),
-    Fault("path: levers of another place", "path_open.c", "x->t[k] = arm[4 + k];", ""),
+    Fault("path: what bends it does not react", "path_open.c", "+ pm_pair_load(c) * square", ""),
+    Fault(
+        "path: levers of another place",
+        "path_open.c",
+        "pm_tree_react_inward(w, place->arm)",
+        "pm_tree_react_inward(w, NULL)",
+    ),
     Fault("path: a line that does not turn along", "path_rigid.c", "x->bend = 2 * rate * n - x->rho;", ""),
     Fault("path: a group bent outward", "path_rigid.c", "c = x->bend - spin * r", "c = x->bend + spin * r"),
     Fault("path: a welded body that is not turned", "path_rigid.c", "turned(turn, b->turn)", "turn"),
