@@ -6,11 +6,15 @@
  *   g(s) = sum a_k T_k(2s - 1),    dt/ds = h g,    h g / sqrt(s),    h g / sqrt(1 - s)
  *
  * where the step begins or ends at rest the root is taken out: T / s, or T / (1 - s), stands for T in g.  The integrals are
- * exact for the series: with w^2 = s, T_k(2s - 1) = T_2k(w), and ds / sqrt(s) = 2 dw. */
+ * exact for the series: with w^2 = s, T_k(2s - 1) = T_2k(w), and ds / sqrt(s) = 2 dw.
+ *
+ * Where the nodes of the step resolve g itself, as good as those would, they do instead: what they leave out weighs more in
+ * the integral, by the square of how many fewer they are. */
 #include "path_clock.h"
 
 #include <math.h>
 
+#include "greater.h"
 #include "series.h"
 
 #define FINE PM_CLOCK_FINE
@@ -66,6 +70,12 @@ void pm_clock_fill_table(pm_clock_table *x)
     fill_cosines(x->cosine[0]);
 }
 
+enum {
+    EVEN = FINE / 2 + 1,      /* cosines of even multiples in a row of the table */
+    MANY = PM_NODES_MOST - 1, /* the last node of a step */
+    FEW = MANY / 2
+};
+
 /* ---- g ---- */
 /* g at its nodes, from the polynomials through mass and T; 0 if T vanishes between the nodes. */
 static int expand(const pm_path *p, const double *mass, const double *kinetic, double *g)
@@ -92,48 +102,82 @@ static int expand(const pm_path *p, const double *mass, const double *kinetic, d
     return 1;
 }
 
-/* The coefficients of g, as many as matter; how far the highest stand off.  Nodes at both sides of the middle share their
- * cosines. */
-static double transform(pm_path *p, const double *g)
+/* The coefficients of g from its values at `n` + 1 nodes, as many as matter; how far the highest stand off.  Nodes at both
+ * sides of the middle share their cosines. */
+static inline double transform(pm_path *p, const double *g, const int n)
 {
-    enum { EVEN = FINE / 2 + 1 };
-    double sum[FINE + 1], greatest = 0;
-    for (int k = 0; k <= FINE; k++) sum[k] = g[FINE / 2] * p->table.cosine[FINE / 2][k];
-    for (int j = 0; j < FINE / 2; j++) {
-        const double half = j == 0 ? 0.5 : 1, *cosine = p->table.cosine[j];
-        const double even = half * (g[FINE - j] + g[j]), odd = half * (g[FINE - j] - g[j]);
-        for (int k = 0; k < EVEN; k++) sum[k] += even * cosine[k];
-        for (int k = EVEN; k <= FINE; k++) sum[k] += odd * cosine[k];
+    const int even = n / 2 + 1, every = FINE / n;
+    const double *const middle = p->table.cosine[FINE / 2];
+    double up[FINE / 2 + 1], down[FINE / 2], greatest = 0; /* sums of even and of odd ones */
+    for (int k = 0; k < even; k++) up[k] = g[n / 2] * middle[k];
+    for (int k = 0; k < n / 2; k++) down[k] = g[n / 2] * middle[EVEN + k];
+    for (int j = 0; j < n / 2; j++) {
+        const double half = j == 0 ? 0.5 : 1, *cosine = p->table.cosine[j * every];
+        const double same = half * (g[n - j] + g[j]), other = half * (g[n - j] - g[j]);
+        for (int k = 0; k < even; k++) up[k] += same * cosine[k];
+        for (int k = 0; k < n / 2; k++) down[k] += other * cosine[EVEN + k];
     }
-    for (int k = 0; k <= FINE; k++) {
-        p->series[k] = (k == 0 || k == FINE ? 1.0 : 2.0) / FINE * sum[k % 2 ? EVEN + k / 2 : k / 2];
-        greatest = fmax(greatest, fabs(p->series[k]));
+    for (int k = 0; k <= n; k++) {
+        p->series[k] = (k == 0 || k == n ? 1.0 : 2.0) / n * (k % 2 ? down[k / 2] : up[k / 2]);
+        greatest = pm_greater(fabs(p->series[k]), greatest);
     }
-    const double tail = fmax(fabs(p->series[FINE]), fabs(p->series[FINE - 1])) / greatest;
-    p->terms = FINE + 1;
+    const double tail = pm_greater(fabs(p->series[n]), fabs(p->series[n - 1])) / greatest;
+    p->terms = n + 1;
     while (p->terms > 1 && fabs(p->series[p->terms - 1]) < NOTHING_MORE * greatest) p->terms--;
     return tail;
 }
 
+/* The nodes of the step, if they resolve g itself. */
+static int set_by_nodes(pm_path *p, const double *mass, const double *kinetic, double most)
+{
+    const int last = p->nodes->n - 1;
+    double g[PM_NODES_MOST];
+    for (int k = 0; k <= last; k++) {
+        if (!(kinetic[k] > 0 && mass[k] > 0)) return 0;
+        g[k] = sqrt(0.5 * mass[k] / kinetic[k]);
+    }
+    const double high = last == MANY ? transform(p, g, MANY) : transform(p, g, FEW);
+    const double fewer = (double)FINE / last, tail = fewer * fewer * high;
+    if (!(tail <= most)) return 0;
+    p->tail = tail;
+    return 1;
+}
+
+/* The fine nodes, by the polynomials through mass and T.  How far the highest coefficients of all stand off. */
+static double set_by_fine(pm_path *p, const double *mass, const double *kinetic)
+{
+    double g[PM_NODES_CLOCK], least = INFINITY, greatest = 0;
+    for (int k = 0; k < p->nodes->n; k++) {
+        least = pm_less(kinetic[k], least);
+        greatest = pm_greater(kinetic[k], greatest);
+    }
+    if (!(least > 0) || !expand(p, mass, kinetic, g)) return INFINITY;
+    return fmax(fmax(pm_series_tail(p->nodes, mass), pm_series_tail(p->nodes, kinetic) * greatest / least),
+                transform(p, g, FINE));
+}
+
 int pm_clock_set(pm_path *p, int clock, double most)
 {
-    const int n = p->nodes->n;
-    double mass[PM_NODES_MOST], kinetic[PM_NODES_MOST], g[PM_NODES_CLOCK], least = INFINITY, greatest = 0;
+    double mass[PM_NODES_MOST], kinetic[PM_NODES_MOST];
+    const double before = p->tail;
     p->clock = clock;
     p->terms = 0;
     if (clock == PM_CLOCK_NONE) return 1;
-    for (int k = 0; k < n; k++) {
-        mass[k] = p->node[k * p->every].mass;
+    for (int k = 0; k < p->nodes->n; k++) {
+        mass[k] = pm_path_node(p, k)->mass;
         kinetic[k] = slowness(p, k);
-        least = fmin(least, kinetic[k]);
-        greatest = fmax(greatest, kinetic[k]);
     }
-    const double before = p->tail;
-    p->tail = INFINITY;
-    if (!(least > 0) || !expand(p, mass, kinetic, g)) return 0;
-    p->tail = fmax(fmax(pm_series_tail(p->nodes, mass), pm_series_tail(p->nodes, kinetic) * greatest / least),
-                   transform(p, g));
+    if (set_by_nodes(p, mass, kinetic, most)) return 1;
+    p->tail = set_by_fine(p, mass, kinetic);
     return p->tail <= most || (p->tail < NOISE && p->tail > GAINS * before);
+}
+
+/* The whole integral: what is odd about the middle leaves nothing of it. */
+static double whole(const pm_path *p)
+{
+    double sum = 0;
+    for (int k = 0; k < p->terms; k += 2) sum += p->series[k] / (1 - k * k);
+    return sum;
 }
 
 /* Integral of the series from 0 to s: of T_k(x) by x it is (T_k+1 / (k + 1) - T_k-1 / (k - 1)) / 2. */
@@ -171,7 +215,7 @@ static double from_rest(const pm_path *p, double w, int reversed)
 double pm_clock_at(const pm_path *p, double s)
 {
     switch (p->clock) {
-    case PM_CLOCK_PLAIN: return p->t0 + p->h * plain(p, s);
+    case PM_CLOCK_PLAIN: return p->t0 + p->h * (s == 1 ? whole(p) : plain(p, s));
     case PM_CLOCK_LEAVES: return p->t0 + p->h * from_rest(p, sqrt(s), 0);
     case PM_CLOCK_RESTS: return p->t0 + p->h * (from_rest(p, 1, 1) - from_rest(p, sqrt(1 - s), 1));
     default: return p->t0; /* nobody asks; an equilibrium takes for ever to leave */

@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "error.h"
+#include "greater.h"
 #include "nature.h"
 #include "path.h"
 #include "path_clock.h"
@@ -115,10 +116,10 @@ static double kinetic_at(const pm_workspace *w, const pm_place *x, double s)
  * resolve the forces. */
 static int work_is_better(const pm_path *p)
 {
+    const double rounding = DBL_EPSILON * fmax(fabs(p->energy), fabs(p->node[0].potential));
     double greatest = 0;
-    for (int k = 0; k < p->nodes->n; k++) greatest = fmax(greatest, fabs(p->force[k]));
-    return pm_series_tail(p->nodes, p->force) * greatest * p->h <=
-           DBL_EPSILON * fmax(fabs(p->energy), fabs(p->node[0].potential));
+    for (int k = 0; k < p->nodes->n; k++) greatest = pm_greater(fabs(p->force[k]), greatest);
+    return pm_series_tail(p->nodes, p->force) * greatest * p->h <= rounding;
 }
 
 /* Forces and T at the nodes, whose places are known. */
@@ -145,7 +146,7 @@ static int fill(pm_workspace *w, double h)
     p->every = 2;
     for (int k = 1; k < p->nodes->n; k++) {
         pm_place *x = pm_path_node(p, k);
-        guess_node(p, k, x->y);
+        if (p->n > 1) guess_node(p, k, x->y);
         const int status = pm_path_place(w, p->u0 + p->sense * (h * p->nodes->at[k]), x);
         if (status) return status;
     }
@@ -217,7 +218,7 @@ static int find_turning(pm_workspace *w, double *way)
             if (status || (lowest = exact_kinetic(w, low, NULL, &slope), isnan(lowest))) return status;
             pm_path_error_barrier(w, lowest);
         }
-        p->least = fmin(p->least, lowest);
+        p->least = pm_less(lowest, p->least);
         if (lowest > 0) continue;
         const int status =
             before > 0 ? pm_root_newton(w, exact_kinetic, NULL, nodes->at[k - 1], before, low, lowest, &s)

@@ -16,6 +16,7 @@
 #include "case.h"
 #include "contact.h"
 #include "event.h"
+#include "greater.h"
 #include "grip.h"
 #include "nudge.h"
 #include "path.h"
@@ -323,11 +324,11 @@ static int look(pm_workspace *w, double x, int level)
     return PM_OK;
 }
 
-/* The impulse of the outer world is read off the momentum: this route does not know the forces over time. */
+/* The impulse of the outer world is read off the momentum: this route does not know the forces over time.  The frame looks at
+ * the state. */
 static void close_momentum(pm_workspace *w, pm_state *state)
 {
     double *ledger = state->z + pm_audit_ledger(w->model), momentum[PM_LEDGER];
-    pm_frame_look_state(w, state);
     pm_body_momentum(w, PM_NONE, momentum);
     for (int i = 0; i < PM_LEDGER; i++) ledger[i] = w->path->impulse[i] + momentum[i];
 }
@@ -336,37 +337,60 @@ static int exact(pm_workspace *w, double x, pm_state *state)
 {
     pm_state_copy(state, &w->state);
     const int status = at(w, x, state);
+    pm_frame_look_state(w, state);
     if (!status) close_momentum(w, state);
     return status;
 }
 
-/* Evidence that the route itself does not use: the work of all forces against the energy, and the acceleration that the
- * saddle-point system gives against dT/du. */
-static int look_for_evidence(pm_workspace *w)
+/* ---- evidence that the route itself does not use ---- */
+/* The work of all forces against the energy. */
+static double open_work(const pm_workspace *w)
 {
-    pm_path *p = w->path;
-    double scale = 0, acceleration = 0, z = 0;
-    const pm_place *first = &p->node[0], *last = &p->node[PM_NODES_MOST - 1];
+    const pm_path *p = w->path;
+    const double first = p->node[0].potential, last = p->node[PM_NODES_MOST - 1].potential;
+    double scale = w->energy_scale, z = 0; /* the step may begin and end at rest */
+    for (int k = 0; k < p->nodes->n; k++) scale = pm_greater(p->node[k * p->every].kinetic, scale);
+    if (!(scale > 0) || pm_series_tail(p->nodes, p->force) >= PM_WORK_TAIL) return 0;
     const double work = p->h * pm_series_whole(p->nodes, p->force);
-    scale = w->energy_scale; /* the step may begin and end at rest */
-    for (int k = 0; k < p->nodes->n; k++) scale = fmax(scale, pm_path_node(p, k)->kinetic);
     if (w->model->nz_work > 0) z = pm_path_work(w, w->state.z) - pm_path_work(w, p->weight);
-    const double rounding = ROUNDINGS * DBL_EPSILON * fmax(fabs(first->potential), fabs(last->potential));
-    const double open = fabs(first->potential - last->potential + z - work) - rounding;
-    if (scale > 0 && pm_series_tail(p->nodes, p->force) < PM_WORK_TAIL)
-        w->evidence = fmax(w->evidence, fmax(open, 0) / scale);
-    pm_frame_look_state(w, &w->state);
-    const int status = pm_saddle_accelerate(w);
-    if (status) return status == PM_SINGULAR ? PM_OK : status;
-    double size = force_size(w, last);
-    for (int i = 0; i < w->model->nq; i++) {
-        if (w->inverse_mass[i] == 0) continue;
-        const double part = last->tangent[i] * w->frame.a[i] / w->inverse_mass[i];
-        acceleration += part;
-        size += fabs(part);
+    const double rounding = ROUNDINGS * DBL_EPSILON * fmax(fabs(first), fabs(last));
+    return fmax(fabs(first - last + z - work) - rounding, 0) / scale;
+}
+
+/* The direction of the motion at the end against the rows, which were evaluated there and which the tree knows nothing of:
+ * the greatest part of it that breaks one. */
+static double broken_row(const pm_workspace *w)
+{
+    const double *t = w->path->node[PM_NODES_MOST - 1].tangent;
+    double fastest = 0, worst = 0;
+    for (int i = 0; i < w->model->nq; i++)
+        fastest = pm_greater(fabs(t[i]) * (i % 3 == 2 ? w->size : 1), fastest);
+    for (int i = 0; i < w->nactive; i++) {
+        const double *j = w->row[i].j, off = fabs(pm_saddle_times(w, &w->row[i], t));
+        double size = 0;
+        for (int k = 0; k < 6; k++) size += fabs(j[k]) / (k % 3 == 2 ? w->size : 1);
+        worst = pm_greater(off / (size * fastest), worst);
     }
-    if (size > 0) w->evidence = fmax(w->evidence, fabs(acceleration - last->force) / size);
-    return PM_OK;
+    return worst;
+}
+
+/* What the forces of the frame do along it, against dT/du. */
+static double missed_force(const pm_workspace *w)
+{
+    const pm_place *last = &w->path->node[PM_NODES_MOST - 1];
+    const double size = force_size(w, last);
+    double force = 0;
+    for (int i = 0; i < w->model->nq; i++) force += w->frame.f[i] * last->tangent[i];
+    return size > 0 ? fabs(force - last->force) / size : 0;
+}
+
+static void look_for_evidence(pm_workspace *w)
+{
+    pm_force_all(w);
+    pm_saddle_rows(w);
+    w->evidence = pm_greater(open_work(w), w->evidence);
+    w->evidence = pm_greater(broken_row(w), w->evidence);
+    w->evidence = pm_greater(missed_force(w), w->evidence);
 }
 
 static double after_limit(pm_workspace *w, double s, void *t_limit)
@@ -428,7 +452,10 @@ static int step(pm_workspace *w, double t_limit)
     w->lap = hands_over || (may_close && p->way > TURN * (1 - ROUNDING));
     state_of(w, &p->node[PM_NODES_MOST - 1], 1, pm_clock_at(p, 1), &w->state);
     w->nodes = p->nodes;
-    if ((status = look_for_evidence(w)) || (status = end_at_limit(w, t_limit))) return status;
+    pm_frame_look_state(w, &w->state);
+    look_for_evidence(w);
+    if ((status = end_at_limit(w, t_limit))) return status;
+    if (w->step_end != p->h) pm_frame_look_state(w, &w->state);
     close_momentum(w, &w->state);
     pm_path_error_step(w, p->node[PM_NODES_MOST - 1].kinetic);
     w->count[PM_COUNT_STEPS]++;

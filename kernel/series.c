@@ -6,6 +6,8 @@
 
 #include <math.h>
 
+#include "greater.h"
+#include "pair.h"
 #include "root.h"
 
 #define SHORT 5
@@ -53,15 +55,20 @@ static double times(const double *weight, const double *value, int n)
     return sum;
 }
 
+/* Two nodes at once; their number is odd. */
 double pm_series_tail(const pm_nodes *nodes, const double *value)
 {
     const int n = nodes->n;
-    const double high = fmax(fabs(times(nodes->last, value, n)), fabs(times(nodes->last + n, value, n)));
-    double size = 0;
-    for (int k = 0; k < n; k++) {
-        const double one = fabs(value[k]);
-        if (one > size) size = one;
+    const double *one = nodes->last, *other = nodes->last + n;
+    pm_pair a = {one[n - 1] * value[n - 1], 0}, b = {other[n - 1] * value[n - 1], 0};
+    double size = fabs(value[n - 1]);
+    for (int k = 0; k < n - 1; k += 2) {
+        const pm_pair x = pm_pair_load(value + k);
+        a += pm_pair_load(one + k) * x;
+        b += pm_pair_load(other + k) * x;
+        size = pm_greater(fabs(x[0]), pm_greater(fabs(x[1]), size));
     }
+    const double high = pm_greater(fabs(pm_pair_sum(a)), fabs(pm_pair_sum(b)));
     return size > 0 ? high / size : 0;
 }
 

@@ -691,6 +691,19 @@ FAULTS = [
         ": p->at_rest ? PM_CLOCK_PLAIN",
     ),
     Fault("path: clock that ends at rest, not turned round", "path_clock.c", "reversed ? -sign : 1", "1"),
+    Fault("path: clock by too few nodes", "path_clock.c", "if (!(tail <= most)) return 0;", ""),
+    Fault(
+        "path: no evidence of the rows",
+        "route_path.c",
+        "pm_greater(broken_row(w), w->evidence)",
+        "w->evidence",
+    ),
+    Fault(
+        "path: no evidence of the forces",
+        "route_path.c",
+        "pm_greater(missed_force(w), w->evidence)",
+        "w->evidence",
+    ),
     Fault("path: clock that is not resolved", "path_clock.c", "return p->tail <= most ||", "return 1 ||"),
     Fault(
         "path: leaves rest against the force",

@@ -323,6 +323,40 @@ static void accelerations(void)
     }
 }
 
+/* The evidence of one step: `shift` moves the mark of a row, `more` is added to the weight, after the phase has begun. */
+static double evidence(maker *make, double shift, double more)
+{
+    scene *s = make();
+    double out = NAN;
+    *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_PATH;
+    if (CHECK(scene_begin(s) == PM_OK)) {
+        pm_workspace *w = s->w;
+        w->state.v[2] = 2;
+        pm_frame_look_state(w, &w->state);
+        pm_saddle_rows(w);
+        EQUAL(pm_project_velocity(w, &w->state), PM_OK);
+        pm_frame_look_state(w, &w->state);
+        CHECK(pm_route_path.applies(w));
+        EQUAL(pm_route_path.begin(w), PM_OK);
+        w->row[1].a[0] += shift;
+        w->gravity[1] *= 1 + more;
+        w->evidence = 0;
+        EQUAL(pm_route_path.step(w, INFINITY), PM_OK);
+        out = w->evidence;
+    }
+    scene_free(s);
+    return out;
+}
+
+/* It tells rows that the direction of the motion breaks, and forces that the path does not know. */
+static void tells_on_itself(void)
+{
+    CHECK(evidence(swings, 0, 0) < 1e-13);
+    CHECK(evidence(swings, 1e-4, 0) > 1e-6);
+    CHECK(evidence(swings, 0, 1e-4) > 1e-6);
+    CHECK(evidence(slider_crank, 0, 0) < 1e-12);
+}
+
 /* ---- closed forms ---- */
 /* Complete elliptic integral of the first kind from the complementary modulus: pi / (2 agm(1, kc)). */
 static double complete(double kc)
@@ -631,6 +665,7 @@ int main(void)
 {
     extremes_in_long_steps();
     accelerations();
+    tells_on_itself();
     routes_agree();
     periods();
     barrier();
