@@ -156,7 +156,10 @@ static int append_contacts(pm_workspace *w, int *nbasis)
             if (slot[i].mode == PM_OPEN || slot[i].mode == PM_CAPTURED) continue;
             if (tangents && slot[i].mode != PM_STICK) continue;
             const int contact = pm_contact_of_slot(m, i);
-            pm_row_of_contact(w, contact, i, slot[i].member, &normal, &tangent);
+            if (tangents)
+                pm_row_of_contact(w, contact, i, slot[i].member, &normal, &tangent);
+            else
+                pm_row_normal_of_contact(w, contact, i, slot[i].member, &normal);
             if (!tangents && slides(slot[i].mode)) {
                 normal.slide = slide_factor(w, contact, slot[i].mode);
                 w->asymmetric |= normal.slide != 0;

@@ -32,6 +32,11 @@
 #define LEVEL 1e-14      /* of a value's size: so little spread is rounding */
 #define ON_GRID 1e-9     /* relative: a grid value met at the very start or end of the run */
 
+static void raise_to(int *highest, int level)
+{
+    if (level > *highest) *highest = level;
+}
+
 int pm_ask_create(pm_workspace *w)
 {
     const size_t nask = (size_t)w->model->nask, nout = (size_t)w->model->nout;
@@ -46,7 +51,7 @@ int pm_ask_create(pm_workspace *w)
     a->before = a->best + nask;
     a->filled = a->undefined + nask;
     a->sound = a->filled + nout;
-    a->level = a->instant_level = PM_LEVEL_KINEMATIC;
+    a->level = a->instant_level = a->fired_level = a->end_level = PM_LEVEL_KINEMATIC;
     for (int i = 0; i < w->model->nask; i++) {
         const int32_t *e = PM_ASK_ROW(w->model, i);
         const int watches = e[PM_ASK_KIND] >= PM_ASK_MAX && e[PM_ASK_KIND] <= PM_ASK_GRID;
@@ -54,8 +59,10 @@ int pm_ask_create(pm_workspace *w)
         for (int k = 0; k < 2; k++) {
             const int program = e[k ? PM_ASK_PROGRAM_2 : PM_ASK_PROGRAM];
             const int level = program >= 0 ? w->model->program_level[program] : PM_LEVEL_NONE;
-            if (level > a->instant_level) a->instant_level = level;
-            if (watches && level > a->level) a->level = level;
+            raise_to(&a->instant_level, level);
+            if (watches) raise_to(&a->level, level);
+            if (e[PM_ASK_EVENT_INDEX] != PM_NONE) raise_to(&a->fired_level, level);
+            if (e[PM_ASK_KIND] == PM_ASK_END || e[PM_ASK_KIND] == PM_ASK_GRID) raise_to(&a->end_level, level);
         }
     }
     return PM_OK;

@@ -9,6 +9,8 @@ typedef struct pm_ask_set {
     int nobserver;
     int level;                /* highest level that they need */
     int instant_level;        /* highest level that any ask needs */
+    int fired_level;          /* that those need which events answer */
+    int end_level;            /* that those need which the end answers */
     double *sample;           /* [PM_NODES_MOST][nask] watched values in a step */
     double *best;             /* [nask] extreme so far, NaN before the first value */
     double *before;           /* [nask] values before the jump of the present instant */

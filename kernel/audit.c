@@ -15,6 +15,7 @@
 #include "contact.h"
 #include "force.h"
 #include "project.h"
+#include "recall.h"
 #include "row.h"
 #include "saddle.h"
 #include "spin.h"
@@ -170,7 +171,7 @@ static void update_scales(pm_workspace *w)
 void pm_audit_step(pm_workspace *w)
 {
     update_scales(w);
-    pm_saddle_rows(w);
+    if (!pm_recall_take_rows(w)) pm_saddle_rows(w);
     w->constraint_worst = fmax(w->constraint_worst, pm_project_residual(w));
 }
 

@@ -266,10 +266,9 @@ void pm_event_begin(pm_workspace *w)
     pm_clear_begin(w);
     memset(e->spent, 0, (size_t)w->model->rows[PM_TABLE_CONTACT]);
     set_multiples(w);
-    pm_event_values(w, e->value);
     for (int i = 0; i < e->nfunction; i++) {
         pm_event_function *f = &e->function[i];
-        if (pm_event_changes_sign(f) || e->value[i] > f->slack) continue;
+        if (pm_event_changes_sign(f) || pm_event_value(w, f) > f->slack) continue;
         f->held = 1;
         if (f->kind == FUNCTION_GAP && leaves(w, f->index))
             f->slack = POSITION_ROUNDING * pm_contact_reach(w);

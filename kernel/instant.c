@@ -7,7 +7,9 @@
 #include "action.h"
 #include "ask.h"
 #include "body.h"
+#include "contact.h"
 #include "decision.h"
+#include "error.h"
 #include "event.h"
 #include "jump.h"
 #include "leg.h"
@@ -41,13 +43,24 @@ static void mark_rest(pm_workspace *w)
         if (at_rest(w, i)) pm_trigger_mark(w, PM_TRIGGER_REST, i);
 }
 
-/* Nothing can strike, part or slide, no loop can come to a singular position, and places on a path are exact: bodies, rows
- * and reactions are as they were. */
-static int is_settled(const pm_workspace *w)
+/* No contact has changed, and none is met. */
+static int contacts_stay(pm_workspace *w)
+{
+    int member;
+    for (int i = 0; i < w->event->nfunction; i++)
+        if (w->event->hit[i] && w->event->function[i].kind != FUNCTION_TRIGGER) return 0;
+    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++)
+        if (pm_contact_touches(w, &w->state, i, &member)) return 0;
+    return 1;
+}
+
+/* Nothing can strike, part or slide, or nothing does; no loop can come to a singular position, and places on a path are
+ * exact: bodies, rows and reactions are as they were. */
+static int is_settled(pm_workspace *w)
 {
     const pm_model *m = w->model;
     if (w->count[PM_COUNT_PHASES] == 0 || w->route != &pm_route_path || w->tree->nloop > 0) return 0;
-    return m->nslot == 0 && m->ngrip == 0 && !m->acts;
+    return m->ngrip == 0 && !m->acts && (m->nslot == 0 || contacts_stay(w));
 }
 
 /* Blows, modes, and what fires by them. */
@@ -81,17 +94,27 @@ static int carry_out(pm_workspace *w)
 }
 
 /* Fires what is due at the frame and answers for it. */
-static int close(pm_workspace *w, int *ended)
+static void fire(pm_workspace *w)
 {
     pm_decision_close(w);
     pm_trigger_commit(w);
-    pm_ask_instant(w);
+}
+
+static int count(pm_workspace *w, int *ended)
+{
     w->count[PM_COUNT_EVENTS]++;
     *ended = pm_trigger_until(w);
     const int most = PM_SETTING(w->model, PM_SETTING_MAX_EVENTS);
     if (!*ended && w->count[PM_COUNT_EVENTS] >= most)
         return pm_fail(w, PM_LIMIT_EVENTS, PM_TABLE_SETTING, 0, most, most);
     return PM_OK;
+}
+
+static int close(pm_workspace *w, int *ended)
+{
+    fire(w);
+    pm_ask_instant(w);
+    return count(w, ended);
 }
 
 /* What the scene looks like before something happens to it. */
@@ -192,14 +215,17 @@ int pm_instant_full(pm_workspace *w, int *ended)
     return status ? status : pm_trace_row(w, 2);
 }
 
+/* Extremes and grids are those of the step: nothing jumps here. */
 int pm_instant_mark(pm_workspace *w, int *ended)
 {
+    const int level = w->error->active ? w->ask->instant_level : w->ask->fired_level;
     int status = pm_trace_row(w, 1);
     pm_frame_look_state(w, &w->state);
-    if (!status && w->ask->instant_level == PM_LEVEL_DYNAMIC) status = pm_saddle_accelerate(w);
+    if (!status && level == PM_LEVEL_DYNAMIC) status = pm_saddle_accelerate(w);
     if (status) return status;
     pm_decision_instant(w);
     pm_ask_look_before(w);
-    status = close(w, ended);
+    fire(w);
+    status = count(w, ended);
     return status ? status : pm_trace_row(w, 2);
 }

@@ -286,6 +286,16 @@ static void record_captured(pm_workspace *w, int slot)
     }
 }
 
+/* The tangential row of a slot: the active one, which is evaluated here, or else *spare, which is not. */
+static const pm_row *tangent_of(const pm_workspace *w, int slot, pm_row *spare)
+{
+    pm_row normal;
+    if (w->slot_tangent[slot] != PM_NONE) return &w->row[w->slot_tangent[slot]];
+    pm_row_of_contact(w, pm_contact_of_slot(w->model, slot), slot, w->state.slot[slot].member, &normal,
+                      spare);
+    return spare;
+}
+
 static void record(pm_workspace *w)
 {
     const pm_model *m = w->model;
@@ -296,27 +306,26 @@ static void record(pm_workspace *w)
     for (int i = 0; i < m->nslot; i++) {
         if (w->state.slot[i].mode == PM_CAPTURED) record_captured(w, i);
         if (w->slot_normal[i] == PM_NONE) continue;
-        pm_row normal, tangent;
+        pm_row spare;
         pm_line_of_action along;
-        pm_row_of_contact(w, pm_contact_of_slot(m, i), i, w->state.slot[i].member, &normal, &tangent);
+        const pm_row *normal = &w->row[w->slot_normal[i]], *tangent = tangent_of(w, i, &spare);
         const double p = w->rhs[w->slot_normal[i]];
         w->slot_impulse[2 * i] = p;
         w->slot_impulse[2 * i + 1] =
-            w->slot_tangent[i] != PM_NONE ? w->rhs[w->slot_tangent[i]] : w->row[w->slot_normal[i]].slide * p;
-        pm_row_kind(normal.kind)->act(w, &normal, &along);
+            w->slot_tangent[i] != PM_NONE ? w->rhs[w->slot_tangent[i]] : normal->slide * p;
+        pm_row_kind(normal->kind)->act(w, normal, &along);
         memcpy(w->slot_direction + 4 * i, along.direction, sizeof along.direction);
-        pm_row_kind(tangent.kind)->act(w, &tangent, &along);
+        pm_row_kind(tangent->kind)->act(w, tangent, &along);
         memcpy(w->slot_direction + 4 * i + 2, along.direction, sizeof along.direction);
     }
 }
 
 static int slid(const pm_workspace *w, int slot, const double *v)
 {
-    pm_row normal, tangent;
-    pm_row_of_contact(w, pm_contact_of_slot(w->model, slot), slot, w->state.slot[slot].member, &normal,
-                      &tangent);
-    pm_row_kind(tangent.kind)->evaluate(w, &tangent);
-    return fabs(pm_saddle_times(w, &tangent, v) - tangent.rate) > pm_contact_speed(w);
+    pm_row spare;
+    const pm_row *tangent = tangent_of(w, slot, &spare);
+    if (tangent == &spare) pm_row_kind(spare.kind)->evaluate(w, &spare);
+    return fabs(pm_saddle_times(w, tangent, v) - tangent->rate) > pm_contact_speed(w);
 }
 
 /* Modes after the blow: what parts is open; what stays is closed with the friction its slip asks for.  A struck contact

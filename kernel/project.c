@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "body.h"
+#include "recall.h"
 #include "saddle.h"
 
 #define SWEEPS 8
@@ -49,7 +50,7 @@ static int project(pm_workspace *w, pm_state *s, int evaluated)
     double before = INFINITY;
     if (w->nactive == 0) return PM_OK;
     for (int sweep = 0;; sweep++) {
-        if (sweep > 0 || !evaluated) pm_saddle_rows(w);
+        if ((sweep > 0 || !evaluated) && !pm_recall_take_rows(w)) pm_saddle_rows(w);
         const double worst = worst_opening(w);
         /* at the rounding of large coordinates Newton stalls: stop when it no longer gains */
         if (worst <= ROUNDING * w->size || sweep == SWEEPS || (sweep > 1 && worst > 0.5 * before)) break;

@@ -70,13 +70,20 @@ static int same_memory(const pm_workspace *w)
     return bytes == 0 || memcmp(w->recall->memory, w->frame.memory, bytes) == 0;
 }
 
-int pm_recall_take(pm_workspace *w)
+int pm_recall_take_rows(pm_workspace *w)
 {
     const pm_recall *r = w->recall;
     if (!r->known || r->rows != w->row_set || !applies(w) || !same_place(w) || !same_memory(w)) return 0;
+    memcpy(w->row, r->row, (size_t)w->nactive * sizeof(pm_row));
+    return 1;
+}
+
+int pm_recall_take(pm_workspace *w)
+{
+    const pm_recall *r = w->recall;
+    if (!pm_recall_take_rows(w)) return 0;
     memcpy(w->frame.a, r->a, (size_t)w->model->nq * sizeof(double));
     memcpy(w->frame.lambda, r->lambda, (size_t)w->nactive * sizeof(double));
-    memcpy(w->row, r->row, (size_t)w->nactive * sizeof(pm_row));
     pm_force_all(w);
     w->frame.level = PM_LEVEL_DYNAMIC;
     return 1;

@@ -37,6 +37,8 @@ void pm_recall_forget(pm_workspace *w);
 /* Makes the frame DYNAMIC where it looks at what it looked at when pm_recall_keep was called last; 0 if it does not. */
 int pm_recall_take(pm_workspace *w);
 void pm_recall_keep(pm_workspace *w);
+/* Evaluates the active rows in the same case. */
+int pm_recall_take_rows(pm_workspace *w);
 
 /* The active rows are those that were built last, here and for the same contacts. */
 int pm_recall_is_built(const pm_workspace *w);

@@ -125,11 +125,12 @@ static void place(pm_workspace *w, int *nplaced, int body, int placement, const 
     x->child_is_a = child_is_a;
     memcpy(x->child, child_is_a ? row->a : row->b, sizeof x->child);
     memcpy(x->mark, child_is_a ? row->b : row->a, sizeof x->mark);
-    x->angle = sign * last->value;
-    x->turn[0] = cos(x->angle);
-    x->turn[1] = sin(x->angle);
-    x->line[0] = cos(row->value);
-    x->line[1] = sin(row->value);
+    if (pm_tree_follows(x)) {
+        x->angle = sign * last->value;
+        x->turn[0] = cos(x->angle);
+        x->turn[1] = sin(x->angle);
+    }
+    memcpy(x->line, row->axis, sizeof x->line);
     x->radius = row->radius_a;
     x->length = row->value;
     x->memory = last->memory;
