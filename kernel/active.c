@@ -146,28 +146,37 @@ static double slide_factor(const pm_workspace *w, int contact, int mode)
     return mode == PM_SLIDE_FORWARD ? -mu : mu; /* friction opposes the slip */
 }
 
-static int append_contacts(pm_workspace *w, int *nbasis)
+static int append_normals(pm_workspace *w, int *nbasis)
 {
-    const pm_model *m = w->model;
     const pm_slot *slot = w->state.slot;
-    pm_row normal, tangent;
-    for (int tangents = 0; tangents < 2; tangents++)
-        for (int i = 0; i < m->nslot; i++) {
-            if (slot[i].mode == PM_OPEN || slot[i].mode == PM_CAPTURED) continue;
-            if (tangents && slot[i].mode != PM_STICK) continue;
-            const int contact = pm_contact_of_slot(m, i);
-            if (tangents)
-                pm_row_of_contact(w, contact, i, slot[i].member, &normal, &tangent);
-            else
-                pm_row_normal_of_contact(w, contact, i, slot[i].member, &normal);
-            if (!tangents && slides(slot[i].mode)) {
-                normal.slide = slide_factor(w, contact, slot[i].mode);
-                w->asymmetric |= normal.slide != 0;
-            }
-            const int status = append(w, tangents ? &tangent : &normal, nbasis,
-                                      tangents ? &w->slot_tangent[i] : &w->slot_normal[i]);
-            if (status) return status;
-        }
+    for (int i = 0; i < w->model->nslot; i++) {
+        pm_row normal;
+        if (slot[i].mode == PM_OPEN || slot[i].mode == PM_CAPTURED) continue;
+        const int contact = pm_contact_of_slot(w->model, i);
+        pm_row_normal_of_contact(w, contact, i, slot[i].member, &normal);
+        if (slides(slot[i].mode)) normal.slide = slide_factor(w, contact, slot[i].mode);
+        w->asymmetric |= normal.slide != 0;
+        const int status = append(w, &normal, nbasis, &w->slot_normal[i]);
+        if (status) return status;
+    }
+    return PM_OK;
+}
+
+/* After all normals, of contacts that do not slip. */
+static int append_tangents(pm_workspace *w, int *nbasis)
+{
+    const pm_slot *slot = w->state.slot;
+    for (int i = 0; i < w->model->nslot; i++) {
+        pm_row normal, tangent;
+        if (slot[i].mode != PM_STICK) continue;
+        const int contact = pm_contact_of_slot(w->model, i), active = w->slot_normal[i];
+        if (active == PM_NONE)
+            pm_row_of_contact(w, contact, i, slot[i].member, &normal, &tangent);
+        else
+            pm_row_tangent_of_contact(w, contact, &w->row[active], &tangent);
+        const int status = append(w, &tangent, nbasis, &w->slot_tangent[i]);
+        if (status) return status;
+    }
     return PM_OK;
 }
 
@@ -205,7 +214,8 @@ static int append_all(pm_workspace *w, int *nbasis)
     pm_active_clear(w);
     int status = append_joints(w, nbasis);
     if (!status) status = append_captured(w, nbasis);
-    if (!status) status = append_contacts(w, nbasis);
+    if (!status) status = append_normals(w, nbasis);
+    if (!status) status = append_tangents(w, nbasis);
     if (!status) status = append_grips(w, nbasis);
     return status;
 }

@@ -47,14 +47,19 @@ void pm_row_normal_of_contact(const pm_workspace *w, int contact, int slot, int 
     if (normal->kind == PM_ROW_STRAND) normal->memory = memory_of(m, slot);
 }
 
-void pm_row_of_contact(const pm_workspace *w, int contact, int slot, int member, pm_row *normal,
-                       pm_row *tangent)
+void pm_row_tangent_of_contact(const pm_workspace *w, int contact, const pm_row *normal, pm_row *tangent)
 {
     const int32_t *e = PM_CONTACT_ROW_OF(w->model, contact);
-    pm_row_normal_of_contact(w, contact, slot, member, normal);
     *tangent = *normal;
-    tangent->memory = memory_of(w->model, slot);
+    tangent->memory = memory_of(w->model, normal->slot);
     if (normal->kind == PM_ROW_STRAND) return; /* nothing acts across a cord: it is smooth */
     tangent->kind = normal->kind == PM_ROW_LINE_NORMAL ? PM_ROW_LINE_TANGENT : PM_ROW_CIRCLE_TANGENT;
     if (tangent->kind == PM_ROW_LINE_TANGENT) tangent->drive = e[PM_CONTACT_SPEED]; /* corners do not run */
+}
+
+void pm_row_of_contact(const pm_workspace *w, int contact, int slot, int member, pm_row *normal,
+                       pm_row *tangent)
+{
+    pm_row_normal_of_contact(w, contact, slot, member, normal);
+    pm_row_tangent_of_contact(w, contact, normal, tangent);
 }

@@ -48,6 +48,7 @@ double pm_drive_way(const pm_workspace *w, int program, const pm_memory *memory)
 
 void pm_drive_follow(const pm_workspace *w, int program, pm_memory *memory)
 {
+    if (program == PM_NONE) return;
     memory->anchor += pm_drive_way(w, program, memory);
     memory->time = w->frame.t;
 }

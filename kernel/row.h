@@ -63,7 +63,9 @@ int pm_row_of_joint(const pm_workspace *w, int joint, pm_row row[PM_JOINT_ROWS])
 int pm_row_of_any_joint(const pm_workspace *w, int joint, pm_row row[PM_JOINT_ROWS]);
 /* The normal row alone of a contact that is closed (or may close) in `slot` with `member`. */
 void pm_row_normal_of_contact(const pm_workspace *w, int contact, int slot, int member, pm_row *normal);
-/* Its normal and its tangential row. */
+/* Its tangential row, from the normal one. */
+void pm_row_tangent_of_contact(const pm_workspace *w, int contact, const pm_row *normal, pm_row *tangent);
+/* Both. */
 void pm_row_of_contact(const pm_workspace *w, int contact, int slot, int member, pm_row *normal,
                        pm_row *tangent);
 
