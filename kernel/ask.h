@@ -7,13 +7,14 @@
 typedef struct pm_ask_set {
     int *observer; /* [nask] asks that watch the whole run: extremes and grids */
     int nobserver;
-    int level;                /* highest level that they need */
-    int instant_level;        /* highest level that any ask needs */
-    int fired_level;          /* that those need which events answer */
-    int end_level;            /* that those need which the end answers */
-    double *sample;           /* [PM_NODES_MOST][nask] watched values in a step */
-    double *best;             /* [nask] extreme so far, NaN before the first value */
-    double *before;           /* [nask] values before the jump of the present instant */
+    int level;         /* highest level that they need */
+    int instant_level; /* highest level that any ask needs */
+    int fired_level;   /* that those need which events answer */
+    int end_level;     /* that those need which the end answers */
+    double *sample;    /* [nask][PM_NODES_MOST] watched values in a step */
+    double *best;      /* [nask] extreme so far, NaN before the first value */
+    double *bound;     /* [nask] what it cannot exceed (minima: their negatives); untold ones count, too */
+    double *before;    /* [nask] values before the jump of the present instant */
     unsigned char *undefined; /* [nask] an extreme met a not-a-number */
     unsigned char *filled;    /* [nout] */
     unsigned char *sound;     /* [nout] filled when the ledgers last closed */
@@ -37,7 +38,34 @@ int pm_ask_keeps_samples(const pm_workspace *w);
 /* An instant outside a step (start, after a jump): the frame looks at w->state. */
 void pm_ask_instant(pm_workspace *w);
 
-/* Events: keeps values before the jump; after it, answers the asks of events that have just fired. */
+/* ---- for ask_extreme.c ---- */
+static inline int pm_ask_greatest(const int32_t *e)
+{
+    return e[PM_ASK_KIND] == PM_ASK_MAX || e[PM_ASK_KIND] == PM_ASK_AT_MAX;
+}
+static inline int pm_ask_at_extreme(const int32_t *e)
+{
+    return e[PM_ASK_KIND] == PM_ASK_AT_MAX || e[PM_ASK_KIND] == PM_ASK_AT_MIN;
+}
+/* The extremes of the watched value in the last step, all of whose nodes are sampled. */
+int pm_ask_extreme(pm_workspace *w, int ask);
+/* The program that an ask watches, and its value at the frame. */
+int pm_ask_program(const int32_t *e);
+double pm_ask_run(pm_workspace *w, int ask);
+/* The frame looks at a place of the last step; exact: to the accuracy of the trajectory. */
+int pm_ask_look(pm_workspace *w, double t, int exact);
+/* Takes a value of a watched extreme, `above` more than it is at the frame. */
+void pm_ask_offer(pm_workspace *w, int ask, double value, double above);
+/* A program less a number along a step, or the rate of that by differences. */
+typedef struct pm_ask_watch {
+    int program;
+    double minus; /* value to take off: a grid value */
+    double step;  /* > 0: the rate by differences instead of the value */
+} pm_ask_watch;
+double pm_ask_along(pm_workspace *w, double t, void *watch);
+
+/* ---- events ---- */
+/* Keeps values before the jump; after it, answers the asks of events that have just fired. */
 void pm_ask_look_before(pm_workspace *w);
 void pm_ask_fired(pm_workspace *w, int event);
 /* Answers what is asked at the end, marks what was not reached. */

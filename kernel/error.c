@@ -57,14 +57,15 @@
 /* ---- memory ---- */
 static size_t doubles_of_pass(const pm_model *m)
 {
-    return 2 * ((size_t)m->nout + (size_t)m->rows[PM_TABLE_TRIGGER]);
+    return 3 * (size_t)m->nout + 2 * (size_t)m->rows[PM_TABLE_TRIGGER];
 }
 
 static void place_pass(const pm_model *m, pm_pass *p, double *doubles, int32_t *reason, pm_decision *entry)
 {
     p->out = doubles;
     p->error = doubles + m->nout;
-    p->extreme = doubles + 2 * m->nout;
+    p->more = doubles + 2 * m->nout;
+    p->extreme = doubles + 3 * m->nout;
     p->reason = reason;
     p->log.entry = entry;
 }
@@ -126,7 +127,7 @@ void pm_error_begin(pm_workspace *w)
     pm_pass *p = w->error->present;
     if (!w->error->active) return;
     w->error->noise = SEED;
-    for (int i = 0; i < w->model->nout; i++) p->error[i] = NAN;
+    for (int i = 0; i < w->model->nout; i++) p->error[i] = NAN, p->more[i] = 0;
     p->margin = INFINITY;
     p->relative = 0;
     p->unsure = 0;
@@ -153,6 +154,11 @@ int pm_error_disturb(pm_workspace *w)
 void pm_error_answer(pm_workspace *w, int column, double error)
 {
     if (w->error->active) w->error->present->error[column] = error;
+}
+
+void pm_error_more(pm_workspace *w, int column, double more)
+{
+    if (w->error->active) w->error->present->more[column] += more;
 }
 
 void pm_error_decision(pm_workspace *w, double distance, double error)
@@ -279,6 +285,7 @@ static double judge_answers(const pm_workspace *w, double share, double *error)
             if (e->discrete[i]) continue;
             error[k] = fmax(share * error[k], ROUNDING * scale);
             if (!isnan(e->main->error[k])) error[k] = fmax(e->main->error[k], ROUNDING * scale);
+            error[k] += e->main->more[k];
             excess = fmax(excess, error[k] / (w->accuracy * scale));
         }
     }

@@ -12,6 +12,7 @@
 typedef struct pm_pass {
     double *out;     /* [nout] */
     double *error;   /* [nout] as the route itself says, NaN where it does not */
+    double *more;    /* [nout] what is added to either kind of error */
     int32_t *reason; /* [nask] */
     double audit[PM_AUDITS];
     double found[PM_FOUND_COLUMNS];
@@ -69,6 +70,8 @@ int pm_error_disturb(pm_workspace *w);
 /* For routes that know their errors: that of out[column], absolute; a decision that was taken at `distance` from its
  * threshold, known to `error` in the same unit. */
 void pm_error_answer(pm_workspace *w, int column, double error);
+/* What was left untold of out[column], whoever tells its error. */
+void pm_error_more(pm_workspace *w, int column, double more);
 void pm_error_decision(pm_workspace *w, double distance, double error);
 
 #endif

@@ -98,15 +98,40 @@ FAULTS = [
     ),
     Fault(
         "ask: what an extreme has above the place is taken off",
-        "ask.c",
-        "sign * x->value, sign * gain",
-        "sign * x->value, -sign * gain",
+        "ask_extreme.c",
+        "p->sign * here->value, p->sign * here->gain",
+        "p->sign * here->value, -p->sign * here->gain",
     ),
     Fault(
         "ask: an extreme between nodes is none",
+        "ask_extreme.c",
+        "p.best = best > p.g[top] ? best : p.g[top];",
+        "p.best = best > p.g[top] ? best : p.g[top] + fabs(p.g[top]);",
+    ),
+    Fault(
+        "ask: a look tells a slope of the other sign",
+        "ask_extreme.c",
+        "rise->rate = x->slope + off * x->pull;",
+        "rise->rate = x->slope - off * x->pull;",
+    ),
+    Fault("ask: looks before are forgotten", "ask_extreme.c", "x->slope += slope;", ""),
+    Fault(
+        "ask: a bend of two rates that are not known",
+        "ask_extreme.c",
+        "(error + before->rate_error + ",
+        "0 * (error + before->rate_error + ",
+    ),
+    Fault(
+        "ask: a node far away is the extreme",
+        "ask_extreme.c",
+        "if (n * n * fabs(x->s - w->nodes->at[k]) > NEAR)",
+        "if (0)",
+    ),
+    Fault(
+        "ask: what is untold is no error",
         "ask.c",
-        "if (!(p->g[k] <= best)) best = p->g[k];",
-        "if (!(p->g[k] <= best)) best = p->g[k] + fabs(p->g[k]);",
+        "if (a->bound[ask] > best) pm_error_more",
+        "if (0) pm_error_more",
     ),
     Fault("crossing: what is near is far", "crossing.c", "may_cross(f, s) ? FAR * biggest : 0", "0"),
     Fault(
@@ -1238,7 +1263,10 @@ FAULTS = [
     ),
     # answers, audit, batch, start
     Fault(
-        "ask: maxima for minima", "ask.c", "greatest ? fa > 0 && fb < 0 :", "greatest ? fa < 0 && fb > 0 :"
+        "ask: maxima for minima",
+        "ask_extreme.c",
+        "p->sign * fa > 0 && p->sign * fb < 0",
+        "p->sign * fa < 0 && p->sign * fb > 0",
     ),
     Fault(
         "ask: grid value of another instant",
