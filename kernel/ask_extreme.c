@@ -31,7 +31,6 @@
 #define PEAK_STEPS 6   /* of Newton's method to an extreme */
 #define SLOPE_TAIL 2.0 /* times the degree and the highest coefficients: error of a polynomial's slope */
 #define END_TAIL 4.0   /* the same at the ends of the step */
-#define STEEPER 2.0    /* between nodes a slope may be so much more than at them */
 #define NEAR 0.3       /* of a bend: so much it changes over this part of 1 / n^2 of the step, at the most */
 #define LOOKS 6        /* that are taken in as nodes */
 #define BESIDE 3e-6    /* of the step: nearer to each other two nodes tell no slope */
@@ -106,11 +105,14 @@ static int climb(pm_workspace *w, const pm_peak *p, double bend, double low, dou
     return 0;
 }
 
-/* Between two places where the value may have an extreme better than the best so far: the root of its rate. */
-static int refine(pm_workspace *w, const pm_peak *p, double a, double b)
+/* Between node k and the next where the value may have an extreme better than the best so far: the root of its rate. */
+static int refine(pm_workspace *w, const pm_peak *p, int k)
 {
     const int32_t *e = PM_ASK_ROW(w->model, p->ask);
+    if (k < 0 || k + 1 >= w->nodes->n) return PM_OK;
     const double begin = w->step_begin, h = w->sampled_end - begin;
+    const double a = pm_crossing_node(w, k), b = less(pm_crossing_node(w, k + 1), w->step_end);
+    if (a >= b) return PM_OK;
     pm_ask_watch x = {pm_ask_program(e), 0, RATE_STEP * (w->step_end - begin)};
     const double fa = pm_ask_along(w, a, &x), fb = pm_ask_along(w, b, &x);
     if (!(p->sign * fa > 0 && p->sign * fb < 0)) return PM_OK;
@@ -162,18 +164,24 @@ static pm_told tell(const pm_nodes *nodes, const double *g, int k, double s)
     return x;
 }
 
-/* The polynomial's extreme between node k, where its slope is a, and the next, where it is b; nearly: as far as its slope
- * tells it.  The bend is not below zero if there is none. */
-static pm_told top_of(const pm_nodes *nodes, const pm_peak *p, int k, double a, double b)
+/* The interval of s, next to node k. */
+static int side_of(const pm_nodes *nodes, int k, double s)
 {
-    const double low = nodes->at[k], high = nodes->at[k + 1];
-    double s = beside(nodes, k, low + (high - low) * (a / (a - b)));
+    return k > 0 && (s < nodes->at[k] || k + 1 == nodes->n) ? k - 1 : k;
+}
+
+/* The polynomial's extreme near s, beside node k; nearly: as far as its slope tells it.  The bend is not below zero if there
+ * is none. */
+static pm_told top_of(const pm_nodes *nodes, const pm_peak *p, int k, double s)
+{
+    s = beside(nodes, side_of(nodes, k, s), s);
     for (int i = 0;; i++) {
-        const pm_told x = tell(nodes, p->g, k, s);
-        const double next = beside(nodes, k, s - x.slope / x.bend);
+        const pm_told x = tell(nodes, p->g, side_of(nodes, k, s), s);
         const double told = greater(p->slope_error, sqrt(p->nothing * fabs(x.bend)));
-        if (!(x.bend < 0) || fabs(x.slope) <= told || next == s || i == PEAK_STEPS) return x;
-        s = next;
+        if (!(x.bend < 0) || fabs(x.slope) <= told || i == PEAK_STEPS) return x;
+        const double next = s - x.slope / x.bend;
+        s = beside(nodes, side_of(nodes, k, next), next);
+        if (s == x.s) return x;
     }
 }
 
@@ -270,71 +278,68 @@ static int rise_to(pm_workspace *w, const pm_peak *p, int k, const pm_told *near
     return PM_OK;
 }
 
-/* Whether node k, where the polynomial's slope is as given, is as good as the extreme at x right beside it. */
-static int is_at_node(pm_workspace *w, const pm_peak *p, int k, double slope, const pm_told *x)
+/* Whether node k is as good as the extreme at x right beside it. */
+static int is_at_node(pm_workspace *w, const pm_peak *p, int k, const pm_told *x)
 {
     const int n = w->nodes->n, at_end = k == 0 || k + 1 == n;
     if (n * n * fabs(x->s - w->nodes->at[k]) > NEAR) return 0;
-    const double steepest = fabs(slope) + (at_end ? END_TAIL / SLOPE_TAIL : 1) * p->slope_error;
+    const double steepest =
+        fabs(pm_series_slope_at(w->nodes, p->g, k)) + (at_end ? END_TAIL / SLOPE_TAIL : 1) * p->slope_error;
     const double most = p->g[k] - (1 + NEAR) * 0.5 * steepest * steepest / x->bend;
     if (most > p->best + p->nothing) return 0;
     leave_untold(w, p, most);
     return 1;
 }
 
-/* Between node k, where the slope is a, and the next, where it is b: the extreme, if it may be better than the best. */
-static int extreme_between(pm_workspace *w, const pm_peak *p, int k, double a, double b)
+/* The extreme near s, beside node k, if it may be better than the best. */
+static int extreme_near(pm_workspace *w, const pm_peak *p, int k, double s)
 {
-    const pm_nodes *nodes = w->nodes;
-    const double way = STEEPER * (nodes->at[k + 1] - nodes->at[k]), error = p->slope_error;
-    if (less(p->g[k] + (fabs(a) + error) * way, p->g[k + 1] + (fabs(b) + error) * way) <= p->best)
-        return PM_OK;
-    const pm_told x = top_of(nodes, p, k, a, b);
-    const double untold = UNTOLD * p->tail * p->size * fabs(x.w), most = x.value + untold;
-    int found = 0;
+    const pm_told x = top_of(w->nodes, p, k, s);
     if (x.bend < 0) {
-        const double rise = 0.5 * x.slope * x.slope / -x.bend;
-        if (is_at_node(w, p, k, a, &x) || is_at_node(w, p, k + 1, b, &x)) return PM_OK;
-        if (most + rise <= p->best + p->nothing) {
-            leave_untold(w, p, most + rise);
+        const double untold = UNTOLD * p->tail * p->size * fabs(x.w) - 0.5 * x.slope * x.slope / x.bend;
+        if (is_at_node(w, p, k, &x)) return PM_OK;
+        if (x.value + untold <= p->best + p->nothing) {
+            leave_untold(w, p, x.value + untold);
             return PM_OK;
         }
-        const int status = rise_to(w, p, k, &x, &found);
+        int found;
+        const int status = rise_to(w, p, side_of(w->nodes, k, x.s), &x, &found);
         if (status || found) return status;
     }
-    return refine(w, p, pm_crossing_node(w, k), less(pm_crossing_node(w, k + 1), w->step_end));
+    const int status = refine(w, p, k - 1);
+    return status ? status : refine(w, p, k);
 }
 
-/* How far the value may rise between node k and the next above both, where the nodes resolve it: no farther than those
- * around are apart. */
-static double most_between(const pm_peak *p, int k, int n)
+/* Where the parabola through node k, which is better than those beside it, is greatest: at an end of the step, the one with
+ * the slope there.  NaN if the value falls off there. */
+static double vertex(const pm_nodes *nodes, const pm_peak *p, int k)
 {
-    double low = less(p->g[k], p->g[k + 1]), high = greater(p->g[k], p->g[k + 1]);
-    const double top = high;
-    for (int i = k - 1; i <= k + 2; i += 3) {
-        if (i < 0 || i >= n) continue;
-        low = less(low, p->g[i]);
-        high = greater(high, p->g[i]);
+    const double *at = nodes->at, *g = p->g;
+    if (k > 0 && k + 1 < nodes->n) {
+        const double h = at[k] - at[k - 1], j = at[k + 1] - at[k];
+        const double left = (g[k] - g[k - 1]) / h, right = (g[k + 1] - g[k]) / j;
+        const double slope = (left * j + right * h) / (h + j), bend = 2 * (right - left) / (h + j);
+        return at[k] - slope / bend;
     }
-    return top + (high - low);
+    const int in = k > 0 ? k - 1 : 1;
+    const double h = at[in] - at[k], slope = pm_series_slope_at(nodes, g, k);
+    if (slope * h <= -END_TAIL / SLOPE_TAIL * p->slope_error * fabs(h)) return NAN;
+    const double bend = 2 * (g[in] - g[k] - slope * h) / (h * h);
+    return at[k] - slope / bend;
 }
 
-/* Extremes between nodes: where the slope of the polynomial falls through zero.  At the ends of the step its error may
- * hide that. */
+/* Extremes are beside nodes that are better than both nodes next to them: a wave that none shows would not be resolved.
+ * They rise above them by less than those fall off. */
 static int extremes_of_samples(pm_workspace *w, pm_peak *p)
 {
-    const pm_nodes *nodes = w->nodes;
-    const int n = nodes->n;
-    const double at_end = END_TAIL / SLOPE_TAIL * p->slope_error;
-    int known = PM_NONE; /* the node whose slope is `after` */
-    double after = 0;
-    for (int k = 0; k + 1 < n; k++) {
-        if (most_between(p, k, n) <= p->best) continue;
-        const double before = known == k ? after : pm_series_slope_at(nodes, p->g, k);
-        known = k + 1;
-        after = pm_series_slope_at(nodes, p->g, k + 1);
-        if (!(before > (k == 0 ? -at_end : 0) && after < (k + 2 == n ? at_end : 0))) continue;
-        const int status = extreme_between(w, p, k, before, after);
+    const int n = w->nodes->n;
+    for (int k = 0; k < n; k++) {
+        const double here = p->g[k], before = k > 0 ? p->g[k - 1] : p->g[1],
+                     after = k + 1 < n ? p->g[k + 1] : p->g[n - 2];
+        if (!(here > before && here >= after) || here + (here - less(before, after)) <= p->best) continue;
+        const double s = vertex(w->nodes, p, k);
+        if (isnan(s)) continue;
+        const int status = extreme_near(w, p, k, s);
         if (status) return status;
         p->best = greater(p->best, p->sign * w->ask->best[p->ask]);
     }
@@ -347,15 +352,15 @@ static int extreme_beside_top(pm_workspace *w, const pm_peak *p, int k, double s
     const pm_nodes *nodes = w->nodes;
     const double flat = NEARLY_FLAT * spread / (nodes->at[k + 1] - nodes->at[k]);
     const double a = pm_series_slope_at(nodes, p->g, k), b = pm_series_slope_at(nodes, p->g, k + 1);
-    const double end = less(pm_crossing_node(w, k + 1), w->step_end);
-    if (a < -flat || b > flat || pm_crossing_node(w, k) >= end) return PM_OK;
+    if (a < -flat || b > flat || pm_crossing_node(w, k) >= w->step_end) return PM_OK;
     int found = 0;
     if (p->tail < SHARP && a > 0 && b < 0) {
-        const pm_told x = top_of(nodes, p, k, a, b);
-        const int status = x.bend < 0 ? rise_to(w, p, k, &x, &found) : PM_OK;
+        const double low = nodes->at[k], high = nodes->at[k + 1];
+        const pm_told x = top_of(nodes, p, k, low + (high - low) * (a / (a - b)));
+        const int status = x.bend < 0 ? rise_to(w, p, side_of(nodes, k, x.s), &x, &found) : PM_OK;
         if (status) return status;
     }
-    return found ? PM_OK : refine(w, p, pm_crossing_node(w, k), end);
+    return found ? PM_OK : refine(w, p, k);
 }
 
 /* The best of the nodes, by its value; where something else is asked at the extreme, or its error, look again. */

@@ -27,6 +27,8 @@
 #define DIP_STEP 1e-3  /* of the nodes' distance: distance of the differences at the bottom of a dip */
 #define DIP_STEPS 3    /* of Newton's method to the bottom */
 #define RESOLVED 1e-6  /* highest coefficients of a function that its samples tell */
+#define SMOOTH 1e-3    /* the same of one that has no waves between the nodes */
+#define UNTOLD 10.0    /* times these: how far it may be from the polynomial */
 #define PASSES 1e-5    /* of the scene's size: two points farther apart where they are nearest do not meet */
 #define ROUNDING 1e-15 /* of the step */
 #define OFF 1e-9       /* of a function's values next to its zero: not on it */
@@ -170,6 +172,45 @@ static double along(pm_workspace *w, double x, void *context)
     return pm_event_value(w, f);
 }
 
+/* The samples of a function in the step. */
+typedef struct pm_samples {
+    double g[PM_NODES_MOST];
+    double biggest, low, high; /* of their sizes; of them */
+    int n;
+} pm_samples;
+
+static void take_samples(const pm_workspace *w, int i, pm_samples *x)
+{
+    const pm_event_set *e = w->event;
+    const double *value = e->value + i;
+    x->n = w->nodes->n;
+    x->low = INFINITY;
+    x->high = -INFINITY;
+    for (int k = 0; k < x->n; k++, value += e->nfunction) {
+        x->g[k] = pm_event_of_sample(&e->function[i], *value);
+        if (x->g[k] < x->low) x->low = x->g[k];
+        if (x->g[k] > x->high) x->high = x->g[k];
+    }
+    x->biggest = x->high > -x->low ? x->high : -x->low;
+}
+
+/* How far the samples of function i do not tell it. */
+static double tail_of(const pm_workspace *w, int i)
+{
+    pm_event_function *f = &w->event->function[i];
+    if (!pm_nodes_spectral(w->nodes)) return INFINITY;
+    if (f->tail < 0) {
+        pm_samples x;
+        take_samples(w, i, &x);
+        f->tail = pm_series_tail(w->nodes, x.g);
+        f->biggest = x.biggest;
+    }
+    return f->tail;
+}
+
+/* The nodes of a spectral route resolve the function, unless it has a corner (the nearest of several members). */
+int pm_crossing_resolves(const pm_workspace *w, int i) { return tail_of(w, i) < RESOLVED; }
+
 /* Sign with which a function enters the interval after a node: a held zero has none yet. */
 static int crosses(const pm_event_function *f, double a, double b)
 {
@@ -239,15 +280,13 @@ static double slope_at(const pm_workspace *w, const double *g, int k)
 /* A dip between node k and the next, told by the slopes there: also one beside an end of the step, where three nodes do
  * not show it.  The bottom of the cubic through both values and slopes. */
 static int turns(pm_workspace *w, pm_event_function *f, const double *g, int k, const double *x,
-                 double *slope, double *where, double *value)
+                 double *where, double *value)
 {
     const double s = g[k] > 0 ? 1 : -1, a = s * g[k], b = s * g[k + 1], h = x[1] - x[0];
     if (!(a > 0 && b > 0) || !may_cross(f, s)) return 0;
-    if (isnan(slope[k])) slope[k] = slope_at(w, g, k);
-    const double p = s * slope[k] * h;
+    const double p = s * slope_at(w, g, k) * h;
     if (!(p < 0)) return 0;
-    slope[k + 1] = slope_at(w, g, k + 1);
-    const double q = s * slope[k + 1] * h;
+    const double q = s * slope_at(w, g, k + 1) * h;
     if (!(q > 0)) return 0;
     const double c2 = 3 * (b - a) - 2 * p - q, c3 = 2 * (a - b) + p + q;
     const double t = -p / (c2 + sqrt(fmax(c2 * c2 - 3 * c3 * p, 0)));
@@ -276,13 +315,20 @@ static int leaves_and_returns(pm_workspace *w, const pm_event_function *f, doubl
     return 1;
 }
 
-/* A trigger that was on zero at a: where it has definitely left tells its side; it may have come back before b. */
-static int leaves_and_crosses(pm_workspace *w, const pm_event_function *f, double a, double b, double gb,
+/* A trigger that was on zero at a: where it has definitely left tells its side; it may have come back before b.  The
+ * samples tell that where they resolve it, as far as it is beyond their error. */
+static int leaves_and_crosses(pm_workspace *w, int i, const pm_samples *of, double a, double b, double gb,
                               double noise, pm_span *x)
 {
-    for (int i = LEAVING; i > 0; i--) {
-        const double place = a + ldexp(b - a, -i), g = along(w, place, (void *)(uintptr_t)f);
-        if (place <= a || !(fabs(g) > noise)) continue;
+    pm_event_function *f = &w->event->function[i];
+    const double begin = w->step_begin, h = w->step_end - begin;
+    const int resolved = pm_crossing_resolves(w, i);
+    for (int k = LEAVING; k > 0; k--) {
+        const double place = a + ldexp(b - a, -k);
+        if (place <= a) continue;
+        double g = resolved ? pm_series_value(w->nodes, of->g, 1, (place - begin) / h) : 0;
+        if (!(fabs(g) > fmax(noise, UNTOLD * f->tail * of->biggest))) g = along(w, place, f);
+        if (!(fabs(g) > noise)) continue;
         *x = (pm_span){place, b, g, gb};
         return crosses(f, g, gb);
     }
@@ -291,12 +337,18 @@ static int leaves_and_crosses(pm_workspace *w, const pm_event_function *f, doubl
 
 /* All samples are on one side: where the function may not cross from there, or where it stays so far from zero that no
  * parabola of three nodes (of which one interval is at most three times the other) comes near to it. */
-static int stays_away(const pm_event_function *f, const double *g, int n, double biggest)
+static int stays_away(const pm_event_function *f, const pm_samples *x)
 {
-    const double s = g[0] > 0 ? 1 : -1, least = may_cross(f, s) ? FAR * biggest : 0;
-    for (int k = 0; k < n; k++)
-        if (!(s * g[k] > least)) return 0;
-    return 1;
+    const double least = x->low > 0 ? x->low : -x->high;
+    return least > (may_cross(f, x->low > 0 ? 1 : -1) ? FAR * x->biggest : 0);
+}
+
+/* A dip between two nodes shows at one of them, unless the function is not smooth: it is lower there than beside it, or
+ * at an end of the step. */
+static int is_low(const pm_samples *x, int k)
+{
+    const double *g = x->g, here = fabs(g[k]);
+    return !(k > 0 && here > fabs(g[k - 1])) && !(k + 1 < x->n && here > fabs(g[k + 1]));
 }
 
 /* The first bracket of function i in the step after `from`, if any. */
@@ -306,14 +358,12 @@ static int bracket(pm_workspace *w, int i, double from, pm_span *x)
     pm_event_function *f = &e->function[i];
     const int n = w->nodes->n;
     const double *place = e->place;
-    double g[PM_NODES_MOST], biggest = 0;
+    pm_samples of;
+    take_samples(w, i, &of);
+    double *g = of.g, biggest = of.biggest;
     int first = 0;
-    for (int k = 0; k < n; k++) {
-        g[k] = pm_event_of_sample(f, e->value[k * e->nfunction + i]);
-        if (fabs(g[k]) > biggest) biggest = fabs(g[k]);
-        if (k == n - 1 && e->at_root && fabs(g[k]) <= ON_ZERO * biggest) g[k] = 0; /* there the phase ends */
-        if (place[k] <= from) first = k;
-    }
+    if (e->at_root && fabs(g[n - 1]) <= ON_ZERO * biggest) g[n - 1] = 0; /* there the phase ends */
+    while (first + 1 < n && place[first + 1] <= from) first++;
     if (first == n - 1) return 0;
     const int changes_sign = pm_event_changes_sign(f);
     if (e->first_step && from == place[0] && changes_sign && fabs(g[0]) <= ON_ZERO * biggest) {
@@ -323,7 +373,7 @@ static int bracket(pm_workspace *w, int i, double from, pm_span *x)
     if (f->held && changes_sign) { /* enters on the side where it goes */
         const double since = fmax(f->since, place[0]);
         while (first < n - 1 && place[first] <= since) first++;
-        if (leaves_and_crosses(w, f, since, place[first], g[first], ON_ZERO * biggest, x)) return 1;
+        if (leaves_and_crosses(w, i, &of, since, place[first], g[first], ON_ZERO * biggest, x)) return 1;
     } else if (
         f->held) { /* a contact starts on the open side, and counts again from where it has left its zero */
         for (first = 1; first < n && fabs(g[first]) <= f->slack;) first++;
@@ -333,9 +383,7 @@ static int bracket(pm_workspace *w, int i, double from, pm_span *x)
         *x = (pm_span){place[0], place[0], 0, 0};
         return 1;
     }
-    if (stays_away(f, g, n, biggest)) return 0;
-    double slope[PM_NODES_MOST]; /* at the nodes, where they are known */
-    for (int k = 0; k < n; k++) slope[k] = NAN;
+    if (stays_away(f, &of)) return 0;
     for (int k = first; k + 1 < n; k++) {
         double where, value;
         if (crosses(f, g[k], g[k + 1])) {
@@ -343,7 +391,9 @@ static int bracket(pm_workspace *w, int i, double from, pm_span *x)
             return 1;
         }
         const int near = fabs(g[k]) < NEAR * biggest || fabs(g[k + 1]) < NEAR * biggest;
-        const int turned = near && turns(w, f, g, k, place + k, slope, &where, &value);
+        const int shows = is_low(&of, k) || is_low(&of, k + 1);
+        const int turned =
+            near && (shows || tail_of(w, i) >= SMOOTH) && turns(w, f, g, k, place + k, &where, &value);
         if ((turned || (k + 2 < n && dips(w, f, g + k, biggest, place + k, &where, &value))) &&
             where > from) {
             *x = (pm_span){place[k], where, g[k], value};
@@ -365,41 +415,13 @@ static int exactly(pm_workspace *w, double x, void *context, double *value)
     return status;
 }
 
-static void samples_of(const pm_workspace *w, int i, double value[PM_NODES_MOST])
-{
-    const pm_event_set *e = w->event;
-    for (int k = 0; k < w->nodes->n; k++)
-        value[k] = pm_event_of_sample(&e->function[i], e->value[k * e->nfunction + i]);
-}
-
-static double biggest_of(const pm_workspace *w, int i)
-{
-    double value[PM_NODES_MOST], biggest = 0;
-    samples_of(w, i, value);
-    for (int k = 0; k < w->nodes->n; k++)
-        if (fabs(value[k]) > biggest) biggest = fabs(value[k]);
-    return biggest;
-}
-
 static double slope_of_samples(const pm_workspace *w, int i, double place)
 {
     const double h = w->step_end - w->step_begin;
-    double value[PM_NODES_MOST], here;
-    samples_of(w, i, value);
-    return pm_series_slope(w->nodes, value, (place - w->step_begin) / h, &here) / h;
-}
-
-/* The nodes of a spectral route resolve the function, unless it has a corner (the nearest of several members). */
-int pm_crossing_resolves(const pm_workspace *w, int i)
-{
-    pm_event_function *f = &w->event->function[i];
-    double value[PM_NODES_MOST];
-    if (!pm_nodes_spectral(w->nodes)) return 0;
-    if (f->tail < 0) {
-        samples_of(w, i, value);
-        f->tail = pm_series_tail(w->nodes, value);
-    }
-    return f->tail < RESOLVED;
+    double here;
+    pm_samples x;
+    take_samples(w, i, &x);
+    return pm_series_slope(w->nodes, x.g, (place - w->step_begin) / h, &here) / h;
 }
 
 /* The member that is met at x, of those that are open; 0 if there is none. */
@@ -441,10 +463,11 @@ static void take_rate(pm_workspace *w, int function, double x, double slope)
 static int root_of_samples(pm_workspace *w, int i, const pm_span *x, double *place)
 {
     const double begin = w->step_begin, h = w->step_end - begin;
-    double value[PM_NODES_MOST], s;
-    samples_of(w, i, value);
+    double s;
+    pm_samples of;
+    take_samples(w, i, &of);
     const int status =
-        pm_series_root(w, w->nodes, value, (x->a - begin) / h, x->ga, (x->b - begin) / h, x->gb, &s);
+        pm_series_root(w, w->nodes, of.g, (x->a - begin) / h, x->ga, (x->b - begin) / h, x->gb, &s);
     *place = begin + s * h;
     return status;
 }
@@ -466,8 +489,7 @@ static int step_onto(pm_workspace *w, int i, double slope, double size, double *
     pm_event_function *f = &w->event->function[i];
     const double h = w->step_end - w->step_begin, n = w->nodes->n, value = along(w, *place, f);
     const double shift = -value / slope, next = *place + shift;
-    const double error =
-        n * n * fmax(f->tail, ROUNDING) * biggest_of(w, i) / fabs(slope * h); /* of the slope */
+    const double error = n * n * fmax(f->tail, ROUNDING) * f->biggest / fabs(slope * h); /* of the slope */
     *near = fabs(value) <= OFF * size && next > w->step_begin && next < w->step_end &&
             fabs(shift) * (error + n * n * fabs(shift) / h) <= ROUNDING * h;
     if (*near) *place = next;

@@ -55,6 +55,7 @@ typedef struct pm_event_function {
     pm_span bracket; /* of its next zero */
     double found;    /* where that is */
     double tail;     /* of its samples (series.h); negative: not known yet */
+    double biggest;  /* of their sizes, where the tail is known */
 } pm_event_function;
 
 typedef struct pm_event_set {
