@@ -196,7 +196,7 @@ typedef struct pm_spin {
 struct pm_route_ops;
 struct pm_event_set;
 struct pm_ask_set;
-struct pm_samples;
+struct pm_readings;
 struct pm_find;
 struct pm_error_set;
 struct pm_nudge;
@@ -286,7 +286,7 @@ typedef struct pm_workspace {
     double *turn;                 /* [nq] the velocities with which it does, at the scene's speed */
     struct pm_event_set *event;
     struct pm_ask_set *ask;
-    struct pm_samples *samples;
+    struct pm_readings *readings;
     struct pm_hang *hang; /* [nbody + 1] where each body can be (reach.h); last: the ground */
     int unreached;        /* contacts that can never close */
     struct pm_find *find; /* NULL where nothing is sought */

@@ -11,7 +11,7 @@
 #include "program.h"
 #include "program_fold.h"
 
-static void add_measure(pm_samples *s, int measure, int who)
+static void add_measure(pm_readings *s, int measure, int who)
 {
     int i = 0;
     while (i < s->n && s->measure[i] != measure) i++;
@@ -25,14 +25,14 @@ static void add_program(pm_workspace *w, int program, int who)
 {
     const pm_program_fold *f = w->model->fold;
     for (int k = f->first[program]; k < f->first[program + 1]; k++)
-        if (f->step[k].kind == STEP_MEASURE) add_measure(w->samples, f->step[k].arg, who);
+        if (f->step[k].kind == STEP_MEASURE) add_measure(w->readings, f->step[k].arg, who);
 }
 
 int pm_sample_create(pm_workspace *w)
 {
     const pm_model *m = w->model;
     const size_t n = (size_t)m->rows[PM_TABLE_MEASURE] + 1;
-    pm_samples *s = w->samples = calloc(1, sizeof *s);
+    pm_readings *s = w->readings = calloc(1, sizeof *s);
     if (!s) return PM_NO_MEMORY;
     s->measure = calloc(n, sizeof *s->measure);
     s->place = calloc(n, sizeof *s->place);
@@ -49,23 +49,23 @@ int pm_sample_create(pm_workspace *w)
 
 void pm_sample_free(pm_workspace *w)
 {
-    if (!w->samples) return;
-    free(w->samples->measure);
-    free(w->samples->place);
-    free(w->samples->who);
-    free(w->samples->value);
-    free(w->samples);
-    w->samples = NULL;
+    if (!w->readings) return;
+    free(w->readings->measure);
+    free(w->readings->place);
+    free(w->readings->who);
+    free(w->readings->value);
+    free(w->readings);
+    w->readings = NULL;
 }
 
 void pm_sample_read(pm_workspace *w, int node, int who)
 {
-    pm_samples *s = w->samples;
+    pm_readings *s = w->readings;
     for (int i = 0; i < s->n; i++)
         if (s->who[i] & who) s->value[i * PM_NODES_MOST + node] = pm_measure(w, s->measure[i]);
 }
 
 void pm_sample_run(pm_workspace *w, int program, double *value)
 {
-    pm_program_run_nodes(w, program, w->nodes->n, w->samples->place, w->samples->value, value);
+    pm_program_run_nodes(w, program, w->nodes->n, w->readings->place, w->readings->value, value);
 }

@@ -8,13 +8,13 @@
 /* Whose measures are read. */
 enum { PM_SAMPLE_TRIGGERS = 1, PM_SAMPLE_ASKS = 2 };
 
-typedef struct pm_samples {
+typedef struct pm_readings {
     int n;              /* measures that any watched program reads */
     int *measure;       /* [n] */
     unsigned char *who; /* [n] PM_SAMPLE_TRIGGERS, PM_SAMPLE_ASKS or both read it */
     int *place;         /* [measures] of each among these n */
     double *value;      /* [n][PM_NODES_MOST] at the nodes of the step */
-} pm_samples;
+} pm_readings;
 
 /* After triggers and asks have been made. */
 int pm_sample_create(pm_workspace *w);
