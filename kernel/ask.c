@@ -1,6 +1,7 @@
 /* ask.c - answers taken at instants, over the run, and on grids; ask_extreme.c finds the extremes inside steps. */
 #include "ask.h"
 
+#include <gsl/gsl_min.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -33,7 +34,8 @@ int pm_ask_create(pm_workspace *w)
     a->sample = calloc((PM_NODES_MOST + 3) * nask + 1, sizeof *a->sample);
     a->undefined = calloc(nask + 2 * nout + 1, 1);
     a->solver = pm_root_create();
-    if (!a->observer || !a->sample || !a->undefined || !a->solver) return PM_NO_MEMORY;
+    a->minimum = gsl_min_fminimizer_alloc(gsl_min_fminimizer_brent);
+    if (!a->observer || !a->sample || !a->undefined || !a->solver || !a->minimum) return PM_NO_MEMORY;
     a->best = a->sample + PM_NODES_MOST * nask;
     a->bound = a->best + nask;
     a->before = a->bound + nask;
@@ -63,6 +65,7 @@ void pm_ask_free(pm_workspace *w)
     free(w->ask->sample);
     free(w->ask->undefined);
     pm_root_free(w->ask->solver);
+    if (w->ask->minimum) gsl_min_fminimizer_free(w->ask->minimum);
     free(w->ask);
     w->ask = NULL;
 }

@@ -20,6 +20,7 @@ typedef struct pm_ask_set {
     unsigned char *sound;     /* [nout] filled when the ledgers last closed */
     int fresh;                /* something was filled since */
     void *solver;             /* gsl_root_fsolver */
+    void *minimum;            /* gsl_min_fminimizer */
     void *block;
 } pm_ask_set;
 

@@ -12,6 +12,7 @@
  * and w h', no more than some n e, is what stays untold.  Looks go on until that makes nothing.  Where the nodes do not
  * tell the value, every interval where its rate changes sign is searched for the root of the rate (differences of the
  * route's dense output), and the value is taken on an exact state there. */
+#include <gsl/gsl_min.h>
 #include <math.h>
 
 #include "ask.h"
@@ -38,6 +39,8 @@
 #define ROUNDING 4e-16 /* of the value's size: what looks scatter by */
 #define NOTHING 1e-15  /* of the value's size: so little more is rounding */
 #define SHARE 1e-2     /* of the tolerance: so little more is not looked for, but counts as an error */
+#define SEARCHES 60    /* values that are compared where slopes do not tell */
+#define CLOSE 1e-8     /* of the step: so near to an extreme its value is that */
 #define LEVEL 1e-14    /* of a value's size: so little spread is rounding */
 
 /* A value in a step. */
@@ -243,8 +246,8 @@ static void leave_untold(pm_workspace *w, const pm_peak *p, double value)
     *bound = greater(*bound, value);
 }
 
-/* From a place near an extreme to it; *found is 0 if the looks do not tell it. */
-static int rise_to(pm_workspace *w, const pm_peak *p, int k, const pm_told *near, int *found)
+/* From a place near an extreme to it; *found is 0 if the looks do not tell it, *top is the best of them then. */
+static int rise_to(pm_workspace *w, const pm_peak *p, int k, const pm_told *near, pm_rise *top, int *found)
 {
     const pm_nodes *nodes = w->nodes;
     const double low = k > 0 ? nodes->at[k - 1] : 0, high = k + 2 < nodes->n ? nodes->at[k + 2] : 1;
@@ -252,10 +255,12 @@ static int rise_to(pm_workspace *w, const pm_peak *p, int k, const pm_told *near
     pm_rise rise[2];
     pm_told x = *near;
     *found = 0;
+    *top = (pm_rise){.value = -INFINITY};
     for (int i = 0; i < LOOKS; i++) {
         pm_rise *here = &rise[i % 2];
         const int status = take_look(w, p, &x, i > 0 ? &rise[(i + 1) % 2] : NULL, &looks, here);
         if (status) return status;
+        if (here->value > top->value) *top = *here;
         const double most = here->value + here->gain + here->untold;
         *found = most <= p->best + p->nothing || here->untold <= p->nothing;
         if (*found) {
@@ -276,6 +281,43 @@ static int rise_to(pm_workspace *w, const pm_peak *p, int k, const pm_told *near
         correct(&looks, &x);
     }
     return PM_OK;
+}
+
+typedef struct pm_search {
+    pm_workspace *w;
+    const pm_peak *peak;
+} pm_search;
+
+static double depth(double s, void *context)
+{
+    const pm_search *x = context;
+    return pm_ask_look(x->w, place_of(x->w, s), 1) ? NAN : -x->peak->sign * pm_ask_run(x->w, x->peak->ask);
+}
+
+/* By values alone, where slopes do not tell (a flat top, or one about to part in two): from a look that is better than the
+ * nodes beside it. */
+static int search(pm_workspace *w, const pm_peak *p, const pm_rise *top, int *found)
+{
+    const pm_nodes *nodes = w->nodes;
+    int k = 0;
+    while (k + 2 < nodes->n && nodes->at[k + 1] <= top->s) k++;
+    *found = top->value > p->g[k] && top->value > p->g[k + 1];
+    if (!*found) return PM_OK;
+    pm_search context = {w, p};
+    gsl_function function = {.function = depth, .params = &context};
+    gsl_min_fminimizer *solver = w->ask->minimum;
+    double s = top->s;
+    int result = gsl_min_fminimizer_set_with_values(solver, &function, s, -top->value, nodes->at[k], -p->g[k],
+                                                    nodes->at[k + 1], -p->g[k + 1]);
+    for (int i = 0; i < SEARCHES && !result; i++) {
+        result = gsl_min_fminimizer_iterate(solver);
+        s = gsl_min_fminimizer_x_minimum(solver);
+        if (gsl_min_fminimizer_x_upper(solver) - gsl_min_fminimizer_x_lower(solver) <= CLOSE) break;
+    }
+    if (s > p->end) return PM_OK;
+    const int status = pm_ask_look(w, place_of(w, s), 1);
+    if (!status) pm_ask_offer(w, p->ask, pm_ask_run(w, p->ask), 0);
+    return status;
 }
 
 /* Whether node k is as good as the extreme at x right beside it. */
@@ -303,7 +345,9 @@ static int extreme_near(pm_workspace *w, const pm_peak *p, int k, double s)
             return PM_OK;
         }
         int found;
-        const int status = rise_to(w, p, side_of(w->nodes, k, x.s), &x, &found);
+        pm_rise top;
+        int status = rise_to(w, p, side_of(w->nodes, k, x.s), &x, &top, &found);
+        if (!status && !found) status = search(w, p, &top, &found);
         if (status || found) return status;
     }
     const int status = refine(w, p, k - 1);
@@ -357,7 +401,8 @@ static int extreme_beside_top(pm_workspace *w, const pm_peak *p, int k, double s
     if (p->tail < SHARP && a > 0 && b < 0) {
         const double low = nodes->at[k], high = nodes->at[k + 1];
         const pm_told x = top_of(nodes, p, k, low + (high - low) * (a / (a - b)));
-        const int status = x.bend < 0 ? rise_to(w, p, side_of(nodes, k, x.s), &x, &found) : PM_OK;
+        pm_rise best;
+        const int status = x.bend < 0 ? rise_to(w, p, side_of(nodes, k, x.s), &x, &best, &found) : PM_OK;
         if (status) return status;
     }
     return found ? PM_OK : refine(w, p, k);
