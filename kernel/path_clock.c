@@ -8,8 +8,7 @@
  * where the step begins or ends at rest the root is taken out: T / s, or T / (1 - s), stands for T in g.  The integrals are
  * exact for the series: with w^2 = s, T_k(2s - 1) = T_2k(w), and ds / sqrt(s) = 2 dw.
  *
- * Where the nodes of the step resolve g itself, as good as those would, they do instead: what they leave out weighs more in
- * the integral, by the square of how many fewer they are. */
+ * Where the nodes of the step resolve g itself, as well as those would, they do instead. */
 #include "path_clock.h"
 
 #include <math.h>
@@ -21,6 +20,10 @@
 #define NOISE 1e-6 /* a tail below it that no halving makes smaller is rounding */
 #define GAINS \
     0.5 /* of the tail with fewer nodes, or over a longer step: it is smaller where it is no rounding */
+#define FEWER \
+    4.0 /* the same with the nodes of a step, which are fewer: these coefficients weigh more in the integral */
+#define OPEN \
+    32.0 /* for its error the same: inside a step what they leave out weighs by 1 / 2k, not by 1 / k^2 */
 #define NOTHING_MORE 1e-17 /* of the greatest coefficient: those that are dropped */
 
 /* T, or what stands for it, at a node: T over the way to where it vanishes; there its slope. */
@@ -137,9 +140,8 @@ static int set_by_nodes(pm_path *p, const double *mass, const double *kinetic, d
         g[k] = sqrt(0.5 * mass[k] / kinetic[k]);
     }
     const double high = last == MANY ? transform(p, g, MANY) : transform(p, g, FEW);
-    const double fewer = (double)FINE / last, tail = fewer * fewer * high;
-    if (!(tail <= most)) return 0;
-    p->tail = tail;
+    if (!(FEWER * high <= most)) return 0;
+    p->tail = OPEN * high;
     return 1;
 }
 

@@ -719,7 +719,7 @@ FAULTS = [
         ": p->at_rest ? PM_CLOCK_PLAIN",
     ),
     Fault("path: clock that ends at rest, not turned round", "path_clock.c", "reversed ? -sign : 1", "1"),
-    Fault("path: clock by too few nodes", "path_clock.c", "if (!(tail <= most)) return 0;", ""),
+    Fault("path: clock by too few nodes", "path_clock.c", "if (!(FEWER * high <= most)) return 0;", ""),
     Fault(
         "path: no evidence of the rows",
         "route_path.c",
