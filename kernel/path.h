@@ -46,12 +46,15 @@ typedef struct pm_bridge {
 } pm_bridge;
 
 /* path_clock.c: what only the nodes decide. */
-enum { PM_CLOCK_FINE = PM_NODES_CLOCK - 1 };
+enum {
+    PM_CLOCK_FINE = PM_NODES_CLOCK - 1, /* the last fine node */
+    PM_CLOCK_PAIRS = PM_CLOCK_FINE / 4  /* of odd multiples of an angle, or of nodes on one side, at most */
+};
 typedef struct pm_clock_table {
-    double weight_9[9][PM_CLOCK_FINE - 8],
-        below_9[PM_CLOCK_FINE - 8]; /* barycentric, at the nodes between, and their sums */
-    double weight_17[17][PM_CLOCK_FINE - 16], below_17[PM_CLOCK_FINE - 16];
-    double cosine[PM_CLOCK_FINE / 2 + 1][PM_NODES_CLOCK]; /* of a node's multiples, even ones first */
+    /* what the coarse nodes on one side, with those on the other added or taken off, give at the fine nodes between */
+    pm_pair same_9[5][PM_CLOCK_PAIRS], other_9[4][PM_CLOCK_PAIRS];
+    pm_pair same_17[9][PM_CLOCK_PAIRS], other_17[8][PM_CLOCK_PAIRS];
+    pm_pair cosine[PM_CLOCK_FINE / 2][PM_CLOCK_PAIRS]; /* of a node's odd multiples */
 } pm_clock_table;
 
 /* path_rigid.c: an open tree in which one rigid group moves. */

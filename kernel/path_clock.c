@@ -16,6 +16,7 @@
 #include "greater.h"
 #include "series.h"
 
+#define INLINE static inline __attribute__((always_inline))
 #define FINE PM_CLOCK_FINE
 #define NOISE 1e-6 /* a tail below it that no halving makes smaller is rounding */
 #define GAINS \
@@ -36,92 +37,129 @@ static double slowness(const pm_path *p, int node)
     return distance > 0 ? x->kinetic / distance : fabs(x->force) * p->h;
 }
 
-/* ---- tables ---- */
-/* How many fine nodes are no coarse ones, and which fine node number i of them is. */
-static int between(const pm_nodes *nodes) { return FINE - (nodes->n - 1); }
+enum {
+    MANY = PM_NODES_MOST - 1, /* the last node of a step */
+    FEW = MANY / 2,
+    PAIRS = PM_CLOCK_PAIRS
+};
 
-static int node_between(const pm_nodes *nodes, int i)
+/* ---- tables ---- */
+/* How many fine nodes of the left half are no coarse ones, and which fine node number i of them is. */
+static inline int between(int last) { return (FINE - last) / 2; }
+
+static inline int node_between(int last, int i)
 {
-    const int every = FINE / (nodes->n - 1);
+    const int every = FINE / last;
     return i / (every - 1) * every + 1 + i % (every - 1);
 }
 
-/* The barycentric weights of the coarse nodes at the fine ones between them. */
-static void fill_weights(const pm_nodes *nodes, double *weight, double *below)
+/* What the coarse nodes weigh at s: the barycentric formula. */
+static void weigh(const pm_nodes *nodes, double s, double *weight)
 {
     const int last = nodes->n - 1;
-    for (int k = 0; k <= last; k++)
-        for (int i = 0; i < between(nodes); i++, weight++) {
-            const double s = 0.5 * (1 - pm_nodes_cosine[node_between(nodes, i)]);
-            *weight = (k % 2 ? -1 : 1) * (k == 0 || k == last ? 0.5 : 1) / (s - nodes->at[k]);
-            below[i] += *weight;
-        }
+    double sum = 0;
+    for (int k = 0; k <= last; k++) {
+        weight[k] = (k % 2 ? -1 : 1) * (k == 0 || k == last ? 0.5 : 1) / (s - nodes->at[k]);
+        sum += weight[k];
+    }
+    for (int k = 0; k <= last; k++) weight[k] /= sum;
 }
 
-/* cos(pi j k / FINE), k even first, then odd. */
-static void fill_cosines(double *cosine)
+static void fill_weights(const pm_nodes *nodes, pm_pair same[][PAIRS], pm_pair other[][PAIRS])
 {
-    for (int j = 0; j <= FINE / 2; j++)
-        for (int odd = 0; odd < 2; odd++)
-            for (int k = odd; k <= FINE; k += 2) *cosine++ = pm_nodes_cosine[j * k % (2 * FINE)];
+    const int last = nodes->n - 1, middle = last / 2;
+    double weight[PM_NODES_MOST];
+    for (int i = 0; i < between(last); i++) {
+        weigh(nodes, 0.5 * (1 - pm_nodes_cosine[node_between(last, i)]), weight);
+        for (int k = 0; k < middle; k++) {
+            same[k][i / 2][i % 2] = 0.5 * (weight[k] + weight[last - k]);
+            other[k][i / 2][i % 2] = 0.5 * (weight[k] - weight[last - k]);
+        }
+        same[middle][i / 2][i % 2] = weight[middle];
+    }
 }
 
 void pm_clock_fill_table(pm_clock_table *x)
 {
-    fill_weights(&pm_nodes_9, x->weight_9[0], x->below_9);
-    fill_weights(&pm_nodes_17, x->weight_17[0], x->below_17);
-    fill_cosines(x->cosine[0]);
+    fill_weights(&pm_nodes_9, x->same_9, x->other_9);
+    fill_weights(&pm_nodes_17, x->same_17, x->other_17);
+    for (int j = 0; j < FINE / 2; j++)
+        for (int k = 0; k < FINE / 2; k++)
+            x->cosine[j][k / 2][k % 2] = pm_nodes_cosine[j * (2 * k + 1) % (2 * FINE)];
 }
-
-enum {
-    EVEN = FINE / 2 + 1,      /* cosines of even multiples in a row of the table */
-    MANY = PM_NODES_MOST - 1, /* the last node of a step */
-    FEW = MANY / 2
-};
 
 /* ---- g ---- */
-/* g at its nodes, from the polynomials through mass and T; 0 if T vanishes between the nodes. */
-static int expand(const pm_path *p, const double *mass, const double *kinetic, double *g)
+/* The values at the fine nodes between, number i from the left and number i from the right, of the polynomial through
+ * those at the coarse ones. */
+INLINE void interpolate(const double *value, const int last, const pm_pair (*same)[PAIRS],
+                        const pm_pair (*other)[PAIRS], pm_pair *left, pm_pair *right)
 {
-    const pm_nodes *nodes = p->nodes;
-    const int last = nodes->n - 1, every = FINE / last, n = between(nodes), many = every == 2;
-    const double *weight = many ? p->table.weight_17[0] : p->table.weight_9[0];
-    const double *below = many ? p->table.below_17 : p->table.below_9;
-    double m[FINE] = {0}, t[FINE] = {0};
-    for (int k = 0; k <= last; k++, weight += n) {
-        if (!(kinetic[k] > 0 && mass[k] > 0)) return 0;
-        g[every * k] = sqrt(0.5 * mass[k] / kinetic[k]);
-        for (int i = 0; i < n; i++) {
-            m[i] += weight[i] * mass[k];
-            t[i] += weight[i] * kinetic[k];
-        }
+    const int n = between(last) / 2, middle = last / 2;
+    pm_pair up[PAIRS], down[PAIRS] = {{0, 0}};
+    for (int i = 0; i < n; i++) up[i] = value[middle] * same[middle][i];
+    for (int k = 0; k < middle; k++) {
+        const double sum = value[k] + value[last - k], less = value[k] - value[last - k];
+        for (int i = 0; i < n; i++) up[i] += sum * same[k][i];
+        for (int i = 0; i < n; i++) down[i] += less * other[k][i];
     }
     for (int i = 0; i < n; i++) {
-        m[i] /= below[i];
-        t[i] /= below[i];
-        if (!(t[i] > 0 && m[i] > 0)) return 0;
-        g[node_between(nodes, i)] = sqrt(0.5 * m[i] / t[i]);
+        left[i] = up[i] + down[i];
+        right[i] = up[i] - down[i];
     }
-    return 1;
 }
 
-/* The coefficients of g from its values at `n` + 1 nodes, as many as matter; how far the highest stand off.  Nodes at both
- * sides of the middle share their cosines. */
-static inline double transform(pm_path *p, const double *g, const int n)
+/* g where mass and T are these; NAN if one of them is not positive. */
+static inline double slow(double mass, double kinetic)
 {
-    const int even = n / 2 + 1, every = FINE / n;
-    const double *const middle = p->table.cosine[FINE / 2];
-    double up[FINE / 2 + 1], down[FINE / 2], greatest = 0; /* sums of even and of odd ones */
-    for (int k = 0; k < even; k++) up[k] = g[n / 2] * middle[k];
-    for (int k = 0; k < n / 2; k++) down[k] = g[n / 2] * middle[EVEN + k];
-    for (int j = 0; j < n / 2; j++) {
-        const double half = j == 0 ? 0.5 : 1, *cosine = p->table.cosine[j * every];
-        const double same = half * (g[n - j] + g[j]), other = half * (g[n - j] - g[j]);
-        for (int k = 0; k < even; k++) up[k] += same * cosine[k];
-        for (int k = 0; k < n / 2; k++) down[k] += other * cosine[EVEN + k];
+    return kinetic > 0 && mass > 0 ? sqrt(0.5 * mass / kinetic) : NAN;
+}
+
+/* g at its nodes, from the polynomials through mass and T. */
+INLINE void expand(const double *mass, const double *kinetic, const int last, const pm_pair (*same)[PAIRS],
+                   const pm_pair (*other)[PAIRS], double *g)
+{
+    const int every = FINE / last;
+    pm_pair m[2][PAIRS], t[2][PAIRS];
+    interpolate(mass, last, same, other, m[0], m[1]);
+    interpolate(kinetic, last, same, other, t[0], t[1]);
+    for (int k = 0; k <= last; k++) g[every * k] = slow(mass[k], kinetic[k]);
+    for (int i = 0; i < between(last); i++) {
+        const int k = node_between(last, i);
+        g[k] = slow(m[0][i / 2][i % 2], t[0][i / 2][i % 2]);
+        g[FINE - k] = slow(m[1][i / 2][i % 2], t[1][i / 2][i % 2]);
     }
+}
+
+/* The odd coefficients of values at m + 1 nodes x = cos(pi j / m), times m / 2, every `step`-th of `sum`; what is left are
+ * the even ones, those of m / 2 + 1 values. */
+INLINE void take_odd(const pm_clock_table *table, double *value, const int m, int step, double *sum)
+{
+    const int half = m / 2, n = (half + 1) / 2;
+    pm_pair odd[PAIRS] = {{0, 0}};
+    for (int j = 0; j < half; j++) {
+        const double less = (j == 0 ? 0.5 : 1) * (value[j] - value[m - j]);
+        for (int k = 0; k < n; k++) odd[k] += less * table->cosine[j * (FINE / m)][k];
+        value[j] += value[m - j];
+    }
+    value[half] *= 2;
+    for (int k = 0; k < half; k++) sum[(2 * k + 1) * step] = odd[k / 2][k % 2];
+}
+
+/* The coefficients of g from its values at n + 1 nodes, as many as matter; how far the highest stand off. */
+INLINE double transform(pm_path *p, const double *g, const int n)
+{
+    double value[PM_NODES_CLOCK], sum[PM_NODES_CLOCK], greatest = 0;
+    for (int k = 0; k <= n; k++) value[k] = g[n - k];
+    /* one after the other, so that each has numbers that the compiler knows */
+    if (n == FINE) take_odd(&p->table, value, FINE, 1, sum);
+    if (n >= MANY) take_odd(&p->table, value, MANY, n / MANY, sum);
+    take_odd(&p->table, value, FEW, n / FEW, sum);
+    take_odd(&p->table, value, 4, n / 4, sum);
+    take_odd(&p->table, value, 2, n / 2, sum);
+    sum[0] = 0.5 * (value[0] + value[1]);
+    sum[n] = 0.5 * (value[0] - value[1]);
     for (int k = 0; k <= n; k++) {
-        p->series[k] = (k == 0 || k == n ? 1.0 : 2.0) / n * (k % 2 ? down[k / 2] : up[k / 2]);
+        p->series[k] = (k == 0 || k == n ? 1.0 : 2.0) / n * sum[k];
         greatest = pm_greater(fabs(p->series[k]), greatest);
     }
     const double tail = pm_greater(fabs(p->series[n]), fabs(p->series[n - 1])) / greatest;
@@ -135,10 +173,7 @@ static int set_by_nodes(pm_path *p, const double *mass, const double *kinetic, d
 {
     const int last = p->nodes->n - 1;
     double g[PM_NODES_MOST];
-    for (int k = 0; k <= last; k++) {
-        if (!(kinetic[k] > 0 && mass[k] > 0)) return 0;
-        g[k] = sqrt(0.5 * mass[k] / kinetic[k]);
-    }
+    for (int k = 0; k <= last; k++) g[k] = slow(mass[k], kinetic[k]);
     const double high = last == MANY ? transform(p, g, MANY) : transform(p, g, FEW);
     if (!(FEWER * high <= most)) return 0;
     p->tail = OPEN * high;
@@ -148,14 +183,20 @@ static int set_by_nodes(pm_path *p, const double *mass, const double *kinetic, d
 /* The fine nodes, by the polynomials through mass and T.  How far the highest coefficients of all stand off. */
 static double set_by_fine(pm_path *p, const double *mass, const double *kinetic)
 {
+    const pm_clock_table *table = &p->table;
     double g[PM_NODES_CLOCK], least = INFINITY, greatest = 0;
+    if (p->nodes->n - 1 == MANY)
+        expand(mass, kinetic, MANY, table->same_17, table->other_17, g);
+    else
+        expand(mass, kinetic, FEW, table->same_9, table->other_9, g);
     for (int k = 0; k < p->nodes->n; k++) {
         least = pm_less(kinetic[k], least);
         greatest = pm_greater(kinetic[k], greatest);
     }
-    if (!(least > 0) || !expand(p, mass, kinetic, g)) return INFINITY;
+    const double high = transform(p, g, FINE);
+    if (!(least > 0) || isnan(high)) return INFINITY;
     return fmax(fmax(pm_series_tail(p->nodes, mass), pm_series_tail(p->nodes, kinetic) * greatest / least),
-                transform(p, g, FINE));
+                high);
 }
 
 int pm_clock_set(pm_path *p, int clock, double most)
