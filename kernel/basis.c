@@ -55,7 +55,7 @@ static int orthonormalise(pm_workspace *w, int n, pm_basis_rest *rest)
 int pm_basis_add_dense(pm_workspace *w, int n, const double *x, pm_basis_rest *rest)
 {
     double *row = w->basis + (size_t)n * (size_t)w->model->nq;
-    for (int i = 0; i < w->model->nq; i++) row[i] = x[i] * sqrt(w->inverse_mass[i]);
+    for (int i = 0; i < w->model->nq; i++) row[i] = x[i] * w->inverse_root[i];
     w->basis_range[2 * n] = 0;
     w->basis_range[2 * n + 1] = w->model->nq;
     return orthonormalise(w, n, rest);
@@ -73,8 +73,7 @@ int pm_basis_add(pm_workspace *w, int n, const double j[6], const int body[2], p
         if (body[p] == ground) continue;
         if (3 * body[p] < range[0]) range[0] = 3 * body[p];
         if (3 * body[p] + 3 > range[1]) range[1] = 3 * body[p] + 3;
-        for (int k = 0; k < 3; k++)
-            row[3 * body[p] + k] += j[3 * p + k] * sqrt(w->inverse_mass[3 * body[p] + k]);
+        for (int k = 0; k < 3; k++) row[3 * body[p] + k] += j[3 * p + k] * w->inverse_root[3 * body[p] + k];
     }
     return orthonormalise(w, n, rest);
 }

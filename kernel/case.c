@@ -196,6 +196,7 @@ static int set_stand_ins(pm_workspace *w)
         w->stand_in[i] = none ? STAND_IN * least * (i % 3 == 2 ? w->size * w->size : 1) : 0;
         if (none) w->inverse_mass[i] = 1 / w->stand_in[i];
         w->massless |= none;
+        w->inverse_root[i] = sqrt(w->inverse_mass[i]);
     }
     return PM_OK;
 }

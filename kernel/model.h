@@ -217,6 +217,7 @@ typedef struct pm_workspace {
     double *wanted;       /* [nrow] rates that a response is to have: see saddle.h */
     double *previous;     /* [nq] */
     double *inverse_mass; /* [nq] inverse of the diagonal of M; 0: held (a particle's angle) */
+    double *inverse_root; /* [nq] its square root */
     double gravity[2];
     pm_spin spin;
     double size;      /* length scale of the scene, m */

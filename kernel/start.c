@@ -141,7 +141,7 @@ static int meet(const pm_workspace *w, pm_solution *s, int n, const pm_basis_res
     const double *e = w->basis + (size_t)s->n * (size_t)w->model->nq,
                  component = *miss / (rest->left * rest->norm);
     const int *range = w->basis_range + 2 * s->n;
-    for (int i = range[0]; i < range[1]; i++) s->x[i] += component * e[i] * sqrt(w->inverse_mass[i]);
+    for (int i = range[0]; i < range[1]; i++) s->x[i] += component * e[i] * w->inverse_root[i];
     s->n = n;
     *miss = 0;
     return 1;

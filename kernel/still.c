@@ -177,7 +177,7 @@ static void add_row(const pm_workspace *w, pm_group *g, const pm_row *row)
     for (int side = 0; side < 2; side++) {
         const int at = place_in(g, row->body[side]);
         for (int k = 0; k < 3 && at != PM_NONE; k++)
-            x[3 * at + k] += row->j[3 * side + k] * sqrt(w->inverse_mass[3 * row->body[side] + k]);
+            x[3 * at + k] += row->j[3 * side + k] * w->inverse_root[3 * row->body[side] + k];
     }
     for (int c = 0; c < wide; c++) all += x[c] * x[c];
     for (int b = 0; b < 2 * g->rank; b++) {
@@ -336,7 +336,7 @@ static void stop(pm_workspace *w)
     pm_recall_drop_factors(w); /* they are of other masses */
     for (int i = 0; i < w->model->nq; i++) {
         if (w->still->body[i / 3]) {
-            w->inverse_mass[i] = w->stand_in[i] = 0;
+            w->inverse_mass[i] = w->inverse_root[i] = w->stand_in[i] = 0;
             w->state.v[i] = w->start.v[i] = w->frame.a[i] = w->frame.velocity[i] = 0;
         }
         w->massless |= w->stand_in[i] > 0;

@@ -89,6 +89,7 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
         PART(w->number, m->fold->nnumber),
         PART(w->mass, m->nbody),
         PART(w->inverse_mass, nq),
+        PART(w->inverse_root, nq),
         PART(w->stand_in, nq),
         PART(w->previous, nq),
         PART(w->hang, m->nbody + 1),
