@@ -67,7 +67,6 @@ static int is_settled(pm_workspace *w)
 static int settle(pm_workspace *w)
 {
     int jumped, status;
-    if (is_settled(w)) return PM_OK;
     if ((status = pm_jump(w, &jumped)) || (status = pm_mode_settle(w))) return status;
     pm_mode_mark(w);
     pm_trigger_look_after(w);
@@ -149,6 +148,10 @@ static int act(pm_workspace *w, int *ended)
 {
     *ended = 0;
     pm_decision_instant(w);
+    if (is_settled(w)) {
+        pm_ask_look_before(w);
+        return PM_OK;
+    }
     int status = look_before(w);
     if (!status) status = blow(w);
     for (int i = 1; !status && !*ended && pm_jump_goes_on(w); i++) {
