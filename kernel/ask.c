@@ -41,7 +41,7 @@ int pm_ask_create(pm_workspace *w)
     a->before = a->bound + nask;
     a->filled = a->undefined + nask;
     a->sound = a->filled + nout;
-    a->level = a->instant_level = a->fired_level = a->end_level = PM_LEVEL_KINEMATIC;
+    a->level = a->instant_level = a->fired_level = PM_LEVEL_KINEMATIC;
     for (int i = 0; i < w->model->nask; i++) {
         const int32_t *e = PM_ASK_ROW(w->model, i);
         const int watches = e[PM_ASK_KIND] >= PM_ASK_MAX && e[PM_ASK_KIND] <= PM_ASK_GRID;
@@ -52,7 +52,6 @@ int pm_ask_create(pm_workspace *w)
             raise_to(&a->instant_level, level);
             if (watches) raise_to(&a->level, level);
             if (e[PM_ASK_EVENT_INDEX] != PM_NONE) raise_to(&a->fired_level, level);
-            if (e[PM_ASK_KIND] == PM_ASK_END || e[PM_ASK_KIND] == PM_ASK_GRID) raise_to(&a->end_level, level);
         }
     }
     return PM_OK;

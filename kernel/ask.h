@@ -10,7 +10,6 @@ typedef struct pm_ask_set {
     int level;         /* highest level that they need */
     int instant_level; /* highest level that any ask needs */
     int fired_level;   /* that those need which events answer */
-    int end_level;     /* that those need which the end answers */
     double *sample;    /* [nask][PM_NODES_MOST] watched values in a step */
     double *best;      /* [nask] extreme so far, NaN before the first value */
     double *bound;     /* [nask] what it cannot exceed (minima: their negatives); untold ones count, too */

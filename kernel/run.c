@@ -127,8 +127,9 @@ static int phase(pm_workspace *w, int *ended)
     pm_nudge_end(w);
     if ((status = pm_phases_add(w))) return status;
     if ((status = pm_event_advance(w, ended)) || !*ended) return status;
-    pm_frame_look_state(w, &w->state); /* the end came inside a step */
-    return w->ask->end_level == PM_LEVEL_DYNAMIC ? pm_saddle_accelerate(w) : PM_OK;
+    /* the end came inside a step: what is asked there may need accelerations, and it may be a singular place */
+    pm_frame_look_state(w, &w->state);
+    return pm_saddle_accelerate(w);
 }
 
 /* A path that cannot be followed (it approaches an equilibrium for ever, its rows are singular) is left to the next

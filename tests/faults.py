@@ -58,7 +58,6 @@ FAULTS = [
     Fault("joint: rows are those of no case", "case.c", "pm_joint_compose(w);", ";"),
     Fault("still: no case is searched", "still.c", "x->possible = x->n > 0;", "x->possible = 0;"),
     Fault("event: a mark at a step's end comes again", "event.c", "hold_hits(w, w->step_end);", ";"),
-    Fault("ask: the end does not solve", "ask.c", "raise_to(&a->end_level, level);", ";"),
     Fault("ask: marks do not solve", "ask.c", "raise_to(&a->fired_level, level);", ";"),
     Fault("instant: contacts stay as they were", "instant.c", "m->nslot == 0 || contacts_stay(w)", "1"),
     Fault("event: a turn is passed as a mark", "event.c", "!due && !w->turns &&", "!due &&"),
