@@ -18,6 +18,7 @@
 #include "ask.h"
 #include "crossing.h"
 #include "error.h"
+#include "pair.h"
 #include "root.h"
 #include "route.h"
 #include "series.h"
@@ -74,9 +75,6 @@ typedef struct pm_rise {
     double untold;      /* and may be so much more */
 } pm_rise;
 
-typedef double pm_pair __attribute__((vector_size(2 * sizeof(double))));
-
-static inline double sum(pm_pair x) { return x[0] + x[1]; }
 static inline double greater(double a, double b) { return a > b ? a : b; }
 static inline double less(double a, double b) { return a < b ? a : b; }
 
@@ -159,10 +157,10 @@ static pm_told tell(const pm_nodes *nodes, const double *g, int k, double s)
         d2 += c2;
         weight[0] = 1;
     }
-    const double below = sum(d0), first = sum(d1);
-    pm_told x = {.s = s, .value = sum(n0) / below, .pull = first / below, .w = 2 * last / below};
-    x.slope = (x.value * first - sum(n1)) / below;
-    x.bend = 2 * (sum(n2) + x.slope * first - x.value * sum(d2)) / below;
+    const double below = pm_pair_sum(d0), first = pm_pair_sum(d1);
+    pm_told x = {.s = s, .value = pm_pair_sum(n0) / below, .pull = first / below, .w = 2 * last / below};
+    x.slope = (x.value * first - pm_pair_sum(n1)) / below;
+    x.bend = 2 * (pm_pair_sum(n2) + x.slope * first - x.value * pm_pair_sum(d2)) / below;
     x.value += from;
     return x;
 }

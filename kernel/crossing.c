@@ -31,6 +31,7 @@
 #define UNTOLD 10.0    /* times these: how far it may be from the polynomial */
 #define PASSES 1e-5    /* of the scene's size: two points farther apart where they are nearest do not meet */
 #define ROUNDING 1e-15 /* of the step */
+#define TOLD 1e-14     /* the same of the polynomial through samples that tell a function to rounding */
 #define OFF 1e-9       /* of a function's values next to its zero: not on it */
 #define HALVINGS 30    /* of a step, to find the top of a short bounce */
 #define LEAVING \
@@ -172,14 +173,14 @@ static double along(pm_workspace *w, double x, void *context)
     return pm_event_value(w, f);
 }
 
-/* The samples of a function in the step. */
-typedef struct pm_samples {
+/* The course of a function in the step. */
+typedef struct pm_course {
     double g[PM_NODES_MOST];
     double biggest, low, high; /* of their sizes; of them */
     int n;
-} pm_samples;
+} pm_course;
 
-static void take_samples(const pm_workspace *w, int i, pm_samples *x)
+static void take_samples(const pm_workspace *w, int i, pm_course *x)
 {
     const pm_event_set *e = w->event;
     const double *value = e->value + i;
@@ -194,22 +195,27 @@ static void take_samples(const pm_workspace *w, int i, pm_samples *x)
     x->biggest = x->high > -x->low ? x->high : -x->low;
 }
 
-/* How far the samples of function i do not tell it. */
-static double tail_of(const pm_workspace *w, int i)
+/* How far the samples x of function i do not tell it. */
+static double tail_of(const pm_workspace *w, int i, const pm_course *x)
 {
     pm_event_function *f = &w->event->function[i];
     if (!pm_nodes_spectral(w->nodes)) return INFINITY;
     if (f->tail < 0) {
-        pm_samples x;
-        take_samples(w, i, &x);
-        f->tail = pm_series_tail(w->nodes, x.g);
-        f->biggest = x.biggest;
+        f->tail = pm_series_tail(w->nodes, x->g);
+        f->biggest = x->biggest;
     }
     return f->tail;
 }
 
 /* The nodes of a spectral route resolve the function, unless it has a corner (the nearest of several members). */
-int pm_crossing_resolves(const pm_workspace *w, int i) { return tail_of(w, i) < RESOLVED; }
+int pm_crossing_resolves(const pm_workspace *w, int i)
+{
+    const pm_event_function *f = &w->event->function[i];
+    if (f->tail >= 0 || !pm_nodes_spectral(w->nodes)) return f->tail >= 0 && f->tail < RESOLVED;
+    pm_course x;
+    take_samples(w, i, &x);
+    return tail_of(w, i, &x) < RESOLVED;
+}
 
 /* Sign with which a function enters the interval after a node: a held zero has none yet. */
 static int crosses(const pm_event_function *f, double a, double b)
@@ -317,12 +323,12 @@ static int leaves_and_returns(pm_workspace *w, const pm_event_function *f, doubl
 
 /* A trigger that was on zero at a: where it has definitely left tells its side; it may have come back before b.  The
  * samples tell that where they resolve it, as far as it is beyond their error. */
-static int leaves_and_crosses(pm_workspace *w, int i, const pm_samples *of, double a, double b, double gb,
+static int leaves_and_crosses(pm_workspace *w, int i, const pm_course *of, double a, double b, double gb,
                               double noise, pm_span *x)
 {
     pm_event_function *f = &w->event->function[i];
     const double begin = w->step_begin, h = w->step_end - begin;
-    const int resolved = pm_crossing_resolves(w, i);
+    const int resolved = tail_of(w, i, of) < RESOLVED;
     for (int k = LEAVING; k > 0; k--) {
         const double place = a + ldexp(b - a, -k);
         if (place <= a) continue;
@@ -337,18 +343,18 @@ static int leaves_and_crosses(pm_workspace *w, int i, const pm_samples *of, doub
 
 /* All samples are on one side: where the function may not cross from there, or where it stays so far from zero that no
  * parabola of three nodes (of which one interval is at most three times the other) comes near to it. */
-static int stays_away(const pm_event_function *f, const pm_samples *x)
+static int stays_away(const pm_event_function *f, const pm_course *x)
 {
     const double least = x->low > 0 ? x->low : -x->high;
     return least > (may_cross(f, x->low > 0 ? 1 : -1) ? FAR * x->biggest : 0);
 }
 
-/* A dip between two nodes shows at one of them, unless the function is not smooth: it is lower there than beside it, or
- * at an end of the step. */
-static int is_low(const pm_samples *x, int k)
+/* A dip between node k and the next shows at one of them, unless the function is not smooth: it is lower there than beside
+ * it, or at an end of the step. */
+static int shows_dip(const pm_course *x, int k)
 {
-    const double *g = x->g, here = fabs(g[k]);
-    return !(k > 0 && here > fabs(g[k - 1])) && !(k + 1 < x->n && here > fabs(g[k + 1]));
+    const double *g = x->g, a = fabs(g[k]), b = fabs(g[k + 1]);
+    return b < a ? k + 2 >= x->n || !(fabs(g[k + 2]) < b) : k == 0 || !(fabs(g[k - 1]) < a);
 }
 
 /* The first bracket of function i in the step after `from`, if any. */
@@ -358,7 +364,7 @@ static int bracket(pm_workspace *w, int i, double from, pm_span *x)
     pm_event_function *f = &e->function[i];
     const int n = w->nodes->n;
     const double *place = e->place;
-    pm_samples of;
+    pm_course of;
     take_samples(w, i, &of);
     double *g = of.g, biggest = of.biggest;
     int first = 0;
@@ -384,16 +390,16 @@ static int bracket(pm_workspace *w, int i, double from, pm_span *x)
         return 1;
     }
     if (stays_away(f, &of)) return 0;
+    const double close = NEAR * biggest;
     for (int k = first; k + 1 < n; k++) {
+        const int near = fabs(g[k]) < close || fabs(g[k + 1]) < close, dip = shows_dip(&of, k);
+        if (g[k] * g[k + 1] > 0 && !dip && !(near && tail_of(w, i, &of) >= SMOOTH)) continue;
         double where, value;
         if (crosses(f, g[k], g[k + 1])) {
             *x = (pm_span){place[k], place[k + 1], g[k], g[k + 1]};
             return 1;
         }
-        const int near = fabs(g[k]) < NEAR * biggest || fabs(g[k + 1]) < NEAR * biggest;
-        const int shows = is_low(&of, k) || is_low(&of, k + 1);
-        const int turned =
-            near && (shows || tail_of(w, i) >= SMOOTH) && turns(w, f, g, k, place + k, &where, &value);
+        const int turned = near && turns(w, f, g, k, place + k, &where, &value);
         if ((turned || (k + 2 < n && dips(w, f, g + k, biggest, place + k, &where, &value))) &&
             where > from) {
             *x = (pm_span){place[k], where, g[k], value};
@@ -419,7 +425,7 @@ static double slope_of_samples(const pm_workspace *w, int i, double place)
 {
     const double h = w->step_end - w->step_begin;
     double here;
-    pm_samples x;
+    pm_course x;
     take_samples(w, i, &x);
     return pm_series_slope(w->nodes, x.g, (place - w->step_begin) / h, &here) / h;
 }
@@ -464,7 +470,7 @@ static int root_of_samples(pm_workspace *w, int i, const pm_span *x, double *pla
 {
     const double begin = w->step_begin, h = w->step_end - begin;
     double s;
-    pm_samples of;
+    pm_course of;
     take_samples(w, i, &of);
     const int status =
         pm_series_root(w, w->nodes, of.g, (x->a - begin) / h, x->ga, (x->b - begin) / h, x->gb, &s);
@@ -496,6 +502,14 @@ static int step_onto(pm_workspace *w, int i, double slope, double size, double *
     return isnan(value) ? PM_SOLVER : PM_OK;
 }
 
+/* The samples tell where a trigger is zero as well as any look would.  (What closes a gap is met to the last bit.) */
+static int is_told(const pm_workspace *w, const pm_event_function *f, double slope)
+{
+    const double h = w->step_end - w->step_begin;
+    return f->kind == FUNCTION_TRIGGER && w->route->look &&
+           UNTOLD * f->tail * f->biggest <= TOLD * fabs(slope * h);
+}
+
 /* A function with a corner is no polynomial: where the polished place is not on its zero it is looked for once more. */
 static int polish(pm_workspace *w, int i, const pm_span *x, double slope, double *first, double *taken)
 {
@@ -503,7 +517,8 @@ static int polish(pm_workspace *w, int i, const pm_span *x, double slope, double
     const int spectral = !isnan(slope);
     const double size = fmax(fabs(x->ga), fabs(x->gb));
     double off;
-    int near = 0, status = spectral && w->route->look ? step_onto(w, i, slope, size, first, &near) : PM_OK;
+    int near = spectral && is_told(w, f, slope), status = PM_OK;
+    if (spectral && w->route->look && !near) status = step_onto(w, i, slope, size, first, &near);
     if (near) {
         *taken = *first;
         return status ? status : w->route->exact(w, *first, &w->probe);
@@ -575,6 +590,7 @@ int pm_crossing_first(pm_workspace *w, double from, double *first, double *taken
     }
     if (earliest == PM_NONE || *first <= w->step_begin) return PM_OK;
     const int at_end = *first >= w->step_end && of_first.gb == 0; /* exactly there: nothing to polish */
+    if (at_end && !w->error->active) return PM_OK;
     const double slope = pm_crossing_resolves(w, earliest) ? slope_of_samples(w, earliest, *first) : NAN;
     if (!at_end || !w->turns) take_rate(w, earliest, *first, slope);
     if (at_end) return PM_OK;

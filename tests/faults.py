@@ -132,7 +132,12 @@ FAULTS = [
         "if (a->bound[ask] > best) pm_error_more",
         "if (0) pm_error_more",
     ),
-    Fault("crossing: what is near is far", "crossing.c", "may_cross(f, s) ? FAR * biggest : 0", "0"),
+    Fault(
+        "crossing: what is near is far",
+        "crossing.c",
+        "> 0 ? 1 : -1) ? FAR * x->biggest : 0",
+        "> 0 ? 1 : -1) ? 0 : 0",
+    ),
     Fault(
         "crossing: the last step goes the other way",
         "crossing.c",
@@ -790,8 +795,8 @@ FAULTS = [
     Fault(
         "event: root of samples with a corner",
         "crossing.c",
-        "return f->tail < RESOLVED",
-        "return 1",
+        "#define RESOLVED 1e-6",
+        "#define RESOLVED 1e6",
     ),
     # legs that repeat
     Fault(
@@ -1186,6 +1191,24 @@ FAULTS = [
         "crossing.c",
         "const int turned = near &&",
         "const int turned = 0 &&",
+    ),
+    Fault(
+        "missed root: dips do not show at nodes",
+        "crossing.c",
+        "return b < a ? k + 2",
+        "return 0 && b < a ? k + 2",
+    ),
+    Fault(
+        "missed root: leaves its zero on the other side",
+        "crossing.c",
+        "resolved ? pm_series_value(",
+        "resolved ? -pm_series_value(",
+    ),
+    Fault(
+        "event: where samples tell it roughly is exact",
+        "crossing.c",
+        "UNTOLD * f->tail * f->biggest <= TOLD * fabs(slope * h)",
+        "UNTOLD * f->tail * f->biggest <= 1e8 * TOLD * fabs(slope * h)",
     ),
     Fault(
         "missed root: comes back to a held zero at once", "crossing.c", "return crosses(f, g, gb)", "return 0"
