@@ -214,12 +214,15 @@ int pm_ask_keeps_samples(const pm_workspace *w)
 /* The end of a step that was shortened is no node. */
 static int offer_end(pm_workspace *w)
 {
-    pm_frame_look_state(w, &w->state);
-    const int status = w->ask->level == PM_LEVEL_DYNAMIC ? pm_saddle_accelerate(w) : PM_OK;
-    for (int i = 0; i < w->ask->nobserver && !status; i++) {
-        const int32_t *e = PM_ASK_ROW(w->model, w->ask->observer[i]);
-        if (e[PM_ASK_KIND] != PM_ASK_GRID)
-            pm_ask_offer(w, w->ask->observer[i], pm_ask_run(w, w->ask->observer[i]), 0);
+    int counts = 0;
+    for (int i = 0; i < w->ask->nobserver && !counts; i++)
+        counts = PM_ASK_ROW(w->model, w->ask->observer[i])[PM_ASK_KIND] != PM_ASK_GRID &&
+                 pm_ask_end_counts(w, w->ask->observer[i]);
+    const int status = counts ? pm_ask_look(w, w->step_end, 1) : PM_OK;
+    for (int i = 0; i < w->ask->nobserver && !status && counts; i++) {
+        const int ask = w->ask->observer[i];
+        if (PM_ASK_ROW(w->model, ask)[PM_ASK_KIND] != PM_ASK_GRID)
+            pm_ask_offer(w, ask, pm_ask_run(w, ask), 0);
     }
     return status;
 }

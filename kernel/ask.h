@@ -49,6 +49,8 @@ static inline int pm_ask_at_extreme(const int32_t *e)
 }
 /* The extremes of the watched value in the last step, all of whose nodes are sampled. */
 int pm_ask_extreme(pm_workspace *w, int ask);
+/* Whether the value at the end of a step that was shortened may be better than the best so far. */
+int pm_ask_end_counts(pm_workspace *w, int ask);
 /* The program that an ask watches, and its value at the frame. */
 int pm_ask_program(const int32_t *e);
 double pm_ask_run(pm_workspace *w, int ask);

@@ -33,6 +33,7 @@
 #define PEAK_STEPS 6   /* of Newton's method to an extreme */
 #define SLOPE_TAIL 2.0 /* times the degree and the highest coefficients: error of a polynomial's slope */
 #define END_TAIL 4.0   /* the same at the ends of the step */
+#define WIDE 3.0       /* as much may rise what the nodes do not tell */
 #define NEAR 0.3       /* of a bend: so much it changes over this part of 1 / n^2 of the step, at the most */
 #define LOOKS 6        /* that are taken in as nodes */
 #define BESIDE 3e-6    /* of the step: nearer to each other two nodes tell no slope */
@@ -371,15 +372,26 @@ static double vertex(const pm_nodes *nodes, const pm_peak *p, int k)
 }
 
 /* Extremes are beside nodes that are better than both nodes next to them: a wave that none shows would not be resolved.
- * They rise above them by less than those fall off. */
+ * They rise above them by less than those fall off.  The first such node from k on that may beat the best, by `wide` times
+ * as much, and is not beyond the end of the step; or n. */
+static int next_top(const pm_nodes *nodes, const pm_peak *p, int k, double wide)
+{
+    const double *g = p->g;
+    const int n = nodes->n;
+    for (; k < n; k++) {
+        const double here = g[k], before = k > 0 ? g[k - 1] : g[1], after = k + 1 < n ? g[k + 1] : g[n - 2];
+        if (!(here > before && here >= after)) continue;
+        if (here + wide * (here - less(before, after)) > p->best && (k == 0 || nodes->at[k - 1] < p->end))
+            return k;
+    }
+    return n;
+}
+
 static int extremes_of_samples(pm_workspace *w, pm_peak *p)
 {
-    const int n = w->nodes->n;
-    for (int k = 0; k < n; k++) {
-        const double here = p->g[k], before = k > 0 ? p->g[k - 1] : p->g[1],
-                     after = k + 1 < n ? p->g[k + 1] : p->g[n - 2];
-        if (!(here > before && here >= after) || here + (here - less(before, after)) <= p->best) continue;
-        const double s = vertex(w->nodes, p, k);
+    const pm_nodes *nodes = w->nodes;
+    for (int k = 0; (k = next_top(nodes, p, k, 1)) < nodes->n; k++) {
+        const double s = vertex(nodes, p, k);
         if (isnan(s)) continue;
         const int status = extreme_near(w, p, k, s);
         if (status) return status;
@@ -416,19 +428,15 @@ static int offer_node(pm_workspace *w, const pm_peak *p, int top)
     return status;
 }
 
-/* Extremes between nodes that are better than any node. */
-static int extreme_between_nodes(pm_workspace *w, pm_peak *p, double least)
+/* Extremes between nodes that are better than any node; `spread` of the nodes, of which one, `top`, is the best. */
+static int extreme_between_nodes(pm_workspace *w, pm_peak *p, int top, double spread)
 {
     const pm_nodes *nodes = w->nodes;
-    double spread = 0;
-    int top = 0;
-    for (int k = 1; k < nodes->n; k++)
-        if (p->g[k] > p->g[top]) top = k;
-    spread = p->g[top] - least;
     /* an extreme between the nodes exceeds them by no more than their spread */
     if (spread <= LEVEL * p->size || p->g[top] + spread < p->best) return PM_OK;
     p->tail = INFINITY;
     if (pm_nodes_spectral(nodes) && !pm_ask_at_extreme(PM_ASK_ROW(w->model, p->ask))) {
+        if (next_top(nodes, p, 0, WIDE) == nodes->n) return PM_OK;
         p->tail = pm_series_tail(nodes, p->g);
         p->slope_error = SLOPE_TAIL * nodes->n * p->tail * p->size;
         p->nothing = greater(NOTHING, SHARE * w->tolerance) * p->size;
@@ -441,26 +449,52 @@ static int extreme_between_nodes(pm_workspace *w, pm_peak *p, double least)
     return PM_OK;
 }
 
+/* How many nodes are not beyond the end of the step, which may have been shortened. */
+static int nodes_inside(const pm_workspace *w)
+{
+    int n = w->nodes->n;
+    while (w->step_end < w->sampled_end && n > 1 && pm_crossing_node(w, n - 1) > w->step_end) n--;
+    return n;
+}
+
 int pm_ask_extreme(pm_workspace *w, int ask)
 {
     const double *sample = w->ask->sample + ask * PM_NODES_MOST;
     pm_peak p = {.ask = ask, .sign = pm_ask_greatest(PM_ASK_ROW(w->model, ask)) ? 1 : -1};
+    const int inside = nodes_inside(w);
     double least = INFINITY;
-    int top = 0;
+    int top = 0, top_inside = 0;
     for (int k = 0; k < w->nodes->n; k++) {
-        p.g[k] = p.sign * sample[k];
-        if (isnan(p.g[k])) {
+        const double g = p.g[k] = p.sign * sample[k];
+        if (isnan(g)) {
             w->ask->undefined[ask] = 1;
             return PM_OK;
         }
-        if (p.g[k] < least) least = p.g[k];
-        if (fabs(p.g[k]) > p.size) p.size = fabs(p.g[k]);
-        if (p.g[k] > p.g[top] && (w->step_end == w->sampled_end || pm_crossing_node(w, k) <= w->step_end))
-            top = k;
+        if (g < least) least = g;
+        if (g > p.g[top]) top = k;
+        if (k < inside) top_inside = top;
     }
+    p.size = greater(fabs(least), fabs(p.g[top]));
     p.end = (w->step_end - w->step_begin) / (w->sampled_end - w->step_begin);
     const double best = p.sign * w->ask->best[ask];
-    p.best = best > p.g[top] ? best : p.g[top];
-    const int status = extreme_between_nodes(w, &p, least);
-    return status ? status : offer_node(w, &p, top);
+    p.best = best > p.g[top_inside] ? best : p.g[top_inside];
+    const int status = extreme_between_nodes(w, &p, top, p.g[top] - least);
+    return status ? status : offer_node(w, &p, top_inside);
+}
+
+int pm_ask_end_counts(pm_workspace *w, int ask)
+{
+    const double *value = w->ask->sample + ask * PM_NODES_MOST;
+    const double sign = pm_ask_greatest(PM_ASK_ROW(w->model, ask)) ? 1 : -1;
+    const int inside = nodes_inside(w), from = inside > 1 ? inside - 2 : 0;
+    double best = sign * w->ask->best[ask], low = INFINITY, high = -INFINITY;
+    for (int k = 0; k < inside; k++)
+        if (!(sign * value[k] <= best)) best = sign * value[k];
+    for (int k = from; k < w->nodes->n && k <= inside + 1; k++) {
+        low = less(low, sign * value[k]);
+        high = greater(high, sign * value[k]);
+    }
+    const double next =
+        greater(sign * value[inside - 1], inside < w->nodes->n ? sign * value[inside] : -INFINITY);
+    return !(next + (high - low) <= best);
 }

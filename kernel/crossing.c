@@ -465,16 +465,34 @@ static void take_rate(pm_workspace *w, int function, double x, double slope)
     pm_decision_rate(w, function, isnan(slope) ? (along(w, x + d, f) - along(w, x - d, f)) / (2 * d) : slope);
 }
 
-/* Where the polynomial through the samples has its root. */
+/* The polynomial through the samples, and its slope where it was read last. */
+typedef struct pm_polynomial {
+    const pm_nodes *nodes;
+    const double *g;
+    double slope;
+} pm_polynomial;
+
+static double polynomial_at(pm_workspace *w, double s, void *context, double *slope)
+{
+    pm_polynomial *p = context;
+    double here;
+    (void)w;
+    *slope = p->slope = pm_series_slope(p->nodes, p->g, s, &here);
+    return here;
+}
+
+/* Where it has its root, and its slope there. */
 static int root_of_samples(pm_workspace *w, int i, const pm_span *x, double *place)
 {
     const double begin = w->step_begin, h = w->step_end - begin;
     double s;
     pm_course of;
     take_samples(w, i, &of);
+    pm_polynomial p = {w->nodes, of.g, NAN};
     const int status =
-        pm_series_root(w, w->nodes, of.g, (x->a - begin) / h, x->ga, (x->b - begin) / h, x->gb, &s);
+        pm_root_newton(w, polynomial_at, &p, (x->a - begin) / h, x->ga, (x->b - begin) / h, x->gb, &s);
     *place = begin + s * h;
+    w->event->function[i].slope = p.slope / h;
     return status;
 }
 
@@ -482,6 +500,7 @@ static int root_in(pm_workspace *w, int i, const pm_span *x, double *place)
 {
     pm_event_set *e = w->event;
     *place = x->a;
+    e->function[i].slope = NAN;
     if (!(x->b > x->a)) return PM_OK;
     if (!pm_crossing_resolves(w, i)) sample_member(w, i, x->b);
     if (pm_crossing_resolves(w, i)) return root_of_samples(w, i, x, place);
@@ -591,7 +610,9 @@ int pm_crossing_first(pm_workspace *w, double from, double *first, double *taken
     if (earliest == PM_NONE || *first <= w->step_begin) return PM_OK;
     const int at_end = *first >= w->step_end && of_first.gb == 0; /* exactly there: nothing to polish */
     if (at_end && !w->error->active) return PM_OK;
-    const double slope = pm_crossing_resolves(w, earliest) ? slope_of_samples(w, earliest, *first) : NAN;
+    double slope = NAN;
+    if (pm_crossing_resolves(w, earliest)) slope = e->function[earliest].slope;
+    if (pm_crossing_resolves(w, earliest) && isnan(slope)) slope = slope_of_samples(w, earliest, *first);
     if (!at_end || !w->turns) take_rate(w, earliest, *first, slope);
     if (at_end) return PM_OK;
     return polish(w, earliest, &of_first, slope, first, taken);

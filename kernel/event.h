@@ -54,6 +54,7 @@ typedef struct pm_event_function {
     int search; /* enum pm_zero_search: it holds until the function has fired, or another step is sampled */
     pm_span bracket; /* of its next zero */
     double found;    /* where that is */
+    double slope;    /* of its samples there; NaN: not known */
     double tail;     /* of its samples (series.h); negative: not known yet */
     double biggest;  /* of their sizes, where the tail is known */
 } pm_event_function;

@@ -104,8 +104,8 @@ FAULTS = [
     Fault(
         "ask: an extreme between nodes is none",
         "ask_extreme.c",
-        "p.best = best > p.g[top] ? best : p.g[top];",
-        "p.best = best > p.g[top] ? best : p.g[top] + fabs(p.g[top]);",
+        "p.best = best > p.g[top_inside] ? best : p.g[top_inside];",
+        "p.best = best > p.g[top_inside] ? best : p.g[top_inside] + fabs(p.g[top_inside]);",
     ),
     Fault(
         "ask: a look tells a slope of the other sign",
@@ -125,6 +125,12 @@ FAULTS = [
         "ask_extreme.c",
         "if (n * n * fabs(x->s - w->nodes->at[k]) > NEAR)",
         "if (0)",
+    ),
+    Fault(
+        "ask: the end of a step that was shortened is as good as none",
+        "ask_extreme.c",
+        "return !(next + (high - low) <= best);",
+        "return 0;",
     ),
     Fault(
         "ask: what is untold is no error",
@@ -1196,7 +1202,7 @@ FAULTS = [
         "missed root: dips do not show at nodes",
         "crossing.c",
         "return b < a ? k + 2",
-        "return 0 && b < a ? k + 2",
+        "if (b >= 0) return 0; return b < a ? k + 2",
     ),
     Fault(
         "missed root: leaves its zero on the other side",
