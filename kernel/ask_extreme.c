@@ -33,6 +33,7 @@
 #define PEAK_STEPS 6   /* of Newton's method to an extreme */
 #define SLOPE_TAIL 2.0 /* times the degree and the highest coefficients: error of a polynomial's slope */
 #define END_TAIL 4.0   /* the same at the ends of the step */
+#define LIKELY 0.1     /* of the most that a slope may be off by */
 #define WIDE 3.0       /* as much may rise what the nodes do not tell */
 #define NEAR 0.3       /* of a bend: so much it changes over this part of 1 / n^2 of the step, at the most */
 #define LOOKS 6        /* that are taken in as nodes */
@@ -324,11 +325,13 @@ static int is_at_node(pm_workspace *w, const pm_peak *p, int k, const pm_told *x
 {
     const int n = w->nodes->n, at_end = k == 0 || k + 1 == n;
     if (n * n * fabs(x->s - w->nodes->at[k]) > NEAR) return 0;
-    const double steepest =
-        fabs(pm_series_slope_at(w->nodes, p->g, k)) + (at_end ? END_TAIL / SLOPE_TAIL : 1) * p->slope_error;
-    const double most = p->g[k] - (1 + NEAR) * 0.5 * steepest * steepest / x->bend;
+    const double slope = fabs(pm_series_slope_at(w->nodes, p->g, k));
+    const double error = (at_end ? END_TAIL / SLOPE_TAIL : 1) * p->slope_error;
+    const double half = -(1 + NEAR) * 0.5 / x->bend,
+                 most = p->g[k] + half * (slope + error) * (slope + error);
+    const double likely = slope + LIKELY * error;
     if (most > p->best + p->nothing) return 0;
-    leave_untold(w, p, most);
+    leave_untold(w, p, p->g[k] + half * likely * likely);
     return 1;
 }
 
