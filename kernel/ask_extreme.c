@@ -38,6 +38,7 @@
 #define NEAR 0.3       /* of a bend: so much it changes over this part of 1 / n^2 of the step, at the most */
 #define LOOKS 6        /* that are taken in as nodes */
 #define BESIDE 3e-6    /* of the step: nearer to each other two nodes tell no slope */
+#define DOUBTFUL 0.5   /* of a bend: if so much of it is not known, nothing is told by it */
 #define PART 0.3 /* of what is untold of a slope before a look there: it stays so after it, at the least */
 #define ROUNDING 4e-16 /* of the value's size: what looks scatter by */
 #define NOTHING 1e-15  /* of the value's size: so little more is rounding */
@@ -233,8 +234,9 @@ static int take_look(pm_workspace *w, const pm_peak *p, const pm_told *x, const 
     rise->place = NAN;
     if (!(bend < 0)) return PM_OK;
     rise->place = rise->s - rise->rate / bend;
-    rise->gain = -0.5 * rise->rate * rise->rate / bend;
     const double doubt = bend_error / -bend + n * n * fabs(rise->rate / bend);
+    if (doubt > DOUBTFUL) return PM_OK;
+    rise->gain = -0.5 * rise->rate * rise->rate / bend;
     rise->untold = doubt * rise->gain - error * (fabs(rise->rate) + 0.5 * error) / bend;
     return PM_OK;
 }
@@ -270,7 +272,8 @@ static int rise_to(pm_workspace *w, const pm_peak *p, int k, const pm_told *near
                 pm_ask_offer(w, p->ask, p->sign * here->value, p->sign * here->gain);
             return PM_OK;
         }
-        const int slowly = i > 0 && here->untold > SLOWLY * rise[(i + 1) % 2].untold;
+        const double before = i > 0 ? rise[(i + 1) % 2].untold : INFINITY;
+        const int slowly = before < INFINITY && here->untold > SLOWLY * before;
         if (slowly || !(here->place > low && here->place < high)) return PM_OK;
         while (k > 0 && here->place < nodes->at[k]) k--;
         while (k + 2 < nodes->n && here->place > nodes->at[k + 1]) k++;
@@ -414,8 +417,9 @@ static int extreme_beside_top(pm_workspace *w, const pm_peak *p, int k, double s
     if (p->tail < SHARP && a > 0 && b < 0) {
         const double low = nodes->at[k], high = nodes->at[k + 1];
         const pm_told x = top_of(nodes, p, k, low + (high - low) * (a / (a - b)));
-        pm_rise best;
-        const int status = x.bend < 0 ? rise_to(w, p, side_of(nodes, k, x.s), &x, &best, &found) : PM_OK;
+        pm_rise best = {.value = -INFINITY};
+        int status = x.bend < 0 ? rise_to(w, p, side_of(nodes, k, x.s), &x, &best, &found) : PM_OK;
+        if (!status && !found) status = search(w, p, &best, &found);
         if (status) return status;
     }
     return found ? PM_OK : refine(w, p, k);
@@ -445,9 +449,11 @@ static int extreme_between_nodes(pm_workspace *w, pm_peak *p, int top, double sp
         p->nothing = greater(NOTHING, SHARE * w->tolerance) * p->size;
         if (p->tail < SMOOTH) return extremes_of_samples(w, p);
     }
-    for (int k = top - 1; k <= top; k++) {
-        const int status = k < 0 || k + 1 >= nodes->n ? PM_OK : extreme_beside_top(w, p, k, spread);
+    for (int k = 0; (k = next_top(nodes, p, k, WIDE)) < nodes->n; k++) {
+        int status = k > 0 ? extreme_beside_top(w, p, k - 1, spread) : PM_OK;
+        if (!status && k + 1 < nodes->n) status = extreme_beside_top(w, p, k, spread);
         if (status) return status;
+        p->best = greater(p->best, p->sign * w->ask->best[p->ask]);
     }
     return PM_OK;
 }
