@@ -184,19 +184,15 @@ static int set_by_nodes(pm_path *p, const double *mass, const double *kinetic, d
 static double set_by_fine(pm_path *p, const double *mass, const double *kinetic)
 {
     const pm_clock_table *table = &p->table;
-    double g[PM_NODES_CLOCK], least = INFINITY, greatest = 0;
+    double g[PM_NODES_CLOCK], least = INFINITY;
     if (p->nodes->n - 1 == MANY)
         expand(mass, kinetic, MANY, table->same_17, table->other_17, g);
     else
         expand(mass, kinetic, FEW, table->same_9, table->other_9, g);
-    for (int k = 0; k < p->nodes->n; k++) {
-        least = pm_less(kinetic[k], least);
-        greatest = pm_greater(kinetic[k], greatest);
-    }
+    for (int k = 0; k < p->nodes->n; k++) least = pm_less(kinetic[k], least);
     const double high = transform(p, g, FINE);
     if (!(least > 0) || isnan(high)) return INFINITY;
-    return fmax(fmax(pm_series_tail(p->nodes, mass), pm_series_tail(p->nodes, kinetic) * greatest / least),
-                high);
+    return fmax(fmax(pm_series_tail(p->nodes, mass), pm_series_high(p->nodes, kinetic) / least), high);
 }
 
 int pm_clock_set(pm_path *p, int clock, double most)

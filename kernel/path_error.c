@@ -15,6 +15,7 @@
 #include "body.h"
 #include "error.h"
 #include "event.h"
+#include "greater.h"
 #include "grip.h"
 #include "nature.h"
 #include "path.h"
@@ -45,7 +46,7 @@ void pm_path_error_begin(pm_workspace *w, double kinetic)
 static double relative_error(const pm_path *p)
 {
     double greatest = 0;
-    for (int k = 0; k < p->nodes->n; k++) greatest = fmax(greatest, p->node[k * p->every].kinetic);
+    for (int k = 0; k < p->nodes->n; k++) greatest = pm_greater(p->node[k * p->every].kinetic, greatest);
     return greatest > 0 ? p->error / greatest : 0;
 }
 
@@ -56,8 +57,8 @@ static void step_of_clock(const pm_workspace *w, pm_path *p)
     if (p->balanced && w->model->reads_time) p->clock_error = INFINITY; /* it takes for ever to leave */
     if (p->clock == PM_CLOCK_NONE) return;
     for (int k = 0; k < p->nodes->n; k++) {
-        least = fmin(least, p->node[k * p->every].kinetic);
-        greatest = fmax(greatest, p->node[k * p->every].kinetic);
+        least = pm_less(p->node[k * p->every].kinetic, least);
+        greatest = pm_greater(p->node[k * p->every].kinetic, greatest);
     }
     const double by = p->clock == PM_CLOCK_PLAIN ? least : greatest / RESTING;
     p->clock_error += (w->state.t - p->t0) * (UNRESOLVED * p->tail + 0.5 * p->error / by);

@@ -117,9 +117,7 @@ static double kinetic_at(const pm_workspace *w, const pm_place *x, double s)
 static int work_is_better(const pm_path *p)
 {
     const double rounding = DBL_EPSILON * fmax(fabs(p->energy), fabs(p->node[0].potential));
-    double greatest = 0;
-    for (int k = 0; k < p->nodes->n; k++) greatest = pm_greater(fabs(p->force[k]), greatest);
-    return pm_series_tail(p->nodes, p->force) * greatest * p->h <= rounding;
+    return pm_series_high(p->nodes, p->force) * p->h <= rounding;
 }
 
 /* Forces and T at the nodes, whose places are known. */
@@ -130,11 +128,13 @@ static void set_kinetics(pm_workspace *w)
     double work[PM_NODES_MOST];
     for (int k = 0; k < n; k++) p->force[k] = p->sense * pm_path_node(p, k)->force;
     p->by_work = work_is_better(p);
-    if (p->by_work) pm_series_integrals(p->nodes, p->force, work);
-    for (int k = 1; k < n; k++) {
-        pm_place *x = pm_path_node(p, k);
-        x->kinetic = p->by_work ? p->node[0].kinetic + p->h * work[k] : kinetic_at(w, x, p->nodes->at[k]);
+    if (!p->by_work) {
+        for (int k = 1; k < n; k++)
+            pm_path_node(p, k)->kinetic = kinetic_at(w, pm_path_node(p, k), p->nodes->at[k]);
+        return;
     }
+    pm_series_integrals(p->nodes, p->force, work);
+    for (int k = 1; k < n; k++) pm_path_node(p, k)->kinetic = p->node[0].kinetic + p->h * work[k];
 }
 
 /* The nodes of a step of length h from node 0: every second one. */

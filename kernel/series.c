@@ -56,20 +56,24 @@ static double times(const double *weight, const double *value, int n)
 }
 
 /* Two nodes at once; their number is odd. */
-double pm_series_tail(const pm_nodes *nodes, const double *value)
+double pm_series_high(const pm_nodes *nodes, const double *value)
 {
-    const int n = nodes->n;
-    const double *one = nodes->last, *other = nodes->last + n;
-    pm_pair a = {one[n - 1] * value[n - 1], 0}, b = {other[n - 1] * value[n - 1], 0};
-    double size = fabs(value[n - 1]);
-    for (int k = 0; k < n - 1; k += 2) {
+    const int end = nodes->n - 1;
+    const double *one = nodes->last, *other = nodes->last + nodes->n;
+    pm_pair a = {one[end] * value[end], 0}, b = {other[end] * value[end], 0};
+    for (int k = 0; k < end; k += 2) {
         const pm_pair x = pm_pair_load(value + k);
         a += pm_pair_load(one + k) * x;
         b += pm_pair_load(other + k) * x;
-        size = pm_greater(fabs(x[0]), pm_greater(fabs(x[1]), size));
     }
-    const double high = pm_greater(fabs(pm_pair_sum(a)), fabs(pm_pair_sum(b)));
-    return size > 0 ? high / size : 0;
+    return pm_greater(fabs(pm_pair_sum(a)), fabs(pm_pair_sum(b)));
+}
+
+double pm_series_tail(const pm_nodes *nodes, const double *value)
+{
+    double size = 0;
+    for (int k = 0; k < nodes->n; k++) size = pm_greater(fabs(value[k]), size);
+    return size > 0 ? pm_series_high(nodes, value) / size : 0;
 }
 
 double pm_series_slope_at(const pm_nodes *nodes, const double *value, int node)

@@ -18,6 +18,8 @@ double pm_series_integral(const pm_nodes *nodes, const double *node_value, int s
 void pm_series_integrals(const pm_nodes *nodes, const double *node_value, double *integral);
 /* Over all of [0, 1]. */
 double pm_series_whole(const pm_nodes *nodes, const double *value);
+/* The greater of the two highest coefficients. */
+double pm_series_high(const pm_nodes *nodes, const double *node_value);
 /* How far the highest coefficients stand off from the largest: about the relative error of the polynomial. */
 double pm_series_tail(const pm_nodes *nodes, const double *node_value);
 /* A root between a and b, where it takes the values fa and fb of different sign. */
