@@ -127,12 +127,6 @@ FAULTS = [
         "if (0)",
     ),
     Fault(
-        "ask: the end of a step that was shortened is as good as none",
-        "ask_extreme.c",
-        "return !(next + (high - low) <= best);",
-        "return 0;",
-    ),
-    Fault(
         "ask: what is untold is no error",
         "ask.c",
         "if (a->bound[ask] > best) pm_error_more",
