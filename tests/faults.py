@@ -133,6 +133,12 @@ FAULTS = [
         "if (0) pm_error_more",
     ),
     Fault(
+        "ask: the end of a step that was shortened is no extreme",
+        "ask_extreme.c",
+        "return !(next + (high - low) <= best);",
+        "return 0;",
+    ),
+    Fault(
         "crossing: what is near is far",
         "crossing.c",
         "> 0 ? 1 : -1) ? FAR * x->biggest : 0",

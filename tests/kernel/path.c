@@ -671,8 +671,25 @@ static void extremes_in_long_steps(void)
     CHECK(covered >= 0.97 * asks);
 }
 
+/* A rod let go level strikes a table, 0.8 of its length below: it is fastest right before the blow, inside a step. */
+static void extreme_before_a_blow(void)
+{
+    scene *s = scene_create();
+    const int b = pendulum_rod(s, 0);
+    const int table = scene_line(s, ground(s, 0, -0.8), 0);
+    const int c = scene_contact(s, PM_CONTACT_LINE, scene_circle(s, scene_point(s, b, 0.5, 0), 0), table, 0,
+                                0.5, PM_FRICTION_SMOOTH, 0);
+    const int least = scene_ask_extreme(s, PM_ASK_MIN, scene_read(s, omega_of(s, b)), PM_NONE);
+    scene_until(s, scene_on(s, PM_TRIGGER_STRIKE, c), 1);
+    *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_PATH;
+    EQUAL(scene_run(s, NULL), PM_OK);
+    NEAR(s->out[least], -sqrt(2.4 * G), 1e-12);
+    scene_free(s);
+}
+
 int main(void)
 {
+    extreme_before_a_blow();
     extremes_in_long_steps();
     accelerations();
     tells_on_itself();
