@@ -38,7 +38,6 @@
 #define NEAR 0.3       /* of a bend: so much it changes over this part of 1 / n^2 of the step, at the most */
 #define LOOKS 6        /* that are taken in as nodes */
 #define BESIDE 3e-6    /* of the step: nearer to each other two nodes tell no slope */
-#define DOUBTFUL 0.5   /* of a bend: if so much of it is not known, nothing is told by it */
 #define PART 0.3 /* of what is untold of a slope before a look there: it stays so after it, at the least */
 #define ROUNDING 4e-16 /* of the value's size: what looks scatter by */
 #define NOTHING 1e-15  /* of the value's size: so little more is rounding */
@@ -126,7 +125,10 @@ static int refine(pm_workspace *w, const pm_peak *p, int k)
                        climb(w, p, bend, (a - begin) / h, (b - begin) / h, &s);
     t = place_of(w, s);
     int status = climbs ? PM_OK : pm_root_find(w, w->ask->solver, pm_ask_along, &x, a, fa, b, fb, &t);
-    if (status || (status = pm_ask_look(w, t, 1))) return status;
+    if (status == PM_SOLVER)
+        w->ask->undefined[p->ask] = 1; /* it takes finite rates: there is none somewhere */
+    if (status) return status == PM_SOLVER ? PM_OK : status;
+    if ((status = pm_ask_look(w, t, 1))) return status;
     pm_ask_offer(w, p->ask, pm_ask_run(w, p->ask), 0);
     return PM_OK;
 }
@@ -234,8 +236,8 @@ static int take_look(pm_workspace *w, const pm_peak *p, const pm_told *x, const 
     rise->place = NAN;
     if (!(bend < 0)) return PM_OK;
     rise->place = rise->s - rise->rate / bend;
+    if (!(bend_error < -bend)) return PM_OK; /* it may be the other way */
     const double doubt = bend_error / -bend + n * n * fabs(rise->rate / bend);
-    if (doubt > DOUBTFUL) return PM_OK;
     rise->gain = -0.5 * rise->rate * rise->rate / bend;
     rise->untold = doubt * rise->gain - error * (fabs(rise->rate) + 0.5 * error) / bend;
     return PM_OK;
@@ -413,16 +415,16 @@ static int extreme_beside_top(pm_workspace *w, const pm_peak *p, int k, double s
     const double flat = NEARLY_FLAT * spread / (nodes->at[k + 1] - nodes->at[k]);
     const double a = pm_series_slope_at(nodes, p->g, k), b = pm_series_slope_at(nodes, p->g, k + 1);
     if (a < -flat || b > flat || pm_crossing_node(w, k) >= w->step_end) return PM_OK;
-    int found = 0;
     if (p->tail < SHARP && a > 0 && b < 0) {
         const double low = nodes->at[k], high = nodes->at[k + 1];
         const pm_told x = top_of(nodes, p, k, low + (high - low) * (a / (a - b)));
-        pm_rise best = {.value = -INFINITY};
-        int status = x.bend < 0 ? rise_to(w, p, side_of(nodes, k, x.s), &x, &best, &found) : PM_OK;
-        if (!status && !found) status = search(w, p, &best, &found);
-        if (status) return status;
+        int found = 0, status = PM_OK;
+        pm_rise top = {.value = -INFINITY};
+        if (x.bend < 0) status = rise_to(w, p, side_of(nodes, k, x.s), &x, &top, &found);
+        if (status || found) return status;
+        if ((status = search(w, p, &top, &found))) return status;
     }
-    return found ? PM_OK : refine(w, p, k);
+    return refine(w, p, k); /* a corner, too */
 }
 
 /* The best of the nodes, by its value; where something else is asked at the extreme, or its error, look again. */
