@@ -1,7 +1,6 @@
 /* ask.c - answers taken at instants, over the run, and on grids; ask_extreme.c finds the extremes inside steps. */
 #include "ask.h"
 
-#include <gsl/gsl_min.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,6 +9,7 @@
 #include "crossing.h"
 #include "error.h"
 #include "event.h"
+#include "minimum.h"
 #include "path_error.h"
 #include "program.h"
 #include "root.h"
@@ -25,16 +25,18 @@ static void raise_to(int *highest, int level)
     if (level > *highest) *highest = level;
 }
 
+size_t pm_ask_numbers(const pm_model *m) { return (PM_NODES_MOST + 3) * (size_t)m->nask; }
+
 int pm_ask_create(pm_workspace *w)
 {
     const size_t nask = (size_t)w->model->nask, nout = (size_t)w->model->nout;
     pm_ask_set *a = w->ask = calloc(1, sizeof *a);
     if (!a) return PM_NO_MEMORY;
     a->observer = calloc(nask + 1, sizeof *a->observer);
-    a->sample = calloc((PM_NODES_MOST + 3) * nask + 1, sizeof *a->sample);
+    a->sample = calloc(pm_ask_numbers(w->model) + 1, sizeof *a->sample);
     a->undefined = calloc(nask + 2 * nout + 1, 1);
     a->solver = pm_root_create();
-    a->minimum = gsl_min_fminimizer_alloc(gsl_min_fminimizer_brent);
+    a->minimum = pm_minimum_create();
     if (!a->observer || !a->sample || !a->undefined || !a->solver || !a->minimum) return PM_NO_MEMORY;
     a->best = a->sample + PM_NODES_MOST * nask;
     a->bound = a->best + nask;
@@ -64,7 +66,7 @@ void pm_ask_free(pm_workspace *w)
     free(w->ask->sample);
     free(w->ask->undefined);
     pm_root_free(w->ask->solver);
-    if (w->ask->minimum) gsl_min_fminimizer_free(w->ask->minimum);
+    pm_minimum_free(w->ask->minimum);
     free(w->ask);
     w->ask = NULL;
 }

@@ -12,12 +12,13 @@
  * and w h', no more than some n e, is what stays untold.  Looks go on until that makes nothing.  Where the nodes do not
  * tell the value, every interval where its rate changes sign is searched for the root of the rate (differences of the
  * route's dense output), and the value is taken on an exact state there. */
-#include <gsl/gsl_min.h>
 #include <math.h>
 
 #include "ask.h"
 #include "crossing.h"
 #include "error.h"
+#include "greater.h"
+#include "minimum.h"
 #include "pair.h"
 #include "root.h"
 #include "route.h"
@@ -77,9 +78,6 @@ typedef struct pm_rise {
     double untold;      /* and may be so much more */
 } pm_rise;
 
-static inline double greater(double a, double b) { return a > b ? a : b; }
-static inline double less(double a, double b) { return a < b ? a : b; }
-
 static double place_of(const pm_workspace *w, double s)
 {
     return w->step_begin + s * (w->sampled_end - w->step_begin);
@@ -114,7 +112,7 @@ static int refine(pm_workspace *w, const pm_peak *p, int k)
     const int32_t *e = PM_ASK_ROW(w->model, p->ask);
     if (k < 0 || k + 1 >= w->nodes->n) return PM_OK;
     const double begin = w->step_begin, h = w->sampled_end - begin;
-    const double a = pm_crossing_node(w, k), b = less(pm_crossing_node(w, k + 1), w->step_end);
+    const double a = pm_crossing_node(w, k), b = pm_less(pm_crossing_node(w, k + 1), w->step_end);
     if (a >= b) return PM_OK;
     pm_ask_watch x = {pm_ask_program(e), 0, RATE_STEP * (w->step_end - begin)};
     const double fa = pm_ask_along(w, a, &x), fb = pm_ask_along(w, b, &x);
@@ -183,7 +181,7 @@ static pm_told top_of(const pm_nodes *nodes, const pm_peak *p, int k, double s)
     s = beside(nodes, side_of(nodes, k, s), s);
     for (int i = 0;; i++) {
         const pm_told x = tell(nodes, p->g, side_of(nodes, k, s), s);
-        const double told = greater(p->slope_error, sqrt(p->nothing * fabs(x.bend)));
+        const double told = pm_greater(p->slope_error, sqrt(p->nothing * fabs(x.bend)));
         if (!(x.bend < 0) || fabs(x.slope) <= told || i == PEAK_STEPS) return x;
         const double next = s - x.slope / x.bend;
         s = beside(nodes, side_of(nodes, k, next), next);
@@ -220,8 +218,8 @@ static int take_look(pm_workspace *w, const pm_peak *p, const pm_told *x, const 
     rise->rate = x->slope + off * x->pull;
     double error = PART * p->slope_error * fabs(x->w), bend = x->bend;
     for (int i = 0; i < looks->n; i++) error *= n; /* w has become smaller */
-    error = rise->rate_error = greater(error, n * fabs(off)) + ROUNDING * p->size * fabs(x->pull);
-    double bend_error = SLOPE_TAIL * n * p->slope_error / greater(2 * sqrt(x->s * (1 - x->s)), 1 / n);
+    error = rise->rate_error = pm_greater(error, n * fabs(off)) + ROUNDING * p->size * fabs(x->pull);
+    double bend_error = SLOPE_TAIL * n * p->slope_error / pm_greater(2 * sqrt(x->s * (1 - x->s)), 1 / n);
     if (before) {
         const double way = rise->s - before->s, secant = (rise->rate - before->rate) / way;
         const double of_secant =
@@ -247,7 +245,7 @@ static int take_look(pm_workspace *w, const pm_peak *p, const pm_told *x, const 
 static void leave_untold(pm_workspace *w, const pm_peak *p, double value)
 {
     double *bound = &w->ask->bound[p->ask];
-    *bound = greater(*bound, value);
+    *bound = pm_greater(*bound, value);
 }
 
 /* From a place near an extreme to it; *found is 0 if the looks do not tell it, *top is the best of them then. */
@@ -309,16 +307,9 @@ static int search(pm_workspace *w, const pm_peak *p, const pm_rise *top, int *fo
     *found = top->value > p->g[k] && top->value > p->g[k + 1];
     if (!*found) return PM_OK;
     pm_search context = {w, p};
-    gsl_function function = {.function = depth, .params = &context};
-    gsl_min_fminimizer *solver = w->ask->minimum;
-    double s = top->s;
-    int result = gsl_min_fminimizer_set_with_values(solver, &function, s, -top->value, nodes->at[k], -p->g[k],
-                                                    nodes->at[k + 1], -p->g[k + 1]);
-    for (int i = 0; i < SEARCHES && !result; i++) {
-        result = gsl_min_fminimizer_iterate(solver);
-        s = gsl_min_fminimizer_x_minimum(solver);
-        if (gsl_min_fminimizer_x_upper(solver) - gsl_min_fminimizer_x_lower(solver) <= CLOSE) break;
-    }
+    const pm_valley in = {nodes->at[k], -p->g[k], top->s, -top->value, nodes->at[k + 1], -p->g[k + 1]};
+    const double s =
+        pm_minimum_find(w->ask->minimum, depth, &context, &in, &(pm_closeness){SEARCHES, CLOSE, 0});
     if (s > p->end) return PM_OK;
     const int status = pm_ask_look(w, place_of(w, s), 1);
     if (!status) pm_ask_offer(w, p->ask, pm_ask_run(w, p->ask), 0);
@@ -389,7 +380,7 @@ static int next_top(const pm_nodes *nodes, const pm_peak *p, int k, double wide)
     for (; k < n; k++) {
         const double here = g[k], before = k > 0 ? g[k - 1] : g[1], after = k + 1 < n ? g[k + 1] : g[n - 2];
         if (!(here > before && here >= after)) continue;
-        if (here + wide * (here - less(before, after)) > p->best && (k == 0 || nodes->at[k - 1] < p->end))
+        if (here + wide * (here - pm_less(before, after)) > p->best && (k == 0 || nodes->at[k - 1] < p->end))
             return k;
     }
     return n;
@@ -403,7 +394,7 @@ static int extremes_of_samples(pm_workspace *w, pm_peak *p)
         if (isnan(s)) continue;
         const int status = extreme_near(w, p, k, s);
         if (status) return status;
-        p->best = greater(p->best, p->sign * w->ask->best[p->ask]);
+        p->best = pm_greater(p->best, p->sign * w->ask->best[p->ask]);
     }
     return PM_OK;
 }
@@ -448,14 +439,14 @@ static int extreme_between_nodes(pm_workspace *w, pm_peak *p, int top, double sp
         if (next_top(nodes, p, 0, WIDE) == nodes->n) return PM_OK;
         p->tail = pm_series_tail(nodes, p->g);
         p->slope_error = SLOPE_TAIL * nodes->n * p->tail * p->size;
-        p->nothing = greater(NOTHING, SHARE * w->tolerance) * p->size;
+        p->nothing = pm_greater(NOTHING, SHARE * w->tolerance) * p->size;
         if (p->tail < SMOOTH) return extremes_of_samples(w, p);
     }
     for (int k = 0; (k = next_top(nodes, p, k, WIDE)) < nodes->n; k++) {
         int status = k > 0 ? extreme_beside_top(w, p, k - 1, spread) : PM_OK;
         if (!status && k + 1 < nodes->n) status = extreme_beside_top(w, p, k, spread);
         if (status) return status;
-        p->best = greater(p->best, p->sign * w->ask->best[p->ask]);
+        p->best = pm_greater(p->best, p->sign * w->ask->best[p->ask]);
     }
     return PM_OK;
 }
@@ -485,7 +476,7 @@ int pm_ask_extreme(pm_workspace *w, int ask)
         if (g > p.g[top]) top = k;
         if (k < inside) top_inside = top;
     }
-    p.size = greater(fabs(least), fabs(p.g[top]));
+    p.size = pm_greater(fabs(least), fabs(p.g[top]));
     p.end = (w->step_end - w->step_begin) / (w->sampled_end - w->step_begin);
     const double best = p.sign * w->ask->best[ask];
     p.best = best > p.g[top_inside] ? best : p.g[top_inside];
@@ -502,10 +493,10 @@ int pm_ask_end_counts(pm_workspace *w, int ask)
     for (int k = 0; k < inside; k++)
         if (!(sign * value[k] <= best)) best = sign * value[k];
     for (int k = from; k < w->nodes->n && k <= inside + 1; k++) {
-        low = less(low, sign * value[k]);
-        high = greater(high, sign * value[k]);
+        low = pm_less(low, sign * value[k]);
+        high = pm_greater(high, sign * value[k]);
     }
     const double next =
-        greater(sign * value[inside - 1], inside < w->nodes->n ? sign * value[inside] : -INFINITY);
+        pm_greater(sign * value[inside - 1], inside < w->nodes->n ? sign * value[inside] : -INFINITY);
     return !(next + (high - low) <= best);
 }

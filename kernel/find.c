@@ -10,7 +10,6 @@
 #include "find.h"
 
 #include <gsl/gsl_errno.h>
-#include <gsl/gsl_min.h>
 #include <gsl/gsl_roots.h>
 #include <math.h>
 #include <stdlib.h>
@@ -21,6 +20,7 @@
 #include "find_look.h"
 #include "find_pair.h"
 #include "find_root.h"
+#include "minimum.h"
 #include "program.h"
 #include "run.h"
 
@@ -57,7 +57,7 @@ int pm_find_create(pm_workspace *w)
     f->found = calloc(2 * (size_t)nodes_of(f) + 2, sizeof *f->found);
     gsl_set_error_handler_off(); /* the default one aborts the process */
     f->root = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
-    f->minimum = gsl_min_fminimizer_alloc(gsl_min_fminimizer_brent);
+    f->minimum = pm_minimum_create();
     f->pair = pm_pair_create();
     return f->param && f->node && f->found && f->root && f->minimum && f->pair ? PM_OK : PM_NO_MEMORY;
 }
@@ -70,7 +70,7 @@ void pm_find_free(pm_workspace *w)
     free(f->node);
     free(f->found);
     if (f->root) gsl_root_fsolver_free(f->root);
-    if (f->minimum) gsl_min_fminimizer_free(f->minimum);
+    pm_minimum_free(f->minimum);
     pm_pair_free(f->pair);
     free(f);
     w->find = NULL;

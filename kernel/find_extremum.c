@@ -6,11 +6,10 @@
  * corner of the ask), GSL's minimiser on values is as good as it is bad at smooth ones. */
 #include "find_extremum.h"
 
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_min.h>
 #include <math.h>
 
 #include "find_root.h"
+#include "minimum.h"
 
 #define LEVELS 6    /* of the Richardson table */
 #define WIDEST 0.25 /* first distance of the differences, of the interval */
@@ -83,19 +82,12 @@ static double worse(double x, void *context)
 /* By values alone. */
 static int corner(pm_workspace *w, double a, double b, pm_look *best)
 {
-    gsl_min_fminimizer *solver = w->find->minimum;
-    gsl_function function = {.function = worse, .params = w};
-    double x = best->x[0], fa, fb;
+    double fa, fb;
     int status = goal_at(w, a, &fa);
     if (!status) status = goal_at(w, b, &fb);
     if (status) return status;
-    int result = gsl_min_fminimizer_set_with_values(solver, &function, x, -best->goal, a, -fa, b, -fb);
-    for (int i = 0; i < ITERATIONS && !result; i++) {
-        result = gsl_min_fminimizer_iterate(solver);
-        x = gsl_min_fminimizer_x_minimum(solver);
-        const double low = gsl_min_fminimizer_x_lower(solver), high = gsl_min_fminimizer_x_upper(solver);
-        if (high - low <= CLOSE * fmax(fabs(low), fabs(high))) break;
-    }
+    const pm_valley in = {a, -fa, best->x[0], -best->goal, b, -fb};
+    const double x = pm_minimum_find(w->find->minimum, worse, w, &in, &(pm_closeness){ITERATIONS, 0, CLOSE});
     return pm_find_look(w, &x, best);
 }
 

@@ -76,7 +76,6 @@ typedef struct pm_leg {
 } pm_leg;
 
 /* ---- memory ---- */
-static size_t ask_doubles(const pm_workspace *w) { return (PM_NODES_MOST + 2) * (size_t)w->model->nask; }
 static size_t ask_flags(const pm_workspace *w) { return (size_t)w->model->nask + (size_t)w->model->nout; }
 
 /* Least and greatest values of the triggers lie together. */
@@ -92,14 +91,14 @@ int pm_leg_create(pm_workspace *w)
     int status = pm_state_create(m, &l->begin);
     if (!status) status = pm_state_create(m, &l->saved.begin);
     if (!status) status = pm_state_create(m, &l->saved.before);
-    const size_t doubles = (size_t)m->nbody + nevent + nout + ask_doubles(w) + 2 * ntrigger;
+    const size_t doubles = (size_t)m->nbody + nevent + nout + pm_ask_numbers(w->model) + 2 * ntrigger;
     double *p = l->block = calloc(doubles * sizeof *p + 3 * nevent * sizeof(int64_t) + ask_flags(w) + 1, 1);
     if (status || !p) return PM_NO_MEMORY;
     l->turn = p;
     l->saved.event_time = l->turn + m->nbody;
     l->saved.out = l->saved.event_time + nevent;
     l->saved.ask = l->saved.out + nout;
-    l->saved.range = l->saved.ask + ask_doubles(w);
+    l->saved.range = l->saved.ask + pm_ask_numbers(w->model);
     l->event_count = (int64_t *)(void *)(p + doubles);
     l->saved.event_count = l->event_count + nevent;
     l->saved.event_before = l->saved.event_count + nevent;
@@ -396,7 +395,7 @@ static void save(pm_workspace *w)
     memcpy(s->event_before, l->event_count, nevent * sizeof *s->event_count);
     memcpy(s->event_time, w->event->time, nevent * sizeof *s->event_time);
     memcpy(s->out, w->out, (size_t)w->model->nout * sizeof *s->out);
-    memcpy(s->ask, w->ask->sample, ask_doubles(w) * sizeof *s->ask);
+    memcpy(s->ask, w->ask->sample, pm_ask_numbers(w->model) * sizeof *s->ask);
     memcpy(s->ask_flags, w->ask->undefined, ask_flags(w));
     memcpy(s->range, w->event->least, range_doubles(w) * sizeof *s->range);
 }
@@ -430,7 +429,7 @@ static int give_back(pm_workspace *w)
     memcpy(l->event_count, s->event_before, nevent * sizeof *s->event_count);
     memcpy(w->event->time, s->event_time, nevent * sizeof *s->event_time);
     memcpy(w->out, s->out, (size_t)w->model->nout * sizeof *s->out);
-    memcpy(w->ask->sample, s->ask, ask_doubles(w) * sizeof *s->ask);
+    memcpy(w->ask->sample, s->ask, pm_ask_numbers(w->model) * sizeof *s->ask);
     memcpy(w->ask->undefined, s->ask_flags, ask_flags(w));
     memcpy(w->event->least, s->range, range_doubles(w) * sizeof *s->range);
     pm_frame_look_state(w, &w->state);

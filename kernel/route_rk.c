@@ -20,6 +20,7 @@
 #include "energy.h"
 #include "error.h"
 #include "event.h"
+#include "greater.h"
 #include "pair.h"
 #include "route.h"
 #include "saddle.h"
@@ -217,8 +218,6 @@ static double error_norm(const pm_workspace *w, double h)
                      : fabs(h) * sum5 / sqrt((sum5 + 0.01 * error_square(r, error_weight_3)) * r->controlled);
 }
 
-static inline double greater(double a, double b) { return a > b ? a : b; }
-
 /* x^(-1/8) */
 static double eighth_root_of_inverse(double x) { return 1 / sqrt(sqrt(sqrt(x))); }
 
@@ -266,9 +265,9 @@ static double turning_time(const pm_workspace *w, const double *k)
     const int n = w->rk->n;
     double square = 0;
     for (int i = 0; w->rk->swift && i < n; i++)
-        if (pm_tree_is_angle(w, i)) square = greater(square, greater(k[i] * k[i], fabs(k[n + i])));
+        if (pm_tree_is_angle(w, i)) square = pm_greater(square, pm_greater(k[i] * k[i], fabs(k[n + i])));
     for (int i = 2; !w->rk->swift && i < w->model->nq; i += 3)
-        square = greater(square, greater(w->state.v[i] * w->state.v[i], fabs(w->frame.a[i])));
+        square = pm_greater(square, pm_greater(w->state.v[i] * w->state.v[i], fabs(w->frame.a[i])));
     return w->coarse / sqrt(square);
 }
 

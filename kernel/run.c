@@ -78,7 +78,8 @@ static int open_ledger(pm_workspace *w)
     return PM_OK;
 }
 
-/* The rows have just been built.  Before contacts and cords are closed: what has no mass may need them, and its acceleration is not known yet. */
+/* The rows have just been built.  Before contacts and cords are closed: what has no mass may need them, and its
+ * acceleration is not known yet. */
 static int accelerate_unfastened(pm_workspace *w)
 {
     const int status = pm_saddle_accelerate_projected(w);
