@@ -224,7 +224,7 @@ int pm_instant_mark(pm_workspace *w, int *ended)
     const int level = w->error->active ? w->ask->instant_level : w->ask->fired_level;
     int status = pm_trace_row(w, 1);
     pm_frame_look_state(w, &w->state);
-    if (!status && level == PM_LEVEL_DYNAMIC) status = pm_saddle_accelerate(w);
+    if (!status && level == PM_LEVEL_DYNAMIC) status = pm_route_react(w);
     if (status) return status;
     pm_decision_instant(w);
     pm_ask_look_before(w);

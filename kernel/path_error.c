@@ -16,7 +16,6 @@
 #include "error.h"
 #include "event.h"
 #include "greater.h"
-#include "grip.h"
 #include "nature.h"
 #include "path.h"
 #include "program.h"
@@ -24,14 +23,15 @@
 #include "route.h"
 #include "saddle.h"
 #include "series.h"
-#include "tree.h"
 
 #define ROUNDINGS 1e-15 /* of the energies, in a step or a blow: some roundings */
 #define FASTER 1e-6     /* of the speeds, for the difference */
 #define UNRESOLVED \
     2e-3 /* of the highest coefficients of dt/du: what its integral may be off by; some 1000 times less */
-#define EXACT 1e-12  /* highest coefficients of a function that its samples tell to rounding */
-#define UNTOLD 10.0  /* times these, where they are more: how far an extreme may be from the polynomial's */
+#define EXACT 1e-12 /* highest coefficients of a function that its samples tell to rounding */
+#define UNTOLD 10.0 /* times these, where they are more: how far an extreme may be from the polynomial's */
+#define WIDE \
+    3.0 /* times what a node is nearer to zero than those beside it: so much nearer may be an extreme */
 #define RESTING 10.0 /* an error of T moves the place of rest, too */
 
 void pm_path_error_begin(pm_workspace *w, double kinetic)
@@ -120,24 +120,44 @@ int pm_path_error_by_places(const pm_model *m)
     return 1;
 }
 
-/* The extremes in the step, between nodes too; a corner may hide one that is nearer to zero than the samples tell. */
+/* A function that is watched, at the nodes; how far it may be from the polynomial through them. */
+typedef struct pm_approach {
+    const double *value;
+    double reach, untold;
+} pm_approach;
+
+/* An extreme between node k and the next, at the root of the secant of the slopes. */
+static void take_extreme(const pm_workspace *w, int trigger, const pm_approach *x, int k)
+{
+    const pm_nodes *nodes = w->nodes;
+    double *extreme = w->error->present->extreme + trigger;
+    const double a = pm_series_slope_at(nodes, x->value, k), b = pm_series_slope_at(nodes, x->value, k + 1);
+    if (a * b > 0) return;
+    const double s = nodes->at[k] + (a == b ? 0 : a / (a - b)) * (nodes->at[k + 1] - nodes->at[k]);
+    const double there = fabs(pm_series_value(nodes, x->value, 1, s)) - x->untold;
+    if (there <= 0 && x->untold > 0) w->error->present->unsure = 1;
+    if (!(there < *extreme)) return;
+    *extreme = there;
+    extreme[w->model->rows[PM_TABLE_TRIGGER]] = x->reach;
+}
+
+/* Extremes near zero are beside nodes that are nearer to it than those next to them, and nearer by less than these are
+ * farther: what no node shows would not be resolved.  A corner may hide one that is nearer than the samples tell. */
 static void take_extremes(const pm_workspace *w, int trigger, const double *value)
 {
     const int n = w->nodes->n;
-    const double tail = pm_series_tail(w->nodes, value);
-    double slope[PM_NODES_MOST], *extreme = w->error->present->extreme + trigger, reach = 0, s;
-    pm_series_slopes(w->nodes, value, slope);
-    for (int k = 0; k < n; k++) reach = fmax(reach, fabs(value[k]));
-    const double untold = tail < EXACT ? 0 : UNTOLD * tail * reach;
-    for (int k = 0; k + 1 < n; k++) {
-        if (slope[k] * slope[k + 1] > 0) continue;
-        const double part = slope[k] == slope[k + 1] ? 0 : slope[k] / (slope[k] - slope[k + 1]);
-        s = w->nodes->at[k] + part * (w->nodes->at[k + 1] - w->nodes->at[k]);
-        const double there = fabs(pm_series_value(w->nodes, value, 1, s)) - untold;
-        if (there <= 0 && untold > 0) w->error->present->unsure = 1;
-        if (!(there < *extreme)) continue;
-        *extreme = there;
-        extreme[w->model->rows[PM_TABLE_TRIGGER]] = reach;
+    const double *known = w->error->present->extreme + trigger;
+    pm_approach x = {.value = value};
+    for (int k = 0; k < n; k++) x.reach = pm_greater(fabs(value[k]), x.reach);
+    const double high = pm_series_high(w->nodes, value);
+    x.untold = high < EXACT * x.reach ? 0 : UNTOLD * high;
+    for (int k = 0; k < n; k++) {
+        const double here = fabs(value[k]), before = fabs(value[k > 0 ? k - 1 : k + 1]),
+                     after = fabs(value[k + 1 < n ? k + 1 : k - 1]);
+        if (!(here <= before && here <= after)) continue;
+        if (here - WIDE * (pm_greater(before, after) - here) - x.untold > *known) continue;
+        if (k > 0) take_extreme(w, trigger, &x, k - 1);
+        if (k + 1 < n) take_extreme(w, trigger, &x, k);
     }
 }
 
@@ -199,11 +219,10 @@ static double error_of_time(pm_workspace *w, int program, double value)
     return fabs(changed - value) / shift * w->path->clock_error;
 }
 
-/* A place inside a step, where the active rows are those of the tree: as the route does where no row closes a loop. */
+/* Inside a step nothing has jumped, and the route knows its own way. */
 static int accelerate(pm_workspace *w)
 {
-    const int inside = w->frame.q == w->probe.q && w->tree->nloop == 0;
-    return inside && !pm_grip_by_load(w) ? pm_path_accelerate(w, w->frame.v) : pm_saddle_accelerate(w);
+    return w->frame.q == w->probe.q ? pm_route_react(w) : pm_saddle_accelerate(w);
 }
 
 /* The frame's accelerations and reactions, while others are looked at. */

@@ -44,8 +44,10 @@ int pm_route_look(pm_workspace *w, double x, int level)
     }
     if (status) return status;
     pm_frame_look(w, s->t, s->q, s->v, s->z, w->state.memory);
-    return level == PM_LEVEL_DYNAMIC ? pm_saddle_accelerate(w) : PM_OK;
+    return level == PM_LEVEL_DYNAMIC ? pm_route_react(w) : PM_OK;
 }
+
+int pm_route_react(pm_workspace *w) { return w->route->react ? w->route->react(w) : pm_saddle_accelerate(w); }
 
 const pm_route_ops *pm_route_of(int route)
 {

@@ -11,7 +11,8 @@
  * Places in a step are given by the route's progress coordinate x: the time, or the way along the path.
  *   exact   the same to the accuracy of the trajectory, projected, with memory and slots of w->state in it; used where
  *           an event or an extremum is taken
- *   look    the frame looks at a state inside the last step, DYNAMIC if the level says so; NULL: by `at` and the saddle point
+ *   look    the frame looks at a state inside the last step, DYNAMIC if the level says so; NULL: by `at` and `react`
+ *   react   accelerations and reactions at such a state, which the frame looks at; NULL: by the saddle point
  * All return a status.  A route that finds roots itself - of all event functions, or of those of contacts - stops its step
  * at the first (w->event->nfunction, pm_event_values) and marks them in w->event->root (which event.c clears before the
  * step); the others are sampled. */
@@ -33,6 +34,7 @@ typedef struct pm_route_ops {
     int (*at)(pm_workspace *w, double t, pm_state *s);
     int (*exact)(pm_workspace *w, double t, pm_state *s);
     int (*look)(pm_workspace *w, double t, int level);
+    int (*react)(pm_workspace *w);
     int (*accelerate)(
         pm_workspace *w);  /* at the frame, where the rows are singular; 0: it cannot; NULL: never */
     double finest;         /* tolerance below which it does not get better */
@@ -50,6 +52,8 @@ int pm_route_create(pm_workspace *w);
 void pm_route_free(pm_workspace *w);
 /* The frame looks at progress x of the last step of the present route, at enum pm_level. */
 int pm_route_look(pm_workspace *w, double x, int level);
+/* Accelerations and reactions at a state of the last step that the frame looks at; all is smooth there. */
+int pm_route_react(pm_workspace *w);
 /* The route of a number of enum pm_route; NULL if there is none. */
 const pm_route_ops *pm_route_of(int route);
 /* The one that the settings ask for; rk where phases choose, and before anything moves (`state`, `jump`). */

@@ -304,6 +304,13 @@ static int at(pm_workspace *w, double x, pm_state *state)
     return status;
 }
 
+/* Nothing is factored where no row closes a loop. */
+static int react(pm_workspace *w)
+{
+    if (w->tree->nloop > 0 || pm_grip_by_load(w)) return pm_saddle_accelerate(w);
+    return pm_path_accelerate(w, w->frame.v);
+}
+
 /* Poses are known, and at a place that the rows determine nothing is factored to have accelerations and reactions.  The
  * time is told where something that is sampled reads it. */
 static int look(pm_workspace *w, double x, int level)
@@ -473,6 +480,7 @@ const pm_route_ops pm_route_path = {
     .at = at,
     .exact = exact,
     .look = look,
+    .react = react,
     .accelerate = pm_bridge_accelerate,
     .finds_roots = PM_ROOTS_NONE,
     .in_time = 0,

@@ -96,21 +96,24 @@ static void know_forces(pm_workspace *w)
     w->frame.level = PM_LEVEL_DYNAMIC;
 }
 
+/* Couples that hold locked bodies may change: then reactions are solved for. */
+static int react(pm_workspace *w)
+{
+    if (w->uniform->curve.levers) return pm_saddle_accelerate(w);
+    know_forces(w);
+    return PM_OK;
+}
+
 static void look(pm_workspace *w, double t)
 {
     const pm_uniform *u = w->uniform;
     pm_frame_look(w, u->t0 + t, u->q_look, u->v_look, w->state.z, w->state.memory);
 }
 
-/* Couples that hold locked bodies may change: then reactions are solved for. */
 static void look_at_forces(pm_workspace *w, double t)
 {
     look(w, t);
-    if (!w->uniform->curve.levers) {
-        know_forces(w);
-        return;
-    }
-    const int status = pm_saddle_accelerate(w);
+    const int status = react(w);
     if (status) w->uniform->status = status;
 }
 
@@ -457,6 +460,7 @@ const pm_route_ops pm_route_uniform = {
     .step = step,
     .at = at,
     .exact = exact,
+    .react = react,
     .finds_roots = PM_ROOTS_OF_CONTACTS,
     .in_time = 1,
     .price = 1,
