@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "body.h"
-#include "crossing.h"
+#include "crossing_sample.h"
 #include "error.h"
 #include "event.h"
 #include "minimum.h"

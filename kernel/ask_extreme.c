@@ -15,7 +15,7 @@
 #include <math.h>
 
 #include "ask.h"
-#include "crossing.h"
+#include "crossing_sample.h"
 #include "error.h"
 #include "greater.h"
 #include "minimum.h"

@@ -14,6 +14,7 @@
 #include "case.h"
 #include "contact.h"
 #include "crossing.h"
+#include "crossing_sample.h"
 #include "grip.h"
 #include "instant.h"
 #include "leg.h"

@@ -214,7 +214,7 @@ static int find_turning(pm_workspace *w, double *way)
         double low = nodes->at[k], lowest = after;
         if (after > 0 && p->force[k - 1] < 0 && p->force[k] > 0) { /* a dip between the nodes */
             const int status = pm_series_root(w, nodes, p->force, nodes->at[k - 1], p->force[k - 1],
-                                              nodes->at[k], p->force[k], &low);
+                                              nodes->at[k], p->force[k], &low, &slope);
             if (status || (lowest = exact_kinetic(w, low, NULL, &slope), isnan(lowest))) return status;
             pm_path_error_barrier(w, lowest);
         }

@@ -99,6 +99,7 @@ double pm_series_whole(const pm_nodes *nodes, const double *value)
 typedef struct pm_polynomial {
     const pm_nodes *nodes;
     const double *value;
+    double slope; /* where it was looked at last */
 } pm_polynomial;
 
 /* p' = sum c_k (p - f_k) / (s - s_k) / sum c_k, c_k = w_k / (s - s_k) */
@@ -124,16 +125,18 @@ double pm_series_slope(const pm_nodes *nodes, const double *value, double s, dou
 
 static double at(pm_workspace *w, double s, void *context, double *slope)
 {
-    const pm_polynomial *p = context;
+    pm_polynomial *p = context;
     double here;
     (void)w;
-    *slope = pm_series_slope(p->nodes, p->value, s, &here);
+    *slope = p->slope = pm_series_slope(p->nodes, p->value, s, &here);
     return here;
 }
 
 int pm_series_root(pm_workspace *w, const pm_nodes *nodes, const double *value, double a, double fa, double b,
-                   double fb, double *s)
+                   double fb, double *s, double *slope)
 {
-    pm_polynomial p = {nodes, value};
-    return pm_root_newton(w, at, &p, a, fa, b, fb, s);
+    pm_polynomial p = {nodes, value, NAN};
+    const int status = pm_root_newton(w, at, &p, a, fa, b, fb, s);
+    *slope = p.slope;
+    return status;
 }

@@ -22,8 +22,9 @@ double pm_series_whole(const pm_nodes *nodes, const double *value);
 double pm_series_high(const pm_nodes *nodes, const double *node_value);
 /* How far the highest coefficients stand off from the largest: about the relative error of the polynomial. */
 double pm_series_tail(const pm_nodes *nodes, const double *node_value);
-/* A root between a and b, where it takes the values fa and fb of different sign. */
+/* A root between a and b, where it takes the values fa and fb of different sign; *slope: next to it, not a number where one
+ * of these is zero. */
 int pm_series_root(pm_workspace *w, const pm_nodes *nodes, const double *node_value, double a, double fa,
-                   double b, double fb, double *s);
+                   double b, double fb, double *s, double *slope);
 
 #endif
