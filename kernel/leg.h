@@ -5,8 +5,6 @@
 
 #include "model.h"
 
-int pm_leg_create(pm_workspace *w);
-void pm_leg_free(pm_workspace *w);
 /* A new case, or a phase on another route: nothing is known. */
 void pm_leg_forget(pm_workspace *w);
 /* A path phase begins at w->state (the frame looks at it, the rows are built): if it repeats the last leg, as many legs

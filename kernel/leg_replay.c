@@ -2,7 +2,7 @@
  *
  * Its places are those of the leg that was computed, shifted (path_repeat.c).  Functions of the place alone, and those that
  * go with sqrt(T), fire where they did.  What is linear in T (forces of contacts, what is left of friction) is looked at
- * again at the nodes, as is everything whose extremes are asked.  Blows are not repeated: leg.c knows what they leave. */
+ * again at the nodes, as is everything whose extremes are asked.  Blows are not repeated: leg_energy.c knows what they leave. */
 #include "leg_replay.h"
 
 #include <math.h>

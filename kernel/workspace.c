@@ -7,7 +7,7 @@
 #include "event.h"
 #include "find.h"
 #include "joint.h"
-#include "leg.h"
+#include "leg_keep.h"
 #include "model.h"
 #include "nudge.h"
 #include "order.h"
