@@ -399,7 +399,7 @@ FAULTS = [
     ),
     Fault(
         "capture: its force is that of its first row",
-        "measure.c",
+        "measure_contact.c",
         "PM_JOINT_ROWS * slot + axis",
         "PM_JOINT_ROWS * slot",
     ),
@@ -1344,7 +1344,7 @@ FAULTS = [
     ),
     Fault(
         "measure: velocity of a moving observer",
-        "measure.c",
+        "measure_body.c",
         "out[0] = p.v[0] - (v[0] - v[2]",
         "out[0] = p.v[0] - (v[0] + v[2]",
     ),
