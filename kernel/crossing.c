@@ -89,11 +89,11 @@ int pm_crossing_first(pm_workspace *w, double from, double *first, double *taken
 void pm_crossing_leave(pm_workspace *w)
 {
     pm_event_set *e = w->event;
-    const double *last = e->value + (w->nodes->n - 1) * e->nfunction;
+    const int last = w->nodes->n - 1;
     for (int i = 0; i < e->nfunction; i++) {
         pm_event_function *f = &e->function[i];
         if (!pm_crossing_is_sampled(w, f)) continue;
-        if (fabs(pm_event_of_sample(f, last[i])) > f->slack) f->held = 0;
+        if (fabs(pm_event_of_sample(f, pm_event_samples(w, i)[last])) > f->slack) f->held = 0;
         f->since = 0;
     }
 }

@@ -7,6 +7,7 @@
 
 #include <math.h>
 
+#include "greater.h"
 #include "route.h"
 #include "series.h"
 
@@ -22,17 +23,17 @@ double pm_crossing_along(pm_workspace *w, double x, void *function)
 
 void pm_crossing_take(const pm_workspace *w, int i, pm_course *x)
 {
-    const pm_event_set *e = w->event;
-    const double *value = e->value + i;
+    const pm_event_function *f = &w->event->function[i];
+    const double *value = pm_event_samples(w, i);
     x->n = w->nodes->n;
     x->low = INFINITY;
     x->high = -INFINITY;
-    for (int k = 0; k < x->n; k++, value += e->nfunction) {
-        x->g[k] = pm_event_of_sample(&e->function[i], *value);
-        if (x->g[k] < x->low) x->low = x->g[k];
-        if (x->g[k] > x->high) x->high = x->g[k];
+    for (int k = 0; k < x->n; k++) {
+        x->g[k] = pm_event_of_sample(f, value[k]);
+        x->low = pm_less(x->g[k], x->low);
+        x->high = pm_greater(x->g[k], x->high);
     }
-    x->biggest = x->high > -x->low ? x->high : -x->low;
+    x->biggest = pm_greater(x->high, -x->low);
 }
 
 double pm_crossing_tail(const pm_workspace *w, int i, const pm_course *x)

@@ -10,6 +10,7 @@
 #include "ask.h"
 #include "contact.h"
 #include "crossing_course.h"
+#include "greater.h"
 #include "route.h"
 #include "sample.h"
 
@@ -47,11 +48,10 @@ static double sample_row(pm_workspace *w, const pm_event_function *f, int node)
 static void sample_contacts(pm_workspace *w, int node)
 {
     pm_event_set *e = w->event;
-    double *value = e->value + node * e->nfunction;
     for (int i = e->ntrigger; i < e->nfunction; i++) {
         const pm_event_function *f = &e->function[i];
         if (!pm_crossing_is_sampled(w, f)) continue;
-        value[i] = f->row == PM_NONE ? pm_event_sample(w, f) : sample_row(w, f, node);
+        pm_event_samples(w, i)[node] = f->row == PM_NONE ? pm_event_sample(w, f) : sample_row(w, f, node);
     }
 }
 
@@ -78,16 +78,15 @@ static int look_at_nodes(pm_workspace *w, int functions, int watched)
 static void sample_triggers(pm_workspace *w)
 {
     pm_event_set *e = w->event;
-    double value[PM_NODES_MOST];
     for (int i = 0; i < e->ntrigger; i++) {
         const pm_event_function *f = &e->function[i];
+        double *value = pm_event_samples(w, i);
         if (f->owned) continue;
         pm_sample_run(w, PM_TRIGGER_ROW(w->model, f->index)[PM_TRIGGER_PROGRAM], value);
         double least = e->least[f->index], greatest = e->greatest[f->index];
         for (int k = 0; k < w->nodes->n; k++) {
-            e->value[k * e->nfunction + i] = value[k];
-            if (value[k] < least) least = value[k];
-            if (value[k] > greatest) greatest = value[k];
+            least = pm_less(value[k], least);
+            greatest = pm_greater(value[k], greatest);
         }
         e->least[f->index] = least;
         e->greatest[f->index] = greatest;
@@ -111,7 +110,8 @@ static void keep_gaps(pm_workspace *w)
     const pm_event_set *e = w->event;
     for (int i = 0; i < e->nfunction; i++) {
         const pm_event_function *f = &e->function[i];
-        if (f->kind == FUNCTION_GAP && pm_crossing_is_sampled(w, f)) pm_clear_keep(w, f->index, e->value[i]);
+        if (f->kind == FUNCTION_GAP && pm_crossing_is_sampled(w, f))
+            pm_clear_keep(w, f->index, *pm_event_samples(w, i));
     }
 }
 
@@ -122,7 +122,7 @@ static void note_sides(pm_workspace *w)
     for (int i = 0; i < e->nfunction; i++) {
         pm_event_function *f = &e->function[i];
         if (f->owned) continue;
-        const double x = pm_event_of_sample(f, e->value[i]);
+        const double x = pm_event_of_sample(f, *pm_event_samples(w, i));
         f->side = f->held ? 0 : (x > 0) - (x < 0);
     }
 }
@@ -167,7 +167,6 @@ void pm_crossing_sample_member(pm_workspace *w, int i, double x)
     int member;
     if (f->row == PM_NONE || !pm_nodes_spectral(w->nodes) || !member_at(w, f, x, &member)) return;
     for (int k = 0; k < w->nodes->n; k++)
-        e->value[k * e->nfunction + i] =
-            pm_contact_gap_beside(e->beside + f->row * PM_NODES_MOST + k, member);
+        pm_event_samples(w, i)[k] = pm_contact_gap_beside(e->beside + f->row * PM_NODES_MOST + k, member);
     f->tail = -1;
 }

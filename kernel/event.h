@@ -66,7 +66,7 @@ typedef struct pm_event_set {
     int nsampled;                /* of them those that the route does not find */
     int nrow;                    /* of them gaps to rows */
     int level;                   /* highest level of all */
-    double *value;               /* [PM_NODES_MOST][most functions] samples */
+    double *value;               /* [most functions][PM_NODES_MOST] samples */
     double place[PM_NODES_MOST]; /* x of the nodes */
     pm_beside *beside;           /* [rows that are watched][PM_NODES_MOST] at the nodes */
     int *hit;                    /* [most functions] fired at this instant */
@@ -94,6 +94,12 @@ void pm_event_free(pm_workspace *w);
 void pm_event_begin(pm_workspace *w);
 /* Values of all functions of the phase at the frame (level as pm_event_set.level says). */
 void pm_event_values(pm_workspace *w, double *value);
+/* Samples of function i at the nodes of the step. */
+static inline double *pm_event_samples(const pm_workspace *w, int i)
+{
+    return w->event->value + i * PM_NODES_MOST;
+}
+
 /* Value of one function at the frame; what is sampled of it there, and its value from a sample. */
 double pm_event_value(pm_workspace *w, const pm_event_function *f);
 double pm_event_sample(pm_workspace *w, const pm_event_function *f);

@@ -103,7 +103,7 @@ static int stays_clear(const pm_workspace *w, int function)
     double least = INFINITY, greatest = 0;
     if (e->function[function].owned || e->function[function].kind == FUNCTION_TRIGGER) return 1;
     for (int k = 0; k < w->nodes->n; k++) {
-        const double value = e->value[k * e->nfunction + function];
+        const double value = pm_event_samples(w, function)[k];
         least = fmin(least, value);
         greatest = fmax(greatest, value);
     }

@@ -313,7 +313,6 @@ typedef struct pm_workspace {
 int pm_model_create(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant,
                     int64_t nparam, pm_model **model, pm_where *where);
 void pm_model_free(pm_model *model);
-/* How many rows of a joint, its last ones, remember something. */
 /* Something has a prescribed motion. */
 int pm_model_is_driven(const pm_model *model);
 

@@ -167,14 +167,12 @@ void pm_path_error_sampled(pm_workspace *w)
     if (!w->error->active || !w->error->by_places || w->route != &pm_route_path) return;
     for (int i = 0; i < e->nfunction; i++) {
         const pm_event_function *f = &e->function[i];
-        double value[PM_NODES_MOST];
         if (f->kind != FUNCTION_TRIGGER || fires_by_place(w->model, PM_TRIGGER_ROW(w->model, f->index)))
             continue;
-        for (int k = 0; k < w->nodes->n; k++) value[k] = e->value[k * e->nfunction + i];
         if (f->every)
             w->error->present->unsure = 1;
         else
-            take_extremes(w, f->index, value);
+            take_extremes(w, f->index, pm_event_samples(w, i));
     }
 }
 
