@@ -92,6 +92,8 @@ void pm_event_free(pm_workspace *w);
 
 /* The phase's functions, from triggers, contacts and modes; the frame looks at w->state (DYNAMIC). */
 void pm_event_begin(pm_workspace *w);
+/* The multiples of `every` next to the frame; one that holds must first be left. */
+void pm_event_set_multiples(pm_workspace *w);
 /* Values of all functions of the phase at the frame (level as pm_event_set.level says). */
 void pm_event_values(pm_workspace *w, double *value);
 /* Samples of function i at the nodes of the step. */

@@ -57,10 +57,10 @@ FAULTS = [
     Fault("recall: factors of other bodies", "recall.c", "x->body[1] != row->body[1]", "0"),
     Fault("joint: rows are those of no case", "case.c", "pm_joint_compose(w);", ";"),
     Fault("still: no case is searched", "still.c", "x->possible = x->n > 0;", "x->possible = 0;"),
-    Fault("event: a mark at a step's end comes again", "event.c", "hold_hits(w, w->step_end);", ";"),
+    Fault("event: a mark at a step's end comes again", "event_advance.c", "hold_hits(w, w->step_end);", ";"),
     Fault("ask: marks do not solve", "ask.c", "raise_to(&a->fired_level, level);", ";"),
     Fault("instant: contacts stay as they were", "instant.c", "m->nslot == 0 || contacts_stay(w)", "1"),
-    Fault("event: a turn is passed as a mark", "event.c", "!due && !w->turns &&", "!due &&"),
+    Fault("event: a turn is passed as a mark", "event_advance.c", "!due && !w->turns &&", "!due &&"),
     Fault(
         "nodes: the same number is read at every node",
         "program_nodes.c",
@@ -77,7 +77,7 @@ FAULTS = [
     Fault(
         "nodes: least of the triggers is not kept",
         "crossing_sample.c",
-        "if (value[k] < least) least = value[k];",
+        "least = pm_less(value[k], least);",
         "",
     ),
     Fault(
@@ -90,7 +90,10 @@ FAULTS = [
         "fold: positions stay", "program_fold.c", "kind == PM_MEASURE_MASS ||", "kind != PM_MEASURE_TIME ||"
     ),
     Fault(
-        "crossing: what has fired is not sought again", "event.c", "e->function[i].search = SEARCH_NONE;", ""
+        "crossing: what has fired is not sought again",
+        "event_advance.c",
+        "e->function[i].search = SEARCH_NONE;",
+        "",
     ),
     Fault(
         "contact: members are counted from zero", "contact.c", "return k > place ? k - 1 : k;", "return k;"
@@ -1261,8 +1264,13 @@ FAULTS = [
         "polish(w, i, x, slope, place, taken)",
         "(*place += 1e-8, PM_OK)",
     ),
-    Fault("event: a mark passed twice", "event.c", "fmax(x, e->function[i].located)", "0"),
-    Fault("event: a mark passed again beside its place", "event.c", "fmax(x, e->function[i].located)", "x"),
+    Fault("event: a mark passed twice", "event_advance.c", "fmax(x, e->function[i].located)", "0"),
+    Fault(
+        "event: a mark passed again beside its place",
+        "event_advance.c",
+        "fmax(x, e->function[i].located)",
+        "x",
+    ),
     Fault(
         "event: a trigger on time that comes late",
         "trigger.c",
@@ -1445,7 +1453,7 @@ FAULTS = [
     ),
     Fault(
         "ida: missed root of a normal force",
-        "event.c",
+        "event_advance.c",
         "e->hit[i] |= e->root[i] != 0",
         "e->hit[i] |= e->root[i] != 0 && e->function[i].kind != FUNCTION_NORMAL",
     ),
