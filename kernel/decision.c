@@ -97,11 +97,17 @@ static int takes_part(pm_workspace *w, const pm_event_function *f)
     return f->kind == FUNCTION_GAP && pm_contact_touches(w, &w->state, f->index, &member);
 }
 
+/* Zero since the phase or the step began; what has fired in the step might have had to wait. */
+static int holds(const pm_workspace *w, const pm_event_function *f)
+{
+    return f->held && !(f->since > w->step_begin);
+}
+
 static int did_not_fire(pm_workspace *w, int i)
 {
     const pm_event_function *f = &w->event->function[i];
     const int known = f->level <= w->frame.level;
-    return known && !w->event->hit[i] && !f->held && !is_beyond(f) && !takes_part(w, f);
+    return known && !w->event->hit[i] && !holds(w, f) && !is_beyond(f) && !takes_part(w, f);
 }
 
 void pm_decision_instant(pm_workspace *w)

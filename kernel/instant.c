@@ -218,10 +218,18 @@ int pm_instant_full(pm_workspace *w, int *ended)
     return status ? status : pm_trace_row(w, 2);
 }
 
+/* What a mark needs to know: what is asked then; and where errors are told, how far all that is watched is from zero. */
+static int level_of_mark(const pm_workspace *w)
+{
+    const int asked = w->ask->instant_level, watched = w->event->level;
+    if (!w->error->active) return w->ask->fired_level;
+    return asked > watched ? asked : watched;
+}
+
 /* Extremes and grids are those of the step: nothing jumps here. */
 int pm_instant_mark(pm_workspace *w, int *ended)
 {
-    const int level = w->error->active ? w->ask->instant_level : w->ask->fired_level;
+    const int level = level_of_mark(w);
     int status = pm_trace_row(w, 1);
     pm_frame_look_state(w, &w->state);
     if (!status && level == PM_LEVEL_DYNAMIC) status = pm_route_react(w);

@@ -3,6 +3,7 @@
     python tests/faults.py            all faults (`make faults`)
     python tests/faults.py gamma ida  those whose name has one of these words
     python tests/faults.py --first    no more than one test that catches each: a fifth of the time
+    python tests/faults.py --jobs 1   that many at once, instead of one for each core
 
 A fault is one small change of one source: a sign in a column of a Jacobian, a wrong gamma, a dropped event
 function, a wrong restitution, a dropped row ... The table tells what caught it: names of tests, "audit" where
@@ -10,6 +11,7 @@ a run said by itself that it cannot be trusted, "routes" where two routes disagr
 catches, or that no longer fits the source, makes the exit status 1.
 """
 
+import argparse
 import os
 import re
 import resource
@@ -18,6 +20,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+from collections import Counter
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
@@ -28,6 +31,7 @@ COMPILER = os.environ.get("CC", "gcc")
 FLAGS = ["-std=gnu11", "-O1", "-ffp-contract=off", "-fno-math-errno", "-D_GNU_SOURCE", "-UNDEBUG", "-w"]
 LIBRARIES = os.environ.get("FAULTS_LIBRARIES", "-lgsl -lgslcblas -lsundials_ida -lm -lpthread").split()
 TEST_SECONDS = 12  # of the processor: a test that takes longer hangs; the slowest needs four
+WAIT_SECONDS = 20 * TEST_SECONDS  # of the clock: a test that waits for ever hangs too, without using any
 MESSAGE = 2000  # characters of a compiler's message that are worth showing
 AUDIT = "-10, expected 0"  # how check.h prints a run that ended with PM_AUDIT
 
@@ -604,6 +608,18 @@ FAULTS = [
         "path_error.c",
         "margin = fmin(margin, fabs(x->distance)",
         "(void)(fabs(x->distance)",
+    ),
+    Fault(
+        "error: marks do not look at forces",
+        "instant.c",
+        "return asked > watched ? asked : watched;",
+        "return asked;",
+    ),
+    Fault(
+        "error: what fired in the step had to",
+        "decision.c",
+        "f->held && !(f->since > w->step_begin)",
+        "f->held",
     ),
     Fault("root: Newton's method ends too soon", "root.c", "#define NOTHING 1e-16", "#define NOTHING 1e-5"),
     # tree coordinates
@@ -1517,7 +1533,7 @@ FAULTS = [
 
 
 class Misfit(Exception):
-    """A fault whose text does not occur once in the source."""
+    """A fault whose text does not occur once in the source, or with which it does not compile."""
 
 
 def planted(source: str, fault: Fault) -> str:
@@ -1531,7 +1547,7 @@ def planted(source: str, fault: Fault) -> str:
 def run(command: list[str]) -> None:
     result = subprocess.run(command, capture_output=True, text=True)
     if result.returncode:
-        sys.exit(" ".join(command) + "\n" + result.stderr[:MESSAGE])
+        raise Misfit(" ".join(command) + "\n" + result.stderr[:MESSAGE])
 
 
 class Workshop:
@@ -1540,6 +1556,7 @@ class Workshop:
     def __init__(self, folder: Path, pool: ThreadPoolExecutor, first: bool) -> None:
         self.pool = pool
         self.first = first
+        self.caught: Counter[tuple[str, str]] = Counter()  # faults of a source, by a test
         self.kernel = folder / "kernel"
         shutil.copytree(ROOT / "kernel", self.kernel)
         self.sources = sorted(path.name for path in self.kernel.glob("*.c"))
@@ -1573,12 +1590,16 @@ class Workshop:
         program = self.objects / f"test_{name}"
         objects = [str(self.objects / f"kernel_{Path(source).stem}.o") for source in self.sources]
         run([COMPILER, str(program) + ".o", *objects, "-o", str(program), *LIBRARIES])
-        result = subprocess.run(
-            ["sh", "-c", f"ulimit -t {TEST_SECONDS}; exec {program}"],
-            capture_output=True,
-            text=True,
-            errors="replace",
-        )
+        try:
+            result = subprocess.run(
+                ["sh", "-c", f"ulimit -t {TEST_SECONDS}; exec {program}"],
+                capture_output=True,
+                text=True,
+                errors="replace",
+                timeout=WAIT_SECONDS,
+            )
+        except subprocess.TimeoutExpired:
+            return [f"{name} (waits)"]
         if result.returncode == 0:
             return []
         if result.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
@@ -1599,11 +1620,16 @@ class Workshop:
         self.tests.sort(key=lambda name: seconds[name])
         return found
 
-    def check(self) -> list[str]:
-        """What the tests find now; the audit and the comparison of routes come first."""
+    def check(self, file: str) -> list[str]:
+        """What the tests find now that `file` is changed; the audit and the comparison of routes come first.
+
+        Tests that have caught much in this file are tried before others.
+        """
         found: set[str] = set()
-        for words in self.pool.map(self.unless_found(found), self.tests):
+        tests = sorted(self.tests, key=lambda name: -self.caught[file, name])
+        for name, words in zip(tests, self.pool.map(self.unless_found(found), tests), strict=True):
             found.update(words)
+            self.caught[file, name] += bool(words)
         return sorted(found, key=lambda word: (word not in ("audit", "routes"), word))
 
     def unless_found(self, found: set[str]) -> Callable[[str], list[str]]:
@@ -1622,23 +1648,31 @@ class Workshop:
         path.write_text(planted(sound, fault), encoding="utf-8")
         try:
             list(self.pool.map(self.compile, self.users(fault.file)))
-            return self.check()
+            return self.check(fault.file)
         finally:
             path.write_text(sound, encoding="utf-8")
             list(self.pool.map(self.compile, self.users(fault.file)))
 
 
+def options() -> argparse.Namespace:
+    asked = argparse.ArgumentParser(description="plants faults in a copy of the kernel, one at a time")
+    asked.add_argument("words", nargs="*", help="only faults whose name has one of these")
+    asked.add_argument("--first", action="store_true", help="no more than one test that catches each")
+    asked.add_argument("--jobs", type=int, default=os.cpu_count(), help="compilers and tests at once")
+    return asked.parse_args()
+
+
 def main() -> int:
-    words = [word for word in sys.argv[1:] if word != "--first"]
-    faults = [fault for fault in FAULTS if not words or any(word in fault.name for word in words)]
+    asked = options()
+    faults = [fault for fault in FAULTS if not asked.words or any(word in fault.name for word in asked.words)]
     width = max(len(fault.name) for fault in faults)
     survivors = 0
-    with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(os.cpu_count()) as pool:
-        workshop = Workshop(Path(folder), pool, "--first" in sys.argv[1:])
+    with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(asked.jobs) as pool:
+        workshop = Workshop(Path(folder), pool, asked.first)
         found = workshop.time_tests()
         if found:
             sys.exit(f"the tests fail without any fault: {', '.join(found)}")
-        print(f"{'fault':{width}}  caught by")
+        print(f"{'fault':{width}}  caught by", flush=True)
         for fault in faults:
             try:
                 found = workshop.plant(fault)

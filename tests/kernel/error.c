@@ -327,6 +327,37 @@ static void counted_events(void)
     EQUAL(undecided, 7);
 }
 
+/* The same, but the rod stops before that: alpha only falls, and how near it comes to the threshold is told by its value
+ * where the run ends. */
+static scene *counting_to_the_end(double beyond)
+{
+    scene *s = estimating(1e-10);
+    *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_PATH;
+    const double quarter = 0.5 * 3.14159265358979323846, end = -0.5;
+    const int rod = scene_body(s, 3, 0.25, 0, -0.5, -quarter);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, rod, -0.5, 0), scene_point(s, PM_GROUND, 0, 0), 0);
+    scene_start_omega(s, rod, 9);
+    const int there = scene_measure(s, PM_MEASURE_ANGLE, rod), rate = scene_measure(s, PM_MEASURE_ALPHA, rod);
+    scene_until(s, scene_when(s, PM_TRIGGER_CROSS, scene_minus(s, there, end)), 1);
+    const int low = scene_when(s, PM_TRIGGER_CROSS, scene_minus(s, rate, -1.5 * G * cos(end) * (1 + beyond)));
+    scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, low));
+    return s;
+}
+
+static void counted_to_the_end(void)
+{
+    for (int i = 2; i < 11; i++)
+        for (int side = -1; side <= 1; side += 2) {
+            scene *s = counting_to_the_end(side * pow(10, -i));
+            EQUAL(scene_run(s, NULL), PM_OK);
+            EQUAL(s->out[0], side < 0);
+            EQUAL(s->count[PM_COUNT_PASSES], 1);
+            CHECK(s->margin[0] > 1);
+            CHECK(s->margin[0] < pow(10, 16 - i));
+            scene_free(s);
+        }
+}
+
 int main(void)
 {
     calibrated();
@@ -339,5 +370,6 @@ int main(void)
     clock_errors();
     slow_over_the_top();
     counted_events();
+    counted_to_the_end();
     return check_failures();
 }

@@ -295,6 +295,34 @@ static void at_ends_of_steps(void)
     }
 }
 
+/* On the path, where the zeros of smooth functions are those of a polynomial: one with a corner at its zero, which a
+ * polynomial has somewhat before or after, still comes before what comes a little later.  Angles of a rod on its pin. */
+static void corner_comes_first(void)
+{
+    for (int i = 0; i < 40; i++) {
+        const double there = check_random(0.3, 5), later = there + pow(10, check_random(-9, -3));
+        scene *s = scene_create();
+        const int rod = scene_body(s, 1, 1.0 / 12, 0, -0.5, 0), top = scene_point(s, rod, 0, 0.5);
+        scene_joint(s, PM_JOINT_PIN, top, scene_point(s, PM_GROUND, 0, 0), 0);
+        scene_start_omega(s, rod, 9);
+        *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_PATH;
+        const int turned = scene_measure(s, PM_MEASURE_TURNED, rod);
+        const int bent = SCENE_PROGRAM(s, scene_m(turned), scene_k(s, there), scene_op(PM_OP_SUB),
+                                       scene_m(turned), scene_k(s, there), scene_op(PM_OP_SUB), scene_k(s, 5),
+                                       scene_op(PM_OP_MUL), scene_op(i % 2 ? PM_OP_MAX : PM_OP_MIN));
+        const int corner = scene_when(s, PM_TRIGGER_RISE, bent),
+                  mark = scene_when(s, PM_TRIGGER_RISE, scene_minus(s, turned, later));
+        const int before = scene_ask_event(s, scene_read(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, corner)),
+                                           mark, 1, 0),
+                  angle = scene_ask_event(s, scene_read(s, turned), corner, 1, 0);
+        scene_until(s, mark, 1);
+        EQUAL(scene_run(s, NULL), PM_OK);
+        EQUAL(s->out[before], 1);
+        NEAR(s->out[angle], there, 1e-12);
+        scene_free(s);
+    }
+}
+
 /* Two rods that whirl elsewhere: steps are so short that others hardly move in one. */
 static void whirl(scene *s)
 {
@@ -407,6 +435,7 @@ int main(void)
     limits();
     once_in_long_steps();
     at_ends_of_steps();
+    corner_comes_first();
     far_until_a_turn_is_over();
     far_until_the_other_comes();
     small_and_fast();
