@@ -1633,10 +1633,11 @@ class Workshop:
         return sorted(found, key=lambda word: (word not in ("audit", "routes"), word))
 
     def unless_found(self, found: set[str]) -> Callable[[str], list[str]]:
-        """`findings`, or nothing as soon as one test is enough and has found something."""
+        """`findings`, or nothing as soon as one test is enough and has failed: one that hangs tells less."""
 
         def look(name: str) -> list[str]:
-            words = [] if self.first and found else self.findings(name)
+            failed = any(not word.endswith(")") for word in found)
+            words = [] if self.first and failed else self.findings(name)
             found.update(words)
             return words
 

@@ -140,7 +140,7 @@ static void newton_matrix_with_friction(void)
 }
 
 /* ---- motions ---- */
-static void agrees_with_rk(void (*make)(scene *, int *), const double bound[3])
+static void routes_agree(void (*make)(scene *, int *), const double bound[3])
 {
     int out[3];
     scene *reference = scene_create();
@@ -163,8 +163,8 @@ static void agrees_with_rk(void (*make)(scene *, int *), const double bound[3])
 
 static void motions(void)
 {
-    agrees_with_rk(double_pendulum, (double[]){5e-5, 2e-6, 5e-8});
-    agrees_with_rk(slider_crank, (double[]){2e-3, 5e-5, 1e-6});
+    routes_agree(double_pendulum, (double[]){5e-5, 2e-6, 5e-8});
+    routes_agree(slider_crank, (double[]){2e-3, 5e-5, 1e-6});
 }
 
 /* The block stops after v^2 / (2 mu g) and v / (mu g), and stays. */

@@ -1,5 +1,5 @@
-/* Routes: the error follows the tolerance, the dense output meets the exact states, and both routes give the same
- * answers for swings, rolling, throws, bounces and sliding. */
+/* Routes: the error follows the tolerance, the dense output meets the exact states, and both routes in time give the same
+ * answers for swings, rolling, throws, bounces and sliding; what is said at once is what time makes of it. */
 #include "route.h"
 
 #include "active.h"
@@ -10,6 +10,7 @@
 #include "scene.h"
 
 #define G 9.81
+#define PI 3.14159265358979323846
 
 static scene *swing(void)
 {
@@ -130,6 +131,107 @@ static void converges(void)
     }
 }
 
+/* Two rods in motion.  The route `state` says the accelerations and the force on the pin at the start; the same by
+ * differences of velocities and momentum that a route in time has a little later. */
+static scene *two_rods(void)
+{
+    scene *s = scene_create();
+    const int a = scene_body(s, 1, 1 / 12., 0.5, 0, 0), b = scene_body(s, 1, 1 / 12., 1, -0.5, 1.5 * PI);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, a, -0.5, 0), scene_point(s, PM_GROUND, 0, 0), 0);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, b, -0.5, 0), scene_point(s, a, 0.5, 0), 0);
+    scene_start_omega(s, a, 2);
+    scene_start_omega(s, b, -3);
+    return s;
+}
+
+static void at_once(double out[5])
+{
+    scene *s = two_rods();
+    *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_STATE;
+    const int tip = scene_point(s, 1, 0.5, 0);
+    scene_until(s, scene_on(s, PM_TRIGGER_START, PM_NONE), 1);
+    for (int k = 0; k < 2; k++)
+        scene_ask_measure(s, scene_part(s, PM_MEASURE_ACCELERATION, tip, PM_PART_X + k));
+    scene_ask_measure(s, scene_measure(s, PM_MEASURE_ALPHA, 1));
+    for (int k = 0; k < 2; k++) scene_ask_measure(s, scene_part(s, PM_MEASURE_JOINT_FORCE, 0, PM_PART_X + k));
+    EQUAL(scene_run(s, NULL), PM_OK);
+    EQUAL(s->count[PM_COUNT_ROUTE], PM_ROUTE_STATE);
+    memcpy(out, s->out, 5 * sizeof *out);
+    scene_free(s);
+}
+
+/* The slope of f at 0 is (-25 f(0) + 48 f(h) - 36 f(2h) + 16 f(3h) - 3 f(4h)) / 12 h, to the fourth order in h. */
+static void by_differences(int route, double h, double out[5])
+{
+    static const double weight[] = {48, -36, 16, -3};
+    scene *s = two_rods();
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    scene_set(s, PM_SETTING_ACCURACY, route == PM_ROUTE_IDA ? 1e-10 : 1e-13);
+    const int tip = scene_point(s, 1, 0.5, 0), a = scene_point(s, 0, 0, 0), b = scene_point(s, 1, 0, 0);
+    const int start = scene_on(s, PM_TRIGGER_START, PM_NONE),
+              later =
+                  scene_when(s, PM_TRIGGER_EVERY,
+                             SCENE_PROGRAM(s, scene_m(scene_time(s)), scene_k(s, h), scene_op(PM_OP_DIV)));
+    int program[5];
+    program[2] = scene_read(s, scene_measure(s, PM_MEASURE_OMEGA, 1));
+    for (int k = 0; k < 2; k++) {
+        program[k] = scene_read(s, scene_part(s, PM_MEASURE_VELOCITY, tip, PM_PART_X + k));
+        program[3 + k] =
+            SCENE_PROGRAM(s, scene_m(scene_part(s, PM_MEASURE_VELOCITY, a, PM_PART_X + k)),
+                          scene_m(scene_part(s, PM_MEASURE_VELOCITY, b, PM_PART_X + k)), scene_op(PM_OP_ADD));
+    }
+    for (int i = 0; i < 5; i++) {
+        scene_ask_event(s, program[i], start, 1, 0);
+        scene_ask(s, PM_ASK_EACH, program[i], later, 1, 0, PM_NONE, PM_NONE, 4);
+    }
+    scene_until(s, later, 4);
+    EQUAL(scene_run(s, NULL), PM_OK);
+    EQUAL(s->count[PM_COUNT_ROUTE], route);
+    for (int i = 0; i < 5; i++) {
+        const double *f = s->out + 5 * i;
+        double sum = -25 * f[0];
+        for (int k = 0; k < 4; k++) sum += weight[k] * f[1 + k];
+        out[i] = sum / (12 * h) + (i == 4 ? 2 * G : 0); /* force on both rods but for their weight */
+    }
+    scene_free(s);
+}
+
+/* A rod flies into a cord, which is just tight and gives back e of its speed (the route `jump`), or into a very stiff spring
+ * with a damper, in time: while they pull on the mass m, half a period of ln(1/e) = pi z / sqrt(1 - z^2). */
+static void caught(double stiffness, double out[3])
+{
+    const double e = 0.6, angle = 0.4, mass = 2, inertia = 0.2;
+    const double arm[] = {0.5 * cos(angle), 0.5 * sin(angle)}, at[] = {0.3 + arm[0], 0.2 + arm[1]};
+    const double reach = hypot(at[0], at[1]), lever = (arm[0] * at[1] - arm[1] * at[0]) / reach,
+                 felt = 1 / (1 / mass + lever * lever / inertia), z = -log(e) / hypot(PI, log(e));
+    scene *s = scene_create();
+    const int rod = scene_body(s, mass, inertia, 0.3, 0.2, angle);
+    const int end = scene_point(s, rod, 0.5, 0), g = scene_point(s, rod, 0, 0),
+              hook = scene_point(s, PM_GROUND, 0, 0);
+    scene_set(s, PM_SETTING_GRAVITY_Y, 0);
+    scene_start_velocity(s, g, 1.5, 0.5);
+    scene_start_omega(s, rod, 2);
+    if (stiffness > 0) {
+        const int spring = scene_force(s, PM_FORCE_SPRING, end, hook, stiffness, reach);
+        scene_force(s, PM_FORCE_DAMPER, end, hook, 2 * z * sqrt(stiffness * felt), 0);
+        *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_RK;
+        scene_set(s, PM_SETTING_ACCURACY, 1e-10);
+        const int stretch = scene_read(s, scene_measure(s, PM_MEASURE_FORCE_STRETCH, spring));
+        scene_until(s, scene_when(s, PM_TRIGGER_FALL, stretch), 1);
+    } else {
+        scene_cord(s, scene_circle(s, end, 0), 1, scene_circle(s, hook, 0), 1, 0, e);
+        *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_JUMP;
+        scene_until(s, scene_on(s, PM_TRIGGER_START, PM_NONE), 1);
+    }
+    scene_ask_measure(s, scene_part(s, PM_MEASURE_VELOCITY, g, PM_PART_X));
+    scene_ask_measure(s, scene_part(s, PM_MEASURE_VELOCITY, g, PM_PART_Y));
+    scene_ask_measure(s, scene_measure(s, PM_MEASURE_OMEGA, rod));
+    EQUAL(scene_run(s, NULL), PM_OK);
+    EQUAL(s->count[PM_COUNT_ROUTE], stiffness > 0 ? PM_ROUTE_RK : PM_ROUTE_JUMP);
+    memcpy(out, s->out, 3 * sizeof *out);
+    scene_free(s);
+}
+
 static void routes_agree(void)
 {
     for (int i = 0; i < MAKERS; i++) {
@@ -138,6 +240,15 @@ static void routes_agree(void)
         EQUAL(run(makers[i], PM_ROUTE_IDA, 1e-9, ida), PM_OK);
         for (int k = 0; k < 3; k++) NEAR(ida[k], rk[k], 1e-5 * (1 + fabs(rk[k])));
     }
+    double state[5], later[5], jump[3], spring[3];
+    at_once(state);
+    by_differences(PM_ROUTE_RK, 5e-4, later);
+    for (int k = 0; k < 5; k++) NEAR(later[k], state[k], 1e-8 * (1 + fabs(state[k])));
+    by_differences(PM_ROUTE_IDA, 4e-3, later);
+    for (int k = 0; k < 5; k++) NEAR(later[k], state[k], 1e-5 * (1 + fabs(state[k])));
+    caught(0, jump);
+    caught(1e12, spring);
+    for (int k = 0; k < 3; k++) NEAR(jump[k], spring[k], 1e-4);
 }
 
 /* Inside a step the dense output is as good as the order that it has, and continuous at both ends. */
