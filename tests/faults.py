@@ -1602,7 +1602,8 @@ class Workshop:
             return [f"{name} (waits)"]
         if result.returncode == 0:
             return []
-        if result.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
+        stopped = result.returncode in (-signal.SIGXCPU, -signal.SIGKILL)
+        if stopped and not result.stderr:  # else it has failed before
             return [f"{name} (hangs)"]
         noticed = ["audit"] if AUDIT in result.stderr else []
         noticed += ["routes"] if ": routes_agree: " in result.stderr else []
