@@ -301,7 +301,8 @@ static void projects(pm_workspace *w, const double *y)
     }
 }
 
-/* Without a frame, at places and rates near the one where it was summed up and far from it; and back onto the rows. */
+/* By what was summed up; and without a frame, at places and rates near the one where that was and far from it, and back
+ * onto the rows. */
 static void swift(pm_workspace *w, const double *y)
 {
     const int n = w->tree->n;
@@ -310,6 +311,7 @@ static void swift(pm_workspace *w, const double *y)
     pm_tree_look(w, 0, y, rate, w->state.z);
     pm_tree_sum_up(w);
     pm_swift_sum_up(w);
+    if (w->tree->turning.on) dynamics(w, y);
     if (!pm_swift_applies(w)) return;
     for (int trial = 0; trial < 20; trial++) {
         for (int i = 0; i < n; i++) {
@@ -373,6 +375,7 @@ static void turns_on(pm_workspace *w, const double *y)
 static void look_at(scene *s, int n, int nloop)
 {
     double y[MOST];
+    scene_set(s, PM_SETTING_GRAVITY_X, 1.7); /* weights have both parts */
     if (CHECK(scene_begin(s) == PM_OK)) {
         pm_workspace *w = s->w;
         pm_tree_build(w);
