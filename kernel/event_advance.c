@@ -178,39 +178,56 @@ static int pass_marks(pm_workspace *w, double *first, double *taken, int *ended)
     }
 }
 
-int pm_event_advance(pm_workspace *w, int *ended)
+/* A step of the route, sampled; its instants that only mark something are passed.  *first: where the phase may end, at
+ * `taken` if the state was taken there already. */
+static int take_step(pm_workspace *w, double *first, double *taken, int *ended)
 {
     pm_event_set *e = w->event;
     const double max_time = pm_case_max_time(w);
+    int status = limit_reached(w, max_time);
+    if (status) return status;
+    memset(e->root, 0, (size_t)e->nfunction * sizeof(int));
+    if (!e->first_step) {
+        pm_frame_look_state(w, &w->state);
+        pm_event_set_multiples(w);
+    }
+    w->nodes = w->route->nodes;
+    status = w->route->step(w, fmin(max_time, next_due(w)));
+    pm_trace_step(w);
+    look_for_roots(w);
+    if (!status) status = pm_crossing_sample(w, 1);
+    if (status || e->nsampled == 0) return status;
+    pm_path_error_sampled(w);
+    status = pass_marks(w, first, taken, ended);
+    if (!status) pm_crossing_leave(w);
+    return status;
+}
+
+/* The step ends at `first` if that is inside; the asks see it up to there. */
+static int close_step(pm_workspace *w, double first, double taken, int ended)
+{
+    int status = PM_OK;
+    if (first < w->step_end) {
+        if (!ended && (status = stop_at(w, first, taken))) return status;
+        w->step_end = first;
+        if (!pm_ask_keeps_samples(w) && (status = pm_crossing_sample(w, 0))) return status;
+    }
+    if (w->step_end > w->step_begin && (status = pm_ask_step(w))) return status;
+    if ((status = pm_trace_inside(w, w->step_end))) return status;
+    end_step(w);
+    return PM_OK;
+}
+
+int pm_event_advance(pm_workspace *w, int *ended)
+{
     *ended = 0;
     for (;;) {
         double first = INFINITY, taken = NAN;
-        int status = limit_reached(w, max_time);
+        int status = take_step(w, &first, &taken, ended);
         if (status) return status;
-        memset(e->root, 0, (size_t)e->nfunction * sizeof(int));
-        if (!e->first_step) {
-            pm_frame_look_state(w, &w->state);
-            pm_event_set_multiples(w);
-        }
-        w->nodes = w->route->nodes;
-        status = w->route->step(w, fmin(max_time, next_due(w)));
-        pm_trace_step(w);
-        look_for_roots(w);
-        if (!status) status = pm_crossing_sample(w, 1);
-        if (!status && e->nsampled > 0) pm_path_error_sampled(w);
-        if (!status && e->nsampled > 0) status = pass_marks(w, &first, &taken, ended);
-        if (status) return status;
-        if (e->nsampled > 0) pm_crossing_leave(w);
         if (!*ended) take_roots(w, &first);
         const int inside = first < w->step_end;
-        if (inside) {
-            if (!*ended && (status = stop_at(w, first, taken))) return status;
-            w->step_end = first;
-            if (!pm_ask_keeps_samples(w) && (status = pm_crossing_sample(w, 0))) return status;
-        }
-        if (w->step_end > w->step_begin && (status = pm_ask_step(w))) return status;
-        if ((status = pm_trace_inside(w, w->step_end))) return status;
-        end_step(w);
+        if ((status = close_step(w, first, taken, *ended))) return status;
         const int due = first >= w->step_end && mark_due(w);
         if (*ended) return PM_OK;
         if (first < INFINITY) mark_hits(w);
