@@ -380,10 +380,10 @@ FAULTS = [
         "FUNCTION_MEETING, i, -1,",
     ),
     Fault(
-        "capture: who has passed by is looked at for ever",
+        "capture: who has passed by meets no more in the step",
         "crossing.c",
         "since = from = f->found",
-        "since = from",
+        "since = from = w->step_end",
     ),
     Fault("capture: who passes by is stopped", "crossing.c", "> PASSES * w->size", "> w->size"),
     Fault(
