@@ -27,17 +27,26 @@ static void raise_to(int *highest, int level)
 
 size_t pm_ask_numbers(const pm_model *m) { return (PM_NODES_MOST + 3) * (size_t)m->nask; }
 
+static void note_switches(pm_workspace *w, int ask)
+{
+    const int32_t *e = PM_ASK_ROW(w->model, ask);
+    w->ask->switches[ask] = pm_program_switches(w->model, pm_ask_program(e));
+    w->ask->dips[ask] = pm_program_only_dips(w->model, pm_ask_program(e), pm_ask_greatest(e));
+}
+
 int pm_ask_create(pm_workspace *w)
 {
     const size_t nask = (size_t)w->model->nask, nout = (size_t)w->model->nout;
     pm_ask_set *a = w->ask = calloc(1, sizeof *a);
     if (!a) return PM_NO_MEMORY;
-    a->observer = calloc(nask + 1, sizeof *a->observer);
+    a->observer = calloc(3 * nask + 1, sizeof *a->observer);
     a->sample = calloc(pm_ask_numbers(w->model) + 1, sizeof *a->sample);
     a->undefined = calloc(nask + 2 * nout + 1, 1);
     a->solver = pm_root_create();
     a->minimum = pm_minimum_create();
     if (!a->observer || !a->sample || !a->undefined || !a->solver || !a->minimum) return PM_NO_MEMORY;
+    a->switches = a->observer + nask;
+    a->dips = a->switches + nask;
     a->best = a->sample + PM_NODES_MOST * nask;
     a->bound = a->best + nask;
     a->before = a->bound + nask;
@@ -48,6 +57,7 @@ int pm_ask_create(pm_workspace *w)
         const int32_t *e = PM_ASK_ROW(w->model, i);
         const int watches = e[PM_ASK_KIND] >= PM_ASK_MAX && e[PM_ASK_KIND] <= PM_ASK_GRID;
         if (watches) a->observer[a->nobserver++] = i;
+        if (watches) note_switches(w, i);
         for (int k = 0; k < 2; k++) {
             const int program = e[k ? PM_ASK_PROGRAM_2 : PM_ASK_PROGRAM];
             const int level = program >= 0 ? w->model->program_level[program] : PM_LEVEL_NONE;
@@ -144,7 +154,8 @@ void pm_ask_sample(pm_workspace *w)
 {
     for (int i = 0; i < w->ask->nobserver; i++) {
         const int ask = w->ask->observer[i];
-        pm_sample_run(w, pm_ask_program(PM_ASK_ROW(w->model, ask)), w->ask->sample + ask * PM_NODES_MOST);
+        pm_sample_run(w, pm_ask_program(PM_ASK_ROW(w->model, ask)), NULL,
+                      w->ask->sample + ask * PM_NODES_MOST);
     }
 }
 
@@ -159,7 +170,8 @@ int pm_ask_look(pm_workspace *w, double t, int exact)
 
 static double value_at(pm_workspace *w, double t, const pm_ask_watch *x)
 {
-    return pm_ask_look(w, t, 0) ? NAN : run(w, x->program) - x->minus;
+    if (pm_ask_look(w, t, 0)) return NAN;
+    return (x->branch ? pm_sample_here(w, x->program, x->branch) : run(w, x->program)) - x->minus;
 }
 
 double pm_ask_along(pm_workspace *w, double t, void *context)
@@ -185,7 +197,7 @@ static int grid_in_step(pm_workspace *w, int ask)
     const int32_t *e = PM_ASK_ROW(w->model, ask);
     const int n = w->nodes->n;
     for (int k = 0; k < e[PM_ASK_COUNT]; k++) {
-        pm_ask_watch x = {e[PM_ASK_PROGRAM_2], w->value[e[PM_ASK_FIRST_VALUE] + k], 0};
+        pm_ask_watch x = {e[PM_ASK_PROGRAM_2], w->value[e[PM_ASK_FIRST_VALUE] + k], 0, NULL};
         for (int i = 0; i + 1 < n && !w->ask->filled[e[PM_ASK_OUT] + k]; i++) {
             const double *sample = w->ask->sample + ask * PM_NODES_MOST + i;
             const double a = sample[0] - x.minus, b = sample[1] - x.minus;

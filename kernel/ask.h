@@ -14,6 +14,9 @@ typedef struct pm_ask_set {
     double *best;      /* [nask] extreme so far, NaN before the first value */
     double *bound;     /* [nask] what it cannot exceed (minima: their negatives); untold ones count, too */
     double *before;    /* [nask] values before the jump of the present instant */
+    int *
+        switches; /* [nask] of the watched program: where it may change its branch; 0: nowhere that is told */
+    int *dips;    /* [nask] whether there it has no extremes */
     unsigned char *undefined; /* [nask] an extreme met a not-a-number */
     unsigned char *filled;    /* [nout] */
     unsigned char *sound;     /* [nout] filled when the ledgers last closed */
@@ -63,8 +66,9 @@ void pm_ask_offer(pm_workspace *w, int ask, double value, double above);
 /* A program less a number along a step, or the rate of that by differences. */
 typedef struct pm_ask_watch {
     int program;
-    double minus; /* value to take off: a grid value */
-    double step;  /* > 0: the rate by differences instead of the value */
+    double minus;               /* value to take off: a grid value */
+    double step;                /* > 0: the rate by differences instead of the value */
+    struct pm_switches *branch; /* of the program; NULL: the one that is taken */
 } pm_ask_watch;
 double pm_ask_along(pm_workspace *w, double t, void *watch);
 

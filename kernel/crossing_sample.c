@@ -82,7 +82,7 @@ static void sample_triggers(pm_workspace *w)
         const pm_event_function *f = &e->function[i];
         double *value = pm_event_samples(w, i);
         if (f->owned) continue;
-        pm_sample_run(w, PM_TRIGGER_ROW(w->model, f->index)[PM_TRIGGER_PROGRAM], value);
+        pm_sample_run(w, PM_TRIGGER_ROW(w->model, f->index)[PM_TRIGGER_PROGRAM], NULL, value);
         double least = e->least[f->index], greatest = e->greatest[f->index];
         for (int k = 0; k < w->nodes->n; k++) {
             least = pm_less(value[k], least);

@@ -94,11 +94,23 @@ static double read_off(const pm_measure_args *x)
     return part_of(x->w, x->e, v);
 }
 
-double pm_measure(pm_workspace *w, int i)
+double pm_measure_signed(pm_workspace *w, int i)
 {
     const int32_t *e = PM_MEASURE_ROW(w->model, i);
     const pm_measure_args x = {w, e, e[PM_MEASURE_A]};
     return read_off(&x);
+}
+
+int pm_measure_is_size(const pm_model *m, int i)
+{
+    const int kind = PM_MEASURE_ROW(m, i)[PM_MEASURE_KIND];
+    return kind == PM_MEASURE_JOINT_FRICTION_NEEDED || kind == PM_MEASURE_CONTACT_FRICTION_NEEDED;
+}
+
+double pm_measure(pm_workspace *w, int i)
+{
+    const double value = pm_measure_signed(w, i);
+    return pm_measure_is_size(w->model, i) ? fabs(value) : value;
 }
 
 int pm_measure_of(int kind) { return kinds[kind].of; }

@@ -95,7 +95,7 @@ double pm_measured_contact_friction_needed(const pm_measure_args *x)
     for (int i = first_slot(x); i != PM_NONE; i = next_slot(x, i)) {
         const double one = pm_measured_needed(slot_normal(x->w, i), slot_friction(x->w, i));
         if (isnan(one)) return NAN;
-        worst = fmax(worst, one);
+        if (fabs(one) > fabs(worst)) worst = one;
     }
     return worst;
 }

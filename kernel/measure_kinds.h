@@ -37,10 +37,10 @@ pm_scalar pm_measured_force_couple, pm_measured_force_work, pm_measured_force_po
     pm_measured_spin_angle, pm_measured_spin_momentum, pm_measured_spin_inertia;
 pm_vector pm_measured_force_force;
 
-/* The least coefficient of friction with which it holds; not a number where nothing presses. */
+/* The least coefficient of friction with which it holds, with the sign of the friction; not a number where nothing presses. */
 static inline double pm_measured_needed(double normal, double friction)
 {
-    return normal > 0 ? fabs(friction) / normal : NAN;
+    return normal > 0 ? friction / normal : NAN;
 }
 
 #endif

@@ -144,7 +144,7 @@ static double run_steps(pm_workspace *w, const pm_program_step *s, const pm_prog
     stack[0] = NAN; /* it stays empty */
     for (; s < end; s++) switch (s->kind) {
         case STEP_NUMBER: *++top = number[s->arg]; break;
-        case STEP_MEASURE: *++top = pm_measure(w, s->arg); break;
+        case STEP_MEASURE: *++top = pm_measure_signed(w, s->arg); break;
         case STEP_ANSWER: *++top = w->out[s->arg]; break;
         case STEP_UNARY: *top = pm_program_unary(s->op, *top); break;
         case STEP_WITH_NUMBER: *top = binary(s->op, *top, number[s->arg]); break;

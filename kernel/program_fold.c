@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "measure.h"
 #include "program.h"
 
 /* Operands that wait on the stack: where each begins, and whether it stays the same. */
@@ -95,6 +96,8 @@ static int fold_one(const pm_model *m, pm_program_fold *f, int program, int *end
                 (pm_program_step){.kind = STEP_WITH_NUMBER, .op = s.op, .arg = f->step[second].arg};
         else
             f->step[n++] = s;
+        if (s.kind == STEP_MEASURE && pm_measure_is_size(m, s.arg))
+            f->step[n++] = (pm_program_step){.kind = STEP_UNARY, .op = PM_OP_ABS};
     }
     return n;
 }
@@ -116,7 +119,7 @@ int pm_program_fold_create(pm_model *m)
     pm_program_fold *f = m->fold = calloc(1, sizeof *f);
     int *end = calloc((size_t)m->rows[PM_TABLE_CODE] + 1, sizeof *end);
     if (f) {
-        f->step = calloc(length + 1, sizeof *f->step);
+        f->step = calloc(2 * length + 1, sizeof *f->step); /* a size is two */
         f->part = calloc(length + 1, sizeof *f->part);
         f->first = calloc((size_t)nprogram + 1, sizeof *f->first);
     }

@@ -6,7 +6,7 @@
 
 enum pm_step_kind {
     STEP_NUMBER = 0,      /* push number[arg] of the case */
-    STEP_MEASURE = 1,     /* push measure arg */
+    STEP_MEASURE = 1,     /* push measure arg, with its sign if it is the size of something */
     STEP_ANSWER = 2,      /* push out[arg] */
     STEP_UNARY = 3,       /* op */
     STEP_BINARY = 4,      /* op */

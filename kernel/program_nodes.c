@@ -38,6 +38,8 @@ static void apply(int op, int n, double *a)
 {
     if (op == PM_OP_NEG)
         for (int k = 0; k < n; k++) a[k] = -a[k];
+    else if (op == PM_OP_ABS)
+        for (int k = 0; k < n; k++) a[k] = fabs(a[k]);
     else
         for (int k = 0; k < n; k++) a[k] = pm_program_unary(op, a[k]);
 }
@@ -47,14 +49,71 @@ static void choose(int n, double *condition, const double *yes, const double *no
     for (int k = 0; k < n; k++) condition[k] = condition[k] != 0 ? yes[k] : no[k];
 }
 
+static int jumps(int op) { return op >= PM_OP_LT && op <= PM_OP_NE; }
+
+static int is_switch(int op) { return op == PM_OP_ABS || op == PM_OP_MIN || op == PM_OP_MAX || jumps(op); }
+
+int pm_program_switches(const pm_model *m, int index)
+{
+    const pm_program_fold *f = m->fold;
+    int count = 0;
+    for (int k = f->first[index]; k < f->first[index + 1]; k++) {
+        const pm_program_step *s = &f->step[k];
+        const int operates = s->kind == STEP_UNARY || s->kind == STEP_BINARY || s->kind == STEP_WITH_NUMBER;
+        if (operates && s->op == PM_OP_FLOOR) return 0;
+        count += operates && is_switch(s->op);
+    }
+    return count <= PM_SWITCHES ? count : 0;
+}
+
+int pm_program_only_dips(const pm_model *m, int index, int greatest)
+{
+    const pm_program_fold *f = m->fold;
+    if (pm_program_switches(m, index) != 1) return 0;
+    const int op = f->step[f->first[index + 1] - 1].op;
+    return greatest ? op == PM_OP_ABS || op == PM_OP_MAX : op == PM_OP_MIN;
+}
+
+/* Which branch is taken at all nodes, as its sign says. */
+static void take_branch(int op, int n, double *a, const double *b, int step, int sign)
+{
+    for (int k = 0; k < n; k++) {
+        if (op == PM_OP_ABS)
+            a[k] *= sign;
+        else if (jumps(op))
+            a[k] = pm_program_binary(op, sign, 0);
+        else if (op == PM_OP_MIN ? sign > 0 : sign < 0)
+            a[k] = b[step * k];
+    }
+}
+
+static void operate(const pm_program_step *s, int n, double *a, const double *b, int step, pm_switches *x)
+{
+    if (x && is_switch(s->op)) {
+        double *arg = x->arg[x->n];
+        for (int k = 0; k < n; k++) arg[k] = s->op == PM_OP_ABS ? a[k] : a[k] - b[step * k];
+        x->jumps[x->n] = (unsigned char)jumps(s->op);
+        if (x->sign) {
+            take_branch(s->op, n, a, b, step, x->sign[x->n++]);
+            return;
+        }
+        x->n++;
+    }
+    if (s->kind == STEP_UNARY)
+        apply(s->op, n, a);
+    else
+        combine(s->op, n, a, b, step);
+}
+
 void pm_program_run_nodes(pm_workspace *w, int index, int n, const int *place, const double *measured,
-                          double *value)
+                          pm_switches *switches, double *value)
 {
     const pm_program_fold *f = w->model->fold;
     const pm_program_step *s = f->step + f->first[index], *end = f->step + f->first[index + 1];
     const double *number = w->number;
     pm_lane stack[PM_STACK];
     int top = -1;
+    if (switches) switches->n = 0;
     if (s == end) { /* the program of a value: it reads no measure */
         fill(n, pm_program_run(w->model, index, w->param, w->value, w), value);
         return;
@@ -65,13 +124,13 @@ void pm_program_run_nodes(pm_workspace *w, int index, int n, const int *place, c
             memcpy(stack[++top], measured + place[s->arg] * PM_NODES_MOST, (size_t)n * sizeof(double));
             break;
         case STEP_ANSWER: fill(n, w->out[s->arg], stack[++top]); break;
-        case STEP_UNARY: apply(s->op, n, stack[top]); break;
-        case STEP_WITH_NUMBER: combine(s->op, n, stack[top], number + s->arg, 0); break;
+        case STEP_UNARY: operate(s, n, stack[top], NULL, 0, switches); break;
+        case STEP_WITH_NUMBER: operate(s, n, stack[top], number + s->arg, 0, switches); break;
         case STEP_BINARY:
             top--;
-            combine(s->op, n, stack[top], stack[top + 1], 1);
+            operate(s, n, stack[top], stack[top + 1], 1, switches);
             break;
         default: top -= 2; choose(n, stack[top], stack[top + 1], stack[top + 2]);
         }
-    memcpy(value, stack[0], (size_t)n * sizeof(double));
+    if (value) memcpy(value, stack[0], (size_t)n * sizeof(double));
 }

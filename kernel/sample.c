@@ -38,7 +38,8 @@ int pm_sample_create(pm_workspace *w)
     s->place = calloc(n, sizeof *s->place);
     s->who = calloc(n, sizeof *s->who);
     s->value = calloc(n * PM_NODES_MOST, sizeof *s->value);
-    if (!s->measure || !s->place || !s->who || !s->value) return PM_NO_MEMORY;
+    s->here = calloc(n * PM_NODES_MOST, sizeof *s->here);
+    if (!s->measure || !s->place || !s->who || !s->value || !s->here) return PM_NO_MEMORY;
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *e = PM_TRIGGER_ROW(m, i);
         if (e[PM_TRIGGER_KIND] <= PM_TRIGGER_EVERY) add_program(w, e[PM_TRIGGER_PROGRAM], PM_SAMPLE_TRIGGERS);
@@ -54,6 +55,7 @@ void pm_sample_free(pm_workspace *w)
     free(w->readings->place);
     free(w->readings->who);
     free(w->readings->value);
+    free(w->readings->here);
     free(w->readings);
     w->readings = NULL;
 }
@@ -62,10 +64,23 @@ void pm_sample_read(pm_workspace *w, int node, int who)
 {
     pm_readings *s = w->readings;
     for (int i = 0; i < s->n; i++)
-        if (s->who[i] & who) s->value[i * PM_NODES_MOST + node] = pm_measure(w, s->measure[i]);
+        if (s->who[i] & who) s->value[i * PM_NODES_MOST + node] = pm_measure_signed(w, s->measure[i]);
 }
 
-void pm_sample_run(pm_workspace *w, int program, double *value)
+void pm_sample_run(pm_workspace *w, int program, pm_switches *switches, double *value)
 {
-    pm_program_run_nodes(w, program, w->nodes->n, w->readings->place, w->readings->value, value);
+    const pm_readings *s = w->readings;
+    pm_program_run_nodes(w, program, w->nodes->n, s->place, s->value, switches, value);
+}
+
+double pm_sample_here(pm_workspace *w, int program, pm_switches *switches)
+{
+    const pm_readings *s = w->readings;
+    const pm_program_fold *f = w->model->fold;
+    double value;
+    for (int k = f->first[program]; k < f->first[program + 1]; k++)
+        if (f->step[k].kind == STEP_MEASURE)
+            s->here[s->place[f->step[k].arg] * PM_NODES_MOST] = pm_measure_signed(w, f->step[k].arg);
+    pm_program_run_nodes(w, program, 1, s->place, s->here, switches, &value);
+    return value;
 }

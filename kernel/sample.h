@@ -4,6 +4,7 @@
 
 #include "model.h"
 #include "nodes.h"
+#include "program.h"
 
 /* Whose measures are read. */
 enum { PM_SAMPLE_TRIGGERS = 1, PM_SAMPLE_ASKS = 2 };
@@ -13,7 +14,8 @@ typedef struct pm_readings {
     int *measure;       /* [n] */
     unsigned char *who; /* [n] PM_SAMPLE_TRIGGERS, PM_SAMPLE_ASKS or both read it */
     int *place;         /* [measures] of each among these n */
-    double *value;      /* [n][PM_NODES_MOST] at the nodes of the step */
+    double *value;      /* [n][PM_NODES_MOST] at the nodes of the step (sizes with their signs) */
+    double *here;       /* the same at the frame, the first of each */
 } pm_readings;
 
 /* After triggers and asks have been made. */
@@ -22,7 +24,9 @@ void pm_sample_free(pm_workspace *w);
 
 /* Reads the measures off the frame, which looks at this node of the step. */
 void pm_sample_read(pm_workspace *w, int node, int who);
-/* A watched program at all nodes, each of which has been read: value[nodes]. */
-void pm_sample_run(pm_workspace *w, int program, double *value);
+/* A watched program at all nodes, each of which has been read: value[nodes], switches: or NULL. */
+void pm_sample_run(pm_workspace *w, int program, pm_switches *switches, double *value);
+/* The same at the frame. */
+double pm_sample_here(pm_workspace *w, int program, pm_switches *switches);
 
 #endif

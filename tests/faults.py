@@ -68,8 +68,8 @@ FAULTS = [
     Fault(
         "nodes: the same number is read at every node",
         "program_nodes.c",
-        "combine(s->op, n, stack[top], stack[top + 1], 1)",
-        "combine(s->op, n, stack[top], stack[top + 1], 0)",
+        "operate(s, n, stack[top], stack[top + 1], 1, switches)",
+        "operate(s, n, stack[top], stack[top + 1], 0, switches)",
     ),
     Fault(
         "nodes: a choice takes the other way",
@@ -104,9 +104,9 @@ FAULTS = [
     ),
     Fault(
         "ask: what an extreme has above the place is taken off",
-        "ask_extreme.c",
-        "p->sign * here->value, p->sign * here->gain",
-        "p->sign * here->value, -p->sign * here->gain",
+        "peak.c",
+        "p->sign * g, p->sign * above",
+        "p->sign * g, -p->sign * above",
     ),
     Fault(
         "ask: an extreme between nodes is none",
@@ -116,14 +116,14 @@ FAULTS = [
     ),
     Fault(
         "ask: a look tells a slope of the other sign",
-        "ask_extreme.c",
+        "peak_rise.c",
         "rise->rate = x->slope + off * x->pull;",
         "rise->rate = x->slope - off * x->pull;",
     ),
-    Fault("ask: looks before are forgotten", "ask_extreme.c", "x->slope += slope;", ""),
+    Fault("ask: looks before are forgotten", "peak_rise.c", "x->slope += slope;", ""),
     Fault(
         "ask: a bend of two rates that are not known",
-        "ask_extreme.c",
+        "peak_rise.c",
         "(error + before->rate_error + ",
         "0 * (error + before->rate_error + ",
     ),
@@ -132,6 +132,28 @@ FAULTS = [
         "ask_extreme.c",
         "if (n * n * fabs(x->s - w->nodes->at[k]) > NEAR)",
         "if (0)",
+    ),
+    Fault("branch: a program takes but one", "peak_branch.c", "return found;", "return 0;"),
+    Fault(
+        "branch: a corner is no extreme",
+        "peak_branch.c",
+        "return only_dips(b, only, k, left, right) ?",
+        "return !b->at.jumps[only] ?",
+    ),
+    Fault("branch: a jump has no other side", "peak_branch.c", "*t - beside", "*t + beside"),
+    Fault("branch: one that no node shows", "peak_branch.c", "if (turn[j + 1] - turn[j] <= apart)", "if (1)"),
+    Fault("branch: one that is not taken", "peak.c", "if (pm_peak_reigns(p)) pm_ask_offer", "pm_ask_offer"),
+    Fault(
+        "branch: the greater of two is the lesser",
+        "program_nodes.c",
+        "op == PM_OP_MIN ? sign > 0 : sign < 0",
+        "sign < 0",
+    ),
+    Fault(
+        "ask: an end of a step rises as little as next to it",
+        "ask_extreme.c",
+        "k == 0 ? g[2]",
+        "k == 0 ? g[1]",
     ),
     Fault(
         "ask: what is untold is no error",
@@ -1340,15 +1362,15 @@ FAULTS = [
     # answers, audit, batch, start
     Fault(
         "ask: maxima for minima",
-        "ask_extreme.c",
+        "peak_search.c",
         "p->sign * fa > 0 && p->sign * fb < 0",
         "p->sign * fa < 0 && p->sign * fb > 0",
     ),
     Fault(
         "ask: grid value of another instant",
         "ask.c",
-        "w->value[e[PM_ASK_FIRST_VALUE] + k], 0}",
-        "w->value[e[PM_ASK_FIRST_VALUE]], 0}",
+        "w->value[e[PM_ASK_FIRST_VALUE] + k], 0,",
+        "w->value[e[PM_ASK_FIRST_VALUE]], 0,",
     ),
     Fault(
         "audit: always content", "audit.c", "return pm_fail(w, PM_AUDIT", "w->where.row = pm_fail(w, PM_AUDIT"

@@ -228,7 +228,7 @@ static void run_at_nodes(scene *s, int program, int body, const int *measure)
             each[k] = pm_program_run(s->model, program, s->w->param, s->w->value, s->w);
         }
         together[n] = 17.5;
-        pm_program_run_nodes(s->w, program, n, place, measured, together);
+        pm_program_run_nodes(s->w, program, n, place, measured, NULL, together);
         for (int k = 0; k < n; k++) CHECK(same(each[k], together[k]));
         EQUAL(together[n], 17.5); /* and no further */
     }

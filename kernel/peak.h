@@ -1,0 +1,85 @@
+/* peak.h - the extremes of one watched value inside a step: what the files that look for them share.
+ *
+ * g is the value, or its negative: the greater the better.  s is the fraction of what is sampled.  Where a program has
+ * switches (program.h), g is one branch of it, and what is found counts where that is the one that is taken. */
+#ifndef PM_PEAK_H
+#define PM_PEAK_H
+
+#include "ask.h"
+#include "nodes.h"
+#include "program.h"
+
+#define PM_PEAK_ROUNDING 4e-16 /* of the value's size: what looks scatter by */
+#define PM_PEAK_NOTHING 1e-15  /* of the value's size: so little more is rounding */
+#define PM_PEAK_LEVEL 1e-14    /* of a value's size: so little spread is rounding */
+#define PM_PEAK_SLOPE_TAIL \
+    2.0 /* times the degree and the highest coefficients: error of a polynomial's slope */
+
+/* A branch of a program: the signs that make it, and what its arguments are where the frame looks. */
+typedef struct pm_branch {
+    pm_switches here;
+    double zero[PM_SWITCHES]; /* so small an argument has no sign */
+} pm_branch;
+
+/* A value in a step. */
+typedef struct pm_peak {
+    int ask;
+    double sign; /* of the value in g */
+    double g[PM_NODES_MOST];
+    double size;    /* greatest of g */
+    double tail;    /* highest coefficients over it */
+    double best;    /* known before it is looked for, as g */
+    double nothing; /* so much more is not looked for */
+    double end;     /* of the step, as a fraction of what is sampled */
+    double slope_error;
+    pm_branch *branch; /* NULL: the program has no switches, or none changes */
+    int first, last;   /* nodes beside which extremes are looked for */
+} pm_peak;
+
+/* The polynomial somewhere: its value less that of the nearest node, slope and bend; w'/w; w, 1 where it is greatest. */
+typedef struct pm_told {
+    double s, value, slope, bend, pull, w;
+} pm_told;
+
+/* What a look tells of the extreme near it. */
+typedef struct pm_rise {
+    double s, value, rate, rate_error;
+    double gain, place; /* the extreme is that much above the value, and there */
+    double untold;      /* and may be so much more */
+} pm_rise;
+
+/* ---- peak.c ---- */
+double pm_peak_place(const pm_workspace *w, double s);
+/* g where the frame looks. */
+double pm_peak_value(pm_workspace *w, const pm_peak *p);
+/* Whether the branch is the one that is taken where pm_peak_value was asked for last. */
+int pm_peak_reigns(const pm_peak *p);
+/* Takes g at the frame, and so much above it, if the branch is taken there. */
+void pm_peak_offer(pm_workspace *w, const pm_peak *p, double g, double above);
+/* Nothing above g is looked for. */
+void pm_peak_untold(pm_workspace *w, const pm_peak *p, double g);
+/* Looks for extremes that are better than the best so far; top: the best node of those that are asked for, spread: of all
+ * of these. */
+int pm_peak_extremes(pm_workspace *w, pm_peak *p, int top, double spread);
+
+/* ---- peak_rise.c: where the nodes tell the value nearly ---- */
+/* The interval of s, next to node k. */
+int pm_peak_side(const pm_nodes *nodes, int k, double s);
+/* The polynomial's extreme near s, beside node k; nearly: as far as its slope tells it.  The bend is not below zero if there
+ * is none. */
+pm_told pm_peak_top(const pm_nodes *nodes, const pm_peak *p, int k, double s);
+/* From a place near an extreme to it; *found is 0 if the looks do not tell it, *top is the best of them then. */
+int pm_peak_rise(pm_workspace *w, const pm_peak *p, int k, const pm_told *near, pm_rise *top, int *found);
+
+/* ---- peak_search.c: where they do not ---- */
+/* Between node k and the next where the value may have an extreme better than the best so far: the root of its rate. */
+int pm_peak_refine(pm_workspace *w, const pm_peak *p, int k);
+/* By values alone, where slopes do not tell (a flat top, or one about to part in two): from a look that is better than the
+ * nodes beside it. */
+int pm_peak_search(pm_workspace *w, const pm_peak *p, const pm_rise *top, int *found);
+
+/* ---- peak_branch.c: where a program takes one branch after the other ---- */
+/* Extremes of all branches and the corners between them; *taken is 0 if there is but one branch, or they are not told. */
+int pm_peak_branches(pm_workspace *w, const pm_peak *p, int *taken);
+
+#endif

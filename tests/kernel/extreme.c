@@ -1,0 +1,134 @@
+/* Extremes of expressions inside a step, in closed form: of u = angle - c of a wheel that turns evenly, for many places c
+ * between the nodes of a step. */
+#include "check.h"
+#include "scene.h"
+
+#define PLACES 40
+#define END 3.0 /* rad */
+
+static const int routes[] = {PM_ROUTE_PATH, PM_ROUTE_RK, PM_ROUTE_IDA, PM_ROUTE_UNIFORM};
+
+typedef struct wheel {
+    scene *s;
+    int turned, c; /* measure, value */
+} wheel;
+
+static wheel turning(int route)
+{
+    wheel x = {.s = scene_create()};
+    scene *s = x.s;
+    const int body = scene_body(s, 2, 0.3, 0, 0, 0);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, body, 0, 0), scene_point(s, PM_GROUND, 0, 0), 0);
+    scene_start_omega(s, body, 1);
+    x.turned = scene_measure(s, PM_MEASURE_TURNED, body);
+    x.c = scene_parameter(s);
+    scene_until(s, scene_when(s, PM_TRIGGER_RISE, scene_minus(s, x.turned, END)), 1);
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    return x;
+}
+
+#define U scene_m(x.turned), scene_v(x.c), scene_op(PM_OP_SUB)
+#define K(number) scene_k(x.s, number)
+#define ADD scene_op(PM_OP_ADD)
+#define SUB scene_op(PM_OP_SUB)
+#define MUL scene_op(PM_OP_MUL)
+#define SQUARE K(2), scene_op(PM_OP_POW)
+#define MIN scene_op(PM_OP_MIN)
+#define MAX scene_op(PM_OP_MAX)
+#define ABS scene_op(PM_OP_ABS)
+
+/* The one extreme that is asked for, for each c from `from` to `to`, and how far it may be off. */
+static void expect_extreme(wheel x, double from, double to, double value, double bound)
+{
+    for (int i = 0; i < PLACES; i++) {
+        const double c = from + (to - from) * (i + 0.37) / PLACES;
+        EQUAL(scene_run(x.s, &c), PM_OK);
+        NEAR(x.s->out[0], value, bound);
+    }
+    scene_free(x.s);
+}
+
+/* max(1 - u^2, 0.9 + u / 20): the top of the first, and beside it the second, which is greater at the next node. */
+static void top_beside_corner(int route)
+{
+    wheel x = turning(route);
+    scene_ask_extreme(
+        x.s, PM_ASK_MAX,
+        SCENE_PROGRAM(x.s, K(1), U, SQUARE, SUB, U, K(20), scene_op(PM_OP_DIV), K(0.9), ADD, MAX), PM_NONE);
+    expect_extreme(x, 2, 2.6, 1, 1e-11);
+}
+
+/* min(1 + u, (1 - u)^2): the corner at u = 0. */
+static void top_at_corner(int route)
+{
+    wheel x = turning(route);
+    scene_ask_extreme(x.s, PM_ASK_MAX, SCENE_PROGRAM(x.s, K(1), U, ADD, K(1), U, SUB, SQUARE, MIN), PM_NONE);
+    expect_extreme(x, 1.2, 2.5, 1, 1e-11);
+}
+
+/* min(1 - u^2, 0.95 - u): the corner before the top of the first, at which the second is taken. */
+static void top_beyond_corner(int route)
+{
+    wheel x = turning(route);
+    scene_ask_extreme(x.s, PM_ASK_MAX, SCENE_PROGRAM(x.s, K(1), U, SQUARE, SUB, K(0.95), U, SUB, MIN),
+                      PM_NONE);
+    const double u = 0.5 * (1 - sqrt(1.2));
+    expect_extreme(x, 0.5, 2.5, 1 - u * u, 1e-11);
+}
+
+/* |u| (1 + u^2) + 0.1: the corner at u = 0. */
+static void bottom_at_corner(int route)
+{
+    wheel x = turning(route);
+    scene_ask_extreme(x.s, PM_ASK_MIN, SCENE_PROGRAM(x.s, U, ABS, U, SQUARE, K(1), ADD, MUL, K(0.1), ADD),
+                      PM_NONE);
+    expect_extreme(x, 0.3, 2.7, 0.1, 1e-11);
+}
+
+/* 1 + u as long as u < 0, then -u: the end of the first. */
+static void top_at_jump(int route)
+{
+    wheel x = turning(route);
+    scene_ask_extreme(x.s, PM_ASK_MAX,
+                      SCENE_PROGRAM(x.s, U, K(0), scene_op(PM_OP_LT), K(1), U, ADD, U, scene_op(PM_OP_NEG),
+                                    scene_op(PM_OP_SELECT)),
+                      PM_NONE);
+    expect_extreme(x, 0.3, 2.7, 1, 1e-11);
+}
+
+/* min(1.5 + 10 u, 1 - 4 u^2, 1.5 - 10 u): between two corners that may both be between the same nodes. */
+static void top_between_corners(int route)
+{
+    wheel x = turning(route);
+    scene_ask_extreme(x.s, PM_ASK_MAX,
+                      SCENE_PROGRAM(x.s, K(1.5), U, K(10), MUL, ADD, K(1), U, SQUARE, K(4), MUL, SUB, MIN,
+                                    K(1.5), U, K(10), MUL, SUB, MIN),
+                      PM_NONE);
+    expect_extreme(x, 0.5, 2.5, 1, 1e-11);
+}
+
+/* Where |sin 3 u| / (1.2 + u) is greatest, in its first wave before u = 0 (the second is lower). */
+static void place_beside_corner(int route)
+{
+    wheel x = turning(route);
+    scene_ask_extreme(
+        x.s, PM_ASK_AT_MAX, SCENE_PROGRAM(x.s, U),
+        SCENE_PROGRAM(x.s, U, K(3), MUL, scene_op(PM_OP_SIN), ABS, U, K(4), ADD, scene_op(PM_OP_DIV)));
+    double u = -0.5; /* tan 3 u = 3 (u + 4) */
+    for (int i = 0; i < 100; i++) u = (atan(3 * (u + 4)) - M_PI) / 3;
+    expect_extreme(x, 1.05, 1.25, u, 1e-6);
+}
+
+int main(void)
+{
+    for (size_t i = 0; i < sizeof routes / sizeof *routes; i++) {
+        top_beside_corner(routes[i]);
+        top_at_corner(routes[i]);
+        top_beyond_corner(routes[i]);
+        bottom_at_corner(routes[i]);
+        top_at_jump(routes[i]);
+        top_between_corners(routes[i]);
+        place_beside_corner(routes[i]);
+    }
+    return check_failures();
+}
