@@ -133,6 +133,24 @@ FAULTS = [
         "if (n * n * fabs(x->s - w->nodes->at[k]) > NEAR)",
         "if (0)",
     ),
+    Fault(
+        "ask: one value that is none fails the run",
+        "peak_search.c",
+        "if (status) return status == PM_SOLVER ? PM_OK : status;",
+        "if (status) return status;",
+    ),
+    Fault(
+        "ask: no value is passed over",
+        "peak_search.c",
+        "w->ask->undefined[p->ask] = 1; /* it takes finite",
+        "; /* it takes finite",
+    ),
+    Fault(
+        "ask: values are searched for the least top",
+        "peak_search.c",
+        "? NAN : -pm_peak_value(x->w, x->peak)",
+        "? NAN : pm_peak_value(x->w, x->peak)",
+    ),
     Fault("branch: a program takes but one", "peak_branch.c", "return found;", "return 0;"),
     Fault(
         "branch: a corner is no extreme",

@@ -88,6 +88,28 @@ static void grid_over_angle(void)
     scene_free(s);
 }
 
+/* A run that ends inside a step answers nothing of what is beyond, also where no place gives the value to the last bit: an
+ * angle that is added to a large number (1.2e-10 apart) and stretched misses every second of the numbers there. */
+static void grid_beyond_end(int route)
+{
+    const double large = 530000, stretch = 1.97;
+    swing x = released();
+    scene *s = x.s;
+    const int first = s->rows[PM_TABLE_VALUE], count = 60;
+    for (int i = 0; i < count; i++) scene_value(s, nextafter(stretch * (large - 1.003 - 0.007 * i), 0));
+    const int grid = scene_ask(s, PM_ASK_GRID, scene_read(s, x.omega), PM_NONE, 1, 0,
+                               SCENE_PROGRAM(s, scene_m(x.turned), scene_k(s, large), scene_op(PM_OP_ADD),
+                                             scene_k(s, stretch), scene_op(PM_OP_MUL)),
+                               first, count);
+    const int end = scene_when(s, PM_TRIGGER_FALL,
+                               SCENE_PROGRAM(s, scene_m(x.turned), scene_k(s, 1), scene_op(PM_OP_ADD)));
+    scene_until(s, end, 1);
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    EQUAL(scene_run(s, NULL), PM_OK);
+    for (int i = 0; i < count; i++) CHECK(isnan(s->out[grid + i]));
+    scene_free(s);
+}
+
 /* Each mark of a wheel that turns evenly goes its own way: omega r t. */
 static void two_paths(int route)
 {
@@ -260,6 +282,8 @@ int main(void)
 {
     extremes_of_a_swing();
     grid_over_angle();
+    grid_beyond_end(PM_ROUTE_PATH);
+    grid_beyond_end(PM_ROUTE_RK);
     throw_in_time();
     little_above_the_start();
     two_paths(PM_ROUTE_RK);

@@ -119,6 +119,34 @@ static void place_beside_corner(int route)
     expect_extreme(x, 1.05, 1.25, u, 1e-6);
 }
 
+/* cos(u^2 - e): flat where e = 0, two tops that have hardly parted where it is little more. */
+static void flat_top(int route, double e)
+{
+    wheel x = turning(route);
+    scene_ask_extreme(x.s, PM_ASK_MAX, SCENE_PROGRAM(x.s, U, SQUARE, K(e), SUB, scene_op(PM_OP_COS)),
+                      PM_NONE);
+    expect_extreme(x, 1, 2, 1, 1e-11);
+}
+
+/* 1 - u^2, but no value where |u| < 0.01, its greatest place included: that answer has none, the run has. */
+static void no_value_at_top(int route)
+{
+    wheel x = turning(route);
+    scene *s = x.s;
+    const int none = scene_ask_extreme(s, PM_ASK_AT_MAX, SCENE_PROGRAM(s, U),
+                                       SCENE_PROGRAM(s, K(1), U, SQUARE, SUB, U, SQUARE, K(1e-4), SUB,
+                                                     scene_op(PM_OP_SQRT), K(0), MUL, ADD));
+    const int end = scene_ask_measure(s, x.turned);
+    for (int i = 0; i < PLACES; i++) {
+        const double c = 0.5 + 2 * (i + 0.37) / PLACES;
+        EQUAL(scene_run(s, &c), PM_OK);
+        CHECK(isnan(s->out[none]));
+        EQUAL(s->reason[0], PM_REASON_UNDEFINED);
+        NEAR(s->out[end], END, 1e-9);
+    }
+    scene_free(s);
+}
+
 int main(void)
 {
     for (size_t i = 0; i < sizeof routes / sizeof *routes; i++) {
@@ -129,6 +157,10 @@ int main(void)
         top_at_jump(routes[i]);
         top_between_corners(routes[i]);
         place_beside_corner(routes[i]);
+        flat_top(routes[i], 0);
+        flat_top(routes[i], 1e-4);
+        flat_top(routes[i], 1e-2);
+        no_value_at_top(routes[i]);
     }
     return check_failures();
 }
