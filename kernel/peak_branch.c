@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "crossing.h"
+#include "crossing_sample.h"
 #include "greater.h"
 #include "peak.h"
 #include "root.h"

@@ -4,7 +4,7 @@
  * and the value is taken on an exact state there; or it is searched by values alone. */
 #include <math.h>
 
-#include "crossing.h"
+#include "crossing_sample.h"
 #include "greater.h"
 #include "minimum.h"
 #include "peak.h"
