@@ -154,8 +154,7 @@ void pm_ask_sample(pm_workspace *w)
 {
     for (int i = 0; i < w->ask->nobserver; i++) {
         const int ask = w->ask->observer[i];
-        pm_sample_run(w, pm_ask_program(PM_ASK_ROW(w->model, ask)), NULL,
-                      w->ask->sample + ask * PM_NODES_MOST);
+        pm_sample_run(w, pm_ask_program(PM_ASK_ROW(w->model, ask)), NULL, pm_ask_samples(w, ask));
     }
 }
 
@@ -199,7 +198,7 @@ static int grid_in_step(pm_workspace *w, int ask)
     for (int k = 0; k < e[PM_ASK_COUNT]; k++) {
         pm_ask_watch x = {e[PM_ASK_PROGRAM_2], w->value[e[PM_ASK_FIRST_VALUE] + k], 0, NULL};
         for (int i = 0; i + 1 < n && !w->ask->filled[e[PM_ASK_OUT] + k]; i++) {
-            const double *sample = w->ask->sample + ask * PM_NODES_MOST + i;
+            const double *sample = pm_ask_samples(w, ask) + i;
             const double a = sample[0] - x.minus, b = sample[1] - x.minus;
             const double from = pm_crossing_node(w, i), to = pm_crossing_node(w, i + 1);
             if (!((a < 0 && b >= 0) || (a > 0 && b <= 0))) continue;

@@ -3,6 +3,7 @@
 #define PM_ASK_H
 
 #include "model.h"
+#include "nodes.h"
 
 typedef struct pm_ask_set {
     int *observer; /* [nask] asks that watch the whole run: extremes and grids */
@@ -36,6 +37,12 @@ void pm_ask_reset(pm_workspace *w);
 int pm_ask_watched(const pm_workspace *w, int i);
 /* Watched values at the nodes of a step, which have been read (sample.h). */
 void pm_ask_sample(pm_workspace *w);
+/* What it took of an ask. */
+static inline double *pm_ask_samples(const pm_workspace *w, int ask)
+{
+    return w->ask->sample + ask * PM_NODES_MOST;
+}
+
 /* All nodes of [w->step_begin, w->step_end] are sampled: extremes between nodes, grid values passed. */
 int pm_ask_step(pm_workspace *w);
 /* 1 if the samples of a step that was shortened since need not be taken again. */

@@ -9,15 +9,14 @@
 #include "series.h"
 
 #define NEARLY_FLAT 0.1 /* of the spread in a step: a slope between nodes that may have either sign */
-#define SMOOTH 1e-3  /* highest coefficients of a value that its samples tell nearly: one without corners */
-#define SHARP 0.1    /* of one whose slopes they tell roughly, at the best */
-#define UNTOLD 10.0  /* times these coefficients: how far the value may be from the polynomial */
-#define END_TAIL 4.0 /* the same at the ends of the step */
-#define LIKELY 0.1   /* of the most that a slope may be off by */
-#define WIDE 3.0     /* as much may rise what the nodes do not tell */
-#define NEAR 0.3     /* of a bend: so much it changes over this part of 1 / n^2 of the step, at the most */
-#define TOLD 1e-5    /* of one whose corners can but be dips: what they change is told by looks */
-#define SHARE 1e-2   /* of the tolerance: so little more is not looked for, but counts as an error */
+#define SHARP 0.1       /* of one whose slopes they tell roughly, at the best */
+#define UNTOLD 10.0     /* times these coefficients: how far the value may be from the polynomial */
+#define END_TAIL 4.0    /* the same at the ends of the step */
+#define LIKELY 0.1      /* of the most that a slope may be off by */
+#define WIDE 3.0        /* as much may rise what the nodes do not tell */
+#define NEAR 0.3        /* of a bend: so much it changes over this part of 1 / n^2 of the step, at the most */
+#define TOLD 1e-5       /* of one whose corners can but be dips: what they change is told by looks */
+#define SHARE 1e-2      /* of the tolerance: so little more is not looked for, but counts as an error */
 
 /* Whether node k is as good as the extreme at x right beside it. */
 static int is_at_node(pm_workspace *w, const pm_peak *p, int k, const pm_told *x)
@@ -74,8 +73,8 @@ static double vertex(const pm_nodes *nodes, const pm_peak *p, int k)
 }
 
 /* Extremes are beside nodes that are better than both nodes next to them: a wave that none shows would not be resolved.
- * They rise above them by less than those fall off to the nodes next to them (an end: to the second from it).  The first such node from k on that may beat the best, by `wide` times
- * as much, and is not beyond the end of the step; or n. */
+ * They rise above them by less than those fall off to the nodes next to them (an end: to the second from it).  The first
+ * such node from k on that may beat the best, by `wide` times as much, and is not beyond the end of the step; or n. */
 static int next_top(const pm_nodes *nodes, const pm_peak *p, int k, double wide)
 {
     const double *g = p->g;
@@ -149,7 +148,7 @@ int pm_peak_extremes(pm_workspace *w, pm_peak *p, int top, double spread)
         const int status = pm_peak_branches(w, p, &taken);
         if (status || taken) return status;
     }
-    if (spectral && p->tail < SMOOTH) return extremes_of_samples(w, p);
+    if (spectral && p->tail < PM_SERIES_SMOOTH) return extremes_of_samples(w, p);
     for (int k = 0; (k = next_top(nodes, p, k, WIDE)) < nodes->n; k++) {
         int status = k > 0 ? extreme_beside_top(w, p, k - 1, spread) : PM_OK;
         if (!status && k + 1 < nodes->n) status = extreme_beside_top(w, p, k, spread);
@@ -169,7 +168,7 @@ static int nodes_inside(const pm_workspace *w)
 
 int pm_ask_extreme(pm_workspace *w, int ask)
 {
-    const double *sample = w->ask->sample + ask * PM_NODES_MOST;
+    const double *sample = pm_ask_samples(w, ask);
     pm_peak p = {
         .ask = ask, .sign = pm_ask_greatest(PM_ASK_ROW(w->model, ask)) ? 1 : -1, .last = w->nodes->n - 1};
     const int inside = nodes_inside(w);
@@ -195,7 +194,7 @@ int pm_ask_extreme(pm_workspace *w, int ask)
 
 int pm_ask_end_counts(pm_workspace *w, int ask)
 {
-    const double *value = w->ask->sample + ask * PM_NODES_MOST;
+    const double *value = pm_ask_samples(w, ask);
     const double sign = pm_ask_greatest(PM_ASK_ROW(w->model, ask)) ? 1 : -1;
     const int inside = nodes_inside(w), from = inside > 1 ? inside - 2 : 0;
     double best = sign * w->ask->best[ask], low = INFINITY, high = -INFINITY;

@@ -28,7 +28,6 @@
 #define CLOSE 0.1     /* of the values beside it: a dip that is worth a closer look */
 #define DIP_STEP 1e-3 /* of the nodes' distance: distance of the differences at the bottom of a dip */
 #define DIP_STEPS 3   /* of Newton's method to the bottom */
-#define SMOOTH 1e-3   /* tail (crossing_course.c) of a function that has no waves between the nodes */
 #define HALVINGS 30   /* of a step, to find the top of a short bounce */
 #define LEAVING \
     20 /* halvings of a step: a trigger has left its zero at the first place where it is seen off it */
@@ -217,7 +216,8 @@ static int search(pm_workspace *w, int i, const pm_course *of, int first, double
     pm_event_function *f = &w->event->function[i];
     for (int k = first; k + 1 < of->n; k++) {
         const int near = fabs(g[k]) < close || fabs(g[k + 1]) < close, dip = shows_dip(of, k);
-        if (g[k] * g[k + 1] > 0 && !dip && !(near && pm_crossing_tail(w, i, of) >= SMOOTH)) continue;
+        if (g[k] * g[k + 1] > 0 && !dip && !(near && pm_crossing_tail(w, i, of) >= PM_SERIES_SMOOTH))
+            continue;
         double where, value;
         if (crosses(f, g[k], g[k + 1])) {
             *x = (pm_span){place[k], place[k + 1], g[k], g[k + 1]};

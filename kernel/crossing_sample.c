@@ -2,7 +2,7 @@
  *
  * The frame looks at every node once, as deep as any of the functions and asks needs it; contacts are sampled there, but
  * for those out of reach (clear.h), and measures are read, with which the programs of triggers and asks are then run over
- * all nodes at once (sample.h). */
+ * all nodes at once (sample.h).  Where the nodes do not tell all of it, and there are finer ones, these are taken. */
 #include "crossing_sample.h"
 
 #include <math.h>
@@ -11,8 +11,12 @@
 #include "contact.h"
 #include "crossing_course.h"
 #include "greater.h"
+#include "nature.h"
 #include "route.h"
 #include "sample.h"
+#include "series.h"
+
+#define WAVES 1e-4 /* tail of values that may have waves between the nodes */
 
 double pm_crossing_node(const pm_workspace *w, int node)
 {
@@ -127,9 +131,43 @@ static void note_sides(pm_workspace *w)
     }
 }
 
+static int is_told(const pm_workspace *w, const double *sample)
+{
+    return !(pm_series_tail(w->nodes, sample) > WAVES);
+}
+
+/* Speeds fall to zero as the root of the energy does, where the motion turns: that is no wave. */
+static int may_wave(const pm_workspace *w, const pm_event_function *f)
+{
+    return !f->owned &&
+           w->model->program_growth[PM_TRIGGER_ROW(w->model, f->index)[PM_TRIGGER_PROGRAM]] != PM_GROWTH_ROOT;
+}
+
+/* Between few nodes something that is watched may turn unseen: they do not tell it.  (An ask with corners is told by its
+ * branches.) */
+static int are_told(const pm_workspace *w, int functions, int watched)
+{
+    const pm_event_set *e = w->event;
+    const pm_ask_set *a = w->ask;
+    for (int i = 0; functions && i < e->ntrigger; i++)
+        if (may_wave(w, &e->function[i]) && !is_told(w, pm_event_samples(w, i))) return 0;
+    for (int i = 0; watched && i < a->nobserver; i++)
+        if (a->switches[a->observer[i]] == 0 && !is_told(w, pm_ask_samples(w, a->observer[i]))) return 0;
+    return 1;
+}
+
+static int sample_at_nodes(pm_workspace *w, int functions, int watched)
+{
+    if (functions) begin_samples(w);
+    const int status = look_at_nodes(w, functions, watched);
+    if (status) return status;
+    if (functions) sample_triggers(w);
+    if (watched) pm_ask_sample(w);
+    return PM_OK;
+}
+
 static int finish_functions(pm_workspace *w)
 {
-    sample_triggers(w);
     const int status = pm_clear_check(w) ? sample_reached(w) : PM_OK;
     keep_gaps(w);
     note_sides(w);
@@ -141,11 +179,12 @@ int pm_crossing_sample(pm_workspace *w, int with_functions)
     const int functions = with_functions && w->event->nsampled > 0, watched = w->ask->nobserver > 0;
     w->sampled_end = w->step_end;
     if (!functions && !watched) return PM_OK;
-    if (functions) begin_samples(w);
-    const int status = look_at_nodes(w, functions, watched);
-    if (status) return status;
-    if (watched) pm_ask_sample(w);
-    return functions ? finish_functions(w) : PM_OK;
+    int status = sample_at_nodes(w, functions, watched);
+    while (!status && w->nodes->finer && !are_told(w, functions, watched)) {
+        w->nodes = w->nodes->finer;
+        status = sample_at_nodes(w, functions, watched);
+    }
+    return status || !functions ? status : finish_functions(w);
 }
 
 /* ---- one member of a row ---- */

@@ -314,7 +314,11 @@ const double pm_nodes_cosine[2 * PM_NODES_CLOCK - 2] = {1,
                                                         0.995184726672196886};
 
 const pm_nodes pm_nodes_equal = {.n = PM_NODES, .at = equal_at, .slope = &equal_slope[0][0]};
-const pm_nodes pm_nodes_9 = {
-    .n = 9, .at = at_9, .slope = &slope_9[0][0], .integral = &integral_9[0][0], .last = &last_9[0][0]};
 const pm_nodes pm_nodes_17 = {
     .n = 17, .at = at_17, .slope = &slope_17[0][0], .integral = &integral_17[0][0], .last = &last_17[0][0]};
+const pm_nodes pm_nodes_9 = {.finer = &pm_nodes_17,
+                             .n = 9,
+                             .at = at_9,
+                             .slope = &slope_9[0][0],
+                             .integral = &integral_9[0][0],
+                             .last = &last_9[0][0]};

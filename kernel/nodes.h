@@ -9,6 +9,7 @@
 #define PM_NODES_CLOCK 33 /* of these again: its clock */
 
 typedef struct pm_nodes {
+    const struct pm_nodes *finer; /* these and more; NULL: none */
     int n;
     const double *at;       /* [n] from 0 to 1 */
     const double *slope;    /* [n][n] times samples: slopes by the fraction */

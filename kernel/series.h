@@ -6,6 +6,8 @@
 #include "model.h"
 #include "nodes.h"
 
+#define PM_SERIES_SMOOTH 1e-3 /* tail of what has no corners, and no waves between the nodes */
+
 double pm_series_value(const pm_nodes *nodes, const double *node_value, int stride, double s);
 /* Values of its slope (by s) at the nodes. */
 void pm_series_slopes(const pm_nodes *nodes, const double *node_value, double *slope);

@@ -77,6 +77,12 @@ FAULTS = [
         "!= 0 ? yes[k] : no[k]",
         "!= 0 ? no[k] : yes[k]",
     ),
+    Fault(
+        "nodes: few are enough for waves",
+        "crossing_sample.c",
+        "while (!status && w->nodes->finer &&",
+        "while (0 &&",
+    ),
     Fault("nodes: measures in another order", "sample.c", "s->place[measure] = i;", "s->place[measure] = 0;"),
     Fault(
         "nodes: least of the triggers is not kept",
