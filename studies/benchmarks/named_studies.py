@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -16,15 +17,18 @@ from .peers.engine import columns, flat_of
 from .problems import PROBLEMS, STUDIES, Floats, Problem
 from .rows import Row
 from .tables import Table
-from .timing import cpu, wall
+from .timing import Timer, cpu, interleave, wall
 
 ROUTES = ("auto", "rk", "ida")
 ASKS = {
     "sphere_over_bars": ("omega_B", "bars_passed", "min_normal_over_weight", "friction_needed"),
     "rolling_collar": ("omega_above", "time_of_turn", "min_normal_over_weight", "friction_needed"),
 }
-# Cases of the kernel's rate, and seconds that a sweep with files should take by it.
-RATE_SECONDS = 1.0
+# Of the kernel's rates: seconds of a sample, samples of each in turn, seconds of one that is slow.
+SAMPLE_SECONDS = 0.2
+ROUNDS = 12
+BUDGET = 2.5
+# Seconds that a sweep with files should take.
 SWEEP_SECONDS = 3.0
 # Side of the smallest grid of a sweep.
 LEAST_SIDE = 4
@@ -43,36 +47,60 @@ def rate_table(quick: bool) -> Table:
         text="Cases per CPU second of one thread, and by the clock two threads over one. The error is "
         "relative, the greatest of all asks that have a reference.",
     )
-    for problem in PROBLEMS:
-        for asks in (ASKS.get(problem.name, ()), problem.asks) if problem.name in ASKS else ():
-            for route in ROUTES[:1] if quick else ROUTES:
-                for estimate in (True, False):
-                    words = "all four" if len(asks) == 4 else ", ".join(asks)
-                    figures = rate(problem, asks, route, estimate, quick)
-                    name = "default" if route == "auto" else route
-                    table.rows.append([problem.name, words, name, "yes" if estimate else "no", *figures])
+    rates = [
+        Rate.of(problem, asks, route, estimate, quick)
+        for problem in PROBLEMS
+        for asks in (ASKS.get(problem.name, ()), problem.asks)
+        if problem.name in ASKS
+        for route in (ROUTES[:1] if quick else ROUTES)
+        for estimate in (True, False)
+    ]
+    interleave([rate.timer for rate in rates if rate.timer], 0 if quick else ROUNDS, BUDGET)
+    table.rows.extend(rate.row(1 if quick else REPEAT) for rate in rates)
     return table
 
 
-def rate(
-    problem: Problem, asks: Sequence[str], route: str, estimate: bool, quick: bool
-) -> list[str | float | int | None]:
-    """Cases per CPU second, speed-up by a second thread, error, wrong counts, and why there are none."""
-    settings = {"solve.route": route, "solve.estimate": estimate}
-    flat = flat_of(problem.scene(), asks, settings)
-    cases = problem.cases[: problem.slow_cases()] if route == "ida" or quick else problem.cases
-    param = columns(flat, problem.names, cases)
-    results = engine.run_cases(flat, param)
-    if np.any(results.status < 0):
-        return [None, None, None, None, engine.message(flat, results, int(np.argmin(results.status)))]
-    error, wrong = study_error(problem, flat, results)
-    once = max(cpu(lambda: engine.run_cases(flat, param)), 1e-6)
-    param = np.tile(param, (max(1, round(RATE_SECONDS / 4 / once)), 1))
-    times = [cpu(lambda: engine.run_cases(flat, param)) for _ in range(1 if quick else REPEAT)]
-    one, two = (
-        wall(lambda n=n: engine.run_cases(flat, param, workers=n), 1 if quick else REPEAT) for n in (1, 2)
-    )
-    return [len(param) / min(times), one / two, error, wrong, ""]
+@dataclass
+class Rate:
+    """One row: its words, greatest relative error, wrong counts, why there are none; and what is timed."""
+
+    words: list[str]
+    error: float | None
+    wrong: int | None
+    why: str
+    flat: FlatScene
+    param: Floats
+    timer: Timer | None
+
+    @classmethod
+    def of(cls, problem: Problem, asks: Sequence[str], route: str, estimate: bool, quick: bool) -> Rate:
+        flat = flat_of(problem.scene(), asks, {"solve.route": route, "solve.estimate": estimate})
+        cases = problem.cases[: problem.slow_cases()] if route == "ida" or quick else problem.cases
+        param = columns(flat, problem.names, cases)
+        results = engine.run_cases(flat, param)
+        words = [
+            problem.name,
+            "all four" if len(asks) == 4 else ", ".join(asks),
+            "default" if route == "auto" else route,
+            "yes" if estimate else "no",
+        ]
+        if np.any(results.status < 0):
+            why = engine.message(flat, results, int(np.argmin(results.status)))
+            return cls(words, None, None, why, flat, param, None)
+        error, wrong = study_error(problem, flat, results)
+        once = max(cpu(lambda: engine.run_cases(flat, param)), 1e-6)
+        param = np.tile(param, (max(1, round(SAMPLE_SECONDS / once)), 1))
+        timer = Timer.first(lambda: engine.run_cases(flat, param))
+        return cls(words, error, wrong, "", flat, param, timer)
+
+    def row(self, repeat: int) -> list[str | float | int | None]:
+        if not self.timer:
+            return [*self.words, None, None, None, None, self.why]
+        one, two = (
+            wall(lambda n=n: engine.run_cases(self.flat, self.param, workers=n), repeat) for n in (1, 2)
+        )
+        rate = len(self.param) / self.timer.best
+        return [*self.words, rate, one / two, self.error, self.wrong, ""]
 
 
 def study_error(problem: Problem, flat: FlatScene, results: engine.CaseResults) -> tuple[float, int | None]:
@@ -121,11 +149,10 @@ OTHER = {"omega0": ("1 rad/s", "3 rad/s"), "mass_ratio": (0.5, 2)}
 def sweep_row(study: str, asks: Sequence[str], names: Sequence[str], quick: bool) -> list[str | int | float]:
     path = STUDIES / f"{study}.toml"
     side = LEAST_SIDE
-    seconds = cpu(lambda: sweep(path, asks, grid(study, names, side), None))
-    if not quick:
-        side = max(LEAST_SIDE, int(side * (SWEEP_SECONDS / max(seconds, 1e-3)) ** 0.5))
-        seconds = cpu(lambda: sweep(path, asks, grid(study, names, side), None))
-        side = max(side, int(side * (SWEEP_SECONDS / max(seconds, 1e-3)) ** 0.5))
+    seconds = dry(path, asks, grid(study, names, side))
+    while not quick and seconds < 0.5 * SWEEP_SECONDS:
+        side = int(side * max(2, SWEEP_SECONDS / max(seconds, 1e-3)) ** 0.5) + 1
+        seconds = dry(path, asks, grid(study, names, side))
     with tempfile.TemporaryDirectory() as folder:
         seconds = cpu(lambda: sweep(path, asks, grid(study, names, side), folder))
         size = sum(file.stat().st_size for file in Path(folder).rglob("*") if file.is_file())
@@ -133,6 +160,11 @@ def sweep_row(study: str, asks: Sequence[str], names: Sequence[str], quick: bool
     words = "all four" if len(asks) == 4 else ", ".join(asks)
     cases = side * side
     return [study, words, cases, seconds, cases / seconds, f"{100 * kernel / seconds:.0f} %", size / 2**20]
+
+
+def dry(path: Path, asks: Sequence[str], grids: dict[str, object]) -> float:
+    """CPU seconds of a sweep that writes nothing."""
+    return cpu(lambda: sweep(path, asks, grids, None))
 
 
 def grid(study: str, names: Sequence[str], side: int) -> dict[str, object]:
