@@ -74,8 +74,8 @@ int pm_peak_rise(pm_workspace *w, const pm_peak *p, int k, const pm_told *near, 
 /* ---- peak_search.c: where they do not ---- */
 /* Between node k and the next where the value may have an extreme better than the best so far: the root of its rate. */
 int pm_peak_refine(pm_workspace *w, const pm_peak *p, int k);
-/* By values alone, where slopes do not tell (a flat top, or one about to part in two): from a look that is better than the
- * nodes beside it. */
+/* By values alone, where slopes do not tell (a flat top, or one about to part in two): from a look, or a node
+ * next to it, that is better than those beside it. */
 int pm_peak_search(pm_workspace *w, const pm_peak *p, const pm_rise *top, int *found);
 
 /* ---- peak_branch.c: where a program takes one branch after the other ---- */

@@ -75,15 +75,26 @@ static double depth(double s, void *context)
     return pm_ask_look(x->w, pm_peak_place(x->w, s), 1) ? NAN : -pm_peak_value(x->w, x->peak);
 }
 
+/* The look and the nodes beside it, or the better of these and those beside that; 0 if neither is a top. */
+static int top_of_three(const pm_nodes *nodes, const double *g, const pm_rise *top, pm_valley *in)
+{
+    const double *at = nodes->at;
+    int k = 0;
+    while (k + 2 < nodes->n && at[k + 1] <= top->s) k++;
+    *in = (pm_valley){at[k], -g[k], top->s, -top->value, at[k + 1], -g[k + 1]};
+    if (top->value > g[k] && top->value > g[k + 1]) return 1;
+    if (g[k + 1] > g[k]) k++;
+    if (k == 0 || k + 1 == nodes->n) return 0;
+    *in = (pm_valley){at[k - 1], -g[k - 1], at[k], -g[k], at[k + 1], -g[k + 1]};
+    return g[k] > g[k - 1] && g[k] > g[k + 1];
+}
+
 int pm_peak_search(pm_workspace *w, const pm_peak *p, const pm_rise *top, int *found)
 {
-    const pm_nodes *nodes = w->nodes;
-    int k = 0;
-    while (k + 2 < nodes->n && nodes->at[k + 1] <= top->s) k++;
-    *found = top->value > p->g[k] && top->value > p->g[k + 1];
-    if (!*found) return PM_OK;
     pm_search context = {w, p};
-    const pm_valley in = {nodes->at[k], -p->g[k], top->s, -top->value, nodes->at[k + 1], -p->g[k + 1]};
+    pm_valley in;
+    *found = top_of_three(w->nodes, p->g, top, &in);
+    if (!*found) return PM_OK;
     const double s =
         pm_minimum_find(w->ask->minimum, depth, &context, &in, &(pm_closeness){SEARCHES, CLOSE, 0});
     if (s > p->end) return PM_OK;
