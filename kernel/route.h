@@ -14,8 +14,8 @@
  *   look    the frame looks at a state inside the last step, DYNAMIC if the level says so; NULL: by `at` and `react`
  *   react   accelerations and reactions at such a state, which the frame looks at; NULL: by the saddle point
  * All return a status.  A route that finds roots itself - of all event functions, or of those of contacts - stops its step
- * at the first (w->event->nfunction, pm_event_values) and marks them in w->event->root (which event_advance.c clears before the
- * step); the others are sampled. */
+ * at the first (w->event->nfunction, pm_event_values) and marks them in w->event->root (which event_advance.c clears before
+ * the step); the others are sampled. */
 #ifndef PM_ROUTE_H
 #define PM_ROUTE_H
 

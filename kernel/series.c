@@ -81,11 +81,6 @@ double pm_series_slope_at(const pm_nodes *nodes, const double *value, int node)
     return times(nodes->slope + node * nodes->n, value, nodes->n);
 }
 
-void pm_series_slopes(const pm_nodes *nodes, const double *value, double *slope)
-{
-    for (int k = 0; k < nodes->n; k++) slope[k] = pm_series_slope_at(nodes, value, k);
-}
-
 void pm_series_integrals(const pm_nodes *nodes, const double *value, double *sum)
 {
     for (int k = 0; k < nodes->n; k++) sum[k] = times(nodes->integral + k * nodes->n, value, nodes->n);

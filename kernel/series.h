@@ -9,8 +9,7 @@
 #define PM_SERIES_SMOOTH 1e-3 /* tail of what has no corners, and no waves between the nodes */
 
 double pm_series_value(const pm_nodes *nodes, const double *node_value, int stride, double s);
-/* Values of its slope (by s) at the nodes. */
-void pm_series_slopes(const pm_nodes *nodes, const double *node_value, double *slope);
+/* Its slope (by s) at a node. */
 double pm_series_slope_at(const pm_nodes *nodes, const double *node_value, int node);
 /* Its slope at s, and its value there. */
 double pm_series_slope(const pm_nodes *nodes, const double *node_value, double s, double *here);
