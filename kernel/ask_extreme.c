@@ -33,20 +33,18 @@ static int is_at_node(pm_workspace *w, const pm_peak *p, int k, const pm_told *x
     return 1;
 }
 
-/* The extreme near s, beside node k, if it may be better than the best. */
-static int extreme_near(pm_workspace *w, const pm_peak *p, int k, double s)
+int pm_peak_near(pm_workspace *w, const pm_peak *p, int k, const pm_told *x)
 {
-    const pm_told x = pm_peak_top(w->nodes, p, k, s);
-    if (x.bend < 0) {
-        const double untold = UNTOLD * p->tail * p->size * fabs(x.w) - 0.5 * x.slope * x.slope / x.bend;
-        if (is_at_node(w, p, k, &x)) return PM_OK;
-        if (x.value + untold <= p->best + p->nothing) {
-            pm_peak_untold(w, p, x.value + untold);
+    if (x->bend < 0) {
+        const double untold = UNTOLD * p->tail * p->size * fabs(x->w) - 0.5 * x->slope * x->slope / x->bend;
+        if (is_at_node(w, p, k, x)) return PM_OK;
+        if (x->value + untold <= p->best + p->nothing) {
+            pm_peak_untold(w, p, x->value + untold);
             return PM_OK;
         }
         int found;
         pm_rise top;
-        int status = pm_peak_rise(w, p, pm_peak_side(w->nodes, k, x.s), &x, &top, &found);
+        int status = pm_peak_rise(w, p, pm_peak_side(w->nodes, k, x->s), x, &top, &found);
         if (!status && !found) status = pm_peak_search(w, p, &top, &found);
         if (status || found) return status;
     }
@@ -94,11 +92,13 @@ static int extremes_of_samples(pm_workspace *w, pm_peak *p)
     for (int k = 0; (k = next_top(nodes, p, k, 1)) < nodes->n; k++) {
         const double s = vertex(nodes, p, k);
         if (isnan(s)) continue;
-        const int status = extreme_near(w, p, k, s);
+        const pm_told x = pm_peak_top(nodes, p, k, s);
+        if (x.s <= p->end) p->met |= 1u << pm_peak_interval(nodes, x.s);
+        const int status = pm_peak_near(w, p, k, &x);
         if (status) return status;
         p->best = pm_greater(p->best, p->sign * w->ask->best[p->ask]);
     }
-    return PM_OK;
+    return pm_peak_hidden(w, p);
 }
 
 /* Between node k and the next, where the samples tell the slopes but roughly. */
@@ -136,9 +136,10 @@ int pm_peak_extremes(pm_workspace *w, pm_peak *p, int top, double spread)
     /* an extreme between the nodes exceeds them by no more than their spread */
     if (spread <= PM_PEAK_LEVEL * p->size || p->g[top] + spread < p->best) return PM_OK;
     p->tail = INFINITY;
+    p->met = 0;
     const int spectral = pm_nodes_spectral(nodes) && !pm_ask_at_extreme(PM_ASK_ROW(w->model, p->ask));
     if (spectral) {
-        if (next_top(nodes, p, 0, WIDE) == nodes->n) return PM_OK;
+        if (next_top(nodes, p, 0, WIDE) == nodes->n && !pm_peak_may_hide(nodes, p)) return PM_OK;
         p->tail = pm_series_high(nodes, p->g) / p->size;
         p->slope_error = PM_PEAK_SLOPE_TAIL * nodes->n * p->tail * p->size;
         p->nothing = pm_greater(PM_PEAK_NOTHING, SHARE * w->tolerance) * p->size;
@@ -150,12 +151,13 @@ int pm_peak_extremes(pm_workspace *w, pm_peak *p, int top, double spread)
     }
     if (spectral && p->tail < PM_SERIES_SMOOTH) return extremes_of_samples(w, p);
     for (int k = 0; (k = next_top(nodes, p, k, WIDE)) < nodes->n; k++) {
+        p->met |= (k > 0 ? 3u << (k - 1) : 1u);
         int status = k > 0 ? extreme_beside_top(w, p, k - 1, spread) : PM_OK;
         if (!status && k + 1 < nodes->n) status = extreme_beside_top(w, p, k, spread);
         if (status) return status;
         p->best = pm_greater(p->best, p->sign * w->ask->best[p->ask]);
     }
-    return PM_OK;
+    return pm_peak_hidden(w, p);
 }
 
 /* How many nodes are not beyond the end of the step, which may have been shortened. */

@@ -34,6 +34,7 @@ typedef struct pm_peak {
     double slope_error;
     pm_branch *branch; /* NULL: the program has no switches, or none changes */
     int first, last;   /* nodes beside which extremes are looked for */
+    uint32_t met;      /* bit k: between node k and the next one has been found */
 } pm_peak;
 
 /* The polynomial somewhere: its value less that of the nearest node, slope and bend; w'/w; w, 1 where it is greatest. */
@@ -47,6 +48,17 @@ typedef struct pm_rise {
     double gain, place; /* the extreme is that much above the value, and there */
     double untold;      /* and may be so much more */
 } pm_rise;
+
+/* A place in a step: the value and its rate there, of one step a unit. */
+typedef struct pm_slope {
+    double s, g, rate;
+} pm_slope;
+
+/* Who tells values and rates, and who finds the one top between a place where the value rises and one where it falls. */
+typedef struct pm_parting {
+    pm_slope (*slope)(pm_workspace *w, const pm_peak *p, double s);
+    int (*top)(pm_workspace *w, const pm_peak *p, const pm_slope *a, const pm_slope *b);
+} pm_parting;
 
 /* ---- peak.c ---- */
 double pm_peak_place(const pm_workspace *w, double s);
@@ -62,20 +74,42 @@ void pm_peak_untold(pm_workspace *w, const pm_peak *p, double g);
  * of these. */
 int pm_peak_extremes(pm_workspace *w, pm_peak *p, int top, double spread);
 
+/* ---- ask_extreme.c ---- */
+/* The extreme near one of the polynomial, beside node k, if it may be better than the best. */
+int pm_peak_near(pm_workspace *w, const pm_peak *p, int k, const pm_told *x);
+
+/* ---- peak_hidden.c ---- */
+int pm_peak_may_hide(const pm_nodes *nodes, const pm_peak *p);
+/* Extremes that no node shows; those at nodes have been looked for. */
+int pm_peak_hidden(pm_workspace *w, pm_peak *p);
+
+/* ---- peak_part.c: between two places ---- */
+/* The value rises at a and falls at b. */
+int pm_peak_falls(const pm_slope *a, const pm_slope *b);
+/* Where the cubic with these values and rates is greatest between a and b; NaN if it has no top there. */
+double pm_peak_of_cubic(const pm_slope *a, const pm_slope *b);
+/* All tops between a and b. */
+int pm_peak_part(pm_workspace *w, const pm_peak *p, const pm_parting *x, const pm_slope *a,
+                 const pm_slope *b);
+
 /* ---- peak_rise.c: where the nodes tell the value nearly ---- */
 /* The interval of s, next to node k. */
 int pm_peak_side(const pm_nodes *nodes, int k, double s);
 /* The polynomial's extreme near s, beside node k; nearly: as far as its slope tells it.  The bend is not below zero if there
  * is none. */
 pm_told pm_peak_top(const pm_nodes *nodes, const pm_peak *p, int k, double s);
+/* The node before s, but for the last. */
+int pm_peak_interval(const pm_nodes *nodes, double s);
+/* The polynomial at s, or right beside the node there. */
+pm_told pm_peak_tell(const pm_nodes *nodes, const pm_peak *p, double s);
 /* From a place near an extreme to it; *found is 0 if the looks do not tell it, *top is the best of them then. */
 int pm_peak_rise(pm_workspace *w, const pm_peak *p, int k, const pm_told *near, pm_rise *top, int *found);
 
 /* ---- peak_search.c: where they do not ---- */
 /* Between node k and the next where the value may have an extreme better than the best so far: the root of its rate. */
 int pm_peak_refine(pm_workspace *w, const pm_peak *p, int k);
-/* By values alone, where slopes do not tell (a flat top, or one about to part in two): from a look, or a node
- * next to it, that is better than those beside it. */
+/* By values alone, where slopes do not tell (a flat top, or one about to part in two): from a look that is better than the
+ * nodes beside it. */
 int pm_peak_search(pm_workspace *w, const pm_peak *p, const pm_rise *top, int *found);
 
 /* ---- peak_branch.c: where a program takes one branch after the other ---- */

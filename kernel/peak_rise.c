@@ -67,6 +67,19 @@ int pm_peak_side(const pm_nodes *nodes, int k, double s)
     return k > 0 && (s < nodes->at[k] || k + 1 == nodes->n) ? k - 1 : k;
 }
 
+int pm_peak_interval(const pm_nodes *nodes, double s)
+{
+    int k = 0;
+    while (k + 2 < nodes->n && nodes->at[k + 1] <= s) k++;
+    return k;
+}
+
+pm_told pm_peak_tell(const pm_nodes *nodes, const pm_peak *p, double s)
+{
+    const int k = pm_peak_interval(nodes, s);
+    return tell(nodes, p->g, k, beside(nodes, k, s));
+}
+
 pm_told pm_peak_top(const pm_nodes *nodes, const pm_peak *p, int k, double s)
 {
     s = beside(nodes, pm_peak_side(nodes, k, s), s);

@@ -40,28 +40,45 @@ static int climb(pm_workspace *w, const pm_peak *p, double bend, double low, dou
     return 0;
 }
 
-int pm_peak_refine(pm_workspace *w, const pm_peak *p, int k)
+static pm_slope slope_here(pm_workspace *w, const pm_peak *p, double s)
+{
+    const int program = pm_ask_program(PM_ASK_ROW(w->model, p->ask));
+    const double t = pm_peak_place(w, s), h = w->sampled_end - w->step_begin;
+    pm_ask_watch value = {program, 0, 0, switches_of(p)},
+                 rate = {program, 0, RATE_STEP * (w->step_end - w->step_begin), switches_of(p)};
+    return (pm_slope){s, p->sign * pm_ask_along(w, t, &value), p->sign * h * pm_ask_along(w, t, &rate)};
+}
+
+/* The root of the rate. */
+static int top_between(pm_workspace *w, const pm_peak *p, const pm_slope *a, const pm_slope *b)
 {
     const int32_t *e = PM_ASK_ROW(w->model, p->ask);
-    if (k < 0 || k + 1 >= w->nodes->n) return PM_OK;
-    const double begin = w->step_begin, h = w->sampled_end - begin;
-    const double a = pm_crossing_node(w, k), b = pm_less(pm_crossing_node(w, k + 1), w->step_end);
-    if (a >= b) return PM_OK;
-    pm_ask_watch x = {pm_ask_program(e), 0, RATE_STEP * (w->step_end - begin), switches_of(p)};
-    const double fa = pm_ask_along(w, a, &x), fb = pm_ask_along(w, b, &x);
-    if (!(p->sign * fa > 0 && p->sign * fb < 0)) return PM_OK;
-    const double bend = p->sign * (fb - fa) * h * h / (b - a);
-    double s = (a + (b - a) * (fa / (fa - fb)) - begin) / h, t;
+    pm_ask_watch x = {pm_ask_program(e), 0, RATE_STEP * (w->step_end - w->step_begin), switches_of(p)};
+    const double bend = (b->rate - a->rate) / (b->s - a->s);
+    const double near = pm_peak_of_cubic(a, b);
+    double s = isnan(near) ? a->s - a->rate / bend : near, t;
     const int climbs = !pm_ask_at_extreme(e) && /* there the place matters, not the value */
-                       climb(w, p, bend, (a - begin) / h, (b - begin) / h, &s);
+                       climb(w, p, bend, a->s, b->s, &s);
     t = pm_peak_place(w, s);
-    int status = climbs ? PM_OK : pm_root_find(w, w->ask->solver, pm_ask_along, &x, a, fa, b, fb, &t);
+    int status = climbs ? PM_OK
+                        : pm_root_find(w, w->ask->solver, pm_ask_along, &x, pm_peak_place(w, a->s),
+                                       p->sign * a->rate, pm_peak_place(w, b->s), p->sign * b->rate, &t);
     if (status == PM_SOLVER && !p->branch)
         w->ask->undefined[p->ask] = 1; /* it takes finite rates: there is none somewhere */
     if (status) return status == PM_SOLVER ? PM_OK : status;
     if ((status = pm_ask_look(w, t, 1))) return status;
     pm_peak_offer(w, p, pm_peak_value(w, p), 0);
     return PM_OK;
+}
+
+int pm_peak_refine(pm_workspace *w, const pm_peak *p, int k)
+{
+    static const pm_parting in_looks = {slope_here, top_between};
+    if (k < 0 || k + 1 >= w->nodes->n) return PM_OK;
+    const double *at = w->nodes->at, end = pm_less(at[k + 1], p->end);
+    if (at[k] >= end) return PM_OK;
+    const pm_slope a = slope_here(w, p, at[k]), b = slope_here(w, p, end);
+    return pm_peak_part(w, p, &in_looks, &a, &b);
 }
 
 typedef struct pm_search {
@@ -75,18 +92,12 @@ static double depth(double s, void *context)
     return pm_ask_look(x->w, pm_peak_place(x->w, s), 1) ? NAN : -pm_peak_value(x->w, x->peak);
 }
 
-/* The look and the nodes beside it, or the better of these and those beside that; 0 if neither is a top. */
+/* The look and the nodes beside it; 0 if it is no better than they are. */
 static int top_of_three(const pm_nodes *nodes, const double *g, const pm_rise *top, pm_valley *in)
 {
-    const double *at = nodes->at;
-    int k = 0;
-    while (k + 2 < nodes->n && at[k + 1] <= top->s) k++;
-    *in = (pm_valley){at[k], -g[k], top->s, -top->value, at[k + 1], -g[k + 1]};
-    if (top->value > g[k] && top->value > g[k + 1]) return 1;
-    if (g[k + 1] > g[k]) k++;
-    if (k == 0 || k + 1 == nodes->n) return 0;
-    *in = (pm_valley){at[k - 1], -g[k - 1], at[k], -g[k], at[k + 1], -g[k + 1]};
-    return g[k] > g[k - 1] && g[k] > g[k + 1];
+    const int k = pm_peak_interval(nodes, top->s);
+    *in = (pm_valley){nodes->at[k], -g[k], top->s, -top->value, nodes->at[k + 1], -g[k + 1]};
+    return top->value > g[k] && top->value > g[k + 1];
 }
 
 int pm_peak_search(pm_workspace *w, const pm_peak *p, const pm_rise *top, int *found)

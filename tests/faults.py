@@ -157,6 +157,28 @@ FAULTS = [
         "? NAN : -pm_peak_value(x->w, x->peak)",
         "? NAN : pm_peak_value(x->w, x->peak)",
     ),
+    Fault("part: no top where a value only rises", "peak_part.c", "if (isnan(s) ||", "if (1 ||"),
+    Fault("part: one side of a top is both", "peak_part.c", "0.5 * (s + b->s)", "s"),
+    Fault("hidden: all tops are at nodes", "peak_hidden.c", "<= ALIKE * rise) return k;", "<= 0) return k;"),
+    Fault(
+        "hidden: nodes that are lower hide nothing",
+        "ask_extreme.c",
+        "nodes->n && !pm_peak_may_hide(nodes, p)",
+        "nodes->n",
+    ),
+    Fault(
+        "hidden: a slope that is hardly told is told",
+        "peak_hidden.c",
+        "return fabs(here->rate) <= p->slope_error &&",
+        "return 0 &&",
+    ),
+    Fault("hidden: every top has been found", "peak_hidden.c", "p->met >> k & 1", "1"),
+    Fault(
+        "hidden: a step is as long as its samples",
+        "peak_hidden.c",
+        "if (nodes->at[k] > p->end) return",
+        "if (0) return",
+    ),
     Fault("branch: a program takes but one", "peak_branch.c", "return found;", "return 0;"),
     Fault(
         "branch: a corner is no extreme",
@@ -727,13 +749,13 @@ FAULTS = [
     ),
     Fault(
         "start: a block of joints pushed the wrong way",
-        "start.c",
+        "solution.c",
         "level == PM_START_POSITION ? -row->g : row->rate",
         "level == PM_START_POSITION ? row->g : row->rate",
     ),
     Fault(
         "start: what lies across a block of joints",
-        "start.c",
+        "solution.c",
         "w->rhs[i] = -along(w, &w->row[i], s->across)",
         "w->rhs[i] = along(w, &w->row[i], s->across)",
     ),
@@ -1386,9 +1408,9 @@ FAULTS = [
     # answers, audit, batch, start
     Fault(
         "ask: maxima for minima",
-        "peak_search.c",
-        "p->sign * fa > 0 && p->sign * fb < 0",
-        "p->sign * fa < 0 && p->sign * fb > 0",
+        "peak_part.c",
+        "return a->rate > 0 && b->rate < 0",
+        "return a->rate < 0 && b->rate > 0",
     ),
     Fault(
         "ask: grid value of another instant",
@@ -1407,8 +1429,8 @@ FAULTS = [
         "(void)0",
     ),
     Fault("batch: counts from the case before", "run.c", "pm_trigger_reset(w)", "(void)0"),
-    Fault("start: contradictions pass", "start.c", "return PM_START_CONFLICT", "continue"),
-    Fault("start: open motions pass", "start.c", "&& rest.left > OPEN_PART", "&& rest.left > 2"),
+    Fault("start: contradictions pass", "start_speed.c", "return PM_START_CONFLICT", "continue"),
+    Fault("start: open motions pass", "start_speed.c", "&& rest.left > OPEN_PART", "&& rest.left > 2"),
     Fault(
         "program: left and right", "program.c", "case PM_OP_SUB: return a - b", "case PM_OP_SUB: return b - a"
     ),

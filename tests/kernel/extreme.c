@@ -8,12 +8,16 @@
 
 static const int routes[] = {PM_ROUTE_PATH, PM_ROUTE_RK, PM_ROUTE_IDA, PM_ROUTE_UNIFORM};
 
+/* squares of how far from their middle two tops have parted */
+#define PARTED 6
+static const double parted[PARTED] = {1e-5, 1e-4, 1e-3, 1e-2, 0.03, 0.1};
+
 typedef struct wheel {
     scene *s;
     int turned, c; /* measure, value */
 } wheel;
 
-static wheel turning(int route)
+static wheel turning_to(int route, double end)
 {
     wheel x = {.s = scene_create()};
     scene *s = x.s;
@@ -22,10 +26,12 @@ static wheel turning(int route)
     scene_start_omega(s, body, 1);
     x.turned = scene_measure(s, PM_MEASURE_TURNED, body);
     x.c = scene_parameter(s);
-    scene_until(s, scene_when(s, PM_TRIGGER_RISE, scene_minus(s, x.turned, END)), 1);
+    scene_until(s, scene_when(s, PM_TRIGGER_RISE, scene_minus(s, x.turned, end)), 1);
     *scene_setting(s, PM_SETTING_ROUTE) = route;
     return x;
 }
+
+static wheel turning(int route) { return turning_to(route, END); }
 
 #define U scene_m(x.turned), scene_v(x.c), scene_op(PM_OP_SUB)
 #define K(number) scene_k(x.s, number)
@@ -128,6 +134,29 @@ static void flat_top(int route, double e)
     expect_extreme(x, 1, 2, 1, 1e-11);
 }
 
+/* cos(a (u^2 - e)) with two tops that have parted by little, and the dip between them about where the run begins or ends: one
+ * top is left. */
+static void parted_tops(int route, double a, double e, double middle, double end)
+{
+    wheel x = turning_to(route, end);
+    const double near = 0.95 * sqrt(e);
+    scene_ask_extreme(x.s, PM_ASK_MAX,
+                      SCENE_PROGRAM(x.s, U, SQUARE, K(e), SUB, K(a), MUL, scene_op(PM_OP_COS)), PM_NONE);
+    expect_extreme(x, middle - near, middle + near, 1, 1e-11);
+}
+
+/* u^3 / 3 - e u, just what the cubic through two nodes is: the top at u = -sqrt(e), up to where the value rises again. */
+static void cubic_top(int route, double e)
+{
+    wheel x = turning(route);
+    const double far = sqrt(e);
+    scene_ask_extreme(
+        x.s, PM_ASK_MAX,
+        SCENE_PROGRAM(x.s, U, K(3), scene_op(PM_OP_POW), K(3), scene_op(PM_OP_DIV), U, K(e), MUL, SUB),
+        PM_NONE);
+    expect_extreme(x, END - 1.9 * far, END + 0.9 * far, 2 * e * far / 3, 1e-11);
+}
+
 /* 1 - u^2, but no value where |u| < 0.01, its greatest place included: that answer has none, the run has. */
 static void no_value_at_top(int route)
 {
@@ -160,6 +189,15 @@ int main(void)
         flat_top(routes[i], 0);
         flat_top(routes[i], 1e-4);
         flat_top(routes[i], 1e-2);
+        for (int k = 0; k < PARTED; k++) {
+            parted_tops(routes[i], 0.3, parted[k], 0, END);
+            parted_tops(routes[i], 0.7, parted[k], 0, END);
+            for (double end = END; end > 2.6; end -= 0.04) {
+                parted_tops(routes[i], 0.3, parted[k], end, end);
+                parted_tops(routes[i], 0.7, parted[k], end, end);
+            }
+        }
+        for (int k = 0; k < PARTED; k++) cubic_top(routes[i], parted[k]);
         no_value_at_top(routes[i]);
     }
     return check_failures();

@@ -1,0 +1,96 @@
+/* peak_hidden.c - extremes that no node of a step shows.
+ *
+ * A top and a dip may have hardly parted, and a top may be right before the end of a step that was shortened, which is no
+ * node.  There nodes next to each other are nearly alike, or the step begins or ends; such tops rise above the nodes by no
+ * more than those differ about them.  The polynomial through the nodes shows them, or the rates there do
+ * (peak_part.c). */
+#include <math.h>
+
+#include "greater.h"
+#include "peak.h"
+#include "series.h"
+
+#define HALVES 30 /* of an interval with one top */
+#define BENDS 0.8 /* of the bend that a parabola would have */
+#define ALIKE 0.1 /* of what others near them differ by: nodes between which a top may hide */
+
+static pm_slope slope_told(pm_workspace *w, const pm_peak *p, double s)
+{
+    pm_slope x = {.s = s};
+    x.rate = pm_series_slope(w->nodes, p->g, s, &x.g);
+    return x;
+}
+
+/* The polynomial's top, by halves: Newton's method may find another one next to it. */
+static int top_told(pm_workspace *w, const pm_peak *p, const pm_slope *a, const pm_slope *b)
+{
+    const pm_nodes *nodes = w->nodes;
+    double low = a->s, high = b->s, s;
+    for (int i = 0; s = 0.5 * (low + high), i < HALVES; i++) {
+        if (slope_told(w, p, s).rate > 0)
+            low = s;
+        else
+            high = s;
+    }
+    int k = pm_peak_interval(nodes, s);
+    if (nodes->at[k + 1] - s < s - nodes->at[k]) k++;
+    const pm_told x = pm_peak_tell(nodes, p, s);
+    return pm_peak_near(w, p, k, &x);
+}
+
+/* The first node from k on with a hidden top between it and the next that may beat the best; or n. */
+static int next_hidden(const pm_nodes *nodes, const pm_peak *p, int k)
+{
+    const double *g = p->g, above = p->best + p->nothing;
+    const int n = nodes->n;
+    double before = k > 0 ? fabs(g[k] - g[k - 1]) : 0, here = k + 1 < n ? fabs(g[k + 1] - g[k]) : 0, after;
+    for (; k + 1 < n && nodes->at[k] < p->end; k++, before = here, here = after) {
+        after = k + 2 < n ? fabs(g[k + 2] - g[k + 1]) : 0;
+        const double rise = pm_greater(here, pm_greater(before, after));
+        if (!(pm_greater(g[k], g[k + 1]) + rise > above)) continue;
+        const int cut = nodes->at[k + 1] > p->end;
+        if (cut || pm_less(here, pm_less(before, after)) <= ALIKE * rise) return k;
+    }
+    return n;
+}
+
+int pm_peak_may_hide(const pm_nodes *nodes, const pm_peak *p) { return next_hidden(nodes, p, 0) < nodes->n; }
+
+/* The polynomial at a node, or at the end of a step before it. */
+static pm_slope slope_at_node(pm_workspace *w, const pm_peak *p, int k)
+{
+    const pm_nodes *nodes = w->nodes;
+    if (nodes->at[k] > p->end) return slope_told(w, p, p->end);
+    return (pm_slope){nodes->at[k], p->g[k], pm_series_slope_at(nodes, p->g, k)};
+}
+
+/* Whether the nodes do not tell the slope at one place, nor, by the cubic through both, that it bends as a top does. */
+static int is_level(const pm_peak *p, const pm_slope *here, const pm_slope *other)
+{
+    const double h = other->s - here->s;
+    const double bend = (6 * (other->g - here->g) / h - 4 * here->rate - 2 * other->rate) / h;
+    return fabs(here->rate) <= p->slope_error && bend * fabs(h) > -BENDS * fabs(other->rate);
+}
+
+/* Between node k and the next. */
+static int hidden_between(pm_workspace *w, const pm_peak *p, int k)
+{
+    static const pm_parting by_polynomial = {slope_told, top_told};
+    const int met = p->met >> k & 1;
+    if (!(p->tail < PM_SERIES_SMOOTH)) return met ? PM_OK : pm_peak_refine(w, p, k);
+    const pm_slope a = slope_at_node(w, p, k), b = slope_at_node(w, p, k + 1);
+    if (is_level(p, &a, &b) || is_level(p, &b, &a)) return pm_peak_refine(w, p, k);
+    if (met && w->nodes->at[k + 1] <= p->end && pm_peak_falls(&a, &b)) return PM_OK;
+    return pm_peak_part(w, p, &by_polynomial, &a, &b);
+}
+
+int pm_peak_hidden(pm_workspace *w, pm_peak *p)
+{
+    const int n = w->nodes->n;
+    for (int k = 0; (k = next_hidden(w->nodes, p, k)) < n; k++) {
+        const int status = hidden_between(w, p, k);
+        if (status) return status;
+        p->best = pm_greater(p->best, p->sign * w->ask->best[p->ask]);
+    }
+    return PM_OK;
+}
