@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import math
+import subprocess
+import sys
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -30,8 +33,12 @@ REPEAT = 3
 # Calls of a sweep that are timed at least, and how long all may take, s.
 CALLS = 5
 CALLS_SECONDS = 1.0
-# A batch of cases for the threads takes about this long on one, s.
-THREAD_SECONDS = 1.0
+# A batch of cases for the threads takes about this long on one, s; how often one thread and two take turns.
+THREAD_SECONDS = 0.3
+THREAD_TURNS = 15
+# A call for a chain takes at least this long, s: what is made once a batch is a small part of it then.
+CHAIN_CALL = 0.1
+COUNT_TO = 10_000_000
 
 
 def tables(rows: Sequence[Row], quick: bool, out: Path) -> list[Table]:
@@ -137,7 +144,7 @@ def one_case(scene: planemotion.Scene, asks: Sequence[str], route: str) -> tuple
     results = engine.run_cases(flat, batch.param)
     if results.status[0] < 0:
         return (np.nan, np.nan), engine.message(flat, results, 0)
-    batch.lengthen(cpu(batch.answers))
+    batch.lengthen(cpu(batch.answers), CHAIN_CALL)
     taken = min(cpu(batch.answers) for _ in range(REPEAT)) / batch.runs()
     return (taken, float(results.count[0, layout.PM_COUNT_STEPS])), ""
 
@@ -197,32 +204,52 @@ def threads(quick: bool) -> Table:
         "growth_threads",
         "Growth with the number of threads",
         ("study", "route", "threads", "cases", "s by the clock", "times one thread"),
-        text="All asks of the named studies; least of three by the clock: other work on the machine shows.",
+        text="All asks of the named studies; by the clock, least of some turns of all rows: other work on "
+        "the machine shows. Beside them two processes that only count, at once, against one of them: what "
+        "the machine itself gives.",
     )
-    for problem in PROBLEMS[:2]:
-        for route in ("auto",) if quick else ("auto", "rk"):
-            flat = flat_of(problem.scene(), tuple(problem.scene().raw["ask"]), {"solve.route": route})
-            param = batch_for(
-                flat, columns(flat, problem.names, problem.cases), 0.1 if quick else THREAD_SECONDS
-            )
-            taken = by_the_clock(flat, param)
-            for n, seconds in zip(THREADS, taken, strict=True):
-                table.rows.append(
-                    [
-                        problem.name,
-                        "default" if route == "auto" else route,
-                        n,
-                        len(param),
-                        seconds,
-                        taken[0] / seconds,
-                    ]
-                )
+    rows = [
+        (problem, route) for problem in PROBLEMS[:2] for route in (("auto",) if quick else ("auto", "rk"))
+    ]
+    batches = []
+    for problem, route in rows:
+        flat = flat_of(problem.scene(), tuple(problem.scene().raw["ask"]), {"solve.route": route})
+        cases = columns(flat, problem.names, problem.cases)
+        batches.append((flat, batch_for(flat, cases, 0.1 if quick else THREAD_SECONDS)))
+    calls = [
+        lambda flat=flat, param=param, n=n: engine.run_cases(flat, param, workers=n)
+        for flat, param in batches
+        for n in THREADS
+    ]
+    taken = by_the_clock([*calls, lambda: count(1), lambda: count(2)], 2 if quick else THREAD_TURNS)
+    for (problem, route), (_, param), times in zip(rows, batches, pairs(taken), strict=False):
+        name = "default" if route == "auto" else route
+        for n, seconds in zip(THREADS, times, strict=True):
+            table.rows.append([problem.name, name, n, len(param), seconds, times[0] / seconds])
+    alone, together = taken[-2:]
+    table.rows.append(["processes that count", "-", 2, 2, together, 2 * alone / together])
     return table
 
 
-def by_the_clock(flat: FlatScene, param: Floats) -> list[float]:
-    """Seconds with each number of threads."""
-    return [wall(lambda n=n: engine.run_cases(flat, param, workers=n)) for n in THREADS]
+def by_the_clock(calls: Sequence[Callable[[], object]], turns: int) -> list[float]:
+    """Least seconds of each call, which take turns: a slow moment of the machine meets them all."""
+    least = [math.inf] * len(calls)
+    for _ in range(turns):
+        for i, call in enumerate(calls):
+            least[i] = min(least[i], wall(call, 1))
+    return least
+
+
+def pairs(numbers: Sequence[float]) -> Iterator[tuple[float, ...]]:
+    return zip(*[iter(numbers)] * len(THREADS), strict=True)
+
+
+def count(processes: int) -> None:
+    """So many processes that count to a number each, at once."""
+    command = [sys.executable, "-c", f"for i in range({COUNT_TO}): pass"]
+    running = [subprocess.Popen(command) for _ in range(processes)]
+    for process in running:
+        process.wait()
 
 
 def batch_for(flat: FlatScene, param: Floats, seconds: float) -> Floats:

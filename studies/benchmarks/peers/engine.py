@@ -118,9 +118,9 @@ class KernelBatch:
             raise SimulationError(engine.message(self.flat, results, int(failed[0])), status=0)
         return results.out[: self.cases, self.columns]
 
-    def lengthen(self, seconds: float) -> None:
-        """Copies of all cases."""
-        copies = int(min(max(LEAST_CALL / max(seconds, 1e-7), 1), MOST_COPIES / self.cases))
+    def lengthen(self, seconds: float, least: float = LEAST_CALL) -> None:
+        """Copies of all cases, which take `seconds`, such that a call takes at least about `least`."""
+        copies = int(min(max(least / max(seconds, 1e-7), 1), MOST_COPIES / self.cases))
         self.param = np.tile(self.param[: self.cases], (max(copies, 1), 1))
 
     def steps(self) -> float:
