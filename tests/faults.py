@@ -647,7 +647,7 @@ FAULTS = [
     ),
     Fault(
         "rk: loop rows keep the rates that the energy did not return",
-        "route_rk.c",
+        "rk_settle.c",
         "gamma *= factor * factor",
         "gamma *= 1",
     ),
@@ -1369,8 +1369,10 @@ FAULTS = [
         "0.04471061572777259};",
         "0.04471071572777259};",
     ),
-    Fault("rk: a sign of the dense output", "route_rk.c", "2 * change - (f0 + f1)", "2 * change - (f0 - f1)"),
-    Fault("rk: no control of the error", "route_rk.c", "return sum5 == 0 ? 0 :", "return sum5 >= 0 ? 0 :"),
+    Fault(
+        "rk: a sign of the dense output", "rk_formula.c", "2 * change - (f0 + f1)", "2 * change - (f0 - f1)"
+    ),
+    Fault("rk: no control of the error", "rk_formula.c", "return sum5 == 0 ? 0 :", "return sum5 >= 0 ? 0 :"),
     Fault(
         "rk: energy is taken instead of returned",
         "energy.c",
@@ -1380,13 +1382,13 @@ FAULTS = [
     Fault("rk: a damped motion keeps its energy", "energy.c", "only_potentials(w) && drives", "drives"),
     Fault(
         "rk: impulses of a sampled step",
-        "route_rk.c",
+        "rk_settle.c",
         "if (!w->rk->ledger) follow_momenta",
         "follow_momenta",
     ),
     Fault("rk: summed weights", "tree_turning.c", "w->gravity[1] * p[0] -", "w->gravity[1] * p[0] +"),
     Fault("rk: summed centrifugal forces", "tree_turning.c", "x[k] -= a->square", "x[k] += a->square"),
-    Fault("rk: errors of the last coordinate", "route_rk.c", "i < n; i += 2) {", "i + 2 < n; i += 2) {"),
+    Fault("rk: errors of the last coordinate", "rk_formula.c", "i < n; i += 2) {", "i + 2 < n; i += 2) {"),
     Fault("audit: a path at the rate of another", "audit.c", "zdot[m->nz_work + i]", "zdot[m->nz_work]"),
     Fault("swift: centrifugal forces", "tree_swift.c", "f[k] -= square[i]", "f[k] += square[i]"),
     Fault("swift: weights", "tree_swift_sums.c", "= -w->gravity[1] * p[1]", "= w->gravity[1] * p[1]"),
