@@ -18,6 +18,7 @@
 #include "crossing_sample.h"
 #include "decision.h"
 #include "error.h"
+#include "jump.h"
 #include "root.h"
 #include "route.h"
 #include "saddle.h"
@@ -117,9 +118,10 @@ static void take_rate(pm_workspace *w, int function, double x, double slope)
     if (!w->error->active) return;
     pm_event_function *f = &w->event->function[function];
     const double d = RATE_STEP * (w->step_end - w->step_begin);
-    pm_decision_rate(
-        w, function,
-        isnan(slope) ? (pm_crossing_along(w, x + d, f) - pm_crossing_along(w, x - d, f)) / (2 * d) : slope);
+    const double rate =
+        isnan(slope) ? (pm_crossing_along(w, x + d, f) - pm_crossing_along(w, x - d, f)) / (2 * d) : slope;
+    if (f->kind == FUNCTION_GAP && pm_jump_nearly_ends(w, f->index, rate)) return;
+    pm_decision_rate(w, function, rate);
 }
 
 static double slope_of_samples(const pm_workspace *w, int i, double place)

@@ -3,7 +3,9 @@
  * Every decision compares a number x with 0: a function of the phase that did not fire, the rate of one that did, an
  * impulse that must not pull.  Two passes of a case that differ by their errors only give x and x': the margin of the
  * decision is the smaller of both over |x - x'|.  As long as the passes decide alike their logs run in step, which the
- * history proves; near misses are seen by one pass and perhaps not by the other, and are then left out. */
+ * history proves; near misses are seen by one pass and perhaps not by the other, and are then left out.  Where a series of
+ * blows without end is over another part of the run begins, at which the passes are in step again, however many of them
+ * each has seen. */
 #include "decision.h"
 
 #include <math.h>
@@ -13,7 +15,9 @@
 #include "event.h"
 #include "route.h"
 
-#define NOTHING 1e-14    /* of its natural size: zero in both passes, that is by the scene's structure */
+#define NOTHING 1e-14 /* of its natural size: zero in both passes, that is by the scene's structure */
+#define FIRST 2166136261u
+#define PART (1 << 18)   /* numbers of instants, for each part of a run */
 #define ROUNDING 2.2e-16 /* least difference, of the natural size */
 
 static uint32_t mix(uint32_t history, uint32_t what) { return (history ^ what) * 16777619u; } /* FNV-1a */
@@ -23,7 +27,7 @@ void pm_decision_begin(pm_decision_log *log)
     log->n = 0;
     log->instant = 0;
     log->stride = 1;
-    log->history = 2166136261u;
+    log->history = FIRST;
 }
 
 /* The log is full: from now on only every second instant of those kept so far. */
@@ -133,6 +137,18 @@ void pm_decision_instant(pm_workspace *w)
     }
 }
 
+static int32_t part_of(const pm_decision *x) { return x->instant / PART; }
+
+void pm_decision_part(pm_workspace *w, int contact)
+{
+    if (!w->error->active) return;
+    pm_decision_log *log = &w->error->present->log;
+    const int32_t part = log->instant / PART + 1;
+    if (part > INT32_MAX / PART - 1) return;
+    log->instant = part * PART;
+    log->history = mix(FIRST, (uint32_t)contact);
+}
+
 void pm_decision_close(pm_workspace *w)
 {
     if (!w->error->active) return;
@@ -184,6 +200,13 @@ static int next_instant(const pm_decision_log *log, int i)
     return i;
 }
 
+static int next_part(const pm_decision_log *log, int i)
+{
+    const int32_t part = part_of(&log->entry[i]);
+    while (i < log->n && part_of(&log->entry[i]) == part) i++;
+    return i;
+}
+
 double pm_decision_margin(const pm_decision_log *a, const pm_decision_log *b, const double *trigger_scale)
 {
     const int32_t stride = a->stride > b->stride ? a->stride : b->stride;
@@ -194,6 +217,11 @@ double pm_decision_margin(const pm_decision_log *a, const pm_decision_log *b, co
             i++;
         } else if (y->instant % stride != 0) {
             j++;
+        } else if (part_of(x) != part_of(y)) {
+            if (part_of(x) < part_of(y))
+                i++;
+            else
+                j++;
         } else if (same(x, y)) {
             margin = fmin(margin, margin_of(x, y, trigger_scale));
             i++;
@@ -206,7 +234,8 @@ double pm_decision_margin(const pm_decision_log *a, const pm_decision_log *b, co
             i = next_instant(a, i); /* the same outcome by another way */
             j = next_instant(b, j);
         } else {
-            break; /* from here on the passes have gone different ways */
+            i = next_part(a, i); /* from here on the passes have gone different ways */
+            j = next_part(b, j);
         }
     }
     return margin;

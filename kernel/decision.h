@@ -53,6 +53,8 @@ void pm_decision_rate(pm_workspace *w, int function, double rate);
 /* The sign of x, of natural size `unit`, decides what contact slot (or contact) `what` does. */
 void pm_decision_sign(pm_workspace *w, int site, int what, double x, double unit);
 void pm_decision_close(pm_workspace *w);
+/* A contact has been struck infinitely often: other passes may have seen other numbers of its blows. */
+void pm_decision_part(pm_workspace *w, int contact);
 
 /* Not zero by the scene's structure; unit: its natural size. */
 int pm_decision_is_open(const pm_decision *x, double unit);

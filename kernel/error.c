@@ -131,6 +131,7 @@ void pm_error_begin(pm_workspace *w)
     p->margin = INFINITY;
     p->relative = 0;
     p->unsure = 0;
+    p->cut = 0;
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) p->extreme[i] = INFINITY;
     pm_decision_begin(&p->log);
 }
@@ -159,6 +160,11 @@ void pm_error_answer(pm_workspace *w, int column, double error)
 void pm_error_more(pm_workspace *w, int column, double more)
 {
     if (w->error->active) w->error->present->more[column] += more;
+}
+
+void pm_error_cut(pm_workspace *w)
+{
+    if (w->error->active) w->error->present->cut = 1;
 }
 
 void pm_error_decision(pm_workspace *w, double distance, double error)
@@ -404,7 +410,9 @@ static int refine(pm_workspace *w, const double *param, double *error, double *t
     swap(&e->main, &e->spare);
     swap(&e->other, &e->spare); /* the last main pass; what it was compared with is free */
     find_sizes(w);
-    if ((doubtful || e->main->tolerance < NEAR_ENOUGH * e->other->tolerance) && !find_companion(w, param))
+    /* what a cut loses does not go with the tolerance: only a companion shows it */
+    if ((doubtful || e->main->cut || e->main->tolerance < NEAR_ENOUGH * e->other->tolerance) &&
+        !find_companion(w, param))
         return 0;
     judge(w, error, trust);
     return 1;

@@ -25,6 +25,7 @@ typedef struct pm_pass {
     double relative;  /* greatest error of T on its paths, of T */
     double *
         extreme; /* [2][ntrigger] nearest to zero of what forces or speeds decide, and how far it was nearby */
+    int cut;     /* a series of blows without end was cut off, by its error in time */
     int unsure;  /* the extremes of such a function are not known */
     uint64_t outcome; /* hash of status, reasons and event counts */
     int status;
@@ -72,6 +73,8 @@ int pm_error_disturb(pm_workspace *w);
 void pm_error_answer(pm_workspace *w, int column, double error);
 /* What was left untold of out[column], whoever tells its error. */
 void pm_error_more(pm_workspace *w, int column, double more);
+/* A series of ever smaller blows is over although its last rebound would have lasted: earlier in a companion. */
+void pm_error_cut(pm_workspace *w);
 void pm_error_decision(pm_workspace *w, double distance, double error);
 
 #endif

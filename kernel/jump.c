@@ -24,6 +24,7 @@
 #include "capture.h"
 #include "contact.h"
 #include "decision.h"
+#include "error.h"
 #include "event.h"
 #include "grip.h"
 #include "impact.h"
@@ -35,7 +36,9 @@
 
 #define PULLS 1e-11      /* of the impulses in the blow: a normal impulse this small does not pull */
 #define LAST_BOUNCE 1e-7 /* of the scene's speed: slower rebounds stay, their height is lost in rounding */
-#define SPENT 1e-6 /* of the scene's speed: a rebound that cannot be seen and is slower than this is over */
+#define SPENT 1e-6   /* of the scene's speed: a rebound that cannot be seen and is slower than this is over */
+#define UNKNOWN 30.0 /* times as fast: their height is known to some percent */
+#define EARLIER 4.0  /* times as fast: the last rebound of a companion */
 #define BLOWS_AT_ONCE 64
 #define GAINS 1e-10 /* of the energies that a blow turns over: rounding */
 #define NOTHING \
@@ -46,10 +49,22 @@ static double far_off(const pm_workspace *w) { return sqrt(pm_contact_reach(w) /
 
 enum pm_share { OUT = 0, STRUCK = 1, JOINED = 2, DROPPED = 3 };
 
+/* Below which rebounds are the last; a companion cuts a series of blows off earlier, which shows what that loses. */
+static double cut_speed(const pm_workspace *w, double share)
+{
+    return (w->coarse > 1 ? EARLIER : 1) * share * w->speed * far_off(w);
+}
+
+int pm_jump_nearly_ends(const pm_workspace *w, int contact, double rate)
+{
+    return pm_contact_restitution(w, contact) > 0 && !pm_uniform_resolves(w, contact) &&
+           fabs(rate) <= UNKNOWN * cut_speed(w, LAST_BOUNCE);
+}
+
 /* A rebound too low to be seen is over: its speed is taken away as if by one more, plastic, blow. */
 static int is_spent(const pm_workspace *w, int contact, double rate)
 {
-    return w->event->spent[contact] && rate > pm_contact_speed(w) && rate <= SPENT * w->speed * far_off(w);
+    return w->event->spent[contact] && rate > pm_contact_speed(w) && rate <= cut_speed(w, SPENT);
 }
 
 /* An open member that touches: does it approach, is its bounce over, does it stay? */
@@ -65,7 +80,7 @@ static int touches(pm_workspace *w, int contact, pm_touch *x)
         return pm_capture_meets(w, contact, pm_contact_gap(w, &w->state, contact, &x->member));
     if (!pm_contact_touches(w, &w->state, contact, &x->member)) return 0;
     pm_contact_member_gap(w, contact, x->member, &rate);
-    pm_decision_sign(w, PM_SITE_STRIKES, contact, rate, w->speed);
+    if (!pm_jump_nearly_ends(w, contact, rate)) pm_decision_sign(w, PM_SITE_STRIKES, contact, rate, w->speed);
     x->approaches = rate < -pm_contact_speed(w);
     x->rests = is_spent(w, contact, rate);
     x->stays = rate <= pm_contact_speed(w) && (x->approaches || !pm_mode_released(w, contact, x->member));
@@ -123,7 +138,7 @@ static int build(pm_workspace *w, const unsigned char *share, const int32_t *tri
 static double restitution_of(const pm_workspace *w, int slot, double approach)
 {
     const double e = pm_contact_restitution(w, pm_contact_of_slot(w->model, slot));
-    const int seen = e * -approach > LAST_BOUNCE * w->speed * far_off(w) ||
+    const int seen = e * -approach > cut_speed(w, LAST_BOUNCE) ||
                      pm_uniform_resolves(w, pm_contact_of_slot(w->model, slot));
     return seen ? e : 0;
 }
@@ -346,6 +361,11 @@ static void set_modes(pm_workspace *w, const unsigned char *share, const int32_t
             share[i] == STRUCK && w->state.slot[i].mode != PM_CAPTURED; /* anchored then */
         if (!closed_here && (share[i] != OUT || w->state.slot[i].mode != resting[i]))
             pm_active_anchor(w, &w->state, i);
+        if (share[i] == STRUCK && pm_contact_restitution(w, contact) > 0) {
+            pm_trigger_countless(w, contact);
+            pm_decision_part(w, contact);
+            pm_error_cut(w);
+        }
         if (share[i] == STRUCK && w->state.slot[i].mode == PM_STICK && slid(w, i, before))
             pm_trigger_mark(w, PM_TRIGGER_STICK, contact);
     }

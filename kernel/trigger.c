@@ -24,6 +24,17 @@ double pm_trigger_count(const pm_workspace *w, int event)
     const int64_t count = w->event->count[event];
     return count >= PM_COUNTLESS ? INFINITY : (double)count;
 }
+
+void pm_trigger_countless(pm_workspace *w, int contact)
+{
+    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
+        const int32_t *e = PM_TRIGGER_ROW(w->model, i);
+        if (e[PM_TRIGGER_KIND] != PM_TRIGGER_STRIKE || e[PM_TRIGGER_A] != contact) continue;
+        w->event->count[e[PM_TRIGGER_EVENT]] = PM_COUNTLESS;
+        w->event->time[e[PM_TRIGGER_EVENT]] = w->state.t;
+    }
+}
+
 double pm_trigger_time(const pm_workspace *w, int event) { return w->event->time[event]; }
 
 double pm_trigger_program(pm_workspace *w, int trigger)

@@ -24,6 +24,8 @@ void pm_trigger_look_before(pm_workspace *w);
 void pm_trigger_look_after(pm_workspace *w);
 /* Marks the triggers of a contact's change: kind PM_TRIGGER_STRIKE, OPEN, SLIP or STICK. */
 void pm_trigger_mark(pm_workspace *w, int kind, int contact);
+/* A contact has been struck infinitely often until now. */
+void pm_trigger_countless(pm_workspace *w, int contact);
 /* The next blow of the same instant: what has fired stays marked as such, and may fire again. */
 void pm_trigger_next_blow(pm_workspace *w);
 /* The event fires at this instant: one of its triggers is marked, for the time that counts. */

@@ -331,16 +331,6 @@ static void add_blows(pm_workspace *w, const pm_rest *r, const double *q_end, co
     pm_audit_series(w, sum);
 }
 
-static void fire_for_ever(pm_workspace *w, int contact, double t)
-{
-    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
-        const int32_t *e = PM_TRIGGER_ROW(w->model, i);
-        if (e[PM_TRIGGER_KIND] != PM_TRIGGER_STRIKE || e[PM_TRIGGER_A] != contact) continue;
-        w->event->count[e[PM_TRIGGER_EVENT]] = PM_COUNTLESS;
-        w->event->time[e[PM_TRIGGER_EVENT]] = t;
-    }
-}
-
 int pm_zeno_leap(pm_workspace *w, int contact, double flight, double t_limit, int *taken)
 {
     pm_uniform *u = w->uniform;
@@ -359,7 +349,7 @@ int pm_zeno_leap(pm_workspace *w, int contact, double flight, double t_limit, in
     add_blows(w, &r, q, v);
     w->step_begin = w->step_end = w->state.t = u->t0 + t;
     w->count[PM_COUNT_JUMPS]++;
-    fire_for_ever(w, contact, w->state.t);
+    pm_trigger_countless(w, contact);
     pm_zeno_reset(w);
     return pm_project(w, &w->state);
 }

@@ -1521,6 +1521,11 @@ FAULTS = [
     Fault(
         "zeno: a trigger on the way", "zeno.c", "!(x.least > 0 || x.greatest < 0)) return 0", "0) return 0"
     ),
+    Fault("jump: a series cut off loses nothing", "jump.c", "(w->coarse > 1 ? EARLIER : 1)", "1"),
+    Fault("jump: its blows can be counted", "jump.c", "pm_trigger_countless(w, contact);", ""),
+    Fault("jump: its last blows are decisions", "jump.c", "fabs(rate) <= UNKNOWN *", "fabs(rate) <= 0 *"),
+    Fault("error: a cut goes with the tolerance", "error.c", "doubtful || e->main->cut ||", "doubtful ||"),
+    Fault("decision: nothing is compared after a series", "decision.c", "log->instant = part * PART;", ""),
     # the ida route
     Fault("ida: sign in the residual of q", "ida_system.c", "r[i] = yp[i] - v[i]", "r[i] = yp[i] + v[i]"),
     Fault(

@@ -358,6 +358,52 @@ static void counted_to_the_end(void)
         }
 }
 
+/* A ball let fall from 1 m on a floor. */
+static void let_fall(scene *s, double e)
+{
+    const int ball = scene_body(s, 0.1, 4e-5, 0, 1.03, 0);
+    scene_contact(s, PM_CONTACT_LINE, scene_circle(s, scene_point(s, ball, 0, 0), 0.03), scene_floor(s, 0), 1,
+                  e, PM_FRICTION_SMOOTH, 0);
+}
+
+/* It rests at sqrt(2 h / g) (1 + e) / (1 - e), after blows without number.  Those that are too small to be followed end the
+ * run before that: by no more than is told, at whatever accuracy. */
+static void series_cut_off(int route, double e, double accuracy)
+{
+    scene *s = estimating(accuracy);
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    let_fall(s, e);
+    scene_until(s, scene_on(s, PM_TRIGGER_REST, PM_NONE), 1);
+    scene_ask_measure(s, scene_time(s));
+    scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, scene_on(s, PM_TRIGGER_STRIKE, 0)));
+    EQUAL(scene_run(s, NULL), PM_OK);
+    const double wrong = fabs(s->out[0] - sqrt(2 / G) * (1 + e) / (1 - e));
+    CHECK(wrong > 1e-9 && wrong < s->error[0] && s->error[0] < 20 * wrong);
+    CHECK(isinf(s->out[1]));
+    CHECK(s->trust[PM_TRUST_MARGIN] > 100);
+    scene_free(s);
+}
+
+/* After its rest another ball, thrown up, passes a height close below its highest place. */
+static void decided_after_a_series(double below)
+{
+    scene *s = estimating(1e-10);
+    *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_RK;
+    let_fall(s, 0.3);
+    const int thrown_up = scene_body(s, 1, 0, 5, 0, 0), g = scene_point(s, thrown_up, 0, 0);
+    scene_start_velocity(s, g, 0, 2 * G);
+    const int y = scene_part(s, PM_MEASURE_POSITION, g, PM_PART_Y);
+    const int up = scene_when(s, PM_TRIGGER_RISE, scene_minus(s, y, 2 * G * (1 - below)));
+    scene_until_time(s, 3);
+    scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, up));
+    scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, scene_on(s, PM_TRIGGER_STRIKE, 0)));
+    EQUAL(scene_run(s, NULL), PM_OK);
+    EQUAL(s->out[0], 1);
+    CHECK(isinf(s->out[1]));
+    CHECK(s->margin[0] > 1 && s->margin[0] < 1e16 * below);
+    scene_free(s);
+}
+
 int main(void)
 {
     calibrated();
@@ -371,5 +417,11 @@ int main(void)
     slow_over_the_top();
     counted_events();
     counted_to_the_end();
+    for (int route = PM_ROUTE_RK; route <= PM_ROUTE_IDA; route++)
+        for (int i = 0; i < 3; i++) {
+            series_cut_off(route, 0.3 + 0.3 * i, 1e-6);
+            series_cut_off(route, 0.3 + 0.3 * i, 1e-8);
+        }
+    for (int i = 4; i < 10; i++) decided_after_a_series(pow(10, -i));
     return check_failures();
 }
