@@ -71,8 +71,8 @@ static double vertex(const pm_nodes *nodes, const pm_peak *p, int k)
 }
 
 /* Extremes are beside nodes that are better than both nodes next to them: a wave that none shows would not be resolved.
- * They rise above them by less than those fall off to the nodes next to them (an end: to the second from it).  The first
- * such node from k on that may beat the best, by `wide` times as much, and is not beyond the end of the step; or n. */
+ * They rise above them by less than those fall off to the nodes next to them.  The first such node from k on that may beat
+ * the best, by `wide` times as much, and is not beyond the end of the step; or n. */
 static int next_top(const pm_nodes *nodes, const pm_peak *p, int k, double wide)
 {
     const double *g = p->g;
@@ -80,7 +80,7 @@ static int next_top(const pm_nodes *nodes, const pm_peak *p, int k, double wide)
     for (k = k > p->first ? k : p->first; k <= p->last; k++) {
         const double here = g[k], before = k > 0 ? g[k - 1] : g[1], after = k + 1 < n ? g[k + 1] : g[n - 2];
         if (!(here > before && here >= after)) continue;
-        const double fall = here - (k == 0 ? g[2] : k + 1 == n ? g[n - 3] : pm_less(before, after));
+        const double fall = here - pm_less(before, after);
         if (here + wide * fall > p->best && (k == 0 || nodes->at[k - 1] < p->end)) return k;
     }
     return n;

@@ -186,53 +186,83 @@ void pm_band_solve_transposed(int n, const int *bottom, const int *right, const 
 }
 
 /* ---- full pivoting ---- */
-/* The column of the greatest entry of a row from column[i] on. */
-static int greatest_of(int n, int i, const int *column, const double *row)
+/* The greatest entry of row r in a column that is no pivot's of a row before `from`. */
+static void find_best(pm_elimination *x, int r, int from, const double *row)
 {
-    int best = column[i];
-    for (int k = i + 1; k < n; k++)
-        if (fabs(row[column[k]]) > fabs(row[best])) best = column[k];
-    return best;
+    x->size[r] = 0;
+    for (int c = x->low[r]; c <= x->high[r]; c++)
+        if (x->place[c] >= from && fabs(row[c]) > x->size[r]) {
+            x->size[r] = fabs(row[c]);
+            x->best[r] = c;
+        }
 }
 
-/* Brings row `at` to row i, and its best column to column[i]. */
-static void bring(int n, int i, int at, double *a, int *column, int *best)
+static void swap_int(int *a, int *b)
 {
-    int k = i;
-    for (int c = 0; c < n && at != i; c++) {
-        const double swap = a[i * n + c];
-        a[i * n + c] = a[at * n + c];
-        a[at * n + c] = swap;
-    }
-    const int row_best = best[at], swap = column[i];
-    best[at] = best[i];
-    best[i] = row_best;
-    while (column[k] != row_best) k++;
-    column[k] = swap;
-    column[i] = row_best;
+    const int c = *a;
+    *a = *b;
+    *b = c;
 }
 
-int pm_eliminate(int rows, int n, double least, double *a, int *column, int *best, int *filled)
+static void swap_double(double *a, double *b)
+{
+    const double c = *a;
+    *a = *b;
+    *b = c;
+}
+
+/* Brings row `at` to row i, and the column of its greatest entry to column[i]. */
+static void bring(pm_elimination *x, int n, int i, int at, double *a, int *column)
+{
+    const int low = x->low[i] < x->low[at] ? x->low[i] : x->low[at],
+              high = x->high[i] > x->high[at] ? x->high[i] : x->high[at];
+    for (int c = low; c <= high && at != i; c++) swap_double(&a[i * n + c], &a[at * n + c]);
+    swap_int(&x->low[i], &x->low[at]);
+    swap_int(&x->high[i], &x->high[at]);
+    swap_int(&x->best[i], &x->best[at]);
+    swap_double(&x->size[i], &x->size[at]);
+    const int chosen = x->size[i] > 0 ? x->best[i] : column[i], other = column[i];
+    column[x->place[chosen]] = other;
+    x->place[other] = x->place[chosen];
+    column[i] = chosen;
+    x->place[chosen] = i;
+}
+
+/* Takes row i, with its pivot in column `at`, off row r. */
+static void take_off(pm_elimination *x, int n, int i, int r, int at, int nfilled, double *a)
+{
+    const double *top = a + i * n;
+    double *row = a + r * n;
+    const double factor = row[at] / top[at];
+    for (int k = 0; k < nfilled; k++) row[x->filled[k]] -= factor * top[x->filled[k]];
+    if (x->low[i] < x->low[r]) x->low[r] = x->low[i];
+    if (x->high[i] > x->high[r]) x->high[r] = x->high[i];
+    find_best(x, r, i + 1, row);
+}
+
+int pm_eliminate(int rows, int n, double least, double *a, int *column, pm_elimination *x)
 {
     double greatest = 0;
-    for (int k = 0; k < n; k++) column[k] = k;
-    for (int r = 0; r < rows; r++) best[r] = greatest_of(n, 0, column, a + r * n);
+    for (int k = 0; k < n; k++) column[k] = x->place[k] = k;
+    int next = 0; /* the row of the greatest entry */
+    for (int r = 0; r < rows; r++) {
+        find_best(x, r, 0, a + r * n);
+        if (x->size[r] > x->size[next]) next = r;
+    }
     for (int i = 0; i < rows; i++) {
-        int at = i, nfilled = 0;
-        for (int r = i + 1; r < rows; r++)
-            if (fabs(a[r * n + best[r]]) > fabs(a[at * n + best[at]])) at = r;
-        bring(n, i, at, a, column, best);
-        const double *top = a + i * n, pivot = top[column[i]];
-        greatest = fmax(greatest, fabs(pivot));
-        if (!(fabs(pivot) > least * greatest)) return i;
-        for (int k = i + 1; k < n; k++)
-            if (top[column[k]] != 0) filled[nfilled++] = column[k];
+        bring(x, n, i, next, a, column);
+        const int at = column[i];
+        const double *top = a + i * n;
+        greatest = fmax(greatest, fabs(top[at]));
+        if (!(fabs(top[at]) > least * greatest)) return i;
+        int nfilled = 0;
+        for (int c = x->low[i]; c <= x->high[i]; c++)
+            if (x->place[c] > i && top[c] != 0) x->filled[nfilled++] = c;
+        next = i + 1;
         for (int r = i + 1; r < rows; r++) {
-            double *row = a + r * n;
-            if (row[column[i]] == 0 && best[r] != column[i]) continue;
-            const double factor = row[column[i]] / pivot;
-            for (int k = 0; k < nfilled; k++) row[filled[k]] -= factor * top[filled[k]];
-            best[r] = greatest_of(n, i + 1, column, row);
+            if (at >= x->low[r] && at <= x->high[r] && a[r * n + at] != 0)
+                take_off(x, n, i, r, at, nfilled, a);
+            if (x->size[r] > x->size[next]) next = r;
         }
     }
     return rows;

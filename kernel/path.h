@@ -5,6 +5,7 @@
 #include "model.h"
 #include "nodes.h"
 #include "pair.h"
+#include "tree.h"
 
 #define PM_CLOCK_TAIL 1e-13 /* highest coefficients of the integrand of the time, at the least */
 #define PM_WORK_TAIL 1e-12  /* the same of the rates of work */
@@ -115,7 +116,7 @@ typedef struct pm_path {
     double *inertia; /* [nbody] of the phase on an open tree */
     pm_bridge bridge;
     pm_rigid rigid;
-    double *loop;              /* [n][n] rows that the tree does not solve, on its coordinates */
+    pm_loops loop;             /* rows that the tree does not solve */
     double *weight;            /* [nz_controlled] z at the begin of the step */
     double *work;              /* [nz_controlled] z somewhere in the step */
     int *column;               /* [n] pivots */

@@ -38,8 +38,8 @@ static int walk(pm_workspace *w, double *u, double to, double *y, double *slope)
     double *const q = w->tree->q;
     for (int i = 0; i < p->n; i++) y[i] += (to - *u) * slope[i];
     y[p->driver] = *u = to;
-    const int status = pm_tree_close(w, y, q, p->loop);
-    return status ? status : pm_tree_slope(w, p->loop, slope);
+    const int status = pm_tree_close(w, y, q, &p->loop);
+    return status ? status : pm_tree_slope(w, &p->loop, slope);
 }
 
 /* The coefficients of all coordinates, in place of the values at the supports. */
@@ -147,7 +147,7 @@ int pm_bridge_place(pm_workspace *w, double u, pm_place *place)
     }
     read(p, u, place->y, place->slope, b->bend);
     pm_tree_place(w, w->state.memory, place->y, place->q);
-    pm_tree_loops(w, p->loop);
+    pm_tree_loops(w, &p->loop);
     return meets_rows(w) ? PM_OK : pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
 }
 

@@ -32,12 +32,16 @@ static void null_vector(pm_workspace *w, double *t)
 {
     pm_path *p = w->path;
     const int n = p->n, rows = w->tree->nloop, *column = p->column;
-    const double *a = p->loop;
-    pm_eliminate(rows, n, 0, p->loop, p->column, w->tree->best, w->tree->filled);
+    const double *a = p->loop.entry;
+    pm_elimination x = w->tree->elimination;
+    x.low = p->loop.low;
+    x.high = p->loop.high;
+    pm_eliminate(rows, n, 0, p->loop.entry, p->column, &x);
     t[column[n - 1]] = 1;
     for (int i = rows - 1; i >= 0; i--) {
         double sum = 0;
-        for (int k = i + 1; k < n; k++) sum += a[i * n + column[k]] * t[column[k]];
+        for (int c = x.low[i]; c <= x.high[i]; c++)
+            if (x.place[c] > i) sum += a[i * n + c] * t[c];
         const double pivot = a[i * n + column[i]];
         t[column[i]] = pivot != 0 ? -sum / pivot : 0;
     }
@@ -101,7 +105,7 @@ static int rank_falls(const pm_workspace *w)
     const pm_path *p = w->path;
     for (int i = 0; i < w->tree->nloop; i++) {
         const int column = p->column[i];
-        if (!(fabs(p->loop[i * p->n + column]) * scale_of(w, column) > WEAK * row_size(w))) return 1;
+        if (!(fabs(p->loop.entry[i * p->n + column]) * scale_of(w, column) > WEAK * row_size(w))) return 1;
     }
     return 0;
 }
@@ -124,8 +128,8 @@ int pm_path_place(pm_workspace *w, double u, pm_place *place)
         return PM_OK;
     }
     pm_tree_hold(w, p->driver);
-    int status = pm_tree_close(w, place->y, place->q, p->loop);
-    if (!status) status = pm_tree_slope(w, p->loop, place->slope);
+    int status = pm_tree_close(w, place->y, place->q, &p->loop);
+    if (!status) status = pm_tree_slope(w, &p->loop, place->slope);
     place->determined = !status && is_determined(w);
     if (!place->determined)
         status = place_on_bridge(w, u, place, status);
@@ -144,7 +148,7 @@ int pm_path_look(pm_workspace *w, pm_place *place)
         return PM_OK;
     }
     pm_tree_place(w, w->state.memory, place->y, place->q);
-    pm_tree_loops(w, p->loop);
+    pm_tree_loops(w, &p->loop);
     null_vector(w, place->slope);
     if (rank_falls(w)) return pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
     place->determined = 1;

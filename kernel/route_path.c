@@ -70,7 +70,7 @@ static int create(pm_workspace *w)
     if (!p) return PM_NO_MEMORY;
     const size_t n = (size_t)m->nq, nz = (size_t)m->nz_controlled, places = PM_NODES_MOST + 2;
     double *block = p->block = calloc(places * doubles_of_place(m) + n * n + n + 2 * nz +
-                                          (5 + PM_BRIDGE_PLACES) * n + (size_t)m->nbody + 1,
+                                          (6 + PM_BRIDGE_PLACES) * n + (size_t)m->nbody + 1,
                                       sizeof *block);
     p->rigid.body = calloc((size_t)m->nbody + 1, sizeof *p->rigid.body);
     if (!block || !p->rigid.body) return PM_NO_MEMORY;
@@ -78,8 +78,8 @@ static int create(pm_workspace *w)
     block = carve(m, &p->spare, block);
     block = carve(m, &p->begin, block);
     pm_clock_fill_table(&p->table);
-    p->loop = block;
-    p->work = p->loop + n * n;
+    p->loop.entry = block;
+    p->work = p->loop.entry + n * n;
     p->weight = p->work + nz;
     p->bridge.known_y = p->weight + nz;
     p->bridge.known_slope = p->bridge.known_y + n;
@@ -89,6 +89,8 @@ static int create(pm_workspace *w)
     p->bridge.c = p->bridge.bend + n;
     p->inertia = p->bridge.c + PM_BRIDGE_PLACES * n;
     p->column = (int *)(void *)(p->inertia + m->nbody);
+    p->loop.low = p->column + n;
+    p->loop.high = p->loop.low + n;
     return PM_OK;
 }
 
@@ -175,6 +177,7 @@ static int applies(pm_workspace *w)
     pm_tree_build(w);
     if (w->tree->n - w->tree->nloop != 1) return 0;
     p->n = w->tree->n;
+    pm_tree_loops_unknown(w->tree, &p->loop);
     p->driver = PM_NONE;
     pm_bridge_forget(p);
     p->sense = 1;

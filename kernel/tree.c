@@ -20,9 +20,9 @@ int pm_tree_create(pm_workspace *w)
     if (!t) return PM_NO_MEMORY;
     const size_t most = nbody * nq; /* coordinates that move a body, over all bodies */
     const size_t summed = nq < PM_TREE_SUMMED ? nq : PM_TREE_SUMMED;
-    const size_t own = nq * nq + 3 * most + 3 * nrow * nq + nrow * nrow + (6 + PM_TREE_FEW) * nq + 2 * nrow;
+    const size_t own = nq * nq + 3 * most + 3 * nrow * nq + nrow * nrow + (6 + PM_TREE_FEW) * nq + 3 * nrow;
     const size_t doubles = own + pm_turning_doubles(summed, most),
-                 ints = 9 * nrow + 7 * nq + 3 * nbody + most;
+                 ints = 11 * nrow + 8 * nq + 3 * nbody + most;
     double *p = t->block = calloc(doubles * sizeof *p + ints * sizeof(int) + nrow + 1, 1);
     t->node = calloc(nbody + 1, sizeof *t->node);
     t->swift = calloc(1, sizeof *t->swift);
@@ -41,6 +41,7 @@ int pm_tree_create(pm_workspace *w)
     t->rate = t->v + nq;
     t->motion = t->rate + nq;
     t->loops = t->motion + PM_TREE_FEW * nq;
+    t->elimination.size = t->loops + PM_TREE_FEW * nq;
     pm_turning_create(&t->turning, summed, most, p + own);
     t->loop = (int *)(void *)(p + doubles);
     t->kind = t->loop + nrow;
@@ -56,9 +57,12 @@ int pm_tree_create(pm_workspace *w)
     t->left = t->position + nq;
     t->bottom = t->left + nrow;
     t->right = t->bottom + nrow;
-    t->best = t->right + nrow;
-    t->filled = t->best + nrow;
-    t->turning.owner = t->filled + nq;
+    t->elimination.best = t->right + nrow;
+    t->elimination.low = t->elimination.best + nrow;
+    t->elimination.high = t->elimination.low + nrow;
+    t->elimination.filled = t->elimination.high + nrow;
+    t->elimination.place = t->elimination.filled + nq;
+    t->turning.owner = t->elimination.place + nq;
     t->weight = t->turning.owner + nq;
     t->top = t->weight + nbody;
     t->used = (unsigned char *)(t->top + nbody);

@@ -5,6 +5,7 @@
 #ifndef PM_TREE_H
 #define PM_TREE_H
 
+#include "dense.h"
 #include "model.h"
 
 typedef struct pm_tree_node pm_tree_node;
@@ -29,6 +30,12 @@ typedef struct pm_turning {
     double *direction, *square;   /* [n][2] cosine and sine; [n] ydot^2 */
 } pm_turning;
 
+/* Loop rows on the coordinates of the tree: entry[nloop][n], zero but between low[nloop] and high[nloop]. */
+typedef struct pm_loops {
+    double *entry;
+    int *low, *high;
+} pm_loops;
+
 typedef struct pm_tree {
     int n;               /* coordinates */
     int nloop;           /* active rows that are not solved */
@@ -40,15 +47,15 @@ typedef struct pm_tree {
     unsigned char *used; /* [nrow] */
     int *placed;         /* [nbody] 1 + index of its node */
     int *weight, *top;   /* [nbody] coordinates of a node and of all that it carries; scratch */
-    int *best, *filled;  /* [nrow], [nq] scratch of pm_eliminate */
-    int *moved_by;       /* the coordinates that move each body: node->list, node->nlist */
-    int *first_coupled;  /* [nq] the first coordinate to which the mass matrix couples each */
-    double *influence;   /* [3] for each entry of moved_by: velocity of the body at a unit rate */
-    double *jacobian;    /* [nrow][n] of the loop rows */
-    double *residual;    /* [2 nrow] */
-    double *mass;        /* [n][n] lower triangle of B^T M B, then its factor */
-    double *reduced;     /* [nrow][n] L^-1 of each row of the Jacobian, L the factor of the mass matrix */
-    double *schur;       /* [nrow][nrow] */
+    pm_elimination elimination;
+    int *moved_by;      /* the coordinates that move each body: node->list, node->nlist */
+    int *first_coupled; /* [nq] the first coordinate to which the mass matrix couples each */
+    double *influence;  /* [3] for each entry of moved_by: velocity of the body at a unit rate */
+    double *jacobian;   /* [nrow][n] of the loop rows */
+    double *residual;   /* [2 nrow] */
+    double *mass;       /* [n][n] lower triangle of B^T M B, then its factor */
+    double *reduced;    /* [nrow][n] L^-1 of each row of the Jacobian, L the factor of the mass matrix */
+    double *schur;      /* [nrow][nrow] */
     double *force, *bias, *rate, *wrench; /* [nq] */
     double *q, *v;                        /* [nq] where pm_tree_look looks */
     int *pivot;                           /* [nq + nrow] */
@@ -94,7 +101,9 @@ void pm_tree_bias(pm_workspace *w, double *a);
 /* Columns of v by unit rates: basis[nq][n]. */
 void pm_tree_basis(pm_workspace *w, double *basis);
 /* The loop rows' Jacobian on the coordinates, [nloop][n]; the rows are evaluated. */
-void pm_tree_loops(pm_workspace *w, double *jacobian);
+void pm_tree_loops(pm_workspace *w, const pm_loops *x);
+/* Anything may be in x. */
+void pm_tree_loops_unknown(const pm_tree *t, const pm_loops *x);
 
 /* Once a phase, where the frame looks and pm_tree_read has been: sums for faster solves, where the tree allows. */
 void pm_tree_sum_up(pm_workspace *w);
@@ -123,10 +132,10 @@ int pm_tree_is_steep(const pm_workspace *w);
 int pm_tree_is_flat(const pm_workspace *w);
 /* Meets the loop rows by Newton's method with the independent coordinates kept.  Leaves q, the poses of the frame, and the
  * Jacobian of the loop rows there.  PM_SINGULAR or PM_ASSEMBLY if it does not converge. */
-int pm_tree_close(pm_workspace *w, double *y, double *q, double *jacobian);
+int pm_tree_close(pm_workspace *w, double *y, double *q, const pm_loops *loops);
 /* Rates of all coordinates at a unit rate of the first independent one, by that Jacobian; PM_SINGULAR if it does not tell
  * them. */
-int pm_tree_slope(pm_workspace *w, const double *jacobian, double *slope);
+int pm_tree_slope(pm_workspace *w, const pm_loops *loops, double *slope);
 /* Like pm_tree_look at coordinates and rates of which the dependent ones are made to meet the loop rows. */
 int pm_tree_settle(pm_workspace *w, double t, double *y, double *ydot, const double *z);
 /* Meets them by the least corrections in the metric of M, of coordinates and rates; the frame looks there. */

@@ -49,10 +49,12 @@ void pm_tree_partition(pm_workspace *w)
     double *a = t->reduced;
     int *order = t->position;
     if (t->nloop == 0 || t->nloop >= n || n - t->nloop > PM_TREE_FEW) return;
-    pm_tree_loops(w, a);
+    const pm_loops loops = {a, t->elimination.low, t->elimination.high};
+    pm_tree_loops_unknown(t, &loops); /* other things have been kept there */
+    pm_tree_loops(w, &loops);
     for (int i = 0; i < t->nloop; i++)
-        for (int k = 0; k < n; k++) a[i * n + k] *= scale_of(w, k);
-    if (pm_eliminate(t->nloop, n, RANK, a, order, t->best, t->filled) == t->nloop) {
+        for (int k = loops.low[i]; k <= loops.high[i]; k++) a[i * n + k] *= scale_of(w, k);
+    if (pm_eliminate(t->nloop, n, RANK, a, order, &t->elimination) == t->nloop) {
         memcpy(t->column + t->nloop, order + t->nloop, (size_t)(n - t->nloop) * sizeof *order);
         t->few = 1;
         t->steepest = 0;
@@ -101,25 +103,25 @@ static double read_rate_residuals(const pm_workspace *w, const double *v)
 
 /* ---- positions alone ---- */
 /* Places the bodies and evaluates the loop rows; their greatest residual. */
-static double place(pm_workspace *w, const double *y, double *q, double *jacobian)
+static double place(pm_workspace *w, const double *y, double *q, const pm_loops *loops)
 {
     pm_tree_place(w, w->state.memory, y, q);
     if (w->tree->nloop == 0) return 0;
-    pm_tree_loops(w, jacobian);
+    pm_tree_loops(w, loops);
     return read_residuals(w);
 }
 
-int pm_tree_close(pm_workspace *w, double *y, double *q, double *jacobian)
+int pm_tree_close(pm_workspace *w, double *y, double *q, const pm_loops *loops)
 {
-    double worst = place(w, y, q, jacobian), before = INFINITY;
+    double worst = place(w, y, q, loops), before = INFINITY;
     for (int sweep = 0; sweep < SWEEPS; sweep++) {
         if (worst <= ROUNDING * w->size || (worst <= STALLED * w->size && worst > 0.25 * before))
             return PM_OK;
-        const int status = pm_tree_factor_dependent(w, jacobian);
+        const int status = pm_tree_factor_dependent(w, loops->entry);
         if (status) return status;
         correct(w->tree, y);
         before = worst;
-        worst = place(w, y, q, jacobian);
+        worst = place(w, y, q, loops);
     }
     return pm_fail(w, PM_ASSEMBLY, PM_NONE, PM_NONE, worst, STALLED * w->size);
 }
@@ -133,10 +135,10 @@ static void slope_of(const pm_tree *t, int independent, const double *jacobian, 
     correct(t, slope);
 }
 
-int pm_tree_slope(pm_workspace *w, const double *jacobian, double *slope)
+int pm_tree_slope(pm_workspace *w, const pm_loops *loops, double *slope)
 {
-    const int status = pm_tree_factor_dependent(w, jacobian);
-    if (!status) slope_of(w->tree, w->tree->column[w->tree->nloop], jacobian, slope);
+    const int status = pm_tree_factor_dependent(w, loops->entry);
+    if (!status) slope_of(w->tree, w->tree->column[w->tree->nloop], loops->entry, slope);
     return status;
 }
 

@@ -234,7 +234,10 @@ static void closes(pm_workspace *w)
 {
     const int n = w->tree->n, nloop = w->tree->nloop;
     double y[MOST], q[MOST], basis[MOST * MOST], jacobian[MOST * MOST], g[2][MOST];
+    int low[MOST], high[MOST];
+    const pm_loops loops = {jacobian, low, high};
     if (nloop == 0) return;
+    pm_tree_loops_unknown(w->tree, &loops);
     for (int k = 0; k < n; k++) {
         for (int side = 0; side < 2; side++) {
             look(w, w->state.q, w->state.v);
@@ -243,13 +246,13 @@ static void closes(pm_workspace *w)
             place(w, y, q);
             look(w, q, w->state.v);
             pm_tree_basis(w, basis);
-            pm_tree_loops(w, jacobian);
+            pm_tree_loops(w, &loops);
             for (int i = 0; i < nloop; i++) g[side][i] = w->row[w->tree->loop[i]].g;
         }
         look(w, w->state.q, w->state.v);
         pm_tree_read(w, y);
         pm_tree_basis(w, basis);
-        pm_tree_loops(w, jacobian);
+        pm_tree_loops(w, &loops);
         for (int i = 0; i < nloop; i++) NEAR(jacobian[i * n + k], (g[1][i] - g[0][i]) / (2 * STEP), 1e-6);
     }
     if (n != nloop + 1) return;
@@ -258,7 +261,7 @@ static void closes(pm_workspace *w)
     y[n - 1] += 0.02;
     const double kept = y[n - 1];
     pm_tree_hold(w, n - 1);
-    EQUAL(pm_tree_close(w, y, q, jacobian), PM_OK);
+    EQUAL(pm_tree_close(w, y, q, &loops), PM_OK);
     EQUAL(y[n - 1], kept);
     place(w, y, q);
     look(w, q, w->state.v);
@@ -267,7 +270,7 @@ static void closes(pm_workspace *w)
         NEAR(w->row[i].g, 0, 1e-13);
     }
     y[n - 1] += 50; /* out of reach for lengths, another turn for angles: it converges or says so */
-    const int status = pm_tree_close(w, y, q, jacobian);
+    const int status = pm_tree_close(w, y, q, &loops);
     CHECK(status == PM_OK || status == PM_SINGULAR || status == PM_ASSEMBLY);
 }
 
