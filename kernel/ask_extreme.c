@@ -96,7 +96,7 @@ static int extremes_of_samples(pm_workspace *w, pm_peak *p)
         if (x.s <= p->end) p->met |= 1u << pm_peak_interval(nodes, x.s);
         const int status = pm_peak_near(w, p, k, &x);
         if (status) return status;
-        p->best = pm_greater(p->best, p->sign * w->ask->best[p->ask]);
+        p->best = pm_peak_best(w, p);
     }
     return pm_peak_hidden(w, p);
 }
@@ -155,7 +155,7 @@ int pm_peak_extremes(pm_workspace *w, pm_peak *p, int top, double spread)
         int status = k > 0 ? extreme_beside_top(w, p, k - 1, spread) : PM_OK;
         if (!status && k + 1 < nodes->n) status = extreme_beside_top(w, p, k, spread);
         if (status) return status;
-        p->best = pm_greater(p->best, p->sign * w->ask->best[p->ask]);
+        p->best = pm_peak_best(w, p);
     }
     return pm_peak_hidden(w, p);
 }

@@ -217,11 +217,10 @@ double pm_decision_margin(const pm_decision_log *a, const pm_decision_log *b, co
             i++;
         } else if (y->instant % stride != 0) {
             j++;
-        } else if (part_of(x) != part_of(y)) {
-            if (part_of(x) < part_of(y))
-                i++;
-            else
-                j++;
+        } else if (part_of(x) < part_of(y)) {
+            i++;
+        } else if (part_of(x) > part_of(y)) {
+            j++;
         } else if (same(x, y)) {
             margin = fmin(margin, margin_of(x, y, trigger_scale));
             i++;

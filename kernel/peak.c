@@ -33,6 +33,11 @@ void pm_peak_offer(pm_workspace *w, const pm_peak *p, double g, double above)
     if (pm_peak_reigns(p)) pm_ask_offer(w, p->ask, p->sign * g, p->sign * above);
 }
 
+double pm_peak_best(const pm_workspace *w, const pm_peak *p)
+{
+    return pm_greater(p->best, p->sign * w->ask->best[p->ask]);
+}
+
 void pm_peak_untold(pm_workspace *w, const pm_peak *p, double g)
 {
     double *bound = &w->ask->bound[p->ask];

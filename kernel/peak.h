@@ -70,6 +70,8 @@ int pm_peak_reigns(const pm_peak *p);
 void pm_peak_offer(pm_workspace *w, const pm_peak *p, double g, double above);
 /* Nothing above g is looked for. */
 void pm_peak_untold(pm_workspace *w, const pm_peak *p, double g);
+/* The best so far: of what was known before, and what has been offered since. */
+double pm_peak_best(const pm_workspace *w, const pm_peak *p);
 /* Looks for extremes that are better than the best so far; top: the best node of those that are asked for, spread: of all
  * of these. */
 int pm_peak_extremes(pm_workspace *w, pm_peak *p, int top, double spread);

@@ -84,11 +84,6 @@ static int sample_branch(pm_workspace *w, const pm_peak *p, pm_branches *b, cons
     return 1;
 }
 
-static double best_of(const pm_workspace *w, const pm_peak *p)
-{
-    return pm_greater(p->sign * w->ask->best[p->ask], p->best);
-}
-
 /* Extremes of a branch beside nodes first .. last; nodes next to these tell how far it may rise between them. */
 static int extremes_of(pm_workspace *w, pm_peak *of, int first, int last)
 {
@@ -101,7 +96,7 @@ static int extremes_of(pm_workspace *w, pm_peak *of, int first, int last)
     }
     of->first = first;
     of->last = last;
-    of->best = best_of(w, of);
+    of->best = pm_peak_best(w, of);
     return pm_peak_extremes(w, of, top, of->g[top] - least);
 }
 
@@ -159,7 +154,7 @@ static int stays_below(const pm_workspace *w, const pm_peak *left, const pm_peak
     const double most =
         pm_greater(pm_greater(left->g[k], left->g[k + 1]), pm_greater(right->g[k], right->g[k + 1]));
     const double spread = pm_greater(fabs(left->g[k] - left->g[k + 1]), fabs(right->g[k] - right->g[k + 1]));
-    return most + spread < best_of(w, left);
+    return most + spread < pm_peak_best(w, left);
 }
 
 /* The branch between two places where switches change, if it is none of those at the nodes: its extremes. */

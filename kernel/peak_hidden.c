@@ -8,9 +8,9 @@
 
 #include "greater.h"
 #include "peak.h"
+#include "root.h"
 #include "series.h"
 
-#define HALVES 30 /* of an interval with one top */
 #define BENDS 0.8 /* of the bend that a parabola would have */
 #define ALIKE 0.1 /* of what others near them differ by: nodes between which a top may hide */
 
@@ -21,17 +21,19 @@ static pm_slope slope_told(pm_workspace *w, const pm_peak *p, double s)
     return x;
 }
 
-/* The polynomial's top, by halves: Newton's method may find another one next to it. */
+static double rate_told(pm_workspace *w, double s, void *context)
+{
+    const pm_peak *const *p = context;
+    return slope_told(w, *p, s).rate;
+}
+
+/* The polynomial's top, inside its bracket: Newton's method may find another one next to it. */
 static int top_told(pm_workspace *w, const pm_peak *p, const pm_slope *a, const pm_slope *b)
 {
     const pm_nodes *nodes = w->nodes;
-    double low = a->s, high = b->s, s;
-    for (int i = 0; s = 0.5 * (low + high), i < HALVES; i++) {
-        if (slope_told(w, p, s).rate > 0)
-            low = s;
-        else
-            high = s;
-    }
+    double s;
+    const int status = pm_root_find(w, w->ask->solver, rate_told, &p, a->s, a->rate, b->s, b->rate, &s);
+    if (status) return status;
     int k = pm_peak_interval(nodes, s);
     if (nodes->at[k + 1] - s < s - nodes->at[k]) k++;
     const pm_told x = pm_peak_tell(nodes, p, s);
@@ -90,7 +92,7 @@ int pm_peak_hidden(pm_workspace *w, pm_peak *p)
     for (int k = 0; (k = next_hidden(w->nodes, p, k)) < n; k++) {
         const int status = hidden_between(w, p, k);
         if (status) return status;
-        p->best = pm_greater(p->best, p->sign * w->ask->best[p->ask]);
+        p->best = pm_peak_best(w, p);
     }
     return PM_OK;
 }

@@ -16,13 +16,25 @@
 #define SEARCHES 60    /* values that are compared where slopes do not tell */
 #define CLOSE 1e-8     /* of the step: so near to an extreme its value is that */
 
-static pm_switches *switches_of(const pm_peak *p) { return p->branch ? &p->branch->here : NULL; }
+/* The value along the step, or its rate by differences over so much of it. */
+static pm_ask_watch watch_of(const pm_workspace *w, const pm_peak *p, double step)
+{
+    return (pm_ask_watch){pm_ask_program(PM_ASK_ROW(w->model, p->ask)), 0,
+                          step * (w->step_end - w->step_begin), p->branch ? &p->branch->here : NULL};
+}
+
+static int offer_at(pm_workspace *w, const pm_peak *p, double t)
+{
+    const int status = pm_ask_look(w, t, 1);
+    if (!status) pm_peak_offer(w, p, pm_peak_value(w, p), 0);
+    return status;
+}
 
 /* To the extreme of the value from near it, by Newton's method on the rate; the bend is at first the one given, then the
  * secant's.  0 if it does not stay between low and high. */
 static int climb(pm_workspace *w, const pm_peak *p, double bend, double low, double high, double *s)
 {
-    pm_ask_watch x = {pm_ask_program(PM_ASK_ROW(w->model, p->ask)), 0, 0, switches_of(p)};
+    pm_ask_watch x = watch_of(w, p, 0);
     double last = 0, from = *s;
     for (int i = 0; i < PEAK_STEPS; i++) {
         const double rate = p->sign *
@@ -42,33 +54,31 @@ static int climb(pm_workspace *w, const pm_peak *p, double bend, double low, dou
 
 static pm_slope slope_here(pm_workspace *w, const pm_peak *p, double s)
 {
-    const int program = pm_ask_program(PM_ASK_ROW(w->model, p->ask));
     const double t = pm_peak_place(w, s), h = w->sampled_end - w->step_begin;
-    pm_ask_watch value = {program, 0, 0, switches_of(p)},
-                 rate = {program, 0, RATE_STEP * (w->step_end - w->step_begin), switches_of(p)};
+    pm_ask_watch value = watch_of(w, p, 0), rate = watch_of(w, p, RATE_STEP);
     return (pm_slope){s, p->sign * pm_ask_along(w, t, &value), p->sign * h * pm_ask_along(w, t, &rate)};
 }
 
 /* The root of the rate. */
 static int top_between(pm_workspace *w, const pm_peak *p, const pm_slope *a, const pm_slope *b)
 {
-    const int32_t *e = PM_ASK_ROW(w->model, p->ask);
-    pm_ask_watch x = {pm_ask_program(e), 0, RATE_STEP * (w->step_end - w->step_begin), switches_of(p)};
+    pm_ask_watch x = watch_of(w, p, RATE_STEP);
     const double bend = (b->rate - a->rate) / (b->s - a->s);
     const double near = pm_peak_of_cubic(a, b);
     double s = isnan(near) ? a->s - a->rate / bend : near, t;
-    const int climbs = !pm_ask_at_extreme(e) && /* there the place matters, not the value */
-                       climb(w, p, bend, a->s, b->s, &s);
+    const int climbs =
+        !pm_ask_at_extreme(PM_ASK_ROW(w->model, p->ask)) && /* there the place matters, not the value */
+        climb(w, p, bend, a->s, b->s, &s);
     t = pm_peak_place(w, s);
-    int status = climbs ? PM_OK
-                        : pm_root_find(w, w->ask->solver, pm_ask_along, &x, pm_peak_place(w, a->s),
-                                       p->sign * a->rate, pm_peak_place(w, b->s), p->sign * b->rate, &t);
+    const double unit =
+        p->sign / (w->sampled_end - w->step_begin); /* the rate in time, of the value as it is */
+    const int status = climbs ? PM_OK
+                              : pm_root_find(w, w->ask->solver, pm_ask_along, &x, pm_peak_place(w, a->s),
+                                             unit * a->rate, pm_peak_place(w, b->s), unit * b->rate, &t);
     if (status == PM_SOLVER && !p->branch)
         w->ask->undefined[p->ask] = 1; /* it takes finite rates: there is none somewhere */
     if (status) return status == PM_SOLVER ? PM_OK : status;
-    if ((status = pm_ask_look(w, t, 1))) return status;
-    pm_peak_offer(w, p, pm_peak_value(w, p), 0);
-    return PM_OK;
+    return offer_at(w, p, t);
 }
 
 int pm_peak_refine(pm_workspace *w, const pm_peak *p, int k)
@@ -109,7 +119,5 @@ int pm_peak_search(pm_workspace *w, const pm_peak *p, const pm_rise *top, int *f
     const double s =
         pm_minimum_find(w->ask->minimum, depth, &context, &in, &(pm_closeness){SEARCHES, CLOSE, 0});
     if (s > p->end) return PM_OK;
-    const int status = pm_ask_look(w, pm_peak_place(w, s), 1);
-    if (!status) pm_peak_offer(w, p, pm_peak_value(w, p), 0);
-    return status;
+    return offer_at(w, p, pm_peak_place(w, s));
 }

@@ -285,17 +285,19 @@ static void list_coordinates(pm_workspace *w)
     }
 }
 
-/* The greatest coordinate that moves a loop row; PM_NONE if none does. */
-static int greatest_coordinate(const pm_workspace *w, int active)
+void pm_tree_row_ends(const pm_workspace *w, const pm_row *row, int *low, int *high)
 {
     const pm_tree *t = w->tree;
-    int greatest = PM_NONE;
+    *low = t->n;
+    *high = -1;
     for (int p = 0; p < 2; p++) {
-        if (w->row[active].body[p] == w->model->nbody) continue;
-        const pm_tree_node *x = &t->node[t->placed[w->row[active].body[p]] - 1];
-        if (x->nlist > 0 && t->moved_by[x->list] > greatest) greatest = t->moved_by[x->list];
+        if (row->body[p] == w->model->nbody) continue;
+        const pm_tree_node *x = &t->node[t->placed[row->body[p]] - 1];
+        if (x->nlist == 0) continue;
+        const int first = t->moved_by[x->list], last = t->moved_by[x->list + x->nlist - 1]; /* they fall */
+        if (last < *low) *low = last;
+        if (first > *high) *high = first;
     }
-    return greatest;
 }
 
 /* Loop rows in the order of the bodies that they hold, so that what each shares with others is near. */
@@ -304,8 +306,8 @@ static void list_loops(pm_workspace *w)
     pm_tree *t = w->tree;
     for (int i = 0; i < w->nactive; i++) {
         if (t->used[i]) continue;
-        const int key = greatest_coordinate(w, i);
-        int at = t->nloop++;
+        int low, key, at = t->nloop++;
+        pm_tree_row_ends(w, &w->row[i], &low, &key);
         for (; at > 0 && t->to[at - 1] < key; at--) {
             t->loop[at] = t->loop[at - 1];
             t->to[at] = t->to[at - 1];
@@ -320,15 +322,9 @@ static void bound_loops(pm_workspace *w)
 {
     pm_tree *t = w->tree;
     for (int i = 0; i < t->nloop; i++) {
-        const pm_row *row = &w->row[t->loop[i]];
-        int from = t->n, to = 0;
-        for (int p = 0; p < 2; p++) {
-            if (row->body[p] == w->model->nbody) continue;
-            const pm_tree_node *x = &t->node[t->placed[row->body[p]] - 1];
-            if (x->nlist == 0) continue;
-            if (t->moved_by[x->list + x->nlist - 1] < from) from = t->moved_by[x->list + x->nlist - 1];
-            if (t->moved_by[x->list] >= to) to = t->moved_by[x->list] + 1;
-        }
+        int from, to;
+        pm_tree_row_ends(w, &w->row[t->loop[i]], &from, &to);
+        to++;
         for (int k = to; k < t->n; k++)
             if (t->first_coupled[k] < to) to = k + 1;
         t->from[i] = from;

@@ -100,6 +100,8 @@ void pm_tree_spread(pm_workspace *w, const double *ydot, double *v);
 void pm_tree_bias(pm_workspace *w, double *a);
 /* Columns of v by unit rates: basis[nq][n]. */
 void pm_tree_basis(pm_workspace *w, double *basis);
+/* The first and the last coordinate that move a body of the row; n and -1 if none does. */
+void pm_tree_row_ends(const pm_workspace *w, const pm_row *row, int *low, int *high);
 /* The loop rows' Jacobian on the coordinates, [nloop][n]; the rows are evaluated. */
 void pm_tree_loops(pm_workspace *w, const pm_loops *x);
 /* Anything may be in x. */

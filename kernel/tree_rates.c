@@ -122,22 +122,6 @@ void pm_tree_loop_row(const pm_workspace *w, const pm_row *row, double *on_coord
     }
 }
 
-/* The first and the last coordinate that move a body of the row. */
-static void find_ends(const pm_workspace *w, const pm_row *row, int *low, int *high)
-{
-    const pm_tree *t = w->tree;
-    *low = t->n;
-    *high = -1;
-    for (int side = 0; side < 2; side++) {
-        if (row->body[side] == w->model->nbody) continue;
-        const pm_tree_node *x = &t->node[t->placed[row->body[side]] - 1];
-        for (int k = x->list; k < x->list + x->nlist; k++) {
-            if (t->moved_by[k] < *low) *low = t->moved_by[k];
-            if (t->moved_by[k] > *high) *high = t->moved_by[k];
-        }
-    }
-}
-
 void pm_tree_loops(pm_workspace *w, const pm_loops *x)
 {
     const pm_tree *t = w->tree;
@@ -147,7 +131,7 @@ void pm_tree_loops(pm_workspace *w, const pm_loops *x)
         double *entry = x->entry + i * t->n;
         pm_row_kind(row->kind)->evaluate(w, row);
         for (int c = x->low[i]; c <= x->high[i]; c++) entry[c] = 0;
-        find_ends(w, row, &x->low[i], &x->high[i]);
+        pm_tree_row_ends(w, row, &x->low[i], &x->high[i]);
         pm_tree_loop_row(w, row, entry);
     }
 }

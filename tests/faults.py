@@ -709,8 +709,8 @@ FAULTS = [
     Fault(
         "tree: a dropped loop row",
         "tree.c",
-        "if (t->used[i]) continue;\n        const int key",
-        "if (t->used[i] || i + 1 == w->nactive) continue;\n        const int key",
+        "if (t->used[i]) continue;\n        int low, key",
+        "if (t->used[i] || i + 1 == w->nactive) continue;\n        int low, key",
     ),
     Fault(
         "tree: a reaction of the wrong sign",
