@@ -25,16 +25,4 @@ void pm_band_solve(int n, const int *bottom, const int *right, const double *a, 
 void pm_band_solve_transposed(int n, const int *bottom, const int *right, const double *a, const int *pivot,
                               double *x);
 
-/* Scratch of pm_eliminate, but for low and high: between which columns each row has entries, before and after it. */
-typedef struct pm_elimination {
-    int *low, *high;     /* [rows] */
-    int *best;           /* [rows] */
-    int *place, *filled; /* [n]; place[column[k]] = k */
-    double *size;        /* [rows] */
-} pm_elimination;
-
-/* Full pivoting of a[rows][n], rows <= n, looking only at what is not zero: row i is left with pivot i in column[i], and
- * with what is right of it in the columns that follow there.  The number of pivots above `least` times the greatest. */
-int pm_eliminate(int rows, int n, double least, double *a, int *column, pm_elimination *x);
-
 #endif

@@ -8,7 +8,6 @@
 
 #include "audit.h"
 #include "body.h"
-#include "dense.h"
 #include "force.h"
 #include "path.h"
 #include "path_bridge.h"
@@ -25,26 +24,6 @@
 static double scale_of(const pm_workspace *w, int coordinate)
 {
     return pm_tree_is_angle(w, coordinate) ? 1 : w->size;
-}
-
-/* Null vector of the loop rows (one more column than rows) by elimination with full pivoting. */
-static void null_vector(pm_workspace *w, double *t)
-{
-    pm_path *p = w->path;
-    const int n = p->n, rows = w->tree->nloop, *column = p->column;
-    const double *a = p->loop.entry;
-    pm_elimination x = w->tree->elimination;
-    x.low = p->loop.low;
-    x.high = p->loop.high;
-    pm_eliminate(rows, n, 0, p->loop.entry, p->column, &x);
-    t[column[n - 1]] = 1;
-    for (int i = rows - 1; i >= 0; i--) {
-        double sum = 0;
-        for (int c = x.low[i]; c <= x.high[i]; c++)
-            if (x.place[c] > i) sum += a[i * n + c] * t[c];
-        const double pivot = a[i * n + column[i]];
-        t[column[i]] = pivot != 0 ? -sum / pivot : 0;
-    }
 }
 
 /* What motion at a unit rate of the driver makes of masses and forces. */
@@ -99,15 +78,26 @@ static int is_determined(const pm_workspace *w)
     return 1;
 }
 
-/* Does the rank fall here, or nearly so, going by the pivots of null_vector? */
-static int rank_falls(const pm_workspace *w)
+/* Null vector of the loop rows (one more column than rows) by elimination; 0 where the rank falls, or nearly so. */
+static int null_vector(pm_workspace *w, double *t)
 {
-    const pm_path *p = w->path;
-    for (int i = 0; i < w->tree->nloop; i++) {
-        const int column = p->column[i];
-        if (!(fabs(p->loop.entry[i * p->n + column]) * scale_of(w, column) > WEAK * row_size(w))) return 1;
+    pm_path *p = w->path;
+    const int n = p->n, rows = w->tree->nloop, *column = p->column;
+    const double weak = WEAK * row_size(w);
+    pm_elimination x = w->tree->elimination;
+    x.low = p->loop.low;
+    x.high = p->loop.high;
+    pm_eliminate(rows, n, p->loop.entry, p->column, &x);
+    t[column[n - 1]] = 1;
+    for (int i = rows - 1; i >= 0; i--) {
+        const double *a = p->loop.entry + i * n, pivot = a[column[i]];
+        if (!(fabs(pivot) * scale_of(w, column[i]) > weak)) return 0;
+        double sum = 0;
+        for (int c = x.low[i]; c <= x.high[i]; c++)
+            if (x.place[c] > i) sum += a[c] * t[c];
+        t[column[i]] = -sum / pivot;
     }
-    return 0;
+    return 1;
 }
 
 /* A place that the rows do not determine well with the driver kept: on a bridge, if no other driver would do. */
@@ -115,8 +105,7 @@ static int place_on_bridge(pm_workspace *w, double u, pm_place *place, int statu
 {
     pm_path *p = w->path;
     if (status && status != PM_SINGULAR) return status;
-    null_vector(w, p->bridge.y);
-    return rank_falls(w) ? pm_bridge_place(w, u, place) : status;
+    return null_vector(w, p->bridge.y) ? status : pm_bridge_place(w, u, place);
 }
 
 int pm_path_place(pm_workspace *w, double u, pm_place *place)
@@ -149,8 +138,7 @@ int pm_path_look(pm_workspace *w, pm_place *place)
     }
     pm_tree_place(w, w->state.memory, place->y, place->q);
     pm_tree_loops(w, &p->loop);
-    null_vector(w, place->slope);
-    if (rank_falls(w)) return pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
+    if (!null_vector(w, place->slope)) return pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
     place->determined = 1;
     measure_motion(w, place);
     return PM_OK;

@@ -22,7 +22,8 @@ int pm_tree_create(pm_workspace *w)
     const size_t summed = nq < PM_TREE_SUMMED ? nq : PM_TREE_SUMMED;
     const size_t own = nq * nq + 3 * most + 3 * nrow * nq + nrow * nrow + (6 + PM_TREE_FEW) * nq + 3 * nrow;
     const size_t doubles = own + pm_turning_doubles(summed, most),
-                 ints = 11 * nrow + 8 * nq + 3 * nbody + most;
+                 ints =
+                     (8 + PM_ELIMINATION_ROWS) * nrow + (6 + PM_ELIMINATION_COLUMNS) * nq + 3 * nbody + most;
     double *p = t->block = calloc(doubles * sizeof *p + ints * sizeof(int) + nrow + 1, 1);
     t->node = calloc(nbody + 1, sizeof *t->node);
     t->swift = calloc(1, sizeof *t->swift);
@@ -41,7 +42,6 @@ int pm_tree_create(pm_workspace *w)
     t->rate = t->v + nq;
     t->motion = t->rate + nq;
     t->loops = t->motion + PM_TREE_FEW * nq;
-    t->elimination.size = t->loops + PM_TREE_FEW * nq;
     pm_turning_create(&t->turning, summed, most, p + own);
     t->loop = (int *)(void *)(p + doubles);
     t->kind = t->loop + nrow;
@@ -57,15 +57,10 @@ int pm_tree_create(pm_workspace *w)
     t->left = t->position + nq;
     t->bottom = t->left + nrow;
     t->right = t->bottom + nrow;
-    t->elimination.best = t->right + nrow;
-    t->elimination.low = t->elimination.best + nrow;
-    t->elimination.high = t->elimination.low + nrow;
-    t->elimination.filled = t->elimination.high + nrow;
-    t->elimination.place = t->elimination.filled + nq;
-    t->turning.owner = t->elimination.place + nq;
+    t->turning.owner = t->right + nrow;
     t->weight = t->turning.owner + nq;
     t->top = t->weight + nbody;
-    t->used = (unsigned char *)(t->top + nbody);
+    t->used = (unsigned char *)pm_elimination_create(&t->elimination, nrow, nq, t->top + nbody);
     return PM_OK;
 }
 
@@ -223,11 +218,21 @@ static void place_still(pm_workspace *w, int *nplaced)
     }
 }
 
-static int place_next(pm_workspace *w, int *nplaced)
+/* It will place nothing any more: it cannot, or both of its bodies are placed. */
+static int is_spent(const pm_workspace *w, const pm_group *g)
 {
-    for (int i = 0; i < w->model->rows[PM_TABLE_JOINT]; i++) {
+    if (g->n < 2) return 1;
+    const pm_row *row = &w->row[g->row[0]];
+    return is_placed(w, row->body[0]) && is_placed(w, row->body[1]);
+}
+
+/* *spent: joints, from the first on, that will place nothing any more. */
+static int place_next(pm_workspace *w, int *nplaced, int *spent)
+{
+    for (int i = *spent; i < w->model->rows[PM_TABLE_JOINT]; i++) {
         const pm_group g = joint_group(w, i);
         if (place_by(w, &g, nplaced)) return 1;
+        if (i == *spent && is_spent(w, &g)) ++*spent;
     }
     for (int i = 0; i < w->model->nslot; i++) {
         const pm_group g = slot_group(w, i);
@@ -317,32 +322,29 @@ static void list_loops(pm_workspace *w)
     }
 }
 
-/* Where the loop rows, and what elimination makes of them, are not zero. */
+/* Where the loop rows, and what elimination makes of them, are not zero: up to the last coordinate of what they hold, which
+ * the mass matrix does not couple to those after it.  No row ends, or meets the first that shares some of that with it,
+ * before the row before it does. */
 static void bound_loops(pm_workspace *w)
 {
     pm_tree *t = w->tree;
-    for (int i = 0; i < t->nloop; i++) {
-        int from, to;
-        pm_tree_row_ends(w, &w->row[t->loop[i]], &from, &to);
-        to++;
-        for (int k = to; k < t->n; k++)
-            if (t->first_coupled[k] < to) to = k + 1;
-        t->from[i] = from;
-        t->to[i] = to;
-        for (t->first_loop[i] = 0; t->first_loop[i] < i; t->first_loop[i]++)
-            if (t->from[t->first_loop[i]] < to && from < t->to[t->first_loop[i]]) break;
+    for (int i = 0, first = 0; i < t->nloop; i++) {
+        pm_tree_row_ends(w, &w->row[t->loop[i]], &t->from[i], &t->to[i]);
+        t->to[i]++;
+        while (first < i && t->from[first] >= t->to[i]) first++;
+        t->first_loop[i] = first;
     }
 }
 
 void pm_tree_build(pm_workspace *w)
 {
     pm_tree *t = w->tree;
-    int nplaced = 0;
+    int nplaced = 0, spent = 0;
     t->n = t->nloop = t->few = t->turning.on = t->swift->on = 0;
     memset(t->used, 0, (size_t)w->model->nrow);
     memset(t->placed, 0, (size_t)w->model->nbody * sizeof *t->placed);
     place_still(w, &nplaced);
-    while (nplaced < w->model->nbody) place_next(w, &nplaced);
+    while (nplaced < w->model->nbody) place_next(w, &nplaced, &spent);
     number_coordinates(w);
     list_coordinates(w);
     list_loops(w);

@@ -5,7 +5,7 @@
 #ifndef PM_TREE_H
 #define PM_TREE_H
 
-#include "dense.h"
+#include "eliminate.h"
 #include "model.h"
 
 typedef struct pm_tree_node pm_tree_node;

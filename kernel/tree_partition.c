@@ -54,7 +54,7 @@ void pm_tree_partition(pm_workspace *w)
     pm_tree_loops(w, &loops);
     for (int i = 0; i < t->nloop; i++)
         for (int k = loops.low[i]; k <= loops.high[i]; k++) a[i * n + k] *= scale_of(w, k);
-    if (pm_eliminate(t->nloop, n, RANK, a, order, &t->elimination) == t->nloop) {
+    if (pm_eliminate(t->nloop, n, a, order, &t->elimination) > RANK) {
         memcpy(t->column + t->nloop, order + t->nloop, (size_t)(n - t->nloop) * sizeof *order);
         t->few = 1;
         t->steepest = 0;

@@ -196,10 +196,42 @@ FAULTS = [
         "sign < 0",
     ),
     Fault(
-        "dense: rows that are taken off end where they did",
-        "dense.c",
-        "if (x->high[i] > x->high[r]) x->high[r] = x->high[i];",
+        "eliminate: rows that are taken off end where they did",
+        "eliminate.c",
+        "x->high[r] = greater(x->high[r], x->high[i]);",
         "",
+    ),
+    Fault(
+        "eliminate: rows that are taken off begin where they did",
+        "eliminate.c",
+        "x->low[r] = lesser(x->low[r], x->low[i]);",
+        "",
+    ),
+    Fault(
+        "eliminate: later rows have entries where they had",
+        "eliminate.c",
+        "x->last[r] = greater(x->last[r], x->high[i]);",
+        "",
+    ),
+    Fault(
+        "eliminate: any entry is a pivot",
+        "eliminate.c",
+        "if (x->place[c] >= i && fabs(row[c]) > fabs(row[best])) best = c;",
+        "if (x->place[c] >= i && row[best] == 0) best = c;",
+    ),
+    Fault(
+        "eliminate: a row that depends on others has a pivot",
+        "eliminate.c",
+        "least = fmin(least, pivot);",
+        "least = fmin(least, pivot > 0 ? pivot : 1);",
+    ),
+    Fault("tree: loop rows end before their last", "tree.c", "        t->to[i]++;\n", ""),
+    Fault("tree: loop rows share nothing", "tree.c", "t->first_loop[i] = first;", "t->first_loop[i] = i;"),
+    Fault(
+        "tree: joints that may place a body yet",
+        "tree.c",
+        "if (i == *spent && is_spent(w, &g)) ++*spent;",
+        "++*spent;",
     ),
     Fault("tree: entries of the place before stay", "tree_rates.c", "entry[c] = 0;", "(void)0;"),
     Fault(
@@ -643,8 +675,8 @@ FAULTS = [
     Fault(
         "path: nothing is bridged",
         "path_place.c",
-        "return rank_falls(w) ? pm_bridge_place",
-        "return 0 ? pm_bridge_place",
+        "return null_vector(w, p->bridge.y) ? status",
+        "return 1 ? status",
     ),
     Fault(
         "rk: loop rows keep the rates that the energy did not return",
@@ -789,8 +821,8 @@ FAULTS = [
     Fault(
         "path: sign of the tangent",
         "path_place.c",
-        "t[column[i]] = pivot != 0 ? -sum / pivot : 0",
-        "t[column[i]] = pivot != 0 ? sum / pivot : 0",
+        "t[column[i]] = -sum / pivot",
+        "t[column[i]] = sum / pivot",
     ),
     Fault(
         "path: accelerations without what the velocities make of them",

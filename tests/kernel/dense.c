@@ -123,47 +123,6 @@ static void band(int n)
     EQUAL(pm_band_factor(n, bottom, right, a, pivot), 1);
 }
 
-static void find_ends(int rows, int n, const double *a, int *low, int *high)
-{
-    for (int i = 0; i < rows; i++) {
-        for (low[i] = 0; low[i] < n && a[i * n + low[i]] == 0;) low[i]++;
-        for (high[i] = n - 1; high[i] >= 0 && a[i * n + high[i]] == 0;) high[i]--;
-    }
-}
-
-/* Half of the entries are zero: pivots fall as full pivoting makes them, and rows and columns are those of the matrix. */
-static void elimination(int n)
-{
-    double a[MOST * MOST], f[MOST * MOST], x[MOST];
-    int column[MOST], best[MOST], low[MOST], high[MOST], place[MOST], filled[MOST], rows = n - 1;
-    double size[MOST];
-    pm_elimination scratch = {low, high, best, place, filled, size};
-    random_matrix(rows, n, a);
-    for (int i = 0; i < rows * n; i++)
-        if (check_random(-1, 1) > 0.5) a[i] = 0;
-    memcpy(f, a, sizeof a);
-    find_ends(rows, n, f, low, high);
-    const int rank = pm_eliminate(rows, n, 1e-9, f, column, &scratch);
-    for (int i = 0; i < rank; i++)
-        for (int k = i + 1; k < n; k++) CHECK(fabs(f[i * n + column[k]]) <= fabs(f[i * n + column[i]]));
-    if (rank < rows) return;
-    x[column[n - 1]] = 1; /* the null vector */
-    for (int i = rows - 1; i >= 0; i--) {
-        double sum = 0;
-        for (int k = i + 1; k < n; k++) sum -= f[i * n + column[k]] * x[column[k]];
-        x[column[i]] = sum / f[i * n + column[i]];
-    }
-    for (int i = 0; i < rows; i++) {
-        double sum = 0;
-        for (int k = 0; k < n; k++) sum += a[i * n + k] * x[k];
-        NEAR(sum, 0, 1e-9);
-    }
-    if (rows < 2) return;
-    memcpy(a + n, a, sizeof(double) * (size_t)n); /* two rows are the same */
-    find_ends(rows, n, a, low, high);
-    EQUAL(pm_eliminate(rows, n, 1e-9, a, column, &scratch), rows - 1);
-}
-
 int main(void)
 {
     for (int i = 0; i < SYSTEMS; i++) {
@@ -171,7 +130,6 @@ int main(void)
         cholesky(n);
         lu(n);
         band(n);
-        elimination(n);
     }
     double indefinite[] = {1, 0, 2, 1}; /* [1 2; 2 1] */
     EQUAL(pm_cholesky_factor(2, indefinite), 2);
