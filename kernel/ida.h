@@ -4,6 +4,7 @@
  *   ida_system.c    unknowns, residual, error weights
  *   ida_jacobian.c  the blocks of the Newton matrix
  *   ida_linear.c    their elimination, as a linear solver of SUNDIALS
+ *   ida_sparse.c    the same for many unknowns
  *   ida_root.c      event functions
  *   ida_vector.c    vector operations
  *   ida_library.c   versions of SUNDIALS
@@ -21,6 +22,8 @@
 #ifndef PM_IDA_STOCK
 #define PM_IDA_STOCK 0
 #endif
+
+typedef struct pm_ida_sparse pm_ida_sparse;
 
 /* Blocks of dF/dy + cj dF/dy', row-major, and what solves with them. */
 typedef struct pm_ida_jacobian {
@@ -43,6 +46,7 @@ typedef struct pm_ida_jacobian {
     int nbend;
     double independence; /* least independent part of a row, of the row, at the last matrix */
     int known;           /* the factors are of this phase */
+    int sparse;          /* there are many unknowns: ida_sparse.c */
     double *scale;       /* [nq + nrow] of the unknowns of `system` */
     double *work;        /* scratch of the differences and of a solution */
     int has_forces;      /* some force may depend on positions */
@@ -67,6 +71,7 @@ typedef struct pm_ida {
     double first, last; /* the step as integrated: dense output is known there */
     int status;         /* of the kernel inside a function that IDA called, or PM_OK */
     pm_ida_jacobian jacobian;
+    pm_ida_sparse *sparse;
     struct pm_ida_roots *roots;
     void *block;
 } pm_ida;

@@ -25,6 +25,7 @@
 #include "body.h"
 #include "dense.h"
 #include "ida_jacobian.h"
+#include "ida_sparse.h"
 #include "project.h"
 #include "saddle.h"
 
@@ -162,37 +163,44 @@ static void pack_bends(pm_workspace *w)
     }
 }
 
-int pm_ida_linear_factor(pm_workspace *w)
+static int factor_dense(pm_workspace *w)
 {
     pm_ida_jacobian *j = &w->ida->jacobian;
-    j->known = 0;
     const int status = invert_rows(w);
     if (status) return status;
     project_on_rows(w);
     fill_system(w);
-    w->count[PM_COUNT_SOLVES]++;
     if (pm_lu_invert(w->model->nq + j->nactive, j->system, j->pivot)) return PM_SOLVER;
     take_scales(w);
     pack_bends(w);
-    j->known = 1;
     return PM_OK;
 }
 
-void pm_ida_linear_solve(pm_workspace *w, const double *b, double *x)
+int pm_ida_linear_factor(pm_workspace *w)
+{
+    pm_ida_jacobian *j = &w->ida->jacobian;
+    const int status = j->sparse ? pm_ida_sparse_factor(w) : factor_dense(w);
+    w->count[PM_COUNT_SOLVES]++;
+    j->known = !status;
+    return status;
+}
+
+/* As pm_ida_sparse_solve; work[3 nq + nactive]. */
+static void solve_dense(const pm_workspace *w, const double *b, double *q, double *vl, double *mu,
+                        double *work)
 {
     const pm_ida_jacobian *j = &w->ida->jacobian;
-    const int nq = w->model->nq, nz = w->model->nz, na = j->nactive, n = nq + na;
-    const int l = pm_ida_place_l(w), mu = pm_ida_place_mu(w);
-    const double ic = 1 / j->cj;
-    double *q = j->work, *u = q + nq, *bent = u + nq, *f = bent + nq, *vl = f + n, *z = vl + n;
+    const int nq = w->model->nq, na = j->nactive, n = nq + na;
+    const double ic = 1 / j->cj, *b4 = b + pm_ida_place_l(w), *b5 = b + pm_ida_place_mu(w);
+    double *u = work, *bent = u + nq, *f = bent + nq;
     for (int i = 0; i < nq; i++) {
         u[i] = ic * b[i];
         q[i] = 0;
     }
     add_columns(nq, nq, j->project, u, q);
-    add_columns(nq, na, j->spread, b + l, q);
+    add_columns(nq, na, j->spread, b4, q);
     memcpy(f, b + nq, (size_t)nq * sizeof *f);
-    memcpy(f + nq, b + mu, (size_t)na * sizeof *f);
+    memcpy(f + nq, b5, (size_t)na * sizeof *f);
     for (int i = 0; i < j->nbend; i++) bent[i] = q[j->bending[i]];
     add_columns(n, j->nbend, j->bend, bent, f);
     memset(vl, 0, (size_t)n * sizeof *vl);
@@ -200,19 +208,38 @@ void pm_ida_linear_solve(pm_workspace *w, const double *b, double *x)
     for (int i = 0; i < nq; i++) f[i] = ic * vl[i];
     add_columns(nq, nq, j->project, f, q);
     for (int i = 0; i < nq; i++) u[i] += f[i];
-    for (int r = 0; r < na; r++) f[r] = -b[l + r];
-    memset(x + mu, 0, (size_t)na * sizeof *x);
-    add_columns(na, na, j->inverse_schur, f, x + mu);
-    add_columns(na, nq, j->share, u, x + mu);
-    memcpy(z, b + 2 * nq, (size_t)nz * sizeof *z);
-    if (j->has_forces) add_columns(nz, nq, j->ledger + nz * w->model->nrow, q, z);
-    if (j->has_damping) add_columns(nz, nq, j->ledger + nz * (w->model->nrow + nq), vl, z);
-    for (int i = 0; i < nz; i++) z[i] *= ic;
-    add_columns(nz, na, j->ledger, vl + nq, z);
+    for (int r = 0; r < na; r++) f[r] = -b4[r];
+    memset(mu, 0, (size_t)na * sizeof *mu);
+    add_columns(na, na, j->inverse_schur, f, mu);
+    add_columns(na, nq, j->share, u, mu);
+}
+
+/* z, in place of b3. */
+static void solve_ledger(const pm_workspace *w, const double *q, const double *vl, double *z)
+{
+    const pm_ida_jacobian *j = &w->ida->jacobian;
+    const int nq = w->model->nq, nz = w->model->nz, nrow = w->model->nrow;
+    if (j->has_forces) add_columns(nz, nq, j->ledger + nz * nrow, q, z);
+    if (j->has_damping) add_columns(nz, nq, j->ledger + nz * (nrow + nq), vl, z);
+    for (int i = 0; i < nz; i++) z[i] /= j->cj;
+    add_columns(nz, j->nactive, j->ledger, vl + nq, z);
+}
+
+void pm_ida_linear_solve(pm_workspace *w, const double *b, double *x)
+{
+    const pm_ida_jacobian *j = &w->ida->jacobian;
+    const int nq = w->model->nq, na = j->nactive;
+    double *q = j->work, *vl = q + nq, *mu = vl + nq + na, *work = mu + na;
+    if (j->sparse)
+        pm_ida_sparse_solve(w, b, q, vl, mu);
+    else
+        solve_dense(w, b, q, vl, mu, work);
+    memmove(x + 2 * nq, b + 2 * nq, (size_t)w->model->nz * sizeof *x);
+    solve_ledger(w, q, vl, x + 2 * nq);
     memcpy(x, q, (size_t)nq * sizeof *x);
     memcpy(x + nq, vl, (size_t)nq * sizeof *x);
-    memcpy(x + 2 * nq, z, (size_t)nz * sizeof *x);
-    memcpy(x + l, vl + nq, (size_t)na * sizeof *x);
+    memcpy(x + pm_ida_place_l(w), vl + nq, (size_t)na * sizeof *x);
+    memcpy(x + pm_ida_place_mu(w), mu, (size_t)na * sizeof *x);
 }
 
 /* ---- back on the rows ---- */
@@ -263,7 +290,8 @@ static int corrected(pm_workspace *w, pm_state *s)
 
 int pm_ida_linear_project(pm_workspace *w, pm_state *s)
 {
-    return w->ida->jacobian.known && corrected(w, s) ? PM_OK : pm_project(w, s);
+    const pm_ida_jacobian *j = &w->ida->jacobian;
+    return j->known && !j->sparse && corrected(w, s) ? PM_OK : pm_project(w, s);
 }
 
 /* ---- objects of SUNDIALS: the blocks are the matrix ---- */
@@ -319,7 +347,8 @@ static int setup(SUNLinearSolver solver, SUNMatrix matrix)
     pm_workspace *w = solver->content;
     (void)matrix;
     const int status = pm_ida_linear_factor(w);
-    if (status == PM_SINGULAR) w->ida->status = status; /* else it is IDA's to say what failed */
+    if (status == PM_SINGULAR || status == PM_NO_MEMORY)
+        w->ida->status = status; /* else it is IDA's to say what failed */
     return status ? 1 : 0;
 }
 

@@ -17,6 +17,7 @@
 #include "audit.h"
 #include "body.h"
 #include "force.h"
+#include "ida_sparse.h"
 #include "row.h"
 #include "saddle.h"
 
@@ -30,6 +31,7 @@ void pm_ida_system_layout(pm_workspace *w)
     pm_ida *r = w->ida;
     r->stride = PM_IDA_STOCK ? w->model->nrow : w->nactive;
     r->n = 2 * w->model->nq + w->model->nz + 2 * r->stride;
+    r->jacobian.sparse = pm_ida_sparse_serves(w);
 }
 
 void pm_ida_system_look(pm_workspace *w, double t, const double *y, const double *yp)

@@ -24,9 +24,11 @@
 #include "ida_library.h"
 #include "ida_linear.h"
 #include "ida_root.h"
+#include "ida_sparse.h"
 #include "ida_system.h"
 #include "ida_vector.h"
 #include "route.h"
+#include "saddle.h"
 
 #define ORDER 5
 #define NEWTON 0.1        /* of the error allowed: where Newton's iteration may stop */
@@ -34,6 +36,7 @@
 #define LONGEST_STEP 0.25 /* of the motion's own time, where events or extremes are watched */
 #define LEAST_STEP 8e-16  /* of the time: below it a step changes nothing */
 #define NEAR_SINGULAR 0.1 /* independent part of a row, below which Newton's iteration may not get through */
+#define LOST 0.2          /* the same where it did not in a long chain: up to where plan.c comes back */
 #define LEAST_ROOM 4e-15  /* of the time: below it IDA finds begin and end too close */
 
 static int failed(pm_workspace *w, int flag) { return pm_fail(w, PM_SOLVER, PM_NONE, PM_NONE, flag, 0); }
@@ -130,6 +133,7 @@ static int create(pm_workspace *w)
     if (!status) status = create_vectors(w);
     if (!status) status = set_up(w);
     if (!status) status = create_solver(w);
+    if (!status) status = pm_ida_sparse_create(w);
     if (!status) status = pm_ida_root_create(w);
     return status;
 }
@@ -139,6 +143,7 @@ static void destroy(pm_workspace *w)
     pm_ida *r = w->ida;
     if (!r) return;
     pm_ida_root_free(w);
+    pm_ida_sparse_free(w);
     if (r->memory) IDAFree(&r->memory);
     if (PM_IDA_STOCK) {
         if (r->solver) SUNLinSolFree(r->solver);
@@ -256,11 +261,22 @@ static int one_step(pm_workspace *w, double t_limit)
     return status;
 }
 
-/* The last matrix tells how near a singular position is: whatever goes wrong there, a new one has been made. */
+/* How far off a singular position is: at the last matrix; in long chains, where one step may lead over it to another branch,
+ * where the step has come to, too. */
+static double independence(pm_workspace *w, int status)
+{
+    const pm_ida_jacobian *j = &w->ida->jacobian;
+    if (!j->sparse || status) return j->independence;
+    pm_frame_look_state(w, &w->state);
+    pm_saddle_rows(w);
+    return fmin(j->independence, pm_saddle_independence(w));
+}
+
+/* Whatever goes wrong near a singular position, a new matrix has been made there. */
 static int step(pm_workspace *w, double t_limit)
 {
-    const int status = one_step(w, t_limit);
-    w->lap = w->singular = !w->asymmetric && w->ida->jacobian.independence < NEAR_SINGULAR;
+    const int status = one_step(w, t_limit), lost = w->ida->jacobian.sparse && status;
+    w->lap = w->singular = !w->asymmetric && independence(w, status) < (lost ? LOST : NEAR_SINGULAR);
     return status;
 }
 

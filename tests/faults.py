@@ -29,7 +29,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 COMPILER = os.environ.get("CC", "gcc")
 FLAGS = ["-std=gnu11", "-O1", "-ffp-contract=off", "-fno-math-errno", "-D_GNU_SOURCE", "-UNDEBUG", "-w"]
-LIBRARIES = os.environ.get("FAULTS_LIBRARIES", "-lgsl -lgslcblas -lsundials_ida -lm -lpthread").split()
+LIBRARIES = os.environ.get("FAULTS_LIBRARIES", "-lgsl -lgslcblas -lsundials_ida -lklu -lm -lpthread").split()
 TEST_SECONDS = 12  # of the processor: a test that takes longer hangs; the slowest needs four
 WAIT_SECONDS = 20 * TEST_SECONDS  # of the clock: a test that waits for ever hangs too, without using any
 MESSAGE = 2000  # characters of a compiler's message that are worth showing
@@ -1567,6 +1567,29 @@ FAULTS = [
         "r[nq + i] = -w->inverse_mass[i] * force[i]",
         "r[nq + i] = w->inverse_mass[i] * force[i]",
     ),
+    Fault(
+        "ida, sparse: sign of the bends", "ida_sparse.c", "-ic * ic * j->stiffness", "ic * ic * j->stiffness"
+    ),
+    Fault("ida, sparse: turns of the rows", "ida_sparse.c", "ic * e[r] * j->turn", "0 * ic * e[r] * j->turn"),
+    Fault(
+        "ida, sparse: forces by the rows",
+        "ida_sparse.c",
+        "put_reaction(w, s, k, 1, r, j->h, -1)",
+        "put_reaction(w, s, k, 1, r, j->g, -1)",
+    ),
+    Fault(
+        "ida: singular positions that a step has come to",
+        "route_ida.c",
+        "return fmin(j->independence, pm_saddle_independence(w));",
+        "return j->independence;",
+    ),
+    Fault("ida, sparse: no damping", "ida_sparse.c", "(i == k) - ic * damping", "(i == k) - 0 * damping"),
+    Fault(
+        "ida, sparse: the pattern before",
+        "ida_sparse.c",
+        "return s->symbolic && s->n == n &&",
+        "return s->symbolic && s->n == n ||",
+    ),
     Fault("ida: sign of the bends", "ida_linear.c", "= -j->turn[", "= j->turn["),
     Fault("ida: sign of the reactions", "ida_system.c", "w->rhs[i] = -yp[l + i]", "w->rhs[i] = yp[l + i]"),
     Fault(
@@ -1584,8 +1607,8 @@ FAULTS = [
     Fault(
         "ida: singular positions are not handed over",
         "route_ida.c",
-        "w->ida->jacobian.independence < NEAR_SINGULAR",
-        "w->ida->jacobian.independence < 0",
+        "(lost ? LOST : NEAR_SINGULAR)",
+        "0",
     ),
     Fault(
         "ida: missed root between two steps",

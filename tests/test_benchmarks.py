@@ -160,5 +160,21 @@ def test_a_run_that_takes_too_long_is_a_row_that_says_so(
     agreement: ModuleType, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(agreement, "PATIENCE", 1)
-    chain = dict(agreement.scenes())["four_bars_40, 10 s"]()
+    chain = agreement.generate.four_bars(160)
     assert agreement.limited(chain, "ida", 1e-10) == "not finished in 1 s"
+
+
+# ---- ida beside the library's own parts ----
+
+
+def test_ida_is_measured_in_a_process_of_its_own(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.syspath_prepend(str(ROOT))
+    stock = importlib.import_module("studies.benchmarks.stock")
+    problem = next(p for p in stock.PROBLEMS if p.name == "linkage_c5")
+    cpu, error, why = stock.measured(problem, 1e-6, None)
+    assert not why
+    assert cpu > 0
+    assert 0 < error < 1e-6
+    (tmp_path / "planemotion").mkdir()
+    (tmp_path / "planemotion" / "__init__.py").write_text("raise ImportError('another package')\n")
+    assert stock.measured(problem, 1e-6, tmp_path)[2] == "ImportError: another package"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from . import agreement, growth, memory, named_studies, summary
+from . import agreement, growth, memory, named_studies, stock, summary
 from .rows import Row
 from .tables import Table
 
@@ -14,6 +14,7 @@ Part = Callable[[Sequence[Row], bool, Path], list[Table]]
 PARTS: dict[str, Part] = {
     "named_studies": named_studies.tables,
     "agreement": agreement.tables,
+    "ida_stock": stock.tables,
     "growth": growth.tables,
     "memory": memory.tables,
     "summary": summary.tables,

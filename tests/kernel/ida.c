@@ -9,7 +9,9 @@
 #include "scene.h"
 
 #define G 9.81
-#define MOST 128 /* unknowns */
+#define MOST 256 /* unknowns */
+#define MANY_BARS 40
+#define LINKS 9 /* a chain that makes their system a sparse one */
 
 static scene *with_ida(double accuracy)
 {
@@ -34,6 +36,21 @@ static void double_pendulum(scene *s, int out[3])
     out[1] = scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, tip, PM_PART_Y));
     out[2] = scene_ask_measure(s, scene_measure(s, PM_MEASURE_OMEGA, a));
     scene_until_time(s, 5);
+}
+
+/* Links of 0.3 m on a pin above all else, with springs and dampers in their joints. */
+static int chain(scene *s, int links)
+{
+    int last = PM_GROUND, hook = scene_point(s, PM_GROUND, 0.2, 3);
+    for (int i = 0; i < links; i++) {
+        const int link = rod(s, 0.4 + 0.1 * i, 0.3, 0.2 + 0.3 * i + 0.15, 3, 0);
+        scene_joint(s, PM_JOINT_PIN, scene_point(s, link, -0.15, 0), hook, 0);
+        scene_force(s, PM_FORCE_TORSION, link, last, 5, 0.1);
+        scene_force(s, PM_FORCE_ROTARY_DAMPER, link, last, 0.05 * i, 0);
+        hook = scene_point(s, link, 0.15, 0);
+        last = link;
+    }
+    return last;
 }
 
 typedef struct crank_parts {
@@ -69,9 +86,19 @@ static void slider_crank(scene *s, int out[3])
     scene_until_time(s, 3);
 }
 
+/* The end of the chain. */
+static void long_chain(scene *s, int out[3])
+{
+    const int last = chain(s, LINKS), tip = scene_point(s, last, 0.15, 0);
+    out[0] = scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, tip, PM_PART_X));
+    out[1] = scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, tip, PM_PART_Y));
+    out[2] = scene_ask_measure(s, scene_measure(s, PM_MEASURE_ANGLE, last));
+    scene_until_time(s, 0.6);
+}
+
 /* ---- the Newton matrix ---- */
 /* J x by central differences of F along (x, cj x) and solved again gives x. */
-static void check_newton_matrix(scene *s, double cj)
+static void check_newton_matrix(scene *s, double cj, int sparse)
 {
     double y[MOST] = {0}, yp[MOST] = {0}, x[MOST], moved[2][MOST], b[MOST];
     EQUAL(scene_begin(s), PM_OK);
@@ -79,6 +106,7 @@ static void check_newton_matrix(scene *s, double cj)
     pm_ida *r = w->ida;
     pm_ida_system_layout(w);
     CHECK(r->n <= MOST);
+    EQUAL(r->jacobian.sparse, sparse);
     EQUAL(pm_ida_system_start(w, y, yp), PM_OK);
     pm_ida_jacobian_evaluate(w, w->state.t, cj, y, yp);
     EQUAL(pm_ida_linear_factor(w), PM_OK);
@@ -99,7 +127,7 @@ static void check_newton_matrix(scene *s, double cj)
     for (int i = 0; i < r->n; i++) NEAR(b[i], x[i], 2e-5);
 }
 
-static void newton_matrix(void)
+static void newton_matrix(int links)
 {
     scene *s = with_ida(1e-8);
     const crank_parts p = slider_crank_of(s);
@@ -111,8 +139,9 @@ static void newton_matrix(void)
     scene_force(s, PM_FORCE_TORSION, p.rod, p.crank, 7, 0.2);
     scene_force(s, PM_FORCE_ROTARY_DAMPER, p.crank, PM_GROUND, 0.4, 0);
     scene_applied(s, p.slider_pin, p.rod, push, push);
-    check_newton_matrix(s, 23.85);
-    check_newton_matrix(s, 2385);
+    chain(s, links);
+    check_newton_matrix(s, 23.85, links > 0);
+    check_newton_matrix(s, 2385, links > 0);
     scene_free(s);
 }
 
@@ -129,12 +158,13 @@ static scene *sliding_block(double accuracy, double v)
     return s;
 }
 
-static void newton_matrix_with_friction(void)
+static void newton_matrix_with_friction(int links)
 {
     scene *s = sliding_block(1e-8, 2);
     const int spring = scene_point(s, 0, 0.1, 0.05); /* positions must not be without forces */
     scene_force(s, PM_FORCE_DAMPER, spring, scene_point(s, PM_GROUND, 1, 1), 3, 0);
-    check_newton_matrix(s, 238.5);
+    chain(s, links);
+    check_newton_matrix(s, 238.5, links > 0);
     CHECK(s->w->asymmetric);
     scene_free(s);
 }
@@ -165,6 +195,7 @@ static void motions(void)
 {
     routes_agree(double_pendulum, (double[]){5e-5, 2e-6, 5e-8});
     routes_agree(slider_crank, (double[]){2e-3, 5e-5, 1e-6});
+    routes_agree(long_chain, (double[]){1e-4, 1e-5, 1e-6});
 }
 
 /* The block stops after v^2 / (2 mu g) and v / (mu g), and stays. */
@@ -360,25 +391,30 @@ static void same_bits(void)
     scene_free(s);
 }
 
-/* Two cranks and a coupler, rods of 1 m and 1 kg, fall from upright at 1 rad/s through their flat position, where the rows
- * lose their rank and the cranks could as well part: 5/6 omega^2 + 2 g sin(angle) is kept, and the coupler stays level. */
-static void passes_flat_parallelogram(void)
+/* Cranks in a row and couplers between them, rods of 1 m and 1 kg, fall from upright at 1 rad/s through their flat position,
+ * where the rows lose their rank and the cranks could as well part: energy is kept, and the couplers stay level. */
+static void passes_flat_parallelograms(int n, double accuracy)
 {
-    const double half_turn = 3.14159265358979323846, end = -0.6;
-    scene *s = with_ida(1e-9);
-    const int a = rod(s, 1, 1, 0, 0.5, half_turn / 2), b = rod(s, 1, 1, 1, 0.5, half_turn / 2),
-              c = rod(s, 1, 1, 0.5, 1, 0);
-    scene_joint(s, PM_JOINT_PIN, scene_point(s, a, -0.5, 0), scene_point(s, PM_GROUND, 0, 0), 0);
-    scene_joint(s, PM_JOINT_PIN, scene_point(s, b, -0.5, 0), scene_point(s, PM_GROUND, 1, 0), 0);
-    scene_joint(s, PM_JOINT_PIN, scene_point(s, c, -0.5, 0), scene_point(s, a, 0.5, 0), 0);
-    scene_joint(s, PM_JOINT_PIN, scene_point(s, c, 0.5, 0), scene_point(s, b, 0.5, 0), 0);
-    scene_start_omega(s, a, -1);
-    const int angle = scene_measure(s, PM_MEASURE_ANGLE, a);
+    const double quarter = 1.57079632679489661923, end = -4, legs = n + 1;
+    scene *s = with_ida(accuracy);
+    int leg[MANY_BARS + 1], bar = PM_NONE;
+    for (int i = 0; i <= n; i++) {
+        leg[i] = rod(s, 1, 1, i, 0.5, quarter);
+        scene_joint(s, PM_JOINT_PIN, scene_point(s, leg[i], -0.5, 0), scene_point(s, PM_GROUND, i, 0), 0);
+    }
+    for (int i = 0; i < n; i++) {
+        bar = rod(s, 1, 1, i + 0.5, 1, 0);
+        scene_joint(s, PM_JOINT_PIN, scene_point(s, bar, -0.5, 0), scene_point(s, leg[i], 0.5, 0), 0);
+        scene_joint(s, PM_JOINT_PIN, scene_point(s, bar, 0.5, 0), scene_point(s, leg[i + 1], 0.5, 0), 0);
+    }
+    scene_start_omega(s, leg[0], -1);
+    const int angle = scene_measure(s, PM_MEASURE_ANGLE, leg[0]);
     scene_until(s, scene_when(s, PM_TRIGGER_FALL, scene_minus(s, angle, end)), 1);
-    const int omega = scene_ask_measure(s, scene_measure(s, PM_MEASURE_OMEGA, a)),
-              level = scene_ask_measure(s, scene_measure(s, PM_MEASURE_ANGLE, c));
+    const int omega = scene_ask_measure(s, scene_measure(s, PM_MEASURE_OMEGA, leg[0])),
+              level = scene_ask_measure(s, scene_measure(s, PM_MEASURE_ANGLE, bar));
     EQUAL(scene_run(s, NULL), PM_OK);
-    NEAR(s->out[omega], -sqrt(1 + 2.4 * G * (1 - sin(end))), 1e-8);
+    const double ratio = (legs / 2 + n) / (legs / 3 + n); /* of the weights' levers and the inertia */
+    NEAR(s->out[omega], -sqrt(1 + 2 * ratio * G * (1 - sin(end))), 1e-8);
     NEAR(s->out[level], 0, 1e-8);
     CHECK(s->count[PM_COUNT_ROUTES] & (int64_t)1 << PM_ROUTE_RK); /* no further than there */
     CHECK(s->count[PM_COUNT_ROUTE] == PM_ROUTE_IDA && s->count[PM_COUNT_PHASES] >= 3);
@@ -387,9 +423,13 @@ static void passes_flat_parallelogram(void)
 
 int main(void)
 {
-    passes_flat_parallelogram();
-    newton_matrix();
-    newton_matrix_with_friction();
+    passes_flat_parallelograms(1, 1e-9);
+    passes_flat_parallelograms(MANY_BARS, 1e-9);
+    passes_flat_parallelograms(MANY_BARS, 1e-10);
+    for (int links = 0; links <= LINKS; links += LINKS) {
+        newton_matrix(links);
+        newton_matrix_with_friction(links);
+    }
     motions();
     friction_stops();
     rolls_far();
