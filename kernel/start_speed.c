@@ -36,6 +36,7 @@ static void join(const pm_workspace *w, const pm_islands *x, int a, int b)
 {
     if (a == w->model->nbody || b == w->model->nbody) return;
     const int from = x->island[b], to = x->island[a];
+    if (from == to) return;
     for (int i = 0; i < w->model->nbody; i++)
         if (x->island[i] == from) x->island[i] = to;
 }

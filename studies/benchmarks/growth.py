@@ -11,7 +11,6 @@ from pathlib import Path
 import numpy as np
 
 import planemotion
-from planemotion import _layout as layout
 from planemotion import engine
 from planemotion.errors import SceneError
 from planemotion.flatten import FlatScene
@@ -29,7 +28,7 @@ FLOORS = (1, 4, 16, 64, 256)
 IDLE = (0, 1, 4, 16, 64)
 CASES = (1, 10, 100, 1000, 10_000)
 THREADS = (1, 2)
-REPEAT = 3
+REPEAT = 5
 # Calls of a sweep that are timed at least, and how long all may take, s.
 CALLS = 5
 CALLS_SECONDS = 1.0
@@ -37,7 +36,7 @@ CALLS_SECONDS = 1.0
 THREAD_SECONDS = 0.3
 THREAD_TURNS = 15
 # A call for a chain takes at least this long, s: what is made once a batch is a small part of it then.
-CHAIN_CALL = 0.1
+CHAIN_CALL = 0.2
 COUNT_TO = 10_000_000
 
 
@@ -74,9 +73,11 @@ def bodies(quick: bool, out: Path) -> Table:
     for name, sizes, scene in chains:
         for route in ("auto", "rk"):
             method = method_name(route, True)
-            for n in sizes[:2] if quick else sizes:
-                count = len(scene(n).raw["bodies"])
-                figures, missed = one_case(scene(n), ("energy",), route)
+            scenes = [scene(n) for n in (sizes[:2] if quick else sizes)]
+            for n, one, (figures, missed) in zip(
+                sizes, scenes, in_turn(scenes, ("energy",), route), strict=False
+            ):
+                count = len(one.raw["bodies"])
                 table.rows.append([name, method, n, count, *per_step(figures, count), missed])
                 if missed:
                     break
@@ -133,20 +134,45 @@ def idle(quick: bool) -> Table:
 
 def one_case(scene: planemotion.Scene, asks: Sequence[str], route: str) -> tuple[tuple[float, float], str]:
     """CPU s and steps of a run, least of a few; or why there is none."""
+    return in_turn([scene], asks, route)[0]
+
+
+def in_turn(
+    scenes: Sequence[planemotion.Scene], asks: Sequence[str], route: str
+) -> list[tuple[tuple[float, float], str]]:
+    """The same of each scene; they take turns, so that a slow phase of the machine meets all alike.
+
+    Those after one that has no figures have none either.
+    """
+    batches: list[KernelBatch] = []
+    missed = ""
+    for scene in scenes:
+        batch, missed = prepared(scene, asks, route)
+        if batch is None:
+            break
+        batches.append(batch)
+    taken = np.full(len(batches), np.inf)
+    for _ in range(REPEAT):
+        taken = np.minimum(taken, [cpu(batch.answers) / batch.runs() for batch in batches])
+    found = [((float(least), batch.steps()), "") for least, batch in zip(taken, batches, strict=True)]
+    return [*found, ((np.nan, np.nan), missed)] if missed else found
+
+
+def prepared(scene: planemotion.Scene, asks: Sequence[str], route: str) -> tuple[KernelBatch | None, str]:
+    """A scene's case, as often as a call needs to be timed; or why there is none."""
     settings = {"solve.route": route, "solve.estimate": False, "solve.accuracy": 1e-8}
     try:
         flat = flat_of(scene, asks, settings)
     except SceneError as error:
-        return (np.nan, np.nan), str(error)
+        return None, str(error)
     batch = KernelBatch(flat, flat.defaults[None, :], asks)
     if not finishes(batch):
-        return (np.nan, np.nan), "not finished in time"
+        return None, "not finished in time"
     results = engine.run_cases(flat, batch.param)
     if results.status[0] < 0:
-        return (np.nan, np.nan), engine.message(flat, results, 0)
+        return None, engine.message(flat, results, 0)
     batch.lengthen(cpu(batch.answers), CHAIN_CALL)
-    taken = min(cpu(batch.answers) for _ in range(REPEAT)) / batch.runs()
-    return (taken, float(results.count[0, layout.PM_COUNT_STEPS])), ""
+    return batch, ""
 
 
 def per_step(figures: tuple[float, float], n: int) -> list[Cell]:
