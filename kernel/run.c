@@ -138,7 +138,8 @@ static int phase(pm_workspace *w, int *ended)
 static int leave_path(pm_workspace *w, int status)
 {
     const int lost = status == PM_STEP_TOO_SMALL || status == PM_SINGULAR || status == PM_ASSEMBLY;
-    if (!lost || w->route != &pm_route_path || PM_SETTING(w->model, PM_SETTING_ROUTE) != PM_ROUTE_AUTO)
+    if (!lost || w->path_left || w->route != &pm_route_path ||
+        PM_SETTING(w->model, PM_SETTING_ROUTE) != PM_ROUTE_AUTO)
         return 0;
     w->path_left = 1;
     w->where = (pm_where){PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
@@ -146,11 +147,13 @@ static int leave_path(pm_workspace *w, int status)
     return pm_active_build(w) == PM_OK;
 }
 
-/* The route ida has met a singular position and no step that it can make: the same phase goes on as the plan knows. */
-static int leave_ida(pm_workspace *w, int status)
+/* The route ida has met a singular position and no step that it can make: the same phase goes on as the plan knows.  *left:
+ * phases when it was left last; where none has begun since, there is no going on. */
+static int leave_ida(pm_workspace *w, int status, int64_t *left)
 {
     const int lost = status == PM_STEP_TOO_SMALL || status == PM_SINGULAR || status == PM_SOLVER;
-    if (!lost || w->route != &pm_route_ida || !w->singular) return 0;
+    if (!lost || w->route != &pm_route_ida || !w->singular || w->count[PM_COUNT_PHASES] == *left) return 0;
+    *left = w->count[PM_COUNT_PHASES];
     w->where = (pm_where){PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
     w->lap = 1;
     return 1;
@@ -158,12 +161,13 @@ static int leave_ida(pm_workspace *w, int status)
 
 static int run_phases(pm_workspace *w)
 {
+    int64_t left = PM_NONE;
     int ended, status = pm_instant_finish(w, &ended);
     if (ended) pm_plan_no_phase(w);
     if (!status) status = pm_trace_row(w, 2);
     while (!status && !ended) {
         status = phase(w, &ended);
-        if (status && (leave_path(w, status) || leave_ida(w, status))) {
+        if (status && (leave_path(w, status) || leave_ida(w, status, &left))) {
             status = PM_OK;
             continue;
         }

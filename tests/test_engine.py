@@ -480,6 +480,12 @@ def test_a_route_in_time_that_has_only_begun_is_ok() -> None:
     assert (result.status, result.route) == ("ok", ("rk",))
 
 
+def test_a_route_that_is_left_is_not_left_for_ever() -> None:
+    """Here a companion of ida fails where it stands, right after its step has."""
+    scene = load(STUDIES / "chapter17" / "17-C5.toml")
+    assert scene.run(**{"solve.route": "ida", "solve.accuracy": 1e-7}).status == "ends_singular"
+
+
 def test_what_was_answered_before_a_singular_position_stands() -> None:
     """In time nothing tells how the bars of 17.C5 go on where they hang; the path goes on through it."""
     scene = load(STUDIES / "chapter17" / "17-C5.toml")
