@@ -182,7 +182,7 @@ void pm_ida_jacobian_evaluate(pm_workspace *w, double t, double cj, const double
     x->nactive = w->nactive;
     x->cj = cj;
     pm_ida_system_look(w, t, d.y, yp);
-    if (x->sparse) x->independence = w->nactive > 0 ? pm_saddle_independence(w) : 1;
+    if (x->sparse) x->independence = pm_saddle_independence(w);
     rows(w, x);
     ledger(w, x, &d);
     if (x->has_damping) velocities(w, x, t, &d);

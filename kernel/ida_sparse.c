@@ -115,10 +115,13 @@ static void set_scale(pm_workspace *w)
     }
 }
 
+static void begin_column(pm_ida_sparse *s, int k) { s->start[k + 1] = s->start[k]; }
+
 static void put_position(pm_ida_sparse *s, const pm_ida_jacobian *j, int nq, int k)
 {
     const int na = j->nactive;
     const double *u = j->scale, *e = u + nq, ic = 1 / j->cj;
+    begin_column(s, k);
     put(s, k, k, 1);
     for (int i = 0; i < nq; i++) put(s, k, nq + i, -ic * ic * j->stiffness[i * nq + k] * u[k] / u[i]);
     for (int r = 0; r < na; r++) put(s, k, 2 * nq + r, e[r] * j->g[r * nq + k] * u[k]);
@@ -127,52 +130,39 @@ static void put_position(pm_ida_sparse *s, const pm_ida_jacobian *j, int nq, int
 
 static void put_velocity(pm_ida_sparse *s, const pm_ida_jacobian *j, int nq, int k)
 {
-    const int na = j->nactive;
+    const int na = j->nactive, column = nq + k;
     const double *u = j->scale, *e = u + nq, ic = 1 / j->cj;
-    put(s, nq + k, k, -1);
+    begin_column(s, column);
+    put(s, column, k, -1);
     for (int i = 0; i < nq; i++) {
         const double damping = j->has_damping ? j->damping[i * nq + k] : 0;
-        put(s, nq + k, nq + i, (i == k) - ic * damping * u[k] / u[i]);
+        put(s, column, nq + i, (i == k) - ic * damping * u[k] / u[i]);
     }
-    for (int r = 0; r < na; r++) put(s, nq + k, 2 * nq + na + r, e[r] * j->g[r * nq + k] * u[k]);
+    for (int r = 0; r < na; r++) put(s, column, 2 * nq + na + r, e[r] * j->g[r * nq + k] * u[k]);
 }
 
-/* What a reaction, or the displacement that keeps a row, makes: by the direction of the row in block `block`. */
+/* Column k, of what a reaction, or the displacement that keeps a row, makes: by the direction of the row, in block `block`. */
 static void put_reaction(const pm_workspace *w, pm_ida_sparse *s, int k, int block, int r,
                          const double *direction, double sign)
 {
     const pm_ida_jacobian *j = &w->ida->jacobian;
     const int nq = w->model->nq;
     const double e = sign * j->scale[nq + r];
+    begin_column(s, k);
     for (int i = 0; i < nq; i++)
         put(s, k, block * nq + i, w->inverse_mass[i] * direction[r * nq + i] * e / j->scale[i]);
 }
-
-static void begin_column(pm_ida_sparse *s, int k) { s->start[k + 1] = s->start[k]; }
 
 static void fill(pm_workspace *w)
 {
     pm_ida_sparse *s = w->ida->sparse;
     const pm_ida_jacobian *j = &w->ida->jacobian;
     const int nq = w->model->nq, na = j->nactive;
-    int k = 0;
     s->lost = 0;
-    for (int i = 0; i < nq; i++, k++) {
-        begin_column(s, k);
-        put_position(s, j, nq, i);
-    }
-    for (int i = 0; i < nq; i++, k++) {
-        begin_column(s, k);
-        put_velocity(s, j, nq, i);
-    }
-    for (int r = 0; r < na; r++, k++) {
-        begin_column(s, k);
-        put_reaction(w, s, k, 1, r, j->h, -1);
-    }
-    for (int r = 0; r < na; r++, k++) {
-        begin_column(s, k);
-        put_reaction(w, s, k, 0, r, j->g, 1);
-    }
+    for (int k = 0; k < nq; k++) put_position(s, j, nq, k);
+    for (int k = 0; k < nq; k++) put_velocity(s, j, nq, k);
+    for (int r = 0; r < na; r++) put_reaction(w, s, 2 * nq + r, 1, r, j->h, -1);
+    for (int r = 0; r < na; r++) put_reaction(w, s, 2 * nq + na + r, 0, r, j->g, 1);
 }
 
 /* ---- its factors ---- */

@@ -58,9 +58,7 @@ static int take(pm_workspace *w, const pm_route_ops *route, int rule)
 int pm_plan_has_passed(pm_workspace *w)
 {
     if (w->rule != PASSING) return 0;
-    pm_frame_look_state(w, &w->state);
-    pm_saddle_rows(w);
-    if (!(pm_saddle_independence(w) > PASSED)) return 0;
+    if (!(pm_saddle_independence_there(w, &w->state) > PASSED)) return 0;
     w->singular = 0;
     return 1;
 }

@@ -267,9 +267,7 @@ static double independence(pm_workspace *w, int status)
 {
     const pm_ida_jacobian *j = &w->ida->jacobian;
     if (!j->sparse || status) return j->independence;
-    pm_frame_look_state(w, &w->state);
-    pm_saddle_rows(w);
-    return fmin(j->independence, pm_saddle_independence(w));
+    return fmin(j->independence, pm_saddle_independence_there(w, &w->state));
 }
 
 /* Whatever goes wrong near a singular position, a new matrix has been made there. */

@@ -138,8 +138,7 @@ static int phase(pm_workspace *w, int *ended)
 static int leave_path(pm_workspace *w, int status)
 {
     const int lost = status == PM_STEP_TOO_SMALL || status == PM_SINGULAR || status == PM_ASSEMBLY;
-    if (!lost || w->path_left || w->route != &pm_route_path ||
-        PM_SETTING(w->model, PM_SETTING_ROUTE) != PM_ROUTE_AUTO)
+    if (!lost || w->route != &pm_route_path || PM_SETTING(w->model, PM_SETTING_ROUTE) != PM_ROUTE_AUTO)
         return 0;
     w->path_left = 1;
     w->where = (pm_where){PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
@@ -147,13 +146,11 @@ static int leave_path(pm_workspace *w, int status)
     return pm_active_build(w) == PM_OK;
 }
 
-/* The route ida has met a singular position and no step that it can make: the same phase goes on as the plan knows.  *left:
- * phases when it was left last; where none has begun since, there is no going on. */
-static int leave_ida(pm_workspace *w, int status, int64_t *left)
+/* The route ida has met a singular position and no step that it can make: the same phase goes on as the plan knows. */
+static int leave_ida(pm_workspace *w, int status)
 {
     const int lost = status == PM_STEP_TOO_SMALL || status == PM_SINGULAR || status == PM_SOLVER;
-    if (!lost || w->route != &pm_route_ida || !w->singular || w->count[PM_COUNT_PHASES] == *left) return 0;
-    *left = w->count[PM_COUNT_PHASES];
+    if (!lost || w->route != &pm_route_ida || !w->singular) return 0;
     w->where = (pm_where){PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
     w->lap = 1;
     return 1;
@@ -161,13 +158,15 @@ static int leave_ida(pm_workspace *w, int status, int64_t *left)
 
 static int run_phases(pm_workspace *w)
 {
-    int64_t left = PM_NONE;
+    int64_t left =
+        PM_NONE; /* phases when a route was left last: where none has begun since, there is no going on */
     int ended, status = pm_instant_finish(w, &ended);
     if (ended) pm_plan_no_phase(w);
     if (!status) status = pm_trace_row(w, 2);
     while (!status && !ended) {
         status = phase(w, &ended);
-        if (status && (leave_path(w, status) || leave_ida(w, status, &left))) {
+        if (status && w->count[PM_COUNT_PHASES] != left && (leave_path(w, status) || leave_ida(w, status))) {
+            left = w->count[PM_COUNT_PHASES];
             status = PM_OK;
             continue;
         }

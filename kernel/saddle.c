@@ -140,6 +140,13 @@ double pm_saddle_independence(pm_workspace *w)
     return sqrt(least);
 }
 
+double pm_saddle_independence_there(pm_workspace *w, const pm_state *s)
+{
+    pm_frame_look_state(w, s);
+    pm_saddle_rows(w);
+    return pm_saddle_independence(w);
+}
+
 int pm_saddle_factor(pm_workspace *w)
 {
     const int bad = w->asymmetric ? factor_asymmetric(w) : factor_symmetric(w);

@@ -11,6 +11,8 @@ int pm_saddle_factor(pm_workspace *w);
 /* How far the active rows, evaluated, are from depending on each other: the least part of a row that those before it do not
  * span, relative to it (its square is known to rounding). */
 double pm_saddle_independence(pm_workspace *w);
+/* The same of the rows at a state, where the frame then looks. */
+double pm_saddle_independence_there(pm_workspace *w, const pm_state *s);
 /* w->rhs: S x = rhs in place. */
 void pm_saddle_solve(pm_workspace *w);
 /* x += M^-1 H^T l (use_h) or M^-1 G^T l, with l = w->rhs. */

@@ -1574,13 +1574,13 @@ FAULTS = [
     Fault(
         "ida, sparse: forces by the rows",
         "ida_sparse.c",
-        "put_reaction(w, s, k, 1, r, j->h, -1)",
-        "put_reaction(w, s, k, 1, r, j->g, -1)",
+        "put_reaction(w, s, 2 * nq + r, 1, r, j->h, -1)",
+        "put_reaction(w, s, 2 * nq + r, 1, r, j->g, -1)",
     ),
     Fault(
         "ida: singular positions that a step has come to",
         "route_ida.c",
-        "return fmin(j->independence, pm_saddle_independence(w));",
+        "return fmin(j->independence, pm_saddle_independence_there(w, &w->state));",
         "return j->independence;",
     ),
     Fault("ida, sparse: no damping", "ida_sparse.c", "(i == k) - ic * damping", "(i == k) - 0 * damping"),

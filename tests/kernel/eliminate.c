@@ -12,7 +12,7 @@
 typedef struct system {
     int rows, n;
     double a[MOST * MOST], f[MOST * MOST]; /* as it was, and eliminated */
-    int column[MOST], scratch[6 * MOST];
+    int column[MOST], scratch[(PM_ELIMINATION_ROWS + PM_ELIMINATION_COLUMNS) * MOST];
     pm_elimination x;
 } system;
 
