@@ -5,7 +5,7 @@ BIN := .venv/bin
 SANITIZE ?= address,undefined
 comma := ,
 SANITIZE_BUILD := build/sanitize-$(subst $(comma),-,$(SANITIZE))
-C_FILES = $(wildcard kernel/*.[ch] tests/kernel/*.[ch])
+C_FILES = $(shell find kernel tests/kernel -name '*.[ch]')
 
 export PATH := $(CURDIR)/$(BIN):$(PATH)
 

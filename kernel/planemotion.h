@@ -623,9 +623,10 @@ enum pm_phase_column {
     PM_PHASE_DYNAMIC = 9, /* 1: accelerations and reactions are needed within it */
     PM_PHASE_STEPS = 10,
     PM_PHASE_LEGS = 11,      /* legs passed over before it */
-    PM_PHASE_UNREACHED = 12, /* contacts that can never close (reach.h) */
-    PM_PHASE_STILL = 13,     /* bodies that joints hold still (still.h) */
-    PM_PHASE_SPARED = 14,    /* gaps that were not looked at in its steps, out of reach of them (clear.h) */
+    PM_PHASE_UNREACHED = 12, /* contacts that can never close (gap_bounds.h) */
+    PM_PHASE_STILL = 13,     /* bodies that joints hold still (fixed_bodies.h) */
+    PM_PHASE_SPARED =
+        14, /* gaps that were not looked at in its steps, out of reach of them (gap_culling.h) */
     PM_PHASE_COLUMNS = 15
 };
 /* Runs one case as pm_trace does and tells its phases: phase[cap][PM_PHASE_COLUMNS], time[cap] of their begins, s

@@ -1,12 +1,12 @@
 /* Contacts that capture: momenta about the place of capture, closed forms of bullets, hooks and packages, points that
  * meet and points that pass, turned and mirrored scenes, the routes after a capture against each other. */
-#include "capture.h"
+#include "elements/capture.h"
 
-#include "body.h"
 #include "check.h"
-#include "jump.h"
-#include "row.h"
+#include "elements/constraint.h"
+#include "impact/impact.h"
 #include "scene.h"
+#include "state/frame.h"
 
 #define CLOSE 1e-11
 #define MOST 6
@@ -152,7 +152,7 @@ static void free_bodies(int kind, int capture, int particle)
     w->speed = 2;
     pm_frame_look_state(w, &w->state);
     int jumped;
-    EQUAL(pm_jump(w, &jumped), PM_OK);
+    EQUAL(pm_impact(w, &jumped), PM_OK);
     EQUAL(jumped, 1);
     EQUAL(w->state.slot[hit].mode, PM_CAPTURED);
     const double *impulse = w->slot_impulse + 2 * hit;

@@ -1,9 +1,9 @@
 /* Gaps: the nearest open member of a periodic row is that of a search over all; closed ones do not count. */
-#include "contact.h"
+#include "elements/contact.h"
 
-#include "body.h"
 #include "check.h"
 #include "scene.h"
+#include "state/frame.h"
 
 #define STEP_X 0.31
 #define STEP_Y 0.07

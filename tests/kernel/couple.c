@@ -1,10 +1,10 @@
 /* Couplings and drives: rows against differences of their residual along a motion, reactions and motions against closed
  * forms, a thousand turns, cords that slacken and tighten, and one route against the other. */
-#include "body.h"
 #include "check.h"
-#include "row.h"
-#include "saddle.h"
+#include "elements/constraint.h"
+#include "equations/saddle.h"
 #include "scene.h"
+#include "state/frame.h"
 
 #define TWO_PI 6.283185307179586
 #define STEP 1e-4
@@ -15,31 +15,31 @@ static const double mark[2][2] = {{0.17, -0.08}, {-0.12, 0.21}};
 static const double speed[6] = {0.9, -1.3, 2.1, -0.4, 0.8, -1.7};
 
 /* The residual where the bodies are t later if nothing accelerates. */
-static double residual(pm_workspace *w, pm_row row, double t)
+static double residual(pm_workspace *w, pm_constraint row, double t)
 {
     double q[6];
     for (int i = 0; i < w->model->nq; i++) q[i] = w->state.q[i] + t * w->state.v[i];
     pm_frame_look(w, t, q, w->state.v, w->state.z, w->state.memory);
-    pm_row_kind(row.kind)->evaluate(w, &row);
+    pm_constraint_kind(row.kind)->evaluate(w, &row);
     return row.g;
 }
 
 /* g' = G v - w and g'' = -gamma along the motion; G itself by one body and one coordinate moving at a time. */
-static void check_row(pm_workspace *w, pm_row row)
+static void check_row(pm_workspace *w, pm_constraint row)
 {
     pm_frame_look_state(w, &w->state);
-    pm_row_kind(row.kind)->remember(w, &row, &w->state.memory[row.memory], 1);
-    pm_row_kind(row.kind)->evaluate(w, &row);
+    pm_constraint_kind(row.kind)->remember(w, &row, &w->state.memory[row.memory], 1);
+    pm_constraint_kind(row.kind)->evaluate(w, &row);
     NEAR(row.g, 0, 1e-14);
     double before = residual(w, row, -STEP), after = residual(w, row, STEP);
     NEAR((after - before) / (2 * STEP), pm_saddle_times(w, &row, w->state.v) - row.rate, 1e-7);
     NEAR((after + before) / (STEP * STEP), -row.gamma, 1e-6);
     pm_frame_look_state(w, &w->state);
     /* the force of a drive is taken at the point of a, friction where the circle touches the line */
-    const int off =
-        row.kind == PM_ROW_DRIVE_X || row.kind == PM_ROW_DRIVE_Y || row.kind == PM_ROW_LINE_TANGENT;
-    if (!off) NEAR(pm_row_rate(w, &row), pm_saddle_times(w, &row, w->state.v), 1e-13);
-    NEAR(pm_row_slip(w, &row), pm_row_rate(w, &row) - row.rate, 1e-15);
+    const int off = row.kind == PM_CONSTRAINT_DRIVE_X || row.kind == PM_CONSTRAINT_DRIVE_Y ||
+                    row.kind == PM_CONSTRAINT_LINE_TANGENT;
+    if (!off) NEAR(pm_constraint_rate(w, &row), pm_saddle_times(w, &row, w->state.v), 1e-13);
+    NEAR(pm_constraint_slip(w, &row), pm_constraint_rate(w, &row) - row.rate, 1e-15);
     for (int i = 0; i < w->model->nq; i++) {
         double unit[6] = {0};
         const double *kept = w->state.v;
@@ -61,13 +61,13 @@ static void check_scene(scene *s)
         w->state.v[i] = speed[i];
     }
     for (int i = 0; i < s->rows[PM_TABLE_JOINT]; i++) {
-        pm_row row[PM_JOINT_ROWS];
-        const int n = pm_row_of_joint(w, i, row);
+        pm_constraint row[PM_JOINT_CONSTRAINTS];
+        const int n = pm_joint_constraints(w, i, row);
         for (int k = 0; k < n; k++) check_row(w, row[k]);
     }
     for (int i = 0; i < s->rows[PM_TABLE_CONTACT]; i++) {
-        pm_row row[2];
-        pm_row_of_contact(w, i, s->model->contact_slot[i], 0, &row[0], &row[1]);
+        pm_constraint row[2];
+        pm_contact_constraint_both(w, i, s->model->contact_slot[i], 0, &row[0], &row[1]);
         check_row(w, row[s->cell[PM_TABLE_CONTACT][i * PM_CONTACT_COLUMNS] != PM_CONTACT_CORD]);
     }
     scene_free(s);

@@ -1,5 +1,5 @@
 /* Cholesky and LU on random systems: the residual is at rounding, a singular matrix is reported with its row. */
-#include "dense.h"
+#include "numerics/dense.h"
 
 #include <string.h>
 
@@ -47,14 +47,14 @@ static void cholesky(int n)
     memcpy(x, b, sizeof b);
     for (int i = 0; i < n; i++) /* only the lower half is read */
         for (int k = i + 1; k < n; k++) f[i * n + k] = NAN;
-    EQUAL(pm_cholesky_factor(n, f), 0);
-    pm_cholesky_solve(n, f, x);
+    EQUAL(pm_dense_cholesky_factor(n, f), 0);
+    pm_dense_cholesky_solve(n, f, x);
     NEAR(residual(n, a, x, b), 0, 1e-13);
     if (n < 2) return;
     for (int j = 0; j < 2 * n; j++)
         g[(n - 1) * 2 * n + j] = -0.5 * g[j]; /* the last row depends on the first */
     gram(n, g, a);
-    EQUAL(pm_cholesky_factor(n, a), n);
+    EQUAL(pm_dense_cholesky_factor(n, a), n);
 }
 
 static void lu(int n)
@@ -67,11 +67,11 @@ static void lu(int n)
     random_matrix(n, 1, b);
     memcpy(f, a, sizeof a);
     memcpy(x, b, sizeof b);
-    EQUAL(pm_lu_factor(n, f, pivot), 0);
-    pm_lu_solve(n, f, pivot, x);
+    EQUAL(pm_dense_lu_factor(n, f, pivot), 0);
+    pm_dense_lu_solve(n, f, pivot, x);
     NEAR(residual(n, a, x, b), 0, 1e-11);
     memcpy(f, a, sizeof a);
-    EQUAL(pm_lu_invert(n, f, pivot), 0);
+    EQUAL(pm_dense_lu_invert(n, f, pivot), 0);
     for (int i = 0; i < n; i++) {
         x[i] = 0;
         for (int k = 0; k < n; k++) x[i] += f[i * n + k] * b[k];
@@ -79,8 +79,8 @@ static void lu(int n)
     NEAR(residual(n, a, x, b), 0, 1e-10);
     memcpy(f, a, sizeof a);
     for (int i = 0; i < n; i++) f[i * n] = 0;
-    EQUAL(pm_lu_factor(n, f, pivot), 1);
-    EQUAL(pm_lu_invert(n, f, pivot), 1);
+    EQUAL(pm_dense_lu_factor(n, f, pivot), 1);
+    EQUAL(pm_dense_lu_invert(n, f, pivot), 1);
 }
 
 /* A random limit from j on that does not fall. */
@@ -113,14 +113,14 @@ static void band(int n)
     }
     random_matrix(n, 1, b);
     memcpy(x, b, sizeof b);
-    EQUAL(pm_band_factor(n, bottom, right, f, pivot), 0);
-    pm_band_solve(n, bottom, right, f, pivot, x);
+    EQUAL(pm_dense_band_factor(n, bottom, right, f, pivot), 0);
+    pm_dense_band_solve(n, bottom, right, f, pivot, x);
     NEAR(residual(n, a, x, b), 0, 1e-10);
     memcpy(x, b, sizeof b);
-    pm_band_solve_transposed(n, bottom, right, f, pivot, x);
+    pm_dense_band_solve_transposed(n, bottom, right, f, pivot, x);
     NEAR(residual(n, transposed, x, b), 0, 1e-10);
     for (int i = 0; i < n; i++) a[i * n] = 0;
-    EQUAL(pm_band_factor(n, bottom, right, a, pivot), 1);
+    EQUAL(pm_dense_band_factor(n, bottom, right, a, pivot), 1);
 }
 
 int main(void)
@@ -132,6 +132,6 @@ int main(void)
         band(n);
     }
     double indefinite[] = {1, 0, 2, 1}; /* [1 2; 2 1] */
-    EQUAL(pm_cholesky_factor(2, indefinite), 2);
+    EQUAL(pm_dense_cholesky_factor(2, indefinite), 2);
     return check_failures();
 }

@@ -2,11 +2,11 @@
  * closed forms; stiff forces; roots that change no sign between steps; failures that come back as numbers;
  * the same bits always. */
 #include "check.h"
-#include "ida_jacobian.h"
-#include "ida_linear.h"
-#include "ida_system.h"
-#include "route.h"
+#include "routes/ida/ida_jacobian.h"
+#include "routes/ida/ida_linear.h"
+#include "routes/ida/ida_system.h"
 #include "scene.h"
+#include "state/route.h"
 
 #define G 9.81
 #define MOST 256 /* unknowns */

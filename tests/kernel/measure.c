@@ -1,10 +1,10 @@
 /* Measures of a state against their definitions: moving frames, other points, momenta, poles, forces and energies. */
-#include "measure.h"
+#include "elements/measure.h"
 
-#include "body.h"
 #include "check.h"
-#include "saddle.h"
+#include "equations/saddle.h"
 #include "scene.h"
+#include "state/frame.h"
 
 /* A body and a cart with known places and speeds, free. */
 static const double place[2][3] = {{0.3, -0.4, 0.8}, {-1.1, 0.6, -2.2}},

@@ -1,12 +1,12 @@
 /* The path route: closed forms, agreement with rk and ida, turning points, nudges; energy is exact. */
-#include "path.h"
+#include "routes/path/path.h"
 
-#include "body.h"
 #include "check.h"
-#include "project.h"
-#include "route.h"
-#include "saddle.h"
+#include "equations/projection.h"
+#include "equations/saddle.h"
 #include "scene.h"
+#include "state/frame.h"
+#include "state/route.h"
 
 #define G 9.81
 #define PI 3.14159265358979323846
@@ -298,7 +298,7 @@ static void accelerations(void)
             w->state.v[k] = w->inverse_mass[k] > 0 ? check_random(-2, 2) : 0;
         pm_frame_look_state(w, &w->state);
         pm_saddle_rows(w);
-        EQUAL(pm_project_velocity(w, &w->state), PM_OK);
+        EQUAL(pm_projection_velocity(w, &w->state), PM_OK);
         pm_frame_look_state(w, &w->state);
         if (samples[i].leaves || !CHECK(pm_route_path.applies(w))) {
             scene_free(s);
@@ -334,7 +334,7 @@ static double evidence(maker *make, double shift, double more)
         w->state.v[2] = 2;
         pm_frame_look_state(w, &w->state);
         pm_saddle_rows(w);
-        EQUAL(pm_project_velocity(w, &w->state), PM_OK);
+        EQUAL(pm_projection_velocity(w, &w->state), PM_OK);
         pm_frame_look_state(w, &w->state);
         CHECK(pm_route_path.applies(w));
         EQUAL(pm_route_path.begin(w), PM_OK);

@@ -1,11 +1,11 @@
 /* Places of a rigid group against those that the tree makes: each kind of joint, from either side, on ground and on what
  * stands still on it. */
-#include "path.h"
+#include "routes/path/path.h"
 
 #include "check.h"
-#include "route.h"
+#include "equations/fixed_bodies.h"
 #include "scene.h"
-#include "still.h"
+#include "state/route.h"
 
 enum { BODIES = 5, KINDS = 10 };
 
@@ -87,7 +87,7 @@ static void react(pm_workspace *w, double *a, double *lambda)
     pm_place *x = &w->path->spare;
     x->kinetic = 3;
     memcpy(w->frame.pose, x->pose, 5 * (size_t)w->model->nbody * sizeof *x->pose);
-    pm_open_accelerate(w, x);
+    pm_path_open_accelerate(w, x);
     memcpy(a, w->frame.a, (size_t)w->model->nq * sizeof *a);
     memcpy(lambda, w->frame.lambda, (size_t)w->nactive * sizeof *lambda);
 }

@@ -1,8 +1,8 @@
 /* Programs: every operation against libm, the stack's limits, not-a-number. */
-#include "program.h"
+#include "expression/program.h"
 
-#include "measure.h"
-#include "nodes.h"
+#include "elements/measure.h"
+#include "numerics/chebyshev_nodes.h"
 
 #include "check.h"
 #include "scene.h"

@@ -1,13 +1,13 @@
 /* Routes: the error follows the tolerance, the dense output meets the exact states, and both routes in time give the same
  * answers for swings, rolling, throws, bounces and sliding; what is said at once is what time makes of it. */
-#include "route.h"
+#include "state/route.h"
 
-#include "active.h"
-#include "body.h"
 #include "check.h"
-#include "event.h"
-#include "plan.h"
+#include "equations/active_set.h"
+#include "events/event.h"
+#include "run/plan.h"
 #include "scene.h"
+#include "state/frame.h"
 
 #define G 9.81
 #define PI 3.14159265358979323846
@@ -283,7 +283,7 @@ static void dense_output(int route, double tolerance)
                     for (int i = 0; i < 2 * nq; i++) NEAR(dense[i], w->state.q[i], tolerance);
             }
             pm_frame_look_state(w, &w->state);
-            pm_active_follow(w, &w->state);
+            pm_active_set_follow(w, &w->state);
         }
     }
     scene_free(s);

@@ -1,14 +1,14 @@
 /* The saddle-point system: G a = gamma and M a = f + H^T l recomputed, rows inside the scene give no momentum, forces
  * are the gradients of their energies, redundant and singular rows are told apart. */
-#include "saddle.h"
+#include "equations/saddle.h"
 
-#include "active.h"
-#include "body.h"
 #include "check.h"
-#include "force.h"
-#include "project.h"
-#include "row.h"
+#include "elements/constraint.h"
+#include "elements/force.h"
+#include "equations/active_set.h"
+#include "equations/projection.h"
 #include "scene.h"
+#include "state/frame.h"
 
 /* A chain of rods pinned to each other, with a spring; `fixed`: the first one to the ground too. */
 static scene *chain(int n, int fixed)
@@ -38,7 +38,7 @@ static void shake(pm_workspace *w)
     w->speed = 2;
     pm_frame_look_state(w, &w->state);
     pm_saddle_rows(w);
-    EQUAL(pm_project_velocity(w, &w->state), PM_OK);
+    EQUAL(pm_projection_velocity(w, &w->state), PM_OK);
     pm_frame_look_state(w, &w->state);
 }
 
@@ -49,7 +49,7 @@ static void recompute(pm_workspace *w)
     EQUAL(pm_saddle_accelerate(w), PM_OK);
     for (int i = 0; i < nq; i++) sum[i] = w->frame.f[i];
     for (int i = 0; i < w->nactive; i++) {
-        const pm_row *row = &w->row[i];
+        const pm_constraint *row = &w->row[i];
         const double *h = w->asymmetric ? row->h : row->j;
         NEAR(pm_saddle_times(w, row, w->frame.a), row->gamma, 1e-10);
         for (int p = 0; p < 2; p++)

@@ -17,10 +17,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "case.h"
-#include "model.h"
-#include "run.h"
-#include "start.h"
+#include "equations/case.h"
+#include "equations/start.h"
+#include "run/run.h"
+#include "state/model.h"
 
 #define SCENE_CELLS 8192
 #define SCENE_OUTS 256

@@ -1,16 +1,16 @@
 /* Tree coordinates: placing and reading are inverse, rates are derivatives of places, reduced dynamics is the whole
  * saddle-point system's, reactions too; many turns leave no residual. */
-#include "tree.h"
+#include "tree/tree.h"
 
-#include "active.h"
-#include "body.h"
 #include "check.h"
-#include "force.h"
-#include "project.h"
-#include "row.h"
-#include "saddle.h"
+#include "elements/constraint.h"
+#include "elements/force.h"
+#include "equations/active_set.h"
+#include "equations/projection.h"
+#include "equations/saddle.h"
 #include "scene.h"
-#include "tree_swift.h"
+#include "state/frame.h"
+#include "tree/tree_small.h"
 
 #define MOST 64
 #define STEP 1e-6 /* of differences */
@@ -204,7 +204,7 @@ static void shake(pm_workspace *w)
     w->speed = 2;
     pm_frame_look_state(w, &w->state);
     pm_saddle_rows(w);
-    EQUAL(pm_project_velocity(w, &w->state), PM_OK);
+    EQUAL(pm_projection_velocity(w, &w->state), PM_OK);
     pm_frame_look_state(w, &w->state);
 }
 
@@ -260,7 +260,7 @@ static void rates(pm_workspace *w, const double *y)
     for (int i = 0; i < nq; i++) NEAR(rate[i], velocity[i], 1e-13);
     for (int k = 0; k < w->nactive; k++) { /* the solved rows hold whatever the rates */
         if (!w->tree->used[k]) continue;
-        pm_row_kind(w->row[k].kind)->evaluate(w, &w->row[k]);
+        pm_constraint_kind(w->row[k].kind)->evaluate(w, &w->row[k]);
         NEAR(pm_saddle_times(w, &w->row[k], velocity), 0, 1e-12);
         NEAR(w->row[k].g, 0, 1e-12);
     }
@@ -295,7 +295,7 @@ static void projects(pm_workspace *w, const double *y)
     }
     EQUAL(pm_tree_project(w, 0, off, ydot, w->state.z), PM_OK);
     for (int i = 0; i < w->nactive; i++) {
-        pm_row_kind(w->row[i].kind)->evaluate(w, &w->row[i]);
+        pm_constraint_kind(w->row[i].kind)->evaluate(w, &w->row[i]);
         NEAR(w->row[i].g, 0, 1e-14);
         NEAR(pm_saddle_times(w, &w->row[i], w->tree->v), 0, 1e-14);
     }
@@ -310,9 +310,9 @@ static void swift(pm_workspace *w, const double *y)
     for (int i = 0; i < n; i++) rate[i] = 0;
     pm_tree_look(w, 0, y, rate, w->state.z);
     pm_tree_sum_up(w);
-    pm_swift_sum_up(w);
+    pm_tree_small_sum_up(w);
     if (w->tree->turning.on) dynamics(w, y);
-    if (!pm_swift_applies(w)) return;
+    if (!pm_tree_small_applies(w)) return;
     for (int trial = 0; trial < 20; trial++) {
         for (int i = 0; i < n; i++) {
             near[i] = y[i] + check_random(-1, 1) * (trial < 10 ? 0.2 : 5);
@@ -323,7 +323,7 @@ static void swift(pm_workspace *w, const double *y)
         EQUAL(pm_tree_accelerate(w, yddot), PM_OK);
         const double independence = w->tree->independence;
         w->tree->independence = 1;
-        EQUAL(pm_swift_derivative(w, at, same), PM_OK);
+        EQUAL(pm_tree_small_derivative(w, at, same), PM_OK);
         for (int i = 0; i < n; i++) {
             EQUAL(same[i], rate[i]);
             NEAR(same[n + i], yddot[i], 1e-11 / independence * (1 + fabs(yddot[i])));
@@ -345,11 +345,11 @@ static void swings(void)
         pm_frame_look_state(s->w, &s->w->state);
         pm_tree_read(s->w, &start);
         pm_tree_sum_up(s->w);
-        pm_swift_sum_up(s->w);
+        pm_tree_small_sum_up(s->w);
         for (int i = -50; i <= 50; i++) {
             const double still[2] = {0, 0}, y[2] = {0.01 * i, 0};
-            EQUAL(pm_swift_derivative(s->w, still, level), PM_OK);
-            EQUAL(pm_swift_derivative(s->w, y, down), PM_OK);
+            EQUAL(pm_tree_small_derivative(s->w, still, level), PM_OK);
+            EQUAL(pm_tree_small_derivative(s->w, y, down), PM_OK);
             NEAR(down[1] / level[1], cos(y[0]), 3e-16);
         }
     }
@@ -365,9 +365,10 @@ static void turns_on(pm_workspace *w, const double *y)
     }
     pm_tree_look(w, 0, far, still, w->state.z);
     for (int i = 0; i < w->nactive; i++) {
-        pm_row *row = &w->row[i];
-        if (!w->tree->used[i] || row->kind == PM_ROW_CIRCLE_TANGENT) continue; /* followed step by step */
-        pm_row_kind(row->kind)->evaluate(w, row);
+        pm_constraint *row = &w->row[i];
+        if (!w->tree->used[i] || row->kind == PM_CONSTRAINT_CIRCLE_TANGENT)
+            continue; /* followed step by step */
+        pm_constraint_kind(row->kind)->evaluate(w, row);
         NEAR(row->g, 0, 1e-11);
     }
 }

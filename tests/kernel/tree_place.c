@@ -1,13 +1,13 @@
 /* Explicit coordinates: every placement against the rows that it solves, against differences of the positions, and there
  * and back; loop rows are met by Newton's method. */
-#include "tree.h"
+#include "tree/tree.h"
 
-#include "active.h"
-#include "body.h"
 #include "check.h"
-#include "row.h"
+#include "elements/constraint.h"
+#include "equations/active_set.h"
 #include "scene.h"
-#include "tree_node.h"
+#include "state/frame.h"
+#include "tree/tree_node.h"
 
 enum { MOST = 30 }; /* coordinates of a scene here */
 
@@ -198,7 +198,7 @@ static void meets_rows(pm_workspace *w, const double *q)
     look(w, q, w->state.v);
     for (int i = 0; i < w->nactive; i++) {
         if (!w->tree->used[i]) continue;
-        pm_row_kind(w->row[i].kind)->evaluate(w, &w->row[i]);
+        pm_constraint_kind(w->row[i].kind)->evaluate(w, &w->row[i]);
         NEAR(w->row[i].g, 0, 1e-13);
     }
 }
@@ -266,7 +266,7 @@ static void closes(pm_workspace *w)
     place(w, y, q);
     look(w, q, w->state.v);
     for (int i = 0; i < w->nactive; i++) {
-        pm_row_kind(w->row[i].kind)->evaluate(w, &w->row[i]);
+        pm_constraint_kind(w->row[i].kind)->evaluate(w, &w->row[i]);
         NEAR(w->row[i].g, 0, 1e-13);
     }
     y[n - 1] += 50; /* out of reach for lengths, another turn for angles: it converges or says so */

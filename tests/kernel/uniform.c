@@ -1,8 +1,8 @@
 /* Constant accelerations: the same answers as the rk route and as closed forms; gaps with a sinusoid found without
  * sampling; infinitely many blows in finite work; runs that need no motion at all. */
 #include "check.h"
-#include "route.h"
 #include "scene.h"
+#include "state/route.h"
 
 #define G 9.81
 #define PI 3.14159265358979323846

@@ -1,0 +1,154 @@
+/* capture.c - contacts that capture: a bullet embeds, a hook engages, a package stays on its edge.
+ *
+ * A pair is caught where it touches and does not part - two points: wherever they meet - and is a joint from then on.
+ * Its place P is kept in the axes of both bodies, r_a and r_b; with A(q) the rotation of a body,
+ *     point:  x_a + A_a r_a - x_b - A_b r_b = 0                   a pin
+ *     body:   the same, and angle_a - angle_b as it was           a weld
+ * The blow that catches it is plastic through all of these rows: the relative velocity of a and b at P (and their
+ * relative spin) is taken away by an impulse at P of any direction (and a couple), so that the angular momentum about P
+ * of each body free of other impulses is kept by a point, that of both together by a body.
+ *
+ * Two points have no gap that changes its sign: their distance D = |d| touches zero and grows again.  D^2 is least where
+ * d.u = 0 while it rises, u their relative velocity; there they meet if D is zero but for the errors of the run. */
+#include "elements/capture.h"
+
+#include <math.h>
+
+#include "elements/constraint.h"
+#include "elements/contact.h"
+#include "state/evidence.h"
+#include "state/frame.h"
+
+#define MEETS 1e-7   /* of the scene's size: places are known better than this, marks are farther apart */
+#define ACROSS 1e-10 /* cosine of d and u: below it the distance stays, but for rounding */
+
+int pm_capture_kind(const pm_model *m, int contact)
+{
+    return PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_CAPTURE];
+}
+
+int pm_capture_is_meeting(const pm_model *m, int contact)
+{
+    return PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_KIND] == PM_CONTACT_POINT;
+}
+
+static pm_marks marks_of(const pm_workspace *w, int contact)
+{
+    pm_constraint normal, tangent;
+    pm_contact_constraint_both(w, contact, w->model->contact_slot[contact], 0, &normal, &tangent);
+    return pm_constraint_marks(w, &normal);
+}
+
+double pm_capture_distance(const pm_workspace *w, int contact)
+{
+    const pm_marks x = marks_of(w, contact);
+    return pm_length(x.d);
+}
+
+double pm_capture_approach(const pm_workspace *w, int contact)
+{
+    const pm_marks x = marks_of(w, contact);
+    const double approach = pm_dot(x.d, x.u);
+    return fabs(approach) > ACROSS * pm_length(x.d) * pm_length(x.u) ? approach : 0;
+}
+
+int pm_capture_meets(pm_workspace *w, int contact, double distance)
+{
+    const double room = MEETS * w->size - distance;
+    if (isinf(distance)) return 0;
+    pm_evidence_sign(w, PM_SITE_MEETS, contact, room, w->size);
+    return room >= 0;
+}
+
+/* ---- the kept place ---- */
+static pm_kept *kept_of(const pm_workspace *w, const pm_state *s, int slot)
+{
+    const int contact = pm_contact_of_slot(w->model, slot);
+    return s->kept + w->model->contact_kept[contact] + slot - w->model->contact_slot[contact];
+}
+
+/* In the axes of a body. */
+static void into_body(const pm_workspace *w, int body, const double at[2], double out[2])
+{
+    const double *pose = w->frame.pose + 5 * body, x = at[0] - pose[0], y = at[1] - pose[1];
+    out[0] = pose[3] * x + pose[4] * y;
+    out[1] = -pose[4] * x + pose[3] * y;
+}
+
+void pm_capture_keep(const pm_workspace *w, pm_state *s, int slot)
+{
+    const int contact = pm_contact_of_slot(w->model, slot);
+    pm_kept *kept = kept_of(w, s, slot);
+    pm_constraint normal, tangent;
+    pm_line_of_action x;
+    pm_contact_constraint_both(w, contact, slot, s->slot[slot].member, &normal, &tangent);
+    if (pm_capture_is_meeting(w->model, contact)) {
+        const pm_marks marks = pm_constraint_marks(w, &normal);
+        for (int k = 0; k < 2; k++) x.at[k] = marks.a.p[k];
+    } else {
+        pm_constraint_kind(normal.kind)->act(w, &normal, &x);
+    }
+    into_body(w, normal.body[0], x.at, kept->a);
+    into_body(w, normal.body[1], x.at, kept->b);
+    kept->angle = w->frame.pose[5 * normal.body[0] + 2] - w->frame.pose[5 * normal.body[1] + 2];
+}
+
+/* A particle has no direction that could be held. */
+static int can_turn(const pm_workspace *w, int body)
+{
+    return body == w->model->nbody || PM_BODY_ROW(w->model, body)[PM_BODY_TURNS];
+}
+
+int pm_capture_rows(const pm_workspace *w, int slot, pm_constraint row[PM_JOINT_CONSTRAINTS])
+{
+    static const int kind[PM_JOINT_CONSTRAINTS] = {PM_CONSTRAINT_POINT_X, PM_CONSTRAINT_POINT_Y,
+                                                   PM_CONSTRAINT_ANGLE};
+    const int contact = pm_contact_of_slot(w->model, slot);
+    const pm_kept *kept = kept_of(w, &w->state, slot);
+    pm_constraint normal, tangent;
+    pm_contact_constraint_both(w, contact, slot, w->state.slot[slot].member, &normal, &tangent);
+    const int whole = pm_capture_kind(w->model, contact) == PM_CAPTURE_BODY;
+    const int n = whole && can_turn(w, normal.body[0]) && can_turn(w, normal.body[1]) ? 3 : 2;
+    for (int i = 0; i < n; i++) {
+        row[i] = (pm_constraint){.kind = kind[i],
+                                 .body = {normal.body[0], normal.body[1]},
+                                 .a = {kept->a[0], kept->a[1]},
+                                 .b = {kept->b[0], kept->b[1]},
+                                 .value = kept->angle,
+                                 .sign = 1,
+                                 .memory = PM_NONE,
+                                 .joint = PM_NONE,
+                                 .slot = slot,
+                                 .normal = PM_NONE,
+                                 .drive = PM_NONE};
+    }
+    return n;
+}
+
+double pm_capture_speed(const pm_workspace *w, int slot)
+{
+    pm_constraint row[PM_JOINT_CONSTRAINTS];
+    const int n = pm_capture_rows(w, slot, row);
+    double fastest = 0;
+    for (int i = 0; i < n; i++) {
+        const double length = row[i].kind == PM_CONSTRAINT_ANGLE ? w->size : 1;
+        fastest = fmax(fastest, fabs(pm_constraint_rate(w, &row[i])) * length);
+    }
+    return fastest;
+}
+
+/* ---- what a phase has ---- */
+int pm_capture_holds(const pm_workspace *w)
+{
+    for (int i = 0; i < w->model->nslot; i++)
+        if (w->state.slot[i].mode == PM_CAPTURED) return 1;
+    return 0;
+}
+
+int pm_capture_awaits(const pm_workspace *w)
+{
+    int member;
+    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++)
+        if (pm_capture_is_meeting(w->model, i) && !isinf(pm_contact_gap(w, &w->state, i, &member))) return 1;
+    return 0;
+}

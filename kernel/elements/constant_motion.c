@@ -1,0 +1,102 @@
+/* constant_motion.c - the rules that rows share, and the check over rows and forces. */
+#include "elements/constant_motion.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "elements/force.h"
+#include "elements/turning_plane.h"
+#include "scene/program_class.h"
+
+#define CENTRED 1e-15  /* of the scene's size: a mark this near to the mass centre is the mass centre */
+#define ROUNDING 1e-13 /* of speeds and accelerations in the scene */
+
+static double length_of(const pm_workspace *w, int i) { return i % 3 == 2 ? w->size : 1; }
+
+/* Rounding is judged by the forces before the reactions cancel them, too: a block at rest on an incline has none left. */
+static double acceleration_scale(const pm_workspace *w)
+{
+    double scale = 0;
+    for (int i = 0; i < w->model->nq; i++) {
+        const double applied = w->stand_in[i] > 0 ? 0 : w->inverse_mass[i] * w->frame.f[i];
+        scale = fmax(scale, fmax(fabs(applied), fabs(w->frame.a[i])) * length_of(w, i));
+    }
+    return scale;
+}
+
+/* From the ground along angle rows, as far as they reach. */
+static void find_locked(const pm_workspace *w, pm_constant_motion *x)
+{
+    memset(x->locked, 0, (size_t)w->model->nbody);
+    x->locked[w->model->nbody] = 1;
+    x->levers = 0;
+    for (int more = 1; more;) {
+        more = 0;
+        for (int i = 0; i < w->nactive; i++) {
+            const int *body = w->row[i].body;
+            if (w->row[i].kind != PM_CONSTRAINT_ANGLE || x->locked[body[0]] == x->locked[body[1]]) continue;
+            x->locked[body[0]] = x->locked[body[1]] = 1;
+            x->levers = more = 1;
+        }
+    }
+}
+
+void pm_constant_motion_curve(const pm_workspace *w, double *v, double *a, unsigned char *turns,
+                              unsigned char *locked, pm_constant_motion *x)
+{
+    const int nq = w->model->nq, nbody = w->model->nbody;
+    *x = (pm_constant_motion){.v = v, .a = a, .turns = turns, .locked = locked};
+    x->speed = ROUNDING * w->speed;
+    x->acceleration = ROUNDING * acceleration_scale(w);
+    for (int i = 0; i < nq; i++) {
+        v[i] = fabs(w->state.v[i]) * length_of(w, i) <= x->speed ? 0 : w->state.v[i];
+        a[i] = fabs(w->frame.a[i]) * length_of(w, i) <= x->acceleration ? 0 : w->frame.a[i];
+    }
+    for (int k = nq; k < nq + 3; k++) v[k] = a[k] = 0;
+    for (int i = 0; i <= nbody; i++) turns[i] = v[3 * i + 2] != 0 || a[3 * i + 2] != 0;
+    find_locked(w, x);
+}
+
+int pm_constant_motion_mark(const pm_workspace *w, const pm_constant_motion *x, int body, const double at[2])
+{
+    return !x->turns[body] || fabs(at[0]) + fabs(at[1]) <= CENTRED * w->size;
+}
+
+int pm_constant_motion_marks(const pm_workspace *w, const pm_constant_motion *x, const pm_constraint *row)
+{
+    return pm_constant_motion_mark(w, x, row->body[0], row->a) &&
+           pm_constant_motion_mark(w, x, row->body[1], row->b);
+}
+
+int pm_constant_motion_drive(const pm_workspace *w, const pm_constraint *row)
+{
+    return row->drive == PM_NONE || w->model->program_nature[row->drive] == PM_CLASS_CONSTANT;
+}
+
+int pm_constant_motion_together(const pm_workspace *w, const pm_constant_motion *x, const pm_constraint *row)
+{
+    if (!pm_constant_motion_marks(w, x, row)) return 0;
+    for (int k = 0; k < 2; k++) {
+        const int a = 3 * row->body[0] + k, b = 3 * row->body[1] + k;
+        if (fabs(x->v[a] - x->v[b]) > x->speed || fabs(x->a[a] - x->a[b]) > x->acceleration) return 0;
+    }
+    return 1;
+}
+
+/* Active rows, and behind them the tangents that sliding normals carry, closed by an entry without normal. */
+static int rows_hold(const pm_workspace *w, const pm_constant_motion *x)
+{
+    for (int i = 0; i < w->nactive || w->row[i].normal != PM_NONE; i++) {
+        const pm_constraint_ops *ops = pm_constraint_kind(w->row[i].kind);
+        if (!ops->steady || !ops->steady(w, &w->row[i], x)) return 0;
+    }
+    return 1;
+}
+
+int pm_constant_motion_holds(pm_workspace *w, const pm_constant_motion *x)
+{
+    if (pm_turning_plane_turns(w->model) || !rows_hold(w, x)) return 0;
+    for (int i = 0; i < w->model->rows[PM_TABLE_FORCE]; i++)
+        if (!pm_force_steady(w, i, x)) return 0;
+    return 1;
+}

@@ -1,0 +1,42 @@
+/* constant_motion.h - what stays the same along a motion with constant accelerations.
+ *
+ * Suppose that from now on q = q0 + v t + a t^2/2 with a constant a.  If along that curve every active row keeps its
+ * Jacobian, every applied force its generalised forces, and M its value, then the accelerations stay a, and the curve
+ * *is* the motion: a solution of the equations of motion is unique.  Whether a row or force stays the same is a rule of
+ * its kind (pm_constraint_ops.steady, pm_force_steady), judged by what moves along the curve: a body turns or not, two marks
+ * keep their distance vector or not.
+ *
+ * A body whose angle is held by angle rows alone (a slider or weld that does not turn, up to the ground) cannot turn
+ * whatever moments act on it: levers on it may change.  Its angle drops out of the equations, and with it the couples
+ * that hold it: they alone are then not constant. */
+#ifndef PM_CONSTANT_MOTION_H
+#define PM_CONSTANT_MOTION_H
+
+#include "elements/constraint.h"
+#include "state/model.h"
+
+/* The curve; v and a have exact zeros where only rounding was. */
+struct pm_constant_motion {
+    const double *v, *a;        /* [nq + 3]: the ground's follow, 0 */
+    const unsigned char *turns; /* [nbody + 1] the angle changes */
+    unsigned char *locked;      /* [nbody + 1] the angle is held by angle rows alone, from the ground on */
+    int levers;                 /* some body but the ground is locked: the couples that hold it may change */
+    double speed, acceleration; /* below these there is none */
+};
+
+/* Copies v and a with rounding set to zero and fills x->turns (also `turns`) and x->locked; v, a: [nq + 3]. */
+void pm_constant_motion_curve(const pm_workspace *w, double *v, double *a, unsigned char *turns,
+                              unsigned char *locked, pm_constant_motion *x);
+/* All active rows and all forces of the scene stay the same along the curve. */
+int pm_constant_motion_holds(pm_workspace *w, const pm_constant_motion *x);
+
+/* The mark keeps its place relative to its body's mass centre as seen in the scene: the body does not turn, or the mark
+ * is the mass centre. */
+int pm_constant_motion_mark(const pm_workspace *w, const pm_constant_motion *x, int body, const double at[2]);
+int pm_constant_motion_marks(const pm_workspace *w, const pm_constant_motion *x, const pm_constraint *row);
+/* What drives the row, if anything, prescribes a constant rate. */
+int pm_constant_motion_drive(const pm_workspace *w, const pm_constraint *row);
+/* Both marks are steady and keep their distance vector. */
+int pm_constant_motion_together(const pm_workspace *w, const pm_constant_motion *x, const pm_constraint *row);
+
+#endif

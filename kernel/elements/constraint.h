@@ -1,0 +1,115 @@
+/* constraint.h - scalar constraint rows: one table of kinds, each with residual, Jacobian, gamma and line of action. */
+#ifndef PM_CONSTRAINT_H
+#define PM_CONSTRAINT_H
+
+#include <math.h>
+
+#include "equations/fixed_bodies.h"
+#include "state/frame.h"
+#include "state/model.h"
+
+enum pm_constraint_kind {
+    PM_CONSTRAINT_POINT_X = 0,
+    PM_CONSTRAINT_POINT_Y = 1,
+    PM_CONSTRAINT_LINE_NORMAL = 2,
+    PM_CONSTRAINT_LINE_TANGENT = 3,
+    PM_CONSTRAINT_DISTANCE = 4,
+    PM_CONSTRAINT_CIRCLE_TANGENT = 5,
+    PM_CONSTRAINT_ANGLE = 6,
+    PM_CONSTRAINT_STRAND = 7,
+    PM_CONSTRAINT_DRIVE_X = 8,
+    PM_CONSTRAINT_DRIVE_Y = 9,
+    PM_CONSTRAINT_RATIO = 10,
+    PM_CONSTRAINT_KINDS = 11
+};
+
+/* Where a unit reaction acts on body[0], from geometry alone: the audit uses it instead of the Jacobian.  On body[1] the
+ * opposite force acts in the same line, and couple[1], which is the opposite couple unless something else takes a share:
+ * the housing of a gear box, which is the ground. */
+typedef struct pm_line_of_action {
+    double at[2], direction[2], couple[2];
+} pm_line_of_action;
+
+typedef struct pm_constant_motion pm_constant_motion; /* constant_motion.h */
+
+/* Bounds over the next h seconds of a motion with constant accelerations. */
+typedef struct pm_constraint_bounds {
+    double bend; /* the second rate of the residual is not below it */
+    double rate; /* its first rate is not beyond it, either way */
+    int exact;   /* the second rate *is* bend, throughout */
+} pm_constraint_bounds;
+
+/* One kind: `evaluate` fills j, g, gamma at the frame; `act` gives the line of action; `remember` (no-slip rows)
+ * sets or refreshes the memory from the frame: anchor_too = 1 closes the row here.  `steady`: the Jacobian stays the same
+ * along the curve (NULL: it never does); `bound` (rows that are gaps): of the row as evaluated at the frame, with the
+ * accelerations a[nq + 3]. */
+typedef struct pm_constraint_ops {
+    void (*evaluate)(const pm_workspace *w, pm_constraint *row);
+    void (*act)(const pm_workspace *w, const pm_constraint *row, pm_line_of_action *x);
+    void (*remember)(const pm_workspace *w, const pm_constraint *row, pm_memory *memory, int anchor_too);
+    int (*steady)(const pm_workspace *w, const pm_constraint *row, const pm_constant_motion *x);
+    void (*bound)(const pm_workspace *w, const pm_constraint *row, const double *a, double h,
+                  pm_constraint_bounds *x);
+} pm_constraint_ops;
+
+extern const pm_constraint_ops pm_constraint_point_x, pm_constraint_point_y, pm_constraint_line_normal,
+    pm_constraint_line_tangent, pm_constraint_distance, pm_constraint_circle_tangent, pm_constraint_angle,
+    pm_constraint_strand, pm_constraint_drive_x, pm_constraint_drive_y, pm_constraint_ratio;
+
+const pm_constraint_ops *pm_constraint_kind(int kind);
+
+/* The rows of joint i with the numbers of the case; returns how many. */
+int pm_joint_constraints(const pm_workspace *w, int joint, pm_constraint row[PM_JOINT_CONSTRAINTS]);
+/* The same, whether the joint is there or not. */
+int pm_joint_constraints_of_any(const pm_workspace *w, int joint, pm_constraint row[PM_JOINT_CONSTRAINTS]);
+/* The normal row alone of a contact that is closed (or may close) in `slot` with `member`. */
+void pm_contact_constraint_normal(const pm_workspace *w, int contact, int slot, int member,
+                                  pm_constraint *normal);
+/* Its tangential row, from the normal one. */
+void pm_contact_constraint_tangent(const pm_workspace *w, int contact, const pm_constraint *normal,
+                                   pm_constraint *tangent);
+/* Both. */
+void pm_contact_constraint_both(const pm_workspace *w, int contact, int slot, int member,
+                                pm_constraint *normal, pm_constraint *tangent);
+
+/* Whether its two bodies act on each other and on nothing else. */
+static inline int pm_constraint_is_inner(const pm_workspace *w, const pm_constraint *row)
+{
+    const unsigned char *still = w->still->body;
+    return !still[row->body[0]] && !still[row->body[1]] && row->ratio == 1;
+}
+
+/* Rate of a row from the geometry of its line of action (equals j v). */
+double pm_constraint_rate(const pm_workspace *w, const pm_constraint *row);
+/* The same relative to its prescribed rate: how a surface slips on a moving belt. */
+double pm_constraint_slip(const pm_workspace *w, const pm_constraint *row);
+
+/* The two marks of a row in the frame, and what all kinds share. */
+typedef struct pm_marks {
+    pm_point a, b;
+    double d[2];    /* a - b */
+    double u[2];    /* velocity of a - velocity of b */
+    double quad[2]; /* relative acceleration of the marks when the coordinates do not accelerate */
+    double omega_a, omega_b;
+} pm_marks;
+pm_marks pm_constraint_marks(const pm_workspace *w, const pm_constraint *row);
+/* j = (n, r_a x n) on a, -(n, r_b x n) on b. */
+void pm_constraint_along(pm_constraint *row, const pm_marks *x, const double n[2], double factor);
+
+/* How far, how fast and how hard (beyond the constant accelerations of their mass centres) two marks part at most over the
+ * next h seconds; `turn`, `spin`: how fast and how hard body[1] turns. */
+typedef struct pm_constraint_reach {
+    double apart[2]; /* accelerations of the mass centres, relative */
+    double swing;    /* of accelerations by turning: rho sqrt(omega^4 + alpha^2), both marks */
+    double distance, rate;
+    double turn, spin;
+} pm_constraint_reach;
+pm_constraint_reach pm_constraint_reach_of(const pm_constraint *row, const pm_marks *x, const double *a,
+                                           double h);
+
+/* No overflow is possible at the scale of scenes: a plain root is an eighth of hypot's price. */
+static inline double pm_length(const double a[2]) { return sqrt(a[0] * a[0] + a[1] * a[1]); }
+static inline double pm_dot(const double a[2], const double b[2]) { return a[0] * b[0] + a[1] * b[1]; }
+static inline double pm_cross(const double a[2], const double b[2]) { return a[0] * b[1] - a[1] * b[0]; }
+
+#endif

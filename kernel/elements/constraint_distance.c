@@ -1,0 +1,55 @@
+/* constraint_distance.c - two points at a given distance: links, and the gap of two circles.
+ *
+ * d = p_a - p_b, D = |d|, n = d/D, t = k x n, u = v_a - v_b, s = sign (-1 where one circle is inside the other):
+ *   C = s (D - L)    Cdot = s u.n    gamma = -s (quad.n + (u.t)^2 / D)
+ * For circles L = R_a + R_b with signed radii: a inside b has R_a < 0, b inside a has R_b < 0; the touching point is
+ * p_a - R_a n. */
+#include <math.h>
+
+#include "elements/constant_motion.h"
+#include "elements/constraint.h"
+
+static void evaluate(const pm_workspace *w, pm_constraint *row)
+{
+    const pm_marks x = pm_constraint_marks(w, row);
+    const double distance = pm_length(x.d);
+    const double n[2] = {x.d[0] / distance, x.d[1] / distance}, t[2] = {-n[1], n[0]};
+    const double across = pm_dot(x.u, t);
+    pm_constraint_along(row, &x, n, row->sign);
+    row->g = row->sign * (distance - row->value);
+    row->gamma = -row->sign * (pm_dot(x.quad, n) + across * across / distance);
+}
+
+static void act(const pm_workspace *w, const pm_constraint *row, pm_line_of_action *x)
+{
+    const pm_point a = pm_frame_point(w, row->body[0], row->a[0], row->a[1]);
+    const pm_point b = pm_frame_point(w, row->body[1], row->b[0], row->b[1]);
+    const double d[2] = {a.p[0] - b.p[0], a.p[1] - b.p[1]}, distance = pm_length(d);
+    x->couple[0] = x->couple[1] = 0;
+    for (int k = 0; k < 2; k++) {
+        x->direction[k] = row->sign * d[k] / distance;
+        x->at[k] = a.p[k] - row->radius_a * d[k] / distance;
+    }
+}
+
+static int steady(const pm_workspace *w, const pm_constraint *row, const pm_constant_motion *x)
+{
+    return pm_constant_motion_together(w, x, row);
+}
+
+/* C'' = s (d''.n + (d'.t)^2 / D): apart the last part only helps; one inside the other it counts against, as long as the
+ * centres do not meet. */
+static void bound(const pm_workspace *w, const pm_constraint *row, const double *a, double h,
+                  pm_constraint_bounds *x)
+{
+    const pm_marks m = pm_constraint_marks(w, row);
+    const pm_constraint_reach r = pm_constraint_reach_of(row, &m, a, h);
+    const double hardest = pm_length(r.apart) + r.swing, nearest = pm_length(m.d) - r.rate * h;
+    x->rate = r.rate;
+    x->exact = 0;
+    x->bend = -hardest;
+    if (row->sign < 0) x->bend = nearest > 0 ? -(hardest + r.rate * r.rate / nearest) : -INFINITY;
+}
+
+const pm_constraint_ops pm_constraint_distance = {
+    .evaluate = evaluate, .act = act, .steady = steady, .bound = bound};

@@ -1,0 +1,122 @@
+/* constraint_strand.c - a straight strand of cord or belt between two circles (a point: radius 0) on which it does not slip.
+ *
+ * Going along the strand from a to b one passes each circle counterclockwise (R > 0) or clockwise (R < 0).  With u the
+ * direction of the strand, n = k x u, psi its angle, d = p_b - p_a, h = R_b - R_a:
+ *   d = l u + h n,   l = sqrt(d^2 - h^2),   tangent points P = p - R n
+ * What is wound on the circles before a and behind b changes by R_a (psi - angle_a) and -R_b (psi - angle_b), the rest of
+ * the cord is in the strand; its slack is
+ *   C = anchor + h psi + R_a angle_a - R_b angle_b - l
+ * From d' = l' u + psi' (l n - h u):  h psi' - l' = -d'.u  and  psi' = d'.n / l, so that
+ *   Cdot = u.(v_a - v_b) + R_a omega_a - R_b omega_b,   the relative velocity of the cord's ends at the tangent points
+ *   gamma = (d'.n)^2 / l - u.quad
+ * The reaction is the tension: it pulls a along u. */
+#include <math.h>
+
+#include "elements/constant_motion.h"
+#include "elements/constraint.h"
+
+#define TWO_PI 6.283185307179586476925286766559
+
+typedef struct pm_strand {
+    double u[2], n[2], length, direction; /* in (-pi, pi] */
+} pm_strand;
+
+static pm_strand strand_of(const pm_constraint *row, const double d[2])
+{
+    const double h = row->radius_b - row->radius_a, square = pm_dot(d, d);
+    pm_strand x = {.length = sqrt(square - h * h)};
+    for (int k = 0; k < 2; k++) {
+        const double across = k == 0 ? d[1] : -d[0]; /* -k x d */
+        x.u[k] = (x.length * d[k] + h * across) / square;
+    }
+    x.n[0] = -x.u[1];
+    x.n[1] = x.u[0];
+    x.direction = atan2(x.u[1], x.u[0]);
+    return x;
+}
+
+static double unwrapped(double direction, double reference)
+{
+    return direction + TWO_PI * round((reference - direction) / TWO_PI);
+}
+
+/* The slack but for the anchor. */
+static double paid_out(const pm_workspace *w, const pm_constraint *row, const pm_strand *x, double direction)
+{
+    const double *pose = w->frame.pose;
+    return (row->radius_b - row->radius_a) * direction + row->radius_a * pose[5 * row->body[0] + 2] -
+           row->radius_b * pose[5 * row->body[1] + 2] - x->length;
+}
+
+static pm_strand look(const pm_workspace *w, const pm_constraint *row, pm_marks *marks)
+{
+    *marks = pm_constraint_marks(w, row);
+    const double d[2] = {-marks->d[0], -marks->d[1]};
+    return strand_of(row, d);
+}
+
+static void evaluate(const pm_workspace *w, pm_constraint *row)
+{
+    pm_marks y;
+    const pm_strand x = look(w, row, &y);
+    const pm_memory *memory = &w->frame.memory[row->memory];
+    const double across = pm_dot(y.u, x.n);
+    pm_constraint_along(row, &y, x.u, 1);
+    row->j[2] += row->radius_a;
+    row->j[5] -= row->radius_b;
+    row->g = memory->anchor + paid_out(w, row, &x, unwrapped(x.direction, memory->direction));
+    row->gamma = across * across / x.length - pm_dot(x.u, y.quad);
+}
+
+static void remember(const pm_workspace *w, const pm_constraint *row, pm_memory *memory, int anchor_too)
+{
+    pm_marks y;
+    const pm_strand x = look(w, row, &y);
+    memory->direction = anchor_too ? x.direction : unwrapped(x.direction, memory->direction);
+    if (anchor_too) memory->anchor = -paid_out(w, row, &x, memory->direction);
+}
+
+static void act(const pm_workspace *w, const pm_constraint *row, pm_line_of_action *x)
+{
+    pm_marks y;
+    const pm_strand strand = look(w, row, &y);
+    x->couple[0] = x->couple[1] = 0;
+    for (int k = 0; k < 2; k++) {
+        x->at[k] = y.a.p[k] - row->radius_a * strand.n[k];
+        x->direction[k] = strand.u[k];
+    }
+}
+
+/* The strand keeps its direction: its ends part along it. */
+static int steady(const pm_workspace *w, const pm_constraint *row, const pm_constant_motion *x)
+{
+    if (!pm_constant_motion_marks(w, x, row)) return 0;
+    pm_marks y;
+    const pm_strand strand = look(w, row, &y);
+    double speed = 0, acceleration = 0;
+    for (int k = 0; k < 2; k++) {
+        const int a = 3 * row->body[0] + k, b = 3 * row->body[1] + k;
+        speed += (x->v[a] - x->v[b]) * strand.n[k];
+        acceleration += (x->a[a] - x->a[b]) * strand.n[k];
+    }
+    return fabs(speed) <= x->speed && fabs(acceleration) <= x->acceleration;
+}
+
+/* C'' = u.d'' + R_a alpha_a - R_b alpha_b - (d'.n)^2 / l: the last part counts against, as long as some strand is left. */
+static void bound(const pm_workspace *w, const pm_constraint *row, const double *a, double h,
+                  pm_constraint_bounds *x)
+{
+    const pm_marks m = pm_constraint_marks(w, row);
+    const pm_constraint_reach r = pm_constraint_reach_of(row, &m, a, h);
+    const double alpha_a = a[3 * row->body[0] + 2], alpha_b = a[3 * row->body[1] + 2];
+    const double past = row->radius_b - row->radius_a, nearest = pm_length(m.d) - r.rate * h;
+    const double square = nearest * fabs(nearest) - past * past;
+    const double wound = row->radius_a * alpha_a - row->radius_b * alpha_b;
+    x->rate = r.rate + fabs(row->radius_a) * (fabs(m.omega_a) + fabs(alpha_a) * h) +
+              fabs(row->radius_b) * (fabs(m.omega_b) + fabs(alpha_b) * h);
+    x->exact = 0;
+    x->bend = square > 0 ? wound - pm_length(r.apart) - r.swing - r.rate * r.rate / sqrt(square) : -INFINITY;
+}
+
+const pm_constraint_ops pm_constraint_strand = {
+    .evaluate = evaluate, .act = act, .remember = remember, .steady = steady, .bound = bound};

@@ -1,0 +1,65 @@
+/* constraint_tangent.c - no slip between two circles (a point is a circle of radius 0; signed radii as in constraint_distance.c).
+ *
+ * phi is the direction of d = p_a - p_b, D = |d|, L = R_a + R_b, u = v_a - v_b, n = d/D, t = k x n.  The touching points
+ * slip at  L phidot - R_a omega_a - R_b omega_b,  so that
+ *   C = L phi - R_a angle_a - R_b angle_b - anchor
+ * with phi unwrapped to where C is nearest to zero: a step may turn the centres by any angle.
+ *   gamma = -L ((quad.t) - 2 (u.n) phidot) / D,   phidot = u.t / D. */
+#include <math.h>
+
+#include "elements/constant_motion.h"
+#include "elements/constraint.h"
+
+#define TWO_PI 6.283185307179586476925286766559
+
+static double rolled(const pm_workspace *w, const pm_constraint *row, const double d[2])
+{
+    const double *pose = w->frame.pose;
+    return row->value * atan2(d[1], d[0]) - row->radius_a * pose[5 * row->body[0] + 2] -
+           row->radius_b * pose[5 * row->body[1] + 2];
+}
+
+static double unwrapped(const pm_constraint *row, double c)
+{
+    const double turn = TWO_PI * row->value;
+    return c - turn * round(c / turn);
+}
+
+static void evaluate(const pm_workspace *w, pm_constraint *row)
+{
+    const pm_marks x = pm_constraint_marks(w, row);
+    const double distance = pm_length(x.d);
+    const double n[2] = {x.d[0] / distance, x.d[1] / distance}, t[2] = {-n[1], n[0]};
+    const double factor = row->value / distance, spin = pm_dot(x.u, t) / distance;
+    pm_constraint_along(row, &x, t, factor);
+    row->j[2] -= row->radius_a;
+    row->j[5] -= row->radius_b;
+    row->g = unwrapped(row, rolled(w, row, x.d) - w->frame.memory[row->memory].anchor);
+    row->gamma = -factor * (pm_dot(x.quad, t) - 2 * pm_dot(x.u, n) * spin);
+}
+
+static void remember(const pm_workspace *w, const pm_constraint *row, pm_memory *memory, int anchor_too)
+{
+    if (!anchor_too) return;
+    const pm_marks x = pm_constraint_marks(w, row);
+    memory->anchor = rolled(w, row, x.d);
+}
+
+static void act(const pm_workspace *w, const pm_constraint *row, pm_line_of_action *x)
+{
+    const pm_marks y = pm_constraint_marks(w, row);
+    const double distance = pm_length(y.d);
+    const double n[2] = {y.d[0] / distance, y.d[1] / distance};
+    for (int k = 0; k < 2; k++) x->at[k] = y.a.p[k] - row->radius_a * n[k];
+    x->direction[0] = -n[1];
+    x->direction[1] = n[0];
+    x->couple[0] = x->couple[1] = 0;
+}
+
+static int steady(const pm_workspace *w, const pm_constraint *row, const pm_constant_motion *x)
+{
+    return pm_constant_motion_together(w, x, row);
+}
+
+const pm_constraint_ops pm_constraint_circle_tangent = {
+    .evaluate = evaluate, .act = act, .remember = remember, .steady = steady};

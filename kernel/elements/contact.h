@@ -1,0 +1,56 @@
+/* contact.h - potential contacts: their gaps, the nearest member of a periodic row, and the slots of closed ones. */
+#ifndef PM_CONTACT_H
+#define PM_CONTACT_H
+
+#include "state/model.h"
+
+/* Smallest gap over the members that are not closed, at the frame; *member tells which.  INFINITY if all are closed, left
+ * to another contact, or the contact is not there. */
+double pm_contact_gap(const pm_workspace *w, const pm_state *s, int contact, int *member);
+/* The nearest open member touches, or overlaps. */
+int pm_contact_touches(const pm_workspace *w, const pm_state *s, int contact, int *member);
+/* The same, whether the contact is there or removed. */
+double pm_contact_apart(const pm_workspace *w, const pm_state *s, int contact, int *member);
+/* The nearest members that are not closed, at the frame, at most `most` (an even number) of a periodic row: in pairs, one
+ * on either side, as far as there are; returns how many. */
+int pm_contact_near(const pm_workspace *w, const pm_state *s, int contact, int most, int *member);
+/* A circle beside a row of points: its centre from the row's first member, and the row's step, in the scene. */
+typedef struct pm_beside {
+    double d[2], step[2], radius;
+} pm_beside;
+/* That of a contact with a row, at the frame. */
+pm_beside pm_contact_beside(const pm_workspace *w, int contact);
+/* From there the gap to a member, and the smallest one as pm_contact_gap has it. */
+double pm_contact_gap_beside(const pm_beside *x, int member);
+double pm_contact_nearest_beside(const pm_workspace *w, const pm_state *s, int contact, const pm_beside *x,
+                                 int *member);
+/* Gap to a member of a row, closed or not. */
+double pm_contact_gap_to(const pm_workspace *w, int contact, int member);
+/* Gap, and its rate, of one member at the frame. */
+double pm_contact_member_gap(const pm_workspace *w, int contact, int member, double *rate);
+/* Rate of slip of one member at the frame. */
+double pm_contact_member_slip(const pm_workspace *w, int contact, int member);
+
+int pm_contact_slots(const pm_model *m, int contact);
+/* The contact that a slot belongs to. */
+int pm_contact_of_slot(const pm_model *m, int slot);
+/* A free slot, or PM_NONE. */
+int pm_contact_free_slot(const pm_workspace *w, const pm_state *s, int contact);
+
+double pm_contact_restitution(const pm_workspace *w, int contact);
+/* Of the slip; 0 where none is given. */
+double pm_contact_tangential(const pm_workspace *w, int contact);
+int pm_contact_law(const pm_model *m, int contact); /* enum pm_law */
+int pm_contact_friction(const pm_model *m, int contact);
+int pm_contact_is_row(const pm_model *m, int contact);
+int pm_contact_is_cord(const pm_model *m, int contact);
+double pm_contact_static(const pm_workspace *w, int contact);
+double pm_contact_kinetic(const pm_workspace *w, int contact);
+
+/* Gaps below this count as touching, m; normal and tangential speeds below this count as none, m/s. */
+double pm_contact_length(const pm_workspace *w);
+double pm_contact_speed(const pm_workspace *w);
+/* How far bodies are from the origin, at least the scene's size: what the rounding of positions goes by, m. */
+double pm_contact_reach(const pm_workspace *w);
+
+#endif

@@ -1,0 +1,199 @@
+/* edge.c - a circle (or a point: radius 0) beside a straight edge that ends.
+ *
+ * Along the edge s, from its front h, beyond its nearer end by o > 0 (o < 0: within), R the radius:
+ *   beyond    in front   sqrt(o^2 + h^2) - R, the gap to the corner;   behind it no more than o
+ *   within    h - R, but on the back, where nothing touches, not below o
+ * so that it is continuous where nothing overlaps, and falls through zero also where a mark passes under an end: that is
+ * no contact (pm_edge_touches).  As long as a mark is below the face what is watched is
+ *   beyond    sqrt(o^2 + h^2) - R           within    R - h
+ * which falls through zero where it touches a corner, where it comes through the face, or comes over it from beyond.
+ * A corner is a circle of radius 0: where a circle goes over to it from the face both
+ * have the same normal.
+ *
+ * Edges of one body that meet share a corner.  It belongs to the contact that the circle comes from, as long as that is
+ * closed; where the circle comes to the face of the other edge this one takes over. */
+#include "elements/edge.h"
+
+#include <math.h>
+
+#include "elements/constraint.h"
+#include "elements/contact.h"
+#include "state/frame.h"
+
+#define HANDING_OVER 4 /* touching lengths: so near to their corner two edges in one line are both touched */
+
+int pm_edge_is(const pm_model *m, int contact)
+{
+    return PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_KIND] == PM_CONTACT_SEGMENT;
+}
+
+static double end_of(const pm_workspace *w, int contact, int column)
+{
+    return w->value[PM_CONTACT_ROW_OF(w->model, contact)[column]];
+}
+
+pm_edge_place pm_edge_beside(const pm_workspace *w, int contact)
+{
+    const pm_model *m = w->model;
+    const int32_t *e = PM_CONTACT_ROW_OF(m, contact);
+    const int32_t *circle = PM_CIRCLE_ROW(m, e[PM_CONTACT_A]), *line = PM_LINE_ROW(m, e[PM_CONTACT_B]);
+    const pm_point a = pm_frame_point_of(w, circle[PM_CIRCLE_POINT]),
+                   b = pm_frame_point_of(w, line[PM_LINE_POINT]);
+    const double angle = w->frame.pose[5 * b.body + 2] + w->value[line[PM_LINE_ANGLE]];
+    const double t[2] = {cos(angle), sin(angle)}, d[2] = {a.p[0] - b.p[0], a.p[1] - b.p[1]};
+    const double along = pm_dot(d, t), reach = pm_contact_length(w);
+    return (pm_edge_place){.height = pm_cross(t, d),
+                           .radius = w->value[circle[PM_CIRCLE_RADIUS]],
+                           .from = end_of(w, contact, PM_CONTACT_FROM) - along - reach,
+                           .to = along - end_of(w, contact, PM_CONTACT_TO) - reach,
+                           .along = {t[0], t[1]}};
+}
+
+double pm_edge_gap(const pm_workspace *w, int contact, int *member)
+{
+    const pm_edge_place x = pm_edge_beside(w, contact);
+    const double beyond = fmax(x.from, x.to);
+    *member = PM_SEGMENT_FACE;
+    if (beyond <= 0) return fmax(x.height - x.radius, beyond);
+    if (x.radius > 0) *member = x.from > x.to ? PM_SEGMENT_FROM : PM_SEGMENT_TO;
+    const double gap = hypot(beyond, x.height) - x.radius;
+    return x.height < 0 ? fmin(gap, beyond) : gap;
+}
+
+int pm_edge_touches(const pm_workspace *w, int contact)
+{
+    const pm_edge_place x = pm_edge_beside(w, contact);
+    const double beyond = fmax(x.from, x.to), length = pm_contact_length(w);
+    if (beyond > 0) return hypot(beyond, x.height) - x.radius <= length;
+    return x.height >= -length && x.height - x.radius <= length;
+}
+
+int pm_edge_is_below(const pm_workspace *w, int contact)
+{
+    const pm_edge_place x = pm_edge_beside(w, contact);
+    return x.height < x.radius - pm_contact_length(w);
+}
+
+double pm_edge_gap_from_below(const pm_workspace *w, int contact)
+{
+    const pm_edge_place x = pm_edge_beside(w, contact);
+    const double beyond = fmax(x.from, x.to);
+    return beyond > 0 ? hypot(beyond, x.height) - x.radius : x.radius - x.height;
+}
+
+void pm_edge_corner(const pm_workspace *w, int contact, int member, double at[2])
+{
+    const pm_model *m = w->model;
+    const int32_t *line = PM_LINE_ROW(m, PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_B]);
+    const int32_t *point = PM_POINT_ROW(m, line[PM_LINE_POINT]);
+    const double angle = w->value[line[PM_LINE_ANGLE]];
+    const double along = end_of(w, contact, member == PM_SEGMENT_FROM ? PM_CONTACT_FROM : PM_CONTACT_TO);
+    at[0] = w->value[point[PM_POINT_X]] + along * cos(angle);
+    at[1] = w->value[point[PM_POINT_Y]] + along * sin(angle);
+}
+
+/* ---- edges that meet ---- */
+static int same_circle(const pm_workspace *w, int contact, int other)
+{
+    const pm_model *m = w->model;
+    const int32_t *a = PM_CIRCLE_ROW(m, PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_A]),
+                  *b = PM_CIRCLE_ROW(m, PM_CONTACT_ROW_OF(m, other)[PM_CONTACT_A]);
+    const int32_t *p = PM_POINT_ROW(m, a[PM_CIRCLE_POINT]), *q = PM_POINT_ROW(m, b[PM_CIRCLE_POINT]);
+    return p[PM_POINT_BODY] == q[PM_POINT_BODY] && w->value[p[PM_POINT_X]] == w->value[q[PM_POINT_X]] &&
+           w->value[p[PM_POINT_Y]] == w->value[q[PM_POINT_Y]] &&
+           w->value[a[PM_CIRCLE_RADIUS]] == w->value[b[PM_CIRCLE_RADIUS]];
+}
+
+static int body_of_edge(const pm_model *m, int contact)
+{
+    const int point = PM_LINE_ROW(m, PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_B])[PM_LINE_POINT];
+    return PM_POINT_ROW(m, point)[PM_POINT_BODY];
+}
+
+/* The end of `other` that is the corner `member` of `contact`, with the same circle beside both; PM_NONE: none is. */
+static int shared_corner(const pm_workspace *w, int contact, int member, int other)
+{
+    if (other == contact || pm_state_is_absent(w->model, &w->state, PM_TABLE_CONTACT, other) ||
+        !pm_edge_is(w->model, other) || !same_circle(w, contact, other) ||
+        body_of_edge(w->model, contact) != body_of_edge(w->model, other))
+        return PM_NONE;
+    double at[2], there[2];
+    pm_edge_corner(w, contact, member, at);
+    for (int end = PM_SEGMENT_FROM; end <= PM_SEGMENT_TO; end++) {
+        pm_edge_corner(w, other, end, there);
+        if (hypot(at[0] - there[0], at[1] - there[1]) <= pm_contact_length(w)) return end;
+    }
+    return PM_NONE;
+}
+
+int pm_edge_meets_another(const pm_workspace *w, int contact)
+{
+    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++)
+        for (int end = PM_SEGMENT_FROM; end <= PM_SEGMENT_TO; end++)
+            if (shared_corner(w, contact, end, i) != PM_NONE) return 1;
+    return 0;
+}
+
+static double beyond_end(const pm_edge_place *x, int end) { return end == PM_SEGMENT_FROM ? x->from : x->to; }
+
+/* How far beyond their shared corner the circle is from the face of an edge that meets `contact` there; *heir: which. */
+static double room_to_next_edge(const pm_workspace *w, int contact, int member, int *heir)
+{
+    double room = INFINITY;
+    *heir = PM_NONE;
+    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
+        const int end = shared_corner(w, contact, member, i);
+        if (end == PM_NONE) continue;
+        const pm_edge_place x = pm_edge_beside(w, i);
+        if (x.height <= 0 || beyond_end(&x, end) >= room) continue;
+        room = beyond_end(&x, end);
+        *heir = i;
+    }
+    return room;
+}
+
+int pm_edge_is_covered(const pm_workspace *w, const pm_state *s, int contact)
+{
+    const pm_model *m = w->model;
+    int nearest;
+    pm_edge_gap(w, contact, &nearest);
+    const pm_edge_place x = pm_edge_beside(w, contact);
+    for (int i = 0; i < m->rows[PM_TABLE_CONTACT] && m->nsegment > 1; i++) {
+        const pm_slot *slot = &s->slot[m->contact_slot[i]];
+        if (slot->mode == PM_OPEN || !pm_edge_is(m, i)) continue;
+        for (int end = PM_SEGMENT_FROM; end <= PM_SEGMENT_TO; end++) {
+            const int begins =
+                nearest == PM_SEGMENT_FACE && beyond_end(&x, end) > -HANDING_OVER * pm_contact_length(w);
+            if ((nearest == end || begins) && shared_corner(w, contact, end, i) != PM_NONE) return 1;
+        }
+    }
+    return 0;
+}
+
+double pm_edge_room(const pm_workspace *w, int contact, int member)
+{
+    const pm_edge_place x = pm_edge_beside(w, contact);
+    if (member == PM_SEGMENT_FACE) return -fmax(x.from, x.to);
+    int heir;
+    return fmin(beyond_end(&x, member) + pm_contact_length(w), room_to_next_edge(w, contact, member, &heir));
+}
+
+int pm_edge_next(const pm_workspace *w, int contact, int member, int *heir)
+{
+    *heir = PM_NONE;
+    const pm_edge_place x = pm_edge_beside(w, contact);
+    if (!(x.radius > 0)) return PM_NONE;
+    const int corner = member != PM_SEGMENT_FACE ? member : x.from > x.to ? PM_SEGMENT_FROM : PM_SEGMENT_TO;
+    const double back = beyond_end(&x, corner) + pm_contact_length(w);
+    int next;
+    const double on = room_to_next_edge(w, contact, corner, &next);
+    if (member == PM_SEGMENT_FACE && on > 0) return corner;
+    if (member != PM_SEGMENT_FACE && back < on) return PM_SEGMENT_FACE;
+    *heir = next;
+    return PM_NONE;
+}
+
+int pm_edge_way(const pm_model *m, int contact, int member)
+{
+    return pm_edge_is(m, contact) && member != PM_SEGMENT_FACE ? -1 : 1;
+}

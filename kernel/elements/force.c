@@ -1,0 +1,207 @@
+/* force.c - table of force kinds.  A line force acts along the points' connection; tension is positive. */
+#include "elements/force.h"
+
+#include <math.h>
+
+#include "elements/constant_motion.h"
+#include "elements/joint_friction.h"
+#include "elements/turning_plane.h"
+#include "expression/program.h"
+#include "scene/program_class.h"
+#include "state/frame.h"
+
+/* Two points: direction and rate of their distance; `pull` N draws them together. */
+static void line_action(pm_workspace *w, const int32_t *e, pm_action *x,
+                        double (*law)(pm_workspace *, const int32_t *, pm_action *))
+{
+    const pm_point a = pm_frame_point_of(w, e[PM_FORCE_A]), b = pm_frame_point_of(w, e[PM_FORCE_B]);
+    const double d[2] = {b.p[0] - a.p[0], b.p[1] - a.p[1]}, length = hypot(d[0], d[1]);
+    const double n[2] = {length > 0 ? d[0] / length : 0, length > 0 ? d[1] / length : 0};
+    x->body_a = a.body;
+    x->body_b = b.body;
+    x->stretch = length;
+    x->rate = (b.v[0] - a.v[0]) * n[0] + (b.v[1] - a.v[1]) * n[1];
+    const double pull = law(w, e, x);
+    for (int k = 0; k < 2; k++) {
+        x->at_a[k] = a.p[k];
+        x->at_b[k] = b.p[k];
+        x->force[k] = pull * n[k];
+    }
+    x->power = -pull * x->rate;
+}
+
+static double spring_pull(pm_workspace *w, const int32_t *e, pm_action *x)
+{
+    const double stiffness = w->value[e[PM_FORCE_VALUE_1]];
+    x->stretch -= w->value[e[PM_FORCE_VALUE_2]];
+    if ((e[PM_FORCE_OPTION] == PM_SPRING_PULL && x->stretch < 0) ||
+        (e[PM_FORCE_OPTION] == PM_SPRING_PUSH && x->stretch > 0))
+        return 0;
+    x->energy = 0.5 * stiffness * x->stretch * x->stretch;
+    return stiffness * x->stretch;
+}
+
+static double damper_pull(pm_workspace *w, const int32_t *e, pm_action *x)
+{
+    return w->value[e[PM_FORCE_VALUE_1]] * x->rate;
+}
+
+static void spring(pm_workspace *w, const int32_t *e, pm_action *x) { line_action(w, e, x, spring_pull); }
+static void damper(pm_workspace *w, const int32_t *e, pm_action *x) { line_action(w, e, x, damper_pull); }
+
+/* Two bodies: their relative angle and its rate; the couple acts on a, the opposite on b. */
+static double relative_turn(pm_workspace *w, const int32_t *e, pm_action *x)
+{
+    x->body_a = pm_body_index(w->model, e[PM_FORCE_A]);
+    x->body_b = pm_body_index(w->model, e[PM_FORCE_B]);
+    x->rate = w->frame.velocity[3 * x->body_a + 2] - w->frame.velocity[3 * x->body_b + 2];
+    return w->frame.pose[5 * x->body_a + 2] - w->frame.pose[5 * x->body_b + 2];
+}
+
+static void torsion(pm_workspace *w, const int32_t *e, pm_action *x)
+{
+    const double stiffness = w->value[e[PM_FORCE_VALUE_1]];
+    x->stretch = relative_turn(w, e, x) - w->value[e[PM_FORCE_VALUE_2]];
+    x->couple = -stiffness * x->stretch;
+    x->energy = 0.5 * stiffness * x->stretch * x->stretch;
+    x->power = x->couple * x->rate;
+}
+
+static void rotary_damper(pm_workspace *w, const int32_t *e, pm_action *x)
+{
+    relative_turn(w, e, x);
+    x->couple = -w->value[e[PM_FORCE_VALUE_1]] * x->rate;
+    x->power = x->couple * x->rate;
+}
+
+static void couple(pm_workspace *w, const int32_t *e, pm_action *x)
+{
+    relative_turn(w, e, x);
+    x->couple = pm_program_run(w->model, e[PM_FORCE_PROGRAM_X], w->param, w->value, w);
+    x->power = x->couple * x->rate;
+}
+
+static void applied(pm_workspace *w, const int32_t *e, pm_action *x)
+{
+    const pm_point a = pm_frame_point_of(w, e[PM_FORCE_A]);
+    const double *axes = w->frame.pose + 5 * pm_body_index(w->model, e[PM_FORCE_B]);
+    const double fx = pm_program_run(w->model, e[PM_FORCE_PROGRAM_X], w->param, w->value, w);
+    const double fy = pm_program_run(w->model, e[PM_FORCE_PROGRAM_Y], w->param, w->value, w);
+    x->body_a = a.body;
+    x->at_a[0] = a.p[0];
+    x->at_a[1] = a.p[1];
+    x->force[0] = axes[3] * fx - axes[4] * fy;
+    x->force[1] = axes[4] * fx + axes[3] * fy;
+    x->power = x->force[0] * a.v[0] + x->force[1] * a.v[1];
+}
+
+static int number_of(const pm_workspace *w, const int32_t *e)
+{
+    return (int)((e - w->model->table[PM_TABLE_FORCE]) / PM_FORCE_COLUMNS);
+}
+
+static void friction(pm_workspace *w, const int32_t *e, pm_action *x)
+{
+    pm_joint_friction_action(w, number_of(w, e), x);
+}
+
+/* ---- which forces stay the same along a motion with constant accelerations; the others never do ---- */
+static int constant(const pm_workspace *w, int program)
+{
+    return w->model->program_nature[program] == PM_CLASS_CONSTANT;
+}
+
+static int steady_couple(const pm_workspace *w, const int32_t *e, const pm_constant_motion *x)
+{
+    (void)x;
+    return constant(w, e[PM_FORCE_PROGRAM_X]);
+}
+
+static int steady_applied(const pm_workspace *w, const int32_t *e, const pm_constant_motion *x)
+{
+    const int32_t *p = PM_POINT_ROW(w->model, e[PM_FORCE_A]);
+    const double at[2] = {w->value[p[PM_POINT_X]], w->value[p[PM_POINT_Y]]};
+    return constant(w, e[PM_FORCE_PROGRAM_X]) && constant(w, e[PM_FORCE_PROGRAM_Y]) &&
+           !x->turns[pm_body_index(w->model, e[PM_FORCE_B])] &&
+           pm_constant_motion_mark(w, x, pm_body_index(w->model, p[PM_POINT_BODY]), at);
+}
+
+static int steady_friction(const pm_workspace *w, const int32_t *e, const pm_constant_motion *x)
+{
+    return pm_joint_friction_steady(w, number_of(w, e), x);
+}
+
+enum { BODY = PM_TABLE_BODY, POINT = PM_TABLE_POINT, JOINT = PM_TABLE_JOINT };
+
+static const pm_force_ops kinds[PM_FORCE_KINDS] = {
+    [PM_FORCE_SPRING] = {POINT, POINT, {PM_FORCE_NOT_NEGATIVE, PM_FORCE_ANY}, .stores = 1, .law = spring},
+    [PM_FORCE_TORSION] = {BODY, BODY, {PM_FORCE_NOT_NEGATIVE, PM_FORCE_ANY}, .stores = 1, .law = torsion},
+    [PM_FORCE_DAMPER] = {POINT, POINT, {PM_FORCE_NOT_NEGATIVE}, .law = damper},
+    [PM_FORCE_ROTARY_DAMPER] = {BODY, BODY, {PM_FORCE_NOT_NEGATIVE}, .law = rotary_damper},
+    [PM_FORCE_APPLIED] = {POINT, BODY, .programs = 2, .law = applied, .steady = steady_applied},
+    [PM_FORCE_COUPLE] = {BODY, BODY, .programs = 1, .law = couple, .steady = steady_couple},
+    [PM_FORCE_FRICTION] = {JOINT,
+                           JOINT,
+                           {PM_FORCE_NOT_NEGATIVE, PM_FORCE_NOT_NEGATIVE},
+                           .law = friction,
+                           .steady = steady_friction},
+};
+
+const pm_force_ops *pm_force_kind(int kind) { return &kinds[kind]; }
+
+const pm_force_ops *pm_force_of(const pm_model *m, int force)
+{
+    return &kinds[PM_FORCE_ROW(m, force)[PM_FORCE_KIND]];
+}
+
+int pm_force_steady(const pm_workspace *w, int i, const pm_constant_motion *x)
+{
+    const pm_force_ops *ops = pm_force_of(w->model, i);
+    if (pm_state_is_absent(w->model, &w->state, PM_TABLE_FORCE, i)) return 1;
+    return ops->steady && ops->steady(w, PM_FORCE_ROW(w->model, i), x);
+}
+
+pm_action pm_force_action(pm_workspace *w, int i)
+{
+    pm_action x = {.body_a = w->model->nbody, .body_b = w->model->nbody};
+    pm_force_of(w->model, i)->law(w, PM_FORCE_ROW(w->model, i), &x);
+    if (pm_state_is_absent(w->model, &w->state, PM_TABLE_FORCE, i))
+        x.force[0] = x.force[1] = x.couple = x.power = x.energy = 0;
+    return x;
+}
+
+static void add(const pm_workspace *w, int body, const double at[2], const double force[2], double couple,
+                double sign)
+{
+    if (body == w->model->nbody) return;
+    const double *pose = w->frame.pose + 5 * body;
+    double *f = w->frame.f + 3 * body;
+    f[0] += sign * force[0];
+    f[1] += sign * force[1];
+    f[2] += sign * (couple + (at[0] - pose[0]) * force[1] - (at[1] - pose[1]) * force[0]);
+}
+
+void pm_force_all(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    for (int i = 0; i < m->nbody; i++) {
+        w->frame.f[3 * i] = w->mass[i] * w->gravity[0];
+        w->frame.f[3 * i + 1] = w->mass[i] * w->gravity[1];
+        w->frame.f[3 * i + 2] = 0;
+    }
+    pm_turning_plane_forces(w);
+    for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++) {
+        const pm_action x = pm_force_action(w, i);
+        add(w, x.body_a, x.at_a, x.force, x.couple, 1);
+        add(w, x.body_b, x.at_b, x.force, x.couple, -1);
+        w->frame.power[i] = x.power;
+    }
+}
+
+double pm_force_potential(pm_workspace *w)
+{
+    double sum = 0;
+    for (int i = 0; i < w->model->rows[PM_TABLE_FORCE]; i++)
+        if (w->model->force_z[i] == PM_NONE) sum += pm_force_action(w, i).energy;
+    return sum;
+}

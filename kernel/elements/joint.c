@@ -1,0 +1,179 @@
+/* joint.c - the table of kinds of joints and couplings, and their rows.
+ *
+ * A new kind is one entry of the table and the function that composes its rows; where no row of constraint.h says what it needs, a
+ * file row_name.c with one. */
+#include "elements/joint.h"
+
+#include <string.h>
+
+#include "elements/constraint_marks.h"
+
+static void put(const pm_workspace *w, const int32_t *e, pm_constraint *row, int kind,
+                void (*marks)(const pm_workspace *w, pm_constraint *row, int a, int b))
+{
+    row->kind = kind;
+    marks(w, row, e[PM_JOINT_A], e[PM_JOINT_B]);
+}
+
+/* A row with the marks of another. */
+static void put_beside(pm_constraint *row, int kind, const pm_constraint *other)
+{
+    *row = *other;
+    row->kind = kind;
+}
+
+static double number(const pm_workspace *w, const int32_t *e) { return w->value[e[PM_JOINT_VALUE]]; }
+
+static void keep_angle(const pm_workspace *w, const int32_t *e, pm_constraint *row,
+                       const pm_constraint *first)
+{
+    row->kind = PM_CONSTRAINT_ANGLE;
+    row->body[0] = first->body[0];
+    row->body[1] = first->body[1];
+    row->value = number(w, e);
+}
+
+static void pin(const pm_workspace *w, const int32_t *e, pm_constraint *row)
+{
+    put(w, e, &row[0], PM_CONSTRAINT_POINT_X, pm_constraint_marks_points);
+    put_beside(&row[1], PM_CONSTRAINT_POINT_Y, &row[0]);
+}
+
+static void weld(const pm_workspace *w, const int32_t *e, pm_constraint *row)
+{
+    pin(w, e, row);
+    keep_angle(w, e, &row[2], &row[0]);
+}
+
+static void slider(const pm_workspace *w, const int32_t *e, pm_constraint *row)
+{
+    put(w, e, &row[0], PM_CONSTRAINT_LINE_NORMAL, pm_constraint_marks_point_and_line);
+}
+
+static void slider_fixed(const pm_workspace *w, const int32_t *e, pm_constraint *row)
+{
+    slider(w, e, row);
+    keep_angle(w, e, &row[1], &row[0]);
+}
+
+static void link(const pm_workspace *w, const int32_t *e, pm_constraint *row)
+{
+    put(w, e, &row[0], PM_CONSTRAINT_DISTANCE, pm_constraint_marks_points);
+    row[0].value = number(w, e);
+}
+
+static void rolling_line(const pm_workspace *w, const int32_t *e, pm_constraint *row)
+{
+    put(w, e, &row[0], PM_CONSTRAINT_LINE_NORMAL, pm_constraint_marks_circle_and_line);
+    put_beside(&row[1], PM_CONSTRAINT_LINE_TANGENT, &row[0]);
+}
+
+static void gears(const pm_workspace *w, const int32_t *e, pm_constraint *row)
+{
+    row->kind = PM_CONSTRAINT_CIRCLE_TANGENT;
+    pm_constraint_marks_circles(w, row, e[PM_JOINT_A], e[PM_JOINT_B], number(w, e));
+}
+
+static void rolling_circle(const pm_workspace *w, const int32_t *e, pm_constraint *row)
+{
+    gears(w, e, &row[1]);
+    put_beside(&row[0], PM_CONSTRAINT_DISTANCE, &row[1]);
+}
+
+/* The strand that leaves circle a counterclockwise, and the one that leaves it clockwise. */
+static void belt(const pm_workspace *w, const int32_t *e, pm_constraint *row)
+{
+    for (int k = 0; k < 2; k++) {
+        const double sense = k == 0 ? 1 : -1;
+        pm_constraint_marks_strand(w, &row[k], e[PM_JOINT_A], e[PM_JOINT_B], sense, number(w, e) * sense);
+    }
+}
+
+static void rate(const pm_workspace *w, const int32_t *e, pm_constraint *row)
+{
+    row->kind = PM_CONSTRAINT_RATIO;
+    row->body[0] = pm_body_index(w->model, e[PM_JOINT_A]);
+    row->body[1] = pm_body_index(w->model, e[PM_JOINT_B]);
+    row->drive = e[PM_JOINT_PROGRAM_X];
+}
+
+static void ratio(const pm_workspace *w, const int32_t *e, pm_constraint *row)
+{
+    rate(w, e, row);
+    row->ratio = number(w, e);
+}
+
+static void drive(const pm_workspace *w, const int32_t *e, pm_constraint *row)
+{
+    put(w, e, &row[0], PM_CONSTRAINT_DRIVE_X, pm_constraint_marks_points);
+    put_beside(&row[1], PM_CONSTRAINT_DRIVE_Y, &row[0]);
+    row[0].drive = e[PM_JOINT_PROGRAM_X];
+    row[1].drive = e[PM_JOINT_PROGRAM_Y];
+}
+
+enum { BODY = PM_TABLE_BODY, POINT = PM_TABLE_POINT, LINE = PM_TABLE_LINE, CIRCLE = PM_TABLE_CIRCLE };
+
+static const pm_joint_ops kinds[PM_JOINT_KINDS] = {
+    [PM_JOINT_PIN] = {POINT, POINT, .rows = 2, .rubs = PM_CONSTRAINT_RATIO, .repeats = PM_REPEATS_MARKS,
+                      .compose = pin},
+    [PM_JOINT_SLIDER] = {POINT, LINE, .rows = 1, .rubs = PM_CONSTRAINT_LINE_TANGENT,
+                         .repeats = PM_REPEATS_MARKS, .compose = slider},
+    [PM_JOINT_SLIDER_FIXED] = {POINT, LINE, PM_NUMBER_ANY, .rows = 2, .rubs = PM_CONSTRAINT_LINE_TANGENT,
+                               .repeats = PM_REPEATS_TURN, .compose = slider_fixed},
+    /* a slot is one too: a circle round a point */
+    [PM_JOINT_LINK] = {POINT, POINT, PM_NUMBER_LENGTH, .rows = 1, .rubs = PM_CONSTRAINT_CIRCLE_TANGENT,
+                       .repeats = PM_REPEATS_MARKS, .compose = link},
+    [PM_JOINT_WELD] = {POINT, POINT, PM_NUMBER_ANY, .rows = 3, .rubs = PM_NONE, .repeats = PM_REPEATS_TURN,
+                       .compose = weld},
+    [PM_JOINT_ROLLING_LINE] = {CIRCLE, LINE, .rows = 2, .memories = 1, .presses = 1, .rubs = PM_NONE,
+                               .repeats = PM_REPEATS_MARKS, .compose = rolling_line},
+    [PM_JOINT_ROLLING_CIRCLE] = {CIRCLE, CIRCLE, PM_NUMBER_SIDE, .rows = 2, .memories = 1, .presses = 1,
+                                 .rubs = PM_NONE, .repeats = PM_REPEATS_MARKS, .compose = rolling_circle},
+    [PM_JOINT_GEARS] = {CIRCLE, CIRCLE, PM_NUMBER_SIDE, .rows = 1, .memories = 1, .rubs = PM_NONE,
+                        .compose = gears},
+    [PM_JOINT_BELT] = {CIRCLE, CIRCLE, PM_NUMBER_ANY, .rows = 2, .memories = 2, .presses = 1, .rubs = PM_NONE,
+                       .compose = belt},
+    [PM_JOINT_RATE] = {BODY, BODY, .programs = 1, .rows = 1, .memories = 1, .rubs = PM_NONE, .compose = rate},
+    [PM_JOINT_DRIVE] = {POINT, POINT, .programs = 2, .rows = 2, .memories = 2, .rubs = PM_NONE,
+                        .compose = drive},
+    [PM_JOINT_RATIO] = {BODY, BODY, PM_NUMBER_ANY, .rows = 1, .memories = 1, .rubs = PM_NONE,
+                        .compose = ratio},
+};
+
+const pm_joint_ops *pm_joint_kind(int kind) { return &kinds[kind]; }
+
+const pm_joint_ops *pm_joint_of(const pm_model *m, int joint)
+{
+    return &kinds[PM_JOINT_ROW(m, joint)[PM_JOINT_KIND]];
+}
+
+int pm_joint_constraints(const pm_workspace *w, int joint, pm_constraint row[PM_JOINT_CONSTRAINTS])
+{
+    if (pm_state_is_absent(w->model, &w->state, PM_TABLE_JOINT, joint)) return 0;
+    return pm_joint_constraints_of_any(w, joint, row);
+}
+
+int pm_joint_constraints_of_any(const pm_workspace *w, int joint, pm_constraint row[PM_JOINT_CONSTRAINTS])
+{
+    const int n = pm_joint_of(w->model, joint)->rows;
+    memcpy(row, w->of_joint + w->model->joint_row[joint], (size_t)n * sizeof *row);
+    return n;
+}
+
+static void compose(const pm_workspace *w, int joint, pm_constraint *row)
+{
+    const pm_joint_ops *ops = pm_joint_of(w->model, joint);
+    for (int k = 0; k < ops->rows; k++) {
+        row[k] = pm_constraint_marks_blank(PM_NONE);
+        row[k].joint = joint;
+    }
+    ops->compose(w, PM_JOINT_ROW(w->model, joint), row);
+    const int memory = w->model->joint_memory[joint], first = ops->rows - ops->memories;
+    for (int k = first; k < ops->rows; k++) row[k].memory = memory + k - first;
+}
+
+void pm_joint_compose(pm_workspace *w)
+{
+    for (int i = 0; i < w->model->rows[PM_TABLE_JOINT]; i++)
+        compose(w, i, w->of_joint + w->model->joint_row[i]);
+}

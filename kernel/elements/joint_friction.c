@@ -1,0 +1,215 @@
+/* joint_friction.c - friction of joints (dry, Coulomb): a couple in a bearing, a force along a slider or a slot.
+ *
+ *   |F| <= F0 + c |R|  where it holds,   F = -(F0 + c |R|) sgn(slip)  where it slides
+ *
+ * F0 is given; c is mu of a slider or slot, mu r of a bearing of radius r; R is the reaction of the joint.  A grip that
+ * holds is a row more; one that slides is a force, whose size is found with the reactions by iteration where c > 0
+ * (pm_saddle_accelerate).  In a blow a friction of given size has no impulse. */
+#include "elements/joint_friction.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "elements/contact.h"
+#include "elements/joint.h"
+
+#define SAME 4e-15 /* of itself: a friction that changes by less has been found */
+
+int pm_joint_friction_joint(const pm_model *m, int k)
+{
+    return PM_FORCE_ROW(m, m->grip_force[k])[PM_FORCE_A];
+}
+
+static const int32_t *force_of(const pm_workspace *w, int k)
+{
+    return PM_FORCE_ROW(w->model, w->model->grip_force[k]);
+}
+
+static int joint_of(const pm_workspace *w, int k) { return pm_joint_friction_joint(w->model, k); }
+static double own(const pm_workspace *w, int k) { return w->value[force_of(w, k)[PM_FORCE_VALUE_1]]; }
+static double by_load(const pm_workspace *w, int k) { return w->value[force_of(w, k)[PM_FORCE_VALUE_2]]; }
+static int slides(int mode) { return mode == PM_SLIDE_FORWARD || mode == PM_SLIDE_BACKWARD; }
+
+int pm_joint_friction_any(const pm_model *m) { return m->ngrip > 0; }
+
+int pm_joint_friction_by_load(const pm_workspace *w)
+{
+    for (int k = 0; k < w->model->ngrip; k++)
+        if (slides(w->state.grip[k]) && by_load(w, k) > 0) return 1;
+    return 0;
+}
+
+int pm_joint_friction_any_by_load(const pm_workspace *w)
+{
+    for (int k = 0; k < w->model->ngrip; k++)
+        if (by_load(w, k) > 0) return 1;
+    return 0;
+}
+
+void pm_joint_friction_row(const pm_workspace *w, int k, pm_constraint *row)
+{
+    const int joint = joint_of(w, k);
+    pm_constraint rows[PM_JOINT_CONSTRAINTS];
+    pm_joint_constraints_of_any(w, joint, rows);
+    *row = rows[0];
+    row->memory = w->model->grip_memory + k;
+    row->kind = pm_joint_of(w->model, joint)->rubs;
+    if (row->kind == PM_CONSTRAINT_CIRCLE_TANGENT) { /* the slot's circle round a point */
+        row->radius_b = row->value;
+        row->sign = -1;
+    }
+}
+
+double pm_joint_friction_slip(const pm_workspace *w, int k)
+{
+    pm_constraint row;
+    pm_joint_friction_row(w, k, &row);
+    return pm_constraint_slip(w, &row);
+}
+
+double pm_joint_friction_still(const pm_workspace *w, int k)
+{
+    const int turns = pm_joint_of(w->model, joint_of(w, k))->rubs == PM_CONSTRAINT_RATIO;
+    return pm_contact_speed(w) / (turns ? w->size : 1);
+}
+
+/* Size of the reactions x[active row] of the joint; the couple that keeps a slider's direction is none of them. */
+static double load(const pm_workspace *w, int k, const double *x)
+{
+    const int joint = joint_of(w, k), first = w->model->joint_row[joint];
+    const int n = pm_joint_of(w->model, joint)->rubs == PM_CONSTRAINT_RATIO ? 2 : 1;
+    double sum = 0;
+    for (int i = first; i < first + n; i++) {
+        const int active = w->joint_active[i];
+        if (active != PM_NONE) sum = hypot(sum, x[active]);
+    }
+    return sum;
+}
+
+double pm_joint_friction_limit(const pm_workspace *w, int k)
+{
+    const double c = by_load(w, k);
+    return own(w, k) + (c > 0 ? c * load(w, k, w->frame.lambda) : 0);
+}
+
+static double sliding(const pm_workspace *w, int k)
+{
+    const double size = own(w, k) + w->grip_load[k];
+    return w->state.grip[k] == PM_SLIDE_FORWARD ? -size : w->state.grip[k] == PM_SLIDE_BACKWARD ? size : 0;
+}
+
+double pm_joint_friction_of_joint(const pm_workspace *w, int joint, pm_constraint *row)
+{
+    for (int k = 0; k < w->model->ngrip; k++) {
+        if (joint_of(w, k) != joint) continue;
+        pm_joint_friction_row(w, k, row);
+        return w->grip_row[k] == PM_NONE ? sliding(w, k) : w->frame.lambda[w->grip_row[k]];
+    }
+    return 0;
+}
+
+static int of_force(const pm_workspace *w, int force)
+{
+    int k = 0;
+    while (w->model->grip_force[k] != force) k++;
+    return k;
+}
+
+void pm_joint_friction_action(const pm_workspace *w, int force, pm_action *x)
+{
+    const int k = of_force(w, force);
+    pm_constraint row;
+    pm_line_of_action along;
+    pm_joint_friction_row(w, k, &row);
+    pm_constraint_kind(row.kind)->act(w, &row, &along);
+    const double size = sliding(w, k);
+    x->body_a = row.body[0];
+    x->body_b = row.body[1];
+    for (int i = 0; i < 2; i++) {
+        x->at_a[i] = x->at_b[i] = along.at[i];
+        x->force[i] = size * along.direction[i];
+    }
+    x->couple = size * along.couple[0]; /* joints rub between their two bodies: the opposite acts on b */
+    x->rate = pm_constraint_slip(w, &row);
+    x->power = size * x->rate;
+}
+
+int pm_joint_friction_steady(const pm_workspace *w, int force, const pm_constant_motion *x)
+{
+    pm_constraint row;
+    pm_joint_friction_row(w, of_force(w, force), &row);
+    const pm_constraint_ops *ops = pm_constraint_kind(row.kind);
+    return ops->steady && ops->steady(w, &row, x);
+}
+
+int pm_joint_friction_update(pm_workspace *w)
+{
+    int changed = 0;
+    for (int k = 0; k < w->model->ngrip; k++) {
+        if (!slides(w->state.grip[k]) || !(by_load(w, k) > 0)) continue;
+        const double next = by_load(w, k) * load(w, k, w->frame.lambda);
+        changed |= fabs(next - w->grip_load[k]) > SAME * fabs(next);
+        w->grip_load[k] = next;
+    }
+    return changed;
+}
+
+/* ---- modes ---- */
+void pm_joint_friction_release(pm_workspace *w)
+{
+    for (int k = 0; k < w->model->ngrip; k++) {
+        w->state.grip[k] = PM_OPEN;
+        w->grip_load[k] = 0;
+    }
+}
+
+static void hold(pm_workspace *w, int k)
+{
+    pm_constraint row;
+    w->state.grip[k] = PM_STICK;
+    pm_joint_friction_row(w, k, &row);
+    pm_constraint_kind(row.kind)->remember(w, &row, &w->state.memory[row.memory], 1);
+}
+
+void pm_joint_friction_close(pm_workspace *w)
+{
+    for (int k = 0; k < w->model->ngrip; k++) {
+        const double slip = pm_joint_friction_slip(w, k);
+        if (pm_state_is_absent(w->model, &w->state, PM_TABLE_JOINT, joint_of(w, k)))
+            w->state.grip[k] = PM_OPEN;
+        else if (fabs(slip) <= pm_joint_friction_still(w, k))
+            hold(w, k);
+        else
+            w->state.grip[k] = slip > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
+    }
+}
+
+/* Against the friction that would have held it. */
+void pm_joint_friction_slides(pm_workspace *w, int k)
+{
+    const double friction = w->frame.lambda[w->grip_row[k]];
+    w->state.grip[k] = friction > 0 ? PM_SLIDE_BACKWARD : PM_SLIDE_FORWARD;
+}
+
+void pm_joint_friction_stops(pm_workspace *w, int k) { hold(w, k); }
+
+int pm_joint_friction_overcome(pm_workspace *w, double slack)
+{
+    for (int k = 0; k < w->model->ngrip; k++) {
+        if (w->state.grip[k] != PM_STICK || w->grip_row[k] == PM_NONE) continue;
+        const int turns = pm_joint_of(w->model, joint_of(w, k))->rubs == PM_CONSTRAINT_RATIO;
+        const double needed = fabs(w->frame.lambda[w->grip_row[k]]), limit = pm_joint_friction_limit(w, k);
+        if (needed <= limit + slack * (turns ? w->size : 1)) continue;
+        pm_joint_friction_slides(w, k);
+        return 1;
+    }
+    return 0;
+}
+
+int pm_joint_friction_check_blow(pm_workspace *w)
+{
+    for (int k = 0; k < w->model->ngrip; k++)
+        if (by_load(w, k) > 0 && load(w, k, w->rhs) > 0)
+            return pm_fail(w, PM_UNSUPPORTED, PM_TABLE_FORCE, w->model->grip_force[k], NAN, NAN);
+    return PM_OK;
+}

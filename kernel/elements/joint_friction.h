@@ -1,0 +1,46 @@
+/* joint_friction.h - friction of joints: bearings, sliders and slots that rub. */
+#ifndef PM_JOINT_FRICTION_H
+#define PM_JOINT_FRICTION_H
+
+#include "elements/constraint.h"
+#include "elements/force.h"
+#include "state/model.h"
+
+/* How many frictions of joints the case has, and whether one that slides depends on the load of its joint. */
+int pm_joint_friction_any(const pm_model *m);
+int pm_joint_friction_by_load(const pm_workspace *w);
+/* Whether one would, if it did slide. */
+int pm_joint_friction_any_by_load(const pm_workspace *w);
+
+/* The joint whose friction grip k is. */
+int pm_joint_friction_joint(const pm_model *m, int k);
+/* The row of the slip of grip k, whether it holds or not. */
+void pm_joint_friction_row(const pm_workspace *w, int k, pm_constraint *row);
+/* Slip at the frame, m/s or rad/s; below this it is none. */
+double pm_joint_friction_slip(const pm_workspace *w, int k);
+double pm_joint_friction_still(const pm_workspace *w, int k);
+/* Greatest friction, N or N m, with the reactions of the frame. */
+double pm_joint_friction_limit(const pm_workspace *w, int k);
+/* What the friction of a joint does to its first partner, along its row; the frame is DYNAMIC.  0 where there is none. */
+double pm_joint_friction_of_joint(const pm_workspace *w, int joint, pm_constraint *row);
+/* The force of sliding; nothing where the grip holds. */
+void pm_joint_friction_action(const pm_workspace *w, int force, pm_action *x);
+/* It stays the same along a motion with constant accelerations. */
+int pm_joint_friction_steady(const pm_workspace *w, int force, const pm_constant_motion *x);
+
+/* Sliding friction that goes with the load takes up the reactions just found; 1 if it has changed. */
+int pm_joint_friction_update(pm_workspace *w);
+
+/* No grip holds or slides (before a start, and in a blow). */
+void pm_joint_friction_release(pm_workspace *w);
+/* Grips by their slip at the frame: what does not slip holds. */
+void pm_joint_friction_close(pm_workspace *w);
+/* What the phase found: grip k of the function has begun to slide, or has stopped. */
+void pm_joint_friction_slides(pm_workspace *w, int k);
+void pm_joint_friction_stops(pm_workspace *w, int k);
+/* The first holding grip that needs more than its limit begins to slide; 1 if there was one. */
+int pm_joint_friction_overcome(pm_workspace *w, double slack);
+/* PM_UNSUPPORTED if a blow of active impulses w->rhs loads a joint whose friction goes with its load. */
+int pm_joint_friction_check_blow(pm_workspace *w);
+
+#endif

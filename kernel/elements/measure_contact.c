@@ -1,0 +1,153 @@
+/* measure_contact.c - what is read off contacts: where they are, and what acts there.
+ *
+ * Of all slots of a contact those count that are closed, with the member that is meant, if any is.  Forces are those on the
+ * first partner: N n + F t, n and t the directions of the normal and the tangential row (constraint.h); of a captured pair those of
+ * the rows that hold it. */
+#include "elements/constraint.h"
+#include "elements/contact.h"
+#include "elements/edge.h"
+#include "elements/measure_kinds.h"
+
+/* ---- slots ---- */
+static int counts(const pm_measure_args *x, int slot)
+{
+    const pm_slot *s = &x->w->state.slot[slot];
+    const int member = x->e[PM_MEASURE_MEMBER];
+    return s->mode != PM_OPEN && (member == PM_NONE || s->member == member);
+}
+
+/* The first slot that counts, from `slot` on; PM_NONE if there is none. */
+static int slot_from(const pm_measure_args *x, int slot)
+{
+    const int end = x->w->model->contact_slot[x->a] + pm_contact_slots(x->w->model, x->a);
+    while (slot < end && !counts(x, slot)) slot++;
+    return slot < end ? slot : PM_NONE;
+}
+static int first_slot(const pm_measure_args *x) { return slot_from(x, x->w->model->contact_slot[x->a]); }
+static int next_slot(const pm_measure_args *x, int slot) { return slot_from(x, slot + 1); }
+
+static int member_of(const pm_measure_args *x, int slot) { return x->w->state.slot[slot].member; }
+
+/* What goes along a segment goes on so round its corners. */
+static double way(const pm_measure_args *x, int slot)
+{
+    return pm_edge_way(x->w->model, x->a, member_of(x, slot));
+}
+
+/* ---- where they are ---- */
+double pm_measured_contact_gap(const pm_measure_args *x)
+{
+    int member = x->e[PM_MEASURE_MEMBER];
+    if (member != PM_NONE) return pm_contact_member_gap(x->w, x->a, member, 0);
+    const int slot = first_slot(x);
+    if (slot != PM_NONE) return pm_contact_member_gap(x->w, x->a, member_of(x, slot), 0);
+    if (pm_edge_is(x->w->model, x->a)) return pm_edge_gap(x->w, x->a, &member);
+    return pm_contact_apart(x->w, &x->w->state, x->a, &member);
+}
+
+double pm_measured_contact_closed(const pm_measure_args *x)
+{
+    int n = 0;
+    for (int i = first_slot(x); i != PM_NONE; i = next_slot(x, i)) n++;
+    return n;
+}
+
+double pm_measured_contact_slip(const pm_measure_args *x)
+{
+    const int slot = first_slot(x);
+    return slot == PM_NONE ? NAN : way(x, slot) * pm_contact_member_slip(x->w, x->a, member_of(x, slot));
+}
+
+/* ---- what acts there ---- */
+/* What acts on a captured pair has no normal and no friction. */
+static double slot_normal(const pm_workspace *w, int slot)
+{
+    if (w->state.slot[slot].mode == PM_CAPTURED) return NAN;
+    const int active = w->slot_normal[slot];
+    return active == PM_NONE ? 0 : w->frame.lambda[active];
+}
+
+static double slot_friction(const pm_workspace *w, int slot)
+{
+    const int active = w->slot_tangent[slot];
+    if (w->state.slot[slot].mode == PM_CAPTURED) return NAN;
+    if (active != PM_NONE) return w->frame.lambda[active];
+    return w->slot_normal[slot] == PM_NONE ? 0 : w->row[w->slot_normal[slot]].slide * slot_normal(w, slot);
+}
+
+double pm_measured_contact_normal(const pm_measure_args *x)
+{
+    double sum = 0;
+    for (int i = first_slot(x); i != PM_NONE; i = next_slot(x, i)) sum += slot_normal(x->w, i);
+    return sum;
+}
+
+double pm_measured_contact_friction(const pm_measure_args *x)
+{
+    double sum = 0;
+    for (int i = first_slot(x); i != PM_NONE; i = next_slot(x, i)) sum += way(x, i) * slot_friction(x->w, i);
+    return sum;
+}
+
+double pm_measured_contact_friction_needed(const pm_measure_args *x)
+{
+    double worst = 0;
+    for (int i = first_slot(x); i != PM_NONE; i = next_slot(x, i)) {
+        const double one = pm_measured_needed(slot_normal(x->w, i), slot_friction(x->w, i));
+        if (isnan(one)) return NAN;
+        if (fabs(one) > fabs(worst)) worst = one;
+    }
+    return worst;
+}
+
+/* Sign of `on`: forces are those on the first partner. */
+static double side_of(const pm_measure_args *x)
+{
+    if (x->e[PM_MEASURE_ON] == PM_NONE) return 1;
+    pm_constraint normal, tangent;
+    pm_contact_constraint_both(x->w, x->a, x->w->model->contact_slot[x->a], 0, &normal, &tangent);
+    return normal.body[0] == pm_body_index(x->w->model, x->e[PM_MEASURE_ON]) ? 1 : -1;
+}
+
+static double held_force(const pm_workspace *w, int slot, int axis)
+{
+    const int active = w->slot_held[PM_JOINT_CONSTRAINTS * slot + axis];
+    return active == PM_NONE ? 0 : w->frame.lambda[active];
+}
+
+static void add_row(const pm_measure_args *x, const pm_constraint *row, double force, double out[2])
+{
+    pm_line_of_action along;
+    pm_constraint_kind(row->kind)->act(x->w, row, &along);
+    for (int k = 0; k < 2; k++) out[k] += force * along.direction[k];
+}
+
+void pm_measured_contact_force(const pm_measure_args *x, double out[2])
+{
+    const double side = side_of(x);
+    out[0] = out[1] = 0;
+    for (int i = first_slot(x); i != PM_NONE; i = next_slot(x, i)) {
+        if (x->w->state.slot[i].mode == PM_CAPTURED) {
+            for (int k = 0; k < 2; k++) out[k] += side * held_force(x->w, i, k);
+            continue;
+        }
+        pm_constraint normal, tangent;
+        pm_contact_constraint_both(x->w, x->a, i, member_of(x, i), &normal, &tangent);
+        add_row(x, &normal, side * slot_normal(x->w, i), out);
+        add_row(x, &tangent, side * slot_friction(x->w, i), out);
+    }
+}
+
+/* Of the last blow, in whatever slots it was. */
+void pm_measured_contact_impulse(const pm_measure_args *x, double out[2])
+{
+    const pm_workspace *w = x->w;
+    const int first = w->model->contact_slot[x->a], last = first + pm_contact_slots(w->model, x->a);
+    const double side = side_of(x);
+    out[0] = out[1] = 0;
+    for (int i = first; i < last; i++) {
+        const double *impulse = w->slot_impulse + 2 * i, *direction = w->slot_direction + 4 * i;
+        for (int k = 0; k < 2; k++)
+            out[k] += side * (impulse[0] * direction[k] + impulse[1] * direction[2 + k]);
+    }
+}

@@ -1,0 +1,86 @@
+/* measure_joint.c - what joints do to their bodies.
+ *
+ * A row with reaction lambda does lambda n to the first body and -lambda n to the second, and its couples (constraint.h); what acts
+ * at a joint is the sum over its rows, and the dry friction in it (joint_friction.h). */
+#include <string.h>
+
+#include "elements/constraint.h"
+#include "elements/joint.h"
+#include "elements/joint_friction.h"
+#include "elements/measure_kinds.h"
+
+/* Which partner of a joint an address means: the first, or (`on` another body) the second; PM_NONE of a joint that is not
+ * there: nothing acts. */
+static int partner_of(const pm_measure_args *x)
+{
+    pm_constraint row[PM_JOINT_CONSTRAINTS];
+    if (x->e[PM_MEASURE_ON] == PM_NONE) return 0;
+    if (pm_joint_constraints(x->w, x->a, row) == 0) return PM_NONE;
+    return row[0].body[0] != pm_body_index(x->w->model, x->e[PM_MEASURE_ON]);
+}
+
+/* What the reaction of a row does to one of its two bodies. */
+static void add_reaction(const pm_measure_args *x, const pm_constraint *row, double size, int on,
+                         double out[3])
+{
+    pm_line_of_action along; /* the rows need not be evaluated where the frame looks */
+    pm_constraint_kind(row->kind)->act(x->w, row, &along);
+    for (int k = 0; k < 2; k++) out[k] += (on == 0 ? size : -size) * along.direction[k];
+    out[2] += size * along.couple[on];
+}
+
+/* Sum over the rows of a joint of size[row] times what a unit of it does. */
+static void joint_sum(const pm_measure_args *x, const double *reaction, int by_active, double out[3])
+{
+    const pm_model *m = x->w->model;
+    const int first = m->joint_row[x->a],
+              last = x->a + 1 < m->rows[PM_TABLE_JOINT] ? m->joint_row[x->a + 1] : m->njoint_row;
+    const int on = partner_of(x);
+    out[0] = out[1] = out[2] = 0;
+    for (int i = first; i < last && on != PM_NONE; i++) {
+        const int active = x->w->joint_active[i];
+        if (active == PM_NONE) continue;
+        add_reaction(x, &x->w->row[active], reaction[by_active ? active : i], on, out);
+    }
+    pm_constraint rubbing;
+    const double friction = by_active ? pm_joint_friction_of_joint(x->w, x->a, &rubbing) : 0;
+    if (friction != 0 && on != PM_NONE) add_reaction(x, &rubbing, friction, on, out);
+}
+
+void pm_measured_joint_force(const pm_measure_args *x, double out[2])
+{
+    double sum[3];
+    joint_sum(x, x->w->frame.lambda, 1, sum);
+    memcpy(out, sum, 2 * sizeof *out);
+}
+double pm_measured_joint_couple(const pm_measure_args *x)
+{
+    double sum[3];
+    joint_sum(x, x->w->frame.lambda, 1, sum);
+    return sum[2];
+}
+void pm_measured_joint_impulse(const pm_measure_args *x, double out[2])
+{
+    double sum[3];
+    joint_sum(x, x->w->joint_impulse, 0, sum);
+    memcpy(out, sum, 2 * sizeof *out);
+}
+/* Not unique where a row is redundant; the two strands of a belt depend on each other. */
+static double joint_row_reaction(const pm_measure_args *x, int row)
+{
+    const int *active = x->w->joint_active + x->w->model->joint_row[x->a];
+    const int belt = PM_JOINT_ROW(x->w->model, x->a)[PM_JOINT_KIND] == PM_JOINT_BELT;
+    if (active[row] == PM_NONE || (belt && active[1 - row] == PM_NONE)) return NAN;
+    return x->w->frame.lambda[active[row]];
+}
+double pm_measured_joint_normal(const pm_measure_args *x) { return joint_row_reaction(x, 0); }
+double pm_measured_joint_friction(const pm_measure_args *x)
+{
+    pm_constraint row;
+    const int presses = pm_joint_of(x->w->model, x->a)->presses;
+    return presses ? joint_row_reaction(x, 1) : pm_joint_friction_of_joint(x->w, x->a, &row);
+}
+double pm_measured_joint_friction_needed(const pm_measure_args *x)
+{
+    return pm_measured_needed(pm_measured_joint_normal(x), pm_measured_joint_friction(x));
+}

@@ -1,0 +1,38 @@
+/* trigger.h - firing of the scene's triggers, and the counts and times of its named events. */
+#ifndef PM_TRIGGER_H
+#define PM_TRIGGER_H
+
+#include "state/model.h"
+
+/* What stands in pm_event_set.fired: a trigger fires at this instant, or has done so with an earlier blow of it. */
+enum pm_fired { PM_FIRED_NOT = 0, PM_FIRED_NOW = 1, PM_FIRED_EARLIER = 2 };
+
+/* A new case: counts and times are cleared. */
+void pm_trigger_reset(pm_workspace *w);
+double pm_trigger_count(const pm_workspace *w, int event);
+double pm_trigger_time(const pm_workspace *w, int event);
+/* Value of the trigger's program at the frame. */
+double pm_trigger_program(pm_workspace *w, int trigger);
+/* The trigger's program depends on time alone, and linearly: it needs no watching. */
+int pm_trigger_on_time(const pm_workspace *w, int trigger);
+/* When a trigger on time fires next after w->state.t, or INFINITY. */
+double pm_trigger_due(pm_workspace *w, int trigger);
+
+/* Instants: values of the triggers before the jump; then, after jump and modes, those that a jump carried through
+ * zero fire. */
+void pm_trigger_look_before(pm_workspace *w);
+void pm_trigger_look_after(pm_workspace *w);
+/* Marks the triggers of a contact's change: kind PM_TRIGGER_STRIKE, OPEN, SLIP or STICK. */
+void pm_trigger_mark(pm_workspace *w, int kind, int contact);
+/* A contact has been struck infinitely often until now. */
+void pm_trigger_countless(pm_workspace *w, int contact);
+/* The next blow of the same instant: what has fired stays marked as such, and may fire again. */
+void pm_trigger_next_blow(pm_workspace *w);
+/* The event fires at this instant: one of its triggers is marked, for the time that counts. */
+int pm_trigger_fires(const pm_workspace *w, int event);
+/* Counts the events whose triggers are marked (each once), stamps their time; returns how many. */
+int pm_trigger_commit(pm_workspace *w);
+/* 1 if the end of the run is reached. */
+int pm_trigger_until(const pm_workspace *w);
+
+#endif

@@ -1,0 +1,250 @@
+/* turning_plane.c - the plane of the scene turns freely about an axis in it (an axial part: its inertia depends on the place).
+ *
+ * The scene is what an observer on the plane draws.  Every point of it moves across the plane with Omega times its
+ * distance d from the axis, at right angles to what the observer sees, so that with the coordinates q in the plane
+ *
+ *   T = T(q, v) + J(q) Omega^2 / 2        J = J0 + sum of (m d^2 + Sx sin^2 f + Sy cos^2 f + Sz)
+ *
+ * Sx, Sy, Sz are a body's second moments (integrals of x^2, y^2, z^2 over its mass) about G along its own axes and across
+ * the plane, f the angle of its x axis from the axis of the spin.  The angle of the plane does not occur: its momentum
+ * H = J Omega changes by the couple about the axis only (17.24 for an axis), and never in a blow within the plane.
+ * Eliminated by H (Routh; Goldstein, Classical Mechanics, 8.3) it leaves a potential H^2 / 2J: M stays constant, and the
+ * centrifugal forces are
+ *
+ *   Q = -d/dq (H^2 / 2J) = Omega^2 / 2 dJ/dq        at G: m Omega^2 d from the axis;  couple: Omega^2 (Sx - Sy) sin f cos f
+ *
+ * The observer's Coriolis forces are all across the plane.  Where no couple acts H is a constant and the forces depend on
+ * the place alone; else H is a running integral. */
+#include "elements/turning_plane.h"
+
+#include <math.h>
+
+#include "elements/measure.h"
+#include "expression/program.h"
+
+#define ALONG \
+    1e-12 /* of the gravity: what may be across the axis, which rounding makes of an angle of 90 degrees */
+
+static const int32_t *row_of(const pm_model *m) { return pm_table_row(m, PM_TABLE_SPIN, 0, PM_SPIN_COLUMNS); }
+
+/* ---- model ---- */
+static int bad(pm_where *where, int table, double value, double bound)
+{
+    *where = (pm_where){table, 0, PM_NONE, value, bound};
+    return PM_BAD_TABLE;
+}
+
+/* The couple may not use what must itself be computed from forces. */
+static int check_couple(const pm_model *m, int program, pm_where *where)
+{
+    const int32_t *p = pm_table_row(m, PM_TABLE_PROGRAM, program, PM_PROGRAM_COLUMNS);
+    const int32_t *code = pm_table_row(m, PM_TABLE_CODE, p[PM_PROGRAM_FIRST], PM_CODE_COLUMNS);
+    for (int i = 0; i < p[PM_PROGRAM_LENGTH]; i++, code += PM_CODE_COLUMNS)
+        if (code[PM_CODE_OP] == PM_OP_MEASURE && pm_measure_level(m, code[PM_CODE_ARG]) == PM_LEVEL_DYNAMIC)
+            return bad(where, PM_TABLE_SPIN, code[PM_CODE_ARG], PM_NONE);
+    return PM_OK;
+}
+
+int pm_turning_plane_validate(const pm_model *m, pm_where *where)
+{
+    const int n = m->rows[PM_TABLE_SPIN], bodies = n > 0 ? m->rows[PM_TABLE_BODY] : 0;
+    if (n > 1) return bad(where, PM_TABLE_SPIN, n, 1);
+    if (m->rows[PM_TABLE_SECOND] != bodies)
+        return bad(where, PM_TABLE_SECOND, m->rows[PM_TABLE_SECOND], bodies);
+    for (int i = 0; i < m->rows[PM_TABLE_MEASURE]; i++) {
+        const int kind = PM_MEASURE_ROW(m, i)[PM_MEASURE_KIND];
+        if (n == 0 && kind >= PM_MEASURE_SPIN_OMEGA && kind <= PM_MEASURE_SPIN_INERTIA)
+            return bad(where, PM_TABLE_MEASURE, kind, 0);
+    }
+    const int couple = n > 0 ? row_of(m)[PM_SPIN_COUPLE] : PM_NONE;
+    return couple >= 0 ? check_couple(m, couple, where) : PM_OK;
+}
+
+void pm_turning_plane_lay_out(pm_model *m)
+{
+    m->spin_z = m->spin_angle_z = PM_NONE;
+    if (!pm_turning_plane_turns(m)) return;
+    if (row_of(m)[PM_SPIN_COUPLE] >= 0) m->spin_z = m->nz++;
+    for (int i = 0; i < m->rows[PM_TABLE_MEASURE]; i++)
+        if (PM_MEASURE_ROW(m, i)[PM_MEASURE_KIND] == PM_MEASURE_SPIN_ANGLE && m->spin_angle_z == PM_NONE)
+            m->spin_angle_z = m->nz++;
+}
+
+/* ---- case and start ---- */
+static int out_of_bound(pm_workspace *w, int table, int row, int column, double value, double bound)
+{
+    pm_fail(w, PM_BAD_VALUE, table, row, value, bound);
+    w->where.member = column;
+    return PM_BAD_VALUE;
+}
+
+static int read_axis(pm_workspace *w)
+{
+    pm_turning_plane *s = &w->spin;
+    const int32_t *e = row_of(w->model);
+    for (int k = 0; k < PM_SPIN_COUPLE; k++) {
+        const double value = w->value[e[k]];
+        const int ok = isfinite(value) && (k != PM_SPIN_INERTIA || value >= 0);
+        if (!ok) return out_of_bound(w, PM_TABLE_SPIN, 0, k, value, k == PM_SPIN_INERTIA ? 0 : -INFINITY);
+    }
+    s->through[0] = w->value[e[PM_SPIN_X]];
+    s->through[1] = w->value[e[PM_SPIN_Y]];
+    s->angle = w->value[e[PM_SPIN_ANGLE]];
+    s->normal[0] = -sin(s->angle);
+    s->normal[1] = cos(s->angle);
+    s->inertia = w->value[e[PM_SPIN_INERTIA]];
+    /* a plane that turns takes the direction of the gravity along only if that is the axis' own */
+    const double across = fabs(w->gravity[0] * s->normal[0] + w->gravity[1] * s->normal[1]);
+    const double allowed = ALONG * hypot(w->gravity[0], w->gravity[1]);
+    return across > allowed ? out_of_bound(w, PM_TABLE_SPIN, 0, PM_SPIN_ANGLE, across, allowed) : PM_OK;
+}
+
+int pm_turning_plane_case(pm_workspace *w)
+{
+    w->spin = (pm_turning_plane){.momentum = 0};
+    if (!pm_turning_plane_turns(w->model)) return PM_OK;
+    for (int i = 0; i < w->model->nbody; i++)
+        for (int k = 0; k < PM_SECOND_COLUMNS; k++) {
+            const double value = w->value[PM_SECOND_ROW(w->model, i)[k]];
+            if (!isfinite(value) || value < 0) return out_of_bound(w, PM_TABLE_SECOND, i, k, value, 0);
+        }
+    return read_axis(w);
+}
+
+int pm_turning_plane_start(pm_workspace *w)
+{
+    if (!pm_turning_plane_turns(w->model)) return PM_OK;
+    const double inertia = pm_turning_plane_inertia(w);
+    if (!(inertia > 0)) return out_of_bound(w, PM_TABLE_SPIN, 0, PM_SPIN_INERTIA, inertia, 0);
+    w->spin.momentum = inertia * w->value[row_of(w->model)[PM_SPIN_OMEGA]];
+    return PM_OK;
+}
+
+/* ---- the state ---- */
+/* A body's distance from the axis, on the left of its direction, and its x axis as seen from the axis. */
+static double distance(const pm_workspace *w, int i)
+{
+    const double *pose = w->frame.pose + 5 * i, *n = w->spin.normal;
+    return (pose[0] - w->spin.through[0]) * n[0] + (pose[1] - w->spin.through[1]) * n[1];
+}
+
+static void direction(const pm_workspace *w, int i, double *sine, double *cosine)
+{
+    const double *pose = w->frame.pose + 5 * i, *n = w->spin.normal;
+    *sine = pose[3] * n[0] + pose[4] * n[1];
+    *cosine = pose[3] * n[1] - pose[4] * n[0];
+}
+
+static double second(const pm_workspace *w, int i, int column)
+{
+    return w->value[PM_SECOND_ROW(w->model, i)[column]];
+}
+
+static double body_inertia(const pm_workspace *w, int i)
+{
+    double sine, cosine;
+    const double d = distance(w, i);
+    direction(w, i, &sine, &cosine);
+    return w->mass[i] * d * d + second(w, i, PM_SECOND_X) * sine * sine +
+           second(w, i, PM_SECOND_Y) * cosine * cosine + second(w, i, PM_SECOND_Z);
+}
+
+double pm_turning_plane_inertia(const pm_workspace *w)
+{
+    if (!pm_turning_plane_turns(w->model)) return 0;
+    double sum = w->spin.inertia;
+    for (int i = 0; i < w->model->nbody; i++) sum += body_inertia(w, i);
+    return sum;
+}
+
+double pm_turning_plane_momentum(const pm_workspace *w)
+{
+    const int z = w->model->spin_z;
+    return w->spin.momentum + (z == PM_NONE ? 0 : w->frame.z[z]);
+}
+
+double pm_turning_plane_omega(const pm_workspace *w)
+{
+    const double momentum = pm_turning_plane_momentum(w);
+    return momentum == 0 ? 0 : momentum / pm_turning_plane_inertia(w);
+}
+
+double pm_turning_plane_angle(const pm_workspace *w) { return w->frame.z[w->model->spin_angle_z]; }
+
+double pm_turning_plane_kinetic(const pm_workspace *w, int i)
+{
+    if (!pm_turning_plane_turns(w->model)) return 0;
+    const double omega = pm_turning_plane_omega(w);
+    return 0.5 * omega * (i == PM_NONE ? pm_turning_plane_momentum(w) : omega * body_inertia(w, i));
+}
+
+/* ---- forces ---- */
+void pm_turning_plane_forces(pm_workspace *w)
+{
+    if (!pm_turning_plane_turns(w->model)) return;
+    const double omega = pm_turning_plane_omega(w), square = omega * omega;
+    for (int i = 0; i < w->model->nbody; i++) {
+        double sine, cosine, *f = w->frame.f + 3 * i;
+        const double outward = square * w->mass[i] * distance(w, i);
+        direction(w, i, &sine, &cosine);
+        f[0] += outward * w->spin.normal[0];
+        f[1] += outward * w->spin.normal[1];
+        f[2] += square * (second(w, i, PM_SECOND_X) - second(w, i, PM_SECOND_Y)) * sine * cosine;
+    }
+}
+
+double pm_turning_plane_force_size(const pm_workspace *w, const double *t)
+{
+    if (!pm_turning_plane_turns(w->model)) return 0;
+    const double omega = pm_turning_plane_omega(w);
+    double sum = 0;
+    for (int i = 0; i < w->model->nbody; i++, t += 3)
+        sum += w->mass[i] * w->size * hypot(t[0], t[1]) +
+               (second(w, i, PM_SECOND_X) + second(w, i, PM_SECOND_Y)) * fabs(t[2]);
+    return omega * omega * sum;
+}
+
+/* Not from the generalised forces: every element of mass is pulled from the axis by Omega^2 times its distance, at its
+ * own place, so that the moment about the origin is that of the moments of mass. */
+void pm_turning_plane_outer(const pm_workspace *w, double outer[PM_LEDGER])
+{
+    outer[0] = outer[1] = outer[2] = 0;
+    if (!pm_turning_plane_turns(w->model)) return;
+    const double omega = pm_turning_plane_omega(w), *n = w->spin.normal;
+    for (int i = 0; i < w->model->nbody; i++) {
+        const double *pose = w->frame.pose + 5 * i, turned = 2 * (pose[2] - w->spin.angle);
+        const double sx = second(w, i, PM_SECOND_X), sy = second(w, i, PM_SECOND_Y);
+        const double pull = omega * omega * w->mass[i] * distance(w, i);
+        /* integral of (along the axis) (away from it) over the body, about G: Mohr's circle */
+        const double product = 0.5 * (sx - sy) * sin(turned);
+        outer[0] += pull * n[0];
+        outer[1] += pull * n[1];
+        outer[2] += pull * (pose[0] * n[1] - pose[1] * n[0]) + omega * omega * product;
+    }
+}
+
+/* ---- running integrals ---- */
+static double couple(pm_workspace *w)
+{
+    const int program = pm_turning_plane_turns(w->model) ? row_of(w->model)[PM_SPIN_COUPLE] : PM_NONE;
+    return program >= 0 ? pm_program_run(w->model, program, w->param, w->value, w) : 0;
+}
+
+void pm_turning_plane_rates(pm_workspace *w, double *zdot)
+{
+    const pm_model *m = w->model;
+    if (m->spin_z != PM_NONE) zdot[m->spin_z] = couple(w);
+    if (m->spin_angle_z != PM_NONE) zdot[m->spin_angle_z] = pm_turning_plane_omega(w);
+}
+
+double pm_turning_plane_power(pm_workspace *w)
+{
+    return w->model->spin_z == PM_NONE ? 0 : couple(w) * pm_turning_plane_omega(w);
+}
+
+double pm_turning_plane_scale(const pm_workspace *w, int z)
+{
+    if (z == w->model->spin_angle_z) return 1;
+    if (z != w->model->spin_z) return 0;
+    return fmax(fabs(pm_turning_plane_momentum(w)), pm_turning_plane_inertia(w) * w->speed / w->size);
+}

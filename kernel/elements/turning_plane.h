@@ -1,0 +1,35 @@
+/* turning_plane.h - the plane of the scene turns freely about an axis that lies in it. */
+#ifndef PM_TURNING_PLANE_H
+#define PM_TURNING_PLANE_H
+
+#include "state/model.h"
+
+/* build.c: the table; what it needs among the running integrals. */
+int pm_turning_plane_validate(const pm_model *m, pm_where *where);
+void pm_turning_plane_lay_out(pm_model *m);
+/* case.c: the axis and the numbers of a case; start.c: the momentum of the start, where the frame looks. */
+int pm_turning_plane_case(pm_workspace *w);
+int pm_turning_plane_start(pm_workspace *w);
+
+static inline int pm_turning_plane_turns(const pm_model *m) { return m->rows[PM_TABLE_SPIN] > 0; }
+
+/* All of these at the frame; 0 where the plane does not turn. */
+double pm_turning_plane_inertia(const pm_workspace *w);  /* about the axis, of all that turns along */
+double pm_turning_plane_momentum(const pm_workspace *w); /* about the axis */
+double pm_turning_plane_omega(const pm_workspace *w);
+double pm_turning_plane_angle(const pm_workspace *w);
+/* Kinetic energy of the turning of body i, or of all with PM_NONE. */
+double pm_turning_plane_kinetic(const pm_workspace *w, int i);
+/* Adds the centrifugal forces and couples to frame.f. */
+void pm_turning_plane_forces(pm_workspace *w);
+/* Their size if they were along the motion t, at any place of the scene. */
+double pm_turning_plane_force_size(const pm_workspace *w, const double *t);
+/* Resultant of the centrifugal forces, and their moment about the origin. */
+void pm_turning_plane_outer(const pm_workspace *w, double outer[PM_LEDGER]);
+/* Rates of the running integrals that are the plane's; power of the couple. */
+void pm_turning_plane_rates(pm_workspace *w, double *zdot);
+double pm_turning_plane_power(pm_workspace *w);
+/* Natural size of such an integral; 0: it is not one of them. */
+double pm_turning_plane_scale(const pm_workspace *w, int z);
+
+#endif

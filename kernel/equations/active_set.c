@@ -1,0 +1,310 @@
+/* active_set.c - the active set of a phase.
+ *
+ * A row that depends on the rows before it is *redundant* if it also does so at a neighbouring configuration on the
+ * constraints: it is left out.  If it does so here only (a dead centre), it is kept. */
+#include "equations/active_set.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "elements/capture.h"
+#include "elements/constraint.h"
+#include "elements/contact.h"
+#include "elements/joint.h"
+#include "elements/joint_friction.h"
+#include "equations/fixed_bodies.h"
+#include "equations/orthonormal_rows.h"
+#include "equations/projection.h"
+#include "equations/saddle.h"
+#include "equations/solve_cache.h"
+#include "state/frame.h"
+
+#define NEIGHBOUR 1e-3       /* displacement, in sizes of the scene */
+#define CLEARLY 1e-3         /* independent part of every row above which nothing else need be asked */
+#define STILL_DEPENDENT 1e-6 /* independent part at the neighbour below which a row is redundant */
+
+void pm_active_set_clear(pm_workspace *w)
+{
+    pm_solve_cache_drop_rows(w);
+    w->nactive = w->njoint_active = w->nredundant = w->asymmetric = 0;
+    for (int i = 0; i < w->model->njoint_row; i++) w->joint_active[i] = PM_NONE;
+    for (int i = 0; i < w->model->nslot; i++) w->slot_normal[i] = w->slot_tangent[i] = PM_NONE;
+    for (int i = 0; i < PM_JOINT_CONSTRAINTS * w->model->nslot; i++) w->slot_held[i] = PM_NONE;
+    for (int i = 0; i < w->model->ngrip; i++) w->grip_row[i] = PM_NONE;
+}
+
+/* The basis of the rows that are active so far, at the frame; its size. */
+static int basis_of_active(pm_workspace *w)
+{
+    pm_orthonormal_rest rest;
+    int n = 0;
+    for (int i = 0; i < w->nactive; i++) {
+        pm_constraint_kind(w->row[i].kind)->evaluate(w, &w->row[i]);
+        n = pm_orthonormal_rows_add(w, n, w->row[i].j, w->row[i].body, &rest);
+    }
+    return n;
+}
+
+/* A neighbour of the state on the active rows: a little along the motion or, at rest, any way that they allow. */
+static int go_nearby(pm_workspace *w, pm_state *s)
+{
+    static const double step[3] = {0.91, 0.57, 0.73}; /* no direction of the scene */
+    const int nq = w->model->nq;
+    double norm = 0;
+    pm_state_copy(s, &w->state);
+    for (int i = 0; i < nq; i++) norm += s->v[i] * s->v[i];
+    norm = sqrt(norm);
+    for (int i = 0; i < nq; i++) {
+        const double along = norm > 0 ? s->v[i] / norm : step[i % 3] * (1 + 0.1 * (i / 3));
+        s->q[i] += NEIGHBOUR * w->size * along * (w->inverse_mass[i] > 0);
+    }
+    return pm_projection_apply(w, s);
+}
+
+/* Whether a row that depends on the active ones here does so nearby, too.  A neighbour that cannot be reached tells
+ * nothing: the row is then kept. */
+static int depends_nearby(pm_workspace *w, const pm_constraint *row, int *depends)
+{
+    int status = go_nearby(w, &w->probe);
+    *depends = 0;
+    if (!status) {
+        pm_constraint copy = *row;
+        pm_orthonormal_rest rest;
+        pm_constraint_kind(copy.kind)->evaluate(w, &copy);
+        pm_orthonormal_rows_add(w, basis_of_active(w), copy.j, copy.body, &rest);
+        *depends = rest.left < STILL_DEPENDENT;
+    }
+    pm_frame_look_state(w, &w->state);
+    basis_of_active(w);
+    return status == PM_SINGULAR ? PM_OK : status;
+}
+
+/* Appends the row unless it is redundant; *index: its place, or PM_NONE.  Without a basis it is not tested. */
+static int append(pm_workspace *w, const pm_constraint *row, int *nbasis, int *index)
+{
+    if (!nbasis) {
+        w->row[w->nactive] = *row;
+        *index = w->nactive++;
+        return PM_OK;
+    }
+    pm_constraint *place = &w->row[w->nactive];
+    pm_orthonormal_rest rest;
+    int depends = 0;
+    *place = *row;
+    pm_constraint_kind(place->kind)->evaluate(w, place);
+    const int n = pm_orthonormal_rows_add(w, *nbasis, place->j, place->body, &rest);
+    if (n == *nbasis) {
+        const int status = depends_nearby(w, row, &depends);
+        if (status) return status;
+        *place = *row;
+    }
+    *nbasis = n;
+    *index = PM_NONE;
+    if (depends)
+        w->nredundant++;
+    else
+        *index = w->nactive++;
+    return PM_OK;
+}
+
+static int append_joints(pm_workspace *w, int *nbasis)
+{
+    const pm_model *m = w->model;
+    for (int j = 0; j < m->rows[PM_TABLE_JOINT]; j++) {
+        pm_constraint row[PM_JOINT_CONSTRAINTS];
+        const int i = w->joint_order[j], n = pm_joint_constraints(w, i, row);
+        for (int k = 0; k < n; k++) {
+            if (pm_fixed_bodies_row(w, &row[k])) continue;
+            const int status = append(w, &row[k], nbasis, &w->joint_active[m->joint_row[i] + k]);
+            if (status) return status;
+        }
+    }
+    w->njoint_active = w->nactive;
+    return PM_OK;
+}
+
+/* Captured pairs are joints. */
+static int append_captured(pm_workspace *w, int *nbasis)
+{
+    for (int i = 0; i < w->model->nslot; i++) {
+        pm_constraint row[PM_JOINT_CONSTRAINTS];
+        if (w->state.slot[i].mode != PM_CAPTURED) continue;
+        const int n = pm_capture_rows(w, i, row);
+        for (int k = 0; k < n; k++) {
+            const int status = append(w, &row[k], nbasis, &w->slot_held[PM_JOINT_CONSTRAINTS * i + k]);
+            if (status) return status;
+        }
+    }
+    return PM_OK;
+}
+
+static int slides(int mode) { return mode == PM_SLIDE_FORWARD || mode == PM_SLIDE_BACKWARD; }
+
+static double slide_factor(const pm_workspace *w, int contact, int mode)
+{
+    const double mu = pm_contact_kinetic(w, contact);
+    return mode == PM_SLIDE_FORWARD ? -mu : mu; /* friction opposes the slip */
+}
+
+static int append_normals(pm_workspace *w, int *nbasis)
+{
+    const pm_slot *slot = w->state.slot;
+    for (int i = 0; i < w->model->nslot; i++) {
+        pm_constraint normal;
+        if (slot[i].mode == PM_OPEN || slot[i].mode == PM_CAPTURED) continue;
+        const int contact = pm_contact_of_slot(w->model, i);
+        pm_contact_constraint_normal(w, contact, i, slot[i].member, &normal);
+        if (slides(slot[i].mode)) normal.slide = slide_factor(w, contact, slot[i].mode);
+        w->asymmetric |= normal.slide != 0;
+        const int status = append(w, &normal, nbasis, &w->slot_normal[i]);
+        if (status) return status;
+    }
+    return PM_OK;
+}
+
+/* After all normals, of contacts that do not slip. */
+static int append_tangents(pm_workspace *w, int *nbasis)
+{
+    const pm_slot *slot = w->state.slot;
+    for (int i = 0; i < w->model->nslot; i++) {
+        pm_constraint normal, tangent;
+        if (slot[i].mode != PM_STICK) continue;
+        const int contact = pm_contact_of_slot(w->model, i), active = w->slot_normal[i];
+        if (active == PM_NONE)
+            pm_contact_constraint_both(w, contact, i, slot[i].member, &normal, &tangent);
+        else
+            pm_contact_constraint_tangent(w, contact, &w->row[active], &tangent);
+        const int status = append(w, &tangent, nbasis, &w->slot_tangent[i]);
+        if (status) return status;
+    }
+    return PM_OK;
+}
+
+/* Frictions of joints that hold. */
+static int append_grips(pm_workspace *w, int *nbasis)
+{
+    for (int i = 0; i < w->model->ngrip; i++) {
+        pm_constraint row;
+        if (w->state.grip[i] != PM_STICK) continue;
+        pm_joint_friction_row(w, i, &row);
+        const int status = append(w, &row, nbasis, &w->grip_row[i]);
+        if (status) return status;
+    }
+    return PM_OK;
+}
+
+/* Tangents that sliding normals carry stand behind the active rows; an entry without a normal ends them. */
+static void append_carried(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    int n = w->nactive;
+    for (int i = 0; i < m->nslot && w->asymmetric; i++) {
+        const int mode = w->state.slot[i].mode;
+        if (!slides(mode) || w->slot_normal[i] == PM_NONE) continue;
+        pm_constraint normal, tangent;
+        pm_contact_constraint_both(w, pm_contact_of_slot(m, i), i, w->state.slot[i].member, &normal,
+                                   &tangent);
+        tangent.normal = w->slot_normal[i];
+        w->row[n++] = tangent;
+    }
+    w->row[n].normal = PM_NONE;
+}
+
+static int append_all(pm_workspace *w, int *nbasis)
+{
+    pm_active_set_clear(w);
+    int status = append_joints(w, nbasis);
+    if (!status) status = append_captured(w, nbasis);
+    if (!status) status = append_normals(w, nbasis);
+    if (!status) status = append_tangents(w, nbasis);
+    if (!status) status = append_grips(w, nbasis);
+    return status;
+}
+
+/* A basis is dear: it is made only where rows that depend on each other are in sight. */
+int pm_active_set_build(pm_workspace *w)
+{
+    int nbasis = 0;
+    w->rows_here = 0;
+    if (pm_solve_cache_is_built(w)) return PM_OK;
+    int status = append_all(w, NULL);
+    for (int i = 0; i < w->nactive && !status; i++)
+        pm_constraint_kind(w->row[i].kind)->evaluate(w, &w->row[i]);
+    const int clear = !status && (w->nactive == 0 || pm_saddle_independence(w) > CLEARLY);
+    if (!status && !clear) status = append_all(w, &nbasis);
+    if (!status) append_carried(w);
+    w->rows_here = clear && !w->asymmetric;
+    if (!status) pm_solve_cache_built(w);
+    return status;
+}
+
+void pm_active_set_carry(pm_workspace *w, int slot, double ratio)
+{
+    pm_solve_cache_drop_rows(w);
+    w->row[w->slot_normal[slot]].slide = ratio;
+    w->asymmetric = 1;
+    append_carried(w);
+}
+
+static void remember(const pm_workspace *w, pm_state *s, const pm_constraint *row, int anchor_too)
+{
+    if (row->memory == PM_NONE || !pm_constraint_kind(row->kind)->remember) return;
+    pm_constraint_kind(row->kind)->remember(w, row, &s->memory[row->memory], anchor_too);
+}
+
+void pm_active_set_anchor(pm_workspace *w, pm_state *s, int slot)
+{
+    pm_constraint normal, tangent;
+    const int contact = pm_contact_of_slot(w->model, slot);
+    if (pm_contact_is_cord(w->model, contact)) return; /* its length stays */
+    if (s->slot[slot].mode == PM_CAPTURED) {
+        pm_capture_keep(w, s, slot);
+        return;
+    }
+    pm_contact_constraint_both(w, contact, slot, s->slot[slot].member, &normal, &tangent);
+    remember(w, s, &tangent, 1);
+}
+
+void pm_active_set_anchor_joint(pm_workspace *w, pm_state *s, int joint)
+{
+    pm_constraint row[PM_JOINT_CONSTRAINTS];
+    if (pm_joint_of(w->model, joint)->memories == 0) return;
+    const int n = pm_joint_constraints(w, joint, row);
+    for (int k = 0; k < n; k++) remember(w, s, &row[k], 1);
+}
+
+/* Measures the cords: as drawn, and what they are slack. */
+static void anchor_cords(pm_workspace *w, pm_state *s)
+{
+    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
+        if (!pm_contact_is_cord(w->model, i)) continue;
+        pm_constraint strand, unused;
+        pm_contact_constraint_both(w, i, w->model->contact_slot[i], 0, &strand, &unused);
+        remember(w, s, &strand, 1);
+        s->memory[strand.memory].anchor += w->value[PM_CONTACT_ROW_OF(w->model, i)[PM_CONTACT_SLACK]];
+    }
+}
+
+void pm_active_set_anchor_start(pm_workspace *w, pm_state *s)
+{
+    for (int i = 0; i < w->model->rows[PM_TABLE_JOINT]; i++) pm_active_set_anchor_joint(w, s, i);
+    anchor_cords(w, s);
+}
+
+/* Slack cords are no active rows, and yet their strands turn. */
+static void follow_slack_cords(pm_workspace *w, pm_state *s)
+{
+    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
+        const int slot = w->model->contact_slot[i];
+        if (!pm_contact_is_cord(w->model, i) || s->slot[slot].mode != PM_OPEN) continue;
+        pm_constraint strand, unused;
+        pm_contact_constraint_both(w, i, slot, 0, &strand, &unused);
+        remember(w, s, &strand, 0);
+    }
+}
+
+void pm_active_set_follow(pm_workspace *w, pm_state *s)
+{
+    for (int i = 0; i < w->nactive; i++) remember(w, s, &w->row[i], 0);
+    follow_slack_cords(w, s);
+}

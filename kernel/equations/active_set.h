@@ -1,0 +1,23 @@
+/* active_set.h - which rows hold now: independent rows of joints and captured pairs, normals of closed contacts, tangents of
+ * sticking ones. */
+#ifndef PM_ACTIVE_SET_H
+#define PM_ACTIVE_SET_H
+
+#include "state/model.h"
+
+/* Fills w->row from the joints and the modes of the slots in w->state; the frame must look at w->state. */
+int pm_active_set_build(pm_workspace *w);
+/* The normal of a sliding slot carries its tangent with this ratio of impulses, whatever its law says. */
+void pm_active_set_carry(pm_workspace *w, int slot, double ratio);
+/* Anchors the no-slip rows of slot (just closed, stuck or captured) at the frame. */
+void pm_active_set_anchor(pm_workspace *w, pm_state *s, int slot);
+/* Anchors the rows with memory of a joint at the frame. */
+void pm_active_set_anchor_joint(pm_workspace *w, pm_state *s, int joint);
+/* Anchors all joints with memory at the frame and measures the cords (once, after the assembly). */
+void pm_active_set_anchor_start(pm_workspace *w, pm_state *s);
+/* After an accepted step: unwrapped directions follow. */
+void pm_active_set_follow(pm_workspace *w, pm_state *s);
+/* Zeroes the list (all rows of a slot PM_NONE). */
+void pm_active_set_clear(pm_workspace *w);
+
+#endif

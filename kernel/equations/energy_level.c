@@ -1,0 +1,79 @@
+/* energy_level.c - motion without losses keeps its energy:  T + V = T_0 + V_0  (17.12).
+ *
+ * Where forces have potentials, nothing is driven and nothing slides with friction, no integrator needs to let the energy
+ * drift: a wrong energy is a wrong rate of the whole motion, whose error grows with the square of the time.  After a step
+ * velocities are multiplied by
+ *     s = sqrt((E - V) / T),
+ * the least correction in the metric of M that has the energy E (projection: Hairer, Lubich, Wanner, Geometric Numerical
+ * Integration, IV.4); rows that prescribe no rate hold for any multiple.  Near a turning point velocities say little of
+ * the energy, and nothing is corrected: the level stays, so that a later step makes up for it.
+ *
+ * What the corrections return would have drifted off: it remains the evidence of the energy ledger (ledger.c). */
+#include "equations/energy_level.h"
+
+#include <math.h>
+
+#include "elements/force.h"
+#include "elements/joint_friction.h"
+#include "elements/turning_plane.h"
+#include "state/frame.h"
+
+#define SHARE 0.1      /* of the greatest kinetic energy of the phase: below it velocities are left alone */
+#define MOST 0.01      /* of the kinetic energy: so much is not a drift */
+#define ROUNDING 2e-15 /* of the terms of the energy: below it nothing is known to be wrong */
+
+static int only_potentials(const pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++)
+        if (m->force_z[i] != PM_NONE && !pm_state_is_absent(m, &w->state, PM_TABLE_FORCE, i)) return 0;
+    return 1;
+}
+
+static int drives_nothing(const pm_workspace *w)
+{
+    for (int i = 0; i < w->nactive; i++)
+        if (w->row[i].drive != PM_NONE) return 0;
+    return 1;
+}
+
+static double potential(pm_workspace *w) { return pm_body_weight_energy(w) + pm_force_potential(w); }
+
+/* Of weights and springs, each for itself: far from the origin they are great and cancel in what moves. */
+static double size_of_terms(pm_workspace *w)
+{
+    double sum = 0;
+    for (int i = 0; i < w->model->nbody; i++)
+        sum += w->mass[i] *
+               (fabs(w->gravity[0] * w->frame.pose[5 * i]) + fabs(w->gravity[1] * w->frame.pose[5 * i + 1]));
+    return sum + fabs(pm_force_potential(w));
+}
+
+void pm_energy_level_begin(pm_workspace *w, pm_energy_level_level *level)
+{
+    if (w->count[PM_COUNT_STEPS] == 0) level->returned = 0;
+    level->kept = !w->asymmetric && !w->massless && !pm_turning_plane_turns(w->model) &&
+                  !pm_joint_friction_any(w->model) && only_potentials(w) && drives_nothing(w);
+    if (!level->kept) return;
+    level->kinetic = pm_body_kinetic(w, PM_NONE);
+    level->energy = level->kinetic + potential(w);
+}
+
+double pm_energy_level_factor(pm_workspace *w, const pm_energy_level_level *level, double *gained)
+{
+    const double kinetic = pm_body_kinetic(w, PM_NONE);
+    *gained = 0;
+    if (!level->kept || !(kinetic > SHARE * level->kinetic)) return 1;
+    const double missing = level->energy - potential(w) - kinetic;
+    if (!(fabs(missing) > ROUNDING * (kinetic + size_of_terms(w)) && fabs(missing) < MOST * kinetic))
+        return 1;
+    *gained = missing;
+    return sqrt(1 + missing / kinetic);
+}
+
+void pm_energy_level_note(pm_workspace *w, pm_energy_level_level *level, double gained)
+{
+    level->kinetic = fmax(level->kinetic, pm_body_kinetic(w, PM_NONE));
+    level->returned += gained;
+    w->evidence = fmax(w->evidence, fabs(level->returned) / fmax(w->energy_scale, level->kinetic));
+}

@@ -1,0 +1,359 @@
+/* fixed_bodies.c - bodies that joints hold still for good.
+ *
+ * Let S be bodies, G the rows of joints between them, the ground and bodies that stand still already.  Where G v = 0 has
+ * no other solution than v = 0, these bodies stand still whatever acts on them and whatever moves beside them: the rows do
+ * not depend on the time, so that the place at which they hold stays the same, and with it G.  Then they are ground:
+ * their rows say nothing of what moves, and what they carry is nobody's work.  The sets that are tried, again and again
+ * from what stands still already:
+ *   - a body alone: welded, or held by three rows,
+ *   - two that are joined: a triangle on the ground, and whatever is built up of such,
+ *   - all that hang together, if they are few.
+ * Which of them can hold at all is told by the scene alone, once: where even as many independent rows as there are would
+ * not do, no case is searched.
+ * Rows that depend on each other hold as the same ones without the surplus; a set whose rows nearly do not hold is left
+ * to the equations of motion.  So is what cannot be taken for ground: rows that are driven, added or removed; both bodies of a
+ * joint of which a reaction is asked, or that has friction, and of a contact; bodies that a blow is given to. */
+#include "equations/fixed_bodies.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "elements/joint.h"
+#include "elements/joint_friction.h"
+#include "elements/measure.h"
+#include "equations/active_set.h"
+#include "equations/solve_cache.h"
+#include "scene/program_class.h"
+#include "scene/reference.h"
+#include "state/frame.h"
+
+#define FEW 6        /* bodies of a set at most */
+#define CLEARLY 1e-3 /* independent part of each row that is counted, in the metric of the masses */
+enum { WIDE = 3 * FEW };
+
+/* ---- what must move, and what is told ---- */
+static int body_of(const pm_model *m, int of, int index)
+{
+    if (of == PM_TABLE_LINE) return body_of(m, PM_TABLE_POINT, PM_LINE_ROW(m, index)[PM_LINE_POINT]);
+    if (of == PM_TABLE_CIRCLE) return body_of(m, PM_TABLE_POINT, PM_CIRCLE_ROW(m, index)[PM_CIRCLE_POINT]);
+    if (of == PM_TABLE_ROW) return body_of(m, PM_TABLE_POINT, PM_ROW_ROW(m, index)[PM_ROW_POINT]);
+    return of == PM_TABLE_POINT ? PM_POINT_ROW(m, index)[PM_POINT_BODY] : index;
+}
+
+/* All bodies that a row of a table refers to move. */
+static void let_move(pm_workspace *w, int table, int row)
+{
+    const pm_model *m = w->model;
+    const int32_t *e = pm_table_row(m, table, row, pm_table_columns[table]);
+    pm_reference ref[PM_REFERENCES];
+    const int n = pm_reference_of(m, table, e, ref);
+    for (int k = 0; k < n; k++) {
+        if (ref[k].of < PM_TABLE_BODY || ref[k].of > PM_TABLE_ROW) continue;
+        const int body = body_of(m, ref[k].of, e[ref[k].column]);
+        if (body >= 0) w->still->moves[body] = 1;
+    }
+}
+
+/* The joints of which a program reads a reaction. */
+static void tell_read(pm_workspace *w, int program)
+{
+    const pm_model *m = w->model;
+    int length;
+    const int32_t *code = pm_program_code(m, program, &length);
+    for (int i = 0; i < length; i++, code += PM_CODE_COLUMNS) {
+        if (code[PM_CODE_OP] != PM_OP_MEASURE) continue;
+        const int32_t *e = PM_MEASURE_ROW(m, code[PM_CODE_ARG]);
+        if (pm_measure_of(e[PM_MEASURE_KIND]) == PM_TABLE_JOINT) w->still->told[e[PM_MEASURE_A]] = 1;
+    }
+}
+
+/* What is asked or watched, or acts; the columns of a history, which no table refers to, do not count. */
+static void tell_asked(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    for (int table = PM_TABLE_BODY; table < PM_TABLES; table++)
+        for (int i = 0; i < m->rows[table]; i++) {
+            pm_reference ref[PM_REFERENCES];
+            const int32_t *e = pm_table_row(m, table, i, pm_table_columns[table]);
+            const int n = pm_reference_of(m, table, e, ref);
+            for (int k = 0; k < n; k++)
+                if (ref[k].of == PM_TABLE_PROGRAM) tell_read(w, e[ref[k].column]);
+        }
+}
+
+static void tell_others(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    for (int i = 0; i < m->rows[PM_TABLE_ACTION]; i++)
+        if (PM_ACTION_ROW(m, i)[PM_ACTION_KIND] > PM_ACTION_REMOVE) let_move(w, PM_TABLE_ACTION, i);
+    for (int k = 0; k < m->ngrip; k++) w->still->told[pm_joint_friction_joint(m, k)] = 1;
+    for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++)
+        if (pm_joint_of(m, i)->programs > 0) w->still->told[i] = 1;
+}
+
+void pm_fixed_bodies_free(pm_workspace *w)
+{
+    if (w->still) free(w->still->block);
+    free(w->still);
+    w->still = NULL;
+}
+
+void pm_fixed_bodies_begin(pm_workspace *w)
+{
+    w->still->n = 0;
+    memset(w->still->body, 0, (size_t)w->model->nbody);
+    w->still->body[w->model->nbody] = 1;
+}
+
+int pm_fixed_bodies_row(const pm_workspace *w, const pm_constraint *row)
+{
+    return w->still->body[row->body[0]] && w->still->body[row->body[1]];
+}
+
+/* ---- which bodies ---- */
+static int is_changed(const pm_model *m, int joint)
+{
+    for (int i = 0; i < m->rows[PM_TABLE_ACTION]; i++) {
+        const int32_t *e = PM_ACTION_ROW(m, i);
+        if (e[PM_ACTION_KIND] <= PM_ACTION_REMOVE && e[PM_ACTION_TABLE] == PM_TABLE_JOINT &&
+            e[PM_ACTION_A] == joint)
+            return 1;
+    }
+    return 0;
+}
+
+/* The rows of the joints that stay in w->row, evaluated unless they are only counted, and those of each body. */
+static int list_rows(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    pm_fixed_bodies *x = w->still;
+    int n = 0;
+    for (int i = 0; i < m->nbody; i++) x->first[i] = PM_NONE;
+    for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
+        pm_constraint rows[PM_JOINT_CONSTRAINTS];
+        if (is_changed(m, i) || pm_joint_of(m, i)->programs > 0) continue;
+        const int of_joint = pm_joint_constraints(w, i, rows);
+        for (int k = 0; k < of_joint; k++, n++) {
+            w->row[n] = rows[k];
+            if (!x->counts) pm_constraint_kind(rows[k].kind)->evaluate(w, &w->row[n]);
+            for (int side = 0; side < 2; side++) {
+                const int body = rows[k].body[side];
+                if (body == m->nbody) continue;
+                x->next[2 * n + side] = x->first[body];
+                x->first[body] = 2 * n + side;
+            }
+        }
+    }
+    return n;
+}
+
+/* Bodies that are tried together, and the rows that hold them so far. */
+typedef struct pm_group {
+    int body[FEW], n;
+    int freedom, rank;
+    double basis[WIDE][WIDE];
+} pm_group;
+
+static int place_in(const pm_group *g, int body)
+{
+    for (int i = 0; i < g->n; i++)
+        if (g->body[i] == body) return i;
+    return PM_NONE;
+}
+
+static void join(const pm_workspace *w, pm_group *g, int body)
+{
+    g->body[g->n++] = body;
+    g->freedom += PM_BODY_ROW(w->model, body)[PM_BODY_TURNS] ? 3 : 2;
+}
+
+/* Counts a row if it is clearly independent of those before it (modified Gram-Schmidt, each taken off twice). */
+static void add_row(const pm_workspace *w, pm_group *g, const pm_constraint *row)
+{
+    double *x = g->basis[g->rank], all = 0, left = 0;
+    const int wide = 3 * g->n;
+    for (int c = 0; c < wide; c++) x[c] = 0;
+    for (int side = 0; side < 2; side++) {
+        const int at = place_in(g, row->body[side]);
+        for (int k = 0; k < 3 && at != PM_NONE; k++)
+            x[3 * at + k] += row->j[3 * side + k] * w->inverse_root[3 * row->body[side] + k];
+    }
+    for (int c = 0; c < wide; c++) all += x[c] * x[c];
+    for (int b = 0; b < 2 * g->rank; b++) {
+        const double *e = g->basis[b % g->rank];
+        double along = 0;
+        for (int c = 0; c < wide; c++) along += e[c] * x[c];
+        for (int c = 0; c < wide; c++) x[c] -= along * e[c];
+    }
+    for (int c = 0; c < wide; c++) left += x[c] * x[c];
+    if (!(left > CLEARLY * CLEARLY * all)) return;
+    for (int c = 0; c < wide; c++) x[c] /= sqrt(left);
+    g->rank++;
+}
+
+/* Whether rows between these bodies, and to what stands still, hold them; then they stand still, too. */
+static int holds(pm_workspace *w, pm_group *g)
+{
+    pm_fixed_bodies *x = w->still;
+    for (int i = 0; i < g->n; i++)
+        for (int at = x->first[g->body[i]]; at != PM_NONE && g->rank < g->freedom; at = x->next[at]) {
+            const pm_constraint *row = &w->row[at / 2];
+            const int other = row->body[1 - at % 2], place = place_in(g, other);
+            if (!x->body[other] && place <= i) continue;
+            if (x->counts)
+                g->rank++;
+            else
+                add_row(w, g, row);
+        }
+    if (g->rank < g->freedom) return 0;
+    for (int i = 0; i < g->n; i++) x->body[g->body[i]] = 1;
+    x->n += g->n;
+    return 1;
+}
+
+static int must_move(const pm_fixed_bodies *x, int body) { return x->moves[body] || x->left[body]; }
+
+static int may_stand(const pm_fixed_bodies *x, int body) { return !x->body[body] && !must_move(x, body); }
+
+/* A body alone. */
+static int try_one(pm_workspace *w, int body)
+{
+    pm_group g = {.n = 0};
+    if (!may_stand(w->still, body)) return 0;
+    join(w, &g, body);
+    return holds(w, &g);
+}
+
+/* The two bodies of a row. */
+static int try_two(pm_workspace *w, const pm_constraint *row)
+{
+    pm_group g = {.n = 0};
+    for (int side = 0; side < 2; side++) {
+        if (!may_stand(w->still, row->body[side])) return 0;
+        join(w, &g, row->body[side]);
+    }
+    return holds(w, &g);
+}
+
+/* All that hang together with a body, if they are few. */
+static int try_all(pm_workspace *w, int body)
+{
+    pm_fixed_bodies *x = w->still;
+    pm_group g = {.n = 0};
+    if (!may_stand(x, body)) return 0;
+    join(w, &g, body);
+    for (int i = 0; i < g.n; i++)
+        for (int at = x->first[g.body[i]]; at != PM_NONE; at = x->next[at]) {
+            const int other = w->row[at / 2].body[1 - at % 2];
+            if (x->body[other] || place_in(&g, other) != PM_NONE) continue;
+            if (must_move(x, other) || g.n == FEW) return 0;
+            join(w, &g, other);
+        }
+    return holds(w, &g);
+}
+
+static void find(pm_workspace *w)
+{
+    const int nbody = w->model->nbody, nrow = list_rows(w);
+    for (int more = 1; more;) {
+        more = 0;
+        for (int i = 0; i < nbody; i++) more |= try_one(w, i);
+        for (int i = 0; i < nrow; i++) more |= try_two(w, &w->row[i]);
+        for (int i = 0; i < nbody; i++) more |= try_all(w, i);
+    }
+}
+
+/* ---- once a scene ---- */
+/* What stands still if every row holds something of its own: no case holds more. */
+static void find_possible(pm_workspace *w)
+{
+    pm_fixed_bodies *x = w->still;
+    pm_fixed_bodies_begin(w);
+    x->counts = 1;
+    find(w);
+    x->counts = 0;
+    x->possible = x->n > 0;
+}
+
+int pm_fixed_bodies_create(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    const size_t nbody = (size_t)m->nbody, nrow = (size_t)m->njoint_row,
+                 njoint = (size_t)m->rows[PM_TABLE_JOINT];
+    pm_fixed_bodies *x = w->still = calloc(1, sizeof *x);
+    if (!x) return PM_NO_MEMORY;
+    x->block = calloc(1, (nbody + 2 * nrow) * sizeof(int) + 3 * nbody + njoint + 1);
+    if (!x->block) return PM_NO_MEMORY;
+    x->first = x->block;
+    x->next = x->first + nbody;
+    x->moves = (unsigned char *)(x->next + 2 * nrow);
+    x->left = x->moves + nbody;
+    x->body = x->left + nbody;
+    x->told = x->body + nbody + 1;
+    tell_asked(w);
+    tell_others(w);
+    find_possible(w);
+    pm_fixed_bodies_begin(w);
+    return PM_OK;
+}
+
+/* ---- once a case ---- */
+/* Both bodies of a row that stand still are left to the equations of motion. */
+static int let_go(pm_workspace *w, const pm_constraint *row)
+{
+    int any = 0;
+    if (!pm_fixed_bodies_row(w, row)) return 0;
+    for (int side = 0; side < 2; side++) {
+        const int body = row->body[side];
+        if (body == w->model->nbody || must_move(w->still, body)) continue;
+        w->still->left[body] = 1;
+        any = 1;
+    }
+    return any;
+}
+
+/* Of contacts, and of joints of which something is to be told, the equations must know. */
+static int let_told_move(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    int any = 0;
+    for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
+        pm_constraint normal, tangent;
+        pm_contact_constraint_both(w, i, m->contact_slot[i], 0, &normal, &tangent);
+        any |= let_go(w, &normal);
+    }
+    for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
+        pm_constraint row[PM_JOINT_CONSTRAINTS];
+        if (w->still->told[i] && pm_joint_constraints_of_any(w, i, row) > 0) any |= let_go(w, &row[0]);
+    }
+    return any;
+}
+
+static void stop(pm_workspace *w)
+{
+    w->massless = 0;
+    pm_solve_cache_drop_factors(w); /* they are of other masses */
+    for (int i = 0; i < w->model->nq; i++) {
+        if (w->still->body[i / 3]) {
+            w->inverse_mass[i] = w->inverse_root[i] = w->stand_in[i] = 0;
+            w->state.v[i] = w->start.v[i] = w->frame.a[i] = w->frame.velocity[i] = 0;
+        }
+        w->massless |= w->stand_in[i] > 0;
+    }
+}
+
+void pm_fixed_bodies_find(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    if (!w->still->wanted || !w->still->possible || w->trace || m->rows[PM_TABLE_SPIN] > 0) return;
+    memset(w->still->left, 0, (size_t)m->nbody);
+    pm_frame_look_state(w, &w->state);
+    do {
+        pm_fixed_bodies_begin(w);
+        find(w);
+    } while (w->still->n > 0 && let_told_move(w));
+    pm_active_set_clear(w);
+    if (w->still->n > 0) stop(w);
+    pm_frame_look_state(w, &w->state);
+}

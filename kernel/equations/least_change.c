@@ -1,0 +1,123 @@
+/* least_change.c - equations one after the other, the first of many as one block. */
+#include "equations/least_change.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "elements/constraint.h"
+#include "equations/saddle.h"
+
+#define MANY 24 /* rows of joints: fewer are as quick in the basis, and dependent ones are told sharply */
+#define CLEARLY 1e-3 /* independent part of every row of a block */
+#define PASSES 2     /* with the factors: the second takes off what rounding left of the first */
+
+static double norm_of(const pm_workspace *w, const double *row)
+{
+    double sum = 0;
+    for (int i = 0; i < w->model->nq; i++) sum += row[i] * row[i] * w->inverse_mass[i];
+    return sqrt(sum);
+}
+
+/* Adds a row, times a factor, to a dense one. */
+static void add_sparse(const pm_workspace *w, const pm_constraint *row, double factor, double *dense)
+{
+    for (int p = 0; p < 2; p++)
+        for (int k = 0; k < 3 && row->body[p] != w->model->nbody; k++)
+            dense[3 * row->body[p] + k] += factor * row->j[3 * p + k];
+}
+
+static void spread_row(const pm_workspace *w, const pm_constraint *row, double *dense)
+{
+    memset(dense, 0, (size_t)w->model->nq * sizeof *dense);
+    add_sparse(w, row, 1, dense);
+}
+
+/* G M^-1 d of one row of the block. */
+static double along(const pm_workspace *w, const pm_constraint *row, const double *d)
+{
+    double sum = 0;
+    for (int p = 0; p < 2; p++)
+        for (int k = 0; k < 3 && row->body[p] != w->model->nbody; k++)
+            sum += row->j[3 * p + k] * w->inverse_mass[3 * row->body[p] + k] * d[3 * row->body[p] + k];
+    return sum;
+}
+
+int pm_least_change_add(pm_workspace *w, const pm_least_change *s, const double *row,
+                        pm_orthonormal_rest *rest)
+{
+    if (!s->block) return pm_orthonormal_rows_add_dense(w, s->n, row, rest);
+    memcpy(s->across, row, (size_t)w->model->nq * sizeof *row);
+    for (int pass = 0; pass < PASSES; pass++) {
+        for (int i = 0; i < w->nactive; i++) w->rhs[i] = -along(w, &w->row[i], s->across);
+        pm_saddle_solve(w);
+        for (int i = 0; i < w->nactive; i++) add_sparse(w, &w->row[i], w->rhs[i], s->across);
+    }
+    const double all = norm_of(w, row), part = norm_of(w, s->across);
+    *rest = (pm_orthonormal_rest){0, all};
+    if (!(part > PM_INDEPENDENT * all)) return s->n;
+    const int n = pm_orthonormal_rows_add_dense(w, s->n, s->across, rest);
+    rest->left *= rest->norm / all;
+    rest->norm = all;
+    return n;
+}
+
+int pm_least_change_block(pm_workspace *w, pm_least_change *s, int level)
+{
+    const pm_model *m = w->model;
+    if (m->njoint_row < MANY) return 0;
+    w->nactive = 0;
+    for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
+        pm_constraint rows[PM_JOINT_CONSTRAINTS];
+        const int n = pm_joint_constraints(w, w->joint_order[i], rows);
+        for (int k = 0; k < n; k++) {
+            if (level == PM_START_POSITION && rows[k].memory != PM_NONE) continue;
+            pm_constraint *row = &w->row[w->nactive];
+            *row = rows[k];
+            pm_constraint_kind(row->kind)->evaluate(w, row);
+            w->wanted[w->nactive++] = level == PM_START_POSITION ? -row->g : row->rate;
+        }
+    }
+    if (w->nactive < MANY || !(pm_saddle_independence(w) > CLEARLY)) return 0;
+    for (int pass = 0; pass < PASSES; pass++) {
+        for (int i = 0; i < w->nactive; i++) w->rhs[i] = w->wanted[i] - pm_saddle_times(w, &w->row[i], s->x);
+        pm_saddle_solve(w);
+        pm_saddle_spread(w, 0, s->x);
+    }
+    s->block = w->nactive;
+    return 1;
+}
+
+/* A row of which the solution misses so much has been added to the basis, which has n rows now; 1 if it is a new one. */
+static int meet(const pm_workspace *w, pm_least_change *s, int n, const pm_orthonormal_rest *rest,
+                double *miss)
+{
+    if (n == s->n) return 0;
+    const double *e = w->basis + (size_t)s->n * (size_t)w->model->nq,
+                 component = *miss / (rest->left * rest->norm);
+    const int *range = w->basis_range + 2 * s->n;
+    for (int i = range[0]; i < range[1]; i++) s->x[i] += component * e[i] * w->inverse_root[i];
+    s->n = n;
+    *miss = 0;
+    return 1;
+}
+
+int pm_least_change_take(pm_workspace *w, pm_least_change *s, const double *row, double rhs, double *miss)
+{
+    pm_orthonormal_rest rest;
+    double now = 0;
+    for (int i = 0; i < w->model->nq; i++) now += row[i] * s->x[i];
+    *miss = rhs - now;
+    return meet(w, s, pm_least_change_add(w, s, row, &rest), &rest, miss);
+}
+
+int pm_least_change_take_row(pm_workspace *w, pm_least_change *s, const pm_constraint *row, double rhs,
+                             double *dense, double *miss)
+{
+    pm_orthonormal_rest rest;
+    if (s->block) {
+        spread_row(w, row, dense);
+        return pm_least_change_take(w, s, dense, rhs, miss);
+    }
+    *miss = rhs - pm_saddle_times(w, row, s->x);
+    return meet(w, s, pm_orthonormal_rows_add(w, s->n, row->j, row->body, &rest), &rest, miss);
+}

@@ -1,0 +1,278 @@
+/* ledger.c - two ledgers that the routes do not use.
+ *
+ * Work and energy:      T1 + V1 + (work of forces without potential, friction, drives) - (losses of blows) = T2 + V2
+ *                                                                                                             (17.11)
+ * Impulse and momentum: momenta1 + impulses of the outer world = momenta2, about the origin                   (17.14)
+ * Outer impulses are taken from points and directions of the forces (row.act), never from the Jacobian; the energy of
+ * a blow from sum P (u + u')/2 with the touching points' own velocities.  A wrong sign in a Jacobian opens a ledger. */
+#include "equations/ledger.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "elements/constraint.h"
+#include "elements/contact.h"
+#include "elements/force.h"
+#include "elements/turning_plane.h"
+#include "equations/fixed_bodies.h"
+#include "equations/projection.h"
+#include "equations/saddle.h"
+#include "equations/solve_cache.h"
+#include "events/ask.h"
+#include "state/frame.h"
+
+#define POSITION_ROUNDING 5e-16 /* of how far bodies are from the origin */
+#define SPIN_ROUNDING \
+    1e-14 /* of the energy of a spin, which may be much more than that of the motion in its plane */
+#define LEAST_BOUND 1e-7 /* relative residual above which a run is not trusted, at the tightest tolerance */
+#define BOUND_FACTOR 1e4 /* times the tolerance of integration, if that is more */
+#define SLOWEST \
+    1e-3 /* of the scene's speed: motion below it is not judged by itself; a scene at rest has rounding only */
+
+static int friction_z(const pm_model *m) { return m->nz_controlled; }
+int pm_ledger_ledger(const pm_model *m) { return m->nz_controlled + 1; }
+
+static void add_outer(double *impulse, const double at[2], const double force[2], double couple, double sign)
+{
+    impulse[0] += sign * force[0];
+    impulse[1] += sign * force[1];
+    impulse[2] += sign * (couple + at[0] * force[1] - at[1] * force[0]);
+}
+
+/* What a row gives the scene from outside by a reaction (or an impulse) of that size. */
+static void add_row(const pm_workspace *w, const pm_constraint *row, double size, double *impulse)
+{
+    if (pm_constraint_is_inner(w, row)) return;
+    const int on_a = !w->still->body[row->body[0]], on_b = !w->still->body[row->body[1]];
+    pm_line_of_action x;
+    pm_constraint_kind(row->kind)->act(w, row, &x);
+    const double sign = size * (on_a - on_b);
+    const double force[2] = {sign * x.direction[0], sign * x.direction[1]};
+    add_outer(impulse, x.at, force, size * (on_a * x.couple[0] + on_b * x.couple[1]), 1);
+}
+
+/* Forces (or impulses) of the rows on the scene from outside. */
+static void add_rows(const pm_workspace *w, const double *size, double *impulse)
+{
+    for (int i = 0; i < w->nactive; i++) add_row(w, &w->row[i], size[i], impulse);
+    if (!w->asymmetric) return;
+    for (int i = w->nactive; w->row[i].normal != PM_NONE; i++) { /* sliding friction */
+        const int normal = w->row[i].normal;
+        add_row(w, &w->row[i], w->row[normal].slide * size[normal], impulse);
+    }
+}
+
+/* What drives put in through their rows, by the rates that they prescribe. */
+static double drive_power(const pm_workspace *w, const double *size)
+{
+    double sum = 0;
+    for (int i = 0; i < w->nactive; i++) sum += size[i] * w->row[i].rate;
+    return sum;
+}
+
+static double friction_power(pm_workspace *w, const double *size)
+{
+    double sum = 0;
+    if (!w->asymmetric) return 0;
+    for (int i = w->nactive; w->row[i].normal != PM_NONE; i++) {
+        const pm_constraint *normal = &w->row[w->row[i].normal];
+        sum += normal->slide * size[w->row[i].normal] * pm_constraint_rate(w, &w->row[i]);
+    }
+    return sum;
+}
+
+void pm_ledger_controlled_rates(pm_workspace *w, double *zdot)
+{
+    const pm_model *m = w->model;
+    if (m->nz_controlled == 0) return;
+    for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++)
+        if (m->force_z[i] != PM_NONE) zdot[m->force_z[i]] = w->frame.power[i];
+    for (int i = 0; i < m->npath; i++) {
+        const pm_point p = pm_frame_point_of(w, PM_MEASURE_ROW(m, m->path[i])[PM_MEASURE_A]);
+        zdot[m->nz_work + i] = hypot(p.v[0], p.v[1]);
+    }
+    pm_turning_plane_rates(w, zdot);
+}
+
+double pm_ledger_controlled_scale(const pm_workspace *w, int z)
+{
+    const double spin = pm_turning_plane_scale(w, z);
+    double mass = 0;
+    if (spin > 0) return spin;
+    if (z >= w->model->nz_work) return w->size;
+    for (int i = 0; i < w->model->nbody; i++) mass += w->mass[i];
+    return mass * w->speed * w->speed;
+}
+
+void pm_ledger_rates(pm_workspace *w, double *zdot)
+{
+    const pm_model *m = w->model;
+    pm_ledger_controlled_rates(w, zdot);
+    zdot[friction_z(m)] =
+        friction_power(w, w->frame.lambda) + drive_power(w, w->frame.lambda) + pm_turning_plane_power(w);
+    double *outer = zdot + pm_ledger_ledger(m);
+    pm_turning_plane_outer(w, outer);
+    for (int i = 0; i < m->nbody; i++) {
+        if (w->still->body[i]) continue;
+        const double force[2] = {w->mass[i] * w->gravity[0], w->mass[i] * w->gravity[1]};
+        add_outer(outer, w->frame.pose + 5 * i, force, 0, 1);
+    }
+    for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++) {
+        const pm_action x = pm_force_action(w, i);
+        if (!w->still->body[x.body_a]) add_outer(outer, x.at_a, x.force, x.couple, 1);
+        if (!w->still->body[x.body_b]) add_outer(outer, x.at_b, x.force, x.couple, -1);
+    }
+    add_rows(w, w->frame.lambda, outer);
+}
+
+static double energy(pm_workspace *w)
+{
+    return pm_body_kinetic(w, PM_NONE) + pm_turning_plane_kinetic(w, PM_NONE) + pm_body_weight_energy(w) +
+           pm_force_potential(w);
+}
+
+void pm_ledger_begin(pm_workspace *w)
+{
+    pm_frame_look_state(w, &w->state);
+    w->energy_start = energy(w);
+    w->energy_lost = 0;
+    w->energy_scale = pm_body_kinetic(w, PM_NONE);
+    w->momentum_scale = 0;
+    w->constraint_worst = w->evidence = 0;
+    pm_body_momentum(w, PM_NONE, w->momentum_start);
+}
+
+static double work_of_forces(const pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    double sum = w->state.z[friction_z(m)];
+    for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++)
+        if (m->force_z[i] != PM_NONE) sum += w->state.z[m->force_z[i]];
+    return sum;
+}
+
+/* Linear momentum counts as m v, angular as m v times the scene's size: one scale for all three. */
+static double momentum_size(const pm_workspace *w, const double p[PM_LEDGER])
+{
+    return fmax(fmax(fabs(p[0]), fabs(p[1])), fabs(p[2]) / w->size);
+}
+
+static void update_scales(pm_workspace *w)
+{
+    double p[PM_LEDGER];
+    const double kinetic = pm_body_kinetic(w, PM_NONE);
+    pm_body_momentum(w, PM_NONE, p);
+    w->energy_scale = fmax(w->energy_scale, fmax(kinetic, fabs(work_of_forces(w))));
+    w->momentum_scale =
+        fmax(w->momentum_scale,
+             fmax(momentum_size(w, p), momentum_size(w, w->state.z + pm_ledger_ledger(w->model))));
+}
+
+void pm_ledger_step(pm_workspace *w)
+{
+    update_scales(w);
+    if (!pm_solve_cache_take_rows(w)) pm_saddle_rows(w);
+    w->constraint_worst = fmax(w->constraint_worst, pm_projection_residual(w));
+}
+
+void pm_ledger_jump(pm_workspace *w, const double *before)
+{
+    const pm_model *m = w->model;
+    const double *lambda = w->rhs;
+    double *velocity = w->frame.velocity, loss = 0;
+    add_rows(w, lambda, w->state.z + pm_ledger_ledger(m));
+    for (int side = 0; side < 2; side++) { /* mean of the rates before and after */
+        if (side == 1) memcpy(velocity, before, (size_t)m->nq * sizeof *velocity);
+        for (int i = 0; i < w->nactive; i++) loss -= 0.5 * lambda[i] * pm_constraint_rate(w, &w->row[i]);
+        loss -= 0.5 * friction_power(w, lambda);
+    }
+    const double kinetic_before = pm_body_kinetic(w, PM_NONE);
+    memcpy(velocity, w->state.v, (size_t)m->nq * sizeof *velocity);
+    w->lost += kinetic_before - pm_body_kinetic(w, PM_NONE);
+    w->energy_lost += loss;
+    update_scales(w);
+}
+
+void pm_ledger_impulse(pm_workspace *w, const double at[2], const double force[2], double couple)
+{
+    add_outer(w->state.z + pm_ledger_ledger(w->model), at, force, couple, 1);
+}
+
+/* One row's share of a series of blows: what the outer world gives; the energy that it takes. */
+static double add_series_row(pm_workspace *w, const pm_constraint *row, double impulse)
+{
+    add_row(w, row, impulse, w->state.z + pm_ledger_ledger(w->model));
+    return -impulse * pm_constraint_rate(w, row);
+}
+
+void pm_ledger_series(pm_workspace *w, double factor)
+{
+    const pm_model *m = w->model;
+    double loss = 0;
+    for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
+        pm_constraint row[PM_JOINT_CONSTRAINTS];
+        const int n = pm_joint_constraints(w, i, row);
+        for (int k = 0; k < n; k++)
+            loss += add_series_row(w, &row[k], w->joint_impulse[m->joint_row[i] + k] *= factor);
+    }
+    for (int i = 0; i < m->nslot; i++) {
+        pm_constraint normal, tangent;
+        double *impulse = w->slot_impulse + 2 * i;
+        if (impulse[0] == 0 && impulse[1] == 0) continue;
+        pm_contact_constraint_both(w, pm_contact_of_slot(m, i), i, w->state.slot[i].member, &normal,
+                                   &tangent);
+        loss += add_series_row(w, &normal, impulse[0] *= factor);
+        loss += add_series_row(w, &tangent, impulse[1] *= factor);
+    }
+    w->energy_lost += loss;
+    w->lost = loss;
+}
+
+/* Far from the origin positions, and with them heights, are rounded: relative to the energy scale, once per event. */
+static double energy_rounding(const pm_workspace *w, double mass)
+{
+    const double acceleration = hypot(w->gravity[0], w->gravity[1]) + w->speed * w->speed / w->size;
+    const double rounding = POSITION_ROUNDING * pm_contact_reach(w) * (double)(1 + w->count[PM_COUNT_EVENTS]);
+    const double spin = SPIN_ROUNDING * pm_turning_plane_kinetic(w, PM_NONE);
+    return w->energy_scale > 0 ? (mass * acceleration * rounding + spin) / w->energy_scale : 0;
+}
+
+/* Residuals and what they may be. */
+static void weigh(pm_workspace *w, double *audit, double *bound)
+{
+    const pm_model *m = w->model;
+    double p[PM_LEDGER], open[PM_LEDGER];
+    pm_frame_look_state(w, &w->state);
+    pm_body_momentum(w, PM_NONE, p);
+    for (int i = 0; i < PM_LEDGER; i++)
+        open[i] = p[i] - w->momentum_start[i] - w->state.z[pm_ledger_ledger(m) + i];
+    const double energy_open = energy(w) - w->energy_start - work_of_forces(w) + w->energy_lost;
+    double mass = 0;
+    for (int i = 0; i < m->nbody; i++) mass += w->mass[i];
+    w->momentum_scale = fmax(w->momentum_scale, SLOWEST * mass * w->speed);
+    w->energy_scale = fmax(w->energy_scale, SLOWEST * SLOWEST * mass * w->speed * w->speed);
+    audit[PM_AUDIT_ENERGY] = w->energy_scale > 0 ? fabs(energy_open) / w->energy_scale : 0;
+    if (w->evidence > audit[PM_AUDIT_ENERGY]) audit[PM_AUDIT_ENERGY] = w->evidence; /* a NaN stays */
+    audit[PM_AUDIT_MOMENTUM] = w->momentum_scale > 0 ? momentum_size(w, open) / w->momentum_scale : 0;
+    audit[PM_AUDIT_CONSTRAINT] = w->constraint_worst;
+    for (int i = 0; i < PM_AUDITS; i++) bound[i] = fmax(LEAST_BOUND, BOUND_FACTOR * w->tolerance);
+    bound[PM_AUDIT_ENERGY] += energy_rounding(w, mass);
+}
+
+int pm_ledger_close(pm_workspace *w)
+{
+    double bound[PM_AUDITS];
+    weigh(w, w->audit, bound);
+    for (int i = 0; i < PM_AUDITS; i++)
+        if (!(w->audit[i] <= bound[i])) return pm_fail(w, PM_AUDIT, PM_NONE, i, w->audit[i], bound[i]);
+    return PM_OK;
+}
+
+void pm_ledger_seal(pm_workspace *w)
+{
+    double audit[PM_AUDITS], bound[PM_AUDITS];
+    weigh(w, audit, bound);
+    for (int i = 0; i < PM_AUDITS; i++)
+        if (!(audit[i] <= bound[i])) return;
+    pm_ask_seal(w);
+}

@@ -1,0 +1,33 @@
+/* ledger.h - evidence from principles that the routes do not use: work and energy, impulse and momentum. */
+#ifndef PM_LEDGER_H
+#define PM_LEDGER_H
+
+#include "state/model.h"
+
+/* Rates of all running integrals at the DYNAMIC frame: work of forces, paths, work of sliding friction, and the
+ * impulses that the outer world gives (x, y, moment about the origin), taken from points and directions of the forces
+ * without the Jacobian. */
+void pm_ledger_rates(pm_workspace *w, double *zdot);
+/* Of these the first, which any route integrates: works, paths, what spins; accelerations are not needed. */
+void pm_ledger_controlled_rates(pm_workspace *w, double *zdot);
+/* Natural size of one of these. */
+double pm_ledger_controlled_scale(const pm_workspace *w, int z);
+/* Where the impulses of the outer world begin among the running integrals. */
+int pm_ledger_ledger(const pm_model *m);
+/* Opens the ledger at the start of the run (after the assembly). */
+void pm_ledger_begin(pm_workspace *w);
+/* After an accepted step, at the KINEMATIC frame of w->state. */
+void pm_ledger_step(pm_workspace *w);
+/* A jump from velocities `before` to those of the frame, with w->rhs the impulses of the active rows. */
+void pm_ledger_jump(pm_workspace *w, const double *before);
+/* An impulse that the outer world applies. */
+void pm_ledger_impulse(pm_workspace *w, const double at[2], const double force[2], double couple);
+/* Blows like the last one, `factor` times its impulses in all, at the mean of their places and velocities by impulse,
+ * where the frame looks: they count as the last jump from now on. */
+void pm_ledger_series(pm_workspace *w, double factor);
+/* Closes the ledger: w->audit; PM_AUDIT if it does not close within its bound. */
+int pm_ledger_close(pm_workspace *w);
+/* What is answered so far is sound if the ledger closes at w->state. */
+void pm_ledger_seal(pm_workspace *w);
+
+#endif

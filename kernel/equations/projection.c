@@ -1,0 +1,81 @@
+/* projection.c - Newton on g(q) = 0 with dq = -M^-1 G^T (G M^-1 G^T)^-1 g, then the same once for G v = w, the prescribed rates (0 of all rows
+ * that are not driven). */
+#include "equations/projection.h"
+
+#include <math.h>
+
+#include "equations/saddle.h"
+#include "equations/solve_cache.h"
+#include "state/frame.h"
+
+#define SWEEPS 8
+#define ROUNDING 4e-15 /* residual relative to the size of the scene below which nothing is left to gain */
+
+/* Projection always works on G: the friction that rides on a normal force is no constraint. */
+static int factor_symmetric(pm_workspace *w)
+{
+    const int asymmetric = w->asymmetric;
+    w->asymmetric = 0;
+    const int status = pm_saddle_factor(w);
+    if (!status) pm_saddle_solve(w);
+    w->asymmetric = asymmetric;
+    return status;
+}
+
+static double worst_opening(const pm_workspace *w)
+{
+    double worst = 0;
+    for (int i = 0; i < w->nactive; i++) worst = fmax(worst, fabs(w->row[i].g));
+    return worst;
+}
+
+int pm_projection_velocity(pm_workspace *w, pm_state *s)
+{
+    double worst = 0;
+    for (int i = 0; i < w->nactive; i++) {
+        w->rhs[i] = w->row[i].rate - pm_saddle_times(w, &w->row[i], s->v);
+        worst = fmax(worst, fabs(w->rhs[i]));
+    }
+    w->rows_here = worst <= ROUNDING * w->speed;
+    if (w->rows_here) return PM_OK;
+    const int status = factor_symmetric(w);
+    if (status) return status;
+    pm_saddle_spread(w, 0, s->v);
+    pm_frame_look_state(w, s);
+    return PM_OK;
+}
+
+static int project(pm_workspace *w, pm_state *s, int evaluated)
+{
+    double before = INFINITY;
+    if (w->nactive == 0) return PM_OK;
+    for (int sweep = 0;; sweep++) {
+        if ((sweep > 0 || !evaluated) && !pm_solve_cache_take_rows(w)) pm_saddle_rows(w);
+        const double worst = worst_opening(w);
+        /* at the rounding of large coordinates Newton stalls: stop when it no longer gains */
+        if (worst <= ROUNDING * w->size || sweep == SWEEPS || (sweep > 1 && worst > 0.5 * before)) break;
+        before = worst;
+        for (int i = 0; i < w->nactive; i++) w->rhs[i] = -w->row[i].g;
+        const int status = factor_symmetric(w);
+        if (status) return status;
+        pm_saddle_spread(w, 0, s->q);
+        pm_frame_look_state(w, s);
+    }
+    return pm_projection_velocity(w, s);
+}
+
+int pm_projection_apply(pm_workspace *w, pm_state *s)
+{
+    pm_frame_look_state(w, s);
+    return project(w, s, 0);
+}
+
+int pm_projection_built(pm_workspace *w, pm_state *s) { return project(w, s, w->rows_here); }
+
+double pm_projection_residual(pm_workspace *w)
+{
+    double worst = worst_opening(w) / w->size;
+    for (int i = 0; i < w->nactive; i++)
+        worst = fmax(worst, fabs(pm_saddle_times(w, &w->row[i], w->frame.v) - w->row[i].rate) / w->speed);
+    return worst;
+}

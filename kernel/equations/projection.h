@@ -1,0 +1,16 @@
+/* projection.h - removes drift: q and v back onto the active rows, by the least change in the metric of M. */
+#ifndef PM_PROJECTION_H
+#define PM_PROJECTION_H
+
+#include "state/model.h"
+
+/* Projects the state; on return the frame looks at it (KINEMATIC, rows evaluated). */
+int pm_projection_apply(pm_workspace *w, pm_state *s);
+/* The same where the active rows have just been built at this state, and the frame looks at it. */
+int pm_projection_built(pm_workspace *w, pm_state *s);
+/* Velocities only: G v = 0 at the state's position. */
+int pm_projection_velocity(pm_workspace *w, pm_state *s);
+/* Residuals of the active rows at the frame relative to size and speed: the greater one. */
+double pm_projection_residual(pm_workspace *w);
+
+#endif

@@ -1,0 +1,10 @@
+/* row_order.h - the order of the joints' rows. */
+#ifndef PM_ROW_ORDER_H
+#define PM_ROW_ORDER_H
+
+#include "state/model.h"
+
+/* Sets w->joint_order; depends on the structure of the scene alone. */
+void pm_row_order_find(pm_workspace *w);
+
+#endif

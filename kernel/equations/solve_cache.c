@@ -1,0 +1,162 @@
+/* solve_cache.c - what a state has said already is not worked out once more.
+ *
+ * Around an event one state is looked at again and again: at the end of a step, before the blow, after the modes are
+ * found, when the next phase begins.  Where forces depend on the configuration alone, accelerations and reactions follow
+ * from positions, velocities and the active rows; where all of these are the same to the last bit, so are they. */
+#include "equations/solve_cache.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "elements/force.h"
+
+int pm_solve_cache_create(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    const size_t nq = (size_t)m->nq, nrow = (size_t)m->nrow;
+    pm_solve_cache *r = w->recall = calloc(1, sizeof *r);
+    if (!r) return PM_NO_MEMORY;
+    r->pose = r->block = calloc(4 * nq + nrow + 1, sizeof(double));
+    r->memory = calloc((size_t)m->nmemory + 1, sizeof *r->memory);
+    r->row = calloc(nrow + 1, sizeof *r->row);
+    r->slot = calloc((size_t)m->nslot + 1, sizeof *r->slot);
+    r->factored = calloc(nrow + 1, sizeof *r->factored);
+    if (!r->block || !r->memory || !r->row || !r->slot || !r->factored) return PM_NO_MEMORY;
+    r->velocity = r->pose + nq;
+    r->a = r->velocity + nq;
+    r->q = r->a + nq;
+    r->lambda = r->q + nq;
+    return PM_OK;
+}
+
+void pm_solve_cache_free(pm_workspace *w)
+{
+    pm_solve_cache *r = w->recall;
+    if (!r) return;
+    free(r->block);
+    free(r->memory);
+    free(r->row);
+    free(r->slot);
+    free(r->factored);
+    free(r);
+    w->recall = NULL;
+}
+
+/* No angle is that of the case before: its sine might have the other sign of zero. */
+void pm_solve_cache_forget(pm_workspace *w)
+{
+    w->recall->known = w->recall->built = w->recall->nfactored = 0;
+    for (int i = 0; i < w->model->nbody; i++) w->frame.turn[3 * i] = NAN;
+}
+
+/* Nothing but the configuration, the velocities and the rows makes the accelerations. */
+static int applies(const pm_workspace *w) { return w->model->recalls && !w->asymmetric && !w->massless; }
+
+static int same_place(const pm_workspace *w)
+{
+    const pm_solve_cache *r = w->recall;
+    for (int i = 0; i < w->model->nbody; i++)
+        for (int k = 0; k < 3; k++) {
+            if (r->pose[3 * i + k] != w->frame.pose[5 * i + k]) return 0;
+            if (r->velocity[3 * i + k] != w->frame.velocity[3 * i + k]) return 0;
+        }
+    return 1;
+}
+
+static int same_memory(const pm_workspace *w)
+{
+    const size_t bytes = (size_t)w->model->nmemory * sizeof(pm_memory);
+    return bytes == 0 || memcmp(w->recall->memory, w->frame.memory, bytes) == 0;
+}
+
+int pm_solve_cache_take_rows(pm_workspace *w)
+{
+    const pm_solve_cache *r = w->recall;
+    if (!r->known || r->rows != w->row_set || !applies(w) || !same_place(w) || !same_memory(w)) return 0;
+    memcpy(w->row, r->row, (size_t)w->nactive * sizeof(pm_constraint));
+    return 1;
+}
+
+int pm_solve_cache_take(pm_workspace *w)
+{
+    const pm_solve_cache *r = w->recall;
+    if (!pm_solve_cache_take_rows(w)) return 0;
+    memcpy(w->frame.a, r->a, (size_t)w->model->nq * sizeof(double));
+    memcpy(w->frame.lambda, r->lambda, (size_t)w->nactive * sizeof(double));
+    pm_force_all(w);
+    w->frame.level = PM_LEVEL_DYNAMIC;
+    return 1;
+}
+
+void pm_solve_cache_keep(pm_workspace *w)
+{
+    pm_solve_cache *r = w->recall;
+    if (r->closed) return;
+    r->known = applies(w);
+    if (!r->known) return;
+    r->rows = w->row_set;
+    for (int i = 0; i < w->model->nbody; i++)
+        memcpy(r->pose + 3 * i, w->frame.pose + 5 * i, 3 * sizeof(double));
+    memcpy(r->velocity, w->frame.velocity, (size_t)w->model->nq * sizeof(double));
+    memcpy(r->a, w->frame.a, (size_t)w->model->nq * sizeof(double));
+    memcpy(r->lambda, w->frame.lambda, (size_t)w->nactive * sizeof(double));
+    memcpy(r->row, w->row, (size_t)w->nactive * sizeof(pm_constraint));
+    memcpy(r->memory, w->frame.memory, (size_t)w->model->nmemory * sizeof(pm_memory));
+}
+
+int pm_solve_cache_is_built(const pm_workspace *w)
+{
+    const pm_solve_cache *r = w->recall;
+    const pm_model *m = w->model;
+    if (!r->built || memcmp(r->q, w->state.q, (size_t)m->nq * sizeof(double)) != 0) return 0;
+    for (int i = 0; i < m->nslot; i++) {
+        const pm_slot *s = &w->state.slot[i];
+        if (r->slot[i].mode != s->mode) return 0;
+        if (s->mode != PM_OPEN && r->slot[i].member != s->member) return 0;
+    }
+    return 1;
+}
+
+/* Where elements come and go, or pairs are held as they were caught, or friction holds joints, rows are always built. */
+void pm_solve_cache_built(pm_workspace *w)
+{
+    pm_solve_cache *r = w->recall;
+    const pm_model *m = w->model;
+    r->built = !m->acts && m->nkept == 0 && m->ngrip == 0;
+    if (!r->built) return;
+    memcpy(r->q, w->state.q, (size_t)m->nq * sizeof(double));
+    memcpy(r->slot, w->state.slot, (size_t)m->nslot * sizeof(pm_slot));
+}
+
+void pm_solve_cache_drop_rows(pm_workspace *w)
+{
+    w->recall->built = 0;
+    w->row_set++;
+}
+
+int pm_solve_cache_is_factored(const pm_workspace *w)
+{
+    const pm_solve_cache *r = w->recall;
+    if (r->nfactored == 0 || r->nfactored != w->nactive) return 0;
+    for (int i = 0; i < w->nactive; i++) {
+        const pm_hold *x = &r->factored[i];
+        const pm_constraint *row = &w->row[i];
+        if (x->body[0] != row->body[0] || x->body[1] != row->body[1]) return 0;
+        for (int k = 0; k < 6; k++)
+            if (x->j[k] != row->j[k]) return 0;
+    }
+    return 1;
+}
+
+void pm_solve_cache_factored(pm_workspace *w)
+{
+    w->recall->nfactored = w->nactive;
+    for (int i = 0; i < w->nactive; i++) {
+        pm_hold *x = &w->recall->factored[i];
+        memcpy(x->body, w->row[i].body, sizeof x->body);
+        memcpy(x->j, w->row[i].j, sizeof x->j);
+    }
+}
+
+void pm_solve_cache_drop_factors(pm_workspace *w) { w->recall->nfactored = 0; }

@@ -1,0 +1,161 @@
+/* start_positions.c - positions of a start: Gauss-Newton on joint rows and written positions together, each step the least one
+ * (in the metric of M), so what is written stays and the rest moves as little as possible. */
+#include <math.h>
+#include <string.h>
+
+#include "elements/constraint.h"
+#include "elements/contact.h"
+#include "elements/measure.h"
+#include "equations/active_set.h"
+#include "equations/least_change.h"
+#include "equations/start_parts.h"
+#include "state/frame.h"
+
+#define SWEEPS 60
+#define LONGEST 0.3 /* step of the assembly, in sizes of the scene */
+#define MESHES 1e-3 /* of their distance: gears that are open by less mesh, drawn by rounded numbers */
+
+/* Worst opening of joints and written positions at the frame; where it is. */
+static double worst_opening(pm_workspace *w, int *table, int *row)
+{
+    const pm_model *m = w->model;
+    double worst = 0;
+    for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
+        pm_constraint rows[PM_JOINT_CONSTRAINTS];
+        const int n = pm_joint_constraints(w, i, rows);
+        for (int k = 0; k < n; k++) {
+            if (rows[k].memory != PM_NONE) continue; /* no slip: anchored where the assembly ends */
+            pm_constraint_kind(rows[k].kind)->evaluate(w, &rows[k]);
+            const double size = fabs(rows[k].g) * (rows[k].kind == PM_CONSTRAINT_ANGLE ? w->size : 1);
+            if (!(size <= worst)) {
+                worst = size;
+                *table = PM_TABLE_JOINT;
+                *row = i;
+            }
+        }
+    }
+    for (int i = 0; i < m->rows[PM_TABLE_START]; i++) {
+        if (pm_start_level(w, i) != PM_START_POSITION) continue;
+        const double miss = fabs(pm_measure(w, pm_start_measure(w, i)) - pm_start_value(w, i));
+        if (!(miss <= worst)) {
+            worst = miss;
+            *table = PM_TABLE_START;
+            *row = i;
+        }
+    }
+    return worst;
+}
+
+/* Whether each written position is independent of those before it, and of the block. */
+static int take_written_positions(pm_workspace *w, pm_least_change *s, double *dense)
+{
+    int all = 1;
+    for (int i = 0; i < w->model->rows[PM_TABLE_START]; i++) {
+        double miss;
+        if (pm_start_level(w, i) != PM_START_POSITION) continue;
+        const double residual = pm_measure(w, pm_start_measure(w, i)) - pm_start_value(w, i);
+        pm_measure_start_row(w, pm_start_measure(w, i), PM_START_POSITION, dense);
+        all &= pm_least_change_take(w, s, dense, -residual, &miss);
+    }
+    return all;
+}
+
+/* One Gauss-Newton step in w->scratch; what is written comes first, so that it decides where rows disagree. */
+static void position_step(pm_workspace *w, double *x, double *dense)
+{
+    const pm_model *m = w->model;
+    pm_least_change s = {.x = x, .across = dense + m->nq};
+    double miss;
+    memset(x, 0, (size_t)m->nq * sizeof *x);
+    const int solved =
+        pm_least_change_block(w, &s, PM_START_POSITION) && take_written_positions(w, &s, dense);
+    pm_active_set_clear(w);
+    if (solved) return;
+    s.n = s.block = 0;
+    memset(x, 0, (size_t)m->nq * sizeof *x);
+    take_written_positions(w, &s, dense);
+    for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
+        pm_constraint rows[PM_JOINT_CONSTRAINTS];
+        const int n = pm_joint_constraints(w, i, rows);
+        for (int k = 0; k < n; k++) {
+            if (rows[k].memory != PM_NONE) continue;
+            pm_constraint_kind(rows[k].kind)->evaluate(w, &rows[k]);
+            pm_least_change_take_row(w, &s, &rows[k], -rows[k].g, dense, &miss);
+        }
+    }
+}
+
+static void limit_step(const pm_workspace *w, double *x)
+{
+    double longest = 0;
+    for (int i = 0; i < w->model->nq; i++) longest = fmax(longest, fabs(x[i]) * (i % 3 == 2 ? w->size : 1));
+    const double factor = longest > LONGEST * w->size ? LONGEST * w->size / longest : 1;
+    for (int i = 0; i < w->model->nq; i++) x[i] *= factor;
+}
+
+int pm_start_assemble(pm_workspace *w, pm_start_report *report)
+{
+    const pm_model *m = w->model;
+    const double allowed = w->value[PM_SETTING(m, PM_SETTING_ASSEMBLY)] * w->size;
+    double *x = w->scratch, *dense = x + m->nq, best = INFINITY;
+    int table = PM_NONE, row = PM_NONE;
+    pm_frame_look_state(w, &w->state);
+    for (int sweep = 0; sweep < SWEEPS; sweep++) {
+        report->opening = worst_opening(w, &table, &row);
+        const int gains = report->opening < 0.5 * best;
+        if (!(report->opening > 4e-16 * w->size) || (report->opening <= allowed && !gains)) break;
+        best = fmin(best, report->opening);
+        position_step(w, x, dense);
+        limit_step(w, x);
+        for (int i = 0; i < m->nq; i++) w->state.q[i] += x[i];
+        pm_frame_look_state(w, &w->state);
+    }
+    for (int i = 0; i < m->nbody; i++)
+        for (int k = 0; k < 3; k++) {
+            const double drawn =
+                PM_BODY_ROW(m, i)[PM_BODY_TURNS] || k < 2 ? w->value[PM_BODY_ROW(m, i)[PM_BODY_X + k]] : 0;
+            report->moved = fmax(report->moved, fabs(w->state.q[3 * i + k] - drawn) * (k == 2 ? w->size : 1));
+        }
+    return report->opening <= allowed ? PM_OK : pm_fail(w, PM_ASSEMBLY, table, row, report->opening, allowed);
+}
+
+static double apart(const pm_workspace *w, const pm_constraint *row)
+{
+    const pm_marks x = pm_constraint_marks(w, row);
+    return pm_length(x.d);
+}
+
+static int check_gears(pm_workspace *w, int joint, const pm_constraint *row)
+{
+    const double distance = apart(w, row), open = fabs(distance - fabs(row->value));
+    return open <= MESHES * distance
+               ? PM_OK
+               : pm_fail(w, PM_ASSEMBLY, PM_TABLE_JOINT, joint, open, MESHES * distance);
+}
+
+static int check_strand(pm_workspace *w, int table, int at, const pm_constraint *row)
+{
+    const double distance = apart(w, row), past = fabs(row->radius_b - row->radius_a);
+    return distance > past ? PM_OK : pm_fail(w, PM_ASSEMBLY, table, at, past - distance, 0);
+}
+
+int pm_start_check_couplings(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    pm_constraint row[PM_JOINT_CONSTRAINTS];
+    int status = PM_OK;
+    for (int i = 0; !status && i < m->rows[PM_TABLE_JOINT]; i++) {
+        const int kind = PM_JOINT_ROW(m, i)[PM_JOINT_KIND];
+        if (kind != PM_JOINT_GEARS && kind != PM_JOINT_BELT) continue;
+        const int n = pm_joint_constraints(w, i, row);
+        for (int k = 0; !status && k < n; k++)
+            status = kind == PM_JOINT_GEARS ? check_gears(w, i, &row[k])
+                                            : check_strand(w, PM_TABLE_JOINT, i, &row[k]);
+    }
+    for (int i = 0; !status && i < m->rows[PM_TABLE_CONTACT]; i++) {
+        if (!pm_contact_is_cord(m, i)) continue;
+        pm_contact_constraint_normal(w, i, m->contact_slot[i], 0, &row[0]);
+        status = check_strand(w, PM_TABLE_CONTACT, i, &row[0]);
+    }
+    return status;
+}

@@ -1,0 +1,353 @@
+/* ask.c - answers taken at instants, over the run, and on grids; extremum.c finds the extremes inside steps. */
+#include "events/ask.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "equations/saddle.h"
+#include "events/event.h"
+#include "events/event_sampling.h"
+#include "events/watched_samples.h"
+#include "expression/program.h"
+#include "numerics/bracket.h"
+#include "numerics/chebyshev.h"
+#include "numerics/minimum.h"
+#include "routes/path/path_error.h"
+#include "state/frame.h"
+#include "state/route.h"
+#include "study/accuracy.h"
+
+#define ON_GRID 1e-9 /* relative: a grid value met at the very start or end of the run */
+
+static void raise_to(int *highest, int level)
+{
+    if (level > *highest) *highest = level;
+}
+
+size_t pm_ask_numbers(const pm_model *m) { return (PM_NODES_MOST + 3) * (size_t)m->nask; }
+
+static void note_switches(pm_workspace *w, int ask)
+{
+    const int32_t *e = PM_ASK_ROW(w->model, ask);
+    w->ask->switches[ask] = pm_program_switches(w->model, pm_ask_program(e));
+    w->ask->dips[ask] = pm_program_only_dips(w->model, pm_ask_program(e), pm_ask_greatest(e));
+}
+
+int pm_ask_create(pm_workspace *w)
+{
+    const size_t nask = (size_t)w->model->nask, nout = (size_t)w->model->nout;
+    pm_ask_set *a = w->ask = calloc(1, sizeof *a);
+    if (!a) return PM_NO_MEMORY;
+    a->observer = calloc(3 * nask + 1, sizeof *a->observer);
+    a->sample = calloc(pm_ask_numbers(w->model) + 1, sizeof *a->sample);
+    a->undefined = calloc(nask + 2 * nout + 1, 1);
+    a->solver = pm_bracket_create();
+    a->minimum = pm_minimum_create();
+    if (!a->observer || !a->sample || !a->undefined || !a->solver || !a->minimum) return PM_NO_MEMORY;
+    a->switches = a->observer + nask;
+    a->dips = a->switches + nask;
+    a->best = a->sample + PM_NODES_MOST * nask;
+    a->bound = a->best + nask;
+    a->before = a->bound + nask;
+    a->filled = a->undefined + nask;
+    a->sound = a->filled + nout;
+    a->level = a->instant_level = a->fired_level = PM_LEVEL_KINEMATIC;
+    for (int i = 0; i < w->model->nask; i++) {
+        const int32_t *e = PM_ASK_ROW(w->model, i);
+        const int watches = e[PM_ASK_KIND] >= PM_ASK_MAX && e[PM_ASK_KIND] <= PM_ASK_GRID;
+        if (watches) a->observer[a->nobserver++] = i;
+        if (watches) note_switches(w, i);
+        for (int k = 0; k < 2; k++) {
+            const int program = e[k ? PM_ASK_PROGRAM_2 : PM_ASK_PROGRAM];
+            const int level = program >= 0 ? w->model->program_level[program] : PM_LEVEL_NONE;
+            raise_to(&a->instant_level, level);
+            if (watches) raise_to(&a->level, level);
+            if (e[PM_ASK_EVENT_INDEX] != PM_NONE) raise_to(&a->fired_level, level);
+        }
+    }
+    return PM_OK;
+}
+
+void pm_ask_free(pm_workspace *w)
+{
+    if (!w->ask) return;
+    free(w->ask->observer);
+    free(w->ask->sample);
+    free(w->ask->undefined);
+    pm_bracket_free(w->ask->solver);
+    pm_minimum_free(w->ask->minimum);
+    free(w->ask);
+    w->ask = NULL;
+}
+
+void pm_ask_reset(pm_workspace *w)
+{
+    pm_ask_set *a = w->ask;
+    for (int i = 0; i < w->model->nask; i++) a->best[i] = NAN, a->bound[i] = -INFINITY;
+    memset(a->undefined, 0, (size_t)(w->model->nask + 2 * w->model->nout));
+    a->fresh = 0;
+    for (int i = 0; i < w->model->nout; i++) w->out[i] = NAN;
+    for (int i = 0; i < w->model->nask; i++) w->reason[i] = PM_REASON_NOT_REACHED;
+}
+
+static double run(pm_workspace *w, int program)
+{
+    return pm_program_run(w->model, program, w->param, w->value, w);
+}
+
+double pm_ask_run(pm_workspace *w, int ask) { return run(w, pm_ask_program(PM_ASK_ROW(w->model, ask))); }
+
+static void answer(pm_workspace *w, int ask, int column, double value)
+{
+    const int out = PM_ASK_ROW(w->model, ask)[PM_ASK_OUT] + column;
+    w->out[out] = value;
+    w->ask->filled[out] = w->ask->fresh = 1;
+}
+
+/* The value of a program at the frame, with what the route knows of its error. */
+static void answer_here(pm_workspace *w, int ask, int column, int program, double value)
+{
+    answer(w, ask, column, value);
+    pm_path_error_answer(w, ask, PM_ASK_ROW(w->model, ask)[PM_ASK_OUT] + column, program, value);
+}
+
+int pm_ask_program(const int32_t *e)
+{
+    return e[PM_ASK_KIND] == PM_ASK_GRID || pm_ask_at_extreme(e) ? e[PM_ASK_PROGRAM_2] : e[PM_ASK_PROGRAM];
+}
+
+int pm_ask_watched(const pm_workspace *w, int i)
+{
+    return pm_ask_program(PM_ASK_ROW(w->model, w->ask->observer[i]));
+}
+
+void pm_ask_offer(pm_workspace *w, int ask, double value, double above)
+{
+    pm_ask_set *a = w->ask;
+    const int32_t *e = PM_ASK_ROW(w->model, ask);
+    if (isnan(value)) {
+        a->undefined[ask] = 1;
+        return;
+    }
+    const double extreme = value + above;
+    const int better = pm_ask_greatest(e) ? extreme > a->best[ask] : extreme < a->best[ask];
+    if (!isnan(a->best[ask]) && !better) return;
+    a->best[ask] = extreme;
+    answer_here(w, ask, 0, e[PM_ASK_PROGRAM], pm_ask_at_extreme(e) ? run(w, e[PM_ASK_PROGRAM]) : value);
+    w->out[e[PM_ASK_OUT]] += above;
+}
+
+static void offer_grid(pm_workspace *w, int ask, double value, double tolerance)
+{
+    const int32_t *e = PM_ASK_ROW(w->model, ask);
+    for (int k = 0; k < e[PM_ASK_COUNT]; k++) {
+        const double wanted = w->value[e[PM_ASK_FIRST_VALUE] + k];
+        if (w->ask->filled[e[PM_ASK_OUT] + k] ||
+            !(fabs(value - wanted) <= tolerance * fmax(fabs(wanted), 1e-3)))
+            continue;
+        answer_here(w, ask, k, e[PM_ASK_PROGRAM], run(w, e[PM_ASK_PROGRAM]));
+    }
+}
+
+void pm_ask_sample(pm_workspace *w)
+{
+    for (int i = 0; i < w->ask->nobserver; i++) {
+        const int ask = w->ask->observer[i];
+        pm_watched_samples_run(w, pm_ask_program(PM_ASK_ROW(w->model, ask)), NULL, pm_ask_samples(w, ask));
+    }
+}
+
+int pm_ask_look(pm_workspace *w, double t, int exact)
+{
+    if (!exact || w->route->look) return pm_step_look(w, t, w->ask->level);
+    const int status = w->route->exact(w, t, &w->probe);
+    if (status) return status;
+    pm_frame_look(w, w->probe.t, w->probe.q, w->probe.v, w->probe.z, w->state.memory);
+    return w->ask->level == PM_LEVEL_DYNAMIC ? pm_saddle_accelerate(w) : PM_OK;
+}
+
+static double value_at(pm_workspace *w, double t, const pm_ask_watch *x)
+{
+    if (pm_ask_look(w, t, 0)) return NAN;
+    return (x->branch ? pm_watched_samples_here(w, x->program, x->branch) : run(w, x->program)) - x->minus;
+}
+
+double pm_ask_along(pm_workspace *w, double t, void *context)
+{
+    const pm_ask_watch *x = context;
+    const double d = x->step;
+    if (d == 0) return value_at(w, t, x);
+    return (8 * (value_at(w, t + d, x) - value_at(w, t - d, x)) -
+            (value_at(w, t + 2 * d, x) - value_at(w, t - 2 * d, x))) /
+           (12 * d);
+}
+
+static int exactly(pm_workspace *w, double t, void *context, double *value)
+{
+    const pm_ask_watch *x = context;
+    const int status = pm_ask_look(w, t, 1);
+    *value = run(w, x->program) - x->minus;
+    return status;
+}
+
+static int grid_in_step(pm_workspace *w, int ask)
+{
+    const int32_t *e = PM_ASK_ROW(w->model, ask);
+    const int n = w->nodes->n;
+    for (int k = 0; k < e[PM_ASK_COUNT]; k++) {
+        pm_ask_watch x = {e[PM_ASK_PROGRAM_2], w->value[e[PM_ASK_FIRST_VALUE] + k], 0, NULL};
+        for (int i = 0; i + 1 < n && !w->ask->filled[e[PM_ASK_OUT] + k]; i++) {
+            const double *sample = pm_ask_samples(w, ask) + i;
+            const double a = sample[0] - x.minus, b = sample[1] - x.minus;
+            const double from = pm_event_sampling_node(w, i), to = pm_event_sampling_node(w, i + 1);
+            if (!((a < 0 && b >= 0) || (a > 0 && b <= 0))) continue;
+            double t, taken, off;
+            int status = pm_bracket_find(w, w->ask->solver, pm_ask_along, &x, from, a, to, b, &t);
+            if (!status && t > w->step_end) continue; /* an instant comes before */
+            if (!status) status = pm_bracket_polish(w, pm_ask_along, exactly, &x, NAN, &t, &taken, &off);
+            if (!status && taken != t) status = pm_ask_look(w, t, 1);
+            if (status) return status;
+            if (t <= w->step_end) answer_here(w, ask, k, e[PM_ASK_PROGRAM], run(w, e[PM_ASK_PROGRAM]));
+        }
+    }
+    return PM_OK;
+}
+
+/* The samples of a whole step serve for its part up to step_end, too, where they resolve the values. */
+int pm_ask_keeps_samples(const pm_workspace *w)
+{
+    if (!pm_chebyshev_nodes_spectral(w->nodes)) return 0;
+    for (int i = 0; i < w->ask->nobserver; i++)
+        for (int k = 0; k < w->nodes->n; k++)
+            if (isnan(w->ask->sample[w->ask->observer[i] * PM_NODES_MOST + k])) return 0;
+    return 1;
+}
+
+/* The end of a step that was shortened is no node. */
+static int offer_end(pm_workspace *w)
+{
+    int counts = 0;
+    for (int i = 0; i < w->ask->nobserver && !counts; i++)
+        counts = PM_ASK_ROW(w->model, w->ask->observer[i])[PM_ASK_KIND] != PM_ASK_GRID &&
+                 pm_ask_end_counts(w, w->ask->observer[i]);
+    const int status = counts ? pm_ask_look(w, w->step_end, 1) : PM_OK;
+    for (int i = 0; i < w->ask->nobserver && !status && counts; i++) {
+        const int ask = w->ask->observer[i];
+        if (PM_ASK_ROW(w->model, ask)[PM_ASK_KIND] != PM_ASK_GRID)
+            pm_ask_offer(w, ask, pm_ask_run(w, ask), 0);
+    }
+    return status;
+}
+
+int pm_ask_step(pm_workspace *w)
+{
+    if (w->ask->nobserver > 0 && w->step_end < w->sampled_end) {
+        const int status = offer_end(w);
+        if (status) return status;
+    }
+    for (int i = 0; i < w->ask->nobserver; i++) {
+        const int ask = w->ask->observer[i], grid = PM_ASK_ROW(w->model, ask)[PM_ASK_KIND] == PM_ASK_GRID;
+        const int status = grid ? grid_in_step(w, ask) : pm_ask_extreme(w, ask);
+        if (status) return status;
+    }
+    return PM_OK;
+}
+
+void pm_ask_instant(pm_workspace *w)
+{
+    for (int i = 0; i < w->ask->nobserver; i++) {
+        const int ask = w->ask->observer[i];
+        const int32_t *e = PM_ASK_ROW(w->model, ask);
+        const double value = pm_ask_run(w, ask);
+        if (e[PM_ASK_KIND] == PM_ASK_GRID)
+            offer_grid(w, ask, value, ON_GRID);
+        else
+            pm_ask_offer(w, ask, value, 0);
+    }
+}
+
+void pm_ask_look_before(pm_workspace *w)
+{
+    for (int i = 0; i < w->model->nask; i++) {
+        const int32_t *e = PM_ASK_ROW(w->model, i);
+        if (e[PM_ASK_BEFORE] && e[PM_ASK_EVENT_INDEX] != PM_NONE)
+            w->ask->before[i] = run(w, e[PM_ASK_PROGRAM]);
+    }
+}
+
+/* A value from before the jump has left its frame: nothing is said of its error. */
+static void answer_fired(pm_workspace *w, int ask, int column, double value)
+{
+    const int32_t *e = PM_ASK_ROW(w->model, ask);
+    if (e[PM_ASK_BEFORE])
+        answer(w, ask, column, value);
+    else
+        answer_here(w, ask, column, e[PM_ASK_PROGRAM], value);
+}
+
+void pm_ask_fired(pm_workspace *w, int event)
+{
+    const int64_t nth = w->event->count[event];
+    for (int i = 0; i < w->model->nask; i++) {
+        const int32_t *e = PM_ASK_ROW(w->model, i);
+        if (e[PM_ASK_EVENT_INDEX] != event) continue;
+        const double value = e[PM_ASK_BEFORE] ? w->ask->before[i] : run(w, e[PM_ASK_PROGRAM]);
+        if (e[PM_ASK_KIND] == PM_ASK_EVENT && nth == e[PM_ASK_NTH]) answer_fired(w, i, 0, value);
+        if (e[PM_ASK_KIND] == PM_ASK_EACH && nth <= e[PM_ASK_COUNT]) answer_fired(w, i, (int)nth - 1, value);
+    }
+}
+
+/* What an extreme may have above the one that is answered. */
+static void charge_untold(pm_workspace *w, int ask)
+{
+    const pm_ask_set *a = w->ask;
+    const int32_t *e = PM_ASK_ROW(w->model, ask);
+    const double best = pm_ask_greatest(e) ? a->best[ask] : -a->best[ask];
+    if (a->bound[ask] > best) pm_accuracy_more(w, e[PM_ASK_OUT], a->bound[ask] - best);
+}
+
+void pm_ask_end(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    for (int i = 0; i < m->nask; i++) {
+        const int32_t *e = PM_ASK_ROW(m, i);
+        if (e[PM_ASK_KIND] == PM_ASK_END) answer_here(w, i, 0, e[PM_ASK_PROGRAM], run(w, e[PM_ASK_PROGRAM]));
+        if (e[PM_ASK_KIND] == PM_ASK_GRID) offer_grid(w, i, run(w, e[PM_ASK_PROGRAM_2]), ON_GRID);
+        if (w->ask->undefined[i]) answer(w, i, 0, NAN);
+        charge_untold(w, i);
+        int filled = 1, undefined = 0, infinite = 0;
+        for (int k = 0; k < e[PM_ASK_COUNT]; k++) {
+            filled &= w->ask->filled[e[PM_ASK_OUT] + k];
+            undefined |= isnan(w->out[e[PM_ASK_OUT] + k]);
+            infinite |= isinf(w->out[e[PM_ASK_OUT] + k]);
+        }
+        const int each = e[PM_ASK_KIND] == PM_ASK_EACH;
+        if (each) filled = w->ask->filled[e[PM_ASK_OUT]];
+        if (filled) w->reason[i] = infinite ? PM_REASON_INFINITE : PM_REASON_NONE;
+        if (filled && undefined && !each) w->reason[i] = PM_REASON_UNDEFINED;
+    }
+}
+
+/* ---- runs that do not come to their end ---- */
+void pm_ask_seal(pm_workspace *w)
+{
+    memcpy(w->ask->sound, w->ask->filled, (size_t)w->model->nout);
+    w->ask->fresh = 0;
+}
+
+void pm_ask_keep(pm_workspace *w, int sound, int others)
+{
+    const unsigned char *kept = sound ? w->ask->sound : w->ask->filled;
+    for (int i = 0; i < w->model->nask; i++) {
+        const int32_t *e = PM_ASK_ROW(w->model, i);
+        const int at_instant =
+            e[PM_ASK_KIND] == PM_ASK_EVENT || e[PM_ASK_KIND] == PM_ASK_EACH || e[PM_ASK_KIND] == PM_ASK_GRID;
+        w->reason[i] = others;
+        for (int k = e[PM_ASK_OUT]; k < e[PM_ASK_OUT] + e[PM_ASK_COUNT]; k++)
+            if (at_instant && kept[k])
+                w->reason[i] = PM_REASON_NONE;
+            else
+                w->out[k] = NAN;
+    }
+}

@@ -1,0 +1,94 @@
+/* ask.h - answers: values at the end and at events, extremes over the run, values on a grid. */
+#ifndef PM_ASK_H
+#define PM_ASK_H
+
+#include "numerics/chebyshev_nodes.h"
+#include "state/model.h"
+
+typedef struct pm_ask_set {
+    int *observer; /* [nask] asks that watch the whole run: extremes and grids */
+    int nobserver;
+    int level;         /* highest level that they need */
+    int instant_level; /* highest level that any ask needs */
+    int fired_level;   /* that those need which events answer */
+    double *sample;    /* [nask][PM_NODES_MOST] watched values in a step */
+    double *best;      /* [nask] extreme so far, NaN before the first value */
+    double *bound;     /* [nask] what it cannot exceed (minima: their negatives); untold ones count, too */
+    double *before;    /* [nask] values before the jump of the present instant */
+    int *
+        switches; /* [nask] of the watched program: where it may change its branch; 0: nowhere that is told */
+    int *dips;    /* [nask] whether there it has no extremes */
+    unsigned char *undefined; /* [nask] an extreme met a not-a-number */
+    unsigned char *filled;    /* [nout] */
+    unsigned char *sound;     /* [nout] filled when the ledgers last closed */
+    int fresh;                /* something was filled since */
+    void *solver;             /* gsl_root_fsolver */
+    void *minimum;            /* gsl_min_fminimizer */
+    void *block;
+} pm_ask_set;
+
+int pm_ask_create(pm_workspace *w);
+/* Numbers of the set from `sample` on, one array after the other. */
+size_t pm_ask_numbers(const pm_model *m);
+void pm_ask_free(pm_workspace *w);
+void pm_ask_reset(pm_workspace *w);
+
+/* The program that observer i (of nobserver) watches. */
+int pm_ask_watched(const pm_workspace *w, int i);
+/* Watched values at the nodes of a step, which have been read (watched_samples.h). */
+void pm_ask_sample(pm_workspace *w);
+/* What it took of an ask. */
+static inline double *pm_ask_samples(const pm_workspace *w, int ask)
+{
+    return w->ask->sample + ask * PM_NODES_MOST;
+}
+
+/* All nodes of [w->step_begin, w->step_end] are sampled: extremes between nodes, grid values passed. */
+int pm_ask_step(pm_workspace *w);
+/* 1 if the samples of a step that was shortened since need not be taken again. */
+int pm_ask_keeps_samples(const pm_workspace *w);
+/* An instant outside a step (start, after a jump): the frame looks at w->state. */
+void pm_ask_instant(pm_workspace *w);
+
+/* ---- for extremum.c ---- */
+static inline int pm_ask_greatest(const int32_t *e)
+{
+    return e[PM_ASK_KIND] == PM_ASK_MAX || e[PM_ASK_KIND] == PM_ASK_AT_MAX;
+}
+static inline int pm_ask_at_extreme(const int32_t *e)
+{
+    return e[PM_ASK_KIND] == PM_ASK_AT_MAX || e[PM_ASK_KIND] == PM_ASK_AT_MIN;
+}
+/* The extremes of the watched value in the last step, all of whose nodes are sampled. */
+int pm_ask_extreme(pm_workspace *w, int ask);
+/* Whether the value at the end of a step that was shortened may be better than the best so far. */
+int pm_ask_end_counts(pm_workspace *w, int ask);
+/* The program that an ask watches, and its value at the frame. */
+int pm_ask_program(const int32_t *e);
+double pm_ask_run(pm_workspace *w, int ask);
+/* The frame looks at a place of the last step; exact: to the accuracy of the trajectory. */
+int pm_ask_look(pm_workspace *w, double t, int exact);
+/* Takes a value of a watched extreme, `above` more than it is at the frame. */
+void pm_ask_offer(pm_workspace *w, int ask, double value, double above);
+/* A program less a number along a step, or the rate of that by differences. */
+typedef struct pm_ask_watch {
+    int program;
+    double minus;               /* value to take off: a grid value */
+    double step;                /* > 0: the rate by differences instead of the value */
+    struct pm_switches *branch; /* of the program; NULL: the one that is taken */
+} pm_ask_watch;
+double pm_ask_along(pm_workspace *w, double t, void *watch);
+
+/* ---- events ---- */
+/* Keeps values before the jump; after it, answers the asks of events that have just fired. */
+void pm_ask_look_before(pm_workspace *w);
+void pm_ask_fired(pm_workspace *w, int event);
+/* Answers what is asked at the end, marks what was not reached. */
+void pm_ask_end(pm_workspace *w);
+/* What is answered so far is sound. */
+void pm_ask_seal(pm_workspace *w);
+/* Keeps of a run that did not come to its end what was answered at instants (sound: of that, what is); asks without any
+ * answer get the reason `others`. */
+void pm_ask_keep(pm_workspace *w, int sound, int others);
+
+#endif

@@ -1,0 +1,279 @@
+/* event.c - the functions of a phase: which there are, and their values.
+ *
+ * Each is zero where something may happen: a trigger its program less what it crosses, or, of multiples, the way to the next
+ * one on either side; a contact its gap, its normal force N, what is left of its grip mu N - |F|, its slip, the room on its
+ * edge; friction of a joint what is left of it, or its slip. */
+#include "events/event.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "elements/capture.h"
+#include "elements/contact.h"
+#include "elements/edge.h"
+#include "elements/joint_friction.h"
+#include "elements/trigger.h"
+#include "equations/case.h"
+#include "equations/saddle.h"
+#include "numerics/bracket.h"
+#include "state/frame.h"
+#include "state/route.h"
+
+#define POSITION_ROUNDING 4e-15 /* of how far bodies are from the origin */
+#define FORCE_SLACK 1e-10       /* of the scene's weight-like force */
+#define ON_MULTIPLE 1e-9        /* of the multiples' distance: `every` begins on one of them */
+
+/* ---- memory ---- */
+static size_t rows_watched(const pm_model *m)
+{
+    size_t n = 0;
+    for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) n += (size_t)pm_contact_is_row(m, i);
+    return n;
+}
+
+int pm_event_create(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    const size_t ntrigger = (size_t)m->rows[PM_TABLE_TRIGGER], nevent = (size_t)m->rows[PM_TABLE_EVENT];
+    const size_t most =
+        ntrigger + (size_t)m->rows[PM_TABLE_CONTACT] + 4 * (size_t)m->nslot + (size_t)m->ngrip;
+    pm_event_set *e = w->event = calloc(1, sizeof *e);
+    if (!e) return PM_NO_MEMORY;
+    e->most = (int)most;
+    e->function = calloc(most + 1, sizeof *e->function);
+    e->value = calloc(PM_NODES_MOST * (most + 1) + 4 * ntrigger + nevent, sizeof(double));
+    e->beside = calloc(PM_NODES_MOST * rows_watched(m) + 1, sizeof *e->beside);
+    e->hit = calloc(2 * (most + 1), sizeof(int));
+    e->count = calloc(2 * nevent + 1, sizeof *e->count);
+    e->fired = calloc(ntrigger + (size_t)m->rows[PM_TABLE_CONTACT] + nevent + 1, 1);
+    e->solver = pm_bracket_create();
+    if (!e->function || !e->value || !e->beside || !e->hit || !e->count || !e->fired || !e->solver)
+        return PM_NO_MEMORY;
+    if (pm_gap_culling_create(m, &e->clear)) return PM_NO_MEMORY;
+    e->seen = e->count + nevent;
+    e->spent = e->fired + ntrigger;
+    e->acted = e->spent + m->rows[PM_TABLE_CONTACT];
+    e->root = e->hit + most + 1;
+    e->before = e->value + PM_NODES_MOST * (most + 1);
+    e->due = e->before + ntrigger;
+    e->least = e->due + ntrigger;
+    e->greatest = e->least + ntrigger;
+    e->time = e->greatest + ntrigger;
+    return PM_OK;
+}
+
+void pm_event_free(pm_workspace *w)
+{
+    pm_event_set *e = w->event;
+    if (!e) return;
+    free(e->function);
+    free(e->value);
+    free(e->beside);
+    free(e->hit);
+    free(e->count);
+    free(e->fired);
+    pm_bracket_free(e->solver);
+    pm_gap_culling_free(&e->clear);
+    free(e);
+    w->event = NULL;
+}
+
+/* ---- the functions of a phase ---- */
+static void add(pm_workspace *w, int kind, int index, int direction, int level, double slack, double natural)
+{
+    pm_event_set *e = w->event;
+    const int owned = w->route->finds_roots == PM_ROOTS_ALL ||
+                      (w->route->finds_roots == PM_ROOTS_OF_CONTACTS && kind != FUNCTION_TRIGGER);
+    e->function[e->nfunction++] = (pm_event_function){.kind = kind,
+                                                      .index = index,
+                                                      .direction = direction,
+                                                      .level = level,
+                                                      .slack = slack,
+                                                      .owned = owned,
+                                                      .natural = natural,
+                                                      .near = INFINITY,
+                                                      .row = PM_NONE};
+    if (!owned) e->nsampled++;
+    /* a route that finds all roots itself reads all functions at one look; contacts of their own need none */
+    if (level > e->level && (!owned || w->route->finds_roots == PM_ROOTS_ALL)) e->level = level;
+}
+
+/* A trigger on time alone needs no watching where the route steps in time: the step ends when it is due. */
+static void add_triggers(pm_workspace *w)
+{
+    static const int direction[] = {
+        [PM_TRIGGER_CROSS] = 0, [PM_TRIGGER_RISE] = 1, [PM_TRIGGER_FALL] = -1, [PM_TRIGGER_EVERY] = -1};
+    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
+        const int32_t *e = PM_TRIGGER_ROW(w->model, i);
+        const int in_time =
+            w->route->in_time && w->route->finds_roots != PM_ROOTS_ALL && pm_trigger_on_time(w, i);
+        w->event->least[i] = INFINITY;
+        w->event->greatest[i] = -INFINITY;
+        w->event->due[i] = in_time ? pm_trigger_due(w, i) : INFINITY;
+        if (in_time || e[PM_TRIGGER_KIND] > PM_TRIGGER_EVERY) continue;
+        add(w, FUNCTION_TRIGGER, i, direction[e[PM_TRIGGER_KIND]],
+            w->model->program_level[e[PM_TRIGGER_PROGRAM]], 0, 1);
+        pm_event_function *f = &w->event->function[w->event->nfunction - 1];
+        f->held = w->event->fired[i];
+        f->every = e[PM_TRIGGER_KIND] == PM_TRIGGER_EVERY;
+    }
+}
+
+static void add_gap(pm_workspace *w, int contact)
+{
+    pm_event_set *e = w->event;
+    pm_event_function *f = &e->function[e->nfunction];
+    add(w, FUNCTION_GAP, contact, -1, PM_LEVEL_KINEMATIC, pm_contact_length(w), w->size);
+    f->below = pm_edge_is(w->model, contact) && pm_edge_is_below(w, contact);
+    if (pm_contact_is_row(w->model, contact)) f->row = e->nrow++;
+}
+
+static void add_contacts(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    const double size = pm_case_force(w), force = FORCE_SLACK * size;
+    for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++)
+        if (pm_state_is_absent(m, &w->state, PM_TABLE_CONTACT, i))
+            continue;
+        else if (pm_capture_is_meeting(m, i))
+            add(w, FUNCTION_MEETING, i, 1, PM_LEVEL_KINEMATIC, 0, w->size * w->speed);
+        else
+            add_gap(w, i);
+    for (int i = 0; i < m->nslot; i++) {
+        const int mode = w->state.slot[i].mode;
+        if (mode == PM_OPEN || mode == PM_CAPTURED) continue;
+        add(w, FUNCTION_NORMAL, i, -1, PM_LEVEL_DYNAMIC, force, size);
+        if (mode == PM_STICK && pm_contact_friction(m, pm_contact_of_slot(m, i)) == PM_FRICTION_COULOMB)
+            add(w, FUNCTION_GRIP, i, -1, PM_LEVEL_DYNAMIC, force, size);
+        if (pm_edge_is(m, pm_contact_of_slot(m, i)))
+            add(w, FUNCTION_END, i, -1, PM_LEVEL_KINEMATIC, pm_contact_length(w), w->size);
+        if (mode == PM_SLIDE_FORWARD || mode == PM_SLIDE_BACKWARD)
+            add(w, FUNCTION_SLIP, i, -1, PM_LEVEL_KINEMATIC, pm_contact_speed(w), w->speed);
+    }
+}
+
+static void add_grips(pm_workspace *w)
+{
+    const double size = pm_case_force(w), force = FORCE_SLACK * size;
+    for (int i = 0; i < w->model->ngrip; i++) {
+        if (w->state.grip[i] == PM_STICK)
+            add(w, FUNCTION_HOLD, i, -1, PM_LEVEL_DYNAMIC, force, size);
+        else if (w->state.grip[i] != PM_OPEN)
+            add(w, FUNCTION_RUB, i, -1, PM_LEVEL_KINEMATIC, pm_joint_friction_still(w, i), w->speed);
+    }
+}
+
+double pm_event_sample(pm_workspace *w, const pm_event_function *f)
+{
+    const pm_slot *slot = w->state.slot;
+    int member;
+    switch (f->kind) {
+    case FUNCTION_GAP: {
+        const double gap = pm_contact_gap(w, &w->state, f->index, &member);
+        if (isinf(gap)) return w->size; /* nothing left to close */
+        return f->below ? pm_edge_gap_from_below(w, f->index) : gap;
+    }
+    case FUNCTION_NORMAL:
+        return w->slot_normal[f->index] == PM_NONE ? w->size : w->frame.lambda[w->slot_normal[f->index]];
+    case FUNCTION_GRIP: {
+        if (w->slot_tangent[f->index] == PM_NONE || w->slot_normal[f->index] == PM_NONE) return 1;
+        const double mu = pm_contact_static(w, pm_contact_of_slot(w->model, f->index));
+        return mu * w->frame.lambda[w->slot_normal[f->index]] -
+               fabs(w->frame.lambda[w->slot_tangent[f->index]]);
+    }
+    case FUNCTION_SLIP: {
+        const double slip =
+            pm_contact_member_slip(w, pm_contact_of_slot(w->model, f->index), slot[f->index].member);
+        return slot[f->index].mode == PM_SLIDE_FORWARD ? slip : -slip;
+    }
+    case FUNCTION_MEETING: /* a pair that is not open meets no more */
+        return isinf(pm_contact_gap(w, &w->state, f->index, &member)) ? w->size * w->speed
+                                                                      : pm_capture_approach(w, f->index);
+    case FUNCTION_END: return pm_edge_room(w, pm_contact_of_slot(w->model, f->index), slot[f->index].member);
+    case FUNCTION_HOLD:
+        if (w->grip_row[f->index] == PM_NONE) return 1; /* something else holds it, too */
+        return pm_joint_friction_limit(w, f->index) - fabs(w->frame.lambda[w->grip_row[f->index]]);
+    case FUNCTION_RUB:
+        return w->state.grip[f->index] == PM_SLIDE_FORWARD ? pm_joint_friction_slip(w, f->index)
+                                                           : -pm_joint_friction_slip(w, f->index);
+    default: return pm_trigger_program(w, f->index);
+    }
+}
+
+int pm_event_changes_sign(const pm_event_function *f)
+{
+    return f->kind == FUNCTION_TRIGGER || f->kind == FUNCTION_MEETING;
+}
+
+double pm_event_of_sample(const pm_event_function *f, double sample)
+{
+    return f->every ? (sample - f->low) * (f->high - sample) : sample;
+}
+
+double pm_event_value(pm_workspace *w, const pm_event_function *f)
+{
+    return pm_event_of_sample(f, pm_event_sample(w, f));
+}
+
+void pm_event_values(pm_workspace *w, double *value)
+{
+    for (int i = 0; i < w->event->nfunction; i++) value[i] = pm_event_value(w, &w->event->function[i]);
+}
+
+void pm_event_set_multiples(pm_workspace *w)
+{
+    for (int i = 0; i < w->event->nfunction; i++) {
+        pm_event_function *f = &w->event->function[i];
+        if (!f->every) continue;
+        const double p = pm_trigger_program(w, f->index), nearest = round(p);
+        const int holds = fabs(p - nearest) <= ON_MULTIPLE * fmax(1, fabs(p));
+        const double low = holds ? nearest - 1 : floor(p), high = holds ? nearest + 1 : low + 1;
+        if (low != f->low || high != f->high) f->search = SEARCH_NONE;
+        f->low = low;
+        f->high = high;
+    }
+}
+
+/* The nearest open member of a touching contact moves away with a definite speed: it may come back at once. */
+static int leaves(pm_workspace *w, int contact)
+{
+    int member;
+    double rate;
+    pm_contact_gap(w, &w->state, contact, &member);
+    pm_contact_member_gap(w, contact, member, &rate);
+    return rate > pm_contact_speed(w);
+}
+
+void pm_event_begin(pm_workspace *w)
+{
+    pm_event_set *e = w->event;
+    e->nfunction = e->nsampled = e->nrow = 0;
+    e->level = PM_LEVEL_KINEMATIC;
+    add_triggers(w);
+    e->ntrigger = e->nfunction;
+    add_contacts(w);
+    add_grips(w);
+    e->first_step = 1;
+    pm_gap_culling_begin(w);
+    memset(e->spent, 0, (size_t)w->model->rows[PM_TABLE_CONTACT]);
+    pm_event_set_multiples(w);
+    for (int i = 0; i < e->nfunction; i++) {
+        pm_event_function *f = &e->function[i];
+        if (pm_event_changes_sign(f) || pm_event_value(w, f) > f->slack) continue;
+        f->held = 1;
+        if (f->kind == FUNCTION_GAP && leaves(w, f->index))
+            f->slack = POSITION_ROUNDING * pm_contact_reach(w);
+    }
+    memset(e->fired, 0, (size_t)w->model->rows[PM_TABLE_TRIGGER]);
+}
+
+int pm_event_contact_change(const pm_workspace *w, int function)
+{
+    switch (w->event->function[function].kind) {
+    case FUNCTION_NORMAL: return PM_TRIGGER_OPEN;
+    case FUNCTION_GRIP: return PM_TRIGGER_SLIP;
+    case FUNCTION_SLIP: return PM_TRIGGER_STICK;
+    default: return PM_NONE;
+    }
+}

@@ -1,0 +1,120 @@
+/* event.h - what ends a phase: triggers of the scene, gaps that close, contact forces that vanish, slip that starts or
+ * stops; found in each step and located to the accuracy of the trajectory.
+ *
+ * A step is run through by a progress coordinate x: the time on routes that step in time, the way along the path on the
+ * path route. */
+#ifndef PM_EVENT_H
+#define PM_EVENT_H
+
+#include "elements/contact.h"
+#include "events/gap_culling.h"
+#include "numerics/chebyshev_nodes.h"
+#include "state/model.h"
+
+#define PM_COUNTLESS (INT64_MAX / 2) /* count of an event that has fired infinitely often */
+
+enum pm_function_kind {
+    FUNCTION_TRIGGER,
+    FUNCTION_GAP,
+    FUNCTION_NORMAL,
+    FUNCTION_GRIP,
+    FUNCTION_SLIP,
+    FUNCTION_MEETING, /* of two points: where they are nearest, they may meet */
+    FUNCTION_END,     /* of an edge that something touches */
+    FUNCTION_HOLD,    /* friction of a joint that holds: what is left of it */
+    FUNCTION_RUB      /* its slip where it slides */
+};
+
+/* What is known of the next zero of a function in the step that was sampled last. */
+enum pm_zero_search { SEARCH_NONE = 0, SEARCH_BRACKETED = 1, SEARCH_LOCATED = 2, SEARCH_NO_ZERO = 3 };
+
+/* Two places of a step, and a function's values there. */
+typedef struct pm_span {
+    double a, b, ga, gb;
+} pm_span;
+
+typedef struct pm_event_function {
+    int kind;       /* enum pm_function_kind */
+    int index;      /* trigger, contact or slot */
+    int direction;  /* 0: either way, 1: rising, -1: falling */
+    int level;      /* enum pm_level it needs */
+    int owned;      /* the route itself finds its roots: not sampled */
+    int held;       /* zero when the phase began, or just fired: must first be left */
+    int every;      /* the samples are places along multiples: see pm_event_sample */
+    int side;       /* 1, -1: its sign when the step began; 0: not known, or it was on zero */
+    int below;      /* of a gap: the mark was below its edge when the phase began */
+    double since;   /* x from which it is held */
+    double located; /* x of the zero that was located, on the dense output: not quite where it is exactly */
+    double slack;   /* a held function counts as crossed only below -slack */
+    double natural; /* its natural size; of a trigger 1 */
+    double near;    /* least value where it came close and turned back, since the last instant */
+    double near_reach; /* its value on both sides of there */
+    double low, high;  /* `every`: the multiples below and above */
+    int row;           /* of a gap to a row: its place among these, else PM_NONE */
+    int search; /* enum pm_zero_search: it holds until the function has fired, or another step is sampled */
+    pm_span bracket; /* of its next zero */
+    double found;    /* where that is */
+    double slope;    /* of its samples there; NaN: not known */
+    double tail;     /* of its samples (chebyshev.h); negative: not known yet */
+    double biggest;  /* of their sizes, where the tail is known */
+} pm_event_function;
+
+typedef struct pm_event_set {
+    pm_event_function *function;
+    int nfunction;
+    int ntrigger;                /* of them triggers: they come first */
+    int nsampled;                /* of them those that the route does not find */
+    int nrow;                    /* of them gaps to rows */
+    int level;                   /* highest level of all */
+    double *value;               /* [most functions][PM_NODES_MOST] samples */
+    double place[PM_NODES_MOST]; /* x of the nodes */
+    pm_beside *beside;           /* [rows that are watched][PM_NODES_MOST] at the nodes */
+    int *hit;                    /* [most functions] fired at this instant */
+    int *root;                   /* [most functions] roots that the route itself found, or 0 */
+    int at_root;                 /* the step ends at one of these */
+    double *due;              /* [ntrigger] time at which a trigger on time alone fires next, or INFINITY */
+    unsigned char *fired;     /* [ntrigger] at this instant */
+    unsigned char *spent;     /* [ncontact] left its zero by less than rounding: the bounce is over */
+    double *before;           /* [ntrigger] program values before the jump */
+    double *least, *greatest; /* [ntrigger] of the samples in the phase */
+    int64_t *count;           /* [nevent] */
+    double *time;             /* [nevent] */
+    int64_t *seen;            /* [nevent] how often its triggers were marked */
+    unsigned char *acted;     /* [nevent] its actions are carried out at this instant */
+    void *solver;             /* gsl_root_fsolver */
+    pm_gap_culling clear;     /* contacts out of reach of the step */
+    int first_step;           /* of the phase */
+    int most;                 /* size of the function array */
+} pm_event_set;
+
+int pm_event_create(pm_workspace *w);
+void pm_event_free(pm_workspace *w);
+
+/* The phase's functions, from triggers, contacts and modes; the frame looks at w->state (DYNAMIC). */
+void pm_event_begin(pm_workspace *w);
+/* The multiples of `every` next to the frame; one that holds must first be left. */
+void pm_event_set_multiples(pm_workspace *w);
+/* Values of all functions of the phase at the frame (level as pm_event_set.level says). */
+void pm_event_values(pm_workspace *w, double *value);
+/* Samples of function i at the nodes of the step. */
+static inline double *pm_event_samples(const pm_workspace *w, int i)
+{
+    return w->event->value + i * PM_NODES_MOST;
+}
+
+/* Value of one function at the frame; what is sampled of it there, and its value from a sample. */
+double pm_event_value(pm_workspace *w, const pm_event_function *f);
+double pm_event_sample(pm_workspace *w, const pm_event_function *f);
+double pm_event_of_sample(const pm_event_function *f, double sample);
+/* The function may have either sign in a phase, as that of a contact has not. */
+int pm_event_changes_sign(const pm_event_function *f);
+/* Steps until something happens or a limit is met.  On an event w->state is at it (before the jump), the phase's rows
+ * still hold, w->event->hit and ->fired tell what.  Instants that only mark something are passed on the way: *ended = 1
+ * if one of them ends the run. */
+int pm_advance(pm_workspace *w, int *ended);
+
+/* What a located function means for its contact (function.index is then a slot): PM_TRIGGER_OPEN, SLIP, STICK, or
+ * PM_NONE. */
+int pm_event_contact_change(const pm_workspace *w, int function);
+
+#endif

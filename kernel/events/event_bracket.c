@@ -1,0 +1,252 @@
+/* event_bracket.c - between which places of a step a function goes through zero, from its samples.
+ *
+ * Two samples of different sign bracket a zero.  Where the function dips towards zero between nodes and is not through at
+ * any of them, the bottom is looked for.  Of three nodes x_0 < x_1 < x_2 the middle one is lowest: the vertex of the
+ * parabola through them,
+ *
+ *   x = x_1 - g' / (2 b),    g = g_1 - g'^2 / (4 b)      g' its slope at x_1, 2 b its bend
+ *
+ * Two nodes at a distance h, with values a and b, show a dip by the slopes p / h < 0 < q / h of the polynomial there: the
+ * minimum of the cubic through both values and slopes,
+ *
+ *   g(t) = a + p t + c2 t^2 + c3 t^3,    c2 = 3 (b - a) - 2 p - q,    c3 = 2 (a - b) + p + q
+ *   t = -p / (c2 + sqrt(c2^2 - 3 c3 p))
+ *
+ * If that comes near to zero, Newton's method on differences of the dense output leads to the bottom itself.
+ *
+ * A function that is on its zero when the step begins has no side yet: it is looked for where it has left. */
+#include "events/event_bracket.h"
+
+#include <math.h>
+
+#include "events/event_samples.h"
+#include "numerics/chebyshev.h"
+
+#define ON_ZERO 1e-12 /* of a function's greatest size in the step: zero when the phase begins */
+#define NEAR 0.3      /* of a function's greatest size in the step: below it there may be a dip to zero */
+#define FAR 0.5       /* of a function's greatest size in the step: above it there is none */
+#define CLOSE 0.1     /* of the values beside it: a dip that is worth a closer look */
+#define DIP_STEP 1e-3 /* of the nodes' distance: distance of the differences at the bottom of a dip */
+#define DIP_STEPS 3   /* of Newton's method to the bottom */
+#define HALVINGS 30   /* of a step, to find the top of a short bounce */
+#define LEAVING \
+    20 /* halvings of a step: a trigger has left its zero at the first place where it is seen off it */
+
+/* ---- which way ---- */
+/* It goes through zero from a to b, the way that counts. */
+static int crosses(const pm_event_function *f, double a, double b)
+{
+    if (isnan(a) || isnan(b)) return 0;
+    if (f->direction <= 0 && a > 0 && b <= 0) return 1;
+    if (f->direction >= 0 && a < 0 && b >= 0) return 1;
+    return 0;
+}
+
+static int may_cross(const pm_event_function *f, double s)
+{
+    return !(f->direction > 0 && s > 0) && !(f->direction < 0 && s < 0);
+}
+
+/* ---- dips ---- */
+/* From near the bottom of a dip to it, by Newton's method on differences; s is the side of zero. */
+static double bottom(pm_workspace *w, pm_event_function *f, double s, double low, double high, double *where)
+{
+    const double d = DIP_STEP * (high - low);
+    double value = s * pm_event_samples_along(w, *where, f);
+    for (int i = 0; i < DIP_STEPS && value > 0; i++) {
+        const double a = s * pm_event_samples_along(w, *where - d, f),
+                     b = s * pm_event_samples_along(w, *where + d, f), bend = a - 2 * value + b;
+        if (!(bend > 0)) break;
+        const double next = fmin(fmax(*where + 0.5 * d * (a - b) / bend, low), high),
+                     there = s * pm_event_samples_along(w, next, f);
+        if (!(there < value)) break;
+        *where = next;
+        value = there;
+    }
+    return value;
+}
+
+/* A function that came close to zero at `where` goes through it there, or has turned back: a decision to be noted. */
+static int reaches(pm_workspace *w, pm_event_function *f, double s, double around, double low, double high,
+                   double *where, double *value)
+{
+    const double least = bottom(w, f, s, low, high, where);
+    *value = s * least;
+    if (least > 0 && least < f->near && f->kind != FUNCTION_MEETING) {
+        f->near = least;
+        f->near_reach = around;
+    }
+    return least <= 0;
+}
+
+/* A dip of three nodes towards zero: the vertex of their parabola, if the function goes through zero there. */
+static int dips(pm_workspace *w, pm_event_function *f, const double *g, double biggest, const double *x,
+                double *where, double *value)
+{
+    if (fabs(g[1]) > FAR * biggest) return 0;
+    const double s = g[1] > 0 ? 1 : -1, a = s * g[0], b = s * g[1], c = s * g[2];
+    if (!(b < a && b < c) || !(a > 0 && b > 0 && c > 0) || !may_cross(f, s)) return 0;
+    const double left = (a - b) / (x[1] - x[0]), right = (c - b) / (x[2] - x[1]);
+    const double bend = (left + right) / (x[2] - x[0]);
+    const double slope = (right * (x[1] - x[0]) - left * (x[2] - x[1])) / (x[2] - x[0]);
+    if (b - slope * slope / (4 * bend) > CLOSE * b) return 0;
+    *where = x[1] - slope / (2 * bend);
+    return reaches(w, f, s, fmax(a, c), x[0], x[2], where, value);
+}
+
+/* Slope at a node of the polynomial through the values there. */
+static double slope_at(const pm_workspace *w, const double *g, int k)
+{
+    return pm_chebyshev_slope_at(w->nodes, g, k) / (w->step_end - w->step_begin);
+}
+
+/* A dip between node k and the next, told by the slopes there: also one beside an end of the step, where three nodes do
+ * not show it.  The bottom of the cubic through both values and slopes. */
+static int turns(pm_workspace *w, pm_event_function *f, const double *g, int k, const double *x,
+                 double *where, double *value)
+{
+    const double s = g[k] > 0 ? 1 : -1, a = s * g[k], b = s * g[k + 1], h = x[1] - x[0];
+    if (!(a > 0 && b > 0) || !may_cross(f, s)) return 0;
+    const double p = s * slope_at(w, g, k) * h;
+    if (!(p < 0)) return 0;
+    const double q = s * slope_at(w, g, k + 1) * h;
+    if (!(q > 0)) return 0;
+    const double c2 = 3 * (b - a) - 2 * p - q, c3 = 2 * (a - b) + p + q;
+    const double t = -p / (c2 + sqrt(fmax(c2 * c2 - 3 * c3 * p, 0)));
+    if (!(t > 0 && t < 1) || a + t * (p + t * (c2 + t * c3)) > CLOSE * fmin(a, b)) return 0;
+    *where = x[0] + t * h;
+    return reaches(w, f, s, fmax(a, b), x[0], x[1], where, value);
+}
+
+/* All samples are on one side: where the function may not cross from there, or where it stays so far from zero that no
+ * parabola of three nodes (of which one interval is at most three times the other) comes near to it. */
+static int stays_away(const pm_event_function *f, const pm_event_course *x)
+{
+    const double least = x->low > 0 ? x->low : -x->high;
+    return least > (may_cross(f, x->low > 0 ? 1 : -1) ? FAR * x->biggest : 0);
+}
+
+/* A dip between node k and the next shows at one of them, unless the function is not smooth: it is lower there than beside
+ * it, or at an end of the step. */
+static int shows_dip(const pm_event_course *x, int k)
+{
+    const double *g = x->g, a = fabs(g[k]), b = fabs(g[k + 1]);
+    return b < a ? k + 2 >= x->n || !(fabs(g[k + 2]) < b) : k == 0 || !(fabs(g[k - 1]) < a);
+}
+
+/* ---- what was on its zero ---- */
+/* A function held at zero is negative at b: it has gone up and come back (a short bounce), or it went the wrong way at
+ * once and the event is now. */
+static void leaves_and_returns(pm_workspace *w, pm_event_function *f, double a, double b, double gb,
+                               pm_span *x)
+{
+    *x = (pm_span){a, a, 0, 0};
+    for (int i = 0; i < HALVINGS; i++) {
+        const double middle = 0.5 * (a + b), g = pm_event_samples_along(w, middle, f);
+        if (middle <= a) break;
+        if (g > 0) {
+            *x = (pm_span){middle, b, g, gb};
+            break;
+        }
+        b = middle;
+        gb = g;
+    }
+    if (f->kind == FUNCTION_GAP && x->a == x->b) w->event->spent[f->index] = 1;
+}
+
+/* A trigger that was on zero at a: where it has definitely left tells its side; it may have come back before b.  The
+ * samples tell that where they resolve it, as far as it is beyond their error. */
+static int leaves_and_crosses(pm_workspace *w, int i, const pm_event_course *of, double a, double b,
+                              double gb, double noise, pm_span *x)
+{
+    pm_event_function *f = &w->event->function[i];
+    const double begin = w->step_begin, h = w->step_end - begin;
+    const int told = pm_event_samples_resolved(w, i, of);
+    for (int k = LEAVING; k > 0; k--) {
+        const double place = a + ldexp(b - a, -k);
+        if (place <= a) continue;
+        double g = told ? pm_chebyshev_value(w->nodes, of->g, 1, (place - begin) / h) : 0;
+        if (!(fabs(g) > fmax(noise, pm_event_samples_residual(f, of->biggest))))
+            g = pm_event_samples_along(w, place, f);
+        if (!(fabs(g) > noise)) continue;
+        *x = (pm_span){place, b, g, gb};
+        return crosses(f, g, gb);
+    }
+    return 0;
+}
+
+/* ---- the step ---- */
+/* At the begin of the phase it may be on its zero by chance. */
+static void hold_if_on_zero(const pm_workspace *w, pm_event_function *f, const pm_event_course *of,
+                            double from)
+{
+    const pm_event_set *e = w->event;
+    if (!e->first_step || from != e->place[0] || !(fabs(of->g[0]) <= ON_ZERO * of->biggest)) return;
+    f->held = 1;
+    f->since = from;
+}
+
+/* Moves *first on to the node from which its side is known (n: none); 1 if there is a bracket before it. */
+static int enter(pm_workspace *w, int i, const pm_event_course *of, int *first, pm_span *x)
+{
+    const double *place = w->event->place, *g = of->g;
+    pm_event_function *f = &w->event->function[i];
+    const int changes_sign = pm_event_changes_sign(f);
+    int k = *first;
+    if (f->held && changes_sign) { /* enters on the side where it goes */
+        const double since = fmax(f->since, place[0]);
+        while (k < of->n - 1 && place[k] <= since) k++;
+        *first = k;
+        return leaves_and_crosses(w, i, of, since, place[k], g[k], ON_ZERO * of->biggest, x);
+    }
+    if (f->held) { /* a contact starts on the open side, and counts again from where it has left its zero */
+        for (k = 1; k < of->n && fabs(g[k]) <= f->slack;) k++;
+        *first = k;
+        if (k == of->n || !(g[k] < 0)) return 0;
+        leaves_and_returns(w, f, place[k - 1], place[k], g[k], x);
+        return 1;
+    }
+    if (changes_sign || !(g[0] <= 0)) return 0;
+    *x = (pm_span){place[0], place[0], 0, 0}; /* the last step ended on its zero */
+    return 1;
+}
+
+/* The first bracket between two nodes, from node `first` on. */
+static int search(pm_workspace *w, int i, const pm_event_course *of, int first, double from, pm_span *x)
+{
+    const double *place = w->event->place, *g = of->g, close = NEAR * of->biggest;
+    pm_event_function *f = &w->event->function[i];
+    for (int k = first; k + 1 < of->n; k++) {
+        const int near = fabs(g[k]) < close || fabs(g[k + 1]) < close, dip = shows_dip(of, k);
+        if (g[k] * g[k + 1] > 0 && !dip && !(near && pm_event_samples_tail(w, i, of) >= PM_CHEBYSHEV_SMOOTH))
+            continue;
+        double where, value;
+        if (crosses(f, g[k], g[k + 1])) {
+            *x = (pm_span){place[k], place[k + 1], g[k], g[k + 1]};
+            return 1;
+        }
+        const int turned = near && turns(w, f, g, k, place + k, &where, &value);
+        if ((turned || (k + 2 < of->n && dips(w, f, g + k, of->biggest, place + k, &where, &value))) &&
+            where > from) {
+            *x = (pm_span){place[k], where, g[k], value};
+            return 1;
+        }
+    }
+    return 0;
+}
+
+int pm_event_bracket(pm_workspace *w, int i, double from, pm_span *x)
+{
+    pm_event_set *e = w->event;
+    pm_event_function *f = &e->function[i];
+    pm_event_course of;
+    pm_event_samples_take(w, i, &of);
+    const int last = of.n - 1;
+    int first = 0;
+    if (e->at_root && fabs(of.g[last]) <= ON_ZERO * of.biggest) of.g[last] = 0; /* there the phase ends */
+    while (first < last && e->place[first + 1] <= from) first++;
+    if (first == last) return 0;
+    if (pm_event_changes_sign(f)) hold_if_on_zero(w, f, &of, from);
+    if (enter(w, i, &of, &first, x)) return 1;
+    return !stays_away(f, &of) && search(w, i, &of, first, from, x);
+}

@@ -1,0 +1,155 @@
+/* event_locate.c - where in its bracket a function is zero.
+ *
+ * First on the dense output: the root of the polynomial through the samples where these tell the function, else Brent's
+ * method.  Then on exact states (bracket.c), so that an event is as accurate as the trajectory and never only as good as an
+ * interpolant.  Where what the route looks at is exact itself, one step of Newton's method from the root r of the
+ * polynomial is enough,
+ *
+ *   x = r - d,    d = g(r) / g'(r)        off by no more than d (e + n^2 d / h)
+ *
+ * e = n^2 tail |g| / (h |g'|) the relative error of the slope that n nodes tell in a step of length h, |g| the greatest of
+ * the samples. */
+#include "events/event_locate.h"
+
+#include <math.h>
+
+#include "equations/saddle.h"
+#include "events/event_samples.h"
+#include "events/event_sampling.h"
+#include "impact/impact.h"
+#include "numerics/bracket.h"
+#include "numerics/chebyshev.h"
+#include "state/evidence.h"
+#include "state/frame.h"
+#include "state/route.h"
+#include "study/accuracy.h"
+
+#define RATE_STEP 1e-4 /* of the step: distance of the differences that make a rate */
+#define ROUNDING 1e-15 /* of the step */
+#define TOLD 1e-14     /* the same of the polynomial through samples that tell a function to rounding */
+#define OFF 1e-9       /* of a function's values next to its zero: not on it */
+
+/* ---- on the dense output ---- */
+/* The root of the polynomial through the samples, and its slope there. */
+static int root_of_samples(pm_workspace *w, int i, const pm_span *x, double *place)
+{
+    const double begin = w->step_begin, h = w->step_end - begin;
+    double s, slope;
+    pm_event_course of;
+    pm_event_samples_take(w, i, &of);
+    const int status = pm_chebyshev_root(w, w->nodes, of.g, (x->a - begin) / h, x->ga, (x->b - begin) / h,
+                                         x->gb, &s, &slope);
+    *place = begin + s * h;
+    w->event->function[i].slope = slope / h;
+    return status;
+}
+
+int pm_event_locate(pm_workspace *w, int i, const pm_span *x, double *place)
+{
+    pm_event_set *e = w->event;
+    *place = x->a;
+    e->function[i].slope = NAN;
+    if (!(x->b > x->a)) return PM_OK;
+    if (!pm_event_samples_resolve(w, i)) pm_event_search_sample_member(w, i, x->b);
+    if (pm_event_samples_resolve(w, i)) return root_of_samples(w, i, x, place);
+    return pm_bracket_find(w, e->solver, pm_event_samples_along, &e->function[i], x->a, x->ga, x->b, x->gb,
+                           place);
+}
+
+/* ---- on exact states ---- */
+static int exactly(pm_workspace *w, double x, void *context, double *value)
+{
+    const pm_event_function *f = context;
+    const pm_state *s = &w->probe;
+    int status = w->route->exact(w, x, &w->probe);
+    if (status) return status;
+    pm_frame_look(w, s->t, s->q, s->v, s->z, w->state.memory);
+    if (f->level == PM_LEVEL_DYNAMIC) status = pm_saddle_accelerate(w);
+    *value = pm_event_value(w, f);
+    return status;
+}
+
+/* Where what the route looks at is exact, one step of Newton's method from the root of the polynomial leads to the zero
+ * itself, but for the error of the slope: *near, if that is nothing. */
+static int step_onto(pm_workspace *w, int i, double slope, double size, double *place, int *near)
+{
+    pm_event_function *f = &w->event->function[i];
+    const double h = w->step_end - w->step_begin, n = w->nodes->n,
+                 value = pm_event_samples_along(w, *place, f);
+    const double shift = -value / slope, next = *place + shift;
+    const double error = n * n * fmax(f->tail, ROUNDING) * f->biggest / fabs(slope * h); /* of the slope */
+    *near = fabs(value) <= OFF * size && next > w->step_begin && next < w->step_end &&
+            fabs(shift) * (error + n * n * fabs(shift) / h) <= ROUNDING * h;
+    if (*near) *place = next;
+    return isnan(value) ? PM_SOLVER : PM_OK;
+}
+
+/* The samples tell where a trigger is zero as well as any look would.  (What closes a gap is met to the last bit.) */
+static int tells_zero(const pm_workspace *w, const pm_event_function *f, double slope)
+{
+    const double h = w->step_end - w->step_begin;
+    return f->kind == FUNCTION_TRIGGER && w->route->look &&
+           pm_event_samples_residual(f, f->biggest) <= TOLD * fabs(slope * h);
+}
+
+/* Moves the root to where the function is zero on an exact state.  A function with a corner is no polynomial: where the
+ * polished place is not on its zero it is looked for once more. */
+static int polish(pm_workspace *w, int i, const pm_span *x, double slope, double *first, double *taken)
+{
+    pm_event_function *f = &w->event->function[i];
+    const int spectral = !isnan(slope);
+    const double size = fmax(fabs(x->ga), fabs(x->gb));
+    double off;
+    int near = spectral && tells_zero(w, f, slope), status = PM_OK;
+    if (spectral && w->route->look && !near) status = step_onto(w, i, slope, size, first, &near);
+    if (near) {
+        *taken = *first;
+        return status ? status : w->route->exact(w, *first, &w->probe);
+    }
+    if (!status) status = pm_bracket_polish(w, pm_event_samples_along, exactly, f, slope, first, taken, &off);
+    if (status || !(fabs(off) > OFF * size) || !spectral) return status;
+    status = pm_bracket_find(w, w->event->solver, pm_event_samples_along, f, x->a, x->ga, x->b, x->gb, first);
+    return status ? status
+                  : pm_bracket_polish(w, pm_event_samples_along, exactly, f, NAN, first, taken, &off);
+}
+
+/* ---- what it is there ---- */
+/* How fast the function goes through its zero: a decision, for it might not have reached it.  slope: of the polynomial
+ * there, if its samples tell it. */
+static void take_rate(pm_workspace *w, int function, double x, double slope)
+{
+    if (!w->error->active) return;
+    pm_event_function *f = &w->event->function[function];
+    const double d = RATE_STEP * (w->step_end - w->step_begin);
+    const double rate =
+        isnan(slope) ? (pm_event_samples_along(w, x + d, f) - pm_event_samples_along(w, x - d, f)) / (2 * d)
+                     : slope;
+    if (f->kind == FUNCTION_GAP && pm_impact_nearly_ends(w, f->index, rate)) return;
+    pm_evidence_rate(w, function, rate);
+}
+
+static double slope_of_samples(const pm_workspace *w, int i, double place)
+{
+    const double h = w->step_end - w->step_begin;
+    double here;
+    pm_event_course of;
+    pm_event_samples_take(w, i, &of);
+    return pm_chebyshev_slope(w->nodes, of.g, (place - w->step_begin) / h, &here) / h;
+}
+
+/* Its slope at the root, by the samples; not a number where these do not tell it. */
+static double slope_at_root(pm_workspace *w, int i, double place)
+{
+    if (!pm_event_samples_resolve(w, i)) return NAN;
+    const double slope = w->event->function[i].slope;
+    return isnan(slope) ? slope_of_samples(w, i, place) : slope;
+}
+
+int pm_event_locate_settle(pm_workspace *w, int i, const pm_span *x, double *place, double *taken)
+{
+    const int at_end = *place >= w->step_end && x->gb == 0; /* exactly there: nothing to polish */
+    if (at_end && !w->error->active) return PM_OK;
+    const double slope = slope_at_root(w, i, *place);
+    if (!at_end || !w->turns) take_rate(w, i, *place, slope);
+    return at_end ? PM_OK : polish(w, i, x, slope, place, taken);
+}

@@ -1,0 +1,99 @@
+/* event_search.c - which functions of a phase go through zero first in a step.
+ *
+ * Every function is sampled at the nodes of each step (event_sampling.c).  A change of sign between two nodes, or a dip
+ * that goes through zero, is bracketed (event_bracket.c) and located on the route's dense output; the first of all is
+ * then polished on exact states (event_locate.c). */
+#include "events/event_search.h"
+
+#include <math.h>
+
+#include "elements/capture.h"
+#include "events/event_bracket.h"
+#include "events/event_locate.h"
+#include "events/event_samples.h"
+
+#define PASSES 1e-5 /* of the scene's size: two points farther apart where they are nearest do not meet */
+
+/* Two points go by each other at a distance: nothing happens. */
+static int goes_by(pm_workspace *w, int i, double place)
+{
+    pm_event_function *f = &w->event->function[i];
+    if (f->kind != FUNCTION_MEETING) return 0;
+    pm_event_samples_along(w, place, f);
+    return pm_capture_distance(w, f->index) > PASSES * w->size;
+}
+
+/* The first place of the step, after `from`, where something happens to function i; *x brackets it; or INFINITY.  What
+ * was found from an earlier place on still holds, as long as the function has not fired. */
+static int first_of(pm_workspace *w, int i, double from, double not_after, pm_span *x, double *place)
+{
+    pm_event_function *f = &w->event->function[i];
+    *place = INFINITY;
+    for (;;) {
+        if (f->search == SEARCH_NONE)
+            f->search = pm_event_bracket(w, i, from, &f->bracket) ? SEARCH_BRACKETED : SEARCH_NO_ZERO;
+        if (f->search == SEARCH_NO_ZERO || f->bracket.a > not_after) return PM_OK;
+        *x = f->bracket;
+        if (f->search == SEARCH_BRACKETED) {
+            const int status = pm_event_locate(w, i, x, &f->found);
+            if (status) return status;
+            f->search = SEARCH_LOCATED;
+        }
+        if (!goes_by(w, i, f->found)) break;
+        f->held = 1; /* as what has fired: it must be left first */
+        f->since = from = f->found;
+        f->search = SEARCH_NONE;
+    }
+    *place = f->found;
+    return PM_OK;
+}
+
+/* The function that fires first: w->event->hit it and all that do at the same place; PM_NONE if none does. */
+static int find_earliest(pm_workspace *w, double from, int *earliest, double *first, pm_span *of_first)
+{
+    pm_event_set *e = w->event;
+    const double same = PM_SAME_PLACE * (w->step_end - w->step_begin);
+    pm_span x;
+    *earliest = PM_NONE;
+    *first = INFINITY;
+    for (int i = 0; i < e->nfunction; i++) {
+        e->hit[i] = 0;
+        if (!pm_event_samples_wanted(w, &e->function[i])) continue;
+        double place;
+        const int status = first_of(w, i, from, *first, &x, &place);
+        if (status) return status;
+        if (place == INFINITY) continue;
+        if (place < *first - same)
+            for (int k = 0; k < i; k++) e->hit[k] = 0;
+        if (place > *first + same) continue;
+        e->hit[i] = 1;
+        e->function[i].located = place;
+        if (place < *first) {
+            *first = place;
+            *earliest = i;
+            *of_first = x;
+        }
+    }
+    return PM_OK;
+}
+
+int pm_event_search_first(pm_workspace *w, double from, double *first, double *taken)
+{
+    int earliest;
+    pm_span x;
+    const int status = find_earliest(w, from, &earliest, first, &x);
+    if (status || earliest == PM_NONE || *first <= w->step_begin) return status;
+    return pm_event_locate_settle(w, earliest, &x, first, taken);
+}
+
+void pm_event_search_leave(pm_workspace *w)
+{
+    pm_event_set *e = w->event;
+    const int last = w->nodes->n - 1;
+    for (int i = 0; i < e->nfunction; i++) {
+        pm_event_function *f = &e->function[i];
+        if (!pm_event_samples_wanted(w, f)) continue;
+        if (fabs(pm_event_of_sample(f, pm_event_samples(w, i)[last])) > f->slack) f->held = 0;
+        f->since = 0;
+    }
+}

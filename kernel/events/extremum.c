@@ -1,0 +1,213 @@
+/* extremum.c - extremes of watched values inside a step: which nodes they are beside, and who finds them (extremum_parts.h). */
+#include <math.h>
+
+#include "events/ask.h"
+#include "events/event_sampling.h"
+#include "events/extremum_parts.h"
+#include "numerics/chebyshev.h"
+#include "numerics/minmax.h"
+#include "study/accuracy.h"
+
+#define NEARLY_FLAT 0.1 /* of the spread in a step: a slope between nodes that may have either sign */
+#define SHARP 0.1       /* of one whose slopes they tell roughly, at the best */
+#define UNTOLD 10.0     /* times these coefficients: how far the value may be from the polynomial */
+#define END_TAIL 4.0    /* the same at the ends of the step */
+#define LIKELY 0.1      /* of the most that a slope may be off by */
+#define WIDE 3.0        /* as much may rise what the nodes do not tell */
+#define NEAR 0.3        /* of a bend: so much it changes over this part of 1 / n^2 of the step, at the most */
+#define TOLD 1e-5       /* of one whose corners can but be dips: what they change is told by looks */
+#define SHARE 1e-2      /* of the tolerance: so little more is not looked for, but counts as an error */
+
+/* Whether node k is as good as the extreme at x right beside it. */
+static int is_at_node(pm_workspace *w, const pm_extremum *p, int k, const pm_extremum_told *x)
+{
+    const int n = w->nodes->n, at_end = k == 0 || k + 1 == n;
+    if (n * n * fabs(x->s - w->nodes->at[k]) > NEAR) return 0;
+    const double slope = fabs(pm_chebyshev_slope_at(w->nodes, p->g, k));
+    const double error = (at_end ? END_TAIL / PM_PEAK_SLOPE_TAIL : 1) * p->slope_error;
+    const double half = -(1 + NEAR) * 0.5 / x->bend,
+                 most = p->g[k] + half * (slope + error) * (slope + error);
+    const double likely = slope + LIKELY * error;
+    if (most > p->best + p->nothing) return 0;
+    pm_peak_untold(w, p, p->g[k] + half * likely * likely);
+    return 1;
+}
+
+int pm_extremum_near(pm_workspace *w, const pm_extremum *p, int k, const pm_extremum_told *x)
+{
+    if (x->bend < 0) {
+        const double untold = UNTOLD * p->tail * p->size * fabs(x->w) - 0.5 * x->slope * x->slope / x->bend;
+        if (is_at_node(w, p, k, x)) return PM_OK;
+        if (x->value + untold <= p->best + p->nothing) {
+            pm_peak_untold(w, p, x->value + untold);
+            return PM_OK;
+        }
+        int found;
+        pm_extremum_rise_end top;
+        int status = pm_peak_rise(w, p, pm_extremum_rise_side(w->nodes, k, x->s), x, &top, &found);
+        if (!status && !found) status = pm_peak_search(w, p, &top, &found);
+        if (status || found) return status;
+    }
+    const int status = pm_extremum_search_root(w, p, k - 1);
+    return status ? status : pm_extremum_search_root(w, p, k);
+}
+
+/* Where the parabola through node k, which is better than those beside it, is greatest: at an end of the step, the one with
+ * the slope there.  NaN if the value falls off there. */
+static double vertex(const pm_chebyshev_nodes *nodes, const pm_extremum *p, int k)
+{
+    const double *at = nodes->at, *g = p->g;
+    if (k > 0 && k + 1 < nodes->n) {
+        const double h = at[k] - at[k - 1], j = at[k + 1] - at[k];
+        const double left = (g[k] - g[k - 1]) / h, right = (g[k + 1] - g[k]) / j;
+        const double slope = (left * j + right * h) / (h + j), bend = 2 * (right - left) / (h + j);
+        return at[k] - slope / bend;
+    }
+    const int in = k > 0 ? k - 1 : 1;
+    const double h = at[in] - at[k], slope = pm_chebyshev_slope_at(nodes, g, k);
+    if (slope * h <= -END_TAIL / PM_PEAK_SLOPE_TAIL * p->slope_error * fabs(h)) return NAN;
+    const double bend = 2 * (g[in] - g[k] - slope * h) / (h * h);
+    return at[k] - slope / bend;
+}
+
+/* Extremes are beside nodes that are better than both nodes next to them: a wave that none shows would not be resolved.
+ * They rise above them by less than those fall off to the nodes next to them.  The first such node from k on that may beat
+ * the best, by `wide` times as much, and is not beyond the end of the step; or n. */
+static int next_top(const pm_chebyshev_nodes *nodes, const pm_extremum *p, int k, double wide)
+{
+    const double *g = p->g;
+    const int n = nodes->n;
+    for (k = k > p->first ? k : p->first; k <= p->last; k++) {
+        const double here = g[k], before = k > 0 ? g[k - 1] : g[1], after = k + 1 < n ? g[k + 1] : g[n - 2];
+        if (!(here > before && here >= after)) continue;
+        const double fall = here - pm_min(before, after);
+        if (here + wide * fall > p->best && (k == 0 || nodes->at[k - 1] < p->end)) return k;
+    }
+    return n;
+}
+
+static int extremes_of_samples(pm_workspace *w, pm_extremum *p)
+{
+    const pm_chebyshev_nodes *nodes = w->nodes;
+    for (int k = 0; (k = next_top(nodes, p, k, 1)) < nodes->n; k++) {
+        const double s = vertex(nodes, p, k);
+        if (isnan(s)) continue;
+        const pm_extremum_told x = pm_extremum_rise_top(nodes, p, k, s);
+        if (x.s <= p->end) p->met |= 1u << pm_extremum_rise_interval(nodes, x.s);
+        const int status = pm_extremum_near(w, p, k, &x);
+        if (status) return status;
+        p->best = pm_peak_best(w, p);
+    }
+    return pm_peak_hidden(w, p);
+}
+
+/* Between node k and the next, where the samples tell the slopes but roughly. */
+static int extreme_beside_top(pm_workspace *w, const pm_extremum *p, int k, double spread)
+{
+    const pm_chebyshev_nodes *nodes = w->nodes;
+    const double flat = NEARLY_FLAT * spread / (nodes->at[k + 1] - nodes->at[k]);
+    const double a = pm_chebyshev_slope_at(nodes, p->g, k), b = pm_chebyshev_slope_at(nodes, p->g, k + 1);
+    if (a < -flat || b > flat || pm_event_sampling_node(w, k) >= w->step_end) return PM_OK;
+    if (p->tail < SHARP && a > 0 && b < 0) {
+        const double low = nodes->at[k], high = nodes->at[k + 1];
+        const pm_extremum_told x = pm_extremum_rise_top(nodes, p, k, low + (high - low) * (a / (a - b)));
+        int found = 0, status = PM_OK;
+        pm_extremum_rise_end top = {.value = -INFINITY};
+        if (x.bend < 0) status = pm_peak_rise(w, p, pm_extremum_rise_side(nodes, k, x.s), &x, &top, &found);
+        if (status || found) return status;
+        if ((status = pm_peak_search(w, p, &top, &found))) return status;
+    }
+    return pm_extremum_search_root(w, p, k); /* a corner, too */
+}
+
+/* The best of the nodes, by its value; where something else is asked at the extreme, or its error, look again. */
+static int offer_node(pm_workspace *w, const pm_extremum *p, int top)
+{
+    if (p->g[top] <= p->sign * w->ask->best[p->ask]) return PM_OK;
+    const int looks = pm_ask_at_extreme(PM_ASK_ROW(w->model, p->ask)) || w->error->active;
+    const int status = looks ? pm_ask_look(w, pm_event_sampling_node(w, top), 1) : PM_OK;
+    if (!status) pm_ask_offer(w, p->ask, p->sign * p->g[top], 0);
+    return status;
+}
+
+int pm_extremum_find(pm_workspace *w, pm_extremum *p, int top, double spread)
+{
+    const pm_chebyshev_nodes *nodes = w->nodes;
+    /* an extreme between the nodes exceeds them by no more than their spread */
+    if (spread <= PM_PEAK_LEVEL * p->size || p->g[top] + spread < p->best) return PM_OK;
+    p->tail = INFINITY;
+    p->met = 0;
+    const int spectral =
+        pm_chebyshev_nodes_spectral(nodes) && !pm_ask_at_extreme(PM_ASK_ROW(w->model, p->ask));
+    if (spectral) {
+        if (next_top(nodes, p, 0, WIDE) == nodes->n && !pm_extremum_hidden_possible(nodes, p)) return PM_OK;
+        p->tail = pm_chebyshev_high(nodes, p->g) / p->size;
+        p->slope_error = PM_PEAK_SLOPE_TAIL * nodes->n * p->tail * p->size;
+        p->nothing = pm_max(PM_PEAK_NOTHING, SHARE * w->tolerance) * p->size;
+    }
+    if (!p->branch && w->ask->switches[p->ask] > 0 && p->tail > (w->ask->dips[p->ask] ? TOLD : 0)) {
+        int taken;
+        const int status = pm_extremum_branch_all(w, p, &taken);
+        if (status || taken) return status;
+    }
+    if (spectral && p->tail < PM_CHEBYSHEV_SMOOTH) return extremes_of_samples(w, p);
+    for (int k = 0; (k = next_top(nodes, p, k, WIDE)) < nodes->n; k++) {
+        p->met |= (k > 0 ? 3u << (k - 1) : 1u);
+        int status = k > 0 ? extreme_beside_top(w, p, k - 1, spread) : PM_OK;
+        if (!status && k + 1 < nodes->n) status = extreme_beside_top(w, p, k, spread);
+        if (status) return status;
+        p->best = pm_peak_best(w, p);
+    }
+    return pm_peak_hidden(w, p);
+}
+
+/* How many nodes are not beyond the end of the step, which may have been shortened. */
+static int nodes_inside(const pm_workspace *w)
+{
+    int n = w->nodes->n;
+    while (w->step_end < w->sampled_end && n > 1 && pm_event_sampling_node(w, n - 1) > w->step_end) n--;
+    return n;
+}
+
+int pm_ask_extreme(pm_workspace *w, int ask)
+{
+    const double *sample = pm_ask_samples(w, ask);
+    pm_extremum p = {
+        .ask = ask, .sign = pm_ask_greatest(PM_ASK_ROW(w->model, ask)) ? 1 : -1, .last = w->nodes->n - 1};
+    const int inside = nodes_inside(w);
+    double least = INFINITY;
+    int top = 0, top_inside = 0;
+    for (int k = 0; k < w->nodes->n; k++) {
+        const double g = p.g[k] = p.sign * sample[k];
+        if (isnan(g)) {
+            w->ask->undefined[ask] = 1;
+            return PM_OK;
+        }
+        if (g < least) least = g;
+        if (g > p.g[top]) top = k;
+        if (k < inside) top_inside = top;
+    }
+    p.size = pm_max(fabs(least), fabs(p.g[top]));
+    p.end = (w->step_end - w->step_begin) / (w->sampled_end - w->step_begin);
+    const double best = p.sign * w->ask->best[ask];
+    p.best = best > p.g[top_inside] ? best : p.g[top_inside];
+    const int status = pm_extremum_find(w, &p, top, p.g[top] - least);
+    return status ? status : offer_node(w, &p, top_inside);
+}
+
+int pm_ask_end_counts(pm_workspace *w, int ask)
+{
+    const double *value = pm_ask_samples(w, ask);
+    const double sign = pm_ask_greatest(PM_ASK_ROW(w->model, ask)) ? 1 : -1;
+    const int inside = nodes_inside(w), from = inside > 1 ? inside - 2 : 0;
+    double best = sign * w->ask->best[ask], low = INFINITY, high = -INFINITY;
+    for (int k = 0; k < inside; k++)
+        if (!(sign * value[k] <= best)) best = sign * value[k];
+    for (int k = from; k < w->nodes->n && k <= inside + 1; k++) {
+        low = pm_min(low, sign * value[k]);
+        high = pm_max(high, sign * value[k]);
+    }
+    const double next =
+        pm_max(sign * value[inside - 1], inside < w->nodes->n ? sign * value[inside] : -INFINITY);
+    return !(next + (high - low) <= best);
+}

@@ -1,0 +1,224 @@
+/* extremum_branch.c - extremes of a value whose program has switches (program.h) that change inside a step.
+ *
+ * Each branch of the program, run at all nodes, is smooth beyond the nodes where it is taken, too: its samples tell it as
+ * those of any smooth value.  Its extremes count where it is taken.  Between two nodes with different branches, extremes are
+ * also where the arguments of the switches go through zero. */
+#include <math.h>
+#include <string.h>
+
+#include "events/event_sampling.h"
+#include "events/extremum_parts.h"
+#include "events/watched_samples.h"
+#include "numerics/bracket.h"
+#include "numerics/minmax.h"
+
+#define NO_SIGN 1e-12 /* of an argument's greatest size in the step: it has no sign */
+#define BESIDE 1e-13  /* of the nodes' distance: right before and right after a jump */
+#define APART 1e-9    /* of it: two switches that change together */
+
+typedef signed char pm_extremum_signs[PM_SWITCHES];
+
+/* The branches that a program takes in a step. */
+typedef struct pm_extremum_branches {
+    pm_switches at;                        /* the nodes */
+    pm_extremum_signs sign[PM_NODES_MOST]; /* there */
+    pm_extremum_a_branch branch;           /* the one that is looked at */
+} pm_extremum_branches;
+
+/* 1 if argument i changes its sign between nodes. */
+static int changes(const pm_chebyshev_nodes *nodes, pm_extremum_branches *b, int i)
+{
+    const double *arg = b->at.arg[i];
+    double low = 0, high = 0;
+    for (int k = 0; k < nodes->n; k++) {
+        low = pm_min(arg[k], low);
+        high = pm_max(arg[k], high);
+    }
+    const double zero = NO_SIGN * pm_max(high, -low);
+    b->branch.zero[i] = zero;
+    return high > zero && low < -zero;
+}
+
+/* Signs of argument i at the nodes; where it has none, that of the node before, or of the first that has one. */
+static void take_signs(const pm_chebyshev_nodes *nodes, pm_extremum_branches *b, int i)
+{
+    const double *arg = b->at.arg[i], zero = b->branch.zero[i];
+    signed char last = 0;
+    for (int k = 0; k < nodes->n && !last; k++) last = (signed char)((arg[k] > zero) - (arg[k] < -zero));
+    for (int k = 0; k < nodes->n; k++) {
+        if (fabs(arg[k]) > zero) last = arg[k] > 0 ? 1 : -1;
+        b->sign[k][i] = last;
+    }
+}
+
+static int same_branch(const pm_extremum_branches *b, const signed char *one, const signed char *other)
+{
+    return memcmp(one, other, (size_t)b->at.n) == 0;
+}
+
+/* 1 if the branch changes somewhere. */
+static int find_branches(pm_workspace *w, const pm_extremum *p, pm_extremum_branches *b)
+{
+    int found = 0;
+    b->at.sign = NULL;
+    pm_watched_samples_run(w, pm_ask_program(PM_ASK_ROW(w->model, p->ask)), &b->at, NULL);
+    for (int i = 0; i < b->at.n; i++) found |= changes(w->nodes, b, i);
+    for (int i = 0; i < b->at.n && found; i++) take_signs(w->nodes, b, i);
+    return found;
+}
+
+/* The branch at all nodes; 0 if it has no value somewhere. */
+static int sample_branch(pm_workspace *w, const pm_extremum *p, pm_extremum_branches *b,
+                         const signed char *sign, pm_extremum *of)
+{
+    *of = *p;
+    of->branch = &b->branch;
+    of->size = 0;
+    b->branch.here.sign = sign;
+    pm_watched_samples_run(w, pm_ask_program(PM_ASK_ROW(w->model, p->ask)), &b->branch.here, of->g);
+    for (int k = 0; k < w->nodes->n; k++) {
+        if (!isfinite(of->g[k])) return 0;
+        of->g[k] *= p->sign;
+        of->size = pm_max(fabs(of->g[k]), of->size);
+    }
+    return 1;
+}
+
+/* Extremes of a branch beside nodes first .. last; nodes next to these tell how far it may rise between them. */
+static int extremes_of(pm_workspace *w, pm_extremum *of, int first, int last)
+{
+    const int from = first > 0 ? first - 1 : 0, to = last + 1 < w->nodes->n ? last + 1 : last;
+    double least = INFINITY;
+    int top = from;
+    for (int k = from; k <= to; k++) {
+        least = pm_min(of->g[k], least);
+        if (of->g[k] > of->g[top]) top = k;
+    }
+    of->first = first;
+    of->last = last;
+    of->best = pm_peak_best(w, of);
+    return pm_extremum_find(w, of, top, of->g[top] - least);
+}
+
+/* ---- between two nodes ---- */
+typedef struct pm_turn {
+    const pm_extremum *peak;
+    int i; /* the switch */
+    pm_switches here;
+} pm_turn;
+
+static double argument(pm_workspace *w, double t, void *context)
+{
+    pm_turn *x = context;
+    if (pm_ask_look(w, t, 1)) return NAN;
+    pm_watched_samples_here(w, pm_ask_program(PM_ASK_ROW(w->model, x->peak->ask)), &x->here);
+    return x->here.arg[x->i][0];
+}
+
+static int offer_at(pm_workspace *w, const pm_extremum *p, double t)
+{
+    if (t > w->step_end) return PM_OK;
+    const int status = pm_ask_look(w, t, 1);
+    if (!status) pm_ask_offer(w, p->ask, pm_ask_run(w, p->ask), 0);
+    return status;
+}
+
+/* The value where switch i changes between node k and the next: *t, or the node where it is zero. */
+static int offer_turn(pm_workspace *w, const pm_extremum *p, const pm_extremum_branches *b, int i, int k,
+                      double *t)
+{
+    const double from = pm_event_sampling_node(w, k), to = pm_event_sampling_node(w, k + 1);
+    const double fa = b->at.arg[i][k], fb = b->at.arg[i][k + 1];
+    pm_turn x = {.peak = p, .i = i};
+    *t = fabs(fa) < fabs(fb) ? from : to;
+    if (!(fa * fb < 0)) return PM_OK;
+    int status = pm_bracket_find(w, w->ask->solver, argument, &x, from, fa, to, fb, t);
+    if (status == PM_SOLVER) w->ask->undefined[p->ask] = 1; /* it has no value somewhere */
+    if (status) return status == PM_SOLVER ? PM_OK : status;
+    status = offer_at(w, p, *t);
+    const double beside = BESIDE * (to - from);
+    if (!status && b->at.jumps[i]) status = offer_at(w, p, *t - beside);
+    if (!status && b->at.jumps[i]) status = offer_at(w, p, *t + beside);
+    return status;
+}
+
+/* Two branches that meet in a corner where neither is better than the other's: no extreme, since beside it there are better
+ * values. */
+static int only_dips(const pm_extremum_branches *b, int i, int k, const pm_extremum *left,
+                     const pm_extremum *right)
+{
+    return !b->at.jumps[i] && left->g[k] >= right->g[k] && right->g[k + 1] >= left->g[k + 1];
+}
+
+/* No value between nodes k and k + 1 is far above those of the branches there. */
+static int stays_below(const pm_workspace *w, const pm_extremum *left, const pm_extremum *right, int k)
+{
+    const double most = pm_max(pm_max(left->g[k], left->g[k + 1]), pm_max(right->g[k], right->g[k + 1]));
+    const double spread = pm_max(fabs(left->g[k] - left->g[k + 1]), fabs(right->g[k] - right->g[k + 1]));
+    return most + spread < pm_peak_best(w, left);
+}
+
+/* The branch between two places where switches change, if it is none of those at the nodes: its extremes. */
+static int extremes_within(pm_workspace *w, const pm_extremum *p, pm_extremum_branches *b, int k, double t)
+{
+    pm_turn x = {.peak = p};
+    pm_extremum_signs sign;
+    pm_extremum of;
+    argument(w, t, &x);
+    for (int i = 0; i < b->at.n; i++) sign[i] = x.here.arg[i][0] < 0 ? -1 : b->sign[k][i] != 0;
+    if (same_branch(b, sign, b->sign[k]) || same_branch(b, sign, b->sign[k + 1])) return PM_OK;
+    return sample_branch(w, p, b, sign, &of) ? extremes_of(w, &of, k, k + 1) : PM_OK;
+}
+
+/* Several switches change between node k and the next. */
+static int several_turns(pm_workspace *w, const pm_extremum *p, pm_extremum_branches *b, int k)
+{
+    double turn[PM_SWITCHES];
+    int n = 0;
+    for (int i = 0; i < b->at.n; i++) {
+        if (b->sign[k][i] == b->sign[k + 1][i]) continue;
+        double t;
+        const int status = offer_turn(w, p, b, i, k, &t);
+        if (status) return status;
+        int j = n++;
+        for (; j > 0 && turn[j - 1] > t; j--) turn[j] = turn[j - 1];
+        turn[j] = t;
+    }
+    const double apart = APART * (pm_event_sampling_node(w, k + 1) - pm_event_sampling_node(w, k));
+    for (int j = 0; j + 1 < n; j++) {
+        if (turn[j + 1] - turn[j] <= apart) continue;
+        const int status = extremes_within(w, p, b, k, 0.5 * (turn[j] + turn[j + 1]));
+        if (status) return status;
+    }
+    return PM_OK;
+}
+
+/* Corners and jumps between node k and the next, where one branch gives way to another. */
+static int turns_between(pm_workspace *w, const pm_extremum *p, pm_extremum_branches *b, int k,
+                         const pm_extremum *left, const pm_extremum *right)
+{
+    int n = 0, only = 0;
+    for (int i = 0; i < b->at.n; i++)
+        if (b->sign[k][i] != b->sign[k + 1][i]) n++, only = i;
+    if (pm_event_sampling_node(w, k) >= w->step_end || stays_below(w, left, right, k)) return PM_OK;
+    double t;
+    if (n > 1) return several_turns(w, p, b, k);
+    return only_dips(b, only, k, left, right) ? PM_OK : offer_turn(w, p, b, only, k, &t);
+}
+
+int pm_extremum_branch_all(pm_workspace *w, const pm_extremum *p, int *taken)
+{
+    pm_extremum_branches b;
+    const int n = w->nodes->n;
+    pm_extremum of[2]; /* before, now */
+    *taken = find_branches(w, p, &b);
+    for (int first = 0, last, i = 0; *taken && first < n; first = last + 1, i = !i) {
+        for (last = first; last + 1 < n && same_branch(&b, b.sign[first], b.sign[last + 1]);) last++;
+        *taken = sample_branch(w, p, &b, b.sign[first], &of[i]);
+        if (!*taken) return PM_OK;
+        int status = extremes_of(w, &of[i], first > 0 ? first - 1 : 0, last + 1 < n ? last + 1 : last);
+        if (!status && first > 0) status = turns_between(w, p, &b, first - 1, &of[!i], &of[i]);
+        if (status) return status;
+    }
+    return PM_OK;
+}

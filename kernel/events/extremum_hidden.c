@@ -1,0 +1,102 @@
+/* extremum_hidden.c - extremes that no node of a step shows.
+ *
+ * A top and a dip may have hardly parted, and a top may be right before the end of a step that was shortened, which is no
+ * node.  There nodes next to each other are nearly alike, or the step begins or ends; such tops rise above the nodes by no
+ * more than those differ about them.  The polynomial through the nodes shows them, or the rates there do
+ * (extremum_between.c). */
+#include <math.h>
+
+#include "events/extremum_parts.h"
+#include "numerics/bracket.h"
+#include "numerics/chebyshev.h"
+#include "numerics/minmax.h"
+
+#define BENDS 0.8 /* of the bend that a parabola would have */
+#define ALIKE 0.1 /* of what others near them differ by: nodes between which a top may hide */
+
+static pm_extremum_slope slope_told(pm_workspace *w, const pm_extremum *p, double s)
+{
+    pm_extremum_slope x = {.s = s};
+    x.rate = pm_chebyshev_slope(w->nodes, p->g, s, &x.g);
+    return x;
+}
+
+static double rate_told(pm_workspace *w, double s, void *context)
+{
+    const pm_extremum *const *p = context;
+    return slope_told(w, *p, s).rate;
+}
+
+/* The polynomial's top, inside its bracket: Newton's method may find another one next to it. */
+static int top_told(pm_workspace *w, const pm_extremum *p, const pm_extremum_slope *a,
+                    const pm_extremum_slope *b)
+{
+    const pm_chebyshev_nodes *nodes = w->nodes;
+    double s;
+    const int status = pm_bracket_find(w, w->ask->solver, rate_told, &p, a->s, a->rate, b->s, b->rate, &s);
+    if (status) return status;
+    int k = pm_extremum_rise_interval(nodes, s);
+    if (nodes->at[k + 1] - s < s - nodes->at[k]) k++;
+    const pm_extremum_told x = pm_extremum_rise_tell(nodes, p, s);
+    return pm_extremum_near(w, p, k, &x);
+}
+
+/* The first node from k on with a hidden top between it and the next that may beat the best; or n. */
+static int next_hidden(const pm_chebyshev_nodes *nodes, const pm_extremum *p, int k)
+{
+    const double *g = p->g, above = p->best + p->nothing;
+    const int n = nodes->n;
+    double before = k > 0 ? fabs(g[k] - g[k - 1]) : 0, here = k + 1 < n ? fabs(g[k + 1] - g[k]) : 0, after;
+    for (; k + 1 < n && nodes->at[k] < p->end; k++, before = here, here = after) {
+        after = k + 2 < n ? fabs(g[k + 2] - g[k + 1]) : 0;
+        const double rise = pm_max(here, pm_max(before, after));
+        if (!(pm_max(g[k], g[k + 1]) + rise > above)) continue;
+        const int cut = nodes->at[k + 1] > p->end;
+        if (cut || pm_min(here, pm_min(before, after)) <= ALIKE * rise) return k;
+    }
+    return n;
+}
+
+int pm_extremum_hidden_possible(const pm_chebyshev_nodes *nodes, const pm_extremum *p)
+{
+    return next_hidden(nodes, p, 0) < nodes->n;
+}
+
+/* The polynomial at a node, or at the end of a step before it. */
+static pm_extremum_slope slope_at_node(pm_workspace *w, const pm_extremum *p, int k)
+{
+    const pm_chebyshev_nodes *nodes = w->nodes;
+    if (nodes->at[k] > p->end) return slope_told(w, p, p->end);
+    return (pm_extremum_slope){nodes->at[k], p->g[k], pm_chebyshev_slope_at(nodes, p->g, k)};
+}
+
+/* Whether the nodes do not tell the slope at one place, nor, by the cubic through both, that it bends as a top does. */
+static int is_level(const pm_extremum *p, const pm_extremum_slope *here, const pm_extremum_slope *other)
+{
+    const double h = other->s - here->s;
+    const double bend = (6 * (other->g - here->g) / h - 4 * here->rate - 2 * other->rate) / h;
+    return fabs(here->rate) <= p->slope_error && bend * fabs(h) > -BENDS * fabs(other->rate);
+}
+
+/* Between node k and the next. */
+static int hidden_between(pm_workspace *w, const pm_extremum *p, int k)
+{
+    static const pm_extremum_parting by_polynomial = {slope_told, top_told};
+    const int met = p->met >> k & 1;
+    if (!(p->tail < PM_CHEBYSHEV_SMOOTH)) return met ? PM_OK : pm_extremum_search_root(w, p, k);
+    const pm_extremum_slope a = slope_at_node(w, p, k), b = slope_at_node(w, p, k + 1);
+    if (is_level(p, &a, &b) || is_level(p, &b, &a)) return pm_extremum_search_root(w, p, k);
+    if (met && w->nodes->at[k + 1] <= p->end && pm_extremum_between_falls(&a, &b)) return PM_OK;
+    return pm_extremum_between(w, p, &by_polynomial, &a, &b);
+}
+
+int pm_peak_hidden(pm_workspace *w, pm_extremum *p)
+{
+    const int n = w->nodes->n;
+    for (int k = 0; (k = next_hidden(w->nodes, p, k)) < n; k++) {
+        const int status = hidden_between(w, p, k);
+        if (status) return status;
+        p->best = pm_peak_best(w, p);
+    }
+    return PM_OK;
+}

@@ -1,0 +1,126 @@
+/* extremum_search.c - extremes of a value that the nodes of a step do not tell.
+ *
+ * Every interval where its rate changes sign is searched for the root of the rate (differences of the route's dense output),
+ * and the value is taken on an exact state there; or it is searched by values alone. */
+#include <math.h>
+
+#include "events/event_sampling.h"
+#include "events/extremum_parts.h"
+#include "numerics/bracket.h"
+#include "numerics/minimum.h"
+#include "numerics/minmax.h"
+
+#define RATE_STEP 2e-3 /* of the step: distance of the differences that make a rate */
+#define PEAK_STEP 1e-4 /* of the step: distance of the differences that make the rate next to an extreme */
+#define PEAK_STEPS 6   /* of Newton's method to an extreme */
+#define SEARCHES 60    /* values that are compared where slopes do not tell */
+#define CLOSE 1e-8     /* of the step: so near to an extreme its value is that */
+
+/* The value along the step, or its rate by differences over so much of it. */
+static pm_ask_watch watch_of(const pm_workspace *w, const pm_extremum *p, double step)
+{
+    return (pm_ask_watch){pm_ask_program(PM_ASK_ROW(w->model, p->ask)), 0,
+                          step * (w->step_end - w->step_begin), p->branch ? &p->branch->here : NULL};
+}
+
+static int offer_at(pm_workspace *w, const pm_extremum *p, double t)
+{
+    const int status = pm_ask_look(w, t, 1);
+    if (!status) pm_peak_offer(w, p, pm_peak_value(w, p), 0);
+    return status;
+}
+
+/* To the extreme of the value from near it, by Newton's method on the rate; the bend is at first the one given, then the
+ * secant's.  0 if it does not stay between low and high. */
+static int climb(pm_workspace *w, const pm_extremum *p, double bend, double low, double high, double *s)
+{
+    pm_ask_watch x = watch_of(w, p, 0);
+    double last = 0, from = *s;
+    for (int i = 0; i < PEAK_STEPS; i++) {
+        const double rate = p->sign *
+                            (pm_ask_along(w, pm_peak_place(w, *s + PEAK_STEP), &x) -
+                             pm_ask_along(w, pm_peak_place(w, *s - PEAK_STEP), &x)) /
+                            (2 * PEAK_STEP);
+        if (i > 0 && *s != from) bend = (rate - last) / (*s - from);
+        const double shift = -rate / bend;
+        if (!(bend < 0) || !(*s + shift > low && *s + shift < high)) return 0;
+        last = rate;
+        from = *s;
+        *s += shift;
+        if (fabs(rate * rate / bend) <= PM_PEAK_NOTHING * p->size) return 1;
+    }
+    return 0;
+}
+
+static pm_extremum_slope slope_here(pm_workspace *w, const pm_extremum *p, double s)
+{
+    const double t = pm_peak_place(w, s), h = w->sampled_end - w->step_begin;
+    pm_ask_watch value = watch_of(w, p, 0), rate = watch_of(w, p, RATE_STEP);
+    return (pm_extremum_slope){s, p->sign * pm_ask_along(w, t, &value),
+                               p->sign * h * pm_ask_along(w, t, &rate)};
+}
+
+/* The root of the rate. */
+static int top_between(pm_workspace *w, const pm_extremum *p, const pm_extremum_slope *a,
+                       const pm_extremum_slope *b)
+{
+    pm_ask_watch x = watch_of(w, p, RATE_STEP);
+    const double bend = (b->rate - a->rate) / (b->s - a->s);
+    const double near = pm_extremum_between_cubic(a, b);
+    double s = isnan(near) ? a->s - a->rate / bend : near, t;
+    const int climbs =
+        !pm_ask_at_extreme(PM_ASK_ROW(w->model, p->ask)) && /* there the place matters, not the value */
+        climb(w, p, bend, a->s, b->s, &s);
+    t = pm_peak_place(w, s);
+    const double unit =
+        p->sign / (w->sampled_end - w->step_begin); /* the rate in time, of the value as it is */
+    const int status = climbs ? PM_OK
+                              : pm_bracket_find(w, w->ask->solver, pm_ask_along, &x, pm_peak_place(w, a->s),
+                                                unit * a->rate, pm_peak_place(w, b->s), unit * b->rate, &t);
+    if (status == PM_SOLVER && !p->branch)
+        w->ask->undefined[p->ask] = 1; /* it takes finite rates: there is none somewhere */
+    if (status) return status == PM_SOLVER ? PM_OK : status;
+    return offer_at(w, p, t);
+}
+
+int pm_extremum_search_root(pm_workspace *w, const pm_extremum *p, int k)
+{
+    static const pm_extremum_parting in_looks = {slope_here, top_between};
+    if (k < 0 || k + 1 >= w->nodes->n) return PM_OK;
+    const double *at = w->nodes->at, end = pm_min(at[k + 1], p->end);
+    if (at[k] >= end) return PM_OK;
+    const pm_extremum_slope a = slope_here(w, p, at[k]), b = slope_here(w, p, end);
+    return pm_extremum_between(w, p, &in_looks, &a, &b);
+}
+
+typedef struct pm_search {
+    pm_workspace *w;
+    const pm_extremum *peak;
+} pm_search;
+
+static double depth(double s, void *context)
+{
+    const pm_search *x = context;
+    return pm_ask_look(x->w, pm_peak_place(x->w, s), 1) ? NAN : -pm_peak_value(x->w, x->peak);
+}
+
+/* The look and the nodes beside it; 0 if it is no better than they are. */
+static int top_of_three(const pm_chebyshev_nodes *nodes, const double *g, const pm_extremum_rise_end *top,
+                        pm_valley *in)
+{
+    const int k = pm_extremum_rise_interval(nodes, top->s);
+    *in = (pm_valley){nodes->at[k], -g[k], top->s, -top->value, nodes->at[k + 1], -g[k + 1]};
+    return top->value > g[k] && top->value > g[k + 1];
+}
+
+int pm_peak_search(pm_workspace *w, const pm_extremum *p, const pm_extremum_rise_end *top, int *found)
+{
+    pm_search context = {w, p};
+    pm_valley in;
+    *found = top_of_three(w->nodes, p->g, top, &in);
+    if (!*found) return PM_OK;
+    const double s =
+        pm_minimum_find(w->ask->minimum, depth, &context, &in, &(pm_closeness){SEARCHES, CLOSE, 0});
+    if (s > p->end) return PM_OK;
+    return offer_at(w, p, pm_peak_place(w, s));
+}

@@ -1,0 +1,203 @@
+/* gap_culling.c - how far bodies move in a step, against the gaps of open contacts.
+ *
+ * The gap of a circle beside a fixed line or fixed points, or beside another circle, changes by no more than their centres
+ * move.  A centre moves by no more than its body's origin does, and its distance from there times the turn.  So a gap that
+ * was g once is at least g - s after its bodies have moved by s together, whatever the way: it is looked at again when s
+ * has come to a part of g.  What is not looked at could neither have closed nor have come near to it.
+ *
+ * Circles that meet circles part again behind each other: a step that moves them by more than their gap moves them from
+ * node to node by no more than their radii, so that one of the nodes finds them together. */
+#include "events/gap_culling.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "elements/contact.h"
+#include "elements/edge.h"
+#include "events/event.h"
+#include "state/frame.h"
+
+#define PART 0.5 /* of a gap that its marks may move */
+#define BETWEEN \
+    3.0 /* times the movement seen at the nodes of a step: between them it is less (Lebesgue's constants are) */
+#define WITHIN 0.9      /* of a gap: so far two circles may come in a step without meeting */
+#define EDGE_PART 0.01  /* of its length */
+#define LIKE_BEFORE 2.0 /* times what bodies moved in the last step: what they will in the next, mostly */
+
+int pm_gap_culling_create(const pm_model *m, pm_gap_culling *x)
+{
+    const size_t nbody = (size_t)m->nbody, ncontact = (size_t)m->rows[PM_TABLE_CONTACT];
+    x->left = calloc(ncontact + 5 * nbody + 1, sizeof(double));
+    x->quiet = calloc(ncontact + 1, 1);
+    if (!x->left || !x->quiet) return PM_NO_MEMORY;
+    x->moved = x->left + ncontact;
+    x->from = x->moved + nbody + 1;
+    x->radius = x->from + 3 * nbody;
+    return PM_OK;
+}
+
+void pm_gap_culling_free(pm_gap_culling *x)
+{
+    free(x->left);
+    free(x->quiet);
+}
+
+void pm_gap_culling_begin(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    pm_gap_culling *x = &w->event->clear;
+    memset(x->left, 0, (size_t)m->rows[PM_TABLE_CONTACT] * sizeof(double));
+    memset(x->quiet, 0, (size_t)m->rows[PM_TABLE_CONTACT]);
+    memset(x->moved, 0, ((size_t)m->nbody + 1) * sizeof(double));
+    memset(x->radius, 0, (size_t)m->nbody * sizeof(double));
+    for (int i = 0; i < m->rows[PM_TABLE_CIRCLE]; i++) {
+        const int32_t *p = PM_POINT_ROW(m, PM_CIRCLE_ROW(m, i)[PM_CIRCLE_POINT]);
+        const int body = p[PM_POINT_BODY];
+        if (body != PM_GROUND)
+            x->radius[body] = fmax(x->radius[body], hypot(w->value[p[PM_POINT_X]], w->value[p[PM_POINT_Y]]));
+    }
+}
+
+static int body_of_circle(const pm_model *m, int circle)
+{
+    return pm_body_index(m, PM_POINT_ROW(m, PM_CIRCLE_ROW(m, circle)[PM_CIRCLE_POINT])[PM_POINT_BODY]);
+}
+
+/* The bodies of a contact whose gap changes by no more than its marks move; a line that turns is not one. */
+static int bodies_of(const pm_model *m, int contact, int body[2])
+{
+    const int32_t *e = PM_CONTACT_ROW_OF(m, contact);
+    int point;
+    body[0] = body_of_circle(m, e[PM_CONTACT_A]);
+    body[1] = m->nbody;
+    switch (e[PM_CONTACT_KIND]) {
+    case PM_CONTACT_LINE: point = PM_LINE_ROW(m, e[PM_CONTACT_B])[PM_LINE_POINT]; break;
+    case PM_CONTACT_ROW: point = PM_ROW_ROW(m, e[PM_CONTACT_B])[PM_ROW_POINT]; break;
+    case PM_CONTACT_CIRCLE: body[1] = body_of_circle(m, e[PM_CONTACT_B]); return 1;
+    default: return 0;
+    }
+    return PM_POINT_ROW(m, point)[PM_POINT_BODY] == PM_GROUND;
+}
+
+static double moved(const pm_workspace *w, const int body[2])
+{
+    return w->event->clear.moved[body[0]] + w->event->clear.moved[body[1]];
+}
+
+void pm_gap_culling_step(pm_workspace *w)
+{
+    pm_gap_culling *x = &w->event->clear;
+    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
+        int body[2];
+        x->quiet[i] = x->left[i] > 0 && bodies_of(w->model, i, body) &&
+                      x->left[i] > LIKE_BEFORE * BETWEEN * moved(w, body);
+    }
+    memset(x->moved, 0, ((size_t)w->model->nbody + 1) * sizeof(double));
+}
+
+void pm_gap_culling_node(pm_workspace *w, int node)
+{
+    pm_gap_culling *x = &w->event->clear;
+    if (w->model->rows[PM_TABLE_CONTACT] == 0) return;
+    for (int i = 0; i < w->model->nbody; i++) {
+        const double *pose = w->frame.pose + 5 * i;
+        double *from = x->from + 3 * i;
+        if (node == 0)
+            memcpy(from, pose, 3 * sizeof(double));
+        else
+            x->moved[i] = fmax(x->moved[i], hypot(pose[0] - from[0], pose[1] - from[1]) +
+                                                x->radius[i] * fabs(pose[2] - from[2]));
+    }
+}
+
+int pm_gap_culling_check(pm_workspace *w)
+{
+    pm_gap_culling *x = &w->event->clear;
+    int reached = 0;
+    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
+        int body[2];
+        if (!x->quiet[i] || !bodies_of(w->model, i, body)) continue;
+        x->left[i] -= BETWEEN * moved(w, body);
+        x->spared += x->left[i] > 0;
+        if (x->left[i] > 0) continue;
+        x->quiet[i] = 0;
+        reached++;
+    }
+    return reached;
+}
+
+void pm_gap_culling_keep(pm_workspace *w, int contact, double gap)
+{
+    int body[2];
+    if (bodies_of(w->model, contact, body))
+        w->event->clear.left[contact] = PART * gap - BETWEEN * moved(w, body);
+}
+
+/* A short way of a mark beside a fixed edge: what strikes it near an end is behind it for no longer. */
+static double part_of_edge(const pm_workspace *w, const int32_t *e)
+{
+    return EDGE_PART * (w->value[e[PM_CONTACT_TO]] - w->value[e[PM_CONTACT_FROM]]);
+}
+
+/* The sum of the radii of two circles, or of a circle and a row's member (a point); 0 of what cannot be gone through. */
+static double through(const pm_workspace *w, int contact)
+{
+    const pm_model *m = w->model;
+    const int32_t *e = PM_CONTACT_ROW_OF(m, contact);
+    const double radius = w->value[PM_CIRCLE_ROW(m, e[PM_CONTACT_A])[PM_CIRCLE_RADIUS]];
+    switch (e[PM_CONTACT_KIND]) {
+    case PM_CONTACT_ROW: return radius;
+    case PM_CONTACT_CIRCLE: /* side 1: outside each other; what has come through from inside stays there */
+        return w->value[e[PM_CONTACT_SIDE]] == 1
+                   ? radius + w->value[PM_CIRCLE_ROW(m, e[PM_CONTACT_B])[PM_CIRCLE_RADIUS]]
+                   : 0;
+    case PM_CONTACT_SEGMENT: return part_of_edge(w, e);
+    default: return 0;
+    }
+}
+
+/* The bodies of what a mark may go through between two nodes. */
+static int bodies_of_passage(const pm_model *m, int contact, int body[2])
+{
+    const int32_t *e = PM_CONTACT_ROW_OF(m, contact);
+    if (e[PM_CONTACT_KIND] != PM_CONTACT_SEGMENT) return bodies_of(m, contact, body);
+    const int point = PM_LINE_ROW(m, e[PM_CONTACT_B])[PM_LINE_POINT];
+    body[0] = body_of_circle(m, e[PM_CONTACT_A]);
+    body[1] = m->nbody;
+    return PM_POINT_ROW(m, point)[PM_POINT_BODY] == PM_GROUND;
+}
+
+/* How fast the origin of a body goes against that of another, and the circles about them: rates are velocities or
+ * accelerations. */
+static double against(const pm_workspace *w, const double *rate, const int body[2])
+{
+    static const double still[3] = {0, 0, 0};
+    const double *part[2], *radius = w->event->clear.radius;
+    double turning = 0;
+    for (int i = 0; i < 2; i++) {
+        const int moves = body[i] < w->model->nbody;
+        part[i] = moves ? rate + 3 * body[i] : still;
+        if (moves) turning += radius[body[i]] * fabs(part[i][2]);
+    }
+    return hypot(part[0][0] - part[1][0], part[0][1] - part[1][1]) + turning;
+}
+
+double pm_gap_culling_time(const pm_workspace *w)
+{
+    const pm_event_set *e = w->event;
+    double time = INFINITY;
+    for (int i = 0; i < e->nfunction; i++) {
+        const int contact = e->function[i].index;
+        int body[2], member;
+        if (e->function[i].kind != FUNCTION_GAP || e->function[i].owned) continue;
+        const double radii = through(w, contact);
+        if (!(radii > 0) || !bodies_of_passage(w->model, contact, body)) continue;
+        const double safe = (w->nodes->n - 1) * radii, left = e->clear.left[contact];
+        const double free = left > safe ? left : WITHIN * pm_contact_gap(w, &w->state, contact, &member);
+        const double way = fmax(free, safe);
+        const double v = against(w, w->frame.velocity, body), a = against(w, w->frame.a, body);
+        time = fmin(time, 2 * way / (v + sqrt(v * v + 2 * a * way))); /* v t + a t^2 / 2 = way */
+    }
+    return time;
+}

@@ -1,0 +1,48 @@
+/* history.c - appends rows while there is room, and counts all of them. */
+#include "events/history.h"
+
+#include "equations/saddle.h"
+#include "expression/program.h"
+#include "state/frame.h"
+#include "state/route.h"
+
+static int record(pm_workspace *w, const pm_state *state, int mark)
+{
+    pm_history *x = w->trace;
+    if (x->needed < x->cap) {
+        double *row = x->history + x->needed * (1 + x->nprogram);
+        pm_frame_look_state(w, state);
+        const int status = pm_saddle_accelerate(w);
+        if (status) return status;
+        row[0] = state->t;
+        for (int64_t i = 0; i < x->nprogram; i++)
+            row[1 + i] = pm_program_run(w->model, x->program[i], w->param, w->value, w);
+        x->mark[x->needed] = mark;
+    }
+    x->needed++;
+    return PM_OK;
+}
+
+int pm_history_row(pm_workspace *w, int mark) { return w->trace ? record(w, &w->state, mark) : PM_OK; }
+
+void pm_history_step(pm_workspace *w)
+{
+    if (!w->trace) return;
+    w->trace->length = w->step_end - w->step_begin;
+    w->trace->inside = w->step_begin;
+}
+
+int pm_history_inside(pm_workspace *w, double x)
+{
+    pm_history *r = w->trace;
+    if (!r || w->route->in_time) return PM_OK;
+    for (int k = 0; k < w->nodes->n; k++) {
+        const double place = w->step_begin + r->length * w->nodes->at[k];
+        if (place <= r->inside || place >= x) continue;
+        int status = w->route->exact(w, place, &w->probe);
+        if (!status) status = record(w, &w->probe, 0);
+        if (status) return status;
+        r->inside = place;
+    }
+    return PM_OK;
+}

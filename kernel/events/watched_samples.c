@@ -1,0 +1,86 @@
+/* watched_samples.c - the watched programs at the nodes of a step.
+ *
+ * The frame looks at one node after the other; every measure that some program reads is read there once.  Then each program
+ * is run for all nodes together. */
+#include "events/watched_samples.h"
+
+#include <stdlib.h>
+
+#include "elements/measure.h"
+#include "events/ask.h"
+#include "expression/program.h"
+#include "expression/program_fold.h"
+
+static void add_measure(pm_watched_samples *s, int measure, int who)
+{
+    int i = 0;
+    while (i < s->n && s->measure[i] != measure) i++;
+    if (i == s->n) s->n++;
+    s->measure[i] = measure;
+    s->place[measure] = i;
+    s->who[i] |= (unsigned char)who;
+}
+
+static void add_program(pm_workspace *w, int program, int who)
+{
+    const pm_program_fold *f = w->model->fold;
+    for (int k = f->first[program]; k < f->first[program + 1]; k++)
+        if (f->step[k].kind == STEP_MEASURE) add_measure(w->readings, f->step[k].arg, who);
+}
+
+int pm_watched_samples_create(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    const size_t n = (size_t)m->rows[PM_TABLE_MEASURE] + 1;
+    pm_watched_samples *s = w->readings = calloc(1, sizeof *s);
+    if (!s) return PM_NO_MEMORY;
+    s->measure = calloc(n, sizeof *s->measure);
+    s->place = calloc(n, sizeof *s->place);
+    s->who = calloc(n, sizeof *s->who);
+    s->value = calloc(n * PM_NODES_MOST, sizeof *s->value);
+    s->here = calloc(n * PM_NODES_MOST, sizeof *s->here);
+    if (!s->measure || !s->place || !s->who || !s->value || !s->here) return PM_NO_MEMORY;
+    for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
+        const int32_t *e = PM_TRIGGER_ROW(m, i);
+        if (e[PM_TRIGGER_KIND] <= PM_TRIGGER_EVERY) add_program(w, e[PM_TRIGGER_PROGRAM], PM_SAMPLE_TRIGGERS);
+    }
+    for (int i = 0; i < w->ask->nobserver; i++) add_program(w, pm_ask_watched(w, i), PM_SAMPLE_ASKS);
+    return PM_OK;
+}
+
+void pm_watched_samples_free(pm_workspace *w)
+{
+    if (!w->readings) return;
+    free(w->readings->measure);
+    free(w->readings->place);
+    free(w->readings->who);
+    free(w->readings->value);
+    free(w->readings->here);
+    free(w->readings);
+    w->readings = NULL;
+}
+
+void pm_watched_samples_read(pm_workspace *w, int node, int who)
+{
+    pm_watched_samples *s = w->readings;
+    for (int i = 0; i < s->n; i++)
+        if (s->who[i] & who) s->value[i * PM_NODES_MOST + node] = pm_measure_signed(w, s->measure[i]);
+}
+
+void pm_watched_samples_run(pm_workspace *w, int program, pm_switches *switches, double *value)
+{
+    const pm_watched_samples *s = w->readings;
+    pm_program_run_nodes(w, program, w->nodes->n, s->place, s->value, switches, value);
+}
+
+double pm_watched_samples_here(pm_workspace *w, int program, pm_switches *switches)
+{
+    const pm_watched_samples *s = w->readings;
+    const pm_program_fold *f = w->model->fold;
+    double value;
+    for (int k = f->first[program]; k < f->first[program + 1]; k++)
+        if (f->step[k].kind == STEP_MEASURE)
+            s->here[s->place[f->step[k].arg] * PM_NODES_MOST] = pm_measure_signed(w, f->step[k].arg);
+    pm_program_run_nodes(w, program, 1, s->place, s->here, switches, &value);
+    return value;
+}

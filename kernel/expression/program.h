@@ -1,0 +1,50 @@
+/* program.h - postfix programs: the one evaluator for values, triggers, asks and forces. */
+#ifndef PM_PROGRAM_H
+#define PM_PROGRAM_H
+
+#include "numerics/chebyshev_nodes.h"
+#include "state/model.h"
+
+/* Runs program `index`.  With `w` it may use measures of w->frame, which must be filled to
+ * model->program_level[index]; without (values), `value` holds the entries computed so far.  Not a number where
+ * the expression has no value. */
+double pm_program_run(const pm_model *m, int index, const double *param, const double *value,
+                      pm_workspace *w);
+
+/* Switches of a program: operations that are smooth but where an argument changes sign (of abs; the difference of what
+ * min, max and comparisons compare).  With their signs given, the program is one smooth branch of itself. */
+#define PM_SWITCHES 16
+typedef struct pm_switches {
+    const signed char *sign;                /* [n] given; NULL: those of the arguments */
+    int n;                                  /* of what was run */
+    double arg[PM_SWITCHES][PM_NODES_MOST]; /* what their arguments were at the nodes */
+    unsigned char jumps[PM_SWITCHES];       /* 1: the value may jump there, else it has a corner */
+} pm_switches;
+
+/* How many a program has; 0 as well if they are too many, or it has steps of another kind. */
+int pm_program_switches(const pm_model *m, int index);
+/* Whether its one switch comes last and can but make dips (greatest: of the value, else of its negative): it has no extreme
+ * there. */
+int pm_program_only_dips(const pm_model *m, int index, int greatest);
+
+/* Program `index` at n nodes: measure i was measured[place[i]][PM_NODES_MOST] there; value[n], switches: or NULL. */
+void pm_program_run_nodes(pm_workspace *w, int index, int n, const int *place, const double *measured,
+                          pm_switches *switches, double *value);
+
+/* Works out what stays the same in the case that has begun: its masses and its weight are known.  From here on all programs
+ * of the workspace are run by these numbers, until pm_case_values is told of other parameters. */
+void pm_program_numbers(pm_workspace *w);
+
+/* A program that reads no measure but the time, at the time t; *rate: how fast it changes. */
+double pm_program_of_time(const pm_model *m, int index, const double *param, const double *value, double t,
+                          double *rate);
+
+/* Checks codes, arguments and stack of every program of a table set; returns PM_OK or PM_BAD_TABLE. */
+int pm_program_validate(const pm_model *m, pm_where *where);
+
+/* What an operation takes off the stack; all leave one number; < 0: no such operation. */
+int pm_program_operands(int op);
+double pm_program_unary(int op, double a);
+double pm_program_binary(int op, double a, double b);
+
+#endif

@@ -1,0 +1,243 @@
+/* contact_modes.c - complementarity at the level of accelerations: a closed contact pushes (lambda_n >= 0) or opens; friction by
+ * Coulomb holds within mu lambda_n or slides against the slip; a rough contact never slips, a smooth one has no friction.
+ * Found by an active set: drop what pulls, slide what does not hold, close again what would approach. */
+#include "impact/contact_modes.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "elements/capture.h"
+#include "elements/constraint.h"
+#include "elements/contact.h"
+#include "elements/edge.h"
+#include "elements/joint_friction.h"
+#include "elements/trigger.h"
+#include "equations/active_set.h"
+#include "equations/case.h"
+#include "equations/projection.h"
+#include "equations/saddle.h"
+#include "events/event.h"
+#include "state/evidence.h"
+#include "state/frame.h"
+
+/* Let go at this instant: it is closed again if its pair would approach; or not, for it was or the edge has ended. */
+enum pm_released { HELD = 0, LET_GO = 1, FOR_GOOD = 2 };
+
+#define SLACK 1e-11 /* of the forces in the scene: a normal force this small does not pull */
+
+int pm_contact_modes_of_slip(pm_workspace *w, int contact, int member)
+{
+    if (pm_capture_kind(w->model, contact) != PM_CAPTURE_NONE) return PM_CAPTURED;
+    switch (pm_contact_friction(w->model, contact)) {
+    case PM_FRICTION_SMOOTH: return PM_SMOOTH;
+    case PM_FRICTION_ROUGH: return PM_STICK;
+    default: {
+        const double slip = pm_contact_member_slip(w, contact, member);
+        if (fabs(slip) <= pm_contact_speed(w)) return PM_STICK;
+        return slip > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
+    }
+    }
+}
+
+int pm_contact_modes_close(pm_workspace *w, int contact, int member, int *slot)
+{
+    *slot = pm_contact_free_slot(w, &w->state, contact);
+    if (*slot == PM_NONE)
+        return pm_fail(w, PM_CONTACT_SLOTS, PM_TABLE_CONTACT, contact, PM_ROW_SLOTS, PM_ROW_SLOTS);
+    w->state.slot[*slot] = (pm_slot){pm_contact_modes_of_slip(w, contact, member), member};
+    pm_active_set_anchor(w, &w->state, *slot);
+    return PM_OK;
+}
+
+static int slides(int mode) { return mode == PM_SLIDE_FORWARD || mode == PM_SLIDE_BACKWARD; }
+
+/* The way a contact begins to slide: against the friction that would have held it. */
+static int slide_against(double friction) { return friction > 0 ? PM_SLIDE_BACKWARD : PM_SLIDE_FORWARD; }
+
+/* The slip goes on, or what holds holds on, where a circle comes to the face of the next edge: no blow, though friction may
+ * be another there. */
+static int hand_over(pm_workspace *w, int mode, int heir)
+{
+    const int slot = w->model->contact_slot[heir];
+    int closed;
+    if (w->state.slot[slot].mode != PM_OPEN) return PM_OK;
+    const int status = pm_contact_modes_close(w, heir, PM_SEGMENT_FACE, &closed);
+    if (!status && mode == PM_STICK && slides(w->state.slot[closed].mode))
+        w->state.slot[closed].mode = PM_STICK;
+    return status;
+}
+
+/* A mark has come to the end of what it touches: a circle goes on round the corner, or back, with the same slip - the
+ * tangents there run against each other -, or on to the next edge. */
+static int pass_end(pm_workspace *w, int slot)
+{
+    pm_slot *s = &w->state.slot[slot];
+    int heir;
+    const int next = pm_edge_next(w, pm_contact_of_slot(w->model, slot), s->member, &heir);
+    if (next == PM_NONE) {
+        const int mode = s->mode;
+        s->mode = PM_OPEN;
+        w->slot_released[slot] = FOR_GOOD;
+        return heir == PM_NONE ? PM_OK : hand_over(w, mode, heir);
+    }
+    s->member = next;
+    if (slides(s->mode)) s->mode = s->mode == PM_SLIDE_FORWARD ? PM_SLIDE_BACKWARD : PM_SLIDE_FORWARD;
+    pm_active_set_anchor(w, &w->state, slot);
+    return PM_OK;
+}
+
+int pm_contact_modes_begin(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    memcpy(w->slot_before, w->state.slot, (size_t)m->nslot * sizeof(pm_slot));
+    memcpy(w->grip_before, w->state.grip, (size_t)m->ngrip * sizeof(int32_t));
+    memset(w->slot_released, 0, (size_t)m->nslot);
+    for (int i = 0; i < w->event->nfunction; i++) {
+        if (!w->event->hit[i]) continue;
+        if (w->event->function[i].kind == FUNCTION_END) {
+            const int status = pass_end(w, w->event->function[i].index);
+            if (status) return status;
+        }
+        if (w->event->function[i].kind == FUNCTION_HOLD)
+            pm_joint_friction_slides(w, w->event->function[i].index);
+        if (w->event->function[i].kind == FUNCTION_RUB)
+            pm_joint_friction_stops(w, w->event->function[i].index);
+        const int what = pm_event_contact_change(w, i), slot = w->event->function[i].index;
+        if (what == PM_TRIGGER_OPEN) {
+            w->state.slot[slot].mode = PM_OPEN;
+            w->slot_released[slot] = LET_GO;
+        } else if (what == PM_TRIGGER_SLIP) {
+            w->state.slot[slot].mode = slide_against(w->frame.lambda[w->slot_tangent[slot]]);
+        } else if (what == PM_TRIGGER_STICK) {
+            w->state.slot[slot].mode = PM_STICK;
+            pm_active_set_anchor(w, &w->state, slot);
+        }
+    }
+    return PM_OK;
+}
+
+int pm_contact_modes_released(const pm_workspace *w, int contact, int member)
+{
+    const int first = w->model->contact_slot[contact];
+    for (int i = first; i < first + pm_contact_slots(w->model, contact); i++)
+        if (w->slot_released[i] && w->slot_before[i].member == member) return 1;
+    return 0;
+}
+
+/* Never below the natural one: where nothing presses, reactions are rounding. */
+static double force_size(const pm_workspace *w)
+{
+    double sum = 0;
+    for (int i = 0; i < w->model->nq; i++)
+        if (i % 3 != 2) sum += fabs(w->frame.f[i]);
+    for (int i = 0; i < w->nactive; i++) sum = fmax(sum, fabs(w->frame.lambda[i]));
+    return fmax(sum, pm_case_force(w));
+}
+
+/* The worst pulling contact is let go; 1 if there was one. */
+static int let_go(pm_workspace *w, double size)
+{
+    int worst = PM_NONE;
+    double least = -SLACK * size;
+    for (int i = 0; i < w->model->nslot; i++) {
+        if (w->slot_normal[i] == PM_NONE) continue;
+        pm_evidence_sign(w, PM_SITE_PULLS, i, w->frame.lambda[w->slot_normal[i]], size);
+        if (w->frame.lambda[w->slot_normal[i]] >= least) continue;
+        least = w->frame.lambda[w->slot_normal[i]];
+        worst = i;
+    }
+    if (worst == PM_NONE) return 0;
+    w->state.slot[worst].mode = PM_OPEN;
+    w->slot_released[worst] = LET_GO;
+    return 1;
+}
+
+/* The first sticking contact that needs more than mu N begins to slide; 1 if there was one. */
+static int slide(pm_workspace *w, double size)
+{
+    for (int i = 0; i < w->model->nslot; i++) {
+        const int contact = pm_contact_of_slot(w->model, i);
+        if (w->slot_tangent[i] == PM_NONE || w->slot_normal[i] == PM_NONE) continue;
+        if (pm_contact_friction(w->model, contact) != PM_FRICTION_COULOMB) continue;
+        const double friction = w->frame.lambda[w->slot_tangent[i]],
+                     normal = w->frame.lambda[w->slot_normal[i]];
+        const double room = pm_contact_static(w, contact) * normal - fabs(friction);
+        pm_evidence_sign(w, PM_SITE_SLIDES, i, room, size);
+        if (room >= -SLACK * size) continue;
+        w->state.slot[i].mode = slide_against(friction);
+        return 1;
+    }
+    return 0;
+}
+
+/* A contact let go by this search whose pair would now approach is closed again; 1 if there was one. */
+static int close_again(pm_workspace *w)
+{
+    for (int i = 0; i < w->model->nslot; i++) {
+        if (w->state.slot[i].mode != PM_OPEN || w->slot_released[i] != LET_GO) continue;
+        pm_constraint normal, tangent;
+        const int contact = pm_contact_of_slot(w->model, i), member = w->state.slot[i].member;
+        pm_contact_constraint_both(w, contact, i, member, &normal, &tangent);
+        pm_constraint_kind(normal.kind)->evaluate(w, &normal);
+        const double acceleration = pm_saddle_times(w, &normal, w->frame.a) - normal.gamma;
+        if (acceleration >= -SLACK * (hypot(w->gravity[0], w->gravity[1]) + w->speed * w->speed / w->size))
+            continue;
+        w->state.slot[i].mode = pm_contact_modes_of_slip(w, contact, member);
+        w->slot_released[i] = FOR_GOOD; /* once only: no cycles */
+        return 1;
+    }
+    return 0;
+}
+
+int pm_contact_modes_settle(pm_workspace *w)
+{
+    const int most = 4 * w->model->nslot + 2 * w->model->ngrip + 4;
+    for (int i = 0; i < most; i++) {
+        int status;
+        pm_frame_look_state(w, &w->state);
+        if ((status = pm_active_set_build(w)) || (status = pm_projection_built(w, &w->state))) return status;
+        if (w->kinematic) return PM_OK;
+        if ((status = pm_saddle_accelerate_projected(w))) return status;
+        const double size = force_size(w);
+        if (!let_go(w, size) && !slide(w, size) && !pm_joint_friction_overcome(w, SLACK * size) &&
+            !close_again(w))
+            return PM_OK;
+    }
+    return pm_fail(w, PM_BLOW_UNDECIDED, PM_TABLE_CONTACT, PM_NONE, most, most);
+}
+
+static int was_closed_with(const pm_workspace *w, const pm_slot *slots, int contact, int member)
+{
+    const int first = w->model->contact_slot[contact];
+    for (int i = first; i < first + pm_contact_slots(w->model, contact); i++)
+        if (slots[i].mode != PM_OPEN && (slots[i].member == member || pm_edge_is(w->model, contact)))
+            return i;
+    return PM_NONE;
+}
+
+/* What a joint does at the start is no change, as with contacts. */
+static void mark_grips(pm_workspace *w)
+{
+    for (int k = 0; k < w->model->ngrip && w->count[PM_COUNT_EVENTS] > 0; k++) {
+        const int before = w->grip_before[k], now = w->state.grip[k],
+                  joint = pm_joint_friction_joint(w->model, k);
+        if (before == PM_STICK && slides(now)) pm_trigger_mark(w, PM_TRIGGER_JOINT_SLIP, joint);
+        if (slides(before) && now == PM_STICK) pm_trigger_mark(w, PM_TRIGGER_JOINT_STICK, joint);
+    }
+}
+
+void pm_contact_modes_mark(pm_workspace *w)
+{
+    mark_grips(w);
+    for (int i = 0; i < w->model->nslot; i++) {
+        const int contact = pm_contact_of_slot(w->model, i);
+        if (w->slot_before[i].mode == PM_OPEN) continue;
+        const int now = was_closed_with(w, w->state.slot, contact, w->slot_before[i].member);
+        if (now == PM_NONE)
+            pm_trigger_mark(w, PM_TRIGGER_OPEN, contact);
+        else if (slides(w->state.slot[now].mode) && !slides(w->slot_before[i].mode))
+            pm_trigger_mark(w, PM_TRIGGER_SLIP, contact);
+        else if (!slides(w->state.slot[now].mode) && slides(w->slot_before[i].mode))
+            pm_trigger_mark(w, PM_TRIGGER_STICK, contact);
+    }
+}

@@ -1,0 +1,21 @@
+/* contact_modes.h - after an event: which contacts stay closed, stick or slide. */
+#ifndef PM_CONTACT_MODES_H
+#define PM_CONTACT_MODES_H
+
+#include "state/model.h"
+
+/* Opens an instant: remembers the modes, applies what the located events say (a normal force vanished: open; the grip
+ * is exceeded: slide; the slip vanished: stick; an edge has ended: its corner, or another edge, or nothing). */
+int pm_contact_modes_begin(pm_workspace *w);
+/* Fixes the modes and the active rows of the next phase; on return w->state is projected and the frame DYNAMIC. */
+int pm_contact_modes_settle(pm_workspace *w);
+/* Marks the triggers of contacts that opened, slipped or stuck during the instant. */
+void pm_contact_modes_mark(pm_workspace *w);
+/* Closes `contact` with `member` in a free slot, in the mode that its friction and slip ask for. */
+int pm_contact_modes_close(pm_workspace *w, int contact, int member, int *slot);
+/* 1 if `contact` let go of `member` at this instant. */
+int pm_contact_modes_released(const pm_workspace *w, int contact, int member);
+/* The mode of a closed contact with its present slip. */
+int pm_contact_modes_of_slip(pm_workspace *w, int contact, int member);
+
+#endif

@@ -1,0 +1,18 @@
+/* impact.h - blows: the impulsive change of velocities while positions stay. */
+#ifndef PM_IMPACT_H
+#define PM_IMPACT_H
+
+#include "state/model.h"
+
+/* Closes the contacts that touch and do not part, and resolves the blows at this instant: all of them, or, where the
+ * settings want them one by one, the next; *jumped = how many.  The frame looks at w->state afterwards (KINEMATIC);
+ * struck contacts' triggers are marked. */
+int pm_impact(pm_workspace *w, int *jumped);
+/* Blows come one by one, and there is a next one. */
+int pm_impact_goes_on(pm_workspace *w);
+/* Near the end of a series of blows without end: how often the contact is struck decides nothing, and is not known. */
+int pm_impact_nearly_ends(const pm_workspace *w, int contact, double rate);
+/* Makes the velocities ones that all that holds allows: joints, contacts that rest and would approach, rough ones. */
+int pm_impact_hold(pm_workspace *w);
+
+#endif

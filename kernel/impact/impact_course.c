@@ -1,0 +1,171 @@
+/* impact_course.c - the course of a blow at one contact with friction, by its normal impulse P (Routh).
+ *
+ *   du_n = a dP + b dP_t,   du_t = b dP + c dP_t          a, c >= 0, a c >= b^2: all joints held
+ *
+ * While the pair slips dP_t = -mu sgn(u_t) dP.  Where the slip has ended it holds if |b| <= mu c, with
+ * dP_t = -(b/c) dP, and else goes on the way that b drives it: it reverses at most once.  A rough pair loses its slip at
+ * once.  Compression ends where u_n = 0, with the impulse P_c and the work W_c = int u_n dP; the blow ends where
+ *
+ *   newton   u_n = -e u_n(before)      poisson   P = (1 + e) P_c      stronge   int u_n dP = -e^2 W_c  from there on
+ *
+ * The three agree without friction.  [E. J. Routh, Dynamics of a System of Rigid Bodies, Elementary Part, ch. IV;
+ * Y. Wang and M. T. Mason, J. Appl. Mech. 59 (1992) 635; W. J. Stronge, Proc. R. Soc. A 431 (1990) 169] */
+#include "impact/impact_course.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "elements/constraint.h"
+#include "elements/contact.h"
+#include "equations/active_set.h"
+#include "equations/saddle.h"
+
+#define STRETCHES 8    /* of constant rates: two phases, with one end of slip and one reversal at most */
+#define LOCKED 1e-13   /* of the normal response: what friction leaves of it where it holds the pair */
+#define IMMOBILE 1e-14 /* of the normal response: along the tangent nothing moves */
+#define UNLIMITED INFINITY
+
+/* Where the blow is. */
+typedef struct pm_event_course {
+    double normal, slip;      /* m/s */
+    double impulse, friction; /* N s, so far */
+    double ratio;             /* dP_t/dP on this stretch */
+    double rate_n, rate_t;    /* du/dP on it */
+    double work;              /* normal, of the phase so far */
+    int slips;
+} pm_event_course;
+
+/* Rough: the slip is lost before any normal impulse. */
+static void grip_at_once(const pm_impact_course *x, pm_event_course *now)
+{
+    if (isfinite(x->grip) || x->c <= 0) return;
+    now->friction = -now->slip / x->c;
+    now->normal += x->b * now->friction;
+    now->slip = 0;
+}
+
+static void set_rates(const pm_impact_course *x, pm_event_course *now)
+{
+    const int held = fabs(x->b) <= x->grip * x->c || x->b == 0;
+    now->slips = now->slip != 0 || !held;
+    if (now->slips)
+        now->ratio = -copysign(x->rub, now->slip != 0 ? now->slip : x->b);
+    else
+        now->ratio = x->c > 0 ? -x->b / x->c : 0;
+    now->rate_n = x->a + x->b * now->ratio;
+    now->rate_t = now->slips ? x->b + x->c * now->ratio : 0;
+    if (fabs(now->rate_n) <= LOCKED * x->a) now->rate_n = 0;
+}
+
+static double until_slip_ends(const pm_event_course *now)
+{
+    return now->slip * now->rate_t < 0 ? -now->slip / now->rate_t : UNLIMITED;
+}
+
+static double until_speed(const pm_event_course *now, double speed)
+{
+    return now->rate_n > 0 ? (speed - now->normal) / now->rate_n : UNLIMITED;
+}
+
+/* int (u + u' P) dP = work */
+static double until_work(const pm_event_course *now, double work)
+{
+    const double square = now->normal * now->normal + 2 * now->rate_n * work;
+    if (work <= 0) return 0;
+    return square > 0 ? 2 * work / (now->normal + sqrt(square)) : UNLIMITED;
+}
+
+static void go(pm_event_course *now, double impulse)
+{
+    now->work += impulse * (now->normal + 0.5 * now->rate_n * impulse);
+    now->normal += now->rate_n * impulse;
+    now->slip += now->rate_t * impulse;
+    now->friction += now->ratio * impulse;
+    now->impulse += impulse;
+}
+
+/* Goes on to the end of the phase, which `until` measures; 0 if it has none. */
+static int follow_phase(const pm_impact_course *x, pm_event_course *now,
+                        double (*until)(const pm_event_course *, double), double bound)
+{
+    now->work = 0;
+    for (int i = 0; i < STRETCHES; i++) {
+        set_rates(x, now);
+        const double left = until == until_work ? bound - now->work : bound;
+        const double end = until(now, left), stop = until_slip_ends(now);
+        if (!isfinite(fmin(end, stop))) return 0;
+        go(now, fmin(end, stop));
+        if (end <= stop) return 1;
+        now->slip = 0;
+    }
+    return 0;
+}
+
+static double until_impulse(const pm_event_course *now, double impulse) { return impulse - now->impulse; }
+
+int pm_impact_course_follow(const pm_impact_course *x, pm_impact_course_end *end)
+{
+    pm_event_course now = {.normal = x->normal, .slip = fabs(x->slip) > x->still ? x->slip : 0};
+    const double e = x->restitution;
+    int ends = 1;
+    grip_at_once(x, &now);
+    if (!(now.normal < 0) || !follow_phase(x, &now, until_speed, 0)) return 0;
+    now.normal = 0;
+    if (e > 0) switch ((enum pm_law)x->law) {
+        case PM_LAW_NEWTON: ends = follow_phase(x, &now, until_speed, -e * x->normal); break;
+        case PM_LAW_POISSON: ends = follow_phase(x, &now, until_impulse, (1 + e) * now.impulse); break;
+        case PM_LAW_STRONGE: ends = follow_phase(x, &now, until_work, -e * e * now.work); break;
+        case PM_LAWS: break;
+        }
+    *end = (pm_impact_course_end){now.normal, now.slip, now.impulse, now.friction / now.impulse};
+    return ends;
+}
+
+int pm_impact_course_applies(const pm_workspace *w, int slot)
+{
+    const int contact = pm_contact_of_slot(w->model, slot), friction = pm_contact_friction(w->model, contact);
+    const int newton = pm_contact_law(w->model, contact) == PM_LAW_NEWTON;
+    if (PM_CONTACT_ROW_OF(w->model, contact)[PM_CONTACT_TANGENTIAL] != PM_NONE) return 0;
+    return friction == PM_FRICTION_COULOMB || (friction == PM_FRICTION_ROUGH && !newton);
+}
+
+/* Velocities that a unit impulse along the row gives, with the joints held. */
+static void respond(pm_workspace *w, const pm_constraint *row, double *x)
+{
+    memset(x, 0, (size_t)w->model->nq * sizeof *x);
+    for (int p = 0; p < 2; p++) {
+        const int body = row->body[p];
+        if (body == w->model->nbody) continue;
+        for (int k = 0; k < 3; k++) x[3 * body + k] += w->inverse_mass[3 * body + k] * row->j[3 * p + k];
+    }
+    if (w->nactive == 0) return;
+    for (int i = 0; i < w->nactive; i++) w->rhs[i] = -pm_saddle_times(w, &w->row[i], x);
+    pm_saddle_solve(w);
+    pm_saddle_spread(w, 0, x);
+}
+
+int pm_impact_course_read(pm_workspace *w, int slot, double *scratch, pm_impact_course *x)
+{
+    const int contact = pm_contact_of_slot(w->model, slot);
+    const int rough = pm_contact_friction(w->model, contact) == PM_FRICTION_ROUGH;
+    pm_constraint normal, tangent;
+    const int status = w->nactive > 0 ? pm_saddle_factor(w) : PM_OK;
+    if (w->massless) return pm_fail(w, PM_UNSUPPORTED, PM_TABLE_CONTACT, contact, NAN, NAN);
+    if (status) return status;
+    pm_contact_constraint_both(w, contact, slot, w->state.slot[slot].member, &normal, &tangent);
+    pm_constraint_kind(normal.kind)->evaluate(w, &normal);
+    pm_constraint_kind(tangent.kind)->evaluate(w, &tangent);
+    x->normal = pm_saddle_times(w, &normal, w->state.v);
+    x->slip = pm_saddle_times(w, &tangent, w->state.v) - tangent.rate;
+    x->grip = rough ? INFINITY : pm_contact_static(w, contact);
+    x->rub = rough ? INFINITY : pm_contact_kinetic(w, contact);
+    x->still = pm_contact_speed(w);
+    x->law = pm_contact_law(w->model, contact);
+    respond(w, &normal, scratch);
+    x->a = pm_saddle_times(w, &normal, scratch);
+    respond(w, &tangent, scratch);
+    x->b = pm_saddle_times(w, &normal, scratch);
+    x->c = pm_saddle_times(w, &tangent, scratch);
+    if (x->c <= IMMOBILE * x->a) x->b = x->c = 0;
+    return PM_OK;
+}

@@ -1,0 +1,31 @@
+/* impact_course.h - one contact struck alone, with friction: the course of its blow. */
+#ifndef PM_IMPACT_COURSE_H
+#define PM_IMPACT_COURSE_H
+
+#include "state/model.h"
+
+/* Response of the contact with all joints held, du = [a b; b c] dP (normal, tangent); velocities before, relative to
+ * what drives prescribe; its law. */
+typedef struct pm_impact_course {
+    double a, b, c;
+    double normal, slip; /* m/s, normal < 0 */
+    double grip, rub;    /* static and kinetic coefficients; infinite: rough */
+    double restitution;
+    double still; /* m/s: slower than this is no slip */
+    int law;      /* enum pm_law */
+} pm_impact_course;
+
+typedef struct pm_impact_course_end {
+    double normal, slip;   /* m/s, after the blow */
+    double impulse, ratio; /* normal impulse; tangential impulse over it */
+} pm_impact_course_end;
+
+/* Follows the blow to its end; 0 if the law has none: friction holds the pair so that it cannot part. */
+int pm_impact_course_follow(const pm_impact_course *x, pm_impact_course_end *end);
+/* Reads all of it but the restitution, of the contact in `slot` at the frame; the active rows are those of the joints
+ * alone, evaluated.  scratch[nq]. */
+int pm_impact_course_read(pm_workspace *w, int slot, double *scratch, pm_impact_course *x);
+/* The law of the contact in `slot` is told from Newton's, or followed through changes of its slip. */
+int pm_impact_course_applies(const pm_workspace *w, int slot);
+
+#endif

@@ -1,0 +1,242 @@
+/* instant.c - one instant: `before` values, blows, modes, firings, answers. */
+#include "impact/instant.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "elements/contact.h"
+#include "elements/trigger.h"
+#include "equations/saddle.h"
+#include "events/ask.h"
+#include "events/event.h"
+#include "events/history.h"
+#include "impact/action.h"
+#include "impact/contact_modes.h"
+#include "impact/impact.h"
+#include "routes/path/repeat.h"
+#include "routes/start/perturbation.h"
+#include "state/evidence.h"
+#include "state/frame.h"
+#include "state/route.h"
+#include "study/accuracy.h"
+#include "tree/tree.h"
+
+#define STILL 1e-11  /* speeds and accelerations of a scene at rest, relative to its own scales */
+#define TURNING 1e-7 /* of the scene's speed: how fast it is seen just before and after it turns back */
+#define BLOWS_IN_ORDER 10000 /* one by one at one instant */
+
+static int at_rest(const pm_workspace *w, int body)
+{
+    const double speed = STILL * w->speed, acceleration = STILL * w->speed * w->speed / w->size;
+    const int first = body == PM_NONE ? 0 : 3 * body, last = body == PM_NONE ? w->model->nq : first + 3;
+    for (int i = first; i < last; i++) {
+        const double length = i % 3 == 2 ? w->size : 1;
+        if (fabs(w->frame.v[i]) * length > speed || fabs(w->frame.a[i]) * length > acceleration) return 0;
+    }
+    return 1;
+}
+
+static void mark_rest(pm_workspace *w)
+{
+    if (at_rest(w, PM_NONE)) pm_trigger_mark(w, PM_TRIGGER_REST, PM_NONE);
+    for (int i = 0; i < w->model->nbody; i++)
+        if (at_rest(w, i)) pm_trigger_mark(w, PM_TRIGGER_REST, i);
+}
+
+/* No contact has changed, and none is met. */
+static int contacts_stay(pm_workspace *w)
+{
+    int member;
+    for (int i = 0; i < w->event->nfunction; i++)
+        if (w->event->hit[i] && w->event->function[i].kind != FUNCTION_TRIGGER) return 0;
+    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++)
+        if (pm_contact_touches(w, &w->state, i, &member)) return 0;
+    return 1;
+}
+
+/* Nothing can strike, part or slide, or nothing does; no loop can come to a singular position, and places on a path are
+ * exact: bodies, rows and reactions are as they were. */
+static int is_settled(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    if (w->count[PM_COUNT_PHASES] == 0 || w->route != &pm_route_path || w->tree->nloop > 0) return 0;
+    return m->ngrip == 0 && !m->acts && (m->nslot == 0 || contacts_stay(w));
+}
+
+/* Blows, modes, and what fires by them. */
+static int settle(pm_workspace *w)
+{
+    int jumped, status;
+    if ((status = pm_impact(w, &jumped)) || (status = pm_contact_modes_settle(w))) return status;
+    pm_contact_modes_mark(w);
+    pm_trigger_look_after(w);
+    return PM_OK;
+}
+
+/* Actions may make further events fire, which act at the same instant; each event acts once.  Only what then is at rest
+ * is at rest. */
+static int carry_out(pm_workspace *w)
+{
+    int acted, rests = 0, status;
+    pm_action_instant(w);
+    for (;;) {
+        if ((status = pm_action_carry_out(w, &acted))) return status;
+        if (acted) {
+            if ((status = settle(w))) return status;
+        } else if (!rests) {
+            mark_rest(w);
+            rests = 1;
+        } else {
+            return PM_OK;
+        }
+    }
+}
+
+/* Fires what is due at the frame and answers for it. */
+static void fire(pm_workspace *w)
+{
+    pm_evidence_close(w);
+    pm_trigger_commit(w);
+}
+
+static int count(pm_workspace *w, int *ended)
+{
+    w->count[PM_COUNT_EVENTS]++;
+    *ended = pm_trigger_until(w);
+    const int most = PM_SETTING(w->model, PM_SETTING_MAX_EVENTS);
+    if (!*ended && w->count[PM_COUNT_EVENTS] >= most)
+        return pm_fail(w, PM_LIMIT_EVENTS, PM_TABLE_SETTING, 0, most, most);
+    return PM_OK;
+}
+
+static int close(pm_workspace *w, int *ended)
+{
+    fire(w);
+    pm_ask_instant(w);
+    return count(w, ended);
+}
+
+/* What the scene looks like before something happens to it. */
+static int look_before(pm_workspace *w)
+{
+    pm_ask_look_before(w);
+    pm_trigger_look_before(w);
+    return pm_contact_modes_begin(w);
+}
+
+/* A blow and what is done because of it. */
+static int blow(pm_workspace *w)
+{
+    const int status = settle(w);
+    return status || !w->model->acts ? status : carry_out(w);
+}
+
+/* Closes the instant of one blow and opens that of the next, at the same time. */
+static int go_on(pm_workspace *w, int *ended)
+{
+    int status = close(w, ended);
+    if (!status) status = pm_history_row(w, 2);
+    pm_trigger_next_blow(w);
+    if (status || *ended) return status;
+    memset(w->event->hit, 0, (size_t)w->event->nfunction * sizeof(int));
+    if ((status = pm_history_row(w, 1))) return status;
+    return look_before(w);
+}
+
+/* What happens to the bodies.  The frame is DYNAMIC before and after. */
+static int act(pm_workspace *w, int *ended)
+{
+    *ended = 0;
+    pm_evidence_instant(w);
+    if (is_settled(w)) {
+        pm_ask_look_before(w);
+        return PM_OK;
+    }
+    int status = look_before(w);
+    if (!status) status = blow(w);
+    for (int i = 1; !status && !*ended && pm_impact_goes_on(w); i++) {
+        if (i == BLOWS_IN_ORDER) return pm_fail(w, PM_BLOWS_ENDLESS, PM_TABLE_CONTACT, PM_NONE, i, i);
+        status = go_on(w, ended);
+        if (!status && !*ended) status = blow(w);
+    }
+    return status;
+}
+
+int pm_instant_finish(pm_workspace *w, int *ended)
+{
+    mark_rest(w);
+    const int status = close(w, ended);
+    if (!status && !*ended && at_rest(w, PM_NONE) && !w->model->uses_time && !pm_perturbation_waits(w))
+        return pm_fail(w, PM_STAYS_AT_REST, PM_NONE, PM_NONE, w->state.t, 0);
+    return status;
+}
+
+int pm_instant_start(pm_workspace *w)
+{
+    int ended; /* is told again when the start is closed */
+    pm_trigger_mark(w, PM_TRIGGER_START, PM_NONE);
+    return act(w, &ended);
+}
+
+/* Where the motion turns back speeds are zero: triggers that read them change sign as the velocities do. */
+static int mark_turning(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    double *velocity = w->frame.velocity;
+    for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
+        const int kind = PM_TRIGGER_ROW(m, i)[PM_TRIGGER_KIND];
+        double value[2];
+        if (kind > PM_TRIGGER_FALL || w->event->fired[i]) continue;
+        for (int side = 0; side < 2; side++) {
+            for (int k = 0; k < m->nq; k++) velocity[k] = (side ? -TURNING : TURNING) * w->turn[k];
+            const int status = pm_saddle_accelerate(w);
+            if (status) return status;
+            value[side] = pm_trigger_program(w, i);
+        }
+        const int rises = value[0] < 0 && value[1] > 0, falls = value[0] > 0 && value[1] < 0;
+        w->event->fired[i] =
+            (unsigned char)((rises && kind != PM_TRIGGER_FALL) || (falls && kind != PM_TRIGGER_RISE));
+    }
+    for (int k = 0; k < m->nq; k++) velocity[k] = w->state.v[k];
+    return pm_saddle_accelerate(w);
+}
+
+int pm_instant_full(pm_workspace *w, int *ended)
+{
+    *ended = 0;
+    pm_frame_look_state(w, &w->state);
+    if (w->route == &pm_route_path) {
+        pm_repeat_end(w);
+        if (pm_repeat_refuted(w)) return PM_OK;
+    }
+    int status = pm_history_row(w, 1);
+    if (!status) status = pm_saddle_accelerate(w);
+    if (!status && w->turns) status = mark_turning(w);
+    if (!status) status = act(w, ended);
+    if (status || *ended) return status;
+    status = pm_instant_finish(w, ended);
+    return status ? status : pm_history_row(w, 2);
+}
+
+/* What a mark needs to know: what is asked then; and where errors are told, how far all that is watched is from zero. */
+static int level_of_mark(const pm_workspace *w)
+{
+    const int asked = w->ask->instant_level, watched = w->event->level;
+    if (!w->error->active) return w->ask->fired_level;
+    return asked > watched ? asked : watched;
+}
+
+/* Extremes and grids are those of the step: nothing jumps here. */
+int pm_instant_mark(pm_workspace *w, int *ended)
+{
+    const int level = level_of_mark(w);
+    int status = pm_history_row(w, 1);
+    pm_frame_look_state(w, &w->state);
+    if (!status && level == PM_LEVEL_DYNAMIC) status = pm_step_react(w);
+    if (status) return status;
+    pm_evidence_instant(w);
+    pm_ask_look_before(w);
+    fire(w);
+    status = count(w, ended);
+    return status ? status : pm_history_row(w, 2);
+}

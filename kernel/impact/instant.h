@@ -1,0 +1,16 @@
+/* instant.h - what happens at one instant: blows, changes of modes, firings, answers. */
+#ifndef PM_INSTANT_H
+#define PM_INSTANT_H
+
+#include "state/model.h"
+
+/* The start: blows and modes at t = 0; the frame is DYNAMIC before and after. */
+int pm_instant_start(pm_workspace *w);
+/* An instant that ends a phase; the frame is DYNAMIC before and after.  *ended = 1: the end of the run. */
+int pm_instant_full(pm_workspace *w, int *ended);
+/* An instant at w->state that only fires triggers. */
+int pm_instant_mark(pm_workspace *w, int *ended);
+/* What every instant closes with: events are counted, asks answered, limits looked at. */
+int pm_instant_finish(pm_workspace *w, int *ended);
+
+#endif

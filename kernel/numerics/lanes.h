@@ -1,0 +1,30 @@
+/* lanes.h - two numbers that a processor combines at once: the same operations on each, so the same bits as one by one. */
+#ifndef PM_LANES_H
+#define PM_LANES_H
+
+#include <string.h>
+
+typedef double pm_lanes __attribute__((vector_size(2 * sizeof(double))));
+
+static inline pm_lanes pm_pair_load(const double *from)
+{
+    pm_lanes x;
+    memcpy(&x, from, sizeof x);
+    return x;
+}
+
+static inline void pm_pair_store(double *to, pm_lanes x) { memcpy(to, &x, sizeof x); }
+
+/* With the third number of a body's velocity, acceleration or force. */
+static inline void pm_pair_store_turn(double *to, pm_lanes x, double turn)
+{
+    pm_pair_store(to, x);
+    to[2] = turn;
+}
+
+/* A vector turned by a right angle. */
+static inline pm_lanes pm_pair_left(pm_lanes v) { return (pm_lanes){-v[1], v[0]}; }
+
+static inline double pm_pair_sum(pm_lanes v) { return v[0] + v[1]; }
+
+#endif

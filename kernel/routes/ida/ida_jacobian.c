@@ -1,0 +1,190 @@
+/* ida_jacobian.c - derivatives of the system of ida_system.c.
+ *
+ * Rows give G, H and dz'/dlambda as they are.  Differences give M^-1 d(f + H^T lambda)/dq (stiffness of
+ * springs and of the geometry), M^-1 df/dv where some force may depend on velocities, and d(G v)/dq.  Left
+ * out, because Newton's iteration does not need them: d(M^-1 G^T Mu')/dq, where Mu' is small, and dz'/dq,
+ * dz'/dv of what is not stiff. */
+#include "routes/ida/ida_jacobian.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "elements/constraint.h"
+#include "elements/force.h"
+#include "elements/turning_plane.h"
+#include "equations/ledger.h"
+#include "equations/saddle.h"
+#include "routes/ida/ida_system.h"
+#include "state/frame.h"
+
+/* What the differences are taken from, in the scratch of the blocks. */
+typedef struct pm_ida_differences {
+    double *y;                   /* [2 nq + nz] moved in one coordinate at a time */
+    double *force, *force_moved; /* [nq] M^-1 (f + H^T lambda) */
+    double *rate, *rate_moved;   /* [nrow] G v */
+    double *z, *z_moved;         /* [nz] */
+} pm_ida_differences;
+
+static size_t work_size(const pm_model *m) /* as much as ida_linear.c needs, too */
+{
+    return 5 * (size_t)m->nq + 3 * (size_t)m->nz + 3 * (size_t)m->nrow;
+}
+
+static pm_ida_differences differences(const pm_model *m, double *work)
+{
+    pm_ida_differences d = {.y = work};
+    d.force = d.y + 2 * m->nq + m->nz;
+    d.force_moved = d.force + m->nq;
+    d.rate = d.force_moved + m->nq;
+    d.rate_moved = d.rate + m->nrow;
+    d.z = d.rate_moved + m->nrow;
+    d.z_moved = d.z + m->nz;
+    return d;
+}
+
+size_t pm_ida_jacobian_doubles(const pm_model *m)
+{
+    const size_t nq = (size_t)m->nq, nrow = (size_t)m->nrow, nz = (size_t)m->nz, both = nq + nrow;
+    return 5 * nrow * nq + 3 * nq * nq + nz * (nrow + 2 * nq) + 2 * nrow * nrow + (nq + both) * both + both +
+           work_size(m);
+}
+
+size_t pm_ida_jacobian_ints(const pm_model *m) { return (size_t)(2 * m->nq + m->nrow); }
+
+static int has_damping(const pm_model *m)
+{
+    for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++)
+        if (!pm_force_of(m, i)->stores) return 1;
+    return 0;
+}
+
+void pm_ida_jacobian_place(pm_ida_jacobian *x, const pm_model *m, double *p, int *ints)
+{
+    const size_t nq = (size_t)m->nq, nrow = (size_t)m->nrow, nz = (size_t)m->nz, both = nq + nrow;
+    x->g = p;
+    x->h = x->g + nrow * nq;
+    x->turn = x->h + nrow * nq;
+    x->spread = x->turn + nrow * nq;
+    x->share = x->spread + nq * nrow;
+    x->project = x->share + nq * nrow;
+    x->stiffness = x->project + nq * nq;
+    x->damping = x->stiffness + nq * nq;
+    x->ledger = x->damping + nq * nq;
+    x->schur = x->ledger + nz * (nrow + 2 * nq);
+    x->inverse_schur = x->schur + nrow * nrow;
+    x->bend = x->inverse_schur + nrow * nrow;
+    x->system = x->bend + nq * both;
+    x->scale = x->system + both * both;
+    x->work = x->scale + both;
+    x->pivot = ints;
+    x->bending = ints + both;
+    x->has_forces = m->rows[PM_TABLE_FORCE] > 0 || pm_turning_plane_turns(m);
+    x->has_damping = has_damping(m);
+}
+
+/* A row's six numbers on all coordinates. */
+static void spread_out(const pm_workspace *w, const pm_constraint *row, const double *six, double *dense)
+{
+    memset(dense, 0, (size_t)w->model->nq * sizeof *dense);
+    for (int p = 0; p < 2; p++)
+        for (int k = 0; k < 3 && row->body[p] != w->model->nbody; k++)
+            dense[3 * row->body[p] + k] += six[3 * p + k];
+}
+
+/* M^-1 (f + H^T lambda) and G v at the frame, lambda as there. */
+static void force_and_rate(pm_workspace *w, const double *v, double *force, double *rate)
+{
+    for (int i = 0; i < w->model->nq; i++) force[i] = w->inverse_mass[i] * w->frame.f[i];
+    memcpy(w->rhs, w->frame.lambda, (size_t)w->nactive * sizeof(double));
+    pm_saddle_spread(w, 1, force);
+    for (int i = 0; i < w->nactive; i++) rate[i] = pm_saddle_times(w, &w->row[i], v);
+}
+
+static void rows(pm_workspace *w, pm_ida_jacobian *x)
+{
+    const int nq = w->model->nq;
+    for (int i = 0; i < w->nactive; i++) {
+        spread_out(w, &w->row[i], w->row[i].j, x->g + i * nq);
+        spread_out(w, &w->row[i], w->asymmetric ? w->row[i].h : w->row[i].j, x->h + i * nq);
+    }
+}
+
+/* One column of the derivatives of z', from the rates at the frame. */
+static void ledger_column(pm_workspace *w, pm_ida_jacobian *x, const pm_ida_differences *d, int column,
+                          double step)
+{
+    const int nz = w->model->nz;
+    pm_ledger_rates(w, d->z_moved);
+    for (int i = 0; i < nz; i++) x->ledger[column * nz + i] = (d->z_moved[i] - d->z[i]) / step;
+}
+
+/* dz'/dlambda: the rates are linear in the reactions. */
+static void ledger(pm_workspace *w, pm_ida_jacobian *x, const pm_ida_differences *d)
+{
+    pm_ledger_rates(w, d->z);
+    for (int k = 0; k < w->nactive; k++) {
+        const double old = w->frame.lambda[k], step = fmax(1, fabs(old));
+        w->frame.lambda[k] = old + step;
+        ledger_column(w, x, d, k, step);
+        w->frame.lambda[k] = old;
+    }
+}
+
+/* Moves *y by a small step of its scale; returns the step as a difference of two numbers. */
+static double move(double *y, double scale)
+{
+    const double old = *y;
+    volatile double moved = old + sqrt(DBL_EPSILON) * fmax(scale, fabs(old));
+    *y = moved;
+    return moved - old;
+}
+
+static void velocities(pm_workspace *w, pm_ida_jacobian *x, double t, const pm_ida_differences *d)
+{
+    const int nq = w->model->nq;
+    double *v = d->y + nq;
+    memcpy(d->force, w->frame.f, (size_t)nq * sizeof *d->force);
+    for (int k = 0; k < nq; k++) {
+        const double old = v[k], step = move(&v[k], k % 3 == 2 ? w->speed / w->size : w->speed);
+        pm_frame_look(w, t, d->y, v, v + nq, w->state.memory);
+        pm_force_all(w);
+        v[k] = old;
+        for (int i = 0; i < nq; i++)
+            x->damping[i * nq + k] = w->inverse_mass[i] * (w->frame.f[i] - d->force[i]) / step;
+        ledger_column(w, x, d, w->model->nrow + nq + k, step);
+    }
+}
+
+static void positions(pm_workspace *w, pm_ida_jacobian *x, double t, const double *yp,
+                      const pm_ida_differences *d)
+{
+    const int nq = w->model->nq;
+    pm_ida_system_look(w, t, d->y, yp);
+    force_and_rate(w, d->y + nq, d->force, d->rate);
+    for (int k = 0; k < nq; k++) {
+        const double old = d->y[k], step = move(&d->y[k], k % 3 == 2 ? 1 : w->size);
+        pm_ida_system_look(w, t, d->y, yp);
+        force_and_rate(w, d->y + nq, d->force_moved, d->rate_moved);
+        d->y[k] = old;
+        for (int i = 0; i < nq; i++) x->stiffness[i * nq + k] = (d->force_moved[i] - d->force[i]) / step;
+        for (int i = 0; i < w->nactive; i++) x->turn[i * nq + k] = (d->rate_moved[i] - d->rate[i]) / step;
+        if (x->has_forces) ledger_column(w, x, d, w->model->nrow + k, step);
+    }
+}
+
+void pm_ida_jacobian_evaluate(pm_workspace *w, double t, double cj, const double *y, const double *yp)
+{
+    const pm_model *m = w->model;
+    pm_ida_jacobian *x = &w->ida->jacobian;
+    const pm_ida_differences d = differences(m, x->work);
+    memcpy(d.y, y, (size_t)(2 * m->nq + m->nz) * sizeof *y);
+    x->nactive = w->nactive;
+    x->cj = cj;
+    pm_ida_system_look(w, t, d.y, yp);
+    if (x->sparse) x->independence = pm_saddle_independence(w);
+    rows(w, x);
+    ledger(w, x, &d);
+    if (x->has_damping) velocities(w, x, t, &d);
+    positions(w, x, t, yp, &d);
+}

@@ -1,0 +1,139 @@
+/* ida_system.c - stabilised index 2 (Gear, Gupta, Leimkuhler) with integrated multipliers:
+ *
+ *   q' - v + M^-1 G^T Mu' = 0         the motion, kept on the rows
+ *   v' - M^-1 (f + H^T L') = 0        signs as in saddle.c; v' = 0 where M^-1 = 0 (held)
+ *   z' - rates(t, q, v, L') = 0       work, paths, the ledger
+ *   g(t, q) = 0
+ *   G v = w             prescribed rates: 0 of rows that are not driven
+ *
+ * Only L' and Mu' appear, so the multipliers may be wrong by jumps without a trace in the error test, from
+ * which L, Mu and the entries of the ledger are left out.  In the test of Newton's iteration L weighs as
+ * the velocity that it makes, Mu as the displacement. */
+#include "routes/ida/ida_system.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "elements/constraint.h"
+#include "elements/force.h"
+#include "equations/ledger.h"
+#include "equations/saddle.h"
+#include "routes/ida/ida_sparse.h"
+#include "state/frame.h"
+
+/* The errors of backward differences add up, and the same accuracy should mean about the same error whatever
+ * the route. */
+#define LEDGER_WEIGHT 1e-2 /* of an entry that is controlled: it feeds nothing back */
+#define ROUNDING 3.6e-15   /* of a value: smaller errors are not told from rounding (angles and L grow) */
+
+void pm_ida_system_layout(pm_workspace *w)
+{
+    pm_ida *r = w->ida;
+    r->stride = PM_IDA_STOCK ? w->model->nrow : w->nactive;
+    r->n = 2 * w->model->nq + w->model->nz + 2 * r->stride;
+    r->jacobian.sparse = pm_ida_sparse_serves(w);
+}
+
+void pm_ida_system_look(pm_workspace *w, double t, const double *y, const double *yp)
+{
+    const int nq = w->model->nq;
+    pm_frame *f = &w->frame;
+    pm_frame_look(w, t, y, y + nq, y + 2 * nq, w->state.memory);
+    pm_force_all(w);
+    pm_saddle_rows(w);
+    memcpy(f->a, yp + nq, (size_t)nq * sizeof *yp);
+    memcpy(f->lambda, yp + pm_ida_place_l(w), (size_t)w->nactive * sizeof *yp);
+    f->level = PM_LEVEL_DYNAMIC;
+}
+
+int pm_ida_system_start(pm_workspace *w, double *y, double *yp)
+{
+    const int nq = w->model->nq, nz = w->model->nz;
+    memset(y, 0, (size_t)w->ida->n * sizeof *y);
+    memset(yp, 0, (size_t)w->ida->n * sizeof *yp);
+    pm_frame_look_state(w, &w->state);
+    const int status = pm_saddle_accelerate(w);
+    if (status) return status;
+    memcpy(y, w->state.q, (size_t)(2 * nq + nz) * sizeof *y); /* q, v, z lie together */
+    memcpy(yp, w->state.v, (size_t)nq * sizeof *yp);
+    memcpy(yp + nq, w->frame.a, (size_t)nq * sizeof *yp);
+    pm_ledger_rates(w, yp + 2 * nq);
+    memcpy(yp + pm_ida_place_l(w), w->frame.lambda, (size_t)w->nactive * sizeof *yp);
+    return PM_OK;
+}
+
+void pm_ida_system_residual(pm_workspace *w, double t, const double *y, const double *yp, double *r)
+{
+    const int nq = w->model->nq, nz = w->model->nz, l = pm_ida_place_l(w), mu = pm_ida_place_mu(w);
+    const double *v = y + nq, *force = w->frame.f;
+    pm_ida_system_look(w, t, y, yp);
+    for (int i = 0; i < nq; i++) {
+        r[i] = yp[i] - v[i];
+        r[nq + i] = -w->inverse_mass[i] * force[i];
+    }
+    memcpy(w->rhs, yp + mu, (size_t)w->nactive * sizeof *yp);
+    pm_saddle_spread(w, 0, r);
+    for (int i = 0; i < w->nactive; i++) w->rhs[i] = -yp[l + i];
+    pm_saddle_spread(w, 1, r + nq);
+    for (int i = 0; i < nq; i++) r[nq + i] += yp[nq + i];
+    pm_ledger_rates(w, r + 2 * nq);
+    for (int i = 2 * nq; i < 2 * nq + nz; i++) r[i] = yp[i] - r[i];
+    for (int i = 0; i < w->ida->stride; i++) {
+        const int active = i < w->nactive;
+        r[l + i] = active ? w->row[i].g : yp[l + i];
+        r[mu + i] = active ? pm_saddle_times(w, &w->row[i], v) - w->row[i].rate : yp[mu + i];
+    }
+}
+
+/* j M^-1 j^T: a row's reaction l moves the scene like l sqrt(this) in the metric of M. */
+static double mobility(const pm_workspace *w, const pm_constraint *row)
+{
+    double sum = 0;
+    for (int p = 0; p < 2; p++)
+        for (int k = 0; k < 3 && row->body[p] != w->model->nbody; k++)
+            sum += row->j[3 * p + k] * row->j[3 * p + k] * w->inverse_mass[3 * row->body[p] + k];
+    return sum;
+}
+
+static void weigh_ledger(pm_workspace *w, double *weight, double mass)
+{
+    const pm_model *m = w->model;
+    const double momentum = mass * w->speed, energy = momentum * w->speed;
+    for (int i = 0; i < m->nz_controlled; i++)
+        weight[i] = 1 / (w->ida->tolerance * pm_ledger_controlled_scale(w, i));
+    for (int i = m->nz_controlled; i < m->nz; i++) {
+        const int entry = i - m->nz_controlled; /* friction, then impulses along x, y, and their moment */
+        const double scale = entry == 0 ? energy : entry < 3 ? momentum : momentum * w->size;
+        weight[i] = LEDGER_WEIGHT / (w->ida->tolerance * scale);
+    }
+}
+
+void pm_ida_system_scale(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    pm_ida *r = w->ida;
+    const int l = pm_ida_place_l(w), mu = pm_ida_place_mu(w);
+    const double tolerance = r->tolerance = fmax(PM_IDA_TIGHTER * w->tolerance, PM_IDA_TIGHTEST);
+    double *weight = r->weight, mass = 0;
+    for (int i = 0; i < m->nbody; i++) mass += w->mass[i];
+    for (int i = 0; i < m->nq; i++) {
+        const int angle = i % 3 == 2; /* angles by the absolute tolerance only: they grow with every turn */
+        weight[i] = 1 / (tolerance * (angle ? 1 : w->size));
+        weight[m->nq + i] = 1 / (tolerance * (angle ? w->speed / w->size : w->speed));
+    }
+    weigh_ledger(w, weight + 2 * m->nq, mass);
+    for (int i = 0; i < r->stride; i++) {
+        const double unit = i < w->nactive ? sqrt(mobility(w, &w->row[i]) / mass) : 1 / mass;
+        weight[l + i] = unit / (tolerance * w->speed);
+        weight[mu + i] = unit / (tolerance * w->size);
+    }
+}
+
+void pm_ida_system_weights(const pm_workspace *w, const double *y, double *weight)
+{
+    const pm_ida *r = w->ida;
+    /* IDA takes the root mean square over all unknowns: count those under control only */
+    const double share = sqrt((double)r->n / (2 * w->model->nq + w->model->nz_controlled));
+    for (int i = 0; i < r->n; i++)
+        weight[i] = share * r->weight[i] / (1 + ROUNDING * r->weight[i] * fabs(y[i]));
+}

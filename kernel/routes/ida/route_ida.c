@@ -1,0 +1,299 @@
+/* route_ida.c - SUNDIALS IDA on the stabilised index-2 system of ida_system.c: the reference; stiff forces.
+ *
+ * One instance per thread, made for the most active rows that the scene can have; each phase is a restart
+ * with its own number of unknowns (ida_vector.c), from values that the saddle-point system makes
+ * consistent.  The state after a step is projected on the rows; IDA's own history is not touched: the rows
+ * are among its equations.
+ *
+ * Near a singular position (one row depends on the others: reactions without bound) steps shrink to nothing: there the
+ * phase is handed over, by w->singular (plan.c). */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <nvector/nvector_serial.h>
+#include <sunlinsol/sunlinsol_dense.h>
+#include <sunmatrix/sunmatrix_dense.h>
+
+#include "elements/joint_friction.h"
+#include "equations/case.h"
+#include "equations/saddle.h"
+#include "events/ask.h"
+#include "events/event.h"
+#include "routes/ida/ida.h"
+#include "routes/ida/ida_jacobian.h"
+#include "routes/ida/ida_library.h"
+#include "routes/ida/ida_linear.h"
+#include "routes/ida/ida_root.h"
+#include "routes/ida/ida_sparse.h"
+#include "routes/ida/ida_system.h"
+#include "routes/ida/ida_vector.h"
+#include "state/route.h"
+
+#define ORDER 5
+#define NEWTON 0.1        /* of the error allowed: where Newton's iteration may stop */
+#define FIRST_STEP 0.3    /* of sqrt(tolerance) times the motion's own time: one step of order 1 */
+#define LONGEST_STEP 0.25 /* of the motion's own time, where events or extremes are watched */
+#define LEAST_STEP 8e-16  /* of the time: below it a step changes nothing */
+#define NEAR_SINGULAR 0.1 /* independent part of a row, below which Newton's iteration may not get through */
+#define LOST 0.2          /* the same where it did not in a long chain: up to where plan.c comes back */
+#define LEAST_ROOM 4e-15  /* of the time: below it IDA finds begin and end too close */
+
+static int failed(pm_workspace *w, int flag) { return pm_fail(w, PM_SOLVER, PM_NONE, PM_NONE, flag, 0); }
+
+/* What IDA returned, or what the kernel found inside one of IDA's calls. */
+static int status_of(pm_workspace *w, int flag)
+{
+    if (flag >= 0) return PM_OK;
+    return w->ida->status ? w->ida->status : failed(w, flag);
+}
+
+static int residual(double t, N_Vector y, N_Vector yp, N_Vector r, void *workspace)
+{
+    pm_ida_system_residual(workspace, t, N_VGetArrayPointer(y), N_VGetArrayPointer(yp),
+                           N_VGetArrayPointer(r));
+    return 0;
+}
+
+static int weigh(N_Vector y, N_Vector weight, void *workspace)
+{
+    pm_ida_system_weights(workspace, N_VGetArrayPointer(y), N_VGetArrayPointer(weight));
+    return 0;
+}
+
+/* ---- memory ---- */
+static int create_arrays(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    pm_ida *r = w->ida;
+    const size_t most = (size_t)r->most, doubles = most + pm_ida_jacobian_doubles(m);
+    r->weight = r->block = calloc(doubles * sizeof(double) + pm_ida_jacobian_ints(m) * sizeof(int) + 1, 1);
+    if (!r->block) return PM_NO_MEMORY;
+    pm_ida_jacobian_place(&r->jacobian, m, r->weight + most, (int *)(void *)(r->weight + doubles));
+    return PM_OK;
+}
+
+static int create_vectors(pm_workspace *w)
+{
+    pm_ida *r = w->ida;
+    r->y =
+        PM_IDA_STOCK ? N_VNew_Serial(r->most, r->context) : pm_ida_vector_create(r->context, &r->n, r->most);
+    if (!r->y) return PM_NO_MEMORY;
+    N_VConst(0, r->y);
+    r->yp = N_VClone(r->y);
+    r->dense = N_VClone(r->y);
+    r->id = N_VClone(r->y);
+    if (!r->yp || !r->dense || !r->id) return PM_NO_MEMORY;
+    N_VConst(0, r->yp);
+    N_VConst(0, r->id);
+    /* the work of drives varies with their reactions, not with the speeds alone */
+    const int controlled = 2 * w->model->nq + w->model->nz_controlled + pm_model_is_driven(w->model);
+    for (int i = 0; i < controlled; i++) N_VGetArrayPointer(r->id)[i] = 1;
+    return PM_OK;
+}
+
+static int create_solver(pm_workspace *w)
+{
+    pm_ida *r = w->ida;
+    r->matrix =
+        PM_IDA_STOCK ? SUNDenseMatrix(r->most, r->most, r->context) : pm_ida_linear_matrix(r->context);
+    if (!r->matrix) return PM_NO_MEMORY;
+    r->solver =
+        PM_IDA_STOCK ? SUNLinSol_Dense(r->y, r->matrix, r->context) : pm_ida_linear_solver(w, r->context);
+    if (!r->solver) return PM_NO_MEMORY;
+    int flag = IDASetLinearSolver(r->memory, r->solver, r->matrix);
+    if (flag == IDA_SUCCESS && !PM_IDA_STOCK) flag = IDASetJacFn(r->memory, pm_ida_linear_jacobian);
+    return status_of(w, flag);
+}
+
+static int set_up(pm_workspace *w)
+{
+    pm_ida *r = w->ida;
+    int flag = pm_ida_library_silence(r->memory);
+    if (flag == IDA_SUCCESS) flag = IDASetUserData(r->memory, w);
+    if (flag == IDA_SUCCESS) flag = IDAInit(r->memory, residual, 0, r->y, r->yp);
+    if (flag == IDA_SUCCESS) flag = IDAWFtolerances(r->memory, weigh);
+    if (flag == IDA_SUCCESS) flag = IDASetId(r->memory, r->id);
+    if (flag == IDA_SUCCESS) flag = IDASetSuppressAlg(r->memory, SUNTRUE);
+    if (flag == IDA_SUCCESS) flag = IDASetMaxOrd(r->memory, ORDER);
+    if (flag == IDA_SUCCESS) flag = IDASetNonlinConvCoef(r->memory, NEWTON);
+    return status_of(w, flag);
+}
+
+static int create(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    pm_ida *r = w->ida = calloc(1, sizeof *r);
+    if (!r) return PM_NO_MEMORY;
+    r->n = r->most = 2 * m->nq + m->nz + 2 * m->nrow;
+    if (pm_ida_library_open(&r->context)) return PM_NO_MEMORY;
+    r->memory = IDACreate(r->context);
+    if (!r->memory) return PM_NO_MEMORY;
+    int status = create_arrays(w);
+    if (!status) status = create_vectors(w);
+    if (!status) status = set_up(w);
+    if (!status) status = create_solver(w);
+    if (!status) status = pm_ida_sparse_create(w);
+    if (!status) status = pm_ida_root_create(w);
+    return status;
+}
+
+static void destroy(pm_workspace *w)
+{
+    pm_ida *r = w->ida;
+    if (!r) return;
+    pm_ida_root_free(w);
+    pm_ida_sparse_free(w);
+    if (r->memory) IDAFree(&r->memory);
+    if (PM_IDA_STOCK) {
+        if (r->solver) SUNLinSolFree(r->solver);
+        if (r->matrix) SUNMatDestroy(r->matrix);
+    } else {
+        pm_ida_linear_free(r->matrix, r->solver);
+    }
+    N_Vector vector[] = {r->y, r->yp, r->dense, r->id};
+    for (int i = 0; i < 4; i++)
+        if (vector[i]) N_VDestroy(vector[i]);
+    if (r->context) SUNContext_Free(&r->context);
+    free(r->block);
+    free(r);
+    w->ida = NULL;
+}
+
+/* ---- a phase ---- */
+static double *accelerations(const pm_workspace *w) { return N_VGetArrayPointer(w->ida->yp) + w->model->nq; }
+
+/* IDA applies it when it chooses the next step: hence well below the motion's own time. */
+static int limit_step(pm_workspace *w)
+{
+    const int watched = w->event->nfunction > 0 || w->ask->nobserver > 0;
+    const double scale = watched ? pm_case_time_scale(w, w->state.v, accelerations(w)) : INFINITY;
+    return IDASetMaxStep(w->ida->memory, isfinite(scale) ? LONGEST_STEP * scale : 0); /* 0: no limit */
+}
+
+/* Where a couple has just overcome what held, accelerations are rounding and tell no time: the scene's own does. */
+static double time_to_begin_with(const pm_workspace *w)
+{
+    const double scale = pm_case_time_scale(w, w->state.v, w->frame.a);
+    return isfinite(scale) ? fmin(scale, w->size / w->speed) : scale;
+}
+
+static int begin(pm_workspace *w)
+{
+    pm_ida *r = w->ida;
+    r->status = PM_OK;
+    r->jacobian.known = 0;
+    r->jacobian.independence = 1;
+    pm_ida_system_layout(w);
+    int status = pm_ida_system_start(w, N_VGetArrayPointer(r->y), N_VGetArrayPointer(r->yp));
+    if (status) return status;
+    pm_ida_system_scale(w);
+    double first = FIRST_STEP * sqrt(r->tolerance) * time_to_begin_with(w);
+    int flag = IDAReInit(r->memory, w->state.t, r->y, r->yp);
+    if (flag == IDA_SUCCESS) flag = limit_step(w);
+    if (flag != IDA_SUCCESS) return failed(w, flag);
+    if ((status = pm_ida_root_begin(w, accelerations(w), &first))) return status;
+    flag = IDASetInitStep(r->memory, isfinite(first) ? first : 0); /* 0: as IDA thinks fit */
+    r->first = r->last = w->state.t;
+    return flag == IDA_SUCCESS ? PM_OK : failed(w, flag);
+}
+
+/* y and y' inside the last step, beyond its begin on the tangent there. */
+static int look_up(pm_workspace *w, double t, double *y)
+{
+    pm_ida *r = w->ida;
+    const double inside = fmax(t, r->first);
+    const int n = 2 * w->model->nq + w->model->nz;
+    const double *value = N_VGetArrayPointer(r->dense);
+    int flag = IDAGetDky(r->memory, inside, 0, r->dense);
+    memcpy(y, value, (size_t)n * sizeof *y);
+    if (flag == IDA_SUCCESS && t < inside) {
+        flag = IDAGetDky(r->memory, inside, 1, r->dense);
+        for (int i = 0; i < n; i++) y[i] += (t - inside) * value[i];
+    }
+    return flag == IDA_SUCCESS ? PM_OK : failed(w, flag);
+}
+
+static int at(pm_workspace *w, double t, pm_state *s)
+{
+    s->t = t;
+    return look_up(w, t, s->q); /* q, v, z lie together */
+}
+
+static int exact(pm_workspace *w, double t, pm_state *s)
+{
+    if (s != &w->state) pm_state_copy(s, &w->state);
+    const int status = at(w, t, s);
+    return status ? status : pm_ida_linear_project(w, s);
+}
+
+static int too_small(pm_workspace *w, double length, double bound)
+{
+    return pm_fail(w, PM_STEP_TOO_SMALL, PM_NONE, PM_NONE, length, bound);
+}
+
+static int one_step(pm_workspace *w, double t_limit)
+{
+    pm_ida *r = w->ida;
+    double t, length;
+    const double room = t_limit - w->state.t, least = LEAST_STEP * fabs(w->state.t);
+    if (!(room > LEAST_ROOM * fabs(t_limit))) return too_small(w, room, LEAST_ROOM * fabs(t_limit));
+    r->status = PM_OK;
+    int flag = IDASetStopTime(r->memory, t_limit);
+    if (flag == IDA_SUCCESS) flag = IDASolve(r->memory, t_limit, &t, r->y, r->yp, IDA_ONE_STEP);
+    int status = status_of(w, flag);
+    if (status) return status;
+    const int found = flag == IDA_ROOT_RETURN;
+    if ((flag = IDAGetCurrentTime(r->memory, &r->last)) || (flag = IDAGetLastStep(r->memory, &length)))
+        return failed(w, flag);
+    if (!(length > least)) return too_small(w, length, least); /* IDA itself would go on for ever */
+    r->first = r->last - length;
+    w->step_begin = w->state.t;
+    w->step_end = t;
+    if ((status = pm_ida_root_step(w, found, &w->step_end))) return status;
+    memcpy(w->state.q, N_VGetArrayPointer(r->y), (size_t)(2 * w->model->nq + w->model->nz) * sizeof(double));
+    w->state.t = w->step_end;
+    if (w->step_end != t) status = look_up(w, w->step_end, w->state.q);
+    if (!status) status = pm_ida_linear_project(w, &w->state);
+    w->count[PM_COUNT_STEPS]++;
+    if (!status && pm_case_speed(w, w->state.v)) pm_ida_system_scale(w);
+    if (!status && (flag = limit_step(w))) status = failed(w, flag);
+    return status;
+}
+
+/* How far off a singular position is: at the last matrix; in long chains, where one step may lead over it to another branch,
+ * where the step has come to, too. */
+static double independence(pm_workspace *w, int status)
+{
+    const pm_ida_jacobian *j = &w->ida->jacobian;
+    if (!j->sparse || status) return j->independence;
+    return fmin(j->independence, pm_saddle_independence_there(w, &w->state));
+}
+
+/* Whatever goes wrong near a singular position, a new matrix has been made there. */
+static int step(pm_workspace *w, double t_limit)
+{
+    const int status = one_step(w, t_limit), lost = w->ida->jacobian.sparse && status;
+    w->lap = w->singular = !w->asymmetric && independence(w, status) < (lost ? LOST : NEAR_SINGULAR);
+    return status;
+}
+
+/* Friction by the load is not among its unknowns; it divides by masses. */
+static int applies(pm_workspace *w) { return !w->massless && !pm_joint_friction_any_by_load(w); }
+
+const pm_route_ops pm_route_ida = {
+    .route = PM_ROUTE_IDA,
+    .create = create,
+    .free = destroy,
+    .applies = applies,
+    .begin = begin,
+    .step = step,
+    .at = at,
+    .exact = exact,
+    .finest = PM_IDA_TIGHTEST / PM_IDA_TIGHTER,
+    .spread = 60, /* its order changes on the way */
+    .finds_roots = PM_ROOTS_ALL,
+    .in_time = 1,
+    .price = 4,
+    .nodes = &pm_chebyshev_nodes_equal,
+};

@@ -1,0 +1,162 @@
+/* path.h - the configuration path of a phase with one degree of freedom, as route_path.c and its parts share it. */
+#ifndef PM_PATH_H
+#define PM_PATH_H
+
+#include "numerics/chebyshev_nodes.h"
+#include "numerics/lanes.h"
+#include "state/model.h"
+#include "tree/tree.h"
+
+#define PM_CLOCK_TAIL 1e-13 /* highest coefficients of the integrand of the time, at the least */
+#define PM_WORK_TAIL 1e-12  /* the same of the rates of work */
+
+/* A place on the path: the configuration, and the velocities that go with a unit rate of the driver. */
+typedef struct pm_place {
+    double *y;               /* [n] tree coordinates */
+    double *slope;           /* [n] dy/du */
+    double *q;               /* [nq] */
+    double *tangent;         /* [nq] dq/du */
+    double *rate;            /* [nz_controlled] of the running integrals, by u */
+    double *pose;            /* [nbody][5] of the frame */
+    double *bend;            /* [nq] dtangent/du, where no row closes a loop */
+    double *arm;             /* [nbody][PM_TREE_ARM] the levers of the tree that reactions go by, likewise */
+    int determined;          /* by the rows: not a place on a bridge */
+    double mass;             /* generalised: T = mass (du/dt)^2 / 2 */
+    double change;           /* tangent . M bend: half of dmass/du */
+    double potential, force; /* V, and the generalised force of all applied forces */
+    double kinetic;          /* T, once the work is known */
+} pm_place;
+
+enum pm_path_clock {
+    PM_CLOCK_NONE = 0,   /* nobody asks for the time */
+    PM_CLOCK_PLAIN = 1,  /* dt/du is smooth over the step */
+    PM_CLOCK_LEAVES = 2, /* the step begins at rest: dt/du = g / sqrt(u - u0) */
+    PM_CLOCK_RESTS = 3   /* the step ends at rest: dt/du = g / sqrt(u1 - u) */
+};
+
+enum { PM_BRIDGE_PLACES = 12 };
+
+/* path_bridge.c: the branch next to a singular position, as polynomials of the driver. */
+typedef struct pm_bridge {
+    double centre, reach;          /* of the driver; reach 0: there is none */
+    int has_known;                 /* a place that the rows determine: the last one */
+    double known;                  /* its driver value */
+    double *known_y, *known_slope; /* [n] */
+    double *c;                     /* [PM_BRIDGE_PLACES][n] coefficients */
+    double *y, *slope, *bend;      /* [n] scratch: where the polynomial is read */
+} pm_bridge;
+
+/* path_clock.c: what only the nodes decide. */
+enum {
+    PM_CLOCK_FINE = PM_NODES_CLOCK - 1, /* the last fine node */
+    PM_CLOCK_PAIRS = PM_CLOCK_FINE / 4  /* of odd multiples of an angle, or of nodes on one side, at most */
+};
+typedef struct pm_clock_table {
+    /* what the coarse nodes on one side, with those on the other added or taken off, give at the fine nodes between */
+    pm_lanes same_9[5][PM_CLOCK_PAIRS], other_9[4][PM_CLOCK_PAIRS];
+    pm_lanes same_17[9][PM_CLOCK_PAIRS], other_17[8][PM_CLOCK_PAIRS];
+    pm_lanes cosine[PM_CLOCK_FINE / 2][PM_CLOCK_PAIRS]; /* of a node's odd multiples */
+} pm_clock_table;
+
+/* path_rigid.c: an open tree in which one rigid group moves. */
+typedef struct pm_rigid_body {
+    int body;
+    int turns;            /* with the group */
+    int holds;            /* its reactions go by levers */
+    double angle;         /* against the first body */
+    double mass, inertia; /* inertia 0: it does not turn */
+    pm_lanes weight;
+    pm_lanes d, lever,
+        turn; /* in the axes of the first body: from its mark to the mass centre, from there to the mark on
+                                 what carries it; cosine and sine of the angle */
+} pm_rigid_body;
+
+typedef struct pm_rigid {
+    int n; /* bodies; 0: the tree is none such */
+    pm_rigid_body *body;
+    const struct pm_tree_node *first;
+    int turns;
+    int weights_alone; /* act on it */
+    double fixed;      /* angle of what it moves on */
+    pm_lanes from;     /* the mark there */
+    pm_lanes line;     /* direction of its line, in the scene, or in the axes of the first body */
+    double angle;      /* of the first body, where it does not turn */
+    pm_lanes turn;     /* its cosine and sine */
+    double potential;  /* of the weight of what stands still */
+} pm_rigid;
+
+typedef struct pm_path {
+    int n;         /* tree coordinates of the phase */
+    int driver;    /* the one that is the path parameter u */
+    double sense;  /* +1 or -1: which way it goes */
+    double u0, h;  /* the last step: u = u0 + sense x, x from 0 to h */
+    double energy; /* T + V - (work of forces without potential): constant */
+    int at_rest;   /* the step begins at rest */
+    int balanced;  /* it begins in equilibrium, too: it takes for ever to leave it */
+    int fresh;     /* no step of the phase has been taken yet */
+    int clock;     /* enum pm_path_clock */
+    int by_work;   /* T by the work of all forces, not by their potential: the better of both in this step */
+    double force[PM_NODES_MOST];   /* generalised, at the nodes, the way it goes */
+    double t0;                     /* time at the begin of the step */
+    double tail;                   /* of the clock of the step that was tried before */
+    double series[PM_NODES_CLOCK]; /* Chebyshev coefficients of the smooth part of dt/du (path_clock.c) */
+    pm_clock_table table;
+    int terms;                       /* of them: how many matter */
+    const pm_chebyshev_nodes *nodes; /* of the step: its node k is node[k * every] */
+    int every;
+    int looked_at; /* the node that was looked at last */
+    double safe;   /* length up to which steps are taken even if their nodes do not resolve what is sampled */
+    double most;   /* length that the nodes of the last steps resolved; INFINITY: any did */
+    pm_place begin; /* of a phase that has been planned */
+    pm_place node[PM_NODES_MOST], spare;
+    int told_by; /* driver and sense of the step in the nodes */
+    double told_sense;
+    int repeats; /* the phase that has been planned begins like the one step in the nodes, but for a shift */
+    int filled;  /* the nodes hold the places of a step of length h already */
+    double *inertia; /* [nbody] of the phase on an open tree */
+    pm_bridge bridge;
+    pm_rigid rigid;
+    pm_loops loop;             /* rows that the tree does not solve */
+    double *weight;            /* [nz_controlled] z at the begin of the step */
+    double *work;              /* [nz_controlled] z somewhere in the step */
+    int *column;               /* [n] pivots */
+    double error;              /* of T, J */
+    double clock_error;        /* of the time, s */
+    double ended;              /* T at the end of the last step */
+    double least, lowest;      /* T of the step, of the phase */
+    double way;                /* of the driver since the phase began, or since the last lap */
+    double impulse[PM_LEDGER]; /* what the ledger of the outer impulses exceeds the momenta by */
+    void *block;
+} pm_path;
+
+/* path_place.c: the place at driver value u; place->y holds a guess on entry. */
+int pm_path_place(pm_workspace *w, double u, pm_place *place);
+/* The place at the tree coordinates place->y, told by some rate; PM_SINGULAR where the path has no direction. */
+int pm_path_look(pm_workspace *w, pm_place *place);
+/* path_motion.c: makes the frame, which looks at a place that the rows determine, DYNAMIC.  along[nq]: velocities at any
+ * rate of the driver. */
+int pm_path_accelerate(pm_workspace *w, const double *along);
+/* path_open.c: the same for a place of an open tree, at the rate that goes with its T; the frame looks at it. */
+void pm_path_open_accelerate(pm_workspace *w, const pm_place *place);
+/* Such a place at place->y, the one coordinate; the frame has its forces.  pm_path_open_begin comes before, once a phase, where
+ * the frame looks at the state. */
+void pm_path_open_begin(pm_workspace *w);
+void pm_path_open_place(pm_workspace *w, pm_place *place);
+/* Chooses the coordinate that moves most as driver, unless the present one still does, and tells the place by it. */
+int pm_path_drive(pm_workspace *w, pm_place *place);
+
+/* path_step.c: a step from node 0, at most `full` long, into w->path. */
+int pm_path_take_step(pm_workspace *w, double full);
+/* path_cycle.c: whether p->begin is like node 0, and all nodes are determined. */
+int pm_path_cycle(const pm_workspace *w);
+/* The last step once more from p->begin, where T is `kinetic`: places and T at all nodes. */
+void pm_path_cycle_of(pm_workspace *w, double kinetic);
+/* The place at the fraction s of the filled step, with its T, in w->path->spare. */
+int pm_path_inside(pm_workspace *w, double s);
+/* The running integrals at the fraction s of the step. */
+void pm_path_integrals(const pm_workspace *w, double s, double *z);
+/* What forces without potential have done. */
+double pm_path_work(const pm_workspace *w, const double *z);
+static inline pm_place *pm_path_node(pm_path *p, int k) { return &p->node[k * p->every]; }
+
+#endif

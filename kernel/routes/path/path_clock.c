@@ -1,0 +1,262 @@
+/* path_clock.c - dt/du = sqrt(mass / 2T) over a step of the path, and its integral.
+ *
+ * mass and T are smooth functions of the place, which few nodes resolve; their ratio has poles where T would vanish beyond
+ * the step.  So both are interpolated, and the ratio is expanded at nodes of its own,
+ *
+ *   g(s) = sum a_k T_k(2s - 1),    dt/ds = h g,    h g / sqrt(s),    h g / sqrt(1 - s)
+ *
+ * where the step begins or ends at rest the root is taken out: T / s, or T / (1 - s), stands for T in g.  The integrals are
+ * exact for the series: with w^2 = s, T_k(2s - 1) = T_2k(w), and ds / sqrt(s) = 2 dw.
+ *
+ * Where the nodes of the step resolve g itself, as well as those would, they do instead. */
+#include "routes/path/path_clock.h"
+
+#include <math.h>
+
+#include "numerics/chebyshev.h"
+#include "numerics/minmax.h"
+
+#define INLINE static inline __attribute__((always_inline))
+#define FINE PM_CLOCK_FINE
+#define NOISE 1e-6 /* a tail below it that no halving makes smaller is rounding */
+#define GAINS \
+    0.5 /* of the tail with fewer nodes, or over a longer step: it is smaller where it is no rounding */
+#define FEWER \
+    4.0 /* the same with the nodes of a step, which are fewer: these coefficients weigh more in the integral */
+#define OPEN \
+    32.0 /* for its error the same: inside a step what they leave out weighs by 1 / 2k, not by 1 / k^2 */
+#define NOTHING_MORE 1e-17 /* of the greatest coefficient: those that are dropped */
+
+/* T, or what stands for it, at a node: T over the way to where it vanishes; there its slope. */
+static double slowness(const pm_path *p, int node)
+{
+    const pm_place *x = &p->node[node * p->every];
+    const double s = p->nodes->at[node];
+    if (p->clock == PM_CLOCK_PLAIN) return x->kinetic;
+    const double distance = p->clock == PM_CLOCK_LEAVES ? s : 1 - s;
+    return distance > 0 ? x->kinetic / distance : fabs(x->force) * p->h;
+}
+
+enum {
+    MANY = PM_NODES_MOST - 1, /* the last node of a step */
+    FEW = MANY / 2,
+    PAIRS = PM_CLOCK_PAIRS
+};
+
+/* ---- tables ---- */
+/* How many fine nodes of the left half are no coarse ones, and which fine node number i of them is. */
+static inline int between(int last) { return (FINE - last) / 2; }
+
+static inline int node_between(int last, int i)
+{
+    const int every = FINE / last;
+    return i / (every - 1) * every + 1 + i % (every - 1);
+}
+
+/* What the coarse nodes weigh at s: the barycentric formula. */
+static void weigh(const pm_chebyshev_nodes *nodes, double s, double *weight)
+{
+    const int last = nodes->n - 1;
+    double sum = 0;
+    for (int k = 0; k <= last; k++) {
+        weight[k] = (k % 2 ? -1 : 1) * (k == 0 || k == last ? 0.5 : 1) / (s - nodes->at[k]);
+        sum += weight[k];
+    }
+    for (int k = 0; k <= last; k++) weight[k] /= sum;
+}
+
+static void fill_weights(const pm_chebyshev_nodes *nodes, pm_lanes same[][PAIRS], pm_lanes other[][PAIRS])
+{
+    const int last = nodes->n - 1, middle = last / 2;
+    double weight[PM_NODES_MOST];
+    for (int i = 0; i < between(last); i++) {
+        weigh(nodes, 0.5 * (1 - pm_chebyshev_nodes_cosine[node_between(last, i)]), weight);
+        for (int k = 0; k < middle; k++) {
+            same[k][i / 2][i % 2] = 0.5 * (weight[k] + weight[last - k]);
+            other[k][i / 2][i % 2] = 0.5 * (weight[k] - weight[last - k]);
+        }
+        same[middle][i / 2][i % 2] = weight[middle];
+    }
+}
+
+void pm_path_clock_fill_table(pm_clock_table *x)
+{
+    fill_weights(&pm_chebyshev_nodes_9, x->same_9, x->other_9);
+    fill_weights(&pm_chebyshev_nodes_17, x->same_17, x->other_17);
+    for (int j = 0; j < FINE / 2; j++)
+        for (int k = 0; k < FINE / 2; k++)
+            x->cosine[j][k / 2][k % 2] = pm_chebyshev_nodes_cosine[j * (2 * k + 1) % (2 * FINE)];
+}
+
+/* ---- g ---- */
+/* The values at the fine nodes between, number i from the left and number i from the right, of the polynomial through
+ * those at the coarse ones. */
+INLINE void interpolate(const double *value, const int last, const pm_lanes (*same)[PAIRS],
+                        const pm_lanes (*other)[PAIRS], pm_lanes *left, pm_lanes *right)
+{
+    const int n = between(last) / 2, middle = last / 2;
+    pm_lanes up[PAIRS], down[PAIRS] = {{0, 0}};
+    for (int i = 0; i < n; i++) up[i] = value[middle] * same[middle][i];
+    for (int k = 0; k < middle; k++) {
+        const double sum = value[k] + value[last - k], less = value[k] - value[last - k];
+        for (int i = 0; i < n; i++) up[i] += sum * same[k][i];
+        for (int i = 0; i < n; i++) down[i] += less * other[k][i];
+    }
+    for (int i = 0; i < n; i++) {
+        left[i] = up[i] + down[i];
+        right[i] = up[i] - down[i];
+    }
+}
+
+/* g where mass and T are these; NAN if one of them is not positive. */
+static inline double slow(double mass, double kinetic)
+{
+    return kinetic > 0 && mass > 0 ? sqrt(0.5 * mass / kinetic) : NAN;
+}
+
+/* g at its nodes, from the polynomials through mass and T. */
+INLINE void expand(const double *mass, const double *kinetic, const int last, const pm_lanes (*same)[PAIRS],
+                   const pm_lanes (*other)[PAIRS], double *g)
+{
+    const int every = FINE / last;
+    pm_lanes m[2][PAIRS], t[2][PAIRS];
+    interpolate(mass, last, same, other, m[0], m[1]);
+    interpolate(kinetic, last, same, other, t[0], t[1]);
+    for (int k = 0; k <= last; k++) g[every * k] = slow(mass[k], kinetic[k]);
+    for (int i = 0; i < between(last); i++) {
+        const int k = node_between(last, i);
+        g[k] = slow(m[0][i / 2][i % 2], t[0][i / 2][i % 2]);
+        g[FINE - k] = slow(m[1][i / 2][i % 2], t[1][i / 2][i % 2]);
+    }
+}
+
+/* The odd coefficients of values at m + 1 nodes x = cos(pi j / m), times m / 2, every `step`-th of `sum`; what is left are
+ * the even ones, those of m / 2 + 1 values. */
+INLINE void take_odd(const pm_clock_table *table, double *value, const int m, int step, double *sum)
+{
+    const int half = m / 2, n = (half + 1) / 2;
+    pm_lanes odd[PAIRS] = {{0, 0}};
+    for (int j = 0; j < half; j++) {
+        const double less = (j == 0 ? 0.5 : 1) * (value[j] - value[m - j]);
+        for (int k = 0; k < n; k++) odd[k] += less * table->cosine[j * (FINE / m)][k];
+        value[j] += value[m - j];
+    }
+    value[half] *= 2;
+    for (int k = 0; k < half; k++) sum[(2 * k + 1) * step] = odd[k / 2][k % 2];
+}
+
+/* The coefficients of g from its values at n + 1 nodes, as many as matter; how far the highest stand off. */
+INLINE double transform(pm_path *p, const double *g, const int n)
+{
+    double value[PM_NODES_CLOCK], sum[PM_NODES_CLOCK], greatest = 0;
+    for (int k = 0; k <= n; k++) value[k] = g[n - k];
+    /* one after the other, so that each has numbers that the compiler knows */
+    if (n == FINE) take_odd(&p->table, value, FINE, 1, sum);
+    if (n >= MANY) take_odd(&p->table, value, MANY, n / MANY, sum);
+    take_odd(&p->table, value, FEW, n / FEW, sum);
+    take_odd(&p->table, value, 4, n / 4, sum);
+    take_odd(&p->table, value, 2, n / 2, sum);
+    sum[0] = 0.5 * (value[0] + value[1]);
+    sum[n] = 0.5 * (value[0] - value[1]);
+    for (int k = 0; k <= n; k++) {
+        p->series[k] = (k == 0 || k == n ? 1.0 : 2.0) / n * sum[k];
+        greatest = pm_max(fabs(p->series[k]), greatest);
+    }
+    const double tail = pm_max(fabs(p->series[n]), fabs(p->series[n - 1])) / greatest;
+    p->terms = n + 1;
+    while (p->terms > 1 && fabs(p->series[p->terms - 1]) < NOTHING_MORE * greatest) p->terms--;
+    return tail;
+}
+
+/* The nodes of the step, if they resolve g itself. */
+static int set_by_nodes(pm_path *p, const double *mass, const double *kinetic, double most)
+{
+    const int last = p->nodes->n - 1;
+    double g[PM_NODES_MOST];
+    for (int k = 0; k <= last; k++) g[k] = slow(mass[k], kinetic[k]);
+    const double high = last == MANY ? transform(p, g, MANY) : transform(p, g, FEW);
+    if (!(FEWER * high <= most)) return 0;
+    p->tail = OPEN * high;
+    return 1;
+}
+
+/* The fine nodes, by the polynomials through mass and T.  How far the highest coefficients of all stand off. */
+static double set_by_fine(pm_path *p, const double *mass, const double *kinetic)
+{
+    const pm_clock_table *table = &p->table;
+    double g[PM_NODES_CLOCK], least = INFINITY;
+    if (p->nodes->n - 1 == MANY)
+        expand(mass, kinetic, MANY, table->same_17, table->other_17, g);
+    else
+        expand(mass, kinetic, FEW, table->same_9, table->other_9, g);
+    for (int k = 0; k < p->nodes->n; k++) least = pm_min(kinetic[k], least);
+    const double high = transform(p, g, FINE);
+    if (!(least > 0) || isnan(high)) return INFINITY;
+    return fmax(fmax(pm_chebyshev_tail(p->nodes, mass), pm_chebyshev_high(p->nodes, kinetic) / least), high);
+}
+
+int pm_path_clock_set(pm_path *p, int clock, double most)
+{
+    double mass[PM_NODES_MOST], kinetic[PM_NODES_MOST];
+    const double before = p->tail;
+    p->clock = clock;
+    p->terms = 0;
+    if (clock == PM_CLOCK_NONE) return 1;
+    for (int k = 0; k < p->nodes->n; k++) {
+        mass[k] = pm_path_node(p, k)->mass;
+        kinetic[k] = slowness(p, k);
+    }
+    if (set_by_nodes(p, mass, kinetic, most)) return 1;
+    p->tail = set_by_fine(p, mass, kinetic);
+    return p->tail <= most || (p->tail < NOISE && p->tail > GAINS * before);
+}
+
+/* The whole integral: what is odd about the middle leaves nothing of it. */
+static double whole(const pm_path *p)
+{
+    double sum = 0;
+    for (int k = 0; k < p->terms; k += 2) sum += p->series[k] / (1 - k * k);
+    return sum;
+}
+
+/* Integral of the series from 0 to s: of T_k(x) by x it is (T_k+1 / (k + 1) - T_k-1 / (k - 1)) / 2. */
+static double plain(const pm_path *p, double s)
+{
+    const double x = 2 * s - 1;
+    double before = 1, here = x, sum = p->series[0] * (x + 1), sign = -1;
+    if (p->terms > 1) sum += p->series[1] * 0.5 * (x * x - 1);
+    for (int k = 2; k < p->terms; k++) { /* `here` is T_k-1(x) */
+        const double next = 2 * x * here - before, after = 2 * x * next - here;
+        sign = -sign; /* (-1)^k: the same at x = -1 */
+        const double to = after / (k + 1) - here / (k - 1), from = -sign / (k + 1) + sign / (k - 1);
+        sum += 0.5 * p->series[k] * (to - from);
+        before = here;
+        here = next;
+    }
+    return 0.5 * sum;
+}
+
+/* Integral of g / sqrt(s) from 0 to w^2 (of T_2k(w) by 2 dw), or with the series turned round. */
+static double from_rest(const pm_path *p, double w, int reversed)
+{
+    const double x = 2 * w * w - 1; /* T_2k(w) = T_k(x); odd ones by the same step: T_m+2 = 2 x T_m - T_m-2 */
+    double before = w, here = w * (2 * x - 1), sum = 2 * p->series[0] * w, sign = 1;
+    for (int k = 1; k < p->terms; k++) { /* before: T_2k-1(w), here: T_2k+1(w) */
+        sign = reversed ? -sign : 1;
+        sum += sign * p->series[k] * (here / (2 * k + 1) - before / (2 * k - 1));
+        const double next = 2 * x * here - before;
+        before = here;
+        here = next;
+    }
+    return sum;
+}
+
+double pm_path_clock_at(const pm_path *p, double s)
+{
+    switch (p->clock) {
+    case PM_CLOCK_PLAIN: return p->t0 + p->h * (s == 1 ? whole(p) : plain(p, s));
+    case PM_CLOCK_LEAVES: return p->t0 + p->h * from_rest(p, sqrt(s), 0);
+    case PM_CLOCK_RESTS: return p->t0 + p->h * (from_rest(p, 1, 1) - from_rest(p, sqrt(1 - s), 1));
+    default: return p->t0; /* nobody asks; an equilibrium takes for ever to leave */
+    }
+}

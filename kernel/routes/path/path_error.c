@@ -1,0 +1,271 @@
+/* path_error.c - errors along paths.
+ *
+ * Places on a path carry no error but rounding; T does: it is rounded with the energies that make it, in every step, and
+ * a blow that leaves m T_end leaves m times the error.  An answer f(place, T) is then known to |df/dT| dT, by a difference.
+ * The time's error is that of its quadrature, and what T makes of it.  All this holds as long as places alone decide when
+ * something happens; where speeds, forces or the time do, the run says nothing of its errors, and accuracy.c makes its
+ * companion.  Events that speeds or forces fire may be counted, though: their functions are off by no more than their
+ * natural size times dT / T, and their counts are right as long as none of their extremes lies that near to zero. */
+#include "routes/path/path_error.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "equations/saddle.h"
+#include "equations/solve_cache.h"
+#include "events/event.h"
+#include "expression/program.h"
+#include "numerics/chebyshev.h"
+#include "numerics/minmax.h"
+#include "routes/path/path.h"
+#include "scene/program_class.h"
+#include "state/frame.h"
+#include "state/route.h"
+#include "study/accuracy.h"
+
+#define ROUNDINGS 1e-15 /* of the energies, in a step or a blow: some roundings */
+#define FASTER 1e-6     /* of the speeds, for the difference */
+#define UNRESOLVED \
+    2e-3 /* of the highest coefficients of dt/du: what its integral may be off by; some 1000 times less */
+#define EXACT 1e-12 /* highest coefficients of a function that its samples tell to rounding */
+#define UNTOLD 10.0 /* times these, where they are more: how far an extreme may be from the polynomial's */
+#define WIDE \
+    3.0 /* times what a node is nearer to zero than those beside it: so much nearer may be an extreme */
+#define RESTING 10.0 /* an error of T moves the place of rest, too */
+
+void pm_path_error_begin(pm_workspace *w, double kinetic)
+{
+    pm_path *p = w->path;
+    if (w->count[PM_COUNT_PHASES] == 0) p->error = p->ended = p->clock_error = 0;
+    if (p->ended > 0) p->error *= kinetic / p->ended;
+    p->error += ROUNDINGS * kinetic;
+}
+
+/* The error of T in the step, of its greatest T. */
+static double relative_error(const pm_path *p)
+{
+    double greatest = 0;
+    for (int k = 0; k < p->nodes->n; k++) greatest = pm_max(p->node[k * p->every].kinetic, greatest);
+    return greatest > 0 ? p->error / greatest : 0;
+}
+
+/* The time of the step: what its nodes do not resolve, and dt = -t dT / 2 T, where it rests at an end of the greatest T. */
+static void step_of_clock(const pm_workspace *w, pm_path *p)
+{
+    double least = INFINITY, greatest = 0;
+    if (p->balanced && w->model->reads_time) p->clock_error = INFINITY; /* it takes for ever to leave */
+    if (p->clock == PM_CLOCK_NONE) return;
+    for (int k = 0; k < p->nodes->n; k++) {
+        least = pm_min(p->node[k * p->every].kinetic, least);
+        greatest = pm_max(p->node[k * p->every].kinetic, greatest);
+    }
+    const double by = p->clock == PM_CLOCK_PLAIN ? least : greatest / RESTING;
+    p->clock_error += (w->state.t - p->t0) * (UNRESOLVED * p->tail + 0.5 * p->error / by);
+}
+
+void pm_path_error_step(pm_workspace *w, double kinetic)
+{
+    pm_path *p = w->path;
+    const double potential = p->by_work ? 0 : fabs(p->node[0].potential);
+    p->ended = kinetic;
+    p->error += ROUNDINGS * (p->node[0].kinetic + kinetic + potential);
+    step_of_clock(w, p);
+    if (w->error->active) w->error->present->relative = fmax(w->error->present->relative, relative_error(p));
+}
+
+void pm_path_error_barrier(pm_workspace *w, double distance)
+{
+    pm_accuracy_decision(w, distance, w->path->error);
+}
+
+/* ---- do places alone decide? ---- */
+/* Counts are read by what is an integer or a yes or no itself, and decide nothing in the run; nobody reads the times. */
+static int only_counted(const pm_model *m)
+{
+    if (m->watches_counts) return 0;
+    for (int i = 0; i < m->rows[PM_TABLE_MEASURE]; i++)
+        if (PM_MEASURE_ROW(m, i)[PM_MEASURE_KIND] == PM_MEASURE_EVENT_TIME) return 0;
+    for (int i = 0; i < m->rows[PM_TABLE_PROGRAM]; i++)
+        if (pm_program_class_reads_counts(m, i) && !pm_program_class_is_discrete(m, i)) return 0;
+    return 1;
+}
+
+/* An event that is only watched: nothing ends or acts, and nothing is asked or told by the instants when it fires. */
+static int only_watched(const pm_model *m, int event)
+{
+    for (int i = 0; i < m->rows[PM_TABLE_UNTIL]; i++)
+        if (PM_UNTIL_ROW(m, i)[PM_UNTIL_EVENT] == event) return 0;
+    for (int i = 0; i < m->nask; i++)
+        if (PM_ASK_ROW(m, i)[PM_ASK_EVENT_INDEX] == event) return 0;
+    for (int i = 0; i < m->rows[PM_TABLE_ACTION]; i++)
+        if (PM_ACTION_ROW(m, i)[PM_ACTION_EVENT] == event) return 0;
+    return only_counted(m);
+}
+
+/* Places tell when a trigger fires, or sqrt(T) does and it fires where the motion turns back. */
+static int fires_by_place(const pm_model *m, const int32_t *e)
+{
+    const int kind = e[PM_TRIGGER_KIND], program = e[PM_TRIGGER_PROGRAM];
+    if (kind > PM_TRIGGER_EVERY) return kind == PM_TRIGGER_START || kind == PM_TRIGGER_STRIKE;
+    return m->program_nature[program] == PM_CLASS_PLACE || m->program_growth[program] == PM_ENERGY_CLASS_ROOT;
+}
+
+int pm_path_error_by_places(const pm_model *m)
+{
+    for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
+        const int32_t *e = PM_TRIGGER_ROW(m, i);
+        if (!fires_by_place(m, e) && !only_watched(m, e[PM_TRIGGER_EVENT])) return 0;
+    }
+    return 1;
+}
+
+/* A function that is watched, at the nodes; how far it may be from the polynomial through them. */
+typedef struct pm_approach {
+    const double *value;
+    double reach, untold;
+} pm_approach;
+
+/* An extreme between node k and the next, at the root of the secant of the slopes. */
+static void take_extreme(const pm_workspace *w, int trigger, const pm_approach *x, int k)
+{
+    const pm_chebyshev_nodes *nodes = w->nodes;
+    double *extreme = w->error->present->extreme + trigger;
+    const double a = pm_chebyshev_slope_at(nodes, x->value, k),
+                 b = pm_chebyshev_slope_at(nodes, x->value, k + 1);
+    if (a * b > 0) return;
+    const double s = nodes->at[k] + (a == b ? 0 : a / (a - b)) * (nodes->at[k + 1] - nodes->at[k]);
+    const double there = fabs(pm_chebyshev_value(nodes, x->value, 1, s)) - x->untold;
+    if (there <= 0 && x->untold > 0) w->error->present->unsure = 1;
+    if (!(there < *extreme)) return;
+    *extreme = there;
+    extreme[w->model->rows[PM_TABLE_TRIGGER]] = x->reach;
+}
+
+/* Extremes near zero are beside nodes that are nearer to it than those next to them, and nearer by less than these are
+ * farther: what no node shows would not be resolved.  A corner may hide one that is nearer than the samples tell. */
+static void take_extremes(const pm_workspace *w, int trigger, const double *value)
+{
+    const int n = w->nodes->n;
+    const double *known = w->error->present->extreme + trigger;
+    pm_approach x = {.value = value};
+    for (int k = 0; k < n; k++) x.reach = pm_max(fabs(value[k]), x.reach);
+    const double high = pm_chebyshev_high(w->nodes, value);
+    x.untold = high < EXACT * x.reach ? 0 : UNTOLD * high;
+    for (int k = 0; k < n; k++) {
+        const double here = fabs(value[k]), before = fabs(value[k > 0 ? k - 1 : k + 1]),
+                     after = fabs(value[k + 1 < n ? k + 1 : k - 1]);
+        if (!(here <= before && here <= after)) continue;
+        if (here - WIDE * (pm_max(before, after) - here) - x.untold > *known) continue;
+        if (k > 0) take_extreme(w, trigger, &x, k - 1);
+        if (k + 1 < n) take_extreme(w, trigger, &x, k);
+    }
+}
+
+void pm_path_error_sampled(pm_workspace *w)
+{
+    const pm_event_set *e = w->event;
+    if (!w->error->active || !w->error->by_places || w->route != &pm_route_path) return;
+    for (int i = 0; i < e->nfunction; i++) {
+        const pm_event_function *f = &e->function[i];
+        if (f->kind != FUNCTION_TRIGGER || fires_by_place(w->model, PM_TRIGGER_ROW(w->model, f->index)))
+            continue;
+        if (f->every)
+            w->error->present->unsure = 1;
+        else
+            take_extremes(w, f->index, pm_event_samples(w, i));
+    }
+}
+
+/* Values at instants are in the log; a rate tells nothing here that the extremes do not tell better. */
+double pm_path_error_margin(const pm_workspace *w, const pm_pass *pass, const double *trigger_scale)
+{
+    const int ntrigger = w->model->rows[PM_TABLE_TRIGGER];
+    const double relative = fmax(pass->relative, DBL_EPSILON);
+    double margin = INFINITY;
+    for (int i = 0; i < pass->log.n; i++) {
+        const pm_evidence_decision *x = &pass->log.entry[i];
+        if (x->trigger == PM_NONE || x->kind == PM_EVIDENCE_RATE ||
+            fires_by_place(w->model, PM_TRIGGER_ROW(w->model, x->trigger)))
+            continue;
+        const double unit = x->unit * trigger_scale[x->trigger];
+        if (pm_evidence_is_open(x, unit)) margin = fmin(margin, fabs(x->distance) / (unit * relative));
+    }
+    for (int i = 0; i < ntrigger; i++) {
+        const pm_evidence_decision x = {.reach = pass->extreme[ntrigger + i]};
+        if (isinf(pass->extreme[i]) || !pm_evidence_is_open(&x, trigger_scale[i])) continue;
+        margin = fmin(margin, pass->extreme[i] / (trigger_scale[i] * relative));
+    }
+    return margin;
+}
+
+/* ---- answers ---- */
+static void shift_velocities(pm_workspace *w, double factor)
+{
+    for (int i = 0; i < w->model->nq; i++) w->frame.velocity[i] = factor * w->frame.v[i];
+}
+
+/* The error of the clock in a program that reads nothing but the time, linearly; legs passed over do not tell it. */
+static double error_of_time(pm_workspace *w, int program, double value)
+{
+    pm_frame *f = &w->frame;
+    const double t = f->t, shift = fmax(t, w->path->clock_error);
+    if (w->count[PM_COUNT_LEGS] > 0) return NAN;
+    if (!(shift > 0)) return 0;
+    f->t = t + shift;
+    const double changed = pm_program_run(w->model, program, w->param, w->value, w);
+    f->t = t;
+    return fabs(changed - value) / shift * w->path->clock_error;
+}
+
+/* Inside a step nothing has jumped, and the route knows its own way. */
+static int accelerate(pm_workspace *w)
+{
+    return w->frame.q == w->probe.q ? pm_step_react(w) : pm_saddle_accelerate(w);
+}
+
+/* The frame's accelerations and reactions, while others are looked at. */
+static void set_aside(pm_workspace *w, double *keep)
+{
+    memcpy(keep, w->frame.a, (size_t)w->model->nq * sizeof *keep);
+    memcpy(keep + w->model->nq, w->frame.lambda, (size_t)w->nactive * sizeof *keep);
+    w->recall->closed = 1;
+}
+
+static void put_back(pm_workspace *w, const double *keep)
+{
+    memcpy(w->frame.a, keep, (size_t)w->model->nq * sizeof *keep);
+    memcpy(w->frame.lambda, keep + w->model->nq, (size_t)w->nactive * sizeof *keep);
+    w->recall->closed = 0;
+}
+
+/* By a difference in the speeds. */
+static double error_of_motion(pm_workspace *w, int program, double value)
+{
+    const double kinetic = pm_body_kinetic(w, PM_NONE);
+    const int dynamic = w->model->program_level[program] == PM_LEVEL_DYNAMIC;
+    if (w->model->program_growth[program] == PM_ENERGY_CLASS_UNKNOWN || !(kinetic > 0)) return NAN;
+    if (dynamic) set_aside(w, w->scratch);
+    shift_velocities(w, 1 + FASTER);
+    const int failed = dynamic && accelerate(w);
+    const double changed = pm_program_run(w->model, program, w->param, w->value, w);
+    shift_velocities(w, 1);
+    if (dynamic) put_back(w, w->scratch);
+    return failed ? NAN : fabs(changed - value) / (2 * FASTER * kinetic) * w->path->error;
+}
+
+void pm_path_error_answer(pm_workspace *w, int ask, int column, int program, double value)
+{
+    const pm_model *m = w->model;
+    if (!w->error->active || w->route != &pm_route_path || !w->error->by_places ||
+        w->count[PM_COUNT_ROUTES] != (int64_t)1 << PM_ROUTE_PATH)
+        return;
+    double error;
+    if (isnan(value) || m->program_growth[program] == PM_ENERGY_CLASS_NONE || w->error->discrete[ask])
+        error = 0; /* but for rounding; integers have the margin of their decisions */
+    else if (m->program_nature[program] == PM_CLASS_TIME)
+        error = error_of_time(w, program, value);
+    else
+        error = error_of_motion(w, program, value);
+    pm_accuracy_answer(w, column, error);
+}

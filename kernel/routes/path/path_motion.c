@@ -1,0 +1,54 @@
+/* path_motion.c - accelerations and reactions at a place on the path, without the saddle-point system.
+ *
+ * With one freedom all velocities are t udot, t those at a unit rate u, and the accelerations a = t uddot + c, c what the
+ * velocities make of them.  d'Alembert's principle with the virtual displacement t leaves the reactions out:
+ *
+ *   (t . M t) uddot = t . (f - M c)
+ *
+ * and the reactions follow from M a - f body by body (tree_dynamics.c).  Where rows close loops the coordinates are
+ * partitioned with the driver as the independent one (tree_partition.c). */
+#include "elements/constraint.h"
+#include "elements/force.h"
+#include "routes/path/path.h"
+#include "state/frame.h"
+#include "tree/tree.h"
+
+static void accelerate_open(pm_workspace *w, const double *t)
+{
+    const double *f = w->frame.f;
+    double *a = w->frame.a, mass = 0, force = 0;
+    pm_force_all(w);
+    pm_tree_bias(w, a);
+    for (int i = 0; i < w->model->nq; i++) {
+        const double inertia = i % 3 == 2 ? pm_body_inertia(w, i / 3) : w->mass[i / 3];
+        mass += inertia * t[i] * t[i];
+        force += t[i] * (f[i] - inertia * a[i]);
+    }
+    for (int i = 0; i < w->model->nq; i++) a[i] += t[i] * force / mass;
+}
+
+static int accelerate_closed(pm_workspace *w)
+{
+    pm_tree *t = w->tree;
+    pm_tree_hold(w, w->path->driver);
+    for (int i = 0; i < t->nloop; i++) {
+        pm_constraint *row = &w->row[t->loop[i]];
+        pm_constraint_kind(row->kind)->evaluate(w, row);
+    }
+    return pm_tree_accelerate_few(w, t->force);
+}
+
+int pm_path_accelerate(pm_workspace *w, const double *along)
+{
+    int status = PM_OK;
+    pm_tree_marks(w);
+    w->count[PM_COUNT_SOLVES]++;
+    w->tree->few = w->tree->nloop > 0;
+    if (w->tree->few)
+        status = accelerate_closed(w);
+    else
+        accelerate_open(w, along);
+    if (!status) pm_tree_react(w);
+    w->tree->few = 0;
+    return status;
+}

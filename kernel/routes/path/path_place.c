@@ -1,0 +1,179 @@
+/* path_place.c - one place on the path: the configuration at a value of the driver, and the direction of motion there.
+ *
+ * With one degree of freedom one tree coordinate, the driver u, tells the whole configuration: what the tree does not
+ * solve explicitly (loop rows) is met by Newton's method with u kept (coordinate partitioning: Wehage and Haug, J. Mech.
+ * Des. 104, 1982).  The direction t = dy/du is the null vector of the loop rows on the tree coordinates. */
+#include <math.h>
+#include <string.h>
+
+#include "elements/constraint.h"
+#include "elements/force.h"
+#include "elements/turning_plane.h"
+#include "equations/ledger.h"
+#include "equations/saddle.h"
+#include "routes/path/path.h"
+#include "routes/path/path_bridge.h"
+#include "state/frame.h"
+#include "tree/tree.h"
+#include "tree/tree_node.h"
+
+#define KEEP 0.3  /* of the fastest coordinate's rate: a driver this fast stays */
+#define WEAK 3e-2 /* of the rows' natural size: pivots that leave slopes with rounding over its square */
+#define LINKS 8   /* levers in the size of a scene that is no long chain */
+
+static double scale_of(const pm_workspace *w, int coordinate)
+{
+    return pm_tree_is_angle(w, coordinate) ? 1 : w->size;
+}
+
+/* What motion at a unit rate of the driver makes of masses and forces. */
+static void measure_motion(pm_workspace *w, pm_place *place)
+{
+    const pm_model *m = w->model;
+    pm_tree_spread(w, place->slope, place->tangent);
+    const double *t = place->tangent;
+    place->mass = place->force = 0;
+    for (int i = 0; i < m->nbody; i++)
+        place->mass += w->mass[i] * (t[3 * i] * t[3 * i] + t[3 * i + 1] * t[3 * i + 1]) +
+                       pm_body_inertia(w, i) * t[3 * i + 2] * t[3 * i + 2];
+    memcpy(place->pose, w->frame.pose, 5 * (size_t)m->nbody * sizeof *place->pose);
+    pm_frame_look_placed(w, place->q, t); /* powers and speeds at a unit rate */
+    pm_force_all(w);
+    for (int i = 0; i < m->nq; i++) place->force += w->frame.f[i] * t[i];
+    if (m->nz_controlled > 0) pm_ledger_controlled_rates(w, place->rate);
+    place->potential =
+        pm_body_weight_energy(w) + pm_force_potential(w) + pm_turning_plane_kinetic(w, PM_NONE);
+}
+
+/* The greatest distance of a joint from a mass centre: a long chain is large, its links are not. */
+static double greatest_lever(const pm_workspace *w)
+{
+    double lever = 0;
+    for (int i = 0; i < w->model->nbody; i++) {
+        const pm_tree_node *x = &w->tree->node[i];
+        if (x->placement == FREE) continue;
+        lever = fmax(lever, pm_length(x->child));
+        if (x->parent != w->model->nbody) lever = fmax(lever, pm_length(x->mark));
+    }
+    return lever;
+}
+
+/* What a loop row changes by when its coordinates do by their natural size. */
+static double row_size(const pm_workspace *w)
+{
+    const double lever = greatest_lever(w), size = lever > 0 ? fmin(w->size, LINKS * lever) : w->size;
+    for (int i = 0; i < w->tree->nloop; i++)
+        if (w->row[w->tree->loop[i]].kind == PM_CONSTRAINT_ANGLE) return fmin(size, 1);
+    return size;
+}
+
+/* Do the loop rows determine the other coordinates well, going by the pivots of pm_tree_slope? */
+static int is_determined(const pm_workspace *w)
+{
+    const int n = w->tree->nloop;
+    const double weak = WEAK * row_size(w);
+    for (int i = 0; i < n; i++) {
+        const int column = w->tree->column[i];
+        if (!(fabs(w->tree->jacobian[i * n + i]) * scale_of(w, column) > weak)) return 0;
+    }
+    return 1;
+}
+
+/* Null vector of the loop rows (one more column than rows) by elimination; 0 where the rank falls, or nearly so. */
+static int null_vector(pm_workspace *w, double *t)
+{
+    pm_path *p = w->path;
+    const int n = p->n, rows = w->tree->nloop, *column = p->column;
+    const double weak = WEAK * row_size(w);
+    pm_elimination x = w->tree->elimination;
+    x.low = p->loop.low;
+    x.high = p->loop.high;
+    pm_elimination_run(rows, n, p->loop.entry, p->column, &x);
+    t[column[n - 1]] = 1;
+    for (int i = rows - 1; i >= 0; i--) {
+        const double *a = p->loop.entry + i * n, pivot = a[column[i]];
+        if (!(fabs(pivot) * scale_of(w, column[i]) > weak)) return 0;
+        double sum = 0;
+        for (int c = x.low[i]; c <= x.high[i]; c++)
+            if (x.place[c] > i) sum += a[c] * t[c];
+        t[column[i]] = -sum / pivot;
+    }
+    return 1;
+}
+
+/* A place that the rows do not determine well with the driver kept: on a bridge, if no other driver would do. */
+static int place_on_bridge(pm_workspace *w, double u, pm_place *place, int status)
+{
+    pm_path *p = w->path;
+    if (status && status != PM_SINGULAR) return status;
+    return null_vector(w, p->bridge.y) ? status : pm_path_bridge_place(w, u, place);
+}
+
+int pm_path_place(pm_workspace *w, double u, pm_place *place)
+{
+    pm_path *p = w->path;
+    place->y[p->driver] = u;
+    if (w->tree->nloop == 0) {
+        pm_path_open_place(w, place);
+        return PM_OK;
+    }
+    pm_tree_hold(w, p->driver);
+    int status = pm_tree_close(w, place->y, place->q, &p->loop);
+    if (!status) status = pm_tree_slope(w, &p->loop, place->slope);
+    place->determined = !status && is_determined(w);
+    if (!place->determined)
+        status = place_on_bridge(w, u, place, status);
+    else
+        pm_path_bridge_determined(p, u, place);
+    if (status) return status;
+    measure_motion(w, place);
+    return PM_OK;
+}
+
+int pm_path_look(pm_workspace *w, pm_place *place)
+{
+    pm_path *p = w->path;
+    if (w->tree->nloop == 0) {
+        pm_path_open_place(w, place);
+        return PM_OK;
+    }
+    pm_tree_place(w, w->state.memory, place->y, place->q);
+    pm_tree_loops(w, &p->loop);
+    if (!null_vector(w, place->slope)) return pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
+    place->determined = 1;
+    measure_motion(w, place);
+    return PM_OK;
+}
+
+/* The same motion, told by a unit rate of coordinate i. */
+static void tell_by(const pm_workspace *w, pm_place *place, int i)
+{
+    const pm_model *m = w->model;
+    const double factor = 1 / place->slope[i];
+    for (int k = 0; k < w->path->n; k++) place->slope[k] *= factor;
+    for (int k = 0; k < m->nq; k++) place->tangent[k] *= factor;
+    for (int k = 0; k < m->nz_controlled; k++) place->rate[k] *= k < m->nz_work ? factor : fabs(factor);
+    place->mass *= factor * factor;
+    place->force *= factor;
+}
+
+int pm_path_drive(pm_workspace *w, pm_place *place)
+{
+    pm_path *p = w->path;
+    double fastest = 0;
+    int best = PM_NONE;
+    for (int i = 0; i < p->n; i++) {
+        const double rate = fabs(place->slope[i]) / scale_of(w, i);
+        if (!(rate > fastest)) continue;
+        fastest = rate;
+        best = i;
+    }
+    if (best == PM_NONE) return pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
+    if (p->driver != PM_NONE && fabs(place->slope[p->driver]) / scale_of(w, p->driver) >= KEEP * fastest)
+        return PM_OK;
+    if (place->slope[best] < 0) p->sense = -p->sense;
+    p->driver = best;
+    pm_path_bridge_forget(p);
+    tell_by(w, place, best);
+    return PM_OK;
+}

@@ -1,0 +1,227 @@
+/* path_rigid.c - places of a rigid group that one coordinate u moves: a body on a fixed pin, slider or track, and all that
+ * is welded to it.
+ *
+ * Let P be the mark of that body on its joint, and R the turn of the group by its angle: u, or a constant (slider).  With
+ * d, the way from P to a mass centre in the axes of the first body, and ' by u,
+ *
+ *   x = P + R d,   t = x' = P' + w k x R d,   c = x'' = P'' - w^2 R d,   w the rate of the angle: 1 or 0
+ *
+ * The joint says how P goes, from the mark P_0 of what is fixed:
+ *
+ *   pin      P = P_0
+ *   line     P = P_0 +- (s t + r n),   s = u, or what has been rolled;  t, n turn along where they are the group's
+ *   circles  P = P_0 +- L (cos phi, sin phi),   phi linear in u                                   (tree_place.c) */
+#include "routes/path/path_rigid.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "equations/fixed_bodies.h"
+#include "state/frame.h"
+#include "tree/tree.h"
+#include "tree/tree_node.h"
+
+/* v turned by the angle with that cosine and sine. */
+static inline pm_lanes turned(pm_lanes turn, pm_lanes v) { return turn[0] * v + turn[1] * pm_pair_left(v); }
+
+/* ---- once a phase ---- */
+static void add(const pm_workspace *w, const pm_tree_node *x, const pm_rigid_body *on, pm_rigid_body *b)
+{
+    const pm_lanes gravity = pm_pair_load(w->gravity);
+    *b = (pm_rigid_body){.body = x->body,
+                         .turns = x->turns,
+                         .holds = x->placement != PIN,
+                         .mass = w->mass[x->body],
+                         .inertia = x->turns ? pm_body_inertia(w, x->body) : 0,
+                         .turn = {1, 0}};
+    b->weight = b->mass * gravity;
+    pm_lanes mark = {0, 0};
+    if (on) {
+        mark = on->d + turned(on->turn, pm_pair_load(x->mark));
+        b->angle = on->angle + x->angle;
+        b->turn = turned(on->turn, pm_pair_load(x->turn));
+    }
+    b->lever = turned(b->turn, pm_pair_load(x->child));
+    b->d = mark - b->lever;
+}
+
+static void begin_at(const pm_workspace *w, const pm_tree_node *x)
+{
+    pm_rigid *g = &w->path->rigid;
+    const double *from = w->frame.pose + 5 * x->parent;
+    const pm_lanes turn = pm_pair_load(from + 3), line = pm_pair_load(x->line);
+    g->from = pm_pair_load(from) + turned(turn, pm_pair_load(x->mark));
+    g->line = x->child_is_a ? turned(turn, line) : line;
+    g->first = x;
+    g->turns = x->placement != SLIDER;
+    g->fixed = from[2];
+    g->angle = from[2] + x->angle; /* of a slider */
+    g->turn = turned(turn, pm_pair_load(x->turn));
+    add(w, x, NULL, &g->body[g->n++]);
+}
+
+/* What carries body number `index`, and turns; or NULL. */
+static const pm_rigid_body *carrier(const pm_rigid *g, int index)
+{
+    for (int i = 0; i < g->n; i++)
+        if (g->body[i].body == index) return g->body[i].turns ? &g->body[i] : NULL;
+    return NULL;
+}
+
+/* The next node: the first one, or one that follows it rigidly. */
+static int join(const pm_workspace *w, const pm_tree_node *x)
+{
+    pm_rigid *g = &w->path->rigid;
+    if (x->ncoordinate == 1 && w->still->body[x->parent]) {
+        begin_at(w, x);
+        return 1;
+    }
+    const pm_rigid_body *on = carrier(g, x->parent);
+    const int particle = x->placement == PIN && !x->turns && x->child[0] == 0 && x->child[1] == 0;
+    if (!on || !(x->placement == WELD || particle)) return 0;
+    add(w, x, on, &g->body[g->n]);
+    g->n++;
+    return 1;
+}
+
+static double potential_of_still(const pm_workspace *w)
+{
+    double sum = 0;
+    for (int i = 0; i < w->still->n; i++) {
+        const int b = w->tree->node[i].body;
+        const double *pose = w->frame.pose + 5 * b;
+        sum -= w->mass[b] * (w->gravity[0] * pose[0] + w->gravity[1] * pose[1]);
+    }
+    return sum;
+}
+
+int pm_path_rigid_build(pm_workspace *w)
+{
+    pm_rigid *g = &w->path->rigid;
+    int all = w->tree->nloop == 0;
+    g->n = 0;
+    for (int i = w->still->n; i < w->model->nbody && all; i++) all = join(w, &w->tree->node[i]);
+    if (!all) g->n = 0;
+    g->potential = potential_of_still(w);
+    return g->n > 0;
+}
+
+/* ---- a place ---- */
+/* How the mark goes. */
+typedef struct pm_track {
+    pm_lanes at, rate, bend; /* P, P', P'' */
+    pm_lanes rho, t;         /* of the node (tree_node.h) */
+} pm_track;
+
+static inline void go_along_line(const pm_workspace *w, const pm_rigid *g, double u, pm_lanes turn,
+                                 pm_track *x)
+{
+    const pm_tree_node *node = g->first;
+    const int slides = node->placement == SLIDER;
+    const double r = node->radius, rate = slides ? 1 : node->roll_own;
+    double s = u;
+    if (!slides) s = w->state.memory[node->memory].anchor + rate * u + node->roll_parent * g->fixed;
+    x->t = node->child_is_a ? g->line : turned(turn, g->line);
+    const pm_lanes n = pm_pair_left(x->t);
+    x->rho = s * x->t + r * n;
+    x->rate = rate * x->t;
+    if (slides || node->child_is_a) return;
+    x->rate += s * n - r * x->t; /* the line turns along */
+    x->bend = 2 * rate * n - x->rho;
+}
+
+static void go_round_circle(const pm_workspace *w, const pm_rigid *g, double u, pm_lanes turn, pm_track *x)
+{
+    const pm_tree_node *node = g->first;
+    const double rate = node->roll_own;
+    if (rate == 1 && node->roll_parent == 0) { /* on a point */
+        x->rho = turned(turn, pm_pair_load(node->touch));
+    } else {
+        const double begin = w->state.memory[node->memory].anchor / node->length,
+                     phi = begin + rate * u + node->roll_parent * g->fixed;
+        x->rho = node->length * (pm_lanes){cos(phi), sin(phi)};
+    }
+    x->t = pm_pair_left(x->rho) / node->length;
+    x->rate = rate * node->length * x->t;
+    x->bend = -rate * rate * x->rho;
+}
+
+static inline void go(const pm_workspace *w, const pm_rigid *g, double u, pm_lanes turn, pm_track *x)
+{
+    const pm_tree_node *node = g->first;
+    const double sign = node->child_is_a ? 1 : -1;
+    x->rate = x->bend = x->rho = x->t = (pm_lanes){0, 0};
+    if (node->placement == ROLL_CIRCLE)
+        go_round_circle(w, g, u, turn, x);
+    else if (node->placement != PIN)
+        go_along_line(w, g, u, turn, x);
+    x->at = g->from + sign * x->rho;
+    x->rate *= sign;
+    x->bend *= sign;
+}
+
+/* Its angle, and the levers of its reactions. */
+static inline void turn_body(const pm_rigid_body *b, double angle, pm_lanes turn, const pm_track *x,
+                             const pm_place *place)
+{
+    double *pose = place->pose + 5 * b->body, *arm = place->arm + PM_TREE_ARM * b->body;
+    pose[2] = place->q[3 * b->body + 2] = angle + b->angle;
+    pm_pair_store(pose + 3, turned(turn, b->turn));
+    if (!b->holds) return;
+    pm_pair_store(arm, turned(turn, b->lever));
+    pm_pair_store(arm + 2, x->rho);
+    pm_pair_store(arm + 4, x->t);
+}
+
+/* What the bodies make of a place, in both directions. */
+typedef struct pm_sums {
+    pm_lanes mass, change, force, potential;
+    double inertia;
+} pm_sums;
+
+static inline pm_sums place_body(const pm_rigid_body *b, double angle, pm_lanes turn, double spin,
+                                 const pm_track *x, const pm_place *place, pm_sums sum)
+{
+    const pm_lanes r = turned(turn, b->d), at = x->at + r, c = x->bend - spin * r,
+                   t = x->rate + spin * pm_pair_left(r);
+    double *pose = place->pose + 5 * b->body;
+    sum.mass += b->mass * t * t;
+    sum.change += b->mass * t * c;
+    sum.force += b->weight * t;
+    sum.potential += b->weight * at;
+    sum.inertia += b->inertia;
+    pm_pair_store_turn(place->q + 3 * b->body, at, 0);
+    pm_pair_store_turn(place->tangent + 3 * b->body, t, b->turns ? spin : 0);
+    pm_pair_store_turn(place->bend + 3 * b->body, c, 0);
+    pm_pair_store_turn(pose, at, 0);
+    pm_pair_store(pose + 3, (pm_lanes){1, 0});
+    if (b->turns) turn_body(b, angle, turn, x, place);
+    return sum;
+}
+
+static void leave_still(const pm_workspace *w, const pm_place *place)
+{
+    for (int i = 0; i < w->still->n; i++) {
+        const int b = w->tree->node[i].body;
+        const double *pose = w->frame.pose + 5 * b;
+        memcpy(place->pose + 5 * b, pose, 5 * sizeof *pose);
+        memcpy(place->q + 3 * b, pose, 3 * sizeof *pose);
+        for (int k = 0; k < 3; k++) place->tangent[3 * b + k] = place->bend[3 * b + k] = 0;
+    }
+}
+
+void pm_path_rigid_place(pm_workspace *w, double u, pm_place *place)
+{
+    const pm_rigid *g = &w->path->rigid;
+    const double angle = g->turns ? u : g->angle, spin = g->turns;
+    const pm_lanes turn = g->turns ? (pm_lanes){cos(u), sin(u)} : g->turn;
+    pm_track track;
+    pm_sums sum = {.inertia = 0};
+    go(w, g, u, turn, &track);
+    for (int i = 0; i < g->n; i++) sum = place_body(&g->body[i], angle, turn, spin, &track, place, sum);
+    place->mass = pm_pair_sum(sum.mass) + spin * sum.inertia;
+    place->change = pm_pair_sum(sum.change);
+    place->force = pm_pair_sum(sum.force);
+    place->potential = g->potential - pm_pair_sum(sum.potential);
+    if (w->still->n > 0) leave_still(w, place);
+}

@@ -1,0 +1,64 @@
+/* repeat_energy.c - from leg to leg, the kinetic energy.
+ *
+ *   T_end = T + W,    T_next = m T_end      W the work on the leg, m the ratio of the blow: neither depends on the speed
+ *
+ * From one begin to the next places differ by the shift alone.  So W is the work of the weight on the way that all bodies
+ * have gone, and what forces without potential have done; exactly, while differences of energies would be rounded, and
+ * alike in all legs.
+ *
+ * A leg gets over the barrier on its way if T exceeds its depth, which is the same in all legs: T at its begin less the
+ * least T on it.  An error of T is carried on by m, and every leg adds its roundings. */
+#include "routes/path/repeat_energy.h"
+
+#include <math.h>
+
+#define STEADY 1e-16    /* of the energy: legs that are all the same */
+#define BARRIER 1e-6    /* of the leg's energies: so near to the barrier a leg is computed */
+#define ROUNDINGS 1e-15 /* of the energies, in a blow and on the leg after it */
+
+double pm_repeat_energy_work(const pm_workspace *w)
+{
+    const pm_repeat *l = w->leg;
+    double mass = 0, work = 0;
+    for (int i = 0; i < w->model->nbody; i++) mass += w->mass[i];
+    for (int i = 0; i < w->model->nz_work; i++) work += w->state.z[i] - l->begin.z[i];
+    return work + mass * (w->gravity[0] * l->by[0] + w->gravity[1] * l->by[1]);
+}
+
+/* T with which the leg after the next one begins. */
+static double kinetic_after(const pm_repeat *l, const pm_repeats *c)
+{
+    return l->ratio * (c->kinetic + l->work);
+}
+
+double pm_repeat_energy_depth(const pm_repeat *l) { return l->kinetic - l->lowest; }
+
+void pm_repeat_energy_add(const pm_repeat *l, pm_repeats *c)
+{
+    const double end = c->kinetic + l->work, next = kinetic_after(l, c);
+    c->n++;
+    c->lost += end - next;
+    c->error = l->ratio * c->error + ROUNDINGS * (end + next);
+    c->kinetic = next;
+}
+
+pm_repeats pm_repeat_energy_over_barrier(const pm_repeat *l, double begin, int64_t most, double error)
+{
+    pm_repeats c = {.kinetic = begin, .error = error};
+    const double near = BARRIER * fmax(l->kinetic, fabs(pm_repeat_energy_depth(l)));
+    if (!(begin - pm_repeat_energy_depth(l) > near)) return c;
+    while (c.n < most) {
+        const double t = c.kinetic, next = kinetic_after(l, &c);
+        if (!(next - pm_repeat_energy_depth(l) > near)) {
+            c.is_last = 1;
+            return c;
+        }
+        pm_repeat_energy_add(l, &c);
+        if (fabs(next - t) > STEADY * t) continue;
+        /* what is gained is lost in the blow: so it goes on */
+        c.lost += (double)(most - c.n) * (t + l->work - next);
+        c.n = most;
+        c.kinetic = t;
+    }
+    return c;
+}

@@ -1,0 +1,152 @@
+/* repeat_limit.c - how many legs may be passed over, and nobody notices.
+ *
+ * A value that is watched changes by a constant from leg to leg (symmetry.c) or goes with a power of T (program_energy.c), and T
+ * rises or falls throughout.  If it does one of both, its extremes lie in the first or the last leg, which are computed;
+ * and if it has the same sign throughout these two it has that in between.  What stays in [low, high] in one leg, low > 0,
+ * and changes by d from leg to leg stays off its zero for (low - (high - low)) / |d| legs. */
+#include "routes/path/repeat_limit.h"
+
+#include <math.h>
+
+#include "elements/trigger.h"
+#include "equations/case.h"
+#include "events/ask.h"
+#include "events/event.h"
+#include "routes/path/repeat_record.h"
+#include "scene/program_class.h"
+
+#define WHOLE 1e-9 /* of a multiple */
+
+/* `legs`, but no less than none and no more than `most`. */
+static int64_t at_most(int64_t most, double legs)
+{
+    return legs < (double)most ? (int64_t)fmax(legs, 0) : most;
+}
+
+static int64_t fewest(int64_t a, int64_t b) { return a < b ? a : b; }
+
+/* ---- triggers ---- */
+/* On which side of its zero a trigger was in the whole phase; 0: on both.  range: its least values, then its greatest. */
+static int side_of(const pm_workspace *w, int trigger, const double *range)
+{
+    return range[trigger] > 0 ? 1 : range[w->model->rows[PM_TABLE_TRIGGER] + trigger] < 0 ? -1 : 0;
+}
+
+/* A trigger that moves with the legs towards its zero must stay off it. */
+static int64_t until_zero(const pm_workspace *w, int trigger, double change)
+{
+    const double low = w->event->least[trigger], high = w->event->greatest[trigger], spread = high - low;
+    if (low > 0 && change > 0) return PM_MOST_REPEATS;
+    if (high < 0 && change < 0) return PM_MOST_REPEATS;
+    const double room = low > 0 ? low : high < 0 ? -high : 0;
+    return at_most(PM_MOST_REPEATS, floor((room - spread) / fabs(change)) - 1);
+}
+
+static int64_t time_allows(pm_workspace *w, int trigger, double time)
+{
+    const double due = pm_trigger_due(w, trigger);
+    if (!isfinite(due)) return PM_MOST_REPEATS;
+    return time > 0 ? at_most(PM_MOST_REPEATS, floor((due - w->state.t) / time) - 1) : 0;
+}
+
+static int64_t trigger_allows(pm_workspace *w, int trigger, const pm_symmetry_shift *shift, double time)
+{
+    const int32_t *e = PM_TRIGGER_ROW(w->model, trigger);
+    const int kind = e[PM_TRIGGER_KIND];
+    double change;
+    if (kind > PM_TRIGGER_EVERY) return PM_MOST_REPEATS;
+    if (pm_trigger_on_time(w, trigger)) return time_allows(w, trigger, time);
+    const int growth = w->model->program_growth[e[PM_TRIGGER_PROGRAM]];
+    if (!pm_symmetry_program(w, shift, e[PM_TRIGGER_PROGRAM], &change)) return 0;
+    if (kind == PM_TRIGGER_EVERY)
+        return growth != PM_ENERGY_CLASS_NONE || fabs(change - round(change)) > WHOLE ? 0 : PM_MOST_REPEATS;
+    if (change != 0) return growth != PM_ENERGY_CLASS_NONE ? 0 : until_zero(w, trigger, change);
+    if (growth <= PM_ENERGY_CLASS_ROOT && growth != PM_ENERGY_CLASS_LINEAR) return PM_MOST_REPEATS;
+    /* its zero moves with T: it must stay off it, here and in the last leg (see pm_repeat_limit_signs_changed) */
+    return growth > PM_ENERGY_CLASS_STEADY || side_of(w, trigger, w->event->least) == 0 ? 0 : PM_MOST_REPEATS;
+}
+
+int pm_repeat_limit_moves(const pm_workspace *w, int trigger)
+{
+    const int32_t *e = PM_TRIGGER_ROW(w->model, trigger);
+    if (e[PM_TRIGGER_KIND] >= PM_TRIGGER_EVERY || pm_trigger_on_time(w, trigger)) return 0;
+    const int growth = w->model->program_growth[e[PM_TRIGGER_PROGRAM]];
+    return growth == PM_ENERGY_CLASS_LINEAR || growth == PM_ENERGY_CLASS_STEADY;
+}
+
+int pm_repeat_limit_signs_changed(const pm_workspace *w)
+{
+    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++)
+        if (pm_repeat_limit_moves(w, i) &&
+            side_of(w, i, w->event->least) != side_of(w, i, w->leg->saved.range))
+            return 1;
+    return 0;
+}
+
+/* ---- asks ---- */
+static int grid_is_full(const pm_workspace *w, const int32_t *e)
+{
+    for (int k = 0; k < e[PM_ASK_COUNT]; k++)
+        if (!w->ask->filled[e[PM_ASK_OUT] + k]) return 0;
+    return 1;
+}
+
+/* Firings up to the last one that is asked. */
+static int64_t firings_allow(const pm_workspace *w, const int32_t *e)
+{
+    const int event = e[PM_ASK_EVENT_INDEX], each_is_asked = e[PM_ASK_KIND] == PM_ASK_EACH;
+    const int64_t last = each_is_asked ? e[PM_ASK_COUNT] : e[PM_ASK_NTH],
+                  each = pm_repeat_record_fires(w, event);
+    if (each == 0 || w->event->count[event] >= last) return PM_MOST_REPEATS;
+    return each_is_asked ? 0 : at_most(PM_MOST_REPEATS, (double)((last - 1 - w->event->count[event]) / each));
+}
+
+static int64_t extreme_allows(pm_workspace *w, const int32_t *e, const pm_symmetry_shift *shift)
+{
+    const int growth = w->model->program_growth[pm_ask_program(e)];
+    double change;
+    if (!pm_symmetry_program(w, shift, pm_ask_program(e), &change)) return 0;
+    if (change != 0 && growth != PM_ENERGY_CLASS_NONE) return 0; /* both change: neither end is the extreme */
+    const int bends_well = growth == (pm_ask_greatest(e) ? PM_ENERGY_CLASS_CONVEX : PM_ENERGY_CLASS_CONCAVE);
+    return growth > PM_ENERGY_CLASS_STEADY && !bends_well ? 0 : PM_MOST_REPEATS;
+}
+
+static int64_t ask_allows(pm_workspace *w, const int32_t *e, const pm_symmetry_shift *shift)
+{
+    switch (e[PM_ASK_KIND]) {
+    case PM_ASK_END: return PM_MOST_REPEATS;
+    case PM_ASK_EVENT:
+    case PM_ASK_EACH: return firings_allow(w, e);
+    case PM_ASK_GRID: return grid_is_full(w, e) ? PM_MOST_REPEATS : 0;
+    default: return extreme_allows(w, e, shift);
+    }
+}
+
+/* ---- limits, and the end of the run ---- */
+static int64_t limits_allow(const pm_workspace *w, double time)
+{
+    const pm_model *m = w->model;
+    const int64_t events = w->count[PM_COUNT_EVENTS] - w->leg->count[PM_COUNT_EVENTS];
+    const double left = PM_SETTING(m, PM_SETTING_MAX_EVENTS) - (double)w->count[PM_COUNT_EVENTS];
+    const double room = pm_case_max_time(w) - w->state.t;
+    int64_t most = events > 0 ? at_most(PM_MOST_REPEATS, floor(left / (double)events) - 1) : PM_MOST_REPEATS;
+    /* the last leg but one is computed, too: the run may end within the last one */
+    if (time > 0 && room < INFINITY) most = at_most(most, floor(room / time) - 1);
+    for (int i = 0; i < m->rows[PM_TABLE_UNTIL]; i++) {
+        const int32_t *e = PM_UNTIL_ROW(m, i);
+        const int64_t each = pm_repeat_record_fires(w, e[PM_UNTIL_EVENT]),
+                      lacks = e[PM_UNTIL_NTH] - 1 - w->event->count[e[PM_UNTIL_EVENT]];
+        if (each > 0 && lacks >= 0) most = at_most(most, (double)(lacks / each - 1));
+    }
+    return most;
+}
+
+int64_t pm_repeat_limit(pm_workspace *w, const pm_symmetry_shift *shift, double time)
+{
+    const pm_model *m = w->model;
+    int64_t most = fewest(w->leg->most, limits_allow(w, time));
+    for (int i = 0; i < m->rows[PM_TABLE_TRIGGER] && most > 0; i++)
+        most = fewest(most, trigger_allows(w, i, shift, time));
+    for (int i = 0; i < m->nask && most > 0; i++) most = fewest(most, ask_allows(w, PM_ASK_ROW(m, i), shift));
+    return most;
+}

@@ -1,0 +1,69 @@
+/* repeat_pass.c - moves the run on by n legs at once.
+ *
+ *   q += n b,    v *= sqrt(T_n / T),    t += n t_leg,    integrals and counts of a leg n times
+ *
+ * The ledger of momentum takes what the outer world has given: the difference of momenta. */
+#include "routes/path/repeat_pass.h"
+
+#include <math.h>
+
+#include "elements/contact.h"
+#include "equations/active_set.h"
+#include "equations/ledger.h"
+#include "events/event.h"
+#include "routes/path/path.h"
+#include "state/frame.h"
+
+static void move_state(pm_workspace *w, int64_t legs, double faster, double time)
+{
+    const pm_model *m = w->model;
+    const pm_repeat *l = w->leg;
+    const double n = (double)legs;
+    pm_state *s = &w->state;
+    for (int i = 0; i < m->nz_controlled; i++) s->z[i] += n * (s->z[i] - l->begin.z[i]);
+    for (int i = 0; i < m->nbody; i++) {
+        for (int k = 0; k < 2; k++) s->q[3 * i + k] += n * l->by[k];
+        s->q[3 * i + 2] += n * l->turn[i];
+    }
+    for (int i = 0; i < m->nq; i++) s->v[i] *= faster;
+    s->t += n * time;
+    for (int i = 0; i < m->nslot; i++)
+        if (s->slot[i].mode != PM_OPEN && pm_contact_is_row(m, pm_contact_of_slot(m, i)))
+            s->slot[i].member += (int32_t)(legs * l->member);
+}
+
+static void count_legs(pm_workspace *w, int64_t legs, double time)
+{
+    static const int counted[] = {PM_COUNT_PHASES, PM_COUNT_EVENTS, PM_COUNT_JUMPS};
+    for (int i = 0; i < w->model->rows[PM_TABLE_EVENT]; i++) {
+        const int64_t each = pm_repeat_record_fires(w, i);
+        w->event->count[i] += legs * each;
+        if (each > 0) w->event->time[i] += (double)legs * time;
+    }
+    for (int i = 0; i < 3; i++)
+        w->count[counted[i]] += legs * (w->count[counted[i]] - w->leg->count[counted[i]]);
+    w->count[PM_COUNT_LEGS] += legs;
+}
+
+static void close_momentum(pm_workspace *w, const double *before)
+{
+    double *ledger = w->state.z + pm_ledger_ledger(w->model), after[PM_LEDGER];
+    pm_body_momentum(w, PM_NONE, after);
+    for (int i = 0; i < PM_LEDGER; i++) ledger[i] += after[i] - before[i];
+}
+
+int pm_repeat_pass(pm_workspace *w, const pm_repeats *legs, double kinetic, double time)
+{
+    double momentum[PM_LEDGER];
+    pm_body_momentum(w, PM_NONE, momentum);
+    move_state(w, legs->n, sqrt(legs->kinetic / kinetic), time);
+    count_legs(w, legs->n, time);
+    w->energy_lost += legs->lost;
+    w->path->error = legs->error;
+    w->path->ended = 0; /* the error is that at the begin of the leg that follows */
+    pm_frame_look_state(w, &w->state);
+    for (int i = 0; i < w->model->nslot; i++)
+        if (w->state.slot[i].mode == PM_STICK) pm_active_set_anchor(w, &w->state, i);
+    close_momentum(w, momentum);
+    return pm_active_set_build(w);
+}

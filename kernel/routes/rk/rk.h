@@ -1,0 +1,69 @@
+/* rk.h - what the files of the rk route share.
+ *
+ *   route_rk.c       the route: begin, errors allowed, step control
+ *   rk_derivative.c  y'
+ *   rk_formula.c     stages and end of a step, its error, y inside it
+ *   rk_settle.c      y as a state
+ *   rk_inside.c      states inside the last step: at, exact, look
+ *
+ * y = (coordinates, their rates, z), in z the ledger last.  Numbers of stages are those of dop853.h. */
+#ifndef PM_RK_H
+#define PM_RK_H
+
+#include "equations/energy_level.h"
+#include "state/model.h"
+
+#define PM_RK_DENSE 7 /* coefficients of the dense output */
+
+struct pm_rk {
+    int n;          /* coordinates of the phase */
+    int all;        /* 2 n + nz */
+    int controlled; /* 2 n + nz_controlled: what stages need */
+    double *now;    /* [all] at w->state */
+    double *y0, *y; /* [all] begin of the step; stage */
+    double *k;      /* [ALL_STAGES][all] */
+    double *side;   /* [STAGES][all] stages of pm_rk_exact, so that the dense output stays */
+    double *dense;  /* [PM_RK_DENSE][controlled] */
+    double *middle; /* [all] between the halves of a step */
+    double *scale;  /* [controlled] reciprocal error weights */
+    double own;     /* the motion's own time at the end of the last step */
+    double turning; /* that of the bodies' turning alone */
+    double meeting; /* that of open contacts (gap_culling.c) */
+    double t0, h;   /* the last step as integrated */
+    double end;     /* where it ended */
+    double next;    /* step to try next, 0: none known */
+    int dense_ready, k0_ready;
+    pm_energy_level_level level;                         /* of the energy, where it is kept */
+    int ledger;                                          /* the last step integrates the ledger */
+    int64_t first;                                       /* number of the phase's first step */
+    int swift;                                           /* accelerations need no frame: tree_small.h */
+    double momentum[PM_LEDGER], momentum_now[PM_LEDGER]; /* at its begin; at w->state */
+    void *block;
+};
+
+/* rk_derivative.c: k = y' at (t, y); the rates of the ledger only if asked for. */
+int pm_rk_derivative(pm_workspace *w, double t, double *y, int with_ledger, double *k);
+/* The same where the frame looks at y. */
+int pm_rk_derivative_here(pm_workspace *w, const double *y, int with_ledger, double *k);
+/* Where the last stages were, or nearly: which coordinates are independent, and whether tree_small.h
+ * applies.  1: partitioned anew. */
+int pm_rk_choose_coordinates(pm_workspace *w);
+
+/* rk_formula.c: stages 1..11 of a step h from r->t0, r->y0 with stage 0 in k; the end of the step in y. */
+int pm_rk_stages(pm_workspace *w, double h, double *k, double *y);
+/* The error of the step in r->k over the allowed one. */
+double pm_rk_error(const pm_workspace *w, double h);
+/* r->y at t inside the last step; the ledger is not asked for there and stays as at its begin. */
+int pm_rk_dense(pm_workspace *w, double t);
+
+/* rk_settle.c: coordinates y, where the frame looks, as a state. */
+void pm_rk_tell(const pm_workspace *w, double t, const double *y, pm_state *s);
+/* y back on the rows and on the energy level, and the state there; *gained: the energy that comes with it. */
+int pm_rk_settle(pm_workspace *w, double t, double *y, pm_state *s, double *gained);
+
+/* rk_inside.c: see route.h. */
+int pm_rk_at(pm_workspace *w, double t, pm_state *s);
+int pm_rk_exact(pm_workspace *w, double t, pm_state *s);
+int pm_rk_look(pm_workspace *w, double t, int level);
+
+#endif

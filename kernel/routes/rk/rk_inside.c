@@ -1,0 +1,77 @@
+/* rk_inside.c - states inside the last step of the rk route: by the dense output; exact ones by a step that
+ * ends there. */
+#include <string.h>
+
+#include "equations/saddle.h"
+#include "routes/rk/rk.h"
+#include "state/frame.h"
+#include "study/accuracy.h"
+#include "tree/tree.h"
+
+int pm_rk_at(pm_workspace *w, double t, pm_state *s)
+{
+    const struct pm_rk *r = w->rk;
+    const int status = pm_rk_dense(w, t);
+    if (status) return status;
+    pm_tree_look(w, t, r->y, r->y + r->n, r->y + 2 * r->n);
+    pm_rk_tell(w, t, r->y, s);
+    return PM_OK;
+}
+
+/* Accelerations and reactions for whoever watches, in the coordinates of the phase; where these are
+ * partitioned the loop rows are not met to rounding inside a step.  The choice of coordinates does not
+ * depend on being watched. */
+static int accelerate_watched(pm_workspace *w)
+{
+    pm_tree *t = w->tree;
+    const double independence = t->independence;
+    if (t->few) return pm_saddle_accelerate(w);
+    const int status = pm_tree_accelerate(w, w->rk->side);
+    if (!status) pm_tree_tell(w, w->rk->side);
+    t->independence = independence;
+    return status;
+}
+
+int pm_rk_look(pm_workspace *w, double t, int level)
+{
+    if (t == w->step_end) {
+        pm_frame_look_state(w, &w->state);
+        return level == PM_LEVEL_DYNAMIC ? pm_saddle_accelerate(w) : PM_OK;
+    }
+    const int status = pm_rk_at(w, t, &w->probe);
+    return !status && level == PM_LEVEL_DYNAMIC ? accelerate_watched(w) : status;
+}
+
+/* From the begin of the step to t in two halves: a phase that one step covers would have the same error in
+ * a companion (accuracy.c).  Stage 0 is in r->side. */
+static int in_halves(pm_workspace *w, double t)
+{
+    struct pm_rk *r = w->rk;
+    double *const y0 = r->y0;
+    const double t0 = r->t0, h = 0.5 * (t - t0);
+    int status = pm_rk_stages(w, h, r->side, r->y);
+    memcpy(r->middle, r->y, (size_t)r->all * sizeof(double));
+    r->y0 = r->middle;
+    r->t0 = t0 + h;
+    if (!status) status = pm_rk_derivative(w, r->t0, r->y0, 1, r->side);
+    if (!status) status = pm_rk_stages(w, h, r->side, r->y);
+    r->y0 = y0;
+    r->t0 = t0;
+    return status;
+}
+
+int pm_rk_exact(pm_workspace *w, double t, pm_state *s)
+{
+    struct pm_rk *r = w->rk;
+    const size_t bytes = (size_t)r->all * sizeof(double);
+    double gained;
+    int status = PM_OK;
+    if (s != &w->state) pm_state_copy(s, &w->state);
+    if (t == r->t0) {
+        memcpy(r->y, r->y0, bytes);
+    } else {
+        memcpy(r->side, r->k, bytes);
+        status = pm_accuracy_in_halves(w) ? in_halves(w, t) : pm_rk_stages(w, t - r->t0, r->side, r->y);
+    }
+    return status ? status : pm_rk_settle(w, t, r->y, s, &gained);
+}

@@ -1,0 +1,277 @@
+/* route_rk.c - explicit 8th order (DOP853) in the explicit coordinates of the phase (tree.h), back on the
+ * loop rows after each step: begin, what errors are allowed, how long steps are.
+ *
+ * Errors of lengths count against the scene's size, of angles against 1 rad (they grow with every turn), of
+ * speeds against its speed.  The step control aims well below the tolerance (safety 0.7): fewer rejections
+ * and errors several times smaller for the same work.  The ledger feeds nothing back: it is integrated over
+ * the step by the stages that count.  Where energy is kept (energy_level.h) nothing but the impulses of the outer
+ * world is in it, and they are evidence alone: the first step of LEDGER_STEPS is a sample of it, the others
+ * take what the momenta say. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "equations/case.h"
+#include "equations/ledger.h"
+#include "events/ask.h"
+#include "events/event.h"
+#include "events/gap_culling.h"
+#include "numerics/minmax.h"
+#include "routes/rk/dop853.h"
+#include "routes/rk/rk.h"
+#include "state/frame.h"
+#include "state/route.h"
+#include "tree/tree.h"
+#include "tree/tree_small.h"
+
+#define MARGIN 0.1       /* of the accuracy asked: errors of steps add up, and grow with the motion */
+#define LEVEL_MARGIN 0.3 /* where energy holds a single freedom on its path: only delays add up */
+#define TIGHTEST 5e-15   /* below it the error estimate is rounding */
+#define SAFETY 0.7
+#define SHRINK 0.2
+#define GROW 4.0
+#define LEAST_STEP 8e-16 /* of the time: below it a step changes nothing */
+#define FIRST_RETRY 0.25
+#define SIDESTEP 1.2 /* a step a little longer, or shorter, has its stages elsewhere */
+#define SIDESTEPS 12
+#define NEAR_SINGULAR 0.2 /* of the step's most regular stage: rounding is amplified there */
+#define OVER 0.3          /* of the motion's own time: a first step that passes a singular position */
+#define LEDGER_STEPS 16   /* reactions in all stages that count are much more work than all else in a step */
+
+static int create(pm_workspace *w)
+{
+    struct pm_rk *r = w->rk = calloc(1, sizeof *r);
+    if (!r) return PM_NO_MEMORY;
+    const size_t n = 2 * (size_t)w->model->nq + (size_t)w->model->nz;
+    double *p = r->block = calloc((5 + ALL_STAGES + STAGES + PM_RK_DENSE) * n + 1, sizeof *p);
+    if (!p) return PM_NO_MEMORY;
+    r->now = p;
+    r->y0 = r->now + n;
+    r->y = r->y0 + n;
+    r->scale = r->y + n;
+    r->k = r->scale + n;
+    r->side = r->k + ALL_STAGES * n;
+    r->dense = r->side + STAGES * n;
+    r->middle = r->dense + PM_RK_DENSE * n;
+    return PM_OK;
+}
+
+static void destroy(pm_workspace *w)
+{
+    if (!w->rk) return;
+    free(w->rk->block);
+    free(w->rk);
+    w->rk = NULL;
+}
+
+static void set_scale(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    struct pm_rk *r = w->rk;
+    /* in independent coordinates the others are found by closing loops: there errors of the place count,
+     * too */
+    const int on_level = r->level.kept && w->tree->n - w->tree->nloop == 1 && !w->tree->few;
+    const double tolerance = fmax((on_level ? LEVEL_MARGIN : MARGIN) * w->tolerance, TIGHTEST);
+    for (int i = 0; i < r->n; i++) {
+        const int angle = pm_tree_is_angle(w, i);
+        r->scale[i] = 1 / (tolerance * (angle ? 1 : w->size));
+        r->scale[r->n + i] = 1 / (tolerance * (angle ? w->speed / w->size : w->speed));
+    }
+    for (int i = 0; i < m->nz_controlled; i++)
+        r->scale[2 * r->n + i] = 1 / (tolerance * pm_ledger_controlled_scale(w, i));
+}
+
+/* x^(-1/8) */
+static double eighth_root_of_inverse(double x) { return 1 / sqrt(sqrt(sqrt(x))); }
+
+static int begin(pm_workspace *w)
+{
+    struct pm_rk *r = w->rk;
+    pm_tree_build(w);
+    pm_frame_look_state(w, &w->state);
+    r->n = w->tree->n;
+    r->all = 2 * r->n + w->model->nz;
+    r->controlled = 2 * r->n + w->model->nz_controlled;
+    pm_tree_read(w, r->now);
+    pm_tree_read_rates(w, w->state.v, r->now + r->n);
+    pm_tree_sum_up(w);
+    pm_tree_small_sum_up(w);
+    w->tree->independence = 1;
+    if (w->singular)
+        pm_tree_partition(w);
+    else
+        pm_rk_choose_coordinates(w);
+    memcpy(r->now + 2 * r->n, w->state.z, (size_t)w->model->nz * sizeof(double));
+    r->k0_ready = r->dense_ready = 0;
+    r->first = w->count[PM_COUNT_STEPS];
+    pm_body_momentum(w, PM_NONE, r->momentum_now);
+    /* a new case owes nothing to the last one, nor a phase to what another route has left behind */
+    if (w->count[PM_COUNT_STEPS] == 0 || w->state.t > r->end) r->next = 0;
+    pm_energy_level_begin(w, &r->level);
+    set_scale(w);
+    return PM_OK;
+}
+
+/* In which a body turns by about 1: of rates and accelerations k[2 n] of the coordinates, or of the bodies
+ * in the frame. */
+static double turning_time(const pm_workspace *w, const double *k)
+{
+    const int n = w->rk->n;
+    double square = 0;
+    for (int i = 0; w->rk->swift && i < n; i++)
+        if (pm_tree_is_angle(w, i)) square = pm_max(square, pm_max(k[i] * k[i], fabs(k[n + i])));
+    for (int i = 2; !w->rk->swift && i < w->model->nq; i += 3)
+        square = pm_max(square, pm_max(w->state.v[i] * w->state.v[i], fabs(w->frame.a[i])));
+    return w->coarse / sqrt(square);
+}
+
+static int is_sampled(const pm_workspace *w) { return w->event->nfunction > 0 || w->ask->nobserver > 0; }
+
+/* Where the derivative is k; where steps are sampled the frame knows the accelerations. */
+static void set_times(pm_workspace *w, const double *k)
+{
+    struct pm_rk *r = w->rk;
+    r->turning = turning_time(w, k);
+    if (!is_sampled(w)) return;
+    r->own = pm_case_time_scale(w, w->state.v, w->frame.a);
+    r->meeting = w->event->nfunction > 0 ? pm_gap_culling_time(w) : INFINITY;
+}
+
+/* A step that is sampled for events or extremes may not outrun the motion, even where the formula would be
+ * exact, and not carry circles through each other between two samples.  Nor may one in which reactions turn
+ * with the bodies: the ledger of impulses, which does not choose the steps, is their integral. */
+static double longest_step(const pm_workspace *w)
+{
+    if (is_sampled(w)) return fmin(w->rk->own, w->rk->meeting);
+    return w->nactive > 0 ? w->rk->turning : INFINITY;
+}
+
+/* Whether the next step integrates the ledger, and needs reactions for it. */
+static int samples_ledger(const pm_workspace *w)
+{
+    const struct pm_rk *r = w->rk;
+    return !r->level.kept || (w->count[PM_COUNT_STEPS] - r->first) % LEDGER_STEPS == 0;
+}
+
+/* The derivative at the end of a step, for the next one; what accelerations of the bodies are wanted in the
+ * frame, which looks there. */
+static int last_stage(pm_workspace *w)
+{
+    struct pm_rk *r = w->rk;
+    double *k = r->k + STAGES * r->all;
+    if (samples_ledger(w)) return pm_rk_derivative_here(w, r->now, 1, k);
+    const int status =
+        r->swift ? pm_rk_derivative(w, w->state.t, r->now, 0, k) : pm_rk_derivative_here(w, r->now, 0, k);
+    const int wanted = !r->swift || is_sampled(w); /* by set_times */
+    if (!status && wanted && !w->tree->few) pm_tree_spread_accelerations(w, k + r->n, w->frame.a);
+    return status;
+}
+
+static int accept(pm_workspace *w, double t)
+{
+    struct pm_rk *r = w->rk;
+    memcpy(r->now, r->y, (size_t)r->all * sizeof(double));
+    pm_rk_choose_coordinates(w);
+    double gained;
+    int status = pm_rk_settle(w, t, r->now, &w->state, &gained);
+    if (status) return status;
+    pm_energy_level_note(w, &r->level, gained);
+    pm_body_momentum(w, PM_NONE, r->momentum_now);
+    w->count[PM_COUNT_STEPS]++;
+    if ((status = last_stage(w))) return status;
+    set_times(w, r->k + STAGES * r->all);
+    r->dense_ready = 0;
+    w->step_begin = r->t0;
+    w->step_end = r->end = t;
+    if (pm_case_speed(w, w->state.v)) set_scale(w);
+    return PM_OK;
+}
+
+/* The derivative at the begin of a step: that at the end of the last one, but for the first. */
+static int first_stage(pm_workspace *w)
+{
+    struct pm_rk *r = w->rk;
+    if (r->k0_ready) {
+        memcpy(r->k, r->k + STAGES * r->all, (size_t)r->all * sizeof(double));
+        return PM_OK;
+    }
+    const int status = pm_rk_derivative(w, r->t0, r->y0, 1, r->k);
+    if (status) return status;
+    r->k0_ready = 1;
+    set_times(w, r->k);
+    if (r->next == 0)
+        r->next = fmin(pm_case_time_scale(w, w->state.v, w->frame.a), 1e3) *
+                  (w->singular ? OVER : eighth_root_of_inverse(1 / w->tolerance));
+    return PM_OK;
+}
+
+/* A stage was near a singular position: how long the step is makes no difference to its error, but where
+ * its stages are does. */
+static int met_singular(const pm_workspace *w)
+{
+    const pm_tree *t = w->tree;
+    return t->few && t->least_regular < NEAR_SINGULAR * t->most_regular;
+}
+
+/* The length to try after n others: by turns longer, as far as that goes, and shorter than the first. */
+static double sidestep(double first, double longest, int n)
+{
+    const double factor = pow(SIDESTEP, (n + 1) / 2);
+    return n % 2 && first * factor <= longest ? first * factor : first / factor;
+}
+
+static int step(pm_workspace *w, double t_limit)
+{
+    struct pm_rk *r = w->rk;
+    r->t0 = w->state.t;
+    r->ledger = samples_ledger(w);
+    memcpy(r->momentum, r->momentum_now, sizeof r->momentum);
+    memcpy(r->y0, r->now, (size_t)r->all * sizeof(double));
+    if (r->swift) pm_tree_small_refer(w, r->y0);
+    int status = first_stage(w);
+    if (status) return status;
+    double h = fmin(r->next, longest_step(w)), first = h;
+    for (int rejected = 0, sidesteps = 0;;) {
+        const int last = r->t0 + h >= t_limit;
+        if (last) h = t_limit - r->t0;
+        if (!(h > LEAST_STEP * fabs(r->t0)))
+            return pm_fail(w, PM_STEP_TOO_SMALL, PM_NONE, PM_NONE, h, LEAST_STEP * fabs(r->t0));
+        pm_tree_forget_regular(w->tree);
+        status = pm_rk_stages(w, h, r->k, r->y);
+        const double error = status ? INFINITY : pm_rk_error(w, h);
+        if (status && status != PM_SINGULAR) return status;
+        if (error <= 1) {
+            const double factor = error > 0 ? SAFETY * eighth_root_of_inverse(error) : GROW;
+            const double proposed = h * fmin(rejected ? 1 : GROW, fmax(SHRINK, factor));
+            r->h = h;
+            r->next = last && proposed < r->next ? r->next : proposed;
+            return accept(w, last ? t_limit : r->t0 + h);
+        }
+        rejected++;
+        /* singular somewhere in the step */
+        const int few = w->tree->few;
+        if (pm_rk_choose_coordinates(w) && (status = pm_rk_derivative(w, r->t0, r->y0, 1, r->k)))
+            return status;
+        if (sidesteps < SIDESTEPS && met_singular(w))
+            h = sidestep(first, longest_step(w), ++sidesteps);
+        else if (few == w->tree->few)
+            first = h *= isfinite(error) ? fmax(SHRINK, SAFETY * eighth_root_of_inverse(error)) : FIRST_RETRY;
+    }
+}
+
+const pm_route_ops pm_route_rk = {
+    .route = PM_ROUTE_RK,
+    .create = create,
+    .free = destroy,
+    .begin = begin,
+    .step = step,
+    .at = pm_rk_at,
+    .exact = pm_rk_exact,
+    .look = pm_rk_look,
+    .finest = TIGHTEST / MARGIN,
+    .spread = 45,
+    .finds_roots = PM_ROOTS_NONE,
+    .in_time = 1,
+    .price = 3,
+    .nodes = &pm_chebyshev_nodes_equal,
+};

@@ -1,0 +1,343 @@
+/* fastest_growth.c - the deviation from a steady motion that grows fastest.
+ *
+ * Seen in axes that turn at the rate W of the steady motion, small deviations x = (dq, dv) that go with the rows obey
+ *
+ *   dq' = dv - W x dq,   dv' = (da/dq) dq + (da/dv) dv - W x dv,   x' = L x
+ *
+ * with a constant L: W = 0 out of rest.  L is read off the equations of motion by differences of fourth order, on states
+ * that are projected on the rows.  exp(L h), by the polynomial of the classical Runge-Kutta formula, is squared until one
+ * direction is left of it:  exp(L T) / |exp(L T)| -> u w^T,  L u = r u,  r the greatest real part of an eigenvalue.  What a
+ * blow dv excites is then u (w^T dv): a swinging or decaying part of it has no share in the end, however small the blow is.
+ * Along u the energy and every momentum of the steady motion are kept, to first and to second order. */
+#include "routes/start/fastest_growth.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "equations/projection.h"
+#include "equations/saddle.h"
+#include "state/frame.h"
+
+#define STEADY 1e-10 /* of the accelerations in the scene: none as seen in the axes */
+#define STEP 1e-3    /* of the scene's size: deviation for the differences */
+#define SHORT 0.1    /* of the time of the fastest change: h, for exp(L h) */
+#define ALIKE 1e-8   /* relative: of changes at different times, by differences */
+#define SQUARINGS 60
+#define ALONE 1e-12  /* relative change of the power: one direction is left */
+#define GROWS 1e-4   /* of the fastest change: what differences and rounding make of no growth is less */
+#define FOLLOWS 1e-7 /* the same: L u = r u */
+#define EXCITED 1e-7 /* of what would be left of any blow: this one has no part of what grows */
+
+int pm_fastest_growth_create(const pm_model *m, pm_fastest_growth *e)
+{
+    const size_t nq = (size_t)m->nq, square = 4 * nq * nq;
+    double *p = e->block = calloc((10 * nq + 3 * square) * sizeof(double) + nq * (sizeof(int) + 1) + 1, 1);
+    if (!p) return PM_NO_MEMORY;
+    e->push = p;
+    e->q = e->push + nq;
+    e->v = e->q + nq;
+    e->dq = e->v + nq;
+    e->dv = e->dq + nq;
+    e->da = e->dv + nq;
+    e->x = e->da + nq;
+    e->y = e->x + 2 * nq;
+    e->matrix = e->y + 2 * nq;
+    e->power = e->matrix + square;
+    e->spare = e->power + square;
+    e->at = (int *)(void *)(e->spare + square);
+    e->free = (unsigned char *)(e->at + nq);
+    return PM_OK;
+}
+
+void pm_fastest_growth_free(pm_fastest_growth *e) { free(e->block); }
+
+/* Axes that are not turned. */
+static const double ahead[2] = {1, 0};
+
+static double length_of(const pm_workspace *w, int i) { return i % 3 == 2 ? 1 : w->size; }
+static double unit_of_time(const pm_workspace *w) { return w->size / w->speed; }
+
+/* Part i of spin x d: d turned left; angles do not turn. */
+static double turned(double spin, const double *d, int i)
+{
+    return i % 3 == 2 ? 0 : i % 3 == 0 ? -spin * d[i + 1] : spin * d[i - 1];
+}
+
+/* ---- the steady motion ---- */
+/* The free coordinates of w->state as they will be a time t later if the motion is steady, in s. */
+static void move_on(const pm_workspace *w, const pm_fastest_growth *e, double t, pm_state *s)
+{
+    const double c = cos(e->spin * t), si = sin(e->spin * t);
+    const double along = e->spin != 0 ? si / e->spin : t, across = e->spin != 0 ? (1 - c) / e->spin : 0;
+    pm_state_copy(s, &w->state);
+    s->t = w->state.t + t;
+    for (int i = 0; i < w->model->nq; i++) {
+        if (!e->free[i]) continue;
+        const double *v = w->state.v;
+        s->q[i] += i % 3 == 2 ? v[i] * t : along * v[i] + across * turned(1, v, i);
+        if (i % 3 != 2) s->v[i] = c * v[i] + si * turned(1, v, i);
+    }
+}
+
+static int accelerate(pm_workspace *w, pm_state *s)
+{
+    const int status = pm_projection_apply(w, s);
+    return status ? status : pm_saddle_accelerate(w);
+}
+
+/* The accelerations at s are those of a turning as a whole. */
+static int turns_as_a_whole(pm_workspace *w, const pm_fastest_growth *e, pm_state *s, int *status)
+{
+    double scale = w->speed * w->speed / w->size, worst = 0;
+    if ((*status = accelerate(w, s))) return 0;
+    for (int i = 0; i < w->model->nq; i++) {
+        if (!e->free[i]) continue;
+        const double length = i % 3 == 2 ? w->size : 1;
+        const double applied = w->stand_in[i] > 0 ? 0 : w->inverse_mass[i] * w->frame.f[i];
+        worst = fmax(worst, fabs(w->frame.a[i] - turned(e->spin, s->v, i)) * length);
+        scale = fmax(scale, fabs(applied) * length);
+    }
+    return worst <= STEADY * scale;
+}
+
+/* ---- how deviations change ---- */
+static void list_free(const pm_workspace *w, pm_fastest_growth *e)
+{
+    e->n = 0;
+    for (int i = 0; i < w->model->nq; i++)
+        if (e->free[i] && w->inverse_mass[i] > 0) e->at[e->n++] = i;
+}
+
+/* d[nq] of bodies, in the axes turned by the angle whose cosine and sine are turn[2], from e->at's coordinates in units. */
+static void spread(const pm_workspace *w, const pm_fastest_growth *e, const double *x, const double turn[2],
+                   double *d)
+{
+    memset(d, 0, (size_t)w->model->nq * sizeof *d);
+    for (int i = 0; i < e->n; i++) {
+        const int c = e->at[i];
+        const double value = x[i] * length_of(w, c);
+        if (c % 3 == 2) {
+            d[c] += value;
+        } else {
+            d[c] += turn[0] * value;
+            d[c % 3 == 0 ? c + 1 : c - 1] += (c % 3 == 0 ? turn[1] : -turn[1]) * value;
+        }
+    }
+}
+
+/* Back. */
+static void gather(const pm_workspace *w, const pm_fastest_growth *e, const double *d, const double turn[2],
+                   double *x)
+{
+    for (int i = 0; i < e->n; i++) {
+        const int c = e->at[i];
+        const double value = c % 3 == 2 ? d[c] : turn[0] * d[c] - turned(turn[1], d, c);
+        x[i] = value / length_of(w, c);
+    }
+}
+
+/* y = L x at the state `base`, in units of the scene's size and time and in axes turned by turn[2]; x is projected on the
+ * rows first. */
+static int change_of(pm_workspace *w, pm_fastest_growth *e, const pm_state *base, const double turn[2],
+                     const double *x, double *y)
+{
+    static const double weight[] = {8 / 12.0, -8 / 12.0, -1 / 12.0, 1 / 12.0}, place[] = {1, -1, 2, -2};
+    const int nq = w->model->nq, n = e->n;
+    const double time = unit_of_time(w);
+    spread(w, e, x, turn, e->q);
+    spread(w, e, x + n, turn, e->v);
+    memset(e->dq, 0, 3 * (size_t)nq * sizeof *e->dq);
+    for (int k = 0; k < 4; k++) {
+        pm_state *s = &w->probe;
+        pm_state_copy(s, base);
+        for (int i = 0; i < nq; i++) {
+            s->q[i] += STEP * place[k] * e->q[i];
+            s->v[i] += STEP * place[k] * e->v[i] / time;
+        }
+        const int status = accelerate(w, s);
+        if (status) return status;
+        for (int i = 0; i < nq; i++) {
+            e->dq[i] += weight[k] / STEP * (s->q[i] - base->q[i]);
+            e->dv[i] += weight[k] / STEP * (s->v[i] - base->v[i]);
+            e->da[i] += weight[k] / STEP * w->frame.a[i];
+        }
+    }
+    for (int i = 0; i < nq; i++) {
+        e->q[i] = (e->dv[i] - turned(e->spin, e->dq, i)) * time;
+        e->v[i] = (e->da[i] - turned(e->spin, e->dv, i)) * time * time;
+    }
+    gather(w, e, e->q, turn, y);
+    gather(w, e, e->v, turn, y + n);
+    return PM_OK;
+}
+
+/* ---- is it steady? ---- */
+/* What some deviation changes by does not depend on when it happens. */
+static int changes_alike(pm_workspace *w, pm_fastest_growth *e, const double turn[2], int *status)
+{
+    const int n = 2 * e->n;
+    double off = 0, most = 0;
+    for (int i = 0; i < n; i++) e->x[i] = sin(1 + i); /* any deviation that is not special */
+    if ((*status = change_of(w, e, &w->ahead, turn, e->x, e->y))) return 0;
+    memcpy(e->spare, e->y, (size_t)n * sizeof *e->y);
+    if ((*status = change_of(w, e, &w->state, ahead, e->x, e->y))) return 0;
+    for (int i = 0; i < n; i++) {
+        off = fmax(off, fabs(e->spare[i] - e->y[i]));
+        most = fmax(most, fabs(e->y[i]));
+    }
+    return off <= ALIKE * most;
+}
+
+/* Now, and a radian or so before and after it. */
+static int is_steady_at(pm_workspace *w, pm_fastest_growth *e, double spin, int *status)
+{
+    static const double when[] = {0, 1.1, -0.7};
+    const double unit = spin != 0 ? 1 / fabs(spin) : unit_of_time(w);
+    e->spin = spin;
+    for (int i = 0; i < 3; i++) {
+        const double t = when[i] * unit, turn[] = {cos(spin * t), sin(spin * t)};
+        move_on(w, e, t, &w->ahead);
+        if (!turns_as_a_whole(w, e, &w->ahead, status)) return 0;
+        if (i > 0 && !changes_alike(w, e, turn, status)) return 0;
+    }
+    return 1;
+}
+
+int pm_fastest_growth_is_steady(pm_workspace *w, pm_fastest_growth *e, int *status)
+{
+    double before = 0;
+    *status = PM_OK;
+    list_free(w, e);
+    if (is_steady_at(w, e, 0, status)) return 1;
+    for (int i = 2; i < w->model->nq && !*status; i += 3) {
+        const double spin = w->state.v[i];
+        if (!e->free[i] || spin == 0 || spin == before) continue;
+        if (is_steady_at(w, e, spin, status)) return 1;
+        before = spin;
+    }
+    return 0;
+}
+
+/* ---- the matrix ---- */
+static int read_matrix(pm_workspace *w, pm_fastest_growth *e)
+{
+    const int n = 2 * e->n;
+    int status = PM_OK;
+    for (int k = 0; !status && k < n; k++) {
+        memset(e->x, 0, (size_t)n * sizeof *e->x);
+        e->x[k] = 1;
+        status = change_of(w, e, &w->state, ahead, e->x, e->y);
+        for (int i = 0; i < n; i++) e->matrix[i * n + k] = e->y[i];
+    }
+    return status;
+}
+
+/* ---- what is left of them ---- */
+static void multiply(int n, const double *a, const double *b, double *c)
+{
+    memset(c, 0, (size_t)n * (size_t)n * sizeof *c);
+    for (int i = 0; i < n; i++)
+        for (int k = 0; k < n; k++)
+            for (int j = 0; j < n; j++) c[i * n + j] += a[i * n + k] * b[k * n + j];
+}
+
+/* The greatest sum of a row: no change is faster. */
+static double norm(int n, const double *a)
+{
+    double most = 0;
+    for (int i = 0; i < n; i++) {
+        double sum = 0;
+        for (int k = 0; k < n; k++) sum += fabs(a[i * n + k]);
+        most = fmax(most, sum);
+    }
+    return most;
+}
+
+static double greatest(int n, const double *a)
+{
+    double most = 0;
+    for (int i = 0; i < n; i++) most = fmax(most, fabs(a[i]));
+    return most;
+}
+
+/* e->power = 1 + A (1 + A/2 (1 + A/3 (1 + A/4))),  A = L h */
+static void short_time(pm_fastest_growth *e, int n, double h)
+{
+    for (int i = 0; i < n * n; i++) e->power[i] = 0;
+    for (int i = 0; i < n; i++) e->power[i * n + i] = 1;
+    for (int k = 4; k > 0; k--) {
+        multiply(n, e->matrix, e->power, e->spare);
+        for (int i = 0; i < n * n; i++) e->power[i] = h / k * e->spare[i];
+        for (int i = 0; i < n; i++) e->power[i * n + i] += 1;
+    }
+}
+
+/* Squares it until one direction is left; where it does not come to that, nothing will be found to grow. */
+static void long_time(pm_fastest_growth *e, int n)
+{
+    double change = 1;
+    for (int k = 0; k < SQUARINGS && change > ALONE; k++) {
+        multiply(n, e->power, e->power, e->spare);
+        const double most = greatest(n * n, e->spare);
+        change = 0;
+        for (int i = 0; i < n * n; i++) {
+            const double now = e->spare[i] / most;
+            change = fmax(change, fabs(now - e->power[i]));
+            e->power[i] = now;
+        }
+    }
+}
+
+/* e->x: what the blow becomes; 0 if nothing. */
+static int excite(const pm_workspace *w, pm_fastest_growth *e, int n)
+{
+    double size = 0;
+    for (int i = 0; i < e->n; i++) {
+        e->y[i] = 0;
+        e->y[e->n + i] = e->push[e->at[i]] / length_of(w, e->at[i]);
+    }
+    const double blow = greatest(n, e->y);
+    for (int i = 0; i < n; i++) {
+        e->x[i] = 0;
+        for (int k = 0; k < n; k++) e->x[i] += e->power[i * n + k] * e->y[k];
+        size = fmax(size, fabs(e->x[i]));
+    }
+    for (int i = 0; i < n && size > 0; i++) e->x[i] /= size;
+    return size > EXCITED * blow;
+}
+
+/* The rate at which e->x grows, in e->y what is left of L x - r x; 0 if it is not one that does. */
+static double rate_of(const pm_fastest_growth *e, int n, double fastest)
+{
+    double along = 0, square = 0, off = 0;
+    for (int i = 0; i < n; i++) {
+        double sum = 0;
+        for (int k = 0; k < n; k++) sum += e->matrix[i * n + k] * e->x[k];
+        e->y[i] = sum;
+        along += sum * e->x[i];
+        square += e->x[i] * e->x[i];
+    }
+    const double rate = along / square;
+    for (int i = 0; i < n; i++) off = fmax(off, fabs(e->y[i] - rate * e->x[i]));
+    return rate > GROWS * fastest && off <= FOLLOWS * fastest ? rate : 0;
+}
+
+int pm_fastest_growth_find(pm_workspace *w, pm_fastest_growth *e)
+{
+    const int n = 2 * e->n, status = read_matrix(w, e);
+    const double fastest = norm(n, e->matrix), time = unit_of_time(w);
+    e->rate = 0;
+    if (status || !(fastest > 0)) return status;
+    short_time(e, n, SHORT / fastest);
+    long_time(e, n);
+    if (!excite(w, e, n)) return PM_OK;
+    e->rate = rate_of(e, n, fastest) / time;
+    memset(e->q, 0, 2 * (size_t)w->model->nq * sizeof *e->q);
+    for (int i = 0; i < e->n; i++) {
+        const int c = e->at[i];
+        e->q[c] = length_of(w, c) * e->x[i];
+        e->v[c] = length_of(w, c) / time * e->x[e->n + i];
+    }
+    return PM_OK;
+}

@@ -1,0 +1,306 @@
+/* perturbation.c - leaves an unstable steady motion to the side that is asked for.
+ *
+ * The state is set out by a small part of the deviation that grows fastest: what is then left of the limit of a vanishing
+ * nudge is of second order in it, the energy and the momenta are kept to rounding.  How long it takes, and how far the
+ * steady motion goes on until then, depends on the size: a companion (accuracy.c), whose tolerance is another, shows it. */
+#include "routes/start/perturbation.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "elements/contact.h"
+#include "elements/force.h"
+#include "equations/ledger.h"
+#include "equations/projection.h"
+#include "equations/saddle.h"
+#include "expression/program.h"
+#include "routes/path/path.h"
+#include "routes/start/fastest_growth.h"
+#include "scene/program_class.h"
+#include "state/frame.h"
+#include "state/route.h"
+
+#define SIZE 0.1      /* of the square root of the tolerance: what is neglected goes with its square */
+#define STILL 1e-11   /* of the scene's speed: at rest */
+#define SHOWS 1e-6    /* of the deviation: what the program makes of it */
+#define ASIDE 1e-3    /* rad, or of the scene's size: place on a path where the forces are looked at */
+#define NOTHING 1e-12 /* of the forces before: no force there */
+
+struct pm_perturbation {
+    int program;            /* that waits, or PM_NONE */
+    int table, row;         /* where it is written */
+    double *gradient;       /* [nq] of the program by velocities */
+    unsigned char *touched; /* [nbody + 1] bodies whose motion hangs together with what the program reads */
+    pm_fastest_growth escape;
+    void *block;
+};
+
+int pm_perturbation_any(const pm_model *m)
+{
+    for (int i = 0; i < m->rows[PM_TABLE_ACTION]; i++)
+        if (PM_ACTION_ROW(m, i)[PM_ACTION_KIND] == PM_ACTION_NUDGE) return 1;
+    return PM_SETTING(m, PM_SETTING_NUDGE) >= 0;
+}
+
+int pm_perturbation_create(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    if (!pm_perturbation_any(m)) return PM_OK;
+    struct pm_perturbation *x = w->nudge = calloc(1, sizeof *x);
+    if (!x) return PM_NO_MEMORY;
+    x->block = calloc((size_t)m->nq * sizeof(double) + (size_t)m->nbody + 1, 1);
+    if (!x->block) return PM_NO_MEMORY;
+    x->gradient = x->block;
+    x->touched = (unsigned char *)(x->gradient + m->nq);
+    return pm_fastest_growth_create(m, &x->escape);
+}
+
+void pm_perturbation_free(pm_workspace *w)
+{
+    if (!w->nudge) return;
+    pm_fastest_growth_free(&w->nudge->escape);
+    free(w->nudge->block);
+    free(w->nudge);
+    w->nudge = NULL;
+}
+
+/* ---- what waits ---- */
+void pm_perturbation_begin(pm_workspace *w)
+{
+    const int program = PM_SETTING(w->model, PM_SETTING_NUDGE);
+    if (!w->nudge) return;
+    w->nudge->program = program >= 0 ? program : PM_NONE;
+    w->nudge->table = PM_TABLE_SETTING;
+    w->nudge->row = PM_SETTING_NUDGE;
+}
+
+int pm_perturbation_waits(const pm_workspace *w) { return w->nudge && w->nudge->program != PM_NONE; }
+
+int pm_perturbation_add(pm_workspace *w, int action)
+{
+    if (pm_perturbation_waits(w)) return pm_fail(w, PM_UNSUPPORTED, PM_TABLE_ACTION, action, NAN, NAN);
+    w->nudge->program = PM_ACTION_ROW(w->model, action)[PM_ACTION_PROGRAM_X];
+    w->nudge->table = PM_TABLE_ACTION;
+    w->nudge->row = action;
+    return PM_OK;
+}
+
+void pm_perturbation_end(pm_workspace *w)
+{
+    if (w->nudge) w->nudge->program = PM_NONE;
+}
+
+static double read_at(pm_workspace *w, const double *velocity)
+{
+    memcpy(w->frame.velocity, velocity, (size_t)w->model->nq * sizeof *velocity);
+    return pm_program_run(w->model, w->nudge->program, w->param, w->value, w);
+}
+
+double pm_perturbation_side(pm_workspace *w, const double *tangent)
+{
+    const double side = read_at(w, tangent);
+    return side > 0 ? 1 : side < 0 ? -1 : 0;
+}
+
+static int fail(pm_workspace *w, int status, double value)
+{
+    return pm_fail(w, status, w->nudge->table, w->nudge->row, value, NAN);
+}
+
+/* ---- one degree of freedom at rest ---- */
+/* Out of an equilibrium: a little aside the forces must drive it on. */
+static int is_driven_on(pm_workspace *w, int *status)
+{
+    pm_path *p = w->path;
+    const pm_place *x = &p->begin;
+    double most = 0, size = 0;
+    for (int i = 0; i < w->model->nq; i++) {
+        const double length = i % 3 == 2 ? w->size : 1;
+        most = fmax(most, fabs(x->tangent[i]) * length);
+        size += fabs(w->frame.f[i] * x->tangent[i]);
+    }
+    const double way = p->sense * ASIDE * w->size / most;
+    for (int i = 0; i < p->n; i++) p->spare.y[i] = x->y[i] + way * x->slope[i];
+    *status = pm_path_place(w, x->y[p->driver] + way, &p->spare);
+    for (int i = 0; i < w->model->nq; i++) size += fabs(w->frame.f[i] * p->spare.tangent[i]);
+    return p->spare.force * p->sense > NOTHING * size;
+}
+
+static int leave_along_path(pm_workspace *w)
+{
+    const pm_path *p = w->path;
+    int status = PM_OK;
+    if (!p->at_rest) return fail(w, PM_NUDGE_UNSTEADY, NAN);
+    pm_frame_look_state(w, &w->state);
+    const double side = p->sense * pm_perturbation_side(w, p->begin.tangent);
+    if (!p->balanced) return side > 0 ? PM_OK : fail(w, PM_NUDGE_UNSTEADY, NAN);
+    pm_frame_look_state(w, &w->state);
+    pm_force_all(w);
+    const int goes = is_driven_on(w, &status);
+    pm_frame_look_state(w, &w->state);
+    return status || goes ? status : fail(w, PM_NUDGE_STABLE, 0);
+}
+
+/* ---- what hangs together ---- */
+static int read_gradient(pm_workspace *w)
+{
+    struct pm_perturbation *x = w->nudge;
+    double *unit = x->escape.v;
+    int any = 0;
+    pm_frame_look_state(w, &w->state);
+    memset(unit, 0, (size_t)w->model->nq * sizeof *unit);
+    memset(x->touched, 0, (size_t)w->model->nbody + 1);
+    for (int i = 0; i < w->model->nq; i++) {
+        unit[i] = 1;
+        x->gradient[i] = w->inverse_mass[i] > 0 ? read_at(w, unit) : 0;
+        unit[i] = 0;
+        if (x->gradient[i] != 0) any = x->touched[i / 3] = 1;
+    }
+    pm_frame_look_state(w, &w->state);
+    return any;
+}
+
+static int join(pm_workspace *w, int a, int b)
+{
+    unsigned char *touched = w->nudge->touched;
+    const int ground = w->model->nbody;
+    if (a == ground || b == ground || touched[a] == touched[b]) return 0;
+    return touched[a] = touched[b] = 1;
+}
+
+/* What a program gives may hang on any body. */
+static int is_free_of_bodies(const pm_model *m, int program)
+{
+    return program < 0 || m->program_nature[program] == PM_CLASS_CONSTANT;
+}
+
+static void find_island(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    struct pm_perturbation *x = w->nudge;
+    for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++) {
+        const int32_t *e = PM_FORCE_ROW(m, i);
+        if (!is_free_of_bodies(m, e[PM_FORCE_PROGRAM_X]) || !is_free_of_bodies(m, e[PM_FORCE_PROGRAM_Y]))
+            memset(x->touched, 1, (size_t)m->nbody);
+    }
+    for (int more = 1; more;) {
+        more = 0;
+        for (int i = 0; i < w->nactive; i++) more |= join(w, w->row[i].body[0], w->row[i].body[1]);
+        for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++) {
+            const pm_action f = pm_force_action(w, i);
+            more |= join(w, f.body_a, f.body_b);
+        }
+    }
+    for (int i = 0; i < m->nq; i++) x->escape.free[i] = x->touched[i / 3];
+}
+
+/* ---- the deviation ---- */
+static int is_at_rest(const pm_workspace *w)
+{
+    for (int i = 0; i < w->model->nq; i++) {
+        const double length = i % 3 == 2 ? w->size : 1;
+        if (w->nudge->escape.free[i] && fabs(w->state.v[i]) * length > STILL * w->speed) return 0;
+    }
+    return 1;
+}
+
+/* At rest forces may take it to the side that is asked for. */
+static int goes_by_itself(pm_workspace *w, int *status)
+{
+    if (!is_at_rest(w)) return 0;
+    pm_frame_look_state(w, &w->state);
+    if ((*status = pm_saddle_accelerate(w))) return 0;
+    return read_at(w, w->frame.a) > 0;
+}
+
+/* The blow that the program speaks of: M d = gradient + G^T l, G d = 0. */
+static int read_push(pm_workspace *w)
+{
+    pm_fastest_growth *e = &w->nudge->escape;
+    pm_frame_look_state(w, &w->state);
+    pm_saddle_rows(w);
+    int status = pm_saddle_factor(w);
+    memset(w->wanted, 0, (size_t)w->nactive * sizeof *w->wanted);
+    return status ? status : pm_saddle_respond(w, w->nudge->gradient, e->push);
+}
+
+/* w->probe: the state set out by `part` of the deviation; what the program reads there. */
+static int set_out(pm_workspace *w, double part, double *shows)
+{
+    const pm_fastest_growth *e = &w->nudge->escape;
+    pm_state *s = &w->probe;
+    pm_state_copy(s, &w->state);
+    for (int i = 0; i < w->model->nq; i++) {
+        s->q[i] += part * e->q[i];
+        s->v[i] += part * e->v[i];
+    }
+    const int status = pm_projection_apply(w, s);
+    if (status) return status;
+    pm_frame_look_state(w, s);
+    *shows = pm_program_run(w->model, w->nudge->program, w->param, w->value, w);
+    return PM_OK;
+}
+
+/* What the outer world has given until the deviation was that large is read off it: the ledger of w->probe. */
+static void give_momentum(pm_workspace *w)
+{
+    double before[PM_LEDGER], after[PM_LEDGER], *ledger = w->probe.z + pm_ledger_ledger(w->model);
+    pm_frame_look_state(w, &w->state);
+    pm_body_momentum(w, PM_NONE, before);
+    pm_frame_look_state(w, &w->probe);
+    pm_body_momentum(w, PM_NONE, after);
+    for (int i = 0; i < PM_LEDGER; i++) ledger[i] += after[i] - before[i];
+}
+
+static int overlaps(pm_workspace *w)
+{
+    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
+        int member;
+        const double gap = pm_contact_gap(w, &w->state, i, &member), least = -pm_contact_length(w);
+        if (gap < least) return pm_fail(w, PM_PENETRATION, PM_TABLE_CONTACT, i, gap, least);
+    }
+    return PM_OK;
+}
+
+/* To the side on which the program is positive, if it tells both sides apart. */
+static int take_side(pm_workspace *w)
+{
+    const pm_fastest_growth *e = &w->nudge->escape;
+    const double part = SIZE * sqrt(w->tolerance), least = SHOWS * part * e->rate * fmin(w->size, 1);
+    double there, back;
+    int status = set_out(w, -part, &back);
+    if (!status) status = set_out(w, part, &there);
+    if (status) return status;
+    if (!(there * back < 0 && fmin(fabs(there), fabs(back)) > least))
+        return fail(w, PM_NUDGE_STABLE, e->rate);
+    if (there < 0 && (status = set_out(w, -part, &back))) return status;
+    give_momentum(w);
+    pm_state_copy(&w->state, &w->probe);
+    return overlaps(w);
+}
+
+static int leave_by_deviation(pm_workspace *w)
+{
+    pm_fastest_growth *e = &w->nudge->escape;
+    int status;
+    if (!read_gradient(w)) return fail(w, PM_NUDGE_STABLE, 0);
+    find_island(w);
+    if (!pm_fastest_growth_is_steady(w, e, &status)) {
+        if (status) return status;
+        const int goes = goes_by_itself(w, &status);
+        return status || goes ? status : fail(w, PM_NUDGE_UNSTEADY, NAN);
+    }
+    if ((status = read_push(w)) || (status = pm_fastest_growth_find(w, e))) return status;
+    return e->rate > 0 ? take_side(w) : fail(w, PM_NUDGE_STABLE, 0);
+}
+
+int pm_perturbation_leave(pm_workspace *w)
+{
+    if (!pm_perturbation_waits(w)) return PM_OK;
+    if (pm_route_path.applies(w)) return leave_along_path(w);
+    const int status = leave_by_deviation(w);
+    pm_frame_look_state(w, &w->state);
+    if (!status) pm_perturbation_end(w);
+    return status;
+}

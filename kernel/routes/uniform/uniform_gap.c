@@ -1,0 +1,203 @@
+/* uniform_gap.c - when an open contact closes in a phase with constant accelerations, by advancing with bounds, never by
+ * sampling.
+ *
+ * From a place where gap g, its rate g' and a lower bound c of g'' over the next h are known,
+ *   g(s) >= g + g' s + c s^2/2,   g(s) >= g - L s   (L: a bound of |g'|),
+ * so that it is open up to the first root of either.  Where bodies do not turn against a line, c is g'' itself and that
+ * root is the answer; where they do, the steps close in on it as Newton's do.  A touching contact that leaves starts with
+ * g = 0. */
+#include <math.h>
+
+#include "elements/constraint.h"
+#include "elements/contact.h"
+#include "elements/edge.h"
+#include "equations/saddle.h"
+#include "routes/uniform/uniform.h"
+#include "state/frame.h"
+#include "state/route.h"
+
+#define NEAR 4           /* members of a periodic row that are looked at one by one */
+#define ROUNDING 1e-15   /* of the places of marks: a gap below it is closed */
+#define TIME_EPS 4.5e-16 /* of a time */
+#define REFINEMENTS 8    /* of the bounds, by a shorter h */
+#define WIDER 4.0        /* h then is so much longer than the step that was safe */
+#define SHORTER 0.01     /* .. and so much shorter where nothing was */
+#define DEFINITE 100.0   /* times the rounding of accelerations */
+#define ADVANCES 100000  /* in one step of the route */
+
+enum pm_end_of_advance {
+    OPEN = 0,
+    NEARLY = 1,
+    EXACTLY = 2
+}; /* still open; closes, by rounding or as a parabola */
+
+/* First positive root of g + rate s + bend s^2/2, or INFINITY; g >= 0, and rate > 0 where g = 0. */
+static double first_root(double g, double rate, double bend)
+{
+    const double square = rate * rate - 2 * bend * g;
+    if (bend >= 0) return rate >= 0 || square < 0 ? INFINITY : 2 * g / (-rate + sqrt(square));
+    return rate > 0 ? (rate + sqrt(square)) / -bend : 2 * g / (-rate + sqrt(square));
+}
+
+/* How long a member stays open, at most h; *exact: it closes there. */
+static double open_for(const pm_workspace *w, const pm_constraint *row, double g, double rate, double h,
+                       int *exact)
+{
+    const double *a = w->uniform->a;
+    double safe = 0;
+    *exact = 0;
+    for (int i = 0; i < REFINEMENTS; i++) {
+        pm_constraint_bounds x;
+        pm_constraint_kind(row->kind)->bound(w, row, a, h, &x);
+        if (x.exact) {
+            safe = first_root(g, rate, x.bend);
+            *exact = safe < h;
+            return fmin(safe, h);
+        }
+        const double by_rate = x.rate > 0 ? g / x.rate : INFINITY;
+        safe = fmax(safe, fmin(h, fmax(first_root(g, rate, x.bend), by_rate)));
+        if (WIDER * safe >= h) break;
+        h = safe > 0 ? WIDER * safe : SHORTER * h;
+    }
+    return safe;
+}
+
+static double noise_of(const pm_workspace *w, const pm_constraint *row)
+{
+    const pm_marks m = pm_constraint_marks(w, row);
+    return ROUNDING * (fabs(m.a.p[0]) + fabs(m.a.p[1]) + fabs(m.b.p[0]) + fabs(m.b.p[1]) +
+                       fabs(row->radius_a) + fabs(row->radius_b));
+}
+
+/* A member that touches when the phase begins touches exactly, and one without speed has none. */
+static void begin_exactly(const pm_workspace *w, double *g, double *rate)
+{
+    if (*g > pm_contact_length(w) || *rate < -pm_contact_speed(w)) return;
+    *g = 0;
+    if (*rate <= pm_contact_speed(w)) *rate = 0;
+}
+
+void pm_uniform_gap_begin(pm_workspace *w, int contact)
+{
+    pm_uniform *u = w->uniform;
+    int member[NEAR];
+    const int n = pm_contact_near(w, &w->state, contact, NEAR, member);
+    const int there = !pm_state_is_absent(w->model, &w->state, PM_TABLE_CONTACT, contact);
+    if (there && pm_edge_is(w->model, contact)) {
+        pm_uniform_edge_begin(w, contact);
+        return;
+    }
+    u->closing[contact] = (pm_closing){.root = INFINITY, .near = INFINITY};
+    for (int i = 0; i < n; i++) {
+        pm_constraint row, tangent;
+        pm_contact_constraint_both(w, contact, w->model->contact_slot[contact], member[i], &row, &tangent);
+        pm_constraint_kind(row.kind)->evaluate(w, &row);
+        double g = row.g, rate = pm_saddle_times(w, &row, w->frame.v);
+        begin_exactly(w, &g, &rate);
+        if (g > 0 || rate > 0) continue;
+        pm_constraint_bounds x = {.bend = -INFINITY};
+        if (rate == 0) pm_constraint_kind(row.kind)->bound(w, &row, u->a, 0, &x);
+        u->irregular |= x.bend < -DEFINITE * u->curve.acceleration; /* must not approach */
+    }
+}
+
+/* Keeps the least gap between the place looked at last, where it shrank, and this one, where it grows: by the rates at
+ * both ends.  A decision: with other numbers it might have closed there. */
+static void note_near(pm_closing *x, double t, double g, double rate)
+{
+    const double h = t - x->looked;
+    if (x->rate < 0 && rate >= 0) {
+        const double least = x->g + 0.5 * x->rate * h * x->rate / (x->rate - rate);
+        if (least > 0 && least < x->near) {
+            x->near = least;
+            x->near_reach = fmax(x->g, g);
+        }
+    }
+    x->looked = t;
+    x->g = g;
+    x->rate = rate;
+}
+
+void pm_uniform_gap_note(pm_workspace *w, int contact)
+{
+    int member;
+    double rate;
+    if (pm_state_is_absent(w->model, &w->state, PM_TABLE_CONTACT, contact)) return;
+    if (pm_edge_is(w->model, contact)) {
+        pm_uniform_edge_note(w, contact);
+        return;
+    }
+    pm_uniform_look(w, w->uniform->end);
+    const double gap = pm_contact_gap(w, &w->state, contact, &member);
+    if (gap == INFINITY) return; /* closed */
+    pm_contact_member_gap(w, contact, member, &rate);
+    note_near(&w->uniform->closing[contact], w->uniform->end, gap, rate);
+}
+
+/* One advance from the frame, at most h: how far it is safe; *root: there the contact closes. */
+static double advance(pm_workspace *w, int contact, double h, int *root)
+{
+    int member[NEAR];
+    const int n = pm_contact_near(w, &w->state, contact, NEAR, member);
+    const int first = w->uniform->closing[contact].safe == 0;
+    double safe = h, least = INFINITY, least_rate = 0;
+    *root = OPEN;
+    for (int i = 0; i < n; i++) {
+        pm_constraint row, tangent;
+        pm_contact_constraint_both(w, contact, w->model->contact_slot[contact], member[i], &row, &tangent);
+        pm_constraint_kind(row.kind)->evaluate(w, &row);
+        double g = row.g, rate = pm_saddle_times(w, &row, w->frame.v);
+        if (first) begin_exactly(w, &g, &rate);
+        if (g == 0 && rate == 0) continue; /* touches and stays clear of it */
+        if (g < least) {
+            least = g;
+            least_rate = rate;
+        }
+        if (!(first && g == 0) && g <= noise_of(w, &row) && rate < 0) {
+            *root = NEARLY;
+            return -g / rate;
+        }
+        int exact;
+        const double open = open_for(w, &row, fmax(g, 0), rate, h, &exact);
+        if (open < safe || (exact && open == safe)) {
+            safe = open;
+            *root = exact ? EXACTLY : OPEN;
+        }
+        if (i + 2 >= n && n == NEAR) { /* members farther off have a larger gap than the outermost of these */
+            pm_constraint_bounds x;
+            pm_constraint_kind(row.kind)->bound(w, &row, w->uniform->a, h, &x);
+            if (x.rate > 0 && fmax(g, 0) / x.rate < safe) {
+                safe = fmax(g, 0) / x.rate;
+                *root = OPEN;
+            }
+        }
+    }
+    pm_closing *x = &w->uniform->closing[contact];
+    note_near(x, x->safe, least, least_rate);
+    return safe;
+}
+
+void pm_uniform_gap(pm_workspace *w, int contact, double until)
+{
+    pm_uniform *u = w->uniform;
+    pm_closing *x = &u->closing[contact];
+    if (pm_state_is_absent(w->model, &w->state, PM_TABLE_CONTACT, contact)) x->safe = until;
+    for (int i = 0; i < ADVANCES && x->safe < until && x->root == INFINITY; i++) {
+        int root; /* enum pm_end_of_advance */
+        pm_uniform_look(w, x->safe);
+        const double step = advance(w, contact, until - x->safe, &root);
+        if (root != OPEN || step <= TIME_EPS * (fabs(u->t0) + x->safe)) {
+            x->root = fmax(0, x->safe + step);
+            x->exact = root == EXACTLY;
+        } else {
+            x->safe = step >= until - x->safe ? until : x->safe + step;
+        }
+    }
+}
+
+int pm_uniform_resolves(const pm_workspace *w, int contact)
+{
+    if (w->route != &pm_route_uniform) return 0;
+    const pm_closing *x = &w->uniform->closing[contact];
+    return x->exact && x->root <= w->uniform->end;
+}

@@ -1,0 +1,246 @@
+/* advance.c - steps until something happens.
+ *
+ * A step is taken, sampled and searched (event_search.h).  Instants in it that only mark something are passed, one after the
+ * other; at the first full one it is cut off, and the asks see what is left of it. */
+#include <math.h>
+#include <string.h>
+
+#include "equations/active_set.h"
+#include "equations/case.h"
+#include "equations/ledger.h"
+#include "events/ask.h"
+#include "events/event.h"
+#include "events/event_sampling.h"
+#include "events/event_search.h"
+#include "events/history.h"
+#include "impact/action.h"
+#include "impact/instant.h"
+#include "routes/path/path_error.h"
+#include "routes/path/repeat.h"
+#include "run/plan.h"
+#include "state/frame.h"
+#include "state/route.h"
+
+/* Shortens the step to end at x, with the exact state there (already in w->probe if it was taken at x). */
+static int stop_at(pm_workspace *w, double x, double taken)
+{
+    const int status = taken == x ? PM_OK : w->route->exact(w, x, &w->probe);
+    if (status) return status;
+    pm_state_copy(&w->state, &w->probe);
+    w->step_end = x;
+    return PM_OK;
+}
+
+static void look_for_roots(pm_workspace *w)
+{
+    pm_event_set *e = w->event;
+    e->at_root = 0;
+    for (int i = 0; i < e->nfunction; i++) {
+        e->hit[i] = 0;
+        e->at_root |= e->root[i] != 0;
+    }
+}
+
+/* A route that finds roots itself has ended its step there, unless something that is sampled comes first. */
+static void take_roots(pm_workspace *w, double *first)
+{
+    pm_event_set *e = w->event;
+    if (!e->at_root || *first < w->step_end) return;
+    for (int i = 0; i < e->nfunction; i++) e->hit[i] |= e->root[i] != 0;
+    *first = w->step_end;
+}
+
+static void mark_hits(pm_workspace *w)
+{
+    pm_event_set *e = w->event;
+    for (int i = 0; i < e->nfunction; i++)
+        if (e->hit[i] && e->function[i].kind == FUNCTION_TRIGGER) e->fired[e->function[i].index] = 1;
+}
+
+static double next_due(const pm_workspace *w)
+{
+    double next = INFINITY;
+    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) next = fmin(next, w->event->due[i]);
+    return next;
+}
+
+/* The step has ended when triggers on time are due. */
+static int mark_due(pm_workspace *w)
+{
+    int any = 0;
+    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
+        if (w->event->due[i] > w->state.t) continue;
+        w->event->fired[i] = 1;
+        w->event->due[i] = INFINITY;
+        any = 1;
+    }
+    return any;
+}
+
+static int limit_reached(pm_workspace *w, double max_time)
+{
+    if (w->stop && *w->stop) return PM_CANCELLED;
+    if (w->state.t >= max_time) return pm_fail(w, PM_LIMIT_TIME, PM_TABLE_SETTING, 0, w->state.t, max_time);
+    const double most = PM_SETTING(w->model, PM_SETTING_MAX_STEPS);
+    if ((double)w->count[PM_COUNT_STEPS] >= most)
+        return pm_fail(w, PM_LIMIT_STEPS, PM_TABLE_SETTING, 0, most, most);
+    return PM_OK;
+}
+
+static void end_step(pm_workspace *w)
+{
+    pm_frame_look_state(w, &w->state);
+    pm_active_set_follow(w, &w->state);
+    pm_ledger_step(w);
+    if (w->route->in_time && w->ask->fresh) pm_ledger_seal(w);
+    w->event->first_step = 0;
+}
+
+static int only_marks(const pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    if (m->watches_counts || pm_repeat_doubts(w)) return 0;
+    for (int i = 0; i < w->event->nfunction; i++) {
+        const pm_event_function *f = &w->event->function[i];
+        if (!w->event->hit[i]) continue;
+        if (f->kind != FUNCTION_TRIGGER) return 0;
+        if (m->acts && pm_action_of(m, PM_TRIGGER_ROW(m, f->index)[PM_TRIGGER_EVENT])) return 0;
+    }
+    return 1;
+}
+
+/* What has just fired must be left before it fires again.  x is where it is zero exactly; further zeros are looked for on
+ * the dense output, which may have the same one a little later. */
+static void hold_hits(pm_workspace *w, double x)
+{
+    pm_event_set *e = w->event;
+    for (int i = 0; i < e->nfunction; i++) {
+        if (!e->hit[i]) continue;
+        e->function[i].held = 1;
+        e->function[i].since = fmax(x, e->function[i].located);
+        e->function[i].search = SEARCH_NONE;
+    }
+    pm_event_set_multiples(w);
+    memset(e->fired, 0, (size_t)w->model->rows[PM_TABLE_TRIGGER]);
+}
+
+/* Something is marked at x inside the step and the motion goes on: no blow, no change of modes, no new phase. */
+static int pass(pm_workspace *w, double x, double taken, int *ended)
+{
+    int status = pm_history_inside(w, x);
+    if (!status && (taken != x || w->trace)) status = w->route->exact(w, x, &w->probe);
+    if (status) return status;
+    pm_state_copy(&w->ahead, &w->state);
+    pm_state_copy(&w->state, &w->probe);
+    mark_hits(w);
+    status = pm_instant_mark(w, ended);
+    if (*ended) return status;
+    hold_hits(w, x);
+    pm_state_copy(&w->state, &w->ahead);
+    return status;
+}
+
+/* What fires right before the step's end, where triggers on time are due or a contact changes, belongs to that instant. */
+static void join_end(const pm_workspace *w, double *first)
+{
+    const double same = PM_SAME_PLACE * (w->step_end - w->step_begin);
+    const int something = w->event->at_root || (w->route->in_time && next_due(w) <= w->step_end);
+    if (something && *first >= w->step_end - same) *first = w->step_end;
+}
+
+/* What happens at the end of the step, found there, only marks something, and the phase goes on in another step. */
+static int marks_end(const pm_workspace *w, double first, int due)
+{
+    return first == w->step_end && !due && !w->turns && !w->lap && !w->event->at_root && only_marks(w);
+}
+
+/* Something is marked at the end of the step, where the frame looks. */
+static int pass_end(pm_workspace *w, int *ended)
+{
+    const int status = pm_instant_mark(w, ended);
+    if (status || *ended) return status;
+    hold_hits(w, w->step_end);
+    pm_event_search_leave(w); /* what has left its zero is no more held; in the next step places are others */
+    return PM_OK;
+}
+
+/* Passes the instants of the step that only mark something; *first is that of a full one, or of the end. */
+static int pass_marks(pm_workspace *w, double *first, double *taken, int *ended)
+{
+    double from = w->step_begin;
+    for (;;) {
+        int status = pm_event_search_first(w, from, first, taken);
+        if (!status && *first < INFINITY) join_end(w, first);
+        if (status || *first >= w->step_end || *first <= w->step_begin || !only_marks(w)) return status;
+        status = pass(w, *first, *taken, ended);
+        if (status || *ended) return status;
+        from = *first;
+    }
+}
+
+/* A step of the route, sampled; its instants that only mark something are passed.  *first: where the phase may end, at
+ * `taken` if the state was taken there already. */
+static int take_step(pm_workspace *w, double *first, double *taken, int *ended)
+{
+    pm_event_set *e = w->event;
+    const double max_time = pm_case_max_time(w);
+    int status = limit_reached(w, max_time);
+    if (status) return status;
+    memset(e->root, 0, (size_t)e->nfunction * sizeof(int));
+    if (!e->first_step) {
+        pm_frame_look_state(w, &w->state);
+        pm_event_set_multiples(w);
+    }
+    w->nodes = w->route->nodes;
+    status = w->route->step(w, fmin(max_time, next_due(w)));
+    pm_history_step(w);
+    look_for_roots(w);
+    if (!status) status = pm_event_search_sample(w, 1);
+    if (status || e->nsampled == 0) return status;
+    pm_path_error_sampled(w);
+    status = pass_marks(w, first, taken, ended);
+    if (!status) pm_event_search_leave(w);
+    return status;
+}
+
+/* The step ends at `first` if that is inside; the asks see it up to there. */
+static int close_step(pm_workspace *w, double first, double taken, int ended)
+{
+    int status = PM_OK;
+    if (first < w->step_end) {
+        if (!ended && (status = stop_at(w, first, taken))) return status;
+        w->step_end = first;
+        if (!pm_ask_keeps_samples(w) && (status = pm_event_search_sample(w, 0))) return status;
+    }
+    if (w->step_end > w->step_begin && (status = pm_ask_step(w))) return status;
+    if ((status = pm_history_inside(w, w->step_end))) return status;
+    end_step(w);
+    return PM_OK;
+}
+
+int pm_advance(pm_workspace *w, int *ended)
+{
+    *ended = 0;
+    for (;;) {
+        double first = INFINITY, taken = NAN;
+        int status = take_step(w, &first, &taken, ended);
+        if (status) return status;
+        if (!*ended) take_roots(w, &first);
+        const int inside = first < w->step_end;
+        if ((status = close_step(w, first, taken, *ended))) return status;
+        const int due = first >= w->step_end && mark_due(w);
+        if (*ended) return PM_OK;
+        if (first < INFINITY) mark_hits(w);
+        if (!inside && marks_end(w, first, due)) {
+            if ((status = pass_end(w, ended)) || *ended) return status;
+            continue;
+        }
+        if (first < INFINITY || due || w->turns) {
+            w->lap = 0;
+            return PM_OK;
+        }
+        w->lap |= pm_plan_has_passed(w);
+        if (w->lap) return PM_OK;
+        if (w->trace && (status = pm_history_row(w, 0))) return status;
+    }
+}

@@ -1,0 +1,77 @@
+/* phase_report.c - appends a row for each phase while there is room, and counts all of them. */
+#include "run/phase_report.h"
+
+#include <math.h>
+
+#include "equations/fixed_bodies.h"
+#include "events/ask.h"
+#include "events/event.h"
+#include "routes/path/path.h"
+#include "state/route.h"
+#include "tree/tree.h"
+
+static int32_t *last_row(const pm_phase_report *x)
+{
+    return x->needed > 0 && x->needed <= x->cap ? x->row + (x->needed - 1) * PM_PHASE_COLUMNS : NULL;
+}
+
+static void count_steps(const pm_workspace *w, pm_phase_report *x)
+{
+    int32_t *row = last_row(x);
+    if (row) row[PM_PHASE_STEPS] = (int32_t)(w->count[PM_COUNT_STEPS] - x->steps);
+    if (row) row[PM_PHASE_SPARED] = (int32_t)(w->event->clear.spared - x->spared);
+    x->steps = w->count[PM_COUNT_STEPS];
+    x->spared = w->event->clear.spared;
+}
+
+static int on_tree(const pm_workspace *w) { return w->route == &pm_route_rk || w->route == &pm_route_path; }
+
+static int free_coordinates(const pm_workspace *w)
+{
+    int n = 0;
+    for (int i = 0; i < w->model->nq; i++) n += w->inverse_mass[i] > 0;
+    return n;
+}
+
+static int has_clock(const pm_workspace *w)
+{
+    return w->route != &pm_route_path || w->model->reads_time || w->trace;
+}
+
+static void describe(const pm_workspace *w, int64_t legs, int32_t *row)
+{
+    row[PM_PHASE_ROUTE] = w->route->route;
+    row[PM_PHASE_RULE] = w->rule;
+    row[PM_PHASE_UNKNOWNS] = on_tree(w) ? w->tree->n : free_coordinates(w);
+    row[PM_PHASE_LOOPS] = on_tree(w) ? w->tree->nloop : w->nactive;
+    row[PM_PHASE_ROWS] = w->nactive;
+    row[PM_PHASE_REDUNDANT] = w->nredundant;
+    row[PM_PHASE_FREEDOM] = free_coordinates(w) - w->nactive;
+    row[PM_PHASE_WATCHED] = w->event->nfunction;
+    row[PM_PHASE_CLOCK] = has_clock(w);
+    row[PM_PHASE_DYNAMIC] = w->event->level == PM_LEVEL_DYNAMIC || w->ask->level == PM_LEVEL_DYNAMIC;
+    row[PM_PHASE_STEPS] = 0;
+    row[PM_PHASE_UNREACHED] = w->unreached;
+    row[PM_PHASE_LEGS] = (int32_t)legs;
+    row[PM_PHASE_STILL] = w->still->n;
+    row[PM_PHASE_SPARED] = 0;
+}
+
+int pm_phase_report_add(pm_workspace *w)
+{
+    pm_phase_report *x = w->phases;
+    if (!x) return PM_OK;
+    count_steps(w, x);
+    if (x->needed < x->cap) {
+        describe(w, w->count[PM_COUNT_LEGS] - x->legs, x->row + x->needed * PM_PHASE_COLUMNS);
+        x->time[x->needed] = has_clock(w) ? w->state.t : NAN;
+    }
+    x->legs = w->count[PM_COUNT_LEGS];
+    x->needed++;
+    return x->most > 0 && x->needed >= x->most ? PM_CANCELLED : PM_OK;
+}
+
+void pm_phase_report_end(pm_workspace *w)
+{
+    if (w->phases) count_steps(w, w->phases);
+}

@@ -1,0 +1,148 @@
+/* plan.c - the table of rules that picks the route of a phase: the first that applies.
+ *
+ * The settings may force a route; where a forced route cannot compute a phase the run fails and says so. */
+#include "run/plan.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "equations/saddle.h"
+#include "events/ask.h"
+#include "expression/program.h"
+#include "routes/start/perturbation.h"
+#include "state/frame.h"
+#include "state/route.h"
+
+#define ONE_FREEDOM "one degree of freedom, and work that depends on position only"
+#define PASSED 0.2 /* independent part of each row: clearly more than where the passage begins */
+
+typedef struct pm_rule {
+    const pm_route_ops *route;
+    const char *reason;
+} pm_rule;
+
+enum { NUDGED = 0, PASSING = 1, FIRST = 2 }; /* the rules from FIRST on are tried in turn */
+static const pm_rule rules[] = {
+    {&pm_route_path, "it leaves an unstable rest on the side that a nudge states: by energy along the path"},
+    {&pm_route_rk,
+     "a singular position, where the rows do not tell the motion: passed in independent coordinates"},
+    {&pm_route_uniform, "no force changes and no row turns: constant accelerations, polynomials of the time"},
+    {&pm_route_path, ONE_FREEDOM ": work and energy along the path"},
+    {&pm_route_rk, "smooth motion in time: explicit integration of order 8"},
+};
+enum { NRULES = sizeof rules / sizeof *rules };
+
+/* What each route takes, for those who asked for one that declines. */
+static const char *const scope[PM_ROUTES] = {
+    [PM_ROUTE_AUTO] = "all that any route takes",
+    [PM_ROUTE_RK] = "all smooth motion",
+    [PM_ROUTE_IDA] = "smooth motion of bodies that have mass, without joint friction that goes with the load",
+    [PM_ROUTE_STATE] = "what is answered at the start; here time passes",
+    [PM_ROUTE_JUMP] = "what is answered before and after a blow at the start; here time passes",
+    [PM_ROUTE_UNIFORM] = "constant forces, and joints and contacts that do not turn with the motion",
+    [PM_ROUTE_PATH] = ONE_FREEDOM,
+};
+
+static int take(pm_workspace *w, const pm_route_ops *route, int rule)
+{
+    w->route = route;
+    w->rule = rule;
+    w->count[PM_COUNT_ROUTES] |= (int64_t)1 << route->route;
+    if (route->price > w->price) {
+        w->price = route->price;
+        w->count[PM_COUNT_ROUTE] = route->route;
+    }
+    return PM_OK;
+}
+
+int pm_plan_has_passed(pm_workspace *w)
+{
+    if (w->rule != PASSING) return 0;
+    if (!(pm_saddle_independence_there(w, &w->state) > PASSED)) return 0;
+    w->singular = 0;
+    return 1;
+}
+
+static int forced(pm_workspace *w, int wanted)
+{
+    const pm_route_ops *route = pm_routes_find(wanted); /* none: state and jump, which have no phase */
+    if (route && (!route->applies || route->applies(w))) return take(w, route, PM_NONE);
+    return pm_fail(w, PM_UNSUPPORTED, PM_TABLE_SETTING, PM_SETTING_ROUTE, wanted, 0);
+}
+
+int pm_plan_phase(pm_workspace *w)
+{
+    const int wanted = PM_SETTING(w->model, PM_SETTING_ROUTE);
+    if (pm_perturbation_waits(w) && pm_route_path.applies(w)) return take(w, &pm_route_path, NUDGED);
+    if (w->singular && wanted == PM_ROUTE_IDA) return take(w, &pm_route_rk, PASSING);
+    if (wanted != PM_ROUTE_AUTO) return forced(w, wanted);
+    for (int i = FIRST; i < NRULES; i++)
+        if (!rules[i].route->applies || rules[i].route->applies(w)) return take(w, rules[i].route, i);
+    return pm_fail(w, PM_UNSUPPORTED, PM_TABLE_SETTING, PM_SETTING_ROUTE, wanted, 0);
+}
+
+int pm_rule_text(int rule, int64_t ntext, int8_t *text)
+{
+    const char *reason = rule >= 0 && rule < NRULES ? rules[rule].reason : "solve.route says so";
+    return snprintf((char *)text, (size_t)ntext, "%s", reason);
+}
+
+int pm_route_text(int route, int64_t ntext, int8_t *text)
+{
+    const char *known = route >= 0 && route < PM_ROUTES ? scope[route] : "nothing: there is no such route";
+    return snprintf((char *)text, (size_t)ntext, "%s", known);
+}
+
+static int fires_at_start(const pm_model *m, int event)
+{
+    for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
+        const int32_t *e = PM_TRIGGER_ROW(m, i);
+        const int first = PM_EVENT_ROW(m, event)[PM_EVENT_NTH] <= 1;
+        if (e[PM_TRIGGER_KIND] == PM_TRIGGER_START && e[PM_TRIGGER_EVENT] == event) return first;
+    }
+    return 0;
+}
+
+/* A group of `until` whose events all fire at the start. */
+static int ends_at_start(const pm_model *m, int group)
+{
+    int any = 0;
+    for (int i = 0; i < m->rows[PM_TABLE_UNTIL]; i++) {
+        const int32_t *e = PM_UNTIL_ROW(m, i);
+        if (e[PM_UNTIL_GROUP] != group) continue;
+        if (e[PM_UNTIL_NTH] > 1 || !fires_at_start(m, e[PM_UNTIL_EVENT])) return 0;
+        any = 1;
+    }
+    return any;
+}
+
+int pm_plan_kinematic(const pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    int ends = 0;
+    if (m->nslot > 0 || m->ngrip > 0 || w->ask->instant_level > PM_LEVEL_KINEMATIC) return 0;
+    for (int i = 0; i < m->rows[PM_TABLE_UNTIL] && !ends; i++)
+        ends = ends_at_start(m, PM_UNTIL_ROW(m, i)[PM_UNTIL_GROUP]);
+    for (int i = 0; i < m->rows[PM_TABLE_TRIGGER] && ends; i++) {
+        const int32_t *e = PM_TRIGGER_ROW(m, i);
+        const int program = e[PM_TRIGGER_KIND] <= PM_TRIGGER_EVERY;
+        if (e[PM_TRIGGER_KIND] == PM_TRIGGER_REST) return 0;
+        if (program && m->program_level[e[PM_TRIGGER_PROGRAM]] > PM_LEVEL_KINEMATIC) return 0;
+    }
+    return ends;
+}
+
+void pm_plan_no_phase(pm_workspace *w)
+{
+    const int route = w->count[PM_COUNT_JUMPS] > 0 ? PM_ROUTE_JUMP : PM_ROUTE_STATE;
+    w->count[PM_COUNT_ROUTE] = route;
+    w->count[PM_COUNT_ROUTES] = (int64_t)1 << route;
+}
+
+int pm_plan_end(pm_workspace *w, int status)
+{
+    const int wanted = PM_SETTING(w->model, PM_SETTING_ROUTE);
+    const int in_time = wanted == PM_ROUTE_RK || wanted == PM_ROUTE_IDA;
+    if (status != PM_OK || !in_time || w->count[PM_COUNT_PHASES] > 0) return status;
+    return pm_fail(w, PM_NO_TIME_ROUTE, PM_TABLE_SETTING, PM_SETTING_ROUTE, wanted, NAN);
+}

@@ -1,0 +1,226 @@
+/* run.c - begin -> phase -> event -> jump -> modes -> next phase.  The table of contents of a run. */
+#include "run/run.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "elements/force.h"
+#include "elements/joint_friction.h"
+#include "elements/trigger.h"
+#include "elements/turning_plane.h"
+#include "equations/active_set.h"
+#include "equations/case.h"
+#include "equations/fixed_bodies.h"
+#include "equations/gap_bounds.h"
+#include "equations/ledger.h"
+#include "equations/saddle.h"
+#include "equations/solve_cache.h"
+#include "events/ask.h"
+#include "events/event.h"
+#include "events/history.h"
+#include "impact/instant.h"
+#include "routes/path/repeat.h"
+#include "routes/start/perturbation.h"
+#include "run/phase_report.h"
+#include "run/plan.h"
+#include "state/frame.h"
+#include "state/route.h"
+#include "study/accuracy.h"
+
+static int begin_case(pm_workspace *w, const double *param, pm_start_report *report)
+{
+    memset(w->count, 0, sizeof w->count);
+    w->where = (pm_where){PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
+    w->lost = 0;
+    w->state.t = 0; /* a case that fails before its start reports no time of another */
+    pm_solve_cache_forget(w);
+    w->price = w->lap = w->path_left = w->singular = 0;
+    w->route = pm_routes_default(w->model); /* until the first phase is planned */
+    pm_repeat_forget(w);
+    w->event->nfunction = 0;
+    w->turns = 0;
+    pm_joint_friction_release(w);
+    pm_accuracy_begin(w);
+    pm_trigger_reset(w);
+    pm_perturbation_begin(w);
+    pm_fixed_bodies_begin(w);
+    memset(w->joint_impulse, 0, (size_t)w->model->njoint_row * sizeof(double));
+    memset(w->slot_impulse, 0, 2 * (size_t)w->model->nslot * sizeof(double));
+    int status = pm_case_begin(w, param);
+    if (!status) status = pm_start(w, report);
+    return status;
+}
+
+/* A scene at rest has no speed yet: what its forces would make of its size is the scale. */
+static void set_speed_scale(pm_workspace *w)
+{
+    double fastest = 0;
+    pm_force_all(w);
+    for (int i = 0; i < w->model->nq; i++) {
+        const double length = i % 3 == 2 ? w->size : 1;
+        if (w->stand_in[i] > 0) continue;
+        fastest = fmax(fastest, sqrt(fabs(w->inverse_mass[i] * w->frame.f[i]) * length * w->size));
+    }
+    fastest = fmax(fastest, fabs(pm_turning_plane_omega(w)) * w->size);
+    if (fastest > w->speed) w->speed = fastest;
+    if (w->speed == 0) w->speed = w->size; /* nothing acts, nothing moves */
+}
+
+static int open_ledger(pm_workspace *w)
+{
+    for (int i = 0; i < w->model->rows[PM_TABLE_FORCE]; i++) {
+        const pm_action x = pm_force_action(w, i);
+        const double size = hypot(hypot(x.force[0], x.force[1]), x.couple);
+        if (!isfinite(size)) return pm_fail(w, PM_BAD_VALUE, PM_TABLE_FORCE, i, size, INFINITY);
+        w->force_energy_start[i] = x.energy;
+    }
+    pm_ledger_begin(w);
+    return PM_OK;
+}
+
+/* The rows have just been built.  Before contacts and cords are closed: what has no mass may need them, and its
+ * acceleration is not known yet. */
+static int accelerate_unfastened(pm_workspace *w)
+{
+    const int status = pm_saddle_accelerate_projected(w);
+    if (status != PM_SINGULAR || !w->massless) return status;
+    w->where = (pm_where){PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
+    memset(w->frame.a, 0, (size_t)w->model->nq * sizeof(double));
+    w->frame.level = PM_LEVEL_DYNAMIC;
+    return PM_OK;
+}
+
+int pm_run_start(pm_workspace *w, const double *param, pm_start_report *report)
+{
+    int status = begin_case(w, param, report);
+    if (status) return status;
+    pm_fixed_bodies_find(w);
+    pm_gap_bounds_drop(w);
+    set_speed_scale(w);
+    if ((status = open_ledger(w))) return status;
+    pm_frame_look_state(w, &w->state);
+    pm_joint_friction_close(w);
+    w->kinematic = pm_plan_kinematic(w);
+    status = pm_active_set_build(w);
+    if (!status && !w->kinematic) status = accelerate_unfastened(w);
+    return status ? status : pm_instant_start(w);
+}
+
+static int phase(pm_workspace *w, int *ended)
+{
+    int passed = 0, status = pm_accuracy_disturb(w);
+    if (!status) status = pm_perturbation_leave(w);
+    if (!status) status = pm_plan_phase(w);
+    pm_frame_look_state(w, &w->state);
+    if (!status && w->route == &pm_route_path)
+        status = pm_repeat_begin(w, &passed);
+    else
+        pm_repeat_forget(w);
+    if (!status && passed) status = pm_plan_phase(w);
+    if (status) return status;
+    pm_frame_look_state(w, &w->state);
+    if ((status = pm_saddle_accelerate(w))) return status;
+    pm_event_begin(w);
+    if (w->lap) w->event->first_step = 0; /* the motion goes on: what is on zero need not be left first */
+    w->lap = 0;
+    if ((status = w->route->begin(w))) return status;
+    w->count[PM_COUNT_PHASES]++;
+    pm_perturbation_end(w);
+    if ((status = pm_phase_report_add(w))) return status;
+    if ((status = pm_advance(w, ended)) || !*ended) return status;
+    /* the end came inside a step: what is asked there may need accelerations, and it may be a singular place */
+    pm_frame_look_state(w, &w->state);
+    return pm_saddle_accelerate(w);
+}
+
+/* A path that cannot be followed (it approaches an equilibrium for ever, its rows are singular) is left to the next
+ * rule, from where the last step ended. */
+static int leave_path(pm_workspace *w, int status)
+{
+    const int lost = status == PM_STEP_TOO_SMALL || status == PM_SINGULAR || status == PM_ASSEMBLY;
+    if (!lost || w->route != &pm_route_path || PM_SETTING(w->model, PM_SETTING_ROUTE) != PM_ROUTE_AUTO)
+        return 0;
+    w->path_left = 1;
+    w->where = (pm_where){PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
+    pm_frame_look_state(w, &w->state);
+    return pm_active_set_build(w) == PM_OK;
+}
+
+/* The route ida has met a singular position and no step that it can make: the same phase goes on as the plan knows. */
+static int leave_ida(pm_workspace *w, int status)
+{
+    const int lost = status == PM_STEP_TOO_SMALL || status == PM_SINGULAR || status == PM_SOLVER;
+    if (!lost || w->route != &pm_route_ida || !w->singular) return 0;
+    w->where = (pm_where){PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
+    w->lap = 1;
+    return 1;
+}
+
+static int run_phases(pm_workspace *w)
+{
+    int64_t left =
+        PM_NONE; /* phases when a route was left last: where none has begun since, there is no going on */
+    int ended, status = pm_instant_finish(w, &ended);
+    if (ended) pm_plan_no_phase(w);
+    if (!status) status = pm_history_row(w, 2);
+    while (!status && !ended) {
+        status = phase(w, &ended);
+        if (status && w->count[PM_COUNT_PHASES] != left && (leave_path(w, status) || leave_ida(w, status))) {
+            left = w->count[PM_COUNT_PHASES];
+            status = PM_OK;
+            continue;
+        }
+        if (status || ended) break;
+        if (w->lap)
+            pm_repeat_lap(w);
+        else
+            status = pm_instant_full(w, &ended);
+    }
+    return status;
+}
+
+void pm_run_fail_asks(pm_workspace *w)
+{
+    for (int i = 0; i < w->model->nout; i++) w->out[i] = NAN;
+    for (int i = 0; i < w->model->nask; i++) w->reason[i] = PM_REASON_FAILED;
+}
+
+/* An early stop keeps what was answered; what is asked at the end was not reached. */
+static int end_early(pm_workspace *w, int status)
+{
+    const int audit = pm_ledger_close(w);
+    pm_ask_keep(w, audit != PM_OK, audit ? PM_REASON_FAILED : PM_REASON_NOT_REACHED);
+    return audit ? audit : status;
+}
+
+/* What was answered before a run failed stands if the ledgers closed after it: at the last accepted step, or earlier. */
+static void keep_sound(pm_workspace *w, int status)
+{
+    const pm_where where = w->where; /* of the failure itself */
+    const int sound = status == PM_AUDIT || pm_ledger_close(w) != PM_OK;
+    w->where = where;
+    pm_ask_keep(w, sound, PM_REASON_FAILED);
+}
+
+int pm_run(pm_workspace *w, const double *param)
+{
+    pm_start_report report;
+    pm_ask_reset(w);
+    for (int i = 0; i < PM_AUDITS; i++) w->audit[i] = NAN;
+    w->still->wanted = 1;
+    int status = pm_run_start(w, param, &report);
+    const int started = status == PM_OK;
+    if (!status) status = run_phases(w);
+    if (status == PM_SINGULAR && w->count[PM_COUNT_STEPS] > 0) status = PM_ENDS_SINGULAR;
+    pm_phase_report_end(w);
+    if (status > 0) status = end_early(w, status);
+    if (!status) {
+        pm_ask_end(w);
+        status = pm_ledger_close(w);
+    }
+    if (status < 0 && started)
+        keep_sound(w, status);
+    else if (status < 0)
+        pm_run_fail_asks(w);
+    return status;
+}

@@ -1,0 +1,253 @@
+/* dependency.c - what the answers of a run depend on.
+ *
+ * Bodies that a joint, a contact or a force lets act on each other are one island, whether the contact ever closes or
+ * not; the ground connects nothing, it does not move.  Needed are the asks, the end of the run, what is sought and the
+ * settings; then, until nothing more comes,
+ *   - what a needed row refers to: a force that reads another body needs that body, though it is not acted on;
+ *   - with a body its island, all that acts on it, its marks and its start values;
+ *   - with an event its triggers; with an element or a body what events do to it, and so these events.
+ * Some answers are about all that there is: energy and momentum of the whole scene, rest of it, what happened in the last
+ * jump wherever it was, a plane that turns with everything in it.  Then nothing is left out.
+ *
+ * What is left out has no way to change a needed number: the system of equations falls apart into one for each island, and
+ * the coupling by the events is among the references.  The ledger of the audit is that of the islands that are computed. */
+#include "scene/dependency.h"
+
+#include <stdlib.h>
+
+#include "elements/measure.h"
+#include "scene/reference.h"
+
+/* ---- islands ---- */
+static int island_of(pm_dependency *x, int body)
+{
+    while (x->island[body] != body) body = x->island[body] = x->island[x->island[body]];
+    return body;
+}
+
+static void unite(pm_dependency *x, const int body[2])
+{
+    if (body[0] < 0 || body[1] < 0) return;
+    const int a = island_of(x, body[0]), b = island_of(x, body[1]);
+    x->island[a > b ? a : b] = a > b ? b : a;
+}
+
+static int body_of(const pm_model *m, int of, int index)
+{
+    if (of == PM_TABLE_LINE) return body_of(m, PM_TABLE_POINT, PM_LINE_ROW(m, index)[PM_LINE_POINT]);
+    if (of == PM_TABLE_CIRCLE) return body_of(m, PM_TABLE_POINT, PM_CIRCLE_ROW(m, index)[PM_CIRCLE_POINT]);
+    if (of == PM_TABLE_ROW) return body_of(m, PM_TABLE_POINT, PM_ROW_ROW(m, index)[PM_ROW_POINT]);
+    return of == PM_TABLE_POINT ? PM_POINT_ROW(m, index)[PM_POINT_BODY] : index;
+}
+
+/* The bodies that a joint, contact or force acts on.  An applied force only takes its axes from its second one. */
+static void bodies_of(const pm_model *m, int table, int row, int body[2])
+{
+    const int32_t *e = pm_table_row(m, table, row, pm_table_columns[table]);
+    if (table == PM_TABLE_FORCE && e[PM_FORCE_KIND] == PM_FORCE_FRICTION) {
+        bodies_of(m, PM_TABLE_JOINT, e[PM_FORCE_A], body);
+        return;
+    }
+    const int alone = table == PM_TABLE_FORCE && e[PM_FORCE_KIND] == PM_FORCE_APPLIED;
+    pm_reference ref[PM_REFERENCES];
+    const int n = pm_reference_of(m, table, e, ref);
+    body[0] = body[1] = PM_GROUND;
+    for (int k = 0, found = 0; k < n && found < (alone ? 1 : 2); k++)
+        if (ref[k].of >= PM_TABLE_BODY && ref[k].of <= PM_TABLE_ROW)
+            body[found++] = body_of(m, ref[k].of, e[ref[k].column]);
+}
+
+static const int elements[] = {PM_TABLE_JOINT, PM_TABLE_CONTACT, PM_TABLE_FORCE};
+enum { NELEMENTS = sizeof elements / sizeof *elements };
+
+static void find_islands(const pm_model *m, pm_dependency *x)
+{
+    for (int i = 0; i < m->nbody; i++) x->island[i] = i;
+    for (int k = 0; k < NELEMENTS; k++)
+        for (int i = 0; i < m->rows[elements[k]]; i++) {
+            int body[2];
+            bodies_of(m, elements[k], i, body);
+            unite(x, body);
+        }
+}
+
+/* ---- marking ---- */
+enum { MARKED = 1, FOLLOWED = 2 };
+
+static int mark(pm_dependency *x, int table, int row)
+{
+    if (x->row[table][row]) return 0;
+    x->row[table][row] = MARKED;
+    return 1;
+}
+
+static int mark_range(pm_dependency *x, int table, int first, int count)
+{
+    int more = 0;
+    for (int i = first; i < first + count; i++) more |= mark(x, table, i);
+    return more;
+}
+
+static int is_about_everything(int table, const int32_t *e)
+{
+    if (table == PM_TABLE_SPIN) return 1;
+    if (table == PM_TABLE_TRIGGER) return e[PM_TRIGGER_KIND] == PM_TRIGGER_REST;
+    if (table != PM_TABLE_MEASURE) return 0;
+    switch (e[PM_MEASURE_KIND]) {
+    case PM_MEASURE_MASS:
+    case PM_MEASURE_WEIGHT:
+    case PM_MEASURE_KINETIC:
+    case PM_MEASURE_MOMENTUM:
+    case PM_MEASURE_ANGULAR_MOMENTUM: return e[PM_MEASURE_A] == PM_NONE;
+    case PM_MEASURE_POTENTIAL:
+    case PM_MEASURE_TOTAL:
+    case PM_MEASURE_LOST: /* these three: of the last jump, whichever island it was in */
+    case PM_MEASURE_JOINT_IMPULSE:
+    case PM_MEASURE_CONTACT_IMPULSE: return 1;
+    default: return 0;
+    }
+}
+
+/* What row i of a table refers to. */
+static int follow(const pm_model *m, pm_dependency *x, int table, int i)
+{
+    const int32_t *e = pm_table_row(m, table, i, pm_table_columns[table]);
+    pm_reference ref[PM_REFERENCES];
+    int more = 0;
+    const int n = pm_reference_of(m, table, e, ref);
+    x->row[table][i] = FOLLOWED;
+    x->everything |= is_about_everything(table, e);
+    for (int k = 0; k < n; k++) more |= mark(x, ref[k].of, e[ref[k].column]);
+    if (table == PM_TABLE_PROGRAM)
+        more |= mark_range(x, PM_TABLE_CODE, e[PM_PROGRAM_FIRST], e[PM_PROGRAM_LENGTH]);
+    if (table == PM_TABLE_ASK && e[PM_ASK_KIND] == PM_ASK_GRID)
+        more |= mark_range(x, PM_TABLE_VALUE, e[PM_ASK_FIRST_VALUE], e[PM_ASK_COUNT]);
+    return more;
+}
+
+static int follow_all(const pm_model *m, pm_dependency *x)
+{
+    int more = 0;
+    for (int table = PM_TABLES - 1; table >= 0; table--) /* against the order in which they refer, mostly */
+        for (int i = 0; i < m->rows[table]; i++)
+            if (x->row[table][i] == MARKED) more |= follow(m, x, table, i);
+    return more;
+}
+
+static int is_needed_body(const pm_dependency *x, int body)
+{
+    return body >= 0 && x->row[PM_TABLE_BODY][body];
+}
+
+static int add_islands(const pm_model *m, pm_dependency *x)
+{
+    int more = 0;
+    for (int i = 0; i < m->nbody; i++)
+        if (x->row[PM_TABLE_BODY][i]) more |= mark(x, PM_TABLE_BODY, island_of(x, i));
+    for (int i = 0; i < m->nbody; i++)
+        if (x->row[PM_TABLE_BODY][island_of(x, i)]) more |= mark(x, PM_TABLE_BODY, i);
+    return more;
+}
+
+/* Marks of the ground cost nothing; of some that nothing refers to the scene takes its size. */
+static int add_marks(const pm_model *m, pm_dependency *x)
+{
+    int more = 0;
+    for (int of = PM_TABLE_POINT; of <= PM_TABLE_ROW; of++)
+        for (int i = 0; i < m->rows[of]; i++) {
+            const int body = body_of(m, of, i);
+            if (body == PM_GROUND || is_needed_body(x, body)) more |= mark(x, of, i);
+        }
+    return more;
+}
+
+static int add_elements(const pm_model *m, pm_dependency *x)
+{
+    int more = 0;
+    for (int k = 0; k < NELEMENTS; k++)
+        for (int i = 0; i < m->rows[elements[k]]; i++) {
+            int body[2];
+            bodies_of(m, elements[k], i, body);
+            if (is_needed_body(x, body[0]) || is_needed_body(x, body[1])) more |= mark(x, elements[k], i);
+        }
+    return more;
+}
+
+/* A start value relative to a body says something of both. */
+static int add_starts(const pm_model *m, pm_dependency *x)
+{
+    int more = 0;
+    for (int i = 0; i < m->rows[PM_TABLE_START]; i++) {
+        const int32_t *e = PM_MEASURE_ROW(m, PM_START_ROW(m, i)[PM_START_MEASURE]);
+        const int body = body_of(m, pm_measure_of(e[PM_MEASURE_KIND]), e[PM_MEASURE_A]);
+        if (is_needed_body(x, body) || is_needed_body(x, e[PM_MEASURE_IN]))
+            more |= mark(x, PM_TABLE_START, i);
+    }
+    return more;
+}
+
+static int add_actions(const pm_model *m, pm_dependency *x)
+{
+    int more = 0;
+    for (int i = 0; i < m->rows[PM_TABLE_ACTION]; i++) {
+        const int32_t *e = PM_ACTION_ROW(m, i);
+        const int kind = e[PM_ACTION_KIND], a = e[PM_ACTION_A];
+        const int body = body_of(m, kind == PM_ACTION_IMPULSE ? PM_TABLE_POINT : PM_TABLE_BODY, a);
+        const int needed = kind <= PM_ACTION_REMOVE ? x->row[e[PM_ACTION_TABLE]][a] : is_needed_body(x, body);
+        if (kind == PM_ACTION_NUDGE || needed) /* where a nudge leads nowhere the run says so */
+            more |= mark(x, PM_TABLE_ACTION, i);
+    }
+    return more;
+}
+
+static int add_triggers(const pm_model *m, pm_dependency *x)
+{
+    int more = 0;
+    for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++)
+        if (x->row[PM_TABLE_EVENT][PM_TRIGGER_ROW(m, i)[PM_TRIGGER_EVENT]])
+            more |= mark(x, PM_TABLE_TRIGGER, i);
+    return more;
+}
+
+typedef int pm_rule_of_need(const pm_model *m, pm_dependency *x);
+static pm_rule_of_need *const rules[] = {follow_all, add_islands, add_marks,   add_elements,
+                                         add_starts, add_actions, add_triggers};
+
+static void mark_roots(const pm_model *m, pm_dependency *x)
+{
+    static const int roots[] = {PM_TABLE_ASK,  PM_TABLE_UNTIL,     PM_TABLE_SETTING, PM_TABLE_FIND,
+                                PM_TABLE_VARY, PM_TABLE_CONDITION, PM_TABLE_SPIN};
+    for (size_t k = 0; k < sizeof roots / sizeof *roots; k++) mark_range(x, roots[k], 0, m->rows[roots[k]]);
+}
+
+static int create(const pm_model *m, pm_dependency *x)
+{
+    size_t rows = 0;
+    for (int i = 0; i < PM_TABLES; i++) rows += (size_t)m->rows[i];
+    *x = (pm_dependency){.block = calloc(1, rows + (size_t)m->nbody * sizeof(int) + 1)};
+    if (!x->block) return PM_NO_MEMORY;
+    x->island = x->block;
+    unsigned char *row = (unsigned char *)(x->island + m->nbody);
+    for (int i = 0; i < PM_TABLES; row += m->rows[i++]) x->row[i] = row;
+    return PM_OK;
+}
+
+int pm_dependency_find(const pm_model *m, pm_dependency *x)
+{
+    const int status = create(m, x);
+    if (status) return status;
+    find_islands(m, x);
+    mark_roots(m, x);
+    for (int more = 1; more && !x->everything;) {
+        more = 0;
+        for (size_t k = 0; k < sizeof rules / sizeof *rules; k++) more |= rules[k](m, x);
+    }
+    for (int i = 0; x->everything && i < PM_TABLES; i++) mark_range(x, i, 0, m->rows[i]);
+    return PM_OK;
+}
+
+void pm_dependency_free(pm_dependency *x)
+{
+    free(x->block);
+    *x = (pm_dependency){.block = NULL};
+}

@@ -1,0 +1,15 @@
+/* program_degree.h - programs that are polynomials in the time while accelerations are constant. */
+#ifndef PM_PROGRAM_DEGREE_H
+#define PM_PROGRAM_DEGREE_H
+
+#include "elements/constant_motion.h"
+#include "state/model.h"
+
+enum pm_program_degree { PM_DEGREE_MOST = 2, PM_DEGREE_OTHER = 3 }; /* 0, 1, 2, or no such polynomial */
+
+/* Degree of a program in the time, along the curve. */
+int pm_program_degree_of(const pm_workspace *w, const pm_constant_motion *x, int program);
+/* The program is the size of a vector whose components are linear in the time: its square is a parabola. */
+int pm_program_degree_is_size(const pm_workspace *w, const pm_constant_motion *x, int program);
+
+#endif

@@ -1,0 +1,258 @@
+/* reference.c - which columns of the tables point into which other tables: the checks that they do, and the walk along them. */
+#include "scene/reference.h"
+
+#include "elements/force.h"
+#include "elements/joint.h"
+#include "elements/measure.h"
+
+const int pm_table_columns[PM_TABLES] = {
+    [PM_TABLE_CODE] = PM_CODE_COLUMNS,
+    [PM_TABLE_PROGRAM] = PM_PROGRAM_COLUMNS,
+    [PM_TABLE_VALUE] = PM_VALUE_COLUMNS,
+    [PM_TABLE_BODY] = PM_BODY_COLUMNS,
+    [PM_TABLE_POINT] = PM_POINT_COLUMNS,
+    [PM_TABLE_LINE] = PM_LINE_COLUMNS,
+    [PM_TABLE_CIRCLE] = PM_CIRCLE_COLUMNS,
+    [PM_TABLE_ROW] = PM_ROW_COLUMNS,
+    [PM_TABLE_JOINT] = PM_JOINT_COLUMNS,
+    [PM_TABLE_CONTACT] = PM_CONTACT_COLUMNS,
+    [PM_TABLE_FORCE] = PM_FORCE_COLUMNS,
+    [PM_TABLE_MEASURE] = PM_MEASURE_COLUMNS,
+    [PM_TABLE_START] = PM_START_COLUMNS,
+    [PM_TABLE_TRIGGER] = PM_TRIGGER_COLUMNS,
+    [PM_TABLE_EVENT] = PM_EVENT_COLUMNS,
+    [PM_TABLE_UNTIL] = PM_UNTIL_COLUMNS,
+    [PM_TABLE_ASK] = PM_ASK_COLUMNS,
+    [PM_TABLE_SETTING] = PM_SETTING_COLUMNS,
+    [PM_TABLE_FIND] = PM_FIND_COLUMNS,
+    [PM_TABLE_VARY] = PM_VARY_COLUMNS,
+    [PM_TABLE_CONDITION] = PM_CONDITION_COLUMNS,
+    [PM_TABLE_SPIN] = PM_SPIN_COLUMNS,
+    [PM_TABLE_SECOND] = PM_SECOND_COLUMNS,
+    [PM_TABLE_ACTION] = PM_ACTION_COLUMNS,
+};
+
+static int bad(pm_where *where, int table, int row, double value, double bound)
+{
+    *where = (pm_where){table, row, PM_NONE, value, bound};
+    return PM_BAD_TABLE;
+}
+
+/* One column of one table must lie in [low, rows of `of`), or be PM_NONE where that is allowed. */
+typedef struct pm_range {
+    int table, column, of, low, none_allowed;
+} pm_range;
+
+static const pm_range ranges[] = {
+    {PM_TABLE_VALUE, PM_VALUE_PROGRAM, PM_TABLE_PROGRAM, 0, 0},
+    {PM_TABLE_BODY, PM_BODY_MASS, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_BODY, PM_BODY_INERTIA, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_BODY, PM_BODY_X, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_BODY, PM_BODY_Y, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_BODY, PM_BODY_ANGLE, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_POINT, PM_POINT_BODY, PM_TABLE_BODY, PM_GROUND, 0},
+    {PM_TABLE_POINT, PM_POINT_X, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_POINT, PM_POINT_Y, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_LINE, PM_LINE_POINT, PM_TABLE_POINT, 0, 0},
+    {PM_TABLE_LINE, PM_LINE_ANGLE, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_CIRCLE, PM_CIRCLE_POINT, PM_TABLE_POINT, 0, 0},
+    {PM_TABLE_CIRCLE, PM_CIRCLE_RADIUS, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_ROW, PM_ROW_POINT, PM_TABLE_POINT, 0, 0},
+    {PM_TABLE_ROW, PM_ROW_STEP_X, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_ROW, PM_ROW_STEP_Y, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_ROW, PM_ROW_COUNT, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_CONTACT, PM_CONTACT_SIDE, PM_TABLE_VALUE, 0, 1},
+    {PM_TABLE_CONTACT, PM_CONTACT_RESTITUTION, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_CONTACT, PM_CONTACT_STATIC, PM_TABLE_VALUE, 0, 1},
+    {PM_TABLE_CONTACT, PM_CONTACT_KINETIC, PM_TABLE_VALUE, 0, 1},
+    {PM_TABLE_CONTACT, PM_CONTACT_SPEED, PM_TABLE_PROGRAM, 0, 1},
+    {PM_TABLE_CONTACT, PM_CONTACT_SLACK, PM_TABLE_VALUE, 0, 1},
+    {PM_TABLE_CONTACT, PM_CONTACT_TANGENTIAL, PM_TABLE_VALUE, 0, 1},
+    {PM_TABLE_CONTACT, PM_CONTACT_FROM, PM_TABLE_VALUE, 0, 1},
+    {PM_TABLE_CONTACT, PM_CONTACT_TO, PM_TABLE_VALUE, 0, 1},
+    {PM_TABLE_JOINT, PM_JOINT_PROGRAM_X, PM_TABLE_PROGRAM, 0, 1},
+    {PM_TABLE_JOINT, PM_JOINT_PROGRAM_Y, PM_TABLE_PROGRAM, 0, 1},
+    {PM_TABLE_MEASURE, PM_MEASURE_IN, PM_TABLE_BODY, PM_GROUND, 1},
+    {PM_TABLE_MEASURE, PM_MEASURE_ON, PM_TABLE_BODY, PM_GROUND, 1},
+    {PM_TABLE_MEASURE, PM_MEASURE_ABOUT, PM_TABLE_POINT, 0, 1},
+    {PM_TABLE_MEASURE, PM_MEASURE_VALUE, PM_TABLE_VALUE, 0, 1},
+    {PM_TABLE_START, PM_START_MEASURE, PM_TABLE_MEASURE, 0, 0},
+    {PM_TABLE_START, PM_START_VALUE, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_TRIGGER, PM_TRIGGER_EVENT, PM_TABLE_EVENT, 0, 0},
+    {PM_TABLE_TRIGGER, PM_TRIGGER_PROGRAM, PM_TABLE_PROGRAM, 0, 1},
+    {PM_TABLE_UNTIL, PM_UNTIL_EVENT, PM_TABLE_EVENT, 0, 0},
+    {PM_TABLE_ASK, PM_ASK_PROGRAM, PM_TABLE_PROGRAM, 0, 0},
+    {PM_TABLE_ASK, PM_ASK_EVENT_INDEX, PM_TABLE_EVENT, 0, 1},
+    {PM_TABLE_ASK, PM_ASK_PROGRAM_2, PM_TABLE_PROGRAM, 0, 1},
+    {PM_TABLE_ASK, PM_ASK_FIRST_VALUE, PM_TABLE_VALUE, 0, 1},
+    {PM_TABLE_SETTING, PM_SETTING_GRAVITY_X, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_SETTING, PM_SETTING_GRAVITY_Y, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_SETTING, PM_SETTING_ACCURACY, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_SETTING, PM_SETTING_MAX_TIME, PM_TABLE_VALUE, 0, 1},
+    {PM_TABLE_SETTING, PM_SETTING_ASSEMBLY, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_SETTING, PM_SETTING_NUDGE, PM_TABLE_PROGRAM, 0, 1},
+    {PM_TABLE_FIND, PM_FIND_PROGRAM, PM_TABLE_PROGRAM, 0, 1},
+    {PM_TABLE_VARY, PM_VARY_LOW, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_VARY, PM_VARY_HIGH, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_CONDITION, PM_CONDITION_PROGRAM, PM_TABLE_PROGRAM, 0, 0},
+    {PM_TABLE_SPIN, PM_SPIN_X, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_SPIN, PM_SPIN_Y, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_SPIN, PM_SPIN_ANGLE, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_SPIN, PM_SPIN_INERTIA, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_SPIN, PM_SPIN_OMEGA, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_SPIN, PM_SPIN_COUPLE, PM_TABLE_PROGRAM, 0, 1},
+    {PM_TABLE_SECOND, PM_SECOND_X, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_SECOND, PM_SECOND_Y, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_SECOND, PM_SECOND_Z, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_ACTION, PM_ACTION_EVENT, PM_TABLE_EVENT, 0, 1},
+    {PM_TABLE_ACTION, PM_ACTION_PROGRAM_X, PM_TABLE_PROGRAM, 0, 1},
+    {PM_TABLE_ACTION, PM_ACTION_PROGRAM_Y, PM_TABLE_PROGRAM, 0, 1},
+};
+
+/* The tables of its partners, by kind. */
+static const int contact_partner[PM_CONTACT_KINDS][2] = {
+    [PM_CONTACT_LINE] = {PM_TABLE_CIRCLE, PM_TABLE_LINE},
+    [PM_CONTACT_CIRCLE] = {PM_TABLE_CIRCLE, PM_TABLE_CIRCLE},
+    [PM_CONTACT_ROW] = {PM_TABLE_CIRCLE, PM_TABLE_ROW},
+    [PM_CONTACT_CORD] = {PM_TABLE_CIRCLE, PM_TABLE_CIRCLE},
+    [PM_CONTACT_POINT] = {PM_TABLE_CIRCLE, PM_TABLE_CIRCLE},
+    [PM_CONTACT_SEGMENT] = {PM_TABLE_CIRCLE, PM_TABLE_LINE},
+};
+
+int pm_reference_in_range(const pm_model *m, int of, int index)
+{
+    return index >= (of == PM_TABLE_BODY ? PM_GROUND : 0) && index < m->rows[of];
+}
+
+static int check_ranges(const pm_model *m, pm_where *where)
+{
+    for (size_t r = 0; r < sizeof ranges / sizeof *ranges; r++) {
+        const pm_range *x = &ranges[r];
+        for (int i = 0; i < m->rows[x->table]; i++) {
+            const int index = pm_table_row(m, x->table, i, pm_table_columns[x->table])[x->column];
+            if (index == PM_NONE && x->none_allowed) continue;
+            if (index < x->low || index >= m->rows[x->of])
+                return bad(where, x->table, i, index, m->rows[x->of]);
+        }
+    }
+    return PM_OK;
+}
+
+/* ---- joints, contacts and forces: their kind and partners stand in the same columns ---- */
+static int partners(int a, int b, pm_reference *out)
+{
+    out[0] = (pm_reference){PM_JOINT_A, a};
+    out[1] = (pm_reference){PM_JOINT_B, b};
+    return 2;
+}
+
+static int of_joint(const int32_t *e, pm_reference *out)
+{
+    const pm_joint_ops *ops = pm_joint_kind(e[PM_JOINT_KIND]);
+    int n = partners(ops->a, ops->b, out);
+    if (ops->number) out[n++] = (pm_reference){PM_JOINT_VALUE, PM_TABLE_VALUE};
+    for (int k = 0; k < ops->programs; k++)
+        out[n++] = (pm_reference){PM_JOINT_PROGRAM_X + k, PM_TABLE_PROGRAM};
+    return n;
+}
+
+static int of_contact(const int32_t *e, pm_reference *out)
+{
+    const int *of = contact_partner[e[PM_CONTACT_KIND]];
+    return partners(of[0], of[1], out);
+}
+
+static int of_force(const int32_t *e, pm_reference *out)
+{
+    const pm_force_ops *ops = pm_force_kind(e[PM_FORCE_KIND]);
+    int n = partners(ops->a, ops->b, out);
+    for (int k = 0; k < 2 && ops->number[k]; k++)
+        out[n++] = (pm_reference){PM_FORCE_VALUE_1 + k, PM_TABLE_VALUE};
+    for (int k = 0; k < ops->programs; k++)
+        out[n++] = (pm_reference){PM_FORCE_PROGRAM_X + k, PM_TABLE_PROGRAM};
+    return n;
+}
+
+typedef int pm_refers(const int32_t *e, pm_reference *out);
+
+static int check_elements(const pm_model *m, int table, int kinds, pm_refers *refers, pm_where *where)
+{
+    for (int i = 0; i < m->rows[table]; i++) {
+        const int32_t *e = pm_table_row(m, table, i, pm_table_columns[table]);
+        if (e[PM_JOINT_KIND] < 0 || e[PM_JOINT_KIND] >= kinds)
+            return bad(where, table, i, e[PM_JOINT_KIND], kinds);
+        pm_reference ref[PM_REFERENCES];
+        const int n = refers(e, ref);
+        for (int k = 0; k < n; k++)
+            if (!pm_reference_in_range(m, ref[k].of, e[ref[k].column]))
+                return bad(where, table, i, e[ref[k].column], m->rows[ref[k].of]);
+    }
+    return PM_OK;
+}
+
+int pm_reference_check(const pm_model *m, pm_where *where)
+{
+    int status = check_ranges(m, where);
+    if (!status) status = check_elements(m, PM_TABLE_JOINT, PM_JOINT_KINDS, of_joint, where);
+    if (!status) status = check_elements(m, PM_TABLE_CONTACT, PM_CONTACT_KINDS, of_contact, where);
+    if (!status) status = check_elements(m, PM_TABLE_FORCE, PM_FORCE_KINDS, of_force, where);
+    return status;
+}
+
+/* ---- what a kind decides elsewhere ---- */
+static int of_code(const int32_t *e, pm_reference *out)
+{
+    const int op = e[PM_CODE_OP];
+    if (op == PM_OP_VALUE) *out = (pm_reference){PM_CODE_ARG, PM_TABLE_VALUE};
+    if (op == PM_OP_MEASURE) *out = (pm_reference){PM_CODE_ARG, PM_TABLE_MEASURE};
+    return op == PM_OP_VALUE || op == PM_OP_MEASURE;
+}
+
+static int of_measure(const int32_t *e, pm_reference *out)
+{
+    const int of = pm_measure_of(e[PM_MEASURE_KIND]);
+    *out = (pm_reference){PM_MEASURE_A, of};
+    return of >= 0;
+}
+
+static int of_trigger(const int32_t *e, pm_reference *out)
+{
+    const int kind = e[PM_TRIGGER_KIND], rest = kind == PM_TRIGGER_REST,
+              joint = kind >= PM_TRIGGER_JOINT_SLIP;
+    *out = (pm_reference){PM_TRIGGER_A, rest ? PM_TABLE_BODY : joint ? PM_TABLE_JOINT : PM_TABLE_CONTACT};
+    return rest || joint || (kind >= PM_TRIGGER_STRIKE && kind <= PM_TRIGGER_STICK);
+}
+
+static int of_action(const int32_t *e, pm_reference *out)
+{
+    const int kind = e[PM_ACTION_KIND];
+    *out = (pm_reference){PM_ACTION_A, kind <= PM_ACTION_REMOVE    ? e[PM_ACTION_TABLE]
+                                       : kind == PM_ACTION_IMPULSE ? PM_TABLE_POINT
+                                                                   : PM_TABLE_BODY};
+    return 1;
+}
+
+static int by_kind(int table, const int32_t *e, pm_reference *out)
+{
+    switch (table) {
+    case PM_TABLE_JOINT: return of_joint(e, out);
+    case PM_TABLE_CONTACT: return of_contact(e, out);
+    case PM_TABLE_FORCE: return of_force(e, out);
+    case PM_TABLE_CODE: return of_code(e, out);
+    case PM_TABLE_MEASURE: return of_measure(e, out);
+    case PM_TABLE_TRIGGER: return of_trigger(e, out);
+    case PM_TABLE_ACTION: return of_action(e, out);
+    default: return 0;
+    }
+}
+
+int pm_reference_of(const pm_model *m, int table, const int32_t *e, pm_reference out[PM_REFERENCES])
+{
+    pm_reference all[PM_REFERENCES];
+    int most = by_kind(table, e, all), n = 0;
+    for (size_t r = 0; r < sizeof ranges / sizeof *ranges; r++)
+        if (ranges[r].table == table) all[most++] = (pm_reference){ranges[r].column, ranges[r].of};
+    for (int i = 0; i < most; i++)
+        if (e[all[i].column] >= 0 && e[all[i].column] < m->rows[all[i].of]) out[n++] = all[i];
+    return n;
+}

@@ -1,0 +1,22 @@
+/* reference.h - which columns of the tables point into which other tables. */
+#ifndef PM_REFERENCE_H
+#define PM_REFERENCE_H
+
+#include "state/model.h"
+
+#define PM_REFERENCES 16 /* most of one row */
+
+typedef struct pm_reference {
+    int column, of; /* the entry of this column is a row of table `of` */
+} pm_reference;
+
+extern const int pm_table_columns[PM_TABLES];
+
+/* Every reference lies in its table; kinds of joints, contacts and forces are known. */
+int pm_reference_check(const pm_model *m, pm_where *where);
+/* A row of table `of`, or the ground where that is a body. */
+int pm_reference_in_range(const pm_model *m, int of, int index);
+/* The references of row e of a checked model, but those of a program to its code; how many. */
+int pm_reference_of(const pm_model *m, int table, const int32_t *e, pm_reference out[PM_REFERENCES]);
+
+#endif

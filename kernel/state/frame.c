@@ -1,0 +1,142 @@
+/* frame.c - bodies in absolute coordinates q = (x, y, angle) of their mass centres.
+ *
+ * M is diagonal and constant: T = sum (m (vx^2 + vy^2) + I omega^2) / 2, (17.9) of the book.  A point at r from G has
+ * v = v_G + omega k x r and a = a_G + alpha k x r - omega^2 r.  A particle does not turn: the inverse of its inertia is
+ * 0.  Nothing outside this file may assume that M is constant. */
+#include "state/frame.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "equations/fixed_bodies.h"
+
+/* Cosine and sine of an angle: it is often the one of the last look. */
+static void look_up_turn(double turn[3], double *pose)
+{
+    if (turn[0] != pose[2]) {
+        turn[0] = pose[2];
+        turn[1] = cos(pose[2]);
+        turn[2] = sin(pose[2]);
+    }
+    pose[3] = turn[1];
+    pose[4] = turn[2];
+}
+
+void pm_frame_look(pm_workspace *w, double t, const double *q, const double *v, const double *z,
+                   const pm_memory *memory)
+{
+    pm_frame *f = &w->frame;
+    const int n = w->model->nbody;
+    f->t = t;
+    f->q = q;
+    f->v = v;
+    f->z = z;
+    f->memory = memory;
+    f->level = PM_LEVEL_KINEMATIC;
+    for (int i = 0; i < n; i++) {
+        double *pose = f->pose + 5 * i, *velocity = f->velocity + 3 * i;
+        if (w->still->body[i]) continue; /* as it was looked at when it was found to stand still */
+        pose[0] = q[3 * i];
+        pose[1] = q[3 * i + 1];
+        pose[2] = q[3 * i + 2];
+        look_up_turn(f->turn + 3 * i, pose);
+        velocity[0] = v[3 * i];
+        velocity[1] = v[3 * i + 1];
+        velocity[2] = v[3 * i + 2];
+    }
+    f->pose[5 * n + 3] = 1; /* the ground: all else stays 0 */
+}
+
+void pm_frame_look_placed(pm_workspace *w, const double *q, const double *v)
+{
+    pm_frame *f = &w->frame;
+    f->t = w->state.t;
+    f->q = q;
+    f->v = v;
+    f->z = w->state.z;
+    f->memory = w->state.memory;
+    f->level = PM_LEVEL_KINEMATIC;
+    memcpy(f->velocity, v, (size_t)w->model->nq * sizeof *v);
+    f->pose[5 * w->model->nbody + 3] = 1;
+}
+
+void pm_frame_look_state(pm_workspace *w, const pm_state *s)
+{
+    pm_frame_look(w, s->t, s->q, s->v, s->z, s->memory);
+}
+
+pm_point pm_frame_point(const pm_workspace *w, int body, double x, double y)
+{
+    const double *pose = w->frame.pose + 5 * body, *velocity = w->frame.velocity + 3 * body;
+    pm_point point = {.body = body};
+    point.r[0] = pose[3] * x - pose[4] * y;
+    point.r[1] = pose[4] * x + pose[3] * y;
+    point.p[0] = pose[0] + point.r[0];
+    point.p[1] = pose[1] + point.r[1];
+    point.v[0] = velocity[0] - velocity[2] * point.r[1];
+    point.v[1] = velocity[1] + velocity[2] * point.r[0];
+    return point;
+}
+
+pm_point pm_frame_point_of(const pm_workspace *w, int index)
+{
+    const int32_t *e = PM_POINT_ROW(w->model, index);
+    return pm_frame_point(w, pm_body_index(w->model, e[PM_POINT_BODY]), w->value[e[PM_POINT_X]],
+                          w->value[e[PM_POINT_Y]]);
+}
+
+void pm_frame_acceleration(const pm_workspace *w, const pm_point *p, double a[2])
+{
+    a[0] = a[1] = 0;
+    if (p->body == w->model->nbody) return;
+    const double *acc = w->frame.a + 3 * p->body;
+    const double omega = w->frame.velocity[3 * p->body + 2];
+    a[0] = acc[0] - acc[2] * p->r[1] - omega * omega * p->r[0];
+    a[1] = acc[1] + acc[2] * p->r[0] - omega * omega * p->r[1];
+}
+
+double pm_body_inertia(const pm_workspace *w, int i)
+{
+    const int32_t *e = PM_BODY_ROW(w->model, i);
+    if (w->still->body[i]) return e[PM_BODY_TURNS] ? w->value[e[PM_BODY_INERTIA]] : 0;
+    const double inverse = w->stand_in[3 * i + 2] > 0 ? 0 : w->inverse_mass[3 * i + 2];
+    return inverse > 0 ? 1 / inverse : 0;
+}
+
+double pm_body_kinetic(const pm_workspace *w, int i)
+{
+    if (i == PM_NONE) {
+        double sum = 0;
+        for (int k = 0; k < w->model->nbody; k++)
+            if (!w->still->body[k]) sum += pm_body_kinetic(w, k);
+        return sum;
+    }
+    const double *v = w->frame.velocity + 3 * i;
+    return 0.5 * (w->mass[i] * (v[0] * v[0] + v[1] * v[1]) + pm_body_inertia(w, i) * v[2] * v[2]);
+}
+
+void pm_body_momentum(const pm_workspace *w, int i, double momentum[3])
+{
+    if (i == PM_NONE) {
+        momentum[0] = momentum[1] = momentum[2] = 0;
+        for (int k = 0; k < w->model->nbody; k++) {
+            double one[3];
+            if (w->still->body[k]) continue;
+            pm_body_momentum(w, k, one);
+            for (int c = 0; c < 3; c++) momentum[c] += one[c];
+        }
+        return;
+    }
+    const double *pose = w->frame.pose + 5 * i, *v = w->frame.velocity + 3 * i, m = w->mass[i];
+    momentum[0] = m * v[0];
+    momentum[1] = m * v[1];
+    momentum[2] = pm_body_inertia(w, i) * v[2] + pose[0] * momentum[1] - pose[1] * momentum[0];
+}
+
+double pm_body_weight_energy(const pm_workspace *w)
+{
+    double sum = 0;
+    for (int i = 0; i < w->model->nbody; i++)
+        sum -= w->mass[i] * (w->gravity[0] * w->frame.pose[5 * i] + w->gravity[1] * w->frame.pose[5 * i + 1]);
+    return sum;
+}

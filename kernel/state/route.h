@@ -1,0 +1,63 @@
+/* route.h - the one interface of all ways to compute a phase.
+ *
+ * A phase is smooth motion with the fixed active rows of the workspace (active_set.h).  The event loop calls
+ *   applies whether it can compute the phase that starts at w->state; the workspace may be prepared for begin
+ *   begin   the phase starts at w->state: consistent with the rows, the frame looks at it
+ *   step    one accepted step from w->state towards the time t_limit, never beyond it: afterwards w->state is at
+ *           w->step_end, projected on the rows; w->step_begin is where the step began; w->turns tells that the motion
+ *           turns back there
+ *   at      a state inside the last step (slightly outside is allowed), from the route's dense output: t, q, v, z;
+ *           memory and slots are those of w->state
+ * Places in a step are given by the route's progress coordinate x: the time, or the way along the path.
+ *   exact   the same to the accuracy of the trajectory, projected, with memory and slots of w->state in it; used where
+ *           an event or an extremum is taken
+ *   look    the frame looks at a state inside the last step, DYNAMIC if the level says so; NULL: by `at` and `react`
+ *   react   accelerations and reactions at such a state, which the frame looks at; NULL: by the saddle point
+ * All return a status.  A route that finds roots itself - of all event functions, or of those of contacts - stops its step
+ * at the first (w->event->nfunction, pm_event_values) and marks them in w->event->root (which advance.c clears before
+ * the step); the others are sampled. */
+#ifndef PM_ROUTE_H
+#define PM_ROUTE_H
+
+#include "numerics/chebyshev_nodes.h"
+#include "state/model.h"
+
+enum pm_roots { PM_ROOTS_NONE = 0, PM_ROOTS_ALL = 1, PM_ROOTS_OF_CONTACTS = 2 };
+
+typedef struct pm_route_ops {
+    int route; /* enum pm_route */
+    int (*create)(pm_workspace *w);
+    void (*free)(pm_workspace *w);
+    int (*applies)(pm_workspace *w); /* NULL: always */
+    int (*begin)(pm_workspace *w);
+    int (*step)(pm_workspace *w, double t_limit);
+    int (*at)(pm_workspace *w, double t, pm_state *s);
+    int (*exact)(pm_workspace *w, double t, pm_state *s);
+    int (*look)(pm_workspace *w, double t, int level);
+    int (*react)(pm_workspace *w);
+    int (*accelerate)(
+        pm_workspace *w); /* at the frame, where the rows are singular; 0: it cannot; NULL: never */
+    double finest;        /* tolerance below which it does not get better */
+    double spread;        /* how far its errors scatter about what goes with the tolerance, as a factor */
+    int finds_roots;      /* enum pm_roots */
+    int in_time;          /* its progress coordinate is the time */
+    int price;            /* routes in order of their cost */
+    const pm_chebyshev_nodes
+        *nodes; /* where its steps are sampled, unless a step says otherwise (w->nodes) */
+} pm_route_ops;
+
+extern const pm_route_ops pm_route_rk, pm_route_ida, pm_route_uniform, pm_route_path;
+
+/* Creates what all routes need; frees it. */
+int pm_routes_create(pm_workspace *w);
+void pm_routes_free(pm_workspace *w);
+/* The frame looks at progress x of the last step of the present route, at enum pm_level. */
+int pm_step_look(pm_workspace *w, double x, int level);
+/* Accelerations and reactions at a state of the last step that the frame looks at; all is smooth there. */
+int pm_step_react(pm_workspace *w);
+/* The route of a number of enum pm_route; NULL if there is none. */
+const pm_route_ops *pm_routes_find(int route);
+/* The one that the settings ask for; rk where phases choose, and before anything moves (`state`, `jump`). */
+const pm_route_ops *pm_routes_default(const pm_model *m);
+
+#endif

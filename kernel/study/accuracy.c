@@ -1,0 +1,486 @@
+/* accuracy.c - estimated errors of the answers, from a second pass of the case, and the promise of accuracy.
+ *
+ * The companion of a pass is the same case at a tolerance COARSER times as large, with longer steps where the tolerance
+ * does not limit them and less care about what counts as touching or still, and with positions and velocities disturbed
+ * by some roundings when a phase begins.  Its answers a' differ from the answers a by its own error: truncation,
+ * amplified as the scene amplifies errors, and rounding, amplified likewise.  The errors of a method go with its
+ * tolerance, so that a's own error is expected at |a' - a| / COARSER; errors have signs and may be small by chance:
+ *
+ *     error = max(spread |a' - a| / COARSER, ROUNDING scale)
+ *
+ * scale is the natural size of the ask: |a|, or how much it would change if the state changed by its own size.  Where
+ * an error is greater than accuracy times scale, or passes have decided differently, the case is run again at a
+ * tighter tolerance, at most REFINEMENTS times; a pass that is not too far off serves as the companion of the next.
+ * The spread of a route is above COARSER: where a phase is one step, the companion, which takes it in two, shows a's
+ * own error and no more.  It is calibrated: studies/benchmarks/calibration.py. */
+#include "study/accuracy.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "elements/trigger.h"
+#include "equations/projection.h"
+#include "equations/saddle.h"
+#include "events/event.h"
+#include "events/history.h"
+#include "expression/program.h"
+#include "routes/path/path_error.h"
+#include "run/phase_report.h"
+#include "run/plan.h"
+#include "run/run.h"
+#include "scene/program_class.h"
+#include "state/frame.h"
+#include "state/route.h"
+#include "study/find.h"
+
+#define COARSER 30.0
+#define ROUNDING 2e-14 /* least relative error that is claimed */
+#define LOOSEST 1e-2   /* tolerance of a companion: beyond it steps are not resolved */
+#define COARSE \
+    1.75 /* steps in a companion, of the motion's own time: in an 8th order method COARSER, and some more */
+#define DISTURBANCE \
+    3e-14 /* of velocities at the begin of a phase, in a companion: COARSER times some roundings */
+#define DISPLACEMENT \
+    2e-15             /* of positions likewise: a contact that has just been left must not seem overlapped */
+#define REFINEMENTS 2 /* passes at tighter tolerances */
+#define LEAST_FACTOR 1e-4 /* of the tolerance, from one pass to the next */
+#define MOST_FACTOR 0.1   /* the same: a smaller change is not worth a pass */
+#define FINER 2           /* times the finest tolerance: nothing is gained below */
+#define AIM 0.2           /* of the accuracy asked, when the tolerance is tightened */
+#define NEAR_ENOUGH 1e-3  /* factor down to which the last pass is the companion of the next */
+#define LEAST_SHARE \
+    0.1            /* of a difference without a disturbance in it: rounding does not go with the tolerance */
+#define SEED 2385  /* of the disturbances: any number */
+#define SHIFT 1e-6 /* of the state's natural size: change that shows the size of an ask */
+
+/* ---- memory ---- */
+static size_t doubles_of_pass(const pm_model *m)
+{
+    return 3 * (size_t)m->nout + 2 * (size_t)m->rows[PM_TABLE_TRIGGER];
+}
+
+static void place_pass(const pm_model *m, pm_pass *p, double *doubles, int32_t *reason,
+                       pm_evidence_decision *entry)
+{
+    p->out = doubles;
+    p->error = doubles + m->nout;
+    p->more = doubles + 2 * m->nout;
+    p->extreme = doubles + 3 * m->nout;
+    p->reason = reason;
+    p->log.entry = entry;
+}
+
+int pm_accuracy_create(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    pm_accuracy *e = w->error = calloc(1, sizeof *e);
+    if (!e) return PM_NO_MEMORY;
+    const size_t nask = (size_t)m->nask, ntrigger = (size_t)m->rows[PM_TABLE_TRIGGER];
+    const int kept = PM_SETTING(m, PM_SETTING_ESTIMATE) ? PM_DECISIONS : 0;
+    const size_t log = (size_t)kept * sizeof(pm_evidence_decision), doubles = doubles_of_pass(m);
+    char *p = e->block = calloc(3 * (log + doubles * sizeof(double) + nask * sizeof(int32_t)) +
+                                    (nask + ntrigger) * sizeof(double) + nask + 1,
+                                1);
+    if (!p) return PM_NO_MEMORY;
+    pm_evidence_decision *entry = (pm_evidence_decision *)(void *)p;
+    double *number = (double *)(void *)(p + 3 * log);
+    e->scale = number + 3 * doubles;
+    e->trigger_scale = e->scale + nask;
+    int32_t *reason = (int32_t *)(void *)(e->trigger_scale + ntrigger);
+    e->discrete = (unsigned char *)(void *)(reason + 3 * nask);
+    for (int i = 0; i < 3; i++)
+        place_pass(m, &e->pass[i], number + (size_t)i * doubles, reason + (size_t)i * nask,
+                   entry + (size_t)i * (size_t)kept);
+    for (int i = 0; i < m->nask; i++)
+        e->discrete[i] = (unsigned char)pm_program_class_is_discrete(m, PM_ASK_ROW(m, i)[PM_ASK_PROGRAM]);
+    w->coarse = 1;
+    e->by_places = pm_path_error_by_places(m);
+    return PM_OK;
+}
+
+void pm_accuracy_free(pm_workspace *w)
+{
+    if (!w->error) return;
+    free(w->error->block);
+    free(w->error);
+    w->error = NULL;
+}
+
+/* ---- inside a pass ---- */
+double pm_accuracy_tolerance(const pm_workspace *w)
+{
+    const pm_accuracy *e = w->error;
+    if (!e->active) return w->accuracy;
+    const double tightest = fmax(fmin(w->accuracy, LOOSEST / COARSER) * e->present->factor, w->route->finest);
+    return e->present->companion ? COARSER * tightest : tightest;
+}
+
+/* 1 or -1, at random: the same in every companion. */
+static int sign(pm_accuracy *e)
+{
+    e->noise = e->noise * 6364136223846793005ULL + 1442695040888963407ULL;
+    return e->noise >> 63 ? 1 : -1;
+}
+
+void pm_accuracy_begin(pm_workspace *w)
+{
+    pm_pass *p = w->error->present;
+    if (!w->error->active) return;
+    w->error->noise = SEED;
+    for (int i = 0; i < w->model->nout; i++) p->error[i] = NAN, p->more[i] = 0;
+    p->margin = INFINITY;
+    p->relative = 0;
+    p->unsure = 0;
+    p->cut = 0;
+    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) p->extreme[i] = INFINITY;
+    pm_evidence_begin(&p->log);
+}
+
+int pm_accuracy_in_halves(const pm_workspace *w) { return w->error->active && w->error->present->halves; }
+
+int pm_accuracy_disturb(pm_workspace *w)
+{
+    if (!w->error->active || !w->error->present->companion) return PM_OK;
+    if (w->count[PM_COUNT_PHASES] > 0 && !w->route->in_time) return PM_OK; /* legs of a path repeat */
+    for (int i = 0; i < w->model->nq; i++) {
+        w->state.q[i] *= 1 + DISPLACEMENT * sign(w->error);
+        w->state.v[i] *= 1 + DISTURBANCE * sign(w->error);
+    }
+    const int status = pm_projection_apply(w, &w->state);
+    if (status) return status;
+    pm_frame_look_state(w, &w->state);
+    return pm_saddle_accelerate(w);
+}
+
+void pm_accuracy_answer(pm_workspace *w, int column, double error)
+{
+    if (w->error->active) w->error->present->error[column] = error;
+}
+
+void pm_accuracy_more(pm_workspace *w, int column, double more)
+{
+    if (w->error->active) w->error->present->more[column] += more;
+}
+
+void pm_accuracy_cut(pm_workspace *w)
+{
+    if (w->error->active) w->error->present->cut = 1;
+}
+
+void pm_accuracy_decision(pm_workspace *w, double distance, double error)
+{
+    if (w->error->active && !w->error->seeks) /* what is sought lies on a threshold */
+        w->error->present->margin = fmin(w->error->present->margin, fabs(distance) / error);
+}
+
+/* ---- passes ---- */
+static int run_once(pm_workspace *w, const double *param, double *found)
+{
+    return w->error->runs_find ? pm_find_run(w, param, found) : pm_run(w, param);
+}
+
+static uint64_t outcome_of(const pm_workspace *w, const pm_pass *p)
+{
+    uint64_t hash = 14695981039346656037ULL; /* FNV-1a */
+    hash = (hash ^ (uint64_t)(int64_t)p->status) * 1099511628211ULL;
+    for (int i = 0; i < w->model->nask; i++) hash = (hash ^ (uint64_t)p->reason[i]) * 1099511628211ULL;
+    for (int i = 0; i < w->model->rows[PM_TABLE_EVENT]; i++)
+        hash = (hash ^ (uint64_t)w->event->count[i]) * 1099511628211ULL;
+    return hash;
+}
+
+static void make_pass(pm_workspace *w, const double *param, pm_pass *p, double factor, int companion)
+{
+    pm_accuracy *e = w->error;
+    pm_history *const trace = w->trace;
+    pm_phase_report *const phases = w->phases;
+    e->present = p;
+    e->npass++;
+    p->factor = factor;
+    p->companion = companion;
+    p->halves = e->npass > 1 && !(companion ? e->main : e->last)->halves;
+    if (!companion) e->last = p;
+    w->out = p->out;
+    w->reason = p->reason;
+    w->audit = p->audit;
+    w->coarse = companion ? COARSE : 1;
+    if (companion) w->trace = NULL, w->phases = NULL;
+    if (w->trace) w->trace->needed = 0; /* the last pass is the one recorded */
+    if (w->phases) w->phases->needed = w->phases->steps = w->phases->legs = 0;
+    p->status = run_once(w, param, p->found);
+    w->trace = trace;
+    w->phases = phases;
+    memcpy(p->count, w->count, sizeof p->count);
+    p->where = w->where;
+    p->t = w->state.t;
+    p->tolerance = w->tolerance;
+    p->outcome = outcome_of(w, p);
+}
+
+static int stands(const pm_pass *p) { return p->status >= PM_OK && p->status != PM_CANCELLED; }
+
+/* ---- natural sizes ---- */
+static int look_at_programs(pm_workspace *w, const pm_state *s, double *ask, double *trigger)
+{
+    const pm_model *m = w->model;
+    pm_frame_look(w, s->t, s->q, s->v, s->z, w->state.memory);
+    const int status = pm_saddle_accelerate(w);
+    if (status) return status;
+    for (int i = 0; i < m->nask; i++)
+        ask[i] = pm_program_run(m, PM_ASK_ROW(m, i)[PM_ASK_PROGRAM], w->param, w->value, w);
+    for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++)
+        trigger[i] = PM_TRIGGER_ROW(m, i)[PM_TRIGGER_PROGRAM] >= 0 ? pm_trigger_program(w, i) : 0;
+    return PM_OK;
+}
+
+/* Every coordinate moves, each by another part of its natural size. */
+static void shift(pm_workspace *w, pm_state *s)
+{
+    const int nq = w->model->nq;
+    pm_state_copy(s, &w->state);
+    for (int i = 0; i < nq; i++) {
+        const double part = SHIFT * (i % 2 ? -1 : 1) * (0.6 + 0.4 / (1 + i)),
+                     length = i % 3 == 2 ? 1 : w->size;
+        s->q[i] += part * length;
+        s->v[i] += part * length * w->speed / w->size;
+    }
+    for (int i = 0; i < w->model->nz; i++) s->z[i] *= 1 + SHIFT;
+    s->t += SHIFT * w->size / w->speed;
+}
+
+static double size_of(double changed, double value)
+{
+    const double size = fabs(changed - value) / SHIFT;
+    return isfinite(size) ? size : 0;
+}
+
+/* What each ask and each trigger would change by if the state at the end changed by its own size. */
+static void find_sizes(pm_workspace *w)
+{
+    pm_accuracy *e = w->error;
+    double *ask = e->spare->out, *trigger = w->event->before; /* both are free between passes */
+    const int nask = w->model->nask, ntrigger = w->model->rows[PM_TABLE_TRIGGER];
+    memset(e->scale, 0, (size_t)nask * sizeof(double));
+    memset(e->trigger_scale, 0, (size_t)ntrigger * sizeof(double));
+    if (look_at_programs(w, &w->state, ask, trigger)) return;
+    shift(w, &w->probe);
+    if (look_at_programs(w, &w->probe, e->scale, e->trigger_scale)) return;
+    for (int i = 0; i < nask; i++) e->scale[i] = size_of(e->scale[i], ask[i]);
+    for (int i = 0; i < ntrigger; i++) e->trigger_scale[i] = size_of(e->trigger_scale[i], trigger[i]);
+}
+
+/* ---- judging ---- */
+static double scale_of(const pm_accuracy *e, int ask, int column)
+{
+    return fmax(e->scale[ask], fabs(e->main->out[column]));
+}
+
+/* Estimated errors of the main pass, given how much of the other's difference they are; the greatest over what the
+ * accuracy asked allows. */
+static double judge_answers(const pm_workspace *w, double share, double *error)
+{
+    const pm_accuracy *e = w->error;
+    double excess = 0;
+    for (int i = 0; i < w->model->nask; i++) {
+        const int32_t *row = PM_ASK_ROW(w->model, i);
+        for (int k = row[PM_ASK_OUT]; k < row[PM_ASK_OUT] + row[PM_ASK_COUNT]; k++) {
+            const double a = e->main->out[k], b = e->other->out[k], scale = scale_of(e, i, k);
+            error[k] = NAN;
+            if (isnan(a)) continue;
+            error[k] = isnan(b) ? INFINITY : fabs(a - b);
+            if (e->discrete[i]) continue;
+            error[k] = fmax(share * error[k], ROUNDING * scale);
+            if (!isnan(e->main->error[k])) error[k] = fmax(e->main->error[k], ROUNDING * scale);
+            error[k] += e->main->more[k];
+            excess = fmax(excess, error[k] / (w->accuracy * scale));
+        }
+    }
+    return excess;
+}
+
+/* Passes that came to other counts or statuses have a margin below 1 somewhere, even where no log shows it. */
+static double judge_decisions(const pm_workspace *w, double share)
+{
+    const pm_accuracy *e = w->error;
+    const double margin = pm_evidence_margin(&e->main->log, &e->other->log, e->trigger_scale) / share;
+    const double decided = e->main->outcome == e->other->outcome ? margin : 0;
+    return fmin(decided, e->main->margin);
+}
+
+/* Of the difference of both passes: what the error of the main one is taken for. */
+static double share_of(const pm_workspace *w)
+{
+    const pm_accuracy *e = w->error;
+    const double share = w->route->spread * e->main->tolerance / e->other->tolerance;
+    return e->other->companion ? share : fmax(share, LEAST_SHARE);
+}
+
+/* Errors of the sought parameters of the main pass.  What follows from parameters alone is known no better than the
+ * threshold of an outcome. */
+static void judge_found(const pm_workspace *w, double share, double *error)
+{
+    const pm_accuracy *e = w->error;
+    const double resolution = pm_find_resolution(w);
+    double *found = e->main->found;
+    for (int i = 0; i < PM_FIND_MOST; i++)
+        found[PM_FOUND_FIRST_ERROR + i] =
+            fmax(share * fabs(found[i] - e->other->found[i]), fmax(ROUNDING, resolution) * fabs(found[i]));
+    for (int i = 0; i < w->model->nask; i++) {
+        const int32_t *row = PM_ASK_ROW(w->model, i);
+        if (e->discrete[i] || w->model->program_nature[row[PM_ASK_PROGRAM]] != PM_CLASS_CONSTANT) continue;
+        const int out = row[PM_ASK_OUT];
+        error[out] = fmax(error[out], resolution * fabs(e->main->out[out]));
+    }
+}
+
+static void judge(pm_workspace *w, double *error, double *trust)
+{
+    const double share = share_of(w);
+    trust[PM_TRUST_EXCESS] = judge_answers(w, share, error);
+    if (w->error->seeks) judge_found(w, share, error);
+    trust[PM_TRUST_MARGIN] = judge_decisions(w, share);
+}
+
+static int knows_itself(const pm_workspace *w)
+{
+    if (w->error->seeks) return 0; /* nobody knows the error of what is sought */
+    const pm_pass *p = w->error->main;
+    if (p->unsure) return 0;
+    for (int i = 0; i < w->model->nask; i++) {
+        const int32_t *row = PM_ASK_ROW(w->model, i);
+        for (int k = row[PM_ASK_OUT]; k < row[PM_ASK_OUT] + row[PM_ASK_COUNT]; k++)
+            if (isnan(p->error[k]) && !isnan(p->out[k])) return 0;
+    }
+    return w->model->nask > 0;
+}
+
+/* ---- the ladder ---- */
+static void swap(pm_pass **a, pm_pass **b)
+{
+    pm_pass *const x = *a;
+    *a = *b;
+    *b = x;
+}
+
+/* Finds something to compare the main pass with; 0 if there is nothing. */
+static int find_companion(pm_workspace *w, const double *param)
+{
+    pm_accuracy *e = w->error;
+    if (knows_itself(w)) {
+        memcpy(e->other->out, e->main->out, (size_t)w->model->nout * sizeof(double));
+        e->main->margin = fmin(e->main->margin, pm_path_error_margin(w, e->main, e->trigger_scale));
+        e->other->log.n = 0; /* its own decisions are in its margin */
+        e->other->outcome = e->main->outcome;
+        e->other->tolerance = e->main->tolerance;
+        e->other->companion = 1;
+        return 1;
+    }
+    make_pass(w, param, e->other, e->main->factor, 1);
+    return stands(e->other);
+}
+
+/* Without a comparison so far: such that the last pass serves for one. */
+static double next_factor(double factor, const double *trust)
+{
+    double change = AIM / trust[PM_TRUST_EXCESS];
+    if (isnan(change)) return factor / COARSER;
+    if (trust[PM_TRUST_MARGIN] < 1) change = fmin(change, 1 / COARSER);
+    return factor * fmin(fmax(change, LEAST_FACTOR), MOST_FACTOR);
+}
+
+static int good_enough(const pm_workspace *w, const double *trust)
+{
+    const pm_pass *p = w->error->main;
+    const int decided = trust[PM_TRUST_MARGIN] >= 1 && trust[PM_TRUST_EXCESS] <= 1;
+    return decided || p->status != PM_OK || p->tolerance <= FINER * w->route->finest;
+}
+
+/* One pass at a tighter tolerance becomes the main one; 0 if it fails: then all stays as it was. */
+static int refine(pm_workspace *w, const double *param, double *error, double *trust)
+{
+    pm_accuracy *e = w->error;
+    const int doubtful = trust[PM_TRUST_MARGIN] < 1; /* rounding may be what decides: see it disturbed */
+    const double factor = next_factor(e->main->factor, trust);
+    make_pass(w, param, e->spare, factor, 0);
+    if (!stands(e->spare)) {
+        if (w->trace)
+            make_pass(w, param, e->spare, e->main->factor, 0); /* what is recorded is what is answered */
+        return 0;
+    }
+    swap(&e->main, &e->spare);
+    swap(&e->other, &e->spare); /* the last main pass; what it was compared with is free */
+    find_sizes(w);
+    /* what a cut loses does not go with the tolerance: only a companion shows it */
+    if ((doubtful || e->main->cut || e->main->tolerance < NEAR_ENOUGH * e->other->tolerance) &&
+        !find_companion(w, param))
+        return 0;
+    judge(w, error, trust);
+    return 1;
+}
+
+static void climb(pm_workspace *w, const double *param, double *error, double *trust)
+{
+    pm_accuracy *e = w->error;
+    find_sizes(w);
+    if (find_companion(w, param)) judge(w, error, trust);
+    for (int i = 0; i < REFINEMENTS && !good_enough(w, trust); i++)
+        if (!refine(w, param, error, trust)) break;
+    /* a run that sits on the threshold that was sought is not in doubt */
+    if (e->main->status == PM_OK && trust[PM_TRUST_MARGIN] < 1 && !e->seeks) {
+        e->main->status = PM_UNDECIDED;
+        e->main->where = (pm_where){PM_NONE, PM_NONE, PM_NONE, trust[PM_TRUST_MARGIN], 1};
+    }
+}
+
+/* The main pass goes to the caller's arrays, which the workspace points to again. */
+static int deliver(pm_workspace *w, double *out, int32_t *reason, double *audit)
+{
+    const pm_pass *p = w->error->main;
+    w->out = out;
+    w->reason = reason;
+    w->audit = audit;
+    memcpy(out, p->out, (size_t)w->model->nout * sizeof *out);
+    memcpy(reason, p->reason, (size_t)w->model->nask * sizeof *reason);
+    memcpy(audit, p->audit, sizeof p->audit);
+    memcpy(w->count, p->count, sizeof p->count);
+    w->count[PM_COUNT_PASSES] = w->error->npass;
+    w->where = p->where;
+    w->state.t = p->t;
+    return p->status;
+}
+
+static int run(pm_workspace *w, const double *param, double *found, double *error, double *margin,
+               double *trust)
+{
+    pm_accuracy *e = w->error;
+    double *const out = w->out, *const audit = w->audit;
+    int32_t *const reason = w->reason;
+    for (int i = 0; i < w->model->nout; i++) error[i] = NAN;
+    for (int i = 0; i < w->model->nask; i++) margin[i] = NAN;
+    for (int i = 0; i < PM_TRUSTS; i++) trust[i] = NAN;
+    e->active = PM_SETTING(w->model, PM_SETTING_ESTIMATE);
+    if (!e->active) {
+        const int status = found ? pm_find_run(w, param, found) : pm_run(w, param);
+        w->count[PM_COUNT_PASSES] = 1;
+        return status;
+    }
+    e->npass = 0;
+    e->runs_find = found != NULL;
+    e->seeks = found != NULL && w->model->rows[PM_TABLE_FIND] > 0;
+    e->main = &e->pass[0];
+    e->other = &e->pass[1];
+    e->spare = &e->pass[2];
+    make_pass(w, param, e->main, 1, 0);
+    if (stands(e->main)) climb(w, param, error, trust);
+    for (int i = 0; i < w->model->nask; i++)
+        if (e->discrete[i]) margin[i] = trust[PM_TRUST_MARGIN];
+    if (found) memcpy(found, e->main->found, sizeof e->main->found);
+    return deliver(w, out, reason, audit);
+}
+
+int pm_accuracy_run(pm_workspace *w, const double *param, double *found, double *error, double *margin,
+                    double *trust)
+{
+    return pm_plan_end(w, run(w, param, found, error, margin, trust));
+}

@@ -1,0 +1,356 @@
+/* tree.c - chooses parents and placements of the bodies, and which coordinates move which body. */
+#include "tree/tree.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "elements/constraint.h"
+#include "equations/fixed_bodies.h"
+#include "state/frame.h"
+#include "tree/tree_augmented.h"
+#include "tree/tree_node.h"
+#include "tree/tree_small.h"
+
+int pm_tree_create(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    const size_t nq = (size_t)m->nq, nrow = (size_t)m->nrow, nbody = (size_t)m->nbody;
+    pm_tree *t = w->tree = calloc(1, sizeof *t);
+    if (!t) return PM_NO_MEMORY;
+    const size_t most = nbody * nq; /* coordinates that move a body, over all bodies */
+    const size_t summed = nq < PM_TREE_SUMMED ? nq : PM_TREE_SUMMED;
+    const size_t own = nq * nq + 3 * most + 3 * nrow * nq + nrow * nrow + (6 + PM_TREE_FEW) * nq + 3 * nrow;
+    const size_t doubles = own + pm_tree_augmented_doubles(summed, most),
+                 ints =
+                     (8 + PM_ELIMINATION_ROWS) * nrow + (6 + PM_ELIMINATION_COLUMNS) * nq + 3 * nbody + most;
+    double *p = t->block = calloc(doubles * sizeof *p + ints * sizeof(int) + nrow + 1, 1);
+    t->node = calloc(nbody + 1, sizeof *t->node);
+    t->swift = calloc(1, sizeof *t->swift);
+    if (!p || !t->node || !t->swift) return PM_NO_MEMORY;
+    t->jacobian = p;
+    t->mass = t->jacobian + nrow * nq;
+    t->reduced = t->mass + nq * nq;
+    t->schur = t->reduced + nrow * nq;
+    t->influence = t->schur + nrow * nrow;
+    t->residual = t->influence + 3 * most;
+    t->force = t->residual + 2 * nrow;
+    t->bias = t->force + nq;
+    t->wrench = t->bias + nq;
+    t->q = t->wrench + nq;
+    t->v = t->q + nq;
+    t->rate = t->v + nq;
+    t->motion = t->rate + nq;
+    t->loops = t->motion + PM_TREE_FEW * nq;
+    pm_tree_augmented_create(&t->turning, summed, most, p + own);
+    t->loop = (int *)(void *)(p + doubles);
+    t->kind = t->loop + nrow;
+    t->pivot = t->kind + nq;
+    t->first_coupled = t->pivot + nq + nrow;
+    t->placed = t->first_coupled + nq;
+    t->moved_by = t->placed + nbody;
+    t->from = t->moved_by + most;
+    t->to = t->from + nrow;
+    t->first_loop = t->to + nrow;
+    t->column = t->first_loop + nrow;
+    t->position = t->column + nq;
+    t->left = t->position + nq;
+    t->bottom = t->left + nrow;
+    t->right = t->bottom + nrow;
+    t->turning.owner = t->right + nrow;
+    t->weight = t->turning.owner + nq;
+    t->top = t->weight + nbody;
+    t->used = (unsigned char *)pm_elimination_create(&t->elimination, nrow, nq, t->top + nbody);
+    return PM_OK;
+}
+
+void pm_tree_free(pm_workspace *w)
+{
+    if (!w->tree) return;
+    free(w->tree->node);
+    free(w->tree->swift);
+    free(w->tree->block);
+    free(w->tree);
+    w->tree = NULL;
+}
+
+/* ---- choice ---- */
+/* Active rows that belong to one joint, contact or captured pair. */
+typedef struct pm_group {
+    int row[PM_JOINT_CONSTRAINTS];
+    int n;
+} pm_group;
+
+static int rows_are(const pm_workspace *w, const pm_group *g, int first, int second, int third)
+{
+    const int wanted[] = {first, second, third};
+    int n = 0;
+    while (n < 3 && wanted[n] >= 0) n++;
+    if (g->n != n) return 0;
+    for (int i = 0; i < n; i++)
+        if (w->row[g->row[i]].kind != wanted[i]) return 0;
+    return 1;
+}
+
+static int placement_of(const pm_workspace *w, const pm_group *g)
+{
+    if (rows_are(w, g, PM_CONSTRAINT_POINT_X, PM_CONSTRAINT_POINT_Y, -1)) return PIN;
+    if (rows_are(w, g, PM_CONSTRAINT_POINT_X, PM_CONSTRAINT_POINT_Y, PM_CONSTRAINT_ANGLE)) return WELD;
+    if (rows_are(w, g, PM_CONSTRAINT_LINE_NORMAL, PM_CONSTRAINT_ANGLE, -1)) return SLIDER;
+    if (rows_are(w, g, PM_CONSTRAINT_LINE_NORMAL, PM_CONSTRAINT_LINE_TANGENT, -1)) return ROLL_LINE;
+    if (rows_are(w, g, PM_CONSTRAINT_DISTANCE, PM_CONSTRAINT_CIRCLE_TANGENT, -1) &&
+        w->row[g->row[0]].value > 0)
+        return ROLL_CIRCLE;
+    return FREE;
+}
+
+static int turns(const pm_workspace *w, int body) { return w->inverse_mass[3 * body + 2] > 0; }
+
+static void place(pm_workspace *w, int *nplaced, int body, int placement, const pm_group *g, int child_is_a)
+{
+    pm_tree *t = w->tree;
+    pm_tree_node *x = &t->node[*nplaced];
+    *x = (pm_tree_node){.body = body, .parent = w->model->nbody, .placement = placement, .first = t->n};
+    x->turns = turns(w, body);
+    x->ncoordinate = placement == FREE     ? 2 + x->turns
+                     : placement == WELD   ? 0
+                     : placement == SLIDER ? 1
+                                           : x->turns;
+    t->n += x->ncoordinate;
+    t->placed[body] = ++*nplaced;
+    if (placement == FREE) return;
+    const pm_constraint *row = &w->row[g->row[0]], *last = &w->row[g->row[g->n - 1]];
+    const double sign = child_is_a ? 1 : -1;
+    x->parent = row->body[child_is_a ? 1 : 0];
+    x->child_is_a = child_is_a;
+    memcpy(x->child, child_is_a ? row->a : row->b, sizeof x->child);
+    memcpy(x->mark, child_is_a ? row->b : row->a, sizeof x->mark);
+    if (pm_tree_follows(x)) {
+        x->angle = sign * last->value;
+        x->turn[0] = cos(x->angle);
+        x->turn[1] = sin(x->angle);
+    }
+    memcpy(x->line, row->axis, sizeof x->line);
+    x->radius = row->radius_a;
+    x->length = row->value;
+    x->memory = last->memory;
+    x->nrow = g->n;
+    memcpy(x->row, g->row, sizeof x->row);
+    if (placement == ROLL_LINE) {
+        x->roll_own = -sign * row->radius_a;
+        x->roll_parent = sign * row->radius_a;
+    } else if (placement == ROLL_CIRCLE) {
+        x->roll_own = (child_is_a ? row->radius_a : row->radius_b) / x->length;
+        x->roll_parent = (child_is_a ? row->radius_b : row->radius_a) / x->length;
+        const double direction = w->state.memory[x->memory].anchor / x->length;
+        x->touch[0] = x->length * cos(direction);
+        x->touch[1] = x->length * sin(direction);
+    }
+    for (int i = 0; i < g->n; i++) t->used[g->row[i]] = 1;
+}
+
+static int is_placed(const pm_workspace *w, int body)
+{
+    return body == w->model->nbody || w->tree->placed[body];
+}
+
+/* Driven rows are not solved: they depend on the time. */
+static int is_driven(const pm_workspace *w, const pm_group *g)
+{
+    for (int i = 0; i < g->n; i++)
+        if (w->row[g->row[i]].drive != PM_NONE) return 1;
+    return 0;
+}
+
+/* Places a body by the group, if just one of its two is placed. */
+static int place_by(pm_workspace *w, const pm_group *g, int *nplaced)
+{
+    if (g->n < 2 || w->tree->used[g->row[0]] || is_driven(w, g)) return 0;
+    const pm_constraint *row = &w->row[g->row[0]];
+    const int a = is_placed(w, row->body[0]), b = is_placed(w, row->body[1]);
+    if (a == b) return 0;
+    const int placement = placement_of(w, g), body = row->body[a ? 1 : 0];
+    if (placement == FREE || (!turns(w, body) && placement != PIN)) return 0;
+    place(w, nplaced, body, placement, g, !a);
+    return 1;
+}
+
+static pm_group joint_group(const pm_workspace *w, int joint)
+{
+    const pm_model *m = w->model;
+    const int first = m->joint_row[joint];
+    const int end = joint + 1 < m->rows[PM_TABLE_JOINT] ? m->joint_row[joint + 1] : m->njoint_row;
+    pm_group g = {.n = 0};
+    for (int i = first; i < end && g.n < PM_JOINT_CONSTRAINTS; i++)
+        if (w->joint_active[i] != PM_NONE) g.row[g.n++] = w->joint_active[i];
+    return g;
+}
+
+static pm_group slot_group(const pm_workspace *w, int slot)
+{
+    pm_group g = {.n = 0};
+    for (int i = PM_JOINT_CONSTRAINTS * slot; i < PM_JOINT_CONSTRAINTS * (slot + 1); i++)
+        if (w->slot_held[i] != PM_NONE) g.row[g.n++] = w->slot_held[i];
+    if (w->slot_normal[slot] != PM_NONE) g.row[g.n++] = w->slot_normal[slot];
+    if (w->slot_tangent[slot] != PM_NONE) g.row[g.n++] = w->slot_tangent[slot];
+    return g;
+}
+
+/* Bodies that stand still come first, as welded to the ground where they are. */
+static void place_still(pm_workspace *w, int *nplaced)
+{
+    for (int i = 0; i < w->model->nbody; i++) {
+        if (!w->still->body[i]) continue;
+        const double *pose = w->frame.pose + 5 * i;
+        w->tree->node[*nplaced] = (pm_tree_node){.body = i,
+                                                 .parent = w->model->nbody,
+                                                 .placement = WELD,
+                                                 .child_is_a = 1,
+                                                 .first = w->tree->n,
+                                                 .turns = turns(w, i),
+                                                 .mark = {pose[0], pose[1]},
+                                                 .angle = pose[2],
+                                                 .turn = {pose[3], pose[4]}};
+        w->tree->placed[i] = ++*nplaced;
+        for (int k = 3 * i; k < 3 * i + 3; k++) {
+            w->tree->q[k] = w->state.q[k];
+            w->tree->v[k] = w->tree->bias[k] = w->frame.a[k] = 0;
+        }
+    }
+}
+
+/* It will place nothing any more: it cannot, or both of its bodies are placed. */
+static int is_spent(const pm_workspace *w, const pm_group *g)
+{
+    if (g->n < 2) return 1;
+    const pm_constraint *row = &w->row[g->row[0]];
+    return is_placed(w, row->body[0]) && is_placed(w, row->body[1]);
+}
+
+/* *spent: joints, from the first on, that will place nothing any more. */
+static int place_next(pm_workspace *w, int *nplaced, int *spent)
+{
+    for (int i = *spent; i < w->model->rows[PM_TABLE_JOINT]; i++) {
+        const pm_group g = joint_group(w, i);
+        if (place_by(w, &g, nplaced)) return 1;
+        if (i == *spent && is_spent(w, &g)) ++*spent;
+    }
+    for (int i = 0; i < w->model->nslot; i++) {
+        const pm_group g = slot_group(w, i);
+        if (place_by(w, &g, nplaced)) return 1;
+    }
+    for (int i = 0; i < w->model->nbody; i++)
+        if (!w->tree->placed[i]) {
+            place(w, nplaced, i, FREE, NULL, 0);
+            return 1;
+        }
+    return 0;
+}
+
+/* A body comes after all that it carries, and branches one after the other: the mass matrix then does not fill in when it is
+ * factored, and loops between neighbours are narrow. */
+static void number_coordinates(pm_workspace *w)
+{
+    pm_tree *t = w->tree;
+    const int ground = w->model->nbody;
+    int top = t->n; /* of what is left for bodies on the ground */
+    for (int i = 0; i < ground; i++) t->weight[i] = t->node[i].ncoordinate;
+    for (int i = ground - 1; i >= 0; i--)
+        if (t->node[i].parent != ground) t->weight[t->placed[t->node[i].parent] - 1] += t->weight[i];
+    for (int i = 0; i < ground; i++) {
+        const int parent = t->node[i].parent;
+        int *left = parent == ground ? &top : &t->top[t->placed[parent] - 1];
+        t->top[i] = t->node[i].first = *left - t->node[i].ncoordinate;
+        *left -= t->weight[i];
+    }
+    for (int i = 0; i < w->model->nbody; i++) {
+        const pm_tree_node *x = &t->node[i];
+        for (int k = 0; k < x->ncoordinate; k++)
+            t->kind[x->first + k] = x->placement == FREE ? k : x->placement == SLIDER ? 0 : 2;
+    }
+}
+
+/* The coordinates that move a body, in falling order: those of its parent and its own. */
+static void list_coordinates(pm_workspace *w)
+{
+    pm_tree *t = w->tree;
+    int n = 0;
+    for (int k = 0; k < t->n; k++) t->first_coupled[k] = k;
+    for (int i = 0; i < w->model->nbody; i++) {
+        pm_tree_node *x = &t->node[i];
+        x->list = n;
+        if (x->parent != w->model->nbody) {
+            const pm_tree_node *parent = &t->node[t->placed[x->parent] - 1];
+            for (int k = 0; k < parent->nlist; k++) t->moved_by[n++] = t->moved_by[parent->list + k];
+        }
+        for (int k = x->ncoordinate; k-- > 0;) t->moved_by[n++] = x->first + k;
+        x->nlist = n - x->list;
+        for (int k = x->list; k < n; k++)
+            if (t->moved_by[n - 1] < t->first_coupled[t->moved_by[k]])
+                t->first_coupled[t->moved_by[k]] = t->moved_by[n - 1];
+    }
+}
+
+void pm_tree_row_ends(const pm_workspace *w, const pm_constraint *row, int *low, int *high)
+{
+    const pm_tree *t = w->tree;
+    *low = t->n;
+    *high = -1;
+    for (int p = 0; p < 2; p++) {
+        if (row->body[p] == w->model->nbody) continue;
+        const pm_tree_node *x = &t->node[t->placed[row->body[p]] - 1];
+        if (x->nlist == 0) continue;
+        const int first = t->moved_by[x->list], last = t->moved_by[x->list + x->nlist - 1]; /* they fall */
+        if (last < *low) *low = last;
+        if (first > *high) *high = first;
+    }
+}
+
+/* Loop rows in the order of the bodies that they hold, so that what each shares with others is near. */
+static void list_loops(pm_workspace *w)
+{
+    pm_tree *t = w->tree;
+    for (int i = 0; i < w->nactive; i++) {
+        if (t->used[i]) continue;
+        int low, key, at = t->nloop++;
+        pm_tree_row_ends(w, &w->row[i], &low, &key);
+        for (; at > 0 && t->to[at - 1] < key; at--) {
+            t->loop[at] = t->loop[at - 1];
+            t->to[at] = t->to[at - 1];
+        }
+        t->loop[at] = i;
+        t->to[at] = key;
+    }
+}
+
+/* Where the loop rows, and what elimination makes of them, are not zero: up to the last coordinate of what they hold, which
+ * the mass matrix does not couple to those after it.  No row ends, or meets the first that shares some of that with it,
+ * before the row before it does. */
+static void bound_loops(pm_workspace *w)
+{
+    pm_tree *t = w->tree;
+    for (int i = 0, first = 0; i < t->nloop; i++) {
+        pm_tree_row_ends(w, &w->row[t->loop[i]], &t->from[i], &t->to[i]);
+        t->to[i]++;
+        while (first < i && t->from[first] >= t->to[i]) first++;
+        t->first_loop[i] = first;
+    }
+}
+
+void pm_tree_build(pm_workspace *w)
+{
+    pm_tree *t = w->tree;
+    int nplaced = 0, spent = 0;
+    t->n = t->nloop = t->few = t->turning.on = t->swift->on = 0;
+    memset(t->used, 0, (size_t)w->model->nrow);
+    memset(t->placed, 0, (size_t)w->model->nbody * sizeof *t->placed);
+    place_still(w, &nplaced);
+    while (nplaced < w->model->nbody) place_next(w, &nplaced, &spent);
+    number_coordinates(w);
+    list_coordinates(w);
+    list_loops(w);
+    bound_loops(w);
+    if (t->n > 0) t->column[t->n - 1] = PM_NONE; /* none is chosen */
+}
+
+int pm_tree_is_angle(const pm_workspace *w, int coordinate) { return w->tree->kind[coordinate] == 2; }

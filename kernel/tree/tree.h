@@ -1,0 +1,166 @@
+/* tree.h - explicit coordinates of a phase: bodies placed one after the other, outward from the ground.
+ *
+ * Many active rows can be solved body by body: a pin leaves its body an angle, a weld nothing, a slider that keeps the
+ * direction a length, rolling an angle.  What closes a loop stays as a loop row. */
+#ifndef PM_TREE_H
+#define PM_TREE_H
+
+#include "numerics/elimination.h"
+#include "state/model.h"
+
+typedef struct pm_tree_node pm_tree_node;
+
+enum { PM_TREE_ARM = 6 }; /* numbers that tell the levers of the reactions on a body */
+
+#define PM_TREE_SUMMED \
+    64 /* coordinates up to which the sums of tree_augmented.c are kept: their square in memory */
+#define PM_TREE_FEW 3 /* freedoms up to which coordinates are partitioned: work grows with their square */
+
+/* What stays the same in the equations of a phase, and the directions and rates of a solve: see tree_augmented.c. */
+typedef struct pm_tree_augmented {
+    int on, most;
+    int forced;                   /* there are other forces than weights */
+    int shifts;                   /* some e_k is not zero */
+    int *owner;                   /* [n] the body whose direction it is, or PM_NONE: it turns nothing */
+    double *same, *cross, *level; /* [n][n] C, S, T of coordinates i >= k that move one body */
+    double *lower, *upper;        /* [n][n][2] P, Q */
+    double *fixed;                /* [n][2] e_k */
+    double *weight;               /* [n][2] of e_k alone */
+    double *arm;                  /* [2] for each entry of moved_by: d_bk */
+    double *direction, *square;   /* [n][2] cosine and sine; [n] ydot^2 */
+} pm_tree_augmented;
+
+/* Loop rows on the coordinates of the tree: entry[nloop][n], zero but between low[nloop] and high[nloop]. */
+typedef struct pm_loops {
+    double *entry;
+    int *low, *high;
+} pm_loops;
+
+typedef struct pm_tree {
+    int n;               /* coordinates */
+    int nloop;           /* active rows that are not solved */
+    int *loop;           /* [nrow] their places in w->row */
+    int *kind;           /* [nq] of each coordinate: 0, 1 a length (x, y or along a line), 2 an angle */
+    pm_tree_node *node;  /* [nbody] in the order of placing */
+    int *from, *to;      /* [nrow] of each loop row: the coordinates that L^-1 J^T has, from .. to - 1 */
+    int *first_loop;     /* [nrow] the first loop row that shares some of them */
+    unsigned char *used; /* [nrow] */
+    int *placed;         /* [nbody] 1 + index of its node */
+    int *weight, *top;   /* [nbody] coordinates of a node and of all that it carries; scratch */
+    pm_elimination elimination;
+    int *moved_by;      /* the coordinates that move each body: node->list, node->nlist */
+    int *first_coupled; /* [nq] the first coordinate to which the mass matrix couples each */
+    double *influence;  /* [3] for each entry of moved_by: velocity of the body at a unit rate */
+    double *jacobian;   /* [nrow][n] of the loop rows */
+    double *residual;   /* [2 nrow] */
+    double *mass;       /* [n][n] lower triangle of B^T M B, then its factor */
+    double *reduced;    /* [nrow][n] L^-1 of each row of the Jacobian, L the factor of the mass matrix */
+    double *schur;      /* [nrow][nrow] */
+    double *force, *bias, *rate, *wrench; /* [nq] */
+    double *q, *v;                        /* [nq] where pm_tree_look looks */
+    int *pivot;                           /* [nq + nrow] */
+    int few;                              /* coordinates are partitioned */
+    int *column;                /* [nq] the dependent coordinates, nloop of them, then the independent ones */
+    double *loops;              /* [nrow][n] the loop rows' Jacobian where pm_tree_accelerate was */
+    int *position;              /* [nq] of each coordinate in column */
+    int *left, *bottom, *right; /* [nrow] where J_v may differ from zero: tree_band.c, dense.h */
+    double *motion;             /* [few][nq] velocities at a unit rate of each independent coordinate */
+    double
+        independence; /* least square of the part of a loop row that those before it leave, while they are not */
+    pm_tree_augmented turning;
+    struct pm_tree_small *swift; /* tree_small.h */
+    double steepest;             /* there: rate of a dependent coordinate, lengths by the scene's size */
+    /* least pivot of J_v over its greatest, 0 in a singular position: range since pm_tree_forget_regular */
+    double least_regular, most_regular;
+    void *block;
+} pm_tree;
+
+int pm_tree_create(pm_workspace *w);
+void pm_tree_free(pm_workspace *w);
+/* From the active rows; called when a phase begins. */
+void pm_tree_build(pm_workspace *w);
+int pm_tree_is_angle(const pm_workspace *w, int coordinate);
+void pm_tree_forget_regular(pm_tree *t);
+/* Fails: loop row number `loop` depends on those before it. */
+int pm_tree_singular_loop(pm_workspace *w, int loop);
+
+/* Coordinates y[n] of a configuration q[nq] that meets the solved rows (the frame looks at it); and back. */
+void pm_tree_read(const pm_workspace *w, double *y);
+void pm_tree_place(const pm_workspace *w, const pm_memory *memory, const double *y, double *q);
+/* All that follows is at the pose where pm_tree_read, pm_tree_place or pm_tree_look has looked last. */
+/* Rates ydot[n] of velocities that meet the solved rows. */
+void pm_tree_read_rates(pm_workspace *w, const double *v, double *ydot);
+/* The same from the poses of the frame, which meet the solved rows; no coordinates are wanted. */
+void pm_tree_marks(const pm_workspace *w);
+/* The frame looks at coordinates y with rates ydot: positions and velocities are in t->q, t->v. */
+void pm_tree_look(pm_workspace *w, double t, const double *y, const double *ydot, const double *z);
+/* Velocities v[nq] from rates ydot[n]. */
+void pm_tree_spread(pm_workspace *w, const double *ydot, double *v);
+/* At the frame's velocities: accelerations at yddot = 0. */
+void pm_tree_bias(pm_workspace *w, double *a);
+/* Columns of v by unit rates: basis[nq][n]. */
+void pm_tree_basis(pm_workspace *w, double *basis);
+/* The first and the last coordinate that move a body of the row; n and -1 if none does. */
+void pm_tree_row_ends(const pm_workspace *w, const pm_constraint *row, int *low, int *high);
+/* The loop rows' Jacobian on the coordinates, [nloop][n]; the rows are evaluated. */
+void pm_tree_loops(pm_workspace *w, const pm_loops *x);
+/* Anything may be in x. */
+void pm_tree_loops_unknown(const pm_tree *t, const pm_loops *x);
+
+/* Once a phase, where the frame looks and pm_tree_read has been: sums for faster solves, where the tree allows. */
+void pm_tree_sum_up(pm_workspace *w);
+/* After pm_tree_look: accelerations yddot[n] of the coordinates. */
+int pm_tree_accelerate(pm_workspace *w, double *yddot);
+/* The same at (t, y, ydot), which the frame need not look at. */
+int pm_tree_accelerate_at(pm_workspace *w, double time, const double *y, const double *ydot, const double *z,
+                          double *yddot);
+/* After pm_tree_look and pm_tree_accelerate: forces, accelerations of the bodies and reactions in the frame, which is
+ * DYNAMIC then (the rows are not evaluated). */
+void pm_tree_tell(pm_workspace *w, const double *yddot);
+/* Reactions alone, with forces and accelerations in the frame. */
+void pm_tree_react(pm_workspace *w);
+/* The same once tree->wrench holds M a - f: inward along an open tree, by arm[nbody][PM_TREE_ARM], or (NULL) by the levers
+ * that the nodes hold. */
+void pm_tree_react_inward(pm_workspace *w, const double *arm);
+
+/* One freedom, n = nloop + 1: coordinate `held` is the independent one. */
+void pm_tree_hold(pm_workspace *w, int held);
+/* Few freedoms: chooses the coordinates that the loop rows tell best, at the pose of the frame, unless they are singular
+ * there; t->few says whether there is a choice. */
+void pm_tree_partition(pm_workspace *w);
+/* The choice is a bad one where pm_tree_accelerate was last. */
+int pm_tree_is_steep(const pm_workspace *w);
+/* Not partitioned, and the loop rows nearly depended on each other, or are so many that a partition is cheaper. */
+int pm_tree_is_flat(const pm_workspace *w);
+/* Meets the loop rows by Newton's method with the independent coordinates kept.  Leaves q, the poses of the frame, and the
+ * Jacobian of the loop rows there.  PM_SINGULAR or PM_ASSEMBLY if it does not converge. */
+int pm_tree_close(pm_workspace *w, double *y, double *q, const pm_loops *loops);
+/* Rates of all coordinates at a unit rate of the first independent one, by that Jacobian; PM_SINGULAR if it does not tell
+ * them. */
+int pm_tree_slope(pm_workspace *w, const pm_loops *loops, double *slope);
+/* Like pm_tree_look at coordinates and rates of which the dependent ones are made to meet the loop rows. */
+int pm_tree_settle(pm_workspace *w, double t, double *y, double *ydot, const double *z);
+/* Meets them by the least corrections in the metric of M, of coordinates and rates; the frame looks there. */
+int pm_tree_project(pm_workspace *w, double t, double *y, double *ydot, const double *z);
+
+/* For the tree's own files.  Partitioned: accelerations; reactions of the loop rows from t->wrench. */
+int pm_tree_accelerate_few(pm_workspace *w, double *yddot);
+void pm_tree_react_loops(pm_workspace *w);
+/*  Columns of all bodies' velocities. */
+void pm_tree_influence(pm_workspace *w);
+/* Accelerations of the bodies from those of the coordinates, and back; velocities are in the frame. */
+void pm_tree_spread_accelerations(const pm_workspace *w, const double *yddot, double *a);
+void pm_tree_read_accelerations(const pm_workspace *w, const double *a, double *yddot);
+/* After a choice of t->column: orders it, and finds where J_v may differ from zero. */
+void pm_tree_arrange(pm_workspace *w);
+/* The factors of J_v, from the loop rows' Jacobian of which only what moves a row, and the independent coordinates, count;
+ * J_v^-1 x and J_v^-T x in place. */
+int pm_tree_factor_dependent(pm_workspace *w, const double *jacobian);
+void pm_tree_solve_dependent(const pm_tree *t, double *x);
+void pm_tree_solve_dependent_transposed(const pm_tree *t, double *x);
+/* Zeros what of a loop row's Jacobian counts. */
+void pm_tree_clear_loop(const pm_workspace *w, const pm_constraint *row, double *on_coordinates);
+/* Adds a row's Jacobian on the coordinates. */
+void pm_tree_loop_row(const pm_workspace *w, const pm_constraint *row, double *on_coordinates);
+
+#endif

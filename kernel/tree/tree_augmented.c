@@ -1,0 +1,251 @@
+/* tree_augmented.c - the equations of a tree whose parts turn about each other, with what stays the same summed up once.
+ *
+ * Where all directions turn with single coordinates - pins, welds, rolling and sliding on lines of the ground - a unit rate
+ * of coordinate k moves body b with the velocity
+ *     b_bk = e_k + k x R_k d_bk,        R_k the turn by y_k; e_k and the arm d_bk stay the same,
+ * so that with D = y_k - y_l, c_b = -sum_k ydot_k^2 R_k d_bk and sums over the bodies that both k and l move
+ *     (B^T M B)_kl = C_kl cos D + S_kl sin D + T_kl + e_k . k x R_l P_kl + e_l . k x R_k Q_kl
+ *     (B^T M c)_k  = -sum_l ydot_l^2 (S_kl cos D - C_kl sin D + e_k . R_l P_kl)
+ *     C = sum m d_k . d_l,  S = sum m d_k x d_l,  T = sum I + m e_k . e_l,  P = sum m d_l,  Q = sum m d_k
+ * (augmented bodies: Wittenburg, Dynamics of Systems of Rigid Bodies, 5.2).  Per solve no body is looked at. */
+#include "tree/tree_augmented.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "elements/force.h"
+#include "elements/turning_plane.h"
+#include "state/frame.h"
+#include "tree/tree_node.h"
+
+size_t pm_tree_augmented_doubles(size_t n, size_t most) { return 7 * n * n + 7 * n + 2 * most; }
+
+void pm_tree_augmented_create(pm_tree_augmented *x, size_t n, size_t most, double *block)
+{
+    x->most = (int)n;
+    x->same = block;
+    x->cross = x->same + n * n;
+    x->level = x->cross + n * n;
+    x->lower = x->level + n * n;
+    x->upper = x->lower + 2 * n * n;
+    x->fixed = x->upper + 2 * n * n;
+    x->direction = x->fixed + 2 * n;
+    x->square = x->direction + 2 * n;
+    x->weight = x->square + n;
+    x->arm = x->weight + 2 * n;
+    (void)most;
+}
+
+/* ---- once a phase ---- */
+/* A direction that turns with one coordinate, or not at all. */
+static int turns_simply(const pm_workspace *w, const pm_tree_node *x)
+{
+    const int on_ground = x->parent == w->model->nbody;
+    if (x->placement == SLIDER) return on_ground;
+    if (x->placement == ROLL_LINE) return on_ground && x->child_is_a;
+    return x->placement != ROLL_CIRCLE;
+}
+
+/* e_k of a node's own coordinates. */
+static void read_fixed(const pm_tree_node *x, double *fixed)
+{
+    const double sign = x->child_is_a ? 1 : -1;
+    for (int k = 0; k < x->ncoordinate; k++) {
+        double *e = fixed + 2 * (x->first + k);
+        e[0] = e[1] = 0;
+        if (x->placement == FREE && k < 2) e[k] = 1;
+        for (int c = 0; c < 2 && x->placement == SLIDER; c++) e[c] = x->by_slide[c];
+        for (int c = 0; c < 2 && x->placement == ROLL_LINE; c++) e[c] = sign * x->roll_own * x->t[c];
+    }
+}
+
+/* d_bk from the influences where the frame looks: R_k^-1 of (b_bk - e_k) turned back by a right angle. */
+static void read_arms(const pm_workspace *w)
+{
+    const pm_tree *t = w->tree;
+    const pm_tree_augmented *a = &t->turning;
+    for (int i = 0; i < w->model->nbody; i++) {
+        const pm_tree_node *x = &t->node[i];
+        for (int k = x->list; k < x->list + x->nlist; k++) {
+            const int by = t->moved_by[k];
+            const double *e = a->fixed + 2 * by, *r = a->direction + 2 * by, *b = t->influence + 3 * k;
+            const double arm[2] = {b[1] - e[1], e[0] - b[0]};
+            a->arm[2 * k] = r[0] * arm[0] + r[1] * arm[1];
+            a->arm[2 * k + 1] = r[0] * arm[1] - r[1] * arm[0];
+        }
+    }
+}
+
+/* What a body adds to the sums of two coordinates that move it: entries k, l of moved_by. */
+static void add_pair(const pm_workspace *w, const pm_tree_node *x, int k, int l)
+{
+    const pm_tree *t = w->tree;
+    const pm_tree_augmented *a = &t->turning;
+    const int i = t->moved_by[k], j = t->moved_by[l], at = i * t->n + j;
+    const double m = w->mass[x->body], *p = a->arm + 2 * k, *q = a->arm + 2 * l, *e = a->fixed + 2 * i,
+                 *f = a->fixed + 2 * j;
+    a->same[at] += m * (p[0] * q[0] + p[1] * q[1]);
+    a->cross[at] += m * (p[0] * q[1] - p[1] * q[0]);
+    a->level[at] += pm_body_inertia(w, x->body) * t->influence[3 * k + 2] * t->influence[3 * l + 2] +
+                    m * (e[0] * f[0] + e[1] * f[1]);
+    for (int c = 0; c < 2; c++) {
+        a->lower[2 * at + c] += m * q[c];
+        a->upper[2 * at + c] += m * p[c];
+    }
+}
+
+static void sum_up(const pm_workspace *w)
+{
+    const pm_tree *t = w->tree;
+    const pm_tree_augmented *a = &t->turning;
+    const size_t n = (size_t)t->n, bytes = n * n * sizeof(double);
+    memset(a->same, 0, bytes);
+    memset(a->cross, 0, bytes);
+    memset(a->level, 0, bytes);
+    memset(a->lower, 0, 2 * bytes);
+    memset(a->upper, 0, 2 * bytes);
+    memset(a->weight, 0, 2 * n * sizeof(double));
+    for (int i = 0; i < w->model->nbody; i++) {
+        const pm_tree_node *x = &t->node[i];
+        for (int k = x->list; k < x->list + x->nlist; k++) {
+            const int by = t->moved_by[k];
+            for (int c = 0; c < 2; c++)
+                a->weight[by] += w->mass[x->body] * w->gravity[c] * a->fixed[2 * by + c];
+            for (int l = k; l < x->list + x->nlist; l++) add_pair(w, x, k, l); /* l moves less: i >= j */
+        }
+    }
+}
+
+/* The bodies that are looked at in a solve: all where there are forces, else those of the loop rows. */
+static void list_needed(pm_workspace *w)
+{
+    pm_tree *t = w->tree;
+    for (int i = 0; i < w->model->nbody; i++) t->node[i].needed = t->turning.forced;
+    for (int i = 0; i < t->nloop; i++)
+        for (int p = 0; p < 2; p++) {
+            const int body = w->row[t->loop[i]].body[p];
+            if (body != w->model->nbody) t->node[t->placed[body] - 1].needed = 1;
+        }
+}
+
+void pm_tree_sum_up(pm_workspace *w)
+{
+    pm_tree *t = w->tree;
+    pm_tree_augmented *a = &t->turning;
+    a->on = t->n <= a->most && !w->massless && !w->asymmetric;
+    for (int i = 0; i < w->model->nbody; i++) a->on = a->on && turns_simply(w, &t->node[i]);
+    if (!a->on) return;
+    a->forced = w->model->rows[PM_TABLE_FORCE] > 0 || pm_turning_plane_turns(w->model);
+    a->shifts = 0;
+    for (int i = 0; i < w->model->nbody; i++) {
+        const pm_tree_node *x = &t->node[i];
+        read_fixed(x, a->fixed);
+        for (int k = x->first; k < x->first + x->ncoordinate; k++) {
+            a->owner[k] = t->kind[k] == 2 ? x->body : PM_NONE;
+            a->shifts |= a->fixed[2 * k] != 0 || a->fixed[2 * k + 1] != 0;
+        }
+    }
+    pm_tree_influence(w);
+    pm_tree_augmented_read(w);
+    read_arms(w);
+    sum_up(w);
+    list_needed(w);
+}
+
+/* ---- at every solve ---- */
+void pm_tree_augmented_read(pm_workspace *w)
+{
+    const pm_tree *t = w->tree;
+    const pm_tree_augmented *a = &t->turning;
+    for (int k = 0; k < t->n; k++) {
+        const int body = a->owner[k];
+        const double *pose = w->frame.pose + 5 * body, *velocity = w->frame.velocity + 3 * body;
+        a->direction[2 * k] = body == PM_NONE ? 1 : pose[3];
+        a->direction[2 * k + 1] = body == PM_NONE ? 0 : pose[4];
+        a->square[k] = body == PM_NONE ? 0 : velocity[2] * velocity[2];
+    }
+}
+
+void pm_tree_augmented_set(pm_workspace *w, const double *y, const double *ydot)
+{
+    const pm_tree *t = w->tree;
+    const pm_tree_augmented *a = &t->turning;
+    for (int k = 0; k < t->n; k++) {
+        if (a->owner[k] == PM_NONE) continue; /* as pm_tree_augmented_read has left it */
+        a->direction[2 * k] = cos(y[k]);
+        a->direction[2 * k + 1] = sin(y[k]);
+        a->square[k] = ydot[k] * ydot[k];
+    }
+}
+
+/* v = R d */
+static void turned(const double *r, const double *d, double *v)
+{
+    v[0] = r[0] * d[0] - r[1] * d[1];
+    v[1] = r[1] * d[0] + r[0] * d[1];
+}
+
+/* What shifting adds for coordinates i >= k. */
+static void add_shifts(const pm_tree_augmented *a, int n, int i, int k, double *mass, double *x)
+{
+    const double *e = a->fixed + 2 * i, *f = a->fixed + 2 * k;
+    double p[2], q[2];
+    turned(a->direction + 2 * k, a->lower + 2 * (i * n + k), p);
+    turned(a->direction + 2 * i, a->upper + 2 * (i * n + k), q);
+    *mass += e[1] * p[0] - e[0] * p[1] + f[1] * q[0] - f[0] * q[1];
+    x[i] += a->square[k] * (e[0] * p[0] + e[1] * p[1]);
+    if (i != k) x[k] += a->square[i] * (f[0] * q[0] + f[1] * q[1]);
+}
+
+/* Of the weights on coordinate i. */
+static double weight_on(const pm_workspace *w, int i)
+{
+    const pm_tree_augmented *a = &w->tree->turning;
+    double p[2];
+    turned(a->direction + 2 * i, a->upper + 2 * (i * w->tree->n + i), p);
+    return a->weight[i] + w->gravity[1] * p[0] - w->gravity[0] * p[1];
+}
+
+void pm_tree_augmented_equations(pm_workspace *w, double *x)
+{
+    pm_tree *t = w->tree;
+    const pm_tree_augmented *a = &t->turning;
+    const int n = t->n;
+    for (int i = 0; i < n; i++) {
+        const double *r = a->direction + 2 * i;
+        double *mass = t->mass + i * n;
+        x[i] = a->forced ? 0 : weight_on(w, i);
+        for (int k = t->first_coupled[i]; k < i; k++) {
+            const double *u = a->direction + 2 * k, same = a->same[i * n + k], cross = a->cross[i * n + k];
+            const double c = r[0] * u[0] + r[1] * u[1], s = r[1] * u[0] - r[0] * u[1];
+            const double beside = cross * c - same * s;
+            mass[k] = a->level[i * n + k] + same * c + cross * s;
+            x[i] += a->square[k] * beside;
+            x[k] -= a->square[i] * beside;
+            if (a->shifts) add_shifts(a, n, i, k, &mass[k], x);
+        }
+        mass[i] = a->level[i * n + i] + a->same[i * n + i];
+        if (a->shifts) add_shifts(a, n, i, i, &mass[i], x);
+    }
+}
+
+void pm_tree_augmented_influence(pm_workspace *w)
+{
+    const pm_tree *t = w->tree;
+    const pm_tree_augmented *a = &t->turning;
+    for (int i = 0; i < w->model->nbody; i++) {
+        const pm_tree_node *x = &t->node[i];
+        double *c = t->bias + 3 * x->body;
+        if (!x->needed) continue;
+        c[0] = c[1] = c[2] = 0;
+        for (int k = x->list; k < x->list + x->nlist; k++) {
+            const int by = t->moved_by[k];
+            double *b = t->influence + 3 * k, arm[2]; /* b[2] stays from pm_tree_sum_up */
+            turned(a->direction + 2 * by, a->arm + 2 * k, arm);
+            b[0] = a->fixed[2 * by] - arm[1];
+            b[1] = a->fixed[2 * by + 1] + arm[0];
+            c[0] -= a->square[by] * arm[0];
+            c[1] -= a->square[by] * arm[1];
+        }
+    }
+}

@@ -1,0 +1,263 @@
+/* tree_partition.c - few freedoms: the loop rows tell all coordinates but some independent ones (coordinate partitioning:
+ * Wehage and Haug, J. Mech. Des. 104, 1982).
+ *
+ * With y = (u, v), u independent, v dependent, and J = (J_u, J_v) the loop rows' Jacobian:
+ *   g(u, v) = 0     J_v vdot = w - J_u udot     J_v vddot = gamma - G c - J_u uddot
+ *   N^T M N uddot = N^T (f - M a_0)             N = B (1; -J_v^-1 J_u),  a_0 the accelerations at uddot = 0
+ *   J_v^T l = (B^T (M a - f))_v
+ * w what drives prescribe, B and c as in tree_dynamics.c.  Where the rank of J falls at one place (a dead centre, the flat
+ * parallelogram) N stays bounded along the branch, and rounding is amplified by the distance only, not by its square. */
+#include <math.h>
+#include <string.h>
+
+#include "elements/constraint.h"
+#include "elements/force.h"
+#include "equations/saddle.h"
+#include "numerics/dense.h"
+#include "state/frame.h"
+#include "tree/tree.h"
+#include "tree/tree_node.h"
+
+#define SWEEPS 20
+#define ROUNDING 4e-15 /* of the scene's size: loop rows are met */
+#define FINEST 4e-16   /* of size and speed: near a singular position what is left is amplified */
+#define STALLED 1e-12  /* of the scene's size: met, as far as far-off coordinates allow */
+#define CLOSE 1e-8     /* of the size: a correction of positions this small leaves the factors as they are */
+#define RANK 1e-9      /* of the greatest pivot: below it rows depend on each other */
+#define MANY 12        /* loop rows */
+#define FLAT 0.01      /* square of the independent part of a loop row */
+#define STEEP 5        /* rate of a dependent coordinate over that of an independent one */
+
+static double scale_of(const pm_workspace *w, int coordinate)
+{
+    return pm_tree_is_angle(w, coordinate) ? 1 : w->size;
+}
+
+void pm_tree_hold(pm_workspace *w, int held)
+{
+    pm_tree *t = w->tree;
+    if (t->column[t->n - 1] == held) return;
+    t->column[t->n - 1] = held;
+    pm_tree_arrange(w);
+}
+
+/* Chooses the columns of the pivots. */
+void pm_tree_partition(pm_workspace *w)
+{
+    pm_tree *t = w->tree;
+    const int n = t->n;
+    double *a = t->reduced;
+    int *order = t->position;
+    if (t->nloop == 0 || t->nloop >= n || n - t->nloop > PM_TREE_FEW) return;
+    const pm_loops loops = {a, t->elimination.low, t->elimination.high};
+    pm_tree_loops_unknown(t, &loops); /* other things have been kept there */
+    pm_tree_loops(w, &loops);
+    for (int i = 0; i < t->nloop; i++)
+        for (int k = loops.low[i]; k <= loops.high[i]; k++) a[i * n + k] *= scale_of(w, k);
+    if (pm_elimination_run(t->nloop, n, a, order, &t->elimination) > RANK) {
+        memcpy(t->column + t->nloop, order + t->nloop, (size_t)(n - t->nloop) * sizeof *order);
+        t->few = 1;
+        t->steepest = 0;
+    }
+    if (t->few) pm_tree_arrange(w); /* singular here: what was chosen stays */
+}
+
+int pm_tree_is_steep(const pm_workspace *w) { return w->tree->few && w->tree->steepest > STEEP; }
+
+int pm_tree_is_flat(const pm_workspace *w)
+{
+    const pm_tree *t = w->tree;
+    return !t->few && t->nloop > 0 && (t->independence < FLAT || t->nloop > MANY);
+}
+
+/* y of the dependent coordinates += J_v^-1 residual. */
+static void correct(const pm_tree *t, double *y)
+{
+    pm_tree_solve_dependent(t, t->residual);
+    for (int c = 0; c < t->nloop; c++) y[t->column[c]] += t->residual[c];
+}
+
+/* Residuals of the evaluated loop rows; the worst. */
+static double read_residuals(const pm_workspace *w)
+{
+    const pm_tree *t = w->tree;
+    double worst = 0;
+    for (int i = 0; i < t->nloop; i++) {
+        t->residual[i] = -w->row[t->loop[i]].g;
+        worst = fmax(worst, fabs(t->residual[i]));
+    }
+    return worst;
+}
+
+static double read_rate_residuals(const pm_workspace *w, const double *v)
+{
+    const pm_tree *t = w->tree;
+    double worst = 0;
+    for (int i = 0; i < t->nloop; i++) {
+        const pm_constraint *row = &w->row[t->loop[i]];
+        t->residual[i] = row->rate - pm_saddle_times(w, row, v);
+        worst = fmax(worst, fabs(t->residual[i]));
+    }
+    return worst;
+}
+
+/* ---- positions alone ---- */
+/* Places the bodies and evaluates the loop rows; their greatest residual. */
+static double place(pm_workspace *w, const double *y, double *q, const pm_loops *loops)
+{
+    pm_tree_place(w, w->state.memory, y, q);
+    if (w->tree->nloop == 0) return 0;
+    pm_tree_loops(w, loops);
+    return read_residuals(w);
+}
+
+int pm_tree_close(pm_workspace *w, double *y, double *q, const pm_loops *loops)
+{
+    double worst = place(w, y, q, loops), before = INFINITY;
+    for (int sweep = 0; sweep < SWEEPS; sweep++) {
+        if (worst <= ROUNDING * w->size || (worst <= STALLED * w->size && worst > 0.25 * before))
+            return PM_OK;
+        const int status = pm_tree_factor_dependent(w, loops->entry);
+        if (status) return status;
+        correct(w->tree, y);
+        before = worst;
+        worst = place(w, y, q, loops);
+    }
+    return pm_fail(w, PM_ASSEMBLY, PM_NONE, PM_NONE, worst, STALLED * w->size);
+}
+
+/* Rates of all coordinates at a unit rate of an independent one; the factors are there. */
+static void slope_of(const pm_tree *t, int independent, const double *jacobian, double *slope)
+{
+    memset(slope, 0, (size_t)t->n * sizeof *slope);
+    slope[independent] = 1;
+    for (int i = 0; i < t->nloop; i++) t->residual[i] = -jacobian[i * t->n + independent];
+    correct(t, slope);
+}
+
+int pm_tree_slope(pm_workspace *w, const pm_loops *loops, double *slope)
+{
+    const int status = pm_tree_factor_dependent(w, loops->entry);
+    if (!status) slope_of(w->tree, w->tree->column[w->tree->nloop], loops->entry, slope);
+    return status;
+}
+
+/* ---- motion ---- */
+static double look(pm_workspace *w, double time, const double *y, const double *ydot, const double *z)
+{
+    pm_tree *t = w->tree;
+    pm_tree_look(w, time, y, ydot, z);
+    for (int i = 0; i < t->nloop; i++) {
+        pm_constraint *row = &w->row[t->loop[i]];
+        pm_constraint_kind(row->kind)->evaluate(w, row);
+    }
+    return read_residuals(w);
+}
+
+/* The Jacobian of the evaluated loop rows, and the factors of its dependent part. */
+static int factor_here(pm_workspace *w)
+{
+    pm_tree *t = w->tree;
+    pm_tree_influence(w);
+    for (int i = 0; i < t->nloop; i++) {
+        const pm_constraint *row = &w->row[t->loop[i]];
+        pm_tree_clear_loop(w, row, t->loops + i * t->n);
+        pm_tree_loop_row(w, row, t->loops + i * t->n);
+    }
+    return pm_tree_factor_dependent(w, t->loops);
+}
+
+int pm_tree_settle(pm_workspace *w, double time, double *y, double *ydot, const double *z)
+{
+    const pm_tree *t = w->tree;
+    double worst = look(w, time, y, ydot, z), before = INFINITY;
+    for (int sweep = 0; sweep < SWEEPS; sweep++) {
+        const int met = worst <= FINEST * w->size || (worst <= STALLED * w->size && worst > 0.25 * before);
+        if (met && read_rate_residuals(w, t->v) <= FINEST * w->speed) return PM_OK;
+        if (met && sweep > 0 && before <= CLOSE * w->size) { /* the factors are those of this place */
+            correct(t, ydot);
+            look(w, time, y, ydot, z);
+            return PM_OK;
+        }
+        const int status = factor_here(w);
+        if (status) return status;
+        read_residuals(w);
+        correct(t, y);
+        read_rate_residuals(w, t->v);
+        correct(t, ydot);
+        before = worst;
+        worst = look(w, time, y, ydot, z);
+    }
+    return pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, worst, STALLED * w->size); /* a shorter step may do */
+}
+
+/* J_v yddot_v = gamma - G a, a the accelerations at yddot as given. */
+static void follow(pm_workspace *w, double *yddot, double *a)
+{
+    pm_tree *t = w->tree;
+    pm_tree_spread_accelerations(w, yddot, a);
+    for (int i = 0; i < t->nloop; i++) {
+        const pm_constraint *row = &w->row[t->loop[i]];
+        t->residual[i] = row->gamma - pm_saddle_times(w, row, a);
+    }
+    correct(t, yddot);
+    pm_tree_spread_accelerations(w, yddot, a);
+}
+
+static double inertia_of(const pm_workspace *w, int i)
+{
+    return i % 3 < 2 ? w->mass[i / 3] : pm_body_inertia(w, i / 3);
+}
+
+int pm_tree_accelerate_few(pm_workspace *w, double *yddot)
+{
+    pm_tree *t = w->tree;
+    const int nq = w->model->nq, few = t->n - t->nloop;
+    double mass[PM_TREE_FEW * PM_TREE_FEW], force[PM_TREE_FEW], *a = w->frame.a;
+    int status = factor_here(w);
+    if (status) return status;
+    pm_force_all(w);
+    memset(yddot, 0, (size_t)t->n * sizeof *yddot);
+    follow(w, yddot, a);
+    t->steepest = 0;
+    for (int k = 0; k < few; k++) {
+        double *v = t->motion + k * nq;
+        const int own = t->column[t->nloop + k];
+        slope_of(t, own, t->loops, t->rate);
+        for (int c = 0; c < t->nloop; c++)
+            t->steepest =
+                fmax(t->steepest, fabs(t->rate[t->column[c]]) * scale_of(w, own) / scale_of(w, t->column[c]));
+        pm_tree_spread(w, t->rate, v);
+        force[k] = 0;
+        for (int i = 0; i < nq; i++) force[k] += v[i] * (w->frame.f[i] - inertia_of(w, i) * a[i]);
+        for (int l = 0; l <= k; l++) {
+            const double *other = t->motion + l * nq;
+            double sum = 0;
+            for (int i = 0; i < nq; i++) sum += v[i] * inertia_of(w, i) * other[i];
+            mass[k * few + l] = sum;
+        }
+    }
+    if (pm_dense_cholesky_factor(few, mass)) return pm_fail(w, PM_SINGULAR, PM_TABLE_BODY, 0, 0, 0);
+    pm_dense_cholesky_solve(few, mass, force);
+    memset(yddot, 0, (size_t)t->n * sizeof *yddot);
+    for (int k = 0; k < few; k++) yddot[t->column[t->nloop + k]] = force[k];
+    follow(w, yddot, a);
+    return PM_OK;
+}
+
+void pm_tree_react_loops(pm_workspace *w)
+{
+    pm_tree *t = w->tree;
+    memset(t->rate, 0, (size_t)t->n * sizeof *t->rate);
+    for (int i = 0; i < w->model->nbody; i++) {
+        const pm_tree_node *x = &t->node[i];
+        const double *needed = t->wrench + 3 * x->body;
+        for (int k = x->list; k < x->list + x->nlist; k++) {
+            const double *b = t->influence + 3 * k;
+            t->rate[t->moved_by[k]] += b[0] * needed[0] + b[1] * needed[1] + b[2] * needed[2];
+        }
+    }
+    for (int c = 0; c < t->nloop; c++) t->residual[c] = t->rate[t->column[c]];
+    pm_tree_solve_dependent_transposed(t, t->residual);
+    for (int i = 0; i < t->nloop; i++) w->frame.lambda[t->loop[i]] = t->residual[i];
+}

@@ -1,0 +1,210 @@
+/* tree_place.c - positions outward along the tree, and what its rates need of them.
+ *
+ * Placements of a body c on its parent p, with a, b the first and second partner of the rows as in row_*.c:
+ *   pin, weld   the marks coincide
+ *   line        P_a = p_b + s t + R n:   rolling   s = anchor - R (angle_a - angle_b);   slider   s is the coordinate
+ *   circles     P_a = p_b + L (cos phi, sin phi),   phi = (anchor + R_a angle_a + R_b angle_b) / L
+ * Either partner may be the child.  With rho = P_a - p_b and k x the turn by a right angle their rates are
+ *   line        rhodot = omega_b k x rho + sdot t,     circles   rhodot = phidot k x rho. */
+#include <math.h>
+#include <string.h>
+
+#include "equations/fixed_bodies.h"
+#include "state/frame.h"
+#include "tree/tree.h"
+#include "tree/tree_node.h"
+
+static void turned(const double *pose, const double mark[2], double r[2])
+{
+    r[0] = pose[3] * mark[0] - pose[4] * mark[1];
+    r[1] = pose[4] * mark[0] + pose[3] * mark[1];
+}
+
+static const double *pose_of_b(const pm_workspace *w, const pm_tree_node *x)
+{
+    return w->frame.pose + 5 * (x->child_is_a ? x->parent : x->body);
+}
+
+static void place_free(const pm_tree_node *x, const double *own, double *at)
+{
+    at[0] = own[0];
+    at[1] = own[1];
+    at[2] = x->turns ? own[2] : 0;
+    at[3] = cos(at[2]);
+    at[4] = sin(at[2]);
+}
+
+static void place_angle(const pm_tree_node *x, const double *own, const double *from, double *at)
+{
+    if (pm_tree_follows(x)) {
+        at[2] = from[2] + x->angle;
+        at[3] = from[3] * x->turn[0] - from[4] * x->turn[1];
+        at[4] = from[4] * x->turn[0] + from[3] * x->turn[1];
+    } else {
+        at[2] = x->turns ? own[0] : 0;
+        at[3] = cos(at[2]);
+        at[4] = sin(at[2]);
+    }
+}
+
+/* P_a - p_b once both angles are known. */
+static void distance_of_marks(const pm_workspace *w, const pm_tree_node *x, const pm_memory *memory,
+                              double own, const double *from, const double *at, double rho[2])
+{
+    if (x->placement == SLIDER || x->placement == ROLL_LINE) {
+        double t[2];
+        turned(pose_of_b(w, x), x->line, t);
+        const double s = x->placement == SLIDER
+                             ? own
+                             : memory[x->memory].anchor + x->roll_own * at[2] + x->roll_parent * from[2];
+        rho[0] = s * t[0] - x->radius * t[1];
+        rho[1] = s * t[1] + x->radius * t[0];
+    } else if (x->placement == ROLL_CIRCLE && x->roll_own == 1 && x->roll_parent == 0) {
+        turned(at, x->touch, rho); /* on a point: pinned to it where they touch */
+    } else if (x->placement == ROLL_CIRCLE && x->roll_own == 0 && x->roll_parent == 1) {
+        turned(from, x->touch, rho);
+    } else if (x->placement == ROLL_CIRCLE) {
+        const double phi =
+            memory[x->memory].anchor / x->length + x->roll_own * at[2] + x->roll_parent * from[2];
+        rho[0] = x->length * cos(phi);
+        rho[1] = x->length * sin(phi);
+    }
+}
+
+/* What the rates need, once r_mark, r_child and rho are known. */
+static void couple(const pm_workspace *w, pm_tree_node *x)
+{
+    x->by_parent[0] = -x->r_mark[1];
+    x->by_parent[1] = x->r_mark[0];
+    x->by_own[0] = x->r_child[1];
+    x->by_own[1] = -x->r_child[0];
+    if (x->placement <= WELD) return;
+    const double sign = x->child_is_a ? 1 : -1;
+    if (x->placement == ROLL_CIRCLE) {
+        x->t[0] = -x->rho[1] / x->length;
+        x->t[1] = x->rho[0] / x->length;
+        for (int k = 0; k < 2; k++) {
+            x->by_parent[k] += sign * x->length * x->roll_parent * x->t[k];
+            x->by_own[k] += sign * x->length * x->roll_own * x->t[k];
+        }
+        return;
+    }
+    const double across[2] = {-sign * x->rho[1], sign * x->rho[0]};
+    double *by_b = x->child_is_a ? x->by_parent : x->by_own;
+    turned(pose_of_b(w, x), x->line, x->t);
+    for (int k = 0; k < 2; k++) {
+        by_b[k] += across[k];
+        x->by_slide[k] = sign * x->t[k];
+        x->by_parent[k] += sign * x->roll_parent * x->t[k];
+        x->by_own[k] += sign * x->roll_own * x->t[k];
+    }
+}
+
+/* The same as below, for what most trees consist of. */
+static void place_pinned(const pm_workspace *w, pm_tree_node *x, const double *y)
+{
+    const double *from = w->frame.pose + 5 * x->parent;
+    double *at = w->frame.pose + 5 * x->body;
+    at[2] = x->turns ? y[x->first] : 0;
+    at[3] = cos(at[2]);
+    at[4] = sin(at[2]);
+    turned(from, x->mark, x->r_mark);
+    turned(at, x->child, x->r_child);
+    for (int k = 0; k < 2; k++) at[k] = from[k] + x->r_mark[k] - x->r_child[k];
+    x->by_parent[0] = -x->r_mark[1];
+    x->by_parent[1] = x->r_mark[0];
+    x->by_own[0] = x->r_child[1];
+    x->by_own[1] = -x->r_child[0];
+}
+
+static void place_node(const pm_workspace *w, pm_tree_node *x, const pm_memory *memory, const double *y)
+{
+    const double *own = y + x->first, *from = w->frame.pose + 5 * x->parent;
+    double *at = w->frame.pose + 5 * x->body;
+    if (x->placement == FREE) {
+        place_free(x, own, at);
+        return;
+    }
+    if (x->placement == PIN) {
+        place_pinned(w, x, y);
+        return;
+    }
+    place_angle(x, own, from, at);
+    turned(from, x->mark, x->r_mark);
+    turned(at, x->child, x->r_child);
+    if (x->placement > WELD) distance_of_marks(w, x, memory, own[0], from, at, x->rho);
+    const double sign = x->child_is_a ? 1 : -1;
+    for (int k = 0; k < 2; k++) {
+        at[k] = from[k] + x->r_mark[k] - x->r_child[k];
+        if (x->placement > WELD) at[k] += sign * x->rho[k];
+    }
+    couple(w, x);
+}
+
+void pm_tree_place(const pm_workspace *w, const pm_memory *memory, const double *y, double *q)
+{
+    for (int i = 0; i < w->model->nbody; i++) {
+        pm_tree_node *x = &w->tree->node[i];
+        place_node(w, x, memory, y);
+        memcpy(q + 3 * x->body, w->frame.pose + 5 * x->body, 3 * sizeof *q);
+    }
+}
+
+static void look_at_marks(const pm_workspace *w, pm_tree_node *x)
+{
+    const double *at = w->frame.pose + 5 * x->body, *from = w->frame.pose + 5 * x->parent;
+    const double sign = x->child_is_a ? 1 : -1;
+    turned(from, x->mark, x->r_mark);
+    turned(at, x->child, x->r_child);
+    for (int k = 0; k < 2; k++) x->rho[k] = sign * (at[k] + x->r_child[k] - from[k] - x->r_mark[k]);
+    couple(w, x);
+}
+
+void pm_tree_read(const pm_workspace *w, double *y)
+{
+    for (int i = 0; i < w->model->nbody; i++) {
+        pm_tree_node *x = &w->tree->node[i];
+        const double *at = w->frame.pose + 5 * x->body;
+        double *own = y + x->first;
+        if (x->placement == FREE) {
+            memcpy(own, at, (size_t)x->ncoordinate * sizeof *own);
+            continue;
+        }
+        look_at_marks(w, x);
+        if (x->placement == SLIDER) {
+            own[0] = x->rho[0] * x->t[0] + x->rho[1] * x->t[1];
+        } else if (x->ncoordinate > 0) {
+            own[0] = at[2];
+        }
+    }
+}
+
+void pm_tree_marks(const pm_workspace *w)
+{
+    for (int i = 0; i < w->model->nbody; i++)
+        if (w->tree->node[i].placement != FREE) look_at_marks(w, &w->tree->node[i]);
+}
+
+void pm_tree_look(pm_workspace *w, double t, const double *y, const double *ydot, const double *z)
+{
+    static const double still[3] = {0, 0, 0};
+    pm_tree *tree = w->tree;
+    pm_frame *f = &w->frame;
+    const int ground = w->model->nbody;
+    f->t = t;
+    f->q = tree->q;
+    f->v = tree->v;
+    f->z = z;
+    f->memory = w->state.memory;
+    f->level = PM_LEVEL_KINEMATIC;
+    for (int i = w->still->n; i < ground; i++) {
+        pm_tree_node *x = &tree->node[i];
+        double *velocity = f->velocity + 3 * x->body;
+        place_node(w, x, f->memory, y);
+        pm_tree_move(x, x->parent == ground ? still : f->velocity + 3 * x->parent, ydot + x->first, velocity);
+        for (int k = 0; k < 3; k++) {
+            tree->q[3 * x->body + k] = f->pose[5 * x->body + k];
+            tree->v[3 * x->body + k] = velocity[k];
+        }
+    }
+}

@@ -1,0 +1,145 @@
+/* tree_rates.c - velocities and accelerations outward along the tree, and its loop rows.
+ *
+ * By tree_node.h velocities are linear in the rates; what the accelerations have beside the same form is, with r from
+ * the mass centres to the marks (of the child r_c, of the parent r_p) and rho = P_a - p_b,
+ *   -omega_p^2 r_p + omega_c^2 r_c   and   line      2 omega_b sdot k x t - omega_b^2 rho
+ *                                          circles   -phidot^2 rho        (with the sign of P_a - p_b seen from p) */
+#include <math.h>
+#include <string.h>
+
+#include "elements/constraint.h"
+#include "equations/fixed_bodies.h"
+#include "state/frame.h"
+#include "tree/tree.h"
+#include "tree/tree_node.h"
+
+static const double *rates_of(const pm_workspace *w, const double *v, int body)
+{
+    static const double still[3] = {0, 0, 0};
+    return body == w->model->nbody ? still : v + 3 * body;
+}
+
+void pm_tree_spread(pm_workspace *w, const double *ydot, double *v)
+{
+    for (int i = 0; i < w->model->nbody; i++) {
+        const pm_tree_node *x = &w->tree->node[i];
+        pm_tree_move(x, rates_of(w, v, x->parent), ydot + x->first, v + 3 * x->body);
+    }
+}
+
+void pm_tree_read_rates(pm_workspace *w, const double *v, double *ydot)
+{
+    for (int i = 0; i < w->model->nbody; i++) {
+        const pm_tree_node *x = &w->tree->node[i];
+        const double *to = v + 3 * x->body;
+        double *own = ydot + x->first;
+        if (x->placement == FREE)
+            memcpy(own, to, (size_t)x->ncoordinate * sizeof *own);
+        else if (x->placement == SLIDER)
+            own[0] = pm_tree_slide_rate(x, rates_of(w, v, x->parent), to);
+        else if (x->ncoordinate > 0)
+            own[0] = to[2];
+    }
+}
+
+void pm_tree_spread_accelerations(const pm_workspace *w, const double *yddot, double *a)
+{
+    for (int i = w->still->n; i < w->model->nbody; i++) {
+        const pm_tree_node *x = &w->tree->node[i];
+        double *to = a + 3 * x->body;
+        pm_tree_move(x, rates_of(w, a, x->parent), yddot + x->first, to);
+        if (x->placement != FREE)
+            pm_tree_add_quadratic(x, w->frame.velocity + 3 * x->parent, w->frame.velocity + 3 * x->body, to);
+    }
+}
+
+void pm_tree_read_accelerations(const pm_workspace *w, const double *a, double *yddot)
+{
+    for (int i = 0; i < w->model->nbody; i++) {
+        const pm_tree_node *x = &w->tree->node[i];
+        const double *to = a + 3 * x->body;
+        double *own = yddot + x->first;
+        if (x->placement == FREE) {
+            memcpy(own, to, (size_t)x->ncoordinate * sizeof *own);
+        } else if (x->placement == SLIDER) {
+            double rest[3] = {to[0], to[1], to[2]}, quadratic[3] = {0, 0, 0};
+            pm_tree_add_quadratic(x, w->frame.velocity + 3 * x->parent, w->frame.velocity + 3 * x->body,
+                                  quadratic);
+            for (int k = 0; k < 2; k++) rest[k] -= quadratic[k];
+            own[0] = pm_tree_slide_rate(x, rates_of(w, a, x->parent), rest);
+        } else if (x->ncoordinate > 0) {
+            own[0] = to[2];
+        }
+    }
+}
+
+void pm_tree_bias(pm_workspace *w, double *a)
+{
+    memset(w->tree->rate, 0, (size_t)w->tree->n * sizeof(double));
+    pm_tree_spread_accelerations(w, w->tree->rate, a);
+}
+
+void pm_tree_influence(pm_workspace *w)
+{
+    static const double none[3] = {0, 0, 0}, unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const pm_tree *t = w->tree;
+    for (int i = 0; i < w->model->nbody; i++) {
+        const pm_tree_node *x = &t->node[i];
+        double *to = t->influence + 3 * x->list;
+        const int inherited = x->nlist - x->ncoordinate;
+        if (inherited > 0) {
+            const double *from = t->influence + 3 * t->node[t->placed[x->parent] - 1].list;
+            for (int k = 0; k < inherited; k++, to += 3, from += 3) pm_tree_move(x, from, none, to);
+        }
+        for (int k = x->ncoordinate; k-- > 0; to += 3) pm_tree_move(x, none, unit[k], to);
+    }
+}
+
+void pm_tree_basis(pm_workspace *w, double *basis)
+{
+    const pm_tree *t = w->tree;
+    memset(basis, 0, (size_t)w->model->nq * (size_t)t->n * sizeof *basis);
+    pm_tree_influence(w);
+    for (int i = 0; i < w->model->nbody; i++) {
+        const pm_tree_node *x = &t->node[i];
+        for (int k = x->list; k < x->list + x->nlist; k++)
+            for (int c = 0; c < 3; c++)
+                basis[(3 * x->body + c) * t->n + t->moved_by[k]] = t->influence[3 * k + c];
+    }
+}
+
+void pm_tree_loop_row(const pm_workspace *w, const pm_constraint *row, double *on_coordinates)
+{
+    const pm_tree *t = w->tree;
+    for (int side = 0; side < 2; side++) {
+        if (row->body[side] == w->model->nbody) continue;
+        const pm_tree_node *x = &t->node[t->placed[row->body[side]] - 1];
+        const double *j = row->j + 3 * side;
+        for (int k = x->list; k < x->list + x->nlist; k++) {
+            const double *b = t->influence + 3 * k;
+            on_coordinates[t->moved_by[k]] += j[0] * b[0] + j[1] * b[1] + j[2] * b[2];
+        }
+    }
+}
+
+void pm_tree_loops(pm_workspace *w, const pm_loops *x)
+{
+    const pm_tree *t = w->tree;
+    pm_tree_influence(w);
+    for (int i = 0; i < t->nloop; i++) {
+        pm_constraint *row = &w->row[t->loop[i]];
+        double *entry = x->entry + i * t->n;
+        pm_constraint_kind(row->kind)->evaluate(w, row);
+        for (int c = x->low[i]; c <= x->high[i]; c++) entry[c] = 0;
+        pm_tree_row_ends(w, row, &x->low[i], &x->high[i]);
+        pm_tree_loop_row(w, row, entry);
+    }
+}
+
+void pm_tree_loops_unknown(const pm_tree *t, const pm_loops *x)
+{
+    for (int i = 0; i < t->nloop; i++) {
+        x->low[i] = 0;
+        x->high[i] = t->n - 1;
+    }
+}

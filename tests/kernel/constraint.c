@@ -1,0 +1,279 @@
+/* Rows: for every kind of joint and contact, with the ground and with a moving partner on either side:
+ * Jacobian = differences of the residual, gamma = -(dG/dt) v by differences of the rate, and, on the constraint, the
+ * rate from the line of action = j v.  Rolling on and in circles closes after a thousand turns. */
+#include "elements/constraint.h"
+
+#include "check.h"
+#include "equations/active_set.h"
+#include "equations/saddle.h"
+#include "scene.h"
+
+#define TWO_PI 6.283185307179586
+#define STEP 1e-6
+
+static const double pose_a[3] = {0.31, -0.22, 0.7}, pose_b[3] = {-0.83, 0.64, -1.9};
+static const double mark[2][2] = {{0.17, -0.08}, {-0.12, 0.21}};
+static const double speed[6] = {0.9, -1.3, 2.1, -0.4, 0.8, -1.7};
+
+/* body[0], body[1], or the ground: partners[k] of the pair looked at */
+typedef struct pair {
+    scene *s;
+    int body[2], point[2];
+    double at[2][2], distance;
+} pair;
+
+static void place_of(const double pose[3], const double at[2], double p[2])
+{
+    p[0] = pose[0] + cos(pose[2]) * at[0] - sin(pose[2]) * at[1];
+    p[1] = pose[1] + sin(pose[2]) * at[0] + cos(pose[2]) * at[1];
+}
+
+static pair make_pair(int ground_side)
+{
+    pair x = {.s = scene_create()};
+    const double *pose[2] = {pose_a, pose_b};
+    static const double scene_pose[3] = {0, 0, 0};
+    for (int k = 0; k < 2; k++) {
+        const int ground = ground_side == k;
+        x.body[k] = ground ? PM_GROUND : scene_body(x.s, 1.5 + k, 0.2, pose[k][0], pose[k][1], pose[k][2]);
+        x.point[k] = scene_point(x.s, x.body[k], mark[k][0], mark[k][1]);
+        place_of(ground ? scene_pose : pose[k], mark[k], x.at[k]);
+    }
+    x.distance = hypot(x.at[0][0] - x.at[1][0], x.at[0][1] - x.at[1][1]);
+    return x;
+}
+
+/* Puts the drawn pose and a velocity into w->state and looks at it; q is moved by eps along `direction`. */
+static void look(pm_workspace *w, const double *direction, double eps)
+{
+    const pm_model *m = w->model;
+    for (int i = 0; i < m->nbody; i++)
+        for (int k = 0; k < 3; k++) {
+            w->state.q[3 * i + k] =
+                w->value[PM_BODY_ROW(m, i)[PM_BODY_X + k]] + (direction ? eps * direction[3 * i + k] : 0);
+            w->state.v[3 * i + k] = speed[3 * i + k];
+        }
+    pm_frame_look_state(w, &w->state);
+}
+
+static double residual_at(pm_workspace *w, pm_constraint row, const double *direction, double eps)
+{
+    look(w, direction, eps);
+    pm_constraint_kind(row.kind)->evaluate(w, &row);
+    return row.g;
+}
+
+static double rate_at(pm_workspace *w, pm_constraint row, const double *direction, double eps)
+{
+    look(w, direction, eps);
+    pm_constraint_kind(row.kind)->evaluate(w, &row);
+    return pm_saddle_times(w, &row, w->state.v);
+}
+
+static void check_row(pm_workspace *w, pm_constraint row, int on_constraint)
+{
+    const int nq = w->model->nq;
+    double difference[6], dense[6] = {0};
+    look(w, NULL, 0);
+    if (row.memory != PM_NONE)
+        pm_constraint_kind(row.kind)->remember(w, &row, &w->state.memory[row.memory], 1);
+    pm_constraint_kind(row.kind)->evaluate(w, &row);
+    if (row.memory != PM_NONE) NEAR(row.g, 0, 1e-14);
+    for (int p = 0; p < 2; p++)
+        for (int k = 0; k < 3 && row.body[p] < w->model->nbody; k++)
+            dense[3 * row.body[p] + k] += row.j[3 * p + k];
+    for (int i = 0; i < nq; i++) {
+        double direction[6] = {0};
+        direction[i] = 1;
+        difference[i] =
+            (residual_at(w, row, direction, STEP) - residual_at(w, row, direction, -STEP)) / (2 * STEP);
+        NEAR(dense[i], difference[i], 2e-9);
+    }
+    const double change = (rate_at(w, row, speed, STEP) - rate_at(w, row, speed, -STEP)) / (2 * STEP);
+    NEAR(row.gamma, -change, 1e-7);
+    look(w, NULL, 0);
+    if (on_constraint) NEAR(pm_constraint_rate(w, &row), pm_saddle_times(w, &row, w->state.v), 1e-13);
+}
+
+static int open_case(scene *s)
+{
+    return CHECK(scene_open(s) == PM_OK) && CHECK(pm_case_begin(s->w, s->constant) == PM_OK);
+}
+
+/* All rows of all joints and contacts of the scene. */
+static void check_scene(scene *s, int on_constraint)
+{
+    if (!open_case(s)) return;
+    pm_workspace *w = s->w;
+    look(w, NULL, 0);
+    for (int i = 0; i < s->rows[PM_TABLE_JOINT]; i++) {
+        pm_constraint row[PM_JOINT_CONSTRAINTS];
+        const int n = pm_joint_constraints(w, i, row);
+        for (int k = 0; k < n; k++) {
+            EQUAL(row[k].joint, i);
+            check_row(w, row[k], on_constraint || row[k].kind == PM_CONSTRAINT_ANGLE);
+        }
+    }
+    for (int i = 0; i < s->rows[PM_TABLE_CONTACT]; i++) {
+        pm_constraint row[2];
+        pm_contact_constraint_both(w, i, s->model->contact_slot[i], i == 0 ? 0 : 2, &row[0], &row[1]);
+        for (int k = 0; k < 2; k++) check_row(w, row[k], on_constraint);
+        EQUAL(row[0].memory, PM_NONE);
+        CHECK(row[1].memory >= 0 && row[1].memory < s->model->nmemory);
+    }
+}
+
+static void point_joints(int ground_side)
+{
+    static const int kinds[] = {PM_JOINT_PIN, PM_JOINT_WELD, PM_JOINT_LINK};
+    for (int i = 0; i < 3; i++) {
+        pair x = make_pair(ground_side);
+        scene_joint(x.s, kinds[i], x.point[0], x.point[1], kinds[i] == PM_JOINT_LINK ? x.distance : 0.35);
+        check_scene(x.s, kinds[i] == PM_JOINT_LINK); /* a pin's force is taken at the point of a */
+        scene_free(x.s);
+    }
+}
+
+/* A circle of radius R touching a line: the line's angle from its body follows from where the centres are. */
+static void line_rows(int ground_side, double radius)
+{
+    pair x = make_pair(ground_side);
+    const double direction =
+        atan2(x.at[0][1] - x.at[1][1], x.at[0][0] - x.at[1][0]) - asin(radius / x.distance);
+    const double of_body = ground_side == 1 ? 0 : pose_b[2];
+    const int circle = scene_circle(x.s, x.point[0], radius),
+              line = scene_line(x.s, x.point[1], direction - of_body);
+    scene_joint(x.s, PM_JOINT_ROLLING_LINE, circle, line, 0);
+    scene_contact(x.s, PM_CONTACT_LINE, circle, line, 0, 0.5, PM_FRICTION_ROUGH, 0);
+    check_scene(x.s, 1);
+    pm_constraint row[PM_JOINT_CONSTRAINTS];
+    if (x.s->w) {
+        look(x.s->w, NULL, 0);
+        pm_joint_constraints(x.s->w, 0, row);
+        pm_constraint_kind(row[0].kind)->evaluate(x.s->w, &row[0]);
+        NEAR(row[0].g, 0, 1e-14);
+    }
+    scene_free(x.s);
+    x = make_pair(ground_side); /* sliders: the centre on the line */
+    const int slide =
+        scene_line(x.s, x.point[1], atan2(x.at[0][1] - x.at[1][1], x.at[0][0] - x.at[1][0]) - of_body);
+    scene_joint(x.s, PM_JOINT_SLIDER, x.point[0], slide, 0);
+    scene_joint(x.s, PM_JOINT_SLIDER_FIXED, x.point[0], slide, 0.4);
+    check_scene(x.s, 1);
+    scene_free(x.s);
+}
+
+static void circle_rows(int ground_side, double side, double ratio)
+{
+    pair x = make_pair(ground_side);
+    const double d = x.distance;
+    const double small = ratio * d, large = side > 0 ? d - small : d + small; /* radii that touch */
+    const double a = side == -2 ? large : small, b = side == -2 ? small : large;
+    const int ca = scene_circle(x.s, x.point[0], a), cb = scene_circle(x.s, x.point[1], b);
+    scene_joint(x.s, PM_JOINT_ROLLING_CIRCLE, ca, cb, side);
+    scene_contact(x.s, PM_CONTACT_CIRCLE, ca, cb, side, 0.5, PM_FRICTION_ROUGH, 0);
+    check_scene(x.s, 1);
+    if (x.s->w) {
+        pm_constraint row[PM_JOINT_CONSTRAINTS];
+        look(x.s->w, NULL, 0);
+        pm_joint_constraints(x.s->w, 0, row);
+        pm_constraint_kind(row[0].kind)->evaluate(x.s->w, &row[0]);
+        NEAR(row[0].g, 0, 1e-14);
+        /* moving the centres together opens an inner contact and closes an outer one */
+        const double *q = x.s->w->state.q;
+        double nearer[6] = {0};
+        const int moved = ground_side == 0 ? 1 : 0;
+        const double away[2] = {x.at[1 - moved][0] - x.at[moved][0], x.at[1 - moved][1] - x.at[moved][1]};
+        const int column = moved == 1 && ground_side != 0 ? 3 : 0;
+        nearer[column] = away[0] / d;
+        nearer[column + 1] = away[1] / d;
+        NEAR(residual_at(x.s->w, row[0], nearer, 1e-3), side > 0 ? -1e-3 : 1e-3, 1e-15);
+        (void)q;
+    }
+    scene_free(x.s);
+}
+
+static void periodic_row(int ground_side)
+{
+    pair x = make_pair(ground_side);
+    const int circle = scene_circle(x.s, x.point[0], x.distance);
+    const int row = SCENE_ROW(x.s, PM_TABLE_ROW, x.point[1], scene_value(x.s, 0.3), scene_value(x.s, 0.05),
+                              scene_value(x.s, -1));
+    scene_contact(x.s, PM_CONTACT_ROW, circle, row, 0, 0, PM_FRICTION_ROUGH, 0);
+    check_scene(x.s, 1);
+    scene_free(x.s);
+    x = make_pair(ground_side); /* member 2 */
+    scene_contact(x.s, PM_CONTACT_LINE, scene_circle(x.s, x.point[0], 0), scene_line(x.s, x.point[1], 0), 0,
+                  0, PM_FRICTION_SMOOTH, 0);
+    const int again = SCENE_ROW(x.s, PM_TABLE_ROW, x.point[1], scene_value(x.s, 0.3), scene_value(x.s, 0.05),
+                                scene_value(x.s, -1));
+    scene_contact(x.s, PM_CONTACT_ROW, scene_circle(x.s, x.point[0], 0.2), again, 0, 0, PM_FRICTION_ROUGH, 0);
+    check_scene(x.s, 0);
+    scene_free(x.s);
+}
+
+/* A thousand turns on a line: x = r angle to rounding, whatever the integrator does. */
+static void rolls_on_a_line(void)
+{
+    scene *s = scene_create();
+    const double r = 0.3, turns = 1000;
+    const int b = scene_body(s, 2, 0.11, 0, r, 0), g = scene_point(s, b, 0, 0);
+    scene_joint(s, PM_JOINT_ROLLING_LINE, scene_circle(s, g, r), scene_floor(s, 0), 0);
+    scene_start_omega(s, b, -40);
+    const int turned = scene_measure(s, PM_MEASURE_TURNED, b);
+    scene_until(
+        s,
+        scene_when(s, PM_TRIGGER_FALL,
+                   SCENE_PROGRAM(s, scene_m(turned), scene_k(s, TWO_PI * turns), scene_op(PM_OP_ADD))),
+        1);
+    const int place = scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, g, PM_PART_X));
+    const int end = scene_ask_measure(s, scene_time(s));
+    EQUAL(scene_run(s, NULL), PM_OK);
+    NEAR(s->out[place], r * TWO_PI * turns, 1e-11 * r * TWO_PI * turns);
+    NEAR(s->out[end], TWO_PI * turns / 40, 1e-9);
+    CHECK(s->audit[PM_AUDIT_CONSTRAINT] < 1e-11);
+    scene_free(s);
+}
+
+/* A thousand turns round inside a circle, without weight: (R - r) times the centre's angle + r times the wheel's = const. */
+static void rolls_in_a_circle(double side)
+{
+    scene *s = scene_create();
+    const double r = 0.2, big = 0.7, turns = 1000, arm = side > 0 ? big + r : big - r;
+    const int b = scene_body(s, 2, 0.05, arm, 0, 0), g = scene_point(s, b, 0, 0);
+    const int fixed = scene_circle(s, scene_point(s, PM_GROUND, 0, 0), big);
+    scene_set(s, PM_SETTING_GRAVITY_Y, 0);
+    scene_joint(s, PM_JOINT_ROLLING_CIRCLE, scene_circle(s, g, r), fixed, side);
+    scene_start(s, PM_START_VELOCITY, scene_part(s, PM_MEASURE_VELOCITY, g, PM_PART_Y), 50 * arm);
+    const double wheel = TWO_PI * turns * (side > 0 ? arm : -arm) / r; /* the centre turns by `turns` */
+    const int turned = scene_measure(s, PM_MEASURE_TURNED, b);
+    scene_until(s, scene_when(s, PM_TRIGGER_CROSS, scene_minus(s, turned, wheel)), 1);
+    const int x = scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, g, PM_PART_X));
+    const int y = scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, g, PM_PART_Y));
+    const int t = scene_ask_measure(s, scene_time(s));
+    EQUAL(scene_run(s, NULL), PM_OK);
+    NEAR(s->out[x], arm, 1e-10);
+    NEAR(s->out[y], 0, 1e-10);
+    NEAR(s->out[t], TWO_PI * turns / 50, 1e-6);
+    CHECK(s->audit[PM_AUDIT_CONSTRAINT] < 1e-11);
+    scene_free(s);
+}
+
+int main(void)
+{
+    static const double sides[] = {1, -1, -2};
+    for (int ground_side = -1; ground_side < 2; ground_side++) {
+        point_joints(ground_side);
+        line_rows(ground_side, 0);
+        line_rows(ground_side, 0.35);
+        for (int i = 0; i < 3; i++) circle_rows(ground_side, sides[i], 0.4);
+        circle_rows(ground_side, 1, 0); /* a point on a circle */
+        circle_rows(ground_side, 1, 1); /* a circle on a point */
+        circle_rows(ground_side, -1, 0);
+        periodic_row(ground_side);
+    }
+    rolls_on_a_line();
+    rolls_in_a_circle(1);
+    rolls_in_a_circle(-1);
+    return check_failures();
+}
