@@ -13,22 +13,10 @@ from .drawing import GROUND, PointRef
 from .element import Coupling
 from .errors import SceneError
 from .node import ZERO
+from .rows import CouplingRows
 from .scene import Body
 from .units import ANGULAR_VELOCITY, VELOCITY
 from .writer import Writer
-
-
-@dataclass(frozen=True)
-class CouplingRows:
-    """Where the rows of a coupling are, and whose they are.
-
-    `index`: its row of the joint table; None where its strands are the contacts `indices`.  `owners`: of its
-    partners; of strands, those of each.
-    """
-
-    index: int | None
-    indices: tuple[int, ...]
-    owners: tuple[tuple[str, str], ...]
 
 
 @dataclass(frozen=True)

@@ -13,8 +13,8 @@ from .errors import SceneError
 from .marks import CircleMark, LineMark, Mass, Pair, RowMark, mass_of
 from .node import Node
 from .parameters import Reader
-from .placing import GROUND, Placing, PointRef
-from .scene import Body, SceneData
+from .placing import GROUND, Drawn, Placing, PointRef
+from .scene import Body
 from .tables import Tables
 
 __all__ = ["GROUND", "Drawing", "PointRef"]
@@ -26,7 +26,7 @@ class Drawing(Placing):
     `masses`: mass and inertia of each body.
     """
 
-    def __init__(self, data: SceneData, bodies: Mapping[str, Body], reader: Reader, tables: Tables) -> None:
+    def __init__(self, data: Drawn, bodies: Mapping[str, Body], reader: Reader, tables: Tables) -> None:
         super().__init__(data, bodies, reader, tables)
         self.masses: dict[str, Mass] = {}
         self._points: dict[tuple[int, Node, Node], int] = {}

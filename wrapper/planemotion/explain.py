@@ -19,7 +19,7 @@ from .scene import Action, Event, Friction, SceneData, Vector
 from .words import SPIN_KEYS
 
 if TYPE_CHECKING:
-    from .builder import Scene
+    from .whole import WrittenScene
     from .result import RunResult
 
 # A start that the assembly moved by more than this part of the scene's size is worth a warning.
@@ -34,7 +34,7 @@ class Report:
     faults: tuple[str, ...] = ()
 
 
-def check(scene: Scene) -> Report:
+def check(scene: WrittenScene) -> Report:
     """The assembled start of a scene, of each of its [runs].  Raises SceneError for a fault in the scene."""
     texts, faults = [], []
     for flat in _runs(scene):
@@ -45,7 +45,7 @@ def check(scene: Scene) -> Report:
     return Report("\n".join(texts), tuple(faults))
 
 
-def explain(scene: Scene) -> Report:
+def explain(scene: WrittenScene) -> Report:
     """The whole scene in words.  Raises SceneError for a fault in it."""
     from .study import ask_text
 
@@ -95,7 +95,7 @@ def explain(scene: Scene) -> Report:
     return Report("\n\n".join("\n".join(block) for block in blocks if block), faults)
 
 
-def explain_run(scene: Scene, result: RunResult) -> str:
+def explain_run(scene: WrittenScene, result: RunResult) -> str:
     """The phases of a run, and the evidence for its answers."""
     blocks = [ran(flat) for flat in _runs(scene)]
     return "\n" + "\n\n".join([*("\n".join(block) for block in blocks if block), result.explain()])
@@ -121,7 +121,7 @@ def _action(action: Action) -> str:
     return text if action.active is True else f"{text} if {action.active}"
 
 
-def _runs(scene: Scene) -> list[FlatScene]:
+def _runs(scene: WrittenScene) -> list[FlatScene]:
     return [flatten(scene, name) for name in scene.run_names or (None,)]
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Protocol, TypeVar
+from typing import TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -32,7 +32,10 @@ from .measures import Measures
 from .node import ZERO, Name, negative
 from .nudges import add_nudge
 from .parameters import Parameters, Reader, is_zero, override
-from .scene import Action, Body, Contact, Coupling, Force, Joint, SceneData, Value
+from .kinds.base import Coupling, Force, Joint
+from .scene import Action, Body, Contact
+from .whole import HasData, SceneData
+from .written import Value
 from .spin import Spins
 from .starts import Starts
 from .tables import Tables
@@ -83,13 +86,6 @@ class FlatScene:
         first, count = self.table[2 * table : 2 * table + 2]
         columns = _COLUMNS[table]
         return self.table[first : first + count * columns].reshape(count, columns)
-
-
-class HasData(Protocol):
-    """What holds a validated scene, such as builder.Scene."""
-
-    @property
-    def data(self) -> SceneData: ...
 
 
 def flatten(scene: SceneData | HasData, run_name: str | None = None, *, history: bool = True) -> FlatScene:

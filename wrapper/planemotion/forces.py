@@ -6,25 +6,7 @@ from dataclasses import dataclass
 
 from .element import Force
 from .errors import SceneError
-from .node import Node
 from .writer import Writer
-
-
-@dataclass(frozen=True)
-class ForceRow:
-    """A row of the kernel's force table: enum pm_force_kind, partners, numbers and programs with key paths.
-
-    `owners`: of its partners; `rotary`: whether it is a couple.
-    """
-
-    kind: int
-    a: int
-    b: int
-    owners: tuple[str, ...]
-    values: tuple[tuple[Node, str], ...] = ()
-    programs: tuple[tuple[Node, str], ...] = ()
-    option: int = 0
-    rotary: bool = False
 
 
 @dataclass(frozen=True)

@@ -3,24 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import NamedTuple
 
 from . import _layout as layout
-from .element import Bearing, Joint, RubbingJoint
+from .kinds.base import Bearing, Joint, RubbingJoint
 from .errors import SceneError
 from .node import ZERO, Node
 from .partners import Partner, pairs, partner
 from .units import DIMENSIONLESS, LENGTH, MOMENT
 from .writer import Writer
-
-
-class JointRow(NamedTuple):
-    """A row of the kernel's joint table: enum pm_joint_kind, both partners, number with its key path."""
-
-    kind: int
-    a: int
-    b: int
-    value: tuple[Node, str] | None = None
 
 
 @dataclass(frozen=True)

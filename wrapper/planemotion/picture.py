@@ -27,6 +27,7 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 from .errors import StudyError
 from .history import event_times, is_history
 from .history import read as read_history
+from .palette import BLUE, INK, RED, RESOLUTION, SOFT
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -38,10 +39,6 @@ if TYPE_CHECKING:
 
 Floats = npt.NDArray[np.float64]
 
-INK = "#222222"
-SOFT = "#6b6b6b"
-BLUE = "#1f4e79"
-RED = "#b5362b"
 PALE_RED = "#dd9c95"
 EMPTY = "#ebebeb"
 # A family of curves or the parts of a vector: dark, well apart, also in print and for the colour-blind.
@@ -72,7 +69,6 @@ STYLE: Any = {
     "ytick.color": SOFT,
     "ytick.labelcolor": INK,
 }
-RESOLUTION = 160  # dots per inch
 
 # A parameter of at most so many values makes a family of curves instead of the second axis of a map.
 _FAMILY = 6

@@ -11,13 +11,15 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
+from typing import Protocol
 
 from . import _layout as layout
 from .errors import SceneError
 from .marks import Marks, Pair, body_marks, distance, ground_marks, rod_length
 from .node import ZERO, Node, atan2, cos, sin
 from .parameters import Reader, is_guess
-from .scene import Body, SceneData, Vector
+from .element import Kind
+from .scene import Body, Ground, Vector
 from .tables import Tables
 from .units import DIMENSIONLESS, LENGTH
 from .words import unknown
@@ -60,10 +62,23 @@ class Pose:
     angle_exact: bool
 
 
+class Drawn(Protocol):
+    """What is drawn of a scene."""
+
+    @property
+    def bodies(self) -> Mapping[str, Body]: ...
+
+    @property
+    def ground(self) -> Ground: ...
+
+    @property
+    def joints(self) -> Mapping[str, Kind]: ...
+
+
 class Placing:
     """Names, marks and drawn poses of the bodies of one run and of the ground."""
 
-    def __init__(self, data: SceneData, bodies: Mapping[str, Body], reader: Reader, tables: Tables) -> None:
+    def __init__(self, data: Drawn, bodies: Mapping[str, Body], reader: Reader, tables: Tables) -> None:
         self.bodies = dict(bodies)
         self.inactive = {name for name in data.bodies if name not in bodies}
         self.reader = reader
@@ -279,7 +294,7 @@ class Placing:
             raise SceneError(reason, path=f"bodies.{name}.at")
 
 
-def _guesses(data: SceneData, bodies: Mapping[str, Body]) -> dict[str, tuple[tuple[str, str], ...]]:
+def _guesses(data: Drawn, bodies: Mapping[str, Body]) -> dict[str, tuple[tuple[str, str], ...]]:
     """For bodies without `at`: up to two of their points that a pin holds to something placed before."""
     placed = {name for name, body in bodies.items() if body.at is not None}
     guesses: dict[str, tuple[tuple[str, str], ...]] = {}

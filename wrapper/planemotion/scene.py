@@ -1,38 +1,32 @@
-"""The validated scene: frozen pydantic models of what a file or the builder says.
+"""The tables of a scene as frozen pydantic models: bodies, marks, contacts, events, asks, finds, settings.
 
 Numbers stay as written ("10 in", "r + (3 in)", 0.5); units and expressions are read when the scene is made
-into tables.  `validate.validate` is the one way to make a scene.  Joints, couplings and forces are models of
-their kinds (kinds/); element.py has what they share.
+into the kernel's tables.  Joints, couplings and forces are models of their kinds (kinds/).
 """
 
 from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import BeforeValidator, Field, SerializeAsAny
+from pydantic import BeforeValidator, Field
 
 from . import words
-from .element import Coupling, Force, Joint, Kind, Number, Pair, Partners, Table, Text
+from .element import Kind, Number, Pair, Partners, Table, Text
 from .written import (
     Offset,
     Place,
     Value,
     Vector,
     read_actions,
-    read_ask,
     read_at,
     read_bounds,
     read_circle,
-    read_event,
     read_friction,
     read_grid,
     read_names,
     read_place,
     read_point,
     read_sequence,
-    read_start,
-    read_sweep,
-    read_until,
     read_value_or_vector,
 )
 
@@ -241,37 +235,3 @@ class Sweep(Table):
 
     grids: dict[str, GridOf] = {}
     zip: tuple[tuple[str, ...], ...] = ()
-
-
-class SceneData(Table):
-    """A scene whose words and types are right.  `file` is where it came from, for messages."""
-
-    file: str | None = None
-    id: Text = ""
-    title: Text = ""
-    description: Text = ""
-    plane: Literal["vertical", "horizontal"] = "vertical"
-    until: Annotated[tuple[tuple[str, ...], ...], BeforeValidator(read_until)]
-    parameters: dict[str, Number] = {}
-    ground: Ground = Ground()
-    bodies: dict[str, Body] = {}
-    spin: Spin | None = None
-    joints: dict[str, SerializeAsAny[Joint]] = {}
-    couplings: dict[str, SerializeAsAny[Coupling]] = {}
-    contacts: dict[str, Contact] = {}
-    forces: dict[str, SerializeAsAny[Force]] = {}
-    start: Annotated[dict[str, Value | Vector], BeforeValidator(read_start)] = {}
-    nudge: Text | None = None
-    events: dict[str, Annotated[Event, BeforeValidator(read_event)]] = {}
-    ask: dict[str, Annotated[Ask, BeforeValidator(read_ask)]] = {}
-    runs: dict[str, dict[str, Number]] = {}
-    find: Find | None = None
-    run_finds: dict[str, Find] = {}
-    sweep: Annotated[Sweep, BeforeValidator(read_sweep)] = Sweep()
-    solve: Solve = Solve()
-
-    def find_of(self, run: str | None) -> tuple[Find, str] | None:
-        """What a run looks for - its own find, or that of the scene - and its key path."""
-        if run is not None and run in self.run_finds:
-            return self.run_finds[run], f"runs.{run}.find"
-        return (self.find, "find") if self.find is not None else None

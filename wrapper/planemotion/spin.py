@@ -10,7 +10,6 @@ from __future__ import annotations
 import math
 
 from . import _layout as layout
-from . import words
 from .drawing import Drawing
 from .errors import SceneError
 from .marks import radius
@@ -118,19 +117,3 @@ class Spins:
         size = length if length is not None else radius(self.reader, name, body)
         x, y, z = (_EDGE_ON if body.edge_on else _SECOND)[body.shape]
         return size * size * x, size * size * y, size * size * z
-
-
-def check_words(data: SceneData) -> None:
-    """Raises SceneError for words of a spin where there is none, or that do not fit the shape."""
-    for name, body in data.bodies.items():
-        path = f"bodies.{name}"
-        given = "depth" if body.depth is not None else "edge_on" if body.edge_on else None
-        if given is not None and data.spin is None:
-            reason = "what is across the plane matters only where the plane turns: [spin] is wanted"
-            raise SceneError(reason, path=f"{path}.{given}")
-        if body.edge_on and body.shape not in words.EDGE_ON_SHAPES:
-            raise SceneError(
-                f"only a {' or a '.join(words.EDGE_ON_SHAPES)} has edge_on", path=f"{path}.edge_on"
-            )
-        if body.depth is not None and not body.turns:
-            raise SceneError("a particle has no depth", path=f"{path}.depth", value=body.depth)

@@ -41,7 +41,7 @@ from .versions import versions
 if TYPE_CHECKING:
     import xarray as xr
 
-    from .builder import Scene
+    from .whole import WrittenScene
 
 # Seconds of work per chunk: what a kill may cost, and far more than storing a part takes.
 CHUNK_SECONDS = 0.5
@@ -130,7 +130,7 @@ class SweepPlan:
         return np.stack(columns, axis=1)
 
 
-def plan_sweep(scene: Scene) -> SweepPlan:
+def plan_sweep(scene: WrittenScene) -> SweepPlan:
     """The cases of the scene's [sweep].  Raises SceneError with file and key path."""
     try:
         return _plan(scene.data)
@@ -202,7 +202,7 @@ class _Study:
     `kept`: what earlier sweeps of the same scene found out.
     """
 
-    def __init__(self, scene: Scene, plan: SweepPlan, workers: int, kept: Kept) -> None:
+    def __init__(self, scene: WrittenScene, plan: SweepPlan, workers: int, kept: Kept) -> None:
         self.data = scene.data
         self.text = scene.text
         self.words = scene.to_toml()  # without comments: they change no row
@@ -516,7 +516,7 @@ class SweepFiles:
     computed: int
 
 
-def _study_of(scene: Scene, workers: int | None, kept: Kept | None = None) -> _Study:
+def _study_of(scene: WrittenScene, workers: int | None, kept: Kept | None = None) -> _Study:
     if workers is not None and workers < 1:
         raise StudyError(f"workers = {workers}: at least 1 is needed")
     return _Study(scene, plan_sweep(scene), workers or len(os.sched_getaffinity(0)), kept or Kept())
@@ -527,7 +527,7 @@ def _nobody(done: int, total: int) -> None:
 
 
 def sweep_files(
-    scene: Scene,
+    scene: WrittenScene,
     out: str | os.PathLike[str],
     *,
     workers: int | None = None,
@@ -569,7 +569,7 @@ def sweep_files(
 
 
 def run_sweep(
-    scene: Scene,
+    scene: WrittenScene,
     *,
     out: str | os.PathLike[str] | None = None,
     workers: int | None = None,

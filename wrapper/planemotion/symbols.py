@@ -20,7 +20,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.patches import Arc, Circle, FancyArrowPatch, Polygon
 from matplotlib.transforms import BboxBase
 
-from .picture import BLUE, INK, RED, SOFT
+from .palette import BLUE, INK, RED, SOFT
 
 Floats = npt.NDArray[np.float64]
 Place = tuple[float, float]

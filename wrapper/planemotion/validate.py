@@ -17,7 +17,6 @@ from .check import check, kind_of
 from .errors import SceneError
 from .kinds import KINDS
 from .scene import DEFAULT_G, Ask, At, Contact, Find, Kind, SceneData, Table
-from .spin import check_words
 
 
 def validate(raw: Mapping[str, Any], *, file: str | None = None, name: str = "") -> SceneData:
@@ -125,7 +124,7 @@ _MODELS = {model.__name__ for model in Table.__subclasses__()}
 
 def _check_more(data: SceneData) -> None:
     """Faults between keys that no type says."""
-    check_words(data)
+    _check_spin(data)
     solve = data.solve
     if solve.route not in words.ROUTES:
         raise SceneError(words.unknown(solve.route, words.ROUTES, "route"), path="solve.route")
@@ -157,6 +156,22 @@ def _check_more(data: SceneData) -> None:
             raise SceneError("zipped, but it has no grid", path=f"sweep.{name}")
         if zipped.count(name) > 1:
             raise SceneError(f'"{name}" is zipped twice', path="sweep.zip")
+
+
+def _check_spin(data: SceneData) -> None:
+    """Raises SceneError for words of a spin where there is none, or that do not fit the shape."""
+    for name, body in data.bodies.items():
+        path = f"bodies.{name}"
+        given = "depth" if body.depth is not None else "edge_on" if body.edge_on else None
+        if given is not None and data.spin is None:
+            reason = "what is across the plane matters only where the plane turns: [spin] is wanted"
+            raise SceneError(reason, path=f"{path}.{given}")
+        if body.edge_on and body.shape not in words.EDGE_ON_SHAPES:
+            raise SceneError(
+                f"only a {' or a '.join(words.EDGE_ON_SHAPES)} has edge_on", path=f"{path}.edge_on"
+            )
+        if body.depth is not None and not body.turns:
+            raise SceneError("a particle has no depth", path=f"{path}.depth", value=body.depth)
 
 
 def _check_capture(contact: Contact, path: str) -> None:

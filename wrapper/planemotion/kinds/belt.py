@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from .. import _layout as layout
-from ..couplings import CouplingRows
+from ..rows import CouplingRows
 from ..element import Coupling, Partners, Quantity
 from ..node import Number
 from ..partners import kernel_circle
@@ -13,7 +13,7 @@ from ..units import FORCE
 from ..writer import Writer
 
 if TYPE_CHECKING:
-    from ..sketch import Sketch
+    from ..pensketch import Sketch
     from ..symbols import Place
 
 

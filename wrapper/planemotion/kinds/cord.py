@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Annotated
 from pydantic import BeforeValidator
 
 from .. import _layout as layout
-from ..couplings import CouplingRows
+from ..rows import CouplingRows
 from ..drawing import GROUND
 from ..element import Coupling, Number, Quantity
 from ..errors import SceneError
@@ -25,7 +25,7 @@ from ..writer import Writer
 from ..written import read_stops
 
 if TYPE_CHECKING:
-    from ..sketch import Sketch
+    from ..pensketch import Sketch
     from ..symbols import Place
 
 _RIM = re.compile(r"(\S+)\s+(cw|ccw)")

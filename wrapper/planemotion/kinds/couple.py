@@ -10,7 +10,7 @@ from .. import _layout as layout
 from ..drawing import GROUND
 from ..element import Force, Number
 from ..errors import SceneError
-from ..forces import ForceRow
+from ..rows import ForceRow
 from ..given import measured, power
 from ..node import Node
 from ..units import MOMENT
@@ -18,7 +18,7 @@ from ..writer import Writer
 from ..written import Value, Vector, read_body_or_two, read_value_or_vector
 
 if TYPE_CHECKING:
-    from ..sketch import Sketch
+    from ..pensketch import Sketch
     from ..symbols import Place
 
 

@@ -8,13 +8,13 @@ from .. import _layout as layout
 from ..element import Force, Number
 from ..errors import SceneError
 from ..expression import dimension, parse
-from ..forces import ForceRow
+from ..rows import ForceRow
 from ..partners import point_pair
 from ..units import DAMPING, MOMENT, TIME
 from ..writer import Writer
 
 if TYPE_CHECKING:
-    from ..sketch import Sketch
+    from ..pensketch import Sketch
     from ..symbols import Place
 
 _ROTARY = MOMENT * TIME

@@ -11,7 +11,7 @@ from .. import _layout as layout
 from ..drawing import GROUND
 from ..element import Force, Number, Text
 from ..errors import SceneError
-from ..forces import ForceRow
+from ..rows import ForceRow
 from ..given import measured, power
 from ..node import Node
 from ..partners import partner
@@ -20,7 +20,7 @@ from ..writer import Writer
 from ..written import Value, Vector, read_one, read_value_or_vector
 
 if TYPE_CHECKING:
-    from ..sketch import Sketch
+    from ..pensketch import Sketch
     from ..symbols import Place
 
 

@@ -5,14 +5,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from .. import _layout as layout
-from ..couplings import CouplingRows
+from ..rows import CouplingRows
 from ..element import Coupling, Partners, Quantity
 from ..partners import kernel_circle, side
 from ..units import FORCE, IMPULSE
 from ..writer import Writer
 
 if TYPE_CHECKING:
-    from ..sketch import Sketch
+    from ..pensketch import Sketch
     from ..symbols import Place
 
 

@@ -6,14 +6,14 @@ from typing import TYPE_CHECKING
 
 from .. import _layout as layout
 from ..element import Joint, Number
-from ..joints import JointRow
+from ..rows import JointRow
 from ..marks import distance
 from ..partners import Partner, drawn_pair, point_pair
 from ..units import LENGTH
 from ..writer import Writer
 
 if TYPE_CHECKING:
-    from ..sketch import Sketch
+    from ..pensketch import Sketch
     from ..symbols import Place
 
 

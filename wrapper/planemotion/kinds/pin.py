@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING
 
 from .. import _layout as layout
 from ..element import RubbingJoint
-from ..joints import JointRow
+from ..rows import JointRow
 from ..partners import Partner, point_pair
 from ..writer import Writer
 
 if TYPE_CHECKING:
-    from ..sketch import Sketch
+    from ..pensketch import Sketch
     from ..symbols import Place
 
 

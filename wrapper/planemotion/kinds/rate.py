@@ -5,14 +5,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from .. import _layout as layout
-from ..couplings import CouplingRows
+from ..rows import CouplingRows
 from ..element import Coupling, Number, Partners, Quantity
 from ..errors import SceneError
 from ..units import ANGULAR_VELOCITY, MOMENT
 from ..writer import Writer
 
 if TYPE_CHECKING:
-    from ..sketch import Sketch
+    from ..pensketch import Sketch
     from ..symbols import Place
 
 

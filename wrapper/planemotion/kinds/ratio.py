@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 from pydantic import BeforeValidator
 
 from .. import _layout as layout
-from ..couplings import CouplingRows
+from ..rows import CouplingRows
 from ..drawing import GROUND
 from ..element import Coupling, Quantity
 from ..errors import SceneError
@@ -23,7 +23,7 @@ from ..writer import Writer
 from ..written import Value, read_value
 
 if TYPE_CHECKING:
-    from ..sketch import Sketch
+    from ..pensketch import Sketch
     from ..symbols import Place
 
 

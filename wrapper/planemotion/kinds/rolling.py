@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING
 
 from .. import _layout as layout
 from ..element import Joint, Quantity
-from ..joints import JointRow
+from ..rows import JointRow
 from ..marks import LineMark
 from ..partners import Partner, kernel_circle, side
 from ..units import DIMENSIONLESS, FORCE
 from ..writer import Writer
 
 if TYPE_CHECKING:
-    from ..sketch import Sketch
+    from ..pensketch import Sketch
     from ..symbols import Place
 
 

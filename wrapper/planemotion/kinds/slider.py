@@ -6,14 +6,14 @@ from typing import TYPE_CHECKING
 
 from .. import _layout as layout
 from ..element import Quantity, RubbingJoint
-from ..joints import JointRow
+from ..rows import JointRow
 from ..marks import LineMark
 from ..partners import Partner, one_point
 from ..units import FORCE
 from ..writer import Writer
 
 if TYPE_CHECKING:
-    from ..sketch import Sketch
+    from ..pensketch import Sketch
     from ..symbols import Place
 
 

@@ -6,14 +6,14 @@ from typing import TYPE_CHECKING, Literal
 
 from .. import _layout as layout
 from ..element import Force, Number
-from ..forces import ForceRow
+from ..rows import ForceRow
 from ..marks import distance
 from ..partners import drawn_pair, point_pair
 from ..units import LENGTH, STIFFNESS
 from ..writer import Writer
 
 if TYPE_CHECKING:
-    from ..sketch import Sketch
+    from ..pensketch import Sketch
     from ..symbols import Place
 
 _ONLY = {None: layout.PM_SPRING_BOTH, "pull": layout.PM_SPRING_PULL, "push": layout.PM_SPRING_PUSH}

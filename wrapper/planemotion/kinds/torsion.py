@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING
 
 from .. import _layout as layout
 from ..element import Force, Number
-from ..forces import ForceRow
+from ..rows import ForceRow
 from ..units import DIMENSIONLESS, MOMENT
 from ..writer import Writer
 
 if TYPE_CHECKING:
-    from ..sketch import Sketch
+    from ..pensketch import Sketch
     from ..symbols import Place
 
 

@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 from .. import _layout as layout
 from ..element import Joint
 from ..errors import SceneError
-from ..joints import JointRow
+from ..rows import JointRow
 from ..partners import Partner
 from ..writer import Writer
 
 if TYPE_CHECKING:
-    from ..sketch import Sketch
+    from ..pensketch import Sketch
     from ..symbols import Place
 
 

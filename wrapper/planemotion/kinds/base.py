@@ -1,0 +1,89 @@
+"""What every kind of joint, coupling and force says of itself.
+
+A kind is a class in a file of its own beside this one: its fields are its options, its methods write its rows
+and draw it.
+"""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Annotated, ClassVar
+
+from pydantic import BeforeValidator
+
+from ..element import Kind, Number, Partners, Quantity, Table
+from ..partners import Partner
+from ..rows import CouplingRows, ForceRow, JointRow
+from ..writer import Writer
+from ..written import Value, read_joint_friction
+
+if TYPE_CHECKING:
+    from ..pensketch import Sketch
+    from ..symbols import Place
+
+
+class Joint(Kind):
+    """What is held both ways, by one row of the kernel's joint table."""
+
+    marks: ClassVar[tuple[tuple[str, ...], tuple[str, ...]]] = (
+        ("point",),
+        ("point",),
+    )  # that partners may be
+    quantities: ClassVar[Mapping[str, Quantity]] = {}  # numbers that this kind has beside force and couple
+    columns: ClassVar[tuple[str, ...]] = ("force.x", "force.y")  # of a history
+    partners: Partners
+
+    @abstractmethod
+    def row(self, to: Writer, a: Partner, b: Partner, path: str) -> JointRow:
+        """Kind, partners and number of its row.  Raises SceneError for partners that do not fit."""
+
+    @abstractmethod
+    def draw(self, sketch: Sketch, a: Partner, b: Partner) -> Place:
+        """Draws it; gives the place that its name belongs to."""
+
+
+class Bearing(Table):
+    """Friction of a pin by its load: the coefficient and the radius where it rubs."""
+
+    mu: Number
+    radius: Number
+
+
+class RubbingJoint(Joint):
+    """A joint that may have friction: of a bearing a couple, by itself or by its load, else a coefficient."""
+
+    bearing: ClassVar[bool] = False
+    friction: Annotated[Value | Bearing, BeforeValidator(read_joint_friction)] = 0
+
+
+class Coupling(Kind):
+    """What relates the motions of bodies: rows of the kernel's joint or contact table."""
+
+    quantities: ClassVar[Mapping[str, Quantity]]
+    columns: ClassVar[tuple[str, ...]]  # of a history; of what has strands: for each strand
+
+    @abstractmethod
+    def rows(self, to: Writer, path: str) -> CouplingRows:
+        """Adds its rows.  Raises SceneError for partners and options that do not fit."""
+
+    @abstractmethod
+    def draw(self, sketch: Sketch, where: str) -> Place:
+        """Draws it; gives the place that its name belongs to."""
+
+
+class Force(Kind):
+    """A force or couple: one row of the kernel's force table."""
+
+    resists: ClassVar[bool] = True  # it answers to the motion, and is not given
+    # Numbers that have bounds, (kind, column) of the row -> key and SI unit, for messages.
+    bounded: ClassVar[Mapping[tuple[int, int], tuple[str, str]]] = {}
+    partners: Partners
+
+    @abstractmethod
+    def row(self, to: Writer, path: str) -> ForceRow:
+        """What stands in its row.  Raises SceneError for partners and options that do not fit."""
+
+    @abstractmethod
+    def draw(self, sketch: Sketch, where: str) -> Place:
+        """Draws it; gives the place that its name belongs to."""
