@@ -14,9 +14,9 @@ from pathlib import Path
 from typing import Any
 
 import planemotion
-from planemotion.builder import Scene
-from planemotion.result import AskValue, RunResult
+from planemotion.engine.result import AskValue, RunResult
 from planemotion.run import simulate
+from planemotion.scene import Scene
 
 TESTS = Path(__file__).parent
 FOLDER = TESTS.parent / "studies" / "chapter17"

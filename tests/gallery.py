@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import chapter17
-from planemotion.result import AskValue, RunResult
+from planemotion.engine.result import AskValue, RunResult
 
 PAGE = chapter17.FOLDER / "README.md"
 BOUNDS = (1e-6, 1e-8, 1e-10)

@@ -158,7 +158,7 @@ speed = { of = "puck.speed", at = "end" }
 
 
 def test_explain_tells_what_events_do() -> None:
-    from planemotion.explain import explain
+    from planemotion.report.explain import explain
 
     text = str(explain(planemotion.load_text(SLING)).text)
     assert "remove cord if lets_go" in text

@@ -6,9 +6,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from planemotion.address import KEYWORDS, Address, parse_address
-from planemotion.errors import SceneError
-from planemotion.expression import parse
+from planemotion.base.errors import SceneError
+from planemotion.language.address import KEYWORDS, Address, parse_address
+from planemotion.language.expression import parse
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ import math
 import pytest
 
 import planemotion
-from planemotion.explain import explain
+from planemotion.report.explain import explain
 
 G = 9.81
 

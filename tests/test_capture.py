@@ -7,9 +7,10 @@ import math
 import pytest
 
 import planemotion
-from planemotion import picture, sketch
-from planemotion.explain import explain
-from planemotion.result import RunResult
+from planemotion.engine.result import RunResult
+from planemotion.pictures import plots as picture
+from planemotion.pictures import scene as sketch
+from planemotion.report.explain import explain
 
 ROUTES = ("auto", "rk", "ida")
 

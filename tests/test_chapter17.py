@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 import planemotion
-from planemotion.result import RunResult
+from planemotion.engine.result import RunResult
 
 TESTS = Path(__file__).parent
 SCENES = sorted((TESTS.parent / "studies" / "chapter17").glob("*.toml"))

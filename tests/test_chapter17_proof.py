@@ -24,10 +24,10 @@ from chapter17 import (
     run,
     why_not,
 )
-from planemotion import engine
-from planemotion.builder import Scene
-from planemotion.flatten import FlatScene, flatten
-from planemotion.result import collect
+from planemotion.compile.flatten import FlatScene, flatten
+from planemotion.engine import call as engine
+from planemotion.engine.result import collect
+from planemotion.scene import Scene
 from transformed import Change, half_written, transformed
 
 # What another route may differ by: it is a check of the physics, the figures themselves are known to 1e-8.

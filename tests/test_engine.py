@@ -12,8 +12,8 @@ import pytest
 
 from planemotion import SceneError, SimulationError, load, load_text
 from planemotion import _layout as layout
-from planemotion.engine import check, message, run_cases, status_name, status_text, trace, values
-from planemotion.flatten import flatten
+from planemotion.compile.flatten import flatten
+from planemotion.engine.call import check, message, run_cases, status_name, status_text, trace, values
 from planemotion.run import simulate
 
 PENDULUM = """

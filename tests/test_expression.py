@@ -13,10 +13,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from planemotion import _layout as layout
-from planemotion import node, units
-from planemotion.address import Address
-from planemotion.errors import SceneError
-from planemotion.expression import (
+from planemotion.base.errors import SceneError
+from planemotion.language import tree as node
+from planemotion.language import units
+from planemotion.language.address import Address
+from planemotion.language.expression import (
     MAX_NESTING,
     ConstantPool,
     dimension,
@@ -27,8 +28,8 @@ from planemotion.expression import (
     require,
     stack_depth,
 )
-from planemotion.node import Binary, Call, Name, Number, Unary, apply, as_node, binary, call
-from planemotion.units import Dimension
+from planemotion.language.tree import Binary, Call, Name, Number, Unary, apply, as_node, binary, call
+from planemotion.language.units import Dimension
 
 PARAMETERS = {"a": 2.385, "b": -0.71, "c": 1.37, "t": 0.3}
 LIBM = ctypes.CDLL(ctypes.util.find_library("m"))

@@ -10,10 +10,10 @@ import pytest
 
 from planemotion import SceneError, SimulationError, load_text
 from planemotion import _layout as layout
-from planemotion.engine import trace
-from planemotion.explain import explain
-from planemotion.flatten import flatten
-from planemotion.result import RunResult
+from planemotion.compile.flatten import flatten
+from planemotion.engine.call import trace
+from planemotion.engine.result import RunResult
+from planemotion.report.explain import explain
 
 G = 9.81
 

@@ -10,8 +10,8 @@ import pytest
 
 from planemotion import SceneError, load_text
 from planemotion import _layout as layout
-from planemotion.evaluator import run_program, value_table
-from planemotion.flatten import FlatScene, flatten
+from planemotion.compile.flatten import FlatScene, flatten
+from planemotion.engine.evaluator import run_program, value_table
 
 G = 9.81
 PARTICLE = 'until = "start"\nbodies.P = { mass = "1 kg", at = ["1 m", "2 m"] }\n'

@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 
 import planemotion
-from planemotion import sketch
-from planemotion.explain import explain
-from planemotion.flatten import flatten
+from planemotion.compile.flatten import flatten
 from planemotion.kinds import KINDS
+from planemotion.pictures import scene as sketch
+from planemotion.report.explain import explain
 
 # Two disks side by side that touch at the origin, and a particle.
 BODIES = """

@@ -9,8 +9,8 @@ from typing import Any
 import pytest
 
 from planemotion import PlanemotionError, SceneError, load, load_text
-from planemotion.builder import Scene
-from planemotion.flatten import flatten
+from planemotion.compile.flatten import flatten
+from planemotion.scene import Scene
 
 CHAPTER = Path(__file__).parent.parent / "studies" / "chapter17"
 

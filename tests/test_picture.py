@@ -12,7 +12,6 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 import planemotion
-from planemotion import engine, history, picture, sketch
 from planemotion._layout import (
     PM_ASSEMBLY,
     PM_AUDITS,
@@ -21,9 +20,13 @@ from planemotion._layout import (
     PM_REASON_NOT_REACHED,
     PM_ROUTE_RK,
 )
-from planemotion.errors import StudyError
-from planemotion.export import AskVariable, Coordinate, Layout, write_result
-from planemotion.store import Block
+from planemotion.base.errors import StudyError
+from planemotion.engine import call as engine
+from planemotion.engine import history
+from planemotion.pictures import plots as picture
+from planemotion.pictures import scene as sketch
+from planemotion.sweep.export import AskVariable, Coordinate, Layout, write_result
+from planemotion.sweep.store import Block
 
 D = np.linspace(1.0, 6.0, 51)
 OMEGA = np.linspace(1.0, 3.0, 31)

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 import planemotion
-from planemotion import engine
-from planemotion.explain import explain, explain_run
-from planemotion.flatten import flatten
+from planemotion.compile.flatten import flatten
+from planemotion.engine import call as engine
+from planemotion.report.explain import explain, explain_run
 
 STUDIES = Path(__file__).parent.parent / "studies"
 

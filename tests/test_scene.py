@@ -11,10 +11,10 @@ import pytest
 
 import planemotion
 from planemotion import Scene, SceneError, load, load_text
-from planemotion.flatten import flatten
-from planemotion.scene import Ask, Grid
-from planemotion.units import registry
-from planemotion.written import Place, Vector
+from planemotion.compile.flatten import flatten
+from planemotion.language.units import registry
+from planemotion.model.readers import Place, Vector
+from planemotion.model.tables import Ask, Grid
 
 STUDIES = sorted((Path(__file__).parent.parent / "studies").glob("*.toml"))
 
@@ -172,7 +172,7 @@ def test_the_package_starts_without_heavy_imports() -> None:
 
 def test_a_scene_with_common_units_does_not_import_pint() -> None:
     code = (
-        "import sys, planemotion; from planemotion.flatten import flatten;"
+        "import sys, planemotion; from planemotion.compile.flatten import flatten;"
         f"flatten(planemotion.load({str(STUDIES[0])!r})); print('pint' in sys.modules)"
     )
     found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

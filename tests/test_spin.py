@@ -7,8 +7,9 @@ import math
 import pytest
 
 import planemotion
-from planemotion import SimulationError, engine
-from planemotion.flatten import flatten
+from planemotion import SimulationError
+from planemotion.compile.flatten import flatten
+from planemotion.engine import call as engine
 
 G = 9.81
 
@@ -166,8 +167,8 @@ def test_recorded_in_histories() -> None:
 
 
 def test_explained_and_drawn() -> None:
-    from planemotion.explain import explain
-    from planemotion.sketch import figure, start_of
+    from planemotion.pictures.scene import figure, start_of
+    from planemotion.report.explain import explain
 
     scene = planemotion.load_text(
         GOVERNOR.replace("right = {", 'fan = { disk = "5 cm", edge_on = true, mass = "1 kg" }\nright = {')

@@ -12,9 +12,17 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from planemotion._layout import PM_ASSEMBLY, PM_AUDITS, PM_REASON_NOT_REACHED, PM_ROUTE_RK
-from planemotion.errors import StudyError
-from planemotion.export import AskVariable, Coordinate, Layout, hyperslabs, summarise, write_csv, write_result
-from planemotion.store import Block, OutputLock, SweepStore, appearing
+from planemotion.base.errors import StudyError
+from planemotion.sweep.export import (
+    AskVariable,
+    Coordinate,
+    Layout,
+    hyperslabs,
+    summarise,
+    write_csv,
+    write_result,
+)
+from planemotion.sweep.store import Block, OutputLock, SweepStore, appearing
 
 MANIFEST = {"format": 1, "scene": "one\ntwo", "sweep": {"d": {"num": 3}}, "checksums": {"tables": "a"}}
 

@@ -17,7 +17,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import planemotion
-from planemotion import study, units
 from planemotion._layout import (
     PM_ASSEMBLY,
     PM_AUDITS,
@@ -30,12 +29,14 @@ from planemotion._layout import (
     PM_REASON_NOT_REACHED,
     PM_ROUTE_RK,
 )
-from planemotion.errors import SceneError, StudyError
-from planemotion.flatten import flatten
-from planemotion.grids import read_grid
+from planemotion.base.errors import SceneError, StudyError
+from planemotion.compile.flatten import flatten
+from planemotion.language import units
+from planemotion.model.tables import Grid
+from planemotion.reading.validate import validate
 from planemotion.run import simulate
-from planemotion.scene import Grid
-from planemotion.validate import validate
+from planemotion.sweep import study
+from planemotion.sweep.grids import read_grid
 from waiting import wait_for
 
 TESTS = Path(__file__).parent

@@ -13,9 +13,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from planemotion import units
-from planemotion.errors import PlanemotionError, SceneError, SimulationError, nearest
-from planemotion.units import Dimension, factor, parse_quantity, to_unit
+from planemotion.base.errors import PlanemotionError, SceneError, SimulationError, nearest
+from planemotion.language import units
+from planemotion.language.units import Dimension, factor, parse_quantity, to_unit
 
 WORDS = sorted(units._WORDS)
 BASES = ("mass", "length", "time")
@@ -176,7 +176,7 @@ def test_dimension_names():
 def test_common_units_do_not_import_pint():
     """Start-up time: pint takes longer to import than everything else."""
     script = (
-        "import sys; from planemotion.units import parse_quantity; parse_quantity('10 lb*ft/s^2'); "
+        "import sys; from planemotion.language.units import parse_quantity; parse_quantity('10 lb*ft/s^2'); "
         "sys.exit('pint' in sys.modules)"
     )
     assert subprocess.run([sys.executable, "-c", script], check=False).returncode == 0

@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 
 from planemotion import _layout as L
-from planemotion.flatten import FlatScene
+from planemotion.compile.flatten import FlatScene
 
 Code = list[tuple[int, int]]
 

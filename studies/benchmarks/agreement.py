@@ -19,10 +19,10 @@ import numpy as np
 
 import planemotion
 from planemotion import _layout as layout
-from planemotion import engine
-from planemotion.errors import SceneError
-from planemotion.flatten import FlatScene, flatten
-from planemotion.study import plan_sweep
+from planemotion.base.errors import SceneError
+from planemotion.compile.flatten import FlatScene, flatten
+from planemotion.engine import call as engine
+from planemotion.sweep.study import plan_sweep
 
 from . import generate
 from .problems import HERE, STUDIES, Floats

@@ -30,7 +30,6 @@ import numpy as np
 from truths import G_SI, INCH, collar_reference, gragg_extrapolation, sphere_reference
 
 import planemotion
-from planemotion import engine
 from planemotion._layout import (
     PM_COUNT_PASSES,
     PM_COUNT_RUNS,
@@ -39,7 +38,8 @@ from planemotion._layout import (
     PM_TRUST_EXCESS,
     PM_UNDECIDED,
 )
-from planemotion.flatten import flatten
+from planemotion.compile.flatten import flatten
+from planemotion.engine import call as engine
 
 STUDIES = Path(__file__).parent.parent
 CHAPTER = STUDIES / "chapter17"

@@ -11,9 +11,9 @@ from pathlib import Path
 import numpy as np
 
 import planemotion
-from planemotion import engine
-from planemotion.errors import SceneError
-from planemotion.flatten import FlatScene
+from planemotion.base.errors import SceneError
+from planemotion.compile.flatten import FlatScene
+from planemotion.engine import call as engine
 
 from . import generate, plots
 from .peers.engine import KernelBatch, columns, finishes, flat_of, method_name

@@ -10,8 +10,8 @@ from pathlib import Path
 import numpy as np
 
 import planemotion
-from planemotion import engine
-from planemotion.flatten import FlatScene
+from planemotion.compile.flatten import FlatScene
+from planemotion.engine import call as engine
 
 from .peers.engine import columns, flat_of
 from .problems import PROBLEMS, STUDIES, Floats, Problem
@@ -189,7 +189,7 @@ def with_asks(path: Path, asks: Sequence[str]) -> planemotion.Scene:
 
 def kernel_seconds(path: Path, asks: Sequence[str], grids: dict[str, object]) -> float:
     """CPU s of the kernel alone for the cases of a sweep."""
-    from planemotion.study import plan_sweep
+    from planemotion.sweep.study import plan_sweep
 
     scene = with_asks(path, asks)
     scene = planemotion.Scene.from_raw({**scene.raw, "sweep": grids}, file=scene.file)

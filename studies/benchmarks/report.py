@@ -8,7 +8,7 @@ import time
 from collections.abc import Sequence
 from pathlib import Path
 
-from planemotion.versions import versions
+from planemotion.base.versions import versions
 
 from .problems import LEAST_ERROR, PROBLEMS, Problem
 from .rows import Row

@@ -13,9 +13,9 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from .builder import Scene
-    from .errors import PlanemotionError, SceneError, SimulationError, StudyError
+    from .base.errors import PlanemotionError, SceneError, SimulationError, StudyError
     from .file import load, load_text
+    from .scene import Scene
 
 __all__ = [
     "PlanemotionError",
@@ -29,11 +29,11 @@ __all__ = [
 ]
 
 _HOME = {
-    "PlanemotionError": "errors",
-    "Scene": "builder",
-    "SceneError": "errors",
-    "SimulationError": "errors",
-    "StudyError": "errors",
+    "PlanemotionError": "base.errors",
+    "Scene": "scene",
+    "SceneError": "base.errors",
+    "SimulationError": "base.errors",
+    "StudyError": "base.errors",
     "load": "file",
     "load_text": "file",
 }

@@ -20,11 +20,11 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from .errors import PlanemotionError, SceneError, SimulationError, StudyError
+from .base.errors import PlanemotionError, SceneError, SimulationError, StudyError
 
 if TYPE_CHECKING:
-    from .builder import Scene
-    from .result import AskValue, RunResult
+    from .engine.result import AskValue, RunResult
+    from .scene import Scene
 
 _FAILED, _WRONG, _INTERRUPTED = 1, 2, 130
 # Without a terminal: seconds between two lines of progress.
@@ -207,8 +207,9 @@ def _interruptible(work: Callable[[Any], Any], subject: Any) -> Any:
 
 def _record(scene: Scene, path: Path) -> None:
     """Writes the history of a scene, of each of its [runs]."""
-    from . import engine, history
-    from .flatten import flatten
+    from .compile.flatten import flatten
+    from .engine import call as engine
+    from .engine import history
 
     runs = {}
     for run in scene.run_names or (None,):
@@ -289,7 +290,7 @@ def sweep(
     A case that fails becomes a gap with a status and does not stop the others. Ctrl-C keeps what is done.
     """
     from .file import load
-    from .study import plan_sweep, sweep_files
+    from .sweep.study import plan_sweep, sweep_files
 
     scene = load(study).with_values(values)
     total = plan_sweep(scene).cases
@@ -298,8 +299,8 @@ def sweep(
         files = sweep_files(scene, out, workers=workers, resume=resume, progress=report)
     seconds = time.perf_counter() - begun
 
-    from . import picture
-    from .export import summarise
+    from .pictures import plots as picture
+    from .sweep.export import summarise
 
     image = picture.plot(files.result)
     summary = summarise(files.result)
@@ -396,8 +397,8 @@ def check(ctx: click.Context, scene: Path, values: Mapping[str, str]) -> None:
 
     Tells degrees of freedom, redundant rows and how far the assembly moved what is drawn.
     """
-    from . import explain as explanations
     from .file import load
+    from .report import explain as explanations
 
     report = explanations.check(load(scene).with_values(values))
     click.echo(report.text)
@@ -418,8 +419,8 @@ def explain(ctx: click.Context, scene: Path, also_run: bool, values: Mapping[str
 
     With --run also what happened in the run.
     """
-    from . import explain as explanations
     from .file import load
+    from .report import explain as explanations
     from .run import simulate
 
     read = load(scene).with_values(values)
@@ -446,7 +447,7 @@ def plot(result: Path, out: Path | None) -> None:
 
     RESULT is the .h5 file that `sweep` or `run --history` wrote.
     """
-    from . import picture
+    from .pictures import plots as picture
 
     click.echo(picture.plot(result, out))
 
@@ -461,8 +462,8 @@ def draw(ctx: click.Context, scene: Path, out: Path | None, values: Mapping[str,
 
     It shows most modelling errors.
     """
-    from . import sketch
     from .file import load
+    from .pictures import scene as sketch
 
     target = out or Path(f"{scene.stem}.png")
     start = sketch.start_of(load(scene).with_values(values))
@@ -494,7 +495,7 @@ def _claimed(path: Path) -> Iterator[Path]:
         return
     if not path.parent.is_dir():
         raise StudyError(f"{path}: cannot be written: there is no folder {path.parent}")
-    from .store import appearing
+    from .sweep.store import appearing
 
     with suppress(_NothingWritten), appearing(path.resolve()) as temporary:
         temporary.touch()

@@ -10,10 +10,10 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from .errors import SceneError
+from .base.errors import SceneError
 
 if TYPE_CHECKING:
-    from .builder import Scene
+    from .scene import Scene
 
 _BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
 _CONTROL = re.compile(r"[\x00-\x1f\x7f]")
@@ -41,7 +41,7 @@ def load(path: str | os.PathLike[str]) -> Scene:
 
 def load_text(text: str, *, file: str | None = None) -> Scene:
     """The scene in a TOML text; `file` is named in messages, and its stem is the id if there is none."""
-    from .builder import Scene
+    from .scene import Scene
 
     try:
         raw = tomllib.loads(text)

@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from . import engine
-from .errors import SimulationError
-from .result import RunResult, collect
+from .base.errors import SimulationError
+from .engine import call as engine
+from .engine.result import RunResult, collect
 
 if TYPE_CHECKING:
-    from .builder import Scene
+    from .scene import Scene
 
 
 def simulate(scene: Scene) -> RunResult:

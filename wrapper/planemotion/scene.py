@@ -1,237 +1,309 @@
-"""The tables of a scene as frozen pydantic models: bodies, marks, contacts, events, asks, finds, settings.
+"""Scenes in Python: the same words as in a file, one method for each table.
 
-Numbers stay as written ("10 in", "r + (3 in)", 0.5); units and expressions are read when the scene is made
-into the kernel's tables.  Joints, couplings and forces are models of their kinds (kinds/).
+    s = Scene("pendulum", until="t = 2 s")
+    s.body("AB", rod=["A", "B"], length="1 m", mass="2 kg", at={"A": [0, 0]})
+    s.joint("A", pin=["AB.A", "ground"])
+    s.ask("omega", of="AB.omega", unit="rad/s")
+    s.run().omega
+
+A scene holds its table as TOML would give it (`raw`); it is validated when it is first needed (`data`).
 """
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+import copy
+import os
+import tomllib
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Self
 
-from pydantic import BeforeValidator, Field
+from .base.errors import SceneError
+from .geometry.parameters import override
+from .language.units import parse_quantity
+from .model.tables import DEFAULT_G
+from .model.words import unknown
+from .reading.scene import SceneData
+from .reading.validate import validate
+from .sweep.cache import Kept
 
-from . import words
-from .element import Kind, Number, Pair, Partners, Table, Text
-from .written import (
-    Offset,
-    Place,
-    Value,
-    Vector,
-    read_actions,
-    read_at,
-    read_bounds,
-    read_circle,
-    read_friction,
-    read_grid,
-    read_names,
-    read_place,
-    read_point,
-    read_sequence,
-    read_value_or_vector,
-)
+if TYPE_CHECKING:
+    from .compile.flatten import FlatScene
+    from .engine.result import RunResult
 
-DEFAULT_G = "9.81 m/s^2"
-# Far beyond what a scene needs: they end runs that would not end by themselves.
-DEFAULT_MAX_EVENTS = 1_000_000
-DEFAULT_MAX_STEPS = 1_000_000
-# Intervals into which a find divides the range of one parameter, and of each of two.
-DEFAULT_SAMPLES = 32
-DEFAULT_PAIR_SAMPLES = 8
+# Tables that may be set beside parameters, as in "sweep.d.num".
+_SETTABLE = ("parameters", "find", "sweep", "solve")
 
 
-class Line(Table):
-    """A straight line: through a point at an angle, or from one point to another."""
+class Scene:
+    """A scene under construction, or one read from a file.
 
-    through: Pair | None = None
-    angle: Number | None = None
-    start: Pair | None = Field(None, alias="from")
-    to: Pair | None = None
+    Values are those of a file: numbers, texts such as "10 in", true and false, lists and dicts; quantities of
+    pint and numbers of numpy are taken as well.  Methods return the scene, so that they can be chained.
+    """
 
+    def __init__(
+        self,
+        id: str = "",
+        *,
+        title: str | None = None,
+        description: str | None = None,
+        plane: str | None = None,
+        until: Any = None,
+    ) -> None:
+        given = {"id": id or None, "title": title, "description": description, "plane": plane, "until": until}
+        self.raw: dict[str, Any] = {key: _plain(value) for key, value in given.items() if value is not None}
+        self.file: str | None = None
+        self._text: str | None = None
+        self._data: SceneData | None = None
+        self._kept = Kept()
 
-class Circle(Table):
-    center: Pair = Vector(0, 0)
-    radius: Number
+    @classmethod
+    def from_raw(cls, raw: Mapping[str, Any], *, file: str | None = None, text: str | None = None) -> Self:
+        """A scene from its table; `text` is the TOML it was read from."""
+        scene = cls()
+        scene.raw = copy.deepcopy(dict(raw))
+        scene.file = file
+        scene._text = text
+        return scene
 
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> Scene:
+        """The scene in a TOML file; see `planemotion.load`."""
+        from .file import load
 
-class Row(Table):
-    """Points one `step` apart; endless without `count`."""
+        return load(path)
 
-    start: Pair = Field(alias="from")
-    step: Pair
-    count: Number | None = None
+    # ---- tables ----
 
+    def parameters(self, **values: Any) -> Self:
+        """Parameters: quantities, or expressions of each other."""
+        return self._update("parameters", values)
 
-Points = dict[str, Annotated[Vector | Offset, BeforeValidator(read_point)]]
-Circles = dict[str, Annotated[Circle, BeforeValidator(read_circle)]]
+    def ground(self, **marks: Any) -> Self:
+        """`points`, `lines`, `circles` and `rows` of the ground, each a dict by name."""
+        for group, named in marks.items():
+            self._table("ground").setdefault(group, {}).update(_plain(named))
+        return self._changed()
 
+    def body(self, name: str, **keys: Any) -> Self:
+        """A body with its shape, mass, marks and place."""
+        return self._update("bodies", {name: keys})
 
-class Ground(Table):
-    points: Points = {}
-    lines: dict[str, Line] = {}
-    circles: Circles = {}
-    rows: dict[str, Row] = {}
+    def spin(self, **keys: Any) -> Self:
+        """The axis about which the plane turns: `through`, `angle`, and `inertia`, `couple`."""
+        return self._update("spin", keys)
 
+    def joint(self, name: str, **keys: Any) -> Self:
+        """A joint: one kind with its partners, and options."""
+        return self._update("joints", {name: keys})
 
-class Driven(Table):
-    """Prescribed motion of a body: of its mass centre, and its spin; values may depend on t."""
+    def coupling(self, name: str, **keys: Any) -> Self:
+        """A coupling: gears, a belt, a cord or a motor, and options."""
+        return self._update("couplings", {name: keys})
 
-    velocity: Pair = Vector(0, 0)
-    omega: Number = 0
+    def contact(self, name: str, **keys: Any) -> Self:
+        """A contact: touch = [mark, mark], and options."""
+        return self._update("contacts", {name: keys})
 
+    def force(self, name: str, **keys: Any) -> Self:
+        """A spring, damper, applied force or couple."""
+        return self._update("forces", {name: keys})
 
-class Spin(Table):
-    """An axis in the plane about which the plane turns, and what turns along."""
+    def start(self, values: Mapping[str, Any] | None = None, /, **more: Any) -> Self:
+        """Start values by address."""
+        return self._update("start", {**(values or {}), **more})
 
-    through: Pair
-    angle: Number
-    inertia: Number = 0
-    couple: Number | None = None
+    def event(self, name: str, when: Any, **keys: Any) -> Self:
+        """A named event: a condition or a list of them; with `do`, a list of actions, and `nth`."""
+        return self._update("events", {name: {"when": when, **keys} if keys else when})
 
+    def until(self, instant: Any) -> Self:
+        """What ends the run."""
+        self.raw["until"] = _plain(instant)
+        return self._changed()
 
-class Body(Table):
-    rod: Annotated[tuple[str, ...], BeforeValidator(read_names(2, "the names of two ends"))] | None = None
-    length: Number | None = None
-    disk: Number | None = None
-    cylinder: Number | None = None
-    hoop: Number | None = None
-    sphere: Number | None = None
-    half_ring: Number | None = None
-    plate: Pair | None = None
-    corners: Annotated[tuple[str, ...], BeforeValidator(read_names(4, "four names"))] | None = None
-    mass: Number | None = None
-    weight: Number | None = None
-    inertia: Number | None = None
-    gyration: Number | None = None
-    mass_center: Pair = Vector(0, 0)
-    points: Points = {}
-    lines: dict[str, Line] = {}
-    circles: Circles = {}
-    at: Annotated[Place, BeforeValidator(read_place)] | None = None
-    angle: Number | None = None
-    driven: Driven | None = None
-    depth: Number | None = None
-    edge_on: bool = False
-    active: Number = True
+    def ask(self, name: str, of: Any = None, **keys: Any) -> Self:
+        """A question: `of` an expression, or `max` or `min`; with `at`, `unit` and `run`."""
+        return self._update("ask", {name: {**({} if of is None else {"of": of}), **keys}})
 
-    @property
-    def shape(self) -> str | None:
-        """The key of its shape, None for a body of given inertia and for a particle."""
-        return next((shape for shape in words.SHAPES if getattr(self, shape) is not None), None)
+    def runs(self, **values: Mapping[str, Any]) -> Self:
+        """Named runs, each a dict of parameters."""
+        return self._update("runs", values)
 
-    @property
-    def turns(self) -> bool:
-        """Whether it is more than a particle."""
-        return self.shape is not None or self.inertia is not None or self.gyration is not None
+    def find(self, **keys: Any) -> Self:
+        """What is sought: `vary`, with `where`, `greatest` or `least`."""
+        return self._update("find", keys)
 
+    def solve(self, **settings: Any) -> Self:
+        """Settings: route, accuracy, estimate, max_time, max_events, max_steps, assembly."""
+        return self._update("solve", settings)
 
-class Friction(Table):
-    static: Number
-    kinetic: Number
-
-
-class Contact(Kind):
-    word = "touch"
-    partners: Partners
-    restitution: Number = 0
-    friction: Annotated[Value | Friction, BeforeValidator(read_friction)] = 0
-    tangential: Number | None = None
-    normal: Number | None = None
-    law: Text = "newton"
-    capture: Literal["none", "point", "body"] = "none"
-    surface_speed: Number | None = None
-
-
-class Grid(Table):
-    """A list of values, or from .. to in `num` values or steps of `step`, ends included; shape only."""
-
-    values: tuple[Value, ...] | None = None
-    from_: Number | None = Field(None, alias="from")
-    to: Number | None = None
-    num: Annotated[int, Field(strict=True)] | None = None
-    step: Number | None = None
-    scale: Literal["linear", "log"] = "linear"
-
-
-GridOf = Annotated[Grid, BeforeValidator(read_grid)]
-
-
-class At(Table):
-    """An instant that is not an event: where an expression is extreme, or takes given values."""
-
-    max: Number | None = None
-    min: Number | None = None
-    each: Number | None = None
-    values: GridOf | None = None
-
-
-class Action(Table):
-    """What an event does: one of add, remove, impulse and nudge."""
-
-    add: Text | None = None
-    remove: Text | None = None
-    impulse: Text | None = None
-    nudge: Text | None = None
-    value: Annotated[Value | Vector, BeforeValidator(read_value_or_vector)] | None = None
-    work: Number | None = None
-    active: Number = True
-
-
-class Event(Table):
-    """`when` one of the conditions comes - for the `nth` time, if that is given - the actions are done."""
-
-    when: Annotated[tuple[str, ...], BeforeValidator(read_sequence)]
-    do: Annotated[tuple[Action, ...], BeforeValidator(read_actions)] = ()
-    nth: Annotated[int, Field(strict=True)] | None = None
-
-
-class Ask(Table):
-    """`of` an expression `at` an instant, or the extreme `max` or `min` of one over the run."""
-
-    of: Number | None = None
-    max: Number | None = None
-    min: Number | None = None
-    at: Annotated[str | At, BeforeValidator(read_at)] | None = None
-    unit: Text | None = None
-    run: Text | None = None
-
-
-class Find(Table):
-    """What is sought: parameters between bounds, under conditions, with something extreme."""
-
-    vary: dict[str, Annotated[tuple[Value, Value], BeforeValidator(read_bounds)]]
-    where: Annotated[tuple[str, ...], BeforeValidator(read_sequence)] = ()
-    greatest: Number | None = None
-    least: Number | None = None
-    samples: Annotated[int, Field(strict=True)] | None = None
+    # ---- what it says ----
 
     @property
-    def intervals(self) -> int:
-        """`samples`, or what is taken without it."""
-        if self.samples is not None:
-            return self.samples
-        return DEFAULT_SAMPLES if len(self.vary) == 1 else DEFAULT_PAIR_SAMPLES
+    def data(self) -> SceneData:
+        """The validated scene.  Raises SceneError for the first fault."""
+        if self._data is None:
+            name = Path(self.file).stem if self.file else "scene"
+            self._data = validate(self.raw, file=self.file, name=name)
+        return self._data
+
+    def tables(self) -> list[FlatScene]:
+        """The tables of each of its [runs], made once until it is changed; SceneError as of `data`."""
+        from .compile.flatten import flatten
+
+        data = self.data
+        use = frozenset(data.sweep.grids), True
+        return self._kept.flats(
+            self.raw, self.file, use, lambda: [flatten(data, name) for name in data.runs or (None,)]
+        )
 
     @property
-    def goal(self) -> Literal["greatest", "least"] | None:
-        """The key that says what is to be extreme."""
-        if self.greatest is not None:
-            return "greatest"
-        return "least" if self.least is not None else None
+    def id(self) -> str:
+        """Its name in results."""
+        return self.data.id
+
+    @property
+    def run_names(self) -> tuple[str, ...]:
+        """Names of its [runs]; empty if it is run once."""
+        return tuple(self.data.runs)
+
+    @property
+    def text(self) -> str:
+        """The scene as TOML: the text of its file if nothing was changed."""
+        return self._text if self._text is not None else self.to_toml()
+
+    def to_toml(self) -> str:
+        """The scene as TOML, written anew."""
+        from .file import to_toml
+
+        return to_toml(self.raw)
+
+    def with_values(self, values: Mapping[str, Any]) -> Scene:
+        """A copy with other values: parameters by name (a bare number takes the unit of the file), or
+        settings such as "sweep.d.num" and "solve.route".
+
+        Raises SceneError for an unknown name or a value of another dimension.
+        """
+        scene = Scene.from_raw(self.raw, file=self.file, text=self._text)
+        for name, value in values.items():
+            scene._set(name, _plain(value))
+        return scene
+
+    # ---- running ----
+
+    def run(self, **parameters: Any) -> RunResult:
+        """Answers of the scene, with other values for some parameters.
+
+        Raises SceneError for a fault in the scene, SimulationError (with the partial result) if a run fails.
+        An early stop, such as a limit, is a result whose status is not "ok".
+        """
+        from .run import run
+
+        return run(self.with_values(parameters) if parameters else self)
+
+    def sweep(
+        self,
+        *,
+        out: str | os.PathLike[str] | None = None,
+        workers: int | None = None,
+        resume: bool = False,
+        progress: Any = None,
+        **grids: Any,
+    ) -> Any:
+        """The study over grids of parameters: those given here, else those of [sweep].
+
+        See `sweep.study.run_sweep` for `out`, `workers`, `resume`, `progress` and what it returns.
+        """
+        from .sweep.study import run_sweep
+
+        scene = self
+        if grids:
+            scene = type(self).from_raw({**self.raw, "sweep": _plain(grids)}, file=self.file)
+        return run_sweep(scene, out=out, workers=workers, resume=resume, progress=progress, kept=self._kept)
+
+    # ---- changing ----
+
+    def _table(self, key: str) -> dict[str, Any]:
+        table: dict[str, Any] = self.raw.setdefault(key, {})
+        return table
+
+    def _update(self, table: str, values: Mapping[str, Any]) -> Self:
+        self._table(table).update(_plain(values))
+        return self._changed()
+
+    def _changed(self) -> Self:
+        self._data = self._text = None
+        return self
+
+    def _set(self, name: str, value: Any) -> None:
+        """Sets a parameter or a setting by its dotted name."""
+        first, _, rest = name.partition(".")
+        declared = {"g": DEFAULT_G, **self.raw.get("parameters", {})}
+        if not rest or first == "parameters":
+            key = rest or name
+            if key not in declared and not rest:
+                reason = unknown(name, declared, "parameter") + "; or set sweep.PARAMETER..., solve.KEY"
+                raise SceneError(reason, file=self.file, path=name)
+            try:
+                self._check_not_sought(key)
+                changed = override(declared, key, value)
+            except SceneError as error:
+                raise error.at(file=self.file) from None
+            self._update("parameters", {key: changed})
+            return
+        if first not in _SETTABLE:
+            reason = f"only parameters, find, sweep and solve can be set, not {first}"
+            raise SceneError(reason, file=self.file, path=name)
+        keys = name.split(".")
+        table = self.raw
+        for key in keys[:-1]:
+            below = table.setdefault(key, {})
+            if not isinstance(below, dict):
+                raise SceneError(f"{key} is no table", file=self.file, path=name)
+            table = below
+        table[keys[-1]] = _literal(value)
+        self._changed()
+
+    def _check_not_sought(self, name: str) -> None:
+        """Raises SceneError for a parameter that every run looks for: setting it would do nothing."""
+        top = self.raw.get("find")
+        own = [run.get("find", top) for run in self.raw.get("runs", {}).values()] or [top]
+        if all(find and name in find.get("vary", {}) for find in own):
+            raise SceneError(f"[find] looks for it; set find.vary.{name}", path=f"parameters.{name}")
 
 
-class Solve(Table):
-    route: Text = "auto"
-    accuracy: Number = 1e-10
-    max_time: Number | None = None
-    max_events: int = DEFAULT_MAX_EVENTS
-    max_steps: int = DEFAULT_MAX_STEPS
-    assembly: Number = 1e-12
-    simultaneous: Text = "together"
-    estimate: bool = True
+def _literal(value: Any) -> Any:
+    """A setting given as a text, such as "200", "true" or "[1, 2]", read as TOML reads it; else the text."""
+    if not isinstance(value, str):
+        return value
+    try:
+        read = tomllib.loads(f"value = {value}")
+    except tomllib.TOMLDecodeError:
+        return value
+    return read["value"] if set(read) == {"value"} else value
 
 
-class Sweep(Table):
-    """What a study varies: grids by parameter, in their order, and parameters that move together."""
+def _plain(value: Any) -> Any:
+    """A value as TOML has it: quantities of pint become texts, numbers of numpy plain ones."""
+    if isinstance(value, str | bool | int | float):
+        return value if type(value) in (str, bool, int, float) else _builtin(value)
+    if isinstance(value, Mapping):
+        return {str(key): _plain(one) for key, one in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(one) for one in value]
+    if hasattr(value, "dimensionality"):
+        quantity = parse_quantity(value)
+        return f"{quantity.value!r} {quantity.unit_text}".strip()
+    if hasattr(value, "tolist"):
+        return _plain(value.tolist())
+    raise SceneError(f"a scene has no values of type {type(value).__name__}")
 
-    grids: dict[str, GridOf] = {}
-    zip: tuple[tuple[str, ...], ...] = ()
+
+def _builtin(value: str | int | float) -> str | int | float:
+    """The plain value of a subclass, such as a float of numpy."""
+    for plain in (str, int, float):
+        if isinstance(value, plain):
+            return plain(value)
+    return value

@@ -13,9 +13,9 @@ import numpy as np
 
 import planemotion
 from planemotion import _layout as layout
-from planemotion import engine
-from planemotion.errors import SceneError, SimulationError
-from planemotion.flatten import FlatScene, flatten
+from planemotion.base.errors import SceneError, SimulationError
+from planemotion.compile.flatten import FlatScene, flatten
+from planemotion.engine import call as engine
 
 from ..measure import sentence
 from ..problems import Floats, Problem

@@ -1,7 +1,8 @@
-"""The kinds of joints, couplings and forces: one file and one line of a table each.
+"""The kinds of joints, couplings and forces: one file and one line of the table below each.
 
-The class says the word, the options (its fields), the rows that it writes and how it is drawn; nothing else
-in the package knows a kind by its name.  The order is that of messages.
+The class of a kind says the word, the options (its fields), the rows that it writes and how it is drawn, by
+what `model`, `geometry` and `pen` offer.  `reading` makes scenes of kinds and `compile` takes their rows; no
+other module knows a kind by its name, and messages list the words in the order of this table.
 """
 
 from __future__ import annotations
@@ -9,8 +10,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TypeVar
 
-from ..element import Coupling, Force, Joint, Kind
-from ..scene import Contact
+from ..model.element import Kind
+from ..model.tables import Contact
+from .base import Coupling, Force, Joint
 from .belt import Belt
 from .cord import Cord
 from .couple import Couple

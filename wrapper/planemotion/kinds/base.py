@@ -12,15 +12,15 @@ from typing import TYPE_CHECKING, Annotated, ClassVar
 
 from pydantic import BeforeValidator
 
-from ..element import Kind, Number, Partners, Quantity, Table
-from ..partners import Partner
-from ..rows import CouplingRows, ForceRow, JointRow
-from ..writer import Writer
-from ..written import Value, read_joint_friction
+from ..geometry.partners import Partner
+from ..geometry.rows import CouplingRows, ForceRow, JointRow
+from ..geometry.writer import Writer
+from ..model.element import Kind, Number, Partners, Quantity, Table
+from ..model.readers import Value, read_joint_friction
 
 if TYPE_CHECKING:
-    from ..pensketch import Sketch
-    from ..symbols import Place
+    from ..pen.sketch import Sketch
+    from ..pen.symbols import Place
 
 
 class Joint(Kind):

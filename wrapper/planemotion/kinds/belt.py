@@ -5,16 +5,17 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from .. import _layout as layout
-from ..rows import CouplingRows
-from ..element import Coupling, Partners, Quantity
-from ..node import Number
-from ..partners import kernel_circle
-from ..units import FORCE
-from ..writer import Writer
+from ..geometry.partners import kernel_circle
+from ..geometry.rows import CouplingRows
+from ..geometry.writer import Writer
+from ..language.tree import Number
+from ..language.units import FORCE
+from ..model.element import Partners, Quantity
+from .base import Coupling
 
 if TYPE_CHECKING:
-    from ..pensketch import Sketch
-    from ..symbols import Place
+    from ..pen.sketch import Sketch
+    from ..pen.symbols import Place
 
 
 class Belt(Coupling):

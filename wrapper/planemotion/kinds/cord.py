@@ -13,20 +13,21 @@ from typing import TYPE_CHECKING, Annotated
 from pydantic import BeforeValidator
 
 from .. import _layout as layout
-from ..rows import CouplingRows
-from ..drawing import GROUND
-from ..element import Coupling, Number, Quantity
-from ..errors import SceneError
-from ..marks import distance
-from ..node import ZERO, Node
-from ..partners import Partner, different, drawn_pair, kernel_circle, partner
-from ..units import DIMENSIONLESS, FORCE, IMPULSE, LENGTH
-from ..writer import Writer
-from ..written import read_stops
+from ..base.errors import SceneError
+from ..geometry.marks import distance
+from ..geometry.partners import Partner, different, drawn_pair, kernel_circle, partner
+from ..geometry.pose import GROUND
+from ..geometry.rows import CouplingRows
+from ..geometry.writer import Writer
+from ..language.tree import ZERO, Node
+from ..language.units import DIMENSIONLESS, FORCE, IMPULSE, LENGTH
+from ..model.element import Number, Quantity
+from ..model.readers import read_stops
+from .base import Coupling
 
 if TYPE_CHECKING:
-    from ..pensketch import Sketch
-    from ..symbols import Place
+    from ..pen.sketch import Sketch
+    from ..pen.symbols import Place
 
 _RIM = re.compile(r"(\S+)\s+(cw|ccw)")
 _SENSES = {"ccw": 1, "cw": -1}

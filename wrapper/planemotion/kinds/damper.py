@@ -5,17 +5,18 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from .. import _layout as layout
-from ..element import Force, Number
-from ..errors import SceneError
-from ..expression import dimension, parse
-from ..rows import ForceRow
-from ..partners import point_pair
-from ..units import DAMPING, MOMENT, TIME
-from ..writer import Writer
+from ..base.errors import SceneError
+from ..geometry.partners import point_pair
+from ..geometry.rows import ForceRow
+from ..geometry.writer import Writer
+from ..language.expression import dimension, parse
+from ..language.units import DAMPING, MOMENT, TIME
+from ..model.element import Number
+from .base import Force
 
 if TYPE_CHECKING:
-    from ..pensketch import Sketch
-    from ..symbols import Place
+    from ..pen.sketch import Sketch
+    from ..pen.symbols import Place
 
 _ROTARY = MOMENT * TIME
 

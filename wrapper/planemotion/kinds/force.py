@@ -8,20 +8,21 @@ from typing import TYPE_CHECKING, Annotated
 from pydantic import BeforeValidator
 
 from .. import _layout as layout
-from ..drawing import GROUND
-from ..element import Force, Number, Text
-from ..errors import SceneError
-from ..rows import ForceRow
-from ..given import measured, power
-from ..node import Node
-from ..partners import partner
-from ..units import FORCE
-from ..writer import Writer
-from ..written import Value, Vector, read_one, read_value_or_vector
+from ..base.errors import SceneError
+from ..geometry.given import measured, power
+from ..geometry.partners import partner
+from ..geometry.pose import GROUND
+from ..geometry.rows import ForceRow
+from ..geometry.writer import Writer
+from ..language.tree import Node
+from ..language.units import FORCE
+from ..model.element import Number, Text
+from ..model.readers import Value, Vector, read_one, read_value_or_vector
+from .base import Force
 
 if TYPE_CHECKING:
-    from ..pensketch import Sketch
-    from ..symbols import Place
+    from ..pen.sketch import Sketch
+    from ..pen.symbols import Place
 
 
 class AppliedForce(Force):

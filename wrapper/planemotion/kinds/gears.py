@@ -5,15 +5,16 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from .. import _layout as layout
-from ..rows import CouplingRows
-from ..element import Coupling, Partners, Quantity
-from ..partners import kernel_circle, side
-from ..units import FORCE, IMPULSE
-from ..writer import Writer
+from ..geometry.partners import kernel_circle, side
+from ..geometry.rows import CouplingRows
+from ..geometry.writer import Writer
+from ..language.units import FORCE, IMPULSE
+from ..model.element import Partners, Quantity
+from .base import Coupling
 
 if TYPE_CHECKING:
-    from ..pensketch import Sketch
-    from ..symbols import Place
+    from ..pen.sketch import Sketch
+    from ..pen.symbols import Place
 
 
 class Gears(Coupling):

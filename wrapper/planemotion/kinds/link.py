@@ -5,16 +5,17 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from .. import _layout as layout
-from ..element import Joint, Number
-from ..rows import JointRow
-from ..marks import distance
-from ..partners import Partner, drawn_pair, point_pair
-from ..units import LENGTH
-from ..writer import Writer
+from ..geometry.marks import distance
+from ..geometry.partners import Partner, drawn_pair, point_pair
+from ..geometry.rows import JointRow
+from ..geometry.writer import Writer
+from ..language.units import LENGTH
+from ..model.element import Number
+from .base import Joint
 
 if TYPE_CHECKING:
-    from ..pensketch import Sketch
-    from ..symbols import Place
+    from ..pen.sketch import Sketch
+    from ..pen.symbols import Place
 
 
 class Link(Joint):

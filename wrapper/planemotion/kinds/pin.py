@@ -5,14 +5,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from .. import _layout as layout
-from ..element import RubbingJoint
-from ..rows import JointRow
-from ..partners import Partner, point_pair
-from ..writer import Writer
+from ..geometry.partners import Partner, point_pair
+from ..geometry.rows import JointRow
+from ..geometry.writer import Writer
+from .base import RubbingJoint
 
 if TYPE_CHECKING:
-    from ..pensketch import Sketch
-    from ..symbols import Place
+    from ..pen.sketch import Sketch
+    from ..pen.symbols import Place
 
 
 class Pin(RubbingJoint):

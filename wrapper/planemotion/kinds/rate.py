@@ -5,15 +5,16 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from .. import _layout as layout
-from ..rows import CouplingRows
-from ..element import Coupling, Number, Partners, Quantity
-from ..errors import SceneError
-from ..units import ANGULAR_VELOCITY, MOMENT
-from ..writer import Writer
+from ..base.errors import SceneError
+from ..geometry.rows import CouplingRows
+from ..geometry.writer import Writer
+from ..language.units import ANGULAR_VELOCITY, MOMENT
+from ..model.element import Number, Partners, Quantity
+from .base import Coupling
 
 if TYPE_CHECKING:
-    from ..pensketch import Sketch
-    from ..symbols import Place
+    from ..pen.sketch import Sketch
+    from ..pen.symbols import Place
 
 
 class Rate(Coupling):

@@ -11,20 +11,21 @@ from typing import TYPE_CHECKING, Annotated, Any
 from pydantic import BeforeValidator
 
 from .. import _layout as layout
-from ..rows import CouplingRows
-from ..drawing import GROUND
-from ..element import Coupling, Quantity
-from ..errors import SceneError
-from ..node import Node
-from ..parameters import is_zero
-from ..units import DIMENSIONLESS, MOMENT
-from ..words import not_built
-from ..writer import Writer
-from ..written import Value, read_value
+from ..base.errors import SceneError
+from ..geometry.parameters import is_zero
+from ..geometry.pose import GROUND
+from ..geometry.rows import CouplingRows
+from ..geometry.writer import Writer
+from ..language.tree import Node
+from ..language.units import DIMENSIONLESS, MOMENT
+from ..model.element import Quantity
+from ..model.readers import Value, read_value
+from ..model.words import not_built
+from .base import Coupling
 
 if TYPE_CHECKING:
-    from ..pensketch import Sketch
-    from ..symbols import Place
+    from ..pen.sketch import Sketch
+    from ..pen.symbols import Place
 
 
 def _read(written: Any) -> dict[str, Value]:

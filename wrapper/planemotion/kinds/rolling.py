@@ -6,16 +6,17 @@ import math
 from typing import TYPE_CHECKING
 
 from .. import _layout as layout
-from ..element import Joint, Quantity
-from ..rows import JointRow
-from ..marks import LineMark
-from ..partners import Partner, kernel_circle, side
-from ..units import DIMENSIONLESS, FORCE
-from ..writer import Writer
+from ..geometry.marks import LineMark
+from ..geometry.partners import Partner, kernel_circle, side
+from ..geometry.rows import JointRow
+from ..geometry.writer import Writer
+from ..language.units import DIMENSIONLESS, FORCE
+from ..model.element import Quantity
+from .base import Joint
 
 if TYPE_CHECKING:
-    from ..pensketch import Sketch
-    from ..symbols import Place
+    from ..pen.sketch import Sketch
+    from ..pen.symbols import Place
 
 
 class Rolling(Joint):

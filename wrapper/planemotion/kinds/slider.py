@@ -5,16 +5,17 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from .. import _layout as layout
-from ..element import Quantity, RubbingJoint
-from ..rows import JointRow
-from ..marks import LineMark
-from ..partners import Partner, one_point
-from ..units import FORCE
-from ..writer import Writer
+from ..geometry.marks import LineMark
+from ..geometry.partners import Partner, one_point
+from ..geometry.rows import JointRow
+from ..geometry.writer import Writer
+from ..language.units import FORCE
+from ..model.element import Quantity
+from .base import RubbingJoint
 
 if TYPE_CHECKING:
-    from ..pensketch import Sketch
-    from ..symbols import Place
+    from ..pen.sketch import Sketch
+    from ..pen.symbols import Place
 
 
 class Slider(RubbingJoint):

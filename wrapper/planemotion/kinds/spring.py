@@ -5,16 +5,17 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Literal
 
 from .. import _layout as layout
-from ..element import Force, Number
-from ..rows import ForceRow
-from ..marks import distance
-from ..partners import drawn_pair, point_pair
-from ..units import LENGTH, STIFFNESS
-from ..writer import Writer
+from ..geometry.marks import distance
+from ..geometry.partners import drawn_pair, point_pair
+from ..geometry.rows import ForceRow
+from ..geometry.writer import Writer
+from ..language.units import LENGTH, STIFFNESS
+from ..model.element import Number
+from .base import Force
 
 if TYPE_CHECKING:
-    from ..pensketch import Sketch
-    from ..symbols import Place
+    from ..pen.sketch import Sketch
+    from ..pen.symbols import Place
 
 _ONLY = {None: layout.PM_SPRING_BOTH, "pull": layout.PM_SPRING_PULL, "push": layout.PM_SPRING_PUSH}
 

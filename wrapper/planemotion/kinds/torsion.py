@@ -5,14 +5,15 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from .. import _layout as layout
-from ..element import Force, Number
-from ..rows import ForceRow
-from ..units import DIMENSIONLESS, MOMENT
-from ..writer import Writer
+from ..geometry.rows import ForceRow
+from ..geometry.writer import Writer
+from ..language.units import DIMENSIONLESS, MOMENT
+from ..model.element import Number
+from .base import Force
 
 if TYPE_CHECKING:
-    from ..pensketch import Sketch
-    from ..symbols import Place
+    from ..pen.sketch import Sketch
+    from ..pen.symbols import Place
 
 
 class Torsion(Force):

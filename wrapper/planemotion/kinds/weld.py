@@ -5,15 +5,15 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from .. import _layout as layout
-from ..element import Joint
-from ..errors import SceneError
-from ..rows import JointRow
-from ..partners import Partner
-from ..writer import Writer
+from ..base.errors import SceneError
+from ..geometry.partners import Partner
+from ..geometry.rows import JointRow
+from ..geometry.writer import Writer
+from .base import Joint
 
 if TYPE_CHECKING:
-    from ..pensketch import Sketch
-    from ..symbols import Place
+    from ..pen.sketch import Sketch
+    from ..pen.symbols import Place
 
 
 class Weld(Joint):

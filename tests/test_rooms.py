@@ -1,0 +1,227 @@
+"""The rooms of the package: imports go down only, as wrapper/rooms.toml orders them.
+
+Every import counts, wherever it stands: those for type checking and those inside functions, too.
+"""
+
+from __future__ import annotations
+
+import ast
+import tomllib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+WRAPPER = Path(__file__).resolve().parent.parent / "wrapper"
+PACKAGE = "planemotion"
+
+
+@dataclass(frozen=True)
+class Import:
+    """`importer` imports `imported` in `line`; both are dotted names below the package."""
+
+    importer: str
+    imported: str
+    line: int
+
+
+@dataclass(frozen=True)
+class House:
+    """The order of the rooms, and the modules that stand in none of them."""
+
+    rooms: tuple[str, ...]
+    bottom: tuple[str, ...]
+    top: tuple[str, ...]
+    largest_circle: int
+
+    def floor(self, module: str) -> int | None:
+        """How high a module stands; None if it is in no room."""
+        first, _, rest = module.partition(".")
+        if first in self.rooms:
+            return 1 + self.rooms.index(first)
+        if rest or first not in (*self.bottom, *self.top):
+            return None
+        return 0 if first in self.bottom else 1 + len(self.rooms)
+
+
+def house() -> House:
+    table = tomllib.loads((WRAPPER / "rooms.toml").read_text(encoding="utf-8"))
+    largest = table["largest_circle"]
+    return House(tuple(table["rooms"]), tuple(table["bottom"]), tuple(table["top"]), largest)
+
+
+def modules(package: Path) -> dict[str, Path]:
+    """The modules of a package by their dotted names below it; of a folder that of its __init__."""
+    found = {}
+    for path in sorted(package.rglob("*.py")):
+        parts = path.relative_to(package).with_suffix("").parts
+        found[".".join(parts[:-1] if len(parts) > 1 and parts[-1] == "__init__" else parts)] = path
+    return found
+
+
+def imports(package: Path, beside: tuple[str, ...] = ()) -> list[Import]:
+    """What imports what within a package; `beside`: modules that have no source in it."""
+    paths = modules(package)
+    known = {*paths, *beside}
+    return [
+        Import(name, imported, node.lineno)
+        for name, path in paths.items()
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        for imported in _imported(node, package.name, _folder(name, path), known)
+        if imported != name
+    ]
+
+
+def _folder(name: str, path: Path) -> str:
+    """The dotted name of the folder that a module stands in."""
+    if path.name == "__init__.py":
+        return "" if name == "__init__" else name
+    return name.rpartition(".")[0]
+
+
+def _imported(node: ast.AST, package: str, folder: str, known: set[str]) -> Iterator[str]:
+    """The modules of the package that a statement imports."""
+    if isinstance(node, ast.Import):
+        for name in node.names:
+            first, _, below = name.name.partition(".")
+            if first == package:
+                yield _module(below, known)
+    elif isinstance(node, ast.ImportFrom):
+        source = _source(node, package, folder)
+        if source is not None:
+            for name in node.names:
+                yield _module(f"{source}.{name.name}".lstrip("."), known)
+
+
+def _source(node: ast.ImportFrom, package: str, folder: str) -> str | None:
+    """The dotted name below the package from which is imported; None for another package."""
+    written = node.module or ""
+    if node.level == 0:
+        first, _, below = written.partition(".")
+        return below if first == package else None
+    parts = folder.split(".") if folder else []
+    return ".".join([*parts[: len(parts) - node.level + 1], *([written] if written else [])])
+
+
+def _module(name: str, known: set[str]) -> str:
+    """The module that `name` is, or is a name of."""
+    while name and name not in known:
+        name = name.rpartition(".")[0]
+    return name or "__init__"
+
+
+def homeless(package: Path, plan: House) -> list[str]:
+    """Modules that stand in no room."""
+    return [name for name in modules(package) if plan.floor(name) is None]
+
+
+def upward(package: Path, plan: House) -> list[str]:
+    """Imports of a room by one below it."""
+    found = []
+    for one in imports(package, plan.bottom):
+        here, there = plan.floor(one.importer), plan.floor(one.imported)
+        if here is not None and there is not None and there > here:
+            found.append(f"{one.importer} -> {one.imported} (line {one.line})")
+    return found
+
+
+def circles(package: Path, plan: House) -> list[list[str]]:
+    """Groups of modules that need each other in a circle."""
+    needs: dict[str, set[str]] = {name: set() for name in (*modules(package), *plan.bottom)}
+    for one in imports(package, plan.bottom):
+        needs[one.importer].add(one.imported)
+    reach = {name: _reach(name, needs) for name in needs}
+    groups = {frozenset(other for other in reach[name] if name in reach[other]) for name in needs}
+    return sorted(sorted(group) for group in groups if len(group) > 1)
+
+
+def _reach(name: str, needs: Mapping[str, set[str]]) -> set[str]:
+    """All that a module needs, directly or through others."""
+    found: set[str] = set()
+    waiting = [name]
+    while waiting:
+        for other in needs[waiting.pop()] - found:
+            found.add(other)
+            waiting.append(other)
+    return found
+
+
+# ---- the package ----------------------------------------------------------------------------------------
+
+
+def test_every_module_stands_in_a_room() -> None:
+    assert homeless(WRAPPER / PACKAGE, house()) == []
+
+
+def test_every_room_is_there_and_says_what_it_is() -> None:
+    for room in house().rooms:
+        said = ast.get_docstring(ast.parse((WRAPPER / PACKAGE / room / "__init__.py").read_text("utf-8")))
+        assert said is not None, room
+        assert len(said.split(". ")) >= 2, room
+
+
+def test_no_import_goes_up() -> None:
+    assert upward(WRAPPER / PACKAGE, house()) == []
+
+
+def test_circles_are_small() -> None:
+    plan = house()
+    assert [group for group in circles(WRAPPER / PACKAGE, plan) if len(group) > plan.largest_circle] == []
+
+
+# ---- the check itself -----------------------------------------------------------------------------------
+
+PLAN = House(("low", "high"), ("_made",), ("__init__", "cli"), 2)
+SOUND = {
+    "__init__.py": "from .cli import main",
+    "cli.py": "from .high import wall\nimport house.low.stone",
+    "low/__init__.py": "",
+    "low/stone.py": "from .. import _made as made",
+    "high/__init__.py": "",
+    "high/wall.py": "from ..low.stone import block\nfrom . import roof",
+    "high/roof.py": "import json",
+}
+
+
+def built(folder: Path, **changed: str) -> Path:
+    """A small package, with other texts for some of its files (`low__stone` is low/stone.py)."""
+    files = SOUND | {f"{name.replace('__', '/')}.py": text for name, text in changed.items()}
+    for name, text in files.items():
+        path = folder / "house" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    return folder / "house"
+
+
+def test_a_sound_house_has_no_faults(tmp_path: Path) -> None:
+    package = built(tmp_path)
+    assert (homeless(package, PLAN), upward(package, PLAN), circles(package, PLAN)) == ([], [], [])
+
+
+def test_an_import_of_a_higher_room_is_named_with_its_line(tmp_path: Path) -> None:
+    package = built(tmp_path, low__stone="x = 1\nfrom ..high.wall import brick")
+    assert upward(package, PLAN) == ["low.stone -> high.wall (line 2)"]
+
+
+def test_imports_in_functions_for_types_and_of_folders_count(tmp_path: Path) -> None:
+    package = built(
+        tmp_path,
+        low__stone="if TYPE_CHECKING:\n    from ..high import roof",
+        low__sand="def f():\n    from house import high",
+        low__clay="import house.cli",
+        low__lime="from .. import anything",
+    )
+    assert upward(package, PLAN) == [
+        "low.clay -> cli (line 1)",
+        "low.lime -> __init__ (line 1)",
+        "low.sand -> high (line 2)",
+        "low.stone -> high.roof (line 2)",
+    ]
+
+
+def test_a_module_without_a_room_is_found(tmp_path: Path) -> None:
+    assert homeless(built(tmp_path, shed="", barn__hay=""), PLAN) == ["barn.hay", "shed"]
+
+
+def test_a_circle_of_modules_is_found(tmp_path: Path) -> None:
+    package = built(tmp_path, high__roof="from .wall import width")
+    assert circles(package, PLAN) == [["high.roof", "high.wall"]]

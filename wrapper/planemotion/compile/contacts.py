@@ -1,0 +1,213 @@
+"""Contacts: from two marks that may touch to rows of the kernel's contact table.
+
+The kernel wants a circle (of radius 0: a point) first and a line, circle or row second; what is written the
+other way round is exchanged, and `ContactInfo.swapped` tells the measures, which report on the first partner
+as written.  A set of points becomes one row for each member.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+from .. import _layout as layout
+from ..base.errors import SceneError
+from ..geometry.drawing import Drawing
+from ..geometry.marks import LineMark, RowMark
+from ..geometry.packing import Tables
+from ..geometry.parameters import Reader, is_zero
+from ..geometry.partners import Partner, different, kernel_circle, pairs, partner, side
+from ..geometry.pose import GROUND
+from ..geometry.time import over_time
+from ..language.tree import ZERO, Node, Number
+from ..language.units import DIMENSIONLESS, VELOCITY
+from ..model.readers import Value
+from ..model.tables import Contact, Friction
+
+_ROUND = ("circle", "point")
+_CAPTURES = {
+    "none": layout.PM_CAPTURE_NONE,
+    "point": layout.PM_CAPTURE_POINT,
+    "body": layout.PM_CAPTURE_BODY,
+}
+
+
+@dataclass(frozen=True)
+class ContactInfo:
+    """What measures and events need to know of a contact.
+
+    `indices`: its rows, one for each member of a set; `owners`: of the first and second partner as written;
+    `swapped`: the kernel has them the other way round; `is_row`: the members are those of a periodic row;
+    `is_set`: the members are the rows of `indices`; `captures`: what arrives stays.
+    """
+
+    indices: tuple[int, ...]
+    owners: tuple[str, str]
+    swapped: bool
+    is_row: bool
+    is_set: bool
+    captures: bool
+
+
+class Contacts:
+    """Adds contacts to the tables."""
+
+    def __init__(self, drawing: Drawing, reader: Reader, tables: Tables) -> None:
+        self.drawing = drawing
+        self.reader = reader
+        self.tables = tables
+
+    def add(self, name: str, contact: Contact) -> ContactInfo:
+        """Adds the rows of one contact.  Raises SceneError for marks that cannot touch each other."""
+        path = f"contacts.{name}"
+        first, second = pairs(
+            contact.partners,
+            f"{path}.touch",
+            lambda text, where, _index: partner(
+                self.drawing, text, where, "circle", "point", "line", "row", "set"
+            ),
+        )
+        for one in (first, second):
+            self._check(one)
+        a, b = first, second
+        swapped = a.kind in ("line", "row") or b.kind == "set"
+        if swapped:
+            a, b = b, a
+        is_set = a.kind == "set"
+        members = self._members(a)
+        laws = self._laws(contact, path)
+        rows = []
+        for member, one in enumerate(members):
+            row = {**self._geometry(one, b, contact, path, swapped), **laws}
+            label = f"{path}[{member}]" if is_set else path
+            rows.append(self.tables.add(layout.PM_TABLE_CONTACT, row, label))
+        owners = (first.owner, second.owner)
+        captures = contact.capture != "none"
+        return ContactInfo(tuple(rows), owners, swapped, b.kind == "row", is_set, captures)
+
+    def _check(self, one: Partner) -> None:
+        if one.anywhere:
+            reason = "a mark of the ground is wanted, such as ground.floor"
+            raise SceneError(reason, path=one.where, value=GROUND)
+
+    def _members(self, one: Partner) -> list[Partner]:
+        """The points of a set; anything else by itself."""
+        if one.kind != "set":
+            return [one]
+        assert isinstance(one.mark, tuple)
+        return [replace(one, kind="point", name=point, mark=None) for point in one.mark]
+
+    def _geometry(self, a: Partner, b: Partner, contact: Contact, path: str, swapped: bool) -> dict[int, int]:
+        """Kind, partners and side of a row."""
+        if a.kind not in _ROUND or b.kind == "set":
+            raise SceneError(
+                f"a {a.kind} and a {b.kind} do not touch; a circle or a point is wanted first",
+                path=f"{path}.touch",
+            )
+        different(a, b)
+        points = a.kind == "point" and b.kind == "point"
+        if contact.normal is not None and not points:
+            raise SceneError("only two points need a normal", path=f"{path}.normal", value=contact.normal)
+        if contact.surface_speed is not None and (swapped or b.kind != "line"):
+            reason = "the second mark must be a line to have a surface that runs along it"
+            raise SceneError(reason, path=f"{path}.surface_speed", value=contact.surface_speed)
+        side_value = layout.PM_NONE
+        ends: tuple[int, ...] = (layout.PM_NONE, layout.PM_NONE)
+        if b.kind == "line":
+            assert isinstance(b.mark, LineMark)
+            kind, other = layout.PM_CONTACT_LINE, self.drawing.line(b.owner, b.mark, b.where)
+            if b.mark.extent is not None:
+                kind = layout.PM_CONTACT_SEGMENT
+                ends = tuple(self.tables.value(end, b.where) for end in b.mark.extent)
+        elif b.kind == "row":
+            assert isinstance(b.mark, RowMark)
+            if a.kind == "point":
+                raise SceneError(
+                    "a circle is wanted to touch a row of points", path=a.where, value=str(a.ref)
+                )
+            kind, other = layout.PM_CONTACT_ROW, self.drawing.row(b.mark, b.where)
+        elif points and contact.capture != "none" and contact.normal is None:
+            kind, other = layout.PM_CONTACT_POINT, kernel_circle(self.drawing, b)
+        elif points:
+            kind, other = layout.PM_CONTACT_LINE, self._line_through(b, contact.normal, path)
+        else:
+            kind, other = layout.PM_CONTACT_CIRCLE, kernel_circle(self.drawing, b)
+            side_value = self.tables.value(side(self.drawing, a, b), f"{path}.touch")
+        return {
+            layout.PM_CONTACT_KIND: kind,
+            layout.PM_CONTACT_A: kernel_circle(self.drawing, a),
+            layout.PM_CONTACT_B: other,
+            layout.PM_CONTACT_SIDE: side_value,
+            layout.PM_CONTACT_FROM: ends[0],
+            layout.PM_CONTACT_TO: ends[1],
+        }
+
+    def _line_through(self, b: Partner, normal: Value | None, path: str) -> int:
+        """The second of two points acts as a line through it, whose free side the normal points to."""
+        if normal is None:
+            reason = (
+                'two points need a normal: the direction of the second one\'s free side, such as "90 deg"; '
+                "or they capture"
+            )
+            raise SceneError(reason, path=f"{path}.normal")
+        direction = self.reader.number(normal, f"{path}.normal", DIMENSIONLESS)
+        along = direction - Number(math.pi / 2) - self.drawing.angle(b.owner)
+        return self.drawing.line(b.owner, LineMark(self.drawing.marks(b.owner).point(b.name), along), b.where)
+
+    def _coefficient(self, written: Value, where: str) -> Node:
+        """One number for both; a single word that is no parameter was meant for a law."""
+        word = isinstance(written, str) and written.isidentifier()
+        if word and written not in self.reader.parameters.defaults:
+            raise SceneError(
+                'a number, "smooth", "rough", { static = ..., kinetic = ... } or a parameter is wanted',
+                path=where,
+                value=written,
+            )
+        return self.reader.number(written, where, DIMENSIONLESS)
+
+    def _laws(self, contact: Contact, path: str) -> dict[int, int]:
+        """Restitution and friction of a row."""
+        restitution = self.reader.number(contact.restitution, f"{path}.restitution", DIMENSIONLESS)
+        law = layout.PM_FRICTION_COULOMB
+        static: Node = ZERO
+        kinetic: Node = ZERO
+        where = f"{path}.friction"
+        if isinstance(contact.friction, Friction):
+            static = self.reader.number(contact.friction.static, f"{where}.static", DIMENSIONLESS)
+            kinetic = self.reader.number(contact.friction.kinetic, f"{where}.kinetic", DIMENSIONLESS)
+        elif contact.friction == "rough":
+            law = layout.PM_FRICTION_ROUGH
+        elif contact.friction != "smooth":
+            static = kinetic = self._coefficient(contact.friction, where)
+        if law == layout.PM_FRICTION_COULOMB and is_zero(static) and is_zero(kinetic):
+            law = layout.PM_FRICTION_SMOOTH
+        coulomb = law == layout.PM_FRICTION_COULOMB
+        return {
+            layout.PM_CONTACT_RESTITUTION: self.tables.value(restitution, f"{path}.restitution"),
+            layout.PM_CONTACT_FRICTION: law,
+            layout.PM_CONTACT_STATIC: self.tables.value(static, where) if coulomb else layout.PM_NONE,
+            layout.PM_CONTACT_KINETIC: self.tables.value(kinetic, where) if coulomb else layout.PM_NONE,
+            layout.PM_CONTACT_SPEED: self._surface_speed(contact, path),
+            layout.PM_CONTACT_SLACK: layout.PM_NONE,
+            layout.PM_CONTACT_SENSE_A: 1,
+            layout.PM_CONTACT_SENSE_B: 1,
+            layout.PM_CONTACT_CAPTURE: _CAPTURES[contact.capture],
+            layout.PM_CONTACT_TANGENTIAL: self._tangential(contact, law, path),
+            layout.PM_CONTACT_LAW: layout.pm_law[f"PM_LAW_{contact.law.upper()}"],
+        }
+
+    def _tangential(self, contact: Contact, law: int, path: str) -> int:
+        """The value of the restitution along the contact; none where there is no friction."""
+        if contact.tangential is None or law == layout.PM_FRICTION_SMOOTH:
+            return layout.PM_NONE
+        where = f"{path}.tangential"
+        return self.tables.value(self.reader.number(contact.tangential, where, DIMENSIONLESS), where)
+
+    def _surface_speed(self, contact: Contact, path: str) -> int:
+        """The program of the speed with which the surface of a line runs."""
+        if contact.surface_speed is None:
+            return layout.PM_NONE
+        where = f"{path}.surface_speed"
+        return self.tables.program(
+            over_time(self.reader, self.tables, contact.surface_speed, where, VELOCITY), where
+        )

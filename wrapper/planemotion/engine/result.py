@@ -1,0 +1,264 @@
+"""The answers of one scene: values with units, evidence, and what happened."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from .. import _layout as layout
+from ..compile.asks import AskColumn
+from ..compile.flatten import FlatScene
+from ..language.units import factor
+from .call import AUDITS, REASONS, CaseResults, message, route_name, status_name
+
+# Counts that say something only where a parameter is sought.
+_OF_FINDS = ("PM_COUNT_RUNS", "PM_COUNT_FOUND")
+
+Answer = float | list[float | None] | None
+
+
+@dataclass(frozen=True)
+class AskValue:
+    """The answer to one ask: `value` in `unit`; None, with the `reason`, where there is none.
+
+    A list has None for each value that was not reached; `reason` then says why.  `error`: the estimated
+    absolute error, in `unit`, shaped as `value`; None where nothing was estimated.  `margin`, of an integer
+    or a yes or no: distance over error of the closest decision on which it depends; below 1 it is not
+    certain; None if no decision was taken.
+    """
+
+    value: Answer
+    unit: str
+    reason: str = ""
+    error: Answer = None
+    margin: float | None = None
+
+    def to_json(self) -> dict[str, Any]:
+        """Value and unit, what is known of error and margin, and the reason where something is missing."""
+        entry: dict[str, Any] = {"value": self.value, "unit": self.unit}
+        if self.error is not None:
+            entry["error"] = self.error
+        if self.margin is not None:
+            entry["margin"] = self.margin
+        return {**entry, "reason": self.reason} if self.reason else entry
+
+
+@dataclass(frozen=True)
+class RunResult:
+    """The answers of a scene, of all its [runs]; asks can be read as attributes.
+
+    `status`: "ok", or the word of the first run that is not; `code`: its number (enum pm_status);
+    `error`: its message.  `route`: the routes taken.  `asks`: answers by key, in the order of the file.
+    `audit`: greatest residuals of energy, momentum and constraints (None where there is none).  `counts`:
+    phases, events, jumps, steps, solves and passes of all runs; with a find also whole runs and brackets.
+    `found`: what was sought, by parameter ("h"), or by run and parameter ("kept.h") where the scene has runs.
+    `margin`: the least of the runs, infinite if no decision was taken, None where nothing was estimated;
+    `excess`: the greatest estimated error over what solve.accuracy allows.
+    """
+
+    id: str
+    file: str | None
+    status: str
+    code: int
+    error: str
+    route: tuple[str, ...]
+    asks: Mapping[str, AskValue]
+    audit: Mapping[str, float | None]
+    counts: Mapping[str, int]
+    time: float | None = None
+    notes: tuple[str, ...] = field(default=())
+    found: Mapping[str, AskValue] = field(default_factory=dict)
+    margin: float | None = None
+    excess: float | None = None
+
+    def __getattr__(self, name: str) -> Answer:
+        # Only for names that are no field; the fields may not be there yet while a copy is made.
+        asks = self.__dict__.get("asks", {})
+        if name not in asks:
+            raise AttributeError(f"no ask {name!r}; there are {', '.join(asks) or 'none'}")
+        answer: Answer = asks[name].value
+        return answer
+
+    @property
+    def ok(self) -> bool:
+        """Whether every run came to its end."""
+        return self.code == layout.PM_OK
+
+    def to_json(self) -> dict[str, Any]:
+        """The entry of this scene in the output of `planemotion run --json`: no not-a-number in it."""
+        entry: dict[str, Any] = {"id": self.id, "file": self.file, "status": self.status}
+        if self.error:
+            entry["error"] = self.error
+        entry["route"] = list(self.route)
+        entry["asks"] = {key: ask.to_json() for key, ask in self.asks.items()}
+        entry["audit"] = dict(self.audit)
+        if self.found:
+            entry["found"] = {name: value.to_json() for name, value in self.found.items()}
+            entry["runs"] = self.counts["runs"]
+        for name, number in (("margin", self.margin), ("error_over_accuracy", self.excess)):
+            if number is not None and math.isfinite(number):
+                entry[name] = number
+        return entry
+
+    def explain(self) -> str:
+        """What was done and how far it can be trusted, for people."""
+        audit = ", ".join(f"{name} {_number(value)}" for name, value in self.audit.items())
+        lines = [
+            f"{self.id}: {self.status}" + (f" - {self.error}" if self.error else ""),
+            f"  route: {', '.join(self.route) or 'none'}",
+            f"  {', '.join(f'{count} {name}' for name, count in self.counts.items() if name != 'routes')}",
+            f"  audit (relative residuals): {audit}",
+            *([f"  errors: {trust_text(self)}"] if self.excess is not None else []),
+            *(f"  {note}" for note in self.notes),
+        ]
+        lines += [f"  found: {name} = {_shown(value)}" for name, value in self.found.items()]
+        lines += [f"  {key} = {_shown(ask)}" for key, ask in self.asks.items()]
+        return "\n".join(lines)
+
+
+def answers(flat: FlatScene, results: CaseResults, i: int) -> dict[str, AskValue]:
+    """The answers of case i in the units of the asks."""
+    return {
+        column.key: answer(
+            column,
+            results.out[i],
+            int(results.reason[i, index]),
+            int(results.status[i]),
+            results.error[i],
+            float(results.margin[i, index]),
+        )
+        for index, column in enumerate(flat.asks)
+    }
+
+
+def answer(
+    column: AskColumn,
+    out: npt.NDArray[np.float64],
+    reason: int,
+    status: int,
+    error: npt.NDArray[np.float64],
+    margin: float = math.nan,
+) -> AskValue:
+    """One answer from a row of `out` and of `error`; the rest are the kernel's for this ask and case."""
+    columns = slice(column.first, column.first + column.count)
+    values = [_finite(float(value) / column.factor) for value in out[columns]]
+    errors = [_finite(float(value) / column.factor) for value in error[columns]]
+    if column.open_ended:
+        while values and values[-1] is None:
+            values.pop()
+    missing = any(value is None for value in values) or (column.open_ended and not values)
+    if missing and reason == layout.PM_REASON_NONE:
+        reason = layout.PM_REASON_FAILED if status < layout.PM_OK else layout.PM_REASON_NOT_REACHED
+    text = REASONS.get(reason, f"reason {reason}") if missing else ""
+    return AskValue(
+        values if column.is_list else values[0],
+        column.unit,
+        text,
+        _error(errors[: len(values)], column.is_list),
+        _finite(margin),
+    )
+
+
+def _error(errors: list[float | None], is_list: bool) -> Answer:
+    """The errors as the values are given; None where nothing was estimated."""
+    if all(error is None for error in errors):
+        return None
+    return errors if is_list else errors[0]
+
+
+def collect(
+    scene_id: str, file: str | None, order: Sequence[str], runs: Sequence[tuple[FlatScene, CaseResults]]
+) -> RunResult:
+    """One result of all runs of a scene (one case each); `order`: the asks' keys as in the file."""
+    codes = [int(results.status[0]) for _, results in runs]
+    worst = next((code for code in codes if code < layout.PM_OK), next((code for code in codes if code), 0))
+    first = codes.index(worst)
+    flat, results = runs[first]
+    found = {key: ask for one, result in runs for key, ask in answers(one, result, 0).items()}
+    error = message(flat, results, 0)
+    if error and flat.run is not None:
+        error = f"run {flat.run}: {error}"
+    time = float(results.detail[0, layout.PM_DETAIL_TIME])
+    sought = any(one.find is not None for one, _ in runs)
+    excess = _known(max, (result.trust[0, layout.PM_TRUST_EXCESS] for _, result in runs))
+    routes = [route_name(int(result.count[0, layout.PM_COUNT_ROUTE])) for _, result in runs]
+    return RunResult(
+        id=scene_id,
+        file=file,
+        status=status_name(worst),
+        code=worst,
+        error=error,
+        route=tuple(dict.fromkeys(routes)),
+        asks={key: found[key] for key in order if key in found},
+        audit={
+            name: _worst(result.audit[0, index] for _, result in runs) for index, name in enumerate(AUDITS)
+        },
+        counts={
+            name.removeprefix("PM_COUNT_").lower(): int(sum(result.count[0, index] for _, result in runs))
+            for name, index in layout.pm_count_column.items()
+            if name not in ("PM_COUNT_ROUTE", "PM_COUNT_COLUMNS") and (sought or name not in _OF_FINDS)
+        },
+        found={name: value for one, result in runs for name, value in _found(one, result)},
+        time=time if worst != layout.PM_OK and math.isfinite(time) else None,
+        notes=_notes(excess),
+        margin=_known(min, (result.trust[0, layout.PM_TRUST_MARGIN] for _, result in runs)),
+        excess=excess,
+    )
+
+
+def _found(flat: FlatScene, results: CaseResults) -> Iterator[tuple[str, AskValue]]:
+    """What was sought in a run, by name, in the units of the scene."""
+    for number, name in enumerate(flat.find.vary if flat.find is not None else ()):
+        unit = flat.units[flat.parameters.index(name)]
+        size = factor(unit)[0] if unit else 1.0
+        value = _finite(float(results.found[0, number]) / size)
+        error = _finite(float(results.found[0, layout.PM_FOUND_FIRST_ERROR + number]) / size)
+        key = name if flat.run is None else f"{flat.run}.{name}"
+        yield key, AskValue(value, unit or "1", "" if value is not None else "not found", error)
+
+
+def _known(choose: Callable[[list[float]], float], numbers: Iterable[float]) -> float | None:
+    """The least or greatest number; None if any is not known."""
+    found = [float(number) for number in numbers]
+    return None if not found or any(math.isnan(number) for number in found) else choose(found)
+
+
+def _notes(excess: float | None) -> tuple[str, ...]:
+    if excess is None or excess <= 1:
+        return ()
+    return (f"solve.accuracy was not reached: the greatest estimated error is {excess:.2g} times as large",)
+
+
+def trust_text(result: RunResult) -> str:
+    """Margin and kept accuracy in words."""
+    if result.excess is None or result.margin is None:
+        return "not estimated"
+    margin = "no decision" if math.isinf(result.margin) else f"margin of decisions {result.margin:.2g}"
+    return f"at most {result.excess:.2g} of what solve.accuracy allows; {margin}"
+
+
+def _finite(value: float) -> float | None:
+    return value if math.isfinite(value) else None
+
+
+def _worst(residuals: Any) -> float | None:
+    numbers = [float(residual) for residual in residuals]
+    return max(numbers) if all(math.isfinite(number) for number in numbers) else None
+
+
+def _number(value: float | None) -> str:
+    return "none" if value is None else f"{value:.1e}"
+
+
+def _shown(ask: AskValue) -> str:
+    if isinstance(ask.value, list):
+        text = "[" + ", ".join("-" if value is None else f"{value:.9g}" for value in ask.value) + "]"
+    else:
+        text = "-" if ask.value is None else f"{ask.value:.9g}"
+    unit = "" if ask.unit == "1" else f" {ask.unit}"
+    return f"{text}{unit}" + (f" ({ask.reason})" if ask.reason else "")

@@ -1,0 +1,148 @@
+"""The kernel's tables while they are made: rows, programs, values and measures, each kept once.
+
+The expressions that go into them have leaves of four kinds, all of them `Name`: parameters by their name,
+values ("#3") and measures ("@7") by the index that they have here, answers ("!2") by their column.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+import numpy.typing as npt
+
+from .. import _layout as layout
+from ..language.expression import ConstantPool, Instruction, Leaf, emit, evaluate, names
+from ..language.tree import Name, Node, Number
+from .parameters import Parameters
+
+Row = Mapping[int, int]
+_VALUE = "#"
+_MEASURE = "@"
+_ANSWER = "!"
+
+
+class Tables:
+    """Grows by `add`, `value`, `program` and `measure`; `pack` gives the arrays."""
+
+    def __init__(self, parameters: Parameters) -> None:
+        self.parameters = parameters
+        self.rows: dict[int, list[tuple[int, ...]]] = {table: [] for table in range(layout.PM_TABLES)}
+        self.names: dict[int, list[str]] = {table: [] for table in range(layout.PM_TABLES)}
+        self.constants = ConstantPool()
+        self.constants.index(0.0)
+        self._values: dict[Node, int] = {}
+        self._defaults: list[float] = []
+        self._needs: list[frozenset[str]] = []
+        self._programs: dict[Node, int] = {}
+        self._measures: dict[tuple[int, ...], int] = {}
+        self._column = {name: index for index, name in enumerate(parameters.independent)}
+        # Dependent parameters come first, so that every other value may use them.
+        self._dependent: dict[str, int] = {}
+        for name in parameters.order:
+            if name not in self._column:
+                self._dependent[name] = self.value(parameters.nodes[name], f"parameters.{name}")
+
+    def add(self, table: int, row: Row, name: str) -> int:
+        """Appends a row, given as column -> entry, and returns its index; `name` is its key path."""
+        columns = sorted(row)
+        assert columns == list(range(len(row))), f"table {table}: columns {columns}"
+        self.rows[table].append(tuple(row[column] for column in columns))
+        self.names[table].append(name)
+        return len(self.rows[table]) - 1
+
+    def value(self, node: Node, where: str) -> int:
+        """Index of the value of an expression; equal expressions share one."""
+        if node not in self._values:
+            self._values[node] = self.new_value(node, where)
+        return self._values[node]
+
+    def new_value(self, node: Node, where: str) -> int:
+        """Index of a value of its own, next to the one made before."""
+        row = {layout.PM_VALUE_PROGRAM: self.program(node, where)}
+        self._defaults.append(self.default(node))
+        self._needs.append(frozenset().union(*(self._needs_of(str(leaf)) for leaf in names(node))))
+        return self.add(layout.PM_TABLE_VALUE, row, where)
+
+    def leaf(self, node: Node, where: str) -> Node:
+        """The expression as a leaf that stands for its value; numbers and leaves stay as they are."""
+        if isinstance(node, Number | Name):
+            return node
+        return Name(f"{_VALUE}{self.value(node, where)}")
+
+    def program(self, node: Node, where: str = "") -> int:
+        """Index of the program of an expression; equal expressions share one."""
+        if node not in self._programs:
+            first = len(self.rows[layout.PM_TABLE_CODE])
+            code = emit(node, self._instruction, self.constants)
+            for op, arg in code:
+                self.add(layout.PM_TABLE_CODE, {layout.PM_CODE_OP: op, layout.PM_CODE_ARG: arg}, where)
+            row = {layout.PM_PROGRAM_FIRST: first, layout.PM_PROGRAM_LENGTH: len(code)}
+            self._programs[node] = self.add(layout.PM_TABLE_PROGRAM, row, where)
+        return self._programs[node]
+
+    def measure(self, row: Row, name: str) -> int:
+        """Index of a measure; equal measures share one."""
+        key = tuple(row[column] for column in sorted(row))
+        if key not in self._measures:
+            self._measures[key] = self.add(layout.PM_TABLE_MEASURE, row, name)
+        return self._measures[key]
+
+    def measure_leaf(self, row: Row, name: str) -> Node:
+        """The leaf that stands for a measure."""
+        return Name(f"{_MEASURE}{self.measure(row, name)}")
+
+    def answer_leaf(self, column: int) -> Node:
+        """The leaf that stands for a column of the answers, once the run has ended."""
+        return Name(f"{_ANSWER}{column}")
+
+    def measure_index(self, node: Node) -> int | None:
+        """The measure that a leaf stands for; None if it is anything else."""
+        is_measure = isinstance(node, Name) and node.text.startswith(_MEASURE)
+        return int(node.text[1:]) if is_measure and isinstance(node, Name) else None
+
+    def default_value(self, index: int) -> float:
+        """A value at the defaults of the parameters, SI."""
+        return self._defaults[index]
+
+    def depends_on(self, index: int) -> frozenset[str]:
+        """The independent parameters that a value depends on."""
+        return self._needs[index]
+
+    def default(self, node: Node) -> float:
+        """The value of an expression without measures at the defaults of the parameters, SI."""
+
+        def look_up(leaf: Leaf) -> float:
+            text = str(leaf)
+            return (
+                self._defaults[int(text[1:])] if text.startswith(_VALUE) else self.parameters.defaults[text]
+            )
+
+        return evaluate(node, look_up)
+
+    def _needs_of(self, leaf: str) -> frozenset[str]:
+        """The independent parameters behind the leaf of a value."""
+        if leaf in self._column:
+            return frozenset((leaf,))
+        return self._needs[int(leaf[1:]) if leaf.startswith(_VALUE) else self._dependent[leaf]]
+
+    def pack(self) -> tuple[npt.NDArray[np.int32], npt.NDArray[np.float64]]:
+        """The kernel's `table` (directory and rows) and `constant`."""
+        directory: list[int] = []
+        body: list[int] = []
+        for table in range(layout.PM_TABLES):
+            directory += [2 * layout.PM_TABLES + len(body), len(self.rows[table])]
+            body += [entry for row in self.rows[table] for entry in row]
+        return np.array(directory + body, dtype=np.int32), np.array(self.constants.values, dtype=np.float64)
+
+    def _instruction(self, leaf: Leaf) -> Instruction:
+        text = str(leaf)
+        if text.startswith(_VALUE):
+            return layout.PM_OP_VALUE, int(text[1:])
+        if text.startswith(_MEASURE):
+            return layout.PM_OP_MEASURE, int(text[1:])
+        if text.startswith(_ANSWER):
+            return layout.PM_OP_ANSWER, int(text[1:])
+        if text in self._column:
+            return layout.PM_OP_PARAMETER, self._column[text]
+        return layout.PM_OP_VALUE, self._dependent[text]

@@ -1,0 +1,207 @@
+"""Parameters of a scene: their order, dimensions and default values, and the reading of written numbers.
+
+A parameter whose value is a constant, or that a sweep varies, is *independent*: a column of the kernel's
+parameter array.  One whose value is an expression of others is *dependent*: a value program, so that it
+follows them in every case.  Overriding a dependent parameter makes it independent.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Mapping
+from numbers import Real
+
+from ..base.errors import SceneError
+from ..language.address import Address
+from ..language.expression import Leaf, dimension, evaluate, names, parse, require
+from ..language.tree import Name, Node, Number, cos, sin
+from ..language.units import DIMENSIONLESS, Dimension, parse_quantity
+from ..model.readers import Value, Vector
+from ..model.words import unknown
+
+
+class Parameters:
+    """The parameters of one run.
+
+    Attributes: `nodes` (expression of each), `order` (all names, each after those it needs), `independent`
+    (names, in the order of the file), `dimensions` (None: fits any), `units` (text as in the file),
+    `defaults` (SI).
+    """
+
+    def __init__(self, declared: Mapping[str, Value], swept: Collection[str] = ()) -> None:
+        self.nodes = {name: parse(value, where=f"parameters.{name}") for name, value in declared.items()}
+        for name, node in self.nodes.items():
+            for leaf in sorted(names(node), key=str):
+                self._check_leaf(leaf, f"parameters.{name}", declared[name])
+        self.order = self._sorted()
+        self.independent = tuple(
+            name for name, node in self.nodes.items() if name in swept or not names(node)
+        )
+        self.dimensions: dict[str, Dimension | None] = {}
+        self.defaults: dict[str, float] = {}
+        for name in self.order:
+            try:
+                self.dimensions[name] = dimension(self.nodes[name], self.dimension_of)
+            except SceneError as error:
+                raise error.at(path=f"parameters.{name}", value=declared[name]) from None
+            self.defaults[name] = evaluate(self.nodes[name], lambda leaf: self.defaults[str(leaf)])
+        self.units = {name: self._unit(name, value) for name, value in declared.items()}
+
+    def dimension_of(self, leaf: Leaf) -> Dimension | None:
+        """The dimension of a parameter in an expression.  Raises SceneError for anything else."""
+        self._check_leaf(leaf, None, None)
+        return self.dimensions[str(leaf)]
+
+    def _check_leaf(self, leaf: Leaf, path: str | None, value: object) -> None:
+        if isinstance(leaf, Address):
+            raise SceneError(
+                f'"{leaf}" is a measure of the motion; only parameters can stand here', path=path, value=value
+            )
+        if leaf.text not in self.nodes:
+            raise SceneError(unknown(str(leaf), self.nodes, "parameter"), path=path, value=value)
+
+    def _sorted(self) -> tuple[str, ...]:
+        """Each name after those that its expression needs; SceneError naming a circle."""
+        order: list[str] = []
+
+        def visit(name: str, path: list[str]) -> None:
+            if name in path:
+                circle = " -> ".join([*path[path.index(name) :], name])
+                raise SceneError(
+                    f"parameters that need each other in a circle: {circle}", path=f"parameters.{name}"
+                )
+            if name in order:
+                return
+            for leaf in sorted(names(self.nodes[name]), key=str):
+                visit(str(leaf), [*path, name])
+            order.append(name)
+
+        for name in self.nodes:
+            visit(name, [])
+        return tuple(order)
+
+    def _unit(self, name: str, declared: Value) -> str:
+        """The unit that a bare number for this parameter has."""
+        unit = _literal_unit(declared)
+        if unit:
+            return unit
+        found = self.dimensions[name]
+        return found.unit if found is not None else ""
+
+
+def override(declared: Mapping[str, Value], name: str, value: Value) -> Value:
+    """What to write for the parameter when `value` is given for it: a bare number gets the declared unit.
+
+    Raises SceneError for an unknown parameter, another dimension than declared, or a bare number where the
+    file gives an expression of a dimension.
+    """
+    path = f"parameters.{name}"
+    if name not in declared:
+        raise SceneError(unknown(name, declared, "parameter"), path=path)
+    parameters = Parameters(declared)
+    wanted = parameters.dimensions[name]
+    text = value.strip() if isinstance(value, str) else value
+    if _is_bare(text):
+        unit = _literal_unit(declared[name])
+        if unit:
+            return f"{text if isinstance(text, str) else repr(text)} {unit}"
+        if wanted not in (None, DIMENSIONLESS) and float(text) != 0:
+            reason = f"a unit is wanted (such as {wanted.unit}); the file gives an expression, which has none"
+            raise SceneError(reason, path=path, value=value)
+    if wanted is not None:
+        try:
+            require(parse(text), wanted, parameters.dimension_of)
+        except SceneError as error:
+            raise error.at(path=path, value=value) from None
+    return text
+
+
+def _literal_unit(written: Value) -> str:
+    """The unit of a quantity; "" for a bare number or an expression."""
+    try:
+        return parse_quantity(written).unit_text
+    except SceneError:
+        return ""
+
+
+def _is_bare(value: object) -> bool:
+    """Whether it is a number without a unit."""
+    if isinstance(value, bool):
+        return False
+    if isinstance(value, Real):
+        return True
+    try:
+        float(str(value))
+    except ValueError:
+        return False
+    return True
+
+
+class Reader:
+    """Reads written numbers of a scene into expressions over its parameters, with their dimension checked."""
+
+    def __init__(self, parameters: Parameters) -> None:
+        self.parameters = parameters
+
+    def number(self, written: Value, where: str, wanted: Dimension) -> Node:
+        """An expression of that dimension; the `~` of a guess is left out."""
+        return self.number_of(written, where, wanted, self.parameters.dimension_of)
+
+    def number_of(
+        self,
+        written: Value,
+        where: str,
+        wanted: Dimension,
+        resolve: Callable[[Leaf], Dimension | None],
+    ) -> Node:
+        """The same with other leaves than parameters, whose dimensions `resolve` gives."""
+        text = written.strip().removeprefix("~") if isinstance(written, str) else written
+        node = parse(text, where=where)
+        try:
+            require(node, wanted, resolve)
+        except SceneError as error:
+            raise error.at(path=where, value=written) from None
+        return node
+
+    def vector(
+        self,
+        written: Vector,
+        where: str,
+        wanted: Dimension,
+        read: Callable[[Value, str, Dimension], Node] | None = None,
+    ) -> tuple[Node, Node]:
+        """The two components of a vector, polar ones resolved; `read` (default `number`) reads each."""
+        read = read or self.number
+        if not written.polar:
+            return read(written.first, f"{where}[0]", wanted), read(written.second, f"{where}[1]", wanted)
+        size = read(written.first, f"{where}.polar[0]", wanted)
+        angle = read(written.second, f"{where}.polar[1]", DIMENSIONLESS)
+        return size * cos(angle), size * sin(angle)
+
+    def constant(self, written: Value, where: str, wanted: Dimension) -> float:
+        """The value at the defaults of the parameters, SI."""
+        return self.default(self.number(written, where, wanted))
+
+    def default(self, node: Node) -> float:
+        """The value of an expression of parameters at their defaults, SI."""
+        return evaluate(node, lambda leaf: self.parameters.defaults[str(leaf)])
+
+    def depends_on(self, node: Node) -> set[str]:
+        """The independent parameters that an expression depends on, directly or through others."""
+        found: set[str] = set()
+        for leaf in names(node):
+            assert isinstance(leaf, Name)
+            if leaf.text in self.parameters.independent:
+                found.add(leaf.text)
+            else:
+                found |= self.depends_on(self.parameters.nodes[leaf.text])
+        return found
+
+
+def is_guess(written: object) -> bool:
+    """Whether a start value is marked as one that the assembly may change."""
+    return isinstance(written, str) and written.lstrip().startswith("~")
+
+
+def is_zero(node: Node) -> bool:
+    """Whether it is the number 0 and no expression."""
+    return isinstance(node, Number) and node.value_si == 0

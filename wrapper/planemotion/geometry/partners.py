@@ -1,0 +1,163 @@
+"""The partners of joints, contacts and forces: from the text "BODY.MARK" to the mark that is meant."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from ..base.errors import SceneError
+from ..language.tree import ZERO, Node, binary, call, select
+from .drawing import Drawing
+from .marks import CircleMark, LineMark, Pair, RowMark, distance
+from .pose import GROUND, PointRef
+
+# Part of the radius from which on a point counts as drawn on a circle.
+_ON_CIRCLE = 1 - 1e-6
+# What may stand for what: the groups of marks of an owner, in the order in which they are searched.
+_GROUPS = {"point": "points", "line": "lines", "circle": "circles", "row": "rows", "set": "sets"}
+
+
+@dataclass(frozen=True)
+class Partner:
+    """A mark of a body or of the ground; `kind` is point, line, circle, row or set.
+
+    `mark` is a LineMark, CircleMark, RowMark or (set) a tuple of point names; None for points, whose `name`
+    says it.  A bare "ground" is the point with the name "".
+    """
+
+    owner: str
+    kind: str
+    name: str
+    where: str
+    mark: LineMark | CircleMark | RowMark | tuple[str, ...] | None = None
+
+    @property
+    def ref(self) -> PointRef:
+        return PointRef(self.owner, self.name)
+
+    @property
+    def is_ground(self) -> bool:
+        return self.owner == GROUND
+
+    @property
+    def anywhere(self) -> bool:
+        """Whether it is the bare ground: the place where the other partner is drawn."""
+        return self.is_ground and not self.name
+
+
+def partner(drawing: Drawing, text: str, where: str, *wanted: str) -> Partner:
+    """The mark that `text` names, one of the `wanted` kinds.  Raises SceneError with what there is."""
+    try:
+        return _partner(drawing, text, where, wanted)
+    except SceneError as error:
+        raise error.at(path=where, value=text) from None
+
+
+def _partner(drawing: Drawing, text: str, where: str, wanted: tuple[str, ...]) -> Partner:
+    owner, _, name = text.partition(".")
+    marks = drawing.marks(owner)
+    if not name:
+        if "point" not in wanted:
+            raise SceneError(f"{_a(wanted)} is wanted, such as {owner}.{_example(drawing, owner, wanted)}")
+        return Partner(owner, "point", "" if owner == GROUND else "G", where)
+    for kind in wanted:
+        group = getattr(marks, _GROUPS[kind])
+        if name in group:
+            return Partner(owner, kind, name, where, None if kind == "point" else group[name])
+    for kind, attribute in _GROUPS.items():
+        if name in getattr(marks, attribute):
+            raise SceneError(f"{text} is a {kind}; {_a(wanted)} is wanted")
+    known = {mark: None for kind in wanted for mark in getattr(marks, _GROUPS[kind])}
+    raise SceneError(marks.has_no(" or ".join(wanted), name, known))
+
+
+def _a(wanted: tuple[str, ...]) -> str:
+    return "a " + " or ".join(wanted)
+
+
+def _example(drawing: Drawing, owner: str, wanted: tuple[str, ...]) -> str:
+    for kind in wanted:
+        for name in getattr(drawing.marks(owner), _GROUPS[kind]):
+            return str(name)
+    return wanted[0].upper()
+
+
+def different(a: Partner, b: Partner) -> None:
+    """Raises SceneError if both partners belong to the same body."""
+    if a.owner == b.owner:
+        owner = "the ground" if a.owner == GROUND else f'body "{a.owner}"'
+        raise SceneError(f"both partners belong to {owner}", path=a.where.rpartition("[")[0])
+
+
+def point_pair(drawing: Drawing, a: Partner, b: Partner) -> tuple[int, int]:
+    """Kernel points of two partners; the bare ground is a point where the other one is drawn."""
+    return _point(drawing, a, b), _point(drawing, b, a)
+
+
+def one_point(drawing: Drawing, at: Partner) -> int:
+    """The kernel point of a partner; the bare ground is none."""
+    if at.anywhere:
+        raise SceneError("a point of a body or of the ground is wanted", path=at.where, value=GROUND)
+    return drawing.point(at.ref)
+
+
+def drawn_pair(drawing: Drawing, a: Partner, b: Partner) -> tuple[Pair, Pair]:
+    """Where the points of two partners are drawn."""
+    if a.anywhere:
+        there = drawing.position(b.ref)
+        return there, there
+    here = drawing.position(a.ref)
+    return here, here if b.anywhere else drawing.position(b.ref)
+
+
+def _point(drawing: Drawing, mine: Partner, other: Partner) -> int:
+    if mine.anywhere:
+        return drawing.point_at(GROUND, drawing.position(other.ref), mine.where)
+    return drawing.point(mine.ref)
+
+
+def circle_place(drawing: Drawing, at: Partner) -> Pair:
+    """Where the centre of a circle, or a point, is drawn."""
+    if at.kind == "point":
+        return drawing.position(at.ref)
+    assert isinstance(at.mark, CircleMark)
+    return drawing.to_scene(at.owner, drawing.from_mass_center(at.owner, at.mark.center))
+
+
+def kernel_circle(drawing: Drawing, at: Partner) -> int:
+    """The kernel circle of a circle; of a point: with radius 0."""
+    if at.kind == "point":
+        return drawing.circle_at(drawing.point(at.ref), ZERO, at.where)
+    assert isinstance(at.mark, CircleMark)
+    return drawing.circle(at.owner, at.mark, at.where)
+
+
+def side(drawing: Drawing, a: Partner, b: Partner) -> Node:
+    """1 if two circles are drawn outside each other, -1 if a is inside b, -2 if b is inside a.
+
+    The distance of the centres tells: tangent circles have Ra + Rb outside and |Ra - Rb| inside, so that the
+    greater radius lies in the middle of both.  A point is outside a circle that it is drawn on.
+    """
+    radius_a, radius_b = _radius(a), _radius(b)
+    greater = call("max", radius_a, radius_b)
+    if "point" in (a.kind, b.kind):
+        greater = _ON_CIRCLE * greater
+    apart = distance(circle_place(drawing, a), circle_place(drawing, b))
+    inside = select(binary("<", radius_a, radius_b), -1.0, -2.0)
+    return select(binary("<", apart, greater), inside, 1.0)
+
+
+def _radius(one: Partner) -> Node:
+    if one.kind == "point":
+        return ZERO
+    assert isinstance(one.mark, CircleMark)
+    return one.mark.radius
+
+
+def pairs(
+    text: tuple[str, ...], path: str, read: Callable[[str, str, int], Partner]
+) -> tuple[Partner, Partner]:
+    """Both partners of an element, read with their key paths; they must belong to different bodies."""
+    first, second = (read(one, f"{path}[{index}]", index) for index, one in enumerate(text))
+    different(first, second)
+    return first, second

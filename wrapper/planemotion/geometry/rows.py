@@ -1,0 +1,47 @@
+"""Rows of the kernel's tables as kinds write them: kind, indices of partners, values with key paths."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from ..language.tree import Node
+
+
+@dataclass(frozen=True)
+class CouplingRows:
+    """Where the rows of a coupling are, and whose they are.
+
+    `index`: its row of the joint table; None where its strands are the contacts `indices`.  `owners`: of its
+    partners; of strands, those of each.
+    """
+
+    index: int | None
+    indices: tuple[int, ...]
+    owners: tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True)
+class ForceRow:
+    """A row of the kernel's force table: enum pm_force_kind, partners, numbers and programs with key paths.
+
+    `owners`: of its partners; `rotary`: whether it is a couple.
+    """
+
+    kind: int
+    a: int
+    b: int
+    owners: tuple[str, ...]
+    values: tuple[tuple[Node, str], ...] = ()
+    programs: tuple[tuple[Node, str], ...] = ()
+    option: int = 0
+    rotary: bool = False
+
+
+class JointRow(NamedTuple):
+    """A row of the kernel's joint table: enum pm_joint_kind, both partners, number with its key path."""
+
+    kind: int
+    a: int
+    b: int
+    value: tuple[Node, str] | None = None

@@ -1,0 +1,105 @@
+"""What the kinds of joints, couplings and forces write their rows with: names to rows, numbers to values."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from .. import _layout as layout
+from ..base.errors import SceneError
+from ..language.tree import Node
+from ..language.units import Dimension
+from ..model.readers import Value
+from .drawing import Drawing
+from .packing import Tables
+from .parameters import Reader
+from .partners import Partner, pairs, partner
+from .pose import GROUND
+from .time import over_time
+
+
+class Writer:
+    """The tables of a run under construction, and the readers of what stands in an element."""
+
+    def __init__(self, drawing: Drawing, reader: Reader, tables: Tables) -> None:
+        self.drawing = drawing
+        self.reader = reader
+        self.tables = tables
+
+    # ---- partners ----
+
+    def points(self, names: tuple[str, ...], path: str) -> tuple[Partner, Partner]:
+        """Two points of different bodies."""
+        return pairs(names, path, lambda text, where, _index: partner(self.drawing, text, where, "point"))
+
+    def circles(self, names: tuple[str, ...], path: str) -> tuple[Partner, Partner]:
+        """Two circles of different bodies."""
+        return pairs(names, path, lambda text, where, _index: partner(self.drawing, text, where, "circle"))
+
+    def bodies(self, names: tuple[str, ...], path: str) -> tuple[str, str]:
+        """Two different bodies that turn; one may be the ground."""
+        first, second = (self.body(name, f"{path}[{index}]") for index, name in enumerate(names))
+        if first == second:
+            raise SceneError("two different bodies are wanted", path=path)
+        return first, second
+
+    def body(self, name: str, where: str) -> str:
+        """A body that turns, or the ground."""
+        try:
+            if not self.turns(name):
+                raise SceneError("a particle does not turn; a body with an inertia is wanted")
+        except SceneError as error:
+            raise error.at(path=where, value=name) from None
+        return name
+
+    def turns(self, name: str) -> bool:
+        """Whether it is more than a particle.  Raises SceneError if there is no such body."""
+        return name == GROUND or self.drawing.body_of(name).turns
+
+    # ---- numbers ----
+
+    def over_time(self, written: Value, where: str, wanted: Dimension) -> Node:
+        """A number that may depend on t."""
+        return over_time(self.reader, self.tables, written, where, wanted)
+
+    # ---- rows ----
+
+    def joint(
+        self,
+        kind: int,
+        a: int,
+        b: int,
+        path: str,
+        *,
+        value: tuple[Node, str] | None = None,
+        programs: Sequence[Node] = (),
+    ) -> int:
+        """Adds a row of the joint table: kind, partners, number with its key path, prescribed rates."""
+        columns = (layout.PM_JOINT_PROGRAM_X, layout.PM_JOINT_PROGRAM_Y)
+        row = {layout.PM_JOINT_KIND: kind, layout.PM_JOINT_A: a, layout.PM_JOINT_B: b}
+        row |= dict.fromkeys(columns, layout.PM_NONE)
+        row[layout.PM_JOINT_VALUE] = layout.PM_NONE if value is None else self.tables.value(*value)
+        for column, program in zip(columns, programs, strict=False):
+            row[column] = self.tables.program(program, path)
+        return self.tables.add(layout.PM_TABLE_JOINT, row, path)
+
+    def force(
+        self,
+        kind: int,
+        a: int,
+        b: int,
+        path: str,
+        *,
+        values: Sequence[tuple[Node, str]] = (),
+        programs: Sequence[tuple[Node, str]] = (),
+        option: int = 0,
+    ) -> int:
+        """Adds a row of the force table: kind, partners, numbers and programs with their key paths."""
+        row = dict.fromkeys(range(layout.PM_FORCE_COLUMNS), layout.PM_NONE)
+        row |= {layout.PM_FORCE_KIND: kind, layout.PM_FORCE_A: a, layout.PM_FORCE_B: b}
+        row[layout.PM_FORCE_OPTION] = option
+        for column, value in zip((layout.PM_FORCE_VALUE_1, layout.PM_FORCE_VALUE_2), values, strict=False):
+            row[column] = self.tables.value(*value)
+        columns = (layout.PM_FORCE_PROGRAM_X, layout.PM_FORCE_PROGRAM_Y)
+        for column, program in zip(columns, programs, strict=False):
+            row[column] = self.tables.program(*program)
+        return self.tables.add(layout.PM_TABLE_FORCE, row, path)

@@ -1,0 +1,78 @@
+"""What the models of a scene begin with: tables, elements, and kinds of elements with their options."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Annotated, Any, ClassVar
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict
+
+from .. import _layout as layout
+from ..language.units import Dimension
+from .readers import Value, Vector, read_names, read_text, read_value, read_vector
+
+Number = Annotated[Value, BeforeValidator(read_value)]
+Text = Annotated[str, BeforeValidator(read_text)]
+Pair = Annotated[Vector, BeforeValidator(read_vector)]
+Partners = Annotated[tuple[str, ...], BeforeValidator(read_names(2, "two partners"))]
+
+
+class Table(BaseModel):
+    """Base of all models: no other keys, no changes."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, arbitrary_types_allowed=True, strict=True)
+
+
+class Element(Table):
+    """What joints, couplings, contacts and forces share."""
+
+    active: Number = True
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """What the word of a quantity reads: kinds of measures of the kernel, one for each strand of a belt.
+
+    `vector`: it has parts; `part`: the one that is meant; `on`: its sign goes with the body that it acts on.
+    """
+
+    kinds: tuple[int, ...]
+    dimension: Dimension
+    vector: bool = False
+    part: int = layout.PM_PART_NONE
+    on: bool = False
+
+
+class Kind(Element):
+    """A joint, coupling or force of one kind; `word` is its key in a file, `partners` what stands behind it.
+
+    Its other fields are its options: the keys beside that of the kind, with what is taken without them.
+    """
+
+    word: ClassVar[str]
+    unbuilt: ClassVar[
+        Mapping[str, str]
+    ] = {}  # options of the language that are not built yet -> what they are
+    partners: Any
+
+    @property
+    def kind(self) -> str:
+        return self.word
+
+    @classmethod
+    def options(cls) -> tuple[str, ...]:
+        """Its options, those of every element last."""
+        common = tuple(Element.model_fields)
+        return (*(key for key in cls.model_fields if key not in (*common, "partners")), *common)
+
+    @property
+    def written(self) -> tuple[str, ...]:
+        """The options that the file gives."""
+        given = self.model_fields_set - {"partners"}
+        return tuple(key for key in type(self).model_fields if key in given)
+
+    @property
+    def between(self) -> str:
+        """The partners as one reads them."""
+        return " - ".join(self.partners)

@@ -1,0 +1,237 @@
+"""The tables of a scene as frozen pydantic models: bodies, marks, contacts, events, asks, finds, settings.
+
+Numbers stay as written ("10 in", "r + (3 in)", 0.5); units and expressions are read when the scene is made
+into the kernel's tables.  Joints, couplings and forces are models of their kinds (kinds/).
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import BeforeValidator, Field
+
+from . import words
+from .element import Kind, Number, Pair, Partners, Table, Text
+from .readers import (
+    Offset,
+    Place,
+    Value,
+    Vector,
+    read_actions,
+    read_at,
+    read_bounds,
+    read_circle,
+    read_friction,
+    read_grid,
+    read_names,
+    read_place,
+    read_point,
+    read_sequence,
+    read_value_or_vector,
+)
+
+DEFAULT_G = "9.81 m/s^2"
+# Far beyond what a scene needs: they end runs that would not end by themselves.
+DEFAULT_MAX_EVENTS = 1_000_000
+DEFAULT_MAX_STEPS = 1_000_000
+# Intervals into which a find divides the range of one parameter, and of each of two.
+DEFAULT_SAMPLES = 32
+DEFAULT_PAIR_SAMPLES = 8
+
+
+class Line(Table):
+    """A straight line: through a point at an angle, or from one point to another."""
+
+    through: Pair | None = None
+    angle: Number | None = None
+    start: Pair | None = Field(None, alias="from")
+    to: Pair | None = None
+
+
+class Circle(Table):
+    center: Pair = Vector(0, 0)
+    radius: Number
+
+
+class Row(Table):
+    """Points one `step` apart; endless without `count`."""
+
+    start: Pair = Field(alias="from")
+    step: Pair
+    count: Number | None = None
+
+
+Points = dict[str, Annotated[Vector | Offset, BeforeValidator(read_point)]]
+Circles = dict[str, Annotated[Circle, BeforeValidator(read_circle)]]
+
+
+class Ground(Table):
+    points: Points = {}
+    lines: dict[str, Line] = {}
+    circles: Circles = {}
+    rows: dict[str, Row] = {}
+
+
+class Driven(Table):
+    """Prescribed motion of a body: of its mass centre, and its spin; values may depend on t."""
+
+    velocity: Pair = Vector(0, 0)
+    omega: Number = 0
+
+
+class Spin(Table):
+    """An axis in the plane about which the plane turns, and what turns along."""
+
+    through: Pair
+    angle: Number
+    inertia: Number = 0
+    couple: Number | None = None
+
+
+class Body(Table):
+    rod: Annotated[tuple[str, ...], BeforeValidator(read_names(2, "the names of two ends"))] | None = None
+    length: Number | None = None
+    disk: Number | None = None
+    cylinder: Number | None = None
+    hoop: Number | None = None
+    sphere: Number | None = None
+    half_ring: Number | None = None
+    plate: Pair | None = None
+    corners: Annotated[tuple[str, ...], BeforeValidator(read_names(4, "four names"))] | None = None
+    mass: Number | None = None
+    weight: Number | None = None
+    inertia: Number | None = None
+    gyration: Number | None = None
+    mass_center: Pair = Vector(0, 0)
+    points: Points = {}
+    lines: dict[str, Line] = {}
+    circles: Circles = {}
+    at: Annotated[Place, BeforeValidator(read_place)] | None = None
+    angle: Number | None = None
+    driven: Driven | None = None
+    depth: Number | None = None
+    edge_on: bool = False
+    active: Number = True
+
+    @property
+    def shape(self) -> str | None:
+        """The key of its shape, None for a body of given inertia and for a particle."""
+        return next((shape for shape in words.SHAPES if getattr(self, shape) is not None), None)
+
+    @property
+    def turns(self) -> bool:
+        """Whether it is more than a particle."""
+        return self.shape is not None or self.inertia is not None or self.gyration is not None
+
+
+class Friction(Table):
+    static: Number
+    kinetic: Number
+
+
+class Contact(Kind):
+    word = "touch"
+    partners: Partners
+    restitution: Number = 0
+    friction: Annotated[Value | Friction, BeforeValidator(read_friction)] = 0
+    tangential: Number | None = None
+    normal: Number | None = None
+    law: Text = "newton"
+    capture: Literal["none", "point", "body"] = "none"
+    surface_speed: Number | None = None
+
+
+class Grid(Table):
+    """A list of values, or from .. to in `num` values or steps of `step`, ends included; shape only."""
+
+    values: tuple[Value, ...] | None = None
+    from_: Number | None = Field(None, alias="from")
+    to: Number | None = None
+    num: Annotated[int, Field(strict=True)] | None = None
+    step: Number | None = None
+    scale: Literal["linear", "log"] = "linear"
+
+
+GridOf = Annotated[Grid, BeforeValidator(read_grid)]
+
+
+class At(Table):
+    """An instant that is not an event: where an expression is extreme, or takes given values."""
+
+    max: Number | None = None
+    min: Number | None = None
+    each: Number | None = None
+    values: GridOf | None = None
+
+
+class Action(Table):
+    """What an event does: one of add, remove, impulse and nudge."""
+
+    add: Text | None = None
+    remove: Text | None = None
+    impulse: Text | None = None
+    nudge: Text | None = None
+    value: Annotated[Value | Vector, BeforeValidator(read_value_or_vector)] | None = None
+    work: Number | None = None
+    active: Number = True
+
+
+class Event(Table):
+    """`when` one of the conditions comes - for the `nth` time, if that is given - the actions are done."""
+
+    when: Annotated[tuple[str, ...], BeforeValidator(read_sequence)]
+    do: Annotated[tuple[Action, ...], BeforeValidator(read_actions)] = ()
+    nth: Annotated[int, Field(strict=True)] | None = None
+
+
+class Ask(Table):
+    """`of` an expression `at` an instant, or the extreme `max` or `min` of one over the run."""
+
+    of: Number | None = None
+    max: Number | None = None
+    min: Number | None = None
+    at: Annotated[str | At, BeforeValidator(read_at)] | None = None
+    unit: Text | None = None
+    run: Text | None = None
+
+
+class Find(Table):
+    """What is sought: parameters between bounds, under conditions, with something extreme."""
+
+    vary: dict[str, Annotated[tuple[Value, Value], BeforeValidator(read_bounds)]]
+    where: Annotated[tuple[str, ...], BeforeValidator(read_sequence)] = ()
+    greatest: Number | None = None
+    least: Number | None = None
+    samples: Annotated[int, Field(strict=True)] | None = None
+
+    @property
+    def intervals(self) -> int:
+        """`samples`, or what is taken without it."""
+        if self.samples is not None:
+            return self.samples
+        return DEFAULT_SAMPLES if len(self.vary) == 1 else DEFAULT_PAIR_SAMPLES
+
+    @property
+    def goal(self) -> Literal["greatest", "least"] | None:
+        """The key that says what is to be extreme."""
+        if self.greatest is not None:
+            return "greatest"
+        return "least" if self.least is not None else None
+
+
+class Solve(Table):
+    route: Text = "auto"
+    accuracy: Number = 1e-10
+    max_time: Number | None = None
+    max_events: int = DEFAULT_MAX_EVENTS
+    max_steps: int = DEFAULT_MAX_STEPS
+    assembly: Number = 1e-12
+    simultaneous: Text = "together"
+    estimate: bool = True
+
+
+class Sweep(Table):
+    """What a study varies: grids by parameter, in their order, and parameters that move together."""
+
+    grids: dict[str, GridOf] = {}
+    zip: tuple[tuple[str, ...], ...] = ()

@@ -1,0 +1,104 @@
+"""The words of the scene language: the keys of its tables, and the quantities of addresses.
+
+Kinds of joints, couplings and forces say their own words (kinds/).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Mapping
+from typing import Any
+
+from ..base.errors import SceneError, nearest
+from ..language.address import KEYWORDS
+
+TOP_KEYS = (
+    *("id", "title", "description", "plane", "until", "parameters", "ground", "bodies", "spin", "joints"),
+    *("couplings", "contacts", "forces", "start", "events", "ask", "find", "runs", "sweep", "solve"),
+)
+
+SHAPES = ("rod", "disk", "cylinder", "hoop", "sphere", "half_ring", "plate")
+EDGE_ON_SHAPES = ("disk", "hoop")
+ROUND_SHAPES = ("disk", "cylinder", "hoop", "sphere", "half_ring")
+BODY_KEYS = (
+    *SHAPES,
+    *("length", "corners", "mass", "weight", "inertia", "gyration", "mass_center"),
+    *("points", "lines", "circles", "at", "angle", "driven", "depth", "edge_on", "active"),
+)
+GROUND_KEYS = ("points", "lines", "circles", "rows")
+ROW_KEYS = ("from", "step", "count")
+SPIN_KEYS = ("through", "angle", "inertia", "couple")
+DRIVEN_KEYS = ("velocity", "omega")
+
+SINGULAR = {"joints": "joint", "couplings": "coupling", "contacts": "contact", "forces": "force"}
+
+EVENT_KEYS = ("when", "do", "nth")
+# Actions of an event: kind -> options; `active` goes with every kind.
+ACTIONS: dict[str, tuple[str, ...]] = {"add": (), "remove": (), "impulse": ("value", "work"), "nudge": ()}
+ASK_KEYS = ("of", "max", "min", "at", "unit", "run")
+AT_KEYS = ("max", "min", "each", "values")
+FIND_KEYS = ("vary", "where", "greatest", "least", "samples")
+GRID_KEYS = ("from", "to", "num", "step", "scale")
+SOLVE_KEYS = (
+    *("route", "accuracy", "estimate", "max_time", "max_events", "max_steps", "assembly", "simultaneous"),
+)
+SIMULTANEOUS = ("together", "one by one")
+LAWS = ("newton", "poisson", "stronge")
+ROUTES = ("auto", "state", "jump", "uniform", "path", "rk", "ida")
+
+CONTACT_CHANGES = ("strikes", "opens", "slips", "sticks")
+CORD_CHANGES = ("slackens", "tightens")
+CAPTURE_CHANGES = ("strikes", "opens")
+
+BODY_QUANTITIES = (
+    *("angle", "turned", "omega", "alpha", "mass", "weight", "inertia", "kinetic_energy"),
+    *("momentum", "angular_momentum", "pole"),
+)
+POINT_QUANTITIES = ("x", "y", "position", "moved", "path", "velocity", "speed", "acceleration")
+JOINT_QUANTITIES = ("force", "couple", "impulse", "normal", "friction", "friction_needed")
+CONTACT_QUANTITIES = (
+    *("gap", "closed", "slip", "normal", "friction", "friction_needed", "force", "impulse"),
+)
+CAPTURE_QUANTITIES = ("gap", "closed", "force", "impulse")  # what holds has no normal and no friction
+FORCE_QUANTITIES = ("force", "couple", "work", "power", "stretch", "energy")
+EVENT_QUANTITIES = ("count", "time")
+ENERGIES = ("kinetic", "potential", "total", "lost")
+SPIN_QUANTITIES = ("omega", "angle", "momentum", "inertia")
+SCENE_QUANTITIES = ("t", "time", "energy", "weight", "momentum", "angular_momentum", "spin")
+PARTS = ("x", "y", "norm", "angle")
+
+# What an element or parameter cannot be called: the words would mean two things.
+RESERVED = frozenset({*SCENE_QUANTITIES, *KEYWORDS, "ground", "pi", "start", "end", "rest"})
+_NAME = re.compile(r"[^\W\d]\w*")
+
+
+def table(raw: Mapping[str, Any], key: str) -> Mapping[str, Any]:
+    """The table of that name, empty if it is not written."""
+    return mapping(raw.get(key, {}), key)
+
+
+def mapping(value: Any, path: str) -> Mapping[str, Any]:
+    """The value as a table.  Raises SceneError if it is none."""
+    if not isinstance(value, Mapping):
+        raise SceneError("a table is wanted", path=path, value=value)
+    return value
+
+
+def check_name(name: str, path: str) -> None:
+    """Raises SceneError if `name` cannot be used in an address."""
+    if not _NAME.fullmatch(name):
+        raise SceneError("a name is letters, digits and _, and begins with a letter", path=f"{path}.{name}")
+    if name in RESERVED:
+        raise SceneError(f'"{name}" has a meaning of its own; choose another name', path=f"{path}.{name}")
+
+
+def not_built(what: str, path: str | None = None, value: object = None) -> SceneError:
+    """The error for a word that the language has and this version does not do."""
+    return SceneError(f"not built yet: {what}", path=path, value=value)
+
+
+def unknown(word: str, known: Collection[str], what: str) -> str:
+    """The text that there is no such parameter, body, ..., with the nearest one that there is."""
+    guess = nearest(word, known)
+    there_is = f"there is {', '.join(known)}" if known else "there is none"
+    return f'unknown {what} "{word}"; {there_is}' + (f' (did you mean "{guess}"?)' if guess else "")

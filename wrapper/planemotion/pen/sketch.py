@@ -1,0 +1,270 @@
+"""The drawn scene on paper: where its marks are at given poses, and the signs between partners.
+
+Kinds of elements draw themselves with a `Sketch`: it knows the places of points, lines and circles, in the
+unit of the picture, and its `pen` has the signs.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+from ..geometry.drawing import Drawing
+from ..geometry.marks import CircleMark, LineMark, Pair, RowMark
+from ..geometry.partners import Partner, partner
+from ..geometry.pose import GROUND
+from ..language.expression import evaluate, parse
+from ..language.tree import Node
+from ..language.units import LENGTH, factor
+from ..model.readers import Value, Vector
+from .palette import INK, RESOLUTION
+from .symbols import Pen, Place
+
+# Greatest size of the drawing, and the room left around what is drawn, in inches.
+_WIDTH, _HEIGHT, _ROOM = 7.6, 5.6, 0.55
+# A scene of no size (one particle) is drawn as if it were so large, in m.
+_NO_SIZE = 1.0
+
+
+class Sketch:
+    """Axes as large as the drawing needs, and where everything is on them.
+
+    `poses`: x, y (m) and angle (rad) of the mass centre of each body; `unit`: of lengths on the axes.
+    """
+
+    def __init__(self, drawing: Drawing, poses: Mapping[str, tuple[float, float, float]], unit: str) -> None:
+        self.drawing = drawing
+        self.poses = poses
+        self.unit = unit
+        self.factor = factor(unit)[0]
+        self.low, self.high = self._extent()
+        self.figure, self.pen = self._canvas()
+
+    def number(self, node: Node) -> float:
+        return self.drawing.tables.default(node)
+
+    def length(self, node: Node) -> float:
+        return self.number(node) / self.factor
+
+    def place(self, owner: str, own: Pair) -> Place:
+        """Where a place given in the own axes of a body (or of the ground) is."""
+        if owner == GROUND:
+            return self.length(own[0]), self.length(own[1])
+        x, y = (self.length(part) for part in self.drawing.from_mass_center(owner, own))
+        gx, gy, angle = self.poses[owner]
+        c, s = math.cos(angle), math.sin(angle)
+        return gx / self.factor + c * x - s * y, gy / self.factor + s * x + c * y
+
+    def angle(self, owner: str) -> float:
+        return 0.0 if owner == GROUND else self.poses[owner][2]
+
+    def point(self, owner: str, name: str) -> Place:
+        return self.place(owner, self.drawing.marks(owner).points[name])
+
+    def of_partner(self, one: Partner, other: Partner) -> Place:
+        """The place of a partner that is a point or a circle (its centre)."""
+        if one.anywhere:
+            return self.of_partner(other, one)
+        if isinstance(one.mark, CircleMark):
+            return self.place(one.owner, one.mark.center)
+        return self.point(one.owner, one.name)
+
+    def both(self, a: Partner, b: Partner) -> tuple[Place, Place]:
+        """The places of two partners that are points or circles."""
+        return self.of_partner(a, b), self.of_partner(b, a)
+
+    def radius(self, one: Partner) -> float:
+        """Of a circle; a point has none."""
+        return self.length(one.mark.radius) if isinstance(one.mark, CircleMark) else 0.0
+
+    def middle(self, a: Place, b: Place) -> Place:
+        return _middle(a, b)
+
+    def center(self, bodies: tuple[str, ...]) -> Place:
+        """The centre of the first of some bodies that is not the ground."""
+        return self.point(next(body for body in bodies if body != GROUND), "center")
+
+    def at_start(self, written: Value) -> float:
+        """A number of a force, which may depend on t, at t = 0."""
+        defaults = self.drawing.reader.parameters.defaults
+        return evaluate(parse(written), lambda leaf: 0.0 if str(leaf) == "t" else defaults[str(leaf)])
+
+    def read(self, texts: tuple[str, ...], where: str, *wanted: str) -> list[Partner]:
+        """The partners of an element."""
+        return [partner(self.drawing, text, where, *wanted) for text in texts]
+
+    def _extent(self) -> tuple[np.ndarray, np.ndarray]:
+        """Lower left and upper right of all that has a size."""
+        places: list[Place] = []
+        for owner in (*self.drawing.bodies, GROUND):
+            marks = self.drawing.marks(owner)
+            places += [self.place(owner, point) for point in marks.points.values()]
+            for circle in marks.circles.values():
+                (x, y), radius = self.place(owner, circle.center), self.length(circle.radius)
+                places += [(x - radius, y - radius), (x + radius, y + radius)]
+            places += [self.place(owner, row.start) for row in marks.rows.values()]
+        for name, body in self.drawing.bodies.items():
+            places += self.corners(name, body.plate) if body.plate is not None else []
+            places += self.diameter(name) if body.edge_on else []
+        xy = np.array(places)
+        low, high = xy.min(axis=0), xy.max(axis=0)
+        size = max(float((high - low).max()), 0.0)
+        if size == 0.0:
+            size = _NO_SIZE / self.factor
+            low, high = low - 0.5 * size, high + 0.5 * size
+        return low, high
+
+    def _canvas(self) -> tuple[Figure, Pen]:
+        """Axes of equal scales, as large as the drawing needs."""
+        size = np.maximum(self.high - self.low, 0.12 * float((self.high - self.low).max()))
+        room = 2 * _ROOM
+        inch = max(size[0] / (_WIDTH - room), size[1] / (_HEIGHT - room))
+        paper = np.maximum(size / inch + room, (3.2, 1.6))
+        left, right, below, above = 0.85, 0.15, 0.5, 0.66
+        width, height = paper[0] + left + right, paper[1] + below + above
+        made = Figure(figsize=(width, height), dpi=RESOLUTION)
+        canvas = FigureCanvasAgg(made)
+        axes = made.add_axes((left / width, below / height, paper[0] / width, paper[1] / height))
+        middle = 0.5 * (self.low + self.high)
+        self.low, self.high = middle - 0.5 * paper * inch, middle + 0.5 * paper * inch
+        axes.set_xlim(self.low[0], self.high[0])
+        axes.set_ylim(self.low[1], self.high[1])
+        axes.set_xlabel(f"x [{self.unit}]")
+        axes.set_ylabel(f"y [{self.unit}]")
+        axes.yaxis.set_label_coords(-0.62 / paper[0], 0.5)
+        axes.grid(True, color="#f0f0f0", linewidth=0.5)
+        return made, Pen(axes, canvas, float(inch))
+
+    def ends(self, owner: str, line: LineMark) -> tuple[Place, Place]:
+        """Two places of a line: its ends, or where it leaves the picture, or as long as its body is."""
+        at = np.array(self.place(owner, line.through))
+        angle = self.number(line.angle) + self.angle(owner)
+        along = np.array([math.cos(angle), math.sin(angle)])
+        if line.extent is not None:
+            a, b = (at + self.length(end) * along for end in line.extent)
+        elif owner != GROUND:
+            reach = self.reach(owner)
+            a, b = at - reach * along, at + reach * along
+        else:
+            a, b = _clip(at, along, self.low, self.high)
+        return (float(a[0]), float(a[1])), (float(b[0]), float(b[1]))
+
+    def reach(self, owner: str) -> float:
+        """How far a body extends from its geometric centre."""
+        marks = self.drawing.marks(owner)
+        center = self.point(owner, "center")
+        reaches = [math.dist(center, self.place(owner, point)) for point in marks.points.values()]
+        reaches += [
+            math.dist(center, self.place(owner, circle.center)) + self.length(circle.radius)
+            for circle in marks.circles.values()
+        ]
+        return max([*reaches, 0.3 * self.pen.inch])
+
+    def corners(self, name: str, size: Vector) -> list[Place]:
+        width, height = self.drawing.reader.vector(size, f"bodies.{name}.plate", LENGTH)
+        x, y = width / 2, height / 2
+        return [self.place(name, corner) for corner in ((-x, -y), (x, -y), (x, y), (-x, y))]
+
+    def diameter(self, name: str) -> tuple[Place, Place]:
+        """The ends of the diameter that a disk across the plane shows."""
+        return self.ends(name, self.drawing.marks(name).lines["top"])
+
+    def across(self, texts: tuple[str, ...], where: str, sign: Callable[[Place, Place], None]) -> Place:
+        """A sign between two points, held where they belong to the ground; gives its middle."""
+        a, b = self.read(texts, where, "point")
+        places = self.both(a, b)
+        sign(*places)
+        for end, one in zip(places, (a, b), strict=True):
+            if one.is_ground:
+                self.pen.support(end)
+        return _middle(*places)
+
+    def spiral(self, texts: tuple[str, ...], where: str) -> Place:
+        """The sign of what turns the first of two bodies against the other."""
+        a, b = self.read(texts, where, "point")
+        at = self.of_partner(a, b) if a.is_ground else self.point(a.owner, "center")
+        self.pen.spiral(at)
+        return at
+
+    def strand(self, first: tuple[Partner, bool], second: tuple[Partner, bool]) -> Place:
+        """A straight strand between its tangent points; gives its middle."""
+        a, b = first[0], second[0]
+        (ax, ay), (bx, by) = self.of_partner(a, b), self.of_partner(b, a)
+        radius_a, radius_b = ((1.0 if ccw else -1.0) * self.radius(one) for one, ccw in (first, second))
+        dx, dy, offset = bx - ax, by - ay, radius_b - radius_a
+        square = dx * dx + dy * dy
+        along = math.sqrt(max(square - offset * offset, 0.0))
+        if square == 0:
+            return ax, ay
+        ux, uy = (along * dx + offset * dy) / square, (along * dy - offset * dx) / square
+        ends = [
+            (ax + radius_a * uy, ay - radius_a * ux),
+            (bx + radius_b * uy, by - radius_b * ux),
+        ]
+        self.pen.line(ends, INK, 1.0)
+        for end, one in zip(ends, (a, b), strict=True):
+            if one.owner == GROUND and one.kind == "point":
+                self.pen.support(end)
+        return _middle(*ends)
+
+    def between_circles(self, a: Partner, b: Partner) -> tuple[Place, Place]:
+        """The places of two circles that are nearest to each other, on the line through their centres."""
+        (ax, ay), (bx, by) = self.of_partner(a, b), self.of_partner(b, a)
+        radius_a, radius_b = self.radius(a), self.radius(b)
+        apart = math.hypot(bx - ax, by - ay)
+        x, y = ((bx - ax) / apart, (by - ay) / apart) if apart else (1.0, 0.0)
+        side_a, side_b = 1.0, -1.0
+        if apart < max(radius_a, radius_b):  # one inside the other
+            side_a, side_b = (-1.0, -1.0) if radius_a < radius_b else (1.0, 1.0)
+        return (
+            (ax + side_a * radius_a * x, ay + side_a * radius_a * y),
+            (bx + side_b * radius_b * x, by + side_b * radius_b * y),
+        )
+
+    def touching(self, a: Partner, b: Partner) -> tuple[Place, Place]:
+        """The nearest places of two marks that may touch."""
+        center = self.of_partner(a, b)
+        radius = self.radius(a)
+        if isinstance(b.mark, LineMark):
+            turn = self.number(b.mark.angle) + self.angle(b.owner)
+            foot = self.place(b.owner, b.mark.through)
+            x, y = -math.sin(turn), math.cos(turn)  # towards the free side
+            gap = (center[0] - foot[0]) * x + (center[1] - foot[1]) * y
+            near = (center[0] - radius * x, center[1] - radius * y)
+            return near, (center[0] - gap * x, center[1] - gap * y)
+        if isinstance(b.mark, RowMark):
+            start = np.array(self.place(b.owner, b.mark.start))
+            step = np.array([self.length(part) for part in b.mark.step])
+            k = round(float((np.array(center) - start) @ step / (step @ step))) if np.any(step) else 0
+            count = round(self.number(b.mark.count))
+            k = k if count < 0 else min(max(k, 0), count - 1)
+            at = start + k * step
+            away = at - np.array(center)
+            distance = float(np.hypot(*away)) or 1.0
+            near = (center[0] + radius * away[0] / distance, center[1] + radius * away[1] / distance)
+            return (float(near[0]), float(near[1])), (float(at[0]), float(at[1]))
+        return self.between_circles(a, b)
+
+
+def _middle(a: Place, b: Place) -> Place:
+    return (a[0] + b[0]) / 2, (a[1] + b[1]) / 2
+
+
+def _clip(
+    at: np.ndarray, along: np.ndarray, low: np.ndarray, high: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Where the line through `at` enters and leaves a box; a short piece at `at` if it misses it."""
+    first, last = -math.inf, math.inf
+    for i in range(2):
+        if along[i]:
+            ends = sorted(((low[i] - at[i]) / along[i], (high[i] - at[i]) / along[i]))
+            first, last = max(first, ends[0]), min(last, ends[1])
+        elif not low[i] <= at[i] <= high[i]:
+            last = -math.inf
+    if not first < last:
+        first, last = 0.0, 0.0
+    return at + first * along, at + last * along

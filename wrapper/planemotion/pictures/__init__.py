@@ -1,0 +1,5 @@
+"""Pictures as PNG files: results as curves and colour maps, and a scene at its start.
+
+It uses `pen` for the drawing, `engine` for the assembled start and recorded runs, and `sweep` for writing
+whole files.  Only the command line uses it.
+"""

@@ -1,0 +1,333 @@
+"""The picture of a scene at its start: bodies with their shapes and names, joints, contacts, forces, ground.
+
+It is drawn from the same expressions that the kernel's tables are made of (geometry/drawing.py), at the pose
+that the assembly found, or, where the assembly failed, as written: most modelling errors show at once.  Signs
+are those of pen/symbols.py; lengths stand on the axes in the unit that the file uses most.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from ..compile.flatten import flatten, run_parameters
+from ..engine import call as engine
+from ..geometry.drawing import Drawing
+from ..geometry.marks import LineMark, RowMark
+from ..geometry.packing import Tables
+from ..geometry.parameters import Parameters, Reader
+from ..geometry.partners import Partner
+from ..geometry.pose import GROUND
+from ..kinds.base import Coupling, Force, Joint
+from ..language.units import DIMENSIONLESS, LENGTH
+from ..model.tables import Body, Contact
+from ..pen.palette import BLUE, INK, RED, SOFT
+from ..pen.sketch import Sketch
+from ..pen.symbols import BODY_FILL, SPRING, TOUCH, Place
+from ..reading.scene import HasData, SceneData
+from . import plots as picture
+
+_ROD = 0.1  # width of a rod, in
+_PARTICLE = 0.06  # radius of a particle, in
+_CENTRE_LINE = (0, (7, 2, 1.5, 2))  # dashes of a line on a body
+# Members of an endless row that are drawn at most.
+_MAX_MEMBERS = 200
+_LENGTHS = ("mm", "cm", "m", "km", "in", "ft", "yd", "mi")
+_WITH_UNIT = re.compile(r"[\d.]\s*([a-z]+)\b(?![*/^\w])")
+
+
+@dataclass(frozen=True)
+class Start:
+    """What is drawn: the scene, its marks as expressions, the pose (x, y, angle of G, SI) of each body.
+
+    `fault`: why the pose is only the written one, "" if the start could be assembled.
+    """
+
+    data: SceneData
+    drawing: Drawing
+    poses: Mapping[str, tuple[float, float, float]]
+    fault: str = ""
+
+
+def drawing_of(data: SceneData, run: str | None) -> Drawing:
+    """The drawn scene of a run, at the parameters of the file.  Raises SceneError."""
+    parameters = Parameters(run_parameters(data, run), data.sweep.grids)
+    reader = Reader(parameters)
+    bodies = {
+        name: body
+        for name, body in data.bodies.items()
+        if reader.constant(body.active, f"bodies.{name}.active", DIMENSIONLESS)
+    }
+    return Drawing(data, bodies, reader, Tables(parameters))
+
+
+def start_of(scene: HasData, run: str | None = None) -> Start:
+    """The start of a run (default: the first).  Raises SceneError for a fault in the scene."""
+    flat = flatten(scene, run)
+    drawing = drawing_of(scene.data, flat.run)
+    found = engine.check(flat)
+    poses = {
+        name: (float(x), float(y), float(angle))
+        for name, (x, y, angle) in zip(flat.bodies, found.pose, strict=True)
+    }
+    if found.message:
+        default = drawing.tables.default
+        poses = {
+            name: (default(pose.x), default(pose.y), default(pose.angle))
+            for name in drawing.bodies
+            for pose in [drawing.pose(name)]
+        }
+    return Start(scene.data, drawing, poses, found.message)
+
+
+def draw(start: Start, out: Path) -> None:
+    """Writes the picture as a PNG; StudyError if it cannot be written."""
+    with picture.style():
+        picture.save(figure(start), out)
+
+
+def figure(start: Start) -> Figure:
+    """The picture of a start."""
+    return _ScenePicture(start).sketch.figure
+
+
+class _ScenePicture:
+    """A picture under construction."""
+
+    def __init__(self, start: Start) -> None:
+        self.start = start
+        self.sketch = Sketch(start.drawing, start.poses, _usual_length(start.data))
+        self._draw_all()
+
+    def _draw_all(self) -> None:
+        self._ground()
+        self._spin()
+        for name in sorted(
+            self.sketch.drawing.bodies, key=self.sketch.reach, reverse=True
+        ):  # small ones on top
+            self._body(name, self.sketch.drawing.bodies[name])
+        for name, joint in self._active("joints"):
+            self._joint(name, joint)
+        for name, coupling in self._active("couplings"):
+            self._coupling(name, coupling)
+        for name, contact in self._active("contacts"):
+            self._contact(name, contact)
+        for name, force in self._active("forces"):
+            self._force(name, force)
+        self._points()
+        plane = (
+            "vertical plane" if self.start.data.plane == "vertical" else "horizontal plane, seen from above"
+        )
+        if self.start.data.spin is not None:
+            plane = "plane that turns about an axis in it"
+        note = f"{plane}; at the start"
+        if self.start.fault:
+            note = "as written, not assembled (see the message)"
+        picture.head(self.sketch.figure, self.start.data.title or self.start.data.id or "Scene", note)
+        if self.start.data.plane == "vertical":
+            self._gravity()
+        self.sketch.pen.write_names()
+
+    def _gravity(self) -> None:
+        """The direction of weight, in the emptiest corner."""
+        inch = self.sketch.pen.inch
+        ink = np.array([*self.sketch.pen.ink, *(name.place for name in self.sketch.pen.names)])
+        corners = [
+            (x, y)
+            for y in (self.sketch.high[1] - 0.12 * inch, self.sketch.low[1] + 0.5 * inch)
+            for x in (self.sketch.high[0] - 0.22 * inch, self.sketch.low[0] + 0.3 * inch)
+        ]
+
+        def crowd(corner: Place) -> int:
+            x, y = corner
+            near = (np.abs(ink[:, 0] - x) < 0.35 * inch) & (np.abs(ink[:, 1] - y + 0.2 * inch) < 0.4 * inch)
+            return int(np.count_nonzero(near))
+
+        x, y = min(corners, key=crowd)
+        self.sketch.pen.arrow((x, y), (x, y - 0.38 * inch), SOFT, linewidth=1.0)
+        self.sketch.pen.axes.text(
+            x - 0.07 * inch, y - 0.19 * inch, "g", color=SOFT, ha="right", va="center", style="italic"
+        )
+
+    def _spin(self) -> None:
+        """The axis about which the plane turns."""
+        if self.start.data.spin is None:
+            return
+        reader = self.sketch.drawing.reader
+        through = reader.vector(self.start.data.spin.through, "spin.through", LENGTH)
+        angle = reader.number(self.start.data.spin.angle, "spin.angle", DIMENSIONLESS)
+        a, b = self.sketch.ends(GROUND, LineMark(through, angle))
+        self.sketch.pen.line([a, b], SOFT, 1.0, linestyle=_CENTRE_LINE)
+        self.sketch.pen.name((b[0] + 0.06 * (a[0] - b[0]), b[1] + 0.06 * (a[1] - b[1])), "spin", SOFT)
+
+    def _ground(self) -> None:
+        marks = self.sketch.drawing.marks(GROUND)
+        for name, line in marks.lines.items():
+            a, b = self.sketch.ends(GROUND, line)
+            self.sketch.pen.ground_line(a, b)
+            self.sketch.pen.name((a[0] + 0.06 * (b[0] - a[0]), a[1] + 0.06 * (b[1] - a[1])), name, SOFT)
+        for name, circle in marks.circles.items():
+            center, radius = self.sketch.place(GROUND, circle.center), self.sketch.length(circle.radius)
+            self.sketch.pen.circle(center, radius, edge=INK, linewidth=1.2)
+            turn = 0.8 * math.pi
+            self.sketch.pen.name(
+                (center[0] + radius * math.cos(turn), center[1] + radius * math.sin(turn)), name, SOFT
+            )
+        for name, row in marks.rows.items():
+            self._row(name, row)
+
+    def _row(self, name: str, row: RowMark) -> None:
+        start = np.array(self.sketch.place(GROUND, row.start))
+        step = np.array([self.sketch.length(part) for part in row.step])
+        if not np.any(step):
+            return
+        count = round(self.sketch.number(row.count))
+        reach = float(np.hypot(*(self.sketch.high - self.sketch.low)) / np.hypot(*step))
+        members = range(-int(reach), int(reach) + 1) if count < 0 else range(count)
+        for k in list(members)[:_MAX_MEMBERS]:
+            at = start + k * step
+            if np.all(at >= self.sketch.low) and np.all(at <= self.sketch.high):
+                self.sketch.pen.dot((float(at[0]), float(at[1])), INK, 0.035)
+        self.sketch.pen.name((float(start[0]), float(start[1])), f"{name}[0]", SOFT)
+
+    def _body(self, name: str, body: Body) -> None:
+        pen, center = self.sketch.pen, self.sketch.point(name, "center")
+        marks = self.sketch.drawing.marks(name)
+        if not body.turns:
+            pen.dot(center, BLUE, _PARTICLE)
+            pen.name(center, name, BLUE, bold=True)
+            return
+        self._shape(name, body, center)
+        for key in body.circles:
+            at, radius = (
+                self.sketch.place(name, marks.circles[key].center),
+                self.sketch.length(marks.circles[key].radius),
+            )
+            pen.circle(at, radius, fill="none" if body.shape else BODY_FILL, linewidth=0.9)
+        for key in body.lines:
+            pen.line(self.sketch.ends(name, marks.lines[key]), BLUE, 0.8, linestyle=_CENTRE_LINE, zorder=3)
+        mass_centre = self.sketch.point(name, "G")
+        pen.mass_centre(mass_centre)
+        pen.name(mass_centre, name, BLUE, bold=True)
+
+    def _shape(self, name: str, body: Body, center: Place) -> None:
+        """The outline of a body that turns."""
+        pen, marks = self.sketch.pen, self.sketch.drawing.marks(name)
+        if body.rod is not None:
+            pen.bar(self.sketch.point(name, body.rod[0]), self.sketch.point(name, body.rod[1]), _ROD)
+        elif body.plate is not None:
+            pen.polygon(self.sketch.corners(name, body.plate))
+        elif body.edge_on:
+            first, last = self.sketch.diameter(name)
+            pen.bar(first, last, _ROD)
+        elif body.shape == "hoop":
+            pen.ring(center, self.sketch.length(marks.circles["rim"].radius))
+        elif body.shape == "half_ring":
+            pen.half_ring(center, self.sketch.length(marks.circles["rim"].radius), self.sketch.angle(name))
+        elif body.shape is not None:
+            radius = self.sketch.length(marks.circles["rim"].radius)
+            pen.circle(center, radius, fill=BODY_FILL)
+            self._radius_line(name, center, radius)
+        else:
+            self._plain_body(name)
+
+    def _radius_line(self, name: str, center: Place, radius: float) -> None:
+        """A thin line along the body's x axis, so that one sees how it is turned."""
+        turn = self.sketch.angle(name)
+        rim = (center[0] + radius * math.cos(turn), center[1] + radius * math.sin(turn))
+        self.sketch.pen.line([center, rim], BLUE, 0.5, zorder=2.3)
+
+    def _plain_body(self, name: str) -> None:
+        """A body without a shape: the outline of its points."""
+        places = [self.sketch.point(name, key) for key in self.sketch.drawing.marks(name).points]
+        outline = _outline(places)
+        if len(outline) > 2:
+            self.sketch.pen.polygon(outline, linestyle=(0, (5, 2)))
+        elif len(outline) == 2:
+            self.sketch.pen.bar(outline[0], outline[1], 0.7 * _ROD)
+        else:
+            self.sketch.pen.circle(outline[0], 0.12 * self.sketch.pen.inch, fill=BODY_FILL)
+
+    def _points(self) -> None:
+        """Dots and names of the points that the file names."""
+        for owner in (*self.sketch.drawing.bodies, GROUND):
+            for key in self.sketch.drawing.marks(owner).points:
+                if key not in ("center", "G"):
+                    at = self.sketch.point(owner, key)
+                    self.sketch.pen.dot(at)
+                    self.sketch.pen.name(at, key)
+
+    def _joint(self, name: str, joint: Joint) -> None:
+        where = f"joints.{name}"
+        (a,), (b,) = (
+            self.sketch.read((text,), where, *wanted)
+            for text, wanted in zip(joint.partners, joint.marks, strict=True)
+        )
+        self.sketch.pen.name(joint.draw(self.sketch, a, b), name)
+
+    def _coupling(self, name: str, coupling: Coupling) -> None:
+        self.sketch.pen.name(coupling.draw(self.sketch, f"couplings.{name}"), name)
+
+    def _force(self, name: str, force: Force) -> None:
+        self.sketch.pen.name(
+            force.draw(self.sketch, f"forces.{name}"), name, SPRING if force.resists else RED
+        )
+
+    def _contact(self, name: str, contact: Contact) -> None:
+        any_mark = ("circle", "point", "line", "row", "set")
+        a, b = self.sketch.read(contact.partners, f"contacts.{name}", *any_mark)
+        if a.kind in ("line", "row") or b.kind == "set":
+            a, b = b, a
+        members = [a]
+        if a.kind == "set":
+            assert isinstance(a.mark, tuple)
+            members = [Partner(a.owner, "point", key, a.where) for key in a.mark]
+        pairs = [self.sketch.touching(one, b) for one in members]
+        for places in pairs:
+            self.sketch.pen.touch(*places)
+        self.sketch.pen.name(
+            self.sketch.middle(*min(pairs, key=lambda places: math.dist(*places))), name, TOUCH
+        )
+
+    def _active(self, table: str) -> Iterator[tuple[str, Any]]:
+        """The elements of a table that take part at these parameters."""
+        reader = self.sketch.drawing.reader
+        for name, element in getattr(self.start.data, table).items():
+            if reader.constant(element.active, f"{table}.{name}.active", DIMENSIONLESS):
+                yield name, element
+
+
+def _outline(places: list[Place]) -> list[Place]:
+    """The corners of the convex hull, counterclockwise (monotone chain)."""
+    points = sorted(set(places))
+    if len(points) < 3:
+        return points
+
+    def half(ordered: list[Place]) -> list[Place]:
+        chain: list[Place] = []
+        for p in ordered:
+            while len(chain) > 1 and _turn(chain[-2], chain[-1], p) <= 0:
+                chain.pop()
+            chain.append(p)
+        return chain[:-1]
+
+    return half(points) + half(points[::-1])
+
+
+def _turn(a: Place, b: Place, c: Place) -> float:
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+
+def _usual_length(data: SceneData) -> str:
+    """The unit of length that the file uses most."""
+    found = Counter(_WITH_UNIT.findall(repr(data.model_dump(exclude={"title", "description", "ask"}))))
+    used = [unit for unit in _LENGTHS if found[unit]]
+    return max(used, key=lambda unit: found[unit]) if used else "m"

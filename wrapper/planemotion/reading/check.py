@@ -1,0 +1,203 @@
+"""The check of every key before anything is read from a scene.
+
+A key is known, known but not built yet, or unknown; the last two are errors, so that nothing written is
+silently ignored.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from ..base.errors import SceneError, nearest
+from ..kinds import KINDS
+from ..model import words
+
+# Kinds of the language that are not built yet -> what they are.
+NOT_BUILT: Mapping[str, Mapping[str, str]] = {
+    "contacts": {"table": "spheres on a table"},
+}
+
+
+def check(raw: Mapping[str, Any]) -> None:
+    """Raises SceneError for the first key that is unknown or not built yet, and for names that clash."""
+    _keys(raw, words.TOP_KEYS, "", "a scene")
+    for name, value in words.table(raw, "parameters").items():
+        if name != "t":  # a parameter may have that name: the time is then called time
+            words.check_name(name, "parameters")
+        if isinstance(value, Mapping):
+            raise SceneError(_VALUE_TABLE, path=f"parameters.{name}")
+    _ground(words.table(raw, "ground"))
+    _keys(words.table(raw, "spin"), words.SPIN_KEYS, "spin", "a spin")
+    for name, body in words.table(raw, "bodies").items():
+        _body(body, f"bodies.{name}")
+    for group in KINDS:
+        for name, element in words.table(raw, group).items():
+            _element(element, group, name)
+    _unique(raw)
+    _instants(raw)
+    _keys(words.table(raw, "solve"), words.SOLVE_KEYS, "solve", "[solve]")
+    for name, values in words.table(raw, "runs").items():
+        parameters = ("g", *words.table(raw, "parameters"))
+        _keys(
+            words.mapping(values, f"runs.{name}"),
+            (*parameters, "find"),
+            f"runs.{name}",
+            "a run of this scene",
+        )
+        if "find" in values:
+            _find(values["find"], f"runs.{name}.find")
+    if "find" in raw:
+        _find(raw["find"], "find")
+
+
+_VALUE_TABLE = "not built yet: values from a table over time or a measure"
+
+
+def kind_of(element: Mapping[str, Any], group: str, path: str) -> str:
+    """The one kind key of an element.  Raises SceneError if there is none or more than one."""
+    kinds = KINDS[group]
+    for kind, what in NOT_BUILT.get(group, {}).items():
+        if kind in element:
+            raise words.not_built(what, f"{path}.{kind}")
+    given = [kind for kind in kinds if kind in element]
+    if len(given) == 1:
+        return given[0]
+    wanted = f"which kind of {words.SINGULAR[group]}? one of {', '.join(kinds)} is wanted"
+    if len(given) > 1:
+        raise SceneError(f"{wanted}, not {' and '.join(given)}", path=path)
+    for key in element:
+        guess = nearest(key, kinds)
+        if guess:
+            wanted += f' ("{key}": did you mean "{guess}"?)'
+            break
+    raise SceneError(wanted, path=path)
+
+
+def _keys(
+    given: Iterable[str],
+    known: tuple[str, ...],
+    path: str,
+    owner: str,
+    unbuilt: Mapping[str, str] | None = None,
+) -> None:
+    unbuilt = unbuilt or {}
+    for key in given:
+        full = f"{path}.{key}" if path else key
+        if key in known:
+            continue
+        if key in unbuilt:
+            raise words.not_built(unbuilt[key], full)
+        guess = nearest(key, [*known, *unbuilt])
+        has = f"{owner} has {', '.join(known)}" if known else f"{owner} has no options"
+        raise SceneError(f"unknown key; {has}" + (f' (did you mean "{guess}"?)' if guess else ""), path=full)
+
+
+def _marks(owner: Mapping[str, Any], path: str) -> None:
+    quantities = (*words.BODY_QUANTITIES, *words.POINT_QUANTITIES)
+    for group in ("points", "lines", "circles", "rows"):
+        for name, mark in words.mapping(owner.get(group, {}), f"{path}.{group}").items():
+            place = f"{path}.{group}.{name}"
+            words.check_name(name, f"{path}.{group}")
+            if name in quantities:
+                raise SceneError(f'"{name}" is a quantity in addresses; choose another name', path=place)
+            if not isinstance(mark, Mapping):
+                continue
+            match group:
+                case "points":
+                    _keys(mark, ("from", "by", "polar"), place, "a point")
+                case "lines":
+                    _keys(mark, ("through", "angle", "from", "to"), place, "a line")
+                case "circles":
+                    _keys(mark, ("center", "radius"), place, "a circle")
+                case "rows":
+                    _keys(mark, words.ROW_KEYS, place, "a row")
+
+
+def _ground(ground: Mapping[str, Any]) -> None:
+    _keys(ground, words.GROUND_KEYS, "ground", "the ground")
+    _marks(ground, "ground")
+
+
+def _body(body: Any, path: str) -> None:
+    _keys(words.mapping(body, path), words.BODY_KEYS, path, "a body")
+    if "driven" in body:
+        _keys(
+            words.mapping(body["driven"], f"{path}.driven"),
+            words.DRIVEN_KEYS,
+            f"{path}.driven",
+            "a driven body",
+        )
+    given = [shape for shape in words.SHAPES if shape in body]
+    if len(given) > 1:
+        raise SceneError(f"one shape is possible, not {' and '.join(given)}", path=path)
+    for option, shape in (("length", "rod"), ("corners", "plate")):
+        if option in body and shape not in body:
+            raise SceneError(f"only a {shape} has {option}", path=f"{path}.{option}")
+    _marks(body, path)
+
+
+def _element(element: Any, group: str, name: str) -> None:
+    path = f"{group}.{name}"
+    kind = kind_of(words.mapping(element, path), group, path)
+    article = "an" if kind[0] in "aeiou" else "a"
+    known = KINDS[group][kind]
+    _keys([key for key in element if key != kind], known.options(), path, f"{article} {kind}", known.unbuilt)
+    if isinstance(element.get("value"), Mapping) and "polar" not in element["value"]:
+        raise SceneError(_VALUE_TABLE, path=f"{path}.value")
+
+
+def _unique(raw: Mapping[str, Any]) -> None:
+    """Elements need no prefix in addresses, so their names must differ."""
+    owner: dict[str, str] = {}
+    for group in ("bodies", "joints", "couplings", "contacts", "forces", "events"):
+        for name in words.table(raw, group):
+            words.check_name(name, group)
+            if name in owner:
+                raise SceneError(f"the name is taken by {owner[name]}.{name}", path=f"{group}.{name}")
+            owner[name] = group
+
+
+def _instants(raw: Mapping[str, Any]) -> None:
+    for name, event in words.table(raw, "events").items():
+        if isinstance(event, Mapping):
+            _keys(event, words.EVENT_KEYS, f"events.{name}", "an event")
+            _actions(event.get("do", ()), f"events.{name}.do")
+    for name, ask in words.table(raw, "ask").items():
+        if not isinstance(ask, Mapping):
+            continue
+        _keys(ask, words.ASK_KEYS, f"ask.{name}", "an ask")
+        at = ask.get("at")
+        if isinstance(at, Mapping):
+            _keys(at, words.AT_KEYS, f"ask.{name}.at", "an instant")
+            _grid(at.get("values"), f"ask.{name}.at.values")
+    for name, grid in words.table(raw, "sweep").items():
+        if name != "zip":
+            _grid(grid, f"sweep.{name}")
+
+
+def _actions(actions: Any, path: str) -> None:
+    if not isinstance(actions, list | tuple):
+        raise SceneError(
+            'a list of actions is wanted, such as [{ remove = "cord" }]', path=path, value=actions
+        )
+    for index, action in enumerate(actions):
+        where = f"{path}[{index}]"
+        given = [kind for kind in words.ACTIONS if kind in words.mapping(action, where)]
+        if len(given) != 1:
+            wanted = f"one of {', '.join(words.ACTIONS)} is wanted"
+            raise SceneError(wanted + (f", not {' and '.join(given)}" if given else ""), path=where)
+        _keys(action, (given[0], *words.ACTIONS[given[0]], "active"), where, f"an action {given[0]}")
+
+
+def _find(find: Any, path: str) -> None:
+    _keys(words.mapping(find, path), words.FIND_KEYS, path, "a find")
+    if "vary" not in find:
+        reason = 'what is sought is wanted, such as vary = { h = ["0 m", "2 m"] }'
+        raise SceneError(reason, path=f"{path}.vary")
+    words.mapping(find["vary"], f"{path}.vary")
+
+
+def _grid(grid: Any, path: str) -> None:
+    if isinstance(grid, Mapping):
+        _keys(grid, words.GRID_KEYS, path, "a grid")

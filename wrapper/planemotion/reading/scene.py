@@ -1,0 +1,68 @@
+"""The validated scene as a whole, and what holds one.  `validate.validate` is the one way to make it."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal, Protocol
+
+from pydantic import BeforeValidator, SerializeAsAny
+
+from ..kinds.base import Coupling, Force, Joint
+from ..model.element import Number, Table, Text
+from ..model.readers import Value, Vector, read_ask, read_event, read_start, read_sweep, read_until
+from ..model.tables import Ask, Body, Contact, Event, Find, Ground, Solve, Spin, Sweep
+
+
+class SceneData(Table):
+    """A scene whose words and types are right.  `file` is where it came from, for messages."""
+
+    file: str | None = None
+    id: Text = ""
+    title: Text = ""
+    description: Text = ""
+    plane: Literal["vertical", "horizontal"] = "vertical"
+    until: Annotated[tuple[tuple[str, ...], ...], BeforeValidator(read_until)]
+    parameters: dict[str, Number] = {}
+    ground: Ground = Ground()
+    bodies: dict[str, Body] = {}
+    spin: Spin | None = None
+    joints: dict[str, SerializeAsAny[Joint]] = {}
+    couplings: dict[str, SerializeAsAny[Coupling]] = {}
+    contacts: dict[str, Contact] = {}
+    forces: dict[str, SerializeAsAny[Force]] = {}
+    start: Annotated[dict[str, Value | Vector], BeforeValidator(read_start)] = {}
+    nudge: Text | None = None
+    events: dict[str, Annotated[Event, BeforeValidator(read_event)]] = {}
+    ask: dict[str, Annotated[Ask, BeforeValidator(read_ask)]] = {}
+    runs: dict[str, dict[str, Number]] = {}
+    find: Find | None = None
+    run_finds: dict[str, Find] = {}
+    sweep: Annotated[Sweep, BeforeValidator(read_sweep)] = Sweep()
+    solve: Solve = Solve()
+
+    def find_of(self, run: str | None) -> tuple[Find, str] | None:
+        """What a run looks for - its own find, or that of the scene - and its key path."""
+        if run is not None and run in self.run_finds:
+            return self.run_finds[run], f"runs.{run}.find"
+        return (self.find, "find") if self.find is not None else None
+
+
+class HasData(Protocol):
+    """What holds a validated scene."""
+
+    @property
+    def data(self) -> SceneData: ...
+
+
+class WrittenScene(HasData, Protocol):
+    """A scene with what is written: its table `raw` as TOML gives it, its file and its text."""
+
+    raw: dict[str, Any]
+    file: str | None
+
+    @property
+    def text(self) -> str: ...
+
+    @property
+    def run_names(self) -> tuple[str, ...]: ...
+
+    def to_toml(self) -> str: ...

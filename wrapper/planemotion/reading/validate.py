@@ -1,0 +1,245 @@
+"""The one entrance to a validated scene: words first (words.py), then types, then what no type says.
+
+Every fault becomes a SceneError with its key path.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from typing import Any
+
+from pydantic import ValidationError
+
+from .._layout import PM_FIND_MOST_PAIR_SAMPLES, PM_FIND_MOST_SAMPLES
+from ..base.errors import SceneError
+from ..kinds import KINDS
+from ..model import words
+from ..model.element import Kind, Table
+from ..model.tables import DEFAULT_G, Ask, At, Contact, Find
+from .check import check, kind_of
+from .scene import SceneData
+
+
+def validate(raw: Mapping[str, Any], *, file: str | None = None, name: str = "") -> SceneData:
+    """The validated scene of a table as TOML gives it.
+
+    `file` is named in messages; `name` is the id where the table has none.  Raises SceneError for the first
+    fault found.
+    """
+    try:
+        check(raw)
+        if "until" not in raw:
+            raise SceneError('what ends the run is wanted, such as until = "t = 2 s"', path="until")
+        if not words.table(raw, "bodies"):
+            raise SceneError("a scene needs at least one body", path="bodies")
+        parameters = {
+            **({} if "g" in words.table(raw, "parameters") else {"g": DEFAULT_G}),
+            **raw.get("parameters", {}),
+        }
+        content = {**raw, "id": raw.get("id", name), "parameters": parameters, "file": file}
+        data = _construct({**content, **_taken_apart(raw), **_elements(raw)})
+        _check_more(data)
+    except SceneError as error:
+        raise error.at(file=file) from None
+    return data
+
+
+def _taken_apart(raw: Mapping[str, Any]) -> dict[str, Any]:
+    """What stands beside other things in a table of the file and has a place of its own in the scene."""
+    apart: dict[str, Any] = {}
+    start = words.table(raw, "start")
+    if isinstance(start.get("nudge"), str):
+        apart["nudge"] = start["nudge"]
+        apart["start"] = {key: value for key, value in start.items() if key != "nudge"}
+    runs = words.table(raw, "runs")
+    if any("find" in run for run in runs.values()):
+        apart["runs"] = {
+            name: {key: value for key, value in run.items() if key != "find"} for name, run in runs.items()
+        }
+        apart["run_finds"] = {name: run["find"] for name, run in runs.items() if "find" in run}
+    return apart
+
+
+def _elements(raw: Mapping[str, Any]) -> dict[str, dict[str, Kind]]:
+    """Joints, couplings, contacts and forces, each as the model of its kind."""
+    return {
+        group: {
+            name: _element(element, group, f"{group}.{name}")
+            for name, element in words.table(raw, group).items()
+        }
+        for group in KINDS
+    }
+
+
+def _element(element: Mapping[str, Any], group: str, path: str) -> Kind:
+    kind = kind_of(element, group, path)
+    content = {"partners" if key == kind else key: value for key, value in element.items()}
+    try:
+        return KINDS[group][kind].model_validate(content)
+    except ValidationError as fault:
+        raise _translate(fault, path, {"partners": kind}) from None
+
+
+def _construct(content: Mapping[str, Any]) -> SceneData:
+    try:
+        return SceneData.model_validate(content)
+    except ValidationError as fault:
+        raise _translate(fault) from None
+
+
+def _translate(fault: ValidationError, path: str = "", called: Mapping[str, str] | None = None) -> SceneError:
+    """Pydantic's first complaint in the manner of this package.
+
+    `path`: what was constructed; `called`: how a file calls fields that have another name in the model.
+    """
+    first = fault.errors()[0]
+    # Parts of a location that are names of types or models are no keys.
+    keys = [part for part in first["loc"] if not (isinstance(part, str) and _is_type(part))]
+    for key in keys:
+        part = called.get(key, key) if called and isinstance(key, str) else key
+        path += f"[{part}]" if isinstance(part, int) else f".{part}" if path else part
+    path = path.replace("sweep.grids.", "sweep.")
+    path = re.sub(r"^run_finds\.(\w+)", r"runs.\1.find", path)
+    path = "start.nudge" if path == "nudge" else path
+    written = first.get("input")
+    shown = written if isinstance(written, str | int | float | bool) else None
+    if first["type"] == "missing":
+        return SceneError("it is wanted and left out", path=path)
+    if first["type"] == "value_error":
+        return SceneError(str(first["ctx"]["error"]), path=path, value=shown)
+    wanted = first["msg"].removeprefix("Input should be ").replace("a valid boolean", "true or false")
+    return SceneError(f"{wanted} is wanted", path=path, value=shown)
+
+
+def _is_type(part: str) -> bool:
+    return (
+        (part[:1].isupper() and part in _MODELS)
+        or "-" in part
+        or "[" in part
+        or part in ("str", "int", "float", "bool")
+    )
+
+
+_MODELS = {model.__name__ for model in Table.__subclasses__()}
+
+
+def _check_more(data: SceneData) -> None:
+    """Faults between keys that no type says."""
+    _check_spin(data)
+    solve = data.solve
+    if solve.route not in words.ROUTES:
+        raise SceneError(words.unknown(solve.route, words.ROUTES, "route"), path="solve.route")
+    if solve.simultaneous not in words.SIMULTANEOUS:
+        reason = words.unknown(solve.simultaneous, words.SIMULTANEOUS, "order of blows")
+        raise SceneError(reason, path="solve.simultaneous")
+    for key in ("max_events", "max_steps"):
+        if getattr(solve, key) < 1:
+            raise SceneError("at least 1 is wanted", path=f"solve.{key}", value=getattr(solve, key))
+    for name, contact in data.contacts.items():
+        _check_law(contact, f"contacts.{name}")
+        if contact.capture != "none":
+            _check_capture(contact, f"contacts.{name}")
+    for name, event in data.events.items():
+        if event.nth is not None and event.nth < 1:
+            raise SceneError("firings are counted from 1", path=f"events.{name}.nth", value=event.nth)
+    for name, ask in data.ask.items():
+        _check_ask(data, ask, f"ask.{name}")
+    for run in data.runs or (None,):
+        found = data.find_of(run)
+        if found is not None:
+            _check_find(data, *found, run)
+    zipped = [name for group in data.sweep.zip for name in group]
+    for name in (*data.sweep.grids, *zipped):
+        if name not in data.parameters:
+            raise SceneError(words.unknown(name, tuple(data.parameters), "parameter"), path=f"sweep.{name}")
+    for name in zipped:
+        if name not in data.sweep.grids:
+            raise SceneError("zipped, but it has no grid", path=f"sweep.{name}")
+        if zipped.count(name) > 1:
+            raise SceneError(f'"{name}" is zipped twice', path="sweep.zip")
+
+
+def _check_spin(data: SceneData) -> None:
+    """Raises SceneError for words of a spin where there is none, or that do not fit the shape."""
+    for name, body in data.bodies.items():
+        path = f"bodies.{name}"
+        given = "depth" if body.depth is not None else "edge_on" if body.edge_on else None
+        if given is not None and data.spin is None:
+            reason = "what is across the plane matters only where the plane turns: [spin] is wanted"
+            raise SceneError(reason, path=f"{path}.{given}")
+        if body.edge_on and body.shape not in words.EDGE_ON_SHAPES:
+            raise SceneError(
+                f"only a {' or a '.join(words.EDGE_ON_SHAPES)} has edge_on", path=f"{path}.edge_on"
+            )
+        if body.depth is not None and not body.turns:
+            raise SceneError("a particle has no depth", path=f"{path}.depth", value=body.depth)
+
+
+def _check_capture(contact: Contact, path: str) -> None:
+    """What arrives stays: no other law of contact is left to say."""
+    for key, none in (("restitution", (0,)), ("friction", (0, "smooth")), ("law", ("newton",))):
+        if getattr(contact, key) not in none:
+            raise SceneError(f"what is captured stays; it has no {key}", path=f"{path}.{key}")
+    if contact.surface_speed is not None:
+        reason = "what is captured stays at its place; the surface cannot run on below it"
+        raise SceneError(reason, path=f"{path}.surface_speed", value=contact.surface_speed)
+
+
+def _check_law(contact: Contact, path: str) -> None:
+    """The law of a contact's blows; a restitution along it goes with friction and the law newton."""
+    if contact.law not in words.LAWS:
+        raise SceneError(words.unknown(contact.law, words.LAWS, "impact law"), path=f"{path}.law")
+    if contact.tangential is None:
+        return
+    where = f"{path}.tangential"
+    if contact.friction in (0, "smooth"):
+        reason = 'a restitution along the contact needs friction, such as friction = "rough"'
+        raise SceneError(reason, path=where, value=contact.tangential)
+    if contact.law != "newton":
+        reason = f"it belongs to the law newton; the law {contact.law} says itself how the slip ends"
+        raise SceneError(reason, path=where, value=contact.tangential)
+
+
+def _check_ask(data: SceneData, ask: Ask, path: str) -> None:
+    given = [key for key in ("of", "max", "min") if getattr(ask, key) is not None]
+    if len(given) != 1:
+        raise SceneError(
+            "one of of, max, min is wanted" + (f", not {' and '.join(given)}" if given else ""), path=path
+        )
+    if given[0] != "of" and ask.at is not None:
+        raise SceneError(
+            f"an extreme over the run has no instant; write of = ..., at = {{ {given[0]} = ... }}",
+            path=f"{path}.at",
+        )
+    if isinstance(ask.at, At):
+        kinds = [key for key in ("max", "min", "each") if getattr(ask.at, key) is not None]
+        if len(kinds) != 1 or (kinds == ["each"]) != (ask.at.values is not None):
+            raise SceneError(
+                "an instant is { max = ... }, { min = ... } or { each = ..., values = grid }",
+                path=f"{path}.at",
+            )
+    if ask.run is not None and ask.run not in data.runs:
+        raise SceneError(words.unknown(ask.run, tuple(data.runs), "run"), path=f"{path}.run")
+
+
+def _check_find(data: SceneData, find: Find, path: str, run: str | None) -> None:
+    if not 1 <= len(find.vary) <= 2:
+        reason = f"one or two parameters can be sought, not {len(find.vary)}"
+        raise SceneError(reason, path=f"{path}.vary")
+    for name in find.vary:
+        if name not in data.parameters:
+            raise SceneError(
+                words.unknown(name, tuple(data.parameters), "parameter"), path=f"{path}.vary.{name}"
+            )
+        if name in data.sweep.grids:
+            raise SceneError("it is swept; it cannot be sought, too", path=f"{path}.vary.{name}")
+        if run is not None and name in data.runs[run]:
+            raise SceneError(f"runs.{run} gives it; it cannot be sought, too", path=f"{path}.vary.{name}")
+    if find.greatest is not None and find.least is not None:
+        raise SceneError("greatest or least, not both", path=path)
+    if not find.where and find.goal is None:
+        raise SceneError("what makes a value the right one is wanted: where, greatest or least", path=path)
+    most = PM_FIND_MOST_SAMPLES if len(find.vary) == 1 else PM_FIND_MOST_PAIR_SAMPLES
+    if not 2 <= find.intervals <= most:
+        raise SceneError(f"2 to {most} are possible", path=f"{path}.samples", value=find.samples)

@@ -1,0 +1,259 @@
+"""What a scene is made of and how it will be computed, in words; and how its start was assembled.
+
+`check` assembles the start and counts coordinates, rows and degrees of freedom; `explain` also lists what the
+scene has, with its masses in SI; `explain_run` tells what happened in a run.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from .. import _layout as layout
+from ..compile.flatten import FlatScene, flatten
+from ..engine import call as engine
+from ..model.element import Kind
+from ..model.readers import Vector
+from ..model.tables import Action, Event, Friction
+from ..model.words import SPIN_KEYS
+from ..reading.scene import SceneData
+from .plan import plan, ran
+
+if TYPE_CHECKING:
+    from ..engine.result import RunResult
+    from ..reading.scene import WrittenScene
+
+# A start that the assembly moved by more than this part of the scene's size is worth a warning.
+_FAR = 0.05
+
+
+@dataclass(frozen=True)
+class Report:
+    """A text for people, and what is wrong, one message each."""
+
+    text: str
+    faults: tuple[str, ...] = ()
+
+
+def check(scene: WrittenScene) -> Report:
+    """The assembled start of a scene, of each of its [runs].  Raises SceneError for a fault in the scene."""
+    texts, faults = [], []
+    for flat in _runs(scene):
+        start = engine.check(flat)
+        texts.append("\n".join([_title(flat, start.message), *_indented(_assembly(start))]))
+        if start.message:
+            faults.append(start.message)
+    return Report("\n".join(texts), tuple(faults))
+
+
+def explain(scene: WrittenScene) -> Report:
+    """The whole scene in words.  Raises SceneError for a fault in it."""
+    from ..sweep.study import ask_text
+
+    data = scene.data
+    flats = _runs(scene)
+    starts = [engine.check(flat) for flat in flats]
+    blocks = [
+        [data.id + (f": {data.title}" if data.title else "")],
+        [
+            (f"{data.plane} plane" if data.spin is None else "plane that turns about an axis in it")
+            + (", weight acts along -y" if data.plane == "vertical" else ", weight does not act in it")
+        ],
+        _section("parameters", ((name, _written(value)) for name, value in data.parameters.items())),
+        _section("spin", _spin(data)),
+        *(_bodies(data, flat, start) for flat, start in zip(flats, starts, strict=True)),
+        _section(
+            "joints",
+            ((name, joint.kind, joint.between, _options(joint)) for name, joint in data.joints.items()),
+        ),
+        _section(
+            "couplings",
+            (
+                (name, coupling.kind, coupling.between, _options(coupling))
+                for name, coupling in data.couplings.items()
+            ),
+        ),
+        _section(
+            "contacts",
+            ((name, contact.between, _laws(contact)) for name, contact in data.contacts.items()),
+        ),
+        _section(
+            "forces",
+            ((name, force.kind, force.between, _options(force)) for name, force in data.forces.items()),
+        ),
+        _section("start", ((address, _written(value)) for address, value in data.start.items())),
+        _section("events", (_event(name, event) for name, event in data.events.items())),
+        _section("until", ((" and ".join(group),) for group in data.until)),
+        _section(
+            "asks",
+            ((key, ask_text(ask), f"[{ask.unit}]" if ask.unit else "") for key, ask in data.ask.items()),
+        ),
+        *(_finds(data)),
+        *(_motion(flat, start) for flat, start in zip(flats, starts, strict=True)),
+        *(plan(flat, start) for flat, start in zip(flats, starts, strict=True)),
+    ]
+    faults = tuple(start.message for start in starts if start.message)
+    return Report("\n\n".join("\n".join(block) for block in blocks if block), faults)
+
+
+def explain_run(scene: WrittenScene, result: RunResult) -> str:
+    """The phases of a run, and the evidence for its answers."""
+    blocks = [ran(flat) for flat in _runs(scene)]
+    return "\n" + "\n\n".join([*("\n".join(block) for block in blocks if block), result.explain()])
+
+
+def _event(name: str, event: Event) -> tuple[str, ...]:
+    """An event, when it fires and what it does."""
+    when = " or ".join(event.when) + (f", time {event.nth}" if event.nth is not None else "")
+    return (name, when, *([", then ".join(_action(one) for one in event.do)] if event.do else ()))
+
+
+def _action(action: Action) -> str:
+    if action.add is not None:
+        text = f"add {action.add}"
+    elif action.remove is not None:
+        text = f"remove {action.remove}"
+    elif action.nudge is not None:
+        text = f"nudge {action.nudge}"
+    elif action.work is not None:
+        text = f"work {action.work} on {action.impulse}"
+    else:
+        text = f"impulse {_written(action.value)} on {action.impulse}"
+    return text if action.active is True else f"{text} if {action.active}"
+
+
+def _runs(scene: WrittenScene) -> list[FlatScene]:
+    return [flatten(scene, name) for name in scene.run_names or (None,)]
+
+
+def _title(flat: FlatScene, fault: str) -> str:
+    run = f", run {flat.run}" if flat.run is not None else ""
+    return f"{flat.id}{run}: {'the start cannot be assembled' if fault else 'ok'}"
+
+
+def _finds(data: SceneData) -> list[list[str]]:
+    """What is sought, of each run."""
+    found = {}
+    for run in data.runs or (None,):
+        sought = data.find_of(run)
+        if sought is not None:
+            find, path = sought
+            vary = [f"{name}  {low} .. {high}" for name, (low, high) in find.vary.items()]
+            goal = [f"{find.goal} {getattr(find, find.goal)}"] if find.goal else []
+            found[path] = [(*vary, *goal, " and ".join(find.where))]
+    return [_section(path, rows) for path, rows in found.items()]
+
+
+# ---- the start ------------------------------------------------------------------------------------------
+
+
+def _assembly(start: engine.Start) -> list[str]:
+    """Freedom of the motion, and how far the assembly had to move what is drawn."""
+    info, number = start.info, start.number
+    lines = []
+    if not start.message:
+        lines += [
+            f"{_count(info['freedom'], 'degree')} of freedom: {_count(info['coordinates'], 'coordinate')}, "
+            f"{_count(info['rows'], 'row')} of joints and closed contacts, "
+            f"{info['redundant']} of them redundant",
+            f"{_count(info['closed'], 'contact')} closed at the start",
+        ]
+    size, moved = number["size"], number["moved"]
+    share = moved / size if size > 0 else 0.0
+    if not start.message or moved > 0:
+        lines.append(
+            f"the assembly moved the drawing by {moved:.3g} m at most ({share:.2%} of the scene's size)"
+        )
+    if not start.message and share > _FAR:
+        lines.append(f"warning: that is far (more than {_FAR:.0%}): look at it with `planemotion draw`")
+    if info["redundant"] and not start.message:
+        lines.append("the motion is right, but reactions of redundant rows are not unique")
+    return lines
+
+
+def _motion(flat: FlatScene, start: engine.Start) -> list[str]:
+    run = f" of run {flat.run}" if flat.run is not None else ""
+    return [f"motion{run}", *_indented(_assembly(start))] if not start.message else []
+
+
+def _bodies(data: SceneData, flat: FlatScene, start: engine.Start) -> list[str]:
+    """Shape, mass, inertia and assembled place of each body."""
+    values = engine.values(flat)
+    rows = flat.rows(layout.PM_TABLE_BODY)
+    lines = []
+    for index, name in enumerate(flat.bodies):
+        body, row = data.bodies[name], rows[index]
+        mass, inertia = (
+            float(values[row[column]]) for column in (layout.PM_BODY_MASS, layout.PM_BODY_INERTIA)
+        )
+        x, y, angle = (float(part) for part in start.pose[index])
+        kind = body.shape or ("body" if body.turns else "particle")
+        place = f"G at ({_short(x)}, {_short(y)}) m" + (f", angle {_short(angle)} rad" if body.turns else "")
+        turning = f"{inertia:.6g} kg*m^2" if body.turns else ""
+        lines.append((name, kind, f"{mass:.6g} kg", turning, place if not start.message else ""))
+    return _section(f"bodies of run {flat.run}" if flat.run is not None else "bodies", lines)
+
+
+def _short(number: float) -> str:
+    return f"{number:.6g}" if abs(number) > 1e-12 else "0"
+
+
+def _spin(data: SceneData) -> list[tuple[str, str]]:
+    """The axis of the plane, and what turns along."""
+    if data.spin is None:
+        return []
+    return [
+        (key, _written(getattr(data.spin, key))) for key in SPIN_KEYS if key in data.spin.model_fields_set
+    ]
+
+
+# ---- words ----------------------------------------------------------------------------------------------
+
+
+def _section(title: str, rows: Iterable[Sequence[str]]) -> list[str]:
+    """A title and aligned rows below it; nothing if there are none."""
+    cells = [list(row) for row in rows]
+    if not cells:
+        return []
+    widths = [max(len(row[i]) for row in cells) for i in range(len(cells[0]))]
+    aligned = (
+        "  ".join(f"{cell:<{width}}" for cell, width in zip(row, widths, strict=True)) for row in cells
+    )
+    return [title, *_indented(aligned)]
+
+
+def _indented(lines: Iterable[str]) -> list[str]:
+    return [f"  {line}".rstrip() for line in lines]
+
+
+def _options(element: Kind) -> str:
+    """The options that were written."""
+    return ", ".join(f"{key} = {_written(getattr(element, key))}" for key in element.written)
+
+
+def _laws(contact: Any) -> str:
+    if contact.capture != "none":
+        return f"captures as a {'pin' if contact.capture == 'point' else 'body'}"
+    friction = contact.friction
+    if isinstance(friction, Friction):
+        text = f"friction {_written(friction.static)} static, {_written(friction.kinetic)} kinetic"
+    elif friction in (0, "smooth"):
+        text = "smooth"
+    else:
+        text = "rough" if friction == "rough" else f"friction {_written(friction)}"
+    text = f"restitution {_written(contact.restitution)}, {text}"
+    if contact.tangential is not None:
+        text += f", {_written(contact.tangential)} along it"
+    return text if contact.law == "newton" else f"{text}, law {contact.law}"
+
+
+def _written(value: object) -> str:
+    if isinstance(value, Vector):
+        pair = f"[{_written(value.first)}, {_written(value.second)}]"
+        return f"polar {pair}" if value.polar else pair
+    return ("true" if value else "false") if isinstance(value, bool) else str(value)
+
+
+def _count(number: int, what: str) -> str:
+    return f"{number} {what}{'' if number == 1 else 's'}"

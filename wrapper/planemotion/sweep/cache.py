@@ -1,0 +1,37 @@
+"""What a scene keeps from one run or sweep to the next, so that a call costs no more than its cases.
+
+The tables of a scene depend on which parameters are swept, not on their grids: they are made once.  They are
+made anew when the scene says something else, also where its table was changed directly.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+if TYPE_CHECKING:
+    from ..compile.flatten import FlatScene
+
+# Which parameters are swept, and whether a history can be made.
+_Use: TypeAlias = tuple[frozenset[str], bool]
+
+
+class Kept:
+    """The tables by what they are used for; `chunk`: by workers, the cases of the last chunk."""
+
+    def __init__(self) -> None:
+        self.chunk: dict[int, int] = {}
+        self._said = ""
+        self._flats: dict[_Use, list[FlatScene]] = {}
+
+    def flats(
+        self, raw: Mapping[str, Any], file: str | None, use: _Use, make: Callable[[], list[FlatScene]]
+    ) -> list[FlatScene]:
+        """The tables of each run of the scene `raw` out of `file`; `make` makes what is not there."""
+        # The text tells 1 from 1.0 and keeps the order of the tables, which comparing would not.
+        said = repr((file, {key: value for key, value in raw.items() if key != "sweep"}))
+        if said != self._said:
+            self._said, self._flats = said, {}
+        if use not in self._flats:
+            self._flats[use] = make()
+        return self._flats[use]

@@ -1,0 +1,125 @@
+"""The numbers of a grid that a sweep goes through: lists, even steps, even logarithms; ends included."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from fractions import Fraction
+
+import numpy as np
+
+from ..base.errors import SceneError
+from ..language.units import Quantity, factor, parse_quantity
+from ..model.readers import Value
+from ..model.tables import Grid
+from .store import Floats
+
+# Values of one grid: ten million are meant to be possible, more is a slip of the pen.
+_MAX_GRID = 10_000_000
+# Part of a step by which the last one may miss the end of its range (units are converted on the way).
+_STEP_FITS = 1e-9
+
+
+def read_grid(grid: Grid, *, path: str, unit: str = "") -> tuple[str, Floats]:
+    """Unit and values of a grid, ends included.
+
+    `unit` is that of bare numbers.  The values are in the unit of the first value that has one.  Raises
+    SceneError with a key path that begins with `path`.
+    """
+    if grid.values is not None:
+        if not grid.values:
+            raise SceneError("an empty sweep; at least 1 value is needed", path=path, value="[]")
+        places = [f"{path}[{i}]" for i in range(len(grid.values))]
+        items = [_quantity(item, place, unit) for item, place in zip(grid.values, places, strict=True)]
+        return _in_one_unit(items, places)
+    written = {f"{path}.from": grid.from_, f"{path}.to": grid.to, f"{path}.step": grid.step}
+    given = {place: value for place, value in written.items() if value is not None}
+    items = [_quantity(value, place, unit) for place, value in given.items()]
+    unit, ends = _in_one_unit(items, list(given))
+    first, last = float(ends[0]), float(ends[1])
+    if grid.num is not None:
+        num = _checked_count(grid.num, f"{path}.num")
+    elif grid.scale == "log":
+        raise SceneError('a logarithmic grid needs "num", not "step"', path=f"{path}.step", value=grid.step)
+    else:
+        num, last = _steps(first, last, float(ends[2]), f"{path}.step", grid.step)
+    if grid.scale == "linear":
+        return unit, _linear(first, last, num)
+    if first * last > 0:
+        return unit, _logarithmic(first, last, num)
+    raise SceneError(
+        "a logarithmic grid needs ends of one sign, not 0", path=f"{path}.scale", value=grid.scale
+    )
+
+
+def _linear(first: float, last: float, num: int) -> Floats:
+    """Evenly spaced decimals: the doubles nearest to first + i (last - first)/(num - 1).
+
+    Exact arithmetic on the decimals of both ends, so that steps of 0.01 give 1.01, not 1.0100000000000002:
+    the numbers that one would write after --set.
+    """
+    if num == 1:
+        return np.array([first])
+    a, b = Fraction(repr(first)), Fraction(repr(last))
+    common = math.lcm(a.denominator, b.denominator)
+    start, rise = int(a * common) * (num - 1), int((b - a) * common)
+    below = common * (num - 1)
+    return np.fromiter(((start + rise * i) / below for i in range(num)), np.float64, num)
+
+
+def _logarithmic(first: float, last: float, num: int) -> Floats:
+    """Evenly spaced logarithms; both ends exact."""
+    if num == 1:
+        return np.array([first])
+    sign = math.copysign(1.0, first)
+    low, high = math.log10(abs(first)), math.log10(abs(last))
+    inner = [sign * 10.0 ** (low + (high - low) * (i / (num - 1))) for i in range(1, num - 1)]
+    return np.array([first, *inner, last])
+
+
+def _quantity(raw: Value, path: str, unit: str) -> Quantity:
+    """A value of a grid; a bare number (true and false are 1 and 0) is taken in `unit`, as --set takes it."""
+    try:
+        quantity = parse_quantity(float(raw) if isinstance(raw, bool) else raw)
+        if quantity.unit_text == "" and unit:
+            size, dimension = factor(unit)
+            quantity = Quantity(quantity.value * size, dimension, unit, quantity.value)
+    except SceneError as error:
+        raise error.at(path=path, value=raw) from None
+    return quantity
+
+
+def _in_one_unit(quantities: Sequence[Quantity], paths: Sequence[str]) -> tuple[str, Floats]:
+    """All values in the unit of the first that is not a bare zero (a bare zero fits any unit)."""
+    main = next((item for item in quantities if item.unit_text or item.value), quantities[0])
+    values = []
+    for item, path in zip(quantities, paths, strict=True):
+        bare_zero = item.value == 0 and item.unit_text == ""
+        if item.dimension != main.dimension and not bare_zero:
+            raise SceneError(
+                f"{item.dimension.phrase}, but this grid is of {main.dimension.name}",
+                path=path,
+                value=f"{item.value!r} {item.unit_text}".strip(),
+            )
+        same = bare_zero or item.unit_text == main.unit_text
+        values.append(item.value if same else item.value_si / factor(main.unit_text)[0])
+    return main.unit_text, np.array(values, np.float64)
+
+
+def _checked_count(num: int, path: str) -> int:
+    if num < 1:
+        raise SceneError("an empty sweep; at least 1 value is needed", path=path, value=num)
+    if num > _MAX_GRID:
+        raise SceneError(f"at most {_MAX_GRID} values are possible", path=path, value=num)
+    return num
+
+
+def _steps(first: float, last: float, step: float, path: str, written: object) -> tuple[int, float]:
+    """Number of values, and the last one: `last`, or where the steps do not reach it the last before it."""
+    if step == 0 or (last - first) / step < 0:
+        raise SceneError('the step must lead from "from" to "to"', path=path, value=written)
+    steps = (last - first) / step
+    whole = _checked_count(math.floor(steps + _STEP_FITS) + 1, path) - 1
+    if abs(steps - whole) > _STEP_FITS:
+        last = float(Fraction(repr(first)) + whole * Fraction(repr(step)))
+    return whole + 1, last

@@ -1,0 +1,485 @@
+"""Where the results of a sweep live while it runs: part files, their manifest, and the lock on the folder.
+
+    OUT/                                the folder that the user names; it may hold results of several studies
+      ID.h5, ID.csv                     the result; each appears whole, by a rename
+      ID.parts/                         only while the sweep is unfinished
+        manifest.json                   what is being computed; a resumed sweep must be the same
+        part-FIRST-COUNT-CHECKSUM.npy   cases FIRST .. FIRST+COUNT-1
+      sweep.lock                        held by the sweep that runs
+
+A part is written under a temporary name, flushed to the disk and renamed, so a killed sweep leaves whole
+parts only.  Its name carries the checksum of its bytes: damage is found before anything is read from it.
+A part is arrays of numpy one after the other: as HDF5 it would take ten times as long to write and to read.
+Cases are numbered in C order over the dimensions of the sweep, in 64 bits.
+"""
+
+from __future__ import annotations
+
+import errno
+import fcntl
+import hashlib
+import io
+import json
+import os
+import re
+import shutil
+import socket
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Self
+
+import h5py
+import numpy as np
+import numpy.typing as npt
+
+from ..base.errors import StudyError
+
+Floats = npt.NDArray[np.float64]
+Singles = npt.NDArray[np.float32]
+Integers = npt.NDArray[np.signedinteger[Any]]
+
+# Key of the manifest under which numbers stand that say only that something differs, not what.
+CHECKSUMS = "checksums"
+# Hexadecimal digits of the SHA-256 of a part in its name: 64 bits against accidental damage.
+_CHECKSUM_DIGITS = 16
+_PART = re.compile(rf"part-(\d+)-(\d+)-([0-9a-f]{{{_CHECKSUM_DIGITS}}})\.npy")
+# Cases, and bytes of their answers, that are read at once for the final file: few large writes.
+_SLAB_CASES = 65536
+_SLAB_BYTES = 1 << 25
+_FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG}
+_FULL_TEXTS = ("no space left", "quota exceeded", "file too large")  # HDF5 does not always pass the number on
+
+
+# ---- what is stored -------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Block:
+    """Results of n consecutive cases.
+
+    value[n, columns]: the asks one after the other, in their units; reason[n, asks]: enum pm_reason;
+    status[n]: enum pm_status, of the worst run; run_status, route[n, runs]; audit[n, runs, PM_AUDITS];
+    error[n, columns]: as value, and trust[n, PM_TRUSTS], of the worst run, have no columns where nothing is
+    estimated; message: row -> text, of the cases that did not end well; seconds: time taken to compute them.
+    """
+
+    value: Floats
+    reason: Integers
+    status: Integers
+    run_status: Integers
+    route: Integers
+    audit: Floats
+    error: Singles
+    trust: Singles
+    message: Mapping[int, str]
+    seconds: float = 0.0
+
+    def __len__(self) -> int:
+        return len(self.status)
+
+    @staticmethod
+    def join(blocks: Sequence[Block]) -> Block:
+        """Consecutive blocks as one."""
+        firsts = np.cumsum([0, *map(len, blocks)])
+
+        def stacked(name: str) -> npt.NDArray[Any]:
+            return np.concatenate([getattr(block, name) for block in blocks])
+
+        return Block(
+            **{name: stacked(name) for name in _BLOCK_TYPES},
+            message={
+                int(first) + row: text
+                for first, block in zip(firsts, blocks, strict=False)
+                for row, text in block.message.items()
+            },
+            seconds=sum(block.seconds for block in blocks),
+        )
+
+    def to_bytes(self) -> bytes:
+        """The block as a file: its arrays one after the other, and at the end the rest as JSON; the same
+        block gives the same bytes."""
+        rest = {"rows": list(self.message), "texts": list(self.message.values()), "seconds": self.seconds}
+        buffer = io.BytesIO()
+        for name, dtype in _BLOCK_TYPES.items():
+            np.save(buffer, np.ascontiguousarray(getattr(self, name), dtype), allow_pickle=False)
+        return buffer.getvalue() + json.dumps(rest).encode()
+
+    @classmethod
+    def from_bytes(cls, data: bytes) -> Self:
+        """Reads what `to_bytes` wrote."""
+        buffer = io.BytesIO(data)
+        arrays = {name: np.load(buffer, allow_pickle=False) for name in _BLOCK_TYPES}
+        rest = json.loads(buffer.read())
+        message = dict(zip(rest["rows"], rest["texts"], strict=True))
+        return cls(**arrays, message=message, seconds=rest["seconds"])
+
+
+_BLOCK_TYPES: dict[str, type[np.generic]] = {
+    "value": np.float64,
+    "reason": np.int8,
+    "status": np.int32,
+    "run_status": np.int32,
+    "route": np.int8,
+    "audit": np.float64,
+    "error": np.float32,  # as many digits as an error has
+    "trust": np.float32,
+}
+
+
+# ---- files that appear whole ----------------------------------------------------------------------------
+
+
+@contextmanager
+def appearing(path: Path) -> Iterator[Path]:
+    """A temporary path beside `path`: what is written there becomes `path` when the context ends well, on the
+    disk for good; otherwise nothing of it stays.
+
+    Raises StudyError if the disk is full or the place cannot be written.
+    """
+    temporary = path.with_name(f".{path.name}.tmp")
+    try:
+        with _disk_errors(path):
+            yield temporary
+            with open(temporary, "rb") as file:
+                os.fsync(file.fileno())
+            os.replace(temporary, path)
+            _sync_folder(path.parent)
+    finally:
+        with suppress(OSError):  # what went wrong before is what counts
+            temporary.unlink()
+
+
+@contextmanager
+def _disk_errors(path: Path) -> Iterator[None]:
+    """Turns what the system says about `path` into a StudyError."""
+    try:
+        yield
+    except OSError as error:
+        if error.errno in _FULL or any(text in str(error).lower() for text in _FULL_TEXTS):
+            raise StudyError(
+                f"{path}: the disk (or the quota) is full; nothing of this file was kept. "
+                "Make room and go on with --resume"
+            ) from error
+        raise StudyError(f"{path}: cannot be written: {error.strerror or error}") from error
+
+
+def _sync_folder(folder: Path) -> None:
+    """Makes a rename in `folder` last through a power cut."""
+    descriptor = os.open(folder, os.O_RDONLY)
+    try:
+        os.fsync(descriptor)
+    finally:
+        os.close(descriptor)
+
+
+# ---- the lock -------------------------------------------------------------------------------------------
+
+
+class OutputLock:
+    """Keeps a second sweep out of a folder.
+
+    The lock itself is the system's (flock), so it ends with the process however that ends; the text in the
+    file only tells a second sweep whom it meets.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self.path = folder / "sweep.lock"
+        self._descriptor: int | None = None
+
+    def acquire(self) -> None:
+        """Raises StudyError if another sweep holds the lock."""
+        while self._descriptor is None:
+            descriptor = os.open(self.path, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o644)
+            try:
+                fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except BlockingIOError:
+                owner = os.read(descriptor, 1000).decode(errors="replace").strip()
+                os.close(descriptor)
+                raise StudyError(
+                    f"{self.path.parent}: another sweep writes into this folder ({owner or 'just started'}); "
+                    "wait until it ends, or give another --out"
+                ) from None
+            except OSError:
+                os.close(descriptor)
+                raise
+            if self._is_current(descriptor):
+                self._descriptor = descriptor
+            else:  # its owner removed the file between our open and our lock
+                os.close(descriptor)
+        os.ftruncate(self._descriptor, 0)
+        os.write(self._descriptor, _owner().encode())
+
+    def release(self) -> None:
+        if self._descriptor is not None:
+            self.path.unlink(missing_ok=True)
+            os.close(self._descriptor)
+            self._descriptor = None
+
+    def _is_current(self, descriptor: int) -> bool:
+        try:
+            return os.path.samestat(os.fstat(descriptor), os.stat(self.path))
+        except FileNotFoundError:
+            return False
+
+
+def _owner() -> str:
+    return f"process {os.getpid()} on {socket.gethostname()}, since {time.strftime('%Y-%m-%d %H:%M:%S')}"
+
+
+# ---- a sweep's folder -----------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, order=True)
+class _Part:
+    first: int
+    count: int
+    checksum: str
+    path: Path
+
+    @property
+    def end(self) -> int:
+        return self.first + self.count
+
+
+class SweepStore:
+    """The files of one sweep, locked between entering and leaving it as a context.
+
+    `result`, `table`: paths of the HDF5 and of the CSV file; `finished`: the result is there already;
+    `done`: cases stored.
+    """
+
+    def __init__(
+        self, folder: Path, name: str, cases: int, manifest: Mapping[str, Any], *, resume: bool
+    ) -> None:
+        self.folder = folder
+        self.result = folder / f"{name}.h5"
+        self.table = folder / f"{name}.csv"
+        self.parts_folder = folder / f"{name}.parts"
+        self.cases = cases
+        self.manifest = json.loads(json.dumps(manifest))  # as it is when read back
+        self.resume = resume
+        self.finished = False
+        self._parts: list[_Part] = []
+        self._lock = OutputLock(folder)
+        self._made_folder = False
+        self._began = False
+
+    def __enter__(self) -> Self:
+        """Takes the lock, looks at what is there and begins or goes on.
+
+        Raises StudyError if the folder cannot be written, another sweep runs there, results are there
+        already and may not be touched, they belong to something else, or a part is damaged; then nothing
+        has been changed.
+        """
+        if self.folder.exists() and not self.folder.is_dir():
+            raise StudyError(f"{self.folder}: is a file; --out wants a folder")
+        try:
+            with _disk_errors(self.folder):
+                self._made_folder = not self.folder.exists()
+                self.folder.mkdir(parents=True, exist_ok=True)
+                self._lock.acquire()
+            self._open()
+        except BaseException:
+            self.__exit__()
+            raise
+        return self
+
+    def __exit__(self, *exception: object) -> None:
+        if self._began and not any(self.parts_folder.glob("part-*")):  # nothing worth keeping
+            shutil.rmtree(self.parts_folder, ignore_errors=True)
+        self._lock.release()
+        if self._made_folder:
+            with suppress(OSError):  # holds results
+                self.folder.rmdir()
+
+    def _open(self) -> None:
+        if not self.resume:
+            self._refuse_old_results()
+        if self.result.exists():
+            self._compare(_manifest_of_result(self.result), self.result)
+            self.finished = True
+        elif self.parts_folder.exists():
+            self._open_parts()
+        else:
+            self._begin()
+
+    def _refuse_old_results(self) -> None:
+        if self.result.exists():
+            raise StudyError(
+                f"{self.result}: the result of a sweep is there already and is never overwritten; "
+                "give another --out, or remove it"
+            )
+        found = list(_parts_in(self.parts_folder))
+        if found:
+            stored = sum(part.count for part in found)
+            raise StudyError(
+                f"{self.parts_folder}: an unfinished sweep is there ({stored} cases stored); go on with "
+                "--resume, give another --out, or remove that folder"
+            )
+        if self.table.exists():
+            raise StudyError(f"{self.table}: is there already; give another --out, or remove it")
+
+    def _begin(self) -> None:
+        self._began = True
+        with _disk_errors(self.parts_folder):
+            self.parts_folder.mkdir(exist_ok=True)
+            _sync_folder(self.folder)
+        with appearing(self._manifest_path) as temporary:
+            temporary.write_text(json.dumps(self.manifest, indent=1), encoding="utf-8")
+
+    def _open_parts(self) -> None:
+        found = sorted(_parts_in(self.parts_folder))
+        if not self._manifest_path.exists() and not found:  # killed before the first part
+            return self._begin()
+        try:
+            stored = json.loads(self._manifest_path.read_text(encoding="utf-8"))
+        except (OSError, ValueError) as error:
+            raise StudyError(
+                f"{self._manifest_path}: cannot be read ({error}), so it is not known what the parts beside "
+                f"it belong to; remove {self.parts_folder} to start again"
+            ) from None
+        self._compare(stored, self.parts_folder)
+        for before, part in zip([None, *found], found, strict=False):
+            if part.end > self.cases or (before and part.first < before.end):
+                raise StudyError(f"{part.path}: its cases are not wanted or are there twice; remove it")
+            _read_part(part)
+        for leftover in self.parts_folder.glob(".*.tmp"):
+            leftover.unlink(missing_ok=True)
+        self._parts = found
+
+    def _compare(self, stored: Mapping[str, Any], place: Path) -> None:
+        """Raises StudyError naming what differs between the stored manifest and this sweep's."""
+        differences = list(_differences(stored, self.manifest))
+        if differences:
+            told = [text for text in differences if not text.startswith(f"{CHECKSUMS}.")]
+            raise StudyError(
+                f"{place}: belongs to another sweep, so this one cannot go on there. Different: "
+                f"{'; '.join(told or differences)}. Give another --out, or undo the change"
+            )
+
+    @property
+    def _manifest_path(self) -> Path:
+        return self.parts_folder / "manifest.json"
+
+    @property
+    def done(self) -> int:
+        return self.cases if self.finished else sum(part.count for part in self._parts)
+
+    def gaps(self) -> list[tuple[int, int]]:
+        """First case and number of cases of each range that is not stored yet, in order."""
+        if self.finished:
+            return []
+        edges = [0, *(edge for part in self._parts for edge in (part.first, part.end)), self.cases]
+        return [(a, b - a) for a, b in zip(edges[::2], edges[1::2], strict=True) if b > a]
+
+    def add(self, first: int, block: Block) -> None:
+        """Stores the results of cases first .. first+len(block)-1; when this returns they are on the disk.
+
+        Raises StudyError if they cannot be written; the parts stored before stay.
+        """
+        data = block.to_bytes()
+        checksum = _checksum(data)
+        path = self.parts_folder / f"part-{first:012d}-{len(block):08d}-{checksum}.npy"
+        try:
+            with appearing(path) as temporary:
+                temporary.write_bytes(data)
+        finally:
+            if path.exists():  # it counts even if Ctrl-C came just after the rename
+                self._parts.append(_Part(first, len(block), checksum, path))
+                self._parts.sort()
+
+    def blocks(self) -> Iterator[Block]:
+        """All stored cases in order, small parts joined to larger blocks."""
+        waiting: list[Block] = []
+        cases = size = 0
+        for part in self._parts:
+            block = _read_part(part)
+            waiting.append(block)
+            cases += len(block)
+            size += block.value.nbytes
+            if cases >= _SLAB_CASES or size >= _SLAB_BYTES:
+                yield Block.join(waiting)
+                waiting, cases, size = [], 0, 0
+        if waiting:
+            yield Block.join(waiting)
+
+    @contextmanager
+    def finish(self) -> Iterator[Path]:
+        """The path at which to write the merged result, which appears as `result` when the context ends.
+
+        Raises StudyError if it cannot be written; then the parts are still there.
+        """
+        with appearing(self.result) as temporary:
+            yield temporary
+        self.finished = True
+
+    def remove_parts(self) -> None:
+        """To be called when nothing of the result is missing any more."""
+        shutil.rmtree(self.parts_folder, ignore_errors=True)
+        self._parts = []
+
+
+def _checksum(data: bytes) -> str:
+    return hashlib.sha256(data).hexdigest()[:_CHECKSUM_DIGITS]
+
+
+def _parts_in(folder: Path) -> Iterator[_Part]:
+    for path in folder.glob("part-*.npy"):
+        match = _PART.fullmatch(path.name)
+        if match:
+            yield _Part(int(match[1]), int(match[2]), match[3], path)
+
+
+def _read_part(part: _Part) -> Block:
+    """Raises StudyError if the file is not what was written."""
+    try:
+        data = part.path.read_bytes()
+    except OSError as error:
+        raise StudyError(f"{part.path}: cannot be read: {error.strerror}") from error
+    if _checksum(data) != part.checksum:
+        raise StudyError(
+            f"{part.path}: this part file is damaged (checksum {_checksum(data)}, {part.checksum} when it "
+            f"was written). Remove it and go on with --resume: its {part.count} cases, {part.first} to "
+            f"{part.end - 1}, are then computed again"
+        )
+    return Block.from_bytes(data)
+
+
+def _manifest_of_result(path: Path) -> dict[str, Any]:
+    try:
+        with h5py.File(path, "r") as file:
+            manifest: dict[str, Any] = json.loads(file.attrs["manifest"])
+            return manifest
+    except (OSError, KeyError, ValueError) as error:
+        raise StudyError(
+            f"{path}: is not a whole result of a sweep ({error}); give another --out, or remove it"
+        ) from None
+
+
+def _differences(old: object, new: object, name: str = "") -> Iterator[str]:
+    """What differs between two values made of dicts, lists, texts and numbers, as "name: old, now new"."""
+    if isinstance(old, dict) and isinstance(new, dict):
+        for key in [*old, *(key for key in new if key not in old)]:
+            place = f"{name}.{key}" if name else str(key)
+            yield from _differences(old.get(key), new.get(key), place)
+    elif isinstance(old, str) and isinstance(new, str) and ("\n" in old or "\n" in new):
+        yield from _different_lines(old.splitlines(), new.splitlines(), name)
+    elif old != new:
+        yield f"{name} ({_shown(old)}, now {_shown(new)})"
+
+
+def _different_lines(old: Sequence[str], new: Sequence[str], name: str) -> Iterator[str]:
+    for line in [*old, *new]:
+        if line not in new:
+            yield f"{name} without the line `{line}`"
+        elif line not in old:
+            yield f"{name} with the line `{line}`"
+    if sorted(old) == sorted(new) and old != new:
+        yield f"{name} in another order"
+
+
+def _shown(value: object) -> str:
+    return "missing" if value is None else json.dumps(value, ensure_ascii=False)
