@@ -54,8 +54,15 @@ FAULTS = [
         "if (r->velocity[3 * i + k] != w->frame.velocity[3 * i + k]) return 0;",
         "",
     ),
-    Fault("recall: other rows do not count", "equations/solve_cache.c", "r->rows != w->row_set ||", ""),
-    Fault("recall: forces of the time do not count", "equations/solve_cache.c", "w->model->recalls && ", ""),
+    Fault(
+        "recall: other rows do not count", "equations/solve_cache.c", "r->rows != w->active.version ||", ""
+    ),
+    Fault(
+        "recall: forces of the time do not count",
+        "equations/solve_cache.c",
+        "w->model->programs.cacheable && ",
+        "",
+    ),
     Fault(
         "recall: rows of another place",
         "equations/solve_cache.c",
@@ -73,12 +80,12 @@ FAULTS = [
         "x->possible = x->n > 0;",
         "x->possible = 0;",
     ),
-    Fault("event: a mark at a step's end comes again", "run/advance.c", "hold_hits(w, w->step_end);", ";"),
+    Fault("event: a mark at a step's end comes again", "run/advance.c", "hold_hits(w, w->step.end);", ";"),
     Fault("ask: marks do not solve", "events/ask.c", "raise_to(&a->fired_level, level);", ";"),
     Fault(
         "instant: contacts stay as they were", "impact/instant.c", "m->nslot == 0 || contacts_stay(w)", "1"
     ),
-    Fault("event: a turn is passed as a mark", "run/advance.c", "!due && !w->turns &&", "!due &&"),
+    Fault("event: a turn is passed as a mark", "run/advance.c", "!due && !w->step.reverses &&", "!due &&"),
     Fault(
         "nodes: the same number is read at every node",
         "expression/program_batch.c",
@@ -94,7 +101,7 @@ FAULTS = [
     Fault(
         "nodes: few are enough for waves",
         "events/event_sampling.c",
-        "while (!status && w->nodes->finer &&",
+        "while (!status && w->step.nodes->finer &&",
         "while (0 &&",
     ),
     Fault(
@@ -161,7 +168,7 @@ FAULTS = [
     Fault(
         "ask: a node far away is the extreme",
         "events/extremum.c",
-        "if (n * n * fabs(x->s - w->nodes->at[k]) > NEAR)",
+        "if (n * n * fabs(x->s - w->step.nodes->at[k]) > NEAR)",
         "if (0)",
     ),
     Fault(
@@ -313,7 +320,7 @@ FAULTS = [
         "clear: a body does not turn", "events/gap_culling.c", "+ x->radius[i] * fabs(pose[2] - from[2])", ""
     ),
     Fault(
-        "clear: the other body stands still", "events/gap_culling.c", "+ w->event->clear.moved[body[1]]", ""
+        "clear: the other body stands still", "events/gap_culling.c", "+ w->event->culling.moved[body[1]]", ""
     ),
     Fault(
         "clear: the way is not added up",
@@ -409,7 +416,7 @@ FAULTS = [
     Fault(
         "still: reactions are not told",
         "equations/fixed_bodies.c",
-        "w->still->told[e[PM_MEASURE_A]] = 1;",
+        "w->fixed->told[e[PM_MEASURE_A]] = 1;",
         ";",
     ),
     Fault(
@@ -425,8 +432,10 @@ FAULTS = [
         "if (!x->body[other] && place <= i) continue;",
         "if (place == i) continue;",
     ),
-    Fault("still: weights are carried twice", "equations/ledger.c", "if (w->still->body[i]) continue;", ""),
-    Fault("still: bodies have no inertia", "state/frame.c", "if (w->still->body[i]) return", "if (0) return"),
+    Fault("still: weights are carried twice", "equations/ledger.c", "if (w->numbers.fixed[i]) continue;", ""),
+    Fault(
+        "still: bodies have no inertia", "state/frame.c", "if (w->numbers.fixed[i]) return", "if (0) return"
+    ),
     # what no answer depends on
     Fault(
         "needed: a contact lets nothing act",
@@ -456,7 +465,7 @@ FAULTS = [
     Fault(
         "reduce: places of the smaller scene",
         "scene/prune.c",
-        "return known ? m->original[table][row] : row;",
+        "return known ? m->prune.original[table][row] : row;",
         "return row;",
     ),
     # planes that turn
@@ -519,8 +528,8 @@ FAULTS = [
     Fault(
         "action: the work of an impulse counts with the velocity before it",
         "impact/action.c",
-        "w->energy_lost -= 0.5 * (before + work_now(w))",
-        "w->energy_lost -= 0.5 * (before + before)",
+        "w->ledger.energy_lost -= 0.5 * (before + work_now(w))",
+        "w->ledger.energy_lost -= 0.5 * (before + before)",
     ),
     Fault(
         "action: work turns the sense of rotation",
@@ -537,13 +546,13 @@ FAULTS = [
     Fault(
         "action: a spring keeps its energy when it goes",
         "impact/action.c",
-        "w->energy_lost -= energy",
+        "w->ledger.energy_lost -= energy",
         "(void)energy",
     ),
     Fault(
         "action: the work of a spring that went is forgotten",
         "impact/action.c",
-        "w->force_energy_start[force] += energy",
+        "w->ledger.force_energy_start[force] += energy",
         "(void)energy",
     ),
     Fault(
@@ -618,9 +627,14 @@ FAULTS = [
         "capture: who has passed by meets no more in the step",
         "events/event_search.c",
         "since = from = f->found",
-        "since = from = w->step_end",
+        "since = from = w->step.end",
     ),
-    Fault("capture: who passes by is stopped", "events/event_search.c", "> PASSES * w->size", "> w->size"),
+    Fault(
+        "capture: who passes by is stopped",
+        "events/event_search.c",
+        "> PASSES * w->numbers.size",
+        "> w->numbers.size",
+    ),
     Fault(
         "capture: points meet from afar",
         "elements/capture.c",
@@ -679,11 +693,11 @@ FAULTS = [
     Fault(
         "cord: slack ones are not followed", "equations/active_set.c", "    follow_slack_cords(w, s);\n}", "}"
     ),
-    Fault("massless: a stand-in stays", "equations/saddle.c", "+ w->stand_in[i] * before[i]", ""),
+    Fault("massless: a stand-in stays", "equations/saddle.c", "+ w->numbers.stand_in[i] * before[i]", ""),
     Fault(
         "massless: it has the energy of its stand-in",
         "state/frame.c",
-        "w->stand_in[3 * i + 2] > 0 ? 0",
+        "w->numbers.stand_in[3 * i + 2] > 0 ? 0",
         "0 ? 0",
     ),
     Fault(
@@ -767,8 +781,8 @@ FAULTS = [
     Fault(
         "drive: not in a blow",
         "impact/impact.c",
-        "pm_saddle_times(w, &w->row[i], w->state.v) - w->row[i].rate",
-        "pm_saddle_times(w, &w->row[i], w->state.v)",
+        "pm_saddle_times(w, &w->active.row[i], w->state.v) - w->active.row[i].rate",
+        "pm_saddle_times(w, &w->active.row[i], w->state.v)",
     ),
     Fault(
         "belt: friction does not know that it runs",
@@ -792,14 +806,14 @@ FAULTS = [
     Fault(
         "error: steps that nothing limits are the same",
         "study/accuracy.c",
-        "w->coarse = companion ? COARSE : 1",
-        "w->coarse = 1",
+        "w->numbers.coarse = companion ? COARSE : 1",
+        "w->numbers.coarse = 1",
     ),
     Fault(
         "error: nothing of rounding",
         "study/accuracy.c",
-        "1 + DISTURBANCE * sign(w->error)",
-        "1 + 0 * DISTURBANCE * sign(w->error)",
+        "1 + DISTURBANCE * sign(w->accuracy)",
+        "1 + 0 * DISTURBANCE * sign(w->accuracy)",
     ),
     Fault(
         "error: what was not kept is not repeated", "study/accuracy.c", "trust[PM_TRUST_EXCESS] <= 1;", "1;"
@@ -857,8 +871,8 @@ FAULTS = [
     Fault(
         "rk: stages near a singular position only shorten the step",
         "routes/rk/route_rk.c",
-        "t->least_regular < NEAR_SINGULAR * t->most_regular",
-        "t->least_regular < 0",
+        "t->part.least_regular < NEAR_SINGULAR * t->part.most_regular",
+        "t->part.least_regular < 0",
     ),
     Fault(
         "path: the bridge's own curvature",
@@ -870,8 +884,8 @@ FAULTS = [
     Fault(
         "error: the clock's own",
         "routes/path/path_error.c",
-        "p->clock_error += (w->state.t - p->t0)",
-        "p->clock_error += 0",
+        "p->clock.error += (w->state.t - p->clock.t0)",
+        "p->clock.error += 0",
     ),
     Fault(
         "error: an event that ends the run",
@@ -894,7 +908,7 @@ FAULTS = [
     Fault(
         "error: what fired in the step had to",
         "state/evidence.c",
-        "f->held && !(f->since > w->step_begin)",
+        "f->held && !(f->since > w->step.begin)",
         "f->held",
     ),
     Fault(
@@ -929,7 +943,7 @@ FAULTS = [
         "tree: a dropped loop row",
         "tree/tree.c",
         "if (t->used[i]) continue;\n        int low, key",
-        "if (t->used[i] || i + 1 == w->nactive) continue;\n        int low, key",
+        "if (t->used[i] || i + 1 == w->active.n) continue;\n        int low, key",
     ),
     Fault(
         "tree: a reaction of the wrong sign",
@@ -964,8 +978,8 @@ FAULTS = [
     Fault(
         "tree: a band that is too narrow",
         "tree/tree_band.c",
-        "if (last > t->right[j]) t->right[j] = last;",
-        "if (last - 1 > t->right[j]) t->right[j] = last - 1;",
+        "if (last > t->part.right[j]) t->part.right[j] = last;",
+        "if (last - 1 > t->part.right[j]) t->part.right[j] = last - 1;",
     ),
     Fault(
         "start: a block of joints pushed the wrong way",
@@ -976,8 +990,8 @@ FAULTS = [
     Fault(
         "start: what lies across a block of joints",
         "equations/least_change.c",
-        "w->rhs[i] = -along(w, &w->row[i], s->across)",
-        "w->rhs[i] = along(w, &w->row[i], s->across)",
+        "w->saddle.rhs[i] = -along(w, &w->active.row[i], s->across)",
+        "w->saddle.rhs[i] = along(w, &w->active.row[i], s->across)",
     ),
     # trees
     Fault(
@@ -1001,8 +1015,8 @@ FAULTS = [
     Fault(
         "tree: sign of a loop row's step",
         "tree/tree_partition.c",
-        "t->residual[i] = -w->row[t->loop[i]].g",
-        "t->residual[i] = w->row[t->loop[i]].g",
+        "t->residual[i] = -w->active.row[t->loop[i]].g",
+        "t->residual[i] = w->active.row[t->loop[i]].g",
     ),
     # the path route
     Fault(
@@ -1050,19 +1064,19 @@ FAULTS = [
     Fault(
         "path: no evidence of the rows",
         "routes/path/route_path.c",
-        "pm_max(broken_row(w), w->evidence)",
-        "w->evidence",
+        "pm_max(broken_row(w), w->ledger.evidence)",
+        "w->ledger.evidence",
     ),
     Fault(
         "path: no evidence of the forces",
         "routes/path/route_path.c",
-        "pm_max(missed_force(w), w->evidence)",
-        "w->evidence",
+        "pm_max(missed_force(w), w->ledger.evidence)",
+        "w->ledger.evidence",
     ),
     Fault(
         "path: clock that is not resolved",
         "routes/path/path_clock.c",
-        "return p->tail <= most ||",
+        "return p->clock.tail <= most ||",
         "return 1 ||",
     ),
     Fault(
@@ -1111,7 +1125,7 @@ FAULTS = [
     Fault(
         "nudge: bodies that hang together",
         "routes/start/perturbation.c",
-        "more |= join(w, w->row[i].body[0], w->row[i].body[1])",
+        "more |= join(w, w->active.row[i].body[0], w->active.row[i].body[1])",
         "more |= 0",
     ),
     Fault(
@@ -1144,7 +1158,7 @@ FAULTS = [
     Fault(
         "ask: a grid value beyond the instant",
         "events/ask.c",
-        "if (!status && t > w->step_end) continue;",
+        "if (!status && t > w->step.end) continue;",
         "",
     ),
     Fault(
@@ -1193,8 +1207,8 @@ FAULTS = [
     Fault(
         "leg: what blows take is lost",
         "routes/path/repeat_pass.c",
-        "w->energy_lost += legs->lost",
-        "w->energy_lost += 0 * legs->lost",
+        "w->ledger.energy_lost += legs->lost",
+        "w->ledger.energy_lost += 0 * legs->lost",
     ),
     Fault(
         "leg: firings are not counted",
@@ -1420,7 +1434,7 @@ FAULTS = [
     Fault(
         "rk: steps outrun the reactions",
         "routes/rk/route_rk.c",
-        "return w->nactive > 0 ? w->rk->turning : INFINITY;",
+        "return w->active.n > 0 ? w->rk->turning : INFINITY;",
         "return INFINITY;",
     ),
     Fault(
@@ -1445,8 +1459,8 @@ FAULTS = [
     Fault(
         "saddle: sign of gamma",
         "equations/saddle.c",
-        "w->wanted[i] = w->row[i].gamma;",
-        "w->wanted[i] = -w->row[i].gamma;",
+        "w->saddle.wanted[i] = w->active.row[i].gamma;",
+        "w->saddle.wanted[i] = -w->active.row[i].gamma;",
     ),
     Fault(
         "saddle: friction left out of the force",
@@ -1487,14 +1501,14 @@ FAULTS = [
     Fault(
         "projection: position goes away",
         "equations/projection.c",
-        "w->rhs[i] = -w->row[i].g",
-        "w->rhs[i] = w->row[i].g",
+        "w->saddle.rhs[i] = -w->active.row[i].g",
+        "w->saddle.rhs[i] = w->active.row[i].g",
     ),
     Fault(
         "projection: velocity goes away",
         "equations/projection.c",
-        "w->row[i].rate - pm_saddle_times",
-        "w->row[i].rate + pm_saddle_times",
+        "w->active.row[i].rate - pm_saddle_times",
+        "w->active.row[i].rate + pm_saddle_times",
     ),
     Fault(
         "projection: position left out", "equations/projection.c", "pm_saddle_spread(w, 0, s->q)", "(void)0"
@@ -1591,8 +1605,8 @@ FAULTS = [
     Fault(
         "edge: what has left it comes back",
         "impact/contact_modes.c",
-        "w->slot_released[slot] = FOR_GOOD;",
-        "w->slot_released[slot] = LET_GO;",
+        "w->instant.slot_released[slot] = FOR_GOOD;",
+        "w->instant.slot_released[slot] = LET_GO;",
     ),
     Fault(
         "edge: a corner turns the slip round",
@@ -1624,8 +1638,8 @@ FAULTS = [
     Fault(
         "blow: friction beyond its bound",
         "impact/impact.c",
-        "pm_contact_static(w, contact) * w->rhs",
-        "2 * pm_contact_static(w, contact) * w->rhs",
+        "pm_contact_static(w, contact) * w->saddle.rhs",
+        "2 * pm_contact_static(w, contact) * w->saddle.rhs",
     ),
     Fault(
         "blow: friction along the slip",
@@ -1776,7 +1790,12 @@ FAULTS = [
         "if (!w->rk->ledger) follow_momenta",
         "follow_momenta",
     ),
-    Fault("rk: summed weights", "tree/tree_augmented.c", "w->gravity[1] * p[0] -", "w->gravity[1] * p[0] +"),
+    Fault(
+        "rk: summed weights",
+        "tree/tree_augmented.c",
+        "w->numbers.gravity[1] * p[0] -",
+        "w->numbers.gravity[1] * p[0] +",
+    ),
     Fault("rk: summed centrifugal forces", "tree/tree_augmented.c", "x[k] -= a->square", "x[k] += a->square"),
     Fault(
         "rk: errors of the last coordinate",
@@ -1791,7 +1810,12 @@ FAULTS = [
         "zdot[m->nz_work]",
     ),
     Fault("swift: centrifugal forces", "tree/tree_small.c", "f[k] -= square[i]", "f[k] += square[i]"),
-    Fault("swift: weights", "tree/tree_small_sums.c", "= -w->gravity[1] * p[1]", "= w->gravity[1] * p[1]"),
+    Fault(
+        "swift: weights",
+        "tree/tree_small_sums.c",
+        "= -w->numbers.gravity[1] * p[1]",
+        "= w->numbers.gravity[1] * p[1]",
+    ),
     Fault("swift: gamma", "tree/tree_small.c", "gamma[i] += square[k]", "gamma[i] -= square[k]"),
     Fault("swift: a series is too short", "tree/tree_small.c", "- z2 * (1. / 87178291200)", ""),
     Fault("swift: a series is used far away", "tree/tree_small.c", "by[0] > -CLOSE", "by[0] > -9 * CLOSE"),
@@ -1826,14 +1850,14 @@ FAULTS = [
     Fault(
         "ask: grid value of another instant",
         "events/ask.c",
-        "w->value[e[PM_ASK_FIRST_VALUE] + k], 0,",
-        "w->value[e[PM_ASK_FIRST_VALUE]], 0,",
+        "w->numbers.value[e[PM_ASK_FIRST_VALUE] + k], 0,",
+        "w->numbers.value[e[PM_ASK_FIRST_VALUE]], 0,",
     ),
     Fault(
         "audit: always content",
         "equations/ledger.c",
         "return pm_fail(w, PM_AUDIT",
-        "w->where.row = pm_fail(w, PM_AUDIT",
+        "w->result.where.row = pm_fail(w, PM_AUDIT",
     ),
     Fault(
         "audit: loss of a blow", "equations/ledger.c", "loss -= 0.5 * lambda[i]", "loss -= 0.4 * lambda[i]"
@@ -1841,7 +1865,7 @@ FAULTS = [
     Fault(
         "batch: a step size from the case before",
         "routes/rk/route_rk.c",
-        "if (w->count[PM_COUNT_STEPS] == 0 || w->state.t > r->end) r->next = 0",
+        "if (w->result.count[PM_COUNT_STEPS] == 0 || w->state.t > r->end) r->next = 0",
         "(void)0",
     ),
     Fault("batch: counts from the case before", "run/run.c", "pm_trigger_reset(w)", "(void)0"),
@@ -1970,7 +1994,12 @@ FAULTS = [
         "!(x.least > 0 || x.greatest < 0)) return 0",
         "0) return 0",
     ),
-    Fault("jump: a series cut off loses nothing", "impact/impact.c", "(w->coarse > 1 ? EARLIER : 1)", "1"),
+    Fault(
+        "jump: a series cut off loses nothing",
+        "impact/impact.c",
+        "(w->numbers.coarse > 1 ? EARLIER : 1)",
+        "1",
+    ),
     Fault("jump: its blows can be counted", "impact/impact.c", "pm_trigger_countless(w, contact);", ""),
     Fault(
         "jump: its last blows are decisions",
@@ -1997,8 +2026,8 @@ FAULTS = [
     Fault(
         "ida: sign of the forces",
         "routes/ida/ida_system.c",
-        "r[nq + i] = -w->inverse_mass[i] * force[i]",
-        "r[nq + i] = w->inverse_mass[i] * force[i]",
+        "r[nq + i] = -w->numbers.inverse_mass[i] * force[i]",
+        "r[nq + i] = w->numbers.inverse_mass[i] * force[i]",
     ),
     Fault(
         "ida, sparse: sign of the bends",
@@ -2040,8 +2069,8 @@ FAULTS = [
     Fault(
         "ida: sign of the reactions",
         "routes/ida/ida_system.c",
-        "w->rhs[i] = -yp[l + i]",
-        "w->rhs[i] = yp[l + i]",
+        "w->saddle.rhs[i] = -yp[l + i]",
+        "w->saddle.rhs[i] = yp[l + i]",
     ),
     Fault(
         "ida: friction left out",

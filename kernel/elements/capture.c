@@ -18,6 +18,7 @@
 #include "elements/contact.h"
 #include "state/evidence.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 #define MEETS 1e-7   /* of the scene's size: places are known better than this, marks are farther apart */
 #define ACROSS 1e-10 /* cosine of d and u: below it the distance stays, but for rounding */
@@ -54,9 +55,9 @@ double pm_capture_approach(const pm_workspace *w, int contact)
 
 int pm_capture_meets(pm_workspace *w, int contact, double distance)
 {
-    const double room = MEETS * w->size - distance;
+    const double room = MEETS * w->numbers.size - distance;
     if (isinf(distance)) return 0;
-    pm_evidence_sign(w, PM_SITE_MEETS, contact, room, w->size);
+    pm_evidence_sign(w, PM_SITE_MEETS, contact, room, w->numbers.size);
     return room >= 0;
 }
 
@@ -131,7 +132,7 @@ double pm_capture_speed(const pm_workspace *w, int slot)
     const int n = pm_capture_rows(w, slot, row);
     double fastest = 0;
     for (int i = 0; i < n; i++) {
-        const double length = row[i].kind == PM_CONSTRAINT_ANGLE ? w->size : 1;
+        const double length = row[i].kind == PM_CONSTRAINT_ANGLE ? w->numbers.size : 1;
         fastest = fmax(fastest, fabs(pm_constraint_rate(w, &row[i])) * length);
     }
     return fastest;

@@ -2,7 +2,7 @@
 #ifndef PM_CAPTURE_H
 #define PM_CAPTURE_H
 
-#include "state/model.h"
+#include "elements/constraint.h"
 
 /* enum pm_capture of a contact. */
 int pm_capture_kind(const pm_model *m, int contact);

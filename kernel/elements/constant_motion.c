@@ -4,21 +4,23 @@
 #include <math.h>
 #include <string.h>
 
+#include "elements/constraint.h"
 #include "elements/force.h"
 #include "elements/turning_plane.h"
 #include "scene/program_class.h"
+#include "state/workspace.h"
 
 #define CENTRED 1e-15  /* of the scene's size: a mark this near to the mass centre is the mass centre */
 #define ROUNDING 1e-13 /* of speeds and accelerations in the scene */
 
-static double length_of(const pm_workspace *w, int i) { return i % 3 == 2 ? w->size : 1; }
+static double length_of(const pm_workspace *w, int i) { return i % 3 == 2 ? w->numbers.size : 1; }
 
 /* Rounding is judged by the forces before the reactions cancel them, too: a block at rest on an incline has none left. */
 static double acceleration_scale(const pm_workspace *w)
 {
     double scale = 0;
     for (int i = 0; i < w->model->nq; i++) {
-        const double applied = w->stand_in[i] > 0 ? 0 : w->inverse_mass[i] * w->frame.f[i];
+        const double applied = w->numbers.stand_in[i] > 0 ? 0 : w->numbers.inverse_mass[i] * w->frame.f[i];
         scale = fmax(scale, fmax(fabs(applied), fabs(w->frame.a[i])) * length_of(w, i));
     }
     return scale;
@@ -32,9 +34,10 @@ static void find_locked(const pm_workspace *w, pm_constant_motion *x)
     x->levers = 0;
     for (int more = 1; more;) {
         more = 0;
-        for (int i = 0; i < w->nactive; i++) {
-            const int *body = w->row[i].body;
-            if (w->row[i].kind != PM_CONSTRAINT_ANGLE || x->locked[body[0]] == x->locked[body[1]]) continue;
+        for (int i = 0; i < w->active.n; i++) {
+            const int *body = w->active.row[i].body;
+            if (w->active.row[i].kind != PM_CONSTRAINT_ANGLE || x->locked[body[0]] == x->locked[body[1]])
+                continue;
             x->locked[body[0]] = x->locked[body[1]] = 1;
             x->levers = more = 1;
         }
@@ -46,7 +49,7 @@ void pm_constant_motion_curve(const pm_workspace *w, double *v, double *a, unsig
 {
     const int nq = w->model->nq, nbody = w->model->nbody;
     *x = (pm_constant_motion){.v = v, .a = a, .turns = turns, .locked = locked};
-    x->speed = ROUNDING * w->speed;
+    x->speed = ROUNDING * w->numbers.speed;
     x->acceleration = ROUNDING * acceleration_scale(w);
     for (int i = 0; i < nq; i++) {
         v[i] = fabs(w->state.v[i]) * length_of(w, i) <= x->speed ? 0 : w->state.v[i];
@@ -59,7 +62,7 @@ void pm_constant_motion_curve(const pm_workspace *w, double *v, double *a, unsig
 
 int pm_constant_motion_mark(const pm_workspace *w, const pm_constant_motion *x, int body, const double at[2])
 {
-    return !x->turns[body] || fabs(at[0]) + fabs(at[1]) <= CENTRED * w->size;
+    return !x->turns[body] || fabs(at[0]) + fabs(at[1]) <= CENTRED * w->numbers.size;
 }
 
 int pm_constant_motion_marks(const pm_workspace *w, const pm_constant_motion *x, const pm_constraint *row)
@@ -70,7 +73,7 @@ int pm_constant_motion_marks(const pm_workspace *w, const pm_constant_motion *x,
 
 int pm_constant_motion_drive(const pm_workspace *w, const pm_constraint *row)
 {
-    return row->drive == PM_NONE || w->model->program_nature[row->drive] == PM_CLASS_CONSTANT;
+    return row->drive == PM_NONE || w->model->programs.class[row->drive] == PM_CLASS_CONSTANT;
 }
 
 int pm_constant_motion_together(const pm_workspace *w, const pm_constant_motion *x, const pm_constraint *row)
@@ -86,9 +89,9 @@ int pm_constant_motion_together(const pm_workspace *w, const pm_constant_motion 
 /* Active rows, and behind them the tangents that sliding normals carry, closed by an entry without normal. */
 static int rows_hold(const pm_workspace *w, const pm_constant_motion *x)
 {
-    for (int i = 0; i < w->nactive || w->row[i].normal != PM_NONE; i++) {
-        const pm_constraint_ops *ops = pm_constraint_kind(w->row[i].kind);
-        if (!ops->steady || !ops->steady(w, &w->row[i], x)) return 0;
+    for (int i = 0; i < w->active.n || w->active.row[i].normal != PM_NONE; i++) {
+        const pm_constraint_ops *ops = pm_constraint_kind(w->active.row[i].kind);
+        if (!ops->steady || !ops->steady(w, &w->active.row[i], x)) return 0;
     }
     return 1;
 }

@@ -13,7 +13,7 @@
 #define PM_CONSTANT_MOTION_H
 
 #include "elements/constraint.h"
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* The curve; v and a have exact zeros where only rounding was. */
 struct pm_constant_motion {

@@ -2,6 +2,7 @@
 #include "elements/constraint.h"
 
 #include "elements/drive.h"
+#include "state/workspace.h"
 
 const pm_constraint_ops *pm_constraint_kind(int kind)
 {

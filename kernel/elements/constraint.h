@@ -4,9 +4,30 @@
 
 #include <math.h>
 
-#include "equations/fixed_bodies.h"
 #include "state/frame.h"
-#include "state/model.h"
+#include "state/workspace.h"
+
+/* One scalar constraint row of the active set; which formula is constraint.c's table of kinds. */
+struct pm_constraint {
+    int kind;                  /* enum pm_constraint_kind */
+    int body[2];               /* body index, or nbody for the ground */
+    double a[2], b[2];         /* marks in body axes */
+    double radius_a, radius_b; /* signed: see constraint_distance.c, constraint_strand.c */
+    double value;              /* length, angle, or direction of a line in its body */
+    double axis[2];            /* cosine and sine of that direction */
+    double sign;               /* distance rows: which way is positive */
+    double ratio;              /* turn rows: so many turns of b count against one of a */
+    int memory;                /* index of its memory, or PM_NONE */
+    int joint, slot;           /* owner: one of both is PM_NONE */
+    int normal;   /* sliding rows and friction: index of the active row of its normal, else PM_NONE */
+    double slide; /* normal row of a sliding contact: -mu sgn(slip) rides on it; else 0 */
+    double j[6];  /* Jacobian on (x, y, angle) of body[0] and body[1], at the frame's state */
+    double h[6];  /* direction of the force: j, but for sliding contacts */
+    double g;     /* residual, m or rad */
+    int drive;    /* program of its prescribed rate, or PM_NONE */
+    double rate;  /* prescribed at the frame: G v = rate */
+    double gamma; /* -(dG/dt) v */
+};
 
 enum pm_constraint_kind {
     PM_CONSTRAINT_POINT_X = 0,
@@ -75,7 +96,7 @@ void pm_contact_constraint_both(const pm_workspace *w, int contact, int slot, in
 /* Whether its two bodies act on each other and on nothing else. */
 static inline int pm_constraint_is_inner(const pm_workspace *w, const pm_constraint *row)
 {
-    const unsigned char *still = w->still->body;
+    const unsigned char *still = w->numbers.fixed;
     return !still[row->body[0]] && !still[row->body[1]] && row->ratio == 1;
 }
 

@@ -1,5 +1,6 @@
 /* constraint_angle.c - the relative angle of two bodies is held: C = angle_a - angle_b - value, gamma = 0. */
 #include "elements/constraint.h"
+#include "state/workspace.h"
 
 static void evaluate(const pm_workspace *w, pm_constraint *row)
 {

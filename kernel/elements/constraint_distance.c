@@ -8,6 +8,7 @@
 
 #include "elements/constant_motion.h"
 #include "elements/constraint.h"
+#include "state/workspace.h"
 
 static void evaluate(const pm_workspace *w, pm_constraint *row)
 {

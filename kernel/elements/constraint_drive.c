@@ -8,6 +8,7 @@
 #include "elements/constant_motion.h"
 #include "elements/constraint.h"
 #include "elements/drive.h"
+#include "state/workspace.h"
 
 static const double axis_x[2] = {1, 0}, axis_y[2] = {0, 1};
 

@@ -12,6 +12,7 @@
 #include "elements/constant_motion.h"
 #include "elements/constraint.h"
 #include "elements/drive.h"
+#include "state/workspace.h"
 
 typedef struct pm_line_frame {
     double t[2], n[2];
@@ -98,7 +99,7 @@ static int steady_normal(const pm_workspace *w, const pm_constraint *row, const 
 {
     const int b = row->body[1];
     if (x->turns[b] || !pm_constant_motion_marks(w, x, row)) return 0;
-    return x->locked[b] || w->inverse_mass[3 * b + 2] == 0 || pm_constant_motion_together(w, x, row);
+    return x->locked[b] || w->numbers.inverse_mass[3 * b + 2] == 0 || pm_constant_motion_together(w, x, row);
 }
 
 /* While the circle stays on the line (its normal row) the lever of the tangent on the line's body stays. */

@@ -4,6 +4,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "elements/constraint.h"
+#include "state/workspace.h"
+
 pm_constraint pm_constraint_marks_blank(int kind)
 {
     pm_constraint row;
@@ -18,8 +21,8 @@ static void mark(const pm_workspace *w, int point, int *body, double at[2])
 {
     const int32_t *e = PM_POINT_ROW(w->model, point);
     *body = pm_body_index(w->model, e[PM_POINT_BODY]);
-    at[0] = w->value[e[PM_POINT_X]];
-    at[1] = w->value[e[PM_POINT_Y]];
+    at[0] = w->numbers.value[e[PM_POINT_X]];
+    at[1] = w->numbers.value[e[PM_POINT_Y]];
 }
 
 void pm_constraint_marks_points(const pm_workspace *w, pm_constraint *row, int a, int b)
@@ -32,7 +35,7 @@ void pm_constraint_marks_point_and_line(const pm_workspace *w, pm_constraint *ro
 {
     const int32_t *e = PM_LINE_ROW(w->model, line);
     pm_constraint_marks_points(w, row, point, e[PM_LINE_POINT]);
-    row->value = w->value[e[PM_LINE_ANGLE]];
+    row->value = w->numbers.value[e[PM_LINE_ANGLE]];
     row->axis[0] = cos(row->value);
     row->axis[1] = sin(row->value);
 }
@@ -41,7 +44,7 @@ void pm_constraint_marks_circle_and_line(const pm_workspace *w, pm_constraint *r
 {
     const int32_t *e = PM_CIRCLE_ROW(w->model, circle);
     pm_constraint_marks_point_and_line(w, row, e[PM_CIRCLE_POINT], line);
-    row->radius_a = w->value[e[PM_CIRCLE_RADIUS]];
+    row->radius_a = w->numbers.value[e[PM_CIRCLE_RADIUS]];
 }
 
 /* Signs of the radii by side: outside each other (+, +); a inside b (-, +); b inside a (+, -). */
@@ -57,7 +60,8 @@ void pm_constraint_marks_circles(const pm_workspace *w, pm_constraint *row, int 
 {
     const int32_t *ea = PM_CIRCLE_ROW(w->model, a), *eb = PM_CIRCLE_ROW(w->model, b);
     pm_constraint_marks_points(w, row, ea[PM_CIRCLE_POINT], eb[PM_CIRCLE_POINT]);
-    pm_constraint_marks_radii(row, w->value[ea[PM_CIRCLE_RADIUS]], w->value[eb[PM_CIRCLE_RADIUS]], side);
+    pm_constraint_marks_radii(row, w->numbers.value[ea[PM_CIRCLE_RADIUS]],
+                              w->numbers.value[eb[PM_CIRCLE_RADIUS]], side);
 }
 
 /* A strand from circle a to circle b; which way round each it goes is the sign of its radius. */
@@ -67,15 +71,15 @@ void pm_constraint_marks_strand(const pm_workspace *w, pm_constraint *row, int a
     const int32_t *ea = PM_CIRCLE_ROW(w->model, a), *eb = PM_CIRCLE_ROW(w->model, b);
     row->kind = PM_CONSTRAINT_STRAND;
     pm_constraint_marks_points(w, row, ea[PM_CIRCLE_POINT], eb[PM_CIRCLE_POINT]);
-    row->radius_a = sense_a * w->value[ea[PM_CIRCLE_RADIUS]];
-    row->radius_b = sense_b * w->value[eb[PM_CIRCLE_RADIUS]];
+    row->radius_a = sense_a * w->numbers.value[ea[PM_CIRCLE_RADIUS]];
+    row->radius_b = sense_b * w->numbers.value[eb[PM_CIRCLE_RADIUS]];
 }
 
 void pm_constraint_marks_member(const pm_workspace *w, pm_constraint *row, int circle, int of, int member)
 {
     const int32_t *ec = PM_CIRCLE_ROW(w->model, circle), *er = PM_ROW_ROW(w->model, of);
     pm_constraint_marks_points(w, row, ec[PM_CIRCLE_POINT], er[PM_ROW_POINT]);
-    row->b[0] += member * w->value[er[PM_ROW_STEP_X]];
-    row->b[1] += member * w->value[er[PM_ROW_STEP_Y]];
-    pm_constraint_marks_radii(row, w->value[ec[PM_CIRCLE_RADIUS]], 0, 1);
+    row->b[0] += member * w->numbers.value[er[PM_ROW_STEP_X]];
+    row->b[1] += member * w->numbers.value[er[PM_ROW_STEP_Y]];
+    pm_constraint_marks_radii(row, w->numbers.value[ec[PM_CIRCLE_RADIUS]], 0, 1);
 }

@@ -4,6 +4,7 @@
  * gamma = -n.(-omega_a^2 r_a + omega_b^2 r_b). */
 #include "elements/constant_motion.h"
 #include "elements/constraint.h"
+#include "state/workspace.h"
 
 static const double axis_x[2] = {1, 0}, axis_y[2] = {0, 1};
 

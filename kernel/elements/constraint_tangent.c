@@ -9,6 +9,7 @@
 
 #include "elements/constant_motion.h"
 #include "elements/constraint.h"
+#include "state/workspace.h"
 
 #define TWO_PI 6.283185307179586476925286766559
 

@@ -9,16 +9,17 @@
 #include "elements/edge.h"
 #include "equations/saddle.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 #define TOUCHING 1e-10 /* of the scene's size */
 #define STILL 1e-11    /* of the scene's speed */
 
-double pm_contact_length(const pm_workspace *w) { return TOUCHING * w->coarse * w->size; }
-double pm_contact_speed(const pm_workspace *w) { return STILL * w->coarse * w->speed; }
+double pm_contact_length(const pm_workspace *w) { return TOUCHING * w->numbers.coarse * w->numbers.size; }
+double pm_contact_speed(const pm_workspace *w) { return STILL * w->numbers.coarse * w->numbers.speed; }
 
 double pm_contact_reach(const pm_workspace *w)
 {
-    double reach = w->size;
+    double reach = w->numbers.size;
     for (int i = 0; i < w->model->nq; i++)
         if (i % 3 != 2) reach = fmax(reach, fabs(w->state.q[i]));
     return reach;
@@ -61,13 +62,13 @@ static int is_closed(const pm_workspace *w, const pm_state *s, int contact, int 
 
 double pm_contact_restitution(const pm_workspace *w, int contact)
 {
-    return w->value[PM_CONTACT_ROW_OF(w->model, contact)[PM_CONTACT_RESTITUTION]];
+    return w->numbers.value[PM_CONTACT_ROW_OF(w->model, contact)[PM_CONTACT_RESTITUTION]];
 }
 
 double pm_contact_tangential(const pm_workspace *w, int contact)
 {
     const int index = PM_CONTACT_ROW_OF(w->model, contact)[PM_CONTACT_TANGENTIAL];
-    return index == PM_NONE ? 0 : w->value[index];
+    return index == PM_NONE ? 0 : w->numbers.value[index];
 }
 
 int pm_contact_law(const pm_model *m, int contact) { return PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_LAW]; }
@@ -85,7 +86,7 @@ int pm_contact_is_cord(const pm_model *m, int contact)
 static double coefficient(const pm_workspace *w, int contact, int column)
 {
     return pm_contact_friction(w->model, contact) == PM_FRICTION_COULOMB
-               ? w->value[PM_CONTACT_ROW_OF(w->model, contact)[column]]
+               ? w->numbers.value[PM_CONTACT_ROW_OF(w->model, contact)[column]]
                : 0;
 }
 
@@ -114,13 +115,14 @@ static double point_gap(const pm_workspace *w, int contact, int member, double *
     const int32_t *row = PM_ROW_ROW(m, e[PM_CONTACT_B]), *circle = PM_CIRCLE_ROW(m, e[PM_CONTACT_A]);
     const int32_t *first = PM_POINT_ROW(m, row[PM_ROW_POINT]);
     const pm_point a = pm_frame_point_of(w, circle[PM_CIRCLE_POINT]);
-    const pm_point b = pm_frame_point(w, pm_body_index(m, first[PM_POINT_BODY]),
-                                      w->value[first[PM_POINT_X]] + member * w->value[row[PM_ROW_STEP_X]],
-                                      w->value[first[PM_POINT_Y]] + member * w->value[row[PM_ROW_STEP_Y]]);
+    const pm_point b =
+        pm_frame_point(w, pm_body_index(m, first[PM_POINT_BODY]),
+                       w->numbers.value[first[PM_POINT_X]] + member * w->numbers.value[row[PM_ROW_STEP_X]],
+                       w->numbers.value[first[PM_POINT_Y]] + member * w->numbers.value[row[PM_ROW_STEP_Y]]);
     const double d[2] = {a.p[0] - b.p[0], a.p[1] - b.p[1]}, u[2] = {a.v[0] - b.v[0], a.v[1] - b.v[1]};
     const double distance = pm_length(d);
     if (rate) *rate = pm_dot(u, d) / distance;
-    return distance - w->value[circle[PM_CIRCLE_RADIUS]];
+    return distance - w->numbers.value[circle[PM_CIRCLE_RADIUS]];
 }
 
 double pm_contact_member_gap(const pm_workspace *w, int contact, int member, double *rate)
@@ -146,7 +148,7 @@ static inline const double *place_of(const pm_workspace *w, int point, double p[
 {
     const int32_t *e = PM_POINT_ROW(w->model, point);
     const double *pose = w->frame.pose + 5 * pm_body_index(w->model, e[PM_POINT_BODY]);
-    const double x = w->value[e[PM_POINT_X]], y = w->value[e[PM_POINT_Y]];
+    const double x = w->numbers.value[e[PM_POINT_X]], y = w->numbers.value[e[PM_POINT_Y]];
     p[0] = pose[0] + (pose[3] * x - pose[4] * y);
     p[1] = pose[1] + (pose[4] * x + pose[3] * y);
     return pose;
@@ -160,10 +162,10 @@ pm_beside pm_contact_beside(const pm_workspace *w, int contact)
     double c[2], first[2];
     place_of(w, circle[PM_CIRCLE_POINT], c);
     const double *axes = place_of(w, row[PM_ROW_POINT], first);
-    const double sx = w->value[row[PM_ROW_STEP_X]], sy = w->value[row[PM_ROW_STEP_Y]];
+    const double sx = w->numbers.value[row[PM_ROW_STEP_X]], sy = w->numbers.value[row[PM_ROW_STEP_Y]];
     return (pm_beside){.d = {c[0] - first[0], c[1] - first[1]},
                        .step = {axes[3] * sx - axes[4] * sy, axes[4] * sx + axes[3] * sy},
-                       .radius = w->value[circle[PM_CIRCLE_RADIUS]]};
+                       .radius = w->numbers.value[circle[PM_CIRCLE_RADIUS]]};
 }
 
 /* As constraint_distance.c has it. */
@@ -213,7 +215,7 @@ static int members_of_row(const pm_workspace *w, const pm_state *s, int contact,
                           int *member)
 {
     const int32_t *row = PM_ROW_ROW(w->model, PM_CONTACT_ROW_OF(w->model, contact)[PM_CONTACT_B]);
-    const double count = w->value[row[PM_ROW_COUNT]];
+    const double count = w->numbers.value[row[PM_ROW_COUNT]];
     const double place = pm_dot(x->d, x->step) / pm_dot(x->step, x->step),
                  limit = 1e9; /* members are int32 */
     const int last = count < 0 ? (int)limit : (int)count - 1, first = count < 0 ? -(int)limit : 0;

@@ -2,7 +2,7 @@
 #ifndef PM_CONTACT_H
 #define PM_CONTACT_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* Smallest gap over the members that are not closed, at the frame; *member tells which.  INFINITY if all are closed, left
  * to another contact, or the contact is not there. */

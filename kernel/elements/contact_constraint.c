@@ -1,6 +1,8 @@
 /* contact_constraint.c - the normal and the tangential row of a contact that is closed, or may close. */
+#include "elements/constraint.h"
 #include "elements/constraint_marks.h"
 #include "elements/edge.h"
+#include "state/workspace.h"
 
 static int memory_of(const pm_model *m, int slot) { return m->nmemory - m->nslot + slot; }
 
@@ -29,7 +31,7 @@ void pm_contact_constraint_normal(const pm_workspace *w, int contact, int slot, 
         break;
     case PM_CONTACT_CIRCLE:
         *normal = pm_constraint_marks_blank(PM_CONSTRAINT_DISTANCE);
-        pm_constraint_marks_circles(w, normal, a, b, w->value[e[PM_CONTACT_SIDE]]);
+        pm_constraint_marks_circles(w, normal, a, b, w->numbers.value[e[PM_CONTACT_SIDE]]);
         break;
     case PM_CONTACT_POINT:
         *normal = pm_constraint_marks_blank(PM_CONSTRAINT_DISTANCE);

@@ -7,6 +7,7 @@
 
 #include "expression/program.h"
 #include "scene/program_class.h"
+#include "state/workspace.h"
 
 #define GAUSS 5 /* pairs of nodes: exact for polynomials up to degree 19 */
 
@@ -18,7 +19,7 @@ static const double gauss_weight[GAUSS] = {0.29552422471475287, 0.26926671930999
 static double rate_at(const pm_workspace *w, int program, double t)
 {
     double change;
-    return pm_program_of_time(w->model, program, w->param, w->value, t, &change);
+    return pm_program_of_time(w->model, program, w->numbers.param, w->numbers.value, t, &change);
 }
 
 double pm_drive_rate(const pm_workspace *w, int program)
@@ -29,7 +30,8 @@ double pm_drive_rate(const pm_workspace *w, int program)
 double pm_drive_change(const pm_workspace *w, int program)
 {
     double change = 0;
-    if (program != PM_NONE) pm_program_of_time(w->model, program, w->param, w->value, w->frame.t, &change);
+    if (program != PM_NONE)
+        pm_program_of_time(w->model, program, w->numbers.param, w->numbers.value, w->frame.t, &change);
     return change;
 }
 
@@ -37,7 +39,7 @@ double pm_drive_way(const pm_workspace *w, int program, const pm_memory *memory)
 {
     if (program == PM_NONE) return 0;
     const double half = 0.5 * (w->frame.t - memory->time), middle = memory->time + half;
-    if (w->model->program_nature[program] == PM_CLASS_CONSTANT) return 2 * half * rate_at(w, program, middle);
+    if (w->model->programs.class[program] == PM_CLASS_CONSTANT) return 2 * half * rate_at(w, program, middle);
     double sum = 0;
     for (int i = 0; i < GAUSS; i++)
         sum += gauss_weight[i] * (rate_at(w, program, middle - half * gauss_at[i]) +

@@ -2,7 +2,7 @@
 #ifndef PM_DRIVE_H
 #define PM_DRIVE_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* Rate that `program` prescribes at the frame, and how fast it changes; 0 where program is PM_NONE. */
 double pm_drive_rate(const pm_workspace *w, int program);

@@ -19,6 +19,7 @@
 #include "elements/constraint.h"
 #include "elements/contact.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 #define HANDING_OVER 4 /* touching lengths: so near to their corner two edges in one line are both touched */
 
@@ -29,7 +30,7 @@ int pm_edge_is(const pm_model *m, int contact)
 
 static double end_of(const pm_workspace *w, int contact, int column)
 {
-    return w->value[PM_CONTACT_ROW_OF(w->model, contact)[column]];
+    return w->numbers.value[PM_CONTACT_ROW_OF(w->model, contact)[column]];
 }
 
 pm_edge_place pm_edge_beside(const pm_workspace *w, int contact)
@@ -39,11 +40,11 @@ pm_edge_place pm_edge_beside(const pm_workspace *w, int contact)
     const int32_t *circle = PM_CIRCLE_ROW(m, e[PM_CONTACT_A]), *line = PM_LINE_ROW(m, e[PM_CONTACT_B]);
     const pm_point a = pm_frame_point_of(w, circle[PM_CIRCLE_POINT]),
                    b = pm_frame_point_of(w, line[PM_LINE_POINT]);
-    const double angle = w->frame.pose[5 * b.body + 2] + w->value[line[PM_LINE_ANGLE]];
+    const double angle = w->frame.pose[5 * b.body + 2] + w->numbers.value[line[PM_LINE_ANGLE]];
     const double t[2] = {cos(angle), sin(angle)}, d[2] = {a.p[0] - b.p[0], a.p[1] - b.p[1]};
     const double along = pm_dot(d, t), reach = pm_contact_length(w);
     return (pm_edge_place){.height = pm_cross(t, d),
-                           .radius = w->value[circle[PM_CIRCLE_RADIUS]],
+                           .radius = w->numbers.value[circle[PM_CIRCLE_RADIUS]],
                            .from = end_of(w, contact, PM_CONTACT_FROM) - along - reach,
                            .to = along - end_of(w, contact, PM_CONTACT_TO) - reach,
                            .along = {t[0], t[1]}};
@@ -86,10 +87,10 @@ void pm_edge_corner(const pm_workspace *w, int contact, int member, double at[2]
     const pm_model *m = w->model;
     const int32_t *line = PM_LINE_ROW(m, PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_B]);
     const int32_t *point = PM_POINT_ROW(m, line[PM_LINE_POINT]);
-    const double angle = w->value[line[PM_LINE_ANGLE]];
+    const double angle = w->numbers.value[line[PM_LINE_ANGLE]];
     const double along = end_of(w, contact, member == PM_SEGMENT_FROM ? PM_CONTACT_FROM : PM_CONTACT_TO);
-    at[0] = w->value[point[PM_POINT_X]] + along * cos(angle);
-    at[1] = w->value[point[PM_POINT_Y]] + along * sin(angle);
+    at[0] = w->numbers.value[point[PM_POINT_X]] + along * cos(angle);
+    at[1] = w->numbers.value[point[PM_POINT_Y]] + along * sin(angle);
 }
 
 /* ---- edges that meet ---- */
@@ -99,9 +100,10 @@ static int same_circle(const pm_workspace *w, int contact, int other)
     const int32_t *a = PM_CIRCLE_ROW(m, PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_A]),
                   *b = PM_CIRCLE_ROW(m, PM_CONTACT_ROW_OF(m, other)[PM_CONTACT_A]);
     const int32_t *p = PM_POINT_ROW(m, a[PM_CIRCLE_POINT]), *q = PM_POINT_ROW(m, b[PM_CIRCLE_POINT]);
-    return p[PM_POINT_BODY] == q[PM_POINT_BODY] && w->value[p[PM_POINT_X]] == w->value[q[PM_POINT_X]] &&
-           w->value[p[PM_POINT_Y]] == w->value[q[PM_POINT_Y]] &&
-           w->value[a[PM_CIRCLE_RADIUS]] == w->value[b[PM_CIRCLE_RADIUS]];
+    return p[PM_POINT_BODY] == q[PM_POINT_BODY] &&
+           w->numbers.value[p[PM_POINT_X]] == w->numbers.value[q[PM_POINT_X]] &&
+           w->numbers.value[p[PM_POINT_Y]] == w->numbers.value[q[PM_POINT_Y]] &&
+           w->numbers.value[a[PM_CIRCLE_RADIUS]] == w->numbers.value[b[PM_CIRCLE_RADIUS]];
 }
 
 static int body_of_edge(const pm_model *m, int contact)
@@ -158,7 +160,7 @@ int pm_edge_is_covered(const pm_workspace *w, const pm_state *s, int contact)
     int nearest;
     pm_edge_gap(w, contact, &nearest);
     const pm_edge_place x = pm_edge_beside(w, contact);
-    for (int i = 0; i < m->rows[PM_TABLE_CONTACT] && m->nsegment > 1; i++) {
+    for (int i = 0; i < m->rows[PM_TABLE_CONTACT] && m->nedge > 1; i++) {
         const pm_slot *slot = &s->slot[m->contact_slot[i]];
         if (slot->mode == PM_OPEN || !pm_edge_is(m, i)) continue;
         for (int end = PM_SEGMENT_FROM; end <= PM_SEGMENT_TO; end++) {

@@ -2,7 +2,7 @@
 #ifndef PM_EDGE_H
 #define PM_EDGE_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* Members of a contact with a segment: its face, and, for circles of some radius, the corners at its ends. */
 enum pm_edge_member { PM_SEGMENT_FACE = 0, PM_SEGMENT_FROM = 1, PM_SEGMENT_TO = 2 };

@@ -9,6 +9,7 @@
 #include "expression/program.h"
 #include "scene/program_class.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 /* Two points: direction and rate of their distance; `pull` N draws them together. */
 static void line_action(pm_workspace *w, const int32_t *e, pm_action *x,
@@ -32,8 +33,8 @@ static void line_action(pm_workspace *w, const int32_t *e, pm_action *x,
 
 static double spring_pull(pm_workspace *w, const int32_t *e, pm_action *x)
 {
-    const double stiffness = w->value[e[PM_FORCE_VALUE_1]];
-    x->stretch -= w->value[e[PM_FORCE_VALUE_2]];
+    const double stiffness = w->numbers.value[e[PM_FORCE_VALUE_1]];
+    x->stretch -= w->numbers.value[e[PM_FORCE_VALUE_2]];
     if ((e[PM_FORCE_OPTION] == PM_SPRING_PULL && x->stretch < 0) ||
         (e[PM_FORCE_OPTION] == PM_SPRING_PUSH && x->stretch > 0))
         return 0;
@@ -43,7 +44,7 @@ static double spring_pull(pm_workspace *w, const int32_t *e, pm_action *x)
 
 static double damper_pull(pm_workspace *w, const int32_t *e, pm_action *x)
 {
-    return w->value[e[PM_FORCE_VALUE_1]] * x->rate;
+    return w->numbers.value[e[PM_FORCE_VALUE_1]] * x->rate;
 }
 
 static void spring(pm_workspace *w, const int32_t *e, pm_action *x) { line_action(w, e, x, spring_pull); }
@@ -60,8 +61,8 @@ static double relative_turn(pm_workspace *w, const int32_t *e, pm_action *x)
 
 static void torsion(pm_workspace *w, const int32_t *e, pm_action *x)
 {
-    const double stiffness = w->value[e[PM_FORCE_VALUE_1]];
-    x->stretch = relative_turn(w, e, x) - w->value[e[PM_FORCE_VALUE_2]];
+    const double stiffness = w->numbers.value[e[PM_FORCE_VALUE_1]];
+    x->stretch = relative_turn(w, e, x) - w->numbers.value[e[PM_FORCE_VALUE_2]];
     x->couple = -stiffness * x->stretch;
     x->energy = 0.5 * stiffness * x->stretch * x->stretch;
     x->power = x->couple * x->rate;
@@ -70,14 +71,14 @@ static void torsion(pm_workspace *w, const int32_t *e, pm_action *x)
 static void rotary_damper(pm_workspace *w, const int32_t *e, pm_action *x)
 {
     relative_turn(w, e, x);
-    x->couple = -w->value[e[PM_FORCE_VALUE_1]] * x->rate;
+    x->couple = -w->numbers.value[e[PM_FORCE_VALUE_1]] * x->rate;
     x->power = x->couple * x->rate;
 }
 
 static void couple(pm_workspace *w, const int32_t *e, pm_action *x)
 {
     relative_turn(w, e, x);
-    x->couple = pm_program_run(w->model, e[PM_FORCE_PROGRAM_X], w->param, w->value, w);
+    x->couple = pm_program_run(w->model, e[PM_FORCE_PROGRAM_X], w->numbers.param, w->numbers.value, w);
     x->power = x->couple * x->rate;
 }
 
@@ -85,8 +86,8 @@ static void applied(pm_workspace *w, const int32_t *e, pm_action *x)
 {
     const pm_point a = pm_frame_point_of(w, e[PM_FORCE_A]);
     const double *axes = w->frame.pose + 5 * pm_body_index(w->model, e[PM_FORCE_B]);
-    const double fx = pm_program_run(w->model, e[PM_FORCE_PROGRAM_X], w->param, w->value, w);
-    const double fy = pm_program_run(w->model, e[PM_FORCE_PROGRAM_Y], w->param, w->value, w);
+    const double fx = pm_program_run(w->model, e[PM_FORCE_PROGRAM_X], w->numbers.param, w->numbers.value, w);
+    const double fy = pm_program_run(w->model, e[PM_FORCE_PROGRAM_Y], w->numbers.param, w->numbers.value, w);
     x->body_a = a.body;
     x->at_a[0] = a.p[0];
     x->at_a[1] = a.p[1];
@@ -108,7 +109,7 @@ static void friction(pm_workspace *w, const int32_t *e, pm_action *x)
 /* ---- which forces stay the same along a motion with constant accelerations; the others never do ---- */
 static int constant(const pm_workspace *w, int program)
 {
-    return w->model->program_nature[program] == PM_CLASS_CONSTANT;
+    return w->model->programs.class[program] == PM_CLASS_CONSTANT;
 }
 
 static int steady_couple(const pm_workspace *w, const int32_t *e, const pm_constant_motion *x)
@@ -120,7 +121,7 @@ static int steady_couple(const pm_workspace *w, const int32_t *e, const pm_const
 static int steady_applied(const pm_workspace *w, const int32_t *e, const pm_constant_motion *x)
 {
     const int32_t *p = PM_POINT_ROW(w->model, e[PM_FORCE_A]);
-    const double at[2] = {w->value[p[PM_POINT_X]], w->value[p[PM_POINT_Y]]};
+    const double at[2] = {w->numbers.value[p[PM_POINT_X]], w->numbers.value[p[PM_POINT_Y]]};
     return constant(w, e[PM_FORCE_PROGRAM_X]) && constant(w, e[PM_FORCE_PROGRAM_Y]) &&
            !x->turns[pm_body_index(w->model, e[PM_FORCE_B])] &&
            pm_constant_motion_mark(w, x, pm_body_index(w->model, p[PM_POINT_BODY]), at);
@@ -185,8 +186,8 @@ void pm_force_all(pm_workspace *w)
 {
     const pm_model *m = w->model;
     for (int i = 0; i < m->nbody; i++) {
-        w->frame.f[3 * i] = w->mass[i] * w->gravity[0];
-        w->frame.f[3 * i + 1] = w->mass[i] * w->gravity[1];
+        w->frame.f[3 * i] = w->numbers.mass[i] * w->numbers.gravity[0];
+        w->frame.f[3 * i + 1] = w->numbers.mass[i] * w->numbers.gravity[1];
         w->frame.f[3 * i + 2] = 0;
     }
     pm_turning_plane_forces(w);

@@ -2,7 +2,7 @@
 #ifndef PM_FORCE_H
 #define PM_FORCE_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* The action of force i: `force` on its first partner at `at` (the opposite at `at_b` on body_b), and a couple. */
 typedef struct pm_action {

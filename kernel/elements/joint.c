@@ -6,7 +6,9 @@
 
 #include <string.h>
 
+#include "elements/constraint.h"
 #include "elements/constraint_marks.h"
+#include "state/workspace.h"
 
 static void put(const pm_workspace *w, const int32_t *e, pm_constraint *row, int kind,
                 void (*marks)(const pm_workspace *w, pm_constraint *row, int a, int b))
@@ -22,7 +24,7 @@ static void put_beside(pm_constraint *row, int kind, const pm_constraint *other)
     row->kind = kind;
 }
 
-static double number(const pm_workspace *w, const int32_t *e) { return w->value[e[PM_JOINT_VALUE]]; }
+static double number(const pm_workspace *w, const int32_t *e) { return w->numbers.value[e[PM_JOINT_VALUE]]; }
 
 static void keep_angle(const pm_workspace *w, const int32_t *e, pm_constraint *row,
                        const pm_constraint *first)
@@ -156,7 +158,7 @@ int pm_joint_constraints(const pm_workspace *w, int joint, pm_constraint row[PM_
 int pm_joint_constraints_of_any(const pm_workspace *w, int joint, pm_constraint row[PM_JOINT_CONSTRAINTS])
 {
     const int n = pm_joint_of(w->model, joint)->rows;
-    memcpy(row, w->of_joint + w->model->joint_row[joint], (size_t)n * sizeof *row);
+    memcpy(row, w->numbers.of_joint + w->model->joint_row[joint], (size_t)n * sizeof *row);
     return n;
 }
 
@@ -175,5 +177,5 @@ static void compose(const pm_workspace *w, int joint, pm_constraint *row)
 void pm_joint_compose(pm_workspace *w)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_JOINT]; i++)
-        compose(w, i, w->of_joint + w->model->joint_row[i]);
+        compose(w, i, w->numbers.of_joint + w->model->joint_row[i]);
 }

@@ -10,38 +10,43 @@
 #include <math.h>
 #include <string.h>
 
+#include "elements/constraint.h"
 #include "elements/contact.h"
 #include "elements/joint.h"
+#include "state/workspace.h"
 
 #define SAME 4e-15 /* of itself: a friction that changes by less has been found */
 
 int pm_joint_friction_joint(const pm_model *m, int k)
 {
-    return PM_FORCE_ROW(m, m->grip_force[k])[PM_FORCE_A];
+    return PM_FORCE_ROW(m, m->friction_force[k])[PM_FORCE_A];
 }
 
 static const int32_t *force_of(const pm_workspace *w, int k)
 {
-    return PM_FORCE_ROW(w->model, w->model->grip_force[k]);
+    return PM_FORCE_ROW(w->model, w->model->friction_force[k]);
 }
 
 static int joint_of(const pm_workspace *w, int k) { return pm_joint_friction_joint(w->model, k); }
-static double own(const pm_workspace *w, int k) { return w->value[force_of(w, k)[PM_FORCE_VALUE_1]]; }
-static double by_load(const pm_workspace *w, int k) { return w->value[force_of(w, k)[PM_FORCE_VALUE_2]]; }
+static double own(const pm_workspace *w, int k) { return w->numbers.value[force_of(w, k)[PM_FORCE_VALUE_1]]; }
+static double by_load(const pm_workspace *w, int k)
+{
+    return w->numbers.value[force_of(w, k)[PM_FORCE_VALUE_2]];
+}
 static int slides(int mode) { return mode == PM_SLIDE_FORWARD || mode == PM_SLIDE_BACKWARD; }
 
-int pm_joint_friction_any(const pm_model *m) { return m->ngrip > 0; }
+int pm_joint_friction_any(const pm_model *m) { return m->nfriction > 0; }
 
 int pm_joint_friction_by_load(const pm_workspace *w)
 {
-    for (int k = 0; k < w->model->ngrip; k++)
-        if (slides(w->state.grip[k]) && by_load(w, k) > 0) return 1;
+    for (int k = 0; k < w->model->nfriction; k++)
+        if (slides(w->state.friction[k]) && by_load(w, k) > 0) return 1;
     return 0;
 }
 
 int pm_joint_friction_any_by_load(const pm_workspace *w)
 {
-    for (int k = 0; k < w->model->ngrip; k++)
+    for (int k = 0; k < w->model->nfriction; k++)
         if (by_load(w, k) > 0) return 1;
     return 0;
 }
@@ -52,7 +57,7 @@ void pm_joint_friction_row(const pm_workspace *w, int k, pm_constraint *row)
     pm_constraint rows[PM_JOINT_CONSTRAINTS];
     pm_joint_constraints_of_any(w, joint, rows);
     *row = rows[0];
-    row->memory = w->model->grip_memory + k;
+    row->memory = w->model->friction_memory + k;
     row->kind = pm_joint_of(w->model, joint)->rubs;
     if (row->kind == PM_CONSTRAINT_CIRCLE_TANGENT) { /* the slot's circle round a point */
         row->radius_b = row->value;
@@ -70,7 +75,7 @@ double pm_joint_friction_slip(const pm_workspace *w, int k)
 double pm_joint_friction_still(const pm_workspace *w, int k)
 {
     const int turns = pm_joint_of(w->model, joint_of(w, k))->rubs == PM_CONSTRAINT_RATIO;
-    return pm_contact_speed(w) / (turns ? w->size : 1);
+    return pm_contact_speed(w) / (turns ? w->numbers.size : 1);
 }
 
 /* Size of the reactions x[active row] of the joint; the couple that keeps a slider's direction is none of them. */
@@ -80,7 +85,7 @@ static double load(const pm_workspace *w, int k, const double *x)
     const int n = pm_joint_of(w->model, joint)->rubs == PM_CONSTRAINT_RATIO ? 2 : 1;
     double sum = 0;
     for (int i = first; i < first + n; i++) {
-        const int active = w->joint_active[i];
+        const int active = w->active.of_joint[i];
         if (active != PM_NONE) sum = hypot(sum, x[active]);
     }
     return sum;
@@ -94,16 +99,19 @@ double pm_joint_friction_limit(const pm_workspace *w, int k)
 
 static double sliding(const pm_workspace *w, int k)
 {
-    const double size = own(w, k) + w->grip_load[k];
-    return w->state.grip[k] == PM_SLIDE_FORWARD ? -size : w->state.grip[k] == PM_SLIDE_BACKWARD ? size : 0;
+    const double size = own(w, k) + w->active.friction_load[k];
+    return w->state.friction[k] == PM_SLIDE_FORWARD    ? -size
+           : w->state.friction[k] == PM_SLIDE_BACKWARD ? size
+                                                       : 0;
 }
 
 double pm_joint_friction_of_joint(const pm_workspace *w, int joint, pm_constraint *row)
 {
-    for (int k = 0; k < w->model->ngrip; k++) {
+    for (int k = 0; k < w->model->nfriction; k++) {
         if (joint_of(w, k) != joint) continue;
         pm_joint_friction_row(w, k, row);
-        return w->grip_row[k] == PM_NONE ? sliding(w, k) : w->frame.lambda[w->grip_row[k]];
+        return w->active.friction_row[k] == PM_NONE ? sliding(w, k)
+                                                    : w->frame.lambda[w->active.friction_row[k]];
     }
     return 0;
 }
@@ -111,7 +119,7 @@ double pm_joint_friction_of_joint(const pm_workspace *w, int joint, pm_constrain
 static int of_force(const pm_workspace *w, int force)
 {
     int k = 0;
-    while (w->model->grip_force[k] != force) k++;
+    while (w->model->friction_force[k] != force) k++;
     return k;
 }
 
@@ -145,11 +153,11 @@ int pm_joint_friction_steady(const pm_workspace *w, int force, const pm_constant
 int pm_joint_friction_update(pm_workspace *w)
 {
     int changed = 0;
-    for (int k = 0; k < w->model->ngrip; k++) {
-        if (!slides(w->state.grip[k]) || !(by_load(w, k) > 0)) continue;
+    for (int k = 0; k < w->model->nfriction; k++) {
+        if (!slides(w->state.friction[k]) || !(by_load(w, k) > 0)) continue;
         const double next = by_load(w, k) * load(w, k, w->frame.lambda);
-        changed |= fabs(next - w->grip_load[k]) > SAME * fabs(next);
-        w->grip_load[k] = next;
+        changed |= fabs(next - w->active.friction_load[k]) > SAME * fabs(next);
+        w->active.friction_load[k] = next;
     }
     return changed;
 }
@@ -157,49 +165,50 @@ int pm_joint_friction_update(pm_workspace *w)
 /* ---- modes ---- */
 void pm_joint_friction_release(pm_workspace *w)
 {
-    for (int k = 0; k < w->model->ngrip; k++) {
-        w->state.grip[k] = PM_OPEN;
-        w->grip_load[k] = 0;
+    for (int k = 0; k < w->model->nfriction; k++) {
+        w->state.friction[k] = PM_OPEN;
+        w->active.friction_load[k] = 0;
     }
 }
 
 static void hold(pm_workspace *w, int k)
 {
     pm_constraint row;
-    w->state.grip[k] = PM_STICK;
+    w->state.friction[k] = PM_STICK;
     pm_joint_friction_row(w, k, &row);
     pm_constraint_kind(row.kind)->remember(w, &row, &w->state.memory[row.memory], 1);
 }
 
 void pm_joint_friction_close(pm_workspace *w)
 {
-    for (int k = 0; k < w->model->ngrip; k++) {
+    for (int k = 0; k < w->model->nfriction; k++) {
         const double slip = pm_joint_friction_slip(w, k);
         if (pm_state_is_absent(w->model, &w->state, PM_TABLE_JOINT, joint_of(w, k)))
-            w->state.grip[k] = PM_OPEN;
+            w->state.friction[k] = PM_OPEN;
         else if (fabs(slip) <= pm_joint_friction_still(w, k))
             hold(w, k);
         else
-            w->state.grip[k] = slip > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
+            w->state.friction[k] = slip > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
     }
 }
 
 /* Against the friction that would have held it. */
 void pm_joint_friction_slides(pm_workspace *w, int k)
 {
-    const double friction = w->frame.lambda[w->grip_row[k]];
-    w->state.grip[k] = friction > 0 ? PM_SLIDE_BACKWARD : PM_SLIDE_FORWARD;
+    const double friction = w->frame.lambda[w->active.friction_row[k]];
+    w->state.friction[k] = friction > 0 ? PM_SLIDE_BACKWARD : PM_SLIDE_FORWARD;
 }
 
 void pm_joint_friction_stops(pm_workspace *w, int k) { hold(w, k); }
 
 int pm_joint_friction_overcome(pm_workspace *w, double slack)
 {
-    for (int k = 0; k < w->model->ngrip; k++) {
-        if (w->state.grip[k] != PM_STICK || w->grip_row[k] == PM_NONE) continue;
+    for (int k = 0; k < w->model->nfriction; k++) {
+        if (w->state.friction[k] != PM_STICK || w->active.friction_row[k] == PM_NONE) continue;
         const int turns = pm_joint_of(w->model, joint_of(w, k))->rubs == PM_CONSTRAINT_RATIO;
-        const double needed = fabs(w->frame.lambda[w->grip_row[k]]), limit = pm_joint_friction_limit(w, k);
-        if (needed <= limit + slack * (turns ? w->size : 1)) continue;
+        const double needed = fabs(w->frame.lambda[w->active.friction_row[k]]),
+                     limit = pm_joint_friction_limit(w, k);
+        if (needed <= limit + slack * (turns ? w->numbers.size : 1)) continue;
         pm_joint_friction_slides(w, k);
         return 1;
     }
@@ -208,8 +217,8 @@ int pm_joint_friction_overcome(pm_workspace *w, double slack)
 
 int pm_joint_friction_check_blow(pm_workspace *w)
 {
-    for (int k = 0; k < w->model->ngrip; k++)
-        if (by_load(w, k) > 0 && load(w, k, w->rhs) > 0)
-            return pm_fail(w, PM_UNSUPPORTED, PM_TABLE_FORCE, w->model->grip_force[k], NAN, NAN);
+    for (int k = 0; k < w->model->nfriction; k++)
+        if (by_load(w, k) > 0 && load(w, k, w->saddle.rhs) > 0)
+            return pm_fail(w, PM_UNSUPPORTED, PM_TABLE_FORCE, w->model->friction_force[k], NAN, NAN);
     return PM_OK;
 }

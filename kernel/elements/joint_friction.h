@@ -4,7 +4,7 @@
 
 #include "elements/constraint.h"
 #include "elements/force.h"
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* How many frictions of joints the case has, and whether one that slides depends on the load of its joint. */
 int pm_joint_friction_any(const pm_model *m);

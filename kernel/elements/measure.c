@@ -7,6 +7,7 @@
 #include "elements/constraint.h"
 #include "elements/joint.h"
 #include "elements/measure_kinds.h"
+#include "state/workspace.h"
 
 enum { ALL_ALLOWED = 1, CAN_START_POSITION = 2, CAN_START_VELOCITY = 4 };
 
@@ -79,7 +80,7 @@ static double part_of(const pm_workspace *w, const int32_t *e, const double v[2]
     case PM_PART_NORM: return hypot(v[0], v[1]);
     case PM_PART_ANGLE: return atan2(v[1], v[0]);
     default: {
-        const double direction = w->value[e[PM_MEASURE_VALUE]];
+        const double direction = w->numbers.value[e[PM_MEASURE_VALUE]];
         return v[0] * cos(direction) + v[1] * sin(direction);
     }
     }

@@ -2,7 +2,7 @@
 #ifndef PM_MEASURE_H
 #define PM_MEASURE_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* Value of measure i at the frame, which must be filled to pm_measure_level.  Not a number where it has none. */
 double pm_measure(pm_workspace *w, int i);

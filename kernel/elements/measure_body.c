@@ -4,6 +4,7 @@
  * a point P: H_P = H_O - OP x L, (17.28) moved to P.  The pole is where v_G + omega x GP = 0. */
 #include "elements/measure_kinds.h"
 #include "elements/turning_plane.h"
+#include "state/workspace.h"
 
 /* ---- bodies ---- */
 static const double *velocity(const pm_measure_args *x, int body)
@@ -38,12 +39,12 @@ double pm_measured_mass(const pm_measure_args *x)
 {
     double sum = 0;
     for (int i = 0; i < x->w->model->nbody; i++)
-        if (x->a == PM_NONE || x->a == i) sum += x->w->mass[i];
+        if (x->a == PM_NONE || x->a == i) sum += x->w->numbers.mass[i];
     return sum;
 }
 double pm_measured_weight(const pm_measure_args *x)
 {
-    return pm_measured_mass(x) * hypot(x->w->gravity[0], x->w->gravity[1]);
+    return pm_measured_mass(x) * hypot(x->w->numbers.gravity[0], x->w->numbers.gravity[1]);
 }
 
 double pm_measured_inertia(const pm_measure_args *x)
@@ -53,7 +54,7 @@ double pm_measured_inertia(const pm_measure_args *x)
     if (x->e[PM_MEASURE_ABOUT] != PM_NONE) {
         const pm_point p = pm_frame_point_of(x->w, x->e[PM_MEASURE_ABOUT]);
         const double *g = pose(x, x->a), dx = g[0] - p.p[0], dy = g[1] - p.p[1];
-        sum += x->w->mass[x->a] * (dx * dx + dy * dy);
+        sum += x->w->numbers.mass[x->a] * (dx * dx + dy * dy);
     }
     return sum;
 }
@@ -132,8 +133,8 @@ void pm_measured_moved(const pm_measure_args *x, double out[2])
     const pm_point now = pm_frame_point_of(x->w, x->a);
     out[0] = out[1] = 0;
     if (e[PM_POINT_BODY] == PM_GROUND) return;
-    const double *q = x->w->start.q + 3 * e[PM_POINT_BODY], px = x->w->value[e[PM_POINT_X]],
-                 py = x->w->value[e[PM_POINT_Y]];
+    const double *q = x->w->start.q + 3 * e[PM_POINT_BODY], px = x->w->numbers.value[e[PM_POINT_X]],
+                 py = x->w->numbers.value[e[PM_POINT_Y]];
     out[0] = now.p[0] - (q[0] + cos(q[2]) * px - sin(q[2]) * py);
     out[1] = now.p[1] - (q[1] + sin(q[2]) * px + cos(q[2]) * py);
 }

@@ -7,6 +7,7 @@
 #include "elements/contact.h"
 #include "elements/edge.h"
 #include "elements/measure_kinds.h"
+#include "state/workspace.h"
 
 /* ---- slots ---- */
 static int counts(const pm_measure_args *x, int slot)
@@ -63,16 +64,18 @@ double pm_measured_contact_slip(const pm_measure_args *x)
 static double slot_normal(const pm_workspace *w, int slot)
 {
     if (w->state.slot[slot].mode == PM_CAPTURED) return NAN;
-    const int active = w->slot_normal[slot];
+    const int active = w->active.slot_normal[slot];
     return active == PM_NONE ? 0 : w->frame.lambda[active];
 }
 
 static double slot_friction(const pm_workspace *w, int slot)
 {
-    const int active = w->slot_tangent[slot];
+    const int active = w->active.slot_tangent[slot];
     if (w->state.slot[slot].mode == PM_CAPTURED) return NAN;
     if (active != PM_NONE) return w->frame.lambda[active];
-    return w->slot_normal[slot] == PM_NONE ? 0 : w->row[w->slot_normal[slot]].slide * slot_normal(w, slot);
+    return w->active.slot_normal[slot] == PM_NONE
+               ? 0
+               : w->active.row[w->active.slot_normal[slot]].slide * slot_normal(w, slot);
 }
 
 double pm_measured_contact_normal(const pm_measure_args *x)
@@ -111,7 +114,7 @@ static double side_of(const pm_measure_args *x)
 
 static double held_force(const pm_workspace *w, int slot, int axis)
 {
-    const int active = w->slot_held[PM_JOINT_CONSTRAINTS * slot + axis];
+    const int active = w->active.slot_held[PM_JOINT_CONSTRAINTS * slot + axis];
     return active == PM_NONE ? 0 : w->frame.lambda[active];
 }
 
@@ -146,7 +149,7 @@ void pm_measured_contact_impulse(const pm_measure_args *x, double out[2])
     const double side = side_of(x);
     out[0] = out[1] = 0;
     for (int i = first; i < last; i++) {
-        const double *impulse = w->slot_impulse + 2 * i, *direction = w->slot_direction + 4 * i;
+        const double *impulse = w->impulses.slot + 2 * i, *direction = w->impulses.slot_direction + 4 * i;
         for (int k = 0; k < 2; k++)
             out[k] += side * (impulse[0] * direction[k] + impulse[1] * direction[2 + k]);
     }

@@ -8,6 +8,7 @@
 #include "elements/joint.h"
 #include "elements/joint_friction.h"
 #include "elements/measure_kinds.h"
+#include "state/workspace.h"
 
 /* Which partner of a joint an address means: the first, or (`on` another body) the second; PM_NONE of a joint that is not
  * there: nothing acts. */
@@ -38,9 +39,9 @@ static void joint_sum(const pm_measure_args *x, const double *reaction, int by_a
     const int on = partner_of(x);
     out[0] = out[1] = out[2] = 0;
     for (int i = first; i < last && on != PM_NONE; i++) {
-        const int active = x->w->joint_active[i];
+        const int active = x->w->active.of_joint[i];
         if (active == PM_NONE) continue;
-        add_reaction(x, &x->w->row[active], reaction[by_active ? active : i], on, out);
+        add_reaction(x, &x->w->active.row[active], reaction[by_active ? active : i], on, out);
     }
     pm_constraint rubbing;
     const double friction = by_active ? pm_joint_friction_of_joint(x->w, x->a, &rubbing) : 0;
@@ -62,13 +63,13 @@ double pm_measured_joint_couple(const pm_measure_args *x)
 void pm_measured_joint_impulse(const pm_measure_args *x, double out[2])
 {
     double sum[3];
-    joint_sum(x, x->w->joint_impulse, 0, sum);
+    joint_sum(x, x->w->impulses.joint, 0, sum);
     memcpy(out, sum, 2 * sizeof *out);
 }
 /* Not unique where a row is redundant; the two strands of a belt depend on each other. */
 static double joint_row_reaction(const pm_measure_args *x, int row)
 {
-    const int *active = x->w->joint_active + x->w->model->joint_row[x->a];
+    const int *active = x->w->active.of_joint + x->w->model->joint_row[x->a];
     const int belt = PM_JOINT_ROW(x->w->model, x->a)[PM_JOINT_KIND] == PM_JOINT_BELT;
     if (active[row] == PM_NONE || (belt && active[1 - row] == PM_NONE)) return NAN;
     return x->w->frame.lambda[active[row]];

@@ -5,7 +5,7 @@
 #include <math.h>
 
 #include "state/frame.h"
-#include "state/model.h"
+#include "state/workspace.h"
 
 typedef struct pm_measure_args {
     pm_workspace *w;

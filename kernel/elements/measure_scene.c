@@ -5,6 +5,7 @@
 #include "elements/measure_kinds.h"
 #include "elements/trigger.h"
 #include "elements/turning_plane.h"
+#include "state/workspace.h"
 
 /* ---- forces and events ---- */
 void pm_measured_force_force(const pm_measure_args *x, double out[2])
@@ -19,7 +20,7 @@ double pm_measured_force_work(const pm_measure_args *x)
 {
     const int z = x->w->model->force_z[x->a];
     if (z != PM_NONE) return x->w->frame.z[z];
-    return x->w->force_energy_start[x->a] - pm_force_action(x->w, x->a).energy;
+    return x->w->ledger.force_energy_start[x->a] - pm_force_action(x->w, x->a).energy;
 }
 double pm_measured_force_power(const pm_measure_args *x) { return pm_force_action(x->w, x->a).power; }
 double pm_measured_force_stretch(const pm_measure_args *x) { return pm_force_action(x->w, x->a).stretch; }
@@ -38,7 +39,7 @@ double pm_measured_total(const pm_measure_args *x)
     return pm_body_kinetic(x->w, PM_NONE) + pm_turning_plane_kinetic(x->w, PM_NONE) +
            pm_measured_potential(x);
 }
-double pm_measured_lost(const pm_measure_args *x) { return x->w->lost; }
+double pm_measured_lost(const pm_measure_args *x) { return x->w->impulses.energy_lost; }
 
 /* ---- the turning plane ---- */
 double pm_measured_spin_omega(const pm_measure_args *x) { return pm_turning_plane_omega(x->w); }

@@ -8,6 +8,7 @@
 #include "events/event.h"
 #include "expression/program.h"
 #include "scene/program_class.h"
+#include "state/workspace.h"
 
 void pm_trigger_reset(pm_workspace *w)
 {
@@ -39,15 +40,15 @@ double pm_trigger_time(const pm_workspace *w, int event) { return w->event->time
 
 double pm_trigger_program(pm_workspace *w, int trigger)
 {
-    return pm_program_run(w->model, PM_TRIGGER_ROW(w->model, trigger)[PM_TRIGGER_PROGRAM], w->param, w->value,
-                          w);
+    return pm_program_run(w->model, PM_TRIGGER_ROW(w->model, trigger)[PM_TRIGGER_PROGRAM], w->numbers.param,
+                          w->numbers.value, w);
 }
 
 int pm_trigger_on_time(const pm_workspace *w, int trigger)
 {
     const int32_t *e = PM_TRIGGER_ROW(w->model, trigger);
     return e[PM_TRIGGER_KIND] <= PM_TRIGGER_FALL &&
-           w->model->program_nature[e[PM_TRIGGER_PROGRAM]] == PM_CLASS_TIME;
+           w->model->programs.class[e[PM_TRIGGER_PROGRAM]] == PM_CLASS_TIME;
 }
 
 /* p(t) is a straight line: its values now and one time unit later tell where it goes through zero, and which way. */

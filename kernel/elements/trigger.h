@@ -2,7 +2,7 @@
 #ifndef PM_TRIGGER_H
 #define PM_TRIGGER_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* What stands in pm_event_set.fired: a trigger fires at this instant, or has done so with an earlier blow of it. */
 enum pm_fired { PM_FIRED_NOT = 0, PM_FIRED_NOW = 1, PM_FIRED_EARLIER = 2 };

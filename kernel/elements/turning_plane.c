@@ -21,6 +21,7 @@
 
 #include "elements/measure.h"
 #include "expression/program.h"
+#include "state/workspace.h"
 
 #define ALONG \
     1e-12 /* of the gravity: what may be across the axis, which rounding makes of an angle of 90 degrees */
@@ -74,38 +75,38 @@ void pm_turning_plane_lay_out(pm_model *m)
 static int out_of_bound(pm_workspace *w, int table, int row, int column, double value, double bound)
 {
     pm_fail(w, PM_BAD_VALUE, table, row, value, bound);
-    w->where.member = column;
+    w->result.where.member = column;
     return PM_BAD_VALUE;
 }
 
 static int read_axis(pm_workspace *w)
 {
-    pm_turning_plane *s = &w->spin;
+    pm_turning_plane *s = &w->numbers.plane;
     const int32_t *e = row_of(w->model);
     for (int k = 0; k < PM_SPIN_COUPLE; k++) {
-        const double value = w->value[e[k]];
+        const double value = w->numbers.value[e[k]];
         const int ok = isfinite(value) && (k != PM_SPIN_INERTIA || value >= 0);
         if (!ok) return out_of_bound(w, PM_TABLE_SPIN, 0, k, value, k == PM_SPIN_INERTIA ? 0 : -INFINITY);
     }
-    s->through[0] = w->value[e[PM_SPIN_X]];
-    s->through[1] = w->value[e[PM_SPIN_Y]];
-    s->angle = w->value[e[PM_SPIN_ANGLE]];
+    s->through[0] = w->numbers.value[e[PM_SPIN_X]];
+    s->through[1] = w->numbers.value[e[PM_SPIN_Y]];
+    s->angle = w->numbers.value[e[PM_SPIN_ANGLE]];
     s->normal[0] = -sin(s->angle);
     s->normal[1] = cos(s->angle);
-    s->inertia = w->value[e[PM_SPIN_INERTIA]];
+    s->inertia = w->numbers.value[e[PM_SPIN_INERTIA]];
     /* a plane that turns takes the direction of the gravity along only if that is the axis' own */
-    const double across = fabs(w->gravity[0] * s->normal[0] + w->gravity[1] * s->normal[1]);
-    const double allowed = ALONG * hypot(w->gravity[0], w->gravity[1]);
+    const double across = fabs(w->numbers.gravity[0] * s->normal[0] + w->numbers.gravity[1] * s->normal[1]);
+    const double allowed = ALONG * hypot(w->numbers.gravity[0], w->numbers.gravity[1]);
     return across > allowed ? out_of_bound(w, PM_TABLE_SPIN, 0, PM_SPIN_ANGLE, across, allowed) : PM_OK;
 }
 
 int pm_turning_plane_case(pm_workspace *w)
 {
-    w->spin = (pm_turning_plane){.momentum = 0};
+    w->numbers.plane = (pm_turning_plane){.momentum = 0};
     if (!pm_turning_plane_turns(w->model)) return PM_OK;
     for (int i = 0; i < w->model->nbody; i++)
         for (int k = 0; k < PM_SECOND_COLUMNS; k++) {
-            const double value = w->value[PM_SECOND_ROW(w->model, i)[k]];
+            const double value = w->numbers.value[PM_SECOND_ROW(w->model, i)[k]];
             if (!isfinite(value) || value < 0) return out_of_bound(w, PM_TABLE_SECOND, i, k, value, 0);
         }
     return read_axis(w);
@@ -116,7 +117,7 @@ int pm_turning_plane_start(pm_workspace *w)
     if (!pm_turning_plane_turns(w->model)) return PM_OK;
     const double inertia = pm_turning_plane_inertia(w);
     if (!(inertia > 0)) return out_of_bound(w, PM_TABLE_SPIN, 0, PM_SPIN_INERTIA, inertia, 0);
-    w->spin.momentum = inertia * w->value[row_of(w->model)[PM_SPIN_OMEGA]];
+    w->numbers.plane.momentum = inertia * w->numbers.value[row_of(w->model)[PM_SPIN_OMEGA]];
     return PM_OK;
 }
 
@@ -124,20 +125,20 @@ int pm_turning_plane_start(pm_workspace *w)
 /* A body's distance from the axis, on the left of its direction, and its x axis as seen from the axis. */
 static double distance(const pm_workspace *w, int i)
 {
-    const double *pose = w->frame.pose + 5 * i, *n = w->spin.normal;
-    return (pose[0] - w->spin.through[0]) * n[0] + (pose[1] - w->spin.through[1]) * n[1];
+    const double *pose = w->frame.pose + 5 * i, *n = w->numbers.plane.normal;
+    return (pose[0] - w->numbers.plane.through[0]) * n[0] + (pose[1] - w->numbers.plane.through[1]) * n[1];
 }
 
 static void direction(const pm_workspace *w, int i, double *sine, double *cosine)
 {
-    const double *pose = w->frame.pose + 5 * i, *n = w->spin.normal;
+    const double *pose = w->frame.pose + 5 * i, *n = w->numbers.plane.normal;
     *sine = pose[3] * n[0] + pose[4] * n[1];
     *cosine = pose[3] * n[1] - pose[4] * n[0];
 }
 
 static double second(const pm_workspace *w, int i, int column)
 {
-    return w->value[PM_SECOND_ROW(w->model, i)[column]];
+    return w->numbers.value[PM_SECOND_ROW(w->model, i)[column]];
 }
 
 static double body_inertia(const pm_workspace *w, int i)
@@ -145,14 +146,14 @@ static double body_inertia(const pm_workspace *w, int i)
     double sine, cosine;
     const double d = distance(w, i);
     direction(w, i, &sine, &cosine);
-    return w->mass[i] * d * d + second(w, i, PM_SECOND_X) * sine * sine +
+    return w->numbers.mass[i] * d * d + second(w, i, PM_SECOND_X) * sine * sine +
            second(w, i, PM_SECOND_Y) * cosine * cosine + second(w, i, PM_SECOND_Z);
 }
 
 double pm_turning_plane_inertia(const pm_workspace *w)
 {
     if (!pm_turning_plane_turns(w->model)) return 0;
-    double sum = w->spin.inertia;
+    double sum = w->numbers.plane.inertia;
     for (int i = 0; i < w->model->nbody; i++) sum += body_inertia(w, i);
     return sum;
 }
@@ -160,7 +161,7 @@ double pm_turning_plane_inertia(const pm_workspace *w)
 double pm_turning_plane_momentum(const pm_workspace *w)
 {
     const int z = w->model->spin_z;
-    return w->spin.momentum + (z == PM_NONE ? 0 : w->frame.z[z]);
+    return w->numbers.plane.momentum + (z == PM_NONE ? 0 : w->frame.z[z]);
 }
 
 double pm_turning_plane_omega(const pm_workspace *w)
@@ -185,10 +186,10 @@ void pm_turning_plane_forces(pm_workspace *w)
     const double omega = pm_turning_plane_omega(w), square = omega * omega;
     for (int i = 0; i < w->model->nbody; i++) {
         double sine, cosine, *f = w->frame.f + 3 * i;
-        const double outward = square * w->mass[i] * distance(w, i);
+        const double outward = square * w->numbers.mass[i] * distance(w, i);
         direction(w, i, &sine, &cosine);
-        f[0] += outward * w->spin.normal[0];
-        f[1] += outward * w->spin.normal[1];
+        f[0] += outward * w->numbers.plane.normal[0];
+        f[1] += outward * w->numbers.plane.normal[1];
         f[2] += square * (second(w, i, PM_SECOND_X) - second(w, i, PM_SECOND_Y)) * sine * cosine;
     }
 }
@@ -199,7 +200,7 @@ double pm_turning_plane_force_size(const pm_workspace *w, const double *t)
     const double omega = pm_turning_plane_omega(w);
     double sum = 0;
     for (int i = 0; i < w->model->nbody; i++, t += 3)
-        sum += w->mass[i] * w->size * hypot(t[0], t[1]) +
+        sum += w->numbers.mass[i] * w->numbers.size * hypot(t[0], t[1]) +
                (second(w, i, PM_SECOND_X) + second(w, i, PM_SECOND_Y)) * fabs(t[2]);
     return omega * omega * sum;
 }
@@ -210,11 +211,11 @@ void pm_turning_plane_outer(const pm_workspace *w, double outer[PM_LEDGER])
 {
     outer[0] = outer[1] = outer[2] = 0;
     if (!pm_turning_plane_turns(w->model)) return;
-    const double omega = pm_turning_plane_omega(w), *n = w->spin.normal;
+    const double omega = pm_turning_plane_omega(w), *n = w->numbers.plane.normal;
     for (int i = 0; i < w->model->nbody; i++) {
-        const double *pose = w->frame.pose + 5 * i, turned = 2 * (pose[2] - w->spin.angle);
+        const double *pose = w->frame.pose + 5 * i, turned = 2 * (pose[2] - w->numbers.plane.angle);
         const double sx = second(w, i, PM_SECOND_X), sy = second(w, i, PM_SECOND_Y);
-        const double pull = omega * omega * w->mass[i] * distance(w, i);
+        const double pull = omega * omega * w->numbers.mass[i] * distance(w, i);
         /* integral of (along the axis) (away from it) over the body, about G: Mohr's circle */
         const double product = 0.5 * (sx - sy) * sin(turned);
         outer[0] += pull * n[0];
@@ -227,7 +228,7 @@ void pm_turning_plane_outer(const pm_workspace *w, double outer[PM_LEDGER])
 static double couple(pm_workspace *w)
 {
     const int program = pm_turning_plane_turns(w->model) ? row_of(w->model)[PM_SPIN_COUPLE] : PM_NONE;
-    return program >= 0 ? pm_program_run(w->model, program, w->param, w->value, w) : 0;
+    return program >= 0 ? pm_program_run(w->model, program, w->numbers.param, w->numbers.value, w) : 0;
 }
 
 void pm_turning_plane_rates(pm_workspace *w, double *zdot)
@@ -246,5 +247,6 @@ double pm_turning_plane_scale(const pm_workspace *w, int z)
 {
     if (z == w->model->spin_angle_z) return 1;
     if (z != w->model->spin_z) return 0;
-    return fmax(fabs(pm_turning_plane_momentum(w)), pm_turning_plane_inertia(w) * w->speed / w->size);
+    return fmax(fabs(pm_turning_plane_momentum(w)),
+                pm_turning_plane_inertia(w) * w->numbers.speed / w->numbers.size);
 }

@@ -2,7 +2,7 @@
 #ifndef PM_TURNING_PLANE_H
 #define PM_TURNING_PLANE_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* build.c: the table; what it needs among the running integrals. */
 int pm_turning_plane_validate(const pm_model *m, pm_where *where);

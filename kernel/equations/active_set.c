@@ -18,6 +18,7 @@
 #include "equations/saddle.h"
 #include "equations/solve_cache.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 #define NEIGHBOUR 1e-3       /* displacement, in sizes of the scene */
 #define CLEARLY 1e-3         /* independent part of every row above which nothing else need be asked */
@@ -26,11 +27,11 @@
 void pm_active_set_clear(pm_workspace *w)
 {
     pm_solve_cache_drop_rows(w);
-    w->nactive = w->njoint_active = w->nredundant = w->asymmetric = 0;
-    for (int i = 0; i < w->model->njoint_row; i++) w->joint_active[i] = PM_NONE;
-    for (int i = 0; i < w->model->nslot; i++) w->slot_normal[i] = w->slot_tangent[i] = PM_NONE;
-    for (int i = 0; i < PM_JOINT_CONSTRAINTS * w->model->nslot; i++) w->slot_held[i] = PM_NONE;
-    for (int i = 0; i < w->model->ngrip; i++) w->grip_row[i] = PM_NONE;
+    w->active.n = w->active.njoint = w->active.nredundant = w->active.asymmetric = 0;
+    for (int i = 0; i < w->model->njoint_row; i++) w->active.of_joint[i] = PM_NONE;
+    for (int i = 0; i < w->model->nslot; i++) w->active.slot_normal[i] = w->active.slot_tangent[i] = PM_NONE;
+    for (int i = 0; i < PM_JOINT_CONSTRAINTS * w->model->nslot; i++) w->active.slot_held[i] = PM_NONE;
+    for (int i = 0; i < w->model->nfriction; i++) w->active.friction_row[i] = PM_NONE;
 }
 
 /* The basis of the rows that are active so far, at the frame; its size. */
@@ -38,9 +39,9 @@ static int basis_of_active(pm_workspace *w)
 {
     pm_orthonormal_rest rest;
     int n = 0;
-    for (int i = 0; i < w->nactive; i++) {
-        pm_constraint_kind(w->row[i].kind)->evaluate(w, &w->row[i]);
-        n = pm_orthonormal_rows_add(w, n, w->row[i].j, w->row[i].body, &rest);
+    for (int i = 0; i < w->active.n; i++) {
+        pm_constraint_kind(w->active.row[i].kind)->evaluate(w, &w->active.row[i]);
+        n = pm_orthonormal_rows_add(w, n, w->active.row[i].j, w->active.row[i].body, &rest);
     }
     return n;
 }
@@ -56,7 +57,7 @@ static int go_nearby(pm_workspace *w, pm_state *s)
     norm = sqrt(norm);
     for (int i = 0; i < nq; i++) {
         const double along = norm > 0 ? s->v[i] / norm : step[i % 3] * (1 + 0.1 * (i / 3));
-        s->q[i] += NEIGHBOUR * w->size * along * (w->inverse_mass[i] > 0);
+        s->q[i] += NEIGHBOUR * w->numbers.size * along * (w->numbers.inverse_mass[i] > 0);
     }
     return pm_projection_apply(w, s);
 }
@@ -83,11 +84,11 @@ static int depends_nearby(pm_workspace *w, const pm_constraint *row, int *depend
 static int append(pm_workspace *w, const pm_constraint *row, int *nbasis, int *index)
 {
     if (!nbasis) {
-        w->row[w->nactive] = *row;
-        *index = w->nactive++;
+        w->active.row[w->active.n] = *row;
+        *index = w->active.n++;
         return PM_OK;
     }
-    pm_constraint *place = &w->row[w->nactive];
+    pm_constraint *place = &w->active.row[w->active.n];
     pm_orthonormal_rest rest;
     int depends = 0;
     *place = *row;
@@ -101,9 +102,9 @@ static int append(pm_workspace *w, const pm_constraint *row, int *nbasis, int *i
     *nbasis = n;
     *index = PM_NONE;
     if (depends)
-        w->nredundant++;
+        w->active.nredundant++;
     else
-        *index = w->nactive++;
+        *index = w->active.n++;
     return PM_OK;
 }
 
@@ -112,14 +113,14 @@ static int append_joints(pm_workspace *w, int *nbasis)
     const pm_model *m = w->model;
     for (int j = 0; j < m->rows[PM_TABLE_JOINT]; j++) {
         pm_constraint row[PM_JOINT_CONSTRAINTS];
-        const int i = w->joint_order[j], n = pm_joint_constraints(w, i, row);
+        const int i = w->active.joint_order[j], n = pm_joint_constraints(w, i, row);
         for (int k = 0; k < n; k++) {
             if (pm_fixed_bodies_row(w, &row[k])) continue;
-            const int status = append(w, &row[k], nbasis, &w->joint_active[m->joint_row[i] + k]);
+            const int status = append(w, &row[k], nbasis, &w->active.of_joint[m->joint_row[i] + k]);
             if (status) return status;
         }
     }
-    w->njoint_active = w->nactive;
+    w->active.njoint = w->active.n;
     return PM_OK;
 }
 
@@ -131,7 +132,7 @@ static int append_captured(pm_workspace *w, int *nbasis)
         if (w->state.slot[i].mode != PM_CAPTURED) continue;
         const int n = pm_capture_rows(w, i, row);
         for (int k = 0; k < n; k++) {
-            const int status = append(w, &row[k], nbasis, &w->slot_held[PM_JOINT_CONSTRAINTS * i + k]);
+            const int status = append(w, &row[k], nbasis, &w->active.slot_held[PM_JOINT_CONSTRAINTS * i + k]);
             if (status) return status;
         }
     }
@@ -155,8 +156,8 @@ static int append_normals(pm_workspace *w, int *nbasis)
         const int contact = pm_contact_of_slot(w->model, i);
         pm_contact_constraint_normal(w, contact, i, slot[i].member, &normal);
         if (slides(slot[i].mode)) normal.slide = slide_factor(w, contact, slot[i].mode);
-        w->asymmetric |= normal.slide != 0;
-        const int status = append(w, &normal, nbasis, &w->slot_normal[i]);
+        w->active.asymmetric |= normal.slide != 0;
+        const int status = append(w, &normal, nbasis, &w->active.slot_normal[i]);
         if (status) return status;
     }
     return PM_OK;
@@ -169,12 +170,12 @@ static int append_tangents(pm_workspace *w, int *nbasis)
     for (int i = 0; i < w->model->nslot; i++) {
         pm_constraint normal, tangent;
         if (slot[i].mode != PM_STICK) continue;
-        const int contact = pm_contact_of_slot(w->model, i), active = w->slot_normal[i];
+        const int contact = pm_contact_of_slot(w->model, i), active = w->active.slot_normal[i];
         if (active == PM_NONE)
             pm_contact_constraint_both(w, contact, i, slot[i].member, &normal, &tangent);
         else
-            pm_contact_constraint_tangent(w, contact, &w->row[active], &tangent);
-        const int status = append(w, &tangent, nbasis, &w->slot_tangent[i]);
+            pm_contact_constraint_tangent(w, contact, &w->active.row[active], &tangent);
+        const int status = append(w, &tangent, nbasis, &w->active.slot_tangent[i]);
         if (status) return status;
     }
     return PM_OK;
@@ -183,11 +184,11 @@ static int append_tangents(pm_workspace *w, int *nbasis)
 /* Frictions of joints that hold. */
 static int append_grips(pm_workspace *w, int *nbasis)
 {
-    for (int i = 0; i < w->model->ngrip; i++) {
+    for (int i = 0; i < w->model->nfriction; i++) {
         pm_constraint row;
-        if (w->state.grip[i] != PM_STICK) continue;
+        if (w->state.friction[i] != PM_STICK) continue;
         pm_joint_friction_row(w, i, &row);
-        const int status = append(w, &row, nbasis, &w->grip_row[i]);
+        const int status = append(w, &row, nbasis, &w->active.friction_row[i]);
         if (status) return status;
     }
     return PM_OK;
@@ -197,17 +198,17 @@ static int append_grips(pm_workspace *w, int *nbasis)
 static void append_carried(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    int n = w->nactive;
-    for (int i = 0; i < m->nslot && w->asymmetric; i++) {
+    int n = w->active.n;
+    for (int i = 0; i < m->nslot && w->active.asymmetric; i++) {
         const int mode = w->state.slot[i].mode;
-        if (!slides(mode) || w->slot_normal[i] == PM_NONE) continue;
+        if (!slides(mode) || w->active.slot_normal[i] == PM_NONE) continue;
         pm_constraint normal, tangent;
         pm_contact_constraint_both(w, pm_contact_of_slot(m, i), i, w->state.slot[i].member, &normal,
                                    &tangent);
-        tangent.normal = w->slot_normal[i];
-        w->row[n++] = tangent;
+        tangent.normal = w->active.slot_normal[i];
+        w->active.row[n++] = tangent;
     }
-    w->row[n].normal = PM_NONE;
+    w->active.row[n].normal = PM_NONE;
 }
 
 static int append_all(pm_workspace *w, int *nbasis)
@@ -225,15 +226,15 @@ static int append_all(pm_workspace *w, int *nbasis)
 int pm_active_set_build(pm_workspace *w)
 {
     int nbasis = 0;
-    w->rows_here = 0;
+    w->active.evaluated = 0;
     if (pm_solve_cache_is_built(w)) return PM_OK;
     int status = append_all(w, NULL);
-    for (int i = 0; i < w->nactive && !status; i++)
-        pm_constraint_kind(w->row[i].kind)->evaluate(w, &w->row[i]);
-    const int clear = !status && (w->nactive == 0 || pm_saddle_independence(w) > CLEARLY);
+    for (int i = 0; i < w->active.n && !status; i++)
+        pm_constraint_kind(w->active.row[i].kind)->evaluate(w, &w->active.row[i]);
+    const int clear = !status && (w->active.n == 0 || pm_saddle_independence(w) > CLEARLY);
     if (!status && !clear) status = append_all(w, &nbasis);
     if (!status) append_carried(w);
-    w->rows_here = clear && !w->asymmetric;
+    w->active.evaluated = clear && !w->active.asymmetric;
     if (!status) pm_solve_cache_built(w);
     return status;
 }
@@ -241,8 +242,8 @@ int pm_active_set_build(pm_workspace *w)
 void pm_active_set_carry(pm_workspace *w, int slot, double ratio)
 {
     pm_solve_cache_drop_rows(w);
-    w->row[w->slot_normal[slot]].slide = ratio;
-    w->asymmetric = 1;
+    w->active.row[w->active.slot_normal[slot]].slide = ratio;
+    w->active.asymmetric = 1;
     append_carried(w);
 }
 
@@ -281,7 +282,7 @@ static void anchor_cords(pm_workspace *w, pm_state *s)
         pm_constraint strand, unused;
         pm_contact_constraint_both(w, i, w->model->contact_slot[i], 0, &strand, &unused);
         remember(w, s, &strand, 1);
-        s->memory[strand.memory].anchor += w->value[PM_CONTACT_ROW_OF(w->model, i)[PM_CONTACT_SLACK]];
+        s->memory[strand.memory].anchor += w->numbers.value[PM_CONTACT_ROW_OF(w->model, i)[PM_CONTACT_SLACK]];
     }
 }
 
@@ -305,6 +306,6 @@ static void follow_slack_cords(pm_workspace *w, pm_state *s)
 
 void pm_active_set_follow(pm_workspace *w, pm_state *s)
 {
-    for (int i = 0; i < w->nactive; i++) remember(w, s, &w->row[i], 0);
+    for (int i = 0; i < w->active.n; i++) remember(w, s, &w->active.row[i], 0);
     follow_slack_cords(w, s);
 }

@@ -3,7 +3,7 @@
 #ifndef PM_ACTIVE_SET_H
 #define PM_ACTIVE_SET_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* Fills w->row from the joints and the modes of the slots in w->state; the frame must look at w->state. */
 int pm_active_set_build(pm_workspace *w);

@@ -8,6 +8,7 @@
 #include "elements/turning_plane.h"
 #include "expression/program.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 #include "study/accuracy.h"
 
 #define STAND_IN \
@@ -17,20 +18,21 @@
 static int out_of_bound(pm_workspace *w, int table, int row, int member, double value, double bound)
 {
     pm_fail(w, PM_BAD_VALUE, table, row, value, bound);
-    w->where.member = member;
+    w->result.where.member = member;
     return PM_BAD_VALUE;
 }
 
 int pm_case_values(pm_workspace *w, const double *param)
 {
     const pm_model *m = w->model;
-    w->param = param;
-    w->has_numbers = 0;
+    w->numbers.param = param;
+    w->numbers.is_folded = 0;
     for (int i = 0; i < m->nparam; i++)
-        if (!isfinite(w->param[i])) return out_of_bound(w, PM_NONE, i, PM_NONE, w->param[i], 0);
+        if (!isfinite(w->numbers.param[i]))
+            return out_of_bound(w, PM_NONE, i, PM_NONE, w->numbers.param[i], 0);
     for (int i = 0; i < m->nvalue; i++) {
         const int program = m->table[PM_TABLE_VALUE][i * PM_VALUE_COLUMNS + PM_VALUE_PROGRAM];
-        w->value[i] = pm_program_run(m, program, w->param, w->value, NULL);
+        w->numbers.value[i] = pm_program_run(m, program, w->numbers.param, w->numbers.value, NULL);
     }
     return PM_OK;
 }
@@ -38,7 +40,7 @@ int pm_case_values(pm_workspace *w, const double *param)
 /* value must be finite and > low (or >= low). */
 static int check(pm_workspace *w, int table, int row, int column, int index, double low, int strict)
 {
-    const double value = w->value[index];
+    const double value = w->numbers.value[index];
     if (isfinite(value) && (strict ? value > low : value >= low)) return PM_OK;
     return out_of_bound(w, table, row, column, value, low);
 }
@@ -54,9 +56,9 @@ static int read_bodies(pm_workspace *w)
         for (int k = PM_BODY_X; !status && k <= PM_BODY_ANGLE; k++)
             status = check(w, PM_TABLE_BODY, i, k, e[k], -INFINITY, 0);
         if (status) return status;
-        w->mass[i] = w->value[e[PM_BODY_MASS]];
-        w->inverse_mass[3 * i] = w->inverse_mass[3 * i + 1] = 1 / w->mass[i];
-        w->inverse_mass[3 * i + 2] = e[PM_BODY_TURNS] ? 1 / w->value[e[PM_BODY_INERTIA]] : 0;
+        w->numbers.mass[i] = w->numbers.value[e[PM_BODY_MASS]];
+        w->numbers.inverse_mass[3 * i] = w->numbers.inverse_mass[3 * i + 1] = 1 / w->numbers.mass[i];
+        w->numbers.inverse_mass[3 * i + 2] = e[PM_BODY_TURNS] ? 1 / w->numbers.value[e[PM_BODY_INERTIA]] : 0;
     }
     return PM_OK;
 }
@@ -74,7 +76,7 @@ static int check_marks(pm_workspace *w)
         status = check(w, PM_TABLE_CIRCLE, i, PM_CIRCLE_RADIUS, PM_CIRCLE_ROW(m, i)[PM_CIRCLE_RADIUS], 0, 0);
     for (int i = 0; !status && i < m->rows[PM_TABLE_ROW]; i++) {
         const int32_t *e = PM_ROW_ROW(m, i);
-        const double step = hypot(w->value[e[PM_ROW_STEP_X]], w->value[e[PM_ROW_STEP_Y]]);
+        const double step = hypot(w->numbers.value[e[PM_ROW_STEP_X]], w->numbers.value[e[PM_ROW_STEP_Y]]);
         if (!(step > 0) || !isfinite(step)) status = out_of_bound(w, PM_TABLE_ROW, i, PM_ROW_STEP_X, step, 0);
         if (!status) status = check(w, PM_TABLE_ROW, i, PM_ROW_COUNT, e[PM_ROW_COUNT], -INFINITY, 0);
     }
@@ -84,7 +86,7 @@ static int check_marks(pm_workspace *w)
 /* 1, -1 or -2: which circle is inside the other. */
 static int check_side(pm_workspace *w, int table, int row, int column, int index)
 {
-    const double side = w->value[index];
+    const double side = w->numbers.value[index];
     return side == 1 || side == -1 || side == -2 ? PM_OK : out_of_bound(w, table, row, column, side, 1);
 }
 
@@ -93,18 +95,18 @@ static int check_partners(pm_workspace *w, int contact)
 {
     const pm_model *m = w->model;
     const int32_t *e = PM_CONTACT_ROW_OF(m, contact);
-    double radius = w->value[PM_CIRCLE_ROW(m, e[PM_CONTACT_A])[PM_CIRCLE_RADIUS]];
+    double radius = w->numbers.value[PM_CIRCLE_ROW(m, e[PM_CONTACT_A])[PM_CIRCLE_RADIUS]];
     if (e[PM_CONTACT_KIND] == PM_CONTACT_LINE || e[PM_CONTACT_KIND] == PM_CONTACT_CORD) return PM_OK;
     if (e[PM_CONTACT_KIND] == PM_CONTACT_POINT) {
-        radius = fmax(radius, w->value[PM_CIRCLE_ROW(m, e[PM_CONTACT_B])[PM_CIRCLE_RADIUS]]);
+        radius = fmax(radius, w->numbers.value[PM_CIRCLE_ROW(m, e[PM_CONTACT_B])[PM_CIRCLE_RADIUS]]);
         return radius == 0 ? PM_OK : out_of_bound(w, PM_TABLE_CONTACT, contact, PM_CONTACT_A, radius, 0);
     }
     if (e[PM_CONTACT_KIND] == PM_CONTACT_SEGMENT) {
-        const double from = w->value[e[PM_CONTACT_FROM]], to = w->value[e[PM_CONTACT_TO]];
+        const double from = w->numbers.value[e[PM_CONTACT_FROM]], to = w->numbers.value[e[PM_CONTACT_TO]];
         return from < to ? PM_OK : out_of_bound(w, PM_TABLE_CONTACT, contact, PM_CONTACT_TO, to, from);
     }
     if (e[PM_CONTACT_KIND] == PM_CONTACT_CIRCLE) {
-        radius = fmax(radius, w->value[PM_CIRCLE_ROW(m, e[PM_CONTACT_B])[PM_CIRCLE_RADIUS]]);
+        radius = fmax(radius, w->numbers.value[PM_CIRCLE_ROW(m, e[PM_CONTACT_B])[PM_CIRCLE_RADIUS]]);
         const int status = check_side(w, PM_TABLE_CONTACT, contact, PM_CONTACT_SIDE, e[PM_CONTACT_SIDE]);
         if (status) return status;
     }
@@ -116,8 +118,8 @@ static int check_restitution(pm_workspace *w, int contact, int column)
 {
     const int index = PM_CONTACT_ROW_OF(w->model, contact)[column];
     const int status = check(w, PM_TABLE_CONTACT, contact, column, index, 0, 0);
-    if (status || w->value[index] <= 1) return status;
-    return out_of_bound(w, PM_TABLE_CONTACT, contact, column, w->value[index], 1);
+    if (status || w->numbers.value[index] <= 1) return status;
+    return out_of_bound(w, PM_TABLE_CONTACT, contact, column, w->numbers.value[index], 1);
 }
 
 static int check_elements(pm_workspace *w)
@@ -165,7 +167,7 @@ static int read_settings(pm_workspace *w)
     for (int k = 0; k < 2; k++) {
         const int status = check(w, PM_TABLE_SETTING, 0, columns[k], PM_SETTING(m, columns[k]), -INFINITY, 0);
         if (status) return status;
-        w->gravity[k] = w->value[PM_SETTING(m, columns[k])];
+        w->numbers.gravity[k] = w->numbers.value[PM_SETTING(m, columns[k])];
     }
     static const double least[] = {1e-14, 0, 0};
     for (int k = PM_SETTING_ACCURACY; k <= PM_SETTING_ASSEMBLY; k++) {
@@ -174,10 +176,10 @@ static int read_settings(pm_workspace *w)
                                  k > PM_SETTING_ACCURACY);
         if (status) return status;
     }
-    w->accuracy = w->value[PM_SETTING(m, PM_SETTING_ACCURACY)];
-    if (w->accuracy > 1e-2)
-        return out_of_bound(w, PM_TABLE_SETTING, 0, PM_SETTING_ACCURACY, w->accuracy, 1e-2);
-    w->tolerance = pm_accuracy_tolerance(w);
+    w->numbers.accuracy = w->numbers.value[PM_SETTING(m, PM_SETTING_ACCURACY)];
+    if (w->numbers.accuracy > 1e-2)
+        return out_of_bound(w, PM_TABLE_SETTING, 0, PM_SETTING_ACCURACY, w->numbers.accuracy, 1e-2);
+    w->numbers.tolerance = pm_accuracy_tolerance(w);
     return PM_OK;
 }
 
@@ -187,16 +189,17 @@ static int set_stand_ins(pm_workspace *w)
 {
     const pm_model *m = w->model;
     double least = INFINITY;
-    w->massless = 0;
+    w->numbers.massless = 0;
     for (int i = 0; i < m->nbody; i++)
-        if (w->mass[i] > 0) least = fmin(least, w->mass[i]);
+        if (w->numbers.mass[i] > 0) least = fmin(least, w->numbers.mass[i]);
     for (int i = 0; i < m->nq; i++) {
-        const int none = isinf(w->inverse_mass[i]);
+        const int none = isinf(w->numbers.inverse_mass[i]);
         if (none && isinf(least)) return out_of_bound(w, PM_TABLE_BODY, i / 3, PM_BODY_MASS, 0, 0);
-        w->stand_in[i] = none ? STAND_IN * least * (i % 3 == 2 ? w->size * w->size : 1) : 0;
-        if (none) w->inverse_mass[i] = 1 / w->stand_in[i];
-        w->massless |= none;
-        w->inverse_root[i] = sqrt(w->inverse_mass[i]);
+        w->numbers.stand_in[i] =
+            none ? STAND_IN * least * (i % 3 == 2 ? w->numbers.size * w->numbers.size : 1) : 0;
+        if (none) w->numbers.inverse_mass[i] = 1 / w->numbers.stand_in[i];
+        w->numbers.massless |= none;
+        w->numbers.inverse_root[i] = sqrt(w->numbers.inverse_mass[i]);
     }
     return PM_OK;
 }
@@ -208,7 +211,7 @@ static void set_size(pm_workspace *w)
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY}, size = 0;
     for (int i = 0; i < m->nbody; i++)
         for (int k = 0; k < 2; k++) {
-            const double x = w->value[PM_BODY_ROW(m, i)[PM_BODY_X + k]];
+            const double x = w->numbers.value[PM_BODY_ROW(m, i)[PM_BODY_X + k]];
             low[k] = fmin(low[k], x);
             high[k] = fmax(high[k], x);
         }
@@ -216,43 +219,46 @@ static void set_size(pm_workspace *w)
     for (int i = 0; i < m->rows[PM_TABLE_POINT]; i++) {
         const int32_t *e = PM_POINT_ROW(m, i);
         if (e[PM_POINT_BODY] != PM_GROUND)
-            size = fmax(size, hypot(w->value[e[PM_POINT_X]], w->value[e[PM_POINT_Y]]));
+            size = fmax(size, hypot(w->numbers.value[e[PM_POINT_X]], w->numbers.value[e[PM_POINT_Y]]));
     }
     for (int i = 0; i < m->rows[PM_TABLE_CIRCLE]; i++)
-        size = fmax(size, w->value[PM_CIRCLE_ROW(m, i)[PM_CIRCLE_RADIUS]]);
+        size = fmax(size, w->numbers.value[PM_CIRCLE_ROW(m, i)[PM_CIRCLE_RADIUS]]);
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
         const int32_t *e = PM_JOINT_ROW(m, i);
-        if (e[PM_JOINT_KIND] == PM_JOINT_LINK) size = fmax(size, w->value[e[PM_JOINT_VALUE]]);
+        if (e[PM_JOINT_KIND] == PM_JOINT_LINK) size = fmax(size, w->numbers.value[e[PM_JOINT_VALUE]]);
     }
     if (size == 0) /* a particle alone: how far it is from the ground's marks */
         for (int i = 0; i < m->rows[PM_TABLE_POINT]; i++) {
             const int32_t *e = PM_POINT_ROW(m, i);
             if (e[PM_POINT_BODY] != PM_GROUND || m->nbody == 0) continue;
-            size = fmax(size, hypot(w->value[e[PM_POINT_X]] - low[0], w->value[e[PM_POINT_Y]] - low[1]));
+            size = fmax(size, hypot(w->numbers.value[e[PM_POINT_X]] - low[0],
+                                    w->numbers.value[e[PM_POINT_Y]] - low[1]));
         }
-    w->size = size > 0 && isfinite(size) ? size : 1;
+    w->numbers.size = size > 0 && isfinite(size) ? size : 1;
 }
 
 double pm_case_max_time(const pm_workspace *w)
 {
     const int index = PM_SETTING(w->model, PM_SETTING_MAX_TIME);
-    return index == PM_NONE ? PM_MAX_TIME : w->value[index];
+    return index == PM_NONE ? PM_MAX_TIME : w->numbers.value[index];
 }
 
 int pm_case_speed(pm_workspace *w, const double *v)
 {
     double fastest = 0;
-    for (int i = 0; i < w->model->nq; i++) fastest = fmax(fastest, fabs(v[i]) * (i % 3 == 2 ? w->size : 1));
-    if (!(fastest > NOTICEABLE * w->speed)) return 0;
-    w->speed = fastest;
+    for (int i = 0; i < w->model->nq; i++)
+        fastest = fmax(fastest, fabs(v[i]) * (i % 3 == 2 ? w->numbers.size : 1));
+    if (!(fastest > NOTICEABLE * w->numbers.speed)) return 0;
+    w->numbers.speed = fastest;
     return 1;
 }
 
 double pm_case_force(const pm_workspace *w)
 {
-    const double acceleration = hypot(w->gravity[0], w->gravity[1]) + w->speed * w->speed / w->size;
+    const double acceleration = hypot(w->numbers.gravity[0], w->numbers.gravity[1]) +
+                                w->numbers.speed * w->numbers.speed / w->numbers.size;
     double sum = 0;
-    for (int i = 0; i < w->model->nbody; i++) sum += w->mass[i] * acceleration;
+    for (int i = 0; i < w->model->nbody; i++) sum += w->numbers.mass[i] * acceleration;
     return sum;
 }
 
@@ -260,10 +266,10 @@ double pm_case_time_scale(const pm_workspace *w, const double *v, const double *
 {
     double rate = 0;
     for (int i = 0; i < w->model->nq; i++) {
-        const double length = i % 3 == 2 ? 1 : w->size;
+        const double length = i % 3 == 2 ? 1 : w->numbers.size;
         rate = fmax(rate, fmax(fabs(v[i]) / length, sqrt(fabs(a[i]) / length)));
     }
-    return rate > 0 ? w->coarse / rate : INFINITY;
+    return rate > 0 ? w->numbers.coarse / rate : INFINITY;
 }
 
 int pm_case_begin(pm_workspace *w, const double *param)
@@ -278,6 +284,6 @@ int pm_case_begin(pm_workspace *w, const double *param)
     pm_joint_compose(w);
     pm_program_numbers(w);
     set_size(w);
-    w->speed = 0;
+    w->numbers.speed = 0;
     return set_stand_ins(w);
 }

@@ -2,7 +2,7 @@
 #ifndef PM_CASE_H
 #define PM_CASE_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* The value table alone, from the parameters. */
 int pm_case_values(pm_workspace *w, const double *param);

@@ -13,10 +13,12 @@
 
 #include <math.h>
 
+#include "elements/constraint.h"
 #include "elements/force.h"
 #include "elements/joint_friction.h"
 #include "elements/turning_plane.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 #define SHARE 0.1      /* of the greatest kinetic energy of the phase: below it velocities are left alone */
 #define MOST 0.01      /* of the kinetic energy: so much is not a drift */
@@ -32,8 +34,8 @@ static int only_potentials(const pm_workspace *w)
 
 static int drives_nothing(const pm_workspace *w)
 {
-    for (int i = 0; i < w->nactive; i++)
-        if (w->row[i].drive != PM_NONE) return 0;
+    for (int i = 0; i < w->active.n; i++)
+        if (w->active.row[i].drive != PM_NONE) return 0;
     return 1;
 }
 
@@ -44,15 +46,15 @@ static double size_of_terms(pm_workspace *w)
 {
     double sum = 0;
     for (int i = 0; i < w->model->nbody; i++)
-        sum += w->mass[i] *
-               (fabs(w->gravity[0] * w->frame.pose[5 * i]) + fabs(w->gravity[1] * w->frame.pose[5 * i + 1]));
+        sum += w->numbers.mass[i] * (fabs(w->numbers.gravity[0] * w->frame.pose[5 * i]) +
+                                     fabs(w->numbers.gravity[1] * w->frame.pose[5 * i + 1]));
     return sum + fabs(pm_force_potential(w));
 }
 
 void pm_energy_level_begin(pm_workspace *w, pm_energy_level_level *level)
 {
-    if (w->count[PM_COUNT_STEPS] == 0) level->returned = 0;
-    level->kept = !w->asymmetric && !w->massless && !pm_turning_plane_turns(w->model) &&
+    if (w->result.count[PM_COUNT_STEPS] == 0) level->returned = 0;
+    level->kept = !w->active.asymmetric && !w->numbers.massless && !pm_turning_plane_turns(w->model) &&
                   !pm_joint_friction_any(w->model) && only_potentials(w) && drives_nothing(w);
     if (!level->kept) return;
     level->kinetic = pm_body_kinetic(w, PM_NONE);
@@ -75,5 +77,6 @@ void pm_energy_level_note(pm_workspace *w, pm_energy_level_level *level, double 
 {
     level->kinetic = fmax(level->kinetic, pm_body_kinetic(w, PM_NONE));
     level->returned += gained;
-    w->evidence = fmax(w->evidence, fabs(level->returned) / fmax(w->energy_scale, level->kinetic));
+    w->ledger.evidence =
+        fmax(w->ledger.evidence, fabs(level->returned) / fmax(w->ledger.energy_scale, level->kinetic));
 }

@@ -2,7 +2,7 @@
 #ifndef PM_ENERGY_LEVEL_H
 #define PM_ENERGY_LEVEL_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* The energy level of a phase. */
 typedef struct pm_energy_level_level {

@@ -19,6 +19,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "elements/constraint.h"
 #include "elements/joint.h"
 #include "elements/joint_friction.h"
 #include "elements/measure.h"
@@ -27,6 +28,7 @@
 #include "scene/program_class.h"
 #include "scene/reference.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 #define FEW 6        /* bodies of a set at most */
 #define CLEARLY 1e-3 /* independent part of each row that is counted, in the metric of the masses */
@@ -51,7 +53,7 @@ static void let_move(pm_workspace *w, int table, int row)
     for (int k = 0; k < n; k++) {
         if (ref[k].of < PM_TABLE_BODY || ref[k].of > PM_TABLE_ROW) continue;
         const int body = body_of(m, ref[k].of, e[ref[k].column]);
-        if (body >= 0) w->still->moves[body] = 1;
+        if (body >= 0) w->fixed->moves[body] = 1;
     }
 }
 
@@ -64,7 +66,7 @@ static void tell_read(pm_workspace *w, int program)
     for (int i = 0; i < length; i++, code += PM_CODE_COLUMNS) {
         if (code[PM_CODE_OP] != PM_OP_MEASURE) continue;
         const int32_t *e = PM_MEASURE_ROW(m, code[PM_CODE_ARG]);
-        if (pm_measure_of(e[PM_MEASURE_KIND]) == PM_TABLE_JOINT) w->still->told[e[PM_MEASURE_A]] = 1;
+        if (pm_measure_of(e[PM_MEASURE_KIND]) == PM_TABLE_JOINT) w->fixed->told[e[PM_MEASURE_A]] = 1;
     }
 }
 
@@ -87,28 +89,28 @@ static void tell_others(pm_workspace *w)
     const pm_model *m = w->model;
     for (int i = 0; i < m->rows[PM_TABLE_ACTION]; i++)
         if (PM_ACTION_ROW(m, i)[PM_ACTION_KIND] > PM_ACTION_REMOVE) let_move(w, PM_TABLE_ACTION, i);
-    for (int k = 0; k < m->ngrip; k++) w->still->told[pm_joint_friction_joint(m, k)] = 1;
+    for (int k = 0; k < m->nfriction; k++) w->fixed->told[pm_joint_friction_joint(m, k)] = 1;
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++)
-        if (pm_joint_of(m, i)->programs > 0) w->still->told[i] = 1;
+        if (pm_joint_of(m, i)->programs > 0) w->fixed->told[i] = 1;
 }
 
 void pm_fixed_bodies_free(pm_workspace *w)
 {
-    if (w->still) free(w->still->block);
-    free(w->still);
-    w->still = NULL;
+    if (w->fixed) free(w->fixed->block);
+    free(w->fixed);
+    w->fixed = NULL;
 }
 
 void pm_fixed_bodies_begin(pm_workspace *w)
 {
-    w->still->n = 0;
-    memset(w->still->body, 0, (size_t)w->model->nbody);
-    w->still->body[w->model->nbody] = 1;
+    w->fixed->n = 0;
+    memset(w->numbers.fixed, 0, (size_t)w->model->nbody);
+    w->numbers.fixed[w->model->nbody] = 1;
 }
 
 int pm_fixed_bodies_row(const pm_workspace *w, const pm_constraint *row)
 {
-    return w->still->body[row->body[0]] && w->still->body[row->body[1]];
+    return w->numbers.fixed[row->body[0]] && w->numbers.fixed[row->body[1]];
 }
 
 /* ---- which bodies ---- */
@@ -127,7 +129,7 @@ static int is_changed(const pm_model *m, int joint)
 static int list_rows(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    pm_fixed_bodies *x = w->still;
+    pm_fixed_bodies *x = w->fixed;
     int n = 0;
     for (int i = 0; i < m->nbody; i++) x->first[i] = PM_NONE;
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
@@ -135,8 +137,8 @@ static int list_rows(pm_workspace *w)
         if (is_changed(m, i) || pm_joint_of(m, i)->programs > 0) continue;
         const int of_joint = pm_joint_constraints(w, i, rows);
         for (int k = 0; k < of_joint; k++, n++) {
-            w->row[n] = rows[k];
-            if (!x->counts) pm_constraint_kind(rows[k].kind)->evaluate(w, &w->row[n]);
+            w->active.row[n] = rows[k];
+            if (!x->counts) pm_constraint_kind(rows[k].kind)->evaluate(w, &w->active.row[n]);
             for (int side = 0; side < 2; side++) {
                 const int body = rows[k].body[side];
                 if (body == m->nbody) continue;
@@ -177,7 +179,7 @@ static void add_row(const pm_workspace *w, pm_group *g, const pm_constraint *row
     for (int side = 0; side < 2; side++) {
         const int at = place_in(g, row->body[side]);
         for (int k = 0; k < 3 && at != PM_NONE; k++)
-            x[3 * at + k] += row->j[3 * side + k] * w->inverse_root[3 * row->body[side] + k];
+            x[3 * at + k] += row->j[3 * side + k] * w->numbers.inverse_root[3 * row->body[side] + k];
     }
     for (int c = 0; c < wide; c++) all += x[c] * x[c];
     for (int b = 0; b < 2 * g->rank; b++) {
@@ -195,10 +197,10 @@ static void add_row(const pm_workspace *w, pm_group *g, const pm_constraint *row
 /* Whether rows between these bodies, and to what stands still, hold them; then they stand still, too. */
 static int holds(pm_workspace *w, pm_group *g)
 {
-    pm_fixed_bodies *x = w->still;
+    pm_fixed_bodies *x = w->fixed;
     for (int i = 0; i < g->n; i++)
         for (int at = x->first[g->body[i]]; at != PM_NONE && g->rank < g->freedom; at = x->next[at]) {
-            const pm_constraint *row = &w->row[at / 2];
+            const pm_constraint *row = &w->active.row[at / 2];
             const int other = row->body[1 - at % 2], place = place_in(g, other);
             if (!x->body[other] && place <= i) continue;
             if (x->counts)
@@ -220,7 +222,7 @@ static int may_stand(const pm_fixed_bodies *x, int body) { return !x->body[body]
 static int try_one(pm_workspace *w, int body)
 {
     pm_group g = {.n = 0};
-    if (!may_stand(w->still, body)) return 0;
+    if (!may_stand(w->fixed, body)) return 0;
     join(w, &g, body);
     return holds(w, &g);
 }
@@ -230,7 +232,7 @@ static int try_two(pm_workspace *w, const pm_constraint *row)
 {
     pm_group g = {.n = 0};
     for (int side = 0; side < 2; side++) {
-        if (!may_stand(w->still, row->body[side])) return 0;
+        if (!may_stand(w->fixed, row->body[side])) return 0;
         join(w, &g, row->body[side]);
     }
     return holds(w, &g);
@@ -239,13 +241,13 @@ static int try_two(pm_workspace *w, const pm_constraint *row)
 /* All that hang together with a body, if they are few. */
 static int try_all(pm_workspace *w, int body)
 {
-    pm_fixed_bodies *x = w->still;
+    pm_fixed_bodies *x = w->fixed;
     pm_group g = {.n = 0};
     if (!may_stand(x, body)) return 0;
     join(w, &g, body);
     for (int i = 0; i < g.n; i++)
         for (int at = x->first[g.body[i]]; at != PM_NONE; at = x->next[at]) {
-            const int other = w->row[at / 2].body[1 - at % 2];
+            const int other = w->active.row[at / 2].body[1 - at % 2];
             if (x->body[other] || place_in(&g, other) != PM_NONE) continue;
             if (must_move(x, other) || g.n == FEW) return 0;
             join(w, &g, other);
@@ -259,7 +261,7 @@ static void find(pm_workspace *w)
     for (int more = 1; more;) {
         more = 0;
         for (int i = 0; i < nbody; i++) more |= try_one(w, i);
-        for (int i = 0; i < nrow; i++) more |= try_two(w, &w->row[i]);
+        for (int i = 0; i < nrow; i++) more |= try_two(w, &w->active.row[i]);
         for (int i = 0; i < nbody; i++) more |= try_all(w, i);
     }
 }
@@ -268,7 +270,7 @@ static void find(pm_workspace *w)
 /* What stands still if every row holds something of its own: no case holds more. */
 static void find_possible(pm_workspace *w)
 {
-    pm_fixed_bodies *x = w->still;
+    pm_fixed_bodies *x = w->fixed;
     pm_fixed_bodies_begin(w);
     x->counts = 1;
     find(w);
@@ -281,16 +283,16 @@ int pm_fixed_bodies_create(pm_workspace *w)
     const pm_model *m = w->model;
     const size_t nbody = (size_t)m->nbody, nrow = (size_t)m->njoint_row,
                  njoint = (size_t)m->rows[PM_TABLE_JOINT];
-    pm_fixed_bodies *x = w->still = calloc(1, sizeof *x);
+    pm_fixed_bodies *x = w->fixed = calloc(1, sizeof *x);
     if (!x) return PM_NO_MEMORY;
-    x->block = calloc(1, (nbody + 2 * nrow) * sizeof(int) + 3 * nbody + njoint + 1);
+    x->block = calloc(1, (nbody + 2 * nrow) * sizeof(int) + 2 * nbody + njoint + 1);
     if (!x->block) return PM_NO_MEMORY;
     x->first = x->block;
     x->next = x->first + nbody;
     x->moves = (unsigned char *)(x->next + 2 * nrow);
     x->left = x->moves + nbody;
-    x->body = x->left + nbody;
-    x->told = x->body + nbody + 1;
+    x->body = w->numbers.fixed;
+    x->told = x->left + nbody;
     tell_asked(w);
     tell_others(w);
     find_possible(w);
@@ -306,8 +308,8 @@ static int let_go(pm_workspace *w, const pm_constraint *row)
     if (!pm_fixed_bodies_row(w, row)) return 0;
     for (int side = 0; side < 2; side++) {
         const int body = row->body[side];
-        if (body == w->model->nbody || must_move(w->still, body)) continue;
-        w->still->left[body] = 1;
+        if (body == w->model->nbody || must_move(w->fixed, body)) continue;
+        w->fixed->left[body] = 1;
         any = 1;
     }
     return any;
@@ -325,35 +327,35 @@ static int let_told_move(pm_workspace *w)
     }
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
         pm_constraint row[PM_JOINT_CONSTRAINTS];
-        if (w->still->told[i] && pm_joint_constraints_of_any(w, i, row) > 0) any |= let_go(w, &row[0]);
+        if (w->fixed->told[i] && pm_joint_constraints_of_any(w, i, row) > 0) any |= let_go(w, &row[0]);
     }
     return any;
 }
 
 static void stop(pm_workspace *w)
 {
-    w->massless = 0;
+    w->numbers.massless = 0;
     pm_solve_cache_drop_factors(w); /* they are of other masses */
     for (int i = 0; i < w->model->nq; i++) {
-        if (w->still->body[i / 3]) {
-            w->inverse_mass[i] = w->inverse_root[i] = w->stand_in[i] = 0;
+        if (w->numbers.fixed[i / 3]) {
+            w->numbers.inverse_mass[i] = w->numbers.inverse_root[i] = w->numbers.stand_in[i] = 0;
             w->state.v[i] = w->start.v[i] = w->frame.a[i] = w->frame.velocity[i] = 0;
         }
-        w->massless |= w->stand_in[i] > 0;
+        w->numbers.massless |= w->numbers.stand_in[i] > 0;
     }
 }
 
 void pm_fixed_bodies_find(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    if (!w->still->wanted || !w->still->possible || w->trace || m->rows[PM_TABLE_SPIN] > 0) return;
-    memset(w->still->left, 0, (size_t)m->nbody);
+    if (!w->fixed->wanted || !w->fixed->possible || w->history || m->rows[PM_TABLE_SPIN] > 0) return;
+    memset(w->fixed->left, 0, (size_t)m->nbody);
     pm_frame_look_state(w, &w->state);
     do {
         pm_fixed_bodies_begin(w);
         find(w);
-    } while (w->still->n > 0 && let_told_move(w));
+    } while (w->fixed->n > 0 && let_told_move(w));
     pm_active_set_clear(w);
-    if (w->still->n > 0) stop(w);
+    if (w->fixed->n > 0) stop(w);
     pm_frame_look_state(w, &w->state);
 }

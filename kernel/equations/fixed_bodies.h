@@ -2,10 +2,11 @@
 #ifndef PM_FIXED_BODIES_H
 #define PM_FIXED_BODIES_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 typedef struct pm_fixed_bodies {
-    unsigned char *body;  /* [nbody + 1] it stands still; last: the ground, which does */
+    unsigned char *
+        body; /* [nbody + 1] it stands still (numbers.fixed, which all others read); last: the ground, which does */
     unsigned char *moves; /* [nbody] it is not to be taken for still, whatever holds it */
     unsigned char *left;  /* [nbody] in this case it is left to the equations of motion */
     unsigned char *told;  /* [njoint] its two bodies are not both to be taken for still */

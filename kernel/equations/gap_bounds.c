@@ -22,6 +22,7 @@
 #include "elements/contact.h"
 #include "equations/fixed_bodies.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 #define CLEAR \
     1e-6 /* of the scene's reach: gaps above this are positive, whatever the rounding and drift of joints */
@@ -48,8 +49,8 @@ typedef struct pm_ring {
 static pm_ring ring_of(const pm_workspace *w, int point)
 {
     const int32_t *e = PM_POINT_ROW(w->model, point);
-    const double m[2] = {w->value[e[PM_POINT_X]], w->value[e[PM_POINT_Y]]};
-    const pm_hinge_bounds *x = &w->hang[pm_body_index(w->model, e[PM_POINT_BODY])];
+    const double m[2] = {w->numbers.value[e[PM_POINT_X]], w->numbers.value[e[PM_POINT_Y]]};
+    const pm_hinge_bounds *x = &w->hinge[pm_body_index(w->model, e[PM_POINT_BODY])];
     if (is_fixed(x)) {
         const pm_point p = pm_frame_point_of(w, point);
         return (pm_ring){.at = {p.p[0], p.p[1]}, .known = 1};
@@ -74,15 +75,15 @@ static int hang(pm_workspace *w, int a, int b, double length, int welded)
     const int32_t *e = PM_POINT_ROW(m, b);
     const int body = body_of_point(m, b);
     const pm_ring from = ring_of(w, a);
-    pm_hinge_bounds *x = &w->hang[body];
+    pm_hinge_bounds *x = &w->hinge[body];
     if (!from.known || is_fixed(x)) return 0;
-    const int fixed = welded && is_fixed(&w->hang[body_of_point(m, a)]);
+    const int fixed = welded && is_fixed(&w->hinge[body_of_point(m, a)]);
     const double high = from.high + length;
     if (x->known && !fixed && !(high < x->high)) return 0;
     *x = (pm_hinge_bounds){.known = 1,
                            .fixed = fixed,
                            .at = {from.at[0], from.at[1]},
-                           .hinge = {w->value[e[PM_POINT_X]], w->value[e[PM_POINT_Y]]},
+                           .hinge = {w->numbers.value[e[PM_POINT_X]], w->numbers.value[e[PM_POINT_Y]]},
                            .low = fmax(0, from.low - length),
                            .high = high};
     return 1;
@@ -94,7 +95,7 @@ static int hang_by_joint(pm_workspace *w, int joint)
     const int kind = e[PM_JOINT_KIND], a = e[PM_JOINT_A], b = e[PM_JOINT_B];
     if (kind != PM_JOINT_PIN && kind != PM_JOINT_WELD && kind != PM_JOINT_LINK) return 0;
     if (is_changed(w->model, PM_TABLE_JOINT, joint)) return 0;
-    const double length = kind == PM_JOINT_LINK ? w->value[e[PM_JOINT_VALUE]] : 0;
+    const double length = kind == PM_JOINT_LINK ? w->numbers.value[e[PM_JOINT_VALUE]] : 0;
     return hang(w, a, b, length, kind == PM_JOINT_WELD) | hang(w, b, a, length, kind == PM_JOINT_WELD);
 }
 
@@ -103,8 +104,8 @@ static void hang_all(pm_workspace *w)
 {
     const pm_model *m = w->model;
     for (int i = 0; i < m->nbody; i++)
-        w->hang[i] = (pm_hinge_bounds){.known = w->still->body[i], .fixed = w->still->body[i]};
-    w->hang[m->nbody] = (pm_hinge_bounds){.known = 1, .fixed = 1};
+        w->hinge[i] = (pm_hinge_bounds){.known = w->numbers.fixed[i], .fixed = w->numbers.fixed[i]};
+    w->hinge[m->nbody] = (pm_hinge_bounds){.known = 1, .fixed = 1};
     for (int more = 1, pass = 0; more && pass <= m->nbody; pass++) {
         more = 0;
         for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) more |= hang_by_joint(w, i);
@@ -127,8 +128,8 @@ static double least_over_circle(const pm_workspace *w, const int32_t *e, const p
 {
     const int32_t *circle = PM_CIRCLE_ROW(w->model, e[PM_CONTACT_B]);
     const pm_ring b = ring_of(w, circle[PM_CIRCLE_POINT]);
-    const double rb = w->value[circle[PM_CIRCLE_RADIUS]];
-    const double side = e[PM_CONTACT_KIND] == PM_CONTACT_POINT ? 1 : w->value[e[PM_CONTACT_SIDE]];
+    const double rb = w->numbers.value[circle[PM_CIRCLE_RADIUS]];
+    const double side = e[PM_CONTACT_KIND] == PM_CONTACT_POINT ? 1 : w->numbers.value[e[PM_CONTACT_SIDE]];
     if (!b.known) return -INFINITY;
     if (side > 0) return least_distance(a, &b) - ra - rb;
     return fabs(ra - rb) - (apart(a, &b) + a->high + b.high);
@@ -143,8 +144,8 @@ typedef struct pm_straight {
 static pm_straight straight(const pm_workspace *w, int line)
 {
     const int32_t *e = PM_LINE_ROW(w->model, line), *p = PM_POINT_ROW(w->model, e[PM_LINE_POINT]);
-    const double angle = w->value[e[PM_LINE_ANGLE]];
-    return (pm_straight){.at = {w->value[p[PM_POINT_X]], w->value[p[PM_POINT_Y]]},
+    const double angle = w->numbers.value[e[PM_LINE_ANGLE]];
+    return (pm_straight){.at = {w->numbers.value[p[PM_POINT_X]], w->numbers.value[p[PM_POINT_Y]]},
                          .t = {cos(angle), sin(angle)},
                          .body = pm_body_index(w->model, p[PM_POINT_BODY])};
 }
@@ -166,7 +167,7 @@ static double height_over(const pm_straight *line, const double p[2])
 static double least_over_line(const pm_workspace *w, const int32_t *e, const pm_ring *a, double ra)
 {
     const pm_straight line = straight(w, e[PM_CONTACT_B]);
-    const pm_hinge_bounds *b = &w->hang[line.body];
+    const pm_hinge_bounds *b = &w->hinge[line.body];
     double at[2];
     if (!b->known) return -INFINITY;
     if (!b->fixed) {
@@ -181,10 +182,11 @@ static double least_beside_edge(const pm_workspace *w, const int32_t *e, const p
 {
     const pm_straight line = straight(w, e[PM_CONTACT_B]);
     double at[2];
-    if (!is_fixed(&w->hang[line.body])) return -INFINITY;
+    if (!is_fixed(&w->hinge[line.body])) return -INFINITY;
     into_body(w, line.body, a->at, at);
     const double d[2] = {at[0] - line.at[0], at[1] - line.at[1]}, along = pm_dot(line.t, d);
-    const double beyond = fmax(w->value[e[PM_CONTACT_FROM]] - along, along - w->value[e[PM_CONTACT_TO]]);
+    const double beyond =
+        fmax(w->numbers.value[e[PM_CONTACT_FROM]] - along, along - w->numbers.value[e[PM_CONTACT_TO]]);
     return hypot(fmax(beyond, 0), height_over(&line, at)) - a->high - ra;
 }
 
@@ -194,7 +196,7 @@ static double least_gap(const pm_workspace *w, int contact)
     const int32_t *e = PM_CONTACT_ROW_OF(w->model, contact),
                   *circle = PM_CIRCLE_ROW(w->model, e[PM_CONTACT_A]);
     const pm_ring a = ring_of(w, circle[PM_CIRCLE_POINT]);
-    const double ra = w->value[circle[PM_CIRCLE_RADIUS]];
+    const double ra = w->numbers.value[circle[PM_CIRCLE_RADIUS]];
     if (!a.known) return -INFINITY;
     switch ((enum pm_contact_kind)e[PM_CONTACT_KIND]) {
     case PM_CONTACT_CIRCLE:
@@ -208,13 +210,13 @@ static double least_gap(const pm_workspace *w, int contact)
 void pm_gap_bounds_drop(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    w->unreached = 0;
+    w->nunreached = 0;
     if (m->rows[PM_TABLE_CONTACT] == 0) return;
     hang_all(w);
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
         if (is_changed(m, PM_TABLE_CONTACT, i)) continue;
         if (!(least_gap(w, i) > CLEAR * pm_contact_reach(w))) continue;
         w->state.absent[pm_model_element(m, PM_TABLE_CONTACT, i)] = 1;
-        w->unreached++;
+        w->nunreached++;
     }
 }

@@ -2,7 +2,7 @@
 #ifndef PM_GAP_BOUNDS_H
 #define PM_GAP_BOUNDS_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* What is known of where a body is: its point `hinge` stays at a distance in [low, high] from `at`. */
 typedef struct pm_hinge_bounds {

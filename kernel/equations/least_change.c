@@ -6,6 +6,7 @@
 
 #include "elements/constraint.h"
 #include "equations/saddle.h"
+#include "state/workspace.h"
 
 #define MANY 24 /* rows of joints: fewer are as quick in the basis, and dependent ones are told sharply */
 #define CLEARLY 1e-3 /* independent part of every row of a block */
@@ -14,7 +15,7 @@
 static double norm_of(const pm_workspace *w, const double *row)
 {
     double sum = 0;
-    for (int i = 0; i < w->model->nq; i++) sum += row[i] * row[i] * w->inverse_mass[i];
+    for (int i = 0; i < w->model->nq; i++) sum += row[i] * row[i] * w->numbers.inverse_mass[i];
     return sqrt(sum);
 }
 
@@ -38,7 +39,8 @@ static double along(const pm_workspace *w, const pm_constraint *row, const doubl
     double sum = 0;
     for (int p = 0; p < 2; p++)
         for (int k = 0; k < 3 && row->body[p] != w->model->nbody; k++)
-            sum += row->j[3 * p + k] * w->inverse_mass[3 * row->body[p] + k] * d[3 * row->body[p] + k];
+            sum +=
+                row->j[3 * p + k] * w->numbers.inverse_mass[3 * row->body[p] + k] * d[3 * row->body[p] + k];
     return sum;
 }
 
@@ -48,9 +50,9 @@ int pm_least_change_add(pm_workspace *w, const pm_least_change *s, const double 
     if (!s->block) return pm_orthonormal_rows_add_dense(w, s->n, row, rest);
     memcpy(s->across, row, (size_t)w->model->nq * sizeof *row);
     for (int pass = 0; pass < PASSES; pass++) {
-        for (int i = 0; i < w->nactive; i++) w->rhs[i] = -along(w, &w->row[i], s->across);
+        for (int i = 0; i < w->active.n; i++) w->saddle.rhs[i] = -along(w, &w->active.row[i], s->across);
         pm_saddle_solve(w);
-        for (int i = 0; i < w->nactive; i++) add_sparse(w, &w->row[i], w->rhs[i], s->across);
+        for (int i = 0; i < w->active.n; i++) add_sparse(w, &w->active.row[i], w->saddle.rhs[i], s->across);
     }
     const double all = norm_of(w, row), part = norm_of(w, s->across);
     *rest = (pm_orthonormal_rest){0, all};
@@ -65,25 +67,26 @@ int pm_least_change_block(pm_workspace *w, pm_least_change *s, int level)
 {
     const pm_model *m = w->model;
     if (m->njoint_row < MANY) return 0;
-    w->nactive = 0;
+    w->active.n = 0;
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
         pm_constraint rows[PM_JOINT_CONSTRAINTS];
-        const int n = pm_joint_constraints(w, w->joint_order[i], rows);
+        const int n = pm_joint_constraints(w, w->active.joint_order[i], rows);
         for (int k = 0; k < n; k++) {
             if (level == PM_START_POSITION && rows[k].memory != PM_NONE) continue;
-            pm_constraint *row = &w->row[w->nactive];
+            pm_constraint *row = &w->active.row[w->active.n];
             *row = rows[k];
             pm_constraint_kind(row->kind)->evaluate(w, row);
-            w->wanted[w->nactive++] = level == PM_START_POSITION ? -row->g : row->rate;
+            w->saddle.wanted[w->active.n++] = level == PM_START_POSITION ? -row->g : row->rate;
         }
     }
-    if (w->nactive < MANY || !(pm_saddle_independence(w) > CLEARLY)) return 0;
+    if (w->active.n < MANY || !(pm_saddle_independence(w) > CLEARLY)) return 0;
     for (int pass = 0; pass < PASSES; pass++) {
-        for (int i = 0; i < w->nactive; i++) w->rhs[i] = w->wanted[i] - pm_saddle_times(w, &w->row[i], s->x);
+        for (int i = 0; i < w->active.n; i++)
+            w->saddle.rhs[i] = w->saddle.wanted[i] - pm_saddle_times(w, &w->active.row[i], s->x);
         pm_saddle_solve(w);
         pm_saddle_spread(w, 0, s->x);
     }
-    s->block = w->nactive;
+    s->block = w->active.n;
     return 1;
 }
 
@@ -92,10 +95,10 @@ static int meet(const pm_workspace *w, pm_least_change *s, int n, const pm_ortho
                 double *miss)
 {
     if (n == s->n) return 0;
-    const double *e = w->basis + (size_t)s->n * (size_t)w->model->nq,
+    const double *e = w->saddle.basis + (size_t)s->n * (size_t)w->model->nq,
                  component = *miss / (rest->left * rest->norm);
-    const int *range = w->basis_range + 2 * s->n;
-    for (int i = range[0]; i < range[1]; i++) s->x[i] += component * e[i] * w->inverse_root[i];
+    const int *range = w->saddle.basis_range + 2 * s->n;
+    for (int i = range[0]; i < range[1]; i++) s->x[i] += component * e[i] * w->numbers.inverse_root[i];
     s->n = n;
     *miss = 0;
     return 1;

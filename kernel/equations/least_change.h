@@ -9,7 +9,7 @@
 #define PM_LEAST_CHANGE_H
 
 #include "equations/orthonormal_rows.h"
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* The least change x (in the metric of M) that the basis spans with the given components y: x = M^-1/2 B^T y.  A new row
  * with right-hand side r: its component is (r - row.x) / (left * norm). */

@@ -20,6 +20,7 @@
 #include "equations/solve_cache.h"
 #include "events/ask.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 #define POSITION_ROUNDING 5e-16 /* of how far bodies are from the origin */
 #define SPIN_ROUNDING \
@@ -43,7 +44,7 @@ static void add_outer(double *impulse, const double at[2], const double force[2]
 static void add_row(const pm_workspace *w, const pm_constraint *row, double size, double *impulse)
 {
     if (pm_constraint_is_inner(w, row)) return;
-    const int on_a = !w->still->body[row->body[0]], on_b = !w->still->body[row->body[1]];
+    const int on_a = !w->numbers.fixed[row->body[0]], on_b = !w->numbers.fixed[row->body[1]];
     pm_line_of_action x;
     pm_constraint_kind(row->kind)->act(w, row, &x);
     const double sign = size * (on_a - on_b);
@@ -54,11 +55,11 @@ static void add_row(const pm_workspace *w, const pm_constraint *row, double size
 /* Forces (or impulses) of the rows on the scene from outside. */
 static void add_rows(const pm_workspace *w, const double *size, double *impulse)
 {
-    for (int i = 0; i < w->nactive; i++) add_row(w, &w->row[i], size[i], impulse);
-    if (!w->asymmetric) return;
-    for (int i = w->nactive; w->row[i].normal != PM_NONE; i++) { /* sliding friction */
-        const int normal = w->row[i].normal;
-        add_row(w, &w->row[i], w->row[normal].slide * size[normal], impulse);
+    for (int i = 0; i < w->active.n; i++) add_row(w, &w->active.row[i], size[i], impulse);
+    if (!w->active.asymmetric) return;
+    for (int i = w->active.n; w->active.row[i].normal != PM_NONE; i++) { /* sliding friction */
+        const int normal = w->active.row[i].normal;
+        add_row(w, &w->active.row[i], w->active.row[normal].slide * size[normal], impulse);
     }
 }
 
@@ -66,17 +67,17 @@ static void add_rows(const pm_workspace *w, const double *size, double *impulse)
 static double drive_power(const pm_workspace *w, const double *size)
 {
     double sum = 0;
-    for (int i = 0; i < w->nactive; i++) sum += size[i] * w->row[i].rate;
+    for (int i = 0; i < w->active.n; i++) sum += size[i] * w->active.row[i].rate;
     return sum;
 }
 
 static double friction_power(pm_workspace *w, const double *size)
 {
     double sum = 0;
-    if (!w->asymmetric) return 0;
-    for (int i = w->nactive; w->row[i].normal != PM_NONE; i++) {
-        const pm_constraint *normal = &w->row[w->row[i].normal];
-        sum += normal->slide * size[w->row[i].normal] * pm_constraint_rate(w, &w->row[i]);
+    if (!w->active.asymmetric) return 0;
+    for (int i = w->active.n; w->active.row[i].normal != PM_NONE; i++) {
+        const pm_constraint *normal = &w->active.row[w->active.row[i].normal];
+        sum += normal->slide * size[w->active.row[i].normal] * pm_constraint_rate(w, &w->active.row[i]);
     }
     return sum;
 }
@@ -99,9 +100,9 @@ double pm_ledger_controlled_scale(const pm_workspace *w, int z)
     const double spin = pm_turning_plane_scale(w, z);
     double mass = 0;
     if (spin > 0) return spin;
-    if (z >= w->model->nz_work) return w->size;
-    for (int i = 0; i < w->model->nbody; i++) mass += w->mass[i];
-    return mass * w->speed * w->speed;
+    if (z >= w->model->nz_work) return w->numbers.size;
+    for (int i = 0; i < w->model->nbody; i++) mass += w->numbers.mass[i];
+    return mass * w->numbers.speed * w->numbers.speed;
 }
 
 void pm_ledger_rates(pm_workspace *w, double *zdot)
@@ -113,14 +114,15 @@ void pm_ledger_rates(pm_workspace *w, double *zdot)
     double *outer = zdot + pm_ledger_ledger(m);
     pm_turning_plane_outer(w, outer);
     for (int i = 0; i < m->nbody; i++) {
-        if (w->still->body[i]) continue;
-        const double force[2] = {w->mass[i] * w->gravity[0], w->mass[i] * w->gravity[1]};
+        if (w->numbers.fixed[i]) continue;
+        const double force[2] = {w->numbers.mass[i] * w->numbers.gravity[0],
+                                 w->numbers.mass[i] * w->numbers.gravity[1]};
         add_outer(outer, w->frame.pose + 5 * i, force, 0, 1);
     }
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++) {
         const pm_action x = pm_force_action(w, i);
-        if (!w->still->body[x.body_a]) add_outer(outer, x.at_a, x.force, x.couple, 1);
-        if (!w->still->body[x.body_b]) add_outer(outer, x.at_b, x.force, x.couple, -1);
+        if (!w->numbers.fixed[x.body_a]) add_outer(outer, x.at_a, x.force, x.couple, 1);
+        if (!w->numbers.fixed[x.body_b]) add_outer(outer, x.at_b, x.force, x.couple, -1);
     }
     add_rows(w, w->frame.lambda, outer);
 }
@@ -134,12 +136,12 @@ static double energy(pm_workspace *w)
 void pm_ledger_begin(pm_workspace *w)
 {
     pm_frame_look_state(w, &w->state);
-    w->energy_start = energy(w);
-    w->energy_lost = 0;
-    w->energy_scale = pm_body_kinetic(w, PM_NONE);
-    w->momentum_scale = 0;
-    w->constraint_worst = w->evidence = 0;
-    pm_body_momentum(w, PM_NONE, w->momentum_start);
+    w->ledger.energy_start = energy(w);
+    w->ledger.energy_lost = 0;
+    w->ledger.energy_scale = pm_body_kinetic(w, PM_NONE);
+    w->ledger.momentum_scale = 0;
+    w->ledger.constraint_worst = w->ledger.evidence = 0;
+    pm_body_momentum(w, PM_NONE, w->ledger.momentum_start);
 }
 
 static double work_of_forces(const pm_workspace *w)
@@ -154,7 +156,7 @@ static double work_of_forces(const pm_workspace *w)
 /* Linear momentum counts as m v, angular as m v times the scene's size: one scale for all three. */
 static double momentum_size(const pm_workspace *w, const double p[PM_LEDGER])
 {
-    return fmax(fmax(fabs(p[0]), fabs(p[1])), fabs(p[2]) / w->size);
+    return fmax(fmax(fabs(p[0]), fabs(p[1])), fabs(p[2]) / w->numbers.size);
 }
 
 static void update_scales(pm_workspace *w)
@@ -162,9 +164,9 @@ static void update_scales(pm_workspace *w)
     double p[PM_LEDGER];
     const double kinetic = pm_body_kinetic(w, PM_NONE);
     pm_body_momentum(w, PM_NONE, p);
-    w->energy_scale = fmax(w->energy_scale, fmax(kinetic, fabs(work_of_forces(w))));
-    w->momentum_scale =
-        fmax(w->momentum_scale,
+    w->ledger.energy_scale = fmax(w->ledger.energy_scale, fmax(kinetic, fabs(work_of_forces(w))));
+    w->ledger.momentum_scale =
+        fmax(w->ledger.momentum_scale,
              fmax(momentum_size(w, p), momentum_size(w, w->state.z + pm_ledger_ledger(w->model))));
 }
 
@@ -172,24 +174,25 @@ void pm_ledger_step(pm_workspace *w)
 {
     update_scales(w);
     if (!pm_solve_cache_take_rows(w)) pm_saddle_rows(w);
-    w->constraint_worst = fmax(w->constraint_worst, pm_projection_residual(w));
+    w->ledger.constraint_worst = fmax(w->ledger.constraint_worst, pm_projection_residual(w));
 }
 
 void pm_ledger_jump(pm_workspace *w, const double *before)
 {
     const pm_model *m = w->model;
-    const double *lambda = w->rhs;
+    const double *lambda = w->saddle.rhs;
     double *velocity = w->frame.velocity, loss = 0;
     add_rows(w, lambda, w->state.z + pm_ledger_ledger(m));
     for (int side = 0; side < 2; side++) { /* mean of the rates before and after */
         if (side == 1) memcpy(velocity, before, (size_t)m->nq * sizeof *velocity);
-        for (int i = 0; i < w->nactive; i++) loss -= 0.5 * lambda[i] * pm_constraint_rate(w, &w->row[i]);
+        for (int i = 0; i < w->active.n; i++)
+            loss -= 0.5 * lambda[i] * pm_constraint_rate(w, &w->active.row[i]);
         loss -= 0.5 * friction_power(w, lambda);
     }
     const double kinetic_before = pm_body_kinetic(w, PM_NONE);
     memcpy(velocity, w->state.v, (size_t)m->nq * sizeof *velocity);
-    w->lost += kinetic_before - pm_body_kinetic(w, PM_NONE);
-    w->energy_lost += loss;
+    w->impulses.energy_lost += kinetic_before - pm_body_kinetic(w, PM_NONE);
+    w->ledger.energy_lost += loss;
     update_scales(w);
 }
 
@@ -213,28 +216,30 @@ void pm_ledger_series(pm_workspace *w, double factor)
         pm_constraint row[PM_JOINT_CONSTRAINTS];
         const int n = pm_joint_constraints(w, i, row);
         for (int k = 0; k < n; k++)
-            loss += add_series_row(w, &row[k], w->joint_impulse[m->joint_row[i] + k] *= factor);
+            loss += add_series_row(w, &row[k], w->impulses.joint[m->joint_row[i] + k] *= factor);
     }
     for (int i = 0; i < m->nslot; i++) {
         pm_constraint normal, tangent;
-        double *impulse = w->slot_impulse + 2 * i;
+        double *impulse = w->impulses.slot + 2 * i;
         if (impulse[0] == 0 && impulse[1] == 0) continue;
         pm_contact_constraint_both(w, pm_contact_of_slot(m, i), i, w->state.slot[i].member, &normal,
                                    &tangent);
         loss += add_series_row(w, &normal, impulse[0] *= factor);
         loss += add_series_row(w, &tangent, impulse[1] *= factor);
     }
-    w->energy_lost += loss;
-    w->lost = loss;
+    w->ledger.energy_lost += loss;
+    w->impulses.energy_lost = loss;
 }
 
 /* Far from the origin positions, and with them heights, are rounded: relative to the energy scale, once per event. */
 static double energy_rounding(const pm_workspace *w, double mass)
 {
-    const double acceleration = hypot(w->gravity[0], w->gravity[1]) + w->speed * w->speed / w->size;
-    const double rounding = POSITION_ROUNDING * pm_contact_reach(w) * (double)(1 + w->count[PM_COUNT_EVENTS]);
+    const double acceleration = hypot(w->numbers.gravity[0], w->numbers.gravity[1]) +
+                                w->numbers.speed * w->numbers.speed / w->numbers.size;
+    const double rounding =
+        POSITION_ROUNDING * pm_contact_reach(w) * (double)(1 + w->result.count[PM_COUNT_EVENTS]);
     const double spin = SPIN_ROUNDING * pm_turning_plane_kinetic(w, PM_NONE);
-    return w->energy_scale > 0 ? (mass * acceleration * rounding + spin) / w->energy_scale : 0;
+    return w->ledger.energy_scale > 0 ? (mass * acceleration * rounding + spin) / w->ledger.energy_scale : 0;
 }
 
 /* Residuals and what they may be. */
@@ -245,26 +250,30 @@ static void weigh(pm_workspace *w, double *audit, double *bound)
     pm_frame_look_state(w, &w->state);
     pm_body_momentum(w, PM_NONE, p);
     for (int i = 0; i < PM_LEDGER; i++)
-        open[i] = p[i] - w->momentum_start[i] - w->state.z[pm_ledger_ledger(m) + i];
-    const double energy_open = energy(w) - w->energy_start - work_of_forces(w) + w->energy_lost;
+        open[i] = p[i] - w->ledger.momentum_start[i] - w->state.z[pm_ledger_ledger(m) + i];
+    const double energy_open = energy(w) - w->ledger.energy_start - work_of_forces(w) + w->ledger.energy_lost;
     double mass = 0;
-    for (int i = 0; i < m->nbody; i++) mass += w->mass[i];
-    w->momentum_scale = fmax(w->momentum_scale, SLOWEST * mass * w->speed);
-    w->energy_scale = fmax(w->energy_scale, SLOWEST * SLOWEST * mass * w->speed * w->speed);
-    audit[PM_AUDIT_ENERGY] = w->energy_scale > 0 ? fabs(energy_open) / w->energy_scale : 0;
-    if (w->evidence > audit[PM_AUDIT_ENERGY]) audit[PM_AUDIT_ENERGY] = w->evidence; /* a NaN stays */
-    audit[PM_AUDIT_MOMENTUM] = w->momentum_scale > 0 ? momentum_size(w, open) / w->momentum_scale : 0;
-    audit[PM_AUDIT_CONSTRAINT] = w->constraint_worst;
-    for (int i = 0; i < PM_AUDITS; i++) bound[i] = fmax(LEAST_BOUND, BOUND_FACTOR * w->tolerance);
+    for (int i = 0; i < m->nbody; i++) mass += w->numbers.mass[i];
+    w->ledger.momentum_scale = fmax(w->ledger.momentum_scale, SLOWEST * mass * w->numbers.speed);
+    w->ledger.energy_scale =
+        fmax(w->ledger.energy_scale, SLOWEST * SLOWEST * mass * w->numbers.speed * w->numbers.speed);
+    audit[PM_AUDIT_ENERGY] = w->ledger.energy_scale > 0 ? fabs(energy_open) / w->ledger.energy_scale : 0;
+    if (w->ledger.evidence > audit[PM_AUDIT_ENERGY])
+        audit[PM_AUDIT_ENERGY] = w->ledger.evidence; /* a NaN stays */
+    audit[PM_AUDIT_MOMENTUM] =
+        w->ledger.momentum_scale > 0 ? momentum_size(w, open) / w->ledger.momentum_scale : 0;
+    audit[PM_AUDIT_CONSTRAINT] = w->ledger.constraint_worst;
+    for (int i = 0; i < PM_AUDITS; i++) bound[i] = fmax(LEAST_BOUND, BOUND_FACTOR * w->numbers.tolerance);
     bound[PM_AUDIT_ENERGY] += energy_rounding(w, mass);
 }
 
 int pm_ledger_close(pm_workspace *w)
 {
     double bound[PM_AUDITS];
-    weigh(w, w->audit, bound);
+    weigh(w, w->result.audit, bound);
     for (int i = 0; i < PM_AUDITS; i++)
-        if (!(w->audit[i] <= bound[i])) return pm_fail(w, PM_AUDIT, PM_NONE, i, w->audit[i], bound[i]);
+        if (!(w->result.audit[i] <= bound[i]))
+            return pm_fail(w, PM_AUDIT, PM_NONE, i, w->result.audit[i], bound[i]);
     return PM_OK;
 }
 

@@ -2,7 +2,7 @@
 #ifndef PM_LEDGER_H
 #define PM_LEDGER_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* Rates of all running integrals at the DYNAMIC frame: work of forces, paths, work of sliding friction, and the
  * impulses that the outer world gives (x, y, moment about the origin), taken from points and directions of the forces

@@ -5,6 +5,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "state/workspace.h"
+
 #define MUCH 0.5 /* of the square of a row: if that has not gone, rounding has not grown */
 
 static double dot(int from, int to, const double *a, const double *b)
@@ -18,8 +20,8 @@ static double dot(int from, int to, const double *a, const double *b)
 static void take_off(const pm_workspace *w, int n, double *row, int *range)
 {
     for (int b = 0; b < n; b++) {
-        const double *e = w->basis + (size_t)b * (size_t)w->model->nq;
-        const int *other = w->basis_range + 2 * b;
+        const double *e = w->saddle.basis + (size_t)b * (size_t)w->model->nq;
+        const int *other = w->saddle.basis_range + 2 * b;
         const int from = other[0] > range[0] ? other[0] : range[0],
                   to = other[1] < range[1] ? other[1] : range[1];
         if (from >= to) continue;
@@ -36,8 +38,8 @@ static void take_off(const pm_workspace *w, int n, double *row, int *range)
 static int orthonormalise(pm_workspace *w, int n, pm_orthonormal_rest *rest)
 {
     const int nq = w->model->nq;
-    double *row = w->basis + (size_t)n * (size_t)nq;
-    int *range = w->basis_range + 2 * n;
+    double *row = w->saddle.basis + (size_t)n * (size_t)nq;
+    int *range = w->saddle.basis_range + 2 * n;
     double square = dot(range[0], range[1], row, row), before = INFINITY;
     rest->norm = sqrt(square);
     for (int pass = 0; pass < 2 && !(square > MUCH * before); pass++) {
@@ -54,10 +56,10 @@ static int orthonormalise(pm_workspace *w, int n, pm_orthonormal_rest *rest)
 
 int pm_orthonormal_rows_add_dense(pm_workspace *w, int n, const double *x, pm_orthonormal_rest *rest)
 {
-    double *row = w->basis + (size_t)n * (size_t)w->model->nq;
-    for (int i = 0; i < w->model->nq; i++) row[i] = x[i] * w->inverse_root[i];
-    w->basis_range[2 * n] = 0;
-    w->basis_range[2 * n + 1] = w->model->nq;
+    double *row = w->saddle.basis + (size_t)n * (size_t)w->model->nq;
+    for (int i = 0; i < w->model->nq; i++) row[i] = x[i] * w->numbers.inverse_root[i];
+    w->saddle.basis_range[2 * n] = 0;
+    w->saddle.basis_range[2 * n + 1] = w->model->nq;
     return orthonormalise(w, n, rest);
 }
 
@@ -65,8 +67,8 @@ int pm_orthonormal_rows_add(pm_workspace *w, int n, const double j[6], const int
                             pm_orthonormal_rest *rest)
 {
     const int nq = w->model->nq, ground = w->model->nbody;
-    double *row = w->basis + (size_t)n * (size_t)nq;
-    int *range = w->basis_range + 2 * n;
+    double *row = w->saddle.basis + (size_t)n * (size_t)nq;
+    int *range = w->saddle.basis_range + 2 * n;
     memset(row, 0, (size_t)nq * sizeof *row);
     range[0] = nq;
     range[1] = 0;
@@ -74,7 +76,8 @@ int pm_orthonormal_rows_add(pm_workspace *w, int n, const double j[6], const int
         if (body[p] == ground) continue;
         if (3 * body[p] < range[0]) range[0] = 3 * body[p];
         if (3 * body[p] + 3 > range[1]) range[1] = 3 * body[p] + 3;
-        for (int k = 0; k < 3; k++) row[3 * body[p] + k] += j[3 * p + k] * w->inverse_root[3 * body[p] + k];
+        for (int k = 0; k < 3; k++)
+            row[3 * body[p] + k] += j[3 * p + k] * w->numbers.inverse_root[3 * body[p] + k];
     }
     return orthonormalise(w, n, rest);
 }

@@ -2,7 +2,7 @@
 #ifndef PM_ORTHONORMAL_ROWS_H
 #define PM_ORTHONORMAL_ROWS_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 #define PM_INDEPENDENT 1e-9 /* independent part of a row, relative to the row, above which it counts */
 

@@ -4,9 +4,11 @@
 
 #include <math.h>
 
+#include "elements/constraint.h"
 #include "equations/saddle.h"
 #include "equations/solve_cache.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 #define SWEEPS 8
 #define ROUNDING 4e-15 /* residual relative to the size of the scene below which nothing is left to gain */
@@ -14,30 +16,30 @@
 /* Projection always works on G: the friction that rides on a normal force is no constraint. */
 static int factor_symmetric(pm_workspace *w)
 {
-    const int asymmetric = w->asymmetric;
-    w->asymmetric = 0;
+    const int asymmetric = w->active.asymmetric;
+    w->active.asymmetric = 0;
     const int status = pm_saddle_factor(w);
     if (!status) pm_saddle_solve(w);
-    w->asymmetric = asymmetric;
+    w->active.asymmetric = asymmetric;
     return status;
 }
 
 static double worst_opening(const pm_workspace *w)
 {
     double worst = 0;
-    for (int i = 0; i < w->nactive; i++) worst = fmax(worst, fabs(w->row[i].g));
+    for (int i = 0; i < w->active.n; i++) worst = fmax(worst, fabs(w->active.row[i].g));
     return worst;
 }
 
 int pm_projection_velocity(pm_workspace *w, pm_state *s)
 {
     double worst = 0;
-    for (int i = 0; i < w->nactive; i++) {
-        w->rhs[i] = w->row[i].rate - pm_saddle_times(w, &w->row[i], s->v);
-        worst = fmax(worst, fabs(w->rhs[i]));
+    for (int i = 0; i < w->active.n; i++) {
+        w->saddle.rhs[i] = w->active.row[i].rate - pm_saddle_times(w, &w->active.row[i], s->v);
+        worst = fmax(worst, fabs(w->saddle.rhs[i]));
     }
-    w->rows_here = worst <= ROUNDING * w->speed;
-    if (w->rows_here) return PM_OK;
+    w->active.evaluated = worst <= ROUNDING * w->numbers.speed;
+    if (w->active.evaluated) return PM_OK;
     const int status = factor_symmetric(w);
     if (status) return status;
     pm_saddle_spread(w, 0, s->v);
@@ -48,14 +50,15 @@ int pm_projection_velocity(pm_workspace *w, pm_state *s)
 static int project(pm_workspace *w, pm_state *s, int evaluated)
 {
     double before = INFINITY;
-    if (w->nactive == 0) return PM_OK;
+    if (w->active.n == 0) return PM_OK;
     for (int sweep = 0;; sweep++) {
         if ((sweep > 0 || !evaluated) && !pm_solve_cache_take_rows(w)) pm_saddle_rows(w);
         const double worst = worst_opening(w);
         /* at the rounding of large coordinates Newton stalls: stop when it no longer gains */
-        if (worst <= ROUNDING * w->size || sweep == SWEEPS || (sweep > 1 && worst > 0.5 * before)) break;
+        if (worst <= ROUNDING * w->numbers.size || sweep == SWEEPS || (sweep > 1 && worst > 0.5 * before))
+            break;
         before = worst;
-        for (int i = 0; i < w->nactive; i++) w->rhs[i] = -w->row[i].g;
+        for (int i = 0; i < w->active.n; i++) w->saddle.rhs[i] = -w->active.row[i].g;
         const int status = factor_symmetric(w);
         if (status) return status;
         pm_saddle_spread(w, 0, s->q);
@@ -70,12 +73,13 @@ int pm_projection_apply(pm_workspace *w, pm_state *s)
     return project(w, s, 0);
 }
 
-int pm_projection_built(pm_workspace *w, pm_state *s) { return project(w, s, w->rows_here); }
+int pm_projection_built(pm_workspace *w, pm_state *s) { return project(w, s, w->active.evaluated); }
 
 double pm_projection_residual(pm_workspace *w)
 {
-    double worst = worst_opening(w) / w->size;
-    for (int i = 0; i < w->nactive; i++)
-        worst = fmax(worst, fabs(pm_saddle_times(w, &w->row[i], w->frame.v) - w->row[i].rate) / w->speed);
+    double worst = worst_opening(w) / w->numbers.size;
+    for (int i = 0; i < w->active.n; i++)
+        worst = fmax(worst, fabs(pm_saddle_times(w, &w->active.row[i], w->frame.v) - w->active.row[i].rate) /
+                                w->numbers.speed);
     return worst;
 }

@@ -2,7 +2,7 @@
 #ifndef PM_PROJECTION_H
 #define PM_PROJECTION_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* Projects the state; on return the frame looks at it (KINEMATIC, rows evaluated). */
 int pm_projection_apply(pm_workspace *w, pm_state *s);

@@ -5,6 +5,7 @@
 #include "equations/row_order.h"
 
 #include "elements/constraint.h"
+#include "state/workspace.h"
 
 #define SMALL 10 /* bodies; below it the order of the file is as good, and what depends on it stays */
 
@@ -23,7 +24,8 @@ static int last_place(const pm_workspace *w, const int body[2])
 {
     int last = PM_GROUND;
     for (int p = 0; p < 2; p++)
-        if (body[p] != PM_GROUND && w->body_place[body[p]] > last) last = w->body_place[body[p]];
+        if (body[p] != PM_GROUND && w->active.body_place[body[p]] > last)
+            last = w->active.body_place[body[p]];
     return last;
 }
 
@@ -31,7 +33,7 @@ static int last_place(const pm_workspace *w, const int body[2])
 static int number_bodies(pm_workspace *w, const int *bodies, int first)
 {
     const int nbody = w->model->nbody, njoint = w->model->rows[PM_TABLE_JOINT];
-    int *place = w->body_place, *queue = w->first_row, n = 0;
+    int *place = w->active.body_place, *queue = w->saddle.first_row, n = 0;
     for (int i = 0; i < nbody; i++) place[i] = PM_NONE;
     for (int next = 0, start = first; n < nbody; next++) {
         if (next == n) {
@@ -54,12 +56,12 @@ static int number_bodies(pm_workspace *w, const int *bodies, int first)
 void pm_row_order_find(pm_workspace *w)
 {
     const int nbody = w->model->nbody, njoint = w->model->rows[PM_TABLE_JOINT];
-    for (int i = 0; i < njoint; i++) w->joint_order[i] = i;
+    for (int i = 0; i < njoint; i++) w->active.joint_order[i] = i;
     if (nbody <= SMALL) return;
     int *bodies = (int *)(void *)w->scratch; /* [njoint][2] */
     for (int i = 0; i < njoint; i++) find_bodies(w, i, bodies + 2 * i);
     number_bodies(w, bodies, number_bodies(w, bodies, 0)); /* the last of all hangs at an end */
     for (int place = PM_GROUND, n = 0; place < nbody; place++)
         for (int i = 0; i < njoint; i++)
-            if (last_place(w, bodies + 2 * i) == place) w->joint_order[n++] = i;
+            if (last_place(w, bodies + 2 * i) == place) w->active.joint_order[n++] = i;
 }

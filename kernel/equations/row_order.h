@@ -2,7 +2,7 @@
 #ifndef PM_ROW_ORDER_H
 #define PM_ROW_ORDER_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* Sets w->joint_order; depends on the structure of the scene alone. */
 void pm_row_order_find(pm_workspace *w);

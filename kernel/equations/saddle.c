@@ -16,6 +16,7 @@
 #include "numerics/dense.h"
 #include "state/frame.h"
 #include "state/route.h"
+#include "state/workspace.h"
 
 #define TAKEN_OFF 60       /* rounds: three digits each, unless there is too little mass elsewhere */
 #define NOTHING_LEFT 4e-15 /* of the terms: the next round would not change them */
@@ -23,16 +24,16 @@
 
 void pm_saddle_rows(pm_workspace *w)
 {
-    const int n = w->nactive;
+    const int n = w->active.n;
     for (int i = 0; i < n; i++) {
-        pm_constraint *row = &w->row[i];
+        pm_constraint *row = &w->active.row[i];
         pm_constraint_kind(row->kind)->evaluate(w, row);
     }
-    if (!w->asymmetric) return;
-    for (int i = 0; i < n; i++) memcpy(w->row[i].h, w->row[i].j, sizeof w->row[i].h);
-    for (int i = n; w->row[i].normal != PM_NONE;
+    if (!w->active.asymmetric) return;
+    for (int i = 0; i < n; i++) memcpy(w->active.row[i].h, w->active.row[i].j, sizeof w->active.row[i].h);
+    for (int i = n; w->active.row[i].normal != PM_NONE;
          i++) { /* carried tangents, closed by an entry without normal */
-        pm_constraint *tangent = &w->row[i], *normal = &w->row[tangent->normal];
+        pm_constraint *tangent = &w->active.row[i], *normal = &w->active.row[tangent->normal];
         pm_constraint_kind(tangent->kind)->evaluate(w, tangent);
         for (int k = 0; k < 6; k++) normal->h[k] = normal->j[k] + normal->slide * tangent->j[k];
     }
@@ -40,7 +41,7 @@ void pm_saddle_rows(pm_workspace *w)
 
 static const double *force_direction(const pm_workspace *w, const pm_constraint *row)
 {
-    return w->asymmetric ? row->h : row->j;
+    return w->active.asymmetric ? row->h : row->j;
 }
 
 /* Product of two rows over the bodies that they share, in the metric of M^-1. */
@@ -52,7 +53,7 @@ static double coupled(const pm_workspace *w, const pm_constraint *a, const doubl
     for (int p = 0; p < 2; p++) {
         const int body = a->body[p];
         if (body == ground) continue;
-        const double *im = w->inverse_mass + 3 * body, *x = ja + 3 * p;
+        const double *im = w->numbers.inverse_mass + 3 * body, *x = ja + 3 * p;
         for (int r = 0; r < 2; r++) {
             if (b->body[r] != body) continue;
             const double *y = jb + 3 * r;
@@ -65,12 +66,12 @@ static double coupled(const pm_workspace *w, const pm_constraint *a, const doubl
 /* The first row that shares a body with each: before it the row of S is empty.  In w->pivot, which Cholesky leaves. */
 static void find_envelope(pm_workspace *w)
 {
-    int *first = w->pivot, *first_of_body = w->first_row;
+    int *first = w->saddle.pivot, *first_of_body = w->saddle.first_row;
     for (int i = 0; i < w->model->nbody; i++) first_of_body[i] = PM_NONE;
-    for (int i = 0; i < w->nactive; i++) {
+    for (int i = 0; i < w->active.n; i++) {
         first[i] = i;
         for (int p = 0; p < 2; p++) {
-            const int body = w->row[i].body[p];
+            const int body = w->active.row[i].body[p];
             if (body == w->model->nbody) continue;
             if (first_of_body[body] == PM_NONE) first_of_body[body] = i;
             if (first_of_body[body] < first[i]) first[i] = first_of_body[body];
@@ -84,16 +85,17 @@ static double product(const double *x, const double *y) { return x[0] * y[0] + x
 /* S = G M^-1 G^T within its envelope. */
 static void fill_symmetric(pm_workspace *w)
 {
-    const int n = w->nactive, ground = w->model->nbody;
+    const int n = w->active.n, ground = w->model->nbody;
     find_envelope(w);
     for (int i = 0; i < n; i++) {
-        const pm_constraint *row = &w->row[i];
+        const pm_constraint *row = &w->active.row[i];
         const int a = row->body[0], b = row->body[1];
-        double ja[3] = {0}, jb[3] = {0}, *to = w->schur + i * n; /* in the metric; nothing on the ground */
-        for (int k = 0; k < 3 && a != ground; k++) ja[k] = row->j[k] * w->inverse_mass[3 * a + k];
-        for (int k = 0; k < 3 && b != ground; k++) jb[k] = row->j[3 + k] * w->inverse_mass[3 * b + k];
-        for (int k = w->pivot[i]; k <= i; k++) {
-            const pm_constraint *other = &w->row[k];
+        double ja[3] = {0}, jb[3] = {0},
+               *to = w->saddle.schur + i * n; /* in the metric; nothing on the ground */
+        for (int k = 0; k < 3 && a != ground; k++) ja[k] = row->j[k] * w->numbers.inverse_mass[3 * a + k];
+        for (int k = 0; k < 3 && b != ground; k++) jb[k] = row->j[3 + k] * w->numbers.inverse_mass[3 * b + k];
+        for (int k = w->saddle.pivot[i]; k <= i; k++) {
+            const pm_constraint *other = &w->active.row[k];
             double sum = 0;
             if (a == other->body[0]) sum += product(ja, other->j);
             if (a == other->body[1]) sum += product(ja, other->j + 3);
@@ -109,7 +111,7 @@ static int factor_symmetric(pm_workspace *w)
 {
     if (pm_solve_cache_is_factored(w)) return 0;
     fill_symmetric(w);
-    const int bad = pm_dense_skyline_factor(w->nactive, w->pivot, w->schur);
+    const int bad = pm_dense_skyline_factor(w->active.n, w->saddle.pivot, w->saddle.schur);
     if (bad)
         pm_solve_cache_drop_factors(w);
     else
@@ -119,22 +121,24 @@ static int factor_symmetric(pm_workspace *w)
 
 static int factor_asymmetric(pm_workspace *w)
 {
-    const int n = w->nactive;
+    const int n = w->active.n;
     pm_solve_cache_drop_factors(w);
     for (int i = 0; i < n; i++)
         for (int k = 0; k < n; k++)
-            w->schur[i * n + k] = coupled(w, &w->row[i], w->row[i].j, &w->row[k], w->row[k].h);
-    return pm_dense_lu_factor(n, w->schur, w->pivot);
+            w->saddle.schur[i * n + k] =
+                coupled(w, &w->active.row[i], w->active.row[i].j, &w->active.row[k], w->active.row[k].h);
+    return pm_dense_lu_factor(n, w->saddle.schur, w->saddle.pivot);
 }
 
 double pm_saddle_independence(pm_workspace *w)
 {
-    const int n = w->nactive;
+    const int n = w->active.n;
     double least = 1;
     if (factor_symmetric(w)) return 0;
     for (int i = 0; i < n; i++) { /* the factor holds the reciprocal of what is left of the row */
-        const double all = coupled(w, &w->row[i], w->row[i].j, &w->row[i], w->row[i].j),
-                     *left = w->schur + i * n + i;
+        const double all = coupled(w, &w->active.row[i], w->active.row[i].j, &w->active.row[i],
+                                   w->active.row[i].j),
+                     *left = w->saddle.schur + i * n + i;
         least = fmin(least, 1 / (all * *left * *left));
     }
     return sqrt(least);
@@ -149,34 +153,35 @@ double pm_saddle_independence_there(pm_workspace *w, const pm_state *s)
 
 int pm_saddle_factor(pm_workspace *w)
 {
-    const int bad = w->asymmetric ? factor_asymmetric(w) : factor_symmetric(w);
-    w->count[PM_COUNT_SOLVES]++;
+    const int bad = w->active.asymmetric ? factor_asymmetric(w) : factor_symmetric(w);
+    w->result.count[PM_COUNT_SOLVES]++;
     if (!bad) return PM_OK;
-    const pm_constraint *row = &w->row[bad - 1];
+    const pm_constraint *row = &w->active.row[bad - 1];
     return row->joint != PM_NONE ? pm_fail(w, PM_SINGULAR, PM_TABLE_JOINT, row->joint, 0, 0)
                                  : pm_fail(w, PM_SINGULAR, PM_TABLE_CONTACT, PM_NONE, 0, 0);
 }
 
 void pm_saddle_solve(pm_workspace *w)
 {
-    if (w->asymmetric) {
-        pm_dense_lu_solve(w->nactive, w->schur, w->pivot, w->rhs);
+    if (w->active.asymmetric) {
+        pm_dense_lu_solve(w->active.n, w->saddle.schur, w->saddle.pivot, w->saddle.rhs);
     } else {
-        pm_dense_skyline_lower(w->nactive, w->pivot, w->schur, w->rhs);
-        pm_dense_skyline_upper(w->nactive, w->pivot, w->schur, w->rhs);
+        pm_dense_skyline_lower(w->active.n, w->saddle.pivot, w->saddle.schur, w->saddle.rhs);
+        pm_dense_skyline_upper(w->active.n, w->saddle.pivot, w->saddle.schur, w->saddle.rhs);
     }
 }
 
 void pm_saddle_spread(const pm_workspace *w, int use_h, double *x)
 {
     const int ground = w->model->nbody;
-    for (int i = 0; i < w->nactive; i++) {
-        const pm_constraint *row = &w->row[i];
-        const double *d = use_h ? force_direction(w, row) : row->j, l = w->rhs[i];
+    for (int i = 0; i < w->active.n; i++) {
+        const pm_constraint *row = &w->active.row[i];
+        const double *d = use_h ? force_direction(w, row) : row->j, l = w->saddle.rhs[i];
         for (int p = 0; p < 2; p++) {
             const int body = row->body[p];
             if (body == ground) continue;
-            for (int k = 0; k < 3; k++) x[3 * body + k] += w->inverse_mass[3 * body + k] * d[3 * p + k] * l;
+            for (int k = 0; k < 3; k++)
+                x[3 * body + k] += w->numbers.inverse_mass[3 * body + k] * d[3 * p + k] * l;
         }
     }
 }
@@ -196,8 +201,8 @@ double pm_saddle_times(const pm_workspace *w, const pm_constraint *row, const do
 /* In a singular position a route that follows the motion by other means may know the accelerations. */
 static int from_route(pm_workspace *w)
 {
-    if (!w->route || !w->route->accelerate || !w->route->accelerate(w)) return 0;
-    w->where = (pm_where){PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
+    if (!w->phase.route || !w->phase.route->accelerate || !w->phase.route->accelerate(w)) return 0;
+    w->result.where = (pm_where){PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
     return 1;
 }
 
@@ -205,8 +210,9 @@ static int from_route(pm_workspace *w)
 static void respond_once(pm_workspace *w, const double *force, const double *before, double *x)
 {
     for (int i = 0; i < w->model->nq; i++)
-        x[i] = w->inverse_mass[i] * ((force ? force[i] : 0) + w->stand_in[i] * before[i]);
-    for (int i = 0; i < w->nactive; i++) w->rhs[i] = w->wanted[i] - pm_saddle_times(w, &w->row[i], x);
+        x[i] = w->numbers.inverse_mass[i] * ((force ? force[i] : 0) + w->numbers.stand_in[i] * before[i]);
+    for (int i = 0; i < w->active.n; i++)
+        w->saddle.rhs[i] = w->saddle.wanted[i] - pm_saddle_times(w, &w->active.row[i], x);
     pm_saddle_solve(w);
     pm_saddle_spread(w, 1, x);
 }
@@ -216,13 +222,14 @@ static double change(const pm_workspace *w, const double *force, const double *b
                      int *worst)
 {
     double most = 0, scale = 0, reaction = 0;
-    for (int i = 0; i < w->nactive; i++) reaction = fmax(reaction, fabs(w->rhs[i]));
+    for (int i = 0; i < w->active.n; i++) reaction = fmax(reaction, fabs(w->saddle.rhs[i]));
     for (int i = 0; i < w->model->nq; i++) {
-        const double length = i % 3 == 2 ? w->size : 1;
+        const double length = i % 3 == 2 ? w->numbers.size : 1;
         const double off = fabs(x[i] - before[i]) * length;
         scale = fmax(scale, fabs(x[i]) * length);
-        if (force) scale = fmax(scale, fabs(w->inverse_mass[i] * force[i]) * length);
-        if (w->stand_in[i] > 0) scale = fmax(scale, w->inverse_mass[i] * reaction * length * length);
+        if (force) scale = fmax(scale, fabs(w->numbers.inverse_mass[i] * force[i]) * length);
+        if (w->numbers.stand_in[i] > 0)
+            scale = fmax(scale, w->numbers.inverse_mass[i] * reaction * length * length);
         if (off > most) *worst = i;
         most = fmax(most, off);
     }
@@ -232,11 +239,12 @@ static double change(const pm_workspace *w, const double *force, const double *b
 int pm_saddle_respond(pm_workspace *w, const double *force, double *x)
 {
     int worst = 0;
-    memset(w->previous, 0, (size_t)w->model->nq * sizeof *x);
+    memset(w->saddle.previous, 0, (size_t)w->model->nq * sizeof *x);
     for (int i = 0; i < TAKEN_OFF; i++) {
-        respond_once(w, force, w->previous, x);
-        if (!w->massless || change(w, force, w->previous, x, &worst) <= NOTHING_LEFT) return PM_OK;
-        memcpy(w->previous, x, (size_t)w->model->nq * sizeof *x);
+        respond_once(w, force, w->saddle.previous, x);
+        if (!w->numbers.massless || change(w, force, w->saddle.previous, x, &worst) <= NOTHING_LEFT)
+            return PM_OK;
+        memcpy(w->saddle.previous, x, (size_t)w->model->nq * sizeof *x);
     }
     return pm_fail(w, PM_SINGULAR, PM_TABLE_BODY, worst / 3, NAN, NAN);
 }
@@ -246,14 +254,14 @@ static int accelerate(pm_workspace *w, int evaluated)
 {
     pm_frame *f = &w->frame;
     pm_force_all(w);
-    for (int i = 0; i < w->model->nq; i++) f->a[i] = w->inverse_mass[i] * f->f[i];
-    if (w->nactive > 0 || w->massless) {
+    for (int i = 0; i < w->model->nq; i++) f->a[i] = w->numbers.inverse_mass[i] * f->f[i];
+    if (w->active.n > 0 || w->numbers.massless) {
         if (!evaluated) pm_saddle_rows(w);
         int status = pm_saddle_factor(w);
         if (status) return from_route(w) ? PM_OK : status;
-        for (int i = 0; i < w->nactive; i++) w->wanted[i] = w->row[i].gamma;
+        for (int i = 0; i < w->active.n; i++) w->saddle.wanted[i] = w->active.row[i].gamma;
         if ((status = pm_saddle_respond(w, f->f, f->a))) return status;
-        memcpy(f->lambda, w->rhs, (size_t)w->nactive * sizeof(double));
+        memcpy(f->lambda, w->saddle.rhs, (size_t)w->active.n * sizeof(double));
     }
     f->level = PM_LEVEL_DYNAMIC;
     return PM_OK;
@@ -269,12 +277,12 @@ static int accelerate_from(pm_workspace *w, int evaluated)
             return status;
         }
     }
-    return pm_fail(w, PM_SINGULAR, PM_TABLE_FORCE, w->model->grip_force[0], NAN, NAN);
+    return pm_fail(w, PM_SINGULAR, PM_TABLE_FORCE, w->model->friction_force[0], NAN, NAN);
 }
 
 int pm_saddle_accelerate(pm_workspace *w) { return accelerate_from(w, 0); }
 
 int pm_saddle_accelerate_projected(pm_workspace *w)
 {
-    return accelerate_from(w, w->nactive > 0 && w->rows_here);
+    return accelerate_from(w, w->active.n > 0 && w->active.evaluated);
 }

@@ -2,7 +2,7 @@
 #ifndef PM_SADDLE_H
 #define PM_SADDLE_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* Evaluates the active rows at the frame (and the tangents that sliding contacts carry). */
 void pm_saddle_rows(pm_workspace *w);

@@ -9,13 +9,15 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "elements/constraint.h"
 #include "elements/force.h"
+#include "state/workspace.h"
 
 int pm_solve_cache_create(pm_workspace *w)
 {
     const pm_model *m = w->model;
     const size_t nq = (size_t)m->nq, nrow = (size_t)m->nrow;
-    pm_solve_cache *r = w->recall = calloc(1, sizeof *r);
+    pm_solve_cache *r = w->cache = calloc(1, sizeof *r);
     if (!r) return PM_NO_MEMORY;
     r->pose = r->block = calloc(4 * nq + nrow + 1, sizeof(double));
     r->memory = calloc((size_t)m->nmemory + 1, sizeof *r->memory);
@@ -32,7 +34,7 @@ int pm_solve_cache_create(pm_workspace *w)
 
 void pm_solve_cache_free(pm_workspace *w)
 {
-    pm_solve_cache *r = w->recall;
+    pm_solve_cache *r = w->cache;
     if (!r) return;
     free(r->block);
     free(r->memory);
@@ -40,22 +42,25 @@ void pm_solve_cache_free(pm_workspace *w)
     free(r->slot);
     free(r->factored);
     free(r);
-    w->recall = NULL;
+    w->cache = NULL;
 }
 
 /* No angle is that of the case before: its sine might have the other sign of zero. */
 void pm_solve_cache_forget(pm_workspace *w)
 {
-    w->recall->known = w->recall->built = w->recall->nfactored = 0;
+    w->cache->known = w->cache->built = w->cache->nfactored = 0;
     for (int i = 0; i < w->model->nbody; i++) w->frame.turn[3 * i] = NAN;
 }
 
 /* Nothing but the configuration, the velocities and the rows makes the accelerations. */
-static int applies(const pm_workspace *w) { return w->model->recalls && !w->asymmetric && !w->massless; }
+static int applies(const pm_workspace *w)
+{
+    return w->model->programs.cacheable && !w->active.asymmetric && !w->numbers.massless;
+}
 
 static int same_place(const pm_workspace *w)
 {
-    const pm_solve_cache *r = w->recall;
+    const pm_solve_cache *r = w->cache;
     for (int i = 0; i < w->model->nbody; i++)
         for (int k = 0; k < 3; k++) {
             if (r->pose[3 * i + k] != w->frame.pose[5 * i + k]) return 0;
@@ -67,23 +72,24 @@ static int same_place(const pm_workspace *w)
 static int same_memory(const pm_workspace *w)
 {
     const size_t bytes = (size_t)w->model->nmemory * sizeof(pm_memory);
-    return bytes == 0 || memcmp(w->recall->memory, w->frame.memory, bytes) == 0;
+    return bytes == 0 || memcmp(w->cache->memory, w->frame.memory, bytes) == 0;
 }
 
 int pm_solve_cache_take_rows(pm_workspace *w)
 {
-    const pm_solve_cache *r = w->recall;
-    if (!r->known || r->rows != w->row_set || !applies(w) || !same_place(w) || !same_memory(w)) return 0;
-    memcpy(w->row, r->row, (size_t)w->nactive * sizeof(pm_constraint));
+    const pm_solve_cache *r = w->cache;
+    if (!r->known || r->rows != w->active.version || !applies(w) || !same_place(w) || !same_memory(w))
+        return 0;
+    memcpy(w->active.row, r->row, (size_t)w->active.n * sizeof(pm_constraint));
     return 1;
 }
 
 int pm_solve_cache_take(pm_workspace *w)
 {
-    const pm_solve_cache *r = w->recall;
+    const pm_solve_cache *r = w->cache;
     if (!pm_solve_cache_take_rows(w)) return 0;
     memcpy(w->frame.a, r->a, (size_t)w->model->nq * sizeof(double));
-    memcpy(w->frame.lambda, r->lambda, (size_t)w->nactive * sizeof(double));
+    memcpy(w->frame.lambda, r->lambda, (size_t)w->active.n * sizeof(double));
     pm_force_all(w);
     w->frame.level = PM_LEVEL_DYNAMIC;
     return 1;
@@ -91,23 +97,23 @@ int pm_solve_cache_take(pm_workspace *w)
 
 void pm_solve_cache_keep(pm_workspace *w)
 {
-    pm_solve_cache *r = w->recall;
+    pm_solve_cache *r = w->cache;
     if (r->closed) return;
     r->known = applies(w);
     if (!r->known) return;
-    r->rows = w->row_set;
+    r->rows = w->active.version;
     for (int i = 0; i < w->model->nbody; i++)
         memcpy(r->pose + 3 * i, w->frame.pose + 5 * i, 3 * sizeof(double));
     memcpy(r->velocity, w->frame.velocity, (size_t)w->model->nq * sizeof(double));
     memcpy(r->a, w->frame.a, (size_t)w->model->nq * sizeof(double));
-    memcpy(r->lambda, w->frame.lambda, (size_t)w->nactive * sizeof(double));
-    memcpy(r->row, w->row, (size_t)w->nactive * sizeof(pm_constraint));
+    memcpy(r->lambda, w->frame.lambda, (size_t)w->active.n * sizeof(double));
+    memcpy(r->row, w->active.row, (size_t)w->active.n * sizeof(pm_constraint));
     memcpy(r->memory, w->frame.memory, (size_t)w->model->nmemory * sizeof(pm_memory));
 }
 
 int pm_solve_cache_is_built(const pm_workspace *w)
 {
-    const pm_solve_cache *r = w->recall;
+    const pm_solve_cache *r = w->cache;
     const pm_model *m = w->model;
     if (!r->built || memcmp(r->q, w->state.q, (size_t)m->nq * sizeof(double)) != 0) return 0;
     for (int i = 0; i < m->nslot; i++) {
@@ -121,9 +127,9 @@ int pm_solve_cache_is_built(const pm_workspace *w)
 /* Where elements come and go, or pairs are held as they were caught, or friction holds joints, rows are always built. */
 void pm_solve_cache_built(pm_workspace *w)
 {
-    pm_solve_cache *r = w->recall;
+    pm_solve_cache *r = w->cache;
     const pm_model *m = w->model;
-    r->built = !m->acts && m->nkept == 0 && m->ngrip == 0;
+    r->built = !m->acts && m->nkept == 0 && m->nfriction == 0;
     if (!r->built) return;
     memcpy(r->q, w->state.q, (size_t)m->nq * sizeof(double));
     memcpy(r->slot, w->state.slot, (size_t)m->nslot * sizeof(pm_slot));
@@ -131,17 +137,17 @@ void pm_solve_cache_built(pm_workspace *w)
 
 void pm_solve_cache_drop_rows(pm_workspace *w)
 {
-    w->recall->built = 0;
-    w->row_set++;
+    w->cache->built = 0;
+    w->active.version++;
 }
 
 int pm_solve_cache_is_factored(const pm_workspace *w)
 {
-    const pm_solve_cache *r = w->recall;
-    if (r->nfactored == 0 || r->nfactored != w->nactive) return 0;
-    for (int i = 0; i < w->nactive; i++) {
+    const pm_solve_cache *r = w->cache;
+    if (r->nfactored == 0 || r->nfactored != w->active.n) return 0;
+    for (int i = 0; i < w->active.n; i++) {
         const pm_hold *x = &r->factored[i];
-        const pm_constraint *row = &w->row[i];
+        const pm_constraint *row = &w->active.row[i];
         if (x->body[0] != row->body[0] || x->body[1] != row->body[1]) return 0;
         for (int k = 0; k < 6; k++)
             if (x->j[k] != row->j[k]) return 0;
@@ -151,12 +157,12 @@ int pm_solve_cache_is_factored(const pm_workspace *w)
 
 void pm_solve_cache_factored(pm_workspace *w)
 {
-    w->recall->nfactored = w->nactive;
-    for (int i = 0; i < w->nactive; i++) {
-        pm_hold *x = &w->recall->factored[i];
-        memcpy(x->body, w->row[i].body, sizeof x->body);
-        memcpy(x->j, w->row[i].j, sizeof x->j);
+    w->cache->nfactored = w->active.n;
+    for (int i = 0; i < w->active.n; i++) {
+        pm_hold *x = &w->cache->factored[i];
+        memcpy(x->body, w->active.row[i].body, sizeof x->body);
+        memcpy(x->j, w->active.row[i].j, sizeof x->j);
     }
 }
 
-void pm_solve_cache_drop_factors(pm_workspace *w) { w->recall->nfactored = 0; }
+void pm_solve_cache_drop_factors(pm_workspace *w) { w->cache->nfactored = 0; }

@@ -2,7 +2,7 @@
 #ifndef PM_SOLVE_CACHE_H
 #define PM_SOLVE_CACHE_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* Where a row takes hold. */
 typedef struct pm_hold {

@@ -10,6 +10,7 @@
 #include "equations/start_parts.h"
 #include "impact/action.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 static void draw(pm_workspace *w)
 {
@@ -17,7 +18,8 @@ static void draw(pm_workspace *w)
     memset(w->state.block, 0, w->state.bytes);
     w->state.t = 0;
     for (int i = 0; i < m->nbody; i++)
-        for (int k = 0; k < 3; k++) w->state.q[3 * i + k] = w->value[PM_BODY_ROW(m, i)[PM_BODY_X + k]];
+        for (int k = 0; k < 3; k++)
+            w->state.q[3 * i + k] = w->numbers.value[PM_BODY_ROW(m, i)[PM_BODY_X + k]];
     for (int i = 0; i < m->nbody; i++)
         if (!PM_BODY_ROW(m, i)[PM_BODY_TURNS]) w->state.q[3 * i + 2] = 0;
     pm_action_begin(m, &w->state);
@@ -31,7 +33,7 @@ static int check_overlap(pm_workspace *w)
         const double gap = pm_contact_gap(w, &w->state, i, &member);
         if (gap >= -pm_contact_length(w) || !pm_contact_touches(w, &w->state, i, &member)) continue;
         pm_fail(w, PM_PENETRATION, PM_TABLE_CONTACT, i, gap, -pm_contact_length(w));
-        w->where.member = member;
+        w->result.where.member = member;
         return PM_PENETRATION;
     }
     return PM_OK;

@@ -2,7 +2,7 @@
 #ifndef PM_START_H
 #define PM_START_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 typedef struct pm_start_report {
     double moved;   /* greatest displacement by the assembly, m */

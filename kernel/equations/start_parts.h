@@ -18,7 +18,7 @@ int pm_start_velocities(pm_workspace *w);
 /* ---- row i of the table of what is written ---- */
 static inline double pm_start_value(const pm_workspace *w, int i)
 {
-    return w->value[PM_START_ROW(w->model, i)[PM_START_VALUE]];
+    return w->numbers.value[PM_START_ROW(w->model, i)[PM_START_VALUE]];
 }
 static inline int pm_start_measure(const pm_workspace *w, int i)
 {

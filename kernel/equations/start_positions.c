@@ -10,6 +10,7 @@
 #include "equations/least_change.h"
 #include "equations/start_parts.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 #define SWEEPS 60
 #define LONGEST 0.3 /* step of the assembly, in sizes of the scene */
@@ -26,7 +27,7 @@ static double worst_opening(pm_workspace *w, int *table, int *row)
         for (int k = 0; k < n; k++) {
             if (rows[k].memory != PM_NONE) continue; /* no slip: anchored where the assembly ends */
             pm_constraint_kind(rows[k].kind)->evaluate(w, &rows[k]);
-            const double size = fabs(rows[k].g) * (rows[k].kind == PM_CONSTRAINT_ANGLE ? w->size : 1);
+            const double size = fabs(rows[k].g) * (rows[k].kind == PM_CONSTRAINT_ANGLE ? w->numbers.size : 1);
             if (!(size <= worst)) {
                 worst = size;
                 *table = PM_TABLE_JOINT;
@@ -88,22 +89,23 @@ static void position_step(pm_workspace *w, double *x, double *dense)
 static void limit_step(const pm_workspace *w, double *x)
 {
     double longest = 0;
-    for (int i = 0; i < w->model->nq; i++) longest = fmax(longest, fabs(x[i]) * (i % 3 == 2 ? w->size : 1));
-    const double factor = longest > LONGEST * w->size ? LONGEST * w->size / longest : 1;
+    for (int i = 0; i < w->model->nq; i++)
+        longest = fmax(longest, fabs(x[i]) * (i % 3 == 2 ? w->numbers.size : 1));
+    const double factor = longest > LONGEST * w->numbers.size ? LONGEST * w->numbers.size / longest : 1;
     for (int i = 0; i < w->model->nq; i++) x[i] *= factor;
 }
 
 int pm_start_assemble(pm_workspace *w, pm_start_report *report)
 {
     const pm_model *m = w->model;
-    const double allowed = w->value[PM_SETTING(m, PM_SETTING_ASSEMBLY)] * w->size;
+    const double allowed = w->numbers.value[PM_SETTING(m, PM_SETTING_ASSEMBLY)] * w->numbers.size;
     double *x = w->scratch, *dense = x + m->nq, best = INFINITY;
     int table = PM_NONE, row = PM_NONE;
     pm_frame_look_state(w, &w->state);
     for (int sweep = 0; sweep < SWEEPS; sweep++) {
         report->opening = worst_opening(w, &table, &row);
         const int gains = report->opening < 0.5 * best;
-        if (!(report->opening > 4e-16 * w->size) || (report->opening <= allowed && !gains)) break;
+        if (!(report->opening > 4e-16 * w->numbers.size) || (report->opening <= allowed && !gains)) break;
         best = fmin(best, report->opening);
         position_step(w, x, dense);
         limit_step(w, x);
@@ -112,9 +114,11 @@ int pm_start_assemble(pm_workspace *w, pm_start_report *report)
     }
     for (int i = 0; i < m->nbody; i++)
         for (int k = 0; k < 3; k++) {
-            const double drawn =
-                PM_BODY_ROW(m, i)[PM_BODY_TURNS] || k < 2 ? w->value[PM_BODY_ROW(m, i)[PM_BODY_X + k]] : 0;
-            report->moved = fmax(report->moved, fabs(w->state.q[3 * i + k] - drawn) * (k == 2 ? w->size : 1));
+            const double drawn = PM_BODY_ROW(m, i)[PM_BODY_TURNS] || k < 2
+                                     ? w->numbers.value[PM_BODY_ROW(m, i)[PM_BODY_X + k]]
+                                     : 0;
+            report->moved =
+                fmax(report->moved, fabs(w->state.q[3 * i + k] - drawn) * (k == 2 ? w->numbers.size : 1));
         }
     return report->opening <= allowed ? PM_OK : pm_fail(w, PM_ASSEMBLY, table, row, report->opening, allowed);
 }

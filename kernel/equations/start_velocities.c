@@ -12,7 +12,9 @@
 #include "equations/case.h"
 #include "equations/least_change.h"
 #include "equations/start_parts.h"
+#include "scene/build.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 #define AGREES 1e-9    /* relative disagreement of start velocities that is rounding */
 #define OPEN_PART 1e-6 /* of a unit velocity of a body left open */
@@ -124,12 +126,12 @@ static int settle_rest(pm_workspace *w, pm_least_change *s, double *dense, const
 {
     const pm_model *m = w->model;
     int n_free = 0;
-    for (int i = 0; i < m->nq; i++) n_free += w->inverse_mass[i] > 0;
+    for (int i = 0; i < m->nq; i++) n_free += w->numbers.inverse_mass[i] > 0;
     if (s->block + s->n >= n_free) return PM_OK; /* all is settled */
     for (int i = 0; i < m->nbody; i++)
         for (int k = 2; k >= 0; k--) { /* the spin first, then the velocity of G */
             double miss;
-            if (w->inverse_mass[3 * i + k] == 0) continue;
+            if (w->numbers.inverse_mass[3 * i + k] == 0) continue;
             memset(dense, 0, (size_t)m->nq * sizeof *dense);
             dense[3 * i + k] = 1;
             const int n = s->n;
@@ -176,8 +178,8 @@ static int rough_contact_slips(pm_workspace *w)
         if (pm_contact_friction(w->model, i) != PM_FRICTION_ROUGH) continue;
         if (!pm_contact_touches(w, &w->state, i, &member)) continue;
         pm_contact_member_gap(w, i, member, &rate);
-        if (fabs(rate) > AGREES * w->speed) continue;
-        if (fabs(pm_contact_member_slip(w, i, member)) > AGREES * w->speed) return 1;
+        if (fabs(rate) > AGREES * w->numbers.speed) continue;
+        if (fabs(pm_contact_member_slip(w, i, member)) > AGREES * w->numbers.speed) return 1;
     }
     return 0;
 }
@@ -187,8 +189,8 @@ int pm_start_velocities(pm_workspace *w)
     if (!any_velocity_written(w)) return PM_OK; /* at rest */
     const int status = solve_velocities(w, 1);
     if (status != PM_START_CONFLICT) return status;
-    const pm_where where = w->where;
+    const pm_where where = w->result.where;
     if (solve_velocities(w, 0) == PM_OK && !rough_contact_slips(w)) return PM_OK;
-    w->where = where;
+    w->result.where = where;
     return status;
 }

@@ -16,6 +16,7 @@
 #include "routes/path/path_error.h"
 #include "state/frame.h"
 #include "state/route.h"
+#include "state/workspace.h"
 #include "study/accuracy.h"
 
 #define ON_GRID 1e-9 /* relative: a grid value met at the very start or end of the run */
@@ -60,7 +61,7 @@ int pm_ask_create(pm_workspace *w)
         if (watches) note_switches(w, i);
         for (int k = 0; k < 2; k++) {
             const int program = e[k ? PM_ASK_PROGRAM_2 : PM_ASK_PROGRAM];
-            const int level = program >= 0 ? w->model->program_level[program] : PM_LEVEL_NONE;
+            const int level = program >= 0 ? w->model->programs.level[program] : PM_LEVEL_NONE;
             raise_to(&a->instant_level, level);
             if (watches) raise_to(&a->level, level);
             if (e[PM_ASK_EVENT_INDEX] != PM_NONE) raise_to(&a->fired_level, level);
@@ -87,13 +88,13 @@ void pm_ask_reset(pm_workspace *w)
     for (int i = 0; i < w->model->nask; i++) a->best[i] = NAN, a->bound[i] = -INFINITY;
     memset(a->undefined, 0, (size_t)(w->model->nask + 2 * w->model->nout));
     a->fresh = 0;
-    for (int i = 0; i < w->model->nout; i++) w->out[i] = NAN;
-    for (int i = 0; i < w->model->nask; i++) w->reason[i] = PM_REASON_NOT_REACHED;
+    for (int i = 0; i < w->model->nout; i++) w->result.out[i] = NAN;
+    for (int i = 0; i < w->model->nask; i++) w->result.reason[i] = PM_REASON_NOT_REACHED;
 }
 
 static double run(pm_workspace *w, int program)
 {
-    return pm_program_run(w->model, program, w->param, w->value, w);
+    return pm_program_run(w->model, program, w->numbers.param, w->numbers.value, w);
 }
 
 double pm_ask_run(pm_workspace *w, int ask) { return run(w, pm_ask_program(PM_ASK_ROW(w->model, ask))); }
@@ -101,7 +102,7 @@ double pm_ask_run(pm_workspace *w, int ask) { return run(w, pm_ask_program(PM_AS
 static void answer(pm_workspace *w, int ask, int column, double value)
 {
     const int out = PM_ASK_ROW(w->model, ask)[PM_ASK_OUT] + column;
-    w->out[out] = value;
+    w->result.out[out] = value;
     w->ask->filled[out] = w->ask->fresh = 1;
 }
 
@@ -135,14 +136,14 @@ void pm_ask_offer(pm_workspace *w, int ask, double value, double above)
     if (!isnan(a->best[ask]) && !better) return;
     a->best[ask] = extreme;
     answer_here(w, ask, 0, e[PM_ASK_PROGRAM], pm_ask_at_extreme(e) ? run(w, e[PM_ASK_PROGRAM]) : value);
-    w->out[e[PM_ASK_OUT]] += above;
+    w->result.out[e[PM_ASK_OUT]] += above;
 }
 
 static void offer_grid(pm_workspace *w, int ask, double value, double tolerance)
 {
     const int32_t *e = PM_ASK_ROW(w->model, ask);
     for (int k = 0; k < e[PM_ASK_COUNT]; k++) {
-        const double wanted = w->value[e[PM_ASK_FIRST_VALUE] + k];
+        const double wanted = w->numbers.value[e[PM_ASK_FIRST_VALUE] + k];
         if (w->ask->filled[e[PM_ASK_OUT] + k] ||
             !(fabs(value - wanted) <= tolerance * fmax(fabs(wanted), 1e-3)))
             continue;
@@ -160,8 +161,8 @@ void pm_ask_sample(pm_workspace *w)
 
 int pm_ask_look(pm_workspace *w, double t, int exact)
 {
-    if (!exact || w->route->look) return pm_step_look(w, t, w->ask->level);
-    const int status = w->route->exact(w, t, &w->probe);
+    if (!exact || w->phase.route->look) return pm_step_look(w, t, w->ask->level);
+    const int status = w->phase.route->exact(w, t, &w->probe);
     if (status) return status;
     pm_frame_look(w, w->probe.t, w->probe.q, w->probe.v, w->probe.z, w->state.memory);
     return w->ask->level == PM_LEVEL_DYNAMIC ? pm_saddle_accelerate(w) : PM_OK;
@@ -194,9 +195,9 @@ static int exactly(pm_workspace *w, double t, void *context, double *value)
 static int grid_in_step(pm_workspace *w, int ask)
 {
     const int32_t *e = PM_ASK_ROW(w->model, ask);
-    const int n = w->nodes->n;
+    const int n = w->step.nodes->n;
     for (int k = 0; k < e[PM_ASK_COUNT]; k++) {
-        pm_ask_watch x = {e[PM_ASK_PROGRAM_2], w->value[e[PM_ASK_FIRST_VALUE] + k], 0, NULL};
+        pm_ask_watch x = {e[PM_ASK_PROGRAM_2], w->numbers.value[e[PM_ASK_FIRST_VALUE] + k], 0, NULL};
         for (int i = 0; i + 1 < n && !w->ask->filled[e[PM_ASK_OUT] + k]; i++) {
             const double *sample = pm_ask_samples(w, ask) + i;
             const double a = sample[0] - x.minus, b = sample[1] - x.minus;
@@ -204,11 +205,11 @@ static int grid_in_step(pm_workspace *w, int ask)
             if (!((a < 0 && b >= 0) || (a > 0 && b <= 0))) continue;
             double t, taken, off;
             int status = pm_bracket_find(w, w->ask->solver, pm_ask_along, &x, from, a, to, b, &t);
-            if (!status && t > w->step_end) continue; /* an instant comes before */
+            if (!status && t > w->step.end) continue; /* an instant comes before */
             if (!status) status = pm_bracket_polish(w, pm_ask_along, exactly, &x, NAN, &t, &taken, &off);
             if (!status && taken != t) status = pm_ask_look(w, t, 1);
             if (status) return status;
-            if (t <= w->step_end) answer_here(w, ask, k, e[PM_ASK_PROGRAM], run(w, e[PM_ASK_PROGRAM]));
+            if (t <= w->step.end) answer_here(w, ask, k, e[PM_ASK_PROGRAM], run(w, e[PM_ASK_PROGRAM]));
         }
     }
     return PM_OK;
@@ -217,9 +218,9 @@ static int grid_in_step(pm_workspace *w, int ask)
 /* The samples of a whole step serve for its part up to step_end, too, where they resolve the values. */
 int pm_ask_keeps_samples(const pm_workspace *w)
 {
-    if (!pm_chebyshev_nodes_spectral(w->nodes)) return 0;
+    if (!pm_chebyshev_nodes_spectral(w->step.nodes)) return 0;
     for (int i = 0; i < w->ask->nobserver; i++)
-        for (int k = 0; k < w->nodes->n; k++)
+        for (int k = 0; k < w->step.nodes->n; k++)
             if (isnan(w->ask->sample[w->ask->observer[i] * PM_NODES_MOST + k])) return 0;
     return 1;
 }
@@ -231,7 +232,7 @@ static int offer_end(pm_workspace *w)
     for (int i = 0; i < w->ask->nobserver && !counts; i++)
         counts = PM_ASK_ROW(w->model, w->ask->observer[i])[PM_ASK_KIND] != PM_ASK_GRID &&
                  pm_ask_end_counts(w, w->ask->observer[i]);
-    const int status = counts ? pm_ask_look(w, w->step_end, 1) : PM_OK;
+    const int status = counts ? pm_ask_look(w, w->step.end, 1) : PM_OK;
     for (int i = 0; i < w->ask->nobserver && !status && counts; i++) {
         const int ask = w->ask->observer[i];
         if (PM_ASK_ROW(w->model, ask)[PM_ASK_KIND] != PM_ASK_GRID)
@@ -242,7 +243,7 @@ static int offer_end(pm_workspace *w)
 
 int pm_ask_step(pm_workspace *w)
 {
-    if (w->ask->nobserver > 0 && w->step_end < w->sampled_end) {
+    if (w->ask->nobserver > 0 && w->step.end < w->step.sampled_end) {
         const int status = offer_end(w);
         if (status) return status;
     }
@@ -319,13 +320,13 @@ void pm_ask_end(pm_workspace *w)
         int filled = 1, undefined = 0, infinite = 0;
         for (int k = 0; k < e[PM_ASK_COUNT]; k++) {
             filled &= w->ask->filled[e[PM_ASK_OUT] + k];
-            undefined |= isnan(w->out[e[PM_ASK_OUT] + k]);
-            infinite |= isinf(w->out[e[PM_ASK_OUT] + k]);
+            undefined |= isnan(w->result.out[e[PM_ASK_OUT] + k]);
+            infinite |= isinf(w->result.out[e[PM_ASK_OUT] + k]);
         }
         const int each = e[PM_ASK_KIND] == PM_ASK_EACH;
         if (each) filled = w->ask->filled[e[PM_ASK_OUT]];
-        if (filled) w->reason[i] = infinite ? PM_REASON_INFINITE : PM_REASON_NONE;
-        if (filled && undefined && !each) w->reason[i] = PM_REASON_UNDEFINED;
+        if (filled) w->result.reason[i] = infinite ? PM_REASON_INFINITE : PM_REASON_NONE;
+        if (filled && undefined && !each) w->result.reason[i] = PM_REASON_UNDEFINED;
     }
 }
 
@@ -343,11 +344,11 @@ void pm_ask_keep(pm_workspace *w, int sound, int others)
         const int32_t *e = PM_ASK_ROW(w->model, i);
         const int at_instant =
             e[PM_ASK_KIND] == PM_ASK_EVENT || e[PM_ASK_KIND] == PM_ASK_EACH || e[PM_ASK_KIND] == PM_ASK_GRID;
-        w->reason[i] = others;
+        w->result.reason[i] = others;
         for (int k = e[PM_ASK_OUT]; k < e[PM_ASK_OUT] + e[PM_ASK_COUNT]; k++)
             if (at_instant && kept[k])
-                w->reason[i] = PM_REASON_NONE;
+                w->result.reason[i] = PM_REASON_NONE;
             else
-                w->out[k] = NAN;
+                w->result.out[k] = NAN;
     }
 }

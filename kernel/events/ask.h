@@ -3,7 +3,7 @@
 #define PM_ASK_H
 
 #include "numerics/chebyshev_nodes.h"
-#include "state/model.h"
+#include "state/workspace.h"
 
 typedef struct pm_ask_set {
     int *observer; /* [nask] asks that watch the whole run: extremes and grids */

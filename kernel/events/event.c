@@ -19,6 +19,7 @@
 #include "numerics/bracket.h"
 #include "state/frame.h"
 #include "state/route.h"
+#include "state/workspace.h"
 
 #define POSITION_ROUNDING 4e-15 /* of how far bodies are from the origin */
 #define FORCE_SLACK 1e-10       /* of the scene's weight-like force */
@@ -37,7 +38,7 @@ int pm_event_create(pm_workspace *w)
     const pm_model *m = w->model;
     const size_t ntrigger = (size_t)m->rows[PM_TABLE_TRIGGER], nevent = (size_t)m->rows[PM_TABLE_EVENT];
     const size_t most =
-        ntrigger + (size_t)m->rows[PM_TABLE_CONTACT] + 4 * (size_t)m->nslot + (size_t)m->ngrip;
+        ntrigger + (size_t)m->rows[PM_TABLE_CONTACT] + 4 * (size_t)m->nslot + (size_t)m->nfriction;
     pm_event_set *e = w->event = calloc(1, sizeof *e);
     if (!e) return PM_NO_MEMORY;
     e->most = (int)most;
@@ -50,7 +51,7 @@ int pm_event_create(pm_workspace *w)
     e->solver = pm_bracket_create();
     if (!e->function || !e->value || !e->beside || !e->hit || !e->count || !e->fired || !e->solver)
         return PM_NO_MEMORY;
-    if (pm_gap_culling_create(m, &e->clear)) return PM_NO_MEMORY;
+    if (pm_gap_culling_create(m, &e->culling)) return PM_NO_MEMORY;
     e->seen = e->count + nevent;
     e->spent = e->fired + ntrigger;
     e->acted = e->spent + m->rows[PM_TABLE_CONTACT];
@@ -74,7 +75,7 @@ void pm_event_free(pm_workspace *w)
     free(e->count);
     free(e->fired);
     pm_bracket_free(e->solver);
-    pm_gap_culling_free(&e->clear);
+    pm_gap_culling_free(&e->culling);
     free(e);
     w->event = NULL;
 }
@@ -83,8 +84,8 @@ void pm_event_free(pm_workspace *w)
 static void add(pm_workspace *w, int kind, int index, int direction, int level, double slack, double natural)
 {
     pm_event_set *e = w->event;
-    const int owned = w->route->finds_roots == PM_ROOTS_ALL ||
-                      (w->route->finds_roots == PM_ROOTS_OF_CONTACTS && kind != FUNCTION_TRIGGER);
+    const int owned = w->phase.route->finds_roots == PM_ROOTS_ALL ||
+                      (w->phase.route->finds_roots == PM_ROOTS_OF_CONTACTS && kind != FUNCTION_TRIGGER);
     e->function[e->nfunction++] = (pm_event_function){.kind = kind,
                                                       .index = index,
                                                       .direction = direction,
@@ -96,7 +97,7 @@ static void add(pm_workspace *w, int kind, int index, int direction, int level, 
                                                       .row = PM_NONE};
     if (!owned) e->nsampled++;
     /* a route that finds all roots itself reads all functions at one look; contacts of their own need none */
-    if (level > e->level && (!owned || w->route->finds_roots == PM_ROOTS_ALL)) e->level = level;
+    if (level > e->level && (!owned || w->phase.route->finds_roots == PM_ROOTS_ALL)) e->level = level;
 }
 
 /* A trigger on time alone needs no watching where the route steps in time: the step ends when it is due. */
@@ -106,14 +107,14 @@ static void add_triggers(pm_workspace *w)
         [PM_TRIGGER_CROSS] = 0, [PM_TRIGGER_RISE] = 1, [PM_TRIGGER_FALL] = -1, [PM_TRIGGER_EVERY] = -1};
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *e = PM_TRIGGER_ROW(w->model, i);
-        const int in_time =
-            w->route->in_time && w->route->finds_roots != PM_ROOTS_ALL && pm_trigger_on_time(w, i);
+        const int in_time = w->phase.route->in_time && w->phase.route->finds_roots != PM_ROOTS_ALL &&
+                            pm_trigger_on_time(w, i);
         w->event->least[i] = INFINITY;
         w->event->greatest[i] = -INFINITY;
         w->event->due[i] = in_time ? pm_trigger_due(w, i) : INFINITY;
         if (in_time || e[PM_TRIGGER_KIND] > PM_TRIGGER_EVERY) continue;
         add(w, FUNCTION_TRIGGER, i, direction[e[PM_TRIGGER_KIND]],
-            w->model->program_level[e[PM_TRIGGER_PROGRAM]], 0, 1);
+            w->model->programs.level[e[PM_TRIGGER_PROGRAM]], 0, 1);
         pm_event_function *f = &w->event->function[w->event->nfunction - 1];
         f->held = w->event->fired[i];
         f->every = e[PM_TRIGGER_KIND] == PM_TRIGGER_EVERY;
@@ -124,7 +125,7 @@ static void add_gap(pm_workspace *w, int contact)
 {
     pm_event_set *e = w->event;
     pm_event_function *f = &e->function[e->nfunction];
-    add(w, FUNCTION_GAP, contact, -1, PM_LEVEL_KINEMATIC, pm_contact_length(w), w->size);
+    add(w, FUNCTION_GAP, contact, -1, PM_LEVEL_KINEMATIC, pm_contact_length(w), w->numbers.size);
     f->below = pm_edge_is(w->model, contact) && pm_edge_is_below(w, contact);
     if (pm_contact_is_row(w->model, contact)) f->row = e->nrow++;
 }
@@ -137,7 +138,7 @@ static void add_contacts(pm_workspace *w)
         if (pm_state_is_absent(m, &w->state, PM_TABLE_CONTACT, i))
             continue;
         else if (pm_capture_is_meeting(m, i))
-            add(w, FUNCTION_MEETING, i, 1, PM_LEVEL_KINEMATIC, 0, w->size * w->speed);
+            add(w, FUNCTION_MEETING, i, 1, PM_LEVEL_KINEMATIC, 0, w->numbers.size * w->numbers.speed);
         else
             add_gap(w, i);
     for (int i = 0; i < m->nslot; i++) {
@@ -147,20 +148,20 @@ static void add_contacts(pm_workspace *w)
         if (mode == PM_STICK && pm_contact_friction(m, pm_contact_of_slot(m, i)) == PM_FRICTION_COULOMB)
             add(w, FUNCTION_GRIP, i, -1, PM_LEVEL_DYNAMIC, force, size);
         if (pm_edge_is(m, pm_contact_of_slot(m, i)))
-            add(w, FUNCTION_END, i, -1, PM_LEVEL_KINEMATIC, pm_contact_length(w), w->size);
+            add(w, FUNCTION_END, i, -1, PM_LEVEL_KINEMATIC, pm_contact_length(w), w->numbers.size);
         if (mode == PM_SLIDE_FORWARD || mode == PM_SLIDE_BACKWARD)
-            add(w, FUNCTION_SLIP, i, -1, PM_LEVEL_KINEMATIC, pm_contact_speed(w), w->speed);
+            add(w, FUNCTION_SLIP, i, -1, PM_LEVEL_KINEMATIC, pm_contact_speed(w), w->numbers.speed);
     }
 }
 
 static void add_grips(pm_workspace *w)
 {
     const double size = pm_case_force(w), force = FORCE_SLACK * size;
-    for (int i = 0; i < w->model->ngrip; i++) {
-        if (w->state.grip[i] == PM_STICK)
+    for (int i = 0; i < w->model->nfriction; i++) {
+        if (w->state.friction[i] == PM_STICK)
             add(w, FUNCTION_HOLD, i, -1, PM_LEVEL_DYNAMIC, force, size);
-        else if (w->state.grip[i] != PM_OPEN)
-            add(w, FUNCTION_RUB, i, -1, PM_LEVEL_KINEMATIC, pm_joint_friction_still(w, i), w->speed);
+        else if (w->state.friction[i] != PM_OPEN)
+            add(w, FUNCTION_RUB, i, -1, PM_LEVEL_KINEMATIC, pm_joint_friction_still(w, i), w->numbers.speed);
     }
 }
 
@@ -171,16 +172,18 @@ double pm_event_sample(pm_workspace *w, const pm_event_function *f)
     switch (f->kind) {
     case FUNCTION_GAP: {
         const double gap = pm_contact_gap(w, &w->state, f->index, &member);
-        if (isinf(gap)) return w->size; /* nothing left to close */
+        if (isinf(gap)) return w->numbers.size; /* nothing left to close */
         return f->below ? pm_edge_gap_from_below(w, f->index) : gap;
     }
     case FUNCTION_NORMAL:
-        return w->slot_normal[f->index] == PM_NONE ? w->size : w->frame.lambda[w->slot_normal[f->index]];
+        return w->active.slot_normal[f->index] == PM_NONE ? w->numbers.size
+                                                          : w->frame.lambda[w->active.slot_normal[f->index]];
     case FUNCTION_GRIP: {
-        if (w->slot_tangent[f->index] == PM_NONE || w->slot_normal[f->index] == PM_NONE) return 1;
+        if (w->active.slot_tangent[f->index] == PM_NONE || w->active.slot_normal[f->index] == PM_NONE)
+            return 1;
         const double mu = pm_contact_static(w, pm_contact_of_slot(w->model, f->index));
-        return mu * w->frame.lambda[w->slot_normal[f->index]] -
-               fabs(w->frame.lambda[w->slot_tangent[f->index]]);
+        return mu * w->frame.lambda[w->active.slot_normal[f->index]] -
+               fabs(w->frame.lambda[w->active.slot_tangent[f->index]]);
     }
     case FUNCTION_SLIP: {
         const double slip =
@@ -188,15 +191,15 @@ double pm_event_sample(pm_workspace *w, const pm_event_function *f)
         return slot[f->index].mode == PM_SLIDE_FORWARD ? slip : -slip;
     }
     case FUNCTION_MEETING: /* a pair that is not open meets no more */
-        return isinf(pm_contact_gap(w, &w->state, f->index, &member)) ? w->size * w->speed
+        return isinf(pm_contact_gap(w, &w->state, f->index, &member)) ? w->numbers.size * w->numbers.speed
                                                                       : pm_capture_approach(w, f->index);
     case FUNCTION_END: return pm_edge_room(w, pm_contact_of_slot(w->model, f->index), slot[f->index].member);
     case FUNCTION_HOLD:
-        if (w->grip_row[f->index] == PM_NONE) return 1; /* something else holds it, too */
-        return pm_joint_friction_limit(w, f->index) - fabs(w->frame.lambda[w->grip_row[f->index]]);
+        if (w->active.friction_row[f->index] == PM_NONE) return 1; /* something else holds it, too */
+        return pm_joint_friction_limit(w, f->index) - fabs(w->frame.lambda[w->active.friction_row[f->index]]);
     case FUNCTION_RUB:
-        return w->state.grip[f->index] == PM_SLIDE_FORWARD ? pm_joint_friction_slip(w, f->index)
-                                                           : -pm_joint_friction_slip(w, f->index);
+        return w->state.friction[f->index] == PM_SLIDE_FORWARD ? pm_joint_friction_slip(w, f->index)
+                                                               : -pm_joint_friction_slip(w, f->index);
     default: return pm_trigger_program(w, f->index);
     }
 }

@@ -9,7 +9,7 @@
 #include "elements/contact.h"
 #include "events/gap_culling.h"
 #include "numerics/chebyshev_nodes.h"
-#include "state/model.h"
+#include "state/workspace.h"
 
 #define PM_COUNTLESS (INT64_MAX / 2) /* count of an event that has fired infinitely often */
 
@@ -82,7 +82,7 @@ typedef struct pm_event_set {
     int64_t *seen;            /* [nevent] how often its triggers were marked */
     unsigned char *acted;     /* [nevent] its actions are carried out at this instant */
     void *solver;             /* gsl_root_fsolver */
-    pm_gap_culling clear;     /* contacts out of reach of the step */
+    pm_gap_culling culling;   /* contacts out of reach of the step */
     int first_step;           /* of the phase */
     int most;                 /* size of the function array */
 } pm_event_set;

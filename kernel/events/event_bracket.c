@@ -21,6 +21,7 @@
 
 #include "events/event_samples.h"
 #include "numerics/chebyshev.h"
+#include "state/workspace.h"
 
 #define ON_ZERO 1e-12 /* of a function's greatest size in the step: zero when the phase begins */
 #define NEAR 0.3      /* of a function's greatest size in the step: below it there may be a dip to zero */
@@ -97,7 +98,7 @@ static int dips(pm_workspace *w, pm_event_function *f, const double *g, double b
 /* Slope at a node of the polynomial through the values there. */
 static double slope_at(const pm_workspace *w, const double *g, int k)
 {
-    return pm_chebyshev_slope_at(w->nodes, g, k) / (w->step_end - w->step_begin);
+    return pm_chebyshev_slope_at(w->step.nodes, g, k) / (w->step.end - w->step.begin);
 }
 
 /* A dip between node k and the next, told by the slopes there: also one beside an end of the step, where three nodes do
@@ -160,12 +161,12 @@ static int leaves_and_crosses(pm_workspace *w, int i, const pm_event_course *of,
                               double gb, double noise, pm_span *x)
 {
     pm_event_function *f = &w->event->function[i];
-    const double begin = w->step_begin, h = w->step_end - begin;
+    const double begin = w->step.begin, h = w->step.end - begin;
     const int told = pm_event_samples_resolved(w, i, of);
     for (int k = LEAVING; k > 0; k--) {
         const double place = a + ldexp(b - a, -k);
         if (place <= a) continue;
-        double g = told ? pm_chebyshev_value(w->nodes, of->g, 1, (place - begin) / h) : 0;
+        double g = told ? pm_chebyshev_value(w->step.nodes, of->g, 1, (place - begin) / h) : 0;
         if (!(fabs(g) > fmax(noise, pm_event_samples_residual(f, of->biggest))))
             g = pm_event_samples_along(w, place, f);
         if (!(fabs(g) > noise)) continue;

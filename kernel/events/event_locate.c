@@ -22,6 +22,7 @@
 #include "state/evidence.h"
 #include "state/frame.h"
 #include "state/route.h"
+#include "state/workspace.h"
 #include "study/accuracy.h"
 
 #define RATE_STEP 1e-4 /* of the step: distance of the differences that make a rate */
@@ -33,12 +34,12 @@
 /* The root of the polynomial through the samples, and its slope there. */
 static int root_of_samples(pm_workspace *w, int i, const pm_span *x, double *place)
 {
-    const double begin = w->step_begin, h = w->step_end - begin;
+    const double begin = w->step.begin, h = w->step.end - begin;
     double s, slope;
     pm_event_course of;
     pm_event_samples_take(w, i, &of);
-    const int status = pm_chebyshev_root(w, w->nodes, of.g, (x->a - begin) / h, x->ga, (x->b - begin) / h,
-                                         x->gb, &s, &slope);
+    const int status = pm_chebyshev_root(w, w->step.nodes, of.g, (x->a - begin) / h, x->ga,
+                                         (x->b - begin) / h, x->gb, &s, &slope);
     *place = begin + s * h;
     w->event->function[i].slope = slope / h;
     return status;
@@ -61,7 +62,7 @@ static int exactly(pm_workspace *w, double x, void *context, double *value)
 {
     const pm_event_function *f = context;
     const pm_state *s = &w->probe;
-    int status = w->route->exact(w, x, &w->probe);
+    int status = w->phase.route->exact(w, x, &w->probe);
     if (status) return status;
     pm_frame_look(w, s->t, s->q, s->v, s->z, w->state.memory);
     if (f->level == PM_LEVEL_DYNAMIC) status = pm_saddle_accelerate(w);
@@ -74,11 +75,11 @@ static int exactly(pm_workspace *w, double x, void *context, double *value)
 static int step_onto(pm_workspace *w, int i, double slope, double size, double *place, int *near)
 {
     pm_event_function *f = &w->event->function[i];
-    const double h = w->step_end - w->step_begin, n = w->nodes->n,
+    const double h = w->step.end - w->step.begin, n = w->step.nodes->n,
                  value = pm_event_samples_along(w, *place, f);
     const double shift = -value / slope, next = *place + shift;
     const double error = n * n * fmax(f->tail, ROUNDING) * f->biggest / fabs(slope * h); /* of the slope */
-    *near = fabs(value) <= OFF * size && next > w->step_begin && next < w->step_end &&
+    *near = fabs(value) <= OFF * size && next > w->step.begin && next < w->step.end &&
             fabs(shift) * (error + n * n * fabs(shift) / h) <= ROUNDING * h;
     if (*near) *place = next;
     return isnan(value) ? PM_SOLVER : PM_OK;
@@ -87,8 +88,8 @@ static int step_onto(pm_workspace *w, int i, double slope, double size, double *
 /* The samples tell where a trigger is zero as well as any look would.  (What closes a gap is met to the last bit.) */
 static int tells_zero(const pm_workspace *w, const pm_event_function *f, double slope)
 {
-    const double h = w->step_end - w->step_begin;
-    return f->kind == FUNCTION_TRIGGER && w->route->look &&
+    const double h = w->step.end - w->step.begin;
+    return f->kind == FUNCTION_TRIGGER && w->phase.route->look &&
            pm_event_samples_residual(f, f->biggest) <= TOLD * fabs(slope * h);
 }
 
@@ -101,10 +102,10 @@ static int polish(pm_workspace *w, int i, const pm_span *x, double slope, double
     const double size = fmax(fabs(x->ga), fabs(x->gb));
     double off;
     int near = spectral && tells_zero(w, f, slope), status = PM_OK;
-    if (spectral && w->route->look && !near) status = step_onto(w, i, slope, size, first, &near);
+    if (spectral && w->phase.route->look && !near) status = step_onto(w, i, slope, size, first, &near);
     if (near) {
         *taken = *first;
-        return status ? status : w->route->exact(w, *first, &w->probe);
+        return status ? status : w->phase.route->exact(w, *first, &w->probe);
     }
     if (!status) status = pm_bracket_polish(w, pm_event_samples_along, exactly, f, slope, first, taken, &off);
     if (status || !(fabs(off) > OFF * size) || !spectral) return status;
@@ -118,9 +119,9 @@ static int polish(pm_workspace *w, int i, const pm_span *x, double slope, double
  * there, if its samples tell it. */
 static void take_rate(pm_workspace *w, int function, double x, double slope)
 {
-    if (!w->error->active) return;
+    if (!w->accuracy->active) return;
     pm_event_function *f = &w->event->function[function];
-    const double d = RATE_STEP * (w->step_end - w->step_begin);
+    const double d = RATE_STEP * (w->step.end - w->step.begin);
     const double rate =
         isnan(slope) ? (pm_event_samples_along(w, x + d, f) - pm_event_samples_along(w, x - d, f)) / (2 * d)
                      : slope;
@@ -130,11 +131,11 @@ static void take_rate(pm_workspace *w, int function, double x, double slope)
 
 static double slope_of_samples(const pm_workspace *w, int i, double place)
 {
-    const double h = w->step_end - w->step_begin;
+    const double h = w->step.end - w->step.begin;
     double here;
     pm_event_course of;
     pm_event_samples_take(w, i, &of);
-    return pm_chebyshev_slope(w->nodes, of.g, (place - w->step_begin) / h, &here) / h;
+    return pm_chebyshev_slope(w->step.nodes, of.g, (place - w->step.begin) / h, &here) / h;
 }
 
 /* Its slope at the root, by the samples; not a number where these do not tell it. */
@@ -147,9 +148,9 @@ static double slope_at_root(pm_workspace *w, int i, double place)
 
 int pm_event_locate_settle(pm_workspace *w, int i, const pm_span *x, double *place, double *taken)
 {
-    const int at_end = *place >= w->step_end && x->gb == 0; /* exactly there: nothing to polish */
-    if (at_end && !w->error->active) return PM_OK;
+    const int at_end = *place >= w->step.end && x->gb == 0; /* exactly there: nothing to polish */
+    if (at_end && !w->accuracy->active) return PM_OK;
     const double slope = slope_at_root(w, i, *place);
-    if (!at_end || !w->turns) take_rate(w, i, *place, slope);
+    if (!at_end || !w->step.reverses) take_rate(w, i, *place, slope);
     return at_end ? PM_OK : polish(w, i, x, slope, place, taken);
 }

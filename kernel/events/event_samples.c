@@ -10,6 +10,7 @@
 #include "numerics/chebyshev.h"
 #include "numerics/minmax.h"
 #include "state/route.h"
+#include "state/workspace.h"
 
 #define RESOLVED 1e-6 /* tail of a function that its samples tell */
 #define UNTOLD 10.0   /* times the tail: how far it may be from the polynomial */
@@ -25,7 +26,7 @@ void pm_event_samples_take(const pm_workspace *w, int i, pm_event_course *x)
 {
     const pm_event_function *f = &w->event->function[i];
     const double *value = pm_event_samples(w, i);
-    x->n = w->nodes->n;
+    x->n = w->step.nodes->n;
     x->low = INFINITY;
     x->high = -INFINITY;
     for (int k = 0; k < x->n; k++) {
@@ -39,9 +40,9 @@ void pm_event_samples_take(const pm_workspace *w, int i, pm_event_course *x)
 double pm_event_samples_tail(const pm_workspace *w, int i, const pm_event_course *x)
 {
     pm_event_function *f = &w->event->function[i];
-    if (!pm_chebyshev_nodes_spectral(w->nodes)) return INFINITY;
+    if (!pm_chebyshev_nodes_spectral(w->step.nodes)) return INFINITY;
     if (f->tail < 0) {
-        f->tail = pm_chebyshev_tail(w->nodes, x->g);
+        f->tail = pm_chebyshev_tail(w->step.nodes, x->g);
         f->biggest = x->biggest;
     }
     return f->tail;
@@ -57,7 +58,7 @@ int pm_event_samples_resolve(const pm_workspace *w, int i)
     const pm_event_function *f = &w->event->function[i];
     pm_event_course x;
     if (f->tail >= 0) return f->tail < RESOLVED;
-    if (!pm_chebyshev_nodes_spectral(w->nodes)) return 0;
+    if (!pm_chebyshev_nodes_spectral(w->step.nodes)) return 0;
     pm_event_samples_take(w, i, &x);
     return pm_event_samples_resolved(w, i, &x);
 }

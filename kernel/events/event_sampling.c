@@ -15,21 +15,22 @@
 #include "numerics/minmax.h"
 #include "scene/program_class.h"
 #include "state/route.h"
+#include "state/workspace.h"
 
 #define WAVES 1e-4 /* tail of values that may have waves between the nodes */
 
 double pm_event_sampling_node(const pm_workspace *w, int node)
 {
-    const pm_chebyshev_nodes *nodes = w->nodes;
-    return node == nodes->n - 1 ? w->sampled_end
-                                : w->step_begin + (w->sampled_end - w->step_begin) * nodes->at[node];
+    const pm_chebyshev_nodes *nodes = w->step.nodes;
+    return node == nodes->n - 1 ? w->step.sampled_end
+                                : w->step.begin + (w->step.sampled_end - w->step.begin) * nodes->at[node];
 }
 
 /* Nothing is known of the step's zeros yet. */
 static void begin_samples(pm_workspace *w)
 {
     pm_event_set *e = w->event;
-    for (int k = 0; k < w->nodes->n; k++) e->place[k] = pm_event_sampling_node(w, k);
+    for (int k = 0; k < w->step.nodes->n; k++) e->place[k] = pm_event_sampling_node(w, k);
     for (int i = 0; i < e->nfunction; i++) {
         e->function[i].search = SEARCH_NONE;
         e->function[i].tail = -1;
@@ -44,7 +45,7 @@ static double sample_row(pm_workspace *w, const pm_event_function *f, int node)
     int member;
     *x = pm_contact_beside(w, f->index);
     const double gap = pm_contact_nearest_beside(w, &w->state, f->index, x, &member);
-    return isinf(gap) ? w->size : gap;
+    return isinf(gap) ? w->numbers.size : gap;
 }
 
 /* The functions of contacts and grips that are sampled, but for contacts out of reach, at a node of the step; the frame
@@ -66,7 +67,7 @@ static int look_at_nodes(pm_workspace *w, int functions, int watched)
     int level = PM_LEVEL_KINEMATIC;
     if (functions && w->event->level > level) level = w->event->level;
     if (watched && w->ask->level > level) level = w->ask->level;
-    for (int k = 0; k < w->nodes->n; k++) {
+    for (int k = 0; k < w->step.nodes->n; k++) {
         const int status = pm_step_look(w, pm_event_sampling_node(w, k), level);
         if (status) return status;
         if (functions) {
@@ -88,7 +89,7 @@ static void sample_triggers(pm_workspace *w)
         if (f->owned) continue;
         pm_watched_samples_run(w, PM_TRIGGER_ROW(w->model, f->index)[PM_TRIGGER_PROGRAM], NULL, value);
         double least = e->least[f->index], greatest = e->greatest[f->index];
-        for (int k = 0; k < w->nodes->n; k++) {
+        for (int k = 0; k < w->step.nodes->n; k++) {
             least = pm_min(value[k], least);
             greatest = pm_max(value[k], greatest);
         }
@@ -100,7 +101,7 @@ static void sample_triggers(pm_workspace *w)
 /* The step came closer to contacts than was expected: they are looked at, too. */
 static int sample_reached(pm_workspace *w)
 {
-    for (int k = 0; k < w->nodes->n; k++) {
+    for (int k = 0; k < w->step.nodes->n; k++) {
         const int status = pm_step_look(w, pm_event_sampling_node(w, k), w->event->level);
         if (status) return status;
         sample_contacts(w, k);
@@ -133,13 +134,13 @@ static void note_sides(pm_workspace *w)
 
 static int is_told(const pm_workspace *w, const double *sample)
 {
-    return !(pm_chebyshev_tail(w->nodes, sample) > WAVES);
+    return !(pm_chebyshev_tail(w->step.nodes, sample) > WAVES);
 }
 
 /* Speeds fall to zero as the root of the energy does, where the motion turns: that is no wave. */
 static int may_wave(const pm_workspace *w, const pm_event_function *f)
 {
-    return !f->owned && w->model->program_growth[PM_TRIGGER_ROW(w->model, f->index)[PM_TRIGGER_PROGRAM]] !=
+    return !f->owned && w->model->programs.energy[PM_TRIGGER_ROW(w->model, f->index)[PM_TRIGGER_PROGRAM]] !=
                             PM_ENERGY_CLASS_ROOT;
 }
 
@@ -177,11 +178,11 @@ static int finish_functions(pm_workspace *w)
 int pm_event_search_sample(pm_workspace *w, int with_functions)
 {
     const int functions = with_functions && w->event->nsampled > 0, watched = w->ask->nobserver > 0;
-    w->sampled_end = w->step_end;
+    w->step.sampled_end = w->step.end;
     if (!functions && !watched) return PM_OK;
     int status = sample_at_nodes(w, functions, watched);
-    while (!status && w->nodes->finer && !are_told(w, functions, watched)) {
-        w->nodes = w->nodes->finer;
+    while (!status && w->step.nodes->finer && !are_told(w, functions, watched)) {
+        w->step.nodes = w->step.nodes->finer;
         status = sample_at_nodes(w, functions, watched);
     }
     return status || !functions ? status : finish_functions(w);
@@ -192,7 +193,7 @@ int pm_event_search_sample(pm_workspace *w, int with_functions)
 static int member_at(pm_workspace *w, const pm_event_function *f, double x, int *member)
 {
     const pm_event_set *e = w->event;
-    for (int k = 0; k < w->nodes->n; k++)
+    for (int k = 0; k < w->step.nodes->n; k++)
         if (e->place[k] == x)
             return !isinf(pm_contact_nearest_beside(w, &w->state, f->index,
                                                     e->beside + f->row * PM_NODES_MOST + k, member));
@@ -204,8 +205,9 @@ void pm_event_search_sample_member(pm_workspace *w, int i, double x)
     pm_event_set *e = w->event;
     pm_event_function *f = &e->function[i];
     int member;
-    if (f->row == PM_NONE || !pm_chebyshev_nodes_spectral(w->nodes) || !member_at(w, f, x, &member)) return;
-    for (int k = 0; k < w->nodes->n; k++)
+    if (f->row == PM_NONE || !pm_chebyshev_nodes_spectral(w->step.nodes) || !member_at(w, f, x, &member))
+        return;
+    for (int k = 0; k < w->step.nodes->n; k++)
         pm_event_samples(w, i)[k] = pm_contact_gap_beside(e->beside + f->row * PM_NODES_MOST + k, member);
     f->tail = -1;
 }

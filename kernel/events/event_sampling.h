@@ -2,7 +2,7 @@
 #ifndef PM_EVENT_SAMPLING_H
 #define PM_EVENT_SAMPLING_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* Place of a node in the last step. */
 double pm_event_sampling_node(const pm_workspace *w, int node);

@@ -11,6 +11,7 @@
 #include "events/event_bracket.h"
 #include "events/event_locate.h"
 #include "events/event_samples.h"
+#include "state/workspace.h"
 
 #define PASSES 1e-5 /* of the scene's size: two points farther apart where they are nearest do not meet */
 
@@ -20,7 +21,7 @@ static int goes_by(pm_workspace *w, int i, double place)
     pm_event_function *f = &w->event->function[i];
     if (f->kind != FUNCTION_MEETING) return 0;
     pm_event_samples_along(w, place, f);
-    return pm_capture_distance(w, f->index) > PASSES * w->size;
+    return pm_capture_distance(w, f->index) > PASSES * w->numbers.size;
 }
 
 /* The first place of the step, after `from`, where something happens to function i; *x brackets it; or INFINITY.  What
@@ -52,7 +53,7 @@ static int first_of(pm_workspace *w, int i, double from, double not_after, pm_sp
 static int find_earliest(pm_workspace *w, double from, int *earliest, double *first, pm_span *of_first)
 {
     pm_event_set *e = w->event;
-    const double same = PM_SAME_PLACE * (w->step_end - w->step_begin);
+    const double same = PM_SAME_PLACE * (w->step.end - w->step.begin);
     pm_span x;
     *earliest = PM_NONE;
     *first = INFINITY;
@@ -82,14 +83,14 @@ int pm_event_search_first(pm_workspace *w, double from, double *first, double *t
     int earliest;
     pm_span x;
     const int status = find_earliest(w, from, &earliest, first, &x);
-    if (status || earliest == PM_NONE || *first <= w->step_begin) return status;
+    if (status || earliest == PM_NONE || *first <= w->step.begin) return status;
     return pm_event_locate_settle(w, earliest, &x, first, taken);
 }
 
 void pm_event_search_leave(pm_workspace *w)
 {
     pm_event_set *e = w->event;
-    const int last = w->nodes->n - 1;
+    const int last = w->step.nodes->n - 1;
     for (int i = 0; i < e->nfunction; i++) {
         pm_event_function *f = &e->function[i];
         if (!pm_event_samples_wanted(w, f)) continue;

@@ -2,7 +2,7 @@
 #ifndef PM_EVENT_SEARCH_H
 #define PM_EVENT_SEARCH_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 #define PM_SAME_PLACE 1e-11 /* of a step: events closer than this are one instant */
 

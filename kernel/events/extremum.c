@@ -6,6 +6,7 @@
 #include "events/extremum_parts.h"
 #include "numerics/chebyshev.h"
 #include "numerics/minmax.h"
+#include "state/workspace.h"
 #include "study/accuracy.h"
 
 #define NEARLY_FLAT 0.1 /* of the spread in a step: a slope between nodes that may have either sign */
@@ -21,9 +22,9 @@
 /* Whether node k is as good as the extreme at x right beside it. */
 static int is_at_node(pm_workspace *w, const pm_extremum *p, int k, const pm_extremum_told *x)
 {
-    const int n = w->nodes->n, at_end = k == 0 || k + 1 == n;
-    if (n * n * fabs(x->s - w->nodes->at[k]) > NEAR) return 0;
-    const double slope = fabs(pm_chebyshev_slope_at(w->nodes, p->g, k));
+    const int n = w->step.nodes->n, at_end = k == 0 || k + 1 == n;
+    if (n * n * fabs(x->s - w->step.nodes->at[k]) > NEAR) return 0;
+    const double slope = fabs(pm_chebyshev_slope_at(w->step.nodes, p->g, k));
     const double error = (at_end ? END_TAIL / PM_PEAK_SLOPE_TAIL : 1) * p->slope_error;
     const double half = -(1 + NEAR) * 0.5 / x->bend,
                  most = p->g[k] + half * (slope + error) * (slope + error);
@@ -44,7 +45,7 @@ int pm_extremum_near(pm_workspace *w, const pm_extremum *p, int k, const pm_extr
         }
         int found;
         pm_extremum_rise_end top;
-        int status = pm_peak_rise(w, p, pm_extremum_rise_side(w->nodes, k, x->s), x, &top, &found);
+        int status = pm_peak_rise(w, p, pm_extremum_rise_side(w->step.nodes, k, x->s), x, &top, &found);
         if (!status && !found) status = pm_peak_search(w, p, &top, &found);
         if (status || found) return status;
     }
@@ -88,7 +89,7 @@ static int next_top(const pm_chebyshev_nodes *nodes, const pm_extremum *p, int k
 
 static int extremes_of_samples(pm_workspace *w, pm_extremum *p)
 {
-    const pm_chebyshev_nodes *nodes = w->nodes;
+    const pm_chebyshev_nodes *nodes = w->step.nodes;
     for (int k = 0; (k = next_top(nodes, p, k, 1)) < nodes->n; k++) {
         const double s = vertex(nodes, p, k);
         if (isnan(s)) continue;
@@ -104,10 +105,10 @@ static int extremes_of_samples(pm_workspace *w, pm_extremum *p)
 /* Between node k and the next, where the samples tell the slopes but roughly. */
 static int extreme_beside_top(pm_workspace *w, const pm_extremum *p, int k, double spread)
 {
-    const pm_chebyshev_nodes *nodes = w->nodes;
+    const pm_chebyshev_nodes *nodes = w->step.nodes;
     const double flat = NEARLY_FLAT * spread / (nodes->at[k + 1] - nodes->at[k]);
     const double a = pm_chebyshev_slope_at(nodes, p->g, k), b = pm_chebyshev_slope_at(nodes, p->g, k + 1);
-    if (a < -flat || b > flat || pm_event_sampling_node(w, k) >= w->step_end) return PM_OK;
+    if (a < -flat || b > flat || pm_event_sampling_node(w, k) >= w->step.end) return PM_OK;
     if (p->tail < SHARP && a > 0 && b < 0) {
         const double low = nodes->at[k], high = nodes->at[k + 1];
         const pm_extremum_told x = pm_extremum_rise_top(nodes, p, k, low + (high - low) * (a / (a - b)));
@@ -124,7 +125,7 @@ static int extreme_beside_top(pm_workspace *w, const pm_extremum *p, int k, doub
 static int offer_node(pm_workspace *w, const pm_extremum *p, int top)
 {
     if (p->g[top] <= p->sign * w->ask->best[p->ask]) return PM_OK;
-    const int looks = pm_ask_at_extreme(PM_ASK_ROW(w->model, p->ask)) || w->error->active;
+    const int looks = pm_ask_at_extreme(PM_ASK_ROW(w->model, p->ask)) || w->accuracy->active;
     const int status = looks ? pm_ask_look(w, pm_event_sampling_node(w, top), 1) : PM_OK;
     if (!status) pm_ask_offer(w, p->ask, p->sign * p->g[top], 0);
     return status;
@@ -132,7 +133,7 @@ static int offer_node(pm_workspace *w, const pm_extremum *p, int top)
 
 int pm_extremum_find(pm_workspace *w, pm_extremum *p, int top, double spread)
 {
-    const pm_chebyshev_nodes *nodes = w->nodes;
+    const pm_chebyshev_nodes *nodes = w->step.nodes;
     /* an extreme between the nodes exceeds them by no more than their spread */
     if (spread <= PM_PEAK_LEVEL * p->size || p->g[top] + spread < p->best) return PM_OK;
     p->tail = INFINITY;
@@ -143,7 +144,7 @@ int pm_extremum_find(pm_workspace *w, pm_extremum *p, int top, double spread)
         if (next_top(nodes, p, 0, WIDE) == nodes->n && !pm_extremum_hidden_possible(nodes, p)) return PM_OK;
         p->tail = pm_chebyshev_high(nodes, p->g) / p->size;
         p->slope_error = PM_PEAK_SLOPE_TAIL * nodes->n * p->tail * p->size;
-        p->nothing = pm_max(PM_PEAK_NOTHING, SHARE * w->tolerance) * p->size;
+        p->nothing = pm_max(PM_PEAK_NOTHING, SHARE * w->numbers.tolerance) * p->size;
     }
     if (!p->branch && w->ask->switches[p->ask] > 0 && p->tail > (w->ask->dips[p->ask] ? TOLD : 0)) {
         int taken;
@@ -164,20 +165,21 @@ int pm_extremum_find(pm_workspace *w, pm_extremum *p, int top, double spread)
 /* How many nodes are not beyond the end of the step, which may have been shortened. */
 static int nodes_inside(const pm_workspace *w)
 {
-    int n = w->nodes->n;
-    while (w->step_end < w->sampled_end && n > 1 && pm_event_sampling_node(w, n - 1) > w->step_end) n--;
+    int n = w->step.nodes->n;
+    while (w->step.end < w->step.sampled_end && n > 1 && pm_event_sampling_node(w, n - 1) > w->step.end) n--;
     return n;
 }
 
 int pm_ask_extreme(pm_workspace *w, int ask)
 {
     const double *sample = pm_ask_samples(w, ask);
-    pm_extremum p = {
-        .ask = ask, .sign = pm_ask_greatest(PM_ASK_ROW(w->model, ask)) ? 1 : -1, .last = w->nodes->n - 1};
+    pm_extremum p = {.ask = ask,
+                     .sign = pm_ask_greatest(PM_ASK_ROW(w->model, ask)) ? 1 : -1,
+                     .last = w->step.nodes->n - 1};
     const int inside = nodes_inside(w);
     double least = INFINITY;
     int top = 0, top_inside = 0;
-    for (int k = 0; k < w->nodes->n; k++) {
+    for (int k = 0; k < w->step.nodes->n; k++) {
         const double g = p.g[k] = p.sign * sample[k];
         if (isnan(g)) {
             w->ask->undefined[ask] = 1;
@@ -188,7 +190,7 @@ int pm_ask_extreme(pm_workspace *w, int ask)
         if (k < inside) top_inside = top;
     }
     p.size = pm_max(fabs(least), fabs(p.g[top]));
-    p.end = (w->step_end - w->step_begin) / (w->sampled_end - w->step_begin);
+    p.end = (w->step.end - w->step.begin) / (w->step.sampled_end - w->step.begin);
     const double best = p.sign * w->ask->best[ask];
     p.best = best > p.g[top_inside] ? best : p.g[top_inside];
     const int status = pm_extremum_find(w, &p, top, p.g[top] - least);
@@ -203,11 +205,11 @@ int pm_ask_end_counts(pm_workspace *w, int ask)
     double best = sign * w->ask->best[ask], low = INFINITY, high = -INFINITY;
     for (int k = 0; k < inside; k++)
         if (!(sign * value[k] <= best)) best = sign * value[k];
-    for (int k = from; k < w->nodes->n && k <= inside + 1; k++) {
+    for (int k = from; k < w->step.nodes->n && k <= inside + 1; k++) {
         low = pm_min(low, sign * value[k]);
         high = pm_max(high, sign * value[k]);
     }
     const double next =
-        pm_max(sign * value[inside - 1], inside < w->nodes->n ? sign * value[inside] : -INFINITY);
+        pm_max(sign * value[inside - 1], inside < w->step.nodes->n ? sign * value[inside] : -INFINITY);
     return !(next + (high - low) <= best);
 }

@@ -11,6 +11,7 @@
 #include "events/watched_samples.h"
 #include "numerics/bracket.h"
 #include "numerics/minmax.h"
+#include "state/workspace.h"
 
 #define NO_SIGN 1e-12 /* of an argument's greatest size in the step: it has no sign */
 #define BESIDE 1e-13  /* of the nodes' distance: right before and right after a jump */
@@ -62,8 +63,8 @@ static int find_branches(pm_workspace *w, const pm_extremum *p, pm_extremum_bran
     int found = 0;
     b->at.sign = NULL;
     pm_watched_samples_run(w, pm_ask_program(PM_ASK_ROW(w->model, p->ask)), &b->at, NULL);
-    for (int i = 0; i < b->at.n; i++) found |= changes(w->nodes, b, i);
-    for (int i = 0; i < b->at.n && found; i++) take_signs(w->nodes, b, i);
+    for (int i = 0; i < b->at.n; i++) found |= changes(w->step.nodes, b, i);
+    for (int i = 0; i < b->at.n && found; i++) take_signs(w->step.nodes, b, i);
     return found;
 }
 
@@ -76,7 +77,7 @@ static int sample_branch(pm_workspace *w, const pm_extremum *p, pm_extremum_bran
     of->size = 0;
     b->branch.here.sign = sign;
     pm_watched_samples_run(w, pm_ask_program(PM_ASK_ROW(w->model, p->ask)), &b->branch.here, of->g);
-    for (int k = 0; k < w->nodes->n; k++) {
+    for (int k = 0; k < w->step.nodes->n; k++) {
         if (!isfinite(of->g[k])) return 0;
         of->g[k] *= p->sign;
         of->size = pm_max(fabs(of->g[k]), of->size);
@@ -87,7 +88,7 @@ static int sample_branch(pm_workspace *w, const pm_extremum *p, pm_extremum_bran
 /* Extremes of a branch beside nodes first .. last; nodes next to these tell how far it may rise between them. */
 static int extremes_of(pm_workspace *w, pm_extremum *of, int first, int last)
 {
-    const int from = first > 0 ? first - 1 : 0, to = last + 1 < w->nodes->n ? last + 1 : last;
+    const int from = first > 0 ? first - 1 : 0, to = last + 1 < w->step.nodes->n ? last + 1 : last;
     double least = INFINITY;
     int top = from;
     for (int k = from; k <= to; k++) {
@@ -117,7 +118,7 @@ static double argument(pm_workspace *w, double t, void *context)
 
 static int offer_at(pm_workspace *w, const pm_extremum *p, double t)
 {
-    if (t > w->step_end) return PM_OK;
+    if (t > w->step.end) return PM_OK;
     const int status = pm_ask_look(w, t, 1);
     if (!status) pm_ask_offer(w, p->ask, pm_ask_run(w, p->ask), 0);
     return status;
@@ -200,7 +201,7 @@ static int turns_between(pm_workspace *w, const pm_extremum *p, pm_extremum_bran
     int n = 0, only = 0;
     for (int i = 0; i < b->at.n; i++)
         if (b->sign[k][i] != b->sign[k + 1][i]) n++, only = i;
-    if (pm_event_sampling_node(w, k) >= w->step_end || stays_below(w, left, right, k)) return PM_OK;
+    if (pm_event_sampling_node(w, k) >= w->step.end || stays_below(w, left, right, k)) return PM_OK;
     double t;
     if (n > 1) return several_turns(w, p, b, k);
     return only_dips(b, only, k, left, right) ? PM_OK : offer_turn(w, p, b, only, k, &t);
@@ -209,7 +210,7 @@ static int turns_between(pm_workspace *w, const pm_extremum *p, pm_extremum_bran
 int pm_extremum_branch_all(pm_workspace *w, const pm_extremum *p, int *taken)
 {
     pm_extremum_branches b;
-    const int n = w->nodes->n;
+    const int n = w->step.nodes->n;
     pm_extremum of[2]; /* before, now */
     *taken = find_branches(w, p, &b);
     for (int first = 0, last, i = 0; *taken && first < n; first = last + 1, i = !i) {

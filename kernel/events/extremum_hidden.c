@@ -10,6 +10,7 @@
 #include "numerics/bracket.h"
 #include "numerics/chebyshev.h"
 #include "numerics/minmax.h"
+#include "state/workspace.h"
 
 #define BENDS 0.8 /* of the bend that a parabola would have */
 #define ALIKE 0.1 /* of what others near them differ by: nodes between which a top may hide */
@@ -17,7 +18,7 @@
 static pm_extremum_slope slope_told(pm_workspace *w, const pm_extremum *p, double s)
 {
     pm_extremum_slope x = {.s = s};
-    x.rate = pm_chebyshev_slope(w->nodes, p->g, s, &x.g);
+    x.rate = pm_chebyshev_slope(w->step.nodes, p->g, s, &x.g);
     return x;
 }
 
@@ -31,7 +32,7 @@ static double rate_told(pm_workspace *w, double s, void *context)
 static int top_told(pm_workspace *w, const pm_extremum *p, const pm_extremum_slope *a,
                     const pm_extremum_slope *b)
 {
-    const pm_chebyshev_nodes *nodes = w->nodes;
+    const pm_chebyshev_nodes *nodes = w->step.nodes;
     double s;
     const int status = pm_bracket_find(w, w->ask->solver, rate_told, &p, a->s, a->rate, b->s, b->rate, &s);
     if (status) return status;
@@ -65,7 +66,7 @@ int pm_extremum_hidden_possible(const pm_chebyshev_nodes *nodes, const pm_extrem
 /* The polynomial at a node, or at the end of a step before it. */
 static pm_extremum_slope slope_at_node(pm_workspace *w, const pm_extremum *p, int k)
 {
-    const pm_chebyshev_nodes *nodes = w->nodes;
+    const pm_chebyshev_nodes *nodes = w->step.nodes;
     if (nodes->at[k] > p->end) return slope_told(w, p, p->end);
     return (pm_extremum_slope){nodes->at[k], p->g[k], pm_chebyshev_slope_at(nodes, p->g, k)};
 }
@@ -86,14 +87,14 @@ static int hidden_between(pm_workspace *w, const pm_extremum *p, int k)
     if (!(p->tail < PM_CHEBYSHEV_SMOOTH)) return met ? PM_OK : pm_extremum_search_root(w, p, k);
     const pm_extremum_slope a = slope_at_node(w, p, k), b = slope_at_node(w, p, k + 1);
     if (is_level(p, &a, &b) || is_level(p, &b, &a)) return pm_extremum_search_root(w, p, k);
-    if (met && w->nodes->at[k + 1] <= p->end && pm_extremum_between_falls(&a, &b)) return PM_OK;
+    if (met && w->step.nodes->at[k + 1] <= p->end && pm_extremum_between_falls(&a, &b)) return PM_OK;
     return pm_extremum_between(w, p, &by_polynomial, &a, &b);
 }
 
 int pm_peak_hidden(pm_workspace *w, pm_extremum *p)
 {
-    const int n = w->nodes->n;
-    for (int k = 0; (k = next_hidden(w->nodes, p, k)) < n; k++) {
+    const int n = w->step.nodes->n;
+    for (int k = 0; (k = next_hidden(w->step.nodes, p, k)) < n; k++) {
         const int status = hidden_between(w, p, k);
         if (status) return status;
         p->best = pm_peak_best(w, p);

@@ -5,10 +5,11 @@
 
 #include "events/watched_samples.h"
 #include "numerics/minmax.h"
+#include "state/workspace.h"
 
 double pm_peak_place(const pm_workspace *w, double s)
 {
-    return w->step_begin + s * (w->sampled_end - w->step_begin);
+    return w->step.begin + s * (w->step.sampled_end - w->step.begin);
 }
 
 double pm_peak_value(pm_workspace *w, const pm_extremum *p)

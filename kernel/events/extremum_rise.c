@@ -13,6 +13,7 @@
 #include "events/extremum_parts.h"
 #include "numerics/lanes.h"
 #include "numerics/minmax.h"
+#include "state/workspace.h"
 
 #define SLOWLY 0.5   /* looks that leave more untold than that of what was before lead nowhere */
 #define PEAK_STEPS 6 /* of Newton's method to an extreme */
@@ -114,7 +115,7 @@ static void correct(const pm_extremum_looks *looks, pm_extremum_told *x)
 static int take_look(pm_workspace *w, const pm_extremum *p, const pm_extremum_told *x,
                      const pm_extremum_rise_end *before, pm_extremum_looks *looks, pm_extremum_rise_end *rise)
 {
-    const double n = w->nodes->n;
+    const double n = w->step.nodes->n;
     const int status = pm_ask_look(w, pm_peak_place(w, x->s), 1);
     if (status) return status;
     rise->s = x->s;
@@ -166,7 +167,7 @@ static int take_top(pm_workspace *w, const pm_extremum *p, const pm_extremum_ris
 int pm_peak_rise(pm_workspace *w, const pm_extremum *p, int k, const pm_extremum_told *near,
                  pm_extremum_rise_end *top, int *found)
 {
-    const pm_chebyshev_nodes *nodes = w->nodes;
+    const pm_chebyshev_nodes *nodes = w->step.nodes;
     const double low = k > 0 ? nodes->at[k - 1] : 0, high = k + 2 < nodes->n ? nodes->at[k + 2] : 1;
     pm_extremum_looks looks = {.n = 0};
     pm_extremum_rise_end rise[2];

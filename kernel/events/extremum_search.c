@@ -9,6 +9,7 @@
 #include "numerics/bracket.h"
 #include "numerics/minimum.h"
 #include "numerics/minmax.h"
+#include "state/workspace.h"
 
 #define RATE_STEP 2e-3 /* of the step: distance of the differences that make a rate */
 #define PEAK_STEP 1e-4 /* of the step: distance of the differences that make the rate next to an extreme */
@@ -20,7 +21,7 @@
 static pm_ask_watch watch_of(const pm_workspace *w, const pm_extremum *p, double step)
 {
     return (pm_ask_watch){pm_ask_program(PM_ASK_ROW(w->model, p->ask)), 0,
-                          step * (w->step_end - w->step_begin), p->branch ? &p->branch->here : NULL};
+                          step * (w->step.end - w->step.begin), p->branch ? &p->branch->here : NULL};
 }
 
 static int offer_at(pm_workspace *w, const pm_extremum *p, double t)
@@ -54,7 +55,7 @@ static int climb(pm_workspace *w, const pm_extremum *p, double bend, double low,
 
 static pm_extremum_slope slope_here(pm_workspace *w, const pm_extremum *p, double s)
 {
-    const double t = pm_peak_place(w, s), h = w->sampled_end - w->step_begin;
+    const double t = pm_peak_place(w, s), h = w->step.sampled_end - w->step.begin;
     pm_ask_watch value = watch_of(w, p, 0), rate = watch_of(w, p, RATE_STEP);
     return (pm_extremum_slope){s, p->sign * pm_ask_along(w, t, &value),
                                p->sign * h * pm_ask_along(w, t, &rate)};
@@ -73,7 +74,7 @@ static int top_between(pm_workspace *w, const pm_extremum *p, const pm_extremum_
         climb(w, p, bend, a->s, b->s, &s);
     t = pm_peak_place(w, s);
     const double unit =
-        p->sign / (w->sampled_end - w->step_begin); /* the rate in time, of the value as it is */
+        p->sign / (w->step.sampled_end - w->step.begin); /* the rate in time, of the value as it is */
     const int status = climbs ? PM_OK
                               : pm_bracket_find(w, w->ask->solver, pm_ask_along, &x, pm_peak_place(w, a->s),
                                                 unit * a->rate, pm_peak_place(w, b->s), unit * b->rate, &t);
@@ -86,8 +87,8 @@ static int top_between(pm_workspace *w, const pm_extremum *p, const pm_extremum_
 int pm_extremum_search_root(pm_workspace *w, const pm_extremum *p, int k)
 {
     static const pm_extremum_parting in_looks = {slope_here, top_between};
-    if (k < 0 || k + 1 >= w->nodes->n) return PM_OK;
-    const double *at = w->nodes->at, end = pm_min(at[k + 1], p->end);
+    if (k < 0 || k + 1 >= w->step.nodes->n) return PM_OK;
+    const double *at = w->step.nodes->at, end = pm_min(at[k + 1], p->end);
     if (at[k] >= end) return PM_OK;
     const pm_extremum_slope a = slope_here(w, p, at[k]), b = slope_here(w, p, end);
     return pm_extremum_between(w, p, &in_looks, &a, &b);
@@ -117,7 +118,7 @@ int pm_peak_search(pm_workspace *w, const pm_extremum *p, const pm_extremum_rise
 {
     pm_search context = {w, p};
     pm_valley in;
-    *found = top_of_three(w->nodes, p->g, top, &in);
+    *found = top_of_three(w->step.nodes, p->g, top, &in);
     if (!*found) return PM_OK;
     const double s =
         pm_minimum_find(w->ask->minimum, depth, &context, &in, &(pm_closeness){SEARCHES, CLOSE, 0});

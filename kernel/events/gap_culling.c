@@ -17,6 +17,7 @@
 #include "elements/edge.h"
 #include "events/event.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 #define PART 0.5 /* of a gap that its marks may move */
 #define BETWEEN \
@@ -46,7 +47,7 @@ void pm_gap_culling_free(pm_gap_culling *x)
 void pm_gap_culling_begin(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    pm_gap_culling *x = &w->event->clear;
+    pm_gap_culling *x = &w->event->culling;
     memset(x->left, 0, (size_t)m->rows[PM_TABLE_CONTACT] * sizeof(double));
     memset(x->quiet, 0, (size_t)m->rows[PM_TABLE_CONTACT]);
     memset(x->moved, 0, ((size_t)m->nbody + 1) * sizeof(double));
@@ -55,7 +56,8 @@ void pm_gap_culling_begin(pm_workspace *w)
         const int32_t *p = PM_POINT_ROW(m, PM_CIRCLE_ROW(m, i)[PM_CIRCLE_POINT]);
         const int body = p[PM_POINT_BODY];
         if (body != PM_GROUND)
-            x->radius[body] = fmax(x->radius[body], hypot(w->value[p[PM_POINT_X]], w->value[p[PM_POINT_Y]]));
+            x->radius[body] = fmax(x->radius[body],
+                                   hypot(w->numbers.value[p[PM_POINT_X]], w->numbers.value[p[PM_POINT_Y]]));
     }
 }
 
@@ -82,12 +84,12 @@ static int bodies_of(const pm_model *m, int contact, int body[2])
 
 static double moved(const pm_workspace *w, const int body[2])
 {
-    return w->event->clear.moved[body[0]] + w->event->clear.moved[body[1]];
+    return w->event->culling.moved[body[0]] + w->event->culling.moved[body[1]];
 }
 
 void pm_gap_culling_step(pm_workspace *w)
 {
-    pm_gap_culling *x = &w->event->clear;
+    pm_gap_culling *x = &w->event->culling;
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
         int body[2];
         x->quiet[i] = x->left[i] > 0 && bodies_of(w->model, i, body) &&
@@ -98,7 +100,7 @@ void pm_gap_culling_step(pm_workspace *w)
 
 void pm_gap_culling_node(pm_workspace *w, int node)
 {
-    pm_gap_culling *x = &w->event->clear;
+    pm_gap_culling *x = &w->event->culling;
     if (w->model->rows[PM_TABLE_CONTACT] == 0) return;
     for (int i = 0; i < w->model->nbody; i++) {
         const double *pose = w->frame.pose + 5 * i;
@@ -113,7 +115,7 @@ void pm_gap_culling_node(pm_workspace *w, int node)
 
 int pm_gap_culling_check(pm_workspace *w)
 {
-    pm_gap_culling *x = &w->event->clear;
+    pm_gap_culling *x = &w->event->culling;
     int reached = 0;
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
         int body[2];
@@ -131,13 +133,13 @@ void pm_gap_culling_keep(pm_workspace *w, int contact, double gap)
 {
     int body[2];
     if (bodies_of(w->model, contact, body))
-        w->event->clear.left[contact] = PART * gap - BETWEEN * moved(w, body);
+        w->event->culling.left[contact] = PART * gap - BETWEEN * moved(w, body);
 }
 
 /* A short way of a mark beside a fixed edge: what strikes it near an end is behind it for no longer. */
 static double part_of_edge(const pm_workspace *w, const int32_t *e)
 {
-    return EDGE_PART * (w->value[e[PM_CONTACT_TO]] - w->value[e[PM_CONTACT_FROM]]);
+    return EDGE_PART * (w->numbers.value[e[PM_CONTACT_TO]] - w->numbers.value[e[PM_CONTACT_FROM]]);
 }
 
 /* The sum of the radii of two circles, or of a circle and a row's member (a point); 0 of what cannot be gone through. */
@@ -145,12 +147,12 @@ static double through(const pm_workspace *w, int contact)
 {
     const pm_model *m = w->model;
     const int32_t *e = PM_CONTACT_ROW_OF(m, contact);
-    const double radius = w->value[PM_CIRCLE_ROW(m, e[PM_CONTACT_A])[PM_CIRCLE_RADIUS]];
+    const double radius = w->numbers.value[PM_CIRCLE_ROW(m, e[PM_CONTACT_A])[PM_CIRCLE_RADIUS]];
     switch (e[PM_CONTACT_KIND]) {
     case PM_CONTACT_ROW: return radius;
     case PM_CONTACT_CIRCLE: /* side 1: outside each other; what has come through from inside stays there */
-        return w->value[e[PM_CONTACT_SIDE]] == 1
-                   ? radius + w->value[PM_CIRCLE_ROW(m, e[PM_CONTACT_B])[PM_CIRCLE_RADIUS]]
+        return w->numbers.value[e[PM_CONTACT_SIDE]] == 1
+                   ? radius + w->numbers.value[PM_CIRCLE_ROW(m, e[PM_CONTACT_B])[PM_CIRCLE_RADIUS]]
                    : 0;
     case PM_CONTACT_SEGMENT: return part_of_edge(w, e);
     default: return 0;
@@ -173,7 +175,7 @@ static int bodies_of_passage(const pm_model *m, int contact, int body[2])
 static double against(const pm_workspace *w, const double *rate, const int body[2])
 {
     static const double still[3] = {0, 0, 0};
-    const double *part[2], *radius = w->event->clear.radius;
+    const double *part[2], *radius = w->event->culling.radius;
     double turning = 0;
     for (int i = 0; i < 2; i++) {
         const int moves = body[i] < w->model->nbody;
@@ -193,7 +195,7 @@ double pm_gap_culling_time(const pm_workspace *w)
         if (e->function[i].kind != FUNCTION_GAP || e->function[i].owned) continue;
         const double radii = through(w, contact);
         if (!(radii > 0) || !bodies_of_passage(w->model, contact, body)) continue;
-        const double safe = (w->nodes->n - 1) * radii, left = e->clear.left[contact];
+        const double safe = (w->step.nodes->n - 1) * radii, left = e->culling.left[contact];
         const double free = left > safe ? left : WITHIN * pm_contact_gap(w, &w->state, contact, &member);
         const double way = fmax(free, safe);
         const double v = against(w, w->frame.velocity, body), a = against(w, w->frame.a, body);

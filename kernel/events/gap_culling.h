@@ -2,7 +2,7 @@
 #ifndef PM_GAP_CULLING_H
 #define PM_GAP_CULLING_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 typedef struct pm_gap_culling {
     double *left; /* [ncontact] m, how far its marks may still move until it is looked at again */

@@ -5,10 +5,11 @@
 #include "expression/program.h"
 #include "state/frame.h"
 #include "state/route.h"
+#include "state/workspace.h"
 
 static int record(pm_workspace *w, const pm_state *state, int mark)
 {
-    pm_history *x = w->trace;
+    pm_history *x = w->history;
     if (x->needed < x->cap) {
         double *row = x->history + x->needed * (1 + x->nprogram);
         pm_frame_look_state(w, state);
@@ -16,30 +17,30 @@ static int record(pm_workspace *w, const pm_state *state, int mark)
         if (status) return status;
         row[0] = state->t;
         for (int64_t i = 0; i < x->nprogram; i++)
-            row[1 + i] = pm_program_run(w->model, x->program[i], w->param, w->value, w);
+            row[1 + i] = pm_program_run(w->model, x->program[i], w->numbers.param, w->numbers.value, w);
         x->mark[x->needed] = mark;
     }
     x->needed++;
     return PM_OK;
 }
 
-int pm_history_row(pm_workspace *w, int mark) { return w->trace ? record(w, &w->state, mark) : PM_OK; }
+int pm_history_row(pm_workspace *w, int mark) { return w->history ? record(w, &w->state, mark) : PM_OK; }
 
 void pm_history_step(pm_workspace *w)
 {
-    if (!w->trace) return;
-    w->trace->length = w->step_end - w->step_begin;
-    w->trace->inside = w->step_begin;
+    if (!w->history) return;
+    w->history->length = w->step.end - w->step.begin;
+    w->history->inside = w->step.begin;
 }
 
 int pm_history_inside(pm_workspace *w, double x)
 {
-    pm_history *r = w->trace;
-    if (!r || w->route->in_time) return PM_OK;
-    for (int k = 0; k < w->nodes->n; k++) {
-        const double place = w->step_begin + r->length * w->nodes->at[k];
+    pm_history *r = w->history;
+    if (!r || w->phase.route->in_time) return PM_OK;
+    for (int k = 0; k < w->step.nodes->n; k++) {
+        const double place = w->step.begin + r->length * w->step.nodes->at[k];
         if (place <= r->inside || place >= x) continue;
-        int status = w->route->exact(w, place, &w->probe);
+        int status = w->phase.route->exact(w, place, &w->probe);
         if (!status) status = record(w, &w->probe, 0);
         if (status) return status;
         r->inside = place;

@@ -3,7 +3,7 @@
 #ifndef PM_HISTORY_H
 #define PM_HISTORY_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 typedef struct pm_history {
     int64_t nprogram, cap, needed;

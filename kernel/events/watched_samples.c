@@ -10,6 +10,7 @@
 #include "events/ask.h"
 #include "expression/program.h"
 #include "expression/program_fold.h"
+#include "state/workspace.h"
 
 static void add_measure(pm_watched_samples *s, int measure, int who)
 {
@@ -23,16 +24,16 @@ static void add_measure(pm_watched_samples *s, int measure, int who)
 
 static void add_program(pm_workspace *w, int program, int who)
 {
-    const pm_program_fold *f = w->model->fold;
+    const pm_program_fold *f = w->model->programs.fold;
     for (int k = f->first[program]; k < f->first[program + 1]; k++)
-        if (f->step[k].kind == STEP_MEASURE) add_measure(w->readings, f->step[k].arg, who);
+        if (f->step[k].kind == STEP_MEASURE) add_measure(w->watched, f->step[k].arg, who);
 }
 
 int pm_watched_samples_create(pm_workspace *w)
 {
     const pm_model *m = w->model;
     const size_t n = (size_t)m->rows[PM_TABLE_MEASURE] + 1;
-    pm_watched_samples *s = w->readings = calloc(1, sizeof *s);
+    pm_watched_samples *s = w->watched = calloc(1, sizeof *s);
     if (!s) return PM_NO_MEMORY;
     s->measure = calloc(n, sizeof *s->measure);
     s->place = calloc(n, sizeof *s->place);
@@ -50,33 +51,33 @@ int pm_watched_samples_create(pm_workspace *w)
 
 void pm_watched_samples_free(pm_workspace *w)
 {
-    if (!w->readings) return;
-    free(w->readings->measure);
-    free(w->readings->place);
-    free(w->readings->who);
-    free(w->readings->value);
-    free(w->readings->here);
-    free(w->readings);
-    w->readings = NULL;
+    if (!w->watched) return;
+    free(w->watched->measure);
+    free(w->watched->place);
+    free(w->watched->who);
+    free(w->watched->value);
+    free(w->watched->here);
+    free(w->watched);
+    w->watched = NULL;
 }
 
 void pm_watched_samples_read(pm_workspace *w, int node, int who)
 {
-    pm_watched_samples *s = w->readings;
+    pm_watched_samples *s = w->watched;
     for (int i = 0; i < s->n; i++)
         if (s->who[i] & who) s->value[i * PM_NODES_MOST + node] = pm_measure_signed(w, s->measure[i]);
 }
 
 void pm_watched_samples_run(pm_workspace *w, int program, pm_switches *switches, double *value)
 {
-    const pm_watched_samples *s = w->readings;
-    pm_program_run_nodes(w, program, w->nodes->n, s->place, s->value, switches, value);
+    const pm_watched_samples *s = w->watched;
+    pm_program_run_nodes(w, program, w->step.nodes->n, s->place, s->value, switches, value);
 }
 
 double pm_watched_samples_here(pm_workspace *w, int program, pm_switches *switches)
 {
-    const pm_watched_samples *s = w->readings;
-    const pm_program_fold *f = w->model->fold;
+    const pm_watched_samples *s = w->watched;
+    const pm_program_fold *f = w->model->programs.fold;
     double value;
     for (int k = f->first[program]; k < f->first[program + 1]; k++)
         if (f->step[k].kind == STEP_MEASURE)

@@ -4,7 +4,7 @@
 
 #include "expression/program.h"
 #include "numerics/chebyshev_nodes.h"
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* Whose measures are read. */
 enum { PM_SAMPLE_TRIGGERS = 1, PM_SAMPLE_ASKS = 2 };

@@ -5,6 +5,7 @@
 
 #include "elements/measure.h"
 #include "expression/program_fold.h"
+#include "state/workspace.h"
 
 int pm_program_operands(int op)
 {
@@ -119,7 +120,7 @@ static double run_code(const pm_model *m, const int32_t *code, int length, const
         case PM_OP_PARAMETER: stack[++top] = param[arg]; break;
         case PM_OP_VALUE: stack[++top] = value[arg]; break;
         case PM_OP_MEASURE: stack[++top] = pm_measure(w, arg); break;
-        case PM_OP_ANSWER: stack[++top] = w->out[arg]; break;
+        case PM_OP_ANSWER: stack[++top] = w->result.out[arg]; break;
         case PM_OP_SELECT:
             top -= 2;
             stack[top] = stack[top] != 0 ? stack[top + 1] : stack[top + 2];
@@ -139,13 +140,13 @@ static double run_code(const pm_model *m, const int32_t *code, int length, const
 /* What is left of a program once the numbers of the case are known. */
 static double run_steps(pm_workspace *w, const pm_program_step *s, const pm_program_step *end)
 {
-    const double *number = w->number;
+    const double *number = w->numbers.folded;
     double stack[PM_STACK + 1], *top = stack;
     stack[0] = NAN; /* it stays empty */
     for (; s < end; s++) switch (s->kind) {
         case STEP_NUMBER: *++top = number[s->arg]; break;
         case STEP_MEASURE: *++top = pm_measure_signed(w, s->arg); break;
-        case STEP_ANSWER: *++top = w->out[s->arg]; break;
+        case STEP_ANSWER: *++top = w->result.out[s->arg]; break;
         case STEP_UNARY: *top = pm_program_unary(s->op, *top); break;
         case STEP_WITH_NUMBER: *top = binary(s->op, *top, number[s->arg]); break;
         case STEP_BINARY:
@@ -159,9 +160,9 @@ static double run_steps(pm_workspace *w, const pm_program_step *s, const pm_prog
 
 double pm_program_run(const pm_model *m, int index, const double *param, const double *value, pm_workspace *w)
 {
-    const int *first = m->fold->first + index;
-    if (w && w->has_numbers && first[0] < first[1])
-        return run_steps(w, m->fold->step + first[0], m->fold->step + first[1]);
+    const int *first = m->programs.fold->first + index;
+    if (w && w->numbers.is_folded && first[0] < first[1])
+        return run_steps(w, m->programs.fold->step + first[0], m->programs.fold->step + first[1]);
     const int32_t *program = pm_table_row(m, PM_TABLE_PROGRAM, index, PM_PROGRAM_COLUMNS);
     return run_code(m, pm_table_row(m, PM_TABLE_CODE, program[PM_PROGRAM_FIRST], PM_CODE_COLUMNS),
                     program[PM_PROGRAM_LENGTH], param, value, w);
@@ -170,12 +171,12 @@ double pm_program_run(const pm_model *m, int index, const double *param, const d
 void pm_program_numbers(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    for (int i = 0; i < m->fold->nnumber; i++) {
-        const pm_program_part *x = &m->fold->part[i];
-        w->number[i] = run_code(m, pm_table_row(m, PM_TABLE_CODE, x->first, PM_CODE_COLUMNS), x->length,
-                                w->param, w->value, w);
+    for (int i = 0; i < m->programs.fold->nnumber; i++) {
+        const pm_program_part *x = &m->programs.fold->part[i];
+        w->numbers.folded[i] = run_code(m, pm_table_row(m, PM_TABLE_CODE, x->first, PM_CODE_COLUMNS),
+                                        x->length, w->numbers.param, w->numbers.value, w);
     }
-    w->has_numbers = 1;
+    w->numbers.is_folded = 1;
 }
 
 static int bad(pm_where *where, int row, double value, double bound)

@@ -3,7 +3,7 @@
 #define PM_PROGRAM_H
 
 #include "numerics/chebyshev_nodes.h"
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* Runs program `index`.  With `w` it may use measures of w->frame, which must be filled to
  * model->program_level[index]; without (values), `value` holds the entries computed so far.  Not a number where

@@ -5,6 +5,7 @@
 #include "expression/program.h"
 #include "expression/program_fold.h"
 #include "numerics/chebyshev_nodes.h"
+#include "state/workspace.h"
 
 typedef double pm_lane[PM_NODES_MOST];
 
@@ -55,7 +56,7 @@ static int is_switch(int op) { return op == PM_OP_ABS || op == PM_OP_MIN || op =
 
 int pm_program_switches(const pm_model *m, int index)
 {
-    const pm_program_fold *f = m->fold;
+    const pm_program_fold *f = m->programs.fold;
     int count = 0;
     for (int k = f->first[index]; k < f->first[index + 1]; k++) {
         const pm_program_step *s = &f->step[k];
@@ -68,7 +69,7 @@ int pm_program_switches(const pm_model *m, int index)
 
 int pm_program_only_dips(const pm_model *m, int index, int greatest)
 {
-    const pm_program_fold *f = m->fold;
+    const pm_program_fold *f = m->programs.fold;
     if (pm_program_switches(m, index) != 1) return 0;
     const int op = f->step[f->first[index + 1] - 1].op;
     return greatest ? op == PM_OP_ABS || op == PM_OP_MAX : op == PM_OP_MIN;
@@ -108,14 +109,14 @@ static void operate(const pm_program_step *s, int n, double *a, const double *b,
 void pm_program_run_nodes(pm_workspace *w, int index, int n, const int *place, const double *measured,
                           pm_switches *switches, double *value)
 {
-    const pm_program_fold *f = w->model->fold;
+    const pm_program_fold *f = w->model->programs.fold;
     const pm_program_step *s = f->step + f->first[index], *end = f->step + f->first[index + 1];
-    const double *number = w->number;
+    const double *number = w->numbers.folded;
     pm_lane stack[PM_STACK];
     int top = -1;
     if (switches) switches->n = 0;
     if (s == end) { /* the program of a value: it reads no measure */
-        fill(n, pm_program_run(w->model, index, w->param, w->value, w), value);
+        fill(n, pm_program_run(w->model, index, w->numbers.param, w->numbers.value, w), value);
         return;
     }
     for (; s < end; s++) switch (s->kind) {
@@ -123,7 +124,7 @@ void pm_program_run_nodes(pm_workspace *w, int index, int n, const int *place, c
         case STEP_MEASURE:
             memcpy(stack[++top], measured + place[s->arg] * PM_NODES_MOST, (size_t)n * sizeof(double));
             break;
-        case STEP_ANSWER: fill(n, w->out[s->arg], stack[++top]); break;
+        case STEP_ANSWER: fill(n, w->result.out[s->arg], stack[++top]); break;
         case STEP_UNARY: operate(s, n, stack[top], NULL, 0, switches); break;
         case STEP_WITH_NUMBER: operate(s, n, stack[top], number + s->arg, 0, switches); break;
         case STEP_BINARY:

@@ -116,7 +116,7 @@ int pm_program_fold_create(pm_model *m)
     size_t length = 0;
     for (int i = 0; i < nprogram; i++)
         length += (size_t)pm_table_row(m, PM_TABLE_PROGRAM, i, PM_PROGRAM_COLUMNS)[PM_PROGRAM_LENGTH];
-    pm_program_fold *f = m->fold = calloc(1, sizeof *f);
+    pm_program_fold *f = m->programs.fold = calloc(1, sizeof *f);
     int *end = calloc((size_t)m->rows[PM_TABLE_CODE] + 1, sizeof *end);
     if (f) {
         f->step = calloc(2 * length + 1, sizeof *f->step); /* a size is two */
@@ -132,10 +132,10 @@ int pm_program_fold_create(pm_model *m)
 
 void pm_program_fold_free(pm_model *m)
 {
-    if (!m->fold) return;
-    free(m->fold->step);
-    free(m->fold->part);
-    free(m->fold->first);
-    free(m->fold);
-    m->fold = NULL;
+    if (!m->programs.fold) return;
+    free(m->programs.fold->step);
+    free(m->programs.fold->part);
+    free(m->programs.fold->first);
+    free(m->programs.fold);
+    m->programs.fold = NULL;
 }

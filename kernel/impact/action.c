@@ -23,6 +23,7 @@
 #include "impact/impact.h"
 #include "routes/start/perturbation.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 #define OPENING 1e-9 /* of the scene's size: a joint added that is open by more does not fit there */
 #define FITTED 1e-13 /* of the work: the impulse that does it is found */
@@ -52,7 +53,7 @@ void pm_action_instant(pm_workspace *w)
 /* ---- impulses ---- */
 static double number(pm_workspace *w, int program)
 {
-    return pm_program_run(w->model, program, w->param, w->value, w);
+    return pm_program_run(w->model, program, w->numbers.param, w->numbers.value, w);
 }
 
 static void add_impulse(pm_workspace *w, int body, const double at[2], const double force[2], double couple)
@@ -60,7 +61,7 @@ static void add_impulse(pm_workspace *w, int body, const double at[2], const dou
     if (body == w->model->nbody) return;
     const double *pose = w->frame.pose + 5 * body;
     const double arm[2] = {at[0] - pose[0], at[1] - pose[1]};
-    double *p = w->impulse + 3 * body;
+    double *p = w->impulses.applied + 3 * body;
     p[0] += force[0];
     p[1] += force[1];
     p[2] += couple + pm_cross(arm, force);
@@ -84,7 +85,7 @@ static void collect(pm_workspace *w, const int32_t *e)
 static double work_now(const pm_workspace *w)
 {
     double sum = 0;
-    for (int i = 0; i < w->model->nq; i++) sum += w->impulse[i] * w->state.v[i];
+    for (int i = 0; i < w->model->nq; i++) sum += w->impulses.applied[i] * w->state.v[i];
     return sum;
 }
 
@@ -92,7 +93,7 @@ static double work_now(const pm_workspace *w)
 static int struck_without_mass(const pm_workspace *w)
 {
     for (int i = 0; i < w->model->nq; i++)
-        if (w->stand_in[i] > 0 && w->impulse[i] != 0) return i / 3;
+        if (w->numbers.stand_in[i] > 0 && w->impulses.applied[i] != 0) return i / 3;
     return PM_NONE;
 }
 
@@ -103,15 +104,19 @@ static int strike(pm_workspace *w)
     const double kinetic = pm_body_kinetic(w, PM_NONE), before = work_now(w);
     const int light = struck_without_mass(w);
     if (light != PM_NONE) return pm_fail(w, PM_UNSUPPORTED, PM_TABLE_BODY, light, NAN, NAN);
-    for (int i = 0; i < w->model->nq; i++) w->state.v[i] += w->inverse_mass[i] * w->impulse[i];
-    w->energy_lost -= 0.5 * (before + work_now(w));
-    w->lost = 0;
+    for (int i = 0; i < w->model->nq; i++)
+        w->state.v[i] += w->numbers.inverse_mass[i] * w->impulses.applied[i];
+    w->ledger.energy_lost -= 0.5 * (before + work_now(w));
+    w->impulses.energy_lost = 0;
     const int status = pm_impact_hold(w);
-    w->lost = kinetic + 0.5 * (before + work_now(w)) - pm_body_kinetic(w, PM_NONE);
+    w->impulses.energy_lost = kinetic + 0.5 * (before + work_now(w)) - pm_body_kinetic(w, PM_NONE);
     return status;
 }
 
-static void no_impulse(pm_workspace *w) { memset(w->impulse, 0, (size_t)w->model->nq * sizeof(double)); }
+static void no_impulse(pm_workspace *w)
+{
+    memset(w->impulses.applied, 0, (size_t)w->model->nq * sizeof(double));
+}
 
 static int strike_together(pm_workspace *w, int first, int last)
 {
@@ -134,11 +139,12 @@ static int do_work(pm_workspace *w, int i)
     static const double nothing[2] = {0, 0};
     const int32_t *e = PM_ACTION_ROW(w->model, i);
     const int body = e[PM_ACTION_A], turn = 3 * body + 2;
-    const double work = number(w, e[PM_ACTION_PROGRAM_X]), spin = w->state.v[turn], lost = w->energy_lost;
-    const int64_t jumps = w->count[PM_COUNT_JUMPS];
+    const double work = number(w, e[PM_ACTION_PROGRAM_X]), spin = w->state.v[turn],
+                 lost = w->ledger.energy_lost;
+    const int64_t jumps = w->result.count[PM_COUNT_JUMPS];
     double couple = work / spin, done = 0;
     if (work == 0) return PM_OK;
-    if (fabs(spin) * w->size <= pm_contact_speed(w))
+    if (fabs(spin) * w->numbers.size <= pm_contact_speed(w))
         return pm_fail(w, PM_NO_IMPULSE, PM_TABLE_ACTION, i, work, 0);
     pm_state_copy(&w->ahead, &w->state);
     for (int k = 0; k < FITS; k++) {
@@ -153,8 +159,8 @@ static int do_work(pm_workspace *w, int i)
             return pm_fail(w, PM_NO_IMPULSE, PM_TABLE_ACTION, i, work, -0.5 * spin * spin / c);
         pm_state_copy(&w->state, &w->ahead);
         pm_frame_look_state(w, &w->state);
-        w->energy_lost = lost;
-        w->count[PM_COUNT_JUMPS] = jumps;
+        w->ledger.energy_lost = lost;
+        w->result.count[PM_COUNT_JUMPS] = jumps;
     }
     return pm_fail(w, PM_NO_IMPULSE, PM_TABLE_ACTION, i, work, done);
 }
@@ -163,8 +169,8 @@ static int do_work(pm_workspace *w, int i)
 static void count_energy(pm_workspace *w, int force, double sign)
 {
     const double energy = sign * pm_force_action(w, force).energy;
-    w->energy_lost -= energy;
-    w->force_energy_start[force] += energy;
+    w->ledger.energy_lost -= energy;
+    w->ledger.force_energy_start[force] += energy;
 }
 
 static void let_slots_go(pm_workspace *w, int contact)
@@ -179,10 +185,10 @@ static int fits(pm_workspace *w, int i, int joint)
     pm_constraint row[PM_JOINT_CONSTRAINTS];
     pm_active_set_anchor_joint(w, &w->state, joint);
     const int n = pm_joint_constraints(w, joint, row);
-    const double allowed = OPENING * w->size;
+    const double allowed = OPENING * w->numbers.size;
     for (int k = 0; k < n; k++) {
         pm_constraint_kind(row[k].kind)->evaluate(w, &row[k]);
-        const double open = fabs(row[k].g) * (row[k].kind == PM_CONSTRAINT_ANGLE ? w->size : 1);
+        const double open = fabs(row[k].g) * (row[k].kind == PM_CONSTRAINT_ANGLE ? w->numbers.size : 1);
         if (!(open <= allowed)) return pm_fail(w, PM_ASSEMBLY, PM_TABLE_ACTION, i, open, allowed);
     }
     return PM_OK;
@@ -199,7 +205,7 @@ static int add(pm_workspace *w, int i)
     if (table == PM_TABLE_JOINT) return fits(w, i, a);
     if (table != PM_TABLE_CONTACT) return PM_OK;
     int member;
-    const double gap = pm_contact_gap(w, &w->state, a, &member), least = -OPENING * w->size;
+    const double gap = pm_contact_gap(w, &w->state, a, &member), least = -OPENING * w->numbers.size;
     return gap < least ? pm_fail(w, PM_PENETRATION, PM_TABLE_ACTION, i, gap, least) : PM_OK;
 }
 
@@ -221,10 +227,10 @@ static int clash(pm_workspace *w, int *clashes)
     const int status = pm_active_set_build(w);
     *clashes = 0;
     pm_saddle_rows(w);
-    for (int i = 0; !status && i < w->nactive; i++) {
-        const pm_constraint *row = &w->row[i];
+    for (int i = 0; !status && i < w->active.n; i++) {
+        const pm_constraint *row = &w->active.row[i];
         const double length =
-            row->kind == PM_CONSTRAINT_ANGLE || row->kind == PM_CONSTRAINT_RATIO ? w->size : 1;
+            row->kind == PM_CONSTRAINT_ANGLE || row->kind == PM_CONSTRAINT_RATIO ? w->numbers.size : 1;
         const double rate = pm_saddle_times(w, row, w->state.v) - row->rate;
         *clashes |= fabs(rate) * length > pm_contact_speed(w);
     }

@@ -2,7 +2,7 @@
 #ifndef PM_ACTION_H
 #define PM_ACTION_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* Takes out of s what does not hold from the start on. */
 void pm_action_begin(const pm_model *m, pm_state *s);

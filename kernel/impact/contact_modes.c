@@ -19,6 +19,7 @@
 #include "events/event.h"
 #include "state/evidence.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 /* Let go at this instant: it is closed again if its pair would approach; or not, for it was or the edge has ended. */
 enum pm_released { HELD = 0, LET_GO = 1, FOR_GOOD = 2 };
@@ -77,7 +78,7 @@ static int pass_end(pm_workspace *w, int slot)
     if (next == PM_NONE) {
         const int mode = s->mode;
         s->mode = PM_OPEN;
-        w->slot_released[slot] = FOR_GOOD;
+        w->instant.slot_released[slot] = FOR_GOOD;
         return heir == PM_NONE ? PM_OK : hand_over(w, mode, heir);
     }
     s->member = next;
@@ -89,9 +90,9 @@ static int pass_end(pm_workspace *w, int slot)
 int pm_contact_modes_begin(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    memcpy(w->slot_before, w->state.slot, (size_t)m->nslot * sizeof(pm_slot));
-    memcpy(w->grip_before, w->state.grip, (size_t)m->ngrip * sizeof(int32_t));
-    memset(w->slot_released, 0, (size_t)m->nslot);
+    memcpy(w->instant.slot_before, w->state.slot, (size_t)m->nslot * sizeof(pm_slot));
+    memcpy(w->instant.friction_before, w->state.friction, (size_t)m->nfriction * sizeof(int32_t));
+    memset(w->instant.slot_released, 0, (size_t)m->nslot);
     for (int i = 0; i < w->event->nfunction; i++) {
         if (!w->event->hit[i]) continue;
         if (w->event->function[i].kind == FUNCTION_END) {
@@ -105,9 +106,9 @@ int pm_contact_modes_begin(pm_workspace *w)
         const int what = pm_event_contact_change(w, i), slot = w->event->function[i].index;
         if (what == PM_TRIGGER_OPEN) {
             w->state.slot[slot].mode = PM_OPEN;
-            w->slot_released[slot] = LET_GO;
+            w->instant.slot_released[slot] = LET_GO;
         } else if (what == PM_TRIGGER_SLIP) {
-            w->state.slot[slot].mode = slide_against(w->frame.lambda[w->slot_tangent[slot]]);
+            w->state.slot[slot].mode = slide_against(w->frame.lambda[w->active.slot_tangent[slot]]);
         } else if (what == PM_TRIGGER_STICK) {
             w->state.slot[slot].mode = PM_STICK;
             pm_active_set_anchor(w, &w->state, slot);
@@ -120,7 +121,7 @@ int pm_contact_modes_released(const pm_workspace *w, int contact, int member)
 {
     const int first = w->model->contact_slot[contact];
     for (int i = first; i < first + pm_contact_slots(w->model, contact); i++)
-        if (w->slot_released[i] && w->slot_before[i].member == member) return 1;
+        if (w->instant.slot_released[i] && w->instant.slot_before[i].member == member) return 1;
     return 0;
 }
 
@@ -130,7 +131,7 @@ static double force_size(const pm_workspace *w)
     double sum = 0;
     for (int i = 0; i < w->model->nq; i++)
         if (i % 3 != 2) sum += fabs(w->frame.f[i]);
-    for (int i = 0; i < w->nactive; i++) sum = fmax(sum, fabs(w->frame.lambda[i]));
+    for (int i = 0; i < w->active.n; i++) sum = fmax(sum, fabs(w->frame.lambda[i]));
     return fmax(sum, pm_case_force(w));
 }
 
@@ -140,15 +141,15 @@ static int let_go(pm_workspace *w, double size)
     int worst = PM_NONE;
     double least = -SLACK * size;
     for (int i = 0; i < w->model->nslot; i++) {
-        if (w->slot_normal[i] == PM_NONE) continue;
-        pm_evidence_sign(w, PM_SITE_PULLS, i, w->frame.lambda[w->slot_normal[i]], size);
-        if (w->frame.lambda[w->slot_normal[i]] >= least) continue;
-        least = w->frame.lambda[w->slot_normal[i]];
+        if (w->active.slot_normal[i] == PM_NONE) continue;
+        pm_evidence_sign(w, PM_SITE_PULLS, i, w->frame.lambda[w->active.slot_normal[i]], size);
+        if (w->frame.lambda[w->active.slot_normal[i]] >= least) continue;
+        least = w->frame.lambda[w->active.slot_normal[i]];
         worst = i;
     }
     if (worst == PM_NONE) return 0;
     w->state.slot[worst].mode = PM_OPEN;
-    w->slot_released[worst] = LET_GO;
+    w->instant.slot_released[worst] = LET_GO;
     return 1;
 }
 
@@ -157,10 +158,10 @@ static int slide(pm_workspace *w, double size)
 {
     for (int i = 0; i < w->model->nslot; i++) {
         const int contact = pm_contact_of_slot(w->model, i);
-        if (w->slot_tangent[i] == PM_NONE || w->slot_normal[i] == PM_NONE) continue;
+        if (w->active.slot_tangent[i] == PM_NONE || w->active.slot_normal[i] == PM_NONE) continue;
         if (pm_contact_friction(w->model, contact) != PM_FRICTION_COULOMB) continue;
-        const double friction = w->frame.lambda[w->slot_tangent[i]],
-                     normal = w->frame.lambda[w->slot_normal[i]];
+        const double friction = w->frame.lambda[w->active.slot_tangent[i]],
+                     normal = w->frame.lambda[w->active.slot_normal[i]];
         const double room = pm_contact_static(w, contact) * normal - fabs(friction);
         pm_evidence_sign(w, PM_SITE_SLIDES, i, room, size);
         if (room >= -SLACK * size) continue;
@@ -174,16 +175,17 @@ static int slide(pm_workspace *w, double size)
 static int close_again(pm_workspace *w)
 {
     for (int i = 0; i < w->model->nslot; i++) {
-        if (w->state.slot[i].mode != PM_OPEN || w->slot_released[i] != LET_GO) continue;
+        if (w->state.slot[i].mode != PM_OPEN || w->instant.slot_released[i] != LET_GO) continue;
         pm_constraint normal, tangent;
         const int contact = pm_contact_of_slot(w->model, i), member = w->state.slot[i].member;
         pm_contact_constraint_both(w, contact, i, member, &normal, &tangent);
         pm_constraint_kind(normal.kind)->evaluate(w, &normal);
         const double acceleration = pm_saddle_times(w, &normal, w->frame.a) - normal.gamma;
-        if (acceleration >= -SLACK * (hypot(w->gravity[0], w->gravity[1]) + w->speed * w->speed / w->size))
+        if (acceleration >= -SLACK * (hypot(w->numbers.gravity[0], w->numbers.gravity[1]) +
+                                      w->numbers.speed * w->numbers.speed / w->numbers.size))
             continue;
         w->state.slot[i].mode = pm_contact_modes_of_slip(w, contact, member);
-        w->slot_released[i] = FOR_GOOD; /* once only: no cycles */
+        w->instant.slot_released[i] = FOR_GOOD; /* once only: no cycles */
         return 1;
     }
     return 0;
@@ -191,12 +193,12 @@ static int close_again(pm_workspace *w)
 
 int pm_contact_modes_settle(pm_workspace *w)
 {
-    const int most = 4 * w->model->nslot + 2 * w->model->ngrip + 4;
+    const int most = 4 * w->model->nslot + 2 * w->model->nfriction + 4;
     for (int i = 0; i < most; i++) {
         int status;
         pm_frame_look_state(w, &w->state);
         if ((status = pm_active_set_build(w)) || (status = pm_projection_built(w, &w->state))) return status;
-        if (w->kinematic) return PM_OK;
+        if (w->phase.kinematic) return PM_OK;
         if ((status = pm_saddle_accelerate_projected(w))) return status;
         const double size = force_size(w);
         if (!let_go(w, size) && !slide(w, size) && !pm_joint_friction_overcome(w, SLACK * size) &&
@@ -218,8 +220,8 @@ static int was_closed_with(const pm_workspace *w, const pm_slot *slots, int cont
 /* What a joint does at the start is no change, as with contacts. */
 static void mark_grips(pm_workspace *w)
 {
-    for (int k = 0; k < w->model->ngrip && w->count[PM_COUNT_EVENTS] > 0; k++) {
-        const int before = w->grip_before[k], now = w->state.grip[k],
+    for (int k = 0; k < w->model->nfriction && w->result.count[PM_COUNT_EVENTS] > 0; k++) {
+        const int before = w->instant.friction_before[k], now = w->state.friction[k],
                   joint = pm_joint_friction_joint(w->model, k);
         if (before == PM_STICK && slides(now)) pm_trigger_mark(w, PM_TRIGGER_JOINT_SLIP, joint);
         if (slides(before) && now == PM_STICK) pm_trigger_mark(w, PM_TRIGGER_JOINT_STICK, joint);
@@ -231,13 +233,13 @@ void pm_contact_modes_mark(pm_workspace *w)
     mark_grips(w);
     for (int i = 0; i < w->model->nslot; i++) {
         const int contact = pm_contact_of_slot(w->model, i);
-        if (w->slot_before[i].mode == PM_OPEN) continue;
-        const int now = was_closed_with(w, w->state.slot, contact, w->slot_before[i].member);
+        if (w->instant.slot_before[i].mode == PM_OPEN) continue;
+        const int now = was_closed_with(w, w->state.slot, contact, w->instant.slot_before[i].member);
         if (now == PM_NONE)
             pm_trigger_mark(w, PM_TRIGGER_OPEN, contact);
-        else if (slides(w->state.slot[now].mode) && !slides(w->slot_before[i].mode))
+        else if (slides(w->state.slot[now].mode) && !slides(w->instant.slot_before[i].mode))
             pm_trigger_mark(w, PM_TRIGGER_SLIP, contact);
-        else if (!slides(w->state.slot[now].mode) && slides(w->slot_before[i].mode))
+        else if (!slides(w->state.slot[now].mode) && slides(w->instant.slot_before[i].mode))
             pm_trigger_mark(w, PM_TRIGGER_STICK, contact);
     }
 }

@@ -2,7 +2,7 @@
 #ifndef PM_CONTACT_MODES_H
 #define PM_CONTACT_MODES_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* Opens an instant: remembers the modes, applies what the located events say (a normal force vanished: open; the grip
  * is exceeded: slide; the slip vanished: stick; an edge has ended: its corner, or another edge, or nothing). */

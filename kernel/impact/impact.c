@@ -32,6 +32,7 @@
 #include "routes/uniform/uniform.h"
 #include "state/evidence.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 #include "study/accuracy.h"
 
 #define PULLS 1e-11      /* of the impulses in the blow: a normal impulse this small does not pull */
@@ -45,14 +46,14 @@
     1e-14 /* of its impulses at the scene's speed: a blow that turns over no more is rounding itself */
 
 /* Heights are lost in the rounding of positions sooner the farther off the scene is: speeds by the root of it. */
-static double far_off(const pm_workspace *w) { return sqrt(pm_contact_reach(w) / w->size); }
+static double far_off(const pm_workspace *w) { return sqrt(pm_contact_reach(w) / w->numbers.size); }
 
 enum pm_share { OUT = 0, STRUCK = 1, JOINED = 2, DROPPED = 3 };
 
 /* Below which rebounds are the last; a companion cuts a series of blows off earlier, which shows what that loses. */
 static double cut_speed(const pm_workspace *w, double share)
 {
-    return (w->coarse > 1 ? EARLIER : 1) * share * w->speed * far_off(w);
+    return (w->numbers.coarse > 1 ? EARLIER : 1) * share * w->numbers.speed * far_off(w);
 }
 
 int pm_impact_nearly_ends(const pm_workspace *w, int contact, double rate)
@@ -81,7 +82,7 @@ static int touches(pm_workspace *w, int contact, pm_touch *x)
     if (!pm_contact_touches(w, &w->state, contact, &x->member)) return 0;
     pm_contact_member_gap(w, contact, x->member, &rate);
     if (!pm_impact_nearly_ends(w, contact, rate))
-        pm_evidence_sign(w, PM_SITE_STRIKES, contact, rate, w->speed);
+        pm_evidence_sign(w, PM_SITE_STRIKES, contact, rate, w->numbers.speed);
     x->approaches = rate < -pm_contact_speed(w);
     x->rests = is_spent(w, contact, rate);
     x->stays =
@@ -132,7 +133,7 @@ static int build(pm_workspace *w, const unsigned char *share, const int32_t *tri
         w->state.slot[i].mode = share[i] == STRUCK || share[i] == JOINED ? trial[i] : PM_OPEN;
     pm_frame_look_state(w, &w->state);
     const int status = pm_active_set_build(w);
-    if (!status && !w->rows_here) pm_saddle_rows(w);
+    if (!status && !w->active.evaluated) pm_saddle_rows(w);
     return status;
 }
 
@@ -147,21 +148,21 @@ static double restitution_of(const pm_workspace *w, int slot, double approach)
 
 static double rate_before(const pm_workspace *w, int i)
 {
-    return pm_saddle_times(w, &w->row[i], w->state.v) - w->row[i].rate;
+    return pm_saddle_times(w, &w->active.row[i], w->state.v) - w->active.row[i].rate;
 }
 
 static int is_normal(const pm_workspace *w, int i)
 {
-    return w->row[i].slot != PM_NONE && w->slot_normal[w->row[i].slot] == i;
+    return w->active.row[i].slot != PM_NONE && w->active.slot_normal[w->active.row[i].slot] == i;
 }
 
 /* How much the rate of active row i is to change. */
 static double change_wanted(const pm_workspace *w, const unsigned char *share, int i)
 {
-    const int slot = w->row[i].slot;
+    const int slot = w->active.row[i].slot;
     const double u = rate_before(w, i);
-    if (slot == PM_NONE || share[slot] != STRUCK || w->slot_normal[slot] == PM_NONE) return -u;
-    const double e = restitution_of(w, slot, rate_before(w, w->slot_normal[slot]));
+    if (slot == PM_NONE || share[slot] != STRUCK || w->active.slot_normal[slot] == PM_NONE) return -u;
+    const double e = restitution_of(w, slot, rate_before(w, w->active.slot_normal[slot]));
     if (is_normal(w, i)) return -(1 + e) * u;
     return e > 0 ? -(1 + pm_contact_tangential(w, pm_contact_of_slot(w->model, slot))) * u : -u;
 }
@@ -172,9 +173,9 @@ static int solve(pm_workspace *w, const unsigned char *share, const pm_impact_co
 {
     const int nq = w->model->nq;
     memcpy(after, w->state.v, (size_t)nq * sizeof *after);
-    if (w->nactive == 0) return PM_OK;
-    for (int i = 0; i < w->nactive; i++)
-        w->wanted[i] =
+    if (w->active.n == 0) return PM_OK;
+    for (int i = 0; i < w->active.n; i++)
+        w->saddle.wanted[i] =
             alone && is_normal(w, i) ? alone->normal - rate_before(w, i) : change_wanted(w, share, i);
     int status = pm_saddle_factor(w);
     if (status || (status = pm_saddle_respond(w, NULL, after))) return status;
@@ -214,11 +215,12 @@ static int follow_alone(pm_workspace *w, unsigned char *share, const int32_t *tr
     if (status) return status;
     x.restitution = part == STRUCK ? restitution_of(w, slot, x.normal) : 0; /* what rests is pressed on */
     const int ends = pm_impact_course_follow(&x, end);
-    pm_evidence_sign(w, PM_SITE_SLIP_LEFT, slot, end->slip, w->speed);
+    pm_evidence_sign(w, PM_SITE_SLIP_LEFT, slot, end->slip, w->numbers.speed);
     if (!ends) return pm_fail(w, PM_BLOW_UNDECIDED, PM_TABLE_CONTACT, contact, x.normal, 0);
     w->state.slot[slot].mode = PM_SLIDE_FORWARD;
     if ((status = pm_active_set_build(w))) return status;
-    if (w->slot_normal[slot] == PM_NONE) return pm_fail(w, PM_SINGULAR, PM_TABLE_CONTACT, contact, 0, 0);
+    if (w->active.slot_normal[slot] == PM_NONE)
+        return pm_fail(w, PM_SINGULAR, PM_TABLE_CONTACT, contact, 0, 0);
     pm_active_set_carry(w, slot, end->ratio);
     pm_saddle_rows(w);
     return PM_OK;
@@ -227,7 +229,7 @@ static int follow_alone(pm_workspace *w, unsigned char *share, const int32_t *tr
 static double impulse_size(const pm_workspace *w)
 {
     double size = 0;
-    for (int i = 0; i < w->nactive; i++) size = fmax(size, fabs(w->rhs[i]));
+    for (int i = 0; i < w->active.n; i++) size = fmax(size, fabs(w->saddle.rhs[i]));
     return size;
 }
 
@@ -237,11 +239,11 @@ static int drop_pulling(pm_workspace *w, unsigned char *share)
     const double size = impulse_size(w);
     double least = -PULLS * size;
     for (int i = 0; i < w->model->nslot; i++) {
-        if (w->slot_normal[i] == PM_NONE) continue;
-        pm_evidence_sign(w, PM_SITE_PULLS_IN_BLOW, i, w->rhs[w->slot_normal[i]], size);
-        if (w->rhs[w->slot_normal[i]] >= least) continue;
+        if (w->active.slot_normal[i] == PM_NONE) continue;
+        pm_evidence_sign(w, PM_SITE_PULLS_IN_BLOW, i, w->saddle.rhs[w->active.slot_normal[i]], size);
+        if (w->saddle.rhs[w->active.slot_normal[i]] >= least) continue;
         if (w->event->spent[pm_contact_of_slot(w->model, i)]) continue;
-        least = w->rhs[w->slot_normal[i]];
+        least = w->saddle.rhs[w->active.slot_normal[i]];
         worst = i;
     }
     if (worst != PM_NONE) share[worst] = DROPPED;
@@ -252,10 +254,11 @@ static int slide_where_it_must(pm_workspace *w, int32_t *trial)
 {
     for (int i = 0; i < w->model->nslot; i++) {
         const int contact = pm_contact_of_slot(w->model, i);
-        if (w->slot_tangent[i] == PM_NONE || w->slot_normal[i] == PM_NONE) continue;
+        if (w->active.slot_tangent[i] == PM_NONE || w->active.slot_normal[i] == PM_NONE) continue;
         if (pm_contact_friction(w->model, contact) != PM_FRICTION_COULOMB) continue;
-        const double friction = w->rhs[w->slot_tangent[i]], size = impulse_size(w);
-        const double room = pm_contact_static(w, contact) * w->rhs[w->slot_normal[i]] - fabs(friction);
+        const double friction = w->saddle.rhs[w->active.slot_tangent[i]], size = impulse_size(w);
+        const double room =
+            pm_contact_static(w, contact) * w->saddle.rhs[w->active.slot_normal[i]] - fabs(friction);
         pm_evidence_sign(w, PM_SITE_SLIDES_IN_BLOW, i, room, size);
         if (room >= -PULLS * size) continue;
         const double slip = pm_contact_member_slip(w, contact, w->state.slot[i].member);
@@ -284,7 +287,7 @@ static int join_approaching(pm_workspace *w, unsigned char *share, const int32_t
         pm_contact_constraint_both(w, contact, i, w->state.slot[i].member, &normal, &tangent);
         pm_constraint_kind(normal.kind)->evaluate(w, &normal);
         const double rate = pm_saddle_times(w, &normal, after);
-        pm_evidence_sign(w, PM_SITE_JOINS, i, rate, w->speed);
+        pm_evidence_sign(w, PM_SITE_JOINS, i, rate, w->numbers.speed);
         if (rate >= -pm_contact_speed(w)) continue;
         share[i] = JOINED;
         trial[i] = mode_in_blow(w, i);
@@ -297,10 +300,10 @@ static int join_approaching(pm_workspace *w, unsigned char *share, const int32_t
 static void record_captured(pm_workspace *w, int slot)
 {
     static const double axes[4] = {1, 0, 0, 1};
-    memcpy(w->slot_direction + 4 * slot, axes, sizeof axes);
+    memcpy(w->impulses.slot_direction + 4 * slot, axes, sizeof axes);
     for (int k = 0; k < 2; k++) {
-        const int active = w->slot_held[PM_JOINT_CONSTRAINTS * slot + k];
-        if (active != PM_NONE) w->slot_impulse[2 * slot + k] = w->rhs[active];
+        const int active = w->active.slot_held[PM_JOINT_CONSTRAINTS * slot + k];
+        if (active != PM_NONE) w->impulses.slot[2 * slot + k] = w->saddle.rhs[active];
     }
 }
 
@@ -308,7 +311,7 @@ static void record_captured(pm_workspace *w, int slot)
 static const pm_constraint *tangent_of(const pm_workspace *w, int slot, pm_constraint *spare)
 {
     pm_constraint normal;
-    if (w->slot_tangent[slot] != PM_NONE) return &w->row[w->slot_tangent[slot]];
+    if (w->active.slot_tangent[slot] != PM_NONE) return &w->active.row[w->active.slot_tangent[slot]];
     pm_contact_constraint_both(w, pm_contact_of_slot(w->model, slot), slot, w->state.slot[slot].member,
                                &normal, spare);
     return spare;
@@ -317,24 +320,26 @@ static const pm_constraint *tangent_of(const pm_workspace *w, int slot, pm_const
 static void record(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    memset(w->joint_impulse, 0, (size_t)m->njoint_row * sizeof(double));
-    memset(w->slot_impulse, 0, 2 * (size_t)m->nslot * sizeof(double));
+    memset(w->impulses.joint, 0, (size_t)m->njoint_row * sizeof(double));
+    memset(w->impulses.slot, 0, 2 * (size_t)m->nslot * sizeof(double));
     for (int i = 0; i < m->njoint_row; i++)
-        if (w->joint_active[i] != PM_NONE) w->joint_impulse[i] = w->rhs[w->joint_active[i]];
+        if (w->active.of_joint[i] != PM_NONE) w->impulses.joint[i] = w->saddle.rhs[w->active.of_joint[i]];
     for (int i = 0; i < m->nslot; i++) {
         if (w->state.slot[i].mode == PM_CAPTURED) record_captured(w, i);
-        if (w->slot_normal[i] == PM_NONE) continue;
+        if (w->active.slot_normal[i] == PM_NONE) continue;
         pm_constraint spare;
         pm_line_of_action along;
-        const pm_constraint *normal = &w->row[w->slot_normal[i]], *tangent = tangent_of(w, i, &spare);
-        const double p = w->rhs[w->slot_normal[i]];
-        w->slot_impulse[2 * i] = p;
-        w->slot_impulse[2 * i + 1] =
-            w->slot_tangent[i] != PM_NONE ? w->rhs[w->slot_tangent[i]] : normal->slide * p;
+        const pm_constraint *normal = &w->active.row[w->active.slot_normal[i]],
+                            *tangent = tangent_of(w, i, &spare);
+        const double p = w->saddle.rhs[w->active.slot_normal[i]];
+        w->impulses.slot[2 * i] = p;
+        w->impulses.slot[2 * i + 1] = w->active.slot_tangent[i] != PM_NONE
+                                          ? w->saddle.rhs[w->active.slot_tangent[i]]
+                                          : normal->slide * p;
         pm_constraint_kind(normal->kind)->act(w, normal, &along);
-        memcpy(w->slot_direction + 4 * i, along.direction, sizeof along.direction);
+        memcpy(w->impulses.slot_direction + 4 * i, along.direction, sizeof along.direction);
         pm_constraint_kind(tangent->kind)->act(w, tangent, &along);
-        memcpy(w->slot_direction + 4 * i + 2, along.direction, sizeof along.direction);
+        memcpy(w->impulses.slot_direction + 4 * i + 2, along.direction, sizeof along.direction);
     }
 }
 
@@ -380,14 +385,16 @@ static int gains(pm_workspace *w, const double *after)
 {
     double given = 0, size = 0, nothing = 0;
     int contact = PM_NONE;
-    for (int i = 0; i < w->nactive || w->row[i].normal != PM_NONE; i++) {
-        const pm_constraint *row = &w->row[i];
-        if (row->slot == PM_NONE || w->slot_normal[row->slot] == PM_NONE) continue; /* captured: a joint */
-        const double p = i < w->nactive ? w->rhs[i] : w->row[row->normal].slide * w->rhs[row->normal];
+    for (int i = 0; i < w->active.n || w->active.row[i].normal != PM_NONE; i++) {
+        const pm_constraint *row = &w->active.row[i];
+        if (row->slot == PM_NONE || w->active.slot_normal[row->slot] == PM_NONE)
+            continue; /* captured: a joint */
+        const double p = i < w->active.n ? w->saddle.rhs[i]
+                                         : w->active.row[row->normal].slide * w->saddle.rhs[row->normal];
         const double before = rate_before(w, i), now = pm_saddle_times(w, row, after) - row->rate;
         given += 0.5 * p * (before + now);
         size += fabs(p * before) + fabs(p * now);
-        nothing += NOTHING * fabs(p) * w->speed;
+        nothing += NOTHING * fabs(p) * w->numbers.speed;
         contact = pm_contact_of_slot(w->model, row->slot);
     }
     return given <= GAINS * size + nothing ? PM_OK
@@ -407,7 +414,7 @@ static int turns(pm_workspace *w, const unsigned char *share, const int32_t *tri
         pm_constraint_kind(tangent.kind)->evaluate(w, &tangent);
         const double way = trial[i] == PM_SLIDE_FORWARD ? 1 : -1;
         const double slip = way * (pm_saddle_times(w, &tangent, after) - tangent.rate);
-        pm_evidence_sign(w, PM_SITE_SLIP_LEFT, i, slip, w->speed);
+        pm_evidence_sign(w, PM_SITE_SLIP_LEFT, i, slip, w->numbers.speed);
         if (slip < -pm_contact_speed(w))
             return pm_fail(w, PM_BLOW_TURNS, PM_TABLE_CONTACT, contact, -slip, 0);
     }
@@ -450,7 +457,7 @@ static int one_blow(pm_workspace *w, unsigned char *share, double *scratch)
     pm_ledger_jump(w, before);
     set_modes(w, share, resting, before);
     pm_joint_friction_close(w);
-    w->count[PM_COUNT_JUMPS]++;
+    w->result.count[PM_COUNT_JUMPS]++;
     return PM_OK;
 }
 
@@ -483,7 +490,7 @@ int pm_impact(pm_workspace *w, int *jumped)
         if (status || struck == 0) return status;
         if (i == BLOWS_AT_ONCE)
             return pm_fail(w, PM_BLOW_UNDECIDED, PM_TABLE_CONTACT, PM_NONE, i, BLOWS_AT_ONCE);
-        if (*jumped == 0) w->lost = 0;
+        if (*jumped == 0) w->impulses.energy_lost = 0;
         status = one_blow(w, share, scratch);
         if (status) return status;
         ++*jumped;

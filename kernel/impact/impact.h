@@ -2,7 +2,7 @@
 #ifndef PM_IMPACT_H
 #define PM_IMPACT_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* Closes the contacts that touch and do not part, and resolves the blows at this instant: all of them, or, where the
  * settings want them one by one, the next; *jumped = how many.  The frame looks at w->state afterwards (KINEMATIC);

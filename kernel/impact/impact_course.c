@@ -19,6 +19,7 @@
 #include "elements/contact.h"
 #include "equations/active_set.h"
 #include "equations/saddle.h"
+#include "state/workspace.h"
 
 #define STRETCHES 8    /* of constant rates: two phases, with one end of slip and one reversal at most */
 #define LOCKED 1e-13   /* of the normal response: what friction leaves of it where it holds the pair */
@@ -136,10 +137,11 @@ static void respond(pm_workspace *w, const pm_constraint *row, double *x)
     for (int p = 0; p < 2; p++) {
         const int body = row->body[p];
         if (body == w->model->nbody) continue;
-        for (int k = 0; k < 3; k++) x[3 * body + k] += w->inverse_mass[3 * body + k] * row->j[3 * p + k];
+        for (int k = 0; k < 3; k++)
+            x[3 * body + k] += w->numbers.inverse_mass[3 * body + k] * row->j[3 * p + k];
     }
-    if (w->nactive == 0) return;
-    for (int i = 0; i < w->nactive; i++) w->rhs[i] = -pm_saddle_times(w, &w->row[i], x);
+    if (w->active.n == 0) return;
+    for (int i = 0; i < w->active.n; i++) w->saddle.rhs[i] = -pm_saddle_times(w, &w->active.row[i], x);
     pm_saddle_solve(w);
     pm_saddle_spread(w, 0, x);
 }
@@ -149,8 +151,8 @@ int pm_impact_course_read(pm_workspace *w, int slot, double *scratch, pm_impact_
     const int contact = pm_contact_of_slot(w->model, slot);
     const int rough = pm_contact_friction(w->model, contact) == PM_FRICTION_ROUGH;
     pm_constraint normal, tangent;
-    const int status = w->nactive > 0 ? pm_saddle_factor(w) : PM_OK;
-    if (w->massless) return pm_fail(w, PM_UNSUPPORTED, PM_TABLE_CONTACT, contact, NAN, NAN);
+    const int status = w->active.n > 0 ? pm_saddle_factor(w) : PM_OK;
+    if (w->numbers.massless) return pm_fail(w, PM_UNSUPPORTED, PM_TABLE_CONTACT, contact, NAN, NAN);
     if (status) return status;
     pm_contact_constraint_both(w, contact, slot, w->state.slot[slot].member, &normal, &tangent);
     pm_constraint_kind(normal.kind)->evaluate(w, &normal);

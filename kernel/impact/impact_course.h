@@ -2,7 +2,7 @@
 #ifndef PM_IMPACT_COURSE_H
 #define PM_IMPACT_COURSE_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* Response of the contact with all joints held, du = [a b; b c] dP (normal, tangent); velocities before, relative to
  * what drives prescribe; its law. */

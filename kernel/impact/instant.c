@@ -18,6 +18,7 @@
 #include "state/evidence.h"
 #include "state/frame.h"
 #include "state/route.h"
+#include "state/workspace.h"
 #include "study/accuracy.h"
 #include "tree/tree.h"
 
@@ -27,10 +28,11 @@
 
 static int at_rest(const pm_workspace *w, int body)
 {
-    const double speed = STILL * w->speed, acceleration = STILL * w->speed * w->speed / w->size;
+    const double speed = STILL * w->numbers.speed,
+                 acceleration = STILL * w->numbers.speed * w->numbers.speed / w->numbers.size;
     const int first = body == PM_NONE ? 0 : 3 * body, last = body == PM_NONE ? w->model->nq : first + 3;
     for (int i = first; i < last; i++) {
-        const double length = i % 3 == 2 ? w->size : 1;
+        const double length = i % 3 == 2 ? w->numbers.size : 1;
         if (fabs(w->frame.v[i]) * length > speed || fabs(w->frame.a[i]) * length > acceleration) return 0;
     }
     return 1;
@@ -59,8 +61,9 @@ static int contacts_stay(pm_workspace *w)
 static int is_settled(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    if (w->count[PM_COUNT_PHASES] == 0 || w->route != &pm_route_path || w->tree->nloop > 0) return 0;
-    return m->ngrip == 0 && !m->acts && (m->nslot == 0 || contacts_stay(w));
+    if (w->result.count[PM_COUNT_PHASES] == 0 || w->phase.route != &pm_route_path || w->tree->nloop > 0)
+        return 0;
+    return m->nfriction == 0 && !m->acts && (m->nslot == 0 || contacts_stay(w));
 }
 
 /* Blows, modes, and what fires by them. */
@@ -101,10 +104,10 @@ static void fire(pm_workspace *w)
 
 static int count(pm_workspace *w, int *ended)
 {
-    w->count[PM_COUNT_EVENTS]++;
+    w->result.count[PM_COUNT_EVENTS]++;
     *ended = pm_trigger_until(w);
     const int most = PM_SETTING(w->model, PM_SETTING_MAX_EVENTS);
-    if (!*ended && w->count[PM_COUNT_EVENTS] >= most)
+    if (!*ended && w->result.count[PM_COUNT_EVENTS] >= most)
         return pm_fail(w, PM_LIMIT_EVENTS, PM_TABLE_SETTING, 0, most, most);
     return PM_OK;
 }
@@ -166,7 +169,8 @@ int pm_instant_finish(pm_workspace *w, int *ended)
 {
     mark_rest(w);
     const int status = close(w, ended);
-    if (!status && !*ended && at_rest(w, PM_NONE) && !w->model->uses_time && !pm_perturbation_waits(w))
+    if (!status && !*ended && at_rest(w, PM_NONE) && !w->model->programs.use_time &&
+        !pm_perturbation_waits(w))
         return pm_fail(w, PM_STAYS_AT_REST, PM_NONE, PM_NONE, w->state.t, 0);
     return status;
 }
@@ -188,7 +192,7 @@ static int mark_turning(pm_workspace *w)
         double value[2];
         if (kind > PM_TRIGGER_FALL || w->event->fired[i]) continue;
         for (int side = 0; side < 2; side++) {
-            for (int k = 0; k < m->nq; k++) velocity[k] = (side ? -TURNING : TURNING) * w->turn[k];
+            for (int k = 0; k < m->nq; k++) velocity[k] = (side ? -TURNING : TURNING) * w->step.reversed[k];
             const int status = pm_saddle_accelerate(w);
             if (status) return status;
             value[side] = pm_trigger_program(w, i);
@@ -205,13 +209,13 @@ int pm_instant_full(pm_workspace *w, int *ended)
 {
     *ended = 0;
     pm_frame_look_state(w, &w->state);
-    if (w->route == &pm_route_path) {
+    if (w->phase.route == &pm_route_path) {
         pm_repeat_end(w);
         if (pm_repeat_refuted(w)) return PM_OK;
     }
     int status = pm_history_row(w, 1);
     if (!status) status = pm_saddle_accelerate(w);
-    if (!status && w->turns) status = mark_turning(w);
+    if (!status && w->step.reverses) status = mark_turning(w);
     if (!status) status = act(w, ended);
     if (status || *ended) return status;
     status = pm_instant_finish(w, ended);
@@ -222,7 +226,7 @@ int pm_instant_full(pm_workspace *w, int *ended)
 static int level_of_mark(const pm_workspace *w)
 {
     const int asked = w->ask->instant_level, watched = w->event->level;
-    if (!w->error->active) return w->ask->fired_level;
+    if (!w->accuracy->active) return w->ask->fired_level;
     return asked > watched ? asked : watched;
 }
 

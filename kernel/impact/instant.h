@@ -2,7 +2,7 @@
 #ifndef PM_INSTANT_H
 #define PM_INSTANT_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* The start: blows and modes at t = 0; the frame is DYNAMIC before and after. */
 int pm_instant_start(pm_workspace *w);

@@ -8,6 +8,8 @@
 #include <gsl/gsl_roots.h>
 #include <math.h>
 
+#include "state/workspace.h"
+
 #define ITERATIONS 100
 #define ROUNDING 2.3e-16
 #define NOTHING 1e-16   /* of the bracket: a shift that gains nothing */
@@ -84,7 +86,7 @@ static double slope_at(pm_workspace *w, pm_along *f, void *context, double t, do
 int pm_bracket_polish(pm_workspace *w, pm_along *f, pm_exactly *exactly, void *context, double slope,
                       double *t, double *taken, double *off)
 {
-    const double h = w->step_end - w->step_begin, rounding = ROUNDING * fabs(*t) + 1e-15 * h;
+    const double h = w->step.end - w->step.begin, rounding = ROUNDING * fabs(*t) + 1e-15 * h;
     double best = INFINITY, value, last = 0, place = *t;
     if (isnan(slope)) slope = slope_at(w, f, context, *t, SLOPE_STEP * h);
     for (int i = 0; i < POLISH; i++) {
@@ -98,7 +100,7 @@ int pm_bracket_polish(pm_workspace *w, pm_along *f, pm_exactly *exactly, void *c
         best = fabs(value);
         last = value;
         place = *t;
-        *t = fmin(fmax(*t + shift, w->step_begin), w->step_end);
+        *t = fmin(fmax(*t + shift, w->step.begin), w->step.end);
     }
     return PM_OK;
 }

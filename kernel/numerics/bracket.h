@@ -3,7 +3,7 @@
 #ifndef PM_BRACKET_H
 #define PM_BRACKET_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* A function of time along the last step. */
 typedef double pm_along(pm_workspace *w, double t, void *context);

@@ -4,7 +4,7 @@
 #define PM_CHEBYSHEV_H
 
 #include "numerics/chebyshev_nodes.h"
-#include "state/model.h"
+#include "state/workspace.h"
 
 #define PM_CHEBYSHEV_SMOOTH 1e-3 /* tail of what has no corners, and no waves between the nodes */
 

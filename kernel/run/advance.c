@@ -20,14 +20,15 @@
 #include "run/plan.h"
 #include "state/frame.h"
 #include "state/route.h"
+#include "state/workspace.h"
 
 /* Shortens the step to end at x, with the exact state there (already in w->probe if it was taken at x). */
 static int stop_at(pm_workspace *w, double x, double taken)
 {
-    const int status = taken == x ? PM_OK : w->route->exact(w, x, &w->probe);
+    const int status = taken == x ? PM_OK : w->phase.route->exact(w, x, &w->probe);
     if (status) return status;
     pm_state_copy(&w->state, &w->probe);
-    w->step_end = x;
+    w->step.end = x;
     return PM_OK;
 }
 
@@ -45,9 +46,9 @@ static void look_for_roots(pm_workspace *w)
 static void take_roots(pm_workspace *w, double *first)
 {
     pm_event_set *e = w->event;
-    if (!e->at_root || *first < w->step_end) return;
+    if (!e->at_root || *first < w->step.end) return;
     for (int i = 0; i < e->nfunction; i++) e->hit[i] |= e->root[i] != 0;
-    *first = w->step_end;
+    *first = w->step.end;
 }
 
 static void mark_hits(pm_workspace *w)
@@ -82,7 +83,7 @@ static int limit_reached(pm_workspace *w, double max_time)
     if (w->stop && *w->stop) return PM_CANCELLED;
     if (w->state.t >= max_time) return pm_fail(w, PM_LIMIT_TIME, PM_TABLE_SETTING, 0, w->state.t, max_time);
     const double most = PM_SETTING(w->model, PM_SETTING_MAX_STEPS);
-    if ((double)w->count[PM_COUNT_STEPS] >= most)
+    if ((double)w->result.count[PM_COUNT_STEPS] >= most)
         return pm_fail(w, PM_LIMIT_STEPS, PM_TABLE_SETTING, 0, most, most);
     return PM_OK;
 }
@@ -92,14 +93,14 @@ static void end_step(pm_workspace *w)
     pm_frame_look_state(w, &w->state);
     pm_active_set_follow(w, &w->state);
     pm_ledger_step(w);
-    if (w->route->in_time && w->ask->fresh) pm_ledger_seal(w);
+    if (w->phase.route->in_time && w->ask->fresh) pm_ledger_seal(w);
     w->event->first_step = 0;
 }
 
 static int only_marks(const pm_workspace *w)
 {
     const pm_model *m = w->model;
-    if (m->watches_counts || pm_repeat_doubts(w)) return 0;
+    if (m->programs.watch_counts || pm_repeat_doubts(w)) return 0;
     for (int i = 0; i < w->event->nfunction; i++) {
         const pm_event_function *f = &w->event->function[i];
         if (!w->event->hit[i]) continue;
@@ -128,7 +129,7 @@ static void hold_hits(pm_workspace *w, double x)
 static int pass(pm_workspace *w, double x, double taken, int *ended)
 {
     int status = pm_history_inside(w, x);
-    if (!status && (taken != x || w->trace)) status = w->route->exact(w, x, &w->probe);
+    if (!status && (taken != x || w->history)) status = w->phase.route->exact(w, x, &w->probe);
     if (status) return status;
     pm_state_copy(&w->ahead, &w->state);
     pm_state_copy(&w->state, &w->probe);
@@ -143,15 +144,16 @@ static int pass(pm_workspace *w, double x, double taken, int *ended)
 /* What fires right before the step's end, where triggers on time are due or a contact changes, belongs to that instant. */
 static void join_end(const pm_workspace *w, double *first)
 {
-    const double same = PM_SAME_PLACE * (w->step_end - w->step_begin);
-    const int something = w->event->at_root || (w->route->in_time && next_due(w) <= w->step_end);
-    if (something && *first >= w->step_end - same) *first = w->step_end;
+    const double same = PM_SAME_PLACE * (w->step.end - w->step.begin);
+    const int something = w->event->at_root || (w->phase.route->in_time && next_due(w) <= w->step.end);
+    if (something && *first >= w->step.end - same) *first = w->step.end;
 }
 
 /* What happens at the end of the step, found there, only marks something, and the phase goes on in another step. */
 static int marks_end(const pm_workspace *w, double first, int due)
 {
-    return first == w->step_end && !due && !w->turns && !w->lap && !w->event->at_root && only_marks(w);
+    return first == w->step.end && !due && !w->step.reverses && !w->phase.lap && !w->event->at_root &&
+           only_marks(w);
 }
 
 /* Something is marked at the end of the step, where the frame looks. */
@@ -159,7 +161,7 @@ static int pass_end(pm_workspace *w, int *ended)
 {
     const int status = pm_instant_mark(w, ended);
     if (status || *ended) return status;
-    hold_hits(w, w->step_end);
+    hold_hits(w, w->step.end);
     pm_event_search_leave(w); /* what has left its zero is no more held; in the next step places are others */
     return PM_OK;
 }
@@ -167,11 +169,11 @@ static int pass_end(pm_workspace *w, int *ended)
 /* Passes the instants of the step that only mark something; *first is that of a full one, or of the end. */
 static int pass_marks(pm_workspace *w, double *first, double *taken, int *ended)
 {
-    double from = w->step_begin;
+    double from = w->step.begin;
     for (;;) {
         int status = pm_event_search_first(w, from, first, taken);
         if (!status && *first < INFINITY) join_end(w, first);
-        if (status || *first >= w->step_end || *first <= w->step_begin || !only_marks(w)) return status;
+        if (status || *first >= w->step.end || *first <= w->step.begin || !only_marks(w)) return status;
         status = pass(w, *first, *taken, ended);
         if (status || *ended) return status;
         from = *first;
@@ -191,8 +193,8 @@ static int take_step(pm_workspace *w, double *first, double *taken, int *ended)
         pm_frame_look_state(w, &w->state);
         pm_event_set_multiples(w);
     }
-    w->nodes = w->route->nodes;
-    status = w->route->step(w, fmin(max_time, next_due(w)));
+    w->step.nodes = w->phase.route->nodes;
+    status = w->phase.route->step(w, fmin(max_time, next_due(w)));
     pm_history_step(w);
     look_for_roots(w);
     if (!status) status = pm_event_search_sample(w, 1);
@@ -207,13 +209,13 @@ static int take_step(pm_workspace *w, double *first, double *taken, int *ended)
 static int close_step(pm_workspace *w, double first, double taken, int ended)
 {
     int status = PM_OK;
-    if (first < w->step_end) {
+    if (first < w->step.end) {
         if (!ended && (status = stop_at(w, first, taken))) return status;
-        w->step_end = first;
+        w->step.end = first;
         if (!pm_ask_keeps_samples(w) && (status = pm_event_search_sample(w, 0))) return status;
     }
-    if (w->step_end > w->step_begin && (status = pm_ask_step(w))) return status;
-    if ((status = pm_history_inside(w, w->step_end))) return status;
+    if (w->step.end > w->step.begin && (status = pm_ask_step(w))) return status;
+    if ((status = pm_history_inside(w, w->step.end))) return status;
     end_step(w);
     return PM_OK;
 }
@@ -226,21 +228,21 @@ int pm_advance(pm_workspace *w, int *ended)
         int status = take_step(w, &first, &taken, ended);
         if (status) return status;
         if (!*ended) take_roots(w, &first);
-        const int inside = first < w->step_end;
+        const int inside = first < w->step.end;
         if ((status = close_step(w, first, taken, *ended))) return status;
-        const int due = first >= w->step_end && mark_due(w);
+        const int due = first >= w->step.end && mark_due(w);
         if (*ended) return PM_OK;
         if (first < INFINITY) mark_hits(w);
         if (!inside && marks_end(w, first, due)) {
             if ((status = pass_end(w, ended)) || *ended) return status;
             continue;
         }
-        if (first < INFINITY || due || w->turns) {
-            w->lap = 0;
+        if (first < INFINITY || due || w->step.reverses) {
+            w->phase.lap = 0;
             return PM_OK;
         }
-        w->lap |= pm_plan_has_passed(w);
-        if (w->lap) return PM_OK;
-        if (w->trace && (status = pm_history_row(w, 0))) return status;
+        w->phase.lap |= pm_plan_has_passed(w);
+        if (w->phase.lap) return PM_OK;
+        if (w->history && (status = pm_history_row(w, 0))) return status;
     }
 }

@@ -8,6 +8,7 @@
 #include "events/event.h"
 #include "routes/path/path.h"
 #include "state/route.h"
+#include "state/workspace.h"
 #include "tree/tree.h"
 
 static int32_t *last_row(const pm_phase_report *x)
@@ -18,60 +19,63 @@ static int32_t *last_row(const pm_phase_report *x)
 static void count_steps(const pm_workspace *w, pm_phase_report *x)
 {
     int32_t *row = last_row(x);
-    if (row) row[PM_PHASE_STEPS] = (int32_t)(w->count[PM_COUNT_STEPS] - x->steps);
-    if (row) row[PM_PHASE_SPARED] = (int32_t)(w->event->clear.spared - x->spared);
-    x->steps = w->count[PM_COUNT_STEPS];
-    x->spared = w->event->clear.spared;
+    if (row) row[PM_PHASE_STEPS] = (int32_t)(w->result.count[PM_COUNT_STEPS] - x->steps);
+    if (row) row[PM_PHASE_SPARED] = (int32_t)(w->event->culling.spared - x->spared);
+    x->steps = w->result.count[PM_COUNT_STEPS];
+    x->spared = w->event->culling.spared;
 }
 
-static int on_tree(const pm_workspace *w) { return w->route == &pm_route_rk || w->route == &pm_route_path; }
+static int on_tree(const pm_workspace *w)
+{
+    return w->phase.route == &pm_route_rk || w->phase.route == &pm_route_path;
+}
 
 static int free_coordinates(const pm_workspace *w)
 {
     int n = 0;
-    for (int i = 0; i < w->model->nq; i++) n += w->inverse_mass[i] > 0;
+    for (int i = 0; i < w->model->nq; i++) n += w->numbers.inverse_mass[i] > 0;
     return n;
 }
 
 static int has_clock(const pm_workspace *w)
 {
-    return w->route != &pm_route_path || w->model->reads_time || w->trace;
+    return w->phase.route != &pm_route_path || w->model->programs.read_time || w->history;
 }
 
 static void describe(const pm_workspace *w, int64_t legs, int32_t *row)
 {
-    row[PM_PHASE_ROUTE] = w->route->route;
-    row[PM_PHASE_RULE] = w->rule;
+    row[PM_PHASE_ROUTE] = w->phase.route->route;
+    row[PM_PHASE_RULE] = w->phase.rule;
     row[PM_PHASE_UNKNOWNS] = on_tree(w) ? w->tree->n : free_coordinates(w);
-    row[PM_PHASE_LOOPS] = on_tree(w) ? w->tree->nloop : w->nactive;
-    row[PM_PHASE_ROWS] = w->nactive;
-    row[PM_PHASE_REDUNDANT] = w->nredundant;
-    row[PM_PHASE_FREEDOM] = free_coordinates(w) - w->nactive;
+    row[PM_PHASE_LOOPS] = on_tree(w) ? w->tree->nloop : w->active.n;
+    row[PM_PHASE_ROWS] = w->active.n;
+    row[PM_PHASE_REDUNDANT] = w->active.nredundant;
+    row[PM_PHASE_FREEDOM] = free_coordinates(w) - w->active.n;
     row[PM_PHASE_WATCHED] = w->event->nfunction;
     row[PM_PHASE_CLOCK] = has_clock(w);
     row[PM_PHASE_DYNAMIC] = w->event->level == PM_LEVEL_DYNAMIC || w->ask->level == PM_LEVEL_DYNAMIC;
     row[PM_PHASE_STEPS] = 0;
-    row[PM_PHASE_UNREACHED] = w->unreached;
+    row[PM_PHASE_UNREACHED] = w->nunreached;
     row[PM_PHASE_LEGS] = (int32_t)legs;
-    row[PM_PHASE_STILL] = w->still->n;
+    row[PM_PHASE_STILL] = w->fixed->n;
     row[PM_PHASE_SPARED] = 0;
 }
 
 int pm_phase_report_add(pm_workspace *w)
 {
-    pm_phase_report *x = w->phases;
+    pm_phase_report *x = w->phase_report;
     if (!x) return PM_OK;
     count_steps(w, x);
     if (x->needed < x->cap) {
-        describe(w, w->count[PM_COUNT_LEGS] - x->legs, x->row + x->needed * PM_PHASE_COLUMNS);
+        describe(w, w->result.count[PM_COUNT_LEGS] - x->legs, x->row + x->needed * PM_PHASE_COLUMNS);
         x->time[x->needed] = has_clock(w) ? w->state.t : NAN;
     }
-    x->legs = w->count[PM_COUNT_LEGS];
+    x->legs = w->result.count[PM_COUNT_LEGS];
     x->needed++;
     return x->most > 0 && x->needed >= x->most ? PM_CANCELLED : PM_OK;
 }
 
 void pm_phase_report_end(pm_workspace *w)
 {
-    if (w->phases) count_steps(w, w->phases);
+    if (w->phase_report) count_steps(w, w->phase_report);
 }

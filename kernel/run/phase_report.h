@@ -2,7 +2,7 @@
 #ifndef PM_PHASE_REPORT_H
 #define PM_PHASE_REPORT_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 typedef struct pm_phase_report {
     int64_t cap, most, needed;

@@ -12,6 +12,7 @@
 #include "routes/start/perturbation.h"
 #include "state/frame.h"
 #include "state/route.h"
+#include "state/workspace.h"
 
 #define ONE_FREEDOM "one degree of freedom, and work that depends on position only"
 #define PASSED 0.2 /* independent part of each row: clearly more than where the passage begins */
@@ -45,21 +46,21 @@ static const char *const scope[PM_ROUTES] = {
 
 static int take(pm_workspace *w, const pm_route_ops *route, int rule)
 {
-    w->route = route;
-    w->rule = rule;
-    w->count[PM_COUNT_ROUTES] |= (int64_t)1 << route->route;
-    if (route->price > w->price) {
-        w->price = route->price;
-        w->count[PM_COUNT_ROUTE] = route->route;
+    w->phase.route = route;
+    w->phase.rule = rule;
+    w->result.count[PM_COUNT_ROUTES] |= (int64_t)1 << route->route;
+    if (route->price > w->phase.price) {
+        w->phase.price = route->price;
+        w->result.count[PM_COUNT_ROUTE] = route->route;
     }
     return PM_OK;
 }
 
 int pm_plan_has_passed(pm_workspace *w)
 {
-    if (w->rule != PASSING) return 0;
+    if (w->phase.rule != PASSING) return 0;
     if (!(pm_saddle_independence_there(w, &w->state) > PASSED)) return 0;
-    w->singular = 0;
+    w->phase.singular = 0;
     return 1;
 }
 
@@ -74,7 +75,7 @@ int pm_plan_phase(pm_workspace *w)
 {
     const int wanted = PM_SETTING(w->model, PM_SETTING_ROUTE);
     if (pm_perturbation_waits(w) && pm_route_path.applies(w)) return take(w, &pm_route_path, NUDGED);
-    if (w->singular && wanted == PM_ROUTE_IDA) return take(w, &pm_route_rk, PASSING);
+    if (w->phase.singular && wanted == PM_ROUTE_IDA) return take(w, &pm_route_rk, PASSING);
     if (wanted != PM_ROUTE_AUTO) return forced(w, wanted);
     for (int i = FIRST; i < NRULES; i++)
         if (!rules[i].route->applies || rules[i].route->applies(w)) return take(w, rules[i].route, i);
@@ -120,29 +121,29 @@ int pm_plan_kinematic(const pm_workspace *w)
 {
     const pm_model *m = w->model;
     int ends = 0;
-    if (m->nslot > 0 || m->ngrip > 0 || w->ask->instant_level > PM_LEVEL_KINEMATIC) return 0;
+    if (m->nslot > 0 || m->nfriction > 0 || w->ask->instant_level > PM_LEVEL_KINEMATIC) return 0;
     for (int i = 0; i < m->rows[PM_TABLE_UNTIL] && !ends; i++)
         ends = ends_at_start(m, PM_UNTIL_ROW(m, i)[PM_UNTIL_GROUP]);
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER] && ends; i++) {
         const int32_t *e = PM_TRIGGER_ROW(m, i);
         const int program = e[PM_TRIGGER_KIND] <= PM_TRIGGER_EVERY;
         if (e[PM_TRIGGER_KIND] == PM_TRIGGER_REST) return 0;
-        if (program && m->program_level[e[PM_TRIGGER_PROGRAM]] > PM_LEVEL_KINEMATIC) return 0;
+        if (program && m->programs.level[e[PM_TRIGGER_PROGRAM]] > PM_LEVEL_KINEMATIC) return 0;
     }
     return ends;
 }
 
 void pm_plan_no_phase(pm_workspace *w)
 {
-    const int route = w->count[PM_COUNT_JUMPS] > 0 ? PM_ROUTE_JUMP : PM_ROUTE_STATE;
-    w->count[PM_COUNT_ROUTE] = route;
-    w->count[PM_COUNT_ROUTES] = (int64_t)1 << route;
+    const int route = w->result.count[PM_COUNT_JUMPS] > 0 ? PM_ROUTE_JUMP : PM_ROUTE_STATE;
+    w->result.count[PM_COUNT_ROUTE] = route;
+    w->result.count[PM_COUNT_ROUTES] = (int64_t)1 << route;
 }
 
 int pm_plan_end(pm_workspace *w, int status)
 {
     const int wanted = PM_SETTING(w->model, PM_SETTING_ROUTE);
     const int in_time = wanted == PM_ROUTE_RK || wanted == PM_ROUTE_IDA;
-    if (status != PM_OK || !in_time || w->count[PM_COUNT_PHASES] > 0) return status;
+    if (status != PM_OK || !in_time || w->result.count[PM_COUNT_PHASES] > 0) return status;
     return pm_fail(w, PM_NO_TIME_ROUTE, PM_TABLE_SETTING, PM_SETTING_ROUTE, wanted, NAN);
 }

@@ -6,6 +6,7 @@
 #include "equations/saddle.h"
 #include "routes/start/perturbation.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 static const pm_route_ops *const routes[] = {&pm_route_rk, &pm_route_ida, &pm_route_uniform, &pm_route_path};
 enum { NROUTES = sizeof routes / sizeof *routes };
@@ -37,9 +38,9 @@ int pm_step_look(pm_workspace *w, double x, int level)
 {
     const pm_state *s = &w->state;
     int status = PM_OK;
-    if (w->route->look) return w->route->look(w, x, level);
-    if (x != w->step_end) {
-        status = w->route->at(w, x, &w->probe);
+    if (w->phase.route->look) return w->phase.route->look(w, x, level);
+    if (x != w->step.end) {
+        status = w->phase.route->at(w, x, &w->probe);
         s = &w->probe;
     }
     if (status) return status;
@@ -47,7 +48,10 @@ int pm_step_look(pm_workspace *w, double x, int level)
     return level == PM_LEVEL_DYNAMIC ? pm_step_react(w) : PM_OK;
 }
 
-int pm_step_react(pm_workspace *w) { return w->route->react ? w->route->react(w) : pm_saddle_accelerate(w); }
+int pm_step_react(pm_workspace *w)
+{
+    return w->phase.route->react ? w->phase.route->react(w) : pm_saddle_accelerate(w);
+}
 
 const pm_route_ops *pm_routes_find(int route)
 {

@@ -25,27 +25,28 @@
 #include "run/plan.h"
 #include "state/frame.h"
 #include "state/route.h"
+#include "state/workspace.h"
 #include "study/accuracy.h"
 
 static int begin_case(pm_workspace *w, const double *param, pm_start_report *report)
 {
-    memset(w->count, 0, sizeof w->count);
-    w->where = (pm_where){PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
-    w->lost = 0;
+    memset(w->result.count, 0, sizeof w->result.count);
+    w->result.where = (pm_where){PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
+    w->impulses.energy_lost = 0;
     w->state.t = 0; /* a case that fails before its start reports no time of another */
     pm_solve_cache_forget(w);
-    w->price = w->lap = w->path_left = w->singular = 0;
-    w->route = pm_routes_default(w->model); /* until the first phase is planned */
+    w->phase.price = w->phase.lap = w->phase.path_left = w->phase.singular = 0;
+    w->phase.route = pm_routes_default(w->model); /* until the first phase is planned */
     pm_repeat_forget(w);
     w->event->nfunction = 0;
-    w->turns = 0;
+    w->step.reverses = 0;
     pm_joint_friction_release(w);
     pm_accuracy_begin(w);
     pm_trigger_reset(w);
     pm_perturbation_begin(w);
     pm_fixed_bodies_begin(w);
-    memset(w->joint_impulse, 0, (size_t)w->model->njoint_row * sizeof(double));
-    memset(w->slot_impulse, 0, 2 * (size_t)w->model->nslot * sizeof(double));
+    memset(w->impulses.joint, 0, (size_t)w->model->njoint_row * sizeof(double));
+    memset(w->impulses.slot, 0, 2 * (size_t)w->model->nslot * sizeof(double));
     int status = pm_case_begin(w, param);
     if (!status) status = pm_start(w, report);
     return status;
@@ -57,13 +58,14 @@ static void set_speed_scale(pm_workspace *w)
     double fastest = 0;
     pm_force_all(w);
     for (int i = 0; i < w->model->nq; i++) {
-        const double length = i % 3 == 2 ? w->size : 1;
-        if (w->stand_in[i] > 0) continue;
-        fastest = fmax(fastest, sqrt(fabs(w->inverse_mass[i] * w->frame.f[i]) * length * w->size));
+        const double length = i % 3 == 2 ? w->numbers.size : 1;
+        if (w->numbers.stand_in[i] > 0) continue;
+        fastest =
+            fmax(fastest, sqrt(fabs(w->numbers.inverse_mass[i] * w->frame.f[i]) * length * w->numbers.size));
     }
-    fastest = fmax(fastest, fabs(pm_turning_plane_omega(w)) * w->size);
-    if (fastest > w->speed) w->speed = fastest;
-    if (w->speed == 0) w->speed = w->size; /* nothing acts, nothing moves */
+    fastest = fmax(fastest, fabs(pm_turning_plane_omega(w)) * w->numbers.size);
+    if (fastest > w->numbers.speed) w->numbers.speed = fastest;
+    if (w->numbers.speed == 0) w->numbers.speed = w->numbers.size; /* nothing acts, nothing moves */
 }
 
 static int open_ledger(pm_workspace *w)
@@ -72,7 +74,7 @@ static int open_ledger(pm_workspace *w)
         const pm_action x = pm_force_action(w, i);
         const double size = hypot(hypot(x.force[0], x.force[1]), x.couple);
         if (!isfinite(size)) return pm_fail(w, PM_BAD_VALUE, PM_TABLE_FORCE, i, size, INFINITY);
-        w->force_energy_start[i] = x.energy;
+        w->ledger.force_energy_start[i] = x.energy;
     }
     pm_ledger_begin(w);
     return PM_OK;
@@ -83,8 +85,8 @@ static int open_ledger(pm_workspace *w)
 static int accelerate_unfastened(pm_workspace *w)
 {
     const int status = pm_saddle_accelerate_projected(w);
-    if (status != PM_SINGULAR || !w->massless) return status;
-    w->where = (pm_where){PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
+    if (status != PM_SINGULAR || !w->numbers.massless) return status;
+    w->result.where = (pm_where){PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
     memset(w->frame.a, 0, (size_t)w->model->nq * sizeof(double));
     w->frame.level = PM_LEVEL_DYNAMIC;
     return PM_OK;
@@ -100,9 +102,9 @@ int pm_run_start(pm_workspace *w, const double *param, pm_start_report *report)
     if ((status = open_ledger(w))) return status;
     pm_frame_look_state(w, &w->state);
     pm_joint_friction_close(w);
-    w->kinematic = pm_plan_kinematic(w);
+    w->phase.kinematic = pm_plan_kinematic(w);
     status = pm_active_set_build(w);
-    if (!status && !w->kinematic) status = accelerate_unfastened(w);
+    if (!status && !w->phase.kinematic) status = accelerate_unfastened(w);
     return status ? status : pm_instant_start(w);
 }
 
@@ -112,7 +114,7 @@ static int phase(pm_workspace *w, int *ended)
     if (!status) status = pm_perturbation_leave(w);
     if (!status) status = pm_plan_phase(w);
     pm_frame_look_state(w, &w->state);
-    if (!status && w->route == &pm_route_path)
+    if (!status && w->phase.route == &pm_route_path)
         status = pm_repeat_begin(w, &passed);
     else
         pm_repeat_forget(w);
@@ -121,10 +123,11 @@ static int phase(pm_workspace *w, int *ended)
     pm_frame_look_state(w, &w->state);
     if ((status = pm_saddle_accelerate(w))) return status;
     pm_event_begin(w);
-    if (w->lap) w->event->first_step = 0; /* the motion goes on: what is on zero need not be left first */
-    w->lap = 0;
-    if ((status = w->route->begin(w))) return status;
-    w->count[PM_COUNT_PHASES]++;
+    if (w->phase.lap)
+        w->event->first_step = 0; /* the motion goes on: what is on zero need not be left first */
+    w->phase.lap = 0;
+    if ((status = w->phase.route->begin(w))) return status;
+    w->result.count[PM_COUNT_PHASES]++;
     pm_perturbation_end(w);
     if ((status = pm_phase_report_add(w))) return status;
     if ((status = pm_advance(w, ended)) || !*ended) return status;
@@ -138,10 +141,10 @@ static int phase(pm_workspace *w, int *ended)
 static int leave_path(pm_workspace *w, int status)
 {
     const int lost = status == PM_STEP_TOO_SMALL || status == PM_SINGULAR || status == PM_ASSEMBLY;
-    if (!lost || w->route != &pm_route_path || PM_SETTING(w->model, PM_SETTING_ROUTE) != PM_ROUTE_AUTO)
+    if (!lost || w->phase.route != &pm_route_path || PM_SETTING(w->model, PM_SETTING_ROUTE) != PM_ROUTE_AUTO)
         return 0;
-    w->path_left = 1;
-    w->where = (pm_where){PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
+    w->phase.path_left = 1;
+    w->result.where = (pm_where){PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
     pm_frame_look_state(w, &w->state);
     return pm_active_set_build(w) == PM_OK;
 }
@@ -150,9 +153,9 @@ static int leave_path(pm_workspace *w, int status)
 static int leave_ida(pm_workspace *w, int status)
 {
     const int lost = status == PM_STEP_TOO_SMALL || status == PM_SINGULAR || status == PM_SOLVER;
-    if (!lost || w->route != &pm_route_ida || !w->singular) return 0;
-    w->where = (pm_where){PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
-    w->lap = 1;
+    if (!lost || w->phase.route != &pm_route_ida || !w->phase.singular) return 0;
+    w->result.where = (pm_where){PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
+    w->phase.lap = 1;
     return 1;
 }
 
@@ -165,13 +168,14 @@ static int run_phases(pm_workspace *w)
     if (!status) status = pm_history_row(w, 2);
     while (!status && !ended) {
         status = phase(w, &ended);
-        if (status && w->count[PM_COUNT_PHASES] != left && (leave_path(w, status) || leave_ida(w, status))) {
-            left = w->count[PM_COUNT_PHASES];
+        if (status && w->result.count[PM_COUNT_PHASES] != left &&
+            (leave_path(w, status) || leave_ida(w, status))) {
+            left = w->result.count[PM_COUNT_PHASES];
             status = PM_OK;
             continue;
         }
         if (status || ended) break;
-        if (w->lap)
+        if (w->phase.lap)
             pm_repeat_lap(w);
         else
             status = pm_instant_full(w, &ended);
@@ -181,8 +185,8 @@ static int run_phases(pm_workspace *w)
 
 void pm_run_fail_asks(pm_workspace *w)
 {
-    for (int i = 0; i < w->model->nout; i++) w->out[i] = NAN;
-    for (int i = 0; i < w->model->nask; i++) w->reason[i] = PM_REASON_FAILED;
+    for (int i = 0; i < w->model->nout; i++) w->result.out[i] = NAN;
+    for (int i = 0; i < w->model->nask; i++) w->result.reason[i] = PM_REASON_FAILED;
 }
 
 /* An early stop keeps what was answered; what is asked at the end was not reached. */
@@ -196,9 +200,9 @@ static int end_early(pm_workspace *w, int status)
 /* What was answered before a run failed stands if the ledgers closed after it: at the last accepted step, or earlier. */
 static void keep_sound(pm_workspace *w, int status)
 {
-    const pm_where where = w->where; /* of the failure itself */
+    const pm_where where = w->result.where; /* of the failure itself */
     const int sound = status == PM_AUDIT || pm_ledger_close(w) != PM_OK;
-    w->where = where;
+    w->result.where = where;
     pm_ask_keep(w, sound, PM_REASON_FAILED);
 }
 
@@ -206,12 +210,12 @@ int pm_run(pm_workspace *w, const double *param)
 {
     pm_start_report report;
     pm_ask_reset(w);
-    for (int i = 0; i < PM_AUDITS; i++) w->audit[i] = NAN;
-    w->still->wanted = 1;
+    for (int i = 0; i < PM_AUDITS; i++) w->result.audit[i] = NAN;
+    w->fixed->wanted = 1;
     int status = pm_run_start(w, param, &report);
     const int started = status == PM_OK;
     if (!status) status = run_phases(w);
-    if (status == PM_SINGULAR && w->count[PM_COUNT_STEPS] > 0) status = PM_ENDS_SINGULAR;
+    if (status == PM_SINGULAR && w->result.count[PM_COUNT_STEPS] > 0) status = PM_ENDS_SINGULAR;
     pm_phase_report_end(w);
     if (status > 0) status = end_early(w, status);
     if (!status) {

@@ -3,7 +3,7 @@
 #define PM_RUN_H
 
 #include "equations/start.h"
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* Runs a case: out, reason, audit, count of the workspace are filled; w->where on an early stop or failure. */
 int pm_run(pm_workspace *w, const double *param);

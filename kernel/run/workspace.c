@@ -1,7 +1,8 @@
-/* workspace.c - memory of states and of a thread: allocated once, carved from one block each. */
+/* workspace.c - memory of a thread: allocated once, most of it carved from one block. */
 #include <stdlib.h>
 #include <string.h>
 
+#include "elements/constraint.h"
 #include "elements/joint.h"
 #include "equations/fixed_bodies.h"
 #include "equations/gap_bounds.h"
@@ -13,43 +14,11 @@
 #include "expression/program_fold.h"
 #include "routes/path/repeat_record.h"
 #include "routes/start/perturbation.h"
-#include "state/model.h"
 #include "state/route.h"
+#include "state/workspace.h"
 #include "study/accuracy.h"
 #include "study/find.h"
 #include "tree/tree.h"
-
-int pm_state_create(const pm_model *m, pm_state *s)
-{
-    const size_t ndouble = 2 * (size_t)m->nq + (size_t)m->nz, nmemory = (size_t)m->nmemory,
-                 nslot = (size_t)m->nslot, nkept = (size_t)m->nkept, ngrip = (size_t)m->ngrip;
-    s->t = 0;
-    s->bytes = ndouble * sizeof(double) + nkept * sizeof(pm_kept) + nmemory * sizeof(pm_memory) +
-               nslot * sizeof(pm_slot) + ngrip * sizeof(int32_t) + (size_t)m->nelement;
-    s->block = calloc(1, s->bytes + 1);
-    if (!s->block) return PM_NO_MEMORY;
-    s->q = s->block;
-    s->v = s->q + m->nq;
-    s->z = s->v + m->nq;
-    s->kept = (pm_kept *)(void *)(s->z + m->nz);
-    s->memory = (pm_memory *)(void *)(s->kept + m->nkept);
-    s->slot = (pm_slot *)(void *)(s->memory + m->nmemory);
-    s->grip = (int32_t *)(void *)(s->slot + m->nslot);
-    s->absent = (unsigned char *)(s->grip + m->ngrip);
-    return PM_OK;
-}
-
-void pm_state_free(pm_state *s)
-{
-    free(s->block);
-    s->block = NULL;
-}
-
-void pm_state_copy(pm_state *to, const pm_state *from)
-{
-    to->t = from->t;
-    memcpy(to->block, from->block, from->bytes);
-}
 
 /* Adds an array of n doubles (or things no larger) to the plan of the block; filled in by place(). */
 typedef struct pm_part_of_block {
@@ -85,31 +54,32 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
     w->model = m;
     const int nforce = m->rows[PM_TABLE_FORCE], nrow = m->nrow, nq = m->nq;
     const pm_part_of_block part[] = {
-        PART(w->value, m->nvalue),
-        PART(w->number, m->fold->nnumber),
-        PART(w->mass, m->nbody),
-        PART(w->inverse_mass, nq),
-        PART(w->inverse_root, nq),
-        PART(w->stand_in, nq),
-        PART(w->previous, nq),
-        PART(w->hang, m->nbody + 1),
-        PART(w->wanted, nrow),
-        PART(w->of_joint, m->njoint_row),
-        PART(w->row, nrow + 1),
-        PART(w->joint_active, m->njoint_row),
-        PART(w->slot_normal, m->nslot),
-        PART(w->slot_tangent, m->nslot),
-        PART(w->grip_row, m->ngrip),
-        PART(w->grip_load, m->ngrip),
-        PART(w->slot_held, PM_JOINT_CONSTRAINTS * m->nslot),
-        PART(w->schur, (size_t)nrow * (size_t)nrow),
-        PART(w->pivot, nrow),
-        PART(w->first_row, m->nbody),
-        PART(w->body_place, m->nbody),
-        PART(w->joint_order, m->rows[PM_TABLE_JOINT]),
-        PART(w->basis_range, 2 * (nq + 1)),
-        PART(w->rhs, nrow),
-        PART(w->basis, (size_t)(nq + 1) * (size_t)nq),
+        PART(w->numbers.value, m->nvalue),
+        PART(w->numbers.folded, m->programs.fold->nnumber),
+        PART(w->numbers.mass, m->nbody),
+        PART(w->numbers.fixed, m->nbody + 1),
+        PART(w->numbers.inverse_mass, nq),
+        PART(w->numbers.inverse_root, nq),
+        PART(w->numbers.stand_in, nq),
+        PART(w->saddle.previous, nq),
+        PART(w->hinge, m->nbody + 1),
+        PART(w->saddle.wanted, nrow),
+        PART(w->numbers.of_joint, m->njoint_row),
+        PART(w->active.row, nrow + 1),
+        PART(w->active.of_joint, m->njoint_row),
+        PART(w->active.slot_normal, m->nslot),
+        PART(w->active.slot_tangent, m->nslot),
+        PART(w->active.friction_row, m->nfriction),
+        PART(w->active.friction_load, m->nfriction),
+        PART(w->active.slot_held, PM_JOINT_CONSTRAINTS * m->nslot),
+        PART(w->saddle.schur, (size_t)nrow * (size_t)nrow),
+        PART(w->saddle.pivot, nrow),
+        PART(w->saddle.first_row, m->nbody),
+        PART(w->active.body_place, m->nbody),
+        PART(w->active.joint_order, m->rows[PM_TABLE_JOINT]),
+        PART(w->saddle.basis_range, 2 * (nq + 1)),
+        PART(w->saddle.rhs, nrow),
+        PART(w->saddle.basis, (size_t)(nq + 1) * (size_t)nq),
         PART(w->frame.pose, 5 * (m->nbody + 1)),
         PART(w->frame.velocity, 3 * (m->nbody + 1)),
         PART(w->frame.turn, 3 * m->nbody),
@@ -117,15 +87,15 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
         PART(w->frame.power, nforce),
         PART(w->frame.a, nq),
         PART(w->frame.lambda, nrow),
-        PART(w->joint_impulse, m->njoint_row),
-        PART(w->slot_impulse, 2 * m->nslot),
-        PART(w->slot_direction, 4 * m->nslot),
-        PART(w->slot_before, m->nslot),
-        PART(w->grip_before, m->ngrip),
-        PART(w->slot_released, m->nslot),
-        PART(w->force_energy_start, nforce),
-        PART(w->turn, nq),
-        PART(w->impulse, nq),
+        PART(w->impulses.joint, m->njoint_row),
+        PART(w->impulses.slot, 2 * m->nslot),
+        PART(w->impulses.slot_direction, 4 * m->nslot),
+        PART(w->instant.slot_before, m->nslot),
+        PART(w->instant.friction_before, m->nfriction),
+        PART(w->instant.slot_released, m->nslot),
+        PART(w->ledger.force_energy_start, nforce),
+        PART(w->step.reversed, nq),
+        PART(w->impulses.applied, nq),
         PART(w->scratch, 8 * (nq + nrow + m->nslot)),
     };
     int status = carve(&w->block, part, sizeof part / sizeof *part);
@@ -174,10 +144,4 @@ void pm_workspace_free(pm_workspace *w)
     pm_state_free(&w->state);
     free(w->block);
     free(w);
-}
-
-int pm_fail(pm_workspace *w, int status, int table, int row, double value, double bound)
-{
-    w->where = (pm_where){table, row, PM_NONE, value, bound};
-    return status;
 }

@@ -1,5 +1,6 @@
 /* build.c - flat tables -> immutable structure.  Every index is checked here, once, so that the rest of the kernel
  * may trust the tables; a table that contradicts planemotion.h is PM_BAD_TABLE with table, row, value and bound. */
+#include "scene/build.h"
 #include "state/model.h"
 
 #include <stdlib.h>
@@ -346,17 +347,17 @@ static void lay_out(pm_model *m)
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
         const int32_t *e = PM_CONTACT_ROW_OF(m, i);
         const int slots = e[PM_CONTACT_KIND] == PM_CONTACT_ROW ? PM_ROW_SLOTS : 1;
-        m->nsegment += e[PM_CONTACT_KIND] == PM_CONTACT_SEGMENT;
+        m->nedge += e[PM_CONTACT_KIND] == PM_CONTACT_SEGMENT;
         m->contact_slot[i] = m->nslot;
         m->nslot += slots;
         m->contact_kept[i] = e[PM_CONTACT_CAPTURE] == PM_CAPTURE_NONE ? PM_NONE : m->nkept;
         if (e[PM_CONTACT_CAPTURE] != PM_CAPTURE_NONE) m->nkept += slots;
     }
-    m->grip_memory = m->nmemory;
+    m->friction_memory = m->nmemory;
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++)
-        if (PM_FORCE_ROW(m, i)[PM_FORCE_KIND] == PM_FORCE_FRICTION) m->grip_force[m->ngrip++] = i;
-    m->nmemory += m->ngrip + m->nslot; /* the slots' memories come last */
-    m->nrow = m->njoint_row + 2 * m->nslot + m->nkept + m->ngrip;
+        if (PM_FORCE_ROW(m, i)[PM_FORCE_KIND] == PM_FORCE_FRICTION) m->friction_force[m->nfriction++] = i;
+    m->nmemory += m->nfriction + m->nslot; /* the slots' memories come last */
+    m->nrow = m->njoint_row + 2 * m->nslot + m->nkept + m->nfriction;
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++)
         m->force_z[i] = pm_force_of(m, i)->stores ? PM_NONE : m->nz++;
     m->nz_work = m->nz;
@@ -390,9 +391,9 @@ static void grade_programs(pm_model *m)
             const int needs = pm_measure_level(m, code[PM_CODE_ARG]);
             if (needs > level) level = needs;
         }
-        m->program_level[i] = (unsigned char)level;
-        m->program_nature[i] = (unsigned char)pm_program_class_of(m, i);
-        m->program_growth[i] = (unsigned char)pm_program_energy_of(m, i);
+        m->programs.level[i] = (unsigned char)level;
+        m->programs.class[i] = (unsigned char)pm_program_class_of(m, i);
+        m->programs.energy[i] = (unsigned char)pm_program_energy_of(m, i);
     }
 }
 
@@ -400,22 +401,23 @@ static void grade_programs(pm_model *m)
 static void look_for_time(pm_model *m)
 {
     int table, row, program;
-    m->uses_time |= m->spin_z != PM_NONE || m->spin_angle_z != PM_NONE;
+    m->programs.use_time |= m->spin_z != PM_NONE || m->spin_angle_z != PM_NONE;
     for (int k = 0; (program = drive_of(m, k, &table, &row)) != PM_NONE; k++)
-        m->uses_time |= pm_program_class_reads_time(m, program);
+        m->programs.use_time |= pm_program_class_reads_time(m, program);
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++)
         for (int k = 0; k < pm_force_of(m, i)->programs; k++)
-            m->uses_time |= pm_program_class_reads_time(m, PM_FORCE_ROW(m, i)[PM_FORCE_PROGRAM_X + k]);
+            m->programs.use_time |=
+                pm_program_class_reads_time(m, PM_FORCE_ROW(m, i)[PM_FORCE_PROGRAM_X + k]);
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *e = PM_TRIGGER_ROW(m, i);
         if (e[PM_TRIGGER_KIND] <= PM_TRIGGER_EVERY)
-            m->uses_time |= pm_program_class_reads_time(m, e[PM_TRIGGER_PROGRAM]);
+            m->programs.use_time |= pm_program_class_reads_time(m, e[PM_TRIGGER_PROGRAM]);
     }
 }
 
 static int by_place(const pm_model *m, int program)
 {
-    const int nature = m->program_nature[program];
+    const int nature = m->programs.class[program];
     return nature == PM_CLASS_CONSTANT || nature == PM_CLASS_PLACE;
 }
 
@@ -423,14 +425,15 @@ static int by_place(const pm_model *m, int program)
  * angle of a spin needs the time. */
 static void look_at_forces(pm_model *m)
 {
-    m->forces_by_place = m->spin_z == PM_NONE && m->spin_angle_z == PM_NONE;
+    m->programs.forces_by_place = m->spin_z == PM_NONE && m->spin_angle_z == PM_NONE;
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++) {
         const pm_force_ops *ops = pm_force_of(m, i);
-        m->forces_by_place &= ops->stores || ops->programs > 0;
+        m->programs.forces_by_place &= ops->stores || ops->programs > 0;
         for (int k = 0; k < ops->programs; k++)
-            m->forces_by_place &= by_place(m, PM_FORCE_ROW(m, i)[PM_FORCE_PROGRAM_X + k]);
+            m->programs.forces_by_place &= by_place(m, PM_FORCE_ROW(m, i)[PM_FORCE_PROGRAM_X + k]);
     }
-    m->recalls = m->forces_by_place && !m->acts && m->ngrip == 0 && !pm_model_is_driven(m);
+    m->programs.cacheable =
+        m->programs.forces_by_place && !m->acts && m->nfriction == 0 && !pm_model_is_driven(m);
 }
 
 /* Whether a program that is watched within steps reads the count or time of an event: it jumps where one is marked. */
@@ -439,14 +442,14 @@ static void look_for_counts(pm_model *m)
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *e = PM_TRIGGER_ROW(m, i);
         if (e[PM_TRIGGER_KIND] <= PM_TRIGGER_EVERY)
-            m->watches_counts |= pm_program_class_reads_counts(m, e[PM_TRIGGER_PROGRAM]);
+            m->programs.watch_counts |= pm_program_class_reads_counts(m, e[PM_TRIGGER_PROGRAM]);
     }
     for (int i = 0; i < m->nask; i++) {
         const int32_t *e = PM_ASK_ROW(m, i);
         if (e[PM_ASK_KIND] < PM_ASK_MAX || e[PM_ASK_KIND] > PM_ASK_GRID) continue;
-        m->watches_counts |= pm_program_class_reads_counts(m, e[PM_ASK_PROGRAM]);
+        m->programs.watch_counts |= pm_program_class_reads_counts(m, e[PM_ASK_PROGRAM]);
         if (e[PM_ASK_PROGRAM_2] >= 0)
-            m->watches_counts |= pm_program_class_reads_counts(m, e[PM_ASK_PROGRAM_2]);
+            m->programs.watch_counts |= pm_program_class_reads_counts(m, e[PM_ASK_PROGRAM_2]);
     }
 }
 
@@ -474,20 +477,20 @@ int pm_model_create(int64_t ntable, const int32_t *table, int64_t nconstant, con
     const size_t nint = 2 * (size_t)m->rows[PM_TABLE_CONTACT] + 2 * (size_t)m->rows[PM_TABLE_JOINT] +
                         2 * (size_t)m->rows[PM_TABLE_FORCE] + 2 * (size_t)m->rows[PM_TABLE_MEASURE];
     int *block = calloc(nint + 1, sizeof *block);
-    m->program_level = calloc(3 * (size_t)m->rows[PM_TABLE_PROGRAM] + 1, 1);
+    m->programs.level = calloc(3 * (size_t)m->rows[PM_TABLE_PROGRAM] + 1, 1);
     m->contact_slot = block;
-    if (!block || !m->program_level || pm_program_fold_create(m)) {
+    if (!block || !m->programs.level || pm_program_fold_create(m)) {
         pm_model_free(m);
         return PM_NO_MEMORY;
     }
-    m->program_nature = m->program_level + m->rows[PM_TABLE_PROGRAM];
-    m->program_growth = m->program_nature + m->rows[PM_TABLE_PROGRAM];
+    m->programs.class = m->programs.level + m->rows[PM_TABLE_PROGRAM];
+    m->programs.energy = m->programs.class + m->rows[PM_TABLE_PROGRAM];
     m->contact_kept = m->contact_slot + m->rows[PM_TABLE_CONTACT];
     m->joint_row = m->contact_kept + m->rows[PM_TABLE_CONTACT];
     m->joint_memory = m->joint_row + m->rows[PM_TABLE_JOINT];
     m->force_z = m->joint_memory + m->rows[PM_TABLE_JOINT];
-    m->grip_force = m->force_z + m->rows[PM_TABLE_FORCE];
-    m->path_z = m->grip_force + m->rows[PM_TABLE_FORCE];
+    m->friction_force = m->force_z + m->rows[PM_TABLE_FORCE];
+    m->path_z = m->friction_force + m->rows[PM_TABLE_FORCE];
     m->path = m->path_z + m->rows[PM_TABLE_MEASURE];
     lay_out(m);
     look_for_actions(m);
@@ -495,17 +498,19 @@ int pm_model_create(int64_t ntable, const int32_t *table, int64_t nconstant, con
     look_for_time(m);
     look_for_counts(m);
     look_at_forces(m);
-    for (int i = 0; i < m->rows[PM_TABLE_PROGRAM]; i++) m->reads_time |= pm_program_class_reads_time(m, i);
-    m->reads_time |= PM_SETTING(m, PM_SETTING_MAX_TIME) >= 0;
+    for (int i = 0; i < m->rows[PM_TABLE_PROGRAM]; i++)
+        m->programs.read_time |= pm_program_class_reads_time(m, i);
+    m->programs.read_time |= PM_SETTING(m, PM_SETTING_MAX_TIME) >= 0;
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
         const int program = PM_TRIGGER_ROW(m, i)[PM_TRIGGER_PROGRAM];
-        m->samples_time |= program >= 0 && pm_program_class_reads_time(m, program);
+        m->programs.sample_time |= program >= 0 && pm_program_class_reads_time(m, program);
     }
     for (int i = 0; i < m->nask; i++) {
         const int32_t *e = PM_ASK_ROW(m, i);
         if (e[PM_ASK_KIND] < PM_ASK_MAX || e[PM_ASK_KIND] > PM_ASK_GRID) continue;
-        m->samples_time |= pm_program_class_reads_time(m, e[PM_ASK_PROGRAM]);
-        m->samples_time |= e[PM_ASK_PROGRAM_2] >= 0 && pm_program_class_reads_time(m, e[PM_ASK_PROGRAM_2]);
+        m->programs.sample_time |= pm_program_class_reads_time(m, e[PM_ASK_PROGRAM]);
+        m->programs.sample_time |=
+            e[PM_ASK_PROGRAM_2] >= 0 && pm_program_class_reads_time(m, e[PM_ASK_PROGRAM_2]);
     }
     *model = m;
     return PM_OK;
@@ -515,8 +520,8 @@ void pm_model_free(pm_model *model)
 {
     if (!model) return;
     free(model->contact_slot); /* head of the block of all index arrays */
-    free(model->program_level);
+    free(model->programs.level);
     pm_program_fold_free(model);
-    free(model->reduced);
+    free(model->prune.table);
     free(model);
 }

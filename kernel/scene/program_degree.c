@@ -5,6 +5,7 @@
 #include "expression/program.h"
 #include "scene/program_class.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 /* ---- measures ---- */
 static int observer_turns(const pm_workspace *w, const pm_constant_motion *x, const int32_t *e)
@@ -15,7 +16,7 @@ static int observer_turns(const pm_workspace *w, const pm_constant_motion *x, co
 static int point_is_steady(const pm_workspace *w, const pm_constant_motion *x, int point)
 {
     const int32_t *p = PM_POINT_ROW(w->model, point);
-    const double at[2] = {w->value[p[PM_POINT_X]], w->value[p[PM_POINT_Y]]};
+    const double at[2] = {w->numbers.value[p[PM_POINT_X]], w->numbers.value[p[PM_POINT_Y]]};
     return pm_constant_motion_mark(w, x, pm_body_index(w->model, p[PM_POINT_BODY]), at);
 }
 

@@ -3,7 +3,7 @@
 #define PM_PROGRAM_DEGREE_H
 
 #include "elements/constant_motion.h"
-#include "state/model.h"
+#include "state/workspace.h"
 
 enum pm_program_degree { PM_DEGREE_MOST = 2, PM_DEGREE_OTHER = 3 }; /* 0, 1, 2, or no such polynomial */
 

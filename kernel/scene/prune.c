@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "scene/build.h"
 #include "scene/dependency.h"
 #include "scene/reference.h"
 
@@ -94,8 +95,8 @@ static int replace(const pm_dependency *needed, pm_model **model, pm_where *wher
         free(x.table);
         return status;
     }
-    (*model)->reduced = x.table;
-    memcpy((*model)->original, x.original, sizeof x.original);
+    (*model)->prune.table = x.table;
+    memcpy((*model)->prune.original, x.original, sizeof x.original);
     pm_model_free(whole);
     return PM_OK;
 }
@@ -117,6 +118,6 @@ int pm_prune_create(int64_t ntable, const int32_t *table, int64_t nconstant, con
 
 int pm_prune_original(const pm_model *m, int table, int row)
 {
-    const int known = m->reduced && table >= 0 && table < PM_TABLES && row >= 0 && row < m->rows[table];
-    return known ? m->original[table][row] : row;
+    const int known = m->prune.table && table >= 0 && table < PM_TABLES && row >= 0 && row < m->rows[table];
+    return known ? m->prune.original[table][row] : row;
 }

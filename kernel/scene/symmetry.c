@@ -10,6 +10,7 @@
 #include "elements/joint.h"
 #include "elements/turning_plane.h"
 #include "expression/program.h"
+#include "state/workspace.h"
 
 #define SAME 1e-9 /* of a turn, of a step of a row, of the way: the same but for rounding */
 #define TURN (2 * 3.14159265358979323846)
@@ -25,7 +26,8 @@ static int point_stays(const pm_workspace *w, const pm_symmetry_shift *s, int po
 {
     const int32_t *e = PM_POINT_ROW(w->model, point);
     if (e[PM_POINT_BODY] == PM_GROUND) return !moved(s);
-    return !turned(s, e[PM_POINT_BODY]) || (w->value[e[PM_POINT_X]] == 0 && w->value[e[PM_POINT_Y]] == 0);
+    return !turned(s, e[PM_POINT_BODY]) ||
+           (w->numbers.value[e[PM_POINT_X]] == 0 && w->numbers.value[e[PM_POINT_Y]] == 0);
 }
 
 static int circle_stays(const pm_workspace *w, const pm_symmetry_shift *s, int circle)
@@ -38,7 +40,8 @@ static int line_stays(const pm_workspace *w, const pm_symmetry_shift *s, int lin
     const int32_t *e = PM_LINE_ROW(w->model, line);
     const int body = PM_POINT_ROW(w->model, e[PM_LINE_POINT])[PM_POINT_BODY];
     if (body != PM_GROUND) return !turned(s, body);
-    const double angle = w->value[e[PM_LINE_ANGLE]], across = s->by[1] * cos(angle) - s->by[0] * sin(angle);
+    const double angle = w->numbers.value[e[PM_LINE_ANGLE]],
+                 across = s->by[1] * cos(angle) - s->by[0] * sin(angle);
     return fabs(across) <= SAME * hypot(s->by[0], s->by[1]);
 }
 
@@ -48,10 +51,11 @@ static int row_stays(const pm_workspace *w, const pm_symmetry_shift *s, int row)
     const int body = PM_POINT_ROW(w->model, e[PM_ROW_POINT])[PM_POINT_BODY];
     if (body != PM_GROUND) return !turned(s, body);
     if (!moved(s)) return 1;
-    const double x = w->value[e[PM_ROW_STEP_X]], y = w->value[e[PM_ROW_STEP_Y]], step = hypot(x, y);
+    const double x = w->numbers.value[e[PM_ROW_STEP_X]], y = w->numbers.value[e[PM_ROW_STEP_Y]],
+                 step = hypot(x, y);
     const double along = (s->by[0] * x + s->by[1] * y) / (step * step);
     const double across = (s->by[0] * y - s->by[1] * x) / (step * step);
-    return w->value[e[PM_ROW_COUNT]] < 0 && whole(along) && fabs(across) <= SAME;
+    return w->numbers.value[e[PM_ROW_COUNT]] < 0 && whole(along) && fabs(across) <= SAME;
 }
 
 static int body_of_point(const pm_workspace *w, int point)
@@ -179,7 +183,7 @@ static pm_entry place_of(const pm_workspace *w, const pm_symmetry_shift *s, cons
     case PM_PART_X: return shifted(s->by[0]);
     case PM_PART_Y: return shifted(s->by[1]);
     case PM_PART_ALONG: {
-        const double angle = w->value[e[PM_MEASURE_VALUE]];
+        const double angle = w->numbers.value[e[PM_MEASURE_VALUE]];
         return shifted(s->by[0] * cos(angle) + s->by[1] * sin(angle));
     }
     default: return lost;
@@ -257,8 +261,8 @@ int pm_symmetry_program(const pm_workspace *w, const pm_symmetry_shift *shift, i
         const int op = code[PM_CODE_OP], arg = code[PM_CODE_ARG];
         switch (op) {
         case PM_OP_CONSTANT: stack[++top] = (pm_entry){NUMBER, m->constant[arg]}; break;
-        case PM_OP_PARAMETER: stack[++top] = (pm_entry){NUMBER, w->param[arg]}; break;
-        case PM_OP_VALUE: stack[++top] = (pm_entry){NUMBER, w->value[arg]}; break;
+        case PM_OP_PARAMETER: stack[++top] = (pm_entry){NUMBER, w->numbers.param[arg]}; break;
+        case PM_OP_VALUE: stack[++top] = (pm_entry){NUMBER, w->numbers.value[arg]}; break;
         case PM_OP_MEASURE: stack[++top] = read_measure(w, shift, arg); break;
         case PM_OP_ANSWER: stack[++top] = lost; break;
         case PM_OP_SELECT:

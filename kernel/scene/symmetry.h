@@ -2,7 +2,7 @@
 #ifndef PM_SYMMETRY_H
 #define PM_SYMMETRY_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* All bodies move by the same way, each turns by an angle of its own. */
 typedef struct pm_symmetry_shift {

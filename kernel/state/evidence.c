@@ -13,6 +13,7 @@
 #include "elements/contact.h"
 #include "events/event.h"
 #include "state/route.h"
+#include "state/workspace.h"
 #include "study/accuracy.h"
 
 #define NOTHING 1e-14 /* of its natural size: zero in both passes, that is by the scene's structure */
@@ -42,7 +43,7 @@ static void thin_out(pm_evidence_log *log)
 
 static void take(pm_workspace *w, const pm_evidence_decision *decision)
 {
-    pm_evidence_log *log = &w->error->present->log;
+    pm_evidence_log *log = &w->accuracy->present->log;
     while (log->n == PM_DECISIONS && log->instant % log->stride == 0 && log->stride <= log->instant)
         thin_out(log);
     if (log->n == PM_DECISIONS || log->instant % log->stride != 0) return;
@@ -53,7 +54,7 @@ static void take(pm_workspace *w, const pm_evidence_decision *decision)
 
 void pm_evidence_sign(pm_workspace *w, int site, int what, double x, double unit)
 {
-    if (!w->error->active) return;
+    if (!w->accuracy->active) return;
     take(w, &(pm_evidence_decision){.kind = PM_EVIDENCE_SIGN,
                                     .what = PM_EVIDENCE_SITES * what + site,
                                     .trigger = PM_NONE,
@@ -70,22 +71,23 @@ static int trigger_of(const pm_event_function *f)
 
 void pm_evidence_rate(pm_workspace *w, int function, double rate)
 {
-    if (!w->error->active) return;
+    if (!w->accuracy->active) return;
     const pm_event_function *f = &w->event->function[function];
     take(w, &(pm_evidence_decision){.kind = PM_EVIDENCE_RATE,
                                     .what = function,
-                                    .in_time = w->route->in_time,
+                                    .in_time = w->phase.route->in_time,
                                     .trigger = trigger_of(f),
                                     .distance = rate,
                                     .reach = INFINITY,
-                                    .unit = f->natural * w->speed / w->size});
+                                    .unit = f->natural * w->numbers.speed / w->numbers.size});
 }
 
 /* Of a function at the frame from its zero, `every` from the nearest multiple; of points that may meet, from each other. */
 static double distance_of(pm_workspace *w, const pm_event_function *f)
 {
     int member;
-    if (f->kind == FUNCTION_MEETING) return fmin(w->size, pm_contact_gap(w, &w->state, f->index, &member));
+    if (f->kind == FUNCTION_MEETING)
+        return fmin(w->numbers.size, pm_contact_gap(w, &w->state, f->index, &member));
     const double x = pm_event_sample(w, f);
     return f->every ? fabs(x - round(x)) : x;
 }
@@ -104,7 +106,7 @@ static int takes_part(pm_workspace *w, const pm_event_function *f)
 /* Zero since the phase or the step began; what has fired in the step might have had to wait. */
 static int holds(const pm_workspace *w, const pm_event_function *f)
 {
-    return f->held && !(f->since > w->step_begin);
+    return f->held && !(f->since > w->step.begin);
 }
 
 static int did_not_fire(pm_workspace *w, int i)
@@ -116,7 +118,7 @@ static int did_not_fire(pm_workspace *w, int i)
 
 void pm_evidence_instant(pm_workspace *w)
 {
-    if (!w->error->active) return;
+    if (!w->accuracy->active) return;
     pm_event_set *e = w->event;
     for (int i = 0; i < e->nfunction; i++) {
         pm_event_function *f = &e->function[i];
@@ -131,7 +133,7 @@ void pm_evidence_instant(pm_workspace *w)
         if (!did_not_fire(w, i)) continue;
         x.kind = PM_EVIDENCE_VALUE;
         x.distance = distance_of(w, f);
-        if (f->kind == FUNCTION_MEETING) x.unit = w->size;
+        if (f->kind == FUNCTION_MEETING) x.unit = w->numbers.size;
         x.reach = fabs(x.distance);
         take(w, &x);
     }
@@ -141,8 +143,8 @@ static int32_t part_of(const pm_evidence_decision *x) { return x->instant / PART
 
 void pm_evidence_part(pm_workspace *w, int contact)
 {
-    if (!w->error->active) return;
-    pm_evidence_log *log = &w->error->present->log;
+    if (!w->accuracy->active) return;
+    pm_evidence_log *log = &w->accuracy->present->log;
     const int32_t part = log->instant / PART + 1;
     if (part > INT32_MAX / PART - 1) return;
     log->instant = part * PART;
@@ -151,11 +153,12 @@ void pm_evidence_part(pm_workspace *w, int contact)
 
 void pm_evidence_close(pm_workspace *w)
 {
-    if (!w->error->active) return;
-    pm_evidence_log *log = &w->error->present->log;
+    if (!w->accuracy->active) return;
+    pm_evidence_log *log = &w->accuracy->present->log;
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++)
         log->history = mix(log->history, w->event->fired[i]);
-    for (int i = 0; i < w->model->ngrip; i++) log->history = mix(log->history, (uint32_t)w->state.grip[i]);
+    for (int i = 0; i < w->model->nfriction; i++)
+        log->history = mix(log->history, (uint32_t)w->state.friction[i]);
     for (int i = 0; i < w->model->nslot; i++) {
         log->history = mix(log->history, (uint32_t)w->state.slot[i].mode);
         if (w->state.slot[i].mode != PM_OPEN)

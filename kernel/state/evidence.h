@@ -4,7 +4,7 @@
 #ifndef PM_EVIDENCE_H
 #define PM_EVIDENCE_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 enum pm_evidence_kind {
     PM_EVIDENCE_VALUE = 0, /* of a function of the phase that did not fire at this instant */

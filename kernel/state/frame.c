@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "equations/fixed_bodies.h"
+#include "state/workspace.h"
 
 /* Cosine and sine of an angle: it is often the one of the last look. */
 static void look_up_turn(double turn[3], double *pose)
@@ -35,7 +35,7 @@ void pm_frame_look(pm_workspace *w, double t, const double *q, const double *v, 
     f->level = PM_LEVEL_KINEMATIC;
     for (int i = 0; i < n; i++) {
         double *pose = f->pose + 5 * i, *velocity = f->velocity + 3 * i;
-        if (w->still->body[i]) continue; /* as it was looked at when it was found to stand still */
+        if (w->numbers.fixed[i]) continue; /* as it was looked at when it was found to stand still */
         pose[0] = q[3 * i];
         pose[1] = q[3 * i + 1];
         pose[2] = q[3 * i + 2];
@@ -81,8 +81,8 @@ pm_point pm_frame_point(const pm_workspace *w, int body, double x, double y)
 pm_point pm_frame_point_of(const pm_workspace *w, int index)
 {
     const int32_t *e = PM_POINT_ROW(w->model, index);
-    return pm_frame_point(w, pm_body_index(w->model, e[PM_POINT_BODY]), w->value[e[PM_POINT_X]],
-                          w->value[e[PM_POINT_Y]]);
+    return pm_frame_point(w, pm_body_index(w->model, e[PM_POINT_BODY]), w->numbers.value[e[PM_POINT_X]],
+                          w->numbers.value[e[PM_POINT_Y]]);
 }
 
 void pm_frame_acceleration(const pm_workspace *w, const pm_point *p, double a[2])
@@ -98,8 +98,8 @@ void pm_frame_acceleration(const pm_workspace *w, const pm_point *p, double a[2]
 double pm_body_inertia(const pm_workspace *w, int i)
 {
     const int32_t *e = PM_BODY_ROW(w->model, i);
-    if (w->still->body[i]) return e[PM_BODY_TURNS] ? w->value[e[PM_BODY_INERTIA]] : 0;
-    const double inverse = w->stand_in[3 * i + 2] > 0 ? 0 : w->inverse_mass[3 * i + 2];
+    if (w->numbers.fixed[i]) return e[PM_BODY_TURNS] ? w->numbers.value[e[PM_BODY_INERTIA]] : 0;
+    const double inverse = w->numbers.stand_in[3 * i + 2] > 0 ? 0 : w->numbers.inverse_mass[3 * i + 2];
     return inverse > 0 ? 1 / inverse : 0;
 }
 
@@ -108,11 +108,11 @@ double pm_body_kinetic(const pm_workspace *w, int i)
     if (i == PM_NONE) {
         double sum = 0;
         for (int k = 0; k < w->model->nbody; k++)
-            if (!w->still->body[k]) sum += pm_body_kinetic(w, k);
+            if (!w->numbers.fixed[k]) sum += pm_body_kinetic(w, k);
         return sum;
     }
     const double *v = w->frame.velocity + 3 * i;
-    return 0.5 * (w->mass[i] * (v[0] * v[0] + v[1] * v[1]) + pm_body_inertia(w, i) * v[2] * v[2]);
+    return 0.5 * (w->numbers.mass[i] * (v[0] * v[0] + v[1] * v[1]) + pm_body_inertia(w, i) * v[2] * v[2]);
 }
 
 void pm_body_momentum(const pm_workspace *w, int i, double momentum[3])
@@ -121,13 +121,13 @@ void pm_body_momentum(const pm_workspace *w, int i, double momentum[3])
         momentum[0] = momentum[1] = momentum[2] = 0;
         for (int k = 0; k < w->model->nbody; k++) {
             double one[3];
-            if (w->still->body[k]) continue;
+            if (w->numbers.fixed[k]) continue;
             pm_body_momentum(w, k, one);
             for (int c = 0; c < 3; c++) momentum[c] += one[c];
         }
         return;
     }
-    const double *pose = w->frame.pose + 5 * i, *v = w->frame.velocity + 3 * i, m = w->mass[i];
+    const double *pose = w->frame.pose + 5 * i, *v = w->frame.velocity + 3 * i, m = w->numbers.mass[i];
     momentum[0] = m * v[0];
     momentum[1] = m * v[1];
     momentum[2] = pm_body_inertia(w, i) * v[2] + pose[0] * momentum[1] - pose[1] * momentum[0];
@@ -137,6 +137,7 @@ double pm_body_weight_energy(const pm_workspace *w)
 {
     double sum = 0;
     for (int i = 0; i < w->model->nbody; i++)
-        sum -= w->mass[i] * (w->gravity[0] * w->frame.pose[5 * i] + w->gravity[1] * w->frame.pose[5 * i + 1]);
+        sum -= w->numbers.mass[i] * (w->numbers.gravity[0] * w->frame.pose[5 * i] +
+                                     w->numbers.gravity[1] * w->frame.pose[5 * i + 1]);
     return sum;
 }

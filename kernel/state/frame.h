@@ -2,7 +2,24 @@
 #ifndef PM_FRAME_H
 #define PM_FRAME_H
 
-#include "state/model.h"
+#include "state/state.h"
+
+typedef struct pm_workspace pm_workspace;
+
+/* A state looked at: positions of marks, forces, accelerations, reactions; filled as far as `level` says. */
+typedef struct pm_frame {
+    double t;
+    const double *q, *v, *z;
+    const pm_memory *memory;
+    int level;
+    double *pose;     /* [nbody + 1][5]: x, y, angle, cos, sin; last: the ground */
+    double *velocity; /* [nbody + 1][3]; last: zero */
+    double *turn;     /* [nbody][3] an angle of the case, its cosine and its sine (pm_frame_look) */
+    double *f;        /* [nq] applied forces */
+    double *power;    /* [nforce] of forces without potential */
+    double *a;        /* [nq] accelerations */
+    double *lambda;   /* [nrow] reactions of the active rows */
+} pm_frame;
 
 /* A point of a body in the frame: r from the body's mass centre, p in the scene, v its velocity. */
 typedef struct pm_point {

@@ -20,7 +20,7 @@
 #define PM_ROUTE_H
 
 #include "numerics/chebyshev_nodes.h"
-#include "state/model.h"
+#include "state/workspace.h"
 
 enum pm_roots { PM_ROOTS_NONE = 0, PM_ROOTS_ALL = 1, PM_ROOTS_OF_CONTACTS = 2 };
 

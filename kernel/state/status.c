@@ -1,7 +1,7 @@
-/* status.c - status -> text. */
+/* status.c - texts of statuses, and where a case failed. */
 #include <stdio.h>
 
-#include "planemotion.h"
+#include "state/workspace.h"
 
 static const char *text_of(enum pm_status status)
 {
@@ -48,4 +48,10 @@ static const char *text_of(enum pm_status status)
 int pm_status_text(int status, int64_t ntext, int8_t *text)
 {
     return snprintf((char *)text, (size_t)ntext, "%s", text_of((enum pm_status)status));
+}
+
+int pm_fail(pm_workspace *w, int status, int table, int row, double value, double bound)
+{
+    w->result.where = (pm_where){table, row, PM_NONE, value, bound};
+    return status;
 }

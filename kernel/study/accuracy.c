@@ -32,6 +32,7 @@
 #include "scene/program_class.h"
 #include "state/frame.h"
 #include "state/route.h"
+#include "state/workspace.h"
 #include "study/find.h"
 
 #define COARSER 30.0
@@ -74,7 +75,7 @@ static void place_pass(const pm_model *m, pm_pass *p, double *doubles, int32_t *
 int pm_accuracy_create(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    pm_accuracy *e = w->error = calloc(1, sizeof *e);
+    pm_accuracy *e = w->accuracy = calloc(1, sizeof *e);
     if (!e) return PM_NO_MEMORY;
     const size_t nask = (size_t)m->nask, ntrigger = (size_t)m->rows[PM_TABLE_TRIGGER];
     const int kept = PM_SETTING(m, PM_SETTING_ESTIMATE) ? PM_DECISIONS : 0;
@@ -94,25 +95,26 @@ int pm_accuracy_create(pm_workspace *w)
                    entry + (size_t)i * (size_t)kept);
     for (int i = 0; i < m->nask; i++)
         e->discrete[i] = (unsigned char)pm_program_class_is_discrete(m, PM_ASK_ROW(m, i)[PM_ASK_PROGRAM]);
-    w->coarse = 1;
+    w->numbers.coarse = 1;
     e->by_places = pm_path_error_by_places(m);
     return PM_OK;
 }
 
 void pm_accuracy_free(pm_workspace *w)
 {
-    if (!w->error) return;
-    free(w->error->block);
-    free(w->error);
-    w->error = NULL;
+    if (!w->accuracy) return;
+    free(w->accuracy->block);
+    free(w->accuracy);
+    w->accuracy = NULL;
 }
 
 /* ---- inside a pass ---- */
 double pm_accuracy_tolerance(const pm_workspace *w)
 {
-    const pm_accuracy *e = w->error;
-    if (!e->active) return w->accuracy;
-    const double tightest = fmax(fmin(w->accuracy, LOOSEST / COARSER) * e->present->factor, w->route->finest);
+    const pm_accuracy *e = w->accuracy;
+    if (!e->active) return w->numbers.accuracy;
+    const double tightest =
+        fmax(fmin(w->numbers.accuracy, LOOSEST / COARSER) * e->present->factor, w->phase.route->finest);
     return e->present->companion ? COARSER * tightest : tightest;
 }
 
@@ -125,9 +127,9 @@ static int sign(pm_accuracy *e)
 
 void pm_accuracy_begin(pm_workspace *w)
 {
-    pm_pass *p = w->error->present;
-    if (!w->error->active) return;
-    w->error->noise = SEED;
+    pm_pass *p = w->accuracy->present;
+    if (!w->accuracy->active) return;
+    w->accuracy->noise = SEED;
     for (int i = 0; i < w->model->nout; i++) p->error[i] = NAN, p->more[i] = 0;
     p->margin = INFINITY;
     p->relative = 0;
@@ -137,15 +139,19 @@ void pm_accuracy_begin(pm_workspace *w)
     pm_evidence_begin(&p->log);
 }
 
-int pm_accuracy_in_halves(const pm_workspace *w) { return w->error->active && w->error->present->halves; }
+int pm_accuracy_in_halves(const pm_workspace *w)
+{
+    return w->accuracy->active && w->accuracy->present->halves;
+}
 
 int pm_accuracy_disturb(pm_workspace *w)
 {
-    if (!w->error->active || !w->error->present->companion) return PM_OK;
-    if (w->count[PM_COUNT_PHASES] > 0 && !w->route->in_time) return PM_OK; /* legs of a path repeat */
+    if (!w->accuracy->active || !w->accuracy->present->companion) return PM_OK;
+    if (w->result.count[PM_COUNT_PHASES] > 0 && !w->phase.route->in_time)
+        return PM_OK; /* legs of a path repeat */
     for (int i = 0; i < w->model->nq; i++) {
-        w->state.q[i] *= 1 + DISPLACEMENT * sign(w->error);
-        w->state.v[i] *= 1 + DISTURBANCE * sign(w->error);
+        w->state.q[i] *= 1 + DISPLACEMENT * sign(w->accuracy);
+        w->state.v[i] *= 1 + DISTURBANCE * sign(w->accuracy);
     }
     const int status = pm_projection_apply(w, &w->state);
     if (status) return status;
@@ -155,29 +161,29 @@ int pm_accuracy_disturb(pm_workspace *w)
 
 void pm_accuracy_answer(pm_workspace *w, int column, double error)
 {
-    if (w->error->active) w->error->present->error[column] = error;
+    if (w->accuracy->active) w->accuracy->present->error[column] = error;
 }
 
 void pm_accuracy_more(pm_workspace *w, int column, double more)
 {
-    if (w->error->active) w->error->present->more[column] += more;
+    if (w->accuracy->active) w->accuracy->present->more[column] += more;
 }
 
 void pm_accuracy_cut(pm_workspace *w)
 {
-    if (w->error->active) w->error->present->cut = 1;
+    if (w->accuracy->active) w->accuracy->present->cut = 1;
 }
 
 void pm_accuracy_decision(pm_workspace *w, double distance, double error)
 {
-    if (w->error->active && !w->error->seeks) /* what is sought lies on a threshold */
-        w->error->present->margin = fmin(w->error->present->margin, fabs(distance) / error);
+    if (w->accuracy->active && !w->accuracy->seeks) /* what is sought lies on a threshold */
+        w->accuracy->present->margin = fmin(w->accuracy->present->margin, fabs(distance) / error);
 }
 
 /* ---- passes ---- */
 static int run_once(pm_workspace *w, const double *param, double *found)
 {
-    return w->error->runs_find ? pm_find_run(w, param, found) : pm_run(w, param);
+    return w->accuracy->runs_find ? pm_find_run(w, param, found) : pm_run(w, param);
 }
 
 static uint64_t outcome_of(const pm_workspace *w, const pm_pass *p)
@@ -192,29 +198,29 @@ static uint64_t outcome_of(const pm_workspace *w, const pm_pass *p)
 
 static void make_pass(pm_workspace *w, const double *param, pm_pass *p, double factor, int companion)
 {
-    pm_accuracy *e = w->error;
-    pm_history *const trace = w->trace;
-    pm_phase_report *const phases = w->phases;
+    pm_accuracy *e = w->accuracy;
+    pm_history *const trace = w->history;
+    pm_phase_report *const phases = w->phase_report;
     e->present = p;
     e->npass++;
     p->factor = factor;
     p->companion = companion;
     p->halves = e->npass > 1 && !(companion ? e->main : e->last)->halves;
     if (!companion) e->last = p;
-    w->out = p->out;
-    w->reason = p->reason;
-    w->audit = p->audit;
-    w->coarse = companion ? COARSE : 1;
-    if (companion) w->trace = NULL, w->phases = NULL;
-    if (w->trace) w->trace->needed = 0; /* the last pass is the one recorded */
-    if (w->phases) w->phases->needed = w->phases->steps = w->phases->legs = 0;
+    w->result.out = p->out;
+    w->result.reason = p->reason;
+    w->result.audit = p->audit;
+    w->numbers.coarse = companion ? COARSE : 1;
+    if (companion) w->history = NULL, w->phase_report = NULL;
+    if (w->history) w->history->needed = 0; /* the last pass is the one recorded */
+    if (w->phase_report) w->phase_report->needed = w->phase_report->steps = w->phase_report->legs = 0;
     p->status = run_once(w, param, p->found);
-    w->trace = trace;
-    w->phases = phases;
-    memcpy(p->count, w->count, sizeof p->count);
-    p->where = w->where;
+    w->history = trace;
+    w->phase_report = phases;
+    memcpy(p->count, w->result.count, sizeof p->count);
+    p->where = w->result.where;
     p->t = w->state.t;
-    p->tolerance = w->tolerance;
+    p->tolerance = w->numbers.tolerance;
     p->outcome = outcome_of(w, p);
 }
 
@@ -228,7 +234,7 @@ static int look_at_programs(pm_workspace *w, const pm_state *s, double *ask, dou
     const int status = pm_saddle_accelerate(w);
     if (status) return status;
     for (int i = 0; i < m->nask; i++)
-        ask[i] = pm_program_run(m, PM_ASK_ROW(m, i)[PM_ASK_PROGRAM], w->param, w->value, w);
+        ask[i] = pm_program_run(m, PM_ASK_ROW(m, i)[PM_ASK_PROGRAM], w->numbers.param, w->numbers.value, w);
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++)
         trigger[i] = PM_TRIGGER_ROW(m, i)[PM_TRIGGER_PROGRAM] >= 0 ? pm_trigger_program(w, i) : 0;
     return PM_OK;
@@ -241,12 +247,12 @@ static void shift(pm_workspace *w, pm_state *s)
     pm_state_copy(s, &w->state);
     for (int i = 0; i < nq; i++) {
         const double part = SHIFT * (i % 2 ? -1 : 1) * (0.6 + 0.4 / (1 + i)),
-                     length = i % 3 == 2 ? 1 : w->size;
+                     length = i % 3 == 2 ? 1 : w->numbers.size;
         s->q[i] += part * length;
-        s->v[i] += part * length * w->speed / w->size;
+        s->v[i] += part * length * w->numbers.speed / w->numbers.size;
     }
     for (int i = 0; i < w->model->nz; i++) s->z[i] *= 1 + SHIFT;
-    s->t += SHIFT * w->size / w->speed;
+    s->t += SHIFT * w->numbers.size / w->numbers.speed;
 }
 
 static double size_of(double changed, double value)
@@ -258,7 +264,7 @@ static double size_of(double changed, double value)
 /* What each ask and each trigger would change by if the state at the end changed by its own size. */
 static void find_sizes(pm_workspace *w)
 {
-    pm_accuracy *e = w->error;
+    pm_accuracy *e = w->accuracy;
     double *ask = e->spare->out, *trigger = w->event->before; /* both are free between passes */
     const int nask = w->model->nask, ntrigger = w->model->rows[PM_TABLE_TRIGGER];
     memset(e->scale, 0, (size_t)nask * sizeof(double));
@@ -280,7 +286,7 @@ static double scale_of(const pm_accuracy *e, int ask, int column)
  * accuracy asked allows. */
 static double judge_answers(const pm_workspace *w, double share, double *error)
 {
-    const pm_accuracy *e = w->error;
+    const pm_accuracy *e = w->accuracy;
     double excess = 0;
     for (int i = 0; i < w->model->nask; i++) {
         const int32_t *row = PM_ASK_ROW(w->model, i);
@@ -293,7 +299,7 @@ static double judge_answers(const pm_workspace *w, double share, double *error)
             error[k] = fmax(share * error[k], ROUNDING * scale);
             if (!isnan(e->main->error[k])) error[k] = fmax(e->main->error[k], ROUNDING * scale);
             error[k] += e->main->more[k];
-            excess = fmax(excess, error[k] / (w->accuracy * scale));
+            excess = fmax(excess, error[k] / (w->numbers.accuracy * scale));
         }
     }
     return excess;
@@ -302,7 +308,7 @@ static double judge_answers(const pm_workspace *w, double share, double *error)
 /* Passes that came to other counts or statuses have a margin below 1 somewhere, even where no log shows it. */
 static double judge_decisions(const pm_workspace *w, double share)
 {
-    const pm_accuracy *e = w->error;
+    const pm_accuracy *e = w->accuracy;
     const double margin = pm_evidence_margin(&e->main->log, &e->other->log, e->trigger_scale) / share;
     const double decided = e->main->outcome == e->other->outcome ? margin : 0;
     return fmin(decided, e->main->margin);
@@ -311,8 +317,8 @@ static double judge_decisions(const pm_workspace *w, double share)
 /* Of the difference of both passes: what the error of the main one is taken for. */
 static double share_of(const pm_workspace *w)
 {
-    const pm_accuracy *e = w->error;
-    const double share = w->route->spread * e->main->tolerance / e->other->tolerance;
+    const pm_accuracy *e = w->accuracy;
+    const double share = w->phase.route->spread * e->main->tolerance / e->other->tolerance;
     return e->other->companion ? share : fmax(share, LEAST_SHARE);
 }
 
@@ -320,7 +326,7 @@ static double share_of(const pm_workspace *w)
  * threshold of an outcome. */
 static void judge_found(const pm_workspace *w, double share, double *error)
 {
-    const pm_accuracy *e = w->error;
+    const pm_accuracy *e = w->accuracy;
     const double resolution = pm_find_resolution(w);
     double *found = e->main->found;
     for (int i = 0; i < PM_FIND_MOST; i++)
@@ -328,7 +334,7 @@ static void judge_found(const pm_workspace *w, double share, double *error)
             fmax(share * fabs(found[i] - e->other->found[i]), fmax(ROUNDING, resolution) * fabs(found[i]));
     for (int i = 0; i < w->model->nask; i++) {
         const int32_t *row = PM_ASK_ROW(w->model, i);
-        if (e->discrete[i] || w->model->program_nature[row[PM_ASK_PROGRAM]] != PM_CLASS_CONSTANT) continue;
+        if (e->discrete[i] || w->model->programs.class[row[PM_ASK_PROGRAM]] != PM_CLASS_CONSTANT) continue;
         const int out = row[PM_ASK_OUT];
         error[out] = fmax(error[out], resolution * fabs(e->main->out[out]));
     }
@@ -338,14 +344,14 @@ static void judge(pm_workspace *w, double *error, double *trust)
 {
     const double share = share_of(w);
     trust[PM_TRUST_EXCESS] = judge_answers(w, share, error);
-    if (w->error->seeks) judge_found(w, share, error);
+    if (w->accuracy->seeks) judge_found(w, share, error);
     trust[PM_TRUST_MARGIN] = judge_decisions(w, share);
 }
 
 static int knows_itself(const pm_workspace *w)
 {
-    if (w->error->seeks) return 0; /* nobody knows the error of what is sought */
-    const pm_pass *p = w->error->main;
+    if (w->accuracy->seeks) return 0; /* nobody knows the error of what is sought */
+    const pm_pass *p = w->accuracy->main;
     if (p->unsure) return 0;
     for (int i = 0; i < w->model->nask; i++) {
         const int32_t *row = PM_ASK_ROW(w->model, i);
@@ -366,7 +372,7 @@ static void swap(pm_pass **a, pm_pass **b)
 /* Finds something to compare the main pass with; 0 if there is nothing. */
 static int find_companion(pm_workspace *w, const double *param)
 {
-    pm_accuracy *e = w->error;
+    pm_accuracy *e = w->accuracy;
     if (knows_itself(w)) {
         memcpy(e->other->out, e->main->out, (size_t)w->model->nout * sizeof(double));
         e->main->margin = fmin(e->main->margin, pm_path_error_margin(w, e->main, e->trigger_scale));
@@ -391,20 +397,20 @@ static double next_factor(double factor, const double *trust)
 
 static int good_enough(const pm_workspace *w, const double *trust)
 {
-    const pm_pass *p = w->error->main;
+    const pm_pass *p = w->accuracy->main;
     const int decided = trust[PM_TRUST_MARGIN] >= 1 && trust[PM_TRUST_EXCESS] <= 1;
-    return decided || p->status != PM_OK || p->tolerance <= FINER * w->route->finest;
+    return decided || p->status != PM_OK || p->tolerance <= FINER * w->phase.route->finest;
 }
 
 /* One pass at a tighter tolerance becomes the main one; 0 if it fails: then all stays as it was. */
 static int refine(pm_workspace *w, const double *param, double *error, double *trust)
 {
-    pm_accuracy *e = w->error;
+    pm_accuracy *e = w->accuracy;
     const int doubtful = trust[PM_TRUST_MARGIN] < 1; /* rounding may be what decides: see it disturbed */
     const double factor = next_factor(e->main->factor, trust);
     make_pass(w, param, e->spare, factor, 0);
     if (!stands(e->spare)) {
-        if (w->trace)
+        if (w->history)
             make_pass(w, param, e->spare, e->main->factor, 0); /* what is recorded is what is answered */
         return 0;
     }
@@ -421,7 +427,7 @@ static int refine(pm_workspace *w, const double *param, double *error, double *t
 
 static void climb(pm_workspace *w, const double *param, double *error, double *trust)
 {
-    pm_accuracy *e = w->error;
+    pm_accuracy *e = w->accuracy;
     find_sizes(w);
     if (find_companion(w, param)) judge(w, error, trust);
     for (int i = 0; i < REFINEMENTS && !good_enough(w, trust); i++)
@@ -436,16 +442,16 @@ static void climb(pm_workspace *w, const double *param, double *error, double *t
 /* The main pass goes to the caller's arrays, which the workspace points to again. */
 static int deliver(pm_workspace *w, double *out, int32_t *reason, double *audit)
 {
-    const pm_pass *p = w->error->main;
-    w->out = out;
-    w->reason = reason;
-    w->audit = audit;
+    const pm_pass *p = w->accuracy->main;
+    w->result.out = out;
+    w->result.reason = reason;
+    w->result.audit = audit;
     memcpy(out, p->out, (size_t)w->model->nout * sizeof *out);
     memcpy(reason, p->reason, (size_t)w->model->nask * sizeof *reason);
     memcpy(audit, p->audit, sizeof p->audit);
-    memcpy(w->count, p->count, sizeof p->count);
-    w->count[PM_COUNT_PASSES] = w->error->npass;
-    w->where = p->where;
+    memcpy(w->result.count, p->count, sizeof p->count);
+    w->result.count[PM_COUNT_PASSES] = w->accuracy->npass;
+    w->result.where = p->where;
     w->state.t = p->t;
     return p->status;
 }
@@ -453,16 +459,16 @@ static int deliver(pm_workspace *w, double *out, int32_t *reason, double *audit)
 static int run(pm_workspace *w, const double *param, double *found, double *error, double *margin,
                double *trust)
 {
-    pm_accuracy *e = w->error;
-    double *const out = w->out, *const audit = w->audit;
-    int32_t *const reason = w->reason;
+    pm_accuracy *e = w->accuracy;
+    double *const out = w->result.out, *const audit = w->result.audit;
+    int32_t *const reason = w->result.reason;
     for (int i = 0; i < w->model->nout; i++) error[i] = NAN;
     for (int i = 0; i < w->model->nask; i++) margin[i] = NAN;
     for (int i = 0; i < PM_TRUSTS; i++) trust[i] = NAN;
     e->active = PM_SETTING(w->model, PM_SETTING_ESTIMATE);
     if (!e->active) {
         const int status = found ? pm_find_run(w, param, found) : pm_run(w, param);
-        w->count[PM_COUNT_PASSES] = 1;
+        w->result.count[PM_COUNT_PASSES] = 1;
         return status;
     }
     e->npass = 0;

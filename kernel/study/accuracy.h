@@ -6,7 +6,7 @@
 #define PM_ACCURACY_H
 
 #include "state/evidence.h"
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* One pass of a case and what came of it. */
 typedef struct pm_pass {

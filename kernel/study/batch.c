@@ -10,9 +10,10 @@
 #include "events/history.h"
 #include "run/phase_report.h"
 #include "run/run.h"
+#include "scene/build.h"
 #include "scene/dependency.h"
 #include "scene/prune.h"
-#include "state/model.h"
+#include "state/workspace.h"
 #include "study/accuracy.h"
 
 #define MOST_WORKERS 256
@@ -38,25 +39,25 @@ typedef struct pm_worker {
 
 static void report_where(const pm_workspace *w, int32_t *where, double *detail)
 {
-    where[PM_WHERE_TABLE] = w->where.table;
-    where[PM_WHERE_ROW] = pm_prune_original(w->model, w->where.table, w->where.row);
-    where[PM_WHERE_MEMBER] = w->where.member;
-    detail[PM_DETAIL_VALUE] = w->where.value;
-    detail[PM_DETAIL_BOUND] = w->where.bound;
+    where[PM_WHERE_TABLE] = w->result.where.table;
+    where[PM_WHERE_ROW] = pm_prune_original(w->model, w->result.where.table, w->result.where.row);
+    where[PM_WHERE_MEMBER] = w->result.where.member;
+    detail[PM_DETAIL_VALUE] = w->result.where.value;
+    detail[PM_DETAIL_BOUND] = w->result.where.bound;
     detail[PM_DETAIL_TIME] = w->state.t;
 }
 
 static void run_one(pm_workspace *w, pm_job *job, int64_t i)
 {
     const pm_model *m = job->model;
-    w->out = job->out + i * m->nout;
-    w->reason = job->reason + i * m->nask;
-    w->audit = job->audit + i * PM_AUDITS;
+    w->result.out = job->out + i * m->nout;
+    w->result.reason = job->reason + i * m->nask;
+    w->result.audit = job->audit + i * PM_AUDITS;
     job->status[i] =
         pm_accuracy_run(w, job->param + i * m->nparam, job->found + i * PM_FOUND_COLUMNS,
                         job->error + i * m->nout, job->margin + i * m->nask, job->trust + i * PM_TRUSTS);
     report_where(w, job->where + i * PM_WHERE_COLUMNS, job->detail + i * PM_DETAIL_COLUMNS);
-    memcpy(job->count + i * PM_COUNT_COLUMNS, w->count, sizeof w->count);
+    memcpy(job->count + i * PM_COUNT_COLUMNS, w->result.count, sizeof w->result.count);
 }
 
 /* A case that the stop flag keeps from being begun. */
@@ -192,9 +193,9 @@ static int run_recorded(pm_workspace *w, const double *param, int32_t *where, do
     int status = out && reason ? PM_OK : PM_NO_MEMORY;
     if (!status) {
         double *error = out + m->nout;
-        w->out = out;
-        w->reason = reason;
-        w->audit = audit;
+        w->result.out = out;
+        w->result.reason = reason;
+        w->result.audit = audit;
         status = pm_accuracy_run(w, param, NULL, error, error + m->nout, trust);
         report_where(w, where, detail);
     }
@@ -217,7 +218,7 @@ int pm_trace(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
         .nprogram = ntrace, .cap = cap, .program = trace_program, .history = history, .mark = mark};
     for (int64_t i = 0; i < ntrace && !status; i++)
         if (trace_program[i] < 0 || trace_program[i] >= model->rows[PM_TABLE_PROGRAM]) status = PM_BAD_TABLE;
-    w->trace = &record;
+    w->history = &record;
     if (!status) status = run_recorded(w, param, where, detail);
     *needed = record.needed;
     pm_workspace_free(w);
@@ -236,7 +237,7 @@ int pm_phases(int64_t ntable, const int32_t *table, int64_t nconstant, const dou
         open_one(pm_prune_create, ntable, table, nconstant, constant, nparam, &model, &w, where, detail);
     if (status) return status;
     pm_phase_report list = {.cap = cap, .most = most, .row = phase, .time = time};
-    w->phases = &list;
+    w->phase_report = &list;
     status = run_recorded(w, param, where, detail);
     *needed = list.needed;
     pm_workspace_free(w);
@@ -248,15 +249,15 @@ static void report_check(const pm_workspace *w, const pm_start_report *report, i
 {
     const pm_model *m = w->model;
     int coordinates = 0, closed = 0;
-    for (int i = 0; i < m->nq; i++) coordinates += w->inverse_mass[i] > 0;
+    for (int i = 0; i < m->nq; i++) coordinates += w->numbers.inverse_mass[i] > 0;
     for (int i = 0; i < m->nslot; i++) closed += w->state.slot[i].mode != PM_OPEN;
     info[PM_CHECK_COORDINATES] = coordinates;
-    info[PM_CHECK_ROWS] = w->nactive + w->nredundant;
-    info[PM_CHECK_REDUNDANT] = w->nredundant;
-    info[PM_CHECK_FREEDOM] = coordinates - w->nactive;
+    info[PM_CHECK_ROWS] = w->active.n + w->active.nredundant;
+    info[PM_CHECK_REDUNDANT] = w->active.nredundant;
+    info[PM_CHECK_FREEDOM] = coordinates - w->active.n;
     info[PM_CHECK_CLOSED] = closed;
     number[PM_CHECK_MOVED] = report->moved;
-    number[PM_CHECK_SIZE] = w->size;
+    number[PM_CHECK_SIZE] = w->numbers.size;
     number[PM_CHECK_OPENING] = report->opening;
 }
 
@@ -274,7 +275,7 @@ int pm_check(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
     } else {
         pm_start_report report = {0, 0};
         double audit[PM_AUDITS];
-        w->audit = audit;
+        w->result.audit = audit;
         memset(info, 0, PM_CHECK_COLUMNS * sizeof *info);
         status = pm_run_start(w, param, &report);
         report_where(w, where, detail);

@@ -19,6 +19,7 @@
 #include "expression/program.h"
 #include "numerics/minimum.h"
 #include "run/run.h"
+#include "state/workspace.h"
 #include "study/find_extremum.h"
 #include "study/find_look.h"
 #include "study/find_pair.h"
@@ -84,8 +85,8 @@ static int read_bounds(pm_workspace *w)
     if (status) return status;
     for (int i = 0; i < f->nvary; i++) {
         const int32_t *e = PM_VARY_ROW(w->model, i);
-        f->low[i] = w->value[e[PM_VARY_LOW]];
-        f->high[i] = w->value[e[PM_VARY_HIGH]];
+        f->low[i] = w->numbers.value[e[PM_VARY_LOW]];
+        f->high[i] = w->numbers.value[e[PM_VARY_HIGH]];
         if (!(f->high[i] > f->low[i]) || !isfinite(f->high[i] - f->low[i]))
             return pm_fail(w, PM_BAD_VALUE, PM_TABLE_VARY, i, f->high[i], f->low[i]);
     }
@@ -369,7 +370,7 @@ static int search(pm_workspace *w)
 static void fail(pm_workspace *w)
 {
     pm_run_fail_asks(w);
-    for (int i = 0; i < PM_AUDITS; i++) w->audit[i] = NAN;
+    for (int i = 0; i < PM_AUDITS; i++) w->result.audit[i] = NAN;
 }
 
 int pm_find_run(pm_workspace *w, const double *param, double *found)
@@ -378,7 +379,7 @@ int pm_find_run(pm_workspace *w, const double *param, double *found)
     for (int i = 0; i < PM_FOUND_COLUMNS; i++) found[i] = NAN;
     if (!f) {
         const int result = pm_run(w, param);
-        w->count[PM_COUNT_RUNS] = 1;
+        w->result.count[PM_COUNT_RUNS] = 1;
         return result;
     }
     memcpy(f->param, param, (size_t)w->model->nparam * sizeof *param);
@@ -391,8 +392,8 @@ int pm_find_run(pm_workspace *w, const double *param, double *found)
         fail(w);
     else
         status = finish(w, found);
-    w->count[PM_COUNT_RUNS] = f->runs;
-    w->count[PM_COUNT_FOUND] = f->changes > f->nfound ? f->changes : f->nfound;
+    w->result.count[PM_COUNT_RUNS] = f->runs;
+    w->result.count[PM_COUNT_FOUND] = f->changes > f->nfound ? f->changes : f->nfound;
     return status;
 }
 

@@ -2,7 +2,7 @@
 #ifndef PM_FIND_H
 #define PM_FIND_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 int pm_find_create(pm_workspace *w);
 void pm_find_free(pm_workspace *w);

@@ -9,6 +9,7 @@
 #include <math.h>
 
 #include "numerics/minimum.h"
+#include "state/workspace.h"
 #include "study/find_root.h"
 
 #define LEVELS 6    /* of the Richardson table */

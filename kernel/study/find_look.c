@@ -8,10 +8,11 @@
 #include "expression/program.h"
 #include "run/run.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 static double read_program(pm_workspace *w, int program)
 {
-    return pm_program_run(w->model, program, w->param, w->value, w);
+    return pm_program_run(w->model, program, w->numbers.param, w->numbers.value, w);
 }
 
 static int condition_holds(int kind, double reading)
@@ -60,9 +61,9 @@ int pm_find_look(pm_workspace *w, const double *x, pm_look *look)
     if (look->status == PM_CANCELLED) return PM_CANCELLED;
     if (look->status < 0) return PM_OK;
     pm_frame_look_state(w, &w->state);
-    const pm_where where = w->where;
+    const pm_where where = w->result.where;
     if (pm_saddle_accelerate(w)) {
-        w->where = where; /* the run itself came through: only what needs accelerations has no value */
+        w->result.where = where; /* the run itself came through: only what needs accelerations has no value */
         return PM_OK;
     }
     read_end(w, look);

@@ -2,7 +2,7 @@
 #ifndef PM_FIND_LOOK_H
 #define PM_FIND_LOOK_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* What one run says.  A reading is not a number where the run does not come to where it is read. */
 typedef struct pm_look {

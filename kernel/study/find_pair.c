@@ -10,6 +10,8 @@
 #include <gsl/gsl_multiroots.h>
 #include <math.h>
 
+#include "state/workspace.h"
+
 #define ITERATIONS 60
 #define STILL 1e-15 /* of the bounds' distance: a step that is no step */
 #define MET 1e-8    /* of the greatest size on the grid: a condition that is met */

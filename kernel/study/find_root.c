@@ -9,6 +9,8 @@
 #include <gsl/gsl_roots.h>
 #include <math.h>
 
+#include "state/workspace.h"
+
 #define ITERATIONS 200
 #define ROUNDING 2.3e-16 /* of a double */
 #define FEW 1e-9         /* of the bracket: as far as a root's error goes */

@@ -8,6 +8,7 @@
 #include "elements/constraint.h"
 #include "equations/fixed_bodies.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 #include "tree/tree_augmented.h"
 #include "tree/tree_node.h"
 #include "tree/tree_small.h"
@@ -26,8 +27,8 @@ int pm_tree_create(pm_workspace *w)
                      (8 + PM_ELIMINATION_ROWS) * nrow + (6 + PM_ELIMINATION_COLUMNS) * nq + 3 * nbody + most;
     double *p = t->block = calloc(doubles * sizeof *p + ints * sizeof(int) + nrow + 1, 1);
     t->node = calloc(nbody + 1, sizeof *t->node);
-    t->swift = calloc(1, sizeof *t->swift);
-    if (!p || !t->node || !t->swift) return PM_NO_MEMORY;
+    t->small = calloc(1, sizeof *t->small);
+    if (!p || !t->node || !t->small) return PM_NO_MEMORY;
     t->jacobian = p;
     t->mass = t->jacobian + nrow * nq;
     t->reduced = t->mass + nq * nq;
@@ -40,9 +41,9 @@ int pm_tree_create(pm_workspace *w)
     t->q = t->wrench + nq;
     t->v = t->q + nq;
     t->rate = t->v + nq;
-    t->motion = t->rate + nq;
-    t->loops = t->motion + PM_TREE_FEW * nq;
-    pm_tree_augmented_create(&t->turning, summed, most, p + own);
+    t->part.motion = t->rate + nq;
+    t->part.jacobian = t->part.motion + PM_TREE_FEW * nq;
+    pm_tree_augmented_create(&t->augmented, summed, most, p + own);
     t->loop = (int *)(void *)(p + doubles);
     t->kind = t->loop + nrow;
     t->pivot = t->kind + nq;
@@ -52,13 +53,13 @@ int pm_tree_create(pm_workspace *w)
     t->from = t->moved_by + most;
     t->to = t->from + nrow;
     t->first_loop = t->to + nrow;
-    t->column = t->first_loop + nrow;
-    t->position = t->column + nq;
-    t->left = t->position + nq;
-    t->bottom = t->left + nrow;
-    t->right = t->bottom + nrow;
-    t->turning.owner = t->right + nrow;
-    t->weight = t->turning.owner + nq;
+    t->part.column = t->first_loop + nrow;
+    t->part.position = t->part.column + nq;
+    t->part.left = t->part.position + nq;
+    t->part.bottom = t->part.left + nrow;
+    t->part.right = t->part.bottom + nrow;
+    t->augmented.owner = t->part.right + nrow;
+    t->weight = t->augmented.owner + nq;
     t->top = t->weight + nbody;
     t->used = (unsigned char *)pm_elimination_create(&t->elimination, nrow, nq, t->top + nbody);
     return PM_OK;
@@ -68,7 +69,7 @@ void pm_tree_free(pm_workspace *w)
 {
     if (!w->tree) return;
     free(w->tree->node);
-    free(w->tree->swift);
+    free(w->tree->small);
     free(w->tree->block);
     free(w->tree);
     w->tree = NULL;
@@ -88,7 +89,7 @@ static int rows_are(const pm_workspace *w, const pm_group *g, int first, int sec
     while (n < 3 && wanted[n] >= 0) n++;
     if (g->n != n) return 0;
     for (int i = 0; i < n; i++)
-        if (w->row[g->row[i]].kind != wanted[i]) return 0;
+        if (w->active.row[g->row[i]].kind != wanted[i]) return 0;
     return 1;
 }
 
@@ -99,12 +100,12 @@ static int placement_of(const pm_workspace *w, const pm_group *g)
     if (rows_are(w, g, PM_CONSTRAINT_LINE_NORMAL, PM_CONSTRAINT_ANGLE, -1)) return SLIDER;
     if (rows_are(w, g, PM_CONSTRAINT_LINE_NORMAL, PM_CONSTRAINT_LINE_TANGENT, -1)) return ROLL_LINE;
     if (rows_are(w, g, PM_CONSTRAINT_DISTANCE, PM_CONSTRAINT_CIRCLE_TANGENT, -1) &&
-        w->row[g->row[0]].value > 0)
+        w->active.row[g->row[0]].value > 0)
         return ROLL_CIRCLE;
     return FREE;
 }
 
-static int turns(const pm_workspace *w, int body) { return w->inverse_mass[3 * body + 2] > 0; }
+static int turns(const pm_workspace *w, int body) { return w->numbers.inverse_mass[3 * body + 2] > 0; }
 
 static void place(pm_workspace *w, int *nplaced, int body, int placement, const pm_group *g, int child_is_a)
 {
@@ -119,7 +120,7 @@ static void place(pm_workspace *w, int *nplaced, int body, int placement, const 
     t->n += x->ncoordinate;
     t->placed[body] = ++*nplaced;
     if (placement == FREE) return;
-    const pm_constraint *row = &w->row[g->row[0]], *last = &w->row[g->row[g->n - 1]];
+    const pm_constraint *row = &w->active.row[g->row[0]], *last = &w->active.row[g->row[g->n - 1]];
     const double sign = child_is_a ? 1 : -1;
     x->parent = row->body[child_is_a ? 1 : 0];
     x->child_is_a = child_is_a;
@@ -158,7 +159,7 @@ static int is_placed(const pm_workspace *w, int body)
 static int is_driven(const pm_workspace *w, const pm_group *g)
 {
     for (int i = 0; i < g->n; i++)
-        if (w->row[g->row[i]].drive != PM_NONE) return 1;
+        if (w->active.row[g->row[i]].drive != PM_NONE) return 1;
     return 0;
 }
 
@@ -166,7 +167,7 @@ static int is_driven(const pm_workspace *w, const pm_group *g)
 static int place_by(pm_workspace *w, const pm_group *g, int *nplaced)
 {
     if (g->n < 2 || w->tree->used[g->row[0]] || is_driven(w, g)) return 0;
-    const pm_constraint *row = &w->row[g->row[0]];
+    const pm_constraint *row = &w->active.row[g->row[0]];
     const int a = is_placed(w, row->body[0]), b = is_placed(w, row->body[1]);
     if (a == b) return 0;
     const int placement = placement_of(w, g), body = row->body[a ? 1 : 0];
@@ -182,7 +183,7 @@ static pm_group joint_group(const pm_workspace *w, int joint)
     const int end = joint + 1 < m->rows[PM_TABLE_JOINT] ? m->joint_row[joint + 1] : m->njoint_row;
     pm_group g = {.n = 0};
     for (int i = first; i < end && g.n < PM_JOINT_CONSTRAINTS; i++)
-        if (w->joint_active[i] != PM_NONE) g.row[g.n++] = w->joint_active[i];
+        if (w->active.of_joint[i] != PM_NONE) g.row[g.n++] = w->active.of_joint[i];
     return g;
 }
 
@@ -190,9 +191,9 @@ static pm_group slot_group(const pm_workspace *w, int slot)
 {
     pm_group g = {.n = 0};
     for (int i = PM_JOINT_CONSTRAINTS * slot; i < PM_JOINT_CONSTRAINTS * (slot + 1); i++)
-        if (w->slot_held[i] != PM_NONE) g.row[g.n++] = w->slot_held[i];
-    if (w->slot_normal[slot] != PM_NONE) g.row[g.n++] = w->slot_normal[slot];
-    if (w->slot_tangent[slot] != PM_NONE) g.row[g.n++] = w->slot_tangent[slot];
+        if (w->active.slot_held[i] != PM_NONE) g.row[g.n++] = w->active.slot_held[i];
+    if (w->active.slot_normal[slot] != PM_NONE) g.row[g.n++] = w->active.slot_normal[slot];
+    if (w->active.slot_tangent[slot] != PM_NONE) g.row[g.n++] = w->active.slot_tangent[slot];
     return g;
 }
 
@@ -200,7 +201,7 @@ static pm_group slot_group(const pm_workspace *w, int slot)
 static void place_still(pm_workspace *w, int *nplaced)
 {
     for (int i = 0; i < w->model->nbody; i++) {
-        if (!w->still->body[i]) continue;
+        if (!w->numbers.fixed[i]) continue;
         const double *pose = w->frame.pose + 5 * i;
         w->tree->node[*nplaced] = (pm_tree_node){.body = i,
                                                  .parent = w->model->nbody,
@@ -223,7 +224,7 @@ static void place_still(pm_workspace *w, int *nplaced)
 static int is_spent(const pm_workspace *w, const pm_group *g)
 {
     if (g->n < 2) return 1;
-    const pm_constraint *row = &w->row[g->row[0]];
+    const pm_constraint *row = &w->active.row[g->row[0]];
     return is_placed(w, row->body[0]) && is_placed(w, row->body[1]);
 }
 
@@ -310,10 +311,10 @@ void pm_tree_row_ends(const pm_workspace *w, const pm_constraint *row, int *low,
 static void list_loops(pm_workspace *w)
 {
     pm_tree *t = w->tree;
-    for (int i = 0; i < w->nactive; i++) {
+    for (int i = 0; i < w->active.n; i++) {
         if (t->used[i]) continue;
         int low, key, at = t->nloop++;
-        pm_tree_row_ends(w, &w->row[i], &low, &key);
+        pm_tree_row_ends(w, &w->active.row[i], &low, &key);
         for (; at > 0 && t->to[at - 1] < key; at--) {
             t->loop[at] = t->loop[at - 1];
             t->to[at] = t->to[at - 1];
@@ -330,7 +331,7 @@ static void bound_loops(pm_workspace *w)
 {
     pm_tree *t = w->tree;
     for (int i = 0, first = 0; i < t->nloop; i++) {
-        pm_tree_row_ends(w, &w->row[t->loop[i]], &t->from[i], &t->to[i]);
+        pm_tree_row_ends(w, &w->active.row[t->loop[i]], &t->from[i], &t->to[i]);
         t->to[i]++;
         while (first < i && t->from[first] >= t->to[i]) first++;
         t->first_loop[i] = first;
@@ -341,7 +342,7 @@ void pm_tree_build(pm_workspace *w)
 {
     pm_tree *t = w->tree;
     int nplaced = 0, spent = 0;
-    t->n = t->nloop = t->few = t->turning.on = t->swift->on = 0;
+    t->n = t->nloop = t->part.few = t->augmented.on = t->small->on = 0;
     memset(t->used, 0, (size_t)w->model->nrow);
     memset(t->placed, 0, (size_t)w->model->nbody * sizeof *t->placed);
     place_still(w, &nplaced);
@@ -350,7 +351,7 @@ void pm_tree_build(pm_workspace *w)
     list_coordinates(w);
     list_loops(w);
     bound_loops(w);
-    if (t->n > 0) t->column[t->n - 1] = PM_NONE; /* none is chosen */
+    if (t->n > 0) t->part.column[t->n - 1] = PM_NONE; /* none is chosen */
 }
 
 int pm_tree_is_angle(const pm_workspace *w, int coordinate) { return w->tree->kind[coordinate] == 2; }

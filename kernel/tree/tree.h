@@ -6,7 +6,7 @@
 #define PM_TREE_H
 
 #include "numerics/elimination.h"
-#include "state/model.h"
+#include "state/workspace.h"
 
 typedef struct pm_tree_node pm_tree_node;
 
@@ -36,6 +36,22 @@ typedef struct pm_loops {
     int *low, *high;
 } pm_loops;
 
+/* Coordinates in two parts: the dependent ones follow from the independent ones through the loop rows (tree_partition.c). */
+typedef struct pm_tree_part {
+    int few;                    /* coordinates are partitioned */
+    int *column;                /* [nq] the dependent coordinates, nloop of them, then the independent ones */
+    int *position;              /* [nq] of each coordinate in column */
+    int *left, *bottom, *right; /* [nrow] where J_v may differ from zero: tree_band.c, dense.h */
+    double *jacobian;           /* [nrow][n] of the loop rows, where pm_tree_accelerate was */
+    double *motion;             /* [few][nq] velocities at a unit rate of each independent coordinate */
+    double
+        independence; /* least square of the part of a loop row that those before it leave, while they are not */
+    double steepest; /* rate of a dependent coordinate, lengths by the scene's size */
+    double least_regular,
+        most_regular; /* least pivot of J_v over its greatest, 0 in a singular position: range since
+                                           pm_tree_forget_regular */
+} pm_tree_part;
+
 typedef struct pm_tree {
     int n;               /* coordinates */
     int nloop;           /* active rows that are not solved */
@@ -59,19 +75,9 @@ typedef struct pm_tree {
     double *force, *bias, *rate, *wrench; /* [nq] */
     double *q, *v;                        /* [nq] where pm_tree_look looks */
     int *pivot;                           /* [nq + nrow] */
-    int few;                              /* coordinates are partitioned */
-    int *column;                /* [nq] the dependent coordinates, nloop of them, then the independent ones */
-    double *loops;              /* [nrow][n] the loop rows' Jacobian where pm_tree_accelerate was */
-    int *position;              /* [nq] of each coordinate in column */
-    int *left, *bottom, *right; /* [nrow] where J_v may differ from zero: tree_band.c, dense.h */
-    double *motion;             /* [few][nq] velocities at a unit rate of each independent coordinate */
-    double
-        independence; /* least square of the part of a loop row that those before it leave, while they are not */
-    pm_tree_augmented turning;
-    struct pm_tree_small *swift; /* tree_small.h */
-    double steepest;             /* there: rate of a dependent coordinate, lengths by the scene's size */
-    /* least pivot of J_v over its greatest, 0 in a singular position: range since pm_tree_forget_regular */
-    double least_regular, most_regular;
+    pm_tree_augmented augmented;
+    pm_tree_part part;
+    struct pm_tree_small *small; /* tree_small.h */
     void *block;
 } pm_tree;
 

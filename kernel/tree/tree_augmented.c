@@ -13,9 +13,11 @@
 #include <math.h>
 #include <string.h>
 
+#include "elements/constraint.h"
 #include "elements/force.h"
 #include "elements/turning_plane.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 #include "tree/tree_node.h"
 
 size_t pm_tree_augmented_doubles(size_t n, size_t most) { return 7 * n * n + 7 * n + 2 * most; }
@@ -63,7 +65,7 @@ static void read_fixed(const pm_tree_node *x, double *fixed)
 static void read_arms(const pm_workspace *w)
 {
     const pm_tree *t = w->tree;
-    const pm_tree_augmented *a = &t->turning;
+    const pm_tree_augmented *a = &t->augmented;
     for (int i = 0; i < w->model->nbody; i++) {
         const pm_tree_node *x = &t->node[i];
         for (int k = x->list; k < x->list + x->nlist; k++) {
@@ -80,10 +82,10 @@ static void read_arms(const pm_workspace *w)
 static void add_pair(const pm_workspace *w, const pm_tree_node *x, int k, int l)
 {
     const pm_tree *t = w->tree;
-    const pm_tree_augmented *a = &t->turning;
+    const pm_tree_augmented *a = &t->augmented;
     const int i = t->moved_by[k], j = t->moved_by[l], at = i * t->n + j;
-    const double m = w->mass[x->body], *p = a->arm + 2 * k, *q = a->arm + 2 * l, *e = a->fixed + 2 * i,
-                 *f = a->fixed + 2 * j;
+    const double m = w->numbers.mass[x->body], *p = a->arm + 2 * k, *q = a->arm + 2 * l,
+                 *e = a->fixed + 2 * i, *f = a->fixed + 2 * j;
     a->same[at] += m * (p[0] * q[0] + p[1] * q[1]);
     a->cross[at] += m * (p[0] * q[1] - p[1] * q[0]);
     a->level[at] += pm_body_inertia(w, x->body) * t->influence[3 * k + 2] * t->influence[3 * l + 2] +
@@ -97,7 +99,7 @@ static void add_pair(const pm_workspace *w, const pm_tree_node *x, int k, int l)
 static void sum_up(const pm_workspace *w)
 {
     const pm_tree *t = w->tree;
-    const pm_tree_augmented *a = &t->turning;
+    const pm_tree_augmented *a = &t->augmented;
     const size_t n = (size_t)t->n, bytes = n * n * sizeof(double);
     memset(a->same, 0, bytes);
     memset(a->cross, 0, bytes);
@@ -110,7 +112,7 @@ static void sum_up(const pm_workspace *w)
         for (int k = x->list; k < x->list + x->nlist; k++) {
             const int by = t->moved_by[k];
             for (int c = 0; c < 2; c++)
-                a->weight[by] += w->mass[x->body] * w->gravity[c] * a->fixed[2 * by + c];
+                a->weight[by] += w->numbers.mass[x->body] * w->numbers.gravity[c] * a->fixed[2 * by + c];
             for (int l = k; l < x->list + x->nlist; l++) add_pair(w, x, k, l); /* l moves less: i >= j */
         }
     }
@@ -120,10 +122,10 @@ static void sum_up(const pm_workspace *w)
 static void list_needed(pm_workspace *w)
 {
     pm_tree *t = w->tree;
-    for (int i = 0; i < w->model->nbody; i++) t->node[i].needed = t->turning.forced;
+    for (int i = 0; i < w->model->nbody; i++) t->node[i].needed = t->augmented.forced;
     for (int i = 0; i < t->nloop; i++)
         for (int p = 0; p < 2; p++) {
-            const int body = w->row[t->loop[i]].body[p];
+            const int body = w->active.row[t->loop[i]].body[p];
             if (body != w->model->nbody) t->node[t->placed[body] - 1].needed = 1;
         }
 }
@@ -131,8 +133,8 @@ static void list_needed(pm_workspace *w)
 void pm_tree_sum_up(pm_workspace *w)
 {
     pm_tree *t = w->tree;
-    pm_tree_augmented *a = &t->turning;
-    a->on = t->n <= a->most && !w->massless && !w->asymmetric;
+    pm_tree_augmented *a = &t->augmented;
+    a->on = t->n <= a->most && !w->numbers.massless && !w->active.asymmetric;
     for (int i = 0; i < w->model->nbody; i++) a->on = a->on && turns_simply(w, &t->node[i]);
     if (!a->on) return;
     a->forced = w->model->rows[PM_TABLE_FORCE] > 0 || pm_turning_plane_turns(w->model);
@@ -156,7 +158,7 @@ void pm_tree_sum_up(pm_workspace *w)
 void pm_tree_augmented_read(pm_workspace *w)
 {
     const pm_tree *t = w->tree;
-    const pm_tree_augmented *a = &t->turning;
+    const pm_tree_augmented *a = &t->augmented;
     for (int k = 0; k < t->n; k++) {
         const int body = a->owner[k];
         const double *pose = w->frame.pose + 5 * body, *velocity = w->frame.velocity + 3 * body;
@@ -169,7 +171,7 @@ void pm_tree_augmented_read(pm_workspace *w)
 void pm_tree_augmented_set(pm_workspace *w, const double *y, const double *ydot)
 {
     const pm_tree *t = w->tree;
-    const pm_tree_augmented *a = &t->turning;
+    const pm_tree_augmented *a = &t->augmented;
     for (int k = 0; k < t->n; k++) {
         if (a->owner[k] == PM_NONE) continue; /* as pm_tree_augmented_read has left it */
         a->direction[2 * k] = cos(y[k]);
@@ -200,16 +202,16 @@ static void add_shifts(const pm_tree_augmented *a, int n, int i, int k, double *
 /* Of the weights on coordinate i. */
 static double weight_on(const pm_workspace *w, int i)
 {
-    const pm_tree_augmented *a = &w->tree->turning;
+    const pm_tree_augmented *a = &w->tree->augmented;
     double p[2];
     turned(a->direction + 2 * i, a->upper + 2 * (i * w->tree->n + i), p);
-    return a->weight[i] + w->gravity[1] * p[0] - w->gravity[0] * p[1];
+    return a->weight[i] + w->numbers.gravity[1] * p[0] - w->numbers.gravity[0] * p[1];
 }
 
 void pm_tree_augmented_equations(pm_workspace *w, double *x)
 {
     pm_tree *t = w->tree;
-    const pm_tree_augmented *a = &t->turning;
+    const pm_tree_augmented *a = &t->augmented;
     const int n = t->n;
     for (int i = 0; i < n; i++) {
         const double *r = a->direction + 2 * i;
@@ -232,7 +234,7 @@ void pm_tree_augmented_equations(pm_workspace *w, double *x)
 void pm_tree_augmented_influence(pm_workspace *w)
 {
     const pm_tree *t = w->tree;
-    const pm_tree_augmented *a = &t->turning;
+    const pm_tree_augmented *a = &t->augmented;
     for (int i = 0; i < w->model->nbody; i++) {
         const pm_tree_node *x = &t->node[i];
         double *c = t->bias + 3 * x->body;

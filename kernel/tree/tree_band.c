@@ -7,7 +7,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "elements/constraint.h"
 #include "numerics/dense.h"
+#include "state/workspace.h"
 #include "tree/tree.h"
 #include "tree/tree_node.h"
 
@@ -25,17 +27,17 @@ void pm_tree_clear_loop(const pm_workspace *w, const pm_constraint *row, double 
         const pm_tree_node *x = node_of(w, row, side);
         for (int k = 0; x && k < x->nlist; k++) on_coordinates[t->moved_by[x->list + k]] = 0;
     }
-    for (int c = t->nloop; c < t->n; c++) on_coordinates[t->column[c]] = 0;
+    for (int c = t->nloop; c < t->n; c++) on_coordinates[t->part.column[c]] = 0;
 }
 
 /* Dependent coordinates in falling order, as bodies were placed. */
 static void sort_dependent(pm_tree *t)
 {
-    for (int k = 0; k < t->n; k++) t->position[k] = 0;
-    for (int c = t->nloop; c < t->n; c++) t->position[t->column[c]] = 1;
+    for (int k = 0; k < t->n; k++) t->part.position[k] = 0;
+    for (int c = t->nloop; c < t->n; c++) t->part.position[t->part.column[c]] = 1;
     for (int k = t->n, c = 0; k-- > 0;)
-        if (!t->position[k]) t->column[c++] = k;
-    for (int c = 0; c < t->n; c++) t->position[t->column[c]] = c;
+        if (!t->part.position[k]) t->part.column[c++] = k;
+    for (int c = 0; c < t->n; c++) t->part.position[t->part.column[c]] = c;
 }
 
 /* First and last place of the dependent coordinates that move loop row i; none: from its diagonal to it. */
@@ -44,9 +46,9 @@ static void span_of(const pm_workspace *w, int i, int *first, int *last)
     const pm_tree *t = w->tree;
     *first = *last = i;
     for (int side = 0, any = 0; side < 2; side++) {
-        const pm_tree_node *x = node_of(w, &w->row[t->loop[i]], side);
+        const pm_tree_node *x = node_of(w, &w->active.row[t->loop[i]], side);
         for (int k = 0; x && k < x->nlist; k++) {
-            const int at = t->position[t->moved_by[x->list + k]];
+            const int at = t->part.position[t->moved_by[x->list + k]];
             if (at >= t->nloop) continue;
             if (!any || at < *first) *first = at;
             if (!any || at > *last) *last = at;
@@ -60,29 +62,29 @@ void pm_tree_arrange(pm_workspace *w)
     pm_tree *t = w->tree;
     const int n = t->nloop;
     sort_dependent(t);
-    for (int j = 0; j < n; j++) t->bottom[j] = t->right[j] = j;
+    for (int j = 0; j < n; j++) t->part.bottom[j] = t->part.right[j] = j;
     for (int i = 0; i < n; i++) {
         int first, last;
         span_of(w, i, &first, &last);
-        if (first < i) t->bottom[first] = i; /* i rises */
+        if (first < i) t->part.bottom[first] = i; /* i rises */
     }
     for (int j = 1; j < n; j++)
-        if (t->bottom[j] < t->bottom[j - 1]) t->bottom[j] = t->bottom[j - 1];
+        if (t->part.bottom[j] < t->part.bottom[j - 1]) t->part.bottom[j] = t->part.bottom[j - 1];
     for (int i = 0, j = 0; i < n; i++) { /* column j is the first that elimination may fill in row i */
         int first, last;
-        while (t->bottom[j] < i) j++;
-        t->left[i] = j;
+        while (t->part.bottom[j] < i) j++;
+        t->part.left[i] = j;
         span_of(w, i, &first, &last);
-        if (last > t->right[j]) t->right[j] = last;
+        if (last > t->part.right[j]) t->part.right[j] = last;
     }
     for (int j = 1; j < n; j++)
-        if (t->right[j] < t->right[j - 1]) t->right[j] = t->right[j - 1];
+        if (t->part.right[j] < t->part.right[j - 1]) t->part.right[j] = t->part.right[j - 1];
 }
 
 void pm_tree_forget_regular(pm_tree *t)
 {
-    t->least_regular = INFINITY;
-    t->most_regular = 0;
+    t->part.least_regular = INFINITY;
+    t->part.most_regular = 0;
 }
 
 /* How far the factors are from those of a singular position. */
@@ -95,8 +97,8 @@ static void rate_pivots(pm_tree *t)
         least = fmin(least, pivot);
         most = fmax(most, pivot);
     }
-    t->least_regular = fmin(t->least_regular, least / most);
-    t->most_regular = fmax(t->most_regular, least / most);
+    t->part.least_regular = fmin(t->part.least_regular, least / most);
+    t->part.most_regular = fmax(t->part.most_regular, least / most);
 }
 
 int pm_tree_factor_dependent(pm_workspace *w, const double *jacobian)
@@ -105,17 +107,17 @@ int pm_tree_factor_dependent(pm_workspace *w, const double *jacobian)
     const int n = t->nloop;
     for (int i = 0; i < n; i++) {
         double *row = t->jacobian + i * n;
-        for (int c = t->left[i]; c <= t->right[i]; c++) row[c] = 0;
+        for (int c = t->part.left[i]; c <= t->part.right[i]; c++) row[c] = 0;
         for (int side = 0; side < 2; side++) {
-            const pm_tree_node *x = node_of(w, &w->row[t->loop[i]], side);
+            const pm_tree_node *x = node_of(w, &w->active.row[t->loop[i]], side);
             for (int k = 0; x && k < x->nlist; k++) {
-                const int coordinate = t->moved_by[x->list + k], at = t->position[coordinate];
+                const int coordinate = t->moved_by[x->list + k], at = t->part.position[coordinate];
                 if (at < n) row[at] = jacobian[i * t->n + coordinate];
             }
         }
     }
-    if (pm_dense_band_factor(n, t->bottom, t->right, t->jacobian, t->pivot)) {
-        t->least_regular = 0;
+    if (pm_dense_band_factor(n, t->part.bottom, t->part.right, t->jacobian, t->pivot)) {
+        t->part.least_regular = 0;
         return pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
     }
     rate_pivots(t);
@@ -124,10 +126,10 @@ int pm_tree_factor_dependent(pm_workspace *w, const double *jacobian)
 
 void pm_tree_solve_dependent(const pm_tree *t, double *x)
 {
-    pm_dense_band_solve(t->nloop, t->bottom, t->right, t->jacobian, t->pivot, x);
+    pm_dense_band_solve(t->nloop, t->part.bottom, t->part.right, t->jacobian, t->pivot, x);
 }
 
 void pm_tree_solve_dependent_transposed(const pm_tree *t, double *x)
 {
-    pm_dense_band_solve_transposed(t->nloop, t->bottom, t->right, t->jacobian, t->pivot, x);
+    pm_dense_band_solve_transposed(t->nloop, t->part.bottom, t->part.right, t->jacobian, t->pivot, x);
 }

@@ -15,6 +15,7 @@
 #include "numerics/dense.h"
 #include "numerics/lanes.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 #include "tree/tree.h"
 #include "tree/tree_augmented.h"
 #include "tree/tree_node.h"
@@ -31,10 +32,10 @@ static void fill_mass(pm_workspace *w)
     const int n = t->n;
     for (int i = 0; i < n; i++)
         for (int k = t->first_coupled[i]; k <= i; k++) t->mass[i * n + k] = 0;
-    for (int i = w->still->n; i < w->model->nbody; i++) {
+    for (int i = w->fixed->n; i < w->model->nbody; i++) {
         const pm_tree_node *x = &t->node[i];
-        const double m = w->mass[x->body] + w->stand_in[3 * x->body],
-                     inertia = pm_body_inertia(w, x->body) + w->stand_in[3 * x->body + 2];
+        const double m = w->numbers.mass[x->body] + w->numbers.stand_in[3 * x->body],
+                     inertia = pm_body_inertia(w, x->body) + w->numbers.stand_in[3 * x->body + 2];
         const double *b = t->influence + 3 * x->list;
         const int *by = t->moved_by + x->list;
         for (int k = 0; k < x->nlist; k++, b += 3, by++) {
@@ -49,7 +50,7 @@ static void fill_mass(pm_workspace *w)
 static int factor_mass(pm_workspace *w)
 {
     pm_tree *t = w->tree;
-    w->count[PM_COUNT_SOLVES]++;
+    w->result.count[PM_COUNT_SOLVES]++;
     return pm_dense_skyline_factor(t->n, t->first_coupled, t->mass)
                ? pm_fail(w, PM_SINGULAR, PM_TABLE_BODY, 0, 0, 0)
                : PM_OK;
@@ -57,8 +58,8 @@ static int factor_mass(pm_workspace *w)
 
 int pm_tree_singular_loop(pm_workspace *w, int loop)
 {
-    const pm_constraint *row = &w->row[w->tree->loop[loop]];
-    w->tree->independence = 0;
+    const pm_constraint *row = &w->active.row[w->tree->loop[loop]];
+    w->tree->part.independence = 0;
     return row->joint != PM_NONE ? pm_fail(w, PM_SINGULAR, PM_TABLE_JOINT, row->joint, 0, 0)
                                  : pm_fail(w, PM_SINGULAR, PM_TABLE_CONTACT, PM_NONE, 0, 0);
 }
@@ -69,7 +70,7 @@ static double square_of(const pm_workspace *w, const pm_constraint *row)
     double sum = 0;
     for (int p = 0; p < 2; p++)
         for (int k = 0; k < 3 && row->body[p] != w->model->nbody; k++)
-            sum += row->j[3 * p + k] * row->j[3 * p + k] * w->inverse_mass[3 * row->body[p] + k];
+            sum += row->j[3 * p + k] * row->j[3 * p + k] * w->numbers.inverse_mass[3 * row->body[p] + k];
     return sum;
 }
 
@@ -82,7 +83,7 @@ static int factor_loops(pm_workspace *w)
         double *x = t->reduced + i * n;
         const int from = t->from[i], to = t->to[i];
         for (int c = from; c < to; c++) x[c] = 0;
-        pm_tree_loop_row(w, &w->row[t->loop[i]], x);
+        pm_tree_loop_row(w, &w->active.row[t->loop[i]], x);
         pm_dense_skyline_part(n, from, to, t->first_coupled, t->mass, x);
         for (int k = t->first_loop[i]; k <= i; k++) {
             const double *other = t->reduced + k * n;
@@ -96,8 +97,8 @@ static int factor_loops(pm_workspace *w)
     for (int i = 0; i < t->nloop && !bad;
          i++) { /* the factor holds the reciprocal of what is left of the row */
         const double left = t->schur[i * t->nloop + i];
-        const double part = 1 / (square_of(w, &w->row[t->loop[i]]) * left * left);
-        if (part < t->independence) t->independence = part;
+        const double part = 1 / (square_of(w, &w->active.row[t->loop[i]]) * left * left);
+        if (part < t->part.independence) t->part.independence = part;
     }
     return bad ? pm_tree_singular_loop(w, bad - 1) : PM_OK;
 }
@@ -114,7 +115,7 @@ static void add_loops(const pm_tree *t, double *x)
 static void evaluate_loops(pm_workspace *w)
 {
     for (int i = 0; i < w->tree->nloop; i++) {
-        pm_constraint *row = &w->row[w->tree->loop[i]];
+        pm_constraint *row = &w->active.row[w->tree->loop[i]];
         pm_constraint_kind(row->kind)->evaluate(w, row);
     }
 }
@@ -123,12 +124,12 @@ static void evaluate_loops(pm_workspace *w)
 static void add_forces(const pm_workspace *w, int inertial, double *x)
 {
     const pm_tree *t = w->tree;
-    for (int i = w->still->n; i < w->model->nbody; i++) {
+    for (int i = w->fixed->n; i < w->model->nbody; i++) {
         const pm_tree_node *node = &t->node[i];
         const double *f = w->frame.f + 3 * node->body, *c = t->bias + 3 * node->body;
         double p[3] = {f[0], f[1], f[2]};
         if (inertial) {
-            const double m = w->mass[node->body];
+            const double m = w->numbers.mass[node->body];
             p[0] -= m * c[0];
             p[1] -= m * c[1];
             p[2] -= pm_body_inertia(w, node->body) * c[2];
@@ -144,10 +145,10 @@ static void add_forces(const pm_workspace *w, int inertial, double *x)
 static void assemble(pm_workspace *w, double *x)
 {
     pm_tree *t = w->tree;
-    if (t->turning.on) {
+    if (t->augmented.on) {
         pm_tree_augmented_equations(w, x);
-        if (t->nloop > 0 || t->turning.forced) pm_tree_augmented_influence(w);
-        if (!t->turning.forced) return;
+        if (t->nloop > 0 || t->augmented.forced) pm_tree_augmented_influence(w);
+        if (!t->augmented.forced) return;
         pm_force_all(w);
         add_forces(w, 0, x);
         return;
@@ -176,7 +177,7 @@ static int close_loops(pm_workspace *w, double *x)
     const int status = factor_loops(w);
     if (status) return status;
     for (int i = 0; i < t->nloop; i++) {
-        const pm_constraint *row = &w->row[t->loop[i]];
+        const pm_constraint *row = &w->active.row[t->loop[i]];
         t->residual[i] = row->gamma - pm_saddle_times(w, row, t->bias);
         for (int k = t->from[i]; k < t->to[i]; k++) t->residual[i] -= t->reduced[i * t->n + k] * x[k];
     }
@@ -199,9 +200,10 @@ static int solve(pm_workspace *w, double *yddot)
 
 int pm_tree_accelerate(pm_workspace *w, double *yddot)
 {
-    if (w->asymmetric || w->massless || pm_joint_friction_by_load(w)) return accelerate_all(w, yddot);
-    if (w->tree->few) return pm_tree_accelerate_few(w, yddot);
-    if (w->tree->turning.on) pm_tree_augmented_read(w);
+    if (w->active.asymmetric || w->numbers.massless || pm_joint_friction_by_load(w))
+        return accelerate_all(w, yddot);
+    if (w->tree->part.few) return pm_tree_accelerate_few(w, yddot);
+    if (w->tree->augmented.on) pm_tree_augmented_read(w);
     return solve(w, yddot);
 }
 
@@ -209,7 +211,7 @@ int pm_tree_accelerate_at(pm_workspace *w, double time, const double *y, const d
                           double *yddot)
 {
     const pm_tree *t = w->tree;
-    if (t->turning.on && !t->turning.forced && t->nloop == 0) {
+    if (t->augmented.on && !t->augmented.forced && t->nloop == 0) {
         pm_tree_augmented_set(w, y, ydot);
         return solve(w, yddot);
     }
@@ -229,7 +231,7 @@ static void read_reactions(pm_workspace *w, const pm_tree_node *x, const double 
         if (x->placement == WELD)
             lambda[x->row[2]] = sign * (wrench[2] - r_child[0] * wrench[1] + r_child[1] * wrench[0]);
     } else if (x->placement == ROLL_CIRCLE) {
-        const double inward = w->row[x->row[0]].sign;
+        const double inward = w->active.row[x->row[0]].sign;
         lambda[x->row[0]] = inward * (fx * t[1] - fy * t[0]);
         lambda[x->row[1]] = fx * t[0] + fy * t[1];
     } else {
@@ -252,7 +254,7 @@ static void take_off_loops(const pm_workspace *w, double *wrench)
 {
     const pm_tree *t = w->tree;
     for (int i = 0; i < t->nloop; i++) {
-        const pm_constraint *row = &w->row[t->loop[i]];
+        const pm_constraint *row = &w->active.row[t->loop[i]];
         const double lambda = w->frame.lambda[t->loop[i]];
         for (int side = 0; side < 2; side++)
             for (int k = 0; k < 3 && row->body[side] != w->model->nbody; k++)
@@ -265,12 +267,12 @@ void pm_tree_react_inward(pm_workspace *w, const double *arm)
     const pm_tree *t = w->tree;
     pm_frame *f = &w->frame;
     const int ground = w->model->nbody;
-    for (int i = ground - 1; i >= w->still->n; i--) {
+    for (int i = ground - 1; i >= w->fixed->n; i--) {
         const pm_tree_node *x = &t->node[i];
         if (x->placement == FREE) continue;
         const double *wrench = t->wrench + 3 * x->body;
         read_reactions(w, x, arm ? arm + PM_TREE_ARM * x->body : x->arm, wrench);
-        if (w->still->body[x->parent]) continue;
+        if (w->numbers.fixed[x->parent]) continue;
         const double *child = f->pose + 5 * x->body, *parent = f->pose + 5 * x->parent;
         double *to = t->wrench + 3 * x->parent;
         pm_pair_store(to, pm_pair_load(to) + pm_pair_load(wrench));
@@ -285,13 +287,13 @@ void pm_tree_react(pm_workspace *w)
     pm_frame *f = &w->frame;
     const int ground = w->model->nbody;
     if (f->level == PM_LEVEL_DYNAMIC) return;
-    for (int n = w->still->n; n < ground; n++) {
+    for (int n = w->fixed->n; n < ground; n++) {
         const int i = t->node[n].body;
         const double inertia = pm_body_inertia(w, i);
         for (int k = 0; k < 3; k++)
-            t->wrench[3 * i + k] = (k < 2 ? w->mass[i] : inertia) * f->a[3 * i + k] - f->f[3 * i + k];
+            t->wrench[3 * i + k] = (k < 2 ? w->numbers.mass[i] : inertia) * f->a[3 * i + k] - f->f[3 * i + k];
     }
-    if (t->few) pm_tree_react_loops(w);
+    if (t->part.few) pm_tree_react_loops(w);
     take_off_loops(w, t->wrench);
     pm_tree_react_inward(w, NULL);
 }
@@ -300,8 +302,8 @@ void pm_tree_tell(pm_workspace *w, const double *yddot)
 {
     const pm_tree *t = w->tree;
     if (w->frame.level == PM_LEVEL_DYNAMIC) return;
-    if (t->turning.on && !t->turning.forced) pm_force_all(w);
-    if (!t->few) pm_tree_spread_accelerations(w, yddot, w->frame.a);
+    if (t->augmented.on && !t->augmented.forced) pm_force_all(w);
+    if (!t->part.few) pm_tree_spread_accelerations(w, yddot, w->frame.a);
     pm_tree_react(w);
 }
 
@@ -315,7 +317,7 @@ static double worst_of(const double *residual, int n)
 
 static int factor(pm_workspace *w)
 {
-    if (w->tree->turning.on) {
+    if (w->tree->augmented.on) {
         pm_tree_augmented_read(w);
         pm_tree_augmented_equations(w, w->tree->rate);
         pm_tree_augmented_influence(w);
@@ -341,7 +343,7 @@ int pm_tree_project(pm_workspace *w, double time, double *y, double *ydot, const
     pm_tree *t = w->tree;
     double before = INFINITY;
     int status, factored = 0;
-    if (t->few) return pm_tree_settle(w, time, y, ydot, z);
+    if (t->part.few) return pm_tree_settle(w, time, y, ydot, z);
     if (pm_tree_small_applies(w)) {
         if ((status = pm_tree_small_project(w, y, ydot))) return status;
         pm_tree_look(w, time, y, ydot, z);
@@ -350,22 +352,23 @@ int pm_tree_project(pm_workspace *w, double time, double *y, double *ydot, const
     pm_tree_look(w, time, y, ydot, z);
     for (int sweep = 0; t->nloop > 0; sweep++) {
         evaluate_loops(w);
-        for (int i = 0; i < t->nloop; i++) t->residual[i] = -w->row[t->loop[i]].g;
+        for (int i = 0; i < t->nloop; i++) t->residual[i] = -w->active.row[t->loop[i]].g;
         const double worst = worst_of(t->residual, t->nloop);
-        if (worst <= ROUNDING * w->size || sweep == SWEEPS || (sweep > 1 && worst > 0.5 * before)) break;
-        factored = worst <= SMALL * w->size; /* good enough for what is left, and for the rates */
+        if (worst <= ROUNDING * w->numbers.size || sweep == SWEEPS || (sweep > 1 && worst > 0.5 * before))
+            break;
+        factored = worst <= SMALL * w->numbers.size; /* good enough for what is left, and for the rates */
         before = worst;
         if ((status = factor(w))) return status;
         correct(t, y);
         pm_tree_look(w, time, y, ydot, z);
     }
     for (int i = 0; i < t->nloop; i++) {
-        const pm_constraint *row = &w->row[t->loop[i]];
+        const pm_constraint *row = &w->active.row[t->loop[i]];
         t->residual[i] = row->rate - pm_saddle_times(w, row, t->v);
     }
     const double worst = worst_of(t->residual, t->nloop);
-    if (worst <= ROUNDING * w->speed) return PM_OK;
-    if (!(factored && worst <= SMALL * w->speed) && (status = factor(w))) return status;
+    if (worst <= ROUNDING * w->numbers.speed) return PM_OK;
+    if (!(factored && worst <= SMALL * w->numbers.speed) && (status = factor(w))) return status;
     correct(t, ydot);
     pm_tree_look(w, time, y, ydot, z);
     return PM_OK;

@@ -15,6 +15,7 @@
 #include "equations/saddle.h"
 #include "numerics/dense.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 #include "tree/tree.h"
 #include "tree/tree_node.h"
 
@@ -30,14 +31,14 @@
 
 static double scale_of(const pm_workspace *w, int coordinate)
 {
-    return pm_tree_is_angle(w, coordinate) ? 1 : w->size;
+    return pm_tree_is_angle(w, coordinate) ? 1 : w->numbers.size;
 }
 
 void pm_tree_hold(pm_workspace *w, int held)
 {
     pm_tree *t = w->tree;
-    if (t->column[t->n - 1] == held) return;
-    t->column[t->n - 1] = held;
+    if (t->part.column[t->n - 1] == held) return;
+    t->part.column[t->n - 1] = held;
     pm_tree_arrange(w);
 }
 
@@ -47,7 +48,7 @@ void pm_tree_partition(pm_workspace *w)
     pm_tree *t = w->tree;
     const int n = t->n;
     double *a = t->reduced;
-    int *order = t->position;
+    int *order = t->part.position;
     if (t->nloop == 0 || t->nloop >= n || n - t->nloop > PM_TREE_FEW) return;
     const pm_loops loops = {a, t->elimination.low, t->elimination.high};
     pm_tree_loops_unknown(t, &loops); /* other things have been kept there */
@@ -55,26 +56,26 @@ void pm_tree_partition(pm_workspace *w)
     for (int i = 0; i < t->nloop; i++)
         for (int k = loops.low[i]; k <= loops.high[i]; k++) a[i * n + k] *= scale_of(w, k);
     if (pm_elimination_run(t->nloop, n, a, order, &t->elimination) > RANK) {
-        memcpy(t->column + t->nloop, order + t->nloop, (size_t)(n - t->nloop) * sizeof *order);
-        t->few = 1;
-        t->steepest = 0;
+        memcpy(t->part.column + t->nloop, order + t->nloop, (size_t)(n - t->nloop) * sizeof *order);
+        t->part.few = 1;
+        t->part.steepest = 0;
     }
-    if (t->few) pm_tree_arrange(w); /* singular here: what was chosen stays */
+    if (t->part.few) pm_tree_arrange(w); /* singular here: what was chosen stays */
 }
 
-int pm_tree_is_steep(const pm_workspace *w) { return w->tree->few && w->tree->steepest > STEEP; }
+int pm_tree_is_steep(const pm_workspace *w) { return w->tree->part.few && w->tree->part.steepest > STEEP; }
 
 int pm_tree_is_flat(const pm_workspace *w)
 {
     const pm_tree *t = w->tree;
-    return !t->few && t->nloop > 0 && (t->independence < FLAT || t->nloop > MANY);
+    return !t->part.few && t->nloop > 0 && (t->part.independence < FLAT || t->nloop > MANY);
 }
 
 /* y of the dependent coordinates += J_v^-1 residual. */
 static void correct(const pm_tree *t, double *y)
 {
     pm_tree_solve_dependent(t, t->residual);
-    for (int c = 0; c < t->nloop; c++) y[t->column[c]] += t->residual[c];
+    for (int c = 0; c < t->nloop; c++) y[t->part.column[c]] += t->residual[c];
 }
 
 /* Residuals of the evaluated loop rows; the worst. */
@@ -83,7 +84,7 @@ static double read_residuals(const pm_workspace *w)
     const pm_tree *t = w->tree;
     double worst = 0;
     for (int i = 0; i < t->nloop; i++) {
-        t->residual[i] = -w->row[t->loop[i]].g;
+        t->residual[i] = -w->active.row[t->loop[i]].g;
         worst = fmax(worst, fabs(t->residual[i]));
     }
     return worst;
@@ -94,7 +95,7 @@ static double read_rate_residuals(const pm_workspace *w, const double *v)
     const pm_tree *t = w->tree;
     double worst = 0;
     for (int i = 0; i < t->nloop; i++) {
-        const pm_constraint *row = &w->row[t->loop[i]];
+        const pm_constraint *row = &w->active.row[t->loop[i]];
         t->residual[i] = row->rate - pm_saddle_times(w, row, v);
         worst = fmax(worst, fabs(t->residual[i]));
     }
@@ -115,7 +116,8 @@ int pm_tree_close(pm_workspace *w, double *y, double *q, const pm_loops *loops)
 {
     double worst = place(w, y, q, loops), before = INFINITY;
     for (int sweep = 0; sweep < SWEEPS; sweep++) {
-        if (worst <= ROUNDING * w->size || (worst <= STALLED * w->size && worst > 0.25 * before))
+        if (worst <= ROUNDING * w->numbers.size ||
+            (worst <= STALLED * w->numbers.size && worst > 0.25 * before))
             return PM_OK;
         const int status = pm_tree_factor_dependent(w, loops->entry);
         if (status) return status;
@@ -123,7 +125,7 @@ int pm_tree_close(pm_workspace *w, double *y, double *q, const pm_loops *loops)
         before = worst;
         worst = place(w, y, q, loops);
     }
-    return pm_fail(w, PM_ASSEMBLY, PM_NONE, PM_NONE, worst, STALLED * w->size);
+    return pm_fail(w, PM_ASSEMBLY, PM_NONE, PM_NONE, worst, STALLED * w->numbers.size);
 }
 
 /* Rates of all coordinates at a unit rate of an independent one; the factors are there. */
@@ -138,7 +140,7 @@ static void slope_of(const pm_tree *t, int independent, const double *jacobian, 
 int pm_tree_slope(pm_workspace *w, const pm_loops *loops, double *slope)
 {
     const int status = pm_tree_factor_dependent(w, loops->entry);
-    if (!status) slope_of(w->tree, w->tree->column[w->tree->nloop], loops->entry, slope);
+    if (!status) slope_of(w->tree, w->tree->part.column[w->tree->nloop], loops->entry, slope);
     return status;
 }
 
@@ -148,7 +150,7 @@ static double look(pm_workspace *w, double time, const double *y, const double *
     pm_tree *t = w->tree;
     pm_tree_look(w, time, y, ydot, z);
     for (int i = 0; i < t->nloop; i++) {
-        pm_constraint *row = &w->row[t->loop[i]];
+        pm_constraint *row = &w->active.row[t->loop[i]];
         pm_constraint_kind(row->kind)->evaluate(w, row);
     }
     return read_residuals(w);
@@ -160,11 +162,11 @@ static int factor_here(pm_workspace *w)
     pm_tree *t = w->tree;
     pm_tree_influence(w);
     for (int i = 0; i < t->nloop; i++) {
-        const pm_constraint *row = &w->row[t->loop[i]];
-        pm_tree_clear_loop(w, row, t->loops + i * t->n);
-        pm_tree_loop_row(w, row, t->loops + i * t->n);
+        const pm_constraint *row = &w->active.row[t->loop[i]];
+        pm_tree_clear_loop(w, row, t->part.jacobian + i * t->n);
+        pm_tree_loop_row(w, row, t->part.jacobian + i * t->n);
     }
-    return pm_tree_factor_dependent(w, t->loops);
+    return pm_tree_factor_dependent(w, t->part.jacobian);
 }
 
 int pm_tree_settle(pm_workspace *w, double time, double *y, double *ydot, const double *z)
@@ -172,9 +174,10 @@ int pm_tree_settle(pm_workspace *w, double time, double *y, double *ydot, const 
     const pm_tree *t = w->tree;
     double worst = look(w, time, y, ydot, z), before = INFINITY;
     for (int sweep = 0; sweep < SWEEPS; sweep++) {
-        const int met = worst <= FINEST * w->size || (worst <= STALLED * w->size && worst > 0.25 * before);
-        if (met && read_rate_residuals(w, t->v) <= FINEST * w->speed) return PM_OK;
-        if (met && sweep > 0 && before <= CLOSE * w->size) { /* the factors are those of this place */
+        const int met = worst <= FINEST * w->numbers.size ||
+                        (worst <= STALLED * w->numbers.size && worst > 0.25 * before);
+        if (met && read_rate_residuals(w, t->v) <= FINEST * w->numbers.speed) return PM_OK;
+        if (met && sweep > 0 && before <= CLOSE * w->numbers.size) { /* the factors are those of this place */
             correct(t, ydot);
             look(w, time, y, ydot, z);
             return PM_OK;
@@ -188,7 +191,8 @@ int pm_tree_settle(pm_workspace *w, double time, double *y, double *ydot, const 
         before = worst;
         worst = look(w, time, y, ydot, z);
     }
-    return pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, worst, STALLED * w->size); /* a shorter step may do */
+    return pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, worst,
+                   STALLED * w->numbers.size); /* a shorter step may do */
 }
 
 /* J_v yddot_v = gamma - G a, a the accelerations at yddot as given. */
@@ -197,7 +201,7 @@ static void follow(pm_workspace *w, double *yddot, double *a)
     pm_tree *t = w->tree;
     pm_tree_spread_accelerations(w, yddot, a);
     for (int i = 0; i < t->nloop; i++) {
-        const pm_constraint *row = &w->row[t->loop[i]];
+        const pm_constraint *row = &w->active.row[t->loop[i]];
         t->residual[i] = row->gamma - pm_saddle_times(w, row, a);
     }
     correct(t, yddot);
@@ -206,7 +210,7 @@ static void follow(pm_workspace *w, double *yddot, double *a)
 
 static double inertia_of(const pm_workspace *w, int i)
 {
-    return i % 3 < 2 ? w->mass[i / 3] : pm_body_inertia(w, i / 3);
+    return i % 3 < 2 ? w->numbers.mass[i / 3] : pm_body_inertia(w, i / 3);
 }
 
 int pm_tree_accelerate_few(pm_workspace *w, double *yddot)
@@ -219,19 +223,19 @@ int pm_tree_accelerate_few(pm_workspace *w, double *yddot)
     pm_force_all(w);
     memset(yddot, 0, (size_t)t->n * sizeof *yddot);
     follow(w, yddot, a);
-    t->steepest = 0;
+    t->part.steepest = 0;
     for (int k = 0; k < few; k++) {
-        double *v = t->motion + k * nq;
-        const int own = t->column[t->nloop + k];
-        slope_of(t, own, t->loops, t->rate);
+        double *v = t->part.motion + k * nq;
+        const int own = t->part.column[t->nloop + k];
+        slope_of(t, own, t->part.jacobian, t->rate);
         for (int c = 0; c < t->nloop; c++)
-            t->steepest =
-                fmax(t->steepest, fabs(t->rate[t->column[c]]) * scale_of(w, own) / scale_of(w, t->column[c]));
+            t->part.steepest = fmax(t->part.steepest, fabs(t->rate[t->part.column[c]]) * scale_of(w, own) /
+                                                          scale_of(w, t->part.column[c]));
         pm_tree_spread(w, t->rate, v);
         force[k] = 0;
         for (int i = 0; i < nq; i++) force[k] += v[i] * (w->frame.f[i] - inertia_of(w, i) * a[i]);
         for (int l = 0; l <= k; l++) {
-            const double *other = t->motion + l * nq;
+            const double *other = t->part.motion + l * nq;
             double sum = 0;
             for (int i = 0; i < nq; i++) sum += v[i] * inertia_of(w, i) * other[i];
             mass[k * few + l] = sum;
@@ -240,7 +244,7 @@ int pm_tree_accelerate_few(pm_workspace *w, double *yddot)
     if (pm_dense_cholesky_factor(few, mass)) return pm_fail(w, PM_SINGULAR, PM_TABLE_BODY, 0, 0, 0);
     pm_dense_cholesky_solve(few, mass, force);
     memset(yddot, 0, (size_t)t->n * sizeof *yddot);
-    for (int k = 0; k < few; k++) yddot[t->column[t->nloop + k]] = force[k];
+    for (int k = 0; k < few; k++) yddot[t->part.column[t->nloop + k]] = force[k];
     follow(w, yddot, a);
     return PM_OK;
 }
@@ -257,7 +261,7 @@ void pm_tree_react_loops(pm_workspace *w)
             t->rate[t->moved_by[k]] += b[0] * needed[0] + b[1] * needed[1] + b[2] * needed[2];
         }
     }
-    for (int c = 0; c < t->nloop; c++) t->residual[c] = t->rate[t->column[c]];
+    for (int c = 0; c < t->nloop; c++) t->residual[c] = t->rate[t->part.column[c]];
     pm_tree_solve_dependent_transposed(t, t->residual);
     for (int i = 0; i < t->nloop; i++) w->frame.lambda[t->loop[i]] = t->residual[i];
 }

@@ -11,6 +11,7 @@
 
 #include "equations/fixed_bodies.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 #include "tree/tree.h"
 #include "tree/tree_node.h"
 
@@ -197,7 +198,7 @@ void pm_tree_look(pm_workspace *w, double t, const double *y, const double *ydot
     f->z = z;
     f->memory = w->state.memory;
     f->level = PM_LEVEL_KINEMATIC;
-    for (int i = w->still->n; i < ground; i++) {
+    for (int i = w->fixed->n; i < ground; i++) {
         pm_tree_node *x = &tree->node[i];
         double *velocity = f->velocity + 3 * x->body;
         place_node(w, x, f->memory, y);

@@ -10,6 +10,7 @@
 #include "elements/constraint.h"
 #include "equations/fixed_bodies.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 #include "tree/tree.h"
 #include "tree/tree_node.h"
 
@@ -44,7 +45,7 @@ void pm_tree_read_rates(pm_workspace *w, const double *v, double *ydot)
 
 void pm_tree_spread_accelerations(const pm_workspace *w, const double *yddot, double *a)
 {
-    for (int i = w->still->n; i < w->model->nbody; i++) {
+    for (int i = w->fixed->n; i < w->model->nbody; i++) {
         const pm_tree_node *x = &w->tree->node[i];
         double *to = a + 3 * x->body;
         pm_tree_move(x, rates_of(w, a, x->parent), yddot + x->first, to);
@@ -127,7 +128,7 @@ void pm_tree_loops(pm_workspace *w, const pm_loops *x)
     const pm_tree *t = w->tree;
     pm_tree_influence(w);
     for (int i = 0; i < t->nloop; i++) {
-        pm_constraint *row = &w->row[t->loop[i]];
+        pm_constraint *row = &w->active.row[t->loop[i]];
         double *entry = x->entry + i * t->n;
         pm_constraint_kind(row->kind)->evaluate(w, row);
         for (int c = x->low[i]; c <= x->high[i]; c++) entry[c] = 0;

@@ -18,6 +18,7 @@
 
 #include "elements/joint_friction.h"
 #include "numerics/lanes.h"
+#include "state/workspace.h"
 #include "tree/tree.h"
 
 #define MOST PM_SWIFT_MOST
@@ -30,14 +31,14 @@
 
 int pm_tree_small_applies(const pm_workspace *w)
 {
-    return w->tree->swift->on && !w->tree->few && !w->asymmetric && !w->massless &&
+    return w->tree->small->on && !w->tree->part.few && !w->active.asymmetric && !w->numbers.massless &&
            !pm_joint_friction_by_load(w);
 }
 
 /* ---- directions ---- */
 void pm_tree_small_refer(pm_workspace *w, const double *y)
 {
-    pm_tree_small *x = w->tree->swift;
+    pm_tree_small *x = w->tree->small;
     for (int k = 0; k < x->n; k++) {
         if (x->y[k] == y[k]) continue;
         const double *pose = w->frame.pose + 5 * x->owner[k];
@@ -184,12 +185,12 @@ INLINE void watch_independence(pm_workspace *w, const pm_tree_small_row *row, co
         const double lever = slope(&row->lever[side], p->direction[row->turning[side]]);
         square += lever * lever * row->inverse_inertia[side] * all;
     }
-    if (w->tree->independence * square > left) w->tree->independence = left / square;
+    if (w->tree->part.independence * square > left) w->tree->part.independence = left / square;
 }
 
 INLINE int factor_all(pm_workspace *w, const pm_tree_small *x, int n, int nloop, pm_tree_small_place *p)
 {
-    w->count[PM_COUNT_SOLVES]++;
+    w->result.count[PM_COUNT_SOLVES]++;
     if (factor(n, p->mass)) return pm_fail(w, PM_SINGULAR, PM_TABLE_BODY, 0, 0, 0);
     for (int i = 0; i < nloop; i++) {
         for (int k = 0; k < n; k++) p->reduced[i][k] = jacobian(&x->row[i], k, p);
@@ -256,7 +257,7 @@ INLINE double adjugate(double m[MOST][MOST], double to[MOST][MOST])
 /* The independence of the rows, `along` the square of the way that they leave, in the metric of M. */
 INLINE void watch_rows(pm_workspace *w, int n, double row[2][MOST], pm_tree_small_place *p, double along)
 {
-    const pm_tree_small *x = w->tree->swift;
+    const pm_tree_small *x = w->tree->small;
     if (n == 2) {
         const double whole = p->mass[0][0] * p->mass[1][1] - p->mass[1][0] * p->mass[1][0];
         watch_independence(w, &x->row[0], p, along, whole);
@@ -273,9 +274,9 @@ INLINE void watch_rows(pm_workspace *w, int n, double row[2][MOST], pm_tree_smal
 INLINE int solve_along(pm_workspace *w, int n, pm_tree_small_place *p, const double *rate, const double *f,
                        double *yddot)
 {
-    const pm_tree_small *x = w->tree->swift;
+    const pm_tree_small *x = w->tree->small;
     double row[2][MOST], way[MOST] = {1}, a[MOST] = {0};
-    w->count[PM_COUNT_SOLVES]++;
+    w->result.count[PM_COUNT_SOLVES]++;
     for (int i = 0; i < n - 1; i++)
         for (int k = 0; k < n; k++) row[i][k] = jacobian(&x->row[i], k, p);
     if (n == 2) {
@@ -304,7 +305,7 @@ INLINE int solve_along(pm_workspace *w, int n, pm_tree_small_place *p, const dou
 
 INLINE int derivative(pm_workspace *w, int n, int nloop, const double *y, double *rate)
 {
-    const pm_tree_small *x = w->tree->swift;
+    const pm_tree_small *x = w->tree->small;
     pm_tree_small_place p;
     double square[MOST], gamma[MOST], f[MOST];
     look(x, n, y, &p);
@@ -351,21 +352,22 @@ INLINE void close(int n, int nloop, pm_tree_small_place *p, double *opening, dou
 
 INLINE int factor_here(pm_workspace *w, int n, int nloop, pm_tree_small_place *p)
 {
-    equations(w->tree->swift, n, NULL, p, NULL);
-    return factor_all(w, w->tree->swift, n, nloop, p);
+    equations(w->tree->small, n, NULL, p, NULL);
+    return factor_all(w, w->tree->small, n, nloop, p);
 }
 
 INLINE int project(pm_workspace *w, int n, int nloop, double *y, double *ydot)
 {
-    const pm_tree_small *x = w->tree->swift;
+    const pm_tree_small *x = w->tree->small;
     pm_tree_small_place p;
     double opening[MOST], before = INFINITY, worst = 0;
     int status, factored = 0;
     for (int sweep = 0;; sweep++) {
         look(x, n, y, &p);
         worst = openings(x, n, nloop, y, &p, opening);
-        if (worst <= ROUNDING * w->size || sweep == SWEEPS || (sweep > 1 && worst > 0.5 * before)) break;
-        factored = worst <= SMALL * w->size;
+        if (worst <= ROUNDING * w->numbers.size || sweep == SWEEPS || (sweep > 1 && worst > 0.5 * before))
+            break;
+        factored = worst <= SMALL * w->numbers.size;
         before = worst;
         if ((status = factor_here(w, n, nloop, &p))) return status;
         close(n, nloop, &p, opening, y);
@@ -376,22 +378,23 @@ INLINE int project(pm_workspace *w, int n, int nloop, double *y, double *ydot)
         for (int k = 0; k < n; k++) opening[i] -= jacobian(&x->row[i], k, &p) * ydot[k];
         if (fabs(opening[i]) > worst) worst = fabs(opening[i]);
     }
-    if (worst <= ROUNDING * w->speed) return PM_OK;
-    if (!(factored && worst <= SMALL * w->speed) && (status = factor_here(w, n, nloop, &p))) return status;
+    if (worst <= ROUNDING * w->numbers.speed) return PM_OK;
+    if (!(factored && worst <= SMALL * w->numbers.speed) && (status = factor_here(w, n, nloop, &p)))
+        return status;
     close(n, nloop, &p, opening, ydot);
     return PM_OK;
 }
 
 /* ---- for each n and nloop ---- */
 #define EACH(CALL)                                                  \
-    switch (w->tree->swift->n * MOST + w->tree->swift->nloop) {     \
+    switch (w->tree->small->n * MOST + w->tree->small->nloop) {     \
     case 1 * MOST: return CALL(1, 0);                               \
     case 2 * MOST: return CALL(2, 0);                               \
     case 2 * MOST + 1: return CALL(2, 1);                           \
     case 3 * MOST: return CALL(3, 0);                               \
     case 3 * MOST + 1: return CALL(3, 1);                           \
     case 3 * MOST + 2: return CALL(3, 2);                           \
-    default: return CALL(w->tree->swift->n, w->tree->swift->nloop); \
+    default: return CALL(w->tree->small->n, w->tree->small->nloop); \
     }
 
 int pm_tree_small_derivative(pm_workspace *w, const double *y, double *rate)
@@ -403,7 +406,7 @@ int pm_tree_small_derivative(pm_workspace *w, const double *y, double *rate)
 
 int pm_tree_small_project(pm_workspace *w, double *y, double *ydot)
 {
-    if (w->tree->swift->nloop == 0) return PM_OK;
+    if (w->tree->small->nloop == 0) return PM_OK;
 #define CALL(N, NLOOP) project(w, N, NLOOP, y, ydot)
     EACH(CALL)
 #undef CALL

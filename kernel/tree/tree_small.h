@@ -2,7 +2,7 @@
 #ifndef PM_TREE_SMALL_H
 #define PM_TREE_SMALL_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 #define PM_SWIFT_MOST 4 /* coordinates: each number of them has code of its own */
 

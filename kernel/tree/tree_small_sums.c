@@ -5,6 +5,7 @@
 
 #include "elements/constraint.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 #include "tree/tree.h"
 #include "tree/tree_node.h"
 #include "tree/tree_small.h"
@@ -52,12 +53,12 @@ static void add_side(const pm_workspace *w, const pm_constraint *row, int side, 
                      pm_tree_small_row *x)
 {
     const pm_tree *t = w->tree;
-    const pm_tree_augmented *a = &t->turning;
+    const pm_tree_augmented *a = &t->augmented;
     const int body = row->body[side];
     const double sign = side == 0 ? 1 : -1, *mark = side == 0 ? row->a : row->b;
     x->turning[side] = PM_NONE;
     if (body == w->model->nbody) return;
-    const double *im = w->inverse_mass + 3 * body;
+    const double *im = w->numbers.inverse_mass + 3 * body;
     const pm_tree_node *node = &t->node[t->placed[body] - 1];
     const pm_point p = pm_frame_point(w, body, mark[0], mark[1]);
     x->square += n[0] * n[0] * im[0] + n[1] * n[1] * im[1];
@@ -88,13 +89,13 @@ static int read_row(const pm_workspace *w, const double *y, pm_constraint *row, 
     for (int side = 0; side < 2; side++) add_side(w, row, side, n, x);
     x->constant = row->g;
     for (int k = 0; k < w->tree->n; k++)
-        x->constant -= x->shift[k] * y[k] + value_of(x->wave[k], w->tree->turning.direction + 2 * k);
+        x->constant -= x->shift[k] * y[k] + value_of(x->wave[k], w->tree->augmented.direction + 2 * k);
     return 1;
 }
 
 static void read_sums(const pm_workspace *w, pm_tree_small *x)
 {
-    const pm_tree_augmented *a = &w->tree->turning;
+    const pm_tree_augmented *a = &w->tree->augmented;
     const int n = w->tree->n;
     for (int i = 0; i < n; i++)
         for (int k = 0; k <= i; k++) {
@@ -114,8 +115,8 @@ static void read_sums(const pm_workspace *w, pm_tree_small *x)
     for (int i = 0; i < n; i++) {
         const double *p = a->upper + 2 * (i * n + i);
         x->weight[i] = a->weight[i];
-        x->turned_weight[i].a = w->gravity[1] * p[0] - w->gravity[0] * p[1];
-        x->turned_weight[i].b = -w->gravity[1] * p[1] - w->gravity[0] * p[0];
+        x->turned_weight[i].a = w->numbers.gravity[1] * p[0] - w->numbers.gravity[0] * p[1];
+        x->turned_weight[i].b = -w->numbers.gravity[1] * p[1] - w->numbers.gravity[0] * p[0];
         x->owner[i] = a->owner[i];
         x->turning[i] = a->owner[i] != PM_NONE;
     }
@@ -125,15 +126,16 @@ static void read_sums(const pm_workspace *w, pm_tree_small *x)
 void pm_tree_small_sum_up(pm_workspace *w)
 {
     pm_tree *t = w->tree;
-    pm_tree_small *x = t->swift;
+    pm_tree_small *x = t->small;
     x->n = t->n;
     x->nloop = t->nloop;
-    x->on = t->turning.on && !t->turning.forced && t->n > 0 && t->n <= MOST && t->nloop < t->n;
+    x->on = t->augmented.on && !t->augmented.forced && t->n > 0 && t->n <= MOST && t->nloop < t->n;
     if (!x->on) return;
     double y[MOST];
     pm_tree_read(w, y);
     pm_tree_influence(w);
-    for (int i = 0; i < t->nloop && x->on; i++) x->on = read_row(w, y, &w->row[t->loop[i]], &x->row[i]);
+    for (int i = 0; i < t->nloop && x->on; i++)
+        x->on = read_row(w, y, &w->active.row[t->loop[i]], &x->row[i]);
     if (!x->on) return;
     read_sums(w, x);
     for (int k = 0; k < MOST; k++) x->y[k] = NAN;

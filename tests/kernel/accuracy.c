@@ -1,8 +1,9 @@
 /* Estimated errors and margins: against true errors, on decisions that are close, and what is asked of accuracy. */
+#include "study/accuracy.h"
 #include "check.h"
 #include "scene.h"
 #include "scene/program_class.h"
-#include "study/accuracy.h"
+#include "state/workspace.h"
 
 #define G 9.81
 
@@ -168,11 +169,11 @@ static void own_errors(void)
     pm_workspace *w = s->w;
     double out[3], error[3], margin[3], trust[PM_TRUSTS], audit[PM_AUDITS];
     int32_t reason[3];
-    w->out = out;
-    w->reason = reason;
-    w->audit = audit;
+    w->result.out = out;
+    w->result.reason = reason;
+    w->result.audit = audit;
     EQUAL(pm_accuracy_run(w, NULL, NULL, error, margin, trust), PM_OK);
-    pm_accuracy *e = w->error;
+    pm_accuracy *e = w->accuracy;
     e->present->margin = INFINITY;
     pm_accuracy_decision(w, -3e-9, 1e-9);
     NEAR(e->present->margin, 3, 1e-12);

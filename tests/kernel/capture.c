@@ -7,6 +7,7 @@
 #include "impact/impact.h"
 #include "scene.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 #define CLOSE 1e-11
 #define MOST 6
@@ -94,11 +95,11 @@ static void bullet(const view *x, int route, int capture)
 /* Momentum of a body about p with velocities v: x, y, angular. */
 static void momentum(const pm_workspace *w, int body, const double *v, const double *p, double out[3])
 {
-    const double m = w->mass[body], *q = w->state.q + 3 * body, *u = v + 3 * body;
+    const double m = w->numbers.mass[body], *q = w->state.q + 3 * body, *u = v + 3 * body;
     out[0] = m * u[0];
     out[1] = m * u[1];
     out[2] = (q[0] - p[0]) * out[1] - (q[1] - p[1]) * out[0];
-    if (w->inverse_mass[3 * body + 2] > 0) out[2] += u[2] / w->inverse_mass[3 * body + 2];
+    if (w->numbers.inverse_mass[3 * body + 2] > 0) out[2] += u[2] / w->numbers.inverse_mass[3 * body + 2];
 }
 
 /* Velocity at p of body a relative to b. */
@@ -142,20 +143,20 @@ static void free_bodies(int kind, int capture, int particle)
     static const double none = 0;
     pm_start_report report;
     EQUAL(pm_run_start(w, &none, &report), PM_OK); /* at rest: caught without a blow */
-    EQUAL(w->count[PM_COUNT_JUMPS], 0);
+    EQUAL(w->result.count[PM_COUNT_JUMPS], 0);
     EQUAL(w->state.slot[hit].mode, PM_CAPTURED);
     relative(w, v, p, u);
     if (kind != PM_CONTACT_POINT && u[0] * cos(n) + u[1] * sin(n) > 0) /* towards each other */
         for (int i = 0; i < MOST; i++) v[i] = -v[i];
     w->state.slot[hit].mode = PM_OPEN;
     memcpy(w->state.v, v, sizeof v);
-    w->speed = 2;
+    w->numbers.speed = 2;
     pm_frame_look_state(w, &w->state);
     int jumped;
     EQUAL(pm_impact(w, &jumped), PM_OK);
     EQUAL(jumped, 1);
     EQUAL(w->state.slot[hit].mode, PM_CAPTURED);
-    const double *impulse = w->slot_impulse + 2 * hit;
+    const double *impulse = w->impulses.slot + 2 * hit;
     for (int i = 0; i < 2; i++) {
         momentum(w, i, v, p, before[i]);
         momentum(w, i, w->state.v, p, after[i]);
@@ -166,7 +167,7 @@ static void free_bodies(int kind, int capture, int particle)
     relative(w, w->state.v, p, u);
     NEAR(hypot(u[0], u[1]), 0, CLOSE);
     if (capture == PM_CAPTURE_BODY && !particle) NEAR(w->state.v[2], w->state.v[5], CLOSE);
-    CHECK(w->lost > 0);
+    CHECK(w->impulses.energy_lost > 0);
     scene_free(s);
 }
 

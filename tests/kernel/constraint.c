@@ -7,6 +7,7 @@
 #include "equations/active_set.h"
 #include "equations/saddle.h"
 #include "scene.h"
+#include "state/workspace.h"
 
 #define TWO_PI 6.283185307179586
 #define STEP 1e-6
@@ -49,8 +50,8 @@ static void look(pm_workspace *w, const double *direction, double eps)
     const pm_model *m = w->model;
     for (int i = 0; i < m->nbody; i++)
         for (int k = 0; k < 3; k++) {
-            w->state.q[3 * i + k] =
-                w->value[PM_BODY_ROW(m, i)[PM_BODY_X + k]] + (direction ? eps * direction[3 * i + k] : 0);
+            w->state.q[3 * i + k] = w->numbers.value[PM_BODY_ROW(m, i)[PM_BODY_X + k]] +
+                                    (direction ? eps * direction[3 * i + k] : 0);
             w->state.v[3 * i + k] = speed[3 * i + k];
         }
     pm_frame_look_state(w, &w->state);

@@ -4,6 +4,7 @@
 #include "check.h"
 #include "scene.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 #define STEP_X 0.31
 #define STEP_Y 0.07

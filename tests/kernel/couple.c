@@ -5,6 +5,7 @@
 #include "equations/saddle.h"
 #include "scene.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 #define TWO_PI 6.283185307179586
 #define STEP 1e-4
@@ -57,7 +58,7 @@ static void check_scene(scene *s)
     if (!CHECK(scene_open(s) == PM_OK) || !CHECK(pm_case_begin(s->w, s->constant) == PM_OK)) return;
     pm_workspace *w = s->w;
     for (int i = 0; i < w->model->nq; i++) {
-        w->state.q[i] = w->value[PM_BODY_ROW(w->model, i / 3)[PM_BODY_X + i % 3]];
+        w->state.q[i] = w->numbers.value[PM_BODY_ROW(w->model, i / 3)[PM_BODY_X + i % 3]];
         w->state.v[i] = speed[i];
     }
     for (int i = 0; i < s->rows[PM_TABLE_JOINT]; i++) {

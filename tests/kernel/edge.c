@@ -6,6 +6,7 @@
 #include "elements/contact.h"
 #include "scene.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 #define CLOSE 1e-8
 #define G 9.81

@@ -4,6 +4,7 @@
 
 #include "check.h"
 #include "scene.h"
+#include "state/workspace.h"
 
 #define SIDE 1.0 /* m: bars of a triangle on the ground */
 #define HEIGHT 0.86602540378443865
@@ -15,9 +16,9 @@ static int still_of(scene *s)
     static const double none = 0;
     pm_start_report report;
     EQUAL(scene_open(s), PM_OK);
-    s->w->still->wanted = 1;
+    s->w->fixed->wanted = 1;
     pm_run_start(s->w, &none, &report); /* in a singular position it ends there */
-    return s->w->still->n;
+    return s->w->fixed->n;
 }
 
 static void expect(scene *s, int n)
@@ -144,7 +145,7 @@ static void possible_or_not(void)
         scene_until_time(s, TIME);
         scene_ask_measure(s, scene_measure(s, PM_MEASURE_TOTAL, PM_NONE));
         EQUAL(still_of(s), 0);
-        EQUAL(s->w->still->possible, bars == 2);
+        EQUAL(s->w->fixed->possible, bars == 2);
         scene_free(s);
     }
 }

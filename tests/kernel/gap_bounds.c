@@ -1,8 +1,9 @@
 /* Contacts that can never close: each bound of a gap is sharp - just out of reach a contact is dropped, just within it is
  * not -, and a run has the very bits of the run without the contacts that were dropped. */
-#include "check.h"
 #include "equations/gap_bounds.h"
+#include "check.h"
 #include "scene.h"
+#include "state/workspace.h"
 
 #define UPPER 1.0 /* m: rods of a double pendulum from the origin */
 #define LOWER 0.4
@@ -119,7 +120,7 @@ static void obstacle(chain c, int kind, double clear)
 static int unreached(scene *s)
 {
     EQUAL(scene_begin(s), PM_OK);
-    return s->w->unreached;
+    return s->w->nunreached;
 }
 
 static void bounds_are_sharp(void)

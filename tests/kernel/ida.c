@@ -7,6 +7,7 @@
 #include "routes/ida/ida_system.h"
 #include "scene.h"
 #include "state/route.h"
+#include "state/workspace.h"
 
 #define G 9.81
 #define MOST 256 /* unknowns */
@@ -113,7 +114,7 @@ static void check_newton_matrix(scene *s, double cj, int sparse)
     const double step = 1e-5;
     for (int i = 0; i < r->n; i++) x[i] = check_random(-1, 1);
     for (int i = 2; i < 3 * s->rows[PM_TABLE_BODY]; i += 3)
-        if (w->inverse_mass[i] == 0) x[i] = x[w->model->nq + i] = 0; /* held */
+        if (w->numbers.inverse_mass[i] == 0) x[i] = x[w->model->nq + i] = 0; /* held */
     for (int sign = 0; sign < 2; sign++) {
         double z[MOST], zp[MOST];
         for (int i = 0; i < r->n; i++) {
@@ -165,7 +166,7 @@ static void newton_matrix_with_friction(int links)
     scene_force(s, PM_FORCE_DAMPER, spring, scene_point(s, PM_GROUND, 1, 1), 3, 0);
     chain(s, links);
     check_newton_matrix(s, 238.5, links > 0);
-    CHECK(s->w->asymmetric);
+    CHECK(s->w->active.asymmetric);
     scene_free(s);
 }
 

@@ -8,6 +8,7 @@
 #include "equations/saddle.h"
 #include "scene.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 #define MOST 32
 #define CLOSE 1e-11
@@ -40,7 +41,7 @@ static blow strike(scene *s, const double *v, unsigned resting)
         w->state.v[i] = x.before[i] = v[i];
         fastest = fmax(fastest, fabs(v[i]));
     }
-    w->speed = fastest;
+    w->numbers.speed = fastest;
     pm_frame_look_state(w, &w->state);
     const int status = pm_impact(w, &x.jumped);
     x.refused = status == PM_BLOW_GAINS || status == PM_BLOW_TURNS;
@@ -65,7 +66,8 @@ static void momentum_balance(scene *s, const blow *x)
                 pm_contact_constraint_both(w, pm_contact_of_slot(m, i), i, w->state.slot[i].member, &row[0],
                                            &row[1]);
             for (int k = 0; k < rows; k++) {
-                const double size = pass ? w->slot_impulse[2 * i + k] : w->joint_impulse[m->joint_row[i] + k];
+                const double size =
+                    pass ? w->impulses.slot[2 * i + k] : w->impulses.joint[m->joint_row[i] + k];
                 pm_line_of_action a;
                 pm_constraint_kind(row[k].kind)->act(w, &row[k], &a);
                 for (int p = 0; p < 2; p++) {
@@ -81,7 +83,8 @@ static void momentum_balance(scene *s, const blow *x)
         }
     }
     for (int i = 0; i < m->nq; i++)
-        if (w->inverse_mass[i] > 0) NEAR(sum[i] * w->inverse_mass[i], x->after[i] - x->before[i], CLOSE);
+        if (w->numbers.inverse_mass[i] > 0)
+            NEAR(sum[i] * w->numbers.inverse_mass[i], x->after[i] - x->before[i], CLOSE);
 }
 
 static double normal_rate(pm_workspace *w, int slot, const double *v)
@@ -104,7 +107,7 @@ static void contact_laws(scene *s, const blow *x, int slot, int rested)
     const int contact = pm_contact_of_slot(w->model, slot), friction = pm_contact_friction(w->model, contact);
     const double u = normal_rate(w, slot, x->before), after = normal_rate(w, slot, x->after);
     const double slip_before = slip_rate(w, slot, x->before), slip = slip_rate(w, slot, x->after);
-    const double p = w->slot_impulse[2 * slot], f = w->slot_impulse[2 * slot + 1],
+    const double p = w->impulses.slot[2 * slot], f = w->impulses.slot[2 * slot + 1],
                  mu = pm_contact_static(w, contact);
     CHECK(p >= -CLOSE);
     CHECK(after >= -CLOSE);
@@ -112,7 +115,7 @@ static void contact_laws(scene *s, const blow *x, int slot, int rested)
     if (p <= CLOSE) NEAR(f, 0, CLOSE); /* no normal impulse, no friction */
     if (friction == PM_FRICTION_SMOOTH) EQUAL(f, 0);
     if (friction == PM_FRICTION_ROUGH && p > CLOSE) NEAR(slip, 0, CLOSE);
-    const int several = w->model->nslot > 1 && w->slot_impulse[0] > CLOSE && w->slot_impulse[2] > CLOSE;
+    const int several = w->model->nslot > 1 && w->impulses.slot[0] > CLOSE && w->impulses.slot[2] > CLOSE;
     if (friction != PM_FRICTION_COULOMB) return;
     CHECK(fabs(f) <= mu * p + CLOSE);
     if (fabs(slip) > CLOSE && p > CLOSE && (several || slip * slip_before >= 0)) { /* reversed: impact.c */
@@ -130,7 +133,7 @@ static int refused(scene *s, const blow *x)
         rough |= pm_contact_friction(w->model, i) != PM_FRICTION_SMOOTH;
         bounces |= pm_contact_restitution(w, i) > 0;
     }
-    if (x->refused) CHECK(rough && bounces && w->where.value > 0);
+    if (x->refused) CHECK(rough && bounces && w->result.where.value > 0);
     return x->refused;
 }
 
@@ -147,7 +150,7 @@ static void laws(scene *s, const blow *x, unsigned resting)
     }
     for (int i = 0; i < w->model->nslot; i++) CHECK(normal_rate(w, i, x->after) >= -CLOSE);
     if (x->jumped != 1) return; /* a sequence: the impulses kept are those of its last blow */
-    NEAR(w->lost, kinetic(w, x->before) - kinetic(w, x->after), CLOSE);
+    NEAR(w->impulses.energy_lost, kinetic(w, x->before) - kinetic(w, x->after), CLOSE);
     momentum_balance(s, x);
     for (int i = 0; i < w->model->nslot; i++) contact_laws(s, x, i, resting >> i & 1);
 }
@@ -180,7 +183,7 @@ static void rod_corner(void)
                 const blow x = strike(s, v, 0);
                 laws(s, &x, 0);
                 if (!x.refused) EQUAL(x.jumped, 1);
-                if (!x.refused) CHECK(s->w->slot_impulse[0] > 0);
+                if (!x.refused) CHECK(s->w->impulses.slot[0] > 0);
                 scene_free(s);
             }
 }
@@ -242,7 +245,7 @@ static blow rod_on_supports(double a, double e, int friction, double impulse[3])
     const blow x = strike(s, v, 3); /* both supports rest */
     EQUAL(x.jumped, 1);
     laws(s, &x, 3);
-    for (int i = 0; i < 3; i++) impulse[i] = s->w->slot_impulse[2 * i];
+    for (int i = 0; i < 3; i++) impulse[i] = s->w->impulses.slot[2 * i];
     scene_free(s);
     return x;
 }

@@ -1,6 +1,7 @@
 /* Turning, mirroring and rescaling a scene (length, mass, time) turns, mirrors and rescales its answers. */
 #include "check.h"
 #include "scene.h"
+#include "state/workspace.h"
 
 typedef struct view {
     double turn, mirror, length, mass, time;

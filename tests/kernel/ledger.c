@@ -4,6 +4,7 @@
 #include "check.h"
 #include "scene.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 /* Springs, dampers, forces that follow, friction, blows and joints at once. */
 static scene *busy(void)
@@ -83,15 +84,15 @@ static int tampered(int what, int *which)
     pm_workspace *w = s->w;
     switch (what) {
     case 0: break;
-    case 1: w->state.v[6] *= 1 + 1e-5; break;    /* a speed */
-    case 2: w->state.q[7] += 1e-5; break;        /* a height: energy alone */
-    case 3: w->energy_lost += 1e-5; break;       /* a loss that was not */
-    case 4: w->momentum_start[2] += 1e-5; break; /* a moment from nowhere */
-    case 5: w->constraint_worst = 1e-6; break;   /* a joint that opened */
-    default: w->state.z[0] = NAN;                /* not a number anywhere */
+    case 1: w->state.v[6] *= 1 + 1e-5; break;           /* a speed */
+    case 2: w->state.q[7] += 1e-5; break;               /* a height: energy alone */
+    case 3: w->ledger.energy_lost += 1e-5; break;       /* a loss that was not */
+    case 4: w->ledger.momentum_start[2] += 1e-5; break; /* a moment from nowhere */
+    case 5: w->ledger.constraint_worst = 1e-6; break;   /* a joint that opened */
+    default: w->state.z[0] = NAN;                       /* not a number anywhere */
     }
     status = pm_ledger_close(w);
-    *which = w->where.row;
+    *which = w->result.where.row;
     scene_free(s);
     return status;
 }

@@ -5,6 +5,7 @@
 #include "equations/saddle.h"
 #include "scene.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 /* A body and a cart with known places and speeds, free. */
 static const double place[2][3] = {{0.3, -0.4, 0.8}, {-1.1, 0.6, -2.2}},

@@ -2,11 +2,13 @@
 #include "routes/path/path.h"
 
 #include "check.h"
+#include "elements/constraint.h"
 #include "equations/projection.h"
 #include "equations/saddle.h"
 #include "scene.h"
 #include "state/frame.h"
 #include "state/route.h"
+#include "state/workspace.h"
 
 #define G 9.81
 #define PI 3.14159265358979323846
@@ -295,7 +297,7 @@ static void accelerations(void)
         if (!CHECK(scene_begin(s) == PM_OK)) continue;
         w = s->w;
         for (int k = 0; k < w->model->nq; k++)
-            w->state.v[k] = w->inverse_mass[k] > 0 ? check_random(-2, 2) : 0;
+            w->state.v[k] = w->numbers.inverse_mass[k] > 0 ? check_random(-2, 2) : 0;
         pm_frame_look_state(w, &w->state);
         pm_saddle_rows(w);
         EQUAL(pm_projection_velocity(w, &w->state), PM_OK);
@@ -307,18 +309,18 @@ static void accelerations(void)
         pm_frame_look_state(w, &w->state);
         EQUAL(pm_saddle_accelerate(w), PM_OK);
         const size_t a_bytes = (size_t)w->model->nq * sizeof(double),
-                     l_bytes = (size_t)w->nactive * sizeof(double);
+                     l_bytes = (size_t)w->active.n * sizeof(double);
         double a[3 * 8], lambda[3 * 8], size = 1;
         CHECK(a_bytes <= sizeof a && l_bytes <= sizeof lambda);
         memcpy(a, w->frame.a, a_bytes);
         memcpy(lambda, w->frame.lambda, l_bytes);
-        for (int k = 0; k < w->nactive; k++) size = fmax(size, fabs(lambda[k]));
+        for (int k = 0; k < w->active.n; k++) size = fmax(size, fabs(lambda[k]));
         memset(w->frame.a, 0, a_bytes);
         pm_frame_look_state(w, &w->state);
         EQUAL(pm_path_accelerate(w, w->state.v), PM_OK);
         EQUAL(w->frame.level, PM_LEVEL_DYNAMIC);
         for (int k = 0; k < w->model->nq; k++) NEAR(w->frame.a[k], a[k], 1e-12 * size / 0.05);
-        for (int k = 0; k < w->nactive; k++) NEAR(w->frame.lambda[k], lambda[k], 1e-12 * size);
+        for (int k = 0; k < w->active.n; k++) NEAR(w->frame.lambda[k], lambda[k], 1e-12 * size);
         scene_free(s);
     }
 }
@@ -338,11 +340,11 @@ static double evidence(maker *make, double shift, double more)
         pm_frame_look_state(w, &w->state);
         CHECK(pm_route_path.applies(w));
         EQUAL(pm_route_path.begin(w), PM_OK);
-        w->row[1].a[0] += shift;
-        w->gravity[1] *= 1 + more;
-        w->evidence = 0;
+        w->active.row[1].a[0] += shift;
+        w->numbers.gravity[1] *= 1 + more;
+        w->ledger.evidence = 0;
         EQUAL(pm_route_path.step(w, INFINITY), PM_OK);
-        out = w->evidence;
+        out = w->ledger.evidence;
     }
     scene_free(s);
     return out;

@@ -6,6 +6,7 @@
 #include "equations/fixed_bodies.h"
 #include "scene.h"
 #include "state/route.h"
+#include "state/workspace.h"
 
 enum { BODIES = 5, KINDS = 10 };
 
@@ -57,7 +58,7 @@ static int begin(scene *s)
     pm_start_report report;
     const int status = scene_open(s);
     if (status) return status;
-    s->w->still->wanted = 1;
+    s->w->fixed->wanted = 1;
     return pm_run_start(s->w, &none, &report);
 }
 
@@ -89,7 +90,7 @@ static void react(pm_workspace *w, double *a, double *lambda)
     memcpy(w->frame.pose, x->pose, 5 * (size_t)w->model->nbody * sizeof *x->pose);
     pm_path_open_accelerate(w, x);
     memcpy(a, w->frame.a, (size_t)w->model->nq * sizeof *a);
-    memcpy(lambda, w->frame.lambda, (size_t)w->nactive * sizeof *lambda);
+    memcpy(lambda, w->frame.lambda, (size_t)w->active.n * sizeof *lambda);
 }
 
 static void near_all(const double *a, const double *b, int n)
@@ -109,7 +110,7 @@ static void compare(pm_workspace *w, double u)
     w->path->rigid.n = group;
     near_all((const double *)&one, (const double *)&other, (int)(sizeof one / sizeof(double)));
     near_all(a[0], a[1], w->model->nq);
-    near_all(lambda[0], lambda[1], w->nactive);
+    near_all(lambda[0], lambda[1], w->active.n);
 }
 
 static void check_group(int kind, int on_post, int springs)

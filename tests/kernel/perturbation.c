@@ -4,6 +4,7 @@
 #include "check.h"
 #include "routes/start/fastest_growth.h"
 #include "scene.h"
+#include "state/workspace.h"
 
 #define PI 3.14159265358979323846
 #define G 9.81

@@ -8,6 +8,7 @@
 #include "run/plan.h"
 #include "scene.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 #define G 9.81
 #define PI 3.14159265358979323846
@@ -263,18 +264,18 @@ static void dense_output(int route, double tolerance)
         w->event->nfunction = 0;
         CHECK(pm_plan_phase(w) == PM_OK);
         pm_event_begin(w);
-        CHECK(w->route->begin(w) == PM_OK);
+        CHECK(w->phase.route->begin(w) == PM_OK);
         for (int step = 0; step < 40; step++) {
             double begin[12], dense[12], x[12];
             memcpy(begin, w->state.q, sizeof(double) * 2 * (size_t)nq);
             memset(w->event->root, 0, sizeof(int) * (size_t)w->event->nfunction);
-            if (!CHECK(w->route->step(w, 1.9) == PM_OK) || w->state.t >= 1.9) break;
-            CHECK(w->step_begin < w->step_end && w->step_end == w->state.t);
+            if (!CHECK(w->phase.route->step(w, 1.9) == PM_OK) || w->state.t >= 1.9) break;
+            CHECK(w->step.begin < w->step.end && w->step.end == w->state.t);
             for (int k = 0; k <= 8; k++) {
-                const double t = w->step_begin + (w->step_end - w->step_begin) * k / 8.;
-                CHECK(w->route->at(w, t, &w->probe) == PM_OK);
+                const double t = w->step.begin + (w->step.end - w->step.begin) * k / 8.;
+                CHECK(w->phase.route->at(w, t, &w->probe) == PM_OK);
                 memcpy(dense, w->probe.q, sizeof dense);
-                CHECK(w->route->exact(w, t, &w->probe) == PM_OK);
+                CHECK(w->phase.route->exact(w, t, &w->probe) == PM_OK);
                 memcpy(x, w->probe.q, sizeof x);
                 for (int i = 0; i < 2 * nq; i++) NEAR(dense[i], x[i], tolerance);
                 if (k == 0)

@@ -9,6 +9,7 @@
 #include "equations/projection.h"
 #include "scene.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 /* A chain of rods pinned to each other, with a spring; `fixed`: the first one to the ground too. */
 static scene *chain(int n, int fixed)
@@ -35,7 +36,7 @@ static scene *chain(int n, int fixed)
 static void shake(pm_workspace *w)
 {
     for (int i = 0; i < w->model->nq; i++) w->state.v[i] = check_random(-2, 2);
-    w->speed = 2;
+    w->numbers.speed = 2;
     pm_frame_look_state(w, &w->state);
     pm_saddle_rows(w);
     EQUAL(pm_projection_velocity(w, &w->state), PM_OK);
@@ -48,16 +49,17 @@ static void recompute(pm_workspace *w)
     double sum[64];
     EQUAL(pm_saddle_accelerate(w), PM_OK);
     for (int i = 0; i < nq; i++) sum[i] = w->frame.f[i];
-    for (int i = 0; i < w->nactive; i++) {
-        const pm_constraint *row = &w->row[i];
-        const double *h = w->asymmetric ? row->h : row->j;
+    for (int i = 0; i < w->active.n; i++) {
+        const pm_constraint *row = &w->active.row[i];
+        const double *h = w->active.asymmetric ? row->h : row->j;
         NEAR(pm_saddle_times(w, row, w->frame.a), row->gamma, 1e-10);
         for (int p = 0; p < 2; p++)
             for (int k = 0; k < 3 && row->body[p] < w->model->nbody; k++)
                 sum[3 * row->body[p] + k] += h[3 * p + k] * w->frame.lambda[i];
     }
     for (int i = 0; i < nq; i++)
-        if (w->inverse_mass[i] > 0) NEAR(sum[i], w->frame.a[i] / w->inverse_mass[i], 1e-10);
+        if (w->numbers.inverse_mass[i] > 0)
+            NEAR(sum[i], w->frame.a[i] / w->numbers.inverse_mass[i], 1e-10);
 }
 
 /* Momentum about the origin that the rows give: none where all are inside the scene. */
@@ -66,10 +68,11 @@ static void momentum_of_rows(pm_workspace *w)
     double rate[3] = {0, 0, 0};
     for (int i = 0; i < w->model->nbody; i++) {
         const double *pose = w->frame.pose + 5 * i, *a = w->frame.a + 3 * i;
-        const double fx = w->mass[i] * (a[0] - w->gravity[0]), fy = w->mass[i] * (a[1] - w->gravity[1]);
+        const double fx = w->numbers.mass[i] * (a[0] - w->numbers.gravity[0]),
+                     fy = w->numbers.mass[i] * (a[1] - w->numbers.gravity[1]);
         rate[0] += fx;
         rate[1] += fy;
-        rate[2] += a[2] / w->inverse_mass[3 * i + 2] + pose[0] * fy - pose[1] * fx;
+        rate[2] += a[2] / w->numbers.inverse_mass[3 * i + 2] + pose[0] * fy - pose[1] * fx;
     }
     for (int k = 0; k < 3; k++) NEAR(rate[k], 0, 1e-11);
 }
@@ -80,7 +83,7 @@ static void chains(void)
         for (int fixed = 0; fixed < 2; fixed++) {
             scene *s = chain(n, fixed);
             if (CHECK(scene_begin(s) == PM_OK)) {
-                EQUAL(s->w->nactive, 2 * (n - 1 + fixed));
+                EQUAL(s->w->active.n, 2 * (n - 1 + fixed));
                 shake(s->w);
                 recompute(s->w);
                 if (!fixed) momentum_of_rows(s->w);
@@ -103,8 +106,8 @@ static void sliding(void)
     scene_start_velocity(s, scene_point(s, b, 0, 0), 3 * cos(angle), 3 * sin(angle));
     scene_start_omega(s, b, 0);
     if (CHECK(scene_begin(s) == PM_OK)) {
-        CHECK(s->w->asymmetric);
-        EQUAL(s->w->nactive, 2);
+        CHECK(s->w->active.asymmetric);
+        EQUAL(s->w->active.n, 2);
         recompute(s->w);
         const double along = s->w->frame.a[0] * cos(angle) + s->w->frame.a[1] * sin(angle);
         NEAR(along, -9.81 * (sin(angle) + mu * cos(angle)), 1e-11);
@@ -159,7 +162,7 @@ static double parallelogram(int legs, int *redundant)
     scene_until_time(s, 1);
     const int out = scene_ask_measure(s, scene_measure(s, PM_MEASURE_ANGLE, 1));
     CHECK(scene_begin(s) == PM_OK);
-    *redundant = s->w->nredundant;
+    *redundant = s->w->active.nredundant;
     EQUAL(scene_run(s, NULL), PM_OK);
     const double angle = s->out[out];
     scene_free(s);

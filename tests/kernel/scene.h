@@ -20,7 +20,8 @@
 #include "equations/case.h"
 #include "equations/start.h"
 #include "run/run.h"
-#include "state/model.h"
+#include "scene/build.h"
+#include "state/workspace.h"
 
 #define SCENE_CELLS 8192
 #define SCENE_OUTS 256
@@ -359,9 +360,9 @@ static inline int scene_open(scene *s)
         pm_model_create(s->ntable, s->table, s->nconstant, s->constant, s->nparam, &s->model, &where);
     if (!status) status = pm_workspace_create(s->model, &s->w);
     if (status) return status;
-    s->w->out = s->out;
-    s->w->reason = s->reason;
-    s->w->audit = s->audit;
+    s->w->result.out = s->out;
+    s->w->result.reason = s->reason;
+    s->w->result.audit = s->audit;
     return PM_OK;
 }
 

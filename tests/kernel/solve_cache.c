@@ -2,10 +2,12 @@
 #include "equations/solve_cache.h"
 
 #include "check.h"
+#include "elements/constraint.h"
 #include "equations/active_set.h"
 #include "equations/saddle.h"
 #include "scene.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 /* Two rods on a pin, the lower one with a rim above a row of points that is far below. */
 static scene *rods(int force)
@@ -28,25 +30,25 @@ static void recompute(pm_workspace *w, double *a, double *lambda)
     pm_frame_look_state(w, &w->state);
     EQUAL(pm_saddle_accelerate(w), PM_OK);
     memcpy(a, w->frame.a, (size_t)w->model->nq * sizeof *a);
-    memcpy(lambda, w->frame.lambda, (size_t)w->nactive * sizeof *lambda);
+    memcpy(lambda, w->frame.lambda, (size_t)w->active.n * sizeof *lambda);
 }
 
 static void as_if_solved(pm_workspace *w)
 {
     double a[6], lambda[4], other[6] = {0.3, 0.1, -2, 1, 0, 3};
     recompute(w, a, lambda);
-    const int64_t solves = w->count[PM_COUNT_SOLVES];
+    const int64_t solves = w->result.count[PM_COUNT_SOLVES];
     memcpy(w->frame.a, other, sizeof other);
     memset(w->frame.lambda, 0, sizeof lambda);
     memset(w->frame.f, 0, sizeof other);
-    for (int i = 0; i < w->nactive; i++) w->row[i].gamma = NAN;
+    for (int i = 0; i < w->active.n; i++) w->active.row[i].gamma = NAN;
     pm_frame_look_state(w, &w->state);
     EQUAL(pm_saddle_accelerate(w), PM_OK);
-    EQUAL(w->count[PM_COUNT_SOLVES], solves);
+    EQUAL(w->result.count[PM_COUNT_SOLVES], solves);
     EQUAL(w->frame.level, PM_LEVEL_DYNAMIC);
     for (int i = 0; i < 6; i++) EQUAL(w->frame.a[i], a[i]);
     for (int i = 0; i < 4; i++) EQUAL(w->frame.lambda[i], lambda[i]);
-    for (int i = 0; i < 4; i++) CHECK(!isnan(w->row[i].gamma));
+    for (int i = 0; i < 4; i++) CHECK(!isnan(w->active.row[i].gamma));
     double left = 0;
     for (int i = 0; i < 6; i++) left = fmax(left, fabs(w->frame.f[i]));
     CHECK(left > 0);
@@ -80,13 +82,13 @@ static void sets_of_rows(pm_workspace *w)
     EQUAL(pm_solve_cache_is_built(w), 0);
     EQUAL(pm_active_set_build(w), PM_OK);
     EQUAL(pm_solve_cache_is_built(w), 1);
-    const int64_t set = w->row_set;
+    const int64_t set = w->active.version;
     EQUAL(pm_active_set_build(w), PM_OK);
-    EQUAL(w->row_set, set);
+    EQUAL(w->active.version, set);
     w->state.q[4] = nextafter(w->state.q[4], 1);
     EQUAL(pm_solve_cache_is_built(w), 0);
     EQUAL(pm_active_set_build(w), PM_OK);
-    CHECK(w->row_set > set);
+    CHECK(w->active.version > set);
     pm_active_set_clear(w);
     EQUAL(pm_solve_cache_is_built(w), 0);
 }
@@ -98,23 +100,23 @@ static void factors_of_rows(pm_workspace *w)
     EQUAL(pm_solve_cache_is_factored(w), 0);
     pm_saddle_rows(w);
     EQUAL(pm_saddle_factor(w), PM_OK);
-    for (int i = 0; i < w->nactive; i++)
+    for (int i = 0; i < w->active.n; i++)
         for (int k = 0; k < 6; k++) {
-            double *j = &w->row[i].j[k];
+            double *j = &w->active.row[i].j[k];
             const double before = *j;
             EQUAL(pm_solve_cache_is_factored(w), 1);
             *j = before + 1e-15;
             EQUAL(pm_solve_cache_is_factored(w), 0);
             *j = before;
         }
-    w->row[0].gamma += 1;
+    w->active.row[0].gamma += 1;
     EQUAL(pm_solve_cache_is_factored(w), 1);
-    w->row[0].body[1] = !w->row[0].body[1];
+    w->active.row[0].body[1] = !w->active.row[0].body[1];
     EQUAL(pm_solve_cache_is_factored(w), 0);
-    w->row[0].body[1] = !w->row[0].body[1];
-    w->nactive--;
+    w->active.row[0].body[1] = !w->active.row[0].body[1];
+    w->active.n--;
     EQUAL(pm_solve_cache_is_factored(w), 0);
-    w->nactive++;
+    w->active.n++;
 }
 
 int main(void)

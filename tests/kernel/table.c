@@ -2,6 +2,7 @@
  * bounds are refused case by case. */
 #include "check.h"
 #include "scene.h"
+#include "scene/build.h"
 
 /* One of everything. */
 static scene *everything(void)

@@ -10,6 +10,7 @@
 #include "equations/saddle.h"
 #include "scene.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 #include "tree/tree_small.h"
 
 #define MOST 64
@@ -193,15 +194,16 @@ static scene *free_bodies(void)
 static double force_scale(const pm_workspace *w)
 {
     double sum = 1;
-    for (int i = 0; i < w->nactive; i++) sum = fmax(sum, fabs(w->frame.lambda[i]));
+    for (int i = 0; i < w->active.n; i++) sum = fmax(sum, fabs(w->frame.lambda[i]));
     return sum;
 }
 
 /* Random velocities that keep the rows, and a spring so that there is more than weight. */
 static void shake(pm_workspace *w)
 {
-    for (int i = 0; i < w->model->nq; i++) w->state.v[i] = w->inverse_mass[i] > 0 ? check_random(-2, 2) : 0;
-    w->speed = 2;
+    for (int i = 0; i < w->model->nq; i++)
+        w->state.v[i] = w->numbers.inverse_mass[i] > 0 ? check_random(-2, 2) : 0;
+    w->numbers.speed = 2;
     pm_frame_look_state(w, &w->state);
     pm_saddle_rows(w);
     EQUAL(pm_projection_velocity(w, &w->state), PM_OK);
@@ -258,11 +260,11 @@ static void rates(pm_workspace *w, const double *y)
     }
     pm_tree_spread(w, ydot, rate);
     for (int i = 0; i < nq; i++) NEAR(rate[i], velocity[i], 1e-13);
-    for (int k = 0; k < w->nactive; k++) { /* the solved rows hold whatever the rates */
+    for (int k = 0; k < w->active.n; k++) { /* the solved rows hold whatever the rates */
         if (!w->tree->used[k]) continue;
-        pm_constraint_kind(w->row[k].kind)->evaluate(w, &w->row[k]);
-        NEAR(pm_saddle_times(w, &w->row[k], velocity), 0, 1e-12);
-        NEAR(w->row[k].g, 0, 1e-12);
+        pm_constraint_kind(w->active.row[k].kind)->evaluate(w, &w->active.row[k]);
+        NEAR(pm_saddle_times(w, &w->active.row[k], velocity), 0, 1e-12);
+        NEAR(w->active.row[k].g, 0, 1e-12);
     }
 }
 
@@ -273,14 +275,14 @@ static void dynamics(pm_workspace *w, const double *y)
     pm_tree_read_rates(w, w->state.v, ydot);
     EQUAL(pm_saddle_accelerate(w), PM_OK);
     memcpy(a, w->frame.a, sizeof a);
-    memcpy(lambda, w->frame.lambda, (size_t)w->nactive * sizeof(double));
+    memcpy(lambda, w->frame.lambda, (size_t)w->active.n * sizeof(double));
     pm_tree_look(w, 0, y, ydot, w->state.z);
     EQUAL(pm_tree_accelerate(w, yddot), PM_OK);
     pm_tree_tell(w, yddot);
     EQUAL(w->frame.level, PM_LEVEL_DYNAMIC);
     const double size = force_scale(w);
     for (int i = 0; i < w->model->nq; i++) NEAR(w->frame.a[i], a[i], 1e-12 * size / 0.01);
-    for (int i = 0; i < w->nactive; i++) NEAR(w->frame.lambda[i], lambda[i], 1e-12 * size);
+    for (int i = 0; i < w->active.n; i++) NEAR(w->frame.lambda[i], lambda[i], 1e-12 * size);
     pm_tree_read_accelerations(w, a, back);
     for (int i = 0; i < w->tree->n; i++) NEAR(back[i], yddot[i], 1e-10 * size);
 }
@@ -294,10 +296,10 @@ static void projects(pm_workspace *w, const double *y)
         ydot[i] = check_random(-1, 1);
     }
     EQUAL(pm_tree_project(w, 0, off, ydot, w->state.z), PM_OK);
-    for (int i = 0; i < w->nactive; i++) {
-        pm_constraint_kind(w->row[i].kind)->evaluate(w, &w->row[i]);
-        NEAR(w->row[i].g, 0, 1e-14);
-        NEAR(pm_saddle_times(w, &w->row[i], w->tree->v), 0, 1e-14);
+    for (int i = 0; i < w->active.n; i++) {
+        pm_constraint_kind(w->active.row[i].kind)->evaluate(w, &w->active.row[i]);
+        NEAR(w->active.row[i].g, 0, 1e-14);
+        NEAR(pm_saddle_times(w, &w->active.row[i], w->tree->v), 0, 1e-14);
     }
 }
 
@@ -311,7 +313,7 @@ static void swift(pm_workspace *w, const double *y)
     pm_tree_look(w, 0, y, rate, w->state.z);
     pm_tree_sum_up(w);
     pm_tree_small_sum_up(w);
-    if (w->tree->turning.on) dynamics(w, y);
+    if (w->tree->augmented.on) dynamics(w, y);
     if (!pm_tree_small_applies(w)) return;
     for (int trial = 0; trial < 20; trial++) {
         for (int i = 0; i < n; i++) {
@@ -319,16 +321,16 @@ static void swift(pm_workspace *w, const double *y)
             rate[i] = check_random(-3, 3);
         }
         pm_tree_look(w, 0, near, rate, w->state.z);
-        w->tree->independence = 1;
+        w->tree->part.independence = 1;
         EQUAL(pm_tree_accelerate(w, yddot), PM_OK);
-        const double independence = w->tree->independence;
-        w->tree->independence = 1;
+        const double independence = w->tree->part.independence;
+        w->tree->part.independence = 1;
         EQUAL(pm_tree_small_derivative(w, at, same), PM_OK);
         for (int i = 0; i < n; i++) {
             EQUAL(same[i], rate[i]);
             NEAR(same[n + i], yddot[i], 1e-11 / independence * (1 + fabs(yddot[i])));
         }
-        NEAR(w->tree->independence, independence, 1e-12);
+        NEAR(w->tree->part.independence, independence, 1e-12);
     }
     projects(w, y);
     nswift++;
@@ -364,8 +366,8 @@ static void turns_on(pm_workspace *w, const double *y)
         still[i] = 0;
     }
     pm_tree_look(w, 0, far, still, w->state.z);
-    for (int i = 0; i < w->nactive; i++) {
-        pm_constraint *row = &w->row[i];
+    for (int i = 0; i < w->active.n; i++) {
+        pm_constraint *row = &w->active.row[i];
         if (!w->tree->used[i] || row->kind == PM_CONSTRAINT_CIRCLE_TANGENT)
             continue; /* followed step by step */
         pm_constraint_kind(row->kind)->evaluate(w, row);
@@ -390,10 +392,10 @@ static void look_at(scene *s, int n, int nloop)
         pm_frame_look_state(w, &w->state);
         pm_tree_read(w, y);
         pm_tree_partition(w); /* the same by dependent and independent coordinates */
-        EQUAL(w->tree->few, nloop > 0 && n - nloop <= PM_TREE_FEW);
+        EQUAL(w->tree->part.few, nloop > 0 && n - nloop <= PM_TREE_FEW);
         dynamics(w, y);
         projects(w, y);
-        w->tree->few = 0;
+        w->tree->part.few = 0;
         turns_on(w, y);
     }
     scene_free(s);

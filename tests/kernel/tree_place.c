@@ -7,6 +7,7 @@
 #include "equations/active_set.h"
 #include "scene.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 #include "tree/tree_node.h"
 
 enum { MOST = 30 }; /* coordinates of a scene here */
@@ -196,10 +197,10 @@ static void there_and_back(pm_workspace *w)
 static void meets_rows(pm_workspace *w, const double *q)
 {
     look(w, q, w->state.v);
-    for (int i = 0; i < w->nactive; i++) {
+    for (int i = 0; i < w->active.n; i++) {
         if (!w->tree->used[i]) continue;
-        pm_constraint_kind(w->row[i].kind)->evaluate(w, &w->row[i]);
-        NEAR(w->row[i].g, 0, 1e-13);
+        pm_constraint_kind(w->active.row[i].kind)->evaluate(w, &w->active.row[i]);
+        NEAR(w->active.row[i].g, 0, 1e-13);
     }
 }
 
@@ -247,7 +248,7 @@ static void closes(pm_workspace *w)
             look(w, q, w->state.v);
             pm_tree_basis(w, basis);
             pm_tree_loops(w, &loops);
-            for (int i = 0; i < nloop; i++) g[side][i] = w->row[w->tree->loop[i]].g;
+            for (int i = 0; i < nloop; i++) g[side][i] = w->active.row[w->tree->loop[i]].g;
         }
         look(w, w->state.q, w->state.v);
         pm_tree_read(w, y);
@@ -265,9 +266,9 @@ static void closes(pm_workspace *w)
     EQUAL(y[n - 1], kept);
     place(w, y, q);
     look(w, q, w->state.v);
-    for (int i = 0; i < w->nactive; i++) {
-        pm_constraint_kind(w->row[i].kind)->evaluate(w, &w->row[i]);
-        NEAR(w->row[i].g, 0, 1e-13);
+    for (int i = 0; i < w->active.n; i++) {
+        pm_constraint_kind(w->active.row[i].kind)->evaluate(w, &w->active.row[i]);
+        NEAR(w->active.row[i].g, 0, 1e-13);
     }
     y[n - 1] += 50; /* out of reach for lengths, another turn for angles: it converges or says so */
     const int status = pm_tree_close(w, y, q, &loops);

@@ -1,11 +1,12 @@
 /* Planes that turn about an axis in them: forces against differences of the energy, motions against closed forms and against
  * an integration of Lagrange's equations with the angle of the plane as a coordinate, ledgers, other axes, other routes. */
+#include "elements/turning_plane.h"
 #include "check.h"
 #include "elements/force.h"
 #include "elements/measure.h"
-#include "elements/turning_plane.h"
 #include "scene.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 #define PI 3.14159265358979323846
 #define G 9.81

@@ -15,7 +15,7 @@
 
 #include <ida/ida.h>
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* 1: vectors, matrix, linear solver and Jacobian (by differences) of the library, to measure what ours save.
  * The library's vectors have a fixed length: rows that are not active get the equations L' = 0, Mu' = 0. */

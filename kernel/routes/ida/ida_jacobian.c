@@ -17,6 +17,7 @@
 #include "equations/saddle.h"
 #include "routes/ida/ida_system.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 /* What the differences are taken from, in the scratch of the blocks. */
 typedef struct pm_ida_differences {
@@ -95,18 +96,19 @@ static void spread_out(const pm_workspace *w, const pm_constraint *row, const do
 /* M^-1 (f + H^T lambda) and G v at the frame, lambda as there. */
 static void force_and_rate(pm_workspace *w, const double *v, double *force, double *rate)
 {
-    for (int i = 0; i < w->model->nq; i++) force[i] = w->inverse_mass[i] * w->frame.f[i];
-    memcpy(w->rhs, w->frame.lambda, (size_t)w->nactive * sizeof(double));
+    for (int i = 0; i < w->model->nq; i++) force[i] = w->numbers.inverse_mass[i] * w->frame.f[i];
+    memcpy(w->saddle.rhs, w->frame.lambda, (size_t)w->active.n * sizeof(double));
     pm_saddle_spread(w, 1, force);
-    for (int i = 0; i < w->nactive; i++) rate[i] = pm_saddle_times(w, &w->row[i], v);
+    for (int i = 0; i < w->active.n; i++) rate[i] = pm_saddle_times(w, &w->active.row[i], v);
 }
 
 static void rows(pm_workspace *w, pm_ida_jacobian *x)
 {
     const int nq = w->model->nq;
-    for (int i = 0; i < w->nactive; i++) {
-        spread_out(w, &w->row[i], w->row[i].j, x->g + i * nq);
-        spread_out(w, &w->row[i], w->asymmetric ? w->row[i].h : w->row[i].j, x->h + i * nq);
+    for (int i = 0; i < w->active.n; i++) {
+        spread_out(w, &w->active.row[i], w->active.row[i].j, x->g + i * nq);
+        spread_out(w, &w->active.row[i], w->active.asymmetric ? w->active.row[i].h : w->active.row[i].j,
+                   x->h + i * nq);
     }
 }
 
@@ -123,7 +125,7 @@ static void ledger_column(pm_workspace *w, pm_ida_jacobian *x, const pm_ida_diff
 static void ledger(pm_workspace *w, pm_ida_jacobian *x, const pm_ida_differences *d)
 {
     pm_ledger_rates(w, d->z);
-    for (int k = 0; k < w->nactive; k++) {
+    for (int k = 0; k < w->active.n; k++) {
         const double old = w->frame.lambda[k], step = fmax(1, fabs(old));
         w->frame.lambda[k] = old + step;
         ledger_column(w, x, d, k, step);
@@ -146,12 +148,13 @@ static void velocities(pm_workspace *w, pm_ida_jacobian *x, double t, const pm_i
     double *v = d->y + nq;
     memcpy(d->force, w->frame.f, (size_t)nq * sizeof *d->force);
     for (int k = 0; k < nq; k++) {
-        const double old = v[k], step = move(&v[k], k % 3 == 2 ? w->speed / w->size : w->speed);
+        const double old = v[k],
+                     step = move(&v[k], k % 3 == 2 ? w->numbers.speed / w->numbers.size : w->numbers.speed);
         pm_frame_look(w, t, d->y, v, v + nq, w->state.memory);
         pm_force_all(w);
         v[k] = old;
         for (int i = 0; i < nq; i++)
-            x->damping[i * nq + k] = w->inverse_mass[i] * (w->frame.f[i] - d->force[i]) / step;
+            x->damping[i * nq + k] = w->numbers.inverse_mass[i] * (w->frame.f[i] - d->force[i]) / step;
         ledger_column(w, x, d, w->model->nrow + nq + k, step);
     }
 }
@@ -163,12 +166,12 @@ static void positions(pm_workspace *w, pm_ida_jacobian *x, double t, const doubl
     pm_ida_system_look(w, t, d->y, yp);
     force_and_rate(w, d->y + nq, d->force, d->rate);
     for (int k = 0; k < nq; k++) {
-        const double old = d->y[k], step = move(&d->y[k], k % 3 == 2 ? 1 : w->size);
+        const double old = d->y[k], step = move(&d->y[k], k % 3 == 2 ? 1 : w->numbers.size);
         pm_ida_system_look(w, t, d->y, yp);
         force_and_rate(w, d->y + nq, d->force_moved, d->rate_moved);
         d->y[k] = old;
         for (int i = 0; i < nq; i++) x->stiffness[i * nq + k] = (d->force_moved[i] - d->force[i]) / step;
-        for (int i = 0; i < w->nactive; i++) x->turn[i * nq + k] = (d->rate_moved[i] - d->rate[i]) / step;
+        for (int i = 0; i < w->active.n; i++) x->turn[i * nq + k] = (d->rate_moved[i] - d->rate[i]) / step;
         if (x->has_forces) ledger_column(w, x, d, w->model->nrow + k, step);
     }
 }
@@ -179,7 +182,7 @@ void pm_ida_jacobian_evaluate(pm_workspace *w, double t, double cj, const double
     pm_ida_jacobian *x = &w->ida->jacobian;
     const pm_ida_differences d = differences(m, x->work);
     memcpy(d.y, y, (size_t)(2 * m->nq + m->nz) * sizeof *y);
-    x->nactive = w->nactive;
+    x->nactive = w->active.n;
     x->cj = cj;
     pm_ida_system_look(w, t, d.y, yp);
     if (x->sparse) x->independence = pm_saddle_independence(w);

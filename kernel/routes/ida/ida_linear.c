@@ -22,12 +22,14 @@
 #include <math.h>
 #include <string.h>
 
+#include "elements/constraint.h"
 #include "equations/projection.h"
 #include "equations/saddle.h"
 #include "numerics/dense.h"
 #include "routes/ida/ida_jacobian.h"
 #include "routes/ida/ida_sparse.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 #define SLIGHT 1e-6    /* of size and speed: corrections that the rows of the last matrix are good for */
 #define ROUNDING 4e-15 /* of size and speed: nothing is left to correct */
@@ -53,13 +55,14 @@ static int invert_rows(pm_workspace *w)
     for (int r = 0; r < na; r++)
         for (int c = 0; c <= r; c++) {
             double sum = 0;
-            for (int k = 0; k < nq; k++) sum += j->g[r * nq + k] * w->inverse_mass[k] * j->g[c * nq + k];
+            for (int k = 0; k < nq; k++)
+                sum += j->g[r * nq + k] * w->numbers.inverse_mass[k] * j->g[c * nq + k];
             s[r * na + c] = sum;
         }
     for (int r = 0; r < na; r++) j->scale[nq + r] = 1 / sqrt(s[r * na + r]);
     const int bad = pm_dense_cholesky_factor(na, s);
     j->independence = 0;
-    if (bad) return pm_fail(w, PM_SINGULAR, PM_TABLE_JOINT, w->row[bad - 1].joint, 0, 0);
+    if (bad) return pm_fail(w, PM_SINGULAR, PM_TABLE_JOINT, w->active.row[bad - 1].joint, 0, 0);
     j->independence = 1;
     for (int r = 0; r < na; r++) j->independence = fmin(j->independence, s[r * na + r] * j->scale[nq + r]);
     for (int r = 0; r < na; r++) {
@@ -83,7 +86,8 @@ static void project_on_rows(pm_workspace *w)
             for (int c = 0; c < na && g != 0; c++) j->share[k * na + c] += g * s[c];
         }
     for (int r = 0; r < na; r++)
-        for (int k = 0; k < nq; k++) j->spread[r * nq + k] = w->inverse_mass[k] * j->share[k * na + r];
+        for (int k = 0; k < nq; k++)
+            j->spread[r * nq + k] = w->numbers.inverse_mass[k] * j->share[k * na + r];
     for (int k = 0; k < nq; k++) {
         double *p = j->project + k * nq;
         memset(p, 0, (size_t)nq * sizeof *p);
@@ -104,7 +108,7 @@ static void on_rows(const pm_workspace *w, const double *a, double *out)
     memcpy(out, a, (size_t)nq * sizeof *a);
     memset(sum, 0, (size_t)na * sizeof *sum);
     for (int k = 0; k < nq; k++) {
-        const double weight = a[k] * w->inverse_mass[k], *y = j->share + k * na;
+        const double weight = a[k] * w->numbers.inverse_mass[k], *y = j->share + k * na;
         for (int r = 0; r < na && weight != 0; r++) sum[r] += weight * y[r];
     }
     for (int r = 0; r < na; r++) {
@@ -118,7 +122,7 @@ static void fill_system(pm_workspace *w)
 {
     pm_ida_jacobian *j = &w->ida->jacobian;
     const int nq = w->model->nq, na = j->nactive, n = nq + na;
-    const double ic = 1 / j->cj, *im = w->inverse_mass;
+    const double ic = 1 / j->cj, *im = w->numbers.inverse_mass;
     double *const s = j->scale, *const a = j->system, *const row = j->work + na;
     for (int i = 0; i < nq; i++) s[i] = im[i] > 0 ? sqrt(im[i]) : 1;
     for (int i = 0; i < nq; i++) {
@@ -180,7 +184,7 @@ int pm_ida_linear_factor(pm_workspace *w)
 {
     pm_ida_jacobian *j = &w->ida->jacobian;
     const int status = j->sparse ? pm_ida_sparse_factor(w) : factor_dense(w);
-    w->count[PM_COUNT_SOLVES]++;
+    w->result.count[PM_COUNT_SOLVES]++;
     j->known = !status;
     return status;
 }
@@ -248,9 +252,9 @@ static double openings(pm_workspace *w)
 {
     double worst = 0;
     pm_saddle_rows(w);
-    for (int i = 0; i < w->nactive; i++) {
-        w->wanted[i] = -w->row[i].g;
-        worst = fmax(worst, fabs(w->wanted[i]));
+    for (int i = 0; i < w->active.n; i++) {
+        w->saddle.wanted[i] = -w->active.row[i].g;
+        worst = fmax(worst, fabs(w->saddle.wanted[i]));
     }
     return worst;
 }
@@ -259,9 +263,9 @@ static double openings(pm_workspace *w)
 static double slips(pm_workspace *w, const double *v)
 {
     double worst = 0;
-    for (int i = 0; i < w->nactive; i++) {
-        w->wanted[i] = w->row[i].rate - pm_saddle_times(w, &w->row[i], v);
-        worst = fmax(worst, fabs(w->wanted[i]));
+    for (int i = 0; i < w->active.n; i++) {
+        w->saddle.wanted[i] = w->active.row[i].rate - pm_saddle_times(w, &w->active.row[i], v);
+        worst = fmax(worst, fabs(w->saddle.wanted[i]));
     }
     return worst;
 }
@@ -270,20 +274,20 @@ static double slips(pm_workspace *w, const double *v)
 static int corrected(pm_workspace *w, pm_state *s)
 {
     const double *spread = w->ida->jacobian.spread;
-    const int nq = w->model->nq, na = w->nactive;
+    const int nq = w->model->nq, na = w->active.n;
     pm_frame_look_state(w, s);
     double worst = openings(w);
-    if (!(worst <= SLIGHT * w->size)) return 0;
-    if (worst > ROUNDING * w->size) {
-        add_columns(nq, na, spread, w->wanted, s->q);
+    if (!(worst <= SLIGHT * w->numbers.size)) return 0;
+    if (worst > ROUNDING * w->numbers.size) {
+        add_columns(nq, na, spread, w->saddle.wanted, s->q);
         pm_frame_look_state(w, s);
-        if (!(openings(w) <= ROUNDING * w->size)) return 0;
+        if (!(openings(w) <= ROUNDING * w->numbers.size)) return 0;
     }
     worst = slips(w, s->v);
-    if (worst <= ROUNDING * w->speed) return 1;
-    if (!(worst <= SLIGHT * w->speed)) return 0;
-    add_columns(nq, na, spread, w->wanted, s->v);
-    if (!(slips(w, s->v) <= ROUNDING * w->speed)) return 0;
+    if (worst <= ROUNDING * w->numbers.speed) return 1;
+    if (!(worst <= SLIGHT * w->numbers.speed)) return 0;
+    add_columns(nq, na, spread, w->saddle.wanted, s->v);
+    if (!(slips(w, s->v) <= ROUNDING * w->numbers.speed)) return 0;
     pm_frame_look_state(w, s);
     return 1;
 }

@@ -18,6 +18,7 @@
 #include "routes/ida/ida_system.h"
 #include "state/frame.h"
 #include "state/route.h"
+#include "state/workspace.h"
 
 #define ON_ZERO 1e-12   /* of a trigger's size: zero */
 #define STILL_ZERO 1e-3 /* of its size: so far off may a trigger be that has just fired */
@@ -56,7 +57,7 @@ static int values(pm_workspace *w, double *g)
 
 static int values_inside(pm_workspace *w, double t, double *g)
 {
-    const int status = w->route->at(w, t, &w->probe);
+    const int status = w->phase.route->at(w, t, &w->probe);
     if (status) return status;
     pm_frame_look(w, t, w->probe.q, w->probe.v, w->probe.z, w->state.memory);
     return values(w, g);
@@ -300,7 +301,7 @@ static int sample(pm_workspace *w, double end, double *t)
 {
     pm_ida_roots *x = w->ida->roots;
     for (int k = 0; k < PM_NODES; k++) {
-        t[k] = k == PM_NODES - 1 ? end : w->step_begin + (end - w->step_begin) * k / (PM_NODES - 1);
+        t[k] = k == PM_NODES - 1 ? end : w->step.begin + (end - w->step.begin) * k / (PM_NODES - 1);
         const int status = k > 0 ? values_inside(w, t[k], x->node + k * x->most) : PM_OK;
         if (status) return status;
     }
@@ -312,7 +313,7 @@ static int unseen(pm_workspace *w, double end, double *first)
 {
     pm_ida_roots *x = w->ida->roots;
     pm_event_set *e = w->event;
-    const double same = SAME_TIME * (end - w->step_begin);
+    const double same = SAME_TIME * (end - w->step.begin);
     double node[PM_NODES];
     int status = sample(w, end, node);
     for (int i = 0; i < e->nfunction && !status; i++) {
@@ -335,7 +336,7 @@ static int same_instant(pm_workspace *w, double t)
 {
     const pm_ida_roots *x = w->ida->roots;
     pm_event_set *e = w->event;
-    const int status = values_inside(w, t + SAME_TIME * (t - w->step_begin), x->latest);
+    const int status = values_inside(w, t + SAME_TIME * (t - w->step.begin), x->latest);
     for (int i = 0; i < e->nfunction && !status; i++)
         if (x->side[i] && crosses(&e->function[i], x->node[i], x->latest[i])) e->root[i] = 1;
     return status;
@@ -365,7 +366,7 @@ int pm_ida_root_step(pm_workspace *w, int found, double *t)
 {
     pm_ida_roots *x = w->ida->roots;
     const int n = w->event->nfunction;
-    const double end = *t, step = end - w->step_begin;
+    const double end = *t, step = end - w->step.begin;
     double first = INFINITY;
     int any = 0, status = PM_OK;
     if (n == 0) return PM_OK;

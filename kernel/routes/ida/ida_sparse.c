@@ -18,6 +18,7 @@
 #include <suitesparse/klu.h>
 
 #include "equations/saddle.h"
+#include "state/workspace.h"
 
 #define MANY 40       /* unknowns (v, L): up to there inverses are faster */
 #define PIVOT 0.1     /* of the greatest in its column: a pivot that keeps the order of elimination */
@@ -40,7 +41,7 @@ struct pm_ida_sparse {
     double *left;  /* [n] what a solution leaves of the right-hand side */
 };
 
-int pm_ida_sparse_serves(const pm_workspace *w) { return w->model->nq + w->nactive > MANY; }
+int pm_ida_sparse_serves(const pm_workspace *w) { return w->model->nq + w->active.n > MANY; }
 
 /* ---- memory ---- */
 static int grow(pm_ida_sparse *s, int room)
@@ -107,10 +108,11 @@ static void set_scale(pm_workspace *w)
 {
     const pm_ida_jacobian *j = &w->ida->jacobian;
     const int nq = w->model->nq;
-    for (int i = 0; i < nq; i++) j->scale[i] = w->inverse_mass[i] > 0 ? sqrt(w->inverse_mass[i]) : 1;
+    for (int i = 0; i < nq; i++)
+        j->scale[i] = w->numbers.inverse_mass[i] > 0 ? sqrt(w->numbers.inverse_mass[i]) : 1;
     for (int r = 0; r < j->nactive; r++) {
         double sum = 0;
-        for (int k = 0; k < nq; k++) sum += j->g[r * nq + k] * j->g[r * nq + k] * w->inverse_mass[k];
+        for (int k = 0; k < nq; k++) sum += j->g[r * nq + k] * j->g[r * nq + k] * w->numbers.inverse_mass[k];
         j->scale[nq + r] = 1 / sqrt(sum);
     }
 }
@@ -150,7 +152,7 @@ static void put_reaction(const pm_workspace *w, pm_ida_sparse *s, int k, int blo
     const double e = sign * j->scale[nq + r];
     begin_column(s, k);
     for (int i = 0; i < nq; i++)
-        put(s, k, block * nq + i, w->inverse_mass[i] * direction[r * nq + i] * e / j->scale[i]);
+        put(s, k, block * nq + i, w->numbers.inverse_mass[i] * direction[r * nq + i] * e / j->scale[i]);
 }
 
 static void fill(pm_workspace *w)

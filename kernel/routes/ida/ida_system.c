@@ -20,6 +20,7 @@
 #include "equations/saddle.h"
 #include "routes/ida/ida_sparse.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 /* The errors of backward differences add up, and the same accuracy should mean about the same error whatever
  * the route. */
@@ -29,7 +30,7 @@
 void pm_ida_system_layout(pm_workspace *w)
 {
     pm_ida *r = w->ida;
-    r->stride = PM_IDA_STOCK ? w->model->nrow : w->nactive;
+    r->stride = PM_IDA_STOCK ? w->model->nrow : w->active.n;
     r->n = 2 * w->model->nq + w->model->nz + 2 * r->stride;
     r->jacobian.sparse = pm_ida_sparse_serves(w);
 }
@@ -42,7 +43,7 @@ void pm_ida_system_look(pm_workspace *w, double t, const double *y, const double
     pm_force_all(w);
     pm_saddle_rows(w);
     memcpy(f->a, yp + nq, (size_t)nq * sizeof *yp);
-    memcpy(f->lambda, yp + pm_ida_place_l(w), (size_t)w->nactive * sizeof *yp);
+    memcpy(f->lambda, yp + pm_ida_place_l(w), (size_t)w->active.n * sizeof *yp);
     f->level = PM_LEVEL_DYNAMIC;
 }
 
@@ -58,7 +59,7 @@ int pm_ida_system_start(pm_workspace *w, double *y, double *yp)
     memcpy(yp, w->state.v, (size_t)nq * sizeof *yp);
     memcpy(yp + nq, w->frame.a, (size_t)nq * sizeof *yp);
     pm_ledger_rates(w, yp + 2 * nq);
-    memcpy(yp + pm_ida_place_l(w), w->frame.lambda, (size_t)w->nactive * sizeof *yp);
+    memcpy(yp + pm_ida_place_l(w), w->frame.lambda, (size_t)w->active.n * sizeof *yp);
     return PM_OK;
 }
 
@@ -69,19 +70,19 @@ void pm_ida_system_residual(pm_workspace *w, double t, const double *y, const do
     pm_ida_system_look(w, t, y, yp);
     for (int i = 0; i < nq; i++) {
         r[i] = yp[i] - v[i];
-        r[nq + i] = -w->inverse_mass[i] * force[i];
+        r[nq + i] = -w->numbers.inverse_mass[i] * force[i];
     }
-    memcpy(w->rhs, yp + mu, (size_t)w->nactive * sizeof *yp);
+    memcpy(w->saddle.rhs, yp + mu, (size_t)w->active.n * sizeof *yp);
     pm_saddle_spread(w, 0, r);
-    for (int i = 0; i < w->nactive; i++) w->rhs[i] = -yp[l + i];
+    for (int i = 0; i < w->active.n; i++) w->saddle.rhs[i] = -yp[l + i];
     pm_saddle_spread(w, 1, r + nq);
     for (int i = 0; i < nq; i++) r[nq + i] += yp[nq + i];
     pm_ledger_rates(w, r + 2 * nq);
     for (int i = 2 * nq; i < 2 * nq + nz; i++) r[i] = yp[i] - r[i];
     for (int i = 0; i < w->ida->stride; i++) {
-        const int active = i < w->nactive;
-        r[l + i] = active ? w->row[i].g : yp[l + i];
-        r[mu + i] = active ? pm_saddle_times(w, &w->row[i], v) - w->row[i].rate : yp[mu + i];
+        const int active = i < w->active.n;
+        r[l + i] = active ? w->active.row[i].g : yp[l + i];
+        r[mu + i] = active ? pm_saddle_times(w, &w->active.row[i], v) - w->active.row[i].rate : yp[mu + i];
     }
 }
 
@@ -91,19 +92,19 @@ static double mobility(const pm_workspace *w, const pm_constraint *row)
     double sum = 0;
     for (int p = 0; p < 2; p++)
         for (int k = 0; k < 3 && row->body[p] != w->model->nbody; k++)
-            sum += row->j[3 * p + k] * row->j[3 * p + k] * w->inverse_mass[3 * row->body[p] + k];
+            sum += row->j[3 * p + k] * row->j[3 * p + k] * w->numbers.inverse_mass[3 * row->body[p] + k];
     return sum;
 }
 
 static void weigh_ledger(pm_workspace *w, double *weight, double mass)
 {
     const pm_model *m = w->model;
-    const double momentum = mass * w->speed, energy = momentum * w->speed;
+    const double momentum = mass * w->numbers.speed, energy = momentum * w->numbers.speed;
     for (int i = 0; i < m->nz_controlled; i++)
         weight[i] = 1 / (w->ida->tolerance * pm_ledger_controlled_scale(w, i));
     for (int i = m->nz_controlled; i < m->nz; i++) {
         const int entry = i - m->nz_controlled; /* friction, then impulses along x, y, and their moment */
-        const double scale = entry == 0 ? energy : entry < 3 ? momentum : momentum * w->size;
+        const double scale = entry == 0 ? energy : entry < 3 ? momentum : momentum * w->numbers.size;
         weight[i] = LEDGER_WEIGHT / (w->ida->tolerance * scale);
     }
 }
@@ -113,19 +114,19 @@ void pm_ida_system_scale(pm_workspace *w)
     const pm_model *m = w->model;
     pm_ida *r = w->ida;
     const int l = pm_ida_place_l(w), mu = pm_ida_place_mu(w);
-    const double tolerance = r->tolerance = fmax(PM_IDA_TIGHTER * w->tolerance, PM_IDA_TIGHTEST);
+    const double tolerance = r->tolerance = fmax(PM_IDA_TIGHTER * w->numbers.tolerance, PM_IDA_TIGHTEST);
     double *weight = r->weight, mass = 0;
-    for (int i = 0; i < m->nbody; i++) mass += w->mass[i];
+    for (int i = 0; i < m->nbody; i++) mass += w->numbers.mass[i];
     for (int i = 0; i < m->nq; i++) {
         const int angle = i % 3 == 2; /* angles by the absolute tolerance only: they grow with every turn */
-        weight[i] = 1 / (tolerance * (angle ? 1 : w->size));
-        weight[m->nq + i] = 1 / (tolerance * (angle ? w->speed / w->size : w->speed));
+        weight[i] = 1 / (tolerance * (angle ? 1 : w->numbers.size));
+        weight[m->nq + i] = 1 / (tolerance * (angle ? w->numbers.speed / w->numbers.size : w->numbers.speed));
     }
     weigh_ledger(w, weight + 2 * m->nq, mass);
     for (int i = 0; i < r->stride; i++) {
-        const double unit = i < w->nactive ? sqrt(mobility(w, &w->row[i]) / mass) : 1 / mass;
-        weight[l + i] = unit / (tolerance * w->speed);
-        weight[mu + i] = unit / (tolerance * w->size);
+        const double unit = i < w->active.n ? sqrt(mobility(w, &w->active.row[i]) / mass) : 1 / mass;
+        weight[l + i] = unit / (tolerance * w->numbers.speed);
+        weight[mu + i] = unit / (tolerance * w->numbers.size);
     }
 }
 

@@ -28,7 +28,9 @@
 #include "routes/ida/ida_sparse.h"
 #include "routes/ida/ida_system.h"
 #include "routes/ida/ida_vector.h"
+#include "scene/build.h"
 #include "state/route.h"
+#include "state/workspace.h"
 
 #define ORDER 5
 #define NEWTON 0.1        /* of the error allowed: where Newton's iteration may stop */
@@ -175,7 +177,7 @@ static int limit_step(pm_workspace *w)
 static double time_to_begin_with(const pm_workspace *w)
 {
     const double scale = pm_case_time_scale(w, w->state.v, w->frame.a);
-    return isfinite(scale) ? fmin(scale, w->size / w->speed) : scale;
+    return isfinite(scale) ? fmin(scale, w->numbers.size / w->numbers.speed) : scale;
 }
 
 static int begin(pm_workspace *w)
@@ -248,14 +250,14 @@ static int one_step(pm_workspace *w, double t_limit)
         return failed(w, flag);
     if (!(length > least)) return too_small(w, length, least); /* IDA itself would go on for ever */
     r->first = r->last - length;
-    w->step_begin = w->state.t;
-    w->step_end = t;
-    if ((status = pm_ida_root_step(w, found, &w->step_end))) return status;
+    w->step.begin = w->state.t;
+    w->step.end = t;
+    if ((status = pm_ida_root_step(w, found, &w->step.end))) return status;
     memcpy(w->state.q, N_VGetArrayPointer(r->y), (size_t)(2 * w->model->nq + w->model->nz) * sizeof(double));
-    w->state.t = w->step_end;
-    if (w->step_end != t) status = look_up(w, w->step_end, w->state.q);
+    w->state.t = w->step.end;
+    if (w->step.end != t) status = look_up(w, w->step.end, w->state.q);
     if (!status) status = pm_ida_linear_project(w, &w->state);
-    w->count[PM_COUNT_STEPS]++;
+    w->result.count[PM_COUNT_STEPS]++;
     if (!status && pm_case_speed(w, w->state.v)) pm_ida_system_scale(w);
     if (!status && (flag = limit_step(w))) status = failed(w, flag);
     return status;
@@ -274,12 +276,13 @@ static double independence(pm_workspace *w, int status)
 static int step(pm_workspace *w, double t_limit)
 {
     const int status = one_step(w, t_limit), lost = w->ida->jacobian.sparse && status;
-    w->lap = w->singular = !w->asymmetric && independence(w, status) < (lost ? LOST : NEAR_SINGULAR);
+    w->phase.lap = w->phase.singular =
+        !w->active.asymmetric && independence(w, status) < (lost ? LOST : NEAR_SINGULAR);
     return status;
 }
 
 /* Friction by the load is not among its unknowns; it divides by masses. */
-static int applies(pm_workspace *w) { return !w->massless && !pm_joint_friction_any_by_load(w); }
+static int applies(pm_workspace *w) { return !w->numbers.massless && !pm_joint_friction_any_by_load(w); }
 
 const pm_route_ops pm_route_ida = {
     .route = PM_ROUTE_IDA,

@@ -4,7 +4,7 @@
 
 #include "numerics/chebyshev_nodes.h"
 #include "numerics/lanes.h"
-#include "state/model.h"
+#include "state/workspace.h"
 #include "tree/tree.h"
 
 #define PM_CLOCK_TAIL 1e-13 /* highest coefficients of the integrand of the time, at the least */
@@ -85,6 +85,17 @@ typedef struct pm_rigid {
     double potential;  /* of the weight of what stands still */
 } pm_rigid;
 
+/* The time along the step (path_clock.c). */
+typedef struct pm_clock {
+    int kind;                      /* enum pm_path_clock */
+    double t0;                     /* s, at the begin of the step */
+    double tail;                   /* of the clock of the step that was tried before */
+    double series[PM_NODES_CLOCK]; /* Chebyshev coefficients of the smooth part of dt/du */
+    int terms;                     /* of them: how many matter */
+    pm_clock_table table;
+    double error; /* s */
+} pm_clock;
+
 typedef struct pm_path {
     int n;         /* tree coordinates of the phase */
     int driver;    /* the one that is the path parameter u */
@@ -94,14 +105,9 @@ typedef struct pm_path {
     int at_rest;   /* the step begins at rest */
     int balanced;  /* it begins in equilibrium, too: it takes for ever to leave it */
     int fresh;     /* no step of the phase has been taken yet */
-    int clock;     /* enum pm_path_clock */
-    int by_work;   /* T by the work of all forces, not by their potential: the better of both in this step */
-    double force[PM_NODES_MOST];   /* generalised, at the nodes, the way it goes */
-    double t0;                     /* time at the begin of the step */
-    double tail;                   /* of the clock of the step that was tried before */
-    double series[PM_NODES_CLOCK]; /* Chebyshev coefficients of the smooth part of dt/du (path_clock.c) */
-    pm_clock_table table;
-    int terms;                       /* of them: how many matter */
+    pm_clock clock;
+    int by_work; /* T by the work of all forces, not by their potential: the better of both in this step */
+    double force[PM_NODES_MOST];     /* generalised, at the nodes, the way it goes */
     const pm_chebyshev_nodes *nodes; /* of the step: its node k is node[k * every] */
     int every;
     int looked_at; /* the node that was looked at last */
@@ -121,7 +127,6 @@ typedef struct pm_path {
     double *work;              /* [nz_controlled] z somewhere in the step */
     int *column;               /* [n] pivots */
     double error;              /* of T, J */
-    double clock_error;        /* of the time, s */
     double ended;              /* T at the end of the last step */
     double least, lowest;      /* T of the step, of the phase */
     double way;                /* of the driver since the phase began, or since the last lap */

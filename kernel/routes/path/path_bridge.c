@@ -16,6 +16,7 @@
 #include "elements/constraint.h"
 #include "routes/path/path.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 #include "tree/tree.h"
 
 #define HALF_TURN 3.14159265358979323846
@@ -26,7 +27,7 @@
 
 static double reach_of(const pm_workspace *w)
 {
-    return REACH * (pm_tree_is_angle(w, w->path->driver) ? 1 : w->size);
+    return REACH * (pm_tree_is_angle(w, w->path->driver) ? 1 : w->numbers.size);
 }
 
 static double support(int j) { return cos((2 * j + 1) * HALF_TURN / (2 * PM_BRIDGE_PLACES)); }
@@ -116,7 +117,7 @@ static int build(pm_workspace *w, double u)
 static int meets_rows(pm_workspace *w)
 {
     for (int i = 0; i < w->tree->nloop; i++)
-        if (!(fabs(w->row[w->tree->loop[i]].g) <= MET * w->size)) return 0;
+        if (!(fabs(w->active.row[w->tree->loop[i]].g) <= MET * w->numbers.size)) return 0;
     return 1;
 }
 
@@ -169,7 +170,7 @@ int pm_path_bridge_accelerate(pm_workspace *w)
     memcpy(f->velocity, f->v, (size_t)nq * sizeof *tangent);
     double mass = 0, momentum = 0, change = 0, force = 0;
     for (int i = 0; i < nq; i++) {
-        const double m = i % 3 == 2 ? pm_body_inertia(w, i / 3) : w->mass[i / 3];
+        const double m = i % 3 == 2 ? pm_body_inertia(w, i / 3) : w->numbers.mass[i / 3];
         mass += m * tangent[i] * tangent[i];
         momentum += m * tangent[i] * f->v[i];
         change += m * tangent[i] * bend[i];
@@ -178,7 +179,7 @@ int pm_path_bridge_accelerate(pm_workspace *w)
     const double rate = momentum / mass;
     const double own = (force - change * rate * rate) / mass;
     for (int i = 0; i < nq; i++) f->a[i] = tangent[i] * own + bend[i] * rate * rate;
-    for (int i = 0; i < w->nactive; i++) f->lambda[i] = NAN;
+    for (int i = 0; i < w->active.n; i++) f->lambda[i] = NAN;
     f->level = PM_LEVEL_DYNAMIC;
     return 1;
 }

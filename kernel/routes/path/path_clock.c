@@ -32,8 +32,8 @@ static double slowness(const pm_path *p, int node)
 {
     const pm_place *x = &p->node[node * p->every];
     const double s = p->nodes->at[node];
-    if (p->clock == PM_CLOCK_PLAIN) return x->kinetic;
-    const double distance = p->clock == PM_CLOCK_LEAVES ? s : 1 - s;
+    if (p->clock.kind == PM_CLOCK_PLAIN) return x->kinetic;
+    const double distance = p->clock.kind == PM_CLOCK_LEAVES ? s : 1 - s;
     return distance > 0 ? x->kinetic / distance : fabs(x->force) * p->h;
 }
 
@@ -151,20 +151,21 @@ INLINE double transform(pm_path *p, const double *g, const int n)
     double value[PM_NODES_CLOCK], sum[PM_NODES_CLOCK], greatest = 0;
     for (int k = 0; k <= n; k++) value[k] = g[n - k];
     /* one after the other, so that each has numbers that the compiler knows */
-    if (n == FINE) take_odd(&p->table, value, FINE, 1, sum);
-    if (n >= MANY) take_odd(&p->table, value, MANY, n / MANY, sum);
-    take_odd(&p->table, value, FEW, n / FEW, sum);
-    take_odd(&p->table, value, 4, n / 4, sum);
-    take_odd(&p->table, value, 2, n / 2, sum);
+    if (n == FINE) take_odd(&p->clock.table, value, FINE, 1, sum);
+    if (n >= MANY) take_odd(&p->clock.table, value, MANY, n / MANY, sum);
+    take_odd(&p->clock.table, value, FEW, n / FEW, sum);
+    take_odd(&p->clock.table, value, 4, n / 4, sum);
+    take_odd(&p->clock.table, value, 2, n / 2, sum);
     sum[0] = 0.5 * (value[0] + value[1]);
     sum[n] = 0.5 * (value[0] - value[1]);
     for (int k = 0; k <= n; k++) {
-        p->series[k] = (k == 0 || k == n ? 1.0 : 2.0) / n * sum[k];
-        greatest = pm_max(fabs(p->series[k]), greatest);
+        p->clock.series[k] = (k == 0 || k == n ? 1.0 : 2.0) / n * sum[k];
+        greatest = pm_max(fabs(p->clock.series[k]), greatest);
     }
-    const double tail = pm_max(fabs(p->series[n]), fabs(p->series[n - 1])) / greatest;
-    p->terms = n + 1;
-    while (p->terms > 1 && fabs(p->series[p->terms - 1]) < NOTHING_MORE * greatest) p->terms--;
+    const double tail = pm_max(fabs(p->clock.series[n]), fabs(p->clock.series[n - 1])) / greatest;
+    p->clock.terms = n + 1;
+    while (p->clock.terms > 1 && fabs(p->clock.series[p->clock.terms - 1]) < NOTHING_MORE * greatest)
+        p->clock.terms--;
     return tail;
 }
 
@@ -176,14 +177,14 @@ static int set_by_nodes(pm_path *p, const double *mass, const double *kinetic, d
     for (int k = 0; k <= last; k++) g[k] = slow(mass[k], kinetic[k]);
     const double high = last == MANY ? transform(p, g, MANY) : transform(p, g, FEW);
     if (!(FEWER * high <= most)) return 0;
-    p->tail = OPEN * high;
+    p->clock.tail = OPEN * high;
     return 1;
 }
 
 /* The fine nodes, by the polynomials through mass and T.  How far the highest coefficients of all stand off. */
 static double set_by_fine(pm_path *p, const double *mass, const double *kinetic)
 {
-    const pm_clock_table *table = &p->table;
+    const pm_clock_table *table = &p->clock.table;
     double g[PM_NODES_CLOCK], least = INFINITY;
     if (p->nodes->n - 1 == MANY)
         expand(mass, kinetic, MANY, table->same_17, table->other_17, g);
@@ -198,24 +199,24 @@ static double set_by_fine(pm_path *p, const double *mass, const double *kinetic)
 int pm_path_clock_set(pm_path *p, int clock, double most)
 {
     double mass[PM_NODES_MOST], kinetic[PM_NODES_MOST];
-    const double before = p->tail;
-    p->clock = clock;
-    p->terms = 0;
+    const double before = p->clock.tail;
+    p->clock.kind = clock;
+    p->clock.terms = 0;
     if (clock == PM_CLOCK_NONE) return 1;
     for (int k = 0; k < p->nodes->n; k++) {
         mass[k] = pm_path_node(p, k)->mass;
         kinetic[k] = slowness(p, k);
     }
     if (set_by_nodes(p, mass, kinetic, most)) return 1;
-    p->tail = set_by_fine(p, mass, kinetic);
-    return p->tail <= most || (p->tail < NOISE && p->tail > GAINS * before);
+    p->clock.tail = set_by_fine(p, mass, kinetic);
+    return p->clock.tail <= most || (p->clock.tail < NOISE && p->clock.tail > GAINS * before);
 }
 
 /* The whole integral: what is odd about the middle leaves nothing of it. */
 static double whole(const pm_path *p)
 {
     double sum = 0;
-    for (int k = 0; k < p->terms; k += 2) sum += p->series[k] / (1 - k * k);
+    for (int k = 0; k < p->clock.terms; k += 2) sum += p->clock.series[k] / (1 - k * k);
     return sum;
 }
 
@@ -223,13 +224,13 @@ static double whole(const pm_path *p)
 static double plain(const pm_path *p, double s)
 {
     const double x = 2 * s - 1;
-    double before = 1, here = x, sum = p->series[0] * (x + 1), sign = -1;
-    if (p->terms > 1) sum += p->series[1] * 0.5 * (x * x - 1);
-    for (int k = 2; k < p->terms; k++) { /* `here` is T_k-1(x) */
+    double before = 1, here = x, sum = p->clock.series[0] * (x + 1), sign = -1;
+    if (p->clock.terms > 1) sum += p->clock.series[1] * 0.5 * (x * x - 1);
+    for (int k = 2; k < p->clock.terms; k++) { /* `here` is T_k-1(x) */
         const double next = 2 * x * here - before, after = 2 * x * next - here;
         sign = -sign; /* (-1)^k: the same at x = -1 */
         const double to = after / (k + 1) - here / (k - 1), from = -sign / (k + 1) + sign / (k - 1);
-        sum += 0.5 * p->series[k] * (to - from);
+        sum += 0.5 * p->clock.series[k] * (to - from);
         before = here;
         here = next;
     }
@@ -240,10 +241,10 @@ static double plain(const pm_path *p, double s)
 static double from_rest(const pm_path *p, double w, int reversed)
 {
     const double x = 2 * w * w - 1; /* T_2k(w) = T_k(x); odd ones by the same step: T_m+2 = 2 x T_m - T_m-2 */
-    double before = w, here = w * (2 * x - 1), sum = 2 * p->series[0] * w, sign = 1;
-    for (int k = 1; k < p->terms; k++) { /* before: T_2k-1(w), here: T_2k+1(w) */
+    double before = w, here = w * (2 * x - 1), sum = 2 * p->clock.series[0] * w, sign = 1;
+    for (int k = 1; k < p->clock.terms; k++) { /* before: T_2k-1(w), here: T_2k+1(w) */
         sign = reversed ? -sign : 1;
-        sum += sign * p->series[k] * (here / (2 * k + 1) - before / (2 * k - 1));
+        sum += sign * p->clock.series[k] * (here / (2 * k + 1) - before / (2 * k - 1));
         const double next = 2 * x * here - before;
         before = here;
         here = next;
@@ -253,10 +254,10 @@ static double from_rest(const pm_path *p, double w, int reversed)
 
 double pm_path_clock_at(const pm_path *p, double s)
 {
-    switch (p->clock) {
-    case PM_CLOCK_PLAIN: return p->t0 + p->h * (s == 1 ? whole(p) : plain(p, s));
-    case PM_CLOCK_LEAVES: return p->t0 + p->h * from_rest(p, sqrt(s), 0);
-    case PM_CLOCK_RESTS: return p->t0 + p->h * (from_rest(p, 1, 1) - from_rest(p, sqrt(1 - s), 1));
-    default: return p->t0; /* nobody asks; an equilibrium takes for ever to leave */
+    switch (p->clock.kind) {
+    case PM_CLOCK_PLAIN: return p->clock.t0 + p->h * (s == 1 ? whole(p) : plain(p, s));
+    case PM_CLOCK_LEAVES: return p->clock.t0 + p->h * from_rest(p, sqrt(s), 0);
+    case PM_CLOCK_RESTS: return p->clock.t0 + p->h * (from_rest(p, 1, 1) - from_rest(p, sqrt(1 - s), 1));
+    default: return p->clock.t0; /* nobody asks; an equilibrium takes for ever to leave */
     }
 }

@@ -8,6 +8,7 @@
 #include <math.h>
 
 #include "routes/path/path.h"
+#include "state/workspace.h"
 
 #define SAME 1e-9 /* of the rates at a unit rate of the driver */
 
@@ -18,7 +19,7 @@ int pm_path_cycle(const pm_workspace *w)
     double size = 0, off = 0;
     if (p->driver != p->told_by || p->sense != p->told_sense) return 0;
     for (int i = 0; i < w->model->nq; i++) {
-        const double length = i % 3 == 2 ? w->size : 1;
+        const double length = i % 3 == 2 ? w->numbers.size : 1;
         size = fmax(size, fabs(then->tangent[i]) * length);
         off = fmax(off, fabs(now->tangent[i] - then->tangent[i]) * length);
     }

@@ -22,6 +22,7 @@
 #include "scene/program_class.h"
 #include "state/frame.h"
 #include "state/route.h"
+#include "state/workspace.h"
 #include "study/accuracy.h"
 
 #define ROUNDINGS 1e-15 /* of the energies, in a step or a blow: some roundings */
@@ -37,7 +38,7 @@
 void pm_path_error_begin(pm_workspace *w, double kinetic)
 {
     pm_path *p = w->path;
-    if (w->count[PM_COUNT_PHASES] == 0) p->error = p->ended = p->clock_error = 0;
+    if (w->result.count[PM_COUNT_PHASES] == 0) p->error = p->ended = p->clock.error = 0;
     if (p->ended > 0) p->error *= kinetic / p->ended;
     p->error += ROUNDINGS * kinetic;
 }
@@ -54,14 +55,15 @@ static double relative_error(const pm_path *p)
 static void step_of_clock(const pm_workspace *w, pm_path *p)
 {
     double least = INFINITY, greatest = 0;
-    if (p->balanced && w->model->reads_time) p->clock_error = INFINITY; /* it takes for ever to leave */
-    if (p->clock == PM_CLOCK_NONE) return;
+    if (p->balanced && w->model->programs.read_time)
+        p->clock.error = INFINITY; /* it takes for ever to leave */
+    if (p->clock.kind == PM_CLOCK_NONE) return;
     for (int k = 0; k < p->nodes->n; k++) {
         least = pm_min(p->node[k * p->every].kinetic, least);
         greatest = pm_max(p->node[k * p->every].kinetic, greatest);
     }
-    const double by = p->clock == PM_CLOCK_PLAIN ? least : greatest / RESTING;
-    p->clock_error += (w->state.t - p->t0) * (UNRESOLVED * p->tail + 0.5 * p->error / by);
+    const double by = p->clock.kind == PM_CLOCK_PLAIN ? least : greatest / RESTING;
+    p->clock.error += (w->state.t - p->clock.t0) * (UNRESOLVED * p->clock.tail + 0.5 * p->error / by);
 }
 
 void pm_path_error_step(pm_workspace *w, double kinetic)
@@ -71,7 +73,8 @@ void pm_path_error_step(pm_workspace *w, double kinetic)
     p->ended = kinetic;
     p->error += ROUNDINGS * (p->node[0].kinetic + kinetic + potential);
     step_of_clock(w, p);
-    if (w->error->active) w->error->present->relative = fmax(w->error->present->relative, relative_error(p));
+    if (w->accuracy->active)
+        w->accuracy->present->relative = fmax(w->accuracy->present->relative, relative_error(p));
 }
 
 void pm_path_error_barrier(pm_workspace *w, double distance)
@@ -83,7 +86,7 @@ void pm_path_error_barrier(pm_workspace *w, double distance)
 /* Counts are read by what is an integer or a yes or no itself, and decide nothing in the run; nobody reads the times. */
 static int only_counted(const pm_model *m)
 {
-    if (m->watches_counts) return 0;
+    if (m->programs.watch_counts) return 0;
     for (int i = 0; i < m->rows[PM_TABLE_MEASURE]; i++)
         if (PM_MEASURE_ROW(m, i)[PM_MEASURE_KIND] == PM_MEASURE_EVENT_TIME) return 0;
     for (int i = 0; i < m->rows[PM_TABLE_PROGRAM]; i++)
@@ -108,7 +111,8 @@ static int fires_by_place(const pm_model *m, const int32_t *e)
 {
     const int kind = e[PM_TRIGGER_KIND], program = e[PM_TRIGGER_PROGRAM];
     if (kind > PM_TRIGGER_EVERY) return kind == PM_TRIGGER_START || kind == PM_TRIGGER_STRIKE;
-    return m->program_nature[program] == PM_CLASS_PLACE || m->program_growth[program] == PM_ENERGY_CLASS_ROOT;
+    return m->programs.class[program] == PM_CLASS_PLACE ||
+           m->programs.energy[program] == PM_ENERGY_CLASS_ROOT;
 }
 
 int pm_path_error_by_places(const pm_model *m)
@@ -129,14 +133,14 @@ typedef struct pm_approach {
 /* An extreme between node k and the next, at the root of the secant of the slopes. */
 static void take_extreme(const pm_workspace *w, int trigger, const pm_approach *x, int k)
 {
-    const pm_chebyshev_nodes *nodes = w->nodes;
-    double *extreme = w->error->present->extreme + trigger;
+    const pm_chebyshev_nodes *nodes = w->step.nodes;
+    double *extreme = w->accuracy->present->extreme + trigger;
     const double a = pm_chebyshev_slope_at(nodes, x->value, k),
                  b = pm_chebyshev_slope_at(nodes, x->value, k + 1);
     if (a * b > 0) return;
     const double s = nodes->at[k] + (a == b ? 0 : a / (a - b)) * (nodes->at[k + 1] - nodes->at[k]);
     const double there = fabs(pm_chebyshev_value(nodes, x->value, 1, s)) - x->untold;
-    if (there <= 0 && x->untold > 0) w->error->present->unsure = 1;
+    if (there <= 0 && x->untold > 0) w->accuracy->present->unsure = 1;
     if (!(there < *extreme)) return;
     *extreme = there;
     extreme[w->model->rows[PM_TABLE_TRIGGER]] = x->reach;
@@ -146,11 +150,11 @@ static void take_extreme(const pm_workspace *w, int trigger, const pm_approach *
  * farther: what no node shows would not be resolved.  A corner may hide one that is nearer than the samples tell. */
 static void take_extremes(const pm_workspace *w, int trigger, const double *value)
 {
-    const int n = w->nodes->n;
-    const double *known = w->error->present->extreme + trigger;
+    const int n = w->step.nodes->n;
+    const double *known = w->accuracy->present->extreme + trigger;
     pm_approach x = {.value = value};
     for (int k = 0; k < n; k++) x.reach = pm_max(fabs(value[k]), x.reach);
-    const double high = pm_chebyshev_high(w->nodes, value);
+    const double high = pm_chebyshev_high(w->step.nodes, value);
     x.untold = high < EXACT * x.reach ? 0 : UNTOLD * high;
     for (int k = 0; k < n; k++) {
         const double here = fabs(value[k]), before = fabs(value[k > 0 ? k - 1 : k + 1]),
@@ -165,13 +169,13 @@ static void take_extremes(const pm_workspace *w, int trigger, const double *valu
 void pm_path_error_sampled(pm_workspace *w)
 {
     const pm_event_set *e = w->event;
-    if (!w->error->active || !w->error->by_places || w->route != &pm_route_path) return;
+    if (!w->accuracy->active || !w->accuracy->by_places || w->phase.route != &pm_route_path) return;
     for (int i = 0; i < e->nfunction; i++) {
         const pm_event_function *f = &e->function[i];
         if (f->kind != FUNCTION_TRIGGER || fires_by_place(w->model, PM_TRIGGER_ROW(w->model, f->index)))
             continue;
         if (f->every)
-            w->error->present->unsure = 1;
+            w->accuracy->present->unsure = 1;
         else
             take_extremes(w, f->index, pm_event_samples(w, i));
     }
@@ -209,13 +213,13 @@ static void shift_velocities(pm_workspace *w, double factor)
 static double error_of_time(pm_workspace *w, int program, double value)
 {
     pm_frame *f = &w->frame;
-    const double t = f->t, shift = fmax(t, w->path->clock_error);
-    if (w->count[PM_COUNT_LEGS] > 0) return NAN;
+    const double t = f->t, shift = fmax(t, w->path->clock.error);
+    if (w->result.count[PM_COUNT_LEGS] > 0) return NAN;
     if (!(shift > 0)) return 0;
     f->t = t + shift;
-    const double changed = pm_program_run(w->model, program, w->param, w->value, w);
+    const double changed = pm_program_run(w->model, program, w->numbers.param, w->numbers.value, w);
     f->t = t;
-    return fabs(changed - value) / shift * w->path->clock_error;
+    return fabs(changed - value) / shift * w->path->clock.error;
 }
 
 /* Inside a step nothing has jumped, and the route knows its own way. */
@@ -228,27 +232,27 @@ static int accelerate(pm_workspace *w)
 static void set_aside(pm_workspace *w, double *keep)
 {
     memcpy(keep, w->frame.a, (size_t)w->model->nq * sizeof *keep);
-    memcpy(keep + w->model->nq, w->frame.lambda, (size_t)w->nactive * sizeof *keep);
-    w->recall->closed = 1;
+    memcpy(keep + w->model->nq, w->frame.lambda, (size_t)w->active.n * sizeof *keep);
+    w->cache->closed = 1;
 }
 
 static void put_back(pm_workspace *w, const double *keep)
 {
     memcpy(w->frame.a, keep, (size_t)w->model->nq * sizeof *keep);
-    memcpy(w->frame.lambda, keep + w->model->nq, (size_t)w->nactive * sizeof *keep);
-    w->recall->closed = 0;
+    memcpy(w->frame.lambda, keep + w->model->nq, (size_t)w->active.n * sizeof *keep);
+    w->cache->closed = 0;
 }
 
 /* By a difference in the speeds. */
 static double error_of_motion(pm_workspace *w, int program, double value)
 {
     const double kinetic = pm_body_kinetic(w, PM_NONE);
-    const int dynamic = w->model->program_level[program] == PM_LEVEL_DYNAMIC;
-    if (w->model->program_growth[program] == PM_ENERGY_CLASS_UNKNOWN || !(kinetic > 0)) return NAN;
+    const int dynamic = w->model->programs.level[program] == PM_LEVEL_DYNAMIC;
+    if (w->model->programs.energy[program] == PM_ENERGY_CLASS_UNKNOWN || !(kinetic > 0)) return NAN;
     if (dynamic) set_aside(w, w->scratch);
     shift_velocities(w, 1 + FASTER);
     const int failed = dynamic && accelerate(w);
-    const double changed = pm_program_run(w->model, program, w->param, w->value, w);
+    const double changed = pm_program_run(w->model, program, w->numbers.param, w->numbers.value, w);
     shift_velocities(w, 1);
     if (dynamic) put_back(w, w->scratch);
     return failed ? NAN : fabs(changed - value) / (2 * FASTER * kinetic) * w->path->error;
@@ -257,13 +261,13 @@ static double error_of_motion(pm_workspace *w, int program, double value)
 void pm_path_error_answer(pm_workspace *w, int ask, int column, int program, double value)
 {
     const pm_model *m = w->model;
-    if (!w->error->active || w->route != &pm_route_path || !w->error->by_places ||
-        w->count[PM_COUNT_ROUTES] != (int64_t)1 << PM_ROUTE_PATH)
+    if (!w->accuracy->active || w->phase.route != &pm_route_path || !w->accuracy->by_places ||
+        w->result.count[PM_COUNT_ROUTES] != (int64_t)1 << PM_ROUTE_PATH)
         return;
     double error;
-    if (isnan(value) || m->program_growth[program] == PM_ENERGY_CLASS_NONE || w->error->discrete[ask])
+    if (isnan(value) || m->programs.energy[program] == PM_ENERGY_CLASS_NONE || w->accuracy->discrete[ask])
         error = 0; /* but for rounding; integers have the margin of their decisions */
-    else if (m->program_nature[program] == PM_CLASS_TIME)
+    else if (m->programs.class[program] == PM_CLASS_TIME)
         error = error_of_time(w, program, value);
     else
         error = error_of_motion(w, program, value);

@@ -11,6 +11,7 @@
 #include "elements/force.h"
 #include "routes/path/path.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 #include "tree/tree.h"
 
 static void accelerate_open(pm_workspace *w, const double *t)
@@ -20,7 +21,7 @@ static void accelerate_open(pm_workspace *w, const double *t)
     pm_force_all(w);
     pm_tree_bias(w, a);
     for (int i = 0; i < w->model->nq; i++) {
-        const double inertia = i % 3 == 2 ? pm_body_inertia(w, i / 3) : w->mass[i / 3];
+        const double inertia = i % 3 == 2 ? pm_body_inertia(w, i / 3) : w->numbers.mass[i / 3];
         mass += inertia * t[i] * t[i];
         force += t[i] * (f[i] - inertia * a[i]);
     }
@@ -32,7 +33,7 @@ static int accelerate_closed(pm_workspace *w)
     pm_tree *t = w->tree;
     pm_tree_hold(w, w->path->driver);
     for (int i = 0; i < t->nloop; i++) {
-        pm_constraint *row = &w->row[t->loop[i]];
+        pm_constraint *row = &w->active.row[t->loop[i]];
         pm_constraint_kind(row->kind)->evaluate(w, row);
     }
     return pm_tree_accelerate_few(w, t->force);
@@ -42,13 +43,13 @@ int pm_path_accelerate(pm_workspace *w, const double *along)
 {
     int status = PM_OK;
     pm_tree_marks(w);
-    w->count[PM_COUNT_SOLVES]++;
-    w->tree->few = w->tree->nloop > 0;
-    if (w->tree->few)
+    w->result.count[PM_COUNT_SOLVES]++;
+    w->tree->part.few = w->tree->nloop > 0;
+    if (w->tree->part.few)
         status = accelerate_closed(w);
     else
         accelerate_open(w, along);
     if (!status) pm_tree_react(w);
-    w->tree->few = 0;
+    w->tree->part.few = 0;
     return status;
 }

@@ -18,6 +18,7 @@
 #include "routes/path/path.h"
 #include "routes/path/path_rigid.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 #include "tree/tree.h"
 #include "tree/tree_node.h"
 
@@ -40,7 +41,7 @@ static void measure_body(const pm_workspace *w, const pm_tree_node *x, pm_place 
     pm_tree_move(x, on_ground ? none : place->bend + 3 * x->parent, none, c);
     pm_tree_add_quadratic(x, parent, t, c);
     memcpy(arm, x->arm, sizeof x->arm);
-    const double m = w->mass[b], inertia = w->path->inertia[b];
+    const double m = w->numbers.mass[b], inertia = w->path->inertia[b];
     place->mass += m * (t[0] * t[0] + t[1] * t[1]) + inertia * t[2] * t[2];
     place->change += m * (t[0] * c[0] + t[1] * c[1]) + inertia * t[2] * c[2];
 }
@@ -79,8 +80,8 @@ static void place_by_tree(pm_workspace *w, pm_place *place)
     pm_tree_place(w, w->state.memory, place->y, place->q);
     place->mass = place->change = place->force = place->potential = 0;
     memcpy(place->pose, w->frame.pose, 5 * (size_t)w->model->nbody * sizeof *place->pose);
-    for (int i = 0; i < w->still->n; i++) measure_still(&w->tree->node[i], place);
-    for (int i = w->still->n; i < w->model->nbody; i++) measure_body(w, &w->tree->node[i], place);
+    for (int i = 0; i < w->fixed->n; i++) measure_still(&w->tree->node[i], place);
+    for (int i = w->fixed->n; i < w->model->nbody; i++) measure_body(w, &w->tree->node[i], place);
     look_at(w, place);
     if (w->path->rigid.weights_alone)
         add_weights(w, place);
@@ -121,16 +122,16 @@ void pm_path_open_accelerate(pm_workspace *w, const pm_place *place)
     pm_frame *f = &w->frame;
     const double square = 2 * (place->kinetic > 0 ? place->kinetic : 0) / place->mass;
     const double own = (place->force - place->change * square) / place->mass;
-    w->count[PM_COUNT_SOLVES]++;
+    w->result.count[PM_COUNT_SOLVES]++;
     if (!w->path->rigid.weights_alone) pm_force_all(w);
-    for (int i = w->still->n; i < w->model->nbody; i++) {
+    for (int i = w->fixed->n; i < w->model->nbody; i++) {
         const int b = w->tree->node[i].body, k = 3 * b;
         const double *t = place->tangent + k, *c = place->bend + k, *force = f->f + k;
         double *a = f->a + k, *wrench = w->tree->wrench + k;
         const pm_lanes way = pm_pair_load(t) * own + pm_pair_load(c) * square;
         const double turn = t[2] * own + c[2] * square;
         pm_pair_store_turn(a, way, turn);
-        pm_pair_store_turn(wrench, w->mass[b] * way - pm_pair_load(force),
+        pm_pair_store_turn(wrench, w->numbers.mass[b] * way - pm_pair_load(force),
                            w->path->inertia[b] * turn - force[2]);
     }
     pm_tree_react_inward(w, place->arm);

@@ -14,6 +14,7 @@
 #include "routes/path/path.h"
 #include "routes/path/path_bridge.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 #include "tree/tree.h"
 #include "tree/tree_node.h"
 
@@ -23,7 +24,7 @@
 
 static double scale_of(const pm_workspace *w, int coordinate)
 {
-    return pm_tree_is_angle(w, coordinate) ? 1 : w->size;
+    return pm_tree_is_angle(w, coordinate) ? 1 : w->numbers.size;
 }
 
 /* What motion at a unit rate of the driver makes of masses and forces. */
@@ -34,7 +35,7 @@ static void measure_motion(pm_workspace *w, pm_place *place)
     const double *t = place->tangent;
     place->mass = place->force = 0;
     for (int i = 0; i < m->nbody; i++)
-        place->mass += w->mass[i] * (t[3 * i] * t[3 * i] + t[3 * i + 1] * t[3 * i + 1]) +
+        place->mass += w->numbers.mass[i] * (t[3 * i] * t[3 * i] + t[3 * i + 1] * t[3 * i + 1]) +
                        pm_body_inertia(w, i) * t[3 * i + 2] * t[3 * i + 2];
     memcpy(place->pose, w->frame.pose, 5 * (size_t)m->nbody * sizeof *place->pose);
     pm_frame_look_placed(w, place->q, t); /* powers and speeds at a unit rate */
@@ -61,9 +62,10 @@ static double greatest_lever(const pm_workspace *w)
 /* What a loop row changes by when its coordinates do by their natural size. */
 static double row_size(const pm_workspace *w)
 {
-    const double lever = greatest_lever(w), size = lever > 0 ? fmin(w->size, LINKS * lever) : w->size;
+    const double lever = greatest_lever(w),
+                 size = lever > 0 ? fmin(w->numbers.size, LINKS * lever) : w->numbers.size;
     for (int i = 0; i < w->tree->nloop; i++)
-        if (w->row[w->tree->loop[i]].kind == PM_CONSTRAINT_ANGLE) return fmin(size, 1);
+        if (w->active.row[w->tree->loop[i]].kind == PM_CONSTRAINT_ANGLE) return fmin(size, 1);
     return size;
 }
 
@@ -73,7 +75,7 @@ static int is_determined(const pm_workspace *w)
     const int n = w->tree->nloop;
     const double weak = WEAK * row_size(w);
     for (int i = 0; i < n; i++) {
-        const int column = w->tree->column[i];
+        const int column = w->tree->part.column[i];
         if (!(fabs(w->tree->jacobian[i * n + i]) * scale_of(w, column) > weak)) return 0;
     }
     return 1;

@@ -18,6 +18,7 @@
 
 #include "equations/fixed_bodies.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 #include "tree/tree.h"
 #include "tree/tree_node.h"
 
@@ -27,11 +28,11 @@ static inline pm_lanes turned(pm_lanes turn, pm_lanes v) { return turn[0] * v + 
 /* ---- once a phase ---- */
 static void add(const pm_workspace *w, const pm_tree_node *x, const pm_rigid_body *on, pm_rigid_body *b)
 {
-    const pm_lanes gravity = pm_pair_load(w->gravity);
+    const pm_lanes gravity = pm_pair_load(w->numbers.gravity);
     *b = (pm_rigid_body){.body = x->body,
                          .turns = x->turns,
                          .holds = x->placement != PIN,
-                         .mass = w->mass[x->body],
+                         .mass = w->numbers.mass[x->body],
                          .inertia = x->turns ? pm_body_inertia(w, x->body) : 0,
                          .turn = {1, 0}};
     b->weight = b->mass * gravity;
@@ -72,7 +73,7 @@ static const pm_rigid_body *carrier(const pm_rigid *g, int index)
 static int join(const pm_workspace *w, const pm_tree_node *x)
 {
     pm_rigid *g = &w->path->rigid;
-    if (x->ncoordinate == 1 && w->still->body[x->parent]) {
+    if (x->ncoordinate == 1 && w->numbers.fixed[x->parent]) {
         begin_at(w, x);
         return 1;
     }
@@ -87,10 +88,10 @@ static int join(const pm_workspace *w, const pm_tree_node *x)
 static double potential_of_still(const pm_workspace *w)
 {
     double sum = 0;
-    for (int i = 0; i < w->still->n; i++) {
+    for (int i = 0; i < w->fixed->n; i++) {
         const int b = w->tree->node[i].body;
         const double *pose = w->frame.pose + 5 * b;
-        sum -= w->mass[b] * (w->gravity[0] * pose[0] + w->gravity[1] * pose[1]);
+        sum -= w->numbers.mass[b] * (w->numbers.gravity[0] * pose[0] + w->numbers.gravity[1] * pose[1]);
     }
     return sum;
 }
@@ -100,7 +101,7 @@ int pm_path_rigid_build(pm_workspace *w)
     pm_rigid *g = &w->path->rigid;
     int all = w->tree->nloop == 0;
     g->n = 0;
-    for (int i = w->still->n; i < w->model->nbody && all; i++) all = join(w, &w->tree->node[i]);
+    for (int i = w->fixed->n; i < w->model->nbody && all; i++) all = join(w, &w->tree->node[i]);
     if (!all) g->n = 0;
     g->potential = potential_of_still(w);
     return g->n > 0;
@@ -201,7 +202,7 @@ static inline pm_sums place_body(const pm_rigid_body *b, double angle, pm_lanes 
 
 static void leave_still(const pm_workspace *w, const pm_place *place)
 {
-    for (int i = 0; i < w->still->n; i++) {
+    for (int i = 0; i < w->fixed->n; i++) {
         const int b = w->tree->node[i].body;
         const double *pose = w->frame.pose + 5 * b;
         memcpy(place->pose + 5 * b, pose, 5 * sizeof *pose);
@@ -223,5 +224,5 @@ void pm_path_rigid_place(pm_workspace *w, double u, pm_place *place)
     place->change = pm_pair_sum(sum.change);
     place->force = pm_pair_sum(sum.force);
     place->potential = g->potential - pm_pair_sum(sum.potential);
-    if (w->still->n > 0) leave_still(w, place);
+    if (w->fixed->n > 0) leave_still(w, place);
 }

@@ -12,6 +12,7 @@
 #include "routes/path/path_clock.h"
 #include "routes/path/path_error.h"
 #include "scene/program_class.h"
+#include "state/workspace.h"
 #include "study/accuracy.h"
 
 #define FORM_TAIL 1e-8  /* highest coefficients of T in long steps, and in any that fewer nodes may do for */
@@ -83,7 +84,7 @@ static int watches_speed(const pm_model *m)
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *e = PM_TRIGGER_ROW(m, i);
         if (e[PM_TRIGGER_KIND] > PM_TRIGGER_EVERY) continue;
-        const int growth = m->program_growth[e[PM_TRIGGER_PROGRAM]];
+        const int growth = m->programs.energy[e[PM_TRIGGER_PROGRAM]];
         if (growth > PM_ENERGY_CLASS_ROOT ||
             (growth == PM_ENERGY_CLASS_ROOT && e[PM_TRIGGER_KIND] == PM_TRIGGER_EVERY))
             return 1;
@@ -256,12 +257,12 @@ static int judge(pm_workspace *w, int turning, double *next)
         if (way < INFINITY) *next = p->at_rest ? 0.5 * way : way; /* each root needs a step of its own */
     }
     if (*next > 0) return PM_OK;
-    const int watched = w->model->reads_time || w->trace;
+    const int watched = w->model->programs.read_time || w->history;
     const int clock = !watched || p->balanced ? PM_CLOCK_NONE
                       : p->at_rest            ? PM_CLOCK_LEAVES
                       : turning               ? PM_CLOCK_RESTS
                                               : PM_CLOCK_PLAIN;
-    if (!pm_path_clock_set(p, clock, fmax(TAIL * w->tolerance, PM_CLOCK_TAIL))) *next = 0.5 * p->h;
+    if (!pm_path_clock_set(p, clock, fmax(TAIL * w->numbers.tolerance, PM_CLOCK_TAIL))) *next = 0.5 * p->h;
     return PM_OK;
 }
 
@@ -286,13 +287,13 @@ int pm_path_take_step(pm_workspace *w, double full)
     pm_path *p = w->path;
     double h = full, next;
     int turning = 0, halved = 0;
-    p->tail = INFINITY;
+    p->clock.tail = INFINITY;
     for (;;) {
         const int status = try_step(w, h, turning, &next);
         if (status) return status;
         if (next == 0) break;
-        turning = next != 0.5 * h && !p->at_rest;             /* not a halving: the way to a turning point */
-        if (turning && w->coarse > 1 && next > PART * full) { /* other steps in a companion */
+        turning = next != 0.5 * h && !p->at_rest; /* not a halving: the way to a turning point */
+        if (turning && w->numbers.coarse > 1 && next > PART * full) { /* other steps in a companion */
             next *= 0.5;
             turning = 0;
         }
@@ -305,7 +306,7 @@ int pm_path_take_step(pm_workspace *w, double full)
         p->most = h;
     else if (p->every > 1)
         p->most *= LENGTHEN;
-    w->turns = turning;
+    w->step.reverses = turning;
     p->lowest = fmin(p->lowest, turning ? 0 : p->least);
     return PM_OK;
 }

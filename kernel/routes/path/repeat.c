@@ -25,21 +25,22 @@
 #include "routes/path/repeat_replay.h"
 #include "scene/symmetry.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 #define SAME_ENERGY 1e-13 /* a lap without gain or loss */
 
 void pm_repeat_forget(pm_workspace *w)
 {
-    w->leg->known = 0;
-    w->leg->pending = 0;
-    w->leg->most = PM_MOST_REPEATS;
+    w->repeat->known = 0;
+    w->repeat->pending = 0;
+    w->repeat->most = PM_MOST_REPEATS;
 }
 
 /* ---- passing over ---- */
 /* The last leg over the barrier, by the places of the one that was computed. */
 static int tell_last(pm_workspace *w, pm_repeats *legs, int *told)
 {
-    pm_repeat *l = w->leg;
+    pm_repeat *l = w->repeat;
     pm_path *p = w->path;
     const double error = p->error, ended = p->ended;
     const int dips = l->lowest < fmin(l->kinetic, l->before);
@@ -63,7 +64,7 @@ static int tell_last(pm_workspace *w, pm_repeats *legs, int *told)
 /* These legs, and the last one over the barrier if it can be told; what can refute them is the end of the next one. */
 static int pass_over(pm_workspace *w, double kinetic, pm_repeats *legs, int steady, double time)
 {
-    pm_repeat *l = w->leg;
+    pm_repeat *l = w->repeat;
     int told = 0, status = PM_OK;
     if (legs->n > 0) pm_repeat_record_save(w);
     if (legs->is_last) status = tell_last(w, legs, &told);
@@ -77,17 +78,17 @@ static int pass_over(pm_workspace *w, double kinetic, pm_repeats *legs, int stea
 /* The phase begins like the last leg, with T = kinetic: as many legs as nobody asks about are passed over. */
 static int repeat(pm_workspace *w, double kinetic, int *passed)
 {
-    pm_repeat *l = w->leg;
+    pm_repeat *l = w->repeat;
     const pm_symmetry_shift shift = {{l->by[0], l->by[1]}, l->turn};
-    const int in_time = w->model->reads_time || w->trace;
+    const int in_time = w->model->programs.read_time || w->history;
     const int steady = fabs(kinetic - l->kinetic) <= SAME_ENERGY * kinetic;
-    if (w->trace || (in_time && !steady) || !pm_symmetry_holds(w, &shift)) return PM_OK;
+    if (w->history || (in_time && !steady) || !pm_symmetry_holds(w, &shift)) return PM_OK;
     l->work = pm_repeat_energy_work(w);
     l->ratio = kinetic / l->before;
     if (steady) l->ratio = 1, l->work = 0;
     const double time = in_time ? w->state.t - l->begin.t : 0;
     const int64_t most = pm_repeat_limit(w, &shift, time);
-    w->path->repeats = !w->lap && l->steps == 1;
+    w->path->repeats = !w->phase.lap && l->steps == 1;
     pm_repeats legs = pm_repeat_energy_over_barrier(l, kinetic, most, w->path->error);
     l->most = PM_MOST_REPEATS;
     const int status = pass_over(w, kinetic, &legs, steady, time);
@@ -97,7 +98,7 @@ static int repeat(pm_workspace *w, double kinetic, int *passed)
 
 int pm_repeat_begin(pm_workspace *w, int *passed)
 {
-    pm_repeat *l = w->leg;
+    pm_repeat *l = w->repeat;
     const double kinetic = pm_body_kinetic(w, PM_NONE);
     int status = PM_OK;
     *passed = w->path->repeats = 0;
@@ -115,7 +116,7 @@ int pm_repeat_begin(pm_workspace *w, int *passed)
 static void read_end(const pm_workspace *w, int *kind, int *mark)
 {
     const pm_event_set *e = w->event;
-    *kind = w->turns ? PM_GROUND : PM_NONE;
+    *kind = w->step.reverses ? PM_GROUND : PM_NONE;
     *mark = PM_NONE;
     for (int i = 0; i < e->nfunction; i++) {
         if (!e->hit[i] || e->function[i].kind == FUNCTION_TRIGGER) continue;
@@ -129,11 +130,11 @@ static void read_end(const pm_workspace *w, int *kind, int *mark)
 
 void pm_repeat_end(pm_workspace *w)
 {
-    pm_repeat *l = w->leg;
+    pm_repeat *l = w->repeat;
     if (!l->known) return;
     l->before = pm_body_kinetic(w, PM_NONE);
-    l->end = w->step_end;
-    l->steps = w->count[PM_COUNT_STEPS] - l->count[PM_COUNT_STEPS];
+    l->end = w->step.end;
+    l->steps = w->result.count[PM_COUNT_STEPS] - l->count[PM_COUNT_STEPS];
     l->lowest = fmin(w->path->lowest, l->kinetic);
     read_end(w, &l->end_kind, &l->end_mark);
 }
@@ -147,7 +148,7 @@ void pm_repeat_lap(pm_workspace *w)
 int pm_repeat_doubts(const pm_workspace *w)
 {
     const pm_event_set *e = w->event;
-    if (w->leg->pending == 0) return 0;
+    if (w->repeat->pending == 0) return 0;
     for (int i = 0; i < e->nfunction; i++)
         if (e->hit[i] && e->function[i].kind == FUNCTION_TRIGGER &&
             pm_repeat_limit_moves(w, e->function[i].index))
@@ -157,7 +158,7 @@ int pm_repeat_doubts(const pm_workspace *w)
 
 int pm_repeat_refuted(pm_workspace *w)
 {
-    pm_repeat *l = w->leg;
+    pm_repeat *l = w->repeat;
     int kind, mark;
     if (l->pending == 0) return 0;
     read_end(w, &kind, &mark);

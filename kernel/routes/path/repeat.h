@@ -3,7 +3,7 @@
 #ifndef PM_REPEAT_H
 #define PM_REPEAT_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* A new case, or a phase on another route: nothing is known. */
 void pm_repeat_forget(pm_workspace *w);

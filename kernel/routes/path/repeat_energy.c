@@ -12,17 +12,19 @@
 
 #include <math.h>
 
+#include "state/workspace.h"
+
 #define STEADY 1e-16    /* of the energy: legs that are all the same */
 #define BARRIER 1e-6    /* of the leg's energies: so near to the barrier a leg is computed */
 #define ROUNDINGS 1e-15 /* of the energies, in a blow and on the leg after it */
 
 double pm_repeat_energy_work(const pm_workspace *w)
 {
-    const pm_repeat *l = w->leg;
+    const pm_repeat *l = w->repeat;
     double mass = 0, work = 0;
-    for (int i = 0; i < w->model->nbody; i++) mass += w->mass[i];
+    for (int i = 0; i < w->model->nbody; i++) mass += w->numbers.mass[i];
     for (int i = 0; i < w->model->nz_work; i++) work += w->state.z[i] - l->begin.z[i];
-    return work + mass * (w->gravity[0] * l->by[0] + w->gravity[1] * l->by[1]);
+    return work + mass * (w->numbers.gravity[0] * l->by[0] + w->numbers.gravity[1] * l->by[1]);
 }
 
 /* T with which the leg after the next one begins. */

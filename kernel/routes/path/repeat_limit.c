@@ -14,6 +14,7 @@
 #include "events/event.h"
 #include "routes/path/repeat_record.h"
 #include "scene/program_class.h"
+#include "state/workspace.h"
 
 #define WHOLE 1e-9 /* of a multiple */
 
@@ -56,7 +57,7 @@ static int64_t trigger_allows(pm_workspace *w, int trigger, const pm_symmetry_sh
     double change;
     if (kind > PM_TRIGGER_EVERY) return PM_MOST_REPEATS;
     if (pm_trigger_on_time(w, trigger)) return time_allows(w, trigger, time);
-    const int growth = w->model->program_growth[e[PM_TRIGGER_PROGRAM]];
+    const int growth = w->model->programs.energy[e[PM_TRIGGER_PROGRAM]];
     if (!pm_symmetry_program(w, shift, e[PM_TRIGGER_PROGRAM], &change)) return 0;
     if (kind == PM_TRIGGER_EVERY)
         return growth != PM_ENERGY_CLASS_NONE || fabs(change - round(change)) > WHOLE ? 0 : PM_MOST_REPEATS;
@@ -70,7 +71,7 @@ int pm_repeat_limit_moves(const pm_workspace *w, int trigger)
 {
     const int32_t *e = PM_TRIGGER_ROW(w->model, trigger);
     if (e[PM_TRIGGER_KIND] >= PM_TRIGGER_EVERY || pm_trigger_on_time(w, trigger)) return 0;
-    const int growth = w->model->program_growth[e[PM_TRIGGER_PROGRAM]];
+    const int growth = w->model->programs.energy[e[PM_TRIGGER_PROGRAM]];
     return growth == PM_ENERGY_CLASS_LINEAR || growth == PM_ENERGY_CLASS_STEADY;
 }
 
@@ -78,7 +79,7 @@ int pm_repeat_limit_signs_changed(const pm_workspace *w)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++)
         if (pm_repeat_limit_moves(w, i) &&
-            side_of(w, i, w->event->least) != side_of(w, i, w->leg->saved.range))
+            side_of(w, i, w->event->least) != side_of(w, i, w->repeat->saved.range))
             return 1;
     return 0;
 }
@@ -103,7 +104,7 @@ static int64_t firings_allow(const pm_workspace *w, const int32_t *e)
 
 static int64_t extreme_allows(pm_workspace *w, const int32_t *e, const pm_symmetry_shift *shift)
 {
-    const int growth = w->model->program_growth[pm_ask_program(e)];
+    const int growth = w->model->programs.energy[pm_ask_program(e)];
     double change;
     if (!pm_symmetry_program(w, shift, pm_ask_program(e), &change)) return 0;
     if (change != 0 && growth != PM_ENERGY_CLASS_NONE) return 0; /* both change: neither end is the extreme */
@@ -126,8 +127,8 @@ static int64_t ask_allows(pm_workspace *w, const int32_t *e, const pm_symmetry_s
 static int64_t limits_allow(const pm_workspace *w, double time)
 {
     const pm_model *m = w->model;
-    const int64_t events = w->count[PM_COUNT_EVENTS] - w->leg->count[PM_COUNT_EVENTS];
-    const double left = PM_SETTING(m, PM_SETTING_MAX_EVENTS) - (double)w->count[PM_COUNT_EVENTS];
+    const int64_t events = w->result.count[PM_COUNT_EVENTS] - w->repeat->count[PM_COUNT_EVENTS];
+    const double left = PM_SETTING(m, PM_SETTING_MAX_EVENTS) - (double)w->result.count[PM_COUNT_EVENTS];
     const double room = pm_case_max_time(w) - w->state.t;
     int64_t most = events > 0 ? at_most(PM_MOST_REPEATS, floor(left / (double)events) - 1) : PM_MOST_REPEATS;
     /* the last leg but one is computed, too: the run may end within the last one */
@@ -144,7 +145,7 @@ static int64_t limits_allow(const pm_workspace *w, double time)
 int64_t pm_repeat_limit(pm_workspace *w, const pm_symmetry_shift *shift, double time)
 {
     const pm_model *m = w->model;
-    int64_t most = fewest(w->leg->most, limits_allow(w, time));
+    int64_t most = fewest(w->repeat->most, limits_allow(w, time));
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER] && most > 0; i++)
         most = fewest(most, trigger_allows(w, i, shift, time));
     for (int i = 0; i < m->nask && most > 0; i++) most = fewest(most, ask_allows(w, PM_ASK_ROW(m, i), shift));

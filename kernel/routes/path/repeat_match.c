@@ -10,6 +10,7 @@
 
 #include "elements/contact.h"
 #include "routes/path/repeat_record.h"
+#include "state/workspace.h"
 
 #define TURN (2 * 3.14159265358979323846)
 #define SAME_PLACE 1e-11 /* of the scene's reach: the same configuration */
@@ -19,7 +20,7 @@
 static int same_modes(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    const pm_slot *then = w->leg->begin.slot, *now = w->state.slot;
+    const pm_slot *then = w->repeat->begin.slot, *now = w->state.slot;
     int found = 0, member = 0;
     for (int c = 0; c < m->rows[PM_TABLE_CONTACT]; c++) {
         const int first = m->contact_slot[c], n = pm_contact_slots(m, c);
@@ -37,7 +38,7 @@ static int same_modes(pm_workspace *w)
         found = 1;
         member = step;
     }
-    w->leg->member = member;
+    w->repeat->member = member;
     return 1;
 }
 
@@ -46,7 +47,7 @@ static int same_modes(pm_workspace *w)
 static int find_way(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    pm_repeat *l = w->leg;
+    pm_repeat *l = w->repeat;
     int found = 0;
     l->by[0] = l->by[1] = 0;
     if (l->member == 0) {
@@ -59,8 +60,8 @@ static int find_way(pm_workspace *w)
         if (e[PM_CONTACT_KIND] != PM_CONTACT_ROW) continue;
         const int32_t *row = PM_ROW_ROW(m, e[PM_CONTACT_B]);
         if (PM_POINT_ROW(m, row[PM_ROW_POINT])[PM_POINT_BODY] != PM_GROUND) return 0;
-        const double x = l->member * w->value[row[PM_ROW_STEP_X]],
-                     y = l->member * w->value[row[PM_ROW_STEP_Y]];
+        const double x = l->member * w->numbers.value[row[PM_ROW_STEP_X]],
+                     y = l->member * w->numbers.value[row[PM_ROW_STEP_Y]];
         if (found && (x != l->by[0] || y != l->by[1])) return 0;
         found = 1;
         l->by[0] = x;
@@ -71,8 +72,8 @@ static int find_way(pm_workspace *w)
 
 static int same_place_and_motion(pm_workspace *w, double kinetic)
 {
-    pm_repeat *l = w->leg;
-    const double place = SAME_PLACE * pm_contact_reach(w), motion = SAME_MOTION * w->speed;
+    pm_repeat *l = w->repeat;
+    const double place = SAME_PLACE * pm_contact_reach(w), motion = SAME_MOTION * w->numbers.speed;
     const double faster = l->kinetic > 0 ? sqrt(kinetic / l->kinetic) : 0;
     for (int i = 0; i < w->model->nbody; i++) {
         const double *q = w->state.q + 3 * i, *v = w->state.v + 3 * i;
@@ -81,7 +82,7 @@ static int same_place_and_motion(pm_workspace *w, double kinetic)
             if (fabs(q[k] - q0[k] - l->by[k]) > place) return 0;
             if (fabs(v[k] - faster * v0[k]) > motion) return 0;
         }
-        if (fabs(v[2] - faster * v0[2]) * w->size > motion) return 0;
+        if (fabs(v[2] - faster * v0[2]) * w->numbers.size > motion) return 0;
         l->turn[i] = q[2] - q0[2];
         const double turns = l->turn[i] / TURN;
         if (fabs(turns - round(turns)) <= SAME_PLACE * fmax(1, fabs(turns))) l->turn[i] = TURN * round(turns);

@@ -13,11 +13,12 @@
 #include "events/event.h"
 #include "routes/path/path.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 static void move_state(pm_workspace *w, int64_t legs, double faster, double time)
 {
     const pm_model *m = w->model;
-    const pm_repeat *l = w->leg;
+    const pm_repeat *l = w->repeat;
     const double n = (double)legs;
     pm_state *s = &w->state;
     for (int i = 0; i < m->nz_controlled; i++) s->z[i] += n * (s->z[i] - l->begin.z[i]);
@@ -41,8 +42,8 @@ static void count_legs(pm_workspace *w, int64_t legs, double time)
         if (each > 0) w->event->time[i] += (double)legs * time;
     }
     for (int i = 0; i < 3; i++)
-        w->count[counted[i]] += legs * (w->count[counted[i]] - w->leg->count[counted[i]]);
-    w->count[PM_COUNT_LEGS] += legs;
+        w->result.count[counted[i]] += legs * (w->result.count[counted[i]] - w->repeat->count[counted[i]]);
+    w->result.count[PM_COUNT_LEGS] += legs;
 }
 
 static void close_momentum(pm_workspace *w, const double *before)
@@ -58,7 +59,7 @@ int pm_repeat_pass(pm_workspace *w, const pm_repeats *legs, double kinetic, doub
     pm_body_momentum(w, PM_NONE, momentum);
     move_state(w, legs->n, sqrt(legs->kinetic / kinetic), time);
     count_legs(w, legs->n, time);
-    w->energy_lost += legs->lost;
+    w->ledger.energy_lost += legs->lost;
     w->path->error = legs->error;
     w->path->ended = 0; /* the error is that at the begin of the leg that follows */
     pm_frame_look_state(w, &w->state);

@@ -9,6 +9,7 @@
 #include "events/event.h"
 #include "routes/path/path.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 static size_t ask_flags(const pm_workspace *w) { return (size_t)w->model->nask + (size_t)w->model->nout; }
 
@@ -19,7 +20,7 @@ int pm_repeat_record_create(pm_workspace *w)
 {
     const pm_model *m = w->model;
     const size_t nevent = (size_t)m->rows[PM_TABLE_EVENT], nout = (size_t)m->nout;
-    pm_repeat *l = w->leg = calloc(1, sizeof *l);
+    pm_repeat *l = w->repeat = calloc(1, sizeof *l);
     if (!l) return PM_NO_MEMORY;
     int status = pm_state_create(m, &l->begin);
     if (!status) status = pm_state_create(m, &l->saved.begin);
@@ -41,30 +42,30 @@ int pm_repeat_record_create(pm_workspace *w)
 
 void pm_repeat_record_free(pm_workspace *w)
 {
-    if (!w->leg) return;
-    pm_state_free(&w->leg->begin);
-    pm_state_free(&w->leg->saved.begin);
-    pm_state_free(&w->leg->saved.last);
-    free(w->leg->block);
-    free(w->leg);
-    w->leg = NULL;
+    if (!w->repeat) return;
+    pm_state_free(&w->repeat->begin);
+    pm_state_free(&w->repeat->saved.begin);
+    pm_state_free(&w->repeat->saved.last);
+    free(w->repeat->block);
+    free(w->repeat);
+    w->repeat = NULL;
 }
 
 void pm_repeat_record_begin(pm_workspace *w)
 {
-    pm_repeat *l = w->leg;
+    pm_repeat *l = w->repeat;
     pm_state_copy(&l->begin, &w->state);
     l->kinetic = pm_body_kinetic(w, PM_NONE);
     l->before = l->kinetic;
     l->end_kind = l->end_mark = PM_NONE;
-    memcpy(l->count, w->count, sizeof l->count);
+    memcpy(l->count, w->result.count, sizeof l->count);
     memcpy(l->event_count, w->event->count, (size_t)w->model->rows[PM_TABLE_EVENT] * sizeof *l->event_count);
     l->known = 1;
 }
 
 int64_t pm_repeat_record_fires(const pm_workspace *w, int event)
 {
-    return w->event->count[event] - w->leg->event_count[event];
+    return w->event->count[event] - w->repeat->event_count[event];
 }
 
 /* ---- one list of all that is saved, both ways ---- */
@@ -95,20 +96,16 @@ static void move_leg(pm_repeat *l, size_t nevent, int back)
 static void move_run(pm_workspace *w, size_t nevent, int back)
 {
     const pm_model *m = w->model;
-    pm_repeat_saved *s = &w->leg->saved;
+    pm_repeat_saved *s = &w->repeat->saved;
     move_state(&s->begin, &w->state, back);
-    MOVE(s->energy_lost, w->energy_lost);
-    MOVE(s->energy_scale, w->energy_scale);
-    MOVE(s->momentum_scale, w->momentum_scale);
-    MOVE(s->constraint_worst, w->constraint_worst);
-    MOVE(s->evidence, w->evidence);
-    MOVE(s->speed, w->speed);
+    MOVE(s->ledger, w->ledger);
+    MOVE(s->speed, w->numbers.speed);
     MOVE(s->error, w->path->error);
-    MOVE(s->count, w->count);
+    MOVE(s->count, w->result.count);
     move(s->event_count, w->event->count, nevent * sizeof *s->event_count, back);
     move(s->event_time, w->event->time, nevent * sizeof *s->event_time, back);
     move(s->range, w->event->least, range_doubles(w) * sizeof *s->range, back);
-    move(s->out, w->out, (size_t)m->nout * sizeof *s->out, back);
+    move(s->out, w->result.out, (size_t)m->nout * sizeof *s->out, back);
     move(s->ask, w->ask->sample, pm_ask_numbers(m) * sizeof *s->ask, back);
     move(s->ask_flags, w->ask->undefined, ask_flags(w), back);
 }
@@ -116,7 +113,7 @@ static void move_run(pm_workspace *w, size_t nevent, int back)
 static void move_all(pm_workspace *w, int back)
 {
     const size_t nevent = (size_t)w->model->rows[PM_TABLE_EVENT];
-    move_leg(w->leg, nevent, back);
+    move_leg(w->repeat, nevent, back);
     move_run(w, nevent, back);
 }
 
@@ -124,15 +121,15 @@ void pm_repeat_record_save(pm_workspace *w) { move_all(w, 0); }
 
 void pm_repeat_record_save_range(pm_workspace *w)
 {
-    move(w->leg->saved.range, w->event->least, range_doubles(w) * sizeof(double), 0);
+    move(w->repeat->saved.range, w->event->least, range_doubles(w) * sizeof(double), 0);
 }
 
 int pm_repeat_record_restore(pm_workspace *w)
 {
-    const int64_t steps = w->count[PM_COUNT_STEPS], solves = w->count[PM_COUNT_SOLVES];
+    const int64_t steps = w->result.count[PM_COUNT_STEPS], solves = w->result.count[PM_COUNT_SOLVES];
     move_all(w, 1);
-    w->count[PM_COUNT_STEPS] = steps; /* work that was done */
-    w->count[PM_COUNT_SOLVES] = solves;
+    w->result.count[PM_COUNT_STEPS] = steps; /* work that was done */
+    w->result.count[PM_COUNT_SOLVES] = solves;
     w->path->ended = 0;
     pm_frame_look_state(w, &w->state);
     return pm_active_set_build(w);

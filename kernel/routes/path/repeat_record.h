@@ -3,7 +3,7 @@
 #ifndef PM_REPEAT_RECORD_H
 #define PM_REPEAT_RECORD_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 #define PM_MOST_REPEATS 100000000
 
@@ -12,7 +12,8 @@ typedef struct pm_repeat_saved {
     pm_state begin, last;           /* begin of the first leg passed over, and of the leg before it */
     double kinetic, before, lowest; /* of the leg before */
     int end_kind, end_mark;
-    double energy_lost, energy_scale, momentum_scale, constraint_worst, evidence, speed, error;
+    pm_ledger ledger;
+    double speed, error;
     int64_t count[PM_COUNT_COLUMNS], count_before[PM_COUNT_COLUMNS];
     int64_t *event_count, *event_before; /* [nevent] */
     double *event_time, *out, *ask;      /* [nevent], [nout], numbers of the asks */

@@ -18,6 +18,7 @@
 #include "scene/program_class.h"
 #include "state/frame.h"
 #include "state/route.h"
+#include "state/workspace.h"
 
 #define SAME 1e-9 /* of T: the same leg */
 #define CLEAR 0.3 /* of a function's greatest value: none of its values may come nearer to zero */
@@ -35,7 +36,7 @@ static int is_missed(const pm_model *m)
         const int kind = PM_ASK_ROW(m, i)[PM_ASK_KIND];
         if (kind == PM_ASK_AT_MAX || kind == PM_ASK_AT_MIN) return 1;
     }
-    return m->ngrip > 0;
+    return m->nfriction > 0;
 }
 
 /* T vanishes at no place of the step. */
@@ -45,7 +46,7 @@ static int never_rests(const pm_workspace *w, const pm_replay *r)
     const double more = r->kinetic - p->node[0].kinetic;
     for (int k = 0; k < p->nodes->n; k++)
         if (!(pm_path_node(p, k)->kinetic + more > 0)) return 0;
-    return p->clock == PM_CLOCK_NONE;
+    return p->clock.kind == PM_CLOCK_NONE;
 }
 
 /* The step of the last leg becomes one of this leg, at its T. */
@@ -53,13 +54,13 @@ static void fill_step(pm_workspace *w, const pm_replay *r)
 {
     pm_path *p = w->path;
     pm_path_cycle_of(w, r->kinetic);
-    p->t0 = w->state.t;
+    p->clock.t0 = w->state.t;
     memcpy(p->weight, w->state.z, (size_t)w->model->nz_controlled * sizeof(double));
     p->energy = r->kinetic + p->begin.potential - pm_path_work(w, w->state.z);
     p->error = r->error;
-    w->nodes = p->nodes;
-    w->step_begin = 0;
-    w->step_end = p->h;
+    w->step.nodes = p->nodes;
+    w->step.begin = 0;
+    w->step.end = p->h;
 }
 
 /* ---- what is looked at ---- */
@@ -67,7 +68,7 @@ static int by_place(const pm_model *m, const pm_event_function *f)
 {
     if (f->kind == FUNCTION_NORMAL || f->kind == FUNCTION_GRIP) return 0;
     if (f->kind != FUNCTION_TRIGGER) return 1;
-    return m->program_growth[PM_TRIGGER_ROW(m, f->index)[PM_TRIGGER_PROGRAM]] == PM_ENERGY_CLASS_NONE;
+    return m->programs.energy[PM_TRIGGER_ROW(m, f->index)[PM_TRIGGER_PROGRAM]] == PM_ENERGY_CLASS_NONE;
 }
 
 /* The slot of the same contact that is closed now. */
@@ -102,7 +103,7 @@ static int stays_clear(const pm_workspace *w, int function)
     const pm_event_set *e = w->event;
     double least = INFINITY, greatest = 0;
     if (e->function[function].owned || e->function[function].kind == FUNCTION_TRIGGER) return 1;
-    for (int k = 0; k < w->nodes->n; k++) {
+    for (int k = 0; k < w->step.nodes->n; k++) {
         const double value = pm_event_samples(w, function)[k];
         least = fmin(least, value);
         greatest = fmax(greatest, value);
@@ -131,8 +132,8 @@ int pm_repeat_replay(pm_workspace *w, const pm_replay *r, int *clear)
 int pm_repeat_replay_watch(pm_workspace *w, const pm_replay *r, int *told)
 {
     pm_state_copy(&w->ahead, &w->state);
-    w->step_end = r->end;
-    int status = w->route->exact(w, r->end, &w->probe); /* the frame looks there, too */
+    w->step.end = r->end;
+    int status = w->phase.route->exact(w, r->end, &w->probe); /* the frame looks there, too */
     *told = !status && fabs(pm_body_kinetic(w, PM_NONE) - r->kinetic1) <= SAME * r->kinetic1;
     if (!*told) return status;
     pm_state_copy(&w->state, &w->probe);

@@ -2,7 +2,7 @@
 #ifndef PM_REPEAT_REPLAY_H
 #define PM_REPEAT_REPLAY_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* What is known of the leg that the last one, computed in one step, is to tell. */
 typedef struct pm_replay {

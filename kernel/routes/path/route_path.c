@@ -29,6 +29,7 @@
 #include "routes/start/perturbation.h"
 #include "state/frame.h"
 #include "state/route.h"
+#include "state/workspace.h"
 #include "tree/tree.h"
 
 #define TURN (2 * 3.14159265358979323846)
@@ -77,7 +78,7 @@ static int create(pm_workspace *w)
     for (int k = 0; k < PM_NODES_MOST; k++) block = carve(m, &p->node[k], block);
     block = carve(m, &p->spare, block);
     block = carve(m, &p->begin, block);
-    pm_path_clock_fill_table(&p->table);
+    pm_path_clock_fill_table(&p->clock.table);
     p->loop.entry = block;
     p->work = p->loop.entry + n * n;
     p->weight = p->work + nz;
@@ -126,7 +127,7 @@ double pm_path_work(const pm_workspace *w, const double *z)
 static double total_mass(const pm_workspace *w)
 {
     double sum = 0;
-    for (int i = 0; i < w->model->nbody; i++) sum += w->mass[i];
+    for (int i = 0; i < w->model->nbody; i++) sum += w->numbers.mass[i];
     return sum;
 }
 
@@ -135,7 +136,7 @@ static double rate_of(const pm_workspace *w, const pm_place *x, const double *v)
 {
     double sum = 0;
     for (int i = 0; i < w->model->nbody; i++)
-        sum += w->mass[i] * (v[3 * i] * x->tangent[3 * i] + v[3 * i + 1] * x->tangent[3 * i + 1]) +
+        sum += w->numbers.mass[i] * (v[3 * i] * x->tangent[3 * i] + v[3 * i + 1] * x->tangent[3 * i + 1]) +
                pm_body_inertia(w, i) * v[3 * i + 2] * x->tangent[3 * i + 2];
     return sum / x->mass;
 }
@@ -166,8 +167,8 @@ static int leave_rest(pm_workspace *w, const pm_place *x)
 /* A prescribed rate makes the motion one in time. */
 static int is_driven(const pm_workspace *w)
 {
-    for (int i = 0; i < w->nactive; i++)
-        if (w->row[i].drive != PM_NONE) return 1;
+    for (int i = 0; i < w->active.n; i++)
+        if (w->active.row[i].drive != PM_NONE) return 1;
     return 0;
 }
 
@@ -175,7 +176,9 @@ static int applies(pm_workspace *w)
 {
     pm_path *p = w->path;
     pm_place *x = &p->begin;
-    if (!w->model->forces_by_place || w->asymmetric || w->massless || w->path_left || is_driven(w)) return 0;
+    if (!w->model->programs.forces_by_place || w->active.asymmetric || w->numbers.massless ||
+        w->phase.path_left || is_driven(w))
+        return 0;
     pm_tree_build(w);
     if (w->tree->n - w->tree->nloop != 1) return 0;
     p->n = w->tree->n;
@@ -191,7 +194,7 @@ static int applies(pm_workspace *w)
     x->kinetic = 0.5 * x->mass * rate * rate;
     p->sense = rate > 0 ? 1 : -1;
     p->balanced = 0;
-    p->at_rest = !(2 * x->kinetic > STILL * STILL * total_mass(w) * w->speed * w->speed);
+    p->at_rest = !(2 * x->kinetic > STILL * STILL * total_mass(w) * w->numbers.speed * w->numbers.speed);
     /* the contacts are met anew, to rounding: what the forces do on that way is not lost */
     for (int i = 0; i < w->model->nq; i++) x->kinetic += w->frame.f[i] * (x->q[i] - w->state.q[i]);
     if (p->at_rest) x->kinetic = 0;
@@ -222,7 +225,7 @@ static double full_step(const pm_workspace *w, const pm_place *x)
 {
     double h = INFINITY;
     for (int i = 0; i < w->path->n; i++) {
-        const double most = pm_tree_is_angle(w, i) ? TURN / STEPS_PER_TURN : LENGTHS * w->size;
+        const double most = pm_tree_is_angle(w, i) ? TURN / STEPS_PER_TURN : LENGTHS * w->numbers.size;
         const double factor = i == w->path->driver ? 1 : FASTER;
         if (x->slope[i] != 0) h = fmin(h, factor * most / fabs(x->slope[i]));
     }
@@ -233,7 +236,7 @@ static double full_step(const pm_workspace *w, const pm_place *x)
  * may be the only one on the path. */
 static double step_factor(const pm_workspace *w)
 {
-    const int open = w->tree->nloop == 0 && w->model->rows[PM_TABLE_CONTACT] == w->unreached;
+    const int open = w->tree->nloop == 0 && w->model->rows[PM_TABLE_CONTACT] == w->nunreached;
     return open && !w->path->balanced ? FARTHER : 1;
 }
 
@@ -280,8 +283,8 @@ static void state_of(pm_workspace *w, const pm_place *x, double s, double t, pm_
 static void set_turn(pm_workspace *w)
 {
     const pm_place *x = &w->path->node[PM_NODES_MOST - 1];
-    const double rate = w->path->sense * w->speed * sqrt(total_mass(w) / x->mass);
-    for (int i = 0; i < w->model->nq; i++) w->turn[i] = rate * x->tangent[i];
+    const double rate = w->path->sense * w->numbers.speed * sqrt(total_mass(w) / x->mass);
+    for (int i = 0; i < w->model->nq; i++) w->step.reversed[i] = rate * x->tangent[i];
 }
 
 /* The node at x, or p->spare.  Nodes are mostly looked at in their order. */
@@ -324,7 +327,8 @@ static int look(pm_workspace *w, double x, int level)
     const double s = x / w->path->h;
     const int status = place_at(w, x, &place);
     if (status) return status;
-    state_of(w, place, s, w->model->samples_time ? pm_path_clock_at(w->path, s) : w->path->t0, &w->probe);
+    state_of(w, place, s, w->model->programs.sample_time ? pm_path_clock_at(w->path, s) : w->path->clock.t0,
+             &w->probe);
     memcpy(w->frame.pose, place->pose, 5 * (size_t)w->model->nbody * sizeof *place->pose);
     pm_frame_look_placed(w, w->probe.q, w->probe.v);
     w->frame.t = w->probe.t;
@@ -360,7 +364,7 @@ static double open_work(const pm_workspace *w)
 {
     const pm_path *p = w->path;
     const double first = p->node[0].potential, last = p->node[PM_NODES_MOST - 1].potential;
-    double scale = w->energy_scale, z = 0; /* the step may begin and end at rest */
+    double scale = w->ledger.energy_scale, z = 0; /* the step may begin and end at rest */
     for (int k = 0; k < p->nodes->n; k++) scale = pm_max(p->node[k * p->every].kinetic, scale);
     if (!(scale > 0) || pm_chebyshev_tail(p->nodes, p->force) >= PM_WORK_TAIL) return 0;
     const double work = p->h * pm_chebyshev_whole(p->nodes, p->force);
@@ -375,11 +379,12 @@ static double broken_row(const pm_workspace *w)
 {
     const double *t = w->path->node[PM_NODES_MOST - 1].tangent;
     double fastest = 0, worst = 0;
-    for (int i = 0; i < w->model->nq; i++) fastest = pm_max(fabs(t[i]) * (i % 3 == 2 ? w->size : 1), fastest);
-    for (int i = 0; i < w->nactive; i++) {
-        const double *j = w->row[i].j, off = fabs(pm_saddle_times(w, &w->row[i], t));
+    for (int i = 0; i < w->model->nq; i++)
+        fastest = pm_max(fabs(t[i]) * (i % 3 == 2 ? w->numbers.size : 1), fastest);
+    for (int i = 0; i < w->active.n; i++) {
+        const double *j = w->active.row[i].j, off = fabs(pm_saddle_times(w, &w->active.row[i], t));
         double size = 0;
-        for (int k = 0; k < 6; k++) size += fabs(j[k]) / (k % 3 == 2 ? w->size : 1);
+        for (int k = 0; k < 6; k++) size += fabs(j[k]) / (k % 3 == 2 ? w->numbers.size : 1);
         worst = pm_max(off / (size * fastest), worst);
     }
     return worst;
@@ -399,9 +404,9 @@ static void look_for_evidence(pm_workspace *w)
 {
     pm_force_all(w);
     pm_saddle_rows(w);
-    w->evidence = pm_max(open_work(w), w->evidence);
-    w->evidence = pm_max(broken_row(w), w->evidence);
-    w->evidence = pm_max(missed_force(w), w->evidence);
+    w->ledger.evidence = pm_max(open_work(w), w->ledger.evidence);
+    w->ledger.evidence = pm_max(broken_row(w), w->ledger.evidence);
+    w->ledger.evidence = pm_max(missed_force(w), w->ledger.evidence);
 }
 
 static double after_limit(pm_workspace *w, double s, void *t_limit)
@@ -413,14 +418,14 @@ static double after_limit(pm_workspace *w, double s, void *t_limit)
 static int end_at_limit(pm_workspace *w, double t_limit)
 {
     pm_path *p = w->path;
-    if (p->clock == PM_CLOCK_NONE || !(w->state.t > t_limit)) return PM_OK;
+    if (p->clock.kind == PM_CLOCK_NONE || !(w->state.t > t_limit)) return PM_OK;
     double s;
-    int status = pm_bracket_find(w, w->event->solver, after_limit, &t_limit, 0, p->t0 - t_limit, 1,
+    int status = pm_bracket_find(w, w->event->solver, after_limit, &t_limit, 0, p->clock.t0 - t_limit, 1,
                                  w->state.t - t_limit, &s);
     if (!status) status = at(w, s * p->h, &w->state);
     w->state.t = t_limit;
-    w->step_end = s * p->h;
-    w->turns = 0;
+    w->step.end = s * p->h;
+    w->step.reverses = 0;
     return status;
 }
 
@@ -446,30 +451,30 @@ static int step(pm_workspace *w, double t_limit)
     p->told_by = p->driver;
     p->told_sense = p->sense;
     p->u0 = p->node[0].y[p->driver];
-    p->t0 = w->state.t;
+    p->clock.t0 = w->state.t;
     memcpy(p->weight, w->state.z, (size_t)w->model->nz_controlled * sizeof(double));
     const int may_close = pm_tree_is_angle(w, p->driver);
-    p->safe = w->coarse * full_step(w, &p->node[0]);
+    p->safe = w->numbers.coarse * full_step(w, &p->node[0]);
     const double full =
-        fmin(fmin(p->most, step_factor(w) * p->safe), w->coarse * next_contact(w, &p->node[0]));
+        fmin(fmin(p->most, step_factor(w) * p->safe), w->numbers.coarse * next_contact(w, &p->node[0]));
     if (!status) status = pm_path_take_step(w, repeat(w, may_close ? fmin(full, TURN - p->way) : full));
     if (status) return status;
-    if (w->turns) set_turn(w);
-    w->step_begin = 0;
-    w->step_end = p->h;
+    if (w->step.reverses) set_turn(w);
+    w->step.begin = 0;
+    w->step.end = p->h;
     p->way += p->h;
     const int hands_over = p->balanced && PM_SETTING(w->model, PM_SETTING_ROUTE) != PM_ROUTE_AUTO &&
                            PM_SETTING(w->model, PM_SETTING_ROUTE) != PM_ROUTE_PATH;
-    w->lap = hands_over || (may_close && p->way > TURN * (1 - ROUNDING));
+    w->phase.lap = hands_over || (may_close && p->way > TURN * (1 - ROUNDING));
     state_of(w, &p->node[PM_NODES_MOST - 1], 1, pm_path_clock_at(p, 1), &w->state);
-    w->nodes = p->nodes;
+    w->step.nodes = p->nodes;
     pm_frame_look_state(w, &w->state);
     look_for_evidence(w);
     if ((status = end_at_limit(w, t_limit))) return status;
-    if (w->step_end != p->h) pm_frame_look_state(w, &w->state);
+    if (w->step.end != p->h) pm_frame_look_state(w, &w->state);
     close_momentum(w, &w->state);
     pm_path_error_step(w, p->node[PM_NODES_MOST - 1].kinetic);
-    w->count[PM_COUNT_STEPS]++;
+    w->result.count[PM_COUNT_STEPS]++;
     pm_case_speed(w, w->state.v);
     return PM_OK;
 }

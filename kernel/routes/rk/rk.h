@@ -11,7 +11,7 @@
 #define PM_RK_H
 
 #include "equations/energy_level.h"
-#include "state/model.h"
+#include "state/workspace.h"
 
 #define PM_RK_DENSE 7 /* coefficients of the dense output */
 

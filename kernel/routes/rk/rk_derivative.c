@@ -7,6 +7,7 @@
  * rows first. */
 #include "equations/ledger.h"
 #include "routes/rk/rk.h"
+#include "state/workspace.h"
 #include "tree/tree.h"
 #include "tree/tree_small.h"
 
@@ -37,7 +38,7 @@ int pm_rk_derivative(pm_workspace *w, double t, double *y, int with_ledger, doub
     const int n = w->rk->n;
     int status = PM_OK;
     if (!with_ledger && w->rk->swift) return pm_tree_small_derivative(w, y, k);
-    if (w->tree->few) {
+    if (w->tree->part.few) {
         status = pm_tree_settle(w, t, y, y + n, y + 2 * n);
     } else if (!with_ledger && w->rk->controlled == 2 * n) {
         status = pm_tree_accelerate_at(w, t, y, y + n, y + 2 * n, k + n);
@@ -51,9 +52,9 @@ int pm_rk_derivative(pm_workspace *w, double t, double *y, int with_ledger, doub
 
 int pm_rk_choose_coordinates(pm_workspace *w)
 {
-    const int bad = !w->asymmetric && (pm_tree_is_steep(w) || pm_tree_is_flat(w));
+    const int bad = !w->active.asymmetric && (pm_tree_is_steep(w) || pm_tree_is_flat(w));
     if (bad) pm_tree_partition(w);
-    w->tree->independence = 1;
+    w->tree->part.independence = 1;
     w->rk->swift = w->rk->controlled == 2 * w->rk->n && pm_tree_small_applies(w);
-    return bad && w->tree->few;
+    return bad && w->tree->part.few;
 }

@@ -11,6 +11,7 @@
 #include "numerics/lanes.h"
 #include "routes/rk/dop853.h"
 #include "routes/rk/rk.h"
+#include "state/workspace.h"
 #include "tree/tree_small.h"
 
 /* y = y0 + h sum_k weight[k] stage[k] for the first n of `stride` entries; k is 0 and from .. to - 1. */

@@ -5,6 +5,7 @@
 #include "equations/saddle.h"
 #include "routes/rk/rk.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 #include "study/accuracy.h"
 #include "tree/tree.h"
 
@@ -24,17 +25,17 @@ int pm_rk_at(pm_workspace *w, double t, pm_state *s)
 static int accelerate_watched(pm_workspace *w)
 {
     pm_tree *t = w->tree;
-    const double independence = t->independence;
-    if (t->few) return pm_saddle_accelerate(w);
+    const double independence = t->part.independence;
+    if (t->part.few) return pm_saddle_accelerate(w);
     const int status = pm_tree_accelerate(w, w->rk->side);
     if (!status) pm_tree_tell(w, w->rk->side);
-    t->independence = independence;
+    t->part.independence = independence;
     return status;
 }
 
 int pm_rk_look(pm_workspace *w, double t, int level)
 {
-    if (t == w->step_end) {
+    if (t == w->step.end) {
         pm_frame_look_state(w, &w->state);
         return level == PM_LEVEL_DYNAMIC ? pm_saddle_accelerate(w) : PM_OK;
     }

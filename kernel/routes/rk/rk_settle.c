@@ -2,9 +2,11 @@
  * loop rows, and on the energy level of the phase where energy is kept (energy_level.h). */
 #include <string.h>
 
+#include "elements/constraint.h"
 #include "equations/ledger.h"
 #include "routes/rk/rk.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 #include "tree/tree.h"
 
 void pm_rk_tell(const pm_workspace *w, double t, const double *y, pm_state *s)
@@ -23,7 +25,8 @@ static double restore_energy(pm_workspace *w, double *rates)
     for (int i = 0; i < w->rk->n && factor != 1; i++) rates[i] *= factor;
     for (int i = 0; i < w->model->nq && factor != 1; i++) w->frame.velocity[i] = w->tree->v[i] *= factor;
     /* evaluated loop rows; nothing drives them, so that this is quadratic in the rates */
-    for (int i = 0; i < w->tree->nloop && factor != 1; i++) w->row[w->tree->loop[i]].gamma *= factor * factor;
+    for (int i = 0; i < w->tree->nloop && factor != 1; i++)
+        w->active.row[w->tree->loop[i]].gamma *= factor * factor;
     return gained;
 }
 

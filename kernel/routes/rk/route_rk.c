@@ -21,6 +21,7 @@
 #include "routes/rk/rk.h"
 #include "state/frame.h"
 #include "state/route.h"
+#include "state/workspace.h"
 #include "tree/tree.h"
 #include "tree/tree_small.h"
 
@@ -70,12 +71,13 @@ static void set_scale(pm_workspace *w)
     struct pm_rk *r = w->rk;
     /* in independent coordinates the others are found by closing loops: there errors of the place count,
      * too */
-    const int on_level = r->level.kept && w->tree->n - w->tree->nloop == 1 && !w->tree->few;
-    const double tolerance = fmax((on_level ? LEVEL_MARGIN : MARGIN) * w->tolerance, TIGHTEST);
+    const int on_level = r->level.kept && w->tree->n - w->tree->nloop == 1 && !w->tree->part.few;
+    const double tolerance = fmax((on_level ? LEVEL_MARGIN : MARGIN) * w->numbers.tolerance, TIGHTEST);
     for (int i = 0; i < r->n; i++) {
         const int angle = pm_tree_is_angle(w, i);
-        r->scale[i] = 1 / (tolerance * (angle ? 1 : w->size));
-        r->scale[r->n + i] = 1 / (tolerance * (angle ? w->speed / w->size : w->speed));
+        r->scale[i] = 1 / (tolerance * (angle ? 1 : w->numbers.size));
+        r->scale[r->n + i] =
+            1 / (tolerance * (angle ? w->numbers.speed / w->numbers.size : w->numbers.speed));
     }
     for (int i = 0; i < m->nz_controlled; i++)
         r->scale[2 * r->n + i] = 1 / (tolerance * pm_ledger_controlled_scale(w, i));
@@ -96,17 +98,17 @@ static int begin(pm_workspace *w)
     pm_tree_read_rates(w, w->state.v, r->now + r->n);
     pm_tree_sum_up(w);
     pm_tree_small_sum_up(w);
-    w->tree->independence = 1;
-    if (w->singular)
+    w->tree->part.independence = 1;
+    if (w->phase.singular)
         pm_tree_partition(w);
     else
         pm_rk_choose_coordinates(w);
     memcpy(r->now + 2 * r->n, w->state.z, (size_t)w->model->nz * sizeof(double));
     r->k0_ready = r->dense_ready = 0;
-    r->first = w->count[PM_COUNT_STEPS];
+    r->first = w->result.count[PM_COUNT_STEPS];
     pm_body_momentum(w, PM_NONE, r->momentum_now);
     /* a new case owes nothing to the last one, nor a phase to what another route has left behind */
-    if (w->count[PM_COUNT_STEPS] == 0 || w->state.t > r->end) r->next = 0;
+    if (w->result.count[PM_COUNT_STEPS] == 0 || w->state.t > r->end) r->next = 0;
     pm_energy_level_begin(w, &r->level);
     set_scale(w);
     return PM_OK;
@@ -122,7 +124,7 @@ static double turning_time(const pm_workspace *w, const double *k)
         if (pm_tree_is_angle(w, i)) square = pm_max(square, pm_max(k[i] * k[i], fabs(k[n + i])));
     for (int i = 2; !w->rk->swift && i < w->model->nq; i += 3)
         square = pm_max(square, pm_max(w->state.v[i] * w->state.v[i], fabs(w->frame.a[i])));
-    return w->coarse / sqrt(square);
+    return w->numbers.coarse / sqrt(square);
 }
 
 static int is_sampled(const pm_workspace *w) { return w->event->nfunction > 0 || w->ask->nobserver > 0; }
@@ -143,14 +145,14 @@ static void set_times(pm_workspace *w, const double *k)
 static double longest_step(const pm_workspace *w)
 {
     if (is_sampled(w)) return fmin(w->rk->own, w->rk->meeting);
-    return w->nactive > 0 ? w->rk->turning : INFINITY;
+    return w->active.n > 0 ? w->rk->turning : INFINITY;
 }
 
 /* Whether the next step integrates the ledger, and needs reactions for it. */
 static int samples_ledger(const pm_workspace *w)
 {
     const struct pm_rk *r = w->rk;
-    return !r->level.kept || (w->count[PM_COUNT_STEPS] - r->first) % LEDGER_STEPS == 0;
+    return !r->level.kept || (w->result.count[PM_COUNT_STEPS] - r->first) % LEDGER_STEPS == 0;
 }
 
 /* The derivative at the end of a step, for the next one; what accelerations of the bodies are wanted in the
@@ -163,7 +165,7 @@ static int last_stage(pm_workspace *w)
     const int status =
         r->swift ? pm_rk_derivative(w, w->state.t, r->now, 0, k) : pm_rk_derivative_here(w, r->now, 0, k);
     const int wanted = !r->swift || is_sampled(w); /* by set_times */
-    if (!status && wanted && !w->tree->few) pm_tree_spread_accelerations(w, k + r->n, w->frame.a);
+    if (!status && wanted && !w->tree->part.few) pm_tree_spread_accelerations(w, k + r->n, w->frame.a);
     return status;
 }
 
@@ -177,12 +179,12 @@ static int accept(pm_workspace *w, double t)
     if (status) return status;
     pm_energy_level_note(w, &r->level, gained);
     pm_body_momentum(w, PM_NONE, r->momentum_now);
-    w->count[PM_COUNT_STEPS]++;
+    w->result.count[PM_COUNT_STEPS]++;
     if ((status = last_stage(w))) return status;
     set_times(w, r->k + STAGES * r->all);
     r->dense_ready = 0;
-    w->step_begin = r->t0;
-    w->step_end = r->end = t;
+    w->step.begin = r->t0;
+    w->step.end = r->end = t;
     if (pm_case_speed(w, w->state.v)) set_scale(w);
     return PM_OK;
 }
@@ -201,7 +203,7 @@ static int first_stage(pm_workspace *w)
     set_times(w, r->k);
     if (r->next == 0)
         r->next = fmin(pm_case_time_scale(w, w->state.v, w->frame.a), 1e3) *
-                  (w->singular ? OVER : eighth_root_of_inverse(1 / w->tolerance));
+                  (w->phase.singular ? OVER : eighth_root_of_inverse(1 / w->numbers.tolerance));
     return PM_OK;
 }
 
@@ -210,7 +212,7 @@ static int first_stage(pm_workspace *w)
 static int met_singular(const pm_workspace *w)
 {
     const pm_tree *t = w->tree;
-    return t->few && t->least_regular < NEAR_SINGULAR * t->most_regular;
+    return t->part.few && t->part.least_regular < NEAR_SINGULAR * t->part.most_regular;
 }
 
 /* The length to try after n others: by turns longer, as far as that goes, and shorter than the first. */
@@ -249,12 +251,12 @@ static int step(pm_workspace *w, double t_limit)
         }
         rejected++;
         /* singular somewhere in the step */
-        const int few = w->tree->few;
+        const int few = w->tree->part.few;
         if (pm_rk_choose_coordinates(w) && (status = pm_rk_derivative(w, r->t0, r->y0, 1, r->k)))
             return status;
         if (sidesteps < SIDESTEPS && met_singular(w))
             h = sidestep(first, longest_step(w), ++sidesteps);
-        else if (few == w->tree->few)
+        else if (few == w->tree->part.few)
             first = h *= isfinite(error) ? fmax(SHRINK, SAFETY * eighth_root_of_inverse(error)) : FIRST_RETRY;
     }
 }

@@ -18,6 +18,7 @@
 #include "equations/projection.h"
 #include "equations/saddle.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 #define STEADY 1e-10 /* of the accelerations in the scene: none as seen in the axes */
 #define STEP 1e-3    /* of the scene's size: deviation for the differences */
@@ -55,8 +56,8 @@ void pm_fastest_growth_free(pm_fastest_growth *e) { free(e->block); }
 /* Axes that are not turned. */
 static const double ahead[2] = {1, 0};
 
-static double length_of(const pm_workspace *w, int i) { return i % 3 == 2 ? 1 : w->size; }
-static double unit_of_time(const pm_workspace *w) { return w->size / w->speed; }
+static double length_of(const pm_workspace *w, int i) { return i % 3 == 2 ? 1 : w->numbers.size; }
+static double unit_of_time(const pm_workspace *w) { return w->numbers.size / w->numbers.speed; }
 
 /* Part i of spin x d: d turned left; angles do not turn. */
 static double turned(double spin, const double *d, int i)
@@ -89,12 +90,12 @@ static int accelerate(pm_workspace *w, pm_state *s)
 /* The accelerations at s are those of a turning as a whole. */
 static int turns_as_a_whole(pm_workspace *w, const pm_fastest_growth *e, pm_state *s, int *status)
 {
-    double scale = w->speed * w->speed / w->size, worst = 0;
+    double scale = w->numbers.speed * w->numbers.speed / w->numbers.size, worst = 0;
     if ((*status = accelerate(w, s))) return 0;
     for (int i = 0; i < w->model->nq; i++) {
         if (!e->free[i]) continue;
-        const double length = i % 3 == 2 ? w->size : 1;
-        const double applied = w->stand_in[i] > 0 ? 0 : w->inverse_mass[i] * w->frame.f[i];
+        const double length = i % 3 == 2 ? w->numbers.size : 1;
+        const double applied = w->numbers.stand_in[i] > 0 ? 0 : w->numbers.inverse_mass[i] * w->frame.f[i];
         worst = fmax(worst, fabs(w->frame.a[i] - turned(e->spin, s->v, i)) * length);
         scale = fmax(scale, fabs(applied) * length);
     }
@@ -106,7 +107,7 @@ static void list_free(const pm_workspace *w, pm_fastest_growth *e)
 {
     e->n = 0;
     for (int i = 0; i < w->model->nq; i++)
-        if (e->free[i] && w->inverse_mass[i] > 0) e->at[e->n++] = i;
+        if (e->free[i] && w->numbers.inverse_mass[i] > 0) e->at[e->n++] = i;
 }
 
 /* d[nq] of bodies, in the axes turned by the angle whose cosine and sine are turn[2], from e->at's coordinates in units. */

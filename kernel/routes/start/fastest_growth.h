@@ -2,7 +2,7 @@
 #ifndef PM_FASTEST_GROWTH_H
 #define PM_FASTEST_GROWTH_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 typedef struct pm_fastest_growth {
     unsigned char *free; /* [nq] the coordinates that may deviate */

@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "elements/constraint.h"
 #include "elements/contact.h"
 #include "elements/force.h"
 #include "equations/ledger.h"
@@ -20,6 +21,7 @@
 #include "scene/program_class.h"
 #include "state/frame.h"
 #include "state/route.h"
+#include "state/workspace.h"
 
 #define SIZE 0.1      /* of the square root of the tolerance: what is neglected goes with its square */
 #define STILL 1e-11   /* of the scene's speed: at rest */
@@ -47,7 +49,7 @@ int pm_perturbation_create(pm_workspace *w)
 {
     const pm_model *m = w->model;
     if (!pm_perturbation_any(m)) return PM_OK;
-    struct pm_perturbation *x = w->nudge = calloc(1, sizeof *x);
+    struct pm_perturbation *x = w->perturbation = calloc(1, sizeof *x);
     if (!x) return PM_NO_MEMORY;
     x->block = calloc((size_t)m->nq * sizeof(double) + (size_t)m->nbody + 1, 1);
     if (!x->block) return PM_NO_MEMORY;
@@ -58,43 +60,46 @@ int pm_perturbation_create(pm_workspace *w)
 
 void pm_perturbation_free(pm_workspace *w)
 {
-    if (!w->nudge) return;
-    pm_fastest_growth_free(&w->nudge->escape);
-    free(w->nudge->block);
-    free(w->nudge);
-    w->nudge = NULL;
+    if (!w->perturbation) return;
+    pm_fastest_growth_free(&w->perturbation->escape);
+    free(w->perturbation->block);
+    free(w->perturbation);
+    w->perturbation = NULL;
 }
 
 /* ---- what waits ---- */
 void pm_perturbation_begin(pm_workspace *w)
 {
     const int program = PM_SETTING(w->model, PM_SETTING_NUDGE);
-    if (!w->nudge) return;
-    w->nudge->program = program >= 0 ? program : PM_NONE;
-    w->nudge->table = PM_TABLE_SETTING;
-    w->nudge->row = PM_SETTING_NUDGE;
+    if (!w->perturbation) return;
+    w->perturbation->program = program >= 0 ? program : PM_NONE;
+    w->perturbation->table = PM_TABLE_SETTING;
+    w->perturbation->row = PM_SETTING_NUDGE;
 }
 
-int pm_perturbation_waits(const pm_workspace *w) { return w->nudge && w->nudge->program != PM_NONE; }
+int pm_perturbation_waits(const pm_workspace *w)
+{
+    return w->perturbation && w->perturbation->program != PM_NONE;
+}
 
 int pm_perturbation_add(pm_workspace *w, int action)
 {
     if (pm_perturbation_waits(w)) return pm_fail(w, PM_UNSUPPORTED, PM_TABLE_ACTION, action, NAN, NAN);
-    w->nudge->program = PM_ACTION_ROW(w->model, action)[PM_ACTION_PROGRAM_X];
-    w->nudge->table = PM_TABLE_ACTION;
-    w->nudge->row = action;
+    w->perturbation->program = PM_ACTION_ROW(w->model, action)[PM_ACTION_PROGRAM_X];
+    w->perturbation->table = PM_TABLE_ACTION;
+    w->perturbation->row = action;
     return PM_OK;
 }
 
 void pm_perturbation_end(pm_workspace *w)
 {
-    if (w->nudge) w->nudge->program = PM_NONE;
+    if (w->perturbation) w->perturbation->program = PM_NONE;
 }
 
 static double read_at(pm_workspace *w, const double *velocity)
 {
     memcpy(w->frame.velocity, velocity, (size_t)w->model->nq * sizeof *velocity);
-    return pm_program_run(w->model, w->nudge->program, w->param, w->value, w);
+    return pm_program_run(w->model, w->perturbation->program, w->numbers.param, w->numbers.value, w);
 }
 
 double pm_perturbation_side(pm_workspace *w, const double *tangent)
@@ -105,7 +110,7 @@ double pm_perturbation_side(pm_workspace *w, const double *tangent)
 
 static int fail(pm_workspace *w, int status, double value)
 {
-    return pm_fail(w, status, w->nudge->table, w->nudge->row, value, NAN);
+    return pm_fail(w, status, w->perturbation->table, w->perturbation->row, value, NAN);
 }
 
 /* ---- one degree of freedom at rest ---- */
@@ -116,11 +121,11 @@ static int is_driven_on(pm_workspace *w, int *status)
     const pm_place *x = &p->begin;
     double most = 0, size = 0;
     for (int i = 0; i < w->model->nq; i++) {
-        const double length = i % 3 == 2 ? w->size : 1;
+        const double length = i % 3 == 2 ? w->numbers.size : 1;
         most = fmax(most, fabs(x->tangent[i]) * length);
         size += fabs(w->frame.f[i] * x->tangent[i]);
     }
-    const double way = p->sense * ASIDE * w->size / most;
+    const double way = p->sense * ASIDE * w->numbers.size / most;
     for (int i = 0; i < p->n; i++) p->spare.y[i] = x->y[i] + way * x->slope[i];
     *status = pm_path_place(w, x->y[p->driver] + way, &p->spare);
     for (int i = 0; i < w->model->nq; i++) size += fabs(w->frame.f[i] * p->spare.tangent[i]);
@@ -145,7 +150,7 @@ static int leave_along_path(pm_workspace *w)
 /* ---- what hangs together ---- */
 static int read_gradient(pm_workspace *w)
 {
-    struct pm_perturbation *x = w->nudge;
+    struct pm_perturbation *x = w->perturbation;
     double *unit = x->escape.v;
     int any = 0;
     pm_frame_look_state(w, &w->state);
@@ -153,7 +158,7 @@ static int read_gradient(pm_workspace *w)
     memset(x->touched, 0, (size_t)w->model->nbody + 1);
     for (int i = 0; i < w->model->nq; i++) {
         unit[i] = 1;
-        x->gradient[i] = w->inverse_mass[i] > 0 ? read_at(w, unit) : 0;
+        x->gradient[i] = w->numbers.inverse_mass[i] > 0 ? read_at(w, unit) : 0;
         unit[i] = 0;
         if (x->gradient[i] != 0) any = x->touched[i / 3] = 1;
     }
@@ -163,7 +168,7 @@ static int read_gradient(pm_workspace *w)
 
 static int join(pm_workspace *w, int a, int b)
 {
-    unsigned char *touched = w->nudge->touched;
+    unsigned char *touched = w->perturbation->touched;
     const int ground = w->model->nbody;
     if (a == ground || b == ground || touched[a] == touched[b]) return 0;
     return touched[a] = touched[b] = 1;
@@ -172,13 +177,13 @@ static int join(pm_workspace *w, int a, int b)
 /* What a program gives may hang on any body. */
 static int is_free_of_bodies(const pm_model *m, int program)
 {
-    return program < 0 || m->program_nature[program] == PM_CLASS_CONSTANT;
+    return program < 0 || m->programs.class[program] == PM_CLASS_CONSTANT;
 }
 
 static void find_island(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    struct pm_perturbation *x = w->nudge;
+    struct pm_perturbation *x = w->perturbation;
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++) {
         const int32_t *e = PM_FORCE_ROW(m, i);
         if (!is_free_of_bodies(m, e[PM_FORCE_PROGRAM_X]) || !is_free_of_bodies(m, e[PM_FORCE_PROGRAM_Y]))
@@ -186,7 +191,8 @@ static void find_island(pm_workspace *w)
     }
     for (int more = 1; more;) {
         more = 0;
-        for (int i = 0; i < w->nactive; i++) more |= join(w, w->row[i].body[0], w->row[i].body[1]);
+        for (int i = 0; i < w->active.n; i++)
+            more |= join(w, w->active.row[i].body[0], w->active.row[i].body[1]);
         for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++) {
             const pm_action f = pm_force_action(w, i);
             more |= join(w, f.body_a, f.body_b);
@@ -199,8 +205,9 @@ static void find_island(pm_workspace *w)
 static int is_at_rest(const pm_workspace *w)
 {
     for (int i = 0; i < w->model->nq; i++) {
-        const double length = i % 3 == 2 ? w->size : 1;
-        if (w->nudge->escape.free[i] && fabs(w->state.v[i]) * length > STILL * w->speed) return 0;
+        const double length = i % 3 == 2 ? w->numbers.size : 1;
+        if (w->perturbation->escape.free[i] && fabs(w->state.v[i]) * length > STILL * w->numbers.speed)
+            return 0;
     }
     return 1;
 }
@@ -217,18 +224,18 @@ static int goes_by_itself(pm_workspace *w, int *status)
 /* The blow that the program speaks of: M d = gradient + G^T l, G d = 0. */
 static int read_push(pm_workspace *w)
 {
-    pm_fastest_growth *e = &w->nudge->escape;
+    pm_fastest_growth *e = &w->perturbation->escape;
     pm_frame_look_state(w, &w->state);
     pm_saddle_rows(w);
     int status = pm_saddle_factor(w);
-    memset(w->wanted, 0, (size_t)w->nactive * sizeof *w->wanted);
-    return status ? status : pm_saddle_respond(w, w->nudge->gradient, e->push);
+    memset(w->saddle.wanted, 0, (size_t)w->active.n * sizeof *w->saddle.wanted);
+    return status ? status : pm_saddle_respond(w, w->perturbation->gradient, e->push);
 }
 
 /* w->probe: the state set out by `part` of the deviation; what the program reads there. */
 static int set_out(pm_workspace *w, double part, double *shows)
 {
-    const pm_fastest_growth *e = &w->nudge->escape;
+    const pm_fastest_growth *e = &w->perturbation->escape;
     pm_state *s = &w->probe;
     pm_state_copy(s, &w->state);
     for (int i = 0; i < w->model->nq; i++) {
@@ -238,7 +245,7 @@ static int set_out(pm_workspace *w, double part, double *shows)
     const int status = pm_projection_apply(w, s);
     if (status) return status;
     pm_frame_look_state(w, s);
-    *shows = pm_program_run(w->model, w->nudge->program, w->param, w->value, w);
+    *shows = pm_program_run(w->model, w->perturbation->program, w->numbers.param, w->numbers.value, w);
     return PM_OK;
 }
 
@@ -266,8 +273,9 @@ static int overlaps(pm_workspace *w)
 /* To the side on which the program is positive, if it tells both sides apart. */
 static int take_side(pm_workspace *w)
 {
-    const pm_fastest_growth *e = &w->nudge->escape;
-    const double part = SIZE * sqrt(w->tolerance), least = SHOWS * part * e->rate * fmin(w->size, 1);
+    const pm_fastest_growth *e = &w->perturbation->escape;
+    const double part = SIZE * sqrt(w->numbers.tolerance),
+                 least = SHOWS * part * e->rate * fmin(w->numbers.size, 1);
     double there, back;
     int status = set_out(w, -part, &back);
     if (!status) status = set_out(w, part, &there);
@@ -282,7 +290,7 @@ static int take_side(pm_workspace *w)
 
 static int leave_by_deviation(pm_workspace *w)
 {
-    pm_fastest_growth *e = &w->nudge->escape;
+    pm_fastest_growth *e = &w->perturbation->escape;
     int status;
     if (!read_gradient(w)) return fail(w, PM_NUDGE_STABLE, 0);
     find_island(w);

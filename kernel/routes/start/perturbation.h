@@ -5,7 +5,7 @@
 #ifndef PM_PERTURBATION_H
 #define PM_PERTURBATION_H
 
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* The scene has nudges, at its start or by events. */
 int pm_perturbation_any(const pm_model *m);

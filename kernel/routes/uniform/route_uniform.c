@@ -14,6 +14,7 @@
 #include <string.h>
 
 #include "elements/capture.h"
+#include "elements/constraint.h"
 #include "elements/contact.h"
 #include "elements/force.h"
 #include "elements/joint_friction.h"
@@ -29,6 +30,7 @@
 #include "state/evidence.h"
 #include "state/frame.h"
 #include "state/route.h"
+#include "state/workspace.h"
 #include "study/accuracy.h"
 
 #define FIRST_STRIDE 4.0 /* of the motion's own time: first step where polynomials are watched */
@@ -45,7 +47,7 @@ static int create(pm_workspace *w)
     if (!u) return PM_NO_MEMORY;
     const size_t nq = (size_t)m->nq, nz = (size_t)m->nz, nslot = (size_t)m->nslot, nrow = (size_t)m->nrow,
                  ncontact = (size_t)m->rows[PM_TABLE_CONTACT];
-    const size_t ndouble = 3 * (nq + 3) + nrow + 2 * nslot + (size_t)m->ngrip + 4 * nz + 5 * nq,
+    const size_t ndouble = 3 * (nq + 3) + nrow + 2 * nslot + (size_t)m->nfriction + 4 * nz + 5 * nq,
                  nwatched = (size_t)m->rows[PM_TABLE_TRIGGER] + (size_t)m->nask;
     u->closing = u->block = calloc(1, ncontact * sizeof *u->closing + ndouble * sizeof(double) +
                                           nwatched * sizeof *u->watched + 2 * (size_t)m->nbody + 2);
@@ -57,7 +59,7 @@ static int create(pm_workspace *w)
     u->slip_end = u->lambda + nrow;
     u->edge_end = u->slip_end + nslot;
     u->rub_end = u->edge_end + nslot;
-    u->rate = u->rub_end + m->ngrip;
+    u->rate = u->rub_end + m->nfriction;
     u->z0 = u->rate + 3 * nz;
     u->q_look = u->z0 + nz;
     u->v_look = u->q_look + nq;
@@ -202,7 +204,7 @@ static int paths_are_parabolas(const pm_workspace *w)
     const pm_model *m = w->model;
     for (int i = 0; i < m->npath; i++) {
         const int32_t *p = PM_POINT_ROW(m, PM_MEASURE_ROW(m, m->path[i])[PM_MEASURE_A]);
-        const double at[2] = {w->value[p[PM_POINT_X]], w->value[p[PM_POINT_Y]]};
+        const double at[2] = {w->numbers.value[p[PM_POINT_X]], w->numbers.value[p[PM_POINT_Y]]};
         if (!pm_constant_motion_mark(w, &w->uniform->curve, pm_body_index(m, p[PM_POINT_BODY]), at)) return 0;
     }
     return 1;
@@ -215,7 +217,7 @@ static double rub_at(pm_workspace *w, int grip, double t)
 {
     pm_uniform_look(w, t);
     const double slip = pm_joint_friction_slip(w, grip);
-    return w->state.grip[grip] == PM_SLIDE_FORWARD ? slip : -slip;
+    return w->state.friction[grip] == PM_SLIDE_FORWARD ? slip : -slip;
 }
 
 static double slip_at(pm_workspace *w, int slot, double t)
@@ -254,8 +256,8 @@ static void begin_contacts(pm_workspace *w)
         u->slip_end[i] = slides ? slip_ends(w, slip_at, i, pm_contact_speed(w)) : INFINITY;
         u->edge_end[i] = INFINITY;
     }
-    for (int i = 0; i < w->model->ngrip; i++)
-        u->rub_end[i] = w->state.grip[i] == PM_STICK || w->state.grip[i] == PM_OPEN
+    for (int i = 0; i < w->model->nfriction; i++)
+        u->rub_end[i] = w->state.friction[i] == PM_STICK || w->state.friction[i] == PM_OPEN
                             ? INFINITY
                             : slip_ends(w, rub_at, i, pm_joint_friction_still(w, i));
     pm_uniform_look(w, 0);
@@ -267,7 +269,7 @@ static int applies(pm_workspace *w)
 {
     pm_uniform *u = w->uniform;
     const int nq = w->model->nq;
-    if (w->count[PM_COUNT_PHASES] == 0) pm_zeno_reset(w);
+    if (w->result.count[PM_COUNT_PHASES] == 0) pm_zeno_reset(w);
     pm_constant_motion_curve(w, u->v, u->a, u->turns, u->locked, &u->curve);
     if (u->curve.levers && pm_joint_friction_any(w->model))
         return 0; /* reactions change, and friction with them */
@@ -319,7 +321,7 @@ static double first_turn(pm_workspace *w, double from, double to)
         double p[3];
         for (int k = 0; k < 3; k++) {
             pm_uniform_look_at_forces(w, from + 0.5 * k * h);
-            p[k] = pm_program_run(w->model, x.program, w->param, w->value, w);
+            p[k] = pm_program_run(w->model, x.program, w->numbers.param, w->numbers.value, w);
             if (x.squared) p[k] *= p[k];
         }
         const double slope = 4 * p[1] - 3 * p[0] - p[2], bend = 2 * (p[0] - 2 * p[1] + p[2]);
@@ -334,7 +336,7 @@ static double first_contact(pm_workspace *w, double end)
 {
     pm_uniform *u = w->uniform;
     for (int i = 0; i < w->model->nslot; i++) end = fmin(end, fmin(u->slip_end[i], u->edge_end[i]));
-    for (int i = 0; i < w->model->ngrip; i++) end = fmin(end, u->rub_end[i]);
+    for (int i = 0; i < w->model->nfriction; i++) end = fmin(end, u->rub_end[i]);
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
         const pm_closing *x = &u->closing[i];
         pm_uniform_gap(w, i, end);
@@ -403,8 +405,8 @@ static int go_to_end(pm_workspace *w, double limit, double t_limit)
     rates(w, u->begin, u->rate);
     integrate(w, u->end, w->state.z);
     place(w, u->end, w->state.q, w->state.v);
-    w->step_begin = w->state.t;
-    w->step_end = w->state.t = u->end == limit ? t_limit : u->t0 + u->end;
+    w->step.begin = w->state.t;
+    w->step.end = w->state.t = u->end == limit ? t_limit : u->t0 + u->end;
     pm_case_speed(w, w->state.v);
     return u->status ? u->status : pm_projection_apply(w, &w->state);
 }
@@ -414,7 +416,7 @@ static int step(pm_workspace *w, double t_limit)
     pm_uniform *u = w->uniform;
     const double limit = t_limit - u->t0;
     int leapt;
-    w->count[PM_COUNT_STEPS]++;
+    w->result.count[PM_COUNT_STEPS]++;
     u->begin = u->end;
     memcpy(u->z0, w->state.z, (size_t)w->model->nz * sizeof(double));
     u->end = first_contact(w, sampled_end(w, limit));
@@ -422,7 +424,7 @@ static int step(pm_workspace *w, double t_limit)
     if (status || leapt) return status;
     if (u->nwatched > 0) u->end = first_turn(w, u->begin, u->end);
     const int struck = mark_roots(w);
-    if (w->error->active) note_decisions(w);
+    if (w->accuracy->active) note_decisions(w);
     status = go_to_end(w, limit, t_limit);
     pm_zeno_end(w, struck);
     return status;

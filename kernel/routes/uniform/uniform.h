@@ -3,7 +3,7 @@
 #define PM_UNIFORM_H
 
 #include "elements/constant_motion.h"
-#include "state/model.h"
+#include "state/workspace.h"
 
 /* The search for the first closing of one contact: times from the begin of the phase. */
 typedef struct pm_closing {

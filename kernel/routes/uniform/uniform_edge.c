@@ -9,10 +9,12 @@
  * derivatives: between two of these they are monotonic. */
 #include <math.h>
 
+#include "elements/constraint.h"
 #include "elements/contact.h"
 #include "elements/edge.h"
 #include "routes/uniform/uniform.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 #define DEFINITE 100.0 /* times the rounding of accelerations */
 #define HALVINGS 200   /* more than doubles have digits and exponents */
@@ -222,13 +224,13 @@ static double comes_to_end(pm_workspace *w, const pm_edge_motion *x)
 int pm_uniform_edge_hold(const pm_workspace *w)
 {
     const pm_model *m = w->model;
-    for (int i = 0; i < m->rows[PM_TABLE_CONTACT] && m->nsegment > 0; i++) {
+    for (int i = 0; i < m->rows[PM_TABLE_CONTACT] && m->nedge > 0; i++) {
         if (!pm_edge_is(m, i) || pm_state_is_absent(m, &w->state, PM_TABLE_CONTACT, i)) continue;
         const pm_slot *slot = &w->state.slot[m->contact_slot[i]];
         int point[2], body[2];
         bodies_of(w, i, point, body);
         const int32_t *p = PM_POINT_ROW(m, point[0]);
-        const double at[2] = {w->value[p[PM_POINT_X]], w->value[p[PM_POINT_Y]]};
+        const double at[2] = {w->numbers.value[p[PM_POINT_X]], w->numbers.value[p[PM_POINT_Y]]};
         if (w->uniform->curve.turns[body[1]] || !pm_constant_motion_mark(w, &w->uniform->curve, body[0], at))
             return 0;
         if (slot->mode == PM_OPEN) continue;
@@ -308,7 +310,7 @@ void pm_uniform_edge_note(pm_workspace *w, int contact)
     pm_uniform_look(w, 0);
     const pm_edge_motion edge = motion_of(w, contact);
     if (w->state.slot[w->model->contact_slot[contact]].mode == PM_OPEN)
-        note_open(&u->closing[contact], &edge, w->size, step);
+        note_open(&u->closing[contact], &edge, w->numbers.size, step);
     else
-        note_end(&u->closing[contact], &edge, w->size, step);
+        note_end(&u->closing[contact], &edge, w->numbers.size, step);
 }

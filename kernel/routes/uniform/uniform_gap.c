@@ -15,6 +15,7 @@
 #include "routes/uniform/uniform.h"
 #include "state/frame.h"
 #include "state/route.h"
+#include "state/workspace.h"
 
 #define NEAR 4           /* members of a periodic row that are looked at one by one */
 #define ROUNDING 1e-15   /* of the places of marks: a gap below it is closed */
@@ -197,7 +198,7 @@ void pm_uniform_gap(pm_workspace *w, int contact, double until)
 
 int pm_uniform_resolves(const pm_workspace *w, int contact)
 {
-    if (w->route != &pm_route_uniform) return 0;
+    if (w->phase.route != &pm_route_uniform) return 0;
     const pm_closing *x = &w->uniform->closing[contact];
     return x->exact && x->root <= w->uniform->end;
 }

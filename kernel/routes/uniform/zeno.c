@@ -33,6 +33,7 @@
 #include "expression/program.h"
 #include "routes/uniform/uniform.h"
 #include "state/frame.h"
+#include "state/workspace.h"
 
 #define ALIKE 2        /* blows in a row that were e times the one before */
 #define GEOMETRIC 1e-8 /* of a blow: rounding of a slow one in a fast scene */
@@ -56,8 +57,8 @@ void pm_zeno_end(pm_workspace *w, int contact)
     x->pending = contact;
     if (contact == PM_NONE) return;
     memcpy(x->before, w->state.v, (size_t)w->model->nq * sizeof(double));
-    x->phase = w->count[PM_COUNT_PHASES];
-    x->jumps = w->count[PM_COUNT_JUMPS];
+    x->phase = w->result.count[PM_COUNT_PHASES];
+    x->jumps = w->result.count[PM_COUNT_JUMPS];
     x->pending_end = w->state.t;
     x->pending_flight = w->uniform->end;
 }
@@ -66,8 +67,8 @@ void pm_zeno_end(pm_workspace *w, int contact)
 static int follows_a_blow(const pm_workspace *w)
 {
     const pm_series *x = &w->uniform->series;
-    return x->pending != PM_NONE && x->phase == w->count[PM_COUNT_PHASES] &&
-           x->jumps + 1 == w->count[PM_COUNT_JUMPS] && x->pending_end == w->state.t;
+    return x->pending != PM_NONE && x->phase == w->result.count[PM_COUNT_PHASES] &&
+           x->jumps + 1 == w->result.count[PM_COUNT_JUMPS] && x->pending_end == w->state.t;
 }
 
 static int is_alike(const pm_workspace *w, const double *change, double flight)
@@ -76,7 +77,7 @@ static int is_alike(const pm_workspace *w, const double *change, double flight)
     const double e = pm_contact_restitution(w, x->contact);
     double size = 0, off = 0;
     for (int i = 0; i < w->model->nq; i++) {
-        const double length = i % 3 == 2 ? w->size : 1;
+        const double length = i % 3 == 2 ? w->numbers.size : 1;
         size = fmax(size, length * fabs(change[i]));
         off = fmax(off, length * fabs(change[i] - e * x->change[i]));
     }
@@ -140,7 +141,7 @@ static pm_outlook outlook_of(pm_workspace *w, const pm_rest *r, int program)
     double before = NAN;
     for (int k = 0; k < FLIGHT_NODES; k++) {
         pm_uniform_look_at_forces(w, r->flight * k / (FLIGHT_NODES - 1));
-        const double p = pm_program_run(w->model, program, w->param, w->value, w);
+        const double p = pm_program_run(w->model, program, w->numbers.param, w->numbers.value, w);
         if (!(p <= x.greatest)) x.greatest = p; /* not a number stays one */
         if (!(p >= x.least)) x.least = p;
         x.rises &= k == 0 || p >= before;
@@ -171,7 +172,7 @@ static int triggers_are_clear(pm_workspace *w, const pm_rest *r)
 static int grid_is_clear(const pm_workspace *w, const int32_t *e, const pm_outlook *x)
 {
     for (int k = 0; k < e[PM_ASK_COUNT]; k++) {
-        const double wanted = w->value[e[PM_ASK_FIRST_VALUE] + k];
+        const double wanted = w->numbers.value[e[PM_ASK_FIRST_VALUE] + k];
         if (!w->ask->filled[e[PM_ASK_OUT] + k] && !(wanted < x->least || wanted > x->greatest)) return 0;
     }
     return 1;
@@ -200,7 +201,7 @@ static int observers_are_clear(pm_workspace *w, const pm_rest *r)
 /* How fast the blows to come may still make two bodies part. */
 static double kicks(const pm_workspace *w, const pm_rest *r, const pm_constraint *row)
 {
-    const double lever = w->size + pm_contact_reach(w);
+    const double lever = w->numbers.size + pm_contact_reach(w);
     double sum = 0;
     for (int p = 0; p < 2; p++) {
         if (row->body[p] == w->model->nbody) continue;
@@ -286,7 +287,7 @@ static int is_slow(pm_workspace *w, const pm_rest *r)
     const int slot = w->model->contact_slot[r->contact];
     pm_uniform_look(w, 0);
     pm_contact_member_gap(w, r->contact, w->state.slot[slot].member, &rate);
-    return rate <= SLOW * w->speed || w->uniform->series.alike >= ENOUGH;
+    return rate <= SLOW * w->numbers.speed || w->uniform->series.alike >= ENOUGH;
 }
 
 static int applies(pm_workspace *w, const pm_rest *r, double t_limit)
@@ -295,7 +296,7 @@ static int applies(pm_workspace *w, const pm_rest *r, double t_limit)
     const int observed = u->begin == 0 && u->series.contact == r->contact && u->series.alike >= ALIKE &&
                          fabs(r->flight - r->e * u->series.flight) <= GEOMETRIC * r->flight;
     const pm_model *m = w->model;
-    const int asked = m->watches_counts || m->acts || m->nz_controlled > m->nz_work; /* paths */
+    const int asked = m->programs.watch_counts || m->acts || m->nz_controlled > m->nz_work; /* paths */
     return observed && !asked && !u->curve.levers && r->e > 0 && r->e < 1 && u->t0 + r->time < t_limit &&
            is_slow(w, r) && contact_is_steady(w, r->contact) && stays_over(w, r) && others_stay_open(w, r) &&
            slips_go_on(w, r) && triggers_are_clear(w, r) && observers_are_clear(w, r);
@@ -347,8 +348,8 @@ int pm_zeno_leap(pm_workspace *w, int contact, double flight, double t_limit, in
     }
     add_forces(w, &r, q);
     add_blows(w, &r, q, v);
-    w->step_begin = w->step_end = w->state.t = u->t0 + t;
-    w->count[PM_COUNT_JUMPS]++;
+    w->step.begin = w->step.end = w->state.t = u->t0 + t;
+    w->result.count[PM_COUNT_JUMPS]++;
     pm_trigger_countless(w, contact);
     pm_zeno_reset(w);
     return pm_projection_apply(w, &w->state);

@@ -1,0 +1,15 @@
+/* build.h - flat tables become a model: they are checked, and what follows from them alone is worked out. */
+#ifndef PM_BUILD_H
+#define PM_BUILD_H
+
+#include "state/model.h"
+
+/* A model of the caller's tables, which it points into: they must outlive it.  PM_BAD_TABLE with *where, or PM_NO_MEMORY; then
+ * there is no model. */
+int pm_model_create(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant,
+                    int64_t nparam, pm_model **model, pm_where *where);
+void pm_model_free(pm_model *model);
+/* Something has a prescribed motion. */
+int pm_model_is_driven(const pm_model *model);
+
+#endif

@@ -1,0 +1,39 @@
+/* numbers.h - the numbers of one case: what its parameters make of the tables.
+ *
+ * equations/case.c fills them when a case begins; from then on only the speed scale grows.  SI and radians. */
+#ifndef PM_NUMBERS_H
+#define PM_NUMBERS_H
+
+/* The axis about which the plane turns, and what the case says of it (elements/turning_plane.h). */
+typedef struct pm_turning_plane {
+    double through[2], angle;
+    double normal[2]; /* to the left of the axis */
+    double inertia;   /* of whatever else turns along */
+    double momentum;  /* at the start */
+} pm_turning_plane;
+
+typedef struct pm_numbers {
+    const double *param; /* [nparam] of the case, in the caller's array */
+    double *value;       /* [nvalue] */
+    double *folded;      /* [fold->nnumber] of the programs: what stays the same throughout the case */
+    int is_folded;       /* `folded` is worked out */
+    double *mass;        /* [nbody] kg */
+    double
+        *inverse_mass; /* [nq] 1/kg, 1/(kg m^2): inverse of the diagonal of M; 0: held (a particle's angle) */
+    double *inverse_root; /* [nq] its square root */
+    double *stand_in;     /* [nq] what stands for a mass or inertia of 0 in inverse_mass; else 0 */
+    unsigned char *
+        fixed; /* [nbody + 1] the body stands still for good (equations/fixed_bodies.h); last: the ground, which does */
+    int massless;      /* some coordinate has such */
+    double gravity[2]; /* m/s^2 */
+    pm_turning_plane plane;
+    struct pm_constraint *of_joint; /* [njoint_row] constraints of all joints (elements/joint.h) */
+    double size;                    /* m, length scale of the scene */
+    double speed;                   /* m/s, speed scale; grows with the motion */
+    double accuracy;                /* relative, asked of the answers */
+    double tolerance;               /* relative, of integration */
+    double
+        coarse; /* factor on steps and on what counts as nothing: 1, but in a coarse run (study/accuracy.h) */
+} pm_numbers;
+
+#endif

@@ -1,0 +1,148 @@
+/* workspace.h - everything that one thread needs to run cases of a model, in parts by who fills and who reads them.
+ *
+ * It is allocated once (run/workspace.c): nothing is allocated inside a case.  Rooms keep what only they read in structs of
+ * their own, to which the workspace only points. */
+#ifndef PM_WORKSPACE_H
+#define PM_WORKSPACE_H
+
+#include "state/frame.h"
+#include "state/numbers.h"
+#include "state/state.h"
+
+typedef struct pm_constraint pm_constraint; /* elements/constraint.h */
+struct pm_route_ops;
+struct pm_chebyshev_nodes;
+
+/* The active constraints: joints first, then captured pairs, then normals, then tangents (equations/active_set.h). */
+typedef struct pm_active_set {
+    pm_constraint *row; /* [nrow] */
+    int n;
+    int njoint;       /* of these the first are the joints' */
+    int nredundant;   /* constraints of joints that depend on others, and are left out */
+    int asymmetric;   /* some contact slides: H differs from G */
+    int evaluated;    /* the last projection, or building, has left the frame where the rows were evaluated */
+    int64_t version;  /* counts the sets */
+    int *of_joint;    /* [njoint_row] active row of each constraint of a joint, or PM_NONE (redundant) */
+    int *slot_normal; /* [nslot] active row, or PM_NONE */
+    int *slot_tangent;     /* [nslot] likewise */
+    int *slot_held;        /* [nslot][PM_JOINT_CONSTRAINTS] of a captured pair, or PM_NONE */
+    int *friction_row;     /* [nfriction] active row where the friction of a joint holds, or PM_NONE */
+    double *friction_load; /* [nfriction] friction that goes with the load of its joint, N or N m */
+    int *joint_order;      /* [njoint] in which their constraints stand (equations/row_order.h) */
+    int *body_place;       /* [nbody] scratch of row_order.c */
+} pm_active_set;
+
+/* The factored system on the active set, and its right-hand side (equations/saddle.h). */
+typedef struct pm_saddle {
+    double *schur;    /* [nrow][nrow] S = G M^-1 H^T, then its factors */
+    int *pivot;       /* [nrow] */
+    double *rhs;      /* [nrow] right-hand side, then the solution */
+    double *wanted;   /* [nrow] rates that a response is to have */
+    double *previous; /* [nq] scratch: the response of the round before */
+    int *first_row;   /* [nbody] scratch */
+    double *basis;    /* [nq + 1][nq] orthonormal rows (equations/orthonormal_rows.h) */
+    int *basis_range; /* [nq + 1][2] coordinates between which each is not zero */
+} pm_saddle;
+
+/* What the last blow did (impact/impact.h). */
+typedef struct pm_impulses {
+    double *joint;          /* [njoint_row] N s, N m s */
+    double *slot;           /* [2 nslot] N s: normal, tangential; of a captured pair x, y */
+    double *slot_direction; /* [nslot][4] normal x, y, tangent x, y on the first partner */
+    double *applied;        /* [nq] N s, N m s: by the actions of an event */
+    double energy_lost;     /* J, kinetic */
+} pm_impulses;
+
+/* What the audit keeps from the start on (equations/ledger.h). */
+typedef struct pm_ledger {
+    double energy_start, energy_lost, energy_scale; /* J */
+    double momentum_start[PM_LEDGER];               /* N s, N s, N m s */
+    double momentum_scale;                          /* N s */
+    double *force_energy_start;                     /* [nforce] J, of springs */
+    double constraint_worst; /* greatest residual of a constraint, of the scene's size */
+    double evidence;         /* worst relative disagreement that the path route found */
+} pm_ledger;
+
+/* How the present phase is computed (run/plan.h). */
+typedef struct pm_phase {
+    const struct pm_route_ops *route;
+    int kinematic;   /* the run needs no accelerations */
+    int rule, price; /* why the route was chosen; cost of the dearest so far */
+    int lap;         /* the path may have closed at the end of the step */
+    int path_left;   /* the path route has given up in this case */
+    int singular;    /* the route ida has come near a singular position */
+} pm_phase;
+
+/* The last accepted step, by the route's progress coordinate; the state is at its end (state/route.h). */
+typedef struct pm_step {
+    double begin, end;
+    double sampled_end;                     /* where the step ended when it was sampled */
+    const struct pm_chebyshev_nodes *nodes; /* where it is sampled */
+    int reverses;                           /* the motion turns back at the end of the step */
+    double *reversed;                       /* [nq] the velocities with which it does, at the scene's speed */
+} pm_step;
+
+/* The modes when the present instant began, and what it let go (impact/contact_modes.h). */
+typedef struct pm_instant {
+    pm_slot *slot_before;         /* [nslot] */
+    int32_t *friction_before;     /* [nfriction] */
+    unsigned char *slot_released; /* [nslot] let go at this instant: not closed again at it */
+} pm_instant;
+
+/* What a case answers; the arrays are the caller's (study/batch.c). */
+typedef struct pm_result {
+    double *out;     /* [nout] */
+    int32_t *reason; /* [nask] enum pm_reason */
+    double *audit;   /* [PM_AUDITS] */
+    int64_t count[PM_COUNT_COLUMNS];
+    pm_where where; /* of a failure */
+} pm_result;
+
+typedef struct pm_workspace {
+    const pm_model *model;
+    const volatile int32_t *stop; /* raised by another thread, or NULL */
+    pm_numbers numbers;
+    pm_state state, start; /* now; at t = 0 after the assembly */
+    pm_state probe;        /* a state inside a step */
+    pm_state ahead;        /* the end of a step while an instant inside it is marked */
+    pm_frame frame;
+    pm_active_set active;
+    pm_saddle saddle;
+    pm_impulses impulses;
+    pm_ledger ledger;
+    pm_phase phase;
+    pm_step step;
+    pm_instant instant;
+    pm_result result;
+    /* what single rooms keep */
+    struct pm_fixed_bodies *fixed;
+    struct pm_solve_cache *cache;
+    struct pm_hinge_bounds
+        *hinge;     /* [nbody + 1] where each body can be (equations/gap_bounds.h); last: the ground */
+    int nunreached; /* contacts that can never close */
+    struct pm_tree *tree;
+    struct pm_event_set *event;
+    struct pm_ask_set *ask;
+    struct pm_watched_samples *watched;
+    struct pm_path *path;
+    struct pm_repeat *repeat;
+    struct pm_uniform *uniform;
+    struct pm_rk *rk;
+    struct pm_ida *ida;
+    struct pm_perturbation *perturbation; /* NULL where the scene has none */
+    struct pm_find *find;                 /* NULL where nothing is sought */
+    struct pm_accuracy *accuracy;
+    /* of one case that is recorded; NULL in a batch */
+    struct pm_history *history;
+    struct pm_phase_report *phase_report;
+    double *scratch; /* [8 (nq + nrow + nslot)] of start, impact and contact modes: nothing is kept in it */
+    void *block;     /* owns the arrays above */
+} pm_workspace;
+
+/* Memory of a workspace for the model, and of all rooms; PM_NO_MEMORY, and *workspace is NULL then. */
+int pm_workspace_create(const pm_model *model, pm_workspace **workspace);
+void pm_workspace_free(pm_workspace *w);
+/* Notes where the case failed, and by which numbers; returns the status. */
+int pm_fail(pm_workspace *w, int status, int table, int row, double value, double bound);
+
+#endif
