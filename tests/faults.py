@@ -73,7 +73,7 @@ FAULTS = [
         "recall: factors of other rows", "equations/solve_cache.c", "if (x->j[k] != row->j[k]) return 0;", ";"
     ),
     Fault("recall: factors of other bodies", "equations/solve_cache.c", "x->body[1] != row->body[1]", "0"),
-    Fault("joint: rows are those of no case", "equations/case.c", "pm_joint_compose(w);", ";"),
+    Fault("joint: rows are those of no case", "equations/case.c", "pm_joint_compose(&w->frame);", ";"),
     Fault(
         "still: no case is searched",
         "equations/fixed_bodies.c",
@@ -434,7 +434,10 @@ FAULTS = [
     ),
     Fault("still: weights are carried twice", "equations/ledger.c", "if (w->numbers.fixed[i]) continue;", ""),
     Fault(
-        "still: bodies have no inertia", "state/frame.c", "if (w->numbers.fixed[i]) return", "if (0) return"
+        "still: bodies have no inertia",
+        "state/frame.c",
+        "if (frame->numbers->fixed[i]) return",
+        "if (0) return",
     ),
     # what no answer depends on
     Fault(
@@ -481,31 +484,33 @@ FAULTS = [
         "sine * sine +",
         "cosine * cosine +",
     ),
-    Fault("spin: nothing across the plane", "elements/turning_plane.c", " + second(w, i, PM_SECOND_Z);", ";"),
+    Fault(
+        "spin: nothing across the plane", "elements/turning_plane.c", " + second(frame, i, PM_SECOND_Z);", ";"
+    ),
     Fault(
         "spin: keeps its rate, not its momentum",
         "elements/turning_plane.c",
-        "momentum / pm_turning_plane_inertia(w)",
+        "momentum / pm_turning_plane_inertia(frame)",
         "momentum / 0.3",
     ),
     Fault("spin: no energy", "elements/turning_plane.c", "return 0.5 * omega * (i", "return 0 * (i"),
     Fault(
         "spin: not in the ledger",
         "equations/ledger.c",
-        "pm_turning_plane_outer(w, outer);",
+        "pm_turning_plane_outer(&w->frame, outer);",
         "outer[0] = outer[1] = outer[2] = 0;",
     ),
     Fault("spin: a couple without work", "equations/ledger.c", " + pm_turning_plane_power(w)", ""),
     Fault(
         "spin: no potential along the path",
         "routes/path/path_open.c",
-        " + pm_turning_plane_kinetic(w, PM_NONE)",
+        " + pm_turning_plane_kinetic(&w->frame, PM_NONE)",
         "",
     ),
     Fault(
         "spin: rounding leaves the rest",
         "routes/path/route_path.c",
-        " + pm_turning_plane_force_size(w, x->tangent)",
+        " + pm_turning_plane_force_size(&w->frame, x->tangent)",
         "",
     ),
     Fault(
@@ -608,13 +613,13 @@ FAULTS = [
     Fault(
         "capture: a body is held as a pin",
         "elements/capture.c",
-        "can_turn(w, normal.body[1]) ? 3 : 2",
+        "can_turn(&w->frame, normal.body[1]) ? 3 : 2",
         "0 ? 3 : 2",
     ),
     Fault(
         "capture: a particle holds the other's angle",
         "elements/capture.c",
-        "PM_BODY_ROW(w->model, body)[PM_BODY_TURNS]",
+        "PM_BODY_ROW(frame->model, body)[PM_BODY_TURNS]",
         "1",
     ),
     Fault(
@@ -697,7 +702,7 @@ FAULTS = [
     Fault(
         "massless: it has the energy of its stand-in",
         "state/frame.c",
-        "w->numbers.stand_in[3 * i + 2] > 0 ? 0",
+        "frame->numbers->stand_in[3 * i + 2] > 0 ? 0",
         "0 ? 0",
     ),
     Fault(
@@ -743,7 +748,7 @@ FAULTS = [
     Fault(
         "drive: no acceleration",
         "elements/constraint_drive.c",
-        "row->gamma += pm_drive_change(w, row->drive);",
+        "row->gamma += pm_drive_change(frame, row->drive);",
         "",
     ),
     Fault(
@@ -775,20 +780,20 @@ FAULTS = [
     Fault(
         "drive: its way starts anew at every step",
         "elements/drive.c",
-        "memory->anchor += pm_drive_way(w, program, memory);",
+        "memory->anchor += pm_drive_way(frame, program, memory);",
         "",
     ),
     Fault(
         "drive: not in a blow",
         "impact/impact.c",
-        "pm_saddle_times(w, &w->active.row[i], w->state.v) - w->active.row[i].rate",
-        "pm_saddle_times(w, &w->active.row[i], w->state.v)",
+        "pm_saddle_times(&w->frame, &w->active.row[i], w->state.v) - w->active.row[i].rate",
+        "pm_saddle_times(&w->frame, &w->active.row[i], w->state.v)",
     ),
     Fault(
         "belt: friction does not know that it runs",
         "elements/constraint.c",
-        "return pm_constraint_rate(w, row) - pm_drive_rate(w, row->drive);",
-        "return pm_constraint_rate(w, row);",
+        "return pm_constraint_rate(frame, row) - pm_drive_rate(frame, row->drive);",
+        "return pm_constraint_rate(frame, row);",
     ),
     Fault(
         "gears: both inside",
@@ -960,8 +965,8 @@ FAULTS = [
     Fault(
         "tree: partitioned, without the quadratic part",
         "tree/tree_partition.c",
-        "row->gamma - pm_saddle_times(w, row, a)",
-        "-pm_saddle_times(w, row, a)",
+        "row->gamma - pm_saddle_times(&w->frame, row, a)",
+        "-pm_saddle_times(&w->frame, row, a)",
     ),
     Fault(
         "tree: partitioned, a rate of the wrong sign",
@@ -1446,8 +1451,8 @@ FAULTS = [
     Fault(
         "memory: anchor of another place",
         "elements/constraint_line.c",
-        "memory->anchor = rolled(w, row, &x, &l)",
-        "memory->anchor = rolled(w, row, &x, &l) + 1e-3",
+        "memory->anchor = rolled(frame, row, &x, &l)",
+        "memory->anchor = rolled(frame, row, &x, &l) + 1e-3",
     ),
     Fault(
         "line of action: other side of the wheel",
@@ -1583,11 +1588,16 @@ FAULTS = [
     Fault("impact: restitution of the work", "impact/impact_course.c", "-e * e * now.work", "-e * now.work"),
     Fault("edge: it does not end", "events/event.c", "case FUNCTION_END:", "case FUNCTION_END: return 1;"),
     Fault("edge: its end is not seen beside it", "elements/edge.c", "if (beyond <= 0) return", "return"),
-    Fault("edge: what is behind it touches", "elements/contact.c", "|| pm_edge_touches(w, contact)", "|| 1"),
+    Fault(
+        "edge: what is behind it touches",
+        "elements/contact.c",
+        "|| pm_edge_touches(&w->frame, contact)",
+        "|| 1",
+    ),
     Fault(
         "edge: what is behind it stays there",
         "events/event.c",
-        "return f->below ? pm_edge_gap_from_below(w, f->index) : gap;",
+        "return f->below ? pm_edge_gap_from_below(&w->frame, f->index) : gap;",
         "return gap;",
     ),
     Fault(
@@ -1638,8 +1648,8 @@ FAULTS = [
     Fault(
         "blow: friction beyond its bound",
         "impact/impact.c",
-        "pm_contact_static(w, contact) * w->saddle.rhs",
-        "2 * pm_contact_static(w, contact) * w->saddle.rhs",
+        "pm_contact_static(&w->frame, contact) * w->saddle.rhs",
+        "2 * pm_contact_static(&w->frame, contact) * w->saddle.rhs",
     ),
     Fault(
         "blow: friction along the slip",

@@ -33,22 +33,22 @@ int pm_capture_is_meeting(const pm_model *m, int contact)
     return PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_KIND] == PM_CONTACT_POINT;
 }
 
-static pm_marks marks_of(const pm_workspace *w, int contact)
+static pm_marks marks_of(const pm_frame *frame, int contact)
 {
     pm_constraint normal, tangent;
-    pm_contact_constraint_both(w, contact, w->model->contact_slot[contact], 0, &normal, &tangent);
-    return pm_constraint_marks(w, &normal);
+    pm_contact_constraint_both(frame, contact, frame->model->contact_slot[contact], 0, &normal, &tangent);
+    return pm_constraint_marks(frame, &normal);
 }
 
-double pm_capture_distance(const pm_workspace *w, int contact)
+double pm_capture_distance(const pm_frame *frame, int contact)
 {
-    const pm_marks x = marks_of(w, contact);
+    const pm_marks x = marks_of(frame, contact);
     return pm_length(x.d);
 }
 
-double pm_capture_approach(const pm_workspace *w, int contact)
+double pm_capture_approach(const pm_frame *frame, int contact)
 {
-    const pm_marks x = marks_of(w, contact);
+    const pm_marks x = marks_of(frame, contact);
     const double approach = pm_dot(x.d, x.u);
     return fabs(approach) > ACROSS * pm_length(x.d) * pm_length(x.u) ? approach : 0;
 }
@@ -62,42 +62,42 @@ int pm_capture_meets(pm_workspace *w, int contact, double distance)
 }
 
 /* ---- the kept place ---- */
-static pm_kept *kept_of(const pm_workspace *w, const pm_state *s, int slot)
+static pm_kept *kept_of(const pm_frame *frame, const pm_state *s, int slot)
 {
-    const int contact = pm_contact_of_slot(w->model, slot);
-    return s->kept + w->model->contact_kept[contact] + slot - w->model->contact_slot[contact];
+    const int contact = pm_contact_of_slot(frame->model, slot);
+    return s->kept + frame->model->contact_kept[contact] + slot - frame->model->contact_slot[contact];
 }
 
 /* In the axes of a body. */
-static void into_body(const pm_workspace *w, int body, const double at[2], double out[2])
+static void into_body(const pm_frame *frame, int body, const double at[2], double out[2])
 {
-    const double *pose = w->frame.pose + 5 * body, x = at[0] - pose[0], y = at[1] - pose[1];
+    const double *pose = frame->pose + 5 * body, x = at[0] - pose[0], y = at[1] - pose[1];
     out[0] = pose[3] * x + pose[4] * y;
     out[1] = -pose[4] * x + pose[3] * y;
 }
 
-void pm_capture_keep(const pm_workspace *w, pm_state *s, int slot)
+void pm_capture_keep(const pm_frame *frame, pm_state *s, int slot)
 {
-    const int contact = pm_contact_of_slot(w->model, slot);
-    pm_kept *kept = kept_of(w, s, slot);
+    const int contact = pm_contact_of_slot(frame->model, slot);
+    pm_kept *kept = kept_of(frame, s, slot);
     pm_constraint normal, tangent;
     pm_line_of_action x;
-    pm_contact_constraint_both(w, contact, slot, s->slot[slot].member, &normal, &tangent);
-    if (pm_capture_is_meeting(w->model, contact)) {
-        const pm_marks marks = pm_constraint_marks(w, &normal);
+    pm_contact_constraint_both(frame, contact, slot, s->slot[slot].member, &normal, &tangent);
+    if (pm_capture_is_meeting(frame->model, contact)) {
+        const pm_marks marks = pm_constraint_marks(frame, &normal);
         for (int k = 0; k < 2; k++) x.at[k] = marks.a.p[k];
     } else {
-        pm_constraint_kind(normal.kind)->act(w, &normal, &x);
+        pm_constraint_kind(normal.kind)->act(frame, &normal, &x);
     }
-    into_body(w, normal.body[0], x.at, kept->a);
-    into_body(w, normal.body[1], x.at, kept->b);
-    kept->angle = w->frame.pose[5 * normal.body[0] + 2] - w->frame.pose[5 * normal.body[1] + 2];
+    into_body(frame, normal.body[0], x.at, kept->a);
+    into_body(frame, normal.body[1], x.at, kept->b);
+    kept->angle = frame->pose[5 * normal.body[0] + 2] - frame->pose[5 * normal.body[1] + 2];
 }
 
 /* A particle has no direction that could be held. */
-static int can_turn(const pm_workspace *w, int body)
+static int can_turn(const pm_frame *frame, int body)
 {
-    return body == w->model->nbody || PM_BODY_ROW(w->model, body)[PM_BODY_TURNS];
+    return body == frame->model->nbody || PM_BODY_ROW(frame->model, body)[PM_BODY_TURNS];
 }
 
 int pm_capture_rows(const pm_workspace *w, int slot, pm_constraint row[PM_JOINT_CONSTRAINTS])
@@ -105,11 +105,11 @@ int pm_capture_rows(const pm_workspace *w, int slot, pm_constraint row[PM_JOINT_
     static const int kind[PM_JOINT_CONSTRAINTS] = {PM_CONSTRAINT_POINT_X, PM_CONSTRAINT_POINT_Y,
                                                    PM_CONSTRAINT_ANGLE};
     const int contact = pm_contact_of_slot(w->model, slot);
-    const pm_kept *kept = kept_of(w, &w->state, slot);
+    const pm_kept *kept = kept_of(&w->frame, &w->state, slot);
     pm_constraint normal, tangent;
-    pm_contact_constraint_both(w, contact, slot, w->state.slot[slot].member, &normal, &tangent);
+    pm_contact_constraint_both(&w->frame, contact, slot, w->state.slot[slot].member, &normal, &tangent);
     const int whole = pm_capture_kind(w->model, contact) == PM_CAPTURE_BODY;
-    const int n = whole && can_turn(w, normal.body[0]) && can_turn(w, normal.body[1]) ? 3 : 2;
+    const int n = whole && can_turn(&w->frame, normal.body[0]) && can_turn(&w->frame, normal.body[1]) ? 3 : 2;
     for (int i = 0; i < n; i++) {
         row[i] = (pm_constraint){.kind = kind[i],
                                  .body = {normal.body[0], normal.body[1]},
@@ -133,7 +133,7 @@ double pm_capture_speed(const pm_workspace *w, int slot)
     double fastest = 0;
     for (int i = 0; i < n; i++) {
         const double length = row[i].kind == PM_CONSTRAINT_ANGLE ? w->numbers.size : 1;
-        fastest = fmax(fastest, fabs(pm_constraint_rate(w, &row[i])) * length);
+        fastest = fmax(fastest, fabs(pm_constraint_rate(&w->frame, &row[i])) * length);
     }
     return fastest;
 }

@@ -11,13 +11,13 @@ int pm_capture_is_meeting(const pm_model *m, int contact);
 
 /* Of two points that may meet, at the frame: how far they are apart; half the rate of its square, which goes through
  * zero, rising, where they are nearest. */
-double pm_capture_distance(const pm_workspace *w, int contact);
-double pm_capture_approach(const pm_workspace *w, int contact);
+double pm_capture_distance(const pm_frame *frame, int contact);
+double pm_capture_approach(const pm_frame *frame, int contact);
 /* Points that are so far apart (INFINITY: they do not meet any more) are at one place. */
 int pm_capture_meets(pm_workspace *w, int contact, double distance);
 
 /* Keeps in the state where, and how turned, the pair of a slot is caught at the frame. */
-void pm_capture_keep(const pm_workspace *w, pm_state *s, int slot);
+void pm_capture_keep(const pm_frame *frame, pm_state *s, int slot);
 /* The rows that hold the captured pair of a slot; returns how many. */
 int pm_capture_rows(const pm_workspace *w, int slot, pm_constraint row[PM_JOINT_CONSTRAINTS]);
 /* Greatest speed at the frame against which these rows would hold, m/s. */

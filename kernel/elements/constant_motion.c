@@ -13,15 +13,16 @@
 #define CENTRED 1e-15  /* of the scene's size: a mark this near to the mass centre is the mass centre */
 #define ROUNDING 1e-13 /* of speeds and accelerations in the scene */
 
-static double length_of(const pm_workspace *w, int i) { return i % 3 == 2 ? w->numbers.size : 1; }
+static double length_of(const pm_frame *frame, int i) { return i % 3 == 2 ? frame->numbers->size : 1; }
 
 /* Rounding is judged by the forces before the reactions cancel them, too: a block at rest on an incline has none left. */
-static double acceleration_scale(const pm_workspace *w)
+static double acceleration_scale(const pm_frame *frame)
 {
     double scale = 0;
-    for (int i = 0; i < w->model->nq; i++) {
-        const double applied = w->numbers.stand_in[i] > 0 ? 0 : w->numbers.inverse_mass[i] * w->frame.f[i];
-        scale = fmax(scale, fmax(fabs(applied), fabs(w->frame.a[i])) * length_of(w, i));
+    for (int i = 0; i < frame->model->nq; i++) {
+        const double applied =
+            frame->numbers->stand_in[i] > 0 ? 0 : frame->numbers->inverse_mass[i] * frame->f[i];
+        scale = fmax(scale, fmax(fabs(applied), fabs(frame->a[i])) * length_of(frame, i));
     }
     return scale;
 }
@@ -50,35 +51,35 @@ void pm_constant_motion_curve(const pm_workspace *w, double *v, double *a, unsig
     const int nq = w->model->nq, nbody = w->model->nbody;
     *x = (pm_constant_motion){.v = v, .a = a, .turns = turns, .locked = locked};
     x->speed = ROUNDING * w->numbers.speed;
-    x->acceleration = ROUNDING * acceleration_scale(w);
+    x->acceleration = ROUNDING * acceleration_scale(&w->frame);
     for (int i = 0; i < nq; i++) {
-        v[i] = fabs(w->state.v[i]) * length_of(w, i) <= x->speed ? 0 : w->state.v[i];
-        a[i] = fabs(w->frame.a[i]) * length_of(w, i) <= x->acceleration ? 0 : w->frame.a[i];
+        v[i] = fabs(w->state.v[i]) * length_of(&w->frame, i) <= x->speed ? 0 : w->state.v[i];
+        a[i] = fabs(w->frame.a[i]) * length_of(&w->frame, i) <= x->acceleration ? 0 : w->frame.a[i];
     }
     for (int k = nq; k < nq + 3; k++) v[k] = a[k] = 0;
     for (int i = 0; i <= nbody; i++) turns[i] = v[3 * i + 2] != 0 || a[3 * i + 2] != 0;
     find_locked(w, x);
 }
 
-int pm_constant_motion_mark(const pm_workspace *w, const pm_constant_motion *x, int body, const double at[2])
+int pm_constant_motion_mark(const pm_frame *frame, const pm_constant_motion *x, int body, const double at[2])
 {
-    return !x->turns[body] || fabs(at[0]) + fabs(at[1]) <= CENTRED * w->numbers.size;
+    return !x->turns[body] || fabs(at[0]) + fabs(at[1]) <= CENTRED * frame->numbers->size;
 }
 
-int pm_constant_motion_marks(const pm_workspace *w, const pm_constant_motion *x, const pm_constraint *row)
+int pm_constant_motion_marks(const pm_frame *frame, const pm_constant_motion *x, const pm_constraint *row)
 {
-    return pm_constant_motion_mark(w, x, row->body[0], row->a) &&
-           pm_constant_motion_mark(w, x, row->body[1], row->b);
+    return pm_constant_motion_mark(frame, x, row->body[0], row->a) &&
+           pm_constant_motion_mark(frame, x, row->body[1], row->b);
 }
 
-int pm_constant_motion_drive(const pm_workspace *w, const pm_constraint *row)
+int pm_constant_motion_drive(const pm_frame *frame, const pm_constraint *row)
 {
-    return row->drive == PM_NONE || w->model->programs.class[row->drive] == PM_CLASS_CONSTANT;
+    return row->drive == PM_NONE || frame->model->programs.class[row->drive] == PM_CLASS_CONSTANT;
 }
 
-int pm_constant_motion_together(const pm_workspace *w, const pm_constant_motion *x, const pm_constraint *row)
+int pm_constant_motion_together(const pm_frame *frame, const pm_constant_motion *x, const pm_constraint *row)
 {
-    if (!pm_constant_motion_marks(w, x, row)) return 0;
+    if (!pm_constant_motion_marks(frame, x, row)) return 0;
     for (int k = 0; k < 2; k++) {
         const int a = 3 * row->body[0] + k, b = 3 * row->body[1] + k;
         if (fabs(x->v[a] - x->v[b]) > x->speed || fabs(x->a[a] - x->a[b]) > x->acceleration) return 0;
@@ -91,7 +92,7 @@ static int rows_hold(const pm_workspace *w, const pm_constant_motion *x)
 {
     for (int i = 0; i < w->active.n || w->active.row[i].normal != PM_NONE; i++) {
         const pm_constraint_ops *ops = pm_constraint_kind(w->active.row[i].kind);
-        if (!ops->steady || !ops->steady(w, &w->active.row[i], x)) return 0;
+        if (!ops->steady || !ops->steady(&w->frame, &w->active.row[i], x)) return 0;
     }
     return 1;
 }

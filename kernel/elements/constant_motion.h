@@ -32,11 +32,11 @@ int pm_constant_motion_holds(pm_workspace *w, const pm_constant_motion *x);
 
 /* The mark keeps its place relative to its body's mass centre as seen in the scene: the body does not turn, or the mark
  * is the mass centre. */
-int pm_constant_motion_mark(const pm_workspace *w, const pm_constant_motion *x, int body, const double at[2]);
-int pm_constant_motion_marks(const pm_workspace *w, const pm_constant_motion *x, const pm_constraint *row);
+int pm_constant_motion_mark(const pm_frame *frame, const pm_constant_motion *x, int body, const double at[2]);
+int pm_constant_motion_marks(const pm_frame *frame, const pm_constant_motion *x, const pm_constraint *row);
 /* What drives the row, if anything, prescribes a constant rate. */
-int pm_constant_motion_drive(const pm_workspace *w, const pm_constraint *row);
+int pm_constant_motion_drive(const pm_frame *frame, const pm_constraint *row);
 /* Both marks are steady and keep their distance vector. */
-int pm_constant_motion_together(const pm_workspace *w, const pm_constant_motion *x, const pm_constraint *row);
+int pm_constant_motion_together(const pm_frame *frame, const pm_constant_motion *x, const pm_constraint *row);
 
 #endif

@@ -22,12 +22,12 @@ const pm_constraint_ops *pm_constraint_kind(int kind)
     return kinds[kind];
 }
 
-pm_marks pm_constraint_marks(const pm_workspace *w, const pm_constraint *row)
+pm_marks pm_constraint_marks(const pm_frame *frame, const pm_constraint *row)
 {
-    pm_marks x = {.a = pm_frame_point(w, row->body[0], row->a[0], row->a[1]),
-                  .b = pm_frame_point(w, row->body[1], row->b[0], row->b[1])};
-    x.omega_a = w->frame.velocity[3 * row->body[0] + 2];
-    x.omega_b = w->frame.velocity[3 * row->body[1] + 2];
+    pm_marks x = {.a = pm_frame_point(frame, row->body[0], row->a[0], row->a[1]),
+                  .b = pm_frame_point(frame, row->body[1], row->b[0], row->b[1])};
+    x.omega_a = frame->velocity[3 * row->body[0] + 2];
+    x.omega_b = frame->velocity[3 * row->body[1] + 2];
     for (int k = 0; k < 2; k++) {
         x.d[k] = x.a.p[k] - x.b.p[k];
         x.u[k] = x.a.v[k] - x.b.v[k];
@@ -67,19 +67,19 @@ void pm_constraint_along(pm_constraint *row, const pm_marks *x, const double n[2
     row->j[5] = -factor * pm_cross(x->b.r, n);
 }
 
-double pm_constraint_rate(const pm_workspace *w, const pm_constraint *row)
+double pm_constraint_rate(const pm_frame *frame, const pm_constraint *row)
 {
     pm_line_of_action x;
-    pm_constraint_kind(row->kind)->act(w, row, &x);
+    pm_constraint_kind(row->kind)->act(frame, row, &x);
     double u[2];
-    const double *va = w->frame.velocity + 3 * row->body[0], *vb = w->frame.velocity + 3 * row->body[1];
-    const double *pa = w->frame.pose + 5 * row->body[0], *pb = w->frame.pose + 5 * row->body[1];
+    const double *va = frame->velocity + 3 * row->body[0], *vb = frame->velocity + 3 * row->body[1];
+    const double *pa = frame->pose + 5 * row->body[0], *pb = frame->pose + 5 * row->body[1];
     u[0] = (va[0] - va[2] * (x.at[1] - pa[1])) - (vb[0] - vb[2] * (x.at[1] - pb[1]));
     u[1] = (va[1] + va[2] * (x.at[0] - pa[0])) - (vb[1] + vb[2] * (x.at[0] - pb[0]));
     return pm_dot(u, x.direction) + x.couple[0] * va[2] + x.couple[1] * vb[2];
 }
 
-double pm_constraint_slip(const pm_workspace *w, const pm_constraint *row)
+double pm_constraint_slip(const pm_frame *frame, const pm_constraint *row)
 {
-    return pm_constraint_rate(w, row) - pm_drive_rate(w, row->drive);
+    return pm_constraint_rate(frame, row) - pm_drive_rate(frame, row->drive);
 }

@@ -65,11 +65,11 @@ typedef struct pm_constraint_bounds {
  * along the curve (NULL: it never does); `bound` (rows that are gaps): of the row as evaluated at the frame, with the
  * accelerations a[nq + 3]. */
 typedef struct pm_constraint_ops {
-    void (*evaluate)(const pm_workspace *w, pm_constraint *row);
-    void (*act)(const pm_workspace *w, const pm_constraint *row, pm_line_of_action *x);
-    void (*remember)(const pm_workspace *w, const pm_constraint *row, pm_memory *memory, int anchor_too);
-    int (*steady)(const pm_workspace *w, const pm_constraint *row, const pm_constant_motion *x);
-    void (*bound)(const pm_workspace *w, const pm_constraint *row, const double *a, double h,
+    void (*evaluate)(const pm_frame *frame, pm_constraint *row);
+    void (*act)(const pm_frame *frame, const pm_constraint *row, pm_line_of_action *x);
+    void (*remember)(const pm_frame *frame, const pm_constraint *row, pm_memory *memory, int anchor_too);
+    int (*steady)(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x);
+    void (*bound)(const pm_frame *frame, const pm_constraint *row, const double *a, double h,
                   pm_constraint_bounds *x);
 } pm_constraint_ops;
 
@@ -82,15 +82,15 @@ const pm_constraint_ops *pm_constraint_kind(int kind);
 /* The rows of joint i with the numbers of the case; returns how many. */
 int pm_joint_constraints(const pm_workspace *w, int joint, pm_constraint row[PM_JOINT_CONSTRAINTS]);
 /* The same, whether the joint is there or not. */
-int pm_joint_constraints_of_any(const pm_workspace *w, int joint, pm_constraint row[PM_JOINT_CONSTRAINTS]);
+int pm_joint_constraints_of_any(const pm_frame *frame, int joint, pm_constraint row[PM_JOINT_CONSTRAINTS]);
 /* The normal row alone of a contact that is closed (or may close) in `slot` with `member`. */
-void pm_contact_constraint_normal(const pm_workspace *w, int contact, int slot, int member,
+void pm_contact_constraint_normal(const pm_frame *frame, int contact, int slot, int member,
                                   pm_constraint *normal);
 /* Its tangential row, from the normal one. */
-void pm_contact_constraint_tangent(const pm_workspace *w, int contact, const pm_constraint *normal,
+void pm_contact_constraint_tangent(const pm_frame *frame, int contact, const pm_constraint *normal,
                                    pm_constraint *tangent);
 /* Both. */
-void pm_contact_constraint_both(const pm_workspace *w, int contact, int slot, int member,
+void pm_contact_constraint_both(const pm_frame *frame, int contact, int slot, int member,
                                 pm_constraint *normal, pm_constraint *tangent);
 
 /* Whether its two bodies act on each other and on nothing else. */
@@ -101,9 +101,9 @@ static inline int pm_constraint_is_inner(const pm_workspace *w, const pm_constra
 }
 
 /* Rate of a row from the geometry of its line of action (equals j v). */
-double pm_constraint_rate(const pm_workspace *w, const pm_constraint *row);
+double pm_constraint_rate(const pm_frame *frame, const pm_constraint *row);
 /* The same relative to its prescribed rate: how a surface slips on a moving belt. */
-double pm_constraint_slip(const pm_workspace *w, const pm_constraint *row);
+double pm_constraint_slip(const pm_frame *frame, const pm_constraint *row);
 
 /* The two marks of a row in the frame, and what all kinds share. */
 typedef struct pm_marks {
@@ -113,7 +113,7 @@ typedef struct pm_marks {
     double quad[2]; /* relative acceleration of the marks when the coordinates do not accelerate */
     double omega_a, omega_b;
 } pm_marks;
-pm_marks pm_constraint_marks(const pm_workspace *w, const pm_constraint *row);
+pm_marks pm_constraint_marks(const pm_frame *frame, const pm_constraint *row);
 /* j = (n, r_a x n) on a, -(n, r_b x n) on b. */
 void pm_constraint_along(pm_constraint *row, const pm_marks *x, const double n[2], double factor);
 

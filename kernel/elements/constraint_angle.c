@@ -2,25 +2,25 @@
 #include "elements/constraint.h"
 #include "state/workspace.h"
 
-static void evaluate(const pm_workspace *w, pm_constraint *row)
+static void evaluate(const pm_frame *frame, pm_constraint *row)
 {
     for (int k = 0; k < 6; k++) row->j[k] = 0;
     row->j[2] = 1;
     row->j[5] = -1;
-    row->g = w->frame.pose[5 * row->body[0] + 2] - w->frame.pose[5 * row->body[1] + 2] - row->value;
+    row->g = frame->pose[5 * row->body[0] + 2] - frame->pose[5 * row->body[1] + 2] - row->value;
     row->gamma = 0;
 }
 
-static void act(const pm_workspace *w, const pm_constraint *row, pm_line_of_action *x)
+static void act(const pm_frame *frame, const pm_constraint *row, pm_line_of_action *x)
 {
-    (void)w;
+    (void)frame;
     (void)row;
     *x = (pm_line_of_action){.couple = {1, -1}};
 }
 
-static int steady(const pm_workspace *w, const pm_constraint *row, const pm_constant_motion *x)
+static int steady(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x)
 {
-    (void)w;
+    (void)frame;
     (void)row;
     (void)x;
     return 1;

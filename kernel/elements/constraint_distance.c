@@ -10,9 +10,9 @@
 #include "elements/constraint.h"
 #include "state/workspace.h"
 
-static void evaluate(const pm_workspace *w, pm_constraint *row)
+static void evaluate(const pm_frame *frame, pm_constraint *row)
 {
-    const pm_marks x = pm_constraint_marks(w, row);
+    const pm_marks x = pm_constraint_marks(frame, row);
     const double distance = pm_length(x.d);
     const double n[2] = {x.d[0] / distance, x.d[1] / distance}, t[2] = {-n[1], n[0]};
     const double across = pm_dot(x.u, t);
@@ -21,10 +21,10 @@ static void evaluate(const pm_workspace *w, pm_constraint *row)
     row->gamma = -row->sign * (pm_dot(x.quad, n) + across * across / distance);
 }
 
-static void act(const pm_workspace *w, const pm_constraint *row, pm_line_of_action *x)
+static void act(const pm_frame *frame, const pm_constraint *row, pm_line_of_action *x)
 {
-    const pm_point a = pm_frame_point(w, row->body[0], row->a[0], row->a[1]);
-    const pm_point b = pm_frame_point(w, row->body[1], row->b[0], row->b[1]);
+    const pm_point a = pm_frame_point(frame, row->body[0], row->a[0], row->a[1]);
+    const pm_point b = pm_frame_point(frame, row->body[1], row->b[0], row->b[1]);
     const double d[2] = {a.p[0] - b.p[0], a.p[1] - b.p[1]}, distance = pm_length(d);
     x->couple[0] = x->couple[1] = 0;
     for (int k = 0; k < 2; k++) {
@@ -33,17 +33,17 @@ static void act(const pm_workspace *w, const pm_constraint *row, pm_line_of_acti
     }
 }
 
-static int steady(const pm_workspace *w, const pm_constraint *row, const pm_constant_motion *x)
+static int steady(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x)
 {
-    return pm_constant_motion_together(w, x, row);
+    return pm_constant_motion_together(frame, x, row);
 }
 
 /* C'' = s (d''.n + (d'.t)^2 / D): apart the last part only helps; one inside the other it counts against, as long as the
  * centres do not meet. */
-static void bound(const pm_workspace *w, const pm_constraint *row, const double *a, double h,
+static void bound(const pm_frame *frame, const pm_constraint *row, const double *a, double h,
                   pm_constraint_bounds *x)
 {
-    const pm_marks m = pm_constraint_marks(w, row);
+    const pm_marks m = pm_constraint_marks(frame, row);
     const pm_constraint_reach r = pm_constraint_reach_of(row, &m, a, h);
     const double hardest = pm_length(r.apart) + r.swing, nearest = pm_length(m.d) - r.rate * h;
     x->rate = r.rate;

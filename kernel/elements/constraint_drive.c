@@ -13,96 +13,96 @@
 static const double axis_x[2] = {1, 0}, axis_y[2] = {0, 1};
 
 /* What all driven rows share: the residual is `place` less what is prescribed. */
-static void prescribe(const pm_workspace *w, pm_constraint *row, double place)
+static void prescribe(const pm_frame *frame, pm_constraint *row, double place)
 {
-    const pm_memory *memory = &w->frame.memory[row->memory];
-    row->g = place - memory->anchor - pm_drive_way(w, row->drive, memory);
-    row->gamma += pm_drive_change(w, row->drive);
-    row->rate = pm_drive_rate(w, row->drive);
+    const pm_memory *memory = &frame->memory[row->memory];
+    row->g = place - memory->anchor - pm_drive_way(frame, row->drive, memory);
+    row->gamma += pm_drive_change(frame, row->drive);
+    row->rate = pm_drive_rate(frame, row->drive);
 }
 
-static void keep(const pm_workspace *w, const pm_constraint *row, double place, pm_memory *memory,
+static void keep(const pm_frame *frame, const pm_constraint *row, double place, pm_memory *memory,
                  int anchor_too)
 {
     if (anchor_too) {
         memory->anchor = place;
-        memory->time = w->frame.t;
+        memory->time = frame->t;
     } else {
-        pm_drive_follow(w, row->drive, memory);
+        pm_drive_follow(frame, row->drive, memory);
     }
 }
 
-static double along(const pm_workspace *w, const pm_constraint *row, const double e[2])
+static double along(const pm_frame *frame, const pm_constraint *row, const double e[2])
 {
-    const pm_marks x = pm_constraint_marks(w, row);
+    const pm_marks x = pm_constraint_marks(frame, row);
     return pm_dot(x.d, e);
 }
 
-static void evaluate(const pm_workspace *w, pm_constraint *row, const double e[2])
+static void evaluate(const pm_frame *frame, pm_constraint *row, const double e[2])
 {
-    const pm_marks x = pm_constraint_marks(w, row);
+    const pm_marks x = pm_constraint_marks(frame, row);
     pm_constraint_along(row, &x, e, 1);
     row->gamma = -pm_dot(x.quad, e);
-    prescribe(w, row, pm_dot(x.d, e));
+    prescribe(frame, row, pm_dot(x.d, e));
 }
 
-static void act(const pm_workspace *w, const pm_constraint *row, pm_line_of_action *x, const double e[2])
+static void act(const pm_frame *frame, const pm_constraint *row, pm_line_of_action *x, const double e[2])
 {
-    const pm_point a = pm_frame_point(w, row->body[0], row->a[0], row->a[1]);
+    const pm_point a = pm_frame_point(frame, row->body[0], row->a[0], row->a[1]);
     *x = (pm_line_of_action){.at = {a.p[0], a.p[1]}, .direction = {e[0], e[1]}};
 }
 
-static double turned(const pm_workspace *w, const pm_constraint *row)
+static double turned(const pm_frame *frame, const pm_constraint *row)
 {
-    return w->frame.pose[5 * row->body[0] + 2] - row->ratio * w->frame.pose[5 * row->body[1] + 2];
+    return frame->pose[5 * row->body[0] + 2] - row->ratio * frame->pose[5 * row->body[1] + 2];
 }
 
-static void evaluate_x(const pm_workspace *w, pm_constraint *row) { evaluate(w, row, axis_x); }
-static void evaluate_y(const pm_workspace *w, pm_constraint *row) { evaluate(w, row, axis_y); }
-static void evaluate_turn(const pm_workspace *w, pm_constraint *row)
+static void evaluate_x(const pm_frame *frame, pm_constraint *row) { evaluate(frame, row, axis_x); }
+static void evaluate_y(const pm_frame *frame, pm_constraint *row) { evaluate(frame, row, axis_y); }
+static void evaluate_turn(const pm_frame *frame, pm_constraint *row)
 {
     for (int k = 0; k < 6; k++) row->j[k] = 0;
     row->j[2] = 1;
     row->j[5] = -row->ratio;
     row->gamma = 0;
-    prescribe(w, row, turned(w, row));
+    prescribe(frame, row, turned(frame, row));
 }
 
-static void act_x(const pm_workspace *w, const pm_constraint *row, pm_line_of_action *x)
+static void act_x(const pm_frame *frame, const pm_constraint *row, pm_line_of_action *x)
 {
-    act(w, row, x, axis_x);
+    act(frame, row, x, axis_x);
 }
-static void act_y(const pm_workspace *w, const pm_constraint *row, pm_line_of_action *x)
+static void act_y(const pm_frame *frame, const pm_constraint *row, pm_line_of_action *x)
 {
-    act(w, row, x, axis_y);
+    act(frame, row, x, axis_y);
 }
-static void act_turn(const pm_workspace *w, const pm_constraint *row, pm_line_of_action *x)
+static void act_turn(const pm_frame *frame, const pm_constraint *row, pm_line_of_action *x)
 {
-    (void)w;
+    (void)frame;
     *x = (pm_line_of_action){.couple = {1, -row->ratio}};
 }
 
-static void remember_x(const pm_workspace *w, const pm_constraint *row, pm_memory *memory, int anchor_too)
+static void remember_x(const pm_frame *frame, const pm_constraint *row, pm_memory *memory, int anchor_too)
 {
-    keep(w, row, along(w, row, axis_x), memory, anchor_too);
+    keep(frame, row, along(frame, row, axis_x), memory, anchor_too);
 }
-static void remember_y(const pm_workspace *w, const pm_constraint *row, pm_memory *memory, int anchor_too)
+static void remember_y(const pm_frame *frame, const pm_constraint *row, pm_memory *memory, int anchor_too)
 {
-    keep(w, row, along(w, row, axis_y), memory, anchor_too);
+    keep(frame, row, along(frame, row, axis_y), memory, anchor_too);
 }
-static void remember_turn(const pm_workspace *w, const pm_constraint *row, pm_memory *memory, int anchor_too)
+static void remember_turn(const pm_frame *frame, const pm_constraint *row, pm_memory *memory, int anchor_too)
 {
-    keep(w, row, turned(w, row), memory, anchor_too);
+    keep(frame, row, turned(frame, row), memory, anchor_too);
 }
 
-static int steady(const pm_workspace *w, const pm_constraint *row, const pm_constant_motion *x)
+static int steady(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x)
 {
-    return pm_constant_motion_drive(w, row) && pm_constant_motion_marks(w, x, row);
+    return pm_constant_motion_drive(frame, row) && pm_constant_motion_marks(frame, x, row);
 }
-static int steady_turn(const pm_workspace *w, const pm_constraint *row, const pm_constant_motion *x)
+static int steady_turn(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x)
 {
     (void)x;
-    return pm_constant_motion_drive(w, row);
+    return pm_constant_motion_drive(frame, row);
 }
 
 const pm_constraint_ops pm_constraint_drive_x = {

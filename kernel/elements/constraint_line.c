@@ -18,17 +18,17 @@ typedef struct pm_line_frame {
     double t[2], n[2];
 } pm_line_frame;
 
-static pm_line_frame line_frame(const pm_workspace *w, const pm_constraint *row)
+static pm_line_frame line_frame(const pm_frame *frame, const pm_constraint *row)
 {
-    const double *pose = w->frame.pose + 5 * row->body[1], *axis = row->axis;
+    const double *pose = frame->pose + 5 * row->body[1], *axis = row->axis;
     const double c = pose[3] * axis[0] - pose[4] * axis[1], s = pose[4] * axis[0] + pose[3] * axis[1];
     return (pm_line_frame){.t = {c, s}, .n = {-s, c}};
 }
 
-static void evaluate_normal(const pm_workspace *w, pm_constraint *row)
+static void evaluate_normal(const pm_frame *frame, pm_constraint *row)
 {
-    const pm_marks x = pm_constraint_marks(w, row);
-    const pm_line_frame l = line_frame(w, row);
+    const pm_marks x = pm_constraint_marks(frame, row);
+    const pm_line_frame l = line_frame(frame, row);
     pm_constraint_along(row, &x, l.n, 1);
     row->j[5] -= pm_dot(x.d, l.t);
     row->g = pm_dot(x.d, l.n) - row->radius_a;
@@ -36,85 +36,87 @@ static void evaluate_normal(const pm_workspace *w, pm_constraint *row)
         -(pm_dot(x.quad, l.n) - 2 * x.omega_b * pm_dot(x.u, l.t) - x.omega_b * x.omega_b * pm_dot(x.d, l.n));
 }
 
-static double rolled(const pm_workspace *w, const pm_constraint *row, const pm_marks *x,
+static double rolled(const pm_frame *frame, const pm_constraint *row, const pm_marks *x,
                      const pm_line_frame *l)
 {
-    const double turned = w->frame.pose[5 * row->body[0] + 2] - w->frame.pose[5 * row->body[1] + 2];
+    const double turned = frame->pose[5 * row->body[0] + 2] - frame->pose[5 * row->body[1] + 2];
     return pm_dot(x->d, l->t) + row->radius_a * turned;
 }
 
-static void evaluate_tangent(const pm_workspace *w, pm_constraint *row)
+static void evaluate_tangent(const pm_frame *frame, pm_constraint *row)
 {
-    const pm_marks x = pm_constraint_marks(w, row);
-    const pm_line_frame l = line_frame(w, row);
+    const pm_marks x = pm_constraint_marks(frame, row);
+    const pm_line_frame l = line_frame(frame, row);
     pm_constraint_along(row, &x, l.t, 1);
     row->j[2] += row->radius_a;
     row->j[5] += pm_dot(x.d, l.n) - row->radius_a;
-    row->g = rolled(w, row, &x, &l) - w->frame.memory[row->memory].anchor;
+    row->g = rolled(frame, row, &x, &l) - frame->memory[row->memory].anchor;
     row->gamma =
         -(pm_dot(x.quad, l.t) + 2 * x.omega_b * pm_dot(x.u, l.n) - x.omega_b * x.omega_b * pm_dot(x.d, l.t));
     if (row->drive == PM_NONE) return;
-    row->g -= pm_drive_way(w, row->drive, &w->frame.memory[row->memory]);
-    row->gamma += pm_drive_change(w, row->drive);
-    row->rate = pm_drive_rate(w, row->drive);
+    row->g -= pm_drive_way(frame, row->drive, &frame->memory[row->memory]);
+    row->gamma += pm_drive_change(frame, row->drive);
+    row->rate = pm_drive_rate(frame, row->drive);
 }
 
-static void remember(const pm_workspace *w, const pm_constraint *row, pm_memory *memory, int anchor_too)
+static void remember(const pm_frame *frame, const pm_constraint *row, pm_memory *memory, int anchor_too)
 {
     if (!anchor_too) {
-        pm_drive_follow(w, row->drive, memory);
+        pm_drive_follow(frame, row->drive, memory);
         return;
     }
-    const pm_marks x = pm_constraint_marks(w, row);
-    const pm_line_frame l = line_frame(w, row);
-    memory->anchor = rolled(w, row, &x, &l);
-    memory->time = w->frame.t;
+    const pm_marks x = pm_constraint_marks(frame, row);
+    const pm_line_frame l = line_frame(frame, row);
+    memory->anchor = rolled(frame, row, &x, &l);
+    memory->time = frame->t;
 }
 
-static void touch(const pm_workspace *w, const pm_constraint *row, const pm_line_frame *l,
+static void touch(const pm_frame *frame, const pm_constraint *row, const pm_line_frame *l,
                   pm_line_of_action *x)
 {
-    const pm_point a = pm_frame_point(w, row->body[0], row->a[0], row->a[1]);
+    const pm_point a = pm_frame_point(frame, row->body[0], row->a[0], row->a[1]);
     for (int k = 0; k < 2; k++) x->at[k] = a.p[k] - row->radius_a * l->n[k];
     x->couple[0] = x->couple[1] = 0;
 }
 
-static void act_normal(const pm_workspace *w, const pm_constraint *row, pm_line_of_action *x)
+static void act_normal(const pm_frame *frame, const pm_constraint *row, pm_line_of_action *x)
 {
-    const pm_line_frame l = line_frame(w, row);
-    touch(w, row, &l, x);
+    const pm_line_frame l = line_frame(frame, row);
+    touch(frame, row, &l, x);
     for (int k = 0; k < 2; k++) x->direction[k] = l.n[k];
 }
 
-static void act_tangent(const pm_workspace *w, const pm_constraint *row, pm_line_of_action *x)
+static void act_tangent(const pm_frame *frame, const pm_constraint *row, pm_line_of_action *x)
 {
-    const pm_line_frame l = line_frame(w, row);
-    touch(w, row, &l, x);
+    const pm_line_frame l = line_frame(frame, row);
+    touch(frame, row, &l, x);
     for (int k = 0; k < 2; k++) x->direction[k] = l.t[k];
 }
 
 /* The line keeps its direction.  Where the point runs along it its lever on the line's body changes: that is felt unless
  * the body cannot turn at all. */
-static int steady_normal(const pm_workspace *w, const pm_constraint *row, const pm_constant_motion *x)
+static int steady_normal(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x)
 {
     const int b = row->body[1];
-    if (x->turns[b] || !pm_constant_motion_marks(w, x, row)) return 0;
-    return x->locked[b] || w->numbers.inverse_mass[3 * b + 2] == 0 || pm_constant_motion_together(w, x, row);
+    if (x->turns[b] || !pm_constant_motion_marks(frame, x, row)) return 0;
+    return x->locked[b] || frame->numbers->inverse_mass[3 * b + 2] == 0 ||
+           pm_constant_motion_together(frame, x, row);
 }
 
 /* While the circle stays on the line (its normal row) the lever of the tangent on the line's body stays. */
-static int steady_tangent(const pm_workspace *w, const pm_constraint *row, const pm_constant_motion *x)
+static int steady_tangent(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x)
 {
-    return !x->turns[row->body[1]] && pm_constant_motion_marks(w, x, row) && pm_constant_motion_drive(w, row);
+    return !x->turns[row->body[1]] && pm_constant_motion_marks(frame, x, row) &&
+           pm_constant_motion_drive(frame, row);
 }
 
 /* C'' = d''.n + 2 d'.n' + d.n'' with n' = -w_b t: exact where the line does not turn and the point does not go round. */
-static void bound(const pm_workspace *w, const pm_constraint *row, const double *a, double h,
+static void bound(const pm_frame *frame, const pm_constraint *row, const double *a, double h,
                   pm_constraint_bounds *x)
 {
-    const pm_marks m = pm_constraint_marks(w, row);
+    const pm_marks m = pm_constraint_marks(frame, row);
     const pm_constraint_reach r = pm_constraint_reach_of(row, &m, a, h);
-    const pm_line_frame l = line_frame(w, row);
+    const pm_line_frame l = line_frame(frame, row);
     x->rate = r.rate + r.turn * r.distance;
     x->exact = r.spin == 0 && r.swing == 0;
     x->bend = r.spin == 0 ? pm_dot(r.apart, l.n) - r.swing

@@ -9,21 +9,21 @@
 static const double axis_x[2] = {1, 0}, axis_y[2] = {0, 1};
 
 /* The way from a body's mass centre to its mark; the ground turns nothing. */
-static inline void lever_of(const pm_workspace *w, int body, const double mark[2], double r[2])
+static inline void lever_of(const pm_frame *frame, int body, const double mark[2], double r[2])
 {
-    const double *pose = w->frame.pose + 5 * body;
+    const double *pose = frame->pose + 5 * body;
     r[0] = pose[3] * mark[0] - pose[4] * mark[1];
     r[1] = pose[4] * mark[0] + pose[3] * mark[1];
 }
 
 /* Written out for each axis, k = 0 or 1: these are the rows of all pins. */
-static inline void evaluate(const pm_workspace *w, pm_constraint *row, int k)
+static inline void evaluate(const pm_frame *frame, pm_constraint *row, int k)
 {
-    const pm_frame *f = &w->frame;
+    const pm_frame *f = frame;
     const double omega_a = f->velocity[3 * row->body[0] + 2], omega_b = f->velocity[3 * row->body[1] + 2];
     double a[2], b[2];
-    lever_of(w, row->body[0], row->a, a);
-    lever_of(w, row->body[1], row->b, b);
+    lever_of(frame, row->body[0], row->a, a);
+    lever_of(frame, row->body[1], row->b, b);
     row->j[k] = 1;
     row->j[1 - k] = 0;
     row->j[2] = k ? a[0] : -a[1];
@@ -34,27 +34,27 @@ static inline void evaluate(const pm_workspace *w, pm_constraint *row, int k)
     row->gamma = omega_a * omega_a * a[k] - omega_b * omega_b * b[k];
 }
 
-static void act(const pm_workspace *w, const pm_constraint *row, pm_line_of_action *x, const double n[2])
+static void act(const pm_frame *frame, const pm_constraint *row, pm_line_of_action *x, const double n[2])
 {
-    const pm_point a = pm_frame_point(w, row->body[0], row->a[0], row->a[1]);
+    const pm_point a = pm_frame_point(frame, row->body[0], row->a[0], row->a[1]);
     *x = (pm_line_of_action){.at = {a.p[0], a.p[1]}, .direction = {n[0], n[1]}};
 }
 
-static void evaluate_x(const pm_workspace *w, pm_constraint *row) { evaluate(w, row, 0); }
-static void evaluate_y(const pm_workspace *w, pm_constraint *row) { evaluate(w, row, 1); }
-static void act_x(const pm_workspace *w, const pm_constraint *row, pm_line_of_action *x)
+static void evaluate_x(const pm_frame *frame, pm_constraint *row) { evaluate(frame, row, 0); }
+static void evaluate_y(const pm_frame *frame, pm_constraint *row) { evaluate(frame, row, 1); }
+static void act_x(const pm_frame *frame, const pm_constraint *row, pm_line_of_action *x)
 {
-    act(w, row, x, axis_x);
+    act(frame, row, x, axis_x);
 }
-static void act_y(const pm_workspace *w, const pm_constraint *row, pm_line_of_action *x)
+static void act_y(const pm_frame *frame, const pm_constraint *row, pm_line_of_action *x)
 {
-    act(w, row, x, axis_y);
+    act(frame, row, x, axis_y);
 }
 
 /* The levers stay: neither mark goes round. */
-static int steady(const pm_workspace *w, const pm_constraint *row, const pm_constant_motion *x)
+static int steady(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x)
 {
-    return pm_constant_motion_marks(w, x, row);
+    return pm_constant_motion_marks(frame, x, row);
 }
 
 const pm_constraint_ops pm_constraint_point_x = {.evaluate = evaluate_x, .act = act_x, .steady = steady};

@@ -42,45 +42,45 @@ static double unwrapped(double direction, double reference)
 }
 
 /* The slack but for the anchor. */
-static double paid_out(const pm_workspace *w, const pm_constraint *row, const pm_strand *x, double direction)
+static double paid_out(const pm_frame *frame, const pm_constraint *row, const pm_strand *x, double direction)
 {
-    const double *pose = w->frame.pose;
+    const double *pose = frame->pose;
     return (row->radius_b - row->radius_a) * direction + row->radius_a * pose[5 * row->body[0] + 2] -
            row->radius_b * pose[5 * row->body[1] + 2] - x->length;
 }
 
-static pm_strand look(const pm_workspace *w, const pm_constraint *row, pm_marks *marks)
+static pm_strand look(const pm_frame *frame, const pm_constraint *row, pm_marks *marks)
 {
-    *marks = pm_constraint_marks(w, row);
+    *marks = pm_constraint_marks(frame, row);
     const double d[2] = {-marks->d[0], -marks->d[1]};
     return strand_of(row, d);
 }
 
-static void evaluate(const pm_workspace *w, pm_constraint *row)
+static void evaluate(const pm_frame *frame, pm_constraint *row)
 {
     pm_marks y;
-    const pm_strand x = look(w, row, &y);
-    const pm_memory *memory = &w->frame.memory[row->memory];
+    const pm_strand x = look(frame, row, &y);
+    const pm_memory *memory = &frame->memory[row->memory];
     const double across = pm_dot(y.u, x.n);
     pm_constraint_along(row, &y, x.u, 1);
     row->j[2] += row->radius_a;
     row->j[5] -= row->radius_b;
-    row->g = memory->anchor + paid_out(w, row, &x, unwrapped(x.direction, memory->direction));
+    row->g = memory->anchor + paid_out(frame, row, &x, unwrapped(x.direction, memory->direction));
     row->gamma = across * across / x.length - pm_dot(x.u, y.quad);
 }
 
-static void remember(const pm_workspace *w, const pm_constraint *row, pm_memory *memory, int anchor_too)
+static void remember(const pm_frame *frame, const pm_constraint *row, pm_memory *memory, int anchor_too)
 {
     pm_marks y;
-    const pm_strand x = look(w, row, &y);
+    const pm_strand x = look(frame, row, &y);
     memory->direction = anchor_too ? x.direction : unwrapped(x.direction, memory->direction);
-    if (anchor_too) memory->anchor = -paid_out(w, row, &x, memory->direction);
+    if (anchor_too) memory->anchor = -paid_out(frame, row, &x, memory->direction);
 }
 
-static void act(const pm_workspace *w, const pm_constraint *row, pm_line_of_action *x)
+static void act(const pm_frame *frame, const pm_constraint *row, pm_line_of_action *x)
 {
     pm_marks y;
-    const pm_strand strand = look(w, row, &y);
+    const pm_strand strand = look(frame, row, &y);
     x->couple[0] = x->couple[1] = 0;
     for (int k = 0; k < 2; k++) {
         x->at[k] = y.a.p[k] - row->radius_a * strand.n[k];
@@ -89,11 +89,11 @@ static void act(const pm_workspace *w, const pm_constraint *row, pm_line_of_acti
 }
 
 /* The strand keeps its direction: its ends part along it. */
-static int steady(const pm_workspace *w, const pm_constraint *row, const pm_constant_motion *x)
+static int steady(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x)
 {
-    if (!pm_constant_motion_marks(w, x, row)) return 0;
+    if (!pm_constant_motion_marks(frame, x, row)) return 0;
     pm_marks y;
-    const pm_strand strand = look(w, row, &y);
+    const pm_strand strand = look(frame, row, &y);
     double speed = 0, acceleration = 0;
     for (int k = 0; k < 2; k++) {
         const int a = 3 * row->body[0] + k, b = 3 * row->body[1] + k;
@@ -104,10 +104,10 @@ static int steady(const pm_workspace *w, const pm_constraint *row, const pm_cons
 }
 
 /* C'' = u.d'' + R_a alpha_a - R_b alpha_b - (d'.n)^2 / l: the last part counts against, as long as some strand is left. */
-static void bound(const pm_workspace *w, const pm_constraint *row, const double *a, double h,
+static void bound(const pm_frame *frame, const pm_constraint *row, const double *a, double h,
                   pm_constraint_bounds *x)
 {
-    const pm_marks m = pm_constraint_marks(w, row);
+    const pm_marks m = pm_constraint_marks(frame, row);
     const pm_constraint_reach r = pm_constraint_reach_of(row, &m, a, h);
     const double alpha_a = a[3 * row->body[0] + 2], alpha_b = a[3 * row->body[1] + 2];
     const double past = row->radius_b - row->radius_a, nearest = pm_length(m.d) - r.rate * h;

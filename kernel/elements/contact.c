@@ -14,8 +14,14 @@
 #define TOUCHING 1e-10 /* of the scene's size */
 #define STILL 1e-11    /* of the scene's speed */
 
-double pm_contact_length(const pm_workspace *w) { return TOUCHING * w->numbers.coarse * w->numbers.size; }
-double pm_contact_speed(const pm_workspace *w) { return STILL * w->numbers.coarse * w->numbers.speed; }
+double pm_contact_length(const pm_frame *frame)
+{
+    return TOUCHING * frame->numbers->coarse * frame->numbers->size;
+}
+double pm_contact_speed(const pm_frame *frame)
+{
+    return STILL * frame->numbers->coarse * frame->numbers->speed;
+}
 
 double pm_contact_reach(const pm_workspace *w)
 {
@@ -42,33 +48,33 @@ int pm_contact_of_slot(const pm_model *m, int slot)
     return contact;
 }
 
-int pm_contact_free_slot(const pm_workspace *w, const pm_state *s, int contact)
+int pm_contact_free_slot(const pm_frame *frame, const pm_state *s, int contact)
 {
-    const int first = w->model->contact_slot[contact];
-    for (int i = first; i < first + pm_contact_slots(w->model, contact); i++)
+    const int first = frame->model->contact_slot[contact];
+    for (int i = first; i < first + pm_contact_slots(frame->model, contact); i++)
         if (s->slot[i].mode == PM_OPEN) return i;
     return PM_NONE;
 }
 
 /* Of a segment one member at a time is closed: it stands for all. */
-static int is_closed(const pm_workspace *w, const pm_state *s, int contact, int member)
+static int is_closed(const pm_frame *frame, const pm_state *s, int contact, int member)
 {
-    const int first = w->model->contact_slot[contact];
-    for (int i = first; i < first + pm_contact_slots(w->model, contact); i++)
-        if (s->slot[i].mode != PM_OPEN && (s->slot[i].member == member || pm_edge_is(w->model, contact)))
+    const int first = frame->model->contact_slot[contact];
+    for (int i = first; i < first + pm_contact_slots(frame->model, contact); i++)
+        if (s->slot[i].mode != PM_OPEN && (s->slot[i].member == member || pm_edge_is(frame->model, contact)))
             return 1;
     return 0;
 }
 
-double pm_contact_restitution(const pm_workspace *w, int contact)
+double pm_contact_restitution(const pm_frame *frame, int contact)
 {
-    return w->numbers.value[PM_CONTACT_ROW_OF(w->model, contact)[PM_CONTACT_RESTITUTION]];
+    return frame->numbers->value[PM_CONTACT_ROW_OF(frame->model, contact)[PM_CONTACT_RESTITUTION]];
 }
 
-double pm_contact_tangential(const pm_workspace *w, int contact)
+double pm_contact_tangential(const pm_frame *frame, int contact)
 {
-    const int index = PM_CONTACT_ROW_OF(w->model, contact)[PM_CONTACT_TANGENTIAL];
-    return index == PM_NONE ? 0 : w->numbers.value[index];
+    const int index = PM_CONTACT_ROW_OF(frame->model, contact)[PM_CONTACT_TANGENTIAL];
+    return index == PM_NONE ? 0 : frame->numbers->value[index];
 }
 
 int pm_contact_law(const pm_model *m, int contact) { return PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_LAW]; }
@@ -83,89 +89,91 @@ int pm_contact_is_cord(const pm_model *m, int contact)
     return PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_KIND] == PM_CONTACT_CORD;
 }
 
-static double coefficient(const pm_workspace *w, int contact, int column)
+static double coefficient(const pm_frame *frame, int contact, int column)
 {
-    return pm_contact_friction(w->model, contact) == PM_FRICTION_COULOMB
-               ? w->numbers.value[PM_CONTACT_ROW_OF(w->model, contact)[column]]
+    return pm_contact_friction(frame->model, contact) == PM_FRICTION_COULOMB
+               ? frame->numbers->value[PM_CONTACT_ROW_OF(frame->model, contact)[column]]
                : 0;
 }
 
-double pm_contact_static(const pm_workspace *w, int contact)
+double pm_contact_static(const pm_frame *frame, int contact)
 {
-    return coefficient(w, contact, PM_CONTACT_STATIC);
+    return coefficient(frame, contact, PM_CONTACT_STATIC);
 }
-double pm_contact_kinetic(const pm_workspace *w, int contact)
+double pm_contact_kinetic(const pm_frame *frame, int contact)
 {
-    return coefficient(w, contact, PM_CONTACT_KINETIC);
+    return coefficient(frame, contact, PM_CONTACT_KINETIC);
 }
 
 /* Two points that are at one place have no direction: nothing is known of the rate. */
-static double meeting_gap(const pm_workspace *w, int contact, double *rate)
+static double meeting_gap(const pm_frame *frame, int contact, double *rate)
 {
-    const double distance = pm_capture_distance(w, contact);
-    if (rate) *rate = distance > 0 ? pm_capture_approach(w, contact) / distance : 0;
+    const double distance = pm_capture_distance(frame, contact);
+    if (rate) *rate = distance > 0 ? pm_capture_approach(frame, contact) / distance : 0;
     return distance;
 }
 
 /* Of a circle and a point of a row, as constraint_distance.c has it. */
-static double point_gap(const pm_workspace *w, int contact, int member, double *rate)
+static double point_gap(const pm_frame *frame, int contact, int member, double *rate)
 {
-    const pm_model *m = w->model;
+    const pm_model *m = frame->model;
     const int32_t *e = PM_CONTACT_ROW_OF(m, contact);
     const int32_t *row = PM_ROW_ROW(m, e[PM_CONTACT_B]), *circle = PM_CIRCLE_ROW(m, e[PM_CONTACT_A]);
     const int32_t *first = PM_POINT_ROW(m, row[PM_ROW_POINT]);
-    const pm_point a = pm_frame_point_of(w, circle[PM_CIRCLE_POINT]);
-    const pm_point b =
-        pm_frame_point(w, pm_body_index(m, first[PM_POINT_BODY]),
-                       w->numbers.value[first[PM_POINT_X]] + member * w->numbers.value[row[PM_ROW_STEP_X]],
-                       w->numbers.value[first[PM_POINT_Y]] + member * w->numbers.value[row[PM_ROW_STEP_Y]]);
+    const pm_point a = pm_frame_point_of(frame, circle[PM_CIRCLE_POINT]);
+    const pm_point b = pm_frame_point(
+        frame, pm_body_index(m, first[PM_POINT_BODY]),
+        frame->numbers->value[first[PM_POINT_X]] + member * frame->numbers->value[row[PM_ROW_STEP_X]],
+        frame->numbers->value[first[PM_POINT_Y]] + member * frame->numbers->value[row[PM_ROW_STEP_Y]]);
     const double d[2] = {a.p[0] - b.p[0], a.p[1] - b.p[1]}, u[2] = {a.v[0] - b.v[0], a.v[1] - b.v[1]};
     const double distance = pm_length(d);
     if (rate) *rate = pm_dot(u, d) / distance;
-    return distance - w->numbers.value[circle[PM_CIRCLE_RADIUS]];
+    return distance - frame->numbers->value[circle[PM_CIRCLE_RADIUS]];
 }
 
-double pm_contact_member_gap(const pm_workspace *w, int contact, int member, double *rate)
+double pm_contact_member_gap(const pm_frame *frame, int contact, int member, double *rate)
 {
-    if (pm_capture_is_meeting(w->model, contact)) return meeting_gap(w, contact, rate);
-    if (pm_contact_is_row(w->model, contact)) return point_gap(w, contact, member, rate);
+    if (pm_capture_is_meeting(frame->model, contact)) return meeting_gap(frame, contact, rate);
+    if (pm_contact_is_row(frame->model, contact)) return point_gap(frame, contact, member, rate);
     pm_constraint normal;
-    pm_contact_constraint_normal(w, contact, w->model->contact_slot[contact], member, &normal);
-    pm_constraint_kind(normal.kind)->evaluate(w, &normal);
-    if (rate) *rate = pm_saddle_times(w, &normal, w->frame.v);
+    pm_contact_constraint_normal(frame, contact, frame->model->contact_slot[contact], member, &normal);
+    pm_constraint_kind(normal.kind)->evaluate(frame, &normal);
+    if (rate) *rate = pm_saddle_times(frame, &normal, frame->v);
     return normal.g;
 }
 
-double pm_contact_member_slip(const pm_workspace *w, int contact, int member)
+double pm_contact_member_slip(const pm_frame *frame, int contact, int member)
 {
     pm_constraint normal, tangent;
-    pm_contact_constraint_both(w, contact, w->model->contact_slot[contact], member, &normal, &tangent);
-    return pm_constraint_slip(w, &tangent);
+    pm_contact_constraint_both(frame, contact, frame->model->contact_slot[contact], member, &normal,
+                               &tangent);
+    return pm_constraint_slip(frame, &tangent);
 }
 
 /* Where a point is; returns the pose of its body. */
-static inline const double *place_of(const pm_workspace *w, int point, double p[2])
+static inline const double *place_of(const pm_frame *frame, int point, double p[2])
 {
-    const int32_t *e = PM_POINT_ROW(w->model, point);
-    const double *pose = w->frame.pose + 5 * pm_body_index(w->model, e[PM_POINT_BODY]);
-    const double x = w->numbers.value[e[PM_POINT_X]], y = w->numbers.value[e[PM_POINT_Y]];
+    const int32_t *e = PM_POINT_ROW(frame->model, point);
+    const double *pose = frame->pose + 5 * pm_body_index(frame->model, e[PM_POINT_BODY]);
+    const double x = frame->numbers->value[e[PM_POINT_X]], y = frame->numbers->value[e[PM_POINT_Y]];
     p[0] = pose[0] + (pose[3] * x - pose[4] * y);
     p[1] = pose[1] + (pose[4] * x + pose[3] * y);
     return pose;
 }
 
-pm_beside pm_contact_beside(const pm_workspace *w, int contact)
+pm_beside pm_contact_beside(const pm_frame *frame, int contact)
 {
-    const pm_model *m = w->model;
+    const pm_model *m = frame->model;
     const int32_t *e = PM_CONTACT_ROW_OF(m, contact);
     const int32_t *row = PM_ROW_ROW(m, e[PM_CONTACT_B]), *circle = PM_CIRCLE_ROW(m, e[PM_CONTACT_A]);
     double c[2], first[2];
-    place_of(w, circle[PM_CIRCLE_POINT], c);
-    const double *axes = place_of(w, row[PM_ROW_POINT], first);
-    const double sx = w->numbers.value[row[PM_ROW_STEP_X]], sy = w->numbers.value[row[PM_ROW_STEP_Y]];
+    place_of(frame, circle[PM_CIRCLE_POINT], c);
+    const double *axes = place_of(frame, row[PM_ROW_POINT], first);
+    const double sx = frame->numbers->value[row[PM_ROW_STEP_X]],
+                 sy = frame->numbers->value[row[PM_ROW_STEP_Y]];
     return (pm_beside){.d = {c[0] - first[0], c[1] - first[1]},
                        .step = {axes[3] * sx - axes[4] * sy, axes[4] * sx + axes[3] * sy},
-                       .radius = w->numbers.value[circle[PM_CIRCLE_RADIUS]]};
+                       .radius = frame->numbers->value[circle[PM_CIRCLE_RADIUS]]};
 }
 
 /* As constraint_distance.c has it. */
@@ -181,9 +189,9 @@ typedef struct pm_closed {
     int32_t member[PM_ROW_SLOTS];
 } pm_closed;
 
-static pm_closed closed_of(const pm_workspace *w, const pm_state *s, int contact)
+static pm_closed closed_of(const pm_frame *frame, const pm_state *s, int contact)
 {
-    const pm_slot *slot = s->slot + w->model->contact_slot[contact];
+    const pm_slot *slot = s->slot + frame->model->contact_slot[contact];
     pm_closed x = {.n = 0};
     for (int i = 0; i < PM_ROW_SLOTS; i++)
         if (slot[i].mode != PM_OPEN) x.member[x.n++] = slot[i].member;
@@ -211,16 +219,16 @@ static int below_of(double place)
     return k > place ? k - 1 : k;
 }
 
-static int members_of_row(const pm_workspace *w, const pm_state *s, int contact, const pm_beside *x, int most,
+static int members_of_row(const pm_frame *frame, const pm_state *s, int contact, const pm_beside *x, int most,
                           int *member)
 {
-    const int32_t *row = PM_ROW_ROW(w->model, PM_CONTACT_ROW_OF(w->model, contact)[PM_CONTACT_B]);
-    const double count = w->numbers.value[row[PM_ROW_COUNT]];
+    const int32_t *row = PM_ROW_ROW(frame->model, PM_CONTACT_ROW_OF(frame->model, contact)[PM_CONTACT_B]);
+    const double count = frame->numbers->value[row[PM_ROW_COUNT]];
     const double place = pm_dot(x->d, x->step) / pm_dot(x->step, x->step),
                  limit = 1e9; /* members are int32 */
     const int last = count < 0 ? (int)limit : (int)count - 1, first = count < 0 ? -(int)limit : 0;
     const int below = place < first ? first - 1 : place > last ? last : below_of(place);
-    const pm_closed closed = closed_of(w, s, contact);
+    const pm_closed closed = closed_of(frame, s, contact);
     int down = below, up = below + 1, n = 0;
     while (n + 1 < most) {
         down = next_open(&closed, down, -1, first, last);
@@ -232,23 +240,23 @@ static int members_of_row(const pm_workspace *w, const pm_state *s, int contact,
     return n;
 }
 
-int pm_contact_near(const pm_workspace *w, const pm_state *s, int contact, int most, int *member)
+int pm_contact_near(const pm_frame *frame, const pm_state *s, int contact, int most, int *member)
 {
-    const int32_t *e = PM_CONTACT_ROW_OF(w->model, contact);
-    if (pm_state_is_absent(w->model, s, PM_TABLE_CONTACT, contact)) return 0;
+    const int32_t *e = PM_CONTACT_ROW_OF(frame->model, contact);
+    if (pm_state_is_absent(frame->model, s, PM_TABLE_CONTACT, contact)) return 0;
     if (e[PM_CONTACT_KIND] == PM_CONTACT_ROW) {
-        const pm_beside x = pm_contact_beside(w, contact);
-        return members_of_row(w, s, contact, &x, most, member);
+        const pm_beside x = pm_contact_beside(frame, contact);
+        return members_of_row(frame, s, contact, &x, most, member);
     }
     member[0] = 0;
-    return !is_closed(w, s, contact, 0);
+    return !is_closed(frame, s, contact, 0);
 }
 
-double pm_contact_nearest_beside(const pm_workspace *w, const pm_state *s, int contact, const pm_beside *x,
+double pm_contact_nearest_beside(const pm_frame *frame, const pm_state *s, int contact, const pm_beside *x,
                                  int *member)
 {
     int near[2];
-    const int n = members_of_row(w, s, contact, x, 2, near);
+    const int n = members_of_row(frame, s, contact, x, 2, near);
     double least = INFINITY;
     *member = 0;
     for (int i = 0; i < n; i++) {
@@ -260,15 +268,15 @@ double pm_contact_nearest_beside(const pm_workspace *w, const pm_state *s, int c
     return least;
 }
 
-static double row_gap(const pm_workspace *w, const pm_state *s, int contact, int *member)
+static double row_gap(const pm_frame *frame, const pm_state *s, int contact, int *member)
 {
-    const pm_beside x = pm_contact_beside(w, contact);
-    return pm_contact_nearest_beside(w, s, contact, &x, member);
+    const pm_beside x = pm_contact_beside(frame, contact);
+    return pm_contact_nearest_beside(frame, s, contact, &x, member);
 }
 
-double pm_contact_gap_to(const pm_workspace *w, int contact, int member)
+double pm_contact_gap_to(const pm_frame *frame, int contact, int member)
 {
-    const pm_beside x = pm_contact_beside(w, contact);
+    const pm_beside x = pm_contact_beside(frame, contact);
     return pm_contact_gap_beside(&x, member);
 }
 
@@ -284,14 +292,14 @@ double pm_contact_apart(const pm_workspace *w, const pm_state *s, int contact, i
 {
     const int32_t *e = PM_CONTACT_ROW_OF(w->model, contact);
     *member = 0;
-    if (e[PM_CONTACT_KIND] == PM_CONTACT_ROW) return row_gap(w, s, contact, member);
-    if (is_closed(w, s, contact, 0)) return INFINITY;
-    if (!pm_edge_is(w->model, contact)) return pm_contact_member_gap(w, contact, 0, 0);
-    return pm_edge_is_covered(w, s, contact) ? INFINITY : pm_edge_gap(w, contact, member);
+    if (e[PM_CONTACT_KIND] == PM_CONTACT_ROW) return row_gap(&w->frame, s, contact, member);
+    if (is_closed(&w->frame, s, contact, 0)) return INFINITY;
+    if (!pm_edge_is(w->model, contact)) return pm_contact_member_gap(&w->frame, contact, 0, 0);
+    return pm_edge_is_covered(w, s, contact) ? INFINITY : pm_edge_gap(&w->frame, contact, member);
 }
 
 int pm_contact_touches(const pm_workspace *w, const pm_state *s, int contact, int *member)
 {
-    if (pm_contact_gap(w, s, contact, member) > pm_contact_length(w)) return 0;
-    return !pm_edge_is(w->model, contact) || pm_edge_touches(w, contact);
+    if (pm_contact_gap(w, s, contact, member) > pm_contact_length(&w->frame)) return 0;
+    return !pm_edge_is(w->model, contact) || pm_edge_touches(&w->frame, contact);
 }

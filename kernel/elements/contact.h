@@ -13,43 +13,43 @@ int pm_contact_touches(const pm_workspace *w, const pm_state *s, int contact, in
 double pm_contact_apart(const pm_workspace *w, const pm_state *s, int contact, int *member);
 /* The nearest members that are not closed, at the frame, at most `most` (an even number) of a periodic row: in pairs, one
  * on either side, as far as there are; returns how many. */
-int pm_contact_near(const pm_workspace *w, const pm_state *s, int contact, int most, int *member);
+int pm_contact_near(const pm_frame *frame, const pm_state *s, int contact, int most, int *member);
 /* A circle beside a row of points: its centre from the row's first member, and the row's step, in the scene. */
 typedef struct pm_beside {
     double d[2], step[2], radius;
 } pm_beside;
 /* That of a contact with a row, at the frame. */
-pm_beside pm_contact_beside(const pm_workspace *w, int contact);
+pm_beside pm_contact_beside(const pm_frame *frame, int contact);
 /* From there the gap to a member, and the smallest one as pm_contact_gap has it. */
 double pm_contact_gap_beside(const pm_beside *x, int member);
-double pm_contact_nearest_beside(const pm_workspace *w, const pm_state *s, int contact, const pm_beside *x,
+double pm_contact_nearest_beside(const pm_frame *frame, const pm_state *s, int contact, const pm_beside *x,
                                  int *member);
 /* Gap to a member of a row, closed or not. */
-double pm_contact_gap_to(const pm_workspace *w, int contact, int member);
+double pm_contact_gap_to(const pm_frame *frame, int contact, int member);
 /* Gap, and its rate, of one member at the frame. */
-double pm_contact_member_gap(const pm_workspace *w, int contact, int member, double *rate);
+double pm_contact_member_gap(const pm_frame *frame, int contact, int member, double *rate);
 /* Rate of slip of one member at the frame. */
-double pm_contact_member_slip(const pm_workspace *w, int contact, int member);
+double pm_contact_member_slip(const pm_frame *frame, int contact, int member);
 
 int pm_contact_slots(const pm_model *m, int contact);
 /* The contact that a slot belongs to. */
 int pm_contact_of_slot(const pm_model *m, int slot);
 /* A free slot, or PM_NONE. */
-int pm_contact_free_slot(const pm_workspace *w, const pm_state *s, int contact);
+int pm_contact_free_slot(const pm_frame *frame, const pm_state *s, int contact);
 
-double pm_contact_restitution(const pm_workspace *w, int contact);
+double pm_contact_restitution(const pm_frame *frame, int contact);
 /* Of the slip; 0 where none is given. */
-double pm_contact_tangential(const pm_workspace *w, int contact);
+double pm_contact_tangential(const pm_frame *frame, int contact);
 int pm_contact_law(const pm_model *m, int contact); /* enum pm_law */
 int pm_contact_friction(const pm_model *m, int contact);
 int pm_contact_is_row(const pm_model *m, int contact);
 int pm_contact_is_cord(const pm_model *m, int contact);
-double pm_contact_static(const pm_workspace *w, int contact);
-double pm_contact_kinetic(const pm_workspace *w, int contact);
+double pm_contact_static(const pm_frame *frame, int contact);
+double pm_contact_kinetic(const pm_frame *frame, int contact);
 
 /* Gaps below this count as touching, m; normal and tangential speeds below this count as none, m/s. */
-double pm_contact_length(const pm_workspace *w);
-double pm_contact_speed(const pm_workspace *w);
+double pm_contact_length(const pm_frame *frame);
+double pm_contact_speed(const pm_frame *frame);
 /* How far bodies are from the origin, at least the scene's size: what the rounding of positions goes by, m. */
 double pm_contact_reach(const pm_workspace *w);
 

@@ -5,11 +5,11 @@
 #include "state/workspace.h"
 
 /* Rate that `program` prescribes at the frame, and how fast it changes; 0 where program is PM_NONE. */
-double pm_drive_rate(const pm_workspace *w, int program);
-double pm_drive_change(const pm_workspace *w, int program);
+double pm_drive_rate(const pm_frame *frame, int program);
+double pm_drive_change(const pm_frame *frame, int program);
 /* Its integral from the memory's time to that of the frame. */
-double pm_drive_way(const pm_workspace *w, int program, const pm_memory *memory);
+double pm_drive_way(const pm_frame *frame, int program, const pm_memory *memory);
 /* Takes the way up to the frame into the anchor. */
-void pm_drive_follow(const pm_workspace *w, int program, pm_memory *memory);
+void pm_drive_follow(const pm_frame *frame, int program, pm_memory *memory);
 
 #endif

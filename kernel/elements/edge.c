@@ -28,31 +28,31 @@ int pm_edge_is(const pm_model *m, int contact)
     return PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_KIND] == PM_CONTACT_SEGMENT;
 }
 
-static double end_of(const pm_workspace *w, int contact, int column)
+static double end_of(const pm_frame *frame, int contact, int column)
 {
-    return w->numbers.value[PM_CONTACT_ROW_OF(w->model, contact)[column]];
+    return frame->numbers->value[PM_CONTACT_ROW_OF(frame->model, contact)[column]];
 }
 
-pm_edge_place pm_edge_beside(const pm_workspace *w, int contact)
+pm_edge_place pm_edge_beside(const pm_frame *frame, int contact)
 {
-    const pm_model *m = w->model;
+    const pm_model *m = frame->model;
     const int32_t *e = PM_CONTACT_ROW_OF(m, contact);
     const int32_t *circle = PM_CIRCLE_ROW(m, e[PM_CONTACT_A]), *line = PM_LINE_ROW(m, e[PM_CONTACT_B]);
-    const pm_point a = pm_frame_point_of(w, circle[PM_CIRCLE_POINT]),
-                   b = pm_frame_point_of(w, line[PM_LINE_POINT]);
-    const double angle = w->frame.pose[5 * b.body + 2] + w->numbers.value[line[PM_LINE_ANGLE]];
+    const pm_point a = pm_frame_point_of(frame, circle[PM_CIRCLE_POINT]),
+                   b = pm_frame_point_of(frame, line[PM_LINE_POINT]);
+    const double angle = frame->pose[5 * b.body + 2] + frame->numbers->value[line[PM_LINE_ANGLE]];
     const double t[2] = {cos(angle), sin(angle)}, d[2] = {a.p[0] - b.p[0], a.p[1] - b.p[1]};
-    const double along = pm_dot(d, t), reach = pm_contact_length(w);
+    const double along = pm_dot(d, t), reach = pm_contact_length(frame);
     return (pm_edge_place){.height = pm_cross(t, d),
-                           .radius = w->numbers.value[circle[PM_CIRCLE_RADIUS]],
-                           .from = end_of(w, contact, PM_CONTACT_FROM) - along - reach,
-                           .to = along - end_of(w, contact, PM_CONTACT_TO) - reach,
+                           .radius = frame->numbers->value[circle[PM_CIRCLE_RADIUS]],
+                           .from = end_of(frame, contact, PM_CONTACT_FROM) - along - reach,
+                           .to = along - end_of(frame, contact, PM_CONTACT_TO) - reach,
                            .along = {t[0], t[1]}};
 }
 
-double pm_edge_gap(const pm_workspace *w, int contact, int *member)
+double pm_edge_gap(const pm_frame *frame, int contact, int *member)
 {
-    const pm_edge_place x = pm_edge_beside(w, contact);
+    const pm_edge_place x = pm_edge_beside(frame, contact);
     const double beyond = fmax(x.from, x.to);
     *member = PM_SEGMENT_FACE;
     if (beyond <= 0) return fmax(x.height - x.radius, beyond);
@@ -61,49 +61,49 @@ double pm_edge_gap(const pm_workspace *w, int contact, int *member)
     return x.height < 0 ? fmin(gap, beyond) : gap;
 }
 
-int pm_edge_touches(const pm_workspace *w, int contact)
+int pm_edge_touches(const pm_frame *frame, int contact)
 {
-    const pm_edge_place x = pm_edge_beside(w, contact);
-    const double beyond = fmax(x.from, x.to), length = pm_contact_length(w);
+    const pm_edge_place x = pm_edge_beside(frame, contact);
+    const double beyond = fmax(x.from, x.to), length = pm_contact_length(frame);
     if (beyond > 0) return hypot(beyond, x.height) - x.radius <= length;
     return x.height >= -length && x.height - x.radius <= length;
 }
 
-int pm_edge_is_below(const pm_workspace *w, int contact)
+int pm_edge_is_below(const pm_frame *frame, int contact)
 {
-    const pm_edge_place x = pm_edge_beside(w, contact);
-    return x.height < x.radius - pm_contact_length(w);
+    const pm_edge_place x = pm_edge_beside(frame, contact);
+    return x.height < x.radius - pm_contact_length(frame);
 }
 
-double pm_edge_gap_from_below(const pm_workspace *w, int contact)
+double pm_edge_gap_from_below(const pm_frame *frame, int contact)
 {
-    const pm_edge_place x = pm_edge_beside(w, contact);
+    const pm_edge_place x = pm_edge_beside(frame, contact);
     const double beyond = fmax(x.from, x.to);
     return beyond > 0 ? hypot(beyond, x.height) - x.radius : x.radius - x.height;
 }
 
-void pm_edge_corner(const pm_workspace *w, int contact, int member, double at[2])
+void pm_edge_corner(const pm_frame *frame, int contact, int member, double at[2])
 {
-    const pm_model *m = w->model;
+    const pm_model *m = frame->model;
     const int32_t *line = PM_LINE_ROW(m, PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_B]);
     const int32_t *point = PM_POINT_ROW(m, line[PM_LINE_POINT]);
-    const double angle = w->numbers.value[line[PM_LINE_ANGLE]];
-    const double along = end_of(w, contact, member == PM_SEGMENT_FROM ? PM_CONTACT_FROM : PM_CONTACT_TO);
-    at[0] = w->numbers.value[point[PM_POINT_X]] + along * cos(angle);
-    at[1] = w->numbers.value[point[PM_POINT_Y]] + along * sin(angle);
+    const double angle = frame->numbers->value[line[PM_LINE_ANGLE]];
+    const double along = end_of(frame, contact, member == PM_SEGMENT_FROM ? PM_CONTACT_FROM : PM_CONTACT_TO);
+    at[0] = frame->numbers->value[point[PM_POINT_X]] + along * cos(angle);
+    at[1] = frame->numbers->value[point[PM_POINT_Y]] + along * sin(angle);
 }
 
 /* ---- edges that meet ---- */
-static int same_circle(const pm_workspace *w, int contact, int other)
+static int same_circle(const pm_frame *frame, int contact, int other)
 {
-    const pm_model *m = w->model;
+    const pm_model *m = frame->model;
     const int32_t *a = PM_CIRCLE_ROW(m, PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_A]),
                   *b = PM_CIRCLE_ROW(m, PM_CONTACT_ROW_OF(m, other)[PM_CONTACT_A]);
     const int32_t *p = PM_POINT_ROW(m, a[PM_CIRCLE_POINT]), *q = PM_POINT_ROW(m, b[PM_CIRCLE_POINT]);
     return p[PM_POINT_BODY] == q[PM_POINT_BODY] &&
-           w->numbers.value[p[PM_POINT_X]] == w->numbers.value[q[PM_POINT_X]] &&
-           w->numbers.value[p[PM_POINT_Y]] == w->numbers.value[q[PM_POINT_Y]] &&
-           w->numbers.value[a[PM_CIRCLE_RADIUS]] == w->numbers.value[b[PM_CIRCLE_RADIUS]];
+           frame->numbers->value[p[PM_POINT_X]] == frame->numbers->value[q[PM_POINT_X]] &&
+           frame->numbers->value[p[PM_POINT_Y]] == frame->numbers->value[q[PM_POINT_Y]] &&
+           frame->numbers->value[a[PM_CIRCLE_RADIUS]] == frame->numbers->value[b[PM_CIRCLE_RADIUS]];
 }
 
 static int body_of_edge(const pm_model *m, int contact)
@@ -116,14 +116,14 @@ static int body_of_edge(const pm_model *m, int contact)
 static int shared_corner(const pm_workspace *w, int contact, int member, int other)
 {
     if (other == contact || pm_state_is_absent(w->model, &w->state, PM_TABLE_CONTACT, other) ||
-        !pm_edge_is(w->model, other) || !same_circle(w, contact, other) ||
+        !pm_edge_is(w->model, other) || !same_circle(&w->frame, contact, other) ||
         body_of_edge(w->model, contact) != body_of_edge(w->model, other))
         return PM_NONE;
     double at[2], there[2];
-    pm_edge_corner(w, contact, member, at);
+    pm_edge_corner(&w->frame, contact, member, at);
     for (int end = PM_SEGMENT_FROM; end <= PM_SEGMENT_TO; end++) {
-        pm_edge_corner(w, other, end, there);
-        if (hypot(at[0] - there[0], at[1] - there[1]) <= pm_contact_length(w)) return end;
+        pm_edge_corner(&w->frame, other, end, there);
+        if (hypot(at[0] - there[0], at[1] - there[1]) <= pm_contact_length(&w->frame)) return end;
     }
     return PM_NONE;
 }
@@ -146,7 +146,7 @@ static double room_to_next_edge(const pm_workspace *w, int contact, int member, 
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
         const int end = shared_corner(w, contact, member, i);
         if (end == PM_NONE) continue;
-        const pm_edge_place x = pm_edge_beside(w, i);
+        const pm_edge_place x = pm_edge_beside(&w->frame, i);
         if (x.height <= 0 || beyond_end(&x, end) >= room) continue;
         room = beyond_end(&x, end);
         *heir = i;
@@ -158,14 +158,14 @@ int pm_edge_is_covered(const pm_workspace *w, const pm_state *s, int contact)
 {
     const pm_model *m = w->model;
     int nearest;
-    pm_edge_gap(w, contact, &nearest);
-    const pm_edge_place x = pm_edge_beside(w, contact);
+    pm_edge_gap(&w->frame, contact, &nearest);
+    const pm_edge_place x = pm_edge_beside(&w->frame, contact);
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT] && m->nedge > 1; i++) {
         const pm_slot *slot = &s->slot[m->contact_slot[i]];
         if (slot->mode == PM_OPEN || !pm_edge_is(m, i)) continue;
         for (int end = PM_SEGMENT_FROM; end <= PM_SEGMENT_TO; end++) {
-            const int begins =
-                nearest == PM_SEGMENT_FACE && beyond_end(&x, end) > -HANDING_OVER * pm_contact_length(w);
+            const int begins = nearest == PM_SEGMENT_FACE &&
+                               beyond_end(&x, end) > -HANDING_OVER * pm_contact_length(&w->frame);
             if ((nearest == end || begins) && shared_corner(w, contact, end, i) != PM_NONE) return 1;
         }
     }
@@ -174,19 +174,20 @@ int pm_edge_is_covered(const pm_workspace *w, const pm_state *s, int contact)
 
 double pm_edge_room(const pm_workspace *w, int contact, int member)
 {
-    const pm_edge_place x = pm_edge_beside(w, contact);
+    const pm_edge_place x = pm_edge_beside(&w->frame, contact);
     if (member == PM_SEGMENT_FACE) return -fmax(x.from, x.to);
     int heir;
-    return fmin(beyond_end(&x, member) + pm_contact_length(w), room_to_next_edge(w, contact, member, &heir));
+    return fmin(beyond_end(&x, member) + pm_contact_length(&w->frame),
+                room_to_next_edge(w, contact, member, &heir));
 }
 
 int pm_edge_next(const pm_workspace *w, int contact, int member, int *heir)
 {
     *heir = PM_NONE;
-    const pm_edge_place x = pm_edge_beside(w, contact);
+    const pm_edge_place x = pm_edge_beside(&w->frame, contact);
     if (!(x.radius > 0)) return PM_NONE;
     const int corner = member != PM_SEGMENT_FACE ? member : x.from > x.to ? PM_SEGMENT_FROM : PM_SEGMENT_TO;
-    const double back = beyond_end(&x, corner) + pm_contact_length(w);
+    const double back = beyond_end(&x, corner) + pm_contact_length(&w->frame);
     int next;
     const double on = room_to_next_edge(w, contact, corner, &next);
     if (member == PM_SEGMENT_FACE && on > 0) return corner;

@@ -16,18 +16,18 @@ typedef struct pm_edge_place {
 } pm_edge_place;
 
 int pm_edge_is(const pm_model *m, int contact);
-pm_edge_place pm_edge_beside(const pm_workspace *w, int contact);
+pm_edge_place pm_edge_beside(const pm_frame *frame, int contact);
 /* Some other edge that is there has one of its corners, and the same circle beside it. */
 int pm_edge_meets_another(const pm_workspace *w, int contact);
 /* Gap at the frame, and the member that is next.  Continuous where nothing overlaps; not below zero beyond the ends but for
  * circles that overlap a corner. */
-double pm_edge_gap(const pm_workspace *w, int contact, int *member);
+double pm_edge_gap(const pm_frame *frame, int contact, int *member);
 /* The mark touches the face or, beyond it, a corner, or overlaps them: not from the back. */
-int pm_edge_touches(const pm_workspace *w, int contact);
+int pm_edge_touches(const pm_frame *frame, int contact);
 /* The mark is lower than where it would touch the face; what falls through zero while it is, where it touches a corner or
  * is no longer there. */
-int pm_edge_is_below(const pm_workspace *w, int contact);
-double pm_edge_gap_from_below(const pm_workspace *w, int contact);
+int pm_edge_is_below(const pm_frame *frame, int contact);
+double pm_edge_gap_from_below(const pm_frame *frame, int contact);
 /* What is next to an open contact is a corner that a closed one has, too: it is left to that one. */
 int pm_edge_is_covered(const pm_workspace *w, const pm_state *s, int contact);
 /* How far a mark that touches `member` is from leaving it for another, or for good; falls to 0 there, m. */
@@ -36,7 +36,7 @@ double pm_edge_room(const pm_workspace *w, int contact, int member);
  * edge, the contact *heir, takes over (PM_NONE: none does). */
 int pm_edge_next(const pm_workspace *w, int contact, int member, int *heir);
 /* The end of a corner member, in the axes of the line's body. */
-void pm_edge_corner(const pm_workspace *w, int contact, int member, double at[2]);
+void pm_edge_corner(const pm_frame *frame, int contact, int member, double at[2]);
 
 /* Which way the tangent of a member's rows goes: 1 along the edge, -1 against it. */
 int pm_edge_way(const pm_model *m, int contact, int member);

@@ -12,17 +12,17 @@
 #include "state/workspace.h"
 
 /* Two points: direction and rate of their distance; `pull` N draws them together. */
-static void line_action(pm_workspace *w, const int32_t *e, pm_action *x,
-                        double (*law)(pm_workspace *, const int32_t *, pm_action *))
+static void line_action(const pm_frame *frame, const int32_t *e, pm_action *x,
+                        double (*law)(const pm_frame *, const int32_t *, pm_action *))
 {
-    const pm_point a = pm_frame_point_of(w, e[PM_FORCE_A]), b = pm_frame_point_of(w, e[PM_FORCE_B]);
+    const pm_point a = pm_frame_point_of(frame, e[PM_FORCE_A]), b = pm_frame_point_of(frame, e[PM_FORCE_B]);
     const double d[2] = {b.p[0] - a.p[0], b.p[1] - a.p[1]}, length = hypot(d[0], d[1]);
     const double n[2] = {length > 0 ? d[0] / length : 0, length > 0 ? d[1] / length : 0};
     x->body_a = a.body;
     x->body_b = b.body;
     x->stretch = length;
     x->rate = (b.v[0] - a.v[0]) * n[0] + (b.v[1] - a.v[1]) * n[1];
-    const double pull = law(w, e, x);
+    const double pull = law(frame, e, x);
     for (int k = 0; k < 2; k++) {
         x->at_a[k] = a.p[k];
         x->at_b[k] = b.p[k];
@@ -31,10 +31,10 @@ static void line_action(pm_workspace *w, const int32_t *e, pm_action *x,
     x->power = -pull * x->rate;
 }
 
-static double spring_pull(pm_workspace *w, const int32_t *e, pm_action *x)
+static double spring_pull(const pm_frame *frame, const int32_t *e, pm_action *x)
 {
-    const double stiffness = w->numbers.value[e[PM_FORCE_VALUE_1]];
-    x->stretch -= w->numbers.value[e[PM_FORCE_VALUE_2]];
+    const double stiffness = frame->numbers->value[e[PM_FORCE_VALUE_1]];
+    x->stretch -= frame->numbers->value[e[PM_FORCE_VALUE_2]];
     if ((e[PM_FORCE_OPTION] == PM_SPRING_PULL && x->stretch < 0) ||
         (e[PM_FORCE_OPTION] == PM_SPRING_PUSH && x->stretch > 0))
         return 0;
@@ -42,27 +42,34 @@ static double spring_pull(pm_workspace *w, const int32_t *e, pm_action *x)
     return stiffness * x->stretch;
 }
 
-static double damper_pull(pm_workspace *w, const int32_t *e, pm_action *x)
+static double damper_pull(const pm_frame *frame, const int32_t *e, pm_action *x)
 {
-    return w->numbers.value[e[PM_FORCE_VALUE_1]] * x->rate;
+    return frame->numbers->value[e[PM_FORCE_VALUE_1]] * x->rate;
 }
 
-static void spring(pm_workspace *w, const int32_t *e, pm_action *x) { line_action(w, e, x, spring_pull); }
-static void damper(pm_workspace *w, const int32_t *e, pm_action *x) { line_action(w, e, x, damper_pull); }
+static void spring(pm_workspace *w, const int32_t *e, pm_action *x)
+{
+    line_action(&w->frame, e, x, spring_pull);
+}
+static void damper(pm_workspace *w, const int32_t *e, pm_action *x)
+{
+    line_action(&w->frame, e, x, damper_pull);
+}
 
 /* Two bodies: their relative angle and its rate; the couple acts on a, the opposite on b. */
-static double relative_turn(pm_workspace *w, const int32_t *e, pm_action *x)
+static double relative_turn(const pm_frame *frame, const int32_t *e, pm_action *x)
 {
-    x->body_a = pm_body_index(w->model, e[PM_FORCE_A]);
-    x->body_b = pm_body_index(w->model, e[PM_FORCE_B]);
-    x->rate = w->frame.velocity[3 * x->body_a + 2] - w->frame.velocity[3 * x->body_b + 2];
-    return w->frame.pose[5 * x->body_a + 2] - w->frame.pose[5 * x->body_b + 2];
+    x->body_a = pm_body_index(frame->model, e[PM_FORCE_A]);
+    x->body_b = pm_body_index(frame->model, e[PM_FORCE_B]);
+    x->rate = frame->velocity[3 * x->body_a + 2] - frame->velocity[3 * x->body_b + 2];
+    return frame->pose[5 * x->body_a + 2] - frame->pose[5 * x->body_b + 2];
 }
 
 static void torsion(pm_workspace *w, const int32_t *e, pm_action *x)
 {
-    const double stiffness = w->numbers.value[e[PM_FORCE_VALUE_1]];
-    x->stretch = relative_turn(w, e, x) - w->numbers.value[e[PM_FORCE_VALUE_2]];
+    const pm_frame *frame = &w->frame;
+    const double stiffness = frame->numbers->value[e[PM_FORCE_VALUE_1]];
+    x->stretch = relative_turn(frame, e, x) - frame->numbers->value[e[PM_FORCE_VALUE_2]];
     x->couple = -stiffness * x->stretch;
     x->energy = 0.5 * stiffness * x->stretch * x->stretch;
     x->power = x->couple * x->rate;
@@ -70,21 +77,22 @@ static void torsion(pm_workspace *w, const int32_t *e, pm_action *x)
 
 static void rotary_damper(pm_workspace *w, const int32_t *e, pm_action *x)
 {
-    relative_turn(w, e, x);
-    x->couple = -w->numbers.value[e[PM_FORCE_VALUE_1]] * x->rate;
+    const pm_frame *frame = &w->frame;
+    relative_turn(frame, e, x);
+    x->couple = -frame->numbers->value[e[PM_FORCE_VALUE_1]] * x->rate;
     x->power = x->couple * x->rate;
 }
 
 static void couple(pm_workspace *w, const int32_t *e, pm_action *x)
 {
-    relative_turn(w, e, x);
+    relative_turn(&w->frame, e, x);
     x->couple = pm_program_run(w->model, e[PM_FORCE_PROGRAM_X], w->numbers.param, w->numbers.value, w);
     x->power = x->couple * x->rate;
 }
 
 static void applied(pm_workspace *w, const int32_t *e, pm_action *x)
 {
-    const pm_point a = pm_frame_point_of(w, e[PM_FORCE_A]);
+    const pm_point a = pm_frame_point_of(&w->frame, e[PM_FORCE_A]);
     const double *axes = w->frame.pose + 5 * pm_body_index(w->model, e[PM_FORCE_B]);
     const double fx = pm_program_run(w->model, e[PM_FORCE_PROGRAM_X], w->numbers.param, w->numbers.value, w);
     const double fy = pm_program_run(w->model, e[PM_FORCE_PROGRAM_Y], w->numbers.param, w->numbers.value, w);
@@ -96,40 +104,40 @@ static void applied(pm_workspace *w, const int32_t *e, pm_action *x)
     x->power = x->force[0] * a.v[0] + x->force[1] * a.v[1];
 }
 
-static int number_of(const pm_workspace *w, const int32_t *e)
+static int number_of(const pm_frame *frame, const int32_t *e)
 {
-    return (int)((e - w->model->table[PM_TABLE_FORCE]) / PM_FORCE_COLUMNS);
+    return (int)((e - frame->model->table[PM_TABLE_FORCE]) / PM_FORCE_COLUMNS);
 }
 
 static void friction(pm_workspace *w, const int32_t *e, pm_action *x)
 {
-    pm_joint_friction_action(w, number_of(w, e), x);
+    pm_joint_friction_action(w, number_of(&w->frame, e), x);
 }
 
 /* ---- which forces stay the same along a motion with constant accelerations; the others never do ---- */
-static int constant(const pm_workspace *w, int program)
+static int constant(const pm_frame *frame, int program)
 {
-    return w->model->programs.class[program] == PM_CLASS_CONSTANT;
+    return frame->model->programs.class[program] == PM_CLASS_CONSTANT;
 }
 
-static int steady_couple(const pm_workspace *w, const int32_t *e, const pm_constant_motion *x)
+static int steady_couple(const pm_frame *frame, const int32_t *e, const pm_constant_motion *x)
 {
     (void)x;
-    return constant(w, e[PM_FORCE_PROGRAM_X]);
+    return constant(frame, e[PM_FORCE_PROGRAM_X]);
 }
 
-static int steady_applied(const pm_workspace *w, const int32_t *e, const pm_constant_motion *x)
+static int steady_applied(const pm_frame *frame, const int32_t *e, const pm_constant_motion *x)
 {
-    const int32_t *p = PM_POINT_ROW(w->model, e[PM_FORCE_A]);
-    const double at[2] = {w->numbers.value[p[PM_POINT_X]], w->numbers.value[p[PM_POINT_Y]]};
-    return constant(w, e[PM_FORCE_PROGRAM_X]) && constant(w, e[PM_FORCE_PROGRAM_Y]) &&
-           !x->turns[pm_body_index(w->model, e[PM_FORCE_B])] &&
-           pm_constant_motion_mark(w, x, pm_body_index(w->model, p[PM_POINT_BODY]), at);
+    const int32_t *p = PM_POINT_ROW(frame->model, e[PM_FORCE_A]);
+    const double at[2] = {frame->numbers->value[p[PM_POINT_X]], frame->numbers->value[p[PM_POINT_Y]]};
+    return constant(frame, e[PM_FORCE_PROGRAM_X]) && constant(frame, e[PM_FORCE_PROGRAM_Y]) &&
+           !x->turns[pm_body_index(frame->model, e[PM_FORCE_B])] &&
+           pm_constant_motion_mark(frame, x, pm_body_index(frame->model, p[PM_POINT_BODY]), at);
 }
 
-static int steady_friction(const pm_workspace *w, const int32_t *e, const pm_constant_motion *x)
+static int steady_friction(const pm_frame *frame, const int32_t *e, const pm_constant_motion *x)
 {
-    return pm_joint_friction_steady(w, number_of(w, e), x);
+    return pm_joint_friction_steady(frame, number_of(frame, e), x);
 }
 
 enum { BODY = PM_TABLE_BODY, POINT = PM_TABLE_POINT, JOINT = PM_TABLE_JOINT };
@@ -159,7 +167,7 @@ int pm_force_steady(const pm_workspace *w, int i, const pm_constant_motion *x)
 {
     const pm_force_ops *ops = pm_force_of(w->model, i);
     if (pm_state_is_absent(w->model, &w->state, PM_TABLE_FORCE, i)) return 1;
-    return ops->steady && ops->steady(w, PM_FORCE_ROW(w->model, i), x);
+    return ops->steady && ops->steady(&w->frame, PM_FORCE_ROW(w->model, i), x);
 }
 
 pm_action pm_force_action(pm_workspace *w, int i)
@@ -171,12 +179,12 @@ pm_action pm_force_action(pm_workspace *w, int i)
     return x;
 }
 
-static void add(const pm_workspace *w, int body, const double at[2], const double force[2], double couple,
+static void add(const pm_frame *frame, int body, const double at[2], const double force[2], double couple,
                 double sign)
 {
-    if (body == w->model->nbody) return;
-    const double *pose = w->frame.pose + 5 * body;
-    double *f = w->frame.f + 3 * body;
+    if (body == frame->model->nbody) return;
+    const double *pose = frame->pose + 5 * body;
+    double *f = frame->f + 3 * body;
     f[0] += sign * force[0];
     f[1] += sign * force[1];
     f[2] += sign * (couple + (at[0] - pose[0]) * force[1] - (at[1] - pose[1]) * force[0]);
@@ -190,11 +198,11 @@ void pm_force_all(pm_workspace *w)
         w->frame.f[3 * i + 1] = w->numbers.mass[i] * w->numbers.gravity[1];
         w->frame.f[3 * i + 2] = 0;
     }
-    pm_turning_plane_forces(w);
+    pm_turning_plane_forces(&w->frame);
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++) {
         const pm_action x = pm_force_action(w, i);
-        add(w, x.body_a, x.at_a, x.force, x.couple, 1);
-        add(w, x.body_b, x.at_b, x.force, x.couple, -1);
+        add(&w->frame, x.body_a, x.at_a, x.force, x.couple, 1);
+        add(&w->frame, x.body_b, x.at_b, x.force, x.couple, -1);
         w->frame.power[i] = x.power;
     }
 }

@@ -27,7 +27,7 @@ typedef struct pm_force_ops {
     int programs;  /* 0, 1 or 2 */
     int stores;    /* energy, by place alone: the ledger has its potential instead of its work */
     void (*law)(pm_workspace *w, const int32_t *e, pm_action *x);
-    int (*steady)(const pm_workspace *w, const int32_t *e, const struct pm_constant_motion *x);
+    int (*steady)(const pm_frame *frame, const int32_t *e, const struct pm_constant_motion *x);
 } pm_force_ops;
 
 const pm_force_ops *pm_force_kind(int kind);

@@ -10,11 +10,11 @@
 #include "elements/constraint_marks.h"
 #include "state/workspace.h"
 
-static void put(const pm_workspace *w, const int32_t *e, pm_constraint *row, int kind,
-                void (*marks)(const pm_workspace *w, pm_constraint *row, int a, int b))
+static void put(const pm_frame *frame, const int32_t *e, pm_constraint *row, int kind,
+                void (*marks)(const pm_frame *frame, pm_constraint *row, int a, int b))
 {
     row->kind = kind;
-    marks(w, row, e[PM_JOINT_A], e[PM_JOINT_B]);
+    marks(frame, row, e[PM_JOINT_A], e[PM_JOINT_B]);
 }
 
 /* A row with the marks of another. */
@@ -24,90 +24,94 @@ static void put_beside(pm_constraint *row, int kind, const pm_constraint *other)
     row->kind = kind;
 }
 
-static double number(const pm_workspace *w, const int32_t *e) { return w->numbers.value[e[PM_JOINT_VALUE]]; }
+static double number(const pm_frame *frame, const int32_t *e)
+{
+    return frame->numbers->value[e[PM_JOINT_VALUE]];
+}
 
-static void keep_angle(const pm_workspace *w, const int32_t *e, pm_constraint *row,
+static void keep_angle(const pm_frame *frame, const int32_t *e, pm_constraint *row,
                        const pm_constraint *first)
 {
     row->kind = PM_CONSTRAINT_ANGLE;
     row->body[0] = first->body[0];
     row->body[1] = first->body[1];
-    row->value = number(w, e);
+    row->value = number(frame, e);
 }
 
-static void pin(const pm_workspace *w, const int32_t *e, pm_constraint *row)
+static void pin(const pm_frame *frame, const int32_t *e, pm_constraint *row)
 {
-    put(w, e, &row[0], PM_CONSTRAINT_POINT_X, pm_constraint_marks_points);
+    put(frame, e, &row[0], PM_CONSTRAINT_POINT_X, pm_constraint_marks_points);
     put_beside(&row[1], PM_CONSTRAINT_POINT_Y, &row[0]);
 }
 
-static void weld(const pm_workspace *w, const int32_t *e, pm_constraint *row)
+static void weld(const pm_frame *frame, const int32_t *e, pm_constraint *row)
 {
-    pin(w, e, row);
-    keep_angle(w, e, &row[2], &row[0]);
+    pin(frame, e, row);
+    keep_angle(frame, e, &row[2], &row[0]);
 }
 
-static void slider(const pm_workspace *w, const int32_t *e, pm_constraint *row)
+static void slider(const pm_frame *frame, const int32_t *e, pm_constraint *row)
 {
-    put(w, e, &row[0], PM_CONSTRAINT_LINE_NORMAL, pm_constraint_marks_point_and_line);
+    put(frame, e, &row[0], PM_CONSTRAINT_LINE_NORMAL, pm_constraint_marks_point_and_line);
 }
 
-static void slider_fixed(const pm_workspace *w, const int32_t *e, pm_constraint *row)
+static void slider_fixed(const pm_frame *frame, const int32_t *e, pm_constraint *row)
 {
-    slider(w, e, row);
-    keep_angle(w, e, &row[1], &row[0]);
+    slider(frame, e, row);
+    keep_angle(frame, e, &row[1], &row[0]);
 }
 
-static void link(const pm_workspace *w, const int32_t *e, pm_constraint *row)
+static void link(const pm_frame *frame, const int32_t *e, pm_constraint *row)
 {
-    put(w, e, &row[0], PM_CONSTRAINT_DISTANCE, pm_constraint_marks_points);
-    row[0].value = number(w, e);
+    put(frame, e, &row[0], PM_CONSTRAINT_DISTANCE, pm_constraint_marks_points);
+    row[0].value = number(frame, e);
 }
 
-static void rolling_line(const pm_workspace *w, const int32_t *e, pm_constraint *row)
+static void rolling_line(const pm_frame *frame, const int32_t *e, pm_constraint *row)
 {
-    put(w, e, &row[0], PM_CONSTRAINT_LINE_NORMAL, pm_constraint_marks_circle_and_line);
+    put(frame, e, &row[0], PM_CONSTRAINT_LINE_NORMAL, pm_constraint_marks_circle_and_line);
     put_beside(&row[1], PM_CONSTRAINT_LINE_TANGENT, &row[0]);
 }
 
-static void gears(const pm_workspace *w, const int32_t *e, pm_constraint *row)
+static void gears(const pm_frame *frame, const int32_t *e, pm_constraint *row)
 {
     row->kind = PM_CONSTRAINT_CIRCLE_TANGENT;
-    pm_constraint_marks_circles(w, row, e[PM_JOINT_A], e[PM_JOINT_B], number(w, e));
+    pm_constraint_marks_circles(frame, row, e[PM_JOINT_A], e[PM_JOINT_B], number(frame, e));
 }
 
-static void rolling_circle(const pm_workspace *w, const int32_t *e, pm_constraint *row)
+static void rolling_circle(const pm_frame *frame, const int32_t *e, pm_constraint *row)
 {
-    gears(w, e, &row[1]);
+    gears(frame, e, &row[1]);
     put_beside(&row[0], PM_CONSTRAINT_DISTANCE, &row[1]);
 }
 
 /* The strand that leaves circle a counterclockwise, and the one that leaves it clockwise. */
-static void belt(const pm_workspace *w, const int32_t *e, pm_constraint *row)
+static void belt(const pm_frame *frame, const int32_t *e, pm_constraint *row)
 {
     for (int k = 0; k < 2; k++) {
         const double sense = k == 0 ? 1 : -1;
-        pm_constraint_marks_strand(w, &row[k], e[PM_JOINT_A], e[PM_JOINT_B], sense, number(w, e) * sense);
+        pm_constraint_marks_strand(frame, &row[k], e[PM_JOINT_A], e[PM_JOINT_B], sense,
+                                   number(frame, e) * sense);
     }
 }
 
-static void rate(const pm_workspace *w, const int32_t *e, pm_constraint *row)
+static void rate(const pm_frame *frame, const int32_t *e, pm_constraint *row)
 {
     row->kind = PM_CONSTRAINT_RATIO;
-    row->body[0] = pm_body_index(w->model, e[PM_JOINT_A]);
-    row->body[1] = pm_body_index(w->model, e[PM_JOINT_B]);
+    row->body[0] = pm_body_index(frame->model, e[PM_JOINT_A]);
+    row->body[1] = pm_body_index(frame->model, e[PM_JOINT_B]);
     row->drive = e[PM_JOINT_PROGRAM_X];
 }
 
-static void ratio(const pm_workspace *w, const int32_t *e, pm_constraint *row)
+static void ratio(const pm_frame *frame, const int32_t *e, pm_constraint *row)
 {
-    rate(w, e, row);
-    row->ratio = number(w, e);
+    rate(frame, e, row);
+    row->ratio = number(frame, e);
 }
 
-static void drive(const pm_workspace *w, const int32_t *e, pm_constraint *row)
+static void drive(const pm_frame *frame, const int32_t *e, pm_constraint *row)
 {
-    put(w, e, &row[0], PM_CONSTRAINT_DRIVE_X, pm_constraint_marks_points);
+    put(frame, e, &row[0], PM_CONSTRAINT_DRIVE_X, pm_constraint_marks_points);
     put_beside(&row[1], PM_CONSTRAINT_DRIVE_Y, &row[0]);
     row[0].drive = e[PM_JOINT_PROGRAM_X];
     row[1].drive = e[PM_JOINT_PROGRAM_Y];
@@ -152,30 +156,30 @@ const pm_joint_ops *pm_joint_of(const pm_model *m, int joint)
 int pm_joint_constraints(const pm_workspace *w, int joint, pm_constraint row[PM_JOINT_CONSTRAINTS])
 {
     if (pm_state_is_absent(w->model, &w->state, PM_TABLE_JOINT, joint)) return 0;
-    return pm_joint_constraints_of_any(w, joint, row);
+    return pm_joint_constraints_of_any(&w->frame, joint, row);
 }
 
-int pm_joint_constraints_of_any(const pm_workspace *w, int joint, pm_constraint row[PM_JOINT_CONSTRAINTS])
+int pm_joint_constraints_of_any(const pm_frame *frame, int joint, pm_constraint row[PM_JOINT_CONSTRAINTS])
 {
-    const int n = pm_joint_of(w->model, joint)->rows;
-    memcpy(row, w->numbers.of_joint + w->model->joint_row[joint], (size_t)n * sizeof *row);
+    const int n = pm_joint_of(frame->model, joint)->rows;
+    memcpy(row, frame->numbers->of_joint + frame->model->joint_row[joint], (size_t)n * sizeof *row);
     return n;
 }
 
-static void compose(const pm_workspace *w, int joint, pm_constraint *row)
+static void compose(const pm_frame *frame, int joint, pm_constraint *row)
 {
-    const pm_joint_ops *ops = pm_joint_of(w->model, joint);
+    const pm_joint_ops *ops = pm_joint_of(frame->model, joint);
     for (int k = 0; k < ops->rows; k++) {
         row[k] = pm_constraint_marks_blank(PM_NONE);
         row[k].joint = joint;
     }
-    ops->compose(w, PM_JOINT_ROW(w->model, joint), row);
-    const int memory = w->model->joint_memory[joint], first = ops->rows - ops->memories;
+    ops->compose(frame, PM_JOINT_ROW(frame->model, joint), row);
+    const int memory = frame->model->joint_memory[joint], first = ops->rows - ops->memories;
     for (int k = first; k < ops->rows; k++) row[k].memory = memory + k - first;
 }
 
-void pm_joint_compose(pm_workspace *w)
+void pm_joint_compose(const pm_frame *frame)
 {
-    for (int i = 0; i < w->model->rows[PM_TABLE_JOINT]; i++)
-        compose(w, i, w->numbers.of_joint + w->model->joint_row[i]);
+    for (int i = 0; i < frame->model->rows[PM_TABLE_JOINT]; i++)
+        compose(frame, i, frame->numbers->of_joint + frame->model->joint_row[i]);
 }

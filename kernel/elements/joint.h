@@ -29,13 +29,13 @@ typedef struct pm_joint_ops {
     int presses;  /* row 0 is a normal force */
     int rubs;     /* the kind of row along which it slips where it has friction, or PM_NONE */
     int repeats;  /* enum pm_joint_repeats */
-    void (*compose)(const pm_workspace *w, const int32_t *e, pm_constraint *row);
+    void (*compose)(const pm_frame *frame, const int32_t *e, pm_constraint *row);
 } pm_joint_ops;
 
 const pm_joint_ops *pm_joint_kind(int kind);
 const pm_joint_ops *pm_joint_of(const pm_model *m, int joint);
 
 /* The rows of all joints, with the numbers of the case: pm_joint_constraints copies them. */
-void pm_joint_compose(pm_workspace *w);
+void pm_joint_compose(const pm_frame *frame);
 
 #endif

@@ -22,16 +22,19 @@ int pm_joint_friction_joint(const pm_model *m, int k)
     return PM_FORCE_ROW(m, m->friction_force[k])[PM_FORCE_A];
 }
 
-static const int32_t *force_of(const pm_workspace *w, int k)
+static const int32_t *force_of(const pm_frame *frame, int k)
 {
-    return PM_FORCE_ROW(w->model, w->model->friction_force[k]);
+    return PM_FORCE_ROW(frame->model, frame->model->friction_force[k]);
 }
 
-static int joint_of(const pm_workspace *w, int k) { return pm_joint_friction_joint(w->model, k); }
-static double own(const pm_workspace *w, int k) { return w->numbers.value[force_of(w, k)[PM_FORCE_VALUE_1]]; }
-static double by_load(const pm_workspace *w, int k)
+static int joint_of(const pm_frame *frame, int k) { return pm_joint_friction_joint(frame->model, k); }
+static double own(const pm_frame *frame, int k)
 {
-    return w->numbers.value[force_of(w, k)[PM_FORCE_VALUE_2]];
+    return frame->numbers->value[force_of(frame, k)[PM_FORCE_VALUE_1]];
+}
+static double by_load(const pm_frame *frame, int k)
+{
+    return frame->numbers->value[force_of(frame, k)[PM_FORCE_VALUE_2]];
 }
 static int slides(int mode) { return mode == PM_SLIDE_FORWARD || mode == PM_SLIDE_BACKWARD; }
 
@@ -40,48 +43,48 @@ int pm_joint_friction_any(const pm_model *m) { return m->nfriction > 0; }
 int pm_joint_friction_by_load(const pm_workspace *w)
 {
     for (int k = 0; k < w->model->nfriction; k++)
-        if (slides(w->state.friction[k]) && by_load(w, k) > 0) return 1;
+        if (slides(w->state.friction[k]) && by_load(&w->frame, k) > 0) return 1;
     return 0;
 }
 
-int pm_joint_friction_any_by_load(const pm_workspace *w)
+int pm_joint_friction_any_by_load(const pm_frame *frame)
 {
-    for (int k = 0; k < w->model->nfriction; k++)
-        if (by_load(w, k) > 0) return 1;
+    for (int k = 0; k < frame->model->nfriction; k++)
+        if (by_load(frame, k) > 0) return 1;
     return 0;
 }
 
-void pm_joint_friction_row(const pm_workspace *w, int k, pm_constraint *row)
+void pm_joint_friction_row(const pm_frame *frame, int k, pm_constraint *row)
 {
-    const int joint = joint_of(w, k);
+    const int joint = joint_of(frame, k);
     pm_constraint rows[PM_JOINT_CONSTRAINTS];
-    pm_joint_constraints_of_any(w, joint, rows);
+    pm_joint_constraints_of_any(frame, joint, rows);
     *row = rows[0];
-    row->memory = w->model->friction_memory + k;
-    row->kind = pm_joint_of(w->model, joint)->rubs;
+    row->memory = frame->model->friction_memory + k;
+    row->kind = pm_joint_of(frame->model, joint)->rubs;
     if (row->kind == PM_CONSTRAINT_CIRCLE_TANGENT) { /* the slot's circle round a point */
         row->radius_b = row->value;
         row->sign = -1;
     }
 }
 
-double pm_joint_friction_slip(const pm_workspace *w, int k)
+double pm_joint_friction_slip(const pm_frame *frame, int k)
 {
     pm_constraint row;
-    pm_joint_friction_row(w, k, &row);
-    return pm_constraint_slip(w, &row);
+    pm_joint_friction_row(frame, k, &row);
+    return pm_constraint_slip(frame, &row);
 }
 
-double pm_joint_friction_still(const pm_workspace *w, int k)
+double pm_joint_friction_still(const pm_frame *frame, int k)
 {
-    const int turns = pm_joint_of(w->model, joint_of(w, k))->rubs == PM_CONSTRAINT_RATIO;
-    return pm_contact_speed(w) / (turns ? w->numbers.size : 1);
+    const int turns = pm_joint_of(frame->model, joint_of(frame, k))->rubs == PM_CONSTRAINT_RATIO;
+    return pm_contact_speed(frame) / (turns ? frame->numbers->size : 1);
 }
 
 /* Size of the reactions x[active row] of the joint; the couple that keeps a slider's direction is none of them. */
 static double load(const pm_workspace *w, int k, const double *x)
 {
-    const int joint = joint_of(w, k), first = w->model->joint_row[joint];
+    const int joint = joint_of(&w->frame, k), first = w->model->joint_row[joint];
     const int n = pm_joint_of(w->model, joint)->rubs == PM_CONSTRAINT_RATIO ? 2 : 1;
     double sum = 0;
     for (int i = first; i < first + n; i++) {
@@ -93,13 +96,13 @@ static double load(const pm_workspace *w, int k, const double *x)
 
 double pm_joint_friction_limit(const pm_workspace *w, int k)
 {
-    const double c = by_load(w, k);
-    return own(w, k) + (c > 0 ? c * load(w, k, w->frame.lambda) : 0);
+    const double c = by_load(&w->frame, k);
+    return own(&w->frame, k) + (c > 0 ? c * load(w, k, w->frame.lambda) : 0);
 }
 
 static double sliding(const pm_workspace *w, int k)
 {
-    const double size = own(w, k) + w->active.friction_load[k];
+    const double size = own(&w->frame, k) + w->active.friction_load[k];
     return w->state.friction[k] == PM_SLIDE_FORWARD    ? -size
            : w->state.friction[k] == PM_SLIDE_BACKWARD ? size
                                                        : 0;
@@ -108,28 +111,28 @@ static double sliding(const pm_workspace *w, int k)
 double pm_joint_friction_of_joint(const pm_workspace *w, int joint, pm_constraint *row)
 {
     for (int k = 0; k < w->model->nfriction; k++) {
-        if (joint_of(w, k) != joint) continue;
-        pm_joint_friction_row(w, k, row);
+        if (joint_of(&w->frame, k) != joint) continue;
+        pm_joint_friction_row(&w->frame, k, row);
         return w->active.friction_row[k] == PM_NONE ? sliding(w, k)
                                                     : w->frame.lambda[w->active.friction_row[k]];
     }
     return 0;
 }
 
-static int of_force(const pm_workspace *w, int force)
+static int of_force(const pm_frame *frame, int force)
 {
     int k = 0;
-    while (w->model->friction_force[k] != force) k++;
+    while (frame->model->friction_force[k] != force) k++;
     return k;
 }
 
 void pm_joint_friction_action(const pm_workspace *w, int force, pm_action *x)
 {
-    const int k = of_force(w, force);
+    const int k = of_force(&w->frame, force);
     pm_constraint row;
     pm_line_of_action along;
-    pm_joint_friction_row(w, k, &row);
-    pm_constraint_kind(row.kind)->act(w, &row, &along);
+    pm_joint_friction_row(&w->frame, k, &row);
+    pm_constraint_kind(row.kind)->act(&w->frame, &row, &along);
     const double size = sliding(w, k);
     x->body_a = row.body[0];
     x->body_b = row.body[1];
@@ -138,24 +141,24 @@ void pm_joint_friction_action(const pm_workspace *w, int force, pm_action *x)
         x->force[i] = size * along.direction[i];
     }
     x->couple = size * along.couple[0]; /* joints rub between their two bodies: the opposite acts on b */
-    x->rate = pm_constraint_slip(w, &row);
+    x->rate = pm_constraint_slip(&w->frame, &row);
     x->power = size * x->rate;
 }
 
-int pm_joint_friction_steady(const pm_workspace *w, int force, const pm_constant_motion *x)
+int pm_joint_friction_steady(const pm_frame *frame, int force, const pm_constant_motion *x)
 {
     pm_constraint row;
-    pm_joint_friction_row(w, of_force(w, force), &row);
+    pm_joint_friction_row(frame, of_force(frame, force), &row);
     const pm_constraint_ops *ops = pm_constraint_kind(row.kind);
-    return ops->steady && ops->steady(w, &row, x);
+    return ops->steady && ops->steady(frame, &row, x);
 }
 
 int pm_joint_friction_update(pm_workspace *w)
 {
     int changed = 0;
     for (int k = 0; k < w->model->nfriction; k++) {
-        if (!slides(w->state.friction[k]) || !(by_load(w, k) > 0)) continue;
-        const double next = by_load(w, k) * load(w, k, w->frame.lambda);
+        if (!slides(w->state.friction[k]) || !(by_load(&w->frame, k) > 0)) continue;
+        const double next = by_load(&w->frame, k) * load(w, k, w->frame.lambda);
         changed |= fabs(next - w->active.friction_load[k]) > SAME * fabs(next);
         w->active.friction_load[k] = next;
     }
@@ -175,17 +178,17 @@ static void hold(pm_workspace *w, int k)
 {
     pm_constraint row;
     w->state.friction[k] = PM_STICK;
-    pm_joint_friction_row(w, k, &row);
-    pm_constraint_kind(row.kind)->remember(w, &row, &w->state.memory[row.memory], 1);
+    pm_joint_friction_row(&w->frame, k, &row);
+    pm_constraint_kind(row.kind)->remember(&w->frame, &row, &w->state.memory[row.memory], 1);
 }
 
 void pm_joint_friction_close(pm_workspace *w)
 {
     for (int k = 0; k < w->model->nfriction; k++) {
-        const double slip = pm_joint_friction_slip(w, k);
-        if (pm_state_is_absent(w->model, &w->state, PM_TABLE_JOINT, joint_of(w, k)))
+        const double slip = pm_joint_friction_slip(&w->frame, k);
+        if (pm_state_is_absent(w->model, &w->state, PM_TABLE_JOINT, joint_of(&w->frame, k)))
             w->state.friction[k] = PM_OPEN;
-        else if (fabs(slip) <= pm_joint_friction_still(w, k))
+        else if (fabs(slip) <= pm_joint_friction_still(&w->frame, k))
             hold(w, k);
         else
             w->state.friction[k] = slip > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
@@ -205,7 +208,7 @@ int pm_joint_friction_overcome(pm_workspace *w, double slack)
 {
     for (int k = 0; k < w->model->nfriction; k++) {
         if (w->state.friction[k] != PM_STICK || w->active.friction_row[k] == PM_NONE) continue;
-        const int turns = pm_joint_of(w->model, joint_of(w, k))->rubs == PM_CONSTRAINT_RATIO;
+        const int turns = pm_joint_of(w->model, joint_of(&w->frame, k))->rubs == PM_CONSTRAINT_RATIO;
         const double needed = fabs(w->frame.lambda[w->active.friction_row[k]]),
                      limit = pm_joint_friction_limit(w, k);
         if (needed <= limit + slack * (turns ? w->numbers.size : 1)) continue;
@@ -218,7 +221,7 @@ int pm_joint_friction_overcome(pm_workspace *w, double slack)
 int pm_joint_friction_check_blow(pm_workspace *w)
 {
     for (int k = 0; k < w->model->nfriction; k++)
-        if (by_load(w, k) > 0 && load(w, k, w->saddle.rhs) > 0)
+        if (by_load(&w->frame, k) > 0 && load(w, k, w->saddle.rhs) > 0)
             return pm_fail(w, PM_UNSUPPORTED, PM_TABLE_FORCE, w->model->friction_force[k], NAN, NAN);
     return PM_OK;
 }

@@ -50,9 +50,9 @@ double pm_measured_weight(const pm_measure_args *x)
 double pm_measured_inertia(const pm_measure_args *x)
 {
     if (x->a == PM_GROUND) return 0;
-    double sum = pm_body_inertia(x->w, x->a);
+    double sum = pm_body_inertia(&x->w->frame, x->a);
     if (x->e[PM_MEASURE_ABOUT] != PM_NONE) {
-        const pm_point p = pm_frame_point_of(x->w, x->e[PM_MEASURE_ABOUT]);
+        const pm_point p = pm_frame_point_of(&x->w->frame, x->e[PM_MEASURE_ABOUT]);
         const double *g = pose(x, x->a), dx = g[0] - p.p[0], dy = g[1] - p.p[1];
         sum += x->w->numbers.mass[x->a] * (dx * dx + dy * dy);
     }
@@ -61,13 +61,15 @@ double pm_measured_inertia(const pm_measure_args *x)
 
 double pm_measured_kinetic(const pm_measure_args *x)
 {
-    return x->a == PM_GROUND ? 0 : pm_body_kinetic(x->w, x->a) + pm_turning_plane_kinetic(x->w, x->a);
+    return x->a == PM_GROUND
+               ? 0
+               : pm_body_kinetic(&x->w->frame, x->a) + pm_turning_plane_kinetic(&x->w->frame, x->a);
 }
 
 void pm_measured_momentum(const pm_measure_args *x, double out[2])
 {
     double m[3] = {0, 0, 0};
-    if (x->a != PM_GROUND) pm_body_momentum(x->w, x->a, m);
+    if (x->a != PM_GROUND) pm_body_momentum(&x->w->frame, x->a, m);
     out[0] = m[0];
     out[1] = m[1];
 }
@@ -76,13 +78,13 @@ double pm_measured_angular_momentum(const pm_measure_args *x)
 {
     double m[3] = {0, 0, 0}, about[2] = {0, 0};
     if (x->a == PM_GROUND) return 0;
-    pm_body_momentum(x->w, x->a, m);
+    pm_body_momentum(&x->w->frame, x->a, m);
     if (x->e[PM_MEASURE_ABOUT] != PM_NONE) {
-        const pm_point p = pm_frame_point_of(x->w, x->e[PM_MEASURE_ABOUT]);
+        const pm_point p = pm_frame_point_of(&x->w->frame, x->e[PM_MEASURE_ABOUT]);
         about[0] = p.p[0];
         about[1] = p.p[1];
     } else if (x->a != PM_NONE) {
-        return pm_body_inertia(x->w, x->a) * velocity(x, x->a)[2];
+        return pm_body_inertia(&x->w->frame, x->a) * velocity(x, x->a)[2];
     }
     return m[2] - (about[0] * m[1] - about[1] * m[0]);
 }
@@ -104,7 +106,7 @@ static void into_axes(const double *axes, double v[2])
 
 void pm_measured_position(const pm_measure_args *x, double out[2])
 {
-    const pm_point p = pm_frame_point_of(x->w, x->a);
+    const pm_point p = pm_frame_point_of(&x->w->frame, x->a);
     const double *axes = pose(x, seen_from(x));
     out[0] = p.p[0] - axes[0];
     out[1] = p.p[1] - axes[1];
@@ -114,7 +116,7 @@ void pm_measured_position(const pm_measure_args *x, double out[2])
 /* As the moving body's own observer sees it: the velocity of the body's point at P is taken off. */
 void pm_measured_velocity(const pm_measure_args *x, double out[2])
 {
-    const pm_point p = pm_frame_point_of(x->w, x->a);
+    const pm_point p = pm_frame_point_of(&x->w->frame, x->a);
     const double *axes = pose(x, seen_from(x)), *v = velocity(x, seen_from(x));
     out[0] = p.v[0] - (v[0] - v[2] * (p.p[1] - axes[1]));
     out[1] = p.v[1] - (v[1] + v[2] * (p.p[0] - axes[0]));
@@ -123,14 +125,14 @@ void pm_measured_velocity(const pm_measure_args *x, double out[2])
 
 void pm_measured_acceleration(const pm_measure_args *x, double out[2])
 {
-    const pm_point p = pm_frame_point_of(x->w, x->a);
-    pm_frame_acceleration(x->w, &p, out);
+    const pm_point p = pm_frame_point_of(&x->w->frame, x->a);
+    pm_frame_acceleration(&x->w->frame, &p, out);
 }
 
 void pm_measured_moved(const pm_measure_args *x, double out[2])
 {
     const int32_t *e = PM_POINT_ROW(x->w->model, x->a);
-    const pm_point now = pm_frame_point_of(x->w, x->a);
+    const pm_point now = pm_frame_point_of(&x->w->frame, x->a);
     out[0] = out[1] = 0;
     if (e[PM_POINT_BODY] == PM_GROUND) return;
     const double *q = x->w->start.q + 3 * e[PM_POINT_BODY], px = x->w->numbers.value[e[PM_POINT_X]],

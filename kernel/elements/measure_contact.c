@@ -39,10 +39,10 @@ static double way(const pm_measure_args *x, int slot)
 double pm_measured_contact_gap(const pm_measure_args *x)
 {
     int member = x->e[PM_MEASURE_MEMBER];
-    if (member != PM_NONE) return pm_contact_member_gap(x->w, x->a, member, 0);
+    if (member != PM_NONE) return pm_contact_member_gap(&x->w->frame, x->a, member, 0);
     const int slot = first_slot(x);
-    if (slot != PM_NONE) return pm_contact_member_gap(x->w, x->a, member_of(x, slot), 0);
-    if (pm_edge_is(x->w->model, x->a)) return pm_edge_gap(x->w, x->a, &member);
+    if (slot != PM_NONE) return pm_contact_member_gap(&x->w->frame, x->a, member_of(x, slot), 0);
+    if (pm_edge_is(x->w->model, x->a)) return pm_edge_gap(&x->w->frame, x->a, &member);
     return pm_contact_apart(x->w, &x->w->state, x->a, &member);
 }
 
@@ -56,7 +56,8 @@ double pm_measured_contact_closed(const pm_measure_args *x)
 double pm_measured_contact_slip(const pm_measure_args *x)
 {
     const int slot = first_slot(x);
-    return slot == PM_NONE ? NAN : way(x, slot) * pm_contact_member_slip(x->w, x->a, member_of(x, slot));
+    return slot == PM_NONE ? NAN
+                           : way(x, slot) * pm_contact_member_slip(&x->w->frame, x->a, member_of(x, slot));
 }
 
 /* ---- what acts there ---- */
@@ -108,7 +109,7 @@ static double side_of(const pm_measure_args *x)
 {
     if (x->e[PM_MEASURE_ON] == PM_NONE) return 1;
     pm_constraint normal, tangent;
-    pm_contact_constraint_both(x->w, x->a, x->w->model->contact_slot[x->a], 0, &normal, &tangent);
+    pm_contact_constraint_both(&x->w->frame, x->a, x->w->model->contact_slot[x->a], 0, &normal, &tangent);
     return normal.body[0] == pm_body_index(x->w->model, x->e[PM_MEASURE_ON]) ? 1 : -1;
 }
 
@@ -121,7 +122,7 @@ static double held_force(const pm_workspace *w, int slot, int axis)
 static void add_row(const pm_measure_args *x, const pm_constraint *row, double force, double out[2])
 {
     pm_line_of_action along;
-    pm_constraint_kind(row->kind)->act(x->w, row, &along);
+    pm_constraint_kind(row->kind)->act(&x->w->frame, row, &along);
     for (int k = 0; k < 2; k++) out[k] += force * along.direction[k];
 }
 
@@ -135,7 +136,7 @@ void pm_measured_contact_force(const pm_measure_args *x, double out[2])
             continue;
         }
         pm_constraint normal, tangent;
-        pm_contact_constraint_both(x->w, x->a, i, member_of(x, i), &normal, &tangent);
+        pm_contact_constraint_both(&x->w->frame, x->a, i, member_of(x, i), &normal, &tangent);
         add_row(x, &normal, side * slot_normal(x->w, i), out);
         add_row(x, &tangent, side * slot_friction(x->w, i), out);
     }

@@ -25,7 +25,7 @@ static void add_reaction(const pm_measure_args *x, const pm_constraint *row, dou
                          double out[3])
 {
     pm_line_of_action along; /* the rows need not be evaluated where the frame looks */
-    pm_constraint_kind(row->kind)->act(x->w, row, &along);
+    pm_constraint_kind(row->kind)->act(&x->w->frame, row, &along);
     for (int k = 0; k < 2; k++) out[k] += (on == 0 ? size : -size) * along.direction[k];
     out[2] += size * along.couple[on];
 }

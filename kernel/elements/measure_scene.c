@@ -32,17 +32,17 @@ double pm_measured_event_time(const pm_measure_args *x) { return pm_trigger_time
 double pm_measured_time(const pm_measure_args *x) { return x->w->frame.t; }
 double pm_measured_potential(const pm_measure_args *x)
 {
-    return pm_body_weight_energy(x->w) + pm_force_potential(x->w);
+    return pm_body_weight_energy(&x->w->frame) + pm_force_potential(x->w);
 }
 double pm_measured_total(const pm_measure_args *x)
 {
-    return pm_body_kinetic(x->w, PM_NONE) + pm_turning_plane_kinetic(x->w, PM_NONE) +
+    return pm_body_kinetic(&x->w->frame, PM_NONE) + pm_turning_plane_kinetic(&x->w->frame, PM_NONE) +
            pm_measured_potential(x);
 }
 double pm_measured_lost(const pm_measure_args *x) { return x->w->impulses.energy_lost; }
 
 /* ---- the turning plane ---- */
-double pm_measured_spin_omega(const pm_measure_args *x) { return pm_turning_plane_omega(x->w); }
-double pm_measured_spin_angle(const pm_measure_args *x) { return pm_turning_plane_angle(x->w); }
-double pm_measured_spin_momentum(const pm_measure_args *x) { return pm_turning_plane_momentum(x->w); }
-double pm_measured_spin_inertia(const pm_measure_args *x) { return pm_turning_plane_inertia(x->w); }
+double pm_measured_spin_omega(const pm_measure_args *x) { return pm_turning_plane_omega(&x->w->frame); }
+double pm_measured_spin_angle(const pm_measure_args *x) { return pm_turning_plane_angle(&x->w->frame); }
+double pm_measured_spin_momentum(const pm_measure_args *x) { return pm_turning_plane_momentum(&x->w->frame); }
+double pm_measured_spin_inertia(const pm_measure_args *x) { return pm_turning_plane_inertia(&x->w->frame); }

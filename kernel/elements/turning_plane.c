@@ -115,7 +115,7 @@ int pm_turning_plane_case(pm_workspace *w)
 int pm_turning_plane_start(pm_workspace *w)
 {
     if (!pm_turning_plane_turns(w->model)) return PM_OK;
-    const double inertia = pm_turning_plane_inertia(w);
+    const double inertia = pm_turning_plane_inertia(&w->frame);
     if (!(inertia > 0)) return out_of_bound(w, PM_TABLE_SPIN, 0, PM_SPIN_INERTIA, inertia, 0);
     w->numbers.plane.momentum = inertia * w->numbers.value[row_of(w->model)[PM_SPIN_OMEGA]];
     return PM_OK;
@@ -123,99 +123,100 @@ int pm_turning_plane_start(pm_workspace *w)
 
 /* ---- the state ---- */
 /* A body's distance from the axis, on the left of its direction, and its x axis as seen from the axis. */
-static double distance(const pm_workspace *w, int i)
+static double distance(const pm_frame *frame, int i)
 {
-    const double *pose = w->frame.pose + 5 * i, *n = w->numbers.plane.normal;
-    return (pose[0] - w->numbers.plane.through[0]) * n[0] + (pose[1] - w->numbers.plane.through[1]) * n[1];
+    const double *pose = frame->pose + 5 * i, *n = frame->numbers->plane.normal;
+    return (pose[0] - frame->numbers->plane.through[0]) * n[0] +
+           (pose[1] - frame->numbers->plane.through[1]) * n[1];
 }
 
-static void direction(const pm_workspace *w, int i, double *sine, double *cosine)
+static void direction(const pm_frame *frame, int i, double *sine, double *cosine)
 {
-    const double *pose = w->frame.pose + 5 * i, *n = w->numbers.plane.normal;
+    const double *pose = frame->pose + 5 * i, *n = frame->numbers->plane.normal;
     *sine = pose[3] * n[0] + pose[4] * n[1];
     *cosine = pose[3] * n[1] - pose[4] * n[0];
 }
 
-static double second(const pm_workspace *w, int i, int column)
+static double second(const pm_frame *frame, int i, int column)
 {
-    return w->numbers.value[PM_SECOND_ROW(w->model, i)[column]];
+    return frame->numbers->value[PM_SECOND_ROW(frame->model, i)[column]];
 }
 
-static double body_inertia(const pm_workspace *w, int i)
+static double body_inertia(const pm_frame *frame, int i)
 {
     double sine, cosine;
-    const double d = distance(w, i);
-    direction(w, i, &sine, &cosine);
-    return w->numbers.mass[i] * d * d + second(w, i, PM_SECOND_X) * sine * sine +
-           second(w, i, PM_SECOND_Y) * cosine * cosine + second(w, i, PM_SECOND_Z);
+    const double d = distance(frame, i);
+    direction(frame, i, &sine, &cosine);
+    return frame->numbers->mass[i] * d * d + second(frame, i, PM_SECOND_X) * sine * sine +
+           second(frame, i, PM_SECOND_Y) * cosine * cosine + second(frame, i, PM_SECOND_Z);
 }
 
-double pm_turning_plane_inertia(const pm_workspace *w)
+double pm_turning_plane_inertia(const pm_frame *frame)
 {
-    if (!pm_turning_plane_turns(w->model)) return 0;
-    double sum = w->numbers.plane.inertia;
-    for (int i = 0; i < w->model->nbody; i++) sum += body_inertia(w, i);
+    if (!pm_turning_plane_turns(frame->model)) return 0;
+    double sum = frame->numbers->plane.inertia;
+    for (int i = 0; i < frame->model->nbody; i++) sum += body_inertia(frame, i);
     return sum;
 }
 
-double pm_turning_plane_momentum(const pm_workspace *w)
+double pm_turning_plane_momentum(const pm_frame *frame)
 {
-    const int z = w->model->spin_z;
-    return w->numbers.plane.momentum + (z == PM_NONE ? 0 : w->frame.z[z]);
+    const int z = frame->model->spin_z;
+    return frame->numbers->plane.momentum + (z == PM_NONE ? 0 : frame->z[z]);
 }
 
-double pm_turning_plane_omega(const pm_workspace *w)
+double pm_turning_plane_omega(const pm_frame *frame)
 {
-    const double momentum = pm_turning_plane_momentum(w);
-    return momentum == 0 ? 0 : momentum / pm_turning_plane_inertia(w);
+    const double momentum = pm_turning_plane_momentum(frame);
+    return momentum == 0 ? 0 : momentum / pm_turning_plane_inertia(frame);
 }
 
-double pm_turning_plane_angle(const pm_workspace *w) { return w->frame.z[w->model->spin_angle_z]; }
+double pm_turning_plane_angle(const pm_frame *frame) { return frame->z[frame->model->spin_angle_z]; }
 
-double pm_turning_plane_kinetic(const pm_workspace *w, int i)
+double pm_turning_plane_kinetic(const pm_frame *frame, int i)
 {
-    if (!pm_turning_plane_turns(w->model)) return 0;
-    const double omega = pm_turning_plane_omega(w);
-    return 0.5 * omega * (i == PM_NONE ? pm_turning_plane_momentum(w) : omega * body_inertia(w, i));
+    if (!pm_turning_plane_turns(frame->model)) return 0;
+    const double omega = pm_turning_plane_omega(frame);
+    return 0.5 * omega * (i == PM_NONE ? pm_turning_plane_momentum(frame) : omega * body_inertia(frame, i));
 }
 
 /* ---- forces ---- */
-void pm_turning_plane_forces(pm_workspace *w)
+void pm_turning_plane_forces(pm_frame *frame)
 {
-    if (!pm_turning_plane_turns(w->model)) return;
-    const double omega = pm_turning_plane_omega(w), square = omega * omega;
-    for (int i = 0; i < w->model->nbody; i++) {
-        double sine, cosine, *f = w->frame.f + 3 * i;
-        const double outward = square * w->numbers.mass[i] * distance(w, i);
-        direction(w, i, &sine, &cosine);
-        f[0] += outward * w->numbers.plane.normal[0];
-        f[1] += outward * w->numbers.plane.normal[1];
-        f[2] += square * (second(w, i, PM_SECOND_X) - second(w, i, PM_SECOND_Y)) * sine * cosine;
+    if (!pm_turning_plane_turns(frame->model)) return;
+    const double omega = pm_turning_plane_omega(frame), square = omega * omega;
+    for (int i = 0; i < frame->model->nbody; i++) {
+        double sine, cosine, *f = frame->f + 3 * i;
+        const double outward = square * frame->numbers->mass[i] * distance(frame, i);
+        direction(frame, i, &sine, &cosine);
+        f[0] += outward * frame->numbers->plane.normal[0];
+        f[1] += outward * frame->numbers->plane.normal[1];
+        f[2] += square * (second(frame, i, PM_SECOND_X) - second(frame, i, PM_SECOND_Y)) * sine * cosine;
     }
 }
 
-double pm_turning_plane_force_size(const pm_workspace *w, const double *t)
+double pm_turning_plane_force_size(const pm_frame *frame, const double *t)
 {
-    if (!pm_turning_plane_turns(w->model)) return 0;
-    const double omega = pm_turning_plane_omega(w);
+    if (!pm_turning_plane_turns(frame->model)) return 0;
+    const double omega = pm_turning_plane_omega(frame);
     double sum = 0;
-    for (int i = 0; i < w->model->nbody; i++, t += 3)
-        sum += w->numbers.mass[i] * w->numbers.size * hypot(t[0], t[1]) +
-               (second(w, i, PM_SECOND_X) + second(w, i, PM_SECOND_Y)) * fabs(t[2]);
+    for (int i = 0; i < frame->model->nbody; i++, t += 3)
+        sum += frame->numbers->mass[i] * frame->numbers->size * hypot(t[0], t[1]) +
+               (second(frame, i, PM_SECOND_X) + second(frame, i, PM_SECOND_Y)) * fabs(t[2]);
     return omega * omega * sum;
 }
 
 /* Not from the generalised forces: every element of mass is pulled from the axis by Omega^2 times its distance, at its
  * own place, so that the moment about the origin is that of the moments of mass. */
-void pm_turning_plane_outer(const pm_workspace *w, double outer[PM_LEDGER])
+void pm_turning_plane_outer(const pm_frame *frame, double outer[PM_LEDGER])
 {
     outer[0] = outer[1] = outer[2] = 0;
-    if (!pm_turning_plane_turns(w->model)) return;
-    const double omega = pm_turning_plane_omega(w), *n = w->numbers.plane.normal;
-    for (int i = 0; i < w->model->nbody; i++) {
-        const double *pose = w->frame.pose + 5 * i, turned = 2 * (pose[2] - w->numbers.plane.angle);
-        const double sx = second(w, i, PM_SECOND_X), sy = second(w, i, PM_SECOND_Y);
-        const double pull = omega * omega * w->numbers.mass[i] * distance(w, i);
+    if (!pm_turning_plane_turns(frame->model)) return;
+    const double omega = pm_turning_plane_omega(frame), *n = frame->numbers->plane.normal;
+    for (int i = 0; i < frame->model->nbody; i++) {
+        const double *pose = frame->pose + 5 * i, turned = 2 * (pose[2] - frame->numbers->plane.angle);
+        const double sx = second(frame, i, PM_SECOND_X), sy = second(frame, i, PM_SECOND_Y);
+        const double pull = omega * omega * frame->numbers->mass[i] * distance(frame, i);
         /* integral of (along the axis) (away from it) over the body, about G: Mohr's circle */
         const double product = 0.5 * (sx - sy) * sin(turned);
         outer[0] += pull * n[0];
@@ -235,18 +236,18 @@ void pm_turning_plane_rates(pm_workspace *w, double *zdot)
 {
     const pm_model *m = w->model;
     if (m->spin_z != PM_NONE) zdot[m->spin_z] = couple(w);
-    if (m->spin_angle_z != PM_NONE) zdot[m->spin_angle_z] = pm_turning_plane_omega(w);
+    if (m->spin_angle_z != PM_NONE) zdot[m->spin_angle_z] = pm_turning_plane_omega(&w->frame);
 }
 
 double pm_turning_plane_power(pm_workspace *w)
 {
-    return w->model->spin_z == PM_NONE ? 0 : couple(w) * pm_turning_plane_omega(w);
+    return w->model->spin_z == PM_NONE ? 0 : couple(w) * pm_turning_plane_omega(&w->frame);
 }
 
-double pm_turning_plane_scale(const pm_workspace *w, int z)
+double pm_turning_plane_scale(const pm_frame *frame, int z)
 {
-    if (z == w->model->spin_angle_z) return 1;
-    if (z != w->model->spin_z) return 0;
-    return fmax(fabs(pm_turning_plane_momentum(w)),
-                pm_turning_plane_inertia(w) * w->numbers.speed / w->numbers.size);
+    if (z == frame->model->spin_angle_z) return 1;
+    if (z != frame->model->spin_z) return 0;
+    return fmax(fabs(pm_turning_plane_momentum(frame)),
+                pm_turning_plane_inertia(frame) * frame->numbers->speed / frame->numbers->size);
 }

@@ -14,22 +14,22 @@ int pm_turning_plane_start(pm_workspace *w);
 static inline int pm_turning_plane_turns(const pm_model *m) { return m->rows[PM_TABLE_SPIN] > 0; }
 
 /* All of these at the frame; 0 where the plane does not turn. */
-double pm_turning_plane_inertia(const pm_workspace *w);  /* about the axis, of all that turns along */
-double pm_turning_plane_momentum(const pm_workspace *w); /* about the axis */
-double pm_turning_plane_omega(const pm_workspace *w);
-double pm_turning_plane_angle(const pm_workspace *w);
+double pm_turning_plane_inertia(const pm_frame *frame);  /* about the axis, of all that turns along */
+double pm_turning_plane_momentum(const pm_frame *frame); /* about the axis */
+double pm_turning_plane_omega(const pm_frame *frame);
+double pm_turning_plane_angle(const pm_frame *frame);
 /* Kinetic energy of the turning of body i, or of all with PM_NONE. */
-double pm_turning_plane_kinetic(const pm_workspace *w, int i);
+double pm_turning_plane_kinetic(const pm_frame *frame, int i);
 /* Adds the centrifugal forces and couples to frame.f. */
-void pm_turning_plane_forces(pm_workspace *w);
+void pm_turning_plane_forces(pm_frame *frame);
 /* Their size if they were along the motion t, at any place of the scene. */
-double pm_turning_plane_force_size(const pm_workspace *w, const double *t);
+double pm_turning_plane_force_size(const pm_frame *frame, const double *t);
 /* Resultant of the centrifugal forces, and their moment about the origin. */
-void pm_turning_plane_outer(const pm_workspace *w, double outer[PM_LEDGER]);
+void pm_turning_plane_outer(const pm_frame *frame, double outer[PM_LEDGER]);
 /* Rates of the running integrals that are the plane's; power of the couple. */
 void pm_turning_plane_rates(pm_workspace *w, double *zdot);
 double pm_turning_plane_power(pm_workspace *w);
 /* Natural size of such an integral; 0: it is not one of them. */
-double pm_turning_plane_scale(const pm_workspace *w, int z);
+double pm_turning_plane_scale(const pm_frame *frame, int z);
 
 #endif

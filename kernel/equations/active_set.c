@@ -40,7 +40,7 @@ static int basis_of_active(pm_workspace *w)
     pm_orthonormal_rest rest;
     int n = 0;
     for (int i = 0; i < w->active.n; i++) {
-        pm_constraint_kind(w->active.row[i].kind)->evaluate(w, &w->active.row[i]);
+        pm_constraint_kind(w->active.row[i].kind)->evaluate(&w->frame, &w->active.row[i]);
         n = pm_orthonormal_rows_add(w, n, w->active.row[i].j, w->active.row[i].body, &rest);
     }
     return n;
@@ -71,11 +71,11 @@ static int depends_nearby(pm_workspace *w, const pm_constraint *row, int *depend
     if (!status) {
         pm_constraint copy = *row;
         pm_orthonormal_rest rest;
-        pm_constraint_kind(copy.kind)->evaluate(w, &copy);
+        pm_constraint_kind(copy.kind)->evaluate(&w->frame, &copy);
         pm_orthonormal_rows_add(w, basis_of_active(w), copy.j, copy.body, &rest);
         *depends = rest.left < STILL_DEPENDENT;
     }
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     basis_of_active(w);
     return status == PM_SINGULAR ? PM_OK : status;
 }
@@ -92,7 +92,7 @@ static int append(pm_workspace *w, const pm_constraint *row, int *nbasis, int *i
     pm_orthonormal_rest rest;
     int depends = 0;
     *place = *row;
-    pm_constraint_kind(place->kind)->evaluate(w, place);
+    pm_constraint_kind(place->kind)->evaluate(&w->frame, place);
     const int n = pm_orthonormal_rows_add(w, *nbasis, place->j, place->body, &rest);
     if (n == *nbasis) {
         const int status = depends_nearby(w, row, &depends);
@@ -143,7 +143,7 @@ static int slides(int mode) { return mode == PM_SLIDE_FORWARD || mode == PM_SLID
 
 static double slide_factor(const pm_workspace *w, int contact, int mode)
 {
-    const double mu = pm_contact_kinetic(w, contact);
+    const double mu = pm_contact_kinetic(&w->frame, contact);
     return mode == PM_SLIDE_FORWARD ? -mu : mu; /* friction opposes the slip */
 }
 
@@ -154,7 +154,7 @@ static int append_normals(pm_workspace *w, int *nbasis)
         pm_constraint normal;
         if (slot[i].mode == PM_OPEN || slot[i].mode == PM_CAPTURED) continue;
         const int contact = pm_contact_of_slot(w->model, i);
-        pm_contact_constraint_normal(w, contact, i, slot[i].member, &normal);
+        pm_contact_constraint_normal(&w->frame, contact, i, slot[i].member, &normal);
         if (slides(slot[i].mode)) normal.slide = slide_factor(w, contact, slot[i].mode);
         w->active.asymmetric |= normal.slide != 0;
         const int status = append(w, &normal, nbasis, &w->active.slot_normal[i]);
@@ -172,9 +172,9 @@ static int append_tangents(pm_workspace *w, int *nbasis)
         if (slot[i].mode != PM_STICK) continue;
         const int contact = pm_contact_of_slot(w->model, i), active = w->active.slot_normal[i];
         if (active == PM_NONE)
-            pm_contact_constraint_both(w, contact, i, slot[i].member, &normal, &tangent);
+            pm_contact_constraint_both(&w->frame, contact, i, slot[i].member, &normal, &tangent);
         else
-            pm_contact_constraint_tangent(w, contact, &w->active.row[active], &tangent);
+            pm_contact_constraint_tangent(&w->frame, contact, &w->active.row[active], &tangent);
         const int status = append(w, &tangent, nbasis, &w->active.slot_tangent[i]);
         if (status) return status;
     }
@@ -187,7 +187,7 @@ static int append_grips(pm_workspace *w, int *nbasis)
     for (int i = 0; i < w->model->nfriction; i++) {
         pm_constraint row;
         if (w->state.friction[i] != PM_STICK) continue;
-        pm_joint_friction_row(w, i, &row);
+        pm_joint_friction_row(&w->frame, i, &row);
         const int status = append(w, &row, nbasis, &w->active.friction_row[i]);
         if (status) return status;
     }
@@ -203,7 +203,7 @@ static void append_carried(pm_workspace *w)
         const int mode = w->state.slot[i].mode;
         if (!slides(mode) || w->active.slot_normal[i] == PM_NONE) continue;
         pm_constraint normal, tangent;
-        pm_contact_constraint_both(w, pm_contact_of_slot(m, i), i, w->state.slot[i].member, &normal,
+        pm_contact_constraint_both(&w->frame, pm_contact_of_slot(m, i), i, w->state.slot[i].member, &normal,
                                    &tangent);
         tangent.normal = w->active.slot_normal[i];
         w->active.row[n++] = tangent;
@@ -230,7 +230,7 @@ int pm_active_set_build(pm_workspace *w)
     if (pm_solve_cache_is_built(w)) return PM_OK;
     int status = append_all(w, NULL);
     for (int i = 0; i < w->active.n && !status; i++)
-        pm_constraint_kind(w->active.row[i].kind)->evaluate(w, &w->active.row[i]);
+        pm_constraint_kind(w->active.row[i].kind)->evaluate(&w->frame, &w->active.row[i]);
     const int clear = !status && (w->active.n == 0 || pm_saddle_independence(w) > CLEARLY);
     if (!status && !clear) status = append_all(w, &nbasis);
     if (!status) append_carried(w);
@@ -250,7 +250,7 @@ void pm_active_set_carry(pm_workspace *w, int slot, double ratio)
 static void remember(const pm_workspace *w, pm_state *s, const pm_constraint *row, int anchor_too)
 {
     if (row->memory == PM_NONE || !pm_constraint_kind(row->kind)->remember) return;
-    pm_constraint_kind(row->kind)->remember(w, row, &s->memory[row->memory], anchor_too);
+    pm_constraint_kind(row->kind)->remember(&w->frame, row, &s->memory[row->memory], anchor_too);
 }
 
 void pm_active_set_anchor(pm_workspace *w, pm_state *s, int slot)
@@ -259,10 +259,10 @@ void pm_active_set_anchor(pm_workspace *w, pm_state *s, int slot)
     const int contact = pm_contact_of_slot(w->model, slot);
     if (pm_contact_is_cord(w->model, contact)) return; /* its length stays */
     if (s->slot[slot].mode == PM_CAPTURED) {
-        pm_capture_keep(w, s, slot);
+        pm_capture_keep(&w->frame, s, slot);
         return;
     }
-    pm_contact_constraint_both(w, contact, slot, s->slot[slot].member, &normal, &tangent);
+    pm_contact_constraint_both(&w->frame, contact, slot, s->slot[slot].member, &normal, &tangent);
     remember(w, s, &tangent, 1);
 }
 
@@ -280,7 +280,7 @@ static void anchor_cords(pm_workspace *w, pm_state *s)
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
         if (!pm_contact_is_cord(w->model, i)) continue;
         pm_constraint strand, unused;
-        pm_contact_constraint_both(w, i, w->model->contact_slot[i], 0, &strand, &unused);
+        pm_contact_constraint_both(&w->frame, i, w->model->contact_slot[i], 0, &strand, &unused);
         remember(w, s, &strand, 1);
         s->memory[strand.memory].anchor += w->numbers.value[PM_CONTACT_ROW_OF(w->model, i)[PM_CONTACT_SLACK]];
     }
@@ -299,7 +299,7 @@ static void follow_slack_cords(pm_workspace *w, pm_state *s)
         const int slot = w->model->contact_slot[i];
         if (!pm_contact_is_cord(w->model, i) || s->slot[slot].mode != PM_OPEN) continue;
         pm_constraint strand, unused;
-        pm_contact_constraint_both(w, i, slot, 0, &strand, &unused);
+        pm_contact_constraint_both(&w->frame, i, slot, 0, &strand, &unused);
         remember(w, s, &strand, 0);
     }
 }

@@ -39,7 +39,7 @@ static int drives_nothing(const pm_workspace *w)
     return 1;
 }
 
-static double potential(pm_workspace *w) { return pm_body_weight_energy(w) + pm_force_potential(w); }
+static double potential(pm_workspace *w) { return pm_body_weight_energy(&w->frame) + pm_force_potential(w); }
 
 /* Of weights and springs, each for itself: far from the origin they are great and cancel in what moves. */
 static double size_of_terms(pm_workspace *w)
@@ -57,13 +57,13 @@ void pm_energy_level_begin(pm_workspace *w, pm_energy_level_level *level)
     level->kept = !w->active.asymmetric && !w->numbers.massless && !pm_turning_plane_turns(w->model) &&
                   !pm_joint_friction_any(w->model) && only_potentials(w) && drives_nothing(w);
     if (!level->kept) return;
-    level->kinetic = pm_body_kinetic(w, PM_NONE);
+    level->kinetic = pm_body_kinetic(&w->frame, PM_NONE);
     level->energy = level->kinetic + potential(w);
 }
 
 double pm_energy_level_factor(pm_workspace *w, const pm_energy_level_level *level, double *gained)
 {
-    const double kinetic = pm_body_kinetic(w, PM_NONE);
+    const double kinetic = pm_body_kinetic(&w->frame, PM_NONE);
     *gained = 0;
     if (!level->kept || !(kinetic > SHARE * level->kinetic)) return 1;
     const double missing = level->energy - potential(w) - kinetic;
@@ -75,7 +75,7 @@ double pm_energy_level_factor(pm_workspace *w, const pm_energy_level_level *leve
 
 void pm_energy_level_note(pm_workspace *w, pm_energy_level_level *level, double gained)
 {
-    level->kinetic = fmax(level->kinetic, pm_body_kinetic(w, PM_NONE));
+    level->kinetic = fmax(level->kinetic, pm_body_kinetic(&w->frame, PM_NONE));
     level->returned += gained;
     w->ledger.evidence =
         fmax(w->ledger.evidence, fabs(level->returned) / fmax(w->ledger.energy_scale, level->kinetic));

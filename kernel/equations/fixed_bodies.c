@@ -138,7 +138,7 @@ static int list_rows(pm_workspace *w)
         const int of_joint = pm_joint_constraints(w, i, rows);
         for (int k = 0; k < of_joint; k++, n++) {
             w->active.row[n] = rows[k];
-            if (!x->counts) pm_constraint_kind(rows[k].kind)->evaluate(w, &w->active.row[n]);
+            if (!x->counts) pm_constraint_kind(rows[k].kind)->evaluate(&w->frame, &w->active.row[n]);
             for (int side = 0; side < 2; side++) {
                 const int body = rows[k].body[side];
                 if (body == m->nbody) continue;
@@ -322,12 +322,13 @@ static int let_told_move(pm_workspace *w)
     int any = 0;
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
         pm_constraint normal, tangent;
-        pm_contact_constraint_both(w, i, m->contact_slot[i], 0, &normal, &tangent);
+        pm_contact_constraint_both(&w->frame, i, m->contact_slot[i], 0, &normal, &tangent);
         any |= let_go(w, &normal);
     }
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
         pm_constraint row[PM_JOINT_CONSTRAINTS];
-        if (w->fixed->told[i] && pm_joint_constraints_of_any(w, i, row) > 0) any |= let_go(w, &row[0]);
+        if (w->fixed->told[i] && pm_joint_constraints_of_any(&w->frame, i, row) > 0)
+            any |= let_go(w, &row[0]);
     }
     return any;
 }
@@ -350,12 +351,12 @@ void pm_fixed_bodies_find(pm_workspace *w)
     const pm_model *m = w->model;
     if (!w->fixed->wanted || !w->fixed->possible || w->history || m->rows[PM_TABLE_SPIN] > 0) return;
     memset(w->fixed->left, 0, (size_t)m->nbody);
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     do {
         pm_fixed_bodies_begin(w);
         find(w);
     } while (w->fixed->n > 0 && let_told_move(w));
     pm_active_set_clear(w);
     if (w->fixed->n > 0) stop(w);
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
 }

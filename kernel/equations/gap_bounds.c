@@ -52,7 +52,7 @@ static pm_ring ring_of(const pm_workspace *w, int point)
     const double m[2] = {w->numbers.value[e[PM_POINT_X]], w->numbers.value[e[PM_POINT_Y]]};
     const pm_hinge_bounds *x = &w->hinge[pm_body_index(w->model, e[PM_POINT_BODY])];
     if (is_fixed(x)) {
-        const pm_point p = pm_frame_point_of(w, point);
+        const pm_point p = pm_frame_point_of(&w->frame, point);
         return (pm_ring){.at = {p.p[0], p.p[1]}, .known = 1};
     }
     const double r = hypot(m[0] - x->hinge[0], m[1] - x->hinge[1]);

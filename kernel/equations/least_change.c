@@ -75,14 +75,14 @@ int pm_least_change_block(pm_workspace *w, pm_least_change *s, int level)
             if (level == PM_START_POSITION && rows[k].memory != PM_NONE) continue;
             pm_constraint *row = &w->active.row[w->active.n];
             *row = rows[k];
-            pm_constraint_kind(row->kind)->evaluate(w, row);
+            pm_constraint_kind(row->kind)->evaluate(&w->frame, row);
             w->saddle.wanted[w->active.n++] = level == PM_START_POSITION ? -row->g : row->rate;
         }
     }
     if (w->active.n < MANY || !(pm_saddle_independence(w) > CLEARLY)) return 0;
     for (int pass = 0; pass < PASSES; pass++) {
         for (int i = 0; i < w->active.n; i++)
-            w->saddle.rhs[i] = w->saddle.wanted[i] - pm_saddle_times(w, &w->active.row[i], s->x);
+            w->saddle.rhs[i] = w->saddle.wanted[i] - pm_saddle_times(&w->frame, &w->active.row[i], s->x);
         pm_saddle_solve(w);
         pm_saddle_spread(w, 0, s->x);
     }
@@ -121,6 +121,6 @@ int pm_least_change_take_row(pm_workspace *w, pm_least_change *s, const pm_const
         spread_row(w, row, dense);
         return pm_least_change_take(w, s, dense, rhs, miss);
     }
-    *miss = rhs - pm_saddle_times(w, row, s->x);
+    *miss = rhs - pm_saddle_times(&w->frame, row, s->x);
     return meet(w, s, pm_orthonormal_rows_add(w, s->n, row->j, row->body, &rest), &rest, miss);
 }

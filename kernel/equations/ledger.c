@@ -46,7 +46,7 @@ static void add_row(const pm_workspace *w, const pm_constraint *row, double size
     if (pm_constraint_is_inner(w, row)) return;
     const int on_a = !w->numbers.fixed[row->body[0]], on_b = !w->numbers.fixed[row->body[1]];
     pm_line_of_action x;
-    pm_constraint_kind(row->kind)->act(w, row, &x);
+    pm_constraint_kind(row->kind)->act(&w->frame, row, &x);
     const double sign = size * (on_a - on_b);
     const double force[2] = {sign * x.direction[0], sign * x.direction[1]};
     add_outer(impulse, x.at, force, size * (on_a * x.couple[0] + on_b * x.couple[1]), 1);
@@ -77,7 +77,8 @@ static double friction_power(pm_workspace *w, const double *size)
     if (!w->active.asymmetric) return 0;
     for (int i = w->active.n; w->active.row[i].normal != PM_NONE; i++) {
         const pm_constraint *normal = &w->active.row[w->active.row[i].normal];
-        sum += normal->slide * size[w->active.row[i].normal] * pm_constraint_rate(w, &w->active.row[i]);
+        sum +=
+            normal->slide * size[w->active.row[i].normal] * pm_constraint_rate(&w->frame, &w->active.row[i]);
     }
     return sum;
 }
@@ -89,7 +90,7 @@ void pm_ledger_controlled_rates(pm_workspace *w, double *zdot)
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++)
         if (m->force_z[i] != PM_NONE) zdot[m->force_z[i]] = w->frame.power[i];
     for (int i = 0; i < m->npath; i++) {
-        const pm_point p = pm_frame_point_of(w, PM_MEASURE_ROW(m, m->path[i])[PM_MEASURE_A]);
+        const pm_point p = pm_frame_point_of(&w->frame, PM_MEASURE_ROW(m, m->path[i])[PM_MEASURE_A]);
         zdot[m->nz_work + i] = hypot(p.v[0], p.v[1]);
     }
     pm_turning_plane_rates(w, zdot);
@@ -97,7 +98,7 @@ void pm_ledger_controlled_rates(pm_workspace *w, double *zdot)
 
 double pm_ledger_controlled_scale(const pm_workspace *w, int z)
 {
-    const double spin = pm_turning_plane_scale(w, z);
+    const double spin = pm_turning_plane_scale(&w->frame, z);
     double mass = 0;
     if (spin > 0) return spin;
     if (z >= w->model->nz_work) return w->numbers.size;
@@ -112,7 +113,7 @@ void pm_ledger_rates(pm_workspace *w, double *zdot)
     zdot[friction_z(m)] =
         friction_power(w, w->frame.lambda) + drive_power(w, w->frame.lambda) + pm_turning_plane_power(w);
     double *outer = zdot + pm_ledger_ledger(m);
-    pm_turning_plane_outer(w, outer);
+    pm_turning_plane_outer(&w->frame, outer);
     for (int i = 0; i < m->nbody; i++) {
         if (w->numbers.fixed[i]) continue;
         const double force[2] = {w->numbers.mass[i] * w->numbers.gravity[0],
@@ -129,19 +130,19 @@ void pm_ledger_rates(pm_workspace *w, double *zdot)
 
 static double energy(pm_workspace *w)
 {
-    return pm_body_kinetic(w, PM_NONE) + pm_turning_plane_kinetic(w, PM_NONE) + pm_body_weight_energy(w) +
-           pm_force_potential(w);
+    return pm_body_kinetic(&w->frame, PM_NONE) + pm_turning_plane_kinetic(&w->frame, PM_NONE) +
+           pm_body_weight_energy(&w->frame) + pm_force_potential(w);
 }
 
 void pm_ledger_begin(pm_workspace *w)
 {
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     w->ledger.energy_start = energy(w);
     w->ledger.energy_lost = 0;
-    w->ledger.energy_scale = pm_body_kinetic(w, PM_NONE);
+    w->ledger.energy_scale = pm_body_kinetic(&w->frame, PM_NONE);
     w->ledger.momentum_scale = 0;
     w->ledger.constraint_worst = w->ledger.evidence = 0;
-    pm_body_momentum(w, PM_NONE, w->ledger.momentum_start);
+    pm_body_momentum(&w->frame, PM_NONE, w->ledger.momentum_start);
 }
 
 static double work_of_forces(const pm_workspace *w)
@@ -162,8 +163,8 @@ static double momentum_size(const pm_workspace *w, const double p[PM_LEDGER])
 static void update_scales(pm_workspace *w)
 {
     double p[PM_LEDGER];
-    const double kinetic = pm_body_kinetic(w, PM_NONE);
-    pm_body_momentum(w, PM_NONE, p);
+    const double kinetic = pm_body_kinetic(&w->frame, PM_NONE);
+    pm_body_momentum(&w->frame, PM_NONE, p);
     w->ledger.energy_scale = fmax(w->ledger.energy_scale, fmax(kinetic, fabs(work_of_forces(w))));
     w->ledger.momentum_scale =
         fmax(w->ledger.momentum_scale,
@@ -186,12 +187,12 @@ void pm_ledger_jump(pm_workspace *w, const double *before)
     for (int side = 0; side < 2; side++) { /* mean of the rates before and after */
         if (side == 1) memcpy(velocity, before, (size_t)m->nq * sizeof *velocity);
         for (int i = 0; i < w->active.n; i++)
-            loss -= 0.5 * lambda[i] * pm_constraint_rate(w, &w->active.row[i]);
+            loss -= 0.5 * lambda[i] * pm_constraint_rate(&w->frame, &w->active.row[i]);
         loss -= 0.5 * friction_power(w, lambda);
     }
-    const double kinetic_before = pm_body_kinetic(w, PM_NONE);
+    const double kinetic_before = pm_body_kinetic(&w->frame, PM_NONE);
     memcpy(velocity, w->state.v, (size_t)m->nq * sizeof *velocity);
-    w->impulses.energy_lost += kinetic_before - pm_body_kinetic(w, PM_NONE);
+    w->impulses.energy_lost += kinetic_before - pm_body_kinetic(&w->frame, PM_NONE);
     w->ledger.energy_lost += loss;
     update_scales(w);
 }
@@ -205,7 +206,7 @@ void pm_ledger_impulse(pm_workspace *w, const double at[2], const double force[2
 static double add_series_row(pm_workspace *w, const pm_constraint *row, double impulse)
 {
     add_row(w, row, impulse, w->state.z + pm_ledger_ledger(w->model));
-    return -impulse * pm_constraint_rate(w, row);
+    return -impulse * pm_constraint_rate(&w->frame, row);
 }
 
 void pm_ledger_series(pm_workspace *w, double factor)
@@ -222,7 +223,7 @@ void pm_ledger_series(pm_workspace *w, double factor)
         pm_constraint normal, tangent;
         double *impulse = w->impulses.slot + 2 * i;
         if (impulse[0] == 0 && impulse[1] == 0) continue;
-        pm_contact_constraint_both(w, pm_contact_of_slot(m, i), i, w->state.slot[i].member, &normal,
+        pm_contact_constraint_both(&w->frame, pm_contact_of_slot(m, i), i, w->state.slot[i].member, &normal,
                                    &tangent);
         loss += add_series_row(w, &normal, impulse[0] *= factor);
         loss += add_series_row(w, &tangent, impulse[1] *= factor);
@@ -238,7 +239,7 @@ static double energy_rounding(const pm_workspace *w, double mass)
                                 w->numbers.speed * w->numbers.speed / w->numbers.size;
     const double rounding =
         POSITION_ROUNDING * pm_contact_reach(w) * (double)(1 + w->result.count[PM_COUNT_EVENTS]);
-    const double spin = SPIN_ROUNDING * pm_turning_plane_kinetic(w, PM_NONE);
+    const double spin = SPIN_ROUNDING * pm_turning_plane_kinetic(&w->frame, PM_NONE);
     return w->ledger.energy_scale > 0 ? (mass * acceleration * rounding + spin) / w->ledger.energy_scale : 0;
 }
 
@@ -247,8 +248,8 @@ static void weigh(pm_workspace *w, double *audit, double *bound)
 {
     const pm_model *m = w->model;
     double p[PM_LEDGER], open[PM_LEDGER];
-    pm_frame_look_state(w, &w->state);
-    pm_body_momentum(w, PM_NONE, p);
+    pm_frame_look_state(&w->frame, &w->state);
+    pm_body_momentum(&w->frame, PM_NONE, p);
     for (int i = 0; i < PM_LEDGER; i++)
         open[i] = p[i] - w->ledger.momentum_start[i] - w->state.z[pm_ledger_ledger(m) + i];
     const double energy_open = energy(w) - w->ledger.energy_start - work_of_forces(w) + w->ledger.energy_lost;

@@ -35,7 +35,7 @@ int pm_projection_velocity(pm_workspace *w, pm_state *s)
 {
     double worst = 0;
     for (int i = 0; i < w->active.n; i++) {
-        w->saddle.rhs[i] = w->active.row[i].rate - pm_saddle_times(w, &w->active.row[i], s->v);
+        w->saddle.rhs[i] = w->active.row[i].rate - pm_saddle_times(&w->frame, &w->active.row[i], s->v);
         worst = fmax(worst, fabs(w->saddle.rhs[i]));
     }
     w->active.evaluated = worst <= ROUNDING * w->numbers.speed;
@@ -43,7 +43,7 @@ int pm_projection_velocity(pm_workspace *w, pm_state *s)
     const int status = factor_symmetric(w);
     if (status) return status;
     pm_saddle_spread(w, 0, s->v);
-    pm_frame_look_state(w, s);
+    pm_frame_look_state(&w->frame, s);
     return PM_OK;
 }
 
@@ -62,14 +62,14 @@ static int project(pm_workspace *w, pm_state *s, int evaluated)
         const int status = factor_symmetric(w);
         if (status) return status;
         pm_saddle_spread(w, 0, s->q);
-        pm_frame_look_state(w, s);
+        pm_frame_look_state(&w->frame, s);
     }
     return pm_projection_velocity(w, s);
 }
 
 int pm_projection_apply(pm_workspace *w, pm_state *s)
 {
-    pm_frame_look_state(w, s);
+    pm_frame_look_state(&w->frame, s);
     return project(w, s, 0);
 }
 
@@ -79,7 +79,8 @@ double pm_projection_residual(pm_workspace *w)
 {
     double worst = worst_opening(w) / w->numbers.size;
     for (int i = 0; i < w->active.n; i++)
-        worst = fmax(worst, fabs(pm_saddle_times(w, &w->active.row[i], w->frame.v) - w->active.row[i].rate) /
-                                w->numbers.speed);
+        worst = fmax(worst,
+                     fabs(pm_saddle_times(&w->frame, &w->active.row[i], w->frame.v) - w->active.row[i].rate) /
+                         w->numbers.speed);
     return worst;
 }

@@ -27,14 +27,14 @@ void pm_saddle_rows(pm_workspace *w)
     const int n = w->active.n;
     for (int i = 0; i < n; i++) {
         pm_constraint *row = &w->active.row[i];
-        pm_constraint_kind(row->kind)->evaluate(w, row);
+        pm_constraint_kind(row->kind)->evaluate(&w->frame, row);
     }
     if (!w->active.asymmetric) return;
     for (int i = 0; i < n; i++) memcpy(w->active.row[i].h, w->active.row[i].j, sizeof w->active.row[i].h);
     for (int i = n; w->active.row[i].normal != PM_NONE;
          i++) { /* carried tangents, closed by an entry without normal */
         pm_constraint *tangent = &w->active.row[i], *normal = &w->active.row[tangent->normal];
-        pm_constraint_kind(tangent->kind)->evaluate(w, tangent);
+        pm_constraint_kind(tangent->kind)->evaluate(&w->frame, tangent);
         for (int k = 0; k < 6; k++) normal->h[k] = normal->j[k] + normal->slide * tangent->j[k];
     }
 }
@@ -146,7 +146,7 @@ double pm_saddle_independence(pm_workspace *w)
 
 double pm_saddle_independence_there(pm_workspace *w, const pm_state *s)
 {
-    pm_frame_look_state(w, s);
+    pm_frame_look_state(&w->frame, s);
     pm_saddle_rows(w);
     return pm_saddle_independence(w);
 }
@@ -186,9 +186,9 @@ void pm_saddle_spread(const pm_workspace *w, int use_h, double *x)
     }
 }
 
-double pm_saddle_times(const pm_workspace *w, const pm_constraint *row, const double *x)
+double pm_saddle_times(const pm_frame *frame, const pm_constraint *row, const double *x)
 {
-    const int ground = w->model->nbody;
+    const int ground = frame->model->nbody;
     double sum = 0;
     for (int p = 0; p < 2; p++) {
         if (row->body[p] == ground) continue;
@@ -212,7 +212,7 @@ static void respond_once(pm_workspace *w, const double *force, const double *bef
     for (int i = 0; i < w->model->nq; i++)
         x[i] = w->numbers.inverse_mass[i] * ((force ? force[i] : 0) + w->numbers.stand_in[i] * before[i]);
     for (int i = 0; i < w->active.n; i++)
-        w->saddle.rhs[i] = w->saddle.wanted[i] - pm_saddle_times(w, &w->active.row[i], x);
+        w->saddle.rhs[i] = w->saddle.wanted[i] - pm_saddle_times(&w->frame, &w->active.row[i], x);
     pm_saddle_solve(w);
     pm_saddle_spread(w, 1, x);
 }

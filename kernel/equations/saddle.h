@@ -24,6 +24,6 @@ int pm_saddle_accelerate(pm_workspace *w);
 /* The same right after pm_projection_apply, which may have evaluated the rows. */
 int pm_saddle_accelerate_projected(pm_workspace *w);
 /* Product of row i with a vector on q. */
-double pm_saddle_times(const pm_workspace *w, const pm_constraint *row, const double *x);
+double pm_saddle_times(const pm_frame *frame, const pm_constraint *row, const double *x);
 
 #endif

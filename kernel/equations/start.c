@@ -31,8 +31,8 @@ static int check_overlap(pm_workspace *w)
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
         int member;
         const double gap = pm_contact_gap(w, &w->state, i, &member);
-        if (gap >= -pm_contact_length(w) || !pm_contact_touches(w, &w->state, i, &member)) continue;
-        pm_fail(w, PM_PENETRATION, PM_TABLE_CONTACT, i, gap, -pm_contact_length(w));
+        if (gap >= -pm_contact_length(&w->frame) || !pm_contact_touches(w, &w->state, i, &member)) continue;
+        pm_fail(w, PM_PENETRATION, PM_TABLE_CONTACT, i, gap, -pm_contact_length(&w->frame));
         w->result.where.member = member;
         return PM_PENETRATION;
     }
@@ -49,7 +49,7 @@ int pm_start(pm_workspace *w, pm_start_report *report)
     if (status) return status;
     pm_active_set_anchor_start(w, &w->state);
     if ((status = pm_start_velocities(w)) || (status = check_overlap(w))) return status;
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     pm_case_speed(w, w->state.v);
     if ((status = pm_turning_plane_start(w))) return status;
     pm_state_copy(&w->start, &w->state);

@@ -26,7 +26,7 @@ static double worst_opening(pm_workspace *w, int *table, int *row)
         const int n = pm_joint_constraints(w, i, rows);
         for (int k = 0; k < n; k++) {
             if (rows[k].memory != PM_NONE) continue; /* no slip: anchored where the assembly ends */
-            pm_constraint_kind(rows[k].kind)->evaluate(w, &rows[k]);
+            pm_constraint_kind(rows[k].kind)->evaluate(&w->frame, &rows[k]);
             const double size = fabs(rows[k].g) * (rows[k].kind == PM_CONSTRAINT_ANGLE ? w->numbers.size : 1);
             if (!(size <= worst)) {
                 worst = size;
@@ -80,7 +80,7 @@ static void position_step(pm_workspace *w, double *x, double *dense)
         const int n = pm_joint_constraints(w, i, rows);
         for (int k = 0; k < n; k++) {
             if (rows[k].memory != PM_NONE) continue;
-            pm_constraint_kind(rows[k].kind)->evaluate(w, &rows[k]);
+            pm_constraint_kind(rows[k].kind)->evaluate(&w->frame, &rows[k]);
             pm_least_change_take_row(w, &s, &rows[k], -rows[k].g, dense, &miss);
         }
     }
@@ -101,7 +101,7 @@ int pm_start_assemble(pm_workspace *w, pm_start_report *report)
     const double allowed = w->numbers.value[PM_SETTING(m, PM_SETTING_ASSEMBLY)] * w->numbers.size;
     double *x = w->scratch, *dense = x + m->nq, best = INFINITY;
     int table = PM_NONE, row = PM_NONE;
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     for (int sweep = 0; sweep < SWEEPS; sweep++) {
         report->opening = worst_opening(w, &table, &row);
         const int gains = report->opening < 0.5 * best;
@@ -110,7 +110,7 @@ int pm_start_assemble(pm_workspace *w, pm_start_report *report)
         position_step(w, x, dense);
         limit_step(w, x);
         for (int i = 0; i < m->nq; i++) w->state.q[i] += x[i];
-        pm_frame_look_state(w, &w->state);
+        pm_frame_look_state(&w->frame, &w->state);
     }
     for (int i = 0; i < m->nbody; i++)
         for (int k = 0; k < 3; k++) {
@@ -125,7 +125,7 @@ int pm_start_assemble(pm_workspace *w, pm_start_report *report)
 
 static double apart(const pm_workspace *w, const pm_constraint *row)
 {
-    const pm_marks x = pm_constraint_marks(w, row);
+    const pm_marks x = pm_constraint_marks(&w->frame, row);
     return pm_length(x.d);
 }
 
@@ -158,7 +158,7 @@ int pm_start_check_couplings(pm_workspace *w)
     }
     for (int i = 0; !status && i < m->rows[PM_TABLE_CONTACT]; i++) {
         if (!pm_contact_is_cord(m, i)) continue;
-        pm_contact_constraint_normal(w, i, m->contact_slot[i], 0, &row[0]);
+        pm_contact_constraint_normal(&w->frame, i, m->contact_slot[i], 0, &row[0]);
         status = check_strand(w, PM_TABLE_CONTACT, i, &row[0]);
     }
     return status;

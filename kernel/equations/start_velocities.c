@@ -76,7 +76,7 @@ static void hold_joints(pm_workspace *w, pm_least_change *s, double *dense, cons
         pm_constraint rows[PM_JOINT_CONSTRAINTS];
         const int n = pm_joint_constraints(w, i, rows);
         for (int k = 0; k < n; k++) {
-            pm_constraint_kind(rows[k].kind)->evaluate(w, &rows[k]);
+            pm_constraint_kind(rows[k].kind)->evaluate(&w->frame, &rows[k]);
             fasten(w, islands, &rows[k]);
             if (solved) continue;
             pm_least_change_take_row(w, s, &rows[k], rows[k].rate, dense, &miss);
@@ -95,9 +95,9 @@ static void hold_contacts(pm_workspace *w, pm_least_change *s, double *dense, co
         const int cord = pm_contact_is_cord(w->model, i);
         if (!cord && pm_contact_friction(w->model, i) != PM_FRICTION_ROUGH) continue;
         if (!pm_contact_touches(w, &w->state, i, &member)) continue;
-        pm_contact_constraint_both(w, i, w->model->contact_slot[i], member, &row[0], &row[1]);
+        pm_contact_constraint_both(&w->frame, i, w->model->contact_slot[i], member, &row[0], &row[1]);
         for (int k = 0; k < (cord ? 1 : 2); k++) {
-            pm_constraint_kind(row[k].kind)->evaluate(w, &row[k]);
+            pm_constraint_kind(row[k].kind)->evaluate(&w->frame, &row[k]);
             pm_least_change_take_row(w, s, &row[k], row[k].rate, dense, &miss);
             fasten(w, islands, &row[k]);
         }
@@ -170,16 +170,16 @@ static int solve_velocities(pm_workspace *w, int with_contacts)
 /* A rough contact that touches, neither approaches nor parts, and yet slips: that cannot be. */
 static int rough_contact_slips(pm_workspace *w)
 {
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     pm_case_speed(w, w->state.v);
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
         int member;
         double rate;
         if (pm_contact_friction(w->model, i) != PM_FRICTION_ROUGH) continue;
         if (!pm_contact_touches(w, &w->state, i, &member)) continue;
-        pm_contact_member_gap(w, i, member, &rate);
+        pm_contact_member_gap(&w->frame, i, member, &rate);
         if (fabs(rate) > AGREES * w->numbers.speed) continue;
-        if (fabs(pm_contact_member_slip(w, i, member)) > AGREES * w->numbers.speed) return 1;
+        if (fabs(pm_contact_member_slip(&w->frame, i, member)) > AGREES * w->numbers.speed) return 1;
     }
     return 0;
 }

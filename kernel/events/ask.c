@@ -164,7 +164,7 @@ int pm_ask_look(pm_workspace *w, double t, int exact)
     if (!exact || w->phase.route->look) return pm_step_look(w, t, w->ask->level);
     const int status = w->phase.route->exact(w, t, &w->probe);
     if (status) return status;
-    pm_frame_look(w, w->probe.t, w->probe.q, w->probe.v, w->probe.z, w->state.memory);
+    pm_frame_look(&w->frame, w->probe.t, w->probe.q, w->probe.v, w->probe.z, w->state.memory);
     return w->ask->level == PM_LEVEL_DYNAMIC ? pm_saddle_accelerate(w) : PM_OK;
 }
 

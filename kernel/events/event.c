@@ -125,8 +125,8 @@ static void add_gap(pm_workspace *w, int contact)
 {
     pm_event_set *e = w->event;
     pm_event_function *f = &e->function[e->nfunction];
-    add(w, FUNCTION_GAP, contact, -1, PM_LEVEL_KINEMATIC, pm_contact_length(w), w->numbers.size);
-    f->below = pm_edge_is(w->model, contact) && pm_edge_is_below(w, contact);
+    add(w, FUNCTION_GAP, contact, -1, PM_LEVEL_KINEMATIC, pm_contact_length(&w->frame), w->numbers.size);
+    f->below = pm_edge_is(w->model, contact) && pm_edge_is_below(&w->frame, contact);
     if (pm_contact_is_row(w->model, contact)) f->row = e->nrow++;
 }
 
@@ -148,9 +148,9 @@ static void add_contacts(pm_workspace *w)
         if (mode == PM_STICK && pm_contact_friction(m, pm_contact_of_slot(m, i)) == PM_FRICTION_COULOMB)
             add(w, FUNCTION_GRIP, i, -1, PM_LEVEL_DYNAMIC, force, size);
         if (pm_edge_is(m, pm_contact_of_slot(m, i)))
-            add(w, FUNCTION_END, i, -1, PM_LEVEL_KINEMATIC, pm_contact_length(w), w->numbers.size);
+            add(w, FUNCTION_END, i, -1, PM_LEVEL_KINEMATIC, pm_contact_length(&w->frame), w->numbers.size);
         if (mode == PM_SLIDE_FORWARD || mode == PM_SLIDE_BACKWARD)
-            add(w, FUNCTION_SLIP, i, -1, PM_LEVEL_KINEMATIC, pm_contact_speed(w), w->numbers.speed);
+            add(w, FUNCTION_SLIP, i, -1, PM_LEVEL_KINEMATIC, pm_contact_speed(&w->frame), w->numbers.speed);
     }
 }
 
@@ -161,7 +161,8 @@ static void add_grips(pm_workspace *w)
         if (w->state.friction[i] == PM_STICK)
             add(w, FUNCTION_HOLD, i, -1, PM_LEVEL_DYNAMIC, force, size);
         else if (w->state.friction[i] != PM_OPEN)
-            add(w, FUNCTION_RUB, i, -1, PM_LEVEL_KINEMATIC, pm_joint_friction_still(w, i), w->numbers.speed);
+            add(w, FUNCTION_RUB, i, -1, PM_LEVEL_KINEMATIC, pm_joint_friction_still(&w->frame, i),
+                w->numbers.speed);
     }
 }
 
@@ -173,7 +174,7 @@ double pm_event_sample(pm_workspace *w, const pm_event_function *f)
     case FUNCTION_GAP: {
         const double gap = pm_contact_gap(w, &w->state, f->index, &member);
         if (isinf(gap)) return w->numbers.size; /* nothing left to close */
-        return f->below ? pm_edge_gap_from_below(w, f->index) : gap;
+        return f->below ? pm_edge_gap_from_below(&w->frame, f->index) : gap;
     }
     case FUNCTION_NORMAL:
         return w->active.slot_normal[f->index] == PM_NONE ? w->numbers.size
@@ -181,25 +182,26 @@ double pm_event_sample(pm_workspace *w, const pm_event_function *f)
     case FUNCTION_GRIP: {
         if (w->active.slot_tangent[f->index] == PM_NONE || w->active.slot_normal[f->index] == PM_NONE)
             return 1;
-        const double mu = pm_contact_static(w, pm_contact_of_slot(w->model, f->index));
+        const double mu = pm_contact_static(&w->frame, pm_contact_of_slot(w->model, f->index));
         return mu * w->frame.lambda[w->active.slot_normal[f->index]] -
                fabs(w->frame.lambda[w->active.slot_tangent[f->index]]);
     }
     case FUNCTION_SLIP: {
         const double slip =
-            pm_contact_member_slip(w, pm_contact_of_slot(w->model, f->index), slot[f->index].member);
+            pm_contact_member_slip(&w->frame, pm_contact_of_slot(w->model, f->index), slot[f->index].member);
         return slot[f->index].mode == PM_SLIDE_FORWARD ? slip : -slip;
     }
     case FUNCTION_MEETING: /* a pair that is not open meets no more */
-        return isinf(pm_contact_gap(w, &w->state, f->index, &member)) ? w->numbers.size * w->numbers.speed
-                                                                      : pm_capture_approach(w, f->index);
+        return isinf(pm_contact_gap(w, &w->state, f->index, &member))
+                   ? w->numbers.size * w->numbers.speed
+                   : pm_capture_approach(&w->frame, f->index);
     case FUNCTION_END: return pm_edge_room(w, pm_contact_of_slot(w->model, f->index), slot[f->index].member);
     case FUNCTION_HOLD:
         if (w->active.friction_row[f->index] == PM_NONE) return 1; /* something else holds it, too */
         return pm_joint_friction_limit(w, f->index) - fabs(w->frame.lambda[w->active.friction_row[f->index]]);
     case FUNCTION_RUB:
-        return w->state.friction[f->index] == PM_SLIDE_FORWARD ? pm_joint_friction_slip(w, f->index)
-                                                               : -pm_joint_friction_slip(w, f->index);
+        return w->state.friction[f->index] == PM_SLIDE_FORWARD ? pm_joint_friction_slip(&w->frame, f->index)
+                                                               : -pm_joint_friction_slip(&w->frame, f->index);
     default: return pm_trigger_program(w, f->index);
     }
 }
@@ -244,8 +246,8 @@ static int leaves(pm_workspace *w, int contact)
     int member;
     double rate;
     pm_contact_gap(w, &w->state, contact, &member);
-    pm_contact_member_gap(w, contact, member, &rate);
-    return rate > pm_contact_speed(w);
+    pm_contact_member_gap(&w->frame, contact, member, &rate);
+    return rate > pm_contact_speed(&w->frame);
 }
 
 void pm_event_begin(pm_workspace *w)

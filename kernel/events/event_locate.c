@@ -64,7 +64,7 @@ static int exactly(pm_workspace *w, double x, void *context, double *value)
     const pm_state *s = &w->probe;
     int status = w->phase.route->exact(w, x, &w->probe);
     if (status) return status;
-    pm_frame_look(w, s->t, s->q, s->v, s->z, w->state.memory);
+    pm_frame_look(&w->frame, s->t, s->q, s->v, s->z, w->state.memory);
     if (f->level == PM_LEVEL_DYNAMIC) status = pm_saddle_accelerate(w);
     *value = pm_event_value(w, f);
     return status;

@@ -43,8 +43,8 @@ static double sample_row(pm_workspace *w, const pm_event_function *f, int node)
 {
     pm_beside *x = w->event->beside + f->row * PM_NODES_MOST + node;
     int member;
-    *x = pm_contact_beside(w, f->index);
-    const double gap = pm_contact_nearest_beside(w, &w->state, f->index, x, &member);
+    *x = pm_contact_beside(&w->frame, f->index);
+    const double gap = pm_contact_nearest_beside(&w->frame, &w->state, f->index, x, &member);
     return isinf(gap) ? w->numbers.size : gap;
 }
 
@@ -195,7 +195,7 @@ static int member_at(pm_workspace *w, const pm_event_function *f, double x, int 
     const pm_event_set *e = w->event;
     for (int k = 0; k < w->step.nodes->n; k++)
         if (e->place[k] == x)
-            return !isinf(pm_contact_nearest_beside(w, &w->state, f->index,
+            return !isinf(pm_contact_nearest_beside(&w->frame, &w->state, f->index,
                                                     e->beside + f->row * PM_NODES_MOST + k, member));
     return !pm_step_look(w, x, PM_LEVEL_KINEMATIC) && !isinf(pm_contact_gap(w, &w->state, f->index, member));
 }

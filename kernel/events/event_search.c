@@ -21,7 +21,7 @@ static int goes_by(pm_workspace *w, int i, double place)
     pm_event_function *f = &w->event->function[i];
     if (f->kind != FUNCTION_MEETING) return 0;
     pm_event_samples_along(w, place, f);
-    return pm_capture_distance(w, f->index) > PASSES * w->numbers.size;
+    return pm_capture_distance(&w->frame, f->index) > PASSES * w->numbers.size;
 }
 
 /* The first place of the step, after `from`, where something happens to function i; *x brackets it; or INFINITY.  What

@@ -12,7 +12,7 @@ static int record(pm_workspace *w, const pm_state *state, int mark)
     pm_history *x = w->history;
     if (x->needed < x->cap) {
         double *row = x->history + x->needed * (1 + x->nprogram);
-        pm_frame_look_state(w, state);
+        pm_frame_look_state(&w->frame, state);
         const int status = pm_saddle_accelerate(w);
         if (status) return status;
         row[0] = state->t;

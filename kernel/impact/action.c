@@ -76,7 +76,7 @@ static void collect(pm_workspace *w, const int32_t *e)
         add_impulse(w, e[PM_ACTION_A], nothing, nothing, x);
         return;
     }
-    const pm_point at = pm_frame_point_of(w, e[PM_ACTION_A]);
+    const pm_point at = pm_frame_point_of(&w->frame, e[PM_ACTION_A]);
     const double force[2] = {x, number(w, e[PM_ACTION_PROGRAM_Y])};
     add_impulse(w, at.body, at.p, force, 0);
 }
@@ -101,7 +101,7 @@ static int struck_without_mass(const pm_workspace *w)
  * velocities before and after leave over. */
 static int strike(pm_workspace *w)
 {
-    const double kinetic = pm_body_kinetic(w, PM_NONE), before = work_now(w);
+    const double kinetic = pm_body_kinetic(&w->frame, PM_NONE), before = work_now(w);
     const int light = struck_without_mass(w);
     if (light != PM_NONE) return pm_fail(w, PM_UNSUPPORTED, PM_TABLE_BODY, light, NAN, NAN);
     for (int i = 0; i < w->model->nq; i++)
@@ -109,7 +109,7 @@ static int strike(pm_workspace *w)
     w->ledger.energy_lost -= 0.5 * (before + work_now(w));
     w->impulses.energy_lost = 0;
     const int status = pm_impact_hold(w);
-    w->impulses.energy_lost = kinetic + 0.5 * (before + work_now(w)) - pm_body_kinetic(w, PM_NONE);
+    w->impulses.energy_lost = kinetic + 0.5 * (before + work_now(w)) - pm_body_kinetic(&w->frame, PM_NONE);
     return status;
 }
 
@@ -144,7 +144,7 @@ static int do_work(pm_workspace *w, int i)
     const int64_t jumps = w->result.count[PM_COUNT_JUMPS];
     double couple = work / spin, done = 0;
     if (work == 0) return PM_OK;
-    if (fabs(spin) * w->numbers.size <= pm_contact_speed(w))
+    if (fabs(spin) * w->numbers.size <= pm_contact_speed(&w->frame))
         return pm_fail(w, PM_NO_IMPULSE, PM_TABLE_ACTION, i, work, 0);
     pm_state_copy(&w->ahead, &w->state);
     for (int k = 0; k < FITS; k++) {
@@ -158,7 +158,7 @@ static int do_work(pm_workspace *w, int i)
         if (!isfinite(couple))
             return pm_fail(w, PM_NO_IMPULSE, PM_TABLE_ACTION, i, work, -0.5 * spin * spin / c);
         pm_state_copy(&w->state, &w->ahead);
-        pm_frame_look_state(w, &w->state);
+        pm_frame_look_state(&w->frame, &w->state);
         w->ledger.energy_lost = lost;
         w->result.count[PM_COUNT_JUMPS] = jumps;
     }
@@ -187,7 +187,7 @@ static int fits(pm_workspace *w, int i, int joint)
     const int n = pm_joint_constraints(w, joint, row);
     const double allowed = OPENING * w->numbers.size;
     for (int k = 0; k < n; k++) {
-        pm_constraint_kind(row[k].kind)->evaluate(w, &row[k]);
+        pm_constraint_kind(row[k].kind)->evaluate(&w->frame, &row[k]);
         const double open = fabs(row[k].g) * (row[k].kind == PM_CONSTRAINT_ANGLE ? w->numbers.size : 1);
         if (!(open <= allowed)) return pm_fail(w, PM_ASSEMBLY, PM_TABLE_ACTION, i, open, allowed);
     }
@@ -231,8 +231,8 @@ static int clash(pm_workspace *w, int *clashes)
         const pm_constraint *row = &w->active.row[i];
         const double length =
             row->kind == PM_CONSTRAINT_ANGLE || row->kind == PM_CONSTRAINT_RATIO ? w->numbers.size : 1;
-        const double rate = pm_saddle_times(w, row, w->state.v) - row->rate;
-        *clashes |= fabs(rate) * length > pm_contact_speed(w);
+        const double rate = pm_saddle_times(&w->frame, row, w->state.v) - row->rate;
+        *clashes |= fabs(rate) * length > pm_contact_speed(&w->frame);
     }
     return status;
 }
@@ -271,7 +271,7 @@ static int end_of_group(const pm_model *m, int first)
 static int carry_out_group(pm_workspace *w, int first, int last)
 {
     int status = PM_OK;
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     switch ((enum pm_action_kind)PM_ACTION_ROW(w->model, first)[PM_ACTION_KIND]) {
     case PM_ACTION_ADD: return add_rows(w, first, last);
     case PM_ACTION_REMOVE:

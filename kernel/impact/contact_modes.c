@@ -33,8 +33,8 @@ int pm_contact_modes_of_slip(pm_workspace *w, int contact, int member)
     case PM_FRICTION_SMOOTH: return PM_SMOOTH;
     case PM_FRICTION_ROUGH: return PM_STICK;
     default: {
-        const double slip = pm_contact_member_slip(w, contact, member);
-        if (fabs(slip) <= pm_contact_speed(w)) return PM_STICK;
+        const double slip = pm_contact_member_slip(&w->frame, contact, member);
+        if (fabs(slip) <= pm_contact_speed(&w->frame)) return PM_STICK;
         return slip > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
     }
     }
@@ -42,7 +42,7 @@ int pm_contact_modes_of_slip(pm_workspace *w, int contact, int member)
 
 int pm_contact_modes_close(pm_workspace *w, int contact, int member, int *slot)
 {
-    *slot = pm_contact_free_slot(w, &w->state, contact);
+    *slot = pm_contact_free_slot(&w->frame, &w->state, contact);
     if (*slot == PM_NONE)
         return pm_fail(w, PM_CONTACT_SLOTS, PM_TABLE_CONTACT, contact, PM_ROW_SLOTS, PM_ROW_SLOTS);
     w->state.slot[*slot] = (pm_slot){pm_contact_modes_of_slip(w, contact, member), member};
@@ -162,7 +162,7 @@ static int slide(pm_workspace *w, double size)
         if (pm_contact_friction(w->model, contact) != PM_FRICTION_COULOMB) continue;
         const double friction = w->frame.lambda[w->active.slot_tangent[i]],
                      normal = w->frame.lambda[w->active.slot_normal[i]];
-        const double room = pm_contact_static(w, contact) * normal - fabs(friction);
+        const double room = pm_contact_static(&w->frame, contact) * normal - fabs(friction);
         pm_evidence_sign(w, PM_SITE_SLIDES, i, room, size);
         if (room >= -SLACK * size) continue;
         w->state.slot[i].mode = slide_against(friction);
@@ -178,9 +178,9 @@ static int close_again(pm_workspace *w)
         if (w->state.slot[i].mode != PM_OPEN || w->instant.slot_released[i] != LET_GO) continue;
         pm_constraint normal, tangent;
         const int contact = pm_contact_of_slot(w->model, i), member = w->state.slot[i].member;
-        pm_contact_constraint_both(w, contact, i, member, &normal, &tangent);
-        pm_constraint_kind(normal.kind)->evaluate(w, &normal);
-        const double acceleration = pm_saddle_times(w, &normal, w->frame.a) - normal.gamma;
+        pm_contact_constraint_both(&w->frame, contact, i, member, &normal, &tangent);
+        pm_constraint_kind(normal.kind)->evaluate(&w->frame, &normal);
+        const double acceleration = pm_saddle_times(&w->frame, &normal, w->frame.a) - normal.gamma;
         if (acceleration >= -SLACK * (hypot(w->numbers.gravity[0], w->numbers.gravity[1]) +
                                       w->numbers.speed * w->numbers.speed / w->numbers.size))
             continue;
@@ -196,7 +196,7 @@ int pm_contact_modes_settle(pm_workspace *w)
     const int most = 4 * w->model->nslot + 2 * w->model->nfriction + 4;
     for (int i = 0; i < most; i++) {
         int status;
-        pm_frame_look_state(w, &w->state);
+        pm_frame_look_state(&w->frame, &w->state);
         if ((status = pm_active_set_build(w)) || (status = pm_projection_built(w, &w->state))) return status;
         if (w->phase.kinematic) return PM_OK;
         if ((status = pm_saddle_accelerate_projected(w))) return status;

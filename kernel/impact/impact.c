@@ -58,14 +58,14 @@ static double cut_speed(const pm_workspace *w, double share)
 
 int pm_impact_nearly_ends(const pm_workspace *w, int contact, double rate)
 {
-    return pm_contact_restitution(w, contact) > 0 && !pm_uniform_resolves(w, contact) &&
+    return pm_contact_restitution(&w->frame, contact) > 0 && !pm_uniform_resolves(w, contact) &&
            fabs(rate) <= UNKNOWN * cut_speed(w, LAST_BOUNCE);
 }
 
 /* A rebound too low to be seen is over: its speed is taken away as if by one more, plastic, blow. */
 static int is_spent(const pm_workspace *w, int contact, double rate)
 {
-    return w->event->spent[contact] && rate > pm_contact_speed(w) && rate <= cut_speed(w, SPENT);
+    return w->event->spent[contact] && rate > pm_contact_speed(&w->frame) && rate <= cut_speed(w, SPENT);
 }
 
 /* An open member that touches: does it approach, is its bounce over, does it stay? */
@@ -80,13 +80,13 @@ static int touches(pm_workspace *w, int contact, pm_touch *x)
     if (pm_capture_is_meeting(w->model, contact))
         return pm_capture_meets(w, contact, pm_contact_gap(w, &w->state, contact, &x->member));
     if (!pm_contact_touches(w, &w->state, contact, &x->member)) return 0;
-    pm_contact_member_gap(w, contact, x->member, &rate);
+    pm_contact_member_gap(&w->frame, contact, x->member, &rate);
     if (!pm_impact_nearly_ends(w, contact, rate))
         pm_evidence_sign(w, PM_SITE_STRIKES, contact, rate, w->numbers.speed);
-    x->approaches = rate < -pm_contact_speed(w);
+    x->approaches = rate < -pm_contact_speed(&w->frame);
     x->rests = is_spent(w, contact, rate);
-    x->stays =
-        rate <= pm_contact_speed(w) && (x->approaches || !pm_contact_modes_released(w, contact, x->member));
+    x->stays = rate <= pm_contact_speed(&w->frame) &&
+               (x->approaches || !pm_contact_modes_released(w, contact, x->member));
     return 1;
 }
 
@@ -116,7 +116,7 @@ static int find_struck(pm_workspace *w, unsigned char *share, int *struck)
             const int status = pm_contact_modes_close(w, i, x.member, &slot);
             if (status) return status;
             if (w->state.slot[slot].mode == PM_CAPTURED)
-                x.approaches = pm_capture_speed(w, slot) > pm_contact_speed(w);
+                x.approaches = pm_capture_speed(w, slot) > pm_contact_speed(&w->frame);
             if (!x.approaches && !x.rests) continue;
             share[slot] = STRUCK;
             if (x.approaches) pm_trigger_mark(w, PM_TRIGGER_STRIKE, i);
@@ -131,7 +131,7 @@ static int build(pm_workspace *w, const unsigned char *share, const int32_t *tri
     const pm_model *m = w->model;
     for (int i = 0; i < m->nslot; i++)
         w->state.slot[i].mode = share[i] == STRUCK || share[i] == JOINED ? trial[i] : PM_OPEN;
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     const int status = pm_active_set_build(w);
     if (!status && !w->active.evaluated) pm_saddle_rows(w);
     return status;
@@ -140,7 +140,7 @@ static int build(pm_workspace *w, const unsigned char *share, const int32_t *tri
 /* A rebound whose height, that is its speed squared, is lost in the rounding of positions is the last. */
 static double restitution_of(const pm_workspace *w, int slot, double approach)
 {
-    const double e = pm_contact_restitution(w, pm_contact_of_slot(w->model, slot));
+    const double e = pm_contact_restitution(&w->frame, pm_contact_of_slot(w->model, slot));
     const int seen = e * -approach > cut_speed(w, LAST_BOUNCE) ||
                      pm_uniform_resolves(w, pm_contact_of_slot(w->model, slot));
     return seen ? e : 0;
@@ -148,7 +148,7 @@ static double restitution_of(const pm_workspace *w, int slot, double approach)
 
 static double rate_before(const pm_workspace *w, int i)
 {
-    return pm_saddle_times(w, &w->active.row[i], w->state.v) - w->active.row[i].rate;
+    return pm_saddle_times(&w->frame, &w->active.row[i], w->state.v) - w->active.row[i].rate;
 }
 
 static int is_normal(const pm_workspace *w, int i)
@@ -164,7 +164,7 @@ static double change_wanted(const pm_workspace *w, const unsigned char *share, i
     if (slot == PM_NONE || share[slot] != STRUCK || w->active.slot_normal[slot] == PM_NONE) return -u;
     const double e = restitution_of(w, slot, rate_before(w, w->active.slot_normal[slot]));
     if (is_normal(w, i)) return -(1 + e) * u;
-    return e > 0 ? -(1 + pm_contact_tangential(w, pm_contact_of_slot(w->model, slot))) * u : -u;
+    return e > 0 ? -(1 + pm_contact_tangential(&w->frame, pm_contact_of_slot(w->model, slot))) * u : -u;
 }
 
 /* Impulses (w->rhs) and the velocities after the blow; `alone`: the end of a blow that was followed, or NULL. */
@@ -258,11 +258,11 @@ static int slide_where_it_must(pm_workspace *w, int32_t *trial)
         if (pm_contact_friction(w->model, contact) != PM_FRICTION_COULOMB) continue;
         const double friction = w->saddle.rhs[w->active.slot_tangent[i]], size = impulse_size(w);
         const double room =
-            pm_contact_static(w, contact) * w->saddle.rhs[w->active.slot_normal[i]] - fabs(friction);
+            pm_contact_static(&w->frame, contact) * w->saddle.rhs[w->active.slot_normal[i]] - fabs(friction);
         pm_evidence_sign(w, PM_SITE_SLIDES_IN_BLOW, i, room, size);
         if (room >= -PULLS * size) continue;
-        const double slip = pm_contact_member_slip(w, contact, w->state.slot[i].member);
-        const int forward = fabs(slip) > pm_contact_speed(w) ? slip > 0 : friction < 0;
+        const double slip = pm_contact_member_slip(&w->frame, contact, w->state.slot[i].member);
+        const int forward = fabs(slip) > pm_contact_speed(&w->frame) ? slip > 0 : friction < 0;
         trial[i] = forward ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
         return 1;
     }
@@ -284,11 +284,11 @@ static int join_approaching(pm_workspace *w, unsigned char *share, const int32_t
         if (share[i] != OUT || resting[i] == PM_OPEN) continue;
         pm_constraint normal, tangent;
         const int contact = pm_contact_of_slot(w->model, i);
-        pm_contact_constraint_both(w, contact, i, w->state.slot[i].member, &normal, &tangent);
-        pm_constraint_kind(normal.kind)->evaluate(w, &normal);
-        const double rate = pm_saddle_times(w, &normal, after);
+        pm_contact_constraint_both(&w->frame, contact, i, w->state.slot[i].member, &normal, &tangent);
+        pm_constraint_kind(normal.kind)->evaluate(&w->frame, &normal);
+        const double rate = pm_saddle_times(&w->frame, &normal, after);
         pm_evidence_sign(w, PM_SITE_JOINS, i, rate, w->numbers.speed);
-        if (rate >= -pm_contact_speed(w)) continue;
+        if (rate >= -pm_contact_speed(&w->frame)) continue;
         share[i] = JOINED;
         trial[i] = mode_in_blow(w, i);
         return 1;
@@ -312,8 +312,8 @@ static const pm_constraint *tangent_of(const pm_workspace *w, int slot, pm_const
 {
     pm_constraint normal;
     if (w->active.slot_tangent[slot] != PM_NONE) return &w->active.row[w->active.slot_tangent[slot]];
-    pm_contact_constraint_both(w, pm_contact_of_slot(w->model, slot), slot, w->state.slot[slot].member,
-                               &normal, spare);
+    pm_contact_constraint_both(&w->frame, pm_contact_of_slot(w->model, slot), slot,
+                               w->state.slot[slot].member, &normal, spare);
     return spare;
 }
 
@@ -336,9 +336,9 @@ static void record(pm_workspace *w)
         w->impulses.slot[2 * i + 1] = w->active.slot_tangent[i] != PM_NONE
                                           ? w->saddle.rhs[w->active.slot_tangent[i]]
                                           : normal->slide * p;
-        pm_constraint_kind(normal->kind)->act(w, normal, &along);
+        pm_constraint_kind(normal->kind)->act(&w->frame, normal, &along);
         memcpy(w->impulses.slot_direction + 4 * i, along.direction, sizeof along.direction);
-        pm_constraint_kind(tangent->kind)->act(w, tangent, &along);
+        pm_constraint_kind(tangent->kind)->act(&w->frame, tangent, &along);
         memcpy(w->impulses.slot_direction + 4 * i + 2, along.direction, sizeof along.direction);
     }
 }
@@ -347,8 +347,8 @@ static int slid(const pm_workspace *w, int slot, const double *v)
 {
     pm_constraint spare;
     const pm_constraint *tangent = tangent_of(w, slot, &spare);
-    if (tangent == &spare) pm_constraint_kind(spare.kind)->evaluate(w, &spare);
-    return fabs(pm_saddle_times(w, tangent, v) - tangent->rate) > pm_contact_speed(w);
+    if (tangent == &spare) pm_constraint_kind(spare.kind)->evaluate(&w->frame, &spare);
+    return fabs(pm_saddle_times(&w->frame, tangent, v) - tangent->rate) > pm_contact_speed(&w->frame);
 }
 
 /* Modes after the blow: what parts is open; what stays is closed with the friction its slip asks for.  A struck contact
@@ -362,14 +362,15 @@ static void set_modes(pm_workspace *w, const unsigned char *share, const int32_t
         if (w->state.slot[i].mode == PM_CAPTURED) continue;
         w->state.slot[i].mode = PM_OPEN;
         if (share[i] == OUT && resting[i] == PM_OPEN) continue;
-        pm_contact_member_gap(w, contact, member, &rate);
-        if (fabs(rate) > pm_contact_speed(w)) continue; /* parts, or is struck again by the next blow */
+        pm_contact_member_gap(&w->frame, contact, member, &rate);
+        if (fabs(rate) > pm_contact_speed(&w->frame))
+            continue; /* parts, or is struck again by the next blow */
         w->state.slot[i].mode = pm_contact_modes_of_slip(w, contact, member);
         const int closed_here =
             share[i] == STRUCK && w->state.slot[i].mode != PM_CAPTURED; /* anchored then */
         if (!closed_here && (share[i] != OUT || w->state.slot[i].mode != resting[i]))
             pm_active_set_anchor(w, &w->state, i);
-        if (share[i] == STRUCK && pm_contact_restitution(w, contact) > 0) {
+        if (share[i] == STRUCK && pm_contact_restitution(&w->frame, contact) > 0) {
             pm_trigger_countless(w, contact);
             pm_evidence_part(w, contact);
             pm_accuracy_cut(w);
@@ -391,7 +392,7 @@ static int gains(pm_workspace *w, const double *after)
             continue; /* captured: a joint */
         const double p = i < w->active.n ? w->saddle.rhs[i]
                                          : w->active.row[row->normal].slide * w->saddle.rhs[row->normal];
-        const double before = rate_before(w, i), now = pm_saddle_times(w, row, after) - row->rate;
+        const double before = rate_before(w, i), now = pm_saddle_times(&w->frame, row, after) - row->rate;
         given += 0.5 * p * (before + now);
         size += fabs(p * before) + fabs(p * now);
         nothing += NOTHING * fabs(p) * w->numbers.speed;
@@ -410,12 +411,12 @@ static int turns(pm_workspace *w, const unsigned char *share, const int32_t *tri
         if (!takes_part || (trial[i] != PM_SLIDE_FORWARD && trial[i] != PM_SLIDE_BACKWARD)) continue;
         pm_constraint normal, tangent;
         const int contact = pm_contact_of_slot(w->model, i);
-        pm_contact_constraint_both(w, contact, i, w->state.slot[i].member, &normal, &tangent);
-        pm_constraint_kind(tangent.kind)->evaluate(w, &tangent);
+        pm_contact_constraint_both(&w->frame, contact, i, w->state.slot[i].member, &normal, &tangent);
+        pm_constraint_kind(tangent.kind)->evaluate(&w->frame, &tangent);
         const double way = trial[i] == PM_SLIDE_FORWARD ? 1 : -1;
-        const double slip = way * (pm_saddle_times(w, &tangent, after) - tangent.rate);
+        const double slip = way * (pm_saddle_times(&w->frame, &tangent, after) - tangent.rate);
         pm_evidence_sign(w, PM_SITE_SLIP_LEFT, i, slip, w->numbers.speed);
-        if (slip < -pm_contact_speed(w))
+        if (slip < -pm_contact_speed(&w->frame))
             return pm_fail(w, PM_BLOW_TURNS, PM_TABLE_CONTACT, contact, -slip, 0);
     }
     return PM_OK;
@@ -453,7 +454,7 @@ static int one_blow(pm_workspace *w, unsigned char *share, double *scratch)
     double *before = after + m->nq + m->nslot; /* behind resting and trial */
     memcpy(before, w->state.v, (size_t)m->nq * sizeof *before);
     memcpy(w->state.v, after, (size_t)m->nq * sizeof *after);
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     pm_ledger_jump(w, before);
     set_modes(w, share, resting, before);
     pm_joint_friction_close(w);
@@ -471,7 +472,7 @@ int pm_impact_hold(pm_workspace *w)
         if (w->state.slot[i].mode != PM_OPEN &&
             pm_contact_friction(m, pm_contact_of_slot(m, i)) == PM_FRICTION_ROUGH)
             share[i] = JOINED;
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     return one_blow(w, share, w->scratch);
 }
 
@@ -485,7 +486,7 @@ int pm_impact(pm_workspace *w, int *jumped)
     for (int i = 0;; i++) {
         int struck;
         memset(share, OUT, (size_t)m->nslot);
-        pm_frame_look_state(w, &w->state);
+        pm_frame_look_state(&w->frame, &w->state);
         int status = find_struck(w, share, &struck);
         if (status || struck == 0) return status;
         if (i == BLOWS_AT_ONCE)

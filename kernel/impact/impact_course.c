@@ -141,7 +141,8 @@ static void respond(pm_workspace *w, const pm_constraint *row, double *x)
             x[3 * body + k] += w->numbers.inverse_mass[3 * body + k] * row->j[3 * p + k];
     }
     if (w->active.n == 0) return;
-    for (int i = 0; i < w->active.n; i++) w->saddle.rhs[i] = -pm_saddle_times(w, &w->active.row[i], x);
+    for (int i = 0; i < w->active.n; i++)
+        w->saddle.rhs[i] = -pm_saddle_times(&w->frame, &w->active.row[i], x);
     pm_saddle_solve(w);
     pm_saddle_spread(w, 0, x);
 }
@@ -154,20 +155,20 @@ int pm_impact_course_read(pm_workspace *w, int slot, double *scratch, pm_impact_
     const int status = w->active.n > 0 ? pm_saddle_factor(w) : PM_OK;
     if (w->numbers.massless) return pm_fail(w, PM_UNSUPPORTED, PM_TABLE_CONTACT, contact, NAN, NAN);
     if (status) return status;
-    pm_contact_constraint_both(w, contact, slot, w->state.slot[slot].member, &normal, &tangent);
-    pm_constraint_kind(normal.kind)->evaluate(w, &normal);
-    pm_constraint_kind(tangent.kind)->evaluate(w, &tangent);
-    x->normal = pm_saddle_times(w, &normal, w->state.v);
-    x->slip = pm_saddle_times(w, &tangent, w->state.v) - tangent.rate;
-    x->grip = rough ? INFINITY : pm_contact_static(w, contact);
-    x->rub = rough ? INFINITY : pm_contact_kinetic(w, contact);
-    x->still = pm_contact_speed(w);
+    pm_contact_constraint_both(&w->frame, contact, slot, w->state.slot[slot].member, &normal, &tangent);
+    pm_constraint_kind(normal.kind)->evaluate(&w->frame, &normal);
+    pm_constraint_kind(tangent.kind)->evaluate(&w->frame, &tangent);
+    x->normal = pm_saddle_times(&w->frame, &normal, w->state.v);
+    x->slip = pm_saddle_times(&w->frame, &tangent, w->state.v) - tangent.rate;
+    x->grip = rough ? INFINITY : pm_contact_static(&w->frame, contact);
+    x->rub = rough ? INFINITY : pm_contact_kinetic(&w->frame, contact);
+    x->still = pm_contact_speed(&w->frame);
     x->law = pm_contact_law(w->model, contact);
     respond(w, &normal, scratch);
-    x->a = pm_saddle_times(w, &normal, scratch);
+    x->a = pm_saddle_times(&w->frame, &normal, scratch);
     respond(w, &tangent, scratch);
-    x->b = pm_saddle_times(w, &normal, scratch);
-    x->c = pm_saddle_times(w, &tangent, scratch);
+    x->b = pm_saddle_times(&w->frame, &normal, scratch);
+    x->c = pm_saddle_times(&w->frame, &tangent, scratch);
     if (x->c <= IMMOBILE * x->a) x->b = x->c = 0;
     return PM_OK;
 }

@@ -208,7 +208,7 @@ static int mark_turning(pm_workspace *w)
 int pm_instant_full(pm_workspace *w, int *ended)
 {
     *ended = 0;
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     if (w->phase.route == &pm_route_path) {
         pm_repeat_end(w);
         if (pm_repeat_refuted(w)) return PM_OK;
@@ -235,7 +235,7 @@ int pm_instant_mark(pm_workspace *w, int *ended)
 {
     const int level = level_of_mark(w);
     int status = pm_history_row(w, 1);
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     if (!status && level == PM_LEVEL_DYNAMIC) status = pm_step_react(w);
     if (status) return status;
     pm_evidence_instant(w);

@@ -90,7 +90,7 @@ static int limit_reached(pm_workspace *w, double max_time)
 
 static void end_step(pm_workspace *w)
 {
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     pm_active_set_follow(w, &w->state);
     pm_ledger_step(w);
     if (w->phase.route->in_time && w->ask->fresh) pm_ledger_seal(w);
@@ -190,7 +190,7 @@ static int take_step(pm_workspace *w, double *first, double *taken, int *ended)
     if (status) return status;
     memset(e->root, 0, (size_t)e->nfunction * sizeof(int));
     if (!e->first_step) {
-        pm_frame_look_state(w, &w->state);
+        pm_frame_look_state(&w->frame, &w->state);
         pm_event_set_multiples(w);
     }
     w->step.nodes = w->phase.route->nodes;

@@ -44,7 +44,7 @@ int pm_step_look(pm_workspace *w, double x, int level)
         s = &w->probe;
     }
     if (status) return status;
-    pm_frame_look(w, s->t, s->q, s->v, s->z, w->state.memory);
+    pm_frame_look(&w->frame, s->t, s->q, s->v, s->z, w->state.memory);
     return level == PM_LEVEL_DYNAMIC ? pm_step_react(w) : PM_OK;
 }
 

@@ -63,7 +63,7 @@ static void set_speed_scale(pm_workspace *w)
         fastest =
             fmax(fastest, sqrt(fabs(w->numbers.inverse_mass[i] * w->frame.f[i]) * length * w->numbers.size));
     }
-    fastest = fmax(fastest, fabs(pm_turning_plane_omega(w)) * w->numbers.size);
+    fastest = fmax(fastest, fabs(pm_turning_plane_omega(&w->frame)) * w->numbers.size);
     if (fastest > w->numbers.speed) w->numbers.speed = fastest;
     if (w->numbers.speed == 0) w->numbers.speed = w->numbers.size; /* nothing acts, nothing moves */
 }
@@ -100,7 +100,7 @@ int pm_run_start(pm_workspace *w, const double *param, pm_start_report *report)
     pm_gap_bounds_drop(w);
     set_speed_scale(w);
     if ((status = open_ledger(w))) return status;
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     pm_joint_friction_close(w);
     w->phase.kinematic = pm_plan_kinematic(w);
     status = pm_active_set_build(w);
@@ -113,14 +113,14 @@ static int phase(pm_workspace *w, int *ended)
     int passed = 0, status = pm_accuracy_disturb(w);
     if (!status) status = pm_perturbation_leave(w);
     if (!status) status = pm_plan_phase(w);
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     if (!status && w->phase.route == &pm_route_path)
         status = pm_repeat_begin(w, &passed);
     else
         pm_repeat_forget(w);
     if (!status && passed) status = pm_plan_phase(w);
     if (status) return status;
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     if ((status = pm_saddle_accelerate(w))) return status;
     pm_event_begin(w);
     if (w->phase.lap)
@@ -132,7 +132,7 @@ static int phase(pm_workspace *w, int *ended)
     if ((status = pm_phase_report_add(w))) return status;
     if ((status = pm_advance(w, ended)) || !*ended) return status;
     /* the end came inside a step: what is asked there may need accelerations, and it may be a singular place */
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     return pm_saddle_accelerate(w);
 }
 
@@ -145,7 +145,7 @@ static int leave_path(pm_workspace *w, int status)
         return 0;
     w->phase.path_left = 1;
     w->result.where = (pm_where){PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     return pm_active_set_build(w) == PM_OK;
 }
 

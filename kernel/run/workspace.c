@@ -51,7 +51,8 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
     pm_workspace *w = calloc(1, sizeof *w);
     *workspace = NULL;
     if (!w) return PM_NO_MEMORY;
-    w->model = m;
+    w->model = w->frame.model = m;
+    w->frame.numbers = &w->numbers;
     const int nforce = m->rows[PM_TABLE_FORCE], nrow = m->nrow, nq = m->nq;
     const pm_part_of_block part[] = {
         PART(w->numbers.value, m->nvalue),
@@ -103,7 +104,7 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
     if (!status) status = pm_state_create(m, &w->start);
     if (!status) status = pm_state_create(m, &w->probe);
     if (!status) status = pm_state_create(m, &w->ahead);
-    if (!status) pm_joint_compose(w); /* which bodies they fasten is known before any case */
+    if (!status) pm_joint_compose(&w->frame); /* which bodies they fasten is known before any case */
     if (!status) status = pm_solve_cache_create(w);
     if (!status) status = pm_fixed_bodies_create(w);
     if (!status) status = pm_event_create(w);

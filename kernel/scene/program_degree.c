@@ -8,16 +8,16 @@
 #include "state/workspace.h"
 
 /* ---- measures ---- */
-static int observer_turns(const pm_workspace *w, const pm_constant_motion *x, const int32_t *e)
+static int observer_turns(const pm_frame *frame, const pm_constant_motion *x, const int32_t *e)
 {
-    return e[PM_MEASURE_IN] != PM_NONE && x->turns[pm_body_index(w->model, e[PM_MEASURE_IN])];
+    return e[PM_MEASURE_IN] != PM_NONE && x->turns[pm_body_index(frame->model, e[PM_MEASURE_IN])];
 }
 
-static int point_is_steady(const pm_workspace *w, const pm_constant_motion *x, int point)
+static int point_is_steady(const pm_frame *frame, const pm_constant_motion *x, int point)
 {
-    const int32_t *p = PM_POINT_ROW(w->model, point);
-    const double at[2] = {w->numbers.value[p[PM_POINT_X]], w->numbers.value[p[PM_POINT_Y]]};
-    return pm_constant_motion_mark(w, x, pm_body_index(w->model, p[PM_POINT_BODY]), at);
+    const int32_t *p = PM_POINT_ROW(frame->model, point);
+    const double at[2] = {frame->numbers->value[p[PM_POINT_X]], frame->numbers->value[p[PM_POINT_Y]]};
+    return pm_constant_motion_mark(frame, x, pm_body_index(frame->model, p[PM_POINT_BODY]), at);
 }
 
 /* Size and direction of a vector are no polynomials of its components, unless these are constant. */
@@ -27,26 +27,26 @@ static int part(const int32_t *e, int degree)
     return of_both && degree > 0 ? PM_DEGREE_OTHER : degree;
 }
 
-static int of_point(const pm_workspace *w, const pm_constant_motion *x, const int32_t *e, int degree)
+static int of_point(const pm_frame *frame, const pm_constant_motion *x, const int32_t *e, int degree)
 {
-    if (observer_turns(w, x, e) || !point_is_steady(w, x, e[PM_MEASURE_A])) return PM_DEGREE_OTHER;
+    if (observer_turns(frame, x, e) || !point_is_steady(frame, x, e[PM_MEASURE_A])) return PM_DEGREE_OTHER;
     return part(e, degree);
 }
 
 /* Gap and slip on a straight line that keeps its direction. */
-static int of_contact(const pm_workspace *w, const pm_constant_motion *x, const int32_t *e, int degree)
+static int of_contact(const pm_frame *frame, const pm_constant_motion *x, const int32_t *e, int degree)
 {
-    const int32_t *c = PM_CONTACT_ROW_OF(w->model, e[PM_MEASURE_A]);
+    const int32_t *c = PM_CONTACT_ROW_OF(frame->model, e[PM_MEASURE_A]);
     if (c[PM_CONTACT_KIND] != PM_CONTACT_LINE) return PM_DEGREE_OTHER;
-    const int line = PM_LINE_ROW(w->model, c[PM_CONTACT_B])[PM_LINE_POINT];
-    const int point = PM_CIRCLE_ROW(w->model, c[PM_CONTACT_A])[PM_CIRCLE_POINT];
-    const int body = pm_body_index(w->model, PM_POINT_ROW(w->model, line)[PM_POINT_BODY]);
-    return !x->turns[body] && point_is_steady(w, x, point) ? degree : PM_DEGREE_OTHER;
+    const int line = PM_LINE_ROW(frame->model, c[PM_CONTACT_B])[PM_LINE_POINT];
+    const int point = PM_CIRCLE_ROW(frame->model, c[PM_CONTACT_A])[PM_CIRCLE_POINT];
+    const int body = pm_body_index(frame->model, PM_POINT_ROW(frame->model, line)[PM_POINT_BODY]);
+    return !x->turns[body] && point_is_steady(frame, x, point) ? degree : PM_DEGREE_OTHER;
 }
 
-static int measure_degree(const pm_workspace *w, const pm_constant_motion *x, int measure)
+static int measure_degree(const pm_frame *frame, const pm_constant_motion *x, int measure)
 {
-    const int32_t *e = PM_MEASURE_ROW(w->model, measure);
+    const int32_t *e = PM_MEASURE_ROW(frame->model, measure);
     switch ((enum pm_measure_kind)e[PM_MEASURE_KIND]) {
     case PM_MEASURE_ALPHA:
     case PM_MEASURE_MASS:
@@ -81,11 +81,11 @@ static int measure_degree(const pm_workspace *w, const pm_constant_motion *x, in
     case PM_MEASURE_ANGULAR_MOMENTUM:
         return e[PM_MEASURE_A] != PM_NONE && e[PM_MEASURE_ABOUT] == PM_NONE ? 1 : PM_DEGREE_OTHER;
     case PM_MEASURE_POSITION:
-    case PM_MEASURE_MOVED: return of_point(w, x, e, 2);
-    case PM_MEASURE_VELOCITY: return of_point(w, x, e, 1);
-    case PM_MEASURE_ACCELERATION: return of_point(w, x, e, 0);
-    case PM_MEASURE_CONTACT_GAP: return of_contact(w, x, e, 2);
-    case PM_MEASURE_CONTACT_SLIP: return of_contact(w, x, e, 1);
+    case PM_MEASURE_MOVED: return of_point(frame, x, e, 2);
+    case PM_MEASURE_VELOCITY: return of_point(frame, x, e, 1);
+    case PM_MEASURE_ACCELERATION: return of_point(frame, x, e, 0);
+    case PM_MEASURE_CONTACT_GAP: return of_contact(frame, x, e, 2);
+    case PM_MEASURE_CONTACT_SLIP: return of_contact(frame, x, e, 1);
     default: return PM_DEGREE_OTHER;
     }
 }
@@ -112,20 +112,20 @@ static int squares(const pm_model *m, const int32_t *code)
            m->constant[before[PM_CODE_ARG]] == 2;
 }
 
-int pm_program_degree_of(const pm_workspace *w, const pm_constant_motion *x, int program)
+int pm_program_degree_of(const pm_frame *frame, const pm_constant_motion *x, int program)
 {
     int stack[PM_STACK], top = -1, length;
-    const int32_t *code = pm_program_code(w->model, program, &length);
+    const int32_t *code = pm_program_code(frame->model, program, &length);
     for (int i = 0; i < length; i++, code += PM_CODE_COLUMNS) {
         const int op = code[PM_CODE_OP], takes = pm_program_operands(op);
         if (takes == 0) {
-            stack[++top] = op == PM_OP_MEASURE ? measure_degree(w, x, code[PM_CODE_ARG]) : 0;
+            stack[++top] = op == PM_OP_MEASURE ? measure_degree(frame, x, code[PM_CODE_ARG]) : 0;
         } else if (takes == 1) {
             if (op != PM_OP_NEG && stack[top] > 0) stack[top] = PM_DEGREE_OTHER;
         } else if (takes == 2) {
             top--;
-            stack[top] =
-                squares(w->model, code) ? bounded(2 * stack[top]) : combine(op, stack[top], stack[top + 1]);
+            stack[top] = squares(frame->model, code) ? bounded(2 * stack[top])
+                                                     : combine(op, stack[top], stack[top + 1]);
         } else {
             top -= 2;
             stack[top] = combine(op, stack[top], combine(op, stack[top + 1], stack[top + 2]));
@@ -134,14 +134,14 @@ int pm_program_degree_of(const pm_workspace *w, const pm_constant_motion *x, int
     return stack[0];
 }
 
-int pm_program_degree_is_size(const pm_workspace *w, const pm_constant_motion *x, int program)
+int pm_program_degree_is_size(const pm_frame *frame, const pm_constant_motion *x, int program)
 {
     int length;
-    const int32_t *code = pm_program_code(w->model, program, &length);
+    const int32_t *code = pm_program_code(frame->model, program, &length);
     if (length != 1 || code[PM_CODE_OP] != PM_OP_MEASURE) return 0;
-    const int32_t *e = PM_MEASURE_ROW(w->model, code[PM_CODE_ARG]);
+    const int32_t *e = PM_MEASURE_ROW(frame->model, code[PM_CODE_ARG]);
     if (e[PM_MEASURE_PART] != PM_PART_NORM) return 0;
     if (e[PM_MEASURE_KIND] == PM_MEASURE_MOMENTUM) return 1;
-    return e[PM_MEASURE_KIND] == PM_MEASURE_VELOCITY && !observer_turns(w, x, e) &&
-           point_is_steady(w, x, e[PM_MEASURE_A]);
+    return e[PM_MEASURE_KIND] == PM_MEASURE_VELOCITY && !observer_turns(frame, x, e) &&
+           point_is_steady(frame, x, e[PM_MEASURE_A]);
 }

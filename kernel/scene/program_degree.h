@@ -8,8 +8,8 @@
 enum pm_program_degree { PM_DEGREE_MOST = 2, PM_DEGREE_OTHER = 3 }; /* 0, 1, 2, or no such polynomial */
 
 /* Degree of a program in the time, along the curve. */
-int pm_program_degree_of(const pm_workspace *w, const pm_constant_motion *x, int program);
+int pm_program_degree_of(const pm_frame *frame, const pm_constant_motion *x, int program);
 /* The program is the size of a vector whose components are linear in the time: its square is a parabola. */
-int pm_program_degree_is_size(const pm_workspace *w, const pm_constant_motion *x, int program);
+int pm_program_degree_is_size(const pm_frame *frame, const pm_constant_motion *x, int program);
 
 #endif

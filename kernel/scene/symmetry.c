@@ -22,50 +22,50 @@ static int turned(const pm_symmetry_shift *s, int body) { return !whole(turn_of(
 static int moved(const pm_symmetry_shift *s) { return s->by[0] != 0 || s->by[1] != 0; }
 
 /* ---- marks ---- */
-static int point_stays(const pm_workspace *w, const pm_symmetry_shift *s, int point)
+static int point_stays(const pm_frame *frame, const pm_symmetry_shift *s, int point)
 {
-    const int32_t *e = PM_POINT_ROW(w->model, point);
+    const int32_t *e = PM_POINT_ROW(frame->model, point);
     if (e[PM_POINT_BODY] == PM_GROUND) return !moved(s);
     return !turned(s, e[PM_POINT_BODY]) ||
-           (w->numbers.value[e[PM_POINT_X]] == 0 && w->numbers.value[e[PM_POINT_Y]] == 0);
+           (frame->numbers->value[e[PM_POINT_X]] == 0 && frame->numbers->value[e[PM_POINT_Y]] == 0);
 }
 
-static int circle_stays(const pm_workspace *w, const pm_symmetry_shift *s, int circle)
+static int circle_stays(const pm_frame *frame, const pm_symmetry_shift *s, int circle)
 {
-    return point_stays(w, s, PM_CIRCLE_ROW(w->model, circle)[PM_CIRCLE_POINT]);
+    return point_stays(frame, s, PM_CIRCLE_ROW(frame->model, circle)[PM_CIRCLE_POINT]);
 }
 
-static int line_stays(const pm_workspace *w, const pm_symmetry_shift *s, int line)
+static int line_stays(const pm_frame *frame, const pm_symmetry_shift *s, int line)
 {
-    const int32_t *e = PM_LINE_ROW(w->model, line);
-    const int body = PM_POINT_ROW(w->model, e[PM_LINE_POINT])[PM_POINT_BODY];
+    const int32_t *e = PM_LINE_ROW(frame->model, line);
+    const int body = PM_POINT_ROW(frame->model, e[PM_LINE_POINT])[PM_POINT_BODY];
     if (body != PM_GROUND) return !turned(s, body);
-    const double angle = w->numbers.value[e[PM_LINE_ANGLE]],
+    const double angle = frame->numbers->value[e[PM_LINE_ANGLE]],
                  across = s->by[1] * cos(angle) - s->by[0] * sin(angle);
     return fabs(across) <= SAME * hypot(s->by[0], s->by[1]);
 }
 
-static int row_stays(const pm_workspace *w, const pm_symmetry_shift *s, int row)
+static int row_stays(const pm_frame *frame, const pm_symmetry_shift *s, int row)
 {
-    const int32_t *e = PM_ROW_ROW(w->model, row);
-    const int body = PM_POINT_ROW(w->model, e[PM_ROW_POINT])[PM_POINT_BODY];
+    const int32_t *e = PM_ROW_ROW(frame->model, row);
+    const int body = PM_POINT_ROW(frame->model, e[PM_ROW_POINT])[PM_POINT_BODY];
     if (body != PM_GROUND) return !turned(s, body);
     if (!moved(s)) return 1;
-    const double x = w->numbers.value[e[PM_ROW_STEP_X]], y = w->numbers.value[e[PM_ROW_STEP_Y]],
+    const double x = frame->numbers->value[e[PM_ROW_STEP_X]], y = frame->numbers->value[e[PM_ROW_STEP_Y]],
                  step = hypot(x, y);
     const double along = (s->by[0] * x + s->by[1] * y) / (step * step);
     const double across = (s->by[0] * y - s->by[1] * x) / (step * step);
-    return w->numbers.value[e[PM_ROW_COUNT]] < 0 && whole(along) && fabs(across) <= SAME;
+    return frame->numbers->value[e[PM_ROW_COUNT]] < 0 && whole(along) && fabs(across) <= SAME;
 }
 
-static int body_of_point(const pm_workspace *w, int point)
+static int body_of_point(const pm_frame *frame, int point)
 {
-    return PM_POINT_ROW(w->model, point)[PM_POINT_BODY];
+    return PM_POINT_ROW(frame->model, point)[PM_POINT_BODY];
 }
 
-static int body_of_line(const pm_workspace *w, int line)
+static int body_of_line(const pm_frame *frame, int line)
 {
-    return body_of_point(w, PM_LINE_ROW(w->model, line)[PM_LINE_POINT]);
+    return body_of_point(frame, PM_LINE_ROW(frame->model, line)[PM_LINE_POINT]);
 }
 
 /* Two bodies keep their relative angle, whole turns included. */
@@ -74,82 +74,84 @@ static int together(const pm_symmetry_shift *s, int a, int b)
     return fabs(turn_of(s, a) - turn_of(s, b)) <= SAME * TURN;
 }
 
-static int mark_stays(const pm_workspace *w, const pm_symmetry_shift *s, int table, int mark)
+static int mark_stays(const pm_frame *frame, const pm_symmetry_shift *s, int table, int mark)
 {
-    if (table == PM_TABLE_POINT) return point_stays(w, s, mark);
-    return table == PM_TABLE_LINE ? line_stays(w, s, mark) : circle_stays(w, s, mark);
+    if (table == PM_TABLE_POINT) return point_stays(frame, s, mark);
+    return table == PM_TABLE_LINE ? line_stays(frame, s, mark) : circle_stays(frame, s, mark);
 }
 
-static int body_of(const pm_workspace *w, int table, int mark)
+static int body_of(const pm_frame *frame, int table, int mark)
 {
-    return table == PM_TABLE_LINE ? body_of_line(w, mark) : body_of_point(w, mark);
+    return table == PM_TABLE_LINE ? body_of_line(frame, mark) : body_of_point(frame, mark);
 }
 
 /* ---- elements ---- */
-static int joint_stays(const pm_workspace *w, const pm_symmetry_shift *s, int joint)
+static int joint_stays(const pm_frame *frame, const pm_symmetry_shift *s, int joint)
 {
-    const int32_t *e = PM_JOINT_ROW(w->model, joint);
-    const pm_joint_ops *ops = pm_joint_of(w->model, joint);
+    const int32_t *e = PM_JOINT_ROW(frame->model, joint);
+    const pm_joint_ops *ops = pm_joint_of(frame->model, joint);
     const int a = e[PM_JOINT_A], b = e[PM_JOINT_B];
-    if (ops->repeats == PM_REPEATS_NEVER || !mark_stays(w, s, ops->a, a) || !mark_stays(w, s, ops->b, b))
+    if (ops->repeats == PM_REPEATS_NEVER || !mark_stays(frame, s, ops->a, a) ||
+        !mark_stays(frame, s, ops->b, b))
         return 0;
-    return ops->repeats == PM_REPEATS_MARKS || together(s, body_of(w, ops->a, a), body_of(w, ops->b, b));
+    return ops->repeats == PM_REPEATS_MARKS ||
+           together(s, body_of(frame, ops->a, a), body_of(frame, ops->b, b));
 }
 
-static int contact_stays(const pm_workspace *w, const pm_symmetry_shift *s, int contact)
+static int contact_stays(const pm_frame *frame, const pm_symmetry_shift *s, int contact)
 {
-    const int32_t *e = PM_CONTACT_ROW_OF(w->model, contact);
+    const int32_t *e = PM_CONTACT_ROW_OF(frame->model, contact);
     const int a = e[PM_CONTACT_A], b = e[PM_CONTACT_B];
-    if (!circle_stays(w, s, a) || e[PM_CONTACT_CAPTURE] != PM_CAPTURE_NONE) return 0;
+    if (!circle_stays(frame, s, a) || e[PM_CONTACT_CAPTURE] != PM_CAPTURE_NONE) return 0;
     switch ((enum pm_contact_kind)e[PM_CONTACT_KIND]) {
-    case PM_CONTACT_LINE: return line_stays(w, s, b);
-    case PM_CONTACT_CIRCLE: return circle_stays(w, s, b);
-    case PM_CONTACT_ROW: return row_stays(w, s, b);
+    case PM_CONTACT_LINE: return line_stays(frame, s, b);
+    case PM_CONTACT_CIRCLE: return circle_stays(frame, s, b);
+    case PM_CONTACT_ROW: return row_stays(frame, s, b);
     default: return 0;
     }
 }
 
-static int program_stays(const pm_workspace *w, const pm_symmetry_shift *s, int program)
+static int program_stays(const pm_frame *frame, const pm_symmetry_shift *s, int program)
 {
     double change;
-    return pm_symmetry_program(w, s, program, &change) && change == 0;
+    return pm_symmetry_program(frame, s, program, &change) && change == 0;
 }
 
-static int force_stays(const pm_workspace *w, const pm_symmetry_shift *s, int force)
+static int force_stays(const pm_frame *frame, const pm_symmetry_shift *s, int force)
 {
-    const int32_t *e = PM_FORCE_ROW(w->model, force);
+    const int32_t *e = PM_FORCE_ROW(frame->model, force);
     const int a = e[PM_FORCE_A], b = e[PM_FORCE_B];
     switch ((enum pm_force_kind)e[PM_FORCE_KIND]) {
-    case PM_FORCE_SPRING: return point_stays(w, s, a) && point_stays(w, s, b);
+    case PM_FORCE_SPRING: return point_stays(frame, s, a) && point_stays(frame, s, b);
     case PM_FORCE_TORSION: return together(s, a, b);
     case PM_FORCE_APPLIED:
-        return point_stays(w, s, a) && !turned(s, b) && program_stays(w, s, e[PM_FORCE_PROGRAM_X]) &&
-               program_stays(w, s, e[PM_FORCE_PROGRAM_Y]);
-    case PM_FORCE_COUPLE: return program_stays(w, s, e[PM_FORCE_PROGRAM_X]);
+        return point_stays(frame, s, a) && !turned(s, b) && program_stays(frame, s, e[PM_FORCE_PROGRAM_X]) &&
+               program_stays(frame, s, e[PM_FORCE_PROGRAM_Y]);
+    case PM_FORCE_COUPLE: return program_stays(frame, s, e[PM_FORCE_PROGRAM_X]);
     default: return 0;
     }
 }
 
 /* The inertia about the axis of a spin stays under whole turns in place. */
-static int spin_stays(const pm_workspace *w, const pm_symmetry_shift *s)
+static int spin_stays(const pm_frame *frame, const pm_symmetry_shift *s)
 {
-    if (!pm_turning_plane_turns(w->model)) return 1;
-    for (int i = 0; i < w->model->nbody; i++)
+    if (!pm_turning_plane_turns(frame->model)) return 1;
+    for (int i = 0; i < frame->model->nbody; i++)
         if (turned(s, i)) return 0;
     return !moved(s);
 }
 
-int pm_symmetry_holds(pm_workspace *w, const pm_symmetry_shift *shift)
+int pm_symmetry_holds(const pm_frame *frame, const pm_symmetry_shift *shift)
 {
-    const pm_model *m = w->model;
-    if (!spin_stays(w, shift)) return 0;
+    const pm_model *m = frame->model;
+    if (!spin_stays(frame, shift)) return 0;
     if (m->acts) return 0; /* what an event does is not part of a leg */
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++)
-        if (!joint_stays(w, shift, i)) return 0;
+        if (!joint_stays(frame, shift, i)) return 0;
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++)
-        if (!contact_stays(w, shift, i)) return 0;
+        if (!contact_stays(frame, shift, i)) return 0;
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++)
-        if (!force_stays(w, shift, i)) return 0;
+        if (!force_stays(frame, shift, i)) return 0;
     return 1;
 }
 
@@ -173,26 +175,26 @@ static pm_entry shifted(double change)
 
 static const pm_entry lost = {LOST, 0}, same_value = {SAME_VALUE, 0};
 
-static pm_entry place_of(const pm_workspace *w, const pm_symmetry_shift *s, const int32_t *e)
+static pm_entry place_of(const pm_frame *frame, const pm_symmetry_shift *s, const int32_t *e)
 {
-    const int body = body_of_point(w, e[PM_MEASURE_A]);
+    const int body = body_of_point(frame, e[PM_MEASURE_A]);
     if (body == PM_GROUND) return same_value;
-    if (!moved(s)) return point_stays(w, s, e[PM_MEASURE_A]) ? same_value : lost;
-    if (!point_stays(w, s, e[PM_MEASURE_A])) return lost;
+    if (!moved(s)) return point_stays(frame, s, e[PM_MEASURE_A]) ? same_value : lost;
+    if (!point_stays(frame, s, e[PM_MEASURE_A])) return lost;
     switch (e[PM_MEASURE_PART]) {
     case PM_PART_X: return shifted(s->by[0]);
     case PM_PART_Y: return shifted(s->by[1]);
     case PM_PART_ALONG: {
-        const double angle = w->numbers.value[e[PM_MEASURE_VALUE]];
+        const double angle = frame->numbers->value[e[PM_MEASURE_VALUE]];
         return shifted(s->by[0] * cos(angle) + s->by[1] * sin(angle));
     }
     default: return lost;
     }
 }
 
-static pm_entry read_measure(const pm_workspace *w, const pm_symmetry_shift *s, int measure)
+static pm_entry read_measure(const pm_frame *frame, const pm_symmetry_shift *s, int measure)
 {
-    const int32_t *e = PM_MEASURE_ROW(w->model, measure);
+    const int32_t *e = PM_MEASURE_ROW(frame->model, measure);
     const int a = e[PM_MEASURE_A], in = e[PM_MEASURE_IN], kind = e[PM_MEASURE_KIND];
     if (in != PM_NONE && kind != PM_MEASURE_ANGLE && kind != PM_MEASURE_OMEGA && (turned(s, in) || moved(s)))
         return lost;
@@ -202,10 +204,10 @@ static pm_entry read_measure(const pm_workspace *w, const pm_symmetry_shift *s, 
     case PM_MEASURE_ANGLE:
     case PM_MEASURE_TURNED: return shifted(turn_of(s, a) - (in == PM_NONE ? 0 : turn_of(s, in)));
     case PM_MEASURE_POSITION:
-    case PM_MEASURE_MOVED: return in == PM_NONE ? place_of(w, s, e) : same_value;
+    case PM_MEASURE_MOVED: return in == PM_NONE ? place_of(frame, s, e) : same_value;
     case PM_MEASURE_VELOCITY:
     case PM_MEASURE_ACCELERATION:
-        return point_stays(w, s, a) || !turned(s, body_of_point(w, a)) ? same_value : lost;
+        return point_stays(frame, s, a) || !turned(s, body_of_point(frame, a)) ? same_value : lost;
     case PM_MEASURE_ANGULAR_MOMENTUM: return a == PM_NONE && moved(s) ? lost : same_value;
     case PM_MEASURE_POLE:
     case PM_MEASURE_POTENTIAL:
@@ -250,9 +252,9 @@ static pm_entry unary(int op, pm_entry a)
     return op == PM_OP_NEG ? shifted(-a.number) : lost;
 }
 
-int pm_symmetry_program(const pm_workspace *w, const pm_symmetry_shift *shift, int program, double *change)
+int pm_symmetry_program(const pm_frame *frame, const pm_symmetry_shift *shift, int program, double *change)
 {
-    const pm_model *m = w->model;
+    const pm_model *m = frame->model;
     const int32_t *p = pm_table_row(m, PM_TABLE_PROGRAM, program, PM_PROGRAM_COLUMNS);
     const int32_t *code = pm_table_row(m, PM_TABLE_CODE, p[PM_PROGRAM_FIRST], PM_CODE_COLUMNS);
     pm_entry stack[PM_STACK];
@@ -261,9 +263,9 @@ int pm_symmetry_program(const pm_workspace *w, const pm_symmetry_shift *shift, i
         const int op = code[PM_CODE_OP], arg = code[PM_CODE_ARG];
         switch (op) {
         case PM_OP_CONSTANT: stack[++top] = (pm_entry){NUMBER, m->constant[arg]}; break;
-        case PM_OP_PARAMETER: stack[++top] = (pm_entry){NUMBER, w->numbers.param[arg]}; break;
-        case PM_OP_VALUE: stack[++top] = (pm_entry){NUMBER, w->numbers.value[arg]}; break;
-        case PM_OP_MEASURE: stack[++top] = read_measure(w, shift, arg); break;
+        case PM_OP_PARAMETER: stack[++top] = (pm_entry){NUMBER, frame->numbers->param[arg]}; break;
+        case PM_OP_VALUE: stack[++top] = (pm_entry){NUMBER, frame->numbers->value[arg]}; break;
+        case PM_OP_MEASURE: stack[++top] = read_measure(frame, shift, arg); break;
         case PM_OP_ANSWER: stack[++top] = lost; break;
         case PM_OP_SELECT:
             top -= 2;

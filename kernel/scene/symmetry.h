@@ -11,8 +11,8 @@ typedef struct pm_symmetry_shift {
 } pm_symmetry_shift;
 
 /* 1 if joints, contacts and forces act after the shift as they did before, turned marks included. */
-int pm_symmetry_holds(pm_workspace *w, const pm_symmetry_shift *shift);
+int pm_symmetry_holds(const pm_frame *frame, const pm_symmetry_shift *shift);
 /* 1 if the program's value changes by the constant *change with the shift, wherever the bodies are. */
-int pm_symmetry_program(const pm_workspace *w, const pm_symmetry_shift *shift, int program, double *change);
+int pm_symmetry_program(const pm_frame *frame, const pm_symmetry_shift *shift, int program, double *change);
 
 #endif

@@ -22,11 +22,11 @@ static void look_up_turn(double turn[3], double *pose)
     pose[4] = turn[2];
 }
 
-void pm_frame_look(pm_workspace *w, double t, const double *q, const double *v, const double *z,
+void pm_frame_look(pm_frame *frame, double t, const double *q, const double *v, const double *z,
                    const pm_memory *memory)
 {
-    pm_frame *f = &w->frame;
-    const int n = w->model->nbody;
+    pm_frame *f = frame;
+    const int n = frame->model->nbody;
     f->t = t;
     f->q = q;
     f->v = v;
@@ -35,7 +35,7 @@ void pm_frame_look(pm_workspace *w, double t, const double *q, const double *v, 
     f->level = PM_LEVEL_KINEMATIC;
     for (int i = 0; i < n; i++) {
         double *pose = f->pose + 5 * i, *velocity = f->velocity + 3 * i;
-        if (w->numbers.fixed[i]) continue; /* as it was looked at when it was found to stand still */
+        if (frame->numbers->fixed[i]) continue; /* as it was looked at when it was found to stand still */
         pose[0] = q[3 * i];
         pose[1] = q[3 * i + 1];
         pose[2] = q[3 * i + 2];
@@ -60,14 +60,14 @@ void pm_frame_look_placed(pm_workspace *w, const double *q, const double *v)
     f->pose[5 * w->model->nbody + 3] = 1;
 }
 
-void pm_frame_look_state(pm_workspace *w, const pm_state *s)
+void pm_frame_look_state(pm_frame *frame, const pm_state *s)
 {
-    pm_frame_look(w, s->t, s->q, s->v, s->z, s->memory);
+    pm_frame_look(frame, s->t, s->q, s->v, s->z, s->memory);
 }
 
-pm_point pm_frame_point(const pm_workspace *w, int body, double x, double y)
+pm_point pm_frame_point(const pm_frame *frame, int body, double x, double y)
 {
-    const double *pose = w->frame.pose + 5 * body, *velocity = w->frame.velocity + 3 * body;
+    const double *pose = frame->pose + 5 * body, *velocity = frame->velocity + 3 * body;
     pm_point point = {.body = body};
     point.r[0] = pose[3] * x - pose[4] * y;
     point.r[1] = pose[4] * x + pose[3] * y;
@@ -78,66 +78,68 @@ pm_point pm_frame_point(const pm_workspace *w, int body, double x, double y)
     return point;
 }
 
-pm_point pm_frame_point_of(const pm_workspace *w, int index)
+pm_point pm_frame_point_of(const pm_frame *frame, int index)
 {
-    const int32_t *e = PM_POINT_ROW(w->model, index);
-    return pm_frame_point(w, pm_body_index(w->model, e[PM_POINT_BODY]), w->numbers.value[e[PM_POINT_X]],
-                          w->numbers.value[e[PM_POINT_Y]]);
+    const int32_t *e = PM_POINT_ROW(frame->model, index);
+    return pm_frame_point(frame, pm_body_index(frame->model, e[PM_POINT_BODY]),
+                          frame->numbers->value[e[PM_POINT_X]], frame->numbers->value[e[PM_POINT_Y]]);
 }
 
-void pm_frame_acceleration(const pm_workspace *w, const pm_point *p, double a[2])
+void pm_frame_acceleration(const pm_frame *frame, const pm_point *p, double a[2])
 {
     a[0] = a[1] = 0;
-    if (p->body == w->model->nbody) return;
-    const double *acc = w->frame.a + 3 * p->body;
-    const double omega = w->frame.velocity[3 * p->body + 2];
+    if (p->body == frame->model->nbody) return;
+    const double *acc = frame->a + 3 * p->body;
+    const double omega = frame->velocity[3 * p->body + 2];
     a[0] = acc[0] - acc[2] * p->r[1] - omega * omega * p->r[0];
     a[1] = acc[1] + acc[2] * p->r[0] - omega * omega * p->r[1];
 }
 
-double pm_body_inertia(const pm_workspace *w, int i)
+double pm_body_inertia(const pm_frame *frame, int i)
 {
-    const int32_t *e = PM_BODY_ROW(w->model, i);
-    if (w->numbers.fixed[i]) return e[PM_BODY_TURNS] ? w->numbers.value[e[PM_BODY_INERTIA]] : 0;
-    const double inverse = w->numbers.stand_in[3 * i + 2] > 0 ? 0 : w->numbers.inverse_mass[3 * i + 2];
+    const int32_t *e = PM_BODY_ROW(frame->model, i);
+    if (frame->numbers->fixed[i]) return e[PM_BODY_TURNS] ? frame->numbers->value[e[PM_BODY_INERTIA]] : 0;
+    const double inverse =
+        frame->numbers->stand_in[3 * i + 2] > 0 ? 0 : frame->numbers->inverse_mass[3 * i + 2];
     return inverse > 0 ? 1 / inverse : 0;
 }
 
-double pm_body_kinetic(const pm_workspace *w, int i)
+double pm_body_kinetic(const pm_frame *frame, int i)
 {
     if (i == PM_NONE) {
         double sum = 0;
-        for (int k = 0; k < w->model->nbody; k++)
-            if (!w->numbers.fixed[k]) sum += pm_body_kinetic(w, k);
+        for (int k = 0; k < frame->model->nbody; k++)
+            if (!frame->numbers->fixed[k]) sum += pm_body_kinetic(frame, k);
         return sum;
     }
-    const double *v = w->frame.velocity + 3 * i;
-    return 0.5 * (w->numbers.mass[i] * (v[0] * v[0] + v[1] * v[1]) + pm_body_inertia(w, i) * v[2] * v[2]);
+    const double *v = frame->velocity + 3 * i;
+    return 0.5 *
+           (frame->numbers->mass[i] * (v[0] * v[0] + v[1] * v[1]) + pm_body_inertia(frame, i) * v[2] * v[2]);
 }
 
-void pm_body_momentum(const pm_workspace *w, int i, double momentum[3])
+void pm_body_momentum(const pm_frame *frame, int i, double momentum[3])
 {
     if (i == PM_NONE) {
         momentum[0] = momentum[1] = momentum[2] = 0;
-        for (int k = 0; k < w->model->nbody; k++) {
+        for (int k = 0; k < frame->model->nbody; k++) {
             double one[3];
-            if (w->numbers.fixed[k]) continue;
-            pm_body_momentum(w, k, one);
+            if (frame->numbers->fixed[k]) continue;
+            pm_body_momentum(frame, k, one);
             for (int c = 0; c < 3; c++) momentum[c] += one[c];
         }
         return;
     }
-    const double *pose = w->frame.pose + 5 * i, *v = w->frame.velocity + 3 * i, m = w->numbers.mass[i];
+    const double *pose = frame->pose + 5 * i, *v = frame->velocity + 3 * i, m = frame->numbers->mass[i];
     momentum[0] = m * v[0];
     momentum[1] = m * v[1];
-    momentum[2] = pm_body_inertia(w, i) * v[2] + pose[0] * momentum[1] - pose[1] * momentum[0];
+    momentum[2] = pm_body_inertia(frame, i) * v[2] + pose[0] * momentum[1] - pose[1] * momentum[0];
 }
 
-double pm_body_weight_energy(const pm_workspace *w)
+double pm_body_weight_energy(const pm_frame *frame)
 {
     double sum = 0;
-    for (int i = 0; i < w->model->nbody; i++)
-        sum -= w->numbers.mass[i] * (w->numbers.gravity[0] * w->frame.pose[5 * i] +
-                                     w->numbers.gravity[1] * w->frame.pose[5 * i + 1]);
+    for (int i = 0; i < frame->model->nbody; i++)
+        sum -= frame->numbers->mass[i] * (frame->numbers->gravity[0] * frame->pose[5 * i] +
+                                          frame->numbers->gravity[1] * frame->pose[5 * i + 1]);
     return sum;
 }

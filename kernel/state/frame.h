@@ -2,12 +2,15 @@
 #ifndef PM_FRAME_H
 #define PM_FRAME_H
 
+#include "state/numbers.h"
 #include "state/state.h"
 
 typedef struct pm_workspace pm_workspace;
 
 /* A state looked at: positions of marks, forces, accelerations, reactions; filled as far as `level` says. */
 typedef struct pm_frame {
+    const pm_model *model;
+    const pm_numbers *numbers; /* of the case */
     double t;
     const double *q, *v, *z;
     const pm_memory *memory;
@@ -28,25 +31,25 @@ typedef struct pm_point {
 } pm_point;
 
 /* Looks at (t, q, v, z): poses and velocities of all bodies; level KINEMATIC. */
-void pm_frame_look(pm_workspace *w, double t, const double *q, const double *v, const double *z,
+void pm_frame_look(pm_frame *frame, double t, const double *q, const double *v, const double *z,
                    const pm_memory *memory);
 /* The same where the poses are there already: the tree has just placed the bodies at q. */
 void pm_frame_look_placed(pm_workspace *w, const double *q, const double *v);
-void pm_frame_look_state(pm_workspace *w, const pm_state *s);
+void pm_frame_look_state(pm_frame *frame, const pm_state *s);
 
 /* A mark at body axes (x, y) of `body` (nbody: the ground). */
-pm_point pm_frame_point(const pm_workspace *w, int body, double x, double y);
+pm_point pm_frame_point(const pm_frame *frame, int body, double x, double y);
 /* Point `index` of the point table. */
-pm_point pm_frame_point_of(const pm_workspace *w, int index);
+pm_point pm_frame_point_of(const pm_frame *frame, int index);
 /* Acceleration of a point; the frame must be DYNAMIC. */
-void pm_frame_acceleration(const pm_workspace *w, const pm_point *p, double a[2]);
+void pm_frame_acceleration(const pm_frame *frame, const pm_point *p, double a[2]);
 
 /* Kinetic energy and momenta (about the origin) of body i, or of all with PM_NONE. */
-double pm_body_kinetic(const pm_workspace *w, int i);
-void pm_body_momentum(const pm_workspace *w, int i, double momentum[3]);
-double pm_body_inertia(const pm_workspace *w, int i);
+double pm_body_kinetic(const pm_frame *frame, int i);
+void pm_body_momentum(const pm_frame *frame, int i, double momentum[3]);
+double pm_body_inertia(const pm_frame *frame, int i);
 /* Potential energy of weight (zero at the origin). */
-double pm_body_weight_energy(const pm_workspace *w);
+double pm_body_weight_energy(const pm_frame *frame);
 
 /* Ground gets the index behind the bodies. */
 static inline int pm_body_index(const pm_model *m, int body) { return body == PM_GROUND ? m->nbody : body; }

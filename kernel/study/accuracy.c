@@ -155,7 +155,7 @@ int pm_accuracy_disturb(pm_workspace *w)
     }
     const int status = pm_projection_apply(w, &w->state);
     if (status) return status;
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     return pm_saddle_accelerate(w);
 }
 
@@ -230,7 +230,7 @@ static int stands(const pm_pass *p) { return p->status >= PM_OK && p->status != 
 static int look_at_programs(pm_workspace *w, const pm_state *s, double *ask, double *trigger)
 {
     const pm_model *m = w->model;
-    pm_frame_look(w, s->t, s->q, s->v, s->z, w->state.memory);
+    pm_frame_look(&w->frame, s->t, s->q, s->v, s->z, w->state.memory);
     const int status = pm_saddle_accelerate(w);
     if (status) return status;
     for (int i = 0; i < m->nask; i++)

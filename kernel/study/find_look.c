@@ -60,7 +60,7 @@ int pm_find_look(pm_workspace *w, const double *x, pm_look *look)
     f->runs++;
     if (look->status == PM_CANCELLED) return PM_CANCELLED;
     if (look->status < 0) return PM_OK;
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     const pm_where where = w->result.where;
     if (pm_saddle_accelerate(w)) {
         w->result.where = where; /* the run itself came through: only what needs accelerations has no value */

@@ -88,7 +88,7 @@ static void add_pair(const pm_workspace *w, const pm_tree_node *x, int k, int l)
                  *e = a->fixed + 2 * i, *f = a->fixed + 2 * j;
     a->same[at] += m * (p[0] * q[0] + p[1] * q[1]);
     a->cross[at] += m * (p[0] * q[1] - p[1] * q[0]);
-    a->level[at] += pm_body_inertia(w, x->body) * t->influence[3 * k + 2] * t->influence[3 * l + 2] +
+    a->level[at] += pm_body_inertia(&w->frame, x->body) * t->influence[3 * k + 2] * t->influence[3 * l + 2] +
                     m * (e[0] * f[0] + e[1] * f[1]);
     for (int c = 0; c < 2; c++) {
         a->lower[2 * at + c] += m * q[c];

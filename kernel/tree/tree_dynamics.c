@@ -35,7 +35,7 @@ static void fill_mass(pm_workspace *w)
     for (int i = w->fixed->n; i < w->model->nbody; i++) {
         const pm_tree_node *x = &t->node[i];
         const double m = w->numbers.mass[x->body] + w->numbers.stand_in[3 * x->body],
-                     inertia = pm_body_inertia(w, x->body) + w->numbers.stand_in[3 * x->body + 2];
+                     inertia = pm_body_inertia(&w->frame, x->body) + w->numbers.stand_in[3 * x->body + 2];
         const double *b = t->influence + 3 * x->list;
         const int *by = t->moved_by + x->list;
         for (int k = 0; k < x->nlist; k++, b += 3, by++) {
@@ -116,7 +116,7 @@ static void evaluate_loops(pm_workspace *w)
 {
     for (int i = 0; i < w->tree->nloop; i++) {
         pm_constraint *row = &w->active.row[w->tree->loop[i]];
-        pm_constraint_kind(row->kind)->evaluate(w, row);
+        pm_constraint_kind(row->kind)->evaluate(&w->frame, row);
     }
 }
 
@@ -132,7 +132,7 @@ static void add_forces(const pm_workspace *w, int inertial, double *x)
             const double m = w->numbers.mass[node->body];
             p[0] -= m * c[0];
             p[1] -= m * c[1];
-            p[2] -= pm_body_inertia(w, node->body) * c[2];
+            p[2] -= pm_body_inertia(&w->frame, node->body) * c[2];
         }
         for (int k = node->list; k < node->list + node->nlist; k++) {
             const double *b = t->influence + 3 * k;
@@ -178,7 +178,7 @@ static int close_loops(pm_workspace *w, double *x)
     if (status) return status;
     for (int i = 0; i < t->nloop; i++) {
         const pm_constraint *row = &w->active.row[t->loop[i]];
-        t->residual[i] = row->gamma - pm_saddle_times(w, row, t->bias);
+        t->residual[i] = row->gamma - pm_saddle_times(&w->frame, row, t->bias);
         for (int k = t->from[i]; k < t->to[i]; k++) t->residual[i] -= t->reduced[i * t->n + k] * x[k];
     }
     add_loops(t, x);
@@ -289,7 +289,7 @@ void pm_tree_react(pm_workspace *w)
     if (f->level == PM_LEVEL_DYNAMIC) return;
     for (int n = w->fixed->n; n < ground; n++) {
         const int i = t->node[n].body;
-        const double inertia = pm_body_inertia(w, i);
+        const double inertia = pm_body_inertia(&w->frame, i);
         for (int k = 0; k < 3; k++)
             t->wrench[3 * i + k] = (k < 2 ? w->numbers.mass[i] : inertia) * f->a[3 * i + k] - f->f[3 * i + k];
     }
@@ -364,7 +364,7 @@ int pm_tree_project(pm_workspace *w, double time, double *y, double *ydot, const
     }
     for (int i = 0; i < t->nloop; i++) {
         const pm_constraint *row = &w->active.row[t->loop[i]];
-        t->residual[i] = row->rate - pm_saddle_times(w, row, t->v);
+        t->residual[i] = row->rate - pm_saddle_times(&w->frame, row, t->v);
     }
     const double worst = worst_of(t->residual, t->nloop);
     if (worst <= ROUNDING * w->numbers.speed) return PM_OK;

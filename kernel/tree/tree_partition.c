@@ -96,7 +96,7 @@ static double read_rate_residuals(const pm_workspace *w, const double *v)
     double worst = 0;
     for (int i = 0; i < t->nloop; i++) {
         const pm_constraint *row = &w->active.row[t->loop[i]];
-        t->residual[i] = row->rate - pm_saddle_times(w, row, v);
+        t->residual[i] = row->rate - pm_saddle_times(&w->frame, row, v);
         worst = fmax(worst, fabs(t->residual[i]));
     }
     return worst;
@@ -151,7 +151,7 @@ static double look(pm_workspace *w, double time, const double *y, const double *
     pm_tree_look(w, time, y, ydot, z);
     for (int i = 0; i < t->nloop; i++) {
         pm_constraint *row = &w->active.row[t->loop[i]];
-        pm_constraint_kind(row->kind)->evaluate(w, row);
+        pm_constraint_kind(row->kind)->evaluate(&w->frame, row);
     }
     return read_residuals(w);
 }
@@ -202,7 +202,7 @@ static void follow(pm_workspace *w, double *yddot, double *a)
     pm_tree_spread_accelerations(w, yddot, a);
     for (int i = 0; i < t->nloop; i++) {
         const pm_constraint *row = &w->active.row[t->loop[i]];
-        t->residual[i] = row->gamma - pm_saddle_times(w, row, a);
+        t->residual[i] = row->gamma - pm_saddle_times(&w->frame, row, a);
     }
     correct(t, yddot);
     pm_tree_spread_accelerations(w, yddot, a);
@@ -210,7 +210,7 @@ static void follow(pm_workspace *w, double *yddot, double *a)
 
 static double inertia_of(const pm_workspace *w, int i)
 {
-    return i % 3 < 2 ? w->numbers.mass[i / 3] : pm_body_inertia(w, i / 3);
+    return i % 3 < 2 ? w->numbers.mass[i / 3] : pm_body_inertia(&w->frame, i / 3);
 }
 
 int pm_tree_accelerate_few(pm_workspace *w, double *yddot)

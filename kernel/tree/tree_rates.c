@@ -130,7 +130,7 @@ void pm_tree_loops(pm_workspace *w, const pm_loops *x)
     for (int i = 0; i < t->nloop; i++) {
         pm_constraint *row = &w->active.row[t->loop[i]];
         double *entry = x->entry + i * t->n;
-        pm_constraint_kind(row->kind)->evaluate(w, row);
+        pm_constraint_kind(row->kind)->evaluate(&w->frame, row);
         for (int c = x->low[i]; c <= x->high[i]; c++) entry[c] = 0;
         pm_tree_row_ends(w, row, &x->low[i], &x->high[i]);
         pm_tree_loop_row(w, row, entry);

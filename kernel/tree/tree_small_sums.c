@@ -60,7 +60,7 @@ static void add_side(const pm_workspace *w, const pm_constraint *row, int side, 
     if (body == w->model->nbody) return;
     const double *im = w->numbers.inverse_mass + 3 * body;
     const pm_tree_node *node = &t->node[t->placed[body] - 1];
-    const pm_point p = pm_frame_point(w, body, mark[0], mark[1]);
+    const pm_point p = pm_frame_point(&w->frame, body, mark[0], mark[1]);
     x->square += n[0] * n[0] * im[0] + n[1] * n[1] * im[1];
     for (int i = node->list; i < node->list + node->nlist; i++) {
         const int k = t->moved_by[i], turns = t->influence[3 * i + 2] != 0;
@@ -84,7 +84,7 @@ static int read_row(const pm_workspace *w, const double *y, pm_constraint *row, 
 {
     double n[2];
     if (!direction_of(w, row, n)) return 0;
-    pm_constraint_kind(row->kind)->evaluate(w, row);
+    pm_constraint_kind(row->kind)->evaluate(&w->frame, row);
     memset(x, 0, sizeof *x);
     for (int side = 0; side < 2; side++) add_side(w, row, side, n, x);
     x->constant = row->g;

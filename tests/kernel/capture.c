@@ -151,7 +151,7 @@ static void free_bodies(int kind, int capture, int particle)
     w->state.slot[hit].mode = PM_OPEN;
     memcpy(w->state.v, v, sizeof v);
     w->numbers.speed = 2;
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     int jumped;
     EQUAL(pm_impact(w, &jumped), PM_OK);
     EQUAL(jumped, 1);

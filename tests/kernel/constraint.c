@@ -54,21 +54,21 @@ static void look(pm_workspace *w, const double *direction, double eps)
                                     (direction ? eps * direction[3 * i + k] : 0);
             w->state.v[3 * i + k] = speed[3 * i + k];
         }
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
 }
 
 static double residual_at(pm_workspace *w, pm_constraint row, const double *direction, double eps)
 {
     look(w, direction, eps);
-    pm_constraint_kind(row.kind)->evaluate(w, &row);
+    pm_constraint_kind(row.kind)->evaluate(&w->frame, &row);
     return row.g;
 }
 
 static double rate_at(pm_workspace *w, pm_constraint row, const double *direction, double eps)
 {
     look(w, direction, eps);
-    pm_constraint_kind(row.kind)->evaluate(w, &row);
-    return pm_saddle_times(w, &row, w->state.v);
+    pm_constraint_kind(row.kind)->evaluate(&w->frame, &row);
+    return pm_saddle_times(&w->frame, &row, w->state.v);
 }
 
 static void check_row(pm_workspace *w, pm_constraint row, int on_constraint)
@@ -77,8 +77,8 @@ static void check_row(pm_workspace *w, pm_constraint row, int on_constraint)
     double difference[6], dense[6] = {0};
     look(w, NULL, 0);
     if (row.memory != PM_NONE)
-        pm_constraint_kind(row.kind)->remember(w, &row, &w->state.memory[row.memory], 1);
-    pm_constraint_kind(row.kind)->evaluate(w, &row);
+        pm_constraint_kind(row.kind)->remember(&w->frame, &row, &w->state.memory[row.memory], 1);
+    pm_constraint_kind(row.kind)->evaluate(&w->frame, &row);
     if (row.memory != PM_NONE) NEAR(row.g, 0, 1e-14);
     for (int p = 0; p < 2; p++)
         for (int k = 0; k < 3 && row.body[p] < w->model->nbody; k++)
@@ -93,7 +93,8 @@ static void check_row(pm_workspace *w, pm_constraint row, int on_constraint)
     const double change = (rate_at(w, row, speed, STEP) - rate_at(w, row, speed, -STEP)) / (2 * STEP);
     NEAR(row.gamma, -change, 1e-7);
     look(w, NULL, 0);
-    if (on_constraint) NEAR(pm_constraint_rate(w, &row), pm_saddle_times(w, &row, w->state.v), 1e-13);
+    if (on_constraint)
+        NEAR(pm_constraint_rate(&w->frame, &row), pm_saddle_times(&w->frame, &row, w->state.v), 1e-13);
 }
 
 static int open_case(scene *s)
@@ -117,7 +118,7 @@ static void check_scene(scene *s, int on_constraint)
     }
     for (int i = 0; i < s->rows[PM_TABLE_CONTACT]; i++) {
         pm_constraint row[2];
-        pm_contact_constraint_both(w, i, s->model->contact_slot[i], i == 0 ? 0 : 2, &row[0], &row[1]);
+        pm_contact_constraint_both(&w->frame, i, s->model->contact_slot[i], i == 0 ? 0 : 2, &row[0], &row[1]);
         for (int k = 0; k < 2; k++) check_row(w, row[k], on_constraint);
         EQUAL(row[0].memory, PM_NONE);
         CHECK(row[1].memory >= 0 && row[1].memory < s->model->nmemory);
@@ -151,7 +152,7 @@ static void line_rows(int ground_side, double radius)
     if (x.s->w) {
         look(x.s->w, NULL, 0);
         pm_joint_constraints(x.s->w, 0, row);
-        pm_constraint_kind(row[0].kind)->evaluate(x.s->w, &row[0]);
+        pm_constraint_kind(row[0].kind)->evaluate(&x.s->w->frame, &row[0]);
         NEAR(row[0].g, 0, 1e-14);
     }
     scene_free(x.s);
@@ -178,7 +179,7 @@ static void circle_rows(int ground_side, double side, double ratio)
         pm_constraint row[PM_JOINT_CONSTRAINTS];
         look(x.s->w, NULL, 0);
         pm_joint_constraints(x.s->w, 0, row);
-        pm_constraint_kind(row[0].kind)->evaluate(x.s->w, &row[0]);
+        pm_constraint_kind(row[0].kind)->evaluate(&x.s->w->frame, &row[0]);
         NEAR(row[0].g, 0, 1e-14);
         /* moving the centres together opens an inner contact and closes an outer one */
         const double *q = x.s->w->state.q;

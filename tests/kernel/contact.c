@@ -49,7 +49,7 @@ static void nearest_member(void)
             s->w->state.slot[1] = (pm_slot){PM_SMOOTH, best};
             NEAR(pm_contact_gap(s->w, &s->w->state, 0, &member), next, 1e-13);
             if (isfinite(next)) EQUAL(member, second);
-            EQUAL(pm_contact_free_slot(s->w, &s->w->state, 0), 0);
+            EQUAL(pm_contact_free_slot(&s->w->frame, &s->w->state, 0), 0);
         }
         scene_free(s);
     }
@@ -78,13 +78,13 @@ static void rates(void)
         for (int i = 0; i < 3; i++) {
             double rate, gap[2];
             int member;
-            pm_frame_look_state(w, &w->state);
-            NEAR(pm_contact_member_gap(w, i, 0, &rate), pm_contact_gap(w, &w->state, i, &member), 0);
+            pm_frame_look_state(&w->frame, &w->state);
+            NEAR(pm_contact_member_gap(&w->frame, i, 0, &rate), pm_contact_gap(w, &w->state, i, &member), 0);
             for (int side = 0; side < 2; side++) {
                 pm_state_copy(&w->probe, &w->state);
                 for (int k = 0; k < w->model->nq; k++) w->probe.q[k] += (side ? 1e-6 : -1e-6) * w->state.v[k];
-                pm_frame_look_state(w, &w->probe);
-                gap[side] = pm_contact_member_gap(w, i, 0, NULL);
+                pm_frame_look_state(&w->frame, &w->probe);
+                gap[side] = pm_contact_member_gap(&w->frame, i, 0, NULL);
             }
             NEAR(rate, (gap[1] - gap[0]) / 2e-6, 1e-8);
         }

@@ -20,27 +20,27 @@ static double residual(pm_workspace *w, pm_constraint row, double t)
 {
     double q[6];
     for (int i = 0; i < w->model->nq; i++) q[i] = w->state.q[i] + t * w->state.v[i];
-    pm_frame_look(w, t, q, w->state.v, w->state.z, w->state.memory);
-    pm_constraint_kind(row.kind)->evaluate(w, &row);
+    pm_frame_look(&w->frame, t, q, w->state.v, w->state.z, w->state.memory);
+    pm_constraint_kind(row.kind)->evaluate(&w->frame, &row);
     return row.g;
 }
 
 /* g' = G v - w and g'' = -gamma along the motion; G itself by one body and one coordinate moving at a time. */
 static void check_row(pm_workspace *w, pm_constraint row)
 {
-    pm_frame_look_state(w, &w->state);
-    pm_constraint_kind(row.kind)->remember(w, &row, &w->state.memory[row.memory], 1);
-    pm_constraint_kind(row.kind)->evaluate(w, &row);
+    pm_frame_look_state(&w->frame, &w->state);
+    pm_constraint_kind(row.kind)->remember(&w->frame, &row, &w->state.memory[row.memory], 1);
+    pm_constraint_kind(row.kind)->evaluate(&w->frame, &row);
     NEAR(row.g, 0, 1e-14);
     double before = residual(w, row, -STEP), after = residual(w, row, STEP);
-    NEAR((after - before) / (2 * STEP), pm_saddle_times(w, &row, w->state.v) - row.rate, 1e-7);
+    NEAR((after - before) / (2 * STEP), pm_saddle_times(&w->frame, &row, w->state.v) - row.rate, 1e-7);
     NEAR((after + before) / (STEP * STEP), -row.gamma, 1e-6);
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     /* the force of a drive is taken at the point of a, friction where the circle touches the line */
     const int off = row.kind == PM_CONSTRAINT_DRIVE_X || row.kind == PM_CONSTRAINT_DRIVE_Y ||
                     row.kind == PM_CONSTRAINT_LINE_TANGENT;
-    if (!off) NEAR(pm_constraint_rate(w, &row), pm_saddle_times(w, &row, w->state.v), 1e-13);
-    NEAR(pm_constraint_slip(w, &row), pm_constraint_rate(w, &row) - row.rate, 1e-15);
+    if (!off) NEAR(pm_constraint_rate(&w->frame, &row), pm_saddle_times(&w->frame, &row, w->state.v), 1e-13);
+    NEAR(pm_constraint_slip(&w->frame, &row), pm_constraint_rate(&w->frame, &row) - row.rate, 1e-15);
     for (int i = 0; i < w->model->nq; i++) {
         double unit[6] = {0};
         const double *kept = w->state.v;
@@ -48,7 +48,7 @@ static void check_row(pm_workspace *w, pm_constraint row)
         w->state.v = unit;
         before = residual(w, row, -STEP);
         after = residual(w, row, STEP);
-        NEAR((after - before) / (2 * STEP), pm_saddle_times(w, &row, unit) - row.rate, 1e-7);
+        NEAR((after - before) / (2 * STEP), pm_saddle_times(&w->frame, &row, unit) - row.rate, 1e-7);
         w->state.v = (double *)kept;
     }
 }
@@ -68,7 +68,7 @@ static void check_scene(scene *s)
     }
     for (int i = 0; i < s->rows[PM_TABLE_CONTACT]; i++) {
         pm_constraint row[2];
-        pm_contact_constraint_both(w, i, s->model->contact_slot[i], 0, &row[0], &row[1]);
+        pm_contact_constraint_both(&w->frame, i, s->model->contact_slot[i], 0, &row[0], &row[1]);
         check_row(w, row[s->cell[PM_TABLE_CONTACT][i * PM_CONTACT_COLUMNS] != PM_CONTACT_CORD]);
     }
     scene_free(s);

@@ -32,13 +32,13 @@ static void gaps(void)
             double *q = w->state.q;
             q[0] = check_random(-1, length + 1);
             q[1] = check_random(-1, 1);
-            pm_frame_look_state(w, &w->state);
-            const double gap = pm_edge_gap(w, 0, &member);
+            pm_frame_look_state(&w->frame, &w->state);
+            const double gap = pm_edge_gap(&w->frame, 0, &member);
             const double o = fmax(-q[0], q[0] - length), corner = hypot(o, q[1]) - r;
             const int next = r == 0 || o <= 0 ? PM_SEGMENT_FACE : q[0] < 0 ? PM_SEGMENT_FROM : PM_SEGMENT_TO;
             EQUAL(member, next);
             NEAR(gap, o <= 0 ? fmax(q[1] - r, o) : q[1] < 0 ? fmin(corner, o) : corner, 1e-8);
-            EQUAL(pm_edge_is_below(w, 0), q[1] < r);
+            EQUAL(pm_edge_is_below(&w->frame, 0), q[1] < r);
             int touched;
             EQUAL(pm_contact_touches(w, &w->state, 0, &touched),
                   o <= 0 ? q[1] >= 0 && q[1] <= r : corner <= 0);
@@ -50,8 +50,8 @@ static void gaps(void)
             int member;
             w->state.q[0] = 0.7 * cos(phi);
             w->state.q[1] = 0.7 * sin(phi);
-            pm_frame_look_state(w, &w->state);
-            const double gap = pm_edge_gap(w, 0, &member);
+            pm_frame_look_state(&w->frame, &w->state);
+            const double gap = pm_edge_gap(&w->frame, 0, &member);
             if (n > 0) NEAR(gap, last, 2e-4);
             last = gap;
         }

@@ -20,13 +20,13 @@ typedef struct blow {
 
 static void look(pm_workspace *w, const double *v)
 {
-    pm_frame_look(w, 0, w->state.q, v, w->state.z, w->state.memory);
+    pm_frame_look(&w->frame, 0, w->state.q, v, w->state.z, w->state.memory);
 }
 
 static double kinetic(pm_workspace *w, const double *v)
 {
     look(w, v);
-    return pm_body_kinetic(w, PM_NONE);
+    return pm_body_kinetic(&w->frame, PM_NONE);
 }
 
 /* Gives the assembled scene the velocities v at an instant; contact i rests before if bit i of `resting` is set. */
@@ -42,7 +42,7 @@ static blow strike(scene *s, const double *v, unsigned resting)
         fastest = fmax(fastest, fabs(v[i]));
     }
     w->numbers.speed = fastest;
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     const int status = pm_impact(w, &x.jumped);
     x.refused = status == PM_BLOW_GAINS || status == PM_BLOW_TURNS;
     if (!x.refused) EQUAL(status, PM_OK);
@@ -63,13 +63,13 @@ static void momentum_balance(scene *s, const blow *x)
             pm_constraint row[PM_JOINT_CONSTRAINTS];
             const int rows = pass ? 2 : pm_joint_constraints(w, i, row);
             if (pass)
-                pm_contact_constraint_both(w, pm_contact_of_slot(m, i), i, w->state.slot[i].member, &row[0],
-                                           &row[1]);
+                pm_contact_constraint_both(&w->frame, pm_contact_of_slot(m, i), i, w->state.slot[i].member,
+                                           &row[0], &row[1]);
             for (int k = 0; k < rows; k++) {
                 const double size =
                     pass ? w->impulses.slot[2 * i + k] : w->impulses.joint[m->joint_row[i] + k];
                 pm_line_of_action a;
-                pm_constraint_kind(row[k].kind)->act(w, &row[k], &a);
+                pm_constraint_kind(row[k].kind)->act(&w->frame, &row[k], &a);
                 for (int p = 0; p < 2; p++) {
                     const int body = row[k].body[p];
                     if (body == m->nbody) continue;
@@ -91,14 +91,14 @@ static double normal_rate(pm_workspace *w, int slot, const double *v)
 {
     double rate;
     look(w, v);
-    pm_contact_member_gap(w, pm_contact_of_slot(w->model, slot), w->state.slot[slot].member, &rate);
+    pm_contact_member_gap(&w->frame, pm_contact_of_slot(w->model, slot), w->state.slot[slot].member, &rate);
     return rate;
 }
 
 static double slip_rate(pm_workspace *w, int slot, const double *v)
 {
     look(w, v);
-    return pm_contact_member_slip(w, pm_contact_of_slot(w->model, slot), w->state.slot[slot].member);
+    return pm_contact_member_slip(&w->frame, pm_contact_of_slot(w->model, slot), w->state.slot[slot].member);
 }
 
 static void contact_laws(scene *s, const blow *x, int slot, int rested)
@@ -108,10 +108,11 @@ static void contact_laws(scene *s, const blow *x, int slot, int rested)
     const double u = normal_rate(w, slot, x->before), after = normal_rate(w, slot, x->after);
     const double slip_before = slip_rate(w, slot, x->before), slip = slip_rate(w, slot, x->after);
     const double p = w->impulses.slot[2 * slot], f = w->impulses.slot[2 * slot + 1],
-                 mu = pm_contact_static(w, contact);
+                 mu = pm_contact_static(&w->frame, contact);
     CHECK(p >= -CLOSE);
     CHECK(after >= -CLOSE);
-    if (p > CLOSE) NEAR(after, rested ? 0 : -pm_contact_restitution(w, contact) * u, CLOSE); /* (17.19) */
+    if (p > CLOSE)
+        NEAR(after, rested ? 0 : -pm_contact_restitution(&w->frame, contact) * u, CLOSE); /* (17.19) */
     if (p <= CLOSE) NEAR(f, 0, CLOSE); /* no normal impulse, no friction */
     if (friction == PM_FRICTION_SMOOTH) EQUAL(f, 0);
     if (friction == PM_FRICTION_ROUGH && p > CLOSE) NEAR(slip, 0, CLOSE);
@@ -131,7 +132,7 @@ static int refused(scene *s, const blow *x)
     int rough = 0, bounces = 0;
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
         rough |= pm_contact_friction(w->model, i) != PM_FRICTION_SMOOTH;
-        bounces |= pm_contact_restitution(w, i) > 0;
+        bounces |= pm_contact_restitution(&w->frame, i) > 0;
     }
     if (x->refused) CHECK(rough && bounces && w->result.where.value > 0);
     return x->refused;
@@ -146,7 +147,7 @@ static void laws(scene *s, const blow *x, unsigned resting)
         pm_constraint row[PM_JOINT_CONSTRAINTS];
         const int n = pm_joint_constraints(w, i, row);
         look(w, x->after);
-        for (int k = 0; k < n; k++) NEAR(pm_constraint_rate(w, &row[k]), 0, CLOSE);
+        for (int k = 0; k < n; k++) NEAR(pm_constraint_rate(&w->frame, &row[k]), 0, CLOSE);
     }
     for (int i = 0; i < w->model->nslot; i++) CHECK(normal_rate(w, i, x->after) >= -CLOSE);
     if (x->jumped != 1) return; /* a sequence: the impulses kept are those of its last blow */

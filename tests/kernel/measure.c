@@ -34,7 +34,7 @@ static double value_of(free_bodies *x, int measure)
         pm_workspace *w = x->s->w;
         for (int i = 0; i < 2; i++)
             for (int k = 0; k < 3; k++) w->state.v[3 * i + k] = speed[i][k];
-        pm_frame_look_state(w, &w->state);
+        pm_frame_look_state(&w->frame, &w->state);
         CHECK(pm_saddle_accelerate(w) == PM_OK);
         value = pm_measure(w, measure);
     }

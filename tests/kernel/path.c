@@ -298,15 +298,15 @@ static void accelerations(void)
         w = s->w;
         for (int k = 0; k < w->model->nq; k++)
             w->state.v[k] = w->numbers.inverse_mass[k] > 0 ? check_random(-2, 2) : 0;
-        pm_frame_look_state(w, &w->state);
+        pm_frame_look_state(&w->frame, &w->state);
         pm_saddle_rows(w);
         EQUAL(pm_projection_velocity(w, &w->state), PM_OK);
-        pm_frame_look_state(w, &w->state);
+        pm_frame_look_state(&w->frame, &w->state);
         if (samples[i].leaves || !CHECK(pm_route_path.applies(w))) {
             scene_free(s);
             continue;
         }
-        pm_frame_look_state(w, &w->state);
+        pm_frame_look_state(&w->frame, &w->state);
         EQUAL(pm_saddle_accelerate(w), PM_OK);
         const size_t a_bytes = (size_t)w->model->nq * sizeof(double),
                      l_bytes = (size_t)w->active.n * sizeof(double);
@@ -316,7 +316,7 @@ static void accelerations(void)
         memcpy(lambda, w->frame.lambda, l_bytes);
         for (int k = 0; k < w->active.n; k++) size = fmax(size, fabs(lambda[k]));
         memset(w->frame.a, 0, a_bytes);
-        pm_frame_look_state(w, &w->state);
+        pm_frame_look_state(&w->frame, &w->state);
         EQUAL(pm_path_accelerate(w, w->state.v), PM_OK);
         EQUAL(w->frame.level, PM_LEVEL_DYNAMIC);
         for (int k = 0; k < w->model->nq; k++) NEAR(w->frame.a[k], a[k], 1e-12 * size / 0.05);
@@ -334,10 +334,10 @@ static double evidence(maker *make, double shift, double more)
     if (CHECK(scene_begin(s) == PM_OK)) {
         pm_workspace *w = s->w;
         w->state.v[2] = 2;
-        pm_frame_look_state(w, &w->state);
+        pm_frame_look_state(&w->frame, &w->state);
         pm_saddle_rows(w);
         EQUAL(pm_projection_velocity(w, &w->state), PM_OK);
-        pm_frame_look_state(w, &w->state);
+        pm_frame_look_state(&w->frame, &w->state);
         CHECK(pm_route_path.applies(w));
         EQUAL(pm_route_path.begin(w), PM_OK);
         w->active.row[1].a[0] += shift;

@@ -156,11 +156,11 @@ static void shifts(void)
         if (!CHECK(scene_begin(s) == PM_OK)) continue;
         const pm_symmetry_shift along = {{way, 0}, turn}, whole = {{way, 0}, turns},
                                 across = {{0, way}, turns};
-        EQUAL(pm_symmetry_holds(s->w, &along), round);
-        EQUAL(pm_symmetry_holds(s->w, &whole), 1);
-        EQUAL(pm_symmetry_holds(s->w, &across), 0);
+        EQUAL(pm_symmetry_holds(&s->w->frame, &along), round);
+        EQUAL(pm_symmetry_holds(&s->w->frame, &whole), 1);
+        EQUAL(pm_symmetry_holds(&s->w->frame, &across), 0);
         for (size_t i = 0; i < sizeof p / sizeof *p && round; i++) {
-            if (!CHECK(pm_symmetry_program(s->w, &along, p[i], &change) == known[i]))
+            if (!CHECK(pm_symmetry_program(&s->w->frame, &along, p[i], &change) == known[i]))
                 fprintf(stderr, "program %d\n", (int)i);
             if (known[i]) NEAR(change, expected[i], 1e-15);
         }
@@ -191,7 +191,7 @@ static void obstacles(void)
         }
         const double turn[] = {-2};
         const pm_symmetry_shift along = {{0.6, 0}, turn};
-        if (CHECK(scene_begin(s) == PM_OK) && !CHECK(pm_symmetry_holds(s->w, &along) == (i >= 6)))
+        if (CHECK(scene_begin(s) == PM_OK) && !CHECK(pm_symmetry_holds(&s->w->frame, &along) == (i >= 6)))
             fprintf(stderr, "obstacle %d\n", i);
         scene_free(s);
     }

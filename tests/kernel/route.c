@@ -283,7 +283,7 @@ static void dense_output(int route, double tolerance)
                 if (k == 8)
                     for (int i = 0; i < 2 * nq; i++) NEAR(dense[i], w->state.q[i], tolerance);
             }
-            pm_frame_look_state(w, &w->state);
+            pm_frame_look_state(&w->frame, &w->state);
             pm_active_set_follow(w, &w->state);
         }
     }

@@ -37,10 +37,10 @@ static void shake(pm_workspace *w)
 {
     for (int i = 0; i < w->model->nq; i++) w->state.v[i] = check_random(-2, 2);
     w->numbers.speed = 2;
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     pm_saddle_rows(w);
     EQUAL(pm_projection_velocity(w, &w->state), PM_OK);
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
 }
 
 static void recompute(pm_workspace *w)
@@ -52,14 +52,13 @@ static void recompute(pm_workspace *w)
     for (int i = 0; i < w->active.n; i++) {
         const pm_constraint *row = &w->active.row[i];
         const double *h = w->active.asymmetric ? row->h : row->j;
-        NEAR(pm_saddle_times(w, row, w->frame.a), row->gamma, 1e-10);
+        NEAR(pm_saddle_times(&w->frame, row, w->frame.a), row->gamma, 1e-10);
         for (int p = 0; p < 2; p++)
             for (int k = 0; k < 3 && row->body[p] < w->model->nbody; k++)
                 sum[3 * row->body[p] + k] += h[3 * p + k] * w->frame.lambda[i];
     }
     for (int i = 0; i < nq; i++)
-        if (w->numbers.inverse_mass[i] > 0)
-            NEAR(sum[i], w->frame.a[i] / w->numbers.inverse_mass[i], 1e-10);
+        if (w->numbers.inverse_mass[i] > 0) NEAR(sum[i], w->frame.a[i] / w->numbers.inverse_mass[i], 1e-10);
 }
 
 /* Momentum about the origin that the rows give: none where all are inside the scene. */
@@ -139,8 +138,8 @@ static void forces(void)
         for (int side = -1; side <= 1; side += 2) {
             pm_state_copy(&w->probe, &w->state);
             for (int i = 0; i < nq; i++) w->probe.q[i] += side * 1e-6 * w->state.v[i];
-            pm_frame_look_state(w, &w->probe);
-            gradient += side * (pm_body_weight_energy(w) + pm_force_potential(w)) / 2e-6;
+            pm_frame_look_state(&w->frame, &w->probe);
+            gradient += side * (pm_body_weight_energy(&w->frame) + pm_force_potential(w)) / 2e-6;
         }
         NEAR(power, work - gradient, 1e-7);
     }

@@ -27,7 +27,7 @@ static scene *rods(int force)
 static void recompute(pm_workspace *w, double *a, double *lambda)
 {
     pm_solve_cache_forget(w);
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     EQUAL(pm_saddle_accelerate(w), PM_OK);
     memcpy(a, w->frame.a, (size_t)w->model->nq * sizeof *a);
     memcpy(lambda, w->frame.lambda, (size_t)w->active.n * sizeof *lambda);
@@ -42,7 +42,7 @@ static void as_if_solved(pm_workspace *w)
     memset(w->frame.lambda, 0, sizeof lambda);
     memset(w->frame.f, 0, sizeof other);
     for (int i = 0; i < w->active.n; i++) w->active.row[i].gamma = NAN;
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     EQUAL(pm_saddle_accelerate(w), PM_OK);
     EQUAL(w->result.count[PM_COUNT_SOLVES], solves);
     EQUAL(w->frame.level, PM_LEVEL_DYNAMIC);
@@ -63,10 +63,10 @@ static void not_for_another(pm_workspace *w)
         double *x = i < 6 ? &w->state.q[i] : &w->state.v[i - 6];
         const double before = *x;
         *x = nextafter(before, INFINITY);
-        pm_frame_look_state(w, &w->state);
+        pm_frame_look_state(&w->frame, &w->state);
         EQUAL(pm_solve_cache_take(w), 0);
         *x = before;
-        pm_frame_look_state(w, &w->state);
+        pm_frame_look_state(&w->frame, &w->state);
         EQUAL(pm_solve_cache_take(w), 1);
     }
     pm_solve_cache_drop_rows(w);

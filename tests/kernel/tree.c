@@ -204,20 +204,20 @@ static void shake(pm_workspace *w)
     for (int i = 0; i < w->model->nq; i++)
         w->state.v[i] = w->numbers.inverse_mass[i] > 0 ? check_random(-2, 2) : 0;
     w->numbers.speed = 2;
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     pm_saddle_rows(w);
     EQUAL(pm_projection_velocity(w, &w->state), PM_OK);
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
 }
 
 static void places(pm_workspace *w, double *y)
 {
     double q[MOST], back[MOST];
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     pm_tree_read(w, y);
     pm_tree_place(w, w->state.memory, y, q);
     for (int i = 0; i < w->model->nq; i++) NEAR(q[i], w->state.q[i], 1e-13);
-    pm_frame_look(w, 0, q, w->state.v, w->state.z, w->state.memory);
+    pm_frame_look(&w->frame, 0, q, w->state.v, w->state.z, w->state.memory);
     pm_tree_read(w, back);
     for (int i = 0; i < w->tree->n; i++) NEAR(back[i], y[i], 1e-13);
 }
@@ -262,8 +262,8 @@ static void rates(pm_workspace *w, const double *y)
     for (int i = 0; i < nq; i++) NEAR(rate[i], velocity[i], 1e-13);
     for (int k = 0; k < w->active.n; k++) { /* the solved rows hold whatever the rates */
         if (!w->tree->used[k]) continue;
-        pm_constraint_kind(w->active.row[k].kind)->evaluate(w, &w->active.row[k]);
-        NEAR(pm_saddle_times(w, &w->active.row[k], velocity), 0, 1e-12);
+        pm_constraint_kind(w->active.row[k].kind)->evaluate(&w->frame, &w->active.row[k]);
+        NEAR(pm_saddle_times(&w->frame, &w->active.row[k], velocity), 0, 1e-12);
         NEAR(w->active.row[k].g, 0, 1e-12);
     }
 }
@@ -297,9 +297,9 @@ static void projects(pm_workspace *w, const double *y)
     }
     EQUAL(pm_tree_project(w, 0, off, ydot, w->state.z), PM_OK);
     for (int i = 0; i < w->active.n; i++) {
-        pm_constraint_kind(w->active.row[i].kind)->evaluate(w, &w->active.row[i]);
+        pm_constraint_kind(w->active.row[i].kind)->evaluate(&w->frame, &w->active.row[i]);
         NEAR(w->active.row[i].g, 0, 1e-14);
-        NEAR(pm_saddle_times(w, &w->active.row[i], w->tree->v), 0, 1e-14);
+        NEAR(pm_saddle_times(&w->frame, &w->active.row[i], w->tree->v), 0, 1e-14);
     }
 }
 
@@ -344,7 +344,7 @@ static void swings(void)
     pin(s, rod(s, 0, 0, 0, 1, 1), -0.5, 0, PM_GROUND, 0, 0);
     if (CHECK(scene_begin(s) == PM_OK)) {
         pm_tree_build(s->w);
-        pm_frame_look_state(s->w, &s->w->state);
+        pm_frame_look_state(&s->w->frame, &s->w->state);
         pm_tree_read(s->w, &start);
         pm_tree_sum_up(s->w);
         pm_tree_small_sum_up(s->w);
@@ -370,7 +370,7 @@ static void turns_on(pm_workspace *w, const double *y)
         pm_constraint *row = &w->active.row[i];
         if (!w->tree->used[i] || row->kind == PM_CONSTRAINT_CIRCLE_TANGENT)
             continue; /* followed step by step */
-        pm_constraint_kind(row->kind)->evaluate(w, row);
+        pm_constraint_kind(row->kind)->evaluate(&w->frame, row);
         NEAR(row->g, 0, 1e-11);
     }
 }
@@ -389,7 +389,7 @@ static void look_at(scene *s, int n, int nloop)
         dynamics(w, y);
         projects(w, y);
         swift(w, y);
-        pm_frame_look_state(w, &w->state);
+        pm_frame_look_state(&w->frame, &w->state);
         pm_tree_read(w, y);
         pm_tree_partition(w); /* the same by dependent and independent coordinates */
         EQUAL(w->tree->part.few, nloop > 0 && n - nloop <= PM_TREE_FEW);

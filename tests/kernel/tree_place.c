@@ -159,7 +159,7 @@ static void place(pm_workspace *w, const double *y, double *q) { pm_tree_place(w
 
 static void look(pm_workspace *w, const double *q, const double *v)
 {
-    pm_frame_look(w, 0, q, v, w->state.z, w->state.memory);
+    pm_frame_look(&w->frame, 0, q, v, w->state.z, w->state.memory);
 }
 
 /* Derivatives of q along y + x ydot at x = 0: first and second, by differences of fourth order. */
@@ -199,7 +199,7 @@ static void meets_rows(pm_workspace *w, const double *q)
     look(w, q, w->state.v);
     for (int i = 0; i < w->active.n; i++) {
         if (!w->tree->used[i]) continue;
-        pm_constraint_kind(w->active.row[i].kind)->evaluate(w, &w->active.row[i]);
+        pm_constraint_kind(w->active.row[i].kind)->evaluate(&w->frame, &w->active.row[i]);
         NEAR(w->active.row[i].g, 0, 1e-13);
     }
 }
@@ -267,7 +267,7 @@ static void closes(pm_workspace *w)
     place(w, y, q);
     look(w, q, w->state.v);
     for (int i = 0; i < w->active.n; i++) {
-        pm_constraint_kind(w->active.row[i].kind)->evaluate(w, &w->active.row[i]);
+        pm_constraint_kind(w->active.row[i].kind)->evaluate(&w->frame, &w->active.row[i]);
         NEAR(w->active.row[i].g, 0, 1e-13);
     }
     y[n - 1] += 50; /* out of reach for lengths, another turn for angles: it converges or says so */

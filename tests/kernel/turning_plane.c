@@ -54,21 +54,21 @@ static void forces(void)
         const double d = (q[1] + 0.2) * cos(0.7) - (q[0] - 0.3) * sin(0.7);
         inertia += x[0] * d * d + x[1] * sin(f) * sin(f) + x[2] * cos(f) * cos(f);
     }
-    NEAR(pm_turning_plane_inertia(w), inertia, 1e-14);
+    NEAR(pm_turning_plane_inertia(&w->frame), inertia, 1e-14);
     double f[9], outer[3], sum[3] = {0, 0, 0};
-    const double momentum = pm_turning_plane_momentum(w);
+    const double momentum = pm_turning_plane_momentum(&w->frame);
     pm_force_all(w);
     memcpy(f, w->frame.f, sizeof f);
-    pm_turning_plane_outer(w, outer);
+    pm_turning_plane_outer(&w->frame, outer);
     for (int i = 0; i < 9; i++) {
         double energy[2];
         if (i == 8) continue; /* a particle does not turn */
         for (int side = 0; side < 2; side++) {
             const double kept = w->state.q[i];
             w->state.q[i] += side ? STEP : -STEP;
-            pm_frame_look_state(w, &w->state);
-            energy[side] = 0.5 * momentum * momentum / pm_turning_plane_inertia(w);
-            NEAR(pm_turning_plane_kinetic(w, PM_NONE), energy[side], 1e-14);
+            pm_frame_look_state(&w->frame, &w->state);
+            energy[side] = 0.5 * momentum * momentum / pm_turning_plane_inertia(&w->frame);
+            NEAR(pm_turning_plane_kinetic(&w->frame, PM_NONE), energy[side], 1e-14);
             w->state.q[i] = kept;
         }
         NEAR(f[i], (energy[0] - energy[1]) / (2 * STEP), 1e-8);
@@ -79,10 +79,10 @@ static void forces(void)
         sum[2] += f[3 * i + 2] + w->state.q[3 * i] * f[3 * i + 1] - w->state.q[3 * i + 1] * f[3 * i];
     }
     for (int k = 0; k < 3; k++) NEAR(outer[k], sum[k], 1e-13);
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     double parts = 0.5 * 0.4 * 9; /* what else turns along */
-    for (int i = 0; i < 3; i++) parts += pm_turning_plane_kinetic(w, i);
-    NEAR(parts, pm_turning_plane_kinetic(w, PM_NONE), 1e-13);
+    for (int i = 0; i < 3; i++) parts += pm_turning_plane_kinetic(&w->frame, i);
+    NEAR(parts, pm_turning_plane_kinetic(&w->frame, PM_NONE), 1e-13);
     scene_free(s);
 }
 

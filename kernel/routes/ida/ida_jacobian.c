@@ -99,7 +99,7 @@ static void force_and_rate(pm_workspace *w, const double *v, double *force, doub
     for (int i = 0; i < w->model->nq; i++) force[i] = w->numbers.inverse_mass[i] * w->frame.f[i];
     memcpy(w->saddle.rhs, w->frame.lambda, (size_t)w->active.n * sizeof(double));
     pm_saddle_spread(w, 1, force);
-    for (int i = 0; i < w->active.n; i++) rate[i] = pm_saddle_times(w, &w->active.row[i], v);
+    for (int i = 0; i < w->active.n; i++) rate[i] = pm_saddle_times(&w->frame, &w->active.row[i], v);
 }
 
 static void rows(pm_workspace *w, pm_ida_jacobian *x)
@@ -150,7 +150,7 @@ static void velocities(pm_workspace *w, pm_ida_jacobian *x, double t, const pm_i
     for (int k = 0; k < nq; k++) {
         const double old = v[k],
                      step = move(&v[k], k % 3 == 2 ? w->numbers.speed / w->numbers.size : w->numbers.speed);
-        pm_frame_look(w, t, d->y, v, v + nq, w->state.memory);
+        pm_frame_look(&w->frame, t, d->y, v, v + nq, w->state.memory);
         pm_force_all(w);
         v[k] = old;
         for (int i = 0; i < nq; i++)

@@ -264,7 +264,7 @@ static double slips(pm_workspace *w, const double *v)
 {
     double worst = 0;
     for (int i = 0; i < w->active.n; i++) {
-        w->saddle.wanted[i] = w->active.row[i].rate - pm_saddle_times(w, &w->active.row[i], v);
+        w->saddle.wanted[i] = w->active.row[i].rate - pm_saddle_times(&w->frame, &w->active.row[i], v);
         worst = fmax(worst, fabs(w->saddle.wanted[i]));
     }
     return worst;
@@ -275,12 +275,12 @@ static int corrected(pm_workspace *w, pm_state *s)
 {
     const double *spread = w->ida->jacobian.spread;
     const int nq = w->model->nq, na = w->active.n;
-    pm_frame_look_state(w, s);
+    pm_frame_look_state(&w->frame, s);
     double worst = openings(w);
     if (!(worst <= SLIGHT * w->numbers.size)) return 0;
     if (worst > ROUNDING * w->numbers.size) {
         add_columns(nq, na, spread, w->saddle.wanted, s->q);
-        pm_frame_look_state(w, s);
+        pm_frame_look_state(&w->frame, s);
         if (!(openings(w) <= ROUNDING * w->numbers.size)) return 0;
     }
     worst = slips(w, s->v);
@@ -288,7 +288,7 @@ static int corrected(pm_workspace *w, pm_state *s)
     if (!(worst <= SLIGHT * w->numbers.speed)) return 0;
     add_columns(nq, na, spread, w->saddle.wanted, s->v);
     if (!(slips(w, s->v) <= ROUNDING * w->numbers.speed)) return 0;
-    pm_frame_look_state(w, s);
+    pm_frame_look_state(&w->frame, s);
     return 1;
 }
 

@@ -59,7 +59,7 @@ static int values_inside(pm_workspace *w, double t, double *g)
 {
     const int status = w->phase.route->at(w, t, &w->probe);
     if (status) return status;
-    pm_frame_look(w, t, w->probe.q, w->probe.v, w->probe.z, w->state.memory);
+    pm_frame_look(&w->frame, t, w->probe.q, w->probe.v, w->probe.z, w->state.memory);
     return values(w, g);
 }
 
@@ -71,7 +71,7 @@ static int shown(double t, N_Vector y, N_Vector yp, double *g, void *workspace)
     const int nq = w->model->nq;
     const double *q = N_VGetArrayPointer(y);
     (void)yp;
-    pm_frame_look(w, t, q, q + nq, q + 2 * nq, w->state.memory);
+    pm_frame_look(&w->frame, t, q, q + nq, q + 2 * nq, w->state.memory);
     const int status = values(w, x->latest);
     if (status) {
         w->ida->status = status;
@@ -141,7 +141,7 @@ static int values_on_course(pm_workspace *w, const double *a, double time, doubl
         s->q[i] += time * (s->v[i] + 0.5 * time * a[i]);
         s->v[i] += time * a[i];
     }
-    pm_frame_look(w, s->t + time, s->q, s->v, s->z, w->state.memory);
+    pm_frame_look(&w->frame, s->t + time, s->q, s->v, s->z, w->state.memory);
     return values(w, g);
 }
 

@@ -39,7 +39,7 @@ void pm_ida_system_look(pm_workspace *w, double t, const double *y, const double
 {
     const int nq = w->model->nq;
     pm_frame *f = &w->frame;
-    pm_frame_look(w, t, y, y + nq, y + 2 * nq, w->state.memory);
+    pm_frame_look(&w->frame, t, y, y + nq, y + 2 * nq, w->state.memory);
     pm_force_all(w);
     pm_saddle_rows(w);
     memcpy(f->a, yp + nq, (size_t)nq * sizeof *yp);
@@ -52,7 +52,7 @@ int pm_ida_system_start(pm_workspace *w, double *y, double *yp)
     const int nq = w->model->nq, nz = w->model->nz;
     memset(y, 0, (size_t)w->ida->n * sizeof *y);
     memset(yp, 0, (size_t)w->ida->n * sizeof *yp);
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     const int status = pm_saddle_accelerate(w);
     if (status) return status;
     memcpy(y, w->state.q, (size_t)(2 * nq + nz) * sizeof *y); /* q, v, z lie together */
@@ -82,7 +82,8 @@ void pm_ida_system_residual(pm_workspace *w, double t, const double *y, const do
     for (int i = 0; i < w->ida->stride; i++) {
         const int active = i < w->active.n;
         r[l + i] = active ? w->active.row[i].g : yp[l + i];
-        r[mu + i] = active ? pm_saddle_times(w, &w->active.row[i], v) - w->active.row[i].rate : yp[mu + i];
+        r[mu + i] =
+            active ? pm_saddle_times(&w->frame, &w->active.row[i], v) - w->active.row[i].rate : yp[mu + i];
     }
 }
 

@@ -282,7 +282,10 @@ static int step(pm_workspace *w, double t_limit)
 }
 
 /* Friction by the load is not among its unknowns; it divides by masses. */
-static int applies(pm_workspace *w) { return !w->numbers.massless && !pm_joint_friction_any_by_load(w); }
+static int applies(pm_workspace *w)
+{
+    return !w->numbers.massless && !pm_joint_friction_any_by_load(&w->frame);
+}
 
 const pm_route_ops pm_route_ida = {
     .route = PM_ROUTE_IDA,

@@ -170,7 +170,7 @@ int pm_path_bridge_accelerate(pm_workspace *w)
     memcpy(f->velocity, f->v, (size_t)nq * sizeof *tangent);
     double mass = 0, momentum = 0, change = 0, force = 0;
     for (int i = 0; i < nq; i++) {
-        const double m = i % 3 == 2 ? pm_body_inertia(w, i / 3) : w->numbers.mass[i / 3];
+        const double m = i % 3 == 2 ? pm_body_inertia(&w->frame, i / 3) : w->numbers.mass[i / 3];
         mass += m * tangent[i] * tangent[i];
         momentum += m * tangent[i] * f->v[i];
         change += m * tangent[i] * bend[i];

@@ -246,7 +246,7 @@ static void put_back(pm_workspace *w, const double *keep)
 /* By a difference in the speeds. */
 static double error_of_motion(pm_workspace *w, int program, double value)
 {
-    const double kinetic = pm_body_kinetic(w, PM_NONE);
+    const double kinetic = pm_body_kinetic(&w->frame, PM_NONE);
     const int dynamic = w->model->programs.level[program] == PM_LEVEL_DYNAMIC;
     if (w->model->programs.energy[program] == PM_ENERGY_CLASS_UNKNOWN || !(kinetic > 0)) return NAN;
     if (dynamic) set_aside(w, w->scratch);

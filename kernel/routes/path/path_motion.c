@@ -21,7 +21,7 @@ static void accelerate_open(pm_workspace *w, const double *t)
     pm_force_all(w);
     pm_tree_bias(w, a);
     for (int i = 0; i < w->model->nq; i++) {
-        const double inertia = i % 3 == 2 ? pm_body_inertia(w, i / 3) : w->numbers.mass[i / 3];
+        const double inertia = i % 3 == 2 ? pm_body_inertia(&w->frame, i / 3) : w->numbers.mass[i / 3];
         mass += inertia * t[i] * t[i];
         force += t[i] * (f[i] - inertia * a[i]);
     }
@@ -34,7 +34,7 @@ static int accelerate_closed(pm_workspace *w)
     pm_tree_hold(w, w->path->driver);
     for (int i = 0; i < t->nloop; i++) {
         pm_constraint *row = &w->active.row[t->loop[i]];
-        pm_constraint_kind(row->kind)->evaluate(w, row);
+        pm_constraint_kind(row->kind)->evaluate(&w->frame, row);
     }
     return pm_tree_accelerate_few(w, t->force);
 }

@@ -66,8 +66,8 @@ static void add_forces(pm_workspace *w, pm_place *place)
     pm_force_all(w); /* powers and speeds at a unit rate, too */
     for (int i = 0; i < w->model->nq; i++) place->force += w->frame.f[i] * place->tangent[i];
     if (w->model->nz_controlled > 0) pm_ledger_controlled_rates(w, place->rate);
-    place->potential =
-        pm_body_weight_energy(w) + pm_force_potential(w) + pm_turning_plane_kinetic(w, PM_NONE);
+    place->potential = pm_body_weight_energy(&w->frame) + pm_force_potential(w) +
+                       pm_turning_plane_kinetic(&w->frame, PM_NONE);
 }
 
 static void look_at(pm_workspace *w, const pm_place *place)
@@ -101,7 +101,7 @@ static void place_rigid(pm_workspace *w, pm_place *place)
 
 void pm_path_open_begin(pm_workspace *w)
 {
-    for (int i = 0; i < w->model->nbody; i++) w->path->inertia[i] = pm_body_inertia(w, i);
+    for (int i = 0; i < w->model->nbody; i++) w->path->inertia[i] = pm_body_inertia(&w->frame, i);
     w->path->rigid.weights_alone = only_weights(w->model);
     pm_path_rigid_build(w);
     pm_force_all(w); /* weights stay as they are */

@@ -33,7 +33,7 @@ static void add(const pm_workspace *w, const pm_tree_node *x, const pm_rigid_bod
                          .turns = x->turns,
                          .holds = x->placement != PIN,
                          .mass = w->numbers.mass[x->body],
-                         .inertia = x->turns ? pm_body_inertia(w, x->body) : 0,
+                         .inertia = x->turns ? pm_body_inertia(&w->frame, x->body) : 0,
                          .turn = {1, 0}};
     b->weight = b->mass * gravity;
     pm_lanes mark = {0, 0};

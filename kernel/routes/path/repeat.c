@@ -54,7 +54,7 @@ static int tell_last(pm_workspace *w, pm_repeats *legs, int *told)
     int clear, status = pm_repeat_replay(w, &replay, &clear);
     if (!status && clear && !pm_repeat_limit_signs_changed(w))
         status = pm_repeat_replay_watch(w, &replay, told);
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     p->error = error;
     p->ended = ended;
     if (*told) pm_repeat_energy_add(l, legs);
@@ -82,7 +82,7 @@ static int repeat(pm_workspace *w, double kinetic, int *passed)
     const pm_symmetry_shift shift = {{l->by[0], l->by[1]}, l->turn};
     const int in_time = w->model->programs.read_time || w->history;
     const int steady = fabs(kinetic - l->kinetic) <= SAME_ENERGY * kinetic;
-    if (w->history || (in_time && !steady) || !pm_symmetry_holds(w, &shift)) return PM_OK;
+    if (w->history || (in_time && !steady) || !pm_symmetry_holds(&w->frame, &shift)) return PM_OK;
     l->work = pm_repeat_energy_work(w);
     l->ratio = kinetic / l->before;
     if (steady) l->ratio = 1, l->work = 0;
@@ -99,7 +99,7 @@ static int repeat(pm_workspace *w, double kinetic, int *passed)
 int pm_repeat_begin(pm_workspace *w, int *passed)
 {
     pm_repeat *l = w->repeat;
-    const double kinetic = pm_body_kinetic(w, PM_NONE);
+    const double kinetic = pm_body_kinetic(&w->frame, PM_NONE);
     int status = PM_OK;
     *passed = w->path->repeats = 0;
     l->pending = 0; /* legs passed over: the one that was computed ended as those before it */
@@ -132,7 +132,7 @@ void pm_repeat_end(pm_workspace *w)
 {
     pm_repeat *l = w->repeat;
     if (!l->known) return;
-    l->before = pm_body_kinetic(w, PM_NONE);
+    l->before = pm_body_kinetic(&w->frame, PM_NONE);
     l->end = w->step.end;
     l->steps = w->result.count[PM_COUNT_STEPS] - l->count[PM_COUNT_STEPS];
     l->lowest = fmin(w->path->lowest, l->kinetic);
@@ -141,7 +141,7 @@ void pm_repeat_end(pm_workspace *w)
 
 void pm_repeat_lap(pm_workspace *w)
 {
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     pm_repeat_end(w);
 }
 

@@ -58,7 +58,7 @@ static int64_t trigger_allows(pm_workspace *w, int trigger, const pm_symmetry_sh
     if (kind > PM_TRIGGER_EVERY) return PM_MOST_REPEATS;
     if (pm_trigger_on_time(w, trigger)) return time_allows(w, trigger, time);
     const int growth = w->model->programs.energy[e[PM_TRIGGER_PROGRAM]];
-    if (!pm_symmetry_program(w, shift, e[PM_TRIGGER_PROGRAM], &change)) return 0;
+    if (!pm_symmetry_program(&w->frame, shift, e[PM_TRIGGER_PROGRAM], &change)) return 0;
     if (kind == PM_TRIGGER_EVERY)
         return growth != PM_ENERGY_CLASS_NONE || fabs(change - round(change)) > WHOLE ? 0 : PM_MOST_REPEATS;
     if (change != 0) return growth != PM_ENERGY_CLASS_NONE ? 0 : until_zero(w, trigger, change);
@@ -106,7 +106,7 @@ static int64_t extreme_allows(pm_workspace *w, const int32_t *e, const pm_symmet
 {
     const int growth = w->model->programs.energy[pm_ask_program(e)];
     double change;
-    if (!pm_symmetry_program(w, shift, pm_ask_program(e), &change)) return 0;
+    if (!pm_symmetry_program(&w->frame, shift, pm_ask_program(e), &change)) return 0;
     if (change != 0 && growth != PM_ENERGY_CLASS_NONE) return 0; /* both change: neither end is the extreme */
     const int bends_well = growth == (pm_ask_greatest(e) ? PM_ENERGY_CLASS_CONVEX : PM_ENERGY_CLASS_CONCAVE);
     return growth > PM_ENERGY_CLASS_STEADY && !bends_well ? 0 : PM_MOST_REPEATS;

@@ -49,20 +49,20 @@ static void count_legs(pm_workspace *w, int64_t legs, double time)
 static void close_momentum(pm_workspace *w, const double *before)
 {
     double *ledger = w->state.z + pm_ledger_ledger(w->model), after[PM_LEDGER];
-    pm_body_momentum(w, PM_NONE, after);
+    pm_body_momentum(&w->frame, PM_NONE, after);
     for (int i = 0; i < PM_LEDGER; i++) ledger[i] += after[i] - before[i];
 }
 
 int pm_repeat_pass(pm_workspace *w, const pm_repeats *legs, double kinetic, double time)
 {
     double momentum[PM_LEDGER];
-    pm_body_momentum(w, PM_NONE, momentum);
+    pm_body_momentum(&w->frame, PM_NONE, momentum);
     move_state(w, legs->n, sqrt(legs->kinetic / kinetic), time);
     count_legs(w, legs->n, time);
     w->ledger.energy_lost += legs->lost;
     w->path->error = legs->error;
     w->path->ended = 0; /* the error is that at the begin of the leg that follows */
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     for (int i = 0; i < w->model->nslot; i++)
         if (w->state.slot[i].mode == PM_STICK) pm_active_set_anchor(w, &w->state, i);
     close_momentum(w, momentum);

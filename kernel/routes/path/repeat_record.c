@@ -55,7 +55,7 @@ void pm_repeat_record_begin(pm_workspace *w)
 {
     pm_repeat *l = w->repeat;
     pm_state_copy(&l->begin, &w->state);
-    l->kinetic = pm_body_kinetic(w, PM_NONE);
+    l->kinetic = pm_body_kinetic(&w->frame, PM_NONE);
     l->before = l->kinetic;
     l->end_kind = l->end_mark = PM_NONE;
     memcpy(l->count, w->result.count, sizeof l->count);
@@ -131,6 +131,6 @@ int pm_repeat_record_restore(pm_workspace *w)
     w->result.count[PM_COUNT_STEPS] = steps; /* work that was done */
     w->result.count[PM_COUNT_SOLVES] = solves;
     w->path->ended = 0;
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     return pm_active_set_build(w);
 }

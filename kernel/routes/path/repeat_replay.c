@@ -134,7 +134,7 @@ int pm_repeat_replay_watch(pm_workspace *w, const pm_replay *r, int *told)
     pm_state_copy(&w->ahead, &w->state);
     w->step.end = r->end;
     int status = w->phase.route->exact(w, r->end, &w->probe); /* the frame looks there, too */
-    *told = !status && fabs(pm_body_kinetic(w, PM_NONE) - r->kinetic1) <= SAME * r->kinetic1;
+    *told = !status && fabs(pm_body_kinetic(&w->frame, PM_NONE) - r->kinetic1) <= SAME * r->kinetic1;
     if (!*told) return status;
     pm_state_copy(&w->state, &w->probe);
     pm_path_error_sampled(w);

@@ -137,7 +137,7 @@ static double rate_of(const pm_workspace *w, const pm_place *x, const double *v)
     double sum = 0;
     for (int i = 0; i < w->model->nbody; i++)
         sum += w->numbers.mass[i] * (v[3 * i] * x->tangent[3 * i] + v[3 * i + 1] * x->tangent[3 * i + 1]) +
-               pm_body_inertia(w, i) * v[3 * i + 2] * x->tangent[3 * i + 2];
+               pm_body_inertia(&w->frame, i) * v[3 * i + 2] * x->tangent[3 * i + 2];
     return sum / x->mass;
 }
 
@@ -149,7 +149,7 @@ static double force_size(const pm_workspace *w, const pm_place *x)
         const double *f = w->frame.f + 3 * i, *t = x->tangent + 3 * i;
         size += hypot(f[0], f[1]) * hypot(t[0], t[1]) + fabs(f[2] * t[2]);
     }
-    return size + pm_turning_plane_force_size(w, x->tangent);
+    return size + pm_turning_plane_force_size(&w->frame, x->tangent);
 }
 
 /* At rest the forces tell which way it goes; out of an equilibrium the nudge does; 0: it stays. */
@@ -186,7 +186,7 @@ static int applies(pm_workspace *w)
     p->driver = PM_NONE;
     pm_path_bridge_forget(p);
     p->sense = 1;
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     pm_tree_read(w, x->y);
     pm_path_open_begin(w);
     if (pm_path_look(w, x) || pm_path_drive(w, x)) return 0;
@@ -213,8 +213,8 @@ static int begin(pm_workspace *w)
     p->way = 0;
     p->lowest = x->kinetic;
     p->energy = x->kinetic + x->potential - pm_path_work(w, w->state.z);
-    pm_frame_look_state(w, &w->state);
-    pm_body_momentum(w, PM_NONE, momentum);
+    pm_frame_look_state(&w->frame, &w->state);
+    pm_body_momentum(&w->frame, PM_NONE, momentum);
     for (int i = 0; i < PM_LEDGER; i++) p->impulse[i] = ledger[i] - momentum[i];
     return PM_OK;
 }
@@ -244,9 +244,9 @@ static double step_factor(const pm_workspace *w)
 static double way_to(pm_workspace *w, int contact, int member, double gap)
 {
     double rate;
-    pm_contact_member_gap(w, contact, member, &rate);
+    pm_contact_member_gap(&w->frame, contact, member, &rate);
     rate *= w->path->sense;
-    return gap > pm_contact_length(w) && rate < 0 ? -gap / rate : INFINITY;
+    return gap > pm_contact_length(&w->frame) && rate < 0 ? -gap / rate : INFINITY;
 }
 
 /* The step may end soon: at the nearest contacts that seem to come, of a row on either side. */
@@ -254,13 +254,13 @@ static double next_contact(pm_workspace *w, const pm_place *x)
 {
     double h = INFINITY;
     if (w->model->rows[PM_TABLE_CONTACT] == 0) return h;
-    pm_frame_look(w, w->state.t, x->q, x->tangent, w->state.z, w->state.memory);
+    pm_frame_look(&w->frame, w->state.t, x->q, x->tangent, w->state.z, w->state.memory);
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
         int member[2];
         if (pm_contact_is_row(w->model, i)) {
-            const int n = pm_contact_near(w, &w->state, i, 2, member);
+            const int n = pm_contact_near(&w->frame, &w->state, i, 2, member);
             for (int k = 0; k < n; k++)
-                h = fmin(h, way_to(w, i, member[k], pm_contact_gap_to(w, i, member[k])));
+                h = fmin(h, way_to(w, i, member[k], pm_contact_gap_to(&w->frame, i, member[k])));
         } else {
             const double gap = pm_contact_gap(w, &w->state, i, member);
             if (!isinf(gap)) h = fmin(h, way_to(w, i, *member, gap));
@@ -345,7 +345,7 @@ static int look(pm_workspace *w, double x, int level)
 static void close_momentum(pm_workspace *w, pm_state *state)
 {
     double *ledger = state->z + pm_ledger_ledger(w->model), momentum[PM_LEDGER];
-    pm_body_momentum(w, PM_NONE, momentum);
+    pm_body_momentum(&w->frame, PM_NONE, momentum);
     for (int i = 0; i < PM_LEDGER; i++) ledger[i] = w->path->impulse[i] + momentum[i];
 }
 
@@ -353,7 +353,7 @@ static int exact(pm_workspace *w, double x, pm_state *state)
 {
     pm_state_copy(state, &w->state);
     const int status = at(w, x, state);
-    pm_frame_look_state(w, state);
+    pm_frame_look_state(&w->frame, state);
     if (!status) close_momentum(w, state);
     return status;
 }
@@ -382,7 +382,7 @@ static double broken_row(const pm_workspace *w)
     for (int i = 0; i < w->model->nq; i++)
         fastest = pm_max(fabs(t[i]) * (i % 3 == 2 ? w->numbers.size : 1), fastest);
     for (int i = 0; i < w->active.n; i++) {
-        const double *j = w->active.row[i].j, off = fabs(pm_saddle_times(w, &w->active.row[i], t));
+        const double *j = w->active.row[i].j, off = fabs(pm_saddle_times(&w->frame, &w->active.row[i], t));
         double size = 0;
         for (int k = 0; k < 6; k++) size += fabs(j[k]) / (k % 3 == 2 ? w->numbers.size : 1);
         worst = pm_max(off / (size * fastest), worst);
@@ -468,10 +468,10 @@ static int step(pm_workspace *w, double t_limit)
     w->phase.lap = hands_over || (may_close && p->way > TURN * (1 - ROUNDING));
     state_of(w, &p->node[PM_NODES_MOST - 1], 1, pm_path_clock_at(p, 1), &w->state);
     w->step.nodes = p->nodes;
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     look_for_evidence(w);
     if ((status = end_at_limit(w, t_limit))) return status;
-    if (w->step.end != p->h) pm_frame_look_state(w, &w->state);
+    if (w->step.end != p->h) pm_frame_look_state(&w->frame, &w->state);
     close_momentum(w, &w->state);
     pm_path_error_step(w, p->node[PM_NODES_MOST - 1].kinetic);
     w->result.count[PM_COUNT_STEPS]++;

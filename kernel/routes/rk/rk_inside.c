@@ -36,7 +36,7 @@ static int accelerate_watched(pm_workspace *w)
 int pm_rk_look(pm_workspace *w, double t, int level)
 {
     if (t == w->step.end) {
-        pm_frame_look_state(w, &w->state);
+        pm_frame_look_state(&w->frame, &w->state);
         return level == PM_LEVEL_DYNAMIC ? pm_saddle_accelerate(w) : PM_OK;
     }
     const int status = pm_rk_at(w, t, &w->probe);

@@ -34,7 +34,7 @@ static double restore_energy(pm_workspace *w, double *rates)
 static void follow_momenta(pm_workspace *w, double *impulse)
 {
     double momentum[PM_LEDGER];
-    pm_body_momentum(w, PM_NONE, momentum);
+    pm_body_momentum(&w->frame, PM_NONE, momentum);
     for (int i = 0; i < PM_LEDGER; i++) impulse[i] += momentum[i] - w->rk->momentum[i];
 }
 

@@ -90,7 +90,7 @@ static int begin(pm_workspace *w)
 {
     struct pm_rk *r = w->rk;
     pm_tree_build(w);
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     r->n = w->tree->n;
     r->all = 2 * r->n + w->model->nz;
     r->controlled = 2 * r->n + w->model->nz_controlled;
@@ -106,7 +106,7 @@ static int begin(pm_workspace *w)
     memcpy(r->now + 2 * r->n, w->state.z, (size_t)w->model->nz * sizeof(double));
     r->k0_ready = r->dense_ready = 0;
     r->first = w->result.count[PM_COUNT_STEPS];
-    pm_body_momentum(w, PM_NONE, r->momentum_now);
+    pm_body_momentum(&w->frame, PM_NONE, r->momentum_now);
     /* a new case owes nothing to the last one, nor a phase to what another route has left behind */
     if (w->result.count[PM_COUNT_STEPS] == 0 || w->state.t > r->end) r->next = 0;
     pm_energy_level_begin(w, &r->level);
@@ -178,7 +178,7 @@ static int accept(pm_workspace *w, double t)
     int status = pm_rk_settle(w, t, r->now, &w->state, &gained);
     if (status) return status;
     pm_energy_level_note(w, &r->level, gained);
-    pm_body_momentum(w, PM_NONE, r->momentum_now);
+    pm_body_momentum(&w->frame, PM_NONE, r->momentum_now);
     w->result.count[PM_COUNT_STEPS]++;
     if ((status = last_stage(w))) return status;
     set_times(w, r->k + STAGES * r->all);

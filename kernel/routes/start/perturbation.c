@@ -137,13 +137,13 @@ static int leave_along_path(pm_workspace *w)
     const pm_path *p = w->path;
     int status = PM_OK;
     if (!p->at_rest) return fail(w, PM_NUDGE_UNSTEADY, NAN);
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     const double side = p->sense * pm_perturbation_side(w, p->begin.tangent);
     if (!p->balanced) return side > 0 ? PM_OK : fail(w, PM_NUDGE_UNSTEADY, NAN);
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     pm_force_all(w);
     const int goes = is_driven_on(w, &status);
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     return status || goes ? status : fail(w, PM_NUDGE_STABLE, 0);
 }
 
@@ -153,7 +153,7 @@ static int read_gradient(pm_workspace *w)
     struct pm_perturbation *x = w->perturbation;
     double *unit = x->escape.v;
     int any = 0;
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     memset(unit, 0, (size_t)w->model->nq * sizeof *unit);
     memset(x->touched, 0, (size_t)w->model->nbody + 1);
     for (int i = 0; i < w->model->nq; i++) {
@@ -162,7 +162,7 @@ static int read_gradient(pm_workspace *w)
         unit[i] = 0;
         if (x->gradient[i] != 0) any = x->touched[i / 3] = 1;
     }
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     return any;
 }
 
@@ -216,7 +216,7 @@ static int is_at_rest(const pm_workspace *w)
 static int goes_by_itself(pm_workspace *w, int *status)
 {
     if (!is_at_rest(w)) return 0;
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     if ((*status = pm_saddle_accelerate(w))) return 0;
     return read_at(w, w->frame.a) > 0;
 }
@@ -225,7 +225,7 @@ static int goes_by_itself(pm_workspace *w, int *status)
 static int read_push(pm_workspace *w)
 {
     pm_fastest_growth *e = &w->perturbation->escape;
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     pm_saddle_rows(w);
     int status = pm_saddle_factor(w);
     memset(w->saddle.wanted, 0, (size_t)w->active.n * sizeof *w->saddle.wanted);
@@ -244,7 +244,7 @@ static int set_out(pm_workspace *w, double part, double *shows)
     }
     const int status = pm_projection_apply(w, s);
     if (status) return status;
-    pm_frame_look_state(w, s);
+    pm_frame_look_state(&w->frame, s);
     *shows = pm_program_run(w->model, w->perturbation->program, w->numbers.param, w->numbers.value, w);
     return PM_OK;
 }
@@ -253,10 +253,10 @@ static int set_out(pm_workspace *w, double part, double *shows)
 static void give_momentum(pm_workspace *w)
 {
     double before[PM_LEDGER], after[PM_LEDGER], *ledger = w->probe.z + pm_ledger_ledger(w->model);
-    pm_frame_look_state(w, &w->state);
-    pm_body_momentum(w, PM_NONE, before);
-    pm_frame_look_state(w, &w->probe);
-    pm_body_momentum(w, PM_NONE, after);
+    pm_frame_look_state(&w->frame, &w->state);
+    pm_body_momentum(&w->frame, PM_NONE, before);
+    pm_frame_look_state(&w->frame, &w->probe);
+    pm_body_momentum(&w->frame, PM_NONE, after);
     for (int i = 0; i < PM_LEDGER; i++) ledger[i] += after[i] - before[i];
 }
 
@@ -264,7 +264,7 @@ static int overlaps(pm_workspace *w)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
         int member;
-        const double gap = pm_contact_gap(w, &w->state, i, &member), least = -pm_contact_length(w);
+        const double gap = pm_contact_gap(w, &w->state, i, &member), least = -pm_contact_length(&w->frame);
         if (gap < least) return pm_fail(w, PM_PENETRATION, PM_TABLE_CONTACT, i, gap, least);
     }
     return PM_OK;
@@ -308,7 +308,7 @@ int pm_perturbation_leave(pm_workspace *w)
     if (!pm_perturbation_waits(w)) return PM_OK;
     if (pm_route_path.applies(w)) return leave_along_path(w);
     const int status = leave_by_deviation(w);
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     if (!status) pm_perturbation_end(w);
     return status;
 }

@@ -109,7 +109,7 @@ static int react(pm_workspace *w)
 static void look(pm_workspace *w, double t)
 {
     const pm_uniform *u = w->uniform;
-    pm_frame_look(w, u->t0 + t, u->q_look, u->v_look, w->state.z, w->state.memory);
+    pm_frame_look(&w->frame, u->t0 + t, u->q_look, u->v_look, w->state.z, w->state.memory);
 }
 
 static void look_at_forces(pm_workspace *w, double t)
@@ -177,9 +177,9 @@ static void integrate_paths(pm_workspace *w, double t, double h, double *z)
     for (int i = 0; i < m->npath; i++) {
         pm_uniform_look(w, t);
         know_forces(w);
-        const pm_point p = pm_frame_point_of(w, PM_MEASURE_ROW(m, m->path[i])[PM_MEASURE_A]);
+        const pm_point p = pm_frame_point_of(&w->frame, PM_MEASURE_ROW(m, m->path[i])[PM_MEASURE_A]);
         double a[2];
-        pm_frame_acceleration(w, &p, a);
+        pm_frame_acceleration(&w->frame, &p, a);
         z[m->nz_work + i] = w->uniform->z0[m->nz_work + i] + distance_along(p.v, a, h);
     }
 }
@@ -205,7 +205,8 @@ static int paths_are_parabolas(const pm_workspace *w)
     for (int i = 0; i < m->npath; i++) {
         const int32_t *p = PM_POINT_ROW(m, PM_MEASURE_ROW(m, m->path[i])[PM_MEASURE_A]);
         const double at[2] = {w->numbers.value[p[PM_POINT_X]], w->numbers.value[p[PM_POINT_Y]]};
-        if (!pm_constant_motion_mark(w, &w->uniform->curve, pm_body_index(m, p[PM_POINT_BODY]), at)) return 0;
+        if (!pm_constant_motion_mark(&w->frame, &w->uniform->curve, pm_body_index(m, p[PM_POINT_BODY]), at))
+            return 0;
     }
     return 1;
 }
@@ -216,7 +217,7 @@ typedef double pm_slip(pm_workspace *w, int which, double t);
 static double rub_at(pm_workspace *w, int grip, double t)
 {
     pm_uniform_look(w, t);
-    const double slip = pm_joint_friction_slip(w, grip);
+    const double slip = pm_joint_friction_slip(&w->frame, grip);
     return w->state.friction[grip] == PM_SLIDE_FORWARD ? slip : -slip;
 }
 
@@ -224,7 +225,7 @@ static double slip_at(pm_workspace *w, int slot, double t)
 {
     pm_uniform_look(w, t);
     const double slip =
-        pm_contact_member_slip(w, pm_contact_of_slot(w->model, slot), w->state.slot[slot].member);
+        pm_contact_member_slip(&w->frame, pm_contact_of_slot(w->model, slot), w->state.slot[slot].member);
     return w->state.slot[slot].mode == PM_SLIDE_FORWARD ? slip : -slip;
 }
 
@@ -253,13 +254,13 @@ static void begin_contacts(pm_workspace *w)
     for (int i = 0; i < w->model->nslot; i++) {
         const int mode = w->state.slot[i].mode;
         const int slides = mode == PM_SLIDE_FORWARD || mode == PM_SLIDE_BACKWARD;
-        u->slip_end[i] = slides ? slip_ends(w, slip_at, i, pm_contact_speed(w)) : INFINITY;
+        u->slip_end[i] = slides ? slip_ends(w, slip_at, i, pm_contact_speed(&w->frame)) : INFINITY;
         u->edge_end[i] = INFINITY;
     }
     for (int i = 0; i < w->model->nfriction; i++)
         u->rub_end[i] = w->state.friction[i] == PM_STICK || w->state.friction[i] == PM_OPEN
                             ? INFINITY
-                            : slip_ends(w, rub_at, i, pm_joint_friction_still(w, i));
+                            : slip_ends(w, rub_at, i, pm_joint_friction_still(&w->frame, i));
     pm_uniform_look(w, 0);
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) pm_uniform_gap_begin(w, i);
 }
@@ -282,7 +283,7 @@ static int applies(pm_workspace *w)
     memcpy(u->q0, w->state.q, (size_t)nq * sizeof(double));
     memcpy(u->lambda, w->frame.lambda, (size_t)w->model->nrow * sizeof(double));
     begin_contacts(w);
-    pm_frame_look_state(w, &w->state);
+    pm_frame_look_state(&w->frame, &w->state);
     know_forces(w);
     return !u->irregular;
 }
@@ -291,8 +292,8 @@ static int applies(pm_workspace *w)
 static void watch(pm_workspace *w, int program)
 {
     pm_uniform *u = w->uniform;
-    const int size = pm_program_degree_is_size(w, &u->curve, program);
-    const int degree = size ? PM_DEGREE_MOST : pm_program_degree_of(w, &u->curve, program);
+    const int size = pm_program_degree_is_size(&w->frame, &u->curve, program);
+    const int degree = size ? PM_DEGREE_MOST : pm_program_degree_of(&w->frame, &u->curve, program);
     if (degree > u->sampled) u->sampled = degree;
     if (degree == PM_DEGREE_MOST) u->watched[u->nwatched++] = (pm_parabola){program, size};
 }

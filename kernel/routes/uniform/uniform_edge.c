@@ -109,7 +109,7 @@ static void bodies_of(const pm_workspace *w, int contact, int point[2], int body
 static pm_edge_motion motion_of(const pm_workspace *w, int contact)
 {
     const pm_uniform *u = w->uniform;
-    const pm_edge_place x = pm_edge_beside(w, contact);
+    const pm_edge_place x = pm_edge_beside(&w->frame, contact);
     int point[2], body[2];
     bodies_of(w, contact, point, body);
     double v[2], a[2];
@@ -180,7 +180,8 @@ static int always(const pm_edge_motion *x, int side, double t)
 static int is_leaving(const pm_workspace *w, const pm_edge_motion *x)
 {
     for (int side = 0; side < SIDES; side++)
-        if (x->beyond[side].c[0] > -2 * pm_contact_length(w) && x->beyond[side].c[1] > pm_contact_speed(w))
+        if (x->beyond[side].c[0] > -2 * pm_contact_length(&w->frame) &&
+            x->beyond[side].c[1] > pm_contact_speed(&w->frame))
             return 1;
     return 0;
 }
@@ -188,18 +189,19 @@ static int is_leaving(const pm_workspace *w, const pm_edge_motion *x)
 static double strikes_face(pm_workspace *w, pm_edge_motion *x)
 {
     pm_poly gap = x->height;
-    const double length = pm_contact_length(w);
+    const double length = pm_contact_length(&w->frame);
     const int within = is_within(x, 0, 0) && !is_leaving(w, x);
     gap.c[0] -= x->radius;
     if (within && gap.c[0] < -length && gap.c[0] > -2 * x->radius + length) w->uniform->irregular = 1;
-    if (!begin_exactly(w, &gap, length, pm_contact_speed(w)) && within) w->uniform->irregular = 1;
+    if (!begin_exactly(w, &gap, length, pm_contact_speed(&w->frame)) && within) w->uniform->irregular = 1;
     return first_fall(&gap, x, 0, is_within);
 }
 
 static double strikes_corner(pm_workspace *w, const pm_edge_motion *x, int side)
 {
     pm_poly gap = corner_of(x, side);
-    const double length = 2 * x->radius * pm_contact_length(w), speed = 2 * x->radius * pm_contact_speed(w);
+    const double length = 2 * x->radius * pm_contact_length(&w->frame),
+                 speed = 2 * x->radius * pm_contact_speed(&w->frame);
     if (!(x->radius > 0)) return INFINITY;
     if (is_beyond(x, side, 0)) {
         if (gap.c[0] < -length) w->uniform->irregular = 1;
@@ -215,7 +217,7 @@ static double comes_to_end(pm_workspace *w, const pm_edge_motion *x)
         pm_poly room = x->beyond[side];
         for (int i = 0; i <= room.n; i++) room.c[i] = -room.c[i];
         if (room.c[0] < 0) room.c[0] = 0;
-        if (!begin_exactly(w, &room, 0, pm_contact_speed(w))) w->uniform->irregular = 1;
+        if (!begin_exactly(w, &room, 0, pm_contact_speed(&w->frame))) w->uniform->irregular = 1;
         end = fmin(end, first_fall(&room, x, side, always));
     }
     return end;
@@ -231,7 +233,8 @@ int pm_uniform_edge_hold(const pm_workspace *w)
         bodies_of(w, i, point, body);
         const int32_t *p = PM_POINT_ROW(m, point[0]);
         const double at[2] = {w->numbers.value[p[PM_POINT_X]], w->numbers.value[p[PM_POINT_Y]]};
-        if (w->uniform->curve.turns[body[1]] || !pm_constant_motion_mark(w, &w->uniform->curve, body[0], at))
+        if (w->uniform->curve.turns[body[1]] ||
+            !pm_constant_motion_mark(&w->frame, &w->uniform->curve, body[0], at))
             return 0;
         if (slot->mode == PM_OPEN) continue;
         if (slot->member != PM_SEGMENT_FACE || pm_edge_meets_another(w, i)) return 0;

@@ -49,7 +49,7 @@ static double open_for(const pm_workspace *w, const pm_constraint *row, double g
     *exact = 0;
     for (int i = 0; i < REFINEMENTS; i++) {
         pm_constraint_bounds x;
-        pm_constraint_kind(row->kind)->bound(w, row, a, h, &x);
+        pm_constraint_kind(row->kind)->bound(&w->frame, row, a, h, &x);
         if (x.exact) {
             safe = first_root(g, rate, x.bend);
             *exact = safe < h;
@@ -65,7 +65,7 @@ static double open_for(const pm_workspace *w, const pm_constraint *row, double g
 
 static double noise_of(const pm_workspace *w, const pm_constraint *row)
 {
-    const pm_marks m = pm_constraint_marks(w, row);
+    const pm_marks m = pm_constraint_marks(&w->frame, row);
     return ROUNDING * (fabs(m.a.p[0]) + fabs(m.a.p[1]) + fabs(m.b.p[0]) + fabs(m.b.p[1]) +
                        fabs(row->radius_a) + fabs(row->radius_b));
 }
@@ -73,16 +73,16 @@ static double noise_of(const pm_workspace *w, const pm_constraint *row)
 /* A member that touches when the phase begins touches exactly, and one without speed has none. */
 static void begin_exactly(const pm_workspace *w, double *g, double *rate)
 {
-    if (*g > pm_contact_length(w) || *rate < -pm_contact_speed(w)) return;
+    if (*g > pm_contact_length(&w->frame) || *rate < -pm_contact_speed(&w->frame)) return;
     *g = 0;
-    if (*rate <= pm_contact_speed(w)) *rate = 0;
+    if (*rate <= pm_contact_speed(&w->frame)) *rate = 0;
 }
 
 void pm_uniform_gap_begin(pm_workspace *w, int contact)
 {
     pm_uniform *u = w->uniform;
     int member[NEAR];
-    const int n = pm_contact_near(w, &w->state, contact, NEAR, member);
+    const int n = pm_contact_near(&w->frame, &w->state, contact, NEAR, member);
     const int there = !pm_state_is_absent(w->model, &w->state, PM_TABLE_CONTACT, contact);
     if (there && pm_edge_is(w->model, contact)) {
         pm_uniform_edge_begin(w, contact);
@@ -91,13 +91,14 @@ void pm_uniform_gap_begin(pm_workspace *w, int contact)
     u->closing[contact] = (pm_closing){.root = INFINITY, .near = INFINITY};
     for (int i = 0; i < n; i++) {
         pm_constraint row, tangent;
-        pm_contact_constraint_both(w, contact, w->model->contact_slot[contact], member[i], &row, &tangent);
-        pm_constraint_kind(row.kind)->evaluate(w, &row);
-        double g = row.g, rate = pm_saddle_times(w, &row, w->frame.v);
+        pm_contact_constraint_both(&w->frame, contact, w->model->contact_slot[contact], member[i], &row,
+                                   &tangent);
+        pm_constraint_kind(row.kind)->evaluate(&w->frame, &row);
+        double g = row.g, rate = pm_saddle_times(&w->frame, &row, w->frame.v);
         begin_exactly(w, &g, &rate);
         if (g > 0 || rate > 0) continue;
         pm_constraint_bounds x = {.bend = -INFINITY};
-        if (rate == 0) pm_constraint_kind(row.kind)->bound(w, &row, u->a, 0, &x);
+        if (rate == 0) pm_constraint_kind(row.kind)->bound(&w->frame, &row, u->a, 0, &x);
         u->irregular |= x.bend < -DEFINITE * u->curve.acceleration; /* must not approach */
     }
 }
@@ -131,7 +132,7 @@ void pm_uniform_gap_note(pm_workspace *w, int contact)
     pm_uniform_look(w, w->uniform->end);
     const double gap = pm_contact_gap(w, &w->state, contact, &member);
     if (gap == INFINITY) return; /* closed */
-    pm_contact_member_gap(w, contact, member, &rate);
+    pm_contact_member_gap(&w->frame, contact, member, &rate);
     note_near(&w->uniform->closing[contact], w->uniform->end, gap, rate);
 }
 
@@ -139,15 +140,16 @@ void pm_uniform_gap_note(pm_workspace *w, int contact)
 static double advance(pm_workspace *w, int contact, double h, int *root)
 {
     int member[NEAR];
-    const int n = pm_contact_near(w, &w->state, contact, NEAR, member);
+    const int n = pm_contact_near(&w->frame, &w->state, contact, NEAR, member);
     const int first = w->uniform->closing[contact].safe == 0;
     double safe = h, least = INFINITY, least_rate = 0;
     *root = OPEN;
     for (int i = 0; i < n; i++) {
         pm_constraint row, tangent;
-        pm_contact_constraint_both(w, contact, w->model->contact_slot[contact], member[i], &row, &tangent);
-        pm_constraint_kind(row.kind)->evaluate(w, &row);
-        double g = row.g, rate = pm_saddle_times(w, &row, w->frame.v);
+        pm_contact_constraint_both(&w->frame, contact, w->model->contact_slot[contact], member[i], &row,
+                                   &tangent);
+        pm_constraint_kind(row.kind)->evaluate(&w->frame, &row);
+        double g = row.g, rate = pm_saddle_times(&w->frame, &row, w->frame.v);
         if (first) begin_exactly(w, &g, &rate);
         if (g == 0 && rate == 0) continue; /* touches and stays clear of it */
         if (g < least) {
@@ -166,7 +168,7 @@ static double advance(pm_workspace *w, int contact, double h, int *root)
         }
         if (i + 2 >= n && n == NEAR) { /* members farther off have a larger gap than the outermost of these */
             pm_constraint_bounds x;
-            pm_constraint_kind(row.kind)->bound(w, &row, w->uniform->a, h, &x);
+            pm_constraint_kind(row.kind)->bound(&w->frame, &row, w->uniform->a, h, &x);
             if (x.rate > 0 && fmax(g, 0) / x.rate < safe) {
                 safe = fmax(g, 0) / x.rate;
                 *root = OPEN;

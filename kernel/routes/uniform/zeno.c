@@ -74,7 +74,7 @@ static int follows_a_blow(const pm_workspace *w)
 static int is_alike(const pm_workspace *w, const double *change, double flight)
 {
     const pm_series *x = &w->uniform->series;
-    const double e = pm_contact_restitution(w, x->contact);
+    const double e = pm_contact_restitution(&w->frame, x->contact);
     double size = 0, off = 0;
     for (int i = 0; i < w->model->nq; i++) {
         const double length = i % 3 == 2 ? w->numbers.size : 1;
@@ -220,8 +220,8 @@ static int stays_over(pm_workspace *w, const pm_rest *r)
     if (!pm_edge_is(w->model, r->contact)) return 1;
     pm_uniform_look(w, 0);
     if (w->state.slot[slot].member != PM_SEGMENT_FACE) return 0;
-    pm_contact_constraint_both(w, r->contact, slot, PM_SEGMENT_FACE, &row, &tangent);
-    pm_constraint_kind(row.kind)->bound(w, &row, w->uniform->a, r->time, &x);
+    pm_contact_constraint_both(&w->frame, r->contact, slot, PM_SEGMENT_FACE, &row, &tangent);
+    pm_constraint_kind(row.kind)->bound(&w->frame, &row, w->uniform->a, r->time, &x);
     return pm_edge_room(w, r->contact, PM_SEGMENT_FACE) > (x.rate + kicks(w, r, &row)) * r->time;
 }
 
@@ -231,13 +231,13 @@ static int others_stay_open(pm_workspace *w, const pm_rest *r)
     pm_uniform_look(w, 0);
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
         int member[2];
-        const int n = i == r->contact ? 0 : pm_contact_near(w, &w->state, i, 2, member);
+        const int n = i == r->contact ? 0 : pm_contact_near(&w->frame, &w->state, i, 2, member);
         for (int k = 0; k < n; k++) {
             pm_constraint row, tangent;
             pm_constraint_bounds x;
-            pm_contact_constraint_both(w, i, m->contact_slot[i], member[k], &row, &tangent);
-            pm_constraint_kind(row.kind)->evaluate(w, &row);
-            pm_constraint_kind(row.kind)->bound(w, &row, w->uniform->a, r->time, &x);
+            pm_contact_constraint_both(&w->frame, i, m->contact_slot[i], member[k], &row, &tangent);
+            pm_constraint_kind(row.kind)->evaluate(&w->frame, &row);
+            pm_constraint_kind(row.kind)->bound(&w->frame, &row, w->uniform->a, r->time, &x);
             if (!(row.g > (x.rate + kicks(w, r, &row)) * r->time)) return 0;
         }
     }
@@ -250,7 +250,7 @@ static double slip_with(pm_workspace *w, int slot, double t, double factor)
     const int contact = pm_contact_of_slot(w->model, slot);
     pm_uniform_look(w, t);
     for (int i = 0; i < w->model->nq; i++) w->frame.velocity[i] += factor * u->series.change[i];
-    return pm_contact_member_slip(w, contact, w->state.slot[slot].member);
+    return pm_contact_member_slip(&w->frame, contact, w->state.slot[slot].member);
 }
 
 /* Where there is slip - of closed contacts, and of the struck one with friction - it keeps its sign. */
@@ -266,7 +266,8 @@ static int slips_go_on(pm_workspace *w, const pm_rest *r)
         const double now = slip_with(w, i, 0, 0);
         const double change =
             fabs(slip_with(w, i, r->time, 0) - now) + fabs(slip_with(w, i, 0, 1) - now) / (1 - r->e);
-        if (!slides && fabs(now) <= pm_contact_speed(w)) continue; /* each blow ends the slip of its flight */
+        if (!slides && fabs(now) <= pm_contact_speed(&w->frame))
+            continue; /* each blow ends the slip of its flight */
         if (!(fabs(now) > change)) return 0;
     }
     return 1;
@@ -277,8 +278,8 @@ static int contact_is_steady(const pm_workspace *w, int contact)
 {
     const int slot = w->model->contact_slot[contact];
     pm_constraint normal, tangent;
-    pm_contact_constraint_both(w, contact, slot, w->state.slot[slot].member, &normal, &tangent);
-    return pm_constraint_kind(normal.kind)->steady(w, &normal, &w->uniform->curve);
+    pm_contact_constraint_both(&w->frame, contact, slot, w->state.slot[slot].member, &normal, &tangent);
+    return pm_constraint_kind(normal.kind)->steady(&w->frame, &normal, &w->uniform->curve);
 }
 
 static int is_slow(pm_workspace *w, const pm_rest *r)
@@ -286,7 +287,7 @@ static int is_slow(pm_workspace *w, const pm_rest *r)
     double rate;
     const int slot = w->model->contact_slot[r->contact];
     pm_uniform_look(w, 0);
-    pm_contact_member_gap(w, r->contact, w->state.slot[slot].member, &rate);
+    pm_contact_member_gap(&w->frame, r->contact, w->state.slot[slot].member, &rate);
     return rate <= SLOW * w->numbers.speed || w->uniform->series.alike >= ENOUGH;
 }
 
@@ -328,14 +329,14 @@ static void add_blows(pm_workspace *w, const pm_rest *r, const double *q_end, co
         u->q_look[i] = q_end[i] + (linear * square + quadratic * cube) / sum;
         u->v_look[i] = v_end[i] - (at + 0.5 * d * (1 + e) / (1 - e)) * e / (1 + e);
     }
-    pm_frame_look(w, u->t0, u->q_look, u->v_look, w->state.z, w->state.memory);
+    pm_frame_look(&w->frame, u->t0, u->q_look, u->v_look, w->state.z, w->state.memory);
     pm_ledger_series(w, sum);
 }
 
 int pm_zeno_leap(pm_workspace *w, int contact, double flight, double t_limit, int *taken)
 {
     pm_uniform *u = w->uniform;
-    const double e = contact == PM_NONE ? 0 : pm_contact_restitution(w, contact);
+    const double e = contact == PM_NONE ? 0 : pm_contact_restitution(&w->frame, contact);
     const pm_rest r = {contact, e, flight, flight / (1 - e)};
     *taken = contact != PM_NONE && applies(w, &r, t_limit);
     if (!*taken) return PM_OK;
