@@ -67,7 +67,7 @@ sanitize:
 
 faults:
 	@.ci/setup --tools
-	$(BIN)/python tests/faults.py
+	$(BIN)/python -m tests.faults
 
 bench:
 	@.ci/setup --peers

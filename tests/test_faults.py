@@ -1,16 +1,23 @@
-"""The table of planted faults follows the kernel: each still has its place (`make faults` plants them)."""
+"""The tables of planted faults follow the kernel: each still has its place (`make faults` plants them)."""
 
 import pytest
 
-import faults
+from tests.faults import BY_ROOM, FAULTS
+from tests.faults.fault import ROOT, Fault, planted
 
 
-@pytest.mark.parametrize("fault", faults.FAULTS, ids=[fault.name for fault in faults.FAULTS])
-def test_each_fault_fits_its_source(fault: faults.Fault) -> None:
-    sound = (faults.ROOT / "kernel" / fault.file).read_text(encoding="utf-8")
-    assert faults.planted(sound, fault) != sound
+@pytest.mark.parametrize("fault", FAULTS, ids=[fault.name for fault in FAULTS])
+def test_each_fault_fits_its_source(fault: Fault) -> None:
+    sound = (ROOT / "kernel" / fault.file).read_text(encoding="utf-8")
+    assert planted(sound, fault) != sound
 
 
 def test_no_two_faults_are_the_same() -> None:
-    assert len({(fault.file, fault.old, fault.new) for fault in faults.FAULTS}) == len(faults.FAULTS)
-    assert len({fault.name for fault in faults.FAULTS}) == len(faults.FAULTS)
+    assert len({(fault.file, fault.old, fault.new) for fault in FAULTS}) == len(FAULTS)
+    assert len({fault.name for fault in FAULTS}) == len(FAULTS)
+
+
+def test_each_fault_is_listed_with_its_room() -> None:
+    listed = [(room, fault.file.rpartition("/")[0]) for room, faults in BY_ROOM.items() for fault in faults]
+    assert all(room == folder for room, folder in listed)
+    assert all(BY_ROOM.values())

@@ -1,0 +1,42 @@
+"""Faults planted in `kernel/expression/`."""
+
+from tests.faults.fault import Fault
+
+FAULTS = [
+    Fault(
+        "fold: operands change places",
+        "expression/program.c",
+        "binary(s->op, *top, number[s->arg])",
+        "binary(s->op, number[s->arg], *top)",
+    ),
+    Fault(
+        "program: left and right",
+        "expression/program.c",
+        "case PM_OP_SUB: return a - b",
+        "case PM_OP_SUB: return b - a",
+    ),
+    Fault(
+        "nodes: the same number is read at every node",
+        "expression/program_batch.c",
+        "operate(s, n, stack[top], stack[top + 1], 1, switches)",
+        "operate(s, n, stack[top], stack[top + 1], 0, switches)",
+    ),
+    Fault(
+        "nodes: a choice takes the other way",
+        "expression/program_batch.c",
+        "!= 0 ? yes[k] : no[k]",
+        "!= 0 ? no[k] : yes[k]",
+    ),
+    Fault(
+        "branch: the greater of two is the lesser",
+        "expression/program_batch.c",
+        "op == PM_OP_MIN ? sign > 0 : sign < 0",
+        "sign < 0",
+    ),
+    Fault(
+        "fold: positions stay",
+        "expression/program_fold.c",
+        "kind == PM_MEASURE_MASS ||",
+        "kind != PM_MEASURE_TIME ||",
+    ),
+]

@@ -1,0 +1,227 @@
+"""Faults planted in `kernel/impact/`."""
+
+from tests.faults.fault import Fault
+
+FAULTS = [
+    Fault("action: an impulse has no moment", "impact/action.c", "couple + pm_cross(arm, force)", "couple"),
+    Fault(
+        "action: the moment of an impulse has the other sign",
+        "impact/action.c",
+        "couple + pm_cross(arm, force)",
+        "couple - pm_cross(arm, force)",
+    ),
+    Fault(
+        "action: impulses that follow each other are not added up",
+        "impact/action.c",
+        "p[0] += force[0]",
+        "p[0] = force[0]",
+    ),
+    Fault(
+        "action: the work of an impulse counts with the velocity before it",
+        "impact/action.c",
+        "w->ledger.energy_lost -= 0.5 * (before + work_now(w))",
+        "w->ledger.energy_lost -= 0.5 * (before + before)",
+    ),
+    Fault(
+        "action: work turns the sense of rotation",
+        "impact/action.c",
+        "copysign(sqrt(spin * spin + 2 * c * work), spin)",
+        "-copysign(0.5 * sqrt(spin * spin + 2 * c * work), spin)",
+    ),
+    Fault(
+        "action: what work was asked is not looked at again",
+        "impact/action.c",
+        "status || fabs(done - work)",
+        "1 || fabs(done - work)",
+    ),
+    Fault(
+        "action: a spring keeps its energy when it goes",
+        "impact/action.c",
+        "w->ledger.energy_lost -= energy",
+        "(void)energy",
+    ),
+    Fault(
+        "action: the work of a spring that went is forgotten",
+        "impact/action.c",
+        "w->ledger.force_energy_start[force] += energy",
+        "(void)energy",
+    ),
+    Fault(
+        "action: a removed contact stays closed",
+        "impact/action.c",
+        "let_slots_go(w, a);\n    *absent",
+        "*absent",
+    ),
+    Fault("action: a joint that is added need not fit", "impact/action.c", "!(open <= allowed)", "open < 0"),
+    Fault(
+        "action: a joint that is added leaves the velocities",
+        "impact/action.c",
+        "status || !clashes ? status",
+        "1 ? status",
+    ),
+    Fault(
+        "action: what begins absent is there",
+        "impact/action.c",
+        "e[PM_ACTION_A])] = 1",
+        "e[PM_ACTION_A])] = 0",
+    ),
+    Fault(
+        "modes: forces that are rounding pull",
+        "impact/contact_modes.c",
+        "return fmax(sum, pm_case_force(w));",
+        "return sum;",
+    ),
+    Fault(
+        "mode: a joint slips unseen",
+        "impact/contact_modes.c",
+        "if (before == PM_STICK && slides(now))",
+        "if (0)",
+    ),
+    Fault(
+        "edge: friction keeps its side round a corner",
+        "impact/contact_modes.c",
+        "if (slides(s->mode)) s->mode =",
+        "if (0) s->mode =",
+    ),
+    Fault(
+        "edge: what has left it comes back",
+        "impact/contact_modes.c",
+        "w->instant.slot_released[slot] = FOR_GOOD;",
+        "w->instant.slot_released[slot] = LET_GO;",
+    ),
+    Fault(
+        "edge: nobody takes over",
+        "impact/contact_modes.c",
+        "return heir == PM_NONE ? PM_OK : hand_over(w, mode, heir);",
+        "return PM_OK;",
+    ),
+    Fault(
+        "mode: slides against the force",
+        "impact/contact_modes.c",
+        "friction > 0 ? PM_SLIDE_BACKWARD : PM_SLIDE_FORWARD",
+        "friction > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD",
+    ),
+    Fault("mode: contacts may pull", "impact/contact_modes.c", "if (worst == PM_NONE) return 0", "return 0"),
+    Fault(
+        "mode: stick has no bound",
+        "impact/contact_modes.c",
+        "if (room >= -SLACK * size) continue; w->state.slot[i].mode",
+        "if (room >= -1e300 * size) continue; w->state.slot[i].mode",
+    ),
+    Fault(
+        "jump: rough contacts that rest let go of their slip",
+        "impact/impact.c",
+        "== PM_FRICTION_ROUGH)\n            share[i] = JOINED",
+        "> PM_FRICTION_ROUGH)\n            share[i] = JOINED",
+    ),
+    Fault(
+        "jump: what is pressed on rebounds",
+        "impact/impact.c",
+        "part == STRUCK ? restitution_of(w, slot, x.normal) : 0",
+        "restitution_of(w, slot, x.normal)",
+    ),
+    Fault(
+        "capture: what is held takes no part in later blows",
+        "impact/impact.c",
+        "if (captured && share[i] == OUT) share[i] = JOINED;",
+        "",
+    ),
+    Fault(
+        "capture: its impulse along the wrong axes",
+        "impact/impact.c",
+        "axes[4] = {1, 0, 0, 1}",
+        "axes[4] = {0, 1, 1, 0}",
+    ),
+    Fault(
+        "drive: not in a blow",
+        "impact/impact.c",
+        "pm_saddle_times(&w->frame, &w->active.row[i], w->state.v) - w->active.row[i].rate",
+        "pm_saddle_times(&w->frame, &w->active.row[i], w->state.v)",
+    ),
+    Fault("blow: sign of restitution", "impact/impact.c", "return -(1 + e) * u;", "return -(1 - e) * u;"),
+    Fault(
+        "blow: slip is not given back",
+        "impact/impact.c",
+        "? -(1 + pm_contact_tangential",
+        "? -(1 - pm_contact_tangential",
+    ),
+    Fault(
+        "blow: gains of energy are not seen",
+        "impact/impact.c",
+        "return given <= GAINS * size + nothing ?",
+        "return 1 ?",
+    ),
+    Fault(
+        "one by one: all at once",
+        "impact/impact.c",
+        "if (is_blow(w, i, &x) && *struck > 0 && one_by_one(w)) break;",
+        "",
+    ),
+    Fault("one by one: resting contacts join", "impact/impact.c", "(!one_by_one(w) && join_", "(join_"),
+    Fault(
+        "blow: reversed slip",
+        "impact/impact.c",
+        "trial[i] == PM_SLIDE_FORWARD ? 1 : -1",
+        "trial[i] == PM_SLIDE_FORWARD ? -1 : 1",
+    ),
+    Fault(
+        "blow: row of a resting contact dropped",
+        "impact/impact.c",
+        "share[i] = JOINED;\n        trial",
+        "share[i] = DROPPED;\n        trial",
+    ),
+    Fault("blow: pulling contacts stay", "impact/impact.c", "return worst != PM_NONE", "return 0"),
+    Fault(
+        "blow: friction beyond its bound",
+        "impact/impact.c",
+        "pm_contact_static(&w->frame, contact) * w->saddle.rhs",
+        "2 * pm_contact_static(&w->frame, contact) * w->saddle.rhs",
+    ),
+    Fault(
+        "blow: friction along the slip",
+        "impact/impact.c",
+        "slip > 0 : friction < 0",
+        "slip < 0 : friction > 0",
+    ),
+    Fault(
+        "blow: what stays is opened",
+        "impact/impact.c",
+        "w->state.slot[i].mode = pm_contact_modes_of_slip(w, contact, member)",
+        "w->state.slot[i].mode = PM_OPEN",
+    ),
+    Fault(
+        "jump: a series cut off loses nothing",
+        "impact/impact.c",
+        "(w->numbers.coarse > 1 ? EARLIER : 1)",
+        "1",
+    ),
+    Fault("jump: its blows can be counted", "impact/impact.c", "pm_trigger_countless(w, contact);", ""),
+    Fault(
+        "jump: its last blows are decisions",
+        "impact/impact.c",
+        "fabs(rate) <= UNKNOWN *",
+        "fabs(rate) <= 0 *",
+    ),
+    Fault(
+        "impact: friction drives the slip", "impact/impact_course.c", "-copysign(x->rub,", "copysign(x->rub,"
+    ),
+    Fault("impact: what has stopped holds", "impact/impact_course.c", "fabs(x->b) <= x->grip * x->c", "1"),
+    Fault("impact: slip does not end", "impact/impact_course.c", "now->slip * now->rate_t < 0 ?", "0 ?"),
+    Fault(
+        "impact: restitution of the whole impulse",
+        "impact/impact_course.c",
+        "(1 + e) * now.impulse",
+        "2 * e * now.impulse",
+    ),
+    Fault("impact: restitution of the work", "impact/impact_course.c", "-e * e * now.work", "-e * now.work"),
+    Fault("impact: joints do not hold", "impact/impact_course.c", "pm_saddle_spread(w, 0, x);", ""),
+    Fault(
+        "instant: contacts stay as they were", "impact/instant.c", "m->nslot == 0 || contacts_stay(w)", "1"
+    ),
+    Fault(
+        "error: marks do not look at forces",
+        "impact/instant.c",
+        "return asked > watched ? asked : watched;",
+        "return asked;",
+    ),
+]

@@ -1,0 +1,60 @@
+"""Faults planted in `kernel/numerics/`."""
+
+from tests.faults.fault import Fault
+
+FAULTS = [
+    Fault(
+        "root: Newton's method ends too soon",
+        "numerics/bracket.c",
+        "#define NOTHING 1e-16",
+        "#define NOTHING 1e-5",
+    ),
+    Fault(
+        "dense: Cholesky",
+        "numerics/dense.c",
+        "k = 0; k < j; k++) s -= ai[k] * aj[k]",
+        "k = 0; k < j; k++) s += ai[k] * aj[k]",
+    ),
+    Fault(
+        "dense: LU without its pivots",
+        "numerics/dense.c",
+        "i < n; i++) { const double swap = x[pivot[i]]",
+        "i < n; i++) { const double swap = x[i]",
+    ),
+    Fault(
+        "dense: inverse without its exchanges",
+        "numerics/dense.c",
+        "i < n && pivot[j] != j; i++",
+        "i < 0 && pivot[j] != j; i++",
+    ),
+    Fault(
+        "eliminate: rows that are taken off end where they did",
+        "numerics/elimination.c",
+        "x->high[r] = greater(x->high[r], x->high[i]);",
+        "",
+    ),
+    Fault(
+        "eliminate: rows that are taken off begin where they did",
+        "numerics/elimination.c",
+        "x->low[r] = lesser(x->low[r], x->low[i]);",
+        "",
+    ),
+    Fault(
+        "eliminate: later rows have entries where they had",
+        "numerics/elimination.c",
+        "x->last[r] = greater(x->last[r], x->high[i]);",
+        "",
+    ),
+    Fault(
+        "eliminate: any entry is a pivot",
+        "numerics/elimination.c",
+        "if (x->place[c] >= i && fabs(row[c]) > fabs(row[best])) best = c;",
+        "if (x->place[c] >= i && row[best] == 0) best = c;",
+    ),
+    Fault(
+        "eliminate: a row that depends on others has a pivot",
+        "numerics/elimination.c",
+        "least = fmin(least, pivot);",
+        "least = fmin(least, pivot > 0 ? pivot : 1);",
+    ),
+]

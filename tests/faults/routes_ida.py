@@ -1,0 +1,79 @@
+"""Faults planted in `kernel/routes/ida/`."""
+
+from tests.faults.fault import Fault
+
+FAULTS = [
+    Fault("ida: sign of the bends", "routes/ida/ida_linear.c", "= -j->turn[", "= j->turn["),
+    Fault(
+        "ida: missed root between two steps",
+        "routes/ida/ida_root.c",
+        "return !(fmin(fabs(a), fabs(b)) > REACH * change)",
+        "return 0",
+    ),
+    Fault(
+        "ida, sparse: sign of the bends",
+        "routes/ida/ida_sparse.c",
+        "-ic * ic * j->stiffness",
+        "ic * ic * j->stiffness",
+    ),
+    Fault(
+        "ida, sparse: turns of the rows",
+        "routes/ida/ida_sparse.c",
+        "ic * e[r] * j->turn",
+        "0 * ic * e[r] * j->turn",
+    ),
+    Fault(
+        "ida, sparse: forces by the rows",
+        "routes/ida/ida_sparse.c",
+        "put_reaction(w, s, 2 * nq + r, 1, r, j->h, -1)",
+        "put_reaction(w, s, 2 * nq + r, 1, r, j->g, -1)",
+    ),
+    Fault(
+        "ida, sparse: no damping",
+        "routes/ida/ida_sparse.c",
+        "(i == k) - ic * damping",
+        "(i == k) - 0 * damping",
+    ),
+    Fault(
+        "ida, sparse: the pattern before",
+        "routes/ida/ida_sparse.c",
+        "return s->symbolic && s->n == n &&",
+        "return s->symbolic && s->n == n ||",
+    ),
+    Fault(
+        "ida: sign in the residual of q",
+        "routes/ida/ida_system.c",
+        "r[i] = yp[i] - v[i]",
+        "r[i] = yp[i] + v[i]",
+    ),
+    Fault(
+        "ida: sign of the forces",
+        "routes/ida/ida_system.c",
+        "r[nq + i] = -w->numbers.inverse_mass[i] * force[i]",
+        "r[nq + i] = w->numbers.inverse_mass[i] * force[i]",
+    ),
+    Fault(
+        "ida: sign of the reactions",
+        "routes/ida/ida_system.c",
+        "w->saddle.rhs[i] = -yp[l + i]",
+        "w->saddle.rhs[i] = yp[l + i]",
+    ),
+    Fault(
+        "ida: friction left out",
+        "routes/ida/ida_system.c",
+        "pm_saddle_spread(w, 1, r + nq)",
+        "pm_saddle_spread(w, 0, r + nq)",
+    ),
+    Fault(
+        "ida: singular positions that a step has come to",
+        "routes/ida/route_ida.c",
+        "return fmin(j->independence, pm_saddle_independence_there(w, &w->state));",
+        "return j->independence;",
+    ),
+    Fault(
+        "ida: singular positions are not handed over",
+        "routes/ida/route_ida.c",
+        "(lost ? LOST : NEAR_SINGULAR)",
+        "0",
+    ),
+]

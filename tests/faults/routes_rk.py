@@ -1,0 +1,63 @@
+"""Faults planted in `kernel/routes/rk/`."""
+
+from tests.faults.fault import Fault
+
+FAULTS = [
+    Fault(
+        "rk: a digit of the dense output", "routes/rk/dop853.h", "18.148505520854727", "18.148515520854727"
+    ),
+    Fault(
+        "rk: a digit of the step",
+        "routes/rk/dop853.h",
+        "0.04471061572777259};",
+        "0.04471071572777259};",
+    ),
+    Fault(
+        "rk: a sign of the dense output",
+        "routes/rk/rk_formula.c",
+        "2 * change - (f0 + f1)",
+        "2 * change - (f0 - f1)",
+    ),
+    Fault(
+        "rk: no control of the error",
+        "routes/rk/rk_formula.c",
+        "return sum5 == 0 ? 0 :",
+        "return sum5 >= 0 ? 0 :",
+    ),
+    Fault(
+        "rk: errors of the last coordinate",
+        "routes/rk/rk_formula.c",
+        "i < n; i += 2) {",
+        "i + 2 < n; i += 2) {",
+    ),
+    Fault(
+        "rk: loop rows keep the rates that the energy did not return",
+        "routes/rk/rk_settle.c",
+        "gamma *= factor * factor",
+        "gamma *= 1",
+    ),
+    Fault(
+        "rk: impulses of a sampled step",
+        "routes/rk/rk_settle.c",
+        "if (!w->rk->ledger) follow_momenta",
+        "follow_momenta",
+    ),
+    Fault(
+        "rk: stages near a singular position only shorten the step",
+        "routes/rk/route_rk.c",
+        "t->part.least_regular < NEAR_SINGULAR * t->part.most_regular",
+        "t->part.least_regular < 0",
+    ),
+    Fault(
+        "rk: steps outrun the reactions",
+        "routes/rk/route_rk.c",
+        "return w->active.n > 0 ? w->rk->turning : INFINITY;",
+        "return INFINITY;",
+    ),
+    Fault(
+        "batch: a step size from the case before",
+        "routes/rk/route_rk.c",
+        "if (w->result.count[PM_COUNT_STEPS] == 0 || w->state.t > r->end) r->next = 0",
+        "(void)0",
+    ),
+]

@@ -1,0 +1,58 @@
+"""Faults planted in `kernel/routes/start/`."""
+
+from tests.faults.fault import Fault
+
+FAULTS = [
+    Fault(
+        "escape: axes that turn the other way",
+        "routes/start/fastest_growth.c",
+        "(e->dv[i] - turned(e->spin",
+        "(e->dv[i] + turned(e->spin",
+    ),
+    Fault(
+        "escape: no squaring", "routes/start/fastest_growth.c", "#define SQUARINGS 60", "#define SQUARINGS 5"
+    ),
+    Fault(
+        "escape: steady at one time only",
+        "routes/start/fastest_growth.c",
+        "for (int i = 0; i < 3; i++) { const double t",
+        "for (int i = 0; i < 1; i++) { const double t",
+    ),
+    Fault(
+        "path: nudged to the other side",
+        "routes/start/perturbation.c",
+        "side > 0 ? 1 : side < 0 ? -1 : 0",
+        "side > 0 ? -1 : side < 0 ? 1 : 0",
+    ),
+    Fault("nudge: to the other side", "routes/start/perturbation.c", "if (there < 0 &&", "if (there > 0 &&"),
+    Fault(
+        "nudge: a deviation that is not small",
+        "routes/start/perturbation.c",
+        "#define SIZE 0.1",
+        "#define SIZE 1e5",
+    ),
+    Fault(
+        "nudge: by positions alone",
+        "routes/start/perturbation.c",
+        "s->v[i] += part * e->v[i]",
+        "s->v[i] += 0 * part",
+    ),
+    Fault(
+        "nudge: against the forces",
+        "routes/start/perturbation.c",
+        "read_at(w, w->frame.a) > 0",
+        "read_at(w, w->frame.a) < 0",
+    ),
+    Fault(
+        "nudge: a stable rest on a path",
+        "routes/start/perturbation.c",
+        "status || goes ? status : fail(w, PM_NUDGE_STABLE, 0)",
+        "status",
+    ),
+    Fault(
+        "nudge: bodies that hang together",
+        "routes/start/perturbation.c",
+        "more |= join(w, w->active.row[i].body[0], w->active.row[i].body[1])",
+        "more |= 0",
+    ),
+]

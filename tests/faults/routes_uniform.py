@@ -1,0 +1,127 @@
+"""Faults planted in `kernel/routes/uniform/`."""
+
+from tests.faults.fault import Fault
+
+FAULTS = [
+    Fault(
+        "uniform: joints rub for ever",
+        "routes/uniform/route_uniform.c",
+        "end = fmin(end, u->rub_end[i])",
+        "end = fmin(end, INFINITY)",
+    ),
+    Fault(
+        "uniform: sign of the accelerations",
+        "routes/uniform/route_uniform.c",
+        "v[i] = u->v[i] + t * u->a[i]",
+        "v[i] = u->v[i] - t * u->a[i]",
+    ),
+    Fault(
+        "uniform: half of the way",
+        "routes/uniform/route_uniform.c",
+        "0.5 * t * u->a[i]",
+        "0.25 * t * u->a[i]",
+    ),
+    Fault(
+        "uniform: missed end of sliding",
+        "routes/uniform/route_uniform.c",
+        "if (!(slope < 0)) return INFINITY",
+        "return INFINITY",
+    ),
+    Fault(
+        "uniform: a parabola passes twice",
+        "routes/uniform/route_uniform.c",
+        "if (turn > TURN_APART && turn < 1)",
+        "if (turn < 0)",
+    ),
+    Fault(
+        "uniform: distance travelled",
+        "routes/uniform/route_uniform.c",
+        "sum += p * p * (asinh",
+        "sum -= p * p * (asinh",
+    ),
+    Fault(
+        "uniform: a speed that vanishes",
+        "routes/uniform/route_uniform.c",
+        "if (x.squared) p[k] *= p[k]",
+        "(void)x.squared",
+    ),
+    Fault(
+        "edge: no face",
+        "routes/uniform/uniform_edge.c",
+        "return first_fall(&gap, x, 0, is_within);",
+        "return INFINITY;",
+    ),
+    Fault(
+        "edge: no corners",
+        "routes/uniform/uniform_edge.c",
+        "if (!(x->radius > 0)) return INFINITY;",
+        "return INFINITY;",
+    ),
+    Fault(
+        "edge: only the first root",
+        "routes/uniform/uniform_edge.c",
+        "for (int i = 0; i <= nturn; i++) {",
+        "for (int i = 0; i < 1; i++) {",
+    ),
+    Fault(
+        "edge: what touches has no end",
+        "routes/uniform/uniform_edge.c",
+        "end = fmin(end, first_fall(&room, x, side, always));",
+        "",
+    ),
+    Fault(
+        "edge: from one end only",
+        "routes/uniform/uniform_edge.c",
+        "{{2, {x.from, -vs, -as}}",
+        "{{2, {x.from, vs, as}}",
+    ),
+    Fault(
+        "edge: seen from rest",
+        "routes/uniform/uniform_edge.c",
+        "v[k] = u->v[3 * body[0] + k] - u->v[3 * body[1] + k];",
+        "v[k] = u->v[3 * body[0] + k];",
+    ),
+    Fault(
+        "uniform: missed root of a touching contact that leaves",
+        "routes/uniform/uniform_gap.c",
+        "return rate > 0 ? (rate + sqrt(square)) / -bend",
+        "return rate > 0 ? INFINITY",
+    ),
+    Fault(
+        "zeno: wrong e",
+        "routes/uniform/zeno.c",
+        "v[i] = u->v[i] + t * u->a[i] + d * e / (1 - e)",
+        "v[i] = u->v[i] + t * u->a[i] + d / (1 - e)",
+    ),
+    Fault(
+        "zeno: drift of the blows",
+        "routes/uniform/zeno.c",
+        "+ d * e * e / (1 - e * e));",
+        "+ d * e / (1 - e * e));",
+    ),
+    Fault(
+        "zeno: impulses left out of the ledger",
+        "routes/uniform/zeno.c",
+        "pm_ledger_series(w, sum)",
+        "(void)sum",
+    ),
+    Fault(
+        "zeno: forces at the wrong place", "routes/uniform/zeno.c", "factor = 0.5 * t * e3", "factor = t * e3"
+    ),
+    Fault(
+        "zeno: strikes that are asked for",
+        "routes/uniform/zeno.c",
+        "e[PM_ASK_COUNT] > count) return 1",
+        "0) return 1",
+    ),
+    Fault("zeno: another contact", "routes/uniform/zeno.c", "* r->time)) return 0", "* r->time)) continue"),
+    Fault(
+        "zeno: slip that ends", "routes/uniform/zeno.c", "if (!(fabs(now) > change)) return 0", "(void)change"
+    ),
+    Fault(
+        "zeno: a trigger on the way",
+        "routes/uniform/zeno.c",
+        "!(x.least > 0 || x.greatest < 0)) return 0",
+        "0) return 0",
+    ),
+]

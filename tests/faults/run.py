@@ -1,0 +1,34 @@
+"""Faults planted in `kernel/run/`."""
+
+from tests.faults.fault import Fault
+
+FAULTS = [
+    Fault("event: a mark at a step's end comes again", "run/advance.c", "hold_hits(w, w->step.end);", ";"),
+    Fault("event: a turn is passed as a mark", "run/advance.c", "!due && !w->step.reverses &&", "!due &&"),
+    Fault(
+        "crossing: what has fired is not sought again",
+        "run/advance.c",
+        "e->function[i].search = SEARCH_NONE;",
+        "",
+    ),
+    Fault("event: a mark passed twice", "run/advance.c", "fmax(x, e->function[i].located)", "0"),
+    Fault(
+        "event: a mark passed again beside its place",
+        "run/advance.c",
+        "fmax(x, e->function[i].located)",
+        "x",
+    ),
+    Fault(
+        "ida: missed root of a normal force",
+        "run/advance.c",
+        "e->hit[i] |= e->root[i] != 0",
+        "e->hit[i] |= e->root[i] != 0 && e->function[i].kind != FUNCTION_NORMAL",
+    ),
+    Fault(
+        "run: one that fails late keeps nothing",
+        "run/run.c",
+        "if (status < 0 && started)",
+        "if (status < 0 && started && 0)",
+    ),
+    Fault("batch: counts from the case before", "run/run.c", "pm_trigger_reset(w)", "(void)0"),
+]

@@ -1,0 +1,61 @@
+"""Faults planted in `kernel/scene/`."""
+
+from tests.faults.fault import Fault
+
+FAULTS = [
+    Fault(
+        "needed: a contact lets nothing act",
+        "scene/dependency.c",
+        "{PM_TABLE_JOINT, PM_TABLE_CONTACT, PM_TABLE_FORCE}",
+        "{PM_TABLE_JOINT, PM_TABLE_FORCE}",
+    ),
+    Fault(
+        "needed: what a program reads is not followed",
+        "scene/dependency.c",
+        "more |= mark(x, ref[k].of, e[ref[k].column])",
+        "if (table != PM_TABLE_CODE) more |= mark(x, ref[k].of, e[ref[k].column])",
+    ),
+    Fault("needed: events do nothing", "scene/dependency.c", "more |= mark(x, PM_TABLE_ACTION, i);", ";"),
+    Fault(
+        "needed: a start beside another is its own",
+        "scene/dependency.c",
+        " || is_needed_body(x, e[PM_MEASURE_IN])",
+        "",
+    ),
+    Fault(
+        "needed: the last jump is of one island",
+        "scene/dependency.c",
+        "case PM_MEASURE_LOST:",
+        "case PM_MEASURE_KINDS:",
+    ),
+    Fault(
+        "nature: a product of times",
+        "scene/program_class.c",
+        "(op == PM_OP_MUL && a != b)",
+        "op == PM_OP_MUL",
+    ),
+    Fault(
+        "growth: the ratio of two forces",
+        "scene/program_energy.c",
+        "if (b == PM_ENERGY_CLASS_NONE) return product(a, b);",
+        "if (b <= PM_ENERGY_CLASS_LINEAR) return a;",
+    ),
+    Fault(
+        "reduce: places of the smaller scene",
+        "scene/prune.c",
+        "return known ? m->prune.original[table][row] : row;",
+        "return row;",
+    ),
+    Fault(
+        "symmetry: any body is round",
+        "scene/symmetry.c",
+        "return !turned(s, e[PM_POINT_BODY]) ||",
+        "return 1 ||",
+    ),
+    Fault(
+        "symmetry: across a line",
+        "scene/symmetry.c",
+        "return fabs(across) <= SAME * hypot(s->by[0], s->by[1])",
+        "return 1",
+    ),
+]

@@ -1,0 +1,88 @@
+"""Faults planted in `kernel/study/`."""
+
+from tests.faults.fault import Fault
+
+FAULTS = [
+    Fault(
+        "error: the companion as tight as the run",
+        "study/accuracy.c",
+        "? COARSER * tightest : tightest",
+        "? 2 * tightest : tightest",
+    ),
+    Fault(
+        "error: steps that nothing limits are the same",
+        "study/accuracy.c",
+        "w->numbers.coarse = companion ? COARSE : 1",
+        "w->numbers.coarse = 1",
+    ),
+    Fault(
+        "error: nothing of rounding",
+        "study/accuracy.c",
+        "1 + DISTURBANCE * sign(w->accuracy)",
+        "1 + 0 * DISTURBANCE * sign(w->accuracy)",
+    ),
+    Fault(
+        "error: what was not kept is not repeated", "study/accuracy.c", "trust[PM_TRUST_EXCESS] <= 1;", "1;"
+    ),
+    Fault(
+        "margin: other counts in the companion",
+        "study/accuracy.c",
+        "e->main->outcome == e->other->outcome ? margin",
+        "1 ? margin",
+    ),
+    Fault(
+        "margin: undecided is not told",
+        "study/accuracy.c",
+        "e->main->status = PM_UNDECIDED",
+        "e->main->status = PM_OK",
+    ),
+    Fault(
+        "error: a cut goes with the tolerance",
+        "study/accuracy.c",
+        "doubtful || e->main->cut ||",
+        "doubtful ||",
+    ),
+    Fault(
+        "find: a change of sign between samples is not seen",
+        "study/find.c",
+        "if (value * last < 0) status = close_bracket",
+        "if (value * last < -1e300) status = close_bracket",
+    ),
+    Fault(
+        "find: two roots between samples are not looked for",
+        "study/find.c",
+        "if (!status && i > 1 && value * last > 0",
+        "if (!status && i > 1 && value * last > 1e300",
+    ),
+    Fault(
+        "find: the ends of the bounds do not count",
+        "study/find.c",
+        "const int left = i == 0 || !is_feasible(p - 1)",
+        "const int left = i > 0 && !is_feasible(p - 1)",
+    ),
+    Fault(
+        "find: differences without Richardson's correction",
+        "study/find_extremum.c",
+        "for (int k = 1; k <= i; k++) {",
+        "error = i == 0 ? *value = table[0][0], INFINITY : error; for (int k = 1; k <= 0; k++) {",
+    ),
+    Fault(
+        "find: the least is taken for the greatest",
+        "study/find_look.c",
+        "(f->goal == PM_FIND_GREATEST ? 1 : -1) * read_program",
+        "(f->goal == PM_FIND_GREATEST ? 1 : 1) * read_program",
+    ),
+    Fault(
+        "find: the other value is given for the second parameter",
+        "study/find_pair.c",
+        "x[k] = f->low[k] + part * (f->high[k] - f->low[k]);\n    }\n    if (!c->status)",
+        "x[k] = f->low[0] + part * (f->high[k] - f->low[k]);\n    }\n    if (!c->status)",
+    ),
+    Fault("find: a pole is taken for a root", "study/find_root.c", "#define JUMP 1e-3", "#define JUMP 1e300"),
+    Fault(
+        "find: the outcome is bisected to the wrong side",
+        "study/find_root.c",
+        "if (look.holds) { *yes = look; } else {",
+        "if (!look.holds) { *yes = look; } else {",
+    ),
+]

@@ -1,0 +1,142 @@
+"""Faults planted in `kernel/tree/`."""
+
+from tests.faults.fault import Fault
+
+FAULTS = [
+    Fault("tree: loop rows end before their last", "tree/tree.c", "        t->to[i]++;\n", ""),
+    Fault(
+        "tree: loop rows share nothing", "tree/tree.c", "t->first_loop[i] = first;", "t->first_loop[i] = i;"
+    ),
+    Fault(
+        "tree: joints that may place a body yet",
+        "tree/tree.c",
+        "if (i == *spent && is_spent(w, &g)) ++*spent;",
+        "++*spent;",
+    ),
+    Fault(
+        "tree: the other partner is the parent",
+        "tree/tree.c",
+        "x->parent = row->body[child_is_a ? 1 : 0]",
+        "x->parent = w->model->nbody",
+    ),
+    Fault(
+        "tree: a dropped loop row",
+        "tree/tree.c",
+        "if (t->used[i]) continue;\n        int low, key",
+        "if (t->used[i] || i + 1 == w->active.n) continue;\n        int low, key",
+    ),
+    Fault(
+        "tree: rolls the wrong way",
+        "tree/tree.c",
+        "x->roll_own = -sign * row->radius_a",
+        "x->roll_own = sign * row->radius_a",
+    ),
+    Fault(
+        "tree: angle of the second partner",
+        "tree/tree.c",
+        "x->angle = sign * last->value",
+        "x->angle = last->value",
+    ),
+    Fault(
+        "rk: summed weights",
+        "tree/tree_augmented.c",
+        "w->numbers.gravity[1] * p[0] -",
+        "w->numbers.gravity[1] * p[0] +",
+    ),
+    Fault("rk: summed centrifugal forces", "tree/tree_augmented.c", "x[k] -= a->square", "x[k] += a->square"),
+    Fault(
+        "tree: a band that is too narrow",
+        "tree/tree_band.c",
+        "if (last > t->part.right[j]) t->part.right[j] = last;",
+        "if (last - 1 > t->part.right[j]) t->part.right[j] = last - 1;",
+    ),
+    Fault(
+        "tree: a reaction of the wrong sign",
+        "tree/tree_dynamics.c",
+        "fy = sign * wrench[1]",
+        "fy = -sign * wrench[1]",
+    ),
+    Fault(
+        "tree: reactions of children are forgotten",
+        "tree/tree_dynamics.c",
+        "pm_pair_load(to) + pm_pair_load(wrench)",
+        "pm_pair_load(to)",
+    ),
+    Fault(
+        "tree: bias of a mark",
+        "tree/tree_node.h",
+        "own[2] * own[2] * x->r_child[k] - parent",
+        "own[2] * own[2] * x->r_child[k] + parent",
+    ),
+    Fault(
+        "tree: bias along a line", "tree/tree_node.h", "(-2 * omega * s * x->t[1]", "(2 * omega * s * x->t[1]"
+    ),
+    Fault(
+        "tree: bias of circles",
+        "tree/tree_node.h",
+        "a[k] -= sign * roll * roll",
+        "a[k] += sign * roll * roll",
+    ),
+    Fault(
+        "tree: partitioned, without the quadratic part",
+        "tree/tree_partition.c",
+        "row->gamma - pm_saddle_times(&w->frame, row, a)",
+        "-pm_saddle_times(&w->frame, row, a)",
+    ),
+    Fault(
+        "tree: partitioned, a rate of the wrong sign",
+        "tree/tree_partition.c",
+        "t->residual[i] = -jacobian[i * t->n + independent]",
+        "t->residual[i] = jacobian[i * t->n + independent]",
+    ),
+    Fault(
+        "tree: partitioned, reactions of other rows",
+        "tree/tree_partition.c",
+        "pm_tree_solve_dependent_transposed(t, t->residual)",
+        "pm_tree_solve_dependent(t, t->residual)",
+    ),
+    Fault(
+        "tree: sign of a loop row's step",
+        "tree/tree_partition.c",
+        "t->residual[i] = -w->active.row[t->loop[i]].g",
+        "t->residual[i] = w->active.row[t->loop[i]].g",
+    ),
+    Fault(
+        "tree: the other side of a line",
+        "tree/tree_place.c",
+        "rho[0] = s * t[0] - x->radius * t[1]",
+        "rho[0] = s * t[0] + x->radius * t[1]",
+    ),
+    Fault("tree: entries of the place before stay", "tree/tree_rates.c", "entry[c] = 0;", "(void)0;"),
+    Fault("swift: centrifugal forces", "tree/tree_small.c", "f[k] -= square[i]", "f[k] += square[i]"),
+    Fault("swift: gamma", "tree/tree_small.c", "gamma[i] += square[k]", "gamma[i] -= square[k]"),
+    Fault("swift: a series is too short", "tree/tree_small.c", "- z2 * (1. / 87178291200)", ""),
+    Fault("swift: a series is used far away", "tree/tree_small.c", "by[0] > -CLOSE", "by[0] > -9 * CLOSE"),
+    Fault("swift: shifted masses", "tree/tree_small.c", "p->mass[i][i] += 2 * more", "p->mass[i][i] += more"),
+    Fault("swift: a cofactor", "tree/tree_small.c", "- m[0][0] * m[2][1]", "+ m[0][0] * m[2][1]"),
+    Fault(
+        "swift: rates keep off the rows",
+        "tree/tree_small.c",
+        "opening[i] -= jacobian",
+        "opening[i] += jacobian",
+    ),
+    Fault(
+        "swift: weights",
+        "tree/tree_small_sums.c",
+        "= -w->numbers.gravity[1] * p[1]",
+        "= w->numbers.gravity[1] * p[1]",
+    ),
+    Fault("swift: a mark that does not turn", "tree/tree_small_sums.c", "lever[1] += p.r[1];", ""),
+    Fault(
+        "swift: a row between two angles",
+        "tree/tree_small_sums.c",
+        "x->shift[k] += sign;",
+        "x->shift[k] += 1;",
+    ),
+    Fault(
+        "swift: any moving line",
+        "tree/tree_small_sums.c",
+        "return row->body[1] == w->model->nbody;",
+        "return 1;",
+    ),
+]
