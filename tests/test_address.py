@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from planemotion.base.errors import SceneError
 from planemotion.language.address import KEYWORDS, Address, parse_address
-from planemotion.language.expression import parse
+from planemotion.language.parser import parse
 
 
 @pytest.mark.parametrize(

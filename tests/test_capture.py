@@ -8,7 +8,7 @@ import pytest
 
 import planemotion
 from planemotion.engine.result import RunResult
-from planemotion.pictures import plots as picture
+from planemotion.pen import page
 from planemotion.pictures import scene as sketch
 from planemotion.report.explain import explain
 
@@ -134,7 +134,7 @@ def test_it_is_explained_and_drawn() -> None:
     assert "hit  clay - rod.B  captures as a pin" in explain(planemotion.load_text(text)).text
     text = text.replace('"point"', '"body"')
     assert "captures as a body" in explain(planemotion.load_text(text)).text
-    with picture.style():
+    with page.style():
         figure = sketch.figure(sketch.start_of(planemotion.load_text(text)))
     assert "hit" in [one.get_text() for one in figure.axes[0].texts]
 

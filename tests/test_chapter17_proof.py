@@ -25,7 +25,7 @@ from chapter17 import (
     why_not,
 )
 from planemotion.compile.flatten import FlatScene, flatten
-from planemotion.engine import call as engine
+from planemotion.engine import call
 from planemotion.engine.result import collect
 from planemotion.scene import Scene
 from transformed import Change, half_written, transformed
@@ -139,7 +139,7 @@ def test_another_observer_finds_the_same(path: Path, observer: str) -> None:
     data = load(path).data
     flats = [flatten(data, name) for name in data.runs] or [flatten(data)]
     seen = [seen_by(flat, OBSERVERS[observer]) for flat in flats]
-    runs = [(flat, engine.run_cases(flat, np.atleast_2d(flat.defaults))) for flat in seen]
+    runs = [(flat, call.run_cases(flat, np.atleast_2d(flat.defaults))) for flat in seen]
     result = collect(data.id, data.file, tuple(data.ask), runs)
     assert result.status == run(path).status, result.error
     wrong = {key: error for key, error in errors(result, run(path).asks) if not error <= BETWEEN_OBSERVERS}

@@ -17,7 +17,7 @@ import pytest
 from click.testing import CliRunner, Result
 
 import planemotion
-from planemotion.cli import main
+from planemotion.cli.main import main
 from waiting import HANGS, wait_for
 
 PENDULUM = """
@@ -460,7 +460,7 @@ def test_pictures_that_cannot_be_written(folder: Path) -> None:
 def test_help_and_version_import_nothing_heavy() -> None:
     code = (
         "import sys\n"
-        "from planemotion.cli import main\n"
+        "from planemotion.cli.main import main\n"
         "main(sys.argv[1:], standalone_mode=False)\n"
         "heavy = {'numpy', 'pydantic', 'h5py', 'matplotlib', 'xarray', 'pint', 'rich'} & set(sys.modules)\n"
         "sys.exit(', '.join(heavy) or 0)\n"

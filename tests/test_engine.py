@@ -13,7 +13,9 @@ import pytest
 from planemotion import SceneError, SimulationError, load, load_text
 from planemotion import _layout as layout
 from planemotion.compile.flatten import flatten
-from planemotion.engine.call import check, message, run_cases, status_name, status_text, trace, values
+from planemotion.engine.call import check, run_cases, trace, values
+from planemotion.engine.kernel import status_name, status_text
+from planemotion.engine.messages import message
 from planemotion.run import simulate
 
 PENDULUM = """

@@ -14,22 +14,15 @@ from hypothesis import strategies as st
 
 from planemotion import _layout as layout
 from planemotion.base.errors import SceneError
-from planemotion.language import tree as node
-from planemotion.language import units
+from planemotion.language import dimensions, tree, units
 from planemotion.language.address import Address
-from planemotion.language.expression import (
-    MAX_NESTING,
-    ConstantPool,
-    dimension,
-    emit,
-    evaluate,
-    names,
-    parse,
-    require,
-    stack_depth,
-)
-from planemotion.language.tree import Binary, Call, Name, Number, Unary, apply, as_node, binary, call
-from planemotion.language.units import Dimension
+from planemotion.language.arithmetic import apply
+from planemotion.language.code import ConstantPool, emit, stack_depth
+from planemotion.language.dimensions import Dimension
+from planemotion.language.homogeneity import dimension, require
+from planemotion.language.leaves import evaluate, names
+from planemotion.language.parser import MAX_NESTING, parse
+from planemotion.language.tree import Binary, Call, Name, Number, Unary, as_node, binary, call
 
 PARAMETERS = {"a": 2.385, "b": -0.71, "c": 1.37, "t": 0.3}
 LIBM = ctypes.CDLL(ctypes.util.find_library("m"))
@@ -70,7 +63,7 @@ SAME_IN_PYTHON = [
 
 @pytest.mark.parametrize("text", SAME_IN_PYTHON)
 def test_value_is_python_s(text):
-    functions = {name: getattr(math, name) for name in node.FUNCTIONS if hasattr(math, name)}
+    functions = {name: getattr(math, name) for name in tree.FUNCTIONS if hasattr(math, name)}
     scope = {**PARAMETERS, **functions, "abs": abs, "min": min, "max": max, "pi": math.pi}
     assert value(text) == eval(text.replace("^", "**"), scope)
 
@@ -80,7 +73,7 @@ NUMBERS = st.floats(-1e3, 1e3).map(lambda number: Number(number))
 
 def operations(children):
     return (
-        st.builds(Binary, st.sampled_from(sorted(node.RANK)), children, children)
+        st.builds(Binary, st.sampled_from(sorted(tree.RANK)), children, children)
         | st.builds(Unary, st.sampled_from(["-", "not"]), children)
         | st.builds(
             lambda name, x: Call(name, (x,)), st.sampled_from(["sin", "sqrt", "log", "floor"]), children
@@ -199,13 +192,13 @@ def test_not_a_number_stays_visible():
 @pytest.mark.parametrize(
     ("written", "value_si", "dimension_"),
     [
-        ("10 in", 0.254, units.LENGTH),
-        ("180 rpm", 6 * math.pi, units.ANGULAR_VELOCITY),
-        ("-90 deg", -math.pi / 2, units.DIMENSIONLESS),
-        ("2 N/(m*s)", 2.0, units.STIFFNESS / units.TIME),
-        (3, 3.0, units.DIMENSIONLESS),
-        (True, 1.0, units.DIMENSIONLESS),
-        (False, 0.0, units.DIMENSIONLESS),
+        ("10 in", 0.254, dimensions.LENGTH),
+        ("180 rpm", 6 * math.pi, dimensions.ANGULAR_VELOCITY),
+        ("-90 deg", -math.pi / 2, dimensions.DIMENSIONLESS),
+        ("2 N/(m*s)", 2.0, dimensions.STIFFNESS / dimensions.TIME),
+        (3, 3.0, dimensions.DIMENSIONLESS),
+        (True, 1.0, dimensions.DIMENSIONLESS),
+        (False, 0.0, dimensions.DIMENSIONLESS),
     ],
 )
 def test_a_quantity_is_a_number(written, value_si, dimension_):
@@ -334,9 +327,14 @@ def test_long_chains_below_the_limit_work():
 # ---- dimensions ------------------------------------------------------------------------------------------
 
 DIMENSIONS = {
-    "r": units.LENGTH, "t": units.TIME, "W": units.FORCE, "g": units.ACCELERATION, "v": units.VELOCITY,
-    "n": units.DIMENSIONLESS, "any": None,
-}  # fmt: skip
+    "r": dimensions.LENGTH,
+    "t": dimensions.TIME,
+    "W": dimensions.FORCE,
+    "g": dimensions.ACCELERATION,
+    "v": dimensions.VELOCITY,
+    "n": dimensions.DIMENSIONLESS,
+    "any": None,
+}
 
 
 def resolve(leaf):
@@ -350,26 +348,26 @@ def no_leaf(leaf):
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
-        ("r + (3 in)", units.LENGTH),
-        ("W/g*v", units.MOMENTUM),
-        ("W/g*r^2", units.INERTIA),
-        ("sqrt(g*r)", units.VELOCITY),
-        ("(g*r)^(1/2)", units.VELOCITY),
-        ("r^-1.5", Dimension(length=units.exact_exponent(-1.5))),
-        ("r^(1/3)*r^(2/3)", units.LENGTH),
-        ("2^(r/(1 m))", units.DIMENSIONLESS),
-        ("atan2(r, 3 m)", units.DIMENSIONLESS),
-        ("norm(r, v*t)", units.LENGTH),
-        ("max(r, 0, 2 m)", units.LENGTH),
-        ("abs(-r)", units.LENGTH),
-        ("r < 3 in and not v > 2 m/s", units.DIMENSIONLESS),
-        ("r > 0", units.DIMENSIONLESS),
-        ("r + 0", units.LENGTH),
-        ("0*t + r", units.LENGTH),
-        ("any + r", units.LENGTH),
+        ("r + (3 in)", dimensions.LENGTH),
+        ("W/g*v", dimensions.MOMENTUM),
+        ("W/g*r^2", dimensions.INERTIA),
+        ("sqrt(g*r)", dimensions.VELOCITY),
+        ("(g*r)^(1/2)", dimensions.VELOCITY),
+        ("r^-1.5", Dimension(length=dimensions.exact_exponent(-1.5))),
+        ("r^(1/3)*r^(2/3)", dimensions.LENGTH),
+        ("2^(r/(1 m))", dimensions.DIMENSIONLESS),
+        ("atan2(r, 3 m)", dimensions.DIMENSIONLESS),
+        ("norm(r, v*t)", dimensions.LENGTH),
+        ("max(r, 0, 2 m)", dimensions.LENGTH),
+        ("abs(-r)", dimensions.LENGTH),
+        ("r < 3 in and not v > 2 m/s", dimensions.DIMENSIONLESS),
+        ("r > 0", dimensions.DIMENSIONLESS),
+        ("r + 0", dimensions.LENGTH),
+        ("0*t + r", dimensions.LENGTH),
+        ("any + r", dimensions.LENGTH),
         ("any*r", None),
         ("-0", None),
-        ("asin(r/(3 m)) + (30 deg)", units.DIMENSIONLESS),
+        ("asin(r/(3 m)) + (30 deg)", dimensions.DIMENSIONLESS),
     ],
 )
 def test_dimension(text, expected):
@@ -403,15 +401,15 @@ def test_clashing_dimensions(text, message):
 
 
 def test_wanted_dimension():
-    require(parse("0"), units.INERTIA, no_leaf)
-    require(parse("3 kg*m^2"), units.INERTIA, no_leaf)
+    require(parse("0"), dimensions.INERTIA, no_leaf)
+    require(parse("3 kg*m^2"), dimensions.INERTIA, no_leaf)
     with pytest.raises(SceneError) as caught:
-        require(parse("10.5 lb*ft"), units.INERTIA, no_leaf)
+        require(parse("10.5 lb*ft"), dimensions.INERTIA, no_leaf)
     assert str(caught.value).startswith(
         "a moment of inertia (mass*length^2, such as kg*m^2) is wanted; this is a moment"
     )
     with pytest.raises(SceneError, match=r"^a length \(such as m\) is wanted; this is a plain number$"):
-        require(parse("3"), units.LENGTH, no_leaf)
+        require(parse("3"), dimensions.LENGTH, no_leaf)
 
 
 # ---- code ------------------------------------------------------------------------------------------------
@@ -450,9 +448,9 @@ def test_stack_of_the_kernel_is_respected():
 
 def test_every_operation_of_the_language_has_a_code():
     """A function without a code would fail only when a scene uses it."""
-    for name, (least, _) in node.FUNCTIONS.items():
+    for name, (least, _) in tree.FUNCTIONS.items():
         emit(Call(name, (Name("a"),) * least), parameter, ConstantPool())
-    for operator in node.RANK:
+    for operator in tree.RANK:
         emit(Binary(operator, Name("a"), Name("b")), parameter, ConstantPool())
 
 
@@ -463,15 +461,15 @@ def test_trivial_parts_vanish():
     x, address = Name("x"), Address("AB", ("x",))
     assert x + 0 == 0 + x == x - 0 == 1 * x == x * 1 == x / 1 == x
     assert -Unary("-", x) == x
-    assert 0 * x == x * 0 == node.ZERO
+    assert 0 * x == x * 0 == tree.ZERO
     assert 0 - x == -x == Unary("-", x)
-    assert x + Number(0.0, units.LENGTH) == x
-    assert Number(1.0, units.LENGTH) * x != x
+    assert x + Number(0.0, dimensions.LENGTH) == x
+    assert Number(1.0, dimensions.LENGTH) * x != x
     assert address - x == Binary("-", address, x)
     assert as_node(2) * 3 + 1 == Number(7.0)
-    assert Number(2.0, units.LENGTH) / Number(4.0, units.TIME) == Number(0.5, units.VELOCITY)
-    assert node.sin(0) == Number(0.0)
-    assert node.cos(x) == Call("cos", (x,))
+    assert Number(2.0, dimensions.LENGTH) / Number(4.0, dimensions.TIME) == Number(0.5, dimensions.VELOCITY)
+    assert tree.sin(0) == Number(0.0)
+    assert tree.cos(x) == Call("cos", (x,))
     assert abs(x) == Call("abs", (x,))
     assert x**2 == Binary("^", x, Number(2.0))
 
@@ -479,8 +477,8 @@ def test_trivial_parts_vanish():
 def test_a_rotated_point_at_angle_zero_is_short():
     x, y, px, py = (Name(word) for word in ("x", "y", "px", "py"))
     angle = as_node(0)
-    assert x + node.cos(angle) * px - node.sin(angle) * py == x + px
-    assert y + node.sin(angle) * px + node.cos(angle) * py == y + py
+    assert x + tree.cos(angle) * px - tree.sin(angle) * py == x + px
+    assert y + tree.sin(angle) * px + tree.cos(angle) * py == y + py
 
 
 @given(TREES, TREES, st.sampled_from(["+", "-", "*", "/", "^", "<", "and"]))
@@ -502,4 +500,4 @@ def test_wrong_number_of_arguments_is_a_programming_error():
 
 def test_a_quantity_becomes_a_number():
     number = as_node(units.parse_quantity("3 in"))
-    assert (str(number), number.dimension) == ("3 in", units.LENGTH)
+    assert (str(number), number.dimension) == ("3 in", dimensions.LENGTH)

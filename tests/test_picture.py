@@ -21,12 +21,17 @@ from planemotion._layout import (
     PM_ROUTE_RK,
 )
 from planemotion.base.errors import StudyError
-from planemotion.engine import call as engine
+from planemotion.compile.asks import Asked
 from planemotion.engine import history
-from planemotion.pictures import plots as picture
+from planemotion.engine.outcome import History
+from planemotion.pen import page
 from planemotion.pictures import scene as sketch
-from planemotion.sweep.export import AskVariable, Coordinate, Layout, write_result
-from planemotion.sweep.store import Block
+from planemotion.pictures.history import plot_history
+from planemotion.pictures.plots import plot
+from planemotion.pictures.sweep import open_sweep, plot_sweep
+from planemotion.sweep.block import Block
+from planemotion.sweep.layout import Coordinate, Layout
+from planemotion.sweep.netcdf import write_result
 
 D = np.linspace(1.0, 6.0, 51)
 OMEGA = np.linspace(1.0, 3.0, 31)
@@ -46,7 +51,7 @@ def result(
     cases = int(np.prod([size for _, size in dims]))
     columns = [np.reshape(numbers, (cases, -1)).astype(float) for numbers in values.values()]
     asks = tuple(
-        AskVariable(key, unit, key, column.shape[1], column.shape[1] > 1)
+        Asked(key, unit, 1.0, 0, column.shape[1], column.shape[1] > 1, key)
         for (key, unit), column in zip(values, columns, strict=True)
     )
     status = np.zeros(cases, np.int32) if status is None else status.astype(np.int32)
@@ -72,8 +77,8 @@ def axis(name: str, unit: str, values: np.ndarray, dim: str = "") -> Coordinate:
 
 
 def figure_of(path: Path) -> Figure:
-    with picture.style(), picture.open_sweep(path) as dataset:
-        return picture.plot_sweep(dataset)
+    with page.style(), open_sweep(path) as dataset:
+        return plot_sweep(dataset)
 
 
 def texts(figure: Figure) -> str:
@@ -116,7 +121,7 @@ def test_failed_cases_are_gaps_marked_and_counted(tmp_path: Path) -> None:
     curve, *_, marks = place.get_lines()
     assert np.count_nonzero(np.isnan(curve.get_ydata())) == 5
     assert np.array_equal(marks.get_xdata(), D[status != PM_OK])
-    assert marks.get_color() == picture.RED
+    assert marks.get_color() == page.RED
     assert place.get_title(loc="right") == "no value in 5 of 51"
     assert "not ok (red): 3 assembly, 1 limit time" in texts(figure)
 
@@ -183,12 +188,12 @@ def test_lists_zips_and_held_parameters_are_told(tmp_path: Path) -> None:
 @pytest.mark.parametrize("values", [np.full(51, np.nan), np.zeros(51), np.full(51, 1e300), 10.0 ** (-D * 8)])
 def test_odd_values_can_be_drawn(tmp_path: Path, values: np.ndarray) -> None:
     path = result(tmp_path / "a.h5", [[axis("d", "", D)]], {("v", ""): values})
-    assert min(png_size(picture.plot(path))) > 100
+    assert min(png_size(plot(path))) > 100
 
 
 def test_odd_grids_can_be_drawn(tmp_path: Path) -> None:
     one = [[axis("d", "", D[:1])]]
-    assert picture.plot(result(tmp_path / "one.h5", one, {("v", ""): D[:1]})).exists()
+    assert plot(result(tmp_path / "one.h5", one, {("v", ""): D[:1]})).exists()
     log = [[axis("d", "", np.geomspace(1, 1e4, 60))]]
     figure = figure_of(result(tmp_path / "log.h5", log, {("v", ""): np.geomspace(1, 1e4, 60)}))
     assert (figure.axes[0].get_xscale(), figure.axes[0].get_yscale()) == ("log", "log")
@@ -214,14 +219,14 @@ def test_a_picture_appears_whole_or_not_at_all(tmp_path: Path) -> None:
     path = result(tmp_path / "a.h5", [[axis("d", "", D)]], {("v", ""): D})
     for place in (tmp_path / "missing" / "p.png", path / "p.png"):
         with pytest.raises(StudyError, match=r"p\.png"):
-            picture.plot(path, place)
+            plot(path, place)
     assert [found.name for found in tmp_path.iterdir()] == ["a.h5"]
 
 
 # ---- histories ------------------------------------------------------------------------------------------
 
 
-def recorded() -> engine.History:
+def recorded() -> History:
     time = np.array([0.0, 0.1, 0.2, 0.2, 0.3])
     mark = np.array([0, 0, history.BEFORE, history.AFTER, 0], np.int32)
     columns = {
@@ -238,7 +243,7 @@ def recorded() -> engine.History:
         "floor.force.y": "N",
         "energy.total": "N*m",
     }
-    return engine.History(time, columns, units, mark, PM_LIMIT_TIME)
+    return History(time, columns, units, mark, PM_LIMIT_TIME)
 
 
 def test_a_history_is_read_as_it_was_written(tmp_path: Path) -> None:
@@ -259,8 +264,8 @@ def test_a_history_shows_each_kind_and_the_events(tmp_path: Path) -> None:
     path = tmp_path / "h.h5"
     history.write(path, {"low": recorded(), "high": recorded()}, {"title": "A fall"})
     runs, _ = history.read(path)
-    with picture.style():
-        figure = picture.plot_history(runs, "A fall")
+    with page.style():
+        figure = plot_history(runs, "A fall")
     assert len(figure.axes) == 8
     titles = [place.get_title(loc="left") for place in figure.axes[::2]]
     assert titles == ["energies [J]", "positions [m]", "velocities [m/s]", "forces [N]"]
@@ -269,7 +274,7 @@ def test_a_history_shows_each_kind_and_the_events(tmp_path: Path) -> None:
     for place in figure.axes:
         upright = [line for line in place.get_lines() if np.array_equal(line.get_xdata(), [0.2, 0.2])]
         assert len(upright) == 1
-    assert min(png_size(picture.plot(path))) > 300
+    assert min(png_size(plot(path))) > 300
 
 
 # ---- scenes ---------------------------------------------------------------------------------------------
@@ -329,7 +334,7 @@ def start_of(text: str) -> sketch.Start:
 
 
 def drawn(start: sketch.Start) -> Figure:
-    with picture.style():
+    with page.style():
         return sketch.figure(start)
 
 
@@ -401,7 +406,7 @@ joints = { A = { pin = ["AB.A", "ground"] }, B = { pin = ["AB.B", "ground.P"] } 
     assert start.poses["AB"] == pytest.approx((0.5 * np.cos(np.pi / 6), 0.25, np.pi / 6))
     figure = drawn(start)
     assert "not assembled" in texts(figure)
-    gaps = [line for line in figure.axes[0].get_lines() if line.get_color() == picture.RED]
+    gaps = [line for line in figure.axes[0].get_lines() if line.get_color() == page.RED]
     assert len(gaps) == 1  # between the rod's end and where it is pinned
 
 

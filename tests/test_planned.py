@@ -10,7 +10,7 @@ import pytest
 
 import planemotion
 from planemotion.compile.flatten import flatten
-from planemotion.engine import call as engine
+from planemotion.engine import call
 from planemotion.report.explain import explain, explain_run
 
 STUDIES = Path(__file__).parent.parent / "studies"
@@ -150,6 +150,6 @@ def test_idle_parts_are_told() -> None:
 
 def test_a_history_holds_idle_parts_too() -> None:
     scene = planemotion.load_text(SWING + ASIDE)
-    history = engine.trace(flatten(scene), flatten(scene).defaults)
+    history = call.trace(flatten(scene), flatten(scene).defaults)
     assert np.ptp(history.columns["aside.omega"]) > 0
     assert history.columns["rod.omega"][-1] == pytest.approx(scene.run().omega, rel=1e-9)

@@ -9,7 +9,7 @@ import pytest
 import planemotion
 from planemotion import SimulationError
 from planemotion.compile.flatten import flatten
-from planemotion.engine import call as engine
+from planemotion.engine import call
 
 G = 9.81
 
@@ -160,7 +160,7 @@ def test_what_the_numbers_of_a_case_forbid() -> None:
 
 def test_recorded_in_histories() -> None:
     flat = flatten(planemotion.load_text(GOVERNOR))
-    recorded = engine.trace(flat, flat.defaults)
+    recorded = call.trace(flat, flat.defaults)
     omega = math.sqrt(G / (0.4 * math.cos(0.7)))
     assert recorded.columns["spin.omega"] == pytest.approx(omega, rel=1e-9)
     assert recorded.units["spin.inertia"] == "kg*m^2"

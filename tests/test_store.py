@@ -13,16 +13,13 @@ from hypothesis import strategies as st
 
 from planemotion._layout import PM_ASSEMBLY, PM_AUDITS, PM_REASON_NOT_REACHED, PM_ROUTE_RK
 from planemotion.base.errors import StudyError
-from planemotion.sweep.export import (
-    AskVariable,
-    Coordinate,
-    Layout,
-    hyperslabs,
-    summarise,
-    write_csv,
-    write_result,
-)
-from planemotion.sweep.store import Block, OutputLock, SweepStore, appearing
+from planemotion.base.files import appearing
+from planemotion.compile.asks import Asked
+from planemotion.sweep.block import Block
+from planemotion.sweep.layout import Coordinate, Layout
+from planemotion.sweep.netcdf import hyperslabs, write_result
+from planemotion.sweep.store import OutputLock, SweepStore
+from planemotion.sweep.table import summarise, write_csv
 
 MANIFEST = {"format": 1, "scene": "one\ntwo", "sweep": {"d": {"num": 3}}, "checksums": {"tables": "a"}}
 
@@ -47,7 +44,7 @@ def block(first, count, columns=3, runs=1, message=None):
 def layout(*sizes, runs=(), at=None, estimate=False):
     dims = tuple((f"p{i}", size) for i, size in enumerate(sizes))
     coordinates = tuple(Coordinate(name, name, "min", np.arange(size) + 0.5) for name, size in dims)
-    asks = (AskVariable("v", "s", "t", 1, False), AskVariable("w", "h", "each t", 2, True, at))
+    asks = (Asked("v", "s", 1, 0, 1, False, "t"), Asked("w", "h", 1, 1, 2, True, "each t", at))
     return Layout(dims, coordinates, asks, runs, estimate)
 
 

@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -30,13 +31,15 @@ from planemotion._layout import (
     PM_ROUTE_RK,
 )
 from planemotion.base.errors import SceneError, StudyError
+from planemotion.compile.asks import Asked
 from planemotion.compile.flatten import flatten
+from planemotion.compile.grids import read_grid
 from planemotion.language import units
 from planemotion.model.tables import Grid
 from planemotion.reading.validate import validate
 from planemotion.run import simulate
-from planemotion.sweep import study
-from planemotion.sweep.grids import read_grid
+from planemotion.sweep import cases, chunks, run
+from planemotion.sweep.plan import Axis, SweepPlan, plan_sweep
 from waiting import wait_for
 
 TESTS = Path(__file__).parent
@@ -67,9 +70,9 @@ class FakeScene:
 
 RPM = units.factor("rpm")[0]
 ASKS = (
-    SimpleNamespace(key="sum", unit="ft", factor=0.3048, first=0, count=1, is_list=False, run=None),
-    SimpleNamespace(key="list", unit="rpm", factor=RPM, first=1, count=2, is_list=True, run=None),
-    SimpleNamespace(key="odd", unit="", factor=1.0, first=3, count=1, is_list=False, run=None),
+    Asked(key="sum", unit="ft", factor=0.3048, first=0, count=1, is_list=False),
+    Asked(key="list", unit="rpm", factor=RPM, first=1, count=2, is_list=True),
+    Asked(key="odd", unit="", factor=1.0, first=3, count=1, is_list=False),
 )
 
 
@@ -83,7 +86,11 @@ def fake_flatten(scene, run=None, *, history=True):
         constant=np.zeros(1),
         parameters=names,
         defaults=np.array([units.parse_quantity(values[name]).value_si for name in names]),
-        asks=tuple(ask for ask in ASKS if ask.key in data.ask and data.ask[ask.key].run in (None, run)),
+        asks=tuple(
+            replace(ask, text=data.ask[ask.key].text)
+            for ask in ASKS
+            if ask.key in data.ask and data.ask[ask.key].run in (None, run)
+        ),
     )
 
 
@@ -129,15 +136,17 @@ class FakeEngine:
 
 
 def plant(engine):
-    study.engine, study.flatten, study.versions = engine, fake_flatten, lambda: {"planemotion": "1"}
+    cases.call = cases.messages = engine
+    cases.flatten, cases.versions = fake_flatten, lambda: {"planemotion": "1"}
 
 
 @pytest.fixture
 def engine(monkeypatch):
     engine = FakeEngine()
-    monkeypatch.setattr(study, "engine", engine)
-    monkeypatch.setattr(study, "flatten", fake_flatten)
-    monkeypatch.setattr(study, "versions", lambda: {"planemotion": "1"})
+    monkeypatch.setattr(cases, "call", engine)
+    monkeypatch.setattr(cases, "messages", engine)
+    monkeypatch.setattr(cases, "flatten", fake_flatten)
+    monkeypatch.setattr(cases, "versions", lambda: {"planemotion": "1"})
     return engine
 
 
@@ -231,8 +240,8 @@ def test_a_grid_that_makes_no_sense_is_refused_with_its_place(raw, message):
 @settings(deadline=None)
 def test_a_case_written_out_gives_the_bits_of_the_grid(first, last, num, unit):
     raw = {"from": f"{first!r} {unit}", "to": f"{last!r} {unit}", "num": num}
-    axis = study.Axis("d", *grid(raw))
-    plan = study.SweepPlan(((axis,),))
+    axis = Axis("d", *grid(raw))
+    plan = SweepPlan(((axis,),))
     column = plan.block(0, num)[:, 0]
     written = [units.parse_quantity(plan.case(i)["d"]).value_si for i in range(num)]
     assert column.tobytes() == np.array(written).tobytes()
@@ -243,7 +252,7 @@ def test_a_case_written_out_gives_the_bits_of_the_grid(first, last, num, unit):
 
 
 def test_cases_are_numbered_in_the_order_of_c():
-    plan = study.plan_sweep(FakeScene({"d": ["1 in", "2 in"], "m": [5, 6, 7]}))
+    plan = plan_sweep(FakeScene({"d": ["1 in", "2 in"], "m": [5, 6, 7]}))
     assert (plan.names, plan.dims, plan.cases) == (("d", "m"), (("d", 2), ("m", 3)), 6)
     assert plan.block(2, 3).tolist() == [[0.0254, 7], [0.0508, 5], [0.0508, 6]]
     assert plan.case(3) == {"d": "2.0 in", "m": "5.0"}
@@ -251,7 +260,7 @@ def test_cases_are_numbered_in_the_order_of_c():
 
 def test_zipped_parameters_share_a_dimension():
     sweep = {"m": [1, 2], "w": ["1 rad/s", "2 rad/s"], "d": [3, 4], "zip": [["d", "m"]]}
-    plan = study.plan_sweep(FakeScene(sweep))
+    plan = plan_sweep(FakeScene(sweep))
     assert plan.dims == (("d", 2), ("w", 2))
     assert plan.block(0, 3).tolist() == [[3 * 0.0254, 1, 1], [3 * 0.0254, 1, 2], [4 * 0.0254, 2, 1]]
 
@@ -267,15 +276,15 @@ def test_zipped_parameters_share_a_dimension():
 )
 def test_a_sweep_that_cannot_be_is_refused(engine, sweep, message):
     with pytest.raises(SceneError) as error:
-        study.plan_sweep(FakeScene(sweep))
+        plan_sweep(FakeScene(sweep))
     assert message in str(error.value)
 
 
 def test_an_ask_cannot_have_the_name_of_another_column(engine, tmp_path, monkeypatch):
     scene = FakeScene({"d": ["1 in"]}, ask={"d": "d"})
-    monkeypatch.setattr(ASKS[0], "key", "d")
+    monkeypatch.setattr(sys.modules[__name__], "ASKS", (replace(ASKS[0], key="d"), *ASKS[1:]))
     with pytest.raises(SceneError, match=r"fake\.toml: ask\.d: this name"):
-        study.sweep_files(scene, tmp_path / "out")
+        run.sweep_files(scene, tmp_path / "out")
     assert not (tmp_path / "out").exists()
 
 
@@ -283,7 +292,7 @@ def test_an_ask_cannot_have_the_name_of_another_column(engine, tmp_path, monkeyp
 
 
 def test_a_result_opens_in_xarray_with_labels_and_units(engine, tmp_path):
-    data = study.run_sweep(FakeScene(SWEEP), out=tmp_path, workers=2)
+    data = run.run_sweep(FakeScene(SWEEP), out=tmp_path, workers=2)
     with data, xr.open_dataset(tmp_path / "fake.h5", engine="h5netcdf") as again:
         assert data.identical(again)
         assert data.sizes == {"d": 501, "m": 4, "ask": 3, "list_number": 2}
@@ -315,7 +324,7 @@ def test_a_result_opens_in_xarray_with_labels_and_units(engine, tmp_path):
 
 
 def test_the_table_has_a_row_per_case_and_the_status_last(engine, tmp_path):
-    study.sweep_files(FakeScene(SWEEP), tmp_path)
+    run.sweep_files(FakeScene(SWEEP), tmp_path)
     with open(tmp_path / "fake.csv", newline="") as file:
         header, *rows = csv.reader(file)
     asks = ["sum [ft]", "list[1] [rpm]", "list[2] [rpm]", "odd [1]"]
@@ -333,13 +342,13 @@ def test_the_table_has_a_row_per_case_and_the_status_last(engine, tmp_path):
 def test_without_an_output_nothing_is_left_behind(engine, tmp_path, monkeypatch):
     monkeypatch.setenv("TMPDIR", str(tmp_path))
     monkeypatch.setattr("tempfile.tempdir", None)
-    data = study.run_sweep(FakeScene(SWEEP))
+    data = run.run_sweep(FakeScene(SWEEP))
     assert float(data["sum"].sel(d=1.01, m=1)) == (1.01 * 0.0254 + 2) / 0.3048
     assert list(tmp_path.iterdir()) == []
 
 
 def test_zipped_coordinates_are_labelled(engine):
-    data = study.run_sweep(FakeScene({"d": ["1 in", "2 in"], "m": [5, 6], "zip": [["d", "m"]]}))
+    data = run.run_sweep(FakeScene({"d": ["1 in", "2 in"], "m": [5, 6], "zip": [["d", "m"]]}))
     assert data["sum"].dims == ("d",)
     assert data.m.dims == ("d",)
     assert "m" in data.coords
@@ -348,7 +357,7 @@ def test_zipped_coordinates_are_labelled(engine):
 def test_named_runs_have_a_dimension_and_keep_their_own_values(engine):
     ask = {"sum": {"of": "d", "run": "one", "unit": "ft"}, "odd": {"of": "m", "run": "two"}}
     scene = FakeScene({"d": ["1 in", "2 in"], "m": [1, 14]}, runs={"one": {}, "two": {"m": 13}}, ask=ask)
-    data = study.run_sweep(scene)
+    data = run.run_sweep(scene)
     assert data.run.values.tolist() == ["one", "two"]
     assert (data.run_status.sel(run="two") == PM_ASSEMBLY).all()
     assert data.run_status.sel(run="one", d=1).values.tolist() == [0, PM_LIMIT_TIME]
@@ -360,9 +369,9 @@ def test_named_runs_have_a_dimension_and_keep_their_own_values(engine):
 
 def test_chunks_change_no_row(monkeypatch, engine, tmp_path):
     scene = FakeScene(BIG)
-    study.sweep_files(scene, tmp_path / "a", workers=1)
-    monkeypatch.setattr(study, "_MAX_CHUNK", 7)
-    study.sweep_files(scene, tmp_path / "b", workers=3)
+    run.sweep_files(scene, tmp_path / "a", workers=1)
+    monkeypatch.setattr(cases, "_MAX_CASES", 7)
+    run.sweep_files(scene, tmp_path / "b", workers=3)
     assert max(engine.chunks[-50:]) <= 9
     assert data_of(tmp_path / "a/fake.h5") == data_of(tmp_path / "b/fake.h5")
     assert (tmp_path / "a/fake.csv").read_bytes() == (tmp_path / "b/fake.csv").read_bytes()
@@ -371,7 +380,7 @@ def test_chunks_change_no_row(monkeypatch, engine, tmp_path):
 def test_chunks_grow_to_half_a_second_of_work(engine, tmp_path):
     engine.pause = 0.002
     seen = []
-    study.sweep_files(FakeScene(BIG), tmp_path, workers=1, progress=lambda *progress: seen.append(progress))
+    run.sweep_files(FakeScene(BIG), tmp_path, workers=1, progress=lambda *progress: seen.append(progress))
     assert 150 < max(engine.chunks) < 350
     assert seen == sorted(seen)
     assert seen[-1] == (1200, 1200)
@@ -384,7 +393,7 @@ def test_a_broken_engine_is_not_swallowed(engine, tmp_path, monkeypatch):
 
     monkeypatch.setattr(engine, "run_cases", broken)
     with pytest.raises(RuntimeError, match="broken"):
-        study.sweep_files(FakeScene(SWEEP), tmp_path / "out")
+        run.sweep_files(FakeScene(SWEEP), tmp_path / "out")
     assert not (tmp_path / "out").exists()
 
 
@@ -409,10 +418,10 @@ angles = { of = "t", at = { each = "AB.angle", values = ["-89 deg", "-80 deg"] }
 
 @pytest.mark.parametrize("workers", [1, 2])
 def test_every_row_is_a_run_of_its_own_bit_for_bit(workers, monkeypatch):
-    monkeypatch.setattr(study, "_MAX_CHUNK", 5 * workers)
+    monkeypatch.setattr(cases, "_MAX_CASES", 5 * workers)
     scene = planemotion.load_text(PENDULUM)
     data = scene.sweep(workers=workers)
-    plan = study.plan_sweep(scene)
+    plan = plan_sweep(scene)
     assert data.sizes == {"L": 3, "omega0": 8, "ask": 3, "angles_at": 2}
     assert data.angles_at.values.tolist() == [-89, -80]
     for case in range(plan.cases):
@@ -438,7 +447,7 @@ def test_tables_are_made_once_for_all_grids_and_anew_for_another_scene(monkeypat
         made.append(scene.data.id)
         return flatten(scene, run, history=history)
 
-    monkeypatch.setattr(study, "flatten", counted)
+    monkeypatch.setattr(cases, "flatten", counted)
     scene = planemotion.load_text(PENDULUM)
 
     def agrees(tables, **grids):
@@ -502,7 +511,7 @@ def test_a_case_that_fails_late_keeps_what_it_had_answered(tmp_path):
     assert np.isnan(data.end.values).tolist() == [True, False]
     assert data.omega.values[0] == simulate(scene).asks["omega"].value
     out = tmp_path / "out"
-    study.sweep_files(scene, out)
+    run.sweep_files(scene, out)
     with xr.open_dataset(out / "late.h5", engine="h5netcdf") as stored:
         assert stored.omega.values == pytest.approx(exact, rel=1e-9)
         assert np.isnan(stored.end.values).tolist() == [True, False]
@@ -534,10 +543,10 @@ def run_child(out, sweep, pause, arguments):
 
         limit = int(arguments[arguments.index("small-files") + 1])
         resource.setrlimit(resource.RLIMIT_FSIZE, (limit, resource.RLIM_INFINITY))
-    study.CHUNK_SECONDS = 0.1
+    chunks.CHUNK_SECONDS = 0.1
     plant(FakeEngine(pause))
     try:
-        study.sweep_files(FakeScene(sweep), out, resume="resume" in arguments, workers=2,
+        run.sweep_files(FakeScene(sweep), out, resume="resume" in arguments, workers=2,
                           progress=lambda done, total: print(done, flush=True))  # fmt: skip
     except StudyError as error:
         sys.exit(f"{type(error).__name__}: {error}")
@@ -571,11 +580,11 @@ def test_a_killed_sweep_is_finished_without_repeating_or_changing_a_row(killed, 
     assert not (killed / "fake.h5").exists()
     assert not (killed / "fake.csv").exists()
     with pytest.raises(StudyError, match=r"unfinished sweep is there.*--resume"):
-        study.sweep_files(FakeScene(BIG), killed)
+        run.sweep_files(FakeScene(BIG), killed)
     assert parts(killed) == stored
-    files = study.sweep_files(FakeScene(BIG), killed, resume=True)
+    files = run.sweep_files(FakeScene(BIG), killed, resume=True)
     assert sum(engine.chunks) == files.computed == 1200 - sum(int(name.split("-")[2]) for name in stored)
-    study.sweep_files(FakeScene(BIG), tmp_path / "straight")
+    run.sweep_files(FakeScene(BIG), tmp_path / "straight")
     assert data_of(killed / "fake.h5") == data_of(tmp_path / "straight/fake.h5")
     assert (killed / "fake.csv").read_bytes() == (tmp_path / "straight/fake.csv").read_bytes()
     assert sorted(path.name for path in killed.iterdir()) == ["fake.csv", "fake.h5"]
@@ -587,59 +596,59 @@ def test_killed_again_and_again_it_still_finishes(tmp_path, engine):
         with child(out, "resume") as process:
             wait_for_parts(process, out, wanted)
             process.send_signal(signal.SIGKILL)
-    study.sweep_files(FakeScene(BIG), out, resume=True)
-    study.sweep_files(FakeScene(BIG), tmp_path / "straight")
+    run.sweep_files(FakeScene(BIG), out, resume=True)
+    run.sweep_files(FakeScene(BIG), tmp_path / "straight")
     assert data_of(out / "fake.h5") == data_of(tmp_path / "straight/fake.h5")
 
 
 def test_a_changed_comment_does_not_matter(killed, engine):
-    study.sweep_files(FakeScene(BIG, text="# new\nfake"), killed, resume=True)
+    run.sweep_files(FakeScene(BIG, text="# new\nfake"), killed, resume=True)
     with xr.open_dataset(killed / "fake.h5", engine="h5netcdf") as data:
         assert data.attrs["scene"] == "# new\nfake"
 
 
 def test_resume_begins_where_nothing_is_there(engine, tmp_path):
-    files = study.sweep_files(FakeScene(BIG), tmp_path / "new/folder", resume=True)
+    files = run.sweep_files(FakeScene(BIG), tmp_path / "new/folder", resume=True)
     assert files.computed == 1200
-    assert study.sweep_files(FakeScene(BIG), tmp_path / "new/folder", resume=True).computed == 0
+    assert run.sweep_files(FakeScene(BIG), tmp_path / "new/folder", resume=True).computed == 0
     files.table.unlink()
-    study.sweep_files(FakeScene(BIG), tmp_path / "new/folder", resume=True)
+    run.sweep_files(FakeScene(BIG), tmp_path / "new/folder", resume=True)
     assert files.table.exists()
 
 
 def test_killed_before_the_table_was_written(engine, tmp_path, monkeypatch):
     with monkeypatch.context() as patch:
-        patch.setattr(study, "write_csv", lambda *_: 1 / 0)
+        patch.setattr(run, "write_csv", lambda *_: 1 / 0)
         with pytest.raises(ZeroDivisionError):
-            study.sweep_files(FakeScene(BIG), tmp_path)
-    assert study.sweep_files(FakeScene(BIG), tmp_path, resume=True).computed == 0
+            run.sweep_files(FakeScene(BIG), tmp_path)
+    assert run.sweep_files(FakeScene(BIG), tmp_path, resume=True).computed == 0
     assert sorted(path.name for path in tmp_path.iterdir()) == ["fake.csv", "fake.h5"]
 
 
 def test_a_finished_sweep_is_not_overwritten(engine, tmp_path):
-    study.sweep_files(FakeScene(BIG), tmp_path)
+    run.sweep_files(FakeScene(BIG), tmp_path)
     before = (tmp_path / "fake.h5").read_bytes()
     with pytest.raises(StudyError, match="is there already and is never overwritten; give another --out"):
-        study.sweep_files(FakeScene(BIG), tmp_path)
+        run.sweep_files(FakeScene(BIG), tmp_path)
     assert (tmp_path / "fake.h5").read_bytes() == before
 
 
 @pytest.mark.parametrize("state", ["unfinished", "finished"])
 def test_resume_says_what_is_different(killed, engine, state, monkeypatch):
     if state == "finished":
-        study.sweep_files(FakeScene(BIG), killed, resume=True)
+        run.sweep_files(FakeScene(BIG), killed, resume=True)
     before = files_in(killed)
     other = {**BIG, "d": {"from": "1 in", "to": "7 in", "num": 30}}
     with pytest.raises(StudyError, match=r"another sweep.*Different: sweep\.d\.to \(6\.0, now 7\.0\)\. Give"):
-        study.sweep_files(FakeScene(other), killed, resume=True)
+        run.sweep_files(FakeScene(other), killed, resume=True)
     with pytest.raises(StudyError, match="scene with the line `another text`"):
-        study.sweep_files(FakeScene(BIG, text="fake\nanother text"), killed, resume=True)
+        run.sweep_files(FakeScene(BIG, text="fake\nanother text"), killed, resume=True)
     heavier = FakeScene(BIG, parameters={"d": "1 in", "w": "2 rad/s", "m": 4})
     with pytest.raises(StudyError, match="tables"):
-        study.sweep_files(heavier, killed, resume=True)
-    monkeypatch.setattr(study, "versions", lambda: {"planemotion": "2"})
+        run.sweep_files(heavier, killed, resume=True)
+    monkeypatch.setattr(cases, "versions", lambda: {"planemotion": "2"})
     with pytest.raises(StudyError, match=r'versions.planemotion \("1", now "2"\)'):
-        study.sweep_files(FakeScene(BIG), killed, resume=True)
+        run.sweep_files(FakeScene(BIG), killed, resume=True)
     assert files_in(killed) == before
 
 
@@ -651,17 +660,17 @@ def test_a_damaged_part_is_named_and_nothing_is_touched(killed, engine, damage):
     path.write_bytes({"flipped": bytes(data), "cut": bytes(data[:-100]), "empty": b""}[damage])
     before = parts(killed)
     with pytest.raises(StudyError, match=rf"{path.name}: this part file is damaged.*Remove it"):
-        study.sweep_files(FakeScene(BIG), killed, resume=True)
+        run.sweep_files(FakeScene(BIG), killed, resume=True)
     assert parts(killed) == before
     path.unlink()
-    study.sweep_files(FakeScene(BIG), killed, resume=True)
+    run.sweep_files(FakeScene(BIG), killed, resume=True)
     assert (killed / "fake.h5").exists()
 
 
 def test_a_damaged_manifest_is_named(killed, engine):
     (killed / "fake.parts/manifest.json").write_text("{")
     with pytest.raises(StudyError, match=r"manifest.json: cannot be read"):
-        study.sweep_files(FakeScene(BIG), killed, resume=True)
+        run.sweep_files(FakeScene(BIG), killed, resume=True)
     assert parts(killed)
 
 
@@ -675,7 +684,7 @@ def test_two_sweeps_on_one_output_are_refused(tmp_path, engine):
         said = rf"another sweep writes into this folder \(process {process.pid} on "
         for resume in (False, True):
             with pytest.raises(StudyError, match=said):
-                study.sweep_files(FakeScene(BIG), out, resume=resume)
+                run.sweep_files(FakeScene(BIG), out, resume=resume)
         assert process.wait() == 0
     assert (out / "fake.h5").exists()
 
@@ -690,14 +699,14 @@ def test_ctrl_c_stops_in_the_middle_and_says_what_is_saved(tmp_path, engine):
     stored = sum(int(name.split("-")[2]) for name in parts(out))
     assert stored < 600
     assert f"stopped: {stored} of 1200 cases are saved in {out}; go on with --resume" in error
-    assert study.sweep_files(FakeScene(BIG), out, resume=True).computed == 1200 - stored
+    assert run.sweep_files(FakeScene(BIG), out, resume=True).computed == 1200 - stored
 
 
 @pytest.mark.parametrize("place", ["/proc/no/such", "file", "file/below"])
 def test_an_output_that_cannot_be_written_is_refused(engine, tmp_path, place):
     (tmp_path / "file").write_text("mine")
     with pytest.raises(StudyError, match=r"is a file|cannot be written"):
-        study.sweep_files(FakeScene(BIG), tmp_path / place)
+        run.sweep_files(FakeScene(BIG), tmp_path / place)
     assert [path.name for path in tmp_path.iterdir()] == ["file"]
     assert engine.chunks == []
 
@@ -716,8 +725,8 @@ def test_a_full_disk_is_said_and_leaves_nothing_half_written(tmp_path, engine, l
     assert not list(out.rglob(".*"))
     assert file == "fake.csv" or not (out / "fake.h5").exists()
     assert not (out / "fake.csv").exists()
-    study.sweep_files(FakeScene(BIG), out, resume=True)
-    study.sweep_files(FakeScene(BIG), tmp_path / "straight")
+    run.sweep_files(FakeScene(BIG), out, resume=True)
+    run.sweep_files(FakeScene(BIG), tmp_path / "straight")
     assert data_of(out / "fake.h5") == data_of(tmp_path / "straight/fake.h5")
 
 
@@ -729,7 +738,7 @@ def test_a_million_cases_stay_below_500_megabytes(tmp_path):
     code = (
         "import sys, resource; sys.path.insert(0, sys.argv[1]); import test_study as t\n"
         "t.plant(t.FakeEngine())\n"
-        "t.study.sweep_files(t.FakeScene(t.MILLION), sys.argv[2], workers=2)\n"
+        "t.run.sweep_files(t.FakeScene(t.MILLION), sys.argv[2], workers=2)\n"
         "print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss // 1024)\n"
     )
     done = subprocess.run(

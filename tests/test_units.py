@@ -14,8 +14,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from planemotion.base.errors import PlanemotionError, SceneError, SimulationError, nearest
-from planemotion.language import units
-from planemotion.language.units import Dimension, factor, parse_quantity, to_unit
+from planemotion.language import dimensions, units
+from planemotion.language.dimensions import Dimension
+from planemotion.language.units import factor, parse_quantity, to_unit
 
 WORDS = sorted(units._WORDS)
 BASES = ("mass", "length", "time")
@@ -30,19 +31,19 @@ def plain_pint():
 
 # Factors found by hand from the definitions of the units.
 BY_HAND = {
-    "ft/s^2": (0.3048, units.ACCELERATION),
-    "lb*ft*s^2": (1.3558179483314004, units.INERTIA),
-    "ft*lb*s^2": (1.3558179483314004, units.INERTIA),
-    "slug*ft^2": (1.3558179483314004, units.INERTIA),
-    "lb/in": (175.12683524647636, units.STIFFNESS),
-    "N/(m*s)": (1.0, units.STIFFNESS / units.TIME),
-    "kg*m²": (1.0, units.INERTIA),
-    "kg·m**2": (1.0, units.INERTIA),
-    "1/s": (1.0, units.ANGULAR_VELOCITY),
-    "rev/min": (math.pi / 30, units.ANGULAR_VELOCITY),
-    "(mm)^-2": (1e6, units.DIMENSIONLESS / units.LENGTH**2),
-    "": (1.0, units.DIMENSIONLESS),
-    "1": (1.0, units.DIMENSIONLESS),
+    "ft/s^2": (0.3048, dimensions.ACCELERATION),
+    "lb*ft*s^2": (1.3558179483314004, dimensions.INERTIA),
+    "ft*lb*s^2": (1.3558179483314004, dimensions.INERTIA),
+    "slug*ft^2": (1.3558179483314004, dimensions.INERTIA),
+    "lb/in": (175.12683524647636, dimensions.STIFFNESS),
+    "N/(m*s)": (1.0, dimensions.STIFFNESS / dimensions.TIME),
+    "kg*m²": (1.0, dimensions.INERTIA),
+    "kg·m**2": (1.0, dimensions.INERTIA),
+    "1/s": (1.0, dimensions.ANGULAR_VELOCITY),
+    "rev/min": (math.pi / 30, dimensions.ANGULAR_VELOCITY),
+    "(mm)^-2": (1e6, dimensions.DIMENSIONLESS / dimensions.LENGTH**2),
+    "": (1.0, dimensions.DIMENSIONLESS),
+    "1": (1.0, dimensions.DIMENSIONLESS),
 }
 
 
@@ -78,16 +79,16 @@ def test_products_of_units_multiply(first, second, power):
 @pytest.mark.parametrize(
     ("text", "value_si", "dimension", "unit"),
     [
-        ("10 in", 0.254, units.LENGTH, "in"),
-        ("-1.5 rad/s", -1.5, units.ANGULAR_VELOCITY, "rad/s"),
-        (" +3kW ", 3000.0, units.POWER, "kW"),
-        ("1e-3 m", 1e-3, units.LENGTH, "m"),
-        ("- 90 deg", -math.pi / 2, units.DIMENSIONLESS, "deg"),
-        ("30 lb", 133.446648457815, units.FORCE, "lb"),
-        ("30 lbm", 13.6077711, units.MASS, "lbm"),
-        ("5 1/s", 5.0, units.ANGULAR_VELOCITY, "1/s"),
-        ("2.5", 2.5, units.DIMENSIONLESS, ""),
-        (2, 2.0, units.DIMENSIONLESS, ""),
+        ("10 in", 0.254, dimensions.LENGTH, "in"),
+        ("-1.5 rad/s", -1.5, dimensions.ANGULAR_VELOCITY, "rad/s"),
+        (" +3kW ", 3000.0, dimensions.POWER, "kW"),
+        ("1e-3 m", 1e-3, dimensions.LENGTH, "m"),
+        ("- 90 deg", -math.pi / 2, dimensions.DIMENSIONLESS, "deg"),
+        ("30 lb", 133.446648457815, dimensions.FORCE, "lb"),
+        ("30 lbm", 13.6077711, dimensions.MASS, "lbm"),
+        ("5 1/s", 5.0, dimensions.ANGULAR_VELOCITY, "1/s"),
+        ("2.5", 2.5, dimensions.DIMENSIONLESS, ""),
+        (2, 2.0, dimensions.DIMENSIONLESS, ""),
     ],
 )
 def test_quantity(text, value_si, dimension, unit):
@@ -98,8 +99,8 @@ def test_quantity(text, value_si, dimension, unit):
 
 
 def test_words_outside_the_table_come_from_pint():
-    assert factor("furlong") == (pytest.approx(201.168, rel=1e-5), units.LENGTH)
-    assert factor("klb") == (pytest.approx(4448.2216152605), units.FORCE)
+    assert factor("furlong") == (pytest.approx(201.168, rel=1e-5), dimensions.LENGTH)
+    assert factor("klb") == (pytest.approx(4448.2216152605), dimensions.FORCE)
 
 
 def test_quantities_of_pint_keep_their_own_meaning(plain_pint):
@@ -107,10 +108,14 @@ def test_quantities_of_pint_keep_their_own_meaning(plain_pint):
     assert parse_quantity(theirs.Quantity(3, "inch")) == parse_quantity("3 in")
     # lb is a mass in their registry and a force in ours.
     mass = parse_quantity(theirs.Quantity(2, "lb"))
-    assert (mass.value_si, mass.dimension, mass.unit_text) == (pytest.approx(0.90718474), units.MASS, "kg")
+    assert (mass.value_si, mass.dimension, mass.unit_text) == (
+        pytest.approx(0.90718474),
+        dimensions.MASS,
+        "kg",
+    )
     force = parse_quantity(ours.Quantity(2, "lb"))
-    assert (force.dimension, force.unit_text) == (units.FORCE, "lb")
-    assert parse_quantity(theirs.Quantity(2, "m/s**2")).dimension == units.ACCELERATION
+    assert (force.dimension, force.unit_text) == (dimensions.FORCE, "lb")
+    assert parse_quantity(theirs.Quantity(2, "m/s**2")).dimension == dimensions.ACCELERATION
     with pytest.raises(SceneError, match="a single number is wanted"):
         parse_quantity(theirs.Quantity([1, 2], "m"))
 
@@ -156,21 +161,23 @@ def test_any_text_is_a_quantity_or_an_error(text):
         assert math.isfinite(parse_quantity(text).value_si)
 
 
-@pytest.mark.parametrize("dimension", list(units._KNOWN_DIMENSIONS))
+@pytest.mark.parametrize("dimension", list(dimensions._KNOWN_DIMENSIONS))
 def test_the_unit_of_a_dimension_is_si(dimension):
     assert factor(dimension.unit) == (1.0, dimension)
 
 
 def test_dimension_names():
-    assert units.INERTIA.name == "moment of inertia"
-    assert units.INERTIA.formula == "mass*length^2"
-    assert units.ANGULAR_VELOCITY.phrase == "an angular velocity"
-    assert units.MOMENT.name.startswith("moment")
-    odd = units.FORCE * units.FORCE
+    assert dimensions.INERTIA.name == "moment of inertia"
+    assert dimensions.INERTIA.formula == "mass*length^2"
+    assert dimensions.ANGULAR_VELOCITY.phrase == "an angular velocity"
+    assert dimensions.MOMENT.name.startswith("moment")
+    odd = dimensions.FORCE * dimensions.FORCE
     assert odd.name == "quantity of mass^2*length^2/time^4"
     assert odd.unit == "kg^2*m^2/s^4"
-    assert (units.LENGTH**2) ** units.exact_exponent(0.5) == units.LENGTH
-    assert (units.DIMENSIONLESS / units.INERTIA / units.TIME).formula == "1/(mass*length^2*time)"
+    assert (dimensions.LENGTH**2) ** dimensions.exact_exponent(0.5) == dimensions.LENGTH
+    assert (
+        dimensions.DIMENSIONLESS / dimensions.INERTIA / dimensions.TIME
+    ).formula == "1/(mass*length^2*time)"
 
 
 def test_common_units_do_not_import_pint():

@@ -21,8 +21,8 @@ import planemotion
 from planemotion import _layout as layout
 from planemotion.base.errors import SceneError
 from planemotion.compile.flatten import FlatScene, flatten
-from planemotion.engine import call as engine
-from planemotion.sweep.study import plan_sweep
+from planemotion.engine import call, kernel, messages
+from planemotion.sweep.plan import plan_sweep
 
 from . import generate
 from .problems import HERE, STUDIES, Floats
@@ -138,7 +138,7 @@ def compared(asks: Sequence[str], default: Answers, other: Answers | str) -> tup
     key = asks[column] + (" ~" if zero[case, column] else "")
     agrees, status = greatest <= AGREES, next(filter(None, other.status), layout.PM_OK)
     word = "yes" if agrees else "no"
-    word += "" if status == layout.PM_OK else f", {engine.status_name(status)}"
+    word += "" if status == layout.PM_OK else f", {kernel.status_name(status)}"
     return [per_case(other), greatest, key, estimated, word, limit(greatest, estimated, other)], agrees
 
 
@@ -187,13 +187,13 @@ def run(scene: planemotion.Scene, route: str, accuracy: float, out: Connection) 
     param = some_cases(scene, flat)
     begun, runs = time.process_time(), 0
     while runs == 0 or time.process_time() - begun < LEAST_SAMPLE:
-        results, runs = engine.run_cases(flat, param), runs + 1
+        results, runs = call.run_cases(flat, param), runs + 1
     seconds = (time.process_time() - begun) / runs
     worst = int(np.argmax(results.status != layout.PM_OK))
-    message = engine.message(flat, results, worst) if results.status[worst] != layout.PM_OK else ""
+    message = messages.message(flat, results, worst) if results.status[worst] != layout.PM_OK else ""
     message = message.removeprefix(f"{flat.file}: ")
     ran = np.bitwise_or.reduce(results.count[:, layout.PM_COUNT_ROUTES])
-    routes = [engine.route_name(i) for i in range(1, layout.PM_ROUTES) if int(ran) >> i & 1]
+    routes = [kernel.route_name(i) for i in range(1, layout.PM_ROUTES) if int(ran) >> i & 1]
     out.send(Answers(results.out, results.error, [int(s) for s in results.status], routes, seconds, message))
 
 

@@ -39,7 +39,7 @@ from planemotion._layout import (
     PM_UNDECIDED,
 )
 from planemotion.compile.flatten import flatten
-from planemotion.engine import call as engine
+from planemotion.engine import call, messages
 
 STUDIES = Path(__file__).parent.parent
 CHAPTER = STUDIES / "chapter17"
@@ -323,14 +323,14 @@ def tally(known: Known, route: str, accuracy: float) -> Tally:
         {"solve.route": route, "solve.accuracy": accuracy, "solve.max_steps": 10**8}
     )
     flat = flatten(scene)
-    results = engine.run_cases(flat, np.atleast_2d(flat.defaults))
+    results = call.run_cases(flat, np.atleast_2d(flat.defaults))
     status = int(results.status[0])
     counts = [int(number) for number in results.count[0]]
     row = Tally(runs=1, passes=counts[PM_COUNT_PASSES], undecided=int(status == PM_UNDECIDED))
     row.solves = counts[PM_COUNT_PASSES] * max(counts[PM_COUNT_RUNS], 1) * counts[PM_COUNT_SOLVES]
     if status not in (PM_OK, PM_UNDECIDED):
         row.unanswered = 1  # declined by the route, or not trusted: the run says so
-        message = engine.message(flat, results, 0).removeprefix(f"{flat.file}: ")
+        message = messages.message(flat, results, 0).removeprefix(f"{flat.file}: ")
         row.said.append(f"{scene.id}, {route}, {accuracy:g}: {message}")
         return row
     row.kept.append(bool(results.trust[0, PM_TRUST_EXCESS] <= 1))
@@ -434,7 +434,7 @@ def cost() -> None:
                 flat = flatten(planemotion.load(STUDIES / f"{name}.toml").with_values(settings))
                 param = np.atleast_2d(flat.defaults)
                 times.append(min(seconds(flat, param) for _ in range(5)))
-                passes = int(engine.run_cases(flat, param).count[0, PM_COUNT_PASSES])
+                passes = int(call.run_cases(flat, param).count[0, PM_COUNT_PASSES])
             print(
                 f"| {name} | {route} | {accuracy:.0e} | {1e3 * times[0]:.2f} | {1e3 * times[1]:.2f} "
                 f"| {times[1] / times[0]:.2f} | {passes} |"
@@ -443,7 +443,7 @@ def cost() -> None:
 
 def seconds(flat: Any, param: np.ndarray) -> float:
     begun = time.process_time()
-    engine.run_cases(flat, param)
+    call.run_cases(flat, param)
     return time.process_time() - begun
 
 

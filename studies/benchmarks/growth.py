@@ -13,7 +13,8 @@ import numpy as np
 import planemotion
 from planemotion.base.errors import SceneError
 from planemotion.compile.flatten import FlatScene
-from planemotion.engine import call as engine
+from planemotion.engine import messages
+from planemotion.engine.call import run_cases
 
 from . import generate, plots
 from .peers.engine import KernelBatch, columns, finishes, flat_of, method_name
@@ -168,9 +169,9 @@ def prepared(scene: planemotion.Scene, asks: Sequence[str], route: str) -> tuple
     batch = KernelBatch(flat, flat.defaults[None, :], asks)
     if not finishes(batch):
         return None, "not finished in time"
-    results = engine.run_cases(flat, batch.param)
+    results = run_cases(flat, batch.param)
     if results.status[0] < 0:
-        return None, engine.message(flat, results, 0)
+        return None, messages.message(flat, results, 0)
     batch.lengthen(cpu(batch.answers), CHAIN_CALL)
     return batch, ""
 
@@ -194,7 +195,7 @@ def cases(quick: bool) -> Table:
             "overhead us per case",
             "overhead ms, medians",
         ),
-        text="Rolling collar, all asks, default route, one thread: `engine.run_cases`, and `Scene.sweep` "
+        text="Rolling collar, all asks, default route, one thread: `call.run_cases`, and `Scene.sweep` "
         "without a folder for the same cases, which gives an xarray.Dataset in memory; CPU time, the scene "
         "already read and swept before. Overhead: sweep less kernel, the least of calls that take turns, "
         "and their medians.",
@@ -206,7 +207,7 @@ def cases(quick: bool) -> Table:
         d = {"from": "0 m", "to": "0.3 m", "num": n} if n > 1 else ["0.2 m"]
         param = columns(flat, ("d",), np.linspace(0, 0.3, n)[:, None] if n > 1 else np.array([[0.2]]))
         kernel, sweep = in_turns(
-            lambda param=param: engine.run_cases(flat, param), lambda d=d: scene.sweep(workers=1, d=d)
+            lambda param=param: run_cases(flat, param), lambda d=d: scene.sweep(workers=1, d=d)
         )
         least, middle = np.min(sweep) - np.min(kernel), np.median(sweep) - np.median(kernel)
         figures = [np.min(kernel), np.min(kernel) / n, np.min(sweep), least, least / n, middle]
@@ -243,7 +244,7 @@ def threads(quick: bool) -> Table:
         cases = columns(flat, problem.names, problem.cases)
         batches.append((flat, batch_for(flat, cases, 0.1 if quick else THREAD_SECONDS)))
     calls = [
-        lambda flat=flat, param=param, n=n: engine.run_cases(flat, param, workers=n)
+        lambda flat=flat, param=param, n=n: run_cases(flat, param, workers=n)
         for flat, param in batches
         for n in THREADS
     ]
@@ -280,5 +281,5 @@ def count(processes: int) -> None:
 
 def batch_for(flat: FlatScene, param: Floats, seconds: float) -> Floats:
     """Copies of the cases that take about so long."""
-    once = max(cpu(lambda: engine.run_cases(flat, param)), 1e-6)
+    once = max(cpu(lambda: run_cases(flat, param)), 1e-6)
     return np.tile(param, (max(1, round(seconds / once)), 1))

@@ -11,7 +11,8 @@ import numpy as np
 
 import planemotion
 from planemotion.compile.flatten import FlatScene
-from planemotion.engine import call as engine
+from planemotion.engine import call, messages
+from planemotion.engine.outcome import CaseResults
 
 from .peers.engine import columns, flat_of
 from .problems import PROBLEMS, STUDIES, Floats, Problem
@@ -77,7 +78,7 @@ class Rate:
         flat = flat_of(problem.scene(), asks, {"solve.route": route, "solve.estimate": estimate})
         cases = problem.cases[: problem.slow_cases()] if route == "ida" or quick else problem.cases
         param = columns(flat, problem.names, cases)
-        results = engine.run_cases(flat, param)
+        results = call.run_cases(flat, param)
         words = [
             problem.name,
             "all four" if len(asks) == 4 else ", ".join(asks),
@@ -85,25 +86,25 @@ class Rate:
             "yes" if estimate else "no",
         ]
         if np.any(results.status < 0):
-            why = engine.message(flat, results, int(np.argmin(results.status)))
+            why = messages.message(flat, results, int(np.argmin(results.status)))
             return cls(words, None, None, why, flat, param, None)
         error, wrong = study_error(problem, flat, results)
-        once = max(cpu(lambda: engine.run_cases(flat, param)), 1e-6)
+        once = max(cpu(lambda: call.run_cases(flat, param)), 1e-6)
         param = np.tile(param, (max(1, round(SAMPLE_SECONDS / once)), 1))
-        timer = Timer.first(lambda: engine.run_cases(flat, param))
+        timer = Timer.first(lambda: call.run_cases(flat, param))
         return cls(words, error, wrong, "", flat, param, timer)
 
     def row(self, repeat: int) -> list[str | float | int | None]:
         if not self.timer:
             return [*self.words, None, None, None, None, self.why]
         one, two = (
-            wall(lambda n=n: engine.run_cases(self.flat, self.param, workers=n), repeat) for n in (1, 2)
+            wall(lambda n=n: call.run_cases(self.flat, self.param, workers=n), repeat) for n in (1, 2)
         )
         rate = len(self.param) / self.timer.best
         return [*self.words, rate, one / two, self.error, self.wrong, ""]
 
 
-def study_error(problem: Problem, flat: FlatScene, results: engine.CaseResults) -> tuple[float, int | None]:
+def study_error(problem: Problem, flat: FlatScene, results: CaseResults) -> tuple[float, int | None]:
     """Greatest relative error of the asks, and cases with a wrong count."""
     greatest, wrong = 0.0, None
     for ask in flat.asks:
@@ -189,11 +190,11 @@ def with_asks(path: Path, asks: Sequence[str]) -> planemotion.Scene:
 
 def kernel_seconds(path: Path, asks: Sequence[str], grids: dict[str, object]) -> float:
     """CPU s of the kernel alone for the cases of a sweep."""
-    from planemotion.sweep.study import plan_sweep
+    from planemotion.sweep.plan import plan_sweep
 
     scene = with_asks(path, asks)
     scene = planemotion.Scene.from_raw({**scene.raw, "sweep": grids}, file=scene.file)
     plan = plan_sweep(scene)
     flat = flat_of(scene, asks, {})
     param = columns(flat, plan.names, plan.block(0, plan.cases))
-    return cpu(lambda: engine.run_cases(flat, param))
+    return cpu(lambda: call.run_cases(flat, param))

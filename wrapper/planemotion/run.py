@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .base.errors import SimulationError
-from .engine import call as engine
+from .engine import call
 from .engine.result import RunResult, collect
 
 if TYPE_CHECKING:
@@ -20,7 +20,7 @@ def simulate(scene: Scene) -> RunResult:
     Raises SceneError for a fault in the scene.
     """
     data = scene.data
-    results = [(flat, engine.run_cases(flat, np.atleast_2d(flat.defaults))) for flat in scene.tables()]
+    results = [(flat, call.run_cases(flat, np.atleast_2d(flat.defaults))) for flat in scene.tables()]
     return collect(data.id, data.file, tuple(data.ask), results)
 
 

@@ -216,7 +216,7 @@ class Scene:
 
         See `sweep.study.run_sweep` for `out`, `workers`, `resume`, `progress` and what it returns.
         """
-        from .sweep.study import run_sweep
+        from .sweep.run import run_sweep
 
         scene = self
         if grids:

@@ -15,7 +15,8 @@ import planemotion
 from planemotion import _layout as layout
 from planemotion.base.errors import SceneError, SimulationError
 from planemotion.compile.flatten import FlatScene, flatten
-from planemotion.engine import call as engine
+from planemotion.engine import call, kernel, messages
+from planemotion.engine.outcome import CaseResults
 
 from ..measure import sentence
 from ..problems import Floats, Problem
@@ -104,7 +105,7 @@ class KernelBatch:
         by_key = {ask.key: ask for ask in flat.asks}
         self.columns = [by_key[key].first + i for key in asks for i in range(by_key[key].count)]
         self.param = param
-        self.results: engine.CaseResults | None = None
+        self.results: CaseResults | None = None
 
     def runs(self) -> int:
         """Cases that a call runs."""
@@ -112,10 +113,10 @@ class KernelBatch:
 
     def answers(self) -> Floats:
         """Runs them.  Raises SimulationError for a case that fails."""
-        results = self.results = engine.run_cases(self.flat, self.param)
+        results = self.results = call.run_cases(self.flat, self.param)
         failed = np.flatnonzero(results.status[: self.cases] < layout.PM_OK)
         if failed.size:
-            raise SimulationError(engine.message(self.flat, results, int(failed[0])), status=0)
+            raise SimulationError(messages.message(self.flat, results, int(failed[0])), status=0)
         return results.out[: self.cases, self.columns]
 
     def lengthen(self, seconds: float, least: float = LEAST_CALL) -> None:
@@ -132,8 +133,8 @@ class KernelBatch:
         """Routes that ran, early stops and doubts."""
         assert self.results is not None
         routes = np.unique(self.results.count[: self.cases, layout.PM_COUNT_ROUTE])
-        words = ["ran " + ", ".join(engine.route_name(int(route)) for route in routes)]
+        words = ["ran " + ", ".join(kernel.route_name(int(route)) for route in routes)]
         stops = self.results.status[: self.cases]
         for status in np.unique(stops[stops > layout.PM_OK]):
-            words.append(f"{np.count_nonzero(stops == status)} x {engine.status_name(int(status))}")
+            words.append(f"{np.count_nonzero(stops == status)} x {kernel.status_name(int(status))}")
         return "; ".join(words)

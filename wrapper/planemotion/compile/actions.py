@@ -14,9 +14,9 @@ from ..base.errors import SceneError
 from ..geometry.packing import Tables
 from ..geometry.partners import partner
 from ..geometry.pose import GROUND
-from ..language.substitute import substitute
+from ..language.dimensions import ANGULAR_IMPULSE, ENERGY, IMPULSE, Dimension
+from ..language.leaves import substitute
 from ..language.tree import Name, Node
-from ..language.units import ANGULAR_IMPULSE, ENERGY, IMPULSE, Dimension
 from ..model import words
 from ..model.readers import Value, Vector
 from ..model.tables import Action

@@ -6,30 +6,30 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from .. import _layout as layout
+from ..base.arrays import Floats
 from ..base.errors import SceneError
 from ..geometry.packing import Tables
 from ..geometry.parameters import Reader
-from ..language.tree import Node, binary
-from ..language.units import DIMENSIONLESS, Dimension, factor
+from ..language.dimensions import DIMENSIONLESS, Dimension
+from ..language.units import factor
 from ..model.readers import Value
 from ..model.tables import Ask, At, Grid
 from ..model.words import unknown
 from .events import firing
-from .measure_rows import Reading
+from .grids import grid_nodes, read_grid
 from .measures import Measures
 
 # Columns of an answer "each EVENT" where nothing says how often the event fires.
 EACH_FIRINGS = 64
-# A grid by steps ends at the last value that is not beyond `to` by more than this part of a step.
-_STEP_ROUNDING = 1e-9
 
 
 @dataclass(frozen=True)
-class AskColumn:
-    """Where the answer to an ask stands in the results, and its unit: value = SI / factor.
+class Asked:
+    """One ask: what was asked, where its numbers stand in the results, and its unit: value = SI / factor.
 
-    `first`, `count`: columns of out; `is_list`: the answer is a list; `open_ended`: as long as the event
-    fired, so that not-a-number at its end means nothing; `run`: the run that it belongs to, or None.
+    `first`, `count`: columns of out of its run; `is_list`: the answer is a list; `text`: for people; `at`:
+    unit and values [count] of the grid of a list, where they are plain quantities; `open_ended`: as long as
+    the event fired, so that not-a-number at its end means nothing.
     """
 
     key: str
@@ -38,7 +38,8 @@ class AskColumn:
     first: int
     count: int
     is_list: bool
-    run: str | None
+    text: str = ""
+    at: tuple[str, Floats] | None = None
     open_ended: bool = False
 
 
@@ -59,7 +60,7 @@ class Asks:
         self.measures = measures
         self.reader = reader
         self.tables = tables
-        self.columns: list[AskColumn] = []
+        self.columns: list[Asked] = []
         self.dimensions: dict[str, Dimension] = {}
         self._width = 0
 
@@ -77,7 +78,9 @@ class Asks:
         kind = row[layout.PM_ASK_KIND]
         is_each = kind == layout.PM_ASK_EACH
         is_list = is_each or kind == layout.PM_ASK_GRID
-        self.columns.append(AskColumn(key, unit, size, self._width, count, is_list, ask.run, is_each))
+        at = _plain_values(ask.at, count)
+        asked = Asked(key, unit, size, self._width, count, is_list, ask.text, at, open_ended=is_each)
+        self.columns.append(asked)
         self.dimensions[key] = reading.dimension
         self._width += count
 
@@ -133,6 +136,17 @@ class Asks:
         return row, self.bounds.get(event, EACH_FIRINGS) if each else 1
 
 
+def _plain_values(at: str | At | None, count: int) -> tuple[str, Floats] | None:
+    """Unit and values [count] of the grid at which a list is asked, if they are plain quantities."""
+    if not isinstance(at, At) or at.values is None:
+        return None
+    try:
+        unit, values = read_grid(at.values, path="at.values")
+    except SceneError:  # expressions, which may differ from case to case
+        return None
+    return (unit, values) if len(values) == count else None
+
+
 def _row(kind: int) -> dict[int, int]:
     """A row with nothing but its kind."""
     return {
@@ -160,47 +174,3 @@ def _unit(written: str | None, found: Dimension, path: str) -> tuple[str, float]
     except SceneError as error:
         raise SceneError(error.reason, path=f"{path}.unit", value=written) from None
     return written, size
-
-
-def grid_nodes(reader: Reader, grid: Grid, where: str, reading: Reading) -> list[Node]:
-    """The values of a grid, which have the dimension of `reading`."""
-    wanted = reading.dimension
-    if grid.values is not None:
-        if not grid.values:
-            raise SceneError("at least 1 value is needed", path=where)
-        return [reader.number(value, f"{where}[{i}]", wanted) for i, value in enumerate(grid.values)]
-    assert grid.from_ is not None
-    assert grid.to is not None
-    start = reader.number(grid.from_, f"{where}.from", wanted)
-    stop = reader.number(grid.to, f"{where}.to", wanted)
-    if grid.step is not None and grid.scale == "log":
-        raise SceneError("a logarithmic grid has num, not step", path=f"{where}.step", value=grid.step)
-    if grid.step is not None:
-        return _steps(reader, grid.step, start, stop, where, wanted)
-    assert grid.num is not None
-    if grid.num < 1:
-        raise SceneError("at least 1 value is needed", path=f"{where}.num", value=grid.num)
-    if grid.num == 1:
-        return [start]
-    parts = [i / (grid.num - 1) for i in range(1, grid.num - 1)]
-    if grid.scale == "log":
-        between = [start * binary("^", stop / start, part) for part in parts]
-    else:
-        between = [start + (stop - start) * part for part in parts]
-    return [start, *between, stop]
-
-
-def _steps(
-    reader: Reader, written: Value, start: Node, stop: Node, where: str, wanted: Dimension
-) -> list[Node]:
-    step = reader.number(written, f"{where}.step", wanted)
-    if any(reader.depends_on(node) for node in (start, stop, step)):
-        reason = "the number of steps would depend on parameters; give num instead"
-        raise SceneError(reason, path=f"{where}.step", value=written)
-    first, last, size = (reader.default(node) for node in (start, stop, step))
-    if size == 0 or (last - first) / size < 0:
-        raise SceneError(
-            "the steps do not lead from the first value to the last", path=f"{where}.step", value=written
-        )
-    count = int((last - first) / size + _STEP_ROUNDING) + 1
-    return [start + step * i for i in range(count)]

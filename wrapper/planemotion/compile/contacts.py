@@ -19,8 +19,8 @@ from ..geometry.parameters import Reader, is_zero
 from ..geometry.partners import Partner, different, kernel_circle, pairs, partner, side
 from ..geometry.pose import GROUND
 from ..geometry.time import over_time
+from ..language.dimensions import DIMENSIONLESS, VELOCITY
 from ..language.tree import ZERO, Node, Number
-from ..language.units import DIMENSIONLESS, VELOCITY
 from ..model.readers import Value
 from ..model.tables import Contact, Friction
 

@@ -14,8 +14,8 @@ from ..geometry.pose import GROUND, PointRef
 from ..geometry.rows import CouplingRows
 from ..geometry.writer import Writer
 from ..kinds.base import Coupling
+from ..language.dimensions import ANGULAR_VELOCITY, VELOCITY
 from ..language.tree import ZERO
-from ..language.units import ANGULAR_VELOCITY, VELOCITY
 from ..model.tables import Body
 
 

@@ -13,8 +13,9 @@ from collections.abc import Mapping, Sequence
 from .. import _layout as layout
 from ..base.errors import SceneError
 from ..geometry.packing import Tables
-from ..language.expression import dimension, parse
-from ..language.substitute import substitute
+from ..language.homogeneity import dimension
+from ..language.leaves import substitute
+from ..language.parser import parse
 from ..language.tree import Binary, Name, Node
 from ..model import words
 from ..model.tables import Event

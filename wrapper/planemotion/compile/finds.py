@@ -17,9 +17,11 @@ from .. import _layout as layout
 from ..base.errors import SceneError
 from ..geometry.packing import Tables
 from ..geometry.parameters import Reader
-from ..language.expression import dimension, names, parse
+from ..language.dimensions import DIMENSIONLESS
+from ..language.homogeneity import dimension
+from ..language.leaves import names
+from ..language.parser import parse
 from ..language.tree import Binary, Name, Node, Number, Unary
-from ..language.units import DIMENSIONLESS
 from ..model.readers import Value
 from ..model.tables import Find
 from ..model.words import unknown

@@ -22,14 +22,14 @@ from ..geometry.parameters import Parameters, Reader, is_zero, override
 from ..geometry.pose import GROUND
 from ..geometry.writer import Writer
 from ..kinds.base import Coupling, Force, Joint
+from ..language.dimensions import DIMENSIONLESS, LENGTH, TIME
 from ..language.tree import ZERO, Name, negative
-from ..language.units import DIMENSIONLESS, LENGTH, TIME
 from ..model.readers import Value
 from ..model.tables import Action, Body, Contact
 from ..model.words import ROUND_SHAPES, SIMULTANEOUS, unknown
 from ..reading.scene import HasData, SceneData
 from .actions import Actions
-from .asks import AskColumn, Asks
+from .asks import Asked, Asks
 from .bounds import check_bounds
 from .contacts import Contacts
 from .couplings import add_coupling, drive
@@ -71,7 +71,7 @@ class FlatScene:
     parameters: tuple[str, ...]
     defaults: npt.NDArray[np.float64]
     units: tuple[str, ...]
-    asks: tuple[AskColumn, ...]
+    asks: tuple[Asked, ...]
     names: Mapping[int, tuple[str, ...]]
     trace: Mapping[str, tuple[int, str]]
     bodies: tuple[str, ...]

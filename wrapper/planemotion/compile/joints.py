@@ -9,8 +9,8 @@ from ..base.errors import SceneError
 from ..geometry.partners import Partner, pairs, partner
 from ..geometry.writer import Writer
 from ..kinds.base import Bearing, Joint, RubbingJoint
+from ..language.dimensions import DIMENSIONLESS, LENGTH, MOMENT
 from ..language.tree import ZERO, Node
-from ..language.units import DIMENSIONLESS, LENGTH, MOMENT
 
 
 @dataclass(frozen=True)

@@ -17,9 +17,9 @@ from ..geometry.packing import Tables
 from ..geometry.parameters import Reader
 from ..geometry.pose import GROUND
 from ..language.address import Address
-from ..language.expression import names
+from ..language.dimensions import DIMENSIONLESS, FORCE, Dimension
+from ..language.leaves import names
 from ..language.tree import Name, Node, atan2, cos, norm, sin
-from ..language.units import DIMENSIONLESS, FORCE, Dimension
 from ..model import words
 from .contacts import ContactInfo
 from .couplings import CouplingInfo

@@ -18,10 +18,7 @@ from ..geometry.packing import Tables
 from ..geometry.parameters import Reader
 from ..geometry.pose import GROUND, PointRef
 from ..language.address import Address
-from ..language.expression import Leaf, dimension, parse
-from ..language.substitute import substitute
-from ..language.tree import Name, Node, call, cos, negative, sin
-from ..language.units import (
+from ..language.dimensions import (
     ACCELERATION,
     ANGULAR_ACCELERATION,
     ANGULAR_MOMENTUM,
@@ -39,6 +36,10 @@ from ..language.units import (
     VELOCITY,
     Dimension,
 )
+from ..language.homogeneity import dimension
+from ..language.leaves import Leaf, substitute
+from ..language.parser import parse
+from ..language.tree import Name, Node, call, cos, negative, sin
 from ..model import words
 from ..model.element import Quantity
 from ..model.readers import Value

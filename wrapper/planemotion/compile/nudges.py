@@ -5,7 +5,7 @@ from __future__ import annotations
 from .. import _layout as layout
 from ..base.errors import SceneError
 from ..geometry.packing import Tables
-from ..language.expression import parse
+from ..language.parser import parse
 from ..language.tree import Binary, Node, Number, negative
 from .measures import Measures
 

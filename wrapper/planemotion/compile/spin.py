@@ -16,8 +16,8 @@ from ..geometry.marks import radius
 from ..geometry.packing import Tables
 from ..geometry.parameters import Reader
 from ..geometry.time import over_time
+from ..language.dimensions import ANGULAR_VELOCITY, DIMENSIONLESS, INERTIA, LENGTH, MOMENT
 from ..language.tree import ZERO, Node
-from ..language.units import ANGULAR_VELOCITY, DIMENSIONLESS, INERTIA, LENGTH, MOMENT
 from ..model.readers import Value, Vector
 from ..model.tables import Body, Spin
 from ..reading.scene import SceneData

@@ -9,13 +9,12 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-import numpy.typing as npt
 
 from .. import _layout as layout
+from ..base.arrays import Floats
 from ..compile.flatten import FlatScene
-from ..language.tree import FUNCTIONS, apply
-
-Floats = npt.NDArray[np.float64]
+from ..language.arithmetic import apply
+from ..language.tree import FUNCTIONS
 
 # Operations whose name in tree.py is not that of the code in small letters.
 _SYMBOLS = {

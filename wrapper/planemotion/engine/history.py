@@ -17,12 +17,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
+from ..base.arrays import Floats
 from ..base.errors import StudyError
-from .call import History, status_name
-
-Floats = npt.NDArray[np.float64]
+from .kernel import status_name
+from .outcome import History
 
 STEP, BEFORE, AFTER = 0, 1, 2
 _MARKS = {STEP: "step", BEFORE: "before_event", AFTER: "after_event"}

@@ -11,10 +11,12 @@ import numpy as np
 import numpy.typing as npt
 
 from .. import _layout as layout
-from ..compile.asks import AskColumn
+from ..compile.asks import Asked
 from ..compile.flatten import FlatScene
 from ..language.units import factor
-from .call import AUDITS, REASONS, CaseResults, message, route_name, status_name
+from .kernel import AUDITS, REASONS, route_name, status_name
+from .messages import message
+from .outcome import CaseResults
 
 # Counts that say something only where a parameter is sought.
 _OF_FINDS = ("PM_COUNT_RUNS", "PM_COUNT_FOUND")
@@ -137,7 +139,7 @@ def answers(flat: FlatScene, results: CaseResults, i: int) -> dict[str, AskValue
 
 
 def answer(
-    column: AskColumn,
+    column: Asked,
     out: npt.NDArray[np.float64],
     reason: int,
     status: int,

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from .. import _layout as layout
 from ..base.errors import SceneError
+from ..language.dimensions import POWER
 from ..language.tree import Node
-from ..language.units import POWER
 from ..model.readers import Value
 from .time import empty_measure
 from .writer import Writer

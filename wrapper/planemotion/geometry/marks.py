@@ -11,8 +11,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from ..base.errors import SceneError
+from ..language.dimensions import ACCELERATION, DIMENSIONLESS, FORCE, INERTIA, LENGTH, MASS
 from ..language.tree import ZERO, Node, Number, atan2, norm
-from ..language.units import ACCELERATION, DIMENSIONLESS, FORCE, INERTIA, LENGTH, MASS
 from ..model import words
 from ..model.readers import Offset, Value, Vector
 from ..model.tables import Body, Circle, Ground, Line, Row

@@ -12,7 +12,8 @@ import numpy as np
 import numpy.typing as npt
 
 from .. import _layout as layout
-from ..language.expression import ConstantPool, Instruction, Leaf, emit, evaluate, names
+from ..language.code import ConstantPool, Instruction, emit
+from ..language.leaves import Leaf, evaluate, names
 from ..language.tree import Name, Node, Number
 from .parameters import Parameters
 

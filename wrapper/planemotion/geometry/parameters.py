@@ -12,9 +12,12 @@ from numbers import Real
 
 from ..base.errors import SceneError
 from ..language.address import Address
-from ..language.expression import Leaf, dimension, evaluate, names, parse, require
+from ..language.dimensions import DIMENSIONLESS, Dimension
+from ..language.homogeneity import dimension, require
+from ..language.leaves import Leaf, evaluate, names
+from ..language.parser import parse
 from ..language.tree import Name, Node, Number, cos, sin
-from ..language.units import DIMENSIONLESS, Dimension, parse_quantity
+from ..language.units import parse_quantity
 from ..model.readers import Value, Vector
 from ..model.words import unknown
 

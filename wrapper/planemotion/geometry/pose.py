@@ -15,8 +15,8 @@ from typing import Protocol
 
 from .. import _layout as layout
 from ..base.errors import SceneError
+from ..language.dimensions import DIMENSIONLESS, LENGTH
 from ..language.tree import ZERO, Node, atan2, cos, sin
-from ..language.units import DIMENSIONLESS, LENGTH
 from ..model.element import Kind
 from ..model.readers import Vector
 from ..model.tables import Body, Ground

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from .. import _layout as layout
-from ..language.expression import Leaf, names
-from ..language.substitute import substitute
+from ..language.dimensions import TIME, Dimension
+from ..language.leaves import Leaf, names, substitute
 from ..language.tree import Name, Node
-from ..language.units import TIME, Dimension
 from ..model.readers import Value
 from .packing import Tables
 from .parameters import Reader

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 from .. import _layout as layout
 from ..base.errors import SceneError
+from ..language.dimensions import Dimension
 from ..language.tree import Node
-from ..language.units import Dimension
 from ..model.readers import Value
 from .drawing import Drawing
 from .packing import Tables

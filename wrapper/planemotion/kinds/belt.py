@@ -8,8 +8,8 @@ from .. import _layout as layout
 from ..geometry.partners import kernel_circle
 from ..geometry.rows import CouplingRows
 from ..geometry.writer import Writer
+from ..language.dimensions import FORCE
 from ..language.tree import Number
-from ..language.units import FORCE
 from ..model.element import Partners, Quantity
 from .base import Coupling
 

@@ -19,8 +19,8 @@ from ..geometry.partners import Partner, different, drawn_pair, kernel_circle, p
 from ..geometry.pose import GROUND
 from ..geometry.rows import CouplingRows
 from ..geometry.writer import Writer
+from ..language.dimensions import DIMENSIONLESS, FORCE, IMPULSE, LENGTH
 from ..language.tree import ZERO, Node
-from ..language.units import DIMENSIONLESS, FORCE, IMPULSE, LENGTH
 from ..model.element import Number, Quantity
 from ..model.readers import read_stops
 from .base import Coupling

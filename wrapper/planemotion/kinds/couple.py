@@ -12,8 +12,8 @@ from ..geometry.given import measured, power
 from ..geometry.pose import GROUND
 from ..geometry.rows import ForceRow
 from ..geometry.writer import Writer
+from ..language.dimensions import MOMENT
 from ..language.tree import Node
-from ..language.units import MOMENT
 from ..model.element import Number
 from ..model.readers import Value, Vector, read_body_or_two, read_value_or_vector
 from .base import Force

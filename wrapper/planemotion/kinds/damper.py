@@ -9,8 +9,9 @@ from ..base.errors import SceneError
 from ..geometry.partners import point_pair
 from ..geometry.rows import ForceRow
 from ..geometry.writer import Writer
-from ..language.expression import dimension, parse
-from ..language.units import DAMPING, MOMENT, TIME
+from ..language.dimensions import DAMPING, MOMENT, TIME
+from ..language.homogeneity import dimension
+from ..language.parser import parse
 from ..model.element import Number
 from .base import Force
 

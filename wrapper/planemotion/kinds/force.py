@@ -14,8 +14,8 @@ from ..geometry.partners import partner
 from ..geometry.pose import GROUND
 from ..geometry.rows import ForceRow
 from ..geometry.writer import Writer
+from ..language.dimensions import FORCE
 from ..language.tree import Node
-from ..language.units import FORCE
 from ..model.element import Number, Text
 from ..model.readers import Value, Vector, read_one, read_value_or_vector
 from .base import Force

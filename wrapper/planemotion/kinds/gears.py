@@ -8,7 +8,7 @@ from .. import _layout as layout
 from ..geometry.partners import kernel_circle, side
 from ..geometry.rows import CouplingRows
 from ..geometry.writer import Writer
-from ..language.units import FORCE, IMPULSE
+from ..language.dimensions import FORCE, IMPULSE
 from ..model.element import Partners, Quantity
 from .base import Coupling
 

@@ -9,7 +9,7 @@ from ..geometry.marks import distance
 from ..geometry.partners import Partner, drawn_pair, point_pair
 from ..geometry.rows import JointRow
 from ..geometry.writer import Writer
-from ..language.units import LENGTH
+from ..language.dimensions import LENGTH
 from ..model.element import Number
 from .base import Joint
 

@@ -8,7 +8,7 @@ from .. import _layout as layout
 from ..base.errors import SceneError
 from ..geometry.rows import CouplingRows
 from ..geometry.writer import Writer
-from ..language.units import ANGULAR_VELOCITY, MOMENT
+from ..language.dimensions import ANGULAR_VELOCITY, MOMENT
 from ..model.element import Number, Partners, Quantity
 from .base import Coupling
 

@@ -16,8 +16,8 @@ from ..geometry.parameters import is_zero
 from ..geometry.pose import GROUND
 from ..geometry.rows import CouplingRows
 from ..geometry.writer import Writer
+from ..language.dimensions import DIMENSIONLESS, MOMENT
 from ..language.tree import Node
-from ..language.units import DIMENSIONLESS, MOMENT
 from ..model.element import Quantity
 from ..model.readers import Value, read_value
 from ..model.words import not_built

@@ -10,7 +10,7 @@ from ..geometry.marks import LineMark
 from ..geometry.partners import Partner, kernel_circle, side
 from ..geometry.rows import JointRow
 from ..geometry.writer import Writer
-from ..language.units import DIMENSIONLESS, FORCE
+from ..language.dimensions import DIMENSIONLESS, FORCE
 from ..model.element import Quantity
 from .base import Joint
 

@@ -9,7 +9,7 @@ from ..geometry.marks import LineMark
 from ..geometry.partners import Partner, one_point
 from ..geometry.rows import JointRow
 from ..geometry.writer import Writer
-from ..language.units import FORCE
+from ..language.dimensions import FORCE
 from ..model.element import Quantity
 from .base import RubbingJoint
 

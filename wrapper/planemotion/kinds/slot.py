@@ -10,7 +10,7 @@ from ..geometry.marks import CircleMark
 from ..geometry.partners import Partner, one_point
 from ..geometry.rows import JointRow
 from ..geometry.writer import Writer
-from ..language.units import FORCE
+from ..language.dimensions import FORCE
 from ..model.element import Quantity
 from .base import RubbingJoint
 

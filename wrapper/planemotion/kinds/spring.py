@@ -9,7 +9,7 @@ from ..geometry.marks import distance
 from ..geometry.partners import drawn_pair, point_pair
 from ..geometry.rows import ForceRow
 from ..geometry.writer import Writer
-from ..language.units import LENGTH, STIFFNESS
+from ..language.dimensions import LENGTH, STIFFNESS
 from ..model.element import Number
 from .base import Force
 

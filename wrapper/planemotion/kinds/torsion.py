@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from .. import _layout as layout
 from ..geometry.rows import ForceRow
 from ..geometry.writer import Writer
-from ..language.units import DIMENSIONLESS, MOMENT
+from ..language.dimensions import DIMENSIONLESS, MOMENT
 from ..model.element import Number
 from .base import Force
 

@@ -9,7 +9,7 @@ from typing import Annotated, Any, ClassVar
 from pydantic import BaseModel, BeforeValidator, ConfigDict
 
 from .. import _layout as layout
-from ..language.units import Dimension
+from ..language.dimensions import Dimension
 from .readers import Value, Vector, read_names, read_text, read_value, read_vector
 
 Number = Annotated[Value, BeforeValidator(read_value)]

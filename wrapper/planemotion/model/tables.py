@@ -194,6 +194,17 @@ class Ask(Table):
     unit: Text | None = None
     run: Text | None = None
 
+    @property
+    def text(self) -> str:
+        """What was asked, for people: "max hoop.omega", "-sphere.omega at before strike 1"."""
+        words = [("", self.of), ("max ", self.max), ("min ", self.min)]
+        if isinstance(self.at, At):
+            words += [("at max ", self.at.max), ("at min ", self.at.min), ("at each ", self.at.each)]
+        else:
+            words.append(("at ", self.at))
+        words.append(("in run ", self.run))
+        return " ".join(f"{word}{written}" for word, written in words if written is not None)
+
 
 class Find(Table):
     """What is sought: parameters between bounds, under conditions, with something extreme."""

@@ -17,11 +17,13 @@ from ..geometry.drawing import Drawing
 from ..geometry.marks import CircleMark, LineMark, Pair, RowMark
 from ..geometry.partners import Partner, partner
 from ..geometry.pose import GROUND
-from ..language.expression import evaluate, parse
+from ..language.dimensions import LENGTH
+from ..language.leaves import evaluate
+from ..language.parser import parse
 from ..language.tree import Node
-from ..language.units import LENGTH, factor
+from ..language.units import factor
 from ..model.readers import Value, Vector
-from .palette import INK, RESOLUTION
+from .page import INK, RESOLUTION
 from .symbols import Pen, Place
 
 # Greatest size of the drawing, and the room left around what is drawn, in inches.

@@ -14,15 +14,14 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.patches import Arc, Circle, FancyArrowPatch, Polygon
 from matplotlib.transforms import BboxBase
 
-from .palette import BLUE, INK, RED, SOFT
+from ..base.arrays import Floats
+from .page import BLUE, INK, RED, SOFT
 
-Floats = npt.NDArray[np.float64]
 Place = tuple[float, float]
 
 BODY_FILL = "#dbe5ef"

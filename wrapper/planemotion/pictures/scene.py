@@ -19,7 +19,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from ..compile.flatten import flatten, run_parameters
-from ..engine import call as engine
+from ..engine import call
 from ..geometry.drawing import Drawing
 from ..geometry.marks import LineMark, RowMark
 from ..geometry.packing import Tables
@@ -27,13 +27,13 @@ from ..geometry.parameters import Parameters, Reader
 from ..geometry.partners import Partner
 from ..geometry.pose import GROUND
 from ..kinds.base import Coupling, Force, Joint
-from ..language.units import DIMENSIONLESS, LENGTH
+from ..language.dimensions import DIMENSIONLESS, LENGTH
 from ..model.tables import Body, Contact
-from ..pen.palette import BLUE, INK, RED, SOFT
+from ..pen import page
+from ..pen.page import BLUE, INK, RED, SOFT
 from ..pen.sketch import Sketch
 from ..pen.symbols import BODY_FILL, SPRING, TOUCH, Place
 from ..reading.scene import HasData, SceneData
-from . import plots as picture
 
 _ROD = 0.1  # width of a rod, in
 _PARTICLE = 0.06  # radius of a particle, in
@@ -73,7 +73,7 @@ def start_of(scene: HasData, run: str | None = None) -> Start:
     """The start of a run (default: the first).  Raises SceneError for a fault in the scene."""
     flat = flatten(scene, run)
     drawing = drawing_of(scene.data, flat.run)
-    found = engine.check(flat)
+    found = call.check(flat)
     poses = {
         name: (float(x), float(y), float(angle))
         for name, (x, y, angle) in zip(flat.bodies, found.pose, strict=True)
@@ -90,8 +90,8 @@ def start_of(scene: HasData, run: str | None = None) -> Start:
 
 def draw(start: Start, out: Path) -> None:
     """Writes the picture as a PNG; StudyError if it cannot be written."""
-    with picture.style():
-        picture.save(figure(start), out)
+    with page.style():
+        page.save(figure(start), out)
 
 
 def figure(start: Start) -> Figure:
@@ -131,7 +131,7 @@ class _ScenePicture:
         note = f"{plane}; at the start"
         if self.start.fault:
             note = "as written, not assembled (see the message)"
-        picture.head(self.sketch.figure, self.start.data.title or self.start.data.id or "Scene", note)
+        page.head(self.sketch.figure, self.start.data.title or self.start.data.id or "Scene", note)
         if self.start.data.plane == "vertical":
             self._gravity()
         self.sketch.pen.write_names()

@@ -12,12 +12,14 @@ from typing import TYPE_CHECKING, Any
 
 from .. import _layout as layout
 from ..compile.flatten import FlatScene, flatten
-from ..engine import call as engine
+from ..engine import call
+from ..engine.outcome import Start
 from ..model.element import Kind
 from ..model.readers import Vector
 from ..model.tables import Action, Event, Friction
 from ..model.words import SPIN_KEYS
 from ..reading.scene import SceneData
+from .aligned import aligned
 from .plan import plan, ran
 
 if TYPE_CHECKING:
@@ -40,7 +42,7 @@ def check(scene: WrittenScene) -> Report:
     """The assembled start of a scene, of each of its [runs].  Raises SceneError for a fault in the scene."""
     texts, faults = [], []
     for flat in _runs(scene):
-        start = engine.check(flat)
+        start = call.check(flat)
         texts.append("\n".join([_title(flat, start.message), *_indented(_assembly(start))]))
         if start.message:
             faults.append(start.message)
@@ -49,11 +51,9 @@ def check(scene: WrittenScene) -> Report:
 
 def explain(scene: WrittenScene) -> Report:
     """The whole scene in words.  Raises SceneError for a fault in it."""
-    from ..sweep.study import ask_text
-
     data = scene.data
     flats = _runs(scene)
-    starts = [engine.check(flat) for flat in flats]
+    starts = [call.check(flat) for flat in flats]
     blocks = [
         [data.id + (f": {data.title}" if data.title else "")],
         [
@@ -87,7 +87,7 @@ def explain(scene: WrittenScene) -> Report:
         _section("until", ((" and ".join(group),) for group in data.until)),
         _section(
             "asks",
-            ((key, ask_text(ask), f"[{ask.unit}]" if ask.unit else "") for key, ask in data.ask.items()),
+            ((key, ask.text, f"[{ask.unit}]" if ask.unit else "") for key, ask in data.ask.items()),
         ),
         *(_finds(data)),
         *(_motion(flat, start) for flat, start in zip(flats, starts, strict=True)),
@@ -148,7 +148,7 @@ def _finds(data: SceneData) -> list[list[str]]:
 # ---- the start ------------------------------------------------------------------------------------------
 
 
-def _assembly(start: engine.Start) -> list[str]:
+def _assembly(start: Start) -> list[str]:
     """Freedom of the motion, and how far the assembly had to move what is drawn."""
     info, number = start.info, start.number
     lines = []
@@ -172,14 +172,14 @@ def _assembly(start: engine.Start) -> list[str]:
     return lines
 
 
-def _motion(flat: FlatScene, start: engine.Start) -> list[str]:
+def _motion(flat: FlatScene, start: Start) -> list[str]:
     run = f" of run {flat.run}" if flat.run is not None else ""
     return [f"motion{run}", *_indented(_assembly(start))] if not start.message else []
 
 
-def _bodies(data: SceneData, flat: FlatScene, start: engine.Start) -> list[str]:
+def _bodies(data: SceneData, flat: FlatScene, start: Start) -> list[str]:
     """Shape, mass, inertia and assembled place of each body."""
-    values = engine.values(flat)
+    values = call.values(flat)
     rows = flat.rows(layout.PM_TABLE_BODY)
     lines = []
     for index, name in enumerate(flat.bodies):
@@ -213,14 +213,8 @@ def _spin(data: SceneData) -> list[tuple[str, str]]:
 
 def _section(title: str, rows: Iterable[Sequence[str]]) -> list[str]:
     """A title and aligned rows below it; nothing if there are none."""
-    cells = [list(row) for row in rows]
-    if not cells:
-        return []
-    widths = [max(len(row[i]) for row in cells) for i in range(len(cells[0]))]
-    aligned = (
-        "  ".join(f"{cell:<{width}}" for cell, width in zip(row, widths, strict=True)) for row in cells
-    )
-    return [title, *_indented(aligned)]
+    lines = aligned(rows)
+    return [title, *_indented(lines)] if lines else []
 
 
 def _indented(lines: Iterable[str]) -> list[str]:

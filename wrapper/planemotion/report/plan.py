@@ -8,17 +8,18 @@ from itertools import groupby
 
 from .. import _layout as layout
 from ..compile.flatten import FlatScene
-from ..engine import call as engine
+from ..engine import call
+from ..engine.outcome import Phase, Start
 
 # What a phase is alike another by: all but its time, its steps and the legs before it.
 _OWN = ("steps", "legs", "spared")
 
 
-def plan(flat: FlatScene, start: engine.Start) -> list[str]:
+def plan(flat: FlatScene, start: Start) -> list[str]:
     """Before a run: the first phase, what it has to compute and what is left out."""
     if start.message:
         return []
-    first = engine.phases(flat, most=1)
+    first = call.phases(flat, most=1)
     if not first:
         return [
             _title("plan", flat),
@@ -38,7 +39,7 @@ def ran(flat: FlatScene) -> list[str]:
     """After a run: its phases; those alike that follow each other on one line."""
     lines = []
     number = 0
-    for _, group in groupby(engine.phases(flat, flat.defaults), key=_kind):
+    for _, group in groupby(call.phases(flat, flat.defaults), key=_kind):
         alike = list(group)
         first, number = number + 1, number + len(alike)
         which = f"{first}" if number == first else f"{first} to {number}"
@@ -84,7 +85,7 @@ def _idle(flat: FlatScene) -> Iterator[str]:
             if table in flat.names
             else ()
         )
-        needed = engine.needs(flat, table)
+        needed = call.needs(flat, table)
         idle = dict.fromkeys(name for name, is_needed in zip(names, needed, strict=False) if not is_needed)
         written = [name.removeprefix(f"{word}.") for name in idle if name]
         if written:
@@ -93,11 +94,11 @@ def _idle(flat: FlatScene) -> Iterator[str]:
         yield f"{'; '.join(left)} (nothing that is asked depends on them; the audit is of the rest)"
 
 
-def _kind(phase: engine.Phase) -> tuple[object, ...]:
+def _kind(phase: Phase) -> tuple[object, ...]:
     return phase.route, phase.reason, *(value for name, value in phase.column.items() if name not in _OWN)
 
 
-def _sizes(phase: engine.Phase) -> str:
+def _sizes(phase: Phase) -> str:
     x = phase.column
     solved = x["rows"] - x["loops"]
     parts = [
@@ -111,7 +112,7 @@ def _sizes(phase: engine.Phase) -> str:
     return ", ".join(parts)
 
 
-def _skipped(phase: engine.Phase) -> Iterator[str]:
+def _skipped(phase: Phase) -> Iterator[str]:
     """What this phase does not compute, and why."""
     x = phase.column
     if not x["clock"]:

@@ -15,10 +15,8 @@ Cases are numbered in C order over the dimensions of the sweep, in 64 bits.
 
 from __future__ import annotations
 
-import errno
 import fcntl
 import hashlib
-import io
 import json
 import os
 import re
@@ -32,14 +30,10 @@ from pathlib import Path
 from typing import Any, Self
 
 import h5py
-import numpy as np
-import numpy.typing as npt
 
 from ..base.errors import StudyError
-
-Floats = npt.NDArray[np.float64]
-Singles = npt.NDArray[np.float32]
-Integers = npt.NDArray[np.signedinteger[Any]]
+from ..base.files import appearing, disk_errors, sync_folder
+from .block import Block
 
 # Key of the manifest under which numbers stand that say only that something differs, not what.
 CHECKSUMS = "checksums"
@@ -49,133 +43,6 @@ _PART = re.compile(rf"part-(\d+)-(\d+)-([0-9a-f]{{{_CHECKSUM_DIGITS}}})\.npy")
 # Cases, and bytes of their answers, that are read at once for the final file: few large writes.
 _SLAB_CASES = 65536
 _SLAB_BYTES = 1 << 25
-_FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG}
-_FULL_TEXTS = ("no space left", "quota exceeded", "file too large")  # HDF5 does not always pass the number on
-
-
-# ---- what is stored -------------------------------------------------------------------------------------
-
-
-@dataclass(frozen=True)
-class Block:
-    """Results of n consecutive cases.
-
-    value[n, columns]: the asks one after the other, in their units; reason[n, asks]: enum pm_reason;
-    status[n]: enum pm_status, of the worst run; run_status, route[n, runs]; audit[n, runs, PM_AUDITS];
-    error[n, columns]: as value, and trust[n, PM_TRUSTS], of the worst run, have no columns where nothing is
-    estimated; message: row -> text, of the cases that did not end well; seconds: time taken to compute them.
-    """
-
-    value: Floats
-    reason: Integers
-    status: Integers
-    run_status: Integers
-    route: Integers
-    audit: Floats
-    error: Singles
-    trust: Singles
-    message: Mapping[int, str]
-    seconds: float = 0.0
-
-    def __len__(self) -> int:
-        return len(self.status)
-
-    @staticmethod
-    def join(blocks: Sequence[Block]) -> Block:
-        """Consecutive blocks as one."""
-        firsts = np.cumsum([0, *map(len, blocks)])
-
-        def stacked(name: str) -> npt.NDArray[Any]:
-            return np.concatenate([getattr(block, name) for block in blocks])
-
-        return Block(
-            **{name: stacked(name) for name in _BLOCK_TYPES},
-            message={
-                int(first) + row: text
-                for first, block in zip(firsts, blocks, strict=False)
-                for row, text in block.message.items()
-            },
-            seconds=sum(block.seconds for block in blocks),
-        )
-
-    def to_bytes(self) -> bytes:
-        """The block as a file: its arrays one after the other, and at the end the rest as JSON; the same
-        block gives the same bytes."""
-        rest = {"rows": list(self.message), "texts": list(self.message.values()), "seconds": self.seconds}
-        buffer = io.BytesIO()
-        for name, dtype in _BLOCK_TYPES.items():
-            np.save(buffer, np.ascontiguousarray(getattr(self, name), dtype), allow_pickle=False)
-        return buffer.getvalue() + json.dumps(rest).encode()
-
-    @classmethod
-    def from_bytes(cls, data: bytes) -> Self:
-        """Reads what `to_bytes` wrote."""
-        buffer = io.BytesIO(data)
-        arrays = {name: np.load(buffer, allow_pickle=False) for name in _BLOCK_TYPES}
-        rest = json.loads(buffer.read())
-        message = dict(zip(rest["rows"], rest["texts"], strict=True))
-        return cls(**arrays, message=message, seconds=rest["seconds"])
-
-
-_BLOCK_TYPES: dict[str, type[np.generic]] = {
-    "value": np.float64,
-    "reason": np.int8,
-    "status": np.int32,
-    "run_status": np.int32,
-    "route": np.int8,
-    "audit": np.float64,
-    "error": np.float32,  # as many digits as an error has
-    "trust": np.float32,
-}
-
-
-# ---- files that appear whole ----------------------------------------------------------------------------
-
-
-@contextmanager
-def appearing(path: Path) -> Iterator[Path]:
-    """A temporary path beside `path`: what is written there becomes `path` when the context ends well, on the
-    disk for good; otherwise nothing of it stays.
-
-    Raises StudyError if the disk is full or the place cannot be written.
-    """
-    temporary = path.with_name(f".{path.name}.tmp")
-    try:
-        with _disk_errors(path):
-            yield temporary
-            with open(temporary, "rb") as file:
-                os.fsync(file.fileno())
-            os.replace(temporary, path)
-            _sync_folder(path.parent)
-    finally:
-        with suppress(OSError):  # what went wrong before is what counts
-            temporary.unlink()
-
-
-@contextmanager
-def _disk_errors(path: Path) -> Iterator[None]:
-    """Turns what the system says about `path` into a StudyError."""
-    try:
-        yield
-    except OSError as error:
-        if error.errno in _FULL or any(text in str(error).lower() for text in _FULL_TEXTS):
-            raise StudyError(
-                f"{path}: the disk (or the quota) is full; nothing of this file was kept. "
-                "Make room and go on with --resume"
-            ) from error
-        raise StudyError(f"{path}: cannot be written: {error.strerror or error}") from error
-
-
-def _sync_folder(folder: Path) -> None:
-    """Makes a rename in `folder` last through a power cut."""
-    descriptor = os.open(folder, os.O_RDONLY)
-    try:
-        os.fsync(descriptor)
-    finally:
-        os.close(descriptor)
-
-
-# ---- the lock -------------------------------------------------------------------------------------------
 
 
 class OutputLock:
@@ -229,9 +96,6 @@ def _owner() -> str:
     return f"process {os.getpid()} on {socket.gethostname()}, since {time.strftime('%Y-%m-%d %H:%M:%S')}"
 
 
-# ---- a sweep's folder -----------------------------------------------------------------------------------
-
-
 @dataclass(frozen=True, order=True)
 class _Part:
     first: int
@@ -277,7 +141,7 @@ class SweepStore:
         if self.folder.exists() and not self.folder.is_dir():
             raise StudyError(f"{self.folder}: is a file; --out wants a folder")
         try:
-            with _disk_errors(self.folder):
+            with disk_errors(self.folder):
                 self._made_folder = not self.folder.exists()
                 self.folder.mkdir(parents=True, exist_ok=True)
                 self._lock.acquire()
@@ -324,9 +188,9 @@ class SweepStore:
 
     def _begin(self) -> None:
         self._began = True
-        with _disk_errors(self.parts_folder):
+        with disk_errors(self.parts_folder):
             self.parts_folder.mkdir(exist_ok=True)
-            _sync_folder(self.folder)
+            sync_folder(self.folder)
         with appearing(self._manifest_path) as temporary:
             temporary.write_text(json.dumps(self.manifest, indent=1), encoding="utf-8")
 

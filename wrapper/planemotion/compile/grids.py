@@ -8,11 +8,15 @@ from fractions import Fraction
 
 import numpy as np
 
+from ..base.arrays import Floats
 from ..base.errors import SceneError
+from ..geometry.parameters import Reader
+from ..language.dimensions import Dimension
+from ..language.tree import Node, binary
 from ..language.units import Quantity, factor, parse_quantity
 from ..model.readers import Value
 from ..model.tables import Grid
-from .store import Floats
+from .measure_rows import Reading
 
 # Values of one grid: ten million are meant to be possible, more is a slip of the pen.
 _MAX_GRID = 10_000_000
@@ -123,3 +127,51 @@ def _steps(first: float, last: float, step: float, path: str, written: object) -
     if abs(steps - whole) > _STEP_FITS:
         last = float(Fraction(repr(first)) + whole * Fraction(repr(step)))
     return whole + 1, last
+
+
+# A grid by steps ends at the last value that is not beyond `to` by more than this part of a step.
+_STEP_ROUNDING = 1e-9
+
+
+def grid_nodes(reader: Reader, grid: Grid, where: str, reading: Reading) -> list[Node]:
+    """The values of a grid, which have the dimension of `reading`."""
+    wanted = reading.dimension
+    if grid.values is not None:
+        if not grid.values:
+            raise SceneError("at least 1 value is needed", path=where)
+        return [reader.number(value, f"{where}[{i}]", wanted) for i, value in enumerate(grid.values)]
+    assert grid.from_ is not None
+    assert grid.to is not None
+    start = reader.number(grid.from_, f"{where}.from", wanted)
+    stop = reader.number(grid.to, f"{where}.to", wanted)
+    if grid.step is not None and grid.scale == "log":
+        raise SceneError("a logarithmic grid has num, not step", path=f"{where}.step", value=grid.step)
+    if grid.step is not None:
+        return _node_steps(reader, grid.step, start, stop, where, wanted)
+    assert grid.num is not None
+    if grid.num < 1:
+        raise SceneError("at least 1 value is needed", path=f"{where}.num", value=grid.num)
+    if grid.num == 1:
+        return [start]
+    parts = [i / (grid.num - 1) for i in range(1, grid.num - 1)]
+    if grid.scale == "log":
+        between = [start * binary("^", stop / start, part) for part in parts]
+    else:
+        between = [start + (stop - start) * part for part in parts]
+    return [start, *between, stop]
+
+
+def _node_steps(
+    reader: Reader, written: Value, start: Node, stop: Node, where: str, wanted: Dimension
+) -> list[Node]:
+    step = reader.number(written, f"{where}.step", wanted)
+    if any(reader.depends_on(node) for node in (start, stop, step)):
+        reason = "the number of steps would depend on parameters; give num instead"
+        raise SceneError(reason, path=f"{where}.step", value=written)
+    first, last, size = (reader.default(node) for node in (start, stop, step))
+    if size == 0 or (last - first) / size < 0:
+        raise SceneError(
+            "the steps do not lead from the first value to the last", path=f"{where}.step", value=written
+        )
+    count = int((last - first) / size + _STEP_ROUNDING) + 1
+    return [start + step * i for i in range(count)]

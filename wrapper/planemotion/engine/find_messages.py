@@ -5,17 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-import numpy as np
-import numpy.typing as npt
-
 from .. import _layout as layout
+from ..base.arrays import Floats, Ints
 from ..compile.finds import FindCondition, FlatFind
 from ..compile.flatten import FlatScene
 from ..language.units import factor
 from .evaluator import value_table
-
-Ints = npt.NDArray[np.int32]
-Floats = npt.NDArray[np.float64]
 
 
 def describe_find(flat: FlatScene, status: int, where: Ints, detail: Floats, param: Floats) -> str:

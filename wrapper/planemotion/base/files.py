@@ -1,0 +1,57 @@
+"""Files that appear whole or not at all, and what the system says about them."""
+
+from __future__ import annotations
+
+import errno
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+
+from .errors import StudyError
+
+_FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG}
+_FULL_TEXTS = ("no space left", "quota exceeded", "file too large")  # HDF5 does not always pass the number on
+
+
+@contextmanager
+def appearing(path: Path) -> Iterator[Path]:
+    """A temporary path beside `path`: what is written there becomes `path` when the context ends well, on the
+    disk for good; otherwise nothing of it stays.
+
+    Raises StudyError if the disk is full or the place cannot be written.
+    """
+    temporary = path.with_name(f".{path.name}.tmp")
+    try:
+        with disk_errors(path):
+            yield temporary
+            with open(temporary, "rb") as file:
+                os.fsync(file.fileno())
+            os.replace(temporary, path)
+            sync_folder(path.parent)
+    finally:
+        with suppress(OSError):  # what went wrong before is what counts
+            temporary.unlink()
+
+
+@contextmanager
+def disk_errors(path: Path) -> Iterator[None]:
+    """Turns what the system says about `path` into a StudyError."""
+    try:
+        yield
+    except OSError as error:
+        if error.errno in _FULL or any(text in str(error).lower() for text in _FULL_TEXTS):
+            raise StudyError(
+                f"{path}: the disk (or the quota) is full; nothing of this file was kept. "
+                "Make room and go on with --resume"
+            ) from error
+        raise StudyError(f"{path}: cannot be written: {error.strerror or error}") from error
+
+
+def sync_folder(folder: Path) -> None:
+    """Makes a rename in `folder` last through a power cut."""
+    descriptor = os.open(folder, os.O_RDONLY)
+    try:
+        os.fsync(descriptor)
+    finally:
+        os.close(descriptor)

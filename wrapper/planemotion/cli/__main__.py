@@ -1,0 +1,7 @@
+"""`python -m planemotion.cli` does what the command `planemotion` does."""
+
+from __future__ import annotations
+
+from .main import main
+
+main()

@@ -1,0 +1,60 @@
+"""The command line: `planemotion run | sweep | check | explain | plot | draw`.
+
+Exit status: 0 all is well; 1 a run failed or ended early; 2 what was given is wrong (a file, a key, a value,
+an output that cannot be written); 130 stopped by Ctrl-C.  Results go to stdout, all else to stderr.
+"""
+
+from __future__ import annotations
+
+import errno
+from typing import Any
+
+import click
+
+from ..base.errors import PlanemotionError, SimulationError
+from .options import FAILED, INTERRUPTED, WRONG, say
+from .pictures import draw, plot
+from .run import run
+from .sweep import sweep
+from .tell import check, explain
+
+
+class _Commands(click.Group):
+    """Turns the errors of the package into one message and an exit status."""
+
+    def invoke(self, ctx: click.Context) -> Any:
+        try:
+            return super().invoke(ctx)
+        except SimulationError as error:
+            status, text = FAILED, str(error)
+        except PlanemotionError as error:
+            status, text = (INTERRUPTED if _is_interruption(error) else WRONG), str(error)
+        except OSError as error:
+            if error.errno == errno.EPIPE:  # `planemotion ... | head`: click ends quietly
+                raise
+            status, text = WRONG, f"{error.filename or 'standard output'}: {error.strerror or error}"
+        except KeyboardInterrupt:
+            status, text = INTERRUPTED, "stopped"
+        say(text, error=status != INTERRUPTED)
+        ctx.exit(status)
+
+
+def _is_interruption(error: PlanemotionError) -> bool:
+    return type(error).__name__ == "SweepInterrupted"  # its module is heavy and may not be loaded
+
+
+@click.group(cls=_Commands, context_settings={"help_option_names": ["-h", "--help"]})
+@click.version_option(package_name="planemotion", prog_name="planemotion")
+def main() -> None:
+    """Rigid bodies in plane motion: energy, momentum, impacts.
+
+    Scenes are TOML files; a study is a scene with a [sweep].
+    """
+
+
+for _command in (run, sweep, check, explain, plot, draw):
+    main.add_command(_command)
+
+
+if __name__ == "__main__":
+    main()

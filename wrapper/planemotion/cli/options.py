@@ -1,0 +1,68 @@
+"""What the commands share: options, exit statuses, one line on stderr, and work that Ctrl-C can stop."""
+
+from __future__ import annotations
+
+import shutil
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+import click
+
+FAILED, WRONG, INTERRUPTED = 1, 2, 130
+
+
+def _values(_ctx: click.Context, _option: click.Parameter, given: Sequence[str]) -> dict[str, str]:
+    """--set name=value as a table; the last one counts."""
+    values = {}
+    for text in given:
+        name, equals, value = (part.strip() for part in text.partition("="))
+        if not (name and equals and value):
+            raise click.BadParameter(f'"{text}": write name=value, such as d="2 in" or sweep.d.num=200')
+        values[name] = value
+    return values
+
+
+set_option = click.option(
+    "--set",
+    "values",
+    metavar="NAME=VALUE",
+    multiple=True,
+    callback=_values,
+    help='A parameter, with or without unit (d="2 in"), or a setting (solve.route=ida). Repeatable.',
+)
+
+
+a_path = click.Path(path_type=Path)
+
+
+def say(text: str, *, error: bool = False) -> None:
+    """One line for people, on stderr."""
+    click.echo((click.style("error: ", fg="red", bold=True) if error else "") + text, err=True)
+
+
+def interruptible(work: Callable[[Any], Any], subject: Any) -> Any:
+    """Does work that keeps its thread in the kernel, while this one listens to Ctrl-C."""
+    from threading import Thread
+
+    outcome: list[Any] = []
+    fault: list[BaseException] = []
+
+    def do() -> None:
+        try:
+            outcome.append(work(subject))
+        except BaseException as error:
+            fault.append(error)
+
+    thread = Thread(target=do, daemon=True)  # must not keep a stopped process alive
+    thread.start()
+    thread.join()
+    if fault:
+        raise fault[0]
+    return outcome[0]
+
+
+def terminal_width() -> int | None:
+    """Columns of the terminal that stdout is; None where it is a file or a pipe, whose lines have no end."""
+    return shutil.get_terminal_size().columns if sys.stdout.isatty() else None

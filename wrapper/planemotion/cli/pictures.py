@@ -1,0 +1,48 @@
+"""The commands that draw: plot, draw."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import click
+
+from .options import FAILED, a_path, say, set_option
+
+
+@click.command()
+@click.argument("result", type=a_path)
+@click.option("--out", metavar="PNG", type=a_path, help="The picture (default: beside RESULT).")
+def plot(result: Path, out: Path | None) -> None:
+    """Draw the result of a sweep, or a recorded history.
+
+    RESULT is the .h5 file that `sweep` or `run --history` wrote.
+    """
+
+    from ..pictures.plots import plot
+
+    click.echo(plot(result, out))
+
+
+@click.command()
+@click.argument("scene", type=a_path)
+@click.option(
+    "--out", metavar="PNG", type=a_path, help="The picture (default: SCENE's name with .png, here)."
+)
+@set_option
+@click.pass_context
+def draw(ctx: click.Context, scene: Path, out: Path | None, values: Mapping[str, str]) -> None:
+    """Draw a scene at its start, with names.
+
+    It shows most modelling errors.
+    """
+    from ..file import load
+    from ..pictures import scene as sketch
+
+    target = out or Path(f"{scene.stem}.png")
+    start = sketch.start_of(load(scene).with_values(values))
+    sketch.draw(start, target)
+    click.echo(target)
+    if start.fault:
+        say(start.fault, error=True)
+        ctx.exit(FAILED)

@@ -1,0 +1,195 @@
+"""The command run: scenes and what they answer."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterable, Mapping, Sequence
+from contextlib import ExitStack
+from itertools import groupby
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from ..base.errors import SceneError, SimulationError, StudyError
+from .options import FAILED, WRONG, a_path, interruptible, say, set_option, terminal_width
+from .output import claimed
+
+if TYPE_CHECKING:
+    from ..engine.result import AskValue, RunResult
+    from ..scene import Scene
+
+_SHOWN_OF_LIST = 6
+_DIGITS = 8  # significant, of an answer
+
+
+@click.command()
+@click.argument("paths", nargs=-1, required=True, type=a_path)
+@click.option("--json", "json_out", metavar="OUT", help="Write the answers as JSON to OUT (- for stdout).")
+@set_option
+@click.option(
+    "--history", "history_out", metavar="FILE.h5", type=a_path, help="Record the motion of one scene."
+)
+@click.pass_context
+def run(
+    ctx: click.Context,
+    paths: Sequence[Path],
+    json_out: str | None,
+    values: Mapping[str, str],
+    history_out: Path | None,
+) -> None:
+    """Run scenes and answer what they ask.
+
+    PATHS are files, or folders whose *.toml files are run. A study runs its base case. A scene that fails
+    does not stop the others; the exit status is 0 only if every one is ok.
+    """
+    files = _scene_files(paths)
+    if history_out is not None and len(files) > 1:
+        raise click.UsageError(f"--history records one scene, but {len(files)} files are given")
+    entries, worst = [], 0
+    with ExitStack() as outputs:
+        # Both places are claimed before the work, so that one which cannot be written costs no time.
+        json_path = outputs.enter_context(claimed(Path(json_out))) if json_out not in (None, "-") else None
+        history_path = outputs.enter_context(claimed(history_out)) if history_out is not None else None
+        for file in files:
+            entry, text, status = _run_one(file, values, history_path)
+            worst = max(worst, status)
+            entries.append(entry)
+            if json_out is None:
+                click.echo(text, nl=False)
+            if "error" in entry:
+                say(entry["error"], error=True)
+        if json_out is not None:
+            document = json.dumps({"scenes": entries}, indent=1, allow_nan=False, ensure_ascii=False) + "\n"
+            if json_path is None:
+                click.echo(document, nl=False)
+            else:
+                json_path.write_text(document, encoding="utf-8")
+    for written in (json_out if json_out != "-" else None, history_out):
+        if written is not None and Path(written).exists():
+            say(f"wrote {written}")
+    ctx.exit(worst)
+
+
+def _scene_files(paths: Sequence[Path]) -> list[Path]:
+    """The files named, and the *.toml files below the folders named, in order of their names."""
+    files: list[Path] = []
+    for path in paths:
+        if not path.is_dir():
+            files.append(path)
+            continue
+        found = sorted(file for file in path.rglob("*.toml") if not _is_hidden(file.relative_to(path)))
+        if not found:
+            raise StudyError(f"{path}: there are no scene files (*.toml) in this folder")
+        files += found
+    return files
+
+
+def _is_hidden(path: Path) -> bool:
+    return any(part.startswith(".") for part in path.parts)
+
+
+def _run_one(file: Path, values: Mapping[str, str], history: Path | None) -> tuple[dict[str, Any], str, int]:
+    """One scene: its entry for JSON, its text for people, its exit status.  Raises no SceneError."""
+    from ..file import load
+    from ..run import simulate
+
+    identity = file.stem
+    try:
+        scene = load(file).with_values(values)
+        identity = scene.id
+        result = interruptible(simulate, scene)
+        if history is not None:
+            _record(scene, history)
+    except SceneError as error:
+        entry = {"id": identity, "file": os.fspath(file), "status": "bad_input", "error": str(error)}
+        return {**entry, "route": [], "asks": {}, "audit": {}}, "", WRONG
+    except SimulationError as error:
+        entry = {"id": identity, "file": os.fspath(file), "status": "failed", "error": str(error)}
+        return {**entry, "route": [], "asks": {}, "audit": {}}, "", FAILED
+    return result.to_json(), _answers(scene, result), 0 if result.ok else FAILED
+
+
+def _record(scene: Scene, path: Path) -> None:
+    """Writes the history of a scene, of each of its [runs]."""
+    from ..compile.flatten import flatten
+    from ..engine import call, history
+
+    runs = {}
+    for run in scene.run_names or (None,):
+        flat = flatten(scene, run)
+        runs[run or ""] = interruptible(lambda one: call.trace(one, one.defaults), flat)
+    attributes = {"id": scene.id, "title": scene.data.title, "scene": scene.text}
+    history.write(path, runs, attributes)
+
+
+def _answers(scene: Scene, result: RunResult) -> str:
+    """What a terminal shows of a result."""
+    colour = "green" if result.ok else "red"
+    title = f"  {scene.data.title}" if scene.data.title else ""
+    audit = ", ".join(
+        f"{name} {'-' if value is None else f'{value:.1e}'}" for name, value in result.audit.items()
+    )
+    lines = [
+        f"{click.style(result.id, bold=True)}{title}: {click.style(result.status, fg=colour)}",
+        *(f"  {line}" for line in _answer_lines(result.asks)),
+        click.style(f"  audit: {audit}; route: {', '.join(result.route) or 'none'}", dim=True),
+        *(click.style(f"  {note}", fg="yellow") for note in result.notes),
+    ]
+    return "\n".join(lines) + "\n\n"
+
+
+def _answer_lines(asks: Mapping[str, AskValue]) -> list[str]:
+    """The answers in their order: numbers stand below each other, lists behind their keys."""
+    from ..report.aligned import Column, aligned
+
+    width = terminal_width()
+    singles = [ask for ask in asks.values() if not isinstance(ask.value, list)]
+    key, note = Column(least=_longest(asks)), Column(style="dim")
+    number = Column(right=True, least=_longest(map(_shown, singles)))
+    unit = Column(least=_longest(map(_unit, singles)))
+    lines = []
+    for is_list, group in groupby(asks.items(), key=lambda item: isinstance(item[1].value, list)):
+        columns = (key, Column(), note) if is_list else (key, number, unit, note)
+        rows = [
+            (name, f"{_shown(ask)}  {_unit(ask)}", _note(ask))
+            if is_list
+            else (name, _shown(ask), _unit(ask), _note(ask))
+            for name, ask in group
+        ]
+        lines += aligned(rows, columns, width=None if width is None else width - 2)
+    return lines
+
+
+def _longest(texts: Iterable[str]) -> int:
+    return max(map(len, texts), default=0)
+
+
+def _shown(ask: AskValue) -> str:
+    """The number, or the first of a list."""
+    if not isinstance(ask.value, list):
+        return _number(ask.value)
+    shown = [_number(value) for value in ask.value[:_SHOWN_OF_LIST]]
+    more = [f"... {len(ask.value)} values"] if len(ask.value) > _SHOWN_OF_LIST else []
+    return ", ".join([*shown, *more]) or "-"
+
+
+def _unit(ask: AskValue) -> str:
+    return "" if ask.unit == "1" else ask.unit
+
+
+def _note(ask: AskValue) -> str:
+    """The estimated error, of a list the greatest, or the margin; and why something is missing."""
+    notes = [f"({ask.reason})"] if ask.reason else []
+    errors = ask.error if isinstance(ask.error, list) else [ask.error]
+    known = [error for error in errors if error is not None]
+    if ask.margin is not None:
+        notes.insert(0, f"margin {ask.margin:.1e}")
+    elif known:
+        notes.insert(0, f"\u00b1 {max(known):.1e}")
+    return "  ".join(notes)
+
+
+def _number(value: float | None) -> str:
+    return "-" if value is None else f"{value:.{_DIGITS}g}"

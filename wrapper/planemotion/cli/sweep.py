@@ -1,0 +1,136 @@
+"""The command sweep: a study into a folder."""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import click
+
+from .options import FAILED, a_path, say, set_option, terminal_width
+
+# Without a terminal: seconds between two lines of progress.
+_PLAIN_PROGRESS_EVERY = 5.0
+_DIGITS_OF_TABLE = 6  # significant
+
+
+@click.command()
+@click.argument("study", type=a_path)
+@click.option(
+    "--out", required=True, metavar="DIR", type=a_path, help="Folder of the result; it is made if need be."
+)
+@click.option(
+    "--workers", metavar="N", type=click.IntRange(min=1), help="Threads (default: one for each core)."
+)
+@click.option("--resume", is_flag=True, help="Go on where a sweep into DIR was ended.")
+@set_option
+@click.pass_context
+def sweep(
+    ctx: click.Context, study: Path, out: Path, workers: int | None, resume: bool, values: Mapping[str, str]
+) -> None:
+    """Run all cases of a study and leave HDF5, CSV and PNG in DIR.
+
+    A case that fails becomes a gap with a status and does not stop the others. Ctrl-C keeps what is done.
+    """
+    from ..file import load
+    from ..sweep.run import sweep_files
+
+    scene = load(study).with_values(values)
+    begun = time.perf_counter()
+    with _progress() as report:
+        files = sweep_files(scene, out, workers=workers, resume=resume, progress=report)
+    seconds = time.perf_counter() - begun
+
+    from ..pictures.plots import plot
+    from ..sweep.table import summarise
+
+    image = plot(files.result)
+    summary = summarise(files.result)
+    click.echo(_table(summary.header, summary.rows))
+    if summary.cases > len(summary.rows):
+        click.echo(click.style(f"{len(summary.rows)} of {summary.cases} cases", dim=True))
+    statuses = ", ".join(f"{count} {word}" for word, count in sorted(summary.statuses.items()))
+    rate = f", {files.computed / seconds:.0f} cases/s" if files.computed else ""
+    click.echo(f"\n{summary.cases} cases ({statuses}); {files.computed} computed in {seconds:.1f} s{rate}")
+    for path in (files.table, files.result, image):
+        click.echo(f"  {path}")
+    if not summary.statuses.get("ok"):
+        say("no case came to its end; the column reason of the table says why", error=True)
+        ctx.exit(FAILED)
+
+
+@contextmanager
+def _progress() -> Iterator[Callable[[int, int], None]]:
+    """Shows how far a sweep is: a bar on a terminal, now and then a line elsewhere."""
+    if not sys.stderr.isatty():
+        yield _PlainProgress()
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+    rate = TextColumn("{task.fields[rate]}")
+    columns = (BarColumn(), MofNCompleteColumn(), TextColumn("cases"), rate, TimeRemainingColumn())
+    with Progress(*columns, console=Console(stderr=True)) as bar:
+        pace = _Pace()
+
+        def report(done: int, total: int) -> None:
+            if not bar.task_ids:  # only a sweep that can begin has a bar
+                bar.add_task("", total=total, rate="")
+            rate = pace.rate(done)
+            bar.update(bar.task_ids[0], completed=done, rate=f"{rate:.0f} cases/s" if rate else "")
+
+        yield report
+
+
+class _Pace:
+    """Cases per second since the first report: a resumed sweep does not begin at 0."""
+
+    def __init__(self) -> None:
+        self._begun = time.perf_counter()
+        self._first: int | None = None
+
+    def rate(self, done: int) -> float:
+        if self._first is None:
+            self._first = done
+        return (done - self._first) / max(time.perf_counter() - self._begun, 1e-9)
+
+
+class _PlainProgress:
+    """A line on stderr every few seconds, and one at the end."""
+
+    def __init__(self) -> None:
+        self._pace = _Pace()
+        self._told = time.perf_counter()
+        self._ended = False
+
+    def __call__(self, done: int, total: int) -> None:
+        now, rate = time.perf_counter(), self._pace.rate(done)
+        if self._ended or (done < total and now - self._told < _PLAIN_PROGRESS_EVERY):
+            return
+        self._told, self._ended = now, done >= total
+        left = (
+            f", {rate:.0f} cases/s, {(total - done) / rate:.0f} s left" if rate > 0 and done < total else ""
+        )
+        say(f"{done} of {total} cases{left}")
+
+
+def _table(header: Sequence[str], rows: Sequence[Sequence[Any]]) -> str:
+    """Columns below names and units, fitted to a terminal; a column of empty words is left out."""
+    from ..report.aligned import Column, aligned
+
+    titles = [title.partition(" ")[::2] for title in header]
+    words = [any(isinstance(row[i], str) for row in rows) for i in range(len(header))]
+    shown = [i for i in range(len(header)) if not words[i] or any(row[i] for row in rows)]
+    cells = [[row[i] if words[i] else _number_or_gap(row[i]) for i in shown] for row in rows]
+    heads = [[titles[i][0] for i in shown], [titles[i][1].replace("[1]", "") for i in shown]]
+    columns = [Column(right=not words[i]) for i in shown]
+    return "\n".join(aligned(cells, columns, header=heads, width=terminal_width()))
+
+
+def _number_or_gap(value: Any) -> str:
+    number = float(value)
+    return "-" if number != number else f"{number:.{_DIGITS_OF_TABLE}g}"

@@ -1,0 +1,58 @@
+"""The commands that tell about a scene: check, explain."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import click
+
+from .options import FAILED, a_path, interruptible, say, set_option
+
+
+@click.command()
+@click.argument("scene", type=a_path)
+@set_option
+@click.pass_context
+def check(ctx: click.Context, scene: Path, values: Mapping[str, str]) -> None:
+    """Read and assemble a scene without running it.
+
+    Tells degrees of freedom, redundant rows and how far the assembly moved what is drawn.
+    """
+    from ..file import load
+    from ..report import explain as explanations
+
+    report = explanations.check(load(scene).with_values(values))
+    click.echo(report.text)
+    for fault in report.faults:
+        say(fault, error=True)
+    ctx.exit(FAILED if report.faults else 0)
+
+
+@click.command()
+@click.argument("scene", type=a_path)
+@click.option(
+    "--run", "also_run", is_flag=True, help="Run it too: phases, events, jumps, steps, audit, answers."
+)
+@set_option
+@click.pass_context
+def explain(ctx: click.Context, scene: Path, also_run: bool, values: Mapping[str, str]) -> None:
+    """Tell what a scene is made of and how it is computed.
+
+    With --run also what happened in the run.
+    """
+    from ..file import load
+    from ..report import explain as explanations
+    from ..run import simulate
+
+    read = load(scene).with_values(values)
+    report = explanations.explain(read)
+    click.echo(report.text)
+    for fault in report.faults:
+        say(fault, error=True)
+    if report.faults:
+        ctx.exit(FAILED)
+    if also_run:
+        result = interruptible(simulate, read)
+        click.echo(explanations.explain_run(read, result))
+        ctx.exit(0 if result.ok else FAILED)

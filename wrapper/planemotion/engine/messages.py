@@ -1,0 +1,218 @@
+"""What happened to a case, in the scene's own words: file, place, what is wrong, value and bound."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from .. import _layout as layout
+from ..base.arrays import Floats, Ints
+from ..compile.columns import named, with_unit
+from ..compile.flatten import FlatScene
+from .find_messages import FIND_STATUSES, describe_find
+from .kernel import kernel, kernel_text, route_name, status_text
+from .outcome import CaseResults
+
+_SETTINGS = {layout.PM_SETTING_NUDGE: "start.nudge", layout.PM_SETTING_ROUTE: "solve.route"}
+_TABLE_NAMES = {value: name.removeprefix("PM_TABLE_").lower() for name, value in layout.pm_table.items()}
+
+
+def message(flat: FlatScene, results: CaseResults, i: int) -> str:
+    """What happened to case i, in the scene's own words; "" if it is ok."""
+    status = int(results.status[i])
+    if status == layout.PM_OK:
+        return ""
+    text = describe(flat, status, results.where[i], results.detail[i], results.param[i])
+    if status < layout.PM_OK and not np.isnan(results.out[i]).all():
+        text += "; the answers that are there were reached before, while the audit closed"
+    return text
+
+
+def describe(flat: FlatScene, status: int, where: Ints, detail: Floats, param: Floats | None = None) -> str:
+    """File, place, what is wrong, value and bound of a status that is not ok; `param`: of the case."""
+    place = _place_name(flat, where, status)
+    if status in FIND_STATUSES and flat.find is not None:
+        sentence = describe_find(flat, status, where, detail, flat.defaults if param is None else param)
+        return f"{flat.file}: {sentence}" if flat.file else sentence
+    found, bound, time = (float(number) for number in detail)
+    text = _DESCRIPTIONS.get(status)
+    if status == layout.PM_BAD_VALUE:
+        sentence = _bad_value(place, found, bound, _unit(flat, where))
+    else:
+        sentence = text(place, found, bound) if text is not None else ""
+    if not sentence:
+        sentence = ": ".join(piece for piece in (place, status_text(status)) if piece)
+        if math.isfinite(found):
+            numbers = f"{found:.6g}" + (f", bound {bound:.6g}" if math.isfinite(bound) else "")
+            sentence += f" ({numbers})"
+    if math.isfinite(time) and time > 0:
+        sentence += f", at t = {time:.6g} s"
+    return f"{flat.file}: {sentence}" if flat.file else sentence
+
+
+def _named(flat: FlatScene, where: Ints) -> tuple[str, str]:
+    """Key and unit of the number that is out of its bound."""
+    table, row = int(where[layout.PM_WHERE_TABLE]), int(where[layout.PM_WHERE_ROW])
+    if table < 0 or row < 0:
+        return "", ""
+    return named(table, flat.rows(table)[row], int(where[layout.PM_WHERE_MEMBER]))
+
+
+def _unit(flat: FlatScene, where: Ints) -> str:
+    return _named(flat, where)[1]
+
+
+def _place_name(flat: FlatScene, where: Ints, status: int) -> str:
+    """The key path of the row at fault; of a number out of its bound that of the number."""
+    table, row = int(where[layout.PM_WHERE_TABLE]), int(where[layout.PM_WHERE_ROW])
+    names = flat.names.get(table, ())
+    if table == layout.PM_TABLE_SETTING and row in _SETTINGS:
+        return _SETTINGS[row]
+    if 0 <= row < len(names):
+        member = int(where[layout.PM_WHERE_MEMBER])
+        if status == layout.PM_BAD_VALUE:
+            return f"{names[row]}.{_named(flat, where)[0]}".removesuffix(".")
+        is_contact = table == layout.PM_TABLE_CONTACT
+        return f"{names[row]}[{member}]" if is_contact and member > 0 else names[row]
+    return _TABLE_NAMES.get(table, "") if table >= 0 else ""
+
+
+def _here(place: str) -> str:
+    return " where it is added" if place.startswith("events.") else " at the start"
+
+
+def _open_joint(place: str, found: float, bound: float) -> str:
+    if place.startswith("events."):
+        return (
+            f"{place}: the joint does not fit there: it is open by {found:.4g} m (allowed {bound:.2g} m); "
+            "add it where its partners are as drawn"
+        )
+    if place.startswith("couplings.") and bound == 0:
+        return (
+            f"start: {place}: no straight strand as drawn: one circle reaches over the other by {found:.4g} m"
+        )
+    if place.startswith("couplings."):
+        return (
+            f"start: {place}: the pitch circles are drawn {found:.4g} m from touching each other "
+            f"(allowed {bound:.2g} m); move one of the centres, or change a radius"
+        )
+    # The kernel measures openings in m, or rad where a direction is held.
+    return (
+        f"start: the joints cannot be met with the values written: {place or 'a joint'} is open by "
+        f'{found:.4g} m (allowed {bound:.2g} m); mark a value as a guess, such as angle = "~0 deg", '
+        "or change a length"
+    )
+
+
+def _rate_unit(place: str) -> str:
+    return "rad/s" if place.endswith("omega") else "m/s"
+
+
+def _bad_value(place: str, found: float, bound: float, unit: str) -> str:
+    if place == "spin.angle":
+        return (
+            f"{place}: {found:.6g} m/s^2 of the weight act across the axis; a plane that turns keeps its "
+            'weight only along a vertical axis (angle = "90 deg"), or has none in it (plane = "horizontal")'
+        )
+    if place == "spin.inertia" and found == 0:
+        return f"{place}: nothing that turns has an inertia about the axis at the start; give it"
+    if math.isfinite(bound):
+        return f"{place or 'a value'}: it is {with_unit(found, unit)}; the bound is {bound:.6g}"
+    return f"{place}: it is {found:.6g} at the start; a force is finite, and a power needs a motion"
+
+
+_DESCRIPTIONS: dict[int, Any] = {
+    layout.PM_LIMIT_TIME: lambda place, found, bound: (
+        f"until: not reached within solve.max_time ({bound:g} s); does it happen at all? else allow more"
+    ),
+    layout.PM_LIMIT_EVENTS: lambda place, found, bound: "until: not reached within solve.max_events",
+    layout.PM_LIMIT_STEPS: lambda place, found, bound: "until: not reached within solve.max_steps",
+    layout.PM_CANCELLED: lambda place, found, bound: "cancelled before it was finished",
+    layout.PM_STAYS_AT_REST: lambda place, found, bound: (
+        "until: not reached; everything has come to rest and stays"
+        if found > 0
+        else "until: not reached; everything is at rest from the start and stays: give a velocity in "
+        "start, or by start.nudge the side to which an unstable rest is left"
+    ),
+    layout.PM_UNDECIDED: lambda place, found, bound: (
+        "the run came to its end, but a decision on the way (what fires first, what touches, what holds) is "
+        f"closer to its threshold than the errors of the run: margin {found:.2g}, at least 1 is wanted; "
+        "ask for more solve.accuracy"
+    ),
+    layout.PM_ASSEMBLY: _open_joint,
+    layout.PM_START_CONFLICT: lambda place, found, bound: (
+        f"{place}: {with_unit(found, _rate_unit(place))} is given, but the other start values and the joints "
+        f"give {bound:.6g}; leave one of them out"
+    ),
+    layout.PM_START_OPEN: lambda place, found, bound: (
+        f"start: what is given leaves the motion of {place} undetermined; give its omega or a velocity"
+    ),
+    layout.PM_SINGULAR: lambda place, found, bound: (
+        f"{place}: it has no mass, and nothing else determines its motion here; give it one, or fasten it"
+        if place.startswith("bodies.")
+        else f"{place or 'the scene'}: the joints do not determine the accelerations here: a singular "
+        "position (a dead centre, or two joints that have come together); end the run before it, or "
+        "change a length"
+    ),
+    layout.PM_ENDS_SINGULAR: lambda place, found, bound: (
+        f"{place or 'the scene'}: a singular position was reached before the end of the run (a dead centre, "
+        "or two joints that have come together), and on this route nothing tells how the motion goes on; "
+        'what was answered before stands; end the run before it, or try solve.route = "path"'
+    ),
+    layout.PM_STEP_TOO_SMALL: lambda place, found, bound: (
+        "the integrator cannot go on at solve.accuracy: the motion has no smooth continuation here (a "
+        "singular position, a force that jumps); end the run before it, or lower the accuracy"
+    ),
+    layout.PM_UNSUPPORTED: lambda place, found, bound: (
+        f"{place}: a blow loads this joint: not built yet for friction that goes with the load"
+        if place.endswith(".friction")
+        else f"{place}: another nudge acts at the same instant; one at a time"
+        if place.endswith(".nudge")
+        else f'{place} = "{route_name(int(found))}": this route does not compute the motion; it takes '
+        f"{kernel_text(kernel().pm_route_text, int(found))}; leave {place} out"
+        if place == "solve.route"
+        else ""
+    ),
+    layout.PM_NO_TIME_ROUTE: lambda place, found, bound: (
+        f'{place} = "{route_name(int(found))}": no time passes: everything that is asked is answered at the '
+        "start, without any integration; the answers stand"
+    ),
+    layout.PM_SOLVER: lambda place, found, bound: (
+        f"{place + ': ' if place else ''}the solver of this route gave up (its code {found:.0f}); "
+        'try solve.route = "rk" or another accuracy'
+    ),
+    layout.PM_BLOWS_ENDLESS: lambda place, found, bound: (
+        f"the blows one by one at this instant do not end ({found:.0f} of them): bodies wedged without loss; "
+        'lower a restitution, or solve.simultaneous = "together"'
+    ),
+    layout.PM_BLOW_GAINS: lambda place, found, bound: (
+        f"{place}: with this friction its law of restitution would create energy ({found:.4g} J): "
+        'the slip changes in the blow; law = "stronge" cannot'
+    ),
+    layout.PM_BLOW_TURNS: lambda place, found, bound: (
+        f"{place}: its slip turns (to {found:.3g} m/s) in a blow in which several contacts take part, "
+        'and no law says how; solve.simultaneous = "one by one" follows each'
+    ),
+    layout.PM_BLOW_SEVERAL: lambda place, found, bound: (
+        f"{place}.law: it is for one contact at a time and {found:.0f} take part in a blow; "
+        'take law = "newton", or solve.simultaneous = "one by one"'
+    ),
+    layout.PM_PENETRATION: lambda place, found, bound: (
+        f"{place}: the two overlap by {abs(found):.4g} m{_here(place)}; move one of them"
+    ),
+    layout.PM_NUDGE_UNSTEADY: lambda place, found, bound: (
+        f"{place}: it acts where there is neither rest nor a steady motion that could be left to either "
+        "side: the motion goes another way by itself; leave out the nudge, or put it at another instant"
+    ),
+    layout.PM_NUDGE_STABLE: lambda place, found, bound: (
+        f"{place}: nothing that it could begin grows: "
+        + ("what grows there does not move what it names" if found > 0 else "the rest or motion is stable")
+        + "; name a velocity that changes as it is left"
+    ),
+    layout.PM_NO_IMPULSE: lambda place, found, bound: (
+        f"{place}: no impulse on this body does the work {found:.6g} J and keeps the sense in which it turns"
+        + (f"; {bound:.6g} J would stop it" if math.isfinite(bound) and bound != 0 else "; it does not turn")
+    ),
+}

@@ -1,0 +1,81 @@
+"""Going through an expression: its leaves, other expressions in their place, its height and its value."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import TypeAlias
+
+from .address import Address
+from .arithmetic import apply
+from .tree import Binary, Call, Name, Node, Number, Unary, binary, call, negative
+
+Leaf: TypeAlias = Name | Address
+
+
+def operands(node: Node) -> tuple[Node, ...]:
+    match node:
+        case Unary():
+            return (node.operand,)
+        case Binary():
+            return (node.left, node.right)
+        case Call():
+            return node.arguments
+    return ()
+
+
+def height(node: Node) -> int:
+    """Operations on the longest way from the top to a leaf; without recursion, since it guards that."""
+    height, level = 0, operands(node)
+    while level:
+        height += 1
+        level = tuple(operand for parent in level for operand in operands(parent))
+    return height
+
+
+def _leaves(node: Node) -> Iterator[Leaf]:
+    if isinstance(node, Name | Address):
+        yield node
+    for operand in operands(node):
+        yield from _leaves(operand)
+
+
+def names(node: Node) -> set[Leaf]:
+    """The leaves that are not numbers.  (A set: sort by `str` where an order matters.)"""
+    return set(_leaves(node))
+
+
+def substitute(node: Node, leaf: Callable[[Leaf], Node]) -> Node:
+    """The expression with every name and address replaced by what `leaf` gives for it."""
+    match node:
+        case Number():
+            return node
+        case Name() | Address():
+            return leaf(node)
+        case Unary(operator="-"):
+            return negative(substitute(node.operand, leaf))
+        case Unary():
+            return Unary(node.operator, substitute(node.operand, leaf))
+        case Binary():
+            return binary(node.operator, substitute(node.left, leaf), substitute(node.right, leaf))
+        case Call():
+            return call(node.function, *(substitute(argument, leaf) for argument in node.arguments))
+    raise TypeError(f"no node of an expression: {node!r}")
+
+
+def evaluate(node: Node, values: Callable[[Leaf], float]) -> float:
+    """The SI value, as the kernel would compute it; not-a-number where the expression has none.
+
+    `values` gives the SI value of a leaf.
+    """
+    match node:
+        case Number():
+            return node.value_si
+        case Name() | Address():
+            return values(node)
+        case Unary() | Binary():
+            operation = node.operator
+        case Call():
+            operation = node.function
+        case _:
+            raise TypeError(f"no node of an expression: {node!r}")
+    return apply(operation, [evaluate(operand, values) for operand in operands(node)])

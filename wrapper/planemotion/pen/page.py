@@ -1,0 +1,78 @@
+"""The look of all pictures: colours, style, title, and how they are saved."""
+
+from __future__ import annotations
+
+from contextlib import AbstractContextManager
+from pathlib import Path
+from typing import Any
+
+import matplotlib
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
+
+from ..base.errors import StudyError
+
+INK = "#222222"
+SOFT = "#6b6b6b"
+BLUE = "#1f4e79"
+RED = "#b5362b"
+RESOLUTION = 160  # dots per inch
+# A family of curves or the parts of a vector: dark, well apart, also in print and for the colour-blind.
+CURVES = (BLUE, "#c8741a", "#3b7d5e", "#7a4a8c", "#8a8a2b", "#4c9bbf", "#b5362b", "#5d5d5d")
+STYLE: Any = {
+    "axes.axisbelow": True,
+    "axes.edgecolor": SOFT,
+    "axes.formatter.useoffset": False,
+    "axes.grid": True,
+    "axes.labelcolor": INK,
+    "axes.linewidth": 0.6,
+    "axes.spines.right": False,
+    "axes.spines.top": False,
+    "axes.titlelocation": "left",
+    "axes.titlesize": 9.0,
+    "axes.titleweight": "bold",
+    "font.size": 9.0,
+    "grid.color": "#e3e3e3",
+    "grid.linewidth": 0.6,
+    "legend.fontsize": 8.0,
+    "legend.frameon": False,
+    "lines.linewidth": 1.4,
+    "text.color": INK,
+    "text.parse_math": False,  # names and units as written
+    "xtick.color": SOFT,
+    "xtick.labelcolor": INK,
+    "ytick.color": SOFT,
+    "ytick.labelcolor": INK,
+}
+# A parameter of at most so many values makes a family of curves instead of the second axis of a map.
+FAMILY = 6
+ROW_HEIGHT = 1.75  # inches
+_PAD = 0.09  # inches between panels
+HEAD_HEIGHT = 0.62  # inches above the panels for title and subtitle
+
+
+def style() -> AbstractContextManager[None]:
+    """The look of all pictures, for the time of a `with` block."""
+    return matplotlib.rc_context(STYLE)
+
+
+def save(figure: Figure, path: Path) -> None:
+    """Writes the PNG; it appears whole or not at all.  Raises StudyError if it cannot be written."""
+    from ..base.files import appearing
+
+    if not path.parent.is_dir():
+        raise StudyError(f"{path}: cannot be written: there is no folder {path.parent}")
+    FigureCanvasAgg(figure)
+    with appearing(path) as temporary:
+        figure.savefig(temporary, format="png", dpi=RESOLUTION, facecolor="white")
+
+
+def head(figure: Figure, title: str, subtitle: str) -> None:
+    """Title and subtitle at the upper left, with room kept for them."""
+    height = figure.get_figheight()
+    figure.text(0.12 / figure.get_figwidth(), 1 - 0.12 / height, title, va="top", weight="bold", size=11)
+    figure.text(0.12 / figure.get_figwidth(), 1 - 0.37 / height, subtitle, va="top", color=SOFT, size=8.5)
+    engine = figure.get_layout_engine()
+    if isinstance(engine, ConstrainedLayoutEngine):
+        engine.set(rect=(0, 0, 1, 1 - HEAD_HEIGHT / height), w_pad=_PAD, h_pad=_PAD)

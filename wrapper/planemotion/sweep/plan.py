@@ -1,0 +1,128 @@
+"""The cases of a sweep: a grid over parameters, numbered in C order (the last parameter changes fastest)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..base.arrays import Floats
+from ..base.errors import SceneError
+from ..compile.grids import read_grid
+from ..geometry.parameters import Parameters
+from ..language.units import factor, parse_quantity
+from ..model.readers import Value
+from ..reading.scene import SceneData
+
+if TYPE_CHECKING:
+    from ..reading.scene import WrittenScene
+
+
+@dataclass(frozen=True)
+class Axis:
+    """The values of one swept parameter, as written, in `unit`."""
+
+    name: str
+    unit: str
+    values: Floats
+
+    @cached_property
+    def si(self) -> Floats:
+        """The values in SI, each with the bits that `parse_quantity` gives for its text."""
+        return self.values * factor(self.unit)[0]
+
+
+@dataclass(frozen=True)
+class SweepPlan:
+    """The cases of a sweep; `groups` are its dimensions, each with the parameters that move along it."""
+
+    groups: tuple[tuple[Axis, ...], ...]
+
+    @property
+    def axes(self) -> tuple[Axis, ...]:
+        return tuple(axis for group in self.groups for axis in group)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        return tuple(axis.name for axis in self.axes)
+
+    @property
+    def dims(self) -> tuple[tuple[str, int], ...]:
+        """Name (of its first parameter) and length of each dimension."""
+        return tuple((group[0].name, len(group[0].values)) for group in self.groups)
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        return tuple(size for _, size in self.dims)
+
+    @property
+    def cases(self) -> int:
+        return math.prod(self.shape)
+
+    def case(self, index: int) -> dict[str, str]:
+        """The parameters of one case as one would write them after --set: "1.01 in"."""
+        place = np.unravel_index(index, self.shape)
+        return {
+            axis.name: f"{float(axis.values[i])!r} {axis.unit}".rstrip()
+            for group, i in zip(self.groups, place, strict=True)
+            for axis in group
+        }
+
+    def block(self, first: int, count: int) -> Floats:
+        """SI values [count, len(names)] of cases first .. first+count-1."""
+        place = np.unravel_index(np.arange(first, first + count, dtype=np.int64), self.shape)
+        columns = [axis.si[i] for group, i in zip(self.groups, place, strict=True) for axis in group]
+        return np.stack(columns, axis=1)
+
+
+def plan_sweep(scene: WrittenScene) -> SweepPlan:
+    """The cases of the scene's [sweep].  Raises SceneError with file and key path."""
+    try:
+        return _plan(scene.data)
+    except SceneError as error:
+        raise error.at(file=scene.data.file) from None
+
+
+def _plan(data: SceneData) -> SweepPlan:
+    if not data.sweep.grids:
+        raise SceneError("nothing to sweep; write for example sweep.d = { from, to, num }", path="sweep")
+    dimensions = Parameters(data.parameters).dimensions
+    axes: dict[str, Axis] = {}
+    for name, grid in data.sweep.grids.items():
+        unit, values = read_grid(grid, path=f"sweep.{name}", unit=_declared_unit(data.parameters[name]))
+        wanted, given = dimensions[name], factor(unit)[1]
+        if wanted not in (None, given):
+            raise SceneError(
+                f"the grid is of {given.name}, but the parameter is {wanted.phrase}", path=f"sweep.{name}"
+            )
+        axes[name] = Axis(name, unit, values)
+    return SweepPlan(tuple(_grouped(axes, data.sweep.zip)))
+
+
+def _declared_unit(raw: Value) -> str:
+    """Unit of a parameter as the file gives it; "" where it is an expression."""
+    try:
+        return parse_quantity(raw).unit_text
+    except SceneError:
+        return ""
+
+
+def _grouped(axes: Mapping[str, Axis], zips: Sequence[Sequence[str]]) -> Iterator[tuple[Axis, ...]]:
+    """The dimensions in the order of the file; a zip stands where its first parameter does."""
+    together: dict[str, tuple[Axis, ...]] = {}
+    for i, names in enumerate(zips):
+        group = tuple(axes[name] for name in names)
+        if len({len(axis.values) for axis in group}) > 1:
+            sizes = ", ".join(f"{axis.name} has {len(axis.values)}" for axis in group)
+            raise SceneError(f"zipped grids need equal numbers of values: {sizes}", path=f"sweep.zip[{i}]")
+        together.update(dict.fromkeys(names, group))
+    seen: set[str] = set()
+    for name, axis in axes.items():
+        if name not in seen:
+            group = together.get(name, (axis,))
+            seen.update(member.name for member in group)
+            yield group

@@ -1,0 +1,202 @@
+"""The result of a sweep as a CSV table, and a few rows of it for a terminal.
+
+Both stream: memory does not grow with the number of cases.
+"""
+
+from __future__ import annotations
+
+import csv
+import math
+import re
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from .._layout import PM_TRUST_MARGIN
+from ..base.arrays import Floats
+from ..base.files import appearing
+from .layout import REASON_WORDS, STATUS_WORDS, TRUST_WORDS, error_name
+from .netcdf import hyperslabs, opened
+
+# Cases, and numbers, that are turned into text at once.
+_TABLE_CASES = 65536
+_TABLE_NUMBERS = 1 << 20
+# Significant digits of an error in the table.
+_ERROR_DIGITS = 3
+# A text with one of these stands in quotes in the table.
+_QUOTED = re.compile(r'[",\r\n]')
+
+
+def write_csv(result: Path, table: Path) -> None:
+    """Writes the result of a sweep as a table, one row per case in C order; it appears whole or not at all.
+
+    Columns: the swept parameters and the asks, with units in the header ("d [in]"; the numbers of a list:
+    "v[1] [m/s]", ...), their estimated errors ("v error [m/s]", of a list the greatest) and the margin, then
+    `reason` (why something is missing) and, last, `status` as a word.  Numbers have
+    as many digits as give back the same bits; missing ones are nan.  Raises StudyError if `result` cannot
+    be read or `table` cannot be written.
+    """
+    with opened(result) as file, appearing(table) as temporary:
+        columns = _Columns(file)
+        with open(temporary, "w", encoding="utf-8", newline="") as text:
+            csv.writer(text, lineterminator="\n").writerow(columns.header)
+            for first, count in columns.slices():
+                text.write(columns.lines(first, count))
+
+
+@dataclass(frozen=True)
+class _Column:
+    """A column of consecutive cases: as values, and as the table writes them; to be gone through once."""
+
+    values: Iterable[Any]
+    texts: Iterable[str]
+
+    @staticmethod
+    def exact(numbers: list[float]) -> _Column:
+        """Numbers with all their digits."""
+        return _Column(numbers, map(repr, numbers))
+
+    @staticmethod
+    def short(numbers: list[float]) -> _Column:
+        """Numbers with the digits that an error has."""
+        return _Column((float(_short(number)) for number in numbers), map(_short, numbers))
+
+
+# A number with the significant digits that an error has.
+_short = f"%.{_ERROR_DIGITS}g".__mod__
+
+
+def _field(text: str) -> str:
+    """A text as CSV has it."""
+    return '"' + text.replace('"', '""') + '"' if _QUOTED.search(text) else text
+
+
+class _Columns:
+    """The columns of the table of an opened result."""
+
+    def __init__(self, file: Any) -> None:
+        self._variables = file.variables
+        status = self._variables["status"]
+        self._grid: tuple[str, ...] = status.dimensions
+        self.shape: tuple[int, ...] = status.shape
+        self.cases = math.prod(self.shape)
+        self._asks: list[str] = file["ask"][...].tolist()
+        self._parameters: dict[str, tuple[int, Floats]] = {}  # axis of the grid, values along it
+        self.header: list[str] = []
+        for name in file.attrs["parameters"].split():
+            variable = self._variables[name]
+            self._parameters[name] = self._grid.index(variable.dimensions[0]), variable[...]
+            self.header.append(f"{name} [{variable.attrs['units']}]")
+        for key in self._asks:
+            variable = self._variables[key]
+            numbers = range(1, math.prod(variable.shape[len(self._grid) :]) + 1)
+            names = [f"{key}[{number}]" for number in numbers] if self._is_list(key) else [key]
+            self.header += [f"{name} [{variable.attrs['units']}]" for name in names]
+        self.answers = len(self.header)  # columns in front of the evidence
+        self._has_errors = TRUST_WORDS[PM_TRUST_MARGIN] in self._variables
+        if self._has_errors:
+            units = [self._variables[key].attrs["units"] for key in self._asks]
+            self.header += [f"{key} error [{unit}]" for key, unit in zip(self._asks, units, strict=True)]
+            self.header.append(TRUST_WORDS[PM_TRUST_MARGIN])
+        self.header += ["reason", "status"]
+
+    def slices(self) -> Iterator[tuple[int, int]]:
+        """First case and number of cases of each piece that fits well into memory."""
+        most = max(1, min(_TABLE_CASES, _TABLE_NUMBERS // len(self.header)))
+        for first in range(0, self.cases, most):
+            yield first, min(most, self.cases - first)
+
+    def rows(self, first: int, count: int) -> Iterator[tuple[Any, ...]]:
+        """The rows of cases first .. first+count-1."""
+        return zip(*(column.values for column in self._columns(first, count)), strict=True)
+
+    def lines(self, first: int, count: int) -> str:
+        """The lines of the table of cases first .. first+count-1."""
+        # Column by column first: that is faster than the same texts row by row.
+        texts = [list(column.texts) for column in self._columns(first, count)]
+        return "\n".join([*map(",".join, zip(*texts, strict=True)), ""])
+
+    def _columns(self, first: int, count: int) -> Iterator[_Column]:
+        place = np.unravel_index(np.arange(first, first + count, dtype=np.int64), self.shape)
+        for axis, values in self._parameters.values():
+            written = list(map(repr, values.tolist()))
+            along = place[axis].tolist()
+            yield _Column(values[along].tolist(), map(written.__getitem__, along))
+        for key in self._asks:
+            numbers = self._read(key, first, count)
+            yield from map(_Column.exact, numbers.T.tolist() if self._is_list(key) else [numbers.tolist()])
+        if self._has_errors:
+            yield from (_Column.short(self._greatest_error(key, first, count)) for key in self._asks)
+            yield _Column.short(self._read(TRUST_WORDS[PM_TRUST_MARGIN], first, count).tolist())
+        reasons, statuses = self._reasons(first, count), self.statuses(first, count)
+        yield _Column(reasons, map(_field, reasons))
+        yield _Column(statuses, statuses)
+
+    def _greatest_error(self, key: str, first: int, count: int) -> list[float]:
+        """The error of an ask, of a list the greatest of those known."""
+        errors = self._read(error_name(key), first, count)
+        greatest: list[float] = (np.fmax.reduce(errors, axis=1) if self._is_list(key) else errors).tolist()
+        return greatest
+
+    def for_people(self, row: Sequence[Any]) -> tuple[Any, ...]:
+        """A row without the errors: they make a table too wide to read."""
+        return (*row[: self.answers], *row[-2:])
+
+    def statuses(self, first: int, count: int) -> list[str]:
+        """The statuses of these cases as words."""
+        return [STATUS_WORDS[status] for status in self._read("status", first, count).tolist()]
+
+    def _is_list(self, key: str) -> bool:
+        return len(self._variables[key].dimensions) > len(self._grid)
+
+    def _reasons(self, first: int, count: int) -> list[str]:
+        """Why something is missing: what was wrong with the case, or else with each ask."""
+        # Cases that ended well have no message, and texts are slow to read.
+        is_told = self._read("status", first, count).any()
+        texts: list[str] = self._read("message", first, count).tolist() if is_told else [""] * count
+        reasons = self._read("reason", first, count)
+        for row in np.flatnonzero(reasons.any(axis=1)).tolist():
+            texts[row] = texts[row] or "; ".join(
+                f"{key}: {REASON_WORDS[code].replace('_', ' ')}"
+                for key, code in zip(self._asks, reasons[row].tolist(), strict=True)
+                if code
+            )
+        return texts
+
+    def _read(self, name: str, first: int, count: int) -> npt.NDArray[Any]:
+        """A variable of consecutive cases: [count] or [count, its further dimension]."""
+        variable = self._variables[name]
+        further = variable.shape[len(self.shape) :]
+        boxes = [variable[box].reshape(-1, *further) for box in hyperslabs(self.shape, first, count)]
+        return np.concatenate(boxes)
+
+
+@dataclass(frozen=True)
+class Summary:
+    """What a terminal shows of a result: some rows of the table, and how many cases ended how (in words)."""
+
+    header: tuple[str, ...]
+    rows: tuple[tuple[Any, ...], ...]
+    cases: int
+    statuses: Mapping[str, int]
+
+
+def summarise(result: Path, rows: int = 11) -> Summary:
+    """`rows` cases evenly spread over the result, first and last included, and the count of each status.
+
+    Raises StudyError if `result` cannot be read.
+    """
+    with opened(result) as file:
+        columns = _Columns(file)
+        statuses: Counter[str] = Counter()
+        for first, count in columns.slices():
+            statuses.update(columns.statuses(first, count))
+        steps = max(1, min(rows, columns.cases) - 1)
+        shown = sorted({i * (columns.cases - 1) // steps for i in range(steps + 1)})
+        picked = tuple(columns.for_people(row) for case in shown for row in columns.rows(case, 1))
+        return Summary(columns.for_people(columns.header), picked, columns.cases, dict(statuses))
