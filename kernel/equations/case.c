@@ -7,9 +7,9 @@
 #include "elements/joint.h"
 #include "elements/turning_plane.h"
 #include "expression/program.h"
+#include "state/evidence.h"
 #include "state/frame.h"
 #include "state/workspace.h"
-#include "study/accuracy.h"
 
 #define STAND_IN \
     1e-3 /* of the least mass: each round of saddle.c gains as many digits, and the first loses them */
@@ -179,7 +179,7 @@ static int read_settings(pm_workspace *w)
     w->numbers.accuracy = w->numbers.value[PM_SETTING(m, PM_SETTING_ACCURACY)];
     if (w->numbers.accuracy > 1e-2)
         return out_of_bound(w, PM_TABLE_SETTING, 0, PM_SETTING_ACCURACY, w->numbers.accuracy, 1e-2);
-    w->numbers.tolerance = pm_accuracy_tolerance(w);
+    w->numbers.tolerance = pm_evidence_tolerance(w);
     return PM_OK;
 }
 

@@ -14,10 +14,10 @@
 #include "numerics/chebyshev.h"
 #include "numerics/minimum.h"
 #include "routes/path/path_error.h"
+#include "state/evidence.h"
 #include "state/frame.h"
 #include "state/route.h"
 #include "state/workspace.h"
-#include "study/accuracy.h"
 
 #define ON_GRID 1e-9 /* relative: a grid value met at the very start or end of the run */
 
@@ -305,7 +305,7 @@ static void charge_untold(pm_workspace *w, int ask)
     const pm_ask_set *a = w->ask;
     const int32_t *e = PM_ASK_ROW(w->model, ask);
     const double best = pm_ask_greatest(e) ? a->best[ask] : -a->best[ask];
-    if (a->bound[ask] > best) pm_accuracy_more(w, e[PM_ASK_OUT], a->bound[ask] - best);
+    if (a->bound[ask] > best) pm_evidence_more(w, e[PM_ASK_OUT], a->bound[ask] - best);
 }
 
 void pm_ask_end(pm_workspace *w)

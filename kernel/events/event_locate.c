@@ -14,6 +14,7 @@
 #include <math.h>
 
 #include "equations/saddle.h"
+#include "events/event_evidence.h"
 #include "events/event_samples.h"
 #include "events/event_sampling.h"
 #include "impact/impact.h"
@@ -23,7 +24,6 @@
 #include "state/frame.h"
 #include "state/route.h"
 #include "state/workspace.h"
-#include "study/accuracy.h"
 
 #define RATE_STEP 1e-4 /* of the step: distance of the differences that make a rate */
 #define ROUNDING 1e-15 /* of the step */
@@ -119,14 +119,14 @@ static int polish(pm_workspace *w, int i, const pm_span *x, double slope, double
  * there, if its samples tell it. */
 static void take_rate(pm_workspace *w, int function, double x, double slope)
 {
-    if (!w->accuracy->active) return;
+    if (!w->evidence.active) return;
     pm_event_function *f = &w->event->function[function];
     const double d = RATE_STEP * (w->step.end - w->step.begin);
     const double rate =
         isnan(slope) ? (pm_event_samples_along(w, x + d, f) - pm_event_samples_along(w, x - d, f)) / (2 * d)
                      : slope;
     if (f->kind == FUNCTION_GAP && pm_impact_nearly_ends(w, f->index, rate)) return;
-    pm_evidence_rate(w, function, rate);
+    pm_event_evidence_rate(w, function, rate);
 }
 
 static double slope_of_samples(const pm_workspace *w, int i, double place)
@@ -149,7 +149,7 @@ static double slope_at_root(pm_workspace *w, int i, double place)
 int pm_event_locate_settle(pm_workspace *w, int i, const pm_span *x, double *place, double *taken)
 {
     const int at_end = *place >= w->step.end && x->gb == 0; /* exactly there: nothing to polish */
-    if (at_end && !w->accuracy->active) return PM_OK;
+    if (at_end && !w->evidence.active) return PM_OK;
     const double slope = slope_at_root(w, i, *place);
     if (!at_end || !w->step.reverses) take_rate(w, i, *place, slope);
     return at_end ? PM_OK : polish(w, i, x, slope, place, taken);

@@ -7,7 +7,6 @@
 #include "numerics/chebyshev.h"
 #include "numerics/minmax.h"
 #include "state/workspace.h"
-#include "study/accuracy.h"
 
 #define NEARLY_FLAT 0.1 /* of the spread in a step: a slope between nodes that may have either sign */
 #define SHARP 0.1       /* of one whose slopes they tell roughly, at the best */
@@ -125,7 +124,7 @@ static int extreme_beside_top(pm_workspace *w, const pm_extremum *p, int k, doub
 static int offer_node(pm_workspace *w, const pm_extremum *p, int top)
 {
     if (p->g[top] <= p->sign * w->ask->best[p->ask]) return PM_OK;
-    const int looks = pm_ask_at_extreme(PM_ASK_ROW(w->model, p->ask)) || w->accuracy->active;
+    const int looks = pm_ask_at_extreme(PM_ASK_ROW(w->model, p->ask)) || w->evidence.active;
     const int status = looks ? pm_ask_look(w, pm_event_sampling_node(w, top), 1) : PM_OK;
     if (!status) pm_ask_offer(w, p->ask, p->sign * p->g[top], 0);
     return status;

@@ -33,7 +33,6 @@
 #include "state/evidence.h"
 #include "state/frame.h"
 #include "state/workspace.h"
-#include "study/accuracy.h"
 
 #define PULLS 1e-11      /* of the impulses in the blow: a normal impulse this small does not pull */
 #define LAST_BOUNCE 1e-7 /* of the scene's speed: slower rebounds stay, their height is lost in rounding */
@@ -373,7 +372,7 @@ static void set_modes(pm_workspace *w, const unsigned char *share, const int32_t
         if (share[i] == STRUCK && pm_contact_restitution(&w->frame, contact) > 0) {
             pm_trigger_countless(w, contact);
             pm_evidence_part(w, contact);
-            pm_accuracy_cut(w);
+            pm_evidence_cut(w);
         }
         if (share[i] == STRUCK && w->state.slot[i].mode == PM_STICK && slid(w, i, before))
             pm_trigger_mark(w, PM_TRIGGER_STICK, contact);

@@ -9,6 +9,7 @@
 #include "equations/saddle.h"
 #include "events/ask.h"
 #include "events/event.h"
+#include "events/event_evidence.h"
 #include "events/history.h"
 #include "impact/action.h"
 #include "impact/contact_modes.h"
@@ -19,7 +20,6 @@
 #include "state/frame.h"
 #include "state/route.h"
 #include "state/workspace.h"
-#include "study/accuracy.h"
 #include "tree/tree.h"
 
 #define STILL 1e-11  /* speeds and accelerations of a scene at rest, relative to its own scales */
@@ -98,7 +98,7 @@ static int carry_out(pm_workspace *w)
 /* Fires what is due at the frame and answers for it. */
 static void fire(pm_workspace *w)
 {
-    pm_evidence_close(w);
+    pm_event_evidence_close(w);
     pm_trigger_commit(w);
 }
 
@@ -150,7 +150,7 @@ static int go_on(pm_workspace *w, int *ended)
 static int act(pm_workspace *w, int *ended)
 {
     *ended = 0;
-    pm_evidence_instant(w);
+    pm_event_evidence_instant(w);
     if (is_settled(w)) {
         pm_ask_look_before(w);
         return PM_OK;
@@ -226,7 +226,7 @@ int pm_instant_full(pm_workspace *w, int *ended)
 static int level_of_mark(const pm_workspace *w)
 {
     const int asked = w->ask->instant_level, watched = w->event->level;
-    if (!w->accuracy->active) return w->ask->fired_level;
+    if (!w->evidence.active) return w->ask->fired_level;
     return asked > watched ? asked : watched;
 }
 
@@ -238,7 +238,7 @@ int pm_instant_mark(pm_workspace *w, int *ended)
     pm_frame_look_state(&w->frame, &w->state);
     if (!status && level == PM_LEVEL_DYNAMIC) status = pm_step_react(w);
     if (status) return status;
-    pm_evidence_instant(w);
+    pm_event_evidence_instant(w);
     pm_ask_look_before(w);
     fire(w);
     status = count(w, ended);

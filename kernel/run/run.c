@@ -21,12 +21,13 @@
 #include "impact/instant.h"
 #include "routes/path/repeat.h"
 #include "routes/start/perturbation.h"
+#include "run/disturb.h"
 #include "run/phase_report.h"
 #include "run/plan.h"
+#include "state/evidence.h"
 #include "state/frame.h"
 #include "state/route.h"
 #include "state/workspace.h"
-#include "study/accuracy.h"
 
 static int begin_case(pm_workspace *w, const double *param, pm_start_report *report)
 {
@@ -41,7 +42,7 @@ static int begin_case(pm_workspace *w, const double *param, pm_start_report *rep
     w->event->nfunction = 0;
     w->step.reverses = 0;
     pm_joint_friction_release(w);
-    pm_accuracy_begin(w);
+    pm_evidence_begin(w);
     pm_trigger_reset(w);
     pm_perturbation_begin(w);
     pm_fixed_bodies_begin(w);
@@ -110,7 +111,7 @@ int pm_run_start(pm_workspace *w, const double *param, pm_start_report *report)
 
 static int phase(pm_workspace *w, int *ended)
 {
-    int passed = 0, status = pm_accuracy_disturb(w);
+    int passed = 0, status = pm_disturb(w);
     if (!status) status = pm_perturbation_leave(w);
     if (!status) status = pm_plan_phase(w);
     pm_frame_look_state(&w->frame, &w->state);

@@ -16,8 +16,6 @@
 #include "routes/start/perturbation.h"
 #include "state/route.h"
 #include "state/workspace.h"
-#include "study/accuracy.h"
-#include "study/find.h"
 #include "tree/tree.h"
 
 /* Adds an array of n doubles (or things no larger) to the plan of the block; filled in by place(). */
@@ -53,6 +51,7 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
     if (!w) return PM_NO_MEMORY;
     w->model = w->frame.model = m;
     w->frame.numbers = &w->numbers;
+    w->numbers.coarse = 1;
     const int nforce = m->rows[PM_TABLE_FORCE], nrow = m->nrow, nq = m->nq;
     const pm_part_of_block part[] = {
         PART(w->numbers.value, m->nvalue),
@@ -110,11 +109,9 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
     if (!status) status = pm_event_create(w);
     if (!status) status = pm_ask_create(w);
     if (!status) status = pm_watched_samples_create(w);
-    if (!status) status = pm_accuracy_create(w);
     if (!status) status = pm_tree_create(w);
     if (!status) status = pm_repeat_record_create(w);
     if (!status) status = pm_routes_create(w);
-    if (!status) status = pm_find_create(w);
     if (!status) status = pm_perturbation_create(w);
     if (status) {
         pm_workspace_free(w);
@@ -129,9 +126,7 @@ void pm_workspace_free(pm_workspace *w)
 {
     if (!w) return;
     pm_perturbation_free(w);
-    pm_find_free(w);
     pm_routes_free(w);
-    pm_accuracy_free(w);
     pm_repeat_record_free(w);
     pm_tree_free(w);
     pm_watched_samples_free(w);

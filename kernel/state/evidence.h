@@ -1,10 +1,15 @@
-/* evidence.h - the decisions of a pass: what fired, what touched, pulled, slid or held, each with its distance from the
- * threshold.  Two passes of a case that differ by their errors only take the same decisions at slightly different
- * distances: distance over difference is the margin. */
+/* evidence.h - what a pass of a case notes of its own errors and decisions: study/accuracy.h and study/margin.h read it.
+ *
+ * A decision is what fired, touched, pulled, slid or held, with its distance from the threshold.  Two passes of a case that
+ * differ by their errors only take the same decisions at slightly different distances: distance over difference is the
+ * margin.  A route that knows its own errors notes them, too: then no second pass is run. */
 #ifndef PM_EVIDENCE_H
 #define PM_EVIDENCE_H
 
 #include "state/workspace.h"
+
+#define PM_COARSER 30.0       /* tolerance of a coarse run, times that of the run which it is compared with */
+#define PM_EVIDENCE_SEED 2385 /* of the disturbances of a coarse run: any number */
 
 enum pm_evidence_kind {
     PM_EVIDENCE_VALUE = 0, /* of a function of the phase that did not fire at this instant */
@@ -45,21 +50,61 @@ typedef struct pm_evidence_log {
 
 #define PM_DECISIONS 4096 /* kept of a pass */
 
-void pm_evidence_begin(pm_evidence_log *log);
-/* An instant begins; then whatever is decided at it; then what came of it is mixed into the history. */
-void pm_evidence_instant(pm_workspace *w);
-/* How fast, in the route's progress, a function of the phase goes through its zero. */
-void pm_evidence_rate(pm_workspace *w, int function, double rate);
+/* One pass of a case and what came of it. */
+typedef struct pm_pass {
+    double *out;     /* [nout] */
+    double *error;   /* [nout] as the route itself says, NaN where it does not */
+    double *more;    /* [nout] what is added to either kind of error */
+    int32_t *reason; /* [nask] */
+    double audit[PM_AUDITS];
+    double found[PM_FOUND_COLUMNS];
+    int64_t count[PM_COUNT_COLUMNS];
+    pm_where where;
+    double t;         /* where it ended */
+    double factor;    /* what was asked of it: of the tolerance that the accuracy gives */
+    double tolerance; /* of the integration */
+    double margin;    /* of the decisions whose errors the route itself gave */
+    double relative;  /* greatest error of T on its paths, of T */
+    double *
+        extreme; /* [2][ntrigger] nearest to zero of what forces or speeds decide, and how far it was nearby */
+    int cut;     /* a series of blows without end was cut off, by its error in time */
+    int unsure;  /* the extremes of such a function are not known */
+    uint64_t outcome; /* hash of status, reasons and event counts */
+    int status;
+    int companion;
+    int halves;
+    pm_evidence_log log;
+} pm_pass;
+
+/* Nothing is known of the errors and decisions of the run that begins. */
+void pm_evidence_begin(pm_workspace *w);
+/* The tolerance of integration in the present pass. */
+double pm_evidence_tolerance(const pm_workspace *w);
+/* Whether a route that takes a state inside a step from its begin takes it in two halves: a phase that one step covers would
+ * else be the same in both passes that are compared. */
+int pm_evidence_in_halves(const pm_workspace *w);
+
+/* For routes that know their errors: that of out[column], absolute; a decision that was taken at `distance` from its
+ * threshold, known to `error` in the same unit. */
+void pm_evidence_answer(pm_workspace *w, int column, double error);
+void pm_evidence_decide(pm_workspace *w, double distance, double error);
+/* What is added to the error of out[column], whoever tells that. */
+void pm_evidence_more(pm_workspace *w, int column, double more);
+/* A series of ever smaller blows was ended although its last rebound would have lasted: earlier in a coarse run. */
+void pm_evidence_cut(pm_workspace *w);
+
+/* Adds a decision to the log of the pass, at the present instant. */
+void pm_evidence_take(pm_workspace *w, const pm_evidence_decision *decision);
 /* The sign of x, of natural size `unit`, decides what contact slot (or contact) `what` does. */
 void pm_evidence_sign(pm_workspace *w, int site, int what, double x, double unit);
-void pm_evidence_close(pm_workspace *w);
 /* A contact has been struck infinitely often: other passes may have seen other numbers of its blows. */
 void pm_evidence_part(pm_workspace *w, int contact);
+/* What came of the present instant is mixed into the history of the log; the next one begins. */
+void pm_evidence_mix(pm_evidence_log *log, uint32_t what);
+/* The part of the run that a decision belongs to: see pm_evidence_part. */
+int32_t pm_evidence_part_of(const pm_evidence_decision *x);
 
 /* Not zero by the scene's structure; unit: its natural size. */
 int pm_evidence_is_open(const pm_evidence_decision *x, double unit);
-/* Least distance over difference of the decisions that both passes took; trigger_scale[ntrigger] natural sizes of
- * the trigger programs. */
-double pm_evidence_margin(const pm_evidence_log *a, const pm_evidence_log *b, const double *trigger_scale);
 
 #endif

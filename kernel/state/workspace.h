@@ -89,6 +89,16 @@ typedef struct pm_instant {
     unsigned char *slot_released; /* [nslot] let go at this instant: not closed again at it */
 } pm_instant;
 
+/* Whether errors and margins are estimated, and the pass that notes them (state/evidence.h). */
+typedef struct pm_evidence {
+    int active;                    /* the present case is run for its errors too */
+    int seeks;                     /* a pass is a find with all its runs */
+    int by_places;                 /* the path route tells its own errors (routes/path/path_error.h) */
+    const unsigned char *discrete; /* [nask] integers and yes or no: they have no error, but a margin */
+    uint64_t noise;                /* state of the generator of disturbances */
+    struct pm_pass *present;
+} pm_evidence;
+
 /* What a case answers; the arrays are the caller's (study/batch.c). */
 typedef struct pm_result {
     double *out;     /* [nout] */
@@ -113,6 +123,7 @@ typedef struct pm_workspace {
     pm_phase phase;
     pm_step step;
     pm_instant instant;
+    pm_evidence evidence;
     pm_result result;
     /* what single rooms keep */
     struct pm_fixed_bodies *fixed;

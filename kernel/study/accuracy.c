@@ -1,17 +1,17 @@
 /* accuracy.c - estimated errors of the answers, from a second pass of the case, and the promise of accuracy.
  *
- * The companion of a pass is the same case at a tolerance COARSER times as large, with longer steps where the tolerance
+ * The companion of a pass is the same case at a tolerance PM_COARSER times as large, with longer steps where the tolerance
  * does not limit them and less care about what counts as touching or still, and with positions and velocities disturbed
  * by some roundings when a phase begins.  Its answers a' differ from the answers a by its own error: truncation,
  * amplified as the scene amplifies errors, and rounding, amplified likewise.  The errors of a method go with its
- * tolerance, so that a's own error is expected at |a' - a| / COARSER; errors have signs and may be small by chance:
+ * tolerance, so that a's own error is expected at |a' - a| / PM_COARSER; errors have signs and may be small by chance:
  *
- *     error = max(spread |a' - a| / COARSER, ROUNDING scale)
+ *     error = max(spread |a' - a| / PM_COARSER, ROUNDING scale)
  *
  * scale is the natural size of the ask: |a|, or how much it would change if the state changed by its own size.  Where
  * an error is greater than accuracy times scale, or passes have decided differently, the case is run again at a
  * tighter tolerance, at most REFINEMENTS times; a pass that is not too far off serves as the companion of the next.
- * The spread of a route is above COARSER: where a phase is one step, the companion, which takes it in two, shows a's
+ * The spread of a route is above PM_COARSER: where a phase is one step, the companion, which takes it in two, shows a's
  * own error and no more.  It is calibrated: studies/benchmarks/calibration.py. */
 #include "study/accuracy.h"
 
@@ -34,17 +34,12 @@
 #include "state/route.h"
 #include "state/workspace.h"
 #include "study/find.h"
+#include "study/margin.h"
 
-#define COARSER 30.0
 #define ROUNDING 2e-14 /* least relative error that is claimed */
-#define LOOSEST 1e-2   /* tolerance of a companion: beyond it steps are not resolved */
 #define COARSE \
-    1.75 /* steps in a companion, of the motion's own time: in an 8th order method COARSER, and some more */
-#define DISTURBANCE \
-    3e-14 /* of velocities at the begin of a phase, in a companion: COARSER times some roundings */
-#define DISPLACEMENT \
-    2e-15             /* of positions likewise: a contact that has just been left must not seem overlapped */
-#define REFINEMENTS 2 /* passes at tighter tolerances */
+    1.75 /* steps in a companion, of the motion's own time: in an 8th order method PM_COARSER, and some more */
+#define REFINEMENTS 2     /* passes at tighter tolerances */
 #define LEAST_FACTOR 1e-4 /* of the tolerance, from one pass to the next */
 #define MOST_FACTOR 0.1   /* the same: a smaller change is not worth a pass */
 #define FINER 2           /* times the finest tolerance: nothing is gained below */
@@ -52,7 +47,6 @@
 #define NEAR_ENOUGH 1e-3  /* factor down to which the last pass is the companion of the next */
 #define LEAST_SHARE \
     0.1            /* of a difference without a disturbance in it: rounding does not go with the tolerance */
-#define SEED 2385  /* of the disturbances: any number */
 #define SHIFT 1e-6 /* of the state's natural size: change that shows the size of an ask */
 
 /* ---- memory ---- */
@@ -95,8 +89,8 @@ int pm_accuracy_create(pm_workspace *w)
                    entry + (size_t)i * (size_t)kept);
     for (int i = 0; i < m->nask; i++)
         e->discrete[i] = (unsigned char)pm_program_class_is_discrete(m, PM_ASK_ROW(m, i)[PM_ASK_PROGRAM]);
-    w->numbers.coarse = 1;
-    e->by_places = pm_path_error_by_places(m);
+    w->evidence.discrete = e->discrete;
+    w->evidence.by_places = pm_path_error_by_places(m);
     return PM_OK;
 }
 
@@ -106,78 +100,6 @@ void pm_accuracy_free(pm_workspace *w)
     free(w->accuracy->block);
     free(w->accuracy);
     w->accuracy = NULL;
-}
-
-/* ---- inside a pass ---- */
-double pm_accuracy_tolerance(const pm_workspace *w)
-{
-    const pm_accuracy *e = w->accuracy;
-    if (!e->active) return w->numbers.accuracy;
-    const double tightest =
-        fmax(fmin(w->numbers.accuracy, LOOSEST / COARSER) * e->present->factor, w->phase.route->finest);
-    return e->present->companion ? COARSER * tightest : tightest;
-}
-
-/* 1 or -1, at random: the same in every companion. */
-static int sign(pm_accuracy *e)
-{
-    e->noise = e->noise * 6364136223846793005ULL + 1442695040888963407ULL;
-    return e->noise >> 63 ? 1 : -1;
-}
-
-void pm_accuracy_begin(pm_workspace *w)
-{
-    pm_pass *p = w->accuracy->present;
-    if (!w->accuracy->active) return;
-    w->accuracy->noise = SEED;
-    for (int i = 0; i < w->model->nout; i++) p->error[i] = NAN, p->more[i] = 0;
-    p->margin = INFINITY;
-    p->relative = 0;
-    p->unsure = 0;
-    p->cut = 0;
-    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) p->extreme[i] = INFINITY;
-    pm_evidence_begin(&p->log);
-}
-
-int pm_accuracy_in_halves(const pm_workspace *w)
-{
-    return w->accuracy->active && w->accuracy->present->halves;
-}
-
-int pm_accuracy_disturb(pm_workspace *w)
-{
-    if (!w->accuracy->active || !w->accuracy->present->companion) return PM_OK;
-    if (w->result.count[PM_COUNT_PHASES] > 0 && !w->phase.route->in_time)
-        return PM_OK; /* legs of a path repeat */
-    for (int i = 0; i < w->model->nq; i++) {
-        w->state.q[i] *= 1 + DISPLACEMENT * sign(w->accuracy);
-        w->state.v[i] *= 1 + DISTURBANCE * sign(w->accuracy);
-    }
-    const int status = pm_projection_apply(w, &w->state);
-    if (status) return status;
-    pm_frame_look_state(&w->frame, &w->state);
-    return pm_saddle_accelerate(w);
-}
-
-void pm_accuracy_answer(pm_workspace *w, int column, double error)
-{
-    if (w->accuracy->active) w->accuracy->present->error[column] = error;
-}
-
-void pm_accuracy_more(pm_workspace *w, int column, double more)
-{
-    if (w->accuracy->active) w->accuracy->present->more[column] += more;
-}
-
-void pm_accuracy_cut(pm_workspace *w)
-{
-    if (w->accuracy->active) w->accuracy->present->cut = 1;
-}
-
-void pm_accuracy_decision(pm_workspace *w, double distance, double error)
-{
-    if (w->accuracy->active && !w->accuracy->seeks) /* what is sought lies on a threshold */
-        w->accuracy->present->margin = fmin(w->accuracy->present->margin, fabs(distance) / error);
 }
 
 /* ---- passes ---- */
@@ -201,7 +123,7 @@ static void make_pass(pm_workspace *w, const double *param, pm_pass *p, double f
     pm_accuracy *e = w->accuracy;
     pm_history *const trace = w->history;
     pm_phase_report *const phases = w->phase_report;
-    e->present = p;
+    w->evidence.present = p;
     e->npass++;
     p->factor = factor;
     p->companion = companion;
@@ -309,7 +231,7 @@ static double judge_answers(const pm_workspace *w, double share, double *error)
 static double judge_decisions(const pm_workspace *w, double share)
 {
     const pm_accuracy *e = w->accuracy;
-    const double margin = pm_evidence_margin(&e->main->log, &e->other->log, e->trigger_scale) / share;
+    const double margin = pm_margin_of_logs(&e->main->log, &e->other->log, e->trigger_scale) / share;
     const double decided = e->main->outcome == e->other->outcome ? margin : 0;
     return fmin(decided, e->main->margin);
 }
@@ -344,13 +266,13 @@ static void judge(pm_workspace *w, double *error, double *trust)
 {
     const double share = share_of(w);
     trust[PM_TRUST_EXCESS] = judge_answers(w, share, error);
-    if (w->accuracy->seeks) judge_found(w, share, error);
+    if (w->evidence.seeks) judge_found(w, share, error);
     trust[PM_TRUST_MARGIN] = judge_decisions(w, share);
 }
 
 static int knows_itself(const pm_workspace *w)
 {
-    if (w->accuracy->seeks) return 0; /* nobody knows the error of what is sought */
+    if (w->evidence.seeks) return 0; /* nobody knows the error of what is sought */
     const pm_pass *p = w->accuracy->main;
     if (p->unsure) return 0;
     for (int i = 0; i < w->model->nask; i++) {
@@ -390,8 +312,8 @@ static int find_companion(pm_workspace *w, const double *param)
 static double next_factor(double factor, const double *trust)
 {
     double change = AIM / trust[PM_TRUST_EXCESS];
-    if (isnan(change)) return factor / COARSER;
-    if (trust[PM_TRUST_MARGIN] < 1) change = fmin(change, 1 / COARSER);
+    if (isnan(change)) return factor / PM_COARSER;
+    if (trust[PM_TRUST_MARGIN] < 1) change = fmin(change, 1 / PM_COARSER);
     return factor * fmin(fmax(change, LEAST_FACTOR), MOST_FACTOR);
 }
 
@@ -433,7 +355,7 @@ static void climb(pm_workspace *w, const double *param, double *error, double *t
     for (int i = 0; i < REFINEMENTS && !good_enough(w, trust); i++)
         if (!refine(w, param, error, trust)) break;
     /* a run that sits on the threshold that was sought is not in doubt */
-    if (e->main->status == PM_OK && trust[PM_TRUST_MARGIN] < 1 && !e->seeks) {
+    if (e->main->status == PM_OK && trust[PM_TRUST_MARGIN] < 1 && !w->evidence.seeks) {
         e->main->status = PM_UNDECIDED;
         e->main->where = (pm_where){PM_NONE, PM_NONE, PM_NONE, trust[PM_TRUST_MARGIN], 1};
     }
@@ -465,15 +387,15 @@ static int run(pm_workspace *w, const double *param, double *found, double *erro
     for (int i = 0; i < w->model->nout; i++) error[i] = NAN;
     for (int i = 0; i < w->model->nask; i++) margin[i] = NAN;
     for (int i = 0; i < PM_TRUSTS; i++) trust[i] = NAN;
-    e->active = PM_SETTING(w->model, PM_SETTING_ESTIMATE);
-    if (!e->active) {
+    w->evidence.active = PM_SETTING(w->model, PM_SETTING_ESTIMATE);
+    if (!w->evidence.active) {
         const int status = found ? pm_find_run(w, param, found) : pm_run(w, param);
         w->result.count[PM_COUNT_PASSES] = 1;
         return status;
     }
     e->npass = 0;
     e->runs_find = found != NULL;
-    e->seeks = found != NULL && w->model->rows[PM_TABLE_FIND] > 0;
+    w->evidence.seeks = found != NULL && w->model->rows[PM_TABLE_FIND] > 0;
     e->main = &e->pass[0];
     e->other = &e->pass[1];
     e->spare = &e->pass[2];

@@ -15,6 +15,7 @@
 #include "scene/prune.h"
 #include "state/workspace.h"
 #include "study/accuracy.h"
+#include "study/study.h"
 
 #define MOST_WORKERS 256
 
@@ -104,7 +105,7 @@ static int run_workers(pm_job *job, int nworker)
     if (nworker < 1) nworker = 1;
     for (; n < nworker && !status; n++) {
         worker[n] = (pm_worker){.job = job};
-        status = pm_workspace_create(job->model, &worker[n].workspace);
+        status = pm_study_create(job->model, &worker[n].workspace);
         if (!status) worker[n].workspace->stop = job->stop;
     }
     if (!status) {
@@ -114,7 +115,7 @@ static int run_workers(pm_job *job, int nworker)
         for (int i = 1; i < n; i++)
             if (worker[i].started) pthread_join(worker[i].thread, NULL);
     }
-    for (int i = 0; i < n; i++) pm_workspace_free(worker[i].workspace);
+    for (int i = 0; i < n; i++) pm_study_free(worker[i].workspace);
     return status;
 }
 
@@ -175,7 +176,7 @@ static int open_one(pm_create *create, int64_t ntable, const int32_t *table, int
 {
     pm_where place = {PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
     int status = create(ntable, table, nconstant, constant, nparam, model, &place);
-    if (!status) status = pm_workspace_create(*model, w);
+    if (!status) status = pm_study_create(*model, w);
     report_model(&place, where, detail);
     if (!status) return PM_OK;
     pm_model_free(*model);
@@ -221,7 +222,7 @@ int pm_trace(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
     w->history = &record;
     if (!status) status = run_recorded(w, param, where, detail);
     *needed = record.needed;
-    pm_workspace_free(w);
+    pm_study_free(w);
     pm_model_free(model);
     return status;
 }
@@ -240,7 +241,7 @@ int pm_phases(int64_t ntable, const int32_t *table, int64_t nconstant, const dou
     w->phase_report = &list;
     status = run_recorded(w, param, where, detail);
     *needed = list.needed;
-    pm_workspace_free(w);
+    pm_study_free(w);
     pm_model_free(model);
     return status;
 }
@@ -283,7 +284,7 @@ int pm_check(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
         memcpy(pose, w->state.q, (size_t)model->nq * sizeof *pose);
         memcpy(velocity, w->state.v, (size_t)model->nq * sizeof *velocity);
     }
-    pm_workspace_free(w);
+    pm_study_free(w);
     pm_model_free(model);
     return status;
 }

@@ -20,10 +20,10 @@
 #include "numerics/minmax.h"
 #include "routes/path/path.h"
 #include "scene/program_class.h"
+#include "state/evidence.h"
 #include "state/frame.h"
 #include "state/route.h"
 #include "state/workspace.h"
-#include "study/accuracy.h"
 
 #define ROUNDINGS 1e-15 /* of the energies, in a step or a blow: some roundings */
 #define FASTER 1e-6     /* of the speeds, for the difference */
@@ -73,13 +73,13 @@ void pm_path_error_step(pm_workspace *w, double kinetic)
     p->ended = kinetic;
     p->error += ROUNDINGS * (p->node[0].kinetic + kinetic + potential);
     step_of_clock(w, p);
-    if (w->accuracy->active)
-        w->accuracy->present->relative = fmax(w->accuracy->present->relative, relative_error(p));
+    if (w->evidence.active)
+        w->evidence.present->relative = fmax(w->evidence.present->relative, relative_error(p));
 }
 
 void pm_path_error_barrier(pm_workspace *w, double distance)
 {
-    pm_accuracy_decision(w, distance, w->path->error);
+    pm_evidence_decide(w, distance, w->path->error);
 }
 
 /* ---- do places alone decide? ---- */
@@ -134,13 +134,13 @@ typedef struct pm_approach {
 static void take_extreme(const pm_workspace *w, int trigger, const pm_approach *x, int k)
 {
     const pm_chebyshev_nodes *nodes = w->step.nodes;
-    double *extreme = w->accuracy->present->extreme + trigger;
+    double *extreme = w->evidence.present->extreme + trigger;
     const double a = pm_chebyshev_slope_at(nodes, x->value, k),
                  b = pm_chebyshev_slope_at(nodes, x->value, k + 1);
     if (a * b > 0) return;
     const double s = nodes->at[k] + (a == b ? 0 : a / (a - b)) * (nodes->at[k + 1] - nodes->at[k]);
     const double there = fabs(pm_chebyshev_value(nodes, x->value, 1, s)) - x->untold;
-    if (there <= 0 && x->untold > 0) w->accuracy->present->unsure = 1;
+    if (there <= 0 && x->untold > 0) w->evidence.present->unsure = 1;
     if (!(there < *extreme)) return;
     *extreme = there;
     extreme[w->model->rows[PM_TABLE_TRIGGER]] = x->reach;
@@ -151,7 +151,7 @@ static void take_extreme(const pm_workspace *w, int trigger, const pm_approach *
 static void take_extremes(const pm_workspace *w, int trigger, const double *value)
 {
     const int n = w->step.nodes->n;
-    const double *known = w->accuracy->present->extreme + trigger;
+    const double *known = w->evidence.present->extreme + trigger;
     pm_approach x = {.value = value};
     for (int k = 0; k < n; k++) x.reach = pm_max(fabs(value[k]), x.reach);
     const double high = pm_chebyshev_high(w->step.nodes, value);
@@ -169,13 +169,13 @@ static void take_extremes(const pm_workspace *w, int trigger, const double *valu
 void pm_path_error_sampled(pm_workspace *w)
 {
     const pm_event_set *e = w->event;
-    if (!w->accuracy->active || !w->accuracy->by_places || w->phase.route != &pm_route_path) return;
+    if (!w->evidence.active || !w->evidence.by_places || w->phase.route != &pm_route_path) return;
     for (int i = 0; i < e->nfunction; i++) {
         const pm_event_function *f = &e->function[i];
         if (f->kind != FUNCTION_TRIGGER || fires_by_place(w->model, PM_TRIGGER_ROW(w->model, f->index)))
             continue;
         if (f->every)
-            w->accuracy->present->unsure = 1;
+            w->evidence.present->unsure = 1;
         else
             take_extremes(w, f->index, pm_event_samples(w, i));
     }
@@ -261,15 +261,15 @@ static double error_of_motion(pm_workspace *w, int program, double value)
 void pm_path_error_answer(pm_workspace *w, int ask, int column, int program, double value)
 {
     const pm_model *m = w->model;
-    if (!w->accuracy->active || w->phase.route != &pm_route_path || !w->accuracy->by_places ||
+    if (!w->evidence.active || w->phase.route != &pm_route_path || !w->evidence.by_places ||
         w->result.count[PM_COUNT_ROUTES] != (int64_t)1 << PM_ROUTE_PATH)
         return;
     double error;
-    if (isnan(value) || m->programs.energy[program] == PM_ENERGY_CLASS_NONE || w->accuracy->discrete[ask])
+    if (isnan(value) || m->programs.energy[program] == PM_ENERGY_CLASS_NONE || w->evidence.discrete[ask])
         error = 0; /* but for rounding; integers have the margin of their decisions */
     else if (m->programs.class[program] == PM_CLASS_TIME)
         error = error_of_time(w, program, value);
     else
         error = error_of_motion(w, program, value);
-    pm_accuracy_answer(w, column, error);
+    pm_evidence_answer(w, column, error);
 }

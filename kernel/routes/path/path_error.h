@@ -2,7 +2,8 @@
 #ifndef PM_PATH_ERROR_H
 #define PM_PATH_ERROR_H
 
-#include "study/accuracy.h"
+#include "state/evidence.h"
+#include "state/workspace.h"
 
 /* The error of T at the begin of a path phase, from that at the end of the phase before it. */
 void pm_path_error_begin(pm_workspace *w, double kinetic);

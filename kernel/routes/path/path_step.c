@@ -13,7 +13,6 @@
 #include "routes/path/path_error.h"
 #include "scene/program_class.h"
 #include "state/workspace.h"
-#include "study/accuracy.h"
 
 #define FORM_TAIL 1e-8  /* highest coefficients of T in long steps, and in any that fewer nodes may do for */
 #define SPEED_TAIL 1e-6 /* the same of the speed, where triggers watch it */

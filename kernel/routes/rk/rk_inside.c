@@ -4,9 +4,9 @@
 
 #include "equations/saddle.h"
 #include "routes/rk/rk.h"
+#include "state/evidence.h"
 #include "state/frame.h"
 #include "state/workspace.h"
-#include "study/accuracy.h"
 #include "tree/tree.h"
 
 int pm_rk_at(pm_workspace *w, double t, pm_state *s)
@@ -72,7 +72,7 @@ int pm_rk_exact(pm_workspace *w, double t, pm_state *s)
         memcpy(r->y, r->y0, bytes);
     } else {
         memcpy(r->side, r->k, bytes);
-        status = pm_accuracy_in_halves(w) ? in_halves(w, t) : pm_rk_stages(w, t - r->t0, r->side, r->y);
+        status = pm_evidence_in_halves(w) ? in_halves(w, t) : pm_rk_stages(w, t - r->t0, r->side, r->y);
     }
     return status ? status : pm_rk_settle(w, t, r->y, s, &gained);
 }

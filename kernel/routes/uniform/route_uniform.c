@@ -24,6 +24,7 @@
 #include "equations/saddle.h"
 #include "events/ask.h"
 #include "events/event.h"
+#include "events/event_evidence.h"
 #include "expression/program.h"
 #include "routes/uniform/uniform.h"
 #include "scene/program_degree.h"
@@ -31,7 +32,6 @@
 #include "state/frame.h"
 #include "state/route.h"
 #include "state/workspace.h"
-#include "study/accuracy.h"
 
 #define FIRST_STRIDE 4.0 /* of the motion's own time: first step where polynomials are watched */
 #define LONGER 2.0       /* and by this the next one is longer */
@@ -387,14 +387,14 @@ static void note_decisions(pm_workspace *w)
     for (int i = 0; i < w->event->nfunction; i++) {
         pm_event_function *f = &w->event->function[i];
         if (f->kind == FUNCTION_SLIP && w->event->root[i])
-            pm_evidence_rate(w, i, slip_rate(w, slip_at, f->index));
+            pm_event_evidence_rate(w, i, slip_rate(w, slip_at, f->index));
         if (f->kind == FUNCTION_RUB && w->event->root[i])
-            pm_evidence_rate(w, i, slip_rate(w, rub_at, f->index));
+            pm_event_evidence_rate(w, i, slip_rate(w, rub_at, f->index));
         if (f->kind != FUNCTION_GAP && f->kind != FUNCTION_END) continue;
         const int contact = f->kind == FUNCTION_END ? pm_contact_of_slot(w->model, f->index) : f->index;
         pm_uniform_gap_note(w, contact);
         const pm_closing *x = &u->closing[contact];
-        if (w->event->root[i]) pm_evidence_rate(w, i, x->rate);
+        if (w->event->root[i]) pm_event_evidence_rate(w, i, x->rate);
         f->near = x->near;
         f->near_reach = x->near_reach;
     }
@@ -425,7 +425,7 @@ static int step(pm_workspace *w, double t_limit)
     if (status || leapt) return status;
     if (u->nwatched > 0) u->end = first_turn(w, u->begin, u->end);
     const int struck = mark_roots(w);
-    if (w->accuracy->active) note_decisions(w);
+    if (w->evidence.active) note_decisions(w);
     status = go_to_end(w, limit, t_limit);
     pm_zeno_end(w, struck);
     return status;

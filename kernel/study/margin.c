@@ -1,0 +1,86 @@
+/* margin.c - the margin from the logs of two passes.
+ *
+ * Every decision compares a number x with 0: a function of the phase that did not fire, the rate of one that did, an
+ * impulse that must not pull.  Two passes of a case that differ by their errors only give x and x': the margin of the
+ * decision is the smaller of both over |x - x'|.  As long as the passes decide alike their logs run in step, which the
+ * history proves; near misses are seen by one pass and perhaps not by the other, and are then left out. */
+#include "study/margin.h"
+
+#include <math.h>
+
+#define ROUNDING 2.2e-16 /* least difference, of the natural size */
+
+static double margin_of(const pm_evidence_decision *x, const pm_evidence_decision *y,
+                        const double *trigger_scale)
+{
+    if (x->kind == PM_EVIDENCE_RATE && x->in_time != y->in_time) return INFINITY;
+    const double unit = x->unit * (x->trigger == PM_NONE ? 1 : trigger_scale[x->trigger]);
+    const double a = fabs(x->distance), b = fabs(y->distance), apart = fabs(x->distance - y->distance);
+    if (!pm_evidence_is_open(x, unit) && !pm_evidence_is_open(y, unit)) return INFINITY;
+    return fmin(a, b) / fmax(apart, ROUNDING * unit);
+}
+
+static int same(const pm_evidence_decision *x, const pm_evidence_decision *y)
+{
+    return x->instant == y->instant && x->history == y->history && x->kind == y->kind && x->what == y->what;
+}
+
+/* Whether a function is still held at its last zero, and whether it is seen to come close, depends on the steps. */
+static int may_lack(const pm_evidence_decision *x)
+{
+    return x->kind == PM_EVIDENCE_VALUE || x->kind == PM_EVIDENCE_NEAR;
+}
+
+/* In the order in which pm_event_evidence_instant takes them. */
+static int comes_first(const pm_evidence_decision *x, const pm_evidence_decision *y)
+{
+    if (x->instant != y->instant) return x->instant < y->instant;
+    return x->what != y->what ? x->what < y->what : x->kind == PM_EVIDENCE_NEAR;
+}
+
+static int next_instant(const pm_evidence_log *log, int i)
+{
+    const int32_t instant = log->entry[i].instant;
+    while (i < log->n && log->entry[i].instant == instant) i++;
+    return i;
+}
+
+static int next_part(const pm_evidence_log *log, int i)
+{
+    const int32_t part = pm_evidence_part_of(&log->entry[i]);
+    while (i < log->n && pm_evidence_part_of(&log->entry[i]) == part) i++;
+    return i;
+}
+
+double pm_margin_of_logs(const pm_evidence_log *a, const pm_evidence_log *b, const double *trigger_scale)
+{
+    const int32_t stride = a->stride > b->stride ? a->stride : b->stride;
+    double margin = INFINITY;
+    for (int i = 0, j = 0; i < a->n && j < b->n;) {
+        const pm_evidence_decision *x = &a->entry[i], *y = &b->entry[j];
+        if (x->instant % stride != 0) {
+            i++;
+        } else if (y->instant % stride != 0) {
+            j++;
+        } else if (pm_evidence_part_of(x) < pm_evidence_part_of(y)) {
+            i++;
+        } else if (pm_evidence_part_of(x) > pm_evidence_part_of(y)) {
+            j++;
+        } else if (same(x, y)) {
+            margin = fmin(margin, margin_of(x, y, trigger_scale));
+            i++;
+            j++;
+        } else if (may_lack(x) && (!may_lack(y) || comes_first(x, y))) {
+            i++;
+        } else if (may_lack(y)) {
+            j++;
+        } else if (x->instant == y->instant && x->history == y->history) {
+            i = next_instant(a, i); /* the same outcome by another way */
+            j = next_instant(b, j);
+        } else {
+            i = next_part(a, i); /* from here on the passes have gone different ways */
+            j = next_part(b, j);
+        }
+    }
+    return margin;
+}
