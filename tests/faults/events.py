@@ -7,8 +7,8 @@ FAULTS = [
     Fault(
         "ask: what is untold is no error",
         "events/ask.c",
-        "if (a->bound[ask] > best) pm_accuracy_more",
-        "if (0) pm_accuracy_more",
+        "if (a->bound[ask] > best) pm_evidence_more",
+        "if (0) pm_evidence_more",
     ),
     Fault(
         "run: one that fails late keeps what is asked at its end",
@@ -281,5 +281,23 @@ FAULTS = [
         "events/watched_samples.c",
         "s->place[measure] = i;",
         "s->place[measure] = 0;",
+    ),
+    Fault(
+        "margin: what rises has nearly not fallen",
+        "events/event_evidence.c",
+        "return f->side * f->direction > 0;",
+        "return 0 * f->side;",
+    ),
+    Fault(
+        "margin: what touches has nearly not struck",
+        "events/event_evidence.c",
+        "return f->kind == FUNCTION_GAP && pm",
+        "return 0 && pm",
+    ),
+    Fault(
+        "error: what fired in the step had to",
+        "events/event_evidence.c",
+        "f->held && !(f->since > w->step.begin)",
+        "f->held",
     ),
 ]

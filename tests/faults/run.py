@@ -31,4 +31,10 @@ FAULTS = [
         "if (status < 0 && started && 0)",
     ),
     Fault("batch: counts from the case before", "run/run.c", "pm_trigger_reset(w)", "(void)0"),
+    Fault(
+        "error: nothing of rounding",
+        "run/disturb.c",
+        "1 + DISTURBANCE * sign(&w->evidence)",
+        "1 + 0 * DISTURBANCE * sign(&w->evidence)",
+    ),
 ]

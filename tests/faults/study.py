@@ -4,22 +4,10 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
-        "error: the companion as tight as the run",
-        "study/accuracy.c",
-        "? COARSER * tightest : tightest",
-        "? 2 * tightest : tightest",
-    ),
-    Fault(
         "error: steps that nothing limits are the same",
         "study/accuracy.c",
         "w->numbers.coarse = companion ? COARSE : 1",
         "w->numbers.coarse = 1",
-    ),
-    Fault(
-        "error: nothing of rounding",
-        "study/accuracy.c",
-        "1 + DISTURBANCE * sign(w->accuracy)",
-        "1 + 0 * DISTURBANCE * sign(w->accuracy)",
     ),
     Fault(
         "error: what was not kept is not repeated", "study/accuracy.c", "trust[PM_TRUST_EXCESS] <= 1;", "1;"
@@ -84,5 +72,11 @@ FAULTS = [
         "study/find_root.c",
         "if (look.holds) { *yes = look; } else {",
         "if (!look.holds) { *yes = look; } else {",
+    ),
+    Fault(
+        "margin: rates by time and by the path are one",
+        "study/margin.c",
+        "x->in_time != y->in_time",
+        "x->in_time > 2",
     ),
 ]
