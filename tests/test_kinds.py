@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 import planemotion
 from planemotion.compile.flatten import flatten
+from planemotion.engine import call as engine
 from planemotion.kinds import KINDS
 from planemotion.pictures import scene as sketch
 from planemotion.report.explain import explain
@@ -63,6 +66,26 @@ def scene(word: str, element: str) -> planemotion.Scene:
     return planemotion.load_text(f"{text}[{GROUP[word]}]\n{element}\n")
 
 
+def pushed(made: planemotion.Scene) -> planemotion.Scene:
+    """The same scene with forces on all its bodies, so that what an element does is not nothing."""
+    made.force("push_a", force="a.E", value=["3 N", "-14 N"])
+    made.force("turn_a", couple="a", value="0.7 N*m")
+    made.force("push_b", force="b.center", value=["-2 N", "5 N"])
+    return made.force("push_P", force="P", value=["1 N", "6 N"])
+
+
+def declared(word: str) -> dict[str, None]:
+    """Addresses of all quantities that the kind declares."""
+    quantities = getattr(KINDS[GROUP[word]][word], "quantities", {})
+    strand = {
+        name: "[2]" if len(source.kinds) > 1 or (word == "cord" and not source.vector) else ""
+        for name, source in quantities.items()
+    }
+    return dict.fromkeys(
+        f"e.{name}{strand[name]}{'.x' if source.vector else ''}" for name, source in quantities.items()
+    )
+
+
 def test_every_kind_has_an_example_here() -> None:
     assert set(EXAMPLES) == set(GROUP)
 
@@ -89,14 +112,20 @@ def test_a_kind_runs_and_is_drawn_and_told(word: str, element: str) -> None:
 
 @pytest.mark.parametrize("word", EXAMPLES)
 def test_what_a_kind_declares_can_be_asked(word: str) -> None:
-    """Its quantities, and the columns of a history."""
-    made = scene(word, EXAMPLES[word])
-    kind = KINDS[GROUP[word]][word]
-    columns = [column for column in flatten(made, history=True).trace if column.startswith("e.")]
-    assert columns, "a history shows it"
-    for quantity, source in getattr(kind, "quantities", {}).items():
-        strand = "[2]" if len(source.kinds) > 1 or (word == "cord" and not source.vector) else ""
-        made.ask(f"e_{quantity}", f"e.{quantity}{strand}{'.x' if source.vector else ''}")
+    """Its quantities, and the columns of a history: asked for the end, both are the same numbers."""
+    made = pushed(scene(word, EXAMPLES[word]))
+    shown = [column for column in flatten(made, history=True).trace if column.startswith("e.")]
+    assert shown, "a history shows it"
+    asked = {column: f"ask_{i}" for i, column in enumerate({**dict.fromkeys(shown), **declared(word)})}
+    for address, key in asked.items():
+        made.ask(key, address)
     result = made.run()
     assert result.status == "ok", result.error
-    assert all(answer.value == answer.value for answer in result.asks.values())
+    values = {address: result.asks[key].value for address, key in asked.items()}
+    flat = flatten(made, history=True)
+    history = engine.trace(flat, flat.defaults)
+    assert {column: values[column] for column in shown} == pytest.approx(
+        {column: history.columns[column][-1] for column in shown}, rel=1e-9, abs=1e-9
+    )
+    assert all(math.isfinite(value) for value in values.values())
+    assert any(value != 0 for value in values.values())

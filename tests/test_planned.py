@@ -84,9 +84,9 @@ def test_no_motion() -> None:
 
 @pytest.mark.parametrize("bars", [5, 50])
 def test_phases_that_repeat_stand_on_one_line(bars: int) -> None:
-    scene = planemotion.load(STUDIES / "sphere_over_bars.toml")
-    scene.raw["until"] = f"over {bars}"
+    scene = planemotion.load(STUDIES / "sphere_over_bars.toml").until(f"over {bars}")
     result = scene.run()
+    assert result.bars_passed == bars
     text = explain_run(scene, result)
     assert text.count("path (one degree") == 1
     assert f"{result.counts['legs']} legs that repeat passed over" in text

@@ -754,12 +754,17 @@ def test_a_million_cases_stay_below_500_megabytes(tmp_path):
 ZIPPED = {"m": ["1 kg", "-1 kg"], "b": ["10 in", "1 ft"], "zip": [["m", "b"]]}
 
 
-@pytest.mark.parametrize("grids", [{"m": ["1 kg", "-1 kg", "2 kg"]}, ZIPPED])
-def test_in_memory_as_in_the_file(grids, tmp_path):
+@pytest.mark.parametrize(
+    ("grids", "statuses"),
+    [({"m": ["1 kg", "-1 kg", "2 kg"]}, [0, PM_BAD_VALUE, 0]), (ZIPPED, [0, PM_BAD_VALUE])],
+    ids=["one grid", "zipped"],
+)
+def test_in_memory_as_in_the_file(grids, statuses, tmp_path):
     """A sweep without a folder gives what one with a folder leaves: values, names, attributes."""
     scene = planemotion.load_text(PENDULUM)
-    scene.raw["sweep"] = grids
-    in_memory, from_file = scene.sweep(), scene.sweep(out=tmp_path).load()
+    in_memory, from_file = scene.sweep(**grids), scene.sweep(out=tmp_path, **grids).load()
+    assert in_memory.status.dims == ("m",)
+    assert in_memory.status.values.tolist() == statuses
     for data in (in_memory, from_file):
         for name in ("created", "elapsed_seconds"):
             del data.attrs[name]
