@@ -81,7 +81,7 @@ calibrate: setup
 	$(BIN)/python studies/benchmarks/calibration.py
 
 gallery: setup
-	$(BIN)/python tests/gallery.py
+	$(BIN)/python -m tests.chapter17.gallery
 
 clean:
 	rm -rf build .venv wrapper/planemotion/_layout.pyi

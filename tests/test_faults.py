@@ -2,8 +2,9 @@
 
 import pytest
 
+from tests import ROOT
 from tests.faults import BY_ROOM, FAULTS
-from tests.faults.fault import ROOT, Fault, planted
+from tests.faults.fault import Fault, planted
 
 
 @pytest.mark.parametrize("fault", FAULTS, ids=[fault.name for fault in FAULTS])

@@ -10,8 +10,9 @@ from types import ModuleType
 import pytest
 
 import planemotion._layout as installed
+from tests import ROOT
 
-KERNEL = Path(__file__).parents[1] / "kernel"
+KERNEL = ROOT / "kernel"
 
 
 def load(name: str, path: Path) -> ModuleType:

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 import planemotion
+from tests import ROOT
 
-ROOT = Path(__file__).parent.parent
 BLOCKS = re.findall(r"```(\w+)\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.DOTALL)
 
 
@@ -41,5 +41,7 @@ def test_the_python_example_runs(monkeypatch: pytest.MonkeyPatch, capsys: pytest
 
 def test_every_file_that_it_names_exists() -> None:
     text = (ROOT / "README.md").read_text(encoding="utf-8")
-    for name in re.findall(r"(?:studies|kernel)/[\w./]*\w|\w+\.md", text):
+    names = re.findall(r"(?:studies|kernel)/[\w./]*\w|\w+\.md", text)
+    assert "CONTRIBUTING.md" in names
+    for name in names:
         assert (ROOT / name).exists(), name

@@ -12,7 +12,9 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-WRAPPER = Path(__file__).resolve().parent.parent / "wrapper"
+from tests import ROOT
+
+WRAPPER = ROOT / "wrapper"
 PACKAGE = "planemotion"
 
 

@@ -15,8 +15,9 @@ from planemotion.compile.flatten import flatten
 from planemotion.language.units import registry
 from planemotion.model.readers import Place, Vector
 from planemotion.model.tables import Ask, Grid
+from tests import STUDIES
 
-STUDIES = sorted((Path(__file__).parent.parent / "studies").glob("*.toml"))
+FILES = sorted(STUDIES.glob("*.toml"))
 
 FILE = """
 id = "pendulum"
@@ -154,7 +155,7 @@ def test_a_copy_with_values_leaves_the_scene_alone() -> None:
     assert scene.raw == load_text(FILE).raw
 
 
-@pytest.mark.parametrize("path", STUDIES, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 def test_every_study_is_valid_and_survives_writing(path: Path) -> None:
     scene = load(path)
     flatten(scene)
@@ -173,7 +174,7 @@ def test_the_package_starts_without_heavy_imports() -> None:
 def test_a_scene_with_common_units_does_not_import_pint() -> None:
     code = (
         "import sys, planemotion; from planemotion.compile.flatten import flatten;"
-        f"flatten(planemotion.load({str(STUDIES[0])!r})); print('pint' in sys.modules)"
+        f"flatten(planemotion.load({str(FILES[0])!r})); print('pint' in sys.modules)"
     )
     found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert found.stdout.strip() == "False"

@@ -43,7 +43,7 @@ from planemotion.engine import call, messages
 
 STUDIES = Path(__file__).parent.parent
 CHAPTER = STUDIES / "chapter17"
-CHAPTER_TRUTH = STUDIES.parent / "tests" / "chapter17_reference.toml"
+CHAPTER_TRUTH = STUDIES.parent / "tests" / "chapter17" / "reference.toml"
 STORED = Path(__file__).with_name("calibration_truth.toml")
 
 LEAST_TRUE_ERROR = 1e-14  # relative: closer than that the truths themselves are not known

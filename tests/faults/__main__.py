@@ -24,8 +24,9 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+from tests import ROOT
 from tests.faults import FAULTS
-from tests.faults.fault import ROOT, Fault, Misfit, planted
+from tests.faults.fault import Fault, Misfit, planted
 
 COMPILER = os.environ.get("CC", "gcc")
 FLAGS = ["-std=gnu11", "-O1", "-ffp-contract=off", "-fno-math-errno", "-D_GNU_SOURCE", "-UNDEBUG", "-w"]

@@ -9,11 +9,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import gallery
-from chapter17 import (
+from planemotion.compile.flatten import FlatScene, flatten
+from planemotion.engine import call
+from planemotion.engine.result import collect
+from planemotion.scene import Scene
+from tests import CHAPTER
+from tests.chapter17 import gallery
+from tests.chapter17.chapter import (
     DECLINED,
     ENDS_EARLY,
-    FOLDER,
     LEFT_OUT,
     SCENES,
     TIME_ROUTES,
@@ -24,11 +28,7 @@ from chapter17 import (
     run,
     why_not,
 )
-from planemotion.compile.flatten import FlatScene, flatten
-from planemotion.engine import call
-from planemotion.engine.result import collect
-from planemotion.scene import Scene
-from transformed import Change, half_written, transformed
+from tests.chapter17.observer import Change, half_written, transformed
 
 # What another route may differ by: it is a check of the physics, the figures themselves are known to 1e-8.
 BETWEEN_ROUTES = 1e-6
@@ -71,7 +71,7 @@ def test_a_route_in_time_gives_the_same(path: Path, route: str) -> None:
 @pytest.mark.parametrize(("stem", "route"), ENDS_EARLY)
 def test_what_a_route_answers_before_it_fails_is_right(stem: str, route: str) -> None:
     """Only the last of a list of values, at the place itself, is missing or has a great estimated error."""
-    path = FOLDER / f"{stem}.toml"
+    path = CHAPTER / f"{stem}.toml"
     early, whole = run(path, route), run(path)
     assert early.status in ENDS_EARLY[stem, route]
     assert "before" in early.error
@@ -91,7 +91,7 @@ def test_the_audit_closes(path: Path) -> None:
 @pytest.mark.parametrize(("stem", "route"), LEFT_OUT)
 def test_a_find_that_takes_too_long_is_right_where_it_was_found(stem: str, route: str) -> None:
     """One run on the route, with what the default route found, does what is sought."""
-    path = FOLDER / f"{stem}.toml"
+    path = CHAPTER / f"{stem}.toml"
     raw = copy.deepcopy(load(path).raw)
     left, right = raw.pop("find")["where"].split("=")
     raw["ask"] = {side: {"of": of, "unit": "rad/s"} for side, of in (("left", left), ("right", right))}
@@ -104,7 +104,7 @@ def test_a_find_that_takes_too_long_is_right_where_it_was_found(stem: str, route
 @pytest.mark.parametrize(("stem", "route"), DECLINED)
 def test_what_a_route_does_not_take_it_declines(stem: str, route: str) -> None:
     """Nothing is declined unseen, and nothing is answered then."""
-    result = run(FOLDER / f"{stem}.toml", route)
+    result = run(CHAPTER / f"{stem}.toml", route)
     assert result.status == "unsupported"
     assert f'solve.route = "{route}": this route does not compute the motion' in result.error
     assert all(ask.value is None for ask in result.asks.values())

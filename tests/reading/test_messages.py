@@ -11,8 +11,7 @@ import pytest
 from planemotion import PlanemotionError, SceneError, load, load_text
 from planemotion.compile.flatten import flatten
 from planemotion.scene import Scene
-
-CHAPTER = Path(__file__).parent.parent / "studies" / "chapter17"
+from tests import CHAPTER
 
 BASE = """
 until = "t = 1 s"

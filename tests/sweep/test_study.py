@@ -7,7 +7,6 @@ import subprocess
 import sys
 import time
 from dataclasses import replace
-from pathlib import Path
 from types import SimpleNamespace
 
 import h5py
@@ -40,9 +39,8 @@ from planemotion.reading.validate import validate
 from planemotion.run import simulate
 from planemotion.sweep import cases, chunks, run
 from planemotion.sweep.plan import Axis, SweepPlan, plan_sweep
-from waiting import wait_for
-
-TESTS = Path(__file__).parent
+from tests import ROOT
+from tests.waiting import wait_for
 
 # ---- an engine and a scene to sweep -------------------------------------------------------------------
 
@@ -528,11 +526,11 @@ def test_a_case_that_fails_late_keeps_what_it_had_answered(tmp_path):
 def child(out, *arguments, pause=0.001, sweep=BIG):
     """A sweep in a process of its own."""
     code = (
-        "import sys, json, resource; sys.path.insert(0, sys.argv[1]); import test_study as t\n"
+        "import sys, json, resource; sys.path.insert(0, sys.argv[1]); import tests.sweep.test_study as t\n"
         "t.run_child(sys.argv[2], json.loads(sys.argv[3]), float(sys.argv[4]), sys.argv[5:])\n"
     )
     return subprocess.Popen(
-        [sys.executable, "-c", code, str(TESTS), str(out), json.dumps(sweep), str(pause), *arguments],
+        [sys.executable, "-c", code, str(ROOT), str(out), json.dumps(sweep), str(pause), *arguments],
         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
     )  # fmt: skip
 
@@ -736,13 +734,13 @@ def test_a_full_disk_is_said_and_leaves_nothing_half_written(tmp_path, engine, l
 @pytest.mark.slow
 def test_a_million_cases_stay_below_500_megabytes(tmp_path):
     code = (
-        "import sys, resource; sys.path.insert(0, sys.argv[1]); import test_study as t\n"
+        "import sys, resource; sys.path.insert(0, sys.argv[1]); import tests.sweep.test_study as t\n"
         "t.plant(t.FakeEngine())\n"
         "t.run.sweep_files(t.FakeScene(t.MILLION), sys.argv[2], workers=2)\n"
         "print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss // 1024)\n"
     )
     done = subprocess.run(
-        [sys.executable, "-c", code, TESTS, tmp_path], capture_output=True, text=True, check=False
+        [sys.executable, "-c", code, str(ROOT), tmp_path], capture_output=True, text=True, check=False
     )
     assert done.returncode == 0, done.stderr
     assert int(done.stdout) < 500

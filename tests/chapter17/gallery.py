@@ -1,7 +1,7 @@
 """The chapter in figures, and its index page.
 
-python tests/gallery.py            writes studies/chapter17/README.md and prints how many answers are right
-python tests/gallery.py --index    writes the page only
+python -m tests.chapter17.gallery          writes its page and prints how many answers are right
+python -m tests.chapter17.gallery --index  writes the page, studies/chapter17/README.md, only
 """
 
 from __future__ import annotations
@@ -12,10 +12,11 @@ import time
 from collections.abc import Iterator
 from pathlib import Path
 
-import chapter17
 from planemotion.engine.result import AskValue, RunResult
+from tests import CHAPTER
+from tests.chapter17 import chapter
 
-PAGE = chapter17.FOLDER / "README.md"
+PAGE = CHAPTER / "README.md"
 BOUNDS = (1e-6, 1e-8, 1e-10)
 HEAD = """\
 # The chapter's scenes
@@ -32,7 +33,7 @@ _SHOWN = 4
 
 def page() -> str:
     """The index page: a row for each scene."""
-    return HEAD + "".join(_row(path) for path in sorted(chapter17.SCENES, key=_order))
+    return HEAD + "".join(_row(path) for path in sorted(chapter.SCENES, key=_order))
 
 
 def _order(path: Path) -> tuple[str, int]:
@@ -42,19 +43,19 @@ def _order(path: Path) -> tuple[str, int]:
 
 
 def _row(path: Path) -> str:
-    data = chapter17.load(path).data
+    data = chapter.load(path).data
     described = " ".join(data.description.split()).replace("|", "\\|")
-    asks = chapter17.run(path).asks
-    units = chapter17.scales(asks)
+    asks = chapter.run(path).asks
+    units = chapter.scales(asks)
     answers = "<br>".join(f"{key} = {_shown(ask, units[ask.unit])}" for key, ask in asks.items())
     return f"| {data.id} | [{data.title}]({path.name})<br>{described} | {answers} |\n"
 
 
 def _shown(ask: AskValue, greatest: float) -> str:
     """The answer to five digits; what cancels is 0, so that the page does not show rounding."""
-    least = chapter17.CANCELS * greatest
+    least = chapter.CANCELS * greatest
     unit = "" if ask.unit == "1" else f" {ask.unit}"
-    values = chapter17.as_list(ask.value)
+    values = chapter.as_list(ask.value)
     texts = ["none" if value is None else f"{value if abs(value) > least else 0:.5g}" for value in values]
     if len(texts) > _SHOWN:
         texts = [*texts[: _SHOWN - 1], "...", texts[-1]]
@@ -64,33 +65,33 @@ def _shown(ask: AskValue, greatest: float) -> str:
 def right(results: dict[Path, RunResult], bound: float) -> Iterator[Path]:
     """The scenes whose answers are all within a bound of the reference figures."""
     for path, result in results.items():
-        wanted = chapter17.reference(result)
-        if result.status == "ok" and all(error <= bound for _, error in chapter17.errors(result, wanted)):
+        wanted = chapter.reference(result)
+        if result.status == "ok" and all(error <= bound for _, error in chapter.errors(result, wanted)):
             yield path
 
 
 def figures() -> Iterator[str]:
     """Lines of the table of counts and what goes with it."""
     began = time.perf_counter()
-    results = {path: chapter17.run(path) for path in chapter17.SCENES}
+    results = {path: chapter.run(path) for path in chapter.SCENES}
     took = time.perf_counter() - began
-    known = [path for path, result in results.items() if chapter17.reference(result)]
+    known = [path for path, result in results.items() if chapter.reference(result)]
     yield f"{len(results)} scenes, {len(known)} with reference figures; {took:.2f} s to load and run them"
-    worst = max(results, key=lambda path: chapter17.residual(results[path]))
-    yield f"greatest residual of an audit: {chapter17.residual(results[worst]):.1e} ({worst.stem})"
+    worst = max(results, key=lambda path: chapter.residual(results[path]))
+    yield f"greatest residual of an audit: {chapter.residual(results[worst]):.1e} ({worst.stem})"
     failed = [path.stem for path, result in results.items() if result.status != "ok"]
     yield f"not ok: {', '.join(failed) or 'none'}"
     yield "| route | scenes | " + " | ".join(f"right at {bound:g}" for bound in BOUNDS) + " | seconds |"
     yield "|---|---|" + "---|" * len(BOUNDS) + "---|"
-    for route in ("auto", *chapter17.TIME_ROUTES):
+    for route in ("auto", *chapter.TIME_ROUTES):
         yield _count(route, known)
     yield from _weak(known)
 
 
 def _count(route: str, known: list[Path]) -> str:
     began = time.perf_counter()
-    taken = [path for path in known if route == "auto" or not chapter17.why_not(path, route)]
-    results = {path: chapter17.run(path, route) for path in taken}
+    taken = [path for path in known if route == "auto" or not chapter.why_not(path, route)]
+    results = {path: chapter.run(path, route) for path in taken}
     took = time.perf_counter() - began
     counts = [str(len(list(right(results, bound)))) for bound in BOUNDS]
     return f"| {route} | {len(taken)} | {' | '.join(counts)} | {took:.1f} |"
@@ -98,15 +99,15 @@ def _count(route: str, known: list[Path]) -> str:
 
 def _weak(known: list[Path]) -> Iterator[str]:
     """What is not right at the finest bound, by route, and what a route in time cannot say."""
-    for route in ("auto", *chapter17.TIME_ROUTES):
+    for route in ("auto", *chapter.TIME_ROUTES):
         for path in known:
-            reason = chapter17.why_not(path, route) if route != "auto" else ""
+            reason = chapter.why_not(path, route) if route != "auto" else ""
             if reason:
-                if reason != chapter17.NO_TIME:
+                if reason != chapter.NO_TIME:
                     yield f"{route} {path.stem}: not compared: {reason}"
                 continue
-            result = chapter17.run(path, route)
-            for key, error in chapter17.errors(result, chapter17.reference(result)):
+            result = chapter.run(path, route)
+            for key, error in chapter.errors(result, chapter.reference(result)):
                 if not error <= BOUNDS[-1]:
                     yield f"{route} {path.stem}: {key} off by {error:.1e}"
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import math
 import threading
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -17,6 +16,7 @@ from planemotion.engine.call import check, run_cases, trace, values
 from planemotion.engine.kernel import status_name, status_text
 from planemotion.engine.messages import message
 from planemotion.run import simulate
+from tests import STUDIES
 
 PENDULUM = """
 until = "AB.turned = -60 deg"
@@ -27,9 +27,6 @@ bodies.C = { disk = "0.2 m", mass = "1 kg", at = "AB.B" }
 joints = { A = { pin = ["AB.A", "ground"] }, B = { pin = ["C.center", "AB.B"] } }
 start = { C.omega = "3 rad/s", AB.omega = "-1 rad/s" }
 """  # noqa: E501
-
-
-STUDIES = Path(__file__).parent.parent / "studies"
 
 
 def answers(asks: dict[str, str], text: str = PENDULUM) -> dict[str, float]:

@@ -15,7 +15,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-ROOT = Path(__file__).parent.parent
+from tests import ROOT
+
 PEERS = "scipy,heyoka,sksundae,mujoco,exudyn"
 
 
@@ -80,7 +81,6 @@ def test_an_unknown_scene_is_refused(tmp_path: Path) -> None:
 
 def test_models_of_the_peers_agree_with_the_references(monkeypatch: pytest.MonkeyPatch) -> None:
     """SciPy on the hand-derived equations against the stored answers: equations, events and blows."""
-    monkeypatch.syspath_prepend(str(ROOT))
     from studies.benchmarks.peers import scipy
     from studies.benchmarks.problems import PROBLEMS
 
@@ -94,7 +94,6 @@ def test_models_of_the_peers_agree_with_the_references(monkeypatch: pytest.Monke
 
 def test_a_wrong_reference_shows(monkeypatch: pytest.MonkeyPatch) -> None:
     """Errors are measured against the stored answers: a changed digit is an error of its size."""
-    monkeypatch.syspath_prepend(str(ROOT))
     from studies.benchmarks import problems
 
     stored = json.loads(problems.REFERENCES.read_text(encoding="utf-8"))
@@ -110,7 +109,6 @@ def test_a_wrong_reference_shows(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.fixture
 def agreement(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
-    monkeypatch.syspath_prepend(str(ROOT))
     return importlib.import_module("studies.benchmarks.agreement")
 
 
@@ -168,7 +166,6 @@ def test_a_run_that_takes_too_long_is_a_row_that_says_so(
 
 
 def test_ida_is_measured_in_a_process_of_its_own(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.syspath_prepend(str(ROOT))
     stock = importlib.import_module("studies.benchmarks.stock")
     problem = next(p for p in stock.PROBLEMS if p.name == "linkage_c5")
     cpu, error, why = stock.measured(problem, 1e-6, None)

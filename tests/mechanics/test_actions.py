@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
 
 import pytest
 
 import planemotion
 from planemotion import SimulationError
+from tests import CHAPTER
 
 G = 9.81
 
@@ -190,7 +190,7 @@ couple = "axle.couple"
 
 # ---- nudges ---------------------------------------------------------------------------------------------
 
-TUBE = Path(__file__).parent.parent / "studies" / "chapter17" / "17-082.toml"
+TUBE = CHAPTER / "17-082.toml"
 
 
 @pytest.mark.parametrize("route", ["auto", "rk", "ida"])

@@ -1,4 +1,4 @@
-"""Writes chapter17_reference.toml: python tests/chapter17_reference.py CATALOGUE.toml
+"""Writes reference.toml: python -m tests.chapter17.reference CATALOGUE.toml
 
 Copies the parameter sets and the reference figures of the entries with a scene in
 studies/chapter17 from the chapter's catalogue, which is not part of the project.
@@ -12,8 +12,9 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-TESTS = Path(__file__).parent
-SCENES = TESTS.parent / "studies" / "chapter17"
+from tests import CHAPTER
+
+STORED = Path(__file__).with_name("reference.toml")
 
 
 def parameter(name: str, value: float, units: dict[str, str]) -> str:
@@ -43,7 +44,7 @@ def lines(entry: dict[str, Any]) -> Iterator[str]:
 
 def main() -> None:
     catalogue = tomllib.loads(Path(sys.argv[1]).read_text(encoding="utf-8"))
-    there = {tomllib.loads(path.read_text(encoding="utf-8"))["id"] for path in SCENES.glob("*.toml")}
+    there = {tomllib.loads(path.read_text(encoding="utf-8"))["id"] for path in CHAPTER.glob("*.toml")}
     written = [
         "# Reference figures of the chapter's entries; of several parameter sets they are of the first.",
         "",
@@ -51,7 +52,7 @@ def main() -> None:
     for entry in catalogue["problem"]:
         if entry["id"] in there:
             written += lines(entry)
-    (TESTS / "chapter17_reference.toml").write_text("\n".join(written), encoding="utf-8")
+    STORED.write_text("\n".join(written), encoding="utf-8")
 
 
 if __name__ == "__main__":

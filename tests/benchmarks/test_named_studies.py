@@ -9,14 +9,12 @@ the collar.
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import mpmath as mp
 import pytest
 
 import planemotion
+from tests import STUDIES
 
-STUDIES = Path(__file__).parent.parent / "studies"
 G_US = mp.mpf("32.2") * mp.mpf("0.3048")
 G_SI = mp.mpf("9.81")
 INCH = mp.mpf("0.0254")

@@ -18,7 +18,7 @@ from click.testing import CliRunner, Result
 
 import planemotion
 from planemotion.cli.main import main
-from waiting import HANGS, wait_for
+from tests.waiting import HANGS, wait_for
 
 PENDULUM = """
 id = "pendulum"

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -12,8 +11,7 @@ import planemotion
 from planemotion.compile.flatten import flatten
 from planemotion.engine import call
 from planemotion.report.explain import explain, explain_run
-
-STUDIES = Path(__file__).parent.parent / "studies"
+from tests import STUDIES
 
 
 def plan_of(text: str) -> str:

@@ -17,11 +17,12 @@ import planemotion
 from planemotion.engine.result import AskValue, RunResult
 from planemotion.run import simulate
 from planemotion.scene import Scene
+from tests import CHAPTER
 
-TESTS = Path(__file__).parent
-FOLDER = TESTS.parent / "studies" / "chapter17"
-SCENES = sorted(FOLDER.glob("*.toml"))
-REFERENCE: dict[str, Any] = tomllib.loads((TESTS / "chapter17_reference.toml").read_text(encoding="utf-8"))
+SCENES = sorted(CHAPTER.glob("*.toml"))
+REFERENCE: dict[str, Any] = tomllib.loads(
+    Path(__file__).with_name("reference.toml").read_text(encoding="utf-8")
+)
 TIME_ROUTES = ("rk", "ida")
 # Below this part of the greatest figure of its unit an answer is a sum that cancels: it is compared with that
 # figure.  A root of the machine's precision: what is left of a sum of terms known to 1e-10 is far below.

@@ -1,8 +1,7 @@
-"""Every scene of the chapter against reference figures derived elsewhere (chapter17_reference.py)."""
+"""Every scene of the chapter against reference figures derived elsewhere (reference.py)."""
 
 from __future__ import annotations
 
-import tomllib
 from pathlib import Path
 from typing import Any
 
@@ -10,10 +9,8 @@ import pytest
 
 import planemotion
 from planemotion.engine.result import RunResult
+from tests.chapter17.chapter import REFERENCE, SCENES
 
-TESTS = Path(__file__).parent
-SCENES = sorted((TESTS.parent / "studies" / "chapter17").glob("*.toml"))
-REFERENCE = tomllib.loads((TESTS / "chapter17_reference.toml").read_text(encoding="utf-8"))
 RELATIVE = 1e-8
 
 

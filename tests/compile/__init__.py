@@ -1,0 +1,1 @@
+"""Scenes as tables of the kernel."""

@@ -1,0 +1,1 @@
+"""Calls of the kernel: arrays in, answers, errors, histories and finds out."""

@@ -1,0 +1,1 @@
+"""What every kind of joint, coupling and force must have."""

@@ -1,0 +1,1 @@
+"""Units, addresses and expressions: what is read, what it means, which code it becomes."""

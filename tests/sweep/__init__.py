@@ -1,0 +1,1 @@
+"""Sweeps: grids, plans, chunks, files, resuming."""
