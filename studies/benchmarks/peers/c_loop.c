@@ -5,7 +5,7 @@
  * and the time by quadrature: the trapezoidal rule over a whole turn, Gauss's two point rule on u = sqrt(angle) else. */
 #include <math.h>
 
-#include "dop853.h"
+#include "routes/rk/dop853.h"
 
 #define PI 3.14159265358979323846
 #define G_SI 9.81
