@@ -41,7 +41,7 @@ def test_the_python_example_runs(monkeypatch: pytest.MonkeyPatch, capsys: pytest
 
 def test_every_file_that_it_names_exists() -> None:
     text = (ROOT / "README.md").read_text(encoding="utf-8")
-    names = re.findall(r"(?:studies|kernel)/[\w./]*\w|\w+\.md", text)
+    names = re.findall(r"(?:docs|studies|kernel)/[\w./]*\w|\w+\.md", text)
     assert "CONTRIBUTING.md" in names
     for name in names:
         assert (ROOT / name).exists(), name
