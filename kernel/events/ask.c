@@ -5,17 +5,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "equations/saddle.h"
 #include "events/event.h"
-#include "events/event_sampling.h"
+#include "events/step.h"
 #include "events/watched_samples.h"
 #include "expression/program.h"
 #include "numerics/bracket.h"
 #include "numerics/chebyshev.h"
 #include "numerics/minimum.h"
-#include "routes/path/path_error.h"
 #include "state/evidence.h"
-#include "state/frame.h"
 #include "state/route.h"
 #include "state/workspace.h"
 
@@ -109,8 +106,10 @@ static void answer(pm_workspace *w, int ask, int column, double value)
 /* The value of a program at the frame, with what the route knows of its error. */
 static void answer_here(pm_workspace *w, int ask, int column, int program, double value)
 {
+    const pm_route_ops *route = w->phase.route;
     answer(w, ask, column, value);
-    pm_path_error_answer(w, ask, PM_ASK_ROW(w->model, ask)[PM_ASK_OUT] + column, program, value);
+    if (route->error_of)
+        route->error_of(w, ask, PM_ASK_ROW(w->model, ask)[PM_ASK_OUT] + column, program, value);
 }
 
 int pm_ask_program(const int32_t *e)
@@ -162,10 +161,7 @@ void pm_ask_sample(pm_workspace *w)
 int pm_ask_look(pm_workspace *w, double t, int exact)
 {
     if (!exact || w->phase.route->look) return pm_step_look(w, t, w->ask->level);
-    const int status = w->phase.route->exact(w, t, &w->probe);
-    if (status) return status;
-    pm_frame_look(&w->frame, w->probe.t, w->probe.q, w->probe.v, w->probe.z, w->state.memory);
-    return w->ask->level == PM_LEVEL_DYNAMIC ? pm_saddle_accelerate(w) : PM_OK;
+    return pm_step_look_exactly(w, t, w->ask->level);
 }
 
 static double value_at(pm_workspace *w, double t, const pm_ask_watch *x)
@@ -201,7 +197,7 @@ static int grid_in_step(pm_workspace *w, int ask)
         for (int i = 0; i + 1 < n && !w->ask->filled[e[PM_ASK_OUT] + k]; i++) {
             const double *sample = pm_ask_samples(w, ask) + i;
             const double a = sample[0] - x.minus, b = sample[1] - x.minus;
-            const double from = pm_event_sampling_node(w, i), to = pm_event_sampling_node(w, i + 1);
+            const double from = pm_step_node(w, i), to = pm_step_node(w, i + 1);
             if (!((a < 0 && b >= 0) || (a > 0 && b <= 0))) continue;
             double t, taken, off;
             int status = pm_bracket_find(w, w->ask->solver, pm_ask_along, &x, from, a, to, b, &t);

@@ -13,15 +13,14 @@
 
 #include <math.h>
 
-#include "equations/saddle.h"
 #include "events/event_evidence.h"
 #include "events/event_samples.h"
 #include "events/event_sampling.h"
-#include "impact/impact.h"
+#include "events/last_bounce.h"
+#include "events/step.h"
 #include "numerics/bracket.h"
 #include "numerics/chebyshev.h"
 #include "state/evidence.h"
-#include "state/frame.h"
 #include "state/route.h"
 #include "state/workspace.h"
 
@@ -61,12 +60,8 @@ int pm_event_locate(pm_workspace *w, int i, const pm_span *x, double *place)
 static int exactly(pm_workspace *w, double x, void *context, double *value)
 {
     const pm_event_function *f = context;
-    const pm_state *s = &w->probe;
-    int status = w->phase.route->exact(w, x, &w->probe);
-    if (status) return status;
-    pm_frame_look(&w->frame, s->t, s->q, s->v, s->z, w->state.memory);
-    if (f->level == PM_LEVEL_DYNAMIC) status = pm_saddle_accelerate(w);
-    *value = pm_event_value(w, f);
+    const int status = pm_step_look_exactly(w, x, f->level);
+    if (!status) *value = pm_event_value(w, f);
     return status;
 }
 
@@ -125,7 +120,7 @@ static void take_rate(pm_workspace *w, int function, double x, double slope)
     const double rate =
         isnan(slope) ? (pm_event_samples_along(w, x + d, f) - pm_event_samples_along(w, x - d, f)) / (2 * d)
                      : slope;
-    if (f->kind == FUNCTION_GAP && pm_impact_nearly_ends(w, f->index, rate)) return;
+    if (f->kind == FUNCTION_GAP && pm_last_bounce_is_near(w, f->index, rate)) return;
     pm_event_evidence_rate(w, function, rate);
 }
 

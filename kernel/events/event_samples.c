@@ -7,6 +7,7 @@
 
 #include <math.h>
 
+#include "events/step.h"
 #include "numerics/chebyshev.h"
 #include "numerics/minmax.h"
 #include "state/route.h"

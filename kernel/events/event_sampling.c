@@ -10,6 +10,7 @@
 #include "elements/contact.h"
 #include "events/ask.h"
 #include "events/event_samples.h"
+#include "events/step.h"
 #include "events/watched_samples.h"
 #include "numerics/chebyshev.h"
 #include "numerics/minmax.h"
@@ -19,18 +20,11 @@
 
 #define WAVES 1e-4 /* tail of values that may have waves between the nodes */
 
-double pm_event_sampling_node(const pm_workspace *w, int node)
-{
-    const pm_chebyshev_nodes *nodes = w->step.nodes;
-    return node == nodes->n - 1 ? w->step.sampled_end
-                                : w->step.begin + (w->step.sampled_end - w->step.begin) * nodes->at[node];
-}
-
 /* Nothing is known of the step's zeros yet. */
 static void begin_samples(pm_workspace *w)
 {
     pm_event_set *e = w->event;
-    for (int k = 0; k < w->step.nodes->n; k++) e->place[k] = pm_event_sampling_node(w, k);
+    for (int k = 0; k < w->step.nodes->n; k++) e->place[k] = pm_step_node(w, k);
     for (int i = 0; i < e->nfunction; i++) {
         e->function[i].search = SEARCH_NONE;
         e->function[i].tail = -1;
@@ -68,7 +62,7 @@ static int look_at_nodes(pm_workspace *w, int functions, int watched)
     if (functions && w->event->level > level) level = w->event->level;
     if (watched && w->ask->level > level) level = w->ask->level;
     for (int k = 0; k < w->step.nodes->n; k++) {
-        const int status = pm_step_look(w, pm_event_sampling_node(w, k), level);
+        const int status = pm_step_look(w, pm_step_node(w, k), level);
         if (status) return status;
         if (functions) {
             pm_gap_culling_node(w, k);
@@ -102,7 +96,7 @@ static void sample_triggers(pm_workspace *w)
 static int sample_reached(pm_workspace *w)
 {
     for (int k = 0; k < w->step.nodes->n; k++) {
-        const int status = pm_step_look(w, pm_event_sampling_node(w, k), w->event->level);
+        const int status = pm_step_look(w, pm_step_node(w, k), w->event->level);
         if (status) return status;
         sample_contacts(w, k);
     }

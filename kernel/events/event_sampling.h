@@ -4,8 +4,6 @@
 
 #include "state/workspace.h"
 
-/* Place of a node in the last step. */
-double pm_event_sampling_node(const pm_workspace *w, int node);
 /* Samples functions (if asked for) and watched asks at all nodes of the step [step_begin, step_end] (state at its end). */
 int pm_event_search_sample(pm_workspace *w, int with_functions);
 /* The gap to the nearest member of a row has corners, that to one member has none: from now on the samples of function i

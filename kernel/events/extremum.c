@@ -2,8 +2,8 @@
 #include <math.h>
 
 #include "events/ask.h"
-#include "events/event_sampling.h"
 #include "events/extremum_parts.h"
+#include "events/step.h"
 #include "numerics/chebyshev.h"
 #include "numerics/minmax.h"
 #include "state/workspace.h"
@@ -107,7 +107,7 @@ static int extreme_beside_top(pm_workspace *w, const pm_extremum *p, int k, doub
     const pm_chebyshev_nodes *nodes = w->step.nodes;
     const double flat = NEARLY_FLAT * spread / (nodes->at[k + 1] - nodes->at[k]);
     const double a = pm_chebyshev_slope_at(nodes, p->g, k), b = pm_chebyshev_slope_at(nodes, p->g, k + 1);
-    if (a < -flat || b > flat || pm_event_sampling_node(w, k) >= w->step.end) return PM_OK;
+    if (a < -flat || b > flat || pm_step_node(w, k) >= w->step.end) return PM_OK;
     if (p->tail < SHARP && a > 0 && b < 0) {
         const double low = nodes->at[k], high = nodes->at[k + 1];
         const pm_extremum_told x = pm_extremum_rise_top(nodes, p, k, low + (high - low) * (a / (a - b)));
@@ -125,7 +125,7 @@ static int offer_node(pm_workspace *w, const pm_extremum *p, int top)
 {
     if (p->g[top] <= p->sign * w->ask->best[p->ask]) return PM_OK;
     const int looks = pm_ask_at_extreme(PM_ASK_ROW(w->model, p->ask)) || w->evidence.active;
-    const int status = looks ? pm_ask_look(w, pm_event_sampling_node(w, top), 1) : PM_OK;
+    const int status = looks ? pm_ask_look(w, pm_step_node(w, top), 1) : PM_OK;
     if (!status) pm_ask_offer(w, p->ask, p->sign * p->g[top], 0);
     return status;
 }
@@ -165,7 +165,7 @@ int pm_extremum_find(pm_workspace *w, pm_extremum *p, int top, double spread)
 static int nodes_inside(const pm_workspace *w)
 {
     int n = w->step.nodes->n;
-    while (w->step.end < w->step.sampled_end && n > 1 && pm_event_sampling_node(w, n - 1) > w->step.end) n--;
+    while (w->step.end < w->step.sampled_end && n > 1 && pm_step_node(w, n - 1) > w->step.end) n--;
     return n;
 }
 

@@ -6,8 +6,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "events/event_sampling.h"
 #include "events/extremum_parts.h"
+#include "events/step.h"
 #include "events/watched_samples.h"
 #include "numerics/bracket.h"
 #include "numerics/minmax.h"
@@ -128,7 +128,7 @@ static int offer_at(pm_workspace *w, const pm_extremum *p, double t)
 static int offer_turn(pm_workspace *w, const pm_extremum *p, const pm_extremum_branches *b, int i, int k,
                       double *t)
 {
-    const double from = pm_event_sampling_node(w, k), to = pm_event_sampling_node(w, k + 1);
+    const double from = pm_step_node(w, k), to = pm_step_node(w, k + 1);
     const double fa = b->at.arg[i][k], fb = b->at.arg[i][k + 1];
     pm_turn x = {.peak = p, .i = i};
     *t = fabs(fa) < fabs(fb) ? from : to;
@@ -185,7 +185,7 @@ static int several_turns(pm_workspace *w, const pm_extremum *p, pm_extremum_bran
         for (; j > 0 && turn[j - 1] > t; j--) turn[j] = turn[j - 1];
         turn[j] = t;
     }
-    const double apart = APART * (pm_event_sampling_node(w, k + 1) - pm_event_sampling_node(w, k));
+    const double apart = APART * (pm_step_node(w, k + 1) - pm_step_node(w, k));
     for (int j = 0; j + 1 < n; j++) {
         if (turn[j + 1] - turn[j] <= apart) continue;
         const int status = extremes_within(w, p, b, k, 0.5 * (turn[j] + turn[j + 1]));
@@ -201,7 +201,7 @@ static int turns_between(pm_workspace *w, const pm_extremum *p, pm_extremum_bran
     int n = 0, only = 0;
     for (int i = 0; i < b->at.n; i++)
         if (b->sign[k][i] != b->sign[k + 1][i]) n++, only = i;
-    if (pm_event_sampling_node(w, k) >= w->step.end || stays_below(w, left, right, k)) return PM_OK;
+    if (pm_step_node(w, k) >= w->step.end || stays_below(w, left, right, k)) return PM_OK;
     double t;
     if (n > 1) return several_turns(w, p, b, k);
     return only_dips(b, only, k, left, right) ? PM_OK : offer_turn(w, p, b, only, k, &t);

@@ -4,8 +4,8 @@
  * and the value is taken on an exact state there; or it is searched by values alone. */
 #include <math.h>
 
-#include "events/event_sampling.h"
 #include "events/extremum_parts.h"
+#include "events/step.h"
 #include "numerics/bracket.h"
 #include "numerics/minimum.h"
 #include "numerics/minmax.h"

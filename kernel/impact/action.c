@@ -21,7 +21,6 @@
 #include "events/event.h"
 #include "expression/program.h"
 #include "impact/impact.h"
-#include "routes/start/perturbation.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 
@@ -247,6 +246,15 @@ static int add_rows(pm_workspace *w, int first, int last)
     return status || !clashes ? status : strike(w);
 }
 
+/* ---- perturbations ---- */
+/* It waits for the next phase; PM_UNSUPPORTED if another one does. */
+static int request_perturbation(pm_workspace *w, int i)
+{
+    if (w->request.program != PM_NONE) return pm_fail(w, PM_UNSUPPORTED, PM_TABLE_ACTION, i, NAN, NAN);
+    w->request = (pm_request){PM_ACTION_ROW(w->model, i)[PM_ACTION_PROGRAM_X], PM_TABLE_ACTION, i};
+    return PM_OK;
+}
+
 /* ---- in order ---- */
 static int is_impulse(int kind) { return kind == PM_ACTION_IMPULSE || kind == PM_ACTION_ANGULAR; }
 
@@ -281,7 +289,7 @@ static int carry_out_group(pm_workspace *w, int first, int last)
     case PM_ACTION_IMPULSE:
     case PM_ACTION_ANGULAR: return strike_together(w, first, last);
     case PM_ACTION_WORK: return do_work(w, first);
-    case PM_ACTION_NUDGE: return pm_perturbation_add(w, first);
+    case PM_ACTION_NUDGE: return request_perturbation(w, first);
     case PM_ACTION_KINDS: break;
     }
     return status;

@@ -27,45 +27,20 @@
 #include "equations/ledger.h"
 #include "equations/saddle.h"
 #include "events/event.h"
+#include "events/last_bounce.h"
 #include "impact/contact_modes.h"
 #include "impact/impact_course.h"
-#include "routes/uniform/uniform.h"
 #include "state/evidence.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 
-#define PULLS 1e-11      /* of the impulses in the blow: a normal impulse this small does not pull */
-#define LAST_BOUNCE 1e-7 /* of the scene's speed: slower rebounds stay, their height is lost in rounding */
-#define SPENT 1e-6   /* of the scene's speed: a rebound that cannot be seen and is slower than this is over */
-#define UNKNOWN 30.0 /* times as fast: their height is known to some percent */
-#define EARLIER 4.0  /* times as fast: the last rebound of a companion */
+#define PULLS 1e-11 /* of the impulses in the blow: a normal impulse this small does not pull */
 #define BLOWS_AT_ONCE 64
 #define GAINS 1e-10 /* of the energies that a blow turns over: rounding */
 #define NOTHING \
     1e-14 /* of its impulses at the scene's speed: a blow that turns over no more is rounding itself */
 
-/* Heights are lost in the rounding of positions sooner the farther off the scene is: speeds by the root of it. */
-static double far_off(const pm_workspace *w) { return sqrt(pm_contact_reach(w) / w->numbers.size); }
-
 enum pm_share { OUT = 0, STRUCK = 1, JOINED = 2, DROPPED = 3 };
-
-/* Below which rebounds are the last; a companion cuts a series of blows off earlier, which shows what that loses. */
-static double cut_speed(const pm_workspace *w, double share)
-{
-    return (w->numbers.coarse > 1 ? EARLIER : 1) * share * w->numbers.speed * far_off(w);
-}
-
-int pm_impact_nearly_ends(const pm_workspace *w, int contact, double rate)
-{
-    return pm_contact_restitution(&w->frame, contact) > 0 && !pm_uniform_resolves(w, contact) &&
-           fabs(rate) <= UNKNOWN * cut_speed(w, LAST_BOUNCE);
-}
-
-/* A rebound too low to be seen is over: its speed is taken away as if by one more, plastic, blow. */
-static int is_spent(const pm_workspace *w, int contact, double rate)
-{
-    return w->event->spent[contact] && rate > pm_contact_speed(&w->frame) && rate <= cut_speed(w, SPENT);
-}
 
 /* An open member that touches: does it approach, is its bounce over, does it stay? */
 typedef struct pm_touch {
@@ -80,10 +55,10 @@ static int touches(pm_workspace *w, int contact, pm_touch *x)
         return pm_capture_meets(w, contact, pm_contact_gap(w, &w->state, contact, &x->member));
     if (!pm_contact_touches(w, &w->state, contact, &x->member)) return 0;
     pm_contact_member_gap(&w->frame, contact, x->member, &rate);
-    if (!pm_impact_nearly_ends(w, contact, rate))
+    if (!pm_last_bounce_is_near(w, contact, rate))
         pm_evidence_sign(w, PM_SITE_STRIKES, contact, rate, w->numbers.speed);
     x->approaches = rate < -pm_contact_speed(&w->frame);
-    x->rests = is_spent(w, contact, rate);
+    x->rests = pm_last_bounce_is_spent(w, contact, rate);
     x->stays = rate <= pm_contact_speed(&w->frame) &&
                (x->approaches || !pm_contact_modes_released(w, contact, x->member));
     return 1;
@@ -136,15 +111,6 @@ static int build(pm_workspace *w, const unsigned char *share, const int32_t *tri
     return status;
 }
 
-/* A rebound whose height, that is its speed squared, is lost in the rounding of positions is the last. */
-static double restitution_of(const pm_workspace *w, int slot, double approach)
-{
-    const double e = pm_contact_restitution(&w->frame, pm_contact_of_slot(w->model, slot));
-    const int seen = e * -approach > cut_speed(w, LAST_BOUNCE) ||
-                     pm_uniform_resolves(w, pm_contact_of_slot(w->model, slot));
-    return seen ? e : 0;
-}
-
 static double rate_before(const pm_workspace *w, int i)
 {
     return pm_saddle_times(&w->frame, &w->active.row[i], w->state.v) - w->active.row[i].rate;
@@ -161,7 +127,8 @@ static double change_wanted(const pm_workspace *w, const unsigned char *share, i
     const int slot = w->active.row[i].slot;
     const double u = rate_before(w, i);
     if (slot == PM_NONE || share[slot] != STRUCK || w->active.slot_normal[slot] == PM_NONE) return -u;
-    const double e = restitution_of(w, slot, rate_before(w, w->active.slot_normal[slot]));
+    const double e = pm_last_bounce_restitution(w, pm_contact_of_slot(w->model, slot),
+                                                rate_before(w, w->active.slot_normal[slot]));
     if (is_normal(w, i)) return -(1 + e) * u;
     return e > 0 ? -(1 + pm_contact_tangential(&w->frame, pm_contact_of_slot(w->model, slot))) * u : -u;
 }
@@ -212,7 +179,8 @@ static int follow_alone(pm_workspace *w, unsigned char *share, const int32_t *tr
     if (!status) status = pm_impact_course_read(w, slot, scratch, &x);
     share[slot] = part;
     if (status) return status;
-    x.restitution = part == STRUCK ? restitution_of(w, slot, x.normal) : 0; /* what rests is pressed on */
+    x.restitution =
+        part == STRUCK ? pm_last_bounce_restitution(w, contact, x.normal) : 0; /* what rests is pressed on */
     const int ends = pm_impact_course_follow(&x, end);
     pm_evidence_sign(w, PM_SITE_SLIP_LEFT, slot, end->slip, w->numbers.speed);
     if (!ends) return pm_fail(w, PM_BLOW_UNDECIDED, PM_TABLE_CONTACT, contact, x.normal, 0);

@@ -10,8 +10,6 @@
 int pm_impact(pm_workspace *w, int *jumped);
 /* Blows come one by one, and there is a next one. */
 int pm_impact_goes_on(pm_workspace *w);
-/* Near the end of a series of blows without end: how often the contact is struck decides nothing, and is not known. */
-int pm_impact_nearly_ends(const pm_workspace *w, int contact, double rate);
 /* Makes the velocities ones that all that holds allows: joints, contacts that rest and would approach, rough ones. */
 int pm_impact_hold(pm_workspace *w);
 

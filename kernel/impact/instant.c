@@ -11,11 +11,10 @@
 #include "events/event.h"
 #include "events/event_evidence.h"
 #include "events/history.h"
+#include "events/step.h"
 #include "impact/action.h"
 #include "impact/contact_modes.h"
 #include "impact/impact.h"
-#include "routes/path/repeat.h"
-#include "routes/start/perturbation.h"
 #include "state/evidence.h"
 #include "state/frame.h"
 #include "state/route.h"
@@ -61,7 +60,7 @@ static int contacts_stay(pm_workspace *w)
 static int is_settled(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    if (w->result.count[PM_COUNT_PHASES] == 0 || w->phase.route != &pm_route_path || w->tree->nloop > 0)
+    if (w->result.count[PM_COUNT_PHASES] == 0 || !w->phase.route->meets_places || w->tree->nloop > 0)
         return 0;
     return m->nfriction == 0 && !m->acts && (m->nslot == 0 || contacts_stay(w));
 }
@@ -170,7 +169,7 @@ int pm_instant_finish(pm_workspace *w, int *ended)
     mark_rest(w);
     const int status = close(w, ended);
     if (!status && !*ended && at_rest(w, PM_NONE) && !w->model->programs.use_time &&
-        !pm_perturbation_waits(w))
+        w->request.program == PM_NONE)
         return pm_fail(w, PM_STAYS_AT_REST, PM_NONE, PM_NONE, w->state.t, 0);
     return status;
 }
@@ -209,10 +208,6 @@ int pm_instant_full(pm_workspace *w, int *ended)
 {
     *ended = 0;
     pm_frame_look_state(&w->frame, &w->state);
-    if (w->phase.route == &pm_route_path) {
-        pm_repeat_end(w);
-        if (pm_repeat_refuted(w)) return PM_OK;
-    }
     int status = pm_history_row(w, 1);
     if (!status) status = pm_saddle_accelerate(w);
     if (!status && w->step.reverses) status = mark_turning(w);

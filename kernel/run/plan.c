@@ -74,7 +74,7 @@ static int forced(pm_workspace *w, int wanted)
 int pm_plan_phase(pm_workspace *w)
 {
     const int wanted = PM_SETTING(w->model, PM_SETTING_ROUTE);
-    if (pm_perturbation_waits(w) && pm_route_path.applies(w)) return take(w, &pm_route_path, NUDGED);
+    if (w->request.program != PM_NONE && pm_route_path.applies(w)) return take(w, &pm_route_path, NUDGED);
     if (w->phase.singular && wanted == PM_ROUTE_IDA) return take(w, &pm_route_rk, PASSING);
     if (wanted != PM_ROUTE_AUTO) return forced(w, wanted);
     for (int i = FIRST; i < NRULES; i++)

@@ -3,9 +3,7 @@
 
 #include <stddef.h>
 
-#include "equations/saddle.h"
 #include "routes/start/perturbation.h"
-#include "state/frame.h"
 #include "state/workspace.h"
 
 static const pm_route_ops *const routes[] = {&pm_route_rk, &pm_route_ida, &pm_route_uniform, &pm_route_path};
@@ -32,25 +30,6 @@ int pm_routes_create(pm_workspace *w)
 void pm_routes_free(pm_workspace *w)
 {
     for (int i = 0; i < NROUTES; i++) routes[i]->free(w);
-}
-
-int pm_step_look(pm_workspace *w, double x, int level)
-{
-    const pm_state *s = &w->state;
-    int status = PM_OK;
-    if (w->phase.route->look) return w->phase.route->look(w, x, level);
-    if (x != w->step.end) {
-        status = w->phase.route->at(w, x, &w->probe);
-        s = &w->probe;
-    }
-    if (status) return status;
-    pm_frame_look(&w->frame, s->t, s->q, s->v, s->z, w->state.memory);
-    return level == PM_LEVEL_DYNAMIC ? pm_step_react(w) : PM_OK;
-}
-
-int pm_step_react(pm_workspace *w)
-{
-    return w->phase.route->react ? w->phase.route->react(w) : pm_saddle_accelerate(w);
 }
 
 const pm_route_ops *pm_routes_find(int route)

@@ -160,6 +160,16 @@ static int leave_ida(pm_workspace *w, int status)
     return 1;
 }
 
+/* A segment of a path ends with the instant at w->state: 1 if it speaks against those passed over, and the run goes on from
+ * the begin of the first of them. */
+static int is_refuted(pm_workspace *w)
+{
+    if (w->phase.route != &pm_route_path) return 0;
+    pm_frame_look_state(&w->frame, &w->state);
+    pm_repeat_end(w);
+    return pm_repeat_refuted(w);
+}
+
 static int run_phases(pm_workspace *w)
 {
     int64_t left =
@@ -178,7 +188,7 @@ static int run_phases(pm_workspace *w)
         if (status || ended) break;
         if (w->phase.lap)
             pm_repeat_lap(w);
-        else
+        else if (!is_refuted(w))
             status = pm_instant_full(w, &ended);
     }
     return status;

@@ -13,6 +13,9 @@
  *           an event or an extremum is taken
  *   look    the frame looks at a state inside the last step, DYNAMIC if the level says so; NULL: by `at` and `react`
  *   react   accelerations and reactions at such a state, which the frame looks at; NULL: by the saddle point
+ *   error_of  notes the error of out[column], the value of the program at the frame, where the route knows its own errors
+ *           (pm_evidence_answer); NULL: never
+ *   resolves  1 if positions of the route resolve any bounce of the contact that has just closed; NULL: never
  * All return a status.  A route that finds roots itself - of all event functions, or of those of contacts - stops its step
  * at the first (w->event->nfunction, pm_event_values) and marks them in w->event->root (which advance.c clears before
  * the step); the others are sampled. */
@@ -35,12 +38,15 @@ typedef struct pm_route_ops {
     int (*exact)(pm_workspace *w, double t, pm_state *s);
     int (*look)(pm_workspace *w, double t, int level);
     int (*react)(pm_workspace *w);
+    void (*error_of)(pm_workspace *w, int ask, int column, int program, double value);
+    int (*resolves)(const pm_workspace *w, int contact);
     int (*accelerate)(
         pm_workspace *w); /* at the frame, where the rows are singular; 0: it cannot; NULL: never */
     double finest;        /* tolerance below which it does not get better */
     double spread;        /* how far its errors scatter about what goes with the tolerance, as a factor */
     int finds_roots;      /* enum pm_roots */
     int in_time;          /* its progress coordinate is the time */
+    int meets_places;     /* it meets every place of a step exactly, to rounding */
     int price;            /* routes in order of their cost */
     const pm_chebyshev_nodes
         *nodes; /* where its steps are sampled, unless a step says otherwise (w->nodes) */
@@ -51,10 +57,6 @@ extern const pm_route_ops pm_route_rk, pm_route_ida, pm_route_uniform, pm_route_
 /* Creates what all routes need; frees it. */
 int pm_routes_create(pm_workspace *w);
 void pm_routes_free(pm_workspace *w);
-/* The frame looks at progress x of the last step of the present route, at enum pm_level. */
-int pm_step_look(pm_workspace *w, double x, int level);
-/* Accelerations and reactions at a state of the last step that the frame looks at; all is smooth there. */
-int pm_step_react(pm_workspace *w);
 /* The route of a number of enum pm_route; NULL if there is none. */
 const pm_route_ops *pm_routes_find(int route);
 /* The one that the settings ask for; rk where phases choose, and before anything moves (`state`, `jump`). */

@@ -73,6 +73,13 @@ typedef struct pm_phase {
     int singular;    /* the route ida has come near a singular position */
 } pm_phase;
 
+/* A perturbation that waits for the next phase: to which side that leaves a rest or a steady motion.  A setting or an action
+ * asks for it, routes/start/perturbation.h carries it out. */
+typedef struct pm_request {
+    int program;    /* > 0 for velocities on that side; PM_NONE: nothing waits */
+    int table, row; /* where it is written */
+} pm_request;
+
 /* The last accepted step, by the route's progress coordinate; the state is at its end (state/route.h). */
 typedef struct pm_step {
     double begin, end;
@@ -121,6 +128,7 @@ typedef struct pm_workspace {
     pm_impulses impulses;
     pm_ledger ledger;
     pm_phase phase;
+    pm_request request;
     pm_step step;
     pm_instant instant;
     pm_evidence evidence;

@@ -300,4 +300,16 @@ FAULTS = [
         "f->held && !(f->since > w->step.begin)",
         "f->held",
     ),
+    Fault(
+        "jump: a series cut off loses nothing",
+        "events/last_bounce.c",
+        "(w->numbers.coarse > 1 ? EARLIER : 1)",
+        "1",
+    ),
+    Fault(
+        "jump: its last blows are decisions",
+        "events/last_bounce.c",
+        "fabs(rate) <= UNKNOWN *",
+        "fabs(rate) <= 0 *",
+    ),
 ]

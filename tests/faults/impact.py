@@ -117,8 +117,8 @@ FAULTS = [
     Fault(
         "jump: what is pressed on rebounds",
         "impact/impact.c",
-        "part == STRUCK ? restitution_of(w, slot, x.normal) : 0",
-        "restitution_of(w, slot, x.normal)",
+        "part == STRUCK ? pm_last_bounce_restitution(w, contact, x.normal) : 0",
+        "pm_last_bounce_restitution(w, contact, x.normal)",
     ),
     Fault(
         "capture: what is held takes no part in later blows",
@@ -189,19 +189,7 @@ FAULTS = [
         "w->state.slot[i].mode = pm_contact_modes_of_slip(w, contact, member)",
         "w->state.slot[i].mode = PM_OPEN",
     ),
-    Fault(
-        "jump: a series cut off loses nothing",
-        "impact/impact.c",
-        "(w->numbers.coarse > 1 ? EARLIER : 1)",
-        "1",
-    ),
     Fault("jump: its blows can be counted", "impact/impact.c", "pm_trigger_countless(w, contact);", ""),
-    Fault(
-        "jump: its last blows are decisions",
-        "impact/impact.c",
-        "fabs(rate) <= UNKNOWN *",
-        "fabs(rate) <= 0 *",
-    ),
     Fault(
         "impact: friction drives the slip", "impact/impact_course.c", "-copysign(x->rub,", "copysign(x->rub,"
     ),

@@ -15,6 +15,7 @@
 #include "equations/saddle.h"
 #include "equations/solve_cache.h"
 #include "events/event.h"
+#include "events/step.h"
 #include "expression/program.h"
 #include "numerics/chebyshev.h"
 #include "numerics/minmax.h"
@@ -261,7 +262,7 @@ static double error_of_motion(pm_workspace *w, int program, double value)
 void pm_path_error_answer(pm_workspace *w, int ask, int column, int program, double value)
 {
     const pm_model *m = w->model;
-    if (!w->evidence.active || w->phase.route != &pm_route_path || !w->evidence.by_places ||
+    if (!w->evidence.active || !w->evidence.by_places ||
         w->result.count[PM_COUNT_ROUTES] != (int64_t)1 << PM_ROUTE_PATH)
         return;
     double error;

@@ -158,9 +158,9 @@ static int leave_rest(pm_workspace *w, const pm_place *x)
     pm_path *p = w->path;
     const double size = force_size(w, x);
     p->balanced = !(fabs(x->force) > BALANCED * size);
-    p->sense = !p->balanced               ? (x->force > 0 ? 1 : -1)
-               : pm_perturbation_waits(w) ? pm_perturbation_side(w, x->tangent)
-                                          : 0;
+    p->sense = !p->balanced                    ? (x->force > 0 ? 1 : -1)
+               : w->request.program != PM_NONE ? pm_perturbation_side(w, x->tangent)
+                                               : 0;
     return p->sense != 0;
 }
 
@@ -490,9 +490,11 @@ const pm_route_ops pm_route_path = {
     .exact = exact,
     .look = look,
     .react = react,
+    .error_of = pm_path_error_answer,
     .accelerate = pm_path_bridge_accelerate,
     .finds_roots = PM_ROOTS_NONE,
     .in_time = 0,
+    .meets_places = 1,
     .price = 2,
     .finest = PM_CLOCK_TAIL,
     .spread = 45,

@@ -30,8 +30,6 @@
 #define NOTHING 1e-12 /* of the forces before: no force there */
 
 struct pm_perturbation {
-    int program;            /* that waits, or PM_NONE */
-    int table, row;         /* where it is written */
     double *gradient;       /* [nq] of the program by velocities */
     unsigned char *touched; /* [nbody + 1] bodies whose motion hangs together with what the program reads */
     pm_fastest_growth escape;
@@ -71,35 +69,15 @@ void pm_perturbation_free(pm_workspace *w)
 void pm_perturbation_begin(pm_workspace *w)
 {
     const int program = PM_SETTING(w->model, PM_SETTING_NUDGE);
-    if (!w->perturbation) return;
-    w->perturbation->program = program >= 0 ? program : PM_NONE;
-    w->perturbation->table = PM_TABLE_SETTING;
-    w->perturbation->row = PM_SETTING_NUDGE;
+    w->request = (pm_request){program >= 0 ? program : PM_NONE, PM_TABLE_SETTING, PM_SETTING_NUDGE};
 }
 
-int pm_perturbation_waits(const pm_workspace *w)
-{
-    return w->perturbation && w->perturbation->program != PM_NONE;
-}
-
-int pm_perturbation_add(pm_workspace *w, int action)
-{
-    if (pm_perturbation_waits(w)) return pm_fail(w, PM_UNSUPPORTED, PM_TABLE_ACTION, action, NAN, NAN);
-    w->perturbation->program = PM_ACTION_ROW(w->model, action)[PM_ACTION_PROGRAM_X];
-    w->perturbation->table = PM_TABLE_ACTION;
-    w->perturbation->row = action;
-    return PM_OK;
-}
-
-void pm_perturbation_end(pm_workspace *w)
-{
-    if (w->perturbation) w->perturbation->program = PM_NONE;
-}
+void pm_perturbation_end(pm_workspace *w) { w->request.program = PM_NONE; }
 
 static double read_at(pm_workspace *w, const double *velocity)
 {
     memcpy(w->frame.velocity, velocity, (size_t)w->model->nq * sizeof *velocity);
-    return pm_program_run(w->model, w->perturbation->program, w->numbers.param, w->numbers.value, w);
+    return pm_program_run(w->model, w->request.program, w->numbers.param, w->numbers.value, w);
 }
 
 double pm_perturbation_side(pm_workspace *w, const double *tangent)
@@ -110,7 +88,7 @@ double pm_perturbation_side(pm_workspace *w, const double *tangent)
 
 static int fail(pm_workspace *w, int status, double value)
 {
-    return pm_fail(w, status, w->perturbation->table, w->perturbation->row, value, NAN);
+    return pm_fail(w, status, w->request.table, w->request.row, value, NAN);
 }
 
 /* ---- one degree of freedom at rest ---- */
@@ -245,7 +223,7 @@ static int set_out(pm_workspace *w, double part, double *shows)
     const int status = pm_projection_apply(w, s);
     if (status) return status;
     pm_frame_look_state(&w->frame, s);
-    *shows = pm_program_run(w->model, w->perturbation->program, w->numbers.param, w->numbers.value, w);
+    *shows = pm_program_run(w->model, w->request.program, w->numbers.param, w->numbers.value, w);
     return PM_OK;
 }
 
@@ -305,7 +283,7 @@ static int leave_by_deviation(pm_workspace *w)
 
 int pm_perturbation_leave(pm_workspace *w)
 {
-    if (!pm_perturbation_waits(w)) return PM_OK;
+    if (w->request.program == PM_NONE) return PM_OK;
     if (pm_route_path.applies(w)) return leave_along_path(w);
     const int status = leave_by_deviation(w);
     pm_frame_look_state(&w->frame, &w->state);

@@ -14,9 +14,6 @@ void pm_perturbation_free(pm_workspace *w);
 
 /* A case begins: that of the start waits, if there is one. */
 void pm_perturbation_begin(pm_workspace *w);
-/* That of an action waits from now on; PM_UNSUPPORTED if another does. */
-int pm_perturbation_add(pm_workspace *w, int action);
-int pm_perturbation_waits(const pm_workspace *w);
 /* The sign of the motion along `tangent` that it asks for; 0: it does not tell.  The frame looks at the state. */
 double pm_perturbation_side(pm_workspace *w, const double *tangent);
 /* For run.c, before a phase is planned: w->state leaves its steady motion, unless the path route will do that. */

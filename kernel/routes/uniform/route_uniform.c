@@ -465,6 +465,7 @@ const pm_route_ops pm_route_uniform = {
     .at = at,
     .exact = exact,
     .react = react,
+    .resolves = pm_uniform_resolves,
     .finds_roots = PM_ROOTS_OF_CONTACTS,
     .in_time = 1,
     .price = 1,

@@ -200,7 +200,6 @@ void pm_uniform_gap(pm_workspace *w, int contact, double until)
 
 int pm_uniform_resolves(const pm_workspace *w, int contact)
 {
-    if (w->phase.route != &pm_route_uniform) return 0;
     const pm_closing *x = &w->uniform->closing[contact];
     return x->exact && x->root <= w->uniform->end;
 }

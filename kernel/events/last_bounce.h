@@ -1,0 +1,16 @@
+/* last_bounce.h - the end of a series of ever smaller bounces: the rebound after which a contact rests. */
+#ifndef PM_LAST_BOUNCE_H
+#define PM_LAST_BOUNCE_H
+
+#include "state/workspace.h"
+
+/* Restitution of a blow with this speed of approach, m/s: 0 where its rebound is the last. */
+double pm_last_bounce_restitution(const pm_workspace *w, int contact, double approach);
+/* 1 if a contact that touches at `rate` of its gap, m/s, is so near to its last rebound that the number of blows that are
+ * left is not known, and decides nothing. */
+int pm_last_bounce_is_near(const pm_workspace *w, int contact, double rate);
+/* 1 if the contact, which parts at `rate`, has been over by less than rounding shows: the bounce is spent, and its speed is
+ * to be taken away as if by one more, plastic, blow. */
+int pm_last_bounce_is_spent(const pm_workspace *w, int contact, double rate);
+
+#endif
