@@ -7,23 +7,9 @@ import math
 import pytest
 
 import planemotion
-from planemotion import SimulationError
 from tests import CHAPTER
-
-G = 9.81
-
-
-def run(text: str, **parameters: object) -> dict[str, float]:
-    result = planemotion.load_text(text).run(**parameters)
-    assert result.status == "ok", result.error
-    return {key: answer.value for key, answer in result.asks.items()}
-
-
-def fault(text: str) -> str:
-    with pytest.raises(SimulationError) as caught:
-        planemotion.load_text(text).run()
-    return str(caught.value)
-
+from tests.scenes import ROUTES, G, answers, fault, within
+from tests.scenes.parts import FLOOR, body, on_axle, rod_on_pin, touching
 
 SLING = """
 plane = "horizontal"
@@ -49,11 +35,10 @@ after = { of = "cord.tension", at = "half" }
 """
 
 
-@pytest.mark.parametrize("route", ["auto", "rk", "ida"])
+@pytest.mark.parametrize("route", ROUTES)
 def test_a_cord_lets_go_and_the_stone_flies_off_along_the_tangent(route: str) -> None:
-    scene = planemotion.load_text(SLING).with_values({"solve.route": route})
-    values = {key: answer.value for key, answer in scene.run().asks.items()}
-    angle, close = math.acos(-0.3 / 0.5), 1e-5 if route == "ida" else 1e-9
+    values = answers(SLING, route)
+    angle, close = math.acos(-0.3 / 0.5), within(route)
     assert values["x"] == pytest.approx(-3 * math.sin(angle), rel=close)
     assert values["y"] == pytest.approx(3 * math.cos(angle), rel=close)
     assert values["before"] == pytest.approx(18, rel=close)
@@ -61,27 +46,24 @@ def test_a_cord_lets_go_and_the_stone_flies_off_along_the_tangent(route: str) ->
 
 
 def test_an_action_that_is_not_active_is_not_done() -> None:
-    assert run(SLING, lets_go=False)["tension"] == pytest.approx(18)
+    assert answers(SLING, lets_go=False)["tension"] == pytest.approx(18)
 
 
-PUNCH = """
+PUNCH = f"""
 until = "t = 1 s"
-[bodies]
-wheel = { inertia = "2 kg*m^2", at = [0, 0] }
-[joints]
-axle = { pin = ["wheel", "ground"] }
-brake = { weld = ["wheel", "ground"], active = false }
+{on_axle(inertia="2 kg*m^2")}
+joints.brake = {{ weld = ["wheel", "ground"], active = false }}
 [start]
 wheel.omega = "3 rad/s"
 [events]
-punch = { when = "start", do = [{ impulse = "wheel", work = "-5 J" }] }
+punch = {{ when = "start", do = [{{ impulse = "wheel", work = "-5 J" }}] }}
 [ask]
 omega = "wheel.omega"
 """
 
 
 def test_work_of_a_punch() -> None:
-    assert run(PUNCH)["omega"] == pytest.approx(2, rel=1e-12)
+    assert answers(PUNCH)["omega"] == pytest.approx(2, rel=1e-12)
 
 
 def test_work_that_no_impulse_does() -> None:
@@ -104,22 +86,19 @@ def test_a_joint_that_does_not_fit_where_it_is_added() -> None:
 
 def test_a_weld_stops_what_turns_as_drawn() -> None:
     text = PUNCH.replace('"start", do', '"wheel.turned = 360 deg", do').replace("1 s", "4 s")
-    assert run(
+    assert answers(
         text.replace('{ impulse = "wheel", work = "-5 J" }', '{ impulse = "wheel", value = "-1 N*m*s" }')
     )["omega"] == pytest.approx(2.5, rel=1e-10)
 
 
 def test_a_contact_that_is_added_where_two_overlap() -> None:
-    text = fault("""
+    text = fault(f"""
 until = "t = 1 s"
-[ground.lines]
-floor = { through = [0, 0] }
-[bodies]
-ball = { disk = "0.1 m", mass = "1 kg", at = [0, "0.2 m"] }
-[contacts]
-floor = { touch = ["ball.rim", "ground.floor"], active = false }
+{FLOOR}
+{body("ball", disk="0.1 m", mass="1 kg", at=[0, "0.2 m"])}
+{touching("floor", "ball.rim", active=False)}
 [events]
-late = { when = "t = 0.5 s", do = [{ add = "floor" }] }
+late = {{ when = "t = 0.5 s", do = [{{ add = "floor" }}] }}
 [ask]
 y = "ball.y"
 """)
@@ -128,7 +107,7 @@ y = "ball.y"
 
 def test_a_braking_force_comes_with_the_second_blow() -> None:
     """A puck between two walls; the drag comes when it strikes the left one for the second time."""
-    values = run("""
+    values = answers("""
 plane = "horizontal"
 until = "t = 6.9 s"
 [ground.lines]
@@ -166,25 +145,22 @@ def test_explain_tells_what_events_do() -> None:
     assert "work -5 J on wheel" in text
 
 
-@pytest.mark.parametrize("route", ["auto", "rk", "ida"])
+@pytest.mark.parametrize("route", ROUTES)
 def test_a_bearing_that_is_let_go_rubs_no_more(route: str) -> None:
-    scene = planemotion.load_text("""
+    text = f"""
 plane = "horizontal"
 until = "t = 2 s"
-[bodies]
-wheel = { mass = "1 kg", inertia = "2 kg*m^2", at = [0, 0] }
-[joints]
-axle = { pin = ["wheel", "ground"], friction = "1 N*m" }
+{on_axle(mass="1 kg", inertia="2 kg*m^2", friction="1 N*m")}
 [start]
 wheel.omega = "3 rad/s"
 [events]
-off = { when = "t = 1 s", do = [{ remove = "axle" }] }
+off = {{ when = "t = 1 s", do = [{{ remove = "axle" }}] }}
 [ask]
 omega = "wheel.omega"
 couple = "axle.couple"
-""").with_values({"solve.route": route})
-    values = {key: answer.value for key, answer in scene.run().asks.items()}
-    assert values["omega"] == pytest.approx(2.5, rel=1e-5 if route == "ida" else 1e-9)
+"""
+    values = answers(text, route)
+    assert values["omega"] == pytest.approx(2.5, rel=within(route))
     assert values["couple"] == 0
 
 
@@ -193,7 +169,7 @@ couple = "axle.couple"
 TUBE = CHAPTER / "17-082.toml"
 
 
-@pytest.mark.parametrize("route", ["auto", "rk", "ida"])
+@pytest.mark.parametrize("route", ROUTES)
 @pytest.mark.parametrize(
     ("half_length", "ball", "tube", "omega"),
     [(1.5, 0.8, 4.0, 8.0), (1.0, 3.0, 2.0, -2.5), (2.5, 0.01, 5.0, 30.0)],
@@ -210,7 +186,7 @@ def test_balls_leave_a_tube_with_its_angular_momentum(
         omega_initial=f"{omega} rad/s",
     )
     left = 1 / (1 + 3 * ball / tube)
-    close = 1e-7 if route == "ida" else 1e-9
+    close = within(route, ida=1e-7)
     assert result.status == "ok", result.error
     assert result.a_omega == pytest.approx(omega * left, rel=close)
     assert result.b_omega == pytest.approx(omega * left**2, rel=close)
@@ -220,12 +196,9 @@ def nudged(side: str, do: str = "") -> str:
     start = f'nudge = "{side}"' if not do else ""
     return f"""
 until = "rod.y < 0"
-[bodies]
-rod = {{ rod = ["A", "B"], length = "1 m", mass = "2 kg", at = {{ A = [0, 0] }}, angle = "90 deg" }}
-block = {{ mass = "1 kg", at = ["2 m", 0] }}
-[joints]
-A = {{ pin = ["rod.A", "ground"] }}
-guide = {{ slider = ["block", "ground.guide"] }}
+{rod_on_pin("rod", mass="2 kg", angle="90 deg")}
+{body("block", mass="1 kg", at=["2 m", 0])}
+joints.guide = {{ slider = ["block", "ground.guide"] }}
 [ground]
 lines = {{ guide = {{ through = [0, 0] }} }}
 [start]
@@ -238,8 +211,8 @@ omega = "rod.omega"
 
 
 def test_nudges_are_told_where_they_lead_nowhere() -> None:
-    assert run(nudged("rod.omega < 0"))["omega"] == pytest.approx(-math.sqrt(3 * G), rel=1e-9)
-    assert run(nudged("", '{ nudge = "rod.omega > 0" }'))["omega"] == pytest.approx(
+    assert answers(nudged("rod.omega < 0"))["omega"] == pytest.approx(-math.sqrt(3 * G), rel=1e-9)
+    assert answers(nudged("", '{ nudge = "rod.omega > 0" }'))["omega"] == pytest.approx(
         math.sqrt(3 * G), rel=1e-9
     )
     told = fault(nudged("block.velocity.x < 0"))

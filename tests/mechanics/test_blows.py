@@ -3,38 +3,33 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import pytest
 
 import planemotion
 from planemotion.report.explain import explain
+from tests.scenes import ROUTES, G, answers, within
+from tests.scenes.parts import FLOOR, body, plate, rod, touching
 
-G = 9.81
 
-
-def run(text: str, route: str = "auto", **parameters: object) -> dict[str, float]:
+def run(text: str, route: str = "auto", **parameters: Any) -> dict[str, Any]:
     """The answers; on the route ida, which is not as exact as these ties, nothing is said of its errors."""
-    values = {"solve.route": route, "solve.estimate": route != "ida"}
-    result = planemotion.load_text(text).with_values(values).run(**parameters)
-    assert result.status == "ok", result.error
-    return {key: answer.value for key, answer in result.asks.items()}
+    return answers(text, route, **{"solve.estimate": route != "ida", **parameters})
 
 
 # ---- edges that end ----
 
-CRATE = """
-until = "rear opens"
+CRATE = (
+    'until = "rear opens"\n'
+    + plate("crate", "w", "0.4 m", "7 kg", at={"A": ["0.3 m", "1 m"]})
+    + """
 [parameters]
 w = "0.6 m"
 v = "1.5 m/s"
 [ground]
 lines = { table = { from = [0, "1 m"], to = ["2 m", "1 m"] } }
 points = { edge = ["2 m", "1 m"] }
-[bodies.crate]
-plate = ["w", "0.4 m"]
-corners = ["A", "B", "C", "D"]
-mass = "7 kg"
-at = { A = ["0.3 m", "1 m"] }
 [contacts]
 rear = { touch = ["crate.A", "ground.table"] }
 front = { touch = ["crate.B", "ground.table"] }
@@ -52,9 +47,10 @@ normal_rear = { of = "rear.normal", at = "off" }
 share = { of = "under.normal", at = { each = "crate.x", values = ["1.85 m"] } }
 strikes = "hit.count"
 """
+)
 
 
-@pytest.mark.parametrize("route", ["auto", "rk", "ida"])
+@pytest.mark.parametrize("route", ROUTES)
 def test_a_crate_is_pushed_over_the_end_of_a_table(route: str) -> None:
     """The front corner runs off, the table's end carries on; past it the crate tips about that end."""
     values = run(CRATE, route)
@@ -149,18 +145,15 @@ strikes = "struck.count"
 
 # ---- blows ----
 
-ROD = """
+ROD = f"""
 until = "start"
+{FLOOR}
+{rod(mass="3 kg", angle="beta")}
+{touching("hit", "AB.A", restitution="e", friction="mu", law="newton")}
 [parameters]
 beta = "45 deg"
 mu = 0.4
 e = 0.6
-[ground]
-lines = { floor = { through = [0, 0] } }
-[bodies]
-AB = { rod = ["A", "B"], length = "1 m", mass = "3 kg", at = { A = [0, 0] }, angle = "beta" }
-[contacts]
-hit = { touch = ["AB.A", "ground.floor"], restitution = "e", friction = "mu", law = "newton" }
 [start]
 AB.velocity = ["0.3 m/s", "-2 m/s"]
 AB.omega = 0
@@ -199,15 +192,12 @@ def test_a_law_that_would_create_energy_is_refused() -> None:
 
 
 def test_a_law_for_one_contact_is_refused_for_two() -> None:
-    text = """
+    text = f"""
 until = "t = 1 s"
-[ground]
-lines = { floor = { through = [0, 0] } }
-[bodies]
-AB = { rod = ["A", "B"], length = "1 m", mass = "3 kg", at = [0, "1 m"] }
-[contacts]
-a = { touch = ["AB.A", "ground.floor"], friction = 0.3, law = "poisson" }
-b = { touch = ["AB.B", "ground.floor"], friction = 0.3 }
+{FLOOR}
+{rod(mass="3 kg", at=[0, "1 m"])}
+{touching("a", "AB.A", friction=0.3, law="poisson")}
+{touching("b", "AB.B", friction=0.3)}
 [ask]
 y = "AB.y"
 """
@@ -222,18 +212,12 @@ y = "AB.y"
 
 def test_a_slip_that_turns_in_a_blow_of_several_is_refused() -> None:
     """Flat on both lower corners, which rebound differently: the spin turns the slip."""
-    text = """
+    text = f"""
 until = "start"
-[ground]
-lines = { floor = { through = [0, 0] } }
-[bodies.crate]
-plate = ["1 m", "1 m"]
-corners = ["A", "B", "C", "D"]
-mass = "3 kg"
-at = { A = [0, 0] }
-[contacts]
-a = { touch = ["crate.A", "ground.floor"], friction = 0.05, restitution = 1 }
-b = { touch = ["crate.B", "ground.floor"], friction = 0.05 }
+{FLOOR}
+{plate("crate", "1 m", "1 m", "3 kg", at={"A": [0, 0]})}
+{touching("a", "crate.A", friction=0.05, restitution=1)}
+{touching("b", "crate.B", friction=0.05)}
 [start]
 crate.velocity = ["0.01 m/s", "-2 m/s"]
 crate.omega = 0
@@ -251,15 +235,13 @@ slip = "a.slip"
 
 
 def test_blows_without_end_are_told() -> None:
-    text = """
+    text = f"""
 until = "t = 1 s"
-[ground]
-lines = { floor = { through = [0, 0] }, ceiling = { through = [0, "0.2 m"], angle = "180 deg" } }
-[bodies]
-ball = { sphere = "0.1 m", mass = "1 kg", at = [0, "0.1 m"] }
-[contacts]
-below = { touch = ["ball.rim", "ground.floor"], restitution = 1 }
-above = { touch = ["ball.rim", "ground.ceiling"], restitution = 1 }
+{FLOOR}
+ground.lines.ceiling = {{ through = [0, "0.2 m"], angle = "180 deg" }}
+{body("ball", sphere="0.1 m", mass="1 kg", at=[0, "0.1 m"])}
+{touching("below", "ball.rim", restitution=1)}
+{touching("above", "ball.rim", "ceiling", restitution=1)}
 [start]
 ball.velocity = ["1 m/s", "-1 m/s"]
 [ask]
@@ -281,13 +263,11 @@ def test_a_cylinder_spins_down_in_a_corner_and_stays(route: str) -> None:
     values = run(
         f"""
 until = "t = 3 s"
-[ground]
-lines = {{ floor = {{ through = [0, 0] }}, wall = {{ through = [0, 0], angle = "-90 deg" }} }}
-[bodies]
-C = {{ cylinder = "{r} m", mass = "{m} kg", at = ["{r} m", "{r} m"] }}
-[contacts]
-floor = {{ touch = ["C.rim", "ground.floor"], friction = {mu} }}
-wall = {{ touch = ["C.rim", "ground.wall"], friction = {mu} }}
+{FLOOR}
+ground.lines.wall = {{ through = [0, 0], angle = "-90 deg" }}
+{body("C", cylinder=f"{r} m", mass=f"{m} kg", at=[f"{r} m", f"{r} m"])}
+{touching("floor", "C.rim", friction=mu)}
+{touching("wall", "C.rim", "wall", friction=mu)}
 [start]
 C.omega = "{omega} rad/s"
 [events]
@@ -306,7 +286,7 @@ friction = "floor.friction"
     )
     floor = m * G / (1 + mu**2)
     alpha = mu * (1 + mu) * floor * r / (0.5 * m * r * r)
-    close = 1e-6 if route == "ida" else 1e-9
+    close = within(route, ida=1e-6)
     assert values["n_floor"] == pytest.approx(floor, rel=close)
     assert values["n_wall"] == pytest.approx(mu * floor, rel=close)
     assert values["t"] == pytest.approx(omega / alpha, rel=close)
@@ -315,7 +295,7 @@ friction = "floor.friction"
     assert values["x"] == pytest.approx(r, abs=1e-9)
 
 
-@pytest.mark.parametrize("route", ["auto", "rk", "ida"])
+@pytest.mark.parametrize("route", ROUTES)
 @pytest.mark.parametrize(("mu_static", "stays"), [(0.6, True), (0.4, False)])
 def test_a_block_thrown_up_a_slope_stays_or_comes_back(route: str, mu_static: float, stays: bool) -> None:
     slope, mu, v = math.radians(25), 0.35, 2.0
@@ -339,7 +319,7 @@ f = "lie.friction"
     )
     up, down = G * (math.sin(slope) + mu * math.cos(slope)), G * (math.sin(slope) - mu * math.cos(slope))
     t, s = v / up, v * v / (2 * up)
-    close = 1e-6 if route == "ida" else 1e-8
+    close = within(route, ida=1e-6, others=1e-8)
     if stays:
         assert values["s"] == pytest.approx(s * math.cos(slope), rel=close)
         assert values["v"] == pytest.approx(0, abs=1e-8)

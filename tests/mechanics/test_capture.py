@@ -7,51 +7,44 @@ import math
 import pytest
 
 import planemotion
-from planemotion.engine.result import RunResult
 from planemotion.pen import page
 from planemotion.pictures import scene as sketch
 from planemotion.report.explain import explain
-
-ROUTES = ("auto", "rk", "ida")
+from tests.scenes import ROUTES, answers, within
+from tests.scenes.parts import plate, rod_on_pin
 
 # A lump of clay flies into the foot of a rod; without weight all speeds stay.
-CLAY = """
+CLAY = f"""
 until = "rod.turned = 0.5 rad"
 plane = "horizontal"
-parameters = { g = "9.81 m/s^2", M = "4 kg", m = "0.3 kg", L = "1.2 m", v = "9 m/s", duration = "2 ms" }
-bodies.rod = { rod = ["A", "B"], length = "L", mass = "M", at = { A = [0, 0] }, angle = "-90 deg" }
-bodies.clay = { mass = "m", at = ["-0.6 m", "-L"] }
-joints.A = { pin = ["rod.A", "ground"] }
-contacts.hit = { touch = [PARTNERS], capture = "point" }
+parameters = {{ g = "9.81 m/s^2", M = "4 kg", m = "0.3 kg", L = "1.2 m", v = "9 m/s", duration = "2 ms" }}
+{rod_on_pin("rod", length="L", mass="M", angle="-90 deg")}
+bodies.clay = {{ mass = "m", at = ["-0.6 m", "-L"] }}
+contacts.hit = {{ touch = [PARTNERS], capture = "point" }}
 start.clay.velocity.x = "v"
 events.blow = "hit strikes"
 [ask]
-time = { of = "t", at = "blow" }
+time = {{ of = "t", at = "blow" }}
 omega = "rod.omega"
-mean = { of = "A.impulse.x/duration", at = "blow" }
-lost = { of = "energy.lost", at = "blow" }
-on_clay = { of = "hit.impulse.x on clay", at = "blow" }
-on_rod = { of = "hit.impulse.x on rod", at = "blow" }
-first = { of = "hit.impulse.x", at = "blow" }
+mean = {{ of = "A.impulse.x/duration", at = "blow" }}
+lost = {{ of = "energy.lost", at = "blow" }}
+on_clay = {{ of = "hit.impulse.x on clay", at = "blow" }}
+on_rod = {{ of = "hit.impulse.x on rod", at = "blow" }}
+first = {{ of = "hit.impulse.x", at = "blow" }}
 holds = "hit.force.norm"
-gap = { of = "hit.gap", at = "before blow" }
+gap = {{ of = "hit.gap", at = "before blow" }}
 closed = "hit.closed"
 """
-
-
-def values(result: RunResult) -> dict[str, float]:
-    return {key: answer.value for key, answer in result.asks.items()}
 
 
 @pytest.mark.parametrize("partners", ['"clay", "rod.B"', '"rod.B", "clay"'])
 @pytest.mark.parametrize("route", ROUTES)
 def test_clay_in_a_rod(route: str, partners: str) -> None:
-    scene = planemotion.load_text(CLAY.replace("PARTNERS", partners))
-    got = values(scene.with_values({"solve.route": route}).run())
+    got = answers(CLAY.replace("PARTNERS", partners), route)
     inertia = 4 * 1.2**2 / 3 + 0.3 * 1.2**2
     omega = 0.3 * 9 * 1.2 / inertia
     impulse = 0.3 * (9 - 1.2 * omega)
-    close = 1e-6 if route == "ida" else 1e-10
+    close = within(route, ida=1e-6, others=1e-10)
     assert got["time"] == pytest.approx(0.6 / 9, rel=close)
     assert got["omega"] == pytest.approx(omega, rel=close)
     assert got["mean"] == pytest.approx((4 * 0.6 * omega - impulse) / 2e-3, rel=close)
@@ -67,8 +60,7 @@ def test_clay_in_a_rod(route: str, partners: str) -> None:
 @pytest.mark.parametrize("capture", ["point", "body"])
 def test_a_disk_on_a_disk(capture: str) -> None:
     """As a pin both turn about the place of contact, as a body they have one spin."""
-    got = values(
-        planemotion.load_text(f"""
+    got = answers(f"""
 plane = "horizontal"
 until = "t = 0.7 s"
 bodies.a = {{ disk = "0.3 m", mass = "2 kg", at = [0, 0] }}
@@ -87,8 +79,7 @@ spin = {{ of = "a.omega", at = "blow" }}
 spin_2 = {{ of = "b.omega", at = "blow" }}
 momentum = "momentum.x"
 moment = "angular_momentum"
-""").run()
-    )
+""")
     assert math.hypot(got["x"], got["y"]) == pytest.approx(0.5, rel=1e-9)
     assert got["y"] == pytest.approx(0.3, rel=1e-9)
     assert got["momentum"] == pytest.approx(-3, rel=1e-9)
@@ -104,22 +95,20 @@ moment = "angular_momentum"
 
 def test_a_corner_of_a_set_is_caught() -> None:
     """Whichever corner comes: the others stay free, and the box falls about the caught one as a pendulum."""
-    got = values(
-        planemotion.load_text("""
+    got = answers(f"""
 until = "box.turned = -0.3 rad"
 parameters.b = "0.4 m"
 ground.points.P = ["0.1 m", "-0.2 m"]
-bodies.box = { plate = ["b", "b"], corners = ["A", "B", "C", "D"], mass = "3 kg", at = { A = ["0.1 m", 0] } }
-contacts.post = { touch = ["box.corners", "ground.P"], capture = "point" }
+{plate("box", "b", "b", "3 kg", at={"A": ["0.1 m", 0]})}
+contacts.post = {{ touch = ["box.corners", "ground.P"], capture = "point" }}
 [ask]
 first = "post[0].closed"
 all = "post.closed"
 omega = "box.omega"
-fall = { of = "box.speed", at = "before blow" }
+fall = {{ of = "box.speed", at = "before blow" }}
 [events]
 blow = "post strikes"
-""").run()
-    )
+""")
     v, inertia = math.sqrt(2 * 9.81 * 0.2), 2 * 0.4**2 / 3
     after, r = -v * 0.2 / inertia, 0.2 * math.sqrt(2)
     rise = r * (math.sin(math.pi / 4 - 0.3) - math.sin(math.pi / 4))
@@ -151,9 +140,9 @@ def test_what_is_captured_is_let_go(route: str) -> None:
         'x = "clay.x"\ny = "clay.y"\nturned = "rod.turned"\n'
         'held = { of = "hit.closed", at = "before go" }\nloss = { of = "energy.kinetic", at = "go" }\n',
     )
-    got = values(planemotion.load_text(text).with_values({"solve.route": route}).run())
+    got = answers(text, route)
     omega = 0.3 * 9 * 1.2 / (4 * 1.2**2 / 3 + 0.3 * 1.2**2)
-    gone, close = 0.6 / 9 + 0.5 / omega, 1e-6 if route == "ida" else 1e-9
+    gone, close = 0.6 / 9 + 0.5 / omega, within(route, ida=1e-6)
     flown = 1.2 * omega * (1 - gone)
     assert got["gone"] == pytest.approx(gone, rel=close)
     assert (got["held"], got["closed"], got["opened"]) == (1, 0, 1)
@@ -169,7 +158,7 @@ def test_let_go_and_caught_again() -> None:
     text = CLAY.replace("PARTNERS", '"clay", "rod.B"').replace("turned = 0.5 rad", "turned = 1 rad")
     again = 'do = [{ remove = "hit" }, { add = "hit" }]'
     text = text.replace("[ask]", f'events.go = {{ when = "rod.turned = 0.5 rad", {again} }}\n[ask]')
-    got = values(planemotion.load_text(text).run())
+    got = answers(text)
     omega = 0.3 * 9 * 1.2 / (4 * 1.2**2 / 3 + 0.3 * 1.2**2)
     assert got["closed"] == 1
     assert got["omega"] == pytest.approx(omega, rel=1e-9)

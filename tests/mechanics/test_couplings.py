@@ -7,40 +7,26 @@ import math
 import pytest
 
 import planemotion
+from tests.scenes import ROUTES, G, answers, within
+from tests.scenes.parts import body, drum_and_block, on_axle
 
-G = 9.81
-
-
-def run(text: str, **parameters: object) -> dict[str, float]:
-    result = planemotion.load_text(text).run(**parameters)
-    assert result.status == "ok", result.error
-    return {key: answer.value for key, answer in result.asks.items()}
-
-
-BLOCK = """
+BLOCK = f"""
 until = "t = 0.5 s"
-[bodies]
-drum = { disk = "0.2 m", mass = "4 kg", at = [0, 0] }
-block = { mass = "3 kg", at = ["0.2 m", "-2 m"] }
-[joints]
-axle = { pin = ["drum.center", "ground"] }
-[couplings]
-cord = { cord = ["drum.rim cw", "block"] }
+{drum_and_block()}
 [ask]
-v = { of = "block.velocity.y" }
+v = "block.velocity.y"
 tension = "cord.tension"
-on_block = { of = "cord.force.y on block" }
-on_drum = { of = "cord.force.y on drum" }
+on_block = "cord.force.y on block"
+on_drum = "cord.force.y on drum"
 spin = "drum.omega"
 slack = "cord.slack"
 """
 
 
-@pytest.mark.parametrize("route", ["auto", "rk", "ida"])
+@pytest.mark.parametrize("route", ROUTES)
 def test_block_on_a_drum(route: str) -> None:
-    result = planemotion.load_text(BLOCK).with_values({"solve.route": route}).run()
-    values = {key: answer.value for key, answer in result.asks.items()}
-    acceleration, close = 3 * G / (3 + 2), 1e-5 if route == "ida" else 1e-9
+    values = answers(BLOCK, route)
+    acceleration, close = 3 * G / (3 + 2), within(route)
     assert values["v"] == pytest.approx(-0.5 * acceleration, rel=close)
     assert values["spin"] == pytest.approx(-0.5 * acceleration / 0.2, rel=close)
     assert values["tension"] == pytest.approx(2 * acceleration, rel=close)
@@ -51,27 +37,21 @@ def test_block_on_a_drum(route: str) -> None:
 
 def test_a_tape_over_drums_has_a_tension_for_each_span() -> None:
     """Two equal drums between two weights: the tension drops where a drum must be turned."""
-    values = run(
-        """
+    values = answers(f"""
 until = "t = 0.3 s"
-[bodies]
-left = { mass = "5 kg", at = ["-0.2 m", "-1 m"] }
-a = { disk = "0.2 m", mass = "2 kg", at = [0, 0] }
-b = { disk = "0.2 m", mass = "2 kg", at = ["1 m", 0] }
-right = { mass = "3 kg", at = ["1.2 m", "-1 m"] }
-[joints]
-a = { pin = ["a.center", "ground"] }
-axle_b = { pin = ["b.center", "ground"] }
+{body("left", mass="5 kg", at=["-0.2 m", "-1 m"])}
+{on_axle("a", "axle_a", disk="0.2 m", mass="2 kg")}
+{on_axle("b", "axle_b", disk="0.2 m", mass="2 kg", x="1 m")}
+{body("right", mass="3 kg", at=["1.2 m", "-1 m"])}
 [couplings]
-tape = { cord = ["left", "a.rim cw", "b.rim cw", "right"] }
+tape = {{ cord = ["left", "a.rim cw", "b.rim cw", "right"] }}
 [ask]
 one = "tape.tension[1]"
 two = "tape.tension[2]"
 three = "tape.tension[3]"
 v = "left.velocity.y"
 level = "a.omega - b.omega"
-""".replace("a = { pin", "axle_a = { pin")
-    )
+""")
     acceleration = (5 - 3) * G / (5 + 3 + 1 + 1)
     assert values["one"] == pytest.approx(5 * (G - acceleration), rel=1e-9)
     assert values["two"] == pytest.approx(5 * (G - acceleration) - acceleration, rel=1e-9)
@@ -82,7 +62,7 @@ level = "a.omega - b.omega"
 
 @pytest.mark.parametrize(("e", "rebound"), [(0, 0), (0.5, 0.5)])
 def test_a_slack_cord_becomes_taut(e: float, rebound: float) -> None:
-    values = run(
+    values = answers(
         """
 until = "taut"
 parameters.e = 0
@@ -111,7 +91,7 @@ lost = "energy.lost"
 
 def test_a_cord_slackens_where_it_would_push() -> None:
     """A particle thrown round on a cord from below leaves the circle where its tension is nothing."""
-    values = run("""
+    values = answers("""
 until = "cord slackens"
 parameters = { v = "6 m/s", L = "1 m" }
 ground.points.S = [0, 0]
@@ -131,14 +111,10 @@ speed = "P.speed"
 
 @pytest.mark.parametrize(("crossed", "sense"), [("false", 1), ("true", -1)])
 def test_belt(crossed: str, sense: int) -> None:
-    values = run(f"""
+    values = answers(f"""
 until = "a.turned = 100 rad"
-[bodies]
-a = {{ disk = "0.1 m", mass = "2 kg", at = [0, 0] }}
-b = {{ disk = "0.3 m", mass = "5 kg", at = ["1 m", 0] }}
-[joints]
-axle_a = {{ pin = ["a.center", "ground"] }}
-axle_b = {{ pin = ["b.center", "ground"] }}
+{on_axle("a", "axle_a", disk="0.1 m", mass="2 kg")}
+{on_axle("b", "axle_b", disk="0.3 m", mass="5 kg", x="1 m")}
 [couplings]
 belt = {{ belt = ["a.rim", "b.rim"], crossed = {crossed} }}
 [forces]
@@ -153,18 +129,14 @@ omega = "a.omega"
 
 
 def test_internal_gears_turn_the_same_way() -> None:
-    values = run("""
+    values = answers(f"""
 until = "t = 2 s"
-[bodies]
-ring = { inertia = "0.5 kg*m^2", circles = { teeth = "0.4 m" }, at = [0, 0] }
-pinion = { inertia = "0.01 kg*m^2", circles = { teeth = "0.1 m" }, at = ["0.3 m", 0] }
-[joints]
-axle_a = { pin = ["ring.center", "ground"] }
-axle_b = { pin = ["pinion.center", "ground"] }
+{on_axle("ring", "axle_a", inertia="0.5 kg*m^2", circles={"teeth": "0.4 m"})}
+{on_axle("pinion", "axle_b", inertia="0.01 kg*m^2", circles={"teeth": "0.1 m"}, x="0.3 m")}
 [couplings]
-mesh = { gears = ["pinion.teeth", "ring.teeth"] }
+mesh = {{ gears = ["pinion.teeth", "ring.teeth"] }}
 [forces]
-drive = { couple = "pinion", value = "3 N*m" }
+drive = {{ couple = "pinion", value = "3 N*m" }}
 [ask]
 ring = "ring.omega"
 pinion = "pinion.omega"
@@ -178,7 +150,7 @@ tooth = "mesh.force.y on ring"
 
 def test_motor_and_driven_body() -> None:
     """A cart that speeds up carries a rotor on a motor; its couple is that of the rotor's own spin."""
-    values = run(
+    values = answers(
         """
 until = "t = 3 s"
 [bodies]
@@ -208,16 +180,12 @@ pull = "axle.force.x on rotor"
 
 
 def test_gears_that_do_not_touch_are_told() -> None:
-    scene = planemotion.load_text("""
+    scene = planemotion.load_text(f"""
 until = "t = 1 s"
-[bodies]
-a = { disk = "0.1 m", mass = "2 kg", at = [0, 0] }
-b = { disk = "0.3 m", mass = "5 kg", at = ["0.45 m", 0] }
-[joints]
-axle_a = { pin = ["a.center", "ground"] }
-axle_b = { pin = ["b.center", "ground"] }
+{on_axle("a", "axle_a", disk="0.1 m", mass="2 kg")}
+{on_axle("b", "axle_b", disk="0.3 m", mass="5 kg", x="0.45 m")}
 [couplings]
-mesh = { gears = ["a.rim", "b.rim"] }
+mesh = {{ gears = ["a.rim", "b.rim"] }}
 """)
     with pytest.raises(
         planemotion.SimulationError, match=r"the pitch circles are drawn 0\.05 m from touching"
@@ -226,41 +194,36 @@ mesh = { gears = ["a.rim", "b.rim"] }
 
 
 def test_a_strand_needs_a_way() -> None:
-    scene = planemotion.load_text("""
+    scene = planemotion.load_text(f"""
 until = "t = 1 s"
-[bodies]
-a = { disk = "0.3 m", mass = "2 kg", at = [0, 0] }
-P = { mass = "5 kg", at = ["0.1 m", 0] }
-[joints]
-axle_a = { pin = ["a.center", "ground"] }
+{on_axle("a", "axle_a", disk="0.3 m", mass="2 kg")}
+{body("P", mass="5 kg", at=["0.1 m", 0])}
 [couplings]
-cord = { cord = ["a.rim cw", "P"] }
+cord = {{ cord = ["a.rim cw", "P"] }}
 """)
     with pytest.raises(planemotion.SimulationError, match=r"couplings\.cord: no straight strand as drawn"):
         scene.run()
 
 
-GEAR_BOX = """
-until = "t = T"
+SHAFTS = f"""
 plane = "horizontal"
-parameters = { Ia = "0.3 kg*m^2", Ib = "0.7 kg*m^2", k = "5 N*m", r = 2.5, T = "0.8 s", w = "2 rad/s" }
-[bodies]
-A = { mass = "2 kg", inertia = "Ia", at = [0, 0] }
-B = { mass = "3 kg", inertia = "Ib", at = ["1 m", 0] }
-[joints]
-a = { pin = ["A.center", "ground"] }
-b = { pin = ["B.center", "ground"] }
-[couplings]
-box = { ratio = { "A.turned" = 1, "B.turned" = "r" } }
+parameters = {{ r = 2.5, Ia = "0.3 kg*m^2", Ib = "0.7 kg*m^2" }}
+{on_axle("A", "a", mass="2 kg", inertia="Ia")}
+{on_axle("B", "b", mass="3 kg", inertia="Ib", x="1 m")}
+couplings.box.ratio = {{ "A.turned" = 1, "B.turned" = "r" }}
+"""
+GEAR_BOX = f"""
+until = "t = 0.8 s"
+{SHAFTS}
 [forces]
-bar = { torsion = ["A", "ground"], stiffness = "k" }
+bar = {{ torsion = ["A", "ground"], stiffness = "5 N*m" }}
 [start]
-A.omega = "w"
+A.omega = "2 rad/s"
 [ask]
 turned = "A.turned"
 omega = "A.omega"
 on_a = "box.couple"
-on_b = { of = "box.couple on B" }
+on_b = "box.couple on B"
 """
 
 
@@ -268,12 +231,9 @@ on_b = { of = "box.couple on B" }
 @pytest.mark.parametrize("r", [2.5, -0.4])
 def test_a_gear_box_on_a_torsion_bar_swings(route: str, r: float) -> None:
     """B turns -1/r times as fast as A, which swings with the inertia Ia + Ib / r^2."""
-    scene = planemotion.load_text(GEAR_BOX).with_values({"solve.route": route, "r": r})
-    result = scene.run()
-    assert result.status == "ok", result.error
-    values = {key: answer.value for key, answer in result.asks.items()}
+    values = answers(GEAR_BOX, route, r=r)
     inertia = 0.3 + 0.7 / r**2
-    w, close = math.sqrt(5 / inertia), 1e-5 if route == "ida" else 1e-9
+    w, close = math.sqrt(5 / inertia), within(route)
     turned = 2 / w * math.sin(w * 0.8)
     assert values["turned"] == pytest.approx(turned, rel=close)
     assert values["omega"] == pytest.approx(2 * math.cos(w * 0.8), rel=close)
@@ -284,10 +244,9 @@ def test_a_gear_box_on_a_torsion_bar_swings(route: str, r: float) -> None:
 
 def test_a_gear_box_shares_a_blow_and_can_be_disengaged() -> None:
     """An impulse of moment H on A, then free turning; removed, both keep what they have."""
-    text = GEAR_BOX.split("[forces]")[0].replace('T = "0.8 s", ', "").replace('until = "t = T"', "")
-    values = run(
+    values = answers(
         'until = "t = 3 s"\n'
-        + text
+        + SHAFTS
         + """
 [events]
 blow = { when = "t = 1 s", do = [{ impulse = "A", value = "4 N*m*s" }] }

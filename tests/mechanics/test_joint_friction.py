@@ -7,16 +7,10 @@ import math
 import pytest
 
 import planemotion
+from tests.scenes import ROUTES, G, answers, within
+from tests.scenes.parts import drum_and_block
 
-G = 9.81
 EXACT = 1e-9
-
-
-def run(text: str, route: str = "auto", **parameters: object) -> dict[str, float]:
-    scene = planemotion.load_text(text).with_values({"solve.route": route})
-    result = scene.run(**parameters)
-    assert result.status == "ok", result.error
-    return {key: answer.value for key, answer in result.asks.items()}
 
 
 TORSION = """
@@ -33,11 +27,11 @@ opposite = "axle.couple"
 """
 
 
-@pytest.mark.parametrize("route", ["auto", "rk", "ida"])
+@pytest.mark.parametrize("route", ROUTES)
 def test_a_torsion_pendulum_loses_the_same_with_each_swing(route: str) -> None:
     """It swings about +-M/k: each half swing is 2 M/k shorter, until the spring is too weak for it."""
-    close = 1e-5 if route == "ida" else EXACT
-    values = run(TORSION, route)
+    close = within(route)
+    values = answers(TORSION, route)
     assert values["t"] == pytest.approx(6 * math.pi * math.sqrt(0.5 / 10), rel=close)
     assert values["angle"] == pytest.approx(1 - 6 * 0.16, rel=20 * close)
     assert values["couple"] == pytest.approx(10 * (1 - 6 * 0.16), rel=20 * close)
@@ -60,7 +54,7 @@ turned = "wheel.turned"
 @pytest.mark.parametrize("rate", [0.5, 1, 3, 70])
 def test_a_couple_that_grows_out_of_rest_overcomes_a_bearing(rate: float, route: str) -> None:
     """It turns from t = M/rate on, with I alpha = rate (t - M/rate)."""
-    values = run(GROWING, route, rate=f"{rate} N*m/s")
+    values = answers(GROWING, route, rate=f"{rate} N*m/s")
     since = 2 - 0.8 / rate
     assert values["omega"] == pytest.approx(rate * since**2, rel=1e-8)
     assert values["turned"] == pytest.approx(rate * since**3 / 3, rel=1e-8)
@@ -86,7 +80,7 @@ early = { of = "rail.friction", at = { each = "t", values = ["0.5 s"] } }
 
 @pytest.mark.parametrize("route", ["auto", "rk"])
 def test_a_sled_starts_when_the_pull_overcomes_its_friction(route: str) -> None:
-    values = run(SLED, route)
+    values = answers(SLED, route)
     begins = 0.3 * 2 * G / 4
     assert values["v"] == pytest.approx((2.5 - begins) ** 2, rel=EXACT)
     assert values["x"] == pytest.approx((2.5 - begins) ** 3 / 3, rel=EXACT)
@@ -98,26 +92,23 @@ def test_a_sled_starts_when_the_pull_overcomes_its_friction(route: str) -> None:
 
 @pytest.mark.parametrize("sense", [1, -1])
 def test_a_sled_stops_and_stays(sense: int) -> None:
-    values = run(SLED, v0=f"{3 * sense} m/s", rate="0 N/s")
+    values = answers(SLED, v0=f"{3 * sense} m/s", rate="0 N/s")
     assert values["x"] == pytest.approx(sense * 9 / (2 * 0.3 * G), rel=EXACT)
     assert values["v"] == pytest.approx(0, abs=1e-12)
     assert values["friction"] == pytest.approx(0, abs=1e-9)
 
 
 def test_a_sled_on_an_incline_slides_where_it_is_steep() -> None:
-    down = run(SLED, tilt="30 deg", rate="0 N/s")
+    down = answers(SLED, tilt="30 deg", rate="0 N/s")
     acceleration = G * (math.sin(math.pi / 6) - 0.3 * math.cos(math.pi / 6))
     assert down["x"] == pytest.approx(-0.5 * acceleration * 2.5**2 * math.cos(math.pi / 6), rel=EXACT)
-    assert run(SLED, tilt="15 deg", rate="0 N/s")["x"] == pytest.approx(0, abs=1e-12)
+    assert answers(SLED, tilt="15 deg", rate="0 N/s")["x"] == pytest.approx(0, abs=1e-12)
 
 
-DRUM = """
+DRUM = f"""
 until = "t = 1 s"
-parameters = { mu = 0.25, r = "0.04 m" }
-bodies.drum = { disk = "0.2 m", mass = "4 kg", at = [0, 0] }
-bodies.block = { mass = "3 kg", at = ["0.2 m", "-2 m"] }
-joints.axle = { pin = ["drum.center", "ground"], friction = { mu = "mu", radius = "r" } }
-couplings.cord = { cord = ["drum.rim cw", "block"] }
+parameters = {{ mu = 0.25, r = "0.04 m" }}
+{drum_and_block(friction={"mu": "mu", "radius": "r"})}
 [ask]
 v = "block.velocity.y"
 couple = "axle.couple on drum"
@@ -129,7 +120,7 @@ tension = "cord.tension"
 @pytest.mark.parametrize("route", ["auto", "rk"])
 def test_a_bearing_rubs_by_its_load(route: str) -> None:
     """I a/R = T R - mu r (W + T), T = m (g - a)."""
-    values = run(DRUM, route)
+    values = answers(DRUM, route)
     c, inertia = 0.25 * 0.04, 0.5 * 4 * 0.04
     a = (3 * G * (0.2 - c) - c * 4 * G) / (inertia / 0.2 + 3 * (0.2 - c))
     assert values["v"] == pytest.approx(-a, rel=EXACT)
@@ -139,7 +130,7 @@ def test_a_bearing_rubs_by_its_load(route: str) -> None:
 
 
 def test_a_tight_bearing_holds() -> None:
-    values = run(DRUM, mu=2.5)
+    values = answers(DRUM, mu=2.5)
     assert values["v"] == pytest.approx(0, abs=1e-12)
     assert values["couple"] == pytest.approx(3 * G * 0.2, rel=EXACT)
 
@@ -160,7 +151,7 @@ force = "ring.force.norm on bead"
 
 def test_a_bead_in_a_ring_slows_down_by_the_angle() -> None:
     """dv/ds = -mu v/R: v = v0 exp(-mu angle)."""
-    values = run(BEAD)
+    values = answers(BEAD)
     speed = 4 * math.exp(-0.2 * math.pi / 2)
     assert values["v"] == pytest.approx(speed, rel=EXACT)
     assert values["force"] == pytest.approx(0.3 * speed**2 / 0.5 * math.hypot(1, 0.2), rel=EXACT)
@@ -184,7 +175,7 @@ turned = "bar.turned"
 
 def test_a_friction_of_given_size_has_no_impulse() -> None:
     """I w = m l (u - v), e = 1; then I w^2 / 2 = M turned.  Before the blow the bar is held."""
-    values = run(STRUCK)
+    values = answers(STRUCK)
     omega = 2 * 1 * 2 / (1 + 1)
     assert values["turned"] == pytest.approx(-0.5 * omega**2 / 0.5, rel=EXACT)
 
@@ -214,7 +205,7 @@ holds = "rail sticks"
 def test_a_joint_slips_and_sticks_as_events(route: str) -> None:
     """Thrown back, the sled stops, holds until the pull has grown to mu m g, and slides again."""
     close = EXACT
-    values = run(SLED + CHANGES, route, v0="-2 m/s")
+    values = answers(SLED + CHANGES, route, v0="-2 m/s")
     mu, m, rate = 0.3, 2.0, 4.0
     # v = -2 + mu g t + rate t^2/(2 m): where it is 0
     stop = m / rate * (-mu * G + math.sqrt((mu * G) ** 2 + 2 * rate / m * 2))
@@ -229,12 +220,14 @@ def test_a_joint_slips_and_sticks_as_events(route: str) -> None:
 
 def test_where_it_turns_back_it_does_not_stick() -> None:
     events = 'events.holds = "axle sticks"\nevents.lets_go = "axle slips"\n'
-    values = run(events + TORSION + 'sticks = "holds.count"\nslips = "lets_go.count"\nat = "holds.time"\n')
+    values = answers(
+        events + TORSION + 'sticks = "holds.count"\nslips = "lets_go.count"\nat = "holds.time"\n'
+    )
     assert (values["sticks"], values["slips"]) == (1, 0)
     assert values["at"] == pytest.approx(values["t"])
 
 
 def test_what_slips_at_once_has_not_begun_to() -> None:
     text = SLED.replace("2.5 s", "0.1 s") + CHANGES.replace("slips =", "# ", 1).replace("sticks =", "# ", 1)
-    values = run(text, tilt="-30 deg")
+    values = answers(text, tilt="-30 deg")
     assert (values["n_slips"], values["n_sticks"]) == (0, 0)

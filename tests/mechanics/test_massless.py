@@ -5,17 +5,18 @@ from __future__ import annotations
 import pytest
 
 import planemotion
+from tests.scenes import answers
+from tests.scenes.parts import body, on_axle
 
-PULLED = """
+PULLED = f"""
 until = "t = 1.5 s"
-parameters = { P = "7 N" }
-ground.lines.up = { through = ["0.2 m", 0], angle = "90 deg" }
-bodies.drum = { disk = "0.2 m", mass = "15 kg", at = [0, 0] }
-bodies.hook = { mass = 0, at = ["0.2 m", "1 m"] }
-joints.axle = { pin = ["drum.center", "ground"] }
-joints.guide = { slider = ["hook", "ground.up"] }
-couplings.cord = { cord = ["drum.rim ccw", "hook"] }
-forces.pull = { force = "hook", value = [0, "P"] }
+parameters = {{ P = "7 N" }}
+ground.lines.up = {{ through = ["0.2 m", 0], angle = "90 deg" }}
+{on_axle("drum", disk="0.2 m", mass="15 kg")}
+{body("hook", mass=0, at=["0.2 m", "1 m"])}
+joints.guide = {{ slider = ["hook", "ground.up"] }}
+couplings.cord = {{ cord = ["drum.rim ccw", "hook"] }}
+forces.pull = {{ force = "hook", value = [0, "P"] }}
 [ask]
 omega = "drum.omega"
 tension = "cord.tension"
@@ -26,12 +27,12 @@ work = "pull.work"
 
 @pytest.mark.parametrize("route", ["auto", "rk"])
 def test_the_end_of_a_cord_is_pulled(route: str) -> None:
-    asks = planemotion.load_text(PULLED).with_values({"solve.route": route}).run().asks
+    values = answers(PULLED, route)
     omega = 7 * 0.2 / 0.3 * 1.5
-    assert asks["omega"].value == pytest.approx(omega, rel=1e-10)
-    assert asks["tension"].value == pytest.approx(7, rel=1e-10)
-    assert asks["side"].value == pytest.approx(0, abs=1e-10)
-    assert asks["work"].value == pytest.approx(0.5 * 0.3 * omega**2, rel=1e-10)
+    assert values["omega"] == pytest.approx(omega, rel=1e-10)
+    assert values["tension"] == pytest.approx(7, rel=1e-10)
+    assert values["side"] == pytest.approx(0, abs=1e-10)
+    assert values["work"] == pytest.approx(0.5 * 0.3 * omega**2, rel=1e-10)
 
 
 def test_what_nothing_determines_is_told() -> None:

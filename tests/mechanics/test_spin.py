@@ -10,15 +10,8 @@ import planemotion
 from planemotion import SimulationError
 from planemotion.compile.flatten import flatten
 from planemotion.engine import call
-
-G = 9.81
-
-
-def run(text: str, **parameters: object) -> dict[str, float]:
-    result = planemotion.load_text(text).run(**parameters)
-    assert result.status == "ok", result.error
-    return {key: answer.value for key, answer in result.asks.items()}
-
+from tests.scenes import G, answers
+from tests.scenes.parts import rod_on_pin
 
 # Bodies that the joints hold as drawn, off the axis and turned.
 INERTIA = """
@@ -56,7 +49,7 @@ SIN, COS = math.sin(math.radians(25)) ** 2, math.cos(math.radians(25)) ** 2
     ],
 )
 def test_inertia_about_the_axis(shape: str, about_centre: float) -> None:
-    values = run(INERTIA.format(shape=shape))
+    values = answers(INERTIA.format(shape=shape))
     inertia = 2 * (0.5**2 + 0.3**2 * about_centre)
     assert values["J"] == pytest.approx(inertia, rel=1e-12)
     assert values["H"] == pytest.approx(3 * inertia, rel=1e-12)
@@ -67,7 +60,7 @@ def test_inertia_about_the_axis(shape: str, about_centre: float) -> None:
 def test_half_ring_about_the_line_through_its_ends() -> None:
     """Drawn so that the arc's centre is on the axis and its ends, too: m a^2 / 2."""
     text = INERTIA.format(shape='half_ring = "a"').replace('at = [0, "d"]', "at = [0, 0]")
-    assert run(text, turn="90 deg")["J"] == pytest.approx(2 * 0.3**2 / 2, rel=1e-12)
+    assert answers(text, turn="90 deg")["J"] == pytest.approx(2 * 0.3**2 / 2, rel=1e-12)
 
 
 GOVERNOR = """
@@ -96,7 +89,7 @@ force = { of = "r.force.norm" }
 
 
 def test_governor_in_equilibrium() -> None:
-    values = run(GOVERNOR)
+    values = answers(GOVERNOR)
     omega = math.sqrt(G / (0.4 * math.cos(0.7)))
     assert values["x"] == pytest.approx(0.4 * math.sin(0.7), rel=1e-9)
     assert values["omega"] == pytest.approx(omega, rel=1e-9)
@@ -109,23 +102,19 @@ def test_a_couple_turns_the_plane(route: str) -> None:
     text = GOVERNOR.replace('inertia = "J"', 'inertia = "J"\ncouple = "(0.1 N*m/s)*t"').replace(
         "[ask]", '[ask]\nH = "spin.momentum"\nE = "energy.total"'
     )
-    scene = planemotion.load_text(text).with_values({"solve.route": route})
-    values = {key: answer.value for key, answer in scene.run().asks.items()}
+    values = answers(text, route)
     start = math.sqrt(G / (0.4 * math.cos(0.7))) * (0.2 + 3 * (0.4 * math.sin(0.7)) ** 2)
     assert values["H"] == pytest.approx(start + 0.05, rel=1e-8)
     assert values["x"] > 0.4 * math.sin(0.7)
 
 
-LAPS = """
+LAPS = f"""
 until = "laps"
+{rod_on_pin(joint="pin", length="0.3 m", mass="0.5 kg", angle="-90 deg")}
 [spin]
 through = [0, 0]
 angle = "90 deg"
 inertia = "0.02 kg*m^2"
-[bodies]
-AB = { rod = ["A", "B"], length = "0.3 m", mass = "0.5 kg", at = { A = [0, 0] }, angle = "-90 deg" }
-[joints]
-pin = { pin = ["AB.A", "ground"] }
 [start]
 spin.omega = "9 rad/s"
 AB.omega = "40 rad/s"
@@ -133,8 +122,8 @@ AB.omega = "40 rad/s"
 laps = "AB.turned = 40*(360 deg) + (1.1 rad)"
 [ask]
 swing = "AB.omega"
-slowest = { min = "spin.omega" }
-force = { max = "pin.force.norm" }
+slowest = {{ min = "spin.omega" }}
+force = {{ max = "pin.force.norm" }}
 """
 
 

@@ -1,0 +1,35 @@
+"""Scenes that tests and the benchmark share, and how they are asked.
+
+`parts`: bodies with what holds them, as lines of TOML that stand before the tables of a scene.  `pendulum`:
+the rod on a pin that sweeps and the command line run.  `chains`: rods in any number.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import planemotion
+
+G = 9.81  # m/s^2, of a scene that gives no other
+ROUTES = ("auto", "rk", "ida")  # the default, and those that go on in time
+
+
+def answers(text: str, route: str = "auto", **parameters: Any) -> dict[str, Any]:
+    """What a scene answers on a route, by the keys of its asks, with other values for some parameters."""
+    result = planemotion.load_text(text).run(**{"solve.route": route, **parameters})
+    assert result.status == "ok", result.error
+    return {key: answer.value for key, answer in result.asks.items()}
+
+
+def within(route: str, ida: float = 1e-5, others: float = 1e-9) -> float:
+    """The relative error that is allowed: the route ida keeps fewer digits than the others."""
+    return ida if route == "ida" else others
+
+
+def fault(text: str, **parameters: Any) -> str:
+    """What is said of a run that fails."""
+    try:
+        planemotion.load_text(text).run(**parameters)
+    except planemotion.SimulationError as error:
+        return str(error)
+    raise AssertionError("the run has not failed")

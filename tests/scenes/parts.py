@@ -1,0 +1,60 @@
+"""Bodies with what holds them, as lines of TOML: to be put before the first table of a scene."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+FLOOR = "ground.lines.floor = { through = [0, 0] }\n"
+
+
+def inline(value: Any) -> str:
+    """A value as TOML has it within a line."""
+    if isinstance(value, dict):
+        return "{ " + ", ".join(f"{key} = {inline(one)}" for key, one in value.items()) + " }"
+    if isinstance(value, list):
+        return "[" + ", ".join(inline(one) for one in value) + "]"
+    return json.dumps(value)
+
+
+def body(name: str, **keys: Any) -> str:
+    """A body by its keys."""
+    return f"bodies.{name} = {inline(keys)}\n"
+
+
+def rod(name: str = "AB", length: str = "1 m", mass: str = "1 kg", **keys: Any) -> str:
+    """A slender rod from A, at the origin unless `at` says otherwise, to B."""
+    shape = {"rod": ["A", "B"], "length": length, "mass": mass}
+    return body(name, **{**shape, "at": {"A": [0, 0]}, **keys})
+
+
+def rod_on_pin(name: str = "AB", joint: str = "A", **keys: Any) -> str:
+    """A slender rod whose end A is pinned to the ground."""
+    return rod(name, **keys) + f'joints.{joint} = {{ pin = ["{name}.A", "ground"] }}\n'
+
+
+def on_axle(
+    name: str = "wheel", axle: str = "axle", friction: Any = None, x: str | int = 0, **keys: Any
+) -> str:
+    """A body about its centre, which is pinned to the ground at (x, 0); `friction` of the bearing."""
+    pin = {"pin": [f"{name}.center", "ground"]} | ({} if friction is None else {"friction": friction})
+    return body(name, at=[x, 0], **keys) + f"joints.{axle} = {inline(pin)}\n"
+
+
+def drum_and_block(friction: Any = None) -> str:
+    """A block of 3 kg on a cord that is wound on a drum of 0.2 m and 4 kg; it hangs on the drum's right."""
+    return (
+        on_axle("drum", disk="0.2 m", mass="4 kg", friction=friction)
+        + body("block", mass="3 kg", at=["0.2 m", "-2 m"])
+        + 'couplings.cord = { cord = ["drum.rim cw", "block"] }\n'
+    )
+
+
+def plate(name: str, width: str, height: str, mass: str, **keys: Any) -> str:
+    """A rectangular plate with the corners A, B, C, D, counted from the lower left one."""
+    return body(name, plate=[width, height], corners=["A", "B", "C", "D"], mass=mass, **keys)
+
+
+def touching(name: str, mark: str, line: str = "floor", **options: Any) -> str:
+    """A contact of a mark with a line of the ground."""
+    return f"contacts.{name} = {inline({'touch': [mark, f'ground.{line}'], **options})}\n"
