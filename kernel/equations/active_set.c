@@ -12,7 +12,6 @@
 #include "elements/contact.h"
 #include "elements/joint.h"
 #include "elements/joint_friction.h"
-#include "equations/fixed_bodies.h"
 #include "equations/orthonormal_rows.h"
 #include "equations/projection.h"
 #include "equations/saddle.h"
@@ -115,7 +114,7 @@ static int append_joints(pm_workspace *w, int *nbasis)
         pm_constraint row[PM_JOINT_CONSTRAINTS];
         const int i = w->active.joint_order[j], n = pm_joint_constraints(w, i, row);
         for (int k = 0; k < n; k++) {
-            if (pm_fixed_bodies_row(w, &row[k])) continue;
+            if (pm_active_set_is_idle(&w->numbers, &row[k])) continue;
             const int status = append(w, &row[k], nbasis, &w->active.of_joint[m->joint_row[i] + k]);
             if (status) return status;
         }

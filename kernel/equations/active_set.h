@@ -3,6 +3,7 @@
 #ifndef PM_ACTIVE_SET_H
 #define PM_ACTIVE_SET_H
 
+#include "elements/constraint.h"
 #include "state/workspace.h"
 
 /* Fills w->row from the joints and the modes of the slots in w->state; the frame must look at w->state. */
@@ -19,5 +20,10 @@ void pm_active_set_anchor_start(pm_workspace *w, pm_state *s);
 void pm_active_set_follow(pm_workspace *w, pm_state *s);
 /* Zeroes the list (all rows of a slot PM_NONE). */
 void pm_active_set_clear(pm_workspace *w);
+/* Whether both partners of a constraint are fixed for good (fixed_bodies.h): it holds nothing that moves. */
+static inline int pm_active_set_is_idle(const pm_numbers *numbers, const pm_constraint *row)
+{
+    return numbers->fixed[row->body[0]] && numbers->fixed[row->body[1]];
+}
 
 #endif

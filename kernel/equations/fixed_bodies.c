@@ -108,11 +108,6 @@ void pm_fixed_bodies_begin(pm_workspace *w)
     w->numbers.fixed[w->model->nbody] = 1;
 }
 
-int pm_fixed_bodies_row(const pm_workspace *w, const pm_constraint *row)
-{
-    return w->numbers.fixed[row->body[0]] && w->numbers.fixed[row->body[1]];
-}
-
 /* ---- which bodies ---- */
 static int is_changed(const pm_model *m, int joint)
 {
@@ -305,7 +300,7 @@ int pm_fixed_bodies_create(pm_workspace *w)
 static int let_go(pm_workspace *w, const pm_constraint *row)
 {
     int any = 0;
-    if (!pm_fixed_bodies_row(w, row)) return 0;
+    if (!pm_active_set_is_idle(&w->numbers, row)) return 0;
     for (int side = 0; side < 2; side++) {
         const int body = row->body[side];
         if (body == w->model->nbody || must_move(w->fixed, body)) continue;

@@ -26,7 +26,5 @@ void pm_fixed_bodies_free(pm_workspace *w);
 void pm_fixed_bodies_begin(pm_workspace *w);
 /* The start is assembled: finds the bodies.  From here on they have no velocity, and an infinite mass where they are hit. */
 void pm_fixed_bodies_find(pm_workspace *w);
-/* Whether both partners of a row stand still: it holds nothing that moves. */
-int pm_fixed_bodies_row(const pm_workspace *w, const pm_constraint *row);
 
 #endif

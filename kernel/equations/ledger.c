@@ -18,7 +18,6 @@
 #include "equations/projection.h"
 #include "equations/saddle.h"
 #include "equations/solve_cache.h"
-#include "events/ask.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 
@@ -268,21 +267,26 @@ static void weigh(pm_workspace *w, double *audit, double *bound)
     bound[PM_AUDIT_ENERGY] += energy_rounding(w, mass);
 }
 
+/* The first residual above its bound, or PM_NONE. */
+static int first_open(const double *audit, const double *bound)
+{
+    for (int i = 0; i < PM_AUDITS; i++)
+        if (!(audit[i] <= bound[i])) return i;
+    return PM_NONE;
+}
+
 int pm_ledger_close(pm_workspace *w)
 {
     double bound[PM_AUDITS];
     weigh(w, w->result.audit, bound);
-    for (int i = 0; i < PM_AUDITS; i++)
-        if (!(w->result.audit[i] <= bound[i]))
-            return pm_fail(w, PM_AUDIT, PM_NONE, i, w->result.audit[i], bound[i]);
-    return PM_OK;
+    const int open = first_open(w->result.audit, bound);
+    if (open == PM_NONE) return PM_OK;
+    return pm_fail(w, PM_AUDIT, PM_NONE, open, w->result.audit[open], bound[open]);
 }
 
-void pm_ledger_seal(pm_workspace *w)
+int pm_ledger_closes(pm_workspace *w)
 {
     double audit[PM_AUDITS], bound[PM_AUDITS];
     weigh(w, audit, bound);
-    for (int i = 0; i < PM_AUDITS; i++)
-        if (!(audit[i] <= bound[i])) return;
-    pm_ask_seal(w);
+    return first_open(audit, bound) == PM_NONE;
 }

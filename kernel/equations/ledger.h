@@ -27,7 +27,7 @@ void pm_ledger_impulse(pm_workspace *w, const double at[2], const double force[2
 void pm_ledger_series(pm_workspace *w, double factor);
 /* Closes the ledger: w->audit; PM_AUDIT if it does not close within its bound. */
 int pm_ledger_close(pm_workspace *w);
-/* What is answered so far is sound if the ledger closes at w->state. */
-void pm_ledger_seal(pm_workspace *w);
+/* Whether it closes at w->state within its bound; then what has been answered so far is sound. */
+int pm_ledger_closes(pm_workspace *w);
 
 #endif

@@ -1,16 +1,217 @@
-/* start.c - the start of a case: as it is drawn, assembled, set in motion, and looked at. */
+/* start.c - the start of a case: drawn, assembled (start_positions.c), set in motion, and looked at.
+ *
+ * Velocities meet the constraints of joints and of contacts that rest (rough ones hold their tangents too), then what is
+ * written.  A row that depends on the others must agree with them (else a conflict that names it); directions that stay open
+ * are an error for fastened bodies, unless nothing is written of any that are fastened to each other (those rest), and
+ * zero for a body on its own. */
 #include "equations/start.h"
 
+#include <math.h>
 #include <string.h>
 
+#include "elements/constraint.h"
 #include "elements/contact.h"
+#include "elements/measure.h"
 #include "elements/turning_plane.h"
 #include "equations/active_set.h"
 #include "equations/case.h"
-#include "equations/start_parts.h"
-#include "impact/action.h"
+#include "equations/least_change.h"
+#include "scene/build.h"
 #include "state/frame.h"
 #include "state/workspace.h"
+
+#define AGREES 1e-9    /* relative disagreement of start velocities that is rounding */
+#define OPEN_PART 1e-6 /* of a unit velocity of a body left open */
+
+/* ---- velocities ---- */
+static int any_velocity_written(const pm_workspace *w)
+{
+    if (pm_model_is_driven(w->model)) return 1;
+    for (int i = 0; i < w->model->rows[PM_TABLE_START]; i++)
+        if (pm_start_level(w, i) == PM_START_VELOCITY && pm_start_value(w, i) != 0) return 1;
+    return 0;
+}
+
+/* Which bodies hang together; the ground joins nobody. */
+typedef struct pm_islands {
+    int *island; /* [nbody] the same number: held to each other, or one written velocity is of both */
+    unsigned char *fastened; /* [nbody + 1] */
+    unsigned char *written;  /* [nbody] a velocity that is not zero */
+} pm_islands;
+
+static void join(const pm_workspace *w, const pm_islands *x, int a, int b)
+{
+    if (a == w->model->nbody || b == w->model->nbody) return;
+    const int from = x->island[b], to = x->island[a];
+    if (from == to) return;
+    for (int i = 0; i < w->model->nbody; i++)
+        if (x->island[i] == from) x->island[i] = to;
+}
+
+static void fasten(const pm_workspace *w, const pm_islands *x, const pm_constraint *row)
+{
+    for (int p = 0; p < 2; p++) x->fastened[row->body[p]] = 1;
+    join(w, x, row->body[0], row->body[1]);
+}
+
+static void note_written(const pm_workspace *w, const pm_islands *x, const double *row, double value)
+{
+    int first = PM_NONE;
+    for (int k = 0; k < w->model->nq; k++) {
+        if (row[k] == 0) continue;
+        if (first == PM_NONE) first = k / 3;
+        join(w, x, first, k / 3);
+        if (value != 0) x->written[k / 3] = 1;
+    }
+}
+
+/* Nothing is written of this body, nor of any that hangs together with it. */
+static int left_alone(const pm_workspace *w, const pm_islands *x, int body)
+{
+    for (int i = 0; i < w->model->nbody; i++)
+        if (x->island[i] == x->island[body] && x->written[i]) return 0;
+    return 1;
+}
+
+static void hold_joints(pm_workspace *w, pm_least_change *s, double *dense, const pm_islands *islands)
+{
+    const int solved = pm_least_change_block(w, s, PM_START_VELOCITY);
+    double miss;
+    for (int i = 0; i < w->model->rows[PM_TABLE_JOINT]; i++) {
+        pm_constraint rows[PM_JOINT_CONSTRAINTS];
+        const int n = pm_joint_constraints(w, i, rows);
+        for (int k = 0; k < n; k++) {
+            pm_constraint_kind(rows[k].kind)->evaluate(&w->frame, &rows[k]);
+            fasten(w, islands, &rows[k]);
+            if (solved) continue;
+            pm_least_change_take_row(w, s, &rows[k], rows[k].rate, dense, &miss);
+        }
+    }
+}
+
+/* Contacts that touch at the start and never slip, and taut cords, count as joints: the normal, too, unless the start
+ * breaks it. */
+static void hold_contacts(pm_workspace *w, pm_least_change *s, double *dense, const pm_islands *islands)
+{
+    double miss;
+    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
+        int member;
+        pm_constraint row[2];
+        const int cord = pm_contact_is_cord(w->model, i);
+        if (!cord && pm_contact_friction(w->model, i) != PM_FRICTION_ROUGH) continue;
+        if (!pm_contact_touches(w, &w->state, i, &member)) continue;
+        pm_contact_constraint_both(&w->frame, i, w->model->contact_slot[i], member, &row[0], &row[1]);
+        for (int k = 0; k < (cord ? 1 : 2); k++) {
+            pm_constraint_kind(row[k].kind)->evaluate(&w->frame, &row[k]);
+            pm_least_change_take_row(w, s, &row[k], row[k].rate, dense, &miss);
+            fasten(w, islands, &row[k]);
+        }
+    }
+}
+
+static int take_written(pm_workspace *w, pm_least_change *s, double *dense, const pm_islands *islands)
+{
+    for (int i = 0; i < w->model->rows[PM_TABLE_START]; i++) {
+        if (pm_start_level(w, i) != PM_START_VELOCITY) continue;
+        const double value = pm_start_value(w, i);
+        double miss, size = 0;
+        pm_measure_start_row(w, pm_start_measure(w, i), PM_START_VELOCITY, dense);
+        note_written(w, islands, dense, value);
+        for (int k = 0; k < w->model->nq; k++) size = fmax(size, fabs(dense[k] * s->x[k]));
+        if (pm_least_change_take(w, s, dense, value, &miss) || fabs(miss) <= AGREES * fmax(size, fabs(value)))
+            continue;
+        pm_fail(w, PM_START_CONFLICT, PM_TABLE_START, i, value, value - miss);
+        return PM_START_CONFLICT;
+    }
+    return PM_OK;
+}
+
+/* Every body's own directions must be settled now; of a body on its own, or left alone, the open ones are set to zero. */
+static int settle_rest(pm_workspace *w, pm_least_change *s, double *dense, const pm_islands *islands)
+{
+    const pm_model *m = w->model;
+    int n_free = 0;
+    for (int i = 0; i < m->nq; i++) n_free += w->numbers.inverse_mass[i] > 0;
+    if (s->block + s->n >= n_free) return PM_OK; /* all is settled */
+    for (int i = 0; i < m->nbody; i++)
+        for (int k = 2; k >= 0; k--) { /* the spin first, then the velocity of G */
+            double miss;
+            if (w->numbers.inverse_mass[3 * i + k] == 0) continue;
+            memset(dense, 0, (size_t)m->nq * sizeof *dense);
+            dense[3 * i + k] = 1;
+            const int n = s->n;
+            if (!islands->fastened[i] || left_alone(w, islands, i)) {
+                pm_least_change_take(w, s, dense, 0, &miss);
+                continue;
+            }
+            pm_orthonormal_rest rest;
+            if (pm_least_change_add(w, s, dense, &rest) > n && rest.left > OPEN_PART)
+                return pm_fail(w, PM_START_OPEN, PM_TABLE_BODY, i, k, rest.left);
+        }
+    return PM_OK;
+}
+
+/* Solves for the velocities; contacts that rest and never slip hold like joints if `with_contacts`. */
+static int solve_velocities(pm_workspace *w, int with_contacts)
+{
+    const pm_model *m = w->model;
+    double *x = w->scratch, *dense = x + m->nq;
+    pm_islands islands = {(int *)(void *)(dense + 2 * m->nq), NULL, NULL};
+    islands.fastened = (unsigned char *)(islands.island + m->nbody);
+    islands.written = islands.fastened + m->nbody + 1;
+    pm_least_change s = {.x = x, .across = dense + m->nq};
+    memset(x, 0, (size_t)m->nq * sizeof *x);
+    for (int i = 0; i < m->nbody; i++) islands.island[i] = i;
+    memset(islands.fastened, 0, 2 * (size_t)m->nbody + 1);
+    hold_joints(w, &s, dense, &islands);
+    if (with_contacts) hold_contacts(w, &s, dense, &islands);
+    int status = take_written(w, &s, dense, &islands);
+    if (!status) status = settle_rest(w, &s, dense, &islands);
+    pm_active_set_clear(w);
+    memcpy(w->state.v, x, (size_t)m->nq * sizeof *x);
+    return status;
+}
+
+/* A rough contact that touches, neither approaches nor parts, and yet slips: that cannot be. */
+static int rough_contact_slips(pm_workspace *w)
+{
+    pm_frame_look_state(&w->frame, &w->state);
+    pm_case_speed(w, w->state.v);
+    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
+        int member;
+        double rate;
+        if (pm_contact_friction(w->model, i) != PM_FRICTION_ROUGH) continue;
+        if (!pm_contact_touches(w, &w->state, i, &member)) continue;
+        pm_contact_member_gap(&w->frame, i, member, &rate);
+        if (fabs(rate) > AGREES * w->numbers.speed) continue;
+        if (fabs(pm_contact_member_slip(&w->frame, i, member)) > AGREES * w->numbers.speed) return 1;
+    }
+    return 0;
+}
+
+/* Sets w->state.v.  What is written may break a resting contact: that is no contradiction but a blow, or a parting, at
+ * t = 0. */
+static int set_velocities(pm_workspace *w)
+{
+    if (!any_velocity_written(w)) return PM_OK; /* at rest */
+    const int status = solve_velocities(w, 1);
+    if (status != PM_START_CONFLICT) return status;
+    const pm_where where = w->result.where;
+    if (solve_velocities(w, 0) == PM_OK && !rough_contact_slips(w)) return PM_OK;
+    w->result.where = where;
+    return status;
+}
+
+/* ---- the start ---- */
+/* Elements that some event adds are not there yet. */
+static void leave_out_added(const pm_model *m, pm_state *s)
+{
+    for (int i = 0; i < m->rows[PM_TABLE_ACTION]; i++) {
+        const int32_t *e = PM_ACTION_ROW(m, i);
+        if (e[PM_ACTION_EVENT] == PM_NONE)
+            s->absent[pm_model_element(m, e[PM_ACTION_TABLE], e[PM_ACTION_A])] = 1;
+    }
+}
 
 static void draw(pm_workspace *w)
 {
@@ -22,7 +223,7 @@ static void draw(pm_workspace *w)
             w->state.q[3 * i + k] = w->numbers.value[PM_BODY_ROW(m, i)[PM_BODY_X + k]];
     for (int i = 0; i < m->nbody; i++)
         if (!PM_BODY_ROW(m, i)[PM_BODY_TURNS]) w->state.q[3 * i + 2] = 0;
-    pm_action_begin(m, &w->state);
+    leave_out_added(m, &w->state);
 }
 
 /* No contact may overlap at the start. */
@@ -48,7 +249,7 @@ int pm_start(pm_workspace *w, pm_start_report *report)
     if (!status) status = pm_start_check_couplings(w);
     if (status) return status;
     pm_active_set_anchor_start(w, &w->state);
-    if ((status = pm_start_velocities(w)) || (status = check_overlap(w))) return status;
+    if ((status = set_velocities(w)) || (status = check_overlap(w))) return status;
     pm_frame_look_state(&w->frame, &w->state);
     pm_case_speed(w, w->state.v);
     if ((status = pm_turning_plane_start(w))) return status;

@@ -2,14 +2,10 @@
 #ifndef PM_START_H
 #define PM_START_H
 
-#include "state/workspace.h"
+#include "equations/start_positions.h"
 
-typedef struct pm_start_report {
-    double moved;   /* greatest displacement by the assembly, m */
-    double opening; /* greatest residual after it, m */
-} pm_start_report;
-
-/* Assembles w->state from the case's values (also copied to w->start); the frame looks at it. */
+/* Assembles w->state from the case's values (also copied to w->start); the frame looks at it.  PM_ASSEMBLY, PM_START_CONFLICT,
+ * PM_START_OPEN, PM_PENETRATION. */
 int pm_start(pm_workspace *w, pm_start_report *report);
 
 #endif

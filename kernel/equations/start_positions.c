@@ -1,5 +1,7 @@
 /* start_positions.c - positions of a start: Gauss-Newton on joint rows and written positions together, each step the least one
  * (in the metric of M), so what is written stays and the rest moves as little as possible. */
+#include "equations/start_positions.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -8,7 +10,6 @@
 #include "elements/measure.h"
 #include "equations/active_set.h"
 #include "equations/least_change.h"
-#include "equations/start_parts.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 

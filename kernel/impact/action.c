@@ -28,15 +28,6 @@
 #define FITTED 1e-13 /* of the work: the impulse that does it is found */
 #define FITS 32      /* the answer to an impulse is linear but where contacts join or let go */
 
-void pm_action_begin(const pm_model *m, pm_state *s)
-{
-    for (int i = 0; i < m->rows[PM_TABLE_ACTION]; i++) {
-        const int32_t *e = PM_ACTION_ROW(m, i);
-        if (e[PM_ACTION_EVENT] == PM_NONE)
-            s->absent[pm_model_element(m, e[PM_ACTION_TABLE], e[PM_ACTION_A])] = 1;
-    }
-}
-
 int pm_action_of(const pm_model *m, int event)
 {
     for (int i = 0; i < m->rows[PM_TABLE_ACTION]; i++)

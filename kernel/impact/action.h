@@ -4,8 +4,6 @@
 
 #include "state/workspace.h"
 
-/* Takes out of s what does not hold from the start on. */
-void pm_action_begin(const pm_model *m, pm_state *s);
 /* Whether the event does something. */
 int pm_action_of(const pm_model *m, int event);
 /* A new instant: nothing is done yet. */

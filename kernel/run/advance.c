@@ -93,7 +93,7 @@ static void end_step(pm_workspace *w)
     pm_frame_look_state(&w->frame, &w->state);
     pm_active_set_follow(w, &w->state);
     pm_ledger_step(w);
-    if (w->phase.route->in_time && w->ask->fresh) pm_ledger_seal(w);
+    if (w->phase.route->in_time && w->ask->fresh && pm_ledger_closes(w)) pm_ask_seal(w);
     w->event->first_step = 0;
 }
 

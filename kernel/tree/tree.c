@@ -9,9 +9,22 @@
 #include "equations/fixed_bodies.h"
 #include "state/frame.h"
 #include "state/workspace.h"
-#include "tree/tree_augmented.h"
 #include "tree/tree_node.h"
-#include "tree/tree_small.h"
+
+static void lay_augmented(pm_tree_augmented *x, size_t n, double *block)
+{
+    x->most = (int)n;
+    x->same = block;
+    x->cross = x->same + n * n;
+    x->level = x->cross + n * n;
+    x->lower = x->level + n * n;
+    x->upper = x->lower + 2 * n * n;
+    x->fixed = x->upper + 2 * n * n;
+    x->direction = x->fixed + 2 * n;
+    x->square = x->direction + 2 * n;
+    x->weight = x->square + n;
+    x->arm = x->weight + 2 * n;
+}
 
 int pm_tree_create(pm_workspace *w)
 {
@@ -22,13 +35,12 @@ int pm_tree_create(pm_workspace *w)
     const size_t most = nbody * nq; /* coordinates that move a body, over all bodies */
     const size_t summed = nq < PM_TREE_SUMMED ? nq : PM_TREE_SUMMED;
     const size_t own = nq * nq + 3 * most + 3 * nrow * nq + nrow * nrow + (6 + PM_TREE_FEW) * nq + 3 * nrow;
-    const size_t doubles = own + pm_tree_augmented_doubles(summed, most),
+    const size_t doubles = own + 7 * summed * summed + 7 * summed + 2 * most,
                  ints =
                      (8 + PM_ELIMINATION_ROWS) * nrow + (6 + PM_ELIMINATION_COLUMNS) * nq + 3 * nbody + most;
     double *p = t->block = calloc(doubles * sizeof *p + ints * sizeof(int) + nrow + 1, 1);
     t->node = calloc(nbody + 1, sizeof *t->node);
-    t->small = calloc(1, sizeof *t->small);
-    if (!p || !t->node || !t->small) return PM_NO_MEMORY;
+    if (!p || !t->node) return PM_NO_MEMORY;
     t->jacobian = p;
     t->mass = t->jacobian + nrow * nq;
     t->reduced = t->mass + nq * nq;
@@ -43,7 +55,7 @@ int pm_tree_create(pm_workspace *w)
     t->rate = t->v + nq;
     t->part.motion = t->rate + nq;
     t->part.jacobian = t->part.motion + PM_TREE_FEW * nq;
-    pm_tree_augmented_create(&t->augmented, summed, most, p + own);
+    lay_augmented(&t->augmented, summed, p + own);
     t->loop = (int *)(void *)(p + doubles);
     t->kind = t->loop + nrow;
     t->pivot = t->kind + nq;
@@ -69,7 +81,6 @@ void pm_tree_free(pm_workspace *w)
 {
     if (!w->tree) return;
     free(w->tree->node);
-    free(w->tree->small);
     free(w->tree->block);
     free(w->tree);
     w->tree = NULL;
@@ -342,7 +353,7 @@ void pm_tree_build(pm_workspace *w)
 {
     pm_tree *t = w->tree;
     int nplaced = 0, spent = 0;
-    t->n = t->nloop = t->part.few = t->augmented.on = t->small->on = 0;
+    t->n = t->nloop = t->part.few = t->augmented.on = t->small.on = 0;
     memset(t->used, 0, (size_t)w->model->nrow);
     memset(t->placed, 0, (size_t)w->model->nbody * sizeof *t->placed);
     place_still(w, &nplaced);

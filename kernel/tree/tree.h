@@ -52,6 +52,42 @@ typedef struct pm_tree_part {
                                            pm_tree_forget_regular */
 } pm_tree_part;
 
+/* ---- trees of a few coordinates (tree_small.c) ---- */
+#define PM_SWIFT_MOST 4 /* coordinates: each number of them has code of its own */
+
+/* a cos y + b sin y */
+typedef struct pm_tree_small_wave {
+    double a, b;
+} pm_tree_small_wave;
+
+/* A loop row  g = constant + sum_k (shift_k y_k + wave_k), and its Jacobian's square in the metric of M^-1 if nothing held
+ * its bodies: with the levers of its own marks. */
+typedef struct pm_tree_small_row {
+    double constant;
+    double shift[PM_SWIFT_MOST];
+    pm_tree_small_wave wave[PM_SWIFT_MOST];
+    double square;
+    int turning[2]; /* the coordinates that turn its bodies, or PM_NONE */
+    pm_tree_small_wave lever[2];
+    double inverse_inertia[2];
+} pm_tree_small_row;
+
+typedef struct pm_tree_small {
+    int on, n, nloop;
+    /* coordinates i > k: see tree_augmented.c */
+    double same[PM_SWIFT_MOST][PM_SWIFT_MOST], cross[PM_SWIFT_MOST][PM_SWIFT_MOST],
+        level[PM_SWIFT_MOST][PM_SWIFT_MOST];
+    int shifts;
+    pm_tree_small_wave fixed[PM_SWIFT_MOST][PM_SWIFT_MOST]; /* e_i . R_k d_k, summed */
+    double weight[PM_SWIFT_MOST];
+    pm_tree_small_wave turned_weight[PM_SWIFT_MOST];
+    int owner[PM_SWIFT_MOST];      /* the body whose direction it is, or PM_NONE */
+    double turning[PM_SWIFT_MOST]; /* 1, or 0 where it turns nothing */
+    pm_tree_small_row row[PM_SWIFT_MOST - 1];
+    /* where directions were computed last */
+    double y[PM_SWIFT_MOST], cosine[PM_SWIFT_MOST], sine[PM_SWIFT_MOST];
+} pm_tree_small;
+
 typedef struct pm_tree {
     int n;               /* coordinates */
     int nloop;           /* active rows that are not solved */
@@ -77,7 +113,7 @@ typedef struct pm_tree {
     int *pivot;                           /* [nq + nrow] */
     pm_tree_augmented augmented;
     pm_tree_part part;
-    struct pm_tree_small *small; /* tree_small.h */
+    pm_tree_small small;
     void *block;
 } pm_tree;
 
@@ -104,8 +140,6 @@ void pm_tree_look(pm_workspace *w, double t, const double *y, const double *ydot
 void pm_tree_spread(pm_workspace *w, const double *ydot, double *v);
 /* At the frame's velocities: accelerations at yddot = 0. */
 void pm_tree_bias(pm_workspace *w, double *a);
-/* Columns of v by unit rates: basis[nq][n]. */
-void pm_tree_basis(pm_workspace *w, double *basis);
 /* The first and the last coordinate that move a body of the row; n and -1 if none does. */
 void pm_tree_row_ends(const pm_workspace *w, const pm_constraint *row, int *low, int *high);
 /* The loop rows' Jacobian on the coordinates, [nloop][n]; the rows are evaluated. */
@@ -149,7 +183,28 @@ int pm_tree_settle(pm_workspace *w, double t, double *y, double *ydot, const dou
 /* Meets them by the least corrections in the metric of M, of coordinates and rates; the frame looks there. */
 int pm_tree_project(pm_workspace *w, double t, double *y, double *ydot, const double *z);
 
-/* For the tree's own files.  Partitioned: accelerations; reactions of the loop rows from t->wrench. */
+/* ---- small trees: accelerations from coordinates and rates alone ---- */
+/* Once a phase, after pm_tree_sum_up, where the frame looks and the loop rows are evaluated. */
+void pm_tree_small_sum_up(pm_workspace *w);
+/* Whether the functions below may be called. */
+int pm_tree_small_applies(const pm_workspace *w);
+/* Directions are computed at y; near it they are turned on from there. */
+void pm_tree_small_refer(pm_workspace *w, const double *y);
+/* Of y[2 n], coordinates and their rates: rates and accelerations.  The frame stays where it is. */
+int pm_tree_small_derivative(pm_workspace *w, const double *y, double *rate);
+/* pm_tree_project without the last look. */
+int pm_tree_small_project(pm_workspace *w, double *y, double *ydot);
+
+/* ---- for the tree's own files ---- */
+/* Directions and rates of the turning coordinates from the frame; or from coordinates and rates alone. */
+void pm_tree_augmented_read(pm_workspace *w);
+void pm_tree_augmented_set(pm_workspace *w, const double *y, const double *ydot);
+/* The lower triangle of B^T M B in t->mass, and right-hand side -B^T M c + weights (unless there are other forces: then all
+ * of frame.f). */
+void pm_tree_augmented_equations(pm_workspace *w, double *x);
+/* Velocities of the bodies that loop rows or forces need, by unit rates (t->influence), and their c (t->bias). */
+void pm_tree_augmented_influence(pm_workspace *w);
+/*  Partitioned: accelerations; reactions of the loop rows from t->wrench. */
 int pm_tree_accelerate_few(pm_workspace *w, double *yddot);
 void pm_tree_react_loops(pm_workspace *w);
 /*  Columns of all bodies' velocities. */

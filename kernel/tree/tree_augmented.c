@@ -8,7 +8,7 @@
  *     (B^T M c)_k  = -sum_l ydot_l^2 (S_kl cos D - C_kl sin D + e_k . R_l P_kl)
  *     C = sum m d_k . d_l,  S = sum m d_k x d_l,  T = sum I + m e_k . e_l,  P = sum m d_l,  Q = sum m d_k
  * (augmented bodies: Wittenburg, Dynamics of Systems of Rigid Bodies, 5.2).  Per solve no body is looked at. */
-#include "tree/tree_augmented.h"
+#include "tree/tree.h"
 
 #include <math.h>
 #include <string.h>
@@ -19,24 +19,6 @@
 #include "state/frame.h"
 #include "state/workspace.h"
 #include "tree/tree_node.h"
-
-size_t pm_tree_augmented_doubles(size_t n, size_t most) { return 7 * n * n + 7 * n + 2 * most; }
-
-void pm_tree_augmented_create(pm_tree_augmented *x, size_t n, size_t most, double *block)
-{
-    x->most = (int)n;
-    x->same = block;
-    x->cross = x->same + n * n;
-    x->level = x->cross + n * n;
-    x->lower = x->level + n * n;
-    x->upper = x->lower + 2 * n * n;
-    x->fixed = x->upper + 2 * n * n;
-    x->direction = x->fixed + 2 * n;
-    x->square = x->direction + 2 * n;
-    x->weight = x->square + n;
-    x->arm = x->weight + 2 * n;
-    (void)most;
-}
 
 /* ---- once a phase ---- */
 /* A direction that turns with one coordinate, or not at all. */

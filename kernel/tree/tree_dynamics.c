@@ -17,9 +17,7 @@
 #include "state/frame.h"
 #include "state/workspace.h"
 #include "tree/tree.h"
-#include "tree/tree_augmented.h"
 #include "tree/tree_node.h"
-#include "tree/tree_small.h"
 
 #define SWEEPS 8
 #define ROUNDING 4e-15 /* residual relative to the size of the scene below which nothing is left to gain */
@@ -54,14 +52,6 @@ static int factor_mass(pm_workspace *w)
     return pm_dense_skyline_factor(t->n, t->first_coupled, t->mass)
                ? pm_fail(w, PM_SINGULAR, PM_TABLE_BODY, 0, 0, 0)
                : PM_OK;
-}
-
-int pm_tree_singular_loop(pm_workspace *w, int loop)
-{
-    const pm_constraint *row = &w->active.row[w->tree->loop[loop]];
-    w->tree->part.independence = 0;
-    return row->joint != PM_NONE ? pm_fail(w, PM_SINGULAR, PM_TABLE_JOINT, row->joint, 0, 0)
-                                 : pm_fail(w, PM_SINGULAR, PM_TABLE_CONTACT, PM_NONE, 0, 0);
 }
 
 /* Of a row in the metric of M^-1, if nothing held its bodies. */

@@ -96,17 +96,13 @@ void pm_tree_influence(pm_workspace *w)
     }
 }
 
-void pm_tree_basis(pm_workspace *w, double *basis)
+/* ---- loop rows ---- */
+int pm_tree_singular_loop(pm_workspace *w, int loop)
 {
-    const pm_tree *t = w->tree;
-    memset(basis, 0, (size_t)w->model->nq * (size_t)t->n * sizeof *basis);
-    pm_tree_influence(w);
-    for (int i = 0; i < w->model->nbody; i++) {
-        const pm_tree_node *x = &t->node[i];
-        for (int k = x->list; k < x->list + x->nlist; k++)
-            for (int c = 0; c < 3; c++)
-                basis[(3 * x->body + c) * t->n + t->moved_by[k]] = t->influence[3 * k + c];
-    }
+    const pm_constraint *row = &w->active.row[w->tree->loop[loop]];
+    w->tree->part.independence = 0;
+    return row->joint != PM_NONE ? pm_fail(w, PM_SINGULAR, PM_TABLE_JOINT, row->joint, 0, 0)
+                                 : pm_fail(w, PM_SINGULAR, PM_TABLE_CONTACT, PM_NONE, 0, 0);
 }
 
 void pm_tree_loop_row(const pm_workspace *w, const pm_constraint *row, double *on_coordinates)

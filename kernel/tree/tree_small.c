@@ -11,7 +11,7 @@
  * For each number of coordinates and loop rows the compiler writes the code without loops.
  *
  * Cosine and sine of y + x, x small, are those of y turned by x, whose own are short series. */
-#include "tree/tree_small.h"
+#include "tree/tree.h"
 
 #include <math.h>
 #include <string.h>
@@ -19,7 +19,6 @@
 #include "elements/joint_friction.h"
 #include "numerics/lanes.h"
 #include "state/workspace.h"
-#include "tree/tree.h"
 
 #define MOST PM_SWIFT_MOST
 #define CLOSE 0.5        /* rad: so far the series below have all figures */
@@ -31,14 +30,14 @@
 
 int pm_tree_small_applies(const pm_workspace *w)
 {
-    return w->tree->small->on && !w->tree->part.few && !w->active.asymmetric && !w->numbers.massless &&
+    return w->tree->small.on && !w->tree->part.few && !w->active.asymmetric && !w->numbers.massless &&
            !pm_joint_friction_by_load(w);
 }
 
 /* ---- directions ---- */
 void pm_tree_small_refer(pm_workspace *w, const double *y)
 {
-    pm_tree_small *x = w->tree->small;
+    pm_tree_small *x = &w->tree->small;
     for (int k = 0; k < x->n; k++) {
         if (x->y[k] == y[k]) continue;
         const double *pose = w->frame.pose + 5 * x->owner[k];
@@ -257,7 +256,7 @@ INLINE double adjugate(double m[MOST][MOST], double to[MOST][MOST])
 /* The independence of the rows, `along` the square of the way that they leave, in the metric of M. */
 INLINE void watch_rows(pm_workspace *w, int n, double row[2][MOST], pm_tree_small_place *p, double along)
 {
-    const pm_tree_small *x = w->tree->small;
+    const pm_tree_small *x = &w->tree->small;
     if (n == 2) {
         const double whole = p->mass[0][0] * p->mass[1][1] - p->mass[1][0] * p->mass[1][0];
         watch_independence(w, &x->row[0], p, along, whole);
@@ -274,7 +273,7 @@ INLINE void watch_rows(pm_workspace *w, int n, double row[2][MOST], pm_tree_smal
 INLINE int solve_along(pm_workspace *w, int n, pm_tree_small_place *p, const double *rate, const double *f,
                        double *yddot)
 {
-    const pm_tree_small *x = w->tree->small;
+    const pm_tree_small *x = &w->tree->small;
     double row[2][MOST], way[MOST] = {1}, a[MOST] = {0};
     w->result.count[PM_COUNT_SOLVES]++;
     for (int i = 0; i < n - 1; i++)
@@ -305,7 +304,7 @@ INLINE int solve_along(pm_workspace *w, int n, pm_tree_small_place *p, const dou
 
 INLINE int derivative(pm_workspace *w, int n, int nloop, const double *y, double *rate)
 {
-    const pm_tree_small *x = w->tree->small;
+    const pm_tree_small *x = &w->tree->small;
     pm_tree_small_place p;
     double square[MOST], gamma[MOST], f[MOST];
     look(x, n, y, &p);
@@ -352,13 +351,13 @@ INLINE void close(int n, int nloop, pm_tree_small_place *p, double *opening, dou
 
 INLINE int factor_here(pm_workspace *w, int n, int nloop, pm_tree_small_place *p)
 {
-    equations(w->tree->small, n, NULL, p, NULL);
-    return factor_all(w, w->tree->small, n, nloop, p);
+    equations(&w->tree->small, n, NULL, p, NULL);
+    return factor_all(w, &w->tree->small, n, nloop, p);
 }
 
 INLINE int project(pm_workspace *w, int n, int nloop, double *y, double *ydot)
 {
-    const pm_tree_small *x = w->tree->small;
+    const pm_tree_small *x = &w->tree->small;
     pm_tree_small_place p;
     double opening[MOST], before = INFINITY, worst = 0;
     int status, factored = 0;
@@ -386,15 +385,15 @@ INLINE int project(pm_workspace *w, int n, int nloop, double *y, double *ydot)
 }
 
 /* ---- for each n and nloop ---- */
-#define EACH(CALL)                                                  \
-    switch (w->tree->small->n * MOST + w->tree->small->nloop) {     \
-    case 1 * MOST: return CALL(1, 0);                               \
-    case 2 * MOST: return CALL(2, 0);                               \
-    case 2 * MOST + 1: return CALL(2, 1);                           \
-    case 3 * MOST: return CALL(3, 0);                               \
-    case 3 * MOST + 1: return CALL(3, 1);                           \
-    case 3 * MOST + 2: return CALL(3, 2);                           \
-    default: return CALL(w->tree->small->n, w->tree->small->nloop); \
+#define EACH(CALL)                                                \
+    switch (w->tree->small.n * MOST + w->tree->small.nloop) {     \
+    case 1 * MOST: return CALL(1, 0);                             \
+    case 2 * MOST: return CALL(2, 0);                             \
+    case 2 * MOST + 1: return CALL(2, 1);                         \
+    case 3 * MOST: return CALL(3, 0);                             \
+    case 3 * MOST + 1: return CALL(3, 1);                         \
+    case 3 * MOST + 2: return CALL(3, 2);                         \
+    default: return CALL(w->tree->small.n, w->tree->small.nloop); \
     }
 
 int pm_tree_small_derivative(pm_workspace *w, const double *y, double *rate)
@@ -406,7 +405,7 @@ int pm_tree_small_derivative(pm_workspace *w, const double *y, double *rate)
 
 int pm_tree_small_project(pm_workspace *w, double *y, double *ydot)
 {
-    if (w->tree->small->nloop == 0) return PM_OK;
+    if (w->tree->small.nloop == 0) return PM_OK;
 #define CALL(N, NLOOP) project(w, N, NLOOP, y, ydot)
     EACH(CALL)
 #undef CALL

@@ -8,7 +8,6 @@
 #include "state/workspace.h"
 #include "tree/tree.h"
 #include "tree/tree_node.h"
-#include "tree/tree_small.h"
 
 #define MOST PM_SWIFT_MOST
 
@@ -126,7 +125,7 @@ static void read_sums(const pm_workspace *w, pm_tree_small *x)
 void pm_tree_small_sum_up(pm_workspace *w)
 {
     pm_tree *t = w->tree;
-    pm_tree_small *x = t->small;
+    pm_tree_small *x = &t->small;
     x->n = t->n;
     x->nloop = t->nloop;
     x->on = t->augmented.on && !t->augmented.forced && t->n > 0 && t->n <= MOST && t->nloop < t->n;

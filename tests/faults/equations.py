@@ -209,13 +209,17 @@ FAULTS = [
         "recall: factors of other rows", "equations/solve_cache.c", "if (x->j[k] != row->j[k]) return 0;", ";"
     ),
     Fault("recall: factors of other bodies", "equations/solve_cache.c", "x->body[1] != row->body[1]", "0"),
-    Fault(
-        "start: contradictions pass", "equations/start_velocities.c", "return PM_START_CONFLICT", "continue"
-    ),
+    Fault("start: contradictions pass", "equations/start.c", "return PM_START_CONFLICT", "continue"),
     Fault(
         "start: open motions pass",
-        "equations/start_velocities.c",
+        "equations/start.c",
         "&& rest.left > OPEN_PART",
         "&& rest.left > 2",
+    ),
+    Fault(
+        "action: what begins absent is there",
+        "equations/start.c",
+        "e[PM_ACTION_A])] = 1",
+        "e[PM_ACTION_A])] = 0",
     ),
 ]

@@ -60,12 +60,6 @@ FAULTS = [
         "1 ? status",
     ),
     Fault(
-        "action: what begins absent is there",
-        "impact/action.c",
-        "e[PM_ACTION_A])] = 1",
-        "e[PM_ACTION_A])] = 0",
-    ),
-    Fault(
         "modes: forces that are rounding pull",
         "impact/contact_modes.c",
         "return fmax(sum, pm_case_force(w));",

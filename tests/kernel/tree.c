@@ -11,7 +11,6 @@
 #include "scene.h"
 #include "state/frame.h"
 #include "state/workspace.h"
-#include "tree/tree_small.h"
 
 #define MOST 64
 #define STEP 1e-6 /* of differences */
@@ -226,7 +225,8 @@ static void places(pm_workspace *w, double *y)
 static void rates(pm_workspace *w, const double *y)
 {
     const int n = w->tree->n, nq = w->model->nq;
-    double ydot[MOST], yddot[MOST], at[MOST], rate[MOST], q[2][MOST], v[2][MOST], velocity[MOST], a[MOST];
+    double ydot[MOST], yddot[MOST], at[MOST], rate[MOST], q[2][MOST], v[2][MOST], velocity[MOST], a[MOST],
+        column[MOST];
     static double basis[MOST * MOST];
     for (int i = 0; i < n; i++) {
         ydot[i] = check_random(-2, 2);
@@ -245,7 +245,11 @@ static void rates(pm_workspace *w, const double *y)
     pm_tree_look(w, 0, y, ydot, w->state.z);
     memcpy(velocity, w->tree->v, sizeof velocity);
     pm_tree_bias(w, a);
-    pm_tree_basis(w, basis);
+    for (int k = 0; k < n; k++) {
+        for (int i = 0; i < n; i++) rate[i] = i == k;
+        pm_tree_spread(w, rate, column);
+        for (int i = 0; i < nq; i++) basis[i * n + k] = column[i];
+    }
     pm_tree_read_rates(w, velocity, rate);
     for (int i = 0; i < n; i++) NEAR(rate[i], ydot[i], 1e-12);
     for (int i = 0; i < nq; i++) {

@@ -204,6 +204,20 @@ static void meets_rows(pm_workspace *w, const double *q)
     }
 }
 
+/* Velocities of all bodies at a unit rate of each coordinate, [nq][n]. */
+static void columns(pm_workspace *w, double *basis)
+{
+    const pm_tree *t = w->tree;
+    memset(basis, 0, (size_t)(w->model->nq * t->n) * sizeof *basis);
+    pm_tree_influence(w);
+    for (int i = 0; i < w->model->nbody; i++) {
+        const pm_tree_node *x = &t->node[i];
+        for (int k = x->list; k < x->list + x->nlist; k++)
+            for (int c = 0; c < 3; c++)
+                basis[(3 * x->body + c) * t->n + t->moved_by[k]] = t->influence[3 * k + c];
+    }
+}
+
 static void moves(pm_workspace *w)
 {
     const int n = w->tree->n, nq = w->model->nq;
@@ -218,7 +232,7 @@ static void moves(pm_workspace *w)
     place(w, y, q);
     meets_rows(w, q);
     pm_tree_spread(w, rate, v);
-    pm_tree_basis(w, basis);
+    columns(w, basis);
     for (int i = 0; i < nq; i++) {
         double sum = 0;
         for (int k = 0; k < n; k++) sum += basis[i * n + k] * rate[k];
@@ -246,13 +260,13 @@ static void closes(pm_workspace *w)
             y[k] += (side ? 1 : -1) * STEP;
             place(w, y, q);
             look(w, q, w->state.v);
-            pm_tree_basis(w, basis);
+            columns(w, basis);
             pm_tree_loops(w, &loops);
             for (int i = 0; i < nloop; i++) g[side][i] = w->active.row[w->tree->loop[i]].g;
         }
         look(w, w->state.q, w->state.v);
         pm_tree_read(w, y);
-        pm_tree_basis(w, basis);
+        columns(w, basis);
         pm_tree_loops(w, &loops);
         for (int i = 0; i < nloop; i++) NEAR(jacobian[i * n + k], (g[1][i] - g[0][i]) / (2 * STEP), 1e-6);
     }

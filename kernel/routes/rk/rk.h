@@ -36,7 +36,7 @@ struct pm_rk {
     pm_energy_level_level level;                         /* of the energy, where it is kept */
     int ledger;                                          /* the last step integrates the ledger */
     int64_t first;                                       /* number of the phase's first step */
-    int swift;                                           /* accelerations need no frame: tree_small.h */
+    int swift;                                           /* accelerations need no frame: tree_small.c */
     double momentum[PM_LEDGER], momentum_now[PM_LEDGER]; /* at its begin; at w->state */
     void *block;
 };
@@ -45,7 +45,7 @@ struct pm_rk {
 int pm_rk_derivative(pm_workspace *w, double t, double *y, int with_ledger, double *k);
 /* The same where the frame looks at y. */
 int pm_rk_derivative_here(pm_workspace *w, const double *y, int with_ledger, double *k);
-/* Where the last stages were, or nearly: which coordinates are independent, and whether tree_small.h
+/* Where the last stages were, or nearly: which coordinates are independent, and whether tree_small.c
  * applies.  1: partitioned anew. */
 int pm_rk_choose_coordinates(pm_workspace *w);
 

@@ -2,14 +2,13 @@
  *
  *   y = (coordinates, their rates, z),    y' = (rates, accelerations(t, y), z')
  *
- * Accelerations of small trees need no look of the frame (tree_small.h).  Where the loop rows nearly depend
+ * Accelerations of small trees need no look of the frame (tree_small.c).  Where the loop rows nearly depend
  * on each other the coordinates are partitioned (tree_partition.c): then each stage is made to meet these
  * rows first. */
 #include "equations/ledger.h"
 #include "routes/rk/rk.h"
 #include "state/workspace.h"
 #include "tree/tree.h"
-#include "tree/tree_small.h"
 
 /* The rest of y' once its accelerations are there; the ledger's part needs the frame to look at y. */
 static void complete(pm_workspace *w, const double *y, int with_ledger, double *k)

@@ -12,7 +12,7 @@
 #include "routes/rk/dop853.h"
 #include "routes/rk/rk.h"
 #include "state/workspace.h"
-#include "tree/tree_small.h"
+#include "tree/tree.h"
 
 /* y = y0 + h sum_k weight[k] stage[k] for the first n of `stride` entries; k is 0 and from .. to - 1. */
 static inline void combine(int n, int stride, const double *y0, double h, const double *weight, int from,

@@ -23,7 +23,6 @@
 #include "state/route.h"
 #include "state/workspace.h"
 #include "tree/tree.h"
-#include "tree/tree_small.h"
 
 #define MARGIN 0.1       /* of the accuracy asked: errors of steps add up, and grow with the motion */
 #define LEVEL_MARGIN 0.3 /* where energy holds a single freedom on its path: only delays add up */
