@@ -1,6 +1,5 @@
 /* workspace.c - memory of a thread: allocated once, most of it carved from one block. */
 #include <stdlib.h>
-#include <string.h>
 
 #include "elements/constraint.h"
 #include "elements/joint.h"
@@ -14,95 +13,71 @@
 #include "expression/program_fold.h"
 #include "routes/path/repeat_record.h"
 #include "routes/start/perturbation.h"
+#include "state/arena.h"
 #include "state/route.h"
 #include "state/workspace.h"
 #include "tree/tree.h"
 
-/* Adds an array of n doubles (or things no larger) to the plan of the block; filled in by place(). */
-typedef struct pm_part_of_block {
-    void **where;
-    size_t bytes;
-} pm_part_of_block;
-
-static size_t aligned(size_t bytes) { return (bytes + 63) & ~(size_t)63; }
-
-static int carve(void **block, const pm_part_of_block *part, size_t nparts)
+/* The arrays of the parts of the workspace; those of the rooms are theirs. */
+static int create_arrays(pm_workspace *w)
 {
-    size_t total = 0;
-    for (size_t i = 0; i < nparts; i++) total += aligned(part[i].bytes);
-    char *p = *block = calloc(1, total + 64);
-    if (!p) return PM_NO_MEMORY;
-    for (size_t i = 0; i < nparts; i++) {
-        *part[i].where = p;
-        p += aligned(part[i].bytes);
-    }
-    return PM_OK;
+    const pm_model *m = w->model;
+    const int nforce = m->rows[PM_TABLE_FORCE], nrow = m->nrow, nq = m->nq;
+    const pm_array array[] = {
+        PM_ARRAY(w->numbers.value, m->nvalue),
+        PM_ARRAY(w->numbers.folded, m->programs.fold->nnumber),
+        PM_ARRAY(w->numbers.mass, m->nbody),
+        PM_ARRAY(w->numbers.fixed, m->nbody + 1),
+        PM_ARRAY(w->numbers.inverse_mass, nq),
+        PM_ARRAY(w->numbers.inverse_root, nq),
+        PM_ARRAY(w->numbers.stand_in, nq),
+        PM_ARRAY(w->saddle.previous, nq),
+        PM_ARRAY(w->hinge, m->nbody + 1),
+        PM_ARRAY(w->saddle.wanted, nrow),
+        PM_ARRAY(w->numbers.of_joint, m->njoint_row),
+        PM_ARRAY(w->active.row, nrow + 1),
+        PM_ARRAY(w->active.of_joint, m->njoint_row),
+        PM_ARRAY(w->active.slot_normal, m->nslot),
+        PM_ARRAY(w->active.slot_tangent, m->nslot),
+        PM_ARRAY(w->active.friction_row, m->nfriction),
+        PM_ARRAY(w->active.friction_load, m->nfriction),
+        PM_ARRAY(w->active.slot_held, PM_JOINT_CONSTRAINTS * m->nslot),
+        PM_ARRAY(w->saddle.schur, (size_t)nrow * (size_t)nrow),
+        PM_ARRAY(w->saddle.pivot, nrow),
+        PM_ARRAY(w->saddle.first_row, m->nbody),
+        PM_ARRAY(w->active.body_place, m->nbody),
+        PM_ARRAY(w->active.joint_order, m->rows[PM_TABLE_JOINT]),
+        PM_ARRAY(w->saddle.basis_range, 2 * (nq + 1)),
+        PM_ARRAY(w->saddle.rhs, nrow),
+        PM_ARRAY(w->saddle.basis, (size_t)(nq + 1) * (size_t)nq),
+        PM_ARRAY(w->frame.pose, 5 * (m->nbody + 1)),
+        PM_ARRAY(w->frame.velocity, 3 * (m->nbody + 1)),
+        PM_ARRAY(w->frame.turn, 3 * m->nbody),
+        PM_ARRAY(w->frame.f, nq),
+        PM_ARRAY(w->frame.power, nforce),
+        PM_ARRAY(w->frame.a, nq),
+        PM_ARRAY(w->frame.lambda, nrow),
+        PM_ARRAY(w->impulses.joint, m->njoint_row),
+        PM_ARRAY(w->impulses.slot, 2 * m->nslot),
+        PM_ARRAY(w->impulses.slot_direction, 4 * m->nslot),
+        PM_ARRAY(w->instant.slot_before, m->nslot),
+        PM_ARRAY(w->instant.friction_before, m->nfriction),
+        PM_ARRAY(w->instant.slot_released, m->nslot),
+        PM_ARRAY(w->ledger.force_energy_start, nforce),
+        PM_ARRAY(w->step.reversed, nq),
+        PM_ARRAY(w->impulses.applied, nq),
+        PM_ARRAY(w->scratch, 8 * (nq + nrow + m->nslot)),
+    };
+    return pm_arena_create(&w->block, PM_ARRAYS(array));
 }
 
-#define PART(pointer, count)                                             \
-    {                                                                    \
-        (void **)(void *)&(pointer), (size_t)(count) * sizeof *(pointer) \
-    }
-
-int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
+/* Memory of the states and of the rooms, from the bottom to the top. */
+static int create_rooms(pm_workspace *w)
 {
-    pm_workspace *w = calloc(1, sizeof *w);
-    *workspace = NULL;
-    if (!w) return PM_NO_MEMORY;
-    w->model = w->frame.model = m;
-    w->frame.numbers = &w->numbers;
-    w->numbers.coarse = 1;
-    const int nforce = m->rows[PM_TABLE_FORCE], nrow = m->nrow, nq = m->nq;
-    const pm_part_of_block part[] = {
-        PART(w->numbers.value, m->nvalue),
-        PART(w->numbers.folded, m->programs.fold->nnumber),
-        PART(w->numbers.mass, m->nbody),
-        PART(w->numbers.fixed, m->nbody + 1),
-        PART(w->numbers.inverse_mass, nq),
-        PART(w->numbers.inverse_root, nq),
-        PART(w->numbers.stand_in, nq),
-        PART(w->saddle.previous, nq),
-        PART(w->hinge, m->nbody + 1),
-        PART(w->saddle.wanted, nrow),
-        PART(w->numbers.of_joint, m->njoint_row),
-        PART(w->active.row, nrow + 1),
-        PART(w->active.of_joint, m->njoint_row),
-        PART(w->active.slot_normal, m->nslot),
-        PART(w->active.slot_tangent, m->nslot),
-        PART(w->active.friction_row, m->nfriction),
-        PART(w->active.friction_load, m->nfriction),
-        PART(w->active.slot_held, PM_JOINT_CONSTRAINTS * m->nslot),
-        PART(w->saddle.schur, (size_t)nrow * (size_t)nrow),
-        PART(w->saddle.pivot, nrow),
-        PART(w->saddle.first_row, m->nbody),
-        PART(w->active.body_place, m->nbody),
-        PART(w->active.joint_order, m->rows[PM_TABLE_JOINT]),
-        PART(w->saddle.basis_range, 2 * (nq + 1)),
-        PART(w->saddle.rhs, nrow),
-        PART(w->saddle.basis, (size_t)(nq + 1) * (size_t)nq),
-        PART(w->frame.pose, 5 * (m->nbody + 1)),
-        PART(w->frame.velocity, 3 * (m->nbody + 1)),
-        PART(w->frame.turn, 3 * m->nbody),
-        PART(w->frame.f, nq),
-        PART(w->frame.power, nforce),
-        PART(w->frame.a, nq),
-        PART(w->frame.lambda, nrow),
-        PART(w->impulses.joint, m->njoint_row),
-        PART(w->impulses.slot, 2 * m->nslot),
-        PART(w->impulses.slot_direction, 4 * m->nslot),
-        PART(w->instant.slot_before, m->nslot),
-        PART(w->instant.friction_before, m->nfriction),
-        PART(w->instant.slot_released, m->nslot),
-        PART(w->ledger.force_energy_start, nforce),
-        PART(w->step.reversed, nq),
-        PART(w->impulses.applied, nq),
-        PART(w->scratch, 8 * (nq + nrow + m->nslot)),
-    };
-    int status = carve(&w->block, part, sizeof part / sizeof *part);
-    if (!status) status = pm_state_create(m, &w->state);
-    if (!status) status = pm_state_create(m, &w->start);
-    if (!status) status = pm_state_create(m, &w->probe);
-    if (!status) status = pm_state_create(m, &w->ahead);
+    int status = pm_state_create(w->model, &w->state);
+    if (!status) status = pm_state_create(w->model, &w->start);
+    if (!status) status = pm_state_create(w->model, &w->probe);
+    if (!status) status = pm_state_create(w->model, &w->ahead);
     if (!status) pm_joint_compose(&w->frame); /* which bodies they fasten is known before any case */
     if (!status) status = pm_solve_cache_create(w);
     if (!status) status = pm_fixed_bodies_create(w);
@@ -113,6 +88,19 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
     if (!status) status = pm_repeat_record_create(w);
     if (!status) status = pm_routes_create(w);
     if (!status) status = pm_perturbation_create(w);
+    return status;
+}
+
+int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
+{
+    pm_workspace *w = calloc(1, sizeof *w);
+    *workspace = NULL;
+    if (!w) return PM_NO_MEMORY;
+    w->model = w->frame.model = m;
+    w->frame.numbers = &w->numbers;
+    w->numbers.coarse = 1;
+    int status = create_arrays(w);
+    if (!status) status = create_rooms(w);
     if (status) {
         pm_workspace_free(w);
         return status;

@@ -4,23 +4,21 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "state/arena.h"
+
 int pm_state_create(const pm_model *m, pm_state *s)
 {
-    const size_t ndouble = 2 * (size_t)m->nq + (size_t)m->nz, nmemory = (size_t)m->nmemory,
-                 nslot = (size_t)m->nslot, nkept = (size_t)m->nkept, nfriction = (size_t)m->nfriction;
+    const pm_array array[] = {
+        PM_ARRAY(s->q, 2 * m->nq + m->nz),   PM_ARRAY(s->kept, m->nkept),
+        PM_ARRAY(s->memory, m->nmemory),     PM_ARRAY(s->slot, m->nslot),
+        PM_ARRAY(s->friction, m->nfriction), PM_ARRAY(s->absent, m->nelement),
+    };
     s->t = 0;
-    s->bytes = ndouble * sizeof(double) + nkept * sizeof(pm_kept) + nmemory * sizeof(pm_memory) +
-               nslot * sizeof(pm_slot) + nfriction * sizeof(int32_t) + (size_t)m->nelement;
-    s->block = calloc(1, s->bytes + 1);
-    if (!s->block) return PM_NO_MEMORY;
-    s->q = s->block;
+    s->bytes = pm_arena_size(PM_ARRAYS(array));
+    const int status = pm_arena_create(&s->block, PM_ARRAYS(array));
+    if (status) return status;
     s->v = s->q + m->nq;
     s->z = s->v + m->nq;
-    s->kept = (pm_kept *)(void *)(s->z + m->nz);
-    s->memory = (pm_memory *)(void *)(s->kept + m->nkept);
-    s->slot = (pm_slot *)(void *)(s->memory + m->nmemory);
-    s->friction = (int32_t *)(void *)(s->slot + m->nslot);
-    s->absent = (unsigned char *)(s->friction + m->nfriction);
     return PM_OK;
 }
 

@@ -36,7 +36,7 @@ typedef struct pm_kept {
 
 typedef struct pm_state {
     double t;
-    double *q, *v, *z;     /* [nq], [nq], [nz] */
+    double *q, *v, *z;     /* [nq], [nq], [nz], behind each other: one vector for those who integrate it */
     pm_kept *kept;         /* [nkept] */
     pm_memory *memory;     /* [nmemory]: joints, then slots */
     pm_slot *slot;         /* [nslot] */
