@@ -78,7 +78,7 @@ bench-long:
 	$(BIN)/python -m studies.benchmarks --out build/bench-long --only memory_long
 
 calibrate: setup
-	$(BIN)/python studies/benchmarks/calibration.py
+	$(BIN)/python -m studies.benchmarks.calibration
 
 gallery: setup
 	$(BIN)/python -m tests.chapter17.gallery

@@ -1,5 +1,7 @@
 """The constants that Python uses are those of the C header."""
 
+from __future__ import annotations
+
 import importlib.util
 import shutil
 import subprocess
@@ -31,13 +33,13 @@ def constants(header: str) -> dict[str, int]:
     return layout.read(header).constant
 
 
-def test_values_count_up_from_the_last_explicit_one():
+def test_values_count_up_from_the_last_explicit_one() -> None:
     assert constants("enum pm_e { PM_A, PM_B = 3, PM_C, PM_D = -7, PM_E };") == {
         "PM_A": 0, "PM_B": 3, "PM_C": 4, "PM_D": -7, "PM_E": -6,
     }  # fmt: skip
 
 
-def test_comments_are_no_part_of_the_header():
+def test_comments_are_no_part_of_the_header() -> None:
     header = """
     enum pm_e { /* PM_X, } */
         PM_A, // one, = 2
@@ -51,15 +53,15 @@ def test_comments_are_no_part_of_the_header():
     assert constants(header) == {"PM_A": 0, "PM_B": 1, "PM_NEW": 2}
 
 
-def test_a_trailing_comma_is_no_entry():
+def test_a_trailing_comma_is_no_entry() -> None:
     assert constants("enum pm_e { PM_A, PM_B, };") == {"PM_A": 0, "PM_B": 1}
 
 
-def test_a_typedef_is_an_enumeration_too():
+def test_a_typedef_is_an_enumeration_too() -> None:
     assert constants("typedef enum pm_e { PM_A } pm_e;") == {"PM_A": 0}
 
 
-def test_the_type_of_an_argument_is_not_a_definition():
+def test_the_type_of_an_argument_is_not_a_definition() -> None:
     assert constants("int pm_f(enum pm_e e);\nint pm_g(void);") == {}
 
 
@@ -76,16 +78,16 @@ def test_the_type_of_an_argument_is_not_a_definition():
         ("~0", -1),
     ],
 )
-def test_integer_arithmetic(value, number):
+def test_integer_arithmetic(value: str, number: int) -> None:
     assert constants(f"#define PM_A 5\n#define PM_B {value}")["PM_B"] == number
     assert constants(f"#define PM_A 5\nenum pm_e {{ PM_B = {value} }};")["PM_B"] == number
 
 
-def test_a_macro_may_run_over_two_lines():
+def test_a_macro_may_run_over_two_lines() -> None:
     assert constants("#define PM_A \\\n    12\n") == {"PM_A": 12}
 
 
-def test_macros_that_are_no_integers_are_left_out():
+def test_macros_that_are_no_integers_are_left_out() -> None:
     header = """
     #ifndef PM_H
     #define PM_H
@@ -117,13 +119,13 @@ def test_macros_that_are_no_integers_are_left_out():
         ("#define PM_A (1 +", "PM_A: cannot read the value '(1 +'"),
     ],
 )
-def test_what_cannot_be_read_is_an_error(header, message):
+def test_what_cannot_be_read_is_an_error(header: str, message: str) -> None:
     with pytest.raises(layout.LayoutError) as error:
         layout.read(header)
     assert message in str(error.value)
 
 
-def test_the_written_module_holds_constants_and_enumerations(tmp_path):
+def test_the_written_module_holds_constants_and_enumerations(tmp_path: Path) -> None:
     header = "#define PM_N 2\nenum pm_side { PM_LEFT, PM_RIGHT = 3 };"
     path = tmp_path / "written.py"
     path.write_text(layout.write(layout.read(header), "planemotion.h"))
@@ -132,7 +134,7 @@ def test_the_written_module_holds_constants_and_enumerations(tmp_path):
     assert module.pm_side == {"PM_LEFT": 0, "PM_RIGHT": 3}
 
 
-def test_an_error_names_the_header_and_writes_nothing(tmp_path):
+def test_an_error_names_the_header_and_writes_nothing(tmp_path: Path) -> None:
     header = tmp_path / "planemotion.h"
     header.write_text("enum pm_e { PM_A = 1.5 };")
     output = tmp_path / "out.py"
@@ -145,7 +147,7 @@ def test_an_error_names_the_header_and_writes_nothing(tmp_path):
 
 
 @pytest.mark.skipif(shutil.which("cc") is None, reason="needs a C compiler")
-def test_the_installed_constants_are_those_of_the_compiler(tmp_path):
+def test_the_installed_constants_are_those_of_the_compiler(tmp_path: Path) -> None:
     names = [name for name in vars(installed) if name.startswith("PM_")]
     prints = "\n".join(f'    printf("{name} %lld\\n", (long long)({name}));' for name in names)
     source = tmp_path / "constants.c"

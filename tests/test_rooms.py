@@ -71,7 +71,7 @@ def imports(package: Path, made: list[str]) -> list[Import]:
     paths = modules(package)
     known = {*paths, *made}
     return [
-        Import(name, imported, node.lineno)
+        Import(name, imported, getattr(node, "lineno", 0))
         for name, path in paths.items()
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
         for imported in _imported(node, package.name, _folder(name, path), known)

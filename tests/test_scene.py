@@ -84,7 +84,7 @@ def test_values_are_brought_into_one_form() -> None:
     assert data.start == {"AB.omega": "1 rad/s", "AB.B.velocity in AB": Vector("0 m/s", 0)}
     assert data.ask["omega"] == Ask(of="AB.omega")
     assert data.bodies["AB"].at == Place((("A", Vector(0, 0)),))
-    assert data.sweep.grids["L"] == Grid(values=("1 m", "2 m"))
+    assert data.sweep.grids["L"] == Grid.model_validate({"values": ("1 m", "2 m")})
     assert data.sweep.zip == (("L",),)
 
 

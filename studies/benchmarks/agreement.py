@@ -12,6 +12,7 @@ import resource
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from multiprocessing.connection import Connection
 from pathlib import Path
 
@@ -59,9 +60,9 @@ def scenes() -> list[tuple[str, Callable[[], planemotion.Scene]]]:
     """Name, with the duration where it is not that of the file, and how to get it."""
     files = [*sorted(STUDIES.glob("*.toml")), *sorted((HERE / "scenes").glob("*.toml"))]
     found: list[tuple[str, Callable[[], planemotion.Scene]]] = [
-        (path.stem, lambda path=path: planemotion.load(path)) for path in files
+        (path.stem, partial(planemotion.load, path)) for path in files
     ]
-    found += [(f"four_bars_{n}, 10 s", lambda n=n: generate.four_bars(n)) for n in (2, 40)]
+    found += [(f"four_bars_{n}, 10 s", partial(generate.four_bars, n)) for n in (2, 40)]
     return [*found, ("four_bars_40, 0.5 s", lambda: generate.four_bars(40, SHORT))]
 
 
@@ -135,7 +136,7 @@ def compared(asks: Sequence[str], default: Answers, other: Answers | str) -> tup
     case, column = np.unravel_index(int(np.argmax(difference)), difference.shape)
     greatest = float(difference[case, column])
     estimated = float((default.error + other.error)[case, column] / size[case, column])
-    key = asks[column] + (" ~" if zero[case, column] else "")
+    key = asks[int(column)] + (" ~" if zero[case, column] else "")
     agrees, status = greatest <= AGREES, next(filter(None, other.status), layout.PM_OK)
     word = "yes" if agrees else "no"
     word += "" if status == layout.PM_OK else f", {kernel.status_name(status)}"

@@ -1,7 +1,7 @@
 """Estimated errors against true ones: `make calibrate`.
 
-    .venv/bin/python studies/benchmarks/calibration.py          tables; exit status 1 if a target is missed
-    .venv/bin/python studies/benchmarks/calibration.py renew    compute the stored truths again (minutes)
+    .venv/bin/python -m studies.benchmarks.calibration          tables; exit status 1 if a target is missed
+    .venv/bin/python -m studies.benchmarks.calibration renew    compute the stored truths again (minutes)
 
 Scenes whose answers are known - closed forms, quadratures and integrations in 30 digits that share nothing
 with the engine, the chapter's reference figures - are run at many accuracies, on the default route and on
@@ -22,12 +22,12 @@ import time
 import tomllib
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import mpmath as mp
 import numpy as np
-from truths import G_SI, INCH, collar_reference, gragg_extrapolation, sphere_reference
 
 import planemotion
 from planemotion._layout import (
@@ -40,6 +40,7 @@ from planemotion._layout import (
 )
 from planemotion.compile.flatten import flatten
 from planemotion.engine import call, messages
+from studies.benchmarks.truths import G_SI, INCH, collar_reference, gragg_extrapolation, sphere_reference
 
 STUDIES = Path(__file__).parent.parent
 CHAPTER = STUDIES / "chapter17"
@@ -225,7 +226,7 @@ def renew() -> None:
     with mp.workdps(30):
         for t, intervals in ((1, 100), (2, 200), (5, 600)):
             a, b = agreed(
-                lambda n, t=t: gragg_extrapolation(double_pendulum, [mp.mpf(0)] * 4, mp.mpf(t), n), intervals
+                partial(gragg_extrapolation, double_pendulum, [mp.mpf(0)] * 4, mp.mpf(t)), intervals
             )[:2]
             values = {
                 "tip_x": mp.cos(a) + mp.cos(b),
@@ -236,9 +237,7 @@ def renew() -> None:
             lines += entry("double_pendulum", t, values)
         for t, intervals in ((1, 300), (3, 900), (10, 3000)):
             start = [mp.pi / 4, mp.mpf(10)]
-            th = agreed(
-                lambda n, t=t, s=start: gragg_extrapolation(slider_crank, s, mp.mpf(t), n), intervals
-            )[0]
+            th = agreed(partial(gragg_extrapolation, slider_crank, start, mp.mpf(t)), intervals)[0]
             a, length = mp.mpf("0.1"), mp.mpf("0.3")
             piston = a * mp.cos(th) + mp.sqrt(length**2 - (a * mp.sin(th)) ** 2)
             lines += entry("slider_crank", t, {"crank_angle": th, "piston_x": 1000 * piston})

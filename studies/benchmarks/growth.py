@@ -6,6 +6,7 @@ import math
 import subprocess
 import sys
 from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -206,9 +207,7 @@ def cases(quick: bool) -> Table:
     for n in CASES[:3] if quick else CASES:
         d = {"from": "0 m", "to": "0.3 m", "num": n} if n > 1 else ["0.2 m"]
         param = columns(flat, ("d",), np.linspace(0, 0.3, n)[:, None] if n > 1 else np.array([[0.2]]))
-        kernel, sweep = in_turns(
-            lambda param=param: run_cases(flat, param), lambda d=d: scene.sweep(workers=1, d=d)
-        )
+        kernel, sweep = in_turns(partial(run_cases, flat, param), partial(scene.sweep, workers=1, d=d))
         least, middle = np.min(sweep) - np.min(kernel), np.median(sweep) - np.median(kernel)
         figures = [np.min(kernel), np.min(kernel) / n, np.min(sweep), least, least / n, middle]
         table.rows.append([n, *(scale * figure for scale, figure in zip(scales, figures, strict=True))])

@@ -5,7 +5,9 @@ from __future__ import annotations
 import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -97,9 +99,7 @@ class Rate:
     def row(self, repeat: int) -> list[str | float | int | None]:
         if not self.timer:
             return [*self.words, None, None, None, None, self.why]
-        one, two = (
-            wall(lambda n=n: call.run_cases(self.flat, self.param, workers=n), repeat) for n in (1, 2)
-        )
+        one, two = (wall(partial(call.run_cases, self.flat, self.param, workers=n), repeat) for n in (1, 2))
         rate = len(self.param) / self.timer.best
         return [*self.words, rate, one / two, self.error, self.wrong, ""]
 
@@ -163,12 +163,12 @@ def sweep_row(study: str, asks: Sequence[str], names: Sequence[str], quick: bool
     return [study, words, cases, seconds, cases / seconds, f"{100 * kernel / seconds:.0f} %", size / 2**20]
 
 
-def dry(path: Path, asks: Sequence[str], grids: dict[str, object]) -> float:
+def dry(path: Path, asks: Sequence[str], grids: dict[str, Any]) -> float:
     """CPU seconds of a sweep that writes nothing."""
     return cpu(lambda: sweep(path, asks, grids, None))
 
 
-def grid(study: str, names: Sequence[str], side: int) -> dict[str, object]:
+def grid(study: str, names: Sequence[str], side: int) -> dict[str, Any]:
     first, second = names
     low, high = RANGES[first][study]
     least, most = OTHER[second]
@@ -178,7 +178,7 @@ def grid(study: str, names: Sequence[str], side: int) -> dict[str, object]:
     }
 
 
-def sweep(path: Path, asks: Sequence[str], grids: dict[str, object], out: str | None) -> None:
+def sweep(path: Path, asks: Sequence[str], grids: dict[str, Any], out: str | None) -> None:
     with_asks(path, asks).sweep(out=out, workers=1, **grids)
 
 
@@ -188,7 +188,7 @@ def with_asks(path: Path, asks: Sequence[str]) -> planemotion.Scene:
     return planemotion.Scene.from_raw(raw, file=scene.file)
 
 
-def kernel_seconds(path: Path, asks: Sequence[str], grids: dict[str, object]) -> float:
+def kernel_seconds(path: Path, asks: Sequence[str], grids: dict[str, Any]) -> float:
     """CPU s of the kernel alone for the cases of a sweep."""
     from planemotion.sweep.plan import plan_sweep
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from .problems import LEAST_ERROR, Problem
@@ -68,7 +68,7 @@ def work_precision(problem: Problem, rows: Sequence[Row], path: Path) -> None:
 
 
 def growth(
-    title: str, x_label: str, y_label: str, lines: dict[str, Sequence[tuple[float, float]]], path: Path
+    title: str, x_label: str, y_label: str, lines: Mapping[str, Sequence[tuple[float, float]]], path: Path
 ) -> None:
     """Writes a picture of cost growth: lines of (x, y), both logarithmic."""
     from matplotlib.figure import Figure

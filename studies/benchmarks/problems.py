@@ -8,7 +8,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -188,7 +188,7 @@ PROBLEMS = (
             f"IFToMM A02, N-four-bar, N = {n}, 10 s through its flat position",
             "rad",
             models.FourBars(n),
-            lambda n=n: generate.four_bars(n),
+            partial(generate.four_bars, n),
             ("angle", "energy"),
             drift="energy",
             energy=models.FourBars(n).start_energy,

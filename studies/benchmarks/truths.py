@@ -4,11 +4,15 @@ They share nothing with the engine."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import mpmath as mp
 
 INCH = 0.0254  # m
 G_US = 32.2 * 0.3048  # m/s^2
 G_SI = 9.81  # m/s^2
+
+State = list[mp.mpf]
 
 
 def sphere_reference(d: float, r: float, omega0: float) -> tuple[float, int]:
@@ -44,7 +48,9 @@ def collar_reference(
     return float(speed(mp.pi)), float(mp.quad(lambda x: 1 / speed(x), mp.linspace(0, 2 * mp.pi, 9)))
 
 
-def gragg_extrapolation(rhs, y0, t_end, intervals: int, order: int = 12):
+def gragg_extrapolation(
+    rhs: Callable[[mp.mpf, State], State], y0: State, t_end: mp.mpf, intervals: int, order: int = 12
+) -> State:
     """Bulirsch-Stoer with fixed intervals: midpoint rule with 2, 4 .. 2 order substeps, extrapolated."""
     y, h = list(y0), t_end / intervals
     for i in range(intervals):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import pytest
 
@@ -121,7 +122,7 @@ def test_what_a_kind_declares_can_be_asked(word: str) -> None:
         made.ask(key, address)
     result = made.run()
     assert result.status == "ok", result.error
-    values = {address: result.asks[key].value for address, key in asked.items()}
+    values: dict[str, Any] = {address: result.asks[key].value for address, key in asked.items()}
     flat = flatten(made, history=True)
     history = engine.trace(flat, flat.defaults)
     assert {column: values[column] for column in shown} == pytest.approx(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -34,7 +36,7 @@ from planemotion.language.parser import parse
         ("  AB.x   on  DE ", Address("AB", ("x",), on="DE")),
     ],
 )
-def test_read(text, address):
+def test_read(text: str, address: Address) -> None:
     assert parse_address(text) == address
     assert parse_address(str(address)) == address
 
@@ -44,7 +46,7 @@ OPTIONAL_WORD = st.none() | WORD
 
 
 @st.composite
-def addresses(draw):
+def addresses(draw: Any) -> Any:
     path = tuple(draw(st.lists(WORD, min_size=1, max_size=3)))
     member = draw(st.none() | st.integers(-99, 99))
     return Address(
@@ -60,7 +62,7 @@ def addresses(draw):
 
 
 @given(addresses())
-def test_round_trip(address):
+def test_round_trip(address: Address) -> None:
     assert parse_address(str(address)) == address
     assert parse(str(address)) == address
 
@@ -82,7 +84,7 @@ def test_round_trip(address):
         ("AB.velocity along", 'it ends where an angle or a line after "along" is wanted'),
     ],
 )
-def test_messages(text, message):
+def test_messages(text: str, message: str) -> None:
     with pytest.raises(SceneError) as caught:
         parse_address(text)
     assert message in str(caught.value)

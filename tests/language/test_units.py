@@ -7,6 +7,7 @@ import pickle
 import subprocess
 import sys
 from contextlib import suppress
+from typing import Any
 
 import pint
 import pytest
@@ -25,7 +26,7 @@ WORDS_OF_PINT = {"lb": "force_pound", "oz": "force_ounce", "lbm": "pound", "rev"
 
 
 @pytest.fixture(scope="module")
-def plain_pint():
+def plain_pint() -> Any:
     return pint.UnitRegistry()
 
 
@@ -48,7 +49,7 @@ BY_HAND = {
 
 
 @pytest.mark.parametrize("word", WORDS)
-def test_static_table_is_pint_s(word, plain_pint):
+def test_static_table_is_pint_s(word: str, plain_pint: Any) -> None:
     base = plain_pint.Quantity(1.0, WORDS_OF_PINT.get(word, word)).to_base_units()
     size, dimension = factor(word)
     assert dimension == Dimension(*(base.dimensionality.get(f"[{name}]", 0) for name in BASES))
@@ -56,21 +57,21 @@ def test_static_table_is_pint_s(word, plain_pint):
 
 
 @pytest.mark.parametrize(("text", "expected"), BY_HAND.items())
-def test_factor_of_compound_units(text, expected):
+def test_factor_of_compound_units(text: str, expected: Any) -> None:
     size, dimension = factor(text)
     assert size == pytest.approx(expected[0], rel=1e-15)
     assert dimension == expected[1]
 
 
 @given(st.floats(-1e12, 1e12, allow_subnormal=False), st.sampled_from(WORDS))
-def test_round_trip(value, word):
+def test_round_trip(value: float, word: str) -> None:
     quantity = parse_quantity(f"{value!r} {word}")
     assert quantity.value == value
     assert to_unit(quantity.value_si, word) == pytest.approx(value, rel=3e-16)
 
 
 @given(st.sampled_from(WORDS), st.sampled_from(WORDS), st.integers(1, 4))
-def test_products_of_units_multiply(first, second, power):
+def test_products_of_units_multiply(first: str, second: str, power: int) -> None:
     size, dimension = factor(f"{first}/{second}^{power}")
     assert size == pytest.approx(factor(first)[0] / factor(second)[0] ** power, rel=1e-15)
     assert dimension == factor(first)[1] / factor(second)[1] ** power
@@ -91,19 +92,19 @@ def test_products_of_units_multiply(first, second, power):
         (2, 2.0, dimensions.DIMENSIONLESS, ""),
     ],
 )
-def test_quantity(text, value_si, dimension, unit):
+def test_quantity(text: str | float, value_si: float, dimension: Dimension, unit: str) -> None:
     quantity = parse_quantity(text)
     assert quantity.value_si == pytest.approx(value_si, rel=1e-15)
     assert (quantity.dimension, quantity.unit_text) == (dimension, unit)
     assert quantity.value_si == quantity.value * factor(quantity.unit_text)[0]
 
 
-def test_words_outside_the_table_come_from_pint():
+def test_words_outside_the_table_come_from_pint() -> None:
     assert factor("furlong") == (pytest.approx(201.168, rel=1e-5), dimensions.LENGTH)
     assert factor("klb") == (pytest.approx(4448.2216152605), dimensions.FORCE)
 
 
-def test_quantities_of_pint_keep_their_own_meaning(plain_pint):
+def test_quantities_of_pint_keep_their_own_meaning(plain_pint: Any) -> None:
     theirs, ours = plain_pint, units.registry()
     assert parse_quantity(theirs.Quantity(3, "inch")) == parse_quantity("3 in")
     # lb is a mass in their registry and a force in ours.
@@ -149,24 +150,24 @@ def test_quantities_of_pint_keep_their_own_meaning(plain_pint):
         (None, "a number with a unit is wanted"),
     ],
 )
-def test_messages(text, message):
+def test_messages(text: str, message: str) -> None:
     with pytest.raises(SceneError) as caught:
         parse_quantity(text)
     assert message in str(caught.value)
 
 
 @given(st.text(max_size=20))
-def test_any_text_is_a_quantity_or_an_error(text):
+def test_any_text_is_a_quantity_or_an_error(text: str) -> None:
     with suppress(SceneError):
         assert math.isfinite(parse_quantity(text).value_si)
 
 
 @pytest.mark.parametrize("dimension", list(dimensions._KNOWN_DIMENSIONS))
-def test_the_unit_of_a_dimension_is_si(dimension):
+def test_the_unit_of_a_dimension_is_si(dimension: Dimension) -> None:
     assert factor(dimension.unit) == (1.0, dimension)
 
 
-def test_dimension_names():
+def test_dimension_names() -> None:
     assert dimensions.INERTIA.name == "moment of inertia"
     assert dimensions.INERTIA.formula == "mass*length^2"
     assert dimensions.ANGULAR_VELOCITY.phrase == "an angular velocity"
@@ -180,7 +181,7 @@ def test_dimension_names():
     ).formula == "1/(mass*length^2*time)"
 
 
-def test_common_units_do_not_import_pint():
+def test_common_units_do_not_import_pint() -> None:
     """Start-up time: pint takes longer to import than everything else."""
     script = (
         "import sys; from planemotion.language.units import parse_quantity; parse_quantity('10 lb*ft/s^2'); "
@@ -189,7 +190,7 @@ def test_common_units_do_not_import_pint():
     assert subprocess.run([sys.executable, "-c", script], check=False).returncode == 0
 
 
-def test_scene_error_text():
+def test_scene_error_text() -> None:
     error = SceneError("it must be positive", value="-3 kg")
     assert str(error) == '"-3 kg": it must be positive'
     placed = error.at(file="rod.toml", path="bodies.AB.mass")
@@ -201,14 +202,14 @@ def test_scene_error_text():
     assert isinstance(placed, PlanemotionError)
 
 
-def test_errors_cross_processes():
+def test_errors_cross_processes() -> None:
     error = pickle.loads(pickle.dumps(SceneError("bad", file="a.toml", path="g", value=1)))
     assert str(error) == "a.toml: g = 1: bad"
     failed = pickle.loads(pickle.dumps(SimulationError("singular", status=-7, time=0.5)))
     assert (str(failed), failed.status, failed.time, failed.result) == ("singular", -7, 0.5, None)
 
 
-def test_nearest():
+def test_nearest() -> None:
     assert nearest("frictoin", ["friction", "mass"]) == "friction"
     assert nearest("Mass", ["friction", "mass"]) == "mass"
     assert nearest("zzz", ["friction", "mass"]) is None

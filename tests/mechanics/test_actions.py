@@ -8,7 +8,7 @@ import pytest
 
 import planemotion
 from tests import CHAPTER
-from tests.scenes import ROUTES, G, answers, fault, within
+from tests.scenes import ROUTES, G, answers, fault, number, within
 from tests.scenes.parts import FLOOR, body, on_axle, rod_on_pin, touching
 
 SLING = """
@@ -228,5 +228,4 @@ def test_nudges_are_told_where_they_lead_nowhere() -> None:
 def test_the_time_that_a_nudge_takes_is_not_known() -> None:
     text = nudged("rod.omega < 0") + 'start_of_fall = "t"'
     answer = planemotion.load_text(text).run().asks["start_of_fall"]
-    assert answer.error is not None
-    assert answer.error > 0.01
+    assert number(answer.error) > 0.01

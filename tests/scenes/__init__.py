@@ -21,6 +21,18 @@ def answers(text: str, route: str = "auto", **parameters: Any) -> dict[str, Any]
     return {key: answer.value for key, answer in result.asks.items()}
 
 
+def number(value: float | list[float | None] | None) -> float:
+    """A value that is one number."""
+    assert isinstance(value, int | float)
+    return value
+
+
+def numbers(value: float | list[float | None] | None) -> list[Any]:
+    """A value that is a list."""
+    assert isinstance(value, list)
+    return value
+
+
 def within(route: str, ida: float = 1e-5, others: float = 1e-9) -> float:
     """The relative error that is allowed: the route ida keeps fewer digits than the others."""
     return ida if route == "ida" else others

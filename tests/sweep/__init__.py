@@ -1,1 +1,3 @@
 """Sweeps: grids, plans, chunks, files, resuming."""
+
+from __future__ import annotations

@@ -1,9 +1,13 @@
 """The files of a sweep: blocks, parts, the lock, the result file, its table and its summary."""
 
+from __future__ import annotations
+
 import csv
 import errno
 import math
 import os
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -24,7 +28,9 @@ from planemotion.sweep.table import summarise, write_csv
 MANIFEST = {"format": 1, "scene": "one\ntwo", "sweep": {"d": {"num": 3}}, "checksums": {"tables": "a"}}
 
 
-def block(first, count, columns=3, runs=1, message=None):
+def block(
+    first: int, count: int, columns: int = 3, runs: int = 1, message: dict[int, str] | None = None
+) -> Block:
     """Rows that tell their case."""
     case = np.arange(first, first + count)
     return Block(
@@ -41,27 +47,29 @@ def block(first, count, columns=3, runs=1, message=None):
     )
 
 
-def layout(*sizes, runs=(), at=None, estimate=False):
+def layout(*sizes: int, runs: Any = (), at: Any = None, estimate: bool = False) -> Layout:
     dims = tuple((f"p{i}", size) for i, size in enumerate(sizes))
-    coordinates = tuple(Coordinate(name, name, "min", np.arange(size) + 0.5) for name, size in dims)
+    coordinates = tuple(
+        Coordinate(name, name, "min", np.arange(size, dtype=np.float64) + 0.5) for name, size in dims
+    )
     asks = (Asked("v", "s", 1, 0, 1, False, "t"), Asked("w", "h", 1, 1, 2, True, "each t", at))
     return Layout(dims, coordinates, asks, runs, estimate)
 
 
-def same(a, b):
+def same(a: Block, b: Block) -> bool:
     names = ("value", "reason", "status", "run_status", "route", "audit", "error", "trust")
     equal = all(getattr(a, name).tobytes() == getattr(b, name).tobytes() for name in names)
     return equal and (a.message, a.seconds) == (b.message, b.seconds)
 
 
-def store(folder, resume=False, **changes):
+def store(folder: Path, resume: bool = False, **changes: Any) -> SweepStore:
     return SweepStore(folder, "s", 10, {**MANIFEST, **changes}, resume=resume)
 
 
 # ---- blocks ------------------------------------------------------------------------------------------------
 
 
-def test_a_block_comes_back_bit_for_bit():
+def test_a_block_comes_back_bit_for_bit() -> None:
     odd = block(3, 4, message={4: "open by 3 µm", 6: 'a "line"\nand another'})
     odd.value[0] = [math.nan, -0.0, 5e-324]
     assert same(Block.from_bytes(odd.to_bytes()), odd)
@@ -70,7 +78,7 @@ def test_a_block_comes_back_bit_for_bit():
     assert same(Block.from_bytes(empty.to_bytes()), empty)
 
 
-def test_joined_blocks_are_the_whole():
+def test_joined_blocks_are_the_whole() -> None:
     message = {1: "a", 5: "b", 9: "c"}
     whole = block(0, 10, message=message)
     pieces = [block(first, count, message=message) for first, count in ((0, 3), (3, 1), (4, 6))]
@@ -80,7 +88,7 @@ def test_joined_blocks_are_the_whole():
 
 
 @given(st.lists(st.integers(1, 5), min_size=1, max_size=4), st.data())
-def test_hyperslabs_cover_the_cases_in_order(shape, data):
+def test_hyperslabs_cover_the_cases_in_order(shape: Any, data: Any) -> None:
     cases = math.prod(shape)
     first = data.draw(st.integers(0, cases))
     count = data.draw(st.integers(0, cases - first))
@@ -94,14 +102,14 @@ def test_hyperslabs_cover_the_cases_in_order(shape, data):
 # ---- files -------------------------------------------------------------------------------------------------
 
 
-def write_half(path, fault):
+def write_half(path: Path, fault: Exception) -> None:
     with appearing(path) as temporary:
         temporary.write_text("half")
         assert not path.exists()
         raise fault
 
 
-def test_a_file_appears_whole_or_not_at_all(tmp_path):
+def test_a_file_appears_whole_or_not_at_all(tmp_path: Path) -> None:
     path = tmp_path / "file"
     with pytest.raises(ZeroDivisionError):
         write_half(path, ZeroDivisionError())
@@ -120,13 +128,13 @@ def test_a_file_appears_whole_or_not_at_all(tmp_path):
         (PermissionError(errno.EACCES, "Permission denied"), "file: cannot be written: Permission denied"),
     ],
 )
-def test_what_the_system_says_becomes_a_message(tmp_path, fault, message):
+def test_what_the_system_says_becomes_a_message(tmp_path: Path, fault: Exception, message: str) -> None:
     with pytest.raises(StudyError, match=message):
         write_half(tmp_path / "file", fault)
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_lock_keeps_others_out_until_it_is_released(tmp_path):
+def test_a_lock_keeps_others_out_until_it_is_released(tmp_path: Path) -> None:
     mine, other = OutputLock(tmp_path), OutputLock(tmp_path)
     mine.acquire()
     with pytest.raises(
@@ -141,7 +149,7 @@ def test_a_lock_keeps_others_out_until_it_is_released(tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
-def test_the_lock_file_of_a_dead_process_is_taken_over(tmp_path):
+def test_the_lock_file_of_a_dead_process_is_taken_over(tmp_path: Path) -> None:
     lock = OutputLock(tmp_path)
     lock.path.write_text(
         "process 1 on elsewhere, since 2001-01-01 00:00:00, and more than the new text is long " * 3
@@ -155,7 +163,7 @@ def test_the_lock_file_of_a_dead_process_is_taken_over(tmp_path):
 # ---- the store ---------------------------------------------------------------------------------------------
 
 
-def test_parts_may_come_in_any_order_and_are_read_in_order(tmp_path):
+def test_parts_may_come_in_any_order_and_are_read_in_order(tmp_path: Path) -> None:
     with store(tmp_path) as first:
         assert first.gaps() == [(0, 10)]
         first.add(6, block(6, 2))
@@ -169,13 +177,13 @@ def test_parts_may_come_in_any_order_and_are_read_in_order(tmp_path):
         assert same(Block(**{**vars(Block.join(list(again.blocks()))), "seconds": 0.25}), block(0, 10))
 
 
-def test_a_sweep_without_a_part_leaves_nothing(tmp_path):
+def test_a_sweep_without_a_part_leaves_nothing(tmp_path: Path) -> None:
     with store(tmp_path / "out"):
         assert (tmp_path / "out/s.parts/manifest.json").exists()
     assert list(tmp_path.iterdir()) == []
 
 
-def test_other_results_in_the_folder_do_not_matter(tmp_path):
+def test_other_results_in_the_folder_do_not_matter(tmp_path: Path) -> None:
     (tmp_path / "other.h5").write_text("mine")
     (tmp_path / "other.parts").mkdir()
     with store(tmp_path) as first:
@@ -183,7 +191,7 @@ def test_other_results_in_the_folder_do_not_matter(tmp_path):
     assert (tmp_path / "other.h5").read_text() == "mine"
 
 
-def test_a_part_that_is_there_twice_is_refused(tmp_path):
+def test_a_part_that_is_there_twice_is_refused(tmp_path: Path) -> None:
     with store(tmp_path) as first:
         first.add(0, block(0, 4))
         first.add(6, block(6, 1))
@@ -196,7 +204,7 @@ def test_a_part_that_is_there_twice_is_refused(tmp_path):
     assert len(list(tmp_path.glob("s.parts/part-*"))) == 3
 
 
-def test_the_leftovers_of_a_kill_are_cleared_away(tmp_path):
+def test_the_leftovers_of_a_kill_are_cleared_away(tmp_path: Path) -> None:
     with store(tmp_path) as first:
         first.add(0, block(0, 4))
     (tmp_path / "s.parts/.part-x.tmp").write_text("half")
@@ -218,7 +226,7 @@ def test_the_leftovers_of_a_kill_are_cleared_away(tmp_path):
         ({"format": 2, "checksums": {"tables": "b"}}, "format (1, now 2)", "tables"),
     ],
 )
-def test_what_differs_is_named(tmp_path, changes, said, not_said):
+def test_what_differs_is_named(tmp_path: Path, changes: dict[str, Any], said: str, not_said: str) -> None:
     with store(tmp_path) as first:
         first.add(0, block(0, 4))
     with pytest.raises(StudyError) as error:
@@ -227,7 +235,7 @@ def test_what_differs_is_named(tmp_path, changes, said, not_said):
     assert not not_said or not_said not in str(error.value)
 
 
-def test_a_file_that_is_no_result_is_refused(tmp_path):
+def test_a_file_that_is_no_result_is_refused(tmp_path: Path) -> None:
     (tmp_path / "s.h5").write_text("mine")
     for resume, message in ((False, "never overwritten"), (True, "is not a whole result of a sweep")):
         with pytest.raises(StudyError, match=message):
@@ -241,7 +249,7 @@ def test_a_file_that_is_no_result_is_refused(tmp_path):
 
 @pytest.mark.parametrize("shape", [(10,), (2, 5), (5, 2), (1, 10, 1), (2, 1, 5)])
 @pytest.mark.parametrize("pieces", [(10,), (3, 4, 3), (1,) * 10])
-def test_every_case_finds_its_place(tmp_path, shape, pieces):
+def test_every_case_finds_its_place(tmp_path: Path, shape: Any, pieces: tuple[int, ...]) -> None:
     message = {2: "two", 7: "seven"}
     firsts = np.cumsum((0, *pieces))
     blocks = [block(int(first), count, message=message) for first, count in zip(firsts, pieces, strict=False)]
@@ -254,7 +262,7 @@ def test_every_case_finds_its_place(tmp_path, shape, pieces):
         assert data.audit_energy.values.ravel().tolist() == [i * 1e-15 for i in range(10)]
 
 
-def test_units_of_time_and_long_texts_survive(tmp_path):
+def test_units_of_time_and_long_texts_survive(tmp_path: Path) -> None:
     text = "a scene\n" * 20_000
     write_result(tmp_path / "r.h5", layout(3), [block(0, 3)], {"scene": text})
     with xr.open_dataset(tmp_path / "r.h5", engine="h5netcdf") as data:
@@ -270,19 +278,19 @@ def test_units_of_time_and_long_texts_survive(tmp_path):
         assert data.w_number.values.tolist() == [1, 2]
 
 
-def test_a_list_over_a_grid_has_its_values(tmp_path):
+def test_a_list_over_a_grid_has_its_values(tmp_path: Path) -> None:
     write_result(tmp_path / "r.h5", layout(3, at=("deg", np.array([30.0, -90.0]))), [block(0, 3)], {})
     with xr.open_dataset(tmp_path / "r.h5", engine="h5netcdf") as data:
         assert data.w.sel(w_at=-90).values.tolist() == [0.2, 1.2, 2.2]
         assert data.w_at.attrs["units"] == "deg"
 
 
-def test_a_result_needs_all_cases(tmp_path):
+def test_a_result_needs_all_cases(tmp_path: Path) -> None:
     with pytest.raises(StudyError, match="3 of 4 cases"):
         write_result(tmp_path / "r.h5", layout(4), [block(0, 3)], {})
 
 
-def test_a_message_costs_no_space_where_all_is_well(tmp_path):
+def test_a_message_costs_no_space_where_all_is_well(tmp_path: Path) -> None:
     for name, message in (("well", None), ("ill", {5: "x"})):
         write_result(
             tmp_path / name,
@@ -295,7 +303,7 @@ def test_a_message_costs_no_space_where_all_is_well(tmp_path):
     assert (tmp_path / "ill").stat().st_size < numbers + 5_000_000
 
 
-def test_the_table_says_why(tmp_path):
+def test_the_table_says_why(tmp_path: Path) -> None:
     odd = block(0, 3, message={1: 'joints.A is "open",\nby 3 mm'})
     odd.value[2, 0] = math.nan
     odd.reason[2] = [PM_REASON_NOT_REACHED, PM_REASON_NOT_REACHED]
@@ -311,7 +319,7 @@ def test_the_table_says_why(tmp_path):
     ]
 
 
-def test_a_summary_shows_both_ends_and_counts_the_statuses(tmp_path):
+def test_a_summary_shows_both_ends_and_counts_the_statuses(tmp_path: Path) -> None:
     write_result(tmp_path / "r.h5", layout(10, 10), [block(0, 100, message={3: "a", 50: "b"})], {})
     summary = summarise(tmp_path / "r.h5", rows=4)
     assert summary.header == ("p0 [min]", "p1 [min]", "v [s]", "w[1] [h]", "w[2] [h]", "reason", "status")
@@ -322,7 +330,7 @@ def test_a_summary_shows_both_ends_and_counts_the_statuses(tmp_path):
         summarise(tmp_path / "no.h5")
 
 
-def test_errors_stand_beside_their_answers(tmp_path):
+def test_errors_stand_beside_their_answers(tmp_path: Path) -> None:
     written = layout(2, 2, estimate=True)
     write_result(tmp_path / "s.h5", written, [block(0, 4)], {})
     with xr.open_dataset(tmp_path / "s.h5", engine="h5netcdf") as data:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from typing import Protocol
 
 from ..mechanisms import Mechanism
-from ..problems import Problem
+from ..problems import Floats, Problem
 from ..rows import Attempt, Cases
 from ..timing import timed
 
@@ -35,18 +36,16 @@ def attempts(
         one = Attempt(name, f"h = {step:g} s", version)
         run, count = make(mechanism, step), round(mechanism.end_time / step)
         run.solve(1)
-        _, seconds = timed(lambda run=run: run.solve(TRIED_STEPS))
+        _, seconds = timed(partial(run.solve, TRIED_STEPS))
         expected = seconds / TRIED_STEPS * count
         if expected > PATIENCE:
             one.skip = f"not run: it would take about {expected:.0f} s"
         else:
-            one.batch = Cases(
-                lambda case, run=run, count=count: answers(problem, mechanism, run, count), problem.cases
-            )
+            one.batch = Cases(partial(answers, problem, mechanism, run, count), problem.cases)
         yield one
 
 
-def answers(problem: Problem, mechanism: Mechanism, run: Run, steps: int) -> list[float]:
+def answers(problem: Problem, mechanism: Mechanism, run: Run, steps: int, _case: Floats) -> list[float]:
     """The problem's answers from the angles of the rods at the end."""
     angles, energy = run.solve(steps)
     if not all(map(math.isfinite, angles)):

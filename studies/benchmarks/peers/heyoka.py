@@ -6,6 +6,7 @@ Compiling an integrator takes it a second or so; that is not counted, because a 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 from typing import Any
 
 import heyoka as hy
@@ -25,7 +26,7 @@ FIRST_STEP = 0.01
 def attempts(problem: Problem, quick: bool) -> Iterator[Attempt]:
     for tolerance in TOLERANCES[-1:] if quick else TOLERANCES:
         integrator = compiled(problem.model, len(problem.model.parameters(list(problem.cases[0]))), tolerance)
-        batch = Cases(lambda case, ta=integrator: run(problem.model, ta, case), problem.cases)
+        batch = Cases(partial(run, problem.model, integrator), problem.cases)
         yield Attempt(NAME, f"tol {tolerance:g}", hy.__version__, batch, note="hand-derived equations")
 
 

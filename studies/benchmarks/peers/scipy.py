@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from functools import partial
 from typing import Any
 
 import scipy
@@ -24,7 +25,7 @@ ABSOLUTE = 1e-2
 def attempts(problem: Problem, quick: bool) -> Iterator[Attempt]:
     cases = problem.cases[: problem.slow_cases()]
     for rtol in TOLERANCES[:1] if quick else TOLERANCES:
-        batch = Cases(lambda case, rtol=rtol: run(problem.model, case, rtol), cases)
+        batch = Cases(partial(run, problem.model, rtol=rtol), cases)
         yield Attempt(NAME, f"rtol {rtol:g}", scipy.__version__, batch, note="hand-derived equations")
 
 

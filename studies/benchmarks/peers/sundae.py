@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from functools import partial
 from importlib.metadata import version
 from typing import Any
 
@@ -26,7 +27,7 @@ ABSOLUTE = 1e-2
 def attempts(problem: Problem, quick: bool) -> Iterator[Attempt]:
     cases = problem.cases[: problem.slow_cases()]
     for rtol in TOLERANCES[:1] if quick else TOLERANCES:
-        batch = Cases(lambda case, rtol=rtol: run(problem.model, case, rtol), cases)
+        batch = Cases(partial(run, problem.model, rtol=rtol), cases)
         yield Attempt(NAME, f"rtol {rtol:g}", version("scikit-sundae"), batch, note="hand-derived equations")
 
 
