@@ -6,7 +6,6 @@
 #include "equations/fixed_bodies.h"
 #include "events/ask.h"
 #include "events/event.h"
-#include "routes/path/path.h"
 #include "state/route.h"
 #include "state/workspace.h"
 #include "tree/tree.h"
@@ -25,11 +24,6 @@ static void count_steps(const pm_workspace *w, pm_phase_report *x)
     x->spared = w->event->culling.spared;
 }
 
-static int on_tree(const pm_workspace *w)
-{
-    return w->phase.route == &pm_route_rk || w->phase.route == &pm_route_path;
-}
-
 static int free_coordinates(const pm_workspace *w)
 {
     int n = 0;
@@ -39,15 +33,16 @@ static int free_coordinates(const pm_workspace *w)
 
 static int has_clock(const pm_workspace *w)
 {
-    return w->phase.route != &pm_route_path || w->model->programs.read_time || w->history;
+    return w->phase.route->in_time || w->model->programs.read_time || w->history;
 }
 
 static void describe(const pm_workspace *w, int64_t legs, int32_t *row)
 {
+    const int on_tree = w->phase.route->on_tree;
     row[PM_PHASE_ROUTE] = w->phase.route->route;
     row[PM_PHASE_RULE] = w->phase.rule;
-    row[PM_PHASE_UNKNOWNS] = on_tree(w) ? w->tree->n : free_coordinates(w);
-    row[PM_PHASE_LOOPS] = on_tree(w) ? w->tree->nloop : w->active.n;
+    row[PM_PHASE_UNKNOWNS] = on_tree ? w->tree->n : free_coordinates(w);
+    row[PM_PHASE_LOOPS] = on_tree ? w->tree->nloop : w->active.n;
     row[PM_PHASE_ROWS] = w->active.n;
     row[PM_PHASE_REDUNDANT] = w->active.nredundant;
     row[PM_PHASE_FREEDOM] = free_coordinates(w) - w->active.n;

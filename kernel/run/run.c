@@ -29,10 +29,12 @@
 #include "state/route.h"
 #include "state/workspace.h"
 
+static const pm_where nowhere = {PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
+
 static int begin_case(pm_workspace *w, const double *param, pm_start_report *report)
 {
     memset(w->result.count, 0, sizeof w->result.count);
-    w->result.where = (pm_where){PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
+    w->result.where = nowhere;
     w->impulses.energy_lost = 0;
     w->state.t = 0; /* a case that fails before its start reports no time of another */
     pm_solve_cache_forget(w);
@@ -87,7 +89,7 @@ static int accelerate_unfastened(pm_workspace *w)
 {
     const int status = pm_saddle_accelerate_projected(w);
     if (status != PM_SINGULAR || !w->numbers.massless) return status;
-    w->result.where = (pm_where){PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
+    w->result.where = nowhere;
     memset(w->frame.a, 0, (size_t)w->model->nq * sizeof(double));
     w->frame.level = PM_LEVEL_DYNAMIC;
     return PM_OK;
@@ -115,7 +117,7 @@ static int phase(pm_workspace *w, int *ended)
     if (!status) status = pm_perturbation_leave(w);
     if (!status) status = pm_plan_phase(w);
     pm_frame_look_state(&w->frame, &w->state);
-    if (!status && w->phase.route == &pm_route_path)
+    if (!status && w->phase.route->reuses_segments)
         status = pm_repeat_begin(w, &passed);
     else
         pm_repeat_forget(w);
@@ -139,32 +141,42 @@ static int phase(pm_workspace *w, int *ended)
 
 /* A path that cannot be followed (it approaches an equilibrium for ever, its rows are singular) is left to the next
  * rule, from where the last step ended. */
-static int leave_path(pm_workspace *w, int status)
+static int to_next_rule(pm_workspace *w, int status)
 {
     const int lost = status == PM_STEP_TOO_SMALL || status == PM_SINGULAR || status == PM_ASSEMBLY;
-    if (!lost || w->phase.route != &pm_route_path || PM_SETTING(w->model, PM_SETTING_ROUTE) != PM_ROUTE_AUTO)
-        return 0;
+    if (!lost || PM_SETTING(w->model, PM_SETTING_ROUTE) != PM_ROUTE_AUTO) return 0;
     w->phase.path_left = 1;
-    w->result.where = (pm_where){PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
+    w->result.where = nowhere;
     pm_frame_look_state(&w->frame, &w->state);
     return pm_active_set_build(w) == PM_OK;
 }
 
-/* The route ida has met a singular position and no step that it can make: the same phase goes on as the plan knows. */
-static int leave_ida(pm_workspace *w, int status)
+/* Near a singular position there is no step that the route can make: the same phase goes on as the plan knows. */
+static int to_passage(pm_workspace *w, int status)
 {
     const int lost = status == PM_STEP_TOO_SMALL || status == PM_SINGULAR || status == PM_SOLVER;
-    if (!lost || w->phase.route != &pm_route_ida || !w->phase.singular) return 0;
-    w->result.where = (pm_where){PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
+    if (!lost || !w->phase.singular) return 0;
+    w->result.where = nowhere;
     w->phase.lap = 1;
     return 1;
+}
+
+/* Whether another route goes on where the present one failed with this status. */
+static int hand_over(pm_workspace *w, int status)
+{
+    switch ((enum pm_when_lost)w->phase.route->when_lost) {
+    case PM_LOST_TO_NEXT_RULE: return to_next_rule(w, status);
+    case PM_LOST_TO_PASSAGE: return to_passage(w, status);
+    case PM_LOST_FAILS: break;
+    }
+    return 0;
 }
 
 /* A segment of a path ends with the instant at w->state: 1 if it speaks against those passed over, and the run goes on from
  * the begin of the first of them. */
 static int is_refuted(pm_workspace *w)
 {
-    if (w->phase.route != &pm_route_path) return 0;
+    if (!w->phase.route->reuses_segments) return 0;
     pm_frame_look_state(&w->frame, &w->state);
     pm_repeat_end(w);
     return pm_repeat_refuted(w);
@@ -180,7 +192,7 @@ static int run_phases(pm_workspace *w)
     while (!status && !ended) {
         status = phase(w, &ended);
         if (status && w->result.count[PM_COUNT_PHASES] != left &&
-            (leave_path(w, status) || leave_ida(w, status))) {
+            hand_over(w, status)) {
             left = w->result.count[PM_COUNT_PHASES];
             status = PM_OK;
             continue;

@@ -27,6 +27,13 @@
 
 enum pm_roots { PM_ROOTS_NONE = 0, PM_ROOTS_ALL = 1, PM_ROOTS_OF_CONTACTS = 2 };
 
+/* What becomes of a phase whose route can make no further step. */
+enum pm_when_lost {
+    PM_LOST_FAILS = 0,
+    PM_LOST_TO_NEXT_RULE = 1, /* where no route is forced, the plan goes on without this one */
+    PM_LOST_TO_PASSAGE = 2    /* near a singular position the plan knows a passage (phase.singular) */
+};
+
 typedef struct pm_route_ops {
     int route; /* enum pm_route */
     int (*create)(pm_workspace *w);
@@ -47,6 +54,9 @@ typedef struct pm_route_ops {
     int finds_roots;      /* enum pm_roots */
     int in_time;          /* its progress coordinate is the time */
     int meets_places;     /* it meets every place of a step exactly, to rounding */
+    int on_tree;          /* its unknowns are the coordinates of the tree (tree/tree.h) */
+    int reuses_segments;  /* a segment of its motion that has been before is taken over (routes/path/repeat.h) */
+    int when_lost;        /* enum pm_when_lost */
     int price;            /* routes in order of their cost */
     const pm_chebyshev_nodes
         *nodes; /* where its steps are sampled, unless a step says otherwise (w->nodes) */

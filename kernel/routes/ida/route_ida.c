@@ -300,6 +300,7 @@ const pm_route_ops pm_route_ida = {
     .spread = 60, /* its order changes on the way */
     .finds_roots = PM_ROOTS_ALL,
     .in_time = 1,
+    .when_lost = PM_LOST_TO_PASSAGE,
     .price = 4,
     .nodes = &pm_chebyshev_nodes_equal,
 };

@@ -273,6 +273,7 @@ const pm_route_ops pm_route_rk = {
     .spread = 45,
     .finds_roots = PM_ROOTS_NONE,
     .in_time = 1,
+    .on_tree = 1,
     .price = 3,
     .nodes = &pm_chebyshev_nodes_equal,
 };
