@@ -108,11 +108,6 @@ double pm_event_sample(pm_workspace *w, const pm_event_function *f);
 double pm_event_of_sample(const pm_event_function *f, double sample);
 /* The function may have either sign in a phase, as that of a contact has not. */
 int pm_event_changes_sign(const pm_event_function *f);
-/* Steps until something happens or a limit is met.  On an event w->state is at it (before the jump), the phase's rows
- * still hold, w->event->hit and ->fired tell what.  Instants that only mark something are passed on the way: *ended = 1
- * if one of them ends the run. */
-int pm_advance(pm_workspace *w, int *ended);
-
 /* What a located function means for its contact (function.index is then a slot): PM_TRIGGER_OPEN, SLIP, STICK, or
  * PM_NONE. */
 int pm_event_contact_change(const pm_workspace *w, int function);

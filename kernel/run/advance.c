@@ -17,7 +17,7 @@
 #include "impact/instant.h"
 #include "routes/path/path_error.h"
 #include "routes/path/repeat.h"
-#include "run/plan.h"
+#include "run/run.h"
 #include "state/frame.h"
 #include "state/route.h"
 #include "state/workspace.h"
@@ -80,7 +80,7 @@ static int mark_due(pm_workspace *w)
 
 static int limit_reached(pm_workspace *w, double max_time)
 {
-    if (w->stop && *w->stop) return PM_CANCELLED;
+    if (pm_run_is_stopped(w->stop)) return PM_CANCELLED;
     if (w->state.t >= max_time) return pm_fail(w, PM_LIMIT_TIME, PM_TABLE_SETTING, 0, w->state.t, max_time);
     const double most = PM_SETTING(w->model, PM_SETTING_MAX_STEPS);
     if ((double)w->result.count[PM_COUNT_STEPS] >= most)

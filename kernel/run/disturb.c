@@ -1,6 +1,6 @@
 /* disturb.c - rounding errors made visible: a coarse run is disturbed by a multiple of them, which the scene amplifies as it
  * amplifies rounding itself (study/accuracy.c). */
-#include "run/disturb.h"
+#include "run/run.h"
 
 #include "equations/projection.h"
 #include "equations/saddle.h"

@@ -1,5 +1,5 @@
 /* phase_report.c - appends a row for each phase while there is room, and counts all of them. */
-#include "run/phase_report.h"
+#include "run/run.h"
 
 #include <math.h>
 

@@ -1,7 +1,7 @@
 /* plan.c - the table of rules that picks the route of a phase: the first that applies.
  *
  * The settings may force a route; where a forced route cannot compute a phase the run fails and says so. */
-#include "run/plan.h"
+#include "run/run.h"
 
 #include <math.h>
 #include <stdio.h>

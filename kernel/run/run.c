@@ -21,9 +21,6 @@
 #include "impact/instant.h"
 #include "routes/path/repeat.h"
 #include "routes/start/perturbation.h"
-#include "run/disturb.h"
-#include "run/phase_report.h"
-#include "run/plan.h"
 #include "state/evidence.h"
 #include "state/frame.h"
 #include "state/route.h"
@@ -191,8 +188,7 @@ static int run_phases(pm_workspace *w)
     if (!status) status = pm_history_row(w, 2);
     while (!status && !ended) {
         status = phase(w, &ended);
-        if (status && w->result.count[PM_COUNT_PHASES] != left &&
-            hand_over(w, status)) {
+        if (status && w->result.count[PM_COUNT_PHASES] != left && hand_over(w, status)) {
             left = w->result.count[PM_COUNT_PHASES];
             status = PM_OK;
             continue;

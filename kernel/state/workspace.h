@@ -117,7 +117,7 @@ typedef struct pm_result {
 
 typedef struct pm_workspace {
     const pm_model *model;
-    const volatile int32_t *stop; /* raised by another thread, or NULL */
+    const int32_t *stop; /* raised by another thread (run/run.h: pm_run_is_stopped), or NULL */
     pm_numbers numbers;
     pm_state state, start; /* now; at t = 0 after the assembly */
     pm_state probe;        /* a state inside a step */

@@ -26,15 +26,12 @@
 #include "events/history.h"
 #include "expression/program.h"
 #include "routes/path/path_error.h"
-#include "run/phase_report.h"
-#include "run/plan.h"
 #include "run/run.h"
 #include "scene/program_class.h"
 #include "state/frame.h"
 #include "state/route.h"
 #include "state/workspace.h"
 #include "study/find.h"
-#include "study/margin.h"
 
 #define ROUNDING 2e-14 /* least relative error that is claimed */
 #define COARSE \

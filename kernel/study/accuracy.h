@@ -27,4 +27,9 @@ void pm_accuracy_free(pm_workspace *w);
 int pm_accuracy_run(pm_workspace *w, const double *param, double *found, double *error, double *margin,
                     double *trust);
 
+/* ---- margin.c ---- */
+/* Least distance over difference of the decisions that both passes took; trigger_scale[ntrigger]: natural sizes of the
+ * trigger programs. */
+double pm_margin_of_logs(const pm_evidence_log *a, const pm_evidence_log *b, const double *trigger_scale);
+
 #endif

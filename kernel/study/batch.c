@@ -8,7 +8,6 @@
 
 #include "equations/active_set.h"
 #include "events/history.h"
-#include "run/phase_report.h"
 #include "run/run.h"
 #include "scene/build.h"
 #include "scene/dependency.h"
@@ -19,16 +18,18 @@
 
 #define MOST_WORKERS 256
 
+static const pm_where nowhere = {PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
+
 typedef struct pm_job {
     const pm_model *model;
     int64_t ncase;
     const double *param;
-    const volatile int32_t *stop;
+    const int32_t *stop; /* read, and *progress added to, by atomic operations: other threads use them, too */
     int64_t *progress;
     double *out, *detail, *audit, *found, *error, *margin, *trust;
     int32_t *reason, *status, *where;
     int64_t *count;
-    atomic_llong next, done;
+    atomic_llong next;
 } pm_job;
 
 typedef struct pm_worker {
@@ -38,14 +39,22 @@ typedef struct pm_worker {
     pm_workspace *workspace;
 } pm_worker;
 
-static void report_where(const pm_workspace *w, int32_t *where, double *detail)
+static void report(const pm_where *x, double t, int32_t *where, double *detail)
 {
-    where[PM_WHERE_TABLE] = w->result.where.table;
-    where[PM_WHERE_ROW] = pm_prune_original(w->model, w->result.where.table, w->result.where.row);
-    where[PM_WHERE_MEMBER] = w->result.where.member;
-    detail[PM_DETAIL_VALUE] = w->result.where.value;
-    detail[PM_DETAIL_BOUND] = w->result.where.bound;
-    detail[PM_DETAIL_TIME] = w->state.t;
+    where[PM_WHERE_TABLE] = x->table;
+    where[PM_WHERE_ROW] = x->row;
+    where[PM_WHERE_MEMBER] = x->member;
+    detail[PM_DETAIL_VALUE] = x->value;
+    detail[PM_DETAIL_BOUND] = x->bound;
+    detail[PM_DETAIL_TIME] = t;
+}
+
+/* Where a case failed, by the rows of the caller's own tables. */
+static void report_case(const pm_workspace *w, int32_t *where, double *detail)
+{
+    pm_where x = w->result.where;
+    x.row = pm_prune_original(w->model, x.table, x.row);
+    report(&x, w->state.t, where, detail);
 }
 
 static void run_one(pm_workspace *w, pm_job *job, int64_t i)
@@ -57,7 +66,7 @@ static void run_one(pm_workspace *w, pm_job *job, int64_t i)
     job->status[i] =
         pm_accuracy_run(w, job->param + i * m->nparam, job->found + i * PM_FOUND_COLUMNS,
                         job->error + i * m->nout, job->margin + i * m->nask, job->trust + i * PM_TRUSTS);
-    report_where(w, job->where + i * PM_WHERE_COLUMNS, job->detail + i * PM_DETAIL_COLUMNS);
+    report_case(w, job->where + i * PM_WHERE_COLUMNS, job->detail + i * PM_DETAIL_COLUMNS);
     memcpy(job->count + i * PM_COUNT_COLUMNS, w->result.count, sizeof w->result.count);
 }
 
@@ -86,13 +95,11 @@ static void *work(void *x)
     for (;;) {
         const int64_t i = atomic_fetch_add(&job->next, 1);
         if (i >= job->ncase) return NULL;
-        if (job->stop && *job->stop)
+        if (pm_run_is_stopped(job->stop))
             cancel_one(job, i);
         else
             run_one(worker->workspace, job, i);
-        const int64_t done = atomic_fetch_add(&job->done, 1) + 1;
-        if (job->progress && done > *(volatile int64_t *)job->progress)
-            *(volatile int64_t *)job->progress = done;
+        if (job->progress) __atomic_fetch_add(job->progress, 1, __ATOMIC_RELAXED);
     }
 }
 
@@ -103,6 +110,7 @@ static int run_workers(pm_job *job, int nworker)
     if (nworker > job->ncase) nworker = (int)job->ncase;
     if (nworker > MOST_WORKERS) nworker = MOST_WORKERS;
     if (nworker < 1) nworker = 1;
+    if (job->progress) __atomic_store_n(job->progress, 0, __ATOMIC_RELAXED);
     for (; n < nworker && !status; n++) {
         worker[n] = (pm_worker){.job = job};
         status = pm_study_create(job->model, &worker[n].workspace);
@@ -119,16 +127,6 @@ static int run_workers(pm_job *job, int nworker)
     return status;
 }
 
-static void report_model(const pm_where *x, int32_t *where, double *detail)
-{
-    where[PM_WHERE_TABLE] = x->table;
-    where[PM_WHERE_ROW] = x->row;
-    where[PM_WHERE_MEMBER] = x->member;
-    detail[PM_DETAIL_VALUE] = x->value;
-    detail[PM_DETAIL_BOUND] = x->bound;
-    detail[PM_DETAIL_TIME] = NAN;
-}
-
 int pm_batch(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t ncase,
              int64_t nparam, const double *param, int nworker, const int32_t *stop, int64_t *progress,
              int64_t nout, double *out, int64_t nask, int32_t *reason, int32_t *status, int32_t *where,
@@ -136,7 +134,7 @@ int pm_batch(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
              double *trust)
 {
     pm_model *model;
-    pm_where place = {PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
+    pm_where place = nowhere;
     int result = pm_prune_create(ntable, table, nconstant, constant, nparam, &model, &place);
     if (!result && (model->nout != nout || model->nask != nask)) {
         place = (pm_where){PM_TABLE_ASK, PM_NONE, PM_NONE, (double)nout, model->nout};
@@ -161,7 +159,7 @@ int pm_batch(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
                       .trust = trust};
         result = run_workers(&job, nworker);
     }
-    if (result && ncase > 0) report_model(&place, where, detail);
+    if (result && ncase > 0) report(&place, NAN, where, detail);
     pm_model_free(model);
     return result;
 }
@@ -174,13 +172,18 @@ static int open_one(pm_create *create, int64_t ntable, const int32_t *table, int
                     const double *constant, int64_t nparam, pm_model **model, pm_workspace **w,
                     int32_t *where, double *detail)
 {
-    pm_where place = {PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
+    pm_where place = nowhere;
     int status = create(ntable, table, nconstant, constant, nparam, model, &place);
     if (!status) status = pm_study_create(*model, w);
-    report_model(&place, where, detail);
-    if (!status) return PM_OK;
-    pm_model_free(*model);
-    *model = NULL;
+    report(&place, NAN, where, detail);
+    if (status) pm_model_free(*model);
+    return status;
+}
+
+static int close_one(pm_model *model, pm_workspace *w, int status)
+{
+    pm_study_free(w);
+    pm_model_free(model);
     return status;
 }
 
@@ -198,7 +201,7 @@ static int run_recorded(pm_workspace *w, const double *param, int32_t *where, do
         w->result.reason = reason;
         w->result.audit = audit;
         status = pm_accuracy_run(w, param, NULL, error, error + m->nout, trust);
-        report_where(w, where, detail);
+        report_case(w, where, detail);
     }
     free(out);
     free(reason);
@@ -218,13 +221,12 @@ int pm_trace(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
     pm_history record = {
         .nprogram = ntrace, .cap = cap, .program = trace_program, .history = history, .mark = mark};
     for (int64_t i = 0; i < ntrace && !status; i++)
-        if (trace_program[i] < 0 || trace_program[i] >= model->rows[PM_TABLE_PROGRAM]) status = PM_BAD_TABLE;
+        if (trace_program[i] < 0 || trace_program[i] >= w->model->rows[PM_TABLE_PROGRAM])
+            status = PM_BAD_TABLE;
     w->history = &record;
     if (!status) status = run_recorded(w, param, where, detail);
     *needed = record.needed;
-    pm_study_free(w);
-    pm_model_free(model);
-    return status;
+    return close_one(model, w, status);
 }
 
 int pm_phases(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t nparam,
@@ -241,9 +243,7 @@ int pm_phases(int64_t ntable, const int32_t *table, int64_t nconstant, const dou
     w->phase_report = &list;
     status = run_recorded(w, param, where, detail);
     *needed = list.needed;
-    pm_study_free(w);
-    pm_model_free(model);
-    return status;
+    return close_one(model, w, status);
 }
 
 static void report_check(const pm_workspace *w, const pm_start_report *report, int32_t *info, double *number)
@@ -271,7 +271,7 @@ int pm_check(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
     int status =
         open_one(pm_model_create, ntable, table, nconstant, constant, nparam, &model, &w, where, detail);
     if (status) return status;
-    if (model->nbody != nbody) {
+    if (w->model->nbody != nbody) {
         status = PM_BAD_TABLE;
     } else {
         pm_start_report report = {0, 0};
@@ -279,14 +279,12 @@ int pm_check(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
         w->result.audit = audit;
         memset(info, 0, PM_CHECK_COLUMNS * sizeof *info);
         status = pm_run_start(w, param, &report);
-        report_where(w, where, detail);
+        report_case(w, where, detail);
         report_check(w, &report, info, number);
-        memcpy(pose, w->state.q, (size_t)model->nq * sizeof *pose);
-        memcpy(velocity, w->state.v, (size_t)model->nq * sizeof *velocity);
+        memcpy(pose, w->state.q, (size_t)w->model->nq * sizeof *pose);
+        memcpy(velocity, w->state.v, (size_t)w->model->nq * sizeof *velocity);
     }
-    pm_study_free(w);
-    pm_model_free(model);
-    return status;
+    return close_one(model, w, status);
 }
 
 int pm_needs(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t nparam,
@@ -294,12 +292,12 @@ int pm_needs(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
 {
     pm_model *model;
     pm_dependency x = {.block = NULL};
-    pm_where place = {PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
+    pm_where place = nowhere;
     int status = pm_model_create(ntable, table, nconstant, constant, nparam, &model, &place);
     if (!status) status = pm_dependency_find(model, &x);
     if (!status && (of < 0 || of >= PM_TABLES || nrow != model->rows[of])) status = PM_BAD_TABLE;
     for (int64_t i = 0; i < nrow && !status; i++) needed[i] = x.row[of][i] != 0;
-    report_model(&place, where, detail);
+    report(&place, NAN, where, detail);
     pm_dependency_free(&x);
     pm_model_free(model);
     return status;

@@ -20,10 +20,6 @@
 #include "numerics/minimum.h"
 #include "run/run.h"
 #include "state/workspace.h"
-#include "study/find_extremum.h"
-#include "study/find_look.h"
-#include "study/find_pair.h"
-#include "study/find_root.h"
 
 #define PROBE \
     1e-3         /* of the distance of samples: where it shows whether the ask gets better away from an end */

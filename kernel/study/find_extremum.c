@@ -4,13 +4,12 @@
  * order, so the root of the derivative is taken: central differences over h, h/2, h/4 ... freed from their errors in h^2,
  * h^4 ... (Richardson), the entry of the table that agrees best with its neighbours.  Where the derivative has no root (a
  * corner of the ask), GSL's minimiser on values is as good as it is bad at smooth ones. */
-#include "study/find_extremum.h"
+#include "study/find.h"
 
 #include <math.h>
 
 #include "numerics/minimum.h"
 #include "state/workspace.h"
-#include "study/find_root.h"
 
 #define LEVELS 6    /* of the Richardson table */
 #define WIDEST 0.25 /* first distance of the differences, of the interval */

@@ -1,5 +1,5 @@
 /* find_look.c - one run, looked at: do the conditions hold, how far is it from them, how good is it. */
-#include "study/find_look.h"
+#include "study/find.h"
 
 #include <math.h>
 #include <string.h>

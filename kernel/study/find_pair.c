@@ -4,7 +4,7 @@
  * signs - from the best node where there is no such cell - GSL's hybrid method (Newton's with differences and Broyden's
  * updates, in a region of trust) goes on to a root; beyond the bounds it sees the conditions as they are at the bound, so
  * that it is drawn back.  A root counts if it lies within the bounds and the conditions nearly vanish there. */
-#include "study/find_pair.h"
+#include "study/find.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multiroots.h>

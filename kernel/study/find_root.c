@@ -3,7 +3,7 @@
  * A root is closed in by Brent's method.  A function that changes sign without going through zero shows by what is left of
  * its step when the bracket has shrunk to the rounding.  A threshold is where conditions change from no to yes: where one
  * condition alone changes and it has a size on both sides, that size's root; otherwise bisection of the outcome. */
-#include "study/find_root.h"
+#include "study/find.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>

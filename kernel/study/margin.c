@@ -4,7 +4,7 @@
  * impulse that must not pull.  Two passes of a case that differ by their errors only give x and x': the margin of the
  * decision is the smaller of both over |x - x'|.  As long as the passes decide alike their logs run in step, which the
  * history proves; near misses are seen by one pass and perhaps not by the other, and are then left out. */
-#include "study/margin.h"
+#include "study/accuracy.h"
 
 #include <math.h>
 

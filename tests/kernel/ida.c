@@ -2,9 +2,7 @@
  * closed forms; stiff forces; roots that change no sign between steps; failures that come back as numbers;
  * the same bits always. */
 #include "check.h"
-#include "routes/ida/ida_jacobian.h"
-#include "routes/ida/ida_linear.h"
-#include "routes/ida/ida_system.h"
+#include "routes/ida/ida.h"
 #include "scene.h"
 #include "state/route.h"
 #include "state/workspace.h"

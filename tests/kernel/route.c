@@ -5,7 +5,7 @@
 #include "check.h"
 #include "equations/active_set.h"
 #include "events/event.h"
-#include "run/plan.h"
+#include "run/run.h"
 #include "scene.h"
 #include "state/frame.h"
 #include "state/workspace.h"

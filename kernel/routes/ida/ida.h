@@ -79,4 +79,81 @@ typedef struct pm_ida {
 static inline int pm_ida_place_l(const pm_workspace *w) { return 2 * w->model->nq + w->model->nz; }
 static inline int pm_ida_place_mu(const pm_workspace *w) { return pm_ida_place_l(w) + w->ida->stride; }
 
+/* ---- ida_system.c ---- */
+#define PM_IDA_TIGHTER 1e-2   /* of the tolerance: IDA's errors are far above what it is asked for */
+#define PM_IDA_TIGHTEST 1e-12 /* below it steps follow rounding */
+
+/* The length of the phase's unknowns, from the active rows. */
+void pm_ida_system_layout(pm_workspace *w);
+/* Consistent y, y' at w->state; the frame becomes DYNAMIC there. */
+int pm_ida_system_start(pm_workspace *w, double *y, double *yp);
+/* Looks at (t, y) with accelerations and reactions from y': a DYNAMIC frame, and no linear system solved. */
+void pm_ida_system_look(pm_workspace *w, double t, const double *y, const double *yp);
+/* r = F(t, y, y'). */
+void pm_ida_system_residual(pm_workspace *w, double t, const double *y, const double *yp, double *r);
+/* Tolerance and the reciprocal of what each unknown may err by, from the scales of the case; the rows must
+ * be evaluated. */
+void pm_ida_system_scale(pm_workspace *w);
+/* Error weights at y. */
+void pm_ida_system_weights(const pm_workspace *w, const double *y, double *weight);
+
+/* ---- ida_jacobian.c ---- */
+/* Numbers of doubles and ints that the blocks need; places them in memory of that size. */
+size_t pm_ida_jacobian_doubles(const pm_model *m);
+size_t pm_ida_jacobian_ints(const pm_model *m);
+void pm_ida_jacobian_place(pm_ida_jacobian *x, const pm_model *m, double *doubles, int *ints);
+/* All blocks at (t, y, y'). */
+void pm_ida_jacobian_evaluate(pm_workspace *w, double t, double cj, const double *y, const double *yp);
+
+/* ---- ida_linear.c ---- */
+/* Inverts the blocks of w->ida->jacobian; PM_SINGULAR if the rows depend on each other, PM_SOLVER if the
+ * rest has no pivot. */
+int pm_ida_linear_factor(pm_workspace *w);
+/* J x = b for all unknowns of the phase; x may be b. */
+void pm_ida_linear_solve(pm_workspace *w, const double *b, double *x);
+
+/* pm_projection_apply by the rows of the last matrix, if it is of this phase and what they are missed by is slight. */
+int pm_ida_linear_project(pm_workspace *w, pm_state *s);
+
+/* The same as objects of SUNDIALS; NULL: out of memory.  The workspace must outlive them. */
+SUNMatrix pm_ida_linear_matrix(SUNContext context);
+SUNLinearSolver pm_ida_linear_solver(pm_workspace *w, SUNContext context);
+void pm_ida_linear_free(SUNMatrix matrix, SUNLinearSolver solver);
+/* Jacobian function for IDA: evaluates the blocks. */
+int pm_ida_linear_jacobian(double t, double cj, N_Vector y, N_Vector yp, N_Vector r, SUNMatrix matrix,
+                           void *workspace, N_Vector a, N_Vector b, N_Vector c);
+
+/* ---- ida_sparse.c ---- */
+/* Is the phase one of many unknowns? */
+int pm_ida_sparse_serves(const pm_workspace *w);
+/* Memory for the most active rows that the scene can have. */
+int pm_ida_sparse_create(pm_workspace *w);
+void pm_ida_sparse_free(pm_workspace *w);
+/* Factors the blocks of w->ida->jacobian; PM_SINGULAR if the rows depend on each other, PM_SOLVER if the rest has no pivot,
+ * PM_NO_MEMORY. */
+int pm_ida_sparse_factor(pm_workspace *w);
+/* Of b, all unknowns of the phase: q[nq], vl[nq + nactive] = (v, L) and mu[nactive]. */
+void pm_ida_sparse_solve(pm_workspace *w, const double *b, double *q, double *vl, double *mu);
+
+/* ---- ida_root.c ---- */
+int pm_ida_root_create(pm_workspace *w);
+void pm_ida_root_free(pm_workspace *w);
+/* A phase begins at w->state with accelerations a; the frame is DYNAMIC there.  Shortens *first, the first
+ * step, where an event function asks for it. */
+int pm_ida_root_begin(pm_workspace *w, const double *a, double *first);
+/* After a step from w->step_begin to *t (`found`: a root of IDA's): marks w->event->root and moves *t to
+ * the first root, if there is one. */
+int pm_ida_root_step(pm_workspace *w, int found, double *t);
+
+/* ---- ida_vector.c ---- */
+/* A vector with room for `most` numbers, all 0, of which *length count at any time; `length` must outlive
+ * it and all its clones.  NULL: out of memory. */
+N_Vector pm_ida_vector_create(SUNContext context, const int *length, int most);
+
+/* ---- ida_library.c ---- */
+/* A context of its own for each thread; *context = NULL on failure.  Returns SUNDIALS' code. */
+int pm_ida_library_open(SUNContext *context);
+/* Nothing that IDA has to say is printed: what went wrong comes back as a code. */
+int pm_ida_library_silence(void *memory);
+
 #endif

@@ -4,7 +4,7 @@
  * springs and of the geometry), M^-1 df/dv where some force may depend on velocities, and d(G v)/dq.  Left
  * out, because Newton's iteration does not need them: d(M^-1 G^T Mu')/dq, where Mu' is small, and dz'/dq,
  * dz'/dv of what is not stiff. */
-#include "routes/ida/ida_jacobian.h"
+#include "routes/ida/ida.h"
 
 #include <float.h>
 #include <math.h>
@@ -15,7 +15,6 @@
 #include "elements/turning_plane.h"
 #include "equations/ledger.h"
 #include "equations/saddle.h"
-#include "routes/ida/ida_system.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 

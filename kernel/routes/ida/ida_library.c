@@ -1,5 +1,5 @@
 /* ida_library.c - the only file that knows which SUNDIALS it is compiled for. */
-#include "routes/ida/ida_library.h"
+#include "routes/ida/ida.h"
 
 #include <sundials/sundials_config.h>
 

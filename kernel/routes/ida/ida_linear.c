@@ -17,7 +17,7 @@
  *
  * Many systems are solved with one matrix: inverses are formed, and all matrices kept by columns, because a
  * sum of columns runs several rows at once where substitution waits for each number before the next. */
-#include "routes/ida/ida_linear.h"
+#include "routes/ida/ida.h"
 
 #include <math.h>
 #include <string.h>
@@ -26,8 +26,6 @@
 #include "equations/projection.h"
 #include "equations/saddle.h"
 #include "numerics/dense.h"
-#include "routes/ida/ida_jacobian.h"
-#include "routes/ida/ida_sparse.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 

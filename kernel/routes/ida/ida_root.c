@@ -5,7 +5,7 @@
  * then on its value times the side to which it went.  A function that leaves zero and returns within one
  * step, or that dips to zero and back, changes no sign either: steps in which this can be are sampled here
  * and such roots located on the dense output. */
-#include "routes/ida/ida_root.h"
+#include "routes/ida/ida.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -15,7 +15,6 @@
 #include "equations/saddle.h"
 #include "events/event.h"
 #include "numerics/bracket.h"
-#include "routes/ida/ida_system.h"
 #include "state/frame.h"
 #include "state/route.h"
 #include "state/workspace.h"

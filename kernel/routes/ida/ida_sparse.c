@@ -9,7 +9,7 @@
  *   e N s/cj q~ + e G s v~ = e b5
  *
  * (T. A. Davis and E. Palamadai Natarajan, Algorithm 907: KLU, ACM Trans. Math. Softw. 37, 2010.) */
-#include "routes/ida/ida_sparse.h"
+#include "routes/ida/ida.h"
 
 #include <math.h>
 #include <stdlib.h>

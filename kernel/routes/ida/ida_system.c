@@ -9,7 +9,7 @@
  * Only L' and Mu' appear, so the multipliers may be wrong by jumps without a trace in the error test, from
  * which L, Mu and the entries of the ledger are left out.  In the test of Newton's iteration L weighs as
  * the velocity that it makes, Mu as the displacement. */
-#include "routes/ida/ida_system.h"
+#include "routes/ida/ida.h"
 
 #include <math.h>
 #include <string.h>
@@ -18,7 +18,6 @@
 #include "elements/force.h"
 #include "equations/ledger.h"
 #include "equations/saddle.h"
-#include "routes/ida/ida_sparse.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 

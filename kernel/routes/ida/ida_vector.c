@@ -4,7 +4,7 @@
  * All clones of a vector share one length that their owner may change between two runs of the integrator:
  * the number of active rows changes with the phase, and neither the work nor the root mean squares may
  * depend on rows that a scene could have but has not. */
-#include "routes/ida/ida_vector.h"
+#include "routes/ida/ida.h"
 
 #include <math.h>
 #include <stdlib.h>
