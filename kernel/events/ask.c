@@ -1,4 +1,4 @@
-/* ask.c - answers taken at instants, over the run, and on grids; extremum.c finds the extremes inside steps. */
+/* ask.c - answers taken at instants, the best of them over the run; those inside steps are found by ask_step.c. */
 #include "events/ask.h"
 
 #include <math.h>
@@ -10,7 +10,6 @@
 #include "events/watched_samples.h"
 #include "expression/program.h"
 #include "numerics/bracket.h"
-#include "numerics/chebyshev.h"
 #include "numerics/minimum.h"
 #include "state/evidence.h"
 #include "state/route.h"
@@ -55,7 +54,10 @@ int pm_ask_create(pm_workspace *w)
         const int32_t *e = PM_ASK_ROW(w->model, i);
         const int watches = e[PM_ASK_KIND] >= PM_ASK_MAX && e[PM_ASK_KIND] <= PM_ASK_GRID;
         if (watches) a->observer[a->nobserver++] = i;
-        if (watches) note_switches(w, i);
+        if (watches) {
+            note_switches(w, i);
+            pm_watched_samples_add(w, pm_ask_program(e), PM_SAMPLE_ASKS);
+        }
         for (int k = 0; k < 2; k++) {
             const int program = e[k ? PM_ASK_PROGRAM_2 : PM_ASK_PROGRAM];
             const int level = program >= 0 ? w->model->programs.level[program] : PM_LEVEL_NONE;
@@ -89,12 +91,15 @@ void pm_ask_reset(pm_workspace *w)
     for (int i = 0; i < w->model->nask; i++) w->result.reason[i] = PM_REASON_NOT_REACHED;
 }
 
-static double run(pm_workspace *w, int program)
+double pm_ask_value(pm_workspace *w, int program)
 {
     return pm_program_run(w->model, program, w->numbers.param, w->numbers.value, w);
 }
 
-double pm_ask_run(pm_workspace *w, int ask) { return run(w, pm_ask_program(PM_ASK_ROW(w->model, ask))); }
+double pm_ask_run(pm_workspace *w, int ask)
+{
+    return pm_ask_value(w, pm_ask_program(PM_ASK_ROW(w->model, ask)));
+}
 
 static void answer(pm_workspace *w, int ask, int column, double value)
 {
@@ -103,8 +108,7 @@ static void answer(pm_workspace *w, int ask, int column, double value)
     w->ask->filled[out] = w->ask->fresh = 1;
 }
 
-/* The value of a program at the frame, with what the route knows of its error. */
-static void answer_here(pm_workspace *w, int ask, int column, int program, double value)
+void pm_ask_answer(pm_workspace *w, int ask, int column, int program, double value)
 {
     const pm_route_ops *route = w->phase.route;
     answer(w, ask, column, value);
@@ -134,7 +138,8 @@ void pm_ask_offer(pm_workspace *w, int ask, double value, double above)
     const int better = pm_ask_greatest(e) ? extreme > a->best[ask] : extreme < a->best[ask];
     if (!isnan(a->best[ask]) && !better) return;
     a->best[ask] = extreme;
-    answer_here(w, ask, 0, e[PM_ASK_PROGRAM], pm_ask_at_extreme(e) ? run(w, e[PM_ASK_PROGRAM]) : value);
+    pm_ask_answer(w, ask, 0, e[PM_ASK_PROGRAM],
+                  pm_ask_at_extreme(e) ? pm_ask_value(w, e[PM_ASK_PROGRAM]) : value);
     w->result.out[e[PM_ASK_OUT]] += above;
 }
 
@@ -146,7 +151,7 @@ static void offer_grid(pm_workspace *w, int ask, double value, double tolerance)
         if (w->ask->filled[e[PM_ASK_OUT] + k] ||
             !(fabs(value - wanted) <= tolerance * fmax(fabs(wanted), 1e-3)))
             continue;
-        answer_here(w, ask, k, e[PM_ASK_PROGRAM], run(w, e[PM_ASK_PROGRAM]));
+        pm_ask_answer(w, ask, k, e[PM_ASK_PROGRAM], pm_ask_value(w, e[PM_ASK_PROGRAM]));
     }
 }
 
@@ -167,7 +172,8 @@ int pm_ask_look(pm_workspace *w, double t, int exact)
 static double value_at(pm_workspace *w, double t, const pm_ask_watch *x)
 {
     if (pm_ask_look(w, t, 0)) return NAN;
-    return (x->branch ? pm_watched_samples_here(w, x->program, x->branch) : run(w, x->program)) - x->minus;
+    return (x->branch ? pm_watched_samples_here(w, x->program, x->branch) : pm_ask_value(w, x->program)) -
+           x->minus;
 }
 
 double pm_ask_along(pm_workspace *w, double t, void *context)
@@ -178,77 +184,6 @@ double pm_ask_along(pm_workspace *w, double t, void *context)
     return (8 * (value_at(w, t + d, x) - value_at(w, t - d, x)) -
             (value_at(w, t + 2 * d, x) - value_at(w, t - 2 * d, x))) /
            (12 * d);
-}
-
-static int exactly(pm_workspace *w, double t, void *context, double *value)
-{
-    const pm_ask_watch *x = context;
-    const int status = pm_ask_look(w, t, 1);
-    *value = run(w, x->program) - x->minus;
-    return status;
-}
-
-static int grid_in_step(pm_workspace *w, int ask)
-{
-    const int32_t *e = PM_ASK_ROW(w->model, ask);
-    const int n = w->step.nodes->n;
-    for (int k = 0; k < e[PM_ASK_COUNT]; k++) {
-        pm_ask_watch x = {e[PM_ASK_PROGRAM_2], w->numbers.value[e[PM_ASK_FIRST_VALUE] + k], 0, NULL};
-        for (int i = 0; i + 1 < n && !w->ask->filled[e[PM_ASK_OUT] + k]; i++) {
-            const double *sample = pm_ask_samples(w, ask) + i;
-            const double a = sample[0] - x.minus, b = sample[1] - x.minus;
-            const double from = pm_step_node(w, i), to = pm_step_node(w, i + 1);
-            if (!((a < 0 && b >= 0) || (a > 0 && b <= 0))) continue;
-            double t, taken, off;
-            int status = pm_bracket_find(w, w->ask->solver, pm_ask_along, &x, from, a, to, b, &t);
-            if (!status && t > w->step.end) continue; /* an instant comes before */
-            if (!status) status = pm_bracket_polish(w, pm_ask_along, exactly, &x, NAN, &t, &taken, &off);
-            if (!status && taken != t) status = pm_ask_look(w, t, 1);
-            if (status) return status;
-            if (t <= w->step.end) answer_here(w, ask, k, e[PM_ASK_PROGRAM], run(w, e[PM_ASK_PROGRAM]));
-        }
-    }
-    return PM_OK;
-}
-
-/* The samples of a whole step serve for its part up to step_end, too, where they resolve the values. */
-int pm_ask_keeps_samples(const pm_workspace *w)
-{
-    if (!pm_chebyshev_nodes_spectral(w->step.nodes)) return 0;
-    for (int i = 0; i < w->ask->nobserver; i++)
-        for (int k = 0; k < w->step.nodes->n; k++)
-            if (isnan(w->ask->sample[w->ask->observer[i] * PM_NODES_MOST + k])) return 0;
-    return 1;
-}
-
-/* The end of a step that was shortened is no node. */
-static int offer_end(pm_workspace *w)
-{
-    int counts = 0;
-    for (int i = 0; i < w->ask->nobserver && !counts; i++)
-        counts = PM_ASK_ROW(w->model, w->ask->observer[i])[PM_ASK_KIND] != PM_ASK_GRID &&
-                 pm_ask_end_counts(w, w->ask->observer[i]);
-    const int status = counts ? pm_ask_look(w, w->step.end, 1) : PM_OK;
-    for (int i = 0; i < w->ask->nobserver && !status && counts; i++) {
-        const int ask = w->ask->observer[i];
-        if (PM_ASK_ROW(w->model, ask)[PM_ASK_KIND] != PM_ASK_GRID)
-            pm_ask_offer(w, ask, pm_ask_run(w, ask), 0);
-    }
-    return status;
-}
-
-int pm_ask_step(pm_workspace *w)
-{
-    if (w->ask->nobserver > 0 && w->step.end < w->step.sampled_end) {
-        const int status = offer_end(w);
-        if (status) return status;
-    }
-    for (int i = 0; i < w->ask->nobserver; i++) {
-        const int ask = w->ask->observer[i], grid = PM_ASK_ROW(w->model, ask)[PM_ASK_KIND] == PM_ASK_GRID;
-        const int status = grid ? grid_in_step(w, ask) : pm_ask_extreme(w, ask);
-        if (status) return status;
-    }
-    return PM_OK;
 }
 
 void pm_ask_instant(pm_workspace *w)
@@ -269,7 +204,7 @@ void pm_ask_look_before(pm_workspace *w)
     for (int i = 0; i < w->model->nask; i++) {
         const int32_t *e = PM_ASK_ROW(w->model, i);
         if (e[PM_ASK_BEFORE] && e[PM_ASK_EVENT_INDEX] != PM_NONE)
-            w->ask->before[i] = run(w, e[PM_ASK_PROGRAM]);
+            w->ask->before[i] = pm_ask_value(w, e[PM_ASK_PROGRAM]);
     }
 }
 
@@ -280,7 +215,7 @@ static void answer_fired(pm_workspace *w, int ask, int column, double value)
     if (e[PM_ASK_BEFORE])
         answer(w, ask, column, value);
     else
-        answer_here(w, ask, column, e[PM_ASK_PROGRAM], value);
+        pm_ask_answer(w, ask, column, e[PM_ASK_PROGRAM], value);
 }
 
 void pm_ask_fired(pm_workspace *w, int event)
@@ -289,14 +224,14 @@ void pm_ask_fired(pm_workspace *w, int event)
     for (int i = 0; i < w->model->nask; i++) {
         const int32_t *e = PM_ASK_ROW(w->model, i);
         if (e[PM_ASK_EVENT_INDEX] != event) continue;
-        const double value = e[PM_ASK_BEFORE] ? w->ask->before[i] : run(w, e[PM_ASK_PROGRAM]);
+        const double value = e[PM_ASK_BEFORE] ? w->ask->before[i] : pm_ask_value(w, e[PM_ASK_PROGRAM]);
         if (e[PM_ASK_KIND] == PM_ASK_EVENT && nth == e[PM_ASK_NTH]) answer_fired(w, i, 0, value);
         if (e[PM_ASK_KIND] == PM_ASK_EACH && nth <= e[PM_ASK_COUNT]) answer_fired(w, i, (int)nth - 1, value);
     }
 }
 
 /* What an extreme may have above the one that is answered. */
-static void charge_untold(pm_workspace *w, int ask)
+static void charge_residual(pm_workspace *w, int ask)
 {
     const pm_ask_set *a = w->ask;
     const int32_t *e = PM_ASK_ROW(w->model, ask);
@@ -309,10 +244,11 @@ void pm_ask_end(pm_workspace *w)
     const pm_model *m = w->model;
     for (int i = 0; i < m->nask; i++) {
         const int32_t *e = PM_ASK_ROW(m, i);
-        if (e[PM_ASK_KIND] == PM_ASK_END) answer_here(w, i, 0, e[PM_ASK_PROGRAM], run(w, e[PM_ASK_PROGRAM]));
-        if (e[PM_ASK_KIND] == PM_ASK_GRID) offer_grid(w, i, run(w, e[PM_ASK_PROGRAM_2]), ON_GRID);
+        if (e[PM_ASK_KIND] == PM_ASK_END)
+            pm_ask_answer(w, i, 0, e[PM_ASK_PROGRAM], pm_ask_value(w, e[PM_ASK_PROGRAM]));
+        if (e[PM_ASK_KIND] == PM_ASK_GRID) offer_grid(w, i, pm_ask_value(w, e[PM_ASK_PROGRAM_2]), ON_GRID);
         if (w->ask->undefined[i]) answer(w, i, 0, NAN);
-        charge_untold(w, i);
+        charge_residual(w, i);
         int filled = 1, undefined = 0, infinite = 0;
         for (int k = 0; k < e[PM_ASK_COUNT]; k++) {
             filled &= w->ask->filled[e[PM_ASK_OUT] + k];

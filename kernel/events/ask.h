@@ -13,7 +13,7 @@ typedef struct pm_ask_set {
     int fired_level;   /* that those need which events answer */
     double *sample;    /* [nask][PM_NODES_MOST] watched values in a step */
     double *best;      /* [nask] extreme so far, NaN before the first value */
-    double *bound;     /* [nask] what it cannot exceed (minima: their negatives); untold ones count, too */
+    double *bound;     /* [nask] what it cannot exceed (minima: their negatives); residual ones count, too */
     double *before;    /* [nask] values before the jump of the present instant */
     int *
         switches; /* [nask] of the watched program: where it may change its branch; 0: nowhere that is told */
@@ -50,7 +50,7 @@ int pm_ask_keeps_samples(const pm_workspace *w);
 /* An instant outside a step (start, after a jump): the frame looks at w->state. */
 void pm_ask_instant(pm_workspace *w);
 
-/* ---- for extremum.c ---- */
+/* ---- for ask_step.c and extremum*.c ---- */
 static inline int pm_ask_greatest(const int32_t *e)
 {
     return e[PM_ASK_KIND] == PM_ASK_MAX || e[PM_ASK_KIND] == PM_ASK_AT_MAX;
@@ -59,13 +59,12 @@ static inline int pm_ask_at_extreme(const int32_t *e)
 {
     return e[PM_ASK_KIND] == PM_ASK_AT_MAX || e[PM_ASK_KIND] == PM_ASK_AT_MIN;
 }
-/* The extremes of the watched value in the last step, all of whose nodes are sampled. */
-int pm_ask_extreme(pm_workspace *w, int ask);
-/* Whether the value at the end of a step that was shortened may be better than the best so far. */
-int pm_ask_end_counts(pm_workspace *w, int ask);
-/* The program that an ask watches, and its value at the frame. */
+/* The program that an ask watches, and its value at the frame; that of any program. */
 int pm_ask_program(const int32_t *e);
 double pm_ask_run(pm_workspace *w, int ask);
+double pm_ask_value(pm_workspace *w, int program);
+/* Answers `column` of an ask with the value of a program at the frame, and with what the route knows of its error. */
+void pm_ask_answer(pm_workspace *w, int ask, int column, int program, double value);
 /* The frame looks at a place of the last step; exact: to the accuracy of the trajectory. */
 int pm_ask_look(pm_workspace *w, double t, int exact);
 /* Takes a value of a watched extreme, `above` more than it is at the frame. */

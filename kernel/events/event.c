@@ -16,6 +16,7 @@
 #include "elements/trigger.h"
 #include "equations/case.h"
 #include "equations/saddle.h"
+#include "events/watched_samples.h"
 #include "numerics/bracket.h"
 #include "state/frame.h"
 #include "state/route.h"
@@ -52,6 +53,11 @@ int pm_event_create(pm_workspace *w)
     if (!e->function || !e->value || !e->beside || !e->hit || !e->count || !e->fired || !e->solver)
         return PM_NO_MEMORY;
     if (pm_gap_culling_create(m, &e->culling)) return PM_NO_MEMORY;
+    for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
+        const int32_t *x = PM_TRIGGER_ROW(m, i);
+        if (x[PM_TRIGGER_KIND] <= PM_TRIGGER_EVERY)
+            pm_watched_samples_add(w, x[PM_TRIGGER_PROGRAM], PM_SAMPLE_TRIGGERS);
+    }
     e->seen = e->count + nevent;
     e->spent = e->fired + ntrigger;
     e->acted = e->spent + m->rows[PM_TABLE_CONTACT];

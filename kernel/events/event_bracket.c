@@ -15,11 +15,10 @@
  * If that comes near to zero, Newton's method on differences of the dense output leads to the bottom itself.
  *
  * A function that is on its zero when the step begins has no side yet: it is looked for where it has left. */
-#include "events/event_bracket.h"
+#include "events/event_parts.h"
 
 #include <math.h>
 
-#include "events/event_samples.h"
 #include "numerics/chebyshev.h"
 #include "state/workspace.h"
 
@@ -34,13 +33,9 @@
     20 /* halvings of a step: a trigger has left its zero at the first place where it is seen off it */
 
 /* ---- which way ---- */
-/* It goes through zero from a to b, the way that counts. */
-static int crosses(const pm_event_function *f, double a, double b)
+int pm_event_bracket_crosses(const pm_event_function *f, double a, double b)
 {
-    if (isnan(a) || isnan(b)) return 0;
-    if (f->direction <= 0 && a > 0 && b <= 0) return 1;
-    if (f->direction >= 0 && a < 0 && b >= 0) return 1;
-    return 0;
+    return (f->direction <= 0 && a > 0 && b <= 0) || (f->direction >= 0 && a < 0 && b >= 0);
 }
 
 static int may_cross(const pm_event_function *f, double s)
@@ -136,23 +131,20 @@ static int shows_dip(const pm_event_course *x, int k)
 }
 
 /* ---- what was on its zero ---- */
-/* A function held at zero is negative at b: it has gone up and come back (a short bounce), or it went the wrong way at
- * once and the event is now. */
-static void leaves_and_returns(pm_workspace *w, pm_event_function *f, double a, double b, double gb,
-                               pm_span *x)
+void pm_event_bracket_bounce(pm_workspace *w, pm_along *g, void *context, double a, double b, double gb,
+                             pm_span *x)
 {
     *x = (pm_span){a, a, 0, 0};
     for (int i = 0; i < HALVINGS; i++) {
-        const double middle = 0.5 * (a + b), g = pm_event_samples_along(w, middle, f);
-        if (middle <= a) break;
-        if (g > 0) {
-            *x = (pm_span){middle, b, g, gb};
-            break;
+        const double middle = 0.5 * (a + b), value = g(w, middle, context);
+        if (middle <= a) return;
+        if (value > 0) {
+            *x = (pm_span){middle, b, value, gb};
+            return;
         }
         b = middle;
-        gb = g;
+        gb = value;
     }
-    if (f->kind == FUNCTION_GAP && x->a == x->b) w->event->spent[f->index] = 1;
 }
 
 /* A trigger that was on zero at a: where it has definitely left tells its side; it may have come back before b.  The
@@ -171,7 +163,7 @@ static int leaves_and_crosses(pm_workspace *w, int i, const pm_event_course *of,
             g = pm_event_samples_along(w, place, f);
         if (!(fabs(g) > noise)) continue;
         *x = (pm_span){place, b, g, gb};
-        return crosses(f, g, gb);
+        return pm_event_bracket_crosses(f, g, gb);
     }
     return 0;
 }
@@ -204,7 +196,8 @@ static int enter(pm_workspace *w, int i, const pm_event_course *of, int *first, 
         for (k = 1; k < of->n && fabs(g[k]) <= f->slack;) k++;
         *first = k;
         if (k == of->n || !(g[k] < 0)) return 0;
-        leaves_and_returns(w, f, place[k - 1], place[k], g[k], x);
+        pm_event_bracket_bounce(w, pm_event_samples_along, f, place[k - 1], place[k], g[k], x);
+        if (f->kind == FUNCTION_GAP && x->a == x->b) w->event->spent[f->index] = 1;
         return 1;
     }
     if (changes_sign || !(g[0] <= 0)) return 0;
@@ -222,7 +215,7 @@ static int search(pm_workspace *w, int i, const pm_event_course *of, int first, 
         if (g[k] * g[k + 1] > 0 && !dip && !(near && pm_event_samples_tail(w, i, of) >= PM_CHEBYSHEV_SMOOTH))
             continue;
         double where, value;
-        if (crosses(f, g[k], g[k + 1])) {
+        if (pm_event_bracket_crosses(f, g[k], g[k + 1])) {
             *x = (pm_span){place[k], place[k + 1], g[k], g[k + 1]};
             return 1;
         }
@@ -236,7 +229,7 @@ static int search(pm_workspace *w, int i, const pm_event_course *of, int first, 
     return 0;
 }
 
-int pm_event_bracket(pm_workspace *w, int i, double from, pm_span *x)
+int pm_event_bracket_first(pm_workspace *w, int i, double from, pm_span *x)
 {
     pm_event_set *e = w->event;
     pm_event_function *f = &e->function[i];

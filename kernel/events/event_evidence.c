@@ -1,10 +1,9 @@
 /* event_evidence.c - distances of event functions from their zeros at an instant, for the log of decisions. */
-#include "events/event_evidence.h"
+#include "events/event_search.h"
 
 #include <math.h>
 
 #include "elements/contact.h"
-#include "events/event.h"
 #include "state/evidence.h"
 #include "state/route.h"
 #include "state/workspace.h"

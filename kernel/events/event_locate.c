@@ -9,13 +9,10 @@
  *
  * e = n^2 tail |g| / (h |g'|) the relative error of the slope that n nodes tell in a step of length h, |g| the greatest of
  * the samples. */
-#include "events/event_locate.h"
+#include "events/event_parts.h"
 
 #include <math.h>
 
-#include "events/event_evidence.h"
-#include "events/event_samples.h"
-#include "events/event_sampling.h"
 #include "events/last_bounce.h"
 #include "events/step.h"
 #include "numerics/bracket.h"
@@ -44,13 +41,13 @@ static int root_of_samples(pm_workspace *w, int i, const pm_span *x, double *pla
     return status;
 }
 
-int pm_event_locate(pm_workspace *w, int i, const pm_span *x, double *place)
+int pm_event_locate_root(pm_workspace *w, int i, const pm_span *x, double *place)
 {
     pm_event_set *e = w->event;
     *place = x->a;
     e->function[i].slope = NAN;
     if (!(x->b > x->a)) return PM_OK;
-    if (!pm_event_samples_resolve(w, i)) pm_event_search_sample_member(w, i, x->b);
+    if (!pm_event_samples_resolve(w, i)) pm_event_samples_of_member(w, i, x->b);
     if (pm_event_samples_resolve(w, i)) return root_of_samples(w, i, x, place);
     return pm_bracket_find(w, e->solver, pm_event_samples_along, &e->function[i], x->a, x->ga, x->b, x->gb,
                            place);
@@ -81,7 +78,7 @@ static int step_onto(pm_workspace *w, int i, double slope, double size, double *
 }
 
 /* The samples tell where a trigger is zero as well as any look would.  (What closes a gap is met to the last bit.) */
-static int tells_zero(const pm_workspace *w, const pm_event_function *f, double slope)
+static int resolves_zero(const pm_workspace *w, const pm_event_function *f, double slope)
 {
     const double h = w->step.end - w->step.begin;
     return f->kind == FUNCTION_TRIGGER && w->phase.route->look &&
@@ -96,7 +93,7 @@ static int polish(pm_workspace *w, int i, const pm_span *x, double slope, double
     const int spectral = !isnan(slope);
     const double size = fmax(fabs(x->ga), fabs(x->gb));
     double off;
-    int near = spectral && tells_zero(w, f, slope), status = PM_OK;
+    int near = spectral && resolves_zero(w, f, slope), status = PM_OK;
     if (spectral && w->phase.route->look && !near) status = step_onto(w, i, slope, size, first, &near);
     if (near) {
         *taken = *first;

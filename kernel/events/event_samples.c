@@ -1,21 +1,195 @@
-/* event_samples.c - the samples of one function of a phase, as the polynomial p through the nodes of a step.
+/* event_samples.c - what a phase watches, at the nodes of a step.
  *
- * At the nodes of a spectral route (chebyshev_nodes.h) the highest Chebyshev coefficients of p over its greatest value, the tail, are
- * about the relative error of p (chebyshev.c).  A corner - the nearest of several members changes - leaves them large.
- * Equidistant nodes tell nothing between them. */
-#include "events/event_samples.h"
+ * The frame looks at every node once, as deep as any of the functions and asks needs it; contacts are sampled there, but
+ * for those out of reach (gap_culling.h), and measures are read, with which the programs of triggers and asks are then run
+ * over all nodes at once (watched_samples.h).  Where the nodes do not show all of it, and there are finer ones, these are
+ * taken.
+ *
+ * The samples of one function are a polynomial p through the nodes.  At the nodes of a spectral route (chebyshev_nodes.h)
+ * its highest Chebyshev coefficients over its greatest value, the tail, are about the relative error of p (chebyshev.c).  A
+ * corner - the nearest of several members changes - leaves them large.  Equidistant nodes show nothing between them. */
+#include "events/event_parts.h"
 
 #include <math.h>
 
+#include "elements/contact.h"
+#include "events/ask.h"
 #include "events/step.h"
+#include "events/watched_samples.h"
 #include "numerics/chebyshev.h"
 #include "numerics/minmax.h"
+#include "scene/program_class.h"
 #include "state/route.h"
 #include "state/workspace.h"
 
+#define WAVES 1e-4    /* tail of values that may have waves between the nodes */
 #define RESOLVED 1e-6 /* tail of a function that its samples tell */
-#define UNTOLD 10.0   /* times the tail: how far it may be from the polynomial */
+#define RESIDUAL 10.0 /* times the tail: how far it may be from the polynomial */
 
+/* ---- the samples of a step ---- */
+/* Nothing is known of the step's zeros yet. */
+static void begin_samples(pm_workspace *w)
+{
+    pm_event_set *e = w->event;
+    for (int k = 0; k < w->step.nodes->n; k++) e->place[k] = pm_step_node(w, k);
+    for (int i = 0; i < e->nfunction; i++) {
+        e->function[i].search = SEARCH_NONE;
+        e->function[i].tail = -1;
+    }
+    pm_gap_culling_step(w);
+}
+
+/* As pm_event_sample has it; where the circle is beside the row is kept, for pm_event_samples_of_member. */
+static double sample_row(pm_workspace *w, const pm_event_function *f, int node)
+{
+    pm_beside *x = w->event->beside + f->row * PM_NODES_MOST + node;
+    int member;
+    *x = pm_contact_beside(&w->frame, f->index);
+    const double gap = pm_contact_nearest_beside(&w->frame, &w->state, f->index, x, &member);
+    return isinf(gap) ? w->numbers.size : gap;
+}
+
+/* The functions of contacts and grips that are sampled, but for contacts out of reach, at a node of the step; the frame
+ * looks there. */
+static void sample_contacts(pm_workspace *w, int node)
+{
+    pm_event_set *e = w->event;
+    for (int i = e->ntrigger; i < e->nfunction; i++) {
+        const pm_event_function *f = &e->function[i];
+        if (!pm_event_samples_wanted(w, f)) continue;
+        pm_event_samples(w, i)[node] = f->row == PM_NONE ? pm_event_sample(w, f) : sample_row(w, f, node);
+    }
+}
+
+/* Whatever is sampled at a single place, at all nodes. */
+static int look_at_nodes(pm_workspace *w, int functions, int watched)
+{
+    const int who = (functions ? PM_SAMPLE_TRIGGERS : 0) | (watched ? PM_SAMPLE_ASKS : 0);
+    int level = PM_LEVEL_KINEMATIC;
+    if (functions && w->event->level > level) level = w->event->level;
+    if (watched && w->ask->level > level) level = w->ask->level;
+    for (int k = 0; k < w->step.nodes->n; k++) {
+        const int status = pm_step_look(w, pm_step_node(w, k), level);
+        if (status) return status;
+        if (functions) {
+            pm_gap_culling_node(w, k);
+            sample_contacts(w, k);
+        }
+        pm_watched_samples_read(w, k, who);
+    }
+    return PM_OK;
+}
+
+/* The triggers that are sampled, at all nodes, which have been read. */
+static void sample_triggers(pm_workspace *w)
+{
+    pm_event_set *e = w->event;
+    for (int i = 0; i < e->ntrigger; i++) {
+        const pm_event_function *f = &e->function[i];
+        double *value = pm_event_samples(w, i);
+        if (f->owned) continue;
+        pm_watched_samples_run(w, PM_TRIGGER_ROW(w->model, f->index)[PM_TRIGGER_PROGRAM], NULL, value);
+        double least = e->least[f->index], greatest = e->greatest[f->index];
+        for (int k = 0; k < w->step.nodes->n; k++) {
+            least = pm_min(value[k], least);
+            greatest = pm_max(value[k], greatest);
+        }
+        e->least[f->index] = least;
+        e->greatest[f->index] = greatest;
+    }
+}
+
+/* The step came closer to contacts than was expected: they are looked at, too. */
+static int sample_reached(pm_workspace *w)
+{
+    for (int k = 0; k < w->step.nodes->n; k++) {
+        const int status = pm_step_look(w, pm_step_node(w, k), w->event->level);
+        if (status) return status;
+        sample_contacts(w, k);
+    }
+    return PM_OK;
+}
+
+/* How far the contacts that were looked at are: some can be left alone in the next steps. */
+static void keep_gaps(pm_workspace *w)
+{
+    const pm_event_set *e = w->event;
+    for (int i = 0; i < e->nfunction; i++) {
+        const pm_event_function *f = &e->function[i];
+        if (f->kind == FUNCTION_GAP && pm_event_samples_wanted(w, f))
+            pm_gap_culling_keep(w, f->index, *pm_event_samples(w, i));
+    }
+}
+
+/* On which side of zero the functions begin the step; of its own a route that finds roots knows that. */
+static void note_sides(pm_workspace *w)
+{
+    pm_event_set *e = w->event;
+    for (int i = 0; i < e->nfunction; i++) {
+        pm_event_function *f = &e->function[i];
+        if (f->owned) continue;
+        const double x = pm_event_of_sample(f, *pm_event_samples(w, i));
+        f->side = f->held ? 0 : (x > 0) - (x < 0);
+    }
+}
+
+static int is_resolved(const pm_workspace *w, const double *sample)
+{
+    return !(pm_chebyshev_tail(w->step.nodes, sample) > WAVES);
+}
+
+/* Speeds fall to zero as the root of the energy does, where the motion turns: that is no wave. */
+static int may_wave(const pm_workspace *w, const pm_event_function *f)
+{
+    return !f->owned && w->model->programs.energy[PM_TRIGGER_ROW(w->model, f->index)[PM_TRIGGER_PROGRAM]] !=
+                            PM_ENERGY_CLASS_ROOT;
+}
+
+/* Between few nodes something that is watched may turn unseen: they do not tell it.  (An ask with corners is told by its
+ * branches.) */
+static int are_resolved(const pm_workspace *w, int functions, int watched)
+{
+    const pm_event_set *e = w->event;
+    const pm_ask_set *a = w->ask;
+    for (int i = 0; functions && i < e->ntrigger; i++)
+        if (may_wave(w, &e->function[i]) && !is_resolved(w, pm_event_samples(w, i))) return 0;
+    for (int i = 0; watched && i < a->nobserver; i++)
+        if (a->switches[a->observer[i]] == 0 && !is_resolved(w, pm_ask_samples(w, a->observer[i]))) return 0;
+    return 1;
+}
+
+static int sample_at_nodes(pm_workspace *w, int functions, int watched)
+{
+    if (functions) begin_samples(w);
+    const int status = look_at_nodes(w, functions, watched);
+    if (status) return status;
+    if (functions) sample_triggers(w);
+    if (watched) pm_ask_sample(w);
+    return PM_OK;
+}
+
+static int finish_functions(pm_workspace *w)
+{
+    const int status = pm_gap_culling_check(w) ? sample_reached(w) : PM_OK;
+    keep_gaps(w);
+    note_sides(w);
+    return status;
+}
+
+int pm_event_samples_fill(pm_workspace *w, int with_functions)
+{
+    const int functions = with_functions && w->event->nsampled > 0, watched = w->ask->nobserver > 0;
+    w->step.sampled_end = w->step.end;
+    if (!functions && !watched) return PM_OK;
+    int status = sample_at_nodes(w, functions, watched);
+    while (!status && w->step.nodes->finer && !are_resolved(w, functions, watched)) {
+        w->step.nodes = w->step.nodes->finer;
+        status = sample_at_nodes(w, functions, watched);
+    }
+    return status || !functions ? status : finish_functions(w);
+}
+
+/* ---- the samples of one function ---- */
 double pm_event_samples_along(pm_workspace *w, double x, void *function)
 {
     const pm_event_function *f = function;
@@ -66,5 +240,29 @@ int pm_event_samples_resolve(const pm_workspace *w, int i)
 
 double pm_event_samples_residual(const pm_event_function *f, double biggest)
 {
-    return UNTOLD * f->tail * biggest;
+    return RESIDUAL * f->tail * biggest;
+}
+
+/* ---- one member of a row ---- */
+/* The member that is met at x, of those that are open; 0 if there is none. */
+static int member_at(pm_workspace *w, const pm_event_function *f, double x, int *member)
+{
+    const pm_event_set *e = w->event;
+    for (int k = 0; k < w->step.nodes->n; k++)
+        if (e->place[k] == x)
+            return !isinf(pm_contact_nearest_beside(&w->frame, &w->state, f->index,
+                                                    e->beside + f->row * PM_NODES_MOST + k, member));
+    return !pm_step_look(w, x, PM_LEVEL_KINEMATIC) && !isinf(pm_contact_gap(w, &w->state, f->index, member));
+}
+
+void pm_event_samples_of_member(pm_workspace *w, int i, double x)
+{
+    pm_event_set *e = w->event;
+    pm_event_function *f = &e->function[i];
+    int member;
+    if (f->row == PM_NONE || !pm_chebyshev_nodes_spectral(w->step.nodes) || !member_at(w, f, x, &member))
+        return;
+    for (int k = 0; k < w->step.nodes->n; k++)
+        pm_event_samples(w, i)[k] = pm_contact_gap_beside(e->beside + f->row * PM_NODES_MOST + k, member);
+    f->tail = -1;
 }

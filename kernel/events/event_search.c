@@ -8,9 +8,7 @@
 #include <math.h>
 
 #include "elements/capture.h"
-#include "events/event_bracket.h"
-#include "events/event_locate.h"
-#include "events/event_samples.h"
+#include "events/event_parts.h"
 #include "state/workspace.h"
 
 #define PASSES 1e-5 /* of the scene's size: two points farther apart where they are nearest do not meet */
@@ -32,11 +30,11 @@ static int first_of(pm_workspace *w, int i, double from, double not_after, pm_sp
     *place = INFINITY;
     for (;;) {
         if (f->search == SEARCH_NONE)
-            f->search = pm_event_bracket(w, i, from, &f->bracket) ? SEARCH_BRACKETED : SEARCH_NO_ZERO;
+            f->search = pm_event_bracket_first(w, i, from, &f->bracket) ? SEARCH_BRACKETED : SEARCH_NO_ZERO;
         if (f->search == SEARCH_NO_ZERO || f->bracket.a > not_after) return PM_OK;
         *x = f->bracket;
         if (f->search == SEARCH_BRACKETED) {
-            const int status = pm_event_locate(w, i, x, &f->found);
+            const int status = pm_event_locate_root(w, i, x, &f->found);
             if (status) return status;
             f->search = SEARCH_LOCATED;
         }

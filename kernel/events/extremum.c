@@ -2,15 +2,17 @@
 #include <math.h>
 
 #include "events/ask.h"
+#include "events/extremum.h"
 #include "events/extremum_parts.h"
 #include "events/step.h"
+#include "events/watched_samples.h"
 #include "numerics/chebyshev.h"
 #include "numerics/minmax.h"
 #include "state/workspace.h"
 
 #define NEARLY_FLAT 0.1 /* of the spread in a step: a slope between nodes that may have either sign */
 #define SHARP 0.1       /* of one whose slopes they tell roughly, at the best */
-#define UNTOLD 10.0     /* times these coefficients: how far the value may be from the polynomial */
+#define RESIDUAL 10.0   /* times these coefficients: how far the value may be from the polynomial */
 #define END_TAIL 4.0    /* the same at the ends of the step */
 #define LIKELY 0.1      /* of the most that a slope may be off by */
 #define WIDE 3.0        /* as much may rise what the nodes do not tell */
@@ -18,8 +20,56 @@
 #define TOLD 1e-5       /* of one whose corners can but be dips: what they change is told by looks */
 #define SHARE 1e-2      /* of the tolerance: so little more is not looked for, but counts as an error */
 
+/* ---- a value where the frame looks ---- */
+double pm_extremum_place(const pm_workspace *w, double s)
+{
+    return w->step.begin + s * (w->step.sampled_end - w->step.begin);
+}
+
+double pm_extremum_value(pm_workspace *w, const pm_extremum *p)
+{
+    if (!p->branch) return p->sign * pm_ask_run(w, p->ask);
+    return p->sign *
+           pm_watched_samples_here(w, pm_ask_program(PM_ASK_ROW(w->model, p->ask)), &p->branch->here);
+}
+
+int pm_extremum_is_taken(const pm_extremum *p)
+{
+    if (!p->branch) return 1;
+    const pm_switches *x = &p->branch->here;
+    for (int i = 0; i < x->n; i++) {
+        const double arg = x->arg[i][0];
+        if (x->sign[i] * arg < -p->branch->zero[i]) return 0;
+    }
+    return 1;
+}
+
+void pm_extremum_offer(pm_workspace *w, const pm_extremum *p, double g, double above)
+{
+    if (pm_extremum_is_taken(p)) pm_ask_offer(w, p->ask, p->sign * g, p->sign * above);
+}
+
+int pm_extremum_offer_at(pm_workspace *w, const pm_extremum *p, double t)
+{
+    const int status = pm_ask_look(w, t, 1);
+    if (!status) pm_extremum_offer(w, p, pm_extremum_value(w, p), 0);
+    return status;
+}
+
+double pm_extremum_best(const pm_workspace *w, const pm_extremum *p)
+{
+    return pm_max(p->best, p->sign * w->ask->best[p->ask]);
+}
+
+void pm_extremum_skip(pm_workspace *w, const pm_extremum *p, double g)
+{
+    double *bound = &w->ask->bound[p->ask];
+    *bound = pm_max(*bound, g);
+}
+
+/* ---- beside a node ---- */
 /* Whether node k is as good as the extreme at x right beside it. */
-static int is_at_node(pm_workspace *w, const pm_extremum *p, int k, const pm_extremum_told *x)
+static int is_at_node(pm_workspace *w, const pm_extremum *p, int k, const pm_extremum_fit *x)
 {
     const int n = w->step.nodes->n, at_end = k == 0 || k + 1 == n;
     if (n * n * fabs(x->s - w->step.nodes->at[k]) > NEAR) return 0;
@@ -29,23 +79,25 @@ static int is_at_node(pm_workspace *w, const pm_extremum *p, int k, const pm_ext
                  most = p->g[k] + half * (slope + error) * (slope + error);
     const double likely = slope + LIKELY * error;
     if (most > p->best + p->nothing) return 0;
-    pm_peak_untold(w, p, p->g[k] + half * likely * likely);
+    pm_extremum_skip(w, p, p->g[k] + half * likely * likely);
     return 1;
 }
 
-int pm_extremum_near(pm_workspace *w, const pm_extremum *p, int k, const pm_extremum_told *x)
+int pm_extremum_near(pm_workspace *w, const pm_extremum *p, int k, const pm_extremum_fit *x)
 {
     if (x->bend < 0) {
-        const double untold = UNTOLD * p->tail * p->size * fabs(x->w) - 0.5 * x->slope * x->slope / x->bend;
+        const double residual =
+            RESIDUAL * p->tail * p->size * fabs(x->w) - 0.5 * x->slope * x->slope / x->bend;
         if (is_at_node(w, p, k, x)) return PM_OK;
-        if (x->value + untold <= p->best + p->nothing) {
-            pm_peak_untold(w, p, x->value + untold);
+        if (x->value + residual <= p->best + p->nothing) {
+            pm_extremum_skip(w, p, x->value + residual);
             return PM_OK;
         }
         int found;
-        pm_extremum_rise_end top;
-        int status = pm_peak_rise(w, p, pm_extremum_rise_side(w->step.nodes, k, x->s), x, &top, &found);
-        if (!status && !found) status = pm_peak_search(w, p, &top, &found);
+        pm_extremum_estimate top;
+        int status =
+            pm_extremum_rise_climb(w, p, pm_extremum_rise_side(w->step.nodes, k, x->s), x, &top, &found);
+        if (!status && !found) status = pm_extremum_search_values(w, p, &top, &found);
         if (status || found) return status;
     }
     const int status = pm_extremum_search_root(w, p, k - 1);
@@ -92,13 +144,13 @@ static int extremes_of_samples(pm_workspace *w, pm_extremum *p)
     for (int k = 0; (k = next_top(nodes, p, k, 1)) < nodes->n; k++) {
         const double s = vertex(nodes, p, k);
         if (isnan(s)) continue;
-        const pm_extremum_told x = pm_extremum_rise_top(nodes, p, k, s);
+        const pm_extremum_fit x = pm_extremum_rise_top(nodes, p, k, s);
         if (x.s <= p->end) p->met |= 1u << pm_extremum_rise_interval(nodes, x.s);
         const int status = pm_extremum_near(w, p, k, &x);
         if (status) return status;
-        p->best = pm_peak_best(w, p);
+        p->best = pm_extremum_best(w, p);
     }
-    return pm_peak_hidden(w, p);
+    return pm_extremum_hidden_find(w, p);
 }
 
 /* Between node k and the next, where the samples tell the slopes but roughly. */
@@ -110,12 +162,13 @@ static int extreme_beside_top(pm_workspace *w, const pm_extremum *p, int k, doub
     if (a < -flat || b > flat || pm_step_node(w, k) >= w->step.end) return PM_OK;
     if (p->tail < SHARP && a > 0 && b < 0) {
         const double low = nodes->at[k], high = nodes->at[k + 1];
-        const pm_extremum_told x = pm_extremum_rise_top(nodes, p, k, low + (high - low) * (a / (a - b)));
+        const pm_extremum_fit x = pm_extremum_rise_top(nodes, p, k, low + (high - low) * (a / (a - b)));
         int found = 0, status = PM_OK;
-        pm_extremum_rise_end top = {.value = -INFINITY};
-        if (x.bend < 0) status = pm_peak_rise(w, p, pm_extremum_rise_side(nodes, k, x.s), &x, &top, &found);
+        pm_extremum_estimate top = {.value = -INFINITY};
+        if (x.bend < 0)
+            status = pm_extremum_rise_climb(w, p, pm_extremum_rise_side(nodes, k, x.s), &x, &top, &found);
         if (status || found) return status;
-        if ((status = pm_peak_search(w, p, &top, &found))) return status;
+        if ((status = pm_extremum_search_values(w, p, &top, &found))) return status;
     }
     return pm_extremum_search_root(w, p, k); /* a corner, too */
 }
@@ -156,9 +209,9 @@ int pm_extremum_find(pm_workspace *w, pm_extremum *p, int top, double spread)
         int status = k > 0 ? extreme_beside_top(w, p, k - 1, spread) : PM_OK;
         if (!status && k + 1 < nodes->n) status = extreme_beside_top(w, p, k, spread);
         if (status) return status;
-        p->best = pm_peak_best(w, p);
+        p->best = pm_extremum_best(w, p);
     }
-    return pm_peak_hidden(w, p);
+    return pm_extremum_hidden_find(w, p);
 }
 
 /* How many nodes are not beyond the end of the step, which may have been shortened. */
@@ -169,7 +222,7 @@ static int nodes_inside(const pm_workspace *w)
     return n;
 }
 
-int pm_ask_extreme(pm_workspace *w, int ask)
+int pm_extremum_take(pm_workspace *w, int ask)
 {
     const double *sample = pm_ask_samples(w, ask);
     pm_extremum p = {.ask = ask,
@@ -196,7 +249,7 @@ int pm_ask_extreme(pm_workspace *w, int ask)
     return status ? status : offer_node(w, &p, top_inside);
 }
 
-int pm_ask_end_counts(pm_workspace *w, int ask)
+int pm_extremum_end_counts(pm_workspace *w, int ask)
 {
     const double *value = pm_ask_samples(w, ask);
     const double sign = pm_ask_greatest(PM_ASK_ROW(w->model, ask)) ? 1 : -1;

@@ -23,7 +23,7 @@ typedef signed char pm_extremum_signs[PM_SWITCHES];
 typedef struct pm_extremum_branches {
     pm_switches at;                        /* the nodes */
     pm_extremum_signs sign[PM_NODES_MOST]; /* there */
-    pm_extremum_a_branch branch;           /* the one that is looked at */
+    pm_extremum_of_branch branch;          /* the one that is looked at */
 } pm_extremum_branches;
 
 /* 1 if argument i changes its sign between nodes. */
@@ -97,40 +97,38 @@ static int extremes_of(pm_workspace *w, pm_extremum *of, int first, int last)
     }
     of->first = first;
     of->last = last;
-    of->best = pm_peak_best(w, of);
+    of->best = pm_extremum_best(w, of);
     return pm_extremum_find(w, of, top, of->g[top] - least);
 }
 
 /* ---- between two nodes ---- */
-typedef struct pm_turn {
+typedef struct pm_extremum_switch {
     const pm_extremum *peak;
     int i; /* the switch */
     pm_switches here;
-} pm_turn;
+} pm_extremum_switch;
 
 static double argument(pm_workspace *w, double t, void *context)
 {
-    pm_turn *x = context;
+    pm_extremum_switch *x = context;
     if (pm_ask_look(w, t, 1)) return NAN;
     pm_watched_samples_here(w, pm_ask_program(PM_ASK_ROW(w->model, x->peak->ask)), &x->here);
     return x->here.arg[x->i][0];
 }
 
+/* Where a switch changes, if that is inside the step. */
 static int offer_at(pm_workspace *w, const pm_extremum *p, double t)
 {
-    if (t > w->step.end) return PM_OK;
-    const int status = pm_ask_look(w, t, 1);
-    if (!status) pm_ask_offer(w, p->ask, pm_ask_run(w, p->ask), 0);
-    return status;
+    return t > w->step.end ? PM_OK : pm_extremum_offer_at(w, p, t);
 }
 
 /* The value where switch i changes between node k and the next: *t, or the node where it is zero. */
-static int offer_turn(pm_workspace *w, const pm_extremum *p, const pm_extremum_branches *b, int i, int k,
-                      double *t)
+static int offer_switch(pm_workspace *w, const pm_extremum *p, const pm_extremum_branches *b, int i, int k,
+                        double *t)
 {
     const double from = pm_step_node(w, k), to = pm_step_node(w, k + 1);
     const double fa = b->at.arg[i][k], fb = b->at.arg[i][k + 1];
-    pm_turn x = {.peak = p, .i = i};
+    pm_extremum_switch x = {.peak = p, .i = i};
     *t = fabs(fa) < fabs(fb) ? from : to;
     if (!(fa * fb < 0)) return PM_OK;
     int status = pm_bracket_find(w, w->ask->solver, argument, &x, from, fa, to, fb, t);
@@ -156,13 +154,13 @@ static int stays_below(const pm_workspace *w, const pm_extremum *left, const pm_
 {
     const double most = pm_max(pm_max(left->g[k], left->g[k + 1]), pm_max(right->g[k], right->g[k + 1]));
     const double spread = pm_max(fabs(left->g[k] - left->g[k + 1]), fabs(right->g[k] - right->g[k + 1]));
-    return most + spread < pm_peak_best(w, left);
+    return most + spread < pm_extremum_best(w, left);
 }
 
 /* The branch between two places where switches change, if it is none of those at the nodes: its extremes. */
 static int extremes_within(pm_workspace *w, const pm_extremum *p, pm_extremum_branches *b, int k, double t)
 {
-    pm_turn x = {.peak = p};
+    pm_extremum_switch x = {.peak = p};
     pm_extremum_signs sign;
     pm_extremum of;
     argument(w, t, &x);
@@ -172,14 +170,14 @@ static int extremes_within(pm_workspace *w, const pm_extremum *p, pm_extremum_br
 }
 
 /* Several switches change between node k and the next. */
-static int several_turns(pm_workspace *w, const pm_extremum *p, pm_extremum_branches *b, int k)
+static int several_switches(pm_workspace *w, const pm_extremum *p, pm_extremum_branches *b, int k)
 {
     double turn[PM_SWITCHES];
     int n = 0;
     for (int i = 0; i < b->at.n; i++) {
         if (b->sign[k][i] == b->sign[k + 1][i]) continue;
         double t;
-        const int status = offer_turn(w, p, b, i, k, &t);
+        const int status = offer_switch(w, p, b, i, k, &t);
         if (status) return status;
         int j = n++;
         for (; j > 0 && turn[j - 1] > t; j--) turn[j] = turn[j - 1];
@@ -195,16 +193,16 @@ static int several_turns(pm_workspace *w, const pm_extremum *p, pm_extremum_bran
 }
 
 /* Corners and jumps between node k and the next, where one branch gives way to another. */
-static int turns_between(pm_workspace *w, const pm_extremum *p, pm_extremum_branches *b, int k,
-                         const pm_extremum *left, const pm_extremum *right)
+static int switches_between(pm_workspace *w, const pm_extremum *p, pm_extremum_branches *b, int k,
+                            const pm_extremum *left, const pm_extremum *right)
 {
     int n = 0, only = 0;
     for (int i = 0; i < b->at.n; i++)
         if (b->sign[k][i] != b->sign[k + 1][i]) n++, only = i;
     if (pm_step_node(w, k) >= w->step.end || stays_below(w, left, right, k)) return PM_OK;
     double t;
-    if (n > 1) return several_turns(w, p, b, k);
-    return only_dips(b, only, k, left, right) ? PM_OK : offer_turn(w, p, b, only, k, &t);
+    if (n > 1) return several_switches(w, p, b, k);
+    return only_dips(b, only, k, left, right) ? PM_OK : offer_switch(w, p, b, only, k, &t);
 }
 
 int pm_extremum_branch_all(pm_workspace *w, const pm_extremum *p, int *taken)
@@ -218,7 +216,7 @@ int pm_extremum_branch_all(pm_workspace *w, const pm_extremum *p, int *taken)
         *taken = sample_branch(w, p, &b, b.sign[first], &of[i]);
         if (!*taken) return PM_OK;
         int status = extremes_of(w, &of[i], first > 0 ? first - 1 : 0, last + 1 < n ? last + 1 : last);
-        if (!status && first > 0) status = turns_between(w, p, &b, first - 1, &of[!i], &of[i]);
+        if (!status && first > 0) status = switches_between(w, p, &b, first - 1, &of[!i], &of[i]);
         if (status) return status;
     }
     return PM_OK;

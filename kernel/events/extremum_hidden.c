@@ -2,8 +2,11 @@
  *
  * A top and a dip may have hardly parted, and a top may be right before the end of a step that was shortened, which is no
  * node.  There nodes next to each other are nearly alike, or the step begins or ends; such tops rise above the nodes by no
- * more than those differ about them.  The polynomial through the nodes shows them, or the rates there do
- * (extremum_between.c). */
+ * more than those differ about them.  The polynomial through the nodes shows them, or the rates there do.
+ *
+ * A top and a dip that have parted by less than the distance of the nodes may both lie between two places where the value
+ * rises, or between two where it falls.  The cubic that has both values and rates shows them: then the value is asked for on
+ * both sides of its top, and so on in all parts. */
 #include <math.h>
 
 #include "events/extremum_parts.h"
@@ -12,33 +15,70 @@
 #include "numerics/minmax.h"
 #include "state/workspace.h"
 
-#define BENDS 0.8 /* of the bend that a parabola would have */
-#define ALIKE 0.1 /* of what others near them differ by: nodes between which a top may hide */
+#define BENDS 0.8  /* of the bend that a parabola would have */
+#define ALIKE 0.1  /* of what others near them differ by: nodes between which a top may hide */
+#define PARTINGS 5 /* what is left of an interval about a level place becomes a sixth each time */
 
-static pm_extremum_slope slope_told(pm_workspace *w, const pm_extremum *p, double s)
+/* ---- between two places ---- */
+double pm_extremum_hidden_cubic(const pm_extremum_slope *a, const pm_extremum_slope *b)
+{
+    const double h = b->s - a->s, secant = (b->g - a->g) / h;
+    const double c = (3 * secant - 2 * a->rate - b->rate) / h, d = (a->rate + b->rate - 2 * secant) / (h * h);
+    const double root = sqrt(c * c - 3 * d * a->rate); /* its rate is a->rate + 2 c x + 3 d x^2 */
+    const double s = a->s + (c > 0 ? -(c + root) / (3 * d) : a->rate / (root - c));
+    return s > a->s && s < b->s ? s : NAN;
+}
+
+static int falls(const pm_extremum_slope *a, const pm_extremum_slope *b)
+{
+    return a->rate > 0 && b->rate < 0;
+}
+
+static int part(pm_workspace *w, const pm_extremum *p, const pm_extremum_curve *x, const pm_extremum_slope *a,
+                const pm_extremum_slope *b, int depth)
+{
+    if (falls(a, b)) return x->top(w, p, a, b);
+    if (depth == 0 || (a->rate < 0 && b->rate > 0)) return PM_OK;
+    const double makes = (b->s - a->s) * pm_max(fabs(a->rate), fabs(b->rate));
+    const double s = pm_extremum_hidden_cubic(a, b);
+    if (isnan(s) || !(makes > PM_PEAK_LEVEL * p->size)) return PM_OK;
+    const pm_extremum_slope left = x->slope(w, p, 0.5 * (a->s + s)), right = x->slope(w, p, 0.5 * (s + b->s));
+    int status = part(w, p, x, a, &left, depth - 1);
+    if (!status) status = part(w, p, x, &left, &right, depth - 1);
+    return status ? status : part(w, p, x, &right, b, depth - 1);
+}
+
+int pm_extremum_hidden_tops(pm_workspace *w, const pm_extremum *p, const pm_extremum_curve *x,
+                            const pm_extremum_slope *a, const pm_extremum_slope *b)
+{
+    return part(w, p, x, a, b, PARTINGS);
+}
+
+/* ---- between two nodes ---- */
+static pm_extremum_slope slope_of_fit(pm_workspace *w, const pm_extremum *p, double s)
 {
     pm_extremum_slope x = {.s = s};
     x.rate = pm_chebyshev_slope(w->step.nodes, p->g, s, &x.g);
     return x;
 }
 
-static double rate_told(pm_workspace *w, double s, void *context)
+static double rate_of_fit(pm_workspace *w, double s, void *context)
 {
     const pm_extremum *const *p = context;
-    return slope_told(w, *p, s).rate;
+    return slope_of_fit(w, *p, s).rate;
 }
 
 /* The polynomial's top, inside its bracket: Newton's method may find another one next to it. */
-static int top_told(pm_workspace *w, const pm_extremum *p, const pm_extremum_slope *a,
-                    const pm_extremum_slope *b)
+static int top_of_fit(pm_workspace *w, const pm_extremum *p, const pm_extremum_slope *a,
+                      const pm_extremum_slope *b)
 {
     const pm_chebyshev_nodes *nodes = w->step.nodes;
     double s;
-    const int status = pm_bracket_find(w, w->ask->solver, rate_told, &p, a->s, a->rate, b->s, b->rate, &s);
+    const int status = pm_bracket_find(w, w->ask->solver, rate_of_fit, &p, a->s, a->rate, b->s, b->rate, &s);
     if (status) return status;
     int k = pm_extremum_rise_interval(nodes, s);
     if (nodes->at[k + 1] - s < s - nodes->at[k]) k++;
-    const pm_extremum_told x = pm_extremum_rise_tell(nodes, p, s);
+    const pm_extremum_fit x = pm_extremum_rise_fit(nodes, p, s);
     return pm_extremum_near(w, p, k, &x);
 }
 
@@ -67,7 +107,7 @@ int pm_extremum_hidden_possible(const pm_chebyshev_nodes *nodes, const pm_extrem
 static pm_extremum_slope slope_at_node(pm_workspace *w, const pm_extremum *p, int k)
 {
     const pm_chebyshev_nodes *nodes = w->step.nodes;
-    if (nodes->at[k] > p->end) return slope_told(w, p, p->end);
+    if (nodes->at[k] > p->end) return slope_of_fit(w, p, p->end);
     return (pm_extremum_slope){nodes->at[k], p->g[k], pm_chebyshev_slope_at(nodes, p->g, k)};
 }
 
@@ -82,22 +122,22 @@ static int is_level(const pm_extremum *p, const pm_extremum_slope *here, const p
 /* Between node k and the next. */
 static int hidden_between(pm_workspace *w, const pm_extremum *p, int k)
 {
-    static const pm_extremum_parting by_polynomial = {slope_told, top_told};
+    static const pm_extremum_curve by_polynomial = {slope_of_fit, top_of_fit};
     const int met = p->met >> k & 1;
     if (!(p->tail < PM_CHEBYSHEV_SMOOTH)) return met ? PM_OK : pm_extremum_search_root(w, p, k);
     const pm_extremum_slope a = slope_at_node(w, p, k), b = slope_at_node(w, p, k + 1);
     if (is_level(p, &a, &b) || is_level(p, &b, &a)) return pm_extremum_search_root(w, p, k);
-    if (met && w->step.nodes->at[k + 1] <= p->end && pm_extremum_between_falls(&a, &b)) return PM_OK;
-    return pm_extremum_between(w, p, &by_polynomial, &a, &b);
+    if (met && w->step.nodes->at[k + 1] <= p->end && falls(&a, &b)) return PM_OK;
+    return pm_extremum_hidden_tops(w, p, &by_polynomial, &a, &b);
 }
 
-int pm_peak_hidden(pm_workspace *w, pm_extremum *p)
+int pm_extremum_hidden_find(pm_workspace *w, pm_extremum *p)
 {
     const int n = w->step.nodes->n;
     for (int k = 0; (k = next_hidden(w->step.nodes, p, k)) < n; k++) {
         const int status = hidden_between(w, p, k);
         if (status) return status;
-        p->best = pm_peak_best(w, p);
+        p->best = pm_extremum_best(w, p);
     }
     return PM_OK;
 }

@@ -16,10 +16,10 @@
     2.0 /* times the degree and the highest coefficients: error of a polynomial's slope */
 
 /* A branch of a program: the signs that make it, and what its arguments are where the frame looks. */
-typedef struct pm_extremum_a_branch {
+typedef struct pm_extremum_of_branch {
     pm_switches here;
     double zero[PM_SWITCHES]; /* so small an argument has no sign */
-} pm_extremum_a_branch;
+} pm_extremum_of_branch;
 
 /* A value in a step. */
 typedef struct pm_extremum {
@@ -32,22 +32,22 @@ typedef struct pm_extremum {
     double nothing; /* so much more is not looked for */
     double end;     /* of the step, as a fraction of what is sampled */
     double slope_error;
-    pm_extremum_a_branch *branch; /* NULL: the program has no switches, or none changes */
-    int first, last;              /* nodes beside which extremes are looked for */
-    uint32_t met;                 /* bit k: between node k and the next one has been found */
+    pm_extremum_of_branch *branch; /* NULL: the program has no switches, or none changes */
+    int first, last;               /* nodes beside which extremes are looked for */
+    uint32_t met;                  /* bit k: between node k and the next one has been found */
 } pm_extremum;
 
 /* The polynomial somewhere: its value less that of the nearest node, slope and bend; w'/w; w, 1 where it is greatest. */
-typedef struct pm_extremum_told {
+typedef struct pm_extremum_fit {
     double s, value, slope, bend, pull, w;
-} pm_extremum_told;
+} pm_extremum_fit;
 
 /* What a look tells of the extreme near it. */
-typedef struct pm_extremum_rise_end {
+typedef struct pm_extremum_estimate {
     double s, value, rate, rate_error;
     double gain, place; /* the extreme is that much above the value, and there */
-    double untold;      /* and may be so much more */
-} pm_extremum_rise_end;
+    double residual;    /* and may be so much more */
+} pm_extremum_estimate;
 
 /* A place in a step: the value and its rate there, of one step a unit. */
 typedef struct pm_extremum_slope {
@@ -55,65 +55,63 @@ typedef struct pm_extremum_slope {
 } pm_extremum_slope;
 
 /* Who tells values and rates, and who finds the one top between a place where the value rises and one where it falls. */
-typedef struct pm_extremum_parting {
+typedef struct pm_extremum_curve {
     pm_extremum_slope (*slope)(pm_workspace *w, const pm_extremum *p, double s);
     int (*top)(pm_workspace *w, const pm_extremum *p, const pm_extremum_slope *a, const pm_extremum_slope *b);
-} pm_extremum_parting;
+} pm_extremum_curve;
 
-/* ---- extremum_nodes.c ---- */
-double pm_peak_place(const pm_workspace *w, double s);
+/* ---- extremum.c: a value where the frame looks, and what is made of it ---- */
+/* The place in the step of a fraction of what is sampled. */
+double pm_extremum_place(const pm_workspace *w, double s);
 /* g where the frame looks. */
-double pm_peak_value(pm_workspace *w, const pm_extremum *p);
-/* Whether the branch is the one that is taken where pm_peak_value was asked for last. */
-int pm_peak_reigns(const pm_extremum *p);
+double pm_extremum_value(pm_workspace *w, const pm_extremum *p);
+/* Whether the branch is the one that is taken where pm_extremum_value was asked for last. */
+int pm_extremum_is_taken(const pm_extremum *p);
 /* Takes g at the frame, and so much above it, if the branch is taken there. */
-void pm_peak_offer(pm_workspace *w, const pm_extremum *p, double g, double above);
+void pm_extremum_offer(pm_workspace *w, const pm_extremum *p, double g, double above);
 /* Nothing above g is looked for. */
-void pm_peak_untold(pm_workspace *w, const pm_extremum *p, double g);
+void pm_extremum_skip(pm_workspace *w, const pm_extremum *p, double g);
 /* The best so far: of what was known before, and what has been offered since. */
-double pm_peak_best(const pm_workspace *w, const pm_extremum *p);
+double pm_extremum_best(const pm_workspace *w, const pm_extremum *p);
+/* Looks at place t, exactly, and takes the value there. */
+int pm_extremum_offer_at(pm_workspace *w, const pm_extremum *p, double t);
 /* Looks for extremes that are better than the best so far; top: the best node of those that are asked for, spread: of all
  * of these. */
 int pm_extremum_find(pm_workspace *w, pm_extremum *p, int top, double spread);
-
-/* ---- extremum.c ---- */
 /* The extreme near one of the polynomial, beside node k, if it may be better than the best. */
-int pm_extremum_near(pm_workspace *w, const pm_extremum *p, int k, const pm_extremum_told *x);
+int pm_extremum_near(pm_workspace *w, const pm_extremum *p, int k, const pm_extremum_fit *x);
 
 /* ---- extremum_hidden.c ---- */
 int pm_extremum_hidden_possible(const pm_chebyshev_nodes *nodes, const pm_extremum *p);
 /* Extremes that no node shows; those at nodes have been looked for. */
-int pm_peak_hidden(pm_workspace *w, pm_extremum *p);
-
-/* ---- extremum_between.c: between two places ---- */
-/* The value rises at a and falls at b. */
-int pm_extremum_between_falls(const pm_extremum_slope *a, const pm_extremum_slope *b);
+int pm_extremum_hidden_find(pm_workspace *w, pm_extremum *p);
 /* Where the cubic with these values and rates is greatest between a and b; NaN if it has no top there. */
-double pm_extremum_between_cubic(const pm_extremum_slope *a, const pm_extremum_slope *b);
+double pm_extremum_hidden_cubic(const pm_extremum_slope *a, const pm_extremum_slope *b);
 /* All tops between a and b. */
-int pm_extremum_between(pm_workspace *w, const pm_extremum *p, const pm_extremum_parting *x,
-                        const pm_extremum_slope *a, const pm_extremum_slope *b);
+int pm_extremum_hidden_tops(pm_workspace *w, const pm_extremum *p, const pm_extremum_curve *x,
+                            const pm_extremum_slope *a, const pm_extremum_slope *b);
 
 /* ---- extremum_rise.c: where the nodes tell the value nearly ---- */
 /* The interval of s, next to node k. */
 int pm_extremum_rise_side(const pm_chebyshev_nodes *nodes, int k, double s);
 /* The polynomial's extreme near s, beside node k; nearly: as far as its slope tells it.  The bend is not below zero if there
  * is none. */
-pm_extremum_told pm_extremum_rise_top(const pm_chebyshev_nodes *nodes, const pm_extremum *p, int k, double s);
+pm_extremum_fit pm_extremum_rise_top(const pm_chebyshev_nodes *nodes, const pm_extremum *p, int k, double s);
 /* The node before s, but for the last. */
 int pm_extremum_rise_interval(const pm_chebyshev_nodes *nodes, double s);
 /* The polynomial at s, or right beside the node there. */
-pm_extremum_told pm_extremum_rise_tell(const pm_chebyshev_nodes *nodes, const pm_extremum *p, double s);
+pm_extremum_fit pm_extremum_rise_fit(const pm_chebyshev_nodes *nodes, const pm_extremum *p, double s);
 /* From a place near an extreme to it; *found is 0 if the looks do not tell it, *top is the best of them then. */
-int pm_peak_rise(pm_workspace *w, const pm_extremum *p, int k, const pm_extremum_told *near,
-                 pm_extremum_rise_end *top, int *found);
+int pm_extremum_rise_climb(pm_workspace *w, const pm_extremum *p, int k, const pm_extremum_fit *near,
+                           pm_extremum_estimate *top, int *found);
 
 /* ---- extremum_search.c: where they do not ---- */
 /* Between node k and the next where the value may have an extreme better than the best so far: the root of its rate. */
 int pm_extremum_search_root(pm_workspace *w, const pm_extremum *p, int k);
 /* By values alone, where slopes do not tell (a flat top, or one about to part in two): from a look that is better than the
  * nodes beside it. */
-int pm_peak_search(pm_workspace *w, const pm_extremum *p, const pm_extremum_rise_end *top, int *found);
+int pm_extremum_search_values(pm_workspace *w, const pm_extremum *p, const pm_extremum_estimate *top,
+                              int *found);
 
 /* ---- extremum_branch.c: where a program takes one branch after the other ---- */
 /* Extremes of all branches and the corners between them; *taken is 0 if there is but one branch, or they are not told. */

@@ -7,7 +7,7 @@
  *
  *   g'(x) = p'(x) + e w'/w + w h',    the extreme is at x - g' / g'', g'^2 / 2 |g''| above g(x)
  *
- * and w h', no more than some n e, is what stays untold.  Looks go on until that makes nothing. */
+ * and w h', no more than some n e, is what stays residual.  Looks go on until that makes nothing. */
 #include <math.h>
 
 #include "events/extremum_parts.h"
@@ -15,11 +15,11 @@
 #include "numerics/minmax.h"
 #include "state/workspace.h"
 
-#define SLOWLY 0.5   /* looks that leave more untold than that of what was before lead nowhere */
+#define SLOWLY 0.5   /* looks that leave more residual than that of what was before lead nowhere */
 #define PEAK_STEPS 6 /* of Newton's method to an extreme */
 #define LOOKS 6      /* that are taken in as nodes */
 #define BESIDE 3e-6  /* of the step: nearer to each other two nodes tell no slope */
-#define PART 0.3 /* of what is untold of a slope before a look there: it stays so after it, at the least */
+#define PART 0.3 /* of what is residual of a slope before a look there: it stays so after it, at the least */
 
 /* Exact looks, each with what the polynomial through the nodes and the looks before was off by. */
 typedef struct pm_extremum_looks {
@@ -36,7 +36,7 @@ static double beside(const pm_chebyshev_nodes *nodes, int k, double s)
 
 /* Of p = N / D, N = sum c_k g_k, D = sum c_k, c_k = w_k / (s - s_k), for s between node k and the next; w_k alternate, and
  * are half as much at the ends.  Two nodes at a time. */
-static pm_extremum_told tell(const pm_chebyshev_nodes *nodes, const double *g, int k, double s)
+static pm_extremum_fit tell(const pm_chebyshev_nodes *nodes, const double *g, int k, double s)
 {
     const double from = s - nodes->at[k] < nodes->at[k + 1] - s ? g[k] : g[k + 1];
     const int last = nodes->n - 1;
@@ -56,7 +56,7 @@ static pm_extremum_told tell(const pm_chebyshev_nodes *nodes, const double *g, i
         weight[0] = 1;
     }
     const double below = pm_pair_sum(d0), first = pm_pair_sum(d1);
-    pm_extremum_told x = {
+    pm_extremum_fit x = {
         .s = s, .value = pm_pair_sum(n0) / below, .pull = first / below, .w = 2 * last / below};
     x.slope = (x.value * first - pm_pair_sum(n1)) / below;
     x.bend = 2 * (pm_pair_sum(n2) + x.slope * first - x.value * pm_pair_sum(d2)) / below;
@@ -76,17 +76,17 @@ int pm_extremum_rise_interval(const pm_chebyshev_nodes *nodes, double s)
     return k;
 }
 
-pm_extremum_told pm_extremum_rise_tell(const pm_chebyshev_nodes *nodes, const pm_extremum *p, double s)
+pm_extremum_fit pm_extremum_rise_fit(const pm_chebyshev_nodes *nodes, const pm_extremum *p, double s)
 {
     const int k = pm_extremum_rise_interval(nodes, s);
     return tell(nodes, p->g, k, beside(nodes, k, s));
 }
 
-pm_extremum_told pm_extremum_rise_top(const pm_chebyshev_nodes *nodes, const pm_extremum *p, int k, double s)
+pm_extremum_fit pm_extremum_rise_top(const pm_chebyshev_nodes *nodes, const pm_extremum *p, int k, double s)
 {
     s = beside(nodes, pm_extremum_rise_side(nodes, k, s), s);
     for (int i = 0;; i++) {
-        const pm_extremum_told x = tell(nodes, p->g, pm_extremum_rise_side(nodes, k, s), s);
+        const pm_extremum_fit x = tell(nodes, p->g, pm_extremum_rise_side(nodes, k, s), s);
         const double told = pm_max(p->slope_error, sqrt(p->nothing * fabs(x.bend)));
         if (!(x.bend < 0) || fabs(x.slope) <= told || i == PEAK_STEPS) return x;
         const double next = s - x.slope / x.bend;
@@ -96,7 +96,7 @@ pm_extremum_told pm_extremum_rise_top(const pm_chebyshev_nodes *nodes, const pm_
 }
 
 /* Takes the looks in as nodes: their part of value and slope. */
-static void correct(const pm_extremum_looks *looks, pm_extremum_told *x)
+static void correct(const pm_extremum_looks *looks, pm_extremum_fit *x)
 {
     double slope = 0, w = x->w, pull = x->pull;
     for (int i = 0; i < looks->n; i++) {
@@ -112,14 +112,14 @@ static void correct(const pm_extremum_looks *looks, pm_extremum_told *x)
 }
 
 /* The frame looks at x->s. */
-static int take_look(pm_workspace *w, const pm_extremum *p, const pm_extremum_told *x,
-                     const pm_extremum_rise_end *before, pm_extremum_looks *looks, pm_extremum_rise_end *rise)
+static int take_look(pm_workspace *w, const pm_extremum *p, const pm_extremum_fit *x,
+                     const pm_extremum_estimate *before, pm_extremum_looks *looks, pm_extremum_estimate *rise)
 {
     const double n = w->step.nodes->n;
-    const int status = pm_ask_look(w, pm_peak_place(w, x->s), 1);
+    const int status = pm_ask_look(w, pm_extremum_place(w, x->s), 1);
     if (status) return status;
     rise->s = x->s;
-    rise->value = pm_peak_value(w, p);
+    rise->value = pm_extremum_value(w, p);
     const double off = rise->value - x->value;
     rise->rate = x->slope + off * x->pull;
     double error = PART * p->slope_error * fabs(x->w), bend = x->bend;
@@ -135,7 +135,7 @@ static int take_look(pm_workspace *w, const pm_extremum *p, const pm_extremum_to
     looks->s[looks->n] = x->s;
     looks->off[looks->n] = off;
     looks->w[looks->n++] = x->w;
-    rise->untold = INFINITY;
+    rise->residual = INFINITY;
     rise->gain = 0;
     rise->place = NAN;
     if (!(bend < 0)) return PM_OK;
@@ -143,49 +143,49 @@ static int take_look(pm_workspace *w, const pm_extremum *p, const pm_extremum_to
     if (!(bend_error < -bend)) return PM_OK; /* it may be the other way */
     const double doubt = bend_error / -bend + n * n * fabs(rise->rate / bend);
     rise->gain = -0.5 * rise->rate * rise->rate / bend;
-    rise->untold = doubt * rise->gain - error * (fabs(rise->rate) + 0.5 * error) / bend;
+    rise->residual = doubt * rise->gain - error * (fabs(rise->rate) + 0.5 * error) / bend;
     return PM_OK;
 }
 
 /* The extreme is told.  It may lie where another branch is taken than at the look beside it. */
-static int take_top(pm_workspace *w, const pm_extremum *p, const pm_extremum_rise_end *here, double most)
+static int take_top(pm_workspace *w, const pm_extremum *p, const pm_extremum_estimate *here, double most)
 {
     if (!(here->place >= 0 && here->place <= p->end)) return PM_OK;
     double value = here->value, above = here->gain;
-    if (value + above > p->best && p->branch && (above > p->nothing || !pm_peak_reigns(p))) {
-        const int status = pm_ask_look(w, pm_peak_place(w, here->place), 1);
+    if (value + above > p->best && p->branch && (above > p->nothing || !pm_extremum_is_taken(p))) {
+        const int status = pm_ask_look(w, pm_extremum_place(w, here->place), 1);
         if (status) return status;
-        value = pm_peak_value(w, p);
+        value = pm_extremum_value(w, p);
         above = 0;
-        if (!pm_peak_reigns(p)) return PM_OK;
+        if (!pm_extremum_is_taken(p)) return PM_OK;
     }
-    pm_peak_untold(w, p, most);
-    if (value + above > p->best) pm_peak_offer(w, p, value, above);
+    pm_extremum_skip(w, p, most);
+    if (value + above > p->best) pm_extremum_offer(w, p, value, above);
     return PM_OK;
 }
 
-int pm_peak_rise(pm_workspace *w, const pm_extremum *p, int k, const pm_extremum_told *near,
-                 pm_extremum_rise_end *top, int *found)
+int pm_extremum_rise_climb(pm_workspace *w, const pm_extremum *p, int k, const pm_extremum_fit *near,
+                           pm_extremum_estimate *top, int *found)
 {
     const pm_chebyshev_nodes *nodes = w->step.nodes;
     const double low = k > 0 ? nodes->at[k - 1] : 0, high = k + 2 < nodes->n ? nodes->at[k + 2] : 1;
     pm_extremum_looks looks = {.n = 0};
-    pm_extremum_rise_end rise[2];
-    pm_extremum_told x = *near;
+    pm_extremum_estimate rise[2];
+    pm_extremum_fit x = *near;
     *found = 0;
-    *top = (pm_extremum_rise_end){.value = -INFINITY};
+    *top = (pm_extremum_estimate){.value = -INFINITY};
     for (int i = 0; i < LOOKS; i++) {
-        pm_extremum_rise_end *here = &rise[i % 2];
+        pm_extremum_estimate *here = &rise[i % 2];
         const int status = take_look(w, p, &x, i > 0 ? &rise[(i + 1) % 2] : NULL, &looks, here);
         if (status) return status;
         if (here->value > top->value) *top = *here;
-        const double most = here->value + here->gain + here->untold;
-        *found = most <= p->best + p->nothing || here->untold <= p->nothing;
+        const double most = here->value + here->gain + here->residual;
+        *found = most <= p->best + p->nothing || here->residual <= p->nothing;
         if (*found) {
             return take_top(w, p, here, most);
         }
-        const double before = i > 0 ? rise[(i + 1) % 2].untold : INFINITY;
-        const int slowly = before < INFINITY && here->untold > SLOWLY * before;
+        const double before = i > 0 ? rise[(i + 1) % 2].residual : INFINITY;
+        const int slowly = before < INFINITY && here->residual > SLOWLY * before;
         if (slowly || !(here->place > low && here->place < high)) return PM_OK;
         while (k > 0 && here->place < nodes->at[k]) k--;
         while (k + 2 < nodes->n && here->place > nodes->at[k + 1]) k++;

@@ -24,13 +24,6 @@ static pm_ask_watch watch_of(const pm_workspace *w, const pm_extremum *p, double
                           step * (w->step.end - w->step.begin), p->branch ? &p->branch->here : NULL};
 }
 
-static int offer_at(pm_workspace *w, const pm_extremum *p, double t)
-{
-    const int status = pm_ask_look(w, t, 1);
-    if (!status) pm_peak_offer(w, p, pm_peak_value(w, p), 0);
-    return status;
-}
-
 /* To the extreme of the value from near it, by Newton's method on the rate; the bend is at first the one given, then the
  * secant's.  0 if it does not stay between low and high. */
 static int climb(pm_workspace *w, const pm_extremum *p, double bend, double low, double high, double *s)
@@ -39,8 +32,8 @@ static int climb(pm_workspace *w, const pm_extremum *p, double bend, double low,
     double last = 0, from = *s;
     for (int i = 0; i < PEAK_STEPS; i++) {
         const double rate = p->sign *
-                            (pm_ask_along(w, pm_peak_place(w, *s + PEAK_STEP), &x) -
-                             pm_ask_along(w, pm_peak_place(w, *s - PEAK_STEP), &x)) /
+                            (pm_ask_along(w, pm_extremum_place(w, *s + PEAK_STEP), &x) -
+                             pm_ask_along(w, pm_extremum_place(w, *s - PEAK_STEP), &x)) /
                             (2 * PEAK_STEP);
         if (i > 0 && *s != from) bend = (rate - last) / (*s - from);
         const double shift = -rate / bend;
@@ -55,7 +48,7 @@ static int climb(pm_workspace *w, const pm_extremum *p, double bend, double low,
 
 static pm_extremum_slope slope_here(pm_workspace *w, const pm_extremum *p, double s)
 {
-    const double t = pm_peak_place(w, s), h = w->step.sampled_end - w->step.begin;
+    const double t = pm_extremum_place(w, s), h = w->step.sampled_end - w->step.begin;
     pm_ask_watch value = watch_of(w, p, 0), rate = watch_of(w, p, RATE_STEP);
     return (pm_extremum_slope){s, p->sign * pm_ask_along(w, t, &value),
                                p->sign * h * pm_ask_along(w, t, &rate)};
@@ -67,31 +60,32 @@ static int top_between(pm_workspace *w, const pm_extremum *p, const pm_extremum_
 {
     pm_ask_watch x = watch_of(w, p, RATE_STEP);
     const double bend = (b->rate - a->rate) / (b->s - a->s);
-    const double near = pm_extremum_between_cubic(a, b);
+    const double near = pm_extremum_hidden_cubic(a, b);
     double s = isnan(near) ? a->s - a->rate / bend : near, t;
     const int climbs =
         !pm_ask_at_extreme(PM_ASK_ROW(w->model, p->ask)) && /* there the place matters, not the value */
         climb(w, p, bend, a->s, b->s, &s);
-    t = pm_peak_place(w, s);
+    t = pm_extremum_place(w, s);
     const double unit =
         p->sign / (w->step.sampled_end - w->step.begin); /* the rate in time, of the value as it is */
-    const int status = climbs ? PM_OK
-                              : pm_bracket_find(w, w->ask->solver, pm_ask_along, &x, pm_peak_place(w, a->s),
-                                                unit * a->rate, pm_peak_place(w, b->s), unit * b->rate, &t);
+    const int status = climbs
+                           ? PM_OK
+                           : pm_bracket_find(w, w->ask->solver, pm_ask_along, &x, pm_extremum_place(w, a->s),
+                                             unit * a->rate, pm_extremum_place(w, b->s), unit * b->rate, &t);
     if (status == PM_SOLVER && !p->branch)
         w->ask->undefined[p->ask] = 1; /* it takes finite rates: there is none somewhere */
     if (status) return status == PM_SOLVER ? PM_OK : status;
-    return offer_at(w, p, t);
+    return pm_extremum_offer_at(w, p, t);
 }
 
 int pm_extremum_search_root(pm_workspace *w, const pm_extremum *p, int k)
 {
-    static const pm_extremum_parting in_looks = {slope_here, top_between};
+    static const pm_extremum_curve in_looks = {slope_here, top_between};
     if (k < 0 || k + 1 >= w->step.nodes->n) return PM_OK;
     const double *at = w->step.nodes->at, end = pm_min(at[k + 1], p->end);
     if (at[k] >= end) return PM_OK;
     const pm_extremum_slope a = slope_here(w, p, at[k]), b = slope_here(w, p, end);
-    return pm_extremum_between(w, p, &in_looks, &a, &b);
+    return pm_extremum_hidden_tops(w, p, &in_looks, &a, &b);
 }
 
 typedef struct pm_search {
@@ -102,11 +96,11 @@ typedef struct pm_search {
 static double depth(double s, void *context)
 {
     const pm_search *x = context;
-    return pm_ask_look(x->w, pm_peak_place(x->w, s), 1) ? NAN : -pm_peak_value(x->w, x->peak);
+    return pm_ask_look(x->w, pm_extremum_place(x->w, s), 1) ? NAN : -pm_extremum_value(x->w, x->peak);
 }
 
 /* The look and the nodes beside it; 0 if it is no better than they are. */
-static int top_of_three(const pm_chebyshev_nodes *nodes, const double *g, const pm_extremum_rise_end *top,
+static int top_of_three(const pm_chebyshev_nodes *nodes, const double *g, const pm_extremum_estimate *top,
                         pm_valley *in)
 {
     const int k = pm_extremum_rise_interval(nodes, top->s);
@@ -114,7 +108,8 @@ static int top_of_three(const pm_chebyshev_nodes *nodes, const double *g, const 
     return top->value > g[k] && top->value > g[k + 1];
 }
 
-int pm_peak_search(pm_workspace *w, const pm_extremum *p, const pm_extremum_rise_end *top, int *found)
+int pm_extremum_search_values(pm_workspace *w, const pm_extremum *p, const pm_extremum_estimate *top,
+                              int *found)
 {
     pm_search context = {w, p};
     pm_valley in;
@@ -123,5 +118,5 @@ int pm_peak_search(pm_workspace *w, const pm_extremum *p, const pm_extremum_rise
     const double s =
         pm_minimum_find(w->ask->minimum, depth, &context, &in, &(pm_closeness){SEARCHES, CLOSE, 0});
     if (s > p->end) return PM_OK;
-    return offer_at(w, p, pm_peak_place(w, s));
+    return pm_extremum_offer_at(w, p, pm_extremum_place(w, s));
 }

@@ -7,7 +7,6 @@
 #include <stdlib.h>
 
 #include "elements/measure.h"
-#include "events/ask.h"
 #include "expression/program.h"
 #include "expression/program_fold.h"
 #include "state/workspace.h"
@@ -22,7 +21,7 @@ static void add_measure(pm_watched_samples *s, int measure, int who)
     s->who[i] |= (unsigned char)who;
 }
 
-static void add_program(pm_workspace *w, int program, int who)
+void pm_watched_samples_add(pm_workspace *w, int program, int who)
 {
     const pm_program_fold *f = w->model->programs.fold;
     for (int k = f->first[program]; k < f->first[program + 1]; k++)
@@ -41,11 +40,6 @@ int pm_watched_samples_create(pm_workspace *w)
     s->value = calloc(n * PM_NODES_MOST, sizeof *s->value);
     s->here = calloc(n * PM_NODES_MOST, sizeof *s->here);
     if (!s->measure || !s->place || !s->who || !s->value || !s->here) return PM_NO_MEMORY;
-    for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
-        const int32_t *e = PM_TRIGGER_ROW(m, i);
-        if (e[PM_TRIGGER_KIND] <= PM_TRIGGER_EVERY) add_program(w, e[PM_TRIGGER_PROGRAM], PM_SAMPLE_TRIGGERS);
-    }
-    for (int i = 0; i < w->ask->nobserver; i++) add_program(w, pm_ask_watched(w, i), PM_SAMPLE_ASKS);
     return PM_OK;
 }
 

@@ -9,7 +9,7 @@
 #include "equations/saddle.h"
 #include "events/ask.h"
 #include "events/event.h"
-#include "events/event_evidence.h"
+#include "events/event_search.h"
 #include "events/history.h"
 #include "events/step.h"
 #include "impact/action.h"

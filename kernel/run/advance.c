@@ -10,7 +10,6 @@
 #include "equations/ledger.h"
 #include "events/ask.h"
 #include "events/event.h"
-#include "events/event_sampling.h"
 #include "events/event_search.h"
 #include "events/history.h"
 #include "impact/action.h"
@@ -197,7 +196,7 @@ static int take_step(pm_workspace *w, double *first, double *taken, int *ended)
     status = w->phase.route->step(w, fmin(max_time, next_due(w)));
     pm_history_step(w);
     look_for_roots(w);
-    if (!status) status = pm_event_search_sample(w, 1);
+    if (!status) status = pm_event_samples_fill(w, 1);
     if (status || e->nsampled == 0) return status;
     pm_path_error_sampled(w);
     status = pass_marks(w, first, taken, ended);
@@ -212,7 +211,7 @@ static int close_step(pm_workspace *w, double first, double taken, int ended)
     if (first < w->step.end) {
         if (!ended && (status = stop_at(w, first, taken))) return status;
         w->step.end = first;
-        if (!pm_ask_keeps_samples(w) && (status = pm_event_search_sample(w, 0))) return status;
+        if (!pm_ask_keeps_samples(w) && (status = pm_event_samples_fill(w, 0))) return status;
     }
     if (w->step.end > w->step.begin && (status = pm_ask_step(w))) return status;
     if ((status = pm_history_inside(w, w->step.end))) return status;

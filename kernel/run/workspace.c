@@ -81,9 +81,9 @@ static int create_rooms(pm_workspace *w)
     if (!status) pm_joint_compose(&w->frame); /* which bodies they fasten is known before any case */
     if (!status) status = pm_solve_cache_create(w);
     if (!status) status = pm_fixed_bodies_create(w);
+    if (!status) status = pm_watched_samples_create(w);
     if (!status) status = pm_event_create(w);
     if (!status) status = pm_ask_create(w);
-    if (!status) status = pm_watched_samples_create(w);
     if (!status) status = pm_tree_create(w);
     if (!status) status = pm_repeat_record_create(w);
     if (!status) status = pm_routes_create(w);

@@ -18,13 +18,13 @@ FAULTS = [
     ),
     Fault(
         "ask: a grid value beyond the instant",
-        "events/ask.c",
+        "events/ask_step.c",
         "if (!status && t > w->step.end) continue;",
         "",
     ),
     Fault(
         "ask: grid value of another instant",
-        "events/ask.c",
+        "events/ask_step.c",
         "w->numbers.value[e[PM_ASK_FIRST_VALUE] + k], 0,",
         "w->numbers.value[e[PM_ASK_FIRST_VALUE]], 0,",
     ),
@@ -84,14 +84,14 @@ FAULTS = [
     Fault(
         "missed root: comes back to a held zero at once",
         "events/event_bracket.c",
-        "return crosses(f, g, gb)",
+        "return pm_event_bracket_crosses(f, g, gb)",
         "return 0",
     ),
     Fault(
         "event: the wrong way",
         "events/event_bracket.c",
-        "if (f->direction <= 0 && a > 0 && b <= 0)",
-        "if (f->direction >= 0 && a > 0 && b <= 0)",
+        "f->direction <= 0 && a > 0 && b <= 0",
+        "f->direction >= 0 && a > 0 && b <= 0",
     ),
     Fault(
         "crossing: the last step goes the other way",
@@ -119,13 +119,13 @@ FAULTS = [
     ),
     Fault(
         "nodes: few are enough for waves",
-        "events/event_sampling.c",
+        "events/event_samples.c",
         "while (!status && w->step.nodes->finer &&",
         "while (0 &&",
     ),
     Fault(
         "nodes: least of the triggers is not kept",
-        "events/event_sampling.c",
+        "events/event_samples.c",
         "least = pm_min(value[k], least);",
         "",
     ),
@@ -165,13 +165,11 @@ FAULTS = [
         "return !(next + (high - low) <= best);",
         "return 0;",
     ),
-    Fault(
-        "part: no top where a value only rises", "events/extremum_between.c", "if (isnan(s) ||", "if (1 ||"
-    ),
-    Fault("part: one side of a top is both", "events/extremum_between.c", "0.5 * (s + b->s)", "s"),
+    Fault("part: no top where a value only rises", "events/extremum_hidden.c", "if (isnan(s) ||", "if (1 ||"),
+    Fault("part: one side of a top is both", "events/extremum_hidden.c", "0.5 * (s + b->s)", "s"),
     Fault(
         "ask: maxima for minima",
-        "events/extremum_between.c",
+        "events/extremum_hidden.c",
         "return a->rate > 0 && b->rate < 0",
         "return a->rate < 0 && b->rate > 0",
     ),
@@ -210,14 +208,14 @@ FAULTS = [
     ),
     Fault(
         "ask: what an extreme has above the place is taken off",
-        "events/extremum_nodes.c",
+        "events/extremum.c",
         "p->sign * g, p->sign * above",
         "p->sign * g, -p->sign * above",
     ),
     Fault(
         "branch: one that is not taken",
-        "events/extremum_nodes.c",
-        "if (pm_peak_reigns(p)) pm_ask_offer",
+        "events/extremum.c",
+        "if (pm_extremum_is_taken(p)) pm_ask_offer",
         "pm_ask_offer",
     ),
     Fault(
@@ -248,8 +246,8 @@ FAULTS = [
     Fault(
         "ask: values are searched for the least top",
         "events/extremum_search.c",
-        "? NAN : -pm_peak_value(x->w, x->peak)",
-        "? NAN : pm_peak_value(x->w, x->peak)",
+        "? NAN : -pm_extremum_value(x->w, x->peak)",
+        "? NAN : pm_extremum_value(x->w, x->peak)",
     ),
     Fault(
         "clear: a body does not turn", "events/gap_culling.c", "+ x->radius[i] * fabs(pose[2] - from[2])", ""

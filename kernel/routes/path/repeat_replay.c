@@ -11,8 +11,7 @@
 #include "elements/contact.h"
 #include "events/ask.h"
 #include "events/event.h"
-#include "events/event_samples.h"
-#include "events/event_sampling.h"
+#include "events/event_search.h"
 #include "routes/path/path.h"
 #include "routes/path/path_error.h"
 #include "scene/program_class.h"
@@ -124,7 +123,7 @@ int pm_repeat_replay(pm_workspace *w, const pm_replay *r, int *clear)
     if (is_missed(w->model) || !pm_path_cycle(w) || !never_rests(w, r)) return PM_OK;
     fill_step(w, r);
     choose_functions(w);
-    const int status = pm_event_search_sample(w, 1);
+    const int status = pm_event_samples_fill(w, 1);
     *clear = !status && nothing_new(w);
     return status;
 }

@@ -24,7 +24,7 @@
 #include "equations/saddle.h"
 #include "events/ask.h"
 #include "events/event.h"
-#include "events/event_evidence.h"
+#include "events/event_search.h"
 #include "expression/program.h"
 #include "routes/uniform/uniform.h"
 #include "scene/program_degree.h"

@@ -1,0 +1,84 @@
+/* ask_step.c - what asks take of a step that has been sampled: grid values that it passes, extremes in it.
+ *
+ * A grid value lies between two nodes with samples on both sides of it: it is bracketed there on the dense output, and
+ * polished on exact states.  Extremes: extremum.h. */
+#include <math.h>
+
+#include "events/ask.h"
+#include "events/extremum.h"
+#include "events/step.h"
+#include "numerics/bracket.h"
+#include "numerics/chebyshev_nodes.h"
+#include "state/workspace.h"
+
+static int exactly(pm_workspace *w, double t, void *context, double *value)
+{
+    const pm_ask_watch *x = context;
+    const int status = pm_ask_look(w, t, 1);
+    *value = pm_ask_value(w, x->program) - x->minus;
+    return status;
+}
+
+static int grid_in_step(pm_workspace *w, int ask)
+{
+    const int32_t *e = PM_ASK_ROW(w->model, ask);
+    const int n = w->step.nodes->n;
+    for (int k = 0; k < e[PM_ASK_COUNT]; k++) {
+        pm_ask_watch x = {e[PM_ASK_PROGRAM_2], w->numbers.value[e[PM_ASK_FIRST_VALUE] + k], 0, NULL};
+        for (int i = 0; i + 1 < n && !w->ask->filled[e[PM_ASK_OUT] + k]; i++) {
+            const double *sample = pm_ask_samples(w, ask) + i;
+            const double a = sample[0] - x.minus, b = sample[1] - x.minus;
+            const double from = pm_step_node(w, i), to = pm_step_node(w, i + 1);
+            if (!((a < 0 && b >= 0) || (a > 0 && b <= 0))) continue;
+            double t, taken, off;
+            int status = pm_bracket_find(w, w->ask->solver, pm_ask_along, &x, from, a, to, b, &t);
+            if (!status && t > w->step.end) continue; /* an instant comes before */
+            if (!status) status = pm_bracket_polish(w, pm_ask_along, exactly, &x, NAN, &t, &taken, &off);
+            if (!status && taken != t) status = pm_ask_look(w, t, 1);
+            if (status) return status;
+            if (t <= w->step.end)
+                pm_ask_answer(w, ask, k, e[PM_ASK_PROGRAM], pm_ask_value(w, e[PM_ASK_PROGRAM]));
+        }
+    }
+    return PM_OK;
+}
+
+/* The samples of a whole step serve for its part up to step_end, too, where they resolve the values. */
+int pm_ask_keeps_samples(const pm_workspace *w)
+{
+    if (!pm_chebyshev_nodes_spectral(w->step.nodes)) return 0;
+    for (int i = 0; i < w->ask->nobserver; i++)
+        for (int k = 0; k < w->step.nodes->n; k++)
+            if (isnan(w->ask->sample[w->ask->observer[i] * PM_NODES_MOST + k])) return 0;
+    return 1;
+}
+
+/* The end of a step that was shortened is no node. */
+static int offer_end(pm_workspace *w)
+{
+    int counts = 0;
+    for (int i = 0; i < w->ask->nobserver && !counts; i++)
+        counts = PM_ASK_ROW(w->model, w->ask->observer[i])[PM_ASK_KIND] != PM_ASK_GRID &&
+                 pm_extremum_end_counts(w, w->ask->observer[i]);
+    const int status = counts ? pm_ask_look(w, w->step.end, 1) : PM_OK;
+    for (int i = 0; i < w->ask->nobserver && !status && counts; i++) {
+        const int ask = w->ask->observer[i];
+        if (PM_ASK_ROW(w->model, ask)[PM_ASK_KIND] != PM_ASK_GRID)
+            pm_ask_offer(w, ask, pm_ask_run(w, ask), 0);
+    }
+    return status;
+}
+
+int pm_ask_step(pm_workspace *w)
+{
+    if (w->ask->nobserver > 0 && w->step.end < w->step.sampled_end) {
+        const int status = offer_end(w);
+        if (status) return status;
+    }
+    for (int i = 0; i < w->ask->nobserver; i++) {
+        const int ask = w->ask->observer[i], grid = PM_ASK_ROW(w->model, ask)[PM_ASK_KIND] == PM_ASK_GRID;
+        const int status = grid ? grid_in_step(w, ask) : pm_extremum_take(w, ask);
+        if (status) return status;
+    }
+    return PM_OK;
+}

@@ -1,0 +1,42 @@
+/* event_parts.h - what the files share that search a step for events: samples, brackets, locations. */
+#ifndef PM_EVENT_PARTS_H
+#define PM_EVENT_PARTS_H
+
+#include "events/event_search.h"
+
+/* ---- event_samples.c: a function of the phase along the last step, and how far its samples show it ---- */
+typedef struct pm_event_course {
+    double g[PM_NODES_MOST];   /* values at the nodes */
+    double biggest, low, high; /* of their sizes; of them */
+    int n;
+} pm_event_course;
+
+/* The route leaves its zeros to the samples, and the step may reach it. */
+static inline int pm_event_samples_wanted(const pm_workspace *w, const pm_event_function *f)
+{
+    return !f->owned && !(f->kind == FUNCTION_GAP && w->event->culling.quiet[f->index]);
+}
+
+void pm_event_samples_take(const pm_workspace *w, int i, pm_event_course *x);
+/* How far the samples x of function i do not show it, of their sizes; INFINITY between equidistant nodes. */
+double pm_event_samples_tail(const pm_workspace *w, int i, const pm_event_course *x);
+/* Whether they show it between the nodes, too. */
+int pm_event_samples_resolved(const pm_workspace *w, int i, const pm_event_course *x);
+/* How far a function of known tail may be from the polynomial through samples of that size. */
+double pm_event_samples_residual(const pm_event_function *f, double biggest);
+/* The gap to the nearest member of a row has corners, that to one member has none: from now on the samples of function i
+ * are those of the member that is met at x.  Whether it is the nearest at the root is seen there. */
+void pm_event_samples_of_member(pm_workspace *w, int i, double x);
+
+/* ---- event_bracket.c: between which places of a step a function goes through zero ---- */
+/* The first bracket of function i in the step, which has been sampled, after `from`; 0 if there is none. */
+int pm_event_bracket_first(pm_workspace *w, int i, double from, pm_span *x);
+
+/* ---- event_locate.c: where in its bracket it is zero ---- */
+/* The root of function i in the bracket x, on the dense output; the samples may become those of one member of a row. */
+int pm_event_locate_root(pm_workspace *w, int i, const pm_span *x, double *place);
+/* That root is taken: its rate is noted as a decision, and *place moves onto the zero of the exact states; *taken is where
+ * w->probe holds one.  Neither is touched where the step ends exactly there. */
+int pm_event_locate_settle(pm_workspace *w, int i, const pm_span *x, double *place, double *taken);
+
+#endif
