@@ -14,7 +14,6 @@
 #include "events/history.h"
 #include "impact/action.h"
 #include "impact/instant.h"
-#include "routes/path/path_error.h"
 #include "routes/path/repeat.h"
 #include "run/run.h"
 #include "state/frame.h"
@@ -198,7 +197,7 @@ static int take_step(pm_workspace *w, double *first, double *taken, int *ended)
     look_for_roots(w);
     if (!status) status = pm_event_samples_fill(w, 1);
     if (status || e->nsampled == 0) return status;
-    pm_path_error_sampled(w);
+    if (w->phase.route->sampled) w->phase.route->sampled(w);
     status = pass_marks(w, first, taken, ended);
     if (!status) pm_event_search_leave(w);
     return status;

@@ -67,18 +67,19 @@ int pm_plan_has_passed(pm_workspace *w)
 static int forced(pm_workspace *w, int wanted)
 {
     const pm_route_ops *route = pm_routes_find(wanted); /* none: state and jump, which have no phase */
-    if (route && (!route->applies || route->applies(w))) return take(w, route, PM_NONE);
+    if (route && pm_route_prepare(w, route)) return take(w, route, PM_NONE);
     return pm_fail(w, PM_UNSUPPORTED, PM_TABLE_SETTING, PM_SETTING_ROUTE, wanted, 0);
 }
 
 int pm_plan_phase(pm_workspace *w)
 {
     const int wanted = PM_SETTING(w->model, PM_SETTING_ROUTE);
-    if (w->request.program != PM_NONE && pm_route_path.applies(w)) return take(w, &pm_route_path, NUDGED);
+    if (w->request.program != PM_NONE && pm_route_prepare(w, &pm_route_path))
+        return take(w, &pm_route_path, NUDGED);
     if (w->phase.singular && wanted == PM_ROUTE_IDA) return take(w, &pm_route_rk, PASSING);
     if (wanted != PM_ROUTE_AUTO) return forced(w, wanted);
     for (int i = FIRST; i < NRULES; i++)
-        if (!rules[i].route->applies || rules[i].route->applies(w)) return take(w, rules[i].route, i);
+        if (pm_route_prepare(w, rules[i].route)) return take(w, rules[i].route, i);
     return pm_fail(w, PM_UNSUPPORTED, PM_TABLE_SETTING, PM_SETTING_ROUTE, wanted, 0);
 }
 

@@ -1,7 +1,8 @@
 /* route.h - the one interface of all ways to compute a phase.
  *
  * A phase is smooth motion with the fixed active rows of the workspace (active_set.h).  The event loop calls
- *   applies whether it can compute the phase that starts at w->state; the workspace may be prepared for begin
+ *   applies whether the phase that starts at w->state may be of its kind, by structure and modes; NULL: always
+ *   prepare looks at that phase: 1 if the route can compute it, and is ready to begin it; NULL: it can
  *   begin   the phase starts at w->state: consistent with the rows, the frame looks at it
  *   step    one accepted step from w->state towards the time t_limit, never beyond it: afterwards w->state is at
  *           w->step_end, projected on the rows; w->step_begin is where the step began; w->turns tells that the motion
@@ -13,6 +14,7 @@
  *           an event or an extremum is taken
  *   look    the frame looks at a state inside the last step, DYNAMIC if the level says so; NULL: by `at` and `react`
  *   react   accelerations and reactions at such a state, which the frame looks at; NULL: by the saddle point
+ *   sampled all that is watched has been sampled at the nodes of a step; NULL: nobody wants to know
  *   error_of  notes the error of out[column], the value of the program at the frame, where the route knows its own errors
  *           (pm_evidence_answer); NULL: never
  *   resolves  1 if positions of the route resolve any bounce of the contact that has just closed; NULL: never
@@ -38,13 +40,15 @@ typedef struct pm_route_ops {
     int route; /* enum pm_route */
     int (*create)(pm_workspace *w);
     void (*free)(pm_workspace *w);
-    int (*applies)(pm_workspace *w); /* NULL: always */
+    int (*applies)(const pm_workspace *w);
+    int (*prepare)(pm_workspace *w);
     int (*begin)(pm_workspace *w);
     int (*step)(pm_workspace *w, double t_limit);
     int (*at)(pm_workspace *w, double t, pm_state *s);
     int (*exact)(pm_workspace *w, double t, pm_state *s);
     int (*look)(pm_workspace *w, double t, int level);
     int (*react)(pm_workspace *w);
+    void (*sampled)(pm_workspace *w);
     void (*error_of)(pm_workspace *w, int ask, int column, int program, double value);
     int (*resolves)(const pm_workspace *w, int contact);
     int (*accelerate)(
@@ -61,6 +65,12 @@ typedef struct pm_route_ops {
     const pm_chebyshev_nodes
         *nodes; /* where its steps are sampled, unless a step says otherwise (w->nodes) */
 } pm_route_ops;
+
+/* 1 if the route computes the phase that starts at w->state: then it is ready to begin it. */
+static inline int pm_route_prepare(pm_workspace *w, const pm_route_ops *route)
+{
+    return (!route->applies || route->applies(w)) && (!route->prepare || route->prepare(w));
+}
 
 extern const pm_route_ops pm_route_rk, pm_route_ida, pm_route_uniform, pm_route_path;
 

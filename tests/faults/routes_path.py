@@ -262,4 +262,10 @@ FAULTS = [
         "ledger[i] = w->path->impulse[i] + momentum[i]",
         "ledger[i] = w->path->impulse[i]",
     ),
+    Fault(
+        "path: nudged to the other side",
+        "routes/path/route_path.c",
+        "side > 0 ? 1 : side < 0 ? -1 : 0",
+        "side > 0 ? -1 : side < 0 ? 1 : 0",
+    ),
 ]

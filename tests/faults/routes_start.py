@@ -18,12 +18,6 @@ FAULTS = [
         "for (int i = 0; i < 3; i++) { const double t",
         "for (int i = 0; i < 1; i++) { const double t",
     ),
-    Fault(
-        "path: nudged to the other side",
-        "routes/start/perturbation.c",
-        "side > 0 ? 1 : side < 0 ? -1 : 0",
-        "side > 0 ? -1 : side < 0 ? 1 : 0",
-    ),
     Fault("nudge: to the other side", "routes/start/perturbation.c", "if (there < 0 &&", "if (there > 0 &&"),
     Fault(
         "nudge: a deviation that is not small",
@@ -40,8 +34,8 @@ FAULTS = [
     Fault(
         "nudge: against the forces",
         "routes/start/perturbation.c",
-        "read_at(w, w->frame.a) > 0",
-        "read_at(w, w->frame.a) < 0",
+        "pm_path_requested(w, w->frame.a) > 0",
+        "pm_path_requested(w, w->frame.a) < 0",
     ),
     Fault(
         "nudge: a stable rest on a path",

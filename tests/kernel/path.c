@@ -302,7 +302,7 @@ static void accelerations(void)
         pm_saddle_rows(w);
         EQUAL(pm_projection_velocity(w, &w->state), PM_OK);
         pm_frame_look_state(&w->frame, &w->state);
-        if (samples[i].leaves || !CHECK(pm_route_path.applies(w))) {
+        if (samples[i].leaves || !CHECK(pm_route_prepare(w, &pm_route_path))) {
             scene_free(s);
             continue;
         }
@@ -338,7 +338,7 @@ static double evidence(maker *make, double shift, double more)
         pm_saddle_rows(w);
         EQUAL(pm_projection_velocity(w, &w->state), PM_OK);
         pm_frame_look_state(&w->frame, &w->state);
-        CHECK(pm_route_path.applies(w));
+        CHECK(pm_route_prepare(w, &pm_route_path));
         EQUAL(pm_route_path.begin(w), PM_OK);
         w->active.row[1].a[0] += shift;
         w->numbers.gravity[1] *= 1 + more;

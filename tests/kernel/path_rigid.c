@@ -120,7 +120,7 @@ static void check_group(int kind, int on_post, int springs)
     if (CHECK(begin(s) == PM_OK)) {
         pm_workspace *w = s->w;
         w->state.v[3] = w->state.v[5] = 1; /* it is not to wait for a nudge */
-        if (CHECK(pm_route_path.applies(w))) {
+        if (CHECK(pm_route_prepare(w, &pm_route_path))) {
             EQUAL(w->path->rigid.n, 4);
             for (int i = 0; i < 6; i++) compare(w, check_random(-2, 2));
         }

@@ -275,7 +275,7 @@ static int step(pm_workspace *w, double t_limit)
 }
 
 /* Friction by the load is not among its unknowns; it divides by masses. */
-static int applies(pm_workspace *w)
+static int applies(const pm_workspace *w)
 {
     return !w->numbers.massless && !pm_joint_friction_any_by_load(&w->frame);
 }

@@ -141,7 +141,9 @@ int pm_path_look(pm_workspace *w, pm_place *place);
 /* path_motion.c: makes the frame, which looks at a place that the rows determine, DYNAMIC.  along[nq]: velocities at any
  * rate of the driver. */
 int pm_path_accelerate(pm_workspace *w, const double *along);
-/* path_open.c: the same for a place of an open tree, at the rate that goes with its T; the frame looks at it. */
+/* The same at any state of the last step; by the saddle point where rows close loops. */
+int pm_path_react(pm_workspace *w);
+/* path_open.c: pm_path_accelerate for a place of an open tree, at the rate that goes with its T; the frame looks at it. */
 void pm_path_open_accelerate(pm_workspace *w, const pm_place *place);
 /* Such a place at place->y, the one coordinate; the frame has its forces.  pm_path_open_begin comes before, once a phase, where
  * the frame looks at the state. */
@@ -162,6 +164,9 @@ int pm_path_inside(pm_workspace *w, double s);
 void pm_path_integrals(const pm_workspace *w, double s, double *z);
 /* What forces without potential have done. */
 double pm_path_work(const pm_workspace *w, const double *z);
+/* What the perturbation that waits (w->request) makes of velocities[nq] where the frame looks, which then has these: > 0 on
+ * its side. */
+double pm_path_requested(pm_workspace *w, const double *velocity);
 static inline pm_place *pm_path_node(pm_path *p, int k) { return &p->node[k * p->every]; }
 
 #endif

@@ -15,7 +15,6 @@
 #include "equations/saddle.h"
 #include "equations/solve_cache.h"
 #include "events/event.h"
-#include "events/step.h"
 #include "expression/program.h"
 #include "numerics/chebyshev.h"
 #include "numerics/minmax.h"
@@ -23,7 +22,6 @@
 #include "scene/program_class.h"
 #include "state/evidence.h"
 #include "state/frame.h"
-#include "state/route.h"
 #include "state/workspace.h"
 
 #define ROUNDINGS 1e-15 /* of the energies, in a step or a blow: some roundings */
@@ -170,7 +168,7 @@ static void take_extremes(const pm_workspace *w, int trigger, const double *valu
 void pm_path_error_sampled(pm_workspace *w)
 {
     const pm_event_set *e = w->event;
-    if (!w->evidence.active || !w->evidence.by_places || w->phase.route != &pm_route_path) return;
+    if (!w->evidence.active || !w->evidence.by_places) return;
     for (int i = 0; i < e->nfunction; i++) {
         const pm_event_function *f = &e->function[i];
         if (f->kind != FUNCTION_TRIGGER || fires_by_place(w->model, PM_TRIGGER_ROW(w->model, f->index)))
@@ -226,7 +224,7 @@ static double error_of_time(pm_workspace *w, int program, double value)
 /* Inside a step nothing has jumped, and the route knows its own way. */
 static int accelerate(pm_workspace *w)
 {
-    return w->frame.q == w->probe.q ? pm_step_react(w) : pm_saddle_accelerate(w);
+    return w->frame.q == w->probe.q ? pm_path_react(w) : pm_saddle_accelerate(w);
 }
 
 /* The frame's accelerations and reactions, while others are looked at. */

@@ -9,6 +9,8 @@
  * partitioned with the driver as the independent one (tree_partition.c). */
 #include "elements/constraint.h"
 #include "elements/force.h"
+#include "elements/joint_friction.h"
+#include "equations/saddle.h"
 #include "routes/path/path.h"
 #include "state/frame.h"
 #include "state/workspace.h"
@@ -52,4 +54,11 @@ int pm_path_accelerate(pm_workspace *w, const double *along)
     if (!status) pm_tree_react(w);
     w->tree->part.few = 0;
     return status;
+}
+
+/* Nothing is factored where no row closes a loop. */
+int pm_path_react(pm_workspace *w)
+{
+    if (w->tree->nloop > 0 || pm_joint_friction_by_load(w)) return pm_saddle_accelerate(w);
+    return pm_path_accelerate(w, w->frame.v);
 }

@@ -19,6 +19,7 @@
 #include "equations/ledger.h"
 #include "equations/saddle.h"
 #include "events/event.h"
+#include "expression/program.h"
 #include "numerics/bracket.h"
 #include "numerics/chebyshev.h"
 #include "numerics/minmax.h"
@@ -26,7 +27,6 @@
 #include "routes/path/path_bridge.h"
 #include "routes/path/path_clock.h"
 #include "routes/path/path_error.h"
-#include "routes/start/perturbation.h"
 #include "state/frame.h"
 #include "state/route.h"
 #include "state/workspace.h"
@@ -152,15 +152,26 @@ static double force_size(const pm_workspace *w, const pm_place *x)
     return size + pm_turning_plane_force_size(&w->frame, x->tangent);
 }
 
-/* At rest the forces tell which way it goes; out of an equilibrium the nudge does; 0: it stays. */
+double pm_path_requested(pm_workspace *w, const double *velocity)
+{
+    memcpy(w->frame.velocity, velocity, (size_t)w->model->nq * sizeof *velocity);
+    return pm_program_run(w->model, w->request.program, w->numbers.param, w->numbers.value, w);
+}
+
+/* Out of an equilibrium: the side that is asked for, or 0. */
+static double requested_side(pm_workspace *w, const pm_place *x)
+{
+    const double side = w->request.program == PM_NONE ? 0 : pm_path_requested(w, x->tangent);
+    return side > 0 ? 1 : side < 0 ? -1 : 0;
+}
+
+/* At rest the forces tell which way it goes; 0: it stays. */
 static int leave_rest(pm_workspace *w, const pm_place *x)
 {
     pm_path *p = w->path;
     const double size = force_size(w, x);
     p->balanced = !(fabs(x->force) > BALANCED * size);
-    p->sense = !p->balanced                    ? (x->force > 0 ? 1 : -1)
-               : w->request.program != PM_NONE ? pm_perturbation_side(w, x->tangent)
-                                               : 0;
+    p->sense = p->balanced ? requested_side(w, x) : (x->force > 0 ? 1 : -1);
     return p->sense != 0;
 }
 
@@ -172,13 +183,17 @@ static int is_driven(const pm_workspace *w)
     return 0;
 }
 
-static int applies(pm_workspace *w)
+static int applies(const pm_workspace *w)
+{
+    return w->model->programs.forces_by_place && !w->active.asymmetric && !w->numbers.massless &&
+           !w->phase.path_left && !is_driven(w);
+}
+
+/* The tree of the phase and its first place; 0: more than one freedom, no direction there, or it stays at rest. */
+static int prepare(pm_workspace *w)
 {
     pm_path *p = w->path;
     pm_place *x = &p->begin;
-    if (!w->model->programs.forces_by_place || w->active.asymmetric || w->numbers.massless ||
-        w->phase.path_left || is_driven(w))
-        return 0;
     pm_tree_build(w);
     if (w->tree->n - w->tree->nloop != 1) return 0;
     p->n = w->tree->n;
@@ -310,13 +325,6 @@ static int at(pm_workspace *w, double x, pm_state *state)
     const int status = place_at(w, x, &place);
     if (!status) state_of(w, place, s, pm_path_clock_at(w->path, s), state);
     return status;
-}
-
-/* Nothing is factored where no row closes a loop. */
-static int react(pm_workspace *w)
-{
-    if (w->tree->nloop > 0 || pm_joint_friction_by_load(w)) return pm_saddle_accelerate(w);
-    return pm_path_accelerate(w, w->frame.v);
 }
 
 /* Poses are known, and at a place that the rows determine nothing is factored to have accelerations and reactions.  The
@@ -484,12 +492,14 @@ const pm_route_ops pm_route_path = {
     .create = create,
     .free = destroy,
     .applies = applies,
+    .prepare = prepare,
     .begin = begin,
     .step = step,
     .at = at,
     .exact = exact,
     .look = look,
-    .react = react,
+    .react = pm_path_react,
+    .sampled = pm_path_error_sampled,
     .error_of = pm_path_error_answer,
     .accelerate = pm_path_bridge_accelerate,
     .finds_roots = PM_ROOTS_NONE,

@@ -74,18 +74,6 @@ void pm_perturbation_begin(pm_workspace *w)
 
 void pm_perturbation_end(pm_workspace *w) { w->request.program = PM_NONE; }
 
-static double read_at(pm_workspace *w, const double *velocity)
-{
-    memcpy(w->frame.velocity, velocity, (size_t)w->model->nq * sizeof *velocity);
-    return pm_program_run(w->model, w->request.program, w->numbers.param, w->numbers.value, w);
-}
-
-double pm_perturbation_side(pm_workspace *w, const double *tangent)
-{
-    const double side = read_at(w, tangent);
-    return side > 0 ? 1 : side < 0 ? -1 : 0;
-}
-
 static int fail(pm_workspace *w, int status, double value)
 {
     return pm_fail(w, status, w->request.table, w->request.row, value, NAN);
@@ -116,7 +104,7 @@ static int leave_along_path(pm_workspace *w)
     int status = PM_OK;
     if (!p->at_rest) return fail(w, PM_NUDGE_UNSTEADY, NAN);
     pm_frame_look_state(&w->frame, &w->state);
-    const double side = p->sense * pm_perturbation_side(w, p->begin.tangent);
+    const double side = p->sense * pm_path_requested(w, p->begin.tangent);
     if (!p->balanced) return side > 0 ? PM_OK : fail(w, PM_NUDGE_UNSTEADY, NAN);
     pm_frame_look_state(&w->frame, &w->state);
     pm_force_all(w);
@@ -136,7 +124,7 @@ static int read_gradient(pm_workspace *w)
     memset(x->touched, 0, (size_t)w->model->nbody + 1);
     for (int i = 0; i < w->model->nq; i++) {
         unit[i] = 1;
-        x->gradient[i] = w->numbers.inverse_mass[i] > 0 ? read_at(w, unit) : 0;
+        x->gradient[i] = w->numbers.inverse_mass[i] > 0 ? pm_path_requested(w, unit) : 0;
         unit[i] = 0;
         if (x->gradient[i] != 0) any = x->touched[i / 3] = 1;
     }
@@ -196,7 +184,7 @@ static int goes_by_itself(pm_workspace *w, int *status)
     if (!is_at_rest(w)) return 0;
     pm_frame_look_state(&w->frame, &w->state);
     if ((*status = pm_saddle_accelerate(w))) return 0;
-    return read_at(w, w->frame.a) > 0;
+    return pm_path_requested(w, w->frame.a) > 0;
 }
 
 /* The blow that the program speaks of: M d = gradient + G^T l, G d = 0. */
@@ -284,7 +272,7 @@ static int leave_by_deviation(pm_workspace *w)
 int pm_perturbation_leave(pm_workspace *w)
 {
     if (w->request.program == PM_NONE) return PM_OK;
-    if (pm_route_path.applies(w)) return leave_along_path(w);
+    if (pm_route_prepare(w, &pm_route_path)) return leave_along_path(w);
     const int status = leave_by_deviation(w);
     pm_frame_look_state(&w->frame, &w->state);
     if (!status) pm_perturbation_end(w);

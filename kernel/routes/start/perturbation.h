@@ -14,8 +14,6 @@ void pm_perturbation_free(pm_workspace *w);
 
 /* A case begins: that of the start waits, if there is one. */
 void pm_perturbation_begin(pm_workspace *w);
-/* The sign of the motion along `tangent` that it asks for; 0: it does not tell.  The frame looks at the state. */
-double pm_perturbation_side(pm_workspace *w, const double *tangent);
 /* For run.c, before a phase is planned: w->state leaves its steady motion, unless the path route will do that. */
 int pm_perturbation_leave(pm_workspace *w);
 /* The phase has begun: nothing waits any more. */

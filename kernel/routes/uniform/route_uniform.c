@@ -197,7 +197,7 @@ static void integrate(pm_workspace *w, double t, double *z)
     integrate_paths(w, u->begin, h, z);
 }
 
-/* ---- whether it applies ---- */
+/* ---- a phase is made ready ---- */
 /* A point on a body that goes round travels along no parabola. */
 static int paths_are_parabolas(const pm_workspace *w)
 {
@@ -266,7 +266,7 @@ static void begin_contacts(pm_workspace *w)
 }
 
 /* The frame is DYNAMIC at w->state before and after. */
-static int applies(pm_workspace *w)
+static int prepare(pm_workspace *w)
 {
     pm_uniform *u = w->uniform;
     const int nq = w->model->nq;
@@ -459,7 +459,7 @@ const pm_route_ops pm_route_uniform = {
     .route = PM_ROUTE_UNIFORM,
     .create = create,
     .free = destroy,
-    .applies = applies,
+    .prepare = prepare,
     .begin = begin,
     .step = step,
     .at = at,
