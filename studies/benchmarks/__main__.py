@@ -68,7 +68,7 @@ def arguments() -> argparse.Namespace:
 
 def say(row: Row) -> None:
     status = row.status if row.status != "ok" else f"{row.cpu * 1e3:.4g} ms, error {row.error:.1e}"
-    print(f"{row.scene:17} {row.method:40} {row.setting:16} {status}", flush=True)
+    print(f"{row.scene}, {row.method}, {row.setting}: {status}", flush=True)
 
 
 if __name__ == "__main__":

@@ -5,7 +5,7 @@
     python -m tests.faults --first       no more than one test that catches each: a fifth of the time
     python -m tests.faults --jobs 1      that many at once, instead of one for each core
 
-The table printed tells what caught each fault: names of tests, "audit" where a run said by itself that it
+What is printed tells what caught each fault: names of tests, "audit" where a run said by itself that it
 cannot be trusted, "routes" where two routes disagreed. A fault that nothing catches, or that no longer fits
 its source, makes the exit status 1.
 """
@@ -167,14 +167,12 @@ def main() -> int:
         for fault in FAULTS
         if not asked.words or any(word in f"{fault.name} {fault.file}" for word in asked.words)
     ]
-    width = max(len(fault.name) for fault in faults)
     survivors = 0
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(asked.jobs) as pool:
         workshop = Workshop(Path(folder), pool, asked.first)
         found = workshop.time_tests()
         if found:
             sys.exit(f"the tests fail without any fault: {', '.join(found)}")
-        print(f"{'fault':{width}}  caught by", flush=True)
         for fault in faults:
             try:
                 found = workshop.plant(fault)
@@ -182,7 +180,7 @@ def main() -> int:
             except Misfit as misfit:
                 found, verdict = [], f"DOES NOT FIT: {misfit}"
             survivors += not found
-            print(f"{fault.name:{width}}  {verdict}", flush=True)
+            print(f"{fault.name}: {verdict}", flush=True)
     print(f"{len(faults)} faults, {len(faults) - survivors} caught")
     return 1 if survivors else 0
 
