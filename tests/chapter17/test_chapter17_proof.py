@@ -15,6 +15,7 @@ from planemotion.engine.result import collect
 from planemotion.scene import Scene
 from tests import CHAPTER
 from tests.chapter17 import gallery
+from tests.chapter17.change import Change
 from tests.chapter17.chapter import (
     DECLINED,
     ENDS_EARLY,
@@ -28,7 +29,7 @@ from tests.chapter17.chapter import (
     run,
     why_not,
 )
-from tests.chapter17.observer import Change, half_written, transformed
+from tests.chapter17.observer import half_written, transformed
 from tests.scenes import numbers
 
 # What another route may differ by: it is a check of the physics, the figures themselves are known to 1e-8.

@@ -15,6 +15,7 @@ from planemotion.engine.call import trace
 from planemotion.engine.result import RunResult
 from planemotion.report.explain import explain
 from tests.scenes import G, number
+from tests.scenes.parts import rod_on_pin
 
 # A particle thrown from the origin, until it comes down to the level below.
 THROW = """
@@ -28,14 +29,13 @@ angle = { of = "theta", unit = "deg" }
 speed = { of = "v", unit = "km/h" }
 """
 # A rod on a pin, from rest below, which may go over the top.
-ROD = """
+ROD = f"""
 until = ["over", "back"]
-parameters = { L = "0.8 m", omega = "1 rad/s" }
-bodies.AB = { rod = ["A", "B"], length = "L", mass = "2 kg", at = { A = [0, 0] }, angle = "-90 deg" }
-joints.A = { pin = ["AB.A", "ground"] }
+parameters = {{ L = "0.8 m", omega = "1 rad/s" }}
+{rod_on_pin(length="L", mass="2 kg", angle="-90 deg")}
 start.AB.omega = "omega"
-events = { over = "AB.turned > 180 deg", back = "AB.omega < 0" }
-ask.omega = { of = "omega", unit = "rpm" }
+events = {{ over = "AB.turned > 180 deg", back = "AB.omega < 0" }}
+ask.omega = {{ of = "omega", unit = "rpm" }}
 """
 
 

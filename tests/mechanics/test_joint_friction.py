@@ -8,7 +8,7 @@ import pytest
 
 import planemotion
 from tests.scenes import ROUTES, G, answers, within
-from tests.scenes.parts import drum_and_block
+from tests.scenes.parts import body, drum_and_block, rod
 
 EXACT = 1e-9
 
@@ -157,16 +157,18 @@ def test_a_bead_in_a_ring_slows_down_by_the_angle() -> None:
     assert values["force"] == pytest.approx(0.3 * speed**2 / 0.5 * math.hypot(1, 0.2), rel=EXACT)
 
 
-STRUCK = """
+STRUCK = f"""
 until = "stop 2"
 events.stop = "bar rests"
 plane = "horizontal"
-parameters = { M = "0.5 N*m", mu = 0.3, by_load = false }
-bodies.bar = { rod = ["A", "B"], length = "1 m", mass = "3 kg", at = { A = [0, 0] } }
-bodies.ball = { mass = "1 kg", at = ["1 m", "1 m"] }
-joints.axle = { pin = ["bar.A", "ground"], friction = "M", active = "not by_load" }
-joints.sleeve = { pin = ["bar.A", "ground"], friction = { mu = "mu", radius = "10 mm" }, active = "by_load" }
-contacts.hit = { touch = ["ball", "bar.top"], restitution = 1 }
+parameters = {{ M = "0.5 N*m", mu = 0.3, by_load = false }}
+{rod("bar", mass="3 kg")}
+{body("ball", mass="1 kg", at=["1 m", "1 m"])}
+joints.axle = {{ pin = ["bar.A", "ground"], friction = "M", active = "not by_load" }}
+joints.sleeve.pin = ["bar.A", "ground"]
+joints.sleeve.friction = {{ mu = "mu", radius = "10 mm" }}
+joints.sleeve.active = "by_load"
+contacts.hit = {{ touch = ["ball", "bar.top"], restitution = 1 }}
 start.ball.velocity.y = "-2 m/s"
 [ask]
 turned = "bar.turned"

@@ -12,6 +12,7 @@ from planemotion.compile.flatten import flatten
 from planemotion.engine import call
 from planemotion.report.explain import explain, explain_run
 from tests import STUDIES
+from tests.scenes.parts import body, rod, rod_on_pin
 
 
 def plan_of(text: str) -> str:
@@ -23,11 +24,10 @@ until = "t = 1 s"
 bodies.ball = { mass = "1 kg", at = [0, 0] }
 ask.y = { of = "ball.y", unit = "m" }
 """
-SWING = """
+SWING = f"""
 until = "rod.angle = -90 deg"
-joints.A = { pin = ["rod.A", "ground"] }
-bodies.rod = { rod = ["A", "B"], length = "1 m", mass = "1 kg", at = { A = [0, 0] }, angle = 0 }
-ask.omega = { of = "rod.omega", unit = "rad/s" }
+{rod_on_pin("rod", angle="0 deg")}
+ask.omega = {{ of = "rod.omega", unit = "rad/s" }}
 """
 
 
@@ -50,18 +50,15 @@ def test_what_is_skipped() -> None:
     assert "1 coordinate (they meet 2 rows by themselves), 0 rows to be solved with" in felt
 
 
-TRUSS = """
+TRUSS = f"""
 until = "t = 1 s"
-[bodies]
-left = { rod = ["P", "Q"], length = "1 m", mass = "1 kg", at = { P = ["5 m", 0] }, angle = "60 deg" }
-right = { rod = ["Q", "R"], length = "1 m", mass = "1 kg", at = { Q = "left.Q" }, angle = "-60 deg" }
-ball = { mass = "1 kg", at = [0, 0] }
-[joints]
-P = { pin = ["left.P", "ground"] }
-Q = { pin = ["left.Q", "right.Q"] }
-R = { pin = ["right.R", "ground"] }
+{rod_on_pin("left", "P", at={"A": ["5 m", 0]}, angle="60 deg")}
+{rod("right", at={"A": "left.B"}, angle="-60 deg")}
+{body("ball", mass="1 kg", at=[0, 0])}
+joints.Q = {{ pin = ["left.B", "right.A"] }}
+joints.R = {{ pin = ["right.B", "ground"] }}
 [ask]
-total = { of = "energy.total", unit = "J" }
+total = {{ of = "energy.total", unit = "J" }}
 """
 
 
@@ -116,11 +113,10 @@ def test_contacts_out_of_reach_of_the_steps_are_told_after_a_run() -> None:
 
 
 # ---- what nothing depends on ----
-ASIDE = """
-joints.C = { pin = ["aside.A", "ground"] }
-bodies.aside = { rod = ["A", "B"], length = "1 m", mass = "1 kg", at = { A = ["3 m", 0] }, angle = 0 }
-bodies.ball = { mass = "1 kg", at = ["4 m", "7 m"] }
-forces.s = { spring = ["aside.B", "ball"], stiffness = "100 N/m", free_length = "1 m" }
+ASIDE = f"""
+{rod_on_pin("aside", "C", at={"A": ["3 m", 0]}, angle="0 deg")}
+bodies.ball = {{ mass = "1 kg", at = ["4 m", "7 m"] }}
+forces.s = {{ spring = ["aside.B", "ball"], stiffness = "100 N/m", free_length = "1 m" }}
 events.low = "aside.angle = -30 deg"
 """
 

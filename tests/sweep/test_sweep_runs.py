@@ -18,6 +18,7 @@ from planemotion.compile.flatten import flatten
 from planemotion.run import simulate
 from planemotion.sweep import cases, run
 from planemotion.sweep.plan import plan_sweep
+from tests.scenes.parts import on_axle
 from tests.scenes.pendulum import THROWN
 
 
@@ -110,21 +111,18 @@ def test_a_case_that_fails_late_keeps_what_it_had_answered(tmp_path: Path) -> No
 
 ZIPPED = {"m": ["1 kg", "-1 kg"], "b": ["10 in", "1 ft"], "zip": [["m", "b"]]}
 
-LATE = """
+LATE = f"""
 id = "late"
 until = "t = 2 s"
 plane = "horizontal"
-parameters = { T = "1 s", M = "1.5 N*m" }
-[bodies]
-wheel = { mass = "2 kg", inertia = "0.4 kg*m^2", at = [0, 0] }
-[joints]
-axle = { pin = ["wheel.center", "ground"] }
+parameters = {{ T = "1 s", M = "1.5 N*m" }}
+{on_axle(mass="2 kg", inertia="0.4 kg*m^2")}
 [forces]
-engine = { couple = "wheel", value = "M*sqrt(1 - t/T)" }
+engine = {{ couple = "wheel", value = "M*sqrt(1 - t/T)" }}
 [events]
 half = "t = 0.5 s"
 [ask]
-omega = { of = "wheel.omega", at = "half" }
+omega = {{ of = "wheel.omega", at = "half" }}
 end = "wheel.omega"
 [sweep]
 T = ["1 s", "3 s"]

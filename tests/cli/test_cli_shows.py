@@ -1,0 +1,110 @@
+"""check, explain, draw, plot and help."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from planemotion.cli.main import main
+from tests.cli.calls import TORN, invoke, left_in, write
+from tests.scenes.pendulum import RELEASED
+
+
+def test_check_counts_freedom(folder: Path) -> None:
+    done = invoke("check", write(folder, "a.toml", RELEASED))
+    assert done.exit_code == 0
+    assert "1 degree of freedom: 3 coordinates, 2 rows of joints" in done.stdout
+    assert "0 of them redundant" in done.stdout
+
+
+def test_check_tells_an_open_joint(folder: Path) -> None:
+    done = invoke("check", write(folder, "a.toml", TORN))
+    assert done.exit_code == 1
+    assert "joints.B" in done.stderr or "joints.A" in done.stderr
+
+
+def test_check_warns_of_a_start_that_moved_far(folder: Path) -> None:
+    guess = RELEASED.replace('"-30 deg"', '"~50 deg"').replace(
+        "joints.A =", 'ground.points.P = [0, "0.73 m"]\njoints.B = { pin = ["AB.B", "ground.P"] }\njoints.A ='
+    )
+    done = invoke("check", write(folder, "a.toml", guess))
+    assert "warning: that is far" in done.stdout
+    assert "0 degrees of freedom" in done.stdout
+
+
+def test_explain_names_all_there_is(folder: Path) -> None:
+    done = invoke("explain", write(folder, "a.toml", RELEASED), "--run", "--set", "L=1")
+    assert done.exit_code == 0
+    for word in (
+        "AB",
+        "rod",
+        "1.3 kg",
+        "0.108333 kg*m^2",
+        "AB.A - ground",
+        "AB.angle = -60 deg",
+        "rk",
+        "audit",
+        "phases",
+    ):
+        assert word in done.stdout, word
+
+
+def test_draw_and_plot_write_where_they_say(folder: Path) -> None:
+    scene = write(folder, "a.toml", RELEASED)
+    assert invoke("draw", scene).stdout.strip() == "a.png"
+    invoke("run", scene, "--history", "h.h5")
+    assert invoke("plot", "h.h5").stdout.strip() == "h.png"
+    invoke("sweep", scene, "--out", "out")
+    assert invoke("plot", "out/pendulum.h5", "--out", "p.png").stdout.strip() == "p.png"
+    for name in ("a.png", "h.png", "p.png"):
+        assert (folder / name).read_bytes().startswith(b"\x89PNG")
+
+
+def test_draw_shows_a_scene_that_cannot_be_assembled(folder: Path) -> None:
+    done = invoke("draw", write(folder, "a.toml", TORN))
+    assert done.exit_code == 1
+    assert "open by" in done.stderr
+    assert (folder / "a.png").exists()
+
+
+@pytest.mark.parametrize("name", ["missing.h5", "a.toml"])
+def test_plot_of_what_is_no_result(folder: Path, name: str) -> None:
+    write(folder, "a.toml", RELEASED)
+    done = invoke("plot", name)
+    assert done.exit_code == 2
+    assert name in done.stderr
+    assert left_in(folder) == {"a.toml"}
+
+
+def test_pictures_that_cannot_be_written(folder: Path) -> None:
+    scene = write(folder, "a.toml", RELEASED)
+    done = invoke("draw", scene, "--out", "missing/a.png")
+    assert done.exit_code == 2
+    assert "missing/a.png" in done.stderr
+    assert left_in(folder) == {"a.toml"}
+
+
+def test_help_and_version_import_nothing_heavy() -> None:
+    code = (
+        "import sys\n"
+        "from planemotion.cli.main import main\n"
+        "main(sys.argv[1:], standalone_mode=False)\n"
+        "heavy = {'numpy', 'pydantic', 'h5py', 'matplotlib', 'xarray', 'pint', 'rich'} & set(sys.modules)\n"
+        "sys.exit(', '.join(heavy) or 0)\n"
+    )
+    for option in ("--help", "--version"):
+        done = subprocess.run(
+            [sys.executable, "-c", code, option], capture_output=True, text=True, check=False
+        )
+        assert done.returncode == 0, done.stderr
+        assert "planemotion" in done.stdout or "Usage" in done.stdout
+
+
+def test_every_command_has_a_help() -> None:
+    for name, found in main.commands.items():
+        done = invoke(name, "--help")
+        assert done.exit_code == 0
+        assert found.help
