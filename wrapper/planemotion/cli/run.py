@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable, Mapping, Sequence
-from contextlib import ExitStack
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import ExitStack, contextmanager, suppress
 from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ..base.errors import SceneError, SimulationError, StudyError
+from ..base.files import appearing
 from .options import FAILED, WRONG, a_path, interruptible, say, set_option, terminal_width
-from .output import claimed
 
 if TYPE_CHECKING:
     from ..engine.result import AskValue, RunResult
@@ -193,3 +193,28 @@ def _note(ask: AskValue) -> str:
 
 def _number(value: float | None) -> str:
     return "-" if value is None else f"{value:.{_DIGITS}g}"
+
+
+class _NothingWritten(Exception):
+    """Leaves a claimed place as it was."""
+
+
+@contextmanager
+def claimed(path: Path) -> Iterator[Path]:
+    """A temporary file beside `path`, made at once; what is written there becomes `path` when the block ends.
+
+    If nothing was written, or the block raised, `path` stays as it was.  Devices and pipes are written
+    directly.  Raises StudyError if the place cannot be written.
+    """
+    if path.is_dir():
+        raise StudyError(f"{path}: is a folder; a file is wanted")
+    if path.exists() and not path.is_file():
+        yield path
+        return
+    if not path.parent.is_dir():
+        raise StudyError(f"{path}: cannot be written: there is no folder {path.parent}")
+    with suppress(_NothingWritten), appearing(path.resolve()) as temporary:
+        temporary.touch()
+        yield temporary
+        if temporary.stat().st_size == 0:
+            raise _NothingWritten

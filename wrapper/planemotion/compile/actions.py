@@ -16,12 +16,12 @@ from ..geometry.partners import partner
 from ..geometry.pose import GROUND
 from ..language.dimensions import ANGULAR_IMPULSE, ENERGY, IMPULSE, Dimension
 from ..language.leaves import substitute
-from ..language.tree import Name, Node
+from ..language.parser import parse
+from ..language.tree import Binary, Name, Node, Number, negative
 from ..model import words
 from ..model.readers import Value, Vector
 from ..model.tables import Action
 from .measures import Measures
-from .nudges import add_nudge
 
 # What is not known before the forces after the impulse are.
 _LATER = frozenset(
@@ -168,3 +168,37 @@ class Actions:
             layout.PM_ACTION_PROGRAM_Y: y,
         }
         self.tables.add(layout.PM_TABLE_ACTION, row, where)
+
+
+_VELOCITIES = (layout.PM_MEASURE_OMEGA, layout.PM_MEASURE_VELOCITY)
+
+
+_LINEAR_PARTS = (layout.PM_PART_NONE, layout.PM_PART_X, layout.PM_PART_Y, layout.PM_PART_ALONG)
+
+
+def add_nudge(text: str, measures: Measures, tables: Tables, where: str) -> int:
+    """The program that becomes > 0 on the side of a condition such as "AB.omega < 0".  Raises SceneError."""
+    try:
+        return _program(text, measures, tables, where)
+    except SceneError as error:
+        raise error.at(path=where, value=text) from None
+
+
+def _program(text: str, measures: Measures, tables: Tables, where: str) -> int:
+    node = parse(text)
+    if not isinstance(node, Binary) or node.operator not in ("<", ">") or not _is_nothing(node.right):
+        raise SceneError('a side is wanted: a velocity < 0 or > 0, such as "AB.omega < 0"')
+    left = measures.lower(node.left, where).node
+    index = tables.measure_index(left)
+    row = None if index is None else tables.rows[layout.PM_TABLE_MEASURE][index]
+    if (
+        row is None
+        or row[layout.PM_MEASURE_KIND] not in _VELOCITIES
+        or row[layout.PM_MEASURE_PART] not in _LINEAR_PARTS
+    ):
+        raise SceneError("only a velocity can have a side: omega of a body, velocity.x or .y of a point")
+    return tables.program(left if node.operator == ">" else negative(left), where)
+
+
+def _is_nothing(node: Node) -> bool:
+    return isinstance(node, Number) and node.value_si == 0

@@ -14,11 +14,10 @@ from .. import _layout as layout
 from ..base.errors import SceneError
 from ..geometry.drawing import Drawing
 from ..geometry.marks import LineMark, RowMark
-from ..geometry.packing import Tables
+from ..geometry.packing import Tables, over_time
 from ..geometry.parameters import Reader, is_zero
 from ..geometry.partners import Partner, different, kernel_circle, pairs, partner, side
 from ..geometry.pose import GROUND
-from ..geometry.time import over_time
 from ..language.dimensions import DIMENSIONLESS, VELOCITY
 from ..language.tree import ZERO, Node, Number
 from ..model.readers import Value

@@ -28,19 +28,16 @@ from ..model.readers import Value
 from ..model.tables import Action, Body, Contact
 from ..model.words import ROUND_SHAPES, SIMULTANEOUS, unknown
 from ..reading.scene import HasData, SceneData
-from .actions import Actions
+from .actions import Actions, add_nudge
 from .asks import Asked, Asks
 from .bounds import check_bounds
 from .contacts import Contacts
-from .couplings import add_coupling, drive
+from .elements import JointInfo, add_coupling, add_force, add_joint, drive
 from .events import Instants, add_event, firing
 from .finds import Finds, FlatFind
-from .forces import add_force
 from .histories import trace_columns
-from .joints import JointInfo, add_joint
 from .measure_rows import Scope
 from .measures import Measures
-from .nudges import add_nudge
 from .spin import Spins
 from .starts import Starts
 

@@ -6,7 +6,7 @@ from .. import _layout as layout
 from ..base.errors import SceneError
 from ..geometry.drawing import Drawing
 from ..geometry.packing import Tables
-from .couplings import CouplingInfo
+from .elements import CouplingInfo
 from .measure_rows import Scope
 from .measures import Measures
 

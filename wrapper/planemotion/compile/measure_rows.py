@@ -13,7 +13,7 @@ from .. import _layout as layout
 from ..base.errors import SceneError
 from ..geometry.drawing import Drawing
 from ..geometry.marks import LineMark
-from ..geometry.packing import Tables
+from ..geometry.packing import Tables, empty_measure
 from ..geometry.parameters import Reader
 from ..geometry.pose import GROUND
 from ..language.address import Address
@@ -22,9 +22,7 @@ from ..language.leaves import names
 from ..language.tree import Name, Node, atan2, cos, norm, sin
 from ..model import words
 from .contacts import ContactInfo
-from .couplings import CouplingInfo
-from .forces import ForceInfo
-from .joints import JointInfo
+from .elements import CouplingInfo, ForceInfo, JointInfo
 
 # Parts of a vector.
 PARTS = {
@@ -73,7 +71,7 @@ class MeasureRows:
 
     # ---- vectors ----
 
-    def _vector(
+    def vector(
         self,
         address: Address,
         rest: tuple[str, ...],
@@ -84,7 +82,7 @@ class MeasureRows:
         member: int = layout.PM_NONE,
     ) -> Reading:
         """A part of a vector that is the sum of the `sources` (kind, a); `rest` is what follows its word."""
-        self._plain(address, allowed)
+        self.plain(address, allowed)
         if len(rest) > 1 or (rest and rest[0] not in words.PARTS):
             raise SceneError(f'"{address}": {words.unknown(rest[-1], words.PARTS, "part")}')
         if bool(rest) == (address.along is not None):
@@ -101,7 +99,7 @@ class MeasureRows:
             if direction is not None:
                 value = self.tables.value(direction, str(address))
             code = layout.PM_PART_ALONG if direction is not None else PARTS[part]
-            leaf = self._leaf(kind, a, address, part=code, on=on, value=value, member=member)
+            leaf = self.leaf(kind, a, address, part=code, on=on, value=value, member=member)
             return Reading(leaf, result)
         x, y = (self._component(address, sources, one, on, member) for one in ("x", "y"))
         if address.in_ is not None and not seen:
@@ -122,7 +120,7 @@ class MeasureRows:
     def _component(
         self, address: Address, sources: Sequence[tuple[int, int]], part: str, on: int | None, member: int
     ) -> Node:
-        leaves = [self._leaf(kind, a, address, part=PARTS[part], on=on, member=member) for kind, a in sources]
+        leaves = [self.leaf(kind, a, address, part=PARTS[part], on=on, member=member) for kind, a in sources]
         return sum(leaves[1:], leaves[0])
 
     def _along(self, address: Address) -> Node:
@@ -134,10 +132,10 @@ class MeasureRows:
             marks = self.drawing.marks(owner)
             if name not in marks.lines:
                 raise SceneError(f'"{address}": {marks.has_no("line", name, marks.lines)}')
-            return self._direction_of_line(owner, marks.lines[name], address.in_, str(address))
+            return self.direction_of_line(owner, marks.lines[name], address.in_, str(address))
         return self.reader.number(text, str(address), DIMENSIONLESS)
 
-    def _direction_of_line(self, owner: str, line: LineMark, seen_from: str | None, name: str) -> Node:
+    def direction_of_line(self, owner: str, line: LineMark, seen_from: str | None, name: str) -> Node:
         if owner == seen_from or (owner == GROUND and seen_from is None):
             return line.angle
         row = self._row(layout.PM_MEASURE_ANGLE, self.drawing.body_index(owner))
@@ -159,18 +157,14 @@ class MeasureRows:
 
     # ---- rows ----
 
-    def _weight(self, body: int, address: Address) -> Reading:
+    def weight(self, body: int, address: Address) -> Reading:
         """Mass times g, also where gravity does not act in the plane."""
-        return Reading(self._leaf(layout.PM_MEASURE_MASS, body, address) * Name("g"), FORCE)
+        return Reading(self.leaf(layout.PM_MEASURE_MASS, body, address) * Name("g"), FORCE)
 
     def _row(self, kind: int, a: int) -> dict[int, int]:
-        row = dict.fromkeys(range(layout.PM_MEASURE_COLUMNS), layout.PM_NONE)
-        row[layout.PM_MEASURE_KIND] = kind
-        row[layout.PM_MEASURE_A] = a
-        row[layout.PM_MEASURE_PART] = layout.PM_PART_NONE
-        return row
+        return empty_measure(kind) | {layout.PM_MEASURE_A: a}
 
-    def _leaf(
+    def leaf(
         self,
         kind: int,
         a: int,
@@ -207,7 +201,7 @@ class MeasureRows:
         except SceneError as error:
             raise SceneError(f'"{where}": {error.reason}') from None
 
-    def _on(self, address: Address, owners: tuple[str, ...]) -> int | None:
+    def on(self, address: Address, owners: tuple[str, ...]) -> int | None:
         if address.on is None:
             return None
         if address.on not in owners:
@@ -218,24 +212,24 @@ class MeasureRows:
 
     # ---- words ----
 
-    def _quantity(self, address: Address, known: Sequence[str], owner: str) -> str:
-        self._ends(address, 1)
-        self._plain(address, ())
-        return self._word(address, known, owner)
+    def quantity(self, address: Address, known: Sequence[str], owner: str) -> str:
+        self.ends(address, 1)
+        self.plain(address, ())
+        return self.word(address, known, owner)
 
-    def _word(self, address: Address, known: Sequence[str], owner: str) -> str:
+    def word(self, address: Address, known: Sequence[str], owner: str) -> str:
         if not address.path:
             raise SceneError(f'"{address}": a quantity is wanted; {owner} has {", ".join(known)}')
         if address.path[0] not in known:
             raise SceneError(f'"{address}": {words.unknown(address.path[0], known, "quantity of " + owner)}')
         return address.path[0]
 
-    def _ends(self, address: Address, length: int) -> None:
+    def ends(self, address: Address, length: int) -> None:
         if len(address.path) > length:
             word = (address.thing, *address.path)[length]
             raise SceneError(f'"{address}": {word} has no parts')
 
-    def _plain(self, address: Address, allowed: tuple[str, ...]) -> None:
+    def plain(self, address: Address, allowed: tuple[str, ...]) -> None:
         """Raises SceneError for in, on, about, along or an index where they mean nothing."""
         given = {"in": address.in_, "on": address.on, "about": address.about, "along": address.along}
         for word, value in given.items():
@@ -245,7 +239,7 @@ class MeasureRows:
         if address.member is not None and not has_members:
             raise SceneError(f'"{address}": only contacts have members')
 
-    def _need_masses(self, owners: Sequence[str] | Mapping[str, object]) -> None:
+    def need_masses(self, owners: Sequence[str] | Mapping[str, object]) -> None:
         for owner in owners:
             if owner != GROUND and not self.drawing.masses[owner].known:
                 raise SceneError(f"the mass of {owner} is needed for this; give bodies.{owner}.mass")

@@ -13,9 +13,8 @@ from .. import _layout as layout
 from ..base.errors import SceneError
 from ..geometry.drawing import Drawing
 from ..geometry.marks import radius
-from ..geometry.packing import Tables
+from ..geometry.packing import Tables, over_time
 from ..geometry.parameters import Reader
-from ..geometry.time import over_time
 from ..language.dimensions import ANGULAR_VELOCITY, DIMENSIONLESS, INERTIA, LENGTH, MOMENT
 from ..language.tree import ZERO, Node
 from ..model.readers import Value, Vector

@@ -9,7 +9,7 @@ import numpy as np
 
 from .. import _layout as layout
 from ..base.arrays import Floats, Ints
-from ..compile.columns import named, with_unit
+from ..compile.bounds import named, with_unit
 from ..compile.flatten import FlatScene
 from .find_messages import FIND_STATUSES, describe_find
 from .kernel import kernel, kernel_text, route_name, status_text

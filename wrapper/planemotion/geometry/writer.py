@@ -6,15 +6,14 @@ from collections.abc import Sequence
 
 from .. import _layout as layout
 from ..base.errors import SceneError
-from ..language.dimensions import Dimension
+from ..language.dimensions import POWER, Dimension
 from ..language.tree import Node
 from ..model.readers import Value
 from .drawing import Drawing
-from .packing import Tables
+from .packing import Tables, empty_measure, over_time
 from .parameters import Reader
 from .partners import Partner, pairs, partner
 from .pose import GROUND
-from .time import over_time
 
 
 class Writer:
@@ -60,6 +59,20 @@ class Writer:
     def over_time(self, written: Value, where: str, wanted: Dimension) -> Node:
         """A number that may depend on t."""
         return over_time(self.reader, self.tables, written, where, wanted)
+
+    def power(self, written: Value | None, where: str, **others: object) -> Node:
+        """The power of a force or couple in W, as an expression: it goes the way of the motion, or against it
+        (power < 0).  Raises SceneError if one of the `others` is given beside it."""
+        assert written is not None
+        for key, other in others.items():
+            if other is not None:
+                raise SceneError(f"give power or {key}, not both", path=where)
+        return self.over_time(written, where, POWER)
+
+    def measured(self, kind: int, a: int, where: str, part: int = layout.PM_PART_NONE) -> Node:
+        """A measure of the motion: of a point, or of a body."""
+        row = empty_measure(kind) | {layout.PM_MEASURE_A: a, layout.PM_MEASURE_PART: part}
+        return self.tables.measure_leaf(row, where)
 
     # ---- rows ----
 

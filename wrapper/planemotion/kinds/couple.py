@@ -8,7 +8,6 @@ from pydantic import BeforeValidator
 
 from .. import _layout as layout
 from ..base.errors import SceneError
-from ..geometry.given import measured, power
 from ..geometry.pose import GROUND
 from ..geometry.rows import ForceRow
 from ..geometry.writer import Writer
@@ -38,7 +37,7 @@ class Couple(Force):
             owners = to.bodies(self.partners, where)
         if self.power is not None:
             key = f"{path}.power"
-            value = power(to, self.power, key, value=self.value) / _spin(to, owners, key)
+            value = to.power(self.power, key, value=self.value) / _spin(to, owners, key)
         elif self.value is None or isinstance(self.value, Vector):
             reason = "a number is wanted: the couple, counterclockwise positive"
             raise SceneError(reason, path=f"{path}.value")
@@ -58,7 +57,7 @@ class Couple(Force):
 def _spin(to: Writer, owners: tuple[str, ...], where: str) -> Node:
     """The spin of the first body relative to the second."""
     spins = [
-        measured(to, layout.PM_MEASURE_OMEGA, to.drawing.body_index(owner), where)
+        to.measured(layout.PM_MEASURE_OMEGA, to.drawing.body_index(owner), where)
         for owner in owners
         if owner != GROUND
     ]

@@ -9,7 +9,6 @@ from pydantic import BeforeValidator
 
 from .. import _layout as layout
 from ..base.errors import SceneError
-from ..geometry.given import measured, power
 from ..geometry.partners import partner
 from ..geometry.pose import GROUND
 from ..geometry.rows import ForceRow
@@ -61,9 +60,9 @@ class AppliedForce(Force):
     def _along_the_motion(self, to: Writer, path: str, point: int) -> tuple[Node, Node]:
         """P v / v^2."""
         where = f"{path}.power"
-        given = power(to, self.power, where, value=self.value, turns_with=self.turns_with)
+        given = to.power(self.power, where, value=self.value, turns_with=self.turns_with)
         parts = (layout.PM_PART_X, layout.PM_PART_Y)
-        x, y = (measured(to, layout.PM_MEASURE_VELOCITY, point, where, part) for part in parts)
+        x, y = (to.measured(layout.PM_MEASURE_VELOCITY, point, where, part) for part in parts)
         size = x * x + y * y
         return given * x / size, given * y / size
 

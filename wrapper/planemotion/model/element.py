@@ -22,6 +22,13 @@ class Table(BaseModel):
     """Base of all models: no other keys, no changes."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, arbitrary_types_allowed=True, strict=True)
+    unwritten: ClassVar[tuple[str, ...]] = ()  # fields that are no keys of a file
+
+    @classmethod
+    def file_keys(cls) -> tuple[str, ...]:
+        """The keys that a file may give, in the order of messages."""
+        fields = cls.model_fields.items()
+        return tuple(field.alias or name for name, field in fields if name not in cls.unwritten)
 
 
 class Element(Table):

@@ -6,7 +6,8 @@ into the kernel's tables.  Joints, couplings and forces are models of their kind
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from collections.abc import Mapping
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import BeforeValidator, Field
 
@@ -90,13 +91,13 @@ class Spin(Table):
 
 class Body(Table):
     rod: Annotated[tuple[str, ...], BeforeValidator(read_names(2, "the names of two ends"))] | None = None
-    length: Number | None = None
     disk: Number | None = None
     cylinder: Number | None = None
     hoop: Number | None = None
     sphere: Number | None = None
     half_ring: Number | None = None
     plate: Pair | None = None
+    length: Number | None = None
     corners: Annotated[tuple[str, ...], BeforeValidator(read_names(4, "four names"))] | None = None
     mass: Number | None = None
     weight: Number | None = None
@@ -144,6 +145,7 @@ class Contact(Kind):
 class Grid(Table):
     """A list of values, or from .. to in `num` values or steps of `step`, ends included; shape only."""
 
+    unwritten = ("values",)
     values: tuple[Value, ...] | None = None
     from_: Number | None = Field(None, alias="from")
     to: Number | None = None
@@ -165,8 +167,14 @@ class At(Table):
 
 
 class Action(Table):
-    """What an event does: one of add, remove, impulse and nudge."""
+    """What an event does: one of `kinds`, each with its options."""
 
+    kinds: ClassVar[Mapping[str, tuple[str, ...]]] = {
+        "add": (),
+        "remove": (),
+        "impulse": ("value", "work"),
+        "nudge": (),
+    }
     add: Text | None = None
     remove: Text | None = None
     impulse: Text | None = None
@@ -233,12 +241,12 @@ class Find(Table):
 class Solve(Table):
     route: Text = "auto"
     accuracy: Number = 1e-10
+    estimate: bool = True
     max_time: Number | None = None
     max_events: int = DEFAULT_MAX_EVENTS
     max_steps: int = DEFAULT_MAX_STEPS
     assembly: Number = 1e-12
     simultaneous: Text = "together"
-    estimate: bool = True
 
 
 class Sweep(Table):

@@ -1,4 +1,4 @@
-"""The words of the scene language: the keys of its tables, and the quantities of addresses.
+"""The words of the scene language that are values or parts of addresses; keys are those of the models.
 
 Kinds of joints, couplings and forces say their own words (kinds/).
 """
@@ -12,36 +12,12 @@ from typing import Any
 from ..base.errors import SceneError, nearest
 from ..language.address import KEYWORDS
 
-TOP_KEYS = (
-    *("id", "title", "description", "plane", "until", "parameters", "ground", "bodies", "spin", "joints"),
-    *("couplings", "contacts", "forces", "start", "events", "ask", "find", "runs", "sweep", "solve"),
-)
-
 SHAPES = ("rod", "disk", "cylinder", "hoop", "sphere", "half_ring", "plate")
 EDGE_ON_SHAPES = ("disk", "hoop")
 ROUND_SHAPES = ("disk", "cylinder", "hoop", "sphere", "half_ring")
-BODY_KEYS = (
-    *SHAPES,
-    *("length", "corners", "mass", "weight", "inertia", "gyration", "mass_center"),
-    *("points", "lines", "circles", "at", "angle", "driven", "depth", "edge_on", "active"),
-)
-GROUND_KEYS = ("points", "lines", "circles", "rows")
-ROW_KEYS = ("from", "step", "count")
-SPIN_KEYS = ("through", "angle", "inertia", "couple")
-DRIVEN_KEYS = ("velocity", "omega")
 
 SINGULAR = {"joints": "joint", "couplings": "coupling", "contacts": "contact", "forces": "force"}
 
-EVENT_KEYS = ("when", "do", "nth")
-# Actions of an event: kind -> options; `active` goes with every kind.
-ACTIONS: dict[str, tuple[str, ...]] = {"add": (), "remove": (), "impulse": ("value", "work"), "nudge": ()}
-ASK_KEYS = ("of", "max", "min", "at", "unit", "run")
-AT_KEYS = ("max", "min", "each", "values")
-FIND_KEYS = ("vary", "where", "greatest", "least", "samples")
-GRID_KEYS = ("from", "to", "num", "step", "scale")
-SOLVE_KEYS = (
-    *("route", "accuracy", "estimate", "max_time", "max_events", "max_steps", "assembly", "simultaneous"),
-)
 SIMULTANEOUS = ("together", "one by one")
 LAWS = ("newton", "poisson", "stronge")
 ROUTES = ("auto", "state", "jump", "uniform", "path", "rk", "ida")

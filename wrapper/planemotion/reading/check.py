@@ -12,6 +12,23 @@ from typing import Any
 from ..base.errors import SceneError, nearest
 from ..kinds import KINDS
 from ..model import words
+from ..model.tables import (
+    Action,
+    Ask,
+    At,
+    Body,
+    Circle,
+    Driven,
+    Event,
+    Find,
+    Grid,
+    Ground,
+    Line,
+    Row,
+    Solve,
+    Spin,
+)
+from .scene import SceneData
 
 # Kinds of the language that are not built yet -> what they are.
 NOT_BUILT: Mapping[str, Mapping[str, str]] = {
@@ -21,14 +38,14 @@ NOT_BUILT: Mapping[str, Mapping[str, str]] = {
 
 def check(raw: Mapping[str, Any]) -> None:
     """Raises SceneError for the first key that is unknown or not built yet, and for names that clash."""
-    _keys(raw, words.TOP_KEYS, "", "a scene")
+    _keys(raw, SceneData.file_keys(), "", "a scene")
     for name, value in words.table(raw, "parameters").items():
         if name != "t":  # a parameter may have that name: the time is then called time
             words.check_name(name, "parameters")
         if isinstance(value, Mapping):
             raise SceneError(_VALUE_TABLE, path=f"parameters.{name}")
     _ground(words.table(raw, "ground"))
-    _keys(words.table(raw, "spin"), words.SPIN_KEYS, "spin", "a spin")
+    _keys(words.table(raw, "spin"), Spin.file_keys(), "spin", "a spin")
     for name, body in words.table(raw, "bodies").items():
         _body(body, f"bodies.{name}")
     for group in KINDS:
@@ -36,7 +53,7 @@ def check(raw: Mapping[str, Any]) -> None:
             _element(element, group, name)
     _unique(raw)
     _instants(raw)
-    _keys(words.table(raw, "solve"), words.SOLVE_KEYS, "solve", "[solve]")
+    _keys(words.table(raw, "solve"), Solve.file_keys(), "solve", "[solve]")
     for name, values in words.table(raw, "runs").items():
         parameters = ("g", *words.table(raw, "parameters"))
         _keys(
@@ -107,24 +124,24 @@ def _marks(owner: Mapping[str, Any], path: str) -> None:
                 case "points":
                     _keys(mark, ("from", "by", "polar"), place, "a point")
                 case "lines":
-                    _keys(mark, ("through", "angle", "from", "to"), place, "a line")
+                    _keys(mark, Line.file_keys(), place, "a line")
                 case "circles":
-                    _keys(mark, ("center", "radius"), place, "a circle")
+                    _keys(mark, Circle.file_keys(), place, "a circle")
                 case "rows":
-                    _keys(mark, words.ROW_KEYS, place, "a row")
+                    _keys(mark, Row.file_keys(), place, "a row")
 
 
 def _ground(ground: Mapping[str, Any]) -> None:
-    _keys(ground, words.GROUND_KEYS, "ground", "the ground")
+    _keys(ground, Ground.file_keys(), "ground", "the ground")
     _marks(ground, "ground")
 
 
 def _body(body: Any, path: str) -> None:
-    _keys(words.mapping(body, path), words.BODY_KEYS, path, "a body")
+    _keys(words.mapping(body, path), Body.file_keys(), path, "a body")
     if "driven" in body:
         _keys(
             words.mapping(body["driven"], f"{path}.driven"),
-            words.DRIVEN_KEYS,
+            Driven.file_keys(),
             f"{path}.driven",
             "a driven body",
         )
@@ -161,15 +178,15 @@ def _unique(raw: Mapping[str, Any]) -> None:
 def _instants(raw: Mapping[str, Any]) -> None:
     for name, event in words.table(raw, "events").items():
         if isinstance(event, Mapping):
-            _keys(event, words.EVENT_KEYS, f"events.{name}", "an event")
+            _keys(event, Event.file_keys(), f"events.{name}", "an event")
             _actions(event.get("do", ()), f"events.{name}.do")
     for name, ask in words.table(raw, "ask").items():
         if not isinstance(ask, Mapping):
             continue
-        _keys(ask, words.ASK_KEYS, f"ask.{name}", "an ask")
+        _keys(ask, Ask.file_keys(), f"ask.{name}", "an ask")
         at = ask.get("at")
         if isinstance(at, Mapping):
-            _keys(at, words.AT_KEYS, f"ask.{name}.at", "an instant")
+            _keys(at, At.file_keys(), f"ask.{name}.at", "an instant")
             _grid(at.get("values"), f"ask.{name}.at.values")
     for name, grid in words.table(raw, "sweep").items():
         if name != "zip":
@@ -183,15 +200,15 @@ def _actions(actions: Any, path: str) -> None:
         )
     for index, action in enumerate(actions):
         where = f"{path}[{index}]"
-        given = [kind for kind in words.ACTIONS if kind in words.mapping(action, where)]
+        given = [kind for kind in Action.kinds if kind in words.mapping(action, where)]
         if len(given) != 1:
-            wanted = f"one of {', '.join(words.ACTIONS)} is wanted"
+            wanted = f"one of {', '.join(Action.kinds)} is wanted"
             raise SceneError(wanted + (f", not {' and '.join(given)}" if given else ""), path=where)
-        _keys(action, (given[0], *words.ACTIONS[given[0]], "active"), where, f"an action {given[0]}")
+        _keys(action, (given[0], *Action.kinds[given[0]], "active"), where, f"an action {given[0]}")
 
 
 def _find(find: Any, path: str) -> None:
-    _keys(words.mapping(find, path), words.FIND_KEYS, path, "a find")
+    _keys(words.mapping(find, path), Find.file_keys(), path, "a find")
     if "vary" not in find:
         reason = 'what is sought is wanted, such as vary = { h = ["0 m", "2 m"] }'
         raise SceneError(reason, path=f"{path}.vary")
@@ -200,4 +217,4 @@ def _find(find: Any, path: str) -> None:
 
 def _grid(grid: Any, path: str) -> None:
     if isinstance(grid, Mapping):
-        _keys(grid, words.GRID_KEYS, path, "a grid")
+        _keys(grid, Grid.file_keys(), path, "a grid")

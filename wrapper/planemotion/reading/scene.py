@@ -15,6 +15,7 @@ from ..model.tables import Ask, Body, Contact, Event, Find, Ground, Solve, Spin,
 class SceneData(Table):
     """A scene whose words and types are right.  `file` is where it came from, for messages."""
 
+    unwritten = ("file", "nudge", "run_finds")
     file: str | None = None
     id: Text = ""
     title: Text = ""
@@ -33,8 +34,8 @@ class SceneData(Table):
     nudge: Text | None = None
     events: dict[str, Annotated[Event, BeforeValidator(read_event)]] = {}
     ask: dict[str, Annotated[Ask, BeforeValidator(read_ask)]] = {}
-    runs: dict[str, dict[str, Number]] = {}
     find: Find | None = None
+    runs: dict[str, dict[str, Number]] = {}
     run_finds: dict[str, Find] = {}
     sweep: Annotated[Sweep, BeforeValidator(read_sweep)] = Sweep()
     solve: Solve = Solve()

@@ -16,8 +16,7 @@ from ..engine import call
 from ..engine.outcome import Start
 from ..model.element import Kind
 from ..model.readers import Vector
-from ..model.tables import Action, Event, Friction
-from ..model.words import SPIN_KEYS
+from ..model.tables import Action, Event, Friction, Spin
 from ..reading.scene import SceneData
 from .aligned import aligned
 from .plan import plan, ran
@@ -204,7 +203,9 @@ def _spin(data: SceneData) -> list[tuple[str, str]]:
     if data.spin is None:
         return []
     return [
-        (key, _written(getattr(data.spin, key))) for key in SPIN_KEYS if key in data.spin.model_fields_set
+        (key, _written(getattr(data.spin, key)))
+        for key in Spin.file_keys()
+        if key in data.spin.model_fields_set
     ]
 
 

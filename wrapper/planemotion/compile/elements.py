@@ -1,0 +1,153 @@
+"""Joints, couplings and forces: from partners and options to rows of the kernel's tables.
+
+What holds both ways is a joint of the kernel.  A cord pulls only: each of its straight strands is a contact
+whose gap is its slack.  Driven bodies are held to the ground by what is prescribed.  The kinds are in kinds/.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from .. import _layout as layout
+from ..base.errors import SceneError
+from ..geometry.partners import Partner, pairs, partner
+from ..geometry.pose import GROUND, PointRef
+from ..geometry.rows import CouplingRows
+from ..geometry.writer import Writer
+from ..kinds.base import Bearing, Coupling, Force, Joint, RubbingJoint
+from ..language.dimensions import ANGULAR_VELOCITY, DIMENSIONLESS, LENGTH, MOMENT, VELOCITY
+from ..language.tree import ZERO, Node
+from ..model.tables import Body
+
+
+@dataclass(frozen=True)
+class JointInfo:
+    """What measures and events need to know of a joint: its row, what it is, partners, friction."""
+
+    index: int
+    joint: Joint
+    partners: tuple[Partner, Partner]
+    rubs: bool
+
+    @property
+    def kind(self) -> str:
+        return self.joint.kind
+
+    @property
+    def owners(self) -> tuple[str, str]:
+        return self.partners[0].owner, self.partners[1].owner
+
+
+def add_joint(to: Writer, name: str, joint: Joint) -> JointInfo:
+    """Adds the row of one joint.  Raises SceneError for partners that do not fit its kind."""
+    path = f"joints.{name}"
+    first, second = pairs(
+        joint.partners,
+        f"{path}.{joint.kind}",
+        lambda text, where, index: partner(to.drawing, text, where, *joint.marks[index]),
+    )
+    try:
+        kind, a, b, value = joint.row(to, first, second, path)
+    except SceneError as error:
+        raise error.at(path=path) from None
+    index = to.joint(kind, a, b, path, value=value)
+    rubs = isinstance(joint, RubbingJoint) and "friction" in joint.model_fields_set
+    if isinstance(joint, RubbingJoint) and rubs:
+        _rub(to, joint, index, (first, second), f"{path}.friction")
+    return JointInfo(index, joint, (first, second), rubs)
+
+
+def _rub(to: Writer, joint: RubbingJoint, index: int, partners: tuple[Partner, Partner], path: str) -> None:
+    """The row of the friction of a joint: a part of given size, and one that goes with its load."""
+    own: Node = ZERO
+    by_load: Node = ZERO
+    if joint.bearing and not all(to.turns(one.owner) for one in partners):
+        raise SceneError(f"a particle does not turn: its {joint.kind} has no friction", path=path)
+    if isinstance(joint.friction, Bearing):
+        if not joint.bearing:
+            raise SceneError(f"a {joint.kind} has no radius; give the coefficient", path=path)
+        mu = to.reader.number(joint.friction.mu, f"{path}.mu", DIMENSIONLESS)
+        by_load = mu * to.reader.number(joint.friction.radius, f"{path}.radius", LENGTH)
+    elif joint.bearing:
+        own = to.reader.number(joint.friction, path, MOMENT)
+    else:
+        by_load = to.reader.number(joint.friction, path, DIMENSIONLESS)
+    values = ((own, path), (by_load, path))
+    to.force(layout.PM_FORCE_FRICTION, index, index, path, values=values)
+
+
+@dataclass(frozen=True)
+class CouplingInfo:
+    """What measures and events need to know of a coupling: what it is, and its rows."""
+
+    coupling: Coupling
+    rows: CouplingRows
+
+    @property
+    def kind(self) -> str:
+        return self.coupling.kind
+
+    @property
+    def index(self) -> int | None:
+        return self.rows.index
+
+    @property
+    def indices(self) -> tuple[int, ...]:
+        return self.rows.indices
+
+    @property
+    def owners(self) -> tuple[tuple[str, str], ...]:
+        return self.rows.owners
+
+    @property
+    def bodies(self) -> tuple[str, ...]:
+        """All partners, each once."""
+        return tuple(dict.fromkeys(owner for pair in self.owners for owner in pair))
+
+
+def add_coupling(to: Writer, name: str, coupling: Coupling) -> CouplingInfo:
+    """Adds the rows of one coupling.  Raises SceneError for partners and options that do not fit."""
+    path = f"couplings.{name}"
+    try:
+        return CouplingInfo(coupling, coupling.rows(to, path))
+    except SceneError as error:
+        raise error.at(path=path) from None
+
+
+def drive(to: Writer, name: str, body: Body) -> None:
+    """Holds a driven body to what is prescribed: the velocity of its mass centre, and its spin."""
+    driven = body.driven
+    assert driven is not None
+    path = f"bodies.{name}.driven"
+    x, y = to.reader.vector(driven.velocity, f"{path}.velocity", VELOCITY, to.over_time)
+    origin = to.drawing.point_at(GROUND, (ZERO, ZERO), path)
+    centre = to.drawing.point(PointRef(name, "G"))
+    to.joint(layout.PM_JOINT_DRIVE, centre, origin, path, programs=(x, y))
+    if body.turns:
+        omega = to.over_time(driven.omega, f"{path}.omega", ANGULAR_VELOCITY)
+        index = to.drawing.body_index(name)
+        to.joint(layout.PM_JOINT_RATE, index, layout.PM_GROUND, path, programs=(omega,))
+    elif driven.omega != 0:
+        raise SceneError("a particle does not turn; leave out omega", path=f"{path}.omega")
+
+
+@dataclass(frozen=True)
+class ForceInfo:
+    """What measures need to know of a force: its row, the owners of its partners, whether it is a couple."""
+
+    index: int
+    owners: tuple[str, ...]
+    rotary: bool
+
+
+def add_force(to: Writer, name: str, force: Force) -> ForceInfo:
+    """Adds the row of one force.  Raises SceneError for partners and options that do not fit."""
+    path = f"forces.{name}"
+    try:
+        row = force.row(to, path)
+        index = to.force(
+            row.kind, row.a, row.b, path, values=row.values, programs=row.programs, option=row.option
+        )
+    except SceneError as error:
+        raise error.at(path=path) from None
+    return ForceInfo(index, row.owners, row.rotary)
