@@ -38,7 +38,7 @@ EXAMPLES = {
     "gears": 'e = { gears = ["a.rim", "b.rim"] }',
     "belt": 'e = { belt = ["a.rim", "b.rim"] }\n[bodies.b]\nat = ["0.7 m", 0]',
     "cord": 'e = { cord = ["ground.S", "a.rim cw", "P"], restitution = 0.5 }',
-    "rate": 'e = { rate = ["a", "b"], value = "2 rad/s" }',
+    "motor": 'e = { motor = ["a", "b"], value = "2 rad/s" }',
     "ratio": 'e = { ratio = { "a.turned" = 1, b.turned = -2 } }',
     "spring": 'e = { spring = ["a.E", "ground.S"], stiffness = "20 N/m", only = "pull" }',
     "torsion": 'e = { torsion = ["a", "b"], stiffness = "3 N*m", free_angle = 1 }',

@@ -206,7 +206,7 @@ y = "AB.y"
         match=r"contacts\.a\.law: it is for one contact at a time and 2 take part",
     ):
         planemotion.load_text(text).run()
-    values = run(text + '[solve]\nsimultaneous = "one by one"\n')
+    values = run(text + '[solve]\nimpacts = "sequential"\n')
     assert values["y"] == pytest.approx(0, abs=1e-9)
 
 
@@ -231,7 +231,7 @@ slip = "a.slip"
     ):
         planemotion.load_text(text).run()
     assert run(other_way)["omega"] == pytest.approx(-2, rel=1e-12)
-    assert run(text + '[solve]\nsimultaneous = "one by one"\n')["omega"] != 0
+    assert run(text + '[solve]\nimpacts = "sequential"\n')["omega"] != 0
 
 
 def test_blows_without_end_are_told() -> None:
@@ -247,7 +247,7 @@ ball.velocity = ["1 m/s", "-1 m/s"]
 [ask]
 x = "ball.x"
 [solve]
-simultaneous = "one by one"
+impacts = "sequential"
 """
     with pytest.raises(planemotion.SimulationError, match="the blows one by one at this instant do not end"):
         planemotion.load_text(text).run()

@@ -20,7 +20,7 @@ plane = "horizontal"
 parameters = {{ g = "9.81 m/s^2", M = "4 kg", m = "0.3 kg", L = "1.2 m", v = "9 m/s", duration = "2 ms" }}
 {rod_on_pin("rod", length="L", mass="M", angle="-90 deg")}
 bodies.clay = {{ mass = "m", at = ["-0.6 m", "-L"] }}
-contacts.hit = {{ touch = [PARTNERS], capture = "point" }}
+contacts.hit = {{ touch = [PARTNERS], capture = "pin" }}
 start.clay.velocity.x = "v"
 events.blow = "hit strikes"
 [ask]
@@ -57,7 +57,7 @@ def test_clay_in_a_rod(route: str, partners: str) -> None:
     assert got["closed"] == 1
 
 
-@pytest.mark.parametrize("capture", ["point", "body"])
+@pytest.mark.parametrize("capture", ["pin", "body"])
 def test_a_disk_on_a_disk(capture: str) -> None:
     """As a pin both turn about the place of contact, as a body they have one spin."""
     got = answers(f"""
@@ -100,7 +100,7 @@ until = "box.turned = -0.3 rad"
 parameters.b = "0.4 m"
 ground.points.P = ["0.1 m", "-0.2 m"]
 {plate("box", "b", "b", "3 kg", at={"A": ["0.1 m", 0]})}
-contacts.post = {{ touch = ["box.corners", "ground.P"], capture = "point" }}
+contacts.post = {{ touch = ["box.corners", "ground.P"], capture = "pin" }}
 [ask]
 first = "post[0].closed"
 all = "post.closed"
@@ -121,7 +121,7 @@ def test_it_is_explained_and_drawn() -> None:
     """Also where the points are at one place when it starts."""
     text = CLAY.replace("PARTNERS", '"clay", "rod.B"').replace("-0.6 m", "0 m")
     assert "hit  clay - rod.B  captures as a pin" in explain(planemotion.load_text(text)).text
-    text = text.replace('"point"', '"body"')
+    text = text.replace('"pin"', '"body"')
     assert "captures as a body" in explain(planemotion.load_text(text)).text
     with page.style():
         figure = sketch.figure(sketch.start_of(planemotion.load_text(text)))

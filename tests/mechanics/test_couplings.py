@@ -159,7 +159,7 @@ rotor = { disk = "0.1 m", mass = "4 kg", at = [0, 0] }
 [joints]
 axle = { pin = ["rotor.center", "cart.center"] }
 [couplings]
-motor = { rate = ["rotor", "cart"], value = "(10 rad/s^2)*t + 3 rad/s" }
+motor = { motor = ["rotor", "cart"], value = "(10 rad/s^2)*t + 3 rad/s" }
 [start]
 rotor.omega = "3 rad/s"
 [ask]

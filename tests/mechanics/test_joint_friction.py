@@ -17,7 +17,7 @@ TORSION = """
 until = "wheel rests"
 parameters = { M = "0.8 N*m", k = "10 N*m", I = "0.5 kg*m^2" }
 bodies.wheel = { inertia = "I", at = [0, 0], angle = "1 rad" }
-joints.axle = { pin = ["ground", "wheel.center"], friction = "M" }
+joints.axle = { pin = ["ground", "wheel.center"], friction_couple = "M" }
 forces.spring = { torsion = ["wheel", "ground"], stiffness = "k", free_angle = "0 rad" }
 [ask]
 angle = "wheel.angle"
@@ -42,7 +42,7 @@ GROWING = """
 until = "t = 2 s"
 parameters = { M = "0.8 N*m", I = "0.5 kg*m^2", rate = "1 N*m/s" }
 bodies.wheel = { inertia = "I", at = [0, 0] }
-joints.axle = { pin = ["ground", "wheel.center"], friction = "M" }
+joints.axle = { pin = ["ground", "wheel.center"], friction_couple = "M" }
 forces.drive = { couple = "wheel", value = "rate*t" }
 [ask]
 omega = "wheel.omega"
@@ -164,7 +164,7 @@ plane = "horizontal"
 parameters = {{ M = "0.5 N*m", mu = 0.3, by_load = false }}
 {rod("bar", mass="3 kg")}
 {body("ball", mass="1 kg", at=["1 m", "1 m"])}
-joints.axle = {{ pin = ["bar.A", "ground"], friction = "M", active = "not by_load" }}
+joints.axle = {{ pin = ["bar.A", "ground"], friction_couple = "M", active = "not by_load" }}
 joints.sleeve.pin = ["bar.A", "ground"]
 joints.sleeve.friction = {{ mu = "mu", radius = "10 mm" }}
 joints.sleeve.active = "by_load"

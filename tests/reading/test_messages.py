@@ -15,7 +15,7 @@ FAULTS = [
     # words
     (
         'joints.A = { pin = ["AB.A", "ground"], frictoin = 0.1 }',
-        'joints.A.frictoin: unknown key; a pin has friction, active (did you mean "friction"?)',
+        'joints.A.frictoin: unknown key; a pin has friction, friction_couple, active (did you mean "friction"?)',
     ),
     ('untill = "start"', 'did you mean "until"?'),
     ('bodies.AB.colour = "red"', "bodies.AB.colour: unknown key; a body has rod, disk, "),
@@ -178,31 +178,31 @@ FAULTS = [
     ('contacts.c = { touch = ["P", "ground.O"] }', "contacts.c.normal: two points need a normal"),
     ('contacts.c = { touch = ["AB.axis", "ground.floor"] }', "a line and a line do not touch"),
     (
-        'contacts.c = { touch = ["P", "ground.O"], capture = "pin" }',
-        "contacts.c.capture = \"pin\": 'none', 'point' or 'body' is wanted",
+        'contacts.c = { touch = ["P", "ground.O"], capture = "disc" }',
+        "contacts.c.capture = \"disc\": 'none', 'pin' or 'body' is wanted",
     ),
     (
-        'contacts.c = { touch = ["P", "ground.O"], capture = "point", restitution = 0.5 }',
+        'contacts.c = { touch = ["P", "ground.O"], capture = "pin", restitution = 0.5 }',
         "contacts.c.restitution: what is captured stays; it has no restitution",
     ),
     (
-        'contacts.c = { touch = ["P", "ground.O"], capture = "point", friction = "rough" }',
+        'contacts.c = { touch = ["P", "ground.O"], capture = "pin", friction = "rough" }',
         "contacts.c.friction: what is captured stays; it has no friction",
     ),
     (
-        'contacts.c = { touch = ["P", "ground.O"], capture = "point", law = "stronge" }',
+        'contacts.c = { touch = ["P", "ground.O"], capture = "pin", law = "stronge" }',
         "contacts.c.law: what is captured stays; it has no law",
     ),
     (
-        'contacts.c = { touch = ["P", "ground.floor"], capture = "point", surface_speed = "1 m/s" }',
+        'contacts.c = { touch = ["P", "ground.floor"], capture = "pin", surface_speed = "1 m/s" }',
         'contacts.c.surface_speed = "1 m/s": what is captured stays at its place',
     ),
     (
-        'contacts.c = { touch = ["P", "ground.O"], capture = "point" }\nask.a = "c.normal"',
+        'contacts.c = { touch = ["P", "ground.O"], capture = "pin" }\nask.a = "c.normal"',
         'unknown quantity of a contact that captures "normal"; there is gap, closed, force, impulse',
     ),
     (
-        'contacts.c = { touch = ["P", "ground.O"], capture = "point" }\nevents.e = "c slips"',
+        'contacts.c = { touch = ["P", "ground.O"], capture = "pin" }\nevents.e = "c slips"',
         'what "c" captures stays at its place; it strikes or opens',
     ),
     # laws of blows
@@ -223,8 +223,8 @@ FAULTS = [
         "contacts.c.tangential = 1.5: it must lie between 0 and 1",
     ),
     (
-        'solve.simultaneous = "one after one"',
-        'solve.simultaneous: unknown order of blows "one after one"; there is together, one by one',
+        'solve.impacts = "one after one"',
+        'solve.impacts: unknown order of impacts "one after one"; there is simultaneous, sequential',
     ),
     ('events.e = "3 > 2"', 'events.e = "3 > 2": nothing in this condition changes with the motion'),
     ('events.e = "AB.angle >= 3"', 'events.e = "AB.angle >= 3": an event fires on a crossing; write >'),
@@ -232,7 +232,10 @@ FAULTS = [
     ("ask.a = {}", "ask.a: one of of, max, min is wanted"),
     ('start.AB.speed = "3 m/s"', 'start.AB.speed = "3 m/s": it cannot be given at the start'),
     ('forces.f = { force = "AB.B", value = ["(3 N/m)*AB.x", 0] }', "only parameters can stand here"),
-    ('joints.A = { pin = ["AB.A", "ground"], friction = 0.3 }', "joints.A.friction = 0.3: a moment"),
+    (
+        'joints.A = { pin = ["AB.A", "ground"], friction_couple = 0.3 }',
+        "joints.A.friction_couple = 0.3: a moment",
+    ),
     (
         'joints.A = { pin = ["AB.A", "ground"], friction = { mu = 0.3 } }',
         "joints.A.friction: friction is a number, or { mu = ..., radius = ... } of a bearing",
@@ -242,8 +245,8 @@ FAULTS = [
         "joints.S.friction: a slider has no radius",
     ),
     (
-        'joints.S = { pin = ["P", "ground"], friction = "1 N*m" }',
-        "joints.S.friction: a particle does not turn: its pin has no friction",
+        'joints.S = { pin = ["P", "ground"], friction_couple = "1 N*m" }',
+        "joints.S.friction_couple: a particle does not turn: its pin has no friction",
     ),
     ('forces.f = { couple = "AB", power = "3 N" }', 'forces.f.power = "3 N": a power (mass*length^2/time^3'),
     (

@@ -18,7 +18,7 @@ FAULTS = [
     # couplings and drives
     (
         'couplings.c = { gear = ["disk.rim", "AB.A"] }',
-        "couplings.c: which kind of coupling? one of gears, belt, cord, rate, ratio is wanted "
+        "couplings.c: which kind of coupling? one of gears, belt, cord, motor, ratio is wanted "
         '("gear": did you mean "gears"?)',
     ),
     (
@@ -80,15 +80,15 @@ FAULTS = [
         "couplings.c.ratio.ground.turned: the ground does not turn; a body is wanted",
     ),
     (
-        'couplings.c = { rate = ["disk", "AB"] }',
+        'couplings.c = { motor = ["disk", "AB"] }',
         "couplings.c.value: the spin of the first body relative to the second is wanted",
     ),
     (
-        'couplings.c = { rate = ["disk", "P"], value = "3 rad/s" }',
-        'couplings.c.rate[1] = "P": a particle does not turn; a body with an inertia is wanted',
+        'couplings.c = { motor = ["disk", "P"], value = "3 rad/s" }',
+        'couplings.c.motor[1] = "P": a particle does not turn; a body with an inertia is wanted',
     ),
     (
-        'couplings.c = { rate = ["disk", "AB"], value = "3 m/s" }',
+        'couplings.c = { motor = ["disk", "AB"], value = "3 m/s" }',
         'couplings.c.value = "3 m/s": an angular velocity (1/time, such as rad/s) is wanted',
     ),
     ("bodies.AB.driven = { speed = 3 }", "bodies.AB.driven.speed: unknown key; a driven body has velocity"),
@@ -216,10 +216,6 @@ FAULTS = [
     (
         'events.e = { when = "start", do = [{ nudge = "AB.omega > 0", value = 3 }] }',
         "events.e.do[0].value: unknown key; an action nudge has nudge, active",
-    ),
-    (
-        'parameters.t = "2 s"\nuntil = "t = 2 s"',
-        'changes with the motion; t is a parameter of this scene, the time is called "time"',
     ),
     # planes that turn
     ("spin = {}", "spin.through: it is wanted and left out"),

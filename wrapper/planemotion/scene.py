@@ -14,11 +14,12 @@ from __future__ import annotations
 import copy
 import os
 import tomllib
-from collections.abc import Mapping
+import warnings
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
-from .base.errors import SceneError
+from .base.errors import SceneError, SceneHint
 from .geometry.parameters import override
 from .language.units import parse_quantity
 from .model.tables import DEFAULT_G
@@ -57,6 +58,7 @@ class Scene:
         self._text: str | None = None
         self._data: SceneData | None = None
         self._kept = Kept()
+        self._hinted: set[str] = set()
 
     @classmethod
     def from_raw(cls, raw: Mapping[str, Any], *, file: str | None = None, text: str | None = None) -> Self:
@@ -136,7 +138,7 @@ class Scene:
         return self._update("find", keys)
 
     def solve(self, **settings: Any) -> Self:
-        """Settings: route, accuracy, estimate, max_time, max_events, max_steps, assembly."""
+        """Settings: route, accuracy, estimate, impacts, assembly_tolerance, max_time and the like."""
         return self._update("solve", settings)
 
     # ---- what it says ----
@@ -147,6 +149,7 @@ class Scene:
         if self._data is None:
             name = Path(self.file).stem if self.file else "scene"
             self._data = validate(self.raw, file=self.file, name=name)
+            self._hint(self._data.hints)
         return self._data
 
     def tables(self) -> list[FlatScene]:
@@ -187,6 +190,7 @@ class Scene:
         Raises SceneError for an unknown name or a value of another dimension.
         """
         scene = Scene.from_raw(self.raw, file=self.file, text=self._text)
+        scene._hinted = self._hinted
         for name, value in values.items():
             scene._set(name, _plain(value))
         return scene
@@ -265,6 +269,13 @@ class Scene:
             table = below
         table[keys[-1]] = _literal(value)
         self._changed()
+
+    def _hint(self, hints: Iterable[str]) -> None:
+        """Warns of each old word once, also where the scene is read again with other values."""
+        for hint in hints:
+            if hint not in self._hinted:
+                self._hinted.add(hint)
+                warnings.warn(f"{self.file}: {hint}" if self.file else hint, SceneHint, stacklevel=4)
 
     def _check_not_sought(self, name: str) -> None:
         """Raises SceneError for a parameter that every run looks for: setting it would do nothing."""

@@ -20,6 +20,10 @@ class PlanemotionError(Exception):
     """Base of all errors that this package raises on purpose."""
 
 
+class SceneHint(UserWarning):
+    """A scene has an old word, which is still read; the text names file, key and the new word."""
+
+
 class SceneError(PlanemotionError, ValueError):
     """Something written in a scene, a study or an override is wrong; nothing has been computed.
 

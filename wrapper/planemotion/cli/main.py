@@ -7,11 +7,12 @@ an output that cannot be written); 130 stopped by Ctrl-C.  Results go to stdout,
 from __future__ import annotations
 
 import errno
+import warnings
 from typing import Any
 
 import click
 
-from ..base.errors import PlanemotionError, SimulationError
+from ..base.errors import PlanemotionError, SceneHint, SimulationError
 from .options import FAILED, INTERRUPTED, WRONG, say
 from .pictures import draw, plot
 from .run import run
@@ -24,7 +25,10 @@ class _Commands(click.Group):
 
     def invoke(self, ctx: click.Context) -> Any:
         try:
-            return super().invoke(ctx)
+            with warnings.catch_warnings():
+                warnings.simplefilter("always", SceneHint)
+                warnings.showwarning = _show
+                return super().invoke(ctx)
         except SimulationError as error:
             status, text = FAILED, str(error)
         except PlanemotionError as error:
@@ -37,6 +41,11 @@ class _Commands(click.Group):
             status, text = INTERRUPTED, "stopped"
         say(text, error=status != INTERRUPTED)
         ctx.exit(status)
+
+
+def _show(message: Warning | str, category: type[Warning], *place: Any, **more: Any) -> None:
+    """A warning as a line for people; `place` in the sources says nothing to them."""
+    say(f"{'hint' if issubclass(category, SceneHint) else 'warning'}: {message}")
 
 
 def _is_interruption(error: PlanemotionError) -> bool:

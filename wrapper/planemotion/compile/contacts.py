@@ -26,7 +26,7 @@ from ..model.tables import Contact, Friction
 _ROUND = ("circle", "point")
 _CAPTURES = {
     "none": layout.PM_CAPTURE_NONE,
-    "point": layout.PM_CAPTURE_POINT,
+    "pin": layout.PM_CAPTURE_POINT,
     "body": layout.PM_CAPTURE_BODY,
 }
 

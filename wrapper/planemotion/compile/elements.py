@@ -14,7 +14,7 @@ from ..geometry.partners import Partner, pairs, partner
 from ..geometry.pose import GROUND, PointRef
 from ..geometry.rows import CouplingRows
 from ..geometry.writer import Writer
-from ..kinds.base import Bearing, Coupling, Force, Joint, RubbingJoint
+from ..kinds.base import Bearing, BearingJoint, Coupling, Force, Joint, RubbingJoint
 from ..language.dimensions import ANGULAR_VELOCITY, DIMENSIONLESS, LENGTH, MOMENT, VELOCITY
 from ..language.tree import ZERO, Node
 from ..model.tables import Body
@@ -51,9 +51,9 @@ def add_joint(to: Writer, name: str, joint: Joint) -> JointInfo:
     except SceneError as error:
         raise error.at(path=path) from None
     index = to.joint(kind, a, b, path, value=value)
-    rubs = isinstance(joint, RubbingJoint) and "friction" in joint.model_fields_set
+    rubs = bool({"friction", "friction_couple"} & joint.model_fields_set)
     if isinstance(joint, RubbingJoint) and rubs:
-        _rub(to, joint, index, (first, second), f"{path}.friction")
+        _rub(to, joint, index, (first, second), path)
     return JointInfo(index, joint, (first, second), rubs)
 
 
@@ -61,19 +61,22 @@ def _rub(to: Writer, joint: RubbingJoint, index: int, partners: tuple[Partner, P
     """The row of the friction of a joint: a part of given size, and one that goes with its load."""
     own: Node = ZERO
     by_load: Node = ZERO
-    if joint.bearing and not all(to.turns(one.owner) for one in partners):
-        raise SceneError(f"a particle does not turn: its {joint.kind} has no friction", path=path)
+    bearing = isinstance(joint, BearingJoint)
+    given = "friction" if "friction" in joint.model_fields_set else "friction_couple"
+    where = f"{path}.{given}"
+    if bearing and not all(to.turns(one.owner) for one in partners):
+        raise SceneError(f"a particle does not turn: its {joint.kind} has no friction", path=where)
     if isinstance(joint.friction, Bearing):
-        if not joint.bearing:
-            raise SceneError(f"a {joint.kind} has no radius; give the coefficient", path=path)
-        mu = to.reader.number(joint.friction.mu, f"{path}.mu", DIMENSIONLESS)
-        by_load = mu * to.reader.number(joint.friction.radius, f"{path}.radius", LENGTH)
-    elif joint.bearing:
-        own = to.reader.number(joint.friction, path, MOMENT)
-    else:
-        by_load = to.reader.number(joint.friction, path, DIMENSIONLESS)
-    values = ((own, path), (by_load, path))
-    to.force(layout.PM_FORCE_FRICTION, index, index, path, values=values)
+        if not bearing:
+            raise SceneError(f"a {joint.kind} has no radius; give the coefficient", path=where)
+        mu = to.reader.number(joint.friction.mu, f"{where}.mu", DIMENSIONLESS)
+        by_load = mu * to.reader.number(joint.friction.radius, f"{where}.radius", LENGTH)
+    elif not bearing:
+        by_load = to.reader.number(joint.friction, where, DIMENSIONLESS)
+    if isinstance(joint, BearingJoint):
+        own = to.reader.number(joint.friction_couple, f"{path}.friction_couple", MOMENT)
+    values = ((own, where), (by_load, where))
+    to.force(layout.PM_FORCE_FRICTION, index, index, where, values=values)
 
 
 @dataclass(frozen=True)

@@ -26,7 +26,7 @@ from ..language.dimensions import DIMENSIONLESS, LENGTH, TIME
 from ..language.tree import ZERO, Name, negative
 from ..model.readers import Value
 from ..model.tables import Action, Body, Contact
-from ..model.words import ROUND_SHAPES, SIMULTANEOUS, unknown
+from ..model.words import IMPACTS, ROUND_SHAPES, unknown
 from ..reading.scene import HasData, SceneData
 from .actions import Actions, add_nudge
 from .asks import Asked, Asks
@@ -47,7 +47,7 @@ _COLUMNS = {
     for name, number in layout.pm_table.items()
     if name != "PM_TABLES"
 }
-_SIMULTANEOUS = dict(zip(SIMULTANEOUS, layout.pm_simultaneous.values(), strict=False))
+_IMPACTS = dict(zip(IMPACTS, layout.pm_simultaneous.values(), strict=False))
 
 
 @dataclass(frozen=True)
@@ -292,7 +292,7 @@ class _Flattener:
         solve, value = self.data.solve, self.tables.value
         down = negative(Name("g")) if self.data.plane == "vertical" else ZERO
         accuracy = self.reader.number(solve.accuracy, "solve.accuracy", DIMENSIONLESS)
-        assembly = self.reader.number(solve.assembly, "solve.assembly", DIMENSIONLESS)
+        assembly = self.reader.number(solve.assembly_tolerance, "solve.assembly_tolerance", DIMENSIONLESS)
         row = {
             layout.PM_SETTING_GRAVITY_X: value(ZERO, "plane"),
             layout.PM_SETTING_GRAVITY_Y: value(down, "parameters.g"),
@@ -300,13 +300,13 @@ class _Flattener:
             layout.PM_SETTING_MAX_TIME: layout.PM_NONE
             if solve.max_time is None
             else value(self.reader.number(solve.max_time, "solve.max_time", TIME), "solve.max_time"),
-            layout.PM_SETTING_ASSEMBLY: value(assembly, "solve.assembly"),
+            layout.PM_SETTING_ASSEMBLY: value(assembly, "solve.assembly_tolerance"),
             layout.PM_SETTING_ROUTE: layout.pm_route[f"PM_ROUTE_{solve.route.upper()}"],
             layout.PM_SETTING_MAX_EVENTS: solve.max_events,
             layout.PM_SETTING_MAX_STEPS: solve.max_steps,
             layout.PM_SETTING_NUDGE: nudge,
             layout.PM_SETTING_ESTIMATE: int(solve.estimate),
-            layout.PM_SETTING_SIMULTANEOUS: _SIMULTANEOUS[solve.simultaneous],
+            layout.PM_SETTING_SIMULTANEOUS: _IMPACTS[solve.impacts],
         }
         self.tables.add(layout.PM_TABLE_SETTING, row, "solve")
 

@@ -185,7 +185,7 @@ _DESCRIPTIONS: dict[int, Any] = {
     ),
     layout.PM_BLOWS_ENDLESS: lambda place, found, bound: (
         f"the blows one by one at this instant do not end ({found:.0f} of them): bodies wedged without loss; "
-        'lower a restitution, or solve.simultaneous = "together"'
+        'lower a restitution, or solve.impacts = "simultaneous"'
     ),
     layout.PM_BLOW_GAINS: lambda place, found, bound: (
         f"{place}: with this friction its law of restitution would create energy ({found:.4g} J): "
@@ -193,11 +193,11 @@ _DESCRIPTIONS: dict[int, Any] = {
     ),
     layout.PM_BLOW_TURNS: lambda place, found, bound: (
         f"{place}: its slip turns (to {found:.3g} m/s) in a blow in which several contacts take part, "
-        'and no law says how; solve.simultaneous = "one by one" follows each'
+        'and no law says how; solve.impacts = "sequential" follows each'
     ),
     layout.PM_BLOW_SEVERAL: lambda place, found, bound: (
         f"{place}.law: it is for one contact at a time and {found:.0f} take part in a blow; "
-        'take law = "newton", or solve.simultaneous = "one by one"'
+        'take law = "newton", or solve.impacts = "sequential"'
     ),
     layout.PM_PENETRATION: lambda place, found, bound: (
         f"{place}: the two overlap by {abs(found):.4g} m{_here(place)}; move one of them"

@@ -20,8 +20,8 @@ from .damper import Damper
 from .force import AppliedForce
 from .gears import Gears
 from .link import Link
+from .motor import Motor
 from .pin import Pin
-from .rate import Rate
 from .ratio import Ratio
 from .rolling import Rolling
 from .slider import Slider
@@ -49,7 +49,7 @@ COUPLINGS: Mapping[str, type[Coupling]] = _table(
     Gears,
     Belt,
     Cord,
-    Rate,
+    Motor,
     Ratio,
 )
 FORCES: Mapping[str, type[Force]] = _table(

@@ -51,10 +51,15 @@ class Bearing(Table):
 
 
 class RubbingJoint(Joint):
-    """A joint that may have friction: of a bearing a couple, by itself or by its load, else a coefficient."""
+    """A joint that may have friction: its coefficient, of a bearing with the radius where it rubs."""
 
-    bearing: ClassVar[bool] = False
     friction: Annotated[Value | Bearing, BeforeValidator(read_joint_friction)] = 0
+
+
+class BearingJoint(RubbingJoint):
+    """A joint that rubs at the radius of a bearing, also without a load: by a couple of given size."""
+
+    friction_couple: Number = 0
 
 
 class Coupling(Kind):

@@ -8,16 +8,15 @@ from .. import _layout as layout
 from ..geometry.partners import Partner, point_pair
 from ..geometry.rows import JointRow
 from ..geometry.writer import Writer
-from .base import RubbingJoint
+from .base import BearingJoint
 
 if TYPE_CHECKING:
     from ..pen.sketch import Sketch
     from ..pen.symbols import Place
 
 
-class Pin(RubbingJoint):
+class Pin(BearingJoint):
     word = "pin"
-    bearing = True
 
     def row(self, to: Writer, a: Partner, b: Partner, path: str) -> JointRow:
         return JointRow(layout.PM_JOINT_PIN, *point_pair(to.drawing, a, b))

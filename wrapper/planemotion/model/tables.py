@@ -138,7 +138,7 @@ class Contact(Kind):
     tangential: Number | None = None
     normal: Number | None = None
     law: Text = "newton"
-    capture: Literal["none", "point", "body"] = "none"
+    capture: Literal["none", "pin", "body"] = "none"
     surface_speed: Number | None = None
 
 
@@ -245,8 +245,8 @@ class Solve(Table):
     max_time: Number | None = None
     max_events: int = DEFAULT_MAX_EVENTS
     max_steps: int = DEFAULT_MAX_STEPS
-    assembly: Number = 1e-12
-    simultaneous: Text = "together"
+    assembly_tolerance: Number = 1e-12
+    impacts: Text = "simultaneous"
 
 
 class Sweep(Table):

@@ -18,7 +18,7 @@ ROUND_SHAPES = ("disk", "cylinder", "hoop", "sphere", "half_ring")
 
 SINGULAR = {"joints": "joint", "couplings": "coupling", "contacts": "contact", "forces": "force"}
 
-SIMULTANEOUS = ("together", "one by one")
+IMPACTS = ("simultaneous", "sequential")
 LAWS = ("newton", "poisson", "stronge")
 ROUTES = ("auto", "state", "jump", "uniform", "path", "rk", "ida")
 

@@ -13,10 +13,14 @@ from ..model.tables import Ask, Body, Contact, Event, Find, Ground, Solve, Spin,
 
 
 class SceneData(Table):
-    """A scene whose words and types are right.  `file` is where it came from, for messages."""
+    """A scene whose words and types are right.  `file` is where it came from, for messages.
 
-    unwritten = ("file", "nudge", "run_finds")
+    `hints`: old words in it, one sentence each.
+    """
+
+    unwritten = ("file", "hints", "nudge", "run_finds")
     file: str | None = None
+    hints: tuple[str, ...] = ()
     id: Text = ""
     title: Text = ""
     description: Text = ""

@@ -18,6 +18,7 @@ from ..model import words
 from ..model.element import Kind, Table
 from ..model.tables import DEFAULT_G, Ask, At, Contact, Find
 from .check import check, kind_of
+from .renamed import renewed
 from .scene import SceneData
 
 
@@ -28,6 +29,7 @@ def validate(raw: Mapping[str, Any], *, file: str | None = None, name: str = "")
     fault found.
     """
     try:
+        raw, hints = renewed(raw)
         check(raw)
         if "until" not in raw:
             raise SceneError('what ends the run is wanted, such as until = "t = 2 s"', path="until")
@@ -37,7 +39,7 @@ def validate(raw: Mapping[str, Any], *, file: str | None = None, name: str = "")
             **({} if "g" in words.table(raw, "parameters") else {"g": DEFAULT_G}),
             **raw.get("parameters", {}),
         }
-        content = {**raw, "id": raw.get("id", name), "parameters": parameters, "file": file}
+        content = {**raw, "id": raw.get("id", name), "parameters": parameters, "file": file, "hints": hints}
         data = _construct({**content, **_taken_apart(raw), **_elements(raw)})
         _check_more(data)
     except SceneError as error:
@@ -130,9 +132,9 @@ def _check_more(data: SceneData) -> None:
     solve = data.solve
     if solve.route not in words.ROUTES:
         raise SceneError(words.unknown(solve.route, words.ROUTES, "route"), path="solve.route")
-    if solve.simultaneous not in words.SIMULTANEOUS:
-        reason = words.unknown(solve.simultaneous, words.SIMULTANEOUS, "order of blows")
-        raise SceneError(reason, path="solve.simultaneous")
+    if solve.impacts not in words.IMPACTS:
+        reason = words.unknown(solve.impacts, words.IMPACTS, "order of impacts")
+        raise SceneError(reason, path="solve.impacts")
     for key in ("max_events", "max_steps"):
         if getattr(solve, key) < 1:
             raise SceneError("at least 1 is wanted", path=f"solve.{key}", value=getattr(solve, key))

@@ -202,11 +202,8 @@ def _spin(data: SceneData) -> list[tuple[str, str]]:
     """The axis of the plane, and what turns along."""
     if data.spin is None:
         return []
-    return [
-        (key, _written(getattr(data.spin, key)))
-        for key in Spin.file_keys()
-        if key in data.spin.model_fields_set
-    ]
+    given = [key for key in Spin.file_keys() if key in data.spin.model_fields_set]
+    return [(key, _written(getattr(data.spin, key))) for key in given]
 
 
 # ---- words ----------------------------------------------------------------------------------------------
@@ -229,7 +226,7 @@ def _options(element: Kind) -> str:
 
 def _laws(contact: Any) -> str:
     if contact.capture != "none":
-        return f"captures as a {'pin' if contact.capture == 'point' else 'body'}"
+        return f"captures as a {contact.capture}"
     friction = contact.friction
     if isinstance(friction, Friction):
         text = f"friction {_written(friction.static)} static, {_written(friction.kinetic)} kinetic"

@@ -17,8 +17,8 @@ if TYPE_CHECKING:
     from ..pen.symbols import Place
 
 
-class Rate(Coupling):
-    word = "rate"
+class Motor(Coupling):
+    word = "motor"
     quantities = {"couple": Quantity((layout.PM_MEASURE_JOINT_COUPLE,), MOMENT, on=True)}
     columns = ("couple",)
     partners: Partners
@@ -28,7 +28,7 @@ class Rate(Coupling):
         where = f"{path}.value"
         if self.value is None:
             raise SceneError("the spin of the first body relative to the second is wanted", path=where)
-        owners = to.bodies(self.partners, f"{path}.rate")
+        owners = to.bodies(self.partners, f"{path}.motor")
         a, b = (to.drawing.body_index(owner) for owner in owners)
         value = to.over_time(self.value, where, ANGULAR_VELOCITY)
         index = to.joint(layout.PM_JOINT_RATE, a, b, path, programs=(value,))
