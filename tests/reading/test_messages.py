@@ -15,7 +15,8 @@ FAULTS = [
     # words
     (
         'joints.A = { pin = ["AB.A", "ground"], frictoin = 0.1 }',
-        'joints.A.frictoin: unknown key; a pin has friction, friction_couple, active (did you mean "friction"?)',
+        "joints.A.frictoin: unknown key; a pin has friction, friction_couple, active "
+        '(did you mean "friction"?)',
     ),
     ('untill = "start"', 'did you mean "until"?'),
     ('bodies.AB.colour = "red"', "bodies.AB.colour: unknown key; a body has rod, disk, "),
