@@ -11,9 +11,9 @@ from collections.abc import Mapping, Sequence
 
 from .. import _layout as layout
 from ..base.errors import SceneError
+from ..geometry.drawing import GROUND
 from ..geometry.packing import Tables
 from ..geometry.partners import partner
-from ..geometry.pose import GROUND
 from ..language.dimensions import ANGULAR_IMPULSE, ENERGY, IMPULSE, Dimension
 from ..language.leaves import substitute
 from ..language.parser import parse
@@ -112,7 +112,7 @@ class Actions:
                 self.tables.program(node, f"{where}.value")
                 for node in self.measures.reader.vector(action.value, f"{where}.value", IMPULSE, self._now)
             )
-            row = self.measures.drawing.point(point.ref)
+            row = self.measures.drawn.point(point.ref)
             self._row(where, layout.PM_ACTION_IMPULSE, event, nothing, row, x, y)
             return
         body = self._body(action.impulse, place)

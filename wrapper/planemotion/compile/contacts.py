@@ -12,12 +12,12 @@ from dataclasses import dataclass, replace
 
 from .. import _layout as layout
 from ..base.errors import SceneError
-from ..geometry.drawing import Drawing
+from ..geometry.drawing import GROUND
+from ..geometry.drawn_rows import DrawnRows
 from ..geometry.marks import LineMark, RowMark
 from ..geometry.packing import Tables, over_time
 from ..geometry.parameters import Reader, is_zero
 from ..geometry.partners import Partner, different, kernel_circle, pairs, partner, side
-from ..geometry.pose import GROUND
 from ..language.dimensions import DIMENSIONLESS, VELOCITY
 from ..language.tree import ZERO, Node, Number
 from ..model.readers import Value
@@ -51,8 +51,9 @@ class ContactInfo:
 class Contacts:
     """Adds contacts to the tables."""
 
-    def __init__(self, drawing: Drawing, reader: Reader, tables: Tables) -> None:
-        self.drawing = drawing
+    def __init__(self, drawn: DrawnRows, reader: Reader, tables: Tables) -> None:
+        self.drawn = drawn
+        self.drawing = drawn.drawing
         self.reader = reader
         self.tables = tables
 
@@ -114,7 +115,7 @@ class Contacts:
         ends: tuple[int, ...] = (layout.PM_NONE, layout.PM_NONE)
         if b.kind == "line":
             assert isinstance(b.mark, LineMark)
-            kind, other = layout.PM_CONTACT_LINE, self.drawing.line(b.owner, b.mark, b.where)
+            kind, other = layout.PM_CONTACT_LINE, self.drawn.line(b.owner, b.mark, b.where)
             if b.mark.extent is not None:
                 kind = layout.PM_CONTACT_SEGMENT
                 ends = tuple(self.tables.value(end, b.where) for end in b.mark.extent)
@@ -124,17 +125,17 @@ class Contacts:
                 raise SceneError(
                     "a circle is wanted to touch a row of points", path=a.where, value=str(a.ref)
                 )
-            kind, other = layout.PM_CONTACT_ROW, self.drawing.row(b.mark, b.where)
+            kind, other = layout.PM_CONTACT_ROW, self.drawn.row(b.mark, b.where)
         elif points and contact.capture != "none" and contact.normal is None:
-            kind, other = layout.PM_CONTACT_POINT, kernel_circle(self.drawing, b)
+            kind, other = layout.PM_CONTACT_POINT, kernel_circle(self.drawn, b)
         elif points:
             kind, other = layout.PM_CONTACT_LINE, self._line_through(b, contact.normal, path)
         else:
-            kind, other = layout.PM_CONTACT_CIRCLE, kernel_circle(self.drawing, b)
+            kind, other = layout.PM_CONTACT_CIRCLE, kernel_circle(self.drawn, b)
             side_value = self.tables.value(side(self.drawing, a, b), f"{path}.touch")
         return {
             layout.PM_CONTACT_KIND: kind,
-            layout.PM_CONTACT_A: kernel_circle(self.drawing, a),
+            layout.PM_CONTACT_A: kernel_circle(self.drawn, a),
             layout.PM_CONTACT_B: other,
             layout.PM_CONTACT_SIDE: side_value,
             layout.PM_CONTACT_FROM: ends[0],
@@ -151,7 +152,7 @@ class Contacts:
             raise SceneError(reason, path=f"{path}.normal")
         direction = self.reader.number(normal, f"{path}.normal", DIMENSIONLESS)
         along = direction - Number(math.pi / 2) - self.drawing.angle(b.owner)
-        return self.drawing.line(b.owner, LineMark(self.drawing.marks(b.owner).point(b.name), along), b.where)
+        return self.drawn.line(b.owner, LineMark(self.drawing.marks(b.owner).point(b.name), along), b.where)
 
     def _coefficient(self, written: Value, where: str) -> Node:
         """One number for both; a single word that is no parameter was meant for a law."""

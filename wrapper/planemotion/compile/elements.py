@@ -10,8 +10,8 @@ from dataclasses import dataclass
 
 from .. import _layout as layout
 from ..base.errors import SceneError
+from ..geometry.drawing import GROUND, PointRef
 from ..geometry.partners import Partner, pairs, partner
-from ..geometry.pose import GROUND, PointRef
 from ..geometry.rows import CouplingRows
 from ..geometry.writer import Writer
 from ..kinds.base import Bearing, BearingJoint, Coupling, Force, Joint, RubbingJoint
@@ -123,8 +123,8 @@ def drive(to: Writer, name: str, body: Body) -> None:
     assert driven is not None
     path = f"bodies.{name}.driven"
     x, y = to.reader.vector(driven.velocity, f"{path}.velocity", VELOCITY, to.over_time)
-    origin = to.drawing.point_at(GROUND, (ZERO, ZERO), path)
-    centre = to.drawing.point(PointRef(name, "G"))
+    origin = to.drawn.point_at(GROUND, (ZERO, ZERO), path)
+    centre = to.drawn.point(PointRef(name, "G"))
     to.joint(layout.PM_JOINT_DRIVE, centre, origin, path, programs=(x, y))
     if body.turns:
         omega = to.over_time(driven.omega, f"{path}.omega", ANGULAR_VELOCITY)

@@ -16,10 +16,10 @@ import numpy.typing as npt
 
 from .. import _layout as layout
 from ..base.errors import SceneError
-from ..geometry.drawing import Drawing
+from ..geometry.drawing import GROUND, Drawing
+from ..geometry.drawn_rows import DrawnRows
 from ..geometry.packing import Tables
 from ..geometry.parameters import Parameters, Reader, is_zero, override
-from ..geometry.pose import GROUND
 from ..geometry.writer import Writer
 from ..kinds.base import Coupling, Force, Joint
 from ..language.dimensions import DIMENSIONLESS, LENGTH, TIME
@@ -117,14 +117,15 @@ class _Flattener:
         self.absent: dict[str, str] = {}
         bodies = self._active("bodies", data.bodies)
         self.drawing = Drawing(data, bodies, self.reader, self.tables)
+        self.drawn = DrawnRows(self.drawing, self.tables)
         self.scope = self._elements()
-        self.measures = Measures(self.drawing, self.reader, self.tables, self.scope)
+        self.measures = Measures(self.drawn, self.reader, self.tables, self.scope)
 
     def flat(self, history: bool) -> FlatScene:
         data, tables = self.data, self.tables
         self._check_masses()
-        Spins(self.drawing, self.reader, tables).add(data)
-        Starts(self.drawing, self.reader, self.measures, tables).add(data.start, self._fastened())
+        Spins(self.drawn, self.reader, tables).add(data)
+        Starts(self.drawn, self.reader, self.measures, tables).add(data.start, self._fastened())
         nudge = layout.PM_NONE
         if data.nudge is not None:
             nudge = add_nudge(data.nudge, self.measures, tables, "start.nudge")
@@ -221,8 +222,8 @@ class _Flattener:
             (data.forces, forces),
         )
         inactive = {name for written, active in groups for name in written if name not in active}
-        to = Writer(self.drawing, self.reader, self.tables)
-        add_contact = Contacts(self.drawing, self.reader, self.tables).add
+        to = Writer(self.drawn, self.reader, self.tables)
+        add_contact = Contacts(self.drawn, self.reader, self.tables).add
         driven = {name: body for name, body in self.drawing.bodies.items() if body.driven is not None}
         for name, body in driven.items():
             drive(to, name, body)
@@ -267,7 +268,7 @@ class _Flattener:
             for name, joint in self.scope.joints.items()
             if name not in self.absent and name not in removed
         ]
-        for name, mass in self.drawing.masses.items():
+        for name, mass in self.drawn.masses.items():
             if (
                 self.drawing.bodies[name].driven is None
                 and not mass.known

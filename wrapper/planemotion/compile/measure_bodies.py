@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from .. import _layout as layout
 from ..base.errors import SceneError, nearest
-from ..geometry.pose import GROUND, PointRef
+from ..geometry.drawing import GROUND, PointRef
 from ..language.address import Address
 from ..language.dimensions import (
     ACCELERATION,
@@ -95,7 +95,7 @@ class BodyMeasures:
 
     def _of_point(self, address: Address, ref: PointRef, path: tuple[str, ...]) -> Reading:
         """A quantity of a point; `path` begins with its word."""
-        index = self.rows.drawing.point(ref)
+        index = self.rows.drawn.point(ref)
         quantity = path[0]
         if quantity in ("x", "y"):
             return self.rows.vector(address, path, [(layout.PM_MEASURE_POSITION, index)], LENGTH, ("in",))

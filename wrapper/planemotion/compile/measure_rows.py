@@ -11,11 +11,11 @@ from dataclasses import dataclass
 
 from .. import _layout as layout
 from ..base.errors import SceneError
-from ..geometry.drawing import Drawing
+from ..geometry.drawing import GROUND
+from ..geometry.drawn_rows import DrawnRows
 from ..geometry.marks import LineMark
 from ..geometry.packing import Tables, empty_measure
 from ..geometry.parameters import Reader
-from ..geometry.pose import GROUND
 from ..language.address import Address
 from ..language.dimensions import DIMENSIONLESS, FORCE, Dimension
 from ..language.leaves import names
@@ -63,8 +63,9 @@ class Scope:
 class MeasureRows:
     """Makes measures of what an address says behind its quantity: part, in, on, about, along, member."""
 
-    def __init__(self, drawing: Drawing, reader: Reader, tables: Tables, scope: Scope) -> None:
-        self.drawing = drawing
+    def __init__(self, drawn: DrawnRows, reader: Reader, tables: Tables, scope: Scope) -> None:
+        self.drawn = drawn
+        self.drawing = drawn.drawing
         self.reader = reader
         self.tables = tables
         self.scope = scope
@@ -193,7 +194,7 @@ class MeasureRows:
         ref = self.drawing.point_ref(address.about)
         if not ref.name:
             raise SceneError(f'"{address}": a point of the ground is wanted, such as ground.O')
-        return self.drawing.point(ref)
+        return self.drawn.point(ref)
 
     def _body_word(self, name: str, where: str) -> int:
         try:
@@ -241,5 +242,5 @@ class MeasureRows:
 
     def need_masses(self, owners: Sequence[str] | Mapping[str, object]) -> None:
         for owner in owners:
-            if owner != GROUND and not self.drawing.masses[owner].known:
+            if owner != GROUND and not self.drawn.masses[owner].known:
                 raise SceneError(f"the mass of {owner} is needed for this; give bodies.{owner}.mass")

@@ -12,10 +12,10 @@ from contextlib import contextmanager
 
 from .. import _layout as layout
 from ..base.errors import SceneError
-from ..geometry.drawing import Drawing
+from ..geometry.drawing import GROUND
+from ..geometry.drawn_rows import DrawnRows
 from ..geometry.packing import Tables
 from ..geometry.parameters import Reader
-from ..geometry.pose import GROUND
 from ..language.address import Address
 from ..language.dimensions import (
     ANGULAR_MOMENTUM,
@@ -54,12 +54,13 @@ _SPIN: dict[str, tuple[int, Dimension]] = {
 class Measures:
     """The measures of a run; `scope` says what has a name."""
 
-    def __init__(self, drawing: Drawing, reader: Reader, tables: Tables, scope: Scope) -> None:
-        self.drawing = drawing
+    def __init__(self, drawn: DrawnRows, reader: Reader, tables: Tables, scope: Scope) -> None:
+        self.drawn = drawn
+        self.drawing = drawn.drawing
         self.reader = reader
         self.tables = tables
         self.scope = scope
-        self.rows = MeasureRows(drawing, reader, tables, scope)
+        self.rows = MeasureRows(drawn, reader, tables, scope)
         self._bodies = BodyMeasures(self.rows)
         self._elements = ElementMeasures(self.rows)
         self._readings: dict[Leaf, Reading] = {}

@@ -11,7 +11,7 @@ import math
 
 from .. import _layout as layout
 from ..base.errors import SceneError
-from ..geometry.drawing import Drawing
+from ..geometry.drawn_rows import DrawnRows
 from ..geometry.marks import radius
 from ..geometry.packing import Tables, over_time
 from ..geometry.parameters import Reader
@@ -40,8 +40,9 @@ START_OMEGA = "spin.omega"
 class Spins:
     """Adds the spin of a scene to the tables."""
 
-    def __init__(self, drawing: Drawing, reader: Reader, tables: Tables) -> None:
-        self.drawing = drawing
+    def __init__(self, drawn: DrawnRows, reader: Reader, tables: Tables) -> None:
+        self.drawn = drawn
+        self.drawing = drawn.drawing
         self.reader = reader
         self.tables = tables
 
@@ -81,7 +82,7 @@ class Spins:
 
     def _body(self, name: str, body: Body) -> None:
         path = f"bodies.{name}"
-        mass = self.drawing.masses[name]
+        mass = self.drawn.masses[name]
         if not mass.known:
             raise SceneError("mass or weight is wanted: the body turns with the plane", path=f"{path}.mass")
         second = self._second(name, body, path)

@@ -11,10 +11,10 @@ from dataclasses import replace
 
 from .. import _layout as layout
 from ..base.errors import SceneError
-from ..geometry.drawing import Drawing
+from ..geometry.drawing import PointRef
+from ..geometry.drawn_rows import DrawnRows
 from ..geometry.packing import Tables
 from ..geometry.parameters import Reader, is_guess
-from ..geometry.pose import PointRef
 from ..language.address import Address, parse_address
 from ..language.tree import Node
 from ..model.readers import Value, Vector
@@ -34,8 +34,9 @@ _LINEAR_PARTS = (layout.PM_PART_NONE, layout.PM_PART_X, layout.PM_PART_Y, layout
 class Starts:
     """Adds start rows to the tables."""
 
-    def __init__(self, drawing: Drawing, reader: Reader, measures: Measures, tables: Tables) -> None:
-        self.drawing = drawing
+    def __init__(self, drawn: DrawnRows, reader: Reader, measures: Measures, tables: Tables) -> None:
+        self.drawn = drawn
+        self.drawing = drawn.drawing
         self.reader = reader
         self.measures = measures
         self.tables = tables
@@ -58,7 +59,7 @@ class Starts:
         pose = self.drawing.pose(name)
         path = f"bodies.{name}.at"
         for placed in pose.placed[:1]:
-            point = self.drawing.point(PointRef(name, placed.point))
+            point = self.drawn.point(PointRef(name, placed.point))
             parts = (layout.PM_PART_X, layout.PM_PART_Y)
             for part, value, exact in zip(parts, placed.position, placed.exact, strict=True):
                 if exact:

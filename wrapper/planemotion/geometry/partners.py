@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 from ..base.errors import SceneError
 from ..language.tree import ZERO, Node, binary, call, select
-from .drawing import Drawing
+from .drawing import GROUND, Drawing, PointRef
+from .drawn_rows import DrawnRows
 from .marks import CircleMark, LineMark, Pair, RowMark, distance
-from .pose import GROUND, PointRef
 
 # Part of the radius from which on a point counts as drawn on a circle.
 _ON_CIRCLE = 1 - 1e-6
@@ -89,16 +89,16 @@ def different(a: Partner, b: Partner) -> None:
         raise SceneError(f"both partners belong to {owner}", path=a.where.rpartition("[")[0])
 
 
-def point_pair(drawing: Drawing, a: Partner, b: Partner) -> tuple[int, int]:
+def point_pair(drawn: DrawnRows, a: Partner, b: Partner) -> tuple[int, int]:
     """Kernel points of two partners; the bare ground is a point where the other one is drawn."""
-    return _point(drawing, a, b), _point(drawing, b, a)
+    return _point(drawn, a, b), _point(drawn, b, a)
 
 
-def one_point(drawing: Drawing, at: Partner) -> int:
+def one_point(drawn: DrawnRows, at: Partner) -> int:
     """The kernel point of a partner; the bare ground is none."""
     if at.anywhere:
         raise SceneError("a point of a body or of the ground is wanted", path=at.where, value=GROUND)
-    return drawing.point(at.ref)
+    return drawn.point(at.ref)
 
 
 def drawn_pair(drawing: Drawing, a: Partner, b: Partner) -> tuple[Pair, Pair]:
@@ -110,10 +110,10 @@ def drawn_pair(drawing: Drawing, a: Partner, b: Partner) -> tuple[Pair, Pair]:
     return here, here if b.anywhere else drawing.position(b.ref)
 
 
-def _point(drawing: Drawing, mine: Partner, other: Partner) -> int:
+def _point(drawn: DrawnRows, mine: Partner, other: Partner) -> int:
     if mine.anywhere:
-        return drawing.point_at(GROUND, drawing.position(other.ref), mine.where)
-    return drawing.point(mine.ref)
+        return drawn.point_at(GROUND, drawn.drawing.position(other.ref), mine.where)
+    return drawn.point(mine.ref)
 
 
 def circle_place(drawing: Drawing, at: Partner) -> Pair:
@@ -124,12 +124,12 @@ def circle_place(drawing: Drawing, at: Partner) -> Pair:
     return drawing.to_scene(at.owner, drawing.from_mass_center(at.owner, at.mark.center))
 
 
-def kernel_circle(drawing: Drawing, at: Partner) -> int:
+def kernel_circle(drawn: DrawnRows, at: Partner) -> int:
     """The kernel circle of a circle; of a point: with radius 0."""
     if at.kind == "point":
-        return drawing.circle_at(drawing.point(at.ref), ZERO, at.where)
+        return drawn.circle_at(drawn.point(at.ref), ZERO, at.where)
     assert isinstance(at.mark, CircleMark)
-    return drawing.circle(at.owner, at.mark, at.where)
+    return drawn.circle(at.owner, at.mark, at.where)
 
 
 def side(drawing: Drawing, a: Partner, b: Partner) -> Node:

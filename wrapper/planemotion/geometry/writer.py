@@ -9,18 +9,19 @@ from ..base.errors import SceneError
 from ..language.dimensions import POWER, Dimension
 from ..language.tree import Node
 from ..model.readers import Value
-from .drawing import Drawing
+from .drawing import GROUND
+from .drawn_rows import DrawnRows
 from .packing import Tables, empty_measure, over_time
 from .parameters import Reader
 from .partners import Partner, pairs, partner
-from .pose import GROUND
 
 
 class Writer:
     """The tables of a run under construction, and the readers of what stands in an element."""
 
-    def __init__(self, drawing: Drawing, reader: Reader, tables: Tables) -> None:
-        self.drawing = drawing
+    def __init__(self, drawn: DrawnRows, reader: Reader, tables: Tables) -> None:
+        self.drawn = drawn
+        self.drawing = drawn.drawing
         self.reader = reader
         self.tables = tables
 

@@ -31,7 +31,7 @@ class Belt(Coupling):
     def rows(self, to: Writer, path: str) -> CouplingRows:
         a, b = to.circles(self.partners, f"{path}.belt")
         value = Number(-1.0 if self.crossed else 1.0), f"{path}.crossed"
-        circles = kernel_circle(to.drawing, a), kernel_circle(to.drawing, b)
+        circles = kernel_circle(to.drawn, a), kernel_circle(to.drawn, b)
         index = to.joint(layout.PM_JOINT_BELT, *circles, path, value=value)
         return CouplingRows(index, (), ((a.owner, b.owner),))
 

@@ -14,9 +14,9 @@ from pydantic import BeforeValidator
 
 from .. import _layout as layout
 from ..base.errors import SceneError
+from ..geometry.drawing import GROUND
 from ..geometry.marks import distance
 from ..geometry.partners import Partner, different, drawn_pair, kernel_circle, partner
-from ..geometry.pose import GROUND
 from ..geometry.rows import CouplingRows
 from ..geometry.writer import Writer
 from ..language.dimensions import DIMENSIONLESS, FORCE, IMPULSE, LENGTH
@@ -119,6 +119,6 @@ def _stop(to: Writer, text: str, where: str) -> tuple[Partner, int]:
 def _end(to: Writer, one: Partner) -> int:
     """The kernel circle of a stop."""
     if not one.anywhere:
-        return kernel_circle(to.drawing, one)
+        return kernel_circle(to.drawn, one)
     reason = "a point of the ground is wanted, such as ground.S"
     raise SceneError(reason, path=one.where, value=GROUND)

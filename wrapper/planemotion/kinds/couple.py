@@ -8,7 +8,7 @@ from pydantic import BeforeValidator
 
 from .. import _layout as layout
 from ..base.errors import SceneError
-from ..geometry.pose import GROUND
+from ..geometry.drawing import GROUND
 from ..geometry.rows import ForceRow
 from ..geometry.writer import Writer
 from ..language.dimensions import MOMENT

@@ -44,7 +44,7 @@ class Damper(Force):
             ends = to.points(self.partners, f"{path}.damper")
             owners = ends[0].owner, ends[1].owner
             kind, wanted = layout.PM_FORCE_DAMPER, DAMPING
-            a, b = point_pair(to.drawing, *ends)
+            a, b = point_pair(to.drawn, *ends)
         rate = to.reader.number(self.rate, where, wanted)
         return ForceRow(kind, a, b, owners, ((rate, where),), rotary=kind == layout.PM_FORCE_ROTARY_DAMPER)
 

@@ -9,8 +9,8 @@ from pydantic import BeforeValidator
 
 from .. import _layout as layout
 from ..base.errors import SceneError
+from ..geometry.drawing import GROUND
 from ..geometry.partners import partner
-from ..geometry.pose import GROUND
 from ..geometry.rows import ForceRow
 from ..geometry.writer import Writer
 from ..language.dimensions import FORCE
@@ -37,7 +37,7 @@ class AppliedForce(Force):
         point = partner(to.drawing, text, where, "point")
         if point.owner == GROUND:
             raise SceneError("a point of a body is wanted", path=where, value=text)
-        a, axes = to.drawing.point(point.ref), GROUND
+        a, axes = to.drawn.point(point.ref), GROUND
         if self.power is not None:
             key = "power"
             x, y = self._along_the_motion(to, path, a)

@@ -30,7 +30,7 @@ class Gears(Coupling):
         where = f"{path}.gears"
         a, b = to.circles(self.partners, where)
         value = side(to.drawing, a, b), where
-        circles = kernel_circle(to.drawing, a), kernel_circle(to.drawing, b)
+        circles = kernel_circle(to.drawn, a), kernel_circle(to.drawn, b)
         index = to.joint(layout.PM_JOINT_GEARS, *circles, path, value=value)
         return CouplingRows(index, (), ((a.owner, b.owner),))
 

@@ -28,7 +28,7 @@ class Link(Joint):
             length = to.reader.number(self.length, where, LENGTH)
         else:
             length = distance(*drawn_pair(to.drawing, a, b))
-        return JointRow(layout.PM_JOINT_LINK, *point_pair(to.drawing, a, b), (length, where))
+        return JointRow(layout.PM_JOINT_LINK, *point_pair(to.drawn, a, b), (length, where))
 
     def draw(self, sketch: Sketch, a: Partner, b: Partner) -> Place:
         ends = sketch.both(a, b)

@@ -19,7 +19,7 @@ class Pin(BearingJoint):
     word = "pin"
 
     def row(self, to: Writer, a: Partner, b: Partner, path: str) -> JointRow:
-        return JointRow(layout.PM_JOINT_PIN, *point_pair(to.drawing, a, b))
+        return JointRow(layout.PM_JOINT_PIN, *point_pair(to.drawn, a, b))
 
     def draw(self, sketch: Sketch, a: Partner, b: Partner) -> Place:
         at, there = sketch.both(a, b)

@@ -12,8 +12,8 @@ from pydantic import BeforeValidator
 
 from .. import _layout as layout
 from ..base.errors import SceneError
+from ..geometry.drawing import GROUND
 from ..geometry.parameters import is_zero
-from ..geometry.pose import GROUND
 from ..geometry.rows import CouplingRows
 from ..geometry.writer import Writer
 from ..language.dimensions import DIMENSIONLESS, MOMENT

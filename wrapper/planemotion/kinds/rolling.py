@@ -30,11 +30,11 @@ class Rolling(Joint):
     columns = ("force.x", "force.y", "normal", "friction")
 
     def row(self, to: Writer, a: Partner, b: Partner, path: str) -> JointRow:
-        circle = kernel_circle(to.drawing, a)
+        circle = kernel_circle(to.drawn, a)
         if isinstance(b.mark, LineMark):
-            line = to.drawing.line(b.owner, b.mark, b.where)
+            line = to.drawn.line(b.owner, b.mark, b.where)
             return JointRow(layout.PM_JOINT_ROLLING_LINE, circle, line)
-        other = kernel_circle(to.drawing, b)
+        other = kernel_circle(to.drawn, b)
         return JointRow(layout.PM_JOINT_ROLLING_CIRCLE, circle, other, (side(to.drawing, a, b), path))
 
     def draw(self, sketch: Sketch, a: Partner, b: Partner) -> Place:

@@ -27,8 +27,8 @@ class Slider(RubbingJoint):
 
     def row(self, to: Writer, a: Partner, b: Partner, path: str) -> JointRow:
         assert isinstance(b.mark, LineMark)
-        point = one_point(to.drawing, a)
-        line = to.drawing.line(b.owner, b.mark, b.where)
+        point = one_point(to.drawn, a)
+        line = to.drawn.line(b.owner, b.mark, b.where)
         # A particle has no direction that could be kept.
         if self.turning or not to.turns(a.owner):
             return JointRow(layout.PM_JOINT_SLIDER, point, line)

@@ -26,9 +26,9 @@ class Slot(RubbingJoint):
 
     def row(self, to: Writer, a: Partner, b: Partner, path: str) -> JointRow:
         assert isinstance(b.mark, CircleMark)
-        point = one_point(to.drawing, a)
+        point = one_point(to.drawn, a)
         middle = to.drawing.from_mass_center(b.owner, b.mark.center)
-        center = to.drawing.point_at(b.owner, middle, b.where)
+        center = to.drawn.point_at(b.owner, middle, b.where)
         return JointRow(layout.PM_JOINT_LINK, point, center, (b.mark.radius, path))
 
     def draw(self, sketch: Sketch, a: Partner, b: Partner) -> Place:

@@ -36,7 +36,7 @@ class Spring(Force):
             free = distance(*drawn_pair(to.drawing, a, b))
         return ForceRow(
             layout.PM_FORCE_SPRING,
-            *point_pair(to.drawing, a, b),
+            *point_pair(to.drawn, a, b),
             owners=(a.owner, b.owner),
             values=((stiffness, f"{path}.stiffness"), (free, f"{path}.free_length")),
             option=_ONLY[self.only],

@@ -32,7 +32,7 @@ class Weld(Joint):
         held = b if (turning[0] and not turning[1]) or a.is_ground else a
         position = to.drawing.position(held.ref)
         points = [
-            to.drawing.point_at(one.owner, to.drawing.to_body(one.owner, position), path) for one in (a, b)
+            to.drawn.point_at(one.owner, to.drawing.to_body(one.owner, position), path) for one in (a, b)
         ]
         if not all(turning):
             return JointRow(layout.PM_JOINT_PIN, points[0], points[1])

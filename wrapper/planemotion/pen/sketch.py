@@ -13,10 +13,9 @@ import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from ..geometry.drawing import Drawing
+from ..geometry.drawing import GROUND, Drawing
 from ..geometry.marks import CircleMark, LineMark, Pair, RowMark
 from ..geometry.partners import Partner, partner
-from ..geometry.pose import GROUND
 from ..language.dimensions import LENGTH
 from ..language.leaves import evaluate
 from ..language.parser import parse

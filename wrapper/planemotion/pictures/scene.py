@@ -20,12 +20,11 @@ from matplotlib.figure import Figure
 
 from ..compile.flatten import flatten, run_parameters
 from ..engine import call
-from ..geometry.drawing import Drawing
+from ..geometry.drawing import GROUND, Drawing
 from ..geometry.marks import LineMark, RowMark
 from ..geometry.packing import Tables
 from ..geometry.parameters import Parameters, Reader
 from ..geometry.partners import Partner
-from ..geometry.pose import GROUND
 from ..kinds.base import Coupling, Force, Joint
 from ..language.dimensions import DIMENSIONLESS, LENGTH
 from ..model.tables import Body, Contact

@@ -1,0 +1,111 @@
+"""The drawn scene as rows of the kernel's tables: bodies, points, lines, circles and rows, each mark once.
+
+Lengths, offsets and angles "as drawn" are composed from the expressions of drawing.py, so that a sweep of a
+parameter moves the drawing.
+"""
+
+from __future__ import annotations
+
+from .. import _layout as layout
+from ..base.errors import SceneError
+from ..language.tree import Node
+from ..model.tables import Body
+from .drawing import GROUND, Drawing, PointRef
+from .marks import CircleMark, LineMark, Mass, Pair, RowMark, mass_of
+from .packing import Tables
+
+
+class DrawnRows:
+    """The rows of a drawing in the tables: bodies, named points, and further marks when they are asked for.
+
+    `masses`: mass and inertia of each body.
+    """
+
+    def __init__(self, drawing: Drawing, tables: Tables) -> None:
+        self.drawing = drawing
+        self.tables = tables
+        self.masses: dict[str, Mass] = {}
+        self._points: dict[tuple[int, Node, Node], int] = {}
+        for name, body in drawing.bodies.items():
+            self._add_body(name, body)
+        self._add_all_points()
+
+    def point(self, ref: PointRef) -> int:
+        """The kernel's index of a point."""
+        return self.point_at(
+            ref.owner, self.drawing.local(ref), f"{self.drawing.marks(ref.owner).path}.points.{ref.name}"
+        )
+
+    def point_at(self, owner: str, local: Pair, where: str) -> int:
+        """The kernel's index of a place of a body, given in its axes from G."""
+        body = self.drawing.body_index(owner)
+        x, y = (self.tables.leaf(part, where) for part in local)
+        key = (body, x, y)
+        if key not in self._points:
+            row = {
+                layout.PM_POINT_BODY: body,
+                layout.PM_POINT_X: self.tables.value(x, where),
+                layout.PM_POINT_Y: self.tables.value(y, where),
+            }
+            self._points[key] = self.tables.add(layout.PM_TABLE_POINT, row, where)
+        return self._points[key]
+
+    def line(self, owner: str, mark: LineMark, where: str) -> int:
+        """A kernel line of that mark."""
+        row = {
+            layout.PM_LINE_POINT: self.point_at(
+                owner, self.drawing.from_mass_center(owner, mark.through), where
+            ),
+            layout.PM_LINE_ANGLE: self.tables.value(mark.angle, where),
+        }
+        return self.tables.add(layout.PM_TABLE_LINE, row, where)
+
+    def circle(self, owner: str, mark: CircleMark, where: str) -> int:
+        """A kernel circle of that mark."""
+        return self.circle_at(
+            self.point_at(owner, self.drawing.from_mass_center(owner, mark.center), where), mark.radius, where
+        )
+
+    def circle_at(self, point: int, radius: Node, where: str) -> int:
+        """A kernel circle round a kernel point; radius 0 makes it the point itself."""
+        row = {layout.PM_CIRCLE_POINT: point, layout.PM_CIRCLE_RADIUS: self.tables.value(radius, where)}
+        return self.tables.add(layout.PM_TABLE_CIRCLE, row, where)
+
+    def row(self, mark: RowMark, where: str) -> int:
+        """A kernel row of ground points."""
+        row = {
+            layout.PM_ROW_POINT: self.point_at(GROUND, mark.start, where),
+            layout.PM_ROW_STEP_X: self.tables.value(mark.step[0], where),
+            layout.PM_ROW_STEP_Y: self.tables.value(mark.step[1], where),
+            layout.PM_ROW_COUNT: self.tables.value(mark.count, where),
+        }
+        return self.tables.add(layout.PM_TABLE_ROW, row, where)
+
+    def _add_body(self, name: str, body: Body) -> None:
+        path = f"bodies.{name}"
+        try:
+            pose = self.drawing.pose(name)
+            mass = mass_of(self.drawing.reader, name, body, self.drawing.length(name))
+        except SceneError as error:
+            raise error.at(path=path) from None
+        self.masses[name] = mass
+        value = self.tables.value
+        row = {
+            layout.PM_BODY_TURNS: int(body.turns),
+            layout.PM_BODY_MASS: value(
+                mass.mass, f"{path}.{'weight' if body.weight is not None else 'mass'}"
+            ),
+            layout.PM_BODY_INERTIA: value(
+                mass.inertia, f"{path}.{'gyration' if body.gyration is not None else 'inertia'}"
+            ),
+            layout.PM_BODY_X: value(pose.x, f"{path}.at"),
+            layout.PM_BODY_Y: value(pose.y, f"{path}.at"),
+            layout.PM_BODY_ANGLE: value(pose.angle, f"{path}.angle"),
+        }
+        self.tables.add(layout.PM_TABLE_BODY, row, path)
+
+    def _add_all_points(self) -> None:
+        """Every named point, so that pictures and histories know them all."""
+        for owner in (*self.drawing.bodies, GROUND):
+            for name in self.drawing.marks(owner).points:
+                self.point(PointRef(owner, name))
