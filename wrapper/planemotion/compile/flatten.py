@@ -80,7 +80,7 @@ class FlatScene:
         return sum(ask.count for ask in self.asks)
 
     def rows(self, table: int) -> npt.NDArray[np.int32]:
-        """One table, as rows and columns."""
+        """One table [rows, its columns], integers as planemotion.h says."""
         first, count = self.table[2 * table : 2 * table + 2]
         columns = _COLUMNS[table]
         return self.table[first : first + count * columns].reshape(count, columns)

@@ -25,7 +25,7 @@ _STEP_FITS = 1e-9
 
 
 def read_grid(grid: Grid, *, path: str, unit: str = "") -> tuple[str, Floats]:
-    """Unit and values of a grid, ends included.
+    """Unit and values [n] of a grid in that unit, ends included.
 
     `unit` is that of bare numbers.  The values are in the unit of the first value that has one.  Raises
     SceneError with a key path that begins with `path`.

@@ -141,7 +141,10 @@ def needs(flat: FlatScene, table: int) -> npt.NDArray[np.bool_]:
 
 
 def check(flat: FlatScene, param: npt.ArrayLike | None = None) -> Start:
-    """Assembles the start of one case without running it; `param` defaults to the scene's own values."""
+    """Assembles the start of one case without running it.
+
+    `param` [parameters], SI, defaults to the scene's own values.
+    """
     given = flat.defaults if param is None else np.asarray(param)
     case = _params(flat, np.atleast_2d(given))[0]
     info = np.zeros(layout.PM_CHECK_COLUMNS, np.int32)
@@ -168,7 +171,7 @@ def check(flat: FlatScene, param: npt.ArrayLike | None = None) -> Start:
 
 
 def values(flat: FlatScene, param: npt.ArrayLike | None = None) -> Floats:
-    """The value table of one case, SI, as the kernel computes it: for pictures and messages."""
+    """The values [values] of one case, SI, as the kernel computes them; `param` [parameters] in SI."""
     given = flat.defaults if param is None else param
     return value_table(flat, _params(flat, np.atleast_2d(np.asarray(given)))[0])
 
@@ -183,7 +186,7 @@ def _params(flat: FlatScene, param: npt.ArrayLike) -> Floats:
 
 
 def _found(flat: FlatScene, cases: Floats) -> Floats:
-    """The cases with what their finds found.  Raises SimulationError where nothing was."""
+    """The cases [ncase, parameters] with what their finds found.  Raises SimulationError if nothing was."""
     if flat.find is None:
         return cases
     results = run_cases(flat, cases)
@@ -196,7 +199,7 @@ def _found(flat: FlatScene, cases: Floats) -> Floats:
 
 
 def _flag(flag: npt.NDArray[Any] | None, dtype: np.dtype[Any], name: str) -> npt.NDArray[Any]:
-    """A shared one-number array: the caller's own, never a copy."""
+    """A shared array [1]: the caller's own, never a copy."""
     if flag is None:
         return np.zeros(1, dtype)
     if flag.dtype != dtype or flag.shape != (1,):
@@ -207,7 +210,7 @@ def _flag(flag: npt.NDArray[Any] | None, dtype: np.dtype[Any], name: str) -> npt
 
 
 def _place() -> tuple[Ints, Floats]:
-    """Where and detail of a single case."""
+    """Where [3] (table, row, member) and detail [3] (value, bound in SI, time in s) of a single case."""
     where = np.full(layout.PM_WHERE_COLUMNS, layout.PM_NONE, np.int32)
     return where, np.full(layout.PM_DETAIL_COLUMNS, np.nan)
 

@@ -52,7 +52,7 @@ _OPERATIONS = _operations()
 
 
 def value_table(flat: FlatScene, param: Floats) -> Floats:
-    """All values of a case, SI; `param` has one number for each of `flat.parameters`."""
+    """All values [values] of a case, SI; `param` [parameters]: in SI, in the order of `flat.parameters`."""
     rows = flat.rows(layout.PM_TABLE_VALUE)
     values = np.full(len(rows), np.nan)
     for index, program in enumerate(rows[:, layout.PM_VALUE_PROGRAM]):
@@ -67,7 +67,10 @@ def run_program(
     values: Floats,
     measure: Callable[[int], float] | None = None,
 ) -> float:
-    """One program; `measure` gives what a measure reads (none: a program of values)."""
+    """The number of one program, SI, from `param` [parameters] and `values` [values], both in SI.
+
+    `measure` gives what a measure reads; None: a program of values, which has none.
+    """
     first, length = flat.rows(layout.PM_TABLE_PROGRAM)[program]
     code = flat.rows(layout.PM_TABLE_CODE)[first : first + length]
     stack: list[float] = []

@@ -14,7 +14,7 @@ from .evaluator import value_table
 
 
 def describe_find(flat: FlatScene, status: int, where: Ints, detail: Floats, param: Floats) -> str:
-    """The sentence for a status of a find; `param` are the parameters of the case."""
+    """The sentence for a status of a find; `where` [3], `detail` [3], `param` [parameters]: of the case."""
     assert flat.find is not None
     return _TEXTS[status](_Said(flat, flat.find, where, detail, param))
 

@@ -29,7 +29,7 @@ _KIND = "planemotion history"
 
 
 def event_times(recorded: History) -> Floats:
-    """The instants of the events, each once, in s."""
+    """The instants [events], each once, in s."""
     return np.unique(recorded.time[recorded.mark == AFTER])
 
 

@@ -31,7 +31,11 @@ def message(flat: FlatScene, results: CaseResults, i: int) -> str:
 
 
 def describe(flat: FlatScene, status: int, where: Ints, detail: Floats, param: Floats | None = None) -> str:
-    """File, place, what is wrong, value and bound of a status that is not ok; `param`: of the case."""
+    """File, place, what is wrong, value and bound of a status that is not ok.
+
+    `where` [3]: table, row, member; `detail` [3]: value and bound in SI, time in s; `param` [parameters]: of
+    the case, SI.
+    """
     place = _place_name(flat, where, status)
     if status in FIND_STATUSES and flat.find is not None:
         sentence = describe_find(flat, status, where, detail, flat.defaults if param is None else param)

@@ -146,7 +146,7 @@ def answer(
     error: npt.NDArray[np.float64],
     margin: float = math.nan,
 ) -> AskValue:
-    """One answer from a row of `out` and of `error`; the rest are the kernel's for this ask and case."""
+    """One answer from a row of `out` and one of `error` [out columns], SI; the rest belongs to its case."""
     columns = slice(column.first, column.first + column.count)
     values = [_finite(float(value) / column.factor) for value in out[columns]]
     errors = [_finite(float(value) / column.factor) for value in error[columns]]

@@ -130,7 +130,7 @@ class Tables:
         return self._needs[int(leaf[1:]) if leaf.startswith(_VALUE) else self._dependent[leaf]]
 
     def pack(self) -> tuple[npt.NDArray[np.int32], npt.NDArray[np.float64]]:
-        """The kernel's `table` (directory and rows) and `constant`."""
+        """The kernel's `table` [n] (directory, then rows) and `constant` [constants] (SI)."""
         directory: list[int] = []
         body: list[int] = []
         for table in range(layout.PM_TABLES):

@@ -99,7 +99,7 @@ class Sketch:
         return [partner(self.drawing, text, where, *wanted) for text in texts]
 
     def _extent(self) -> tuple[np.ndarray, np.ndarray]:
-        """Lower left and upper right of all that has a size."""
+        """Lower left [2] and upper right [2] of all that has a size, in the unit of the picture."""
         places: list[Place] = []
         for owner in (*self.drawing.bodies, GROUND):
             marks = self.drawing.marks(owner)
@@ -258,7 +258,10 @@ def _middle(a: Place, b: Place) -> Place:
 def _clip(
     at: np.ndarray, along: np.ndarray, low: np.ndarray, high: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Where the line through `at` enters and leaves a box; a short piece at `at` if it misses it."""
+    """Where the line through `at` along a unit vector enters and leaves a box (all [2]).
+
+    A short piece at `at` if it misses the box.
+    """
     first, last = -math.inf, math.inf
     for i in range(2):
         if along[i]:

@@ -65,7 +65,7 @@ class Pen:
     def line(
         self, places: Sequence[Place] | Floats, colour: str = INK, width: float = 1.0, **options: Any
     ) -> None:
-        """A broken line; `width` in points."""
+        """A broken line through places [n, 2] in the axes' unit; `width` in points."""
         xy = np.asarray(places, np.float64)
         options = {"solid_capstyle": "round", "zorder": 3, **options}
         self.axes.plot(xy[:, 0], xy[:, 1], color=colour, linewidth=width, **options)
@@ -119,7 +119,7 @@ class Pen:
         self.remember(np.array([tail, tip]))
 
     def remember(self, places: Floats) -> None:
-        """Notes what is inked along a broken line, for the names to keep off."""
+        """Notes what is inked along a broken line [n, 2], for the names to keep off."""
         for a, b in pairwise(places):
             count = 1 + int(min(math.dist(a, b) / (_INK_STEP * self.inch), 400))
             for i in range(count):

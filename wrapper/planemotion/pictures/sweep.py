@@ -124,7 +124,7 @@ def _axis(dataset: xr.Dataset, dim: str) -> _Axis:
 
 
 def _is_logarithmic(values: Floats) -> bool:
-    """Whether the steps are those of a logarithmic grid."""
+    """Whether the steps of values [n] are those of a logarithmic grid."""
     if len(values) < 4 or values.min() <= 0:
         return False
     steps = np.diff(np.log(values))
@@ -254,7 +254,7 @@ def _colours(count: int) -> list[Any]:
 
 
 def _curve(place: Axes, x: Floats, y: Floats, colour: Any, name: str | None) -> None:
-    """One curve; NaN breaks it, and a value between two gaps is a dot."""
+    """One curve y [n] over x [n]; NaN breaks it, and a value between two gaps is a dot."""
     known = np.isfinite(y)
     whole = _is_whole(y)
     dots = len(x) <= _FEW_POINTS

@@ -112,7 +112,10 @@ class Study:
         return self._block(results, begun)
 
     def _param(self, flat: FlatScene, run: int, swept: Floats) -> Floats:
-        """The parameters of one run's cases; what a run sets itself is not swept in it."""
+        """The parameters [ncase, parameters] of one run's cases from the swept ones [ncase, swept], SI.
+
+        What a run sets itself is not swept in it.
+        """
         param = np.tile(np.asarray(flat.defaults, np.float64), (len(swept), 1))
         own = self.data.runs[self.runs[run]] if self.runs else {}
         for name, column in zip(self.plan.names, swept.T, strict=True):
@@ -143,7 +146,7 @@ class Study:
         )
 
     def _columns(self, of_runs: Sequence[Floats]) -> list[Floats]:
-        """The columns of each ask, in its unit, from the columns of the runs."""
+        """The columns [ncase, count] of each ask, in its unit, from those of the runs [ncase, nout], SI."""
         return [
             np.asarray(of_runs[run][:, ask.first : ask.first + ask.count]) / ask.factor
             for run, _, ask in self.asks
@@ -196,7 +199,7 @@ class Study:
 
 
 def _worst(run_status: npt.NDArray[np.int32]) -> npt.NDArray[np.int32]:
-    """Per case: the first failure of its runs, or else the first early stop, or else ok."""
+    """Status [ncase] from [ncase, runs]: the first failure, or else the first early stop, or else ok."""
     worst = np.zeros(len(run_status), np.int32)
     for status in run_status.T:
         worst = np.where((worst == PM_OK) | ((worst > PM_OK) & (status < PM_OK)), status, worst)
@@ -208,7 +211,10 @@ def _side_by_side(columns: Sequence[Floats], cases: int) -> Floats:
 
 
 def _worst_trust(of_runs: Sequence[Floats], estimate: bool) -> Singles:
-    """Per case: the least margin of its runs and the greatest excess; no columns without estimates."""
+    """Trust [ncase, 2] from that of each run [ncase, 2]: least margin, greatest excess.
+
+    Without estimates there are no columns.
+    """
     if not estimate:
         return np.empty((len(of_runs[0]), 0), np.float32)
     worst = np.empty((len(of_runs[0]), PM_TRUSTS), np.float32)

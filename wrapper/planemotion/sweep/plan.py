@@ -32,7 +32,7 @@ class Axis:
 
     @cached_property
     def si(self) -> Floats:
-        """The values in SI, each with the bits that `parse_quantity` gives for its text."""
+        """The values [n] in SI, each with the bits that `parse_quantity` gives for its text."""
         return self.values * factor(self.unit)[0]
 
 
