@@ -36,7 +36,7 @@ def rod_on_pin(name: str = "AB", joint: str = "A", **keys: Any) -> str:
 def on_axle(
     name: str = "wheel", axle: str = "axle", friction: Any = None, x: str | int = 0, **keys: Any
 ) -> str:
-    """A body about its centre, pinned to the ground at (x, 0); `friction` of the bearing: a couple or a table."""
+    """A body about its centre, pinned to the ground at (x, 0); `friction`: a couple, or the table of it."""
     key = "friction" if isinstance(friction, dict) else "friction_couple"
     pin = {"pin": [f"{name}.center", "ground"]} | ({} if friction is None else {key: friction})
     return body(name, at=[x, 0], **keys) + f"joints.{axle} = {inline(pin)}\n"
