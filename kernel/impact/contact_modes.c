@@ -50,7 +50,30 @@ int pm_contact_modes_close(pm_workspace *w, int contact, int member, int *slot)
     return PM_OK;
 }
 
-static int slides(int mode) { return mode == PM_SLIDE_FORWARD || mode == PM_SLIDE_BACKWARD; }
+int pm_contact_modes_slides(int mode) { return mode == PM_SLIDE_FORWARD || mode == PM_SLIDE_BACKWARD; }
+
+/* The constraints of the member in a slot; what is open has them, too. */
+static void constraints_of(const pm_workspace *w, int slot, pm_constraint *normal, pm_constraint *tangent)
+{
+    pm_contact_constraint_both(&w->frame, pm_contact_of_slot(w->model, slot), slot,
+                               w->state.slot[slot].member, normal, tangent);
+}
+
+pm_constraint pm_contact_modes_normal(const pm_workspace *w, int slot)
+{
+    pm_constraint normal, tangent;
+    constraints_of(w, slot, &normal, &tangent);
+    pm_constraint_kind(normal.kind)->evaluate(&w->frame, &normal);
+    return normal;
+}
+
+pm_constraint pm_contact_modes_tangent(const pm_workspace *w, int slot)
+{
+    pm_constraint normal, tangent;
+    constraints_of(w, slot, &normal, &tangent);
+    pm_constraint_kind(tangent.kind)->evaluate(&w->frame, &tangent);
+    return tangent;
+}
 
 /* The way a contact begins to slide: against the friction that would have held it. */
 static int slide_against(double friction) { return friction > 0 ? PM_SLIDE_BACKWARD : PM_SLIDE_FORWARD; }
@@ -63,7 +86,7 @@ static int hand_over(pm_workspace *w, int mode, int heir)
     int closed;
     if (w->state.slot[slot].mode != PM_OPEN) return PM_OK;
     const int status = pm_contact_modes_close(w, heir, PM_SEGMENT_FACE, &closed);
-    if (!status && mode == PM_STICK && slides(w->state.slot[closed].mode))
+    if (!status && mode == PM_STICK && pm_contact_modes_slides(w->state.slot[closed].mode))
         w->state.slot[closed].mode = PM_STICK;
     return status;
 }
@@ -82,7 +105,8 @@ static int pass_end(pm_workspace *w, int slot)
         return heir == PM_NONE ? PM_OK : hand_over(w, mode, heir);
     }
     s->member = next;
-    if (slides(s->mode)) s->mode = s->mode == PM_SLIDE_FORWARD ? PM_SLIDE_BACKWARD : PM_SLIDE_FORWARD;
+    if (pm_contact_modes_slides(s->mode))
+        s->mode = s->mode == PM_SLIDE_FORWARD ? PM_SLIDE_BACKWARD : PM_SLIDE_FORWARD;
     pm_active_set_anchor(w, &w->state, slot);
     return PM_OK;
 }
@@ -135,40 +159,53 @@ static double force_size(const pm_workspace *w)
     return fmax(sum, pm_case_force(w));
 }
 
-/* The worst pulling contact is let go; 1 if there was one. */
-static int let_go(pm_workspace *w, double size)
+int pm_contact_modes_pulling(pm_workspace *w, const double *load, int site, double size)
 {
     int worst = PM_NONE;
     double least = -SLACK * size;
     for (int i = 0; i < w->model->nslot; i++) {
-        if (w->active.slot_normal[i] == PM_NONE) continue;
-        pm_evidence_sign(w, PM_SITE_PULLS, i, w->frame.lambda[w->active.slot_normal[i]], size);
-        if (w->frame.lambda[w->active.slot_normal[i]] >= least) continue;
-        least = w->frame.lambda[w->active.slot_normal[i]];
+        const int normal = w->active.slot_normal[i];
+        if (normal == PM_NONE) continue;
+        pm_evidence_sign(w, site, i, load[normal], size);
+        if (load[normal] >= least) continue;
+        if (site == PM_SITE_PULLS_IN_BLOW && w->event->spent[pm_contact_of_slot(w->model, i)]) continue;
+        least = load[normal];
         worst = i;
     }
-    if (worst == PM_NONE) return 0;
-    w->state.slot[worst].mode = PM_OPEN;
-    w->instant.slot_released[worst] = LET_GO;
+    return worst;
+}
+
+int pm_contact_modes_overcome(pm_workspace *w, const double *load, int site, double size)
+{
+    for (int i = 0; i < w->model->nslot; i++) {
+        const int contact = pm_contact_of_slot(w->model, i);
+        if (w->active.slot_tangent[i] == PM_NONE || w->active.slot_normal[i] == PM_NONE) continue;
+        if (pm_contact_friction(w->model, contact) != PM_FRICTION_COULOMB) continue;
+        const double room = pm_contact_static(&w->frame, contact) * load[w->active.slot_normal[i]] -
+                            fabs(load[w->active.slot_tangent[i]]);
+        pm_evidence_sign(w, site, i, room, size);
+        if (!(room >= -SLACK * size)) return i;
+    }
+    return PM_NONE;
+}
+
+/* The worst pulling contact is let go; 1 if there was one. */
+static int let_go(pm_workspace *w, double size)
+{
+    const int slot = pm_contact_modes_pulling(w, w->frame.lambda, PM_SITE_PULLS, size);
+    if (slot == PM_NONE) return 0;
+    w->state.slot[slot].mode = PM_OPEN;
+    w->instant.slot_released[slot] = LET_GO;
     return 1;
 }
 
 /* The first sticking contact that needs more than mu N begins to slide; 1 if there was one. */
 static int slide(pm_workspace *w, double size)
 {
-    for (int i = 0; i < w->model->nslot; i++) {
-        const int contact = pm_contact_of_slot(w->model, i);
-        if (w->active.slot_tangent[i] == PM_NONE || w->active.slot_normal[i] == PM_NONE) continue;
-        if (pm_contact_friction(w->model, contact) != PM_FRICTION_COULOMB) continue;
-        const double friction = w->frame.lambda[w->active.slot_tangent[i]],
-                     normal = w->frame.lambda[w->active.slot_normal[i]];
-        const double room = pm_contact_static(&w->frame, contact) * normal - fabs(friction);
-        pm_evidence_sign(w, PM_SITE_SLIDES, i, room, size);
-        if (room >= -SLACK * size) continue;
-        w->state.slot[i].mode = slide_against(friction);
-        return 1;
-    }
-    return 0;
+    const int slot = pm_contact_modes_overcome(w, w->frame.lambda, PM_SITE_SLIDES, size);
+    if (slot == PM_NONE) return 0;
+    w->state.slot[slot].mode = slide_against(w->frame.lambda[w->active.slot_tangent[slot]]);
+    return 1;
 }
 
 /* A contact let go by this search whose pair would now approach is closed again; 1 if there was one. */
@@ -176,15 +213,13 @@ static int close_again(pm_workspace *w)
 {
     for (int i = 0; i < w->model->nslot; i++) {
         if (w->state.slot[i].mode != PM_OPEN || w->instant.slot_released[i] != LET_GO) continue;
-        pm_constraint normal, tangent;
-        const int contact = pm_contact_of_slot(w->model, i), member = w->state.slot[i].member;
-        pm_contact_constraint_both(&w->frame, contact, i, member, &normal, &tangent);
-        pm_constraint_kind(normal.kind)->evaluate(&w->frame, &normal);
+        const pm_constraint normal = pm_contact_modes_normal(w, i);
         const double acceleration = pm_saddle_times(&w->frame, &normal, w->frame.a) - normal.gamma;
         if (acceleration >= -SLACK * (hypot(w->numbers.gravity[0], w->numbers.gravity[1]) +
                                       w->numbers.speed * w->numbers.speed / w->numbers.size))
             continue;
-        w->state.slot[i].mode = pm_contact_modes_of_slip(w, contact, member);
+        w->state.slot[i].mode =
+            pm_contact_modes_of_slip(w, pm_contact_of_slot(w->model, i), w->state.slot[i].member);
         w->instant.slot_released[i] = FOR_GOOD; /* once only: no cycles */
         return 1;
     }
@@ -223,8 +258,10 @@ static void mark_grips(pm_workspace *w)
     for (int k = 0; k < w->model->nfriction && w->result.count[PM_COUNT_EVENTS] > 0; k++) {
         const int before = w->instant.friction_before[k], now = w->state.friction[k],
                   joint = pm_joint_friction_joint(w->model, k);
-        if (before == PM_STICK && slides(now)) pm_trigger_mark(w, PM_TRIGGER_JOINT_SLIP, joint);
-        if (slides(before) && now == PM_STICK) pm_trigger_mark(w, PM_TRIGGER_JOINT_STICK, joint);
+        if (before == PM_STICK && pm_contact_modes_slides(now))
+            pm_trigger_mark(w, PM_TRIGGER_JOINT_SLIP, joint);
+        if (pm_contact_modes_slides(before) && now == PM_STICK)
+            pm_trigger_mark(w, PM_TRIGGER_JOINT_STICK, joint);
     }
 }
 
@@ -237,9 +274,11 @@ void pm_contact_modes_mark(pm_workspace *w)
         const int now = was_closed_with(w, w->state.slot, contact, w->instant.slot_before[i].member);
         if (now == PM_NONE)
             pm_trigger_mark(w, PM_TRIGGER_OPEN, contact);
-        else if (slides(w->state.slot[now].mode) && !slides(w->instant.slot_before[i].mode))
+        else if (pm_contact_modes_slides(w->state.slot[now].mode) &&
+                 !pm_contact_modes_slides(w->instant.slot_before[i].mode))
             pm_trigger_mark(w, PM_TRIGGER_SLIP, contact);
-        else if (!slides(w->state.slot[now].mode) && slides(w->instant.slot_before[i].mode))
+        else if (!pm_contact_modes_slides(w->state.slot[now].mode) &&
+                 pm_contact_modes_slides(w->instant.slot_before[i].mode))
             pm_trigger_mark(w, PM_TRIGGER_STICK, contact);
     }
 }

@@ -2,6 +2,7 @@
 #ifndef PM_CONTACT_MODES_H
 #define PM_CONTACT_MODES_H
 
+#include "elements/constraint.h"
 #include "state/workspace.h"
 
 /* Opens an instant: remembers the modes, applies what the located events say (a normal force vanished: open; the grip
@@ -17,5 +18,17 @@ int pm_contact_modes_close(pm_workspace *w, int contact, int member, int *slot);
 int pm_contact_modes_released(const pm_workspace *w, int contact, int member);
 /* The mode of a closed contact with its present slip. */
 int pm_contact_modes_of_slip(pm_workspace *w, int contact, int member);
+/* A mode that slides, either way. */
+int pm_contact_modes_slides(int mode);
+
+/* The constraints of a slot's contact along the normal and the tangent, active or not, evaluated at the frame. */
+pm_constraint pm_contact_modes_normal(const pm_workspace *w, int slot);
+pm_constraint pm_contact_modes_tangent(const pm_workspace *w, int slot);
+
+/* For forces and for impulses: load[] of the active rows, of that size; decisions are noted at `site` (enum pm_evidence_site).
+ * The slot whose normal load pulls most, or PM_NONE if none does by more than rounding. */
+int pm_contact_modes_pulling(pm_workspace *w, const double *load, int site, double size);
+/* The first slot that sticks and whose tangential load is more than its friction can be, or PM_NONE. */
+int pm_contact_modes_overcome(pm_workspace *w, const double *load, int site, double size);
 
 #endif

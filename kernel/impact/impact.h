@@ -4,12 +4,18 @@
 
 #include "state/workspace.h"
 
+/* Memory of a blow. */
+int pm_impact_create(pm_workspace *w);
+void pm_impact_free(pm_workspace *w);
+
 /* Closes the contacts that touch and do not part, and resolves the blows at this instant: all of them, or, where the
  * settings want them one by one, the next; *jumped = how many.  The frame looks at w->state afterwards (KINEMATIC);
  * struck contacts' triggers are marked. */
 int pm_impact(pm_workspace *w, int *jumped);
 /* Blows come one by one, and there is a next one. */
 int pm_impact_goes_on(pm_workspace *w);
+/* The settings want blows one by one. */
+int pm_impact_one_by_one(const pm_model *m);
 /* Makes the velocities ones that all that holds allows: joints, contacts that rest and would approach, rough ones. */
 int pm_impact_hold(pm_workspace *w);
 

@@ -19,6 +19,7 @@
 #include "elements/contact.h"
 #include "equations/active_set.h"
 #include "equations/saddle.h"
+#include "impact/contact_modes.h"
 #include "state/workspace.h"
 
 #define STRETCHES 8    /* of constant rates: two phases, with one end of slip and one reversal at most */
@@ -27,17 +28,17 @@
 #define UNLIMITED INFINITY
 
 /* Where the blow is. */
-typedef struct pm_event_course {
+typedef struct pm_impact_place {
     double normal, slip;      /* m/s */
     double impulse, friction; /* N s, so far */
     double ratio;             /* dP_t/dP on this stretch */
     double rate_n, rate_t;    /* du/dP on it */
     double work;              /* normal, of the phase so far */
     int slips;
-} pm_event_course;
+} pm_impact_place;
 
 /* Rough: the slip is lost before any normal impulse. */
-static void grip_at_once(const pm_impact_course *x, pm_event_course *now)
+static void grip_at_once(const pm_impact_course *x, pm_impact_place *now)
 {
     if (isfinite(x->grip) || x->c <= 0) return;
     now->friction = -now->slip / x->c;
@@ -45,7 +46,7 @@ static void grip_at_once(const pm_impact_course *x, pm_event_course *now)
     now->slip = 0;
 }
 
-static void set_rates(const pm_impact_course *x, pm_event_course *now)
+static void set_rates(const pm_impact_course *x, pm_impact_place *now)
 {
     const int held = fabs(x->b) <= x->grip * x->c || x->b == 0;
     now->slips = now->slip != 0 || !held;
@@ -58,25 +59,25 @@ static void set_rates(const pm_impact_course *x, pm_event_course *now)
     if (fabs(now->rate_n) <= LOCKED * x->a) now->rate_n = 0;
 }
 
-static double until_slip_ends(const pm_event_course *now)
+static double until_slip_ends(const pm_impact_place *now)
 {
     return now->slip * now->rate_t < 0 ? -now->slip / now->rate_t : UNLIMITED;
 }
 
-static double until_speed(const pm_event_course *now, double speed)
+static double until_speed(const pm_impact_place *now, double speed)
 {
     return now->rate_n > 0 ? (speed - now->normal) / now->rate_n : UNLIMITED;
 }
 
 /* int (u + u' P) dP = work */
-static double until_work(const pm_event_course *now, double work)
+static double until_work(const pm_impact_place *now, double work)
 {
     const double square = now->normal * now->normal + 2 * now->rate_n * work;
     if (work <= 0) return 0;
     return square > 0 ? 2 * work / (now->normal + sqrt(square)) : UNLIMITED;
 }
 
-static void go(pm_event_course *now, double impulse)
+static void go(pm_impact_place *now, double impulse)
 {
     now->work += impulse * (now->normal + 0.5 * now->rate_n * impulse);
     now->normal += now->rate_n * impulse;
@@ -86,8 +87,8 @@ static void go(pm_event_course *now, double impulse)
 }
 
 /* Goes on to the end of the phase, which `until` measures; 0 if it has none. */
-static int follow_phase(const pm_impact_course *x, pm_event_course *now,
-                        double (*until)(const pm_event_course *, double), double bound)
+static int follow_phase(const pm_impact_course *x, pm_impact_place *now,
+                        double (*until)(const pm_impact_place *, double), double bound)
 {
     now->work = 0;
     for (int i = 0; i < STRETCHES; i++) {
@@ -102,11 +103,11 @@ static int follow_phase(const pm_impact_course *x, pm_event_course *now,
     return 0;
 }
 
-static double until_impulse(const pm_event_course *now, double impulse) { return impulse - now->impulse; }
+static double until_impulse(const pm_impact_place *now, double impulse) { return impulse - now->impulse; }
 
 int pm_impact_course_follow(const pm_impact_course *x, pm_impact_course_end *end)
 {
-    pm_event_course now = {.normal = x->normal, .slip = fabs(x->slip) > x->still ? x->slip : 0};
+    pm_impact_place now = {.normal = x->normal, .slip = fabs(x->slip) > x->still ? x->slip : 0};
     const double e = x->restitution;
     int ends = 1;
     grip_at_once(x, &now);
@@ -147,28 +148,26 @@ static void respond(pm_workspace *w, const pm_constraint *row, double *x)
     pm_saddle_spread(w, 0, x);
 }
 
-int pm_impact_course_read(pm_workspace *w, int slot, double *scratch, pm_impact_course *x)
+int pm_impact_course_read(pm_workspace *w, int slot, double *response, pm_impact_course *x)
 {
     const int contact = pm_contact_of_slot(w->model, slot);
     const int rough = pm_contact_friction(w->model, contact) == PM_FRICTION_ROUGH;
-    pm_constraint normal, tangent;
     const int status = w->active.n > 0 ? pm_saddle_factor(w) : PM_OK;
     if (w->numbers.massless) return pm_fail(w, PM_UNSUPPORTED, PM_TABLE_CONTACT, contact, NAN, NAN);
     if (status) return status;
-    pm_contact_constraint_both(&w->frame, contact, slot, w->state.slot[slot].member, &normal, &tangent);
-    pm_constraint_kind(normal.kind)->evaluate(&w->frame, &normal);
-    pm_constraint_kind(tangent.kind)->evaluate(&w->frame, &tangent);
+    const pm_constraint normal = pm_contact_modes_normal(w, slot),
+                        tangent = pm_contact_modes_tangent(w, slot);
     x->normal = pm_saddle_times(&w->frame, &normal, w->state.v);
     x->slip = pm_saddle_times(&w->frame, &tangent, w->state.v) - tangent.rate;
     x->grip = rough ? INFINITY : pm_contact_static(&w->frame, contact);
     x->rub = rough ? INFINITY : pm_contact_kinetic(&w->frame, contact);
     x->still = pm_contact_speed(&w->frame);
     x->law = pm_contact_law(w->model, contact);
-    respond(w, &normal, scratch);
-    x->a = pm_saddle_times(&w->frame, &normal, scratch);
-    respond(w, &tangent, scratch);
-    x->b = pm_saddle_times(&w->frame, &normal, scratch);
-    x->c = pm_saddle_times(&w->frame, &tangent, scratch);
+    respond(w, &normal, response);
+    x->a = pm_saddle_times(&w->frame, &normal, response);
+    respond(w, &tangent, response);
+    x->b = pm_saddle_times(&w->frame, &normal, response);
+    x->c = pm_saddle_times(&w->frame, &tangent, response);
     if (x->c <= IMMOBILE * x->a) x->b = x->c = 0;
     return PM_OK;
 }

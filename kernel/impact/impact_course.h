@@ -23,8 +23,8 @@ typedef struct pm_impact_course_end {
 /* Follows the blow to its end; 0 if the law has none: friction holds the pair so that it cannot part. */
 int pm_impact_course_follow(const pm_impact_course *x, pm_impact_course_end *end);
 /* Reads all of it but the restitution, of the contact in `slot` at the frame; the active rows are those of the joints
- * alone, evaluated.  scratch[nq]. */
-int pm_impact_course_read(pm_workspace *w, int slot, double *scratch, pm_impact_course *x);
+ * alone, evaluated.  response[nq] is scratch. */
+int pm_impact_course_read(pm_workspace *w, int slot, double *response, pm_impact_course *x);
 /* The law of the contact in `slot` is told from Newton's, or followed through changes of its slip. */
 int pm_impact_course_applies(const pm_workspace *w, int slot);
 

@@ -11,6 +11,7 @@
 #include "events/event.h"
 #include "events/watched_samples.h"
 #include "expression/program_fold.h"
+#include "impact/impact.h"
 #include "routes/path/repeat_record.h"
 #include "routes/start/perturbation.h"
 #include "state/arena.h"
@@ -84,6 +85,7 @@ static int create_rooms(pm_workspace *w)
     if (!status) status = pm_watched_samples_create(w);
     if (!status) status = pm_event_create(w);
     if (!status) status = pm_ask_create(w);
+    if (!status) status = pm_impact_create(w);
     if (!status) status = pm_tree_create(w);
     if (!status) status = pm_repeat_record_create(w);
     if (!status) status = pm_routes_create(w);
@@ -118,6 +120,7 @@ void pm_workspace_free(pm_workspace *w)
     pm_repeat_record_free(w);
     pm_tree_free(w);
     pm_watched_samples_free(w);
+    pm_impact_free(w);
     pm_ask_free(w);
     pm_event_free(w);
     pm_solve_cache_free(w);

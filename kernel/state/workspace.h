@@ -143,6 +143,7 @@ typedef struct pm_workspace {
     struct pm_event_set *event;
     struct pm_ask_set *ask;
     struct pm_watched_samples *watched;
+    struct pm_blow *blow;
     struct pm_path *path;
     struct pm_repeat *repeat;
     struct pm_uniform *uniform;
@@ -154,7 +155,7 @@ typedef struct pm_workspace {
     /* of one case that is recorded; NULL in a batch */
     struct pm_history *history;
     struct pm_phase_report *phase_report;
-    double *scratch; /* [8 (nq + nrow + nslot)] of start, impact and contact modes: nothing is kept in it */
+    double *scratch; /* [8 (nq + nrow + nslot)] of a start: nothing is kept in it */
     void *block;     /* owns the arrays above */
 } pm_workspace;
 

@@ -1,0 +1,145 @@
+/* impact_end.c - what a blow leaves: whether the laws allow it, its impulses, the modes after it. */
+#include <math.h>
+#include <string.h>
+
+#include "elements/contact.h"
+#include "elements/trigger.h"
+#include "equations/active_set.h"
+#include "equations/saddle.h"
+#include "impact/contact_modes.h"
+#include "impact/impact_parts.h"
+#include "state/evidence.h"
+#include "state/frame.h"
+#include "state/workspace.h"
+
+#define GAINS 1e-10 /* of the energies that a blow turns over: rounding */
+#define NOTHING \
+    1e-14 /* of its impulses at the scene's speed: a blow that turns over no more is rounding itself */
+
+/* ---- allowed ---- */
+/* Friction and restitution together may ask for more than the approach has: that is no blow.  The energy that contacts
+ * give, sum P (u + u')/2 relative to what drives prescribe. */
+static int gains(pm_workspace *w, const pm_blow *b)
+{
+    double given = 0, size = 0, nothing = 0;
+    int contact = PM_NONE;
+    for (int i = 0; i < w->active.n || w->active.row[i].normal != PM_NONE; i++) {
+        const pm_constraint *row = &w->active.row[i];
+        if (row->slot == PM_NONE || w->active.slot_normal[row->slot] == PM_NONE)
+            continue; /* captured: a joint */
+        const double p = i < w->active.n ? w->saddle.rhs[i]
+                                         : w->active.row[row->normal].slide * w->saddle.rhs[row->normal];
+        const double before = pm_impact_trial_rate(w, i),
+                     now = pm_saddle_times(&w->frame, row, b->after) - row->rate;
+        given += 0.5 * p * (before + now);
+        size += fabs(p * before) + fabs(p * now);
+        nothing += NOTHING * fabs(p) * w->numbers.speed;
+        contact = pm_contact_of_slot(w->model, row->slot);
+    }
+    return given <= GAINS * size + nothing ? PM_OK
+                                           : pm_fail(w, PM_BLOW_GAINS, PM_TABLE_CONTACT, contact, given, 0);
+}
+
+/* Several contacts that slide in one blow slide as they did before it: for a slip that would reverse on the way there is no
+ * law of all together. */
+static int reverses(pm_workspace *w, const pm_blow *b)
+{
+    for (int i = 0; i < w->model->nslot; i++) {
+        if (!pm_blow_has(b, i) || !pm_contact_modes_slides(b->trial[i])) continue;
+        const pm_constraint tangent = pm_contact_modes_tangent(w, i);
+        const double way = b->trial[i] == PM_SLIDE_FORWARD ? 1 : -1;
+        const double slip = way * (pm_saddle_times(&w->frame, &tangent, b->after) - tangent.rate);
+        pm_evidence_sign(w, PM_SITE_SLIP_LEFT, i, slip, w->numbers.speed);
+        if (slip < -pm_contact_speed(&w->frame))
+            return pm_fail(w, PM_BLOW_TURNS, PM_TABLE_CONTACT, pm_contact_of_slot(w->model, i), -slip, 0);
+    }
+    return PM_OK;
+}
+
+int pm_impact_end_check(pm_workspace *w, const pm_blow *b)
+{
+    const int status = b->alone == PM_NONE ? reverses(w, b) : PM_OK;
+    return status ? status : gains(w, b);
+}
+
+/* ---- impulses ---- */
+/* Of a captured pair, along the axes of the scene. */
+static void record_captured(pm_workspace *w, int slot)
+{
+    static const double axes[4] = {1, 0, 0, 1};
+    memcpy(w->impulses.slot_direction + 4 * slot, axes, sizeof axes);
+    for (int k = 0; k < 2; k++) {
+        const int active = w->active.slot_held[PM_JOINT_CONSTRAINTS * slot + k];
+        if (active != PM_NONE) w->impulses.slot[2 * slot + k] = w->saddle.rhs[active];
+    }
+}
+
+/* The tangential constraint of a slot, evaluated: the active one, or else *spare. */
+static const pm_constraint *tangent_of(const pm_workspace *w, int slot, pm_constraint *spare)
+{
+    if (w->active.slot_tangent[slot] != PM_NONE) return &w->active.row[w->active.slot_tangent[slot]];
+    *spare = pm_contact_modes_tangent(w, slot);
+    return spare;
+}
+
+void pm_impact_end_record(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    memset(w->impulses.joint, 0, (size_t)m->njoint_row * sizeof(double));
+    memset(w->impulses.slot, 0, 2 * (size_t)m->nslot * sizeof(double));
+    for (int i = 0; i < m->njoint_row; i++)
+        if (w->active.of_joint[i] != PM_NONE) w->impulses.joint[i] = w->saddle.rhs[w->active.of_joint[i]];
+    for (int i = 0; i < m->nslot; i++) {
+        if (w->state.slot[i].mode == PM_CAPTURED) record_captured(w, i);
+        if (w->active.slot_normal[i] == PM_NONE) continue;
+        pm_constraint spare;
+        pm_line_of_action along;
+        const pm_constraint *normal = &w->active.row[w->active.slot_normal[i]],
+                            *tangent = tangent_of(w, i, &spare);
+        const double p = w->saddle.rhs[w->active.slot_normal[i]];
+        w->impulses.slot[2 * i] = p;
+        w->impulses.slot[2 * i + 1] = w->active.slot_tangent[i] != PM_NONE
+                                          ? w->saddle.rhs[w->active.slot_tangent[i]]
+                                          : normal->slide * p;
+        pm_constraint_kind(normal->kind)->act(&w->frame, normal, &along);
+        memcpy(w->impulses.slot_direction + 4 * i, along.direction, sizeof along.direction);
+        pm_constraint_kind(tangent->kind)->act(&w->frame, tangent, &along);
+        memcpy(w->impulses.slot_direction + 4 * i + 2, along.direction, sizeof along.direction);
+    }
+}
+
+static int slid(const pm_workspace *w, int slot, const double *v)
+{
+    pm_constraint spare;
+    const pm_constraint *tangent = tangent_of(w, slot, &spare);
+    return fabs(pm_saddle_times(&w->frame, tangent, v) - tangent->rate) > pm_contact_speed(&w->frame);
+}
+
+/* ---- modes ---- */
+/* Modes after the blow: what parts is open; what stays is closed with the friction its slip asks for.  A struck contact
+ * that slid and stays without slip sticks from the blow on. */
+void pm_impact_end_modes(pm_workspace *w, const pm_blow *b)
+{
+    for (int i = 0; i < w->model->nslot; i++) {
+        const int contact = pm_contact_of_slot(w->model, i), member = w->state.slot[i].member;
+        double rate;
+        if (w->state.slot[i].mode == PM_CAPTURED) continue;
+        w->state.slot[i].mode = PM_OPEN;
+        if (b->share[i] == PM_OUT && b->resting[i] == PM_OPEN) continue;
+        pm_contact_member_gap(&w->frame, contact, member, &rate);
+        if (fabs(rate) > pm_contact_speed(&w->frame))
+            continue; /* parts, or is struck again by the next blow */
+        w->state.slot[i].mode = pm_contact_modes_of_slip(w, contact, member);
+        const int closed_here =
+            b->share[i] == PM_STRUCK && w->state.slot[i].mode != PM_CAPTURED; /* anchored then */
+        if (!closed_here && (b->share[i] != PM_OUT || w->state.slot[i].mode != b->resting[i]))
+            pm_active_set_anchor(w, &w->state, i);
+        if (b->share[i] == PM_STRUCK && pm_contact_restitution(&w->frame, contact) > 0) {
+            pm_trigger_countless(w, contact);
+            pm_evidence_part(w, contact);
+            pm_evidence_cut(w);
+        }
+        if (b->share[i] == PM_STRUCK && w->state.slot[i].mode == PM_STICK && slid(w, i, b->before))
+            pm_trigger_mark(w, PM_TRIGGER_STICK, contact);
+    }
+}
