@@ -10,7 +10,6 @@
 #include "events/watched_samples.h"
 #include "expression/program.h"
 #include "numerics/bracket.h"
-#include "numerics/minimum.h"
 #include "state/evidence.h"
 #include "state/route.h"
 #include "state/workspace.h"
@@ -40,7 +39,7 @@ int pm_ask_create(pm_workspace *w)
     a->sample = calloc(pm_ask_numbers(w->model) + 1, sizeof *a->sample);
     a->undefined = calloc(nask + 2 * nout + 1, 1);
     a->solver = pm_bracket_create();
-    a->minimum = pm_minimum_create();
+    a->minimum = pm_bracket_minimum_create();
     if (!a->observer || !a->sample || !a->undefined || !a->solver || !a->minimum) return PM_NO_MEMORY;
     a->switches = a->observer + nask;
     a->dips = a->switches + nask;
@@ -76,7 +75,7 @@ void pm_ask_free(pm_workspace *w)
     free(w->ask->sample);
     free(w->ask->undefined);
     pm_bracket_free(w->ask->solver);
-    pm_minimum_free(w->ask->minimum);
+    pm_bracket_minimum_free(w->ask->minimum);
     free(w->ask);
     w->ask = NULL;
 }
@@ -176,8 +175,9 @@ static double value_at(pm_workspace *w, double t, const pm_ask_watch *x)
            x->minus;
 }
 
-double pm_ask_along(pm_workspace *w, double t, void *context)
+double pm_ask_along(void *of, double t, void *context)
 {
+    pm_workspace *w = of;
     const pm_ask_watch *x = context;
     const double d = x->step;
     if (d == 0) return value_at(w, t, x);

@@ -76,7 +76,7 @@ typedef struct pm_ask_watch {
     double step;                /* > 0: the rate by differences instead of the value */
     struct pm_switches *branch; /* of the program; NULL: the one that is taken */
 } pm_ask_watch;
-double pm_ask_along(pm_workspace *w, double t, void *watch);
+double pm_ask_along(void *of, double t, void *watch);
 
 /* ---- events ---- */
 /* Keeps values before the jump; after it, answers the asks of events that have just fired. */

@@ -11,8 +11,9 @@
 #include "numerics/chebyshev_nodes.h"
 #include "state/workspace.h"
 
-static int exactly(pm_workspace *w, double t, void *context, double *value)
+static int exactly(void *of, double t, void *context, double *value)
 {
+    pm_workspace *w = of;
     const pm_ask_watch *x = context;
     const int status = pm_ask_look(w, t, 1);
     *value = pm_ask_value(w, x->program) - x->minus;
@@ -31,9 +32,12 @@ static int grid_in_step(pm_workspace *w, int ask)
             const double from = pm_step_node(w, i), to = pm_step_node(w, i + 1);
             if (!((a < 0 && b >= 0) || (a > 0 && b <= 0))) continue;
             double t, taken, off;
-            int status = pm_bracket_find(w, w->ask->solver, pm_ask_along, &x, from, a, to, b, &t);
+            int status =
+                pm_fail_search(w, pm_bracket_find(w->ask->solver, pm_ask_along, w, &x, from, a, to, b, &t));
             if (!status && t > w->step.end) continue; /* an instant comes before */
-            if (!status) status = pm_bracket_polish(w, pm_ask_along, exactly, &x, NAN, &t, &taken, &off);
+            if (!status)
+                status = pm_bracket_polish(pm_ask_along, exactly, w, &x, w->step.begin, w->step.end, NAN, &t,
+                                           &taken, &off);
             if (!status && taken != t) status = pm_ask_look(w, t, 1);
             if (status) return status;
             if (t <= w->step.end)

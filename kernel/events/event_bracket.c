@@ -20,6 +20,7 @@
 #include <math.h>
 
 #include "numerics/chebyshev.h"
+#include "numerics/tolerances.h"
 #include "state/workspace.h"
 
 #define ON_ZERO 1e-12 /* of a function's greatest size in the step: zero when the phase begins */

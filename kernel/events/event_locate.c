@@ -34,8 +34,8 @@ static int root_of_samples(pm_workspace *w, int i, const pm_span *x, double *pla
     double s, slope;
     pm_event_course of;
     pm_event_samples_take(w, i, &of);
-    const int status = pm_chebyshev_root(w, w->step.nodes, of.g, (x->a - begin) / h, x->ga,
-                                         (x->b - begin) / h, x->gb, &s, &slope);
+    const int status = pm_fail_search(w, pm_chebyshev_root(w->step.nodes, of.g, (x->a - begin) / h, x->ga,
+                                                           (x->b - begin) / h, x->gb, &s, &slope));
     *place = begin + s * h;
     w->event->function[i].slope = slope / h;
     return status;
@@ -49,13 +49,14 @@ int pm_event_locate_root(pm_workspace *w, int i, const pm_span *x, double *place
     if (!(x->b > x->a)) return PM_OK;
     if (!pm_event_samples_resolve(w, i)) pm_event_samples_of_member(w, i, x->b);
     if (pm_event_samples_resolve(w, i)) return root_of_samples(w, i, x, place);
-    return pm_bracket_find(w, e->solver, pm_event_samples_along, &e->function[i], x->a, x->ga, x->b, x->gb,
-                           place);
+    return pm_fail_search(w, pm_bracket_find(e->solver, pm_event_samples_along, w, &e->function[i], x->a,
+                                             x->ga, x->b, x->gb, place));
 }
 
 /* ---- on exact states ---- */
-static int exactly(pm_workspace *w, double x, void *context, double *value)
+static int exactly(void *of, double x, void *context, double *value)
 {
+    pm_workspace *w = of;
     const pm_event_function *f = context;
     const int status = pm_step_look_exactly(w, x, f->level);
     if (!status) *value = pm_event_value(w, f);
@@ -99,11 +100,15 @@ static int polish(pm_workspace *w, int i, const pm_span *x, double slope, double
         *taken = *first;
         return status ? status : w->phase.route->exact(w, *first, &w->probe);
     }
-    if (!status) status = pm_bracket_polish(w, pm_event_samples_along, exactly, f, slope, first, taken, &off);
+    if (!status)
+        status = pm_bracket_polish(pm_event_samples_along, exactly, w, f, w->step.begin, w->step.end, slope,
+                                   first, taken, &off);
     if (status || !(fabs(off) > OFF * size) || !spectral) return status;
-    status = pm_bracket_find(w, w->event->solver, pm_event_samples_along, f, x->a, x->ga, x->b, x->gb, first);
+    status = pm_fail_search(
+        w, pm_bracket_find(w->event->solver, pm_event_samples_along, w, f, x->a, x->ga, x->b, x->gb, first));
     return status ? status
-                  : pm_bracket_polish(w, pm_event_samples_along, exactly, f, NAN, first, taken, &off);
+                  : pm_bracket_polish(pm_event_samples_along, exactly, w, f, w->step.begin, w->step.end, NAN,
+                                      first, taken, &off);
 }
 
 /* ---- what it is there ---- */

@@ -190,8 +190,9 @@ int pm_event_samples_fill(pm_workspace *w, int with_functions)
 }
 
 /* ---- the samples of one function ---- */
-double pm_event_samples_along(pm_workspace *w, double x, void *function)
+double pm_event_samples_along(void *of, double x, void *function)
 {
+    pm_workspace *w = of;
     const pm_event_function *f = function;
     if (pm_step_look(w, x, f->level)) return NAN;
     return pm_event_value(w, f);

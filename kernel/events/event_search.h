@@ -16,7 +16,7 @@ int pm_event_samples_fill(pm_workspace *w, int with_functions);
 /* 1 if the samples of function i show it between the nodes, too. */
 int pm_event_samples_resolve(const pm_workspace *w, int i);
 /* Value of a function (pm_event_function) at x, on the dense output; not a number where the route cannot look. */
-double pm_event_samples_along(pm_workspace *w, double x, void *function);
+double pm_event_samples_along(void *of, double x, void *function);
 
 /* Locates the functions, which have been sampled, that fire first after `from`: w->event->hit, *first the place (INFINITY:
  * none), *taken where w->probe holds an exact state. */

@@ -8,6 +8,7 @@
 #include "events/watched_samples.h"
 #include "numerics/chebyshev.h"
 #include "numerics/minmax.h"
+#include "numerics/tolerances.h"
 #include "state/workspace.h"
 
 #define NEARLY_FLAT 0.1 /* of the spread in a step: a slope between nodes that may have either sign */

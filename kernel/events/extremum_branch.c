@@ -108,8 +108,9 @@ typedef struct pm_extremum_switch {
     pm_switches here;
 } pm_extremum_switch;
 
-static double argument(pm_workspace *w, double t, void *context)
+static double argument(void *of, double t, void *context)
 {
+    pm_workspace *w = of;
     pm_extremum_switch *x = context;
     if (pm_ask_look(w, t, 1)) return NAN;
     pm_watched_samples_here(w, pm_ask_program(PM_ASK_ROW(w->model, x->peak->ask)), &x->here);
@@ -131,10 +132,13 @@ static int offer_switch(pm_workspace *w, const pm_extremum *p, const pm_extremum
     pm_extremum_switch x = {.peak = p, .i = i};
     *t = fabs(fa) < fabs(fb) ? from : to;
     if (!(fa * fb < 0)) return PM_OK;
-    int status = pm_bracket_find(w, w->ask->solver, argument, &x, from, fa, to, fb, t);
-    if (status == PM_SOLVER) w->ask->undefined[p->ask] = 1; /* it has no value somewhere */
-    if (status) return status == PM_SOLVER ? PM_OK : status;
-    status = offer_at(w, p, *t);
+    const int end = pm_bracket_find(w->ask->solver, argument, w, &x, from, fa, to, fb, t);
+    if (end == PM_SEARCH_NO_NUMBER) {
+        w->ask->undefined[p->ask] = 1; /* it has no value somewhere */
+        return PM_OK;
+    }
+    int status = pm_fail_search(w, end);
+    if (!status) status = offer_at(w, p, *t);
     const double beside = BESIDE * (to - from);
     if (!status && b->at.jumps[i]) status = offer_at(w, p, *t - beside);
     if (!status && b->at.jumps[i]) status = offer_at(w, p, *t + beside);

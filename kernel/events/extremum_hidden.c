@@ -13,6 +13,7 @@
 #include "numerics/bracket.h"
 #include "numerics/chebyshev.h"
 #include "numerics/minmax.h"
+#include "numerics/tolerances.h"
 #include "state/workspace.h"
 
 #define BENDS 0.8  /* of the bend that a parabola would have */
@@ -62,8 +63,9 @@ static pm_extremum_slope slope_of_fit(pm_workspace *w, const pm_extremum *p, dou
     return x;
 }
 
-static double rate_of_fit(pm_workspace *w, double s, void *context)
+static double rate_of_fit(void *of, double s, void *context)
 {
+    pm_workspace *w = of;
     const pm_extremum *const *p = context;
     return slope_of_fit(w, *p, s).rate;
 }
@@ -74,7 +76,8 @@ static int top_of_fit(pm_workspace *w, const pm_extremum *p, const pm_extremum_s
 {
     const pm_chebyshev_nodes *nodes = w->step.nodes;
     double s;
-    const int status = pm_bracket_find(w, w->ask->solver, rate_of_fit, &p, a->s, a->rate, b->s, b->rate, &s);
+    const int status = pm_fail_search(
+        w, pm_bracket_find(w->ask->solver, rate_of_fit, w, &p, a->s, a->rate, b->s, b->rate, &s));
     if (status) return status;
     int k = pm_extremum_rise_interval(nodes, s);
     if (nodes->at[k + 1] - s < s - nodes->at[k]) k++;

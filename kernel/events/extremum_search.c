@@ -7,7 +7,6 @@
 #include "events/extremum_parts.h"
 #include "events/step.h"
 #include "numerics/bracket.h"
-#include "numerics/minimum.h"
 #include "numerics/minmax.h"
 #include "state/workspace.h"
 
@@ -68,13 +67,15 @@ static int top_between(pm_workspace *w, const pm_extremum *p, const pm_extremum_
     t = pm_extremum_place(w, s);
     const double unit =
         p->sign / (w->step.sampled_end - w->step.begin); /* the rate in time, of the value as it is */
-    const int status = climbs
-                           ? PM_OK
-                           : pm_bracket_find(w, w->ask->solver, pm_ask_along, &x, pm_extremum_place(w, a->s),
+    const int end = climbs ? PM_SEARCH_FOUND
+                           : pm_bracket_find(w->ask->solver, pm_ask_along, w, &x, pm_extremum_place(w, a->s),
                                              unit * a->rate, pm_extremum_place(w, b->s), unit * b->rate, &t);
-    if (status == PM_SOLVER && !p->branch)
-        w->ask->undefined[p->ask] = 1; /* it takes finite rates: there is none somewhere */
-    if (status) return status == PM_SOLVER ? PM_OK : status;
+    if (end == PM_SEARCH_NO_NUMBER) {
+        if (!p->branch) w->ask->undefined[p->ask] = 1; /* it takes finite rates: there is none somewhere */
+        return PM_OK;
+    }
+    const int status = pm_fail_search(w, end);
+    if (status) return status;
     return pm_extremum_offer_at(w, p, t);
 }
 
@@ -115,8 +116,9 @@ int pm_extremum_search_values(pm_workspace *w, const pm_extremum *p, const pm_ex
     pm_valley in;
     *found = top_of_three(w->step.nodes, p->g, top, &in);
     if (!*found) return PM_OK;
-    const double s =
-        pm_minimum_find(w->ask->minimum, depth, &context, &in, &(pm_closeness){SEARCHES, CLOSE, 0});
+    double
+        s; /* the best place counts, however close: values differ by rounding there long before places do */
+    pm_bracket_minimum(w->ask->minimum, depth, &context, &in, &(pm_closeness){SEARCHES, CLOSE, 0}, &s);
     if (s > p->end) return PM_OK;
     return pm_extremum_offer_at(w, p, pm_extremum_place(w, s));
 }

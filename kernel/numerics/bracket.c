@@ -1,26 +1,21 @@
-/* bracket.c - roots of functions of time along a step.
+/* bracket.c - roots and minima of functions of one variable.
  *
  * Newton's method: where it would leave the bracket, or gains less than a bisection, the bracket is halved instead.  Its
  * shifts d fall by squares: the next one is d (d / d_before)^2. */
 #include "numerics/bracket.h"
 
 #include <gsl/gsl_errno.h>
+#include <gsl/gsl_min.h>
 #include <gsl/gsl_roots.h>
 #include <math.h>
 
-#include "state/workspace.h"
+#include "numerics/tolerances.h"
 
-#define ITERATIONS 100
-#define ROUNDING 2.3e-16
-#define NOTHING 1e-16   /* of the bracket: a shift that gains nothing */
-#define POLISH 6        /* exact states taken to polish a root */
-#define SLOPE_STEP 1e-4 /* of the step: distance of the difference that makes a slope */
-#define FAR 0.1         /* of the step: a shift this long is no polish */
+#define POLISH 6 /* exact values taken to polish a root: the secant method needs three */
 
 typedef struct pm_bracket_call {
-    pm_workspace *w;
     pm_along *f;
-    void *context;
+    void *of, *context;
     double a, fa, b, fb;
 } pm_bracket_call;
 
@@ -30,79 +25,83 @@ static double call(double t, void *x)
     const pm_bracket_call *c = x;
     if (t == c->a) return c->fa;
     if (t == c->b) return c->fb;
-    return c->f(c->w, t, c->context);
+    return c->f(c->of, t, c->context);
 }
 
-int pm_bracket_find(pm_workspace *w, void *solver, pm_along *f, void *context, double a, double fa, double b,
+/* GSL may well go wrong where the function is not a number: what it then says is one thing here. */
+static int end_of(int status) { return status ? PM_SEARCH_NO_NUMBER : PM_SEARCH_FOUND; }
+
+int pm_bracket_find(void *solver, pm_along *f, void *of, void *context, double a, double fa, double b,
                     double fb, double *root)
 {
-    pm_bracket_call c = {w, f, context, a, fa, b, fb};
+    pm_bracket_call c = {f, of, context, a, fa, b, fb};
     gsl_function function = {.function = call, .params = &c};
     *root = fa == 0 ? a : b;
-    if (fa == 0 || fb == 0) return PM_OK;
+    if (fa == 0 || fb == 0) return PM_SEARCH_FOUND;
     int status = gsl_root_fsolver_set(solver, &function, a, b);
-    for (int i = 0; i < ITERATIONS && !status; i++) {
+    for (int i = 0; i < PM_BRACKET_VALUES && !status; i++) {
         status = gsl_root_fsolver_iterate(solver);
         *root = gsl_root_fsolver_root(solver);
         const double low = gsl_root_fsolver_x_lower(solver), high = gsl_root_fsolver_x_upper(solver);
-        if (high - low <= 4 * ROUNDING * fmax(fabs(low), fabs(high)) || high - low <= 1e-14 * fabs(b - a))
-            break;
+        if (high - low <= 4 * PM_EPSILON * fmax(fabs(low), fabs(high)) ||
+            high - low <= PM_BRACKET_WIDTH * fabs(b - a))
+            return end_of(status);
     }
-    return status ? pm_fail(w, PM_SOLVER, PM_NONE, PM_NONE, status, 0) : PM_OK;
+    return status ? end_of(status) : PM_SEARCH_TOO_MANY;
 }
 
-int pm_bracket_newton(pm_workspace *w, pm_sloped *f, void *context, double a, double fa, double b, double fb,
+int pm_bracket_newton(pm_sloped *f, void *of, void *context, double a, double fa, double b, double fb,
                       double *root)
 {
     double low = a, high = b, last = fabs(b - a), slope;
     int quadratic = 0; /* the last shift was Newton's, too */
     *root = fa == 0 ? a : b;
-    if (fa == 0 || fb == 0) return PM_OK;
+    if (fa == 0 || fb == 0) return PM_SEARCH_FOUND;
     *root = a + (b - a) * (fa / (fa - fb));
-    for (int i = 0; i < ITERATIONS; i++) {
-        const double x = *root, value = f(w, x, context, &slope);
-        if (isnan(value)) return pm_fail(w, PM_SOLVER, PM_NONE, PM_NONE, i, ITERATIONS);
-        if (value == 0) break;
+    for (int i = 0; i < PM_BRACKET_VALUES; i++) {
+        const double x = *root, value = f(of, x, context, &slope);
+        if (isnan(value)) return PM_SEARCH_NO_NUMBER;
+        if (value == 0) return PM_SEARCH_FOUND;
         *((value > 0) == (fa > 0) ? &low : &high) = x;
         const double shift = -value / slope, inside = (x + shift - low) * (high - x - shift);
-        const double nothing = fmax(ROUNDING * fabs(x), NOTHING * fabs(b - a));
-        if (fabs(shift) <= nothing) break;
+        const double nothing = fmax(PM_EPSILON * fabs(x), PM_BRACKET_NOTHING * fabs(b - a));
+        if (fabs(shift) <= nothing) return PM_SEARCH_FOUND;
         const int gains = inside > 0 && fabs(shift) <= 0.5 * last;
         *root = gains ? x + shift : 0.5 * (low + high);
         const double size = fabs(*root - x),
                      next = quadratic && gains ? size * (size / last) * (size / last) : size;
-        if (next <= nothing) break;
+        if (next <= nothing) return PM_SEARCH_FOUND;
         quadratic = gains;
         last = size;
     }
-    return PM_OK;
+    return PM_SEARCH_TOO_MANY;
 }
 
-static double slope_at(pm_workspace *w, pm_along *f, void *context, double t, double d)
+static double slope_at(pm_along *f, void *of, void *context, double x, double d)
 {
-    return (f(w, t + d, context) - f(w, t - d, context)) / (2 * d);
+    return (f(of, x + d, context) - f(of, x - d, context)) / (2 * d);
 }
 
-int pm_bracket_polish(pm_workspace *w, pm_along *f, pm_exactly *exactly, void *context, double slope,
-                      double *t, double *taken, double *off)
+int pm_bracket_polish(pm_along *f, pm_exactly *exactly, void *of, void *context, double begin, double end,
+                      double slope, double *x, double *taken, double *off)
 {
-    const double h = w->step.end - w->step.begin, rounding = ROUNDING * fabs(*t) + 1e-15 * h;
-    double best = INFINITY, value, last = 0, place = *t;
-    if (isnan(slope)) slope = slope_at(w, f, context, *t, SLOPE_STEP * h);
+    const double h = end - begin, rounding = PM_EPSILON * fabs(*x) + PM_BRACKET_POLISHED * h;
+    double best = INFINITY, value, last = 0, place = *x;
+    if (isnan(slope)) slope = slope_at(f, of, context, *x, PM_BRACKET_SLOPE_STEP * h);
     for (int i = 0; i < POLISH; i++) {
-        *taken = *t;
-        const int status = exactly(w, *t, context, &value);
+        *taken = *x;
+        const int status = exactly(of, *x, context, &value);
         if (status) return status;
         *off = value;
-        if (i > 0 && value != last && *t != place) slope = (value - last) / (*t - place); /* secant */
+        if (i > 0 && value != last && *x != place) slope = (value - last) / (*x - place); /* secant */
         const double shift = slope != 0 ? -value / slope : 0;
-        if (!(fabs(value) < best) || fabs(shift) <= rounding || fabs(shift) > FAR * h) break;
+        if (!(fabs(value) < best) || fabs(shift) <= rounding || fabs(shift) > PM_BRACKET_FAR * h) break;
         best = fabs(value);
         last = value;
-        place = *t;
-        *t = fmin(fmax(*t + shift, w->step.begin), w->step.end);
+        place = *x;
+        *x = fmin(fmax(*x + shift, begin), end);
     }
-    return PM_OK;
+    return 0;
 }
 
 void *pm_bracket_create(void)
@@ -114,4 +113,32 @@ void *pm_bracket_create(void)
 void pm_bracket_free(void *solver)
 {
     if (solver) gsl_root_fsolver_free(solver);
+}
+
+/* ---- minima ---- */
+int pm_bracket_minimum(void *solver, double (*f)(double, void *), void *context, const pm_valley *in,
+                       const pm_closeness *to, double *place)
+{
+    gsl_function function = {.function = f, .params = context};
+    *place = in->x;
+    int status =
+        gsl_min_fminimizer_set_with_values(solver, &function, in->x, in->fx, in->a, in->fa, in->b, in->fb);
+    for (int i = 0; i < to->values && !status; i++) {
+        status = gsl_min_fminimizer_iterate(solver);
+        *place = gsl_min_fminimizer_x_minimum(solver);
+        const double low = gsl_min_fminimizer_x_lower(solver), high = gsl_min_fminimizer_x_upper(solver);
+        if (high - low <= to->absolute + to->relative * fmax(fabs(low), fabs(high))) return end_of(status);
+    }
+    return status ? end_of(status) : PM_SEARCH_TOO_MANY;
+}
+
+void *pm_bracket_minimum_create(void)
+{
+    gsl_set_error_handler_off();
+    return gsl_min_fminimizer_alloc(gsl_min_fminimizer_brent);
+}
+
+void pm_bracket_minimum_free(void *solver)
+{
+    if (solver) gsl_min_fminimizer_free(solver);
 }

@@ -5,6 +5,7 @@
 #include "numerics/chebyshev.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #include "numerics/bracket.h"
 #include "numerics/lanes.h"
@@ -118,20 +119,20 @@ double pm_chebyshev_slope(const pm_chebyshev_nodes *nodes, const double *value, 
     return (*here * steeper - steep) / below;
 }
 
-static double at(pm_workspace *w, double s, void *context, double *slope)
+static double at(void *polynomial, double s, void *context, double *slope)
 {
-    pm_polynomial *p = context;
+    pm_polynomial *p = polynomial;
     double here;
-    (void)w;
+    (void)context;
     *slope = p->slope = pm_chebyshev_slope(p->nodes, p->value, s, &here);
     return here;
 }
 
-int pm_chebyshev_root(pm_workspace *w, const pm_chebyshev_nodes *nodes, const double *value, double a,
-                      double fa, double b, double fb, double *s, double *slope)
+int pm_chebyshev_root(const pm_chebyshev_nodes *nodes, const double *value, double a, double fa, double b,
+                      double fb, double *s, double *slope)
 {
     pm_polynomial p = {nodes, value, NAN};
-    const int status = pm_bracket_newton(w, at, &p, a, fa, b, fb, s);
+    const int status = pm_bracket_newton(at, &p, NULL, a, fa, b, fb, s);
     *slope = p.slope;
     return status;
 }

@@ -4,9 +4,6 @@
 #define PM_CHEBYSHEV_H
 
 #include "numerics/chebyshev_nodes.h"
-#include "state/workspace.h"
-
-#define PM_CHEBYSHEV_SMOOTH 1e-3 /* tail of what has no corners, and no waves between the nodes */
 
 double pm_chebyshev_value(const pm_chebyshev_nodes *nodes, const double *node_value, int stride, double s);
 /* Its slope (by s) at a node. */
@@ -24,8 +21,8 @@ double pm_chebyshev_high(const pm_chebyshev_nodes *nodes, const double *node_val
 /* How far the highest coefficients stand off from the largest: about the relative error of the polynomial. */
 double pm_chebyshev_tail(const pm_chebyshev_nodes *nodes, const double *node_value);
 /* A root between a and b, where it takes the values fa and fb of different sign; *slope: next to it, not a number where one
- * of these is zero. */
-int pm_chebyshev_root(pm_workspace *w, const pm_chebyshev_nodes *nodes, const double *node_value, double a,
-                      double fa, double b, double fb, double *s, double *slope);
+ * of these is zero.  Returns enum pm_search_end (bracket.h). */
+int pm_chebyshev_root(const pm_chebyshev_nodes *nodes, const double *node_value, double a, double fa,
+                      double b, double fb, double *s, double *slope);
 
 #endif

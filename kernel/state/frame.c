@@ -8,8 +8,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "state/workspace.h"
-
 /* Cosine and sine of an angle: it is often the one of the last look. */
 static void look_up_turn(double turn[3], double *pose)
 {
@@ -47,17 +45,16 @@ void pm_frame_look(pm_frame *frame, double t, const double *q, const double *v, 
     f->pose[5 * n + 3] = 1; /* the ground: all else stays 0 */
 }
 
-void pm_frame_look_placed(pm_workspace *w, const double *q, const double *v)
+void pm_frame_look_placed(pm_frame *frame, const pm_state *s, const double *q, const double *v)
 {
-    pm_frame *f = &w->frame;
-    f->t = w->state.t;
-    f->q = q;
-    f->v = v;
-    f->z = w->state.z;
-    f->memory = w->state.memory;
-    f->level = PM_LEVEL_KINEMATIC;
-    memcpy(f->velocity, v, (size_t)w->model->nq * sizeof *v);
-    f->pose[5 * w->model->nbody + 3] = 1;
+    frame->t = s->t;
+    frame->q = q;
+    frame->v = v;
+    frame->z = s->z;
+    frame->memory = s->memory;
+    frame->level = PM_LEVEL_KINEMATIC;
+    memcpy(frame->velocity, v, (size_t)frame->model->nq * sizeof *v);
+    frame->pose[5 * frame->model->nbody + 3] = 1;
 }
 
 void pm_frame_look_state(pm_frame *frame, const pm_state *s)

@@ -5,8 +5,6 @@
 #include "state/numbers.h"
 #include "state/state.h"
 
-typedef struct pm_workspace pm_workspace;
-
 /* A state looked at: positions of marks, forces, accelerations, reactions; filled as far as `level` says. */
 typedef struct pm_frame {
     const pm_model *model;
@@ -33,9 +31,10 @@ typedef struct pm_point {
 /* Looks at (t, q, v, z): poses and velocities of all bodies; level KINEMATIC. */
 void pm_frame_look(pm_frame *frame, double t, const double *q, const double *v, const double *z,
                    const pm_memory *memory);
-/* The same where the poses are there already: the tree has just placed the bodies at q. */
-void pm_frame_look_placed(pm_workspace *w, const double *q, const double *v);
 void pm_frame_look_state(pm_frame *frame, const pm_state *s);
+/* The same with q and v in the place of those of s, where the poses are there already: the tree has just placed the bodies
+ * at q. */
+void pm_frame_look_placed(pm_frame *frame, const pm_state *s, const double *q, const double *v);
 
 /* A mark at body axes (x, y) of `body` (nbody: the ground). */
 pm_point pm_frame_point(const pm_frame *frame, int body, double x, double y);

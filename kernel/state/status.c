@@ -1,6 +1,8 @@
 /* status.c - texts of statuses, and where a case failed. */
 #include <stdio.h>
 
+#include "numerics/bracket.h"
+#include "numerics/tolerances.h"
 #include "state/workspace.h"
 
 static const char *text_of(enum pm_status status)
@@ -54,4 +56,10 @@ int pm_fail(pm_workspace *w, int status, int table, int row, double value, doubl
 {
     w->result.where = (pm_where){table, row, PM_NONE, value, bound};
     return status;
+}
+
+int pm_fail_search(pm_workspace *w, int search_end)
+{
+    if (search_end == PM_SEARCH_FOUND) return PM_OK;
+    return pm_fail(w, PM_SOLVER, PM_NONE, PM_NONE, search_end, PM_BRACKET_VALUES);
 }

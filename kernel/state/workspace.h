@@ -9,6 +9,7 @@
 #include "state/numbers.h"
 #include "state/state.h"
 
+typedef struct pm_workspace pm_workspace;
 typedef struct pm_constraint pm_constraint; /* elements/constraint.h */
 struct pm_route_ops;
 struct pm_chebyshev_nodes;
@@ -115,7 +116,7 @@ typedef struct pm_result {
     pm_where where; /* of a failure */
 } pm_result;
 
-typedef struct pm_workspace {
+struct pm_workspace {
     const pm_model *model;
     const int32_t *stop; /* raised by another thread (run/run.h: pm_run_is_stopped), or NULL */
     pm_numbers numbers;
@@ -157,12 +158,14 @@ typedef struct pm_workspace {
     struct pm_phase_report *phase_report;
     double *scratch; /* [8 (nq + nrow + nslot)] of a start: nothing is kept in it */
     void *block;     /* owns the arrays above */
-} pm_workspace;
+};
 
 /* Memory of a workspace for the model, and of all rooms; PM_NO_MEMORY, and *workspace is NULL then. */
 int pm_workspace_create(const pm_model *model, pm_workspace **workspace);
 void pm_workspace_free(pm_workspace *w);
 /* Notes where the case failed, and by which numbers; returns the status. */
 int pm_fail(pm_workspace *w, int status, int table, int row, double value, double bound);
+/* The same where a search of numerics/bracket.h has ended: PM_OK if it has found, else PM_SOLVER. */
+int pm_fail_search(pm_workspace *w, int search_end);
 
 #endif

@@ -17,7 +17,7 @@
 
 #include "equations/case.h"
 #include "expression/program.h"
-#include "numerics/minimum.h"
+#include "numerics/bracket.h"
 #include "run/run.h"
 #include "state/workspace.h"
 
@@ -54,7 +54,7 @@ int pm_find_create(pm_workspace *w)
     f->found = calloc(2 * (size_t)nodes_of(f) + 2, sizeof *f->found);
     gsl_set_error_handler_off(); /* the default one aborts the process */
     f->root = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
-    f->minimum = pm_minimum_create();
+    f->minimum = pm_bracket_minimum_create();
     f->pair = pm_find_pair_create();
     return f->param && f->node && f->found && f->root && f->minimum && f->pair ? PM_OK : PM_NO_MEMORY;
 }
@@ -67,7 +67,7 @@ void pm_find_free(pm_workspace *w)
     free(f->node);
     free(f->found);
     if (f->root) gsl_root_fsolver_free(f->root);
-    pm_minimum_free(f->minimum);
+    pm_bracket_minimum_free(f->minimum);
     pm_find_pair_free(f->pair);
     free(f);
     w->find = NULL;

@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-#include "numerics/minimum.h"
+#include "numerics/bracket.h"
 #include "state/workspace.h"
 
 #define LEVELS 6    /* of the Richardson table */
@@ -87,7 +87,8 @@ static int corner(pm_workspace *w, double a, double b, pm_look *best)
     if (!status) status = goal_at(w, b, &fb);
     if (status) return status;
     const pm_valley in = {a, -fa, best->x[0], -best->goal, b, -fb};
-    const double x = pm_minimum_find(w->find->minimum, worse, w, &in, &(pm_closeness){ITERATIONS, 0, CLOSE});
+    double x; /* the best place counts, however close it is */
+    pm_bracket_minimum(w->find->minimum, worse, w, &in, &(pm_closeness){ITERATIONS, 0, CLOSE}, &x);
     return pm_find_look(w, &x, best);
 }
 

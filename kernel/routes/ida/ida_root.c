@@ -201,8 +201,9 @@ static double value_at(pm_workspace *w, double t, int i)
     return values_inside(w, t, w->ida->roots->latest) ? NAN : w->ida->roots->latest[i];
 }
 
-static double along(pm_workspace *w, double t, void *context)
+static double along(void *of, double t, void *context)
 {
+    pm_workspace *w = of;
     const pm_search *x = context;
     if (x->d > 0)
         return (value_at(w, t + x->d, x->function) - value_at(w, t - x->d, x->function)) / (2 * x->d);
@@ -240,7 +241,7 @@ static int dips(pm_workspace *w, int i, pm_ida_bracket *x)
     /* no lower than where the tangents meet */
     const double meet = (x->gb - x->ga - rb * h) / (ra - rb);
     if (s * (x->ga + ra * meet) > 0) return 0;
-    if (pm_bracket_find(w, w->event->solver, along, &rate, x->a, ra, x->b, rb, &turn)) return 0;
+    if (pm_bracket_find(w->event->solver, along, w, &rate, x->a, ra, x->b, rb, &turn)) return 0;
     x->b = turn;
     x->gb = value_at(w, turn, i);
     return s * x->gb <= 0;
@@ -320,7 +321,9 @@ static int unseen(pm_workspace *w, double end, double *first)
         if (!x->suspect[i] || !scan(w, i, node, &b)) continue;
         double root = b.a;
         pm_search search = {i, 0};
-        if (b.b > b.a) status = pm_bracket_find(w, e->solver, along, &search, b.a, b.ga, b.b, b.gb, &root);
+        if (b.b > b.a)
+            status =
+                pm_fail_search(w, pm_bracket_find(e->solver, along, w, &search, b.a, b.ga, b.b, b.gb, &root));
         if (status || root > *first + same) continue;
         if (root < *first - same)
             for (int k = 0; k < i; k++) e->root[k] = 0;

@@ -72,7 +72,7 @@ static void add_forces(pm_workspace *w, pm_place *place)
 
 static void look_at(pm_workspace *w, const pm_place *place)
 {
-    pm_frame_look_placed(w, place->q, place->tangent);
+    pm_frame_look_placed(&w->frame, &w->state, place->q, place->tangent);
 }
 
 static void place_by_tree(pm_workspace *w, pm_place *place)

@@ -38,7 +38,7 @@ static void measure_motion(pm_workspace *w, pm_place *place)
         place->mass += w->numbers.mass[i] * (t[3 * i] * t[3 * i] + t[3 * i + 1] * t[3 * i + 1]) +
                        pm_body_inertia(&w->frame, i) * t[3 * i + 2] * t[3 * i + 2];
     memcpy(place->pose, w->frame.pose, 5 * (size_t)m->nbody * sizeof *place->pose);
-    pm_frame_look_placed(w, place->q, t); /* powers and speeds at a unit rate */
+    pm_frame_look_placed(&w->frame, &w->state, place->q, t); /* powers and speeds at a unit rate */
     pm_force_all(w);
     for (int i = 0; i < m->nq; i++) place->force += w->frame.f[i] * t[i];
     if (m->nz_controlled > 0) pm_ledger_controlled_rates(w, place->rate);

@@ -194,8 +194,9 @@ int pm_path_inside(pm_workspace *w, double s)
 }
 
 /* T on the exact place at the fraction s of the filled step; its slope is the force. */
-static double exact_kinetic(pm_workspace *w, double s, void *context, double *slope)
+static double exact_kinetic(void *of, double s, void *context, double *slope)
 {
+    pm_workspace *w = of;
     const pm_path *p = w->path;
     (void)context;
     if (pm_path_inside(w, s)) return NAN;
@@ -214,16 +215,18 @@ static int find_turning(pm_workspace *w, double *way)
         const double before = pm_path_node(p, k - 1)->kinetic, after = pm_path_node(p, k)->kinetic;
         double low = nodes->at[k], lowest = after;
         if (after > 0 && p->force[k - 1] < 0 && p->force[k] > 0) { /* a dip between the nodes */
-            const int status = pm_chebyshev_root(w, nodes, p->force, nodes->at[k - 1], p->force[k - 1],
-                                                 nodes->at[k], p->force[k], &low, &slope);
+            const int status =
+                pm_fail_search(w, pm_chebyshev_root(nodes, p->force, nodes->at[k - 1], p->force[k - 1],
+                                                    nodes->at[k], p->force[k], &low, &slope));
             if (status || (lowest = exact_kinetic(w, low, NULL, &slope), isnan(lowest))) return status;
             pm_path_error_barrier(w, lowest);
         }
         p->least = pm_min(lowest, p->least);
         if (lowest > 0) continue;
-        const int status =
-            before > 0 ? pm_bracket_newton(w, exact_kinetic, NULL, nodes->at[k - 1], before, low, lowest, &s)
-                       : PM_OK;
+        const int status = before > 0
+                               ? pm_fail_search(w, pm_bracket_newton(exact_kinetic, w, NULL, nodes->at[k - 1],
+                                                                     before, low, lowest, &s))
+                               : PM_OK;
         *way = before > 0 ? s * p->h : 0;
         return status;
     }

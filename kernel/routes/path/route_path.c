@@ -338,7 +338,7 @@ static int look(pm_workspace *w, double x, int level)
     state_of(w, place, s, w->model->programs.sample_time ? pm_path_clock_at(w->path, s) : w->path->clock.t0,
              &w->probe);
     memcpy(w->frame.pose, place->pose, 5 * (size_t)w->model->nbody * sizeof *place->pose);
-    pm_frame_look_placed(w, w->probe.q, w->probe.v);
+    pm_frame_look_placed(&w->frame, &w->state, w->probe.q, w->probe.v);
     w->frame.t = w->probe.t;
     w->frame.z = w->probe.z;
     if (level < PM_LEVEL_DYNAMIC) return PM_OK;
@@ -417,8 +417,9 @@ static void look_for_evidence(pm_workspace *w)
     w->ledger.evidence = pm_max(missed_force(w), w->ledger.evidence);
 }
 
-static double after_limit(pm_workspace *w, double s, void *t_limit)
+static double after_limit(void *of, double s, void *t_limit)
 {
+    const pm_workspace *w = of;
     return pm_path_clock_at(w->path, s) - *(double *)t_limit;
 }
 
@@ -428,8 +429,8 @@ static int end_at_limit(pm_workspace *w, double t_limit)
     pm_path *p = w->path;
     if (p->clock.kind == PM_CLOCK_NONE || !(w->state.t > t_limit)) return PM_OK;
     double s;
-    int status = pm_bracket_find(w, w->event->solver, after_limit, &t_limit, 0, p->clock.t0 - t_limit, 1,
-                                 w->state.t - t_limit, &s);
+    int status = pm_fail_search(w, pm_bracket_find(w->event->solver, after_limit, w, &t_limit, 0,
+                                                   p->clock.t0 - t_limit, 1, w->state.t - t_limit, &s));
     if (!status) status = at(w, s * p->h, &w->state);
     w->state.t = t_limit;
     w->step.end = s * p->h;

@@ -1,0 +1,87 @@
+/* bracket - roots and minima inside a bracket: to rounding where they are simple; what did not come close enough is told. */
+#include "numerics/bracket.h"
+
+#include <stddef.h>
+
+#include "check.h"
+
+typedef struct call {
+    double root;
+    int power, values;
+    double missing; /* not a number beyond it */
+} call;
+
+/* (x - root)^power, power odd; each value is counted. */
+static double power_of(void *of, double x, void *context)
+{
+    call *c = of;
+    double f = 1;
+    (void)context;
+    c->values++;
+    for (int i = 0; i < c->power; i++) f *= x - c->root;
+    return x > c->missing ? NAN : f;
+}
+
+static double power_with_slope(void *of, double x, void *context, double *slope)
+{
+    const call *c = of;
+    const double f = power_of(of, x, context);
+    *slope = c->power * f / (x - c->root);
+    return f;
+}
+
+/* Brent's method takes some 140 values for a triple root: it is to be as near as a simple one. */
+static void check_roots(void *solver)
+{
+    for (int power = 1; power <= 3; power += 2) {
+        call c = {.root = 0.2385, .power = power, .missing = INFINITY};
+        double root = NAN, newton = NAN;
+        EQUAL(pm_bracket_find(solver, power_of, &c, NULL, -1, power_of(&c, -1, NULL), 2,
+                              power_of(&c, 2, NULL), &root),
+              PM_SEARCH_FOUND);
+        NEAR(root, c.root, 3e-14);
+        EQUAL(pm_bracket_newton(power_with_slope, &c, NULL, -1, power_of(&c, -1, NULL), 2,
+                                power_of(&c, 2, NULL), &newton),
+              PM_SEARCH_FOUND);
+        NEAR(newton, c.root, power == 1 ? 1e-15 : 1e-5);
+    }
+}
+
+static void check_failures_are_told(void *solver)
+{
+    double root = NAN;
+    call c = {.root = 0.2385, .power = 1, .missing = 0.1};
+    EQUAL(pm_bracket_find(solver, power_of, &c, NULL, -1, -1.2385, 2, 1.7615, &root), PM_SEARCH_NO_NUMBER);
+    EQUAL(pm_bracket_newton(power_with_slope, &c, NULL, -1, -1.2385, 2, 1.7615, &root), PM_SEARCH_NO_NUMBER);
+}
+
+static double valley(double x, void *context)
+{
+    call *c = context;
+    c->values++;
+    return (x - c->root) * (x - c->root);
+}
+
+static void check_minima(void *solver)
+{
+    call c = {.root = 0.2385};
+    const pm_valley in = {-1, valley(-1, &c), 0, valley(0, &c), 2, valley(2, &c)};
+    double place = NAN;
+    c.values = 0;
+    EQUAL(pm_bracket_minimum(solver, valley, &c, &in, &(pm_closeness){60, 1e-4, 0}, &place), PM_SEARCH_FOUND);
+    NEAR(place, c.root, 1e-4);
+    EQUAL(pm_bracket_minimum(solver, valley, &c, &in, &(pm_closeness){3, 1e-4, 0}, &place),
+          PM_SEARCH_TOO_MANY);
+    CHECK(place > -1 && place < 2);
+}
+
+int main(void)
+{
+    void *roots = pm_bracket_create(), *minima = pm_bracket_minimum_create();
+    check_roots(roots);
+    check_failures_are_told(roots);
+    check_minima(minima);
+    pm_bracket_free(roots);
+    pm_bracket_minimum_free(minima);
+    return check_failures();
+}
