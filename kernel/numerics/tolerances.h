@@ -9,21 +9,17 @@
 
 /* ---- all rooms ---- */
 
-#define PM_EPSILON \
-    2.3e-16 /* of a number: rounding of one operation, a little above; a larger one stops searches earlier */
+#define PM_EPSILON 2.3e-16 /* of a number: rounding of one operation; more would stop searches earlier */
 
 /* ---- numerics ---- */
 
-#define PM_BRACKET_VALUES 300  /* values: a triple root takes 140; more would only put off the message */
-#define PM_BRACKET_WIDTH 1e-14 /* of the bracket: a root near x = 0 is close enough; more would move events */
-#define PM_BRACKET_NOTHING 1e-16 /* of the bracket: a shift of Newton's method that gains nothing; likewise */
-#define PM_BRACKET_POLISHED 1e-15 /* of the step: a shift that gains nothing on exact states; likewise */
-#define PM_BRACKET_SLOPE_STEP \
-    1e-4 /* of the step: distance of differences; larger: slopes are off by curvature */
-#define PM_BRACKET_FAR \
-    0.1 /* of the step: a shift this long is no polish; more might leave for another root */
-#define PM_CHEBYSHEV_SMOOTH \
-    1e-3 /* of the values: tail of what has no corners, no waves between nodes; more misses them */
+#define PM_BRACKET_VALUES 300    /* values: a triple root takes 140; more would only put off the message */
+#define PM_BRACKET_WIDTH 1e-14   /* of the bracket: a root near x = 0 is that close; more would move events */
+#define PM_BRACKET_NOTHING 1e-16 /* of the bracket: a shift of Newton that gains nothing; likewise */
+#define PM_BRACKET_POLISHED 1e-15  /* of the step: a shift that gains nothing on exact states; likewise */
+#define PM_BRACKET_SLOPE_STEP 1e-4 /* of the step: distance of differences; more: curvature spoils slopes */
+#define PM_BRACKET_FAR 0.1       /* of the step: a longer shift is no polish, it may leave for another root */
+#define PM_CHEBYSHEV_SMOOTH 1e-3 /* of the values: tail of what has no corners; more would miss some */
 
 /* ---- state ---- */
 

@@ -5,9 +5,15 @@ from tests.faults.fault import Fault
 FAULTS = [
     Fault(
         "root: Newton's method ends too soon",
-        "numerics/bracket.c",
-        "#define NOTHING 1e-16",
-        "#define NOTHING 1e-5",
+        "numerics/tolerances.h",
+        "#define PM_BRACKET_NOTHING 1e-16",
+        "#define PM_BRACKET_NOTHING 1e-5",
+    ),
+    Fault(
+        "root: Brent's method ends too soon",
+        "numerics/tolerances.h",
+        "#define PM_BRACKET_VALUES 300",
+        "#define PM_BRACKET_VALUES 100",
     ),
     Fault(
         "dense: Cholesky",
