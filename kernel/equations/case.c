@@ -7,6 +7,7 @@
 #include "elements/joint.h"
 #include "elements/turning_plane.h"
 #include "expression/program.h"
+#include "numerics/tolerances.h"
 #include "state/evidence.h"
 #include "state/frame.h"
 #include "state/workspace.h"
@@ -79,6 +80,9 @@ static int check_marks(pm_workspace *w)
         const double step = hypot(w->numbers.value[e[PM_ROW_STEP_X]], w->numbers.value[e[PM_ROW_STEP_Y]]);
         if (!(step > 0) || !isfinite(step)) status = out_of_bound(w, PM_TABLE_ROW, i, PM_ROW_STEP_X, step, 0);
         if (!status) status = check(w, PM_TABLE_ROW, i, PM_ROW_COUNT, e[PM_ROW_COUNT], -INFINITY, 0);
+        const double count = w->numbers.value[e[PM_ROW_COUNT]];
+        if (!status && count > PM_MOST_MEMBERS)
+            status = out_of_bound(w, PM_TABLE_ROW, i, PM_ROW_COUNT, count, PM_MOST_MEMBERS);
     }
     return status;
 }

@@ -18,14 +18,14 @@
 #include "equations/projection.h"
 #include "equations/saddle.h"
 #include "equations/solve_cache.h"
+#include "numerics/tolerances.h"
+#include "state/evidence.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 
 #define POSITION_ROUNDING 5e-16 /* of how far bodies are from the origin */
 #define SPIN_ROUNDING \
     1e-14 /* of the energy of a spin, which may be much more than that of the motion in its plane */
-#define LEAST_BOUND 1e-7 /* relative residual above which a run is not trusted, at the tightest tolerance */
-#define BOUND_FACTOR 1e4 /* times the tolerance of integration, if that is more */
 #define SLOWEST \
     1e-3 /* of the scene's speed: motion below it is not judged by itself; a scene at rest has rounding only */
 
@@ -242,6 +242,14 @@ static double energy_rounding(const pm_workspace *w, double mass)
     return w->ledger.energy_scale > 0 ? (mass * acceleration * rounding + spin) / w->ledger.energy_scale : 0;
 }
 
+/* What the errors of integration may leave of a ledger, relative: it goes with the tolerance, but a run whose energy is wrong
+ * by a greater part of the whole is no answer at any accuracy.  A coarse run may be as much worse as its tolerance is. */
+static double bound_of_errors(const pm_workspace *w)
+{
+    const double most = PM_LEDGER_MOST * (pm_evidence_is_companion(w) ? PM_COARSER : 1);
+    return fmax(PM_LEDGER_ROUNDING, fmin(PM_LEDGER_ERRORS * w->numbers.tolerance, most));
+}
+
 /* Residuals and what they may be. */
 static void weigh(pm_workspace *w, double *audit, double *bound)
 {
@@ -263,7 +271,8 @@ static void weigh(pm_workspace *w, double *audit, double *bound)
     audit[PM_AUDIT_MOMENTUM] =
         w->ledger.momentum_scale > 0 ? momentum_size(w, open) / w->ledger.momentum_scale : 0;
     audit[PM_AUDIT_CONSTRAINT] = w->ledger.constraint_worst;
-    for (int i = 0; i < PM_AUDITS; i++) bound[i] = fmax(LEAST_BOUND, BOUND_FACTOR * w->numbers.tolerance);
+    for (int i = 0; i < PM_AUDITS; i++) bound[i] = bound_of_errors(w);
+    bound[PM_AUDIT_CONSTRAINT] = PM_LEDGER_ROUNDING;
     bound[PM_AUDIT_ENERGY] += energy_rounding(w, mass);
 }
 

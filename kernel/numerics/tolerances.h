@@ -30,6 +30,10 @@
 /* ---- scene ---- */
 
 /* ---- equations ---- */
+#define PM_MOST_MEMBERS 1e9     /* of a periodic row: int32 numbers them; more would not be told apart */
+#define PM_LEDGER_ROUNDING 1e-7 /* relative residual: long runs gather rounding; larger: blind at tight accuracy */
+#define PM_LEDGER_ERRORS 2e3    /* of the tolerance: a thousand blows leave 475 (studies, 1e-2 .. 1e-12); larger: blind */
+#define PM_LEDGER_MOST 0.05     /* of all energy or momentum: no answer stands with more; larger: blind when loose */
 
 /* ---- tree ---- */
 

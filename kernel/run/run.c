@@ -65,7 +65,9 @@ static void set_speed_scale(pm_workspace *w)
     }
     fastest = fmax(fastest, fabs(pm_turning_plane_omega(&w->frame)) * w->numbers.size);
     if (fastest > w->numbers.speed) w->numbers.speed = fastest;
-    if (w->numbers.speed == 0) w->numbers.speed = w->numbers.size; /* nothing acts, nothing moves */
+    if (w->numbers.speed ==
+        0) /* nothing acts, nothing moves: as what crosses the scene while the run lasts */
+        w->numbers.speed = w->numbers.size / pm_case_max_time(w);
 }
 
 static int open_ledger(pm_workspace *w)

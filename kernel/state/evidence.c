@@ -50,6 +50,11 @@ double pm_evidence_tolerance(const pm_workspace *w)
     return e->present->companion ? PM_COARSER * tightest : tightest;
 }
 
+int pm_evidence_is_companion(const pm_workspace *w)
+{
+    return w->evidence.active && w->evidence.present->companion;
+}
+
 int pm_evidence_in_halves(const pm_workspace *w) { return w->evidence.active && w->evidence.present->halves; }
 
 void pm_evidence_answer(pm_workspace *w, int column, double error)

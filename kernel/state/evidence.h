@@ -83,6 +83,8 @@ double pm_evidence_tolerance(const pm_workspace *w);
 /* Whether a route that takes a state inside a step from its begin takes it in two halves: a phase that one step covers would
  * else be the same in both passes that are compared. */
 int pm_evidence_in_halves(const pm_workspace *w);
+/* Whether it is a coarse run, which another is compared with. */
+int pm_evidence_is_companion(const pm_workspace *w);
 
 /* For routes that know their errors: that of out[column], absolute; a decision that was taken at `distance` from its
  * threshold, known to `error` in the same unit. */

@@ -375,6 +375,12 @@ static int deliver(pm_workspace *w, double *out, int32_t *reason, double *audit)
     return p->status;
 }
 
+/* An open ledger may be nothing but the errors of a loose integration: a tighter one shows. */
+static int is_too_loose(const pm_workspace *w, const pm_pass *p)
+{
+    return p->status == PM_AUDIT && p->tolerance > FINER * w->phase.route->finest;
+}
+
 static int run(pm_workspace *w, const double *param, double *found, double *error, double *margin,
                double *trust)
 {
@@ -397,6 +403,8 @@ static int run(pm_workspace *w, const double *param, double *found, double *erro
     e->other = &e->pass[1];
     e->spare = &e->pass[2];
     make_pass(w, param, e->main, 1, 0);
+    while (is_too_loose(w, e->main) && e->npass <= REFINEMENTS)
+        make_pass(w, param, e->main, e->main->factor / PM_COARSER, 0);
     if (stands(e->main)) climb(w, param, error, trust);
     for (int i = 0; i < w->model->nask; i++)
         if (e->discrete[i]) margin[i] = trust[PM_TRUST_MARGIN];

@@ -222,4 +222,6 @@ FAULTS = [
         "e[PM_ACTION_A])] = 1",
         "e[PM_ACTION_A])] = 0",
     ),
+    Fault("audit: blind at loose accuracy", "equations/ledger.c", "PM_LEDGER_MOST * (", "1e3 * ("),
+    Fault("case: rows of any length", "equations/case.c", "count > PM_MOST_MEMBERS", "count > INFINITY"),
 ]

@@ -37,4 +37,10 @@ FAULTS = [
         "1 + DISTURBANCE * sign(&w->evidence)",
         "1 + 0 * DISTURBANCE * sign(&w->evidence)",
     ),
+    Fault(
+        "run: nothing is slow",
+        "run/run.c",
+        "w->numbers.speed = w->numbers.size / pm_case_max_time(w)",
+        "w->numbers.speed = w->numbers.size",
+    ),
 ]

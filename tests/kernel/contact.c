@@ -107,10 +107,28 @@ static void too_many(void)
     scene_free(s);
 }
 
+/* Members are numbered by int32: a row that has more is said to be too long. */
+static void too_long(void)
+{
+    static const double count[] = {1e9, 3e9, 1e300};
+    for (int i = 0; i < 3; i++) {
+        scene *s = scene_create();
+        const int c = scene_circle(s, scene_point(s, scene_body(s, 1, 0.1, 0, 0.5, 0), 0, 0), 0.2);
+        const int row = SCENE_ROW(s, PM_TABLE_ROW, scene_point(s, PM_GROUND, 0, 0), scene_value(s, 0.1),
+                                  scene_value(s, 0), scene_value(s, count[i]));
+        scene_contact(s, PM_CONTACT_ROW, c, row, 0, 0, PM_FRICTION_SMOOTH, 0);
+        scene_until_time(s, 0.1);
+        EQUAL(scene_run(s, NULL), i == 0 ? PM_OK : PM_BAD_VALUE);
+        if (i > 0) EQUAL(s->where[PM_WHERE_TABLE], PM_TABLE_ROW);
+        scene_free(s);
+    }
+}
+
 int main(void)
 {
     nearest_member();
     rates();
     too_many();
+    too_long();
     return check_failures();
 }

@@ -110,6 +110,30 @@ static void opens(void)
     EQUAL(which, PM_AUDIT_CONSTRAINT);
 }
 
+/* Energy that nobody gave: a part of the greatest kinetic energy, at an accuracy. */
+static int with_more_energy(double accuracy, double part)
+{
+    scene *s = busy();
+    scene_set(s, PM_SETTING_ACCURACY, accuracy);
+    int status = scene_open(s);
+    if (!status) status = pm_run(s->w, s->constant);
+    EQUAL(status, PM_OK);
+    s->w->ledger.energy_lost += part * s->w->ledger.energy_scale;
+    status = pm_ledger_close(s->w);
+    scene_free(s);
+    return status;
+}
+
+/* A tenth of the energy too much fails at every accuracy, and less at tight ones. */
+static void opens_at_every_accuracy(void)
+{
+    for (double accuracy = 1e-2; accuracy > 1e-13; accuracy /= 10) {
+        EQUAL(with_more_energy(accuracy, 0), PM_OK);
+        EQUAL(with_more_energy(accuracy, 0.1), PM_AUDIT);
+        EQUAL(with_more_energy(accuracy, fmax(3e3 * accuracy, 1e-6)), PM_AUDIT);
+    }
+}
+
 /* A scene at rest has nothing but rounding: that is no reason for distrust. */
 static void at_rest(void)
 {
@@ -163,6 +187,7 @@ int main(void)
     closes();
     closes_on_moving_partners();
     opens();
+    opens_at_every_accuracy();
     at_rest();
     return check_failures();
 }
