@@ -16,21 +16,18 @@
 #include "equations/projection.h"
 #include "equations/saddle.h"
 #include "equations/solve_cache.h"
+#include "numerics/tolerances.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 
-#define NEIGHBOUR 1e-3       /* displacement, in sizes of the scene */
-#define CLEARLY 1e-3         /* independent part of every row above which nothing else need be asked */
-#define STILL_DEPENDENT 1e-6 /* independent part at the neighbour below which a row is redundant */
-
-void pm_active_set_clear(pm_workspace *w)
+void pm_active_set_clear(pm_active_set *x, const pm_model *m)
 {
-    pm_solve_cache_drop_rows(w);
-    w->active.n = w->active.njoint = w->active.nredundant = w->active.asymmetric = 0;
-    for (int i = 0; i < w->model->njoint_row; i++) w->active.of_joint[i] = PM_NONE;
-    for (int i = 0; i < w->model->nslot; i++) w->active.slot_normal[i] = w->active.slot_tangent[i] = PM_NONE;
-    for (int i = 0; i < PM_JOINT_CONSTRAINTS * w->model->nslot; i++) w->active.slot_held[i] = PM_NONE;
-    for (int i = 0; i < w->model->nfriction; i++) w->active.friction_row[i] = PM_NONE;
+    x->version++;
+    x->n = x->njoint = x->nredundant = x->asymmetric = 0;
+    for (int i = 0; i < m->njoint_row; i++) x->of_joint[i] = PM_NONE;
+    for (int i = 0; i < m->nslot; i++) x->slot_normal[i] = x->slot_tangent[i] = PM_NONE;
+    for (int i = 0; i < PM_JOINT_CONSTRAINTS * m->nslot; i++) x->slot_held[i] = PM_NONE;
+    for (int i = 0; i < m->nfriction; i++) x->friction_row[i] = PM_NONE;
 }
 
 /* The basis of the rows that are active so far, at the frame; its size. */
@@ -40,7 +37,7 @@ static int basis_of_active(pm_workspace *w)
     int n = 0;
     for (int i = 0; i < w->active.n; i++) {
         pm_constraint_kind(w->active.row[i].kind)->evaluate(&w->frame, &w->active.row[i]);
-        n = pm_orthonormal_rows_add(w, n, w->active.row[i].j, w->active.row[i].body, &rest);
+        n = pm_orthonormal_rows_add(&w->saddle, n, &w->active.row[i], &rest);
     }
     return n;
 }
@@ -56,7 +53,7 @@ static int go_nearby(pm_workspace *w, pm_state *s)
     norm = sqrt(norm);
     for (int i = 0; i < nq; i++) {
         const double along = norm > 0 ? s->v[i] / norm : step[i % 3] * (1 + 0.1 * (i / 3));
-        s->q[i] += NEIGHBOUR * w->numbers.size * along * (w->numbers.inverse_mass[i] > 0);
+        s->q[i] += PM_NEIGHBOUR * w->numbers.size * along * (w->numbers.inverse_mass[i] > 0);
     }
     return pm_projection_apply(w, s);
 }
@@ -71,8 +68,8 @@ static int depends_nearby(pm_workspace *w, const pm_constraint *row, int *depend
         pm_constraint copy = *row;
         pm_orthonormal_rest rest;
         pm_constraint_kind(copy.kind)->evaluate(&w->frame, &copy);
-        pm_orthonormal_rows_add(w, basis_of_active(w), copy.j, copy.body, &rest);
-        *depends = rest.left < STILL_DEPENDENT;
+        pm_orthonormal_rows_add(&w->saddle, basis_of_active(w), &copy, &rest);
+        *depends = rest.left < PM_DEPENDENT_NEARBY;
     }
     pm_frame_look_state(&w->frame, &w->state);
     basis_of_active(w);
@@ -92,7 +89,7 @@ static int append(pm_workspace *w, const pm_constraint *row, int *nbasis, int *i
     int depends = 0;
     *place = *row;
     pm_constraint_kind(place->kind)->evaluate(&w->frame, place);
-    const int n = pm_orthonormal_rows_add(w, *nbasis, place->j, place->body, &rest);
+    const int n = pm_orthonormal_rows_add(&w->saddle, *nbasis, place, &rest);
     if (n == *nbasis) {
         const int status = depends_nearby(w, row, &depends);
         if (status) return status;
@@ -212,7 +209,7 @@ static void append_carried(pm_workspace *w)
 
 static int append_all(pm_workspace *w, int *nbasis)
 {
-    pm_active_set_clear(w);
+    pm_active_set_clear(&w->active, w->model);
     int status = append_joints(w, nbasis);
     if (!status) status = append_captured(w, nbasis);
     if (!status) status = append_normals(w, nbasis);
@@ -230,7 +227,8 @@ int pm_active_set_build(pm_workspace *w)
     int status = append_all(w, NULL);
     for (int i = 0; i < w->active.n && !status; i++)
         pm_constraint_kind(w->active.row[i].kind)->evaluate(&w->frame, &w->active.row[i]);
-    const int clear = !status && (w->active.n == 0 || pm_saddle_independence(w) > CLEARLY);
+    const int clear =
+        !status && (w->active.n == 0 || pm_saddle_independence(&w->saddle) > PM_CLEARLY_INDEPENDENT);
     if (!status && !clear) status = append_all(w, &nbasis);
     if (!status) append_carried(w);
     w->active.evaluated = clear && !w->active.asymmetric;
@@ -240,7 +238,7 @@ int pm_active_set_build(pm_workspace *w)
 
 void pm_active_set_carry(pm_workspace *w, int slot, double ratio)
 {
-    pm_solve_cache_drop_rows(w);
+    w->active.version++;
     w->active.row[w->active.slot_normal[slot]].slide = ratio;
     w->active.asymmetric = 1;
     append_carried(w);

@@ -18,8 +18,8 @@ void pm_active_set_anchor_joint(pm_workspace *w, pm_state *s, int joint);
 void pm_active_set_anchor_start(pm_workspace *w, pm_state *s);
 /* After an accepted step: unwrapped directions follow. */
 void pm_active_set_follow(pm_workspace *w, pm_state *s);
-/* Zeroes the list (all rows of a slot PM_NONE). */
-void pm_active_set_clear(pm_workspace *w);
+/* Nothing is active: another set from now on. */
+void pm_active_set_clear(pm_active_set *active, const pm_model *model);
 /* Whether both partners of a constraint are fixed for good (fixed_bodies.h): it holds nothing that moves. */
 static inline int pm_active_set_is_idle(const pm_numbers *numbers, const pm_constraint *row)
 {

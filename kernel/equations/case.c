@@ -12,10 +12,6 @@
 #include "state/frame.h"
 #include "state/workspace.h"
 
-#define STAND_IN \
-    1e-3 /* of the least mass: each round of saddle.c gains as many digits, and the first loses them */
-#define NOTICEABLE 1.1 /* growth of the speed scale that is worth new weights */
-
 static int out_of_bound(pm_workspace *w, int table, int row, int member, double value, double bound)
 {
     pm_fail(w, PM_BAD_VALUE, table, row, value, bound);
@@ -200,7 +196,7 @@ static int set_stand_ins(pm_workspace *w)
         const int none = isinf(w->numbers.inverse_mass[i]);
         if (none && isinf(least)) return out_of_bound(w, PM_TABLE_BODY, i / 3, PM_BODY_MASS, 0, 0);
         w->numbers.stand_in[i] =
-            none ? STAND_IN * least * (i % 3 == 2 ? w->numbers.size * w->numbers.size : 1) : 0;
+            none ? PM_STAND_IN * least * (i % 3 == 2 ? w->numbers.size * w->numbers.size : 1) : 0;
         if (none) w->numbers.inverse_mass[i] = 1 / w->numbers.stand_in[i];
         w->numbers.massless |= none;
         w->numbers.inverse_root[i] = sqrt(w->numbers.inverse_mass[i]);
@@ -252,7 +248,7 @@ int pm_case_speed(pm_workspace *w, const double *v)
     double fastest = 0;
     for (int i = 0; i < w->model->nq; i++)
         fastest = fmax(fastest, fabs(v[i]) * (i % 3 == 2 ? w->numbers.size : 1));
-    if (!(fastest > NOTICEABLE * w->numbers.speed)) return 0;
+    if (!(fastest > PM_FASTER * w->numbers.speed)) return 0;
     w->numbers.speed = fastest;
     return 1;
 }

@@ -17,12 +17,9 @@
 #include "elements/force.h"
 #include "elements/joint_friction.h"
 #include "elements/turning_plane.h"
+#include "numerics/tolerances.h"
 #include "state/frame.h"
 #include "state/workspace.h"
-
-#define SHARE 0.1      /* of the greatest kinetic energy of the phase: below it velocities are left alone */
-#define MOST 0.01      /* of the kinetic energy: so much is not a drift */
-#define ROUNDING 2e-15 /* of the terms of the energy: below it nothing is known to be wrong */
 
 static int only_potentials(const pm_workspace *w)
 {
@@ -65,9 +62,10 @@ double pm_energy_level_factor(pm_workspace *w, const pm_energy_level_level *leve
 {
     const double kinetic = pm_body_kinetic(&w->frame, PM_NONE);
     *gained = 0;
-    if (!level->kept || !(kinetic > SHARE * level->kinetic)) return 1;
+    if (!level->kept || !(kinetic > PM_LEVEL_SHARE * level->kinetic)) return 1;
     const double missing = level->energy - potential(w) - kinetic;
-    if (!(fabs(missing) > ROUNDING * (kinetic + size_of_terms(w)) && fabs(missing) < MOST * kinetic))
+    if (!(fabs(missing) > PM_LEVEL_ROUNDING * (kinetic + size_of_terms(w)) &&
+          fabs(missing) < PM_LEVEL_MOST * kinetic))
         return 1;
     *gained = missing;
     return sqrt(1 + missing / kinetic);

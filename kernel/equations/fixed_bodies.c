@@ -24,14 +24,16 @@
 #include "elements/joint_friction.h"
 #include "elements/measure.h"
 #include "equations/active_set.h"
+#include "equations/orthonormal_rows.h"
+#include "equations/saddle.h"
 #include "equations/solve_cache.h"
+#include "numerics/tolerances.h"
 #include "scene/program_class.h"
 #include "scene/reference.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 
-#define FEW 6        /* bodies of a set at most */
-#define CLEARLY 1e-3 /* independent part of each row that is counted, in the metric of the masses */
+#define FEW 6 /* bodies of a set at most */
 enum { WIDE = 3 * FEW };
 
 /* ---- what must move, and what is told ---- */
@@ -150,6 +152,7 @@ typedef struct pm_group {
     int body[FEW], n;
     int freedom, rank;
     double basis[WIDE][WIDE];
+    int range[WIDE][2];
 } pm_group;
 
 static int place_in(const pm_group *g, int body)
@@ -165,28 +168,21 @@ static void join(const pm_workspace *w, pm_group *g, int body)
     g->freedom += PM_BODY_ROW(w->model, body)[PM_BODY_TURNS] ? 3 : 2;
 }
 
-/* Counts a row if it is clearly independent of those before it (modified Gram-Schmidt, each taken off twice). */
+/* Counts a row if it is clearly independent of those before it. */
 static void add_row(const pm_workspace *w, pm_group *g, const pm_constraint *row)
 {
-    double *x = g->basis[g->rank], all = 0, left = 0;
-    const int wide = 3 * g->n;
-    for (int c = 0; c < wide; c++) x[c] = 0;
+    const pm_orthonormal basis = {&g->basis[0][0], &g->range[0][0], WIDE, PM_CLEARLY_INDEPENDENT};
+    pm_orthonormal_rest rest;
+    double *x = g->basis[g->rank];
+    g->range[g->rank][0] = 0;
+    g->range[g->rank][1] = 3 * g->n;
+    for (int c = 0; c < 3 * g->n; c++) x[c] = 0;
     for (int side = 0; side < 2; side++) {
         const int at = place_in(g, row->body[side]);
         for (int k = 0; k < 3 && at != PM_NONE; k++)
             x[3 * at + k] += row->j[3 * side + k] * w->numbers.inverse_root[3 * row->body[side] + k];
     }
-    for (int c = 0; c < wide; c++) all += x[c] * x[c];
-    for (int b = 0; b < 2 * g->rank; b++) {
-        const double *e = g->basis[b % g->rank];
-        double along = 0;
-        for (int c = 0; c < wide; c++) along += e[c] * x[c];
-        for (int c = 0; c < wide; c++) x[c] -= along * e[c];
-    }
-    for (int c = 0; c < wide; c++) left += x[c] * x[c];
-    if (!(left > CLEARLY * CLEARLY * all)) return;
-    for (int c = 0; c < wide; c++) x[c] /= sqrt(left);
-    g->rank++;
+    g->rank = pm_orthonormal_add(&basis, g->rank, &rest);
 }
 
 /* Whether rows between these bodies, and to what stands still, hold them; then they stand still, too. */
@@ -331,7 +327,7 @@ static int let_told_move(pm_workspace *w)
 static void stop(pm_workspace *w)
 {
     w->numbers.massless = 0;
-    pm_solve_cache_drop_factors(w); /* they are of other masses */
+    pm_saddle_forget(&w->saddle); /* they are of other masses */
     for (int i = 0; i < w->model->nq; i++) {
         if (w->numbers.fixed[i / 3]) {
             w->numbers.inverse_mass[i] = w->numbers.inverse_root[i] = w->numbers.stand_in[i] = 0;
@@ -351,7 +347,7 @@ void pm_fixed_bodies_find(pm_workspace *w)
         pm_fixed_bodies_begin(w);
         find(w);
     } while (w->fixed->n > 0 && let_told_move(w));
-    pm_active_set_clear(w);
+    pm_active_set_clear(&w->active, w->model);
     if (w->fixed->n > 0) stop(w);
     pm_frame_look_state(&w->frame, &w->state);
 }

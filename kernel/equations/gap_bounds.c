@@ -21,11 +21,9 @@
 #include "elements/constraint.h"
 #include "elements/contact.h"
 #include "equations/fixed_bodies.h"
+#include "numerics/tolerances.h"
 #include "state/frame.h"
 #include "state/workspace.h"
-
-#define CLEAR \
-    1e-6 /* of the scene's reach: gaps above this are positive, whatever the rounding and drift of joints */
 
 static int is_fixed(const pm_hinge_bounds *x) { return x->known && x->fixed; }
 
@@ -215,7 +213,7 @@ void pm_gap_bounds_drop(pm_workspace *w)
     hang_all(w);
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
         if (is_changed(m, PM_TABLE_CONTACT, i)) continue;
-        if (!(least_gap(w, i) > CLEAR * pm_contact_reach(w))) continue;
+        if (!(least_gap(w, i) > PM_OUT_OF_REACH * pm_contact_reach(w))) continue;
         w->state.absent[pm_model_element(m, PM_TABLE_CONTACT, i)] = 1;
         w->nunreached++;
     }

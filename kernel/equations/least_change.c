@@ -6,11 +6,8 @@
 
 #include "elements/constraint.h"
 #include "equations/saddle.h"
+#include "numerics/tolerances.h"
 #include "state/workspace.h"
-
-#define MANY 24 /* rows of joints: fewer are as quick in the basis, and dependent ones are told sharply */
-#define CLEARLY 1e-3 /* independent part of every row of a block */
-#define PASSES 2     /* with the factors: the second takes off what rounding left of the first */
 
 static double norm_of(const pm_workspace *w, const double *row)
 {
@@ -47,17 +44,17 @@ static double along(const pm_workspace *w, const pm_constraint *row, const doubl
 int pm_least_change_add(pm_workspace *w, const pm_least_change *s, const double *row,
                         pm_orthonormal_rest *rest)
 {
-    if (!s->block) return pm_orthonormal_rows_add_dense(w, s->n, row, rest);
+    if (!s->block) return pm_orthonormal_rows_add_dense(&w->saddle, s->n, row, rest);
     memcpy(s->across, row, (size_t)w->model->nq * sizeof *row);
-    for (int pass = 0; pass < PASSES; pass++) {
+    for (int pass = 0; pass < PM_BLOCK_PASSES; pass++) {
         for (int i = 0; i < w->active.n; i++) w->saddle.rhs[i] = -along(w, &w->active.row[i], s->across);
-        pm_saddle_solve(w);
+        pm_saddle_solve(&w->saddle);
         for (int i = 0; i < w->active.n; i++) add_sparse(w, &w->active.row[i], w->saddle.rhs[i], s->across);
     }
     const double all = norm_of(w, row), part = norm_of(w, s->across);
     *rest = (pm_orthonormal_rest){0, all};
     if (!(part > PM_INDEPENDENT * all)) return s->n;
-    const int n = pm_orthonormal_rows_add_dense(w, s->n, s->across, rest);
+    const int n = pm_orthonormal_rows_add_dense(&w->saddle, s->n, s->across, rest);
     rest->left *= rest->norm / all;
     rest->norm = all;
     return n;
@@ -66,7 +63,7 @@ int pm_least_change_add(pm_workspace *w, const pm_least_change *s, const double 
 int pm_least_change_block(pm_workspace *w, pm_least_change *s, int level)
 {
     const pm_model *m = w->model;
-    if (m->njoint_row < MANY) return 0;
+    if (m->njoint_row < PM_BLOCK_OF_ROWS) return 0;
     w->active.n = 0;
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
         pm_constraint rows[PM_JOINT_CONSTRAINTS];
@@ -79,12 +76,13 @@ int pm_least_change_block(pm_workspace *w, pm_least_change *s, int level)
             w->saddle.wanted[w->active.n++] = level == PM_START_POSITION ? -row->g : row->rate;
         }
     }
-    if (w->active.n < MANY || !(pm_saddle_independence(w) > CLEARLY)) return 0;
-    for (int pass = 0; pass < PASSES; pass++) {
+    if (w->active.n < PM_BLOCK_OF_ROWS || !(pm_saddle_independence(&w->saddle) > PM_CLEARLY_INDEPENDENT))
+        return 0;
+    for (int pass = 0; pass < PM_BLOCK_PASSES; pass++) {
         for (int i = 0; i < w->active.n; i++)
             w->saddle.rhs[i] = w->saddle.wanted[i] - pm_saddle_times(&w->frame, &w->active.row[i], s->x);
-        pm_saddle_solve(w);
-        pm_saddle_spread(w, 0, s->x);
+        pm_saddle_solve(&w->saddle);
+        pm_saddle_spread(&w->saddle, 0, s->x);
     }
     s->block = w->active.n;
     return 1;
@@ -122,5 +120,5 @@ int pm_least_change_take_row(pm_workspace *w, pm_least_change *s, const pm_const
         return pm_least_change_take(w, s, dense, rhs, miss);
     }
     *miss = rhs - pm_saddle_times(&w->frame, row, s->x);
-    return meet(w, s, pm_orthonormal_rows_add(w, s->n, row->j, row->body, &rest), &rest, miss);
+    return meet(w, s, pm_orthonormal_rows_add(&w->saddle, s->n, row, &rest), &rest, miss);
 }

@@ -23,12 +23,6 @@
 #include "state/frame.h"
 #include "state/workspace.h"
 
-#define POSITION_ROUNDING 5e-16 /* of how far bodies are from the origin */
-#define SPIN_ROUNDING \
-    1e-14 /* of the energy of a spin, which may be much more than that of the motion in its plane */
-#define SLOWEST \
-    1e-3 /* of the scene's speed: motion below it is not judged by itself; a scene at rest has rounding only */
-
 static int friction_z(const pm_model *m) { return m->nz_controlled; }
 int pm_ledger_ledger(const pm_model *m) { return m->nz_controlled + 1; }
 
@@ -173,7 +167,7 @@ static void update_scales(pm_workspace *w)
 void pm_ledger_step(pm_workspace *w)
 {
     update_scales(w);
-    if (!pm_solve_cache_take_rows(w)) pm_saddle_rows(w);
+    if (!pm_solve_cache_take_rows(w)) pm_saddle_evaluate(&w->active, &w->frame);
     w->ledger.constraint_worst = fmax(w->ledger.constraint_worst, pm_projection_residual(w));
 }
 
@@ -237,8 +231,8 @@ static double energy_rounding(const pm_workspace *w, double mass)
     const double acceleration = hypot(w->numbers.gravity[0], w->numbers.gravity[1]) +
                                 w->numbers.speed * w->numbers.speed / w->numbers.size;
     const double rounding =
-        POSITION_ROUNDING * pm_contact_reach(w) * (double)(1 + w->result.count[PM_COUNT_EVENTS]);
-    const double spin = SPIN_ROUNDING * pm_turning_plane_kinetic(&w->frame, PM_NONE);
+        PM_LEDGER_PLACE * pm_contact_reach(w) * (double)(1 + w->result.count[PM_COUNT_EVENTS]);
+    const double spin = PM_LEDGER_SPIN * pm_turning_plane_kinetic(&w->frame, PM_NONE);
     return w->ledger.energy_scale > 0 ? (mass * acceleration * rounding + spin) / w->ledger.energy_scale : 0;
 }
 
@@ -262,9 +256,9 @@ static void weigh(pm_workspace *w, double *audit, double *bound)
     const double energy_open = energy(w) - w->ledger.energy_start - work_of_forces(w) + w->ledger.energy_lost;
     double mass = 0;
     for (int i = 0; i < m->nbody; i++) mass += w->numbers.mass[i];
-    w->ledger.momentum_scale = fmax(w->ledger.momentum_scale, SLOWEST * mass * w->numbers.speed);
-    w->ledger.energy_scale =
-        fmax(w->ledger.energy_scale, SLOWEST * SLOWEST * mass * w->numbers.speed * w->numbers.speed);
+    w->ledger.momentum_scale = fmax(w->ledger.momentum_scale, PM_LEDGER_SLOWEST * mass * w->numbers.speed);
+    w->ledger.energy_scale = fmax(w->ledger.energy_scale, PM_LEDGER_SLOWEST * PM_LEDGER_SLOWEST * mass *
+                                                              w->numbers.speed * w->numbers.speed);
     audit[PM_AUDIT_ENERGY] = w->ledger.energy_scale > 0 ? fabs(energy_open) / w->ledger.energy_scale : 0;
     if (w->ledger.evidence > audit[PM_AUDIT_ENERGY])
         audit[PM_AUDIT_ENERGY] = w->ledger.evidence; /* a NaN stays */

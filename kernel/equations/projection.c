@@ -7,11 +7,9 @@
 #include "elements/constraint.h"
 #include "equations/saddle.h"
 #include "equations/solve_cache.h"
+#include "numerics/tolerances.h"
 #include "state/frame.h"
 #include "state/workspace.h"
-
-#define SWEEPS 8
-#define ROUNDING 4e-15 /* residual relative to the size of the scene below which nothing is left to gain */
 
 /* Projection always works on G: the friction that rides on a normal force is no constraint. */
 static int factor_symmetric(pm_workspace *w)
@@ -19,7 +17,7 @@ static int factor_symmetric(pm_workspace *w)
     const int asymmetric = w->active.asymmetric;
     w->active.asymmetric = 0;
     const int status = pm_saddle_factor(w);
-    if (!status) pm_saddle_solve(w);
+    if (!status) pm_saddle_solve(&w->saddle);
     w->active.asymmetric = asymmetric;
     return status;
 }
@@ -38,11 +36,11 @@ int pm_projection_velocity(pm_workspace *w, pm_state *s)
         w->saddle.rhs[i] = w->active.row[i].rate - pm_saddle_times(&w->frame, &w->active.row[i], s->v);
         worst = fmax(worst, fabs(w->saddle.rhs[i]));
     }
-    w->active.evaluated = worst <= ROUNDING * w->numbers.speed;
+    w->active.evaluated = worst <= PM_MET * w->numbers.speed;
     if (w->active.evaluated) return PM_OK;
     const int status = factor_symmetric(w);
     if (status) return status;
-    pm_saddle_spread(w, 0, s->v);
+    pm_saddle_spread(&w->saddle, 0, s->v);
     pm_frame_look_state(&w->frame, s);
     return PM_OK;
 }
@@ -52,16 +50,18 @@ static int project(pm_workspace *w, pm_state *s, int evaluated)
     double before = INFINITY;
     if (w->active.n == 0) return PM_OK;
     for (int sweep = 0;; sweep++) {
-        if ((sweep > 0 || !evaluated) && !pm_solve_cache_take_rows(w)) pm_saddle_rows(w);
+        if ((sweep > 0 || !evaluated) && !pm_solve_cache_take_rows(w))
+            pm_saddle_evaluate(&w->active, &w->frame);
         const double worst = worst_opening(w);
         /* at the rounding of large coordinates Newton stalls: stop when it no longer gains */
-        if (worst <= ROUNDING * w->numbers.size || sweep == SWEEPS || (sweep > 1 && worst > 0.5 * before))
+        if (worst <= PM_MET * w->numbers.size || sweep == PM_PROJECTION_SWEEPS ||
+            (sweep > 1 && worst > 0.5 * before))
             break;
         before = worst;
         for (int i = 0; i < w->active.n; i++) w->saddle.rhs[i] = -w->active.row[i].g;
         const int status = factor_symmetric(w);
         if (status) return status;
-        pm_saddle_spread(w, 0, s->q);
+        pm_saddle_spread(&w->saddle, 0, s->q);
         pm_frame_look_state(&w->frame, s);
     }
     return pm_projection_velocity(w, s);

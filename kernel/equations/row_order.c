@@ -5,9 +5,8 @@
 #include "equations/row_order.h"
 
 #include "elements/constraint.h"
+#include "numerics/tolerances.h"
 #include "state/workspace.h"
-
-#define SMALL 10 /* bodies; below it the order of the file is as good, and what depends on it stays */
 
 /* The two bodies that a joint fastens; PM_GROUND for the ground. */
 static void find_bodies(const pm_workspace *w, int joint, int body[2])
@@ -57,7 +56,7 @@ void pm_row_order_find(pm_workspace *w)
 {
     const int nbody = w->model->nbody, njoint = w->model->rows[PM_TABLE_JOINT];
     for (int i = 0; i < njoint; i++) w->active.joint_order[i] = i;
-    if (nbody <= SMALL) return;
+    if (nbody <= PM_ORDERED_AS_WRITTEN) return;
     int *bodies = (int *)(void *)w->scratch; /* [njoint][2] */
     for (int i = 0; i < njoint; i++) find_bodies(w, i, bodies + 2 * i);
     number_bodies(w, bodies, number_bodies(w, bodies, 0)); /* the last of all hangs at an end */

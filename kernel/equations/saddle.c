@@ -14,46 +14,43 @@
 #include "elements/joint_friction.h"
 #include "equations/solve_cache.h"
 #include "numerics/dense.h"
+#include "numerics/tolerances.h"
 #include "state/frame.h"
 #include "state/route.h"
 #include "state/workspace.h"
 
-#define TAKEN_OFF 60       /* rounds: three digits each, unless there is too little mass elsewhere */
-#define NOTHING_LEFT 4e-15 /* of the terms: the next round would not change them */
-#define ROUNDS 400         /* of friction and reactions: more, and the joint jams */
-
-void pm_saddle_rows(pm_workspace *w)
+void pm_saddle_evaluate(pm_active_set *active, const pm_frame *frame)
 {
-    const int n = w->active.n;
+    const int n = active->n;
     for (int i = 0; i < n; i++) {
-        pm_constraint *row = &w->active.row[i];
-        pm_constraint_kind(row->kind)->evaluate(&w->frame, row);
+        pm_constraint *row = &active->row[i];
+        pm_constraint_kind(row->kind)->evaluate(frame, row);
     }
-    if (!w->active.asymmetric) return;
-    for (int i = 0; i < n; i++) memcpy(w->active.row[i].h, w->active.row[i].j, sizeof w->active.row[i].h);
-    for (int i = n; w->active.row[i].normal != PM_NONE;
-         i++) { /* carried tangents, closed by an entry without normal */
-        pm_constraint *tangent = &w->active.row[i], *normal = &w->active.row[tangent->normal];
-        pm_constraint_kind(tangent->kind)->evaluate(&w->frame, tangent);
+    if (!active->asymmetric) return;
+    for (int i = 0; i < n; i++) memcpy(active->row[i].h, active->row[i].j, sizeof active->row[i].h);
+    for (int i = n; active->row[i].normal != PM_NONE;
+         i++) { /* carried tangents; an entry without normal ends them */
+        pm_constraint *tangent = &active->row[i], *normal = &active->row[tangent->normal];
+        pm_constraint_kind(tangent->kind)->evaluate(frame, tangent);
         for (int k = 0; k < 6; k++) normal->h[k] = normal->j[k] + normal->slide * tangent->j[k];
     }
 }
 
-static const double *force_direction(const pm_workspace *w, const pm_constraint *row)
+static const double *force_direction(const pm_saddle *s, const pm_constraint *row)
 {
-    return w->active.asymmetric ? row->h : row->j;
+    return s->active->asymmetric ? row->h : row->j;
 }
 
 /* Product of two rows over the bodies that they share, in the metric of M^-1. */
-static double coupled(const pm_workspace *w, const pm_constraint *a, const double *ja, const pm_constraint *b,
+static double coupled(const pm_saddle *s, const pm_constraint *a, const double *ja, const pm_constraint *b,
                       const double *jb)
 {
-    const int ground = w->model->nbody;
+    const int ground = s->model->nbody;
     double sum = 0;
     for (int p = 0; p < 2; p++) {
         const int body = a->body[p];
         if (body == ground) continue;
-        const double *im = w->numbers.inverse_mass + 3 * body, *x = ja + 3 * p;
+        const double *im = s->numbers->inverse_mass + 3 * body, *x = ja + 3 * p;
         for (int r = 0; r < 2; r++) {
             if (b->body[r] != body) continue;
             const double *y = jb + 3 * r;
@@ -64,15 +61,15 @@ static double coupled(const pm_workspace *w, const pm_constraint *a, const doubl
 }
 
 /* The first row that shares a body with each: before it the row of S is empty.  In w->pivot, which Cholesky leaves. */
-static void find_envelope(pm_workspace *w)
+static void find_envelope(pm_saddle *s)
 {
-    int *first = w->saddle.pivot, *first_of_body = w->saddle.first_row;
-    for (int i = 0; i < w->model->nbody; i++) first_of_body[i] = PM_NONE;
-    for (int i = 0; i < w->active.n; i++) {
+    int *first = s->pivot, *first_of_body = s->first_row;
+    for (int i = 0; i < s->model->nbody; i++) first_of_body[i] = PM_NONE;
+    for (int i = 0; i < s->active->n; i++) {
         first[i] = i;
         for (int p = 0; p < 2; p++) {
-            const int body = w->active.row[i].body[p];
-            if (body == w->model->nbody) continue;
+            const int body = s->active->row[i].body[p];
+            if (body == s->model->nbody) continue;
             if (first_of_body[body] == PM_NONE) first_of_body[body] = i;
             if (first_of_body[body] < first[i]) first[i] = first_of_body[body];
         }
@@ -83,19 +80,19 @@ static void find_envelope(pm_workspace *w)
 static double product(const double *x, const double *y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; }
 
 /* S = G M^-1 G^T within its envelope. */
-static void fill_symmetric(pm_workspace *w)
+static void fill_symmetric(pm_saddle *s)
 {
-    const int n = w->active.n, ground = w->model->nbody;
-    find_envelope(w);
+    const int n = s->active->n, ground = s->model->nbody;
+    find_envelope(s);
     for (int i = 0; i < n; i++) {
-        const pm_constraint *row = &w->active.row[i];
+        const pm_constraint *row = &s->active->row[i];
         const int a = row->body[0], b = row->body[1];
-        double ja[3] = {0}, jb[3] = {0},
-               *to = w->saddle.schur + i * n; /* in the metric; nothing on the ground */
-        for (int k = 0; k < 3 && a != ground; k++) ja[k] = row->j[k] * w->numbers.inverse_mass[3 * a + k];
-        for (int k = 0; k < 3 && b != ground; k++) jb[k] = row->j[3 + k] * w->numbers.inverse_mass[3 * b + k];
-        for (int k = w->saddle.pivot[i]; k <= i; k++) {
-            const pm_constraint *other = &w->active.row[k];
+        double ja[3] = {0}, jb[3] = {0}, *to = s->schur + i * n; /* in the metric; nothing on the ground */
+        for (int k = 0; k < 3 && a != ground; k++) ja[k] = row->j[k] * s->numbers->inverse_mass[3 * a + k];
+        for (int k = 0; k < 3 && b != ground; k++)
+            jb[k] = row->j[3 + k] * s->numbers->inverse_mass[3 * b + k];
+        for (int k = s->pivot[i]; k <= i; k++) {
+            const pm_constraint *other = &s->active->row[k];
             double sum = 0;
             if (a == other->body[0]) sum += product(ja, other->j);
             if (a == other->body[1]) sum += product(ja, other->j + 3);
@@ -106,39 +103,63 @@ static void fill_symmetric(pm_workspace *w)
     }
 }
 
-/* 0, or one more than the row that depends on those before it.  At one place the same rows are asked for several times. */
-static int factor_symmetric(pm_workspace *w)
+void pm_saddle_forget(pm_saddle *s) { s->nfactored = 0; }
+
+int pm_saddle_is_factored(const pm_saddle *s)
 {
-    if (pm_solve_cache_is_factored(w)) return 0;
-    fill_symmetric(w);
-    const int bad = pm_dense_skyline_factor(w->active.n, w->saddle.pivot, w->saddle.schur);
+    if (s->nfactored == 0 || s->nfactored != s->active->n) return 0;
+    for (int i = 0; i < s->nfactored; i++) {
+        const pm_hold *x = &s->factored[i];
+        const pm_constraint *row = &s->active->row[i];
+        if (x->body[0] != row->body[0] || x->body[1] != row->body[1]) return 0;
+        for (int k = 0; k < 6; k++)
+            if (x->j[k] != row->j[k]) return 0;
+    }
+    return 1;
+}
+
+static void note_factored(pm_saddle *s)
+{
+    s->nfactored = s->active->n;
+    for (int i = 0; i < s->nfactored; i++) {
+        memcpy(s->factored[i].body, s->active->row[i].body, sizeof s->factored[i].body);
+        memcpy(s->factored[i].j, s->active->row[i].j, sizeof s->factored[i].j);
+    }
+}
+
+/* 0, or one more than the row that depends on those before it.  At one place the same rows are asked for several times. */
+static int factor_symmetric(pm_saddle *s)
+{
+    if (pm_saddle_is_factored(s)) return 0;
+    fill_symmetric(s);
+    const int bad = pm_dense_skyline_factor(s->active->n, s->pivot, s->schur);
     if (bad)
-        pm_solve_cache_drop_factors(w);
+        s->nfactored = 0;
     else
-        pm_solve_cache_factored(w);
+        note_factored(s);
     return bad;
 }
 
-static int factor_asymmetric(pm_workspace *w)
+static int factor_asymmetric(pm_saddle *s)
 {
-    const int n = w->active.n;
-    pm_solve_cache_drop_factors(w);
+    const int n = s->active->n;
+    s->nfactored = 0;
     for (int i = 0; i < n; i++)
         for (int k = 0; k < n; k++)
-            w->saddle.schur[i * n + k] =
-                coupled(w, &w->active.row[i], w->active.row[i].j, &w->active.row[k], w->active.row[k].h);
-    return pm_dense_lu_factor(n, w->saddle.schur, w->saddle.pivot);
+            s->schur[i * n + k] =
+                coupled(s, &s->active->row[i], s->active->row[i].j, &s->active->row[k], s->active->row[k].h);
+    return pm_dense_lu_factor(n, s->schur, s->pivot);
 }
 
-double pm_saddle_independence(pm_workspace *w)
+double pm_saddle_independence(pm_saddle *s)
 {
-    const int n = w->active.n;
+    const int n = s->active->n;
     double least = 1;
-    if (factor_symmetric(w)) return 0;
+    if (factor_symmetric(s)) return 0;
     for (int i = 0; i < n; i++) { /* the factor holds the reciprocal of what is left of the row */
-        const double all = coupled(w, &w->active.row[i], w->active.row[i].j, &w->active.row[i],
-                                   w->active.row[i].j),
-                     *left = w->saddle.schur + i * n + i;
+        const double all = coupled(s, &s->active->row[i], s->active->row[i].j, &s->active->row[i],
+                                   s->active->row[i].j),
+                     *left = s->schur + i * n + i;
         least = fmin(least, 1 / (all * *left * *left));
     }
     return sqrt(least);
@@ -147,13 +168,13 @@ double pm_saddle_independence(pm_workspace *w)
 double pm_saddle_independence_there(pm_workspace *w, const pm_state *s)
 {
     pm_frame_look_state(&w->frame, s);
-    pm_saddle_rows(w);
-    return pm_saddle_independence(w);
+    pm_saddle_evaluate(&w->active, &w->frame);
+    return pm_saddle_independence(&w->saddle);
 }
 
 int pm_saddle_factor(pm_workspace *w)
 {
-    const int bad = w->active.asymmetric ? factor_asymmetric(w) : factor_symmetric(w);
+    const int bad = w->active.asymmetric ? factor_asymmetric(&w->saddle) : factor_symmetric(&w->saddle);
     w->result.count[PM_COUNT_SOLVES]++;
     if (!bad) return PM_OK;
     const pm_constraint *row = &w->active.row[bad - 1];
@@ -161,27 +182,27 @@ int pm_saddle_factor(pm_workspace *w)
                                  : pm_fail(w, PM_SINGULAR, PM_TABLE_CONTACT, PM_NONE, 0, 0);
 }
 
-void pm_saddle_solve(pm_workspace *w)
+void pm_saddle_solve(pm_saddle *s)
 {
-    if (w->active.asymmetric) {
-        pm_dense_lu_solve(w->active.n, w->saddle.schur, w->saddle.pivot, w->saddle.rhs);
+    if (s->active->asymmetric) {
+        pm_dense_lu_solve(s->active->n, s->schur, s->pivot, s->rhs);
     } else {
-        pm_dense_skyline_lower(w->active.n, w->saddle.pivot, w->saddle.schur, w->saddle.rhs);
-        pm_dense_skyline_upper(w->active.n, w->saddle.pivot, w->saddle.schur, w->saddle.rhs);
+        pm_dense_skyline_lower(s->active->n, s->pivot, s->schur, s->rhs);
+        pm_dense_skyline_upper(s->active->n, s->pivot, s->schur, s->rhs);
     }
 }
 
-void pm_saddle_spread(const pm_workspace *w, int use_h, double *x)
+void pm_saddle_spread(const pm_saddle *s, int use_h, double *x)
 {
-    const int ground = w->model->nbody;
-    for (int i = 0; i < w->active.n; i++) {
-        const pm_constraint *row = &w->active.row[i];
-        const double *d = use_h ? force_direction(w, row) : row->j, l = w->saddle.rhs[i];
+    const int ground = s->model->nbody;
+    for (int i = 0; i < s->active->n; i++) {
+        const pm_constraint *row = &s->active->row[i];
+        const double *d = use_h ? force_direction(s, row) : row->j, l = s->rhs[i];
         for (int p = 0; p < 2; p++) {
             const int body = row->body[p];
             if (body == ground) continue;
             for (int k = 0; k < 3; k++)
-                x[3 * body + k] += w->numbers.inverse_mass[3 * body + k] * d[3 * p + k] * l;
+                x[3 * body + k] += s->numbers->inverse_mass[3 * body + k] * d[3 * p + k] * l;
         }
     }
 }
@@ -213,8 +234,8 @@ static void respond_once(pm_workspace *w, const double *force, const double *bef
         x[i] = w->numbers.inverse_mass[i] * ((force ? force[i] : 0) + w->numbers.stand_in[i] * before[i]);
     for (int i = 0; i < w->active.n; i++)
         w->saddle.rhs[i] = w->saddle.wanted[i] - pm_saddle_times(&w->frame, &w->active.row[i], x);
-    pm_saddle_solve(w);
-    pm_saddle_spread(w, 1, x);
+    pm_saddle_solve(&w->saddle);
+    pm_saddle_spread(&w->saddle, 1, x);
 }
 
 /* How far x is from `before`, relative to the greatest terms it is the sum of; *worst: where. */
@@ -240,10 +261,9 @@ int pm_saddle_respond(pm_workspace *w, const double *force, double *x)
 {
     int worst = 0;
     memset(w->saddle.previous, 0, (size_t)w->model->nq * sizeof *x);
-    for (int i = 0; i < TAKEN_OFF; i++) {
+    for (int i = 0; i < PM_STAND_IN_ROUNDS; i++) {
         respond_once(w, force, w->saddle.previous, x);
-        if (!w->numbers.massless || change(w, force, w->saddle.previous, x, &worst) <= NOTHING_LEFT)
-            return PM_OK;
+        if (!w->numbers.massless || change(w, force, w->saddle.previous, x, &worst) <= PM_MET) return PM_OK;
         memcpy(w->saddle.previous, x, (size_t)w->model->nq * sizeof *x);
     }
     return pm_fail(w, PM_SINGULAR, PM_TABLE_BODY, worst / 3, NAN, NAN);
@@ -256,7 +276,7 @@ static int accelerate(pm_workspace *w, int evaluated)
     pm_force_all(w);
     for (int i = 0; i < w->model->nq; i++) f->a[i] = w->numbers.inverse_mass[i] * f->f[i];
     if (w->active.n > 0 || w->numbers.massless) {
-        if (!evaluated) pm_saddle_rows(w);
+        if (!evaluated) pm_saddle_evaluate(&w->active, &w->frame);
         int status = pm_saddle_factor(w);
         if (status) return from_route(w) ? PM_OK : status;
         for (int i = 0; i < w->active.n; i++) w->saddle.wanted[i] = w->active.row[i].gamma;
@@ -270,7 +290,7 @@ static int accelerate(pm_workspace *w, int evaluated)
 static int accelerate_from(pm_workspace *w, int evaluated)
 {
     if (pm_solve_cache_take(w)) return PM_OK;
-    for (int i = 0; i < ROUNDS; i++) {
+    for (int i = 0; i < PM_FRICTION_ROUNDS; i++) {
         const int status = accelerate(w, evaluated && i == 0);
         if (status || !pm_joint_friction_by_load(w) || !pm_joint_friction_update(w)) {
             if (!status) pm_solve_cache_keep(w);

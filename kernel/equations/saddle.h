@@ -1,29 +1,42 @@
-/* saddle.h - the one linear system of the kernel, [M H^T; G 0], on the active rows. */
+/* saddle.h - the one linear system of the kernel, [M H^T; G 0], on the active constraints.
+ *
+ * Whoever fills saddle.rhs or saddle.wanted calls what works on it next: neither outlives that.  Statuses: PM_OK, or
+ * PM_SINGULAR with the constraint or body that the system does not determine. */
 #ifndef PM_SADDLE_H
 #define PM_SADDLE_H
 
 #include "state/workspace.h"
 
-/* Evaluates the active rows at the frame (and the tangents that sliding contacts carry). */
-void pm_saddle_rows(pm_workspace *w);
-/* Factors S = G M^-1 H^T of the active rows. */
+/* Where a constraint takes hold. */
+typedef struct pm_hold {
+    int body[2];
+    double j[6];
+} pm_hold;
+
+/* Evaluates the active constraints at the frame, and the tangents that sliding contacts carry. */
+void pm_saddle_evaluate(pm_active_set *active, const pm_frame *frame);
+/* Factors S = G M^-1 H^T of the evaluated constraints; counts as a solve. */
 int pm_saddle_factor(pm_workspace *w);
-/* How far the active rows, evaluated, are from depending on each other: the least part of a row that those before it do not
- * span, relative to it (its square is known to rounding). */
-double pm_saddle_independence(pm_workspace *w);
-/* The same of the rows at a state, where the frame then looks. */
+/* The factors are of other masses from now on. */
+void pm_saddle_forget(pm_saddle *s);
+/* Whether S holds the factors of the active constraints as they are evaluated now, with H = G. */
+int pm_saddle_is_factored(const pm_saddle *s);
+/* How far the evaluated constraints are from depending on each other: the least part of a row of G that those before it do
+ * not span, relative to it (its square is known to rounding). */
+double pm_saddle_independence(pm_saddle *s);
+/* The same at a state, where the frame then looks. */
 double pm_saddle_independence_there(pm_workspace *w, const pm_state *s);
-/* w->rhs: S x = rhs in place. */
-void pm_saddle_solve(pm_workspace *w);
-/* x += M^-1 H^T l (use_h) or M^-1 G^T l, with l = w->rhs. */
-void pm_saddle_spread(const pm_workspace *w, int use_h, double *x);
-/* Motion: accelerations and reactions at the frame; level DYNAMIC. */
-/* The rows are factored: x with M x = force + H^T l (force NULL: none), G x = w->wanted; l is in w->rhs. */
+/* S x = rhs in place. */
+void pm_saddle_solve(pm_saddle *s);
+/* x[nq] += M^-1 H^T l (use_h) or M^-1 G^T l, with l = rhs. */
+void pm_saddle_spread(const pm_saddle *s, int use_h, double *x);
+/* The constraints are factored: x[nq] with M x = force + H^T l (force[nq] or NULL: none), G x = wanted; l is in rhs. */
 int pm_saddle_respond(pm_workspace *w, const double *force, double *x);
+/* Accelerations and reactions at the frame, which is DYNAMIC then. */
 int pm_saddle_accelerate(pm_workspace *w);
-/* The same right after pm_projection_apply, which may have evaluated the rows. */
+/* The same right after pm_projection_apply, which may have evaluated the constraints. */
 int pm_saddle_accelerate_projected(pm_workspace *w);
-/* Product of row i with a vector on q. */
+/* Product of a row of G with a vector x[nq]. */
 double pm_saddle_times(const pm_frame *frame, const pm_constraint *row, const double *x);
 
 #endif

@@ -11,44 +11,34 @@
 
 #include "elements/constraint.h"
 #include "elements/force.h"
+#include "state/arena.h"
 #include "state/workspace.h"
 
 int pm_solve_cache_create(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    const size_t nq = (size_t)m->nq, nrow = (size_t)m->nrow;
     pm_solve_cache *r = w->cache = calloc(1, sizeof *r);
     if (!r) return PM_NO_MEMORY;
-    r->pose = r->block = calloc(4 * nq + nrow + 1, sizeof(double));
-    r->memory = calloc((size_t)m->nmemory + 1, sizeof *r->memory);
-    r->row = calloc(nrow + 1, sizeof *r->row);
-    r->slot = calloc((size_t)m->nslot + 1, sizeof *r->slot);
-    r->factored = calloc(nrow + 1, sizeof *r->factored);
-    if (!r->block || !r->memory || !r->row || !r->slot || !r->factored) return PM_NO_MEMORY;
-    r->velocity = r->pose + nq;
-    r->a = r->velocity + nq;
-    r->q = r->a + nq;
-    r->lambda = r->q + nq;
-    return PM_OK;
+    const pm_array array[] = {
+        PM_ARRAY(r->pose, m->nq),  PM_ARRAY(r->velocity, m->nq), PM_ARRAY(r->a, m->nq),
+        PM_ARRAY(r->q, m->nq),     PM_ARRAY(r->lambda, m->nrow), PM_ARRAY(r->memory, m->nmemory),
+        PM_ARRAY(r->row, m->nrow), PM_ARRAY(r->slot, m->nslot),
+    };
+    return pm_arena_create(&r->block, PM_ARRAYS(array));
 }
 
 void pm_solve_cache_free(pm_workspace *w)
 {
-    pm_solve_cache *r = w->cache;
-    if (!r) return;
-    free(r->block);
-    free(r->memory);
-    free(r->row);
-    free(r->slot);
-    free(r->factored);
-    free(r);
+    if (w->cache) free(w->cache->block);
+    free(w->cache);
     w->cache = NULL;
 }
 
 /* No angle is that of the case before: its sine might have the other sign of zero. */
 void pm_solve_cache_forget(pm_workspace *w)
 {
-    w->cache->known = w->cache->built = w->cache->nfactored = 0;
+    w->cache->known = 0;
+    w->cache->built = PM_NONE;
     for (int i = 0; i < w->model->nbody; i++) w->frame.turn[3 * i] = NAN;
 }
 
@@ -115,7 +105,8 @@ int pm_solve_cache_is_built(const pm_workspace *w)
 {
     const pm_solve_cache *r = w->cache;
     const pm_model *m = w->model;
-    if (!r->built || memcmp(r->q, w->state.q, (size_t)m->nq * sizeof(double)) != 0) return 0;
+    if (r->built != w->active.version || memcmp(r->q, w->state.q, (size_t)m->nq * sizeof(double)) != 0)
+        return 0;
     for (int i = 0; i < m->nslot; i++) {
         const pm_slot *s = &w->state.slot[i];
         if (r->slot[i].mode != s->mode) return 0;
@@ -129,40 +120,8 @@ void pm_solve_cache_built(pm_workspace *w)
 {
     pm_solve_cache *r = w->cache;
     const pm_model *m = w->model;
-    r->built = !m->acts && m->nkept == 0 && m->nfriction == 0;
-    if (!r->built) return;
+    if (m->acts || m->nkept > 0 || m->nfriction > 0) return;
+    r->built = w->active.version;
     memcpy(r->q, w->state.q, (size_t)m->nq * sizeof(double));
     memcpy(r->slot, w->state.slot, (size_t)m->nslot * sizeof(pm_slot));
 }
-
-void pm_solve_cache_drop_rows(pm_workspace *w)
-{
-    w->cache->built = 0;
-    w->active.version++;
-}
-
-int pm_solve_cache_is_factored(const pm_workspace *w)
-{
-    const pm_solve_cache *r = w->cache;
-    if (r->nfactored == 0 || r->nfactored != w->active.n) return 0;
-    for (int i = 0; i < w->active.n; i++) {
-        const pm_hold *x = &r->factored[i];
-        const pm_constraint *row = &w->active.row[i];
-        if (x->body[0] != row->body[0] || x->body[1] != row->body[1]) return 0;
-        for (int k = 0; k < 6; k++)
-            if (x->j[k] != row->j[k]) return 0;
-    }
-    return 1;
-}
-
-void pm_solve_cache_factored(pm_workspace *w)
-{
-    w->cache->nfactored = w->active.n;
-    for (int i = 0; i < w->active.n; i++) {
-        pm_hold *x = &w->cache->factored[i];
-        memcpy(x->body, w->active.row[i].body, sizeof x->body);
-        memcpy(x->j, w->active.row[i].j, sizeof x->j);
-    }
-}
-
-void pm_solve_cache_drop_factors(pm_workspace *w) { w->cache->nfactored = 0; }

@@ -16,12 +16,10 @@
 #include "equations/active_set.h"
 #include "equations/case.h"
 #include "equations/least_change.h"
+#include "numerics/tolerances.h"
 #include "scene/build.h"
 #include "state/frame.h"
 #include "state/workspace.h"
-
-#define AGREES 1e-9    /* relative disagreement of start velocities that is rounding */
-#define OPEN_PART 1e-6 /* of a unit velocity of a body left open */
 
 /* ---- velocities ---- */
 static int any_velocity_written(const pm_workspace *w)
@@ -118,7 +116,8 @@ static int take_written(pm_workspace *w, pm_least_change *s, double *dense, cons
         pm_measure_start_row(w, pm_start_measure(w, i), PM_START_VELOCITY, dense);
         note_written(w, islands, dense, value);
         for (int k = 0; k < w->model->nq; k++) size = fmax(size, fabs(dense[k] * s->x[k]));
-        if (pm_least_change_take(w, s, dense, value, &miss) || fabs(miss) <= AGREES * fmax(size, fabs(value)))
+        if (pm_least_change_take(w, s, dense, value, &miss) ||
+            fabs(miss) <= PM_START_AGREES * fmax(size, fabs(value)))
             continue;
         pm_fail(w, PM_START_CONFLICT, PM_TABLE_START, i, value, value - miss);
         return PM_START_CONFLICT;
@@ -145,7 +144,7 @@ static int settle_rest(pm_workspace *w, pm_least_change *s, double *dense, const
                 continue;
             }
             pm_orthonormal_rest rest;
-            if (pm_least_change_add(w, s, dense, &rest) > n && rest.left > OPEN_PART)
+            if (pm_least_change_add(w, s, dense, &rest) > n && rest.left > PM_START_OPEN_PART)
                 return pm_fail(w, PM_START_OPEN, PM_TABLE_BODY, i, k, rest.left);
         }
     return PM_OK;
@@ -167,7 +166,7 @@ static int solve_velocities(pm_workspace *w, int with_contacts)
     if (with_contacts) hold_contacts(w, &s, dense, &islands);
     int status = take_written(w, &s, dense, &islands);
     if (!status) status = settle_rest(w, &s, dense, &islands);
-    pm_active_set_clear(w);
+    pm_active_set_clear(&w->active, w->model);
     memcpy(w->state.v, x, (size_t)m->nq * sizeof *x);
     return status;
 }
@@ -183,8 +182,8 @@ static int rough_contact_slips(pm_workspace *w)
         if (pm_contact_friction(w->model, i) != PM_FRICTION_ROUGH) continue;
         if (!pm_contact_touches(w, &w->state, i, &member)) continue;
         pm_contact_member_gap(&w->frame, i, member, &rate);
-        if (fabs(rate) > AGREES * w->numbers.speed) continue;
-        if (fabs(pm_contact_member_slip(&w->frame, i, member)) > AGREES * w->numbers.speed) return 1;
+        if (fabs(rate) > PM_START_AGREES * w->numbers.speed) continue;
+        if (fabs(pm_contact_member_slip(&w->frame, i, member)) > PM_START_AGREES * w->numbers.speed) return 1;
     }
     return 0;
 }
@@ -243,7 +242,7 @@ static int check_overlap(pm_workspace *w)
 int pm_start(pm_workspace *w, pm_start_report *report)
 {
     *report = (pm_start_report){0, 0};
-    pm_active_set_clear(w);
+    pm_active_set_clear(&w->active, w->model);
     draw(w);
     int status = pm_start_assemble(w, report);
     if (!status) status = pm_start_check_couplings(w);

@@ -10,12 +10,9 @@
 #include "elements/measure.h"
 #include "equations/active_set.h"
 #include "equations/least_change.h"
+#include "numerics/tolerances.h"
 #include "state/frame.h"
 #include "state/workspace.h"
-
-#define SWEEPS 60
-#define LONGEST 0.3 /* step of the assembly, in sizes of the scene */
-#define MESHES 1e-3 /* of their distance: gears that are open by less mesh, drawn by rounded numbers */
 
 /* Worst opening of joints and written positions at the frame; where it is. */
 static double worst_opening(pm_workspace *w, int *table, int *row)
@@ -71,7 +68,7 @@ static void position_step(pm_workspace *w, double *x, double *dense)
     memset(x, 0, (size_t)m->nq * sizeof *x);
     const int solved =
         pm_least_change_block(w, &s, PM_START_POSITION) && take_written_positions(w, &s, dense);
-    pm_active_set_clear(w);
+    pm_active_set_clear(&w->active, w->model);
     if (solved) return;
     s.n = s.block = 0;
     memset(x, 0, (size_t)m->nq * sizeof *x);
@@ -92,7 +89,8 @@ static void limit_step(const pm_workspace *w, double *x)
     double longest = 0;
     for (int i = 0; i < w->model->nq; i++)
         longest = fmax(longest, fabs(x[i]) * (i % 3 == 2 ? w->numbers.size : 1));
-    const double factor = longest > LONGEST * w->numbers.size ? LONGEST * w->numbers.size / longest : 1;
+    const double factor =
+        longest > PM_ASSEMBLY_LONGEST * w->numbers.size ? PM_ASSEMBLY_LONGEST * w->numbers.size / longest : 1;
     for (int i = 0; i < w->model->nq; i++) x[i] *= factor;
 }
 
@@ -103,10 +101,11 @@ int pm_start_assemble(pm_workspace *w, pm_start_report *report)
     double *x = w->scratch, *dense = x + m->nq, best = INFINITY;
     int table = PM_NONE, row = PM_NONE;
     pm_frame_look_state(&w->frame, &w->state);
-    for (int sweep = 0; sweep < SWEEPS; sweep++) {
+    for (int sweep = 0; sweep < PM_ASSEMBLY_SWEEPS; sweep++) {
         report->opening = worst_opening(w, &table, &row);
         const int gains = report->opening < 0.5 * best;
-        if (!(report->opening > 4e-16 * w->numbers.size) || (report->opening <= allowed && !gains)) break;
+        if (!(report->opening > PM_ASSEMBLED * w->numbers.size) || (report->opening <= allowed && !gains))
+            break;
         best = fmin(best, report->opening);
         position_step(w, x, dense);
         limit_step(w, x);
@@ -133,9 +132,9 @@ static double apart(const pm_workspace *w, const pm_constraint *row)
 static int check_gears(pm_workspace *w, int joint, const pm_constraint *row)
 {
     const double distance = apart(w, row), open = fabs(distance - fabs(row->value));
-    return open <= MESHES * distance
+    return open <= PM_MESHES * distance
                ? PM_OK
-               : pm_fail(w, PM_ASSEMBLY, PM_TABLE_JOINT, joint, open, MESHES * distance);
+               : pm_fail(w, PM_ASSEMBLY, PM_TABLE_JOINT, joint, open, PM_MESHES * distance);
 }
 
 static int check_strand(pm_workspace *w, int table, int at, const pm_constraint *row)

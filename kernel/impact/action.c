@@ -216,7 +216,7 @@ static int clash(pm_workspace *w, int *clashes)
 {
     const int status = pm_active_set_build(w);
     *clashes = 0;
-    pm_saddle_rows(w);
+    pm_saddle_evaluate(&w->active, &w->frame);
     for (int i = 0; !status && i < w->active.n; i++) {
         const pm_constraint *row = &w->active.row[i];
         const double length =

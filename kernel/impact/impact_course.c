@@ -144,8 +144,8 @@ static void respond(pm_workspace *w, const pm_constraint *row, double *x)
     if (w->active.n == 0) return;
     for (int i = 0; i < w->active.n; i++)
         w->saddle.rhs[i] = -pm_saddle_times(&w->frame, &w->active.row[i], x);
-    pm_saddle_solve(w);
-    pm_saddle_spread(w, 0, x);
+    pm_saddle_solve(&w->saddle);
+    pm_saddle_spread(&w->saddle, 0, x);
 }
 
 int pm_impact_course_read(pm_workspace *w, int slot, double *response, pm_impact_course *x)

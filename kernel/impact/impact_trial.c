@@ -29,7 +29,7 @@ static int build(pm_workspace *w, const pm_blow *b)
     for (int i = 0; i < m->nslot; i++) w->state.slot[i].mode = pm_blow_has(b, i) ? b->trial[i] : PM_OPEN;
     pm_frame_look_state(&w->frame, &w->state);
     const int status = pm_active_set_build(w);
-    if (!status && !w->active.evaluated) pm_saddle_rows(w);
+    if (!status && !w->active.evaluated) pm_saddle_evaluate(&w->active, &w->frame);
     return status;
 }
 
@@ -110,7 +110,7 @@ static int follow_alone(pm_workspace *w, pm_blow *b)
     if (w->active.slot_normal[slot] == PM_NONE)
         return pm_fail(w, PM_SINGULAR, PM_TABLE_CONTACT, contact, 0, 0);
     pm_active_set_carry(w, slot, b->end.ratio);
-    pm_saddle_rows(w);
+    pm_saddle_evaluate(&w->active, &w->frame);
     return PM_OK;
 }
 

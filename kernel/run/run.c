@@ -35,6 +35,7 @@ static int begin_case(pm_workspace *w, const double *param, pm_start_report *rep
     w->impulses.energy_lost = 0;
     w->state.t = 0; /* a case that fails before its start reports no time of another */
     pm_solve_cache_forget(w);
+    pm_saddle_forget(&w->saddle);
     w->phase.price = w->phase.lap = w->phase.path_left = w->phase.singular = 0;
     w->phase.route = pm_routes_default(w->model); /* until the first phase is planned */
     pm_repeat_forget(w);

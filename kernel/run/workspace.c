@@ -6,6 +6,7 @@
 #include "equations/fixed_bodies.h"
 #include "equations/gap_bounds.h"
 #include "equations/row_order.h"
+#include "equations/saddle.h"
 #include "equations/solve_cache.h"
 #include "events/ask.h"
 #include "events/event.h"
@@ -45,6 +46,7 @@ static int create_arrays(pm_workspace *w)
         PM_ARRAY(w->active.slot_held, PM_JOINT_CONSTRAINTS * m->nslot),
         PM_ARRAY(w->saddle.schur, (size_t)nrow * (size_t)nrow),
         PM_ARRAY(w->saddle.pivot, nrow),
+        PM_ARRAY(w->saddle.factored, nrow),
         PM_ARRAY(w->saddle.first_row, m->nbody),
         PM_ARRAY(w->active.body_place, m->nbody),
         PM_ARRAY(w->active.joint_order, m->rows[PM_TABLE_JOINT]),
@@ -100,6 +102,7 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
     if (!w) return PM_NO_MEMORY;
     w->model = w->frame.model = m;
     w->frame.numbers = &w->numbers;
+    w->saddle = (pm_saddle){.model = m, .numbers = &w->numbers, .active = &w->active};
     w->numbers.coarse = 1;
     int status = create_arrays(w);
     if (!status) status = create_rooms(w);

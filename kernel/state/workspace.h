@@ -35,14 +35,19 @@ typedef struct pm_active_set {
 
 /* The factored system on the active set, and its right-hand side (equations/saddle.h). */
 typedef struct pm_saddle {
-    double *schur;    /* [nrow][nrow] S = G M^-1 H^T, then its factors */
-    int *pivot;       /* [nrow] */
-    double *rhs;      /* [nrow] right-hand side, then the solution */
-    double *wanted;   /* [nrow] rates that a response is to have */
-    double *previous; /* [nq] scratch: the response of the round before */
-    int *first_row;   /* [nbody] scratch */
-    double *basis;    /* [nq + 1][nq] orthonormal rows (equations/orthonormal_rows.h) */
-    int *basis_range; /* [nq + 1][2] coordinates between which each is not zero */
+    const pm_model *model;
+    const pm_numbers *numbers;
+    const pm_active_set *active;
+    double *schur;            /* [nrow][nrow] S = G M^-1 H^T, then its factors */
+    int *pivot;               /* [nrow] */
+    double *rhs;              /* [nrow] right-hand side, then the solution */
+    double *wanted;           /* [nrow] rates that a response is to have */
+    double *previous;         /* [nq] scratch: the response of the round before */
+    int *first_row;           /* [nbody] scratch */
+    int nfactored;            /* the factors are of so many constraints; 0: of none */
+    struct pm_hold *factored; /* [nrow] which take hold here */
+    double *basis;            /* [nq + 1][nq] orthonormal rows (equations/orthonormal_rows.h) */
+    int *basis_range;         /* [nq + 1][2] coordinates between which each is not zero */
 } pm_saddle;
 
 /* What the last blow did (impact/impact.h). */

@@ -14,14 +14,11 @@
 #include "equations/saddle.h"
 #include "numerics/dense.h"
 #include "numerics/lanes.h"
+#include "numerics/tolerances.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 #include "tree/tree.h"
 #include "tree/tree_node.h"
-
-#define SWEEPS 8
-#define ROUNDING 4e-15 /* residual relative to the size of the scene below which nothing is left to gain */
-#define SMALL 1e-8     /* of the size: a correction of positions this small leaves the factors as they are */
 
 /* The lower triangle of B^T M B, with stand-ins for what has no mass; pm_tree_influence has been called. */
 static void fill_mass(pm_workspace *w)
@@ -344,9 +341,11 @@ int pm_tree_project(pm_workspace *w, double time, double *y, double *ydot, const
         evaluate_loops(w);
         for (int i = 0; i < t->nloop; i++) t->residual[i] = -w->active.row[t->loop[i]].g;
         const double worst = worst_of(t->residual, t->nloop);
-        if (worst <= ROUNDING * w->numbers.size || sweep == SWEEPS || (sweep > 1 && worst > 0.5 * before))
+        if (worst <= PM_MET * w->numbers.size || sweep == PM_PROJECTION_SWEEPS ||
+            (sweep > 1 && worst > 0.5 * before))
             break;
-        factored = worst <= SMALL * w->numbers.size; /* good enough for what is left, and for the rates */
+        factored =
+            worst <= PM_FACTORS_STAY * w->numbers.size; /* good enough for what is left, and for the rates */
         before = worst;
         if ((status = factor(w))) return status;
         correct(t, y);
@@ -357,8 +356,8 @@ int pm_tree_project(pm_workspace *w, double time, double *y, double *ydot, const
         t->residual[i] = row->rate - pm_saddle_times(&w->frame, row, t->v);
     }
     const double worst = worst_of(t->residual, t->nloop);
-    if (worst <= ROUNDING * w->numbers.speed) return PM_OK;
-    if (!(factored && worst <= SMALL * w->numbers.speed) && (status = factor(w))) return status;
+    if (worst <= PM_MET * w->numbers.speed) return PM_OK;
+    if (!(factored && worst <= PM_FACTORS_STAY * w->numbers.speed) && (status = factor(w))) return status;
     correct(t, ydot);
     pm_tree_look(w, time, y, ydot, z);
     return PM_OK;

@@ -14,20 +14,11 @@
 #include "elements/force.h"
 #include "equations/saddle.h"
 #include "numerics/dense.h"
+#include "numerics/tolerances.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 #include "tree/tree.h"
 #include "tree/tree_node.h"
-
-#define SWEEPS 20
-#define ROUNDING 4e-15 /* of the scene's size: loop rows are met */
-#define FINEST 4e-16   /* of size and speed: near a singular position what is left is amplified */
-#define STALLED 1e-12  /* of the scene's size: met, as far as far-off coordinates allow */
-#define CLOSE 1e-8     /* of the size: a correction of positions this small leaves the factors as they are */
-#define RANK 1e-9      /* of the greatest pivot: below it rows depend on each other */
-#define MANY 12        /* loop rows */
-#define FLAT 0.01      /* square of the independent part of a loop row */
-#define STEEP 5        /* rate of a dependent coordinate over that of an independent one */
 
 static double scale_of(const pm_workspace *w, int coordinate)
 {
@@ -55,7 +46,7 @@ void pm_tree_partition(pm_workspace *w)
     pm_tree_loops(w, &loops);
     for (int i = 0; i < t->nloop; i++)
         for (int k = loops.low[i]; k <= loops.high[i]; k++) a[i * n + k] *= scale_of(w, k);
-    if (pm_elimination_run(t->nloop, n, a, order, &t->elimination) > RANK) {
+    if (pm_elimination_run(t->nloop, n, a, order, &t->elimination) > PM_LOOP_RANK) {
         memcpy(t->part.column + t->nloop, order + t->nloop, (size_t)(n - t->nloop) * sizeof *order);
         t->part.few = 1;
         t->part.steepest = 0;
@@ -63,12 +54,15 @@ void pm_tree_partition(pm_workspace *w)
     if (t->part.few) pm_tree_arrange(w); /* singular here: what was chosen stays */
 }
 
-int pm_tree_is_steep(const pm_workspace *w) { return w->tree->part.few && w->tree->part.steepest > STEEP; }
+int pm_tree_is_steep(const pm_workspace *w)
+{
+    return w->tree->part.few && w->tree->part.steepest > PM_LOOP_STEEP;
+}
 
 int pm_tree_is_flat(const pm_workspace *w)
 {
     const pm_tree *t = w->tree;
-    return !t->part.few && t->nloop > 0 && (t->part.independence < FLAT || t->nloop > MANY);
+    return !t->part.few && t->nloop > 0 && (t->part.independence < PM_LOOP_FLAT || t->nloop > PM_LOOPS_MANY);
 }
 
 /* y of the dependent coordinates += J_v^-1 residual. */
@@ -115,9 +109,9 @@ static double place(pm_workspace *w, const double *y, double *q, const pm_loops 
 int pm_tree_close(pm_workspace *w, double *y, double *q, const pm_loops *loops)
 {
     double worst = place(w, y, q, loops), before = INFINITY;
-    for (int sweep = 0; sweep < SWEEPS; sweep++) {
-        if (worst <= ROUNDING * w->numbers.size ||
-            (worst <= STALLED * w->numbers.size && worst > 0.25 * before))
+    for (int sweep = 0; sweep < PM_LOOP_SWEEPS; sweep++) {
+        if (worst <= PM_MET * w->numbers.size ||
+            (worst <= PM_LOOP_STALLED * w->numbers.size && worst > 0.25 * before))
             return PM_OK;
         const int status = pm_tree_factor_dependent(w, loops->entry);
         if (status) return status;
@@ -125,7 +119,7 @@ int pm_tree_close(pm_workspace *w, double *y, double *q, const pm_loops *loops)
         before = worst;
         worst = place(w, y, q, loops);
     }
-    return pm_fail(w, PM_ASSEMBLY, PM_NONE, PM_NONE, worst, STALLED * w->numbers.size);
+    return pm_fail(w, PM_ASSEMBLY, PM_NONE, PM_NONE, worst, PM_LOOP_STALLED * w->numbers.size);
 }
 
 /* Rates of all coordinates at a unit rate of an independent one; the factors are there. */
@@ -173,11 +167,12 @@ int pm_tree_settle(pm_workspace *w, double time, double *y, double *ydot, const 
 {
     const pm_tree *t = w->tree;
     double worst = look(w, time, y, ydot, z), before = INFINITY;
-    for (int sweep = 0; sweep < SWEEPS; sweep++) {
-        const int met = worst <= FINEST * w->numbers.size ||
-                        (worst <= STALLED * w->numbers.size && worst > 0.25 * before);
-        if (met && read_rate_residuals(w, t->v) <= FINEST * w->numbers.speed) return PM_OK;
-        if (met && sweep > 0 && before <= CLOSE * w->numbers.size) { /* the factors are those of this place */
+    for (int sweep = 0; sweep < PM_LOOP_SWEEPS; sweep++) {
+        const int met = worst <= PM_LOOP_FINEST * w->numbers.size ||
+                        (worst <= PM_LOOP_STALLED * w->numbers.size && worst > 0.25 * before);
+        if (met && read_rate_residuals(w, t->v) <= PM_LOOP_FINEST * w->numbers.speed) return PM_OK;
+        if (met && sweep > 0 &&
+            before <= PM_FACTORS_STAY * w->numbers.size) { /* the factors are those of this place */
             correct(t, ydot);
             look(w, time, y, ydot, z);
             return PM_OK;
@@ -192,7 +187,7 @@ int pm_tree_settle(pm_workspace *w, double time, double *y, double *ydot, const 
         worst = look(w, time, y, ydot, z);
     }
     return pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, worst,
-                   STALLED * w->numbers.size); /* a shorter step may do */
+                   PM_LOOP_STALLED * w->numbers.size); /* a shorter step may do */
 }
 
 /* J_v yddot_v = gamma - G a, a the accelerations at yddot as given. */

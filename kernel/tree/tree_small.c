@@ -18,14 +18,11 @@
 
 #include "elements/joint_friction.h"
 #include "numerics/lanes.h"
+#include "numerics/tolerances.h"
 #include "state/workspace.h"
 
 #define MOST PM_SWIFT_MOST
-#define CLOSE 0.5        /* rad: so far the series below have all figures */
 #define PIVOT_LOSS 1e-14 /* as in dense.c */
-#define SWEEPS 8         /* as in tree_dynamics.c, like the next two */
-#define ROUNDING 4e-15
-#define SMALL 1e-8
 #define INLINE static inline __attribute__((always_inline))
 
 int pm_tree_small_applies(const pm_workspace *w)
@@ -72,7 +69,8 @@ INLINE void direct(const pm_tree_small *x, int n, const double *y, pm_tree_small
 {
     for (int k = 0; k < n; k += 2) {
         const pm_lanes by = (pm_pair_load(y + k) - pm_pair_load(x->y + k)) * pm_pair_load(x->turning + k);
-        if (by[0] < CLOSE && by[0] > -CLOSE && (k + 1 == n || (by[1] < CLOSE && by[1] > -CLOSE))) {
+        if (by[0] < PM_SERIES_REACH && by[0] > -PM_SERIES_REACH &&
+            (k + 1 == n || (by[1] < PM_SERIES_REACH && by[1] > -PM_SERIES_REACH))) {
             turn_by(x, k, by, to);
             continue;
         }
@@ -364,9 +362,10 @@ INLINE int project(pm_workspace *w, int n, int nloop, double *y, double *ydot)
     for (int sweep = 0;; sweep++) {
         look(x, n, y, &p);
         worst = openings(x, n, nloop, y, &p, opening);
-        if (worst <= ROUNDING * w->numbers.size || sweep == SWEEPS || (sweep > 1 && worst > 0.5 * before))
+        if (worst <= PM_MET * w->numbers.size || sweep == PM_PROJECTION_SWEEPS ||
+            (sweep > 1 && worst > 0.5 * before))
             break;
-        factored = worst <= SMALL * w->numbers.size;
+        factored = worst <= PM_FACTORS_STAY * w->numbers.size;
         before = worst;
         if ((status = factor_here(w, n, nloop, &p))) return status;
         close(n, nloop, &p, opening, y);
@@ -377,8 +376,8 @@ INLINE int project(pm_workspace *w, int n, int nloop, double *y, double *ydot)
         for (int k = 0; k < n; k++) opening[i] -= jacobian(&x->row[i], k, &p) * ydot[k];
         if (fabs(opening[i]) > worst) worst = fabs(opening[i]);
     }
-    if (worst <= ROUNDING * w->numbers.speed) return PM_OK;
-    if (!(factored && worst <= SMALL * w->numbers.speed) && (status = factor_here(w, n, nloop, &p)))
+    if (worst <= PM_MET * w->numbers.speed) return PM_OK;
+    if (!(factored && worst <= PM_FACTORS_STAY * w->numbers.speed) && (status = factor_here(w, n, nloop, &p)))
         return status;
     close(n, nloop, &p, opening, ydot);
     return PM_OK;

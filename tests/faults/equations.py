@@ -15,7 +15,7 @@ FAULTS = [
     Fault(
         "rows: a redundant row stays",
         "equations/active_set.c",
-        "*depends = rest.left < STILL_DEPENDENT",
+        "*depends = rest.left < PM_DEPENDENT_NEARBY",
         "*depends = 0",
     ),
     Fault(
@@ -46,8 +46,8 @@ FAULTS = [
     Fault(
         "still: rows that nearly depend hold",
         "equations/fixed_bodies.c",
-        "left > CLEARLY * CLEARLY * all",
-        "left > 0",
+        "WIDE, PM_CLEARLY_INDEPENDENT}",
+        "WIDE, 0}",
     ),
     Fault("still: a joint that may go holds", "equations/fixed_bodies.c", "is_changed(m, i) || ", ""),
     Fault(
@@ -151,7 +151,10 @@ FAULTS = [
         "w->active.row[i].rate + pm_saddle_times",
     ),
     Fault(
-        "projection: position left out", "equations/projection.c", "pm_saddle_spread(w, 0, s->q)", "(void)0"
+        "projection: position left out",
+        "equations/projection.c",
+        "pm_saddle_spread(&w->saddle, 0, s->q)",
+        "(void)0",
     ),
     Fault("massless: a stand-in stays", "equations/saddle.c", "+ w->numbers.stand_in[i] * before[i]", ""),
     Fault(
@@ -169,7 +172,7 @@ FAULTS = [
     Fault(
         "saddle: friction left out of the force",
         "equations/saddle.c",
-        "use_h ? force_direction(w, row) : row->j",
+        "use_h ? force_direction(s, row) : row->j",
         "use_h ? row->j : row->j",
     ),
     Fault(
@@ -205,15 +208,13 @@ FAULTS = [
         "memcmp(r->q, w->state.q,",
         "memcmp(r->q, r->q,",
     ),
-    Fault(
-        "recall: factors of other rows", "equations/solve_cache.c", "if (x->j[k] != row->j[k]) return 0;", ";"
-    ),
-    Fault("recall: factors of other bodies", "equations/solve_cache.c", "x->body[1] != row->body[1]", "0"),
+    Fault("recall: factors of other rows", "equations/saddle.c", "if (x->j[k] != row->j[k]) return 0;", ";"),
+    Fault("recall: factors of other bodies", "equations/saddle.c", "x->body[1] != row->body[1]", "0"),
     Fault("start: contradictions pass", "equations/start.c", "return PM_START_CONFLICT", "continue"),
     Fault(
         "start: open motions pass",
         "equations/start.c",
-        "&& rest.left > OPEN_PART",
+        "&& rest.left > PM_START_OPEN_PART",
         "&& rest.left > 2",
     ),
     Fault(

@@ -208,7 +208,7 @@ FAULTS = [
         "2 * e * now.impulse",
     ),
     Fault("impact: restitution of the work", "impact/impact_course.c", "-e * e * now.work", "-e * now.work"),
-    Fault("impact: joints do not hold", "impact/impact_course.c", "pm_saddle_spread(w, 0, x);", ""),
+    Fault("impact: joints do not hold", "impact/impact_course.c", "pm_saddle_spread(&w->saddle, 0, x);", ""),
     Fault(
         "instant: contacts stay as they were", "impact/instant.c", "m->nslot == 0 || contacts_stay(w)", "1"
     ),

@@ -61,8 +61,8 @@ FAULTS = [
     Fault(
         "ida: friction left out",
         "routes/ida/ida_system.c",
-        "pm_saddle_spread(w, 1, r + nq)",
-        "pm_saddle_spread(w, 0, r + nq)",
+        "pm_saddle_spread(&w->saddle, 1, r + nq)",
+        "pm_saddle_spread(&w->saddle, 0, r + nq)",
     ),
     Fault(
         "ida: singular positions that a step has come to",

@@ -111,7 +111,12 @@ FAULTS = [
     Fault("swift: centrifugal forces", "tree/tree_small.c", "f[k] -= square[i]", "f[k] += square[i]"),
     Fault("swift: gamma", "tree/tree_small.c", "gamma[i] += square[k]", "gamma[i] -= square[k]"),
     Fault("swift: a series is too short", "tree/tree_small.c", "- z2 * (1. / 87178291200)", ""),
-    Fault("swift: a series is used far away", "tree/tree_small.c", "by[0] > -CLOSE", "by[0] > -9 * CLOSE"),
+    Fault(
+        "swift: a series is used far away",
+        "tree/tree_small.c",
+        "by[0] > -PM_SERIES_REACH",
+        "by[0] > -9 * PM_SERIES_REACH",
+    ),
     Fault("swift: shifted masses", "tree/tree_small.c", "p->mass[i][i] += 2 * more", "p->mass[i][i] += more"),
     Fault("swift: a cofactor", "tree/tree_small.c", "- m[0][0] * m[2][1]", "+ m[0][0] * m[2][1]"),
     Fault(

@@ -299,7 +299,7 @@ static void accelerations(void)
         for (int k = 0; k < w->model->nq; k++)
             w->state.v[k] = w->numbers.inverse_mass[k] > 0 ? check_random(-2, 2) : 0;
         pm_frame_look_state(&w->frame, &w->state);
-        pm_saddle_rows(w);
+        pm_saddle_evaluate(&w->active, &w->frame);
         EQUAL(pm_projection_velocity(w, &w->state), PM_OK);
         pm_frame_look_state(&w->frame, &w->state);
         if (samples[i].leaves || !CHECK(pm_route_prepare(w, &pm_route_path))) {
@@ -335,7 +335,7 @@ static double evidence(maker *make, double shift, double more)
         pm_workspace *w = s->w;
         w->state.v[2] = 2;
         pm_frame_look_state(&w->frame, &w->state);
-        pm_saddle_rows(w);
+        pm_saddle_evaluate(&w->active, &w->frame);
         EQUAL(pm_projection_velocity(w, &w->state), PM_OK);
         pm_frame_look_state(&w->frame, &w->state);
         CHECK(pm_route_prepare(w, &pm_route_path));

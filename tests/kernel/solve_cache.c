@@ -69,7 +69,7 @@ static void not_for_another(pm_workspace *w)
         pm_frame_look_state(&w->frame, &w->state);
         EQUAL(pm_solve_cache_take(w), 1);
     }
-    pm_solve_cache_drop_rows(w);
+    w->active.version++;
     EQUAL(pm_solve_cache_take(w), 0);
     EQUAL(pm_active_set_build(w), PM_OK);
     EQUAL(pm_solve_cache_take(w), 0);
@@ -89,33 +89,33 @@ static void sets_of_rows(pm_workspace *w)
     EQUAL(pm_solve_cache_is_built(w), 0);
     EQUAL(pm_active_set_build(w), PM_OK);
     CHECK(w->active.version > set);
-    pm_active_set_clear(w);
+    pm_active_set_clear(&w->active, w->model);
     EQUAL(pm_solve_cache_is_built(w), 0);
 }
 
 /* Factors hold for rows that take hold alike, whatever else has changed, and for no others. */
 static void factors_of_rows(pm_workspace *w)
 {
-    pm_solve_cache_forget(w);
-    EQUAL(pm_solve_cache_is_factored(w), 0);
-    pm_saddle_rows(w);
+    pm_saddle_forget(&w->saddle);
+    EQUAL(pm_saddle_is_factored(&w->saddle), 0);
+    pm_saddle_evaluate(&w->active, &w->frame);
     EQUAL(pm_saddle_factor(w), PM_OK);
     for (int i = 0; i < w->active.n; i++)
         for (int k = 0; k < 6; k++) {
             double *j = &w->active.row[i].j[k];
             const double before = *j;
-            EQUAL(pm_solve_cache_is_factored(w), 1);
+            EQUAL(pm_saddle_is_factored(&w->saddle), 1);
             *j = before + 1e-15;
-            EQUAL(pm_solve_cache_is_factored(w), 0);
+            EQUAL(pm_saddle_is_factored(&w->saddle), 0);
             *j = before;
         }
     w->active.row[0].gamma += 1;
-    EQUAL(pm_solve_cache_is_factored(w), 1);
+    EQUAL(pm_saddle_is_factored(&w->saddle), 1);
     w->active.row[0].body[1] = !w->active.row[0].body[1];
-    EQUAL(pm_solve_cache_is_factored(w), 0);
+    EQUAL(pm_saddle_is_factored(&w->saddle), 0);
     w->active.row[0].body[1] = !w->active.row[0].body[1];
     w->active.n--;
-    EQUAL(pm_solve_cache_is_factored(w), 0);
+    EQUAL(pm_saddle_is_factored(&w->saddle), 0);
     w->active.n++;
 }
 

@@ -204,7 +204,7 @@ static void shake(pm_workspace *w)
         w->state.v[i] = w->numbers.inverse_mass[i] > 0 ? check_random(-2, 2) : 0;
     w->numbers.speed = 2;
     pm_frame_look_state(&w->frame, &w->state);
-    pm_saddle_rows(w);
+    pm_saddle_evaluate(&w->active, &w->frame);
     EQUAL(pm_projection_velocity(w, &w->state), PM_OK);
     pm_frame_look_state(&w->frame, &w->state);
 }

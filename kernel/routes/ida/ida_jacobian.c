@@ -97,7 +97,7 @@ static void force_and_rate(pm_workspace *w, const double *v, double *force, doub
 {
     for (int i = 0; i < w->model->nq; i++) force[i] = w->numbers.inverse_mass[i] * w->frame.f[i];
     memcpy(w->saddle.rhs, w->frame.lambda, (size_t)w->active.n * sizeof(double));
-    pm_saddle_spread(w, 1, force);
+    pm_saddle_spread(&w->saddle, 1, force);
     for (int i = 0; i < w->active.n; i++) rate[i] = pm_saddle_times(&w->frame, &w->active.row[i], v);
 }
 
@@ -184,7 +184,7 @@ void pm_ida_jacobian_evaluate(pm_workspace *w, double t, double cj, const double
     x->nactive = w->active.n;
     x->cj = cj;
     pm_ida_system_look(w, t, d.y, yp);
-    if (x->sparse) x->independence = pm_saddle_independence(w);
+    if (x->sparse) x->independence = pm_saddle_independence(&w->saddle);
     rows(w, x);
     ledger(w, x, &d);
     if (x->has_damping) velocities(w, x, t, &d);

@@ -249,7 +249,7 @@ void pm_ida_linear_solve(pm_workspace *w, const double *b, double *x)
 static double openings(pm_workspace *w)
 {
     double worst = 0;
-    pm_saddle_rows(w);
+    pm_saddle_evaluate(&w->active, &w->frame);
     for (int i = 0; i < w->active.n; i++) {
         w->saddle.wanted[i] = -w->active.row[i].g;
         worst = fmax(worst, fabs(w->saddle.wanted[i]));

@@ -40,7 +40,7 @@ void pm_ida_system_look(pm_workspace *w, double t, const double *y, const double
     pm_frame *f = &w->frame;
     pm_frame_look(&w->frame, t, y, y + nq, y + 2 * nq, w->state.memory);
     pm_force_all(w);
-    pm_saddle_rows(w);
+    pm_saddle_evaluate(&w->active, &w->frame);
     memcpy(f->a, yp + nq, (size_t)nq * sizeof *yp);
     memcpy(f->lambda, yp + pm_ida_place_l(w), (size_t)w->active.n * sizeof *yp);
     f->level = PM_LEVEL_DYNAMIC;
@@ -72,9 +72,9 @@ void pm_ida_system_residual(pm_workspace *w, double t, const double *y, const do
         r[nq + i] = -w->numbers.inverse_mass[i] * force[i];
     }
     memcpy(w->saddle.rhs, yp + mu, (size_t)w->active.n * sizeof *yp);
-    pm_saddle_spread(w, 0, r);
+    pm_saddle_spread(&w->saddle, 0, r);
     for (int i = 0; i < w->active.n; i++) w->saddle.rhs[i] = -yp[l + i];
-    pm_saddle_spread(w, 1, r + nq);
+    pm_saddle_spread(&w->saddle, 1, r + nq);
     for (int i = 0; i < nq; i++) r[nq + i] += yp[nq + i];
     pm_ledger_rates(w, r + 2 * nq);
     for (int i = 2 * nq; i < 2 * nq + nz; i++) r[i] = yp[i] - r[i];

@@ -411,7 +411,7 @@ static double missed_force(const pm_workspace *w)
 static void look_for_evidence(pm_workspace *w)
 {
     pm_force_all(w);
-    pm_saddle_rows(w);
+    pm_saddle_evaluate(&w->active, &w->frame);
     w->ledger.evidence = pm_max(open_work(w), w->ledger.evidence);
     w->ledger.evidence = pm_max(broken_row(w), w->ledger.evidence);
     w->ledger.evidence = pm_max(missed_force(w), w->ledger.evidence);

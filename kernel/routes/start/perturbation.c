@@ -192,7 +192,7 @@ static int read_push(pm_workspace *w)
 {
     pm_fastest_growth *e = &w->perturbation->escape;
     pm_frame_look_state(&w->frame, &w->state);
-    pm_saddle_rows(w);
+    pm_saddle_evaluate(&w->active, &w->frame);
     int status = pm_saddle_factor(w);
     memset(w->saddle.wanted, 0, (size_t)w->active.n * sizeof *w->saddle.wanted);
     return status ? status : pm_saddle_respond(w, w->perturbation->gradient, e->push);
