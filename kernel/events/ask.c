@@ -21,8 +21,6 @@ static void raise_to(int *highest, int level)
     if (level > *highest) *highest = level;
 }
 
-size_t pm_ask_numbers(const pm_model *m) { return (PM_NODES_MOST + 3) * (size_t)m->nask; }
-
 static void note_switches(pm_workspace *w, int ask)
 {
     const int32_t *e = PM_ASK_ROW(w->model, ask);
@@ -36,7 +34,7 @@ int pm_ask_create(pm_workspace *w)
     pm_ask_set *a = w->ask = calloc(1, sizeof *a);
     if (!a) return PM_NO_MEMORY;
     a->observer = calloc(3 * nask + 1, sizeof *a->observer);
-    a->sample = calloc(pm_ask_numbers(w->model) + 1, sizeof *a->sample);
+    a->sample = calloc((PM_NODES_MOST + 3) * (size_t)w->model->nask + 1, sizeof *a->sample);
     a->undefined = calloc(nask + 2 * nout + 1, 1);
     a->solver = pm_bracket_create();
     a->minimum = pm_bracket_minimum_create();

@@ -28,8 +28,6 @@ typedef struct pm_ask_set {
 } pm_ask_set;
 
 int pm_ask_create(pm_workspace *w);
-/* Numbers of the set from `sample` on, one array after the other. */
-size_t pm_ask_numbers(const pm_model *m);
 void pm_ask_free(pm_workspace *w);
 void pm_ask_reset(pm_workspace *w);
 

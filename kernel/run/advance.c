@@ -14,7 +14,6 @@
 #include "events/history.h"
 #include "impact/action.h"
 #include "impact/instant.h"
-#include "routes/path/repeat.h"
 #include "run/run.h"
 #include "state/frame.h"
 #include "state/route.h"
@@ -98,7 +97,7 @@ static void end_step(pm_workspace *w)
 static int only_marks(const pm_workspace *w)
 {
     const pm_model *m = w->model;
-    if (m->programs.watch_counts || pm_repeat_doubts(w)) return 0;
+    if (m->programs.watch_counts) return 0;
     for (int i = 0; i < w->event->nfunction; i++) {
         const pm_event_function *f = &w->event->function[i];
         if (!w->event->hit[i]) continue;

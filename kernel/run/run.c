@@ -172,14 +172,12 @@ static int hand_over(pm_workspace *w, int status)
     return 0;
 }
 
-/* A segment of a path ends with the instant at w->state: 1 if it speaks against those passed over, and the run goes on from
- * the begin of the first of them. */
-static int is_refuted(pm_workspace *w)
+/* The phase, or a lap of it, ends at w->state: what repeats on a path begins here. */
+static void close_segment(pm_workspace *w)
 {
-    if (!w->phase.route->reuses_segments) return 0;
+    if (!w->phase.lap && !w->phase.route->reuses_segments) return;
     pm_frame_look_state(&w->frame, &w->state);
-    pm_repeat_end(w);
-    return pm_repeat_refuted(w);
+    if (w->phase.route->reuses_segments) pm_repeat_end(w);
 }
 
 static int run_phases(pm_workspace *w)
@@ -197,10 +195,8 @@ static int run_phases(pm_workspace *w)
             continue;
         }
         if (status || ended) break;
-        if (w->phase.lap)
-            pm_repeat_lap(w);
-        else if (!is_refuted(w))
-            status = pm_instant_full(w, &ended);
+        close_segment(w);
+        if (!w->phase.lap) status = pm_instant_full(w, &ended);
     }
     return status;
 }

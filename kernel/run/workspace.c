@@ -13,7 +13,7 @@
 #include "events/watched_samples.h"
 #include "expression/program_fold.h"
 #include "impact/impact.h"
-#include "routes/path/repeat_record.h"
+#include "routes/path/repeat.h"
 #include "routes/start/perturbation.h"
 #include "state/arena.h"
 #include "state/route.h"
@@ -89,7 +89,7 @@ static int create_rooms(pm_workspace *w)
     if (!status) status = pm_ask_create(w);
     if (!status) status = pm_impact_create(w);
     if (!status) status = pm_tree_create(w);
-    if (!status) status = pm_repeat_record_create(w);
+    if (!status) status = pm_repeat_create(w);
     if (!status) status = pm_routes_create(w);
     if (!status) status = pm_perturbation_create(w);
     return status;
@@ -120,7 +120,7 @@ void pm_workspace_free(pm_workspace *w)
     if (!w) return;
     pm_perturbation_free(w);
     pm_routes_free(w);
-    pm_repeat_record_free(w);
+    pm_repeat_free(w);
     pm_tree_free(w);
     pm_watched_samples_free(w);
     pm_impact_free(w);

@@ -5,19 +5,17 @@
 
 #include "state/workspace.h"
 
+/* Memory of the last segment; PM_NO_MEMORY. */
+int pm_repeat_create(pm_workspace *w);
+void pm_repeat_free(pm_workspace *w);
+
 /* A new case, or a phase on another route: nothing is known. */
 void pm_repeat_forget(pm_workspace *w);
-/* A path phase begins at w->state (the frame looks at it, the rows are built): if it repeats the last leg, as many legs
- * as nobody asks about are passed over; *passed = 1: w->state is the begin of a later leg and the rows are built for it. */
+/* A path phase begins at w->state (the frame looks at it, the rows are built): if it repeats the last segment, as many
+ * segments are passed over as nobody asks about and as are sure to go like it; *passed = 1: w->state is the begin of a later
+ * one and the rows are built for it.  Statuses of the route and of the rows. */
 int pm_repeat_begin(pm_workspace *w, int *passed);
-/* Before the blows of the instant that ends the leg. */
+/* The segment ends at w->state, where the frame looks, before the blows of the instant. */
 void pm_repeat_end(pm_workspace *w);
-/* The path may have closed: a lap ends at w->state. */
-void pm_repeat_lap(pm_workspace *w);
-/* 1 if a trigger that is hit inside the step speaks against the legs passed over: the step must end there. */
-int pm_repeat_doubts(const pm_workspace *w);
-/* 1 if the instant is not the one that legs passed over were to end with: then they are given back, and the run goes on
- * from the begin of the first of them. */
-int pm_repeat_refuted(pm_workspace *w);
 
 #endif

@@ -8,10 +8,9 @@
  *
  * A leg gets over the barrier on its way if T exceeds its depth, which is the same in all legs: T at its begin less the
  * least T on it.  An error of T is carried on by m, and every leg adds its roundings. */
-#include "routes/path/repeat_energy.h"
-
 #include <math.h>
 
+#include "routes/path/repeat_parts.h"
 #include "state/workspace.h"
 
 #define STEADY 1e-16    /* of the energy: legs that are all the same */
@@ -44,6 +43,12 @@ void pm_repeat_energy_add(const pm_repeat *l, pm_repeats *c)
     c->kinetic = next;
 }
 
+/* A segment that begins with T = kinetic comes before the one that is known not to be sure. */
+static int is_before_unsure(const pm_repeat *l, double begin, double kinetic)
+{
+    return isnan(l->unsure) || (kinetic - l->unsure) * (begin - l->unsure) > 0;
+}
+
 pm_repeats pm_repeat_energy_over_barrier(const pm_repeat *l, double begin, int64_t most, double error)
 {
     pm_repeats c = {.kinetic = begin, .error = error};
@@ -55,6 +60,7 @@ pm_repeats pm_repeat_energy_over_barrier(const pm_repeat *l, double begin, int64
             c.is_last = 1;
             return c;
         }
+        if (!is_before_unsure(l, begin, next)) return c;
         pm_repeat_energy_add(l, &c);
         if (fabs(next - t) > STEADY * t) continue;
         /* what is gained is lost in the blow: so it goes on */

@@ -4,15 +4,13 @@
  * rises or falls throughout.  If it does one of both, its extremes lie in the first or the last leg, which are computed;
  * and if it has the same sign throughout these two it has that in between.  What stays in [low, high] in one leg, low > 0,
  * and changes by d from leg to leg stays off its zero for (low - (high - low)) / |d| legs. */
-#include "routes/path/repeat_limit.h"
-
 #include <math.h>
 
 #include "elements/trigger.h"
 #include "equations/case.h"
 #include "events/ask.h"
 #include "events/event.h"
-#include "routes/path/repeat_record.h"
+#include "routes/path/repeat_parts.h"
 #include "scene/program_class.h"
 #include "state/workspace.h"
 
@@ -27,12 +25,6 @@ static int64_t at_most(int64_t most, double legs)
 static int64_t fewest(int64_t a, int64_t b) { return a < b ? a : b; }
 
 /* ---- triggers ---- */
-/* On which side of its zero a trigger was in the whole phase; 0: on both.  range: its least values, then its greatest. */
-static int side_of(const pm_workspace *w, int trigger, const double *range)
-{
-    return range[trigger] > 0 ? 1 : range[w->model->rows[PM_TABLE_TRIGGER] + trigger] < 0 ? -1 : 0;
-}
-
 /* A trigger that moves with the legs towards its zero must stay off it. */
 static int64_t until_zero(const pm_workspace *w, int trigger, double change)
 {
@@ -63,8 +55,8 @@ static int64_t trigger_allows(pm_workspace *w, int trigger, const pm_symmetry_sh
         return growth != PM_ENERGY_CLASS_NONE || fabs(change - round(change)) > WHOLE ? 0 : PM_MOST_REPEATS;
     if (change != 0) return growth != PM_ENERGY_CLASS_NONE ? 0 : until_zero(w, trigger, change);
     if (growth <= PM_ENERGY_CLASS_ROOT && growth != PM_ENERGY_CLASS_LINEAR) return PM_MOST_REPEATS;
-    /* its zero moves with T: it must stay off it, here and in the last leg (see pm_repeat_limit_signs_changed) */
-    return growth > PM_ENERGY_CLASS_STEADY || side_of(w, trigger, w->event->least) == 0 ? 0 : PM_MOST_REPEATS;
+    /* its zero moves with T: it must stay off it, here and in the last segment (repeat_replay.c) */
+    return growth > PM_ENERGY_CLASS_STEADY || w->repeat->side[trigger] == 0 ? 0 : PM_MOST_REPEATS;
 }
 
 int pm_repeat_limit_moves(const pm_workspace *w, int trigger)
@@ -75,13 +67,20 @@ int pm_repeat_limit_moves(const pm_workspace *w, int trigger)
     return growth == PM_ENERGY_CLASS_LINEAR || growth == PM_ENERGY_CLASS_STEADY;
 }
 
-int pm_repeat_limit_signs_changed(const pm_workspace *w)
+int pm_repeat_limit_read_sides(pm_workspace *w)
 {
-    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++)
-        if (pm_repeat_limit_moves(w, i) &&
-            side_of(w, i, w->event->least) != side_of(w, i, w->repeat->saved.range))
-            return 1;
-    return 0;
+    int changed = 0;
+    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
+        const int side = w->event->least[i] > 0 ? 1 : w->event->greatest[i] < 0 ? -1 : 0;
+        changed |= side != w->repeat->side[i];
+        w->repeat->side[i] = side;
+    }
+    return changed;
+}
+
+int64_t pm_repeat_limit_fires(const pm_workspace *w, int event)
+{
+    return w->event->count[event] - w->repeat->event_count[event];
 }
 
 /* ---- asks ---- */
@@ -97,7 +96,7 @@ static int64_t firings_allow(const pm_workspace *w, const int32_t *e)
 {
     const int event = e[PM_ASK_EVENT_INDEX], each_is_asked = e[PM_ASK_KIND] == PM_ASK_EACH;
     const int64_t last = each_is_asked ? e[PM_ASK_COUNT] : e[PM_ASK_NTH],
-                  each = pm_repeat_record_fires(w, event);
+                  each = pm_repeat_limit_fires(w, event);
     if (each == 0 || w->event->count[event] >= last) return PM_MOST_REPEATS;
     return each_is_asked ? 0 : at_most(PM_MOST_REPEATS, (double)((last - 1 - w->event->count[event]) / each));
 }
@@ -135,7 +134,7 @@ static int64_t limits_allow(const pm_workspace *w, double time)
     if (time > 0 && room < INFINITY) most = at_most(most, floor(room / time) - 1);
     for (int i = 0; i < m->rows[PM_TABLE_UNTIL]; i++) {
         const int32_t *e = PM_UNTIL_ROW(m, i);
-        const int64_t each = pm_repeat_record_fires(w, e[PM_UNTIL_EVENT]),
+        const int64_t each = pm_repeat_limit_fires(w, e[PM_UNTIL_EVENT]),
                       lacks = e[PM_UNTIL_NTH] - 1 - w->event->count[e[PM_UNTIL_EVENT]];
         if (each > 0 && lacks >= 0) most = at_most(most, (double)(lacks / each - 1));
     }
@@ -145,7 +144,7 @@ static int64_t limits_allow(const pm_workspace *w, double time)
 int64_t pm_repeat_limit(pm_workspace *w, const pm_symmetry_shift *shift, double time)
 {
     const pm_model *m = w->model;
-    int64_t most = fewest(w->repeat->most, limits_allow(w, time));
+    int64_t most = limits_allow(w, time);
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER] && most > 0; i++)
         most = fewest(most, trigger_allows(w, i, shift, time));
     for (int i = 0; i < m->nask && most > 0; i++) most = fewest(most, ask_allows(w, PM_ASK_ROW(m, i), shift));

@@ -4,12 +4,10 @@
  * by the same way b and turned by an angle of its own,
  *
  *   q = q_0 + b,    v = sqrt(T / T_0) v_0      q_0, v_0, T_0 at the begin of the last leg */
-#include "routes/path/repeat_match.h"
-
 #include <math.h>
 
 #include "elements/contact.h"
-#include "routes/path/repeat_record.h"
+#include "routes/path/repeat_parts.h"
 #include "state/workspace.h"
 
 #define TURN (2 * 3.14159265358979323846)

@@ -3,8 +3,6 @@
  *   q += n b,    v *= sqrt(T_n / T),    t += n t_leg,    integrals and counts of a leg n times
  *
  * The ledger of momentum takes what the outer world has given: the difference of momenta. */
-#include "routes/path/repeat_pass.h"
-
 #include <math.h>
 
 #include "elements/contact.h"
@@ -12,6 +10,7 @@
 #include "equations/ledger.h"
 #include "events/event.h"
 #include "routes/path/path.h"
+#include "routes/path/repeat_parts.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 
@@ -37,7 +36,7 @@ static void count_legs(pm_workspace *w, int64_t legs, double time)
 {
     static const int counted[] = {PM_COUNT_PHASES, PM_COUNT_EVENTS, PM_COUNT_JUMPS};
     for (int i = 0; i < w->model->rows[PM_TABLE_EVENT]; i++) {
-        const int64_t each = pm_repeat_record_fires(w, i);
+        const int64_t each = pm_repeat_limit_fires(w, i);
         w->event->count[i] += legs * each;
         if (each > 0) w->event->time[i] += (double)legs * time;
     }

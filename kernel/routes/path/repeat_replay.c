@@ -1,10 +1,14 @@
-/* repeat_replay.c - the last leg once more, at other speeds.
+/* repeat_replay.c - the last segment once more, at other speeds.
  *
- * Its places are those of the leg that was computed, shifted (path_cycle.c).  Functions of the place alone, and those that
- * go with sqrt(T), fire where they did.  What is linear in T (forces of contacts, what is left of friction) is looked at
- * again at the nodes, as is everything whose extremes are asked.  Blows are not repeated: repeat_energy.c knows what they leave. */
-#include "routes/path/repeat_replay.h"
-
+ * Its places are those of the segment that was computed, shifted (path_cycle.c).  Functions of the place alone, and those that
+ * go with sqrt(T), fire where they did.  Forces of contacts, what is left of friction, triggers that go with T are looked at
+ * again at the nodes, as is everything whose extremes are asked.  Between two nodes, h apart, with values a, b and slopes a',
+ * b' there, a function is greater than the least of
+ *
+ *   a,   b,   a + h a' / 2,   b - h b' / 2                 (if its samples show it: Bezier points of a parabola)
+ *   min(a, b) - |a - b|                                    (if they do not: where it has a corner)
+ *
+ * Blows are not repeated: repeat_energy.c knows what they leave. */
 #include <math.h>
 #include <string.h>
 
@@ -12,17 +16,127 @@
 #include "events/ask.h"
 #include "events/event.h"
 #include "events/event_search.h"
+#include "numerics/chebyshev.h"
 #include "routes/path/path.h"
 #include "routes/path/path_error.h"
-#include "scene/program_class.h"
+#include "routes/path/repeat_parts.h"
 #include "state/frame.h"
 #include "state/route.h"
 #include "state/workspace.h"
 
-#define SAME 1e-9 /* of T: the same leg */
-#define CLEAR 0.3 /* of a function's greatest value: none of its values may come nearer to zero */
+#define SAME 1e-9 /* of T: the same segment */
 
-/* ---- may the leg be told by its nodes? ---- */
+/* ---- may the segment be shown by its nodes? ---- */
+/* T vanishes at no place of the step, and nobody asks for the time. */
+static int never_rests(const pm_workspace *w, double kinetic)
+{
+    pm_path *p = w->path;
+    const double more = kinetic - p->node[0].kinetic;
+    for (int k = 0; k < p->nodes->n; k++)
+        if (!(pm_path_node(p, k)->kinetic + more > 0)) return 0;
+    return p->clock.kind == PM_CLOCK_NONE;
+}
+
+/* The step of the last segment becomes one of this segment, at its T. */
+static void fill_step(pm_workspace *w, double kinetic)
+{
+    pm_path *p = w->path;
+    pm_path_cycle_of(w, kinetic);
+    p->clock.t0 = w->state.t;
+    memcpy(p->weight, w->state.z, (size_t)w->model->nz_controlled * sizeof(double));
+    p->energy = kinetic + p->begin.potential - pm_path_work(w, w->state.z);
+    w->step.nodes = p->nodes;
+    w->step.begin = 0;
+    w->step.end = p->h;
+}
+
+/* ---- what goes with T ---- */
+static int goes_with_energy(const pm_workspace *w, const pm_event_function *f)
+{
+    if (f->kind == FUNCTION_TRIGGER) return pm_repeat_limit_moves(w, f->index);
+    return f->kind == FUNCTION_NORMAL || f->kind == FUNCTION_GRIP || f->kind == FUNCTION_HOLD;
+}
+
+/* The slot of the same contact that is closed now. */
+static int closed_slot(const pm_workspace *w, int slot)
+{
+    const int contact = pm_contact_of_slot(w->model, slot), first = w->model->contact_slot[contact];
+    for (int i = first; i < first + pm_contact_slots(w->model, contact); i++)
+        if (w->state.slot[i].mode != PM_OPEN) return i;
+    return slot;
+}
+
+/* The functions of the last segment serve again, but for those that the place tells; 1 if there is any. */
+static int choose_functions(pm_workspace *w)
+{
+    pm_event_set *e = w->event;
+    int any = 0;
+    for (int i = 0; i < e->nfunction; i++) {
+        pm_event_function *f = &e->function[i];
+        f->owned = !goes_with_energy(w, f);
+        any |= !f->owned;
+        if (f->kind == FUNCTION_NORMAL || f->kind == FUNCTION_GRIP) f->index = closed_slot(w, f->index);
+    }
+    return any;
+}
+
+/* A lower bound of side times function i, up to where the segment ends. */
+static double least_of(const pm_workspace *w, int i, double side)
+{
+    const pm_chebyshev_nodes *nodes = w->step.nodes;
+    const double *value = pm_event_samples(w, i), end = w->repeat->end / w->path->h;
+    const int shown = pm_event_samples_resolve(w, i);
+    double least = INFINITY;
+    for (int k = 0; k + 1 < nodes->n && nodes->at[k] < end; k++) {
+        const double half = 0.5 * (nodes->at[k + 1] - nodes->at[k]), a = side * value[k],
+                     b = side *
+                         (nodes->at[k + 1] <= end ? value[k + 1] : pm_chebyshev_value(nodes, value, 1, end));
+        least = fmin(least, fmin(a, b));
+        if (!shown) {
+            least = fmin(least, fmin(a, b) - fabs(a - b));
+        } else {
+            least = fmin(least, a + half * side * pm_chebyshev_slope_at(nodes, value, k));
+            if (nodes->at[k + 1] <= end)
+                least = fmin(least, b - half * side * pm_chebyshev_slope_at(nodes, value, k + 1));
+        }
+    }
+    return least;
+}
+
+/* All that goes with T keeps its sign in the step.  What is left of a friction that holds is no linear function of T: it
+ * would have to be looked at in each segment. */
+static int signs_stay(const pm_workspace *w)
+{
+    for (int i = 0; i < w->event->nfunction; i++) {
+        const pm_event_function *f = &w->event->function[i];
+        if (f->owned) continue;
+        const int side = f->kind == FUNCTION_TRIGGER ? w->repeat->side[f->index] : 1;
+        if (side == 0 || f->kind == FUNCTION_HOLD || !(least_of(w, i, side) > 0)) return 0;
+    }
+    return 1;
+}
+
+/* Fills and samples the step at T = kinetic, if the last segment was one step that can be. */
+static int look_at(pm_workspace *w, double kinetic, int *sure)
+{
+    *sure = 0;
+    if (!w->path->repeats || !pm_path_cycle(w) || !never_rests(w, kinetic)) return PM_OK;
+    fill_step(w, kinetic);
+    const int status = pm_event_samples_fill(w, 1);
+    *sure = !status && signs_stay(w);
+    return status;
+}
+
+int pm_repeat_replay_check(pm_workspace *w, double kinetic, int *sure)
+{
+    *sure = !choose_functions(w);
+    if (*sure) return PM_OK;
+    const int status = look_at(w, kinetic, sure);
+    pm_frame_look_state(&w->frame, &w->state);
+    return status;
+}
+
+/* ---- a segment that is told ---- */
 /* Impulses of the last blow are read, and there will be none; or values where something is greatest, with counts of then. */
 static int is_missed(const pm_model *m)
 {
@@ -38,108 +152,41 @@ static int is_missed(const pm_model *m)
     return m->nfriction > 0;
 }
 
-/* T vanishes at no place of the step. */
-static int never_rests(const pm_workspace *w, const pm_replay *r)
+/* Extremes that are asked see the step, up to where the segment ends. */
+static int watch(pm_workspace *w, const pm_repeats *segments, int *told)
 {
-    pm_path *p = w->path;
-    const double more = r->kinetic - p->node[0].kinetic;
-    for (int k = 0; k < p->nodes->n; k++)
-        if (!(pm_path_node(p, k)->kinetic + more > 0)) return 0;
-    return p->clock.kind == PM_CLOCK_NONE;
-}
-
-/* The step of the last leg becomes one of this leg, at its T. */
-static void fill_step(pm_workspace *w, const pm_replay *r)
-{
-    pm_path *p = w->path;
-    pm_path_cycle_of(w, r->kinetic);
-    p->clock.t0 = w->state.t;
-    memcpy(p->weight, w->state.z, (size_t)w->model->nz_controlled * sizeof(double));
-    p->energy = r->kinetic + p->begin.potential - pm_path_work(w, w->state.z);
-    p->error = r->error;
-    w->step.nodes = p->nodes;
-    w->step.begin = 0;
-    w->step.end = p->h;
-}
-
-/* ---- what is looked at ---- */
-static int by_place(const pm_model *m, const pm_event_function *f)
-{
-    if (f->kind == FUNCTION_NORMAL || f->kind == FUNCTION_GRIP) return 0;
-    if (f->kind != FUNCTION_TRIGGER) return 1;
-    return m->programs.energy[PM_TRIGGER_ROW(m, f->index)[PM_TRIGGER_PROGRAM]] == PM_ENERGY_CLASS_NONE;
-}
-
-/* The slot of the same contact that is closed now. */
-static int closed_slot(const pm_workspace *w, int slot)
-{
-    const int contact = pm_contact_of_slot(w->model, slot), first = w->model->contact_slot[contact];
-    for (int i = first; i < first + pm_contact_slots(w->model, contact); i++)
-        if (w->state.slot[i].mode != PM_OPEN) return i;
-    return slot;
-}
-
-/* The functions of the last leg serve again, but for those that the place tells. */
-static void choose_functions(pm_workspace *w)
-{
-    pm_event_set *e = w->event;
-    for (int i = 0; i < e->nfunction; i++) {
-        pm_event_function *f = &e->function[i];
-        f->owned = by_place(w->model, f);
-        if (f->owned) continue;
-        if (f->kind != FUNCTION_TRIGGER) {
-            f->index = closed_slot(w, f->index);
-        } else {
-            e->least[f->index] = INFINITY;
-            e->greatest[f->index] = -INFINITY;
-        }
-    }
-}
-
-/* Forces of contacts that stay well away from zero; a trigger must be on its side, as the caller sees. */
-static int stays_clear(const pm_workspace *w, int function)
-{
-    const pm_event_set *e = w->event;
-    double least = INFINITY, greatest = 0;
-    if (e->function[function].owned || e->function[function].kind == FUNCTION_TRIGGER) return 1;
-    for (int k = 0; k < w->step.nodes->n; k++) {
-        const double value = pm_event_samples(w, function)[k];
-        least = fmin(least, value);
-        greatest = fmax(greatest, value);
-    }
-    return least > CLEAR * greatest && pm_event_samples_resolve(w, function);
-}
-
-static int nothing_new(const pm_workspace *w)
-{
-    for (int i = 0; i < w->event->nfunction; i++)
-        if (!stays_clear(w, i)) return 0;
-    return pm_ask_keeps_samples(w);
-}
-
-int pm_repeat_replay(pm_workspace *w, const pm_replay *r, int *clear)
-{
-    *clear = 0;
-    if (is_missed(w->model) || !pm_path_cycle(w) || !never_rests(w, r)) return PM_OK;
-    fill_step(w, r);
-    choose_functions(w);
-    const int status = pm_event_samples_fill(w, 1);
-    *clear = !status && nothing_new(w);
-    return status;
-}
-
-int pm_repeat_replay_watch(pm_workspace *w, const pm_replay *r, int *told)
-{
+    const pm_repeat *l = w->repeat;
+    const double kinetic = segments->kinetic + l->work;
     pm_state_copy(&w->ahead, &w->state);
-    w->step.end = r->end;
-    int status = w->phase.route->exact(w, r->end, &w->probe); /* the frame looks there, too */
-    *told = !status && fabs(pm_body_kinetic(&w->frame, PM_NONE) - r->kinetic1) <= SAME * r->kinetic1;
+    w->step.end = l->end;
+    int status = w->phase.route->exact(w, l->end, &w->probe); /* the frame looks there, too */
+    *told = !status && fabs(pm_body_kinetic(&w->frame, PM_NONE) - kinetic) <= SAME * kinetic;
     if (!*told) return status;
     pm_state_copy(&w->state, &w->probe);
     pm_path_error_sampled(w);
-    pm_path_error_step(w, r->kinetic1);
-    if (r->lowest < INFINITY) pm_path_error_barrier(w, r->lowest);
+    pm_path_error_step(w, kinetic);
+    if (l->lowest < fmin(l->kinetic, l->before)) /* the barrier is inside */
+        pm_path_error_barrier(w, segments->kinetic - pm_repeat_energy_depth(l));
     status = pm_ask_step(w);
     pm_state_copy(&w->state, &w->ahead);
+    return status;
+}
+
+int pm_repeat_replay_tell(pm_workspace *w, const pm_repeats *segments, int *told)
+{
+    pm_path *p = w->path;
+    const double error = p->error, ended = p->ended;
+    int sure;
+    *told = 0;
+    if (is_missed(w->model)) return PM_OK;
+    choose_functions(w);
+    int status = look_at(w, segments->kinetic, &sure);
+    if (!status && sure && pm_ask_keeps_samples(w)) {
+        p->error = segments->error;
+        status = watch(w, segments, told);
+        p->error = error;
+        p->ended = ended;
+    }
+    pm_frame_look_state(&w->frame, &w->state);
     return status;
 }
