@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from planemotion import load_text
 from tests.scenes.parts import rod_on_pin
 
@@ -16,11 +18,12 @@ start = {{ C.omega = "3 rad/s", AB.omega = "-1 rad/s" }}
 """
 
 
-def answers_to(asks: dict[str, str], text: str = PENDULUM) -> dict[str, float]:
+def answers_to(asks: dict[str, str], text: str = PENDULUM) -> dict[str, Any]:
+    """The values of expressions at the end of the run."""
     scene = load_text(text)
     for key, ask in asks.items():
         scene.ask(key, ask)
-    return {key: value.value for key, value in scene.run().asks.items()}  # type: ignore[misc]
+    return {key: value.value for key, value in scene.run().asks.items()}
 
 
 BROKEN = f"""
