@@ -181,7 +181,8 @@ FAULTS = [
         "blow: friction beyond its bound",
         "impact/contact_modes.c",
         "const double room = pm_contact_static(&w->frame, contact) *",
-        "const double room = (site == PM_SITE_SLIDES_IN_BLOW ? 2 : 1) * pm_contact_static(&w->frame, contact) *",
+        "const double room = (site == PM_SITE_SLIDES_IN_BLOW ? 2 : 1) *"
+        " pm_contact_static(&w->frame, contact) *",
     ),
     Fault(
         "blow: friction along the slip",
