@@ -235,7 +235,8 @@ FAULTS = [
         "ask: one value that is none fails the run",
         "events/extremum_search.c",
         "    if (end == PM_SEARCH_NO_NUMBER) {\n        if (!p->branch)",
-        "    if (end == PM_SEARCH_NO_NUMBER) {\n        return pm_fail_search(w, end);\n        if (!p->branch)",
+        "    if (end == PM_SEARCH_NO_NUMBER) {\n        return pm_fail_search(w, end);\n"
+        "        if (!p->branch)",
     ),
     Fault(
         "ask: no value is passed over",
