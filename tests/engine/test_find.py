@@ -10,6 +10,7 @@ import pytest
 
 from planemotion import SceneError, SimulationError, load_text
 from planemotion import _layout as layout
+from planemotion.base.errors import SceneHint
 from planemotion.compile.flatten import flatten
 from planemotion.engine.call import trace
 from planemotion.engine.result import RunResult
@@ -277,7 +278,9 @@ def test_a_nudge_is_a_program_that_is_positive_on_its_side() -> None:
 def test_a_parameter_called_t_is_not_the_time() -> None:
     body = 'bodies.P = { mass = "1 kg", at = [0, 0] }\nask.y = "P.y"'
     text = f'until = "time = t"\nparameters.t = "2 s"\n{body}'
-    assert load_text(text).run().y == pytest.approx(-2 * G, rel=1e-10)
-    assert load_text(text).run(t=3).y == pytest.approx(-4.5 * G, rel=1e-10)
+    with pytest.warns(SceneHint, match="a parameter t hides the time"):
+        scene = load_text(text)
+    assert scene.run().y == pytest.approx(-2 * G, rel=1e-10)
+    assert scene.run(t=3).y == pytest.approx(-4.5 * G, rel=1e-10)
     plain = text.replace('parameters.t = "2 s"\n', "").replace("time = t", "time = 2 s")
     assert load_text(plain).run().y == pytest.approx(-2 * G, rel=1e-10)
