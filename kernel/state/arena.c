@@ -2,6 +2,7 @@
 #include "state/arena.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "planemotion.h"
 
@@ -20,7 +21,7 @@ void *pm_arena_place(const pm_array *array, size_t narrays, void *at)
 {
     char *p = at;
     for (size_t i = 0; i < narrays; i++) {
-        *array[i].where = p;
+        memcpy(array[i].where, &p, sizeof p); /* a pointer of another type: see pm_array */
         p += aligned(array[i].count * array[i].size);
     }
     return p;

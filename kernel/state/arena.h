@@ -12,14 +12,15 @@
 #include <stddef.h>
 
 typedef struct pm_array {
-    void **where; /* the pointer that is set */
+    void *
+        where; /* the pointer that is set: of any type, so its bytes are copied (a store as void * could go unseen) */
     size_t count; /* entries */
     size_t size;  /* bytes of one */
 } pm_array;
 
-#define PM_ARRAY(pointer, count)                                        \
-    {                                                                   \
-        (void **)(void *)&(pointer), (size_t)(count), sizeof *(pointer) \
+#define PM_ARRAY(pointer, count)                               \
+    {                                                          \
+        (void *)&(pointer), (size_t)(count), sizeof *(pointer) \
     }
 #define PM_ARRAYS(list) (list), sizeof(list) / sizeof *(list)
 
