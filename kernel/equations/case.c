@@ -287,3 +287,18 @@ int pm_case_begin(pm_workspace *w, const double *param)
     w->numbers.speed = 0;
     return set_stand_ins(w);
 }
+
+double pm_case_shift(const pm_workspace *w, pm_state *shifted)
+{
+    const pm_numbers *n = &w->numbers;
+    pm_state_copy(shifted, &w->state);
+    for (int i = 0; i < w->model->nq; i++) {
+        const double part = PM_SHIFT * (i % 2 ? -1 : 1) * (0.6 + 0.4 / (1 + i)),
+                     length = i % 3 == 2 ? 1 : n->size;
+        shifted->q[i] += part * length;
+        shifted->v[i] += part * length * n->speed / n->size;
+    }
+    for (int i = 0; i < w->model->nz; i++) shifted->z[i] *= 1 + PM_SHIFT;
+    shifted->t += PM_SHIFT * n->size / n->speed;
+    return PM_SHIFT;
+}

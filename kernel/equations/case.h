@@ -20,4 +20,8 @@ double pm_case_force(const pm_workspace *w);
  * sqrt(size/a), size/v; INFINITY at rest without forces. */
 double pm_case_time_scale(const pm_workspace *w, const double *v, const double *a);
 
+/* w->state with everything in it moved by a part of its natural size, no two coordinates alike: what a function changes by,
+ * over that part, is its own natural size.  Returns the part. */
+double pm_case_shift(const pm_workspace *w, pm_state *shifted);
+
 #endif

@@ -90,8 +90,7 @@ void pm_event_free(pm_workspace *w)
 static void add(pm_workspace *w, int kind, int index, int direction, int level, double slack, double natural)
 {
     pm_event_set *e = w->event;
-    const int owned = w->phase.route->finds_roots == PM_ROOTS_ALL ||
-                      (w->phase.route->finds_roots == PM_ROOTS_OF_CONTACTS && kind != FUNCTION_TRIGGER);
+    const int owned = w->phase.route->locates_contacts && kind != FUNCTION_TRIGGER;
     e->function[e->nfunction++] = (pm_event_function){.kind = kind,
                                                       .index = index,
                                                       .direction = direction,
@@ -102,8 +101,7 @@ static void add(pm_workspace *w, int kind, int index, int direction, int level, 
                                                       .near = INFINITY,
                                                       .row = PM_NONE};
     if (!owned) e->nsampled++;
-    /* a route that finds all roots itself reads all functions at one look; contacts of their own need none */
-    if (level > e->level && (!owned || w->phase.route->finds_roots == PM_ROOTS_ALL)) e->level = level;
+    if (level > e->level && !owned) e->level = level;
 }
 
 /* A trigger on time alone needs no watching where the route steps in time: the step ends when it is due. */
@@ -113,8 +111,7 @@ static void add_triggers(pm_workspace *w)
         [PM_TRIGGER_CROSS] = 0, [PM_TRIGGER_RISE] = 1, [PM_TRIGGER_FALL] = -1, [PM_TRIGGER_EVERY] = -1};
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *e = PM_TRIGGER_ROW(w->model, i);
-        const int in_time = w->phase.route->in_time && w->phase.route->finds_roots != PM_ROOTS_ALL &&
-                            pm_trigger_on_time(w, i);
+        const int in_time = w->phase.route->in_time && pm_trigger_on_time(w, i);
         w->event->least[i] = INFINITY;
         w->event->greatest[i] = -INFINITY;
         w->event->due[i] = in_time ? pm_trigger_due(w, i) : INFINITY;
@@ -225,11 +222,6 @@ double pm_event_of_sample(const pm_event_function *f, double sample)
 double pm_event_value(pm_workspace *w, const pm_event_function *f)
 {
     return pm_event_of_sample(f, pm_event_sample(w, f));
-}
-
-void pm_event_values(pm_workspace *w, double *value)
-{
-    for (int i = 0; i < w->event->nfunction; i++) value[i] = pm_event_value(w, &w->event->function[i]);
 }
 
 void pm_event_set_multiples(pm_workspace *w)

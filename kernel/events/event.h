@@ -45,9 +45,10 @@ typedef struct pm_event_function {
     int below;      /* of a gap: the mark was below its edge when the phase began */
     double since;   /* x from which it is held */
     double located; /* x of the zero that was located, on the dense output: not quite where it is exactly */
-    double slack;   /* a held function counts as crossed only below -slack */
-    double natural; /* its natural size; of a trigger 1 */
-    double near;    /* least value where it came close and turned back, since the last instant */
+    double
+        slack; /* a held function counts as crossed only below -slack; of a held trigger: no more is zero */
+    double natural;    /* its natural size; of a trigger 1 */
+    double near;       /* least value where it came close and turned back, since the last instant */
     double near_reach; /* its value on both sides of there */
     double low, high;  /* `every`: the multiples below and above */
     int row;           /* of a gap to a row: its place among these, else PM_NONE */
@@ -94,8 +95,6 @@ void pm_event_free(pm_workspace *w);
 void pm_event_begin(pm_workspace *w);
 /* The multiples of `every` next to the frame; one that holds must first be left. */
 void pm_event_set_multiples(pm_workspace *w);
-/* Values of all functions of the phase at the frame (level as pm_event_set.level says). */
-void pm_event_values(pm_workspace *w, double *value);
 /* Samples of function i at the nodes of the step. */
 static inline double *pm_event_samples(const pm_workspace *w, int i)
 {

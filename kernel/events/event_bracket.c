@@ -189,9 +189,9 @@ static int enter(pm_workspace *w, int i, const pm_event_course *of, int *first, 
     int k = *first;
     if (f->held && changes_sign) { /* enters on the side where it goes */
         const double since = fmax(f->since, place[0]);
-        while (k < of->n - 1 && place[k] <= since) k++;
+        while (k < of->n - 1 && (place[k] <= since || fabs(g[k]) < f->slack)) k++;
         *first = k;
-        return leaves_and_crosses(w, i, of, since, place[k], g[k], ON_ZERO * of->biggest, x);
+        return leaves_and_crosses(w, i, of, since, place[k], g[k], fmax(ON_ZERO * of->biggest, f->slack), x);
     }
     if (f->held) { /* a contact starts on the open side, and counts again from where it has left its zero */
         for (k = 1; k < of->n && fabs(g[k]) <= f->slack;) k++;

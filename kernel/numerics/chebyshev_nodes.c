@@ -1,4 +1,4 @@
-/* chebyshev_nodes.c - equidistant nodes (quartic) and Chebyshev-Lobatto nodes, (1 - cos(pi k / (n - 1))) / 2. */
+/* chebyshev_nodes.c - equidistant nodes (quartic, quadratic) and Chebyshev-Lobatto nodes, (1 - cos(pi k / (n - 1))) / 2. */
 #include "numerics/chebyshev_nodes.h"
 
 static const double equal_at[PM_NODES] = {0, 0.25, 0.5, 0.75, 1};
@@ -7,6 +7,9 @@ static const double equal_slope[PM_NODES][PM_NODES] = {{-25. / 3, 16, -12, 16. /
                                                        {1. / 3, -8. / 3, 0, 8. / 3, -1. / 3},
                                                        {-1. / 3, 2, -6, 10. / 3, 1},
                                                        {1, -16. / 3, 12, -16, 25. / 3}};
+
+static const double halves_at[3] = {0, 0.5, 1};
+static const double halves_slope[3][3] = {{-3, 4, -1}, {-1, 0, 1}, {1, -4, 3}};
 
 static const double at_9[9] = {0,   0.0380602337443566219, 0.146446609406726238, 0.308658283817455114,
                                0.5, 0.691341716182544886,  0.853553390593273762, 0.961939766255643378,
@@ -315,6 +318,7 @@ const double pm_chebyshev_nodes_cosine[2 * PM_NODES_CLOCK - 2] = {1,
 
 const pm_chebyshev_nodes pm_chebyshev_nodes_equal = {
     .n = PM_NODES, .at = equal_at, .slope = &equal_slope[0][0]};
+const pm_chebyshev_nodes pm_chebyshev_nodes_halves = {.n = 3, .at = halves_at, .slope = &halves_slope[0][0]};
 const pm_chebyshev_nodes pm_chebyshev_nodes_17 = {
     .n = 17, .at = at_17, .slope = &slope_17[0][0], .integral = &integral_17[0][0], .last = &last_17[0][0]};
 const pm_chebyshev_nodes pm_chebyshev_nodes_9 = {.finer = &pm_chebyshev_nodes_17,

@@ -17,7 +17,8 @@ typedef struct pm_chebyshev_nodes {
     const double *last;     /* [2][n]: the two highest Chebyshev coefficients */
 } pm_chebyshev_nodes;
 
-extern const pm_chebyshev_nodes pm_chebyshev_nodes_equal, pm_chebyshev_nodes_9, pm_chebyshev_nodes_17;
+extern const pm_chebyshev_nodes pm_chebyshev_nodes_equal, pm_chebyshev_nodes_halves, pm_chebyshev_nodes_9,
+    pm_chebyshev_nodes_17;
 /* cos(pi m / (PM_NODES_CLOCK - 1)), a whole turn */
 extern const double pm_chebyshev_nodes_cosine[2 * PM_NODES_CLOCK - 2];
 

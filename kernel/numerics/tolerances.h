@@ -30,6 +30,8 @@
 /* ---- scene ---- */
 
 /* ---- equations ---- */
+/* natural sizes */
+#define PM_SHIFT 1e-6 /* of a state's own size: shows the size of what is read there; larger: not linear */
 /* which constraints depend on each other */
 #define PM_INDEPENDENT \
     1e-9 /* part of a row that others leave, of the row: it counts; larger: holds too little */

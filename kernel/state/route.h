@@ -18,16 +18,13 @@
  *   error_of  notes the error of out[column], the value of the program at the frame, where the route knows its own errors
  *           (pm_evidence_answer); NULL: never
  *   resolves  1 if positions of the route resolve any bounce of the contact that has just closed; NULL: never
- * All return a status.  A route that finds roots itself - of all event functions, or of those of contacts - stops its step
- * at the first (w->event->nfunction, pm_event_values) and marks them in w->event->root (which advance.c clears before
- * the step); the others are sampled. */
+ * All return a status.  Events are found in the samples of a step (events/event_search.h).  A route that knows in closed form where
+ * contacts close ends its step at the first and marks it in w->event->root, which advance.c clears before the step. */
 #ifndef PM_ROUTE_H
 #define PM_ROUTE_H
 
 #include "numerics/chebyshev_nodes.h"
 #include "state/workspace.h"
-
-enum pm_roots { PM_ROOTS_NONE = 0, PM_ROOTS_ALL = 1, PM_ROOTS_OF_CONTACTS = 2 };
 
 /* What becomes of a phase whose route can make no further step. */
 enum pm_when_lost {
@@ -55,13 +52,13 @@ typedef struct pm_route_ops {
         pm_workspace *w); /* at the frame, where the rows are singular; 0: it cannot; NULL: never */
     double finest;        /* tolerance below which it does not get better */
     double spread;        /* how far its errors scatter about what goes with the tolerance, as a factor */
-    int finds_roots;      /* enum pm_roots */
+    int locates_contacts; /* it ends its steps where functions of contacts are zero; the others are sampled */
     int in_time;          /* its progress coordinate is the time */
     int meets_places;     /* it meets every place of a step exactly, to rounding */
     int on_tree;          /* its unknowns are the coordinates of the tree (tree/tree.h) */
-    int reuses_segments;  /* a segment of its motion that has been before is taken over (routes/path/repeat.h) */
-    int when_lost;        /* enum pm_when_lost */
-    int price;            /* routes in order of their cost */
+    int reuses_segments; /* a segment of its motion that has been before is taken over (routes/path/repeat.h) */
+    int when_lost;       /* enum pm_when_lost */
+    int price;           /* routes in order of their cost */
     const pm_chebyshev_nodes
         *nodes; /* where its steps are sampled, unless a step says otherwise (w->nodes) */
 } pm_route_ops;

@@ -20,7 +20,7 @@
 #include <string.h>
 
 #include "elements/trigger.h"
-#include "equations/projection.h"
+#include "equations/case.h"
 #include "equations/saddle.h"
 #include "events/event.h"
 #include "events/history.h"
@@ -28,6 +28,7 @@
 #include "routes/path/path_error.h"
 #include "run/run.h"
 #include "scene/program_class.h"
+#include "state/arena.h"
 #include "state/frame.h"
 #include "state/route.h"
 #include "state/workspace.h"
@@ -43,47 +44,28 @@
 #define AIM 0.2           /* of the accuracy asked, when the tolerance is tightened */
 #define NEAR_ENOUGH 1e-3  /* factor down to which the last pass is the companion of the next */
 #define LEAST_SHARE \
-    0.1            /* of a difference without a disturbance in it: rounding does not go with the tolerance */
-#define SHIFT 1e-6 /* of the state's natural size: change that shows the size of an ask */
+    0.1 /* of a difference without a disturbance in it: rounding does not go with the tolerance */
 
 /* ---- memory ---- */
-static size_t doubles_of_pass(const pm_model *m)
-{
-    return 3 * (size_t)m->nout + 2 * (size_t)m->rows[PM_TABLE_TRIGGER];
-}
-
-static void place_pass(const pm_model *m, pm_pass *p, double *doubles, int32_t *reason,
-                       pm_evidence_decision *entry)
-{
-    p->out = doubles;
-    p->error = doubles + m->nout;
-    p->more = doubles + 2 * m->nout;
-    p->extreme = doubles + 3 * m->nout;
-    p->reason = reason;
-    p->log.entry = entry;
-}
-
 int pm_accuracy_create(pm_workspace *w)
 {
     const pm_model *m = w->model;
     pm_accuracy *e = w->accuracy = calloc(1, sizeof *e);
     if (!e) return PM_NO_MEMORY;
-    const size_t nask = (size_t)m->nask, ntrigger = (size_t)m->rows[PM_TABLE_TRIGGER];
-    const int kept = PM_SETTING(m, PM_SETTING_ESTIMATE) ? PM_DECISIONS : 0;
-    const size_t log = (size_t)kept * sizeof(pm_evidence_decision), doubles = doubles_of_pass(m);
-    char *p = e->block = calloc(3 * (log + doubles * sizeof(double) + nask * sizeof(int32_t)) +
-                                    (nask + ntrigger) * sizeof(double) + nask + 1,
-                                1);
-    if (!p) return PM_NO_MEMORY;
-    pm_evidence_decision *entry = (pm_evidence_decision *)(void *)p;
-    double *number = (double *)(void *)(p + 3 * log);
-    e->scale = number + 3 * doubles;
-    e->trigger_scale = e->scale + nask;
-    int32_t *reason = (int32_t *)(void *)(e->trigger_scale + ntrigger);
-    e->discrete = (unsigned char *)(void *)(reason + 3 * nask);
-    for (int i = 0; i < 3; i++)
-        place_pass(m, &e->pass[i], number + (size_t)i * doubles, reason + (size_t)i * nask,
-                   entry + (size_t)i * (size_t)kept);
+    const int ntrigger = m->rows[PM_TABLE_TRIGGER],
+              kept = PM_SETTING(m, PM_SETTING_ESTIMATE) ? PM_DECISIONS : 0;
+    pm_pass *const p = e->pass;
+#define OF_EACH_PASS(array, count) \
+    PM_ARRAY(p[0].array, count), PM_ARRAY(p[1].array, count), PM_ARRAY(p[2].array, count)
+    const pm_array array[] = {
+        OF_EACH_PASS(out, m->nout),     OF_EACH_PASS(error, m->nout),
+        OF_EACH_PASS(more, m->nout),    OF_EACH_PASS(extreme, 2 * ntrigger),
+        OF_EACH_PASS(reason, m->nask),  OF_EACH_PASS(log.entry, kept),
+        PM_ARRAY(e->scale, m->nask),    PM_ARRAY(e->trigger_scale, ntrigger),
+        PM_ARRAY(e->discrete, m->nask),
+    };
+#undef OF_EACH_PASS
+    if (pm_arena_create(&e->block, PM_ARRAYS(array))) return PM_NO_MEMORY;
     for (int i = 0; i < m->nask; i++)
         e->discrete[i] = (unsigned char)pm_program_class_is_discrete(m, PM_ASK_ROW(m, i)[PM_ASK_PROGRAM]);
     w->evidence.discrete = e->discrete;
@@ -159,24 +141,9 @@ static int look_at_programs(pm_workspace *w, const pm_state *s, double *ask, dou
     return PM_OK;
 }
 
-/* Every coordinate moves, each by another part of its natural size. */
-static void shift(pm_workspace *w, pm_state *s)
+static double size_of(double changed, double value, double part)
 {
-    const int nq = w->model->nq;
-    pm_state_copy(s, &w->state);
-    for (int i = 0; i < nq; i++) {
-        const double part = SHIFT * (i % 2 ? -1 : 1) * (0.6 + 0.4 / (1 + i)),
-                     length = i % 3 == 2 ? 1 : w->numbers.size;
-        s->q[i] += part * length;
-        s->v[i] += part * length * w->numbers.speed / w->numbers.size;
-    }
-    for (int i = 0; i < w->model->nz; i++) s->z[i] *= 1 + SHIFT;
-    s->t += SHIFT * w->numbers.size / w->numbers.speed;
-}
-
-static double size_of(double changed, double value)
-{
-    const double size = fabs(changed - value) / SHIFT;
+    const double size = fabs(changed - value) / part;
     return isfinite(size) ? size : 0;
 }
 
@@ -189,10 +156,10 @@ static void find_sizes(pm_workspace *w)
     memset(e->scale, 0, (size_t)nask * sizeof(double));
     memset(e->trigger_scale, 0, (size_t)ntrigger * sizeof(double));
     if (look_at_programs(w, &w->state, ask, trigger)) return;
-    shift(w, &w->probe);
+    const double part = pm_case_shift(w, &w->probe);
     if (look_at_programs(w, &w->probe, e->scale, e->trigger_scale)) return;
-    for (int i = 0; i < nask; i++) e->scale[i] = size_of(e->scale[i], ask[i]);
-    for (int i = 0; i < ntrigger; i++) e->trigger_scale[i] = size_of(e->trigger_scale[i], trigger[i]);
+    for (int i = 0; i < nask; i++) e->scale[i] = size_of(e->scale[i], ask[i], part);
+    for (int i = 0; i < ntrigger; i++) e->trigger_scale[i] = size_of(e->trigger_scale[i], trigger[i], part);
 }
 
 /* ---- judging ---- */

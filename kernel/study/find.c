@@ -19,6 +19,7 @@
 #include "expression/program.h"
 #include "numerics/bracket.h"
 #include "run/run.h"
+#include "state/arena.h"
 #include "state/workspace.h"
 
 #define PROBE \
@@ -49,23 +50,24 @@ int pm_find_create(pm_workspace *w)
     f->samples = PM_FIND_ROW(m, 0)[PM_FIND_SAMPLES];
     for (int i = 0; i < f->ncondition; i++)
         if (PM_CONDITION_ROW(m, i)[PM_CONDITION_KIND] == PM_CONDITION_ZERO) f->zero[f->nzero++] = i;
-    f->param = calloc((size_t)m->nparam + 1, sizeof *f->param);
-    f->node = calloc((size_t)nodes_of(f), sizeof *f->node);
-    f->found = calloc(2 * (size_t)nodes_of(f) + 2, sizeof *f->found);
+    const pm_array array[] = {
+        PM_ARRAY(f->param, m->nparam),
+        PM_ARRAY(f->node, nodes_of(f)),
+        PM_ARRAY(f->found, 2 * nodes_of(f) + 2),
+    };
     gsl_set_error_handler_off(); /* the default one aborts the process */
     f->root = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
     f->minimum = pm_bracket_minimum_create();
     f->pair = pm_find_pair_create();
-    return f->param && f->node && f->found && f->root && f->minimum && f->pair ? PM_OK : PM_NO_MEMORY;
+    if (!f->root || !f->minimum || !f->pair) return PM_NO_MEMORY;
+    return pm_arena_create(&f->block, PM_ARRAYS(array));
 }
 
 void pm_find_free(pm_workspace *w)
 {
     pm_find *f = w->find;
     if (!f) return;
-    free(f->param);
-    free(f->node);
-    free(f->found);
+    free(f->block);
     if (f->root) gsl_root_fsolver_free(f->root);
     pm_bracket_minimum_free(f->minimum);
     pm_find_pair_free(f->pair);

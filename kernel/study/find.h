@@ -34,6 +34,7 @@ typedef struct pm_find {
     double
         resolution; /* relative: how well the threshold of an outcome can be known; 0 for roots and extremes */
     void *root, *minimum, *pair; /* GSL's solvers */
+    void *block;                 /* owns the arrays */
 } pm_find;
 
 /* ---- find.c ---- */

@@ -60,15 +60,19 @@ int pm_find_root(pm_workspace *w, pm_of_parameter *f, void *context, double a, d
     keep(place, a, fa);
     keep(place, b, fb);
     if (fa == 0 || fb == 0) return PM_OK;
+    double width = fabs(b - a);
     int result = gsl_root_fsolver_set(solver, &function, fmin(a, b), fmax(a, b));
     for (int i = 0; i < ITERATIONS && !result && !c.status; i++) {
         result = gsl_root_fsolver_iterate(solver);
         place->x = gsl_root_fsolver_root(solver);
-        if (is_narrow(gsl_root_fsolver_x_lower(solver), gsl_root_fsolver_x_upper(solver))) break;
+        const double low = gsl_root_fsolver_x_lower(solver), high = gsl_root_fsolver_x_upper(solver);
+        width = high - low;
+        if (is_narrow(low, high)) break;
     }
     if (c.status) return c.status;
     const double step = place->f_above - place->f_below;
-    place->jumps = result != GSL_SUCCESS || !(step <= JUMP * fabs(fb - fa) || place->f_above == 0);
+    place->jumps = result != GSL_SUCCESS || !(width <= 4 * ROUNDING * (fabs(b - a) + fabs(place->x))) ||
+                   !(step <= JUMP * fabs(fb - fa) || place->f_above == 0);
     return PM_OK;
 }
 

@@ -5,10 +5,22 @@ from tests.faults.fault import Fault
 FAULTS = [
     Fault("ida: sign of the bends", "routes/ida/ida_linear.c", "= -j->turn[", "= j->turn["),
     Fault(
-        "ida: missed root between two steps",
-        "routes/ida/ida_root.c",
-        "return !(fmin(fabs(a), fabs(b)) > REACH * change)",
-        "return 0",
+        "ida: what begins on its zero is not held there",
+        "routes/ida/route_ida.c",
+        "f->held |= fabs(now) <= f->slack",
+        "f->held |= fabs(now) <= 0 * f->slack",
+    ),
+    Fault(
+        "ida: a first step beyond a whole bounce",
+        "routes/ida/route_ida.c",
+        "fmin(first, fmax(SHORTEST * first, FLIGHT * begin_functions(w)))",
+        "fmin(first, fmax(1e9 * first, FLIGHT * begin_functions(w)))",
+    ),
+    Fault(
+        "ida: a state without a value counts as solved",
+        "routes/ida/ida_system.c",
+        "return !isnan(none)",
+        "return 1",
     ),
     Fault(
         "ida, sparse: sign of the bends",

@@ -67,6 +67,7 @@ static void same_bits(void)
     static results one, other;
     scene *s = bars();
     const int32_t stop = 0;
+    one.progress = 10 * CASES; /* of another batch */
     EQUAL(run(s, &one, 0, CASES, 1, &stop), PM_OK);
     EQUAL(one.progress, CASES);
     int seen[64] = {0};
@@ -102,6 +103,43 @@ static void stopped_before(void)
         EQUAL(x.status[i], PM_CANCELLED);
         CHECK(isnan(x.out[i][0]) && isnan(x.audit[i][0]));
         EQUAL(x.reason[i][0], PM_REASON_FAILED);
+    }
+    scene_free(s);
+}
+
+/* Another thread reads the progress while many short cases end at once: it only grows. */
+typedef struct reader {
+    int64_t *progress;
+    int ends, falls;
+} reader;
+
+static void *read_progress(void *context)
+{
+    reader *x = context;
+    int64_t last = 0;
+    while (!__atomic_load_n(&x->ends, __ATOMIC_RELAXED)) {
+        const int64_t now = __atomic_load_n(x->progress, __ATOMIC_RELAXED);
+        x->falls += now < last;
+        last = now;
+    }
+    return NULL;
+}
+
+static void progress_only_grows(void)
+{
+    static results x;
+    scene *s = bars();
+    const int32_t stop = 1; /* cases that are not begun are the shortest */
+    for (int i = 0; i < 20; i++) {
+        reader at = {.progress = &x.progress};
+        pthread_t thread;
+        x.progress = 0;
+        CHECK(pthread_create(&thread, NULL, read_progress, &at) == 0);
+        EQUAL(run(s, &x, 0, CASES, 4, &stop), PM_OK);
+        __atomic_store_n(&at.ends, 1, __ATOMIC_RELAXED);
+        pthread_join(thread, NULL);
+        EQUAL(at.falls, 0);
+        EQUAL(x.progress, CASES);
     }
     scene_free(s);
 }
@@ -209,6 +247,7 @@ int main(void)
 {
     same_bits();
     stopped_before();
+    progress_only_grows();
     stopped_inside();
     wrong_sizes();
     trace();

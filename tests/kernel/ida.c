@@ -1,8 +1,8 @@
 /* The ida route: its Newton matrix against differences of its residual; motions against the rk route and
  * closed forms; stiff forces; roots that change no sign between steps; failures that come back as numbers;
  * the same bits always. */
-#include "check.h"
 #include "routes/ida/ida.h"
+#include "check.h"
 #include "scene.h"
 #include "state/route.h"
 #include "state/workspace.h"
@@ -361,6 +361,26 @@ static void fails_with_a_number(void)
     }
 }
 
+/* Where a force has no value, neither has the residual: IDA is told, and tries a smaller step. */
+static void residual_without_a_value(void)
+{
+    flight f = thrown(1, 0, 1e-8);
+    scene *s = f.s;
+    const int push =
+        SCENE_PROGRAM(s, scene_k(s, 0.5), scene_m(f.x), scene_op(PM_OP_SUB), scene_op(PM_OP_SQRT));
+    scene_applied(s, f.point, PM_GROUND, push, push);
+    scene_until_time(s, 0.1);
+    EQUAL(scene_open(s), PM_OK);
+    pm_workspace *w = s->w;
+    EQUAL(pm_run(w, NULL), PM_OK);
+    double y[20] = {0}, yp[20] = {0}, r[20];
+    CHECK(w->ida->n <= 20);
+    EQUAL(pm_ida_system_residual(w, 0, y, yp, r), 1);
+    y[0] = 0.6; /* x, beyond where the force ends */
+    EQUAL(pm_ida_system_residual(w, 0, y, yp, r), 0);
+    scene_free(s);
+}
+
 /* Cases in any order and over any threads give the same bits: nothing is left over from the case before. */
 static void same_bits(void)
 {
@@ -437,6 +457,7 @@ int main(void)
     held_zeros();
     bounces_to_rest();
     fails_with_a_number();
+    residual_without_a_value();
     same_bits();
     return check_failures();
 }

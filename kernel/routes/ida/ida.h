@@ -5,7 +5,6 @@
  *   ida_jacobian.c  the blocks of the Newton matrix
  *   ida_linear.c    their elimination, as a linear solver of SUNDIALS
  *   ida_sparse.c    the same for many unknowns
- *   ida_root.c      event functions
  *   ida_vector.c    vector operations
  *   ida_library.c   versions of SUNDIALS
  *
@@ -51,6 +50,7 @@ typedef struct pm_ida_jacobian {
     double *work;        /* scratch of the differences and of a solution */
     int has_forces;      /* some force may depend on positions */
     int has_damping;     /* and some on velocities */
+    void *block;         /* owns the arrays */
 } pm_ida_jacobian;
 
 typedef struct pm_ida {
@@ -72,8 +72,6 @@ typedef struct pm_ida {
     int status;         /* of the kernel inside a function that IDA called, or PM_OK */
     pm_ida_jacobian jacobian;
     pm_ida_sparse *sparse;
-    struct pm_ida_roots *roots;
-    void *block;
 } pm_ida;
 
 static inline int pm_ida_place_l(const pm_workspace *w) { return 2 * w->model->nq + w->model->nz; }
@@ -89,8 +87,8 @@ void pm_ida_system_layout(pm_workspace *w);
 int pm_ida_system_start(pm_workspace *w, double *y, double *yp);
 /* Looks at (t, y) with accelerations and reactions from y': a DYNAMIC frame, and no linear system solved. */
 void pm_ida_system_look(pm_workspace *w, double t, const double *y, const double *yp);
-/* r = F(t, y, y'). */
-void pm_ida_system_residual(pm_workspace *w, double t, const double *y, const double *yp, double *r);
+/* r = F(t, y, y'); 0 where some of it is not finite. */
+int pm_ida_system_residual(pm_workspace *w, double t, const double *y, const double *yp, double *r);
 /* Tolerance and the reciprocal of what each unknown may err by, from the scales of the case; the rows must
  * be evaluated. */
 void pm_ida_system_scale(pm_workspace *w);
@@ -98,10 +96,8 @@ void pm_ida_system_scale(pm_workspace *w);
 void pm_ida_system_weights(const pm_workspace *w, const double *y, double *weight);
 
 /* ---- ida_jacobian.c ---- */
-/* Numbers of doubles and ints that the blocks need; places them in memory of that size. */
-size_t pm_ida_jacobian_doubles(const pm_model *m);
-size_t pm_ida_jacobian_ints(const pm_model *m);
-void pm_ida_jacobian_place(pm_ida_jacobian *x, const pm_model *m, double *doubles, int *ints);
+/* Memory for the most active constraints that the scene can have, in x->block, which the caller frees. */
+int pm_ida_jacobian_create(pm_ida_jacobian *x, const pm_model *m);
 /* All blocks at (t, y, y'). */
 void pm_ida_jacobian_evaluate(pm_workspace *w, double t, double cj, const double *y, const double *yp);
 
@@ -109,6 +105,9 @@ void pm_ida_jacobian_evaluate(pm_workspace *w, double t, double cj, const double
 /* Inverts the blocks of w->ida->jacobian; PM_SINGULAR if the rows depend on each other, PM_SOLVER if the
  * rest has no pivot. */
 int pm_ida_linear_factor(pm_workspace *w);
+/* Scales of the unknowns (v, L): the square roots of M^-1 and the reciprocal ones of square[nactive], which is the diagonal of
+ * G M^-1 G^T, each entry `stride` places after the last. */
+void pm_ida_linear_scale(pm_workspace *w, const double *square, int stride);
 /* J x = b for all unknowns of the phase; x may be b. */
 void pm_ida_linear_solve(pm_workspace *w, const double *b, double *x);
 
@@ -134,16 +133,6 @@ void pm_ida_sparse_free(pm_workspace *w);
 int pm_ida_sparse_factor(pm_workspace *w);
 /* Of b, all unknowns of the phase: q[nq], vl[nq + nactive] = (v, L) and mu[nactive]. */
 void pm_ida_sparse_solve(pm_workspace *w, const double *b, double *q, double *vl, double *mu);
-
-/* ---- ida_root.c ---- */
-int pm_ida_root_create(pm_workspace *w);
-void pm_ida_root_free(pm_workspace *w);
-/* A phase begins at w->state with accelerations a; the frame is DYNAMIC there.  Shortens *first, the first
- * step, where an event function asks for it. */
-int pm_ida_root_begin(pm_workspace *w, const double *a, double *first);
-/* After a step from w->step_begin to *t (`found`: a root of IDA's): marks w->event->root and moves *t to
- * the first root, if there is one. */
-int pm_ida_root_step(pm_workspace *w, int found, double *t);
 
 /* ---- ida_vector.c ---- */
 /* A vector with room for `most` numbers, all 0, of which *length count at any time; `length` must outlive

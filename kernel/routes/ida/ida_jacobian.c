@@ -15,6 +15,7 @@
 #include "elements/turning_plane.h"
 #include "equations/ledger.h"
 #include "equations/saddle.h"
+#include "state/arena.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 
@@ -43,15 +44,6 @@ static pm_ida_differences differences(const pm_model *m, double *work)
     return d;
 }
 
-size_t pm_ida_jacobian_doubles(const pm_model *m)
-{
-    const size_t nq = (size_t)m->nq, nrow = (size_t)m->nrow, nz = (size_t)m->nz, both = nq + nrow;
-    return 5 * nrow * nq + 3 * nq * nq + nz * (nrow + 2 * nq) + 2 * nrow * nrow + (nq + both) * both + both +
-           work_size(m);
-}
-
-size_t pm_ida_jacobian_ints(const pm_model *m) { return (size_t)(2 * m->nq + m->nrow); }
-
 static int has_damping(const pm_model *m)
 {
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++)
@@ -59,28 +51,31 @@ static int has_damping(const pm_model *m)
     return 0;
 }
 
-void pm_ida_jacobian_place(pm_ida_jacobian *x, const pm_model *m, double *p, int *ints)
+int pm_ida_jacobian_create(pm_ida_jacobian *x, const pm_model *m)
 {
     const size_t nq = (size_t)m->nq, nrow = (size_t)m->nrow, nz = (size_t)m->nz, both = nq + nrow;
-    x->g = p;
-    x->h = x->g + nrow * nq;
-    x->turn = x->h + nrow * nq;
-    x->spread = x->turn + nrow * nq;
-    x->share = x->spread + nq * nrow;
-    x->project = x->share + nq * nrow;
-    x->stiffness = x->project + nq * nq;
-    x->damping = x->stiffness + nq * nq;
-    x->ledger = x->damping + nq * nq;
-    x->schur = x->ledger + nz * (nrow + 2 * nq);
-    x->inverse_schur = x->schur + nrow * nrow;
-    x->bend = x->inverse_schur + nrow * nrow;
-    x->system = x->bend + nq * both;
-    x->scale = x->system + both * both;
-    x->work = x->scale + both;
-    x->pivot = ints;
-    x->bending = ints + both;
+    const pm_array array[] = {
+        PM_ARRAY(x->g, nrow * nq),
+        PM_ARRAY(x->h, nrow * nq),
+        PM_ARRAY(x->turn, nrow * nq),
+        PM_ARRAY(x->spread, nq * nrow),
+        PM_ARRAY(x->share, nq * nrow),
+        PM_ARRAY(x->project, nq * nq),
+        PM_ARRAY(x->stiffness, nq * nq),
+        PM_ARRAY(x->damping, nq * nq),
+        PM_ARRAY(x->ledger, nz * (nrow + 2 * nq)),
+        PM_ARRAY(x->schur, nrow * nrow),
+        PM_ARRAY(x->inverse_schur, nrow * nrow),
+        PM_ARRAY(x->bend, nq * both),
+        PM_ARRAY(x->system, both * both),
+        PM_ARRAY(x->scale, both),
+        PM_ARRAY(x->work, work_size(m)),
+        PM_ARRAY(x->pivot, both),
+        PM_ARRAY(x->bending, nq),
+    };
     x->has_forces = m->rows[PM_TABLE_FORCE] > 0 || pm_turning_plane_turns(m);
     x->has_damping = has_damping(m);
+    return pm_arena_create(&x->block, PM_ARRAYS(array));
 }
 
 /* A row's six numbers on all coordinates. */

@@ -44,6 +44,15 @@ static void add_columns(int m, int n, const double *restrict a, const double *re
         for (int i = 0; i < m; i++) y[i] += a[k * m + i] * x[k];
 }
 
+void pm_ida_linear_scale(pm_workspace *w, const double *square, int stride)
+{
+    const pm_ida_jacobian *j = &w->ida->jacobian;
+    const double *im = w->numbers.inverse_mass;
+    const int nq = w->model->nq;
+    for (int i = 0; i < nq; i++) j->scale[i] = im[i] > 0 ? sqrt(im[i]) : 1;
+    for (int r = 0; r < j->nactive; r++) j->scale[nq + r] = 1 / sqrt(square[r * stride]);
+}
+
 /* S, its inverse; the scale of L from the diagonal of S. */
 static int invert_rows(pm_workspace *w)
 {
@@ -57,7 +66,7 @@ static int invert_rows(pm_workspace *w)
                 sum += j->g[r * nq + k] * w->numbers.inverse_mass[k] * j->g[c * nq + k];
             s[r * na + c] = sum;
         }
-    for (int r = 0; r < na; r++) j->scale[nq + r] = 1 / sqrt(s[r * na + r]);
+    pm_ida_linear_scale(w, s, na + 1);
     const int bad = pm_dense_cholesky_factor(na, s);
     j->independence = 0;
     if (bad) return pm_fail(w, PM_SINGULAR, PM_TABLE_JOINT, w->active.row[bad - 1].joint, 0, 0);
@@ -122,7 +131,6 @@ static void fill_system(pm_workspace *w)
     const int nq = w->model->nq, na = j->nactive, n = nq + na;
     const double ic = 1 / j->cj, *im = w->numbers.inverse_mass;
     double *const s = j->scale, *const a = j->system, *const row = j->work + na;
-    for (int i = 0; i < nq; i++) s[i] = im[i] > 0 ? sqrt(im[i]) : 1;
     for (int i = 0; i < nq; i++) {
         on_rows(w, j->stiffness + i * nq, row);
         for (int k = 0; k < nq; k++) {
@@ -343,7 +351,7 @@ static SUNLinearSolver_ID solver_id(SUNLinearSolver solver)
     return SUNLINEARSOLVER_CUSTOM;
 }
 
-/* > 0: IDA may try a smaller step. */
+/* > 0: IDA may try a smaller step; < 0: that would not help. */
 static int setup(SUNLinearSolver solver, SUNMatrix matrix)
 {
     pm_workspace *w = solver->content;
@@ -351,7 +359,7 @@ static int setup(SUNLinearSolver solver, SUNMatrix matrix)
     const int status = pm_ida_linear_factor(w);
     if (status == PM_SINGULAR || status == PM_NO_MEMORY)
         w->ida->status = status; /* else it is IDA's to say what failed */
-    return status ? 1 : 0;
+    return status == PM_NO_MEMORY ? -1 : status != PM_OK;
 }
 
 static int solve(SUNLinearSolver solver, SUNMatrix matrix, N_Vector x, N_Vector b, double tolerance)

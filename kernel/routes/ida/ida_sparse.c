@@ -18,6 +18,7 @@
 #include <suitesparse/klu.h>
 
 #include "equations/saddle.h"
+#include "state/arena.h"
 #include "state/workspace.h"
 
 #define MANY 40       /* unknowns (v, L): up to there inverses are faster */
@@ -39,6 +40,7 @@ struct pm_ida_sparse {
     double *entry; /* [room] */
     double *x;     /* [n] */
     double *left;  /* [n] what a solution leaves of the right-hand side */
+    void *block;   /* owns start, old_start, x, left */
 };
 
 int pm_ida_sparse_serves(const pm_workspace *w) { return w->model->nq + w->active.n > MANY; }
@@ -64,13 +66,16 @@ int pm_ida_sparse_create(pm_workspace *w)
     pm_ida_sparse *s = w->ida->sparse = calloc(1, sizeof *s);
     if (!s) return PM_NO_MEMORY;
     s->most = 2 * (m->nq + m->nrow);
-    s->start = calloc((size_t)s->most + 1, sizeof *s->start);
-    s->old_start = calloc((size_t)s->most + 1, sizeof *s->old_start);
-    s->x = calloc(2 * (size_t)s->most, sizeof *s->x);
-    s->left = s->x ? s->x + s->most : NULL;
+    const pm_array array[] = {
+        PM_ARRAY(s->start, s->most + 1),
+        PM_ARRAY(s->old_start, s->most + 1),
+        PM_ARRAY(s->x, s->most),
+        PM_ARRAY(s->left, s->most),
+    };
     klu_defaults(&s->common);
     s->common.tol = PIVOT;
-    return s->start && s->old_start && s->x && grow(s, FIRST_ROOM * s->most) ? PM_OK : PM_NO_MEMORY;
+    const int status = pm_arena_create(&s->block, PM_ARRAYS(array));
+    return !status && grow(s, FIRST_ROOM * s->most) ? PM_OK : PM_NO_MEMORY;
 }
 
 void pm_ida_sparse_free(pm_workspace *w)
@@ -79,12 +84,10 @@ void pm_ida_sparse_free(pm_workspace *w)
     if (!s) return;
     if (s->numeric) klu_free_numeric(&s->numeric, &s->common);
     if (s->symbolic) klu_free_symbolic(&s->symbolic, &s->common);
-    free(s->start);
-    free(s->old_start);
     free(s->row);
     free(s->old_row);
     free(s->entry);
-    free(s->x);
+    free(s->block);
     free(s);
     w->ida->sparse = NULL;
 }
@@ -104,17 +107,18 @@ static void put(pm_ida_sparse *s, int k, int row, double value)
     s->start[k + 1]++;
 }
 
+/* The diagonal of S, in s->x. */
 static void set_scale(pm_workspace *w)
 {
     const pm_ida_jacobian *j = &w->ida->jacobian;
     const int nq = w->model->nq;
-    for (int i = 0; i < nq; i++)
-        j->scale[i] = w->numbers.inverse_mass[i] > 0 ? sqrt(w->numbers.inverse_mass[i]) : 1;
+    double *const square = w->ida->sparse->x;
     for (int r = 0; r < j->nactive; r++) {
-        double sum = 0;
-        for (int k = 0; k < nq; k++) sum += j->g[r * nq + k] * j->g[r * nq + k] * w->numbers.inverse_mass[k];
-        j->scale[nq + r] = 1 / sqrt(sum);
+        square[r] = 0;
+        for (int k = 0; k < nq; k++)
+            square[r] += j->g[r * nq + k] * j->g[r * nq + k] * w->numbers.inverse_mass[k];
     }
+    pm_ida_linear_scale(w, square, 1);
 }
 
 static void begin_column(pm_ida_sparse *s, int k) { s->start[k + 1] = s->start[k]; }

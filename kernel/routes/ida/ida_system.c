@@ -62,7 +62,7 @@ int pm_ida_system_start(pm_workspace *w, double *y, double *yp)
     return PM_OK;
 }
 
-void pm_ida_system_residual(pm_workspace *w, double t, const double *y, const double *yp, double *r)
+int pm_ida_system_residual(pm_workspace *w, double t, const double *y, const double *yp, double *r)
 {
     const int nq = w->model->nq, nz = w->model->nz, l = pm_ida_place_l(w), mu = pm_ida_place_mu(w);
     const double *v = y + nq, *force = w->frame.f;
@@ -84,6 +84,9 @@ void pm_ida_system_residual(pm_workspace *w, double t, const double *y, const do
         r[mu + i] =
             active ? pm_saddle_times(&w->frame, &w->active.row[i], v) - w->active.row[i].rate : yp[mu + i];
     }
+    double none = 0;
+    for (int i = 0; i < w->ida->n; i++) none += 0 * r[i];
+    return !isnan(none);
 }
 
 /* j M^-1 j^T: a row's reaction l moves the scene like l sqrt(this) in the metric of M. */

@@ -28,6 +28,10 @@
 #define ORDER 5
 #define NEWTON 0.1        /* of the error allowed: where Newton's iteration may stop */
 #define FIRST_STEP 0.3    /* of sqrt(tolerance) times the motion's own time: one step of order 1 */
+#define RATE_TIME 1e-4    /* of the motion's own time: distance of the differences at the begin of a phase */
+#define ON_ZERO 1e-12     /* of a trigger's natural size: zero */
+#define FLIGHT 0.05       /* of a bounce, as a first step */
+#define SHORTEST 1e-4     /* of the first step that would be taken without it */
 #define LONGEST_STEP 0.25 /* of the motion's own time, where events or extremes are watched */
 #define LEAST_STEP 8e-16  /* of the time: below it a step changes nothing */
 #define NEAR_SINGULAR 0.1 /* independent part of a row, below which Newton's iteration may not get through */
@@ -43,11 +47,13 @@ static int status_of(pm_workspace *w, int flag)
     return w->ida->status ? w->ida->status : failed(w, flag);
 }
 
+/* > 0: IDA may try a smaller step. */
 static int residual(double t, N_Vector y, N_Vector yp, N_Vector r, void *workspace)
 {
-    pm_ida_system_residual(workspace, t, N_VGetArrayPointer(y), N_VGetArrayPointer(yp),
-                           N_VGetArrayPointer(r));
-    return 0;
+    return pm_ida_system_residual(workspace, t, N_VGetArrayPointer(y), N_VGetArrayPointer(yp),
+                                  N_VGetArrayPointer(r))
+               ? 0
+               : 1;
 }
 
 static int weigh(N_Vector y, N_Vector weight, void *workspace)
@@ -57,17 +63,6 @@ static int weigh(N_Vector y, N_Vector weight, void *workspace)
 }
 
 /* ---- memory ---- */
-static int create_arrays(pm_workspace *w)
-{
-    const pm_model *m = w->model;
-    pm_ida *r = w->ida;
-    const size_t most = (size_t)r->most, doubles = most + pm_ida_jacobian_doubles(m);
-    r->weight = r->block = calloc(doubles * sizeof(double) + pm_ida_jacobian_ints(m) * sizeof(int) + 1, 1);
-    if (!r->block) return PM_NO_MEMORY;
-    pm_ida_jacobian_place(&r->jacobian, m, r->weight + most, (int *)(void *)(r->weight + doubles));
-    return PM_OK;
-}
-
 static int create_vectors(pm_workspace *w)
 {
     pm_ida *r = w->ida;
@@ -124,12 +119,13 @@ static int create(pm_workspace *w)
     if (pm_ida_library_open(&r->context)) return PM_NO_MEMORY;
     r->memory = IDACreate(r->context);
     if (!r->memory) return PM_NO_MEMORY;
-    int status = create_arrays(w);
+    r->weight = calloc((size_t)r->most + 1, sizeof *r->weight);
+    if (!r->weight) return PM_NO_MEMORY;
+    int status = pm_ida_jacobian_create(&r->jacobian, m);
     if (!status) status = create_vectors(w);
     if (!status) status = set_up(w);
     if (!status) status = create_solver(w);
     if (!status) status = pm_ida_sparse_create(w);
-    if (!status) status = pm_ida_root_create(w);
     return status;
 }
 
@@ -137,7 +133,6 @@ static void destroy(pm_workspace *w)
 {
     pm_ida *r = w->ida;
     if (!r) return;
-    pm_ida_root_free(w);
     pm_ida_sparse_free(w);
     if (r->memory) IDAFree(&r->memory);
     if (PM_IDA_STOCK) {
@@ -150,7 +145,8 @@ static void destroy(pm_workspace *w)
     for (int i = 0; i < 4; i++)
         if (vector[i]) N_VDestroy(vector[i]);
     if (r->context) SUNContext_Free(&r->context);
-    free(r->block);
+    free(r->jacobian.block);
+    free(r->weight);
     free(r);
     w->ida = NULL;
 }
@@ -173,6 +169,56 @@ static double time_to_begin_with(const pm_workspace *w)
     return isfinite(scale) ? fmin(scale, w->numbers.size / w->numbers.speed) : scale;
 }
 
+/* A function of the phase at a state; not a number where it has no value. */
+static double value_at(pm_workspace *w, const pm_event_function *f, const pm_state *s)
+{
+    pm_frame_look(&w->frame, s->t, s->q, s->v, s->z, w->state.memory);
+    if (f->level == PM_LEVEL_DYNAMIC && pm_saddle_accelerate(w)) return NAN;
+    return pm_event_value(w, f);
+}
+
+/* A trigger that is zero at the begin but for rounding is held until it has left its zero.  First steps are so short that their
+ * samples do not tell: its natural size does. */
+static void hold_on_zero(pm_workspace *w, pm_event_function *f)
+{
+    const double now = value_at(w, f, &w->state), part = pm_case_shift(w, &w->probe);
+    const double natural = fabs(value_at(w, f, &w->probe) - now) / part;
+    f->slack = isfinite(natural) ? ON_ZERO * natural : 0;
+    f->held |= fabs(now) <= f->slack;
+}
+
+/* The gap of a contact a little later or earlier on a course of constant acceleration. */
+static double gap_on_course(pm_workspace *w, const pm_event_function *f, double time)
+{
+    const double *a = accelerations(w);
+    pm_state_copy(&w->probe, &w->state);
+    for (int i = 0; i < w->model->nq; i++) w->probe.q[i] += time * (w->state.v[i] + 0.5 * time * a[i]);
+    return value_at(w, f, &w->probe);
+}
+
+/* Time until a contact that is left now is back; the first step, which is of order 1, must show that. */
+static double flight(pm_workspace *w, const pm_event_function *f)
+{
+    const double scale = pm_case_time_scale(w, w->state.v, accelerations(w));
+    const double d = RATE_TIME * fmin(scale, pm_case_max_time(w));
+    const double earlier = gap_on_course(w, f, -d), now = gap_on_course(w, f, 0),
+                 later = gap_on_course(w, f, d);
+    const double rate = (later - earlier) / (2 * d), second = (later - 2 * now + earlier) / (d * d);
+    return rate > 0 && second < 0 ? 2 * rate / -second : INFINITY;
+}
+
+/* What is on its zero when the phase begins; returns the time until the first of the contacts that are left now is back. */
+static double begin_functions(pm_workspace *w)
+{
+    double back = INFINITY;
+    for (int i = 0; i < w->event->nfunction; i++) {
+        pm_event_function *f = &w->event->function[i];
+        if (f->kind == FUNCTION_TRIGGER) hold_on_zero(w, f);
+        if (f->kind == FUNCTION_GAP && f->held) back = fmin(back, flight(w, f));
+    }
+    return back;
+}
+
 static int begin(pm_workspace *w)
 {
     pm_ida *r = w->ida;
@@ -187,7 +233,7 @@ static int begin(pm_workspace *w)
     int flag = IDAReInit(r->memory, w->state.t, r->y, r->yp);
     if (flag == IDA_SUCCESS) flag = limit_step(w);
     if (flag != IDA_SUCCESS) return failed(w, flag);
-    if ((status = pm_ida_root_begin(w, accelerations(w), &first))) return status;
+    first = fmin(first, fmax(SHORTEST * first, FLIGHT * begin_functions(w)));
     flag = IDASetInitStep(r->memory, isfinite(first) ? first : 0); /* 0: as IDA thinks fit */
     r->first = r->last = w->state.t;
     return flag == IDA_SUCCESS ? PM_OK : failed(w, flag);
@@ -238,18 +284,16 @@ static int one_step(pm_workspace *w, double t_limit)
     if (flag == IDA_SUCCESS) flag = IDASolve(r->memory, t_limit, &t, r->y, r->yp, IDA_ONE_STEP);
     int status = status_of(w, flag);
     if (status) return status;
-    const int found = flag == IDA_ROOT_RETURN;
     if ((flag = IDAGetCurrentTime(r->memory, &r->last)) || (flag = IDAGetLastStep(r->memory, &length)))
         return failed(w, flag);
     if (!(length > least)) return too_small(w, length, least); /* IDA itself would go on for ever */
     r->first = r->last - length;
+    if (w->ask->nobserver > 0) w->step.nodes = &pm_chebyshev_nodes_equal;
     w->step.begin = w->state.t;
     w->step.end = t;
-    if ((status = pm_ida_root_step(w, found, &w->step.end))) return status;
     memcpy(w->state.q, N_VGetArrayPointer(r->y), (size_t)(2 * w->model->nq + w->model->nz) * sizeof(double));
-    w->state.t = w->step.end;
-    if (w->step.end != t) status = look_up(w, w->step.end, w->state.q);
-    if (!status) status = pm_ida_linear_project(w, &w->state);
+    w->state.t = t;
+    status = pm_ida_linear_project(w, &w->state);
     w->result.count[PM_COUNT_STEPS]++;
     if (!status && pm_case_speed(w, w->state.v)) pm_ida_system_scale(w);
     if (!status && (flag = limit_step(w))) status = failed(w, flag);
@@ -291,9 +335,8 @@ const pm_route_ops pm_route_ida = {
     .exact = exact,
     .finest = PM_IDA_TIGHTEST / PM_IDA_TIGHTER,
     .spread = 60, /* its order changes on the way */
-    .finds_roots = PM_ROOTS_ALL,
     .in_time = 1,
     .when_lost = PM_LOST_TO_PASSAGE,
     .price = 4,
-    .nodes = &pm_chebyshev_nodes_equal,
+    .nodes = &pm_chebyshev_nodes_halves, /* steps are short beside the motion's own time */
 };

@@ -503,7 +503,6 @@ const pm_route_ops pm_route_path = {
     .sampled = pm_path_error_sampled,
     .error_of = pm_path_error_answer,
     .accelerate = pm_path_bridge_accelerate,
-    .finds_roots = PM_ROOTS_NONE,
     .in_time = 0,
     .meets_places = 1,
     .on_tree = 1,

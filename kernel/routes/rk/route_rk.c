@@ -19,6 +19,7 @@
 #include "numerics/minmax.h"
 #include "routes/rk/dop853.h"
 #include "routes/rk/rk.h"
+#include "state/arena.h"
 #include "state/frame.h"
 #include "state/route.h"
 #include "state/workspace.h"
@@ -43,17 +44,17 @@ static int create(pm_workspace *w)
     struct pm_rk *r = w->rk = calloc(1, sizeof *r);
     if (!r) return PM_NO_MEMORY;
     const size_t n = 2 * (size_t)w->model->nq + (size_t)w->model->nz;
-    double *p = r->block = calloc((5 + ALL_STAGES + STAGES + PM_RK_DENSE) * n + 1, sizeof *p);
-    if (!p) return PM_NO_MEMORY;
-    r->now = p;
-    r->y0 = r->now + n;
-    r->y = r->y0 + n;
-    r->scale = r->y + n;
-    r->k = r->scale + n;
-    r->side = r->k + ALL_STAGES * n;
-    r->dense = r->side + STAGES * n;
-    r->middle = r->dense + PM_RK_DENSE * n;
-    return PM_OK;
+    const pm_array array[] = {
+        PM_ARRAY(r->now, n),
+        PM_ARRAY(r->y0, n),
+        PM_ARRAY(r->y, n),
+        PM_ARRAY(r->scale, n + 1),
+        PM_ARRAY(r->k, ALL_STAGES * n + 1),
+        PM_ARRAY(r->side, STAGES * n),
+        PM_ARRAY(r->dense, PM_RK_DENSE * n),
+        PM_ARRAY(r->middle, n),
+    };
+    return pm_arena_create(&r->block, PM_ARRAYS(array));
 }
 
 static void destroy(pm_workspace *w)
@@ -271,7 +272,6 @@ const pm_route_ops pm_route_rk = {
     .look = pm_rk_look,
     .finest = TIGHTEST / MARGIN,
     .spread = 45,
-    .finds_roots = PM_ROOTS_NONE,
     .in_time = 1,
     .on_tree = 1,
     .price = 3,
