@@ -104,7 +104,61 @@
 
 /* ---- routes/rk ---- */
 
+#define PM_RK_MARGIN \
+    0.1 /* of the accuracy asked: errors of steps add up, and grow with the motion; more: less accurate */
+#define PM_RK_LEVEL_MARGIN \
+    0.3 /* the same where energy holds a single freedom on its path: only delays add up */
+#define PM_RK_TIGHTEST \
+    5e-15 /* relative: below it the estimate of errors is rounding; more: less can be asked for */
+#define PM_RK_SAFETY 0.7       /* of the step that the error allows; more: more steps are rejected */
+#define PM_RK_SHRINK 0.2       /* of a step: the shortest next one; more: more rejections in a row */
+#define PM_RK_GROW 4.0         /* of a step: the longest next one; more: more rejections */
+#define PM_RK_LEAST_STEP 8e-16 /* of the time: a shorter step changes nothing; more: a run gives up earlier */
+#define PM_RK_FIRST_RETRY 0.25 /* of a step in which there is no value: the next try; more: more tries */
+#define PM_RK_SIDESTEP \
+    1.2 /* of a step: a little longer or shorter, its stages are elsewhere; more: loses length */
+#define PM_RK_SIDESTEPS 12 /* tries past a singular stage; more would only put off the shrinking */
+#define PM_RK_NEAR_SINGULAR \
+    0.2 /* of the step's most regular stage: rounding is amplified below; more: side steps in vain */
+#define PM_RK_OVER \
+    0.3 /* of the motion's own time: a first step that passes a singular position; more: less accurate */
+#define PM_RK_LEDGER_STEPS \
+    16 /* steps from one that integrates the ledger to the next; more: a thinner audit */
+
 /* ---- routes/ida ---- */
+
+#define PM_IDA_TIGHTER \
+    1e-2 /* of the tolerance: IDA's errors are far above what it is asked for; more: less accurate */
+#define PM_IDA_TIGHTEST 1e-12 /* relative: below it steps follow rounding; more: less can be asked for */
+#define PM_IDA_NEWTON 0.1     /* of the error allowed: Newton's iteration may stop; more: its error shows */
+#define PM_IDA_FIRST_STEP \
+    0.3 /* of sqrt(tolerance) times the motion's own time: a step of order 1; more: rejected */
+#define PM_IDA_RATE_TIME \
+    1e-4 /* of the motion's own time: distance of differences at the begin; more: curvature spoils them */
+#define PM_IDA_ON_ZERO \
+    1e-12 /* of a trigger's natural size: zero at the begin; more: what begins close to zero is missed */
+#define PM_IDA_FLIGHT 0.05 /* of the flight of a bounce: a first step; more: its shape, of order 1, is lost */
+#define PM_IDA_SHORTEST \
+    1e-4 /* of the first step else: no flight makes it shorter; more: the last bounces are lost */
+#define PM_IDA_LONGEST_STEP \
+    0.25 /* of the motion's own time, where something is watched; more: unseen between samples */
+#define PM_IDA_LEAST_STEP \
+    8e-16 /* of the time: a shorter step changes nothing; more: a run gives up earlier */
+#define PM_IDA_NEAR_SINGULAR \
+    0.1 /* independent part of a constraint: Newton may fail below; more: left to rk for longer */
+#define PM_IDA_LOST \
+    0.2 /* the same where a step of a long chain failed: up to where the plan comes back (PM_PLAN_PASSED) */
+#define PM_IDA_LEAST_ROOM \
+    4e-15 /* of the time: IDA finds begin and end too close below; more: stops farther off */
+#define PM_IDA_SLIGHT \
+    1e-6 /* of size and speed: the last matrix corrects this much; more: slower than a new projection */
+#define PM_IDA_CORRECTED 4e-15 /* of size and speed: nothing is left to correct; more: constraints drift */
+#define PM_IDA_MANY 40   /* unknowns (v, L): up to there inverses are faster than KLU; more: slower chains */
+#define PM_IDA_PIVOT 0.1 /* of the greatest in its column: a pivot that keeps the order; more: more fill-in */
+#define PM_IDA_LEDGER_WEIGHT \
+    1e-2 /* of the weight of what is controlled: the ledger feeds nothing back; more: slower */
+#define PM_IDA_ROUNDING \
+    3.6e-15 /* of a value: angles and L grow, smaller errors are rounding; more: less accurate far away */
 
 /* ---- routes/uniform ---- */
 
@@ -112,6 +166,57 @@
 
 /* ---- run ---- */
 
+#define PM_DISTURBED_SPEED \
+    3e-14 /* of velocities, in coarse runs: PM_COARSER times some roundings; more: larger errors told */
+#define PM_DISTURBED_PLACE 2e-15 /* of positions; more: a contact that has just been left would overlap */
+#define PM_PLAN_PASSED \
+    0.2 /* independent part of each constraint: a singular position lies behind; more: later */
+
 /* ---- study ---- */
+
+#define PM_ACCURACY_CLAIMED \
+    2e-14 /* of an answer: least error that is claimed; more: hides accuracy that is there */
+#define PM_ACCURACY_COARSE \
+    1.75 /* steps of a coarse run, of the motion's own time: in order 8 PM_COARSER and some more; calibrated */
+#define PM_ACCURACY_REFINEMENTS \
+    2 /* passes at tighter tolerances; more: longer runs that may not get better */
+#define PM_ACCURACY_LEAST_FACTOR \
+    1e-4 /* of the tolerance, from one pass to the next: least change; more: more passes */
+#define PM_ACCURACY_MOST_FACTOR 0.1 /* the same: a smaller change is not worth a pass */
+#define PM_ACCURACY_FINER \
+    2 /* times a route's finest tolerance: nothing is gained below; more: gives up earlier */
+#define PM_ACCURACY_AIM \
+    0.2 /* of the accuracy asked, when the tolerance is tightened; more: may need another pass */
+#define PM_ACCURACY_NEAR_ENOUGH \
+    1e-3 /* of the tolerance: so far the last pass serves for a comparison; less: loose errors */
+#define PM_ACCURACY_LEAST_SHARE \
+    0.1 /* of a difference that is not disturbed: rounding does not go with the tolerance */
+#define PM_MARGIN_LEAST \
+    2.2e-16 /* of the natural size: least difference of two passes; more: smaller margins */
+#define PM_FIND_PROBE \
+    1e-3 /* of the distance of samples: shows whether the ask gets better off an end; more: beyond a peak */
+#define PM_FIND_TIE 1e-9  /* of their size: extremes that differ by less are several; more: more remarks */
+#define PM_FIND_SAME 1e-9 /* of the bounds' distance: places that are one; more: takes two for one */
+#define PM_FIND_OUTCOME \
+    5e-11 /* of a threshold: what the tolerances of decisions (1e-11) leave; more: larger errors told */
+#define PM_FIND_TOUCH \
+    4 /* times nearer to zero than its samples: a condition may reach it; more: fewer looks, misses */
+#define PM_FIND_WIDEST 0.25 /* of the interval: first distance of differences; more: leaves the interval */
+#define PM_FIND_HALVINGS 12 /* towards an end, for the other sign of the derivative; more: more runs */
+#define PM_FIND_VALUES 100  /* values of the minimiser; more would only put off its end */
+#define PM_FIND_CLOSE \
+    1e-13 /* of the place: width at which the minimiser stops; more: less accurate corners */
+#define PM_FIND_NOISE \
+    1e-9 /* of a value: it may seem worse by this at the derivative's root; more: takes other roots */
+#define PM_PAIR_STEPS 60    /* steps from one start; more would only put off its end */
+#define PM_PAIR_STILL 1e-15 /* of the bounds' distance: a step that is no step; more: ends earlier */
+#define PM_PAIR_MET \
+    1e-8 /* of the greatest size on the grid: a condition is met; more: takes what only comes near */
+#define PM_PAIR_SAME 1e-7 /* of the bounds' distance: roots that are one; more: takes two for one */
+#define PM_ROOT_STEPS 200 /* runs to close a bracket; more would only put off its end */
+#define PM_ROOT_FEW \
+    1e-9 /* of the bracket: as far as a root's error goes; more: steps over other thresholds */
+#define PM_ROOT_JUMP \
+    1e-3 /* of the first step of the function: what a closed bracket cannot have left; more: jumps pass for roots */
 
 #endif

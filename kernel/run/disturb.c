@@ -4,14 +4,11 @@
 
 #include "equations/projection.h"
 #include "equations/saddle.h"
+#include "numerics/tolerances.h"
 #include "state/evidence.h"
 #include "state/route.h"
 #include "state/workspace.h"
 
-#define DISTURBANCE 3e-14  /* of velocities: PM_COARSER times some roundings */
-#define DISPLACEMENT 2e-15 /* of positions: a contact that has just been left must not seem overlapped */
-
-/* 1 or -1, at random: the same in every companion. */
 static int sign(pm_evidence *e)
 {
     e->noise = e->noise * 6364136223846793005ULL + 1442695040888963407ULL;
@@ -24,8 +21,8 @@ int pm_disturb(pm_workspace *w)
     if (w->result.count[PM_COUNT_PHASES] > 0 && !w->phase.route->in_time)
         return PM_OK; /* legs of a path repeat */
     for (int i = 0; i < w->model->nq; i++) {
-        w->state.q[i] *= 1 + DISPLACEMENT * sign(&w->evidence);
-        w->state.v[i] *= 1 + DISTURBANCE * sign(&w->evidence);
+        w->state.q[i] *= 1 + PM_DISTURBED_PLACE * sign(&w->evidence);
+        w->state.v[i] *= 1 + PM_DISTURBED_SPEED * sign(&w->evidence);
     }
     const int status = pm_projection_apply(w, &w->state);
     if (status) return status;

@@ -9,13 +9,13 @@
 #include "equations/saddle.h"
 #include "events/ask.h"
 #include "expression/program.h"
+#include "numerics/tolerances.h"
 #include "routes/start/perturbation.h"
 #include "state/frame.h"
 #include "state/route.h"
 #include "state/workspace.h"
 
 #define ONE_FREEDOM "one degree of freedom, and work that depends on position only"
-#define PASSED 0.2 /* independent part of each row: clearly more than where the passage begins */
 
 typedef struct pm_rule {
     const pm_route_ops *route;
@@ -59,7 +59,7 @@ static int take(pm_workspace *w, const pm_route_ops *route, int rule)
 int pm_plan_has_passed(pm_workspace *w)
 {
     if (w->phase.rule != PASSING) return 0;
-    if (!(pm_saddle_independence_there(w, &w->state) > PASSED)) return 0;
+    if (!(pm_saddle_independence_there(w, &w->state) > PM_PLAN_PASSED)) return 0;
     w->phase.singular = 0;
     return 1;
 }

@@ -6,11 +6,11 @@
  * amplified as the scene amplifies errors, and rounding, amplified likewise.  The errors of a method go with its
  * tolerance, so that a's own error is expected at |a' - a| / PM_COARSER; errors have signs and may be small by chance:
  *
- *     error = max(spread |a' - a| / PM_COARSER, ROUNDING scale)
+ *     error = max(spread |a' - a| / PM_COARSER, PM_ACCURACY_CLAIMED scale)
  *
  * scale is the natural size of the ask: |a|, or how much it would change if the state changed by its own size.  Where
  * an error is greater than accuracy times scale, or passes have decided differently, the case is run again at a
- * tighter tolerance, at most REFINEMENTS times; a pass that is not too far off serves as the companion of the next.
+ * tighter tolerance, at most PM_ACCURACY_REFINEMENTS times; a pass that is not too far off serves as the companion of the next.
  * The spread of a route is above PM_COARSER: where a phase is one step, the companion, which takes it in two, shows a's
  * own error and no more.  It is calibrated: studies/benchmarks/calibration.py. */
 #include "study/accuracy.h"
@@ -25,6 +25,7 @@
 #include "events/event.h"
 #include "events/history.h"
 #include "expression/program.h"
+#include "numerics/tolerances.h"
 #include "routes/path/path_error.h"
 #include "run/run.h"
 #include "scene/program_class.h"
@@ -34,19 +35,6 @@
 #include "state/workspace.h"
 #include "study/find.h"
 
-#define ROUNDING 2e-14 /* least relative error that is claimed */
-#define COARSE \
-    1.75 /* steps in a companion, of the motion's own time: in an 8th order method PM_COARSER, and some more */
-#define REFINEMENTS 2     /* passes at tighter tolerances */
-#define LEAST_FACTOR 1e-4 /* of the tolerance, from one pass to the next */
-#define MOST_FACTOR 0.1   /* the same: a smaller change is not worth a pass */
-#define FINER 2           /* times the finest tolerance: nothing is gained below */
-#define AIM 0.2           /* of the accuracy asked, when the tolerance is tightened */
-#define NEAR_ENOUGH 1e-3  /* factor down to which the last pass is the companion of the next */
-#define LEAST_SHARE \
-    0.1 /* of a difference without a disturbance in it: rounding does not go with the tolerance */
-
-/* ---- memory ---- */
 int pm_accuracy_create(pm_workspace *w)
 {
     const pm_model *m = w->model;
@@ -111,7 +99,7 @@ static void make_pass(pm_workspace *w, const double *param, pm_pass *p, double f
     w->result.out = p->out;
     w->result.reason = p->reason;
     w->result.audit = p->audit;
-    w->numbers.coarse = companion ? COARSE : 1;
+    w->numbers.coarse = companion ? PM_ACCURACY_COARSE : 1;
     if (companion) w->history = NULL, w->phase_report = NULL;
     if (w->history) w->history->needed = 0; /* the last pass is the one recorded */
     if (w->phase_report) w->phase_report->needed = w->phase_report->steps = w->phase_report->legs = 0;
@@ -182,8 +170,8 @@ static double judge_answers(const pm_workspace *w, double share, double *error)
             if (isnan(a)) continue;
             error[k] = isnan(b) ? INFINITY : fabs(a - b);
             if (e->discrete[i]) continue;
-            error[k] = fmax(share * error[k], ROUNDING * scale);
-            if (!isnan(e->main->error[k])) error[k] = fmax(e->main->error[k], ROUNDING * scale);
+            error[k] = fmax(share * error[k], PM_ACCURACY_CLAIMED * scale);
+            if (!isnan(e->main->error[k])) error[k] = fmax(e->main->error[k], PM_ACCURACY_CLAIMED * scale);
             error[k] += e->main->more[k];
             excess = fmax(excess, error[k] / (w->numbers.accuracy * scale));
         }
@@ -205,7 +193,7 @@ static double share_of(const pm_workspace *w)
 {
     const pm_accuracy *e = w->accuracy;
     const double share = w->phase.route->spread * e->main->tolerance / e->other->tolerance;
-    return e->other->companion ? share : fmax(share, LEAST_SHARE);
+    return e->other->companion ? share : fmax(share, PM_ACCURACY_LEAST_SHARE);
 }
 
 /* Errors of the sought parameters of the main pass.  What follows from parameters alone is known no better than the
@@ -216,8 +204,8 @@ static void judge_found(const pm_workspace *w, double share, double *error)
     const double resolution = pm_find_resolution(w);
     double *found = e->main->found;
     for (int i = 0; i < PM_FIND_MOST; i++)
-        found[PM_FOUND_FIRST_ERROR + i] =
-            fmax(share * fabs(found[i] - e->other->found[i]), fmax(ROUNDING, resolution) * fabs(found[i]));
+        found[PM_FOUND_FIRST_ERROR + i] = fmax(share * fabs(found[i] - e->other->found[i]),
+                                               fmax(PM_ACCURACY_CLAIMED, resolution) * fabs(found[i]));
     for (int i = 0; i < w->model->nask; i++) {
         const int32_t *row = PM_ASK_ROW(w->model, i);
         if (e->discrete[i] || w->model->programs.class[row[PM_ASK_PROGRAM]] != PM_CLASS_CONSTANT) continue;
@@ -275,17 +263,17 @@ static int find_companion(pm_workspace *w, const double *param)
 /* Without a comparison so far: such that the last pass serves for one. */
 static double next_factor(double factor, const double *trust)
 {
-    double change = AIM / trust[PM_TRUST_EXCESS];
+    double change = PM_ACCURACY_AIM / trust[PM_TRUST_EXCESS];
     if (isnan(change)) return factor / PM_COARSER;
     if (trust[PM_TRUST_MARGIN] < 1) change = fmin(change, 1 / PM_COARSER);
-    return factor * fmin(fmax(change, LEAST_FACTOR), MOST_FACTOR);
+    return factor * fmin(fmax(change, PM_ACCURACY_LEAST_FACTOR), PM_ACCURACY_MOST_FACTOR);
 }
 
 static int good_enough(const pm_workspace *w, const double *trust)
 {
     const pm_pass *p = w->accuracy->main;
     const int decided = trust[PM_TRUST_MARGIN] >= 1 && trust[PM_TRUST_EXCESS] <= 1;
-    return decided || p->status != PM_OK || p->tolerance <= FINER * w->phase.route->finest;
+    return decided || p->status != PM_OK || p->tolerance <= PM_ACCURACY_FINER * w->phase.route->finest;
 }
 
 /* One pass at a tighter tolerance becomes the main one; 0 if it fails: then all stays as it was. */
@@ -304,7 +292,7 @@ static int refine(pm_workspace *w, const double *param, double *error, double *t
     swap(&e->other, &e->spare); /* the last main pass; what it was compared with is free */
     find_sizes(w);
     /* what a cut loses does not go with the tolerance: only a companion shows it */
-    if ((doubtful || e->main->cut || e->main->tolerance < NEAR_ENOUGH * e->other->tolerance) &&
+    if ((doubtful || e->main->cut || e->main->tolerance < PM_ACCURACY_NEAR_ENOUGH * e->other->tolerance) &&
         !find_companion(w, param))
         return 0;
     judge(w, error, trust);
@@ -316,7 +304,7 @@ static void climb(pm_workspace *w, const double *param, double *error, double *t
     pm_accuracy *e = w->accuracy;
     find_sizes(w);
     if (find_companion(w, param)) judge(w, error, trust);
-    for (int i = 0; i < REFINEMENTS && !good_enough(w, trust); i++)
+    for (int i = 0; i < PM_ACCURACY_REFINEMENTS && !good_enough(w, trust); i++)
         if (!refine(w, param, error, trust)) break;
     /* a run that sits on the threshold that was sought is not in doubt */
     if (e->main->status == PM_OK && trust[PM_TRUST_MARGIN] < 1 && !w->evidence.seeks) {
@@ -345,7 +333,7 @@ static int deliver(pm_workspace *w, double *out, int32_t *reason, double *audit)
 /* An open ledger may be nothing but the errors of a loose integration: a tighter one shows. */
 static int is_too_loose(const pm_workspace *w, const pm_pass *p)
 {
-    return p->status == PM_AUDIT && p->tolerance > FINER * w->phase.route->finest;
+    return p->status == PM_AUDIT && p->tolerance > PM_ACCURACY_FINER * w->phase.route->finest;
 }
 
 static int run(pm_workspace *w, const double *param, double *found, double *error, double *margin,
@@ -370,7 +358,7 @@ static int run(pm_workspace *w, const double *param, double *found, double *erro
     e->other = &e->pass[1];
     e->spare = &e->pass[2];
     make_pass(w, param, e->main, 1, 0);
-    while (is_too_loose(w, e->main) && e->npass <= REFINEMENTS)
+    while (is_too_loose(w, e->main) && e->npass <= PM_ACCURACY_REFINEMENTS)
         make_pass(w, param, e->main, e->main->factor / PM_COARSER, 0);
     if (stands(e->main)) climb(w, param, error, trust);
     for (int i = 0; i < w->model->nask; i++)

@@ -18,20 +18,11 @@
 #include "equations/case.h"
 #include "expression/program.h"
 #include "numerics/bracket.h"
+#include "numerics/tolerances.h"
 #include "run/run.h"
 #include "state/arena.h"
 #include "state/workspace.h"
 
-#define PROBE \
-    1e-3         /* of the distance of samples: where it shows whether the ask gets better away from an end */
-#define TIE 1e-9 /* of their size: extremes that differ by less are several */
-#define SAME 1e-9 /* of the bounds' distance: places that are one */
-#define OUTCOME \
-    5e-11 /* relative: what the tolerances of decisions (1e-11 of forces, impulses, speeds) leave */
-#define TOUCH \
-    4 /* a condition that comes this much nearer to zero between samples than at them may reach it */
-
-/* ---- memory ---- */
 static int nodes_of(const pm_find *f)
 {
     return f->nvary == 2 ? (f->samples + 1) * (f->samples + 1) : f->samples + 1;
@@ -108,7 +99,7 @@ static int sample(pm_workspace *w)
 static void add_found(pm_find *f, const pm_look *look)
 {
     for (int i = 0; i < f->nfound; i++)
-        if (fabs(f->found[i].x[0] - look->x[0]) <= SAME * (f->high[0] - f->low[0])) return;
+        if (fabs(f->found[i].x[0] - look->x[0]) <= PM_FIND_SAME * (f->high[0] - f->low[0])) return;
     f->found[f->nfound++] = *look;
 }
 
@@ -141,7 +132,8 @@ static int look_between(pm_workspace *w, int middle, pm_find_root_place *jump)
     const double left = zero_at(f, p), here = zero_at(f, p + 1), right = zero_at(f, p + 2);
     const double bend = left - 2 * here + right, shift = 0.5 * (left - right) / bend;
     const double nearest = here - 0.125 * (left - right) * (left - right) / bend;
-    if (!(fabs(shift) < 1) || !(here * bend > 0) || !(nearest * here < fabs(here) * fabs(here) / TOUCH))
+    if (!(fabs(shift) < 1) || !(here * bend > 0) ||
+        !(nearest * here < fabs(here) * fabs(here) / PM_FIND_TOUCH))
         return PM_OK;
     const double x = p[1].x[0] + shift * step_of(f);
     pm_look look;
@@ -195,7 +187,7 @@ static int reach(pm_workspace *w, int i, int side, pm_look *end)
 /* The best place between `left` and `right`, of which `best` is one or lies between. */
 static int climb(pm_workspace *w, const pm_look *left, const pm_look *right, pm_look *best)
 {
-    const double step = PROBE * step_of(w->find), width = right->x[0] - left->x[0];
+    const double step = PM_FIND_PROBE * step_of(w->find), width = right->x[0] - left->x[0];
     pm_look probe;
     if (!(width > 2 * step)) return PM_OK;
     if (best->x[0] == left->x[0] || best->x[0] == right->x[0]) {
@@ -275,7 +267,7 @@ static int is_better(const pm_find *f, const pm_look *a, const pm_look *b)
 static int is_tied(const pm_find *f, const pm_look *a, const pm_look *b)
 {
     if (f->goal == PM_FIND_VALUE) return 1;
-    return f->program != PM_NONE && fabs(a->goal - b->goal) <= TIE * fabs(a->goal);
+    return f->program != PM_NONE && fabs(a->goal - b->goal) <= PM_FIND_TIE * fabs(a->goal);
 }
 
 /* The one to be taken, how many are as good, and another one of them. */
@@ -310,7 +302,7 @@ static int finish(pm_workspace *w, double *found)
     int status = pm_find_look(w, chosen->x, &last);
     if (status) return status;
     for (int k = 0; k < f->nvary; k++) found[PM_FOUND_FIRST + k] = chosen->x[k];
-    f->resolution = chosen->bisected ? OUTCOME : 0;
+    f->resolution = chosen->bisected ? PM_FIND_OUTCOME : 0;
     status = last.status;
     if (status) return status;
     if (several > 1) {

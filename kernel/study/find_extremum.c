@@ -9,14 +9,10 @@
 #include <math.h>
 
 #include "numerics/bracket.h"
+#include "numerics/tolerances.h"
 #include "state/workspace.h"
 
-#define LEVELS 6    /* of the Richardson table */
-#define WIDEST 0.25 /* first distance of the differences, of the interval */
-#define HALVINGS 12 /* towards the end of the interval to find where the derivative has its other sign */
-#define ITERATIONS 100
-#define CLOSE 1e-13 /* relative width at which the minimiser stops */
-#define NOISE 1e-9  /* of its own size: by how much a value may seem worse at the derivative's root */
+#define LEVELS 6 /* of the Richardson table */
 
 typedef struct pm_find_interval {
     double a, b;
@@ -35,7 +31,7 @@ static int slope(pm_workspace *w, double x, void *context, double *value)
 {
     const pm_find_interval *within = context;
     double table[LEVELS][LEVELS], error = INFINITY;
-    double h = fmin(WIDEST * (within->b - within->a), fmin(x - within->a, within->b - x));
+    double h = fmin(PM_FIND_WIDEST * (within->b - within->a), fmin(x - within->a, within->b - x));
     *value = NAN;
     for (int i = 0; i < LEVELS; i++, h *= 0.5) {
         double right, left, factor = 1;
@@ -63,7 +59,7 @@ static int other_sign(pm_workspace *w, pm_find_interval *within, double middle, 
                       double *x, double *value)
 {
     double part = 0.5;
-    for (int i = 0; i < HALVINGS; i++, part *= 0.5) {
+    for (int i = 0; i < PM_FIND_HALVINGS; i++, part *= 0.5) {
         *x = end + part * (middle - end);
         const int status = slope(w, *x, within, value);
         if (status || sign * *value > 0) return status;
@@ -88,7 +84,8 @@ static int corner(pm_workspace *w, double a, double b, pm_look *best)
     if (status) return status;
     const pm_valley in = {a, -fa, best->x[0], -best->goal, b, -fb};
     double x; /* the best place counts, however close it is */
-    pm_bracket_minimum(w->find->minimum, worse, w, &in, &(pm_closeness){ITERATIONS, 0, CLOSE}, &x);
+    pm_bracket_minimum(w->find->minimum, worse, w, &in, &(pm_closeness){PM_FIND_VALUES, 0, PM_FIND_CLOSE},
+                       &x);
     return pm_find_look(w, &x, best);
 }
 
@@ -105,7 +102,8 @@ int pm_find_extremum(pm_workspace *w, double a, double b, pm_look *best)
     status = pm_find_root(w, slope, &within, x1, s1, x2, s2, &place);
     if (!status) status = pm_find_look(w, &place.x, &look);
     if (status) return status;
-    if (place.jumps || !(look.goal >= best->goal - NOISE * fabs(best->goal))) return corner(w, a, b, best);
+    if (place.jumps || !(look.goal >= best->goal - PM_FIND_NOISE * fabs(best->goal)))
+        return corner(w, a, b, best);
     *best = look;
     return PM_OK;
 }

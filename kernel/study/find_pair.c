@@ -10,12 +10,8 @@
 #include <gsl/gsl_multiroots.h>
 #include <math.h>
 
+#include "numerics/tolerances.h"
 #include "state/workspace.h"
-
-#define ITERATIONS 60
-#define STILL 1e-15 /* of the bounds' distance: a step that is no step */
-#define MET 1e-8    /* of the greatest size on the grid: a condition that is met */
-#define SAME 1e-7   /* of the bounds' distance: roots that are one */
 
 typedef struct pm_find_pair_context {
     pm_workspace *w;
@@ -94,7 +90,7 @@ static int is_new(const pm_find *f, const pm_look *look)
         double apart = 0;
         for (int k = 0; k < 2; k++)
             apart = fmax(apart, fabs(look->x[k] - f->found[i].x[k]) / (f->high[k] - f->low[k]));
-        if (apart <= SAME) return 0;
+        if (apart <= PM_PAIR_SAME) return 0;
     }
     return 1;
 }
@@ -107,9 +103,10 @@ static int go_from(pm_find_pair_context *c, double ux, double uy)
     double start[2] = {ux, uy};
     const gsl_vector_view u = gsl_vector_view_array(start, 2);
     int result = gsl_multiroot_fsolver_set(solver, &function, &u.vector);
-    for (int i = 0; i < ITERATIONS && !result; i++) {
+    for (int i = 0; i < PM_PAIR_STEPS && !result; i++) {
         result = gsl_multiroot_fsolver_iterate(solver);
-        if (fabs(gsl_vector_get(solver->dx, 0)) <= STILL && fabs(gsl_vector_get(solver->dx, 1)) <= STILL)
+        if (fabs(gsl_vector_get(solver->dx, 0)) <= PM_PAIR_STILL &&
+            fabs(gsl_vector_get(solver->dx, 1)) <= PM_PAIR_STILL)
             break;
     }
     if (c->status) return c->status;
@@ -122,7 +119,7 @@ static int go_from(pm_find_pair_context *c, double ux, double uy)
     const int status = pm_find_look(c->w, x, &c->look);
     if (status) return status;
     for (int k = 0; k < 2; k++)
-        if (!(fabs(reading(f, &c->look, k)) <= MET * c->size[k])) return PM_OK;
+        if (!(fabs(reading(f, &c->look, k)) <= PM_PAIR_MET * c->size[k])) return PM_OK;
     if (c->look.holds && is_new(f, &c->look)) f->found[f->nfound++] = c->look;
     return PM_OK;
 }

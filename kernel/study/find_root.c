@@ -9,12 +9,8 @@
 #include <gsl/gsl_roots.h>
 #include <math.h>
 
+#include "numerics/tolerances.h"
 #include "state/workspace.h"
-
-#define ITERATIONS 200
-#define ROUNDING 2.3e-16 /* of a double */
-#define FEW 1e-9         /* of the bracket: as far as a root's error goes */
-#define JUMP 1e-3 /* of the first step of the function: what a bracket of rounding width cannot have left */
 
 typedef struct pm_find_root_context {
     pm_workspace *w;
@@ -48,7 +44,7 @@ static double call(double x, void *context)
     return value;
 }
 
-static int is_narrow(double a, double b) { return fabs(b - a) <= 2 * ROUNDING * fmax(fabs(a), fabs(b)); }
+static int is_narrow(double a, double b) { return fabs(b - a) <= 2 * PM_EPSILON * fmax(fabs(a), fabs(b)); }
 
 int pm_find_root(pm_workspace *w, pm_of_parameter *f, void *context, double a, double fa, double b, double fb,
                  pm_find_root_place *place)
@@ -62,7 +58,7 @@ int pm_find_root(pm_workspace *w, pm_of_parameter *f, void *context, double a, d
     if (fa == 0 || fb == 0) return PM_OK;
     double width = fabs(b - a);
     int result = gsl_root_fsolver_set(solver, &function, fmin(a, b), fmax(a, b));
-    for (int i = 0; i < ITERATIONS && !result && !c.status; i++) {
+    for (int i = 0; i < PM_ROOT_STEPS && !result && !c.status; i++) {
         result = gsl_root_fsolver_iterate(solver);
         place->x = gsl_root_fsolver_root(solver);
         const double low = gsl_root_fsolver_x_lower(solver), high = gsl_root_fsolver_x_upper(solver);
@@ -71,8 +67,8 @@ int pm_find_root(pm_workspace *w, pm_of_parameter *f, void *context, double a, d
     }
     if (c.status) return c.status;
     const double step = place->f_above - place->f_below;
-    place->jumps = result != GSL_SUCCESS || !(width <= 4 * ROUNDING * (fabs(b - a) + fabs(place->x))) ||
-                   !(step <= JUMP * fabs(fb - fa) || place->f_above == 0);
+    place->jumps = result != GSL_SUCCESS || !(width <= 4 * PM_EPSILON * (fabs(b - a) + fabs(place->x))) ||
+                   !(step <= PM_ROOT_JUMP * fabs(fb - fa) || place->f_above == 0);
     return PM_OK;
 }
 
@@ -87,7 +83,7 @@ int pm_find_reading(pm_workspace *w, double x, void *condition, double *value)
 static int bisect(pm_workspace *w, double no, int no_status, pm_look *yes)
 {
     pm_look look;
-    for (int i = 0; i < ITERATIONS && !is_narrow(no, yes->x[0]); i++) {
+    for (int i = 0; i < PM_ROOT_STEPS && !is_narrow(no, yes->x[0]); i++) {
         const double x = 0.5 * (no + yes->x[0]);
         if (x == no || x == yes->x[0]) break;
         const int status = pm_find_look(w, &x, &look);
@@ -108,9 +104,9 @@ static int bisect(pm_workspace *w, double no, int no_status, pm_look *yes)
 static int step_over(pm_workspace *w, double root, pm_look *yes)
 {
     const double away = yes->x[0] - root;
-    double step = copysign(ROUNDING * fmax(fabs(root), fabs(away)), away);
+    double step = copysign(PM_EPSILON * fmax(fabs(root), fabs(away)), away);
     pm_look look;
-    for (double x = root; fabs(x - root) <= FEW * fabs(away); x = root + step, step *= 4) {
+    for (double x = root; fabs(x - root) <= PM_ROOT_FEW * fabs(away); x = root + step, step *= 4) {
         const int status = pm_find_look(w, &x, &look);
         if (status) return status;
         if (!look.holds) continue;

@@ -4,11 +4,10 @@
  * impulse that must not pull.  Two passes of a case that differ by their errors only give x and x': the margin of the
  * decision is the smaller of both over |x - x'|.  As long as the passes decide alike their logs run in step, which the
  * history proves; near misses are seen by one pass and perhaps not by the other, and are then left out. */
+#include "numerics/tolerances.h"
 #include "study/accuracy.h"
 
 #include <math.h>
-
-#define ROUNDING 2.2e-16 /* least difference, of the natural size */
 
 static double margin_of(const pm_evidence_decision *x, const pm_evidence_decision *y,
                         const double *trigger_scale)
@@ -17,7 +16,7 @@ static double margin_of(const pm_evidence_decision *x, const pm_evidence_decisio
     const double unit = x->unit * (x->trigger == PM_NONE ? 1 : trigger_scale[x->trigger]);
     const double a = fabs(x->distance), b = fabs(y->distance), apart = fabs(x->distance - y->distance);
     if (!pm_evidence_is_open(x, unit) && !pm_evidence_is_open(y, unit)) return INFINITY;
-    return fmin(a, b) / fmax(apart, ROUNDING * unit);
+    return fmin(a, b) / fmax(apart, PM_MARGIN_LEAST * unit);
 }
 
 static int same(const pm_evidence_decision *x, const pm_evidence_decision *y)

@@ -13,8 +13,8 @@ FAULTS = [
     Fault(
         "ida: a first step beyond a whole bounce",
         "routes/ida/route_ida.c",
-        "fmin(first, fmax(SHORTEST * first, FLIGHT * begin_functions(w)))",
-        "fmin(first, fmax(1e9 * first, FLIGHT * begin_functions(w)))",
+        "fmin(first, fmax(PM_IDA_SHORTEST * first, PM_IDA_FLIGHT * begin_functions(w)))",
+        "fmin(first, fmax(1e9 * first, PM_IDA_FLIGHT * begin_functions(w)))",
     ),
     Fault(
         "ida: a state without a value counts as solved",
@@ -85,7 +85,7 @@ FAULTS = [
     Fault(
         "ida: singular positions are not handed over",
         "routes/ida/route_ida.c",
-        "(lost ? LOST : NEAR_SINGULAR)",
+        "(lost ? PM_IDA_LOST : PM_IDA_NEAR_SINGULAR)",
         "0",
     ),
 ]

@@ -45,7 +45,7 @@ FAULTS = [
     Fault(
         "rk: stages near a singular position only shorten the step",
         "routes/rk/route_rk.c",
-        "t->part.least_regular < NEAR_SINGULAR * t->part.most_regular",
+        "t->part.least_regular < PM_RK_NEAR_SINGULAR * t->part.most_regular",
         "t->part.least_regular < 0",
     ),
     Fault(

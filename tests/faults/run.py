@@ -34,8 +34,8 @@ FAULTS = [
     Fault(
         "error: nothing of rounding",
         "run/disturb.c",
-        "1 + DISTURBANCE * sign(&w->evidence)",
-        "1 + 0 * DISTURBANCE * sign(&w->evidence)",
+        "1 + PM_DISTURBED_SPEED * sign(&w->evidence)",
+        "1 + 0 * PM_DISTURBED_SPEED * sign(&w->evidence)",
     ),
     Fault(
         "run: nothing is slow",

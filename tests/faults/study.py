@@ -6,7 +6,7 @@ FAULTS = [
     Fault(
         "error: steps that nothing limits are the same",
         "study/accuracy.c",
-        "w->numbers.coarse = companion ? COARSE : 1",
+        "w->numbers.coarse = companion ? PM_ACCURACY_COARSE : 1",
         "w->numbers.coarse = 1",
     ),
     Fault(
@@ -66,7 +66,12 @@ FAULTS = [
         "x[k] = f->low[k] + part * (f->high[k] - f->low[k]);\n    }\n    if (!c->status)",
         "x[k] = f->low[0] + part * (f->high[k] - f->low[k]);\n    }\n    if (!c->status)",
     ),
-    Fault("find: a pole is taken for a root", "study/find_root.c", "#define JUMP 1e-3", "#define JUMP 1e300"),
+    Fault(
+        "find: a pole is taken for a root",
+        "study/find_root.c",
+        "PM_ROOT_JUMP * fabs(fb - fa)",
+        "1e300 * fabs(fb - fa)",
+    ),
     Fault(
         "find: the outcome is bisected to the wrong side",
         "study/find_root.c",

@@ -14,6 +14,7 @@
 
 #include <ida/ida.h>
 
+#include "numerics/tolerances.h"
 #include "state/workspace.h"
 
 /* 1: vectors, matrix, linear solver and Jacobian (by differences) of the library, to measure what ours save.
@@ -78,10 +79,6 @@ static inline int pm_ida_place_l(const pm_workspace *w) { return 2 * w->model->n
 static inline int pm_ida_place_mu(const pm_workspace *w) { return pm_ida_place_l(w) + w->ida->stride; }
 
 /* ---- ida_system.c ---- */
-#define PM_IDA_TIGHTER 1e-2   /* of the tolerance: IDA's errors are far above what it is asked for */
-#define PM_IDA_TIGHTEST 1e-12 /* below it steps follow rounding */
-
-/* The length of the phase's unknowns, from the active rows. */
 void pm_ida_system_layout(pm_workspace *w);
 /* Consistent y, y' at w->state; the frame becomes DYNAMIC there. */
 int pm_ida_system_start(pm_workspace *w, double *y, double *yp);

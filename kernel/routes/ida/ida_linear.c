@@ -26,13 +26,10 @@
 #include "equations/projection.h"
 #include "equations/saddle.h"
 #include "numerics/dense.h"
+#include "numerics/tolerances.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 
-#define SLIGHT 1e-6    /* of size and speed: corrections that the rows of the last matrix are good for */
-#define ROUNDING 4e-15 /* of size and speed: nothing is left to correct */
-
-/* y += A x for m rows and n columns, column by column. */
 static void add_columns(int m, int n, const double *restrict a, const double *restrict x, double *restrict y)
 {
     int k = 0;
@@ -283,17 +280,17 @@ static int corrected(pm_workspace *w, pm_state *s)
     const int nq = w->model->nq, na = w->active.n;
     pm_frame_look_state(&w->frame, s);
     double worst = openings(w);
-    if (!(worst <= SLIGHT * w->numbers.size)) return 0;
-    if (worst > ROUNDING * w->numbers.size) {
+    if (!(worst <= PM_IDA_SLIGHT * w->numbers.size)) return 0;
+    if (worst > PM_IDA_CORRECTED * w->numbers.size) {
         add_columns(nq, na, spread, w->saddle.wanted, s->q);
         pm_frame_look_state(&w->frame, s);
-        if (!(openings(w) <= ROUNDING * w->numbers.size)) return 0;
+        if (!(openings(w) <= PM_IDA_CORRECTED * w->numbers.size)) return 0;
     }
     worst = slips(w, s->v);
-    if (worst <= ROUNDING * w->numbers.speed) return 1;
-    if (!(worst <= SLIGHT * w->numbers.speed)) return 0;
+    if (worst <= PM_IDA_CORRECTED * w->numbers.speed) return 1;
+    if (!(worst <= PM_IDA_SLIGHT * w->numbers.speed)) return 0;
     add_columns(nq, na, spread, w->saddle.wanted, s->v);
-    if (!(slips(w, s->v) <= ROUNDING * w->numbers.speed)) return 0;
+    if (!(slips(w, s->v) <= PM_IDA_CORRECTED * w->numbers.speed)) return 0;
     pm_frame_look_state(&w->frame, s);
     return 1;
 }

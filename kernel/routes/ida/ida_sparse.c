@@ -18,11 +18,10 @@
 #include <suitesparse/klu.h>
 
 #include "equations/saddle.h"
+#include "numerics/tolerances.h"
 #include "state/arena.h"
 #include "state/workspace.h"
 
-#define MANY 40       /* unknowns (v, L): up to there inverses are faster */
-#define PIVOT 0.1     /* of the greatest in its column: a pivot that keeps the order of elimination */
 #define GROWTH 2      /* of the room for entries, when there is none left */
 #define FIRST_ROOM 16 /* entries for each unknown */
 
@@ -43,7 +42,7 @@ struct pm_ida_sparse {
     void *block;   /* owns start, old_start, x, left */
 };
 
-int pm_ida_sparse_serves(const pm_workspace *w) { return w->model->nq + w->active.n > MANY; }
+int pm_ida_sparse_serves(const pm_workspace *w) { return w->model->nq + w->active.n > PM_IDA_MANY; }
 
 /* ---- memory ---- */
 static int grow(pm_ida_sparse *s, int room)
@@ -62,7 +61,7 @@ static int grow(pm_ida_sparse *s, int room)
 int pm_ida_sparse_create(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    if (m->nq + m->nrow <= MANY) return PM_OK;
+    if (m->nq + m->nrow <= PM_IDA_MANY) return PM_OK;
     pm_ida_sparse *s = w->ida->sparse = calloc(1, sizeof *s);
     if (!s) return PM_NO_MEMORY;
     s->most = 2 * (m->nq + m->nrow);
@@ -73,7 +72,7 @@ int pm_ida_sparse_create(pm_workspace *w)
         PM_ARRAY(s->left, s->most),
     };
     klu_defaults(&s->common);
-    s->common.tol = PIVOT;
+    s->common.tol = PM_IDA_PIVOT;
     const int status = pm_arena_create(&s->block, PM_ARRAYS(array));
     return !status && grow(s, FIRST_ROOM * s->most) ? PM_OK : PM_NO_MEMORY;
 }

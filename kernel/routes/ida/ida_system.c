@@ -18,13 +18,12 @@
 #include "elements/force.h"
 #include "equations/ledger.h"
 #include "equations/saddle.h"
+#include "numerics/tolerances.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 
 /* The errors of backward differences add up, and the same accuracy should mean about the same error whatever
  * the route. */
-#define LEDGER_WEIGHT 1e-2 /* of an entry that is controlled: it feeds nothing back */
-#define ROUNDING 3.6e-15   /* of a value: smaller errors are not told from rounding (angles and L grow) */
 
 void pm_ida_system_layout(pm_workspace *w)
 {
@@ -108,7 +107,7 @@ static void weigh_ledger(pm_workspace *w, double *weight, double mass)
     for (int i = m->nz_controlled; i < m->nz; i++) {
         const int entry = i - m->nz_controlled; /* friction, then impulses along x, y, and their moment */
         const double scale = entry == 0 ? energy : entry < 3 ? momentum : momentum * w->numbers.size;
-        weight[i] = LEDGER_WEIGHT / (w->ida->tolerance * scale);
+        weight[i] = PM_IDA_LEDGER_WEIGHT / (w->ida->tolerance * scale);
     }
 }
 
@@ -139,5 +138,5 @@ void pm_ida_system_weights(const pm_workspace *w, const double *y, double *weigh
     /* IDA takes the root mean square over all unknowns: count those under control only */
     const double share = sqrt((double)r->n / (2 * w->model->nq + w->model->nz_controlled));
     for (int i = 0; i < r->n; i++)
-        weight[i] = share * r->weight[i] / (1 + ROUNDING * r->weight[i] * fabs(y[i]));
+        weight[i] = share * r->weight[i] / (1 + PM_IDA_ROUNDING * r->weight[i] * fabs(y[i]));
 }

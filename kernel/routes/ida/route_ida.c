@@ -20,23 +20,13 @@
 #include "equations/saddle.h"
 #include "events/ask.h"
 #include "events/event.h"
+#include "numerics/tolerances.h"
 #include "routes/ida/ida.h"
 #include "scene/build.h"
 #include "state/route.h"
 #include "state/workspace.h"
 
 #define ORDER 5
-#define NEWTON 0.1        /* of the error allowed: where Newton's iteration may stop */
-#define FIRST_STEP 0.3    /* of sqrt(tolerance) times the motion's own time: one step of order 1 */
-#define RATE_TIME 1e-4    /* of the motion's own time: distance of the differences at the begin of a phase */
-#define ON_ZERO 1e-12     /* of a trigger's natural size: zero */
-#define FLIGHT 0.05       /* of a bounce, as a first step */
-#define SHORTEST 1e-4     /* of the first step that would be taken without it */
-#define LONGEST_STEP 0.25 /* of the motion's own time, where events or extremes are watched */
-#define LEAST_STEP 8e-16  /* of the time: below it a step changes nothing */
-#define NEAR_SINGULAR 0.1 /* independent part of a row, below which Newton's iteration may not get through */
-#define LOST 0.2          /* the same where it did not in a long chain: up to where plan.c comes back */
-#define LEAST_ROOM 4e-15  /* of the time: below it IDA finds begin and end too close */
 
 static int failed(pm_workspace *w, int flag) { return pm_fail(w, PM_SOLVER, PM_NONE, PM_NONE, flag, 0); }
 
@@ -106,7 +96,7 @@ static int set_up(pm_workspace *w)
     if (flag == IDA_SUCCESS) flag = IDASetId(r->memory, r->id);
     if (flag == IDA_SUCCESS) flag = IDASetSuppressAlg(r->memory, SUNTRUE);
     if (flag == IDA_SUCCESS) flag = IDASetMaxOrd(r->memory, ORDER);
-    if (flag == IDA_SUCCESS) flag = IDASetNonlinConvCoef(r->memory, NEWTON);
+    if (flag == IDA_SUCCESS) flag = IDASetNonlinConvCoef(r->memory, PM_IDA_NEWTON);
     return status_of(w, flag);
 }
 
@@ -159,7 +149,7 @@ static int limit_step(pm_workspace *w)
 {
     const int watched = w->event->nfunction > 0 || w->ask->nobserver > 0;
     const double scale = watched ? pm_case_time_scale(w, w->state.v, accelerations(w)) : INFINITY;
-    return IDASetMaxStep(w->ida->memory, isfinite(scale) ? LONGEST_STEP * scale : 0); /* 0: no limit */
+    return IDASetMaxStep(w->ida->memory, isfinite(scale) ? PM_IDA_LONGEST_STEP * scale : 0); /* 0: no limit */
 }
 
 /* Where a couple has just overcome what held, accelerations are rounding and tell no time: the scene's own does. */
@@ -183,7 +173,7 @@ static void hold_on_zero(pm_workspace *w, pm_event_function *f)
 {
     const double now = value_at(w, f, &w->state), part = pm_case_shift(w, &w->probe);
     const double natural = fabs(value_at(w, f, &w->probe) - now) / part;
-    f->slack = isfinite(natural) ? ON_ZERO * natural : 0;
+    f->slack = isfinite(natural) ? PM_IDA_ON_ZERO * natural : 0;
     f->held |= fabs(now) <= f->slack;
 }
 
@@ -200,7 +190,7 @@ static double gap_on_course(pm_workspace *w, const pm_event_function *f, double 
 static double flight(pm_workspace *w, const pm_event_function *f)
 {
     const double scale = pm_case_time_scale(w, w->state.v, accelerations(w));
-    const double d = RATE_TIME * fmin(scale, pm_case_max_time(w));
+    const double d = PM_IDA_RATE_TIME * fmin(scale, pm_case_max_time(w));
     const double earlier = gap_on_course(w, f, -d), now = gap_on_course(w, f, 0),
                  later = gap_on_course(w, f, d);
     const double rate = (later - earlier) / (2 * d), second = (later - 2 * now + earlier) / (d * d);
@@ -229,11 +219,11 @@ static int begin(pm_workspace *w)
     int status = pm_ida_system_start(w, N_VGetArrayPointer(r->y), N_VGetArrayPointer(r->yp));
     if (status) return status;
     pm_ida_system_scale(w);
-    double first = FIRST_STEP * sqrt(r->tolerance) * time_to_begin_with(w);
+    double first = PM_IDA_FIRST_STEP * sqrt(r->tolerance) * time_to_begin_with(w);
     int flag = IDAReInit(r->memory, w->state.t, r->y, r->yp);
     if (flag == IDA_SUCCESS) flag = limit_step(w);
     if (flag != IDA_SUCCESS) return failed(w, flag);
-    first = fmin(first, fmax(SHORTEST * first, FLIGHT * begin_functions(w)));
+    first = fmin(first, fmax(PM_IDA_SHORTEST * first, PM_IDA_FLIGHT * begin_functions(w)));
     flag = IDASetInitStep(r->memory, isfinite(first) ? first : 0); /* 0: as IDA thinks fit */
     r->first = r->last = w->state.t;
     return flag == IDA_SUCCESS ? PM_OK : failed(w, flag);
@@ -277,8 +267,9 @@ static int one_step(pm_workspace *w, double t_limit)
 {
     pm_ida *r = w->ida;
     double t, length;
-    const double room = t_limit - w->state.t, least = LEAST_STEP * fabs(w->state.t);
-    if (!(room > LEAST_ROOM * fabs(t_limit))) return too_small(w, room, LEAST_ROOM * fabs(t_limit));
+    const double room = t_limit - w->state.t, least = PM_IDA_LEAST_STEP * fabs(w->state.t);
+    if (!(room > PM_IDA_LEAST_ROOM * fabs(t_limit)))
+        return too_small(w, room, PM_IDA_LEAST_ROOM * fabs(t_limit));
     r->status = PM_OK;
     int flag = IDASetStopTime(r->memory, t_limit);
     if (flag == IDA_SUCCESS) flag = IDASolve(r->memory, t_limit, &t, r->y, r->yp, IDA_ONE_STEP);
@@ -314,7 +305,7 @@ static int step(pm_workspace *w, double t_limit)
 {
     const int status = one_step(w, t_limit), lost = w->ida->jacobian.sparse && status;
     w->phase.lap = w->phase.singular =
-        !w->active.asymmetric && independence(w, status) < (lost ? LOST : NEAR_SINGULAR);
+        !w->active.asymmetric && independence(w, status) < (lost ? PM_IDA_LOST : PM_IDA_NEAR_SINGULAR);
     return status;
 }
 

@@ -5,7 +5,7 @@
  * speeds against its speed.  The step control aims well below the tolerance (safety 0.7): fewer rejections
  * and errors several times smaller for the same work.  The ledger feeds nothing back: it is integrated over
  * the step by the stages that count.  Where energy is kept (energy_level.h) nothing but the impulses of the outer
- * world is in it, and they are evidence alone: the first step of LEDGER_STEPS is a sample of it, the others
+ * world is in it, and they are evidence alone: the first step of PM_RK_LEDGER_STEPS is a sample of it, the others
  * take what the momenta say. */
 #include <math.h>
 #include <stdlib.h>
@@ -17,6 +17,7 @@
 #include "events/event.h"
 #include "events/gap_culling.h"
 #include "numerics/minmax.h"
+#include "numerics/tolerances.h"
 #include "routes/rk/dop853.h"
 #include "routes/rk/rk.h"
 #include "state/arena.h"
@@ -24,20 +25,6 @@
 #include "state/route.h"
 #include "state/workspace.h"
 #include "tree/tree.h"
-
-#define MARGIN 0.1       /* of the accuracy asked: errors of steps add up, and grow with the motion */
-#define LEVEL_MARGIN 0.3 /* where energy holds a single freedom on its path: only delays add up */
-#define TIGHTEST 5e-15   /* below it the error estimate is rounding */
-#define SAFETY 0.7
-#define SHRINK 0.2
-#define GROW 4.0
-#define LEAST_STEP 8e-16 /* of the time: below it a step changes nothing */
-#define FIRST_RETRY 0.25
-#define SIDESTEP 1.2 /* a step a little longer, or shorter, has its stages elsewhere */
-#define SIDESTEPS 12
-#define NEAR_SINGULAR 0.2 /* of the step's most regular stage: rounding is amplified there */
-#define OVER 0.3          /* of the motion's own time: a first step that passes a singular position */
-#define LEDGER_STEPS 16   /* reactions in all stages that count are much more work than all else in a step */
 
 static int create(pm_workspace *w)
 {
@@ -72,7 +59,8 @@ static void set_scale(pm_workspace *w)
     /* in independent coordinates the others are found by closing loops: there errors of the place count,
      * too */
     const int on_level = r->level.kept && w->tree->n - w->tree->nloop == 1 && !w->tree->part.few;
-    const double tolerance = fmax((on_level ? LEVEL_MARGIN : MARGIN) * w->numbers.tolerance, TIGHTEST);
+    const double tolerance =
+        fmax((on_level ? PM_RK_LEVEL_MARGIN : PM_RK_MARGIN) * w->numbers.tolerance, PM_RK_TIGHTEST);
     for (int i = 0; i < r->n; i++) {
         const int angle = pm_tree_is_angle(w, i);
         r->scale[i] = 1 / (tolerance * (angle ? 1 : w->numbers.size));
@@ -152,7 +140,7 @@ static double longest_step(const pm_workspace *w)
 static int samples_ledger(const pm_workspace *w)
 {
     const struct pm_rk *r = w->rk;
-    return !r->level.kept || (w->result.count[PM_COUNT_STEPS] - r->first) % LEDGER_STEPS == 0;
+    return !r->level.kept || (w->result.count[PM_COUNT_STEPS] - r->first) % PM_RK_LEDGER_STEPS == 0;
 }
 
 /* The derivative at the end of a step, for the next one; what accelerations of the bodies are wanted in the
@@ -203,7 +191,7 @@ static int first_stage(pm_workspace *w)
     set_times(w, r->k);
     if (r->next == 0)
         r->next = fmin(pm_case_time_scale(w, w->state.v, w->frame.a), 1e3) *
-                  (w->phase.singular ? OVER : eighth_root_of_inverse(1 / w->numbers.tolerance));
+                  (w->phase.singular ? PM_RK_OVER : eighth_root_of_inverse(1 / w->numbers.tolerance));
     return PM_OK;
 }
 
@@ -212,13 +200,13 @@ static int first_stage(pm_workspace *w)
 static int met_singular(const pm_workspace *w)
 {
     const pm_tree *t = w->tree;
-    return t->part.few && t->part.least_regular < NEAR_SINGULAR * t->part.most_regular;
+    return t->part.few && t->part.least_regular < PM_RK_NEAR_SINGULAR * t->part.most_regular;
 }
 
 /* The length to try after n others: by turns longer, as far as that goes, and shorter than the first. */
 static double sidestep(double first, double longest, int n)
 {
-    const double factor = pow(SIDESTEP, (n + 1) / 2);
+    const double factor = pow(PM_RK_SIDESTEP, (n + 1) / 2);
     return n % 2 && first * factor <= longest ? first * factor : first / factor;
 }
 
@@ -236,15 +224,15 @@ static int step(pm_workspace *w, double t_limit)
     for (int rejected = 0, sidesteps = 0;;) {
         const int last = r->t0 + h >= t_limit;
         if (last) h = t_limit - r->t0;
-        if (!(h > LEAST_STEP * fabs(r->t0)))
-            return pm_fail(w, PM_STEP_TOO_SMALL, PM_NONE, PM_NONE, h, LEAST_STEP * fabs(r->t0));
+        if (!(h > PM_RK_LEAST_STEP * fabs(r->t0)))
+            return pm_fail(w, PM_STEP_TOO_SMALL, PM_NONE, PM_NONE, h, PM_RK_LEAST_STEP * fabs(r->t0));
         pm_tree_forget_regular(w->tree);
         status = pm_rk_stages(w, h, r->k, r->y);
         const double error = status ? INFINITY : pm_rk_error(w, h);
         if (status && status != PM_SINGULAR) return status;
         if (error <= 1) {
-            const double factor = error > 0 ? SAFETY * eighth_root_of_inverse(error) : GROW;
-            const double proposed = h * fmin(rejected ? 1 : GROW, fmax(SHRINK, factor));
+            const double factor = error > 0 ? PM_RK_SAFETY * eighth_root_of_inverse(error) : PM_RK_GROW;
+            const double proposed = h * fmin(rejected ? 1 : PM_RK_GROW, fmax(PM_RK_SHRINK, factor));
             r->h = h;
             r->next = last && proposed < r->next ? r->next : proposed;
             return accept(w, last ? t_limit : r->t0 + h);
@@ -254,10 +242,11 @@ static int step(pm_workspace *w, double t_limit)
         const int few = w->tree->part.few;
         if (pm_rk_choose_coordinates(w) && (status = pm_rk_derivative(w, r->t0, r->y0, 1, r->k)))
             return status;
-        if (sidesteps < SIDESTEPS && met_singular(w))
+        if (sidesteps < PM_RK_SIDESTEPS && met_singular(w))
             h = sidestep(first, longest_step(w), ++sidesteps);
         else if (few == w->tree->part.few)
-            first = h *= isfinite(error) ? fmax(SHRINK, SAFETY * eighth_root_of_inverse(error)) : FIRST_RETRY;
+            first = h *= isfinite(error) ? fmax(PM_RK_SHRINK, PM_RK_SAFETY * eighth_root_of_inverse(error))
+                                         : PM_RK_FIRST_RETRY;
     }
 }
 
@@ -270,7 +259,7 @@ const pm_route_ops pm_route_rk = {
     .at = pm_rk_at,
     .exact = pm_rk_exact,
     .look = pm_rk_look,
-    .finest = TIGHTEST / MARGIN,
+    .finest = PM_RK_TIGHTEST / PM_RK_MARGIN,
     .spread = 45,
     .in_time = 1,
     .on_tree = 1,
