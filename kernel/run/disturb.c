@@ -19,7 +19,7 @@ int pm_disturb(pm_workspace *w)
 {
     if (!w->evidence.active || !w->evidence.present->companion) return PM_OK;
     if (w->result.count[PM_COUNT_PHASES] > 0 && !w->phase.route->in_time)
-        return PM_OK; /* legs of a path repeat */
+        return PM_OK; /* segments of a path repeat */
     for (int i = 0; i < w->model->nq; i++) {
         w->state.q[i] *= 1 + PM_DISTURBED_PLACE * sign(&w->evidence);
         w->state.v[i] *= 1 + PM_DISTURBED_SPEED * sign(&w->evidence);

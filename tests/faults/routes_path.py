@@ -204,19 +204,19 @@ FAULTS = [
     Fault(
         "leg: members stay behind",
         "routes/path/repeat_pass.c",
-        "s->slot[i].member += (int32_t)(legs * l->member)",
+        "s->slot[i].member += (int32_t)(segments * l->member)",
         "s->slot[i].member += (int32_t)(l->member)",
     ),
     Fault(
         "leg: what blows take is lost",
         "routes/path/repeat_pass.c",
-        "w->ledger.energy_lost += legs->lost",
-        "w->ledger.energy_lost += 0 * legs->lost",
+        "w->ledger.energy_lost += segments->lost",
+        "w->ledger.energy_lost += 0 * segments->lost",
     ),
     Fault(
         "leg: firings are not counted",
         "routes/path/repeat_pass.c",
-        "w->event->count[i] += legs * each",
+        "w->event->count[i] += segments * each",
         "w->event->count[i] += each",
     ),
     Fault(
@@ -234,25 +234,25 @@ FAULTS = [
     Fault("replay: nothing is watched", "routes/path/repeat_replay.c", "status = pm_ask_step(w);", ""),
     Fault(
         "spin: rounding leaves the rest",
-        "routes/path/route_path.c",
+        "routes/path/path_begin.c",
         " + pm_turning_plane_force_size(&w->frame, x->tangent)",
         "",
     ),
     Fault(
         "path: no evidence of the rows",
-        "routes/path/route_path.c",
+        "routes/path/path_check.c",
         "pm_max(broken_row(w), w->ledger.evidence)",
         "w->ledger.evidence",
     ),
     Fault(
         "path: no evidence of the forces",
-        "routes/path/route_path.c",
+        "routes/path/path_check.c",
         "pm_max(missed_force(w), w->ledger.evidence)",
         "w->ledger.evidence",
     ),
     Fault(
         "path: leaves rest against the force",
-        "routes/path/route_path.c",
+        "routes/path/path_begin.c",
         "(x->force > 0 ? 1 : -1)",
         "(x->force > 0 ? -1 : 1)",
     ),
@@ -264,7 +264,7 @@ FAULTS = [
     ),
     Fault(
         "path: nudged to the other side",
-        "routes/path/route_path.c",
+        "routes/path/path_begin.c",
         "side > 0 ? 1 : side < 0 ? -1 : 0",
         "side > 0 ? -1 : side < 0 ? 1 : 0",
     ),

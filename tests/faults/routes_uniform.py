@@ -35,7 +35,7 @@ FAULTS = [
     ),
     Fault(
         "uniform: distance travelled",
-        "routes/uniform/route_uniform.c",
+        "routes/uniform/uniform_integral.c",
         "sum += p * p * (asinh",
         "sum -= p * p * (asinh",
     ),

@@ -169,4 +169,42 @@ double pm_path_work(const pm_workspace *w, const double *z);
 double pm_path_requested(pm_workspace *w, const double *velocity);
 static inline pm_place *pm_path_node(pm_path *p, int k) { return &p->node[k * p->every]; }
 
+/* ---- path_bridge.c: places next to a singular position, and at it ---- */
+/* A phase begins, or another driver tells the path. */
+void pm_path_bridge_forget(pm_path *p);
+/* A place at u that the rows determine well. */
+void pm_path_bridge_determined(pm_path *p, double u, const pm_place *place);
+/* The coordinates, their slopes and the pose of the frame at u, which the rows determine badly or not at all.
+ * PM_SINGULAR or PM_ASSEMBLY where the branch cannot be followed. */
+int pm_path_bridge_place(pm_workspace *w, double u, pm_place *place);
+/* Accelerations at the frame (its forces are known) from the branch, reactions left open; 0 if there is no bridge. */
+int pm_path_bridge_accelerate(pm_workspace *w);
+
+/* ---- path_clock.c: the time along a step ---- */
+/* The table of a path that has been created; all zero before. */
+void pm_path_clock_fill_table(pm_clock_table *table);
+/* Makes the clock of a step whose nodes are filled; 0 if they do not resolve it: its highest coefficients exceed `most`. */
+int pm_path_clock_set(pm_path *p, int clock, double most);
+/* Time at the fraction s of the step. */
+double pm_path_clock_at(const pm_path *p, double s);
+
+/* ---- path_rigid.c: an open tree of one coordinate in which all that moves is one rigid group ---- */
+/* Whether the tree is such a one; p->rigid is made for the phase then, where the frame looks. */
+int pm_path_rigid_build(pm_workspace *w);
+/* All of the place at coordinate u but the coordinate.  The frame looks at it where other forces than weights act. */
+void pm_path_rigid_place(pm_workspace *w, double u, pm_place *place);
+
+/* ---- path_begin.c ---- */
+/* The operations of the route (state/route.h). */
+int pm_path_applies(const pm_workspace *w);
+int pm_path_prepare(pm_workspace *w);
+int pm_path_begin(pm_workspace *w);
+/* kg, of all bodies. */
+double pm_path_total_mass(const pm_workspace *w);
+/* What the generalised force at x would be if the forces of the frame were along the motion. */
+double pm_path_force_size(const pm_workspace *w, const pm_place *x);
+
+/* ---- path_check.c: a step has ended at w->state, where the frame looks: notes the evidence of it in the ledger ---- */
+void pm_path_check(pm_workspace *w);
+
 #endif

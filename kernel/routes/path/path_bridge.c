@@ -8,7 +8,6 @@
  *   y(u) = a_0 / 2 + sum a_m T_m(x)      a_m = 2/N sum_j y(centre + R c_j) cos(m (2 j + 1) pi / 2 N)
  *
  * (Chebyshev interpolation; T_m and its derivatives by their recurrences).  The polynomial must meet the loop rows. */
-#include "routes/path/path_bridge.h"
 
 #include <math.h>
 #include <string.h>

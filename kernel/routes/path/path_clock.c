@@ -9,7 +9,7 @@
  * exact for the series: with w^2 = s, T_k(2s - 1) = T_2k(w), and ds / sqrt(s) = 2 dw.
  *
  * Where the nodes of the step resolve g itself, as well as those would, they do instead. */
-#include "routes/path/path_clock.h"
+#include "routes/path/path.h"
 
 #include <math.h>
 

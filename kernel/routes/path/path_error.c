@@ -208,7 +208,7 @@ static void shift_velocities(pm_workspace *w, double factor)
     for (int i = 0; i < w->model->nq; i++) w->frame.velocity[i] = factor * w->frame.v[i];
 }
 
-/* The error of the clock in a program that reads nothing but the time, linearly; legs passed over do not tell it. */
+/* The error of the clock in a program that reads nothing but the time, linearly; segments passed over do not tell it. */
 static double error_of_time(pm_workspace *w, int program, double value)
 {
     pm_frame *f = &w->frame;

@@ -16,7 +16,6 @@
 #include "equations/ledger.h"
 #include "numerics/lanes.h"
 #include "routes/path/path.h"
-#include "routes/path/path_rigid.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 #include "tree/tree.h"

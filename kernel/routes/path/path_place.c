@@ -12,7 +12,6 @@
 #include "equations/ledger.h"
 #include "equations/saddle.h"
 #include "routes/path/path.h"
-#include "routes/path/path_bridge.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 #include "tree/tree.h"

@@ -11,7 +11,7 @@
  *   pin      P = P_0
  *   line     P = P_0 +- (s t + r n),   s = u, or what has been rolled;  t, n turn along where they are the group's
  *   circles  P = P_0 +- L (cos phi, sin phi),   phi linear in u                                   (tree_place.c) */
-#include "routes/path/path_rigid.h"
+#include "routes/path/path.h"
 
 #include <math.h>
 #include <string.h>

@@ -9,7 +9,6 @@
 #include "numerics/chebyshev.h"
 #include "numerics/minmax.h"
 #include "routes/path/path.h"
-#include "routes/path/path_clock.h"
 #include "routes/path/path_error.h"
 #include "scene/program_class.h"
 #include "state/workspace.h"

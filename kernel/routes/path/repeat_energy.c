@@ -1,21 +1,21 @@
-/* repeat_energy.c - from leg to leg, the kinetic energy.
+/* repeat_energy.c - from segment to segment, the kinetic energy.
  *
- *   T_end = T + W,    T_next = m T_end      W the work on the leg, m the ratio of the blow: neither depends on the speed
+ *   T_end = T + W,    T_next = m T_end      W the work on the segment, m the ratio of the blow: neither depends on the speed
  *
  * From one begin to the next places differ by the shift alone.  So W is the work of the weight on the way that all bodies
  * have gone, and what forces without potential have done; exactly, while differences of energies would be rounded, and
- * alike in all legs.
+ * alike in all segments.
  *
- * A leg gets over the barrier on its way if T exceeds its depth, which is the same in all legs: T at its begin less the
- * least T on it.  An error of T is carried on by m, and every leg adds its roundings. */
+ * A segment gets over the barrier on its way if T exceeds its depth, which is the same in all segments: T at its begin less the
+ * least T on it.  An error of T is carried on by m, and every segment adds its roundings. */
 #include <math.h>
 
 #include "routes/path/repeat_parts.h"
 #include "state/workspace.h"
 
-#define STEADY 1e-16    /* of the energy: legs that are all the same */
-#define BARRIER 1e-6    /* of the leg's energies: so near to the barrier a leg is computed */
-#define ROUNDINGS 1e-15 /* of the energies, in a blow and on the leg after it */
+#define STEADY 1e-16    /* of the energy: segments that are all the same */
+#define BARRIER 1e-6    /* of the segment's energies: so near to the barrier a segment is computed */
+#define ROUNDINGS 1e-15 /* of the energies, in a blow and on the segment after it */
 
 double pm_repeat_energy_work(const pm_workspace *w)
 {
@@ -26,7 +26,7 @@ double pm_repeat_energy_work(const pm_workspace *w)
     return work + mass * (w->numbers.gravity[0] * l->by[0] + w->numbers.gravity[1] * l->by[1]);
 }
 
-/* T with which the leg after the next one begins. */
+/* T with which the segment after the next one begins. */
 static double kinetic_after(const pm_repeat *l, const pm_repeats *c)
 {
     return l->ratio * (c->kinetic + l->work);

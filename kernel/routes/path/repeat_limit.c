@@ -1,9 +1,9 @@
-/* repeat_limit.c - how many legs may be passed over, and nobody notices.
+/* repeat_limit.c - how many segments may be passed over, and nobody notices.
  *
- * A value that is watched changes by a constant from leg to leg (symmetry.c) or goes with a power of T (program_energy.c), and T
- * rises or falls throughout.  If it does one of both, its extremes lie in the first or the last leg, which are computed;
- * and if it has the same sign throughout these two it has that in between.  What stays in [low, high] in one leg, low > 0,
- * and changes by d from leg to leg stays off its zero for (low - (high - low)) / |d| legs. */
+ * A value that is watched changes by a constant from segment to segment (symmetry.c) or goes with a power of T (program_energy.c), and T
+ * rises or falls throughout.  If it does one of both, its extremes lie in the first or the last segment, which are computed;
+ * and if it has the same sign throughout these two it has that in between.  What stays in [low, high] in one segment, low > 0,
+ * and changes by d from segment to segment stays off its zero for (low - (high - low)) / |d| segments. */
 #include <math.h>
 
 #include "elements/trigger.h"
@@ -16,16 +16,16 @@
 
 #define WHOLE 1e-9 /* of a multiple */
 
-/* `legs`, but no less than none and no more than `most`. */
-static int64_t at_most(int64_t most, double legs)
+/* `segments`, but no less than none and no more than `most`. */
+static int64_t at_most(int64_t most, double segments)
 {
-    return legs < (double)most ? (int64_t)fmax(legs, 0) : most;
+    return segments < (double)most ? (int64_t)fmax(segments, 0) : most;
 }
 
 static int64_t fewest(int64_t a, int64_t b) { return a < b ? a : b; }
 
 /* ---- triggers ---- */
-/* A trigger that moves with the legs towards its zero must stay off it. */
+/* A trigger that moves with the segments towards its zero must stay off it. */
 static int64_t until_zero(const pm_workspace *w, int trigger, double change)
 {
     const double low = w->event->least[trigger], high = w->event->greatest[trigger], spread = high - low;
@@ -130,7 +130,7 @@ static int64_t limits_allow(const pm_workspace *w, double time)
     const double left = PM_SETTING(m, PM_SETTING_MAX_EVENTS) - (double)w->result.count[PM_COUNT_EVENTS];
     const double room = pm_case_max_time(w) - w->state.t;
     int64_t most = events > 0 ? at_most(PM_MOST_REPEATS, floor(left / (double)events) - 1) : PM_MOST_REPEATS;
-    /* the last leg but one is computed, too: the run may end within the last one */
+    /* the last segment but one is computed, too: the run may end within the last one */
     if (time > 0 && room < INFINITY) most = at_most(most, floor(room / time) - 1);
     for (int i = 0; i < m->rows[PM_TABLE_UNTIL]; i++) {
         const int32_t *e = PM_UNTIL_ROW(m, i);

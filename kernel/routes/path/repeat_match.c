@@ -1,9 +1,9 @@
-/* repeat_match.c - whether a phase begins like the last leg.
+/* repeat_match.c - whether a phase begins like the last segment.
  *
  * The contacts that are closed are the same, in the same modes, each row's member so many further on; every body has moved
  * by the same way b and turned by an angle of its own,
  *
- *   q = q_0 + b,    v = sqrt(T / T_0) v_0      q_0, v_0, T_0 at the begin of the last leg */
+ *   q = q_0 + b,    v = sqrt(T / T_0) v_0      q_0, v_0, T_0 at the begin of the last segment */
 #include <math.h>
 
 #include "elements/contact.h"

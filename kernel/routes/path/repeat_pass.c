@@ -1,6 +1,6 @@
-/* repeat_pass.c - moves the run on by n legs at once.
+/* repeat_pass.c - moves the run on by n segments at once.
  *
- *   q += n b,    v *= sqrt(T_n / T),    t += n t_leg,    integrals and counts of a leg n times
+ *   q += n b,    v *= sqrt(T_n / T),    t += n t_leg,    integrals and counts of a segment n times
  *
  * The ledger of momentum takes what the outer world has given: the difference of momenta. */
 #include <math.h>
@@ -14,11 +14,11 @@
 #include "state/frame.h"
 #include "state/workspace.h"
 
-static void move_state(pm_workspace *w, int64_t legs, double faster, double time)
+static void move_state(pm_workspace *w, int64_t segments, double faster, double time)
 {
     const pm_model *m = w->model;
     const pm_repeat *l = w->repeat;
-    const double n = (double)legs;
+    const double n = (double)segments;
     pm_state *s = &w->state;
     for (int i = 0; i < m->nz_controlled; i++) s->z[i] += n * (s->z[i] - l->begin.z[i]);
     for (int i = 0; i < m->nbody; i++) {
@@ -29,20 +29,21 @@ static void move_state(pm_workspace *w, int64_t legs, double faster, double time
     s->t += n * time;
     for (int i = 0; i < m->nslot; i++)
         if (s->slot[i].mode != PM_OPEN && pm_contact_is_row(m, pm_contact_of_slot(m, i)))
-            s->slot[i].member += (int32_t)(legs * l->member);
+            s->slot[i].member += (int32_t)(segments * l->member);
 }
 
-static void count_legs(pm_workspace *w, int64_t legs, double time)
+static void count_segments(pm_workspace *w, int64_t segments, double time)
 {
     static const int counted[] = {PM_COUNT_PHASES, PM_COUNT_EVENTS, PM_COUNT_JUMPS};
     for (int i = 0; i < w->model->rows[PM_TABLE_EVENT]; i++) {
         const int64_t each = pm_repeat_limit_fires(w, i);
-        w->event->count[i] += legs * each;
-        if (each > 0) w->event->time[i] += (double)legs * time;
+        w->event->count[i] += segments * each;
+        if (each > 0) w->event->time[i] += (double)segments * time;
     }
     for (int i = 0; i < 3; i++)
-        w->result.count[counted[i]] += legs * (w->result.count[counted[i]] - w->repeat->count[counted[i]]);
-    w->result.count[PM_COUNT_LEGS] += legs;
+        w->result.count[counted[i]] +=
+            segments * (w->result.count[counted[i]] - w->repeat->count[counted[i]]);
+    w->result.count[PM_COUNT_LEGS] += segments;
 }
 
 static void close_momentum(pm_workspace *w, const double *before)
@@ -52,15 +53,15 @@ static void close_momentum(pm_workspace *w, const double *before)
     for (int i = 0; i < PM_LEDGER; i++) ledger[i] += after[i] - before[i];
 }
 
-int pm_repeat_pass(pm_workspace *w, const pm_repeats *legs, double kinetic, double time)
+int pm_repeat_pass(pm_workspace *w, const pm_repeats *segments, double kinetic, double time)
 {
     double momentum[PM_LEDGER];
     pm_body_momentum(&w->frame, PM_NONE, momentum);
-    move_state(w, legs->n, sqrt(legs->kinetic / kinetic), time);
-    count_legs(w, legs->n, time);
-    w->ledger.energy_lost += legs->lost;
-    w->path->error = legs->error;
-    w->path->ended = 0; /* the error is that at the begin of the leg that follows */
+    move_state(w, segments->n, sqrt(segments->kinetic / kinetic), time);
+    count_segments(w, segments->n, time);
+    w->ledger.energy_lost += segments->lost;
+    w->path->error = segments->error;
+    w->path->ended = 0; /* the error is that at the begin of the segment that follows */
     pm_frame_look_state(&w->frame, &w->state);
     for (int i = 0; i < w->model->nslot; i++)
         if (w->state.slot[i].mode == PM_STICK) pm_active_set_anchor(w, &w->state, i);

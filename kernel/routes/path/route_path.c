@@ -6,27 +6,20 @@
  * u is the driver of path_place.c.  Every place on the path is met exactly, so that neither positions nor speeds carry any
  * error of integration; the time, where anybody asks for it, is the integral of sqrt(mass / 2T), with the root taken out
  * where the step begins or ends at rest.  The motion turns back where T vanishes. */
-#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "elements/constraint.h"
 #include "elements/contact.h"
 #include "elements/joint_friction.h"
-#include "elements/turning_plane.h"
 #include "equations/case.h"
 #include "equations/ledger.h"
 #include "equations/saddle.h"
 #include "events/event.h"
-#include "expression/program.h"
 #include "numerics/bracket.h"
-#include "numerics/chebyshev.h"
-#include "numerics/minmax.h"
 #include "routes/path/path.h"
-#include "routes/path/path_bridge.h"
-#include "routes/path/path_clock.h"
 #include "routes/path/path_error.h"
+#include "state/arena.h"
 #include "state/frame.h"
 #include "state/route.h"
 #include "state/workspace.h"
@@ -40,10 +33,7 @@
 #define FASTER 2.0 /* other coordinates may go this much farther than the driver */
 #define BEYOND 1.2 /* of the way to a contact that seems to come: the step shall see it */
 #define ROUNDING 1e-14
-#define ROUNDINGS 8    /* that a difference of potentials may hold */
-#define SAME 1e-9      /* of a step's length */
-#define STILL 1e-11    /* of the scene's speed: at rest */
-#define BALANCED 1e-12 /* of the forces: in equilibrium */
+#define SAME 1e-9 /* of a step's length */
 
 /* ---- memory ---- */
 static size_t doubles_of_place(const pm_model *m)
@@ -69,36 +59,37 @@ static int create(pm_workspace *w)
     const pm_model *m = w->model;
     pm_path *p = w->path = calloc(1, sizeof *p);
     if (!p) return PM_NO_MEMORY;
-    const size_t n = (size_t)m->nq, nz = (size_t)m->nz_controlled, places = PM_NODES_MOST + 2;
-    double *block = p->block = calloc(places * doubles_of_place(m) + n * n + n + 2 * nz +
-                                          (6 + PM_BRIDGE_PLACES) * n + (size_t)m->nbody + 1,
-                                      sizeof *block);
-    p->rigid.body = calloc((size_t)m->nbody + 1, sizeof *p->rigid.body);
-    if (!block || !p->rigid.body) return PM_NO_MEMORY;
-    for (int k = 0; k < PM_NODES_MOST; k++) block = carve(m, &p->node[k], block);
-    block = carve(m, &p->spare, block);
-    block = carve(m, &p->begin, block);
+    const size_t n = (size_t)m->nq, nz = (size_t)m->nz_controlled;
+    pm_bridge *b = &p->bridge;
+    double *place;
+    const pm_array array[] = {
+        PM_ARRAY(place, (PM_NODES_MOST + 2) * doubles_of_place(m)),
+        PM_ARRAY(p->loop.entry, n * n),
+        PM_ARRAY(p->work, nz),
+        PM_ARRAY(p->weight, nz),
+        PM_ARRAY(b->known_y, n),
+        PM_ARRAY(b->known_slope, n),
+        PM_ARRAY(b->y, n),
+        PM_ARRAY(b->slope, n),
+        PM_ARRAY(b->bend, n),
+        PM_ARRAY(b->c, PM_BRIDGE_PLACES * n),
+        PM_ARRAY(p->inertia, m->nbody),
+        PM_ARRAY(p->column, n),
+        PM_ARRAY(p->loop.low, n),
+        PM_ARRAY(p->loop.high, n),
+        PM_ARRAY(p->rigid.body, m->nbody + 1),
+    };
+    const int status = pm_arena_create(&p->block, PM_ARRAYS(array));
+    if (status) return status;
+    for (int k = 0; k < PM_NODES_MOST; k++) place = carve(m, &p->node[k], place);
+    carve(m, &p->begin, carve(m, &p->spare, place));
     pm_path_clock_fill_table(&p->clock.table);
-    p->loop.entry = block;
-    p->work = p->loop.entry + n * n;
-    p->weight = p->work + nz;
-    p->bridge.known_y = p->weight + nz;
-    p->bridge.known_slope = p->bridge.known_y + n;
-    p->bridge.y = p->bridge.known_slope + n;
-    p->bridge.slope = p->bridge.y + n;
-    p->bridge.bend = p->bridge.slope + n;
-    p->bridge.c = p->bridge.bend + n;
-    p->inertia = p->bridge.c + PM_BRIDGE_PLACES * n;
-    p->column = (int *)(void *)(p->inertia + m->nbody);
-    p->loop.low = p->column + n;
-    p->loop.high = p->loop.low + n;
     return PM_OK;
 }
 
 static void destroy(pm_workspace *w)
 {
     if (!w->path) return;
-    free(w->path->rigid.body);
     free(w->path->block);
     free(w->path);
     w->path = NULL;
@@ -122,116 +113,6 @@ double pm_path_work(const pm_workspace *w, const double *z)
     for (int i = 0; i < w->model->rows[PM_TABLE_FORCE]; i++)
         if (w->model->force_z[i] != PM_NONE) sum += z[w->model->force_z[i]];
     return sum;
-}
-
-static double total_mass(const pm_workspace *w)
-{
-    double sum = 0;
-    for (int i = 0; i < w->model->nbody; i++) sum += w->numbers.mass[i];
-    return sum;
-}
-
-/* Rate of the driver from given velocities: their part along the path. */
-static double rate_of(const pm_workspace *w, const pm_place *x, const double *v)
-{
-    double sum = 0;
-    for (int i = 0; i < w->model->nbody; i++)
-        sum += w->numbers.mass[i] * (v[3 * i] * x->tangent[3 * i] + v[3 * i + 1] * x->tangent[3 * i + 1]) +
-               pm_body_inertia(&w->frame, i) * v[3 * i + 2] * x->tangent[3 * i + 2];
-    return sum / x->mass;
-}
-
-/* What the generalised force would be if the forces were along the motion. */
-static double force_size(const pm_workspace *w, const pm_place *x)
-{
-    double size = 0;
-    for (int i = 0; i < w->model->nbody; i++) {
-        const double *f = w->frame.f + 3 * i, *t = x->tangent + 3 * i;
-        size += hypot(f[0], f[1]) * hypot(t[0], t[1]) + fabs(f[2] * t[2]);
-    }
-    return size + pm_turning_plane_force_size(&w->frame, x->tangent);
-}
-
-double pm_path_requested(pm_workspace *w, const double *velocity)
-{
-    memcpy(w->frame.velocity, velocity, (size_t)w->model->nq * sizeof *velocity);
-    return pm_program_run(w->model, w->request.program, w->numbers.param, w->numbers.value, w);
-}
-
-/* Out of an equilibrium: the side that is asked for, or 0. */
-static double requested_side(pm_workspace *w, const pm_place *x)
-{
-    const double side = w->request.program == PM_NONE ? 0 : pm_path_requested(w, x->tangent);
-    return side > 0 ? 1 : side < 0 ? -1 : 0;
-}
-
-/* At rest the forces tell which way it goes; 0: it stays. */
-static int leave_rest(pm_workspace *w, const pm_place *x)
-{
-    pm_path *p = w->path;
-    const double size = force_size(w, x);
-    p->balanced = !(fabs(x->force) > BALANCED * size);
-    p->sense = p->balanced ? requested_side(w, x) : (x->force > 0 ? 1 : -1);
-    return p->sense != 0;
-}
-
-/* A prescribed rate makes the motion one in time. */
-static int is_driven(const pm_workspace *w)
-{
-    for (int i = 0; i < w->active.n; i++)
-        if (w->active.row[i].drive != PM_NONE) return 1;
-    return 0;
-}
-
-static int applies(const pm_workspace *w)
-{
-    return w->model->programs.forces_by_place && !w->active.asymmetric && !w->numbers.massless &&
-           !w->phase.path_left && !is_driven(w);
-}
-
-/* The tree of the phase and its first place; 0: more than one freedom, no direction there, or it stays at rest. */
-static int prepare(pm_workspace *w)
-{
-    pm_path *p = w->path;
-    pm_place *x = &p->begin;
-    pm_tree_build(w);
-    if (w->tree->n - w->tree->nloop != 1) return 0;
-    p->n = w->tree->n;
-    pm_tree_loops_unknown(w->tree, &p->loop);
-    p->driver = PM_NONE;
-    pm_path_bridge_forget(p);
-    p->sense = 1;
-    pm_frame_look_state(&w->frame, &w->state);
-    pm_tree_read(w, x->y);
-    pm_path_open_begin(w);
-    if (pm_path_look(w, x) || pm_path_drive(w, x)) return 0;
-    const double rate = rate_of(w, x, w->state.v);
-    x->kinetic = 0.5 * x->mass * rate * rate;
-    p->sense = rate > 0 ? 1 : -1;
-    p->balanced = 0;
-    p->at_rest = !(2 * x->kinetic > STILL * STILL * total_mass(w) * w->numbers.speed * w->numbers.speed);
-    /* the contacts are met anew, to rounding: what the forces do on that way is not lost */
-    for (int i = 0; i < w->model->nq; i++) x->kinetic += w->frame.f[i] * (x->q[i] - w->state.q[i]);
-    if (p->at_rest) x->kinetic = 0;
-    return !p->at_rest || leave_rest(w, x);
-}
-
-static int begin(pm_workspace *w)
-{
-    pm_path *p = w->path;
-    const pm_place *x = &p->begin;
-    const double *ledger = w->state.z + pm_ledger_ledger(w->model);
-    double momentum[PM_LEDGER];
-    p->fresh = 1;
-    p->most = INFINITY;
-    pm_path_error_begin(w, x->kinetic);
-    p->way = 0;
-    p->lowest = x->kinetic;
-    p->energy = x->kinetic + x->potential - pm_path_work(w, w->state.z);
-    pm_frame_look_state(&w->frame, &w->state);
-    pm_body_momentum(&w->frame, PM_NONE, momentum);
-    for (int i = 0; i < PM_LEDGER; i++) p->impulse[i] = ledger[i] - momentum[i];
-    return PM_OK;
 }
 
 /* ---- one step ---- */
@@ -298,7 +179,7 @@ static void state_of(pm_workspace *w, const pm_place *x, double s, double t, pm_
 static void set_turn(pm_workspace *w)
 {
     const pm_place *x = &w->path->node[PM_NODES_MOST - 1];
-    const double rate = w->path->sense * w->numbers.speed * sqrt(total_mass(w) / x->mass);
+    const double rate = w->path->sense * w->numbers.speed * sqrt(pm_path_total_mass(w) / x->mass);
     for (int i = 0; i < w->model->nq; i++) w->step.reversed[i] = rate * x->tangent[i];
 }
 
@@ -366,57 +247,6 @@ static int exact(pm_workspace *w, double x, pm_state *state)
     return status;
 }
 
-/* ---- evidence that the route itself does not use ---- */
-/* The work of all forces against the energy. */
-static double open_work(const pm_workspace *w)
-{
-    const pm_path *p = w->path;
-    const double first = p->node[0].potential, last = p->node[PM_NODES_MOST - 1].potential;
-    double scale = w->ledger.energy_scale, z = 0; /* the step may begin and end at rest */
-    for (int k = 0; k < p->nodes->n; k++) scale = pm_max(p->node[k * p->every].kinetic, scale);
-    if (!(scale > 0) || pm_chebyshev_tail(p->nodes, p->force) >= PM_WORK_TAIL) return 0;
-    const double work = p->h * pm_chebyshev_whole(p->nodes, p->force);
-    if (w->model->nz_work > 0) z = pm_path_work(w, w->state.z) - pm_path_work(w, p->weight);
-    const double rounding = ROUNDINGS * DBL_EPSILON * fmax(fabs(first), fabs(last));
-    return fmax(fabs(first - last + z - work) - rounding, 0) / scale;
-}
-
-/* The direction of the motion at the end against the rows, which were evaluated there and which the tree knows nothing of:
- * the greatest part of it that breaks one. */
-static double broken_row(const pm_workspace *w)
-{
-    const double *t = w->path->node[PM_NODES_MOST - 1].tangent;
-    double fastest = 0, worst = 0;
-    for (int i = 0; i < w->model->nq; i++)
-        fastest = pm_max(fabs(t[i]) * (i % 3 == 2 ? w->numbers.size : 1), fastest);
-    for (int i = 0; i < w->active.n; i++) {
-        const double *j = w->active.row[i].j, off = fabs(pm_saddle_times(&w->frame, &w->active.row[i], t));
-        double size = 0;
-        for (int k = 0; k < 6; k++) size += fabs(j[k]) / (k % 3 == 2 ? w->numbers.size : 1);
-        worst = pm_max(off / (size * fastest), worst);
-    }
-    return worst;
-}
-
-/* What the forces of the frame do along it, against dT/du. */
-static double missed_force(const pm_workspace *w)
-{
-    const pm_place *last = &w->path->node[PM_NODES_MOST - 1];
-    const double size = force_size(w, last);
-    double force = 0;
-    for (int i = 0; i < w->model->nq; i++) force += w->frame.f[i] * last->tangent[i];
-    return size > 0 ? fabs(force - last->force) / size : 0;
-}
-
-static void look_for_evidence(pm_workspace *w)
-{
-    pm_force_all(w);
-    pm_saddle_evaluate(&w->active, &w->frame);
-    w->ledger.evidence = pm_max(open_work(w), w->ledger.evidence);
-    w->ledger.evidence = pm_max(broken_row(w), w->ledger.evidence);
-    w->ledger.evidence = pm_max(missed_force(w), w->ledger.evidence);
-}
-
 static double after_limit(void *of, double s, void *t_limit)
 {
     const pm_workspace *w = of;
@@ -478,7 +308,7 @@ static int step(pm_workspace *w, double t_limit)
     state_of(w, &p->node[PM_NODES_MOST - 1], 1, pm_path_clock_at(p, 1), &w->state);
     w->step.nodes = p->nodes;
     pm_frame_look_state(&w->frame, &w->state);
-    look_for_evidence(w);
+    pm_path_check(w);
     if ((status = end_at_limit(w, t_limit))) return status;
     if (w->step.end != p->h) pm_frame_look_state(&w->frame, &w->state);
     close_momentum(w, &w->state);
@@ -492,9 +322,9 @@ const pm_route_ops pm_route_path = {
     .route = PM_ROUTE_PATH,
     .create = create,
     .free = destroy,
-    .applies = applies,
-    .prepare = prepare,
-    .begin = begin,
+    .applies = pm_path_applies,
+    .prepare = pm_path_prepare,
+    .begin = pm_path_begin,
     .step = step,
     .at = at,
     .exact = exact,

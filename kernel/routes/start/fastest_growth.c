@@ -17,6 +17,7 @@
 
 #include "equations/projection.h"
 #include "equations/saddle.h"
+#include "state/arena.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 
@@ -33,25 +34,19 @@
 int pm_fastest_growth_create(const pm_model *m, pm_fastest_growth *e)
 {
     const size_t nq = (size_t)m->nq, square = 4 * nq * nq;
-    double *p = e->block = calloc((10 * nq + 3 * square) * sizeof(double) + nq * (sizeof(int) + 1) + 1, 1);
-    if (!p) return PM_NO_MEMORY;
-    e->push = p;
-    e->q = e->push + nq;
-    e->v = e->q + nq;
-    e->dq = e->v + nq;
-    e->dv = e->dq + nq;
-    e->da = e->dv + nq;
-    e->x = e->da + nq;
-    e->y = e->x + 2 * nq;
-    e->matrix = e->y + 2 * nq;
-    e->power = e->matrix + square;
-    e->spare = e->power + square;
-    e->at = (int *)(void *)(e->spare + square);
-    e->free = (unsigned char *)(e->at + nq);
-    return PM_OK;
+    const pm_array array[] = {
+        PM_ARRAY(e->push, nq),      PM_ARRAY(e->q, nq),         PM_ARRAY(e->v, nq),
+        PM_ARRAY(e->dq, nq),        PM_ARRAY(e->dv, nq),        PM_ARRAY(e->da, nq),
+        PM_ARRAY(e->x, 2 * nq),     PM_ARRAY(e->y, 2 * nq),     PM_ARRAY(e->matrix, square),
+        PM_ARRAY(e->power, square), PM_ARRAY(e->spare, square), PM_ARRAY(e->at, nq),
+        PM_ARRAY(e->free, nq),
+    };
+    return pm_arena_create(&e->block, PM_ARRAYS(array));
 }
 
 void pm_fastest_growth_free(pm_fastest_growth *e) { free(e->block); }
+
+static void clear(double *x, int n) { memset(x, 0, (size_t)n * sizeof *x); }
 
 /* Axes that are not turned. */
 static const double ahead[2] = {1, 0};
@@ -114,7 +109,7 @@ static void list_free(const pm_workspace *w, pm_fastest_growth *e)
 static void spread(const pm_workspace *w, const pm_fastest_growth *e, const double *x, const double turn[2],
                    double *d)
 {
-    memset(d, 0, (size_t)w->model->nq * sizeof *d);
+    clear(d, w->model->nq);
     for (int i = 0; i < e->n; i++) {
         const int c = e->at[i];
         const double value = x[i] * length_of(w, c);
@@ -148,7 +143,9 @@ static int change_of(pm_workspace *w, pm_fastest_growth *e, const pm_state *base
     const double time = unit_of_time(w);
     spread(w, e, x, turn, e->q);
     spread(w, e, x + n, turn, e->v);
-    memset(e->dq, 0, 3 * (size_t)nq * sizeof *e->dq);
+    clear(e->dq, nq);
+    clear(e->dv, nq);
+    clear(e->da, nq);
     for (int k = 0; k < 4; k++) {
         pm_state *s = &w->probe;
         pm_state_copy(s, base);
@@ -226,7 +223,7 @@ static int read_matrix(pm_workspace *w, pm_fastest_growth *e)
     const int n = 2 * e->n;
     int status = PM_OK;
     for (int k = 0; !status && k < n; k++) {
-        memset(e->x, 0, (size_t)n * sizeof *e->x);
+        clear(e->x, n);
         e->x[k] = 1;
         status = change_of(w, e, &w->state, ahead, e->x, e->y);
         for (int i = 0; i < n; i++) e->matrix[i * n + k] = e->y[i];
@@ -237,7 +234,7 @@ static int read_matrix(pm_workspace *w, pm_fastest_growth *e)
 /* ---- what is left of them ---- */
 static void multiply(int n, const double *a, const double *b, double *c)
 {
-    memset(c, 0, (size_t)n * (size_t)n * sizeof *c);
+    clear(c, n * n);
     for (int i = 0; i < n; i++)
         for (int k = 0; k < n; k++)
             for (int j = 0; j < n; j++) c[i * n + j] += a[i * n + k] * b[k * n + j];
@@ -334,7 +331,8 @@ int pm_fastest_growth_find(pm_workspace *w, pm_fastest_growth *e)
     long_time(e, n);
     if (!excite(w, e, n)) return PM_OK;
     e->rate = rate_of(e, n, fastest) / time;
-    memset(e->q, 0, 2 * (size_t)w->model->nq * sizeof *e->q);
+    clear(e->q, w->model->nq);
+    clear(e->v, w->model->nq);
     for (int i = 0; i < e->n; i++) {
         const int c = e->at[i];
         e->q[c] = length_of(w, c) * e->x[i];

@@ -19,6 +19,7 @@
 #include "routes/path/path.h"
 #include "routes/start/fastest_growth.h"
 #include "scene/program_class.h"
+#include "state/arena.h"
 #include "state/frame.h"
 #include "state/route.h"
 #include "state/workspace.h"
@@ -49,11 +50,9 @@ int pm_perturbation_create(pm_workspace *w)
     if (!pm_perturbation_any(m)) return PM_OK;
     struct pm_perturbation *x = w->perturbation = calloc(1, sizeof *x);
     if (!x) return PM_NO_MEMORY;
-    x->block = calloc((size_t)m->nq * sizeof(double) + (size_t)m->nbody + 1, 1);
-    if (!x->block) return PM_NO_MEMORY;
-    x->gradient = x->block;
-    x->touched = (unsigned char *)(x->gradient + m->nq);
-    return pm_fastest_growth_create(m, &x->escape);
+    const pm_array array[] = {PM_ARRAY(x->gradient, m->nq), PM_ARRAY(x->touched, m->nbody + 1)};
+    const int status = pm_arena_create(&x->block, PM_ARRAYS(array));
+    return status ? status : pm_fastest_growth_create(m, &x->escape);
 }
 
 void pm_perturbation_free(pm_workspace *w)

@@ -3,23 +3,17 @@
  * That they are constant is proven by the rules of constant_motion.c; no step controls any error.  Contacts close where
  * uniform_gap.c finds it, sliding stops where the slip, linear in t, vanishes; normal forces and grip keep what they were
  * when the phase began.  What else is watched - triggers, extremes, grids - is sampled in steps: programs that are
- * polynomials of the time (program_degree.c) in long ones that end where a parabola turns, so that each is monotonic in its step;
- * (so is the size of a velocity, where its square turns);
- * others as densely as the motion itself is fast.  Where nothing is watched one step is the phase.
- *
- * Running integrals: rates of work and of impulse are linear, moments quadratic in t, so that Simpson's rule is exact; the
- * distance that a point travels is the integral of the root of a parabola. */
+ * polynomials of the time (program_degree.c) in long ones that end where a parabola, or the square of a speed, turns, so
+ * that each is monotonic in its step; others as densely as the motion itself is fast.  Where nothing is watched one step is
+ * the phase. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "elements/capture.h"
-#include "elements/constraint.h"
 #include "elements/contact.h"
-#include "elements/force.h"
 #include "elements/joint_friction.h"
 #include "equations/case.h"
-#include "equations/ledger.h"
 #include "equations/projection.h"
 #include "equations/saddle.h"
 #include "events/ask.h"
@@ -28,6 +22,7 @@
 #include "expression/program.h"
 #include "routes/uniform/uniform.h"
 #include "scene/program_degree.h"
+#include "state/arena.h"
 #include "state/evidence.h"
 #include "state/frame.h"
 #include "state/route.h"
@@ -43,33 +38,30 @@
 static int create(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    struct pm_uniform *u = w->uniform = calloc(1, sizeof *u);
+    pm_uniform *u = w->uniform = calloc(1, sizeof *u);
     if (!u) return PM_NO_MEMORY;
-    const size_t nq = (size_t)m->nq, nz = (size_t)m->nz, nslot = (size_t)m->nslot, nrow = (size_t)m->nrow,
-                 ncontact = (size_t)m->rows[PM_TABLE_CONTACT];
-    const size_t ndouble = 3 * (nq + 3) + nrow + 2 * nslot + (size_t)m->nfriction + 4 * nz + 5 * nq,
-                 nwatched = (size_t)m->rows[PM_TABLE_TRIGGER] + (size_t)m->nask;
-    u->closing = u->block = calloc(1, ncontact * sizeof *u->closing + ndouble * sizeof(double) +
-                                          nwatched * sizeof *u->watched + 2 * (size_t)m->nbody + 2);
-    if (!u->block) return PM_NO_MEMORY;
-    u->q0 = (double *)(void *)(u->closing + ncontact);
-    u->v = u->q0 + nq + 3;
-    u->a = u->v + nq + 3;
-    u->lambda = u->a + nq + 3;
-    u->slip_end = u->lambda + nrow;
-    u->edge_end = u->slip_end + nslot;
-    u->rub_end = u->edge_end + nslot;
-    u->rate = u->rub_end + m->nfriction;
-    u->z0 = u->rate + 3 * nz;
-    u->q_look = u->z0 + nz;
-    u->v_look = u->q_look + nq;
-    u->series.before = u->v_look + nq;
-    u->series.change = u->series.before + nq;
-    u->series.spare = u->series.change + nq;
-    u->watched = (pm_parabola *)(void *)(u->series.spare + nq);
-    u->turns = (unsigned char *)(u->watched + nwatched);
-    u->locked = u->turns + m->nbody + 1;
-    return PM_OK;
+    const int nq = m->nq, nz = m->nz, ncontact = m->rows[PM_TABLE_CONTACT];
+    const pm_array array[] = {
+        PM_ARRAY(u->closing, ncontact),
+        PM_ARRAY(u->q0, nq + 3),
+        PM_ARRAY(u->v, nq + 3),
+        PM_ARRAY(u->a, nq + 3),
+        PM_ARRAY(u->lambda, m->nrow),
+        PM_ARRAY(u->slip_end, m->nslot),
+        PM_ARRAY(u->edge_end, m->nslot),
+        PM_ARRAY(u->rub_end, m->nfriction),
+        PM_ARRAY(u->rate, 3 * (size_t)nz),
+        PM_ARRAY(u->z0, nz),
+        PM_ARRAY(u->q_look, nq),
+        PM_ARRAY(u->v_look, nq),
+        PM_ARRAY(u->series.before, nq),
+        PM_ARRAY(u->series.change, nq),
+        PM_ARRAY(u->series.spare, nq),
+        PM_ARRAY(u->watched, m->rows[PM_TABLE_TRIGGER] + m->nask),
+        PM_ARRAY(u->turns, m->nbody + 1),
+        PM_ARRAY(u->locked, m->nbody + 1),
+    };
+    return pm_arena_create(&u->block, PM_ARRAYS(array));
 }
 
 static void destroy(pm_workspace *w)
@@ -81,7 +73,7 @@ static void destroy(pm_workspace *w)
 }
 
 /* ---- places ---- */
-static void place(const pm_workspace *w, double t, double *q, double *v)
+void pm_uniform_place(const pm_workspace *w, double t, double *q, double *v)
 {
     const pm_uniform *u = w->uniform;
     for (int i = 0; i < w->model->nq; i++) {
@@ -90,7 +82,7 @@ static void place(const pm_workspace *w, double t, double *q, double *v)
     }
 }
 
-static void know_forces(pm_workspace *w)
+void pm_uniform_know_forces(pm_workspace *w)
 {
     const pm_uniform *u = w->uniform;
     memcpy(w->frame.a, u->a, (size_t)w->model->nq * sizeof(double));
@@ -102,7 +94,7 @@ static void know_forces(pm_workspace *w)
 static int react(pm_workspace *w)
 {
     if (w->uniform->curve.levers) return pm_saddle_accelerate(w);
-    know_forces(w);
+    pm_uniform_know_forces(w);
     return PM_OK;
 }
 
@@ -112,7 +104,7 @@ static void look(pm_workspace *w, double t)
     pm_frame_look(&w->frame, u->t0 + t, u->q_look, u->v_look, w->state.z, w->state.memory);
 }
 
-static void look_at_forces(pm_workspace *w, double t)
+void pm_uniform_look_there(pm_workspace *w, double t)
 {
     look(w, t);
     const int status = react(w);
@@ -121,80 +113,14 @@ static void look_at_forces(pm_workspace *w, double t)
 
 void pm_uniform_look(pm_workspace *w, double t)
 {
-    place(w, t, w->uniform->q_look, w->uniform->v_look);
+    pm_uniform_place(w, t, w->uniform->q_look, w->uniform->v_look);
     look(w, t);
 }
 
 void pm_uniform_look_at_forces(pm_workspace *w, double t)
 {
-    place(w, t, w->uniform->q_look, w->uniform->v_look);
-    look_at_forces(w, t);
-}
-
-/* ---- running integrals ---- */
-void pm_uniform_rates(pm_workspace *w, double *rate)
-{
-    look_at_forces(w, 0); /* no rate depends on the time itself */
-    pm_force_all(w);      /* powers */
-    pm_ledger_rates(w, rate);
-}
-
-static void rates(pm_workspace *w, double t, double *rate)
-{
-    place(w, t, w->uniform->q_look, w->uniform->v_look);
-    pm_uniform_rates(w, rate);
-}
-
-/* Gauss-Legendre, 8 points on [-1, 1]: the positive ones. */
-static const double gauss_at[4] = {0.18343464249564980494, 0.52553240991632898582, 0.79666647741362673959,
-                                   0.96028985649753623168};
-static const double gauss_weight[4] = {0.36268378337836198297, 0.31370664587788728734, 0.22238103445337447054,
-                                       0.10122853629037625915};
-#define SLOW_CHANGE \
-    0.1 /* of the speed in the interval: there the closed form would cancel, and Gauss is exact */
-
-/* Integral of |u + a t| from 0 to h.  With s = t + u.a/a^2 and p = |u x a| / |a|: of sqrt(a^2 s^2 + p^2). */
-static double distance_along(const double u[2], const double a[2], double h)
-{
-    const double speed = pm_length(u), size = pm_length(a);
-    if (size * h <= SLOW_CHANGE * speed) {
-        double sum = 0;
-        for (int i = 0; i < 8; i++) {
-            const double t = 0.5 * h * (1 + (i < 4 ? gauss_at[i] : -gauss_at[i - 4]));
-            sum += gauss_weight[i % 4] * hypot(u[0] + a[0] * t, u[1] + a[1] * t);
-        }
-        return 0.5 * h * sum;
-    }
-    const double p = fabs(pm_cross(u, a)) / size, from = pm_dot(u, a) / size, to = from + size * h;
-    double sum = to * hypot(to, p) - from * hypot(from, p); /* of size s = from .. to */
-    if (p > 0) sum += p * p * (asinh(to / p) - asinh(from / p));
-    return 0.5 * sum / size;
-}
-
-static void integrate_paths(pm_workspace *w, double t, double h, double *z)
-{
-    const pm_model *m = w->model;
-    for (int i = 0; i < m->npath; i++) {
-        pm_uniform_look(w, t);
-        know_forces(w);
-        const pm_point p = pm_frame_point_of(&w->frame, PM_MEASURE_ROW(m, m->path[i])[PM_MEASURE_A]);
-        double a[2];
-        pm_frame_acceleration(&w->frame, &p, a);
-        z[m->nz_work + i] = w->uniform->z0[m->nz_work + i] + distance_along(p.v, a, h);
-    }
-}
-
-/* z at t, from the begin of the step; rate[0] is known. */
-static void integrate(pm_workspace *w, double t, double *z)
-{
-    pm_uniform *u = w->uniform;
-    const int nz = w->model->nz;
-    const double h = t - u->begin;
-    rates(w, u->begin + 0.5 * h, u->rate + nz);
-    rates(w, t, u->rate + 2 * nz);
-    for (int i = 0; i < nz; i++)
-        z[i] = u->z0[i] + h / 6 * (u->rate[i] + 4 * u->rate[nz + i] + u->rate[2 * nz + i]);
-    integrate_paths(w, u->begin, h, z);
+    pm_uniform_place(w, t, w->uniform->q_look, w->uniform->v_look);
+    pm_uniform_look_there(w, t);
 }
 
 /* ---- a phase is made ready ---- */
@@ -284,7 +210,7 @@ static int prepare(pm_workspace *w)
     memcpy(u->lambda, w->frame.lambda, (size_t)w->model->nrow * sizeof(double));
     begin_contacts(w);
     pm_frame_look_state(&w->frame, &w->state);
-    know_forces(w);
+    pm_uniform_know_forces(w);
     return !u->irregular;
 }
 
@@ -386,10 +312,9 @@ static void note_decisions(pm_workspace *w)
     const pm_uniform *u = w->uniform;
     for (int i = 0; i < w->event->nfunction; i++) {
         pm_event_function *f = &w->event->function[i];
-        if (f->kind == FUNCTION_SLIP && w->event->root[i])
-            pm_event_evidence_rate(w, i, slip_rate(w, slip_at, f->index));
-        if (f->kind == FUNCTION_RUB && w->event->root[i])
-            pm_event_evidence_rate(w, i, slip_rate(w, rub_at, f->index));
+        const int slides = f->kind == FUNCTION_SLIP || f->kind == FUNCTION_RUB;
+        if (slides && w->event->root[i])
+            pm_event_evidence_rate(w, i, slip_rate(w, f->kind == FUNCTION_SLIP ? slip_at : rub_at, f->index));
         if (f->kind != FUNCTION_GAP && f->kind != FUNCTION_END) continue;
         const int contact = f->kind == FUNCTION_END ? pm_contact_of_slot(w->model, f->index) : f->index;
         pm_uniform_gap_note(w, contact);
@@ -403,9 +328,9 @@ static void note_decisions(pm_workspace *w)
 static int go_to_end(pm_workspace *w, double limit, double t_limit)
 {
     pm_uniform *u = w->uniform;
-    rates(w, u->begin, u->rate);
-    integrate(w, u->end, w->state.z);
-    place(w, u->end, w->state.q, w->state.v);
+    pm_uniform_rates_after(w, u->begin, u->rate);
+    pm_uniform_integrate(w, u->end, w->state.z);
+    pm_uniform_place(w, u->end, w->state.q, w->state.v);
     w->step.begin = w->state.t;
     w->step.end = w->state.t = u->end == limit ? t_limit : u->t0 + u->end;
     pm_case_speed(w, w->state.v);
@@ -436,11 +361,11 @@ static int at(pm_workspace *w, double t, pm_state *s)
     const pm_model *m = w->model;
     const double after = t - w->uniform->t0;
     if (m->nz_controlled > 0)
-        integrate(w, after, s->z);
+        pm_uniform_integrate(w, after, s->z);
     else
         memcpy(s->z, w->uniform->z0,
                (size_t)m->nz * sizeof(double)); /* nobody reads the ledger inside a step */
-    place(w, after, s->q, s->v);
+    pm_uniform_place(w, after, s->q, s->v);
     s->t = t;
     return PM_OK;
 }
@@ -449,8 +374,8 @@ static int exact(pm_workspace *w, double t, pm_state *s)
 {
     const double after = t - w->uniform->t0;
     if (s != &w->state) pm_state_copy(s, &w->state);
-    integrate(w, after, s->z);
-    place(w, after, s->q, s->v);
+    pm_uniform_integrate(w, after, s->z);
+    pm_uniform_place(w, after, s->q, s->v);
     s->t = t;
     return pm_projection_apply(w, s);
 }

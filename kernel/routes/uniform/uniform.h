@@ -66,8 +66,18 @@ typedef struct pm_uniform {
  * reactions known. */
 void pm_uniform_look(pm_workspace *w, double t);
 void pm_uniform_look_at_forces(pm_workspace *w, double t);
-/* Rates of all running integrals at q_look, v_look. */
+/* The same at q_look, v_look, whatever is there. */
+void pm_uniform_look_there(pm_workspace *w, double t);
+/* q and v, both [nq], `t` seconds after the begin of the phase. */
+void pm_uniform_place(const pm_workspace *w, double t, double *q, double *v);
+/* The frame has the accelerations and reactions of the phase. */
+void pm_uniform_know_forces(pm_workspace *w);
+
+/* uniform_integral.c: rates[nz] of all running integrals at q_look, v_look; `t` seconds after the begin of the phase. */
 void pm_uniform_rates(pm_workspace *w, double *rate);
+void pm_uniform_rates_after(pm_workspace *w, double t, double *rate);
+/* z[nz] at t, in the step whose first rates are known. */
+void pm_uniform_integrate(pm_workspace *w, double t, double *z);
 
 /* uniform_gap.c: at the begin of the phase (the frame looks there): nothing is known yet, but whether a touching contact
  * leaves or rests: else it is irregular. */

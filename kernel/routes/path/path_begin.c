@@ -1,0 +1,129 @@
+/* path_begin.c - whether a phase is one along a path, and its first place.
+ *
+ * One degree of freedom, forces that depend on the place alone, nothing driven.  The rate of the driver is the part of the
+ * velocities along the path,   u' = t . M v / t . M t,   t = dq/du. */
+#include <math.h>
+#include <string.h>
+
+#include "elements/constraint.h"
+#include "elements/turning_plane.h"
+#include "equations/ledger.h"
+#include "expression/program.h"
+#include "routes/path/path.h"
+#include "routes/path/path_error.h"
+#include "state/frame.h"
+#include "state/workspace.h"
+#include "tree/tree.h"
+
+#define STILL 1e-11    /* of the scene's speed: at rest */
+#define BALANCED 1e-12 /* of the forces: in equilibrium */
+
+double pm_path_total_mass(const pm_workspace *w)
+{
+    double sum = 0;
+    for (int i = 0; i < w->model->nbody; i++) sum += w->numbers.mass[i];
+    return sum;
+}
+
+/* Rate of the driver from given velocities: their part along the path. */
+static double rate_of(const pm_workspace *w, const pm_place *x, const double *v)
+{
+    double sum = 0;
+    for (int i = 0; i < w->model->nbody; i++)
+        sum += w->numbers.mass[i] * (v[3 * i] * x->tangent[3 * i] + v[3 * i + 1] * x->tangent[3 * i + 1]) +
+               pm_body_inertia(&w->frame, i) * v[3 * i + 2] * x->tangent[3 * i + 2];
+    return sum / x->mass;
+}
+
+double pm_path_force_size(const pm_workspace *w, const pm_place *x)
+{
+    double size = 0;
+    for (int i = 0; i < w->model->nbody; i++) {
+        const double *f = w->frame.f + 3 * i, *t = x->tangent + 3 * i;
+        size += hypot(f[0], f[1]) * hypot(t[0], t[1]) + fabs(f[2] * t[2]);
+    }
+    return size + pm_turning_plane_force_size(&w->frame, x->tangent);
+}
+
+double pm_path_requested(pm_workspace *w, const double *velocity)
+{
+    memcpy(w->frame.velocity, velocity, (size_t)w->model->nq * sizeof *velocity);
+    return pm_program_run(w->model, w->request.program, w->numbers.param, w->numbers.value, w);
+}
+
+/* Out of an equilibrium: the side that is asked for, or 0. */
+static double requested_side(pm_workspace *w, const pm_place *x)
+{
+    const double side = w->request.program == PM_NONE ? 0 : pm_path_requested(w, x->tangent);
+    return side > 0 ? 1 : side < 0 ? -1 : 0;
+}
+
+/* At rest the forces tell which way it goes; 0: it stays. */
+static int leave_rest(pm_workspace *w, const pm_place *x)
+{
+    pm_path *p = w->path;
+    const double size = pm_path_force_size(w, x);
+    p->balanced = !(fabs(x->force) > BALANCED * size);
+    p->sense = p->balanced ? requested_side(w, x) : (x->force > 0 ? 1 : -1);
+    return p->sense != 0;
+}
+
+/* A prescribed rate makes the motion one in time. */
+static int is_driven(const pm_workspace *w)
+{
+    for (int i = 0; i < w->active.n; i++)
+        if (w->active.row[i].drive != PM_NONE) return 1;
+    return 0;
+}
+
+int pm_path_applies(const pm_workspace *w)
+{
+    return w->model->programs.forces_by_place && !w->active.asymmetric && !w->numbers.massless &&
+           !w->phase.path_left && !is_driven(w);
+}
+
+/* The tree of the phase and its first place; 0: more than one freedom, no direction there, or it stays at rest. */
+int pm_path_prepare(pm_workspace *w)
+{
+    pm_path *p = w->path;
+    pm_place *x = &p->begin;
+    pm_tree_build(w);
+    if (w->tree->n - w->tree->nloop != 1) return 0;
+    p->n = w->tree->n;
+    pm_tree_loops_unknown(w->tree, &p->loop);
+    p->driver = PM_NONE;
+    pm_path_bridge_forget(p);
+    p->sense = 1;
+    pm_frame_look_state(&w->frame, &w->state);
+    pm_tree_read(w, x->y);
+    pm_path_open_begin(w);
+    if (pm_path_look(w, x) || pm_path_drive(w, x)) return 0;
+    const double rate = rate_of(w, x, w->state.v);
+    x->kinetic = 0.5 * x->mass * rate * rate;
+    p->sense = rate > 0 ? 1 : -1;
+    p->balanced = 0;
+    p->at_rest =
+        !(2 * x->kinetic > STILL * STILL * pm_path_total_mass(w) * w->numbers.speed * w->numbers.speed);
+    /* the contacts are met anew, to rounding: what the forces do on that way is not lost */
+    for (int i = 0; i < w->model->nq; i++) x->kinetic += w->frame.f[i] * (x->q[i] - w->state.q[i]);
+    if (p->at_rest) x->kinetic = 0;
+    return !p->at_rest || leave_rest(w, x);
+}
+
+int pm_path_begin(pm_workspace *w)
+{
+    pm_path *p = w->path;
+    const pm_place *x = &p->begin;
+    const double *ledger = w->state.z + pm_ledger_ledger(w->model);
+    double momentum[PM_LEDGER];
+    p->fresh = 1;
+    p->most = INFINITY;
+    pm_path_error_begin(w, x->kinetic);
+    p->way = 0;
+    p->lowest = x->kinetic;
+    p->energy = x->kinetic + x->potential - pm_path_work(w, w->state.z);
+    pm_frame_look_state(&w->frame, &w->state);
+    pm_body_momentum(&w->frame, PM_NONE, momentum);
+    for (int i = 0; i < PM_LEDGER; i++) p->impulse[i] = ledger[i] - momentum[i];
+    return PM_OK;
+}
