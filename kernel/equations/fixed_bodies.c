@@ -1,18 +1,17 @@
-/* fixed_bodies.c - bodies that joints hold still for good.
+/* fixed_bodies.c - bodies that joints fix for good.
  *
- * Let S be bodies, G the rows of joints between them, the ground and bodies that stand still already.  Where G v = 0 has
- * no other solution than v = 0, these bodies stand still whatever acts on them and whatever moves beside them: the rows do
- * not depend on the time, so that the place at which they hold stays the same, and with it G.  Then they are ground:
- * their rows say nothing of what moves, and what they carry is nobody's work.  The sets that are tried, again and again
- * from what stands still already:
- *   - a body alone: welded, or held by three rows,
+ * Let S be bodies, and G the constraints of joints between them, the ground and bodies that are fixed already.  Where
+ *     G v = 0   has no other solution than   v = 0,
+ * the bodies of S never move, whatever acts on them and whatever moves beside them: G does not depend on the time.  They
+ * are ground then: their constraints say nothing of what moves, and forces on them do no work.  These sets are tried, again
+ * and again from what is fixed already:
+ *   - a body alone: welded, or held by three constraints,
  *   - two that are joined: a triangle on the ground, and whatever is built up of such,
  *   - all that hang together, if they are few.
- * Which of them can hold at all is told by the scene alone, once: where even as many independent rows as there are would
- * not do, no case is searched.
- * Rows that depend on each other hold as the same ones without the surplus; a set whose rows nearly do not hold is left
- * to the equations of motion.  So is what cannot be taken for ground: rows that are driven, added or removed; both bodies of a
- * joint of which a reaction is asked, or that has friction, and of a contact; bodies that a blow is given to. */
+ * Where even as many independent constraints as there are would not hold a body (counted once a scene) no case is searched.
+ *
+ * Left to the equations of motion are sets that are nearly not held, joints that are driven, added or removed, bodies that
+ * an impulse acts on, and the pairs of a contact and of a joint that has friction or whose reaction is asked. */
 #include "equations/fixed_bodies.h"
 
 #include <math.h>
@@ -30,21 +29,14 @@
 #include "numerics/tolerances.h"
 #include "scene/program_class.h"
 #include "scene/reference.h"
+#include "state/arena.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 
 #define FEW 6 /* bodies of a set at most */
 enum { WIDE = 3 * FEW };
 
-/* ---- what must move, and what is told ---- */
-static int body_of(const pm_model *m, int of, int index)
-{
-    if (of == PM_TABLE_LINE) return body_of(m, PM_TABLE_POINT, PM_LINE_ROW(m, index)[PM_LINE_POINT]);
-    if (of == PM_TABLE_CIRCLE) return body_of(m, PM_TABLE_POINT, PM_CIRCLE_ROW(m, index)[PM_CIRCLE_POINT]);
-    if (of == PM_TABLE_ROW) return body_of(m, PM_TABLE_POINT, PM_ROW_ROW(m, index)[PM_ROW_POINT]);
-    return of == PM_TABLE_POINT ? PM_POINT_ROW(m, index)[PM_POINT_BODY] : index;
-}
-
+/* ---- what must move, and what is asked ---- */
 /* All bodies that a row of a table refers to move. */
 static void let_move(pm_workspace *w, int table, int row)
 {
@@ -54,13 +46,13 @@ static void let_move(pm_workspace *w, int table, int row)
     const int n = pm_reference_of(m, table, e, ref);
     for (int k = 0; k < n; k++) {
         if (ref[k].of < PM_TABLE_BODY || ref[k].of > PM_TABLE_ROW) continue;
-        const int body = body_of(m, ref[k].of, e[ref[k].column]);
+        const int body = pm_model_body_of(m, ref[k].of, e[ref[k].column]);
         if (body >= 0) w->fixed->moves[body] = 1;
     }
 }
 
 /* The joints of which a program reads a reaction. */
-static void tell_read(pm_workspace *w, int program)
+static void ask_read(pm_workspace *w, int program)
 {
     const pm_model *m = w->model;
     int length;
@@ -68,12 +60,12 @@ static void tell_read(pm_workspace *w, int program)
     for (int i = 0; i < length; i++, code += PM_CODE_COLUMNS) {
         if (code[PM_CODE_OP] != PM_OP_MEASURE) continue;
         const int32_t *e = PM_MEASURE_ROW(m, code[PM_CODE_ARG]);
-        if (pm_measure_of(e[PM_MEASURE_KIND]) == PM_TABLE_JOINT) w->fixed->told[e[PM_MEASURE_A]] = 1;
+        if (pm_measure_of(e[PM_MEASURE_KIND]) == PM_TABLE_JOINT) w->fixed->is_asked[e[PM_MEASURE_A]] = 1;
     }
 }
 
 /* What is asked or watched, or acts; the columns of a history, which no table refers to, do not count. */
-static void tell_asked(pm_workspace *w)
+static void note_asked(pm_workspace *w)
 {
     const pm_model *m = w->model;
     for (int table = PM_TABLE_BODY; table < PM_TABLES; table++)
@@ -82,18 +74,18 @@ static void tell_asked(pm_workspace *w)
             const int32_t *e = pm_table_row(m, table, i, pm_table_columns[table]);
             const int n = pm_reference_of(m, table, e, ref);
             for (int k = 0; k < n; k++)
-                if (ref[k].of == PM_TABLE_PROGRAM) tell_read(w, e[ref[k].column]);
+                if (ref[k].of == PM_TABLE_PROGRAM) ask_read(w, e[ref[k].column]);
         }
 }
 
-static void tell_others(pm_workspace *w)
+static void note_others(pm_workspace *w)
 {
     const pm_model *m = w->model;
     for (int i = 0; i < m->rows[PM_TABLE_ACTION]; i++)
         if (PM_ACTION_ROW(m, i)[PM_ACTION_KIND] > PM_ACTION_REMOVE) let_move(w, PM_TABLE_ACTION, i);
-    for (int k = 0; k < m->nfriction; k++) w->fixed->told[pm_joint_friction_joint(m, k)] = 1;
+    for (int k = 0; k < m->nfriction; k++) w->fixed->is_asked[pm_joint_friction_joint(m, k)] = 1;
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++)
-        if (pm_joint_of(m, i)->programs > 0) w->fixed->told[i] = 1;
+        if (pm_joint_of(m, i)->programs > 0) w->fixed->is_asked[i] = 1;
 }
 
 void pm_fixed_bodies_free(pm_workspace *w)
@@ -111,17 +103,6 @@ void pm_fixed_bodies_begin(pm_workspace *w)
 }
 
 /* ---- which bodies ---- */
-static int is_changed(const pm_model *m, int joint)
-{
-    for (int i = 0; i < m->rows[PM_TABLE_ACTION]; i++) {
-        const int32_t *e = PM_ACTION_ROW(m, i);
-        if (e[PM_ACTION_KIND] <= PM_ACTION_REMOVE && e[PM_ACTION_TABLE] == PM_TABLE_JOINT &&
-            e[PM_ACTION_A] == joint)
-            return 1;
-    }
-    return 0;
-}
-
 /* The rows of the joints that stay in w->row, evaluated unless they are only counted, and those of each body. */
 static int list_rows(pm_workspace *w)
 {
@@ -131,7 +112,7 @@ static int list_rows(pm_workspace *w)
     for (int i = 0; i < m->nbody; i++) x->first[i] = PM_NONE;
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
         pm_constraint rows[PM_JOINT_CONSTRAINTS];
-        if (is_changed(m, i) || pm_joint_of(m, i)->programs > 0) continue;
+        if (pm_model_is_changed(m, PM_TABLE_JOINT, i) || pm_joint_of(m, i)->programs > 0) continue;
         const int of_joint = pm_joint_constraints(w, i, rows);
         for (int k = 0; k < of_joint; k++, n++) {
             w->active.row[n] = rows[k];
@@ -185,7 +166,7 @@ static void add_row(const pm_workspace *w, pm_group *g, const pm_constraint *row
     g->rank = pm_orthonormal_add(&basis, g->rank, &rest);
 }
 
-/* Whether rows between these bodies, and to what stands still, hold them; then they stand still, too. */
+/* Whether constraints between these bodies, and to what is fixed, hold them; then they are fixed, too. */
 static int holds(pm_workspace *w, pm_group *g)
 {
     pm_fixed_bodies *x = w->fixed;
@@ -193,27 +174,30 @@ static int holds(pm_workspace *w, pm_group *g)
         for (int at = x->first[g->body[i]]; at != PM_NONE && g->rank < g->freedom; at = x->next[at]) {
             const pm_constraint *row = &w->active.row[at / 2];
             const int other = row->body[1 - at % 2], place = place_in(g, other);
-            if (!x->body[other] && place <= i) continue;
+            if (!w->numbers.fixed[other] && place <= i) continue;
             if (x->counts)
                 g->rank++;
             else
                 add_row(w, g, row);
         }
     if (g->rank < g->freedom) return 0;
-    for (int i = 0; i < g->n; i++) x->body[g->body[i]] = 1;
+    for (int i = 0; i < g->n; i++) w->numbers.fixed[g->body[i]] = 1;
     x->n += g->n;
     return 1;
 }
 
-static int must_move(const pm_fixed_bodies *x, int body) { return x->moves[body] || x->left[body]; }
+static int must_move(const pm_fixed_bodies *x, int body) { return x->moves[body] || x->is_left[body]; }
 
-static int may_stand(const pm_fixed_bodies *x, int body) { return !x->body[body] && !must_move(x, body); }
+static int may_be_fixed(const pm_workspace *w, int body)
+{
+    return !w->numbers.fixed[body] && !must_move(w->fixed, body);
+}
 
 /* A body alone. */
 static int try_one(pm_workspace *w, int body)
 {
     pm_group g = {.n = 0};
-    if (!may_stand(w->fixed, body)) return 0;
+    if (!may_be_fixed(w, body)) return 0;
     join(w, &g, body);
     return holds(w, &g);
 }
@@ -223,7 +207,7 @@ static int try_two(pm_workspace *w, const pm_constraint *row)
 {
     pm_group g = {.n = 0};
     for (int side = 0; side < 2; side++) {
-        if (!may_stand(w->fixed, row->body[side])) return 0;
+        if (!may_be_fixed(w, row->body[side])) return 0;
         join(w, &g, row->body[side]);
     }
     return holds(w, &g);
@@ -234,12 +218,12 @@ static int try_all(pm_workspace *w, int body)
 {
     pm_fixed_bodies *x = w->fixed;
     pm_group g = {.n = 0};
-    if (!may_stand(x, body)) return 0;
+    if (!may_be_fixed(w, body)) return 0;
     join(w, &g, body);
     for (int i = 0; i < g.n; i++)
         for (int at = x->first[g.body[i]]; at != PM_NONE; at = x->next[at]) {
             const int other = w->active.row[at / 2].body[1 - at % 2];
-            if (x->body[other] || place_in(&g, other) != PM_NONE) continue;
+            if (w->numbers.fixed[other] || place_in(&g, other) != PM_NONE) continue;
             if (must_move(x, other) || g.n == FEW) return 0;
             join(w, &g, other);
         }
@@ -258,7 +242,7 @@ static void find(pm_workspace *w)
 }
 
 /* ---- once a scene ---- */
-/* What stands still if every row holds something of its own: no case holds more. */
+/* What is fixed if every constraint holds something of its own: no case fixes more. */
 static void find_possible(pm_workspace *w)
 {
     pm_fixed_bodies *x = w->fixed;
@@ -272,27 +256,26 @@ static void find_possible(pm_workspace *w)
 int pm_fixed_bodies_create(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    const size_t nbody = (size_t)m->nbody, nrow = (size_t)m->njoint_row,
-                 njoint = (size_t)m->rows[PM_TABLE_JOINT];
     pm_fixed_bodies *x = w->fixed = calloc(1, sizeof *x);
     if (!x) return PM_NO_MEMORY;
-    x->block = calloc(1, (nbody + 2 * nrow) * sizeof(int) + 2 * nbody + njoint + 1);
-    if (!x->block) return PM_NO_MEMORY;
-    x->first = x->block;
-    x->next = x->first + nbody;
-    x->moves = (unsigned char *)(x->next + 2 * nrow);
-    x->left = x->moves + nbody;
-    x->body = w->numbers.fixed;
-    x->told = x->left + nbody;
-    tell_asked(w);
-    tell_others(w);
+    const pm_array array[] = {
+        PM_ARRAY(x->first, m->nbody),
+        PM_ARRAY(x->next, 2 * m->njoint_row),
+        PM_ARRAY(x->moves, m->nbody),
+        PM_ARRAY(x->is_left, m->nbody),
+        PM_ARRAY(x->is_asked, m->rows[PM_TABLE_JOINT]),
+    };
+    const int status = pm_arena_create(&x->block, PM_ARRAYS(array));
+    if (status) return status;
+    note_asked(w);
+    note_others(w);
     find_possible(w);
     pm_fixed_bodies_begin(w);
     return PM_OK;
 }
 
 /* ---- once a case ---- */
-/* Both bodies of a row that stand still are left to the equations of motion. */
+/* Both bodies of a constraint that are fixed are left to the equations of motion. */
 static int let_go(pm_workspace *w, const pm_constraint *row)
 {
     int any = 0;
@@ -300,14 +283,14 @@ static int let_go(pm_workspace *w, const pm_constraint *row)
     for (int side = 0; side < 2; side++) {
         const int body = row->body[side];
         if (body == w->model->nbody || must_move(w->fixed, body)) continue;
-        w->fixed->left[body] = 1;
+        w->fixed->is_left[body] = 1;
         any = 1;
     }
     return any;
 }
 
-/* Of contacts, and of joints of which something is to be told, the equations must know. */
-static int let_told_move(pm_workspace *w)
+/* Of contacts, and of joints of which something is asked, the equations must know. */
+static int let_asked_move(pm_workspace *w)
 {
     const pm_model *m = w->model;
     int any = 0;
@@ -318,7 +301,7 @@ static int let_told_move(pm_workspace *w)
     }
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
         pm_constraint row[PM_JOINT_CONSTRAINTS];
-        if (w->fixed->told[i] && pm_joint_constraints_of_any(&w->frame, i, row) > 0)
+        if (w->fixed->is_asked[i] && pm_joint_constraints_of_any(&w->frame, i, row) > 0)
             any |= let_go(w, &row[0]);
     }
     return any;
@@ -341,12 +324,12 @@ void pm_fixed_bodies_find(pm_workspace *w)
 {
     const pm_model *m = w->model;
     if (!w->fixed->wanted || !w->fixed->possible || w->history || m->rows[PM_TABLE_SPIN] > 0) return;
-    memset(w->fixed->left, 0, (size_t)m->nbody);
+    memset(w->fixed->is_left, 0, (size_t)m->nbody);
     pm_frame_look_state(&w->frame, &w->state);
     do {
         pm_fixed_bodies_begin(w);
         find(w);
-    } while (w->fixed->n > 0 && let_told_move(w));
+    } while (w->fixed->n > 0 && let_asked_move(w));
     pm_active_set_clear(&w->active, w->model);
     if (w->fixed->n > 0) stop(w);
     pm_frame_look_state(&w->frame, &w->state);

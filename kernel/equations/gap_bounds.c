@@ -27,17 +27,6 @@
 
 static int is_fixed(const pm_hinge_bounds *x) { return x->known && x->fixed; }
 
-/* What some event adds or removes bounds nothing, and must stay. */
-static int is_changed(const pm_model *m, int table, int row)
-{
-    for (int i = 0; i < m->rows[PM_TABLE_ACTION]; i++) {
-        const int32_t *e = PM_ACTION_ROW(m, i);
-        if (e[PM_ACTION_KIND] <= PM_ACTION_REMOVE && e[PM_ACTION_TABLE] == table && e[PM_ACTION_A] == row)
-            return 1;
-    }
-    return 0;
-}
-
 /* ---- marks ---- */
 typedef struct pm_ring {
     double at[2], low, high;
@@ -61,21 +50,16 @@ static pm_ring ring_of(const pm_workspace *w, int point)
 }
 
 /* ---- bodies ---- */
-static int body_of_point(const pm_model *m, int point)
-{
-    return pm_body_index(m, PM_POINT_ROW(m, point)[PM_POINT_BODY]);
-}
-
 /* What point b hangs from by point a; 1: it is bounded more closely than before. */
 static int hang(pm_workspace *w, int a, int b, double length, int welded)
 {
     const pm_model *m = w->model;
     const int32_t *e = PM_POINT_ROW(m, b);
-    const int body = body_of_point(m, b);
+    const int body = pm_body_index(m, e[PM_POINT_BODY]);
     const pm_ring from = ring_of(w, a);
     pm_hinge_bounds *x = &w->hinge[body];
     if (!from.known || is_fixed(x)) return 0;
-    const int fixed = welded && is_fixed(&w->hinge[body_of_point(m, a)]);
+    const int fixed = welded && is_fixed(&w->hinge[pm_body_index(m, PM_POINT_ROW(m, a)[PM_POINT_BODY])]);
     const double high = from.high + length;
     if (x->known && !fixed && !(high < x->high)) return 0;
     *x = (pm_hinge_bounds){.known = 1,
@@ -92,7 +76,7 @@ static int hang_by_joint(pm_workspace *w, int joint)
     const int32_t *e = PM_JOINT_ROW(w->model, joint);
     const int kind = e[PM_JOINT_KIND], a = e[PM_JOINT_A], b = e[PM_JOINT_B];
     if (kind != PM_JOINT_PIN && kind != PM_JOINT_WELD && kind != PM_JOINT_LINK) return 0;
-    if (is_changed(w->model, PM_TABLE_JOINT, joint)) return 0;
+    if (pm_model_is_changed(w->model, PM_TABLE_JOINT, joint)) return 0;
     const double length = kind == PM_JOINT_LINK ? w->numbers.value[e[PM_JOINT_VALUE]] : 0;
     return hang(w, a, b, length, kind == PM_JOINT_WELD) | hang(w, b, a, length, kind == PM_JOINT_WELD);
 }
@@ -212,7 +196,7 @@ void pm_gap_bounds_drop(pm_workspace *w)
     if (m->rows[PM_TABLE_CONTACT] == 0) return;
     hang_all(w);
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
-        if (is_changed(m, PM_TABLE_CONTACT, i)) continue;
+        if (pm_model_is_changed(m, PM_TABLE_CONTACT, i)) continue;
         if (!(least_gap(w, i) > PM_OUT_OF_REACH * pm_contact_reach(w))) continue;
         w->state.absent[pm_model_element(m, PM_TABLE_CONTACT, i)] = 1;
         w->nunreached++;

@@ -16,6 +16,7 @@
 #include "equations/active_set.h"
 #include "equations/case.h"
 #include "equations/least_change.h"
+#include "numerics/islands.h"
 #include "numerics/tolerances.h"
 #include "scene/build.h"
 #include "state/frame.h"
@@ -31,28 +32,24 @@ static int any_velocity_written(const pm_workspace *w)
 }
 
 /* Which bodies hang together; the ground joins nobody. */
-typedef struct pm_islands {
-    int *island; /* [nbody] the same number: held to each other, or one written velocity is of both */
+typedef struct pm_start_bodies {
+    int *island;             /* [nbody] islands.h: held to each other, or one written velocity is of both */
     unsigned char *fastened; /* [nbody + 1] */
     unsigned char *written;  /* [nbody] a velocity that is not zero */
-} pm_islands;
+} pm_start_bodies;
 
-static void join(const pm_workspace *w, const pm_islands *x, int a, int b)
+static void join(const pm_workspace *w, const pm_start_bodies *x, int a, int b)
 {
-    if (a == w->model->nbody || b == w->model->nbody) return;
-    const int from = x->island[b], to = x->island[a];
-    if (from == to) return;
-    for (int i = 0; i < w->model->nbody; i++)
-        if (x->island[i] == from) x->island[i] = to;
+    if (a != w->model->nbody && b != w->model->nbody) pm_islands_join(x->island, a, b);
 }
 
-static void fasten(const pm_workspace *w, const pm_islands *x, const pm_constraint *row)
+static void fasten(const pm_workspace *w, const pm_start_bodies *x, const pm_constraint *row)
 {
     for (int p = 0; p < 2; p++) x->fastened[row->body[p]] = 1;
     join(w, x, row->body[0], row->body[1]);
 }
 
-static void note_written(const pm_workspace *w, const pm_islands *x, const double *row, double value)
+static void note_written(const pm_workspace *w, const pm_start_bodies *x, const double *row, double value)
 {
     int first = PM_NONE;
     for (int k = 0; k < w->model->nq; k++) {
@@ -64,14 +61,14 @@ static void note_written(const pm_workspace *w, const pm_islands *x, const doubl
 }
 
 /* Nothing is written of this body, nor of any that hangs together with it. */
-static int left_alone(const pm_workspace *w, const pm_islands *x, int body)
+static int left_alone(const pm_workspace *w, const pm_start_bodies *x, int body)
 {
     for (int i = 0; i < w->model->nbody; i++)
-        if (x->island[i] == x->island[body] && x->written[i]) return 0;
+        if (x->written[i] && pm_islands_root(x->island, i) == pm_islands_root(x->island, body)) return 0;
     return 1;
 }
 
-static void hold_joints(pm_workspace *w, pm_least_change *s, double *dense, const pm_islands *islands)
+static void hold_joints(pm_workspace *w, pm_least_change *s, double *dense, const pm_start_bodies *islands)
 {
     const int solved = pm_least_change_block(w, s, PM_START_VELOCITY);
     double miss;
@@ -89,7 +86,7 @@ static void hold_joints(pm_workspace *w, pm_least_change *s, double *dense, cons
 
 /* Contacts that touch at the start and never slip, and taut cords, count as joints: the normal, too, unless the start
  * breaks it. */
-static void hold_contacts(pm_workspace *w, pm_least_change *s, double *dense, const pm_islands *islands)
+static void hold_contacts(pm_workspace *w, pm_least_change *s, double *dense, const pm_start_bodies *islands)
 {
     double miss;
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
@@ -107,7 +104,7 @@ static void hold_contacts(pm_workspace *w, pm_least_change *s, double *dense, co
     }
 }
 
-static int take_written(pm_workspace *w, pm_least_change *s, double *dense, const pm_islands *islands)
+static int take_written(pm_workspace *w, pm_least_change *s, double *dense, const pm_start_bodies *islands)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_START]; i++) {
         if (pm_start_level(w, i) != PM_START_VELOCITY) continue;
@@ -126,7 +123,7 @@ static int take_written(pm_workspace *w, pm_least_change *s, double *dense, cons
 }
 
 /* Every body's own directions must be settled now; of a body on its own, or left alone, the open ones are set to zero. */
-static int settle_rest(pm_workspace *w, pm_least_change *s, double *dense, const pm_islands *islands)
+static int settle_rest(pm_workspace *w, pm_least_change *s, double *dense, const pm_start_bodies *islands)
 {
     const pm_model *m = w->model;
     int n_free = 0;
@@ -155,12 +152,12 @@ static int solve_velocities(pm_workspace *w, int with_contacts)
 {
     const pm_model *m = w->model;
     double *x = w->scratch, *dense = x + m->nq;
-    pm_islands islands = {(int *)(void *)(dense + 2 * m->nq), NULL, NULL};
+    pm_start_bodies islands = {(int *)(void *)(dense + 2 * m->nq), NULL, NULL};
     islands.fastened = (unsigned char *)(islands.island + m->nbody);
     islands.written = islands.fastened + m->nbody + 1;
     pm_least_change s = {.x = x, .across = dense + m->nq};
     memset(x, 0, (size_t)m->nq * sizeof *x);
-    for (int i = 0; i < m->nbody; i++) islands.island[i] = i;
+    pm_islands_begin(islands.island, m->nbody);
     memset(islands.fastened, 0, 2 * (size_t)m->nbody + 1);
     hold_joints(w, &s, dense, &islands);
     if (with_contacts) hold_contacts(w, &s, dense, &islands);

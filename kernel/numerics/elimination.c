@@ -6,17 +6,6 @@
 
 #include <math.h>
 
-int *pm_elimination_create(pm_elimination *x, size_t rows, size_t n, int *p)
-{
-    x->low = p;
-    x->high = x->low + rows;
-    x->first = x->high + rows;
-    x->last = x->first + rows;
-    x->place = x->last + rows;
-    x->filled = x->place + n;
-    return x->filled + n;
-}
-
 static int lesser(int a, int b) { return a < b ? a : b; }
 
 static int greater(int a, int b) { return a > b ? a : b; }

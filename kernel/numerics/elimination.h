@@ -2,8 +2,7 @@
 #ifndef PM_ELIMINATION_H
 #define PM_ELIMINATION_H
 
-#include <stddef.h>
-
+/* Memory of whoever runs it. */
 typedef struct pm_elimination {
     int *low, *high; /* [rows] between which columns each row has entries: told before, and left after */
     int *place;      /* [n] place[column[k]] = k */
@@ -11,11 +10,6 @@ typedef struct pm_elimination {
     int *first, *last; /* [rows] between which columns a row, and those after it, have entries */
     int *filled;       /* [n] */
 } pm_elimination;
-
-enum { PM_ELIMINATION_ROWS = 4, PM_ELIMINATION_COLUMNS = 2 }; /* integers for each */
-
-/* Lays the integers out in p; where they end. */
-int *pm_elimination_create(pm_elimination *x, size_t rows, size_t n, int *p);
 
 /* Row after row of a[rows][n], rows <= n, looking only at what is not zero: the pivot of row i is its greatest entry in a
  * column that is no pivot's, and that column is column[i]; what is right of it is in the columns that follow there.  The

@@ -16,28 +16,13 @@
 #include <stdlib.h>
 
 #include "elements/measure.h"
+#include "numerics/islands.h"
 #include "scene/reference.h"
 
 /* ---- islands ---- */
-static int island_of(pm_dependency *x, int body)
-{
-    while (x->island[body] != body) body = x->island[body] = x->island[x->island[body]];
-    return body;
-}
-
 static void unite(pm_dependency *x, const int body[2])
 {
-    if (body[0] < 0 || body[1] < 0) return;
-    const int a = island_of(x, body[0]), b = island_of(x, body[1]);
-    x->island[a > b ? a : b] = a > b ? b : a;
-}
-
-static int body_of(const pm_model *m, int of, int index)
-{
-    if (of == PM_TABLE_LINE) return body_of(m, PM_TABLE_POINT, PM_LINE_ROW(m, index)[PM_LINE_POINT]);
-    if (of == PM_TABLE_CIRCLE) return body_of(m, PM_TABLE_POINT, PM_CIRCLE_ROW(m, index)[PM_CIRCLE_POINT]);
-    if (of == PM_TABLE_ROW) return body_of(m, PM_TABLE_POINT, PM_ROW_ROW(m, index)[PM_ROW_POINT]);
-    return of == PM_TABLE_POINT ? PM_POINT_ROW(m, index)[PM_POINT_BODY] : index;
+    if (body[0] >= 0 && body[1] >= 0) pm_islands_join(x->island, body[0], body[1]);
 }
 
 /* The bodies that a joint, contact or force acts on.  An applied force only takes its axes from its second one. */
@@ -54,7 +39,7 @@ static void bodies_of(const pm_model *m, int table, int row, int body[2])
     body[0] = body[1] = PM_GROUND;
     for (int k = 0, found = 0; k < n && found < (alone ? 1 : 2); k++)
         if (ref[k].of >= PM_TABLE_BODY && ref[k].of <= PM_TABLE_ROW)
-            body[found++] = body_of(m, ref[k].of, e[ref[k].column]);
+            body[found++] = pm_model_body_of(m, ref[k].of, e[ref[k].column]);
 }
 
 static const int elements[] = {PM_TABLE_JOINT, PM_TABLE_CONTACT, PM_TABLE_FORCE};
@@ -62,7 +47,7 @@ enum { NELEMENTS = sizeof elements / sizeof *elements };
 
 static void find_islands(const pm_model *m, pm_dependency *x)
 {
-    for (int i = 0; i < m->nbody; i++) x->island[i] = i;
+    pm_islands_begin(x->island, m->nbody);
     for (int k = 0; k < NELEMENTS; k++)
         for (int i = 0; i < m->rows[elements[k]]; i++) {
             int body[2];
@@ -143,9 +128,9 @@ static int add_islands(const pm_model *m, pm_dependency *x)
 {
     int more = 0;
     for (int i = 0; i < m->nbody; i++)
-        if (x->row[PM_TABLE_BODY][i]) more |= mark(x, PM_TABLE_BODY, island_of(x, i));
+        if (x->row[PM_TABLE_BODY][i]) more |= mark(x, PM_TABLE_BODY, pm_islands_root(x->island, i));
     for (int i = 0; i < m->nbody; i++)
-        if (x->row[PM_TABLE_BODY][island_of(x, i)]) more |= mark(x, PM_TABLE_BODY, i);
+        if (x->row[PM_TABLE_BODY][pm_islands_root(x->island, i)]) more |= mark(x, PM_TABLE_BODY, i);
     return more;
 }
 
@@ -155,7 +140,7 @@ static int add_marks(const pm_model *m, pm_dependency *x)
     int more = 0;
     for (int of = PM_TABLE_POINT; of <= PM_TABLE_ROW; of++)
         for (int i = 0; i < m->rows[of]; i++) {
-            const int body = body_of(m, of, i);
+            const int body = pm_model_body_of(m, of, i);
             if (body == PM_GROUND || is_needed_body(x, body)) more |= mark(x, of, i);
         }
     return more;
@@ -179,7 +164,7 @@ static int add_starts(const pm_model *m, pm_dependency *x)
     int more = 0;
     for (int i = 0; i < m->rows[PM_TABLE_START]; i++) {
         const int32_t *e = PM_MEASURE_ROW(m, PM_START_ROW(m, i)[PM_START_MEASURE]);
-        const int body = body_of(m, pm_measure_of(e[PM_MEASURE_KIND]), e[PM_MEASURE_A]);
+        const int body = pm_model_body_of(m, pm_measure_of(e[PM_MEASURE_KIND]), e[PM_MEASURE_A]);
         if (is_needed_body(x, body) || is_needed_body(x, e[PM_MEASURE_IN]))
             more |= mark(x, PM_TABLE_START, i);
     }
@@ -192,7 +177,7 @@ static int add_actions(const pm_model *m, pm_dependency *x)
     for (int i = 0; i < m->rows[PM_TABLE_ACTION]; i++) {
         const int32_t *e = PM_ACTION_ROW(m, i);
         const int kind = e[PM_ACTION_KIND], a = e[PM_ACTION_A];
-        const int body = body_of(m, kind == PM_ACTION_IMPULSE ? PM_TABLE_POINT : PM_TABLE_BODY, a);
+        const int body = pm_model_body_of(m, kind == PM_ACTION_IMPULSE ? PM_TABLE_POINT : PM_TABLE_BODY, a);
         const int needed = kind <= PM_ACTION_REMOVE ? x->row[e[PM_ACTION_TABLE]][a] : is_needed_body(x, body);
         if (kind == PM_ACTION_NUDGE || needed) /* where a nudge leads nowhere the run says so */
             more |= mark(x, PM_TABLE_ACTION, i);

@@ -105,6 +105,27 @@ static inline int pm_model_element(const pm_model *m, int table, int row)
     return row + (table == PM_TABLE_JOINT ? 0 : table == PM_TABLE_CONTACT ? joints : joints + contacts);
 }
 
+/* The body of entry `index` of table `of`: a body itself, or a mark (a point, or what is given by one). */
+static inline int pm_model_body_of(const pm_model *m, int of, int index)
+{
+    const int point = of == PM_TABLE_LINE     ? PM_LINE_ROW(m, index)[PM_LINE_POINT]
+                      : of == PM_TABLE_CIRCLE ? PM_CIRCLE_ROW(m, index)[PM_CIRCLE_POINT]
+                      : of == PM_TABLE_ROW    ? PM_ROW_ROW(m, index)[PM_ROW_POINT]
+                                              : index;
+    return of >= PM_TABLE_POINT && of <= PM_TABLE_ROW ? PM_POINT_ROW(m, point)[PM_POINT_BODY] : index;
+}
+
+/* Whether some event adds or removes a joint, contact or force. */
+static inline int pm_model_is_changed(const pm_model *m, int table, int row)
+{
+    for (int i = 0; i < m->rows[PM_TABLE_ACTION]; i++) {
+        const int32_t *e = PM_ACTION_ROW(m, i);
+        if (e[PM_ACTION_KIND] <= PM_ACTION_REMOVE && e[PM_ACTION_TABLE] == table && e[PM_ACTION_A] == row)
+            return 1;
+    }
+    return 0;
+}
+
 /* Where a case fails: a row of a table (PM_NONE: nowhere in particular), and the numbers of the message. */
 typedef struct pm_where {
     int table, row, member;

@@ -7,81 +7,82 @@
 
 #include "elements/constraint.h"
 #include "equations/fixed_bodies.h"
+#include "state/arena.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 #include "tree/tree_node.h"
 
-static void lay_augmented(pm_tree_augmented *x, size_t n, double *block)
+/* most: coordinates that move a body, over all bodies; summed: coordinates of which sums are kept. */
+static int create_arrays(pm_tree *t, const pm_model *m)
 {
-    x->most = (int)n;
-    x->same = block;
-    x->cross = x->same + n * n;
-    x->level = x->cross + n * n;
-    x->lower = x->level + n * n;
-    x->upper = x->lower + 2 * n * n;
-    x->fixed = x->upper + 2 * n * n;
-    x->direction = x->fixed + 2 * n;
-    x->square = x->direction + 2 * n;
-    x->weight = x->square + n;
-    x->arm = x->weight + 2 * n;
+    const size_t nq = (size_t)m->nq, nrow = (size_t)m->nrow, nbody = (size_t)m->nbody, most = nbody * nq,
+                 summed = nq < PM_TREE_SUMMED ? nq : PM_TREE_SUMMED, square = summed * summed;
+    pm_tree_augmented *a = &t->augmented;
+    pm_elimination *e = &t->elimination;
+    const pm_array array[] = {
+        PM_ARRAY(t->jacobian, nrow * nq),
+        PM_ARRAY(t->mass, nq * nq),
+        PM_ARRAY(t->reduced, nrow * nq),
+        PM_ARRAY(t->schur, nrow * nrow),
+        PM_ARRAY(t->influence, 3 * most),
+        PM_ARRAY(t->residual, 2 * nrow),
+        PM_ARRAY(t->force, nq),
+        PM_ARRAY(t->bias, nq),
+        PM_ARRAY(t->wrench, nq),
+        PM_ARRAY(t->q, nq),
+        PM_ARRAY(t->v, nq),
+        PM_ARRAY(t->rate, nq),
+        PM_ARRAY(t->part.motion, PM_TREE_FEW * nq),
+        PM_ARRAY(t->part.jacobian, nrow * nq),
+        PM_ARRAY(a->same, square),
+        PM_ARRAY(a->cross, square),
+        PM_ARRAY(a->level, square),
+        PM_ARRAY(a->lower, 2 * square),
+        PM_ARRAY(a->upper, 2 * square),
+        PM_ARRAY(a->fixed, 2 * summed),
+        PM_ARRAY(a->direction, 2 * summed),
+        PM_ARRAY(a->square, summed),
+        PM_ARRAY(a->weight, 2 * summed),
+        PM_ARRAY(a->arm, 2 * most),
+        PM_ARRAY(a->owner, nq),
+        PM_ARRAY(t->node, nbody),
+        PM_ARRAY(t->loop, nrow),
+        PM_ARRAY(t->kind, nq),
+        PM_ARRAY(t->pivot, nq + nrow),
+        PM_ARRAY(t->first_coupled, nq),
+        PM_ARRAY(t->placed, nbody),
+        PM_ARRAY(t->moved_by, most),
+        PM_ARRAY(t->from, nrow),
+        PM_ARRAY(t->to, nrow),
+        PM_ARRAY(t->first_loop, nrow),
+        PM_ARRAY(t->part.column, nq),
+        PM_ARRAY(t->part.position, nq),
+        PM_ARRAY(t->part.left, nrow),
+        PM_ARRAY(t->part.bottom, nrow),
+        PM_ARRAY(t->part.right, nrow),
+        PM_ARRAY(t->weight, nbody),
+        PM_ARRAY(t->top, nbody),
+        PM_ARRAY(t->used, nrow),
+        PM_ARRAY(e->low, nrow),
+        PM_ARRAY(e->high, nrow),
+        PM_ARRAY(e->first, nrow),
+        PM_ARRAY(e->last, nrow),
+        PM_ARRAY(e->place, nq),
+        PM_ARRAY(e->filled, nq),
+    };
+    a->most = (int)summed;
+    return pm_arena_create(&t->block, PM_ARRAYS(array));
 }
 
 int pm_tree_create(pm_workspace *w)
 {
-    const pm_model *m = w->model;
-    const size_t nq = (size_t)m->nq, nrow = (size_t)m->nrow, nbody = (size_t)m->nbody;
-    pm_tree *t = w->tree = calloc(1, sizeof *t);
-    if (!t) return PM_NO_MEMORY;
-    const size_t most = nbody * nq; /* coordinates that move a body, over all bodies */
-    const size_t summed = nq < PM_TREE_SUMMED ? nq : PM_TREE_SUMMED;
-    const size_t own = nq * nq + 3 * most + 3 * nrow * nq + nrow * nrow + (6 + PM_TREE_FEW) * nq + 3 * nrow;
-    const size_t doubles = own + 7 * summed * summed + 7 * summed + 2 * most,
-                 ints =
-                     (8 + PM_ELIMINATION_ROWS) * nrow + (6 + PM_ELIMINATION_COLUMNS) * nq + 3 * nbody + most;
-    double *p = t->block = calloc(doubles * sizeof *p + ints * sizeof(int) + nrow + 1, 1);
-    t->node = calloc(nbody + 1, sizeof *t->node);
-    if (!p || !t->node) return PM_NO_MEMORY;
-    t->jacobian = p;
-    t->mass = t->jacobian + nrow * nq;
-    t->reduced = t->mass + nq * nq;
-    t->schur = t->reduced + nrow * nq;
-    t->influence = t->schur + nrow * nrow;
-    t->residual = t->influence + 3 * most;
-    t->force = t->residual + 2 * nrow;
-    t->bias = t->force + nq;
-    t->wrench = t->bias + nq;
-    t->q = t->wrench + nq;
-    t->v = t->q + nq;
-    t->rate = t->v + nq;
-    t->part.motion = t->rate + nq;
-    t->part.jacobian = t->part.motion + PM_TREE_FEW * nq;
-    lay_augmented(&t->augmented, summed, p + own);
-    t->loop = (int *)(void *)(p + doubles);
-    t->kind = t->loop + nrow;
-    t->pivot = t->kind + nq;
-    t->first_coupled = t->pivot + nq + nrow;
-    t->placed = t->first_coupled + nq;
-    t->moved_by = t->placed + nbody;
-    t->from = t->moved_by + most;
-    t->to = t->from + nrow;
-    t->first_loop = t->to + nrow;
-    t->part.column = t->first_loop + nrow;
-    t->part.position = t->part.column + nq;
-    t->part.left = t->part.position + nq;
-    t->part.bottom = t->part.left + nrow;
-    t->part.right = t->part.bottom + nrow;
-    t->augmented.owner = t->part.right + nrow;
-    t->weight = t->augmented.owner + nq;
-    t->top = t->weight + nbody;
-    t->used = (unsigned char *)pm_elimination_create(&t->elimination, nrow, nq, t->top + nbody);
-    return PM_OK;
+    w->tree = calloc(1, sizeof *w->tree);
+    return w->tree ? create_arrays(w->tree, w->model) : PM_NO_MEMORY;
 }
 
 void pm_tree_free(pm_workspace *w)
 {
-    if (!w->tree) return;
-    free(w->tree->node);
-    free(w->tree->block);
+    if (w->tree) free(w->tree->block);
     free(w->tree);
     w->tree = NULL;
 }

@@ -53,7 +53,7 @@ typedef struct pm_tree_part {
 } pm_tree_part;
 
 /* ---- trees of a few coordinates (tree_small.c) ---- */
-#define PM_SWIFT_MOST 4 /* coordinates: each number of them has code of its own */
+#define PM_TREE_SMALL_MOST 4 /* coordinates: each number of them has code of its own */
 
 /* a cos y + b sin y */
 typedef struct pm_tree_small_wave {
@@ -64,8 +64,8 @@ typedef struct pm_tree_small_wave {
  * its bodies: with the levers of its own marks. */
 typedef struct pm_tree_small_row {
     double constant;
-    double shift[PM_SWIFT_MOST];
-    pm_tree_small_wave wave[PM_SWIFT_MOST];
+    double shift[PM_TREE_SMALL_MOST];
+    pm_tree_small_wave wave[PM_TREE_SMALL_MOST];
     double square;
     int turning[2]; /* the coordinates that turn its bodies, or PM_NONE */
     pm_tree_small_wave lever[2];
@@ -75,17 +75,17 @@ typedef struct pm_tree_small_row {
 typedef struct pm_tree_small {
     int on, n, nloop;
     /* coordinates i > k: see tree_augmented.c */
-    double same[PM_SWIFT_MOST][PM_SWIFT_MOST], cross[PM_SWIFT_MOST][PM_SWIFT_MOST],
-        level[PM_SWIFT_MOST][PM_SWIFT_MOST];
+    double same[PM_TREE_SMALL_MOST][PM_TREE_SMALL_MOST], cross[PM_TREE_SMALL_MOST][PM_TREE_SMALL_MOST],
+        level[PM_TREE_SMALL_MOST][PM_TREE_SMALL_MOST];
     int shifts;
-    pm_tree_small_wave fixed[PM_SWIFT_MOST][PM_SWIFT_MOST]; /* e_i . R_k d_k, summed */
-    double weight[PM_SWIFT_MOST];
-    pm_tree_small_wave turned_weight[PM_SWIFT_MOST];
-    int owner[PM_SWIFT_MOST];      /* the body whose direction it is, or PM_NONE */
-    double turning[PM_SWIFT_MOST]; /* 1, or 0 where it turns nothing */
-    pm_tree_small_row row[PM_SWIFT_MOST - 1];
+    pm_tree_small_wave fixed[PM_TREE_SMALL_MOST][PM_TREE_SMALL_MOST]; /* e_i . R_k d_k, summed */
+    double weight[PM_TREE_SMALL_MOST];
+    pm_tree_small_wave turned_weight[PM_TREE_SMALL_MOST];
+    int owner[PM_TREE_SMALL_MOST];      /* the body whose direction it is, or PM_NONE */
+    double turning[PM_TREE_SMALL_MOST]; /* 1, or 0 where it turns nothing */
+    pm_tree_small_row row[PM_TREE_SMALL_MOST - 1];
     /* where directions were computed last */
-    double y[PM_SWIFT_MOST], cosine[PM_SWIFT_MOST], sine[PM_SWIFT_MOST];
+    double y[PM_TREE_SMALL_MOST], cosine[PM_TREE_SMALL_MOST], sine[PM_TREE_SMALL_MOST];
 } pm_tree_small;
 
 typedef struct pm_tree {

@@ -16,35 +16,15 @@
 #include <math.h>
 #include <string.h>
 
-#include "elements/joint_friction.h"
 #include "numerics/lanes.h"
 #include "numerics/tolerances.h"
 #include "state/workspace.h"
 
-#define MOST PM_SWIFT_MOST
+#define MOST PM_TREE_SMALL_MOST
 #define PIVOT_LOSS 1e-14 /* as in dense.c */
 #define INLINE static inline __attribute__((always_inline))
 
-int pm_tree_small_applies(const pm_workspace *w)
-{
-    return w->tree->small.on && !w->tree->part.few && !w->active.asymmetric && !w->numbers.massless &&
-           !pm_joint_friction_by_load(w);
-}
-
 /* ---- directions ---- */
-void pm_tree_small_refer(pm_workspace *w, const double *y)
-{
-    pm_tree_small *x = &w->tree->small;
-    for (int k = 0; k < x->n; k++) {
-        if (x->y[k] == y[k]) continue;
-        const double *pose = w->frame.pose + 5 * x->owner[k];
-        const int there = x->owner[k] != PM_NONE && pose[2] == y[k];
-        x->y[k] = y[k];
-        x->cosine[k] = x->owner[k] == PM_NONE ? 1 : there ? pose[3] : cos(y[k]);
-        x->sine[k] = x->owner[k] == PM_NONE ? 0 : there ? pose[4] : sin(y[k]);
-    }
-}
-
 /* Cosine and sine of a body's direction. */
 typedef struct pm_tree_small_direction {
     double c, s;
@@ -87,11 +67,6 @@ typedef struct pm_tree_small_place {
     double reduced[MOST][MOST]; /* X */
     double schur[MOST][MOST];   /* like mass */
 } pm_tree_small_place;
-
-INLINE void look(const pm_tree_small *x, int n, const double *y, pm_tree_small_place *p)
-{
-    direct(x, n, y, p->direction);
-}
 
 /* How a wave changes with its angle. */
 INLINE double slope(const pm_tree_small_wave *x, pm_tree_small_direction at)
@@ -305,7 +280,7 @@ INLINE int derivative(pm_workspace *w, int n, int nloop, const double *y, double
     const pm_tree_small *x = &w->tree->small;
     pm_tree_small_place p;
     double square[MOST], gamma[MOST], f[MOST];
-    look(x, n, y, &p);
+    direct(x, n, y, p.direction);
     for (int k = 0; k < n; k++) {
         rate[k] = y[n + k];
         square[k] = x->turning[k] * y[n + k] * y[n + k];
@@ -360,7 +335,7 @@ INLINE int project(pm_workspace *w, int n, int nloop, double *y, double *ydot)
     double opening[MOST], before = INFINITY, worst = 0;
     int status, factored = 0;
     for (int sweep = 0;; sweep++) {
-        look(x, n, y, &p);
+        direct(x, n, y, p.direction);
         worst = openings(x, n, nloop, y, &p, opening);
         if (worst <= PM_MET * w->numbers.size || sweep == PM_PROJECTION_SWEEPS ||
             (sweep > 1 && worst > 0.5 * before))

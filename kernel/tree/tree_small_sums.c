@@ -4,12 +4,13 @@
 #include <string.h>
 
 #include "elements/constraint.h"
+#include "elements/joint_friction.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 #include "tree/tree.h"
 #include "tree/tree_node.h"
 
-#define MOST PM_SWIFT_MOST
+#define MOST PM_TREE_SMALL_MOST
 
 /* The wave of n . R_k d from what it is now, lever = R_k d. */
 static pm_tree_small_wave wave_of(const double n[2], const double lever[2], const double direction[2])
@@ -120,6 +121,25 @@ static void read_sums(const pm_workspace *w, pm_tree_small *x)
         x->turning[i] = a->owner[i] != PM_NONE;
     }
     x->shifts = a->shifts;
+}
+
+int pm_tree_small_applies(const pm_workspace *w)
+{
+    return w->tree->small.on && !w->tree->part.few && !w->active.asymmetric && !w->numbers.massless &&
+           !pm_joint_friction_by_load(w);
+}
+
+void pm_tree_small_refer(pm_workspace *w, const double *y)
+{
+    pm_tree_small *x = &w->tree->small;
+    for (int k = 0; k < x->n; k++) {
+        if (x->y[k] == y[k]) continue;
+        const double *pose = w->frame.pose + 5 * x->owner[k];
+        const int there = x->owner[k] != PM_NONE && pose[2] == y[k];
+        x->y[k] = y[k];
+        x->cosine[k] = x->owner[k] == PM_NONE ? 1 : there ? pose[3] : cos(y[k]);
+        x->sine[k] = x->owner[k] == PM_NONE ? 0 : there ? pose[4] : sin(y[k]);
+    }
 }
 
 void pm_tree_small_sum_up(pm_workspace *w)

@@ -49,11 +49,16 @@ FAULTS = [
         "WIDE, PM_CLEARLY_INDEPENDENT}",
         "WIDE, 0}",
     ),
-    Fault("still: a joint that may go holds", "equations/fixed_bodies.c", "is_changed(m, i) || ", ""),
+    Fault(
+        "still: a joint that may go holds",
+        "equations/fixed_bodies.c",
+        "pm_model_is_changed(m, PM_TABLE_JOINT, i) || ",
+        "",
+    ),
     Fault(
         "still: reactions are not told",
         "equations/fixed_bodies.c",
-        "w->fixed->told[e[PM_MEASURE_A]] = 1;",
+        "w->fixed->is_asked[e[PM_MEASURE_A]] = 1;",
         ";",
     ),
     Fault(
@@ -66,7 +71,7 @@ FAULTS = [
     Fault(
         "still: what moves holds",
         "equations/fixed_bodies.c",
-        "if (!x->body[other] && place <= i) continue;",
+        "if (!w->numbers.fixed[other] && place <= i) continue;",
         "if (place == i) continue;",
     ),
     Fault(
@@ -79,7 +84,7 @@ FAULTS = [
     Fault(
         "reach: a joint that may go holds",
         "equations/gap_bounds.c",
-        "if (is_changed(w->model, PM_TABLE_JOINT, joint)) return 0;",
+        "if (pm_model_is_changed(w->model, PM_TABLE_JOINT, joint)) return 0;",
         "",
     ),
     Fault(

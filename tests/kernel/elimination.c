@@ -12,7 +12,7 @@
 typedef struct system {
     int rows, n;
     double a[MOST * MOST], f[MOST * MOST]; /* as it was, and eliminated */
-    int column[MOST], scratch[(PM_ELIMINATION_ROWS + PM_ELIMINATION_COLUMNS) * MOST];
+    int column[MOST], scratch[6][MOST];
     pm_elimination x;
 } system;
 
@@ -21,7 +21,12 @@ static void clear(system *s, int rows, int n)
     memset(s, 0, sizeof *s);
     s->rows = rows;
     s->n = n;
-    pm_elimination_create(&s->x, (size_t)rows, (size_t)n, s->scratch);
+    s->x = (pm_elimination){.low = s->scratch[0],
+                            .high = s->scratch[1],
+                            .first = s->scratch[2],
+                            .last = s->scratch[3],
+                            .place = s->scratch[4],
+                            .filled = s->scratch[5]};
 }
 
 static double eliminate(system *s)
