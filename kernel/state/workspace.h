@@ -69,7 +69,7 @@ typedef struct pm_ledger {
     double evidence;         /* worst relative disagreement that the path route found */
 } pm_ledger;
 
-/* How the present phase is computed (run/plan.h). */
+/* How the present phase is computed (run/plan.c). */
 typedef struct pm_phase {
     const struct pm_route_ops *route;
     int kinematic;   /* the run needs no accelerations */
