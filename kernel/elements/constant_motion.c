@@ -1,13 +1,11 @@
-/* constant_motion.c - the rules that rows share, and the check over rows and forces. */
+/* constant_motion.c - the curve, and the rules by which constraints and forces judge whether they stay the same along it. */
 #include "elements/constant_motion.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "elements/constraint.h"
-#include "elements/force.h"
-#include "elements/turning_plane.h"
-#include "scene/program_class.h"
+#include "expression/program_class.h"
 #include "state/workspace.h"
 
 #define CENTRED 1e-15  /* of the scene's size: a mark this near to the mass centre is the mass centre */
@@ -84,23 +82,5 @@ int pm_constant_motion_together(const pm_frame *frame, const pm_constant_motion 
         const int a = 3 * row->body[0] + k, b = 3 * row->body[1] + k;
         if (fabs(x->v[a] - x->v[b]) > x->speed || fabs(x->a[a] - x->a[b]) > x->acceleration) return 0;
     }
-    return 1;
-}
-
-/* Active rows, and behind them the tangents that sliding normals carry, closed by an entry without normal. */
-static int rows_hold(const pm_workspace *w, const pm_constant_motion *x)
-{
-    for (int i = 0; i < w->active.n || w->active.row[i].normal != PM_NONE; i++) {
-        const pm_constraint_ops *ops = pm_constraint_kind(w->active.row[i].kind);
-        if (!ops->steady || !ops->steady(&w->frame, &w->active.row[i], x)) return 0;
-    }
-    return 1;
-}
-
-int pm_constant_motion_holds(pm_workspace *w, const pm_constant_motion *x)
-{
-    if (pm_turning_plane_turns(w->model) || !rows_hold(w, x)) return 0;
-    for (int i = 0; i < w->model->rows[PM_TABLE_FORCE]; i++)
-        if (!pm_force_steady(w, i, x)) return 0;
     return 1;
 }

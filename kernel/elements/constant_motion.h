@@ -3,7 +3,7 @@
  * Suppose that from now on q = q0 + v t + a t^2/2 with a constant a.  If along that curve every active row keeps its
  * Jacobian, every applied force its generalised forces, and M its value, then the accelerations stay a, and the curve
  * *is* the motion: a solution of the equations of motion is unique.  Whether a row or force stays the same is a rule of
- * its kind (pm_constraint_ops.steady, pm_force_steady), judged by what moves along the curve: a body turns or not, two marks
+ * its kind (pm_constraint_ops.steady, pm_force_ops.steady), judged by what moves along the curve: a body turns or not, two marks
  * keep their distance vector or not.
  *
  * A body whose angle is held by angle rows alone (a slider or weld that does not turn, up to the ground) cannot turn
@@ -27,8 +27,6 @@ struct pm_constant_motion {
 /* Copies v and a with rounding set to zero and fills x->turns (also `turns`) and x->locked; v, a: [nq + 3]. */
 void pm_constant_motion_curve(const pm_workspace *w, double *v, double *a, unsigned char *turns,
                               unsigned char *locked, pm_constant_motion *x);
-/* All active rows and all forces of the scene stay the same along the curve. */
-int pm_constant_motion_holds(pm_workspace *w, const pm_constant_motion *x);
 
 /* The mark keeps its place relative to its body's mass centre as seen in the scene: the body does not turn, or the mark
  * is the mass centre. */

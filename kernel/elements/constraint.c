@@ -1,26 +1,5 @@
-/* constraint.c - the table of row kinds, and what all rows share. */
+/* constraint.c - what all kinds of constraints share: their two marks, their Jacobian, bounds of their motion. */
 #include "elements/constraint.h"
-
-#include "elements/drive.h"
-#include "state/workspace.h"
-
-const pm_constraint_ops *pm_constraint_kind(int kind)
-{
-    static const pm_constraint_ops *const kinds[PM_CONSTRAINT_KINDS] = {
-        [PM_CONSTRAINT_POINT_X] = &pm_constraint_point_x,
-        [PM_CONSTRAINT_POINT_Y] = &pm_constraint_point_y,
-        [PM_CONSTRAINT_LINE_NORMAL] = &pm_constraint_line_normal,
-        [PM_CONSTRAINT_LINE_TANGENT] = &pm_constraint_line_tangent,
-        [PM_CONSTRAINT_DISTANCE] = &pm_constraint_distance,
-        [PM_CONSTRAINT_CIRCLE_TANGENT] = &pm_constraint_circle_tangent,
-        [PM_CONSTRAINT_ANGLE] = &pm_constraint_angle,
-        [PM_CONSTRAINT_STRAND] = &pm_constraint_strand,
-        [PM_CONSTRAINT_DRIVE_X] = &pm_constraint_drive_x,
-        [PM_CONSTRAINT_DRIVE_Y] = &pm_constraint_drive_y,
-        [PM_CONSTRAINT_RATIO] = &pm_constraint_ratio,
-    };
-    return kinds[kind];
-}
 
 pm_marks pm_constraint_marks(const pm_frame *frame, const pm_constraint *row)
 {
@@ -67,19 +46,14 @@ void pm_constraint_along(pm_constraint *row, const pm_marks *x, const double n[2
     row->j[5] = -factor * pm_cross(x->b.r, n);
 }
 
-double pm_constraint_rate(const pm_frame *frame, const pm_constraint *row)
+double pm_constraint_times(const pm_frame *frame, const pm_constraint *row, const double *x)
 {
-    pm_line_of_action x;
-    pm_constraint_kind(row->kind)->act(frame, row, &x);
-    double u[2];
-    const double *va = frame->velocity + 3 * row->body[0], *vb = frame->velocity + 3 * row->body[1];
-    const double *pa = frame->pose + 5 * row->body[0], *pb = frame->pose + 5 * row->body[1];
-    u[0] = (va[0] - va[2] * (x.at[1] - pa[1])) - (vb[0] - vb[2] * (x.at[1] - pb[1]));
-    u[1] = (va[1] + va[2] * (x.at[0] - pa[0])) - (vb[1] + vb[2] * (x.at[0] - pb[0]));
-    return pm_dot(u, x.direction) + x.couple[0] * va[2] + x.couple[1] * vb[2];
-}
-
-double pm_constraint_slip(const pm_frame *frame, const pm_constraint *row)
-{
-    return pm_constraint_rate(frame, row) - pm_drive_rate(frame, row->drive);
+    const int ground = frame->model->nbody;
+    double sum = 0;
+    for (int p = 0; p < 2; p++) {
+        if (row->body[p] == ground) continue;
+        const double *y = x + 3 * row->body[p], *j = row->j + 3 * p;
+        sum += j[0] * y[0] + j[1] * y[1] + j[2] * y[2];
+    }
+    return sum;
 }

@@ -100,6 +100,10 @@ static inline int pm_constraint_is_inner(const pm_workspace *w, const pm_constra
     return !still[row->body[0]] && !still[row->body[1]] && row->ratio == 1;
 }
 
+/* j x of a row that is evaluated; x[nq]: velocities, accelerations, a direction. */
+double pm_constraint_times(const pm_frame *frame, const pm_constraint *row, const double *x);
+/* All active constraints keep their Jacobian along the curve. */
+int pm_constraint_all_steady(const pm_workspace *w, const pm_constant_motion *x);
 /* Rate of a row from the geometry of its line of action (equals j v). */
 double pm_constraint_rate(const pm_frame *frame, const pm_constraint *row);
 /* The same relative to its prescribed rate: how a surface slips on a moving belt. */
@@ -127,6 +131,22 @@ typedef struct pm_constraint_reach {
 } pm_constraint_reach;
 pm_constraint_reach pm_constraint_reach_of(const pm_constraint *row, const pm_marks *x, const double *a,
                                            double h);
+
+/* ---- marks: points, lines and circles of the tables, with the numbers of the case (constraint_marks.c) ---- */
+/* A row of a kind that belongs to nothing yet. */
+pm_constraint pm_constraint_marks_blank(int kind);
+
+void pm_constraint_marks_points(const pm_frame *frame, pm_constraint *row, int a, int b);
+void pm_constraint_marks_point_and_line(const pm_frame *frame, pm_constraint *row, int point, int line);
+void pm_constraint_marks_circle_and_line(const pm_frame *frame, pm_constraint *row, int circle, int line);
+/* Side 1: outside each other; -1: a inside b; -2: b inside a. */
+void pm_constraint_marks_circles(const pm_frame *frame, pm_constraint *row, int a, int b, double side);
+void pm_constraint_marks_radii(pm_constraint *row, double radius_a, double radius_b, double side);
+/* A strand from circle a to circle b; which way round each it goes is the sign of its radius. */
+void pm_constraint_marks_strand(const pm_frame *frame, pm_constraint *row, int a, int b, double sense_a,
+                                double sense_b);
+/* Circle and member of a periodic row of points. */
+void pm_constraint_marks_member(const pm_frame *frame, pm_constraint *row, int circle, int of, int member);
 
 /* No overflow is possible at the scale of scenes: a plain root is an eighth of hypot's price. */
 static inline double pm_length(const double a[2]) { return sqrt(a[0] * a[0] + a[1] * a[1]); }

@@ -1,5 +1,4 @@
 /* constraint_marks.c - the two marks of a row (points, lines, circles of the model's tables) with the numbers of the case. */
-#include "elements/constraint_marks.h"
 
 #include <math.h>
 #include <string.h>

@@ -7,7 +7,6 @@
 #include "elements/capture.h"
 #include "elements/constraint.h"
 #include "elements/edge.h"
-#include "equations/saddle.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 
@@ -138,7 +137,7 @@ double pm_contact_member_gap(const pm_frame *frame, int contact, int member, dou
     pm_constraint normal;
     pm_contact_constraint_normal(frame, contact, frame->model->contact_slot[contact], member, &normal);
     pm_constraint_kind(normal.kind)->evaluate(frame, &normal);
-    if (rate) *rate = pm_saddle_times(frame, &normal, frame->v);
+    if (rate) *rate = pm_constraint_times(frame, &normal, frame->v);
     return normal.g;
 }
 

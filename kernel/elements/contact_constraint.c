@@ -1,6 +1,5 @@
 /* contact_constraint.c - the normal and the tangential row of a contact that is closed, or may close. */
 #include "elements/constraint.h"
-#include "elements/constraint_marks.h"
 #include "elements/edge.h"
 #include "state/workspace.h"
 

@@ -6,7 +6,7 @@
 #include "elements/drive.h"
 
 #include "expression/program.h"
-#include "scene/program_class.h"
+#include "expression/program_class.h"
 #include "state/workspace.h"
 
 #define GAUSS 5 /* pairs of nodes: exact for polynomials up to degree 19 */

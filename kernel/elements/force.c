@@ -7,7 +7,7 @@
 #include "elements/joint_friction.h"
 #include "elements/turning_plane.h"
 #include "expression/program.h"
-#include "scene/program_class.h"
+#include "expression/program_class.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 
@@ -86,7 +86,7 @@ static void rotary_damper(pm_workspace *w, const int32_t *e, pm_action *x)
 static void couple(pm_workspace *w, const int32_t *e, pm_action *x)
 {
     relative_turn(&w->frame, e, x);
-    x->couple = pm_program_run(w->model, e[PM_FORCE_PROGRAM_X], w->numbers.param, w->numbers.value, w);
+    x->couple = pm_program_run(w, e[PM_FORCE_PROGRAM_X]);
     x->power = x->couple * x->rate;
 }
 
@@ -94,8 +94,8 @@ static void applied(pm_workspace *w, const int32_t *e, pm_action *x)
 {
     const pm_point a = pm_frame_point_of(&w->frame, e[PM_FORCE_A]);
     const double *axes = w->frame.pose + 5 * pm_body_index(w->model, e[PM_FORCE_B]);
-    const double fx = pm_program_run(w->model, e[PM_FORCE_PROGRAM_X], w->numbers.param, w->numbers.value, w);
-    const double fy = pm_program_run(w->model, e[PM_FORCE_PROGRAM_Y], w->numbers.param, w->numbers.value, w);
+    const double fx = pm_program_run(w, e[PM_FORCE_PROGRAM_X]);
+    const double fy = pm_program_run(w, e[PM_FORCE_PROGRAM_Y]);
     x->body_a = a.body;
     x->at_a[0] = a.p[0];
     x->at_a[1] = a.p[1];
@@ -163,11 +163,15 @@ const pm_force_ops *pm_force_of(const pm_model *m, int force)
     return &kinds[PM_FORCE_ROW(m, force)[PM_FORCE_KIND]];
 }
 
-int pm_force_steady(const pm_workspace *w, int i, const pm_constant_motion *x)
+int pm_force_all_steady(const pm_workspace *w, const pm_constant_motion *x)
 {
-    const pm_force_ops *ops = pm_force_of(w->model, i);
-    if (pm_state_is_absent(w->model, &w->state, PM_TABLE_FORCE, i)) return 1;
-    return ops->steady && ops->steady(&w->frame, PM_FORCE_ROW(w->model, i), x);
+    if (pm_turning_plane_turns(w->model)) return 0;
+    for (int i = 0; i < w->model->rows[PM_TABLE_FORCE]; i++) {
+        const pm_force_ops *ops = pm_force_of(w->model, i);
+        if (pm_state_is_absent(w->model, &w->state, PM_TABLE_FORCE, i)) continue;
+        if (!ops->steady || !ops->steady(&w->frame, PM_FORCE_ROW(w->model, i), x)) return 0;
+    }
+    return 1;
 }
 
 pm_action pm_force_action(pm_workspace *w, int i)

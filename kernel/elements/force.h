@@ -37,6 +37,7 @@ pm_action pm_force_action(pm_workspace *w, int i);
 /* Fills frame.f (all applied forces on q, weight included) and frame.power. */
 void pm_force_all(pm_workspace *w);
 double pm_force_potential(pm_workspace *w);
-int pm_force_steady(const pm_workspace *w, int i, const struct pm_constant_motion *x);
+/* All forces of the scene stay the same along the curve: in a plane that turns none does. */
+int pm_force_all_steady(const pm_workspace *w, const struct pm_constant_motion *x);
 
 #endif

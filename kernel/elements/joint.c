@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "elements/constraint.h"
-#include "elements/constraint_marks.h"
 #include "state/workspace.h"
 
 static void put(const pm_frame *frame, const int32_t *e, pm_constraint *row, int kind,

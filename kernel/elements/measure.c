@@ -7,6 +7,7 @@
 #include "elements/constraint.h"
 #include "elements/joint.h"
 #include "elements/measure_kinds.h"
+#include "expression/program.h"
 #include "state/workspace.h"
 
 enum { ALL_ALLOWED = 1, CAN_START_POSITION = 2, CAN_START_VELOCITY = 4 };
@@ -102,16 +103,10 @@ double pm_measure_signed(pm_workspace *w, int i)
     return read_off(&x);
 }
 
-int pm_measure_is_size(const pm_model *m, int i)
-{
-    const int kind = PM_MEASURE_ROW(m, i)[PM_MEASURE_KIND];
-    return kind == PM_MEASURE_JOINT_FRICTION_NEEDED || kind == PM_MEASURE_CONTACT_FRICTION_NEEDED;
-}
-
 double pm_measure(pm_workspace *w, int i)
 {
     const double value = pm_measure_signed(w, i);
-    return pm_measure_is_size(w->model, i) ? fabs(value) : value;
+    return pm_program_takes_size(w->model, i) ? fabs(value) : value;
 }
 
 int pm_measure_of(int kind) { return kinds[kind].of; }

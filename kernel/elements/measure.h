@@ -6,9 +6,8 @@
 
 /* Value of measure i at the frame, which must be filled to pm_measure_level.  Not a number where it has none. */
 double pm_measure(pm_workspace *w, int i);
-/* The same; where it is the size of something, that with its sign. */
+/* The same; where it is the size of something, that with its sign (what programs read: pm_workspace.read_measure). */
 double pm_measure_signed(pm_workspace *w, int i);
-int pm_measure_is_size(const pm_model *m, int i);
 /* The table that `a` of a kind points into; -1: none. */
 int pm_measure_of(int kind);
 int pm_measure_level(const pm_model *m, int i);

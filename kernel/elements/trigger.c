@@ -4,25 +4,23 @@
 #include <math.h>
 #include <string.h>
 
-#include "events/ask.h"
-#include "events/event.h"
 #include "expression/program.h"
-#include "scene/program_class.h"
+#include "expression/program_class.h"
 #include "state/workspace.h"
 
 void pm_trigger_reset(pm_workspace *w)
 {
-    pm_event_set *e = w->event;
+    pm_firing *x = &w->firing;
     for (int i = 0; i < w->model->rows[PM_TABLE_EVENT]; i++) {
-        e->count[i] = e->seen[i] = 0;
-        e->time[i] = NAN;
+        x->count[i] = x->seen[i] = 0;
+        x->time[i] = NAN;
     }
-    memset(e->fired, 0, (size_t)w->model->rows[PM_TABLE_TRIGGER]);
+    memset(x->fired, 0, (size_t)w->model->rows[PM_TABLE_TRIGGER]);
 }
 
 double pm_trigger_count(const pm_workspace *w, int event)
 {
-    const int64_t count = w->event->count[event];
+    const int64_t count = w->firing.count[event];
     return count >= PM_COUNTLESS ? INFINITY : (double)count;
 }
 
@@ -31,17 +29,16 @@ void pm_trigger_countless(pm_workspace *w, int contact)
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *e = PM_TRIGGER_ROW(w->model, i);
         if (e[PM_TRIGGER_KIND] != PM_TRIGGER_STRIKE || e[PM_TRIGGER_A] != contact) continue;
-        w->event->count[e[PM_TRIGGER_EVENT]] = PM_COUNTLESS;
-        w->event->time[e[PM_TRIGGER_EVENT]] = w->state.t;
+        w->firing.count[e[PM_TRIGGER_EVENT]] = PM_COUNTLESS;
+        w->firing.time[e[PM_TRIGGER_EVENT]] = w->state.t;
     }
 }
 
-double pm_trigger_time(const pm_workspace *w, int event) { return w->event->time[event]; }
+double pm_trigger_time(const pm_workspace *w, int event) { return w->firing.time[event]; }
 
 double pm_trigger_program(pm_workspace *w, int trigger)
 {
-    return pm_program_run(w->model, PM_TRIGGER_ROW(w->model, trigger)[PM_TRIGGER_PROGRAM], w->numbers.param,
-                          w->numbers.value, w);
+    return pm_program_run(w, PM_TRIGGER_ROW(w->model, trigger)[PM_TRIGGER_PROGRAM]);
 }
 
 int pm_trigger_on_time(const pm_workspace *w, int trigger)
@@ -72,18 +69,18 @@ void pm_trigger_look_before(pm_workspace *w)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++)
         if (PM_TRIGGER_ROW(w->model, i)[PM_TRIGGER_KIND] <= PM_TRIGGER_FALL)
-            w->event->before[i] = pm_trigger_program(w, i);
+            w->firing.before[i] = pm_trigger_program(w, i);
 }
 
 void pm_trigger_look_after(pm_workspace *w)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
         const int kind = PM_TRIGGER_ROW(w->model, i)[PM_TRIGGER_KIND];
-        if (kind > PM_TRIGGER_FALL || w->event->fired[i] == PM_FIRED_NOW) continue;
-        const double before = w->event->before[i], after = pm_trigger_program(w, i);
+        if (kind > PM_TRIGGER_FALL || w->firing.fired[i] == PM_FIRED_NOW) continue;
+        const double before = w->firing.before[i], after = pm_trigger_program(w, i);
         const int rises = before < 0 && after > 0, falls = before > 0 && after < 0;
         if ((rises && kind != PM_TRIGGER_FALL) || (falls && kind != PM_TRIGGER_RISE))
-            w->event->fired[i] = PM_FIRED_NOW;
+            w->firing.fired[i] = PM_FIRED_NOW;
     }
 }
 
@@ -92,14 +89,14 @@ void pm_trigger_mark(pm_workspace *w, int kind, int a)
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *e = PM_TRIGGER_ROW(w->model, i);
         if (e[PM_TRIGGER_KIND] == kind && (kind == PM_TRIGGER_START || e[PM_TRIGGER_A] == a))
-            w->event->fired[i] = PM_FIRED_NOW;
+            w->firing.fired[i] = PM_FIRED_NOW;
     }
 }
 
 void pm_trigger_next_blow(pm_workspace *w)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++)
-        if (w->event->fired[i]) w->event->fired[i] = PM_FIRED_EARLIER;
+        if (w->firing.fired[i]) w->firing.fired[i] = PM_FIRED_EARLIER;
 }
 
 static int is_marked(const pm_workspace *w, int event)
@@ -107,31 +104,25 @@ static int is_marked(const pm_workspace *w, int event)
     int marked = 0;
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++)
         marked |=
-            w->event->fired[i] == PM_FIRED_NOW && PM_TRIGGER_ROW(w->model, i)[PM_TRIGGER_EVENT] == event;
+            w->firing.fired[i] == PM_FIRED_NOW && PM_TRIGGER_ROW(w->model, i)[PM_TRIGGER_EVENT] == event;
     return marked;
 }
 
 int pm_trigger_fires(const pm_workspace *w, int event)
 {
     const int nth = PM_EVENT_ROW(w->model, event)[PM_EVENT_NTH];
-    return is_marked(w, event) && (nth == 0 || w->event->seen[event] + 1 == nth);
+    return is_marked(w, event) && (nth == 0 || w->firing.seen[event] + 1 == nth);
 }
 
 /* The marks stay until the next phase has begun: they tell which triggers start on zero. */
-int pm_trigger_commit(pm_workspace *w)
+int pm_trigger_commit(pm_workspace *w, int event)
 {
-    const pm_model *m = w->model;
-    int n = 0;
-    for (int event = 0; event < m->rows[PM_TABLE_EVENT]; event++) {
-        const int fires = pm_trigger_fires(w, event);
-        w->event->seen[event] += is_marked(w, event);
-        if (!fires) continue;
-        w->event->count[event]++;
-        w->event->time[event] = w->state.t;
-        pm_ask_fired(w, event);
-        n++;
-    }
-    return n;
+    const int fires = pm_trigger_fires(w, event);
+    w->firing.seen[event] += is_marked(w, event);
+    if (!fires) return 0;
+    w->firing.count[event]++;
+    w->firing.time[event] = w->state.t;
+    return 1;
 }
 
 int pm_trigger_until(const pm_workspace *w)
@@ -142,7 +133,7 @@ int pm_trigger_until(const pm_workspace *w)
         int all = 1;
         for (int k = 0; k < m->rows[PM_TABLE_UNTIL]; k++) {
             const int32_t *e = PM_UNTIL_ROW(m, k);
-            if (e[PM_UNTIL_GROUP] == group && w->event->count[e[PM_UNTIL_EVENT]] < e[PM_UNTIL_NTH]) all = 0;
+            if (e[PM_UNTIL_GROUP] == group && w->firing.count[e[PM_UNTIL_EVENT]] < e[PM_UNTIL_NTH]) all = 0;
         }
         if (all) return 1;
     }

@@ -4,7 +4,9 @@
 
 #include "state/workspace.h"
 
-/* What stands in pm_event_set.fired: a trigger fires at this instant, or has done so with an earlier blow of it. */
+#define PM_COUNTLESS (INT64_MAX / 2) /* count of an event that has fired infinitely often */
+
+/* What stands in pm_firing.fired: a trigger fires at this instant, or has done so with an earlier blow of it. */
 enum pm_fired { PM_FIRED_NOT = 0, PM_FIRED_NOW = 1, PM_FIRED_EARLIER = 2 };
 
 /* A new case: counts and times are cleared. */
@@ -30,8 +32,8 @@ void pm_trigger_countless(pm_workspace *w, int contact);
 void pm_trigger_next_blow(pm_workspace *w);
 /* The event fires at this instant: one of its triggers is marked, for the time that counts. */
 int pm_trigger_fires(const pm_workspace *w, int event);
-/* Counts the events whose triggers are marked (each once), stamps their time; returns how many. */
-int pm_trigger_commit(pm_workspace *w);
+/* Counts the event if its triggers are marked (once), stamps its time; 1 if it fires: then asks of it are answered. */
+int pm_trigger_commit(pm_workspace *w, int event);
 /* 1 if the end of the run is reached. */
 int pm_trigger_until(const pm_workspace *w);
 

@@ -19,7 +19,6 @@
 
 #include <math.h>
 
-#include "elements/measure.h"
 #include "expression/program.h"
 #include "state/workspace.h"
 
@@ -29,38 +28,6 @@
 static const int32_t *row_of(const pm_model *m) { return pm_table_row(m, PM_TABLE_SPIN, 0, PM_SPIN_COLUMNS); }
 
 /* ---- model ---- */
-static int bad(pm_where *where, int table, double value, double bound)
-{
-    *where = (pm_where){table, 0, PM_NONE, value, bound};
-    return PM_BAD_TABLE;
-}
-
-/* The couple may not use what must itself be computed from forces. */
-static int check_couple(const pm_model *m, int program, pm_where *where)
-{
-    const int32_t *p = pm_table_row(m, PM_TABLE_PROGRAM, program, PM_PROGRAM_COLUMNS);
-    const int32_t *code = pm_table_row(m, PM_TABLE_CODE, p[PM_PROGRAM_FIRST], PM_CODE_COLUMNS);
-    for (int i = 0; i < p[PM_PROGRAM_LENGTH]; i++, code += PM_CODE_COLUMNS)
-        if (code[PM_CODE_OP] == PM_OP_MEASURE && pm_measure_level(m, code[PM_CODE_ARG]) == PM_LEVEL_DYNAMIC)
-            return bad(where, PM_TABLE_SPIN, code[PM_CODE_ARG], PM_NONE);
-    return PM_OK;
-}
-
-int pm_turning_plane_validate(const pm_model *m, pm_where *where)
-{
-    const int n = m->rows[PM_TABLE_SPIN], bodies = n > 0 ? m->rows[PM_TABLE_BODY] : 0;
-    if (n > 1) return bad(where, PM_TABLE_SPIN, n, 1);
-    if (m->rows[PM_TABLE_SECOND] != bodies)
-        return bad(where, PM_TABLE_SECOND, m->rows[PM_TABLE_SECOND], bodies);
-    for (int i = 0; i < m->rows[PM_TABLE_MEASURE]; i++) {
-        const int kind = PM_MEASURE_ROW(m, i)[PM_MEASURE_KIND];
-        if (n == 0 && kind >= PM_MEASURE_SPIN_OMEGA && kind <= PM_MEASURE_SPIN_INERTIA)
-            return bad(where, PM_TABLE_MEASURE, kind, 0);
-    }
-    const int couple = n > 0 ? row_of(m)[PM_SPIN_COUPLE] : PM_NONE;
-    return couple >= 0 ? check_couple(m, couple, where) : PM_OK;
-}
-
 void pm_turning_plane_lay_out(pm_model *m)
 {
     m->spin_z = m->spin_angle_z = PM_NONE;
@@ -229,7 +196,7 @@ void pm_turning_plane_outer(const pm_frame *frame, double outer[PM_LEDGER])
 static double couple(pm_workspace *w)
 {
     const int program = pm_turning_plane_turns(w->model) ? row_of(w->model)[PM_SPIN_COUPLE] : PM_NONE;
-    return program >= 0 ? pm_program_run(w->model, program, w->numbers.param, w->numbers.value, w) : 0;
+    return program >= 0 ? pm_program_run(w, program) : 0;
 }
 
 void pm_turning_plane_rates(pm_workspace *w, double *zdot)

@@ -4,8 +4,7 @@
 
 #include "state/workspace.h"
 
-/* build.c: the table; what it needs among the running integrals. */
-int pm_turning_plane_validate(const pm_model *m, pm_where *where);
+/* What it needs among the running integrals. */
 void pm_turning_plane_lay_out(pm_model *m);
 /* case.c: the axis and the numbers of a case; start.c: the momentum of the start, where the frame looks. */
 int pm_turning_plane_case(pm_workspace *w);

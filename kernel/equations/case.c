@@ -29,7 +29,7 @@ int pm_case_values(pm_workspace *w, const double *param)
             return out_of_bound(w, PM_NONE, i, PM_NONE, w->numbers.param[i], 0);
     for (int i = 0; i < m->nvalue; i++) {
         const int program = m->table[PM_TABLE_VALUE][i * PM_VALUE_COLUMNS + PM_VALUE_PROGRAM];
-        w->numbers.value[i] = pm_program_run(m, program, w->numbers.param, w->numbers.value, NULL);
+        w->numbers.value[i] = pm_program_value(m, program, w->numbers.param, w->numbers.value);
     }
     return PM_OK;
 }

@@ -80,7 +80,7 @@ int pm_least_change_block(pm_workspace *w, pm_least_change *s, int level)
         return 0;
     for (int pass = 0; pass < PM_BLOCK_PASSES; pass++) {
         for (int i = 0; i < w->active.n; i++)
-            w->saddle.rhs[i] = w->saddle.wanted[i] - pm_saddle_times(&w->frame, &w->active.row[i], s->x);
+            w->saddle.rhs[i] = w->saddle.wanted[i] - pm_constraint_times(&w->frame, &w->active.row[i], s->x);
         pm_saddle_solve(&w->saddle);
         pm_saddle_spread(&w->saddle, 0, s->x);
     }
@@ -119,6 +119,6 @@ int pm_least_change_take_row(pm_workspace *w, pm_least_change *s, const pm_const
         spread_row(w, row, dense);
         return pm_least_change_take(w, s, dense, rhs, miss);
     }
-    *miss = rhs - pm_saddle_times(&w->frame, row, s->x);
+    *miss = rhs - pm_constraint_times(&w->frame, row, s->x);
     return meet(w, s, pm_orthonormal_rows_add(&w->saddle, s->n, row, &rest), &rest, miss);
 }

@@ -33,7 +33,7 @@ int pm_projection_velocity(pm_workspace *w, pm_state *s)
 {
     double worst = 0;
     for (int i = 0; i < w->active.n; i++) {
-        w->saddle.rhs[i] = w->active.row[i].rate - pm_saddle_times(&w->frame, &w->active.row[i], s->v);
+        w->saddle.rhs[i] = w->active.row[i].rate - pm_constraint_times(&w->frame, &w->active.row[i], s->v);
         worst = fmax(worst, fabs(w->saddle.rhs[i]));
     }
     w->active.evaluated = worst <= PM_MET * w->numbers.speed;
@@ -79,8 +79,8 @@ double pm_projection_residual(pm_workspace *w)
 {
     double worst = worst_opening(w) / w->numbers.size;
     for (int i = 0; i < w->active.n; i++)
-        worst = fmax(worst,
-                     fabs(pm_saddle_times(&w->frame, &w->active.row[i], w->frame.v) - w->active.row[i].rate) /
-                         w->numbers.speed);
+        worst = fmax(worst, fabs(pm_constraint_times(&w->frame, &w->active.row[i], w->frame.v) -
+                                 w->active.row[i].rate) /
+                                w->numbers.speed);
     return worst;
 }

@@ -207,18 +207,6 @@ void pm_saddle_spread(const pm_saddle *s, int use_h, double *x)
     }
 }
 
-double pm_saddle_times(const pm_frame *frame, const pm_constraint *row, const double *x)
-{
-    const int ground = frame->model->nbody;
-    double sum = 0;
-    for (int p = 0; p < 2; p++) {
-        if (row->body[p] == ground) continue;
-        const double *y = x + 3 * row->body[p], *j = row->j + 3 * p;
-        sum += j[0] * y[0] + j[1] * y[1] + j[2] * y[2];
-    }
-    return sum;
-}
-
 /* In a singular position a route that follows the motion by other means may know the accelerations. */
 static int from_route(pm_workspace *w)
 {
@@ -233,7 +221,7 @@ static void respond_once(pm_workspace *w, const double *force, const double *bef
     for (int i = 0; i < w->model->nq; i++)
         x[i] = w->numbers.inverse_mass[i] * ((force ? force[i] : 0) + w->numbers.stand_in[i] * before[i]);
     for (int i = 0; i < w->active.n; i++)
-        w->saddle.rhs[i] = w->saddle.wanted[i] - pm_saddle_times(&w->frame, &w->active.row[i], x);
+        w->saddle.rhs[i] = w->saddle.wanted[i] - pm_constraint_times(&w->frame, &w->active.row[i], x);
     pm_saddle_solve(&w->saddle);
     pm_saddle_spread(&w->saddle, 1, x);
 }

@@ -36,7 +36,5 @@ int pm_saddle_respond(pm_workspace *w, const double *force, double *x);
 int pm_saddle_accelerate(pm_workspace *w);
 /* The same right after pm_projection_apply, which may have evaluated the constraints. */
 int pm_saddle_accelerate_projected(pm_workspace *w);
-/* Product of a row of G with a vector x[nq]. */
-double pm_saddle_times(const pm_frame *frame, const pm_constraint *row, const double *x);
 
 #endif

@@ -88,10 +88,7 @@ void pm_ask_reset(pm_workspace *w)
     for (int i = 0; i < w->model->nask; i++) w->result.reason[i] = PM_REASON_NOT_REACHED;
 }
 
-double pm_ask_value(pm_workspace *w, int program)
-{
-    return pm_program_run(w->model, program, w->numbers.param, w->numbers.value, w);
-}
+double pm_ask_value(pm_workspace *w, int program) { return pm_program_run(w, program); }
 
 double pm_ask_run(pm_workspace *w, int ask)
 {
@@ -218,7 +215,7 @@ static void answer_fired(pm_workspace *w, int ask, int column, double value)
 
 void pm_ask_fired(pm_workspace *w, int event)
 {
-    const int64_t nth = w->event->count[event];
+    const int64_t nth = w->firing.count[event];
     for (int i = 0; i < w->model->nask; i++) {
         const int32_t *e = PM_ASK_ROW(w->model, i);
         if (e[PM_ASK_EVENT_INDEX] != event) continue;

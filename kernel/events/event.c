@@ -44,29 +44,23 @@ int pm_event_create(pm_workspace *w)
     if (!e) return PM_NO_MEMORY;
     e->most = (int)most;
     e->function = calloc(most + 1, sizeof *e->function);
-    e->value = calloc(PM_NODES_MOST * (most + 1) + 4 * ntrigger + nevent, sizeof(double));
+    e->value = calloc(PM_NODES_MOST * (most + 1) + 3 * ntrigger, sizeof(double));
     e->beside = calloc(PM_NODES_MOST * rows_watched(m) + 1, sizeof *e->beside);
     e->hit = calloc(2 * (most + 1), sizeof(int));
-    e->count = calloc(2 * nevent + 1, sizeof *e->count);
-    e->fired = calloc(ntrigger + (size_t)m->rows[PM_TABLE_CONTACT] + nevent + 1, 1);
+    e->spent = calloc((size_t)m->rows[PM_TABLE_CONTACT] + nevent + 1, 1);
     e->solver = pm_bracket_create();
-    if (!e->function || !e->value || !e->beside || !e->hit || !e->count || !e->fired || !e->solver)
-        return PM_NO_MEMORY;
+    if (!e->function || !e->value || !e->beside || !e->hit || !e->spent || !e->solver) return PM_NO_MEMORY;
     if (pm_gap_culling_create(m, &e->culling)) return PM_NO_MEMORY;
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *x = PM_TRIGGER_ROW(m, i);
         if (x[PM_TRIGGER_KIND] <= PM_TRIGGER_EVERY)
             pm_watched_samples_add(w, x[PM_TRIGGER_PROGRAM], PM_SAMPLE_TRIGGERS);
     }
-    e->seen = e->count + nevent;
-    e->spent = e->fired + ntrigger;
     e->acted = e->spent + m->rows[PM_TABLE_CONTACT];
     e->root = e->hit + most + 1;
-    e->before = e->value + PM_NODES_MOST * (most + 1);
-    e->due = e->before + ntrigger;
+    e->due = e->value + PM_NODES_MOST * (most + 1);
     e->least = e->due + ntrigger;
     e->greatest = e->least + ntrigger;
-    e->time = e->greatest + ntrigger;
     return PM_OK;
 }
 
@@ -78,8 +72,7 @@ void pm_event_free(pm_workspace *w)
     free(e->value);
     free(e->beside);
     free(e->hit);
-    free(e->count);
-    free(e->fired);
+    free(e->spent);
     pm_bracket_free(e->solver);
     pm_gap_culling_free(&e->culling);
     free(e);
@@ -119,7 +112,7 @@ static void add_triggers(pm_workspace *w)
         add(w, FUNCTION_TRIGGER, i, direction[e[PM_TRIGGER_KIND]],
             w->model->programs.level[e[PM_TRIGGER_PROGRAM]], 0, 1);
         pm_event_function *f = &w->event->function[w->event->nfunction - 1];
-        f->held = w->event->fired[i];
+        f->held = w->firing.fired[i];
         f->every = e[PM_TRIGGER_KIND] == PM_TRIGGER_EVERY;
     }
 }
@@ -268,7 +261,7 @@ void pm_event_begin(pm_workspace *w)
         if (f->kind == FUNCTION_GAP && leaves(w, f->index))
             f->slack = POSITION_ROUNDING * pm_contact_reach(w);
     }
-    memset(e->fired, 0, (size_t)w->model->rows[PM_TABLE_TRIGGER]);
+    memset(w->firing.fired, 0, (size_t)w->model->rows[PM_TABLE_TRIGGER]);
 }
 
 int pm_event_contact_change(const pm_workspace *w, int function)

@@ -11,8 +11,6 @@
 #include "numerics/chebyshev_nodes.h"
 #include "state/workspace.h"
 
-#define PM_COUNTLESS (INT64_MAX / 2) /* count of an event that has fired infinitely often */
-
 enum pm_function_kind {
     FUNCTION_TRIGGER,
     FUNCTION_GAP,
@@ -74,13 +72,8 @@ typedef struct pm_event_set {
     int *root;                   /* [most functions] roots that the route itself found, or 0 */
     int at_root;                 /* the step ends at one of these */
     double *due;              /* [ntrigger] time at which a trigger on time alone fires next, or INFINITY */
-    unsigned char *fired;     /* [ntrigger] at this instant */
     unsigned char *spent;     /* [ncontact] left its zero by less than rounding: the bounce is over */
-    double *before;           /* [ntrigger] program values before the jump */
     double *least, *greatest; /* [ntrigger] of the samples in the phase */
-    int64_t *count;           /* [nevent] */
-    double *time;             /* [nevent] */
-    int64_t *seen;            /* [nevent] how often its triggers were marked */
     unsigned char *acted;     /* [nevent] its actions are carried out at this instant */
     void *solver;             /* gsl_root_fsolver */
     pm_gap_culling culling;   /* contacts out of reach of the step */

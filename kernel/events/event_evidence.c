@@ -88,7 +88,7 @@ void pm_event_evidence_close(pm_workspace *w)
 {
     if (!w->evidence.active) return;
     pm_evidence_log *log = &w->evidence.present->log;
-    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) pm_evidence_mix(log, w->event->fired[i]);
+    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) pm_evidence_mix(log, w->firing.fired[i]);
     for (int i = 0; i < w->model->nfriction; i++) pm_evidence_mix(log, (uint32_t)w->state.friction[i]);
     for (int i = 0; i < w->model->nslot; i++) {
         pm_evidence_mix(log, (uint32_t)w->state.slot[i].mode);

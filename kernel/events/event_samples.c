@@ -16,9 +16,9 @@
 #include "events/ask.h"
 #include "events/step.h"
 #include "events/watched_samples.h"
+#include "expression/program_class.h"
 #include "numerics/chebyshev.h"
 #include "numerics/minmax.h"
-#include "scene/program_class.h"
 #include "state/route.h"
 #include "state/workspace.h"
 

@@ -16,8 +16,7 @@ static int record(pm_workspace *w, const pm_state *state, int mark)
         const int status = pm_saddle_accelerate(w);
         if (status) return status;
         row[0] = state->t;
-        for (int64_t i = 0; i < x->nprogram; i++)
-            row[1 + i] = pm_program_run(w->model, x->program[i], w->numbers.param, w->numbers.value, w);
+        for (int64_t i = 0; i < x->nprogram; i++) row[1 + i] = pm_program_run(w, x->program[i]);
         x->mark[x->needed] = mark;
     }
     x->needed++;

@@ -3,7 +3,6 @@
 
 #include <math.h>
 
-#include "elements/measure.h"
 #include "expression/program_fold.h"
 #include "state/workspace.h"
 
@@ -107,7 +106,19 @@ static inline double binary(int op, double a, double b)
 
 double pm_program_binary(int op, double a, double b) { return binary(op, a, b); }
 
-/* Instructions as they stand in the table. */
+int pm_program_takes_size(const pm_model *m, int measure)
+{
+    const int kind = PM_MEASURE_ROW(m, measure)[PM_MEASURE_KIND];
+    return kind == PM_MEASURE_JOINT_FRICTION_NEEDED || kind == PM_MEASURE_CONTACT_FRICTION_NEEDED;
+}
+
+static double measured(pm_workspace *w, int measure)
+{
+    const double value = w->read_measure(w, measure);
+    return pm_program_takes_size(w->model, measure) ? fabs(value) : value;
+}
+
+/* Instructions as they stand in the table; w NULL: they read no measure and no answer. */
 static double run_code(const pm_model *m, const int32_t *code, int length, const double *param,
                        const double *value, pm_workspace *w)
 {
@@ -119,7 +130,7 @@ static double run_code(const pm_model *m, const int32_t *code, int length, const
         case PM_OP_CONSTANT: stack[++top] = m->constant[arg]; break;
         case PM_OP_PARAMETER: stack[++top] = param[arg]; break;
         case PM_OP_VALUE: stack[++top] = value[arg]; break;
-        case PM_OP_MEASURE: stack[++top] = pm_measure(w, arg); break;
+        case PM_OP_MEASURE: stack[++top] = measured(w, arg); break;
         case PM_OP_ANSWER: stack[++top] = w->result.out[arg]; break;
         case PM_OP_SELECT:
             top -= 2;
@@ -145,7 +156,7 @@ static double run_steps(pm_workspace *w, const pm_program_step *s, const pm_prog
     stack[0] = NAN; /* it stays empty */
     for (; s < end; s++) switch (s->kind) {
         case STEP_NUMBER: *++top = number[s->arg]; break;
-        case STEP_MEASURE: *++top = pm_measure_signed(w, s->arg); break;
+        case STEP_MEASURE: *++top = w->read_measure(w, s->arg); break;
         case STEP_ANSWER: *++top = w->result.out[s->arg]; break;
         case STEP_UNARY: *top = pm_program_unary(s->op, *top); break;
         case STEP_WITH_NUMBER: *top = binary(s->op, *top, number[s->arg]); break;
@@ -158,14 +169,25 @@ static double run_steps(pm_workspace *w, const pm_program_step *s, const pm_prog
     return *top;
 }
 
-double pm_program_run(const pm_model *m, int index, const double *param, const double *value, pm_workspace *w)
+static double run_program(const pm_model *m, int index, const double *param, const double *value,
+                          pm_workspace *w)
 {
-    const int *first = m->programs.fold->first + index;
-    if (w && w->numbers.is_folded && first[0] < first[1])
-        return run_steps(w, m->programs.fold->step + first[0], m->programs.fold->step + first[1]);
     const int32_t *program = pm_table_row(m, PM_TABLE_PROGRAM, index, PM_PROGRAM_COLUMNS);
     return run_code(m, pm_table_row(m, PM_TABLE_CODE, program[PM_PROGRAM_FIRST], PM_CODE_COLUMNS),
                     program[PM_PROGRAM_LENGTH], param, value, w);
+}
+
+double pm_program_run(pm_workspace *w, int index)
+{
+    const pm_program_fold *f = w->model->programs.fold;
+    const int first = f->first[index], end = f->first[index + 1];
+    if (w->numbers.is_folded && first < end) return run_steps(w, f->step + first, f->step + end);
+    return run_program(w->model, index, w->numbers.param, w->numbers.value, w);
+}
+
+double pm_program_value(const pm_model *m, int index, const double *param, const double *value)
+{
+    return run_program(m, index, param, value, NULL);
 }
 
 void pm_program_numbers(pm_workspace *w)

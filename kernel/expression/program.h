@@ -5,11 +5,14 @@
 #include "numerics/chebyshev_nodes.h"
 #include "state/workspace.h"
 
-/* Runs program `index`.  With `w` it may use measures of w->frame, which must be filled to
- * model->program_level[index]; without (values), `value` holds the entries computed so far.  Not a number where
- * the expression has no value. */
-double pm_program_run(const pm_model *m, int index, const double *param, const double *value,
-                      pm_workspace *w);
+/* Program `index` with the numbers of the case at w->frame, which must be filled to model->programs.level[index].  Not a
+ * number where the expression has no value. */
+double pm_program_run(pm_workspace *w, int index);
+/* That of a value (it reads no measure and no answer), with the values that are worked out so far; param[nparam]. */
+double pm_program_value(const pm_model *m, int index, const double *param, const double *value);
+
+/* The measure is the size of something that has a sign: in programs abs is taken of what is read. */
+int pm_program_takes_size(const pm_model *m, int measure);
 
 /* Switches of a program: operations that are smooth but where an argument changes sign (of abs; the difference of what
  * min, max and comparisons compare).  With their signs given, the program is one smooth branch of itself. */

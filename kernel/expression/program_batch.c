@@ -116,7 +116,7 @@ void pm_program_run_nodes(pm_workspace *w, int index, int n, const int *place, c
     int top = -1;
     if (switches) switches->n = 0;
     if (s == end) { /* the program of a value: it reads no measure */
-        fill(n, pm_program_run(w->model, index, w->numbers.param, w->numbers.value, w), value);
+        fill(n, pm_program_run(w, index), value);
         return;
     }
     for (; s < end; s++) switch (s->kind) {

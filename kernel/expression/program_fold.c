@@ -8,7 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "elements/measure.h"
 #include "expression/program.h"
 
 /* Operands that wait on the stack: where each begins, and whether it stays the same. */
@@ -96,7 +95,7 @@ static int fold_one(const pm_model *m, pm_program_fold *f, int program, int *end
                 (pm_program_step){.kind = STEP_WITH_NUMBER, .op = s.op, .arg = f->step[second].arg};
         else
             f->step[n++] = s;
-        if (s.kind == STEP_MEASURE && pm_measure_is_size(m, s.arg))
+        if (s.kind == STEP_MEASURE && pm_program_takes_size(m, s.arg))
             f->step[n++] = (pm_program_step){.kind = STEP_UNARY, .op = PM_OP_ABS};
     }
     return n;

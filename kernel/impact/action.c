@@ -41,10 +41,7 @@ void pm_action_instant(pm_workspace *w)
 }
 
 /* ---- impulses ---- */
-static double number(pm_workspace *w, int program)
-{
-    return pm_program_run(w->model, program, w->numbers.param, w->numbers.value, w);
-}
+static double number(pm_workspace *w, int program) { return pm_program_run(w, program); }
 
 static void add_impulse(pm_workspace *w, int body, const double at[2], const double force[2], double couple)
 {
@@ -221,7 +218,7 @@ static int clash(pm_workspace *w, int *clashes)
         const pm_constraint *row = &w->active.row[i];
         const double length =
             row->kind == PM_CONSTRAINT_ANGLE || row->kind == PM_CONSTRAINT_RATIO ? w->numbers.size : 1;
-        const double rate = pm_saddle_times(&w->frame, row, w->state.v) - row->rate;
+        const double rate = pm_constraint_times(&w->frame, row, w->state.v) - row->rate;
         *clashes |= fabs(rate) * length > pm_contact_speed(&w->frame);
     }
     return status;

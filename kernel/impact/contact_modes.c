@@ -214,7 +214,7 @@ static int close_again(pm_workspace *w)
     for (int i = 0; i < w->model->nslot; i++) {
         if (w->state.slot[i].mode != PM_OPEN || w->instant.slot_released[i] != LET_GO) continue;
         const pm_constraint normal = pm_contact_modes_normal(w, i);
-        const double acceleration = pm_saddle_times(&w->frame, &normal, w->frame.a) - normal.gamma;
+        const double acceleration = pm_constraint_times(&w->frame, &normal, w->frame.a) - normal.gamma;
         if (acceleration >= -SLACK * (hypot(w->numbers.gravity[0], w->numbers.gravity[1]) +
                                       w->numbers.speed * w->numbers.speed / w->numbers.size))
             continue;

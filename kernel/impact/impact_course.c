@@ -143,7 +143,7 @@ static void respond(pm_workspace *w, const pm_constraint *row, double *x)
     }
     if (w->active.n == 0) return;
     for (int i = 0; i < w->active.n; i++)
-        w->saddle.rhs[i] = -pm_saddle_times(&w->frame, &w->active.row[i], x);
+        w->saddle.rhs[i] = -pm_constraint_times(&w->frame, &w->active.row[i], x);
     pm_saddle_solve(&w->saddle);
     pm_saddle_spread(&w->saddle, 0, x);
 }
@@ -157,17 +157,17 @@ int pm_impact_course_read(pm_workspace *w, int slot, double *response, pm_impact
     if (status) return status;
     const pm_constraint normal = pm_contact_modes_normal(w, slot),
                         tangent = pm_contact_modes_tangent(w, slot);
-    x->normal = pm_saddle_times(&w->frame, &normal, w->state.v);
-    x->slip = pm_saddle_times(&w->frame, &tangent, w->state.v) - tangent.rate;
+    x->normal = pm_constraint_times(&w->frame, &normal, w->state.v);
+    x->slip = pm_constraint_times(&w->frame, &tangent, w->state.v) - tangent.rate;
     x->grip = rough ? INFINITY : pm_contact_static(&w->frame, contact);
     x->rub = rough ? INFINITY : pm_contact_kinetic(&w->frame, contact);
     x->still = pm_contact_speed(&w->frame);
     x->law = pm_contact_law(w->model, contact);
     respond(w, &normal, response);
-    x->a = pm_saddle_times(&w->frame, &normal, response);
+    x->a = pm_constraint_times(&w->frame, &normal, response);
     respond(w, &tangent, response);
-    x->b = pm_saddle_times(&w->frame, &normal, response);
-    x->c = pm_saddle_times(&w->frame, &tangent, response);
+    x->b = pm_constraint_times(&w->frame, &normal, response);
+    x->c = pm_constraint_times(&w->frame, &tangent, response);
     if (x->c <= IMMOBILE * x->a) x->b = x->c = 0;
     return PM_OK;
 }

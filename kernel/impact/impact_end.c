@@ -30,7 +30,7 @@ static int gains(pm_workspace *w, const pm_blow *b)
         const double p = i < w->active.n ? w->saddle.rhs[i]
                                          : w->active.row[row->normal].slide * w->saddle.rhs[row->normal];
         const double before = pm_impact_trial_rate(w, i),
-                     now = pm_saddle_times(&w->frame, row, b->after) - row->rate;
+                     now = pm_constraint_times(&w->frame, row, b->after) - row->rate;
         given += 0.5 * p * (before + now);
         size += fabs(p * before) + fabs(p * now);
         nothing += NOTHING * fabs(p) * w->numbers.speed;
@@ -48,7 +48,7 @@ static int reverses(pm_workspace *w, const pm_blow *b)
         if (!pm_blow_has(b, i) || !pm_contact_modes_slides(b->trial[i])) continue;
         const pm_constraint tangent = pm_contact_modes_tangent(w, i);
         const double way = b->trial[i] == PM_SLIDE_FORWARD ? 1 : -1;
-        const double slip = way * (pm_saddle_times(&w->frame, &tangent, b->after) - tangent.rate);
+        const double slip = way * (pm_constraint_times(&w->frame, &tangent, b->after) - tangent.rate);
         pm_evidence_sign(w, PM_SITE_SLIP_LEFT, i, slip, w->numbers.speed);
         if (slip < -pm_contact_speed(&w->frame))
             return pm_fail(w, PM_BLOW_TURNS, PM_TABLE_CONTACT, pm_contact_of_slot(w->model, i), -slip, 0);
@@ -112,7 +112,7 @@ static int slid(const pm_workspace *w, int slot, const double *v)
 {
     pm_constraint spare;
     const pm_constraint *tangent = tangent_of(w, slot, &spare);
-    return fabs(pm_saddle_times(&w->frame, tangent, v) - tangent->rate) > pm_contact_speed(&w->frame);
+    return fabs(pm_constraint_times(&w->frame, tangent, v) - tangent->rate) > pm_contact_speed(&w->frame);
 }
 
 /* ---- modes ---- */

@@ -35,7 +35,7 @@ static int build(pm_workspace *w, const pm_blow *b)
 
 double pm_impact_trial_rate(const pm_workspace *w, int i)
 {
-    return pm_saddle_times(&w->frame, &w->active.row[i], w->state.v) - w->active.row[i].rate;
+    return pm_constraint_times(&w->frame, &w->active.row[i], w->state.v) - w->active.row[i].rate;
 }
 
 static int is_normal(const pm_workspace *w, int i)
@@ -152,7 +152,7 @@ static int join_approaching(pm_workspace *w, pm_blow *b)
     for (int i = 0; i < w->model->nslot; i++) {
         if (b->share[i] != PM_OUT || b->resting[i] == PM_OPEN) continue;
         const pm_constraint normal = pm_contact_modes_normal(w, i);
-        const double rate = pm_saddle_times(&w->frame, &normal, b->after);
+        const double rate = pm_constraint_times(&w->frame, &normal, b->after);
         pm_evidence_sign(w, PM_SITE_JOINS, i, rate, w->numbers.speed);
         if (rate >= -pm_contact_speed(&w->frame)) continue;
         b->share[i] = PM_JOINED;

@@ -98,7 +98,8 @@ static int carry_out(pm_workspace *w)
 static void fire(pm_workspace *w)
 {
     pm_event_evidence_close(w);
-    pm_trigger_commit(w);
+    for (int event = 0; event < w->model->rows[PM_TABLE_EVENT]; event++)
+        if (pm_trigger_commit(w, event)) pm_ask_fired(w, event);
 }
 
 static int count(pm_workspace *w, int *ended)
@@ -189,7 +190,7 @@ static int mark_turning(pm_workspace *w)
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
         const int kind = PM_TRIGGER_ROW(m, i)[PM_TRIGGER_KIND];
         double value[2];
-        if (kind > PM_TRIGGER_FALL || w->event->fired[i]) continue;
+        if (kind > PM_TRIGGER_FALL || w->firing.fired[i]) continue;
         for (int side = 0; side < 2; side++) {
             for (int k = 0; k < m->nq; k++) velocity[k] = (side ? -TURNING : TURNING) * w->step.reversed[k];
             const int status = pm_saddle_accelerate(w);
@@ -197,7 +198,7 @@ static int mark_turning(pm_workspace *w)
             value[side] = pm_trigger_program(w, i);
         }
         const int rises = value[0] < 0 && value[1] > 0, falls = value[0] > 0 && value[1] < 0;
-        w->event->fired[i] =
+        w->firing.fired[i] =
             (unsigned char)((rises && kind != PM_TRIGGER_FALL) || (falls && kind != PM_TRIGGER_RISE));
     }
     for (int k = 0; k < m->nq; k++) velocity[k] = w->state.v[k];

@@ -52,7 +52,7 @@ static void mark_hits(pm_workspace *w)
 {
     pm_event_set *e = w->event;
     for (int i = 0; i < e->nfunction; i++)
-        if (e->hit[i] && e->function[i].kind == FUNCTION_TRIGGER) e->fired[e->function[i].index] = 1;
+        if (e->hit[i] && e->function[i].kind == FUNCTION_TRIGGER) w->firing.fired[e->function[i].index] = 1;
 }
 
 static double next_due(const pm_workspace *w)
@@ -68,7 +68,7 @@ static int mark_due(pm_workspace *w)
     int any = 0;
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
         if (w->event->due[i] > w->state.t) continue;
-        w->event->fired[i] = 1;
+        w->firing.fired[i] = 1;
         w->event->due[i] = INFINITY;
         any = 1;
     }
@@ -119,7 +119,7 @@ static void hold_hits(pm_workspace *w, double x)
         e->function[i].search = SEARCH_NONE;
     }
     pm_event_set_multiples(w);
-    memset(e->fired, 0, (size_t)w->model->rows[PM_TABLE_TRIGGER]);
+    memset(w->firing.fired, 0, (size_t)w->model->rows[PM_TABLE_TRIGGER]);
 }
 
 /* Something is marked at x inside the step and the motion goes on: no blow, no change of modes, no new phase. */

@@ -3,6 +3,7 @@
 
 #include "elements/constraint.h"
 #include "elements/joint.h"
+#include "elements/measure.h"
 #include "equations/fixed_bodies.h"
 #include "equations/gap_bounds.h"
 #include "equations/row_order.h"
@@ -66,6 +67,11 @@ static int create_arrays(pm_workspace *w)
         PM_ARRAY(w->instant.slot_before, m->nslot),
         PM_ARRAY(w->instant.friction_before, m->nfriction),
         PM_ARRAY(w->instant.slot_released, m->nslot),
+        PM_ARRAY(w->firing.fired, m->rows[PM_TABLE_TRIGGER]),
+        PM_ARRAY(w->firing.before, m->rows[PM_TABLE_TRIGGER]),
+        PM_ARRAY(w->firing.count, m->rows[PM_TABLE_EVENT]),
+        PM_ARRAY(w->firing.seen, m->rows[PM_TABLE_EVENT]),
+        PM_ARRAY(w->firing.time, m->rows[PM_TABLE_EVENT]),
         PM_ARRAY(w->ledger.force_energy_start, nforce),
         PM_ARRAY(w->step.reversed, nq),
         PM_ARRAY(w->impulses.applied, nq),
@@ -104,6 +110,7 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
     w->frame.numbers = &w->numbers;
     w->saddle = (pm_saddle){.model = m, .numbers = &w->numbers, .active = &w->active};
     w->numbers.coarse = 1;
+    w->read_measure = pm_measure_signed;
     int status = create_arrays(w);
     if (!status) status = create_rooms(w);
     if (status) {

@@ -1,337 +1,23 @@
-/* build.c - flat tables -> immutable structure.  Every index is checked here, once, so that the rest of the kernel
- * may trust the tables; a table that contradicts planemotion.h is PM_BAD_TABLE with table, row, value and bound. */
+/* build.c - flat tables -> immutable structure: what is numbered, and what the programs read, once per scene. */
 #include "scene/build.h"
-#include "state/model.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #include "elements/force.h"
 #include "elements/joint.h"
 #include "elements/measure.h"
 #include "elements/turning_plane.h"
 #include "expression/program.h"
+#include "expression/program_class.h"
 #include "expression/program_fold.h"
-#include "scene/program_class.h"
 #include "scene/reference.h"
-
-static int bad(pm_where *where, int table, int row, double value, double bound)
-{
-    *where = (pm_where){table, row, PM_NONE, value, bound};
-    return PM_BAD_TABLE;
-}
-
-static int read_directory(pm_model *m, int64_t ntable, const int32_t *table, pm_where *where)
-{
-    if (ntable < 2 * PM_TABLES) return bad(where, PM_NONE, 0, (double)ntable, 2 * PM_TABLES);
-    for (int i = 0; i < PM_TABLES; i++) {
-        const int64_t first = table[2 * i], rows = table[2 * i + 1];
-        if (first < 0 || rows < 0 || first + rows * pm_table_columns[i] > ntable)
-            return bad(where, i, PM_NONE, (double)(first + rows * pm_table_columns[i]), (double)ntable);
-        m->table[i] = table + first;
-        m->rows[i] = (int)rows;
-    }
-    return m->rows[PM_TABLE_SETTING] == 1
-               ? PM_OK
-               : bad(where, PM_TABLE_SETTING, PM_NONE, m->rows[PM_TABLE_SETTING], 1);
-}
-
-/* A contact that captures has no other law; two points must. */
-static int captures_soundly(const int32_t *e)
-{
-    const int kind = e[PM_CONTACT_KIND], capture = e[PM_CONTACT_CAPTURE];
-    if (capture == PM_CAPTURE_NONE) return kind != PM_CONTACT_POINT;
-    return capture > PM_CAPTURE_NONE && capture < PM_CAPTURES && kind != PM_CONTACT_CORD &&
-           e[PM_CONTACT_FRICTION] == PM_FRICTION_SMOOTH && e[PM_CONTACT_SPEED] < 0;
-}
-
-static int check_contacts(const pm_model *m, pm_where *where)
-{
-    for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
-        const int32_t *e = PM_CONTACT_ROW_OF(m, i);
-        const int friction = e[PM_CONTACT_FRICTION];
-        if (!captures_soundly(e)) return bad(where, PM_TABLE_CONTACT, i, e[PM_CONTACT_CAPTURE], PM_CAPTURES);
-        if (friction < PM_FRICTION_SMOOTH || friction > PM_FRICTION_ROUGH)
-            return bad(where, PM_TABLE_CONTACT, i, friction, PM_FRICTION_ROUGH);
-        if (friction == PM_FRICTION_COULOMB && (e[PM_CONTACT_STATIC] < 0 || e[PM_CONTACT_KINETIC] < 0))
-            return bad(where, PM_TABLE_CONTACT, i, PM_NONE, 0);
-        if (e[PM_CONTACT_KIND] == PM_CONTACT_CIRCLE && e[PM_CONTACT_SIDE] < 0)
-            return bad(where, PM_TABLE_CONTACT, i, PM_NONE, 0);
-        const int segment = e[PM_CONTACT_KIND] == PM_CONTACT_SEGMENT;
-        if (segment && (e[PM_CONTACT_FROM] < 0 || e[PM_CONTACT_TO] < 0))
-            return bad(where, PM_TABLE_CONTACT, i, PM_NONE, 0);
-        if (e[PM_CONTACT_SPEED] >= 0 && e[PM_CONTACT_KIND] != PM_CONTACT_LINE && !segment)
-            return bad(where, PM_TABLE_CONTACT, i, e[PM_CONTACT_SPEED], PM_NONE);
-        const int law = e[PM_CONTACT_LAW];
-        if (law < PM_LAW_NEWTON || law >= PM_LAWS) return bad(where, PM_TABLE_CONTACT, i, law, PM_LAWS);
-        if (e[PM_CONTACT_TANGENTIAL] >= 0 && (friction == PM_FRICTION_SMOOTH || law != PM_LAW_NEWTON))
-            return bad(where, PM_TABLE_CONTACT, i, e[PM_CONTACT_TANGENTIAL], PM_NONE);
-        if (e[PM_CONTACT_KIND] != PM_CONTACT_CORD) continue;
-        if (friction != PM_FRICTION_SMOOTH || e[PM_CONTACT_SLACK] < 0)
-            return bad(where, PM_TABLE_CONTACT, i, e[PM_CONTACT_SLACK], 0);
-        for (int k = PM_CONTACT_SENSE_A; k <= PM_CONTACT_SENSE_B; k++)
-            if (e[k] != 1 && e[k] != -1) return bad(where, PM_TABLE_CONTACT, i, e[k], 1);
-    }
-    return PM_OK;
-}
-
-static int needs_forces(const pm_model *m, int measure)
-{
-    const int32_t *e = PM_MEASURE_ROW(m, measure);
-    const int kind = e[PM_MEASURE_KIND];
-    const int of_force = kind == PM_MEASURE_FORCE_FORCE || kind == PM_MEASURE_FORCE_COUPLE ||
-                         kind == PM_MEASURE_FORCE_POWER || kind == PM_MEASURE_FORCE_STRETCH ||
-                         kind == PM_MEASURE_FORCE_ENERGY;
-    return pm_measure_level(m, measure) == PM_LEVEL_DYNAMIC ||
-           (of_force && PM_FORCE_ROW(m, e[PM_MEASURE_A])[PM_FORCE_KIND] >= PM_FORCE_APPLIED);
-}
-
-/* A force's program may not use what must itself be computed from forces: accelerations, reactions, other programs'. */
-static int check_forces(const pm_model *m, pm_where *where)
-{
-    for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++) {
-        const int32_t *e = PM_FORCE_ROW(m, i);
-        const int kind = e[PM_FORCE_KIND], option = e[PM_FORCE_OPTION];
-        if (kind == PM_FORCE_FRICTION && pm_joint_of(m, e[PM_FORCE_A])->rubs == PM_NONE)
-            return bad(where, PM_TABLE_FORCE, i, e[PM_FORCE_A], PM_NONE);
-        if (kind == PM_FORCE_SPRING && (option < PM_SPRING_BOTH || option > PM_SPRING_PUSH))
-            return bad(where, PM_TABLE_FORCE, i, option, PM_SPRING_PUSH);
-        for (int k = 0; k < pm_force_kind(kind)->programs; k++) {
-            const int32_t *p =
-                pm_table_row(m, PM_TABLE_PROGRAM, e[PM_FORCE_PROGRAM_X + k], PM_PROGRAM_COLUMNS);
-            const int32_t *code = pm_table_row(m, PM_TABLE_CODE, p[PM_PROGRAM_FIRST], PM_CODE_COLUMNS);
-            for (int c = 0; c < p[PM_PROGRAM_LENGTH]; c++, code += PM_CODE_COLUMNS)
-                if (code[PM_CODE_OP] == PM_OP_MEASURE && needs_forces(m, code[PM_CODE_ARG]))
-                    return bad(where, PM_TABLE_FORCE, i, code[PM_CODE_ARG], PM_NONE);
-        }
-    }
-    return PM_OK;
-}
-
-/* What an impulse is must be known before the forces and accelerations after it are. */
-static int check_impulses(const pm_model *m, pm_where *where)
-{
-    for (int i = 0; i < m->rows[PM_TABLE_ACTION]; i++)
-        for (int k = PM_ACTION_PROGRAM_X; k <= PM_ACTION_PROGRAM_Y; k++) {
-            const int program = PM_ACTION_ROW(m, i)[k];
-            if (program < 0) continue;
-            const int32_t *p = pm_table_row(m, PM_TABLE_PROGRAM, program, PM_PROGRAM_COLUMNS);
-            const int32_t *code = pm_table_row(m, PM_TABLE_CODE, p[PM_PROGRAM_FIRST], PM_CODE_COLUMNS);
-            for (int c = 0; c < p[PM_PROGRAM_LENGTH]; c++, code += PM_CODE_COLUMNS)
-                if (code[PM_CODE_OP] == PM_OP_MEASURE &&
-                    pm_measure_level(m, code[PM_CODE_ARG]) == PM_LEVEL_DYNAMIC)
-                    return bad(where, PM_TABLE_ACTION, i, code[PM_CODE_ARG], PM_NONE);
-        }
-    return PM_OK;
-}
-
-static int reads_time_alone(const pm_model *m, int program)
-{
-    const int32_t *p = pm_table_row(m, PM_TABLE_PROGRAM, program, PM_PROGRAM_COLUMNS);
-    const int32_t *code = pm_table_row(m, PM_TABLE_CODE, p[PM_PROGRAM_FIRST], PM_CODE_COLUMNS);
-    for (int i = 0; i < p[PM_PROGRAM_LENGTH]; i++, code += PM_CODE_COLUMNS)
-        if (code[PM_CODE_OP] == PM_OP_MEASURE &&
-            PM_MEASURE_ROW(m, code[PM_CODE_ARG])[PM_MEASURE_KIND] != PM_MEASURE_TIME)
-            return 0;
-    return 1;
-}
-
-/* The k-th drive of the scene, a program, with its table and row; PM_NONE after the last. */
-static int drive_of(const pm_model *m, int k, int *table, int *row)
-{
-    static const int joint_column[] = {PM_JOINT_PROGRAM_X, PM_JOINT_PROGRAM_Y};
-    for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++)
-        for (int c = 0; c < 2; c++) {
-            const int program = PM_JOINT_ROW(m, i)[joint_column[c]];
-            if (program < 0 || k-- > 0) continue;
-            *table = PM_TABLE_JOINT;
-            *row = i;
-            return program;
-        }
-    for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
-        const int program = PM_CONTACT_ROW_OF(m, i)[PM_CONTACT_SPEED];
-        if (program < 0 || k-- > 0) continue;
-        *table = PM_TABLE_CONTACT;
-        *row = i;
-        return program;
-    }
-    return PM_NONE;
-}
+#include "state/arena.h"
+#include "state/model.h"
 
 int pm_model_is_driven(const pm_model *m)
 {
     int table, row;
-    return drive_of(m, 0, &table, &row) != PM_NONE;
-}
-
-static int check_drives(const pm_model *m, pm_where *where)
-{
-    int table = PM_NONE, row = PM_NONE, program;
-    for (int k = 0; (program = drive_of(m, k, &table, &row)) != PM_NONE; k++)
-        if (!reads_time_alone(m, program)) return bad(where, table, row, program, PM_NONE);
-    return PM_OK;
-}
-
-static int check_triggers(const pm_model *m, pm_where *where)
-{
-    for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
-        const int32_t *e = PM_TRIGGER_ROW(m, i);
-        const int kind = e[PM_TRIGGER_KIND], a = e[PM_TRIGGER_A];
-        if (kind < 0 || kind >= PM_TRIGGER_KINDS)
-            return bad(where, PM_TABLE_TRIGGER, i, kind, PM_TRIGGER_KINDS);
-        if (kind <= PM_TRIGGER_EVERY && e[PM_TRIGGER_PROGRAM] < 0)
-            return bad(where, PM_TABLE_TRIGGER, i, e[PM_TRIGGER_PROGRAM], 0);
-        if (kind >= PM_TRIGGER_STRIKE && kind <= PM_TRIGGER_STICK &&
-            !pm_reference_in_range(m, PM_TABLE_CONTACT, a))
-            return bad(where, PM_TABLE_TRIGGER, i, a, m->rows[PM_TABLE_CONTACT]);
-        if (kind >= PM_TRIGGER_JOINT_SLIP && !pm_reference_in_range(m, PM_TABLE_JOINT, a))
-            return bad(where, PM_TABLE_TRIGGER, i, a, m->rows[PM_TABLE_JOINT]);
-        if (kind == PM_TRIGGER_REST && a != PM_NONE && (a < 0 || a >= m->nbody))
-            return bad(where, PM_TABLE_TRIGGER, i, a, m->nbody);
-    }
-    return PM_OK;
-}
-
-static int check_asks(pm_model *m, pm_where *where)
-{
-    for (int i = 0; i < m->nask; i++) {
-        const int32_t *e = PM_ASK_ROW(m, i);
-        const int kind = e[PM_ASK_KIND], count = e[PM_ASK_COUNT];
-        if (kind < 0 || kind >= PM_ASK_KINDS) return bad(where, PM_TABLE_ASK, i, kind, PM_ASK_KINDS);
-        if (kind == PM_ASK_EVENT && e[PM_ASK_NTH] < 1) return bad(where, PM_TABLE_ASK, i, e[PM_ASK_NTH], 1);
-        if (count < 1 || e[PM_ASK_OUT] != m->nout) return bad(where, PM_TABLE_ASK, i, e[PM_ASK_OUT], m->nout);
-        if (kind != PM_ASK_GRID && kind != PM_ASK_EACH && count != 1)
-            return bad(where, PM_TABLE_ASK, i, count, 1);
-        if ((kind == PM_ASK_EVENT || kind == PM_ASK_EACH) && e[PM_ASK_EVENT_INDEX] < 0)
-            return bad(where, PM_TABLE_ASK, i, e[PM_ASK_EVENT_INDEX], m->rows[PM_TABLE_EVENT]);
-        if ((kind == PM_ASK_AT_MAX || kind == PM_ASK_AT_MIN || kind == PM_ASK_GRID) &&
-            e[PM_ASK_PROGRAM_2] < 0)
-            return bad(where, PM_TABLE_ASK, i, e[PM_ASK_PROGRAM_2], m->rows[PM_TABLE_PROGRAM]);
-        if (kind == PM_ASK_GRID && (e[PM_ASK_FIRST_VALUE] < 0 || e[PM_ASK_FIRST_VALUE] > m->nvalue - count))
-            return bad(where, PM_TABLE_ASK, i, (double)e[PM_ASK_FIRST_VALUE] + count, m->nvalue);
-        if (count > INT32_MAX - m->nout) return bad(where, PM_TABLE_ASK, i, count, INT32_MAX);
-        m->nout += count;
-    }
-    return PM_OK;
-}
-
-static int check_untils(const pm_model *m, pm_where *where)
-{
-    for (int i = 0; i < m->rows[PM_TABLE_UNTIL]; i++) {
-        const int nth = PM_UNTIL_ROW(m, i)[PM_UNTIL_NTH];
-        if (nth < 1) return bad(where, PM_TABLE_UNTIL, i, nth, 1);
-    }
-    return PM_OK;
-}
-
-static int check_events(const pm_model *m, pm_where *where)
-{
-    for (int i = 0; i < m->rows[PM_TABLE_EVENT]; i++) {
-        const int nth = PM_EVENT_ROW(m, i)[PM_EVENT_NTH];
-        if (nth < 0) return bad(where, PM_TABLE_EVENT, i, nth, 0);
-    }
-    return PM_OK;
-}
-
-/* Which table column a of an action points into; which programs it needs. */
-static int check_action(const pm_model *m, int i, pm_where *where)
-{
-    const int32_t *e = PM_ACTION_ROW(m, i);
-    const int kind = e[PM_ACTION_KIND], of = e[PM_ACTION_TABLE], a = e[PM_ACTION_A];
-    if (kind < 0 || kind >= PM_ACTION_KINDS) return bad(where, PM_TABLE_ACTION, i, kind, PM_ACTION_KINDS);
-    if (e[PM_ACTION_EVENT] == PM_NONE && kind != PM_ACTION_REMOVE)
-        return bad(where, PM_TABLE_ACTION, i, kind, PM_ACTION_REMOVE);
-    if (kind <= PM_ACTION_REMOVE) {
-        if (of != PM_TABLE_JOINT && of != PM_TABLE_CONTACT && of != PM_TABLE_FORCE)
-            return bad(where, PM_TABLE_ACTION, i, of, PM_TABLE_FORCE);
-        return pm_reference_in_range(m, of, a) ? PM_OK : bad(where, PM_TABLE_ACTION, i, a, m->rows[of]);
-    }
-    if (of != PM_NONE) return bad(where, PM_TABLE_ACTION, i, of, PM_NONE);
-    if (kind == PM_ACTION_NUDGE) {
-        const int program = e[PM_ACTION_PROGRAM_X];
-        if (a != PM_NONE) return bad(where, PM_TABLE_ACTION, i, a, PM_NONE);
-        return program >= 0 ? PM_OK : bad(where, PM_TABLE_ACTION, i, program, m->rows[PM_TABLE_PROGRAM]);
-    }
-    const int at = kind == PM_ACTION_IMPULSE ? PM_TABLE_POINT : PM_TABLE_BODY;
-    if (a < 0 || a >= m->rows[at]) return bad(where, PM_TABLE_ACTION, i, a, m->rows[at]);
-    const int turns = kind == PM_ACTION_IMPULSE || PM_BODY_ROW(m, a)[PM_BODY_TURNS];
-    if (!turns) return bad(where, PM_TABLE_ACTION, i, a, PM_BODY_TURNS);
-    for (int k = 0; k < (kind == PM_ACTION_IMPULSE ? 2 : 1); k++)
-        if (e[PM_ACTION_PROGRAM_X + k] < 0)
-            return bad(where, PM_TABLE_ACTION, i, e[PM_ACTION_PROGRAM_X + k], m->rows[PM_TABLE_PROGRAM]);
-    return PM_OK;
-}
-
-static int check_actions(const pm_model *m, pm_where *where)
-{
-    int status = PM_OK;
-    for (int i = 0; !status && i < m->rows[PM_TABLE_ACTION]; i++) status = check_action(m, i, where);
-    return status;
-}
-
-static int check_settings(const pm_model *m, pm_where *where)
-{
-    const int route = PM_SETTING(m, PM_SETTING_ROUTE);
-    if (route < 0 || route >= PM_ROUTES) return bad(where, PM_TABLE_SETTING, 0, route, PM_ROUTES);
-    const int estimate = PM_SETTING(m, PM_SETTING_ESTIMATE);
-    if (estimate < 0 || estimate > 1) return bad(where, PM_TABLE_SETTING, 0, estimate, 1);
-    const int simultaneous = PM_SETTING(m, PM_SETTING_SIMULTANEOUS);
-    if (simultaneous < 0 || simultaneous >= PM_SIMULTANEOUS_KINDS)
-        return bad(where, PM_TABLE_SETTING, 0, simultaneous, PM_SIMULTANEOUS_KINDS);
-    if (PM_SETTING(m, PM_SETTING_MAX_EVENTS) < 1) return bad(where, PM_TABLE_SETTING, 0, 0, 1);
-    if (PM_SETTING(m, PM_SETTING_MAX_STEPS) < 1) return bad(where, PM_TABLE_SETTING, 0, 0, 1);
-    return PM_OK;
-}
-
-/* A find: one or two parameters, and as many conditions ZERO as it needs. */
-static int check_find(const pm_model *m, pm_where *where)
-{
-    const int nvary = m->rows[PM_TABLE_VARY], nfind = m->rows[PM_TABLE_FIND];
-    if (nfind > 1) return bad(where, PM_TABLE_FIND, 1, nfind, 1);
-    if (nfind == 0) return PM_OK;
-    const int32_t *find = PM_FIND_ROW(m, 0);
-    if (nvary < 1 || nvary > PM_FIND_MOST) return bad(where, PM_TABLE_VARY, PM_NONE, nvary, PM_FIND_MOST);
-    if (find[PM_FIND_GOAL] < 0 || find[PM_FIND_GOAL] >= PM_FIND_GOALS)
-        return bad(where, PM_TABLE_FIND, 0, find[PM_FIND_GOAL], PM_FIND_GOALS);
-    const int most = nvary == 2 ? PM_FIND_MOST_PAIR_SAMPLES : PM_FIND_MOST_SAMPLES;
-    if (find[PM_FIND_SAMPLES] < 2 || find[PM_FIND_SAMPLES] > most)
-        return bad(where, PM_TABLE_FIND, 0, find[PM_FIND_SAMPLES], most);
-    for (int i = 0; i < nvary; i++) {
-        const int parameter = PM_VARY_ROW(m, i)[PM_VARY_PARAMETER];
-        if (parameter < 0 || parameter >= m->nparam)
-            return bad(where, PM_TABLE_VARY, i, parameter, m->nparam);
-    }
-    int zeros = 0;
-    if (m->rows[PM_TABLE_CONDITION] > PM_FIND_MOST_CONDITIONS)
-        return bad(where, PM_TABLE_CONDITION, PM_NONE, m->rows[PM_TABLE_CONDITION], PM_FIND_MOST_CONDITIONS);
-    for (int i = 0; i < m->rows[PM_TABLE_CONDITION]; i++) {
-        const int kind = PM_CONDITION_ROW(m, i)[PM_CONDITION_KIND];
-        if (kind < 0 || kind >= PM_CONDITION_KINDS)
-            return bad(where, PM_TABLE_CONDITION, i, kind, PM_CONDITION_KINDS);
-        zeros += kind == PM_CONDITION_ZERO;
-    }
-    const int fewest = nvary == 2 || find[PM_FIND_GOAL] == PM_FIND_VALUE ? nvary : 0;
-    return zeros < fewest || zeros > nvary ? bad(where, PM_TABLE_CONDITION, PM_NONE, zeros, nvary) : PM_OK;
-}
-
-static int check_tables(pm_model *m, pm_where *where)
-{
-    int status = pm_reference_check(m, where);
-    if (!status) status = check_contacts(m, where);
-    if (!status) status = check_triggers(m, where);
-    if (!status) status = check_asks(m, where);
-    if (!status) status = check_untils(m, where);
-    if (!status) status = check_events(m, where);
-    if (!status) status = check_actions(m, where);
-    if (!status) status = check_settings(m, where);
-    if (!status) status = check_find(m, where);
-    if (!status) status = pm_measure_validate(m, where);
-    if (!status) status = pm_program_validate(m, where);
-    if (!status) status = check_forces(m, where); /* look into programs */
-    if (!status) status = check_drives(m, where);
-    if (!status) status = pm_turning_plane_validate(m, where);
-    if (!status) status = check_impulses(m, where);
-    return status;
+    return pm_reference_drive(m, 0, &table, &row) != PM_NONE;
 }
 
 /* Numbers rows, slots, memories and running integrals. */
@@ -383,10 +69,9 @@ static void look_for_actions(pm_model *m)
 static void grade_programs(pm_model *m)
 {
     for (int i = 0; i < m->rows[PM_TABLE_PROGRAM]; i++) {
-        const int32_t *p = pm_table_row(m, PM_TABLE_PROGRAM, i, PM_PROGRAM_COLUMNS);
-        const int32_t *code = pm_table_row(m, PM_TABLE_CODE, p[PM_PROGRAM_FIRST], PM_CODE_COLUMNS);
-        int level = PM_LEVEL_NONE;
-        for (int k = 0; k < p[PM_PROGRAM_LENGTH]; k++, code += PM_CODE_COLUMNS) {
+        int level = PM_LEVEL_NONE, length;
+        const int32_t *code = pm_program_code(m, i, &length);
+        for (int k = 0; k < length; k++, code += PM_CODE_COLUMNS) {
             if (code[PM_CODE_OP] != PM_OP_MEASURE) continue;
             const int needs = pm_measure_level(m, code[PM_CODE_ARG]);
             if (needs > level) level = needs;
@@ -402,7 +87,7 @@ static void look_for_time(pm_model *m)
 {
     int table, row, program;
     m->programs.use_time |= m->spin_z != PM_NONE || m->spin_angle_z != PM_NONE;
-    for (int k = 0; (program = drive_of(m, k, &table, &row)) != PM_NONE; k++)
+    for (int k = 0; (program = pm_reference_drive(m, k, &table, &row)) != PM_NONE; k++)
         m->programs.use_time |= pm_program_class_reads_time(m, program);
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++)
         for (int k = 0; k < pm_force_of(m, i)->programs; k++)
@@ -436,21 +121,56 @@ static void look_at_forces(pm_model *m)
         m->programs.forces_by_place && !m->acts && m->nfriction == 0 && !pm_model_is_driven(m);
 }
 
-/* Whether a program that is watched within steps reads the count or time of an event: it jumps where one is marked. */
-static void look_for_counts(pm_model *m)
+/* Whether some program reads the time; whether one that is watched within steps does, or the count or time of an event: it
+ * jumps where one is marked. */
+static void look_at_watched(pm_model *m)
 {
+    pm_model_programs *p = &m->programs;
+    for (int i = 0; i < m->rows[PM_TABLE_PROGRAM]; i++) p->read_time |= pm_program_class_reads_time(m, i);
+    p->read_time |= PM_SETTING(m, PM_SETTING_MAX_TIME) >= 0;
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *e = PM_TRIGGER_ROW(m, i);
+        const int program = e[PM_TRIGGER_PROGRAM];
+        p->sample_time |= program >= 0 && pm_program_class_reads_time(m, program);
         if (e[PM_TRIGGER_KIND] <= PM_TRIGGER_EVERY)
-            m->programs.watch_counts |= pm_program_class_reads_counts(m, e[PM_TRIGGER_PROGRAM]);
+            p->watch_counts |= pm_program_class_reads_counts(m, program);
     }
     for (int i = 0; i < m->nask; i++) {
         const int32_t *e = PM_ASK_ROW(m, i);
+        const int program[] = {e[PM_ASK_PROGRAM], e[PM_ASK_PROGRAM_2]};
         if (e[PM_ASK_KIND] < PM_ASK_MAX || e[PM_ASK_KIND] > PM_ASK_GRID) continue;
-        m->programs.watch_counts |= pm_program_class_reads_counts(m, e[PM_ASK_PROGRAM]);
-        if (e[PM_ASK_PROGRAM_2] >= 0)
-            m->programs.watch_counts |= pm_program_class_reads_counts(m, e[PM_ASK_PROGRAM_2]);
+        for (int k = 0; k < 2 && program[k] >= 0; k++) {
+            p->sample_time |= pm_program_class_reads_time(m, program[k]);
+            p->watch_counts |= pm_program_class_reads_counts(m, program[k]);
+        }
     }
+}
+
+static int create_arrays(pm_model *m)
+{
+    const int njoint = m->rows[PM_TABLE_JOINT], ncontact = m->rows[PM_TABLE_CONTACT],
+              nforce = m->rows[PM_TABLE_FORCE], nmeasure = m->rows[PM_TABLE_MEASURE],
+              nprogram = m->rows[PM_TABLE_PROGRAM];
+    const pm_array array[] = {
+        PM_ARRAY(m->contact_slot, ncontact),    PM_ARRAY(m->contact_kept, ncontact),
+        PM_ARRAY(m->joint_row, njoint),         PM_ARRAY(m->joint_memory, njoint),
+        PM_ARRAY(m->force_z, nforce),           PM_ARRAY(m->friction_force, nforce),
+        PM_ARRAY(m->path_z, nmeasure),          PM_ARRAY(m->path, nmeasure),
+        PM_ARRAY(m->programs.level, nprogram),  PM_ARRAY(m->programs.class, nprogram),
+        PM_ARRAY(m->programs.energy, nprogram),
+    };
+    const int status = pm_arena_create(&m->block, PM_ARRAYS(array));
+    return status ? status : pm_program_fold_create(m);
+}
+
+static void fill(pm_model *m)
+{
+    lay_out(m);
+    look_for_actions(m);
+    grade_programs(m);
+    look_for_time(m);
+    look_at_watched(m);
+    look_at_forces(m);
 }
 
 int pm_model_create(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant,
@@ -462,56 +182,14 @@ int pm_model_create(int64_t ntable, const int32_t *table, int64_t nconstant, con
     m->constant = constant;
     m->nconstant = (int)nconstant;
     m->nparam = (int)nparam;
-    int status = read_directory(m, ntable, table, where);
-    if (!status) {
-        m->nbody = m->rows[PM_TABLE_BODY];
-        m->nq = 3 * m->nbody;
-        m->nvalue = m->rows[PM_TABLE_VALUE];
-        m->nask = m->rows[PM_TABLE_ASK];
-        status = check_tables(m, where);
-    }
+    int status = pm_check_directory(m, ntable, table, where);
+    if (!status) status = pm_check_tables(m, where);
+    if (!status) status = create_arrays(m);
     if (status) {
-        free(m);
+        pm_model_free(m);
         return status;
     }
-    const size_t nint = 2 * (size_t)m->rows[PM_TABLE_CONTACT] + 2 * (size_t)m->rows[PM_TABLE_JOINT] +
-                        2 * (size_t)m->rows[PM_TABLE_FORCE] + 2 * (size_t)m->rows[PM_TABLE_MEASURE];
-    int *block = calloc(nint + 1, sizeof *block);
-    m->programs.level = calloc(3 * (size_t)m->rows[PM_TABLE_PROGRAM] + 1, 1);
-    m->contact_slot = block;
-    if (!block || !m->programs.level || pm_program_fold_create(m)) {
-        pm_model_free(m);
-        return PM_NO_MEMORY;
-    }
-    m->programs.class = m->programs.level + m->rows[PM_TABLE_PROGRAM];
-    m->programs.energy = m->programs.class + m->rows[PM_TABLE_PROGRAM];
-    m->contact_kept = m->contact_slot + m->rows[PM_TABLE_CONTACT];
-    m->joint_row = m->contact_kept + m->rows[PM_TABLE_CONTACT];
-    m->joint_memory = m->joint_row + m->rows[PM_TABLE_JOINT];
-    m->force_z = m->joint_memory + m->rows[PM_TABLE_JOINT];
-    m->friction_force = m->force_z + m->rows[PM_TABLE_FORCE];
-    m->path_z = m->friction_force + m->rows[PM_TABLE_FORCE];
-    m->path = m->path_z + m->rows[PM_TABLE_MEASURE];
-    lay_out(m);
-    look_for_actions(m);
-    grade_programs(m);
-    look_for_time(m);
-    look_for_counts(m);
-    look_at_forces(m);
-    for (int i = 0; i < m->rows[PM_TABLE_PROGRAM]; i++)
-        m->programs.read_time |= pm_program_class_reads_time(m, i);
-    m->programs.read_time |= PM_SETTING(m, PM_SETTING_MAX_TIME) >= 0;
-    for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
-        const int program = PM_TRIGGER_ROW(m, i)[PM_TRIGGER_PROGRAM];
-        m->programs.sample_time |= program >= 0 && pm_program_class_reads_time(m, program);
-    }
-    for (int i = 0; i < m->nask; i++) {
-        const int32_t *e = PM_ASK_ROW(m, i);
-        if (e[PM_ASK_KIND] < PM_ASK_MAX || e[PM_ASK_KIND] > PM_ASK_GRID) continue;
-        m->programs.sample_time |= pm_program_class_reads_time(m, e[PM_ASK_PROGRAM]);
-        m->programs.sample_time |=
-            e[PM_ASK_PROGRAM_2] >= 0 && pm_program_class_reads_time(m, e[PM_ASK_PROGRAM_2]);
-    }
+    fill(m);
     *model = m;
     return PM_OK;
 }
@@ -519,8 +197,7 @@ int pm_model_create(int64_t ntable, const int32_t *table, int64_t nconstant, con
 void pm_model_free(pm_model *model)
 {
     if (!model) return;
-    free(model->contact_slot); /* head of the block of all index arrays */
-    free(model->programs.level);
+    free(model->block);
     pm_program_fold_free(model);
     free(model->prune.table);
     free(model);

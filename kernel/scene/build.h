@@ -9,6 +9,9 @@
 int pm_model_create(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant,
                     int64_t nparam, pm_model **model, pm_where *where);
 void pm_model_free(pm_model *model);
+/* check.c: where the tables are and how long (the directory), then what stands in them, references first. */
+int pm_check_directory(pm_model *m, int64_t ntable, const int32_t *table, pm_where *where);
+int pm_check_tables(pm_model *m, pm_where *where);
 /* Something has a prescribed motion. */
 int pm_model_is_driven(const pm_model *model);
 

@@ -3,7 +3,7 @@
 #include "scene/program_degree.h"
 
 #include "expression/program.h"
-#include "scene/program_class.h"
+#include "expression/program_class.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 

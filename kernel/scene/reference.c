@@ -256,3 +256,25 @@ int pm_reference_of(const pm_model *m, int table, const int32_t *e, pm_reference
         if (e[all[i].column] >= 0 && e[all[i].column] < m->rows[all[i].of]) out[n++] = all[i];
     return n;
 }
+
+/* ---- drives ---- */
+int pm_reference_drive(const pm_model *m, int k, int *table, int *row)
+{
+    static const int joint_column[] = {PM_JOINT_PROGRAM_X, PM_JOINT_PROGRAM_Y};
+    for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++)
+        for (int c = 0; c < 2; c++) {
+            const int program = PM_JOINT_ROW(m, i)[joint_column[c]];
+            if (program < 0 || k-- > 0) continue;
+            *table = PM_TABLE_JOINT;
+            *row = i;
+            return program;
+        }
+    for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
+        const int program = PM_CONTACT_ROW_OF(m, i)[PM_CONTACT_SPEED];
+        if (program < 0 || k-- > 0) continue;
+        *table = PM_TABLE_CONTACT;
+        *row = i;
+        return program;
+    }
+    return PM_NONE;
+}

@@ -18,5 +18,7 @@ int pm_reference_check(const pm_model *m, pm_where *where);
 int pm_reference_in_range(const pm_model *m, int of, int index);
 /* The references of row e of a checked model, but those of a program to its code; how many. */
 int pm_reference_of(const pm_model *m, int table, const int32_t *e, pm_reference out[PM_REFERENCES]);
+/* The k-th program of the scene that prescribes a rate, with its table and row; PM_NONE after the last. */
+int pm_reference_drive(const pm_model *m, int k, int *table, int *row);
 
 #endif

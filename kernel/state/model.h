@@ -66,6 +66,7 @@ typedef struct pm_model {
     int *path_z;              /* [nmeasure] running integral of a path measure, or PM_NONE */
     int *path;                /* [npath] the measures of paths: their integrals follow the works */
     int npath;
+    void *block; /* owns the arrays above, and of `programs` the first three */
     pm_model_programs programs;
     pm_model_prune prune;
 } pm_model;

@@ -102,6 +102,15 @@ typedef struct pm_instant {
     unsigned char *slot_released; /* [nslot] let go at this instant: not closed again at it */
 } pm_instant;
 
+/* Which triggers have fired, and how often and when events did (elements/trigger.h). */
+typedef struct pm_firing {
+    unsigned char *fired; /* [ntrigger] enum pm_fired, at this instant */
+    double *before;       /* [ntrigger] values of their programs before the jump */
+    int64_t *count;       /* [nevent] how often it has fired */
+    int64_t *seen;        /* [nevent] how often its triggers were marked */
+    double *time;         /* [nevent] s, when it fired last; not a number before */
+} pm_firing;
+
 /* Whether errors and margins are estimated, and the pass that notes them (state/evidence.h). */
 typedef struct pm_evidence {
     int active;                    /* the present case is run for its errors too */
@@ -124,6 +133,8 @@ typedef struct pm_result {
 struct pm_workspace {
     const pm_model *model;
     const int32_t *stop; /* raised by another thread (run/run.h: pm_run_is_stopped), or NULL */
+    double (*read_measure)(pm_workspace *w,
+                           int i); /* what programs read: pm_measure_signed (elements/measure.h) */
     pm_numbers numbers;
     pm_state state, start; /* now; at t = 0 after the assembly */
     pm_state probe;        /* a state inside a step */
@@ -137,6 +148,7 @@ struct pm_workspace {
     pm_request request;
     pm_step step;
     pm_instant instant;
+    pm_firing firing;
     pm_evidence evidence;
     pm_result result;
     /* what single rooms keep */

@@ -25,10 +25,10 @@
 #include "events/event.h"
 #include "events/history.h"
 #include "expression/program.h"
+#include "expression/program_class.h"
 #include "numerics/tolerances.h"
 #include "routes/path/path_error.h"
 #include "run/run.h"
-#include "scene/program_class.h"
 #include "state/arena.h"
 #include "state/frame.h"
 #include "state/route.h"
@@ -81,7 +81,7 @@ static uint64_t outcome_of(const pm_workspace *w, const pm_pass *p)
     hash = (hash ^ (uint64_t)(int64_t)p->status) * 1099511628211ULL;
     for (int i = 0; i < w->model->nask; i++) hash = (hash ^ (uint64_t)p->reason[i]) * 1099511628211ULL;
     for (int i = 0; i < w->model->rows[PM_TABLE_EVENT]; i++)
-        hash = (hash ^ (uint64_t)w->event->count[i]) * 1099511628211ULL;
+        hash = (hash ^ (uint64_t)w->firing.count[i]) * 1099511628211ULL;
     return hash;
 }
 
@@ -122,8 +122,7 @@ static int look_at_programs(pm_workspace *w, const pm_state *s, double *ask, dou
     pm_frame_look(&w->frame, s->t, s->q, s->v, s->z, w->state.memory);
     const int status = pm_saddle_accelerate(w);
     if (status) return status;
-    for (int i = 0; i < m->nask; i++)
-        ask[i] = pm_program_run(m, PM_ASK_ROW(m, i)[PM_ASK_PROGRAM], w->numbers.param, w->numbers.value, w);
+    for (int i = 0; i < m->nask; i++) ask[i] = pm_program_run(w, PM_ASK_ROW(m, i)[PM_ASK_PROGRAM]);
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++)
         trigger[i] = PM_TRIGGER_ROW(m, i)[PM_TRIGGER_PROGRAM] >= 0 ? pm_trigger_program(w, i) : 0;
     return PM_OK;
@@ -139,7 +138,7 @@ static double size_of(double changed, double value, double part)
 static void find_sizes(pm_workspace *w)
 {
     pm_accuracy *e = w->accuracy;
-    double *ask = e->spare->out, *trigger = w->event->before; /* both are free between passes */
+    double *ask = e->spare->out, *trigger = w->firing.before; /* both are free between passes */
     const int nask = w->model->nask, ntrigger = w->model->rows[PM_TABLE_TRIGGER];
     memset(e->scale, 0, (size_t)nask * sizeof(double));
     memset(e->trigger_scale, 0, (size_t)ntrigger * sizeof(double));

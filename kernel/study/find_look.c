@@ -10,10 +10,7 @@
 #include "state/frame.h"
 #include "state/workspace.h"
 
-static double read_program(pm_workspace *w, int program)
-{
-    return pm_program_run(w->model, program, w->numbers.param, w->numbers.value, w);
-}
+static double read_program(pm_workspace *w, int program) { return pm_program_run(w, program); }
 
 static int condition_holds(int kind, double reading)
 {

@@ -165,7 +165,7 @@ static int close_loops(pm_workspace *w, double *x)
     if (status) return status;
     for (int i = 0; i < t->nloop; i++) {
         const pm_constraint *row = &w->active.row[t->loop[i]];
-        t->residual[i] = row->gamma - pm_saddle_times(&w->frame, row, t->bias);
+        t->residual[i] = row->gamma - pm_constraint_times(&w->frame, row, t->bias);
         for (int k = t->from[i]; k < t->to[i]; k++) t->residual[i] -= t->reduced[i * t->n + k] * x[k];
     }
     add_loops(t, x);
@@ -353,7 +353,7 @@ int pm_tree_project(pm_workspace *w, double time, double *y, double *ydot, const
     }
     for (int i = 0; i < t->nloop; i++) {
         const pm_constraint *row = &w->active.row[t->loop[i]];
-        t->residual[i] = row->rate - pm_saddle_times(&w->frame, row, t->v);
+        t->residual[i] = row->rate - pm_constraint_times(&w->frame, row, t->v);
     }
     const double worst = worst_of(t->residual, t->nloop);
     if (worst <= PM_MET * w->numbers.speed) return PM_OK;

@@ -90,7 +90,7 @@ static double read_rate_residuals(const pm_workspace *w, const double *v)
     double worst = 0;
     for (int i = 0; i < t->nloop; i++) {
         const pm_constraint *row = &w->active.row[t->loop[i]];
-        t->residual[i] = row->rate - pm_saddle_times(&w->frame, row, v);
+        t->residual[i] = row->rate - pm_constraint_times(&w->frame, row, v);
         worst = fmax(worst, fabs(t->residual[i]));
     }
     return worst;
@@ -197,7 +197,7 @@ static void follow(pm_workspace *w, double *yddot, double *a)
     pm_tree_spread_accelerations(w, yddot, a);
     for (int i = 0; i < t->nloop; i++) {
         const pm_constraint *row = &w->active.row[t->loop[i]];
-        t->residual[i] = row->gamma - pm_saddle_times(&w->frame, row, a);
+        t->residual[i] = row->gamma - pm_constraint_times(&w->frame, row, a);
     }
     correct(t, yddot);
     pm_tree_spread_accelerations(w, yddot, a);

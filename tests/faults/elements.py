@@ -28,13 +28,10 @@ FAULTS = [
         "room = 0.1",
     ),
     Fault(
-        "spin: taken for uniform", "elements/constant_motion.c", "pm_turning_plane_turns(w->model) || ", ""
-    ),
-    Fault(
-        "uniform: rows are dropped from the proof",
-        "elements/constant_motion.c",
-        "|| !rows_hold(w, x)) return 0",
-        ") return 0",
+        "spin: taken for uniform",
+        "elements/force.c",
+        "if (pm_turning_plane_turns(w->model)) return 0;\n    for",
+        "for",
     ),
     Fault(
         "uniform: levers of locked bodies do not change their couples",
@@ -44,7 +41,7 @@ FAULTS = [
     ),
     Fault(
         "belt: friction does not know that it runs",
-        "elements/constraint.c",
+        "elements/constraint_kind.c",
         "return pm_constraint_rate(frame, row) - pm_drive_rate(frame, row->drive);",
         "return pm_constraint_rate(frame, row);",
     ),
@@ -331,11 +328,11 @@ FAULTS = [
     Fault(
         "action: the event acts each time",
         "elements/trigger.c",
-        "w->event->seen[event] + 1 == nth",
+        "w->firing.seen[event] + 1 == nth",
         "nth > 0",
     ),
     Fault(
-        "one by one: one event for all", "elements/trigger.c", "w->event->fired[i] = PM_FIRED_EARLIER;", ";"
+        "one by one: one event for all", "elements/trigger.c", "w->firing.fired[i] = PM_FIRED_EARLIER;", ";"
     ),
     Fault(
         "event: a blow's change of sign",

@@ -152,8 +152,8 @@ FAULTS = [
     Fault(
         "projection: velocity goes away",
         "equations/projection.c",
-        "w->active.row[i].rate - pm_saddle_times",
-        "w->active.row[i].rate + pm_saddle_times",
+        "w->active.row[i].rate - pm_constraint_times",
+        "w->active.row[i].rate + pm_constraint_times",
     ),
     Fault(
         "projection: position left out",

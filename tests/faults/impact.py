@@ -134,8 +134,8 @@ FAULTS = [
     Fault(
         "drive: not in a blow",
         "impact/impact_trial.c",
-        "pm_saddle_times(&w->frame, &w->active.row[i], w->state.v) - w->active.row[i].rate",
-        "pm_saddle_times(&w->frame, &w->active.row[i], w->state.v)",
+        "pm_constraint_times(&w->frame, &w->active.row[i], w->state.v) - w->active.row[i].rate",
+        "pm_constraint_times(&w->frame, &w->active.row[i], w->state.v)",
     ),
     Fault(
         "blow: sign of restitution", "impact/impact_trial.c", "return -(1 + e) * u;", "return -(1 - e) * u;"

@@ -216,8 +216,8 @@ FAULTS = [
     Fault(
         "leg: firings are not counted",
         "routes/path/repeat_pass.c",
-        "w->event->count[i] += segments * each",
-        "w->event->count[i] += each",
+        "w->firing.count[i] += segments * each",
+        "w->firing.count[i] += each",
     ),
     Fault(
         "leg: only the first one is looked at",

@@ -124,4 +124,10 @@ FAULTS = [
         "!(x.least > 0 || x.greatest < 0)) return 0",
         "0) return 0",
     ),
+    Fault(
+        "uniform: rows are dropped from the proof",
+        "routes/uniform/route_uniform.c",
+        "!pm_constraint_all_steady(w, &u->curve) || ",
+        "",
+    ),
 ]

@@ -29,18 +29,6 @@ FAULTS = [
         "case PM_MEASURE_KINDS:",
     ),
     Fault(
-        "nature: a product of times",
-        "scene/program_class.c",
-        "(op == PM_OP_MUL && a != b)",
-        "op == PM_OP_MUL",
-    ),
-    Fault(
-        "growth: the ratio of two forces",
-        "scene/program_energy.c",
-        "if (b == PM_ENERGY_CLASS_NONE) return product(a, b);",
-        "if (b <= PM_ENERGY_CLASS_LINEAR) return a;",
-    ),
-    Fault(
         "reduce: places of the smaller scene",
         "scene/prune.c",
         "return known ? m->prune.original[table][row] : row;",

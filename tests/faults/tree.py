@@ -80,8 +80,8 @@ FAULTS = [
     Fault(
         "tree: partitioned, without the quadratic part",
         "tree/tree_partition.c",
-        "row->gamma - pm_saddle_times(&w->frame, row, a)",
-        "-pm_saddle_times(&w->frame, row, a)",
+        "row->gamma - pm_constraint_times(&w->frame, row, a)",
+        "-pm_constraint_times(&w->frame, row, a)",
     ),
     Fault(
         "tree: partitioned, a rate of the wrong sign",

@@ -1,8 +1,8 @@
 /* Estimated errors and margins: against true errors, on decisions that are close, and what is asked of accuracy. */
 #include "study/accuracy.h"
 #include "check.h"
+#include "expression/program_class.h"
 #include "scene.h"
-#include "scene/program_class.h"
 #include "state/workspace.h"
 
 #define G 9.81

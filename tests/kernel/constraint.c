@@ -68,7 +68,7 @@ static double rate_at(pm_workspace *w, pm_constraint row, const double *directio
 {
     look(w, direction, eps);
     pm_constraint_kind(row.kind)->evaluate(&w->frame, &row);
-    return pm_saddle_times(&w->frame, &row, w->state.v);
+    return pm_constraint_times(&w->frame, &row, w->state.v);
 }
 
 static void check_row(pm_workspace *w, pm_constraint row, int on_constraint)
@@ -94,7 +94,7 @@ static void check_row(pm_workspace *w, pm_constraint row, int on_constraint)
     NEAR(row.gamma, -change, 1e-7);
     look(w, NULL, 0);
     if (on_constraint)
-        NEAR(pm_constraint_rate(&w->frame, &row), pm_saddle_times(&w->frame, &row, w->state.v), 1e-13);
+        NEAR(pm_constraint_rate(&w->frame, &row), pm_constraint_times(&w->frame, &row, w->state.v), 1e-13);
 }
 
 static int open_case(scene *s)

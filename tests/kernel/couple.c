@@ -33,13 +33,14 @@ static void check_row(pm_workspace *w, pm_constraint row)
     pm_constraint_kind(row.kind)->evaluate(&w->frame, &row);
     NEAR(row.g, 0, 1e-14);
     double before = residual(w, row, -STEP), after = residual(w, row, STEP);
-    NEAR((after - before) / (2 * STEP), pm_saddle_times(&w->frame, &row, w->state.v) - row.rate, 1e-7);
+    NEAR((after - before) / (2 * STEP), pm_constraint_times(&w->frame, &row, w->state.v) - row.rate, 1e-7);
     NEAR((after + before) / (STEP * STEP), -row.gamma, 1e-6);
     pm_frame_look_state(&w->frame, &w->state);
     /* the force of a drive is taken at the point of a, friction where the circle touches the line */
     const int off = row.kind == PM_CONSTRAINT_DRIVE_X || row.kind == PM_CONSTRAINT_DRIVE_Y ||
                     row.kind == PM_CONSTRAINT_LINE_TANGENT;
-    if (!off) NEAR(pm_constraint_rate(&w->frame, &row), pm_saddle_times(&w->frame, &row, w->state.v), 1e-13);
+    if (!off)
+        NEAR(pm_constraint_rate(&w->frame, &row), pm_constraint_times(&w->frame, &row, w->state.v), 1e-13);
     NEAR(pm_constraint_slip(&w->frame, &row), pm_constraint_rate(&w->frame, &row) - row.rate, 1e-15);
     for (int i = 0; i < w->model->nq; i++) {
         double unit[6] = {0};
@@ -48,7 +49,7 @@ static void check_row(pm_workspace *w, pm_constraint row)
         w->state.v = unit;
         before = residual(w, row, -STEP);
         after = residual(w, row, STEP);
-        NEAR((after - before) / (2 * STEP), pm_saddle_times(&w->frame, &row, unit) - row.rate, 1e-7);
+        NEAR((after - before) / (2 * STEP), pm_constraint_times(&w->frame, &row, unit) - row.rate, 1e-7);
         w->state.v = (double *)kept;
     }
 }

@@ -14,7 +14,7 @@ static double value_of(const scene_code *code, int n, scene *s)
     scene_value_of(s, scene_program(s, n, code));
     double result = NAN;
     if (CHECK(scene_open(s) == PM_OK))
-        result = pm_program_run(s->model, s->rows[PM_TABLE_PROGRAM] - 1, NULL, s->w->numbers.value, NULL);
+        result = pm_program_value(s->model, s->rows[PM_TABLE_PROGRAM] - 1, NULL, s->w->numbers.value);
     scene_free(s);
     return result;
 }
@@ -118,7 +118,7 @@ static int status_of_depth(int depth)
     for (int i = 1; i < depth; i++) code[n++] = scene_op(PM_OP_ADD);
     const int program = scene_program(s, n, code);
     const int status = scene_open(s);
-    if (status == PM_OK) EQUAL(pm_program_run(s->model, program, NULL, s->w->numbers.value, NULL), depth);
+    if (status == PM_OK) EQUAL(pm_program_value(s->model, program, NULL, s->w->numbers.value), depth);
     scene_free(s);
     return status;
 }
@@ -226,7 +226,7 @@ static void run_at_nodes(scene *s, int program, int body, const int *measure)
         for (int k = 0; k < n; k++) {
             s->w->frame.pose[5 * body] = k % 3 ? check_random(-2, 2) : 0;
             for (int i = 0; i < 2; i++) measured[(1 - i) * PM_NODES_MOST + k] = pm_measure(s->w, measure[i]);
-            each[k] = pm_program_run(s->model, program, s->w->numbers.param, s->w->numbers.value, s->w);
+            each[k] = pm_program_run(s->w, program);
         }
         together[n] = 17.5;
         pm_program_run_nodes(s->w, program, n, place, measured, NULL, together);
@@ -256,9 +256,9 @@ static void folded(void)
             pm_start_report report;
             EQUAL(pm_run_start(s->w, param, &report), PM_OK);
             EQUAL(s->w->numbers.is_folded, 1);
-            const double quick = pm_program_run(s->model, program, param, s->w->numbers.value, s->w);
+            const double quick = pm_program_run(s->w, program);
             s->w->numbers.is_folded = 0;
-            const double slow = pm_program_run(s->model, program, param, s->w->numbers.value, s->w);
+            const double slow = pm_program_run(s->w, program);
             CHECK(same(slow, quick));
             s->w->numbers.is_folded = 1;
             run_at_nodes(s, program, b, measure);

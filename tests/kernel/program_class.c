@@ -1,6 +1,6 @@
 /* Natures of programs: what they are functions of, how they grow with the kinetic energy, and what a shift does to
  * them; a round body may turn as it likes, others only whole turns. */
-#include "scene/program_class.h"
+#include "expression/program_class.h"
 
 #include "check.h"
 #include "scene.h"

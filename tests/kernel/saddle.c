@@ -52,7 +52,7 @@ static void recompute(pm_workspace *w)
     for (int i = 0; i < w->active.n; i++) {
         const pm_constraint *row = &w->active.row[i];
         const double *h = w->active.asymmetric ? row->h : row->j;
-        NEAR(pm_saddle_times(&w->frame, row, w->frame.a), row->gamma, 1e-10);
+        NEAR(pm_constraint_times(&w->frame, row, w->frame.a), row->gamma, 1e-10);
         for (int p = 0; p < 2; p++)
             for (int k = 0; k < 3 && row->body[p] < w->model->nbody; k++)
                 sum[3 * row->body[p] + k] += h[3 * p + k] * w->frame.lambda[i];

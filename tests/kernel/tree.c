@@ -267,7 +267,7 @@ static void rates(pm_workspace *w, const double *y)
     for (int k = 0; k < w->active.n; k++) { /* the solved rows hold whatever the rates */
         if (!w->tree->used[k]) continue;
         pm_constraint_kind(w->active.row[k].kind)->evaluate(&w->frame, &w->active.row[k]);
-        NEAR(pm_saddle_times(&w->frame, &w->active.row[k], velocity), 0, 1e-12);
+        NEAR(pm_constraint_times(&w->frame, &w->active.row[k], velocity), 0, 1e-12);
         NEAR(w->active.row[k].g, 0, 1e-12);
     }
 }
@@ -303,7 +303,7 @@ static void projects(pm_workspace *w, const double *y)
     for (int i = 0; i < w->active.n; i++) {
         pm_constraint_kind(w->active.row[i].kind)->evaluate(&w->frame, &w->active.row[i]);
         NEAR(w->active.row[i].g, 0, 1e-14);
-        NEAR(pm_saddle_times(&w->frame, &w->active.row[i], w->tree->v), 0, 1e-14);
+        NEAR(pm_constraint_times(&w->frame, &w->active.row[i], w->tree->v), 0, 1e-14);
     }
 }
 

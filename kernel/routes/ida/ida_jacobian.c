@@ -93,7 +93,7 @@ static void force_and_rate(pm_workspace *w, const double *v, double *force, doub
     for (int i = 0; i < w->model->nq; i++) force[i] = w->numbers.inverse_mass[i] * w->frame.f[i];
     memcpy(w->saddle.rhs, w->frame.lambda, (size_t)w->active.n * sizeof(double));
     pm_saddle_spread(&w->saddle, 1, force);
-    for (int i = 0; i < w->active.n; i++) rate[i] = pm_saddle_times(&w->frame, &w->active.row[i], v);
+    for (int i = 0; i < w->active.n; i++) rate[i] = pm_constraint_times(&w->frame, &w->active.row[i], v);
 }
 
 static void rows(pm_workspace *w, pm_ida_jacobian *x)

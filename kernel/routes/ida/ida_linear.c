@@ -267,7 +267,7 @@ static double slips(pm_workspace *w, const double *v)
 {
     double worst = 0;
     for (int i = 0; i < w->active.n; i++) {
-        w->saddle.wanted[i] = w->active.row[i].rate - pm_saddle_times(&w->frame, &w->active.row[i], v);
+        w->saddle.wanted[i] = w->active.row[i].rate - pm_constraint_times(&w->frame, &w->active.row[i], v);
         worst = fmax(worst, fabs(w->saddle.wanted[i]));
     }
     return worst;

@@ -80,8 +80,8 @@ int pm_ida_system_residual(pm_workspace *w, double t, const double *y, const dou
     for (int i = 0; i < w->ida->stride; i++) {
         const int active = i < w->active.n;
         r[l + i] = active ? w->active.row[i].g : yp[l + i];
-        r[mu + i] =
-            active ? pm_saddle_times(&w->frame, &w->active.row[i], v) - w->active.row[i].rate : yp[mu + i];
+        r[mu + i] = active ? pm_constraint_times(&w->frame, &w->active.row[i], v) - w->active.row[i].rate
+                           : yp[mu + i];
     }
     double none = 0;
     for (int i = 0; i < w->ida->n; i++) none += 0 * r[i];

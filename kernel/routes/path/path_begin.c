@@ -48,7 +48,7 @@ double pm_path_force_size(const pm_workspace *w, const pm_place *x)
 double pm_path_requested(pm_workspace *w, const double *velocity)
 {
     memcpy(w->frame.velocity, velocity, (size_t)w->model->nq * sizeof *velocity);
-    return pm_program_run(w->model, w->request.program, w->numbers.param, w->numbers.value, w);
+    return pm_program_run(w, w->request.program);
 }
 
 /* Out of an equilibrium: the side that is asked for, or 0. */

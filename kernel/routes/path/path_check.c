@@ -40,7 +40,8 @@ static double broken_row(const pm_workspace *w)
     for (int i = 0; i < w->model->nq; i++)
         fastest = pm_max(fabs(t[i]) * (i % 3 == 2 ? w->numbers.size : 1), fastest);
     for (int i = 0; i < w->active.n; i++) {
-        const double *j = w->active.row[i].j, off = fabs(pm_saddle_times(&w->frame, &w->active.row[i], t));
+        const double *j = w->active.row[i].j,
+                     off = fabs(pm_constraint_times(&w->frame, &w->active.row[i], t));
         double size = 0;
         for (int k = 0; k < 6; k++) size += fabs(j[k]) / (k % 3 == 2 ? w->numbers.size : 1);
         worst = pm_max(off / (size * fastest), worst);

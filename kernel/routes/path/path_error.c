@@ -16,10 +16,10 @@
 #include "equations/solve_cache.h"
 #include "events/event.h"
 #include "expression/program.h"
+#include "expression/program_class.h"
 #include "numerics/chebyshev.h"
 #include "numerics/minmax.h"
 #include "routes/path/path.h"
-#include "scene/program_class.h"
 #include "state/evidence.h"
 #include "state/frame.h"
 #include "state/workspace.h"
@@ -216,7 +216,7 @@ static double error_of_time(pm_workspace *w, int program, double value)
     if (w->result.count[PM_COUNT_LEGS] > 0) return NAN;
     if (!(shift > 0)) return 0;
     f->t = t + shift;
-    const double changed = pm_program_run(w->model, program, w->numbers.param, w->numbers.value, w);
+    const double changed = pm_program_run(w, program);
     f->t = t;
     return fabs(changed - value) / shift * w->path->clock.error;
 }
@@ -251,7 +251,7 @@ static double error_of_motion(pm_workspace *w, int program, double value)
     if (dynamic) set_aside(w, w->scratch);
     shift_velocities(w, 1 + FASTER);
     const int failed = dynamic && accelerate(w);
-    const double changed = pm_program_run(w->model, program, w->numbers.param, w->numbers.value, w);
+    const double changed = pm_program_run(w, program);
     shift_velocities(w, 1);
     if (dynamic) put_back(w, w->scratch);
     return failed ? NAN : fabs(changed - value) / (2 * FASTER * kinetic) * w->path->error;

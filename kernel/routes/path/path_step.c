@@ -5,12 +5,12 @@
 #include <float.h>
 #include <math.h>
 
+#include "expression/program_class.h"
 #include "numerics/bracket.h"
 #include "numerics/chebyshev.h"
 #include "numerics/minmax.h"
 #include "routes/path/path.h"
 #include "routes/path/path_error.h"
-#include "scene/program_class.h"
 #include "state/workspace.h"
 
 #define FORM_TAIL 1e-8  /* highest coefficients of T in long steps, and in any that fewer nodes may do for */

@@ -103,7 +103,7 @@ static void remember(pm_workspace *w)
     l->kinetic = l->before = pm_body_kinetic(&w->frame, PM_NONE);
     l->ends_by_force = 0;
     memcpy(l->count, w->result.count, sizeof l->count);
-    memcpy(l->event_count, w->event->count, (size_t)w->model->rows[PM_TABLE_EVENT] * sizeof *l->event_count);
+    memcpy(l->event_count, w->firing.count, (size_t)w->model->rows[PM_TABLE_EVENT] * sizeof *l->event_count);
     l->known = 1;
 }
 

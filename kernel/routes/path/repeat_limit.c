@@ -10,8 +10,8 @@
 #include "equations/case.h"
 #include "events/ask.h"
 #include "events/event.h"
+#include "expression/program_class.h"
 #include "routes/path/repeat_parts.h"
-#include "scene/program_class.h"
 #include "state/workspace.h"
 
 #define WHOLE 1e-9 /* of a multiple */
@@ -80,7 +80,7 @@ int pm_repeat_limit_read_sides(pm_workspace *w)
 
 int64_t pm_repeat_limit_fires(const pm_workspace *w, int event)
 {
-    return w->event->count[event] - w->repeat->event_count[event];
+    return w->firing.count[event] - w->repeat->event_count[event];
 }
 
 /* ---- asks ---- */
@@ -97,8 +97,8 @@ static int64_t firings_allow(const pm_workspace *w, const int32_t *e)
     const int event = e[PM_ASK_EVENT_INDEX], each_is_asked = e[PM_ASK_KIND] == PM_ASK_EACH;
     const int64_t last = each_is_asked ? e[PM_ASK_COUNT] : e[PM_ASK_NTH],
                   each = pm_repeat_limit_fires(w, event);
-    if (each == 0 || w->event->count[event] >= last) return PM_MOST_REPEATS;
-    return each_is_asked ? 0 : at_most(PM_MOST_REPEATS, (double)((last - 1 - w->event->count[event]) / each));
+    if (each == 0 || w->firing.count[event] >= last) return PM_MOST_REPEATS;
+    return each_is_asked ? 0 : at_most(PM_MOST_REPEATS, (double)((last - 1 - w->firing.count[event]) / each));
 }
 
 static int64_t extreme_allows(pm_workspace *w, const int32_t *e, const pm_symmetry_shift *shift)
@@ -135,7 +135,7 @@ static int64_t limits_allow(const pm_workspace *w, double time)
     for (int i = 0; i < m->rows[PM_TABLE_UNTIL]; i++) {
         const int32_t *e = PM_UNTIL_ROW(m, i);
         const int64_t each = pm_repeat_limit_fires(w, e[PM_UNTIL_EVENT]),
-                      lacks = e[PM_UNTIL_NTH] - 1 - w->event->count[e[PM_UNTIL_EVENT]];
+                      lacks = e[PM_UNTIL_NTH] - 1 - w->firing.count[e[PM_UNTIL_EVENT]];
         if (each > 0 && lacks >= 0) most = at_most(most, (double)(lacks / each - 1));
     }
     return most;

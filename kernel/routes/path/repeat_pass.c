@@ -37,8 +37,8 @@ static void count_segments(pm_workspace *w, int64_t segments, double time)
     static const int counted[] = {PM_COUNT_PHASES, PM_COUNT_EVENTS, PM_COUNT_JUMPS};
     for (int i = 0; i < w->model->rows[PM_TABLE_EVENT]; i++) {
         const int64_t each = pm_repeat_limit_fires(w, i);
-        w->event->count[i] += segments * each;
-        if (each > 0) w->event->time[i] += (double)segments * time;
+        w->firing.count[i] += segments * each;
+        if (each > 0) w->firing.time[i] += (double)segments * time;
     }
     for (int i = 0; i < 3; i++)
         w->result.count[counted[i]] +=

@@ -16,9 +16,9 @@
 #include "equations/projection.h"
 #include "equations/saddle.h"
 #include "expression/program.h"
+#include "expression/program_class.h"
 #include "routes/path/path.h"
 #include "routes/start/fastest_growth.h"
-#include "scene/program_class.h"
 #include "state/arena.h"
 #include "state/frame.h"
 #include "state/route.h"
@@ -210,7 +210,7 @@ static int set_out(pm_workspace *w, double part, double *shows)
     const int status = pm_projection_apply(w, s);
     if (status) return status;
     pm_frame_look_state(&w->frame, s);
-    *shows = pm_program_run(w->model, w->request.program, w->numbers.param, w->numbers.value, w);
+    *shows = pm_program_run(w, w->request.program);
     return PM_OK;
 }
 

@@ -200,8 +200,8 @@ static int prepare(pm_workspace *w)
     pm_constant_motion_curve(w, u->v, u->a, u->turns, u->locked, &u->curve);
     if (u->curve.levers && pm_joint_friction_any(w->model))
         return 0; /* reactions change, and friction with them */
-    if (!pm_uniform_edge_hold(w) || !pm_constant_motion_holds(w, &u->curve) || !paths_are_parabolas(w) ||
-        pm_capture_awaits(w))
+    if (!pm_uniform_edge_hold(w) || !pm_constraint_all_steady(w, &u->curve) ||
+        !pm_force_all_steady(w, &u->curve) || !paths_are_parabolas(w) || pm_capture_awaits(w))
         return 0;
     u->t0 = w->state.t;
     u->begin = u->end = 0;
@@ -248,7 +248,7 @@ static double first_turn(pm_workspace *w, double from, double to)
         double p[3];
         for (int k = 0; k < 3; k++) {
             pm_uniform_look_at_forces(w, from + 0.5 * k * h);
-            p[k] = pm_program_run(w->model, x.program, w->numbers.param, w->numbers.value, w);
+            p[k] = pm_program_run(w, x.program);
             if (x.squared) p[k] *= p[k];
         }
         const double slope = 4 * p[1] - 3 * p[0] - p[2], bend = 2 * (p[0] - 2 * p[1] + p[2]);

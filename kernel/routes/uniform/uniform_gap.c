@@ -94,7 +94,7 @@ void pm_uniform_gap_begin(pm_workspace *w, int contact)
         pm_contact_constraint_both(&w->frame, contact, w->model->contact_slot[contact], member[i], &row,
                                    &tangent);
         pm_constraint_kind(row.kind)->evaluate(&w->frame, &row);
-        double g = row.g, rate = pm_saddle_times(&w->frame, &row, w->frame.v);
+        double g = row.g, rate = pm_constraint_times(&w->frame, &row, w->frame.v);
         begin_exactly(w, &g, &rate);
         if (g > 0 || rate > 0) continue;
         pm_constraint_bounds x = {.bend = -INFINITY};
@@ -149,7 +149,7 @@ static double advance(pm_workspace *w, int contact, double h, int *root)
         pm_contact_constraint_both(&w->frame, contact, w->model->contact_slot[contact], member[i], &row,
                                    &tangent);
         pm_constraint_kind(row.kind)->evaluate(&w->frame, &row);
-        double g = row.g, rate = pm_saddle_times(&w->frame, &row, w->frame.v);
+        double g = row.g, rate = pm_constraint_times(&w->frame, &row, w->frame.v);
         if (first) begin_exactly(w, &g, &rate);
         if (g == 0 && rate == 0) continue; /* touches and stays clear of it */
         if (g < least) {

@@ -114,7 +114,7 @@ typedef struct pm_rest {
 static int is_awaited(const pm_workspace *w, int event)
 {
     const pm_model *m = w->model;
-    const int64_t count = w->event->count[event];
+    const int64_t count = w->firing.count[event];
     for (int i = 0; i < m->nask; i++) {
         const int32_t *e = PM_ASK_ROW(m, i);
         if (e[PM_ASK_EVENT_INDEX] != event) continue;
@@ -141,7 +141,7 @@ static pm_outlook outlook_of(pm_workspace *w, const pm_rest *r, int program)
     double before = NAN;
     for (int k = 0; k < FLIGHT_NODES; k++) {
         pm_uniform_look_at_forces(w, r->flight * k / (FLIGHT_NODES - 1));
-        const double p = pm_program_run(w->model, program, w->numbers.param, w->numbers.value, w);
+        const double p = pm_program_run(w, program);
         if (!(p <= x.greatest)) x.greatest = p; /* not a number stays one */
         if (!(p >= x.least)) x.least = p;
         x.rises &= k == 0 || p >= before;

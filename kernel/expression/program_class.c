@@ -1,5 +1,5 @@
 /* program_class.c - abstract interpretation of programs: each stack entry carries its nature instead of a number. */
-#include "scene/program_class.h"
+#include "expression/program_class.h"
 
 #include "expression/program.h"
 

@@ -4,7 +4,7 @@
  * measures by abstract interpretation.  The norm of a vector whose parts are linear in T is convex; so is the ratio |F| / N
  * of two linear forces with N > 0 quasi-convex: greatest at the ends of a range of T. */
 #include "expression/program.h"
-#include "scene/program_class.h"
+#include "expression/program_class.h"
 
 static int of_vector(int part, int component, int norm)
 {

@@ -1,0 +1,50 @@
+/* constraint_kind.c - the table of the kinds of constraints, and what is worked out by it. */
+#include "elements/constraint.h"
+#include "elements/drive.h"
+#include "state/workspace.h"
+
+const pm_constraint_ops *pm_constraint_kind(int kind)
+{
+    static const pm_constraint_ops *const kinds[PM_CONSTRAINT_KINDS] = {
+        [PM_CONSTRAINT_POINT_X] = &pm_constraint_point_x,
+        [PM_CONSTRAINT_POINT_Y] = &pm_constraint_point_y,
+        [PM_CONSTRAINT_LINE_NORMAL] = &pm_constraint_line_normal,
+        [PM_CONSTRAINT_LINE_TANGENT] = &pm_constraint_line_tangent,
+        [PM_CONSTRAINT_DISTANCE] = &pm_constraint_distance,
+        [PM_CONSTRAINT_CIRCLE_TANGENT] = &pm_constraint_circle_tangent,
+        [PM_CONSTRAINT_ANGLE] = &pm_constraint_angle,
+        [PM_CONSTRAINT_STRAND] = &pm_constraint_strand,
+        [PM_CONSTRAINT_DRIVE_X] = &pm_constraint_drive_x,
+        [PM_CONSTRAINT_DRIVE_Y] = &pm_constraint_drive_y,
+        [PM_CONSTRAINT_RATIO] = &pm_constraint_ratio,
+    };
+    return kinds[kind];
+}
+
+double pm_constraint_rate(const pm_frame *frame, const pm_constraint *row)
+{
+    pm_line_of_action x;
+    pm_constraint_kind(row->kind)->act(frame, row, &x);
+    double u[2];
+    const double *va = frame->velocity + 3 * row->body[0], *vb = frame->velocity + 3 * row->body[1];
+    const double *pa = frame->pose + 5 * row->body[0], *pb = frame->pose + 5 * row->body[1];
+    u[0] = (va[0] - va[2] * (x.at[1] - pa[1])) - (vb[0] - vb[2] * (x.at[1] - pb[1]));
+    u[1] = (va[1] + va[2] * (x.at[0] - pa[0])) - (vb[1] + vb[2] * (x.at[0] - pb[0]));
+    return pm_dot(u, x.direction) + x.couple[0] * va[2] + x.couple[1] * vb[2];
+}
+
+double pm_constraint_slip(const pm_frame *frame, const pm_constraint *row)
+{
+    return pm_constraint_rate(frame, row) - pm_drive_rate(frame, row->drive);
+}
+
+/* Active constraints, and behind them the tangents that sliding normals carry, closed by an entry without normal. */
+int pm_constraint_all_steady(const pm_workspace *w, const pm_constant_motion *x)
+{
+    const pm_constraint *row = w->active.row;
+    for (int i = 0; i < w->active.n || row[i].normal != PM_NONE; i++) {
+        const pm_constraint_ops *ops = pm_constraint_kind(row[i].kind);
+        if (!ops->steady || !ops->steady(&w->frame, &row[i], x)) return 0;
+    }
+    return 1;
+}
