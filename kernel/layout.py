@@ -12,6 +12,8 @@ macro PM_X that stands for an integer becomes a constant:
 
 Enumerations keep their small letters: PM_JOINT_KIND is a column, pm_joint_kind the kinds that stand in it.
 
+Headers beside it that it includes are read in their places.
+
 A value may be an integer or integer arithmetic on constants above it. Macros with arguments and macros that
 stand for anything else (a real number, an attribute) have no place in integer tables and are left out.
 What looks like a constant and cannot be read is an error, not an omission.
@@ -40,6 +42,7 @@ UNARY: dict[type[ast.unaryop], Callable[[int], int]] = {
     ast.Invert: operator.invert,
 }
 
+INCLUDE = re.compile(r'^#include "(?P<name>\w+\.h)"$', re.MULTILINE)
 COMMENT = re.compile(r"/\*.*?\*/|//[^\n]*", re.DOTALL)
 ENUM = re.compile(r"\benum\b\s*(?P<tag>\w*)\s*\{(?P<body>[^}]*)\}")
 MACRO = re.compile(r"^[ \t]*#[ \t]*define[ \t]+(?P<macro>PM_\w+)(?P<value>[( \t][^\n]*|)$", re.MULTILINE)
@@ -59,6 +62,16 @@ class Layout:
     def __init__(self) -> None:
         self.constant: dict[str, int] = {}
         self.enum: dict[str, list[str]] = {}
+
+
+def whole(header: Path) -> str:
+    """The text of a header, with the headers beside it that it includes in their places."""
+
+    def beside(include: re.Match[str]) -> str:
+        path = header.parent / include["name"]
+        return whole(path) if path.exists() else include[0]
+
+    return INCLUDE.sub(beside, header.read_text(encoding="utf-8"))
 
 
 def read(header: str) -> Layout:
@@ -151,7 +164,7 @@ def main() -> None:
         sys.exit("use: layout.py HEADER OUTPUT")
     header, output = map(Path, sys.argv[1:])
     try:
-        module = write(read(header.read_text(encoding="utf-8")), header.name)
+        module = write(read(whole(header)), header.name)
     except LayoutError as error:
         sys.exit(f"{header}: {error}")
     output.write_text(module, encoding="utf-8")

@@ -134,6 +134,13 @@ def test_the_written_module_holds_constants_and_enumerations(tmp_path: Path) -> 
     assert module.pm_side == {"PM_LEFT": 0, "PM_RIGHT": 3}
 
 
+def test_headers_beside_it_are_read_in_their_places(tmp_path: Path) -> None:
+    (tmp_path / "parts.h").write_text("#define PM_PARTS 3\n")
+    header = tmp_path / "all.h"
+    header.write_text('#include <stdint.h>\n#include "parts.h"\nenum pm_e { PM_A = PM_PARTS };\n')
+    assert constants(layout.whole(header)) == {"PM_PARTS": 3, "PM_A": 3}
+
+
 def test_an_error_names_the_header_and_writes_nothing(tmp_path: Path) -> None:
     header = tmp_path / "planemotion.h"
     header.write_text("enum pm_e { PM_A = 1.5 };")

@@ -1,0 +1,378 @@
+/* planemotion_tables.h - the tables of a scene: which columns each has, and the kinds that stand in them.
+ *
+ * Every number of a scene (a mass, a coordinate, a coefficient) is an entry of the case's *value table*: value[i] is computed by
+ * a program (postfix code) from the parameters and from values of lower index.  A column named `..._value` holds an index
+ * into the value table, `..._program` an index of a program that is run on the current state, `body` a body index
+ * (PM_GROUND: the ground). */
+#ifndef PLANEMOTION_TABLES_H
+#define PLANEMOTION_TABLES_H
+
+#define PM_GROUND (-1)
+#define PM_NONE (-2)
+
+/* ---- tables ---------------------------------------------------------------------------------------
+ * `table` is one int32 array: first a directory of PM_TABLES pairs (offset, rows), in the order of
+ * enum pm_table, then the tables row by row, each with the number of columns given by its enum. */
+enum pm_table {
+    PM_TABLE_CODE = 0,    /* pm_code_column: instructions of all programs */
+    PM_TABLE_PROGRAM = 1, /* pm_program_column: first instruction and length of each program */
+    PM_TABLE_VALUE = 2,   /* pm_value_column: the program of each value, in order of evaluation */
+    PM_TABLE_BODY = 3,
+    PM_TABLE_POINT = 4,
+    PM_TABLE_LINE = 5,
+    PM_TABLE_CIRCLE = 6,
+    PM_TABLE_ROW = 7, /* periodic rows of points */
+    PM_TABLE_JOINT = 8,
+    PM_TABLE_CONTACT = 9,
+    PM_TABLE_FORCE = 10,
+    PM_TABLE_MEASURE = 11,
+    PM_TABLE_START = 12,
+    PM_TABLE_TRIGGER = 13,
+    PM_TABLE_EVENT = 14, /* pm_event_column: one row per named event */
+    PM_TABLE_UNTIL = 15,
+    PM_TABLE_ASK = 16,
+    PM_TABLE_SETTING = 17, /* one row: pm_setting_column */
+    PM_TABLE_FIND = 18,    /* one row where parameters are sought: pm_find_column; none otherwise */
+    PM_TABLE_VARY = 19,
+    PM_TABLE_CONDITION = 20,
+    PM_TABLE_SPIN = 21,   /* one row where the plane of the scene turns about an axis in it: pm_spin_column */
+    PM_TABLE_SECOND = 22, /* then one row per body: pm_second_column */
+    PM_TABLE_ACTION = 23, /* what events do */
+    PM_TABLES = 24
+};
+
+/* ---- programs -------------------------------------------------------------------------------------
+ * A stack machine on doubles.  Comparisons and logic give 1 or 0.  Binary operators take the value below
+ * the top as their left operand. */
+enum pm_op {
+    PM_OP_CONSTANT = 0,  /* push constant[arg] */
+    PM_OP_PARAMETER = 1, /* push parameter[arg] of the case */
+    PM_OP_VALUE = 2,     /* push value[arg] */
+    PM_OP_MEASURE = 3,   /* push measure arg of the current state (not allowed in values) */
+    PM_OP_ADD = 4,
+    PM_OP_SUB = 5,
+    PM_OP_MUL = 6,
+    PM_OP_DIV = 7,
+    PM_OP_POW = 8,
+    PM_OP_NEG = 9,
+    PM_OP_LT = 10,
+    PM_OP_LE = 11,
+    PM_OP_GT = 12,
+    PM_OP_GE = 13,
+    PM_OP_EQ = 14,
+    PM_OP_NE = 15,
+    PM_OP_AND = 16,
+    PM_OP_OR = 17,
+    PM_OP_NOT = 18,
+    PM_OP_SIN = 19,
+    PM_OP_COS = 20,
+    PM_OP_TAN = 21,
+    PM_OP_ASIN = 22,
+    PM_OP_ACOS = 23,
+    PM_OP_ATAN2 = 24,
+    PM_OP_SQRT = 25,
+    PM_OP_ABS = 26,
+    PM_OP_MIN = 27,
+    PM_OP_MAX = 28,
+    PM_OP_EXP = 29,
+    PM_OP_LOG = 30,
+    PM_OP_HYPOT = 31, /* sqrt(a^2 + b^2) */
+    PM_OP_FLOOR = 32,
+    PM_OP_SELECT = 33, /* c a b -> a if c != 0, else b */
+    PM_OP_ATAN = 34,
+    PM_OP_ANSWER = 35, /* push out[arg], answered before (only in the programs of a find) */
+    PM_OPS = 36
+};
+#define PM_MAX_TIME 1000 /* s: limit of runs for which none is set */
+#define PM_STACK 64      /* greatest depth of the stack */
+enum pm_code_column { PM_CODE_OP = 0, PM_CODE_ARG = 1, PM_CODE_COLUMNS = 2 };
+enum pm_program_column { PM_PROGRAM_FIRST = 0, PM_PROGRAM_LENGTH = 1, PM_PROGRAM_COLUMNS = 2 };
+enum pm_value_column { PM_VALUE_PROGRAM = 0, PM_VALUE_COLUMNS = 1 };
+
+/* ---- bodies and marks -------------------------------------------------------------------------------
+ * A body's coordinates are (x, y, angle) of its mass centre G.  x, y, angle are the pose as drawn: the
+ * assembly keeps what the start table fixes and moves the rest.  Points are given in body axes from G (of
+ * the ground: scene coordinates). */
+enum pm_body_column {
+    PM_BODY_TURNS = 0,   /* 0: a particle, its angle stays 0 */
+    PM_BODY_MASS = 1,    /* value index, >= 0; 0 where rows determine the motion all the same */
+    PM_BODY_INERTIA = 2, /* value index, centroidal, >= 0 if the body turns */
+    PM_BODY_X = 3,       /* value indices of the pose of G as drawn */
+    PM_BODY_Y = 4,
+    PM_BODY_ANGLE = 5,
+    PM_BODY_COLUMNS = 6
+};
+enum pm_point_column { PM_POINT_BODY = 0, PM_POINT_X = 1, PM_POINT_Y = 2, PM_POINT_COLUMNS = 3 };
+/* A line through a point, at `angle` from the body's x axis; its free side is on its left. */
+enum pm_line_column { PM_LINE_POINT = 0, PM_LINE_ANGLE = 1, PM_LINE_COLUMNS = 2 };
+/* A circle round a point; radius value >= 0 (0: the point itself). */
+enum pm_circle_column { PM_CIRCLE_POINT = 0, PM_CIRCLE_RADIUS = 1, PM_CIRCLE_COLUMNS = 2 };
+/* Members point + k*(step_x, step_y) in the axes of the point's body, k = 0 .. count-1; count < 0: endless
+ * both ways. */
+enum pm_row_column {
+    PM_ROW_POINT = 0,
+    PM_ROW_STEP_X = 1,
+    PM_ROW_STEP_Y = 2,
+    PM_ROW_COUNT = 3,
+    PM_ROW_COLUMNS = 4
+};
+
+/* ---- joints: held both ways --------------------------------------------------------------------------- */
+enum pm_joint_kind {
+    PM_JOINT_PIN = 0,            /* a, b points: coincide.                                  2 rows */
+    PM_JOINT_SLIDER = 1,         /* a point on line b.                                      1 row  */
+    PM_JOINT_SLIDER_FIXED = 2,   /* the same, angle(a) - angle(b) = value held.             2 rows */
+    PM_JOINT_LINK = 3,           /* a, b points at distance value > 0 (also: point in circular slot). 1 row */
+    PM_JOINT_WELD = 4,           /* a, b points coincide and angle(a) - angle(b) = value.   3 rows */
+    PM_JOINT_ROLLING_LINE = 5,   /* a circle rolls on line b, on its left.                  2 rows */
+    PM_JOINT_ROLLING_CIRCLE = 6, /* a circle rolls on circle b; value = side (below).       2 rows */
+    PM_JOINT_GEARS =
+        7, /* a, b circles mesh at their pitch point; value = side; axles or a carrier keep their distance.  1 row */
+    PM_JOINT_BELT = 8, /* a tight belt round circles a, b; value = 1 open, -1 crossed.     2 rows */
+    PM_JOINT_RATE = 9, /* a, b bodies: the spin of a relative to b is program_x.           1 row  */
+    PM_JOINT_DRIVE =
+        10, /* a, b points: the velocity of a relative to b is program_x, program_y in the scene's axes.
+                            2 rows */
+    PM_JOINT_RATIO =
+        11, /* a, b bodies: angle(a) - value angle(b) as at the start; the ground takes the couples'
+                            difference.  1 row */
+    PM_JOINT_KINDS = 12
+};
+/* side of two circles: 1 outside each other, -1 a inside b, -2 b inside a */
+enum pm_joint_column {
+    PM_JOINT_KIND = 0,
+    PM_JOINT_A = 1,
+    PM_JOINT_B = 2,
+    PM_JOINT_VALUE = 3,
+    PM_JOINT_PROGRAM_X = 4, /* of the time alone, or PM_NONE */
+    PM_JOINT_PROGRAM_Y = 5,
+    PM_JOINT_COLUMNS = 6
+};
+
+/* ---- contacts: push only ------------------------------------------------------------------------------ */
+enum pm_contact_kind {
+    PM_CONTACT_LINE = 0,   /* circle a (radius 0: a point) against line b */
+    PM_CONTACT_CIRCLE = 1, /* circle a against circle b; side value as for rolling; not both radii 0 */
+    PM_CONTACT_ROW = 2,    /* circle a (radius > 0) against the members of row b */
+    PM_CONTACT_CORD =
+        3, /* a straight strand from circle a (radius 0: a point) to circle b: pulls only, the gap is its
+                            slack; it is wound on the circles and does not slip there */
+    PM_CONTACT_POINT = 4, /* circles a, b of radius 0: points that meet from wherever; it must capture */
+    PM_CONTACT_SEGMENT =
+        5, /* circle a against line b between two places of it, and its ends; see the columns */
+    PM_CONTACT_KINDS = 6
+};
+enum pm_friction { PM_FRICTION_SMOOTH = 0, PM_FRICTION_COULOMB = 1, PM_FRICTION_ROUGH = 2 };
+/* What becomes of a pair that touches and does not part (two points: that meet). */
+enum pm_capture {
+    PM_CAPTURE_NONE = 0,
+    PM_CAPTURE_POINT = 1, /* it stays as a pin at the place of contact */
+    PM_CAPTURE_BODY = 2,  /* it stays as one body, as it arrived */
+    PM_CAPTURES = 3
+};
+/* What restitution multiplies: the velocity of approach, the impulse of compression, (squared) its work. */
+enum pm_law { PM_LAW_NEWTON = 0, PM_LAW_POISSON = 1, PM_LAW_STRONGE = 2, PM_LAWS = 3 };
+enum pm_contact_column {
+    PM_CONTACT_KIND = 0,
+    PM_CONTACT_A = 1,
+    PM_CONTACT_B = 2,
+    PM_CONTACT_SIDE = 3,        /* value index (circle/circle) or PM_NONE */
+    PM_CONTACT_RESTITUTION = 4, /* value index, 0..1 */
+    PM_CONTACT_FRICTION = 5,    /* enum pm_friction */
+    PM_CONTACT_STATIC = 6,      /* value index of the static coefficient, PM_NONE unless Coulomb */
+    PM_CONTACT_KINETIC = 7,     /* value index of the kinetic coefficient, PM_NONE unless Coulomb */
+    PM_CONTACT_SPEED =
+        8, /* program of the time alone: speed of the surface of b along its line (as a line: towards its
+                               angle); or PM_NONE */
+    PM_CONTACT_SLACK = 9, /* cord: value index, slack at the start, >= 0; or PM_NONE */
+    PM_CONTACT_SENSE_A =
+        10, /* cord: +1 if one passes the circle counterclockwise going from a to b, -1 clockwise */
+    PM_CONTACT_SENSE_B = 11,
+    PM_CONTACT_CAPTURE = 12, /* enum pm_capture; smooth, with no surface speed */
+    PM_CONTACT_TANGENTIAL =
+        13,              /* value index, 0..1: restitution of the slip where it can be held; or PM_NONE */
+    PM_CONTACT_LAW = 14, /* enum pm_law */
+    PM_CONTACT_FROM =
+        15, /* segment: value indices, places on the line from its point, from < to; or PM_NONE */
+    PM_CONTACT_TO = 16,
+    PM_CONTACT_COLUMNS = 17
+};
+
+/* ---- forces --------------------------------------------------------------------------------------------- */
+enum pm_force_kind {
+    PM_FORCE_SPRING = 0,  /* points a, b; value_1 stiffness, value_2 free length; option: pm_spring_only */
+    PM_FORCE_TORSION = 1, /* bodies a, b; value_1 stiffness, value_2 free angle(a) - angle(b) */
+    PM_FORCE_DAMPER = 2,  /* points a, b; value_1 rate of (N s/m) the change of distance */
+    PM_FORCE_ROTARY_DAMPER = 3, /* bodies a, b; value_1 rate (N m s/rad) */
+    PM_FORCE_APPLIED = 4,       /* at point a: program_x, program_y, in the axes of body b (ground: scene) */
+    PM_FORCE_COUPLE = 5,        /* on body a, opposite on body b (PM_GROUND: none): program_x */
+    PM_FORCE_FRICTION =
+        6, /* dry friction of joint a (= b): a pin, a slider, or a link as a slot; a couple or a force up to
+                                   value_1 + value_2 * its reaction */
+    PM_FORCE_KINDS = 7
+};
+enum pm_spring_only { PM_SPRING_BOTH = 0, PM_SPRING_PULL = 1, PM_SPRING_PUSH = 2 };
+enum pm_force_column {
+    PM_FORCE_KIND = 0,
+    PM_FORCE_A = 1,
+    PM_FORCE_B = 2,
+    PM_FORCE_VALUE_1 = 3,
+    PM_FORCE_VALUE_2 = 4,
+    PM_FORCE_PROGRAM_X = 5,
+    PM_FORCE_PROGRAM_Y = 6,
+    PM_FORCE_OPTION = 7,
+    PM_FORCE_COLUMNS = 8
+};
+
+/* ---- measures: what can be read off a state --------------------------------------------------------------
+ * `a` is a body, point, joint, contact, force or event index as the kind says.  Vector kinds take a part.
+ * `in_body`: the quantity as seen from a moving body, in its axes (PM_NONE: scene).  `about`: point index
+ * (PM_NONE: the body's own G; scene: the origin).  `on`: body on which a joint's force acts (PM_NONE: the first
+ * partner).  `value`: value index of the direction angle of part ALONG.  `member`: of a row (PM_NONE: all). */
+enum pm_measure_kind {
+    PM_MEASURE_TIME = 0,
+    PM_MEASURE_ANGLE = 1,             /* body a; in_body: relative angle */
+    PM_MEASURE_TURNED = 2,            /* body a: angle since the start */
+    PM_MEASURE_OMEGA = 3,             /* body a; in_body: relative */
+    PM_MEASURE_ALPHA = 4,             /* body a */
+    PM_MEASURE_MASS = 5,              /* body a, PM_NONE: all bodies */
+    PM_MEASURE_WEIGHT = 6,            /* body a, PM_NONE: all bodies: mass times |gravity| */
+    PM_MEASURE_INERTIA = 7,           /* body a, about G or `about` */
+    PM_MEASURE_KINETIC = 8,           /* body a, PM_NONE: all bodies */
+    PM_MEASURE_MOMENTUM = 9,          /* vector; body a, PM_NONE: all bodies */
+    PM_MEASURE_ANGULAR_MOMENTUM = 10, /* body a about G or `about`; all: the origin or `about` */
+    PM_MEASURE_POLE = 11,             /* vector: instantaneous centre of body a */
+    PM_MEASURE_POSITION = 12,         /* vector: point a; in_body */
+    PM_MEASURE_MOVED = 13,            /* vector: point a since the start */
+    PM_MEASURE_PATH = 14,             /* distance travelled by point a */
+    PM_MEASURE_VELOCITY = 15,         /* vector: point a; in_body */
+    PM_MEASURE_ACCELERATION = 16,     /* vector: point a */
+    PM_MEASURE_JOINT_FORCE = 17,      /* vector */
+    PM_MEASURE_JOINT_COUPLE = 18,
+    PM_MEASURE_JOINT_IMPULSE = 19,         /* vector, of the last jump */
+    PM_MEASURE_JOINT_NORMAL = 20,          /* rolling: > 0 pushes */
+    PM_MEASURE_JOINT_FRICTION = 21,        /* rolling: along the line, or left of the normal on a */
+    PM_MEASURE_JOINT_FRICTION_NEEDED = 22, /* |F|/N; undefined (not a number) unless N > 0 */
+    PM_MEASURE_CONTACT_GAP = 23,
+    PM_MEASURE_CONTACT_CLOSED = 24, /* 1 or 0; a row without member: how many are closed */
+    PM_MEASURE_CONTACT_SLIP = 25,
+    PM_MEASURE_CONTACT_NORMAL = 26, /* sum over the closed members; 0 when open */
+    PM_MEASURE_CONTACT_FRICTION = 27,
+    PM_MEASURE_CONTACT_FRICTION_NEEDED = 28, /* greatest |F|/N over the closed members; 0 when open */
+    PM_MEASURE_CONTACT_FORCE = 29,           /* vector, on a's body */
+    PM_MEASURE_CONTACT_IMPULSE = 30,         /* vector, on a's body, of the last jump */
+    PM_MEASURE_FORCE_FORCE = 31,             /* vector: on a's body */
+    PM_MEASURE_FORCE_COUPLE = 32,
+    PM_MEASURE_FORCE_WORK = 33, /* since the start */
+    PM_MEASURE_FORCE_POWER = 34,
+    PM_MEASURE_FORCE_STRETCH = 35,
+    PM_MEASURE_FORCE_ENERGY = 36,
+    PM_MEASURE_EVENT_COUNT = 37,
+    PM_MEASURE_EVENT_TIME = 38, /* of the last firing; undefined before the first */
+    PM_MEASURE_POTENTIAL = 39,  /* of weight and springs; weight is zero at the scene's origin */
+    PM_MEASURE_TOTAL = 40,      /* kinetic + potential */
+    PM_MEASURE_LOST = 41,       /* kinetic energy lost in the last jump */
+    PM_MEASURE_SPIN_OMEGA = 42, /* of the plane about its axis */
+    PM_MEASURE_SPIN_ANGLE = 43,
+    PM_MEASURE_SPIN_MOMENTUM = 44,
+    PM_MEASURE_SPIN_INERTIA = 45, /* of all that turns along, about the axis */
+    PM_MEASURE_KINDS = 46
+};
+enum pm_part {
+    PM_PART_NONE = 0,
+    PM_PART_X = 1,
+    PM_PART_Y = 2,
+    PM_PART_NORM = 3,
+    PM_PART_ANGLE = 4, /* direction, in (-pi, pi] */
+    PM_PART_ALONG = 5,
+    PM_PARTS = 6
+};
+enum pm_measure_column {
+    PM_MEASURE_KIND = 0,
+    PM_MEASURE_A = 1,
+    PM_MEASURE_PART = 2,
+    PM_MEASURE_IN = 3,
+    PM_MEASURE_ON = 4,
+    PM_MEASURE_ABOUT = 5,
+    PM_MEASURE_VALUE = 6,
+    PM_MEASURE_MEMBER = 7,
+    PM_MEASURE_COLUMNS = 8
+};
+
+/* ---- spin -------------------------------------------------------------------------------------------------
+ * The plane turns freely about an axis in it, through (x, y) at an angle; `inertia` is that of whatever else turns along;
+ * `omega` its rate at the start; `couple` a program, or PM_NONE. */
+enum pm_spin_column {
+    PM_SPIN_X = 0, /* value indices */
+    PM_SPIN_Y = 1,
+    PM_SPIN_ANGLE = 2,
+    PM_SPIN_INERTIA = 3,
+    PM_SPIN_OMEGA = 4,
+    PM_SPIN_COUPLE = 5,
+    PM_SPIN_COLUMNS = 6
+};
+/* Second moments of a body about G: integrals of x^2, y^2 (its own axes, the product zero) and z^2 (across the plane) over
+ * its mass; value indices. */
+enum pm_second_column { PM_SECOND_X = 0, PM_SECOND_Y = 1, PM_SECOND_Z = 2, PM_SECOND_COLUMNS = 3 };
+
+/* ---- start ------------------------------------------------------------------------------------------------
+ * One row per written start value: measure = value.  POSITION rows take ANGLE or POSITION (x, y, along),
+ * VELOCITY rows OMEGA or VELOCITY (x, y, along).  What is not written: positions are moved as little as possible to
+ * meet the joints; velocities follow from the joints, and are 0 for a body on its own. */
+enum pm_start_level { PM_START_POSITION = 0, PM_START_VELOCITY = 1 };
+enum pm_start_column { PM_START_LEVEL = 0, PM_START_MEASURE = 1, PM_START_VALUE = 2, PM_START_COLUMNS = 3 };
+
+/* ---- events ------------------------------------------------------------------------------------------------
+ * A trigger makes its event fire; several triggers may belong to one event. */
+enum pm_trigger_kind {
+    PM_TRIGGER_CROSS = 0, /* program goes through 0, either way; a zero that holds must first be left */
+    PM_TRIGGER_RISE = 1,  /* program becomes > 0 */
+    PM_TRIGGER_FALL = 2,  /* program becomes < 0 */
+    PM_TRIGGER_EVERY = 3, /* program reaches an integer */
+    PM_TRIGGER_START = 4,
+    PM_TRIGGER_STRIKE = 5,       /* contact a */
+    PM_TRIGGER_OPEN = 6,         /* contact a */
+    PM_TRIGGER_SLIP = 7,         /* contact a starts to slide */
+    PM_TRIGGER_STICK = 8,        /* contact a stops sliding */
+    PM_TRIGGER_REST = 9,         /* a = body, or PM_NONE: all bodies are at rest and stay */
+    PM_TRIGGER_JOINT_SLIP = 10,  /* joint a, which has friction, starts to slide */
+    PM_TRIGGER_JOINT_STICK = 11, /* joint a stops sliding */
+    PM_TRIGGER_KINDS = 12
+};
+enum pm_trigger_column {
+    PM_TRIGGER_KIND = 0,
+    PM_TRIGGER_EVENT = 1,
+    PM_TRIGGER_PROGRAM = 2, /* or PM_NONE */
+    PM_TRIGGER_A = 3,
+    PM_TRIGGER_COLUMNS = 4
+};
+enum pm_event_column {
+    PM_EVENT_NTH = 0, /* it fires only when its triggers do so for the nth time; 0: whenever they do */
+    PM_EVENT_COLUMNS = 1
+};
+/* What an event does when it fires: its rows, in order.  What is added holds from then on, what is removed no longer;
+ * velocities that then clash meet in a plastic blow.  Impulses that follow each other in the table act at once. */
+enum pm_action_kind {
+    PM_ACTION_ADD = 0,     /* row a of `table` */
+    PM_ACTION_REMOVE = 1,  /* the same; without an event: it does not hold from the start on */
+    PM_ACTION_IMPULSE = 2, /* at point a: program_x, program_y, in the scene's axes */
+    PM_ACTION_ANGULAR = 3, /* on body a: program_x */
+    PM_ACTION_WORK =
+        4, /* the angular impulse on body a that does the work program_x and keeps the sense of rotation */
+    PM_ACTION_NUDGE =
+        5, /* an unstable rest or steady motion is left to the side where program_x becomes > 0 */
+    PM_ACTION_KINDS = 6
+};
+enum pm_action_column {
+    PM_ACTION_KIND = 0,
+    PM_ACTION_EVENT = 1,     /* or PM_NONE */
+    PM_ACTION_TABLE = 2,     /* PM_TABLE_JOINT, PM_TABLE_CONTACT or PM_TABLE_FORCE; PM_NONE for all others */
+    PM_ACTION_A = 3,         /* PM_NONE for a nudge */
+    PM_ACTION_PROGRAM_X = 4, /* or PM_NONE; reads no forces and no accelerations */
+    PM_ACTION_PROGRAM_Y = 5,
+    PM_ACTION_COLUMNS = 6
+};
+/* The run ends when for some group every row's event has fired `nth` times. */
+enum pm_until_column { PM_UNTIL_GROUP = 0, PM_UNTIL_EVENT = 1, PM_UNTIL_NTH = 2, PM_UNTIL_COLUMNS = 3 };
+
+#endif
