@@ -10,11 +10,11 @@
 #include "events/watched_samples.h"
 #include "expression/program.h"
 #include "numerics/bracket.h"
+#include "numerics/tolerances.h"
+#include "state/arena.h"
 #include "state/evidence.h"
 #include "state/route.h"
 #include "state/workspace.h"
-
-#define ON_GRID 1e-9 /* relative: a grid value met at the very start or end of the run */
 
 static void raise_to(int *highest, int level)
 {
@@ -30,22 +30,25 @@ static void note_switches(pm_workspace *w, int ask)
 
 int pm_ask_create(pm_workspace *w)
 {
-    const size_t nask = (size_t)w->model->nask, nout = (size_t)w->model->nout;
+    const int nask = w->model->nask, nout = w->model->nout;
     pm_ask_set *a = w->ask = calloc(1, sizeof *a);
     if (!a) return PM_NO_MEMORY;
-    a->observer = calloc(3 * nask + 1, sizeof *a->observer);
-    a->sample = calloc((PM_NODES_MOST + 3) * (size_t)w->model->nask + 1, sizeof *a->sample);
-    a->undefined = calloc(nask + 2 * nout + 1, 1);
+    const pm_array array[] = {
+        PM_ARRAY(a->sample, PM_NODES_MOST * nask),
+        PM_ARRAY(a->best, nask),
+        PM_ARRAY(a->bound, nask),
+        PM_ARRAY(a->before, nask),
+        PM_ARRAY(a->size, nask),
+        PM_ARRAY(a->observer, nask),
+        PM_ARRAY(a->switches, nask),
+        PM_ARRAY(a->dips, nask),
+        PM_ARRAY(a->undefined, nask),
+        PM_ARRAY(a->filled, nout),
+        PM_ARRAY(a->sound, nout),
+    };
     a->solver = pm_bracket_create();
     a->minimum = pm_bracket_minimum_create();
-    if (!a->observer || !a->sample || !a->undefined || !a->solver || !a->minimum) return PM_NO_MEMORY;
-    a->switches = a->observer + nask;
-    a->dips = a->switches + nask;
-    a->best = a->sample + PM_NODES_MOST * nask;
-    a->bound = a->best + nask;
-    a->before = a->bound + nask;
-    a->filled = a->undefined + nask;
-    a->sound = a->filled + nout;
+    if (!a->solver || !a->minimum || pm_arena_create(&a->block, PM_ARRAYS(array))) return PM_NO_MEMORY;
     a->level = a->instant_level = a->fired_level = PM_LEVEL_KINEMATIC;
     for (int i = 0; i < w->model->nask; i++) {
         const int32_t *e = PM_ASK_ROW(w->model, i);
@@ -69,9 +72,7 @@ int pm_ask_create(pm_workspace *w)
 void pm_ask_free(pm_workspace *w)
 {
     if (!w->ask) return;
-    free(w->ask->observer);
-    free(w->ask->sample);
-    free(w->ask->undefined);
+    free(w->ask->block);
     pm_bracket_free(w->ask->solver);
     pm_bracket_minimum_free(w->ask->minimum);
     free(w->ask);
@@ -81,8 +82,10 @@ void pm_ask_free(pm_workspace *w)
 void pm_ask_reset(pm_workspace *w)
 {
     pm_ask_set *a = w->ask;
-    for (int i = 0; i < w->model->nask; i++) a->best[i] = NAN, a->bound[i] = -INFINITY;
-    memset(a->undefined, 0, (size_t)(w->model->nask + 2 * w->model->nout));
+    for (int i = 0; i < w->model->nask; i++) a->best[i] = NAN, a->bound[i] = -INFINITY, a->size[i] = 0;
+    memset(a->undefined, 0, (size_t)w->model->nask);
+    memset(a->filled, 0, (size_t)w->model->nout);
+    memset(a->sound, 0, (size_t)w->model->nout);
     a->fresh = 0;
     for (int i = 0; i < w->model->nout; i++) w->result.out[i] = NAN;
     for (int i = 0; i < w->model->nask; i++) w->result.reason[i] = PM_REASON_NOT_REACHED;
@@ -137,14 +140,18 @@ void pm_ask_offer(pm_workspace *w, int ask, double value, double above)
     w->result.out[e[PM_ASK_OUT]] += above;
 }
 
-static void offer_grid(pm_workspace *w, int ask, double value, double tolerance)
+/* Grid values that are met at an instant: to rounding, of the value itself or of what it is a difference of. */
+static void offer_grid(pm_workspace *w, int ask, double value)
 {
     const int32_t *e = PM_ASK_ROW(w->model, ask);
+    double *size = &w->ask->size[ask];
+    for (int k = 0; k < e[PM_ASK_COUNT]; k++)
+        *size = fmax(*size, fabs(w->numbers.value[e[PM_ASK_FIRST_VALUE] + k]));
+    *size = fmax(*size, fabs(value));
     for (int k = 0; k < e[PM_ASK_COUNT]; k++) {
         const double wanted = w->numbers.value[e[PM_ASK_FIRST_VALUE] + k];
-        if (w->ask->filled[e[PM_ASK_OUT] + k] ||
-            !(fabs(value - wanted) <= tolerance * fmax(fabs(wanted), 1e-3)))
-            continue;
+        const double near = fmax(PM_ON_GRID * fabs(wanted), PM_GRID_ROUNDING * *size);
+        if (w->ask->filled[e[PM_ASK_OUT] + k] || !(fabs(value - wanted) <= near)) continue;
         pm_ask_answer(w, ask, k, e[PM_ASK_PROGRAM], pm_ask_value(w, e[PM_ASK_PROGRAM]));
     }
 }
@@ -188,7 +195,7 @@ void pm_ask_instant(pm_workspace *w)
         const int32_t *e = PM_ASK_ROW(w->model, ask);
         const double value = pm_ask_run(w, ask);
         if (e[PM_ASK_KIND] == PM_ASK_GRID)
-            offer_grid(w, ask, value, ON_GRID);
+            offer_grid(w, ask, value);
         else
             pm_ask_offer(w, ask, value, 0);
     }
@@ -241,7 +248,7 @@ void pm_ask_end(pm_workspace *w)
         const int32_t *e = PM_ASK_ROW(m, i);
         if (e[PM_ASK_KIND] == PM_ASK_END)
             pm_ask_answer(w, i, 0, e[PM_ASK_PROGRAM], pm_ask_value(w, e[PM_ASK_PROGRAM]));
-        if (e[PM_ASK_KIND] == PM_ASK_GRID) offer_grid(w, i, pm_ask_value(w, e[PM_ASK_PROGRAM_2]), ON_GRID);
+        if (e[PM_ASK_KIND] == PM_ASK_GRID) offer_grid(w, i, pm_ask_value(w, e[PM_ASK_PROGRAM_2]));
         if (w->ask->undefined[i]) answer(w, i, 0, NAN);
         charge_residual(w, i);
         int filled = 1, undefined = 0, infinite = 0;

@@ -13,18 +13,18 @@ typedef struct pm_ask_set {
     int fired_level;   /* that those need which events answer */
     double *sample;    /* [nask][PM_NODES_MOST] watched values in a step */
     double *best;      /* [nask] extreme so far, NaN before the first value */
-    double *bound;     /* [nask] what it cannot exceed (minima: their negatives); residual ones count, too */
+    double *bound;     /* [nask] what it cannot exceed, skipped extremes included (minima: their negatives) */
     double *before;    /* [nask] values before the jump of the present instant */
-    int *
-        switches; /* [nask] of the watched program: where it may change its branch; 0: nowhere that is told */
-    int *dips;    /* [nask] whether there it has no extremes */
+    double *size;      /* [nask] of a grid: its greatest value, and of those watched at instants */
     unsigned char *undefined; /* [nask] an extreme met a not-a-number */
     unsigned char *filled;    /* [nout] */
     unsigned char *sound;     /* [nout] filled when the ledgers last closed */
-    int fresh;                /* something was filled since */
-    void *solver;             /* gsl_root_fsolver */
-    void *minimum;            /* gsl_min_fminimizer */
-    void *block;
+    int *switches; /* [nask] places where the watched program may change its branch, as far as known */
+    int *dips;     /* [nask] whether it has no extremes there */
+    int fresh;     /* something was filled since */
+    void *solver;  /* gsl_root_fsolver */
+    void *minimum; /* gsl_min_fminimizer */
+    void *block;   /* owns the arrays */
 } pm_ask_set;
 
 int pm_ask_create(pm_workspace *w);

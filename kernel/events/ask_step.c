@@ -9,6 +9,7 @@
 #include "events/step.h"
 #include "numerics/bracket.h"
 #include "numerics/chebyshev_nodes.h"
+#include "numerics/tolerances.h"
 #include "state/workspace.h"
 
 static int exactly(void *of, double t, void *context, double *value)
@@ -20,29 +21,49 @@ static int exactly(void *of, double t, void *context, double *value)
     return status;
 }
 
+/* A grid value is passed between node i and the next: where, if that is in the step. */
+static int pass_grid_value(pm_workspace *w, int ask, pm_ask_watch *x, int i, int column)
+{
+    const int program = PM_ASK_ROW(w->model, ask)[PM_ASK_PROGRAM];
+    const double *sample = pm_ask_samples(w, ask) + i;
+    double t, taken, off;
+    int status = pm_fail_search(w, pm_bracket_find(w->ask->solver, pm_ask_along, w, x,
+                                                   pm_step_node(&w->step, i), sample[0] - x->minus,
+                                                   pm_step_node(&w->step, i + 1), sample[1] - x->minus, &t));
+    if (!status && t > w->step.end) return PM_OK; /* an instant comes before */
+    if (!status)
+        status =
+            pm_bracket_polish(pm_ask_along, exactly, w, x, w->step.begin, w->step.end, NAN, &t, &taken, &off);
+    if (!status && taken != t) status = pm_ask_look(w, t, 1);
+    if (!status && t <= w->step.end) pm_ask_answer(w, ask, column, program, pm_ask_value(w, program));
+    return status;
+}
+
+/* The run has begun on a grid value, to the rounding of what is watched: how large that is the first step shows. */
+static int has_begun_on(const pm_workspace *w, const double *sample, double wanted)
+{
+    double size = 0;
+    if (w->result.count[PM_COUNT_STEPS] != 1) return 0;
+    for (int i = 0; i < w->step.nodes->n; i++) size = fmax(size, fabs(sample[i]));
+    return fabs(sample[0] - wanted) <= PM_GRID_ROUNDING * size;
+}
+
 static int grid_in_step(pm_workspace *w, int ask)
 {
     const int32_t *e = PM_ASK_ROW(w->model, ask);
-    const int n = w->step.nodes->n;
+    const double *sample = pm_ask_samples(w, ask);
+    int status = PM_OK;
     for (int k = 0; k < e[PM_ASK_COUNT]; k++) {
+        const unsigned char *filled = &w->ask->filled[e[PM_ASK_OUT] + k];
         pm_ask_watch x = {e[PM_ASK_PROGRAM_2], w->numbers.value[e[PM_ASK_FIRST_VALUE] + k], 0, NULL};
-        for (int i = 0; i + 1 < n && !w->ask->filled[e[PM_ASK_OUT] + k]; i++) {
-            const double *sample = pm_ask_samples(w, ask) + i;
-            const double a = sample[0] - x.minus, b = sample[1] - x.minus;
-            const double from = pm_step_node(w, i), to = pm_step_node(w, i + 1);
-            if (!((a < 0 && b >= 0) || (a > 0 && b <= 0))) continue;
-            double t, taken, off;
-            int status =
-                pm_fail_search(w, pm_bracket_find(w->ask->solver, pm_ask_along, w, &x, from, a, to, b, &t));
-            if (!status && t > w->step.end) continue; /* an instant comes before */
-            if (!status)
-                status = pm_bracket_polish(pm_ask_along, exactly, w, &x, w->step.begin, w->step.end, NAN, &t,
-                                           &taken, &off);
-            if (!status && taken != t) status = pm_ask_look(w, t, 1);
+        for (int i = 0; i + 1 < w->step.nodes->n && !*filled; i++) {
+            const double a = sample[i] - x.minus, b = sample[i + 1] - x.minus;
+            if ((a < 0 && b >= 0) || (a > 0 && b <= 0)) status = pass_grid_value(w, ask, &x, i, k);
             if (status) return status;
-            if (t <= w->step.end)
-                pm_ask_answer(w, ask, k, e[PM_ASK_PROGRAM], pm_ask_value(w, e[PM_ASK_PROGRAM]));
         }
+        if (*filled || !has_begun_on(w, sample, x.minus)) continue;
+        if ((status = pm_ask_look(w, w->step.begin, 1))) return status;
+        pm_ask_answer(w, ask, k, e[PM_ASK_PROGRAM], pm_ask_value(w, e[PM_ASK_PROGRAM]));
     }
     return PM_OK;
 }

@@ -18,64 +18,62 @@
 #include "equations/saddle.h"
 #include "events/watched_samples.h"
 #include "numerics/bracket.h"
+#include "numerics/tolerances.h"
+#include "state/arena.h"
 #include "state/frame.h"
 #include "state/route.h"
 #include "state/workspace.h"
 
-#define POSITION_ROUNDING 4e-15 /* of how far bodies are from the origin */
-#define FORCE_SLACK 1e-10       /* of the scene's weight-like force */
-#define ON_MULTIPLE 1e-9        /* of the multiples' distance: `every` begins on one of them */
-
 /* ---- memory ---- */
-static size_t rows_watched(const pm_model *m)
+static int rows_watched(const pm_model *m)
 {
-    size_t n = 0;
-    for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) n += (size_t)pm_contact_is_row(m, i);
+    int n = 0;
+    for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) n += pm_contact_is_row(m, i);
     return n;
 }
 
 int pm_event_create(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    const size_t ntrigger = (size_t)m->rows[PM_TABLE_TRIGGER], nevent = (size_t)m->rows[PM_TABLE_EVENT];
-    const size_t most =
-        ntrigger + (size_t)m->rows[PM_TABLE_CONTACT] + 4 * (size_t)m->nslot + (size_t)m->nfriction;
+    const int ntrigger = m->rows[PM_TABLE_TRIGGER], nevent = m->rows[PM_TABLE_EVENT],
+              ncontact = m->rows[PM_TABLE_CONTACT];
+    const int most = ntrigger + ncontact + 4 * m->nslot + m->nfriction;
     pm_event_set *e = w->event = calloc(1, sizeof *e);
     if (!e) return PM_NO_MEMORY;
-    e->most = (int)most;
-    e->function = calloc(most + 1, sizeof *e->function);
-    e->value = calloc(PM_NODES_MOST * (most + 1) + 3 * ntrigger, sizeof(double));
-    e->beside = calloc(PM_NODES_MOST * rows_watched(m) + 1, sizeof *e->beside);
-    e->hit = calloc(2 * (most + 1), sizeof(int));
-    e->spent = calloc((size_t)m->rows[PM_TABLE_CONTACT] + nevent + 1, 1);
+    e->most = most;
+    const pm_array array[] = {
+        PM_ARRAY(e->function, most),
+        PM_ARRAY(e->value, PM_NODES_MOST * most),
+        PM_ARRAY(e->beside, PM_NODES_MOST * rows_watched(m)),
+        PM_ARRAY(e->hit, most),
+        PM_ARRAY(e->root, most),
+        PM_ARRAY(e->due, ntrigger),
+        PM_ARRAY(e->least, ntrigger),
+        PM_ARRAY(e->greatest, ntrigger),
+        PM_ARRAY(e->spent, ncontact),
+        PM_ARRAY(e->acted, nevent),
+        PM_ARRAY(e->culling.left, ncontact),
+        PM_ARRAY(e->culling.moved, m->nbody + 1),
+        PM_ARRAY(e->culling.from, 3 * m->nbody),
+        PM_ARRAY(e->culling.radius, m->nbody),
+        PM_ARRAY(e->culling.skipped, ncontact),
+    };
     e->solver = pm_bracket_create();
-    if (!e->function || !e->value || !e->beside || !e->hit || !e->spent || !e->solver) return PM_NO_MEMORY;
-    if (pm_gap_culling_create(m, &e->culling)) return PM_NO_MEMORY;
+    if (!e->solver || pm_arena_create(&e->block, PM_ARRAYS(array))) return PM_NO_MEMORY;
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *x = PM_TRIGGER_ROW(m, i);
         if (x[PM_TRIGGER_KIND] <= PM_TRIGGER_EVERY)
             pm_watched_samples_add(w, x[PM_TRIGGER_PROGRAM], PM_SAMPLE_TRIGGERS);
     }
-    e->acted = e->spent + m->rows[PM_TABLE_CONTACT];
-    e->root = e->hit + most + 1;
-    e->due = e->value + PM_NODES_MOST * (most + 1);
-    e->least = e->due + ntrigger;
-    e->greatest = e->least + ntrigger;
     return PM_OK;
 }
 
 void pm_event_free(pm_workspace *w)
 {
-    pm_event_set *e = w->event;
-    if (!e) return;
-    free(e->function);
-    free(e->value);
-    free(e->beside);
-    free(e->hit);
-    free(e->spent);
-    pm_bracket_free(e->solver);
-    pm_gap_culling_free(&e->culling);
-    free(e);
+    if (!w->event) return;
+    pm_bracket_free(w->event->solver);
+    free(w->event->block);
+    free(w->event);
     w->event = NULL;
 }
 
@@ -129,7 +127,7 @@ static void add_gap(pm_workspace *w, int contact)
 static void add_contacts(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    const double size = pm_case_force(w), force = FORCE_SLACK * size;
+    const double size = pm_case_force(w), force = PM_FORCE_SLACK * size;
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++)
         if (pm_state_is_absent(m, &w->state, PM_TABLE_CONTACT, i))
             continue;
@@ -152,7 +150,7 @@ static void add_contacts(pm_workspace *w)
 
 static void add_grips(pm_workspace *w)
 {
-    const double size = pm_case_force(w), force = FORCE_SLACK * size;
+    const double size = pm_case_force(w), force = PM_FORCE_SLACK * size;
     for (int i = 0; i < w->model->nfriction; i++) {
         if (w->state.friction[i] == PM_STICK)
             add(w, FUNCTION_HOLD, i, -1, PM_LEVEL_DYNAMIC, force, size);
@@ -223,7 +221,7 @@ void pm_event_set_multiples(pm_workspace *w)
         pm_event_function *f = &w->event->function[i];
         if (!f->every) continue;
         const double p = pm_trigger_program(w, f->index), nearest = round(p);
-        const int holds = fabs(p - nearest) <= ON_MULTIPLE * fmax(1, fabs(p));
+        const int holds = fabs(p - nearest) <= PM_ON_MULTIPLE * fmax(1, fabs(p));
         const double low = holds ? nearest - 1 : floor(p), high = holds ? nearest + 1 : low + 1;
         if (low != f->low || high != f->high) f->search = SEARCH_NONE;
         f->low = low;
@@ -251,15 +249,14 @@ void pm_event_begin(pm_workspace *w)
     add_contacts(w);
     add_grips(w);
     e->first_step = 1;
-    pm_gap_culling_begin(w);
+    pm_gap_culling_begin(&w->event->culling, &w->frame);
     memset(e->spent, 0, (size_t)w->model->rows[PM_TABLE_CONTACT]);
     pm_event_set_multiples(w);
     for (int i = 0; i < e->nfunction; i++) {
         pm_event_function *f = &e->function[i];
         if (pm_event_changes_sign(f) || pm_event_value(w, f) > f->slack) continue;
         f->held = 1;
-        if (f->kind == FUNCTION_GAP && leaves(w, f->index))
-            f->slack = POSITION_ROUNDING * pm_contact_reach(w);
+        if (f->kind == FUNCTION_GAP && leaves(w, f->index)) f->slack = PM_GAP_ROUNDING * pm_contact_reach(w);
     }
     memset(w->firing.fired, 0, (size_t)w->model->rows[PM_TABLE_TRIGGER]);
 }

@@ -46,7 +46,7 @@ typedef struct pm_event_function {
     double
         slack; /* a held function counts as crossed only below -slack; of a held trigger: no more is zero */
     double natural;    /* its natural size; of a trigger 1 */
-    double near;       /* least value where it came close and turned back, since the last instant */
+    double near;       /* least value where it came close and went back, since the last instant */
     double near_reach; /* its value on both sides of there */
     double low, high;  /* `every`: the multiples below and above */
     int row;           /* of a gap to a row: its place among these, else PM_NONE */
@@ -63,7 +63,7 @@ typedef struct pm_event_set {
     int nfunction;
     int ntrigger;                /* of them triggers: they come first */
     int nsampled;                /* of them those that the route does not find */
-    int nrow;                    /* of them gaps to rows */
+    int nrow;                    /* of them gaps to periodic rows of points */
     int level;                   /* highest level of all */
     double *value;               /* [most functions][PM_NODES_MOST] samples */
     double place[PM_NODES_MOST]; /* x of the nodes */
@@ -76,6 +76,7 @@ typedef struct pm_event_set {
     double *least, *greatest; /* [ntrigger] of the samples in the phase */
     unsigned char *acted;     /* [nevent] its actions are carried out at this instant */
     void *solver;             /* gsl_root_fsolver */
+    void *block;              /* owns the arrays */
     pm_gap_culling culling;   /* contacts out of reach of the step */
     int first_step;           /* of the phase */
     int most;                 /* size of the function array */

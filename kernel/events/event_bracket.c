@@ -23,16 +23,6 @@
 #include "numerics/tolerances.h"
 #include "state/workspace.h"
 
-#define ON_ZERO 1e-12 /* of a function's greatest size in the step: zero when the phase begins */
-#define NEAR 0.3      /* of a function's greatest size in the step: below it there may be a dip to zero */
-#define FAR 0.5       /* of a function's greatest size in the step: above it there is none */
-#define CLOSE 0.1     /* of the values beside it: a dip that is worth a closer look */
-#define DIP_STEP 1e-3 /* of the nodes' distance: distance of the differences at the bottom of a dip */
-#define DIP_STEPS 3   /* of Newton's method to the bottom */
-#define HALVINGS 30   /* of a step, to find the top of a short bounce */
-#define LEAVING \
-    20 /* halvings of a step: a trigger has left its zero at the first place where it is seen off it */
-
 /* ---- which way ---- */
 int pm_event_bracket_crosses(const pm_event_function *f, double a, double b)
 {
@@ -48,9 +38,9 @@ static int may_cross(const pm_event_function *f, double s)
 /* From near the bottom of a dip to it, by Newton's method on differences; s is the side of zero. */
 static double bottom(pm_workspace *w, pm_event_function *f, double s, double low, double high, double *where)
 {
-    const double d = DIP_STEP * (high - low);
+    const double d = PM_DIP_STEP * (high - low);
     double value = s * pm_event_samples_along(w, *where, f);
-    for (int i = 0; i < DIP_STEPS && value > 0; i++) {
+    for (int i = 0; i < PM_DIP_STEPS && value > 0; i++) {
         const double a = s * pm_event_samples_along(w, *where - d, f),
                      b = s * pm_event_samples_along(w, *where + d, f), bend = a - 2 * value + b;
         if (!(bend > 0)) break;
@@ -63,7 +53,7 @@ static double bottom(pm_workspace *w, pm_event_function *f, double s, double low
     return value;
 }
 
-/* A function that came close to zero at `where` goes through it there, or has turned back: a decision to be noted. */
+/* A function that came close to zero at `where` goes through it there, or has gone back: a decision to be noted. */
 static int reaches(pm_workspace *w, pm_event_function *f, double s, double around, double low, double high,
                    double *where, double *value)
 {
@@ -80,13 +70,13 @@ static int reaches(pm_workspace *w, pm_event_function *f, double s, double aroun
 static int dips(pm_workspace *w, pm_event_function *f, const double *g, double biggest, const double *x,
                 double *where, double *value)
 {
-    if (fabs(g[1]) > FAR * biggest) return 0;
+    if (fabs(g[1]) > PM_DIP_FAR * biggest) return 0;
     const double s = g[1] > 0 ? 1 : -1, a = s * g[0], b = s * g[1], c = s * g[2];
     if (!(b < a && b < c) || !(a > 0 && b > 0 && c > 0) || !may_cross(f, s)) return 0;
     const double left = (a - b) / (x[1] - x[0]), right = (c - b) / (x[2] - x[1]);
     const double bend = (left + right) / (x[2] - x[0]);
     const double slope = (right * (x[1] - x[0]) - left * (x[2] - x[1])) / (x[2] - x[0]);
-    if (b - slope * slope / (4 * bend) > CLOSE * b) return 0;
+    if (b - slope * slope / (4 * bend) > PM_DIP_CLOSE * b) return 0;
     *where = x[1] - slope / (2 * bend);
     return reaches(w, f, s, fmax(a, c), x[0], x[2], where, value);
 }
@@ -97,7 +87,7 @@ static double slope_at(const pm_workspace *w, const double *g, int k)
     return pm_chebyshev_slope_at(w->step.nodes, g, k) / (w->step.end - w->step.begin);
 }
 
-/* A dip between node k and the next, told by the slopes there: also one beside an end of the step, where three nodes do
+/* A dip between node k and the next, shown by the slopes there: also one beside an end of the step, where three nodes do
  * not show it.  The bottom of the cubic through both values and slopes. */
 static int turns(pm_workspace *w, pm_event_function *f, const double *g, int k, const double *x,
                  double *where, double *value)
@@ -110,7 +100,7 @@ static int turns(pm_workspace *w, pm_event_function *f, const double *g, int k, 
     if (!(q > 0)) return 0;
     const double c2 = 3 * (b - a) - 2 * p - q, c3 = 2 * (a - b) + p + q;
     const double t = -p / (c2 + sqrt(fmax(c2 * c2 - 3 * c3 * p, 0)));
-    if (!(t > 0 && t < 1) || a + t * (p + t * (c2 + t * c3)) > CLOSE * fmin(a, b)) return 0;
+    if (!(t > 0 && t < 1) || a + t * (p + t * (c2 + t * c3)) > PM_DIP_CLOSE * fmin(a, b)) return 0;
     *where = x[0] + t * h;
     return reaches(w, f, s, fmax(a, b), x[0], x[1], where, value);
 }
@@ -120,7 +110,7 @@ static int turns(pm_workspace *w, pm_event_function *f, const double *g, int k, 
 static int stays_away(const pm_event_function *f, const pm_event_course *x)
 {
     const double least = x->low > 0 ? x->low : -x->high;
-    return least > (may_cross(f, x->low > 0 ? 1 : -1) ? FAR * x->biggest : 0);
+    return least > (may_cross(f, x->low > 0 ? 1 : -1) ? PM_DIP_FAR * x->biggest : 0);
 }
 
 /* A dip between node k and the next shows at one of them, unless the function is not smooth: it is lower there than beside
@@ -136,7 +126,7 @@ void pm_event_bracket_bounce(pm_workspace *w, pm_along *g, void *context, double
                              pm_span *x)
 {
     *x = (pm_span){a, a, 0, 0};
-    for (int i = 0; i < HALVINGS; i++) {
+    for (int i = 0; i < PM_BOUNCE_HALVINGS; i++) {
         const double middle = 0.5 * (a + b), value = g(w, middle, context);
         if (middle <= a) return;
         if (value > 0) {
@@ -148,18 +138,18 @@ void pm_event_bracket_bounce(pm_workspace *w, pm_along *g, void *context, double
     }
 }
 
-/* A trigger that was on zero at a: where it has definitely left tells its side; it may have come back before b.  The
- * samples tell that where they resolve it, as far as it is beyond their error. */
+/* A trigger that was on zero at a: its side is where it has definitely left; it may have come back before b.  The
+ * samples show that where they resolve it, beyond their error. */
 static int leaves_and_crosses(pm_workspace *w, int i, const pm_event_course *of, double a, double b,
                               double gb, double noise, pm_span *x)
 {
     pm_event_function *f = &w->event->function[i];
     const double begin = w->step.begin, h = w->step.end - begin;
-    const int told = pm_event_samples_resolved(w, i, of);
-    for (int k = LEAVING; k > 0; k--) {
+    const int resolved = pm_event_samples_resolved(w, i, of);
+    for (int k = PM_LEAVING_HALVINGS; k > 0; k--) {
         const double place = a + ldexp(b - a, -k);
         if (place <= a) continue;
-        double g = told ? pm_chebyshev_value(w->step.nodes, of->g, 1, (place - begin) / h) : 0;
+        double g = resolved ? pm_chebyshev_value(w->step.nodes, of->g, 1, (place - begin) / h) : 0;
         if (!(fabs(g) > fmax(noise, pm_event_samples_residual(f, of->biggest))))
             g = pm_event_samples_along(w, place, f);
         if (!(fabs(g) > noise)) continue;
@@ -175,7 +165,7 @@ static void hold_if_on_zero(const pm_workspace *w, pm_event_function *f, const p
                             double from)
 {
     const pm_event_set *e = w->event;
-    if (!e->first_step || from != e->place[0] || !(fabs(of->g[0]) <= ON_ZERO * of->biggest)) return;
+    if (!e->first_step || from != e->place[0] || !(fabs(of->g[0]) <= PM_ON_ZERO * of->biggest)) return;
     f->held = 1;
     f->since = from;
 }
@@ -191,7 +181,8 @@ static int enter(pm_workspace *w, int i, const pm_event_course *of, int *first, 
         const double since = fmax(f->since, place[0]);
         while (k < of->n - 1 && (place[k] <= since || fabs(g[k]) < f->slack)) k++;
         *first = k;
-        return leaves_and_crosses(w, i, of, since, place[k], g[k], fmax(ON_ZERO * of->biggest, f->slack), x);
+        return leaves_and_crosses(w, i, of, since, place[k], g[k], fmax(PM_ON_ZERO * of->biggest, f->slack),
+                                  x);
     }
     if (f->held) { /* a contact starts on the open side, and counts again from where it has left its zero */
         for (k = 1; k < of->n && fabs(g[k]) <= f->slack;) k++;
@@ -209,7 +200,7 @@ static int enter(pm_workspace *w, int i, const pm_event_course *of, int *first, 
 /* The first bracket between two nodes, from node `first` on. */
 static int search(pm_workspace *w, int i, const pm_event_course *of, int first, double from, pm_span *x)
 {
-    const double *place = w->event->place, *g = of->g, close = NEAR * of->biggest;
+    const double *place = w->event->place, *g = of->g, close = PM_DIP_NEAR * of->biggest;
     pm_event_function *f = &w->event->function[i];
     for (int k = first; k + 1 < of->n; k++) {
         const int near = fabs(g[k]) < close || fabs(g[k + 1]) < close, dip = shows_dip(of, k);
@@ -238,7 +229,7 @@ int pm_event_bracket_first(pm_workspace *w, int i, double from, pm_span *x)
     pm_event_samples_take(w, i, &of);
     const int last = of.n - 1;
     int first = 0;
-    if (e->at_root && fabs(of.g[last]) <= ON_ZERO * of.biggest) of.g[last] = 0; /* there the phase ends */
+    if (e->at_root && fabs(of.g[last]) <= PM_ON_ZERO * of.biggest) of.g[last] = 0; /* there the phase ends */
     while (first < last && e->place[first + 1] <= from) first++;
     if (first == last) return 0;
     if (pm_event_changes_sign(f)) hold_if_on_zero(w, f, &of, from);

@@ -1,13 +1,13 @@
 /* event_locate.c - where in its bracket a function is zero.
  *
- * First on the dense output: the root of the polynomial through the samples where these tell the function, else Brent's
+ * First on the dense output: the root of the polynomial through the samples where these resolve the function, else Brent's
  * method.  Then on exact states (bracket.c), so that an event is as accurate as the trajectory and never only as good as an
  * interpolant.  Where what the route looks at is exact itself, one step of Newton's method from the root r of the
  * polynomial is enough,
  *
  *   x = r - d,    d = g(r) / g'(r)        off by no more than d (e + n^2 d / h)
  *
- * e = n^2 tail |g| / (h |g'|) the relative error of the slope that n nodes tell in a step of length h, |g| the greatest of
+ * e = n^2 tail |g| / (h |g'|) the relative error of the slope by n nodes in a step of length h, |g| the greatest of
  * the samples. */
 #include "events/event_parts.h"
 
@@ -17,14 +17,10 @@
 #include "events/step.h"
 #include "numerics/bracket.h"
 #include "numerics/chebyshev.h"
+#include "numerics/tolerances.h"
 #include "state/evidence.h"
 #include "state/route.h"
 #include "state/workspace.h"
-
-#define RATE_STEP 1e-4 /* of the step: distance of the differences that make a rate */
-#define ROUNDING 1e-15 /* of the step */
-#define TOLD 1e-14     /* the same of the polynomial through samples that tell a function to rounding */
-#define OFF 1e-9       /* of a function's values next to its zero: not on it */
 
 /* ---- on the dense output ---- */
 /* The root of the polynomial through the samples, and its slope there. */
@@ -71,19 +67,20 @@ static int step_onto(pm_workspace *w, int i, double slope, double size, double *
     const double h = w->step.end - w->step.begin, n = w->step.nodes->n,
                  value = pm_event_samples_along(w, *place, f);
     const double shift = -value / slope, next = *place + shift;
-    const double error = n * n * fmax(f->tail, ROUNDING) * f->biggest / fabs(slope * h); /* of the slope */
-    *near = fabs(value) <= OFF * size && next > w->step.begin && next < w->step.end &&
-            fabs(shift) * (error + n * n * fabs(shift) / h) <= ROUNDING * h;
+    const double error =
+        n * n * fmax(f->tail, PM_PLACE_ROUNDING) * f->biggest / fabs(slope * h); /* of the slope */
+    *near = fabs(value) <= PM_OFF_ZERO * size && next > w->step.begin && next < w->step.end &&
+            fabs(shift) * (error + n * n * fabs(shift) / h) <= PM_PLACE_ROUNDING * h;
     if (*near) *place = next;
     return isnan(value) ? PM_SOLVER : PM_OK;
 }
 
-/* The samples tell where a trigger is zero as well as any look would.  (What closes a gap is met to the last bit.) */
+/* The samples show where a trigger is zero as well as any look would.  (What closes a gap is met to the last bit.) */
 static int resolves_zero(const pm_workspace *w, const pm_event_function *f, double slope)
 {
     const double h = w->step.end - w->step.begin;
     return f->kind == FUNCTION_TRIGGER && w->phase.route->look &&
-           pm_event_samples_residual(f, f->biggest) <= TOLD * fabs(slope * h);
+           pm_event_samples_residual(f, f->biggest) <= PM_PLACE_RESOLVED * fabs(slope * h);
 }
 
 /* Moves the root to where the function is zero on an exact state.  A function with a corner is no polynomial: where the
@@ -103,7 +100,7 @@ static int polish(pm_workspace *w, int i, const pm_span *x, double slope, double
     if (!status)
         status = pm_bracket_polish(pm_event_samples_along, exactly, w, f, w->step.begin, w->step.end, slope,
                                    first, taken, &off);
-    if (status || !(fabs(off) > OFF * size) || !spectral) return status;
+    if (status || !(fabs(off) > PM_OFF_ZERO * size) || !spectral) return status;
     status = pm_fail_search(
         w, pm_bracket_find(w->event->solver, pm_event_samples_along, w, f, x->a, x->ga, x->b, x->gb, first));
     return status ? status
@@ -113,12 +110,12 @@ static int polish(pm_workspace *w, int i, const pm_span *x, double slope, double
 
 /* ---- what it is there ---- */
 /* How fast the function goes through its zero: a decision, for it might not have reached it.  slope: of the polynomial
- * there, if its samples tell it. */
+ * there, if its samples resolve it. */
 static void take_rate(pm_workspace *w, int function, double x, double slope)
 {
     if (!w->evidence.active) return;
     pm_event_function *f = &w->event->function[function];
-    const double d = RATE_STEP * (w->step.end - w->step.begin);
+    const double d = PM_EVENT_RATE_STEP * (w->step.end - w->step.begin);
     const double rate =
         isnan(slope) ? (pm_event_samples_along(w, x + d, f) - pm_event_samples_along(w, x - d, f)) / (2 * d)
                      : slope;
@@ -135,7 +132,7 @@ static double slope_of_samples(const pm_workspace *w, int i, double place)
     return pm_chebyshev_slope(w->step.nodes, of.g, (place - w->step.begin) / h, &here) / h;
 }
 
-/* Its slope at the root, by the samples; not a number where these do not tell it. */
+/* Its slope at the root, by the samples; not a number where these do not resolve it. */
 static double slope_at_root(pm_workspace *w, int i, double place)
 {
     if (!pm_event_samples_resolve(w, i)) return NAN;

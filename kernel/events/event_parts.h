@@ -14,7 +14,7 @@ typedef struct pm_event_course {
 /* The route leaves its zeros to the samples, and the step may reach it. */
 static inline int pm_event_samples_wanted(const pm_workspace *w, const pm_event_function *f)
 {
-    return !f->owned && !(f->kind == FUNCTION_GAP && w->event->culling.quiet[f->index]);
+    return !f->owned && !(f->kind == FUNCTION_GAP && w->event->culling.skipped[f->index]);
 }
 
 void pm_event_samples_take(const pm_workspace *w, int i, pm_event_course *x);

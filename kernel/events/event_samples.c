@@ -19,24 +19,21 @@
 #include "expression/program_class.h"
 #include "numerics/chebyshev.h"
 #include "numerics/minmax.h"
+#include "numerics/tolerances.h"
 #include "state/route.h"
 #include "state/workspace.h"
-
-#define WAVES 1e-4    /* tail of values that may have waves between the nodes */
-#define RESOLVED 1e-6 /* tail of a function that its samples tell */
-#define RESIDUAL 10.0 /* times the tail: how far it may be from the polynomial */
 
 /* ---- the samples of a step ---- */
 /* Nothing is known of the step's zeros yet. */
 static void begin_samples(pm_workspace *w)
 {
     pm_event_set *e = w->event;
-    for (int k = 0; k < w->step.nodes->n; k++) e->place[k] = pm_step_node(w, k);
+    for (int k = 0; k < w->step.nodes->n; k++) e->place[k] = pm_step_node(&w->step, k);
     for (int i = 0; i < e->nfunction; i++) {
         e->function[i].search = SEARCH_NONE;
         e->function[i].tail = -1;
     }
-    pm_gap_culling_step(w);
+    pm_gap_culling_step(&w->event->culling, w->model);
 }
 
 /* As pm_event_sample has it; where the circle is beside the row is kept, for pm_event_samples_of_member. */
@@ -49,7 +46,7 @@ static double sample_row(pm_workspace *w, const pm_event_function *f, int node)
     return isinf(gap) ? w->numbers.size : gap;
 }
 
-/* The functions of contacts and grips that are sampled, but for contacts out of reach, at a node of the step; the frame
+/* The functions of contacts and of frictions that are sampled, but for contacts out of reach, at a node of the step; the frame
  * looks there. */
 static void sample_contacts(pm_workspace *w, int node)
 {
@@ -69,10 +66,10 @@ static int look_at_nodes(pm_workspace *w, int functions, int watched)
     if (functions && w->event->level > level) level = w->event->level;
     if (watched && w->ask->level > level) level = w->ask->level;
     for (int k = 0; k < w->step.nodes->n; k++) {
-        const int status = pm_step_look(w, pm_step_node(w, k), level);
+        const int status = pm_step_look(w, pm_step_node(&w->step, k), level);
         if (status) return status;
         if (functions) {
-            pm_gap_culling_node(w, k);
+            pm_gap_culling_node(&w->event->culling, &w->frame, k);
             sample_contacts(w, k);
         }
         pm_watched_samples_read(w, k, who);
@@ -103,7 +100,7 @@ static void sample_triggers(pm_workspace *w)
 static int sample_reached(pm_workspace *w)
 {
     for (int k = 0; k < w->step.nodes->n; k++) {
-        const int status = pm_step_look(w, pm_step_node(w, k), w->event->level);
+        const int status = pm_step_look(w, pm_step_node(&w->step, k), w->event->level);
         if (status) return status;
         sample_contacts(w, k);
     }
@@ -117,7 +114,7 @@ static void keep_gaps(pm_workspace *w)
     for (int i = 0; i < e->nfunction; i++) {
         const pm_event_function *f = &e->function[i];
         if (f->kind == FUNCTION_GAP && pm_event_samples_wanted(w, f))
-            pm_gap_culling_keep(w, f->index, *pm_event_samples(w, i));
+            pm_gap_culling_keep(&w->event->culling, w->model, f->index, *pm_event_samples(w, i));
     }
 }
 
@@ -135,17 +132,17 @@ static void note_sides(pm_workspace *w)
 
 static int is_resolved(const pm_workspace *w, const double *sample)
 {
-    return !(pm_chebyshev_tail(w->step.nodes, sample) > WAVES);
+    return !(pm_chebyshev_tail(w->step.nodes, sample) > PM_TAIL_WAVES);
 }
 
-/* Speeds fall to zero as the root of the energy does, where the motion turns: that is no wave. */
+/* Speeds fall to zero as the root of the energy does, where the motion reverses: that is no wave. */
 static int may_wave(const pm_workspace *w, const pm_event_function *f)
 {
     return !f->owned && w->model->programs.energy[PM_TRIGGER_ROW(w->model, f->index)[PM_TRIGGER_PROGRAM]] !=
                             PM_ENERGY_CLASS_ROOT;
 }
 
-/* Between few nodes something that is watched may turn unseen: they do not tell it.  (An ask with corners is told by its
+/* Between few nodes something that is watched may reverse unseen: they do not resolve it.  (An ask with corners is resolved by its
  * branches.) */
 static int are_resolved(const pm_workspace *w, int functions, int watched)
 {
@@ -170,7 +167,7 @@ static int sample_at_nodes(pm_workspace *w, int functions, int watched)
 
 static int finish_functions(pm_workspace *w)
 {
-    const int status = pm_gap_culling_check(w) ? sample_reached(w) : PM_OK;
+    const int status = pm_gap_culling_check(&w->event->culling, w->model) ? sample_reached(w) : PM_OK;
     keep_gaps(w);
     note_sides(w);
     return status;
@@ -226,14 +223,14 @@ double pm_event_samples_tail(const pm_workspace *w, int i, const pm_event_course
 
 int pm_event_samples_resolved(const pm_workspace *w, int i, const pm_event_course *x)
 {
-    return pm_event_samples_tail(w, i, x) < RESOLVED;
+    return pm_event_samples_tail(w, i, x) < PM_TAIL_RESOLVED;
 }
 
 int pm_event_samples_resolve(const pm_workspace *w, int i)
 {
     const pm_event_function *f = &w->event->function[i];
     pm_event_course x;
-    if (f->tail >= 0) return f->tail < RESOLVED;
+    if (f->tail >= 0) return f->tail < PM_TAIL_RESOLVED;
     if (!pm_chebyshev_nodes_spectral(w->step.nodes)) return 0;
     pm_event_samples_take(w, i, &x);
     return pm_event_samples_resolved(w, i, &x);
@@ -241,7 +238,7 @@ int pm_event_samples_resolve(const pm_workspace *w, int i)
 
 double pm_event_samples_residual(const pm_event_function *f, double biggest)
 {
-    return RESIDUAL * f->tail * biggest;
+    return PM_TAIL_RESIDUAL * f->tail * biggest;
 }
 
 /* ---- one member of a row ---- */

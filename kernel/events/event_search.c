@@ -9,9 +9,8 @@
 
 #include "elements/capture.h"
 #include "events/event_parts.h"
+#include "numerics/tolerances.h"
 #include "state/workspace.h"
-
-#define PASSES 1e-5 /* of the scene's size: two points farther apart where they are nearest do not meet */
 
 /* Two points go by each other at a distance: nothing happens. */
 static int goes_by(pm_workspace *w, int i, double place)
@@ -19,7 +18,7 @@ static int goes_by(pm_workspace *w, int i, double place)
     pm_event_function *f = &w->event->function[i];
     if (f->kind != FUNCTION_MEETING) return 0;
     pm_event_samples_along(w, place, f);
-    return pm_capture_distance(&w->frame, f->index) > PASSES * w->numbers.size;
+    return pm_capture_distance(&w->frame, f->index) > PM_POINTS_PASS * w->numbers.size;
 }
 
 /* The first place of the step, after `from`, where something happens to function i; *x brackets it; or INFINITY.  What

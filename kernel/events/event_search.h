@@ -9,8 +9,6 @@
 #include "events/event.h"
 #include "numerics/bracket.h"
 
-#define PM_SAME_PLACE 1e-11 /* of a step: events closer than this are one instant */
-
 /* Samples functions (if asked for) and watched asks at all nodes of the step (w->state at its end). */
 int pm_event_samples_fill(pm_workspace *w, int with_functions);
 /* 1 if the samples of function i show it between the nodes, too. */

@@ -11,20 +11,10 @@
 #include "numerics/tolerances.h"
 #include "state/workspace.h"
 
-#define NEARLY_FLAT 0.1 /* of the spread in a step: a slope between nodes that may have either sign */
-#define SHARP 0.1       /* of one whose slopes they tell roughly, at the best */
-#define RESIDUAL 10.0   /* times these coefficients: how far the value may be from the polynomial */
-#define END_TAIL 4.0    /* the same at the ends of the step */
-#define LIKELY 0.1      /* of the most that a slope may be off by */
-#define WIDE 3.0        /* as much may rise what the nodes do not tell */
-#define NEAR 0.3        /* of a bend: so much it changes over this part of 1 / n^2 of the step, at the most */
-#define TOLD 1e-5       /* of one whose corners can but be dips: what they change is told by looks */
-#define SHARE 1e-2      /* of the tolerance: so little more is not looked for, but counts as an error */
-
 /* ---- a value where the frame looks ---- */
-double pm_extremum_place(const pm_workspace *w, double s)
+double pm_extremum_place(const pm_step *step, double s)
 {
-    return w->step.begin + s * (w->step.sampled_end - w->step.begin);
+    return step->begin + s * (step->sampled_end - step->begin);
 }
 
 double pm_extremum_value(pm_workspace *w, const pm_extremum *p)
@@ -73,12 +63,12 @@ void pm_extremum_skip(pm_workspace *w, const pm_extremum *p, double g)
 static int is_at_node(pm_workspace *w, const pm_extremum *p, int k, const pm_extremum_fit *x)
 {
     const int n = w->step.nodes->n, at_end = k == 0 || k + 1 == n;
-    if (n * n * fabs(x->s - w->step.nodes->at[k]) > NEAR) return 0;
+    if (n * n * fabs(x->s - w->step.nodes->at[k]) > PM_EXTREMUM_NEAR) return 0;
     const double slope = fabs(pm_chebyshev_slope_at(w->step.nodes, p->g, k));
-    const double error = (at_end ? END_TAIL / PM_PEAK_SLOPE_TAIL : 1) * p->slope_error;
-    const double half = -(1 + NEAR) * 0.5 / x->bend,
+    const double error = (at_end ? PM_EXTREMUM_END_TAIL / PM_EXTREMUM_SLOPE_TAIL : 1) * p->slope_error;
+    const double half = -(1 + PM_EXTREMUM_NEAR) * 0.5 / x->bend,
                  most = p->g[k] + half * (slope + error) * (slope + error);
-    const double likely = slope + LIKELY * error;
+    const double likely = slope + PM_EXTREMUM_LIKELY * error;
     if (most > p->best + p->nothing) return 0;
     pm_extremum_skip(w, p, p->g[k] + half * likely * likely);
     return 1;
@@ -88,7 +78,7 @@ int pm_extremum_near(pm_workspace *w, const pm_extremum *p, int k, const pm_extr
 {
     if (x->bend < 0) {
         const double residual =
-            RESIDUAL * p->tail * p->size * fabs(x->w) - 0.5 * x->slope * x->slope / x->bend;
+            PM_TAIL_RESIDUAL * p->tail * p->size * fabs(x->w) - 0.5 * x->slope * x->slope / x->bend;
         if (is_at_node(w, p, k, x)) return PM_OK;
         if (x->value + residual <= p->best + p->nothing) {
             pm_extremum_skip(w, p, x->value + residual);
@@ -118,7 +108,7 @@ static double vertex(const pm_chebyshev_nodes *nodes, const pm_extremum *p, int 
     }
     const int in = k > 0 ? k - 1 : 1;
     const double h = at[in] - at[k], slope = pm_chebyshev_slope_at(nodes, g, k);
-    if (slope * h <= -END_TAIL / PM_PEAK_SLOPE_TAIL * p->slope_error * fabs(h)) return NAN;
+    if (slope * h <= -PM_EXTREMUM_END_TAIL / PM_EXTREMUM_SLOPE_TAIL * p->slope_error * fabs(h)) return NAN;
     const double bend = 2 * (g[in] - g[k] - slope * h) / (h * h);
     return at[k] - slope / bend;
 }
@@ -154,14 +144,14 @@ static int extremes_of_samples(pm_workspace *w, pm_extremum *p)
     return pm_extremum_hidden_find(w, p);
 }
 
-/* Between node k and the next, where the samples tell the slopes but roughly. */
+/* Between node k and the next, where the samples show the slopes only roughly. */
 static int extreme_beside_top(pm_workspace *w, const pm_extremum *p, int k, double spread)
 {
     const pm_chebyshev_nodes *nodes = w->step.nodes;
-    const double flat = NEARLY_FLAT * spread / (nodes->at[k + 1] - nodes->at[k]);
+    const double flat = PM_EXTREMUM_FLAT * spread / (nodes->at[k + 1] - nodes->at[k]);
     const double a = pm_chebyshev_slope_at(nodes, p->g, k), b = pm_chebyshev_slope_at(nodes, p->g, k + 1);
-    if (a < -flat || b > flat || pm_step_node(w, k) >= w->step.end) return PM_OK;
-    if (p->tail < SHARP && a > 0 && b < 0) {
+    if (a < -flat || b > flat || pm_step_node(&w->step, k) >= w->step.end) return PM_OK;
+    if (p->tail < PM_EXTREMUM_SHARP && a > 0 && b < 0) {
         const double low = nodes->at[k], high = nodes->at[k + 1];
         const pm_extremum_fit x = pm_extremum_rise_top(nodes, p, k, low + (high - low) * (a / (a - b)));
         int found = 0, status = PM_OK;
@@ -179,7 +169,7 @@ static int offer_node(pm_workspace *w, const pm_extremum *p, int top)
 {
     if (p->g[top] <= p->sign * w->ask->best[p->ask]) return PM_OK;
     const int looks = pm_ask_at_extreme(PM_ASK_ROW(w->model, p->ask)) || w->evidence.active;
-    const int status = looks ? pm_ask_look(w, pm_step_node(w, top), 1) : PM_OK;
+    const int status = looks ? pm_ask_look(w, pm_step_node(&w->step, top), 1) : PM_OK;
     if (!status) pm_ask_offer(w, p->ask, p->sign * p->g[top], 0);
     return status;
 }
@@ -188,24 +178,26 @@ int pm_extremum_find(pm_workspace *w, pm_extremum *p, int top, double spread)
 {
     const pm_chebyshev_nodes *nodes = w->step.nodes;
     /* an extreme between the nodes exceeds them by no more than their spread */
-    if (spread <= PM_PEAK_LEVEL * p->size || p->g[top] + spread < p->best) return PM_OK;
+    if (spread <= PM_EXTREMUM_LEVEL * p->size || p->g[top] + spread < p->best) return PM_OK;
     p->tail = INFINITY;
     p->met = 0;
     const int spectral =
         pm_chebyshev_nodes_spectral(nodes) && !pm_ask_at_extreme(PM_ASK_ROW(w->model, p->ask));
     if (spectral) {
-        if (next_top(nodes, p, 0, WIDE) == nodes->n && !pm_extremum_hidden_possible(nodes, p)) return PM_OK;
+        if (next_top(nodes, p, 0, PM_EXTREMUM_WIDE) == nodes->n && !pm_extremum_hidden_possible(nodes, p))
+            return PM_OK;
         p->tail = pm_chebyshev_high(nodes, p->g) / p->size;
-        p->slope_error = PM_PEAK_SLOPE_TAIL * nodes->n * p->tail * p->size;
-        p->nothing = pm_max(PM_PEAK_NOTHING, SHARE * w->numbers.tolerance) * p->size;
+        p->slope_error = PM_EXTREMUM_SLOPE_TAIL * nodes->n * p->tail * p->size;
+        p->nothing = pm_max(PM_EXTREMUM_NOTHING, PM_EXTREMUM_SHARE * w->numbers.tolerance) * p->size;
     }
-    if (!p->branch && w->ask->switches[p->ask] > 0 && p->tail > (w->ask->dips[p->ask] ? TOLD : 0)) {
+    if (!p->branch && w->ask->switches[p->ask] > 0 &&
+        p->tail > (w->ask->dips[p->ask] ? PM_EXTREMUM_DIPS : 0)) {
         int taken;
         const int status = pm_extremum_branch_all(w, p, &taken);
         if (status || taken) return status;
     }
     if (spectral && p->tail < PM_CHEBYSHEV_SMOOTH) return extremes_of_samples(w, p);
-    for (int k = 0; (k = next_top(nodes, p, k, WIDE)) < nodes->n; k++) {
+    for (int k = 0; (k = next_top(nodes, p, k, PM_EXTREMUM_WIDE)) < nodes->n; k++) {
         p->met |= (k > 0 ? 3u << (k - 1) : 1u);
         int status = k > 0 ? extreme_beside_top(w, p, k - 1, spread) : PM_OK;
         if (!status && k + 1 < nodes->n) status = extreme_beside_top(w, p, k, spread);
@@ -219,7 +211,7 @@ int pm_extremum_find(pm_workspace *w, pm_extremum *p, int top, double spread)
 static int nodes_inside(const pm_workspace *w)
 {
     int n = w->step.nodes->n;
-    while (w->step.end < w->step.sampled_end && n > 1 && pm_step_node(w, n - 1) > w->step.end) n--;
+    while (w->step.end < w->step.sampled_end && n > 1 && pm_step_node(&w->step, n - 1) > w->step.end) n--;
     return n;
 }
 

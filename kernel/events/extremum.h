@@ -2,7 +2,7 @@
  *
  * What ask_step.c uses; extremum_parts.h is for the files extremum*.c, which find them: beside nodes that are better than
  * those next to them (extremum.c), where nodes show nothing (extremum_hidden.c), on the branches of a program that switches
- * (extremum_branch.c); by the polynomial through the nodes where they tell the value nearly (extremum_rise.c), by looks
+ * (extremum_branch.c); by the polynomial through the nodes where they resolve the value nearly (extremum_rise.c), by looks
  * where they do not (extremum_search.c). */
 #ifndef PM_EXTREMUM_H
 #define PM_EXTREMUM_H

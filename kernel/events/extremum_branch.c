@@ -1,6 +1,6 @@
 /* extremum_branch.c - extremes of a value whose program has switches (program.h) that change inside a step.
  *
- * Each branch of the program, run at all nodes, is smooth beyond the nodes where it is taken, too: its samples tell it as
+ * Each branch of the program, run at all nodes, is smooth beyond the nodes where it is taken, too: its samples resolve it as
  * those of any smooth value.  Its extremes count where it is taken.  Between two nodes with different branches, extremes are
  * also where the arguments of the switches go through zero. */
 #include <math.h>
@@ -11,11 +11,8 @@
 #include "events/watched_samples.h"
 #include "numerics/bracket.h"
 #include "numerics/minmax.h"
+#include "numerics/tolerances.h"
 #include "state/workspace.h"
-
-#define NO_SIGN 1e-12 /* of an argument's greatest size in the step: it has no sign */
-#define BESIDE 1e-13  /* of the nodes' distance: right before and right after a jump */
-#define APART 1e-9    /* of it: two switches that change together */
 
 typedef signed char pm_extremum_signs[PM_SWITCHES];
 
@@ -35,7 +32,7 @@ static int changes(const pm_chebyshev_nodes *nodes, pm_extremum_branches *b, int
         low = pm_min(arg[k], low);
         high = pm_max(arg[k], high);
     }
-    const double zero = NO_SIGN * pm_max(high, -low);
+    const double zero = PM_ON_ZERO * pm_max(high, -low);
     b->branch.zero[i] = zero;
     return high > zero && low < -zero;
 }
@@ -85,7 +82,7 @@ static int sample_branch(pm_workspace *w, const pm_extremum *p, pm_extremum_bran
     return 1;
 }
 
-/* Extremes of a branch beside nodes first .. last; nodes next to these tell how far it may rise between them. */
+/* Extremes of a branch beside nodes first .. last; nodes next to these show how far it may rise between them. */
 static int extremes_of(pm_workspace *w, pm_extremum *of, int first, int last)
 {
     const int from = first > 0 ? first - 1 : 0, to = last + 1 < w->step.nodes->n ? last + 1 : last;
@@ -127,7 +124,7 @@ static int offer_at(pm_workspace *w, const pm_extremum *p, double t)
 static int offer_switch(pm_workspace *w, const pm_extremum *p, const pm_extremum_branches *b, int i, int k,
                         double *t)
 {
-    const double from = pm_step_node(w, k), to = pm_step_node(w, k + 1);
+    const double from = pm_step_node(&w->step, k), to = pm_step_node(&w->step, k + 1);
     const double fa = b->at.arg[i][k], fb = b->at.arg[i][k + 1];
     pm_extremum_switch x = {.peak = p, .i = i};
     *t = fabs(fa) < fabs(fb) ? from : to;
@@ -139,7 +136,7 @@ static int offer_switch(pm_workspace *w, const pm_extremum *p, const pm_extremum
     }
     int status = pm_fail_search(w, end);
     if (!status) status = offer_at(w, p, *t);
-    const double beside = BESIDE * (to - from);
+    const double beside = PM_JUMP_BESIDE * (to - from);
     if (!status && b->at.jumps[i]) status = offer_at(w, p, *t - beside);
     if (!status && b->at.jumps[i]) status = offer_at(w, p, *t + beside);
     return status;
@@ -187,7 +184,7 @@ static int several_switches(pm_workspace *w, const pm_extremum *p, pm_extremum_b
         for (; j > 0 && turn[j - 1] > t; j--) turn[j] = turn[j - 1];
         turn[j] = t;
     }
-    const double apart = APART * (pm_step_node(w, k + 1) - pm_step_node(w, k));
+    const double apart = PM_SWITCHES_APART * (pm_step_node(&w->step, k + 1) - pm_step_node(&w->step, k));
     for (int j = 0; j + 1 < n; j++) {
         if (turn[j + 1] - turn[j] <= apart) continue;
         const int status = extremes_within(w, p, b, k, 0.5 * (turn[j] + turn[j + 1]));
@@ -203,7 +200,7 @@ static int switches_between(pm_workspace *w, const pm_extremum *p, pm_extremum_b
     int n = 0, only = 0;
     for (int i = 0; i < b->at.n; i++)
         if (b->sign[k][i] != b->sign[k + 1][i]) n++, only = i;
-    if (pm_step_node(w, k) >= w->step.end || stays_below(w, left, right, k)) return PM_OK;
+    if (pm_step_node(&w->step, k) >= w->step.end || stays_below(w, left, right, k)) return PM_OK;
     double t;
     if (n > 1) return several_switches(w, p, b, k);
     return only_dips(b, only, k, left, right) ? PM_OK : offer_switch(w, p, b, only, k, &t);

@@ -16,10 +16,6 @@
 #include "numerics/tolerances.h"
 #include "state/workspace.h"
 
-#define BENDS 0.8  /* of the bend that a parabola would have */
-#define ALIKE 0.1  /* of what others near them differ by: nodes between which a top may hide */
-#define PARTINGS 5 /* what is left of an interval about a level place becomes a sixth each time */
-
 /* ---- between two places ---- */
 double pm_extremum_hidden_cubic(const pm_extremum_slope *a, const pm_extremum_slope *b)
 {
@@ -42,7 +38,7 @@ static int part(pm_workspace *w, const pm_extremum *p, const pm_extremum_curve *
     if (depth == 0 || (a->rate < 0 && b->rate > 0)) return PM_OK;
     const double makes = (b->s - a->s) * pm_max(fabs(a->rate), fabs(b->rate));
     const double s = pm_extremum_hidden_cubic(a, b);
-    if (isnan(s) || !(makes > PM_PEAK_LEVEL * p->size)) return PM_OK;
+    if (isnan(s) || !(makes > PM_EXTREMUM_LEVEL * p->size)) return PM_OK;
     const pm_extremum_slope left = x->slope(w, p, 0.5 * (a->s + s)), right = x->slope(w, p, 0.5 * (s + b->s));
     int status = part(w, p, x, a, &left, depth - 1);
     if (!status) status = part(w, p, x, &left, &right, depth - 1);
@@ -52,7 +48,7 @@ static int part(pm_workspace *w, const pm_extremum *p, const pm_extremum_curve *
 int pm_extremum_hidden_tops(pm_workspace *w, const pm_extremum *p, const pm_extremum_curve *x,
                             const pm_extremum_slope *a, const pm_extremum_slope *b)
 {
-    return part(w, p, x, a, b, PARTINGS);
+    return part(w, p, x, a, b, PM_HIDDEN_PARTINGS);
 }
 
 /* ---- between two nodes ---- */
@@ -96,7 +92,7 @@ static int next_hidden(const pm_chebyshev_nodes *nodes, const pm_extremum *p, in
         const double rise = pm_max(here, pm_max(before, after));
         if (!(pm_max(g[k], g[k + 1]) + rise > above)) continue;
         const int cut = nodes->at[k + 1] > p->end;
-        if (cut || pm_min(here, pm_min(before, after)) <= ALIKE * rise) return k;
+        if (cut || pm_min(here, pm_min(before, after)) <= PM_HIDDEN_ALIKE * rise) return k;
     }
     return n;
 }
@@ -114,12 +110,12 @@ static pm_extremum_slope slope_at_node(pm_workspace *w, const pm_extremum *p, in
     return (pm_extremum_slope){nodes->at[k], p->g[k], pm_chebyshev_slope_at(nodes, p->g, k)};
 }
 
-/* Whether the nodes do not tell the slope at one place, nor, by the cubic through both, that it bends as a top does. */
+/* Whether the nodes do not resolve the slope at one place, nor, by the cubic through both, that it bends as a top does. */
 static int is_level(const pm_extremum *p, const pm_extremum_slope *here, const pm_extremum_slope *other)
 {
     const double h = other->s - here->s;
     const double bend = (6 * (other->g - here->g) / h - 4 * here->rate - 2 * other->rate) / h;
-    return fabs(here->rate) <= p->slope_error && bend * fabs(h) > -BENDS * fabs(other->rate);
+    return fabs(here->rate) <= p->slope_error && bend * fabs(h) > -PM_HIDDEN_BEND * fabs(other->rate);
 }
 
 /* Between node k and the next. */

@@ -9,12 +9,6 @@
 #include "expression/program.h"
 #include "numerics/chebyshev_nodes.h"
 
-#define PM_PEAK_ROUNDING 4e-16 /* of the value's size: what looks scatter by */
-#define PM_PEAK_NOTHING 1e-15  /* of the value's size: so little more is rounding */
-#define PM_PEAK_LEVEL 1e-14    /* of a value's size: so little spread is rounding */
-#define PM_PEAK_SLOPE_TAIL \
-    2.0 /* times the degree and the highest coefficients: error of a polynomial's slope */
-
 /* A branch of a program: the signs that make it, and what its arguments are where the frame looks. */
 typedef struct pm_extremum_of_branch {
     pm_switches here;
@@ -42,7 +36,7 @@ typedef struct pm_extremum_fit {
     double s, value, slope, bend, pull, w;
 } pm_extremum_fit;
 
-/* What a look tells of the extreme near it. */
+/* What a look shows of the extreme near it. */
 typedef struct pm_extremum_estimate {
     double s, value, rate, rate_error;
     double gain, place; /* the extreme is that much above the value, and there */
@@ -54,7 +48,7 @@ typedef struct pm_extremum_slope {
     double s, g, rate;
 } pm_extremum_slope;
 
-/* Who tells values and rates, and who finds the one top between a place where the value rises and one where it falls. */
+/* What reads values and rates, and what finds the one top between a place where the value rises and one where it falls. */
 typedef struct pm_extremum_curve {
     pm_extremum_slope (*slope)(pm_workspace *w, const pm_extremum *p, double s);
     int (*top)(pm_workspace *w, const pm_extremum *p, const pm_extremum_slope *a, const pm_extremum_slope *b);
@@ -62,7 +56,7 @@ typedef struct pm_extremum_curve {
 
 /* ---- extremum.c: a value where the frame looks, and what is made of it ---- */
 /* The place in the step of a fraction of what is sampled. */
-double pm_extremum_place(const pm_workspace *w, double s);
+double pm_extremum_place(const pm_step *step, double s);
 /* g where the frame looks. */
 double pm_extremum_value(pm_workspace *w, const pm_extremum *p);
 /* Whether the branch is the one that is taken where pm_extremum_value was asked for last. */
@@ -91,30 +85,30 @@ double pm_extremum_hidden_cubic(const pm_extremum_slope *a, const pm_extremum_sl
 int pm_extremum_hidden_tops(pm_workspace *w, const pm_extremum *p, const pm_extremum_curve *x,
                             const pm_extremum_slope *a, const pm_extremum_slope *b);
 
-/* ---- extremum_rise.c: where the nodes tell the value nearly ---- */
+/* ---- extremum_rise.c: where the nodes resolve the value nearly ---- */
 /* The interval of s, next to node k. */
 int pm_extremum_rise_side(const pm_chebyshev_nodes *nodes, int k, double s);
-/* The polynomial's extreme near s, beside node k; nearly: as far as its slope tells it.  The bend is not below zero if there
+/* The polynomial's extreme near s, beside node k; nearly: as far as its slope shows it.  The bend is not below zero if there
  * is none. */
 pm_extremum_fit pm_extremum_rise_top(const pm_chebyshev_nodes *nodes, const pm_extremum *p, int k, double s);
 /* The node before s, but for the last. */
 int pm_extremum_rise_interval(const pm_chebyshev_nodes *nodes, double s);
 /* The polynomial at s, or right beside the node there. */
 pm_extremum_fit pm_extremum_rise_fit(const pm_chebyshev_nodes *nodes, const pm_extremum *p, double s);
-/* From a place near an extreme to it; *found is 0 if the looks do not tell it, *top is the best of them then. */
+/* From a place near an extreme to it; *found is 0 if the looks do not resolve it, *top is the best of them then. */
 int pm_extremum_rise_climb(pm_workspace *w, const pm_extremum *p, int k, const pm_extremum_fit *near,
                            pm_extremum_estimate *top, int *found);
 
 /* ---- extremum_search.c: where they do not ---- */
 /* Between node k and the next where the value may have an extreme better than the best so far: the root of its rate. */
 int pm_extremum_search_root(pm_workspace *w, const pm_extremum *p, int k);
-/* By values alone, where slopes do not tell (a flat top, or one about to part in two): from a look that is better than the
+/* By values alone, where slopes do not show it (a flat top, or one about to part in two): from a look that is better than the
  * nodes beside it. */
 int pm_extremum_search_values(pm_workspace *w, const pm_extremum *p, const pm_extremum_estimate *top,
                               int *found);
 
 /* ---- extremum_branch.c: where a program takes one branch after the other ---- */
-/* Extremes of all branches and the corners between them; *taken is 0 if there is but one branch, or they are not told. */
+/* Extremes of all branches and the corners between them; *taken is 0 if there is only one branch, or they are not resolved. */
 int pm_extremum_branch_all(pm_workspace *w, const pm_extremum *p, int *taken);
 
 #endif

@@ -1,9 +1,9 @@
-/* extremum_rise.c - extremes of a value that the nodes s_k of a step tell nearly: they are near those of the polynomial p
+/* extremum_rise.c - extremes of a value that the nodes s_k of a step resolve nearly: they are near those of the polynomial p
  * through them,
  *
  *   g = p + w h,    w(s) = prod (s - s_k),    e = g - p = w h
  *
- * (Berrut and Trefethen, SIAM Rev. 46, 2004).  An exact look at x tells e there, and x becomes one more node: then
+ * (Berrut and Trefethen, SIAM Rev. 46, 2004).  An exact look at x gives e there, and x becomes one more node: then
  *
  *   g'(x) = p'(x) + e w'/w + w h',    the extreme is at x - g' / g'', g'^2 / 2 |g''| above g(x)
  *
@@ -13,13 +13,10 @@
 #include "events/extremum_parts.h"
 #include "numerics/lanes.h"
 #include "numerics/minmax.h"
+#include "numerics/tolerances.h"
 #include "state/workspace.h"
 
-#define SLOWLY 0.5   /* looks that leave more residual than that of what was before lead nowhere */
-#define PEAK_STEPS 6 /* of Newton's method to an extreme */
-#define LOOKS 6      /* that are taken in as nodes */
-#define BESIDE 3e-6  /* of the step: nearer to each other two nodes tell no slope */
-#define PART 0.3 /* of what is residual of a slope before a look there: it stays so after it, at the least */
+#define LOOKS 6 /* that are taken in as nodes */
 
 /* Exact looks, each with what the polynomial through the nodes and the looks before was off by. */
 typedef struct pm_extremum_looks {
@@ -27,16 +24,16 @@ typedef struct pm_extremum_looks {
     double s[LOOKS], off[LOOKS], w[LOOKS];
 } pm_extremum_looks;
 
-/* s, but not so near to a node that it would tell nothing more. */
+/* s, but not so near to a node that it would show nothing more. */
 static double beside(const pm_chebyshev_nodes *nodes, int k, double s)
 {
-    const double low = nodes->at[k] + BESIDE, high = nodes->at[k + 1] - BESIDE;
+    const double low = nodes->at[k] + PM_RISE_BESIDE, high = nodes->at[k + 1] - PM_RISE_BESIDE;
     return s < low ? low : s > high ? high : s;
 }
 
 /* Of p = N / D, N = sum c_k g_k, D = sum c_k, c_k = w_k / (s - s_k), for s between node k and the next; w_k alternate, and
  * are half as much at the ends.  Two nodes at a time. */
-static pm_extremum_fit tell(const pm_chebyshev_nodes *nodes, const double *g, int k, double s)
+static pm_extremum_fit fit(const pm_chebyshev_nodes *nodes, const double *g, int k, double s)
 {
     const double from = s - nodes->at[k] < nodes->at[k + 1] - s ? g[k] : g[k + 1];
     const int last = nodes->n - 1;
@@ -79,16 +76,16 @@ int pm_extremum_rise_interval(const pm_chebyshev_nodes *nodes, double s)
 pm_extremum_fit pm_extremum_rise_fit(const pm_chebyshev_nodes *nodes, const pm_extremum *p, double s)
 {
     const int k = pm_extremum_rise_interval(nodes, s);
-    return tell(nodes, p->g, k, beside(nodes, k, s));
+    return fit(nodes, p->g, k, beside(nodes, k, s));
 }
 
 pm_extremum_fit pm_extremum_rise_top(const pm_chebyshev_nodes *nodes, const pm_extremum *p, int k, double s)
 {
     s = beside(nodes, pm_extremum_rise_side(nodes, k, s), s);
     for (int i = 0;; i++) {
-        const pm_extremum_fit x = tell(nodes, p->g, pm_extremum_rise_side(nodes, k, s), s);
+        const pm_extremum_fit x = fit(nodes, p->g, pm_extremum_rise_side(nodes, k, s), s);
         const double told = pm_max(p->slope_error, sqrt(p->nothing * fabs(x.bend)));
-        if (!(x.bend < 0) || fabs(x.slope) <= told || i == PEAK_STEPS) return x;
+        if (!(x.bend < 0) || fabs(x.slope) <= told || i == PM_EXTREMUM_STEPS) return x;
         const double next = s - x.slope / x.bend;
         s = beside(nodes, pm_extremum_rise_side(nodes, k, next), next);
         if (s == x.s) return x;
@@ -116,16 +113,17 @@ static int take_look(pm_workspace *w, const pm_extremum *p, const pm_extremum_fi
                      const pm_extremum_estimate *before, pm_extremum_looks *looks, pm_extremum_estimate *rise)
 {
     const double n = w->step.nodes->n;
-    const int status = pm_ask_look(w, pm_extremum_place(w, x->s), 1);
+    const int status = pm_ask_look(w, pm_extremum_place(&w->step, x->s), 1);
     if (status) return status;
     rise->s = x->s;
     rise->value = pm_extremum_value(w, p);
     const double off = rise->value - x->value;
     rise->rate = x->slope + off * x->pull;
-    double error = PART * p->slope_error * fabs(x->w), bend = x->bend;
+    double error = PM_RISE_PART * p->slope_error * fabs(x->w), bend = x->bend;
     for (int i = 0; i < looks->n; i++) error *= n; /* w has become smaller */
-    error = rise->rate_error = pm_max(error, n * fabs(off)) + PM_PEAK_ROUNDING * p->size * fabs(x->pull);
-    double bend_error = PM_PEAK_SLOPE_TAIL * n * p->slope_error / pm_max(2 * sqrt(x->s * (1 - x->s)), 1 / n);
+    error = rise->rate_error = pm_max(error, n * fabs(off)) + PM_EXTREMUM_ROUNDING * p->size * fabs(x->pull);
+    double bend_error =
+        PM_EXTREMUM_SLOPE_TAIL * n * p->slope_error / pm_max(2 * sqrt(x->s * (1 - x->s)), 1 / n);
     if (before) {
         const double way = rise->s - before->s, secant = (rise->rate - before->rate) / way;
         const double of_secant =
@@ -147,13 +145,13 @@ static int take_look(pm_workspace *w, const pm_extremum *p, const pm_extremum_fi
     return PM_OK;
 }
 
-/* The extreme is told.  It may lie where another branch is taken than at the look beside it. */
+/* The extreme is known.  It may lie where another branch is taken than at the look beside it. */
 static int take_top(pm_workspace *w, const pm_extremum *p, const pm_extremum_estimate *here, double most)
 {
     if (!(here->place >= 0 && here->place <= p->end)) return PM_OK;
     double value = here->value, above = here->gain;
     if (value + above > p->best && p->branch && (above > p->nothing || !pm_extremum_is_taken(p))) {
-        const int status = pm_ask_look(w, pm_extremum_place(w, here->place), 1);
+        const int status = pm_ask_look(w, pm_extremum_place(&w->step, here->place), 1);
         if (status) return status;
         value = pm_extremum_value(w, p);
         above = 0;
@@ -185,14 +183,15 @@ int pm_extremum_rise_climb(pm_workspace *w, const pm_extremum *p, int k, const p
             return take_top(w, p, here, most);
         }
         const double before = i > 0 ? rise[(i + 1) % 2].residual : INFINITY;
-        const int slowly = before < INFINITY && here->residual > SLOWLY * before;
+        const int slowly = before < INFINITY && here->residual > PM_RISE_SLOWLY * before;
         if (slowly || !(here->place > low && here->place < high)) return PM_OK;
         while (k > 0 && here->place < nodes->at[k]) k--;
         while (k + 2 < nodes->n && here->place > nodes->at[k + 1]) k++;
         double s = beside(nodes, k, here->place);
         for (int j = 0; j < looks.n; j++)
-            if (fabs(s - looks.s[j]) < BESIDE) s = looks.s[j] + (s < looks.s[j] ? -BESIDE : BESIDE);
-        x = tell(nodes, p->g, k, s);
+            if (fabs(s - looks.s[j]) < PM_RISE_BESIDE)
+                s = looks.s[j] + (s < looks.s[j] ? -PM_RISE_BESIDE : PM_RISE_BESIDE);
+        x = fit(nodes, p->g, k, s);
         correct(&looks, &x);
     }
     return PM_OK;

@@ -1,4 +1,4 @@
-/* extremum_search.c - extremes of a value that the nodes of a step do not tell.
+/* extremum_search.c - extremes of a value that the nodes of a step do not resolve.
  *
  * Every interval where its rate changes sign is searched for the root of the rate (differences of the route's dense output),
  * and the value is taken on an exact state there; or it is searched by values alone. */
@@ -8,13 +8,8 @@
 #include "events/step.h"
 #include "numerics/bracket.h"
 #include "numerics/minmax.h"
+#include "numerics/tolerances.h"
 #include "state/workspace.h"
-
-#define RATE_STEP 2e-3 /* of the step: distance of the differences that make a rate */
-#define PEAK_STEP 1e-4 /* of the step: distance of the differences that make the rate next to an extreme */
-#define PEAK_STEPS 6   /* of Newton's method to an extreme */
-#define SEARCHES 60    /* values that are compared where slopes do not tell */
-#define CLOSE 1e-8     /* of the step: so near to an extreme its value is that */
 
 /* The value along the step, or its rate by differences over so much of it. */
 static pm_ask_watch watch_of(const pm_workspace *w, const pm_extremum *p, double step)
@@ -29,26 +24,26 @@ static int climb(pm_workspace *w, const pm_extremum *p, double bend, double low,
 {
     pm_ask_watch x = watch_of(w, p, 0);
     double last = 0, from = *s;
-    for (int i = 0; i < PEAK_STEPS; i++) {
+    for (int i = 0; i < PM_EXTREMUM_STEPS; i++) {
         const double rate = p->sign *
-                            (pm_ask_along(w, pm_extremum_place(w, *s + PEAK_STEP), &x) -
-                             pm_ask_along(w, pm_extremum_place(w, *s - PEAK_STEP), &x)) /
-                            (2 * PEAK_STEP);
+                            (pm_ask_along(w, pm_extremum_place(&w->step, *s + PM_EXTREMUM_NEAR_STEP), &x) -
+                             pm_ask_along(w, pm_extremum_place(&w->step, *s - PM_EXTREMUM_NEAR_STEP), &x)) /
+                            (2 * PM_EXTREMUM_NEAR_STEP);
         if (i > 0 && *s != from) bend = (rate - last) / (*s - from);
         const double shift = -rate / bend;
         if (!(bend < 0) || !(*s + shift > low && *s + shift < high)) return 0;
         last = rate;
         from = *s;
         *s += shift;
-        if (fabs(rate * rate / bend) <= PM_PEAK_NOTHING * p->size) return 1;
+        if (fabs(rate * rate / bend) <= PM_EXTREMUM_NOTHING * p->size) return 1;
     }
     return 0;
 }
 
 static pm_extremum_slope slope_here(pm_workspace *w, const pm_extremum *p, double s)
 {
-    const double t = pm_extremum_place(w, s), h = w->step.sampled_end - w->step.begin;
-    pm_ask_watch value = watch_of(w, p, 0), rate = watch_of(w, p, RATE_STEP);
+    const double t = pm_extremum_place(&w->step, s), h = w->step.sampled_end - w->step.begin;
+    pm_ask_watch value = watch_of(w, p, 0), rate = watch_of(w, p, PM_EXTREMUM_RATE_STEP);
     return (pm_extremum_slope){s, p->sign * pm_ask_along(w, t, &value),
                                p->sign * h * pm_ask_along(w, t, &rate)};
 }
@@ -57,19 +52,20 @@ static pm_extremum_slope slope_here(pm_workspace *w, const pm_extremum *p, doubl
 static int top_between(pm_workspace *w, const pm_extremum *p, const pm_extremum_slope *a,
                        const pm_extremum_slope *b)
 {
-    pm_ask_watch x = watch_of(w, p, RATE_STEP);
+    pm_ask_watch x = watch_of(w, p, PM_EXTREMUM_RATE_STEP);
     const double bend = (b->rate - a->rate) / (b->s - a->s);
     const double near = pm_extremum_hidden_cubic(a, b);
     double s = isnan(near) ? a->s - a->rate / bend : near, t;
     const int climbs =
         !pm_ask_at_extreme(PM_ASK_ROW(w->model, p->ask)) && /* there the place matters, not the value */
         climb(w, p, bend, a->s, b->s, &s);
-    t = pm_extremum_place(w, s);
+    t = pm_extremum_place(&w->step, s);
     const double unit =
         p->sign / (w->step.sampled_end - w->step.begin); /* the rate in time, of the value as it is */
-    const int end = climbs ? PM_SEARCH_FOUND
-                           : pm_bracket_find(w->ask->solver, pm_ask_along, w, &x, pm_extremum_place(w, a->s),
-                                             unit * a->rate, pm_extremum_place(w, b->s), unit * b->rate, &t);
+    const int end =
+        climbs ? PM_SEARCH_FOUND
+               : pm_bracket_find(w->ask->solver, pm_ask_along, w, &x, pm_extremum_place(&w->step, a->s),
+                                 unit * a->rate, pm_extremum_place(&w->step, b->s), unit * b->rate, &t);
     if (end == PM_SEARCH_NO_NUMBER) {
         if (!p->branch) w->ask->undefined[p->ask] = 1; /* it takes finite rates: there is none somewhere */
         return PM_OK;
@@ -97,7 +93,7 @@ typedef struct pm_search {
 static double depth(double s, void *context)
 {
     const pm_search *x = context;
-    return pm_ask_look(x->w, pm_extremum_place(x->w, s), 1) ? NAN : -pm_extremum_value(x->w, x->peak);
+    return pm_ask_look(x->w, pm_extremum_place(&x->w->step, s), 1) ? NAN : -pm_extremum_value(x->w, x->peak);
 }
 
 /* The look and the nodes beside it; 0 if it is no better than they are. */
@@ -118,7 +114,8 @@ int pm_extremum_search_values(pm_workspace *w, const pm_extremum *p, const pm_ex
     if (!*found) return PM_OK;
     double
         s; /* the best place counts, however close: values differ by rounding there long before places do */
-    pm_bracket_minimum(w->ask->minimum, depth, &context, &in, &(pm_closeness){SEARCHES, CLOSE, 0}, &s);
+    pm_bracket_minimum(w->ask->minimum, depth, &context, &in,
+                       &(pm_closeness){PM_EXTREMUM_SEARCHES, PM_EXTREMUM_CLOSE, 0}, &s);
     if (s > p->end) return PM_OK;
-    return pm_extremum_offer_at(w, p, pm_extremum_place(w, s));
+    return pm_extremum_offer_at(w, p, pm_extremum_place(&w->step, s));
 }

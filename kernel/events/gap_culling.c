@@ -10,54 +10,28 @@
 #include "events/gap_culling.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "elements/contact.h"
 #include "elements/edge.h"
 #include "events/event.h"
+#include "numerics/tolerances.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 
-#define PART 0.5 /* of a gap that its marks may move */
-#define BETWEEN \
-    3.0 /* times the movement seen at the nodes of a step: between them it is less (Lebesgue's constants are) */
-#define WITHIN 0.9      /* of a gap: so far two circles may come in a step without meeting */
-#define EDGE_PART 0.01  /* of its length */
-#define LIKE_BEFORE 2.0 /* times what bodies moved in the last step: what they will in the next, mostly */
-
-int pm_gap_culling_create(const pm_model *m, pm_gap_culling *x)
+void pm_gap_culling_begin(pm_gap_culling *x, const pm_frame *frame)
 {
-    const size_t nbody = (size_t)m->nbody, ncontact = (size_t)m->rows[PM_TABLE_CONTACT];
-    x->left = calloc(ncontact + 5 * nbody + 1, sizeof(double));
-    x->quiet = calloc(ncontact + 1, 1);
-    if (!x->left || !x->quiet) return PM_NO_MEMORY;
-    x->moved = x->left + ncontact;
-    x->from = x->moved + nbody + 1;
-    x->radius = x->from + 3 * nbody;
-    return PM_OK;
-}
-
-void pm_gap_culling_free(pm_gap_culling *x)
-{
-    free(x->left);
-    free(x->quiet);
-}
-
-void pm_gap_culling_begin(pm_workspace *w)
-{
-    const pm_model *m = w->model;
-    pm_gap_culling *x = &w->event->culling;
+    const pm_model *m = frame->model;
     memset(x->left, 0, (size_t)m->rows[PM_TABLE_CONTACT] * sizeof(double));
-    memset(x->quiet, 0, (size_t)m->rows[PM_TABLE_CONTACT]);
+    memset(x->skipped, 0, (size_t)m->rows[PM_TABLE_CONTACT]);
     memset(x->moved, 0, ((size_t)m->nbody + 1) * sizeof(double));
     memset(x->radius, 0, (size_t)m->nbody * sizeof(double));
     for (int i = 0; i < m->rows[PM_TABLE_CIRCLE]; i++) {
         const int32_t *p = PM_POINT_ROW(m, PM_CIRCLE_ROW(m, i)[PM_CIRCLE_POINT]);
         const int body = p[PM_POINT_BODY];
         if (body != PM_GROUND)
-            x->radius[body] = fmax(x->radius[body],
-                                   hypot(w->numbers.value[p[PM_POINT_X]], w->numbers.value[p[PM_POINT_Y]]));
+            x->radius[body] = fmax(x->radius[body], hypot(frame->numbers->value[p[PM_POINT_X]],
+                                                          frame->numbers->value[p[PM_POINT_Y]]));
     }
 }
 
@@ -82,28 +56,26 @@ static int bodies_of(const pm_model *m, int contact, int body[2])
     return PM_POINT_ROW(m, point)[PM_POINT_BODY] == PM_GROUND;
 }
 
-static double moved(const pm_workspace *w, const int body[2])
+static double moved(const pm_gap_culling *x, const int body[2])
 {
-    return w->event->culling.moved[body[0]] + w->event->culling.moved[body[1]];
+    return x->moved[body[0]] + x->moved[body[1]];
 }
 
-void pm_gap_culling_step(pm_workspace *w)
+void pm_gap_culling_step(pm_gap_culling *x, const pm_model *m)
 {
-    pm_gap_culling *x = &w->event->culling;
-    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
+    for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
         int body[2];
-        x->quiet[i] = x->left[i] > 0 && bodies_of(w->model, i, body) &&
-                      x->left[i] > LIKE_BEFORE * BETWEEN * moved(w, body);
+        x->skipped[i] = x->left[i] > 0 && bodies_of(m, i, body) &&
+                        x->left[i] > PM_CULLING_LIKE_BEFORE * PM_CULLING_BETWEEN * moved(x, body);
     }
-    memset(x->moved, 0, ((size_t)w->model->nbody + 1) * sizeof(double));
+    memset(x->moved, 0, ((size_t)m->nbody + 1) * sizeof(double));
 }
 
-void pm_gap_culling_node(pm_workspace *w, int node)
+void pm_gap_culling_node(pm_gap_culling *x, const pm_frame *frame, int node)
 {
-    pm_gap_culling *x = &w->event->culling;
-    if (w->model->rows[PM_TABLE_CONTACT] == 0) return;
-    for (int i = 0; i < w->model->nbody; i++) {
-        const double *pose = w->frame.pose + 5 * i;
+    if (frame->model->rows[PM_TABLE_CONTACT] == 0) return;
+    for (int i = 0; i < frame->model->nbody; i++) {
+        const double *pose = frame->pose + 5 * i;
         double *from = x->from + 3 * i;
         if (node == 0)
             memcpy(from, pose, 3 * sizeof(double));
@@ -113,33 +85,32 @@ void pm_gap_culling_node(pm_workspace *w, int node)
     }
 }
 
-int pm_gap_culling_check(pm_workspace *w)
+int pm_gap_culling_check(pm_gap_culling *x, const pm_model *m)
 {
-    pm_gap_culling *x = &w->event->culling;
     int reached = 0;
-    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
+    for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
         int body[2];
-        if (!x->quiet[i] || !bodies_of(w->model, i, body)) continue;
-        x->left[i] -= BETWEEN * moved(w, body);
-        x->spared += x->left[i] > 0;
+        if (!x->skipped[i] || !bodies_of(m, i, body)) continue;
+        x->left[i] -= PM_CULLING_BETWEEN * moved(x, body);
+        x->nskipped += x->left[i] > 0;
         if (x->left[i] > 0) continue;
-        x->quiet[i] = 0;
+        x->skipped[i] = 0;
         reached++;
     }
     return reached;
 }
 
-void pm_gap_culling_keep(pm_workspace *w, int contact, double gap)
+void pm_gap_culling_keep(pm_gap_culling *x, const pm_model *m, int contact, double gap)
 {
     int body[2];
-    if (bodies_of(w->model, contact, body))
-        w->event->culling.left[contact] = PART * gap - BETWEEN * moved(w, body);
+    if (bodies_of(m, contact, body))
+        x->left[contact] = PM_CULLING_PART * gap - PM_CULLING_BETWEEN * moved(x, body);
 }
 
 /* A short way of a mark beside a fixed edge: what strikes it near an end is behind it for no longer. */
 static double part_of_edge(const pm_workspace *w, const int32_t *e)
 {
-    return EDGE_PART * (w->numbers.value[e[PM_CONTACT_TO]] - w->numbers.value[e[PM_CONTACT_FROM]]);
+    return PM_CULLING_EDGE * (w->numbers.value[e[PM_CONTACT_TO]] - w->numbers.value[e[PM_CONTACT_FROM]]);
 }
 
 /* The sum of the radii of two circles, or of a circle and a row's member (a point); 0 of what cannot be gone through. */
@@ -196,7 +167,8 @@ double pm_gap_culling_time(const pm_workspace *w)
         const double radii = through(w, contact);
         if (!(radii > 0) || !bodies_of_passage(w->model, contact, body)) continue;
         const double safe = (w->step.nodes->n - 1) * radii, left = e->culling.left[contact];
-        const double free = left > safe ? left : WITHIN * pm_contact_gap(w, &w->state, contact, &member);
+        const double free =
+            left > safe ? left : PM_CULLING_WITHIN * pm_contact_gap(w, &w->state, contact, &member);
         const double way = fmax(free, safe);
         const double v = against(w, w->frame.velocity, body), a = against(w, w->frame.a, body);
         time = fmin(time, 2 * way / (v + sqrt(v * v + 2 * a * way))); /* v t + a t^2 / 2 = way */

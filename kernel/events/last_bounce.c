@@ -9,19 +9,15 @@
 
 #include "elements/contact.h"
 #include "events/event.h"
+#include "numerics/tolerances.h"
 #include "state/route.h"
 #include "state/workspace.h"
-
-#define LAST_BOUNCE 1e-7 /* of the scene's speed: slower rebounds stay, their height is lost in rounding */
-#define SPENT 1e-6   /* of the scene's speed: a rebound that cannot be seen and is slower than this is over */
-#define UNKNOWN 30.0 /* times as fast: their height is known to some percent */
-#define EARLIER 4.0  /* times as fast: the last rebound of a coarse run */
 
 /* Below which rebounds are the last; a coarse run cuts a series of blows off earlier, which shows what that loses. */
 static double cut_speed(const pm_workspace *w, double share)
 {
     const double far_off = sqrt(pm_contact_reach(w) / w->numbers.size);
-    return (w->numbers.coarse > 1 ? EARLIER : 1) * share * w->numbers.speed * far_off;
+    return (w->numbers.coarse > 1 ? PM_BOUNCE_EARLIER : 1) * share * w->numbers.speed * far_off;
 }
 
 static int is_resolved(const pm_workspace *w, int contact)
@@ -32,16 +28,17 @@ static int is_resolved(const pm_workspace *w, int contact)
 double pm_last_bounce_restitution(const pm_workspace *w, int contact, double approach)
 {
     const double e = pm_contact_restitution(&w->frame, contact);
-    return e * -approach > cut_speed(w, LAST_BOUNCE) || is_resolved(w, contact) ? e : 0;
+    return e * -approach > cut_speed(w, PM_LAST_BOUNCE) || is_resolved(w, contact) ? e : 0;
 }
 
 int pm_last_bounce_is_near(const pm_workspace *w, int contact, double rate)
 {
     return pm_contact_restitution(&w->frame, contact) > 0 && !is_resolved(w, contact) &&
-           fabs(rate) <= UNKNOWN * cut_speed(w, LAST_BOUNCE);
+           fabs(rate) <= PM_BOUNCE_UNKNOWN * cut_speed(w, PM_LAST_BOUNCE);
 }
 
 int pm_last_bounce_is_spent(const pm_workspace *w, int contact, double rate)
 {
-    return w->event->spent[contact] && rate > pm_contact_speed(&w->frame) && rate <= cut_speed(w, SPENT);
+    return w->event->spent[contact] && rate > pm_contact_speed(&w->frame) &&
+           rate <= cut_speed(w, PM_BOUNCE_SPENT);
 }

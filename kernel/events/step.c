@@ -7,11 +7,11 @@
 #include "state/route.h"
 #include "state/workspace.h"
 
-double pm_step_node(const pm_workspace *w, int node)
+double pm_step_node(const pm_step *step, int node)
 {
-    const pm_chebyshev_nodes *nodes = w->step.nodes;
-    return node == nodes->n - 1 ? w->step.sampled_end
-                                : w->step.begin + (w->step.sampled_end - w->step.begin) * nodes->at[node];
+    const pm_chebyshev_nodes *nodes = step->nodes;
+    return node == nodes->n - 1 ? step->sampled_end
+                                : step->begin + (step->sampled_end - step->begin) * nodes->at[node];
 }
 
 int pm_step_look(pm_workspace *w, double x, int level)

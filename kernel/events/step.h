@@ -8,7 +8,7 @@
 #include "state/workspace.h"
 
 /* Place x of a node of the step as it was sampled. */
-double pm_step_node(const pm_workspace *w, int node);
+double pm_step_node(const pm_step *step, int node);
 
 /* The frame looks at x, by the dense output of the route, at enum pm_level; w->probe may be lost. */
 int pm_step_look(pm_workspace *w, double x, int level);

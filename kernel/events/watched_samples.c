@@ -9,6 +9,7 @@
 #include "elements/measure.h"
 #include "expression/program.h"
 #include "expression/program_fold.h"
+#include "state/arena.h"
 #include "state/workspace.h"
 
 static void add_measure(pm_watched_samples *s, int measure, int who)
@@ -31,26 +32,23 @@ void pm_watched_samples_add(pm_workspace *w, int program, int who)
 int pm_watched_samples_create(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    const size_t n = (size_t)m->rows[PM_TABLE_MEASURE] + 1;
+    const int n = m->rows[PM_TABLE_MEASURE];
     pm_watched_samples *s = w->watched = calloc(1, sizeof *s);
     if (!s) return PM_NO_MEMORY;
-    s->measure = calloc(n, sizeof *s->measure);
-    s->place = calloc(n, sizeof *s->place);
-    s->who = calloc(n, sizeof *s->who);
-    s->value = calloc(n * PM_NODES_MOST, sizeof *s->value);
-    s->here = calloc(n * PM_NODES_MOST, sizeof *s->here);
-    if (!s->measure || !s->place || !s->who || !s->value || !s->here) return PM_NO_MEMORY;
-    return PM_OK;
+    const pm_array array[] = {
+        PM_ARRAY(s->measure, n),
+        PM_ARRAY(s->place, n),
+        PM_ARRAY(s->who, n),
+        PM_ARRAY(s->value, n * PM_NODES_MOST),
+        PM_ARRAY(s->here, n * PM_NODES_MOST),
+    };
+    return pm_arena_create(&s->block, PM_ARRAYS(array));
 }
 
 void pm_watched_samples_free(pm_workspace *w)
 {
     if (!w->watched) return;
-    free(w->watched->measure);
-    free(w->watched->place);
-    free(w->watched->who);
-    free(w->watched->value);
-    free(w->watched->here);
+    free(w->watched->block);
     free(w->watched);
     w->watched = NULL;
 }

@@ -16,6 +16,7 @@ typedef struct pm_watched_samples {
     int *place;         /* [measures] of each among these n */
     double *value;      /* [n][PM_NODES_MOST] at the nodes of the step (sizes with their signs) */
     double *here;       /* the same at the frame, the first of each */
+    void *block;        /* owns the arrays */
 } pm_watched_samples;
 
 /* Nothing is watched yet. */

@@ -3,7 +3,7 @@
  *   M (v' - v) = P + G^T L,   G v' = w    P applied impulses, L impulses of all that holds        (17.14, 17.17)
  *   J (omega + omega') / 2 = W            an angular impulse J on a body and the work that it does
  *
- * What an impulse does is seen after the rows have answered it: impulses that follow each other act at once, and a joint
+ * What an impulse does is seen after the constraints have answered it: impulses that follow each other act at once, and a joint
  * that is added meets velocities that clash with it in a plastic blow. */
 #include "impact/action.h"
 
@@ -21,12 +21,9 @@
 #include "events/event.h"
 #include "expression/program.h"
 #include "impact/impact.h"
+#include "numerics/tolerances.h"
 #include "state/frame.h"
 #include "state/workspace.h"
-
-#define OPENING 1e-9 /* of the scene's size: a joint added that is open by more does not fit there */
-#define FITTED 1e-13 /* of the work: the impulse that does it is found */
-#define FITS 32      /* the answer to an impulse is linear but where contacts join or let go */
 
 int pm_action_of(const pm_model *m, int event)
 {
@@ -120,13 +117,13 @@ static double impulse_for(double work, double spin, double c)
     return 2 * work / (spin + copysign(sqrt(spin * spin + 2 * c * work), spin));
 }
 
-/* The first try tells how the spin answers. */
+/* The first try shows how the spin answers. */
 static int do_work(pm_workspace *w, int i)
 {
     static const double nothing[2] = {0, 0};
     const int32_t *e = PM_ACTION_ROW(w->model, i);
-    const int body = e[PM_ACTION_A], turn = 3 * body + 2;
-    const double work = number(w, e[PM_ACTION_PROGRAM_X]), spin = w->state.v[turn],
+    const int body = e[PM_ACTION_A], angle = 3 * body + 2;
+    const double work = number(w, e[PM_ACTION_PROGRAM_X]), spin = w->state.v[angle],
                  lost = w->ledger.energy_lost;
     const int64_t jumps = w->result.count[PM_COUNT_JUMPS];
     double couple = work / spin, done = 0;
@@ -134,13 +131,13 @@ static int do_work(pm_workspace *w, int i)
     if (fabs(spin) * w->numbers.size <= pm_contact_speed(&w->frame))
         return pm_fail(w, PM_NO_IMPULSE, PM_TABLE_ACTION, i, work, 0);
     pm_state_copy(&w->ahead, &w->state);
-    for (int k = 0; k < FITS; k++) {
+    for (int k = 0; k < PM_ACTION_FITS; k++) {
         no_impulse(w);
         add_impulse(w, body, nothing, nothing, couple);
         const int status = strike(w);
-        done = 0.5 * couple * (spin + w->state.v[turn]);
-        if (status || fabs(done - work) <= FITTED * fabs(work)) return status;
-        const double c = (w->state.v[turn] - spin) / couple;
+        done = 0.5 * couple * (spin + w->state.v[angle]);
+        if (status || fabs(done - work) <= PM_ACTION_FITTED * fabs(work)) return status;
+        const double c = (w->state.v[angle] - spin) / couple;
         couple = impulse_for(work, spin, c);
         if (!isfinite(couple))
             return pm_fail(w, PM_NO_IMPULSE, PM_TABLE_ACTION, i, work, -0.5 * spin * spin / c);
@@ -172,7 +169,7 @@ static int fits(pm_workspace *w, int i, int joint)
     pm_constraint row[PM_JOINT_CONSTRAINTS];
     pm_active_set_anchor_joint(w, &w->state, joint);
     const int n = pm_joint_constraints(w, joint, row);
-    const double allowed = OPENING * w->numbers.size;
+    const double allowed = PM_ACTION_OPENING * w->numbers.size;
     for (int k = 0; k < n; k++) {
         pm_constraint_kind(row[k].kind)->evaluate(&w->frame, &row[k]);
         const double open = fabs(row[k].g) * (row[k].kind == PM_CONSTRAINT_ANGLE ? w->numbers.size : 1);
@@ -192,7 +189,7 @@ static int add(pm_workspace *w, int i)
     if (table == PM_TABLE_JOINT) return fits(w, i, a);
     if (table != PM_TABLE_CONTACT) return PM_OK;
     int member;
-    const double gap = pm_contact_gap(w, &w->state, a, &member), least = -OPENING * w->numbers.size;
+    const double gap = pm_contact_gap(w, &w->state, a, &member), least = -PM_ACTION_OPENING * w->numbers.size;
     return gap < least ? pm_fail(w, PM_PENETRATION, PM_TABLE_ACTION, i, gap, least) : PM_OK;
 }
 
@@ -208,7 +205,7 @@ static int take_away(pm_workspace *w, int i)
     return PM_OK;
 }
 
-/* Whether some row of what holds now does not go with the velocities. */
+/* Whether some constraint of what holds now contradicts the velocities. */
 static int clash(pm_workspace *w, int *clashes)
 {
     const int status = pm_active_set_build(w);
@@ -224,7 +221,7 @@ static int clash(pm_workspace *w, int *clashes)
     return status;
 }
 
-static int add_rows(pm_workspace *w, int first, int last)
+static int add_elements(pm_workspace *w, int first, int last)
 {
     int clashes = 0, status = PM_OK;
     for (int i = first; !status && i < last; i++) status = add(w, i);
@@ -246,7 +243,7 @@ static int request_perturbation(pm_workspace *w, int i)
 /* ---- in order ---- */
 static int is_impulse(int kind) { return kind == PM_ACTION_IMPULSE || kind == PM_ACTION_ANGULAR; }
 
-/* Each work is fitted by itself, each nudge is one of its own. */
+/* Each work is fitted by itself, each perturbation is one of its own. */
 static int acts_with_others(int kind) { return kind != PM_ACTION_WORK && kind != PM_ACTION_NUDGE; }
 
 /* Where the actions end that go together with the first one. */
@@ -269,7 +266,7 @@ static int carry_out_group(pm_workspace *w, int first, int last)
     int status = PM_OK;
     pm_frame_look_state(&w->frame, &w->state);
     switch ((enum pm_action_kind)PM_ACTION_ROW(w->model, first)[PM_ACTION_KIND]) {
-    case PM_ACTION_ADD: return add_rows(w, first, last);
+    case PM_ACTION_ADD: return add_elements(w, first, last);
     case PM_ACTION_REMOVE:
         for (int i = first; !status && i < last; i++) status = take_away(w, i);
         pm_joint_friction_close(w);

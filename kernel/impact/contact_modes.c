@@ -17,14 +17,13 @@
 #include "equations/projection.h"
 #include "equations/saddle.h"
 #include "events/event.h"
+#include "numerics/tolerances.h"
 #include "state/evidence.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 
 /* Let go at this instant: it is closed again if its pair would approach; or not, for it was or the edge has ended. */
 enum pm_released { HELD = 0, LET_GO = 1, FOR_GOOD = 2 };
-
-#define SLACK 1e-11 /* of the forces in the scene: a normal force this small does not pull */
 
 int pm_contact_modes_of_slip(pm_workspace *w, int contact, int member)
 {
@@ -162,7 +161,7 @@ static double force_size(const pm_workspace *w)
 int pm_contact_modes_pulling(pm_workspace *w, const double *load, int site, double size)
 {
     int worst = PM_NONE;
-    double least = -SLACK * size;
+    double least = -PM_PULLS * size;
     for (int i = 0; i < w->model->nslot; i++) {
         const int normal = w->active.slot_normal[i];
         if (normal == PM_NONE) continue;
@@ -184,7 +183,7 @@ int pm_contact_modes_overcome(pm_workspace *w, const double *load, int site, dou
         const double room = pm_contact_static(&w->frame, contact) * load[w->active.slot_normal[i]] -
                             fabs(load[w->active.slot_tangent[i]]);
         pm_evidence_sign(w, site, i, room, size);
-        if (!(room >= -SLACK * size)) return i;
+        if (!(room >= -PM_PULLS * size)) return i;
     }
     return PM_NONE;
 }
@@ -215,8 +214,8 @@ static int close_again(pm_workspace *w)
         if (w->state.slot[i].mode != PM_OPEN || w->instant.slot_released[i] != LET_GO) continue;
         const pm_constraint normal = pm_contact_modes_normal(w, i);
         const double acceleration = pm_constraint_times(&w->frame, &normal, w->frame.a) - normal.gamma;
-        if (acceleration >= -SLACK * (hypot(w->numbers.gravity[0], w->numbers.gravity[1]) +
-                                      w->numbers.speed * w->numbers.speed / w->numbers.size))
+        if (acceleration >= -PM_PULLS * (hypot(w->numbers.gravity[0], w->numbers.gravity[1]) +
+                                         w->numbers.speed * w->numbers.speed / w->numbers.size))
             continue;
         w->state.slot[i].mode =
             pm_contact_modes_of_slip(w, pm_contact_of_slot(w->model, i), w->state.slot[i].member);
@@ -236,7 +235,7 @@ int pm_contact_modes_settle(pm_workspace *w)
         if (w->phase.kinematic) return PM_OK;
         if ((status = pm_saddle_accelerate_projected(w))) return status;
         const double size = force_size(w);
-        if (!let_go(w, size) && !slide(w, size) && !pm_joint_friction_overcome(w, SLACK * size) &&
+        if (!let_go(w, size) && !slide(w, size) && !pm_joint_friction_overcome(w, PM_PULLS * size) &&
             !close_again(w))
             return PM_OK;
     }

@@ -5,10 +5,10 @@
 #include "elements/constraint.h"
 #include "state/workspace.h"
 
-/* Opens an instant: remembers the modes, applies what the located events say (a normal force vanished: open; the grip
+/* Opens an instant: remembers the modes, applies what the located events say (a normal force vanished: open; the friction
  * is exceeded: slide; the slip vanished: stick; an edge has ended: its corner, or another edge, or nothing). */
 int pm_contact_modes_begin(pm_workspace *w);
-/* Fixes the modes and the active rows of the next phase; on return w->state is projected and the frame DYNAMIC. */
+/* Fixes the modes and the active constraints of the next phase; on return w->state is projected and the frame DYNAMIC. */
 int pm_contact_modes_settle(pm_workspace *w);
 /* Marks the triggers of contacts that opened, slipped or stuck during the instant. */
 void pm_contact_modes_mark(pm_workspace *w);

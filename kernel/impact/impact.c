@@ -2,7 +2,7 @@
  *
  *   M (v' - v) = H^T P,   G v' = -e (G v) at struck normals, w at joints and at tangents that hold     (17.19)
  *
- * (impact_trial.c).  Captured pairs are joints; one that is caught now is struck in all its rows.
+ * (impact_trial.c).  Captured pairs are joints; one that is caught now is struck in all its constraints.
  *
  * Which contacts take part: the struck ones alone first; a resting contact joins only if its pair would otherwise
  * approach; a contact whose impulse would pull drops out; repeat.  Friction in a blow: rough holds, Coulomb holds while
@@ -24,12 +24,11 @@
 #include "events/last_bounce.h"
 #include "impact/contact_modes.h"
 #include "impact/impact_parts.h"
+#include "numerics/tolerances.h"
 #include "state/arena.h"
 #include "state/evidence.h"
 #include "state/frame.h"
 #include "state/workspace.h"
-
-#define BLOWS_AT_ONCE 64
 
 /* ---- memory ---- */
 int pm_impact_create(pm_workspace *w)
@@ -165,8 +164,8 @@ int pm_impact(pm_workspace *w, int *jumped)
         pm_frame_look_state(&w->frame, &w->state);
         int status = find_struck(w, b, &struck);
         if (status || struck == 0) return status;
-        if (i == BLOWS_AT_ONCE)
-            return pm_fail(w, PM_BLOW_UNDECIDED, PM_TABLE_CONTACT, PM_NONE, i, BLOWS_AT_ONCE);
+        if (i == PM_BLOWS_AT_ONCE)
+            return pm_fail(w, PM_BLOW_UNDECIDED, PM_TABLE_CONTACT, PM_NONE, i, PM_BLOWS_AT_ONCE);
         if (*jumped == 0) w->impulses.energy_lost = 0;
         status = one_blow(w, b);
         if (status) return status;

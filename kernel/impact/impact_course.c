@@ -20,11 +20,10 @@
 #include "equations/active_set.h"
 #include "equations/saddle.h"
 #include "impact/contact_modes.h"
+#include "numerics/tolerances.h"
 #include "state/workspace.h"
 
-#define STRETCHES 8    /* of constant rates: two phases, with one end of slip and one reversal at most */
-#define LOCKED 1e-13   /* of the normal response: what friction leaves of it where it holds the pair */
-#define IMMOBILE 1e-14 /* of the normal response: along the tangent nothing moves */
+#define STRETCHES 8 /* of constant rates: two phases, with one end of slip and one reversal at most */
 #define UNLIMITED INFINITY
 
 /* Where the blow is. */
@@ -56,7 +55,7 @@ static void set_rates(const pm_impact_course *x, pm_impact_place *now)
         now->ratio = x->c > 0 ? -x->b / x->c : 0;
     now->rate_n = x->a + x->b * now->ratio;
     now->rate_t = now->slips ? x->b + x->c * now->ratio : 0;
-    if (fabs(now->rate_n) <= LOCKED * x->a) now->rate_n = 0;
+    if (fabs(now->rate_n) <= PM_COURSE_LOCKED * x->a) now->rate_n = 0;
 }
 
 static double until_slip_ends(const pm_impact_place *now)
@@ -131,7 +130,7 @@ int pm_impact_course_applies(const pm_workspace *w, int slot)
     return friction == PM_FRICTION_COULOMB || (friction == PM_FRICTION_ROUGH && !newton);
 }
 
-/* Velocities that a unit impulse along the row gives, with the joints held. */
+/* Velocities that a unit impulse along the constraint gives, with the joints held. */
 static void respond(pm_workspace *w, const pm_constraint *row, double *x)
 {
     memset(x, 0, (size_t)w->model->nq * sizeof *x);
@@ -168,6 +167,6 @@ int pm_impact_course_read(pm_workspace *w, int slot, double *response, pm_impact
     respond(w, &tangent, response);
     x->b = pm_constraint_times(&w->frame, &normal, response);
     x->c = pm_constraint_times(&w->frame, &tangent, response);
-    if (x->c <= IMMOBILE * x->a) x->b = x->c = 0;
+    if (x->c <= PM_COURSE_IMMOBILE * x->a) x->b = x->c = 0;
     return PM_OK;
 }

@@ -25,7 +25,7 @@ int pm_impact_course_follow(const pm_impact_course *x, pm_impact_course_end *end
 /* Reads all of it but the restitution, of the contact in `slot` at the frame; the active rows are those of the joints
  * alone, evaluated.  response[nq] is scratch. */
 int pm_impact_course_read(pm_workspace *w, int slot, double *response, pm_impact_course *x);
-/* The law of the contact in `slot` is told from Newton's, or followed through changes of its slip. */
+/* 1 if the blow of the contact in `slot` is to be followed: its law differs from Newton's, or its slip may change. */
 int pm_impact_course_applies(const pm_workspace *w, int slot);
 
 #endif

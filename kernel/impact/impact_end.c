@@ -8,13 +8,10 @@
 #include "equations/saddle.h"
 #include "impact/contact_modes.h"
 #include "impact/impact_parts.h"
+#include "numerics/tolerances.h"
 #include "state/evidence.h"
 #include "state/frame.h"
 #include "state/workspace.h"
-
-#define GAINS 1e-10 /* of the energies that a blow turns over: rounding */
-#define NOTHING \
-    1e-14 /* of its impulses at the scene's speed: a blow that turns over no more is rounding itself */
 
 /* ---- allowed ---- */
 /* Friction and restitution together may ask for more than the approach has: that is no blow.  The energy that contacts
@@ -33,11 +30,12 @@ static int gains(pm_workspace *w, const pm_blow *b)
                      now = pm_constraint_times(&w->frame, row, b->after) - row->rate;
         given += 0.5 * p * (before + now);
         size += fabs(p * before) + fabs(p * now);
-        nothing += NOTHING * fabs(p) * w->numbers.speed;
+        nothing += PM_BLOW_NOTHING * fabs(p) * w->numbers.speed;
         contact = pm_contact_of_slot(w->model, row->slot);
     }
-    return given <= GAINS * size + nothing ? PM_OK
-                                           : pm_fail(w, PM_BLOW_GAINS, PM_TABLE_CONTACT, contact, given, 0);
+    return given <= PM_BLOW_ROUNDING * size + nothing
+               ? PM_OK
+               : pm_fail(w, PM_BLOW_GAINS, PM_TABLE_CONTACT, contact, given, 0);
 }
 
 /* Several contacts that slide in one blow slide as they did before it: for a slip that would reverse on the way there is no

@@ -28,12 +28,12 @@ static inline int pm_blow_has(const pm_blow *b, int slot)
     return b->share[slot] == PM_STRUCK || b->share[slot] == PM_JOINED;
 }
 
-/* ---- impact_trial.c: the rows of a trial, and its impulses ---- */
+/* ---- impact_trial.c: the constraints of a trial, and its impulses ---- */
 /* Mode in which the contact of a slot enters a blow. */
 int32_t pm_impact_trial_mode(const pm_model *m, int slot);
-/* The active rows, their impulses (w->saddle.rhs) and b->after, of the shares and modes that are tried. */
+/* The active constraints, their impulses (w->saddle.rhs) and b->after, of the shares and modes that are tried. */
 int pm_impact_trial_solve(pm_workspace *w, pm_blow *b);
-/* Rate of active row i before the blow, relative to what drives prescribe. */
+/* Rate of active constraint i before the blow, relative to what drives prescribe. */
 double pm_impact_trial_rate(const pm_workspace *w, int i);
 /* What the impulses of the trial forbid: 1 if shares or modes have changed, and the trial must be repeated. */
 int pm_impact_trial_change(pm_workspace *w, pm_blow *b);

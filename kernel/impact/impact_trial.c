@@ -43,7 +43,7 @@ static int is_normal(const pm_workspace *w, int i)
     return w->active.row[i].slot != PM_NONE && w->active.slot_normal[w->active.row[i].slot] == i;
 }
 
-/* How much the rate of active row i is to change. */
+/* How much the rate of active constraint i is to change. */
 static double change_wanted(const pm_workspace *w, const pm_blow *b, int i)
 {
     const int slot = w->active.row[i].slot;
@@ -89,7 +89,7 @@ static int find_alone(pm_workspace *w, pm_blow *b)
     return single == PM_NONE ? PM_OK : pm_fail(w, PM_BLOW_SEVERAL, PM_TABLE_CONTACT, single, n, 1);
 }
 
-/* Follows the blow of one contact and leaves its rows as build does. */
+/* Follows the blow of one contact and leaves its constraints as build does. */
 static int follow_alone(pm_workspace *w, pm_blow *b)
 {
     const int slot = b->alone, contact = pm_contact_of_slot(w->model, slot);

@@ -15,20 +15,17 @@
 #include "impact/action.h"
 #include "impact/contact_modes.h"
 #include "impact/impact.h"
+#include "numerics/tolerances.h"
 #include "state/evidence.h"
 #include "state/frame.h"
 #include "state/route.h"
 #include "state/workspace.h"
 #include "tree/tree.h"
 
-#define STILL 1e-11  /* speeds and accelerations of a scene at rest, relative to its own scales */
-#define TURNING 1e-7 /* of the scene's speed: how fast it is seen just before and after it turns back */
-#define BLOWS_IN_ORDER 10000 /* one by one at one instant */
-
 static int at_rest(const pm_workspace *w, int body)
 {
-    const double speed = STILL * w->numbers.speed,
-                 acceleration = STILL * w->numbers.speed * w->numbers.speed / w->numbers.size;
+    const double speed = PM_AT_REST * w->numbers.speed,
+                 acceleration = PM_AT_REST * w->numbers.speed * w->numbers.speed / w->numbers.size;
     const int first = body == PM_NONE ? 0 : 3 * body, last = body == PM_NONE ? w->model->nq : first + 3;
     for (int i = first; i < last; i++) {
         const double length = i % 3 == 2 ? w->numbers.size : 1;
@@ -56,7 +53,7 @@ static int contacts_stay(pm_workspace *w)
 }
 
 /* Nothing can strike, part or slide, or nothing does; no loop can come to a singular position, and places on a path are
- * exact: bodies, rows and reactions are as they were. */
+ * exact: bodies, constraints and reactions are as they were. */
 static int is_settled(pm_workspace *w)
 {
     const pm_model *m = w->model;
@@ -158,7 +155,7 @@ static int act(pm_workspace *w, int *ended)
     int status = look_before(w);
     if (!status) status = blow(w);
     for (int i = 1; !status && !*ended && pm_impact_goes_on(w); i++) {
-        if (i == BLOWS_IN_ORDER) return pm_fail(w, PM_BLOWS_ENDLESS, PM_TABLE_CONTACT, PM_NONE, i, i);
+        if (i == PM_BLOWS_IN_ORDER) return pm_fail(w, PM_BLOWS_ENDLESS, PM_TABLE_CONTACT, PM_NONE, i, i);
         status = go_on(w, ended);
         if (!status && !*ended) status = blow(w);
     }
@@ -177,13 +174,13 @@ int pm_instant_finish(pm_workspace *w, int *ended)
 
 int pm_instant_start(pm_workspace *w)
 {
-    int ended; /* is told again when the start is closed */
+    int ended; /* is set again when the start is closed */
     pm_trigger_mark(w, PM_TRIGGER_START, PM_NONE);
     return act(w, &ended);
 }
 
-/* Where the motion turns back speeds are zero: triggers that read them change sign as the velocities do. */
-static int mark_turning(pm_workspace *w)
+/* Where the motion reverses speeds are zero: triggers that read them change sign as the velocities do. */
+static int mark_reversal(pm_workspace *w)
 {
     const pm_model *m = w->model;
     double *velocity = w->frame.velocity;
@@ -192,7 +189,8 @@ static int mark_turning(pm_workspace *w)
         double value[2];
         if (kind > PM_TRIGGER_FALL || w->firing.fired[i]) continue;
         for (int side = 0; side < 2; side++) {
-            for (int k = 0; k < m->nq; k++) velocity[k] = (side ? -TURNING : TURNING) * w->step.reversed[k];
+            for (int k = 0; k < m->nq; k++)
+                velocity[k] = (side ? -PM_REVERSAL : PM_REVERSAL) * w->step.reversed[k];
             const int status = pm_saddle_accelerate(w);
             if (status) return status;
             value[side] = pm_trigger_program(w, i);
@@ -211,14 +209,14 @@ int pm_instant_full(pm_workspace *w, int *ended)
     pm_frame_look_state(&w->frame, &w->state);
     int status = pm_history_row(w, 1);
     if (!status) status = pm_saddle_accelerate(w);
-    if (!status && w->step.reverses) status = mark_turning(w);
+    if (!status && w->step.reverses) status = mark_reversal(w);
     if (!status) status = act(w, ended);
     if (status || *ended) return status;
     status = pm_instant_finish(w, ended);
     return status ? status : pm_history_row(w, 2);
 }
 
-/* What a mark needs to know: what is asked then; and where errors are told, how far all that is watched is from zero. */
+/* What a mark needs to know: what is asked then; and where errors are estimated, how far all that is watched is from zero. */
 static int level_of_mark(const pm_workspace *w)
 {
     const int asked = w->ask->instant_level, watched = w->event->level;

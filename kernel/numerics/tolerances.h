@@ -7,6 +7,9 @@
 #ifndef PM_TOLERANCES_H
 #define PM_TOLERANCES_H
 
+/* one line for each number */
+/* clang-format off */
+
 /* ---- all rooms ---- */
 
 #define PM_EPSILON 2.3e-16 /* of a number: rounding of one operation; more would stop searches earlier */
@@ -97,8 +100,76 @@
 #define PM_SERIES_REACH 0.5 /* rad: so far the series of cosine and sine have all figures */
 
 /* ---- events ---- */
+#define PM_SAME_PLACE 1e-11 /* of a step: events that are closer are one instant; larger: two blows become one */
+#define PM_GAP_ROUNDING 4e-15 /* of how far bodies are from the origin: gaps are rounded by it; larger: a bounce that comes back at once is lost */
+#define PM_FORCE_SLACK 1e-10 /* of the scene's weight-like force: forces that begin on zero are solved for so well; larger: contacts part late */
+#define PM_ON_MULTIPLE 1e-9 /* of the multiples' distance: `every` begins on one of them; larger: one right after the begin is lost */
+#define PM_ON_GRID 1e-9 /* of a grid value: it is met at the start or end of the run; larger: answered beside its place */
+#define PM_GRID_ROUNDING 1e-12 /* of the greatest watched value: so much of a grid value, of 0 too, is rounding; larger: as above */
+#define PM_ON_ZERO 1e-12 /* of a function's greatest size in the step: it is zero, has no sign; larger: a zero right after the begin is lost */
+#define PM_DIP_NEAR 0.3 /* of a function's greatest size in the step: below it there may be a dip to zero; larger: more is looked at */
+#define PM_DIP_FAR 0.5 /* likewise: above it no parabola of three nodes comes near to zero; larger: more is looked at */
+#define PM_DIP_CLOSE 0.1 /* of the values beside it: a dip that is worth a closer look; larger: more are */
+#define PM_DIP_STEP 1e-3 /* of the nodes' distance: differences at the bottom of a dip; larger: bend less exact, smaller: rounding */
+#define PM_DIP_STEPS 3 /* of Newton's method to the bottom; more: slower */
+#define PM_BOUNCE_HALVINGS 30 /* of a step, to find the top of a short bounce; more: shorter bounces are seen */
+#define PM_LEAVING_HALVINGS 20 /* of a step: a trigger has left its zero where it is first seen off it; more: earlier zeros are seen */
+#define PM_EVENT_RATE_STEP 1e-4 /* of the step: differences that make the rate at a zero; larger: less exact, smaller: rounding */
+#define PM_PLACE_ROUNDING 1e-15 /* of the step: rounding of a place; larger: zeros are polished less */
+#define PM_PLACE_RESOLVED 1e-14 /* of the step: a zero is known so well by the samples that no look tells more; larger: zeros less exact */
+#define PM_OFF_ZERO 1e-9 /* of a function's values beside its zero: it is not on it; larger: corners are met less exactly */
+#define PM_TAIL_WAVES 1e-4 /* tail of samples between which there may be waves: finer nodes are taken; larger: extremes are missed */
+#define PM_TAIL_RESOLVED 1e-6 /* tail of samples that show a function between the nodes; larger: zeros less exact, or missed */
+#define PM_TAIL_RESIDUAL 10.0 /* times the tail: how far a function may be from the polynomial through its samples; larger: more looks */
+#define PM_POINTS_PASS 1e-5 /* of the scene's size: two points farther apart where they are nearest do not meet; larger: they meet in passing */
+#define PM_EXTREMUM_ROUNDING 4e-16 /* of the value's size: what looks scatter by; larger: bounds of extremes wider */
+#define PM_EXTREMUM_NOTHING 1e-15 /* of the value's size: so little more is rounding; larger: extremes less exact */
+#define PM_EXTREMUM_LEVEL 1e-14 /* of the value's size: a value that changes less is level; larger: flat tops are left out */
+#define PM_EXTREMUM_SLOPE_TAIL 2.0 /* times degree and highest coefficients: error of a polynomial's slope; larger: more looks */
+#define PM_EXTREMUM_FLAT 0.1 /* of the spread in a step: a slope between nodes that may have either sign; larger: more is searched */
+#define PM_EXTREMUM_SHARP 0.1 /* tail of samples whose slopes are known roughly, at the best; larger: corners are climbed in vain */
+#define PM_EXTREMUM_END_TAIL 4.0 /* as PM_EXTREMUM_SLOPE_TAIL, at the ends of a step; larger: more looks */
+#define PM_EXTREMUM_LIKELY 0.1 /* of the most that a slope may be off by: what it is; larger: errors told too large */
+#define PM_EXTREMUM_WIDE 3.0 /* times the fall beside a node: so far may rise what the nodes do not show; larger: more is searched */
+#define PM_EXTREMUM_NEAR 0.3 /* of a bend: so much it changes over this part of 1 / n^2 of the step; larger: extremes at nodes less exact */
+#define PM_EXTREMUM_DIPS 1e-5 /* tail of a value whose corners can only be dips: looks show what they change; larger: extremes less exact */
+#define PM_EXTREMUM_SHARE 1e-2 /* of the tolerance: so little more is not looked for, but counts as an error; larger: errors larger */
+#define PM_JUMP_BESIDE 1e-13 /* of the nodes' distance: right before and right after a jump; larger: extremes at jumps less exact */
+#define PM_SWITCHES_APART 1e-9 /* of the nodes' distance: switches that are closer change together; larger: branches between them are left out */
+#define PM_HIDDEN_BEND 0.8 /* of the bend that a parabola would have: less is level; larger: more is searched by looks */
+#define PM_HIDDEN_ALIKE 0.1 /* of what others near them differ by: nodes between which a top may hide; larger: more is searched */
+#define PM_HIDDEN_PARTINGS 5 /* of an interval about a level place: a sixth is left each time; more: slower */
+#define PM_RISE_SLOWLY 0.5 /* of the residual before: looks that leave more lead nowhere; larger: more looks */
+#define PM_EXTREMUM_STEPS 6 /* of Newton's method to an extreme; more: slower */
+#define PM_RISE_BESIDE 3e-6 /* of the step: two nodes nearer to each other show no slope; larger: extremes at nodes less exact */
+#define PM_RISE_PART 0.3 /* of the residual of a slope before a look: it stays so after it, at the least; larger: more looks */
+#define PM_EXTREMUM_RATE_STEP 2e-3 /* of the step: differences of five values that make a rate; larger: less exact, smaller: rounding */
+#define PM_EXTREMUM_NEAR_STEP 1e-4 /* of the step: differences of two values, next to an extreme; likewise */
+#define PM_EXTREMUM_SEARCHES 60 /* values that are compared where slopes are not known; more: slower */
+#define PM_EXTREMUM_CLOSE 1e-8 /* of the step: so near to an extreme its value is that, by the square; larger: extremes less exact */
+#define PM_CULLING_PART 0.5 /* of a gap: its marks may move so far unseen; larger: seen too late */
+#define PM_CULLING_BETWEEN 3.0 /* times the movement at the nodes: between them it is less (Lebesgue constants); larger: more is looked at */
+#define PM_CULLING_WITHIN 0.9 /* of a gap: so far two circles may come in a step without meeting; larger: one may pass the other */
+#define PM_CULLING_EDGE 0.01 /* of an edge's length: what strikes near its end is behind it for that way; larger: longer steps miss it */
+#define PM_CULLING_LIKE_BEFORE 2.0 /* times what bodies moved in the last step: what they will in the next; larger: more is looked at */
+#define PM_LAST_BOUNCE 1e-7 /* of the scene's speed: the height of slower rebounds, v^2 / 2g, is lost in rounding; larger: rests too early */
+#define PM_BOUNCE_SPENT 1e-6 /* of the scene's speed: a rebound that cannot be seen and is slower is over; likewise */
+#define PM_BOUNCE_UNKNOWN 30.0 /* times PM_LAST_BOUNCE: heights are known to some percent; larger: fewer blows are decisions */
+#define PM_BOUNCE_EARLIER 4.0 /* times PM_LAST_BOUNCE in a coarse run: shows what the cut loses; larger: errors told too large */
 
 /* ---- impact ---- */
+#define PM_PULLS 1e-11 /* of the forces, or of the impulses in a blow: a load this small does not pull or slip; larger: contacts part late */
+#define PM_BLOWS_AT_ONCE 64 /* rounds of blows of all contacts at one instant; more: an endless series ends later */
+#define PM_BLOWS_IN_ORDER 10000 /* blows one by one at one instant; likewise */
+#define PM_BLOW_ROUNDING 1e-10 /* of the energies that a blow turns over: rounding; larger: a law that gains energy passes */
+#define PM_BLOW_NOTHING 1e-14 /* of its impulses at the scene's speed: a blow that turns over no more is rounding itself; likewise */
+#define PM_COURSE_LOCKED 1e-13 /* of the normal response: what friction leaves of it where it holds the pair; larger: pairs that part are held */
+#define PM_COURSE_IMMOBILE 1e-14 /* of the normal response: along the tangent nothing moves; larger: friction is left out */
+#define PM_ACTION_OPENING 1e-9 /* of the scene's size: a joint added that is open by more does not fit there; larger: it jumps */
+#define PM_ACTION_FITTED 1e-13 /* of the work: the impulse that does it is found; larger: less exact */
+#define PM_ACTION_FITS 32 /* tries to find it: the answer is linear but where contacts join or let go; more: slower */
+#define PM_AT_REST 1e-11 /* of the scene's speed, and of that squared over its size: at rest; larger: what creeps rests */
+#define PM_REVERSAL 1e-7 /* of the scene's speed: how fast it is looked at just before and after it turns back; larger: less exact */
 
 /* ---- routes/path ---- */
 

@@ -14,6 +14,7 @@
 #include "events/history.h"
 #include "impact/action.h"
 #include "impact/instant.h"
+#include "numerics/tolerances.h"
 #include "run/run.h"
 #include "state/frame.h"
 #include "state/route.h"

@@ -19,9 +19,9 @@ static void count_steps(const pm_workspace *w, pm_phase_report *x)
 {
     int32_t *row = last_row(x);
     if (row) row[PM_PHASE_STEPS] = (int32_t)(w->result.count[PM_COUNT_STEPS] - x->steps);
-    if (row) row[PM_PHASE_SPARED] = (int32_t)(w->event->culling.spared - x->spared);
+    if (row) row[PM_PHASE_SPARED] = (int32_t)(w->event->culling.nskipped - x->spared);
     x->steps = w->result.count[PM_COUNT_STEPS];
-    x->spared = w->event->culling.spared;
+    x->spared = w->event->culling.nskipped;
 }
 
 static int free_coordinates(const pm_workspace *w)

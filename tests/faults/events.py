@@ -19,7 +19,7 @@ FAULTS = [
     Fault(
         "ask: a grid value beyond the instant",
         "events/ask_step.c",
-        "if (!status && t > w->step.end) continue;",
+        "if (!status && t > w->step.end) return PM_OK;",
         "",
     ),
     Fault(
@@ -58,7 +58,7 @@ FAULTS = [
     Fault(
         "crossing: what is near is far",
         "events/event_bracket.c",
-        "> 0 ? 1 : -1) ? FAR * x->biggest : 0",
+        "> 0 ? 1 : -1) ? PM_DIP_FAR * x->biggest : 0",
         "> 0 ? 1 : -1) ? 0 : 0",
     ),
     Fault("margin: near misses", "events/event_bracket.c", "if (least > 0 && least < f->near &&", "if (0 &&"),
@@ -78,7 +78,7 @@ FAULTS = [
     Fault(
         "missed root: leaves its zero on the other side",
         "events/event_bracket.c",
-        "told ? pm_chebyshev_value(",
+        "resolved ? pm_chebyshev_value(",
         "told ? -pm_chebyshev_value(",
     ),
     Fault(
@@ -102,20 +102,14 @@ FAULTS = [
     Fault(
         "event: where samples tell it roughly is exact",
         "events/event_locate.c",
-        "pm_event_samples_residual(f, f->biggest) <= TOLD * fabs(slope * h)",
-        "pm_event_samples_residual(f, f->biggest) <= 1e8 * TOLD * fabs(slope * h)",
+        "pm_event_samples_residual(f, f->biggest) <= PM_PLACE_RESOLVED * fabs(slope * h)",
+        "pm_event_samples_residual(f, f->biggest) <= 1e8 * PM_PLACE_RESOLVED * fabs(slope * h)",
     ),
     Fault(
         "event: not at its place",
         "events/event_locate.c",
         "polish(w, i, x, slope, place, taken)",
         "(*place += 1e-8, PM_OK)",
-    ),
-    Fault(
-        "event: root of samples with a corner",
-        "events/event_samples.c",
-        "#define RESOLVED 1e-6",
-        "#define RESOLVED 1e6",
     ),
     Fault(
         "nodes: few are enough for waves",
@@ -138,7 +132,7 @@ FAULTS = [
     Fault(
         "capture: who passes by is stopped",
         "events/event_search.c",
-        "> PASSES * w->numbers.size",
+        "> PM_POINTS_PASS * w->numbers.size",
         "> w->numbers.size",
     ),
     Fault(
@@ -150,7 +144,7 @@ FAULTS = [
     Fault(
         "ask: a node far away is the extreme",
         "events/extremum.c",
-        "if (n * n * fabs(x->s - w->step.nodes->at[k]) > NEAR)",
+        "if (n * n * fabs(x->s - w->step.nodes->at[k]) > PM_EXTREMUM_NEAR)",
         "if (0)",
     ),
     Fault(
@@ -190,7 +184,7 @@ FAULTS = [
     Fault(
         "hidden: all tops are at nodes",
         "events/extremum_hidden.c",
-        "<= ALIKE * rise) return k;",
+        "<= PM_HIDDEN_ALIKE * rise) return k;",
         "<= 0) return k;",
     ),
     Fault(
@@ -254,12 +248,12 @@ FAULTS = [
         "clear: a body does not turn", "events/gap_culling.c", "+ x->radius[i] * fabs(pose[2] - from[2])", ""
     ),
     Fault(
-        "clear: the other body stands still", "events/gap_culling.c", "+ w->event->culling.moved[body[1]]", ""
+        "clear: the other body stands still", "events/gap_culling.c", "+ x->moved[body[1]]", ""
     ),
     Fault(
         "clear: the way is not added up",
         "events/gap_culling.c",
-        "x->left[i] -= BETWEEN * moved(w, body);",
+        "x->left[i] -= PM_CULLING_BETWEEN * moved(x, body);",
         "",
     ),
     Fault(
@@ -302,13 +296,13 @@ FAULTS = [
     Fault(
         "jump: a series cut off loses nothing",
         "events/last_bounce.c",
-        "(w->numbers.coarse > 1 ? EARLIER : 1)",
+        "(w->numbers.coarse > 1 ? PM_BOUNCE_EARLIER : 1)",
         "1",
     ),
     Fault(
         "jump: its last blows are decisions",
         "events/last_bounce.c",
-        "fabs(rate) <= UNKNOWN *",
+        "fabs(rate) <= PM_BOUNCE_UNKNOWN *",
         "fabs(rate) <= 0 *",
     ),
 ]

@@ -104,8 +104,8 @@ FAULTS = [
     Fault(
         "mode: stick has no bound",
         "impact/contact_modes.c",
-        "if (!(room >= -SLACK * size)) return i;",
-        "if (site == PM_SITE_SLIDES_IN_BLOW && !(room >= -SLACK * size)) return i;",
+        "if (!(room >= -PM_PULLS * size)) return i;",
+        "if (site == PM_SITE_SLIDES_IN_BLOW && !(room >= -PM_PULLS * size)) return i;",
     ),
     Fault(
         "jump: rough contacts that rest let go of their slip",
@@ -149,7 +149,7 @@ FAULTS = [
     Fault(
         "blow: gains of energy are not seen",
         "impact/impact_end.c",
-        "return given <= GAINS * size + nothing ?",
+        "return given <= PM_BLOW_ROUNDING * size + nothing ?",
         "return 1 ?",
     ),
     Fault(

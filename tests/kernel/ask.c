@@ -110,6 +110,27 @@ static void grid_beyond_end(int route)
     scene_free(s);
 }
 
+/* When a particle passes grid values of its place, in a scene of any size: none is met before it is there, however short the
+ * way is in metres; one that the run begins on, but for a rounding, is. */
+static void grid_of_any_size(double size)
+{
+    const double speed = 3 * size, off = 4e-17 * size;
+    scene *s = scene_create();
+    const int p = scene_point(s, scene_body(s, 2, 0, off, 0, 0), 0, 0);
+    const int x = scene_part(s, PM_MEASURE_POSITION, p, PM_PART_X), time = scene_time(s);
+    scene_start_velocity(s, p, speed, 0);
+    const int first = s->rows[PM_TABLE_VALUE];
+    for (int i = 0; i < 3; i++) scene_value(s, 0.5 * i * size);
+    const int all = scene_ask(s, PM_ASK_GRID, scene_read(s, time), PM_NONE, 1, 0, scene_read(s, x), first, 3);
+    const int begin =
+        scene_ask(s, PM_ASK_GRID, scene_read(s, time), PM_NONE, 1, 0, scene_read(s, x), first, 1);
+    scene_until_time(s, 0.7);
+    EQUAL(scene_run(s, NULL), PM_OK);
+    for (int i = 0; i < 3; i++) NEAR(s->out[all + i], i / 6., 1e-12);
+    NEAR(s->out[begin], 0, 1e-12);
+    scene_free(s);
+}
+
 /* Each mark of a wheel that turns evenly goes its own way: omega r t. */
 static void two_paths(int route)
 {
@@ -284,6 +305,8 @@ int main(void)
     grid_over_angle();
     grid_beyond_end(PM_ROUTE_PATH);
     grid_beyond_end(PM_ROUTE_RK);
+    grid_of_any_size(1);
+    grid_of_any_size(1e-12);
     throw_in_time();
     little_above_the_start();
     two_paths(PM_ROUTE_RK);
