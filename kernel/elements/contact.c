@@ -7,6 +7,7 @@
 #include "elements/capture.h"
 #include "elements/constraint.h"
 #include "elements/edge.h"
+#include "numerics/tolerances.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 
@@ -218,15 +219,18 @@ static int below_of(double place)
     return k > place ? k - 1 : k;
 }
 
+/* Place along the row, in steps from its first member. */
+static double place_beside(const pm_beside *x) { return pm_dot(x->d, x->step) / pm_dot(x->step, x->step); }
+
 static int members_of_row(const pm_frame *frame, const pm_state *s, int contact, const pm_beside *x, int most,
                           int *member)
 {
     const int32_t *row = PM_ROW_ROW(frame->model, PM_CONTACT_ROW_OF(frame->model, contact)[PM_CONTACT_B]);
     const double count = frame->numbers->value[row[PM_ROW_COUNT]];
-    const double place = pm_dot(x->d, x->step) / pm_dot(x->step, x->step),
-                 limit = 1e9; /* members are int32 */
-    const int last = count < 0 ? (int)limit : (int)count - 1, first = count < 0 ? -(int)limit : 0;
-    const int below = place < first ? first - 1 : place > last ? last : below_of(place);
+    const double place = place_beside(x);
+    const int most_members = (int)PM_MOST_MEMBERS, last = count < 0 ? most_members : (int)count - 1,
+              first = count < 0 ? -most_members : 0;
+    const int below = !(place >= first) ? first - 1 : place > last ? last : below_of(place);
     const pm_closed closed = closed_of(frame, s, contact);
     int down = below, up = below + 1, n = 0;
     while (n + 1 < most) {
@@ -237,6 +241,27 @@ static int members_of_row(const pm_frame *frame, const pm_state *s, int contact,
         if (up <= last) member[n++] = up++;
     }
     return n;
+}
+
+/* It is there, with a row that has no end. */
+static int is_endless(const pm_workspace *w, int contact)
+{
+    if (!pm_contact_is_row(w->model, contact)) return 0;
+    const int32_t *row = PM_ROW_ROW(w->model, PM_CONTACT_ROW_OF(w->model, contact)[PM_CONTACT_B]);
+    return w->numbers.value[row[PM_ROW_COUNT]] < 0 &&
+           !pm_state_is_absent(w->model, &w->state, PM_TABLE_CONTACT, contact);
+}
+
+int pm_contact_check_places(pm_workspace *w)
+{
+    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
+        if (!is_endless(w, i)) continue;
+        const pm_beside x = pm_contact_beside(&w->frame, i);
+        const double place = place_beside(&x);
+        if (!(fabs(place) <= PM_MOST_MEMBERS))
+            return pm_fail(w, PM_BAD_VALUE, PM_TABLE_CONTACT, i, place, PM_MOST_MEMBERS);
+    }
+    return PM_OK;
 }
 
 int pm_contact_near(const pm_frame *frame, const pm_state *s, int contact, int most, int *member)

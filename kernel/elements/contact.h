@@ -14,6 +14,9 @@ double pm_contact_apart(const pm_workspace *w, const pm_state *s, int contact, i
 /* The nearest members that are not closed, at the frame, at most `most` (an even number) of a periodic row: in pairs, one
  * on either side, as far as there are; returns how many. */
 int pm_contact_near(const pm_frame *frame, const pm_state *s, int contact, int most, int *member);
+/* Members of a row without end are numbered by int32: PM_BAD_VALUE where the circle of a contact is, at the frame, beyond
+ * those that have a number (a contact, its place in steps of the row, the bound). */
+int pm_contact_check_places(pm_workspace *w);
 /* A circle beside a row of points: its centre from the row's first member, and the row's step, in the scene. */
 typedef struct pm_beside {
     double d[2], step[2], radius;

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "elements/contact.h"
 #include "equations/active_set.h"
 #include "equations/case.h"
 #include "equations/ledger.h"
@@ -215,7 +216,7 @@ static int close_step(pm_workspace *w, double first, double taken, int ended)
     if (w->step.end > w->step.begin && (status = pm_ask_step(w))) return status;
     if ((status = pm_history_inside(w, w->step.end))) return status;
     end_step(w);
-    return PM_OK;
+    return pm_contact_check_places(w);
 }
 
 int pm_advance(pm_workspace *w, int *ended)

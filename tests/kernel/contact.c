@@ -124,11 +124,27 @@ static void too_long(void)
     }
 }
 
+/* A row without end has no member where no int32 numbers it: that is said, too, and no circle falls through. */
+static void too_far(void)
+{
+    for (int i = 0; i < 2; i++) {
+        scene *s = row_scene(0.3e9 * (1 + i), 1, -1); /* 0.93e9 and 1.86e9 steps from the first member */
+        EQUAL(scene_run(s, NULL), i == 0 ? PM_OK : PM_BAD_VALUE);
+        if (i == 1) {
+            EQUAL(s->where[PM_WHERE_TABLE], PM_TABLE_CONTACT);
+            EQUAL(s->where[PM_WHERE_ROW], 0);
+            CHECK(s->detail[PM_DETAIL_VALUE] > 1.8e9 && s->detail[PM_DETAIL_BOUND] == 1e9);
+        }
+        scene_free(s);
+    }
+}
+
 int main(void)
 {
     nearest_member();
     rates();
     too_many();
     too_long();
+    too_far();
     return check_failures();
 }
