@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "elements/constraint.h"
-#include "equations/fixed_bodies.h"
 #include "state/arena.h"
 #include "state/frame.h"
 #include "state/workspace.h"
@@ -77,7 +76,10 @@ static int create_arrays(pm_tree *t, const pm_model *m)
 int pm_tree_create(pm_workspace *w)
 {
     w->tree = calloc(1, sizeof *w->tree);
-    return w->tree ? create_arrays(w->tree, w->model) : PM_NO_MEMORY;
+    if (!w->tree) return PM_NO_MEMORY;
+    w->tree->model = w->model;
+    w->tree->row = w->active.row;
+    return create_arrays(w->tree, w->model);
 }
 
 void pm_tree_free(pm_workspace *w)
@@ -209,8 +211,8 @@ static pm_group slot_group(const pm_workspace *w, int slot)
     return g;
 }
 
-/* Bodies that stand still come first, as welded to the ground where they are. */
-static void place_still(pm_workspace *w, int *nplaced)
+/* Fixed bodies come first, as welded to the ground where they are. */
+static void place_fixed(pm_workspace *w, int *nplaced)
 {
     for (int i = 0; i < w->model->nbody; i++) {
         if (!w->numbers.fixed[i]) continue;
@@ -304,13 +306,12 @@ static void list_coordinates(pm_workspace *w)
     }
 }
 
-void pm_tree_row_ends(const pm_workspace *w, const pm_constraint *row, int *low, int *high)
+void pm_tree_row_ends(const pm_tree *t, const pm_constraint *row, int *low, int *high)
 {
-    const pm_tree *t = w->tree;
     *low = t->n;
     *high = -1;
     for (int p = 0; p < 2; p++) {
-        if (row->body[p] == w->model->nbody) continue;
+        if (row->body[p] == t->model->nbody) continue;
         const pm_tree_node *x = &t->node[t->placed[row->body[p]] - 1];
         if (x->nlist == 0) continue;
         const int first = t->moved_by[x->list], last = t->moved_by[x->list + x->nlist - 1]; /* they fall */
@@ -326,7 +327,7 @@ static void list_loops(pm_workspace *w)
     for (int i = 0; i < w->active.n; i++) {
         if (t->used[i]) continue;
         int low, key, at = t->nloop++;
-        pm_tree_row_ends(w, &w->active.row[i], &low, &key);
+        pm_tree_row_ends(w->tree, &w->active.row[i], &low, &key);
         for (; at > 0 && t->to[at - 1] < key; at--) {
             t->loop[at] = t->loop[at - 1];
             t->to[at] = t->to[at - 1];
@@ -343,7 +344,7 @@ static void bound_loops(pm_workspace *w)
 {
     pm_tree *t = w->tree;
     for (int i = 0, first = 0; i < t->nloop; i++) {
-        pm_tree_row_ends(w, &w->active.row[t->loop[i]], &t->from[i], &t->to[i]);
+        pm_tree_row_ends(w->tree, &w->active.row[t->loop[i]], &t->from[i], &t->to[i]);
         t->to[i]++;
         while (first < i && t->from[first] >= t->to[i]) first++;
         t->first_loop[i] = first;
@@ -357,7 +358,8 @@ void pm_tree_build(pm_workspace *w)
     t->n = t->nloop = t->part.few = t->augmented.on = t->small.on = 0;
     memset(t->used, 0, (size_t)w->model->nrow);
     memset(t->placed, 0, (size_t)w->model->nbody * sizeof *t->placed);
-    place_still(w, &nplaced);
+    place_fixed(w, &nplaced);
+    t->nfixed = nplaced;
     while (nplaced < w->model->nbody) place_next(w, &nplaced, &spent);
     number_coordinates(w);
     list_coordinates(w);
@@ -366,4 +368,4 @@ void pm_tree_build(pm_workspace *w)
     if (t->n > 0) t->part.column[t->n - 1] = PM_NONE; /* none is chosen */
 }
 
-int pm_tree_is_angle(const pm_workspace *w, int coordinate) { return w->tree->kind[coordinate] == 2; }
+int pm_tree_is_angle(const pm_tree *t, int coordinate) { return t->kind[coordinate] == 2; }

@@ -89,6 +89,9 @@ typedef struct pm_tree_small {
 } pm_tree_small;
 
 typedef struct pm_tree {
+    const pm_model *model;
+    pm_constraint *row;  /* the active constraints */
+    int nfixed;          /* the first nodes are fixed bodies */
     int n;               /* coordinates */
     int nloop;           /* active rows that are not solved */
     int *loop;           /* [nrow] their places in w->row */
@@ -121,29 +124,29 @@ int pm_tree_create(pm_workspace *w);
 void pm_tree_free(pm_workspace *w);
 /* From the active rows; called when a phase begins. */
 void pm_tree_build(pm_workspace *w);
-int pm_tree_is_angle(const pm_workspace *w, int coordinate);
+int pm_tree_is_angle(const pm_tree *t, int coordinate);
 void pm_tree_forget_regular(pm_tree *t);
 /* Fails: loop row number `loop` depends on those before it. */
 int pm_tree_singular_loop(pm_workspace *w, int loop);
 
 /* Coordinates y[n] of a configuration q[nq] that meets the solved rows (the frame looks at it); and back. */
-void pm_tree_read(const pm_workspace *w, double *y);
-void pm_tree_place(const pm_workspace *w, const pm_memory *memory, const double *y, double *q);
+void pm_tree_read(const pm_tree *t, const pm_frame *frame, double *y);
+void pm_tree_place(const pm_tree *t, pm_frame *frame, const pm_memory *memory, const double *y, double *q);
 /* All that follows is at the pose where pm_tree_read, pm_tree_place or pm_tree_look has looked last. */
 /* Rates ydot[n] of velocities that meet the solved rows. */
-void pm_tree_read_rates(pm_workspace *w, const double *v, double *ydot);
+void pm_tree_read_rates(const pm_tree *t, const double *v, double *ydot);
 /* The same from the poses of the frame, which meet the solved rows; no coordinates are wanted. */
-void pm_tree_marks(const pm_workspace *w);
+void pm_tree_marks(const pm_tree *t, const pm_frame *frame);
 /* The frame looks at coordinates y with rates ydot: positions and velocities are in t->q, t->v. */
 void pm_tree_look(pm_workspace *w, double t, const double *y, const double *ydot, const double *z);
 /* Velocities v[nq] from rates ydot[n]. */
-void pm_tree_spread(pm_workspace *w, const double *ydot, double *v);
+void pm_tree_spread(const pm_tree *t, const double *ydot, double *v);
 /* At the frame's velocities: accelerations at yddot = 0. */
-void pm_tree_bias(pm_workspace *w, double *a);
+void pm_tree_bias(const pm_tree *t, const pm_frame *frame, double *a);
 /* The first and the last coordinate that move a body of the row; n and -1 if none does. */
-void pm_tree_row_ends(const pm_workspace *w, const pm_constraint *row, int *low, int *high);
+void pm_tree_row_ends(const pm_tree *t, const pm_constraint *row, int *low, int *high);
 /* The loop rows' Jacobian on the coordinates, [nloop][n]; the rows are evaluated. */
-void pm_tree_loops(pm_workspace *w, const pm_loops *x);
+void pm_tree_loops(const pm_tree *t, const pm_frame *frame, const pm_loops *x);
 /* Anything may be in x. */
 void pm_tree_loops_unknown(const pm_tree *t, const pm_loops *x);
 
@@ -164,7 +167,7 @@ void pm_tree_react(pm_workspace *w);
 void pm_tree_react_inward(pm_workspace *w, const double *arm);
 
 /* One freedom, n = nloop + 1: coordinate `held` is the independent one. */
-void pm_tree_hold(pm_workspace *w, int held);
+void pm_tree_hold(pm_tree *t, int held);
 /* Few freedoms: chooses the coordinates that the loop rows tell best, at the pose of the frame, unless they are singular
  * there; t->few says whether there is a choice. */
 void pm_tree_partition(pm_workspace *w);
@@ -208,20 +211,20 @@ void pm_tree_augmented_influence(pm_workspace *w);
 int pm_tree_accelerate_few(pm_workspace *w, double *yddot);
 void pm_tree_react_loops(pm_workspace *w);
 /*  Columns of all bodies' velocities. */
-void pm_tree_influence(pm_workspace *w);
+void pm_tree_influence(const pm_tree *t);
 /* Accelerations of the bodies from those of the coordinates, and back; velocities are in the frame. */
-void pm_tree_spread_accelerations(const pm_workspace *w, const double *yddot, double *a);
-void pm_tree_read_accelerations(const pm_workspace *w, const double *a, double *yddot);
+void pm_tree_spread_accelerations(const pm_tree *t, const pm_frame *frame, const double *yddot, double *a);
+void pm_tree_read_accelerations(const pm_tree *t, const pm_frame *frame, const double *a, double *yddot);
 /* After a choice of t->column: orders it, and finds where J_v may differ from zero. */
-void pm_tree_arrange(pm_workspace *w);
+void pm_tree_arrange(pm_tree *t);
 /* The factors of J_v, from the loop rows' Jacobian of which only what moves a row, and the independent coordinates, count;
  * J_v^-1 x and J_v^-T x in place. */
 int pm_tree_factor_dependent(pm_workspace *w, const double *jacobian);
 void pm_tree_solve_dependent(const pm_tree *t, double *x);
 void pm_tree_solve_dependent_transposed(const pm_tree *t, double *x);
 /* Zeros what of a loop row's Jacobian counts. */
-void pm_tree_clear_loop(const pm_workspace *w, const pm_constraint *row, double *on_coordinates);
+void pm_tree_clear_loop(const pm_tree *t, const pm_constraint *row, double *on_coordinates);
 /* Adds a row's Jacobian on the coordinates. */
-void pm_tree_loop_row(const pm_workspace *w, const pm_constraint *row, double *on_coordinates);
+void pm_tree_loop_row(const pm_tree *t, const pm_constraint *row, double *on_coordinates);
 
 #endif

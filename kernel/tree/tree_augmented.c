@@ -129,7 +129,7 @@ void pm_tree_sum_up(pm_workspace *w)
             a->shifts |= a->fixed[2 * k] != 0 || a->fixed[2 * k + 1] != 0;
         }
     }
-    pm_tree_influence(w);
+    pm_tree_influence(w->tree);
     pm_tree_augmented_read(w);
     read_arms(w);
     sum_up(w);

@@ -14,17 +14,15 @@
 #include "tree/tree_node.h"
 
 /* The node of a row's partner; NULL for the ground. */
-static const pm_tree_node *node_of(const pm_workspace *w, const pm_constraint *row, int side)
+static const pm_tree_node *node_of(const pm_tree *t, const pm_constraint *row, int side)
 {
-    const pm_tree *t = w->tree;
-    return row->body[side] == w->model->nbody ? NULL : &t->node[t->placed[row->body[side]] - 1];
+    return row->body[side] == t->model->nbody ? NULL : &t->node[t->placed[row->body[side]] - 1];
 }
 
-void pm_tree_clear_loop(const pm_workspace *w, const pm_constraint *row, double *on_coordinates)
+void pm_tree_clear_loop(const pm_tree *t, const pm_constraint *row, double *on_coordinates)
 {
-    const pm_tree *t = w->tree;
     for (int side = 0; side < 2; side++) {
-        const pm_tree_node *x = node_of(w, row, side);
+        const pm_tree_node *x = node_of(t, row, side);
         for (int k = 0; x && k < x->nlist; k++) on_coordinates[t->moved_by[x->list + k]] = 0;
     }
     for (int c = t->nloop; c < t->n; c++) on_coordinates[t->part.column[c]] = 0;
@@ -41,12 +39,11 @@ static void sort_dependent(pm_tree *t)
 }
 
 /* First and last place of the dependent coordinates that move loop row i; none: from its diagonal to it. */
-static void span_of(const pm_workspace *w, int i, int *first, int *last)
+static void span_of(const pm_tree *t, int i, int *first, int *last)
 {
-    const pm_tree *t = w->tree;
     *first = *last = i;
     for (int side = 0, any = 0; side < 2; side++) {
-        const pm_tree_node *x = node_of(w, &w->active.row[t->loop[i]], side);
+        const pm_tree_node *x = node_of(t, &t->row[t->loop[i]], side);
         for (int k = 0; x && k < x->nlist; k++) {
             const int at = t->part.position[t->moved_by[x->list + k]];
             if (at >= t->nloop) continue;
@@ -57,15 +54,14 @@ static void span_of(const pm_workspace *w, int i, int *first, int *last)
     }
 }
 
-void pm_tree_arrange(pm_workspace *w)
+void pm_tree_arrange(pm_tree *t)
 {
-    pm_tree *t = w->tree;
     const int n = t->nloop;
     sort_dependent(t);
     for (int j = 0; j < n; j++) t->part.bottom[j] = t->part.right[j] = j;
     for (int i = 0; i < n; i++) {
         int first, last;
-        span_of(w, i, &first, &last);
+        span_of(t, i, &first, &last);
         if (first < i) t->part.bottom[first] = i; /* i rises */
     }
     for (int j = 1; j < n; j++)
@@ -74,7 +70,7 @@ void pm_tree_arrange(pm_workspace *w)
         int first, last;
         while (t->part.bottom[j] < i) j++;
         t->part.left[i] = j;
-        span_of(w, i, &first, &last);
+        span_of(t, i, &first, &last);
         if (last > t->part.right[j]) t->part.right[j] = last;
     }
     for (int j = 1; j < n; j++)
@@ -109,7 +105,7 @@ int pm_tree_factor_dependent(pm_workspace *w, const double *jacobian)
         double *row = t->jacobian + i * n;
         for (int c = t->part.left[i]; c <= t->part.right[i]; c++) row[c] = 0;
         for (int side = 0; side < 2; side++) {
-            const pm_tree_node *x = node_of(w, &w->active.row[t->loop[i]], side);
+            const pm_tree_node *x = node_of(w->tree, &w->active.row[t->loop[i]], side);
             for (int k = 0; x && k < x->nlist; k++) {
                 const int coordinate = t->moved_by[x->list + k], at = t->part.position[coordinate];
                 if (at < n) row[at] = jacobian[i * t->n + coordinate];

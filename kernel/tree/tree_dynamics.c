@@ -10,7 +10,6 @@
 #include "elements/constraint.h"
 #include "elements/force.h"
 #include "elements/joint_friction.h"
-#include "equations/fixed_bodies.h"
 #include "equations/saddle.h"
 #include "numerics/dense.h"
 #include "numerics/lanes.h"
@@ -27,7 +26,7 @@ static void fill_mass(pm_workspace *w)
     const int n = t->n;
     for (int i = 0; i < n; i++)
         for (int k = t->first_coupled[i]; k <= i; k++) t->mass[i * n + k] = 0;
-    for (int i = w->fixed->n; i < w->model->nbody; i++) {
+    for (int i = w->tree->nfixed; i < w->model->nbody; i++) {
         const pm_tree_node *x = &t->node[i];
         const double m = w->numbers.mass[x->body] + w->numbers.stand_in[3 * x->body],
                      inertia = pm_body_inertia(&w->frame, x->body) + w->numbers.stand_in[3 * x->body + 2];
@@ -70,7 +69,7 @@ static int factor_loops(pm_workspace *w)
         double *x = t->reduced + i * n;
         const int from = t->from[i], to = t->to[i];
         for (int c = from; c < to; c++) x[c] = 0;
-        pm_tree_loop_row(w, &w->active.row[t->loop[i]], x);
+        pm_tree_loop_row(w->tree, &w->active.row[t->loop[i]], x);
         pm_dense_skyline_part(n, from, to, t->first_coupled, t->mass, x);
         for (int k = t->first_loop[i]; k <= i; k++) {
             const double *other = t->reduced + k * n;
@@ -111,7 +110,7 @@ static void evaluate_loops(pm_workspace *w)
 static void add_forces(const pm_workspace *w, int inertial, double *x)
 {
     const pm_tree *t = w->tree;
-    for (int i = w->fixed->n; i < w->model->nbody; i++) {
+    for (int i = w->tree->nfixed; i < w->model->nbody; i++) {
         const pm_tree_node *node = &t->node[i];
         const double *f = w->frame.f + 3 * node->body, *c = t->bias + 3 * node->body;
         double p[3] = {f[0], f[1], f[2]};
@@ -142,8 +141,8 @@ static void assemble(pm_workspace *w, double *x)
     }
     pm_force_all(w);
     memset(x, 0, (size_t)t->n * sizeof *x);
-    pm_tree_spread_accelerations(w, x, t->bias);
-    pm_tree_influence(w);
+    pm_tree_spread_accelerations(w->tree, &w->frame, x, t->bias);
+    pm_tree_influence(w->tree);
     fill_mass(w);
     add_forces(w, 1, x);
 }
@@ -152,7 +151,7 @@ static void assemble(pm_workspace *w, double *x)
 static int accelerate_all(pm_workspace *w, double *yddot)
 {
     const int status = pm_saddle_accelerate(w);
-    if (!status) pm_tree_read_accelerations(w, w->frame.a, yddot);
+    if (!status) pm_tree_read_accelerations(w->tree, &w->frame, w->frame.a, yddot);
     return status;
 }
 
@@ -254,7 +253,7 @@ void pm_tree_react_inward(pm_workspace *w, const double *arm)
     const pm_tree *t = w->tree;
     pm_frame *f = &w->frame;
     const int ground = w->model->nbody;
-    for (int i = ground - 1; i >= w->fixed->n; i--) {
+    for (int i = ground - 1; i >= w->tree->nfixed; i--) {
         const pm_tree_node *x = &t->node[i];
         if (x->placement == FREE) continue;
         const double *wrench = t->wrench + 3 * x->body;
@@ -274,7 +273,7 @@ void pm_tree_react(pm_workspace *w)
     pm_frame *f = &w->frame;
     const int ground = w->model->nbody;
     if (f->level == PM_LEVEL_DYNAMIC) return;
-    for (int n = w->fixed->n; n < ground; n++) {
+    for (int n = w->tree->nfixed; n < ground; n++) {
         const int i = t->node[n].body;
         const double inertia = pm_body_inertia(&w->frame, i);
         for (int k = 0; k < 3; k++)
@@ -290,7 +289,7 @@ void pm_tree_tell(pm_workspace *w, const double *yddot)
     const pm_tree *t = w->tree;
     if (w->frame.level == PM_LEVEL_DYNAMIC) return;
     if (t->augmented.on && !t->augmented.forced) pm_force_all(w);
-    if (!t->part.few) pm_tree_spread_accelerations(w, yddot, w->frame.a);
+    if (!t->part.few) pm_tree_spread_accelerations(w->tree, &w->frame, yddot, w->frame.a);
     pm_tree_react(w);
 }
 
@@ -309,7 +308,7 @@ static int factor(pm_workspace *w)
         pm_tree_augmented_equations(w, w->tree->rate);
         pm_tree_augmented_influence(w);
     } else {
-        pm_tree_influence(w);
+        pm_tree_influence(w->tree);
         fill_mass(w);
     }
     const int status = factor_mass(w);

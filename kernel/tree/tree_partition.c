@@ -22,15 +22,14 @@
 
 static double scale_of(const pm_workspace *w, int coordinate)
 {
-    return pm_tree_is_angle(w, coordinate) ? 1 : w->numbers.size;
+    return pm_tree_is_angle(w->tree, coordinate) ? 1 : w->numbers.size;
 }
 
-void pm_tree_hold(pm_workspace *w, int held)
+void pm_tree_hold(pm_tree *t, int held)
 {
-    pm_tree *t = w->tree;
     if (t->part.column[t->n - 1] == held) return;
     t->part.column[t->n - 1] = held;
-    pm_tree_arrange(w);
+    pm_tree_arrange(t);
 }
 
 /* Chooses the columns of the pivots. */
@@ -43,7 +42,7 @@ void pm_tree_partition(pm_workspace *w)
     if (t->nloop == 0 || t->nloop >= n || n - t->nloop > PM_TREE_FEW) return;
     const pm_loops loops = {a, t->elimination.low, t->elimination.high};
     pm_tree_loops_unknown(t, &loops); /* other things have been kept there */
-    pm_tree_loops(w, &loops);
+    pm_tree_loops(w->tree, &w->frame, &loops);
     for (int i = 0; i < t->nloop; i++)
         for (int k = loops.low[i]; k <= loops.high[i]; k++) a[i * n + k] *= scale_of(w, k);
     if (pm_elimination_run(t->nloop, n, a, order, &t->elimination) > PM_LOOP_RANK) {
@@ -51,7 +50,7 @@ void pm_tree_partition(pm_workspace *w)
         t->part.few = 1;
         t->part.steepest = 0;
     }
-    if (t->part.few) pm_tree_arrange(w); /* singular here: what was chosen stays */
+    if (t->part.few) pm_tree_arrange(w->tree); /* singular here: what was chosen stays */
 }
 
 int pm_tree_is_steep(const pm_workspace *w)
@@ -100,9 +99,9 @@ static double read_rate_residuals(const pm_workspace *w, const double *v)
 /* Places the bodies and evaluates the loop rows; their greatest residual. */
 static double place(pm_workspace *w, const double *y, double *q, const pm_loops *loops)
 {
-    pm_tree_place(w, w->state.memory, y, q);
+    pm_tree_place(w->tree, &w->frame, w->state.memory, y, q);
     if (w->tree->nloop == 0) return 0;
-    pm_tree_loops(w, loops);
+    pm_tree_loops(w->tree, &w->frame, loops);
     return read_residuals(w);
 }
 
@@ -154,11 +153,11 @@ static double look(pm_workspace *w, double time, const double *y, const double *
 static int factor_here(pm_workspace *w)
 {
     pm_tree *t = w->tree;
-    pm_tree_influence(w);
+    pm_tree_influence(w->tree);
     for (int i = 0; i < t->nloop; i++) {
         const pm_constraint *row = &w->active.row[t->loop[i]];
-        pm_tree_clear_loop(w, row, t->part.jacobian + i * t->n);
-        pm_tree_loop_row(w, row, t->part.jacobian + i * t->n);
+        pm_tree_clear_loop(w->tree, row, t->part.jacobian + i * t->n);
+        pm_tree_loop_row(w->tree, row, t->part.jacobian + i * t->n);
     }
     return pm_tree_factor_dependent(w, t->part.jacobian);
 }
@@ -194,13 +193,13 @@ int pm_tree_settle(pm_workspace *w, double time, double *y, double *ydot, const 
 static void follow(pm_workspace *w, double *yddot, double *a)
 {
     pm_tree *t = w->tree;
-    pm_tree_spread_accelerations(w, yddot, a);
+    pm_tree_spread_accelerations(w->tree, &w->frame, yddot, a);
     for (int i = 0; i < t->nloop; i++) {
         const pm_constraint *row = &w->active.row[t->loop[i]];
         t->residual[i] = row->gamma - pm_constraint_times(&w->frame, row, a);
     }
     correct(t, yddot);
-    pm_tree_spread_accelerations(w, yddot, a);
+    pm_tree_spread_accelerations(w->tree, &w->frame, yddot, a);
 }
 
 static double inertia_of(const pm_workspace *w, int i)
@@ -226,7 +225,7 @@ int pm_tree_accelerate_few(pm_workspace *w, double *yddot)
         for (int c = 0; c < t->nloop; c++)
             t->part.steepest = fmax(t->part.steepest, fabs(t->rate[t->part.column[c]]) * scale_of(w, own) /
                                                           scale_of(w, t->part.column[c]));
-        pm_tree_spread(w, t->rate, v);
+        pm_tree_spread(w->tree, t->rate, v);
         force[k] = 0;
         for (int i = 0; i < nq; i++) force[k] += v[i] * (w->frame.f[i] - inertia_of(w, i) * a[i]);
         for (int l = 0; l <= k; l++) {

@@ -9,7 +9,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "equations/fixed_bodies.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 #include "tree/tree.h"
@@ -21,9 +20,9 @@ static void turned(const double *pose, const double mark[2], double r[2])
     r[1] = pose[4] * mark[0] + pose[3] * mark[1];
 }
 
-static const double *pose_of_b(const pm_workspace *w, const pm_tree_node *x)
+static const double *pose_of_b(const pm_frame *frame, const pm_tree_node *x)
 {
-    return w->frame.pose + 5 * (x->child_is_a ? x->parent : x->body);
+    return frame->pose + 5 * (x->child_is_a ? x->parent : x->body);
 }
 
 static void place_free(const pm_tree_node *x, const double *own, double *at)
@@ -49,12 +48,12 @@ static void place_angle(const pm_tree_node *x, const double *own, const double *
 }
 
 /* P_a - p_b once both angles are known. */
-static void distance_of_marks(const pm_workspace *w, const pm_tree_node *x, const pm_memory *memory,
+static void distance_of_marks(const pm_frame *frame, const pm_tree_node *x, const pm_memory *memory,
                               double own, const double *from, const double *at, double rho[2])
 {
     if (x->placement == SLIDER || x->placement == ROLL_LINE) {
         double t[2];
-        turned(pose_of_b(w, x), x->line, t);
+        turned(pose_of_b(frame, x), x->line, t);
         const double s = x->placement == SLIDER
                              ? own
                              : memory[x->memory].anchor + x->roll_own * at[2] + x->roll_parent * from[2];
@@ -73,7 +72,7 @@ static void distance_of_marks(const pm_workspace *w, const pm_tree_node *x, cons
 }
 
 /* What the rates need, once r_mark, r_child and rho are known. */
-static void couple(const pm_workspace *w, pm_tree_node *x)
+static void couple(const pm_frame *frame, pm_tree_node *x)
 {
     x->by_parent[0] = -x->r_mark[1];
     x->by_parent[1] = x->r_mark[0];
@@ -92,7 +91,7 @@ static void couple(const pm_workspace *w, pm_tree_node *x)
     }
     const double across[2] = {-sign * x->rho[1], sign * x->rho[0]};
     double *by_b = x->child_is_a ? x->by_parent : x->by_own;
-    turned(pose_of_b(w, x), x->line, x->t);
+    turned(pose_of_b(frame, x), x->line, x->t);
     for (int k = 0; k < 2; k++) {
         by_b[k] += across[k];
         x->by_slide[k] = sign * x->t[k];
@@ -102,10 +101,10 @@ static void couple(const pm_workspace *w, pm_tree_node *x)
 }
 
 /* The same as below, for what most trees consist of. */
-static void place_pinned(const pm_workspace *w, pm_tree_node *x, const double *y)
+static void place_pinned(const pm_frame *frame, pm_tree_node *x, const double *y)
 {
-    const double *from = w->frame.pose + 5 * x->parent;
-    double *at = w->frame.pose + 5 * x->body;
+    const double *from = frame->pose + 5 * x->parent;
+    double *at = frame->pose + 5 * x->body;
     at[2] = x->turns ? y[x->first] : 0;
     at[3] = cos(at[2]);
     at[4] = sin(at[2]);
@@ -118,60 +117,60 @@ static void place_pinned(const pm_workspace *w, pm_tree_node *x, const double *y
     x->by_own[1] = -x->r_child[0];
 }
 
-static void place_node(const pm_workspace *w, pm_tree_node *x, const pm_memory *memory, const double *y)
+static void place_node(const pm_frame *frame, pm_tree_node *x, const pm_memory *memory, const double *y)
 {
-    const double *own = y + x->first, *from = w->frame.pose + 5 * x->parent;
-    double *at = w->frame.pose + 5 * x->body;
+    const double *own = y + x->first, *from = frame->pose + 5 * x->parent;
+    double *at = frame->pose + 5 * x->body;
     if (x->placement == FREE) {
         place_free(x, own, at);
         return;
     }
     if (x->placement == PIN) {
-        place_pinned(w, x, y);
+        place_pinned(frame, x, y);
         return;
     }
     place_angle(x, own, from, at);
     turned(from, x->mark, x->r_mark);
     turned(at, x->child, x->r_child);
-    if (x->placement > WELD) distance_of_marks(w, x, memory, own[0], from, at, x->rho);
+    if (x->placement > WELD) distance_of_marks(frame, x, memory, own[0], from, at, x->rho);
     const double sign = x->child_is_a ? 1 : -1;
     for (int k = 0; k < 2; k++) {
         at[k] = from[k] + x->r_mark[k] - x->r_child[k];
         if (x->placement > WELD) at[k] += sign * x->rho[k];
     }
-    couple(w, x);
+    couple(frame, x);
 }
 
-void pm_tree_place(const pm_workspace *w, const pm_memory *memory, const double *y, double *q)
+void pm_tree_place(const pm_tree *t, pm_frame *frame, const pm_memory *memory, const double *y, double *q)
 {
-    for (int i = 0; i < w->model->nbody; i++) {
-        pm_tree_node *x = &w->tree->node[i];
-        place_node(w, x, memory, y);
-        memcpy(q + 3 * x->body, w->frame.pose + 5 * x->body, 3 * sizeof *q);
+    for (int i = 0; i < t->model->nbody; i++) {
+        pm_tree_node *x = &t->node[i];
+        place_node(frame, x, memory, y);
+        memcpy(q + 3 * x->body, frame->pose + 5 * x->body, 3 * sizeof *q);
     }
 }
 
-static void look_at_marks(const pm_workspace *w, pm_tree_node *x)
+static void look_at_marks(const pm_frame *frame, pm_tree_node *x)
 {
-    const double *at = w->frame.pose + 5 * x->body, *from = w->frame.pose + 5 * x->parent;
+    const double *at = frame->pose + 5 * x->body, *from = frame->pose + 5 * x->parent;
     const double sign = x->child_is_a ? 1 : -1;
     turned(from, x->mark, x->r_mark);
     turned(at, x->child, x->r_child);
     for (int k = 0; k < 2; k++) x->rho[k] = sign * (at[k] + x->r_child[k] - from[k] - x->r_mark[k]);
-    couple(w, x);
+    couple(frame, x);
 }
 
-void pm_tree_read(const pm_workspace *w, double *y)
+void pm_tree_read(const pm_tree *t, const pm_frame *frame, double *y)
 {
-    for (int i = 0; i < w->model->nbody; i++) {
-        pm_tree_node *x = &w->tree->node[i];
-        const double *at = w->frame.pose + 5 * x->body;
+    for (int i = 0; i < t->model->nbody; i++) {
+        pm_tree_node *x = &t->node[i];
+        const double *at = frame->pose + 5 * x->body;
         double *own = y + x->first;
         if (x->placement == FREE) {
             memcpy(own, at, (size_t)x->ncoordinate * sizeof *own);
             continue;
         }
-        look_at_marks(w, x);
+        look_at_marks(frame, x);
         if (x->placement == SLIDER) {
             own[0] = x->rho[0] * x->t[0] + x->rho[1] * x->t[1];
         } else if (x->ncoordinate > 0) {
@@ -180,10 +179,10 @@ void pm_tree_read(const pm_workspace *w, double *y)
     }
 }
 
-void pm_tree_marks(const pm_workspace *w)
+void pm_tree_marks(const pm_tree *t, const pm_frame *frame)
 {
-    for (int i = 0; i < w->model->nbody; i++)
-        if (w->tree->node[i].placement != FREE) look_at_marks(w, &w->tree->node[i]);
+    for (int i = 0; i < t->model->nbody; i++)
+        if (t->node[i].placement != FREE) look_at_marks(frame, &t->node[i]);
 }
 
 void pm_tree_look(pm_workspace *w, double t, const double *y, const double *ydot, const double *z)
@@ -198,10 +197,10 @@ void pm_tree_look(pm_workspace *w, double t, const double *y, const double *ydot
     f->z = z;
     f->memory = w->state.memory;
     f->level = PM_LEVEL_KINEMATIC;
-    for (int i = w->fixed->n; i < ground; i++) {
+    for (int i = w->tree->nfixed; i < ground; i++) {
         pm_tree_node *x = &tree->node[i];
         double *velocity = f->velocity + 3 * x->body;
-        place_node(w, x, f->memory, y);
+        place_node(&w->frame, x, f->memory, y);
         pm_tree_move(x, x->parent == ground ? still : f->velocity + 3 * x->parent, ydot + x->first, velocity);
         for (int k = 0; k < 3; k++) {
             tree->q[3 * x->body + k] = f->pose[5 * x->body + k];

@@ -8,83 +8,81 @@
 #include <string.h>
 
 #include "elements/constraint.h"
-#include "equations/fixed_bodies.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 #include "tree/tree.h"
 #include "tree/tree_node.h"
 
-static const double *rates_of(const pm_workspace *w, const double *v, int body)
+static const double *rates_of(const pm_tree *t, const double *v, int body)
 {
     static const double still[3] = {0, 0, 0};
-    return body == w->model->nbody ? still : v + 3 * body;
+    return body == t->model->nbody ? still : v + 3 * body;
 }
 
-void pm_tree_spread(pm_workspace *w, const double *ydot, double *v)
+void pm_tree_spread(const pm_tree *t, const double *ydot, double *v)
 {
-    for (int i = 0; i < w->model->nbody; i++) {
-        const pm_tree_node *x = &w->tree->node[i];
-        pm_tree_move(x, rates_of(w, v, x->parent), ydot + x->first, v + 3 * x->body);
+    for (int i = 0; i < t->model->nbody; i++) {
+        const pm_tree_node *x = &t->node[i];
+        pm_tree_move(x, rates_of(t, v, x->parent), ydot + x->first, v + 3 * x->body);
     }
 }
 
-void pm_tree_read_rates(pm_workspace *w, const double *v, double *ydot)
+void pm_tree_read_rates(const pm_tree *t, const double *v, double *ydot)
 {
-    for (int i = 0; i < w->model->nbody; i++) {
-        const pm_tree_node *x = &w->tree->node[i];
+    for (int i = 0; i < t->model->nbody; i++) {
+        const pm_tree_node *x = &t->node[i];
         const double *to = v + 3 * x->body;
         double *own = ydot + x->first;
         if (x->placement == FREE)
             memcpy(own, to, (size_t)x->ncoordinate * sizeof *own);
         else if (x->placement == SLIDER)
-            own[0] = pm_tree_slide_rate(x, rates_of(w, v, x->parent), to);
+            own[0] = pm_tree_slide_rate(x, rates_of(t, v, x->parent), to);
         else if (x->ncoordinate > 0)
             own[0] = to[2];
     }
 }
 
-void pm_tree_spread_accelerations(const pm_workspace *w, const double *yddot, double *a)
+void pm_tree_spread_accelerations(const pm_tree *t, const pm_frame *frame, const double *yddot, double *a)
 {
-    for (int i = w->fixed->n; i < w->model->nbody; i++) {
-        const pm_tree_node *x = &w->tree->node[i];
+    for (int i = t->nfixed; i < t->model->nbody; i++) {
+        const pm_tree_node *x = &t->node[i];
         double *to = a + 3 * x->body;
-        pm_tree_move(x, rates_of(w, a, x->parent), yddot + x->first, to);
+        pm_tree_move(x, rates_of(t, a, x->parent), yddot + x->first, to);
         if (x->placement != FREE)
-            pm_tree_add_quadratic(x, w->frame.velocity + 3 * x->parent, w->frame.velocity + 3 * x->body, to);
+            pm_tree_add_quadratic(x, frame->velocity + 3 * x->parent, frame->velocity + 3 * x->body, to);
     }
 }
 
-void pm_tree_read_accelerations(const pm_workspace *w, const double *a, double *yddot)
+void pm_tree_read_accelerations(const pm_tree *t, const pm_frame *frame, const double *a, double *yddot)
 {
-    for (int i = 0; i < w->model->nbody; i++) {
-        const pm_tree_node *x = &w->tree->node[i];
+    for (int i = 0; i < t->model->nbody; i++) {
+        const pm_tree_node *x = &t->node[i];
         const double *to = a + 3 * x->body;
         double *own = yddot + x->first;
         if (x->placement == FREE) {
             memcpy(own, to, (size_t)x->ncoordinate * sizeof *own);
         } else if (x->placement == SLIDER) {
             double rest[3] = {to[0], to[1], to[2]}, quadratic[3] = {0, 0, 0};
-            pm_tree_add_quadratic(x, w->frame.velocity + 3 * x->parent, w->frame.velocity + 3 * x->body,
+            pm_tree_add_quadratic(x, frame->velocity + 3 * x->parent, frame->velocity + 3 * x->body,
                                   quadratic);
             for (int k = 0; k < 2; k++) rest[k] -= quadratic[k];
-            own[0] = pm_tree_slide_rate(x, rates_of(w, a, x->parent), rest);
+            own[0] = pm_tree_slide_rate(x, rates_of(t, a, x->parent), rest);
         } else if (x->ncoordinate > 0) {
             own[0] = to[2];
         }
     }
 }
 
-void pm_tree_bias(pm_workspace *w, double *a)
+void pm_tree_bias(const pm_tree *t, const pm_frame *frame, double *a)
 {
-    memset(w->tree->rate, 0, (size_t)w->tree->n * sizeof(double));
-    pm_tree_spread_accelerations(w, w->tree->rate, a);
+    memset(t->rate, 0, (size_t)t->n * sizeof(double));
+    pm_tree_spread_accelerations(t, frame, t->rate, a);
 }
 
-void pm_tree_influence(pm_workspace *w)
+void pm_tree_influence(const pm_tree *t)
 {
     static const double none[3] = {0, 0, 0}, unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    const pm_tree *t = w->tree;
-    for (int i = 0; i < w->model->nbody; i++) {
+    for (int i = 0; i < t->model->nbody; i++) {
         const pm_tree_node *x = &t->node[i];
         double *to = t->influence + 3 * x->list;
         const int inherited = x->nlist - x->ncoordinate;
@@ -105,11 +103,10 @@ int pm_tree_singular_loop(pm_workspace *w, int loop)
                                  : pm_fail(w, PM_SINGULAR, PM_TABLE_CONTACT, PM_NONE, 0, 0);
 }
 
-void pm_tree_loop_row(const pm_workspace *w, const pm_constraint *row, double *on_coordinates)
+void pm_tree_loop_row(const pm_tree *t, const pm_constraint *row, double *on_coordinates)
 {
-    const pm_tree *t = w->tree;
     for (int side = 0; side < 2; side++) {
-        if (row->body[side] == w->model->nbody) continue;
+        if (row->body[side] == t->model->nbody) continue;
         const pm_tree_node *x = &t->node[t->placed[row->body[side]] - 1];
         const double *j = row->j + 3 * side;
         for (int k = x->list; k < x->list + x->nlist; k++) {
@@ -119,17 +116,16 @@ void pm_tree_loop_row(const pm_workspace *w, const pm_constraint *row, double *o
     }
 }
 
-void pm_tree_loops(pm_workspace *w, const pm_loops *x)
+void pm_tree_loops(const pm_tree *t, const pm_frame *frame, const pm_loops *x)
 {
-    const pm_tree *t = w->tree;
-    pm_tree_influence(w);
+    pm_tree_influence(t);
     for (int i = 0; i < t->nloop; i++) {
-        pm_constraint *row = &w->active.row[t->loop[i]];
+        pm_constraint *row = &t->row[t->loop[i]];
         double *entry = x->entry + i * t->n;
-        pm_constraint_kind(row->kind)->evaluate(&w->frame, row);
+        pm_constraint_kind(row->kind)->evaluate(frame, row);
         for (int c = x->low[i]; c <= x->high[i]; c++) entry[c] = 0;
-        pm_tree_row_ends(w, row, &x->low[i], &x->high[i]);
-        pm_tree_loop_row(w, row, entry);
+        pm_tree_row_ends(t, row, &x->low[i], &x->high[i]);
+        pm_tree_loop_row(t, row, entry);
     }
 }
 

@@ -151,8 +151,8 @@ void pm_tree_small_sum_up(pm_workspace *w)
     x->on = t->augmented.on && !t->augmented.forced && t->n > 0 && t->n <= MOST && t->nloop < t->n;
     if (!x->on) return;
     double y[MOST];
-    pm_tree_read(w, y);
-    pm_tree_influence(w);
+    pm_tree_read(w->tree, &w->frame, y);
+    pm_tree_influence(w->tree);
     for (int i = 0; i < t->nloop && x->on; i++)
         x->on = read_row(w, y, &w->active.row[t->loop[i]], &x->row[i]);
     if (!x->on) return;

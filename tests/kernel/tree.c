@@ -213,11 +213,11 @@ static void places(pm_workspace *w, double *y)
 {
     double q[MOST], back[MOST];
     pm_frame_look_state(&w->frame, &w->state);
-    pm_tree_read(w, y);
-    pm_tree_place(w, w->state.memory, y, q);
+    pm_tree_read(w->tree, &w->frame, y);
+    pm_tree_place(w->tree, &w->frame, w->state.memory, y, q);
     for (int i = 0; i < w->model->nq; i++) NEAR(q[i], w->state.q[i], 1e-13);
     pm_frame_look(&w->frame, 0, q, w->state.v, w->state.z, w->state.memory);
-    pm_tree_read(w, back);
+    pm_tree_read(w->tree, &w->frame, back);
     for (int i = 0; i < w->tree->n; i++) NEAR(back[i], y[i], 1e-13);
 }
 
@@ -244,13 +244,13 @@ static void rates(pm_workspace *w, const double *y)
     }
     pm_tree_look(w, 0, y, ydot, w->state.z);
     memcpy(velocity, w->tree->v, sizeof velocity);
-    pm_tree_bias(w, a);
+    pm_tree_bias(w->tree, &w->frame, a);
     for (int k = 0; k < n; k++) {
         for (int i = 0; i < n; i++) rate[i] = i == k;
-        pm_tree_spread(w, rate, column);
+        pm_tree_spread(w->tree, rate, column);
         for (int i = 0; i < nq; i++) basis[i * n + k] = column[i];
     }
-    pm_tree_read_rates(w, velocity, rate);
+    pm_tree_read_rates(w->tree, velocity, rate);
     for (int i = 0; i < n; i++) NEAR(rate[i], ydot[i], 1e-12);
     for (int i = 0; i < nq; i++) {
         double sum = 0;
@@ -262,7 +262,7 @@ static void rates(pm_workspace *w, const double *y)
         NEAR((q[1][i] - q[0][i]) / (2 * STEP), velocity[i], 1e-8);
         NEAR((v[1][i] - v[0][i]) / (2 * STEP), a[i], 1e-7);
     }
-    pm_tree_spread(w, ydot, rate);
+    pm_tree_spread(w->tree, ydot, rate);
     for (int i = 0; i < nq; i++) NEAR(rate[i], velocity[i], 1e-13);
     for (int k = 0; k < w->active.n; k++) { /* the solved rows hold whatever the rates */
         if (!w->tree->used[k]) continue;
@@ -276,7 +276,7 @@ static void dynamics(pm_workspace *w, const double *y)
 {
     double ydot[MOST], yddot[MOST], back[MOST], a[MOST], lambda[MOST];
     shake(w);
-    pm_tree_read_rates(w, w->state.v, ydot);
+    pm_tree_read_rates(w->tree, w->state.v, ydot);
     EQUAL(pm_saddle_accelerate(w), PM_OK);
     memcpy(a, w->frame.a, sizeof a);
     memcpy(lambda, w->frame.lambda, (size_t)w->active.n * sizeof(double));
@@ -287,7 +287,7 @@ static void dynamics(pm_workspace *w, const double *y)
     const double size = force_scale(w);
     for (int i = 0; i < w->model->nq; i++) NEAR(w->frame.a[i], a[i], 1e-12 * size / 0.01);
     for (int i = 0; i < w->active.n; i++) NEAR(w->frame.lambda[i], lambda[i], 1e-12 * size);
-    pm_tree_read_accelerations(w, a, back);
+    pm_tree_read_accelerations(w->tree, &w->frame, a, back);
     for (int i = 0; i < w->tree->n; i++) NEAR(back[i], yddot[i], 1e-10 * size);
 }
 
@@ -349,7 +349,7 @@ static void swings(void)
     if (CHECK(scene_begin(s) == PM_OK)) {
         pm_tree_build(s->w);
         pm_frame_look_state(&s->w->frame, &s->w->state);
-        pm_tree_read(s->w, &start);
+        pm_tree_read(s->w->tree, &s->w->frame, &start);
         pm_tree_sum_up(s->w);
         pm_tree_small_sum_up(s->w);
         for (int i = -50; i <= 50; i++) {
@@ -366,7 +366,7 @@ static void turns_on(pm_workspace *w, const double *y)
 {
     double far[MOST], still[MOST];
     for (int i = 0; i < w->tree->n; i++) {
-        far[i] = pm_tree_is_angle(w, i) ? y[i] + 6283.18 : y[i];
+        far[i] = pm_tree_is_angle(w->tree, i) ? y[i] + 6283.18 : y[i];
         still[i] = 0;
     }
     pm_tree_look(w, 0, far, still, w->state.z);
@@ -394,7 +394,7 @@ static void look_at(scene *s, int n, int nloop)
         projects(w, y);
         swift(w, y);
         pm_frame_look_state(&w->frame, &w->state);
-        pm_tree_read(w, y);
+        pm_tree_read(w->tree, &w->frame, y);
         pm_tree_partition(w); /* the same by dependent and independent coordinates */
         EQUAL(w->tree->part.few, nloop > 0 && n - nloop <= PM_TREE_FEW);
         dynamics(w, y);

@@ -155,7 +155,10 @@ static const sample samples[] = {
 };
 
 /* ---- looks ---- */
-static void place(pm_workspace *w, const double *y, double *q) { pm_tree_place(w, w->state.memory, y, q); }
+static void place(pm_workspace *w, const double *y, double *q)
+{
+    pm_tree_place(w->tree, &w->frame, w->state.memory, y, q);
+}
 
 static void look(pm_workspace *w, const double *q, const double *v)
 {
@@ -183,13 +186,13 @@ static void there_and_back(pm_workspace *w)
 {
     double y[MOST], q[MOST], again[MOST];
     look(w, w->state.q, w->state.v);
-    pm_tree_read(w, y);
+    pm_tree_read(w->tree, &w->frame, y);
     place(w, y, q);
     for (int i = 0; i < w->model->nq; i++) NEAR(q[i], w->state.q[i], 1e-11);
     for (int i = 0; i < w->tree->n; i++) y[i] += check_random(-0.4, 0.4);
     place(w, y, q);
     look(w, q, w->state.v);
-    pm_tree_read(w, again);
+    pm_tree_read(w->tree, &w->frame, again);
     for (int i = 0; i < w->tree->n; i++) NEAR(again[i], y[i], 1e-13);
 }
 
@@ -209,7 +212,7 @@ static void columns(pm_workspace *w, double *basis)
 {
     const pm_tree *t = w->tree;
     memset(basis, 0, (size_t)(w->model->nq * t->n) * sizeof *basis);
-    pm_tree_influence(w);
+    pm_tree_influence(w->tree);
     for (int i = 0; i < w->model->nbody; i++) {
         const pm_tree_node *x = &t->node[i];
         for (int k = x->list; k < x->list + x->nlist; k++)
@@ -223,7 +226,7 @@ static void moves(pm_workspace *w)
     const int n = w->tree->n, nq = w->model->nq;
     double y[MOST], q[MOST], rate[MOST], v[MOST], a[MOST], basis[MOST * MOST], first[MOST], second[MOST];
     look(w, w->state.q, w->state.v);
-    pm_tree_read(w, y);
+    pm_tree_read(w->tree, &w->frame, y);
     for (int i = 0; i < n; i++) {
         y[i] += check_random(-0.3, 0.3);
         rate[i] = check_random(-1, 1);
@@ -231,7 +234,7 @@ static void moves(pm_workspace *w)
     differences(w, y, rate, first, second);
     place(w, y, q);
     meets_rows(w, q);
-    pm_tree_spread(w, rate, v);
+    pm_tree_spread(w->tree, rate, v);
     columns(w, basis);
     for (int i = 0; i < nq; i++) {
         double sum = 0;
@@ -240,7 +243,7 @@ static void moves(pm_workspace *w)
         NEAR(sum, v[i], 1e-13);
     }
     look(w, q, v);
-    pm_tree_bias(w, a);
+    pm_tree_bias(w->tree, &w->frame, a);
     for (int i = 0; i < nq; i++) NEAR(a[i], second[i], 1e-7);
 }
 
@@ -256,26 +259,26 @@ static void closes(pm_workspace *w)
     for (int k = 0; k < n; k++) {
         for (int side = 0; side < 2; side++) {
             look(w, w->state.q, w->state.v);
-            pm_tree_read(w, y);
+            pm_tree_read(w->tree, &w->frame, y);
             y[k] += (side ? 1 : -1) * STEP;
             place(w, y, q);
             look(w, q, w->state.v);
             columns(w, basis);
-            pm_tree_loops(w, &loops);
+            pm_tree_loops(w->tree, &w->frame, &loops);
             for (int i = 0; i < nloop; i++) g[side][i] = w->active.row[w->tree->loop[i]].g;
         }
         look(w, w->state.q, w->state.v);
-        pm_tree_read(w, y);
+        pm_tree_read(w->tree, &w->frame, y);
         columns(w, basis);
-        pm_tree_loops(w, &loops);
+        pm_tree_loops(w->tree, &w->frame, &loops);
         for (int i = 0; i < nloop; i++) NEAR(jacobian[i * n + k], (g[1][i] - g[0][i]) / (2 * STEP), 1e-6);
     }
     if (n != nloop + 1) return;
     look(w, w->state.q, w->state.v);
-    pm_tree_read(w, y);
+    pm_tree_read(w->tree, &w->frame, y);
     y[n - 1] += 0.02;
     const double kept = y[n - 1];
-    pm_tree_hold(w, n - 1);
+    pm_tree_hold(w->tree, n - 1);
     EQUAL(pm_tree_close(w, y, q, &loops), PM_OK);
     EQUAL(y[n - 1], kept);
     place(w, y, q);

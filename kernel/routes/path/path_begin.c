@@ -95,7 +95,7 @@ int pm_path_prepare(pm_workspace *w)
     pm_path_bridge_forget(p);
     p->sense = 1;
     pm_frame_look_state(&w->frame, &w->state);
-    pm_tree_read(w, x->y);
+    pm_tree_read(w->tree, &w->frame, x->y);
     pm_path_open_begin(w);
     if (pm_path_look(w, x) || pm_path_drive(w, x)) return 0;
     const double rate = rate_of(w, x, w->state.v);

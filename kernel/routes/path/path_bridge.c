@@ -26,7 +26,7 @@
 
 static double reach_of(const pm_workspace *w)
 {
-    return REACH * (pm_tree_is_angle(w, w->path->driver) ? 1 : w->numbers.size);
+    return REACH * (pm_tree_is_angle(w->tree, w->path->driver) ? 1 : w->numbers.size);
 }
 
 static double support(int j) { return cos((2 * j + 1) * HALF_TURN / (2 * PM_BRIDGE_PLACES)); }
@@ -146,8 +146,8 @@ int pm_path_bridge_place(pm_workspace *w, double u, pm_place *place)
         if (status) return status;
     }
     read(p, u, place->y, place->slope, b->bend);
-    pm_tree_place(w, w->state.memory, place->y, place->q);
-    pm_tree_loops(w, &p->loop);
+    pm_tree_place(w->tree, &w->frame, w->state.memory, place->y, place->q);
+    pm_tree_loops(w->tree, &w->frame, &p->loop);
     return meets_rows(w) ? PM_OK : pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
 }
 
@@ -158,14 +158,14 @@ int pm_path_bridge_accelerate(pm_workspace *w)
     pm_frame *f = &w->frame;
     const int nq = w->model->nq;
     double *const tangent = w->tree->v, *const bend = w->tree->q;
-    pm_tree_read(w, b->y);
+    pm_tree_read(w->tree, &w->frame, b->y);
     const double u = b->y[p->driver];
     if (!(fabs(u - b->centre) < SERVES * b->reach)) return 0;
     read(p, u, b->y, b->slope, b->bend);
-    pm_tree_spread(w, b->slope, tangent);
+    pm_tree_spread(w->tree, b->slope, tangent);
     /* d(tangent)/du: the accelerations at a steady unit rate of the driver */
     memcpy(f->velocity, tangent, (size_t)nq * sizeof *tangent);
-    pm_tree_spread_accelerations(w, b->bend, bend);
+    pm_tree_spread_accelerations(w->tree, &w->frame, b->bend, bend);
     memcpy(f->velocity, f->v, (size_t)nq * sizeof *tangent);
     double mass = 0, momentum = 0, change = 0, force = 0;
     for (int i = 0; i < nq; i++) {

@@ -21,7 +21,7 @@ static void accelerate_open(pm_workspace *w, const double *t)
     const double *f = w->frame.f;
     double *a = w->frame.a, mass = 0, force = 0;
     pm_force_all(w);
-    pm_tree_bias(w, a);
+    pm_tree_bias(w->tree, &w->frame, a);
     for (int i = 0; i < w->model->nq; i++) {
         const double inertia = i % 3 == 2 ? pm_body_inertia(&w->frame, i / 3) : w->numbers.mass[i / 3];
         mass += inertia * t[i] * t[i];
@@ -33,7 +33,7 @@ static void accelerate_open(pm_workspace *w, const double *t)
 static int accelerate_closed(pm_workspace *w)
 {
     pm_tree *t = w->tree;
-    pm_tree_hold(w, w->path->driver);
+    pm_tree_hold(w->tree, w->path->driver);
     for (int i = 0; i < t->nloop; i++) {
         pm_constraint *row = &w->active.row[t->loop[i]];
         pm_constraint_kind(row->kind)->evaluate(&w->frame, row);
@@ -44,7 +44,7 @@ static int accelerate_closed(pm_workspace *w)
 int pm_path_accelerate(pm_workspace *w, const double *along)
 {
     int status = PM_OK;
-    pm_tree_marks(w);
+    pm_tree_marks(w->tree, &w->frame);
     w->result.count[PM_COUNT_SOLVES]++;
     w->tree->part.few = w->tree->nloop > 0;
     if (w->tree->part.few)

@@ -76,7 +76,7 @@ static void look_at(pm_workspace *w, const pm_place *place)
 
 static void place_by_tree(pm_workspace *w, pm_place *place)
 {
-    pm_tree_place(w, w->state.memory, place->y, place->q);
+    pm_tree_place(w->tree, &w->frame, w->state.memory, place->y, place->q);
     place->mass = place->change = place->force = place->potential = 0;
     memcpy(place->pose, w->frame.pose, 5 * (size_t)w->model->nbody * sizeof *place->pose);
     for (int i = 0; i < w->fixed->n; i++) measure_still(&w->tree->node[i], place);

@@ -23,14 +23,14 @@
 
 static double scale_of(const pm_workspace *w, int coordinate)
 {
-    return pm_tree_is_angle(w, coordinate) ? 1 : w->numbers.size;
+    return pm_tree_is_angle(w->tree, coordinate) ? 1 : w->numbers.size;
 }
 
 /* What motion at a unit rate of the driver makes of masses and forces. */
 static void measure_motion(pm_workspace *w, pm_place *place)
 {
     const pm_model *m = w->model;
-    pm_tree_spread(w, place->slope, place->tangent);
+    pm_tree_spread(w->tree, place->slope, place->tangent);
     const double *t = place->tangent;
     place->mass = place->force = 0;
     for (int i = 0; i < m->nbody; i++)
@@ -118,7 +118,7 @@ int pm_path_place(pm_workspace *w, double u, pm_place *place)
         pm_path_open_place(w, place);
         return PM_OK;
     }
-    pm_tree_hold(w, p->driver);
+    pm_tree_hold(w->tree, p->driver);
     int status = pm_tree_close(w, place->y, place->q, &p->loop);
     if (!status) status = pm_tree_slope(w, &p->loop, place->slope);
     place->determined = !status && is_determined(w);
@@ -138,8 +138,8 @@ int pm_path_look(pm_workspace *w, pm_place *place)
         pm_path_open_place(w, place);
         return PM_OK;
     }
-    pm_tree_place(w, w->state.memory, place->y, place->q);
-    pm_tree_loops(w, &p->loop);
+    pm_tree_place(w->tree, &w->frame, w->state.memory, place->y, place->q);
+    pm_tree_loops(w->tree, &w->frame, &p->loop);
     if (!null_vector(w, place->slope)) return pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
     place->determined = 1;
     measure_motion(w, place);

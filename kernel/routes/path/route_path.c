@@ -121,7 +121,7 @@ static double full_step(const pm_workspace *w, const pm_place *x)
 {
     double h = INFINITY;
     for (int i = 0; i < w->path->n; i++) {
-        const double most = pm_tree_is_angle(w, i) ? TURN / STEPS_PER_TURN : LENGTHS * w->numbers.size;
+        const double most = pm_tree_is_angle(w->tree, i) ? TURN / STEPS_PER_TURN : LENGTHS * w->numbers.size;
         const double factor = i == w->path->driver ? 1 : FASTER;
         if (x->slope[i] != 0) h = fmin(h, factor * most / fabs(x->slope[i]));
     }
@@ -292,7 +292,7 @@ static int step(pm_workspace *w, double t_limit)
     p->u0 = p->node[0].y[p->driver];
     p->clock.t0 = w->state.t;
     memcpy(p->weight, w->state.z, (size_t)w->model->nz_controlled * sizeof(double));
-    const int may_close = pm_tree_is_angle(w, p->driver);
+    const int may_close = pm_tree_is_angle(w->tree, p->driver);
     p->safe = w->numbers.coarse * full_step(w, &p->node[0]);
     const double full =
         fmin(fmin(p->most, step_factor(w) * p->safe), w->numbers.coarse * next_contact(w, &p->node[0]));

@@ -62,7 +62,7 @@ static void set_scale(pm_workspace *w)
     const double tolerance =
         fmax((on_level ? PM_RK_LEVEL_MARGIN : PM_RK_MARGIN) * w->numbers.tolerance, PM_RK_TIGHTEST);
     for (int i = 0; i < r->n; i++) {
-        const int angle = pm_tree_is_angle(w, i);
+        const int angle = pm_tree_is_angle(w->tree, i);
         r->scale[i] = 1 / (tolerance * (angle ? 1 : w->numbers.size));
         r->scale[r->n + i] =
             1 / (tolerance * (angle ? w->numbers.speed / w->numbers.size : w->numbers.speed));
@@ -82,8 +82,8 @@ static int begin(pm_workspace *w)
     r->n = w->tree->n;
     r->all = 2 * r->n + w->model->nz;
     r->controlled = 2 * r->n + w->model->nz_controlled;
-    pm_tree_read(w, r->now);
-    pm_tree_read_rates(w, w->state.v, r->now + r->n);
+    pm_tree_read(w->tree, &w->frame, r->now);
+    pm_tree_read_rates(w->tree, w->state.v, r->now + r->n);
     pm_tree_sum_up(w);
     pm_tree_small_sum_up(w);
     w->tree->part.independence = 1;
@@ -109,7 +109,7 @@ static double turning_time(const pm_workspace *w, const double *k)
     const int n = w->rk->n;
     double square = 0;
     for (int i = 0; w->rk->swift && i < n; i++)
-        if (pm_tree_is_angle(w, i)) square = pm_max(square, pm_max(k[i] * k[i], fabs(k[n + i])));
+        if (pm_tree_is_angle(w->tree, i)) square = pm_max(square, pm_max(k[i] * k[i], fabs(k[n + i])));
     for (int i = 2; !w->rk->swift && i < w->model->nq; i += 3)
         square = pm_max(square, pm_max(w->state.v[i] * w->state.v[i], fabs(w->frame.a[i])));
     return w->numbers.coarse / sqrt(square);
@@ -153,7 +153,8 @@ static int last_stage(pm_workspace *w)
     const int status =
         r->swift ? pm_rk_derivative(w, w->state.t, r->now, 0, k) : pm_rk_derivative_here(w, r->now, 0, k);
     const int wanted = !r->swift || is_sampled(w); /* by set_times */
-    if (!status && wanted && !w->tree->part.few) pm_tree_spread_accelerations(w, k + r->n, w->frame.a);
+    if (!status && wanted && !w->tree->part.few)
+        pm_tree_spread_accelerations(w->tree, &w->frame, k + r->n, w->frame.a);
     return status;
 }
 
