@@ -247,9 +247,7 @@ FAULTS = [
     Fault(
         "clear: a body does not turn", "events/gap_culling.c", "+ x->radius[i] * fabs(pose[2] - from[2])", ""
     ),
-    Fault(
-        "clear: the other body stands still", "events/gap_culling.c", "+ x->moved[body[1]]", ""
-    ),
+    Fault("clear: the other body stands still", "events/gap_culling.c", "+ x->moved[body[1]]", ""),
     Fault(
         "clear: the way is not added up",
         "events/gap_culling.c",

@@ -69,4 +69,16 @@ FAULTS = [
         "#define PM_TAIL_RESOLVED 1e-6",
         "#define PM_TAIL_RESOLVED 1e6",
     ),
+    Fault(
+        "escape: no squaring",
+        "numerics/tolerances.h",
+        "#define PM_GROWTH_SQUARINGS 60",
+        "#define PM_GROWTH_SQUARINGS 5",
+    ),
+    Fault(
+        "nudge: a deviation that is not small",
+        "numerics/tolerances.h",
+        "PM_PERTURBATION_SIZE \\ 0.1",
+        "PM_PERTURBATION_SIZE 1e5",
+    ),
 ]

@@ -18,7 +18,7 @@ FAULTS = [
     Fault(
         "path: clock by too few nodes",
         "routes/path/path_clock.c",
-        "if (!(FEWER * high <= most)) return 0;",
+        "if (!(PM_CLOCK_FEWER * high <= most)) return 0;",
         "",
     ),
     Fault(

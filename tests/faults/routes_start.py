@@ -10,21 +10,12 @@ FAULTS = [
         "(e->dv[i] + turned(e->spin",
     ),
     Fault(
-        "escape: no squaring", "routes/start/fastest_growth.c", "#define SQUARINGS 60", "#define SQUARINGS 5"
-    ),
-    Fault(
         "escape: steady at one time only",
         "routes/start/fastest_growth.c",
         "for (int i = 0; i < 3; i++) { const double t",
         "for (int i = 0; i < 1; i++) { const double t",
     ),
     Fault("nudge: to the other side", "routes/start/perturbation.c", "if (there < 0 &&", "if (there > 0 &&"),
-    Fault(
-        "nudge: a deviation that is not small",
-        "routes/start/perturbation.c",
-        "#define SIZE 0.1",
-        "#define SIZE 1e5",
-    ),
     Fault(
         "nudge: by positions alone",
         "routes/start/perturbation.c",

@@ -11,13 +11,13 @@ FAULTS = [
     ),
     Fault(
         "uniform: sign of the accelerations",
-        "routes/uniform/route_uniform.c",
+        "routes/uniform/uniform_motion.c",
         "v[i] = u->v[i] + t * u->a[i]",
         "v[i] = u->v[i] - t * u->a[i]",
     ),
     Fault(
         "uniform: half of the way",
-        "routes/uniform/route_uniform.c",
+        "routes/uniform/uniform_motion.c",
         "0.5 * t * u->a[i]",
         "0.25 * t * u->a[i]",
     ),
@@ -30,12 +30,12 @@ FAULTS = [
     Fault(
         "uniform: a parabola passes twice",
         "routes/uniform/route_uniform.c",
-        "if (turn > TURN_APART && turn < 1)",
+        "if (turn > PM_UNIFORM_TURNED && turn < 1)",
         "if (turn < 0)",
     ),
     Fault(
         "uniform: distance travelled",
-        "routes/uniform/uniform_integral.c",
+        "routes/uniform/uniform_motion.c",
         "sum += p * p * (asinh",
         "sum -= p * p * (asinh",
     ),

@@ -7,9 +7,6 @@
 #include "state/workspace.h"
 #include "tree/tree.h"
 
-#define PM_CLOCK_TAIL 1e-13 /* highest coefficients of the integrand of the time, at the least */
-#define PM_WORK_TAIL 1e-12  /* the same of the rates of work */
-
 /* A place on the path: the configuration, and the velocities that go with a unit rate of the driver. */
 typedef struct pm_place {
     double *y;               /* [n] tree coordinates */

@@ -9,14 +9,12 @@
 #include "elements/turning_plane.h"
 #include "equations/ledger.h"
 #include "expression/program.h"
+#include "numerics/tolerances.h"
 #include "routes/path/path.h"
 #include "routes/path/path_error.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 #include "tree/tree.h"
-
-#define STILL 1e-11    /* of the scene's speed: at rest */
-#define BALANCED 1e-12 /* of the forces: in equilibrium */
 
 double pm_path_total_mass(const pm_workspace *w)
 {
@@ -63,7 +61,7 @@ static int leave_rest(pm_workspace *w, const pm_place *x)
 {
     pm_path *p = w->path;
     const double size = pm_path_force_size(w, x);
-    p->balanced = !(fabs(x->force) > BALANCED * size);
+    p->balanced = !(fabs(x->force) > PM_PATH_BALANCED * size);
     p->sense = p->balanced ? requested_side(w, x) : (x->force > 0 ? 1 : -1);
     return p->sense != 0;
 }
@@ -102,8 +100,8 @@ int pm_path_prepare(pm_workspace *w)
     x->kinetic = 0.5 * x->mass * rate * rate;
     p->sense = rate > 0 ? 1 : -1;
     p->balanced = 0;
-    p->at_rest =
-        !(2 * x->kinetic > STILL * STILL * pm_path_total_mass(w) * w->numbers.speed * w->numbers.speed);
+    p->at_rest = !(2 * x->kinetic > PM_PATH_STILL * PM_PATH_STILL * pm_path_total_mass(w) * w->numbers.speed *
+                                        w->numbers.speed);
     /* the contacts are met anew, to rounding: what the forces do on that way is not lost */
     for (int i = 0; i < w->model->nq; i++) x->kinetic += w->frame.f[i] * (x->q[i] - w->state.q[i]);
     if (p->at_rest) x->kinetic = 0;

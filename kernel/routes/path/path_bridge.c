@@ -13,20 +13,17 @@
 #include <string.h>
 
 #include "elements/constraint.h"
+#include "numerics/tolerances.h"
 #include "routes/path/path.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 #include "tree/tree.h"
 
 #define HALF_TURN 3.14159265358979323846
-#define REACH 0.2   /* rad, or of the scene's size: the places that bear the bridge */
-#define SERVES 0.5  /* of the reach: places taken from the bridge */
-#define STRIDE 0.25 /* of the reach: from the last place that was determined to the first that bears */
-#define MET 1e-11   /* of the scene's size: the loop rows on the bridge */
 
 static double reach_of(const pm_workspace *w)
 {
-    return REACH * (pm_tree_is_angle(w->tree, w->path->driver) ? 1 : w->numbers.size);
+    return PM_BRIDGE_REACH * (pm_tree_is_angle(w->tree, w->path->driver) ? 1 : w->numbers.size);
 }
 
 static double support(int j) { return cos((2 * j + 1) * HALF_TURN / (2 * PM_BRIDGE_PLACES)); }
@@ -96,7 +93,7 @@ static int build(pm_workspace *w, double u)
     memcpy(y, b->known_y, (size_t)p->n * sizeof *y);
     memcpy(slope, b->known_slope, (size_t)p->n * sizeof *slope);
     const double way = u + side * reach * support(0) - at;
-    const int strides = (int)ceil(fabs(way) / (STRIDE * reach));
+    const int strides = (int)ceil(fabs(way) / (PM_BRIDGE_STRIDE * reach));
     for (int i = 1; i < strides; i++) {
         const int status = walk(w, &at, b->known + way * i / strides, y, slope);
         if (status) return status;
@@ -116,7 +113,7 @@ static int build(pm_workspace *w, double u)
 static int meets_rows(pm_workspace *w)
 {
     for (int i = 0; i < w->tree->nloop; i++)
-        if (!(fabs(w->active.row[w->tree->loop[i]].g) <= MET * w->numbers.size)) return 0;
+        if (!(fabs(w->active.row[w->tree->loop[i]].g) <= PM_BRIDGE_MET * w->numbers.size)) return 0;
     return 1;
 }
 
@@ -140,7 +137,7 @@ int pm_path_bridge_place(pm_workspace *w, double u, pm_place *place)
     pm_path *p = w->path;
     pm_bridge *b = &p->bridge;
     if (!b->has_known) return pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
-    if (!(fabs(u - b->centre) < SERVES * b->reach)) {
+    if (!(fabs(u - b->centre) < PM_BRIDGE_SERVES * b->reach)) {
         b->reach = 0;
         const int status = build(w, u);
         if (status) return status;
@@ -160,7 +157,7 @@ int pm_path_bridge_accelerate(pm_workspace *w)
     double *const tangent = w->tree->v, *const bend = w->tree->q;
     pm_tree_read(w->tree, &w->frame, b->y);
     const double u = b->y[p->driver];
-    if (!(fabs(u - b->centre) < SERVES * b->reach)) return 0;
+    if (!(fabs(u - b->centre) < PM_BRIDGE_SERVES * b->reach)) return 0;
     read(p, u, b->y, b->slope, b->bend);
     pm_tree_spread(w->tree, b->slope, tangent);
     /* d(tangent)/du: the accelerations at a steady unit rate of the driver */

@@ -11,11 +11,10 @@
 #include "equations/saddle.h"
 #include "numerics/chebyshev.h"
 #include "numerics/minmax.h"
+#include "numerics/tolerances.h"
 #include "routes/path/path.h"
 #include "state/frame.h"
 #include "state/workspace.h"
-
-#define ROUNDINGS 8 /* that a difference of potentials may hold */
 
 /* The work of all forces against the energy. */
 static double open_work(const pm_workspace *w)
@@ -27,7 +26,7 @@ static double open_work(const pm_workspace *w)
     if (!(scale > 0) || pm_chebyshev_tail(p->nodes, p->force) >= PM_WORK_TAIL) return 0;
     const double work = p->h * pm_chebyshev_whole(p->nodes, p->force);
     if (w->model->nz_work > 0) z = pm_path_work(w, w->state.z) - pm_path_work(w, p->weight);
-    const double rounding = ROUNDINGS * DBL_EPSILON * fmax(fabs(first), fabs(last));
+    const double rounding = PM_PATH_CHECK_ROUNDINGS * DBL_EPSILON * fmax(fabs(first), fabs(last));
     return fmax(fabs(first - last + z - work) - rounding, 0) / scale;
 }
 

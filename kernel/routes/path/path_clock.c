@@ -15,17 +15,10 @@
 
 #include "numerics/chebyshev.h"
 #include "numerics/minmax.h"
+#include "numerics/tolerances.h"
 
 #define INLINE static inline __attribute__((always_inline))
 #define FINE PM_CLOCK_FINE
-#define NOISE 1e-6 /* a tail below it that no halving makes smaller is rounding */
-#define GAINS \
-    0.5 /* of the tail with fewer nodes, or over a longer step: it is smaller where it is no rounding */
-#define FEWER \
-    4.0 /* the same with the nodes of a step, which are fewer: these coefficients weigh more in the integral */
-#define OPEN \
-    32.0 /* for its error the same: inside a step what they leave out weighs by 1 / 2k, not by 1 / k^2 */
-#define NOTHING_MORE 1e-17 /* of the greatest coefficient: those that are dropped */
 
 /* T, or what stands for it, at a node: T over the way to where it vanishes; there its slope. */
 static double slowness(const pm_path *p, int node)
@@ -164,7 +157,7 @@ INLINE double transform(pm_path *p, const double *g, const int n)
     }
     const double tail = pm_max(fabs(p->clock.series[n]), fabs(p->clock.series[n - 1])) / greatest;
     p->clock.terms = n + 1;
-    while (p->clock.terms > 1 && fabs(p->clock.series[p->clock.terms - 1]) < NOTHING_MORE * greatest)
+    while (p->clock.terms > 1 && fabs(p->clock.series[p->clock.terms - 1]) < PM_CLOCK_NOTHING * greatest)
         p->clock.terms--;
     return tail;
 }
@@ -176,8 +169,8 @@ static int set_by_nodes(pm_path *p, const double *mass, const double *kinetic, d
     double g[PM_NODES_MOST];
     for (int k = 0; k <= last; k++) g[k] = slow(mass[k], kinetic[k]);
     const double high = last == MANY ? transform(p, g, MANY) : transform(p, g, FEW);
-    if (!(FEWER * high <= most)) return 0;
-    p->clock.tail = OPEN * high;
+    if (!(PM_CLOCK_FEWER * high <= most)) return 0;
+    p->clock.tail = PM_CLOCK_OPEN * high;
     return 1;
 }
 
@@ -209,7 +202,8 @@ int pm_path_clock_set(pm_path *p, int clock, double most)
     }
     if (set_by_nodes(p, mass, kinetic, most)) return 1;
     p->clock.tail = set_by_fine(p, mass, kinetic);
-    return p->clock.tail <= most || (p->clock.tail < NOISE && p->clock.tail > GAINS * before);
+    return p->clock.tail <= most ||
+           (p->clock.tail < PM_CLOCK_NOISE && p->clock.tail > PM_CLOCK_GAINS * before);
 }
 
 /* The whole integral: what is odd about the middle leaves nothing of it. */

@@ -7,10 +7,9 @@
  */
 #include <math.h>
 
+#include "numerics/tolerances.h"
 #include "routes/path/path.h"
 #include "state/workspace.h"
-
-#define SAME 1e-9 /* of the rates at a unit rate of the driver */
 
 int pm_path_cycle(const pm_workspace *w)
 {
@@ -25,7 +24,7 @@ int pm_path_cycle(const pm_workspace *w)
     }
     for (int k = 0; k < p->nodes->n; k++)
         if (!pm_path_node(p, k)->determined) return 0;
-    return off <= SAME * size;
+    return off <= PM_PATH_SAME_DIRECTION * size;
 }
 
 static void shift(const pm_workspace *w, const pm_place *from, pm_place *x)

@@ -19,27 +19,18 @@
 #include "expression/program_class.h"
 #include "numerics/chebyshev.h"
 #include "numerics/minmax.h"
+#include "numerics/tolerances.h"
 #include "routes/path/path.h"
 #include "state/evidence.h"
 #include "state/frame.h"
 #include "state/workspace.h"
-
-#define ROUNDINGS 1e-15 /* of the energies, in a step or a blow: some roundings */
-#define FASTER 1e-6     /* of the speeds, for the difference */
-#define UNRESOLVED \
-    2e-3 /* of the highest coefficients of dt/du: what its integral may be off by; some 1000 times less */
-#define EXACT 1e-12 /* highest coefficients of a function that its samples tell to rounding */
-#define UNTOLD 10.0 /* times these, where they are more: how far an extreme may be from the polynomial's */
-#define WIDE \
-    3.0 /* times what a node is nearer to zero than those beside it: so much nearer may be an extreme */
-#define RESTING 10.0 /* an error of T moves the place of rest, too */
 
 void pm_path_error_begin(pm_workspace *w, double kinetic)
 {
     pm_path *p = w->path;
     if (w->result.count[PM_COUNT_PHASES] == 0) p->error = p->ended = p->clock.error = 0;
     if (p->ended > 0) p->error *= kinetic / p->ended;
-    p->error += ROUNDINGS * kinetic;
+    p->error += PM_ENERGY_ROUNDINGS * kinetic;
 }
 
 /* The error of T in the step, of its greatest T. */
@@ -61,8 +52,9 @@ static void step_of_clock(const pm_workspace *w, pm_path *p)
         least = pm_min(p->node[k * p->every].kinetic, least);
         greatest = pm_max(p->node[k * p->every].kinetic, greatest);
     }
-    const double by = p->clock.kind == PM_CLOCK_PLAIN ? least : greatest / RESTING;
-    p->clock.error += (w->state.t - p->clock.t0) * (UNRESOLVED * p->clock.tail + 0.5 * p->error / by);
+    const double by = p->clock.kind == PM_CLOCK_PLAIN ? least : greatest / PM_ERROR_RESTING;
+    p->clock.error +=
+        (w->state.t - p->clock.t0) * (PM_ERROR_UNRESOLVED * p->clock.tail + 0.5 * p->error / by);
 }
 
 void pm_path_error_step(pm_workspace *w, double kinetic)
@@ -70,7 +62,7 @@ void pm_path_error_step(pm_workspace *w, double kinetic)
     pm_path *p = w->path;
     const double potential = p->by_work ? 0 : fabs(p->node[0].potential);
     p->ended = kinetic;
-    p->error += ROUNDINGS * (p->node[0].kinetic + kinetic + potential);
+    p->error += PM_ENERGY_ROUNDINGS * (p->node[0].kinetic + kinetic + potential);
     step_of_clock(w, p);
     if (w->evidence.active)
         w->evidence.present->relative = fmax(w->evidence.present->relative, relative_error(p));
@@ -154,12 +146,12 @@ static void take_extremes(const pm_workspace *w, int trigger, const double *valu
     pm_approach x = {.value = value};
     for (int k = 0; k < n; k++) x.reach = pm_max(fabs(value[k]), x.reach);
     const double high = pm_chebyshev_high(w->step.nodes, value);
-    x.untold = high < EXACT * x.reach ? 0 : UNTOLD * high;
+    x.untold = high < PM_ERROR_EXACT * x.reach ? 0 : PM_ERROR_RESIDUAL * high;
     for (int k = 0; k < n; k++) {
         const double here = fabs(value[k]), before = fabs(value[k > 0 ? k - 1 : k + 1]),
                      after = fabs(value[k + 1 < n ? k + 1 : k - 1]);
         if (!(here <= before && here <= after)) continue;
-        if (here - WIDE * (pm_max(before, after) - here) - x.untold > *known) continue;
+        if (here - PM_ERROR_WIDE * (pm_max(before, after) - here) - x.untold > *known) continue;
         if (k > 0) take_extreme(w, trigger, &x, k - 1);
         if (k + 1 < n) take_extreme(w, trigger, &x, k);
     }
@@ -249,12 +241,12 @@ static double error_of_motion(pm_workspace *w, int program, double value)
     const int dynamic = w->model->programs.level[program] == PM_LEVEL_DYNAMIC;
     if (w->model->programs.energy[program] == PM_ENERGY_CLASS_UNKNOWN || !(kinetic > 0)) return NAN;
     if (dynamic) set_aside(w, w->scratch);
-    shift_velocities(w, 1 + FASTER);
+    shift_velocities(w, 1 + PM_ERROR_FASTER);
     const int failed = dynamic && accelerate(w);
     const double changed = pm_program_run(w, program);
     shift_velocities(w, 1);
     if (dynamic) put_back(w, w->scratch);
-    return failed ? NAN : fabs(changed - value) / (2 * FASTER * kinetic) * w->path->error;
+    return failed ? NAN : fabs(changed - value) / (2 * PM_ERROR_FASTER * kinetic) * w->path->error;
 }
 
 void pm_path_error_answer(pm_workspace *w, int ask, int column, int program, double value)

@@ -11,15 +11,12 @@
 #include "elements/turning_plane.h"
 #include "equations/ledger.h"
 #include "equations/saddle.h"
+#include "numerics/tolerances.h"
 #include "routes/path/path.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 #include "tree/tree.h"
 #include "tree/tree_node.h"
-
-#define KEEP 0.3  /* of the fastest coordinate's rate: a driver this fast stays */
-#define WEAK 3e-2 /* of the rows' natural size: pivots that leave slopes with rounding over its square */
-#define LINKS 8   /* levers in the size of a scene that is no long chain */
 
 static double scale_of(const pm_workspace *w, int coordinate)
 {
@@ -62,7 +59,7 @@ static double greatest_lever(const pm_workspace *w)
 static double row_size(const pm_workspace *w)
 {
     const double lever = greatest_lever(w),
-                 size = lever > 0 ? fmin(w->numbers.size, LINKS * lever) : w->numbers.size;
+                 size = lever > 0 ? fmin(w->numbers.size, PM_PATH_LINKS * lever) : w->numbers.size;
     for (int i = 0; i < w->tree->nloop; i++)
         if (w->active.row[w->tree->loop[i]].kind == PM_CONSTRAINT_ANGLE) return fmin(size, 1);
     return size;
@@ -72,7 +69,7 @@ static double row_size(const pm_workspace *w)
 static int is_determined(const pm_workspace *w)
 {
     const int n = w->tree->nloop;
-    const double weak = WEAK * row_size(w);
+    const double weak = PM_PATH_WEAK * row_size(w);
     for (int i = 0; i < n; i++) {
         const int column = w->tree->part.column[i];
         if (!(fabs(w->tree->jacobian[i * n + i]) * scale_of(w, column) > weak)) return 0;
@@ -85,7 +82,7 @@ static int null_vector(pm_workspace *w, double *t)
 {
     pm_path *p = w->path;
     const int n = p->n, rows = w->tree->nloop, *column = p->column;
-    const double weak = WEAK * row_size(w);
+    const double weak = PM_PATH_WEAK * row_size(w);
     pm_elimination x = w->tree->elimination;
     x.low = p->loop.low;
     x.high = p->loop.high;
@@ -170,7 +167,8 @@ int pm_path_drive(pm_workspace *w, pm_place *place)
         best = i;
     }
     if (best == PM_NONE) return pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
-    if (p->driver != PM_NONE && fabs(place->slope[p->driver]) / scale_of(w, p->driver) >= KEEP * fastest)
+    if (p->driver != PM_NONE &&
+        fabs(place->slope[p->driver]) / scale_of(w, p->driver) >= PM_PATH_KEEP * fastest)
         return PM_OK;
     if (place->slope[best] < 0) p->sense = -p->sense;
     p->driver = best;

@@ -9,16 +9,10 @@
 #include "numerics/bracket.h"
 #include "numerics/chebyshev.h"
 #include "numerics/minmax.h"
+#include "numerics/tolerances.h"
 #include "routes/path/path.h"
 #include "routes/path/path_error.h"
 #include "state/workspace.h"
-
-#define FORM_TAIL 1e-8  /* highest coefficients of T in long steps, and in any that fewer nodes may do for */
-#define SPEED_TAIL 1e-6 /* the same of the speed, where triggers watch it */
-#define LENGTHEN 2.0    /* a step that was resolved, at the most */
-#define TAIL 30         /* times the tolerance, if that is more: the integral is some 1000 times better */
-#define PART 0.25       /* of a full step: a way to a turning point that a companion takes in two steps */
-#define SHORTEST 1e-12  /* of a full step */
 
 /* ---- places ---- */
 /* From one node to the next, in the arrays of places. */
@@ -56,6 +50,14 @@ void pm_path_integrals(const pm_workspace *w, double s, double *z)
     }
 }
 
+double pm_path_work(const pm_workspace *w, const double *z)
+{
+    double sum = 0;
+    for (int i = 0; i < w->model->rows[PM_TABLE_FORCE]; i++)
+        if (w->model->force_z[i] != PM_NONE) sum += z[w->model->force_z[i]];
+    return sum;
+}
+
 static int rates_resolved(const pm_workspace *w)
 {
     const pm_path *p = w->path;
@@ -73,7 +75,7 @@ static int motion_resolved(const pm_path *p)
 {
     double kinetic[PM_NODES_MOST];
     for (int k = 0; k < p->nodes->n; k++) kinetic[k] = p->node[k * p->every].kinetic;
-    return pm_chebyshev_tail(p->nodes, kinetic) <= FORM_TAIL;
+    return pm_chebyshev_tail(p->nodes, kinetic) <= PM_PATH_FORM_TAIL;
 }
 
 /* A trigger that depends on the speed as such, and may fire wherever that is. */
@@ -100,7 +102,7 @@ static int speed_resolved(const pm_path *p)
         if (!(x->kinetic > 0)) return 1; /* it turns back there */
         speed[k] = sqrt(x->kinetic / x->mass);
     }
-    return pm_chebyshev_tail(p->nodes, speed) <= SPEED_TAIL;
+    return pm_chebyshev_tail(p->nodes, speed) <= PM_PATH_SPEED_TAIL;
 }
 
 /* By the energy. */
@@ -263,7 +265,8 @@ static int judge(pm_workspace *w, int turning, double *next)
                       : p->at_rest            ? PM_CLOCK_LEAVES
                       : turning               ? PM_CLOCK_RESTS
                                               : PM_CLOCK_PLAIN;
-    if (!pm_path_clock_set(p, clock, fmax(TAIL * w->numbers.tolerance, PM_CLOCK_TAIL))) *next = 0.5 * p->h;
+    if (!pm_path_clock_set(p, clock, fmax(PM_PATH_TIME_TAIL * w->numbers.tolerance, PM_CLOCK_TAIL)))
+        *next = 0.5 * p->h;
     return PM_OK;
 }
 
@@ -294,19 +297,19 @@ int pm_path_take_step(pm_workspace *w, double full)
         if (status) return status;
         if (next == 0) break;
         turning = next != 0.5 * h && !p->at_rest; /* not a halving: the way to a turning point */
-        if (turning && w->numbers.coarse > 1 && next > PART * full) { /* other steps in a companion */
+        if (turning && w->numbers.coarse > 1 && next > PM_PATH_PART * full) { /* other steps in a companion */
             next *= 0.5;
             turning = 0;
         }
         halved |= next == 0.5 * h;
         h = next;
-        if (!(h > SHORTEST * full))
-            return pm_fail(w, PM_STEP_TOO_SMALL, PM_NONE, PM_NONE, h, SHORTEST * full);
+        if (!(h > PM_PATH_SHORTEST * full))
+            return pm_fail(w, PM_STEP_TOO_SMALL, PM_NONE, PM_NONE, h, PM_PATH_SHORTEST * full);
     }
     if (halved)
         p->most = h;
     else if (p->every > 1)
-        p->most *= LENGTHEN;
+        p->most *= PM_PATH_LENGTHEN;
     w->step.reverses = turning;
     p->lowest = fmin(p->lowest, turning ? 0 : p->least);
     return PM_OK;

@@ -18,14 +18,13 @@
 #include <string.h>
 
 #include "events/event.h"
+#include "numerics/tolerances.h"
 #include "routes/path/path.h"
 #include "routes/path/repeat_parts.h"
 #include "scene/symmetry.h"
 #include "state/arena.h"
 #include "state/frame.h"
 #include "state/workspace.h"
-
-#define SAME_ENERGY 1e-13 /* a lap without gain or loss */
 
 /* ---- memory ---- */
 int pm_repeat_create(pm_workspace *w)
@@ -76,7 +75,7 @@ static int repeat(pm_workspace *w, double kinetic, int *passed)
     pm_repeat *l = w->repeat;
     const pm_symmetry_shift shift = {{l->by[0], l->by[1]}, l->turn};
     const int in_time = w->model->programs.read_time || w->history;
-    const int steady = fabs(kinetic - l->kinetic) <= SAME_ENERGY * kinetic;
+    const int steady = fabs(kinetic - l->kinetic) <= PM_REPEAT_SAME_ENERGY * kinetic;
     if (w->history || ((in_time || l->ends_by_force) && !steady) || !pm_symmetry_holds(&w->frame, &shift))
         return PM_OK;
     l->work = steady ? 0 : pm_repeat_energy_work(w);

@@ -10,12 +10,9 @@
  * least T on it.  An error of T is carried on by m, and every segment adds its roundings. */
 #include <math.h>
 
+#include "numerics/tolerances.h"
 #include "routes/path/repeat_parts.h"
 #include "state/workspace.h"
-
-#define STEADY 1e-16    /* of the energy: segments that are all the same */
-#define BARRIER 1e-6    /* of the segment's energies: so near to the barrier a segment is computed */
-#define ROUNDINGS 1e-15 /* of the energies, in a blow and on the segment after it */
 
 double pm_repeat_energy_work(const pm_workspace *w)
 {
@@ -39,7 +36,7 @@ void pm_repeat_energy_add(const pm_repeat *l, pm_repeats *c)
     const double end = c->kinetic + l->work, next = kinetic_after(l, c);
     c->n++;
     c->lost += end - next;
-    c->error = l->ratio * c->error + ROUNDINGS * (end + next);
+    c->error = l->ratio * c->error + PM_ENERGY_ROUNDINGS * (end + next);
     c->kinetic = next;
 }
 
@@ -52,7 +49,7 @@ static int is_before_unsure(const pm_repeat *l, double begin, double kinetic)
 pm_repeats pm_repeat_energy_over_barrier(const pm_repeat *l, double begin, int64_t most, double error)
 {
     pm_repeats c = {.kinetic = begin, .error = error};
-    const double near = BARRIER * fmax(l->kinetic, fabs(pm_repeat_energy_depth(l)));
+    const double near = PM_REPEAT_BARRIER * fmax(l->kinetic, fabs(pm_repeat_energy_depth(l)));
     if (!(begin - pm_repeat_energy_depth(l) > near)) return c;
     while (c.n < most) {
         const double t = c.kinetic, next = kinetic_after(l, &c);
@@ -62,7 +59,7 @@ pm_repeats pm_repeat_energy_over_barrier(const pm_repeat *l, double begin, int64
         }
         if (!is_before_unsure(l, begin, next)) return c;
         pm_repeat_energy_add(l, &c);
-        if (fabs(next - t) > STEADY * t) continue;
+        if (fabs(next - t) > PM_REPEAT_SAME_STEP * t) continue;
         /* what is gained is lost in the blow: so it goes on */
         c.lost += (double)(most - c.n) * (t + l->work - next);
         c.n = most;

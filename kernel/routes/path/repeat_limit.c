@@ -11,10 +11,9 @@
 #include "events/ask.h"
 #include "events/event.h"
 #include "expression/program_class.h"
+#include "numerics/tolerances.h"
 #include "routes/path/repeat_parts.h"
 #include "state/workspace.h"
-
-#define WHOLE 1e-9 /* of a multiple */
 
 /* `segments`, but no less than none and no more than `most`. */
 static int64_t at_most(int64_t most, double segments)
@@ -52,7 +51,9 @@ static int64_t trigger_allows(pm_workspace *w, int trigger, const pm_symmetry_sh
     const int growth = w->model->programs.energy[e[PM_TRIGGER_PROGRAM]];
     if (!pm_symmetry_program(&w->frame, shift, e[PM_TRIGGER_PROGRAM], &change)) return 0;
     if (kind == PM_TRIGGER_EVERY)
-        return growth != PM_ENERGY_CLASS_NONE || fabs(change - round(change)) > WHOLE ? 0 : PM_MOST_REPEATS;
+        return growth != PM_ENERGY_CLASS_NONE || fabs(change - round(change)) > PM_REPEAT_WHOLE
+                   ? 0
+                   : PM_MOST_REPEATS;
     if (change != 0) return growth != PM_ENERGY_CLASS_NONE ? 0 : until_zero(w, trigger, change);
     if (growth <= PM_ENERGY_CLASS_ROOT && growth != PM_ENERGY_CLASS_LINEAR) return PM_MOST_REPEATS;
     /* its zero moves with T: it must stay off it, here and in the last segment (repeat_replay.c) */

@@ -7,12 +7,11 @@
 #include <math.h>
 
 #include "elements/contact.h"
+#include "numerics/tolerances.h"
 #include "routes/path/repeat_parts.h"
 #include "state/workspace.h"
 
 #define TURN (2 * 3.14159265358979323846)
-#define SAME_PLACE 1e-11 /* of the scene's reach: the same configuration */
-#define SAME_MOTION 1e-9 /* of the scene's speed: velocities in the same proportion */
 
 /* The contacts are closed in the same modes, each with a member that is as many further on; or with none at all. */
 static int same_modes(pm_workspace *w)
@@ -50,7 +49,8 @@ static int find_way(pm_workspace *w)
     l->by[0] = l->by[1] = 0;
     if (l->member == 0) {
         for (int k = 0; k < 2; k++) l->by[k] = w->state.q[k] - l->begin.q[k];
-        if (fmax(fabs(l->by[0]), fabs(l->by[1])) <= SAME_PLACE * pm_contact_reach(w)) l->by[0] = l->by[1] = 0;
+        if (fmax(fabs(l->by[0]), fabs(l->by[1])) <= PM_REPEAT_SAME_PLACE * pm_contact_reach(w))
+            l->by[0] = l->by[1] = 0;
         return 1;
     }
     for (int c = 0; c < m->rows[PM_TABLE_CONTACT]; c++) {
@@ -71,7 +71,8 @@ static int find_way(pm_workspace *w)
 static int same_place_and_motion(pm_workspace *w, double kinetic)
 {
     pm_repeat *l = w->repeat;
-    const double place = SAME_PLACE * pm_contact_reach(w), motion = SAME_MOTION * w->numbers.speed;
+    const double place = PM_REPEAT_SAME_PLACE * pm_contact_reach(w),
+                 motion = PM_REPEAT_SAME_MOTION * w->numbers.speed;
     const double faster = l->kinetic > 0 ? sqrt(kinetic / l->kinetic) : 0;
     for (int i = 0; i < w->model->nbody; i++) {
         const double *q = w->state.q + 3 * i, *v = w->state.v + 3 * i;
@@ -83,7 +84,8 @@ static int same_place_and_motion(pm_workspace *w, double kinetic)
         if (fabs(v[2] - faster * v0[2]) * w->numbers.size > motion) return 0;
         l->turn[i] = q[2] - q0[2];
         const double turns = l->turn[i] / TURN;
-        if (fabs(turns - round(turns)) <= SAME_PLACE * fmax(1, fabs(turns))) l->turn[i] = TURN * round(turns);
+        if (fabs(turns - round(turns)) <= PM_REPEAT_SAME_PLACE * fmax(1, fabs(turns)))
+            l->turn[i] = TURN * round(turns);
     }
     return 1;
 }

@@ -17,14 +17,13 @@
 #include "events/event.h"
 #include "events/event_search.h"
 #include "numerics/chebyshev.h"
+#include "numerics/tolerances.h"
 #include "routes/path/path.h"
 #include "routes/path/path_error.h"
 #include "routes/path/repeat_parts.h"
 #include "state/frame.h"
 #include "state/route.h"
 #include "state/workspace.h"
-
-#define SAME 1e-9 /* of T: the same segment */
 
 /* ---- may the segment be shown by its nodes? ---- */
 /* T vanishes at no place of the step, and nobody asks for the time. */
@@ -160,7 +159,7 @@ static int watch(pm_workspace *w, const pm_repeats *segments, int *told)
     pm_state_copy(&w->ahead, &w->state);
     w->step.end = l->end;
     int status = w->phase.route->exact(w, l->end, &w->probe); /* the frame looks there, too */
-    *told = !status && fabs(pm_body_kinetic(&w->frame, PM_NONE) - kinetic) <= SAME * kinetic;
+    *told = !status && fabs(pm_body_kinetic(&w->frame, PM_NONE) - kinetic) <= PM_REPEAT_SAME_END * kinetic;
     if (!*told) return status;
     pm_state_copy(&w->state, &w->probe);
     pm_path_error_sampled(w);

@@ -17,6 +17,7 @@
 #include "equations/saddle.h"
 #include "events/event.h"
 #include "numerics/bracket.h"
+#include "numerics/tolerances.h"
 #include "routes/path/path.h"
 #include "routes/path/path_error.h"
 #include "state/arena.h"
@@ -26,14 +27,6 @@
 #include "tree/tree.h"
 
 #define TURN (2 * 3.14159265358979323846)
-#define STEPS_PER_TURN 8
-#define LENGTHS 0.5 /* of the scene's size: longest step of a coordinate that is a length */
-#define FARTHER \
-    4.0 /* steps where no loop must be closed and no contact is near, if the nodes resolve the motion */
-#define FASTER 2.0 /* other coordinates may go this much farther than the driver */
-#define BEYOND 1.2 /* of the way to a contact that seems to come: the step shall see it */
-#define ROUNDING 1e-14
-#define SAME 1e-9 /* of a step's length */
 
 /* ---- memory ---- */
 static size_t doubles_of_place(const pm_model *m)
@@ -107,22 +100,15 @@ static void copy_place(const pm_workspace *w, pm_place *to, const pm_place *from
     to->kinetic = from->kinetic;
 }
 
-double pm_path_work(const pm_workspace *w, const double *z)
-{
-    double sum = 0;
-    for (int i = 0; i < w->model->rows[PM_TABLE_FORCE]; i++)
-        if (w->model->force_z[i] != PM_NONE) sum += z[w->model->force_z[i]];
-    return sum;
-}
-
 /* ---- one step ---- */
 /* How far the driver may go so that no coordinate outruns the sampling. */
 static double full_step(const pm_workspace *w, const pm_place *x)
 {
     double h = INFINITY;
     for (int i = 0; i < w->path->n; i++) {
-        const double most = pm_tree_is_angle(w->tree, i) ? TURN / STEPS_PER_TURN : LENGTHS * w->numbers.size;
-        const double factor = i == w->path->driver ? 1 : FASTER;
+        const double most =
+            pm_tree_is_angle(w->tree, i) ? TURN / PM_PATH_STEPS_PER_TURN : PM_PATH_LENGTH * w->numbers.size;
+        const double factor = i == w->path->driver ? 1 : PM_PATH_FASTER;
         if (x->slope[i] != 0) h = fmin(h, factor * most / fabs(x->slope[i]));
     }
     return h;
@@ -133,7 +119,7 @@ static double full_step(const pm_workspace *w, const pm_place *x)
 static double step_factor(const pm_workspace *w)
 {
     const int open = w->tree->nloop == 0 && w->model->rows[PM_TABLE_CONTACT] == w->nunreached;
-    return open && !w->path->balanced ? FARTHER : 1;
+    return open && !w->path->balanced ? PM_PATH_FARTHER : 1;
 }
 
 /* The way to where the gap to a member would close if it went on closing at its present rate; INFINITY if it opens. */
@@ -162,7 +148,7 @@ static double next_contact(pm_workspace *w, const pm_place *x)
             if (!isinf(gap)) h = fmin(h, way_to(w, i, *member, gap));
         }
     }
-    return BEYOND * h;
+    return PM_PATH_BEYOND * h;
 }
 
 static void state_of(pm_workspace *w, const pm_place *x, double s, double t, pm_state *state)
@@ -272,7 +258,7 @@ static int end_at_limit(pm_workspace *w, double t_limit)
 static double repeat(pm_workspace *w, double full)
 {
     pm_path *p = w->path;
-    p->filled = p->repeats && fabs(full - p->h) <= SAME * full;
+    p->filled = p->repeats && fabs(full - p->h) <= PM_PATH_SAME_STEP * full;
     p->repeats = 0;
     if (!p->filled) return full;
     return p->h;
@@ -304,7 +290,7 @@ static int step(pm_workspace *w, double t_limit)
     p->way += p->h;
     const int hands_over = p->balanced && PM_SETTING(w->model, PM_SETTING_ROUTE) != PM_ROUTE_AUTO &&
                            PM_SETTING(w->model, PM_SETTING_ROUTE) != PM_ROUTE_PATH;
-    w->phase.lap = hands_over || (may_close && p->way > TURN * (1 - ROUNDING));
+    w->phase.lap = hands_over || (may_close && p->way > TURN * (1 - PM_PATH_LAP));
     state_of(w, &p->node[PM_NODES_MOST - 1], 1, pm_path_clock_at(p, 1), &w->state);
     w->step.nodes = p->nodes;
     pm_frame_look_state(&w->frame, &w->state);

@@ -17,19 +17,10 @@
 
 #include "equations/projection.h"
 #include "equations/saddle.h"
+#include "numerics/tolerances.h"
 #include "state/arena.h"
 #include "state/frame.h"
 #include "state/workspace.h"
-
-#define STEADY 1e-10 /* of the accelerations in the scene: none as seen in the axes */
-#define STEP 1e-3    /* of the scene's size: deviation for the differences */
-#define SHORT 0.1    /* of the time of the fastest change: h, for exp(L h) */
-#define ALIKE 1e-8   /* relative: of changes at different times, by differences */
-#define SQUARINGS 60
-#define ALONE 1e-12  /* relative change of the power: one direction is left */
-#define GROWS 1e-4   /* of the fastest change: what differences and rounding make of no growth is less */
-#define FOLLOWS 1e-7 /* the same: L u = r u */
-#define EXCITED 1e-7 /* of what would be left of any blow: this one has no part of what grows */
 
 int pm_fastest_growth_create(const pm_model *m, pm_fastest_growth *e)
 {
@@ -94,7 +85,7 @@ static int turns_as_a_whole(pm_workspace *w, const pm_fastest_growth *e, pm_stat
         worst = fmax(worst, fabs(w->frame.a[i] - turned(e->spin, s->v, i)) * length);
         scale = fmax(scale, fabs(applied) * length);
     }
-    return worst <= STEADY * scale;
+    return worst <= PM_GROWTH_STEADY * scale;
 }
 
 /* ---- how deviations change ---- */
@@ -150,15 +141,15 @@ static int change_of(pm_workspace *w, pm_fastest_growth *e, const pm_state *base
         pm_state *s = &w->probe;
         pm_state_copy(s, base);
         for (int i = 0; i < nq; i++) {
-            s->q[i] += STEP * place[k] * e->q[i];
-            s->v[i] += STEP * place[k] * e->v[i] / time;
+            s->q[i] += PM_GROWTH_STEP * place[k] * e->q[i];
+            s->v[i] += PM_GROWTH_STEP * place[k] * e->v[i] / time;
         }
         const int status = accelerate(w, s);
         if (status) return status;
         for (int i = 0; i < nq; i++) {
-            e->dq[i] += weight[k] / STEP * (s->q[i] - base->q[i]);
-            e->dv[i] += weight[k] / STEP * (s->v[i] - base->v[i]);
-            e->da[i] += weight[k] / STEP * w->frame.a[i];
+            e->dq[i] += weight[k] / PM_GROWTH_STEP * (s->q[i] - base->q[i]);
+            e->dv[i] += weight[k] / PM_GROWTH_STEP * (s->v[i] - base->v[i]);
+            e->da[i] += weight[k] / PM_GROWTH_STEP * w->frame.a[i];
         }
     }
     for (int i = 0; i < nq; i++) {
@@ -184,7 +175,7 @@ static int changes_alike(pm_workspace *w, pm_fastest_growth *e, const double tur
         off = fmax(off, fabs(e->spare[i] - e->y[i]));
         most = fmax(most, fabs(e->y[i]));
     }
-    return off <= ALIKE * most;
+    return off <= PM_GROWTH_ALIKE * most;
 }
 
 /* Now, and a radian or so before and after it. */
@@ -275,7 +266,7 @@ static void short_time(pm_fastest_growth *e, int n, double h)
 static void long_time(pm_fastest_growth *e, int n)
 {
     double change = 1;
-    for (int k = 0; k < SQUARINGS && change > ALONE; k++) {
+    for (int k = 0; k < PM_GROWTH_SQUARINGS && change > PM_GROWTH_ALONE; k++) {
         multiply(n, e->power, e->power, e->spare);
         const double most = greatest(n * n, e->spare);
         change = 0;
@@ -302,7 +293,7 @@ static int excite(const pm_workspace *w, pm_fastest_growth *e, int n)
         size = fmax(size, fabs(e->x[i]));
     }
     for (int i = 0; i < n && size > 0; i++) e->x[i] /= size;
-    return size > EXCITED * blow;
+    return size > PM_GROWTH_EXCITED * blow;
 }
 
 /* The rate at which e->x grows, in e->y what is left of L x - r x; 0 if it is not one that does. */
@@ -318,7 +309,7 @@ static double rate_of(const pm_fastest_growth *e, int n, double fastest)
     }
     const double rate = along / square;
     for (int i = 0; i < n; i++) off = fmax(off, fabs(e->y[i] - rate * e->x[i]));
-    return rate > GROWS * fastest && off <= FOLLOWS * fastest ? rate : 0;
+    return rate > PM_GROWTH_GROWS * fastest && off <= PM_GROWTH_FOLLOWS * fastest ? rate : 0;
 }
 
 int pm_fastest_growth_find(pm_workspace *w, pm_fastest_growth *e)
@@ -327,7 +318,7 @@ int pm_fastest_growth_find(pm_workspace *w, pm_fastest_growth *e)
     const double fastest = norm(n, e->matrix), time = unit_of_time(w);
     e->rate = 0;
     if (status || !(fastest > 0)) return status;
-    short_time(e, n, SHORT / fastest);
+    short_time(e, n, PM_GROWTH_SHORT / fastest);
     long_time(e, n);
     if (!excite(w, e, n)) return PM_OK;
     e->rate = rate_of(e, n, fastest) / time;

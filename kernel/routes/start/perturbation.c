@@ -17,18 +17,13 @@
 #include "equations/saddle.h"
 #include "expression/program.h"
 #include "expression/program_class.h"
+#include "numerics/tolerances.h"
 #include "routes/path/path.h"
 #include "routes/start/fastest_growth.h"
 #include "state/arena.h"
 #include "state/frame.h"
 #include "state/route.h"
 #include "state/workspace.h"
-
-#define SIZE 0.1      /* of the square root of the tolerance: what is neglected goes with its square */
-#define STILL 1e-11   /* of the scene's speed: at rest */
-#define SHOWS 1e-6    /* of the deviation: what the program makes of it */
-#define ASIDE 1e-3    /* rad, or of the scene's size: place on a path where the forces are looked at */
-#define NOTHING 1e-12 /* of the forces before: no force there */
 
 struct pm_perturbation {
     double *gradient;       /* [nq] of the program by velocities */
@@ -90,11 +85,11 @@ static int is_driven_on(pm_workspace *w, int *status)
         most = fmax(most, fabs(x->tangent[i]) * length);
         size += fabs(w->frame.f[i] * x->tangent[i]);
     }
-    const double way = p->sense * ASIDE * w->numbers.size / most;
+    const double way = p->sense * PM_PERTURBATION_ASIDE * w->numbers.size / most;
     for (int i = 0; i < p->n; i++) p->spare.y[i] = x->y[i] + way * x->slope[i];
     *status = pm_path_place(w, x->y[p->driver] + way, &p->spare);
     for (int i = 0; i < w->model->nq; i++) size += fabs(w->frame.f[i] * p->spare.tangent[i]);
-    return p->spare.force * p->sense > NOTHING * size;
+    return p->spare.force * p->sense > PM_PERTURBATION_NOTHING * size;
 }
 
 static int leave_along_path(pm_workspace *w)
@@ -171,7 +166,8 @@ static int is_at_rest(const pm_workspace *w)
 {
     for (int i = 0; i < w->model->nq; i++) {
         const double length = i % 3 == 2 ? w->numbers.size : 1;
-        if (w->perturbation->escape.free[i] && fabs(w->state.v[i]) * length > STILL * w->numbers.speed)
+        if (w->perturbation->escape.free[i] &&
+            fabs(w->state.v[i]) * length > PM_PERTURBATION_STILL * w->numbers.speed)
             return 0;
     }
     return 1;
@@ -239,8 +235,8 @@ static int overlaps(pm_workspace *w)
 static int take_side(pm_workspace *w)
 {
     const pm_fastest_growth *e = &w->perturbation->escape;
-    const double part = SIZE * sqrt(w->numbers.tolerance),
-                 least = SHOWS * part * e->rate * fmin(w->numbers.size, 1);
+    const double part = PM_PERTURBATION_SIZE * sqrt(w->numbers.tolerance),
+                 least = PM_PERTURBATION_SHOWS * part * e->rate * fmin(w->numbers.size, 1);
     double there, back;
     int status = set_out(w, -part, &back);
     if (!status) status = set_out(w, part, &there);

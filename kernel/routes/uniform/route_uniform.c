@@ -20,6 +20,7 @@
 #include "events/event.h"
 #include "events/event_search.h"
 #include "expression/program.h"
+#include "numerics/tolerances.h"
 #include "routes/uniform/uniform.h"
 #include "scene/program_degree.h"
 #include "state/arena.h"
@@ -27,12 +28,6 @@
 #include "state/frame.h"
 #include "state/route.h"
 #include "state/workspace.h"
-
-#define FIRST_STRIDE 4.0 /* of the motion's own time: first step where polynomials are watched */
-#define LONGER 2.0       /* and by this the next one is longer */
-#define TURN_APART 1e-9  /* of a step: a parabola that turns so near to its begin has turned there */
-#define DEFINITE 100.0   /* times the rounding of accelerations */
-#define SAME_TIME 1e-11  /* of a step: contacts that close so near to each other do so at once */
 
 /* ---- memory ---- */
 static int create(pm_workspace *w)
@@ -70,57 +65,6 @@ static void destroy(pm_workspace *w)
     free(w->uniform->block);
     free(w->uniform);
     w->uniform = NULL;
-}
-
-/* ---- places ---- */
-void pm_uniform_place(const pm_workspace *w, double t, double *q, double *v)
-{
-    const pm_uniform *u = w->uniform;
-    for (int i = 0; i < w->model->nq; i++) {
-        q[i] = u->q0[i] + t * (u->v[i] + 0.5 * t * u->a[i]);
-        v[i] = u->v[i] + t * u->a[i];
-    }
-}
-
-void pm_uniform_know_forces(pm_workspace *w)
-{
-    const pm_uniform *u = w->uniform;
-    memcpy(w->frame.a, u->a, (size_t)w->model->nq * sizeof(double));
-    memcpy(w->frame.lambda, u->lambda, (size_t)w->model->nrow * sizeof(double));
-    w->frame.level = PM_LEVEL_DYNAMIC;
-}
-
-/* Couples that hold locked bodies may change: then reactions are solved for. */
-static int react(pm_workspace *w)
-{
-    if (w->uniform->curve.levers) return pm_saddle_accelerate(w);
-    pm_uniform_know_forces(w);
-    return PM_OK;
-}
-
-static void look(pm_workspace *w, double t)
-{
-    const pm_uniform *u = w->uniform;
-    pm_frame_look(&w->frame, u->t0 + t, u->q_look, u->v_look, w->state.z, w->state.memory);
-}
-
-void pm_uniform_look_there(pm_workspace *w, double t)
-{
-    look(w, t);
-    const int status = react(w);
-    if (status) w->uniform->status = status;
-}
-
-void pm_uniform_look(pm_workspace *w, double t)
-{
-    pm_uniform_place(w, t, w->uniform->q_look, w->uniform->v_look);
-    look(w, t);
-}
-
-void pm_uniform_look_at_forces(pm_workspace *w, double t)
-{
-    pm_uniform_place(w, t, w->uniform->q_look, w->uniform->v_look);
-    pm_uniform_look_there(w, t);
 }
 
 /* ---- a phase is made ready ---- */
@@ -166,7 +110,7 @@ static double slip_ends(pm_workspace *w, pm_slip *at, int which, double still)
 {
     const double now = at(w, which, 0), slope = slip_rate(w, at, which);
     if (now <= still) { /* has just begun to slide */
-        w->uniform->irregular |= slope < -DEFINITE * w->uniform->curve.acceleration;
+        w->uniform->irregular |= slope < -PM_UNIFORM_DEFINITE * w->uniform->curve.acceleration;
         return INFINITY;
     }
     if (!(slope < 0)) return INFINITY;
@@ -233,7 +177,7 @@ static int begin(pm_workspace *w)
         if (w->event->function[i].kind == FUNCTION_TRIGGER)
             watch(w, PM_TRIGGER_ROW(w->model, w->event->function[i].index)[PM_TRIGGER_PROGRAM]);
     for (int i = 0; i < w->ask->nobserver; i++) watch(w, pm_ask_watched(w, i));
-    u->stride = FIRST_STRIDE * pm_case_time_scale(w, u->v, u->a);
+    u->stride = PM_UNIFORM_FIRST_STRIDE * pm_case_time_scale(w, u->v, u->a);
     pm_zeno_begin(w);
     return PM_OK;
 }
@@ -253,7 +197,7 @@ static double first_turn(pm_workspace *w, double from, double to)
         }
         const double slope = 4 * p[1] - 3 * p[0] - p[2], bend = 2 * (p[0] - 2 * p[1] + p[2]);
         const double turn = bend != 0 ? -0.5 * slope / bend : INFINITY; /* of h */
-        if (turn > TURN_APART && turn < 1) to = fmin(to, from + turn * h);
+        if (turn > PM_UNIFORM_TURNED && turn < 1) to = fmin(to, from + turn * h);
     }
     return to;
 }
@@ -282,7 +226,7 @@ static double sampled_end(pm_workspace *w, double limit)
         return fmin(limit, u->begin + pm_case_time_scale(w, w->frame.v, u->a));
     }
     const double end = fmin(limit, u->begin + u->stride);
-    u->stride *= LONGER;
+    u->stride *= PM_UNIFORM_LONGER;
     return end;
 }
 
@@ -290,7 +234,7 @@ static double sampled_end(pm_workspace *w, double limit)
 static int mark_roots(pm_workspace *w)
 {
     const pm_uniform *u = w->uniform;
-    const double end = u->end + SAME_TIME * (u->end - u->begin);
+    const double end = u->end + PM_UNIFORM_SAME_TIME * (u->end - u->begin);
     int struck = PM_NONE, others = 0;
     for (int i = 0; i < w->event->nfunction; i++) {
         const pm_event_function *f = &w->event->function[i];
@@ -389,7 +333,7 @@ const pm_route_ops pm_route_uniform = {
     .step = step,
     .at = at,
     .exact = exact,
-    .react = react,
+    .react = pm_uniform_react,
     .resolves = pm_uniform_resolves,
     .locates_contacts = 1,
     .in_time = 1,

@@ -62,7 +62,7 @@ typedef struct pm_uniform {
     void *block;
 } pm_uniform;
 
-/* route_uniform.c: the frame looks at `t` seconds after the begin of the phase; the same with all accelerations and
+/* uniform_motion.c: the frame looks at `t` seconds after the begin of the phase; the same with all accelerations and
  * reactions known. */
 void pm_uniform_look(pm_workspace *w, double t);
 void pm_uniform_look_at_forces(pm_workspace *w, double t);
@@ -70,10 +70,11 @@ void pm_uniform_look_at_forces(pm_workspace *w, double t);
 void pm_uniform_look_there(pm_workspace *w, double t);
 /* q and v, both [nq], `t` seconds after the begin of the phase. */
 void pm_uniform_place(const pm_workspace *w, double t, double *q, double *v);
-/* The frame has the accelerations and reactions of the phase. */
+/* The frame has the accelerations and reactions of the phase; the same, by a solution where they may change. */
 void pm_uniform_know_forces(pm_workspace *w);
+int pm_uniform_react(pm_workspace *w);
 
-/* uniform_integral.c: rates[nz] of all running integrals at q_look, v_look; `t` seconds after the begin of the phase. */
+/* uniform_motion.c: rates[nz] of all running integrals at q_look, v_look; `t` seconds after the begin of the phase. */
 void pm_uniform_rates(pm_workspace *w, double *rate);
 void pm_uniform_rates_after(pm_workspace *w, double t, double *rate);
 /* z[nz] at t, in the step whose first rates are known. */

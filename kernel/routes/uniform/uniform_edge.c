@@ -12,12 +12,11 @@
 #include "elements/constraint.h"
 #include "elements/contact.h"
 #include "elements/edge.h"
+#include "numerics/tolerances.h"
 #include "routes/uniform/uniform.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 
-#define DEFINITE 100.0 /* times the rounding of accelerations */
-#define HALVINGS 200   /* more than doubles have digits and exponents */
 #define MOST_DEGREE 4
 #define SIDES 2
 
@@ -61,7 +60,7 @@ static double farthest_root(const pm_poly *p)
 static double root_between(const pm_poly *p, double a, double b)
 {
     const int rises = value_of(p, b) > 0;
-    for (int i = 0; i < HALVINGS; i++) {
+    for (int i = 0; i < PM_UNIFORM_HALVINGS; i++) {
         const double middle = a + 0.5 * (b - a);
         if (middle <= a || middle >= b) break;
         if ((value_of(p, middle) > 0) == rises)
@@ -142,7 +141,7 @@ static int begin_exactly(const pm_workspace *w, pm_poly *p, double length, doubl
     p->c[0] = 0;
     if (fabs(p->c[1]) <= speed) p->c[1] = 0;
     if (p->c[1] != 0) return p->c[1] > 0;
-    return p->c[2] >= -DEFINITE * w->uniform->curve.acceleration;
+    return p->c[2] >= -PM_UNIFORM_DEFINITE * w->uniform->curve.acceleration;
 }
 
 /* The first place where p falls through zero and `holds` there; INFINITY if there is none. */

@@ -12,19 +12,11 @@
 #include "elements/contact.h"
 #include "elements/edge.h"
 #include "equations/saddle.h"
+#include "numerics/tolerances.h"
 #include "routes/uniform/uniform.h"
 #include "state/frame.h"
 #include "state/route.h"
 #include "state/workspace.h"
-
-#define NEAR 4           /* members of a periodic row that are looked at one by one */
-#define ROUNDING 1e-15   /* of the places of marks: a gap below it is closed */
-#define TIME_EPS 4.5e-16 /* of a time */
-#define REFINEMENTS 8    /* of the bounds, by a shorter h */
-#define WIDER 4.0        /* h then is so much longer than the step that was safe */
-#define SHORTER 0.01     /* .. and so much shorter where nothing was */
-#define DEFINITE 100.0   /* times the rounding of accelerations */
-#define ADVANCES 100000  /* in one step of the route */
 
 enum pm_end_of_advance {
     OPEN = 0,
@@ -47,7 +39,7 @@ static double open_for(const pm_workspace *w, const pm_constraint *row, double g
     const double *a = w->uniform->a;
     double safe = 0;
     *exact = 0;
-    for (int i = 0; i < REFINEMENTS; i++) {
+    for (int i = 0; i < PM_UNIFORM_REFINEMENTS; i++) {
         pm_constraint_bounds x;
         pm_constraint_kind(row->kind)->bound(&w->frame, row, a, h, &x);
         if (x.exact) {
@@ -57,8 +49,8 @@ static double open_for(const pm_workspace *w, const pm_constraint *row, double g
         }
         const double by_rate = x.rate > 0 ? g / x.rate : INFINITY;
         safe = fmax(safe, fmin(h, fmax(first_root(g, rate, x.bend), by_rate)));
-        if (WIDER * safe >= h) break;
-        h = safe > 0 ? WIDER * safe : SHORTER * h;
+        if (PM_UNIFORM_WIDER * safe >= h) break;
+        h = safe > 0 ? PM_UNIFORM_WIDER * safe : PM_UNIFORM_SHORTER * h;
     }
     return safe;
 }
@@ -66,8 +58,8 @@ static double open_for(const pm_workspace *w, const pm_constraint *row, double g
 static double noise_of(const pm_workspace *w, const pm_constraint *row)
 {
     const pm_marks m = pm_constraint_marks(&w->frame, row);
-    return ROUNDING * (fabs(m.a.p[0]) + fabs(m.a.p[1]) + fabs(m.b.p[0]) + fabs(m.b.p[1]) +
-                       fabs(row->radius_a) + fabs(row->radius_b));
+    return PM_UNIFORM_ROUNDING * (fabs(m.a.p[0]) + fabs(m.a.p[1]) + fabs(m.b.p[0]) + fabs(m.b.p[1]) +
+                                  fabs(row->radius_a) + fabs(row->radius_b));
 }
 
 /* A member that touches when the phase begins touches exactly, and one without speed has none. */
@@ -81,8 +73,8 @@ static void begin_exactly(const pm_workspace *w, double *g, double *rate)
 void pm_uniform_gap_begin(pm_workspace *w, int contact)
 {
     pm_uniform *u = w->uniform;
-    int member[NEAR];
-    const int n = pm_contact_near(&w->frame, &w->state, contact, NEAR, member);
+    int member[PM_UNIFORM_NEAR];
+    const int n = pm_contact_near(&w->frame, &w->state, contact, PM_UNIFORM_NEAR, member);
     const int there = !pm_state_is_absent(w->model, &w->state, PM_TABLE_CONTACT, contact);
     if (there && pm_edge_is(w->model, contact)) {
         pm_uniform_edge_begin(w, contact);
@@ -99,7 +91,7 @@ void pm_uniform_gap_begin(pm_workspace *w, int contact)
         if (g > 0 || rate > 0) continue;
         pm_constraint_bounds x = {.bend = -INFINITY};
         if (rate == 0) pm_constraint_kind(row.kind)->bound(&w->frame, &row, u->a, 0, &x);
-        u->irregular |= x.bend < -DEFINITE * u->curve.acceleration; /* must not approach */
+        u->irregular |= x.bend < -PM_UNIFORM_DEFINITE * u->curve.acceleration; /* must not approach */
     }
 }
 
@@ -139,8 +131,8 @@ void pm_uniform_gap_note(pm_workspace *w, int contact)
 /* One advance from the frame, at most h: how far it is safe; *root: there the contact closes. */
 static double advance(pm_workspace *w, int contact, double h, int *root)
 {
-    int member[NEAR];
-    const int n = pm_contact_near(&w->frame, &w->state, contact, NEAR, member);
+    int member[PM_UNIFORM_NEAR];
+    const int n = pm_contact_near(&w->frame, &w->state, contact, PM_UNIFORM_NEAR, member);
     const int first = w->uniform->closing[contact].safe == 0;
     double safe = h, least = INFINITY, least_rate = 0;
     *root = OPEN;
@@ -166,7 +158,8 @@ static double advance(pm_workspace *w, int contact, double h, int *root)
             safe = open;
             *root = exact ? EXACTLY : OPEN;
         }
-        if (i + 2 >= n && n == NEAR) { /* members farther off have a larger gap than the outermost of these */
+        if (i + 2 >= n &&
+            n == PM_UNIFORM_NEAR) { /* members farther off have a larger gap than the outermost of these */
             pm_constraint_bounds x;
             pm_constraint_kind(row.kind)->bound(&w->frame, &row, w->uniform->a, h, &x);
             if (x.rate > 0 && fmax(g, 0) / x.rate < safe) {
@@ -185,11 +178,11 @@ void pm_uniform_gap(pm_workspace *w, int contact, double until)
     pm_uniform *u = w->uniform;
     pm_closing *x = &u->closing[contact];
     if (pm_state_is_absent(w->model, &w->state, PM_TABLE_CONTACT, contact)) x->safe = until;
-    for (int i = 0; i < ADVANCES && x->safe < until && x->root == INFINITY; i++) {
+    for (int i = 0; i < PM_UNIFORM_ADVANCES && x->safe < until && x->root == INFINITY; i++) {
         int root; /* enum pm_end_of_advance */
         pm_uniform_look(w, x->safe);
         const double step = advance(w, contact, until - x->safe, &root);
-        if (root != OPEN || step <= TIME_EPS * (fabs(u->t0) + x->safe)) {
+        if (root != OPEN || step <= PM_UNIFORM_TIME_ROUNDING * (fabs(u->t0) + x->safe)) {
             x->root = fmax(0, x->safe + step);
             x->exact = root == EXACTLY;
         } else {

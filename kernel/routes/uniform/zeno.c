@@ -31,15 +31,11 @@
 #include "events/ask.h"
 #include "events/event.h"
 #include "expression/program.h"
+#include "numerics/tolerances.h"
 #include "routes/uniform/uniform.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 
-#define ALIKE 2        /* blows in a row that were e times the one before */
-#define GEOMETRIC 1e-8 /* of a blow: rounding of a slow one in a fast scene */
-#define SLOW 1e-3      /* of the scene's speed: a rebound too low to be worth a look of its own ... */
-#define ENOUGH 500     /* ... or so many blows alike */
-#define MARGIN 2.0     /* times what the flights to come may still change */
 #define FLIGHT_NODES 5 /* places of a flight where programs are looked at */
 
 /* ---- the series ---- */
@@ -81,8 +77,8 @@ static int is_alike(const pm_workspace *w, const double *change, double flight)
         size = fmax(size, length * fabs(change[i]));
         off = fmax(off, length * fabs(change[i] - e * x->change[i]));
     }
-    const int flights = x->flight == 0 || fabs(flight - e * x->flight) <= GEOMETRIC * flight;
-    return off <= GEOMETRIC * size && flights;
+    const int flights = x->flight == 0 || fabs(flight - e * x->flight) <= PM_ZENO_GEOMETRIC * flight;
+    return off <= PM_ZENO_GEOMETRIC * size && flights;
 }
 
 void pm_zeno_begin(pm_workspace *w)
@@ -148,7 +144,7 @@ static pm_outlook outlook_of(pm_workspace *w, const pm_rest *r, int program)
         x.falls &= k == 0 || p <= before;
         before = p;
     }
-    const double reach = MARGIN * (x.greatest - x.least) / (1 - r->e);
+    const double reach = PM_ZENO_MARGIN * (x.greatest - x.least) / (1 - r->e);
     x.least -= reach;
     x.greatest += reach;
     return x;
@@ -288,14 +284,15 @@ static int is_slow(pm_workspace *w, const pm_rest *r)
     const int slot = w->model->contact_slot[r->contact];
     pm_uniform_look(w, 0);
     pm_contact_member_gap(&w->frame, r->contact, w->state.slot[slot].member, &rate);
-    return rate <= SLOW * w->numbers.speed || w->uniform->series.alike >= ENOUGH;
+    return rate <= PM_ZENO_SLOW * w->numbers.speed || w->uniform->series.alike >= PM_ZENO_ENOUGH;
 }
 
 static int applies(pm_workspace *w, const pm_rest *r, double t_limit)
 {
     const pm_uniform *u = w->uniform;
-    const int observed = u->begin == 0 && u->series.contact == r->contact && u->series.alike >= ALIKE &&
-                         fabs(r->flight - r->e * u->series.flight) <= GEOMETRIC * r->flight;
+    const int observed = u->begin == 0 && u->series.contact == r->contact &&
+                         u->series.alike >= PM_ZENO_ALIKE &&
+                         fabs(r->flight - r->e * u->series.flight) <= PM_ZENO_GEOMETRIC * r->flight;
     const pm_model *m = w->model;
     const int asked = m->programs.watch_counts || m->acts || m->nz_controlled > m->nz_work; /* paths */
     return observed && !asked && !u->curve.levers && r->e > 0 && r->e < 1 && u->t0 + r->time < t_limit &&

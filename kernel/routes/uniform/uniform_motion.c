@@ -1,17 +1,72 @@
-/* uniform_integral.c - running integrals of a phase with constant accelerations.
+/* uniform_motion.c - places of a phase with constant accelerations, and its running integrals.
  *
  * Rates of work and of impulse are linear, moments quadratic in t, so that Simpson's rule is exact; the
  * distance that a point travels is the integral of the root of a parabola,
  *
  *   integral of |u + a t| = integral of sqrt(a^2 s^2 + p^2) by s,   s = t + u.a / a^2,   p = |u x a| / |a| */
 #include <math.h>
+#include <string.h>
 
 #include "elements/force.h"
 #include "equations/ledger.h"
+#include "equations/saddle.h"
+#include "numerics/tolerances.h"
 #include "routes/uniform/uniform.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 
+/* ---- places ---- */
+void pm_uniform_place(const pm_workspace *w, double t, double *q, double *v)
+{
+    const pm_uniform *u = w->uniform;
+    for (int i = 0; i < w->model->nq; i++) {
+        q[i] = u->q0[i] + t * (u->v[i] + 0.5 * t * u->a[i]);
+        v[i] = u->v[i] + t * u->a[i];
+    }
+}
+
+void pm_uniform_know_forces(pm_workspace *w)
+{
+    const pm_uniform *u = w->uniform;
+    memcpy(w->frame.a, u->a, (size_t)w->model->nq * sizeof(double));
+    memcpy(w->frame.lambda, u->lambda, (size_t)w->model->nrow * sizeof(double));
+    w->frame.level = PM_LEVEL_DYNAMIC;
+}
+
+/* Couples that hold locked bodies may change: then reactions are solved for. */
+int pm_uniform_react(pm_workspace *w)
+{
+    if (w->uniform->curve.levers) return pm_saddle_accelerate(w);
+    pm_uniform_know_forces(w);
+    return PM_OK;
+}
+
+static void look(pm_workspace *w, double t)
+{
+    const pm_uniform *u = w->uniform;
+    pm_frame_look(&w->frame, u->t0 + t, u->q_look, u->v_look, w->state.z, w->state.memory);
+}
+
+void pm_uniform_look_there(pm_workspace *w, double t)
+{
+    look(w, t);
+    const int status = pm_uniform_react(w);
+    if (status) w->uniform->status = status;
+}
+
+void pm_uniform_look(pm_workspace *w, double t)
+{
+    pm_uniform_place(w, t, w->uniform->q_look, w->uniform->v_look);
+    look(w, t);
+}
+
+void pm_uniform_look_at_forces(pm_workspace *w, double t)
+{
+    pm_uniform_place(w, t, w->uniform->q_look, w->uniform->v_look);
+    pm_uniform_look_there(w, t);
+}
+
+/* ---- running integrals ---- */
 void pm_uniform_rates(pm_workspace *w, double *rate)
 {
     pm_uniform_look_there(w, 0); /* no rate depends on the time itself */
@@ -30,14 +85,12 @@ static const double gauss_at[4] = {0.18343464249564980494, 0.5255324099163289858
                                    0.96028985649753623168};
 static const double gauss_weight[4] = {0.36268378337836198297, 0.31370664587788728734, 0.22238103445337447054,
                                        0.10122853629037625915};
-#define SLOW_CHANGE \
-    0.1 /* of the speed in the interval: there the closed form would cancel, and Gauss is exact */
 
 /* Integral of |u + a t| from 0 to h.  With s = t + u.a/a^2 and p = |u x a| / |a|: of sqrt(a^2 s^2 + p^2). */
 static double distance_along(const double u[2], const double a[2], double h)
 {
     const double speed = pm_length(u), size = pm_length(a);
-    if (size * h <= SLOW_CHANGE * speed) {
+    if (size * h <= PM_UNIFORM_SLOW_CHANGE * speed) {
         double sum = 0;
         for (int i = 0; i < 8; i++) {
             const double t = 0.5 * h * (1 + (i < 4 ? gauss_at[i] : -gauss_at[i - 4]));
