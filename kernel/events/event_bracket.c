@@ -24,7 +24,8 @@
 #include "state/workspace.h"
 
 /* ---- which way ---- */
-int pm_event_bracket_crosses(const pm_event_function *f, double a, double b)
+/* It goes through zero from a to b, the way that counts. */
+static int crosses(const pm_event_function *f, double a, double b)
 {
     return (f->direction <= 0 && a > 0 && b <= 0) || (f->direction >= 0 && a < 0 && b >= 0);
 }
@@ -122,20 +123,23 @@ static int shows_dip(const pm_event_course *x, int k)
 }
 
 /* ---- what was on its zero ---- */
-void pm_event_bracket_bounce(pm_workspace *w, pm_along *g, void *context, double a, double b, double gb,
-                             pm_span *x)
+/* A function held at zero is negative at b: it has gone up and come back (a short bounce), or it went the wrong way at
+ * once and the event is now. */
+static void leaves_and_returns(pm_workspace *w, pm_event_function *f, double a, double b, double gb,
+                               pm_span *x)
 {
     *x = (pm_span){a, a, 0, 0};
     for (int i = 0; i < PM_BOUNCE_HALVINGS; i++) {
-        const double middle = 0.5 * (a + b), value = g(w, middle, context);
-        if (middle <= a) return;
-        if (value > 0) {
-            *x = (pm_span){middle, b, value, gb};
-            return;
+        const double middle = 0.5 * (a + b), g = pm_event_samples_along(w, middle, f);
+        if (middle <= a) break;
+        if (g > 0) {
+            *x = (pm_span){middle, b, g, gb};
+            break;
         }
         b = middle;
-        gb = value;
+        gb = g;
     }
+    if (f->kind == FUNCTION_GAP && x->a == x->b) w->event->spent[f->index] = 1;
 }
 
 /* A trigger that was on zero at a: its side is where it has definitely left; it may have come back before b.  The
@@ -154,7 +158,7 @@ static int leaves_and_crosses(pm_workspace *w, int i, const pm_event_course *of,
             g = pm_event_samples_along(w, place, f);
         if (!(fabs(g) > noise)) continue;
         *x = (pm_span){place, b, g, gb};
-        return pm_event_bracket_crosses(f, g, gb);
+        return crosses(f, g, gb);
     }
     return 0;
 }
@@ -188,8 +192,7 @@ static int enter(pm_workspace *w, int i, const pm_event_course *of, int *first, 
         for (k = 1; k < of->n && fabs(g[k]) <= f->slack;) k++;
         *first = k;
         if (k == of->n || !(g[k] < 0)) return 0;
-        pm_event_bracket_bounce(w, pm_event_samples_along, f, place[k - 1], place[k], g[k], x);
-        if (f->kind == FUNCTION_GAP && x->a == x->b) w->event->spent[f->index] = 1;
+        leaves_and_returns(w, f, place[k - 1], place[k], g[k], x);
         return 1;
     }
     if (changes_sign || !(g[0] <= 0)) return 0;
@@ -207,7 +210,7 @@ static int search(pm_workspace *w, int i, const pm_event_course *of, int first, 
         if (g[k] * g[k + 1] > 0 && !dip && !(near && pm_event_samples_tail(w, i, of) >= PM_CHEBYSHEV_SMOOTH))
             continue;
         double where, value;
-        if (pm_event_bracket_crosses(f, g[k], g[k + 1])) {
+        if (crosses(f, g[k], g[k + 1])) {
             *x = (pm_span){place[k], place[k + 1], g[k], g[k + 1]};
             return 1;
         }

@@ -17,6 +17,8 @@ static inline int pm_event_samples_wanted(const pm_workspace *w, const pm_event_
     return !f->owned && !(f->kind == FUNCTION_GAP && w->event->culling.skipped[f->index]);
 }
 
+/* Value of a function (pm_event_function) of the workspace at x, on the dense output; NaN where the route cannot look. */
+double pm_event_samples_along(void *workspace, double x, void *function);
 void pm_event_samples_take(const pm_workspace *w, int i, pm_event_course *x);
 /* How far the samples x of function i do not show it, of their sizes; INFINITY between equidistant nodes. */
 double pm_event_samples_tail(const pm_workspace *w, int i, const pm_event_course *x);

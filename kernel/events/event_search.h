@@ -7,27 +7,17 @@
 #define PM_EVENT_SEARCH_H
 
 #include "events/event.h"
-#include "numerics/bracket.h"
 
 /* Samples functions (if asked for) and watched asks at all nodes of the step (w->state at its end). */
 int pm_event_samples_fill(pm_workspace *w, int with_functions);
 /* 1 if the samples of function i show it between the nodes, too. */
 int pm_event_samples_resolve(const pm_workspace *w, int i);
-/* Value of a function (pm_event_function) at x, on the dense output; not a number where the route cannot look. */
-double pm_event_samples_along(void *of, double x, void *function);
 
 /* Locates the functions, which have been sampled, that fire first after `from`: w->event->hit, *first the place (INFINITY:
  * none), *taken where w->probe holds an exact state. */
 int pm_event_search_first(pm_workspace *w, double from, double *first, double *taken);
 /* The step is over: zeros that were held and have been left count again. */
 void pm_event_search_leave(pm_workspace *w);
-
-/* For routes that find roots themselves.  1 if the function goes through zero from value a to b, the way that counts. */
-int pm_event_bracket_crosses(const pm_event_function *f, double a, double b);
-/* A function g that is about zero at a has the wrong sign, gb < 0, at b: brackets the zero where it comes back after it has
- * gone up in between (a short bounce); x->a = x->b = a if it has not: the event is now. */
-void pm_event_bracket_bounce(pm_workspace *w, pm_along *g, void *context, double a, double b, double gb,
-                             pm_span *x);
 
 /* ---- decisions (state/evidence.h) ---- */
 /* An instant begins: notes how far each function that did not fire is from its zero.  The frame looks at the state. */

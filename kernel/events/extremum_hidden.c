@@ -31,24 +31,18 @@ static int falls(const pm_extremum_slope *a, const pm_extremum_slope *b)
     return a->rate > 0 && b->rate < 0;
 }
 
-static int part(pm_workspace *w, const pm_extremum *p, const pm_extremum_curve *x, const pm_extremum_slope *a,
-                const pm_extremum_slope *b, int depth)
+int pm_extremum_hidden_tops(pm_workspace *w, const pm_extremum *p, const pm_extremum_curve *x,
+                            const pm_extremum_slope *a, const pm_extremum_slope *b, int partings)
 {
     if (falls(a, b)) return x->top(w, p, a, b);
-    if (depth == 0 || (a->rate < 0 && b->rate > 0)) return PM_OK;
+    if (partings == 0 || (a->rate < 0 && b->rate > 0)) return PM_OK;
     const double makes = (b->s - a->s) * pm_max(fabs(a->rate), fabs(b->rate));
     const double s = pm_extremum_hidden_cubic(a, b);
     if (isnan(s) || !(makes > PM_EXTREMUM_LEVEL * p->size)) return PM_OK;
     const pm_extremum_slope left = x->slope(w, p, 0.5 * (a->s + s)), right = x->slope(w, p, 0.5 * (s + b->s));
-    int status = part(w, p, x, a, &left, depth - 1);
-    if (!status) status = part(w, p, x, &left, &right, depth - 1);
-    return status ? status : part(w, p, x, &right, b, depth - 1);
-}
-
-int pm_extremum_hidden_tops(pm_workspace *w, const pm_extremum *p, const pm_extremum_curve *x,
-                            const pm_extremum_slope *a, const pm_extremum_slope *b)
-{
-    return part(w, p, x, a, b, PM_HIDDEN_PARTINGS);
+    int status = pm_extremum_hidden_tops(w, p, x, a, &left, partings - 1);
+    if (!status) status = pm_extremum_hidden_tops(w, p, x, &left, &right, partings - 1);
+    return status ? status : pm_extremum_hidden_tops(w, p, x, &right, b, partings - 1);
 }
 
 /* ---- between two nodes ---- */
@@ -127,7 +121,7 @@ static int hidden_between(pm_workspace *w, const pm_extremum *p, int k)
     const pm_extremum_slope a = slope_at_node(w, p, k), b = slope_at_node(w, p, k + 1);
     if (is_level(p, &a, &b) || is_level(p, &b, &a)) return pm_extremum_search_root(w, p, k);
     if (met && w->step.nodes->at[k + 1] <= p->end && falls(&a, &b)) return PM_OK;
-    return pm_extremum_hidden_tops(w, p, &by_polynomial, &a, &b);
+    return pm_extremum_hidden_tops(w, p, &by_polynomial, &a, &b, PM_HIDDEN_PARTINGS);
 }
 
 int pm_extremum_hidden_find(pm_workspace *w, pm_extremum *p)

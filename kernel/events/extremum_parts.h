@@ -81,9 +81,9 @@ int pm_extremum_hidden_possible(const pm_chebyshev_nodes *nodes, const pm_extrem
 int pm_extremum_hidden_find(pm_workspace *w, pm_extremum *p);
 /* Where the cubic with these values and rates is greatest between a and b; NaN if it has no top there. */
 double pm_extremum_hidden_cubic(const pm_extremum_slope *a, const pm_extremum_slope *b);
-/* All tops between a and b. */
+/* All tops between a and b, which may be parted so often (PM_HIDDEN_PARTINGS). */
 int pm_extremum_hidden_tops(pm_workspace *w, const pm_extremum *p, const pm_extremum_curve *x,
-                            const pm_extremum_slope *a, const pm_extremum_slope *b);
+                            const pm_extremum_slope *a, const pm_extremum_slope *b, int partings);
 
 /* ---- extremum_rise.c: where the nodes resolve the value nearly ---- */
 /* The interval of s, next to node k. */

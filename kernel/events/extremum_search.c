@@ -82,7 +82,7 @@ int pm_extremum_search_root(pm_workspace *w, const pm_extremum *p, int k)
     const double *at = w->step.nodes->at, end = pm_min(at[k + 1], p->end);
     if (at[k] >= end) return PM_OK;
     const pm_extremum_slope a = slope_here(w, p, at[k]), b = slope_here(w, p, end);
-    return pm_extremum_hidden_tops(w, p, &in_looks, &a, &b);
+    return pm_extremum_hidden_tops(w, p, &in_looks, &a, &b, PM_HIDDEN_PARTINGS);
 }
 
 typedef struct pm_search {

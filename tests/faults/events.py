@@ -84,7 +84,7 @@ FAULTS = [
     Fault(
         "missed root: comes back to a held zero at once",
         "events/event_bracket.c",
-        "return pm_event_bracket_crosses(f, g, gb)",
+        "return crosses(f, g, gb)",
         "return 0",
     ),
     Fault(
