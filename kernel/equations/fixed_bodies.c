@@ -323,7 +323,7 @@ static void stop(pm_workspace *w)
 void pm_fixed_bodies_find(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    if (!w->fixed->wanted || !w->fixed->possible || w->history || m->rows[PM_TABLE_SPIN] > 0) return;
+    if (!w->fixed->wanted || !w->fixed->possible || w->record.history || m->rows[PM_TABLE_SPIN] > 0) return;
     memset(w->fixed->is_left, 0, (size_t)m->nbody);
     pm_frame_look_state(&w->frame, &w->state);
     do {

@@ -37,7 +37,7 @@ static pm_ring ring_of(const pm_workspace *w, int point)
 {
     const int32_t *e = PM_POINT_ROW(w->model, point);
     const double m[2] = {w->numbers.value[e[PM_POINT_X]], w->numbers.value[e[PM_POINT_Y]]};
-    const pm_hinge_bounds *x = &w->hinge[pm_body_index(w->model, e[PM_POINT_BODY])];
+    const pm_hinge_bounds *x = &w->reach.hinge[pm_body_index(w->model, e[PM_POINT_BODY])];
     if (is_fixed(x)) {
         const pm_point p = pm_frame_point_of(&w->frame, point);
         return (pm_ring){.at = {p.p[0], p.p[1]}, .known = 1};
@@ -57,9 +57,10 @@ static int hang(pm_workspace *w, int a, int b, double length, int welded)
     const int32_t *e = PM_POINT_ROW(m, b);
     const int body = pm_body_index(m, e[PM_POINT_BODY]);
     const pm_ring from = ring_of(w, a);
-    pm_hinge_bounds *x = &w->hinge[body];
+    pm_hinge_bounds *x = &w->reach.hinge[body];
     if (!from.known || is_fixed(x)) return 0;
-    const int fixed = welded && is_fixed(&w->hinge[pm_body_index(m, PM_POINT_ROW(m, a)[PM_POINT_BODY])]);
+    const int fixed =
+        welded && is_fixed(&w->reach.hinge[pm_body_index(m, PM_POINT_ROW(m, a)[PM_POINT_BODY])]);
     const double high = from.high + length;
     if (x->known && !fixed && !(high < x->high)) return 0;
     *x = (pm_hinge_bounds){.known = 1,
@@ -86,8 +87,8 @@ static void hang_all(pm_workspace *w)
 {
     const pm_model *m = w->model;
     for (int i = 0; i < m->nbody; i++)
-        w->hinge[i] = (pm_hinge_bounds){.known = w->numbers.fixed[i], .fixed = w->numbers.fixed[i]};
-    w->hinge[m->nbody] = (pm_hinge_bounds){.known = 1, .fixed = 1};
+        w->reach.hinge[i] = (pm_hinge_bounds){.known = w->numbers.fixed[i], .fixed = w->numbers.fixed[i]};
+    w->reach.hinge[m->nbody] = (pm_hinge_bounds){.known = 1, .fixed = 1};
     for (int more = 1, pass = 0; more && pass <= m->nbody; pass++) {
         more = 0;
         for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) more |= hang_by_joint(w, i);
@@ -149,7 +150,7 @@ static double height_over(const pm_straight *line, const double p[2])
 static double least_over_line(const pm_workspace *w, const int32_t *e, const pm_ring *a, double ra)
 {
     const pm_straight line = straight(w, e[PM_CONTACT_B]);
-    const pm_hinge_bounds *b = &w->hinge[line.body];
+    const pm_hinge_bounds *b = &w->reach.hinge[line.body];
     double at[2];
     if (!b->known) return -INFINITY;
     if (!b->fixed) {
@@ -164,7 +165,7 @@ static double least_beside_edge(const pm_workspace *w, const int32_t *e, const p
 {
     const pm_straight line = straight(w, e[PM_CONTACT_B]);
     double at[2];
-    if (!is_fixed(&w->hinge[line.body])) return -INFINITY;
+    if (!is_fixed(&w->reach.hinge[line.body])) return -INFINITY;
     into_body(w, line.body, a->at, at);
     const double d[2] = {at[0] - line.at[0], at[1] - line.at[1]}, along = pm_dot(line.t, d);
     const double beyond =
@@ -192,13 +193,13 @@ static double least_gap(const pm_workspace *w, int contact)
 void pm_gap_bounds_drop(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    w->nunreached = 0;
+    w->reach.ncontact = 0;
     if (m->rows[PM_TABLE_CONTACT] == 0) return;
     hang_all(w);
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
         if (pm_model_is_changed(m, PM_TABLE_CONTACT, i)) continue;
         if (!(least_gap(w, i) > PM_OUT_OF_REACH * pm_contact_reach(w))) continue;
         w->state.absent[pm_model_element(m, PM_TABLE_CONTACT, i)] = 1;
-        w->nunreached++;
+        w->reach.ncontact++;
     }
 }

@@ -9,7 +9,7 @@
 
 static int record(pm_workspace *w, const pm_state *state, int mark)
 {
-    pm_history *x = w->history;
+    pm_history *x = w->record.history;
     if (x->needed < x->cap) {
         double *row = x->history + x->needed * (1 + x->nprogram);
         pm_frame_look_state(&w->frame, state);
@@ -23,18 +23,21 @@ static int record(pm_workspace *w, const pm_state *state, int mark)
     return PM_OK;
 }
 
-int pm_history_row(pm_workspace *w, int mark) { return w->history ? record(w, &w->state, mark) : PM_OK; }
+int pm_history_row(pm_workspace *w, int mark)
+{
+    return w->record.history ? record(w, &w->state, mark) : PM_OK;
+}
 
 void pm_history_step(pm_workspace *w)
 {
-    if (!w->history) return;
-    w->history->length = w->step.end - w->step.begin;
-    w->history->inside = w->step.begin;
+    if (!w->record.history) return;
+    w->record.history->length = w->step.end - w->step.begin;
+    w->record.history->inside = w->step.begin;
 }
 
 int pm_history_inside(pm_workspace *w, double x)
 {
-    pm_history *r = w->history;
+    pm_history *r = w->record.history;
     if (!r || w->phase.route->in_time) return PM_OK;
     for (int k = 0; k < w->step.nodes->n; k++) {
         const double place = w->step.begin + r->length * w->step.nodes->at[k];

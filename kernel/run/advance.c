@@ -128,7 +128,7 @@ static void hold_hits(pm_workspace *w, double x)
 static int pass(pm_workspace *w, double x, double taken, int *ended)
 {
     int status = pm_history_inside(w, x);
-    if (!status && (taken != x || w->history)) status = w->phase.route->exact(w, x, &w->probe);
+    if (!status && (taken != x || w->record.history)) status = w->phase.route->exact(w, x, &w->probe);
     if (status) return status;
     pm_state_copy(&w->ahead, &w->state);
     pm_state_copy(&w->state, &w->probe);
@@ -242,6 +242,6 @@ int pm_advance(pm_workspace *w, int *ended)
         }
         w->phase.lap |= pm_plan_has_passed(w);
         if (w->phase.lap) return PM_OK;
-        if (w->history && (status = pm_history_row(w, 0))) return status;
+        if (w->record.history && (status = pm_history_row(w, 0))) return status;
     }
 }

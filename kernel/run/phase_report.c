@@ -33,7 +33,7 @@ static int free_coordinates(const pm_workspace *w)
 
 static int has_clock(const pm_workspace *w)
 {
-    return w->phase.route->in_time || w->model->programs.read_time || w->history;
+    return w->phase.route->in_time || w->model->programs.read_time || w->record.history;
 }
 
 static void describe(const pm_workspace *w, int64_t legs, int32_t *row)
@@ -50,7 +50,7 @@ static void describe(const pm_workspace *w, int64_t legs, int32_t *row)
     row[PM_PHASE_CLOCK] = has_clock(w);
     row[PM_PHASE_DYNAMIC] = w->event->level == PM_LEVEL_DYNAMIC || w->ask->level == PM_LEVEL_DYNAMIC;
     row[PM_PHASE_STEPS] = 0;
-    row[PM_PHASE_UNREACHED] = w->nunreached;
+    row[PM_PHASE_UNREACHED] = w->reach.ncontact;
     row[PM_PHASE_LEGS] = (int32_t)legs;
     row[PM_PHASE_STILL] = w->fixed->n;
     row[PM_PHASE_SPARED] = 0;
@@ -58,7 +58,7 @@ static void describe(const pm_workspace *w, int64_t legs, int32_t *row)
 
 int pm_phase_report_add(pm_workspace *w)
 {
-    pm_phase_report *x = w->phase_report;
+    pm_phase_report *x = w->record.phases;
     if (!x) return PM_OK;
     count_steps(w, x);
     if (x->needed < x->cap) {
@@ -72,5 +72,5 @@ int pm_phase_report_add(pm_workspace *w)
 
 void pm_phase_report_end(pm_workspace *w)
 {
-    if (w->phase_report) count_steps(w, w->phase_report);
+    if (w->record.phases) count_steps(w, w->record.phases);
 }

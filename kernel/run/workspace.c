@@ -35,7 +35,7 @@ static int create_arrays(pm_workspace *w)
         PM_ARRAY(w->numbers.inverse_root, nq),
         PM_ARRAY(w->numbers.stand_in, nq),
         PM_ARRAY(w->saddle.previous, nq),
-        PM_ARRAY(w->hinge, m->nbody + 1),
+        PM_ARRAY(w->reach.hinge, m->nbody + 1),
         PM_ARRAY(w->saddle.wanted, nrow),
         PM_ARRAY(w->numbers.of_joint, m->njoint_row),
         PM_ARRAY(w->active.row, nrow + 1),

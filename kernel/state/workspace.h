@@ -130,6 +130,18 @@ typedef struct pm_result {
     pm_where where; /* of a failure */
 } pm_result;
 
+/* Where bodies can be, and which contacts are out of reach because of it (equations/gap_bounds.h). */
+typedef struct pm_reach {
+    struct pm_hinge_bounds *hinge; /* [nbody + 1] of each body; last: the ground */
+    int ncontact;                  /* contacts that can never close */
+} pm_reach;
+
+/* What is written down of one case that is recorded; NULL in a batch. */
+typedef struct pm_record {
+    struct pm_history *history;     /* events/history.h */
+    struct pm_phase_report *phases; /* run/run.h */
+} pm_record;
+
 struct pm_workspace {
     const pm_model *model;
     const int32_t *stop; /* raised by another thread (run/run.h: pm_run_is_stopped), or NULL */
@@ -154,9 +166,7 @@ struct pm_workspace {
     /* what single rooms keep */
     struct pm_fixed_bodies *fixed;
     struct pm_solve_cache *cache;
-    struct pm_hinge_bounds
-        *hinge;     /* [nbody + 1] where each body can be (equations/gap_bounds.h); last: the ground */
-    int nunreached; /* contacts that can never close */
+    pm_reach reach;
     struct pm_tree *tree;
     struct pm_event_set *event;
     struct pm_ask_set *ask;
@@ -170,9 +180,7 @@ struct pm_workspace {
     struct pm_perturbation *perturbation; /* NULL where the scene has none */
     struct pm_find *find;                 /* NULL where nothing is sought */
     struct pm_accuracy *accuracy;
-    /* of one case that is recorded; NULL in a batch */
-    struct pm_history *history;
-    struct pm_phase_report *phase_report;
+    pm_record record;
     double *scratch; /* [8 (nq + nrow + nslot)] of a start: nothing is kept in it */
     void *block;     /* owns the arrays above */
 };

@@ -88,8 +88,8 @@ static uint64_t outcome_of(const pm_workspace *w, const pm_pass *p)
 static void make_pass(pm_workspace *w, const double *param, pm_pass *p, double factor, int companion)
 {
     pm_accuracy *e = w->accuracy;
-    pm_history *const trace = w->history;
-    pm_phase_report *const phases = w->phase_report;
+    pm_history *const trace = w->record.history;
+    pm_phase_report *const phases = w->record.phases;
     w->evidence.present = p;
     e->npass++;
     p->factor = factor;
@@ -100,12 +100,12 @@ static void make_pass(pm_workspace *w, const double *param, pm_pass *p, double f
     w->result.reason = p->reason;
     w->result.audit = p->audit;
     w->numbers.coarse = companion ? PM_ACCURACY_COARSE : 1;
-    if (companion) w->history = NULL, w->phase_report = NULL;
-    if (w->history) w->history->needed = 0; /* the last pass is the one recorded */
-    if (w->phase_report) w->phase_report->needed = w->phase_report->steps = w->phase_report->legs = 0;
+    if (companion) w->record.history = NULL, w->record.phases = NULL;
+    if (w->record.history) w->record.history->needed = 0; /* the last pass is the one recorded */
+    if (w->record.phases) w->record.phases->needed = w->record.phases->steps = w->record.phases->legs = 0;
     p->status = run_once(w, param, p->found);
-    w->history = trace;
-    w->phase_report = phases;
+    w->record.history = trace;
+    w->record.phases = phases;
     memcpy(p->count, w->result.count, sizeof p->count);
     p->where = w->result.where;
     p->t = w->state.t;
@@ -283,7 +283,7 @@ static int refine(pm_workspace *w, const double *param, double *error, double *t
     const double factor = next_factor(e->main->factor, trust);
     make_pass(w, param, e->spare, factor, 0);
     if (!stands(e->spare)) {
-        if (w->history)
+        if (w->record.history)
             make_pass(w, param, e->spare, e->main->factor, 0); /* what is recorded is what is answered */
         return 0;
     }

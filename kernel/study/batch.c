@@ -223,7 +223,7 @@ int pm_trace(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
     for (int64_t i = 0; i < ntrace && !status; i++)
         if (trace_program[i] < 0 || trace_program[i] >= w->model->rows[PM_TABLE_PROGRAM])
             status = PM_BAD_TABLE;
-    w->history = &record;
+    w->record.history = &record;
     if (!status) status = run_recorded(w, param, where, detail);
     *needed = record.needed;
     return close_one(model, w, status);
@@ -240,7 +240,7 @@ int pm_phases(int64_t ntable, const int32_t *table, int64_t nconstant, const dou
         open_one(pm_prune_create, ntable, table, nconstant, constant, nparam, &model, &w, where, detail);
     if (status) return status;
     pm_phase_report list = {.cap = cap, .most = most, .row = phase, .time = time};
-    w->phase_report = &list;
+    w->record.phases = &list;
     status = run_recorded(w, param, where, detail);
     *needed = list.needed;
     return close_one(model, w, status);

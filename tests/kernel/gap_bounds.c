@@ -120,7 +120,7 @@ static void obstacle(chain c, int kind, double clear)
 static int unreached(scene *s)
 {
     EQUAL(scene_begin(s), PM_OK);
-    return s->w->nunreached;
+    return s->w->reach.ncontact;
 }
 
 static void bounds_are_sharp(void)

@@ -260,7 +260,7 @@ static int judge(pm_workspace *w, int turning, double *next)
         if (way < INFINITY) *next = p->at_rest ? 0.5 * way : way; /* each root needs a step of its own */
     }
     if (*next > 0) return PM_OK;
-    const int watched = w->model->programs.read_time || w->history;
+    const int watched = w->model->programs.read_time || w->record.history;
     const int clock = !watched || p->balanced ? PM_CLOCK_NONE
                       : p->at_rest            ? PM_CLOCK_LEAVES
                       : turning               ? PM_CLOCK_RESTS

@@ -74,9 +74,10 @@ static int repeat(pm_workspace *w, double kinetic, int *passed)
 {
     pm_repeat *l = w->repeat;
     const pm_symmetry_shift shift = {{l->by[0], l->by[1]}, l->turn};
-    const int in_time = w->model->programs.read_time || w->history;
+    const int in_time = w->model->programs.read_time || w->record.history;
     const int steady = fabs(kinetic - l->kinetic) <= PM_REPEAT_SAME_ENERGY * kinetic;
-    if (w->history || ((in_time || l->ends_by_force) && !steady) || !pm_symmetry_holds(&w->frame, &shift))
+    if (w->record.history || ((in_time || l->ends_by_force) && !steady) ||
+        !pm_symmetry_holds(&w->frame, &shift))
         return PM_OK;
     l->work = steady ? 0 : pm_repeat_energy_work(w);
     l->ratio = steady ? 1 : kinetic / l->before;

@@ -118,7 +118,7 @@ static double full_step(const pm_workspace *w, const pm_place *x)
  * may be the only one on the path. */
 static double step_factor(const pm_workspace *w)
 {
-    const int open = w->tree->nloop == 0 && w->model->rows[PM_TABLE_CONTACT] == w->nunreached;
+    const int open = w->tree->nloop == 0 && w->model->rows[PM_TABLE_CONTACT] == w->reach.ncontact;
     return open && !w->path->balanced ? PM_PATH_FARTHER : 1;
 }
 
