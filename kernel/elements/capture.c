@@ -16,12 +16,10 @@
 
 #include "elements/constraint.h"
 #include "elements/contact.h"
+#include "numerics/tolerances.h"
 #include "state/evidence.h"
 #include "state/frame.h"
 #include "state/workspace.h"
-
-#define MEETS 1e-7   /* of the scene's size: places are known better than this, marks are farther apart */
-#define ACROSS 1e-10 /* cosine of d and u: below it the distance stays, but for rounding */
 
 int pm_capture_kind(const pm_model *m, int contact)
 {
@@ -50,12 +48,12 @@ double pm_capture_approach(const pm_frame *frame, int contact)
 {
     const pm_marks x = marks_of(frame, contact);
     const double approach = pm_dot(x.d, x.u);
-    return fabs(approach) > ACROSS * pm_length(x.d) * pm_length(x.u) ? approach : 0;
+    return fabs(approach) > PM_CAPTURE_ACROSS * pm_length(x.d) * pm_length(x.u) ? approach : 0;
 }
 
 int pm_capture_meets(pm_workspace *w, int contact, double distance)
 {
-    const double room = MEETS * w->numbers.size - distance;
+    const double room = PM_CAPTURE_MEETS * w->numbers.size - distance;
     if (isinf(distance)) return 0;
     pm_evidence_sign(w, PM_SITE_MEETS, contact, room, w->numbers.size);
     return room >= 0;

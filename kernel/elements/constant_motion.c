@@ -6,10 +6,8 @@
 
 #include "elements/constraint.h"
 #include "expression/program_class.h"
+#include "numerics/tolerances.h"
 #include "state/workspace.h"
-
-#define CENTRED 1e-15  /* of the scene's size: a mark this near to the mass centre is the mass centre */
-#define ROUNDING 1e-13 /* of speeds and accelerations in the scene */
 
 static double length_of(const pm_frame *frame, int i) { return i % 3 == 2 ? frame->numbers->size : 1; }
 
@@ -48,8 +46,8 @@ void pm_constant_motion_curve(const pm_workspace *w, double *v, double *a, unsig
 {
     const int nq = w->model->nq, nbody = w->model->nbody;
     *x = (pm_constant_motion){.v = v, .a = a, .turns = turns, .locked = locked};
-    x->speed = ROUNDING * w->numbers.speed;
-    x->acceleration = ROUNDING * acceleration_scale(&w->frame);
+    x->speed = PM_STEADY_ROUNDING * w->numbers.speed;
+    x->acceleration = PM_STEADY_ROUNDING * acceleration_scale(&w->frame);
     for (int i = 0; i < nq; i++) {
         v[i] = fabs(w->state.v[i]) * length_of(&w->frame, i) <= x->speed ? 0 : w->state.v[i];
         a[i] = fabs(w->frame.a[i]) * length_of(&w->frame, i) <= x->acceleration ? 0 : w->frame.a[i];
@@ -61,7 +59,7 @@ void pm_constant_motion_curve(const pm_workspace *w, double *v, double *a, unsig
 
 int pm_constant_motion_mark(const pm_frame *frame, const pm_constant_motion *x, int body, const double at[2])
 {
-    return !x->turns[body] || fabs(at[0]) + fabs(at[1]) <= CENTRED * frame->numbers->size;
+    return !x->turns[body] || fabs(at[0]) + fabs(at[1]) <= PM_CENTRED * frame->numbers->size;
 }
 
 int pm_constant_motion_marks(const pm_frame *frame, const pm_constant_motion *x, const pm_constraint *row)

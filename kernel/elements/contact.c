@@ -11,16 +11,13 @@
 #include "state/frame.h"
 #include "state/workspace.h"
 
-#define TOUCHING 1e-10 /* of the scene's size */
-#define STILL 1e-11    /* of the scene's speed */
-
 double pm_contact_length(const pm_frame *frame)
 {
-    return TOUCHING * frame->numbers->coarse * frame->numbers->size;
+    return PM_TOUCHING * frame->numbers->coarse * frame->numbers->size;
 }
 double pm_contact_speed(const pm_frame *frame)
 {
-    return STILL * frame->numbers->coarse * frame->numbers->speed;
+    return PM_NO_SPEED * frame->numbers->coarse * frame->numbers->speed;
 }
 
 double pm_contact_reach(const pm_workspace *w)

@@ -18,10 +18,9 @@
 
 #include "elements/constraint.h"
 #include "elements/contact.h"
+#include "numerics/tolerances.h"
 #include "state/frame.h"
 #include "state/workspace.h"
-
-#define HANDING_OVER 4 /* touching lengths: so near to their corner two edges in one line are both touched */
 
 int pm_edge_is(const pm_model *m, int contact)
 {
@@ -165,7 +164,7 @@ int pm_edge_is_covered(const pm_workspace *w, const pm_state *s, int contact)
         if (slot->mode == PM_OPEN || !pm_edge_is(m, i)) continue;
         for (int end = PM_SEGMENT_FROM; end <= PM_SEGMENT_TO; end++) {
             const int begins = nearest == PM_SEGMENT_FACE &&
-                               beyond_end(&x, end) > -HANDING_OVER * pm_contact_length(&w->frame);
+                               beyond_end(&x, end) > -PM_EDGE_HANDING_OVER * pm_contact_length(&w->frame);
             if ((nearest == end || begins) && shared_corner(w, contact, end, i) != PM_NONE) return 1;
         }
     }

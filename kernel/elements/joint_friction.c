@@ -13,9 +13,8 @@
 #include "elements/constraint.h"
 #include "elements/contact.h"
 #include "elements/joint.h"
+#include "numerics/tolerances.h"
 #include "state/workspace.h"
-
-#define SAME 4e-15 /* of itself: a friction that changes by less has been found */
 
 int pm_joint_friction_joint(const pm_model *m, int k)
 {
@@ -159,7 +158,7 @@ int pm_joint_friction_update(pm_workspace *w)
     for (int k = 0; k < w->model->nfriction; k++) {
         if (!slides(w->state.friction[k]) || !(by_load(&w->frame, k) > 0)) continue;
         const double next = by_load(&w->frame, k) * load(w, k, w->frame.lambda);
-        changed |= fabs(next - w->active.friction_load[k]) > SAME * fabs(next);
+        changed |= fabs(next - w->active.friction_load[k]) > PM_FRICTION_SAME * fabs(next);
         w->active.friction_load[k] = next;
     }
     return changed;

@@ -20,10 +20,8 @@
 #include <math.h>
 
 #include "expression/program.h"
+#include "numerics/tolerances.h"
 #include "state/workspace.h"
-
-#define ALONG \
-    1e-12 /* of the gravity: what may be across the axis, which rounding makes of an angle of 90 degrees */
 
 static const int32_t *row_of(const pm_model *m) { return pm_table_row(m, PM_TABLE_SPIN, 0, PM_SPIN_COLUMNS); }
 
@@ -63,7 +61,7 @@ static int read_axis(pm_workspace *w)
     s->inertia = w->numbers.value[e[PM_SPIN_INERTIA]];
     /* a plane that turns takes the direction of the gravity along only if that is the axis' own */
     const double across = fabs(w->numbers.gravity[0] * s->normal[0] + w->numbers.gravity[1] * s->normal[1]);
-    const double allowed = ALONG * hypot(w->numbers.gravity[0], w->numbers.gravity[1]);
+    const double allowed = PM_SPIN_ACROSS * hypot(w->numbers.gravity[0], w->numbers.gravity[1]);
     return across > allowed ? out_of_bound(w, PM_TABLE_SPIN, 0, PM_SPIN_ANGLE, across, allowed) : PM_OK;
 }
 

@@ -126,10 +126,9 @@ static int unary(int op, int a)
 
 int pm_program_energy_of(const pm_model *m, int program)
 {
-    const int32_t *p = pm_table_row(m, PM_TABLE_PROGRAM, program, PM_PROGRAM_COLUMNS);
-    const int32_t *code = pm_table_row(m, PM_TABLE_CODE, p[PM_PROGRAM_FIRST], PM_CODE_COLUMNS);
-    int stack[PM_STACK], top = -1;
-    for (int i = 0; i < p[PM_PROGRAM_LENGTH]; i++, code += PM_CODE_COLUMNS) {
+    int stack[PM_STACK], top = -1, length;
+    const int32_t *code = pm_program_code(m, program, &length);
+    for (int i = 0; i < length; i++, code += PM_CODE_COLUMNS) {
         const int op = code[PM_CODE_OP];
         if (op <= PM_OP_VALUE) {
             stack[++top] = PM_ENERGY_CLASS_NONE;

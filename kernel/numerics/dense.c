@@ -1,10 +1,10 @@
 /* dense.c - Cholesky and LU for some tens of unknowns: plain loops, no library call overhead, the same bits everywhere. */
 #include "numerics/dense.h"
+#include "numerics/tolerances.h"
 
 #include <math.h>
 
 /* A pivot this much smaller than its diagonal has lost all figures: the rows depend on each other. */
-#define PIVOT_LOSS 1e-14
 
 int pm_dense_cholesky_factor(int n, double *a)
 {
@@ -13,7 +13,7 @@ int pm_dense_cholesky_factor(int n, double *a)
         const double diagonal = aj[j];
         double sum = diagonal;
         for (int k = 0; k < j; k++) sum -= aj[k] * aj[k];
-        if (!(sum > PIVOT_LOSS * diagonal)) return j + 1;
+        if (!(sum > PM_PIVOT_LOSS * diagonal)) return j + 1;
         const double root = sqrt(sum), inverse = 1 / root;
         aj[j] = root;
         for (int i = j + 1; i < n; i++) {
@@ -52,7 +52,7 @@ int pm_dense_skyline_factor(int n, const int *first, double *a)
         }
         double sum = diagonal;
         for (int k = first[i]; k < i; k++) sum -= ai[k] * ai[k];
-        if (!(sum > PIVOT_LOSS * diagonal)) return i + 1;
+        if (!(sum > PM_PIVOT_LOSS * diagonal)) return i + 1;
         ai[i] = 1 / sqrt(sum); /* the reciprocal: solving needs no division */
     }
     return 0;

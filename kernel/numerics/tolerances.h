@@ -22,15 +22,32 @@
 #define PM_BRACKET_POLISHED 1e-15  /* of the step: a shift that gains nothing on exact states; likewise */
 #define PM_BRACKET_SLOPE_STEP 1e-4 /* of the step: distance of differences; more: curvature spoils slopes */
 #define PM_BRACKET_FAR 0.1       /* of the step: a longer shift is no polish, it may leave for another root */
+#define PM_PIVOT_LOSS 1e-14 /* of its diagonal: a pivot that is lost; larger: more matrices count as singular */
 #define PM_CHEBYSHEV_SMOOTH 1e-3 /* of the values: tail of what has no corners; more would miss some */
 
 /* ---- state ---- */
+
+#define PM_EVIDENCE_NOTHING 1e-14 /* of its natural size: zero in both passes, by the structure of the scene; larger: hides decisions */
+#define PM_EVIDENCE_LOOSEST 1e-2 /* tolerance of a coarse run: beyond it steps are not resolved; larger: errors told too large */
+#define PM_COARSER 30.0 /* times the tolerance of the run that a coarse one is compared with; larger: errors told too large */
 
 /* ---- expression ---- */
 
 /* ---- elements ---- */
 
+#define PM_TOUCHING 1e-10 /* of the scene's size: gaps below it touch; larger: contacts close early, blows lose height */
+#define PM_NO_SPEED 1e-11 /* of the scene's speed: speeds below it are none; larger: slow slip and rebounds are lost */
+#define PM_CAPTURE_MEETS 1e-7 /* of the scene's size: points so near meet (places are known better); larger: near misses are caught */
+#define PM_CAPTURE_ACROSS 1e-10 /* cosine of distance and velocity: below it the distance stays; larger: the nearest place is less exact */
+#define PM_CENTRED 1e-15 /* of the scene's size: a mark so near is the mass centre; larger: what goes round is taken for steady */
+#define PM_STEADY_ROUNDING 1e-13 /* of speeds and accelerations in the scene: less is none; larger: slow motions are taken for rest */
+#define PM_EDGE_HANDING_OVER 4 /* touching lengths: so near to their corner two edges in one line are both touched; larger: sooner */
+#define PM_FRICTION_SAME 4e-15 /* of itself: a friction that changes by less has been found; larger: it is less exact */
+#define PM_SPIN_ACROSS 1e-12 /* of gravity: part across the axis that rounding makes of 90 degrees; larger: a lean axis passes */
+
 /* ---- scene ---- */
+
+#define PM_SYMMETRY_SAME 1e-9 /* of a turn, of a step of a row, of the way: the same; larger: segments that differ are repeated */
 
 /* ---- equations ---- */
 /* natural sizes */

@@ -10,12 +10,13 @@
 #include "elements/joint.h"
 #include "elements/turning_plane.h"
 #include "expression/program.h"
+#include "expression/program_class.h"
+#include "numerics/tolerances.h"
 #include "state/workspace.h"
 
-#define SAME 1e-9 /* of a turn, of a step of a row, of the way: the same but for rounding */
 #define TURN (2 * 3.14159265358979323846)
 
-static int whole(double ratio) { return fabs(ratio - round(ratio)) <= SAME; }
+static int whole(double ratio) { return fabs(ratio - round(ratio)) <= PM_SYMMETRY_SAME; }
 
 static double turn_of(const pm_symmetry_shift *s, int body) { return body < 0 ? 0 : s->turn[body]; }
 static int turned(const pm_symmetry_shift *s, int body) { return !whole(turn_of(s, body) / TURN); }
@@ -42,7 +43,7 @@ static int line_stays(const pm_frame *frame, const pm_symmetry_shift *s, int lin
     if (body != PM_GROUND) return !turned(s, body);
     const double angle = frame->numbers->value[e[PM_LINE_ANGLE]],
                  across = s->by[1] * cos(angle) - s->by[0] * sin(angle);
-    return fabs(across) <= SAME * hypot(s->by[0], s->by[1]);
+    return fabs(across) <= PM_SYMMETRY_SAME * hypot(s->by[0], s->by[1]);
 }
 
 static int row_stays(const pm_frame *frame, const pm_symmetry_shift *s, int row)
@@ -55,7 +56,7 @@ static int row_stays(const pm_frame *frame, const pm_symmetry_shift *s, int row)
                  step = hypot(x, y);
     const double along = (s->by[0] * x + s->by[1] * y) / (step * step);
     const double across = (s->by[0] * y - s->by[1] * x) / (step * step);
-    return frame->numbers->value[e[PM_ROW_COUNT]] < 0 && whole(along) && fabs(across) <= SAME;
+    return frame->numbers->value[e[PM_ROW_COUNT]] < 0 && whole(along) && fabs(across) <= PM_SYMMETRY_SAME;
 }
 
 static int body_of_point(const pm_frame *frame, int point)
@@ -71,7 +72,7 @@ static int body_of_line(const pm_frame *frame, int line)
 /* Two bodies keep their relative angle, whole turns included. */
 static int together(const pm_symmetry_shift *s, int a, int b)
 {
-    return fabs(turn_of(s, a) - turn_of(s, b)) <= SAME * TURN;
+    return fabs(turn_of(s, a) - turn_of(s, b)) <= PM_SYMMETRY_SAME * TURN;
 }
 
 static int mark_stays(const pm_frame *frame, const pm_symmetry_shift *s, int table, int mark)
@@ -255,11 +256,10 @@ static pm_entry unary(int op, pm_entry a)
 int pm_symmetry_program(const pm_frame *frame, const pm_symmetry_shift *shift, int program, double *change)
 {
     const pm_model *m = frame->model;
-    const int32_t *p = pm_table_row(m, PM_TABLE_PROGRAM, program, PM_PROGRAM_COLUMNS);
-    const int32_t *code = pm_table_row(m, PM_TABLE_CODE, p[PM_PROGRAM_FIRST], PM_CODE_COLUMNS);
     pm_entry stack[PM_STACK];
-    int top = -1;
-    for (int i = 0; i < p[PM_PROGRAM_LENGTH]; i++, code += PM_CODE_COLUMNS) {
+    int top = -1, length;
+    const int32_t *code = pm_program_code(m, program, &length);
+    for (int i = 0; i < length; i++, code += PM_CODE_COLUMNS) {
         const int op = code[PM_CODE_OP], arg = code[PM_CODE_ARG];
         switch (op) {
         case PM_OP_CONSTANT: stack[++top] = (pm_entry){NUMBER, m->constant[arg]}; break;

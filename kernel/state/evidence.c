@@ -7,13 +7,12 @@
 
 #include <math.h>
 
+#include "numerics/tolerances.h"
 #include "state/route.h"
 #include "state/workspace.h"
 
-#define NOTHING 1e-14 /* of its natural size: zero in both passes, that is by the scene's structure */
 #define FIRST 2166136261u
 #define PART (1 << 18) /* numbers of instants, for each part of a run */
-#define LOOSEST 1e-2   /* tolerance of a coarse run: beyond it steps are not resolved */
 
 static uint32_t mixed(uint32_t history, uint32_t what) { return (history ^ what) * 16777619u; } /* FNV-1a */
 
@@ -46,7 +45,8 @@ double pm_evidence_tolerance(const pm_workspace *w)
     const pm_evidence *e = &w->evidence;
     if (!e->active) return w->numbers.accuracy;
     const double tightest =
-        fmax(fmin(w->numbers.accuracy, LOOSEST / PM_COARSER) * e->present->factor, w->phase.route->finest);
+        fmax(fmin(w->numbers.accuracy, PM_EVIDENCE_LOOSEST / PM_COARSER) * e->present->factor,
+             w->phase.route->finest);
     return e->present->companion ? PM_COARSER * tightest : tightest;
 }
 
@@ -122,4 +122,7 @@ void pm_evidence_part(pm_workspace *w, int contact)
     log->history = mixed(FIRST, (uint32_t)contact);
 }
 
-int pm_evidence_is_open(const pm_evidence_decision *x, double unit) { return x->reach > NOTHING * unit; }
+int pm_evidence_is_open(const pm_evidence_decision *x, double unit)
+{
+    return x->reach > PM_EVIDENCE_NOTHING * unit;
+}

@@ -8,7 +8,6 @@
 
 #include "state/workspace.h"
 
-#define PM_COARSER 30.0       /* tolerance of a coarse run, times that of the run which it is compared with */
 #define PM_EVIDENCE_SEED 2385 /* of the disturbances of a coarse run: any number */
 
 enum pm_evidence_kind {

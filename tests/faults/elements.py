@@ -24,7 +24,7 @@ FAULTS = [
     Fault(
         "capture: points meet from afar",
         "elements/capture.c",
-        "room = MEETS",
+        "room = PM_CAPTURE_MEETS",
         "room = 0.1",
     ),
     Fault(

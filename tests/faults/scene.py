@@ -43,7 +43,7 @@ FAULTS = [
     Fault(
         "symmetry: across a line",
         "scene/symmetry.c",
-        "return fabs(across) <= SAME * hypot(s->by[0], s->by[1])",
+        "return fabs(across) <= PM_SYMMETRY_SAME * hypot(s->by[0], s->by[1])",
         "return 1",
     ),
 ]

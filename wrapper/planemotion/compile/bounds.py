@@ -113,6 +113,7 @@ _Named = tuple[str, str]
 
 
 _COLUMNS: dict[tuple[int, int], _Named] = {
+    (layout.PM_TABLE_CONTACT, layout.PM_NONE): ("", "steps along its row"),
     (layout.PM_TABLE_BODY, layout.PM_BODY_MASS): ("mass", "kg"),
     (layout.PM_TABLE_BODY, layout.PM_BODY_INERTIA): ("inertia", "kg*m^2"),
     (layout.PM_TABLE_CIRCLE, layout.PM_CIRCLE_RADIUS): ("", "m"),
