@@ -156,7 +156,7 @@ static double against(const pm_workspace *w, const double *rate, const int body[
     return hypot(part[0][0] - part[1][0], part[0][1] - part[1][1]) + turning;
 }
 
-double pm_gap_culling_time(const pm_workspace *w)
+double pm_gap_culling_time(const pm_workspace *w, const double *v, const double *a)
 {
     const pm_event_set *e = w->event;
     double time = INFINITY;
@@ -170,8 +170,9 @@ double pm_gap_culling_time(const pm_workspace *w)
         const double free =
             left > safe ? left : PM_CULLING_WITHIN * pm_contact_gap(w, &w->state, contact, &member);
         const double way = fmax(free, safe);
-        const double v = against(w, w->frame.velocity, body), a = against(w, w->frame.a, body);
-        time = fmin(time, 2 * way / (v + sqrt(v * v + 2 * a * way))); /* v t + a t^2 / 2 = way */
+        const double speed = against(w, v, body), rate = against(w, a, body);
+        time =
+            fmin(time, 2 * way / (speed + sqrt(speed * speed + 2 * rate * way))); /* v t + a t^2 / 2 = way */
     }
     return time;
 }

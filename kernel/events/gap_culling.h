@@ -21,9 +21,9 @@ void pm_gap_culling_step(pm_gap_culling *x, const pm_model *m);
 void pm_gap_culling_node(pm_gap_culling *x, const pm_frame *frame, int node);
 /* All nodes have been looked at: those that were reached after all are not skipped; returns how many. */
 int pm_gap_culling_check(pm_gap_culling *x, const pm_model *m);
-/* The time in which two circles that are open may be missed: what moves through between two of the nodes of a step.  At a
- * state, whose velocities and accelerations the frame knows; INFINITY if there are none, or nothing moves. */
-double pm_gap_culling_time(const pm_workspace *w);
+/* The time in which two circles that are open may be missed: what moves through between two of the nodes of a step.  Where
+ * the frame looks at w->state, of velocities v[nq] and accelerations a[nq]; INFINITY if there are none, or nothing moves. */
+double pm_gap_culling_time(const pm_workspace *w, const double *v, const double *a);
 /* The gap of a contact that is not skipped at the begin of the step. */
 void pm_gap_culling_keep(pm_gap_culling *x, const pm_model *m, int contact, double gap);
 

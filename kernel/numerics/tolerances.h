@@ -287,6 +287,7 @@
     16 /* steps from one that integrates the ledger to the next; more: a thinner audit */
 
 /* ---- routes/ida ---- */
+#define PM_IDA_TO_MEETING 0.25 /* of the time to what is met: the limit holds a step late; more: steps over it */
 
 #define PM_IDA_TIGHTER \
     1e-2 /* of the tolerance: IDA's errors are far above what it is asked for; more: less accurate */

@@ -20,6 +20,7 @@
 #include "equations/saddle.h"
 #include "events/ask.h"
 #include "events/event.h"
+#include "events/gap_culling.h"
 #include "numerics/tolerances.h"
 #include "routes/ida/ida.h"
 #include "scene/build.h"
@@ -144,12 +145,15 @@ static void destroy(pm_workspace *w)
 /* ---- a phase ---- */
 static double *accelerations(const pm_workspace *w) { return N_VGetArrayPointer(w->ida->yp) + w->model->nq; }
 
-/* IDA applies it when it chooses the next step: hence well below the motion's own time. */
+/* A step that is sampled may not outrun the motion, and not carry circles through each other between two samples.  IDA
+ * applies it one step later: hence well below the motion's own time, and a part of the way to what is met. */
 static int limit_step(pm_workspace *w)
 {
     const int watched = w->event->nfunction > 0 || w->ask->nobserver > 0;
-    const double scale = watched ? pm_case_time_scale(w, w->state.v, accelerations(w)) : INFINITY;
-    return IDASetMaxStep(w->ida->memory, isfinite(scale) ? PM_IDA_LONGEST_STEP * scale : 0); /* 0: no limit */
+    const double *v = w->state.v, *a = accelerations(w);
+    double longest = watched ? PM_IDA_LONGEST_STEP * pm_case_time_scale(w, v, a) : INFINITY;
+    if (w->event->nfunction > 0) longest = fmin(longest, PM_IDA_TO_MEETING * pm_gap_culling_time(w, v, a));
+    return IDASetMaxStep(w->ida->memory, isfinite(longest) ? longest : 0); /* 0: no limit */
 }
 
 /* Where a couple has just overcome what held, accelerations are rounding and tell no time: the scene's own does. */
@@ -220,6 +224,7 @@ static int begin(pm_workspace *w)
     if (status) return status;
     pm_ida_system_scale(w);
     double first = PM_IDA_FIRST_STEP * sqrt(r->tolerance) * time_to_begin_with(w);
+    w->step.nodes = w->phase.route->nodes;
     int flag = IDAReInit(r->memory, w->state.t, r->y, r->yp);
     if (flag == IDA_SUCCESS) flag = limit_step(w);
     if (flag != IDA_SUCCESS) return failed(w, flag);

@@ -124,7 +124,7 @@ static void set_times(pm_workspace *w, const double *k)
     r->turning = turning_time(w, k);
     if (!is_sampled(w)) return;
     r->own = pm_case_time_scale(w, w->state.v, w->frame.a);
-    r->meeting = w->event->nfunction > 0 ? pm_gap_culling_time(w) : INFINITY;
+    r->meeting = w->event->nfunction > 0 ? pm_gap_culling_time(w, w->frame.velocity, w->frame.a) : INFINITY;
 }
 
 /* A step that is sampled for events or extremes may not outrun the motion, even where the formula would be
