@@ -77,9 +77,17 @@ class Workshop:
         """What must be compiled again when `file` changes."""
         if file.endswith(".c"):
             return [file]
-        return [
-            name for name in self.sources if f'"{file}"' in (self.kernel / name).read_text(encoding="utf-8")
-        ]
+        headers = {file}
+        files = list(self.kernel.rglob("*.[ch]"))
+        texts = {path.relative_to(self.kernel).as_posix(): path.read_text(encoding="utf-8") for path in files}
+        while (
+            users := {
+                name for name, text in texts.items() if any(f'"{header}"' in text for header in headers)
+            }
+            - headers
+        ):
+            headers |= users
+        return sorted(name for name in headers if name.endswith(".c"))
 
     def findings(self, name: str) -> list[str]:
         """What test `name` has to say: nothing, or its name and what else it noticed."""

@@ -260,7 +260,7 @@ FAULTS = [
         "fmax(free, safe)",
         "INFINITY",
     ),
-    Fault("clear: accelerations do not count", "events/gap_culling.c", "+ 2 * a * way", ""),
+    Fault("clear: accelerations do not count", "events/gap_culling.c", "+ 2 * rate * way", ""),
     Fault(
         "clear: edges are passed in long steps",
         "events/gap_culling.c",

@@ -71,13 +71,13 @@ FAULTS = [
     ),
     Fault(
         "escape: no squaring",
-        "numerics/tolerances.h",
+        "numerics/tolerances_routes.h",
         "#define PM_GROWTH_SQUARINGS 60",
         "#define PM_GROWTH_SQUARINGS 5",
     ),
     Fault(
         "nudge: a deviation that is not small",
-        "numerics/tolerances.h",
+        "numerics/tolerances_routes.h",
         "PM_PERTURBATION_SIZE \\ 0.1",
         "PM_PERTURBATION_SIZE 1e5",
     ),
