@@ -84,8 +84,8 @@ void pm_ask_fired(pm_workspace *w, int event);
 void pm_ask_end(pm_workspace *w);
 /* What is answered so far is sound. */
 void pm_ask_seal(pm_workspace *w);
-/* Keeps of a run that did not come to its end what was answered at instants (sound: of that, what is); asks without any
- * answer get the reason `others`. */
+/* A run did not come to its end: keeps the answers at instants that it reached, with `sound` only those up to where the
+ * ledgers closed.  All other asks get the reason `others`. */
 void pm_ask_keep(pm_workspace *w, int sound, int others);
 
 #endif
