@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
 from tests import ROOT
+from tests.circles import circles as circles_of
 
 KERNEL = ROOT / "kernel"
 
@@ -137,20 +137,7 @@ def circles(kernel: Path) -> list[list[str]]:
     needs: dict[str, set[str]] = {unit(kernel, path): set() for path in sources(kernel)}
     for one in uses(kernel):
         needs[one.user].add(one.used)
-    reach = {name: _reach(name, needs) for name in needs}
-    groups = {frozenset(other for other in reach[name] if name in reach[other]) for name in needs}
-    return sorted(sorted(group) for group in groups if len(group) > 1)
-
-
-def _reach(name: str, needs: Mapping[str, set[str]]) -> set[str]:
-    """All that a file needs, directly or through others."""
-    found: set[str] = set()
-    waiting = [name]
-    while waiting:
-        for other in needs[waiting.pop()] - found:
-            found.add(other)
-            waiting.append(other)
-    return found
+    return circles_of(needs)
 
 
 def misplaced_circles(kernel: Path, plan: House) -> list[list[str]]:

@@ -8,11 +8,12 @@ from __future__ import annotations
 import ast
 import re
 import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
 from tests import ROOT
+from tests.circles import circles as circles_of
 
 WRAPPER = ROOT / "wrapper"
 PACKAGE = "planemotion"
@@ -137,20 +138,7 @@ def circles(package: Path, plan: House) -> list[list[str]]:
     needs: dict[str, set[str]] = {name: set() for name in (*modules(package), *plan.made)}
     for one in imports(package, plan.made):
         needs[one.importer].add(one.imported)
-    reach = {name: _reach(name, needs) for name in needs}
-    groups = {frozenset(other for other in reach[name] if name in reach[other]) for name in needs}
-    return sorted(sorted(group) for group in groups if len(group) > 1)
-
-
-def _reach(name: str, needs: Mapping[str, set[str]]) -> set[str]:
-    """All that a module needs, directly or through others."""
-    found: set[str] = set()
-    waiting = [name]
-    while waiting:
-        for other in needs[waiting.pop()] - found:
-            found.add(other)
-            waiting.append(other)
-    return found
+    return circles_of(needs)
 
 
 # ---- the package ----------------------------------------------------------------------------------------
