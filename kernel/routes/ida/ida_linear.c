@@ -361,9 +361,10 @@ static int setup(SUNLinearSolver solver, SUNMatrix matrix)
 
 static int solve(SUNLinearSolver solver, SUNMatrix matrix, N_Vector x, N_Vector b, double tolerance)
 {
+    pm_workspace *w = solver->content;
     (void)matrix;
     (void)tolerance;
-    pm_ida_linear_solve(solver->content, N_VGetArrayPointer(b), N_VGetArrayPointer(x));
+    pm_ida_linear_solve(w, N_VGetArrayPointer(b), N_VGetArrayPointer(x));
     return 0;
 }
 

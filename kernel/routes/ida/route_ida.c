@@ -49,7 +49,8 @@ static int residual(double t, N_Vector y, N_Vector yp, N_Vector r, void *workspa
 
 static int weigh(N_Vector y, N_Vector weight, void *workspace)
 {
-    pm_ida_system_weights(workspace, N_VGetArrayPointer(y), N_VGetArrayPointer(weight));
+    pm_workspace *w = workspace;
+    pm_ida_system_weights(w, N_VGetArrayPointer(y), N_VGetArrayPointer(weight));
     return 0;
 }
 
