@@ -51,11 +51,11 @@ double pm_capture_approach(const pm_frame *frame, int contact)
     return fabs(approach) > PM_CAPTURE_ACROSS * pm_length(x.d) * pm_length(x.u) ? approach : 0;
 }
 
-int pm_capture_meets(pm_workspace *w, int contact, double distance)
+int pm_capture_meets(const pm_numbers *numbers, pm_evidence *evidence, int contact, double distance)
 {
-    const double room = PM_CAPTURE_MEETS * w->numbers.size - distance;
+    const double room = PM_CAPTURE_MEETS * numbers->size - distance;
     if (isinf(distance)) return 0;
-    pm_evidence_sign(w, PM_SITE_MEETS, contact, room, w->numbers.size);
+    pm_evidence_sign(evidence, PM_SITE_MEETS, contact, room, numbers->size);
     return room >= 0;
 }
 
@@ -98,16 +98,17 @@ static int can_turn(const pm_frame *frame, int body)
     return body == frame->model->nbody || PM_BODY_ROW(frame->model, body)[PM_BODY_TURNS];
 }
 
-int pm_capture_rows(const pm_workspace *w, int slot, pm_constraint row[PM_JOINT_CONSTRAINTS])
+int pm_capture_rows(const pm_frame *frame, const pm_state *state, int slot,
+                    pm_constraint row[PM_JOINT_CONSTRAINTS])
 {
     static const int kind[PM_JOINT_CONSTRAINTS] = {PM_CONSTRAINT_POINT_X, PM_CONSTRAINT_POINT_Y,
                                                    PM_CONSTRAINT_ANGLE};
-    const int contact = pm_contact_of_slot(w->model, slot);
-    const pm_kept *kept = kept_of(&w->frame, &w->state, slot);
+    const int contact = pm_contact_of_slot(frame->model, slot);
+    const pm_kept *kept = kept_of(frame, state, slot);
     pm_constraint normal, tangent;
-    pm_contact_constraint_both(&w->frame, contact, slot, w->state.slot[slot].member, &normal, &tangent);
-    const int whole = pm_capture_kind(w->model, contact) == PM_CAPTURE_BODY;
-    const int n = whole && can_turn(&w->frame, normal.body[0]) && can_turn(&w->frame, normal.body[1]) ? 3 : 2;
+    pm_contact_constraint_both(frame, contact, slot, state->slot[slot].member, &normal, &tangent);
+    const int whole = pm_capture_kind(frame->model, contact) == PM_CAPTURE_BODY;
+    const int n = whole && can_turn(frame, normal.body[0]) && can_turn(frame, normal.body[1]) ? 3 : 2;
     for (int i = 0; i < n; i++) {
         row[i] = (pm_constraint){.kind = kind[i],
                                  .body = {normal.body[0], normal.body[1]},
@@ -124,30 +125,31 @@ int pm_capture_rows(const pm_workspace *w, int slot, pm_constraint row[PM_JOINT_
     return n;
 }
 
-double pm_capture_speed(const pm_workspace *w, int slot)
+double pm_capture_speed(const pm_frame *frame, const pm_state *state, int slot)
 {
     pm_constraint row[PM_JOINT_CONSTRAINTS];
-    const int n = pm_capture_rows(w, slot, row);
+    const int n = pm_capture_rows(frame, state, slot, row);
     double fastest = 0;
     for (int i = 0; i < n; i++) {
-        const double length = row[i].kind == PM_CONSTRAINT_ANGLE ? w->numbers.size : 1;
-        fastest = fmax(fastest, fabs(pm_constraint_rate(&w->frame, &row[i])) * length);
+        const double length = row[i].kind == PM_CONSTRAINT_ANGLE ? frame->numbers->size : 1;
+        fastest = fmax(fastest, fabs(pm_constraint_rate(frame, &row[i])) * length);
     }
     return fastest;
 }
 
 /* ---- what a phase has ---- */
-int pm_capture_holds(const pm_workspace *w)
+int pm_capture_holds(const pm_model *model, const pm_state *state)
 {
-    for (int i = 0; i < w->model->nslot; i++)
-        if (w->state.slot[i].mode == PM_CAPTURED) return 1;
+    for (int i = 0; i < model->nslot; i++)
+        if (state->slot[i].mode == PM_CAPTURED) return 1;
     return 0;
 }
 
-int pm_capture_awaits(const pm_workspace *w)
+int pm_capture_awaits(const pm_frame *frame, const pm_state *state)
 {
     int member;
-    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++)
-        if (pm_capture_is_meeting(w->model, i) && !isinf(pm_contact_gap(w, &w->state, i, &member))) return 1;
+    for (int i = 0; i < frame->model->rows[PM_TABLE_CONTACT]; i++)
+        if (pm_capture_is_meeting(frame->model, i) && !isinf(pm_contact_gap(frame, state, i, &member)))
+            return 1;
     return 0;
 }

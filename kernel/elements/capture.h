@@ -14,17 +14,18 @@ int pm_capture_is_meeting(const pm_model *m, int contact);
 double pm_capture_distance(const pm_frame *frame, int contact);
 double pm_capture_approach(const pm_frame *frame, int contact);
 /* Points that are so far apart (INFINITY: they do not meet any more) are at one place. */
-int pm_capture_meets(pm_workspace *w, int contact, double distance);
+int pm_capture_meets(const pm_numbers *numbers, pm_evidence *evidence, int contact, double distance);
 
 /* Keeps in the state where, and how turned, the pair of a slot is caught at the frame. */
 void pm_capture_keep(const pm_frame *frame, pm_state *s, int slot);
 /* The rows that hold the captured pair of a slot; returns how many. */
-int pm_capture_rows(const pm_workspace *w, int slot, pm_constraint row[PM_JOINT_CONSTRAINTS]);
+int pm_capture_rows(const pm_frame *frame, const pm_state *state, int slot,
+                    pm_constraint row[PM_JOINT_CONSTRAINTS]);
 /* Greatest speed at the frame against which these rows would hold, m/s. */
-double pm_capture_speed(const pm_workspace *w, int slot);
+double pm_capture_speed(const pm_frame *frame, const pm_state *state, int slot);
 
 /* Some slot holds a captured pair; some contact may yet catch a pair of points. */
-int pm_capture_holds(const pm_workspace *w);
-int pm_capture_awaits(const pm_workspace *w);
+int pm_capture_holds(const pm_model *model, const pm_state *state);
+int pm_capture_awaits(const pm_frame *frame, const pm_state *state);
 
 #endif

@@ -24,16 +24,16 @@ static double acceleration_scale(const pm_frame *frame)
 }
 
 /* From the ground along angle rows, as far as they reach. */
-static void find_locked(const pm_workspace *w, pm_constant_motion *x)
+static void find_locked(const pm_model *model, const pm_active_set *active, pm_constant_motion *x)
 {
-    memset(x->locked, 0, (size_t)w->model->nbody);
-    x->locked[w->model->nbody] = 1;
+    memset(x->locked, 0, (size_t)model->nbody);
+    x->locked[model->nbody] = 1;
     x->levers = 0;
     for (int more = 1; more;) {
         more = 0;
-        for (int i = 0; i < w->active.n; i++) {
-            const int *body = w->active.row[i].body;
-            if (w->active.row[i].kind != PM_CONSTRAINT_ANGLE || x->locked[body[0]] == x->locked[body[1]])
+        for (int i = 0; i < active->n; i++) {
+            const int *body = active->row[i].body;
+            if (active->row[i].kind != PM_CONSTRAINT_ANGLE || x->locked[body[0]] == x->locked[body[1]])
                 continue;
             x->locked[body[0]] = x->locked[body[1]] = 1;
             x->levers = more = 1;
@@ -54,7 +54,7 @@ void pm_constant_motion_curve(const pm_workspace *w, double *v, double *a, unsig
     }
     for (int k = nq; k < nq + 3; k++) v[k] = a[k] = 0;
     for (int i = 0; i <= nbody; i++) turns[i] = v[3 * i + 2] != 0 || a[3 * i + 2] != 0;
-    find_locked(w, x);
+    find_locked(w->model, &w->active, x);
 }
 
 int pm_constant_motion_mark(const pm_frame *frame, const pm_constant_motion *x, int body, const double at[2])

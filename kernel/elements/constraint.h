@@ -80,7 +80,8 @@ extern const pm_constraint_ops pm_constraint_point_x, pm_constraint_point_y, pm_
 const pm_constraint_ops *pm_constraint_kind(int kind);
 
 /* The rows of joint i with the numbers of the case; returns how many. */
-int pm_joint_constraints(const pm_workspace *w, int joint, pm_constraint row[PM_JOINT_CONSTRAINTS]);
+int pm_joint_constraints(const pm_frame *frame, const pm_state *state, int joint,
+                         pm_constraint row[PM_JOINT_CONSTRAINTS]);
 /* The same, whether the joint is there or not. */
 int pm_joint_constraints_of_any(const pm_frame *frame, int joint, pm_constraint row[PM_JOINT_CONSTRAINTS]);
 /* The normal row alone of a contact that is closed (or may close) in `slot` with `member`. */
@@ -94,16 +95,16 @@ void pm_contact_constraint_both(const pm_frame *frame, int contact, int slot, in
                                 pm_constraint *normal, pm_constraint *tangent);
 
 /* Whether its two bodies act on each other and on nothing else. */
-static inline int pm_constraint_is_inner(const pm_workspace *w, const pm_constraint *row)
+static inline int pm_constraint_is_inner(const pm_numbers *numbers, const pm_constraint *row)
 {
-    const unsigned char *still = w->numbers.fixed;
+    const unsigned char *still = numbers->fixed;
     return !still[row->body[0]] && !still[row->body[1]] && row->ratio == 1;
 }
 
 /* j x of a row that is evaluated; x[nq]: velocities, accelerations, a direction. */
 double pm_constraint_times(const pm_frame *frame, const pm_constraint *row, const double *x);
 /* All active constraints keep their Jacobian along the curve. */
-int pm_constraint_all_steady(const pm_workspace *w, const pm_constant_motion *x);
+int pm_constraint_all_steady(const pm_frame *frame, const pm_active_set *active, const pm_constant_motion *x);
 /* Rate of a row from the geometry of its line of action (equals j v). */
 double pm_constraint_rate(const pm_frame *frame, const pm_constraint *row);
 /* The same relative to its prescribed rate: how a surface slips on a moving belt. */

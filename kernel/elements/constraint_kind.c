@@ -39,12 +39,12 @@ double pm_constraint_slip(const pm_frame *frame, const pm_constraint *row)
 }
 
 /* Active constraints, and behind them the tangents that sliding normals carry, closed by an entry without normal. */
-int pm_constraint_all_steady(const pm_workspace *w, const pm_constant_motion *x)
+int pm_constraint_all_steady(const pm_frame *frame, const pm_active_set *active, const pm_constant_motion *x)
 {
-    const pm_constraint *row = w->active.row;
-    for (int i = 0; i < w->active.n || row[i].normal != PM_NONE; i++) {
+    const pm_constraint *row = active->row;
+    for (int i = 0; i < active->n || row[i].normal != PM_NONE; i++) {
         const pm_constraint_ops *ops = pm_constraint_kind(row[i].kind);
-        if (!ops->steady || !ops->steady(&w->frame, &row[i], x)) return 0;
+        if (!ops->steady || !ops->steady(frame, &row[i], x)) return 0;
     }
     return 1;
 }

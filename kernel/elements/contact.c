@@ -256,7 +256,7 @@ int pm_contact_check_places(pm_workspace *w)
         const pm_beside x = pm_contact_beside(&w->frame, i);
         const double place = place_beside(&x);
         if (!(fabs(place) <= PM_MOST_MEMBERS))
-            return pm_fail(w, PM_BAD_VALUE, PM_TABLE_CONTACT, i, place, PM_MOST_MEMBERS);
+            return pm_fail(&w->result, PM_BAD_VALUE, PM_TABLE_CONTACT, i, place, PM_MOST_MEMBERS);
     }
     return PM_OK;
 }
@@ -301,26 +301,26 @@ double pm_contact_gap_to(const pm_frame *frame, int contact, int member)
     return pm_contact_gap_beside(&x, member);
 }
 
-double pm_contact_gap(const pm_workspace *w, const pm_state *s, int contact, int *member)
+double pm_contact_gap(const pm_frame *frame, const pm_state *s, int contact, int *member)
 {
     *member = 0;
-    return pm_state_is_absent(w->model, s, PM_TABLE_CONTACT, contact)
+    return pm_state_is_absent(frame->model, s, PM_TABLE_CONTACT, contact)
                ? INFINITY
-               : pm_contact_apart(w, s, contact, member);
+               : pm_contact_apart(frame, s, contact, member);
 }
 
-double pm_contact_apart(const pm_workspace *w, const pm_state *s, int contact, int *member)
+double pm_contact_apart(const pm_frame *frame, const pm_state *s, int contact, int *member)
 {
-    const int32_t *e = PM_CONTACT_ROW_OF(w->model, contact);
+    const int32_t *e = PM_CONTACT_ROW_OF(frame->model, contact);
     *member = 0;
-    if (e[PM_CONTACT_KIND] == PM_CONTACT_ROW) return row_gap(&w->frame, s, contact, member);
-    if (is_closed(&w->frame, s, contact, 0)) return INFINITY;
-    if (!pm_edge_is(w->model, contact)) return pm_contact_member_gap(&w->frame, contact, 0, 0);
-    return pm_edge_is_covered(w, s, contact) ? INFINITY : pm_edge_gap(&w->frame, contact, member);
+    if (e[PM_CONTACT_KIND] == PM_CONTACT_ROW) return row_gap(frame, s, contact, member);
+    if (is_closed(frame, s, contact, 0)) return INFINITY;
+    if (!pm_edge_is(frame->model, contact)) return pm_contact_member_gap(frame, contact, 0, 0);
+    return pm_edge_is_covered(frame, s, contact) ? INFINITY : pm_edge_gap(frame, contact, member);
 }
 
-int pm_contact_touches(const pm_workspace *w, const pm_state *s, int contact, int *member)
+int pm_contact_touches(const pm_frame *frame, const pm_state *s, int contact, int *member)
 {
-    if (pm_contact_gap(w, s, contact, member) > pm_contact_length(&w->frame)) return 0;
-    return !pm_edge_is(w->model, contact) || pm_edge_touches(&w->frame, contact);
+    if (pm_contact_gap(frame, s, contact, member) > pm_contact_length(frame)) return 0;
+    return !pm_edge_is(frame->model, contact) || pm_edge_touches(frame, contact);
 }

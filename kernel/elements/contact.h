@@ -6,11 +6,11 @@
 
 /* Smallest gap over the members that are not closed, at the frame; *member tells which.  INFINITY if all are closed, left
  * to another contact, or the contact is not there. */
-double pm_contact_gap(const pm_workspace *w, const pm_state *s, int contact, int *member);
+double pm_contact_gap(const pm_frame *frame, const pm_state *s, int contact, int *member);
 /* The nearest open member touches, or overlaps. */
-int pm_contact_touches(const pm_workspace *w, const pm_state *s, int contact, int *member);
+int pm_contact_touches(const pm_frame *frame, const pm_state *s, int contact, int *member);
 /* The same, whether the contact is there or removed. */
-double pm_contact_apart(const pm_workspace *w, const pm_state *s, int contact, int *member);
+double pm_contact_apart(const pm_frame *frame, const pm_state *s, int contact, int *member);
 /* The nearest members that are not closed, at the frame, at most `most` (an even number) of a periodic row: in pairs, one
  * on either side, as far as there are; returns how many. */
 int pm_contact_near(const pm_frame *frame, const pm_state *s, int contact, int most, int *member);

@@ -112,40 +112,41 @@ static int body_of_edge(const pm_model *m, int contact)
 }
 
 /* The end of `other` that is the corner `member` of `contact`, with the same circle beside both; PM_NONE: none is. */
-static int shared_corner(const pm_workspace *w, int contact, int member, int other)
+static int shared_corner(const pm_frame *frame, const pm_state *state, int contact, int member, int other)
 {
-    if (other == contact || pm_state_is_absent(w->model, &w->state, PM_TABLE_CONTACT, other) ||
-        !pm_edge_is(w->model, other) || !same_circle(&w->frame, contact, other) ||
-        body_of_edge(w->model, contact) != body_of_edge(w->model, other))
+    if (other == contact || pm_state_is_absent(frame->model, state, PM_TABLE_CONTACT, other) ||
+        !pm_edge_is(frame->model, other) || !same_circle(frame, contact, other) ||
+        body_of_edge(frame->model, contact) != body_of_edge(frame->model, other))
         return PM_NONE;
     double at[2], there[2];
-    pm_edge_corner(&w->frame, contact, member, at);
+    pm_edge_corner(frame, contact, member, at);
     for (int end = PM_SEGMENT_FROM; end <= PM_SEGMENT_TO; end++) {
-        pm_edge_corner(&w->frame, other, end, there);
-        if (hypot(at[0] - there[0], at[1] - there[1]) <= pm_contact_length(&w->frame)) return end;
+        pm_edge_corner(frame, other, end, there);
+        if (hypot(at[0] - there[0], at[1] - there[1]) <= pm_contact_length(frame)) return end;
     }
     return PM_NONE;
 }
 
-int pm_edge_meets_another(const pm_workspace *w, int contact)
+int pm_edge_meets_another(const pm_frame *frame, const pm_state *state, int contact)
 {
-    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++)
+    for (int i = 0; i < frame->model->rows[PM_TABLE_CONTACT]; i++)
         for (int end = PM_SEGMENT_FROM; end <= PM_SEGMENT_TO; end++)
-            if (shared_corner(w, contact, end, i) != PM_NONE) return 1;
+            if (shared_corner(frame, state, contact, end, i) != PM_NONE) return 1;
     return 0;
 }
 
 static double beyond_end(const pm_edge_place *x, int end) { return end == PM_SEGMENT_FROM ? x->from : x->to; }
 
 /* How far beyond their shared corner the circle is from the face of an edge that meets `contact` there; *heir: which. */
-static double room_to_next_edge(const pm_workspace *w, int contact, int member, int *heir)
+static double room_to_next_edge(const pm_frame *frame, const pm_state *state, int contact, int member,
+                                int *heir)
 {
     double room = INFINITY;
     *heir = PM_NONE;
-    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
-        const int end = shared_corner(w, contact, member, i);
+    for (int i = 0; i < frame->model->rows[PM_TABLE_CONTACT]; i++) {
+        const int end = shared_corner(frame, state, contact, member, i);
         if (end == PM_NONE) continue;
-        const pm_edge_place x = pm_edge_beside(&w->frame, i);
+        const pm_edge_place x = pm_edge_beside(frame, i);
         if (x.height <= 0 || beyond_end(&x, end) >= room) continue;
         room = beyond_end(&x, end);
         *heir = i;
@@ -153,42 +154,42 @@ static double room_to_next_edge(const pm_workspace *w, int contact, int member, 
     return room;
 }
 
-int pm_edge_is_covered(const pm_workspace *w, const pm_state *s, int contact)
+int pm_edge_is_covered(const pm_frame *frame, const pm_state *s, int contact)
 {
-    const pm_model *m = w->model;
+    const pm_model *m = frame->model;
     int nearest;
-    pm_edge_gap(&w->frame, contact, &nearest);
-    const pm_edge_place x = pm_edge_beside(&w->frame, contact);
+    pm_edge_gap(frame, contact, &nearest);
+    const pm_edge_place x = pm_edge_beside(frame, contact);
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT] && m->nedge > 1; i++) {
         const pm_slot *slot = &s->slot[m->contact_slot[i]];
         if (slot->mode == PM_OPEN || !pm_edge_is(m, i)) continue;
         for (int end = PM_SEGMENT_FROM; end <= PM_SEGMENT_TO; end++) {
             const int begins = nearest == PM_SEGMENT_FACE &&
-                               beyond_end(&x, end) > -PM_EDGE_HANDING_OVER * pm_contact_length(&w->frame);
-            if ((nearest == end || begins) && shared_corner(w, contact, end, i) != PM_NONE) return 1;
+                               beyond_end(&x, end) > -PM_EDGE_HANDING_OVER * pm_contact_length(frame);
+            if ((nearest == end || begins) && shared_corner(frame, s, contact, end, i) != PM_NONE) return 1;
         }
     }
     return 0;
 }
 
-double pm_edge_room(const pm_workspace *w, int contact, int member)
+double pm_edge_room(const pm_frame *frame, const pm_state *state, int contact, int member)
 {
-    const pm_edge_place x = pm_edge_beside(&w->frame, contact);
+    const pm_edge_place x = pm_edge_beside(frame, contact);
     if (member == PM_SEGMENT_FACE) return -fmax(x.from, x.to);
     int heir;
-    return fmin(beyond_end(&x, member) + pm_contact_length(&w->frame),
-                room_to_next_edge(w, contact, member, &heir));
+    return fmin(beyond_end(&x, member) + pm_contact_length(frame),
+                room_to_next_edge(frame, state, contact, member, &heir));
 }
 
-int pm_edge_next(const pm_workspace *w, int contact, int member, int *heir)
+int pm_edge_next(const pm_frame *frame, const pm_state *state, int contact, int member, int *heir)
 {
     *heir = PM_NONE;
-    const pm_edge_place x = pm_edge_beside(&w->frame, contact);
+    const pm_edge_place x = pm_edge_beside(frame, contact);
     if (!(x.radius > 0)) return PM_NONE;
     const int corner = member != PM_SEGMENT_FACE ? member : x.from > x.to ? PM_SEGMENT_FROM : PM_SEGMENT_TO;
-    const double back = beyond_end(&x, corner) + pm_contact_length(&w->frame);
+    const double back = beyond_end(&x, corner) + pm_contact_length(frame);
     int next;
-    const double on = room_to_next_edge(w, contact, corner, &next);
+    const double on = room_to_next_edge(frame, state, contact, corner, &next);
     if (member == PM_SEGMENT_FACE && on > 0) return corner;
     if (member != PM_SEGMENT_FACE && back < on) return PM_SEGMENT_FACE;
     *heir = next;

@@ -18,7 +18,7 @@ typedef struct pm_edge_place {
 int pm_edge_is(const pm_model *m, int contact);
 pm_edge_place pm_edge_beside(const pm_frame *frame, int contact);
 /* Some other edge that is there has one of its corners, and the same circle beside it. */
-int pm_edge_meets_another(const pm_workspace *w, int contact);
+int pm_edge_meets_another(const pm_frame *frame, const pm_state *state, int contact);
 /* Gap at the frame, and the member that is next.  Continuous where nothing overlaps; not below zero beyond the ends but for
  * circles that overlap a corner. */
 double pm_edge_gap(const pm_frame *frame, int contact, int *member);
@@ -29,12 +29,12 @@ int pm_edge_touches(const pm_frame *frame, int contact);
 int pm_edge_is_below(const pm_frame *frame, int contact);
 double pm_edge_gap_from_below(const pm_frame *frame, int contact);
 /* What is next to an open contact is a corner that a closed one has, too: it is left to that one. */
-int pm_edge_is_covered(const pm_workspace *w, const pm_state *s, int contact);
+int pm_edge_is_covered(const pm_frame *frame, const pm_state *s, int contact);
 /* How far a mark that touches `member` is from leaving it for another, or for good; falls to 0 there, m. */
-double pm_edge_room(const pm_workspace *w, int contact, int member);
+double pm_edge_room(const pm_frame *frame, const pm_state *state, int contact, int member);
 /* The member that follows `member` where its room ends; PM_NONE: the contact ends, and the face of another
  * edge, the contact *heir, takes over (PM_NONE: none does). */
-int pm_edge_next(const pm_workspace *w, int contact, int member, int *heir);
+int pm_edge_next(const pm_frame *frame, const pm_state *state, int contact, int member, int *heir);
 /* The end of a corner member, in the axes of the line's body. */
 void pm_edge_corner(const pm_frame *frame, int contact, int member, double at[2]);
 

@@ -163,13 +163,13 @@ const pm_force_ops *pm_force_of(const pm_model *m, int force)
     return &kinds[PM_FORCE_ROW(m, force)[PM_FORCE_KIND]];
 }
 
-int pm_force_all_steady(const pm_workspace *w, const pm_constant_motion *x)
+int pm_force_all_steady(const pm_frame *frame, const pm_state *state, const pm_constant_motion *x)
 {
-    if (pm_turning_plane_turns(w->model)) return 0;
-    for (int i = 0; i < w->model->rows[PM_TABLE_FORCE]; i++) {
-        const pm_force_ops *ops = pm_force_of(w->model, i);
-        if (pm_state_is_absent(w->model, &w->state, PM_TABLE_FORCE, i)) continue;
-        if (!ops->steady || !ops->steady(&w->frame, PM_FORCE_ROW(w->model, i), x)) return 0;
+    if (pm_turning_plane_turns(frame->model)) return 0;
+    for (int i = 0; i < frame->model->rows[PM_TABLE_FORCE]; i++) {
+        const pm_force_ops *ops = pm_force_of(frame->model, i);
+        if (pm_state_is_absent(frame->model, state, PM_TABLE_FORCE, i)) continue;
+        if (!ops->steady || !ops->steady(frame, PM_FORCE_ROW(frame->model, i), x)) return 0;
     }
     return 1;
 }

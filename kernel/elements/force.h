@@ -38,6 +38,6 @@ pm_action pm_force_action(pm_workspace *w, int i);
 void pm_force_all(pm_workspace *w);
 double pm_force_potential(pm_workspace *w);
 /* All forces of the scene stay the same along the curve: in a plane that turns none does. */
-int pm_force_all_steady(const pm_workspace *w, const struct pm_constant_motion *x);
+int pm_force_all_steady(const pm_frame *frame, const pm_state *state, const struct pm_constant_motion *x);
 
 #endif

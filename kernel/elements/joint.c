@@ -152,10 +152,11 @@ const pm_joint_ops *pm_joint_of(const pm_model *m, int joint)
     return &kinds[PM_JOINT_ROW(m, joint)[PM_JOINT_KIND]];
 }
 
-int pm_joint_constraints(const pm_workspace *w, int joint, pm_constraint row[PM_JOINT_CONSTRAINTS])
+int pm_joint_constraints(const pm_frame *frame, const pm_state *state, int joint,
+                         pm_constraint row[PM_JOINT_CONSTRAINTS])
 {
-    if (pm_state_is_absent(w->model, &w->state, PM_TABLE_JOINT, joint)) return 0;
-    return pm_joint_constraints_of_any(&w->frame, joint, row);
+    if (pm_state_is_absent(frame->model, state, PM_TABLE_JOINT, joint)) return 0;
+    return pm_joint_constraints_of_any(frame, joint, row);
 }
 
 int pm_joint_constraints_of_any(const pm_frame *frame, int joint, pm_constraint row[PM_JOINT_CONSTRAINTS])

@@ -39,10 +39,10 @@ static int slides(int mode) { return mode == PM_SLIDE_FORWARD || mode == PM_SLID
 
 int pm_joint_friction_any(const pm_model *m) { return m->nfriction > 0; }
 
-int pm_joint_friction_by_load(const pm_workspace *w)
+int pm_joint_friction_by_load(const pm_frame *frame, const pm_state *state)
 {
-    for (int k = 0; k < w->model->nfriction; k++)
-        if (slides(w->state.friction[k]) && by_load(&w->frame, k) > 0) return 1;
+    for (int k = 0; k < frame->model->nfriction; k++)
+        if (slides(state->friction[k]) && by_load(frame, k) > 0) return 1;
     return 0;
 }
 
@@ -173,24 +173,24 @@ void pm_joint_friction_release(pm_workspace *w)
     }
 }
 
-static void hold(pm_workspace *w, int k)
+static void hold(const pm_frame *frame, pm_state *state, int k)
 {
     pm_constraint row;
-    w->state.friction[k] = PM_STICK;
-    pm_joint_friction_row(&w->frame, k, &row);
-    pm_constraint_kind(row.kind)->remember(&w->frame, &row, &w->state.memory[row.memory], 1);
+    state->friction[k] = PM_STICK;
+    pm_joint_friction_row(frame, k, &row);
+    pm_constraint_kind(row.kind)->remember(frame, &row, &state->memory[row.memory], 1);
 }
 
-void pm_joint_friction_close(pm_workspace *w)
+void pm_joint_friction_close(const pm_frame *frame, pm_state *state)
 {
-    for (int k = 0; k < w->model->nfriction; k++) {
-        const double slip = pm_joint_friction_slip(&w->frame, k);
-        if (pm_state_is_absent(w->model, &w->state, PM_TABLE_JOINT, joint_of(&w->frame, k)))
-            w->state.friction[k] = PM_OPEN;
-        else if (fabs(slip) <= pm_joint_friction_still(&w->frame, k))
-            hold(w, k);
+    for (int k = 0; k < frame->model->nfriction; k++) {
+        const double slip = pm_joint_friction_slip(frame, k);
+        if (pm_state_is_absent(frame->model, state, PM_TABLE_JOINT, joint_of(frame, k)))
+            state->friction[k] = PM_OPEN;
+        else if (fabs(slip) <= pm_joint_friction_still(frame, k))
+            hold(frame, state, k);
         else
-            w->state.friction[k] = slip > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
+            state->friction[k] = slip > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
     }
 }
 
@@ -201,7 +201,7 @@ void pm_joint_friction_slides(pm_workspace *w, int k)
     w->state.friction[k] = friction > 0 ? PM_SLIDE_BACKWARD : PM_SLIDE_FORWARD;
 }
 
-void pm_joint_friction_stops(pm_workspace *w, int k) { hold(w, k); }
+void pm_joint_friction_stops(const pm_frame *frame, pm_state *state, int k) { hold(frame, state, k); }
 
 int pm_joint_friction_overcome(pm_workspace *w, double slack)
 {
@@ -221,6 +221,6 @@ int pm_joint_friction_check_blow(pm_workspace *w)
 {
     for (int k = 0; k < w->model->nfriction; k++)
         if (by_load(&w->frame, k) > 0 && load(w, k, w->saddle.rhs) > 0)
-            return pm_fail(w, PM_UNSUPPORTED, PM_TABLE_FORCE, w->model->friction_force[k], NAN, NAN);
+            return pm_fail(&w->result, PM_UNSUPPORTED, PM_TABLE_FORCE, w->model->friction_force[k], NAN, NAN);
     return PM_OK;
 }

@@ -8,7 +8,7 @@
 
 /* How many frictions of joints the case has, and whether one that slides depends on the load of its joint. */
 int pm_joint_friction_any(const pm_model *m);
-int pm_joint_friction_by_load(const pm_workspace *w);
+int pm_joint_friction_by_load(const pm_frame *frame, const pm_state *state);
 /* Whether one would, if it did slide. */
 int pm_joint_friction_any_by_load(const pm_frame *frame);
 
@@ -34,10 +34,10 @@ int pm_joint_friction_update(pm_workspace *w);
 /* No grip holds or slides (before a start, and in a blow). */
 void pm_joint_friction_release(pm_workspace *w);
 /* Grips by their slip at the frame: what does not slip holds. */
-void pm_joint_friction_close(pm_workspace *w);
+void pm_joint_friction_close(const pm_frame *frame, pm_state *state);
 /* What the phase found: grip k of the function has begun to slide, or has stopped. */
 void pm_joint_friction_slides(pm_workspace *w, int k);
-void pm_joint_friction_stops(pm_workspace *w, int k);
+void pm_joint_friction_stops(const pm_frame *frame, pm_state *state, int k);
 /* The first holding grip that needs more than its limit begins to slide; 1 if there was one. */
 int pm_joint_friction_overcome(pm_workspace *w, double slack);
 /* PM_UNSUPPORTED if a blow of active impulses w->rhs loads a joint whose friction goes with its load. */

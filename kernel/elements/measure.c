@@ -73,7 +73,7 @@ static const pm_measure_ops kinds[PM_MEASURE_KINDS] = {
 };
 
 /* ---- reading ---- */
-static double part_of(const pm_workspace *w, const int32_t *e, const double v[2])
+static double part_of(const pm_numbers *numbers, const int32_t *e, const double v[2])
 {
     switch (e[PM_MEASURE_PART]) {
     case PM_PART_X: return v[0];
@@ -81,7 +81,7 @@ static double part_of(const pm_workspace *w, const int32_t *e, const double v[2]
     case PM_PART_NORM: return hypot(v[0], v[1]);
     case PM_PART_ANGLE: return atan2(v[1], v[0]);
     default: {
-        const double direction = w->numbers.value[e[PM_MEASURE_VALUE]];
+        const double direction = numbers->value[e[PM_MEASURE_VALUE]];
         return v[0] * cos(direction) + v[1] * sin(direction);
     }
     }
@@ -93,7 +93,7 @@ static double read_off(const pm_measure_args *x)
     if (ops->scalar) return ops->scalar(x);
     double v[2];
     ops->vector(x, v);
-    return part_of(x->w, x->e, v);
+    return part_of(&x->w->numbers, x->e, v);
 }
 
 double pm_measure_signed(pm_workspace *w, int i)

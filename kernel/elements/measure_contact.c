@@ -43,7 +43,7 @@ double pm_measured_contact_gap(const pm_measure_args *x)
     const int slot = first_slot(x);
     if (slot != PM_NONE) return pm_contact_member_gap(&x->w->frame, x->a, member_of(x, slot), 0);
     if (pm_edge_is(x->w->model, x->a)) return pm_edge_gap(&x->w->frame, x->a, &member);
-    return pm_contact_apart(x->w, &x->w->state, x->a, &member);
+    return pm_contact_apart(&x->w->frame, &x->w->state, x->a, &member);
 }
 
 double pm_measured_contact_closed(const pm_measure_args *x)

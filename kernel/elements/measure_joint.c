@@ -16,7 +16,7 @@ static int partner_of(const pm_measure_args *x)
 {
     pm_constraint row[PM_JOINT_CONSTRAINTS];
     if (x->e[PM_MEASURE_ON] == PM_NONE) return 0;
-    if (pm_joint_constraints(x->w, x->a, row) == 0) return PM_NONE;
+    if (pm_joint_constraints(&x->w->frame, &x->w->state, x->a, row) == 0) return PM_NONE;
     return row[0].body[0] != pm_body_index(x->w->model, x->e[PM_MEASURE_ON]);
 }
 

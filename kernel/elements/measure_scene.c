@@ -25,8 +25,8 @@ double pm_measured_force_work(const pm_measure_args *x)
 double pm_measured_force_power(const pm_measure_args *x) { return pm_force_action(x->w, x->a).power; }
 double pm_measured_force_stretch(const pm_measure_args *x) { return pm_force_action(x->w, x->a).stretch; }
 double pm_measured_force_energy(const pm_measure_args *x) { return pm_force_action(x->w, x->a).energy; }
-double pm_measured_event_count(const pm_measure_args *x) { return pm_trigger_count(x->w, x->a); }
-double pm_measured_event_time(const pm_measure_args *x) { return pm_trigger_time(x->w, x->a); }
+double pm_measured_event_count(const pm_measure_args *x) { return pm_trigger_count(&x->w->firing, x->a); }
+double pm_measured_event_time(const pm_measure_args *x) { return pm_trigger_time(&x->w->firing, x->a); }
 
 /* ---- the scene ---- */
 double pm_measured_time(const pm_measure_args *x) { return x->w->frame.t; }

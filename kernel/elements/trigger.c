@@ -8,19 +8,18 @@
 #include "expression/program_class.h"
 #include "state/workspace.h"
 
-void pm_trigger_reset(pm_workspace *w)
+void pm_trigger_reset(const pm_model *model, pm_firing *x)
 {
-    pm_firing *x = &w->firing;
-    for (int i = 0; i < w->model->rows[PM_TABLE_EVENT]; i++) {
+    for (int i = 0; i < model->rows[PM_TABLE_EVENT]; i++) {
         x->count[i] = x->seen[i] = 0;
         x->time[i] = NAN;
     }
-    memset(x->fired, 0, (size_t)w->model->rows[PM_TABLE_TRIGGER]);
+    memset(x->fired, 0, (size_t)model->rows[PM_TABLE_TRIGGER]);
 }
 
-double pm_trigger_count(const pm_workspace *w, int event)
+double pm_trigger_count(const pm_firing *firing, int event)
 {
-    const int64_t count = w->firing.count[event];
+    const int64_t count = firing->count[event];
     return count >= PM_COUNTLESS ? INFINITY : (double)count;
 }
 
@@ -34,18 +33,18 @@ void pm_trigger_countless(pm_workspace *w, int contact)
     }
 }
 
-double pm_trigger_time(const pm_workspace *w, int event) { return w->firing.time[event]; }
+double pm_trigger_time(const pm_firing *firing, int event) { return firing->time[event]; }
 
 double pm_trigger_program(pm_workspace *w, int trigger)
 {
     return pm_program_run(w, PM_TRIGGER_ROW(w->model, trigger)[PM_TRIGGER_PROGRAM]);
 }
 
-int pm_trigger_on_time(const pm_workspace *w, int trigger)
+int pm_trigger_on_time(const pm_model *model, int trigger)
 {
-    const int32_t *e = PM_TRIGGER_ROW(w->model, trigger);
+    const int32_t *e = PM_TRIGGER_ROW(model, trigger);
     return e[PM_TRIGGER_KIND] <= PM_TRIGGER_FALL &&
-           w->model->programs.class[e[PM_TRIGGER_PROGRAM]] == PM_CLASS_TIME;
+           model->programs.class[e[PM_TRIGGER_PROGRAM]] == PM_CLASS_TIME;
 }
 
 /* p(t) is a straight line: its values now and one time unit later tell where it goes through zero, and which way. */
@@ -84,56 +83,54 @@ void pm_trigger_look_after(pm_workspace *w)
     }
 }
 
-void pm_trigger_mark(pm_workspace *w, int kind, int a)
+void pm_trigger_mark(const pm_model *model, pm_firing *firing, int kind, int a)
 {
-    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
-        const int32_t *e = PM_TRIGGER_ROW(w->model, i);
+    for (int i = 0; i < model->rows[PM_TABLE_TRIGGER]; i++) {
+        const int32_t *e = PM_TRIGGER_ROW(model, i);
         if (e[PM_TRIGGER_KIND] == kind && (kind == PM_TRIGGER_START || e[PM_TRIGGER_A] == a))
-            w->firing.fired[i] = PM_FIRED_NOW;
+            firing->fired[i] = PM_FIRED_NOW;
     }
 }
 
-void pm_trigger_next_blow(pm_workspace *w)
+void pm_trigger_next_blow(const pm_model *model, pm_firing *firing)
 {
-    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++)
-        if (w->firing.fired[i]) w->firing.fired[i] = PM_FIRED_EARLIER;
+    for (int i = 0; i < model->rows[PM_TABLE_TRIGGER]; i++)
+        if (firing->fired[i]) firing->fired[i] = PM_FIRED_EARLIER;
 }
 
-static int is_marked(const pm_workspace *w, int event)
+static int is_marked(const pm_model *model, const pm_firing *firing, int event)
 {
     int marked = 0;
-    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++)
-        marked |=
-            w->firing.fired[i] == PM_FIRED_NOW && PM_TRIGGER_ROW(w->model, i)[PM_TRIGGER_EVENT] == event;
+    for (int i = 0; i < model->rows[PM_TABLE_TRIGGER]; i++)
+        marked |= firing->fired[i] == PM_FIRED_NOW && PM_TRIGGER_ROW(model, i)[PM_TRIGGER_EVENT] == event;
     return marked;
 }
 
-int pm_trigger_fires(const pm_workspace *w, int event)
+int pm_trigger_fires(const pm_model *model, const pm_firing *firing, int event)
 {
-    const int nth = PM_EVENT_ROW(w->model, event)[PM_EVENT_NTH];
-    return is_marked(w, event) && (nth == 0 || w->firing.seen[event] + 1 == nth);
+    const int nth = PM_EVENT_ROW(model, event)[PM_EVENT_NTH];
+    return is_marked(model, firing, event) && (nth == 0 || firing->seen[event] + 1 == nth);
 }
 
 /* The marks stay until the next phase has begun: they tell which triggers start on zero. */
 int pm_trigger_commit(pm_workspace *w, int event)
 {
-    const int fires = pm_trigger_fires(w, event);
-    w->firing.seen[event] += is_marked(w, event);
+    const int fires = pm_trigger_fires(w->model, &w->firing, event);
+    w->firing.seen[event] += is_marked(w->model, &w->firing, event);
     if (!fires) return 0;
     w->firing.count[event]++;
     w->firing.time[event] = w->state.t;
     return 1;
 }
 
-int pm_trigger_until(const pm_workspace *w)
+int pm_trigger_until(const pm_model *m, const pm_firing *firing)
 {
-    const pm_model *m = w->model;
     for (int i = 0; i < m->rows[PM_TABLE_UNTIL]; i++) {
         const int group = PM_UNTIL_ROW(m, i)[PM_UNTIL_GROUP];
         int all = 1;
         for (int k = 0; k < m->rows[PM_TABLE_UNTIL]; k++) {
             const int32_t *e = PM_UNTIL_ROW(m, k);
-            if (e[PM_UNTIL_GROUP] == group && w->firing.count[e[PM_UNTIL_EVENT]] < e[PM_UNTIL_NTH]) all = 0;
+            if (e[PM_UNTIL_GROUP] == group && firing->count[e[PM_UNTIL_EVENT]] < e[PM_UNTIL_NTH]) all = 0;
         }
         if (all) return 1;
     }

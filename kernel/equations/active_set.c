@@ -109,7 +109,7 @@ static int append_joints(pm_workspace *w, int *nbasis)
     const pm_model *m = w->model;
     for (int j = 0; j < m->rows[PM_TABLE_JOINT]; j++) {
         pm_constraint row[PM_JOINT_CONSTRAINTS];
-        const int i = w->active.joint_order[j], n = pm_joint_constraints(w, i, row);
+        const int i = w->active.joint_order[j], n = pm_joint_constraints(&w->frame, &w->state, i, row);
         for (int k = 0; k < n; k++) {
             if (pm_active_set_is_idle(&w->numbers, &row[k])) continue;
             const int status = append(w, &row[k], nbasis, &w->active.of_joint[m->joint_row[i] + k]);
@@ -126,7 +126,7 @@ static int append_captured(pm_workspace *w, int *nbasis)
     for (int i = 0; i < w->model->nslot; i++) {
         pm_constraint row[PM_JOINT_CONSTRAINTS];
         if (w->state.slot[i].mode != PM_CAPTURED) continue;
-        const int n = pm_capture_rows(w, i, row);
+        const int n = pm_capture_rows(&w->frame, &w->state, i, row);
         for (int k = 0; k < n; k++) {
             const int status = append(w, &row[k], nbasis, &w->active.slot_held[PM_JOINT_CONSTRAINTS * i + k]);
             if (status) return status;
@@ -137,9 +137,9 @@ static int append_captured(pm_workspace *w, int *nbasis)
 
 static int slides(int mode) { return mode == PM_SLIDE_FORWARD || mode == PM_SLIDE_BACKWARD; }
 
-static double slide_factor(const pm_workspace *w, int contact, int mode)
+static double slide_factor(const pm_frame *frame, int contact, int mode)
 {
-    const double mu = pm_contact_kinetic(&w->frame, contact);
+    const double mu = pm_contact_kinetic(frame, contact);
     return mode == PM_SLIDE_FORWARD ? -mu : mu; /* friction opposes the slip */
 }
 
@@ -151,7 +151,7 @@ static int append_normals(pm_workspace *w, int *nbasis)
         if (slot[i].mode == PM_OPEN || slot[i].mode == PM_CAPTURED) continue;
         const int contact = pm_contact_of_slot(w->model, i);
         pm_contact_constraint_normal(&w->frame, contact, i, slot[i].member, &normal);
-        if (slides(slot[i].mode)) normal.slide = slide_factor(w, contact, slot[i].mode);
+        if (slides(slot[i].mode)) normal.slide = slide_factor(&w->frame, contact, slot[i].mode);
         w->active.asymmetric |= normal.slide != 0;
         const int status = append(w, &normal, nbasis, &w->active.slot_normal[i]);
         if (status) return status;
@@ -244,65 +244,67 @@ void pm_active_set_carry(pm_workspace *w, int slot, double ratio)
     append_carried(w);
 }
 
-static void remember(const pm_workspace *w, pm_state *s, const pm_constraint *row, int anchor_too)
+static void remember(const pm_frame *frame, pm_state *s, const pm_constraint *row, int anchor_too)
 {
     if (row->memory == PM_NONE || !pm_constraint_kind(row->kind)->remember) return;
-    pm_constraint_kind(row->kind)->remember(&w->frame, row, &s->memory[row->memory], anchor_too);
+    pm_constraint_kind(row->kind)->remember(frame, row, &s->memory[row->memory], anchor_too);
 }
 
-void pm_active_set_anchor(pm_workspace *w, pm_state *s, int slot)
+void pm_active_set_anchor(const pm_frame *frame, pm_state *s, int slot)
 {
     pm_constraint normal, tangent;
-    const int contact = pm_contact_of_slot(w->model, slot);
-    if (pm_contact_is_cord(w->model, contact)) return; /* its length stays */
+    const int contact = pm_contact_of_slot(frame->model, slot);
+    if (pm_contact_is_cord(frame->model, contact)) return; /* its length stays */
     if (s->slot[slot].mode == PM_CAPTURED) {
-        pm_capture_keep(&w->frame, s, slot);
+        pm_capture_keep(frame, s, slot);
         return;
     }
-    pm_contact_constraint_both(&w->frame, contact, slot, s->slot[slot].member, &normal, &tangent);
-    remember(w, s, &tangent, 1);
+    pm_contact_constraint_both(frame, contact, slot, s->slot[slot].member, &normal, &tangent);
+    remember(frame, s, &tangent, 1);
 }
 
-void pm_active_set_anchor_joint(pm_workspace *w, pm_state *s, int joint)
+void pm_active_set_anchor_joint(const pm_frame *frame, const pm_state *state, pm_state *s, int joint)
 {
     pm_constraint row[PM_JOINT_CONSTRAINTS];
-    if (pm_joint_of(w->model, joint)->memories == 0) return;
-    const int n = pm_joint_constraints(w, joint, row);
-    for (int k = 0; k < n; k++) remember(w, s, &row[k], 1);
+    if (pm_joint_of(frame->model, joint)->memories == 0) return;
+    const int n = pm_joint_constraints(frame, state, joint, row);
+    for (int k = 0; k < n; k++) remember(frame, s, &row[k], 1);
 }
 
 /* Measures the cords: as drawn, and what they are slack. */
-static void anchor_cords(pm_workspace *w, pm_state *s)
+static void anchor_cords(const pm_frame *frame, pm_state *s)
 {
-    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
-        if (!pm_contact_is_cord(w->model, i)) continue;
+    for (int i = 0; i < frame->model->rows[PM_TABLE_CONTACT]; i++) {
+        if (!pm_contact_is_cord(frame->model, i)) continue;
         pm_constraint strand, unused;
-        pm_contact_constraint_both(&w->frame, i, w->model->contact_slot[i], 0, &strand, &unused);
-        remember(w, s, &strand, 1);
-        s->memory[strand.memory].anchor += w->numbers.value[PM_CONTACT_ROW_OF(w->model, i)[PM_CONTACT_SLACK]];
+        pm_contact_constraint_both(frame, i, frame->model->contact_slot[i], 0, &strand, &unused);
+        remember(frame, s, &strand, 1);
+        s->memory[strand.memory].anchor +=
+            frame->numbers->value[PM_CONTACT_ROW_OF(frame->model, i)[PM_CONTACT_SLACK]];
     }
 }
 
-void pm_active_set_anchor_start(pm_workspace *w, pm_state *s)
+void pm_active_set_anchor_start(const pm_frame *frame, const pm_state *state, pm_state *s)
 {
-    for (int i = 0; i < w->model->rows[PM_TABLE_JOINT]; i++) pm_active_set_anchor_joint(w, s, i);
-    anchor_cords(w, s);
+    for (int i = 0; i < frame->model->rows[PM_TABLE_JOINT]; i++)
+        pm_active_set_anchor_joint(frame, state, s, i);
+    anchor_cords(frame, s);
 }
 
 /* Slack cords are no active rows, and yet their strands turn. */
-static void follow_slack_cords(pm_workspace *w, pm_state *s)
+static void follow_slack_cords(const pm_frame *frame, pm_state *s)
 {
-    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
-        const int slot = w->model->contact_slot[i];
-        if (!pm_contact_is_cord(w->model, i) || s->slot[slot].mode != PM_OPEN) continue;
+    for (int i = 0; i < frame->model->rows[PM_TABLE_CONTACT]; i++) {
+        const int slot = frame->model->contact_slot[i];
+        if (!pm_contact_is_cord(frame->model, i) || s->slot[slot].mode != PM_OPEN) continue;
         pm_constraint strand, unused;
-        pm_contact_constraint_both(&w->frame, i, slot, 0, &strand, &unused);
-        remember(w, s, &strand, 0);
+        pm_contact_constraint_both(frame, i, slot, 0, &strand, &unused);
+        remember(frame, s, &strand, 0);
     }
 }
 
-void pm_active_set_follow(pm_workspace *w, pm_state *s)
+void pm_active_set_follow(const pm_frame *frame, const pm_active_set *active, pm_state *s)
 {
-    for (int i = 0; i < w->active.n; i++) remember(w, s, &w->active.row[i], 0);
-    follow_slack_cords(w, s);
+    for (int i = 0; i < active->n; i++) remember(frame, s, &active->row[i], 0);
+    follow_slack_cords(frame, s);
 }

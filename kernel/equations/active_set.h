@@ -11,13 +11,13 @@ int pm_active_set_build(pm_workspace *w);
 /* The normal of a sliding slot carries its tangent with this ratio of impulses, whatever its law says. */
 void pm_active_set_carry(pm_workspace *w, int slot, double ratio);
 /* Anchors the no-slip rows of slot (just closed, stuck or captured) at the frame. */
-void pm_active_set_anchor(pm_workspace *w, pm_state *s, int slot);
+void pm_active_set_anchor(const pm_frame *frame, pm_state *s, int slot);
 /* Anchors the rows with memory of a joint at the frame. */
-void pm_active_set_anchor_joint(pm_workspace *w, pm_state *s, int joint);
+void pm_active_set_anchor_joint(const pm_frame *frame, const pm_state *state, pm_state *s, int joint);
 /* Anchors all joints with memory at the frame and measures the cords (once, after the assembly). */
-void pm_active_set_anchor_start(pm_workspace *w, pm_state *s);
+void pm_active_set_anchor_start(const pm_frame *frame, const pm_state *state, pm_state *s);
 /* After an accepted step: unwrapped directions follow. */
-void pm_active_set_follow(pm_workspace *w, pm_state *s);
+void pm_active_set_follow(const pm_frame *frame, const pm_active_set *active, pm_state *s);
 /* Nothing is active: another set from now on. */
 void pm_active_set_clear(pm_active_set *active, const pm_model *model);
 /* Whether both partners of a constraint are fixed for good (fixed_bodies.h): it holds nothing that moves. */

@@ -12,10 +12,10 @@
 #include "state/frame.h"
 #include "state/workspace.h"
 
-static int out_of_bound(pm_workspace *w, int table, int row, int member, double value, double bound)
+static int out_of_bound(pm_result *result, int table, int row, int member, double value, double bound)
 {
-    pm_fail(w, PM_BAD_VALUE, table, row, value, bound);
-    w->result.where.member = member;
+    pm_fail(result, PM_BAD_VALUE, table, row, value, bound);
+    result->where.member = member;
     return PM_BAD_VALUE;
 }
 
@@ -26,7 +26,7 @@ int pm_case_values(pm_workspace *w, const double *param)
     w->numbers.is_folded = 0;
     for (int i = 0; i < m->nparam; i++)
         if (!isfinite(w->numbers.param[i]))
-            return out_of_bound(w, PM_NONE, i, PM_NONE, w->numbers.param[i], 0);
+            return out_of_bound(&w->result, PM_NONE, i, PM_NONE, w->numbers.param[i], 0);
     for (int i = 0; i < m->nvalue; i++) {
         const int program = m->table[PM_TABLE_VALUE][i * PM_VALUE_COLUMNS + PM_VALUE_PROGRAM];
         w->numbers.value[i] = pm_program_value(m, program, w->numbers.param, w->numbers.value);
@@ -35,11 +35,12 @@ int pm_case_values(pm_workspace *w, const double *param)
 }
 
 /* value must be finite and > low (or >= low). */
-static int check(pm_workspace *w, int table, int row, int column, int index, double low, int strict)
+static int check(const pm_numbers *numbers, pm_result *result, int table, int row, int column, int index,
+                 double low, int strict)
 {
-    const double value = w->numbers.value[index];
+    const double value = numbers->value[index];
     if (isfinite(value) && (strict ? value > low : value >= low)) return PM_OK;
-    return out_of_bound(w, table, row, column, value, low);
+    return out_of_bound(result, table, row, column, value, low);
 }
 
 static int read_bodies(pm_workspace *w)
@@ -47,11 +48,12 @@ static int read_bodies(pm_workspace *w)
     const pm_model *m = w->model;
     for (int i = 0; i < m->nbody; i++) {
         const int32_t *e = PM_BODY_ROW(m, i);
-        int status = check(w, PM_TABLE_BODY, i, PM_BODY_MASS, e[PM_BODY_MASS], 0, 0);
+        int status = check(&w->numbers, &w->result, PM_TABLE_BODY, i, PM_BODY_MASS, e[PM_BODY_MASS], 0, 0);
         if (!status && e[PM_BODY_TURNS])
-            status = check(w, PM_TABLE_BODY, i, PM_BODY_INERTIA, e[PM_BODY_INERTIA], 0, 0);
+            status =
+                check(&w->numbers, &w->result, PM_TABLE_BODY, i, PM_BODY_INERTIA, e[PM_BODY_INERTIA], 0, 0);
         for (int k = PM_BODY_X; !status && k <= PM_BODY_ANGLE; k++)
-            status = check(w, PM_TABLE_BODY, i, k, e[k], -INFINITY, 0);
+            status = check(&w->numbers, &w->result, PM_TABLE_BODY, i, k, e[k], -INFINITY, 0);
         if (status) return status;
         w->numbers.mass[i] = w->numbers.value[e[PM_BODY_MASS]];
         w->numbers.inverse_mass[3 * i] = w->numbers.inverse_mass[3 * i + 1] = 1 / w->numbers.mass[i];
@@ -66,28 +68,34 @@ static int check_marks(pm_workspace *w)
     int status = PM_OK;
     for (int i = 0; !status && i < m->rows[PM_TABLE_POINT]; i++)
         for (int k = PM_POINT_X; !status && k <= PM_POINT_Y; k++)
-            status = check(w, PM_TABLE_POINT, i, k, PM_POINT_ROW(m, i)[k], -INFINITY, 0);
+            status =
+                check(&w->numbers, &w->result, PM_TABLE_POINT, i, k, PM_POINT_ROW(m, i)[k], -INFINITY, 0);
     for (int i = 0; !status && i < m->rows[PM_TABLE_LINE]; i++)
-        status = check(w, PM_TABLE_LINE, i, PM_LINE_ANGLE, PM_LINE_ROW(m, i)[PM_LINE_ANGLE], -INFINITY, 0);
+        status = check(&w->numbers, &w->result, PM_TABLE_LINE, i, PM_LINE_ANGLE,
+                       PM_LINE_ROW(m, i)[PM_LINE_ANGLE], -INFINITY, 0);
     for (int i = 0; !status && i < m->rows[PM_TABLE_CIRCLE]; i++)
-        status = check(w, PM_TABLE_CIRCLE, i, PM_CIRCLE_RADIUS, PM_CIRCLE_ROW(m, i)[PM_CIRCLE_RADIUS], 0, 0);
+        status = check(&w->numbers, &w->result, PM_TABLE_CIRCLE, i, PM_CIRCLE_RADIUS,
+                       PM_CIRCLE_ROW(m, i)[PM_CIRCLE_RADIUS], 0, 0);
     for (int i = 0; !status && i < m->rows[PM_TABLE_ROW]; i++) {
         const int32_t *e = PM_ROW_ROW(m, i);
         const double step = hypot(w->numbers.value[e[PM_ROW_STEP_X]], w->numbers.value[e[PM_ROW_STEP_Y]]);
-        if (!(step > 0) || !isfinite(step)) status = out_of_bound(w, PM_TABLE_ROW, i, PM_ROW_STEP_X, step, 0);
-        if (!status) status = check(w, PM_TABLE_ROW, i, PM_ROW_COUNT, e[PM_ROW_COUNT], -INFINITY, 0);
+        if (!(step > 0) || !isfinite(step))
+            status = out_of_bound(&w->result, PM_TABLE_ROW, i, PM_ROW_STEP_X, step, 0);
+        if (!status)
+            status =
+                check(&w->numbers, &w->result, PM_TABLE_ROW, i, PM_ROW_COUNT, e[PM_ROW_COUNT], -INFINITY, 0);
         const double count = w->numbers.value[e[PM_ROW_COUNT]];
         if (!status && count > PM_MOST_MEMBERS)
-            status = out_of_bound(w, PM_TABLE_ROW, i, PM_ROW_COUNT, count, PM_MOST_MEMBERS);
+            status = out_of_bound(&w->result, PM_TABLE_ROW, i, PM_ROW_COUNT, count, PM_MOST_MEMBERS);
     }
     return status;
 }
 
 /* 1, -1 or -2: which circle is inside the other. */
-static int check_side(pm_workspace *w, int table, int row, int column, int index)
+static int check_side(const pm_numbers *numbers, pm_result *result, int table, int row, int column, int index)
 {
-    const double side = w->numbers.value[index];
-    return side == 1 || side == -1 || side == -2 ? PM_OK : out_of_bound(w, table, row, column, side, 1);
+    const double side = numbers->value[index];
+    return side == 1 || side == -1 || side == -2 ? PM_OK : out_of_bound(result, table, row, column, side, 1);
 }
 
 /* A point touches neither a point nor a row of points; points that meet have no radius. */
@@ -99,27 +107,30 @@ static int check_partners(pm_workspace *w, int contact)
     if (e[PM_CONTACT_KIND] == PM_CONTACT_LINE || e[PM_CONTACT_KIND] == PM_CONTACT_CORD) return PM_OK;
     if (e[PM_CONTACT_KIND] == PM_CONTACT_POINT) {
         radius = fmax(radius, w->numbers.value[PM_CIRCLE_ROW(m, e[PM_CONTACT_B])[PM_CIRCLE_RADIUS]]);
-        return radius == 0 ? PM_OK : out_of_bound(w, PM_TABLE_CONTACT, contact, PM_CONTACT_A, radius, 0);
+        return radius == 0 ? PM_OK
+                           : out_of_bound(&w->result, PM_TABLE_CONTACT, contact, PM_CONTACT_A, radius, 0);
     }
     if (e[PM_CONTACT_KIND] == PM_CONTACT_SEGMENT) {
         const double from = w->numbers.value[e[PM_CONTACT_FROM]], to = w->numbers.value[e[PM_CONTACT_TO]];
-        return from < to ? PM_OK : out_of_bound(w, PM_TABLE_CONTACT, contact, PM_CONTACT_TO, to, from);
+        return from < to ? PM_OK
+                         : out_of_bound(&w->result, PM_TABLE_CONTACT, contact, PM_CONTACT_TO, to, from);
     }
     if (e[PM_CONTACT_KIND] == PM_CONTACT_CIRCLE) {
         radius = fmax(radius, w->numbers.value[PM_CIRCLE_ROW(m, e[PM_CONTACT_B])[PM_CIRCLE_RADIUS]]);
-        const int status = check_side(w, PM_TABLE_CONTACT, contact, PM_CONTACT_SIDE, e[PM_CONTACT_SIDE]);
+        const int status = check_side(&w->numbers, &w->result, PM_TABLE_CONTACT, contact, PM_CONTACT_SIDE,
+                                      e[PM_CONTACT_SIDE]);
         if (status) return status;
     }
-    return radius > 0 ? PM_OK : out_of_bound(w, PM_TABLE_CONTACT, contact, PM_CONTACT_A, radius, 0);
+    return radius > 0 ? PM_OK : out_of_bound(&w->result, PM_TABLE_CONTACT, contact, PM_CONTACT_A, radius, 0);
 }
 
 /* Between 0 and 1. */
 static int check_restitution(pm_workspace *w, int contact, int column)
 {
     const int index = PM_CONTACT_ROW_OF(w->model, contact)[column];
-    const int status = check(w, PM_TABLE_CONTACT, contact, column, index, 0, 0);
+    const int status = check(&w->numbers, &w->result, PM_TABLE_CONTACT, contact, column, index, 0, 0);
     if (status || w->numbers.value[index] <= 1) return status;
-    return out_of_bound(w, PM_TABLE_CONTACT, contact, column, w->numbers.value[index], 1);
+    return out_of_bound(&w->result, PM_TABLE_CONTACT, contact, column, w->numbers.value[index], 1);
 }
 
 static int check_elements(pm_workspace *w)
@@ -129,10 +140,11 @@ static int check_elements(pm_workspace *w)
     for (int i = 0; !status && i < m->rows[PM_TABLE_JOINT]; i++) {
         const int number = pm_joint_of(m, i)->number, index = PM_JOINT_ROW(m, i)[PM_JOINT_VALUE];
         if (number == PM_NUMBER_SIDE)
-            status = check_side(w, PM_TABLE_JOINT, i, PM_JOINT_VALUE, index);
+            status = check_side(&w->numbers, &w->result, PM_TABLE_JOINT, i, PM_JOINT_VALUE, index);
         else if (number) {
             const int length = number == PM_NUMBER_LENGTH;
-            status = check(w, PM_TABLE_JOINT, i, PM_JOINT_VALUE, index, length ? 0 : -INFINITY, length);
+            status = check(&w->numbers, &w->result, PM_TABLE_JOINT, i, PM_JOINT_VALUE, index,
+                           length ? 0 : -INFINITY, length);
         }
     }
     for (int i = 0; !status && i < m->rows[PM_TABLE_CONTACT]; i++) {
@@ -140,10 +152,11 @@ static int check_elements(pm_workspace *w)
         status = check_restitution(w, i, PM_CONTACT_RESTITUTION);
         if (!status && e[PM_CONTACT_TANGENTIAL] >= 0) status = check_restitution(w, i, PM_CONTACT_TANGENTIAL);
         if (!status && e[PM_CONTACT_SLACK] >= 0)
-            status = check(w, PM_TABLE_CONTACT, i, PM_CONTACT_SLACK, e[PM_CONTACT_SLACK], 0, 0);
+            status = check(&w->numbers, &w->result, PM_TABLE_CONTACT, i, PM_CONTACT_SLACK,
+                           e[PM_CONTACT_SLACK], 0, 0);
         for (int k = PM_CONTACT_STATIC; !status && k <= PM_CONTACT_KINETIC; k++)
             if (e[PM_CONTACT_FRICTION] == PM_FRICTION_COULOMB)
-                status = check(w, PM_TABLE_CONTACT, i, k, e[k], 0, 0);
+                status = check(&w->numbers, &w->result, PM_TABLE_CONTACT, i, k, e[k], 0, 0);
         if (!status) status = check_partners(w, i);
     }
     for (int i = 0; !status && i < m->rows[PM_TABLE_FORCE]; i++) {
@@ -151,12 +164,12 @@ static int check_elements(pm_workspace *w)
         for (int k = 0; !status && k < 2 && number[k]; k++) {
             const int column = PM_FORCE_VALUE_1 + k, index = PM_FORCE_ROW(m, i)[column];
             const double low = number[k] == PM_FORCE_NOT_NEGATIVE ? 0 : -INFINITY;
-            status = check(w, PM_TABLE_FORCE, i, column, index, low, 0);
+            status = check(&w->numbers, &w->result, PM_TABLE_FORCE, i, column, index, low, 0);
         }
     }
     for (int i = 0; !status && i < m->rows[PM_TABLE_START]; i++)
-        status =
-            check(w, PM_TABLE_START, i, PM_START_VALUE, PM_START_ROW(m, i)[PM_START_VALUE], -INFINITY, 0);
+        status = check(&w->numbers, &w->result, PM_TABLE_START, i, PM_START_VALUE,
+                       PM_START_ROW(m, i)[PM_START_VALUE], -INFINITY, 0);
     return status;
 }
 
@@ -165,20 +178,21 @@ static int read_settings(pm_workspace *w)
     const pm_model *m = w->model;
     static const int columns[] = {PM_SETTING_GRAVITY_X, PM_SETTING_GRAVITY_Y};
     for (int k = 0; k < 2; k++) {
-        const int status = check(w, PM_TABLE_SETTING, 0, columns[k], PM_SETTING(m, columns[k]), -INFINITY, 0);
+        const int status = check(&w->numbers, &w->result, PM_TABLE_SETTING, 0, columns[k],
+                                 PM_SETTING(m, columns[k]), -INFINITY, 0);
         if (status) return status;
         w->numbers.gravity[k] = w->numbers.value[PM_SETTING(m, columns[k])];
     }
     static const double least[] = {1e-14, 0, 0};
     for (int k = PM_SETTING_ACCURACY; k <= PM_SETTING_ASSEMBLY; k++) {
         if (PM_SETTING(m, k) == PM_NONE) continue;
-        const int status = check(w, PM_TABLE_SETTING, 0, k, PM_SETTING(m, k), least[k - PM_SETTING_ACCURACY],
-                                 k > PM_SETTING_ACCURACY);
+        const int status = check(&w->numbers, &w->result, PM_TABLE_SETTING, 0, k, PM_SETTING(m, k),
+                                 least[k - PM_SETTING_ACCURACY], k > PM_SETTING_ACCURACY);
         if (status) return status;
     }
     w->numbers.accuracy = w->numbers.value[PM_SETTING(m, PM_SETTING_ACCURACY)];
     if (w->numbers.accuracy > 1e-2)
-        return out_of_bound(w, PM_TABLE_SETTING, 0, PM_SETTING_ACCURACY, w->numbers.accuracy, 1e-2);
+        return out_of_bound(&w->result, PM_TABLE_SETTING, 0, PM_SETTING_ACCURACY, w->numbers.accuracy, 1e-2);
     w->numbers.tolerance = pm_evidence_tolerance(w);
     return PM_OK;
 }
@@ -194,7 +208,7 @@ static int set_stand_ins(pm_workspace *w)
         if (w->numbers.mass[i] > 0) least = fmin(least, w->numbers.mass[i]);
     for (int i = 0; i < m->nq; i++) {
         const int none = isinf(w->numbers.inverse_mass[i]);
-        if (none && isinf(least)) return out_of_bound(w, PM_TABLE_BODY, i / 3, PM_BODY_MASS, 0, 0);
+        if (none && isinf(least)) return out_of_bound(&w->result, PM_TABLE_BODY, i / 3, PM_BODY_MASS, 0, 0);
         w->numbers.stand_in[i] =
             none ? PM_STAND_IN * least * (i % 3 == 2 ? w->numbers.size * w->numbers.size : 1) : 0;
         if (none) w->numbers.inverse_mass[i] = 1 / w->numbers.stand_in[i];
@@ -205,13 +219,12 @@ static int set_stand_ins(pm_workspace *w)
 }
 
 /* Extent of the marks on bodies and of the bodies as drawn; 1 m where there is none. */
-static void set_size(pm_workspace *w)
+static void set_size(const pm_model *m, pm_numbers *numbers)
 {
-    const pm_model *m = w->model;
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY}, size = 0;
     for (int i = 0; i < m->nbody; i++)
         for (int k = 0; k < 2; k++) {
-            const double x = w->numbers.value[PM_BODY_ROW(m, i)[PM_BODY_X + k]];
+            const double x = numbers->value[PM_BODY_ROW(m, i)[PM_BODY_X + k]];
             low[k] = fmin(low[k], x);
             high[k] = fmax(high[k], x);
         }
@@ -219,57 +232,57 @@ static void set_size(pm_workspace *w)
     for (int i = 0; i < m->rows[PM_TABLE_POINT]; i++) {
         const int32_t *e = PM_POINT_ROW(m, i);
         if (e[PM_POINT_BODY] != PM_GROUND)
-            size = fmax(size, hypot(w->numbers.value[e[PM_POINT_X]], w->numbers.value[e[PM_POINT_Y]]));
+            size = fmax(size, hypot(numbers->value[e[PM_POINT_X]], numbers->value[e[PM_POINT_Y]]));
     }
     for (int i = 0; i < m->rows[PM_TABLE_CIRCLE]; i++)
-        size = fmax(size, w->numbers.value[PM_CIRCLE_ROW(m, i)[PM_CIRCLE_RADIUS]]);
+        size = fmax(size, numbers->value[PM_CIRCLE_ROW(m, i)[PM_CIRCLE_RADIUS]]);
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
         const int32_t *e = PM_JOINT_ROW(m, i);
-        if (e[PM_JOINT_KIND] == PM_JOINT_LINK) size = fmax(size, w->numbers.value[e[PM_JOINT_VALUE]]);
+        if (e[PM_JOINT_KIND] == PM_JOINT_LINK) size = fmax(size, numbers->value[e[PM_JOINT_VALUE]]);
     }
     if (size == 0) /* a particle alone: how far it is from the ground's marks */
         for (int i = 0; i < m->rows[PM_TABLE_POINT]; i++) {
             const int32_t *e = PM_POINT_ROW(m, i);
             if (e[PM_POINT_BODY] != PM_GROUND || m->nbody == 0) continue;
-            size = fmax(size, hypot(w->numbers.value[e[PM_POINT_X]] - low[0],
-                                    w->numbers.value[e[PM_POINT_Y]] - low[1]));
+            size = fmax(
+                size, hypot(numbers->value[e[PM_POINT_X]] - low[0], numbers->value[e[PM_POINT_Y]] - low[1]));
         }
-    w->numbers.size = size > 0 && isfinite(size) ? size : 1;
+    numbers->size = size > 0 && isfinite(size) ? size : 1;
 }
 
-double pm_case_max_time(const pm_workspace *w)
+double pm_case_max_time(const pm_model *model, const pm_numbers *numbers)
 {
-    const int index = PM_SETTING(w->model, PM_SETTING_MAX_TIME);
-    return index == PM_NONE ? PM_MAX_TIME : w->numbers.value[index];
+    const int index = PM_SETTING(model, PM_SETTING_MAX_TIME);
+    return index == PM_NONE ? PM_MAX_TIME : numbers->value[index];
 }
 
-int pm_case_speed(pm_workspace *w, const double *v)
+int pm_case_speed(const pm_model *model, pm_numbers *numbers, const double *v)
 {
     double fastest = 0;
-    for (int i = 0; i < w->model->nq; i++)
-        fastest = fmax(fastest, fabs(v[i]) * (i % 3 == 2 ? w->numbers.size : 1));
-    if (!(fastest > PM_FASTER * w->numbers.speed)) return 0;
-    w->numbers.speed = fastest;
+    for (int i = 0; i < model->nq; i++)
+        fastest = fmax(fastest, fabs(v[i]) * (i % 3 == 2 ? numbers->size : 1));
+    if (!(fastest > PM_FASTER * numbers->speed)) return 0;
+    numbers->speed = fastest;
     return 1;
 }
 
-double pm_case_force(const pm_workspace *w)
+double pm_case_force(const pm_model *model, const pm_numbers *numbers)
 {
-    const double acceleration = hypot(w->numbers.gravity[0], w->numbers.gravity[1]) +
-                                w->numbers.speed * w->numbers.speed / w->numbers.size;
+    const double acceleration =
+        hypot(numbers->gravity[0], numbers->gravity[1]) + numbers->speed * numbers->speed / numbers->size;
     double sum = 0;
-    for (int i = 0; i < w->model->nbody; i++) sum += w->numbers.mass[i] * acceleration;
+    for (int i = 0; i < model->nbody; i++) sum += numbers->mass[i] * acceleration;
     return sum;
 }
 
-double pm_case_time_scale(const pm_workspace *w, const double *v, const double *a)
+double pm_case_time_scale(const pm_model *model, const pm_numbers *numbers, const double *v, const double *a)
 {
     double rate = 0;
-    for (int i = 0; i < w->model->nq; i++) {
-        const double length = i % 3 == 2 ? 1 : w->numbers.size;
+    for (int i = 0; i < model->nq; i++) {
+        const double length = i % 3 == 2 ? 1 : numbers->size;
         rate = fmax(rate, fmax(fabs(v[i]) / length, sqrt(fabs(a[i]) / length)));
     }
-    return rate > 0 ? w->numbers.coarse / rate : INFINITY;
+    return rate > 0 ? numbers->coarse / rate : INFINITY;
 }
 
 int pm_case_begin(pm_workspace *w, const double *param)
@@ -283,7 +296,7 @@ int pm_case_begin(pm_workspace *w, const double *param)
     if (status) return status;
     pm_joint_compose(&w->frame);
     pm_program_numbers(w);
-    set_size(w);
+    set_size(w->model, &w->numbers);
     w->numbers.speed = 0;
     return set_stand_ins(w);
 }

@@ -9,16 +9,16 @@ int pm_case_values(pm_workspace *w, const double *param);
 /* Computes the value table from the parameters and checks it; fills masses, gravity, size, tolerance. */
 int pm_case_begin(pm_workspace *w, const double *param);
 /* When a run ends at the latest, s. */
-double pm_case_max_time(const pm_workspace *w);
+double pm_case_max_time(const pm_model *model, const pm_numbers *numbers);
 /* Lets the speed scale follow v; 1 if it grew noticeably. */
-int pm_case_speed(pm_workspace *w, const double *v);
+int pm_case_speed(const pm_model *model, pm_numbers *numbers, const double *v);
 
 /* Forces of the size of the scene's weight, or that turn its motion within its size, N. */
-double pm_case_force(const pm_workspace *w);
+double pm_case_force(const pm_model *model, const pm_numbers *numbers);
 
 /* The shortest time in which motion with velocities v and accelerations a changes its own kind, s: 1/omega,
  * sqrt(size/a), size/v; INFINITY at rest without forces. */
-double pm_case_time_scale(const pm_workspace *w, const double *v, const double *a);
+double pm_case_time_scale(const pm_model *model, const pm_numbers *numbers, const double *v, const double *a);
 
 /* w->state with everything in it moved by a part of its natural size, no two coordinates alike: what a function changes by,
  * over that part, is its own natural size.  Returns the part. */

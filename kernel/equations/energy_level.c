@@ -21,18 +21,17 @@
 #include "state/frame.h"
 #include "state/workspace.h"
 
-static int only_potentials(const pm_workspace *w)
+static int only_potentials(const pm_model *m, const pm_state *state)
 {
-    const pm_model *m = w->model;
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++)
-        if (m->force_z[i] != PM_NONE && !pm_state_is_absent(m, &w->state, PM_TABLE_FORCE, i)) return 0;
+        if (m->force_z[i] != PM_NONE && !pm_state_is_absent(m, state, PM_TABLE_FORCE, i)) return 0;
     return 1;
 }
 
-static int drives_nothing(const pm_workspace *w)
+static int drives_nothing(const pm_active_set *active)
 {
-    for (int i = 0; i < w->active.n; i++)
-        if (w->active.row[i].drive != PM_NONE) return 0;
+    for (int i = 0; i < active->n; i++)
+        if (active->row[i].drive != PM_NONE) return 0;
     return 1;
 }
 
@@ -52,7 +51,8 @@ void pm_energy_level_begin(pm_workspace *w, pm_energy_level_level *level)
 {
     if (w->result.count[PM_COUNT_STEPS] == 0) level->returned = 0;
     level->kept = !w->active.asymmetric && !w->numbers.massless && !pm_turning_plane_turns(w->model) &&
-                  !pm_joint_friction_any(w->model) && only_potentials(w) && drives_nothing(w);
+                  !pm_joint_friction_any(w->model) && only_potentials(w->model, &w->state) &&
+                  drives_nothing(&w->active);
     if (!level->kept) return;
     level->kinetic = pm_body_kinetic(&w->frame, PM_NONE);
     level->energy = level->kinetic + potential(w);
@@ -71,10 +71,11 @@ double pm_energy_level_factor(pm_workspace *w, const pm_energy_level_level *leve
     return sqrt(1 + missing / kinetic);
 }
 
-void pm_energy_level_note(pm_workspace *w, pm_energy_level_level *level, double gained)
+void pm_energy_level_note(const pm_frame *frame, pm_ledger *ledger, pm_energy_level_level *level,
+                          double gained)
 {
-    level->kinetic = fmax(level->kinetic, pm_body_kinetic(&w->frame, PM_NONE));
+    level->kinetic = fmax(level->kinetic, pm_body_kinetic(frame, PM_NONE));
     level->returned += gained;
-    w->ledger.evidence =
-        fmax(w->ledger.evidence, fabs(level->returned) / fmax(w->ledger.energy_scale, level->kinetic));
+    ledger->evidence =
+        fmax(ledger->evidence, fabs(level->returned) / fmax(ledger->energy_scale, level->kinetic));
 }

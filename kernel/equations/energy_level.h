@@ -18,6 +18,7 @@ void pm_energy_level_begin(pm_workspace *w, pm_energy_level_level *level);
  * *gained: the energy that comes with it. */
 double pm_energy_level_factor(pm_workspace *w, const pm_energy_level_level *level, double *gained);
 /* Takes note of a step's correction, as evidence against the integration: w->evidence. */
-void pm_energy_level_note(pm_workspace *w, pm_energy_level_level *level, double gained);
+void pm_energy_level_note(const pm_frame *frame, pm_ledger *ledger, pm_energy_level_level *level,
+                          double gained);
 
 #endif

@@ -38,54 +38,50 @@ enum { WIDE = 3 * FEW };
 
 /* ---- what must move, and what is asked ---- */
 /* All bodies that a row of a table refers to move. */
-static void let_move(pm_workspace *w, int table, int row)
+static void let_move(const pm_model *m, pm_fixed_bodies *fixed, int table, int row)
 {
-    const pm_model *m = w->model;
     const int32_t *e = pm_table_row(m, table, row, pm_table_columns[table]);
     pm_reference ref[PM_REFERENCES];
     const int n = pm_reference_of(m, table, e, ref);
     for (int k = 0; k < n; k++) {
         if (ref[k].of < PM_TABLE_BODY || ref[k].of > PM_TABLE_ROW) continue;
         const int body = pm_model_body_of(m, ref[k].of, e[ref[k].column]);
-        if (body >= 0) w->fixed->moves[body] = 1;
+        if (body >= 0) fixed->moves[body] = 1;
     }
 }
 
 /* The joints of which a program reads a reaction. */
-static void ask_read(pm_workspace *w, int program)
+static void ask_read(const pm_model *m, pm_fixed_bodies *fixed, int program)
 {
-    const pm_model *m = w->model;
     int length;
     const int32_t *code = pm_program_code(m, program, &length);
     for (int i = 0; i < length; i++, code += PM_CODE_COLUMNS) {
         if (code[PM_CODE_OP] != PM_OP_MEASURE) continue;
         const int32_t *e = PM_MEASURE_ROW(m, code[PM_CODE_ARG]);
-        if (pm_measure_of(e[PM_MEASURE_KIND]) == PM_TABLE_JOINT) w->fixed->is_asked[e[PM_MEASURE_A]] = 1;
+        if (pm_measure_of(e[PM_MEASURE_KIND]) == PM_TABLE_JOINT) fixed->is_asked[e[PM_MEASURE_A]] = 1;
     }
 }
 
 /* What is asked or watched, or acts; the columns of a history, which no table refers to, do not count. */
-static void note_asked(pm_workspace *w)
+static void note_asked(const pm_model *m, pm_fixed_bodies *fixed)
 {
-    const pm_model *m = w->model;
     for (int table = PM_TABLE_BODY; table < PM_TABLES; table++)
         for (int i = 0; i < m->rows[table]; i++) {
             pm_reference ref[PM_REFERENCES];
             const int32_t *e = pm_table_row(m, table, i, pm_table_columns[table]);
             const int n = pm_reference_of(m, table, e, ref);
             for (int k = 0; k < n; k++)
-                if (ref[k].of == PM_TABLE_PROGRAM) ask_read(w, e[ref[k].column]);
+                if (ref[k].of == PM_TABLE_PROGRAM) ask_read(m, fixed, e[ref[k].column]);
         }
 }
 
-static void note_others(pm_workspace *w)
+static void note_others(const pm_model *m, pm_fixed_bodies *fixed)
 {
-    const pm_model *m = w->model;
     for (int i = 0; i < m->rows[PM_TABLE_ACTION]; i++)
-        if (PM_ACTION_ROW(m, i)[PM_ACTION_KIND] > PM_ACTION_REMOVE) let_move(w, PM_TABLE_ACTION, i);
-    for (int k = 0; k < m->nfriction; k++) w->fixed->is_asked[pm_joint_friction_joint(m, k)] = 1;
+        if (PM_ACTION_ROW(m, i)[PM_ACTION_KIND] > PM_ACTION_REMOVE) let_move(m, fixed, PM_TABLE_ACTION, i);
+    for (int k = 0; k < m->nfriction; k++) fixed->is_asked[pm_joint_friction_joint(m, k)] = 1;
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++)
-        if (pm_joint_of(m, i)->programs > 0) w->fixed->is_asked[i] = 1;
+        if (pm_joint_of(m, i)->programs > 0) fixed->is_asked[i] = 1;
 }
 
 void pm_fixed_bodies_free(pm_workspace *w)
@@ -113,7 +109,7 @@ static int list_rows(pm_workspace *w)
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
         pm_constraint rows[PM_JOINT_CONSTRAINTS];
         if (pm_model_is_changed(m, PM_TABLE_JOINT, i) || pm_joint_of(m, i)->programs > 0) continue;
-        const int of_joint = pm_joint_constraints(w, i, rows);
+        const int of_joint = pm_joint_constraints(&w->frame, &w->state, i, rows);
         for (int k = 0; k < of_joint; k++, n++) {
             w->active.row[n] = rows[k];
             if (!x->counts) pm_constraint_kind(rows[k].kind)->evaluate(&w->frame, &w->active.row[n]);
@@ -143,14 +139,14 @@ static int place_in(const pm_group *g, int body)
     return PM_NONE;
 }
 
-static void join(const pm_workspace *w, pm_group *g, int body)
+static void join(const pm_model *model, pm_group *g, int body)
 {
     g->body[g->n++] = body;
-    g->freedom += PM_BODY_ROW(w->model, body)[PM_BODY_TURNS] ? 3 : 2;
+    g->freedom += PM_BODY_ROW(model, body)[PM_BODY_TURNS] ? 3 : 2;
 }
 
 /* Counts a row if it is clearly independent of those before it. */
-static void add_row(const pm_workspace *w, pm_group *g, const pm_constraint *row)
+static void add_row(const pm_numbers *numbers, pm_group *g, const pm_constraint *row)
 {
     const pm_orthonormal basis = {&g->basis[0][0], &g->range[0][0], WIDE, PM_CLEARLY_INDEPENDENT};
     pm_orthonormal_rest rest;
@@ -161,7 +157,7 @@ static void add_row(const pm_workspace *w, pm_group *g, const pm_constraint *row
     for (int side = 0; side < 2; side++) {
         const int at = place_in(g, row->body[side]);
         for (int k = 0; k < 3 && at != PM_NONE; k++)
-            x[3 * at + k] += row->j[3 * side + k] * w->numbers.inverse_root[3 * row->body[side] + k];
+            x[3 * at + k] += row->j[3 * side + k] * numbers->inverse_root[3 * row->body[side] + k];
     }
     g->rank = pm_orthonormal_add(&basis, g->rank, &rest);
 }
@@ -178,7 +174,7 @@ static int holds(pm_workspace *w, pm_group *g)
             if (x->counts)
                 g->rank++;
             else
-                add_row(w, g, row);
+                add_row(&w->numbers, g, row);
         }
     if (g->rank < g->freedom) return 0;
     for (int i = 0; i < g->n; i++) w->numbers.fixed[g->body[i]] = 1;
@@ -188,17 +184,17 @@ static int holds(pm_workspace *w, pm_group *g)
 
 static int must_move(const pm_fixed_bodies *x, int body) { return x->moves[body] || x->is_left[body]; }
 
-static int may_be_fixed(const pm_workspace *w, int body)
+static int may_be_fixed(const pm_numbers *numbers, const pm_fixed_bodies *fixed, int body)
 {
-    return !w->numbers.fixed[body] && !must_move(w->fixed, body);
+    return !numbers->fixed[body] && !must_move(fixed, body);
 }
 
 /* A body alone. */
 static int try_one(pm_workspace *w, int body)
 {
     pm_group g = {.n = 0};
-    if (!may_be_fixed(w, body)) return 0;
-    join(w, &g, body);
+    if (!may_be_fixed(&w->numbers, w->fixed, body)) return 0;
+    join(w->model, &g, body);
     return holds(w, &g);
 }
 
@@ -207,8 +203,8 @@ static int try_two(pm_workspace *w, const pm_constraint *row)
 {
     pm_group g = {.n = 0};
     for (int side = 0; side < 2; side++) {
-        if (!may_be_fixed(w, row->body[side])) return 0;
-        join(w, &g, row->body[side]);
+        if (!may_be_fixed(&w->numbers, w->fixed, row->body[side])) return 0;
+        join(w->model, &g, row->body[side]);
     }
     return holds(w, &g);
 }
@@ -218,14 +214,14 @@ static int try_all(pm_workspace *w, int body)
 {
     pm_fixed_bodies *x = w->fixed;
     pm_group g = {.n = 0};
-    if (!may_be_fixed(w, body)) return 0;
-    join(w, &g, body);
+    if (!may_be_fixed(&w->numbers, w->fixed, body)) return 0;
+    join(w->model, &g, body);
     for (int i = 0; i < g.n; i++)
         for (int at = x->first[g.body[i]]; at != PM_NONE; at = x->next[at]) {
             const int other = w->active.row[at / 2].body[1 - at % 2];
             if (w->numbers.fixed[other] || place_in(&g, other) != PM_NONE) continue;
             if (must_move(x, other) || g.n == FEW) return 0;
-            join(w, &g, other);
+            join(w->model, &g, other);
         }
     return holds(w, &g);
 }
@@ -267,8 +263,8 @@ int pm_fixed_bodies_create(pm_workspace *w)
     };
     const int status = pm_arena_create(&x->block, PM_ARRAYS(array));
     if (status) return status;
-    note_asked(w);
-    note_others(w);
+    note_asked(w->model, w->fixed);
+    note_others(w->model, w->fixed);
     find_possible(w);
     pm_fixed_bodies_begin(w);
     return PM_OK;

@@ -124,19 +124,19 @@ typedef struct pm_straight {
     int body;
 } pm_straight;
 
-static pm_straight straight(const pm_workspace *w, int line)
+static pm_straight straight(const pm_model *model, const pm_numbers *numbers, int line)
 {
-    const int32_t *e = PM_LINE_ROW(w->model, line), *p = PM_POINT_ROW(w->model, e[PM_LINE_POINT]);
-    const double angle = w->numbers.value[e[PM_LINE_ANGLE]];
-    return (pm_straight){.at = {w->numbers.value[p[PM_POINT_X]], w->numbers.value[p[PM_POINT_Y]]},
+    const int32_t *e = PM_LINE_ROW(model, line), *p = PM_POINT_ROW(model, e[PM_LINE_POINT]);
+    const double angle = numbers->value[e[PM_LINE_ANGLE]];
+    return (pm_straight){.at = {numbers->value[p[PM_POINT_X]], numbers->value[p[PM_POINT_Y]]},
                          .t = {cos(angle), sin(angle)},
-                         .body = pm_body_index(w->model, p[PM_POINT_BODY])};
+                         .body = pm_body_index(model, p[PM_POINT_BODY])};
 }
 
 /* A place of the scene in the axes of a body, as it is now. */
-static void into_body(const pm_workspace *w, int body, const double p[2], double out[2])
+static void into_body(const pm_frame *frame, int body, const double p[2], double out[2])
 {
-    const double *x = w->frame.pose + 5 * body, d[2] = {p[0] - x[0], p[1] - x[1]};
+    const double *x = frame->pose + 5 * body, d[2] = {p[0] - x[0], p[1] - x[1]};
     out[0] = x[3] * d[0] + x[4] * d[1];
     out[1] = -x[4] * d[0] + x[3] * d[1];
 }
@@ -149,7 +149,7 @@ static double height_over(const pm_straight *line, const double p[2])
 
 static double least_over_line(const pm_workspace *w, const int32_t *e, const pm_ring *a, double ra)
 {
-    const pm_straight line = straight(w, e[PM_CONTACT_B]);
+    const pm_straight line = straight(w->model, &w->numbers, e[PM_CONTACT_B]);
     const pm_hinge_bounds *b = &w->reach.hinge[line.body];
     double at[2];
     if (!b->known) return -INFINITY;
@@ -157,16 +157,16 @@ static double least_over_line(const pm_workspace *w, const int32_t *e, const pm_
         const double d = hypot(a->at[0] - b->at[0], a->at[1] - b->at[1]);
         return height_over(&line, b->hinge) - (d + a->high + b->high) - ra;
     }
-    into_body(w, line.body, a->at, at);
+    into_body(&w->frame, line.body, a->at, at);
     return height_over(&line, at) - a->high - ra;
 }
 
 static double least_beside_edge(const pm_workspace *w, const int32_t *e, const pm_ring *a, double ra)
 {
-    const pm_straight line = straight(w, e[PM_CONTACT_B]);
+    const pm_straight line = straight(w->model, &w->numbers, e[PM_CONTACT_B]);
     double at[2];
     if (!is_fixed(&w->reach.hinge[line.body])) return -INFINITY;
-    into_body(w, line.body, a->at, at);
+    into_body(&w->frame, line.body, a->at, at);
     const double d[2] = {at[0] - line.at[0], at[1] - line.at[1]}, along = pm_dot(line.t, d);
     const double beyond =
         fmax(w->numbers.value[e[PM_CONTACT_FROM]] - along, along - w->numbers.value[e[PM_CONTACT_TO]]);

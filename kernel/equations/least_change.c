@@ -9,52 +9,55 @@
 #include "numerics/tolerances.h"
 #include "state/workspace.h"
 
-static double norm_of(const pm_workspace *w, const double *row)
+static double norm_of(const pm_model *model, const pm_numbers *numbers, const double *row)
 {
     double sum = 0;
-    for (int i = 0; i < w->model->nq; i++) sum += row[i] * row[i] * w->numbers.inverse_mass[i];
+    for (int i = 0; i < model->nq; i++) sum += row[i] * row[i] * numbers->inverse_mass[i];
     return sqrt(sum);
 }
 
 /* Adds a row, times a factor, to a dense one. */
-static void add_sparse(const pm_workspace *w, const pm_constraint *row, double factor, double *dense)
+static void add_sparse(const pm_model *model, const pm_constraint *row, double factor, double *dense)
 {
     for (int p = 0; p < 2; p++)
-        for (int k = 0; k < 3 && row->body[p] != w->model->nbody; k++)
+        for (int k = 0; k < 3 && row->body[p] != model->nbody; k++)
             dense[3 * row->body[p] + k] += factor * row->j[3 * p + k];
 }
 
-static void spread_row(const pm_workspace *w, const pm_constraint *row, double *dense)
+static void spread_row(const pm_model *model, const pm_constraint *row, double *dense)
 {
-    memset(dense, 0, (size_t)w->model->nq * sizeof *dense);
-    add_sparse(w, row, 1, dense);
+    memset(dense, 0, (size_t)model->nq * sizeof *dense);
+    add_sparse(model, row, 1, dense);
 }
 
 /* G M^-1 d of one row of the block. */
-static double along(const pm_workspace *w, const pm_constraint *row, const double *d)
+static double along(const pm_model *model, const pm_numbers *numbers, const pm_constraint *row,
+                    const double *d)
 {
     double sum = 0;
     for (int p = 0; p < 2; p++)
-        for (int k = 0; k < 3 && row->body[p] != w->model->nbody; k++)
-            sum +=
-                row->j[3 * p + k] * w->numbers.inverse_mass[3 * row->body[p] + k] * d[3 * row->body[p] + k];
+        for (int k = 0; k < 3 && row->body[p] != model->nbody; k++)
+            sum += row->j[3 * p + k] * numbers->inverse_mass[3 * row->body[p] + k] * d[3 * row->body[p] + k];
     return sum;
 }
 
-int pm_least_change_add(pm_workspace *w, const pm_least_change *s, const double *row,
-                        pm_orthonormal_rest *rest)
+int pm_least_change_add(const pm_active_set *active, pm_saddle *saddle, const pm_least_change *s,
+                        const double *row, pm_orthonormal_rest *rest)
 {
-    if (!s->block) return pm_orthonormal_rows_add_dense(&w->saddle, s->n, row, rest);
-    memcpy(s->across, row, (size_t)w->model->nq * sizeof *row);
+    if (!s->block) return pm_orthonormal_rows_add_dense(saddle, s->n, row, rest);
+    memcpy(s->across, row, (size_t)saddle->model->nq * sizeof *row);
     for (int pass = 0; pass < PM_BLOCK_PASSES; pass++) {
-        for (int i = 0; i < w->active.n; i++) w->saddle.rhs[i] = -along(w, &w->active.row[i], s->across);
-        pm_saddle_solve(&w->saddle);
-        for (int i = 0; i < w->active.n; i++) add_sparse(w, &w->active.row[i], w->saddle.rhs[i], s->across);
+        for (int i = 0; i < active->n; i++)
+            saddle->rhs[i] = -along(saddle->model, saddle->numbers, &active->row[i], s->across);
+        pm_saddle_solve(saddle);
+        for (int i = 0; i < active->n; i++)
+            add_sparse(saddle->model, &active->row[i], saddle->rhs[i], s->across);
     }
-    const double all = norm_of(w, row), part = norm_of(w, s->across);
+    const double all = norm_of(saddle->model, saddle->numbers, row),
+                 part = norm_of(saddle->model, saddle->numbers, s->across);
     *rest = (pm_orthonormal_rest){0, all};
     if (!(part > PM_INDEPENDENT * all)) return s->n;
-    const int n = pm_orthonormal_rows_add_dense(&w->saddle, s->n, s->across, rest);
+    const int n = pm_orthonormal_rows_add_dense(saddle, s->n, s->across, rest);
     rest->left *= rest->norm / all;
     rest->norm = all;
     return n;
@@ -67,7 +70,7 @@ int pm_least_change_block(pm_workspace *w, pm_least_change *s, int level)
     w->active.n = 0;
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
         pm_constraint rows[PM_JOINT_CONSTRAINTS];
-        const int n = pm_joint_constraints(w, w->active.joint_order[i], rows);
+        const int n = pm_joint_constraints(&w->frame, &w->state, w->active.joint_order[i], rows);
         for (int k = 0; k < n; k++) {
             if (level == PM_START_POSITION && rows[k].memory != PM_NONE) continue;
             pm_constraint *row = &w->active.row[w->active.n];
@@ -89,26 +92,27 @@ int pm_least_change_block(pm_workspace *w, pm_least_change *s, int level)
 }
 
 /* A row of which the solution misses so much has been added to the basis, which has n rows now; 1 if it is a new one. */
-static int meet(const pm_workspace *w, pm_least_change *s, int n, const pm_orthonormal_rest *rest,
+static int meet(const pm_saddle *saddle, pm_least_change *s, int n, const pm_orthonormal_rest *rest,
                 double *miss)
 {
     if (n == s->n) return 0;
-    const double *e = w->saddle.basis + (size_t)s->n * (size_t)w->model->nq,
+    const double *e = saddle->basis + (size_t)s->n * (size_t)saddle->model->nq,
                  component = *miss / (rest->left * rest->norm);
-    const int *range = w->saddle.basis_range + 2 * s->n;
-    for (int i = range[0]; i < range[1]; i++) s->x[i] += component * e[i] * w->numbers.inverse_root[i];
+    const int *range = saddle->basis_range + 2 * s->n;
+    for (int i = range[0]; i < range[1]; i++) s->x[i] += component * e[i] * saddle->numbers->inverse_root[i];
     s->n = n;
     *miss = 0;
     return 1;
 }
 
-int pm_least_change_take(pm_workspace *w, pm_least_change *s, const double *row, double rhs, double *miss)
+int pm_least_change_take(const pm_active_set *active, pm_saddle *saddle, pm_least_change *s,
+                         const double *row, double rhs, double *miss)
 {
     pm_orthonormal_rest rest;
     double now = 0;
-    for (int i = 0; i < w->model->nq; i++) now += row[i] * s->x[i];
+    for (int i = 0; i < saddle->model->nq; i++) now += row[i] * s->x[i];
     *miss = rhs - now;
-    return meet(w, s, pm_least_change_add(w, s, row, &rest), &rest, miss);
+    return meet(saddle, s, pm_least_change_add(active, saddle, s, row, &rest), &rest, miss);
 }
 
 int pm_least_change_take_row(pm_workspace *w, pm_least_change *s, const pm_constraint *row, double rhs,
@@ -116,9 +120,9 @@ int pm_least_change_take_row(pm_workspace *w, pm_least_change *s, const pm_const
 {
     pm_orthonormal_rest rest;
     if (s->block) {
-        spread_row(w, row, dense);
-        return pm_least_change_take(w, s, dense, rhs, miss);
+        spread_row(w->model, row, dense);
+        return pm_least_change_take(&w->active, &w->saddle, s, dense, rhs, miss);
     }
     *miss = rhs - pm_constraint_times(&w->frame, row, s->x);
-    return meet(w, s, pm_orthonormal_rows_add(&w->saddle, s->n, row, &rest), &rest, miss);
+    return meet(&w->saddle, s, pm_orthonormal_rows_add(&w->saddle, s->n, row, &rest), &rest, miss);
 }

@@ -25,12 +25,13 @@ typedef struct pm_least_change {
 int pm_least_change_block(pm_workspace *w, pm_least_change *s, int level);
 /* Takes one equation row.x = rhs, row [nq]; *miss is by how much it is violated if it depends on the others.  1 if it does
  * not. */
-int pm_least_change_take(pm_workspace *w, pm_least_change *s, const double *row, double rhs, double *miss);
+int pm_least_change_take(const pm_active_set *active, pm_saddle *saddle, pm_least_change *s,
+                         const double *row, double rhs, double *miss);
 /* The same of an evaluated row; dense [nq] is scratch. */
 int pm_least_change_take_row(pm_workspace *w, pm_least_change *s, const pm_constraint *row, double rhs,
                              double *dense, double *miss);
 /* Adds a row to the basis if it depends neither on that nor on the block; the new size. */
-int pm_least_change_add(pm_workspace *w, const pm_least_change *s, const double *row,
-                        pm_orthonormal_rest *rest);
+int pm_least_change_add(const pm_active_set *active, pm_saddle *saddle, const pm_least_change *s,
+                        const double *row, pm_orthonormal_rest *rest);
 
 #endif

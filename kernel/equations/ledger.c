@@ -34,44 +34,43 @@ static void add_outer(double *impulse, const double at[2], const double force[2]
 }
 
 /* What a row gives the scene from outside by a reaction (or an impulse) of that size. */
-static void add_row(const pm_workspace *w, const pm_constraint *row, double size, double *impulse)
+static void add_row(const pm_frame *frame, const pm_constraint *row, double size, double *impulse)
 {
-    if (pm_constraint_is_inner(w, row)) return;
-    const int on_a = !w->numbers.fixed[row->body[0]], on_b = !w->numbers.fixed[row->body[1]];
+    if (pm_constraint_is_inner(frame->numbers, row)) return;
+    const int on_a = !frame->numbers->fixed[row->body[0]], on_b = !frame->numbers->fixed[row->body[1]];
     pm_line_of_action x;
-    pm_constraint_kind(row->kind)->act(&w->frame, row, &x);
+    pm_constraint_kind(row->kind)->act(frame, row, &x);
     const double sign = size * (on_a - on_b);
     const double force[2] = {sign * x.direction[0], sign * x.direction[1]};
     add_outer(impulse, x.at, force, size * (on_a * x.couple[0] + on_b * x.couple[1]), 1);
 }
 
 /* Forces (or impulses) of the rows on the scene from outside. */
-static void add_rows(const pm_workspace *w, const double *size, double *impulse)
+static void add_rows(const pm_frame *frame, const pm_active_set *active, const double *size, double *impulse)
 {
-    for (int i = 0; i < w->active.n; i++) add_row(w, &w->active.row[i], size[i], impulse);
-    if (!w->active.asymmetric) return;
-    for (int i = w->active.n; w->active.row[i].normal != PM_NONE; i++) { /* sliding friction */
-        const int normal = w->active.row[i].normal;
-        add_row(w, &w->active.row[i], w->active.row[normal].slide * size[normal], impulse);
+    for (int i = 0; i < active->n; i++) add_row(frame, &active->row[i], size[i], impulse);
+    if (!active->asymmetric) return;
+    for (int i = active->n; active->row[i].normal != PM_NONE; i++) { /* sliding friction */
+        const int normal = active->row[i].normal;
+        add_row(frame, &active->row[i], active->row[normal].slide * size[normal], impulse);
     }
 }
 
 /* What drives put in through their rows, by the rates that they prescribe. */
-static double drive_power(const pm_workspace *w, const double *size)
+static double drive_power(const pm_active_set *active, const double *size)
 {
     double sum = 0;
-    for (int i = 0; i < w->active.n; i++) sum += size[i] * w->active.row[i].rate;
+    for (int i = 0; i < active->n; i++) sum += size[i] * active->row[i].rate;
     return sum;
 }
 
-static double friction_power(pm_workspace *w, const double *size)
+static double friction_power(const pm_frame *frame, const pm_active_set *active, const double *size)
 {
     double sum = 0;
-    if (!w->active.asymmetric) return 0;
-    for (int i = w->active.n; w->active.row[i].normal != PM_NONE; i++) {
-        const pm_constraint *normal = &w->active.row[w->active.row[i].normal];
-        sum +=
-            normal->slide * size[w->active.row[i].normal] * pm_constraint_rate(&w->frame, &w->active.row[i]);
+    if (!active->asymmetric) return 0;
+    for (int i = active->n; active->row[i].normal != PM_NONE; i++) {
+        const pm_constraint *normal = &active->row[active->row[i].normal];
+        sum += normal->slide * size[active->row[i].normal] * pm_constraint_rate(frame, &active->row[i]);
     }
     return sum;
 }
@@ -89,22 +88,22 @@ void pm_ledger_controlled_rates(pm_workspace *w, double *zdot)
     pm_turning_plane_rates(w, zdot);
 }
 
-double pm_ledger_controlled_scale(const pm_workspace *w, int z)
+double pm_ledger_controlled_scale(const pm_frame *frame, int z)
 {
-    const double spin = pm_turning_plane_scale(&w->frame, z);
+    const double spin = pm_turning_plane_scale(frame, z);
     double mass = 0;
     if (spin > 0) return spin;
-    if (z >= w->model->nz_work) return w->numbers.size;
-    for (int i = 0; i < w->model->nbody; i++) mass += w->numbers.mass[i];
-    return mass * w->numbers.speed * w->numbers.speed;
+    if (z >= frame->model->nz_work) return frame->numbers->size;
+    for (int i = 0; i < frame->model->nbody; i++) mass += frame->numbers->mass[i];
+    return mass * frame->numbers->speed * frame->numbers->speed;
 }
 
 void pm_ledger_rates(pm_workspace *w, double *zdot)
 {
     const pm_model *m = w->model;
     pm_ledger_controlled_rates(w, zdot);
-    zdot[friction_z(m)] =
-        friction_power(w, w->frame.lambda) + drive_power(w, w->frame.lambda) + pm_turning_plane_power(w);
+    zdot[friction_z(m)] = friction_power(&w->frame, &w->active, w->frame.lambda) +
+                          drive_power(&w->active, w->frame.lambda) + pm_turning_plane_power(w);
     double *outer = zdot + pm_ledger_ledger(m);
     pm_turning_plane_outer(&w->frame, outer);
     for (int i = 0; i < m->nbody; i++) {
@@ -118,7 +117,7 @@ void pm_ledger_rates(pm_workspace *w, double *zdot)
         if (!w->numbers.fixed[x.body_a]) add_outer(outer, x.at_a, x.force, x.couple, 1);
         if (!w->numbers.fixed[x.body_b]) add_outer(outer, x.at_b, x.force, x.couple, -1);
     }
-    add_rows(w, w->frame.lambda, outer);
+    add_rows(&w->frame, &w->active, w->frame.lambda, outer);
 }
 
 static double energy(pm_workspace *w)
@@ -138,19 +137,18 @@ void pm_ledger_begin(pm_workspace *w)
     pm_body_momentum(&w->frame, PM_NONE, w->ledger.momentum_start);
 }
 
-static double work_of_forces(const pm_workspace *w)
+static double work_of_forces(const pm_model *m, const pm_state *state)
 {
-    const pm_model *m = w->model;
-    double sum = w->state.z[friction_z(m)];
+    double sum = state->z[friction_z(m)];
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++)
-        if (m->force_z[i] != PM_NONE) sum += w->state.z[m->force_z[i]];
+        if (m->force_z[i] != PM_NONE) sum += state->z[m->force_z[i]];
     return sum;
 }
 
 /* Linear momentum counts as m v, angular as m v times the scene's size: one scale for all three. */
-static double momentum_size(const pm_workspace *w, const double p[PM_LEDGER])
+static double momentum_size(const pm_numbers *numbers, const double p[PM_LEDGER])
 {
-    return fmax(fmax(fabs(p[0]), fabs(p[1])), fabs(p[2]) / w->numbers.size);
+    return fmax(fmax(fabs(p[0]), fabs(p[1])), fabs(p[2]) / numbers->size);
 }
 
 static void update_scales(pm_workspace *w)
@@ -158,17 +156,19 @@ static void update_scales(pm_workspace *w)
     double p[PM_LEDGER];
     const double kinetic = pm_body_kinetic(&w->frame, PM_NONE);
     pm_body_momentum(&w->frame, PM_NONE, p);
-    w->ledger.energy_scale = fmax(w->ledger.energy_scale, fmax(kinetic, fabs(work_of_forces(w))));
-    w->ledger.momentum_scale =
-        fmax(w->ledger.momentum_scale,
-             fmax(momentum_size(w, p), momentum_size(w, w->state.z + pm_ledger_ledger(w->model))));
+    w->ledger.energy_scale =
+        fmax(w->ledger.energy_scale, fmax(kinetic, fabs(work_of_forces(w->model, &w->state))));
+    w->ledger.momentum_scale = fmax(
+        w->ledger.momentum_scale, fmax(momentum_size(&w->numbers, p),
+                                       momentum_size(&w->numbers, w->state.z + pm_ledger_ledger(w->model))));
 }
 
 void pm_ledger_step(pm_workspace *w)
 {
     update_scales(w);
     if (!pm_solve_cache_take_rows(w)) pm_saddle_evaluate(&w->active, &w->frame);
-    w->ledger.constraint_worst = fmax(w->ledger.constraint_worst, pm_projection_residual(w));
+    w->ledger.constraint_worst =
+        fmax(w->ledger.constraint_worst, pm_projection_residual(&w->frame, &w->active));
 }
 
 void pm_ledger_jump(pm_workspace *w, const double *before)
@@ -176,12 +176,12 @@ void pm_ledger_jump(pm_workspace *w, const double *before)
     const pm_model *m = w->model;
     const double *lambda = w->saddle.rhs;
     double *velocity = w->frame.velocity, loss = 0;
-    add_rows(w, lambda, w->state.z + pm_ledger_ledger(m));
+    add_rows(&w->frame, &w->active, lambda, w->state.z + pm_ledger_ledger(m));
     for (int side = 0; side < 2; side++) { /* mean of the rates before and after */
         if (side == 1) memcpy(velocity, before, (size_t)m->nq * sizeof *velocity);
         for (int i = 0; i < w->active.n; i++)
             loss -= 0.5 * lambda[i] * pm_constraint_rate(&w->frame, &w->active.row[i]);
-        loss -= 0.5 * friction_power(w, lambda);
+        loss -= 0.5 * friction_power(&w->frame, &w->active, lambda);
     }
     const double kinetic_before = pm_body_kinetic(&w->frame, PM_NONE);
     memcpy(velocity, w->state.v, (size_t)m->nq * sizeof *velocity);
@@ -190,16 +190,17 @@ void pm_ledger_jump(pm_workspace *w, const double *before)
     update_scales(w);
 }
 
-void pm_ledger_impulse(pm_workspace *w, const double at[2], const double force[2], double couple)
+void pm_ledger_impulse(const pm_model *model, pm_state *state, const double at[2], const double force[2],
+                       double couple)
 {
-    add_outer(w->state.z + pm_ledger_ledger(w->model), at, force, couple, 1);
+    add_outer(state->z + pm_ledger_ledger(model), at, force, couple, 1);
 }
 
 /* One row's share of a series of blows: what the outer world gives; the energy that it takes. */
-static double add_series_row(pm_workspace *w, const pm_constraint *row, double impulse)
+static double add_series_row(const pm_frame *frame, pm_state *state, const pm_constraint *row, double impulse)
 {
-    add_row(w, row, impulse, w->state.z + pm_ledger_ledger(w->model));
-    return -impulse * pm_constraint_rate(&w->frame, row);
+    add_row(frame, row, impulse, state->z + pm_ledger_ledger(frame->model));
+    return -impulse * pm_constraint_rate(frame, row);
 }
 
 void pm_ledger_series(pm_workspace *w, double factor)
@@ -208,9 +209,10 @@ void pm_ledger_series(pm_workspace *w, double factor)
     double loss = 0;
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
         pm_constraint row[PM_JOINT_CONSTRAINTS];
-        const int n = pm_joint_constraints(w, i, row);
+        const int n = pm_joint_constraints(&w->frame, &w->state, i, row);
         for (int k = 0; k < n; k++)
-            loss += add_series_row(w, &row[k], w->impulses.joint[m->joint_row[i] + k] *= factor);
+            loss += add_series_row(&w->frame, &w->state, &row[k],
+                                   w->impulses.joint[m->joint_row[i] + k] *= factor);
     }
     for (int i = 0; i < m->nslot; i++) {
         pm_constraint normal, tangent;
@@ -218,8 +220,8 @@ void pm_ledger_series(pm_workspace *w, double factor)
         if (impulse[0] == 0 && impulse[1] == 0) continue;
         pm_contact_constraint_both(&w->frame, pm_contact_of_slot(m, i), i, w->state.slot[i].member, &normal,
                                    &tangent);
-        loss += add_series_row(w, &normal, impulse[0] *= factor);
-        loss += add_series_row(w, &tangent, impulse[1] *= factor);
+        loss += add_series_row(&w->frame, &w->state, &normal, impulse[0] *= factor);
+        loss += add_series_row(&w->frame, &w->state, &tangent, impulse[1] *= factor);
     }
     w->ledger.energy_lost += loss;
     w->impulses.energy_lost = loss;
@@ -238,10 +240,10 @@ static double energy_rounding(const pm_workspace *w, double mass)
 
 /* What the errors of integration may leave of a ledger, relative: it goes with the tolerance, but a run whose energy is wrong
  * by a greater part of the whole is no answer at any accuracy.  A coarse run may be as much worse as its tolerance is. */
-static double bound_of_errors(const pm_workspace *w)
+static double bound_of_errors(const pm_numbers *numbers, const pm_evidence *evidence)
 {
-    const double most = PM_LEDGER_MOST * (pm_evidence_is_companion(w) ? PM_COARSER : 1);
-    return fmax(PM_LEDGER_ROUNDING, fmin(PM_LEDGER_ERRORS * w->numbers.tolerance, most));
+    const double most = PM_LEDGER_MOST * (pm_evidence_is_companion(evidence) ? PM_COARSER : 1);
+    return fmax(PM_LEDGER_ROUNDING, fmin(PM_LEDGER_ERRORS * numbers->tolerance, most));
 }
 
 /* Residuals and what they may be. */
@@ -253,7 +255,8 @@ static void weigh(pm_workspace *w, double *audit, double *bound)
     pm_body_momentum(&w->frame, PM_NONE, p);
     for (int i = 0; i < PM_LEDGER; i++)
         open[i] = p[i] - w->ledger.momentum_start[i] - w->state.z[pm_ledger_ledger(m) + i];
-    const double energy_open = energy(w) - w->ledger.energy_start - work_of_forces(w) + w->ledger.energy_lost;
+    const double energy_open =
+        energy(w) - w->ledger.energy_start - work_of_forces(w->model, &w->state) + w->ledger.energy_lost;
     double mass = 0;
     for (int i = 0; i < m->nbody; i++) mass += w->numbers.mass[i];
     w->ledger.momentum_scale = fmax(w->ledger.momentum_scale, PM_LEDGER_SLOWEST * mass * w->numbers.speed);
@@ -263,9 +266,9 @@ static void weigh(pm_workspace *w, double *audit, double *bound)
     if (w->ledger.evidence > audit[PM_AUDIT_ENERGY])
         audit[PM_AUDIT_ENERGY] = w->ledger.evidence; /* a NaN stays */
     audit[PM_AUDIT_MOMENTUM] =
-        w->ledger.momentum_scale > 0 ? momentum_size(w, open) / w->ledger.momentum_scale : 0;
+        w->ledger.momentum_scale > 0 ? momentum_size(&w->numbers, open) / w->ledger.momentum_scale : 0;
     audit[PM_AUDIT_CONSTRAINT] = w->ledger.constraint_worst;
-    for (int i = 0; i < PM_AUDITS; i++) bound[i] = bound_of_errors(w);
+    for (int i = 0; i < PM_AUDITS; i++) bound[i] = bound_of_errors(&w->numbers, &w->evidence);
     bound[PM_AUDIT_CONSTRAINT] = PM_LEDGER_ROUNDING;
     bound[PM_AUDIT_ENERGY] += energy_rounding(w, mass);
 }
@@ -284,7 +287,7 @@ int pm_ledger_close(pm_workspace *w)
     weigh(w, w->result.audit, bound);
     const int open = first_open(w->result.audit, bound);
     if (open == PM_NONE) return PM_OK;
-    return pm_fail(w, PM_AUDIT, PM_NONE, open, w->result.audit[open], bound[open]);
+    return pm_fail(&w->result, PM_AUDIT, PM_NONE, open, w->result.audit[open], bound[open]);
 }
 
 int pm_ledger_closes(pm_workspace *w)

@@ -11,7 +11,7 @@ void pm_ledger_rates(pm_workspace *w, double *zdot);
 /* Of these the first, which any route integrates: works, paths, what spins; accelerations are not needed. */
 void pm_ledger_controlled_rates(pm_workspace *w, double *zdot);
 /* Natural size of one of these. */
-double pm_ledger_controlled_scale(const pm_workspace *w, int z);
+double pm_ledger_controlled_scale(const pm_frame *frame, int z);
 /* Where the impulses of the outer world begin among the running integrals. */
 int pm_ledger_ledger(const pm_model *m);
 /* Opens the ledger at the start of the run (after the assembly). */
@@ -21,7 +21,8 @@ void pm_ledger_step(pm_workspace *w);
 /* A jump from velocities `before` to those of the frame, with w->rhs the impulses of the active rows. */
 void pm_ledger_jump(pm_workspace *w, const double *before);
 /* An impulse that the outer world applies. */
-void pm_ledger_impulse(pm_workspace *w, const double at[2], const double force[2], double couple);
+void pm_ledger_impulse(const pm_model *model, pm_state *state, const double at[2], const double force[2],
+                       double couple);
 /* Blows like the last one, `factor` times its impulses in all, at the mean of their places and velocities by impulse,
  * where the frame looks: they count as the last jump from now on. */
 void pm_ledger_series(pm_workspace *w, double factor);

@@ -22,10 +22,10 @@ static int factor_symmetric(pm_workspace *w)
     return status;
 }
 
-static double worst_opening(const pm_workspace *w)
+static double worst_opening(const pm_active_set *active)
 {
     double worst = 0;
-    for (int i = 0; i < w->active.n; i++) worst = fmax(worst, fabs(w->active.row[i].g));
+    for (int i = 0; i < active->n; i++) worst = fmax(worst, fabs(active->row[i].g));
     return worst;
 }
 
@@ -52,7 +52,7 @@ static int project(pm_workspace *w, pm_state *s, int evaluated)
     for (int sweep = 0;; sweep++) {
         if ((sweep > 0 || !evaluated) && !pm_solve_cache_take_rows(w))
             pm_saddle_evaluate(&w->active, &w->frame);
-        const double worst = worst_opening(w);
+        const double worst = worst_opening(&w->active);
         /* at the rounding of large coordinates Newton stalls: stop when it no longer gains */
         if (worst <= PM_MET * w->numbers.size || sweep == PM_PROJECTION_SWEEPS ||
             (sweep > 1 && worst > 0.5 * before))
@@ -75,12 +75,12 @@ int pm_projection_apply(pm_workspace *w, pm_state *s)
 
 int pm_projection_built(pm_workspace *w, pm_state *s) { return project(w, s, w->active.evaluated); }
 
-double pm_projection_residual(pm_workspace *w)
+double pm_projection_residual(const pm_frame *frame, const pm_active_set *active)
 {
-    double worst = worst_opening(w) / w->numbers.size;
-    for (int i = 0; i < w->active.n; i++)
-        worst = fmax(worst, fabs(pm_constraint_times(&w->frame, &w->active.row[i], w->frame.v) -
-                                 w->active.row[i].rate) /
-                                w->numbers.speed);
+    double worst = worst_opening(active) / frame->numbers->size;
+    for (int i = 0; i < active->n; i++)
+        worst =
+            fmax(worst, fabs(pm_constraint_times(frame, &active->row[i], frame->v) - active->row[i].rate) /
+                            frame->numbers->speed);
     return worst;
 }

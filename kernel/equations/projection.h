@@ -11,6 +11,6 @@ int pm_projection_built(pm_workspace *w, pm_state *s);
 /* Velocities only: G v = 0 at the state's position. */
 int pm_projection_velocity(pm_workspace *w, pm_state *s);
 /* Residuals of the active rows at the frame relative to size and speed: the greater one. */
-double pm_projection_residual(pm_workspace *w);
+double pm_projection_residual(const pm_frame *frame, const pm_active_set *active);
 
 #endif

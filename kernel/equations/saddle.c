@@ -178,8 +178,8 @@ int pm_saddle_factor(pm_workspace *w)
     w->result.count[PM_COUNT_SOLVES]++;
     if (!bad) return PM_OK;
     const pm_constraint *row = &w->active.row[bad - 1];
-    return row->joint != PM_NONE ? pm_fail(w, PM_SINGULAR, PM_TABLE_JOINT, row->joint, 0, 0)
-                                 : pm_fail(w, PM_SINGULAR, PM_TABLE_CONTACT, PM_NONE, 0, 0);
+    return row->joint != PM_NONE ? pm_fail(&w->result, PM_SINGULAR, PM_TABLE_JOINT, row->joint, 0, 0)
+                                 : pm_fail(&w->result, PM_SINGULAR, PM_TABLE_CONTACT, PM_NONE, 0, 0);
 }
 
 void pm_saddle_solve(pm_saddle *s)
@@ -227,18 +227,18 @@ static void respond_once(pm_workspace *w, const double *force, const double *bef
 }
 
 /* How far x is from `before`, relative to the greatest terms it is the sum of; *worst: where. */
-static double change(const pm_workspace *w, const double *force, const double *before, const double *x,
-                     int *worst)
+static double change(const pm_active_set *active, const pm_saddle *saddle, const double *force,
+                     const double *before, const double *x, int *worst)
 {
     double most = 0, scale = 0, reaction = 0;
-    for (int i = 0; i < w->active.n; i++) reaction = fmax(reaction, fabs(w->saddle.rhs[i]));
-    for (int i = 0; i < w->model->nq; i++) {
-        const double length = i % 3 == 2 ? w->numbers.size : 1;
+    for (int i = 0; i < active->n; i++) reaction = fmax(reaction, fabs(saddle->rhs[i]));
+    for (int i = 0; i < saddle->model->nq; i++) {
+        const double length = i % 3 == 2 ? saddle->numbers->size : 1;
         const double off = fabs(x[i] - before[i]) * length;
         scale = fmax(scale, fabs(x[i]) * length);
-        if (force) scale = fmax(scale, fabs(w->numbers.inverse_mass[i] * force[i]) * length);
-        if (w->numbers.stand_in[i] > 0)
-            scale = fmax(scale, w->numbers.inverse_mass[i] * reaction * length * length);
+        if (force) scale = fmax(scale, fabs(saddle->numbers->inverse_mass[i] * force[i]) * length);
+        if (saddle->numbers->stand_in[i] > 0)
+            scale = fmax(scale, saddle->numbers->inverse_mass[i] * reaction * length * length);
         if (off > most) *worst = i;
         most = fmax(most, off);
     }
@@ -251,10 +251,12 @@ int pm_saddle_respond(pm_workspace *w, const double *force, double *x)
     memset(w->saddle.previous, 0, (size_t)w->model->nq * sizeof *x);
     for (int i = 0; i < PM_STAND_IN_ROUNDS; i++) {
         respond_once(w, force, w->saddle.previous, x);
-        if (!w->numbers.massless || change(w, force, w->saddle.previous, x, &worst) <= PM_MET) return PM_OK;
+        if (!w->numbers.massless ||
+            change(&w->active, &w->saddle, force, w->saddle.previous, x, &worst) <= PM_MET)
+            return PM_OK;
         memcpy(w->saddle.previous, x, (size_t)w->model->nq * sizeof *x);
     }
-    return pm_fail(w, PM_SINGULAR, PM_TABLE_BODY, worst / 3, NAN, NAN);
+    return pm_fail(&w->result, PM_SINGULAR, PM_TABLE_BODY, worst / 3, NAN, NAN);
 }
 
 /* With the friction of joints as it was found last. */
@@ -280,12 +282,12 @@ static int accelerate_from(pm_workspace *w, int evaluated)
     if (pm_solve_cache_take(w)) return PM_OK;
     for (int i = 0; i < PM_FRICTION_ROUNDS; i++) {
         const int status = accelerate(w, evaluated && i == 0);
-        if (status || !pm_joint_friction_by_load(w) || !pm_joint_friction_update(w)) {
+        if (status || !pm_joint_friction_by_load(&w->frame, &w->state) || !pm_joint_friction_update(w)) {
             if (!status) pm_solve_cache_keep(w);
             return status;
         }
     }
-    return pm_fail(w, PM_SINGULAR, PM_TABLE_FORCE, w->model->friction_force[0], NAN, NAN);
+    return pm_fail(&w->result, PM_SINGULAR, PM_TABLE_FORCE, w->model->friction_force[0], NAN, NAN);
 }
 
 int pm_saddle_accelerate(pm_workspace *w) { return accelerate_from(w, 0); }

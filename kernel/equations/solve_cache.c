@@ -35,11 +35,11 @@ void pm_solve_cache_free(pm_workspace *w)
 }
 
 /* No angle is that of the case before: its sine might have the other sign of zero. */
-void pm_solve_cache_forget(pm_workspace *w)
+void pm_solve_cache_forget(pm_frame *frame, pm_solve_cache *cache)
 {
-    w->cache->known = 0;
-    w->cache->built = PM_NONE;
-    for (int i = 0; i < w->model->nbody; i++) w->frame.turn[3 * i] = NAN;
+    cache->known = 0;
+    cache->built = PM_NONE;
+    for (int i = 0; i < frame->model->nbody; i++) frame->turn[3 * i] = NAN;
 }
 
 /* Nothing but the configuration, the velocities and the rows makes the accelerations. */
@@ -48,27 +48,27 @@ static int applies(const pm_workspace *w)
     return w->model->programs.cacheable && !w->active.asymmetric && !w->numbers.massless;
 }
 
-static int same_place(const pm_workspace *w)
+static int same_place(const pm_frame *frame, const pm_solve_cache *r)
 {
-    const pm_solve_cache *r = w->cache;
-    for (int i = 0; i < w->model->nbody; i++)
+    for (int i = 0; i < frame->model->nbody; i++)
         for (int k = 0; k < 3; k++) {
-            if (r->pose[3 * i + k] != w->frame.pose[5 * i + k]) return 0;
-            if (r->velocity[3 * i + k] != w->frame.velocity[3 * i + k]) return 0;
+            if (r->pose[3 * i + k] != frame->pose[5 * i + k]) return 0;
+            if (r->velocity[3 * i + k] != frame->velocity[3 * i + k]) return 0;
         }
     return 1;
 }
 
-static int same_memory(const pm_workspace *w)
+static int same_memory(const pm_frame *frame, const pm_solve_cache *cache)
 {
-    const size_t bytes = (size_t)w->model->nmemory * sizeof(pm_memory);
-    return bytes == 0 || memcmp(w->cache->memory, w->frame.memory, bytes) == 0;
+    const size_t bytes = (size_t)frame->model->nmemory * sizeof(pm_memory);
+    return bytes == 0 || memcmp(cache->memory, frame->memory, bytes) == 0;
 }
 
 int pm_solve_cache_take_rows(pm_workspace *w)
 {
     const pm_solve_cache *r = w->cache;
-    if (!r->known || r->rows != w->active.version || !applies(w) || !same_place(w) || !same_memory(w))
+    if (!r->known || r->rows != w->active.version || !applies(w) || !same_place(&w->frame, w->cache) ||
+        !same_memory(&w->frame, w->cache))
         return 0;
     memcpy(w->active.row, r->row, (size_t)w->active.n * sizeof(pm_constraint));
     return 1;

@@ -23,11 +23,11 @@
 #include "state/workspace.h"
 
 /* ---- velocities ---- */
-static int any_velocity_written(const pm_workspace *w)
+static int any_velocity_written(const pm_model *model, const pm_numbers *numbers)
 {
-    if (pm_model_is_driven(w->model)) return 1;
-    for (int i = 0; i < w->model->rows[PM_TABLE_START]; i++)
-        if (pm_start_level(w, i) == PM_START_VELOCITY && pm_start_value(w, i) != 0) return 1;
+    if (pm_model_is_driven(model)) return 1;
+    for (int i = 0; i < model->rows[PM_TABLE_START]; i++)
+        if (pm_start_level(model, i) == PM_START_VELOCITY && pm_start_value(model, numbers, i) != 0) return 1;
     return 0;
 }
 
@@ -38,32 +38,32 @@ typedef struct pm_start_bodies {
     unsigned char *written;  /* [nbody] a velocity that is not zero */
 } pm_start_bodies;
 
-static void join(const pm_workspace *w, const pm_start_bodies *x, int a, int b)
+static void join(const pm_model *model, const pm_start_bodies *x, int a, int b)
 {
-    if (a != w->model->nbody && b != w->model->nbody) pm_islands_join(x->island, a, b);
+    if (a != model->nbody && b != model->nbody) pm_islands_join(x->island, a, b);
 }
 
-static void fasten(const pm_workspace *w, const pm_start_bodies *x, const pm_constraint *row)
+static void fasten(const pm_model *model, const pm_start_bodies *x, const pm_constraint *row)
 {
     for (int p = 0; p < 2; p++) x->fastened[row->body[p]] = 1;
-    join(w, x, row->body[0], row->body[1]);
+    join(model, x, row->body[0], row->body[1]);
 }
 
-static void note_written(const pm_workspace *w, const pm_start_bodies *x, const double *row, double value)
+static void note_written(const pm_model *model, const pm_start_bodies *x, const double *row, double value)
 {
     int first = PM_NONE;
-    for (int k = 0; k < w->model->nq; k++) {
+    for (int k = 0; k < model->nq; k++) {
         if (row[k] == 0) continue;
         if (first == PM_NONE) first = k / 3;
-        join(w, x, first, k / 3);
+        join(model, x, first, k / 3);
         if (value != 0) x->written[k / 3] = 1;
     }
 }
 
 /* Nothing is written of this body, nor of any that hangs together with it. */
-static int left_alone(const pm_workspace *w, const pm_start_bodies *x, int body)
+static int left_alone(const pm_model *model, const pm_start_bodies *x, int body)
 {
-    for (int i = 0; i < w->model->nbody; i++)
+    for (int i = 0; i < model->nbody; i++)
         if (x->written[i] && pm_islands_root(x->island, i) == pm_islands_root(x->island, body)) return 0;
     return 1;
 }
@@ -74,10 +74,10 @@ static void hold_joints(pm_workspace *w, pm_least_change *s, double *dense, cons
     double miss;
     for (int i = 0; i < w->model->rows[PM_TABLE_JOINT]; i++) {
         pm_constraint rows[PM_JOINT_CONSTRAINTS];
-        const int n = pm_joint_constraints(w, i, rows);
+        const int n = pm_joint_constraints(&w->frame, &w->state, i, rows);
         for (int k = 0; k < n; k++) {
             pm_constraint_kind(rows[k].kind)->evaluate(&w->frame, &rows[k]);
-            fasten(w, islands, &rows[k]);
+            fasten(w->model, islands, &rows[k]);
             if (solved) continue;
             pm_least_change_take_row(w, s, &rows[k], rows[k].rate, dense, &miss);
         }
@@ -94,12 +94,12 @@ static void hold_contacts(pm_workspace *w, pm_least_change *s, double *dense, co
         pm_constraint row[2];
         const int cord = pm_contact_is_cord(w->model, i);
         if (!cord && pm_contact_friction(w->model, i) != PM_FRICTION_ROUGH) continue;
-        if (!pm_contact_touches(w, &w->state, i, &member)) continue;
+        if (!pm_contact_touches(&w->frame, &w->state, i, &member)) continue;
         pm_contact_constraint_both(&w->frame, i, w->model->contact_slot[i], member, &row[0], &row[1]);
         for (int k = 0; k < (cord ? 1 : 2); k++) {
             pm_constraint_kind(row[k].kind)->evaluate(&w->frame, &row[k]);
             pm_least_change_take_row(w, s, &row[k], row[k].rate, dense, &miss);
-            fasten(w, islands, &row[k]);
+            fasten(w->model, islands, &row[k]);
         }
     }
 }
@@ -107,16 +107,16 @@ static void hold_contacts(pm_workspace *w, pm_least_change *s, double *dense, co
 static int take_written(pm_workspace *w, pm_least_change *s, double *dense, const pm_start_bodies *islands)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_START]; i++) {
-        if (pm_start_level(w, i) != PM_START_VELOCITY) continue;
-        const double value = pm_start_value(w, i);
+        if (pm_start_level(w->model, i) != PM_START_VELOCITY) continue;
+        const double value = pm_start_value(w->model, &w->numbers, i);
         double miss, size = 0;
-        pm_measure_start_row(w, pm_start_measure(w, i), PM_START_VELOCITY, dense);
-        note_written(w, islands, dense, value);
+        pm_measure_start_row(w, pm_start_measure(w->model, i), PM_START_VELOCITY, dense);
+        note_written(w->model, islands, dense, value);
         for (int k = 0; k < w->model->nq; k++) size = fmax(size, fabs(dense[k] * s->x[k]));
-        if (pm_least_change_take(w, s, dense, value, &miss) ||
+        if (pm_least_change_take(&w->active, &w->saddle, s, dense, value, &miss) ||
             fabs(miss) <= PM_START_AGREES * fmax(size, fabs(value)))
             continue;
-        pm_fail(w, PM_START_CONFLICT, PM_TABLE_START, i, value, value - miss);
+        pm_fail(&w->result, PM_START_CONFLICT, PM_TABLE_START, i, value, value - miss);
         return PM_START_CONFLICT;
     }
     return PM_OK;
@@ -136,13 +136,14 @@ static int settle_rest(pm_workspace *w, pm_least_change *s, double *dense, const
             memset(dense, 0, (size_t)m->nq * sizeof *dense);
             dense[3 * i + k] = 1;
             const int n = s->n;
-            if (!islands->fastened[i] || left_alone(w, islands, i)) {
-                pm_least_change_take(w, s, dense, 0, &miss);
+            if (!islands->fastened[i] || left_alone(w->model, islands, i)) {
+                pm_least_change_take(&w->active, &w->saddle, s, dense, 0, &miss);
                 continue;
             }
             pm_orthonormal_rest rest;
-            if (pm_least_change_add(w, s, dense, &rest) > n && rest.left > PM_START_OPEN_PART)
-                return pm_fail(w, PM_START_OPEN, PM_TABLE_BODY, i, k, rest.left);
+            if (pm_least_change_add(&w->active, &w->saddle, s, dense, &rest) > n &&
+                rest.left > PM_START_OPEN_PART)
+                return pm_fail(&w->result, PM_START_OPEN, PM_TABLE_BODY, i, k, rest.left);
         }
     return PM_OK;
 }
@@ -172,12 +173,12 @@ static int solve_velocities(pm_workspace *w, int with_contacts)
 static int rough_contact_slips(pm_workspace *w)
 {
     pm_frame_look_state(&w->frame, &w->state);
-    pm_case_speed(w, w->state.v);
+    pm_case_speed(w->model, &w->numbers, w->state.v);
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
         int member;
         double rate;
         if (pm_contact_friction(w->model, i) != PM_FRICTION_ROUGH) continue;
-        if (!pm_contact_touches(w, &w->state, i, &member)) continue;
+        if (!pm_contact_touches(&w->frame, &w->state, i, &member)) continue;
         pm_contact_member_gap(&w->frame, i, member, &rate);
         if (fabs(rate) > PM_START_AGREES * w->numbers.speed) continue;
         if (fabs(pm_contact_member_slip(&w->frame, i, member)) > PM_START_AGREES * w->numbers.speed) return 1;
@@ -189,7 +190,7 @@ static int rough_contact_slips(pm_workspace *w)
  * t = 0. */
 static int set_velocities(pm_workspace *w)
 {
-    if (!any_velocity_written(w)) return PM_OK; /* at rest */
+    if (!any_velocity_written(w->model, &w->numbers)) return PM_OK; /* at rest */
     const int status = solve_velocities(w, 1);
     if (status != PM_START_CONFLICT) return status;
     const pm_where where = w->result.where;
@@ -227,9 +228,10 @@ static int check_overlap(pm_workspace *w)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
         int member;
-        const double gap = pm_contact_gap(w, &w->state, i, &member);
-        if (gap >= -pm_contact_length(&w->frame) || !pm_contact_touches(w, &w->state, i, &member)) continue;
-        pm_fail(w, PM_PENETRATION, PM_TABLE_CONTACT, i, gap, -pm_contact_length(&w->frame));
+        const double gap = pm_contact_gap(&w->frame, &w->state, i, &member);
+        if (gap >= -pm_contact_length(&w->frame) || !pm_contact_touches(&w->frame, &w->state, i, &member))
+            continue;
+        pm_fail(&w->result, PM_PENETRATION, PM_TABLE_CONTACT, i, gap, -pm_contact_length(&w->frame));
         w->result.where.member = member;
         return PM_PENETRATION;
     }
@@ -244,10 +246,10 @@ int pm_start(pm_workspace *w, pm_start_report *report)
     int status = pm_start_assemble(w, report);
     if (!status) status = pm_start_check_couplings(w);
     if (status) return status;
-    pm_active_set_anchor_start(w, &w->state);
+    pm_active_set_anchor_start(&w->frame, &w->state, &w->state);
     if ((status = set_velocities(w)) || (status = check_overlap(w))) return status;
     pm_frame_look_state(&w->frame, &w->state);
-    pm_case_speed(w, w->state.v);
+    pm_case_speed(w->model, &w->numbers, w->state.v);
     if ((status = pm_turning_plane_start(w))) return status;
     pm_state_copy(&w->start, &w->state);
     return PM_OK;

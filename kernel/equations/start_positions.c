@@ -21,7 +21,7 @@ static double worst_opening(pm_workspace *w, int *table, int *row)
     double worst = 0;
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
         pm_constraint rows[PM_JOINT_CONSTRAINTS];
-        const int n = pm_joint_constraints(w, i, rows);
+        const int n = pm_joint_constraints(&w->frame, &w->state, i, rows);
         for (int k = 0; k < n; k++) {
             if (rows[k].memory != PM_NONE) continue; /* no slip: anchored where the assembly ends */
             pm_constraint_kind(rows[k].kind)->evaluate(&w->frame, &rows[k]);
@@ -34,8 +34,9 @@ static double worst_opening(pm_workspace *w, int *table, int *row)
         }
     }
     for (int i = 0; i < m->rows[PM_TABLE_START]; i++) {
-        if (pm_start_level(w, i) != PM_START_POSITION) continue;
-        const double miss = fabs(pm_measure(w, pm_start_measure(w, i)) - pm_start_value(w, i));
+        if (pm_start_level(w->model, i) != PM_START_POSITION) continue;
+        const double miss =
+            fabs(pm_measure(w, pm_start_measure(w->model, i)) - pm_start_value(w->model, &w->numbers, i));
         if (!(miss <= worst)) {
             worst = miss;
             *table = PM_TABLE_START;
@@ -51,10 +52,11 @@ static int take_written_positions(pm_workspace *w, pm_least_change *s, double *d
     int all = 1;
     for (int i = 0; i < w->model->rows[PM_TABLE_START]; i++) {
         double miss;
-        if (pm_start_level(w, i) != PM_START_POSITION) continue;
-        const double residual = pm_measure(w, pm_start_measure(w, i)) - pm_start_value(w, i);
-        pm_measure_start_row(w, pm_start_measure(w, i), PM_START_POSITION, dense);
-        all &= pm_least_change_take(w, s, dense, -residual, &miss);
+        if (pm_start_level(w->model, i) != PM_START_POSITION) continue;
+        const double residual =
+            pm_measure(w, pm_start_measure(w->model, i)) - pm_start_value(w->model, &w->numbers, i);
+        pm_measure_start_row(w, pm_start_measure(w->model, i), PM_START_POSITION, dense);
+        all &= pm_least_change_take(&w->active, &w->saddle, s, dense, -residual, &miss);
     }
     return all;
 }
@@ -75,7 +77,7 @@ static void position_step(pm_workspace *w, double *x, double *dense)
     take_written_positions(w, &s, dense);
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
         pm_constraint rows[PM_JOINT_CONSTRAINTS];
-        const int n = pm_joint_constraints(w, i, rows);
+        const int n = pm_joint_constraints(&w->frame, &w->state, i, rows);
         for (int k = 0; k < n; k++) {
             if (rows[k].memory != PM_NONE) continue;
             pm_constraint_kind(rows[k].kind)->evaluate(&w->frame, &rows[k]);
@@ -84,14 +86,14 @@ static void position_step(pm_workspace *w, double *x, double *dense)
     }
 }
 
-static void limit_step(const pm_workspace *w, double *x)
+static void limit_step(const pm_model *model, const pm_numbers *numbers, double *x)
 {
     double longest = 0;
-    for (int i = 0; i < w->model->nq; i++)
-        longest = fmax(longest, fabs(x[i]) * (i % 3 == 2 ? w->numbers.size : 1));
+    for (int i = 0; i < model->nq; i++)
+        longest = fmax(longest, fabs(x[i]) * (i % 3 == 2 ? numbers->size : 1));
     const double factor =
-        longest > PM_ASSEMBLY_LONGEST * w->numbers.size ? PM_ASSEMBLY_LONGEST * w->numbers.size / longest : 1;
-    for (int i = 0; i < w->model->nq; i++) x[i] *= factor;
+        longest > PM_ASSEMBLY_LONGEST * numbers->size ? PM_ASSEMBLY_LONGEST * numbers->size / longest : 1;
+    for (int i = 0; i < model->nq; i++) x[i] *= factor;
 }
 
 int pm_start_assemble(pm_workspace *w, pm_start_report *report)
@@ -108,7 +110,7 @@ int pm_start_assemble(pm_workspace *w, pm_start_report *report)
             break;
         best = fmin(best, report->opening);
         position_step(w, x, dense);
-        limit_step(w, x);
+        limit_step(w->model, &w->numbers, x);
         for (int i = 0; i < m->nq; i++) w->state.q[i] += x[i];
         pm_frame_look_state(&w->frame, &w->state);
     }
@@ -120,27 +122,29 @@ int pm_start_assemble(pm_workspace *w, pm_start_report *report)
             report->moved =
                 fmax(report->moved, fabs(w->state.q[3 * i + k] - drawn) * (k == 2 ? w->numbers.size : 1));
         }
-    return report->opening <= allowed ? PM_OK : pm_fail(w, PM_ASSEMBLY, table, row, report->opening, allowed);
+    return report->opening <= allowed
+               ? PM_OK
+               : pm_fail(&w->result, PM_ASSEMBLY, table, row, report->opening, allowed);
 }
 
-static double apart(const pm_workspace *w, const pm_constraint *row)
+static double apart(const pm_frame *frame, const pm_constraint *row)
 {
-    const pm_marks x = pm_constraint_marks(&w->frame, row);
+    const pm_marks x = pm_constraint_marks(frame, row);
     return pm_length(x.d);
 }
 
-static int check_gears(pm_workspace *w, int joint, const pm_constraint *row)
+static int check_gears(const pm_frame *frame, pm_result *result, int joint, const pm_constraint *row)
 {
-    const double distance = apart(w, row), open = fabs(distance - fabs(row->value));
+    const double distance = apart(frame, row), open = fabs(distance - fabs(row->value));
     return open <= PM_MESHES * distance
                ? PM_OK
-               : pm_fail(w, PM_ASSEMBLY, PM_TABLE_JOINT, joint, open, PM_MESHES * distance);
+               : pm_fail(result, PM_ASSEMBLY, PM_TABLE_JOINT, joint, open, PM_MESHES * distance);
 }
 
-static int check_strand(pm_workspace *w, int table, int at, const pm_constraint *row)
+static int check_strand(const pm_frame *frame, pm_result *result, int table, int at, const pm_constraint *row)
 {
-    const double distance = apart(w, row), past = fabs(row->radius_b - row->radius_a);
-    return distance > past ? PM_OK : pm_fail(w, PM_ASSEMBLY, table, at, past - distance, 0);
+    const double distance = apart(frame, row), past = fabs(row->radius_b - row->radius_a);
+    return distance > past ? PM_OK : pm_fail(result, PM_ASSEMBLY, table, at, past - distance, 0);
 }
 
 int pm_start_check_couplings(pm_workspace *w)
@@ -151,15 +155,15 @@ int pm_start_check_couplings(pm_workspace *w)
     for (int i = 0; !status && i < m->rows[PM_TABLE_JOINT]; i++) {
         const int kind = PM_JOINT_ROW(m, i)[PM_JOINT_KIND];
         if (kind != PM_JOINT_GEARS && kind != PM_JOINT_BELT) continue;
-        const int n = pm_joint_constraints(w, i, row);
+        const int n = pm_joint_constraints(&w->frame, &w->state, i, row);
         for (int k = 0; !status && k < n; k++)
-            status = kind == PM_JOINT_GEARS ? check_gears(w, i, &row[k])
-                                            : check_strand(w, PM_TABLE_JOINT, i, &row[k]);
+            status = kind == PM_JOINT_GEARS ? check_gears(&w->frame, &w->result, i, &row[k])
+                                            : check_strand(&w->frame, &w->result, PM_TABLE_JOINT, i, &row[k]);
     }
     for (int i = 0; !status && i < m->rows[PM_TABLE_CONTACT]; i++) {
         if (!pm_contact_is_cord(m, i)) continue;
         pm_contact_constraint_normal(&w->frame, i, m->contact_slot[i], 0, &row[0]);
-        status = check_strand(w, PM_TABLE_CONTACT, i, &row[0]);
+        status = check_strand(&w->frame, &w->result, PM_TABLE_CONTACT, i, &row[0]);
     }
     return status;
 }

@@ -16,17 +16,17 @@ int pm_start_assemble(pm_workspace *w, pm_start_report *report);
 int pm_start_check_couplings(pm_workspace *w);
 
 /* ---- record i of the table of what is written ---- */
-static inline double pm_start_value(const pm_workspace *w, int i)
+static inline double pm_start_value(const pm_model *model, const pm_numbers *numbers, int i)
 {
-    return w->numbers.value[PM_START_ROW(w->model, i)[PM_START_VALUE]];
+    return numbers->value[PM_START_ROW(model, i)[PM_START_VALUE]];
 }
-static inline int pm_start_measure(const pm_workspace *w, int i)
+static inline int pm_start_measure(const pm_model *model, int i)
 {
-    return PM_START_ROW(w->model, i)[PM_START_MEASURE];
+    return PM_START_ROW(model, i)[PM_START_MEASURE];
 }
-static inline int pm_start_level(const pm_workspace *w, int i)
+static inline int pm_start_level(const pm_model *model, int i)
 {
-    return PM_START_ROW(w->model, i)[PM_START_LEVEL];
+    return PM_START_ROW(model, i)[PM_START_LEVEL];
 }
 
 #endif

@@ -56,7 +56,7 @@ int pm_ask_create(pm_workspace *w)
         if (watches) a->observer[a->nobserver++] = i;
         if (watches) {
             note_switches(w, i);
-            pm_watched_samples_add(w, pm_ask_program(e), PM_SAMPLE_ASKS);
+            pm_watched_samples_add(w->model, w->watched, pm_ask_program(e), PM_SAMPLE_ASKS);
         }
         for (int k = 0; k < 2; k++) {
             const int program = e[k ? PM_ASK_PROGRAM_2 : PM_ASK_PROGRAM];
@@ -118,9 +118,9 @@ int pm_ask_program(const int32_t *e)
     return e[PM_ASK_KIND] == PM_ASK_GRID || pm_ask_at_extreme(e) ? e[PM_ASK_PROGRAM_2] : e[PM_ASK_PROGRAM];
 }
 
-int pm_ask_watched(const pm_workspace *w, int i)
+int pm_ask_watched(const pm_model *model, const pm_ask_set *ask, int i)
 {
-    return pm_ask_program(PM_ASK_ROW(w->model, w->ask->observer[i]));
+    return pm_ask_program(PM_ASK_ROW(model, ask->observer[i]));
 }
 
 void pm_ask_offer(pm_workspace *w, int ask, double value, double above)
@@ -238,7 +238,7 @@ static void charge_residual(pm_workspace *w, int ask)
     const pm_ask_set *a = w->ask;
     const int32_t *e = PM_ASK_ROW(w->model, ask);
     const double best = pm_ask_greatest(e) ? a->best[ask] : -a->best[ask];
-    if (a->bound[ask] > best) pm_evidence_more(w, e[PM_ASK_OUT], a->bound[ask] - best);
+    if (a->bound[ask] > best) pm_evidence_more(&w->evidence, e[PM_ASK_OUT], a->bound[ask] - best);
 }
 
 void pm_ask_end(pm_workspace *w)
@@ -265,10 +265,10 @@ void pm_ask_end(pm_workspace *w)
 }
 
 /* ---- runs that do not come to their end ---- */
-void pm_ask_seal(pm_workspace *w)
+void pm_ask_seal(const pm_model *model, pm_ask_set *ask)
 {
-    memcpy(w->ask->sound, w->ask->filled, (size_t)w->model->nout);
-    w->ask->fresh = 0;
+    memcpy(ask->sound, ask->filled, (size_t)model->nout);
+    ask->fresh = 0;
 }
 
 void pm_ask_keep(pm_workspace *w, int sound, int others)

@@ -32,7 +32,7 @@ void pm_ask_free(pm_workspace *w);
 void pm_ask_reset(pm_workspace *w);
 
 /* The program that observer i (of nobserver) watches. */
-int pm_ask_watched(const pm_workspace *w, int i);
+int pm_ask_watched(const pm_model *model, const pm_ask_set *ask, int i);
 /* Watched values at the nodes of a step, which have been read (watched_samples.h). */
 void pm_ask_sample(pm_workspace *w);
 /* What it took of an ask. */
@@ -44,7 +44,7 @@ static inline double *pm_ask_samples(const pm_workspace *w, int ask)
 /* All nodes of [w->step_begin, w->step_end] are sampled: extremes between nodes, grid values passed. */
 int pm_ask_step(pm_workspace *w);
 /* 1 if the samples of a step that was shortened since need not be taken again. */
-int pm_ask_keeps_samples(const pm_workspace *w);
+int pm_ask_keeps_samples(const pm_step *step, const pm_ask_set *ask);
 /* An instant outside a step (start, after a jump): the frame looks at w->state. */
 void pm_ask_instant(pm_workspace *w);
 
@@ -83,7 +83,7 @@ void pm_ask_fired(pm_workspace *w, int event);
 /* Answers what is asked at the end, marks what was not reached. */
 void pm_ask_end(pm_workspace *w);
 /* What is answered so far is sound. */
-void pm_ask_seal(pm_workspace *w);
+void pm_ask_seal(const pm_model *model, pm_ask_set *ask);
 /* A run did not come to its end: keeps the answers at instants that it reached, with `sound` only those up to where the
  * ledgers closed.  All other asks get the reason `others`. */
 void pm_ask_keep(pm_workspace *w, int sound, int others);

@@ -27,7 +27,8 @@ static int pass_grid_value(pm_workspace *w, int ask, pm_ask_watch *x, int i, int
     const int program = PM_ASK_ROW(w->model, ask)[PM_ASK_PROGRAM];
     const double *sample = pm_ask_samples(w, ask) + i;
     double t, taken, off;
-    int status = pm_fail_search(w, pm_bracket_find(w->ask->solver, pm_ask_along, w, x,
+    int status =
+        pm_fail_search(&w->result, pm_bracket_find(w->ask->solver, pm_ask_along, w, x,
                                                    pm_step_node(&w->step, i), sample[0] - x->minus,
                                                    pm_step_node(&w->step, i + 1), sample[1] - x->minus, &t));
     if (!status && t > w->step.end) return PM_OK; /* an instant comes before */
@@ -40,11 +41,11 @@ static int pass_grid_value(pm_workspace *w, int ask, pm_ask_watch *x, int i, int
 }
 
 /* The run has begun on a grid value, to the rounding of what is watched: how large that is the first step shows. */
-static int has_begun_on(const pm_workspace *w, const double *sample, double wanted)
+static int has_begun_on(const pm_step *step, const pm_result *result, const double *sample, double wanted)
 {
     double size = 0;
-    if (w->result.count[PM_COUNT_STEPS] != 1) return 0;
-    for (int i = 0; i < w->step.nodes->n; i++) size = fmax(size, fabs(sample[i]));
+    if (result->count[PM_COUNT_STEPS] != 1) return 0;
+    for (int i = 0; i < step->nodes->n; i++) size = fmax(size, fabs(sample[i]));
     return fabs(sample[0] - wanted) <= PM_GRID_ROUNDING * size;
 }
 
@@ -61,7 +62,7 @@ static int grid_in_step(pm_workspace *w, int ask)
             if ((a < 0 && b >= 0) || (a > 0 && b <= 0)) status = pass_grid_value(w, ask, &x, i, k);
             if (status) return status;
         }
-        if (*filled || !has_begun_on(w, sample, x.minus)) continue;
+        if (*filled || !has_begun_on(&w->step, &w->result, sample, x.minus)) continue;
         if ((status = pm_ask_look(w, w->step.begin, 1))) return status;
         pm_ask_answer(w, ask, k, e[PM_ASK_PROGRAM], pm_ask_value(w, e[PM_ASK_PROGRAM]));
     }
@@ -69,12 +70,12 @@ static int grid_in_step(pm_workspace *w, int ask)
 }
 
 /* The samples of a whole step serve for its part up to step_end, too, where they resolve the values. */
-int pm_ask_keeps_samples(const pm_workspace *w)
+int pm_ask_keeps_samples(const pm_step *step, const struct pm_ask_set *ask)
 {
-    if (!pm_chebyshev_nodes_spectral(w->step.nodes)) return 0;
-    for (int i = 0; i < w->ask->nobserver; i++)
-        for (int k = 0; k < w->step.nodes->n; k++)
-            if (isnan(w->ask->sample[w->ask->observer[i] * PM_NODES_MOST + k])) return 0;
+    if (!pm_chebyshev_nodes_spectral(step->nodes)) return 0;
+    for (int i = 0; i < ask->nobserver; i++)
+        for (int k = 0; k < step->nodes->n; k++)
+            if (isnan(ask->sample[ask->observer[i] * PM_NODES_MOST + k])) return 0;
     return 1;
 }
 

@@ -63,7 +63,7 @@ int pm_event_create(pm_workspace *w)
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *x = PM_TRIGGER_ROW(m, i);
         if (x[PM_TRIGGER_KIND] <= PM_TRIGGER_EVERY)
-            pm_watched_samples_add(w, x[PM_TRIGGER_PROGRAM], PM_SAMPLE_TRIGGERS);
+            pm_watched_samples_add(w->model, w->watched, x[PM_TRIGGER_PROGRAM], PM_SAMPLE_TRIGGERS);
     }
     return PM_OK;
 }
@@ -78,10 +78,10 @@ void pm_event_free(pm_workspace *w)
 }
 
 /* ---- the functions of a phase ---- */
-static void add(pm_workspace *w, int kind, int index, int direction, int level, double slack, double natural)
+static void add(const pm_phase *phase, pm_event_set *e, int kind, int index, int direction, int level,
+                double slack, double natural)
 {
-    pm_event_set *e = w->event;
-    const int owned = w->phase.route->locates_contacts && kind != FUNCTION_TRIGGER;
+    const int owned = phase->route->locates_contacts && kind != FUNCTION_TRIGGER;
     e->function[e->nfunction++] = (pm_event_function){.kind = kind,
                                                       .index = index,
                                                       .direction = direction,
@@ -102,12 +102,12 @@ static void add_triggers(pm_workspace *w)
         [PM_TRIGGER_CROSS] = 0, [PM_TRIGGER_RISE] = 1, [PM_TRIGGER_FALL] = -1, [PM_TRIGGER_EVERY] = -1};
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *e = PM_TRIGGER_ROW(w->model, i);
-        const int in_time = w->phase.route->in_time && pm_trigger_on_time(w, i);
+        const int in_time = w->phase.route->in_time && pm_trigger_on_time(w->model, i);
         w->event->least[i] = INFINITY;
         w->event->greatest[i] = -INFINITY;
         w->event->due[i] = in_time ? pm_trigger_due(w, i) : INFINITY;
         if (in_time || e[PM_TRIGGER_KIND] > PM_TRIGGER_EVERY) continue;
-        add(w, FUNCTION_TRIGGER, i, direction[e[PM_TRIGGER_KIND]],
+        add(&w->phase, w->event, FUNCTION_TRIGGER, i, direction[e[PM_TRIGGER_KIND]],
             w->model->programs.level[e[PM_TRIGGER_PROGRAM]], 0, 1);
         pm_event_function *f = &w->event->function[w->event->nfunction - 1];
         f->held = w->firing.fired[i];
@@ -119,7 +119,8 @@ static void add_gap(pm_workspace *w, int contact)
 {
     pm_event_set *e = w->event;
     pm_event_function *f = &e->function[e->nfunction];
-    add(w, FUNCTION_GAP, contact, -1, PM_LEVEL_KINEMATIC, pm_contact_length(&w->frame), w->numbers.size);
+    add(&w->phase, w->event, FUNCTION_GAP, contact, -1, PM_LEVEL_KINEMATIC, pm_contact_length(&w->frame),
+        w->numbers.size);
     f->below = pm_edge_is(w->model, contact) && pm_edge_is_below(&w->frame, contact);
     if (pm_contact_is_row(w->model, contact)) f->row = e->nrow++;
 }
@@ -127,36 +128,39 @@ static void add_gap(pm_workspace *w, int contact)
 static void add_contacts(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    const double size = pm_case_force(w), force = PM_FORCE_SLACK * size;
+    const double size = pm_case_force(w->model, &w->numbers), force = PM_FORCE_SLACK * size;
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++)
         if (pm_state_is_absent(m, &w->state, PM_TABLE_CONTACT, i))
             continue;
         else if (pm_capture_is_meeting(m, i))
-            add(w, FUNCTION_MEETING, i, 1, PM_LEVEL_KINEMATIC, 0, w->numbers.size * w->numbers.speed);
+            add(&w->phase, w->event, FUNCTION_MEETING, i, 1, PM_LEVEL_KINEMATIC, 0,
+                w->numbers.size * w->numbers.speed);
         else
             add_gap(w, i);
     for (int i = 0; i < m->nslot; i++) {
         const int mode = w->state.slot[i].mode;
         if (mode == PM_OPEN || mode == PM_CAPTURED) continue;
-        add(w, FUNCTION_NORMAL, i, -1, PM_LEVEL_DYNAMIC, force, size);
+        add(&w->phase, w->event, FUNCTION_NORMAL, i, -1, PM_LEVEL_DYNAMIC, force, size);
         if (mode == PM_STICK && pm_contact_friction(m, pm_contact_of_slot(m, i)) == PM_FRICTION_COULOMB)
-            add(w, FUNCTION_GRIP, i, -1, PM_LEVEL_DYNAMIC, force, size);
+            add(&w->phase, w->event, FUNCTION_GRIP, i, -1, PM_LEVEL_DYNAMIC, force, size);
         if (pm_edge_is(m, pm_contact_of_slot(m, i)))
-            add(w, FUNCTION_END, i, -1, PM_LEVEL_KINEMATIC, pm_contact_length(&w->frame), w->numbers.size);
+            add(&w->phase, w->event, FUNCTION_END, i, -1, PM_LEVEL_KINEMATIC, pm_contact_length(&w->frame),
+                w->numbers.size);
         if (mode == PM_SLIDE_FORWARD || mode == PM_SLIDE_BACKWARD)
-            add(w, FUNCTION_SLIP, i, -1, PM_LEVEL_KINEMATIC, pm_contact_speed(&w->frame), w->numbers.speed);
+            add(&w->phase, w->event, FUNCTION_SLIP, i, -1, PM_LEVEL_KINEMATIC, pm_contact_speed(&w->frame),
+                w->numbers.speed);
     }
 }
 
 static void add_grips(pm_workspace *w)
 {
-    const double size = pm_case_force(w), force = PM_FORCE_SLACK * size;
+    const double size = pm_case_force(w->model, &w->numbers), force = PM_FORCE_SLACK * size;
     for (int i = 0; i < w->model->nfriction; i++) {
         if (w->state.friction[i] == PM_STICK)
-            add(w, FUNCTION_HOLD, i, -1, PM_LEVEL_DYNAMIC, force, size);
+            add(&w->phase, w->event, FUNCTION_HOLD, i, -1, PM_LEVEL_DYNAMIC, force, size);
         else if (w->state.friction[i] != PM_OPEN)
-            add(w, FUNCTION_RUB, i, -1, PM_LEVEL_KINEMATIC, pm_joint_friction_still(&w->frame, i),
-                w->numbers.speed);
+            add(&w->phase, w->event, FUNCTION_RUB, i, -1, PM_LEVEL_KINEMATIC,
+                pm_joint_friction_still(&w->frame, i), w->numbers.speed);
     }
 }
 
@@ -166,7 +170,7 @@ double pm_event_sample(pm_workspace *w, const pm_event_function *f)
     int member;
     switch (f->kind) {
     case FUNCTION_GAP: {
-        const double gap = pm_contact_gap(w, &w->state, f->index, &member);
+        const double gap = pm_contact_gap(&w->frame, &w->state, f->index, &member);
         if (isinf(gap)) return w->numbers.size; /* nothing left to close */
         return f->below ? pm_edge_gap_from_below(&w->frame, f->index) : gap;
     }
@@ -186,10 +190,12 @@ double pm_event_sample(pm_workspace *w, const pm_event_function *f)
         return slot[f->index].mode == PM_SLIDE_FORWARD ? slip : -slip;
     }
     case FUNCTION_MEETING: /* a pair that is not open meets no more */
-        return isinf(pm_contact_gap(w, &w->state, f->index, &member))
+        return isinf(pm_contact_gap(&w->frame, &w->state, f->index, &member))
                    ? w->numbers.size * w->numbers.speed
                    : pm_capture_approach(&w->frame, f->index);
-    case FUNCTION_END: return pm_edge_room(w, pm_contact_of_slot(w->model, f->index), slot[f->index].member);
+    case FUNCTION_END:
+        return pm_edge_room(&w->frame, &w->state, pm_contact_of_slot(w->model, f->index),
+                            slot[f->index].member);
     case FUNCTION_HOLD:
         if (w->active.friction_row[f->index] == PM_NONE) return 1; /* something else holds it, too */
         return pm_joint_friction_limit(w, f->index) - fabs(w->frame.lambda[w->active.friction_row[f->index]]);
@@ -230,13 +236,13 @@ void pm_event_set_multiples(pm_workspace *w)
 }
 
 /* The nearest open member of a touching contact moves away with a definite speed: it may come back at once. */
-static int leaves(pm_workspace *w, int contact)
+static int leaves(const pm_frame *frame, const pm_state *state, int contact)
 {
     int member;
     double rate;
-    pm_contact_gap(w, &w->state, contact, &member);
-    pm_contact_member_gap(&w->frame, contact, member, &rate);
-    return rate > pm_contact_speed(&w->frame);
+    pm_contact_gap(frame, state, contact, &member);
+    pm_contact_member_gap(frame, contact, member, &rate);
+    return rate > pm_contact_speed(frame);
 }
 
 void pm_event_begin(pm_workspace *w)
@@ -256,14 +262,15 @@ void pm_event_begin(pm_workspace *w)
         pm_event_function *f = &e->function[i];
         if (pm_event_changes_sign(f) || pm_event_value(w, f) > f->slack) continue;
         f->held = 1;
-        if (f->kind == FUNCTION_GAP && leaves(w, f->index)) f->slack = PM_GAP_ROUNDING * pm_contact_reach(w);
+        if (f->kind == FUNCTION_GAP && leaves(&w->frame, &w->state, f->index))
+            f->slack = PM_GAP_ROUNDING * pm_contact_reach(w);
     }
     memset(w->firing.fired, 0, (size_t)w->model->rows[PM_TABLE_TRIGGER]);
 }
 
-int pm_event_contact_change(const pm_workspace *w, int function)
+int pm_event_contact_change(const pm_event_set *event, int function)
 {
-    switch (w->event->function[function].kind) {
+    switch (event->function[function].kind) {
     case FUNCTION_NORMAL: return PM_TRIGGER_OPEN;
     case FUNCTION_GRIP: return PM_TRIGGER_SLIP;
     case FUNCTION_SLIP: return PM_TRIGGER_STICK;

@@ -90,9 +90,9 @@ void pm_event_begin(pm_workspace *w);
 /* The multiples of `every` next to the frame; one that holds must first be left. */
 void pm_event_set_multiples(pm_workspace *w);
 /* Samples of function i at the nodes of the step. */
-static inline double *pm_event_samples(const pm_workspace *w, int i)
+static inline double *pm_event_samples(pm_event_set *event, int i)
 {
-    return w->event->value + i * PM_NODES_MOST;
+    return event->value + i * PM_NODES_MOST;
 }
 
 /* Value of one function at the frame; what is sampled of it there, and its value from a sample. */
@@ -103,6 +103,6 @@ double pm_event_of_sample(const pm_event_function *f, double sample);
 int pm_event_changes_sign(const pm_event_function *f);
 /* What a located function means for its contact (function.index is then a slot): PM_TRIGGER_OPEN, SLIP, STICK, or
  * PM_NONE. */
-int pm_event_contact_change(const pm_workspace *w, int function);
+int pm_event_contact_change(const pm_event_set *event, int function);
 
 #endif

@@ -83,9 +83,9 @@ static int dips(pm_workspace *w, pm_event_function *f, const double *g, double b
 }
 
 /* Slope at a node of the polynomial through the values there. */
-static double slope_at(const pm_workspace *w, const double *g, int k)
+static double slope_at(const pm_step *step, const double *g, int k)
 {
-    return pm_chebyshev_slope_at(w->step.nodes, g, k) / (w->step.end - w->step.begin);
+    return pm_chebyshev_slope_at(step->nodes, g, k) / (step->end - step->begin);
 }
 
 /* A dip between node k and the next, shown by the slopes there: also one beside an end of the step, where three nodes do
@@ -95,9 +95,9 @@ static int turns(pm_workspace *w, pm_event_function *f, const double *g, int k, 
 {
     const double s = g[k] > 0 ? 1 : -1, a = s * g[k], b = s * g[k + 1], h = x[1] - x[0];
     if (!(a > 0 && b > 0) || !may_cross(f, s)) return 0;
-    const double p = s * slope_at(w, g, k) * h;
+    const double p = s * slope_at(&w->step, g, k) * h;
     if (!(p < 0)) return 0;
-    const double q = s * slope_at(w, g, k + 1) * h;
+    const double q = s * slope_at(&w->step, g, k + 1) * h;
     if (!(q > 0)) return 0;
     const double c2 = 3 * (b - a) - 2 * p - q, c3 = 2 * (a - b) + p + q;
     const double t = -p / (c2 + sqrt(fmax(c2 * c2 - 3 * c3 * p, 0)));
@@ -149,7 +149,7 @@ static int leaves_and_crosses(pm_workspace *w, int i, const pm_event_course *of,
 {
     pm_event_function *f = &w->event->function[i];
     const double begin = w->step.begin, h = w->step.end - begin;
-    const int resolved = pm_event_samples_resolved(w, i, of);
+    const int resolved = pm_event_samples_resolved(&w->step, w->event, i, of);
     for (int k = PM_LEAVING_HALVINGS; k > 0; k--) {
         const double place = a + ldexp(b - a, -k);
         if (place <= a) continue;
@@ -165,10 +165,9 @@ static int leaves_and_crosses(pm_workspace *w, int i, const pm_event_course *of,
 
 /* ---- the step ---- */
 /* At the begin of the phase it may be on its zero by chance. */
-static void hold_if_on_zero(const pm_workspace *w, pm_event_function *f, const pm_event_course *of,
+static void hold_if_on_zero(const pm_event_set *e, pm_event_function *f, const pm_event_course *of,
                             double from)
 {
-    const pm_event_set *e = w->event;
     if (!e->first_step || from != e->place[0] || !(fabs(of->g[0]) <= PM_ON_ZERO * of->biggest)) return;
     f->held = 1;
     f->since = from;
@@ -207,7 +206,8 @@ static int search(pm_workspace *w, int i, const pm_event_course *of, int first, 
     pm_event_function *f = &w->event->function[i];
     for (int k = first; k + 1 < of->n; k++) {
         const int near = fabs(g[k]) < close || fabs(g[k + 1]) < close, dip = shows_dip(of, k);
-        if (g[k] * g[k + 1] > 0 && !dip && !(near && pm_event_samples_tail(w, i, of) >= PM_CHEBYSHEV_SMOOTH))
+        if (g[k] * g[k + 1] > 0 && !dip &&
+            !(near && pm_event_samples_tail(&w->step, w->event, i, of) >= PM_CHEBYSHEV_SMOOTH))
             continue;
         double where, value;
         if (crosses(f, g[k], g[k + 1])) {
@@ -229,13 +229,13 @@ int pm_event_bracket_first(pm_workspace *w, int i, double from, pm_span *x)
     pm_event_set *e = w->event;
     pm_event_function *f = &e->function[i];
     pm_event_course of;
-    pm_event_samples_take(w, i, &of);
+    pm_event_samples_take(&w->step, w->event, i, &of);
     const int last = of.n - 1;
     int first = 0;
     if (e->at_root && fabs(of.g[last]) <= PM_ON_ZERO * of.biggest) of.g[last] = 0; /* there the phase ends */
     while (first < last && e->place[first + 1] <= from) first++;
     if (first == last) return 0;
-    if (pm_event_changes_sign(f)) hold_if_on_zero(w, f, &of, from);
+    if (pm_event_changes_sign(f)) hold_if_on_zero(w->event, f, &of, from);
     if (enter(w, i, &of, &first, x)) return 1;
     return !stays_away(f, &of) && search(w, i, &of, first, from, x);
 }

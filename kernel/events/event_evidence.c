@@ -18,13 +18,14 @@ void pm_event_evidence_rate(pm_workspace *w, int function, double rate)
 {
     if (!w->evidence.active) return;
     const pm_event_function *f = &w->event->function[function];
-    pm_evidence_take(w, &(pm_evidence_decision){.kind = PM_EVIDENCE_RATE,
-                                                .what = function,
-                                                .in_time = w->phase.route->in_time,
-                                                .trigger = trigger_of(f),
-                                                .distance = rate,
-                                                .reach = INFINITY,
-                                                .unit = f->natural * w->numbers.speed / w->numbers.size});
+    pm_evidence_take(&w->evidence,
+                     &(pm_evidence_decision){.kind = PM_EVIDENCE_RATE,
+                                             .what = function,
+                                             .in_time = w->phase.route->in_time,
+                                             .trigger = trigger_of(f),
+                                             .distance = rate,
+                                             .reach = INFINITY,
+                                             .unit = f->natural * w->numbers.speed / w->numbers.size});
 }
 
 /* Of a function at the frame from its zero, `every` from the nearest multiple; of points that may meet, from each other. */
@@ -32,7 +33,7 @@ static double distance_of(pm_workspace *w, const pm_event_function *f)
 {
     int member;
     if (f->kind == FUNCTION_MEETING)
-        return fmin(w->numbers.size, pm_contact_gap(w, &w->state, f->index, &member));
+        return fmin(w->numbers.size, pm_contact_gap(&w->frame, &w->state, f->index, &member));
     const double x = pm_event_sample(w, f);
     return f->every ? fabs(x - round(x)) : x;
 }
@@ -42,23 +43,24 @@ static double distance_of(pm_workspace *w, const pm_event_function *f)
 static int is_beyond(const pm_event_function *f) { return f->side * f->direction > 0; }
 
 /* What touches takes part in a blow whether or not its own zero was found at this instant. */
-static int takes_part(pm_workspace *w, const pm_event_function *f)
+static int takes_part(const pm_frame *frame, const pm_state *state, const pm_event_function *f)
 {
     int member;
-    return f->kind == FUNCTION_GAP && pm_contact_touches(w, &w->state, f->index, &member);
+    return f->kind == FUNCTION_GAP && pm_contact_touches(frame, state, f->index, &member);
 }
 
 /* Zero since the phase or the step began; what has fired in the step might have had to wait. */
-static int holds(const pm_workspace *w, const pm_event_function *f)
+static int holds(const pm_step *step, const pm_event_function *f)
 {
-    return f->held && !(f->since > w->step.begin);
+    return f->held && !(f->since > step->begin);
 }
 
-static int did_not_fire(pm_workspace *w, int i)
+static int did_not_fire(const pm_workspace *w, int i)
 {
     const pm_event_function *f = &w->event->function[i];
     const int known = f->level <= w->frame.level;
-    return known && !w->event->hit[i] && !holds(w, f) && !is_beyond(f) && !takes_part(w, f);
+    return known && !w->event->hit[i] && !holds(&w->step, f) && !is_beyond(f) &&
+           !takes_part(&w->frame, &w->state, f);
 }
 
 void pm_event_evidence_instant(pm_workspace *w)
@@ -73,14 +75,14 @@ void pm_event_evidence_instant(pm_workspace *w)
                                   .distance = f->near,
                                   .reach = f->near_reach,
                                   .unit = f->natural};
-        if (isfinite(f->near)) pm_evidence_take(w, &x);
+        if (isfinite(f->near)) pm_evidence_take(&w->evidence, &x);
         f->near = INFINITY;
         if (!did_not_fire(w, i)) continue;
         x.kind = PM_EVIDENCE_VALUE;
         x.distance = distance_of(w, f);
         if (f->kind == FUNCTION_MEETING) x.unit = w->numbers.size;
         x.reach = fabs(x.distance);
-        pm_evidence_take(w, &x);
+        pm_evidence_take(&w->evidence, &x);
     }
 }
 

@@ -29,9 +29,10 @@ static int root_of_samples(pm_workspace *w, int i, const pm_span *x, double *pla
     const double begin = w->step.begin, h = w->step.end - begin;
     double s, slope;
     pm_event_course of;
-    pm_event_samples_take(w, i, &of);
-    const int status = pm_fail_search(w, pm_chebyshev_root(w->step.nodes, of.g, (x->a - begin) / h, x->ga,
-                                                           (x->b - begin) / h, x->gb, &s, &slope));
+    pm_event_samples_take(&w->step, w->event, i, &of);
+    const int status =
+        pm_fail_search(&w->result, pm_chebyshev_root(w->step.nodes, of.g, (x->a - begin) / h, x->ga,
+                                                     (x->b - begin) / h, x->gb, &s, &slope));
     *place = begin + s * h;
     w->event->function[i].slope = slope / h;
     return status;
@@ -43,10 +44,10 @@ int pm_event_locate_root(pm_workspace *w, int i, const pm_span *x, double *place
     *place = x->a;
     e->function[i].slope = NAN;
     if (!(x->b > x->a)) return PM_OK;
-    if (!pm_event_samples_resolve(w, i)) pm_event_samples_of_member(w, i, x->b);
-    if (pm_event_samples_resolve(w, i)) return root_of_samples(w, i, x, place);
-    return pm_fail_search(w, pm_bracket_find(e->solver, pm_event_samples_along, w, &e->function[i], x->a,
-                                             x->ga, x->b, x->gb, place));
+    if (!pm_event_samples_resolve(&w->step, w->event, i)) pm_event_samples_of_member(w, i, x->b);
+    if (pm_event_samples_resolve(&w->step, w->event, i)) return root_of_samples(w, i, x, place);
+    return pm_fail_search(&w->result, pm_bracket_find(e->solver, pm_event_samples_along, w, &e->function[i],
+                                                      x->a, x->ga, x->b, x->gb, place));
 }
 
 /* ---- on exact states ---- */
@@ -76,10 +77,10 @@ static int step_onto(pm_workspace *w, int i, double slope, double size, double *
 }
 
 /* The samples show where a trigger is zero as well as any look would.  (What closes a gap is met to the last bit.) */
-static int resolves_zero(const pm_workspace *w, const pm_event_function *f, double slope)
+static int resolves_zero(const pm_phase *phase, const pm_step *step, const pm_event_function *f, double slope)
 {
-    const double h = w->step.end - w->step.begin;
-    return f->kind == FUNCTION_TRIGGER && w->phase.route->look &&
+    const double h = step->end - step->begin;
+    return f->kind == FUNCTION_TRIGGER && phase->route->look &&
            pm_event_samples_residual(f, f->biggest) <= PM_PLACE_RESOLVED * fabs(slope * h);
 }
 
@@ -91,7 +92,7 @@ static int polish(pm_workspace *w, int i, const pm_span *x, double slope, double
     const int spectral = !isnan(slope);
     const double size = fmax(fabs(x->ga), fabs(x->gb));
     double off;
-    int near = spectral && resolves_zero(w, f, slope), status = PM_OK;
+    int near = spectral && resolves_zero(&w->phase, &w->step, f, slope), status = PM_OK;
     if (spectral && w->phase.route->look && !near) status = step_onto(w, i, slope, size, first, &near);
     if (near) {
         *taken = *first;
@@ -101,8 +102,8 @@ static int polish(pm_workspace *w, int i, const pm_span *x, double slope, double
         status = pm_bracket_polish(pm_event_samples_along, exactly, w, f, w->step.begin, w->step.end, slope,
                                    first, taken, &off);
     if (status || !(fabs(off) > PM_OFF_ZERO * size) || !spectral) return status;
-    status = pm_fail_search(
-        w, pm_bracket_find(w->event->solver, pm_event_samples_along, w, f, x->a, x->ga, x->b, x->gb, first));
+    status = pm_fail_search(&w->result, pm_bracket_find(w->event->solver, pm_event_samples_along, w, f, x->a,
+                                                        x->ga, x->b, x->gb, first));
     return status ? status
                   : pm_bracket_polish(pm_event_samples_along, exactly, w, f, w->step.begin, w->step.end, NAN,
                                       first, taken, &off);
@@ -123,28 +124,28 @@ static void take_rate(pm_workspace *w, int function, double x, double slope)
     pm_event_evidence_rate(w, function, rate);
 }
 
-static double slope_of_samples(const pm_workspace *w, int i, double place)
+static double slope_of_samples(const pm_step *step, pm_event_set *event, int i, double place)
 {
-    const double h = w->step.end - w->step.begin;
+    const double h = step->end - step->begin;
     double here;
     pm_event_course of;
-    pm_event_samples_take(w, i, &of);
-    return pm_chebyshev_slope(w->step.nodes, of.g, (place - w->step.begin) / h, &here) / h;
+    pm_event_samples_take(step, event, i, &of);
+    return pm_chebyshev_slope(step->nodes, of.g, (place - step->begin) / h, &here) / h;
 }
 
 /* Its slope at the root, by the samples; not a number where these do not resolve it. */
-static double slope_at_root(pm_workspace *w, int i, double place)
+static double slope_at_root(const pm_step *step, pm_event_set *event, int i, double place)
 {
-    if (!pm_event_samples_resolve(w, i)) return NAN;
-    const double slope = w->event->function[i].slope;
-    return isnan(slope) ? slope_of_samples(w, i, place) : slope;
+    if (!pm_event_samples_resolve(step, event, i)) return NAN;
+    const double slope = event->function[i].slope;
+    return isnan(slope) ? slope_of_samples(step, event, i, place) : slope;
 }
 
 int pm_event_locate_settle(pm_workspace *w, int i, const pm_span *x, double *place, double *taken)
 {
     const int at_end = *place >= w->step.end && x->gb == 0; /* exactly there: nothing to polish */
     if (at_end && !w->evidence.active) return PM_OK;
-    const double slope = slope_at_root(w, i, *place);
+    const double slope = slope_at_root(&w->step, w->event, i, *place);
     if (!at_end || !w->step.reverses) take_rate(w, i, *place, slope);
     return at_end ? PM_OK : polish(w, i, x, slope, place, taken);
 }

@@ -12,18 +12,20 @@ typedef struct pm_event_course {
 } pm_event_course;
 
 /* The route leaves its zeros to the samples, and the step may reach it. */
-static inline int pm_event_samples_wanted(const pm_workspace *w, const pm_event_function *f)
+static inline int pm_event_samples_wanted(const struct pm_event_set *event, const pm_event_function *f)
 {
-    return !f->owned && !(f->kind == FUNCTION_GAP && w->event->culling.skipped[f->index]);
+    return !f->owned && !(f->kind == FUNCTION_GAP && event->culling.skipped[f->index]);
 }
 
 /* Value of a function (pm_event_function) of the workspace at x, on the dense output; NaN where the route cannot look. */
 double pm_event_samples_along(void *workspace, double x, void *function);
-void pm_event_samples_take(const pm_workspace *w, int i, pm_event_course *x);
+void pm_event_samples_take(const pm_step *step, struct pm_event_set *event, int i, pm_event_course *x);
 /* How far the samples x of function i do not show it, of their sizes; INFINITY between equidistant nodes. */
-double pm_event_samples_tail(const pm_workspace *w, int i, const pm_event_course *x);
+double pm_event_samples_tail(const pm_step *step, struct pm_event_set *event, int i,
+                             const pm_event_course *x);
 /* Whether they show it between the nodes, too. */
-int pm_event_samples_resolved(const pm_workspace *w, int i, const pm_event_course *x);
+int pm_event_samples_resolved(const pm_step *step, struct pm_event_set *event, int i,
+                              const pm_event_course *x);
 /* How far a function of known tail may be from the polynomial through samples of that size. */
 double pm_event_samples_residual(const pm_event_function *f, double biggest);
 /* The gap to the nearest member of a row has corners, that to one member has none: from now on the samples of function i

@@ -53,8 +53,9 @@ static void sample_contacts(pm_workspace *w, int node)
     pm_event_set *e = w->event;
     for (int i = e->ntrigger; i < e->nfunction; i++) {
         const pm_event_function *f = &e->function[i];
-        if (!pm_event_samples_wanted(w, f)) continue;
-        pm_event_samples(w, i)[node] = f->row == PM_NONE ? pm_event_sample(w, f) : sample_row(w, f, node);
+        if (!pm_event_samples_wanted(w->event, f)) continue;
+        pm_event_samples(w->event, i)[node] =
+            f->row == PM_NONE ? pm_event_sample(w, f) : sample_row(w, f, node);
     }
 }
 
@@ -83,7 +84,7 @@ static void sample_triggers(pm_workspace *w)
     pm_event_set *e = w->event;
     for (int i = 0; i < e->ntrigger; i++) {
         const pm_event_function *f = &e->function[i];
-        double *value = pm_event_samples(w, i);
+        double *value = pm_event_samples(w->event, i);
         if (f->owned) continue;
         pm_watched_samples_run(w, PM_TRIGGER_ROW(w->model, f->index)[PM_TRIGGER_PROGRAM], NULL, value);
         double least = e->least[f->index], greatest = e->greatest[f->index];
@@ -108,37 +109,35 @@ static int sample_reached(pm_workspace *w)
 }
 
 /* How far the contacts that were looked at are: some can be left alone in the next steps. */
-static void keep_gaps(pm_workspace *w)
+static void keep_gaps(const pm_model *model, pm_event_set *e)
 {
-    const pm_event_set *e = w->event;
     for (int i = 0; i < e->nfunction; i++) {
         const pm_event_function *f = &e->function[i];
-        if (f->kind == FUNCTION_GAP && pm_event_samples_wanted(w, f))
-            pm_gap_culling_keep(&w->event->culling, w->model, f->index, *pm_event_samples(w, i));
+        if (f->kind == FUNCTION_GAP && pm_event_samples_wanted(e, f))
+            pm_gap_culling_keep(&e->culling, model, f->index, *pm_event_samples(e, i));
     }
 }
 
 /* On which side of zero the functions begin the step; of its own a route that finds roots knows that. */
-static void note_sides(pm_workspace *w)
+static void note_sides(pm_event_set *e)
 {
-    pm_event_set *e = w->event;
     for (int i = 0; i < e->nfunction; i++) {
         pm_event_function *f = &e->function[i];
         if (f->owned) continue;
-        const double x = pm_event_of_sample(f, *pm_event_samples(w, i));
+        const double x = pm_event_of_sample(f, *pm_event_samples(e, i));
         f->side = f->held ? 0 : (x > 0) - (x < 0);
     }
 }
 
-static int is_resolved(const pm_workspace *w, const double *sample)
+static int is_resolved(const pm_step *step, const double *sample)
 {
-    return !(pm_chebyshev_tail(w->step.nodes, sample) > PM_TAIL_WAVES);
+    return !(pm_chebyshev_tail(step->nodes, sample) > PM_TAIL_WAVES);
 }
 
 /* Speeds fall to zero as the root of the energy does, where the motion reverses: that is no wave. */
-static int may_wave(const pm_workspace *w, const pm_event_function *f)
+static int may_wave(const pm_model *model, const pm_event_function *f)
 {
-    return !f->owned && w->model->programs.energy[PM_TRIGGER_ROW(w->model, f->index)[PM_TRIGGER_PROGRAM]] !=
+    return !f->owned && model->programs.energy[PM_TRIGGER_ROW(model, f->index)[PM_TRIGGER_PROGRAM]] !=
                             PM_ENERGY_CLASS_ROOT;
 }
 
@@ -149,9 +148,11 @@ static int are_resolved(const pm_workspace *w, int functions, int watched)
     const pm_event_set *e = w->event;
     const pm_ask_set *a = w->ask;
     for (int i = 0; functions && i < e->ntrigger; i++)
-        if (may_wave(w, &e->function[i]) && !is_resolved(w, pm_event_samples(w, i))) return 0;
+        if (may_wave(w->model, &e->function[i]) && !is_resolved(&w->step, pm_event_samples(w->event, i)))
+            return 0;
     for (int i = 0; watched && i < a->nobserver; i++)
-        if (a->switches[a->observer[i]] == 0 && !is_resolved(w, pm_ask_samples(w, a->observer[i]))) return 0;
+        if (a->switches[a->observer[i]] == 0 && !is_resolved(&w->step, pm_ask_samples(w, a->observer[i])))
+            return 0;
     return 1;
 }
 
@@ -168,8 +169,8 @@ static int sample_at_nodes(pm_workspace *w, int functions, int watched)
 static int finish_functions(pm_workspace *w)
 {
     const int status = pm_gap_culling_check(&w->event->culling, w->model) ? sample_reached(w) : PM_OK;
-    keep_gaps(w);
-    note_sides(w);
+    keep_gaps(w->model, w->event);
+    note_sides(w->event);
     return status;
 }
 
@@ -195,11 +196,11 @@ double pm_event_samples_along(void *of, double x, void *function)
     return pm_event_value(w, f);
 }
 
-void pm_event_samples_take(const pm_workspace *w, int i, pm_event_course *x)
+void pm_event_samples_take(const pm_step *step, pm_event_set *event, int i, pm_event_course *x)
 {
-    const pm_event_function *f = &w->event->function[i];
-    const double *value = pm_event_samples(w, i);
-    x->n = w->step.nodes->n;
+    const pm_event_function *f = &event->function[i];
+    const double *value = pm_event_samples(event, i);
+    x->n = step->nodes->n;
     x->low = INFINITY;
     x->high = -INFINITY;
     for (int k = 0; k < x->n; k++) {
@@ -210,30 +211,30 @@ void pm_event_samples_take(const pm_workspace *w, int i, pm_event_course *x)
     x->biggest = pm_max(x->high, -x->low);
 }
 
-double pm_event_samples_tail(const pm_workspace *w, int i, const pm_event_course *x)
+double pm_event_samples_tail(const pm_step *step, pm_event_set *event, int i, const pm_event_course *x)
 {
-    pm_event_function *f = &w->event->function[i];
-    if (!pm_chebyshev_nodes_spectral(w->step.nodes)) return INFINITY;
+    pm_event_function *f = &event->function[i];
+    if (!pm_chebyshev_nodes_spectral(step->nodes)) return INFINITY;
     if (f->tail < 0) {
-        f->tail = pm_chebyshev_tail(w->step.nodes, x->g);
+        f->tail = pm_chebyshev_tail(step->nodes, x->g);
         f->biggest = x->biggest;
     }
     return f->tail;
 }
 
-int pm_event_samples_resolved(const pm_workspace *w, int i, const pm_event_course *x)
+int pm_event_samples_resolved(const pm_step *step, pm_event_set *event, int i, const pm_event_course *x)
 {
-    return pm_event_samples_tail(w, i, x) < PM_TAIL_RESOLVED;
+    return pm_event_samples_tail(step, event, i, x) < PM_TAIL_RESOLVED;
 }
 
-int pm_event_samples_resolve(const pm_workspace *w, int i)
+int pm_event_samples_resolve(const pm_step *step, pm_event_set *event, int i)
 {
-    const pm_event_function *f = &w->event->function[i];
+    const pm_event_function *f = &event->function[i];
     pm_event_course x;
     if (f->tail >= 0) return f->tail < PM_TAIL_RESOLVED;
-    if (!pm_chebyshev_nodes_spectral(w->step.nodes)) return 0;
-    pm_event_samples_take(w, i, &x);
-    return pm_event_samples_resolved(w, i, &x);
+    if (!pm_chebyshev_nodes_spectral(step->nodes)) return 0;
+    pm_event_samples_take(step, event, i, &x);
+    return pm_event_samples_resolved(step, event, i, &x);
 }
 
 double pm_event_samples_residual(const pm_event_function *f, double biggest)
@@ -250,7 +251,8 @@ static int member_at(pm_workspace *w, const pm_event_function *f, double x, int 
         if (e->place[k] == x)
             return !isinf(pm_contact_nearest_beside(&w->frame, &w->state, f->index,
                                                     e->beside + f->row * PM_NODES_MOST + k, member));
-    return !pm_step_look(w, x, PM_LEVEL_KINEMATIC) && !isinf(pm_contact_gap(w, &w->state, f->index, member));
+    return !pm_step_look(w, x, PM_LEVEL_KINEMATIC) &&
+           !isinf(pm_contact_gap(&w->frame, &w->state, f->index, member));
 }
 
 void pm_event_samples_of_member(pm_workspace *w, int i, double x)
@@ -261,6 +263,7 @@ void pm_event_samples_of_member(pm_workspace *w, int i, double x)
     if (f->row == PM_NONE || !pm_chebyshev_nodes_spectral(w->step.nodes) || !member_at(w, f, x, &member))
         return;
     for (int k = 0; k < w->step.nodes->n; k++)
-        pm_event_samples(w, i)[k] = pm_contact_gap_beside(e->beside + f->row * PM_NODES_MOST + k, member);
+        pm_event_samples(w->event, i)[k] =
+            pm_contact_gap_beside(e->beside + f->row * PM_NODES_MOST + k, member);
     f->tail = -1;
 }

@@ -56,7 +56,7 @@ static int find_earliest(pm_workspace *w, double from, int *earliest, double *fi
     *first = INFINITY;
     for (int i = 0; i < e->nfunction; i++) {
         e->hit[i] = 0;
-        if (!pm_event_samples_wanted(w, &e->function[i])) continue;
+        if (!pm_event_samples_wanted(w->event, &e->function[i])) continue;
         double place;
         const int status = first_of(w, i, from, *first, &x, &place);
         if (status) return status;
@@ -84,14 +84,13 @@ int pm_event_search_first(pm_workspace *w, double from, double *first, double *t
     return pm_event_locate_settle(w, earliest, &x, first, taken);
 }
 
-void pm_event_search_leave(pm_workspace *w)
+void pm_event_search_leave(const pm_step *step, pm_event_set *e)
 {
-    pm_event_set *e = w->event;
-    const int last = w->step.nodes->n - 1;
+    const int last = step->nodes->n - 1;
     for (int i = 0; i < e->nfunction; i++) {
         pm_event_function *f = &e->function[i];
-        if (!pm_event_samples_wanted(w, f)) continue;
-        if (fabs(pm_event_of_sample(f, pm_event_samples(w, i)[last])) > f->slack) f->held = 0;
+        if (!pm_event_samples_wanted(e, f)) continue;
+        if (fabs(pm_event_of_sample(f, pm_event_samples(e, i)[last])) > f->slack) f->held = 0;
         f->since = 0;
     }
 }

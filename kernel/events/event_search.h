@@ -11,13 +11,13 @@
 /* Samples functions (if asked for) and watched asks at all nodes of the step (w->state at its end). */
 int pm_event_samples_fill(pm_workspace *w, int with_functions);
 /* 1 if the samples of function i show it between the nodes, too. */
-int pm_event_samples_resolve(const pm_workspace *w, int i);
+int pm_event_samples_resolve(const pm_step *step, struct pm_event_set *event, int i);
 
 /* Locates the functions, which have been sampled, that fire first after `from`: w->event->hit, *first the place (INFINITY:
  * none), *taken where w->probe holds an exact state. */
 int pm_event_search_first(pm_workspace *w, double from, double *first, double *taken);
 /* The step is over: zeros that were held and have been left count again. */
-void pm_event_search_leave(pm_workspace *w);
+void pm_event_search_leave(const pm_step *step, struct pm_event_set *e);
 
 /* ---- decisions (state/evidence.h) ---- */
 /* An instant begins: notes how far each function that did not fire is from its zero.  The frame looks at the state. */

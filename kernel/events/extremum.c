@@ -47,30 +47,31 @@ int pm_extremum_offer_at(pm_workspace *w, const pm_extremum *p, double t)
     return status;
 }
 
-double pm_extremum_best(const pm_workspace *w, const pm_extremum *p)
+double pm_extremum_best(const struct pm_ask_set *ask, const pm_extremum *p)
 {
-    return pm_max(p->best, p->sign * w->ask->best[p->ask]);
+    return pm_max(p->best, p->sign * ask->best[p->ask]);
 }
 
-void pm_extremum_skip(pm_workspace *w, const pm_extremum *p, double g)
+void pm_extremum_skip(struct pm_ask_set *ask, const pm_extremum *p, double g)
 {
-    double *bound = &w->ask->bound[p->ask];
+    double *bound = &ask->bound[p->ask];
     *bound = pm_max(*bound, g);
 }
 
 /* ---- beside a node ---- */
 /* Whether node k is as good as the extreme at x right beside it. */
-static int is_at_node(pm_workspace *w, const pm_extremum *p, int k, const pm_extremum_fit *x)
+static int is_at_node(const pm_step *step, struct pm_ask_set *ask, const pm_extremum *p, int k,
+                      const pm_extremum_fit *x)
 {
-    const int n = w->step.nodes->n, at_end = k == 0 || k + 1 == n;
-    if (n * n * fabs(x->s - w->step.nodes->at[k]) > PM_EXTREMUM_NEAR) return 0;
-    const double slope = fabs(pm_chebyshev_slope_at(w->step.nodes, p->g, k));
+    const int n = step->nodes->n, at_end = k == 0 || k + 1 == n;
+    if (n * n * fabs(x->s - step->nodes->at[k]) > PM_EXTREMUM_NEAR) return 0;
+    const double slope = fabs(pm_chebyshev_slope_at(step->nodes, p->g, k));
     const double error = (at_end ? PM_EXTREMUM_END_TAIL / PM_EXTREMUM_SLOPE_TAIL : 1) * p->slope_error;
     const double half = -(1 + PM_EXTREMUM_NEAR) * 0.5 / x->bend,
                  most = p->g[k] + half * (slope + error) * (slope + error);
     const double likely = slope + PM_EXTREMUM_LIKELY * error;
     if (most > p->best + p->nothing) return 0;
-    pm_extremum_skip(w, p, p->g[k] + half * likely * likely);
+    pm_extremum_skip(ask, p, p->g[k] + half * likely * likely);
     return 1;
 }
 
@@ -79,9 +80,9 @@ int pm_extremum_near(pm_workspace *w, const pm_extremum *p, int k, const pm_extr
     if (x->bend < 0) {
         const double residual =
             PM_TAIL_RESIDUAL * p->tail * p->size * fabs(x->w) - 0.5 * x->slope * x->slope / x->bend;
-        if (is_at_node(w, p, k, x)) return PM_OK;
+        if (is_at_node(&w->step, w->ask, p, k, x)) return PM_OK;
         if (x->value + residual <= p->best + p->nothing) {
-            pm_extremum_skip(w, p, x->value + residual);
+            pm_extremum_skip(w->ask, p, x->value + residual);
             return PM_OK;
         }
         int found;
@@ -139,7 +140,7 @@ static int extremes_of_samples(pm_workspace *w, pm_extremum *p)
         if (x.s <= p->end) p->met |= 1u << pm_extremum_rise_interval(nodes, x.s);
         const int status = pm_extremum_near(w, p, k, &x);
         if (status) return status;
-        p->best = pm_extremum_best(w, p);
+        p->best = pm_extremum_best(w->ask, p);
     }
     return pm_extremum_hidden_find(w, p);
 }
@@ -202,16 +203,16 @@ int pm_extremum_find(pm_workspace *w, pm_extremum *p, int top, double spread)
         int status = k > 0 ? extreme_beside_top(w, p, k - 1, spread) : PM_OK;
         if (!status && k + 1 < nodes->n) status = extreme_beside_top(w, p, k, spread);
         if (status) return status;
-        p->best = pm_extremum_best(w, p);
+        p->best = pm_extremum_best(w->ask, p);
     }
     return pm_extremum_hidden_find(w, p);
 }
 
 /* How many nodes are not beyond the end of the step, which may have been shortened. */
-static int nodes_inside(const pm_workspace *w)
+static int nodes_inside(const pm_step *step)
 {
-    int n = w->step.nodes->n;
-    while (w->step.end < w->step.sampled_end && n > 1 && pm_step_node(&w->step, n - 1) > w->step.end) n--;
+    int n = step->nodes->n;
+    while (step->end < step->sampled_end && n > 1 && pm_step_node(step, n - 1) > step->end) n--;
     return n;
 }
 
@@ -221,7 +222,7 @@ int pm_extremum_take(pm_workspace *w, int ask)
     pm_extremum p = {.ask = ask,
                      .sign = pm_ask_greatest(PM_ASK_ROW(w->model, ask)) ? 1 : -1,
                      .last = w->step.nodes->n - 1};
-    const int inside = nodes_inside(w);
+    const int inside = nodes_inside(&w->step);
     double least = INFINITY;
     int top = 0, top_inside = 0;
     for (int k = 0; k < w->step.nodes->n; k++) {
@@ -246,7 +247,7 @@ int pm_extremum_end_counts(pm_workspace *w, int ask)
 {
     const double *value = pm_ask_samples(w, ask);
     const double sign = pm_ask_greatest(PM_ASK_ROW(w->model, ask)) ? 1 : -1;
-    const int inside = nodes_inside(w), from = inside > 1 ? inside - 2 : 0;
+    const int inside = nodes_inside(&w->step), from = inside > 1 ? inside - 2 : 0;
     double best = sign * w->ask->best[ask], low = INFINITY, high = -INFINITY;
     for (int k = 0; k < inside; k++)
         if (!(sign * value[k] <= best)) best = sign * value[k];

@@ -94,7 +94,7 @@ static int extremes_of(pm_workspace *w, pm_extremum *of, int first, int last)
     }
     of->first = first;
     of->last = last;
-    of->best = pm_extremum_best(w, of);
+    of->best = pm_extremum_best(w->ask, of);
     return pm_extremum_find(w, of, top, of->g[top] - least);
 }
 
@@ -134,7 +134,7 @@ static int offer_switch(pm_workspace *w, const pm_extremum *p, const pm_extremum
         w->ask->undefined[p->ask] = 1; /* it has no value somewhere */
         return PM_OK;
     }
-    int status = pm_fail_search(w, end);
+    int status = pm_fail_search(&w->result, end);
     if (!status) status = offer_at(w, p, *t);
     const double beside = PM_JUMP_BESIDE * (to - from);
     if (!status && b->at.jumps[i]) status = offer_at(w, p, *t - beside);
@@ -151,11 +151,11 @@ static int only_dips(const pm_extremum_branches *b, int i, int k, const pm_extre
 }
 
 /* No value between nodes k and k + 1 is far above those of the branches there. */
-static int stays_below(const pm_workspace *w, const pm_extremum *left, const pm_extremum *right, int k)
+static int stays_below(const struct pm_ask_set *ask, const pm_extremum *left, const pm_extremum *right, int k)
 {
     const double most = pm_max(pm_max(left->g[k], left->g[k + 1]), pm_max(right->g[k], right->g[k + 1]));
     const double spread = pm_max(fabs(left->g[k] - left->g[k + 1]), fabs(right->g[k] - right->g[k + 1]));
-    return most + spread < pm_extremum_best(w, left);
+    return most + spread < pm_extremum_best(ask, left);
 }
 
 /* The branch between two places where switches change, if it is none of those at the nodes: its extremes. */
@@ -200,7 +200,7 @@ static int switches_between(pm_workspace *w, const pm_extremum *p, pm_extremum_b
     int n = 0, only = 0;
     for (int i = 0; i < b->at.n; i++)
         if (b->sign[k][i] != b->sign[k + 1][i]) n++, only = i;
-    if (pm_step_node(&w->step, k) >= w->step.end || stays_below(w, left, right, k)) return PM_OK;
+    if (pm_step_node(&w->step, k) >= w->step.end || stays_below(w->ask, left, right, k)) return PM_OK;
     double t;
     if (n > 1) return several_switches(w, p, b, k);
     return only_dips(b, only, k, left, right) ? PM_OK : offer_switch(w, p, b, only, k, &t);

@@ -67,7 +67,7 @@ static int top_of_fit(pm_workspace *w, const pm_extremum *p, const pm_extremum_s
     const pm_chebyshev_nodes *nodes = w->step.nodes;
     double s;
     const int status = pm_fail_search(
-        w, pm_bracket_find(w->ask->solver, rate_of_fit, w, &p, a->s, a->rate, b->s, b->rate, &s));
+        &w->result, pm_bracket_find(w->ask->solver, rate_of_fit, w, &p, a->s, a->rate, b->s, b->rate, &s));
     if (status) return status;
     int k = pm_extremum_rise_interval(nodes, s);
     if (nodes->at[k + 1] - s < s - nodes->at[k]) k++;
@@ -130,7 +130,7 @@ int pm_extremum_hidden_find(pm_workspace *w, pm_extremum *p)
     for (int k = 0; (k = next_hidden(w->step.nodes, p, k)) < n; k++) {
         const int status = hidden_between(w, p, k);
         if (status) return status;
-        p->best = pm_extremum_best(w, p);
+        p->best = pm_extremum_best(w->ask, p);
     }
     return PM_OK;
 }

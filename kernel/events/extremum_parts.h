@@ -64,9 +64,9 @@ int pm_extremum_is_taken(const pm_extremum *p);
 /* Takes g at the frame, and so much above it, if the branch is taken there. */
 void pm_extremum_offer(pm_workspace *w, const pm_extremum *p, double g, double above);
 /* Nothing above g is looked for. */
-void pm_extremum_skip(pm_workspace *w, const pm_extremum *p, double g);
+void pm_extremum_skip(struct pm_ask_set *ask, const pm_extremum *p, double g);
 /* The best so far: of what was known before, and what has been offered since. */
-double pm_extremum_best(const pm_workspace *w, const pm_extremum *p);
+double pm_extremum_best(const struct pm_ask_set *ask, const pm_extremum *p);
 /* Looks at place t, exactly, and takes the value there. */
 int pm_extremum_offer_at(pm_workspace *w, const pm_extremum *p, double t);
 /* Looks for extremes that are better than the best so far; top: the best node of those that are asked for, spread: of all

@@ -157,7 +157,7 @@ static int take_top(pm_workspace *w, const pm_extremum *p, const pm_extremum_est
         above = 0;
         if (!pm_extremum_is_taken(p)) return PM_OK;
     }
-    pm_extremum_skip(w, p, most);
+    pm_extremum_skip(w->ask, p, most);
     if (value + above > p->best) pm_extremum_offer(w, p, value, above);
     return PM_OK;
 }

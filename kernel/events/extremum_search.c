@@ -70,7 +70,7 @@ static int top_between(pm_workspace *w, const pm_extremum *p, const pm_extremum_
         if (!p->branch) w->ask->undefined[p->ask] = 1; /* it takes finite rates: there is none somewhere */
         return PM_OK;
     }
-    const int status = pm_fail_search(w, end);
+    const int status = pm_fail_search(&w->result, end);
     if (status) return status;
     return pm_extremum_offer_at(w, p, t);
 }

@@ -108,24 +108,23 @@ void pm_gap_culling_keep(pm_gap_culling *x, const pm_model *m, int contact, doub
 }
 
 /* A short way of a mark beside a fixed edge: what strikes it near an end is behind it for no longer. */
-static double part_of_edge(const pm_workspace *w, const int32_t *e)
+static double part_of_edge(const pm_numbers *numbers, const int32_t *e)
 {
-    return PM_CULLING_EDGE * (w->numbers.value[e[PM_CONTACT_TO]] - w->numbers.value[e[PM_CONTACT_FROM]]);
+    return PM_CULLING_EDGE * (numbers->value[e[PM_CONTACT_TO]] - numbers->value[e[PM_CONTACT_FROM]]);
 }
 
 /* The sum of the radii of two circles, or of a circle and a row's member (a point); 0 of what cannot be gone through. */
-static double through(const pm_workspace *w, int contact)
+static double through(const pm_model *m, const pm_numbers *numbers, int contact)
 {
-    const pm_model *m = w->model;
     const int32_t *e = PM_CONTACT_ROW_OF(m, contact);
-    const double radius = w->numbers.value[PM_CIRCLE_ROW(m, e[PM_CONTACT_A])[PM_CIRCLE_RADIUS]];
+    const double radius = numbers->value[PM_CIRCLE_ROW(m, e[PM_CONTACT_A])[PM_CIRCLE_RADIUS]];
     switch (e[PM_CONTACT_KIND]) {
     case PM_CONTACT_ROW: return radius;
     case PM_CONTACT_CIRCLE: /* side 1: outside each other; what has come through from inside stays there */
-        return w->numbers.value[e[PM_CONTACT_SIDE]] == 1
-                   ? radius + w->numbers.value[PM_CIRCLE_ROW(m, e[PM_CONTACT_B])[PM_CIRCLE_RADIUS]]
+        return numbers->value[e[PM_CONTACT_SIDE]] == 1
+                   ? radius + numbers->value[PM_CIRCLE_ROW(m, e[PM_CONTACT_B])[PM_CIRCLE_RADIUS]]
                    : 0;
-    case PM_CONTACT_SEGMENT: return part_of_edge(w, e);
+    case PM_CONTACT_SEGMENT: return part_of_edge(numbers, e);
     default: return 0;
     }
 }
@@ -143,13 +142,13 @@ static int bodies_of_passage(const pm_model *m, int contact, int body[2])
 
 /* How fast the origin of a body goes against that of another, and the circles about them: rates are velocities or
  * accelerations. */
-static double against(const pm_workspace *w, const double *rate, const int body[2])
+static double against(const pm_model *model, const pm_event_set *event, const double *rate, const int body[2])
 {
     static const double still[3] = {0, 0, 0};
-    const double *part[2], *radius = w->event->culling.radius;
+    const double *part[2], *radius = event->culling.radius;
     double turning = 0;
     for (int i = 0; i < 2; i++) {
-        const int moves = body[i] < w->model->nbody;
+        const int moves = body[i] < model->nbody;
         part[i] = moves ? rate + 3 * body[i] : still;
         if (moves) turning += radius[body[i]] * fabs(part[i][2]);
     }
@@ -164,13 +163,14 @@ double pm_gap_culling_time(const pm_workspace *w, const double *v, const double 
         const int contact = e->function[i].index;
         int body[2], member;
         if (e->function[i].kind != FUNCTION_GAP || e->function[i].owned) continue;
-        const double radii = through(w, contact);
+        const double radii = through(w->model, &w->numbers, contact);
         if (!(radii > 0) || !bodies_of_passage(w->model, contact, body)) continue;
         const double safe = (w->step.nodes->n - 1) * radii, left = e->culling.left[contact];
         const double free =
-            left > safe ? left : PM_CULLING_WITHIN * pm_contact_gap(w, &w->state, contact, &member);
+            left > safe ? left : PM_CULLING_WITHIN * pm_contact_gap(&w->frame, &w->state, contact, &member);
         const double way = fmax(free, safe);
-        const double speed = against(w, v, body), rate = against(w, a, body);
+        const double speed = against(w->model, w->event, v, body),
+                     rate = against(w->model, w->event, a, body);
         time =
             fmin(time, 2 * way / (speed + sqrt(speed * speed + 2 * rate * way))); /* v t + a t^2 / 2 = way */
     }

@@ -28,11 +28,11 @@ int pm_history_row(pm_workspace *w, int mark)
     return w->record.history ? record(w, &w->state, mark) : PM_OK;
 }
 
-void pm_history_step(pm_workspace *w)
+void pm_history_step(const pm_step *step, pm_record *record)
 {
-    if (!w->record.history) return;
-    w->record.history->length = w->step.end - w->step.begin;
-    w->record.history->inside = w->step.begin;
+    if (!record->history) return;
+    record->history->length = step->end - step->begin;
+    record->history->inside = step->begin;
 }
 
 int pm_history_inside(pm_workspace *w, double x)

@@ -22,11 +22,11 @@ static void add_measure(pm_watched_samples *s, int measure, int who)
     s->who[i] |= (unsigned char)who;
 }
 
-void pm_watched_samples_add(pm_workspace *w, int program, int who)
+void pm_watched_samples_add(const pm_model *model, pm_watched_samples *watched, int program, int who)
 {
-    const pm_program_fold *f = w->model->programs.fold;
+    const pm_program_fold *f = model->programs.fold;
     for (int k = f->first[program]; k < f->first[program + 1]; k++)
-        if (f->step[k].kind == STEP_MEASURE) add_measure(w->watched, f->step[k].arg, who);
+        if (f->step[k].kind == STEP_MEASURE) add_measure(watched, f->step[k].arg, who);
 }
 
 int pm_watched_samples_create(pm_workspace *w)

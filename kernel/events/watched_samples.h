@@ -22,7 +22,7 @@ typedef struct pm_watched_samples {
 /* Nothing is watched yet. */
 int pm_watched_samples_create(pm_workspace *w);
 /* The program is watched by `who` from now on: before any case. */
-void pm_watched_samples_add(pm_workspace *w, int program, int who);
+void pm_watched_samples_add(const pm_model *model, pm_watched_samples *watched, int program, int who);
 void pm_watched_samples_free(pm_workspace *w);
 
 /* Reads the measures off the frame, which looks at this node of the step. */

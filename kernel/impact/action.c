@@ -32,9 +32,9 @@ int pm_action_of(const pm_model *m, int event)
     return 0;
 }
 
-void pm_action_instant(pm_workspace *w)
+void pm_action_instant(const pm_model *model, struct pm_event_set *event)
 {
-    memset(w->event->acted, 0, (size_t)w->model->rows[PM_TABLE_EVENT]);
+    memset(event->acted, 0, (size_t)model->rows[PM_TABLE_EVENT]);
 }
 
 /* ---- impulses ---- */
@@ -49,7 +49,7 @@ static void add_impulse(pm_workspace *w, int body, const double at[2], const dou
     p[0] += force[0];
     p[1] += force[1];
     p[2] += couple + pm_cross(arm, force);
-    pm_ledger_impulse(w, at, force, couple);
+    pm_ledger_impulse(w->model, &w->state, at, force, couple);
 }
 
 static void collect(pm_workspace *w, const int32_t *e)
@@ -87,7 +87,7 @@ static int strike(pm_workspace *w)
 {
     const double kinetic = pm_body_kinetic(&w->frame, PM_NONE), before = work_now(w);
     const int light = struck_without_mass(w);
-    if (light != PM_NONE) return pm_fail(w, PM_UNSUPPORTED, PM_TABLE_BODY, light, NAN, NAN);
+    if (light != PM_NONE) return pm_fail(&w->result, PM_UNSUPPORTED, PM_TABLE_BODY, light, NAN, NAN);
     for (int i = 0; i < w->model->nq; i++)
         w->state.v[i] += w->numbers.inverse_mass[i] * w->impulses.applied[i];
     w->ledger.energy_lost -= 0.5 * (before + work_now(w));
@@ -97,14 +97,14 @@ static int strike(pm_workspace *w)
     return status;
 }
 
-static void no_impulse(pm_workspace *w)
+static void no_impulse(const pm_model *model, pm_impulses *impulses)
 {
-    memset(w->impulses.applied, 0, (size_t)w->model->nq * sizeof(double));
+    memset(impulses->applied, 0, (size_t)model->nq * sizeof(double));
 }
 
 static int strike_together(pm_workspace *w, int first, int last)
 {
-    no_impulse(w);
+    no_impulse(w->model, &w->impulses);
     for (int i = first; i < last; i++) collect(w, PM_ACTION_ROW(w->model, i));
     return strike(w);
 }
@@ -129,10 +129,10 @@ static int do_work(pm_workspace *w, int i)
     double couple = work / spin, done = 0;
     if (work == 0) return PM_OK;
     if (fabs(spin) * w->numbers.size <= pm_contact_speed(&w->frame))
-        return pm_fail(w, PM_NO_IMPULSE, PM_TABLE_ACTION, i, work, 0);
+        return pm_fail(&w->result, PM_NO_IMPULSE, PM_TABLE_ACTION, i, work, 0);
     pm_state_copy(&w->ahead, &w->state);
     for (int k = 0; k < PM_ACTION_FITS; k++) {
-        no_impulse(w);
+        no_impulse(w->model, &w->impulses);
         add_impulse(w, body, nothing, nothing, couple);
         const int status = strike(w);
         done = 0.5 * couple * (spin + w->state.v[angle]);
@@ -140,13 +140,13 @@ static int do_work(pm_workspace *w, int i)
         const double c = (w->state.v[angle] - spin) / couple;
         couple = impulse_for(work, spin, c);
         if (!isfinite(couple))
-            return pm_fail(w, PM_NO_IMPULSE, PM_TABLE_ACTION, i, work, -0.5 * spin * spin / c);
+            return pm_fail(&w->result, PM_NO_IMPULSE, PM_TABLE_ACTION, i, work, -0.5 * spin * spin / c);
         pm_state_copy(&w->state, &w->ahead);
         pm_frame_look_state(&w->frame, &w->state);
         w->ledger.energy_lost = lost;
         w->result.count[PM_COUNT_JUMPS] = jumps;
     }
-    return pm_fail(w, PM_NO_IMPULSE, PM_TABLE_ACTION, i, work, done);
+    return pm_fail(&w->result, PM_NO_IMPULSE, PM_TABLE_ACTION, i, work, done);
 }
 
 /* ---- what comes and goes ---- */
@@ -157,23 +157,23 @@ static void count_energy(pm_workspace *w, int force, double sign)
     w->ledger.force_energy_start[force] += energy;
 }
 
-static void let_slots_go(pm_workspace *w, int contact)
+static void let_slots_go(const pm_model *model, pm_state *state, int contact)
 {
-    const int first = w->model->contact_slot[contact];
-    for (int i = first; i < first + pm_contact_slots(w->model, contact); i++) w->state.slot[i].mode = PM_OPEN;
+    const int first = model->contact_slot[contact];
+    for (int i = first; i < first + pm_contact_slots(model, contact); i++) state->slot[i].mode = PM_OPEN;
 }
 
 /* A joint holds from here on: it must be closed here. */
 static int fits(pm_workspace *w, int i, int joint)
 {
     pm_constraint row[PM_JOINT_CONSTRAINTS];
-    pm_active_set_anchor_joint(w, &w->state, joint);
-    const int n = pm_joint_constraints(w, joint, row);
+    pm_active_set_anchor_joint(&w->frame, &w->state, &w->state, joint);
+    const int n = pm_joint_constraints(&w->frame, &w->state, joint, row);
     const double allowed = PM_ACTION_OPENING * w->numbers.size;
     for (int k = 0; k < n; k++) {
         pm_constraint_kind(row[k].kind)->evaluate(&w->frame, &row[k]);
         const double open = fabs(row[k].g) * (row[k].kind == PM_CONSTRAINT_ANGLE ? w->numbers.size : 1);
-        if (!(open <= allowed)) return pm_fail(w, PM_ASSEMBLY, PM_TABLE_ACTION, i, open, allowed);
+        if (!(open <= allowed)) return pm_fail(&w->result, PM_ASSEMBLY, PM_TABLE_ACTION, i, open, allowed);
     }
     return PM_OK;
 }
@@ -189,8 +189,9 @@ static int add(pm_workspace *w, int i)
     if (table == PM_TABLE_JOINT) return fits(w, i, a);
     if (table != PM_TABLE_CONTACT) return PM_OK;
     int member;
-    const double gap = pm_contact_gap(w, &w->state, a, &member), least = -PM_ACTION_OPENING * w->numbers.size;
-    return gap < least ? pm_fail(w, PM_PENETRATION, PM_TABLE_ACTION, i, gap, least) : PM_OK;
+    const double gap = pm_contact_gap(&w->frame, &w->state, a, &member),
+                 least = -PM_ACTION_OPENING * w->numbers.size;
+    return gap < least ? pm_fail(&w->result, PM_PENETRATION, PM_TABLE_ACTION, i, gap, least) : PM_OK;
 }
 
 static int take_away(pm_workspace *w, int i)
@@ -200,7 +201,7 @@ static int take_away(pm_workspace *w, int i)
     unsigned char *absent = &w->state.absent[pm_model_element(w->model, table, a)];
     if (*absent) return PM_OK;
     if (table == PM_TABLE_FORCE) count_energy(w, a, -1);
-    if (table == PM_TABLE_CONTACT) let_slots_go(w, a);
+    if (table == PM_TABLE_CONTACT) let_slots_go(w->model, &w->state, a);
     *absent = 1;
     return PM_OK;
 }
@@ -226,8 +227,8 @@ static int add_elements(pm_workspace *w, int first, int last)
     int clashes = 0, status = PM_OK;
     for (int i = first; !status && i < last; i++) status = add(w, i);
     if (!status) status = clash(w, &clashes);
-    pm_joint_friction_close(w);
-    no_impulse(w);
+    pm_joint_friction_close(&w->frame, &w->state);
+    no_impulse(w->model, &w->impulses);
     return status || !clashes ? status : strike(w);
 }
 
@@ -235,7 +236,8 @@ static int add_elements(pm_workspace *w, int first, int last)
 /* It waits for the next phase; PM_UNSUPPORTED if another one does. */
 static int request_perturbation(pm_workspace *w, int i)
 {
-    if (w->request.program != PM_NONE) return pm_fail(w, PM_UNSUPPORTED, PM_TABLE_ACTION, i, NAN, NAN);
+    if (w->request.program != PM_NONE)
+        return pm_fail(&w->result, PM_UNSUPPORTED, PM_TABLE_ACTION, i, NAN, NAN);
     w->request = (pm_request){PM_ACTION_ROW(w->model, i)[PM_ACTION_PROGRAM_X], PM_TABLE_ACTION, i};
     return PM_OK;
 }
@@ -269,7 +271,7 @@ static int carry_out_group(pm_workspace *w, int first, int last)
     case PM_ACTION_ADD: return add_elements(w, first, last);
     case PM_ACTION_REMOVE:
         for (int i = first; !status && i < last; i++) status = take_away(w, i);
-        pm_joint_friction_close(w);
+        pm_joint_friction_close(&w->frame, &w->state);
         return status;
     case PM_ACTION_IMPULSE:
     case PM_ACTION_ANGULAR: return strike_together(w, first, last);
@@ -297,7 +299,9 @@ int pm_action_carry_out(pm_workspace *w, int *acted)
     int status = PM_OK;
     *acted = 0;
     for (int event = 0; !status && event < m->rows[PM_TABLE_EVENT]; event++) {
-        if (w->event->acted[event] || !pm_action_of(m, event) || !pm_trigger_fires(w, event)) continue;
+        if (w->event->acted[event] || !pm_action_of(m, event) ||
+            !pm_trigger_fires(w->model, &w->firing, event))
+            continue;
         w->event->acted[event] = 1;
         *acted = 1;
         status = act(w, event);

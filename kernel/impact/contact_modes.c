@@ -25,15 +25,15 @@
 /* Let go at this instant: it is closed again if its pair would approach; or not, for it was or the edge has ended. */
 enum pm_released { HELD = 0, LET_GO = 1, FOR_GOOD = 2 };
 
-int pm_contact_modes_of_slip(pm_workspace *w, int contact, int member)
+int pm_contact_modes_of_slip(const pm_frame *frame, int contact, int member)
 {
-    if (pm_capture_kind(w->model, contact) != PM_CAPTURE_NONE) return PM_CAPTURED;
-    switch (pm_contact_friction(w->model, contact)) {
+    if (pm_capture_kind(frame->model, contact) != PM_CAPTURE_NONE) return PM_CAPTURED;
+    switch (pm_contact_friction(frame->model, contact)) {
     case PM_FRICTION_SMOOTH: return PM_SMOOTH;
     case PM_FRICTION_ROUGH: return PM_STICK;
     default: {
-        const double slip = pm_contact_member_slip(&w->frame, contact, member);
-        if (fabs(slip) <= pm_contact_speed(&w->frame)) return PM_STICK;
+        const double slip = pm_contact_member_slip(frame, contact, member);
+        if (fabs(slip) <= pm_contact_speed(frame)) return PM_STICK;
         return slip > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
     }
     }
@@ -43,34 +43,35 @@ int pm_contact_modes_close(pm_workspace *w, int contact, int member, int *slot)
 {
     *slot = pm_contact_free_slot(&w->frame, &w->state, contact);
     if (*slot == PM_NONE)
-        return pm_fail(w, PM_CONTACT_SLOTS, PM_TABLE_CONTACT, contact, PM_ROW_SLOTS, PM_ROW_SLOTS);
-    w->state.slot[*slot] = (pm_slot){pm_contact_modes_of_slip(w, contact, member), member};
-    pm_active_set_anchor(w, &w->state, *slot);
+        return pm_fail(&w->result, PM_CONTACT_SLOTS, PM_TABLE_CONTACT, contact, PM_ROW_SLOTS, PM_ROW_SLOTS);
+    w->state.slot[*slot] = (pm_slot){pm_contact_modes_of_slip(&w->frame, contact, member), member};
+    pm_active_set_anchor(&w->frame, &w->state, *slot);
     return PM_OK;
 }
 
 int pm_contact_modes_slides(int mode) { return mode == PM_SLIDE_FORWARD || mode == PM_SLIDE_BACKWARD; }
 
 /* The constraints of the member in a slot; what is open has them, too. */
-static void constraints_of(const pm_workspace *w, int slot, pm_constraint *normal, pm_constraint *tangent)
+static void constraints_of(const pm_frame *frame, const pm_state *state, int slot, pm_constraint *normal,
+                           pm_constraint *tangent)
 {
-    pm_contact_constraint_both(&w->frame, pm_contact_of_slot(w->model, slot), slot,
-                               w->state.slot[slot].member, normal, tangent);
+    pm_contact_constraint_both(frame, pm_contact_of_slot(frame->model, slot), slot, state->slot[slot].member,
+                               normal, tangent);
 }
 
-pm_constraint pm_contact_modes_normal(const pm_workspace *w, int slot)
+pm_constraint pm_contact_modes_normal(const pm_frame *frame, const pm_state *state, int slot)
 {
     pm_constraint normal, tangent;
-    constraints_of(w, slot, &normal, &tangent);
-    pm_constraint_kind(normal.kind)->evaluate(&w->frame, &normal);
+    constraints_of(frame, state, slot, &normal, &tangent);
+    pm_constraint_kind(normal.kind)->evaluate(frame, &normal);
     return normal;
 }
 
-pm_constraint pm_contact_modes_tangent(const pm_workspace *w, int slot)
+pm_constraint pm_contact_modes_tangent(const pm_frame *frame, const pm_state *state, int slot)
 {
     pm_constraint normal, tangent;
-    constraints_of(w, slot, &normal, &tangent);
-    pm_constraint_kind(tangent.kind)->evaluate(&w->frame, &tangent);
+    constraints_of(frame, state, slot, &normal, &tangent);
+    pm_constraint_kind(tangent.kind)->evaluate(frame, &tangent);
     return tangent;
 }
 
@@ -96,7 +97,7 @@ static int pass_end(pm_workspace *w, int slot)
 {
     pm_slot *s = &w->state.slot[slot];
     int heir;
-    const int next = pm_edge_next(w, pm_contact_of_slot(w->model, slot), s->member, &heir);
+    const int next = pm_edge_next(&w->frame, &w->state, pm_contact_of_slot(w->model, slot), s->member, &heir);
     if (next == PM_NONE) {
         const int mode = s->mode;
         s->mode = PM_OPEN;
@@ -106,7 +107,7 @@ static int pass_end(pm_workspace *w, int slot)
     s->member = next;
     if (pm_contact_modes_slides(s->mode))
         s->mode = s->mode == PM_SLIDE_FORWARD ? PM_SLIDE_BACKWARD : PM_SLIDE_FORWARD;
-    pm_active_set_anchor(w, &w->state, slot);
+    pm_active_set_anchor(&w->frame, &w->state, slot);
     return PM_OK;
 }
 
@@ -125,8 +126,8 @@ int pm_contact_modes_begin(pm_workspace *w)
         if (w->event->function[i].kind == FUNCTION_HOLD)
             pm_joint_friction_slides(w, w->event->function[i].index);
         if (w->event->function[i].kind == FUNCTION_RUB)
-            pm_joint_friction_stops(w, w->event->function[i].index);
-        const int what = pm_event_contact_change(w, i), slot = w->event->function[i].index;
+            pm_joint_friction_stops(&w->frame, &w->state, w->event->function[i].index);
+        const int what = pm_event_contact_change(w->event, i), slot = w->event->function[i].index;
         if (what == PM_TRIGGER_OPEN) {
             w->state.slot[slot].mode = PM_OPEN;
             w->instant.slot_released[slot] = LET_GO;
@@ -134,28 +135,28 @@ int pm_contact_modes_begin(pm_workspace *w)
             w->state.slot[slot].mode = slide_against(w->frame.lambda[w->active.slot_tangent[slot]]);
         } else if (what == PM_TRIGGER_STICK) {
             w->state.slot[slot].mode = PM_STICK;
-            pm_active_set_anchor(w, &w->state, slot);
+            pm_active_set_anchor(&w->frame, &w->state, slot);
         }
     }
     return PM_OK;
 }
 
-int pm_contact_modes_released(const pm_workspace *w, int contact, int member)
+int pm_contact_modes_released(const pm_model *model, const pm_instant *instant, int contact, int member)
 {
-    const int first = w->model->contact_slot[contact];
-    for (int i = first; i < first + pm_contact_slots(w->model, contact); i++)
-        if (w->instant.slot_released[i] && w->instant.slot_before[i].member == member) return 1;
+    const int first = model->contact_slot[contact];
+    for (int i = first; i < first + pm_contact_slots(model, contact); i++)
+        if (instant->slot_released[i] && instant->slot_before[i].member == member) return 1;
     return 0;
 }
 
 /* Never below the natural one: where nothing presses, reactions are rounding. */
-static double force_size(const pm_workspace *w)
+static double force_size(const pm_frame *frame, const pm_active_set *active)
 {
     double sum = 0;
-    for (int i = 0; i < w->model->nq; i++)
-        if (i % 3 != 2) sum += fabs(w->frame.f[i]);
-    for (int i = 0; i < w->active.n; i++) sum = fmax(sum, fabs(w->frame.lambda[i]));
-    return fmax(sum, pm_case_force(w));
+    for (int i = 0; i < frame->model->nq; i++)
+        if (i % 3 != 2) sum += fabs(frame->f[i]);
+    for (int i = 0; i < active->n; i++) sum = fmax(sum, fabs(frame->lambda[i]));
+    return fmax(sum, pm_case_force(frame->model, frame->numbers));
 }
 
 int pm_contact_modes_pulling(pm_workspace *w, const double *load, int site, double size)
@@ -165,7 +166,7 @@ int pm_contact_modes_pulling(pm_workspace *w, const double *load, int site, doub
     for (int i = 0; i < w->model->nslot; i++) {
         const int normal = w->active.slot_normal[i];
         if (normal == PM_NONE) continue;
-        pm_evidence_sign(w, site, i, load[normal], size);
+        pm_evidence_sign(&w->evidence, site, i, load[normal], size);
         if (load[normal] >= least) continue;
         if (site == PM_SITE_PULLS_IN_BLOW && w->event->spent[pm_contact_of_slot(w->model, i)]) continue;
         least = load[normal];
@@ -182,7 +183,7 @@ int pm_contact_modes_overcome(pm_workspace *w, const double *load, int site, dou
         if (pm_contact_friction(w->model, contact) != PM_FRICTION_COULOMB) continue;
         const double room = pm_contact_static(&w->frame, contact) * load[w->active.slot_normal[i]] -
                             fabs(load[w->active.slot_tangent[i]]);
-        pm_evidence_sign(w, site, i, room, size);
+        pm_evidence_sign(&w->evidence, site, i, room, size);
         if (!(room >= -PM_PULLS * size)) return i;
     }
     return PM_NONE;
@@ -212,13 +213,13 @@ static int close_again(pm_workspace *w)
 {
     for (int i = 0; i < w->model->nslot; i++) {
         if (w->state.slot[i].mode != PM_OPEN || w->instant.slot_released[i] != LET_GO) continue;
-        const pm_constraint normal = pm_contact_modes_normal(w, i);
+        const pm_constraint normal = pm_contact_modes_normal(&w->frame, &w->state, i);
         const double acceleration = pm_constraint_times(&w->frame, &normal, w->frame.a) - normal.gamma;
         if (acceleration >= -PM_PULLS * (hypot(w->numbers.gravity[0], w->numbers.gravity[1]) +
                                          w->numbers.speed * w->numbers.speed / w->numbers.size))
             continue;
         w->state.slot[i].mode =
-            pm_contact_modes_of_slip(w, pm_contact_of_slot(w->model, i), w->state.slot[i].member);
+            pm_contact_modes_of_slip(&w->frame, pm_contact_of_slot(w->model, i), w->state.slot[i].member);
         w->instant.slot_released[i] = FOR_GOOD; /* once only: no cycles */
         return 1;
     }
@@ -234,20 +235,19 @@ int pm_contact_modes_settle(pm_workspace *w)
         if ((status = pm_active_set_build(w)) || (status = pm_projection_built(w, &w->state))) return status;
         if (w->phase.kinematic) return PM_OK;
         if ((status = pm_saddle_accelerate_projected(w))) return status;
-        const double size = force_size(w);
+        const double size = force_size(&w->frame, &w->active);
         if (!let_go(w, size) && !slide(w, size) && !pm_joint_friction_overcome(w, PM_PULLS * size) &&
             !close_again(w))
             return PM_OK;
     }
-    return pm_fail(w, PM_BLOW_UNDECIDED, PM_TABLE_CONTACT, PM_NONE, most, most);
+    return pm_fail(&w->result, PM_BLOW_UNDECIDED, PM_TABLE_CONTACT, PM_NONE, most, most);
 }
 
-static int was_closed_with(const pm_workspace *w, const pm_slot *slots, int contact, int member)
+static int was_closed_with(const pm_model *model, const pm_slot *slots, int contact, int member)
 {
-    const int first = w->model->contact_slot[contact];
-    for (int i = first; i < first + pm_contact_slots(w->model, contact); i++)
-        if (slots[i].mode != PM_OPEN && (slots[i].member == member || pm_edge_is(w->model, contact)))
-            return i;
+    const int first = model->contact_slot[contact];
+    for (int i = first; i < first + pm_contact_slots(model, contact); i++)
+        if (slots[i].mode != PM_OPEN && (slots[i].member == member || pm_edge_is(model, contact))) return i;
     return PM_NONE;
 }
 
@@ -258,9 +258,9 @@ static void mark_grips(pm_workspace *w)
         const int before = w->instant.friction_before[k], now = w->state.friction[k],
                   joint = pm_joint_friction_joint(w->model, k);
         if (before == PM_STICK && pm_contact_modes_slides(now))
-            pm_trigger_mark(w, PM_TRIGGER_JOINT_SLIP, joint);
+            pm_trigger_mark(w->model, &w->firing, PM_TRIGGER_JOINT_SLIP, joint);
         if (pm_contact_modes_slides(before) && now == PM_STICK)
-            pm_trigger_mark(w, PM_TRIGGER_JOINT_STICK, joint);
+            pm_trigger_mark(w->model, &w->firing, PM_TRIGGER_JOINT_STICK, joint);
     }
 }
 
@@ -270,14 +270,14 @@ void pm_contact_modes_mark(pm_workspace *w)
     for (int i = 0; i < w->model->nslot; i++) {
         const int contact = pm_contact_of_slot(w->model, i);
         if (w->instant.slot_before[i].mode == PM_OPEN) continue;
-        const int now = was_closed_with(w, w->state.slot, contact, w->instant.slot_before[i].member);
+        const int now = was_closed_with(w->model, w->state.slot, contact, w->instant.slot_before[i].member);
         if (now == PM_NONE)
-            pm_trigger_mark(w, PM_TRIGGER_OPEN, contact);
+            pm_trigger_mark(w->model, &w->firing, PM_TRIGGER_OPEN, contact);
         else if (pm_contact_modes_slides(w->state.slot[now].mode) &&
                  !pm_contact_modes_slides(w->instant.slot_before[i].mode))
-            pm_trigger_mark(w, PM_TRIGGER_SLIP, contact);
+            pm_trigger_mark(w->model, &w->firing, PM_TRIGGER_SLIP, contact);
         else if (!pm_contact_modes_slides(w->state.slot[now].mode) &&
                  pm_contact_modes_slides(w->instant.slot_before[i].mode))
-            pm_trigger_mark(w, PM_TRIGGER_STICK, contact);
+            pm_trigger_mark(w->model, &w->firing, PM_TRIGGER_STICK, contact);
     }
 }

@@ -15,15 +15,15 @@ void pm_contact_modes_mark(pm_workspace *w);
 /* Closes `contact` with `member` in a free slot, in the mode that its friction and slip ask for. */
 int pm_contact_modes_close(pm_workspace *w, int contact, int member, int *slot);
 /* 1 if `contact` let go of `member` at this instant. */
-int pm_contact_modes_released(const pm_workspace *w, int contact, int member);
+int pm_contact_modes_released(const pm_model *model, const pm_instant *instant, int contact, int member);
 /* The mode of a closed contact with its present slip. */
-int pm_contact_modes_of_slip(pm_workspace *w, int contact, int member);
+int pm_contact_modes_of_slip(const pm_frame *frame, int contact, int member);
 /* A mode that slides, either way. */
 int pm_contact_modes_slides(int mode);
 
 /* The constraints of a slot's contact along the normal and the tangent, active or not, evaluated at the frame. */
-pm_constraint pm_contact_modes_normal(const pm_workspace *w, int slot);
-pm_constraint pm_contact_modes_tangent(const pm_workspace *w, int slot);
+pm_constraint pm_contact_modes_normal(const pm_frame *frame, const pm_state *state, int slot);
+pm_constraint pm_contact_modes_tangent(const pm_frame *frame, const pm_state *state, int slot);
 
 /* For forces and for impulses: load[] of the active rows, of that size; decisions are noted at `site` (enum pm_evidence_site).
  * The slot whose normal load pulls most, or PM_NONE if none does by more than rounding. */

@@ -61,15 +61,16 @@ static int touches(pm_workspace *w, int contact, pm_touch *x)
     double rate;
     *x = (pm_touch){.stays = 1};
     if (pm_capture_is_meeting(w->model, contact))
-        return pm_capture_meets(w, contact, pm_contact_gap(w, &w->state, contact, &x->member));
-    if (!pm_contact_touches(w, &w->state, contact, &x->member)) return 0;
+        return pm_capture_meets(&w->numbers, &w->evidence, contact,
+                                pm_contact_gap(&w->frame, &w->state, contact, &x->member));
+    if (!pm_contact_touches(&w->frame, &w->state, contact, &x->member)) return 0;
     pm_contact_member_gap(&w->frame, contact, x->member, &rate);
     if (!pm_last_bounce_is_near(w, contact, rate))
-        pm_evidence_sign(w, PM_SITE_STRIKES, contact, rate, w->numbers.speed);
+        pm_evidence_sign(&w->evidence, PM_SITE_STRIKES, contact, rate, w->numbers.speed);
     x->approaches = rate < -pm_contact_speed(&w->frame);
     x->rests = pm_last_bounce_is_spent(w, contact, rate);
     x->stays = rate <= pm_contact_speed(&w->frame) &&
-               (x->approaches || !pm_contact_modes_released(w, contact, x->member));
+               (x->approaches || !pm_contact_modes_released(w->model, &w->instant, contact, x->member));
     return 1;
 }
 
@@ -79,9 +80,9 @@ int pm_impact_one_by_one(const pm_model *m)
 }
 
 /* What captures strikes with any velocity. */
-static int is_blow(const pm_workspace *w, int contact, const pm_touch *x)
+static int is_blow(const pm_model *model, int contact, const pm_touch *x)
 {
-    return x->approaches || (x->stays && pm_capture_kind(w->model, contact) != PM_CAPTURE_NONE);
+    return x->approaches || (x->stays && pm_capture_kind(model, contact) != PM_CAPTURE_NONE);
 }
 
 /* Closes the open members that touch and do not part: what approaches is struck (its slot is marked PM_STRUCK; one by one
@@ -95,14 +96,14 @@ static int find_struck(pm_workspace *w, pm_blow *b, int *struck)
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++)
         for (int n = 0; n < pm_contact_slots(m, i) && touches(w, i, &x) && (x.rests || x.stays); n++) {
             int slot;
-            if (is_blow(w, i, &x) && *struck > 0 && pm_impact_one_by_one(w->model)) break;
+            if (is_blow(w->model, i, &x) && *struck > 0 && pm_impact_one_by_one(w->model)) break;
             const int status = pm_contact_modes_close(w, i, x.member, &slot);
             if (status) return status;
             if (w->state.slot[slot].mode == PM_CAPTURED)
-                x.approaches = pm_capture_speed(w, slot) > pm_contact_speed(&w->frame);
+                x.approaches = pm_capture_speed(&w->frame, &w->state, slot) > pm_contact_speed(&w->frame);
             if (!x.approaches && !x.rests) continue;
             b->share[slot] = PM_STRUCK;
-            if (x.approaches) pm_trigger_mark(w, PM_TRIGGER_STRIKE, i);
+            if (x.approaches) pm_trigger_mark(w->model, &w->firing, PM_TRIGGER_STRIKE, i);
             ++*struck;
         }
     return PM_OK;
@@ -122,7 +123,7 @@ static int one_blow(pm_workspace *w, pm_blow *b)
     }
     const int most = 4 * m->nslot + 4;
     for (int i = 0, again = 1; again; i++) {
-        if (i == most) return pm_fail(w, PM_BLOW_UNDECIDED, PM_TABLE_CONTACT, PM_NONE, most, most);
+        if (i == most) return pm_fail(&w->result, PM_BLOW_UNDECIDED, PM_TABLE_CONTACT, PM_NONE, most, most);
         if ((status = pm_impact_trial_solve(w, b))) return status;
         again = pm_impact_trial_change(w, b);
     }
@@ -133,7 +134,7 @@ static int one_blow(pm_workspace *w, pm_blow *b)
     pm_frame_look_state(&w->frame, &w->state);
     pm_ledger_jump(w, b->before);
     pm_impact_end_modes(w, b);
-    pm_joint_friction_close(w);
+    pm_joint_friction_close(&w->frame, &w->state);
     w->result.count[PM_COUNT_JUMPS]++;
     return PM_OK;
 }
@@ -165,7 +166,7 @@ int pm_impact(pm_workspace *w, int *jumped)
         int status = find_struck(w, b, &struck);
         if (status || struck == 0) return status;
         if (i == PM_BLOWS_AT_ONCE)
-            return pm_fail(w, PM_BLOW_UNDECIDED, PM_TABLE_CONTACT, PM_NONE, i, PM_BLOWS_AT_ONCE);
+            return pm_fail(&w->result, PM_BLOW_UNDECIDED, PM_TABLE_CONTACT, PM_NONE, i, PM_BLOWS_AT_ONCE);
         if (*jumped == 0) w->impulses.energy_lost = 0;
         status = one_blow(w, b);
         if (status) return status;
@@ -178,6 +179,6 @@ int pm_impact_goes_on(pm_workspace *w)
 {
     pm_touch x;
     for (int i = 0; pm_impact_one_by_one(w->model) && i < w->model->rows[PM_TABLE_CONTACT]; i++)
-        if (touches(w, i, &x) && is_blow(w, i, &x)) return 1;
+        if (touches(w, i, &x) && is_blow(w->model, i, &x)) return 1;
     return 0;
 }

@@ -122,11 +122,11 @@ int pm_impact_course_follow(const pm_impact_course *x, pm_impact_course_end *end
     return ends;
 }
 
-int pm_impact_course_applies(const pm_workspace *w, int slot)
+int pm_impact_course_applies(const pm_model *model, int slot)
 {
-    const int contact = pm_contact_of_slot(w->model, slot), friction = pm_contact_friction(w->model, contact);
-    const int newton = pm_contact_law(w->model, contact) == PM_LAW_NEWTON;
-    if (PM_CONTACT_ROW_OF(w->model, contact)[PM_CONTACT_TANGENTIAL] != PM_NONE) return 0;
+    const int contact = pm_contact_of_slot(model, slot), friction = pm_contact_friction(model, contact);
+    const int newton = pm_contact_law(model, contact) == PM_LAW_NEWTON;
+    if (PM_CONTACT_ROW_OF(model, contact)[PM_CONTACT_TANGENTIAL] != PM_NONE) return 0;
     return friction == PM_FRICTION_COULOMB || (friction == PM_FRICTION_ROUGH && !newton);
 }
 
@@ -152,10 +152,10 @@ int pm_impact_course_read(pm_workspace *w, int slot, double *response, pm_impact
     const int contact = pm_contact_of_slot(w->model, slot);
     const int rough = pm_contact_friction(w->model, contact) == PM_FRICTION_ROUGH;
     const int status = w->active.n > 0 ? pm_saddle_factor(w) : PM_OK;
-    if (w->numbers.massless) return pm_fail(w, PM_UNSUPPORTED, PM_TABLE_CONTACT, contact, NAN, NAN);
+    if (w->numbers.massless) return pm_fail(&w->result, PM_UNSUPPORTED, PM_TABLE_CONTACT, contact, NAN, NAN);
     if (status) return status;
-    const pm_constraint normal = pm_contact_modes_normal(w, slot),
-                        tangent = pm_contact_modes_tangent(w, slot);
+    const pm_constraint normal = pm_contact_modes_normal(&w->frame, &w->state, slot),
+                        tangent = pm_contact_modes_tangent(&w->frame, &w->state, slot);
     x->normal = pm_constraint_times(&w->frame, &normal, w->state.v);
     x->slip = pm_constraint_times(&w->frame, &tangent, w->state.v) - tangent.rate;
     x->grip = rough ? INFINITY : pm_contact_static(&w->frame, contact);

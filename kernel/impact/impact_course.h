@@ -26,6 +26,6 @@ int pm_impact_course_follow(const pm_impact_course *x, pm_impact_course_end *end
  * alone, evaluated.  response[nq] is scratch. */
 int pm_impact_course_read(pm_workspace *w, int slot, double *response, pm_impact_course *x);
 /* 1 if the blow of the contact in `slot` is to be followed: its law differs from Newton's, or its slip may change. */
-int pm_impact_course_applies(const pm_workspace *w, int slot);
+int pm_impact_course_applies(const pm_model *model, int slot);
 
 #endif

@@ -35,7 +35,7 @@ static int gains(pm_workspace *w, const pm_blow *b)
     }
     return given <= PM_BLOW_ROUNDING * size + nothing
                ? PM_OK
-               : pm_fail(w, PM_BLOW_GAINS, PM_TABLE_CONTACT, contact, given, 0);
+               : pm_fail(&w->result, PM_BLOW_GAINS, PM_TABLE_CONTACT, contact, given, 0);
 }
 
 /* Several contacts that slide in one blow slide as they did before it: for a slip that would reverse on the way there is no
@@ -44,12 +44,13 @@ static int reverses(pm_workspace *w, const pm_blow *b)
 {
     for (int i = 0; i < w->model->nslot; i++) {
         if (!pm_blow_has(b, i) || !pm_contact_modes_slides(b->trial[i])) continue;
-        const pm_constraint tangent = pm_contact_modes_tangent(w, i);
+        const pm_constraint tangent = pm_contact_modes_tangent(&w->frame, &w->state, i);
         const double way = b->trial[i] == PM_SLIDE_FORWARD ? 1 : -1;
         const double slip = way * (pm_constraint_times(&w->frame, &tangent, b->after) - tangent.rate);
-        pm_evidence_sign(w, PM_SITE_SLIP_LEFT, i, slip, w->numbers.speed);
+        pm_evidence_sign(&w->evidence, PM_SITE_SLIP_LEFT, i, slip, w->numbers.speed);
         if (slip < -pm_contact_speed(&w->frame))
-            return pm_fail(w, PM_BLOW_TURNS, PM_TABLE_CONTACT, pm_contact_of_slot(w->model, i), -slip, 0);
+            return pm_fail(&w->result, PM_BLOW_TURNS, PM_TABLE_CONTACT, pm_contact_of_slot(w->model, i),
+                           -slip, 0);
     }
     return PM_OK;
 }
@@ -76,7 +77,7 @@ static void record_captured(pm_workspace *w, int slot)
 static const pm_constraint *tangent_of(const pm_workspace *w, int slot, pm_constraint *spare)
 {
     if (w->active.slot_tangent[slot] != PM_NONE) return &w->active.row[w->active.slot_tangent[slot]];
-    *spare = pm_contact_modes_tangent(w, slot);
+    *spare = pm_contact_modes_tangent(&w->frame, &w->state, slot);
     return spare;
 }
 
@@ -127,17 +128,17 @@ void pm_impact_end_modes(pm_workspace *w, const pm_blow *b)
         pm_contact_member_gap(&w->frame, contact, member, &rate);
         if (fabs(rate) > pm_contact_speed(&w->frame))
             continue; /* parts, or is struck again by the next blow */
-        w->state.slot[i].mode = pm_contact_modes_of_slip(w, contact, member);
+        w->state.slot[i].mode = pm_contact_modes_of_slip(&w->frame, contact, member);
         const int closed_here =
             b->share[i] == PM_STRUCK && w->state.slot[i].mode != PM_CAPTURED; /* anchored then */
         if (!closed_here && (b->share[i] != PM_OUT || w->state.slot[i].mode != b->resting[i]))
-            pm_active_set_anchor(w, &w->state, i);
+            pm_active_set_anchor(&w->frame, &w->state, i);
         if (b->share[i] == PM_STRUCK && pm_contact_restitution(&w->frame, contact) > 0) {
             pm_trigger_countless(w, contact);
-            pm_evidence_part(w, contact);
-            pm_evidence_cut(w);
+            pm_evidence_part(&w->evidence, contact);
+            pm_evidence_cut(&w->evidence);
         }
         if (b->share[i] == PM_STRUCK && w->state.slot[i].mode == PM_STICK && slid(w, i, b->before))
-            pm_trigger_mark(w, PM_TRIGGER_STICK, contact);
+            pm_trigger_mark(w->model, &w->firing, PM_TRIGGER_STICK, contact);
     }
 }

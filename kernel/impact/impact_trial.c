@@ -38,9 +38,9 @@ double pm_impact_trial_rate(const pm_workspace *w, int i)
     return pm_constraint_times(&w->frame, &w->active.row[i], w->state.v) - w->active.row[i].rate;
 }
 
-static int is_normal(const pm_workspace *w, int i)
+static int is_normal(const pm_active_set *active, int i)
 {
-    return w->active.row[i].slot != PM_NONE && w->active.slot_normal[w->active.row[i].slot] == i;
+    return active->row[i].slot != PM_NONE && active->slot_normal[active->row[i].slot] == i;
 }
 
 /* How much the rate of active constraint i is to change. */
@@ -51,7 +51,7 @@ static double change_wanted(const pm_workspace *w, const pm_blow *b, int i)
     if (slot == PM_NONE || b->share[slot] != PM_STRUCK || w->active.slot_normal[slot] == PM_NONE) return -u;
     const double e = pm_last_bounce_restitution(w, pm_contact_of_slot(w->model, slot),
                                                 pm_impact_trial_rate(w, w->active.slot_normal[slot]));
-    if (is_normal(w, i)) return -(1 + e) * u;
+    if (is_normal(&w->active, i)) return -(1 + e) * u;
     return e > 0 ? -(1 + pm_contact_tangential(&w->frame, pm_contact_of_slot(w->model, slot))) * u : -u;
 }
 
@@ -62,7 +62,7 @@ static int respond(pm_workspace *w, pm_blow *b)
     memcpy(b->after, w->state.v, (size_t)nq * sizeof *b->after);
     if (w->active.n == 0) return PM_OK;
     for (int i = 0; i < w->active.n; i++)
-        w->saddle.wanted[i] = b->alone != PM_NONE && is_normal(w, i)
+        w->saddle.wanted[i] = b->alone != PM_NONE && is_normal(&w->active, i)
                                   ? b->end.normal - pm_impact_trial_rate(w, i)
                                   : change_wanted(w, b, i);
     int status = pm_saddle_factor(w);
@@ -73,20 +73,20 @@ static int respond(pm_workspace *w, pm_blow *b)
 
 /* The slot that takes part alone and whose blow is to be followed; a law for one contact is refused where several take
  * part.  Pairs that were captured before are joints. */
-static int find_alone(pm_workspace *w, pm_blow *b)
+static int find_alone(const pm_model *model, pm_result *result, pm_blow *b)
 {
     int n = 0, single = PM_NONE;
     b->alone = PM_NONE;
-    for (int i = 0; i < w->model->nslot; i++) {
+    for (int i = 0; i < model->nslot; i++) {
         if (!pm_blow_has(b, i) || (b->share[i] == PM_JOINED && b->trial[i] == PM_CAPTURED)) continue;
-        const int contact = pm_contact_of_slot(w->model, i);
-        if (pm_contact_law(w->model, contact) != PM_LAW_NEWTON) single = contact;
-        if (pm_impact_course_applies(w, i)) b->alone = i;
+        const int contact = pm_contact_of_slot(model, i);
+        if (pm_contact_law(model, contact) != PM_LAW_NEWTON) single = contact;
+        if (pm_impact_course_applies(model, i)) b->alone = i;
         n++;
     }
     if (n == 1) return PM_OK;
     b->alone = PM_NONE;
-    return single == PM_NONE ? PM_OK : pm_fail(w, PM_BLOW_SEVERAL, PM_TABLE_CONTACT, single, n, 1);
+    return single == PM_NONE ? PM_OK : pm_fail(result, PM_BLOW_SEVERAL, PM_TABLE_CONTACT, single, n, 1);
 }
 
 /* Follows the blow of one contact and leaves its constraints as build does. */
@@ -103,12 +103,12 @@ static int follow_alone(pm_workspace *w, pm_blow *b)
     x.restitution = part == PM_STRUCK ? pm_last_bounce_restitution(w, contact, x.normal)
                                       : 0; /* what rests is pressed on */
     const int ends = pm_impact_course_follow(&x, &b->end);
-    pm_evidence_sign(w, PM_SITE_SLIP_LEFT, slot, b->end.slip, w->numbers.speed);
-    if (!ends) return pm_fail(w, PM_BLOW_UNDECIDED, PM_TABLE_CONTACT, contact, x.normal, 0);
+    pm_evidence_sign(&w->evidence, PM_SITE_SLIP_LEFT, slot, b->end.slip, w->numbers.speed);
+    if (!ends) return pm_fail(&w->result, PM_BLOW_UNDECIDED, PM_TABLE_CONTACT, contact, x.normal, 0);
     w->state.slot[slot].mode = PM_SLIDE_FORWARD;
     if ((status = pm_active_set_build(w))) return status;
     if (w->active.slot_normal[slot] == PM_NONE)
-        return pm_fail(w, PM_SINGULAR, PM_TABLE_CONTACT, contact, 0, 0);
+        return pm_fail(&w->result, PM_SINGULAR, PM_TABLE_CONTACT, contact, 0, 0);
     pm_active_set_carry(w, slot, b->end.ratio);
     pm_saddle_evaluate(&w->active, &w->frame);
     return PM_OK;
@@ -116,7 +116,7 @@ static int follow_alone(pm_workspace *w, pm_blow *b)
 
 int pm_impact_trial_solve(pm_workspace *w, pm_blow *b)
 {
-    int status = find_alone(w, b);
+    int status = find_alone(w->model, &w->result, b);
     if (!status) status = b->alone != PM_NONE ? follow_alone(w, b) : build(w, b);
     return status ? status : respond(w, b);
 }
@@ -151,9 +151,9 @@ static int join_approaching(pm_workspace *w, pm_blow *b)
 {
     for (int i = 0; i < w->model->nslot; i++) {
         if (b->share[i] != PM_OUT || b->resting[i] == PM_OPEN) continue;
-        const pm_constraint normal = pm_contact_modes_normal(w, i);
+        const pm_constraint normal = pm_contact_modes_normal(&w->frame, &w->state, i);
         const double rate = pm_constraint_times(&w->frame, &normal, b->after);
-        pm_evidence_sign(w, PM_SITE_JOINS, i, rate, w->numbers.speed);
+        pm_evidence_sign(&w->evidence, PM_SITE_JOINS, i, rate, w->numbers.speed);
         if (rate >= -pm_contact_speed(&w->frame)) continue;
         b->share[i] = PM_JOINED;
         b->trial[i] = pm_impact_trial_mode(w->model, i);

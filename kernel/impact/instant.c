@@ -22,39 +22,40 @@
 #include "state/workspace.h"
 #include "tree/tree.h"
 
-static int at_rest(const pm_workspace *w, int body)
+static int at_rest(const pm_frame *frame, int body)
 {
-    const double speed = PM_AT_REST * w->numbers.speed,
-                 acceleration = PM_AT_REST * w->numbers.speed * w->numbers.speed / w->numbers.size;
-    const int first = body == PM_NONE ? 0 : 3 * body, last = body == PM_NONE ? w->model->nq : first + 3;
+    const double speed = PM_AT_REST * frame->numbers->speed,
+                 acceleration =
+                     PM_AT_REST * frame->numbers->speed * frame->numbers->speed / frame->numbers->size;
+    const int first = body == PM_NONE ? 0 : 3 * body, last = body == PM_NONE ? frame->model->nq : first + 3;
     for (int i = first; i < last; i++) {
-        const double length = i % 3 == 2 ? w->numbers.size : 1;
-        if (fabs(w->frame.v[i]) * length > speed || fabs(w->frame.a[i]) * length > acceleration) return 0;
+        const double length = i % 3 == 2 ? frame->numbers->size : 1;
+        if (fabs(frame->v[i]) * length > speed || fabs(frame->a[i]) * length > acceleration) return 0;
     }
     return 1;
 }
 
-static void mark_rest(pm_workspace *w)
+static void mark_rest(const pm_frame *frame, pm_firing *firing)
 {
-    if (at_rest(w, PM_NONE)) pm_trigger_mark(w, PM_TRIGGER_REST, PM_NONE);
-    for (int i = 0; i < w->model->nbody; i++)
-        if (at_rest(w, i)) pm_trigger_mark(w, PM_TRIGGER_REST, i);
+    if (at_rest(frame, PM_NONE)) pm_trigger_mark(frame->model, firing, PM_TRIGGER_REST, PM_NONE);
+    for (int i = 0; i < frame->model->nbody; i++)
+        if (at_rest(frame, i)) pm_trigger_mark(frame->model, firing, PM_TRIGGER_REST, i);
 }
 
 /* No contact has changed, and none is met. */
-static int contacts_stay(pm_workspace *w)
+static int contacts_stay(const pm_workspace *w)
 {
     int member;
     for (int i = 0; i < w->event->nfunction; i++)
         if (w->event->hit[i] && w->event->function[i].kind != FUNCTION_TRIGGER) return 0;
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++)
-        if (pm_contact_touches(w, &w->state, i, &member)) return 0;
+        if (pm_contact_touches(&w->frame, &w->state, i, &member)) return 0;
     return 1;
 }
 
 /* Nothing can strike, part or slide, or nothing does; no loop can come to a singular position, and places on a path are
  * exact: bodies, constraints and reactions are as they were. */
-static int is_settled(pm_workspace *w)
+static int is_settled(const pm_workspace *w)
 {
     const pm_model *m = w->model;
     if (w->result.count[PM_COUNT_PHASES] == 0 || !w->phase.route->meets_places || w->tree->nloop > 0)
@@ -77,13 +78,13 @@ static int settle(pm_workspace *w)
 static int carry_out(pm_workspace *w)
 {
     int acted, rests = 0, status;
-    pm_action_instant(w);
+    pm_action_instant(w->model, w->event);
     for (;;) {
         if ((status = pm_action_carry_out(w, &acted))) return status;
         if (acted) {
             if ((status = settle(w))) return status;
         } else if (!rests) {
-            mark_rest(w);
+            mark_rest(&w->frame, &w->firing);
             rests = 1;
         } else {
             return PM_OK;
@@ -102,10 +103,10 @@ static void fire(pm_workspace *w)
 static int count(pm_workspace *w, int *ended)
 {
     w->result.count[PM_COUNT_EVENTS]++;
-    *ended = pm_trigger_until(w);
+    *ended = pm_trigger_until(w->model, &w->firing);
     const int most = PM_SETTING(w->model, PM_SETTING_MAX_EVENTS);
     if (!*ended && w->result.count[PM_COUNT_EVENTS] >= most)
-        return pm_fail(w, PM_LIMIT_EVENTS, PM_TABLE_SETTING, 0, most, most);
+        return pm_fail(&w->result, PM_LIMIT_EVENTS, PM_TABLE_SETTING, 0, most, most);
     return PM_OK;
 }
 
@@ -136,7 +137,7 @@ static int go_on(pm_workspace *w, int *ended)
 {
     int status = close(w, ended);
     if (!status) status = pm_history_row(w, 2);
-    pm_trigger_next_blow(w);
+    pm_trigger_next_blow(w->model, &w->firing);
     if (status || *ended) return status;
     memset(w->event->hit, 0, (size_t)w->event->nfunction * sizeof(int));
     if ((status = pm_history_row(w, 1))) return status;
@@ -155,7 +156,8 @@ static int act(pm_workspace *w, int *ended)
     int status = look_before(w);
     if (!status) status = blow(w);
     for (int i = 1; !status && !*ended && pm_impact_goes_on(w); i++) {
-        if (i == PM_BLOWS_IN_ORDER) return pm_fail(w, PM_BLOWS_ENDLESS, PM_TABLE_CONTACT, PM_NONE, i, i);
+        if (i == PM_BLOWS_IN_ORDER)
+            return pm_fail(&w->result, PM_BLOWS_ENDLESS, PM_TABLE_CONTACT, PM_NONE, i, i);
         status = go_on(w, ended);
         if (!status && !*ended) status = blow(w);
     }
@@ -164,18 +166,18 @@ static int act(pm_workspace *w, int *ended)
 
 int pm_instant_finish(pm_workspace *w, int *ended)
 {
-    mark_rest(w);
+    mark_rest(&w->frame, &w->firing);
     const int status = close(w, ended);
-    if (!status && !*ended && at_rest(w, PM_NONE) && !w->model->programs.use_time &&
+    if (!status && !*ended && at_rest(&w->frame, PM_NONE) && !w->model->programs.use_time &&
         w->request.program == PM_NONE)
-        return pm_fail(w, PM_STAYS_AT_REST, PM_NONE, PM_NONE, w->state.t, 0);
+        return pm_fail(&w->result, PM_STAYS_AT_REST, PM_NONE, PM_NONE, w->state.t, 0);
     return status;
 }
 
 int pm_instant_start(pm_workspace *w)
 {
     int ended; /* is set again when the start is closed */
-    pm_trigger_mark(w, PM_TRIGGER_START, PM_NONE);
+    pm_trigger_mark(w->model, &w->firing, PM_TRIGGER_START, PM_NONE);
     return act(w, &ended);
 }
 

@@ -31,9 +31,8 @@ static int stop_at(pm_workspace *w, double x, double taken)
     return PM_OK;
 }
 
-static void look_for_roots(pm_workspace *w)
+static void look_for_roots(pm_event_set *e)
 {
-    pm_event_set *e = w->event;
     e->at_root = 0;
     for (int i = 0; i < e->nfunction; i++) {
         e->hit[i] = 0;
@@ -42,25 +41,23 @@ static void look_for_roots(pm_workspace *w)
 }
 
 /* A route that finds roots itself has ended its step there, unless something that is sampled comes first. */
-static void take_roots(pm_workspace *w, double *first)
+static void take_roots(const pm_step *step, pm_event_set *e, double *first)
 {
-    pm_event_set *e = w->event;
-    if (!e->at_root || *first < w->step.end) return;
+    if (!e->at_root || *first < step->end) return;
     for (int i = 0; i < e->nfunction; i++) e->hit[i] |= e->root[i] != 0;
-    *first = w->step.end;
+    *first = step->end;
 }
 
-static void mark_hits(pm_workspace *w)
+static void mark_hits(pm_firing *firing, const pm_event_set *e)
 {
-    pm_event_set *e = w->event;
     for (int i = 0; i < e->nfunction; i++)
-        if (e->hit[i] && e->function[i].kind == FUNCTION_TRIGGER) w->firing.fired[e->function[i].index] = 1;
+        if (e->hit[i] && e->function[i].kind == FUNCTION_TRIGGER) firing->fired[e->function[i].index] = 1;
 }
 
-static double next_due(const pm_workspace *w)
+static double next_due(const pm_model *model, const pm_event_set *event)
 {
     double next = INFINITY;
-    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) next = fmin(next, w->event->due[i]);
+    for (int i = 0; i < model->rows[PM_TABLE_TRIGGER]; i++) next = fmin(next, event->due[i]);
     return next;
 }
 
@@ -80,29 +77,29 @@ static int mark_due(pm_workspace *w)
 static int limit_reached(pm_workspace *w, double max_time)
 {
     if (pm_run_is_stopped(w->stop)) return PM_CANCELLED;
-    if (w->state.t >= max_time) return pm_fail(w, PM_LIMIT_TIME, PM_TABLE_SETTING, 0, w->state.t, max_time);
+    if (w->state.t >= max_time)
+        return pm_fail(&w->result, PM_LIMIT_TIME, PM_TABLE_SETTING, 0, w->state.t, max_time);
     const double most = PM_SETTING(w->model, PM_SETTING_MAX_STEPS);
     if ((double)w->result.count[PM_COUNT_STEPS] >= most)
-        return pm_fail(w, PM_LIMIT_STEPS, PM_TABLE_SETTING, 0, most, most);
+        return pm_fail(&w->result, PM_LIMIT_STEPS, PM_TABLE_SETTING, 0, most, most);
     return PM_OK;
 }
 
 static void end_step(pm_workspace *w)
 {
     pm_frame_look_state(&w->frame, &w->state);
-    pm_active_set_follow(w, &w->state);
+    pm_active_set_follow(&w->frame, &w->active, &w->state);
     pm_ledger_step(w);
-    if (w->phase.route->in_time && w->ask->fresh && pm_ledger_closes(w)) pm_ask_seal(w);
+    if (w->phase.route->in_time && w->ask->fresh && pm_ledger_closes(w)) pm_ask_seal(w->model, w->ask);
     w->event->first_step = 0;
 }
 
-static int only_marks(const pm_workspace *w)
+static int only_marks(const pm_model *m, const pm_event_set *event)
 {
-    const pm_model *m = w->model;
     if (m->programs.watch_counts) return 0;
-    for (int i = 0; i < w->event->nfunction; i++) {
-        const pm_event_function *f = &w->event->function[i];
-        if (!w->event->hit[i]) continue;
+    for (int i = 0; i < event->nfunction; i++) {
+        const pm_event_function *f = &event->function[i];
+        if (!event->hit[i]) continue;
         if (f->kind != FUNCTION_TRIGGER) return 0;
         if (m->acts && pm_action_of(m, PM_TRIGGER_ROW(m, f->index)[PM_TRIGGER_EVENT])) return 0;
     }
@@ -132,7 +129,7 @@ static int pass(pm_workspace *w, double x, double taken, int *ended)
     if (status) return status;
     pm_state_copy(&w->ahead, &w->state);
     pm_state_copy(&w->state, &w->probe);
-    mark_hits(w);
+    mark_hits(&w->firing, w->event);
     status = pm_instant_mark(w, ended);
     if (*ended) return status;
     hold_hits(w, x);
@@ -144,7 +141,8 @@ static int pass(pm_workspace *w, double x, double taken, int *ended)
 static void join_end(const pm_workspace *w, double *first)
 {
     const double same = PM_SAME_PLACE * (w->step.end - w->step.begin);
-    const int something = w->event->at_root || (w->phase.route->in_time && next_due(w) <= w->step.end);
+    const int something =
+        w->event->at_root || (w->phase.route->in_time && next_due(w->model, w->event) <= w->step.end);
     if (something && *first >= w->step.end - same) *first = w->step.end;
 }
 
@@ -152,7 +150,7 @@ static void join_end(const pm_workspace *w, double *first)
 static int marks_end(const pm_workspace *w, double first, int due)
 {
     return first == w->step.end && !due && !w->step.reverses && !w->phase.lap && !w->event->at_root &&
-           only_marks(w);
+           only_marks(w->model, w->event);
 }
 
 /* Something is marked at the end of the step, where the frame looks. */
@@ -161,7 +159,8 @@ static int pass_end(pm_workspace *w, int *ended)
     const int status = pm_instant_mark(w, ended);
     if (status || *ended) return status;
     hold_hits(w, w->step.end);
-    pm_event_search_leave(w); /* what has left its zero is no more held; in the next step places are others */
+    pm_event_search_leave(
+        &w->step, w->event); /* what has left its zero is no more held; in the next step places are others */
     return PM_OK;
 }
 
@@ -172,7 +171,8 @@ static int pass_marks(pm_workspace *w, double *first, double *taken, int *ended)
     for (;;) {
         int status = pm_event_search_first(w, from, first, taken);
         if (!status && *first < INFINITY) join_end(w, first);
-        if (status || *first >= w->step.end || *first <= w->step.begin || !only_marks(w)) return status;
+        if (status || *first >= w->step.end || *first <= w->step.begin || !only_marks(w->model, w->event))
+            return status;
         status = pass(w, *first, *taken, ended);
         if (status || *ended) return status;
         from = *first;
@@ -184,7 +184,7 @@ static int pass_marks(pm_workspace *w, double *first, double *taken, int *ended)
 static int take_step(pm_workspace *w, double *first, double *taken, int *ended)
 {
     pm_event_set *e = w->event;
-    const double max_time = pm_case_max_time(w);
+    const double max_time = pm_case_max_time(w->model, &w->numbers);
     int status = limit_reached(w, max_time);
     if (status) return status;
     memset(e->root, 0, (size_t)e->nfunction * sizeof(int));
@@ -193,14 +193,14 @@ static int take_step(pm_workspace *w, double *first, double *taken, int *ended)
         pm_event_set_multiples(w);
     }
     w->step.nodes = w->phase.route->nodes;
-    status = w->phase.route->step(w, fmin(max_time, next_due(w)));
-    pm_history_step(w);
-    look_for_roots(w);
+    status = w->phase.route->step(w, fmin(max_time, next_due(w->model, w->event)));
+    pm_history_step(&w->step, &w->record);
+    look_for_roots(w->event);
     if (!status) status = pm_event_samples_fill(w, 1);
     if (status || e->nsampled == 0) return status;
     if (w->phase.route->sampled) w->phase.route->sampled(w);
     status = pass_marks(w, first, taken, ended);
-    if (!status) pm_event_search_leave(w);
+    if (!status) pm_event_search_leave(&w->step, w->event);
     return status;
 }
 
@@ -211,7 +211,7 @@ static int close_step(pm_workspace *w, double first, double taken, int ended)
     if (first < w->step.end) {
         if (!ended && (status = stop_at(w, first, taken))) return status;
         w->step.end = first;
-        if (!pm_ask_keeps_samples(w) && (status = pm_event_samples_fill(w, 0))) return status;
+        if (!pm_ask_keeps_samples(&w->step, w->ask) && (status = pm_event_samples_fill(w, 0))) return status;
     }
     if (w->step.end > w->step.begin && (status = pm_ask_step(w))) return status;
     if ((status = pm_history_inside(w, w->step.end))) return status;
@@ -226,12 +226,12 @@ int pm_advance(pm_workspace *w, int *ended)
         double first = INFINITY, taken = NAN;
         int status = take_step(w, &first, &taken, ended);
         if (status) return status;
-        if (!*ended) take_roots(w, &first);
+        if (!*ended) take_roots(&w->step, w->event, &first);
         const int inside = first < w->step.end;
         if ((status = close_step(w, first, taken, *ended))) return status;
         const int due = first >= w->step.end && mark_due(w);
         if (*ended) return PM_OK;
-        if (first < INFINITY) mark_hits(w);
+        if (first < INFINITY) mark_hits(&w->firing, w->event);
         if (!inside && marks_end(w, first, due)) {
             if ((status = pass_end(w, ended)) || *ended) return status;
             continue;

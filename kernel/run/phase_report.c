@@ -15,19 +15,19 @@ static int32_t *last_row(const pm_phase_report *x)
     return x->needed > 0 && x->needed <= x->cap ? x->row + (x->needed - 1) * PM_PHASE_COLUMNS : NULL;
 }
 
-static void count_steps(const pm_workspace *w, pm_phase_report *x)
+static void count_steps(const pm_result *result, const struct pm_event_set *event, pm_phase_report *x)
 {
     int32_t *row = last_row(x);
-    if (row) row[PM_PHASE_STEPS] = (int32_t)(w->result.count[PM_COUNT_STEPS] - x->steps);
-    if (row) row[PM_PHASE_SPARED] = (int32_t)(w->event->culling.nskipped - x->spared);
-    x->steps = w->result.count[PM_COUNT_STEPS];
-    x->spared = w->event->culling.nskipped;
+    if (row) row[PM_PHASE_STEPS] = (int32_t)(result->count[PM_COUNT_STEPS] - x->steps);
+    if (row) row[PM_PHASE_SPARED] = (int32_t)(event->culling.nskipped - x->spared);
+    x->steps = result->count[PM_COUNT_STEPS];
+    x->spared = event->culling.nskipped;
 }
 
-static int free_coordinates(const pm_workspace *w)
+static int free_coordinates(const pm_model *model, const pm_numbers *numbers)
 {
     int n = 0;
-    for (int i = 0; i < w->model->nq; i++) n += w->numbers.inverse_mass[i] > 0;
+    for (int i = 0; i < model->nq; i++) n += numbers->inverse_mass[i] > 0;
     return n;
 }
 
@@ -41,11 +41,11 @@ static void describe(const pm_workspace *w, int64_t legs, int32_t *row)
     const int on_tree = w->phase.route->on_tree;
     row[PM_PHASE_ROUTE] = w->phase.route->route;
     row[PM_PHASE_RULE] = w->phase.rule;
-    row[PM_PHASE_UNKNOWNS] = on_tree ? w->tree->n : free_coordinates(w);
+    row[PM_PHASE_UNKNOWNS] = on_tree ? w->tree->n : free_coordinates(w->model, &w->numbers);
     row[PM_PHASE_LOOPS] = on_tree ? w->tree->nloop : w->active.n;
     row[PM_PHASE_ROWS] = w->active.n;
     row[PM_PHASE_REDUNDANT] = w->active.nredundant;
-    row[PM_PHASE_FREEDOM] = free_coordinates(w) - w->active.n;
+    row[PM_PHASE_FREEDOM] = free_coordinates(w->model, &w->numbers) - w->active.n;
     row[PM_PHASE_WATCHED] = w->event->nfunction;
     row[PM_PHASE_CLOCK] = has_clock(w);
     row[PM_PHASE_DYNAMIC] = w->event->level == PM_LEVEL_DYNAMIC || w->ask->level == PM_LEVEL_DYNAMIC;
@@ -60,7 +60,7 @@ int pm_phase_report_add(pm_workspace *w)
 {
     pm_phase_report *x = w->record.phases;
     if (!x) return PM_OK;
-    count_steps(w, x);
+    count_steps(&w->result, w->event, x);
     if (x->needed < x->cap) {
         describe(w, w->result.count[PM_COUNT_LEGS] - x->legs, x->row + x->needed * PM_PHASE_COLUMNS);
         x->time[x->needed] = has_clock(w) ? w->state.t : NAN;
@@ -72,5 +72,5 @@ int pm_phase_report_add(pm_workspace *w)
 
 void pm_phase_report_end(pm_workspace *w)
 {
-    if (w->record.phases) count_steps(w, w->record.phases);
+    if (w->record.phases) count_steps(&w->result, w->event, w->record.phases);
 }

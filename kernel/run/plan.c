@@ -44,14 +44,14 @@ static const char *const scope[PM_ROUTES] = {
     [PM_ROUTE_PATH] = ONE_FREEDOM,
 };
 
-static int take(pm_workspace *w, const pm_route_ops *route, int rule)
+static int take(pm_phase *phase, pm_result *result, const pm_route_ops *route, int rule)
 {
-    w->phase.route = route;
-    w->phase.rule = rule;
-    w->result.count[PM_COUNT_ROUTES] |= (int64_t)1 << route->route;
-    if (route->price > w->phase.price) {
-        w->phase.price = route->price;
-        w->result.count[PM_COUNT_ROUTE] = route->route;
+    phase->route = route;
+    phase->rule = rule;
+    result->count[PM_COUNT_ROUTES] |= (int64_t)1 << route->route;
+    if (route->price > phase->price) {
+        phase->price = route->price;
+        result->count[PM_COUNT_ROUTE] = route->route;
     }
     return PM_OK;
 }
@@ -67,20 +67,21 @@ int pm_plan_has_passed(pm_workspace *w)
 static int forced(pm_workspace *w, int wanted)
 {
     const pm_route_ops *route = pm_routes_find(wanted); /* none: state and jump, which have no phase */
-    if (route && pm_route_prepare(w, route)) return take(w, route, PM_NONE);
-    return pm_fail(w, PM_UNSUPPORTED, PM_TABLE_SETTING, PM_SETTING_ROUTE, wanted, 0);
+    if (route && pm_route_prepare(w, route)) return take(&w->phase, &w->result, route, PM_NONE);
+    return pm_fail(&w->result, PM_UNSUPPORTED, PM_TABLE_SETTING, PM_SETTING_ROUTE, wanted, 0);
 }
 
 int pm_plan_phase(pm_workspace *w)
 {
     const int wanted = PM_SETTING(w->model, PM_SETTING_ROUTE);
     if (w->request.program != PM_NONE && pm_route_prepare(w, &pm_route_path))
-        return take(w, &pm_route_path, NUDGED);
-    if (w->phase.singular && wanted == PM_ROUTE_IDA) return take(w, &pm_route_rk, PASSING);
+        return take(&w->phase, &w->result, &pm_route_path, NUDGED);
+    if (w->phase.singular && wanted == PM_ROUTE_IDA)
+        return take(&w->phase, &w->result, &pm_route_rk, PASSING);
     if (wanted != PM_ROUTE_AUTO) return forced(w, wanted);
     for (int i = FIRST; i < NRULES; i++)
-        if (pm_route_prepare(w, rules[i].route)) return take(w, rules[i].route, i);
-    return pm_fail(w, PM_UNSUPPORTED, PM_TABLE_SETTING, PM_SETTING_ROUTE, wanted, 0);
+        if (pm_route_prepare(w, rules[i].route)) return take(&w->phase, &w->result, rules[i].route, i);
+    return pm_fail(&w->result, PM_UNSUPPORTED, PM_TABLE_SETTING, PM_SETTING_ROUTE, wanted, 0);
 }
 
 int pm_rule_text(int rule, int64_t ntext, int8_t *text)
@@ -118,11 +119,10 @@ static int ends_at_start(const pm_model *m, int group)
     return any;
 }
 
-int pm_plan_kinematic(const pm_workspace *w)
+int pm_plan_kinematic(const pm_model *m, const struct pm_ask_set *ask)
 {
-    const pm_model *m = w->model;
     int ends = 0;
-    if (m->nslot > 0 || m->nfriction > 0 || w->ask->instant_level > PM_LEVEL_KINEMATIC) return 0;
+    if (m->nslot > 0 || m->nfriction > 0 || ask->instant_level > PM_LEVEL_KINEMATIC) return 0;
     for (int i = 0; i < m->rows[PM_TABLE_UNTIL] && !ends; i++)
         ends = ends_at_start(m, PM_UNTIL_ROW(m, i)[PM_UNTIL_GROUP]);
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER] && ends; i++) {
@@ -134,17 +134,17 @@ int pm_plan_kinematic(const pm_workspace *w)
     return ends;
 }
 
-void pm_plan_no_phase(pm_workspace *w)
+void pm_plan_no_phase(pm_result *result)
 {
-    const int route = w->result.count[PM_COUNT_JUMPS] > 0 ? PM_ROUTE_JUMP : PM_ROUTE_STATE;
-    w->result.count[PM_COUNT_ROUTE] = route;
-    w->result.count[PM_COUNT_ROUTES] = (int64_t)1 << route;
+    const int route = result->count[PM_COUNT_JUMPS] > 0 ? PM_ROUTE_JUMP : PM_ROUTE_STATE;
+    result->count[PM_COUNT_ROUTE] = route;
+    result->count[PM_COUNT_ROUTES] = (int64_t)1 << route;
 }
 
-int pm_plan_end(pm_workspace *w, int status)
+int pm_plan_end(const pm_model *model, pm_result *result, int status)
 {
-    const int wanted = PM_SETTING(w->model, PM_SETTING_ROUTE);
+    const int wanted = PM_SETTING(model, PM_SETTING_ROUTE);
     const int in_time = wanted == PM_ROUTE_RK || wanted == PM_ROUTE_IDA;
-    if (status != PM_OK || !in_time || w->result.count[PM_COUNT_PHASES] > 0) return status;
-    return pm_fail(w, PM_NO_TIME_ROUTE, PM_TABLE_SETTING, PM_SETTING_ROUTE, wanted, NAN);
+    if (status != PM_OK || !in_time || result->count[PM_COUNT_PHASES] > 0) return status;
+    return pm_fail(result, PM_NO_TIME_ROUTE, PM_TABLE_SETTING, PM_SETTING_ROUTE, wanted, NAN);
 }

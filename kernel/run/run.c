@@ -34,17 +34,17 @@ static int begin_case(pm_workspace *w, const double *param, pm_start_report *rep
     w->result.where = nowhere;
     w->impulses.energy_lost = 0;
     w->state.t = 0; /* a case that fails before its start reports no time of another */
-    pm_solve_cache_forget(w);
+    pm_solve_cache_forget(&w->frame, w->cache);
     pm_saddle_forget(&w->saddle);
     w->phase.price = w->phase.lap = w->phase.path_left = w->phase.singular = 0;
     w->phase.route = pm_routes_default(w->model); /* until the first phase is planned */
-    pm_repeat_forget(w);
+    pm_repeat_forget(w->repeat);
     w->event->nfunction = 0;
     w->step.reverses = 0;
     pm_joint_friction_release(w);
-    pm_evidence_begin(w);
-    pm_trigger_reset(w);
-    pm_perturbation_begin(w);
+    pm_evidence_begin(w->model, &w->evidence);
+    pm_trigger_reset(w->model, &w->firing);
+    pm_perturbation_begin(w->model, &w->request);
     pm_fixed_bodies_begin(w);
     memset(w->impulses.joint, 0, (size_t)w->model->njoint_row * sizeof(double));
     memset(w->impulses.slot, 0, 2 * (size_t)w->model->nslot * sizeof(double));
@@ -68,7 +68,7 @@ static void set_speed_scale(pm_workspace *w)
     if (fastest > w->numbers.speed) w->numbers.speed = fastest;
     if (w->numbers.speed ==
         0) /* nothing acts, nothing moves: as what crosses the scene while the run lasts */
-        w->numbers.speed = w->numbers.size / pm_case_max_time(w);
+        w->numbers.speed = w->numbers.size / pm_case_max_time(w->model, &w->numbers);
 }
 
 static int open_ledger(pm_workspace *w)
@@ -76,7 +76,7 @@ static int open_ledger(pm_workspace *w)
     for (int i = 0; i < w->model->rows[PM_TABLE_FORCE]; i++) {
         const pm_action x = pm_force_action(w, i);
         const double size = hypot(hypot(x.force[0], x.force[1]), x.couple);
-        if (!isfinite(size)) return pm_fail(w, PM_BAD_VALUE, PM_TABLE_FORCE, i, size, INFINITY);
+        if (!isfinite(size)) return pm_fail(&w->result, PM_BAD_VALUE, PM_TABLE_FORCE, i, size, INFINITY);
         w->ledger.force_energy_start[i] = x.energy;
     }
     pm_ledger_begin(w);
@@ -104,8 +104,8 @@ int pm_run_start(pm_workspace *w, const double *param, pm_start_report *report)
     set_speed_scale(w);
     if ((status = open_ledger(w))) return status;
     pm_frame_look_state(&w->frame, &w->state);
-    pm_joint_friction_close(w);
-    w->phase.kinematic = pm_plan_kinematic(w);
+    pm_joint_friction_close(&w->frame, &w->state);
+    w->phase.kinematic = pm_plan_kinematic(w->model, w->ask);
     status = pm_active_set_build(w);
     if (!status && !w->phase.kinematic) status = accelerate_unfastened(w);
     return status ? status : pm_instant_start(w);
@@ -120,7 +120,7 @@ static int phase(pm_workspace *w, int *ended)
     if (!status && w->phase.route->reuses_segments)
         status = pm_repeat_begin(w, &passed);
     else
-        pm_repeat_forget(w);
+        pm_repeat_forget(w->repeat);
     if (!status && passed) status = pm_plan_phase(w);
     if (status) return status;
     pm_frame_look_state(&w->frame, &w->state);
@@ -131,7 +131,7 @@ static int phase(pm_workspace *w, int *ended)
     w->phase.lap = 0;
     if ((status = w->phase.route->begin(w))) return status;
     w->result.count[PM_COUNT_PHASES]++;
-    pm_perturbation_end(w);
+    pm_perturbation_end(&w->request);
     if ((status = pm_phase_report_add(w))) return status;
     if ((status = pm_advance(w, ended)) || !*ended) return status;
     /* the end came inside a step: what is asked there may need accelerations, and it may be a singular place */
@@ -152,12 +152,12 @@ static int to_next_rule(pm_workspace *w, int status)
 }
 
 /* Near a singular position there is no step that the route can make: the same phase goes on as the plan knows. */
-static int to_passage(pm_workspace *w, int status)
+static int to_passage(pm_phase *phase, pm_result *result, int status)
 {
     const int lost = status == PM_STEP_TOO_SMALL || status == PM_SINGULAR || status == PM_SOLVER;
-    if (!lost || !w->phase.singular) return 0;
-    w->result.where = nowhere;
-    w->phase.lap = 1;
+    if (!lost || !phase->singular) return 0;
+    result->where = nowhere;
+    phase->lap = 1;
     return 1;
 }
 
@@ -166,7 +166,7 @@ static int hand_over(pm_workspace *w, int status)
 {
     switch ((enum pm_when_lost)w->phase.route->when_lost) {
     case PM_LOST_TO_NEXT_RULE: return to_next_rule(w, status);
-    case PM_LOST_TO_PASSAGE: return to_passage(w, status);
+    case PM_LOST_TO_PASSAGE: return to_passage(&w->phase, &w->result, status);
     case PM_LOST_FAILS: break;
     }
     return 0;
@@ -185,7 +185,7 @@ static int run_phases(pm_workspace *w)
     int64_t left =
         PM_NONE; /* phases when a route was left last: where none has begun since, there is no going on */
     int ended, status = pm_instant_finish(w, &ended);
-    if (ended) pm_plan_no_phase(w);
+    if (ended) pm_plan_no_phase(&w->result);
     if (!status) status = pm_history_row(w, 2);
     while (!status && !ended) {
         status = phase(w, &ended);
@@ -201,10 +201,10 @@ static int run_phases(pm_workspace *w)
     return status;
 }
 
-void pm_run_fail_asks(pm_workspace *w)
+void pm_run_fail_asks(const pm_model *model, pm_result *result)
 {
-    for (int i = 0; i < w->model->nout; i++) w->result.out[i] = NAN;
-    for (int i = 0; i < w->model->nask; i++) w->result.reason[i] = PM_REASON_FAILED;
+    for (int i = 0; i < model->nout; i++) result->out[i] = NAN;
+    for (int i = 0; i < model->nask; i++) result->reason[i] = PM_REASON_FAILED;
 }
 
 /* An early stop keeps what was answered; what is asked at the end was not reached. */
@@ -243,6 +243,6 @@ int pm_run(pm_workspace *w, const double *param)
     if (status < 0 && started)
         keep_sound(w, status);
     else if (status < 0)
-        pm_run_fail_asks(w);
+        pm_run_fail_asks(w->model, &w->result);
     return status;
 }

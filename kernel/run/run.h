@@ -19,7 +19,7 @@
 /* Runs a case with param[nparam], SI: fills out, reason, audit and count of w->result, whose arrays are the caller's. */
 int pm_run(pm_workspace *w, const double *param);
 /* No ask has an answer: the case failed. */
-void pm_run_fail_asks(pm_workspace *w);
+void pm_run_fail_asks(const pm_model *model, pm_result *result);
 /* Only the start of a case, ready for its first phase: constraints built, projected, accelerations known. */
 int pm_run_start(pm_workspace *w, const double *param, pm_start_report *report);
 /* Whether another thread has raised the flag; stop: NULL where there is none. */
@@ -40,12 +40,12 @@ int pm_plan_phase(pm_workspace *w);
 /* The phase serves to pass a singular position, and that lies behind: the route that was asked for goes on. */
 int pm_plan_has_passed(pm_workspace *w);
 /* By its structure the run ends at its start, nothing can touch, and nothing that is asked needs accelerations. */
-int pm_plan_kinematic(const pm_workspace *w);
+int pm_plan_kinematic(const pm_model *m, const struct pm_ask_set *ask);
 /* The run has ended before any phase: its route is `state`, or `jump` if there were blows. */
-void pm_plan_no_phase(pm_workspace *w);
+void pm_plan_no_phase(pm_result *result);
 /* The status of a case that has one: PM_NO_TIME_ROUTE where all is well, but rk or ida was asked for to compute a motion
  * and there was none (evidence of two routes in time would be no evidence). */
-int pm_plan_end(pm_workspace *w, int status);
+int pm_plan_end(const pm_model *model, pm_result *result, int status);
 
 /* ---- disturb.c ---- */
 /* Before a phase: in a coarse run it begins at a state that is off by some roundings.  The frame is DYNAMIC before and

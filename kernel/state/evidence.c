@@ -26,17 +26,17 @@ static void begin_log(pm_evidence_log *log)
     log->history = FIRST;
 }
 
-void pm_evidence_begin(pm_workspace *w)
+void pm_evidence_begin(const pm_model *model, pm_evidence *evidence)
 {
-    pm_pass *p = w->evidence.present;
-    if (!w->evidence.active) return;
-    w->evidence.noise = PM_EVIDENCE_SEED;
-    for (int i = 0; i < w->model->nout; i++) p->error[i] = NAN, p->more[i] = 0;
+    pm_pass *p = evidence->present;
+    if (!evidence->active) return;
+    evidence->noise = PM_EVIDENCE_SEED;
+    for (int i = 0; i < model->nout; i++) p->error[i] = NAN, p->more[i] = 0;
     p->margin = INFINITY;
     p->relative = 0;
     p->unsure = 0;
     p->cut = 0;
-    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) p->extreme[i] = INFINITY;
+    for (int i = 0; i < model->rows[PM_TABLE_TRIGGER]; i++) p->extreme[i] = INFINITY;
     begin_log(&p->log);
 }
 
@@ -50,32 +50,35 @@ double pm_evidence_tolerance(const pm_workspace *w)
     return e->present->companion ? PM_COARSER * tightest : tightest;
 }
 
-int pm_evidence_is_companion(const pm_workspace *w)
+int pm_evidence_is_companion(const pm_evidence *evidence)
 {
-    return w->evidence.active && w->evidence.present->companion;
+    return evidence->active && evidence->present->companion;
 }
 
-int pm_evidence_in_halves(const pm_workspace *w) { return w->evidence.active && w->evidence.present->halves; }
-
-void pm_evidence_answer(pm_workspace *w, int column, double error)
+int pm_evidence_in_halves(const pm_evidence *evidence)
 {
-    if (w->evidence.active) w->evidence.present->error[column] = error;
+    return evidence->active && evidence->present->halves;
 }
 
-void pm_evidence_more(pm_workspace *w, int column, double more)
+void pm_evidence_answer(pm_evidence *evidence, int column, double error)
 {
-    if (w->evidence.active) w->evidence.present->more[column] += more;
+    if (evidence->active) evidence->present->error[column] = error;
 }
 
-void pm_evidence_cut(pm_workspace *w)
+void pm_evidence_more(pm_evidence *evidence, int column, double more)
 {
-    if (w->evidence.active) w->evidence.present->cut = 1;
+    if (evidence->active) evidence->present->more[column] += more;
 }
 
-void pm_evidence_decide(pm_workspace *w, double distance, double error)
+void pm_evidence_cut(pm_evidence *evidence)
 {
-    if (w->evidence.active && !w->evidence.seeks) /* what is sought lies on a threshold */
-        w->evidence.present->margin = fmin(w->evidence.present->margin, fabs(distance) / error);
+    if (evidence->active) evidence->present->cut = 1;
+}
+
+void pm_evidence_decide(pm_evidence *evidence, double distance, double error)
+{
+    if (evidence->active && !evidence->seeks) /* what is sought lies on a threshold */
+        evidence->present->margin = fmin(evidence->present->margin, fabs(distance) / error);
 }
 
 /* The log is full: from now on only every second instant of those kept so far. */
@@ -88,9 +91,9 @@ static void thin_out(pm_evidence_log *log)
     log->n = n;
 }
 
-void pm_evidence_take(pm_workspace *w, const pm_evidence_decision *decision)
+void pm_evidence_take(pm_evidence *evidence, const pm_evidence_decision *decision)
 {
-    pm_evidence_log *log = &w->evidence.present->log;
+    pm_evidence_log *log = &evidence->present->log;
     while (log->n == PM_DECISIONS && log->instant % log->stride == 0 && log->stride <= log->instant)
         thin_out(log);
     if (log->n == PM_DECISIONS || log->instant % log->stride != 0) return;
@@ -99,23 +102,23 @@ void pm_evidence_take(pm_workspace *w, const pm_evidence_decision *decision)
     log->entry[log->n++].history = log->history;
 }
 
-void pm_evidence_sign(pm_workspace *w, int site, int what, double x, double unit)
+void pm_evidence_sign(pm_evidence *evidence, int site, int what, double x, double unit)
 {
-    if (!w->evidence.active) return;
-    pm_evidence_take(w, &(pm_evidence_decision){.kind = PM_EVIDENCE_SIGN,
-                                                .what = PM_EVIDENCE_SITES * what + site,
-                                                .trigger = PM_NONE,
-                                                .distance = x,
-                                                .reach = fabs(x),
-                                                .unit = unit});
+    if (!evidence->active) return;
+    pm_evidence_take(evidence, &(pm_evidence_decision){.kind = PM_EVIDENCE_SIGN,
+                                                       .what = PM_EVIDENCE_SITES * what + site,
+                                                       .trigger = PM_NONE,
+                                                       .distance = x,
+                                                       .reach = fabs(x),
+                                                       .unit = unit});
 }
 
 int32_t pm_evidence_part_of(const pm_evidence_decision *x) { return x->instant / PART; }
 
-void pm_evidence_part(pm_workspace *w, int contact)
+void pm_evidence_part(pm_evidence *evidence, int contact)
 {
-    if (!w->evidence.active) return;
-    pm_evidence_log *log = &w->evidence.present->log;
+    if (!evidence->active) return;
+    pm_evidence_log *log = &evidence->present->log;
     const int32_t part = log->instant / PART + 1;
     if (part > INT32_MAX / PART - 1) return;
     log->instant = part * PART;

@@ -76,30 +76,30 @@ typedef struct pm_pass {
 } pm_pass;
 
 /* Nothing is known of the errors and decisions of the run that begins. */
-void pm_evidence_begin(pm_workspace *w);
+void pm_evidence_begin(const pm_model *model, pm_evidence *evidence);
 /* The tolerance of integration in the present pass. */
 double pm_evidence_tolerance(const pm_workspace *w);
 /* Whether a route that takes a state inside a step from its begin takes it in two halves: a phase that one step covers would
  * else be the same in both passes that are compared. */
-int pm_evidence_in_halves(const pm_workspace *w);
+int pm_evidence_in_halves(const pm_evidence *evidence);
 /* Whether it is a coarse run, which another is compared with. */
-int pm_evidence_is_companion(const pm_workspace *w);
+int pm_evidence_is_companion(const pm_evidence *evidence);
 
 /* For routes that know their errors: that of out[column], absolute; a decision that was taken at `distance` from its
  * threshold, known to `error` in the same unit. */
-void pm_evidence_answer(pm_workspace *w, int column, double error);
-void pm_evidence_decide(pm_workspace *w, double distance, double error);
+void pm_evidence_answer(pm_evidence *evidence, int column, double error);
+void pm_evidence_decide(pm_evidence *evidence, double distance, double error);
 /* What is added to the error of out[column], whoever tells that. */
-void pm_evidence_more(pm_workspace *w, int column, double more);
+void pm_evidence_more(pm_evidence *evidence, int column, double more);
 /* A series of ever smaller blows was ended although its last rebound would have lasted: earlier in a coarse run. */
-void pm_evidence_cut(pm_workspace *w);
+void pm_evidence_cut(pm_evidence *evidence);
 
 /* Adds a decision to the log of the pass, at the present instant. */
-void pm_evidence_take(pm_workspace *w, const pm_evidence_decision *decision);
+void pm_evidence_take(pm_evidence *evidence, const pm_evidence_decision *decision);
 /* The sign of x, of natural size `unit`, decides what contact slot (or contact) `what` does. */
-void pm_evidence_sign(pm_workspace *w, int site, int what, double x, double unit);
+void pm_evidence_sign(pm_evidence *evidence, int site, int what, double x, double unit);
 /* A contact has been struck infinitely often: other passes may have seen other numbers of its blows. */
-void pm_evidence_part(pm_workspace *w, int contact);
+void pm_evidence_part(pm_evidence *evidence, int contact);
 /* What came of the present instant is mixed into the history of the log; the next one begins. */
 void pm_evidence_mix(pm_evidence_log *log, uint32_t what);
 /* The part of the run that a decision belongs to: see pm_evidence_part. */

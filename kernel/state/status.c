@@ -52,14 +52,14 @@ int pm_status_text(int status, int64_t ntext, int8_t *text)
     return snprintf((char *)text, (size_t)ntext, "%s", text_of((enum pm_status)status));
 }
 
-int pm_fail(pm_workspace *w, int status, int table, int row, double value, double bound)
+int pm_fail(pm_result *result, int status, int table, int row, double value, double bound)
 {
-    w->result.where = (pm_where){table, row, PM_NONE, value, bound};
+    result->where = (pm_where){table, row, PM_NONE, value, bound};
     return status;
 }
 
-int pm_fail_search(pm_workspace *w, int search_end)
+int pm_fail_search(pm_result *result, int search_end)
 {
     if (search_end == PM_SEARCH_FOUND) return PM_OK;
-    return pm_fail(w, PM_SOLVER, PM_NONE, PM_NONE, search_end, PM_BRACKET_VALUES);
+    return pm_fail(result, PM_SOLVER, PM_NONE, PM_NONE, search_end, PM_BRACKET_VALUES);
 }

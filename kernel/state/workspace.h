@@ -189,8 +189,8 @@ struct pm_workspace {
 int pm_workspace_create(const pm_model *model, pm_workspace **workspace);
 void pm_workspace_free(pm_workspace *w);
 /* Notes where the case failed, and by which numbers; returns the status. */
-int pm_fail(pm_workspace *w, int status, int table, int row, double value, double bound);
+int pm_fail(pm_result *result, int status, int table, int row, double value, double bound);
 /* The same where a search of numerics/bracket.h has ended: PM_OK if it has found, else PM_SOLVER. */
-int pm_fail_search(pm_workspace *w, int search_end);
+int pm_fail_search(pm_result *result, int search_end);
 
 #endif

@@ -75,13 +75,13 @@ static int run_once(pm_workspace *w, const double *param, double *found)
     return w->accuracy->runs_find ? pm_find_run(w, param, found) : pm_run(w, param);
 }
 
-static uint64_t outcome_of(const pm_workspace *w, const pm_pass *p)
+static uint64_t outcome_of(const pm_model *model, const pm_firing *firing, const pm_pass *p)
 {
     uint64_t hash = 14695981039346656037ULL; /* FNV-1a */
     hash = (hash ^ (uint64_t)(int64_t)p->status) * 1099511628211ULL;
-    for (int i = 0; i < w->model->nask; i++) hash = (hash ^ (uint64_t)p->reason[i]) * 1099511628211ULL;
-    for (int i = 0; i < w->model->rows[PM_TABLE_EVENT]; i++)
-        hash = (hash ^ (uint64_t)w->firing.count[i]) * 1099511628211ULL;
+    for (int i = 0; i < model->nask; i++) hash = (hash ^ (uint64_t)p->reason[i]) * 1099511628211ULL;
+    for (int i = 0; i < model->rows[PM_TABLE_EVENT]; i++)
+        hash = (hash ^ (uint64_t)firing->count[i]) * 1099511628211ULL;
     return hash;
 }
 
@@ -110,7 +110,7 @@ static void make_pass(pm_workspace *w, const double *param, pm_pass *p, double f
     p->where = w->result.where;
     p->t = w->state.t;
     p->tolerance = w->numbers.tolerance;
-    p->outcome = outcome_of(w, p);
+    p->outcome = outcome_of(w->model, &w->firing, p);
 }
 
 static int stands(const pm_pass *p) { return p->status >= PM_OK && p->status != PM_CANCELLED; }
@@ -179,19 +179,17 @@ static double judge_answers(const pm_workspace *w, double share, double *error)
 }
 
 /* Passes that came to other counts or statuses have a margin below 1 somewhere, even where no log shows it. */
-static double judge_decisions(const pm_workspace *w, double share)
+static double judge_decisions(const pm_accuracy *e, double share)
 {
-    const pm_accuracy *e = w->accuracy;
     const double margin = pm_margin_of_logs(&e->main->log, &e->other->log, e->trigger_scale) / share;
     const double decided = e->main->outcome == e->other->outcome ? margin : 0;
     return fmin(decided, e->main->margin);
 }
 
 /* Of the difference of both passes: what the error of the main one is taken for. */
-static double share_of(const pm_workspace *w)
+static double share_of(const pm_phase *phase, const pm_accuracy *e)
 {
-    const pm_accuracy *e = w->accuracy;
-    const double share = w->phase.route->spread * e->main->tolerance / e->other->tolerance;
+    const double share = phase->route->spread * e->main->tolerance / e->other->tolerance;
     return e->other->companion ? share : fmax(share, PM_ACCURACY_LEAST_SHARE);
 }
 
@@ -200,7 +198,7 @@ static double share_of(const pm_workspace *w)
 static void judge_found(const pm_workspace *w, double share, double *error)
 {
     const pm_accuracy *e = w->accuracy;
-    const double resolution = pm_find_resolution(w);
+    const double resolution = pm_find_resolution(w->find);
     double *found = e->main->found;
     for (int i = 0; i < PM_FIND_MOST; i++)
         found[PM_FOUND_FIRST_ERROR + i] = fmax(share * fabs(found[i] - e->other->found[i]),
@@ -215,10 +213,10 @@ static void judge_found(const pm_workspace *w, double share, double *error)
 
 static void judge(pm_workspace *w, double *error, double *trust)
 {
-    const double share = share_of(w);
+    const double share = share_of(&w->phase, w->accuracy);
     trust[PM_TRUST_EXCESS] = judge_answers(w, share, error);
     if (w->evidence.seeks) judge_found(w, share, error);
-    trust[PM_TRUST_MARGIN] = judge_decisions(w, share);
+    trust[PM_TRUST_MARGIN] = judge_decisions(w->accuracy, share);
 }
 
 static int knows_itself(const pm_workspace *w)
@@ -248,7 +246,7 @@ static int find_companion(pm_workspace *w, const double *param)
     pm_accuracy *e = w->accuracy;
     if (knows_itself(w)) {
         memcpy(e->other->out, e->main->out, (size_t)w->model->nout * sizeof(double));
-        e->main->margin = fmin(e->main->margin, pm_path_error_margin(w, e->main, e->trigger_scale));
+        e->main->margin = fmin(e->main->margin, pm_path_error_margin(w->model, e->main, e->trigger_scale));
         e->other->log.n = 0; /* its own decisions are in its margin */
         e->other->outcome = e->main->outcome;
         e->other->tolerance = e->main->tolerance;
@@ -268,11 +266,11 @@ static double next_factor(double factor, const double *trust)
     return factor * fmin(fmax(change, PM_ACCURACY_LEAST_FACTOR), PM_ACCURACY_MOST_FACTOR);
 }
 
-static int good_enough(const pm_workspace *w, const double *trust)
+static int good_enough(const pm_phase *phase, const pm_accuracy *accuracy, const double *trust)
 {
-    const pm_pass *p = w->accuracy->main;
+    const pm_pass *p = accuracy->main;
     const int decided = trust[PM_TRUST_MARGIN] >= 1 && trust[PM_TRUST_EXCESS] <= 1;
-    return decided || p->status != PM_OK || p->tolerance <= PM_ACCURACY_FINER * w->phase.route->finest;
+    return decided || p->status != PM_OK || p->tolerance <= PM_ACCURACY_FINER * phase->route->finest;
 }
 
 /* One pass at a tighter tolerance becomes the main one; 0 if it fails: then all stays as it was. */
@@ -303,7 +301,7 @@ static void climb(pm_workspace *w, const double *param, double *error, double *t
     pm_accuracy *e = w->accuracy;
     find_sizes(w);
     if (find_companion(w, param)) judge(w, error, trust);
-    for (int i = 0; i < PM_ACCURACY_REFINEMENTS && !good_enough(w, trust); i++)
+    for (int i = 0; i < PM_ACCURACY_REFINEMENTS && !good_enough(&w->phase, w->accuracy, trust); i++)
         if (!refine(w, param, error, trust)) break;
     /* a run that sits on the threshold that was sought is not in doubt */
     if (e->main->status == PM_OK && trust[PM_TRUST_MARGIN] < 1 && !w->evidence.seeks) {
@@ -330,9 +328,9 @@ static int deliver(pm_workspace *w, double *out, int32_t *reason, double *audit)
 }
 
 /* An open ledger may be nothing but the errors of a loose integration: a tighter one shows. */
-static int is_too_loose(const pm_workspace *w, const pm_pass *p)
+static int is_too_loose(const pm_phase *phase, const pm_pass *p)
 {
-    return p->status == PM_AUDIT && p->tolerance > PM_ACCURACY_FINER * w->phase.route->finest;
+    return p->status == PM_AUDIT && p->tolerance > PM_ACCURACY_FINER * phase->route->finest;
 }
 
 static int run(pm_workspace *w, const double *param, double *found, double *error, double *margin,
@@ -357,7 +355,7 @@ static int run(pm_workspace *w, const double *param, double *found, double *erro
     e->other = &e->pass[1];
     e->spare = &e->pass[2];
     make_pass(w, param, e->main, 1, 0);
-    while (is_too_loose(w, e->main) && e->npass <= PM_ACCURACY_REFINEMENTS)
+    while (is_too_loose(&w->phase, e->main) && e->npass <= PM_ACCURACY_REFINEMENTS)
         make_pass(w, param, e->main, e->main->factor / PM_COARSER, 0);
     if (stands(e->main)) climb(w, param, error, trust);
     for (int i = 0; i < w->model->nask; i++)
@@ -369,5 +367,5 @@ static int run(pm_workspace *w, const double *param, double *found, double *erro
 int pm_accuracy_run(pm_workspace *w, const double *param, double *found, double *error, double *margin,
                     double *trust)
 {
-    return pm_plan_end(w, run(w, param, found, error, margin, trust));
+    return pm_plan_end(w->model, &w->result, run(w, param, found, error, margin, trust));
 }

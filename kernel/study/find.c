@@ -77,7 +77,7 @@ static int read_bounds(pm_workspace *w)
         f->low[i] = w->numbers.value[e[PM_VARY_LOW]];
         f->high[i] = w->numbers.value[e[PM_VARY_HIGH]];
         if (!(f->high[i] > f->low[i]) || !isfinite(f->high[i] - f->low[i]))
-            return pm_fail(w, PM_BAD_VALUE, PM_TABLE_VARY, i, f->high[i], f->low[i]);
+            return pm_fail(&w->result, PM_BAD_VALUE, PM_TABLE_VARY, i, f->high[i], f->low[i]);
     }
     return PM_OK;
 }
@@ -162,8 +162,8 @@ static int find_value(pm_workspace *w)
     }
     if (status || f->nfound > 0) return status;
     if (jump.jumps)
-        return pm_fail(w, PM_FIND_JUMP, PM_TABLE_CONDITION, f->zero[0], jump.f_below, jump.f_above);
-    return pm_fail(w, PM_FIND_NONE, PM_TABLE_CONDITION, f->zero[0], zero_at(f, &f->node[0]),
+        return pm_fail(&w->result, PM_FIND_JUMP, PM_TABLE_CONDITION, f->zero[0], jump.f_below, jump.f_above);
+    return pm_fail(&w->result, PM_FIND_NONE, PM_TABLE_CONDITION, f->zero[0], zero_at(f, &f->node[0]),
                    zero_at(f, &f->node[f->samples]));
 }
 
@@ -231,7 +231,7 @@ static int find_extreme(pm_workspace *w)
         if (is_peak(f, i)) status = climb_from(w, i);
     if (status || f->nfound > 0) return status;
     const double sign = f->goal == PM_FIND_GREATEST ? 1 : -1;
-    return pm_fail(w, PM_FIND_NONE, PM_TABLE_FIND, 0, sign * f->node[0].goal,
+    return pm_fail(&w->result, PM_FIND_NONE, PM_TABLE_FIND, 0, sign * f->node[0].goal,
                    sign * f->node[f->samples].goal);
 }
 
@@ -246,7 +246,7 @@ static int find_threshold(pm_workspace *w)
     if (i < 0 || i > f->samples) {
         int row = 0; /* what keeps the last sample from holding */
         while (row < f->ncondition - 1 && f->node[f->samples].reading[row] > 0) row++;
-        return pm_fail(w, PM_FIND_NONE, PM_TABLE_CONDITION, row, f->node[0].reading[row],
+        return pm_fail(&w->result, PM_FIND_NONE, PM_TABLE_CONDITION, row, f->node[0].reading[row],
                        f->node[f->samples].reading[row]);
     }
     pm_look yes = f->node[i];
@@ -307,10 +307,11 @@ static int finish(pm_workspace *w, double *found)
     if (status) return status;
     if (several > 1) {
         const int table = f->nzero > 0 ? PM_TABLE_CONDITION : PM_TABLE_FIND;
-        return pm_fail(w, PM_FIND_SEVERAL, table, f->nzero > 0 ? f->zero[0] : 0, other->x[0], several);
+        return pm_fail(&w->result, PM_FIND_SEVERAL, table, f->nzero > 0 ? f->zero[0] : 0, other->x[0],
+                       several);
     }
     if (is_at_bound(f, chosen))
-        return pm_fail(w, PM_FIND_AT_BOUND, PM_TABLE_VARY, 0, chosen->x[0], chosen->x[0]);
+        return pm_fail(&w->result, PM_FIND_AT_BOUND, PM_TABLE_VARY, 0, chosen->x[0], chosen->x[0]);
     return PM_OK;
 }
 
@@ -353,14 +354,14 @@ static int search(pm_workspace *w)
         return stopped ? stopped : first.status;
     }
     return status ? status
-                  : pm_fail(w, PM_FIND_NONE, PM_TABLE_CONDITION, f->zero[0], f->node[0].reading[f->zero[0]],
-                            f->node[nodes_of(f) - 1].reading[f->zero[0]]);
+                  : pm_fail(&w->result, PM_FIND_NONE, PM_TABLE_CONDITION, f->zero[0],
+                            f->node[0].reading[f->zero[0]], f->node[nodes_of(f) - 1].reading[f->zero[0]]);
 }
 
-static void fail(pm_workspace *w)
+static void fail(const pm_model *model, pm_result *result)
 {
-    pm_run_fail_asks(w);
-    for (int i = 0; i < PM_AUDITS; i++) w->result.audit[i] = NAN;
+    pm_run_fail_asks(model, result);
+    for (int i = 0; i < PM_AUDITS; i++) result->audit[i] = NAN;
 }
 
 int pm_find_run(pm_workspace *w, const double *param, double *found)
@@ -379,7 +380,7 @@ int pm_find_run(pm_workspace *w, const double *param, double *found)
     f->resolution = 0;
     int status = search(w);
     if (status)
-        fail(w);
+        fail(w->model, &w->result);
     else
         status = finish(w, found);
     w->result.count[PM_COUNT_RUNS] = f->runs;
@@ -387,4 +388,4 @@ int pm_find_run(pm_workspace *w, const double *param, double *found)
     return status;
 }
 
-double pm_find_resolution(const pm_workspace *w) { return w->find ? w->find->resolution : 0; }
+double pm_find_resolution(const pm_find *find) { return find ? find->resolution : 0; }

@@ -46,13 +46,13 @@ void pm_find_free(pm_workspace *w);
 int pm_find_run(pm_workspace *w, const double *param, double *found);
 
 /* Relative: how well the last find can know its parameters, where they bound an outcome; else 0. */
-double pm_find_resolution(const pm_workspace *w);
+double pm_find_resolution(const pm_find *find);
 
 /* ---- find_look.c ---- */
 /* Runs the case with the varied parameters x.  Fails (returns a status) only if it is to be stopped. */
 int pm_find_look(pm_workspace *w, const double *x, pm_look *look);
 /* The number of a condition that alone keeps `no` from holding and can be read on both sides, or PM_NONE. */
-int pm_find_margin(const pm_workspace *w, const pm_look *no, const pm_look *yes);
+int pm_find_margin(const pm_model *model, const pm_find *f, const pm_look *no, const pm_look *yes);
 
 /* ---- find_root.c ---- */
 /* A function of the parameter; not a number where it has no value.  Fails only if the find is to be stopped. */

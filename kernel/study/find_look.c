@@ -22,9 +22,9 @@ static int condition_holds(int kind, double reading)
     }
 }
 
-static int kind_of(const pm_workspace *w, int condition)
+static int kind_of(const pm_model *model, int condition)
 {
-    return PM_CONDITION_ROW(w->model, condition)[PM_CONDITION_KIND];
+    return PM_CONDITION_ROW(model, condition)[PM_CONDITION_KIND];
 }
 
 /* The end of a run that stopped early is an outcome only for what is yes or no. */
@@ -67,14 +67,13 @@ int pm_find_look(pm_workspace *w, const double *x, pm_look *look)
     return PM_OK;
 }
 
-int pm_find_margin(const pm_workspace *w, const pm_look *no, const pm_look *yes)
+int pm_find_margin(const pm_model *model, const pm_find *f, const pm_look *no, const pm_look *yes)
 {
-    const pm_find *f = w->find;
     int margin = PM_NONE;
     for (int i = 0; i < f->ncondition; i++) {
-        if (condition_holds(kind_of(w, i), no->reading[i])) continue;
+        if (condition_holds(kind_of(model, i), no->reading[i])) continue;
         const int smooth =
-            kind_of(w, i) == PM_CONDITION_POSITIVE || kind_of(w, i) == PM_CONDITION_NOT_NEGATIVE;
+            kind_of(model, i) == PM_CONDITION_POSITIVE || kind_of(model, i) == PM_CONDITION_NOT_NEGATIVE;
         if (margin != PM_NONE || !smooth || isnan(no->reading[i]) || isnan(yes->reading[i])) return PM_NONE;
         margin = i;
     }

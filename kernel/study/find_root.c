@@ -118,7 +118,7 @@ static int step_over(pm_workspace *w, double root, pm_look *yes)
 
 int pm_find_threshold(pm_workspace *w, const pm_look *no, pm_look *yes)
 {
-    int margin = pm_find_margin(w, no, yes);
+    int margin = pm_find_margin(w->model, w->find, no, yes);
     if (margin == PM_NONE) return bisect(w, no->x[0], no->status, yes);
     pm_find_root_place place;
     const int status = pm_find_root(w, pm_find_reading, &margin, no->x[0], no->reading[margin], yes->x[0],

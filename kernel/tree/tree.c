@@ -96,37 +96,37 @@ typedef struct pm_group {
     int n;
 } pm_group;
 
-static int rows_are(const pm_workspace *w, const pm_group *g, int first, int second, int third)
+static int rows_are(const pm_active_set *active, const pm_group *g, int first, int second, int third)
 {
     const int wanted[] = {first, second, third};
     int n = 0;
     while (n < 3 && wanted[n] >= 0) n++;
     if (g->n != n) return 0;
     for (int i = 0; i < n; i++)
-        if (w->active.row[g->row[i]].kind != wanted[i]) return 0;
+        if (active->row[g->row[i]].kind != wanted[i]) return 0;
     return 1;
 }
 
-static int placement_of(const pm_workspace *w, const pm_group *g)
+static int placement_of(const pm_active_set *active, const pm_group *g)
 {
-    if (rows_are(w, g, PM_CONSTRAINT_POINT_X, PM_CONSTRAINT_POINT_Y, -1)) return PIN;
-    if (rows_are(w, g, PM_CONSTRAINT_POINT_X, PM_CONSTRAINT_POINT_Y, PM_CONSTRAINT_ANGLE)) return WELD;
-    if (rows_are(w, g, PM_CONSTRAINT_LINE_NORMAL, PM_CONSTRAINT_ANGLE, -1)) return SLIDER;
-    if (rows_are(w, g, PM_CONSTRAINT_LINE_NORMAL, PM_CONSTRAINT_LINE_TANGENT, -1)) return ROLL_LINE;
-    if (rows_are(w, g, PM_CONSTRAINT_DISTANCE, PM_CONSTRAINT_CIRCLE_TANGENT, -1) &&
-        w->active.row[g->row[0]].value > 0)
+    if (rows_are(active, g, PM_CONSTRAINT_POINT_X, PM_CONSTRAINT_POINT_Y, -1)) return PIN;
+    if (rows_are(active, g, PM_CONSTRAINT_POINT_X, PM_CONSTRAINT_POINT_Y, PM_CONSTRAINT_ANGLE)) return WELD;
+    if (rows_are(active, g, PM_CONSTRAINT_LINE_NORMAL, PM_CONSTRAINT_ANGLE, -1)) return SLIDER;
+    if (rows_are(active, g, PM_CONSTRAINT_LINE_NORMAL, PM_CONSTRAINT_LINE_TANGENT, -1)) return ROLL_LINE;
+    if (rows_are(active, g, PM_CONSTRAINT_DISTANCE, PM_CONSTRAINT_CIRCLE_TANGENT, -1) &&
+        active->row[g->row[0]].value > 0)
         return ROLL_CIRCLE;
     return FREE;
 }
 
-static int turns(const pm_workspace *w, int body) { return w->numbers.inverse_mass[3 * body + 2] > 0; }
+static int turns(const pm_numbers *numbers, int body) { return numbers->inverse_mass[3 * body + 2] > 0; }
 
 static void place(pm_workspace *w, int *nplaced, int body, int placement, const pm_group *g, int child_is_a)
 {
     pm_tree *t = w->tree;
     pm_tree_node *x = &t->node[*nplaced];
     *x = (pm_tree_node){.body = body, .parent = w->model->nbody, .placement = placement, .first = t->n};
-    x->turns = turns(w, body);
+    x->turns = turns(&w->numbers, body);
     x->ncoordinate = placement == FREE     ? 2 + x->turns
                      : placement == WELD   ? 0
                      : placement == SLIDER ? 1
@@ -164,50 +164,49 @@ static void place(pm_workspace *w, int *nplaced, int body, int placement, const 
     for (int i = 0; i < g->n; i++) t->used[g->row[i]] = 1;
 }
 
-static int is_placed(const pm_workspace *w, int body)
+static int is_placed(const pm_tree *tree, int body)
 {
-    return body == w->model->nbody || w->tree->placed[body];
+    return body == tree->model->nbody || tree->placed[body];
 }
 
 /* Driven rows are not solved: they depend on the time. */
-static int is_driven(const pm_workspace *w, const pm_group *g)
+static int is_driven(const pm_active_set *active, const pm_group *g)
 {
     for (int i = 0; i < g->n; i++)
-        if (w->active.row[g->row[i]].drive != PM_NONE) return 1;
+        if (active->row[g->row[i]].drive != PM_NONE) return 1;
     return 0;
 }
 
 /* Places a body by the group, if just one of its two is placed. */
 static int place_by(pm_workspace *w, const pm_group *g, int *nplaced)
 {
-    if (g->n < 2 || w->tree->used[g->row[0]] || is_driven(w, g)) return 0;
+    if (g->n < 2 || w->tree->used[g->row[0]] || is_driven(&w->active, g)) return 0;
     const pm_constraint *row = &w->active.row[g->row[0]];
-    const int a = is_placed(w, row->body[0]), b = is_placed(w, row->body[1]);
+    const int a = is_placed(w->tree, row->body[0]), b = is_placed(w->tree, row->body[1]);
     if (a == b) return 0;
-    const int placement = placement_of(w, g), body = row->body[a ? 1 : 0];
-    if (placement == FREE || (!turns(w, body) && placement != PIN)) return 0;
+    const int placement = placement_of(&w->active, g), body = row->body[a ? 1 : 0];
+    if (placement == FREE || (!turns(&w->numbers, body) && placement != PIN)) return 0;
     place(w, nplaced, body, placement, g, !a);
     return 1;
 }
 
-static pm_group joint_group(const pm_workspace *w, int joint)
+static pm_group joint_group(const pm_model *m, const pm_active_set *active, int joint)
 {
-    const pm_model *m = w->model;
     const int first = m->joint_row[joint];
     const int end = joint + 1 < m->rows[PM_TABLE_JOINT] ? m->joint_row[joint + 1] : m->njoint_row;
     pm_group g = {.n = 0};
     for (int i = first; i < end && g.n < PM_JOINT_CONSTRAINTS; i++)
-        if (w->active.of_joint[i] != PM_NONE) g.row[g.n++] = w->active.of_joint[i];
+        if (active->of_joint[i] != PM_NONE) g.row[g.n++] = active->of_joint[i];
     return g;
 }
 
-static pm_group slot_group(const pm_workspace *w, int slot)
+static pm_group slot_group(const pm_active_set *active, int slot)
 {
     pm_group g = {.n = 0};
     for (int i = PM_JOINT_CONSTRAINTS * slot; i < PM_JOINT_CONSTRAINTS * (slot + 1); i++)
-        if (w->active.slot_held[i] != PM_NONE) g.row[g.n++] = w->active.slot_held[i];
-    if (w->active.slot_normal[slot] != PM_NONE) g.row[g.n++] = w->active.slot_normal[slot];
-    if (w->active.slot_tangent[slot] != PM_NONE) g.row[g.n++] = w->active.slot_tangent[slot];
+        if (active->slot_held[i] != PM_NONE) g.row[g.n++] = active->slot_held[i];
+    if (active->slot_normal[slot] != PM_NONE) g.row[g.n++] = active->slot_normal[slot];
+    if (active->slot_tangent[slot] != PM_NONE) g.row[g.n++] = active->slot_tangent[slot];
     return g;
 }
 
@@ -222,7 +221,7 @@ static void place_fixed(pm_workspace *w, int *nplaced)
                                                  .placement = WELD,
                                                  .child_is_a = 1,
                                                  .first = w->tree->n,
-                                                 .turns = turns(w, i),
+                                                 .turns = turns(&w->numbers, i),
                                                  .mark = {pose[0], pose[1]},
                                                  .angle = pose[2],
                                                  .turn = {pose[3], pose[4]}};
@@ -235,23 +234,23 @@ static void place_fixed(pm_workspace *w, int *nplaced)
 }
 
 /* It will place nothing any more: it cannot, or both of its bodies are placed. */
-static int is_spent(const pm_workspace *w, const pm_group *g)
+static int is_spent(const pm_active_set *active, const pm_tree *tree, const pm_group *g)
 {
     if (g->n < 2) return 1;
-    const pm_constraint *row = &w->active.row[g->row[0]];
-    return is_placed(w, row->body[0]) && is_placed(w, row->body[1]);
+    const pm_constraint *row = &active->row[g->row[0]];
+    return is_placed(tree, row->body[0]) && is_placed(tree, row->body[1]);
 }
 
 /* *spent: joints, from the first on, that will place nothing any more. */
 static int place_next(pm_workspace *w, int *nplaced, int *spent)
 {
     for (int i = *spent; i < w->model->rows[PM_TABLE_JOINT]; i++) {
-        const pm_group g = joint_group(w, i);
+        const pm_group g = joint_group(w->model, &w->active, i);
         if (place_by(w, &g, nplaced)) return 1;
-        if (i == *spent && is_spent(w, &g)) ++*spent;
+        if (i == *spent && is_spent(&w->active, w->tree, &g)) ++*spent;
     }
     for (int i = 0; i < w->model->nslot; i++) {
-        const pm_group g = slot_group(w, i);
+        const pm_group g = slot_group(&w->active, i);
         if (place_by(w, &g, nplaced)) return 1;
     }
     for (int i = 0; i < w->model->nbody; i++)
@@ -264,10 +263,9 @@ static int place_next(pm_workspace *w, int *nplaced, int *spent)
 
 /* A body comes after all that it carries, and branches one after the other: the mass matrix then does not fill in when it is
  * factored, and loops between neighbours are narrow. */
-static void number_coordinates(pm_workspace *w)
+static void number_coordinates(pm_tree *t)
 {
-    pm_tree *t = w->tree;
-    const int ground = w->model->nbody;
+    const int ground = t->model->nbody;
     int top = t->n; /* of what is left for bodies on the ground */
     for (int i = 0; i < ground; i++) t->weight[i] = t->node[i].ncoordinate;
     for (int i = ground - 1; i >= 0; i--)
@@ -278,7 +276,7 @@ static void number_coordinates(pm_workspace *w)
         t->top[i] = t->node[i].first = *left - t->node[i].ncoordinate;
         *left -= t->weight[i];
     }
-    for (int i = 0; i < w->model->nbody; i++) {
+    for (int i = 0; i < t->model->nbody; i++) {
         const pm_tree_node *x = &t->node[i];
         for (int k = 0; k < x->ncoordinate; k++)
             t->kind[x->first + k] = x->placement == FREE ? k : x->placement == SLIDER ? 0 : 2;
@@ -286,15 +284,14 @@ static void number_coordinates(pm_workspace *w)
 }
 
 /* The coordinates that move a body, in falling order: those of its parent and its own. */
-static void list_coordinates(pm_workspace *w)
+static void list_coordinates(pm_tree *t)
 {
-    pm_tree *t = w->tree;
     int n = 0;
     for (int k = 0; k < t->n; k++) t->first_coupled[k] = k;
-    for (int i = 0; i < w->model->nbody; i++) {
+    for (int i = 0; i < t->model->nbody; i++) {
         pm_tree_node *x = &t->node[i];
         x->list = n;
-        if (x->parent != w->model->nbody) {
+        if (x->parent != t->model->nbody) {
             const pm_tree_node *parent = &t->node[t->placed[x->parent] - 1];
             for (int k = 0; k < parent->nlist; k++) t->moved_by[n++] = t->moved_by[parent->list + k];
         }
@@ -321,13 +318,12 @@ void pm_tree_row_ends(const pm_tree *t, const pm_constraint *row, int *low, int 
 }
 
 /* Loop rows in the order of the bodies that they hold, so that what each shares with others is near. */
-static void list_loops(pm_workspace *w)
+static void list_loops(const pm_active_set *active, pm_tree *t)
 {
-    pm_tree *t = w->tree;
-    for (int i = 0; i < w->active.n; i++) {
+    for (int i = 0; i < active->n; i++) {
         if (t->used[i]) continue;
         int low, key, at = t->nloop++;
-        pm_tree_row_ends(w->tree, &w->active.row[i], &low, &key);
+        pm_tree_row_ends(t, &active->row[i], &low, &key);
         for (; at > 0 && t->to[at - 1] < key; at--) {
             t->loop[at] = t->loop[at - 1];
             t->to[at] = t->to[at - 1];
@@ -340,11 +336,10 @@ static void list_loops(pm_workspace *w)
 /* Where the loop rows, and what elimination makes of them, are not zero: up to the last coordinate of what they hold, which
  * the mass matrix does not couple to those after it.  No row ends, or meets the first that shares some of that with it,
  * before the row before it does. */
-static void bound_loops(pm_workspace *w)
+static void bound_loops(const pm_active_set *active, pm_tree *t)
 {
-    pm_tree *t = w->tree;
     for (int i = 0, first = 0; i < t->nloop; i++) {
-        pm_tree_row_ends(w->tree, &w->active.row[t->loop[i]], &t->from[i], &t->to[i]);
+        pm_tree_row_ends(t, &active->row[t->loop[i]], &t->from[i], &t->to[i]);
         t->to[i]++;
         while (first < i && t->from[first] >= t->to[i]) first++;
         t->first_loop[i] = first;
@@ -361,10 +356,10 @@ void pm_tree_build(pm_workspace *w)
     place_fixed(w, &nplaced);
     t->nfixed = nplaced;
     while (nplaced < w->model->nbody) place_next(w, &nplaced, &spent);
-    number_coordinates(w);
-    list_coordinates(w);
-    list_loops(w);
-    bound_loops(w);
+    number_coordinates(w->tree);
+    list_coordinates(w->tree);
+    list_loops(&w->active, w->tree);
+    bound_loops(&w->active, w->tree);
     if (t->n > 0) t->part.column[t->n - 1] = PM_NONE; /* none is chosen */
 }
 

@@ -170,11 +170,11 @@ void pm_tree_react_inward(pm_workspace *w, const double *arm);
 void pm_tree_hold(pm_tree *t, int held);
 /* Few freedoms: chooses the coordinates that the loop rows tell best, at the pose of the frame, unless they are singular
  * there; t->few says whether there is a choice. */
-void pm_tree_partition(pm_workspace *w);
+void pm_tree_partition(const pm_frame *frame, pm_tree *t);
 /* The choice is a bad one where pm_tree_accelerate was last. */
-int pm_tree_is_steep(const pm_workspace *w);
+int pm_tree_is_steep(const pm_tree *tree);
 /* Not partitioned, and the loop rows nearly depended on each other, or are so many that a partition is cheaper. */
-int pm_tree_is_flat(const pm_workspace *w);
+int pm_tree_is_flat(const pm_tree *t);
 /* Meets the loop rows by Newton's method with the independent coordinates kept.  Leaves q, the poses of the frame, and the
  * Jacobian of the loop rows there.  PM_SINGULAR or PM_ASSEMBLY if it does not converge. */
 int pm_tree_close(pm_workspace *w, double *y, double *q, const pm_loops *loops);
@@ -192,7 +192,7 @@ void pm_tree_small_sum_up(pm_workspace *w);
 /* Whether the functions below may be called. */
 int pm_tree_small_applies(const pm_workspace *w);
 /* Directions are computed at y; near it they are turned on from there. */
-void pm_tree_small_refer(pm_workspace *w, const double *y);
+void pm_tree_small_refer(const pm_frame *frame, pm_tree *tree, const double *y);
 /* Of y[2 n], coordinates and their rates: rates and accelerations.  The frame stays where it is. */
 int pm_tree_small_derivative(pm_workspace *w, const double *y, double *rate);
 /* pm_tree_project without the last look. */
@@ -200,16 +200,16 @@ int pm_tree_small_project(pm_workspace *w, double *y, double *ydot);
 
 /* ---- for the tree's own files ---- */
 /* Directions and rates of the turning coordinates from the frame; or from coordinates and rates alone. */
-void pm_tree_augmented_read(pm_workspace *w);
-void pm_tree_augmented_set(pm_workspace *w, const double *y, const double *ydot);
+void pm_tree_augmented_read(const pm_frame *frame, const pm_tree *t);
+void pm_tree_augmented_set(const pm_tree *t, const double *y, const double *ydot);
 /* The lower triangle of B^T M B in t->mass, and right-hand side -B^T M c + weights (unless there are other forces: then all
  * of frame.f). */
-void pm_tree_augmented_equations(pm_workspace *w, double *x);
+void pm_tree_augmented_equations(const pm_numbers *numbers, pm_tree *t, double *x);
 /* Velocities of the bodies that loop rows or forces need, by unit rates (t->influence), and their c (t->bias). */
-void pm_tree_augmented_influence(pm_workspace *w);
+void pm_tree_augmented_influence(pm_tree *t);
 /*  Partitioned: accelerations; reactions of the loop rows from t->wrench. */
 int pm_tree_accelerate_few(pm_workspace *w, double *yddot);
-void pm_tree_react_loops(pm_workspace *w);
+void pm_tree_react_loops(pm_frame *frame, pm_tree *t);
 /*  Columns of all bodies' velocities. */
 void pm_tree_influence(const pm_tree *t);
 /* Accelerations of the bodies from those of the coordinates, and back; velocities are in the frame. */

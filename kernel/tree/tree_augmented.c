@@ -22,9 +22,9 @@
 
 /* ---- once a phase ---- */
 /* A direction that turns with one coordinate, or not at all. */
-static int turns_simply(const pm_workspace *w, const pm_tree_node *x)
+static int turns_simply(const pm_model *model, const pm_tree_node *x)
 {
-    const int on_ground = x->parent == w->model->nbody;
+    const int on_ground = x->parent == model->nbody;
     if (x->placement == SLIDER) return on_ground;
     if (x->placement == ROLL_LINE) return on_ground && x->child_is_a;
     return x->placement != ROLL_CIRCLE;
@@ -44,11 +44,10 @@ static void read_fixed(const pm_tree_node *x, double *fixed)
 }
 
 /* d_bk from the influences where the frame looks: R_k^-1 of (b_bk - e_k) turned back by a right angle. */
-static void read_arms(const pm_workspace *w)
+static void read_arms(const pm_tree *t)
 {
-    const pm_tree *t = w->tree;
     const pm_tree_augmented *a = &t->augmented;
-    for (int i = 0; i < w->model->nbody; i++) {
+    for (int i = 0; i < t->model->nbody; i++) {
         const pm_tree_node *x = &t->node[i];
         for (int k = x->list; k < x->list + x->nlist; k++) {
             const int by = t->moved_by[k];
@@ -61,16 +60,15 @@ static void read_arms(const pm_workspace *w)
 }
 
 /* What a body adds to the sums of two coordinates that move it: entries k, l of moved_by. */
-static void add_pair(const pm_workspace *w, const pm_tree_node *x, int k, int l)
+static void add_pair(const pm_frame *frame, const pm_tree *t, const pm_tree_node *x, int k, int l)
 {
-    const pm_tree *t = w->tree;
     const pm_tree_augmented *a = &t->augmented;
     const int i = t->moved_by[k], j = t->moved_by[l], at = i * t->n + j;
-    const double m = w->numbers.mass[x->body], *p = a->arm + 2 * k, *q = a->arm + 2 * l,
+    const double m = frame->numbers->mass[x->body], *p = a->arm + 2 * k, *q = a->arm + 2 * l,
                  *e = a->fixed + 2 * i, *f = a->fixed + 2 * j;
     a->same[at] += m * (p[0] * q[0] + p[1] * q[1]);
     a->cross[at] += m * (p[0] * q[1] - p[1] * q[0]);
-    a->level[at] += pm_body_inertia(&w->frame, x->body) * t->influence[3 * k + 2] * t->influence[3 * l + 2] +
+    a->level[at] += pm_body_inertia(frame, x->body) * t->influence[3 * k + 2] * t->influence[3 * l + 2] +
                     m * (e[0] * f[0] + e[1] * f[1]);
     for (int c = 0; c < 2; c++) {
         a->lower[2 * at + c] += m * q[c];
@@ -78,9 +76,8 @@ static void add_pair(const pm_workspace *w, const pm_tree_node *x, int k, int l)
     }
 }
 
-static void sum_up(const pm_workspace *w)
+static void sum_up(const pm_frame *frame, const pm_tree *t)
 {
-    const pm_tree *t = w->tree;
     const pm_tree_augmented *a = &t->augmented;
     const size_t n = (size_t)t->n, bytes = n * n * sizeof(double);
     memset(a->same, 0, bytes);
@@ -89,26 +86,27 @@ static void sum_up(const pm_workspace *w)
     memset(a->lower, 0, 2 * bytes);
     memset(a->upper, 0, 2 * bytes);
     memset(a->weight, 0, 2 * n * sizeof(double));
-    for (int i = 0; i < w->model->nbody; i++) {
+    for (int i = 0; i < frame->model->nbody; i++) {
         const pm_tree_node *x = &t->node[i];
         for (int k = x->list; k < x->list + x->nlist; k++) {
             const int by = t->moved_by[k];
             for (int c = 0; c < 2; c++)
-                a->weight[by] += w->numbers.mass[x->body] * w->numbers.gravity[c] * a->fixed[2 * by + c];
-            for (int l = k; l < x->list + x->nlist; l++) add_pair(w, x, k, l); /* l moves less: i >= j */
+                a->weight[by] +=
+                    frame->numbers->mass[x->body] * frame->numbers->gravity[c] * a->fixed[2 * by + c];
+            for (int l = k; l < x->list + x->nlist; l++)
+                add_pair(frame, t, x, k, l); /* l moves less: i >= j */
         }
     }
 }
 
 /* The bodies that are looked at in a solve: all where there are forces, else those of the loop rows. */
-static void list_needed(pm_workspace *w)
+static void list_needed(const pm_active_set *active, pm_tree *t)
 {
-    pm_tree *t = w->tree;
-    for (int i = 0; i < w->model->nbody; i++) t->node[i].needed = t->augmented.forced;
+    for (int i = 0; i < t->model->nbody; i++) t->node[i].needed = t->augmented.forced;
     for (int i = 0; i < t->nloop; i++)
         for (int p = 0; p < 2; p++) {
-            const int body = w->active.row[t->loop[i]].body[p];
-            if (body != w->model->nbody) t->node[t->placed[body] - 1].needed = 1;
+            const int body = active->row[t->loop[i]].body[p];
+            if (body != t->model->nbody) t->node[t->placed[body] - 1].needed = 1;
         }
 }
 
@@ -117,7 +115,7 @@ void pm_tree_sum_up(pm_workspace *w)
     pm_tree *t = w->tree;
     pm_tree_augmented *a = &t->augmented;
     a->on = t->n <= a->most && !w->numbers.massless && !w->active.asymmetric;
-    for (int i = 0; i < w->model->nbody; i++) a->on = a->on && turns_simply(w, &t->node[i]);
+    for (int i = 0; i < w->model->nbody; i++) a->on = a->on && turns_simply(w->model, &t->node[i]);
     if (!a->on) return;
     a->forced = w->model->rows[PM_TABLE_FORCE] > 0 || pm_turning_plane_turns(w->model);
     a->shifts = 0;
@@ -130,29 +128,27 @@ void pm_tree_sum_up(pm_workspace *w)
         }
     }
     pm_tree_influence(w->tree);
-    pm_tree_augmented_read(w);
-    read_arms(w);
-    sum_up(w);
-    list_needed(w);
+    pm_tree_augmented_read(&w->frame, w->tree);
+    read_arms(w->tree);
+    sum_up(&w->frame, w->tree);
+    list_needed(&w->active, w->tree);
 }
 
 /* ---- at every solve ---- */
-void pm_tree_augmented_read(pm_workspace *w)
+void pm_tree_augmented_read(const pm_frame *frame, const pm_tree *t)
 {
-    const pm_tree *t = w->tree;
     const pm_tree_augmented *a = &t->augmented;
     for (int k = 0; k < t->n; k++) {
         const int body = a->owner[k];
-        const double *pose = w->frame.pose + 5 * body, *velocity = w->frame.velocity + 3 * body;
+        const double *pose = frame->pose + 5 * body, *velocity = frame->velocity + 3 * body;
         a->direction[2 * k] = body == PM_NONE ? 1 : pose[3];
         a->direction[2 * k + 1] = body == PM_NONE ? 0 : pose[4];
         a->square[k] = body == PM_NONE ? 0 : velocity[2] * velocity[2];
     }
 }
 
-void pm_tree_augmented_set(pm_workspace *w, const double *y, const double *ydot)
+void pm_tree_augmented_set(const pm_tree *t, const double *y, const double *ydot)
 {
-    const pm_tree *t = w->tree;
     const pm_tree_augmented *a = &t->augmented;
     for (int k = 0; k < t->n; k++) {
         if (a->owner[k] == PM_NONE) continue; /* as pm_tree_augmented_read has left it */
@@ -182,23 +178,22 @@ static void add_shifts(const pm_tree_augmented *a, int n, int i, int k, double *
 }
 
 /* Of the weights on coordinate i. */
-static double weight_on(const pm_workspace *w, int i)
+static double weight_on(const pm_numbers *numbers, const pm_tree *tree, int i)
 {
-    const pm_tree_augmented *a = &w->tree->augmented;
+    const pm_tree_augmented *a = &tree->augmented;
     double p[2];
-    turned(a->direction + 2 * i, a->upper + 2 * (i * w->tree->n + i), p);
-    return a->weight[i] + w->numbers.gravity[1] * p[0] - w->numbers.gravity[0] * p[1];
+    turned(a->direction + 2 * i, a->upper + 2 * (i * tree->n + i), p);
+    return a->weight[i] + numbers->gravity[1] * p[0] - numbers->gravity[0] * p[1];
 }
 
-void pm_tree_augmented_equations(pm_workspace *w, double *x)
+void pm_tree_augmented_equations(const pm_numbers *numbers, pm_tree *t, double *x)
 {
-    pm_tree *t = w->tree;
     const pm_tree_augmented *a = &t->augmented;
     const int n = t->n;
     for (int i = 0; i < n; i++) {
         const double *r = a->direction + 2 * i;
         double *mass = t->mass + i * n;
-        x[i] = a->forced ? 0 : weight_on(w, i);
+        x[i] = a->forced ? 0 : weight_on(numbers, t, i);
         for (int k = t->first_coupled[i]; k < i; k++) {
             const double *u = a->direction + 2 * k, same = a->same[i * n + k], cross = a->cross[i * n + k];
             const double c = r[0] * u[0] + r[1] * u[1], s = r[1] * u[0] - r[0] * u[1];
@@ -213,11 +208,10 @@ void pm_tree_augmented_equations(pm_workspace *w, double *x)
     }
 }
 
-void pm_tree_augmented_influence(pm_workspace *w)
+void pm_tree_augmented_influence(pm_tree *t)
 {
-    const pm_tree *t = w->tree;
     const pm_tree_augmented *a = &t->augmented;
-    for (int i = 0; i < w->model->nbody; i++) {
+    for (int i = 0; i < t->model->nbody; i++) {
         const pm_tree_node *x = &t->node[i];
         double *c = t->bias + 3 * x->body;
         if (!x->needed) continue;

@@ -114,7 +114,7 @@ int pm_tree_factor_dependent(pm_workspace *w, const double *jacobian)
     }
     if (pm_dense_band_factor(n, t->part.bottom, t->part.right, t->jacobian, t->pivot)) {
         t->part.least_regular = 0;
-        return pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
+        return pm_fail(&w->result, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
     }
     rate_pivots(t);
     return PM_OK;

@@ -20,16 +20,15 @@
 #include "tree/tree_node.h"
 
 /* The lower triangle of B^T M B, with stand-ins for what has no mass; pm_tree_influence has been called. */
-static void fill_mass(pm_workspace *w)
+static void fill_mass(const pm_frame *frame, pm_tree *t)
 {
-    pm_tree *t = w->tree;
     const int n = t->n;
     for (int i = 0; i < n; i++)
         for (int k = t->first_coupled[i]; k <= i; k++) t->mass[i * n + k] = 0;
-    for (int i = w->tree->nfixed; i < w->model->nbody; i++) {
+    for (int i = t->nfixed; i < frame->model->nbody; i++) {
         const pm_tree_node *x = &t->node[i];
-        const double m = w->numbers.mass[x->body] + w->numbers.stand_in[3 * x->body],
-                     inertia = pm_body_inertia(&w->frame, x->body) + w->numbers.stand_in[3 * x->body + 2];
+        const double m = frame->numbers->mass[x->body] + frame->numbers->stand_in[3 * x->body],
+                     inertia = pm_body_inertia(frame, x->body) + frame->numbers->stand_in[3 * x->body + 2];
         const double *b = t->influence + 3 * x->list;
         const int *by = t->moved_by + x->list;
         for (int k = 0; k < x->nlist; k++, b += 3, by++) {
@@ -41,22 +40,21 @@ static void fill_mass(pm_workspace *w)
     }
 }
 
-static int factor_mass(pm_workspace *w)
+static int factor_mass(pm_result *result, pm_tree *t)
 {
-    pm_tree *t = w->tree;
-    w->result.count[PM_COUNT_SOLVES]++;
+    result->count[PM_COUNT_SOLVES]++;
     return pm_dense_skyline_factor(t->n, t->first_coupled, t->mass)
-               ? pm_fail(w, PM_SINGULAR, PM_TABLE_BODY, 0, 0, 0)
+               ? pm_fail(result, PM_SINGULAR, PM_TABLE_BODY, 0, 0, 0)
                : PM_OK;
 }
 
 /* Of a row in the metric of M^-1, if nothing held its bodies. */
-static double square_of(const pm_workspace *w, const pm_constraint *row)
+static double square_of(const pm_model *model, const pm_numbers *numbers, const pm_constraint *row)
 {
     double sum = 0;
     for (int p = 0; p < 2; p++)
-        for (int k = 0; k < 3 && row->body[p] != w->model->nbody; k++)
-            sum += row->j[3 * p + k] * row->j[3 * p + k] * w->numbers.inverse_mass[3 * row->body[p] + k];
+        for (int k = 0; k < 3 && row->body[p] != model->nbody; k++)
+            sum += row->j[3 * p + k] * row->j[3 * p + k] * numbers->inverse_mass[3 * row->body[p] + k];
     return sum;
 }
 
@@ -83,7 +81,7 @@ static int factor_loops(pm_workspace *w)
     for (int i = 0; i < t->nloop && !bad;
          i++) { /* the factor holds the reciprocal of what is left of the row */
         const double left = t->schur[i * t->nloop + i];
-        const double part = 1 / (square_of(w, &w->active.row[t->loop[i]]) * left * left);
+        const double part = 1 / (square_of(w->model, &w->numbers, &w->active.row[t->loop[i]]) * left * left);
         if (part < t->part.independence) t->part.independence = part;
     }
     return bad ? pm_tree_singular_loop(w, bad - 1) : PM_OK;
@@ -107,18 +105,17 @@ static void evaluate_loops(pm_workspace *w)
 }
 
 /* x += B^T (f - M c); the frame has the forces.  Without `inertial` the part of c is in x already. */
-static void add_forces(const pm_workspace *w, int inertial, double *x)
+static void add_forces(const pm_frame *frame, const pm_tree *t, int inertial, double *x)
 {
-    const pm_tree *t = w->tree;
-    for (int i = w->tree->nfixed; i < w->model->nbody; i++) {
+    for (int i = t->nfixed; i < frame->model->nbody; i++) {
         const pm_tree_node *node = &t->node[i];
-        const double *f = w->frame.f + 3 * node->body, *c = t->bias + 3 * node->body;
+        const double *f = frame->f + 3 * node->body, *c = t->bias + 3 * node->body;
         double p[3] = {f[0], f[1], f[2]};
         if (inertial) {
-            const double m = w->numbers.mass[node->body];
+            const double m = frame->numbers->mass[node->body];
             p[0] -= m * c[0];
             p[1] -= m * c[1];
-            p[2] -= pm_body_inertia(&w->frame, node->body) * c[2];
+            p[2] -= pm_body_inertia(frame, node->body) * c[2];
         }
         for (int k = node->list; k < node->list + node->nlist; k++) {
             const double *b = t->influence + 3 * k;
@@ -132,19 +129,19 @@ static void assemble(pm_workspace *w, double *x)
 {
     pm_tree *t = w->tree;
     if (t->augmented.on) {
-        pm_tree_augmented_equations(w, x);
-        if (t->nloop > 0 || t->augmented.forced) pm_tree_augmented_influence(w);
+        pm_tree_augmented_equations(&w->numbers, w->tree, x);
+        if (t->nloop > 0 || t->augmented.forced) pm_tree_augmented_influence(w->tree);
         if (!t->augmented.forced) return;
         pm_force_all(w);
-        add_forces(w, 0, x);
+        add_forces(&w->frame, w->tree, 0, x);
         return;
     }
     pm_force_all(w);
     memset(x, 0, (size_t)t->n * sizeof *x);
     pm_tree_spread_accelerations(w->tree, &w->frame, x, t->bias);
     pm_tree_influence(w->tree);
-    fill_mass(w);
-    add_forces(w, 1, x);
+    fill_mass(&w->frame, w->tree);
+    add_forces(&w->frame, w->tree, 1, x);
 }
 
 /* Where a contact or a joint slides its friction depends on reactions: the whole system. */
@@ -176,7 +173,7 @@ static int solve(pm_workspace *w, double *yddot)
 {
     pm_tree *t = w->tree;
     assemble(w, yddot);
-    int status = factor_mass(w);
+    int status = factor_mass(&w->result, w->tree);
     if (status) return status;
     pm_dense_skyline_lower(t->n, t->first_coupled, t->mass, yddot);
     if (t->nloop > 0 && (status = close_loops(w, yddot))) return status;
@@ -186,10 +183,10 @@ static int solve(pm_workspace *w, double *yddot)
 
 int pm_tree_accelerate(pm_workspace *w, double *yddot)
 {
-    if (w->active.asymmetric || w->numbers.massless || pm_joint_friction_by_load(w))
+    if (w->active.asymmetric || w->numbers.massless || pm_joint_friction_by_load(&w->frame, &w->state))
         return accelerate_all(w, yddot);
     if (w->tree->part.few) return pm_tree_accelerate_few(w, yddot);
-    if (w->tree->augmented.on) pm_tree_augmented_read(w);
+    if (w->tree->augmented.on) pm_tree_augmented_read(&w->frame, w->tree);
     return solve(w, yddot);
 }
 
@@ -198,7 +195,7 @@ int pm_tree_accelerate_at(pm_workspace *w, double time, const double *y, const d
 {
     const pm_tree *t = w->tree;
     if (t->augmented.on && !t->augmented.forced && t->nloop == 0) {
-        pm_tree_augmented_set(w, y, ydot);
+        pm_tree_augmented_set(w->tree, y, ydot);
         return solve(w, yddot);
     }
     pm_tree_look(w, time, y, ydot, z);
@@ -206,18 +203,19 @@ int pm_tree_accelerate_at(pm_workspace *w, double time, const double *y, const d
 }
 
 /* Reactions of the rows of a node: force and couple about its mass centre that its parent gives. */
-static void read_reactions(pm_workspace *w, const pm_tree_node *x, const double *arm, const double *wrench)
+static void read_reactions(pm_frame *frame, const pm_active_set *active, const pm_tree_node *x,
+                           const double *arm, const double *wrench)
 {
     const double *r_child = arm, *rho = arm + 2, *t = arm + 4;
     const double sign = x->child_is_a ? 1 : -1, fx = sign * wrench[0], fy = sign * wrench[1];
-    double *lambda = w->frame.lambda;
+    double *lambda = frame->lambda;
     if (x->placement == PIN || x->placement == WELD) {
         lambda[x->row[0]] = fx;
         lambda[x->row[1]] = fy;
         if (x->placement == WELD)
             lambda[x->row[2]] = sign * (wrench[2] - r_child[0] * wrench[1] + r_child[1] * wrench[0]);
     } else if (x->placement == ROLL_CIRCLE) {
-        const double inward = w->active.row[x->row[0]].sign;
+        const double inward = active->row[x->row[0]].sign;
         lambda[x->row[0]] = inward * (fx * t[1] - fy * t[0]);
         lambda[x->row[1]] = fx * t[0] + fy * t[1];
     } else {
@@ -257,7 +255,7 @@ void pm_tree_react_inward(pm_workspace *w, const double *arm)
         const pm_tree_node *x = &t->node[i];
         if (x->placement == FREE) continue;
         const double *wrench = t->wrench + 3 * x->body;
-        read_reactions(w, x, arm ? arm + PM_TREE_ARM * x->body : x->arm, wrench);
+        read_reactions(&w->frame, &w->active, x, arm ? arm + PM_TREE_ARM * x->body : x->arm, wrench);
         if (w->numbers.fixed[x->parent]) continue;
         const double *child = f->pose + 5 * x->body, *parent = f->pose + 5 * x->parent;
         double *to = t->wrench + 3 * x->parent;
@@ -279,7 +277,7 @@ void pm_tree_react(pm_workspace *w)
         for (int k = 0; k < 3; k++)
             t->wrench[3 * i + k] = (k < 2 ? w->numbers.mass[i] : inertia) * f->a[3 * i + k] - f->f[3 * i + k];
     }
-    if (t->part.few) pm_tree_react_loops(w);
+    if (t->part.few) pm_tree_react_loops(&w->frame, w->tree);
     take_off_loops(w, t->wrench);
     pm_tree_react_inward(w, NULL);
 }
@@ -304,14 +302,14 @@ static double worst_of(const double *residual, int n)
 static int factor(pm_workspace *w)
 {
     if (w->tree->augmented.on) {
-        pm_tree_augmented_read(w);
-        pm_tree_augmented_equations(w, w->tree->rate);
-        pm_tree_augmented_influence(w);
+        pm_tree_augmented_read(&w->frame, w->tree);
+        pm_tree_augmented_equations(&w->numbers, w->tree, w->tree->rate);
+        pm_tree_augmented_influence(w->tree);
     } else {
         pm_tree_influence(w->tree);
-        fill_mass(w);
+        fill_mass(&w->frame, w->tree);
     }
-    const int status = factor_mass(w);
+    const int status = factor_mass(&w->result, w->tree);
     return status ? status : factor_loops(w);
 }
 

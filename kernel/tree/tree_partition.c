@@ -20,9 +20,9 @@
 #include "tree/tree.h"
 #include "tree/tree_node.h"
 
-static double scale_of(const pm_workspace *w, int coordinate)
+static double scale_of(const pm_numbers *numbers, const pm_tree *tree, int coordinate)
 {
-    return pm_tree_is_angle(w->tree, coordinate) ? 1 : w->numbers.size;
+    return pm_tree_is_angle(tree, coordinate) ? 1 : numbers->size;
 }
 
 void pm_tree_hold(pm_tree *t, int held)
@@ -33,34 +33,29 @@ void pm_tree_hold(pm_tree *t, int held)
 }
 
 /* Chooses the columns of the pivots. */
-void pm_tree_partition(pm_workspace *w)
+void pm_tree_partition(const pm_frame *frame, pm_tree *t)
 {
-    pm_tree *t = w->tree;
     const int n = t->n;
     double *a = t->reduced;
     int *order = t->part.position;
     if (t->nloop == 0 || t->nloop >= n || n - t->nloop > PM_TREE_FEW) return;
     const pm_loops loops = {a, t->elimination.low, t->elimination.high};
     pm_tree_loops_unknown(t, &loops); /* other things have been kept there */
-    pm_tree_loops(w->tree, &w->frame, &loops);
+    pm_tree_loops(t, frame, &loops);
     for (int i = 0; i < t->nloop; i++)
-        for (int k = loops.low[i]; k <= loops.high[i]; k++) a[i * n + k] *= scale_of(w, k);
+        for (int k = loops.low[i]; k <= loops.high[i]; k++) a[i * n + k] *= scale_of(frame->numbers, t, k);
     if (pm_elimination_run(t->nloop, n, a, order, &t->elimination) > PM_LOOP_RANK) {
         memcpy(t->part.column + t->nloop, order + t->nloop, (size_t)(n - t->nloop) * sizeof *order);
         t->part.few = 1;
         t->part.steepest = 0;
     }
-    if (t->part.few) pm_tree_arrange(w->tree); /* singular here: what was chosen stays */
+    if (t->part.few) pm_tree_arrange(t); /* singular here: what was chosen stays */
 }
 
-int pm_tree_is_steep(const pm_workspace *w)
-{
-    return w->tree->part.few && w->tree->part.steepest > PM_LOOP_STEEP;
-}
+int pm_tree_is_steep(const pm_tree *tree) { return tree->part.few && tree->part.steepest > PM_LOOP_STEEP; }
 
-int pm_tree_is_flat(const pm_workspace *w)
+int pm_tree_is_flat(const pm_tree *t)
 {
-    const pm_tree *t = w->tree;
     return !t->part.few && t->nloop > 0 && (t->part.independence < PM_LOOP_FLAT || t->nloop > PM_LOOPS_MANY);
 }
 
@@ -72,12 +67,11 @@ static void correct(const pm_tree *t, double *y)
 }
 
 /* Residuals of the evaluated loop rows; the worst. */
-static double read_residuals(const pm_workspace *w)
+static double read_residuals(const pm_active_set *active, pm_tree *t)
 {
-    const pm_tree *t = w->tree;
     double worst = 0;
     for (int i = 0; i < t->nloop; i++) {
-        t->residual[i] = -w->active.row[t->loop[i]].g;
+        t->residual[i] = -active->row[t->loop[i]].g;
         worst = fmax(worst, fabs(t->residual[i]));
     }
     return worst;
@@ -102,7 +96,7 @@ static double place(pm_workspace *w, const double *y, double *q, const pm_loops 
     pm_tree_place(w->tree, &w->frame, w->state.memory, y, q);
     if (w->tree->nloop == 0) return 0;
     pm_tree_loops(w->tree, &w->frame, loops);
-    return read_residuals(w);
+    return read_residuals(&w->active, w->tree);
 }
 
 int pm_tree_close(pm_workspace *w, double *y, double *q, const pm_loops *loops)
@@ -118,7 +112,7 @@ int pm_tree_close(pm_workspace *w, double *y, double *q, const pm_loops *loops)
         before = worst;
         worst = place(w, y, q, loops);
     }
-    return pm_fail(w, PM_ASSEMBLY, PM_NONE, PM_NONE, worst, PM_LOOP_STALLED * w->numbers.size);
+    return pm_fail(&w->result, PM_ASSEMBLY, PM_NONE, PM_NONE, worst, PM_LOOP_STALLED * w->numbers.size);
 }
 
 /* Rates of all coordinates at a unit rate of an independent one; the factors are there. */
@@ -146,7 +140,7 @@ static double look(pm_workspace *w, double time, const double *y, const double *
         pm_constraint *row = &w->active.row[t->loop[i]];
         pm_constraint_kind(row->kind)->evaluate(&w->frame, row);
     }
-    return read_residuals(w);
+    return read_residuals(&w->active, w->tree);
 }
 
 /* The Jacobian of the evaluated loop rows, and the factors of its dependent part. */
@@ -178,14 +172,14 @@ int pm_tree_settle(pm_workspace *w, double time, double *y, double *ydot, const 
         }
         const int status = factor_here(w);
         if (status) return status;
-        read_residuals(w);
+        read_residuals(&w->active, w->tree);
         correct(t, y);
         read_rate_residuals(w, t->v);
         correct(t, ydot);
         before = worst;
         worst = look(w, time, y, ydot, z);
     }
-    return pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, worst,
+    return pm_fail(&w->result, PM_SINGULAR, PM_NONE, PM_NONE, worst,
                    PM_LOOP_STALLED * w->numbers.size); /* a shorter step may do */
 }
 
@@ -202,9 +196,9 @@ static void follow(pm_workspace *w, double *yddot, double *a)
     pm_tree_spread_accelerations(w->tree, &w->frame, yddot, a);
 }
 
-static double inertia_of(const pm_workspace *w, int i)
+static double inertia_of(const pm_frame *frame, int i)
 {
-    return i % 3 < 2 ? w->numbers.mass[i / 3] : pm_body_inertia(&w->frame, i / 3);
+    return i % 3 < 2 ? frame->numbers->mass[i / 3] : pm_body_inertia(frame, i / 3);
 }
 
 int pm_tree_accelerate_few(pm_workspace *w, double *yddot)
@@ -223,19 +217,20 @@ int pm_tree_accelerate_few(pm_workspace *w, double *yddot)
         const int own = t->part.column[t->nloop + k];
         slope_of(t, own, t->part.jacobian, t->rate);
         for (int c = 0; c < t->nloop; c++)
-            t->part.steepest = fmax(t->part.steepest, fabs(t->rate[t->part.column[c]]) * scale_of(w, own) /
-                                                          scale_of(w, t->part.column[c]));
+            t->part.steepest = fmax(t->part.steepest, fabs(t->rate[t->part.column[c]]) *
+                                                          scale_of(&w->numbers, w->tree, own) /
+                                                          scale_of(&w->numbers, w->tree, t->part.column[c]));
         pm_tree_spread(w->tree, t->rate, v);
         force[k] = 0;
-        for (int i = 0; i < nq; i++) force[k] += v[i] * (w->frame.f[i] - inertia_of(w, i) * a[i]);
+        for (int i = 0; i < nq; i++) force[k] += v[i] * (w->frame.f[i] - inertia_of(&w->frame, i) * a[i]);
         for (int l = 0; l <= k; l++) {
             const double *other = t->part.motion + l * nq;
             double sum = 0;
-            for (int i = 0; i < nq; i++) sum += v[i] * inertia_of(w, i) * other[i];
+            for (int i = 0; i < nq; i++) sum += v[i] * inertia_of(&w->frame, i) * other[i];
             mass[k * few + l] = sum;
         }
     }
-    if (pm_dense_cholesky_factor(few, mass)) return pm_fail(w, PM_SINGULAR, PM_TABLE_BODY, 0, 0, 0);
+    if (pm_dense_cholesky_factor(few, mass)) return pm_fail(&w->result, PM_SINGULAR, PM_TABLE_BODY, 0, 0, 0);
     pm_dense_cholesky_solve(few, mass, force);
     memset(yddot, 0, (size_t)t->n * sizeof *yddot);
     for (int k = 0; k < few; k++) yddot[t->part.column[t->nloop + k]] = force[k];
@@ -243,11 +238,10 @@ int pm_tree_accelerate_few(pm_workspace *w, double *yddot)
     return PM_OK;
 }
 
-void pm_tree_react_loops(pm_workspace *w)
+void pm_tree_react_loops(pm_frame *frame, pm_tree *t)
 {
-    pm_tree *t = w->tree;
     memset(t->rate, 0, (size_t)t->n * sizeof *t->rate);
-    for (int i = 0; i < w->model->nbody; i++) {
+    for (int i = 0; i < frame->model->nbody; i++) {
         const pm_tree_node *x = &t->node[i];
         const double *needed = t->wrench + 3 * x->body;
         for (int k = x->list; k < x->list + x->nlist; k++) {
@@ -257,5 +251,5 @@ void pm_tree_react_loops(pm_workspace *w)
     }
     for (int c = 0; c < t->nloop; c++) t->residual[c] = t->rate[t->part.column[c]];
     pm_tree_solve_dependent_transposed(t, t->residual);
-    for (int i = 0; i < t->nloop; i++) w->frame.lambda[t->loop[i]] = t->residual[i];
+    for (int i = 0; i < t->nloop; i++) frame->lambda[t->loop[i]] = t->residual[i];
 }

@@ -99,8 +99,8 @@ int pm_tree_singular_loop(pm_workspace *w, int loop)
 {
     const pm_constraint *row = &w->active.row[w->tree->loop[loop]];
     w->tree->part.independence = 0;
-    return row->joint != PM_NONE ? pm_fail(w, PM_SINGULAR, PM_TABLE_JOINT, row->joint, 0, 0)
-                                 : pm_fail(w, PM_SINGULAR, PM_TABLE_CONTACT, PM_NONE, 0, 0);
+    return row->joint != PM_NONE ? pm_fail(&w->result, PM_SINGULAR, PM_TABLE_JOINT, row->joint, 0, 0)
+                                 : pm_fail(&w->result, PM_SINGULAR, PM_TABLE_CONTACT, PM_NONE, 0, 0);
 }
 
 void pm_tree_loop_row(const pm_tree *t, const pm_constraint *row, double *on_coordinates)

@@ -148,8 +148,8 @@ INLINE void upper(int n, double a[MOST][MOST], double *b)
 }
 
 /* Of a row as in tree_dynamics.c: left / all is what those before leave of it. */
-INLINE void watch_independence(pm_workspace *w, const pm_tree_small_row *row, const pm_tree_small_place *p,
-                               double left, double all)
+INLINE void watch_independence(struct pm_tree *tree, const pm_tree_small_row *row,
+                               const pm_tree_small_place *p, double left, double all)
 {
     double square = row->square * all;
     for (int side = 0; side < 2; side++) {
@@ -157,13 +157,13 @@ INLINE void watch_independence(pm_workspace *w, const pm_tree_small_row *row, co
         const double lever = slope(&row->lever[side], p->direction[row->turning[side]]);
         square += lever * lever * row->inverse_inertia[side] * all;
     }
-    if (w->tree->part.independence * square > left) w->tree->part.independence = left / square;
+    if (tree->part.independence * square > left) tree->part.independence = left / square;
 }
 
 INLINE int factor_all(pm_workspace *w, const pm_tree_small *x, int n, int nloop, pm_tree_small_place *p)
 {
     w->result.count[PM_COUNT_SOLVES]++;
-    if (factor(n, p->mass)) return pm_fail(w, PM_SINGULAR, PM_TABLE_BODY, 0, 0, 0);
+    if (factor(n, p->mass)) return pm_fail(&w->result, PM_SINGULAR, PM_TABLE_BODY, 0, 0, 0);
     for (int i = 0; i < nloop; i++) {
         for (int k = 0; k < n; k++) p->reduced[i][k] = jacobian(&x->row[i], k, p);
         lower(n, p->mass, p->reduced[i]);
@@ -174,7 +174,7 @@ INLINE int factor_all(pm_workspace *w, const pm_tree_small *x, int n, int nloop,
     }
     const int bad = factor(nloop, p->schur);
     if (bad) return pm_tree_singular_loop(w, bad - 1);
-    for (int i = 0; i < nloop; i++) watch_independence(w, &x->row[i], p, 1, p->schur[i][i]);
+    for (int i = 0; i < nloop; i++) watch_independence(w->tree, &x->row[i], p, 1, p->schur[i][i]);
     return PM_OK;
 }
 
@@ -227,17 +227,17 @@ INLINE double adjugate(double m[MOST][MOST], double to[MOST][MOST])
 }
 
 /* The independence of the rows, `along` the square of the way that they leave, in the metric of M. */
-INLINE void watch_rows(pm_workspace *w, int n, double row[2][MOST], pm_tree_small_place *p, double along)
+INLINE void watch_rows(struct pm_tree *tree, int n, double row[2][MOST], pm_tree_small_place *p, double along)
 {
-    const pm_tree_small *x = &w->tree->small;
+    const pm_tree_small *x = &tree->small;
     if (n == 2) {
         const double whole = p->mass[0][0] * p->mass[1][1] - p->mass[1][0] * p->mass[1][0];
-        watch_independence(w, &x->row[0], p, along, whole);
+        watch_independence(tree, &x->row[0], p, along, whole);
     } else if (n == 3) {
         double inverse[MOST][MOST];
         const double whole = adjugate(p->mass, inverse), first = between(3, inverse, row[0], row[0]);
-        watch_independence(w, &x->row[0], p, first, whole);
-        watch_independence(w, &x->row[1], p, along, first);
+        watch_independence(tree, &x->row[0], p, first, whole);
+        watch_independence(tree, &x->row[1], p, along, first);
     }
 }
 
@@ -268,10 +268,11 @@ INLINE int solve_along(pm_workspace *w, int n, pm_tree_small_place *p, const dou
     }
     const double along = between(n, p->mass, way, way);
     if (!(along > 0))
-        return n > 1 ? pm_tree_singular_loop(w, n - 2) : pm_fail(w, PM_SINGULAR, PM_TABLE_BODY, 0, 0, 0);
+        return n > 1 ? pm_tree_singular_loop(w, n - 2)
+                     : pm_fail(&w->result, PM_SINGULAR, PM_TABLE_BODY, 0, 0, 0);
     const double s = (dot(n, way, f) - between(n, p->mass, way, a)) / along;
     for (int k = 0; k < n; k++) yddot[k] = a[k] + s * way[k];
-    watch_rows(w, n, row, p, along);
+    watch_rows(w->tree, n, row, p, along);
     return PM_OK;
 }
 

@@ -32,7 +32,7 @@ static double value_of(pm_tree_small_wave x, const double direction[2])
 }
 
 /* The direction of a row that stays; 0 if it does not. */
-static int direction_of(const pm_workspace *w, const pm_constraint *row, double n[2])
+static int direction_of(const pm_model *model, const pm_constraint *row, double n[2])
 {
     n[0] = n[1] = 0;
     if (row->drive != PM_NONE) return 0;
@@ -43,24 +43,23 @@ static int direction_of(const pm_workspace *w, const pm_constraint *row, double 
     case PM_CONSTRAINT_LINE_NORMAL:
         n[0] = -row->axis[1];
         n[1] = row->axis[0];
-        return row->body[1] == w->model->nbody;
+        return row->body[1] == model->nbody;
     default: return 0;
     }
 }
 
 /* What moves one of a row's marks. */
-static void add_side(const pm_workspace *w, const pm_constraint *row, int side, const double n[2],
-                     pm_tree_small_row *x)
+static void add_side(const pm_frame *frame, const pm_tree *t, const pm_constraint *row, int side,
+                     const double n[2], pm_tree_small_row *x)
 {
-    const pm_tree *t = w->tree;
     const pm_tree_augmented *a = &t->augmented;
     const int body = row->body[side];
     const double sign = side == 0 ? 1 : -1, *mark = side == 0 ? row->a : row->b;
     x->turning[side] = PM_NONE;
-    if (body == w->model->nbody) return;
-    const double *im = w->numbers.inverse_mass + 3 * body;
+    if (body == frame->model->nbody) return;
+    const double *im = frame->numbers->inverse_mass + 3 * body;
     const pm_tree_node *node = &t->node[t->placed[body] - 1];
-    const pm_point p = pm_frame_point(&w->frame, body, mark[0], mark[1]);
+    const pm_point p = pm_frame_point(frame, body, mark[0], mark[1]);
     x->square += n[0] * n[0] * im[0] + n[1] * n[1] * im[1];
     for (int i = node->list; i < node->list + node->nlist; i++) {
         const int k = t->moved_by[i], turns = t->influence[3 * i + 2] != 0;
@@ -80,23 +79,24 @@ static void add_side(const pm_workspace *w, const pm_constraint *row, int side, 
     if (row->kind == PM_CONSTRAINT_ANGLE) x->square += im[2];
 }
 
-static int read_row(const pm_workspace *w, const double *y, pm_constraint *row, pm_tree_small_row *x)
+static int read_row(const pm_frame *frame, const pm_tree *tree, const double *y, pm_constraint *row,
+                    pm_tree_small_row *x)
 {
     double n[2];
-    if (!direction_of(w, row, n)) return 0;
-    pm_constraint_kind(row->kind)->evaluate(&w->frame, row);
+    if (!direction_of(frame->model, row, n)) return 0;
+    pm_constraint_kind(row->kind)->evaluate(frame, row);
     memset(x, 0, sizeof *x);
-    for (int side = 0; side < 2; side++) add_side(w, row, side, n, x);
+    for (int side = 0; side < 2; side++) add_side(frame, tree, row, side, n, x);
     x->constant = row->g;
-    for (int k = 0; k < w->tree->n; k++)
-        x->constant -= x->shift[k] * y[k] + value_of(x->wave[k], w->tree->augmented.direction + 2 * k);
+    for (int k = 0; k < tree->n; k++)
+        x->constant -= x->shift[k] * y[k] + value_of(x->wave[k], tree->augmented.direction + 2 * k);
     return 1;
 }
 
-static void read_sums(const pm_workspace *w, pm_tree_small *x)
+static void read_sums(const pm_numbers *numbers, const pm_tree *tree, pm_tree_small *x)
 {
-    const pm_tree_augmented *a = &w->tree->augmented;
-    const int n = w->tree->n;
+    const pm_tree_augmented *a = &tree->augmented;
+    const int n = tree->n;
     for (int i = 0; i < n; i++)
         for (int k = 0; k <= i; k++) {
             const int at = i * n + k;
@@ -115,8 +115,8 @@ static void read_sums(const pm_workspace *w, pm_tree_small *x)
     for (int i = 0; i < n; i++) {
         const double *p = a->upper + 2 * (i * n + i);
         x->weight[i] = a->weight[i];
-        x->turned_weight[i].a = w->numbers.gravity[1] * p[0] - w->numbers.gravity[0] * p[1];
-        x->turned_weight[i].b = -w->numbers.gravity[1] * p[1] - w->numbers.gravity[0] * p[0];
+        x->turned_weight[i].a = numbers->gravity[1] * p[0] - numbers->gravity[0] * p[1];
+        x->turned_weight[i].b = -numbers->gravity[1] * p[1] - numbers->gravity[0] * p[0];
         x->owner[i] = a->owner[i];
         x->turning[i] = a->owner[i] != PM_NONE;
     }
@@ -126,15 +126,15 @@ static void read_sums(const pm_workspace *w, pm_tree_small *x)
 int pm_tree_small_applies(const pm_workspace *w)
 {
     return w->tree->small.on && !w->tree->part.few && !w->active.asymmetric && !w->numbers.massless &&
-           !pm_joint_friction_by_load(w);
+           !pm_joint_friction_by_load(&w->frame, &w->state);
 }
 
-void pm_tree_small_refer(pm_workspace *w, const double *y)
+void pm_tree_small_refer(const pm_frame *frame, pm_tree *tree, const double *y)
 {
-    pm_tree_small *x = &w->tree->small;
+    pm_tree_small *x = &tree->small;
     for (int k = 0; k < x->n; k++) {
         if (x->y[k] == y[k]) continue;
-        const double *pose = w->frame.pose + 5 * x->owner[k];
+        const double *pose = frame->pose + 5 * x->owner[k];
         const int there = x->owner[k] != PM_NONE && pose[2] == y[k];
         x->y[k] = y[k];
         x->cosine[k] = x->owner[k] == PM_NONE ? 1 : there ? pose[3] : cos(y[k]);
@@ -154,9 +154,9 @@ void pm_tree_small_sum_up(pm_workspace *w)
     pm_tree_read(w->tree, &w->frame, y);
     pm_tree_influence(w->tree);
     for (int i = 0; i < t->nloop && x->on; i++)
-        x->on = read_row(w, y, &w->active.row[t->loop[i]], &x->row[i]);
+        x->on = read_row(&w->frame, w->tree, y, &w->active.row[t->loop[i]], &x->row[i]);
     if (!x->on) return;
-    read_sums(w, x);
+    read_sums(&w->numbers, w->tree, x);
     for (int k = 0; k < MOST; k++) x->y[k] = NAN;
-    pm_tree_small_refer(w, y);
+    pm_tree_small_refer(&w->frame, w->tree, y);
 }

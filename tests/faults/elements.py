@@ -12,7 +12,7 @@ FAULTS = [
     Fault(
         "capture: a body is held as a pin",
         "elements/capture.c",
-        "can_turn(&w->frame, normal.body[1]) ? 3 : 2",
+        "can_turn(frame, normal.body[1]) ? 3 : 2",
         "0 ? 3 : 2",
     ),
     Fault(
@@ -30,7 +30,7 @@ FAULTS = [
     Fault(
         "spin: taken for uniform",
         "elements/force.c",
-        "if (pm_turning_plane_turns(w->model)) return 0;\n    for",
+        "if (pm_turning_plane_turns(frame->model)) return 0; for",
         "for",
     ),
     Fault(
@@ -237,13 +237,13 @@ FAULTS = [
     Fault(
         "edge: what is behind it touches",
         "elements/contact.c",
-        "|| pm_edge_touches(&w->frame, contact)",
+        "|| pm_edge_touches(frame, contact)",
         "|| 1",
     ),
     Fault(
         "edge: both edges have the corner",
         "elements/contact.c",
-        "pm_edge_is_covered(w, s, contact) ? INFINITY :",
+        "pm_edge_is_covered(frame, s, contact) ? INFINITY :",
         "",
     ),
     Fault(
@@ -328,12 +328,10 @@ FAULTS = [
     Fault(
         "action: the event acts each time",
         "elements/trigger.c",
-        "w->firing.seen[event] + 1 == nth",
+        "firing->seen[event] + 1 == nth",
         "nth > 0",
     ),
-    Fault(
-        "one by one: one event for all", "elements/trigger.c", "w->firing.fired[i] = PM_FIRED_EARLIER;", ";"
-    ),
+    Fault("one by one: one event for all", "elements/trigger.c", "firing->fired[i] = PM_FIRED_EARLIER;", ";"),
     Fault(
         "event: a blow's change of sign",
         "elements/trigger.c",

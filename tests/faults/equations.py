@@ -10,7 +10,7 @@ FAULTS = [
         "status = PM_OK",
     ),
     Fault(
-        "cord: slack ones are not followed", "equations/active_set.c", "    follow_slack_cords(w, s);\n}", "}"
+        "cord: slack ones are not followed", "equations/active_set.c", "follow_slack_cords(frame, s); }", "}"
     ),
     Fault(
         "rows: a redundant row stays",
@@ -34,7 +34,7 @@ FAULTS = [
     Fault(
         "rk: a damped motion keeps its energy",
         "equations/energy_level.c",
-        "only_potentials(w) && drives",
+        "only_potentials(w->model, &w->state) && drives",
         "drives",
     ),
     Fault(
@@ -58,7 +58,7 @@ FAULTS = [
     Fault(
         "still: reactions are not told",
         "equations/fixed_bodies.c",
-        "w->fixed->is_asked[e[PM_MEASURE_A]] = 1;",
+        "fixed->is_asked[e[PM_MEASURE_A]] = 1;",
         ";",
     ),
     Fault(
@@ -67,7 +67,12 @@ FAULTS = [
         "any |= let_go(w, &normal);",
         ";",
     ),
-    Fault("still: what is pushed stays", "equations/fixed_bodies.c", "let_move(w, PM_TABLE_ACTION, i);", ";"),
+    Fault(
+        "still: what is pushed stays",
+        "equations/fixed_bodies.c",
+        "let_move(m, fixed, PM_TABLE_ACTION, i);",
+        ";",
+    ),
     Fault(
         "still: what moves holds",
         "equations/fixed_bodies.c",
@@ -110,8 +115,8 @@ FAULTS = [
     Fault(
         "start: what lies across a block of joints",
         "equations/least_change.c",
-        "w->saddle.rhs[i] = -along(w, &w->active.row[i], s->across)",
-        "w->saddle.rhs[i] = along(w, &w->active.row[i], s->across)",
+        "saddle->rhs[i] = -along(saddle->model, saddle->numbers, &active->row[i], s->across)",
+        "saddle->rhs[i] = along(saddle->model, saddle->numbers, &active->row[i], s->across)",
     ),
     Fault("still: weights are carried twice", "equations/ledger.c", "if (w->numbers.fixed[i]) continue;", ""),
     Fault(
@@ -127,7 +132,7 @@ FAULTS = [
         "at, force, couple, 1)",
         "at, force, couple, 0)",
     ),
-    Fault("drive: no work", "equations/ledger.c", "+ drive_power(w, w->frame.lambda)", ""),
+    Fault("drive: no work", "equations/ledger.c", "+ drive_power(&w->active, w->frame.lambda)", ""),
     Fault(
         "audit: a path at the rate of another",
         "equations/ledger.c",
@@ -137,8 +142,8 @@ FAULTS = [
     Fault(
         "audit: always content",
         "equations/ledger.c",
-        "return pm_fail(w, PM_AUDIT",
-        "w->result.where.row = pm_fail(w, PM_AUDIT",
+        "return pm_fail(&w->result, PM_AUDIT",
+        "w->result.where.row = pm_fail(&w->result, PM_AUDIT",
     ),
     Fault(
         "audit: loss of a blow", "equations/ledger.c", "loss -= 0.5 * lambda[i]", "loss -= 0.4 * lambda[i]"
@@ -195,7 +200,7 @@ FAULTS = [
     Fault(
         "recall: velocities do not count",
         "equations/solve_cache.c",
-        "if (r->velocity[3 * i + k] != w->frame.velocity[3 * i + k]) return 0;",
+        "if (r->velocity[3 * i + k] != frame->velocity[3 * i + k]) return 0;",
         "",
     ),
     Fault(

@@ -44,17 +44,27 @@ FAULTS = [
     Fault(
         "missed root: gap of a contact",
         "events/event.c",
-        "add(w, FUNCTION_GAP, contact, -1",
-        "add(w, FUNCTION_GAP, contact, 1",
+        "add(&w->phase, w->event, FUNCTION_GAP, contact, -1",
+        "add(&w->phase, w->event, FUNCTION_GAP, contact, 1",
     ),
     Fault(
         "missed root: normal force",
         "events/event.c",
-        "add(w, FUNCTION_NORMAL, i",
-        "if (0) add(w, FUNCTION_NORMAL, i",
+        "add(&w->phase, w->event, FUNCTION_NORMAL, i",
+        "if (0) add(&w->phase, w->event, FUNCTION_NORMAL, i",
     ),
-    Fault("missed root: grip", "events/event.c", "add(w, FUNCTION_GRIP, i", "add(w, FUNCTION_NORMAL, i"),
-    Fault("missed root: slip", "events/event.c", "add(w, FUNCTION_SLIP, i", "if (0) add(w, FUNCTION_SLIP, i"),
+    Fault(
+        "missed root: grip",
+        "events/event.c",
+        "add(&w->phase, w->event, FUNCTION_GRIP, i",
+        "add(&w->phase, w->event, FUNCTION_NORMAL, i",
+    ),
+    Fault(
+        "missed root: slip",
+        "events/event.c",
+        "add(&w->phase, w->event, FUNCTION_SLIP, i",
+        "if (0) add(&w->phase, w->event, FUNCTION_SLIP, i",
+    ),
     Fault(
         "crossing: what is near is far",
         "events/event_bracket.c",
@@ -144,7 +154,7 @@ FAULTS = [
     Fault(
         "ask: a node far away is the extreme",
         "events/extremum.c",
-        "if (n * n * fabs(x->s - w->step.nodes->at[k]) > PM_EXTREMUM_NEAR)",
+        "if (n * n * fabs(x->s - step->nodes->at[k]) > PM_EXTREMUM_NEAR)",
         "if (0)",
     ),
     Fault(
@@ -264,7 +274,7 @@ FAULTS = [
     Fault(
         "clear: edges are passed in long steps",
         "events/gap_culling.c",
-        "case PM_CONTACT_SEGMENT: return part_of_edge(w, e);",
+        "case PM_CONTACT_SEGMENT: return part_of_edge(numbers, e);",
         "",
     ),
     Fault(
@@ -288,7 +298,7 @@ FAULTS = [
     Fault(
         "error: what fired in the step had to",
         "events/event_evidence.c",
-        "f->held && !(f->since > w->step.begin)",
+        "f->held && !(f->since > step->begin)",
         "f->held",
     ),
     Fault(

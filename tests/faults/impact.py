@@ -49,7 +49,7 @@ FAULTS = [
     Fault(
         "action: a removed contact stays closed",
         "impact/action.c",
-        "let_slots_go(w, a);\n    *absent",
+        "let_slots_go(w->model, &w->state, a); *absent",
         "*absent",
     ),
     Fault("action: a joint that is added need not fit", "impact/action.c", "!(open <= allowed)", "open < 0"),
@@ -62,7 +62,7 @@ FAULTS = [
     Fault(
         "modes: forces that are rounding pull",
         "impact/contact_modes.c",
-        "return fmax(sum, pm_case_force(w));",
+        "return fmax(sum, pm_case_force(frame->model, frame->numbers));",
         "return sum;",
     ),
     Fault(
@@ -155,7 +155,7 @@ FAULTS = [
     Fault(
         "one by one: all at once",
         "impact/impact.c",
-        "if (is_blow(w, i, &x) && *struck > 0 && pm_impact_one_by_one(w->model)) break;",
+        "if (is_blow(w->model, i, &x) && *struck > 0 && pm_impact_one_by_one(w->model)) break;",
         "",
     ),
     Fault(
@@ -193,7 +193,7 @@ FAULTS = [
     Fault(
         "blow: what stays is opened",
         "impact/impact_end.c",
-        "w->state.slot[i].mode = pm_contact_modes_of_slip(w, contact, member)",
+        "w->state.slot[i].mode = pm_contact_modes_of_slip(&w->frame, contact, member)",
         "w->state.slot[i].mode = PM_OPEN",
     ),
     Fault("jump: its blows can be counted", "impact/impact_end.c", "pm_trigger_countless(w, contact);", ""),

@@ -28,11 +28,16 @@ FAULTS = [
         "return 1 ||",
     ),
     Fault("path: a repeated step keeps its T", "routes/path/path_cycle.c", "x->kinetic += more;", ""),
-    Fault("path: a repeated step stays where it was", "routes/path/path_cycle.c", "shift(w, from, x);", ""),
+    Fault(
+        "path: a repeated step stays where it was",
+        "routes/path/path_cycle.c",
+        "shift(model, p, from, x);",
+        "",
+    ),
     Fault(
         "error: the clock's own",
         "routes/path/path_error.c",
-        "p->clock.error += (w->state.t - p->clock.t0)",
+        "p->clock.error += (state->t - p->clock.t0)",
         "p->clock.error += 0",
     ),
     Fault(
@@ -114,8 +119,8 @@ FAULTS = [
     Fault(
         "path: work goes by the length of the way",
         "routes/path/path_step.c",
-        "i < w->model->nz_work ? p->sense * p->h",
-        "i < w->model->nz_work ? p->h",
+        "i < model->nz_work ? p->sense * p->h",
+        "i < model->nz_work ? p->h",
     ),
     Fault(
         "path: a dip of the speed between the nodes",
@@ -186,19 +191,19 @@ FAULTS = [
     Fault(
         "leg: a grid is left out",
         "routes/path/repeat_limit.c",
-        "return grid_is_full(w, e) ? PM_MOST_REPEATS : 0",
+        "return grid_is_full(w->ask, e) ? PM_MOST_REPEATS : 0",
         "return (void)grid_is_full, PM_MOST_REPEATS",
     ),
     Fault(
         "leg: anchors stay behind",
         "routes/path/repeat_pass.c",
-        "if (w->state.slot[i].mode == PM_STICK) pm_active_set_anchor(w, &w->state, i)",
-        "if (0) pm_active_set_anchor(w, &w->state, i)",
+        "if (w->state.slot[i].mode == PM_STICK) pm_active_set_anchor(&w->frame, &w->state, i)",
+        "if (0) pm_active_set_anchor(&w->frame, &w->state, i)",
     ),
     Fault(
         "leg: momentum ledger",
         "routes/path/repeat_pass.c",
-        "close_momentum(w, momentum); return pm_active_set_build(w)",
+        "close_momentum(&w->frame, &w->state, momentum); return pm_active_set_build(w)",
         "return pm_active_set_build(w)",
     ),
     Fault(
@@ -235,7 +240,7 @@ FAULTS = [
     Fault(
         "spin: rounding leaves the rest",
         "routes/path/path_begin.c",
-        " + pm_turning_plane_force_size(&w->frame, x->tangent)",
+        "+ pm_turning_plane_force_size(frame, x->tangent)",
         "",
     ),
     Fault(
@@ -247,7 +252,7 @@ FAULTS = [
     Fault(
         "path: no evidence of the forces",
         "routes/path/path_check.c",
-        "pm_max(missed_force(w), w->ledger.evidence)",
+        "pm_max(missed_force(&w->frame, w->path), w->ledger.evidence)",
         "w->ledger.evidence",
     ),
     Fault(
@@ -259,8 +264,8 @@ FAULTS = [
     Fault(
         "path: momentum of the outer world",
         "routes/path/route_path.c",
-        "ledger[i] = w->path->impulse[i] + momentum[i]",
-        "ledger[i] = w->path->impulse[i]",
+        "ledger[i] = path->impulse[i] + momentum[i]",
+        "ledger[i] = path->impulse[i]",
     ),
     Fault(
         "path: nudged to the other side",

@@ -31,13 +31,13 @@ FAULTS = [
     Fault(
         "nudge: a stable rest on a path",
         "routes/start/perturbation.c",
-        "status || goes ? status : fail(w, PM_NUDGE_STABLE, 0)",
+        "status || goes ? status : fail(&w->request, &w->result, PM_NUDGE_STABLE, 0)",
         "status",
     ),
     Fault(
         "nudge: bodies that hang together",
         "routes/start/perturbation.c",
-        "more |= join(w, w->active.row[i].body[0], w->active.row[i].body[1])",
+        "more |= join(w->model, w->perturbation, w->active.row[i].body[0], w->active.row[i].body[1])",
         "more |= 0",
     ),
 ]

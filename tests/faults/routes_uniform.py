@@ -127,7 +127,7 @@ FAULTS = [
     Fault(
         "uniform: rows are dropped from the proof",
         "routes/uniform/route_uniform.c",
-        "!pm_constraint_all_steady(w, &u->curve) || ",
+        "!pm_constraint_all_steady(&w->frame, &w->active, &u->curve) ||",
         "",
     ),
 ]

@@ -30,7 +30,9 @@ FAULTS = [
         "if (status < 0 && started)",
         "if (status < 0 && started && 0)",
     ),
-    Fault("batch: counts from the case before", "run/run.c", "pm_trigger_reset(w)", "(void)0"),
+    Fault(
+        "batch: counts from the case before", "run/run.c", "pm_trigger_reset(w->model, &w->firing)", "(void)0"
+    ),
     Fault(
         "error: nothing of rounding",
         "run/disturb.c",
@@ -40,7 +42,7 @@ FAULTS = [
     Fault(
         "run: nothing is slow",
         "run/run.c",
-        "w->numbers.speed = w->numbers.size / pm_case_max_time(w)",
+        "w->numbers.speed = w->numbers.size / pm_case_max_time(w->model, &w->numbers)",
         "w->numbers.speed = w->numbers.size",
     ),
 ]

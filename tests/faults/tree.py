@@ -10,7 +10,7 @@ FAULTS = [
     Fault(
         "tree: joints that may place a body yet",
         "tree/tree.c",
-        "if (i == *spent && is_spent(w, &g)) ++*spent;",
+        "if (i == *spent && is_spent(&w->active, w->tree, &g)) ++*spent;",
         "++*spent;",
     ),
     Fault(
@@ -40,8 +40,8 @@ FAULTS = [
     Fault(
         "rk: summed weights",
         "tree/tree_augmented.c",
-        "w->numbers.gravity[1] * p[0] -",
-        "w->numbers.gravity[1] * p[0] +",
+        "numbers->gravity[1] * p[0] -",
+        "numbers->gravity[1] * p[0] +",
     ),
     Fault("rk: summed centrifugal forces", "tree/tree_augmented.c", "x[k] -= a->square", "x[k] += a->square"),
     Fault(
@@ -98,8 +98,8 @@ FAULTS = [
     Fault(
         "tree: sign of a loop row's step",
         "tree/tree_partition.c",
-        "t->residual[i] = -w->active.row[t->loop[i]].g",
-        "t->residual[i] = w->active.row[t->loop[i]].g",
+        "t->residual[i] = -active->row[t->loop[i]].g",
+        "t->residual[i] = active->row[t->loop[i]].g",
     ),
     Fault(
         "tree: the other side of a line",
@@ -128,8 +128,8 @@ FAULTS = [
     Fault(
         "swift: weights",
         "tree/tree_small_sums.c",
-        "= -w->numbers.gravity[1] * p[1]",
-        "= w->numbers.gravity[1] * p[1]",
+        "= -numbers->gravity[1] * p[1]",
+        "= numbers->gravity[1] * p[1]",
     ),
     Fault("swift: a mark that does not turn", "tree/tree_small_sums.c", "lever[1] += p.r[1];", ""),
     Fault(
@@ -141,7 +141,7 @@ FAULTS = [
     Fault(
         "swift: any moving line",
         "tree/tree_small_sums.c",
-        "return row->body[1] == w->model->nbody;",
+        "return row->body[1] == model->nbody;",
         "return 1;",
     ),
 ]

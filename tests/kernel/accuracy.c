@@ -174,9 +174,9 @@ static void own_errors(void)
     w->result.audit = audit;
     EQUAL(pm_accuracy_run(w, NULL, NULL, error, margin, trust), PM_OK);
     w->evidence.present->margin = INFINITY;
-    pm_evidence_decide(w, -3e-9, 1e-9);
+    pm_evidence_decide(&w->evidence, -3e-9, 1e-9);
     NEAR(w->evidence.present->margin, 3, 1e-12);
-    pm_evidence_answer(w, 1, 0.25);
+    pm_evidence_answer(&w->evidence, 1, 0.25);
     EQUAL(w->evidence.present->error[1], 0.25);
     scene_close(s);
     scene_free(s);

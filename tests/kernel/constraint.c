@@ -110,7 +110,7 @@ static void check_scene(scene *s, int on_constraint)
     look(w, NULL, 0);
     for (int i = 0; i < s->rows[PM_TABLE_JOINT]; i++) {
         pm_constraint row[PM_JOINT_CONSTRAINTS];
-        const int n = pm_joint_constraints(w, i, row);
+        const int n = pm_joint_constraints(&w->frame, &w->state, i, row);
         for (int k = 0; k < n; k++) {
             EQUAL(row[k].joint, i);
             check_row(w, row[k], on_constraint || row[k].kind == PM_CONSTRAINT_ANGLE);
@@ -151,7 +151,7 @@ static void line_rows(int ground_side, double radius)
     pm_constraint row[PM_JOINT_CONSTRAINTS];
     if (x.s->w) {
         look(x.s->w, NULL, 0);
-        pm_joint_constraints(x.s->w, 0, row);
+        pm_joint_constraints(&x.s->w->frame, &x.s->w->state, 0, row);
         pm_constraint_kind(row[0].kind)->evaluate(&x.s->w->frame, &row[0]);
         NEAR(row[0].g, 0, 1e-14);
     }
@@ -178,7 +178,7 @@ static void circle_rows(int ground_side, double side, double ratio)
     if (x.s->w) {
         pm_constraint row[PM_JOINT_CONSTRAINTS];
         look(x.s->w, NULL, 0);
-        pm_joint_constraints(x.s->w, 0, row);
+        pm_joint_constraints(&x.s->w->frame, &x.s->w->state, 0, row);
         pm_constraint_kind(row[0].kind)->evaluate(&x.s->w->frame, &row[0]);
         NEAR(row[0].g, 0, 1e-14);
         /* moving the centres together opens an inner contact and closes an outer one */

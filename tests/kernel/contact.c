@@ -44,10 +44,10 @@ static void nearest_member(void)
                     next = distance(x, y, k);
                     second = k;
                 }
-            NEAR(pm_contact_gap(s->w, &s->w->state, 0, &member), least, 1e-13);
+            NEAR(pm_contact_gap(&s->w->frame, &s->w->state, 0, &member), least, 1e-13);
             if (isfinite(least)) EQUAL(member, best);
             s->w->state.slot[1] = (pm_slot){PM_SMOOTH, best};
-            NEAR(pm_contact_gap(s->w, &s->w->state, 0, &member), next, 1e-13);
+            NEAR(pm_contact_gap(&s->w->frame, &s->w->state, 0, &member), next, 1e-13);
             if (isfinite(next)) EQUAL(member, second);
             EQUAL(pm_contact_free_slot(&s->w->frame, &s->w->state, 0), 0);
         }
@@ -79,7 +79,8 @@ static void rates(void)
             double rate, gap[2];
             int member;
             pm_frame_look_state(&w->frame, &w->state);
-            NEAR(pm_contact_member_gap(&w->frame, i, 0, &rate), pm_contact_gap(w, &w->state, i, &member), 0);
+            NEAR(pm_contact_member_gap(&w->frame, i, 0, &rate),
+                 pm_contact_gap(&w->frame, &w->state, i, &member), 0);
             for (int side = 0; side < 2; side++) {
                 pm_state_copy(&w->probe, &w->state);
                 for (int k = 0; k < w->model->nq; k++) w->probe.q[k] += (side ? 1e-6 : -1e-6) * w->state.v[k];

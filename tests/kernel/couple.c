@@ -64,7 +64,7 @@ static void check_scene(scene *s)
     }
     for (int i = 0; i < s->rows[PM_TABLE_JOINT]; i++) {
         pm_constraint row[PM_JOINT_CONSTRAINTS];
-        const int n = pm_joint_constraints(w, i, row);
+        const int n = pm_joint_constraints(&w->frame, &w->state, i, row);
         for (int k = 0; k < n; k++) check_row(w, row[k]);
     }
     for (int i = 0; i < s->rows[PM_TABLE_CONTACT]; i++) {

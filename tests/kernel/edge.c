@@ -40,7 +40,7 @@ static void gaps(void)
             NEAR(gap, o <= 0 ? fmax(q[1] - r, o) : q[1] < 0 ? fmin(corner, o) : corner, 1e-8);
             EQUAL(pm_edge_is_below(&w->frame, 0), q[1] < r);
             int touched;
-            EQUAL(pm_contact_touches(w, &w->state, 0, &touched),
+            EQUAL(pm_contact_touches(&w->frame, &w->state, 0, &touched),
                   o <= 0 ? q[1] >= 0 && q[1] <= r : corner <= 0);
         }
         /* no jumps where nothing overlaps: round the ends and under them */

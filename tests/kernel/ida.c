@@ -122,7 +122,7 @@ static void check_newton_matrix(scene *s, double cj, int sparse)
         pm_ida_system_residual(w, w->state.t, z, zp, moved[sign]);
     }
     for (int i = 0; i < r->n; i++) b[i] = (moved[1][i] - moved[0][i]) / (2 * step);
-    pm_ida_linear_solve(w, b, b);
+    pm_ida_linear_solve(w->model, w->ida, b, b);
     for (int i = 0; i < r->n; i++) NEAR(b[i], x[i], 2e-5);
 }
 

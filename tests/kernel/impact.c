@@ -61,7 +61,7 @@ static void momentum_balance(scene *s, const blow *x)
         const int n = pass ? m->nslot : m->rows[PM_TABLE_JOINT];
         for (int i = 0; i < n; i++) {
             pm_constraint row[PM_JOINT_CONSTRAINTS];
-            const int rows = pass ? 2 : pm_joint_constraints(w, i, row);
+            const int rows = pass ? 2 : pm_joint_constraints(&w->frame, &w->state, i, row);
             if (pass)
                 pm_contact_constraint_both(&w->frame, pm_contact_of_slot(m, i), i, w->state.slot[i].member,
                                            &row[0], &row[1]);
@@ -145,7 +145,7 @@ static void laws(scene *s, const blow *x, unsigned resting)
     CHECK(kinetic(w, x->after) <= kinetic(w, x->before) * (1 + 1e-13));
     for (int i = 0; i < w->model->rows[PM_TABLE_JOINT]; i++) {
         pm_constraint row[PM_JOINT_CONSTRAINTS];
-        const int n = pm_joint_constraints(w, i, row);
+        const int n = pm_joint_constraints(&w->frame, &w->state, i, row);
         look(w, x->after);
         for (int k = 0; k < n; k++) NEAR(pm_constraint_rate(&w->frame, &row[k]), 0, CLOSE);
     }

@@ -284,7 +284,7 @@ static void dense_output(int route, double tolerance)
                     for (int i = 0; i < 2 * nq; i++) NEAR(dense[i], w->state.q[i], tolerance);
             }
             pm_frame_look_state(&w->frame, &w->state);
-            pm_active_set_follow(w, &w->state);
+            pm_active_set_follow(&w->frame, &w->active, &w->state);
         }
     }
     scene_free(s);

@@ -26,7 +26,7 @@ static scene *rods(int force)
 /* Accelerations and reactions as they are without any memory. */
 static void recompute(pm_workspace *w, double *a, double *lambda)
 {
-    pm_solve_cache_forget(w);
+    pm_solve_cache_forget(&w->frame, w->cache);
     pm_frame_look_state(&w->frame, &w->state);
     EQUAL(pm_saddle_accelerate(w), PM_OK);
     memcpy(a, w->frame.a, (size_t)w->model->nq * sizeof *a);
@@ -78,7 +78,7 @@ static void not_for_another(pm_workspace *w)
 /* A set of rows is not built once more where nothing has changed, and else it is. */
 static void sets_of_rows(pm_workspace *w)
 {
-    pm_solve_cache_forget(w);
+    pm_solve_cache_forget(&w->frame, w->cache);
     EQUAL(pm_solve_cache_is_built(w), 0);
     EQUAL(pm_active_set_build(w), PM_OK);
     EQUAL(pm_solve_cache_is_built(w), 1);

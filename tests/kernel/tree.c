@@ -395,7 +395,7 @@ static void look_at(scene *s, int n, int nloop)
         swift(w, y);
         pm_frame_look_state(&w->frame, &w->state);
         pm_tree_read(w->tree, &w->frame, y);
-        pm_tree_partition(w); /* the same by dependent and independent coordinates */
+        pm_tree_partition(&w->frame, w->tree); /* the same by dependent and independent coordinates */
         EQUAL(w->tree->part.few, nloop > 0 && n - nloop <= PM_TREE_FEW);
         dynamics(w, y);
         projects(w, y);

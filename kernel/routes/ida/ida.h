@@ -75,8 +75,11 @@ typedef struct pm_ida {
     pm_ida_sparse *sparse;
 } pm_ida;
 
-static inline int pm_ida_place_l(const pm_workspace *w) { return 2 * w->model->nq + w->model->nz; }
-static inline int pm_ida_place_mu(const pm_workspace *w) { return pm_ida_place_l(w) + w->ida->stride; }
+static inline int pm_ida_place_l(const pm_model *model) { return 2 * model->nq + model->nz; }
+static inline int pm_ida_place_mu(const pm_model *model, const pm_ida *ida)
+{
+    return pm_ida_place_l(model) + ida->stride;
+}
 
 /* ---- ida_system.c ---- */
 void pm_ida_system_layout(pm_workspace *w);
@@ -90,7 +93,7 @@ int pm_ida_system_residual(pm_workspace *w, double t, const double *y, const dou
  * be evaluated. */
 void pm_ida_system_scale(pm_workspace *w);
 /* Error weights at y. */
-void pm_ida_system_weights(const pm_workspace *w, const double *y, double *weight);
+void pm_ida_system_weights(const pm_model *model, const pm_ida *r, const double *y, double *weight);
 
 /* ---- ida_jacobian.c ---- */
 /* Memory for the most active constraints that the scene can have, in x->block, which the caller frees. */
@@ -104,9 +107,9 @@ void pm_ida_jacobian_evaluate(pm_workspace *w, double t, double cj, const double
 int pm_ida_linear_factor(pm_workspace *w);
 /* Scales of the unknowns (v, L): the square roots of M^-1 and the reciprocal ones of square[nactive], which is the diagonal of
  * G M^-1 G^T, each entry `stride` places after the last. */
-void pm_ida_linear_scale(pm_workspace *w, const double *square, int stride);
+void pm_ida_linear_scale(const pm_workspace *w, const double *square, int stride);
 /* J x = b for all unknowns of the phase; x may be b. */
-void pm_ida_linear_solve(pm_workspace *w, const double *b, double *x);
+void pm_ida_linear_solve(const pm_model *model, pm_ida *ida, const double *b, double *x);
 
 /* pm_projection_apply by the rows of the last matrix, if it is of this phase and what they are missed by is slight. */
 int pm_ida_linear_project(pm_workspace *w, pm_state *s);
@@ -121,7 +124,7 @@ int pm_ida_linear_jacobian(double t, double cj, N_Vector y, N_Vector yp, N_Vecto
 
 /* ---- ida_sparse.c ---- */
 /* Is the phase one of many unknowns? */
-int pm_ida_sparse_serves(const pm_workspace *w);
+int pm_ida_sparse_serves(const pm_model *model, const pm_active_set *active);
 /* Memory for the most active rows that the scene can have. */
 int pm_ida_sparse_create(pm_workspace *w);
 void pm_ida_sparse_free(pm_workspace *w);
@@ -129,7 +132,8 @@ void pm_ida_sparse_free(pm_workspace *w);
  * PM_NO_MEMORY. */
 int pm_ida_sparse_factor(pm_workspace *w);
 /* Of b, all unknowns of the phase: q[nq], vl[nq + nactive] = (v, L) and mu[nactive]. */
-void pm_ida_sparse_solve(pm_workspace *w, const double *b, double *q, double *vl, double *mu);
+void pm_ida_sparse_solve(const pm_model *model, pm_ida *ida, const double *b, double *q, double *vl,
+                         double *mu);
 
 /* ---- ida_vector.c ---- */
 /* A vector with room for `most` numbers, all 0, of which *length count at any time; `length` must outlive

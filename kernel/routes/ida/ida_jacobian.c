@@ -79,11 +79,11 @@ int pm_ida_jacobian_create(pm_ida_jacobian *x, const pm_model *m)
 }
 
 /* A row's six numbers on all coordinates. */
-static void spread_out(const pm_workspace *w, const pm_constraint *row, const double *six, double *dense)
+static void spread_out(const pm_model *model, const pm_constraint *row, const double *six, double *dense)
 {
-    memset(dense, 0, (size_t)w->model->nq * sizeof *dense);
+    memset(dense, 0, (size_t)model->nq * sizeof *dense);
     for (int p = 0; p < 2; p++)
-        for (int k = 0; k < 3 && row->body[p] != w->model->nbody; k++)
+        for (int k = 0; k < 3 && row->body[p] != model->nbody; k++)
             dense[3 * row->body[p] + k] += six[3 * p + k];
 }
 
@@ -96,12 +96,12 @@ static void force_and_rate(pm_workspace *w, const double *v, double *force, doub
     for (int i = 0; i < w->active.n; i++) rate[i] = pm_constraint_times(&w->frame, &w->active.row[i], v);
 }
 
-static void rows(pm_workspace *w, pm_ida_jacobian *x)
+static void rows(const pm_model *model, pm_active_set *active, pm_ida_jacobian *x)
 {
-    const int nq = w->model->nq;
-    for (int i = 0; i < w->active.n; i++) {
-        spread_out(w, &w->active.row[i], w->active.row[i].j, x->g + i * nq);
-        spread_out(w, &w->active.row[i], w->active.asymmetric ? w->active.row[i].h : w->active.row[i].j,
+    const int nq = model->nq;
+    for (int i = 0; i < active->n; i++) {
+        spread_out(model, &active->row[i], active->row[i].j, x->g + i * nq);
+        spread_out(model, &active->row[i], active->asymmetric ? active->row[i].h : active->row[i].j,
                    x->h + i * nq);
     }
 }
@@ -180,7 +180,7 @@ void pm_ida_jacobian_evaluate(pm_workspace *w, double t, double cj, const double
     x->cj = cj;
     pm_ida_system_look(w, t, d.y, yp);
     if (x->sparse) x->independence = pm_saddle_independence(&w->saddle);
-    rows(w, x);
+    rows(w->model, &w->active, x);
     ledger(w, x, &d);
     if (x->has_damping) velocities(w, x, t, &d);
     positions(w, x, t, yp, &d);

@@ -41,7 +41,7 @@ static void add_columns(int m, int n, const double *restrict a, const double *re
         for (int i = 0; i < m; i++) y[i] += a[k * m + i] * x[k];
 }
 
-void pm_ida_linear_scale(pm_workspace *w, const double *square, int stride)
+void pm_ida_linear_scale(const pm_workspace *w, const double *square, int stride)
 {
     const pm_ida_jacobian *j = &w->ida->jacobian;
     const double *im = w->numbers.inverse_mass;
@@ -66,7 +66,7 @@ static int invert_rows(pm_workspace *w)
     pm_ida_linear_scale(w, s, na + 1);
     const int bad = pm_dense_cholesky_factor(na, s);
     j->independence = 0;
-    if (bad) return pm_fail(w, PM_SINGULAR, PM_TABLE_JOINT, w->active.row[bad - 1].joint, 0, 0);
+    if (bad) return pm_fail(&w->result, PM_SINGULAR, PM_TABLE_JOINT, w->active.row[bad - 1].joint, 0, 0);
     j->independence = 1;
     for (int r = 0; r < na; r++) j->independence = fmin(j->independence, s[r * na + r] * j->scale[nq + r]);
     for (int r = 0; r < na; r++) {
@@ -144,10 +144,10 @@ static void fill_system(pm_workspace *w)
 }
 
 /* Takes the scales off the inverse again, and 1/cj of the upper right-hand side into it. */
-static void take_scales(pm_workspace *w)
+static void take_scales(const pm_model *model, const struct pm_ida *ida)
 {
-    const pm_ida_jacobian *j = &w->ida->jacobian;
-    const int nq = w->model->nq, n = nq + j->nactive;
+    const pm_ida_jacobian *j = &ida->jacobian;
+    const int nq = model->nq, n = nq + j->nactive;
     const double *s = j->scale;
     for (int k = 0; k < n; k++) {
         const double right = k < nq ? 1 / (j->cj * s[k]) : s[k];
@@ -156,10 +156,10 @@ static void take_scales(pm_workspace *w)
 }
 
 /* (K; -N) by columns, those of zeros left out: what moves without a turn bends nothing. */
-static void pack_bends(pm_workspace *w)
+static void pack_bends(const pm_model *model, struct pm_ida *ida)
 {
-    pm_ida_jacobian *j = &w->ida->jacobian;
-    const int nq = w->model->nq, na = j->nactive, n = nq + na;
+    pm_ida_jacobian *j = &ida->jacobian;
+    const int nq = model->nq, na = j->nactive, n = nq + na;
     j->nbend = 0;
     for (int k = 0; k < nq; k++) {
         double *column = j->bend + j->nbend * n;
@@ -178,8 +178,8 @@ static int factor_dense(pm_workspace *w)
     project_on_rows(w);
     fill_system(w);
     if (pm_dense_lu_invert(w->model->nq + j->nactive, j->system, j->pivot)) return PM_SOLVER;
-    take_scales(w);
-    pack_bends(w);
+    take_scales(w->model, w->ida);
+    pack_bends(w->model, w->ida);
     return PM_OK;
 }
 
@@ -193,12 +193,12 @@ int pm_ida_linear_factor(pm_workspace *w)
 }
 
 /* As pm_ida_sparse_solve; work[3 nq + nactive]. */
-static void solve_dense(const pm_workspace *w, const double *b, double *q, double *vl, double *mu,
-                        double *work)
+static void solve_dense(const pm_model *model, const struct pm_ida *ida, const double *b, double *q,
+                        double *vl, double *mu, double *work)
 {
-    const pm_ida_jacobian *j = &w->ida->jacobian;
-    const int nq = w->model->nq, na = j->nactive, n = nq + na;
-    const double ic = 1 / j->cj, *b4 = b + pm_ida_place_l(w), *b5 = b + pm_ida_place_mu(w);
+    const pm_ida_jacobian *j = &ida->jacobian;
+    const int nq = model->nq, na = j->nactive, n = nq + na;
+    const double ic = 1 / j->cj, *b4 = b + pm_ida_place_l(model), *b5 = b + pm_ida_place_mu(model, ida);
     double *u = work, *bent = u + nq, *f = bent + nq;
     for (int i = 0; i < nq; i++) {
         u[i] = ic * b[i];
@@ -222,31 +222,32 @@ static void solve_dense(const pm_workspace *w, const double *b, double *q, doubl
 }
 
 /* z, in place of b3. */
-static void solve_ledger(const pm_workspace *w, const double *q, const double *vl, double *z)
+static void solve_ledger(const pm_model *model, const struct pm_ida *ida, const double *q, const double *vl,
+                         double *z)
 {
-    const pm_ida_jacobian *j = &w->ida->jacobian;
-    const int nq = w->model->nq, nz = w->model->nz, nrow = w->model->nrow;
+    const pm_ida_jacobian *j = &ida->jacobian;
+    const int nq = model->nq, nz = model->nz, nrow = model->nrow;
     if (j->has_forces) add_columns(nz, nq, j->ledger + nz * nrow, q, z);
     if (j->has_damping) add_columns(nz, nq, j->ledger + nz * (nrow + nq), vl, z);
     for (int i = 0; i < nz; i++) z[i] /= j->cj;
     add_columns(nz, j->nactive, j->ledger, vl + nq, z);
 }
 
-void pm_ida_linear_solve(pm_workspace *w, const double *b, double *x)
+void pm_ida_linear_solve(const pm_model *model, struct pm_ida *ida, const double *b, double *x)
 {
-    const pm_ida_jacobian *j = &w->ida->jacobian;
-    const int nq = w->model->nq, na = j->nactive;
+    const pm_ida_jacobian *j = &ida->jacobian;
+    const int nq = model->nq, na = j->nactive;
     double *q = j->work, *vl = q + nq, *mu = vl + nq + na, *work = mu + na;
     if (j->sparse)
-        pm_ida_sparse_solve(w, b, q, vl, mu);
+        pm_ida_sparse_solve(model, ida, b, q, vl, mu);
     else
-        solve_dense(w, b, q, vl, mu, work);
-    memmove(x + 2 * nq, b + 2 * nq, (size_t)w->model->nz * sizeof *x);
-    solve_ledger(w, q, vl, x + 2 * nq);
+        solve_dense(model, ida, b, q, vl, mu, work);
+    memmove(x + 2 * nq, b + 2 * nq, (size_t)model->nz * sizeof *x);
+    solve_ledger(model, ida, q, vl, x + 2 * nq);
     memcpy(x, q, (size_t)nq * sizeof *x);
     memcpy(x + nq, vl, (size_t)nq * sizeof *x);
-    memcpy(x + pm_ida_place_l(w), vl + nq, (size_t)na * sizeof *x);
-    memcpy(x + pm_ida_place_mu(w), mu, (size_t)na * sizeof *x);
+    memcpy(x + pm_ida_place_l(model), vl + nq, (size_t)na * sizeof *x);
+    memcpy(x + pm_ida_place_mu(model, ida), mu, (size_t)na * sizeof *x);
 }
 
 /* ---- back on the rows ---- */
@@ -364,7 +365,7 @@ static int solve(SUNLinearSolver solver, SUNMatrix matrix, N_Vector x, N_Vector 
     pm_workspace *w = solver->content;
     (void)matrix;
     (void)tolerance;
-    pm_ida_linear_solve(w, N_VGetArrayPointer(b), N_VGetArrayPointer(x));
+    pm_ida_linear_solve(w->model, w->ida, N_VGetArrayPointer(b), N_VGetArrayPointer(x));
     return 0;
 }
 

@@ -42,7 +42,10 @@ struct pm_ida_sparse {
     void *block;   /* owns start, old_start, x, left */
 };
 
-int pm_ida_sparse_serves(const pm_workspace *w) { return w->model->nq + w->active.n > PM_IDA_MANY; }
+int pm_ida_sparse_serves(const pm_model *model, const pm_active_set *active)
+{
+    return model->nq + active->n > PM_IDA_MANY;
+}
 
 /* ---- memory ---- */
 static int grow(pm_ida_sparse *s, int room)
@@ -194,7 +197,7 @@ int pm_ida_sparse_factor(pm_workspace *w)
 {
     pm_ida_sparse *s = w->ida->sparse;
     const pm_ida_jacobian *j = &w->ida->jacobian;
-    if (!(j->independence > 0)) return pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
+    if (!(j->independence > 0)) return pm_fail(&w->result, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
     if (s->numeric) klu_free_numeric(&s->numeric, &s->common);
     set_scale(w);
     fill(w);
@@ -218,11 +221,12 @@ static void solve(pm_ida_sparse *s)
     for (int k = 0; k < s->n; k++) s->x[k] += s->left[k];
 }
 
-void pm_ida_sparse_solve(pm_workspace *w, const double *b, double *q, double *vl, double *mu)
+void pm_ida_sparse_solve(const pm_model *model, struct pm_ida *ida, const double *b, double *q, double *vl,
+                         double *mu)
 {
-    pm_ida_sparse *s = w->ida->sparse;
-    const pm_ida_jacobian *j = &w->ida->jacobian;
-    const int nq = w->model->nq, na = j->nactive, l = pm_ida_place_l(w), m = pm_ida_place_mu(w);
+    pm_ida_sparse *s = ida->sparse;
+    const pm_ida_jacobian *j = &ida->jacobian;
+    const int nq = model->nq, na = j->nactive, l = pm_ida_place_l(model), m = pm_ida_place_mu(model, ida);
     const double *u = j->scale, *e = u + nq, cj = j->cj;
     double *const x = s->x;
     for (int i = 0; i < nq; i++) {

@@ -30,7 +30,7 @@ void pm_ida_system_layout(pm_workspace *w)
     pm_ida *r = w->ida;
     r->stride = PM_IDA_STOCK ? w->model->nrow : w->active.n;
     r->n = 2 * w->model->nq + w->model->nz + 2 * r->stride;
-    r->jacobian.sparse = pm_ida_sparse_serves(w);
+    r->jacobian.sparse = pm_ida_sparse_serves(w->model, &w->active);
 }
 
 void pm_ida_system_look(pm_workspace *w, double t, const double *y, const double *yp)
@@ -41,7 +41,7 @@ void pm_ida_system_look(pm_workspace *w, double t, const double *y, const double
     pm_force_all(w);
     pm_saddle_evaluate(&w->active, &w->frame);
     memcpy(f->a, yp + nq, (size_t)nq * sizeof *yp);
-    memcpy(f->lambda, yp + pm_ida_place_l(w), (size_t)w->active.n * sizeof *yp);
+    memcpy(f->lambda, yp + pm_ida_place_l(w->model), (size_t)w->active.n * sizeof *yp);
     f->level = PM_LEVEL_DYNAMIC;
 }
 
@@ -57,13 +57,14 @@ int pm_ida_system_start(pm_workspace *w, double *y, double *yp)
     memcpy(yp, w->state.v, (size_t)nq * sizeof *yp);
     memcpy(yp + nq, w->frame.a, (size_t)nq * sizeof *yp);
     pm_ledger_rates(w, yp + 2 * nq);
-    memcpy(yp + pm_ida_place_l(w), w->frame.lambda, (size_t)w->active.n * sizeof *yp);
+    memcpy(yp + pm_ida_place_l(w->model), w->frame.lambda, (size_t)w->active.n * sizeof *yp);
     return PM_OK;
 }
 
 int pm_ida_system_residual(pm_workspace *w, double t, const double *y, const double *yp, double *r)
 {
-    const int nq = w->model->nq, nz = w->model->nz, l = pm_ida_place_l(w), mu = pm_ida_place_mu(w);
+    const int nq = w->model->nq, nz = w->model->nz, l = pm_ida_place_l(w->model),
+              mu = pm_ida_place_mu(w->model, w->ida);
     const double *v = y + nq, *force = w->frame.f;
     pm_ida_system_look(w, t, y, yp);
     for (int i = 0; i < nq; i++) {
@@ -89,25 +90,25 @@ int pm_ida_system_residual(pm_workspace *w, double t, const double *y, const dou
 }
 
 /* j M^-1 j^T: a row's reaction l moves the scene like l sqrt(this) in the metric of M. */
-static double mobility(const pm_workspace *w, const pm_constraint *row)
+static double mobility(const pm_model *model, const pm_numbers *numbers, const pm_constraint *row)
 {
     double sum = 0;
     for (int p = 0; p < 2; p++)
-        for (int k = 0; k < 3 && row->body[p] != w->model->nbody; k++)
-            sum += row->j[3 * p + k] * row->j[3 * p + k] * w->numbers.inverse_mass[3 * row->body[p] + k];
+        for (int k = 0; k < 3 && row->body[p] != model->nbody; k++)
+            sum += row->j[3 * p + k] * row->j[3 * p + k] * numbers->inverse_mass[3 * row->body[p] + k];
     return sum;
 }
 
-static void weigh_ledger(pm_workspace *w, double *weight, double mass)
+static void weigh_ledger(const pm_frame *frame, const pm_ida *ida, double *weight, double mass)
 {
-    const pm_model *m = w->model;
-    const double momentum = mass * w->numbers.speed, energy = momentum * w->numbers.speed;
+    const pm_model *m = frame->model;
+    const double momentum = mass * frame->numbers->speed, energy = momentum * frame->numbers->speed;
     for (int i = 0; i < m->nz_controlled; i++)
-        weight[i] = 1 / (w->ida->tolerance * pm_ledger_controlled_scale(w, i));
+        weight[i] = 1 / (ida->tolerance * pm_ledger_controlled_scale(frame, i));
     for (int i = m->nz_controlled; i < m->nz; i++) {
         const int entry = i - m->nz_controlled; /* friction, then impulses along x, y, and their moment */
-        const double scale = entry == 0 ? energy : entry < 3 ? momentum : momentum * w->numbers.size;
-        weight[i] = PM_IDA_LEDGER_WEIGHT / (w->ida->tolerance * scale);
+        const double scale = entry == 0 ? energy : entry < 3 ? momentum : momentum * frame->numbers->size;
+        weight[i] = PM_IDA_LEDGER_WEIGHT / (ida->tolerance * scale);
     }
 }
 
@@ -115,7 +116,7 @@ void pm_ida_system_scale(pm_workspace *w)
 {
     const pm_model *m = w->model;
     pm_ida *r = w->ida;
-    const int l = pm_ida_place_l(w), mu = pm_ida_place_mu(w);
+    const int l = pm_ida_place_l(w->model), mu = pm_ida_place_mu(w->model, w->ida);
     const double tolerance = r->tolerance = fmax(PM_IDA_TIGHTER * w->numbers.tolerance, PM_IDA_TIGHTEST);
     double *weight = r->weight, mass = 0;
     for (int i = 0; i < m->nbody; i++) mass += w->numbers.mass[i];
@@ -124,19 +125,19 @@ void pm_ida_system_scale(pm_workspace *w)
         weight[i] = 1 / (tolerance * (angle ? 1 : w->numbers.size));
         weight[m->nq + i] = 1 / (tolerance * (angle ? w->numbers.speed / w->numbers.size : w->numbers.speed));
     }
-    weigh_ledger(w, weight + 2 * m->nq, mass);
+    weigh_ledger(&w->frame, w->ida, weight + 2 * m->nq, mass);
     for (int i = 0; i < r->stride; i++) {
-        const double unit = i < w->active.n ? sqrt(mobility(w, &w->active.row[i]) / mass) : 1 / mass;
+        const double unit =
+            i < w->active.n ? sqrt(mobility(w->model, &w->numbers, &w->active.row[i]) / mass) : 1 / mass;
         weight[l + i] = unit / (tolerance * w->numbers.speed);
         weight[mu + i] = unit / (tolerance * w->numbers.size);
     }
 }
 
-void pm_ida_system_weights(const pm_workspace *w, const double *y, double *weight)
+void pm_ida_system_weights(const pm_model *model, const pm_ida *r, const double *y, double *weight)
 {
-    const pm_ida *r = w->ida;
     /* IDA takes the root mean square over all unknowns: count those under control only */
-    const double share = sqrt((double)r->n / (2 * w->model->nq + w->model->nz_controlled));
+    const double share = sqrt((double)r->n / (2 * model->nq + model->nz_controlled));
     for (int i = 0; i < r->n; i++)
         weight[i] = share * r->weight[i] / (1 + PM_IDA_ROUNDING * r->weight[i] * fabs(y[i]));
 }

@@ -29,13 +29,16 @@
 
 #define ORDER 5
 
-static int failed(pm_workspace *w, int flag) { return pm_fail(w, PM_SOLVER, PM_NONE, PM_NONE, flag, 0); }
+static int failed(pm_result *result, int flag)
+{
+    return pm_fail(result, PM_SOLVER, PM_NONE, PM_NONE, flag, 0);
+}
 
 /* What IDA returned, or what the kernel found inside one of IDA's calls. */
-static int status_of(pm_workspace *w, int flag)
+static int status_of(pm_result *result, const pm_ida *ida, int flag)
 {
     if (flag >= 0) return PM_OK;
-    return w->ida->status ? w->ida->status : failed(w, flag);
+    return ida->status ? ida->status : failed(result, flag);
 }
 
 /* > 0: IDA may try a smaller step. */
@@ -50,14 +53,13 @@ static int residual(double t, N_Vector y, N_Vector yp, N_Vector r, void *workspa
 static int weigh(N_Vector y, N_Vector weight, void *workspace)
 {
     pm_workspace *w = workspace;
-    pm_ida_system_weights(w, N_VGetArrayPointer(y), N_VGetArrayPointer(weight));
+    pm_ida_system_weights(w->model, w->ida, N_VGetArrayPointer(y), N_VGetArrayPointer(weight));
     return 0;
 }
 
 /* ---- memory ---- */
-static int create_vectors(pm_workspace *w)
+static int create_vectors(const pm_model *model, pm_ida *r)
 {
-    pm_ida *r = w->ida;
     r->y =
         PM_IDA_STOCK ? N_VNew_Serial(r->most, r->context) : pm_ida_vector_create(r->context, &r->n, r->most);
     if (!r->y) return PM_NO_MEMORY;
@@ -69,7 +71,7 @@ static int create_vectors(pm_workspace *w)
     N_VConst(0, r->yp);
     N_VConst(0, r->id);
     /* the work of drives varies with their reactions, not with the speeds alone */
-    const int controlled = 2 * w->model->nq + w->model->nz_controlled + pm_model_is_driven(w->model);
+    const int controlled = 2 * model->nq + model->nz_controlled + pm_model_is_driven(model);
     for (int i = 0; i < controlled; i++) N_VGetArrayPointer(r->id)[i] = 1;
     return PM_OK;
 }
@@ -85,7 +87,7 @@ static int create_solver(pm_workspace *w)
     if (!r->solver) return PM_NO_MEMORY;
     int flag = IDASetLinearSolver(r->memory, r->solver, r->matrix);
     if (flag == IDA_SUCCESS && !PM_IDA_STOCK) flag = IDASetJacFn(r->memory, pm_ida_linear_jacobian);
-    return status_of(w, flag);
+    return status_of(&w->result, w->ida, flag);
 }
 
 static int set_up(pm_workspace *w)
@@ -99,7 +101,7 @@ static int set_up(pm_workspace *w)
     if (flag == IDA_SUCCESS) flag = IDASetSuppressAlg(r->memory, SUNTRUE);
     if (flag == IDA_SUCCESS) flag = IDASetMaxOrd(r->memory, ORDER);
     if (flag == IDA_SUCCESS) flag = IDASetNonlinConvCoef(r->memory, PM_IDA_NEWTON);
-    return status_of(w, flag);
+    return status_of(&w->result, w->ida, flag);
 }
 
 static int create(pm_workspace *w)
@@ -114,7 +116,7 @@ static int create(pm_workspace *w)
     r->weight = calloc((size_t)r->most + 1, sizeof *r->weight);
     if (!r->weight) return PM_NO_MEMORY;
     int status = pm_ida_jacobian_create(&r->jacobian, m);
-    if (!status) status = create_vectors(w);
+    if (!status) status = create_vectors(w->model, w->ida);
     if (!status) status = set_up(w);
     if (!status) status = create_solver(w);
     if (!status) status = pm_ida_sparse_create(w);
@@ -144,24 +146,28 @@ static void destroy(pm_workspace *w)
 }
 
 /* ---- a phase ---- */
-static double *accelerations(const pm_workspace *w) { return N_VGetArrayPointer(w->ida->yp) + w->model->nq; }
+static double *accelerations(const pm_model *model, pm_ida *ida)
+{
+    return N_VGetArrayPointer(ida->yp) + model->nq;
+}
 
 /* A step that is sampled may not outrun the motion, and not carry circles through each other between two samples.  IDA
  * applies it one step later: hence well below the motion's own time, and a part of the way to what is met. */
 static int limit_step(pm_workspace *w)
 {
     const int watched = w->event->nfunction > 0 || w->ask->nobserver > 0;
-    const double *v = w->state.v, *a = accelerations(w);
-    double longest = watched ? PM_IDA_LONGEST_STEP * pm_case_time_scale(w, v, a) : INFINITY;
+    const double *v = w->state.v, *a = accelerations(w->model, w->ida);
+    double longest =
+        watched ? PM_IDA_LONGEST_STEP * pm_case_time_scale(w->model, &w->numbers, v, a) : INFINITY;
     if (w->event->nfunction > 0) longest = fmin(longest, PM_IDA_TO_MEETING * pm_gap_culling_time(w, v, a));
     return IDASetMaxStep(w->ida->memory, isfinite(longest) ? longest : 0); /* 0: no limit */
 }
 
 /* Where a couple has just overcome what held, accelerations are rounding and tell no time: the scene's own does. */
-static double time_to_begin_with(const pm_workspace *w)
+static double time_to_begin_with(const pm_frame *frame, const pm_state *state)
 {
-    const double scale = pm_case_time_scale(w, w->state.v, w->frame.a);
-    return isfinite(scale) ? fmin(scale, w->numbers.size / w->numbers.speed) : scale;
+    const double scale = pm_case_time_scale(frame->model, frame->numbers, state->v, frame->a);
+    return isfinite(scale) ? fmin(scale, frame->numbers->size / frame->numbers->speed) : scale;
 }
 
 /* A function of the phase at a state; not a number where it has no value. */
@@ -185,7 +191,7 @@ static void hold_on_zero(pm_workspace *w, pm_event_function *f)
 /* The gap of a contact a little later or earlier on a course of constant acceleration. */
 static double gap_on_course(pm_workspace *w, const pm_event_function *f, double time)
 {
-    const double *a = accelerations(w);
+    const double *a = accelerations(w->model, w->ida);
     pm_state_copy(&w->probe, &w->state);
     for (int i = 0; i < w->model->nq; i++) w->probe.q[i] += time * (w->state.v[i] + 0.5 * time * a[i]);
     return value_at(w, f, &w->probe);
@@ -194,8 +200,9 @@ static double gap_on_course(pm_workspace *w, const pm_event_function *f, double 
 /* Time until a contact that is left now is back; the first step, which is of order 1, must show that. */
 static double flight(pm_workspace *w, const pm_event_function *f)
 {
-    const double scale = pm_case_time_scale(w, w->state.v, accelerations(w));
-    const double d = PM_IDA_RATE_TIME * fmin(scale, pm_case_max_time(w));
+    const double scale =
+        pm_case_time_scale(w->model, &w->numbers, w->state.v, accelerations(w->model, w->ida));
+    const double d = PM_IDA_RATE_TIME * fmin(scale, pm_case_max_time(w->model, &w->numbers));
     const double earlier = gap_on_course(w, f, -d), now = gap_on_course(w, f, 0),
                  later = gap_on_course(w, f, d);
     const double rate = (later - earlier) / (2 * d), second = (later - 2 * now + earlier) / (d * d);
@@ -224,15 +231,15 @@ static int begin(pm_workspace *w)
     int status = pm_ida_system_start(w, N_VGetArrayPointer(r->y), N_VGetArrayPointer(r->yp));
     if (status) return status;
     pm_ida_system_scale(w);
-    double first = PM_IDA_FIRST_STEP * sqrt(r->tolerance) * time_to_begin_with(w);
+    double first = PM_IDA_FIRST_STEP * sqrt(r->tolerance) * time_to_begin_with(&w->frame, &w->state);
     w->step.nodes = w->phase.route->nodes;
     int flag = IDAReInit(r->memory, w->state.t, r->y, r->yp);
     if (flag == IDA_SUCCESS) flag = limit_step(w);
-    if (flag != IDA_SUCCESS) return failed(w, flag);
+    if (flag != IDA_SUCCESS) return failed(&w->result, flag);
     first = fmin(first, fmax(PM_IDA_SHORTEST * first, PM_IDA_FLIGHT * begin_functions(w)));
     flag = IDASetInitStep(r->memory, isfinite(first) ? first : 0); /* 0: as IDA thinks fit */
     r->first = r->last = w->state.t;
-    return flag == IDA_SUCCESS ? PM_OK : failed(w, flag);
+    return flag == IDA_SUCCESS ? PM_OK : failed(&w->result, flag);
 }
 
 /* y and y' inside the last step, beyond its begin on the tangent there. */
@@ -248,7 +255,7 @@ static int look_up(pm_workspace *w, double t, double *y)
         flag = IDAGetDky(r->memory, inside, 1, r->dense);
         for (int i = 0; i < n; i++) y[i] += (t - inside) * value[i];
     }
-    return flag == IDA_SUCCESS ? PM_OK : failed(w, flag);
+    return flag == IDA_SUCCESS ? PM_OK : failed(&w->result, flag);
 }
 
 static int at(pm_workspace *w, double t, pm_state *s)
@@ -264,9 +271,9 @@ static int exact(pm_workspace *w, double t, pm_state *s)
     return status ? status : pm_ida_linear_project(w, s);
 }
 
-static int too_small(pm_workspace *w, double length, double bound)
+static int too_small(pm_result *result, double length, double bound)
 {
-    return pm_fail(w, PM_STEP_TOO_SMALL, PM_NONE, PM_NONE, length, bound);
+    return pm_fail(result, PM_STEP_TOO_SMALL, PM_NONE, PM_NONE, length, bound);
 }
 
 static int one_step(pm_workspace *w, double t_limit)
@@ -275,15 +282,15 @@ static int one_step(pm_workspace *w, double t_limit)
     double t, length;
     const double room = t_limit - w->state.t, least = PM_IDA_LEAST_STEP * fabs(w->state.t);
     if (!(room > PM_IDA_LEAST_ROOM * fabs(t_limit)))
-        return too_small(w, room, PM_IDA_LEAST_ROOM * fabs(t_limit));
+        return too_small(&w->result, room, PM_IDA_LEAST_ROOM * fabs(t_limit));
     r->status = PM_OK;
     int flag = IDASetStopTime(r->memory, t_limit);
     if (flag == IDA_SUCCESS) flag = IDASolve(r->memory, t_limit, &t, r->y, r->yp, IDA_ONE_STEP);
-    int status = status_of(w, flag);
+    int status = status_of(&w->result, w->ida, flag);
     if (status) return status;
     if ((flag = IDAGetCurrentTime(r->memory, &r->last)) || (flag = IDAGetLastStep(r->memory, &length)))
-        return failed(w, flag);
-    if (!(length > least)) return too_small(w, length, least); /* IDA itself would go on for ever */
+        return failed(&w->result, flag);
+    if (!(length > least)) return too_small(&w->result, length, least); /* IDA itself would go on for ever */
     r->first = r->last - length;
     if (w->ask->nobserver > 0) w->step.nodes = &pm_chebyshev_nodes_equal;
     w->step.begin = w->state.t;
@@ -292,8 +299,8 @@ static int one_step(pm_workspace *w, double t_limit)
     w->state.t = t;
     status = pm_ida_linear_project(w, &w->state);
     w->result.count[PM_COUNT_STEPS]++;
-    if (!status && pm_case_speed(w, w->state.v)) pm_ida_system_scale(w);
-    if (!status && (flag = limit_step(w))) status = failed(w, flag);
+    if (!status && pm_case_speed(w->model, &w->numbers, w->state.v)) pm_ida_system_scale(w);
+    if (!status && (flag = limit_step(w))) status = failed(&w->result, flag);
     return status;
 }
 

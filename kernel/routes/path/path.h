@@ -154,13 +154,13 @@ int pm_path_take_step(pm_workspace *w, double full);
 /* path_cycle.c: whether p->begin is like node 0, and all nodes are determined. */
 int pm_path_cycle(const pm_workspace *w);
 /* The last step once more from p->begin, where T is `kinetic`: places and T at all nodes. */
-void pm_path_cycle_of(pm_workspace *w, double kinetic);
+void pm_path_cycle_of(const pm_model *model, pm_path *p, double kinetic);
 /* The place at the fraction s of the filled step, with its T, in w->path->spare. */
 int pm_path_inside(pm_workspace *w, double s);
 /* The running integrals at the fraction s of the step. */
-void pm_path_integrals(const pm_workspace *w, double s, double *z);
+void pm_path_integrals(const pm_model *model, const pm_path *p, double s, double *z);
 /* What forces without potential have done. */
-double pm_path_work(const pm_workspace *w, const double *z);
+double pm_path_work(const pm_model *model, const double *z);
 /* What the perturbation that waits (w->request) makes of velocities[nq] where the frame looks, which then has these: > 0 on
  * its side. */
 double pm_path_requested(pm_workspace *w, const double *velocity);
@@ -189,7 +189,7 @@ double pm_path_clock_at(const pm_path *p, double s);
 /* Whether the tree is such a one; p->rigid is made for the phase then, where the frame looks. */
 int pm_path_rigid_build(pm_workspace *w);
 /* All of the place at coordinate u but the coordinate.  The frame looks at it where other forces than weights act. */
-void pm_path_rigid_place(pm_workspace *w, double u, pm_place *place);
+void pm_path_rigid_place(const pm_workspace *w, double u, pm_place *place);
 
 /* ---- path_begin.c ---- */
 /* The operations of the route (state/route.h). */
@@ -197,9 +197,9 @@ int pm_path_applies(const pm_workspace *w);
 int pm_path_prepare(pm_workspace *w);
 int pm_path_begin(pm_workspace *w);
 /* kg, of all bodies. */
-double pm_path_total_mass(const pm_workspace *w);
+double pm_path_total_mass(const pm_model *model, const pm_numbers *numbers);
 /* What the generalised force at x would be if the forces of the frame were along the motion. */
-double pm_path_force_size(const pm_workspace *w, const pm_place *x);
+double pm_path_force_size(const pm_frame *frame, const pm_place *x);
 
 /* ---- path_check.c: a step has ended at w->state, where the frame looks: notes the evidence of it in the ledger ---- */
 void pm_path_check(pm_workspace *w);

@@ -16,31 +16,32 @@
 #include "state/workspace.h"
 #include "tree/tree.h"
 
-double pm_path_total_mass(const pm_workspace *w)
+double pm_path_total_mass(const pm_model *model, const pm_numbers *numbers)
 {
     double sum = 0;
-    for (int i = 0; i < w->model->nbody; i++) sum += w->numbers.mass[i];
+    for (int i = 0; i < model->nbody; i++) sum += numbers->mass[i];
     return sum;
 }
 
 /* Rate of the driver from given velocities: their part along the path. */
-static double rate_of(const pm_workspace *w, const pm_place *x, const double *v)
+static double rate_of(const pm_frame *frame, const pm_place *x, const double *v)
 {
     double sum = 0;
-    for (int i = 0; i < w->model->nbody; i++)
-        sum += w->numbers.mass[i] * (v[3 * i] * x->tangent[3 * i] + v[3 * i + 1] * x->tangent[3 * i + 1]) +
-               pm_body_inertia(&w->frame, i) * v[3 * i + 2] * x->tangent[3 * i + 2];
+    for (int i = 0; i < frame->model->nbody; i++)
+        sum +=
+            frame->numbers->mass[i] * (v[3 * i] * x->tangent[3 * i] + v[3 * i + 1] * x->tangent[3 * i + 1]) +
+            pm_body_inertia(frame, i) * v[3 * i + 2] * x->tangent[3 * i + 2];
     return sum / x->mass;
 }
 
-double pm_path_force_size(const pm_workspace *w, const pm_place *x)
+double pm_path_force_size(const pm_frame *frame, const pm_place *x)
 {
     double size = 0;
-    for (int i = 0; i < w->model->nbody; i++) {
-        const double *f = w->frame.f + 3 * i, *t = x->tangent + 3 * i;
+    for (int i = 0; i < frame->model->nbody; i++) {
+        const double *f = frame->f + 3 * i, *t = x->tangent + 3 * i;
         size += hypot(f[0], f[1]) * hypot(t[0], t[1]) + fabs(f[2] * t[2]);
     }
-    return size + pm_turning_plane_force_size(&w->frame, x->tangent);
+    return size + pm_turning_plane_force_size(frame, x->tangent);
 }
 
 double pm_path_requested(pm_workspace *w, const double *velocity)
@@ -60,24 +61,24 @@ static double requested_side(pm_workspace *w, const pm_place *x)
 static int leave_rest(pm_workspace *w, const pm_place *x)
 {
     pm_path *p = w->path;
-    const double size = pm_path_force_size(w, x);
+    const double size = pm_path_force_size(&w->frame, x);
     p->balanced = !(fabs(x->force) > PM_PATH_BALANCED * size);
     p->sense = p->balanced ? requested_side(w, x) : (x->force > 0 ? 1 : -1);
     return p->sense != 0;
 }
 
 /* A prescribed rate makes the motion one in time. */
-static int is_driven(const pm_workspace *w)
+static int is_driven(const pm_active_set *active)
 {
-    for (int i = 0; i < w->active.n; i++)
-        if (w->active.row[i].drive != PM_NONE) return 1;
+    for (int i = 0; i < active->n; i++)
+        if (active->row[i].drive != PM_NONE) return 1;
     return 0;
 }
 
 int pm_path_applies(const pm_workspace *w)
 {
     return w->model->programs.forces_by_place && !w->active.asymmetric && !w->numbers.massless &&
-           !w->phase.path_left && !is_driven(w);
+           !w->phase.path_left && !is_driven(&w->active);
 }
 
 /* The tree of the phase and its first place; 0: more than one freedom, no direction there, or it stays at rest. */
@@ -96,12 +97,13 @@ int pm_path_prepare(pm_workspace *w)
     pm_tree_read(w->tree, &w->frame, x->y);
     pm_path_open_begin(w);
     if (pm_path_look(w, x) || pm_path_drive(w, x)) return 0;
-    const double rate = rate_of(w, x, w->state.v);
+    const double rate = rate_of(&w->frame, x, w->state.v);
     x->kinetic = 0.5 * x->mass * rate * rate;
     p->sense = rate > 0 ? 1 : -1;
     p->balanced = 0;
-    p->at_rest = !(2 * x->kinetic > PM_PATH_STILL * PM_PATH_STILL * pm_path_total_mass(w) * w->numbers.speed *
-                                        w->numbers.speed);
+    p->at_rest =
+        !(2 * x->kinetic > PM_PATH_STILL * PM_PATH_STILL * pm_path_total_mass(w->model, &w->numbers) *
+                               w->numbers.speed * w->numbers.speed);
     /* the contacts are met anew, to rounding: what the forces do on that way is not lost */
     for (int i = 0; i < w->model->nq; i++) x->kinetic += w->frame.f[i] * (x->q[i] - w->state.q[i]);
     if (p->at_rest) x->kinetic = 0;
@@ -116,10 +118,10 @@ int pm_path_begin(pm_workspace *w)
     double momentum[PM_LEDGER];
     p->fresh = 1;
     p->most = INFINITY;
-    pm_path_error_begin(w, x->kinetic);
+    pm_path_error_begin(&w->result, w->path, x->kinetic);
     p->way = 0;
     p->lowest = x->kinetic;
-    p->energy = x->kinetic + x->potential - pm_path_work(w, w->state.z);
+    p->energy = x->kinetic + x->potential - pm_path_work(w->model, w->state.z);
     pm_frame_look_state(&w->frame, &w->state);
     pm_body_momentum(&w->frame, PM_NONE, momentum);
     for (int i = 0; i < PM_LEDGER; i++) p->impulse[i] = ledger[i] - momentum[i];

@@ -110,7 +110,7 @@ static int build(pm_workspace *w, double u)
     return PM_OK;
 }
 
-static int meets_rows(pm_workspace *w)
+static int meets_rows(const pm_workspace *w)
 {
     for (int i = 0; i < w->tree->nloop; i++)
         if (!(fabs(w->active.row[w->tree->loop[i]].g) <= PM_BRIDGE_MET * w->numbers.size)) return 0;
@@ -136,7 +136,7 @@ int pm_path_bridge_place(pm_workspace *w, double u, pm_place *place)
 {
     pm_path *p = w->path;
     pm_bridge *b = &p->bridge;
-    if (!b->has_known) return pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
+    if (!b->has_known) return pm_fail(&w->result, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
     if (!(fabs(u - b->centre) < PM_BRIDGE_SERVES * b->reach)) {
         b->reach = 0;
         const int status = build(w, u);
@@ -145,7 +145,7 @@ int pm_path_bridge_place(pm_workspace *w, double u, pm_place *place)
     read(p, u, place->y, place->slope, b->bend);
     pm_tree_place(w->tree, &w->frame, w->state.memory, place->y, place->q);
     pm_tree_loops(w->tree, &w->frame, &p->loop);
-    return meets_rows(w) ? PM_OK : pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
+    return meets_rows(w) ? PM_OK : pm_fail(&w->result, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
 }
 
 int pm_path_bridge_accelerate(pm_workspace *w)

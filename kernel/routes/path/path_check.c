@@ -25,7 +25,7 @@ static double open_work(const pm_workspace *w)
     for (int k = 0; k < p->nodes->n; k++) scale = pm_max(p->node[k * p->every].kinetic, scale);
     if (!(scale > 0) || pm_chebyshev_tail(p->nodes, p->force) >= PM_WORK_TAIL) return 0;
     const double work = p->h * pm_chebyshev_whole(p->nodes, p->force);
-    if (w->model->nz_work > 0) z = pm_path_work(w, w->state.z) - pm_path_work(w, p->weight);
+    if (w->model->nz_work > 0) z = pm_path_work(w->model, w->state.z) - pm_path_work(w->model, p->weight);
     const double rounding = PM_PATH_CHECK_ROUNDINGS * DBL_EPSILON * fmax(fabs(first), fabs(last));
     return fmax(fabs(first - last + z - work) - rounding, 0) / scale;
 }
@@ -49,12 +49,12 @@ static double broken_row(const pm_workspace *w)
 }
 
 /* What the forces of the frame do along it, against dT/du. */
-static double missed_force(const pm_workspace *w)
+static double missed_force(const pm_frame *frame, const pm_path *path)
 {
-    const pm_place *last = &w->path->node[PM_NODES_MOST - 1];
-    const double size = pm_path_force_size(w, last);
+    const pm_place *last = &path->node[PM_NODES_MOST - 1];
+    const double size = pm_path_force_size(frame, last);
     double force = 0;
-    for (int i = 0; i < w->model->nq; i++) force += w->frame.f[i] * last->tangent[i];
+    for (int i = 0; i < frame->model->nq; i++) force += frame->f[i] * last->tangent[i];
     return size > 0 ? fabs(force - last->force) / size : 0;
 }
 
@@ -64,5 +64,5 @@ void pm_path_check(pm_workspace *w)
     pm_saddle_evaluate(&w->active, &w->frame);
     w->ledger.evidence = pm_max(open_work(w), w->ledger.evidence);
     w->ledger.evidence = pm_max(broken_row(w), w->ledger.evidence);
-    w->ledger.evidence = pm_max(missed_force(w), w->ledger.evidence);
+    w->ledger.evidence = pm_max(missed_force(&w->frame, w->path), w->ledger.evidence);
 }

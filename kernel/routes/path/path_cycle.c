@@ -27,10 +27,10 @@ int pm_path_cycle(const pm_workspace *w)
     return off <= PM_PATH_SAME_DIRECTION * size;
 }
 
-static void shift(const pm_workspace *w, const pm_place *from, pm_place *x)
+static void shift(const pm_model *model, const pm_path *path, const pm_place *from, pm_place *x)
 {
-    for (int i = 0; i < w->model->nbody; i++) {
-        const double *to = w->path->begin.q + 3 * i;
+    for (int i = 0; i < model->nbody; i++) {
+        const double *to = path->begin.q + 3 * i;
         double *q = x->q + 3 * i, *pose = x->pose + 5 * i;
         const double turn = to[2] - from->q[3 * i + 2];
         for (int k = 0; k < 3; k++) q[k] = pose[k] += to[k] - from->q[3 * i + k];
@@ -40,15 +40,14 @@ static void shift(const pm_workspace *w, const pm_place *from, pm_place *x)
     }
 }
 
-void pm_path_cycle_of(pm_workspace *w, double kinetic)
+void pm_path_cycle_of(const pm_model *model, pm_path *p, double kinetic)
 {
-    pm_path *p = w->path;
     const pm_place *begin = &p->begin, *from = &p->node[0];
     const double more = kinetic - from->kinetic, higher = begin->potential - from->potential;
     for (int k = p->nodes->n; k-- > 0;) { /* the first, from which the others are shifted, is the last */
         pm_place *x = pm_path_node(p, k);
         for (int i = 0; i < p->n; i++) x->y[i] += begin->y[i] - from->y[i];
-        shift(w, from, x);
+        shift(model, p, from, x);
         x->kinetic += more;
         x->potential += higher;
     }

@@ -25,10 +25,9 @@
 #include "state/frame.h"
 #include "state/workspace.h"
 
-void pm_path_error_begin(pm_workspace *w, double kinetic)
+void pm_path_error_begin(const pm_result *result, pm_path *p, double kinetic)
 {
-    pm_path *p = w->path;
-    if (w->result.count[PM_COUNT_PHASES] == 0) p->error = p->ended = p->clock.error = 0;
+    if (result->count[PM_COUNT_PHASES] == 0) p->error = p->ended = p->clock.error = 0;
     if (p->ended > 0) p->error *= kinetic / p->ended;
     p->error += PM_ENERGY_ROUNDINGS * kinetic;
 }
@@ -42,19 +41,17 @@ static double relative_error(const pm_path *p)
 }
 
 /* The time of the step: what its nodes do not resolve, and dt = -t dT / 2 T, where it rests at an end of the greatest T. */
-static void step_of_clock(const pm_workspace *w, pm_path *p)
+static void step_of_clock(const pm_model *model, const pm_state *state, pm_path *p)
 {
     double least = INFINITY, greatest = 0;
-    if (p->balanced && w->model->programs.read_time)
-        p->clock.error = INFINITY; /* it takes for ever to leave */
+    if (p->balanced && model->programs.read_time) p->clock.error = INFINITY; /* it takes for ever to leave */
     if (p->clock.kind == PM_CLOCK_NONE) return;
     for (int k = 0; k < p->nodes->n; k++) {
         least = pm_min(p->node[k * p->every].kinetic, least);
         greatest = pm_max(p->node[k * p->every].kinetic, greatest);
     }
     const double by = p->clock.kind == PM_CLOCK_PLAIN ? least : greatest / PM_ERROR_RESTING;
-    p->clock.error +=
-        (w->state.t - p->clock.t0) * (PM_ERROR_UNRESOLVED * p->clock.tail + 0.5 * p->error / by);
+    p->clock.error += (state->t - p->clock.t0) * (PM_ERROR_UNRESOLVED * p->clock.tail + 0.5 * p->error / by);
 }
 
 void pm_path_error_step(pm_workspace *w, double kinetic)
@@ -63,14 +60,14 @@ void pm_path_error_step(pm_workspace *w, double kinetic)
     const double potential = p->by_work ? 0 : fabs(p->node[0].potential);
     p->ended = kinetic;
     p->error += PM_ENERGY_ROUNDINGS * (p->node[0].kinetic + kinetic + potential);
-    step_of_clock(w, p);
+    step_of_clock(w->model, &w->state, p);
     if (w->evidence.active)
         w->evidence.present->relative = fmax(w->evidence.present->relative, relative_error(p));
 }
 
-void pm_path_error_barrier(pm_workspace *w, double distance)
+void pm_path_error_barrier(pm_evidence *evidence, const pm_path *path, double distance)
 {
-    pm_evidence_decide(w, distance, w->path->error);
+    pm_evidence_decide(evidence, distance, path->error);
 }
 
 /* ---- do places alone decide? ---- */
@@ -168,20 +165,20 @@ void pm_path_error_sampled(pm_workspace *w)
         if (f->every)
             w->evidence.present->unsure = 1;
         else
-            take_extremes(w, f->index, pm_event_samples(w, i));
+            take_extremes(w, f->index, pm_event_samples(w->event, i));
     }
 }
 
 /* Values at instants are in the log; a rate tells nothing here that the extremes do not tell better. */
-double pm_path_error_margin(const pm_workspace *w, const pm_pass *pass, const double *trigger_scale)
+double pm_path_error_margin(const pm_model *model, const pm_pass *pass, const double *trigger_scale)
 {
-    const int ntrigger = w->model->rows[PM_TABLE_TRIGGER];
+    const int ntrigger = model->rows[PM_TABLE_TRIGGER];
     const double relative = fmax(pass->relative, DBL_EPSILON);
     double margin = INFINITY;
     for (int i = 0; i < pass->log.n; i++) {
         const pm_evidence_decision *x = &pass->log.entry[i];
         if (x->trigger == PM_NONE || x->kind == PM_EVIDENCE_RATE ||
-            fires_by_place(w->model, PM_TRIGGER_ROW(w->model, x->trigger)))
+            fires_by_place(model, PM_TRIGGER_ROW(model, x->trigger)))
             continue;
         const double unit = x->unit * trigger_scale[x->trigger];
         if (pm_evidence_is_open(x, unit)) margin = fmin(margin, fabs(x->distance) / (unit * relative));
@@ -195,9 +192,9 @@ double pm_path_error_margin(const pm_workspace *w, const pm_pass *pass, const do
 }
 
 /* ---- answers ---- */
-static void shift_velocities(pm_workspace *w, double factor)
+static void shift_velocities(pm_frame *frame, double factor)
 {
-    for (int i = 0; i < w->model->nq; i++) w->frame.velocity[i] = factor * w->frame.v[i];
+    for (int i = 0; i < frame->model->nq; i++) frame->velocity[i] = factor * frame->v[i];
 }
 
 /* The error of the clock in a program that reads nothing but the time, linearly; segments passed over do not tell it. */
@@ -241,10 +238,10 @@ static double error_of_motion(pm_workspace *w, int program, double value)
     const int dynamic = w->model->programs.level[program] == PM_LEVEL_DYNAMIC;
     if (w->model->programs.energy[program] == PM_ENERGY_CLASS_UNKNOWN || !(kinetic > 0)) return NAN;
     if (dynamic) set_aside(w, w->scratch);
-    shift_velocities(w, 1 + PM_ERROR_FASTER);
+    shift_velocities(&w->frame, 1 + PM_ERROR_FASTER);
     const int failed = dynamic && accelerate(w);
     const double changed = pm_program_run(w, program);
-    shift_velocities(w, 1);
+    shift_velocities(&w->frame, 1);
     if (dynamic) put_back(w, w->scratch);
     return failed ? NAN : fabs(changed - value) / (2 * PM_ERROR_FASTER * kinetic) * w->path->error;
 }
@@ -262,5 +259,5 @@ void pm_path_error_answer(pm_workspace *w, int ask, int column, int program, dou
         error = error_of_time(w, program, value);
     else
         error = error_of_motion(w, program, value);
-    pm_evidence_answer(w, column, error);
+    pm_evidence_answer(&w->evidence, column, error);
 }

@@ -59,6 +59,6 @@ int pm_path_accelerate(pm_workspace *w, const double *along)
 /* Nothing is factored where no row closes a loop. */
 int pm_path_react(pm_workspace *w)
 {
-    if (w->tree->nloop > 0 || pm_joint_friction_by_load(w)) return pm_saddle_accelerate(w);
+    if (w->tree->nloop > 0 || pm_joint_friction_by_load(&w->frame, &w->state)) return pm_saddle_accelerate(w);
     return pm_path_accelerate(w, w->frame.v);
 }

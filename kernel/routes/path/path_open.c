@@ -51,10 +51,10 @@ static void measure_still(const pm_tree_node *x, pm_place *place)
     memset(place->bend + 3 * x->body, 0, sizeof none);
 }
 
-static void add_weights(const pm_workspace *w, pm_place *place)
+static void add_weights(const pm_frame *frame, pm_place *place)
 {
-    for (int i = 0; i < w->model->nbody; i++) {
-        const double *t = place->tangent + 3 * i, *pose = place->pose + 5 * i, *f = w->frame.f + 3 * i;
+    for (int i = 0; i < frame->model->nbody; i++) {
+        const double *t = place->tangent + 3 * i, *pose = place->pose + 5 * i, *f = frame->f + 3 * i;
         place->force += f[0] * t[0] + f[1] * t[1];
         place->potential -= f[0] * pose[0] + f[1] * pose[1];
     }
@@ -69,9 +69,9 @@ static void add_forces(pm_workspace *w, pm_place *place)
                        pm_turning_plane_kinetic(&w->frame, PM_NONE);
 }
 
-static void look_at(pm_workspace *w, const pm_place *place)
+static void look_at(pm_frame *frame, const pm_state *state, const pm_place *place)
 {
-    pm_frame_look_placed(&w->frame, &w->state, place->q, place->tangent);
+    pm_frame_look_placed(frame, state, place->q, place->tangent);
 }
 
 static void place_by_tree(pm_workspace *w, pm_place *place)
@@ -81,9 +81,9 @@ static void place_by_tree(pm_workspace *w, pm_place *place)
     memcpy(place->pose, w->frame.pose, 5 * (size_t)w->model->nbody * sizeof *place->pose);
     for (int i = 0; i < w->fixed->n; i++) measure_still(&w->tree->node[i], place);
     for (int i = w->fixed->n; i < w->model->nbody; i++) measure_body(w, &w->tree->node[i], place);
-    look_at(w, place);
+    look_at(&w->frame, &w->state, place);
     if (w->path->rigid.weights_alone)
-        add_weights(w, place);
+        add_weights(&w->frame, place);
     else
         add_forces(w, place);
 }
@@ -93,7 +93,7 @@ static void place_rigid(pm_workspace *w, pm_place *place)
     pm_path_rigid_place(w, place->y[0], place);
     if (w->path->rigid.weights_alone) return;
     memcpy(w->frame.pose, place->pose, 5 * (size_t)w->model->nbody * sizeof *place->pose);
-    look_at(w, place);
+    look_at(&w->frame, &w->state, place);
     place->force = 0;
     add_forces(w, place);
 }

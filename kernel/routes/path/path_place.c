@@ -18,9 +18,9 @@
 #include "tree/tree.h"
 #include "tree/tree_node.h"
 
-static double scale_of(const pm_workspace *w, int coordinate)
+static double scale_of(const pm_numbers *numbers, const struct pm_tree *tree, int coordinate)
 {
-    return pm_tree_is_angle(w->tree, coordinate) ? 1 : w->numbers.size;
+    return pm_tree_is_angle(tree, coordinate) ? 1 : numbers->size;
 }
 
 /* What motion at a unit rate of the driver makes of masses and forces. */
@@ -43,14 +43,14 @@ static void measure_motion(pm_workspace *w, pm_place *place)
 }
 
 /* The greatest distance of a joint from a mass centre: a long chain is large, its links are not. */
-static double greatest_lever(const pm_workspace *w)
+static double greatest_lever(const struct pm_tree *tree)
 {
     double lever = 0;
-    for (int i = 0; i < w->model->nbody; i++) {
-        const pm_tree_node *x = &w->tree->node[i];
+    for (int i = 0; i < tree->model->nbody; i++) {
+        const pm_tree_node *x = &tree->node[i];
         if (x->placement == FREE) continue;
         lever = fmax(lever, pm_length(x->child));
-        if (x->parent != w->model->nbody) lever = fmax(lever, pm_length(x->mark));
+        if (x->parent != tree->model->nbody) lever = fmax(lever, pm_length(x->mark));
     }
     return lever;
 }
@@ -58,7 +58,7 @@ static double greatest_lever(const pm_workspace *w)
 /* What a loop row changes by when its coordinates do by their natural size. */
 static double row_size(const pm_workspace *w)
 {
-    const double lever = greatest_lever(w),
+    const double lever = greatest_lever(w->tree),
                  size = lever > 0 ? fmin(w->numbers.size, PM_PATH_LINKS * lever) : w->numbers.size;
     for (int i = 0; i < w->tree->nloop; i++)
         if (w->active.row[w->tree->loop[i]].kind == PM_CONSTRAINT_ANGLE) return fmin(size, 1);
@@ -72,7 +72,7 @@ static int is_determined(const pm_workspace *w)
     const double weak = PM_PATH_WEAK * row_size(w);
     for (int i = 0; i < n; i++) {
         const int column = w->tree->part.column[i];
-        if (!(fabs(w->tree->jacobian[i * n + i]) * scale_of(w, column) > weak)) return 0;
+        if (!(fabs(w->tree->jacobian[i * n + i]) * scale_of(&w->numbers, w->tree, column) > weak)) return 0;
     }
     return 1;
 }
@@ -90,7 +90,7 @@ static int null_vector(pm_workspace *w, double *t)
     t[column[n - 1]] = 1;
     for (int i = rows - 1; i >= 0; i--) {
         const double *a = p->loop.entry + i * n, pivot = a[column[i]];
-        if (!(fabs(pivot) * scale_of(w, column[i]) > weak)) return 0;
+        if (!(fabs(pivot) * scale_of(&w->numbers, w->tree, column[i]) > weak)) return 0;
         double sum = 0;
         for (int c = x.low[i]; c <= x.high[i]; c++)
             if (x.place[c] > i) sum += a[c] * t[c];
@@ -137,18 +137,17 @@ int pm_path_look(pm_workspace *w, pm_place *place)
     }
     pm_tree_place(w->tree, &w->frame, w->state.memory, place->y, place->q);
     pm_tree_loops(w->tree, &w->frame, &p->loop);
-    if (!null_vector(w, place->slope)) return pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
+    if (!null_vector(w, place->slope)) return pm_fail(&w->result, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
     place->determined = 1;
     measure_motion(w, place);
     return PM_OK;
 }
 
 /* The same motion, told by a unit rate of coordinate i. */
-static void tell_by(const pm_workspace *w, pm_place *place, int i)
+static void tell_by(const pm_model *m, const pm_path *path, pm_place *place, int i)
 {
-    const pm_model *m = w->model;
     const double factor = 1 / place->slope[i];
-    for (int k = 0; k < w->path->n; k++) place->slope[k] *= factor;
+    for (int k = 0; k < path->n; k++) place->slope[k] *= factor;
     for (int k = 0; k < m->nq; k++) place->tangent[k] *= factor;
     for (int k = 0; k < m->nz_controlled; k++) place->rate[k] *= k < m->nz_work ? factor : fabs(factor);
     place->mass *= factor * factor;
@@ -161,18 +160,18 @@ int pm_path_drive(pm_workspace *w, pm_place *place)
     double fastest = 0;
     int best = PM_NONE;
     for (int i = 0; i < p->n; i++) {
-        const double rate = fabs(place->slope[i]) / scale_of(w, i);
+        const double rate = fabs(place->slope[i]) / scale_of(&w->numbers, w->tree, i);
         if (!(rate > fastest)) continue;
         fastest = rate;
         best = i;
     }
-    if (best == PM_NONE) return pm_fail(w, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
+    if (best == PM_NONE) return pm_fail(&w->result, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
     if (p->driver != PM_NONE &&
-        fabs(place->slope[p->driver]) / scale_of(w, p->driver) >= PM_PATH_KEEP * fastest)
+        fabs(place->slope[p->driver]) / scale_of(&w->numbers, w->tree, p->driver) >= PM_PATH_KEEP * fastest)
         return PM_OK;
     if (place->slope[best] < 0) p->sense = -p->sense;
     p->driver = best;
     pm_path_bridge_forget(p);
-    tell_by(w, place, best);
+    tell_by(w->model, w->path, place, best);
     return PM_OK;
 }

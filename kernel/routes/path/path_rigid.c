@@ -114,14 +114,14 @@ typedef struct pm_track {
     pm_lanes rho, t;         /* of the node (tree_node.h) */
 } pm_track;
 
-static inline void go_along_line(const pm_workspace *w, const pm_rigid *g, double u, pm_lanes turn,
+static inline void go_along_line(const pm_state *state, const pm_rigid *g, double u, pm_lanes turn,
                                  pm_track *x)
 {
     const pm_tree_node *node = g->first;
     const int slides = node->placement == SLIDER;
     const double r = node->radius, rate = slides ? 1 : node->roll_own;
     double s = u;
-    if (!slides) s = w->state.memory[node->memory].anchor + rate * u + node->roll_parent * g->fixed;
+    if (!slides) s = state->memory[node->memory].anchor + rate * u + node->roll_parent * g->fixed;
     x->t = node->child_is_a ? g->line : turned(turn, g->line);
     const pm_lanes n = pm_pair_left(x->t);
     x->rho = s * x->t + r * n;
@@ -131,14 +131,14 @@ static inline void go_along_line(const pm_workspace *w, const pm_rigid *g, doubl
     x->bend = 2 * rate * n - x->rho;
 }
 
-static void go_round_circle(const pm_workspace *w, const pm_rigid *g, double u, pm_lanes turn, pm_track *x)
+static void go_round_circle(const pm_state *state, const pm_rigid *g, double u, pm_lanes turn, pm_track *x)
 {
     const pm_tree_node *node = g->first;
     const double rate = node->roll_own;
     if (rate == 1 && node->roll_parent == 0) { /* on a point */
         x->rho = turned(turn, pm_pair_load(node->touch));
     } else {
-        const double begin = w->state.memory[node->memory].anchor / node->length,
+        const double begin = state->memory[node->memory].anchor / node->length,
                      phi = begin + rate * u + node->roll_parent * g->fixed;
         x->rho = node->length * (pm_lanes){cos(phi), sin(phi)};
     }
@@ -147,15 +147,15 @@ static void go_round_circle(const pm_workspace *w, const pm_rigid *g, double u, 
     x->bend = -rate * rate * x->rho;
 }
 
-static inline void go(const pm_workspace *w, const pm_rigid *g, double u, pm_lanes turn, pm_track *x)
+static inline void go(const pm_state *state, const pm_rigid *g, double u, pm_lanes turn, pm_track *x)
 {
     const pm_tree_node *node = g->first;
     const double sign = node->child_is_a ? 1 : -1;
     x->rate = x->bend = x->rho = x->t = (pm_lanes){0, 0};
     if (node->placement == ROLL_CIRCLE)
-        go_round_circle(w, g, u, turn, x);
+        go_round_circle(state, g, u, turn, x);
     else if (node->placement != PIN)
-        go_along_line(w, g, u, turn, x);
+        go_along_line(state, g, u, turn, x);
     x->at = g->from + sign * x->rho;
     x->rate *= sign;
     x->bend *= sign;
@@ -211,14 +211,14 @@ static void leave_still(const pm_workspace *w, const pm_place *place)
     }
 }
 
-void pm_path_rigid_place(pm_workspace *w, double u, pm_place *place)
+void pm_path_rigid_place(const pm_workspace *w, double u, pm_place *place)
 {
     const pm_rigid *g = &w->path->rigid;
     const double angle = g->turns ? u : g->angle, spin = g->turns;
     const pm_lanes turn = g->turns ? (pm_lanes){cos(u), sin(u)} : g->turn;
     pm_track track;
     pm_sums sum = {.inertia = 0};
-    go(w, g, u, turn, &track);
+    go(&w->state, g, u, turn, &track);
     for (int i = 0; i < g->n; i++) sum = place_body(&g->body[i], angle, turn, spin, &track, place, sum);
     place->mass = pm_pair_sum(sum.mass) + spin * sum.inertia;
     place->change = pm_pair_sum(sum.change);

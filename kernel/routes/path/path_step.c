@@ -40,29 +40,27 @@ static void guess_node(pm_path *p, int k, double *y)
 }
 
 /* The running integrals at the fraction s of the step: works go by the way of the driver, distances by its length. */
-void pm_path_integrals(const pm_workspace *w, double s, double *z)
+void pm_path_integrals(const pm_model *model, const pm_path *p, double s, double *z)
 {
-    const pm_path *p = w->path;
     const int stride = stride_of(p, p->node[0].rate, p->node[1].rate);
-    for (int i = 0; i < w->model->nz_controlled; i++) {
-        const double way = i < w->model->nz_work ? p->sense * p->h : p->h;
+    for (int i = 0; i < model->nz_controlled; i++) {
+        const double way = i < model->nz_work ? p->sense * p->h : p->h;
         z[i] = p->weight[i] + way * pm_chebyshev_integral(p->nodes, p->node[0].rate + i, stride, s);
     }
 }
 
-double pm_path_work(const pm_workspace *w, const double *z)
+double pm_path_work(const pm_model *model, const double *z)
 {
     double sum = 0;
-    for (int i = 0; i < w->model->rows[PM_TABLE_FORCE]; i++)
-        if (w->model->force_z[i] != PM_NONE) sum += z[w->model->force_z[i]];
+    for (int i = 0; i < model->rows[PM_TABLE_FORCE]; i++)
+        if (model->force_z[i] != PM_NONE) sum += z[model->force_z[i]];
     return sum;
 }
 
-static int rates_resolved(const pm_workspace *w)
+static int rates_resolved(const pm_model *model, const pm_path *p)
 {
-    const pm_path *p = w->path;
     double value[PM_NODES_MOST];
-    for (int i = 0; i < w->model->nz_controlled; i++) {
+    for (int i = 0; i < model->nz_controlled; i++) {
         for (int k = 0; k < p->nodes->n; k++) value[k] = p->node[k * p->every].rate[i];
         if (pm_chebyshev_tail(p->nodes, value) > PM_WORK_TAIL) return 0;
     }
@@ -106,12 +104,11 @@ static int speed_resolved(const pm_path *p)
 }
 
 /* By the energy. */
-static double kinetic_at(const pm_workspace *w, const pm_place *x, double s)
+static double kinetic_at(const pm_model *model, pm_path *p, const pm_place *x, double s)
 {
-    const pm_path *p = w->path;
-    if (w->model->nz_work == 0) return p->energy - x->potential;
-    pm_path_integrals(w, s, w->path->work);
-    return p->energy - x->potential + pm_path_work(w, p->work);
+    if (model->nz_work == 0) return p->energy - x->potential;
+    pm_path_integrals(model, p, s, p->work);
+    return p->energy - x->potential + pm_path_work(model, p->work);
 }
 
 /* Small differences of large potentials are lost in their rounding; the work over a short way is not, where the nodes
@@ -123,16 +120,15 @@ static int work_is_better(const pm_path *p)
 }
 
 /* Forces and T at the nodes, whose places are known. */
-static void set_kinetics(pm_workspace *w)
+static void set_kinetics(const pm_model *model, pm_path *p)
 {
-    pm_path *p = w->path;
     const int n = p->nodes->n;
     double work[PM_NODES_MOST];
     for (int k = 0; k < n; k++) p->force[k] = p->sense * pm_path_node(p, k)->force;
     p->by_work = work_is_better(p);
     if (!p->by_work) {
         for (int k = 1; k < n; k++)
-            pm_path_node(p, k)->kinetic = kinetic_at(w, pm_path_node(p, k), p->nodes->at[k]);
+            pm_path_node(p, k)->kinetic = kinetic_at(model, p, pm_path_node(p, k), p->nodes->at[k]);
         return;
     }
     pm_chebyshev_integrals(p->nodes, p->force, work);
@@ -152,7 +148,7 @@ static int fill(pm_workspace *w, double h)
         const int status = pm_path_place(w, p->u0 + p->sense * (h * p->nodes->at[k]), x);
         if (status) return status;
     }
-    set_kinetics(w);
+    set_kinetics(w->model, w->path);
     return PM_OK;
 }
 
@@ -171,7 +167,7 @@ static int fill_between(pm_workspace *w)
     }
     p->nodes = &pm_chebyshev_nodes_17;
     p->every = 1;
-    set_kinetics(w);
+    set_kinetics(w->model, w->path);
     return PM_OK;
 }
 
@@ -189,7 +185,7 @@ int pm_path_inside(pm_workspace *w, double s)
         for (int k = 0; k < p->nodes->n; k++) kinetic[k] = pm_path_node(p, k)->kinetic;
         p->spare.kinetic = pm_chebyshev_value(p->nodes, kinetic, 1, s);
     } else {
-        p->spare.kinetic = kinetic_at(w, &p->spare, s);
+        p->spare.kinetic = kinetic_at(w->model, w->path, &p->spare, s);
     }
     return PM_OK;
 }
@@ -216,18 +212,19 @@ static int find_turning(pm_workspace *w, double *way)
         const double before = pm_path_node(p, k - 1)->kinetic, after = pm_path_node(p, k)->kinetic;
         double low = nodes->at[k], lowest = after;
         if (after > 0 && p->force[k - 1] < 0 && p->force[k] > 0) { /* a dip between the nodes */
-            const int status =
-                pm_fail_search(w, pm_chebyshev_root(nodes, p->force, nodes->at[k - 1], p->force[k - 1],
-                                                    nodes->at[k], p->force[k], &low, &slope));
+            const int status = pm_fail_search(&w->result, pm_chebyshev_root(nodes, p->force, nodes->at[k - 1],
+                                                                            p->force[k - 1], nodes->at[k],
+                                                                            p->force[k], &low, &slope));
             if (status || (lowest = exact_kinetic(w, low, NULL, &slope), isnan(lowest))) return status;
-            pm_path_error_barrier(w, lowest);
+            pm_path_error_barrier(&w->evidence, w->path, lowest);
         }
         p->least = pm_min(lowest, p->least);
         if (lowest > 0) continue;
-        const int status = before > 0
-                               ? pm_fail_search(w, pm_bracket_newton(exact_kinetic, w, NULL, nodes->at[k - 1],
-                                                                     before, low, lowest, &s))
-                               : PM_OK;
+        const int status =
+            before > 0
+                ? pm_fail_search(&w->result, pm_bracket_newton(exact_kinetic, w, NULL, nodes->at[k - 1],
+                                                               before, low, lowest, &s))
+                : PM_OK;
         *way = before > 0 ? s * p->h : 0;
         return status;
     }
@@ -248,7 +245,7 @@ static int judge(pm_workspace *w, int turning, double *next)
     pm_path *p = w->path;
     const int half = p->every > 1 || p->h > p->safe; /* else what is not smooth is sampled as it is */
     *next = 0;
-    if ((w->model->nz_controlled > 0 && !rates_resolved(w)) || (half && !motion_resolved(p)))
+    if ((w->model->nz_controlled > 0 && !rates_resolved(w->model, w->path)) || (half && !motion_resolved(p)))
         *next = 0.5 * p->h;
     if (!p->at_rest && !turning && watches_speed(w->model) && !speed_resolved(p)) *next = 0.5 * p->h;
     if (turning) {
@@ -304,7 +301,7 @@ int pm_path_take_step(pm_workspace *w, double full)
         halved |= next == 0.5 * h;
         h = next;
         if (!(h > PM_PATH_SHORTEST * full))
-            return pm_fail(w, PM_STEP_TOO_SMALL, PM_NONE, PM_NONE, h, PM_PATH_SHORTEST * full);
+            return pm_fail(&w->result, PM_STEP_TOO_SMALL, PM_NONE, PM_NONE, h, PM_PATH_SHORTEST * full);
     }
     if (halved)
         p->most = h;

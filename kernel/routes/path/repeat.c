@@ -47,10 +47,10 @@ void pm_repeat_free(pm_workspace *w)
     w->repeat = NULL;
 }
 
-void pm_repeat_forget(pm_workspace *w)
+void pm_repeat_forget(pm_repeat *repeat)
 {
-    w->repeat->known = 0;
-    w->repeat->unsure = NAN;
+    repeat->known = 0;
+    repeat->unsure = NAN;
 }
 
 /* ---- passing over ---- */

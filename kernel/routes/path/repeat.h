@@ -10,7 +10,7 @@ int pm_repeat_create(pm_workspace *w);
 void pm_repeat_free(pm_workspace *w);
 
 /* A new case, or a phase on another route: nothing is known. */
-void pm_repeat_forget(pm_workspace *w);
+void pm_repeat_forget(struct pm_repeat *repeat);
 /* A path phase begins at w->state (the frame looks at it, the rows are built): if it repeats the last segment, as many
  * segments are passed over as nobody asks about and as are sure to go like it; *passed = 1: w->state is the begin of a later
  * one and the rows are built for it.  Statuses of the route and of the rows. */

@@ -25,9 +25,9 @@ static int64_t fewest(int64_t a, int64_t b) { return a < b ? a : b; }
 
 /* ---- triggers ---- */
 /* A trigger that moves with the segments towards its zero must stay off it. */
-static int64_t until_zero(const pm_workspace *w, int trigger, double change)
+static int64_t until_zero(const struct pm_event_set *event, int trigger, double change)
 {
-    const double low = w->event->least[trigger], high = w->event->greatest[trigger], spread = high - low;
+    const double low = event->least[trigger], high = event->greatest[trigger], spread = high - low;
     if (low > 0 && change > 0) return PM_MOST_REPEATS;
     if (high < 0 && change < 0) return PM_MOST_REPEATS;
     const double room = low > 0 ? low : high < 0 ? -high : 0;
@@ -47,24 +47,24 @@ static int64_t trigger_allows(pm_workspace *w, int trigger, const pm_symmetry_sh
     const int kind = e[PM_TRIGGER_KIND];
     double change;
     if (kind > PM_TRIGGER_EVERY) return PM_MOST_REPEATS;
-    if (pm_trigger_on_time(w, trigger)) return time_allows(w, trigger, time);
+    if (pm_trigger_on_time(w->model, trigger)) return time_allows(w, trigger, time);
     const int growth = w->model->programs.energy[e[PM_TRIGGER_PROGRAM]];
     if (!pm_symmetry_program(&w->frame, shift, e[PM_TRIGGER_PROGRAM], &change)) return 0;
     if (kind == PM_TRIGGER_EVERY)
         return growth != PM_ENERGY_CLASS_NONE || fabs(change - round(change)) > PM_REPEAT_WHOLE
                    ? 0
                    : PM_MOST_REPEATS;
-    if (change != 0) return growth != PM_ENERGY_CLASS_NONE ? 0 : until_zero(w, trigger, change);
+    if (change != 0) return growth != PM_ENERGY_CLASS_NONE ? 0 : until_zero(w->event, trigger, change);
     if (growth <= PM_ENERGY_CLASS_ROOT && growth != PM_ENERGY_CLASS_LINEAR) return PM_MOST_REPEATS;
     /* its zero moves with T: it must stay off it, here and in the last segment (repeat_replay.c) */
     return growth > PM_ENERGY_CLASS_STEADY || w->repeat->side[trigger] == 0 ? 0 : PM_MOST_REPEATS;
 }
 
-int pm_repeat_limit_moves(const pm_workspace *w, int trigger)
+int pm_repeat_limit_moves(const pm_model *model, int trigger)
 {
-    const int32_t *e = PM_TRIGGER_ROW(w->model, trigger);
-    if (e[PM_TRIGGER_KIND] >= PM_TRIGGER_EVERY || pm_trigger_on_time(w, trigger)) return 0;
-    const int growth = w->model->programs.energy[e[PM_TRIGGER_PROGRAM]];
+    const int32_t *e = PM_TRIGGER_ROW(model, trigger);
+    if (e[PM_TRIGGER_KIND] >= PM_TRIGGER_EVERY || pm_trigger_on_time(model, trigger)) return 0;
+    const int growth = model->programs.energy[e[PM_TRIGGER_PROGRAM]];
     return growth == PM_ENERGY_CLASS_LINEAR || growth == PM_ENERGY_CLASS_STEADY;
 }
 
@@ -79,47 +79,47 @@ int pm_repeat_limit_read_sides(pm_workspace *w)
     return changed;
 }
 
-int64_t pm_repeat_limit_fires(const pm_workspace *w, int event)
+int64_t pm_repeat_limit_fires(const pm_firing *firing, const struct pm_repeat *repeat, int event)
 {
-    return w->firing.count[event] - w->repeat->event_count[event];
+    return firing->count[event] - repeat->event_count[event];
 }
 
 /* ---- asks ---- */
-static int grid_is_full(const pm_workspace *w, const int32_t *e)
+static int grid_is_full(const struct pm_ask_set *ask, const int32_t *e)
 {
     for (int k = 0; k < e[PM_ASK_COUNT]; k++)
-        if (!w->ask->filled[e[PM_ASK_OUT] + k]) return 0;
+        if (!ask->filled[e[PM_ASK_OUT] + k]) return 0;
     return 1;
 }
 
 /* Firings up to the last one that is asked. */
-static int64_t firings_allow(const pm_workspace *w, const int32_t *e)
+static int64_t firings_allow(const pm_firing *firing, const struct pm_repeat *repeat, const int32_t *e)
 {
     const int event = e[PM_ASK_EVENT_INDEX], each_is_asked = e[PM_ASK_KIND] == PM_ASK_EACH;
     const int64_t last = each_is_asked ? e[PM_ASK_COUNT] : e[PM_ASK_NTH],
-                  each = pm_repeat_limit_fires(w, event);
-    if (each == 0 || w->firing.count[event] >= last) return PM_MOST_REPEATS;
-    return each_is_asked ? 0 : at_most(PM_MOST_REPEATS, (double)((last - 1 - w->firing.count[event]) / each));
+                  each = pm_repeat_limit_fires(firing, repeat, event);
+    if (each == 0 || firing->count[event] >= last) return PM_MOST_REPEATS;
+    return each_is_asked ? 0 : at_most(PM_MOST_REPEATS, (double)((last - 1 - firing->count[event]) / each));
 }
 
-static int64_t extreme_allows(pm_workspace *w, const int32_t *e, const pm_symmetry_shift *shift)
+static int64_t extreme_allows(const pm_frame *frame, const int32_t *e, const pm_symmetry_shift *shift)
 {
-    const int growth = w->model->programs.energy[pm_ask_program(e)];
+    const int growth = frame->model->programs.energy[pm_ask_program(e)];
     double change;
-    if (!pm_symmetry_program(&w->frame, shift, pm_ask_program(e), &change)) return 0;
+    if (!pm_symmetry_program(frame, shift, pm_ask_program(e), &change)) return 0;
     if (change != 0 && growth != PM_ENERGY_CLASS_NONE) return 0; /* both change: neither end is the extreme */
     const int bends_well = growth == (pm_ask_greatest(e) ? PM_ENERGY_CLASS_CONVEX : PM_ENERGY_CLASS_CONCAVE);
     return growth > PM_ENERGY_CLASS_STEADY && !bends_well ? 0 : PM_MOST_REPEATS;
 }
 
-static int64_t ask_allows(pm_workspace *w, const int32_t *e, const pm_symmetry_shift *shift)
+static int64_t ask_allows(const pm_workspace *w, const int32_t *e, const pm_symmetry_shift *shift)
 {
     switch (e[PM_ASK_KIND]) {
     case PM_ASK_END: return PM_MOST_REPEATS;
     case PM_ASK_EVENT:
-    case PM_ASK_EACH: return firings_allow(w, e);
-    case PM_ASK_GRID: return grid_is_full(w, e) ? PM_MOST_REPEATS : 0;
-    default: return extreme_allows(w, e, shift);
+    case PM_ASK_EACH: return firings_allow(&w->firing, w->repeat, e);
+    case PM_ASK_GRID: return grid_is_full(w->ask, e) ? PM_MOST_REPEATS : 0;
+    default: return extreme_allows(&w->frame, e, shift);
     }
 }
 
@@ -129,13 +129,13 @@ static int64_t limits_allow(const pm_workspace *w, double time)
     const pm_model *m = w->model;
     const int64_t events = w->result.count[PM_COUNT_EVENTS] - w->repeat->count[PM_COUNT_EVENTS];
     const double left = PM_SETTING(m, PM_SETTING_MAX_EVENTS) - (double)w->result.count[PM_COUNT_EVENTS];
-    const double room = pm_case_max_time(w) - w->state.t;
+    const double room = pm_case_max_time(w->model, &w->numbers) - w->state.t;
     int64_t most = events > 0 ? at_most(PM_MOST_REPEATS, floor(left / (double)events) - 1) : PM_MOST_REPEATS;
     /* the last segment but one is computed, too: the run may end within the last one */
     if (time > 0 && room < INFINITY) most = at_most(most, floor(room / time) - 1);
     for (int i = 0; i < m->rows[PM_TABLE_UNTIL]; i++) {
         const int32_t *e = PM_UNTIL_ROW(m, i);
-        const int64_t each = pm_repeat_limit_fires(w, e[PM_UNTIL_EVENT]),
+        const int64_t each = pm_repeat_limit_fires(&w->firing, w->repeat, e[PM_UNTIL_EVENT]),
                       lacks = e[PM_UNTIL_NTH] - 1 - w->firing.count[e[PM_UNTIL_EVENT]];
         if (each > 0 && lacks >= 0) most = at_most(most, (double)(lacks / each - 1));
     }

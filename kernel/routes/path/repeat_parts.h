@@ -44,11 +44,11 @@ int pm_repeat_match(pm_workspace *w, double kinetic);
 /* repeat_limit.c: how many segments from w->state on triggers, asks and limits allow to pass over; time: s, of each, or 0. */
 int64_t pm_repeat_limit(pm_workspace *w, const pm_symmetry_shift *shift, double time);
 /* The zero of a trigger goes with T. */
-int pm_repeat_limit_moves(const pm_workspace *w, int trigger);
+int pm_repeat_limit_moves(const pm_model *model, int trigger);
 /* Reads the sides of the triggers along the last segment; 1 if one of them has changed. */
 int pm_repeat_limit_read_sides(pm_workspace *w);
 /* How often an event has fired since the begin of the last segment. */
-int64_t pm_repeat_limit_fires(const pm_workspace *w, int event);
+int64_t pm_repeat_limit_fires(const pm_firing *firing, const pm_repeat *repeat, int event);
 
 /* repeat_energy.c: the work on the segment that ended at w->state, J. */
 double pm_repeat_energy_work(const pm_workspace *w);

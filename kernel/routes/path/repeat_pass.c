@@ -36,7 +36,7 @@ static void count_segments(pm_workspace *w, int64_t segments, double time)
 {
     static const int counted[] = {PM_COUNT_PHASES, PM_COUNT_EVENTS, PM_COUNT_JUMPS};
     for (int i = 0; i < w->model->rows[PM_TABLE_EVENT]; i++) {
-        const int64_t each = pm_repeat_limit_fires(w, i);
+        const int64_t each = pm_repeat_limit_fires(&w->firing, w->repeat, i);
         w->firing.count[i] += segments * each;
         if (each > 0) w->firing.time[i] += (double)segments * time;
     }
@@ -46,10 +46,10 @@ static void count_segments(pm_workspace *w, int64_t segments, double time)
     w->result.count[PM_COUNT_LEGS] += segments;
 }
 
-static void close_momentum(pm_workspace *w, const double *before)
+static void close_momentum(const pm_frame *frame, pm_state *state, const double *before)
 {
-    double *ledger = w->state.z + pm_ledger_ledger(w->model), after[PM_LEDGER];
-    pm_body_momentum(&w->frame, PM_NONE, after);
+    double *ledger = state->z + pm_ledger_ledger(frame->model), after[PM_LEDGER];
+    pm_body_momentum(frame, PM_NONE, after);
     for (int i = 0; i < PM_LEDGER; i++) ledger[i] += after[i] - before[i];
 }
 
@@ -64,7 +64,7 @@ int pm_repeat_pass(pm_workspace *w, const pm_repeats *segments, double kinetic, 
     w->path->ended = 0; /* the error is that at the begin of the segment that follows */
     pm_frame_look_state(&w->frame, &w->state);
     for (int i = 0; i < w->model->nslot; i++)
-        if (w->state.slot[i].mode == PM_STICK) pm_active_set_anchor(w, &w->state, i);
-    close_momentum(w, momentum);
+        if (w->state.slot[i].mode == PM_STICK) pm_active_set_anchor(&w->frame, &w->state, i);
+    close_momentum(&w->frame, &w->state, momentum);
     return pm_active_set_build(w);
 }

@@ -27,9 +27,8 @@
 
 /* ---- may the segment be shown by its nodes? ---- */
 /* T vanishes at no place of the step, and nobody asks for the time. */
-static int never_rests(const pm_workspace *w, double kinetic)
+static int never_rests(pm_path *p, double kinetic)
 {
-    pm_path *p = w->path;
     const double more = kinetic - p->node[0].kinetic;
     for (int k = 0; k < p->nodes->n; k++)
         if (!(pm_path_node(p, k)->kinetic + more > 0)) return 0;
@@ -40,28 +39,28 @@ static int never_rests(const pm_workspace *w, double kinetic)
 static void fill_step(pm_workspace *w, double kinetic)
 {
     pm_path *p = w->path;
-    pm_path_cycle_of(w, kinetic);
+    pm_path_cycle_of(w->model, w->path, kinetic);
     p->clock.t0 = w->state.t;
     memcpy(p->weight, w->state.z, (size_t)w->model->nz_controlled * sizeof(double));
-    p->energy = kinetic + p->begin.potential - pm_path_work(w, w->state.z);
+    p->energy = kinetic + p->begin.potential - pm_path_work(w->model, w->state.z);
     w->step.nodes = p->nodes;
     w->step.begin = 0;
     w->step.end = p->h;
 }
 
 /* ---- what goes with T ---- */
-static int goes_with_energy(const pm_workspace *w, const pm_event_function *f)
+static int goes_with_energy(const pm_model *model, const pm_event_function *f)
 {
-    if (f->kind == FUNCTION_TRIGGER) return pm_repeat_limit_moves(w, f->index);
+    if (f->kind == FUNCTION_TRIGGER) return pm_repeat_limit_moves(model, f->index);
     return f->kind == FUNCTION_NORMAL || f->kind == FUNCTION_GRIP || f->kind == FUNCTION_HOLD;
 }
 
 /* The slot of the same contact that is closed now. */
-static int closed_slot(const pm_workspace *w, int slot)
+static int closed_slot(const pm_model *model, const pm_state *state, int slot)
 {
-    const int contact = pm_contact_of_slot(w->model, slot), first = w->model->contact_slot[contact];
-    for (int i = first; i < first + pm_contact_slots(w->model, contact); i++)
-        if (w->state.slot[i].mode != PM_OPEN) return i;
+    const int contact = pm_contact_of_slot(model, slot), first = model->contact_slot[contact];
+    for (int i = first; i < first + pm_contact_slots(model, contact); i++)
+        if (state->slot[i].mode != PM_OPEN) return i;
     return slot;
 }
 
@@ -72,9 +71,10 @@ static int choose_functions(pm_workspace *w)
     int any = 0;
     for (int i = 0; i < e->nfunction; i++) {
         pm_event_function *f = &e->function[i];
-        f->owned = !goes_with_energy(w, f);
+        f->owned = !goes_with_energy(w->model, f);
         any |= !f->owned;
-        if (f->kind == FUNCTION_NORMAL || f->kind == FUNCTION_GRIP) f->index = closed_slot(w, f->index);
+        if (f->kind == FUNCTION_NORMAL || f->kind == FUNCTION_GRIP)
+            f->index = closed_slot(w->model, &w->state, f->index);
     }
     return any;
 }
@@ -83,8 +83,8 @@ static int choose_functions(pm_workspace *w)
 static double least_of(const pm_workspace *w, int i, double side)
 {
     const pm_chebyshev_nodes *nodes = w->step.nodes;
-    const double *value = pm_event_samples(w, i), end = w->repeat->end / w->path->h;
-    const int shown = pm_event_samples_resolve(w, i);
+    const double *value = pm_event_samples(w->event, i), end = w->repeat->end / w->path->h;
+    const int shown = pm_event_samples_resolve(&w->step, w->event, i);
     double least = INFINITY;
     for (int k = 0; k + 1 < nodes->n && nodes->at[k] < end; k++) {
         const double half = 0.5 * (nodes->at[k + 1] - nodes->at[k]), a = side * value[k],
@@ -119,7 +119,7 @@ static int signs_stay(const pm_workspace *w)
 static int look_at(pm_workspace *w, double kinetic, int *sure)
 {
     *sure = 0;
-    if (!w->path->repeats || !pm_path_cycle(w) || !never_rests(w, kinetic)) return PM_OK;
+    if (!w->path->repeats || !pm_path_cycle(w) || !never_rests(w->path, kinetic)) return PM_OK;
     fill_step(w, kinetic);
     const int status = pm_event_samples_fill(w, 1);
     *sure = !status && signs_stay(w);
@@ -165,7 +165,7 @@ static int watch(pm_workspace *w, const pm_repeats *segments, int *told)
     pm_path_error_sampled(w);
     pm_path_error_step(w, kinetic);
     if (l->lowest < fmin(l->kinetic, l->before)) /* the barrier is inside */
-        pm_path_error_barrier(w, segments->kinetic - pm_repeat_energy_depth(l));
+        pm_path_error_barrier(&w->evidence, w->path, segments->kinetic - pm_repeat_energy_depth(l));
     status = pm_ask_step(w);
     pm_state_copy(&w->state, &w->ahead);
     return status;
@@ -180,7 +180,7 @@ int pm_repeat_replay_tell(pm_workspace *w, const pm_repeats *segments, int *told
     if (is_missed(w->model)) return PM_OK;
     choose_functions(w);
     int status = look_at(w, segments->kinetic, &sure);
-    if (!status && sure && pm_ask_keeps_samples(w)) {
+    if (!status && sure && pm_ask_keeps_samples(&w->step, w->ask)) {
         p->error = segments->error;
         status = watch(w, segments, told);
         p->error = error;

@@ -89,9 +89,9 @@ static void destroy(pm_workspace *w)
 }
 
 /* ---- a phase ---- */
-static void copy_place(const pm_workspace *w, pm_place *to, const pm_place *from)
+static void copy_place(const pm_model *model, pm_place *to, const pm_place *from)
 {
-    memcpy(to->y, from->y, doubles_of_place(w->model) * sizeof(double)); /* its arrays lie together */
+    memcpy(to->y, from->y, doubles_of_place(model) * sizeof(double)); /* its arrays lie together */
     to->determined = from->determined;
     to->mass = from->mass;
     to->change = from->change;
@@ -123,12 +123,12 @@ static double step_factor(const pm_workspace *w)
 }
 
 /* The way to where the gap to a member would close if it went on closing at its present rate; INFINITY if it opens. */
-static double way_to(pm_workspace *w, int contact, int member, double gap)
+static double way_to(const pm_frame *frame, const pm_path *path, int contact, int member, double gap)
 {
     double rate;
-    pm_contact_member_gap(&w->frame, contact, member, &rate);
-    rate *= w->path->sense;
-    return gap > pm_contact_length(&w->frame) && rate < 0 ? -gap / rate : INFINITY;
+    pm_contact_member_gap(frame, contact, member, &rate);
+    rate *= path->sense;
+    return gap > pm_contact_length(frame) && rate < 0 ? -gap / rate : INFINITY;
 }
 
 /* The step may end soon: at the nearest contacts that seem to come, of a row on either side. */
@@ -142,22 +142,23 @@ static double next_contact(pm_workspace *w, const pm_place *x)
         if (pm_contact_is_row(w->model, i)) {
             const int n = pm_contact_near(&w->frame, &w->state, i, 2, member);
             for (int k = 0; k < n; k++)
-                h = fmin(h, way_to(w, i, member[k], pm_contact_gap_to(&w->frame, i, member[k])));
+                h = fmin(
+                    h, way_to(&w->frame, w->path, i, member[k], pm_contact_gap_to(&w->frame, i, member[k])));
         } else {
-            const double gap = pm_contact_gap(w, &w->state, i, member);
-            if (!isinf(gap)) h = fmin(h, way_to(w, i, *member, gap));
+            const double gap = pm_contact_gap(&w->frame, &w->state, i, member);
+            if (!isinf(gap)) h = fmin(h, way_to(&w->frame, w->path, i, *member, gap));
         }
     }
     return PM_PATH_BEYOND * h;
 }
 
-static void state_of(pm_workspace *w, const pm_place *x, double s, double t, pm_state *state)
+static void state_of(const pm_model *model, const pm_path *p, const pm_place *x, double s, double t,
+                     pm_state *state)
 {
-    const pm_path *p = w->path;
     const double rate = p->sense * sqrt(2 * (x->kinetic > 0 ? x->kinetic : 0) / x->mass);
-    memcpy(state->q, x->q, (size_t)w->model->nq * sizeof *x->q);
-    for (int i = 0; i < w->model->nq; i++) state->v[i] = rate * x->tangent[i];
-    if (w->model->nz_controlled > 0) pm_path_integrals(w, s, state->z);
+    memcpy(state->q, x->q, (size_t)model->nq * sizeof *x->q);
+    for (int i = 0; i < model->nq; i++) state->v[i] = rate * x->tangent[i];
+    if (model->nz_controlled > 0) pm_path_integrals(model, p, s, state->z);
     state->t = t;
 }
 
@@ -165,7 +166,8 @@ static void state_of(pm_workspace *w, const pm_place *x, double s, double t, pm_
 static void set_turn(pm_workspace *w)
 {
     const pm_place *x = &w->path->node[PM_NODES_MOST - 1];
-    const double rate = w->path->sense * w->numbers.speed * sqrt(pm_path_total_mass(w) / x->mass);
+    const double rate =
+        w->path->sense * w->numbers.speed * sqrt(pm_path_total_mass(w->model, &w->numbers) / x->mass);
     for (int i = 0; i < w->model->nq; i++) w->step.reversed[i] = rate * x->tangent[i];
 }
 
@@ -190,7 +192,7 @@ static int at(pm_workspace *w, double x, pm_state *state)
     const pm_place *place;
     const double s = x / w->path->h;
     const int status = place_at(w, x, &place);
-    if (!status) state_of(w, place, s, pm_path_clock_at(w->path, s), state);
+    if (!status) state_of(w->model, w->path, place, s, pm_path_clock_at(w->path, s), state);
     return status;
 }
 
@@ -202,14 +204,14 @@ static int look(pm_workspace *w, double x, int level)
     const double s = x / w->path->h;
     const int status = place_at(w, x, &place);
     if (status) return status;
-    state_of(w, place, s, w->model->programs.sample_time ? pm_path_clock_at(w->path, s) : w->path->clock.t0,
-             &w->probe);
+    state_of(w->model, w->path, place, s,
+             w->model->programs.sample_time ? pm_path_clock_at(w->path, s) : w->path->clock.t0, &w->probe);
     memcpy(w->frame.pose, place->pose, 5 * (size_t)w->model->nbody * sizeof *place->pose);
     pm_frame_look_placed(&w->frame, &w->state, w->probe.q, w->probe.v);
     w->frame.t = w->probe.t;
     w->frame.z = w->probe.z;
     if (level < PM_LEVEL_DYNAMIC) return PM_OK;
-    if (!place->determined || pm_joint_friction_by_load(w)) return pm_saddle_accelerate(w);
+    if (!place->determined || pm_joint_friction_by_load(&w->frame, &w->state)) return pm_saddle_accelerate(w);
     if (w->tree->nloop > 0) return pm_path_accelerate(w, place->tangent);
     pm_path_open_accelerate(w, place);
     return PM_OK;
@@ -217,11 +219,11 @@ static int look(pm_workspace *w, double x, int level)
 
 /* The impulse of the outer world is read off the momentum: this route does not know the forces over time.  The frame looks at
  * the state. */
-static void close_momentum(pm_workspace *w, pm_state *state)
+static void close_momentum(const pm_frame *frame, const pm_path *path, pm_state *state)
 {
-    double *ledger = state->z + pm_ledger_ledger(w->model), momentum[PM_LEDGER];
-    pm_body_momentum(&w->frame, PM_NONE, momentum);
-    for (int i = 0; i < PM_LEDGER; i++) ledger[i] = w->path->impulse[i] + momentum[i];
+    double *ledger = state->z + pm_ledger_ledger(frame->model), momentum[PM_LEDGER];
+    pm_body_momentum(frame, PM_NONE, momentum);
+    for (int i = 0; i < PM_LEDGER; i++) ledger[i] = path->impulse[i] + momentum[i];
 }
 
 static int exact(pm_workspace *w, double x, pm_state *state)
@@ -229,7 +231,7 @@ static int exact(pm_workspace *w, double x, pm_state *state)
     pm_state_copy(state, &w->state);
     const int status = at(w, x, state);
     pm_frame_look_state(&w->frame, state);
-    if (!status) close_momentum(w, state);
+    if (!status) close_momentum(&w->frame, w->path, state);
     return status;
 }
 
@@ -245,7 +247,8 @@ static int end_at_limit(pm_workspace *w, double t_limit)
     pm_path *p = w->path;
     if (p->clock.kind == PM_CLOCK_NONE || !(w->state.t > t_limit)) return PM_OK;
     double s;
-    int status = pm_fail_search(w, pm_bracket_find(w->event->solver, after_limit, w, &t_limit, 0,
+    int status =
+        pm_fail_search(&w->result, pm_bracket_find(w->event->solver, after_limit, w, &t_limit, 0,
                                                    p->clock.t0 - t_limit, 1, w->state.t - t_limit, &s));
     if (!status) status = at(w, s * p->h, &w->state);
     w->state.t = t_limit;
@@ -255,9 +258,8 @@ static int end_at_limit(pm_workspace *w, double t_limit)
 }
 
 /* The places of the last step serve again if the step is as long as that was. */
-static double repeat(pm_workspace *w, double full)
+static double repeat(pm_path *p, double full)
 {
-    pm_path *p = w->path;
     p->filled = p->repeats && fabs(full - p->h) <= PM_PATH_SAME_STEP * full;
     p->repeats = 0;
     if (!p->filled) return full;
@@ -268,8 +270,8 @@ static int step(pm_workspace *w, double t_limit)
 {
     pm_path *p = w->path;
     p->repeats = p->repeats && p->fresh && !p->at_rest && pm_path_cycle(w);
-    if (p->repeats) pm_path_cycle_of(w, p->begin.kinetic);
-    copy_place(w, &p->node[0], p->fresh ? &p->begin : &p->node[PM_NODES_MOST - 1]);
+    if (p->repeats) pm_path_cycle_of(w->model, w->path, p->begin.kinetic);
+    copy_place(w->model, &p->node[0], p->fresh ? &p->begin : &p->node[PM_NODES_MOST - 1]);
     if (!p->fresh) p->at_rest = p->balanced = 0;
     p->fresh = 0;
     int status = pm_path_drive(w, &p->node[0]);
@@ -282,7 +284,7 @@ static int step(pm_workspace *w, double t_limit)
     p->safe = w->numbers.coarse * full_step(w, &p->node[0]);
     const double full =
         fmin(fmin(p->most, step_factor(w) * p->safe), w->numbers.coarse * next_contact(w, &p->node[0]));
-    if (!status) status = pm_path_take_step(w, repeat(w, may_close ? fmin(full, TURN - p->way) : full));
+    if (!status) status = pm_path_take_step(w, repeat(w->path, may_close ? fmin(full, TURN - p->way) : full));
     if (status) return status;
     if (w->step.reverses) set_turn(w);
     w->step.begin = 0;
@@ -291,16 +293,16 @@ static int step(pm_workspace *w, double t_limit)
     const int hands_over = p->balanced && PM_SETTING(w->model, PM_SETTING_ROUTE) != PM_ROUTE_AUTO &&
                            PM_SETTING(w->model, PM_SETTING_ROUTE) != PM_ROUTE_PATH;
     w->phase.lap = hands_over || (may_close && p->way > TURN * (1 - PM_PATH_LAP));
-    state_of(w, &p->node[PM_NODES_MOST - 1], 1, pm_path_clock_at(p, 1), &w->state);
+    state_of(w->model, w->path, &p->node[PM_NODES_MOST - 1], 1, pm_path_clock_at(p, 1), &w->state);
     w->step.nodes = p->nodes;
     pm_frame_look_state(&w->frame, &w->state);
     pm_path_check(w);
     if ((status = end_at_limit(w, t_limit))) return status;
     if (w->step.end != p->h) pm_frame_look_state(&w->frame, &w->state);
-    close_momentum(w, &w->state);
+    close_momentum(&w->frame, w->path, &w->state);
     pm_path_error_step(w, p->node[PM_NODES_MOST - 1].kinetic);
     w->result.count[PM_COUNT_STEPS]++;
-    pm_case_speed(w, w->state.v);
+    pm_case_speed(w->model, &w->numbers, w->state.v);
     return PM_OK;
 }
 

@@ -52,12 +52,12 @@ int pm_rk_choose_coordinates(pm_workspace *w);
 /* rk_formula.c: stages 1..11 of a step h from r->t0, r->y0 with stage 0 in k; the end of the step in y. */
 int pm_rk_stages(pm_workspace *w, double h, double *k, double *y);
 /* The error of the step in r->k over the allowed one. */
-double pm_rk_error(const pm_workspace *w, double h);
+double pm_rk_error(const struct pm_rk *r, double h);
 /* r->y at t inside the last step; the ledger is not asked for there and stays as at its begin. */
 int pm_rk_dense(pm_workspace *w, double t);
 
 /* rk_settle.c: coordinates y, where the frame looks, as a state. */
-void pm_rk_tell(const pm_workspace *w, double t, const double *y, pm_state *s);
+void pm_rk_tell(const struct pm_tree *tree, const struct pm_rk *rk, double t, const double *y, pm_state *s);
 /* y back on the rows and on the energy level, and the state there; *gained: the energy that comes with it. */
 int pm_rk_settle(pm_workspace *w, double t, double *y, pm_state *s, double *gained);
 

@@ -51,8 +51,8 @@ int pm_rk_derivative(pm_workspace *w, double t, double *y, int with_ledger, doub
 
 int pm_rk_choose_coordinates(pm_workspace *w)
 {
-    const int bad = !w->active.asymmetric && (pm_tree_is_steep(w) || pm_tree_is_flat(w));
-    if (bad) pm_tree_partition(w);
+    const int bad = !w->active.asymmetric && (pm_tree_is_steep(w->tree) || pm_tree_is_flat(w->tree));
+    if (bad) pm_tree_partition(&w->frame, w->tree);
     w->tree->part.independence = 1;
     w->rk->swift = w->rk->controlled == 2 * w->rk->n && pm_tree_small_applies(w);
     return bad && w->tree->part.few;

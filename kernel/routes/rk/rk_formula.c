@@ -72,9 +72,8 @@ static double error_square(const struct pm_rk *r, const double *weight)
     return sum[0] + sum[1];
 }
 
-double pm_rk_error(const pm_workspace *w, double h)
+double pm_rk_error(const struct pm_rk *r, double h)
 {
-    const struct pm_rk *r = w->rk;
     const double sum5 = error_square(r, error_weight_5);
     return sum5 == 0 ? 0
                      : fabs(h) * sum5 / sqrt((sum5 + 0.01 * error_square(r, error_weight_3)) * r->controlled);

@@ -15,7 +15,7 @@ int pm_rk_at(pm_workspace *w, double t, pm_state *s)
     const int status = pm_rk_dense(w, t);
     if (status) return status;
     pm_tree_look(w, t, r->y, r->y + r->n, r->y + 2 * r->n);
-    pm_rk_tell(w, t, r->y, s);
+    pm_rk_tell(w->tree, w->rk, t, r->y, s);
     return PM_OK;
 }
 
@@ -72,7 +72,8 @@ int pm_rk_exact(pm_workspace *w, double t, pm_state *s)
         memcpy(r->y, r->y0, bytes);
     } else {
         memcpy(r->side, r->k, bytes);
-        status = pm_evidence_in_halves(w) ? in_halves(w, t) : pm_rk_stages(w, t - r->t0, r->side, r->y);
+        status =
+            pm_evidence_in_halves(&w->evidence) ? in_halves(w, t) : pm_rk_stages(w, t - r->t0, r->side, r->y);
     }
     return status ? status : pm_rk_settle(w, t, r->y, s, &gained);
 }

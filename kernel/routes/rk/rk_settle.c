@@ -9,11 +9,11 @@
 #include "state/workspace.h"
 #include "tree/tree.h"
 
-void pm_rk_tell(const pm_workspace *w, double t, const double *y, pm_state *s)
+void pm_rk_tell(const struct pm_tree *tree, const struct pm_rk *rk, double t, const double *y, pm_state *s)
 {
-    memcpy(s->q, w->tree->q, (size_t)w->model->nq * sizeof *y);
-    memcpy(s->v, w->tree->v, (size_t)w->model->nq * sizeof *y);
-    memcpy(s->z, y + 2 * w->rk->n, (size_t)w->model->nz * sizeof *y);
+    memcpy(s->q, tree->q, (size_t)tree->model->nq * sizeof *y);
+    memcpy(s->v, tree->v, (size_t)tree->model->nq * sizeof *y);
+    memcpy(s->z, y + 2 * rk->n, (size_t)tree->model->nz * sizeof *y);
     s->t = t;
 }
 
@@ -31,11 +31,11 @@ static double restore_energy(pm_workspace *w, double *rates)
 }
 
 /* Impulses of the outer world since the begin of the step, where the frame looks. */
-static void follow_momenta(pm_workspace *w, double *impulse)
+static void follow_momenta(const pm_frame *frame, const struct pm_rk *rk, double *impulse)
 {
     double momentum[PM_LEDGER];
-    pm_body_momentum(&w->frame, PM_NONE, momentum);
-    for (int i = 0; i < PM_LEDGER; i++) impulse[i] += momentum[i] - w->rk->momentum[i];
+    pm_body_momentum(frame, PM_NONE, momentum);
+    for (int i = 0; i < PM_LEDGER; i++) impulse[i] += momentum[i] - rk->momentum[i];
 }
 
 int pm_rk_settle(pm_workspace *w, double t, double *y, pm_state *s, double *gained)
@@ -43,7 +43,7 @@ int pm_rk_settle(pm_workspace *w, double t, double *y, pm_state *s, double *gain
     const int n = w->rk->n, status = pm_tree_project(w, t, y, y + n, y + 2 * n);
     if (status) return status;
     *gained = restore_energy(w, y + n);
-    if (!w->rk->ledger) follow_momenta(w, y + 2 * n + pm_ledger_ledger(w->model));
-    pm_rk_tell(w, t, y, s);
+    if (!w->rk->ledger) follow_momenta(&w->frame, w->rk, y + 2 * n + pm_ledger_ledger(w->model));
+    pm_rk_tell(w->tree, w->rk, t, y, s);
     return PM_OK;
 }

@@ -68,7 +68,7 @@ static void set_scale(pm_workspace *w)
             1 / (tolerance * (angle ? w->numbers.speed / w->numbers.size : w->numbers.speed));
     }
     for (int i = 0; i < m->nz_controlled; i++)
-        r->scale[2 * r->n + i] = 1 / (tolerance * pm_ledger_controlled_scale(w, i));
+        r->scale[2 * r->n + i] = 1 / (tolerance * pm_ledger_controlled_scale(&w->frame, i));
 }
 
 /* x^(-1/8) */
@@ -88,7 +88,7 @@ static int begin(pm_workspace *w)
     pm_tree_small_sum_up(w);
     w->tree->part.independence = 1;
     if (w->phase.singular)
-        pm_tree_partition(w);
+        pm_tree_partition(&w->frame, w->tree);
     else
         pm_rk_choose_coordinates(w);
     memcpy(r->now + 2 * r->n, w->state.z, (size_t)w->model->nz * sizeof(double));
@@ -115,15 +115,18 @@ static double turning_time(const pm_workspace *w, const double *k)
     return w->numbers.coarse / sqrt(square);
 }
 
-static int is_sampled(const pm_workspace *w) { return w->event->nfunction > 0 || w->ask->nobserver > 0; }
+static int is_sampled(const struct pm_event_set *event, const struct pm_ask_set *ask)
+{
+    return event->nfunction > 0 || ask->nobserver > 0;
+}
 
 /* Where the derivative is k; where steps are sampled the frame knows the accelerations. */
 static void set_times(pm_workspace *w, const double *k)
 {
     struct pm_rk *r = w->rk;
     r->turning = turning_time(w, k);
-    if (!is_sampled(w)) return;
-    r->own = pm_case_time_scale(w, w->state.v, w->frame.a);
+    if (!is_sampled(w->event, w->ask)) return;
+    r->own = pm_case_time_scale(w->model, &w->numbers, w->state.v, w->frame.a);
     r->meeting = w->event->nfunction > 0 ? pm_gap_culling_time(w, w->frame.velocity, w->frame.a) : INFINITY;
 }
 
@@ -132,15 +135,14 @@ static void set_times(pm_workspace *w, const double *k)
  * with the bodies: the ledger of impulses, which does not choose the steps, is their integral. */
 static double longest_step(const pm_workspace *w)
 {
-    if (is_sampled(w)) return fmin(w->rk->own, w->rk->meeting);
+    if (is_sampled(w->event, w->ask)) return fmin(w->rk->own, w->rk->meeting);
     return w->active.n > 0 ? w->rk->turning : INFINITY;
 }
 
 /* Whether the next step integrates the ledger, and needs reactions for it. */
-static int samples_ledger(const pm_workspace *w)
+static int samples_ledger(const pm_result *result, const struct pm_rk *r)
 {
-    const struct pm_rk *r = w->rk;
-    return !r->level.kept || (w->result.count[PM_COUNT_STEPS] - r->first) % PM_RK_LEDGER_STEPS == 0;
+    return !r->level.kept || (result->count[PM_COUNT_STEPS] - r->first) % PM_RK_LEDGER_STEPS == 0;
 }
 
 /* The derivative at the end of a step, for the next one; what accelerations of the bodies are wanted in the
@@ -149,10 +151,10 @@ static int last_stage(pm_workspace *w)
 {
     struct pm_rk *r = w->rk;
     double *k = r->k + STAGES * r->all;
-    if (samples_ledger(w)) return pm_rk_derivative_here(w, r->now, 1, k);
+    if (samples_ledger(&w->result, w->rk)) return pm_rk_derivative_here(w, r->now, 1, k);
     const int status =
         r->swift ? pm_rk_derivative(w, w->state.t, r->now, 0, k) : pm_rk_derivative_here(w, r->now, 0, k);
-    const int wanted = !r->swift || is_sampled(w); /* by set_times */
+    const int wanted = !r->swift || is_sampled(w->event, w->ask); /* by set_times */
     if (!status && wanted && !w->tree->part.few)
         pm_tree_spread_accelerations(w->tree, &w->frame, k + r->n, w->frame.a);
     return status;
@@ -166,7 +168,7 @@ static int accept(pm_workspace *w, double t)
     double gained;
     int status = pm_rk_settle(w, t, r->now, &w->state, &gained);
     if (status) return status;
-    pm_energy_level_note(w, &r->level, gained);
+    pm_energy_level_note(&w->frame, &w->ledger, &r->level, gained);
     pm_body_momentum(&w->frame, PM_NONE, r->momentum_now);
     w->result.count[PM_COUNT_STEPS]++;
     if ((status = last_stage(w))) return status;
@@ -174,7 +176,7 @@ static int accept(pm_workspace *w, double t)
     r->dense_ready = 0;
     w->step.begin = r->t0;
     w->step.end = r->end = t;
-    if (pm_case_speed(w, w->state.v)) set_scale(w);
+    if (pm_case_speed(w->model, &w->numbers, w->state.v)) set_scale(w);
     return PM_OK;
 }
 
@@ -191,16 +193,15 @@ static int first_stage(pm_workspace *w)
     r->k0_ready = 1;
     set_times(w, r->k);
     if (r->next == 0)
-        r->next = fmin(pm_case_time_scale(w, w->state.v, w->frame.a), 1e3) *
+        r->next = fmin(pm_case_time_scale(w->model, &w->numbers, w->state.v, w->frame.a), 1e3) *
                   (w->phase.singular ? PM_RK_OVER : eighth_root_of_inverse(1 / w->numbers.tolerance));
     return PM_OK;
 }
 
 /* A stage was near a singular position: how long the step is makes no difference to its error, but where
  * its stages are does. */
-static int met_singular(const pm_workspace *w)
+static int met_singular(const pm_tree *t)
 {
-    const pm_tree *t = w->tree;
     return t->part.few && t->part.least_regular < PM_RK_NEAR_SINGULAR * t->part.most_regular;
 }
 
@@ -215,10 +216,10 @@ static int step(pm_workspace *w, double t_limit)
 {
     struct pm_rk *r = w->rk;
     r->t0 = w->state.t;
-    r->ledger = samples_ledger(w);
+    r->ledger = samples_ledger(&w->result, w->rk);
     memcpy(r->momentum, r->momentum_now, sizeof r->momentum);
     memcpy(r->y0, r->now, (size_t)r->all * sizeof(double));
-    if (r->swift) pm_tree_small_refer(w, r->y0);
+    if (r->swift) pm_tree_small_refer(&w->frame, w->tree, r->y0);
     int status = first_stage(w);
     if (status) return status;
     double h = fmin(r->next, longest_step(w)), first = h;
@@ -226,10 +227,11 @@ static int step(pm_workspace *w, double t_limit)
         const int last = r->t0 + h >= t_limit;
         if (last) h = t_limit - r->t0;
         if (!(h > PM_RK_LEAST_STEP * fabs(r->t0)))
-            return pm_fail(w, PM_STEP_TOO_SMALL, PM_NONE, PM_NONE, h, PM_RK_LEAST_STEP * fabs(r->t0));
+            return pm_fail(&w->result, PM_STEP_TOO_SMALL, PM_NONE, PM_NONE, h,
+                           PM_RK_LEAST_STEP * fabs(r->t0));
         pm_tree_forget_regular(w->tree);
         status = pm_rk_stages(w, h, r->k, r->y);
-        const double error = status ? INFINITY : pm_rk_error(w, h);
+        const double error = status ? INFINITY : pm_rk_error(w->rk, h);
         if (status && status != PM_SINGULAR) return status;
         if (error <= 1) {
             const double factor = error > 0 ? PM_RK_SAFETY * eighth_root_of_inverse(error) : PM_RK_GROW;
@@ -243,7 +245,7 @@ static int step(pm_workspace *w, double t_limit)
         const int few = w->tree->part.few;
         if (pm_rk_choose_coordinates(w) && (status = pm_rk_derivative(w, r->t0, r->y0, 1, r->k)))
             return status;
-        if (sidesteps < PM_RK_SIDESTEPS && met_singular(w))
+        if (sidesteps < PM_RK_SIDESTEPS && met_singular(w->tree))
             h = sidestep(first, longest_step(w), ++sidesteps);
         else if (few == w->tree->part.few)
             first = h *= isfinite(error) ? fmax(PM_RK_SHRINK, PM_RK_SAFETY * eighth_root_of_inverse(error))

@@ -42,8 +42,8 @@ static void clear(double *x, int n) { memset(x, 0, (size_t)n * sizeof *x); }
 /* Axes that are not turned. */
 static const double ahead[2] = {1, 0};
 
-static double length_of(const pm_workspace *w, int i) { return i % 3 == 2 ? 1 : w->numbers.size; }
-static double unit_of_time(const pm_workspace *w) { return w->numbers.size / w->numbers.speed; }
+static double length_of(const pm_numbers *numbers, int i) { return i % 3 == 2 ? 1 : numbers->size; }
+static double unit_of_time(const pm_numbers *numbers) { return numbers->size / numbers->speed; }
 
 /* Part i of spin x d: d turned left; angles do not turn. */
 static double turned(double spin, const double *d, int i)
@@ -53,15 +53,16 @@ static double turned(double spin, const double *d, int i)
 
 /* ---- the steady motion ---- */
 /* The free coordinates of w->state as they will be a time t later if the motion is steady, in s. */
-static void move_on(const pm_workspace *w, const pm_fastest_growth *e, double t, pm_state *s)
+static void move_on(const pm_model *model, const pm_state *state, const pm_fastest_growth *e, double t,
+                    pm_state *s)
 {
     const double c = cos(e->spin * t), si = sin(e->spin * t);
     const double along = e->spin != 0 ? si / e->spin : t, across = e->spin != 0 ? (1 - c) / e->spin : 0;
-    pm_state_copy(s, &w->state);
-    s->t = w->state.t + t;
-    for (int i = 0; i < w->model->nq; i++) {
+    pm_state_copy(s, state);
+    s->t = state->t + t;
+    for (int i = 0; i < model->nq; i++) {
         if (!e->free[i]) continue;
-        const double *v = w->state.v;
+        const double *v = state->v;
         s->q[i] += i % 3 == 2 ? v[i] * t : along * v[i] + across * turned(1, v, i);
         if (i % 3 != 2) s->v[i] = c * v[i] + si * turned(1, v, i);
     }
@@ -89,21 +90,21 @@ static int turns_as_a_whole(pm_workspace *w, const pm_fastest_growth *e, pm_stat
 }
 
 /* ---- how deviations change ---- */
-static void list_free(const pm_workspace *w, pm_fastest_growth *e)
+static void list_free(const pm_model *model, const pm_numbers *numbers, pm_fastest_growth *e)
 {
     e->n = 0;
-    for (int i = 0; i < w->model->nq; i++)
-        if (e->free[i] && w->numbers.inverse_mass[i] > 0) e->at[e->n++] = i;
+    for (int i = 0; i < model->nq; i++)
+        if (e->free[i] && numbers->inverse_mass[i] > 0) e->at[e->n++] = i;
 }
 
 /* d[nq] of bodies, in the axes turned by the angle whose cosine and sine are turn[2], from e->at's coordinates in units. */
-static void spread(const pm_workspace *w, const pm_fastest_growth *e, const double *x, const double turn[2],
-                   double *d)
+static void spread(const pm_model *model, const pm_numbers *numbers, const pm_fastest_growth *e,
+                   const double *x, const double turn[2], double *d)
 {
-    clear(d, w->model->nq);
+    clear(d, model->nq);
     for (int i = 0; i < e->n; i++) {
         const int c = e->at[i];
-        const double value = x[i] * length_of(w, c);
+        const double value = x[i] * length_of(numbers, c);
         if (c % 3 == 2) {
             d[c] += value;
         } else {
@@ -114,13 +115,13 @@ static void spread(const pm_workspace *w, const pm_fastest_growth *e, const doub
 }
 
 /* Back. */
-static void gather(const pm_workspace *w, const pm_fastest_growth *e, const double *d, const double turn[2],
-                   double *x)
+static void gather(const pm_numbers *numbers, const pm_fastest_growth *e, const double *d,
+                   const double turn[2], double *x)
 {
     for (int i = 0; i < e->n; i++) {
         const int c = e->at[i];
         const double value = c % 3 == 2 ? d[c] : turn[0] * d[c] - turned(turn[1], d, c);
-        x[i] = value / length_of(w, c);
+        x[i] = value / length_of(numbers, c);
     }
 }
 
@@ -131,9 +132,9 @@ static int change_of(pm_workspace *w, pm_fastest_growth *e, const pm_state *base
 {
     static const double weight[] = {8 / 12.0, -8 / 12.0, -1 / 12.0, 1 / 12.0}, place[] = {1, -1, 2, -2};
     const int nq = w->model->nq, n = e->n;
-    const double time = unit_of_time(w);
-    spread(w, e, x, turn, e->q);
-    spread(w, e, x + n, turn, e->v);
+    const double time = unit_of_time(&w->numbers);
+    spread(w->model, &w->numbers, e, x, turn, e->q);
+    spread(w->model, &w->numbers, e, x + n, turn, e->v);
     clear(e->dq, nq);
     clear(e->dv, nq);
     clear(e->da, nq);
@@ -156,8 +157,8 @@ static int change_of(pm_workspace *w, pm_fastest_growth *e, const pm_state *base
         e->q[i] = (e->dv[i] - turned(e->spin, e->dq, i)) * time;
         e->v[i] = (e->da[i] - turned(e->spin, e->dv, i)) * time * time;
     }
-    gather(w, e, e->q, turn, y);
-    gather(w, e, e->v, turn, y + n);
+    gather(&w->numbers, e, e->q, turn, y);
+    gather(&w->numbers, e, e->v, turn, y + n);
     return PM_OK;
 }
 
@@ -182,11 +183,11 @@ static int changes_alike(pm_workspace *w, pm_fastest_growth *e, const double tur
 static int is_steady_at(pm_workspace *w, pm_fastest_growth *e, double spin, int *status)
 {
     static const double when[] = {0, 1.1, -0.7};
-    const double unit = spin != 0 ? 1 / fabs(spin) : unit_of_time(w);
+    const double unit = spin != 0 ? 1 / fabs(spin) : unit_of_time(&w->numbers);
     e->spin = spin;
     for (int i = 0; i < 3; i++) {
         const double t = when[i] * unit, turn[] = {cos(spin * t), sin(spin * t)};
-        move_on(w, e, t, &w->ahead);
+        move_on(w->model, &w->state, e, t, &w->ahead);
         if (!turns_as_a_whole(w, e, &w->ahead, status)) return 0;
         if (i > 0 && !changes_alike(w, e, turn, status)) return 0;
     }
@@ -197,7 +198,7 @@ int pm_fastest_growth_is_steady(pm_workspace *w, pm_fastest_growth *e, int *stat
 {
     double before = 0;
     *status = PM_OK;
-    list_free(w, e);
+    list_free(w->model, &w->numbers, e);
     if (is_steady_at(w, e, 0, status)) return 1;
     for (int i = 2; i < w->model->nq && !*status; i += 3) {
         const double spin = w->state.v[i];
@@ -279,12 +280,12 @@ static void long_time(pm_fastest_growth *e, int n)
 }
 
 /* e->x: what the blow becomes; 0 if nothing. */
-static int excite(const pm_workspace *w, pm_fastest_growth *e, int n)
+static int excite(const pm_numbers *numbers, pm_fastest_growth *e, int n)
 {
     double size = 0;
     for (int i = 0; i < e->n; i++) {
         e->y[i] = 0;
-        e->y[e->n + i] = e->push[e->at[i]] / length_of(w, e->at[i]);
+        e->y[e->n + i] = e->push[e->at[i]] / length_of(numbers, e->at[i]);
     }
     const double blow = greatest(n, e->y);
     for (int i = 0; i < n; i++) {
@@ -315,19 +316,19 @@ static double rate_of(const pm_fastest_growth *e, int n, double fastest)
 int pm_fastest_growth_find(pm_workspace *w, pm_fastest_growth *e)
 {
     const int n = 2 * e->n, status = read_matrix(w, e);
-    const double fastest = norm(n, e->matrix), time = unit_of_time(w);
+    const double fastest = norm(n, e->matrix), time = unit_of_time(&w->numbers);
     e->rate = 0;
     if (status || !(fastest > 0)) return status;
     short_time(e, n, PM_GROWTH_SHORT / fastest);
     long_time(e, n);
-    if (!excite(w, e, n)) return PM_OK;
+    if (!excite(&w->numbers, e, n)) return PM_OK;
     e->rate = rate_of(e, n, fastest) / time;
     clear(e->q, w->model->nq);
     clear(e->v, w->model->nq);
     for (int i = 0; i < e->n; i++) {
         const int c = e->at[i];
-        e->q[c] = length_of(w, c) * e->x[i];
-        e->v[c] = length_of(w, c) / time * e->x[e->n + i];
+        e->q[c] = length_of(&w->numbers, c) * e->x[i];
+        e->v[c] = length_of(&w->numbers, c) / time * e->x[e->n + i];
     }
     return PM_OK;
 }

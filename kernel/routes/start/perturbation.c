@@ -60,17 +60,17 @@ void pm_perturbation_free(pm_workspace *w)
 }
 
 /* ---- what waits ---- */
-void pm_perturbation_begin(pm_workspace *w)
+void pm_perturbation_begin(const pm_model *model, pm_request *request)
 {
-    const int program = PM_SETTING(w->model, PM_SETTING_NUDGE);
-    w->request = (pm_request){program >= 0 ? program : PM_NONE, PM_TABLE_SETTING, PM_SETTING_NUDGE};
+    const int program = PM_SETTING(model, PM_SETTING_NUDGE);
+    *request = (pm_request){program >= 0 ? program : PM_NONE, PM_TABLE_SETTING, PM_SETTING_NUDGE};
 }
 
-void pm_perturbation_end(pm_workspace *w) { w->request.program = PM_NONE; }
+void pm_perturbation_end(pm_request *request) { request->program = PM_NONE; }
 
-static int fail(pm_workspace *w, int status, double value)
+static int fail(const pm_request *request, pm_result *result, int status, double value)
 {
-    return pm_fail(w, status, w->request.table, w->request.row, value, NAN);
+    return pm_fail(result, status, request->table, request->row, value, NAN);
 }
 
 /* ---- one degree of freedom at rest ---- */
@@ -96,15 +96,15 @@ static int leave_along_path(pm_workspace *w)
 {
     const pm_path *p = w->path;
     int status = PM_OK;
-    if (!p->at_rest) return fail(w, PM_NUDGE_UNSTEADY, NAN);
+    if (!p->at_rest) return fail(&w->request, &w->result, PM_NUDGE_UNSTEADY, NAN);
     pm_frame_look_state(&w->frame, &w->state);
     const double side = p->sense * pm_path_requested(w, p->begin.tangent);
-    if (!p->balanced) return side > 0 ? PM_OK : fail(w, PM_NUDGE_UNSTEADY, NAN);
+    if (!p->balanced) return side > 0 ? PM_OK : fail(&w->request, &w->result, PM_NUDGE_UNSTEADY, NAN);
     pm_frame_look_state(&w->frame, &w->state);
     pm_force_all(w);
     const int goes = is_driven_on(w, &status);
     pm_frame_look_state(&w->frame, &w->state);
-    return status || goes ? status : fail(w, PM_NUDGE_STABLE, 0);
+    return status || goes ? status : fail(&w->request, &w->result, PM_NUDGE_STABLE, 0);
 }
 
 /* ---- what hangs together ---- */
@@ -126,10 +126,10 @@ static int read_gradient(pm_workspace *w)
     return any;
 }
 
-static int join(pm_workspace *w, int a, int b)
+static int join(const pm_model *model, struct pm_perturbation *perturbation, int a, int b)
 {
-    unsigned char *touched = w->perturbation->touched;
-    const int ground = w->model->nbody;
+    unsigned char *touched = perturbation->touched;
+    const int ground = model->nbody;
     if (a == ground || b == ground || touched[a] == touched[b]) return 0;
     return touched[a] = touched[b] = 1;
 }
@@ -152,10 +152,10 @@ static void find_island(pm_workspace *w)
     for (int more = 1; more;) {
         more = 0;
         for (int i = 0; i < w->active.n; i++)
-            more |= join(w, w->active.row[i].body[0], w->active.row[i].body[1]);
+            more |= join(w->model, w->perturbation, w->active.row[i].body[0], w->active.row[i].body[1]);
         for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++) {
             const pm_action f = pm_force_action(w, i);
-            more |= join(w, f.body_a, f.body_b);
+            more |= join(w->model, w->perturbation, f.body_a, f.body_b);
         }
     }
     for (int i = 0; i < m->nq; i++) x->escape.free[i] = x->touched[i / 3];
@@ -225,8 +225,9 @@ static int overlaps(pm_workspace *w)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
         int member;
-        const double gap = pm_contact_gap(w, &w->state, i, &member), least = -pm_contact_length(&w->frame);
-        if (gap < least) return pm_fail(w, PM_PENETRATION, PM_TABLE_CONTACT, i, gap, least);
+        const double gap = pm_contact_gap(&w->frame, &w->state, i, &member),
+                     least = -pm_contact_length(&w->frame);
+        if (gap < least) return pm_fail(&w->result, PM_PENETRATION, PM_TABLE_CONTACT, i, gap, least);
     }
     return PM_OK;
 }
@@ -242,7 +243,7 @@ static int take_side(pm_workspace *w)
     if (!status) status = set_out(w, part, &there);
     if (status) return status;
     if (!(there * back < 0 && fmin(fabs(there), fabs(back)) > least))
-        return fail(w, PM_NUDGE_STABLE, e->rate);
+        return fail(&w->request, &w->result, PM_NUDGE_STABLE, e->rate);
     if (there < 0 && (status = set_out(w, -part, &back))) return status;
     give_momentum(w);
     pm_state_copy(&w->state, &w->probe);
@@ -253,15 +254,15 @@ static int leave_by_deviation(pm_workspace *w)
 {
     pm_fastest_growth *e = &w->perturbation->escape;
     int status;
-    if (!read_gradient(w)) return fail(w, PM_NUDGE_STABLE, 0);
+    if (!read_gradient(w)) return fail(&w->request, &w->result, PM_NUDGE_STABLE, 0);
     find_island(w);
     if (!pm_fastest_growth_is_steady(w, e, &status)) {
         if (status) return status;
         const int goes = goes_by_itself(w, &status);
-        return status || goes ? status : fail(w, PM_NUDGE_UNSTEADY, NAN);
+        return status || goes ? status : fail(&w->request, &w->result, PM_NUDGE_UNSTEADY, NAN);
     }
     if ((status = read_push(w)) || (status = pm_fastest_growth_find(w, e))) return status;
-    return e->rate > 0 ? take_side(w) : fail(w, PM_NUDGE_STABLE, 0);
+    return e->rate > 0 ? take_side(w) : fail(&w->request, &w->result, PM_NUDGE_STABLE, 0);
 }
 
 int pm_perturbation_leave(pm_workspace *w)
@@ -270,6 +271,6 @@ int pm_perturbation_leave(pm_workspace *w)
     if (pm_route_prepare(w, &pm_route_path)) return leave_along_path(w);
     const int status = leave_by_deviation(w);
     pm_frame_look_state(&w->frame, &w->state);
-    if (!status) pm_perturbation_end(w);
+    if (!status) pm_perturbation_end(&w->request);
     return status;
 }

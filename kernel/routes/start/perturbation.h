@@ -13,10 +13,10 @@ int pm_perturbation_create(pm_workspace *w);
 void pm_perturbation_free(pm_workspace *w);
 
 /* A case begins: that of the start waits, if there is one. */
-void pm_perturbation_begin(pm_workspace *w);
+void pm_perturbation_begin(const pm_model *model, pm_request *request);
 /* For run.c, before a phase is planned: w->state leaves its steady motion, unless the path route will do that. */
 int pm_perturbation_leave(pm_workspace *w);
 /* The phase has begun: nothing waits any more. */
-void pm_perturbation_end(pm_workspace *w);
+void pm_perturbation_end(pm_request *request);
 
 #endif

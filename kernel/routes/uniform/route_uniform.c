@@ -101,7 +101,7 @@ static double slip_at(pm_workspace *w, int slot, double t)
 
 static double slip_rate(pm_workspace *w, pm_slip *at, int which)
 {
-    const double h = pm_case_time_scale(w, w->uniform->v, w->uniform->a);
+    const double h = pm_case_time_scale(w->model, &w->numbers, w->uniform->v, w->uniform->a);
     return h < INFINITY ? (at(w, which, h) - at(w, which, 0)) / h : 0;
 }
 
@@ -140,12 +140,13 @@ static int prepare(pm_workspace *w)
 {
     pm_uniform *u = w->uniform;
     const int nq = w->model->nq;
-    if (w->result.count[PM_COUNT_PHASES] == 0) pm_zeno_reset(w);
+    if (w->result.count[PM_COUNT_PHASES] == 0) pm_zeno_reset(w->uniform);
     pm_constant_motion_curve(w, u->v, u->a, u->turns, u->locked, &u->curve);
     if (u->curve.levers && pm_joint_friction_any(w->model))
         return 0; /* reactions change, and friction with them */
-    if (!pm_uniform_edge_hold(w) || !pm_constraint_all_steady(w, &u->curve) ||
-        !pm_force_all_steady(w, &u->curve) || !paths_are_parabolas(w) || pm_capture_awaits(w))
+    if (!pm_uniform_edge_hold(w) || !pm_constraint_all_steady(&w->frame, &w->active, &u->curve) ||
+        !pm_force_all_steady(&w->frame, &w->state, &u->curve) || !paths_are_parabolas(w) ||
+        pm_capture_awaits(&w->frame, &w->state))
         return 0;
     u->t0 = w->state.t;
     u->begin = u->end = 0;
@@ -154,16 +155,15 @@ static int prepare(pm_workspace *w)
     memcpy(u->lambda, w->frame.lambda, (size_t)w->model->nrow * sizeof(double));
     begin_contacts(w);
     pm_frame_look_state(&w->frame, &w->state);
-    pm_uniform_know_forces(w);
+    pm_uniform_know_forces(&w->frame, w->uniform);
     return !u->irregular;
 }
 
 /* ---- what is watched ---- */
-static void watch(pm_workspace *w, int program)
+static void watch(const pm_frame *frame, pm_uniform *u, int program)
 {
-    pm_uniform *u = w->uniform;
-    const int size = pm_program_degree_is_size(&w->frame, &u->curve, program);
-    const int degree = size ? PM_DEGREE_MOST : pm_program_degree_of(&w->frame, &u->curve, program);
+    const int size = pm_program_degree_is_size(frame, &u->curve, program);
+    const int degree = size ? PM_DEGREE_MOST : pm_program_degree_of(frame, &u->curve, program);
     if (degree > u->sampled) u->sampled = degree;
     if (degree == PM_DEGREE_MOST) u->watched[u->nwatched++] = (pm_parabola){program, size};
 }
@@ -175,9 +175,11 @@ static int begin(pm_workspace *w)
     u->nwatched = 0;
     for (int i = 0; i < w->event->nfunction; i++)
         if (w->event->function[i].kind == FUNCTION_TRIGGER)
-            watch(w, PM_TRIGGER_ROW(w->model, w->event->function[i].index)[PM_TRIGGER_PROGRAM]);
-    for (int i = 0; i < w->ask->nobserver; i++) watch(w, pm_ask_watched(w, i));
-    u->stride = PM_UNIFORM_FIRST_STRIDE * pm_case_time_scale(w, u->v, u->a);
+            watch(&w->frame, w->uniform,
+                  PM_TRIGGER_ROW(w->model, w->event->function[i].index)[PM_TRIGGER_PROGRAM]);
+    for (int i = 0; i < w->ask->nobserver; i++)
+        watch(&w->frame, w->uniform, pm_ask_watched(w->model, w->ask, i));
+    u->stride = PM_UNIFORM_FIRST_STRIDE * pm_case_time_scale(w->model, &w->numbers, u->v, u->a);
     pm_zeno_begin(w);
     return PM_OK;
 }
@@ -223,7 +225,7 @@ static double sampled_end(pm_workspace *w, double limit)
     if (u->sampled < 0) return limit;
     if (u->sampled > PM_DEGREE_MOST) {
         pm_uniform_look(w, u->begin);
-        return fmin(limit, u->begin + pm_case_time_scale(w, w->frame.v, u->a));
+        return fmin(limit, u->begin + pm_case_time_scale(w->model, &w->numbers, w->frame.v, u->a));
     }
     const double end = fmin(limit, u->begin + u->stride);
     u->stride *= PM_UNIFORM_LONGER;
@@ -231,19 +233,18 @@ static double sampled_end(pm_workspace *w, double limit)
 }
 
 /* Marks what happens to contacts at the end of the step; the contact that is struck, if it is one alone. */
-static int mark_roots(pm_workspace *w)
+static int mark_roots(struct pm_event_set *event, const pm_uniform *u)
 {
-    const pm_uniform *u = w->uniform;
     const double end = u->end + PM_UNIFORM_SAME_TIME * (u->end - u->begin);
     int struck = PM_NONE, others = 0;
-    for (int i = 0; i < w->event->nfunction; i++) {
-        const pm_event_function *f = &w->event->function[i];
+    for (int i = 0; i < event->nfunction; i++) {
+        const pm_event_function *f = &event->function[i];
         const int gap = f->kind == FUNCTION_GAP;
-        w->event->root[i] = (gap && u->closing[f->index].root <= end) ||
-                            (f->kind == FUNCTION_END && u->edge_end[f->index] <= end) ||
-                            (f->kind == FUNCTION_SLIP && u->slip_end[f->index] <= end) ||
-                            (f->kind == FUNCTION_RUB && u->rub_end[f->index] <= end);
-        if (!w->event->root[i]) continue;
+        event->root[i] = (gap && u->closing[f->index].root <= end) ||
+                         (f->kind == FUNCTION_END && u->edge_end[f->index] <= end) ||
+                         (f->kind == FUNCTION_SLIP && u->slip_end[f->index] <= end) ||
+                         (f->kind == FUNCTION_RUB && u->rub_end[f->index] <= end);
+        if (!event->root[i]) continue;
         others += !gap || struck != PM_NONE;
         struck = f->index;
     }
@@ -274,10 +275,10 @@ static int go_to_end(pm_workspace *w, double limit, double t_limit)
     pm_uniform *u = w->uniform;
     pm_uniform_rates_after(w, u->begin, u->rate);
     pm_uniform_integrate(w, u->end, w->state.z);
-    pm_uniform_place(w, u->end, w->state.q, w->state.v);
+    pm_uniform_place(w->model, w->uniform, u->end, w->state.q, w->state.v);
     w->step.begin = w->state.t;
     w->step.end = w->state.t = u->end == limit ? t_limit : u->t0 + u->end;
-    pm_case_speed(w, w->state.v);
+    pm_case_speed(w->model, &w->numbers, w->state.v);
     return u->status ? u->status : pm_projection_apply(w, &w->state);
 }
 
@@ -290,10 +291,10 @@ static int step(pm_workspace *w, double t_limit)
     u->begin = u->end;
     memcpy(u->z0, w->state.z, (size_t)w->model->nz * sizeof(double));
     u->end = first_contact(w, sampled_end(w, limit));
-    int status = pm_zeno_leap(w, mark_roots(w), u->end, t_limit, &leapt);
+    int status = pm_zeno_leap(w, mark_roots(w->event, w->uniform), u->end, t_limit, &leapt);
     if (status || leapt) return status;
     if (u->nwatched > 0) u->end = first_turn(w, u->begin, u->end);
-    const int struck = mark_roots(w);
+    const int struck = mark_roots(w->event, w->uniform);
     if (w->evidence.active) note_decisions(w);
     status = go_to_end(w, limit, t_limit);
     pm_zeno_end(w, struck);
@@ -309,7 +310,7 @@ static int at(pm_workspace *w, double t, pm_state *s)
     else
         memcpy(s->z, w->uniform->z0,
                (size_t)m->nz * sizeof(double)); /* nobody reads the ledger inside a step */
-    pm_uniform_place(w, after, s->q, s->v);
+    pm_uniform_place(w->model, w->uniform, after, s->q, s->v);
     s->t = t;
     return PM_OK;
 }
@@ -319,7 +320,7 @@ static int exact(pm_workspace *w, double t, pm_state *s)
     const double after = t - w->uniform->t0;
     if (s != &w->state) pm_state_copy(s, &w->state);
     pm_uniform_integrate(w, after, s->z);
-    pm_uniform_place(w, after, s->q, s->v);
+    pm_uniform_place(w->model, w->uniform, after, s->q, s->v);
     s->t = t;
     return pm_projection_apply(w, s);
 }

@@ -69,9 +69,9 @@ void pm_uniform_look_at_forces(pm_workspace *w, double t);
 /* The same at q_look, v_look, whatever is there. */
 void pm_uniform_look_there(pm_workspace *w, double t);
 /* q and v, both [nq], `t` seconds after the begin of the phase. */
-void pm_uniform_place(const pm_workspace *w, double t, double *q, double *v);
+void pm_uniform_place(const pm_model *model, const pm_uniform *u, double t, double *q, double *v);
 /* The frame has the accelerations and reactions of the phase; the same, by a solution where they may change. */
-void pm_uniform_know_forces(pm_workspace *w);
+void pm_uniform_know_forces(pm_frame *frame, const pm_uniform *u);
 int pm_uniform_react(pm_workspace *w);
 
 /* uniform_motion.c: rates[nz] of all running integrals at q_look, v_look; `t` seconds after the begin of the phase. */
@@ -101,7 +101,7 @@ int pm_uniform_resolves(const pm_workspace *w, int contact);
 
 /* zeno.c: a new case has no series yet; the phase that begins may follow a blow of the series; it ends with a blow of
  * contact `contact` (PM_NONE: with anything else). */
-void pm_zeno_reset(pm_workspace *w);
+void pm_zeno_reset(pm_uniform *uniform);
 void pm_zeno_begin(pm_workspace *w);
 void pm_zeno_end(pm_workspace *w, int contact);
 /* If the rest of the series of `contact`, which strikes next after `flight` seconds, can be taken at once before t_limit:

@@ -96,21 +96,19 @@ typedef struct pm_edge_motion {
     pm_poly height, beyond[SIDES];
 } pm_edge_motion;
 
-static void bodies_of(const pm_workspace *w, int contact, int point[2], int body[2])
+static void bodies_of(const pm_model *m, int contact, int point[2], int body[2])
 {
-    const pm_model *m = w->model;
     const int32_t *e = PM_CONTACT_ROW_OF(m, contact);
     point[0] = PM_CIRCLE_ROW(m, e[PM_CONTACT_A])[PM_CIRCLE_POINT];
     point[1] = PM_LINE_ROW(m, e[PM_CONTACT_B])[PM_LINE_POINT];
     for (int i = 0; i < 2; i++) body[i] = pm_body_index(m, PM_POINT_ROW(m, point[i])[PM_POINT_BODY]);
 }
 
-static pm_edge_motion motion_of(const pm_workspace *w, int contact)
+static pm_edge_motion motion_of(const pm_frame *frame, const pm_uniform *u, int contact)
 {
-    const pm_uniform *u = w->uniform;
-    const pm_edge_place x = pm_edge_beside(&w->frame, contact);
+    const pm_edge_place x = pm_edge_beside(frame, contact);
     int point[2], body[2];
-    bodies_of(w, contact, point, body);
+    bodies_of(frame->model, contact, point, body);
     double v[2], a[2];
     for (int k = 0; k < 2; k++) {
         v[k] = u->v[3 * body[0] + k] - u->v[3 * body[1] + k];
@@ -135,13 +133,13 @@ static pm_poly corner_of(const pm_edge_motion *x, int side)
 }
 
 /* At the begin of a phase what touches touches exactly, and what has no speed has none; 0: it may go either way. */
-static int begin_exactly(const pm_workspace *w, pm_poly *p, double length, double speed)
+static int begin_exactly(const pm_uniform *uniform, pm_poly *p, double length, double speed)
 {
     if (fabs(p->c[0]) > length) return 1;
     p->c[0] = 0;
     if (fabs(p->c[1]) <= speed) p->c[1] = 0;
     if (p->c[1] != 0) return p->c[1] > 0;
-    return p->c[2] >= -PM_UNIFORM_DEFINITE * w->uniform->curve.acceleration;
+    return p->c[2] >= -PM_UNIFORM_DEFINITE * uniform->curve.acceleration;
 }
 
 /* The first place where p falls through zero and `holds` there; INFINITY if there is none. */
@@ -176,47 +174,47 @@ static int always(const pm_edge_motion *x, int side, double t)
 }
 
 /* Just after the begin of the phase: what is at an end and goes on beyond it is no longer there. */
-static int is_leaving(const pm_workspace *w, const pm_edge_motion *x)
+static int is_leaving(const pm_frame *frame, const pm_edge_motion *x)
 {
     for (int side = 0; side < SIDES; side++)
-        if (x->beyond[side].c[0] > -2 * pm_contact_length(&w->frame) &&
-            x->beyond[side].c[1] > pm_contact_speed(&w->frame))
+        if (x->beyond[side].c[0] > -2 * pm_contact_length(frame) &&
+            x->beyond[side].c[1] > pm_contact_speed(frame))
             return 1;
     return 0;
 }
 
-static double strikes_face(pm_workspace *w, pm_edge_motion *x)
+static double strikes_face(const pm_frame *frame, pm_uniform *uniform, pm_edge_motion *x)
 {
     pm_poly gap = x->height;
-    const double length = pm_contact_length(&w->frame);
-    const int within = is_within(x, 0, 0) && !is_leaving(w, x);
+    const double length = pm_contact_length(frame);
+    const int within = is_within(x, 0, 0) && !is_leaving(frame, x);
     gap.c[0] -= x->radius;
-    if (within && gap.c[0] < -length && gap.c[0] > -2 * x->radius + length) w->uniform->irregular = 1;
-    if (!begin_exactly(w, &gap, length, pm_contact_speed(&w->frame)) && within) w->uniform->irregular = 1;
+    if (within && gap.c[0] < -length && gap.c[0] > -2 * x->radius + length) uniform->irregular = 1;
+    if (!begin_exactly(uniform, &gap, length, pm_contact_speed(frame)) && within) uniform->irregular = 1;
     return first_fall(&gap, x, 0, is_within);
 }
 
-static double strikes_corner(pm_workspace *w, const pm_edge_motion *x, int side)
+static double strikes_corner(const pm_frame *frame, pm_uniform *uniform, const pm_edge_motion *x, int side)
 {
     pm_poly gap = corner_of(x, side);
-    const double length = 2 * x->radius * pm_contact_length(&w->frame),
-                 speed = 2 * x->radius * pm_contact_speed(&w->frame);
+    const double length = 2 * x->radius * pm_contact_length(frame),
+                 speed = 2 * x->radius * pm_contact_speed(frame);
     if (!(x->radius > 0)) return INFINITY;
     if (is_beyond(x, side, 0)) {
-        if (gap.c[0] < -length) w->uniform->irregular = 1;
-        if (!begin_exactly(w, &gap, length, speed)) w->uniform->irregular = 1;
+        if (gap.c[0] < -length) uniform->irregular = 1;
+        if (!begin_exactly(uniform, &gap, length, speed)) uniform->irregular = 1;
     }
     return first_fall(&gap, x, side, is_beyond);
 }
 
-static double comes_to_end(pm_workspace *w, const pm_edge_motion *x)
+static double comes_to_end(const pm_frame *frame, pm_uniform *uniform, const pm_edge_motion *x)
 {
     double end = INFINITY;
     for (int side = 0; side < SIDES; side++) {
         pm_poly room = x->beyond[side];
         for (int i = 0; i <= room.n; i++) room.c[i] = -room.c[i];
         if (room.c[0] < 0) room.c[0] = 0;
-        if (!begin_exactly(w, &room, 0, pm_contact_speed(&w->frame))) w->uniform->irregular = 1;
+        if (!begin_exactly(uniform, &room, 0, pm_contact_speed(frame))) uniform->irregular = 1;
         end = fmin(end, first_fall(&room, x, side, always));
     }
     return end;
@@ -229,14 +227,14 @@ int pm_uniform_edge_hold(const pm_workspace *w)
         if (!pm_edge_is(m, i) || pm_state_is_absent(m, &w->state, PM_TABLE_CONTACT, i)) continue;
         const pm_slot *slot = &w->state.slot[m->contact_slot[i]];
         int point[2], body[2];
-        bodies_of(w, i, point, body);
+        bodies_of(w->model, i, point, body);
         const int32_t *p = PM_POINT_ROW(m, point[0]);
         const double at[2] = {w->numbers.value[p[PM_POINT_X]], w->numbers.value[p[PM_POINT_Y]]};
         if (w->uniform->curve.turns[body[1]] ||
             !pm_constant_motion_mark(&w->frame, &w->uniform->curve, body[0], at))
             return 0;
         if (slot->mode == PM_OPEN) continue;
-        if (slot->member != PM_SEGMENT_FACE || pm_edge_meets_another(w, i)) return 0;
+        if (slot->member != PM_SEGMENT_FACE || pm_edge_meets_another(&w->frame, &w->state, i)) return 0;
     }
     return 1;
 }
@@ -246,14 +244,15 @@ void pm_uniform_edge_begin(pm_workspace *w, int contact)
     pm_uniform *u = w->uniform;
     pm_closing *x = &u->closing[contact];
     const int slot = w->model->contact_slot[contact];
-    pm_edge_motion edge = motion_of(w, contact);
+    pm_edge_motion edge = motion_of(&w->frame, w->uniform, contact);
     *x = (pm_closing){.root = INFINITY, .near = INFINITY, .safe = INFINITY};
     if (w->state.slot[slot].mode != PM_OPEN) {
-        u->edge_end[slot] = comes_to_end(w, &edge);
+        u->edge_end[slot] = comes_to_end(&w->frame, w->uniform, &edge);
         return;
     }
-    x->root = strikes_face(w, &edge);
-    for (int side = 0; side < SIDES; side++) x->root = fmin(x->root, strikes_corner(w, &edge, side));
+    x->root = strikes_face(&w->frame, w->uniform, &edge);
+    for (int side = 0; side < SIDES; side++)
+        x->root = fmin(x->root, strikes_corner(&w->frame, w->uniform, &edge, side));
 }
 
 /* ---- decisions ---- */
@@ -310,7 +309,7 @@ void pm_uniform_edge_note(pm_workspace *w, int contact)
     pm_uniform *u = w->uniform;
     const double step[2] = {u->begin, u->end};
     pm_uniform_look(w, 0);
-    const pm_edge_motion edge = motion_of(w, contact);
+    const pm_edge_motion edge = motion_of(&w->frame, w->uniform, contact);
     if (w->state.slot[w->model->contact_slot[contact]].mode == PM_OPEN)
         note_open(&u->closing[contact], &edge, w->numbers.size, step);
     else

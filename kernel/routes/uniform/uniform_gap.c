@@ -33,15 +33,15 @@ static double first_root(double g, double rate, double bend)
 }
 
 /* How long a member stays open, at most h; *exact: it closes there. */
-static double open_for(const pm_workspace *w, const pm_constraint *row, double g, double rate, double h,
-                       int *exact)
+static double open_for(const pm_frame *frame, const pm_uniform *uniform, const pm_constraint *row, double g,
+                       double rate, double h, int *exact)
 {
-    const double *a = w->uniform->a;
+    const double *a = uniform->a;
     double safe = 0;
     *exact = 0;
     for (int i = 0; i < PM_UNIFORM_REFINEMENTS; i++) {
         pm_constraint_bounds x;
-        pm_constraint_kind(row->kind)->bound(&w->frame, row, a, h, &x);
+        pm_constraint_kind(row->kind)->bound(frame, row, a, h, &x);
         if (x.exact) {
             safe = first_root(g, rate, x.bend);
             *exact = safe < h;
@@ -55,19 +55,19 @@ static double open_for(const pm_workspace *w, const pm_constraint *row, double g
     return safe;
 }
 
-static double noise_of(const pm_workspace *w, const pm_constraint *row)
+static double noise_of(const pm_frame *frame, const pm_constraint *row)
 {
-    const pm_marks m = pm_constraint_marks(&w->frame, row);
+    const pm_marks m = pm_constraint_marks(frame, row);
     return PM_UNIFORM_ROUNDING * (fabs(m.a.p[0]) + fabs(m.a.p[1]) + fabs(m.b.p[0]) + fabs(m.b.p[1]) +
                                   fabs(row->radius_a) + fabs(row->radius_b));
 }
 
 /* A member that touches when the phase begins touches exactly, and one without speed has none. */
-static void begin_exactly(const pm_workspace *w, double *g, double *rate)
+static void begin_exactly(const pm_frame *frame, double *g, double *rate)
 {
-    if (*g > pm_contact_length(&w->frame) || *rate < -pm_contact_speed(&w->frame)) return;
+    if (*g > pm_contact_length(frame) || *rate < -pm_contact_speed(frame)) return;
     *g = 0;
-    if (*rate <= pm_contact_speed(&w->frame)) *rate = 0;
+    if (*rate <= pm_contact_speed(frame)) *rate = 0;
 }
 
 void pm_uniform_gap_begin(pm_workspace *w, int contact)
@@ -87,7 +87,7 @@ void pm_uniform_gap_begin(pm_workspace *w, int contact)
                                    &tangent);
         pm_constraint_kind(row.kind)->evaluate(&w->frame, &row);
         double g = row.g, rate = pm_constraint_times(&w->frame, &row, w->frame.v);
-        begin_exactly(w, &g, &rate);
+        begin_exactly(&w->frame, &g, &rate);
         if (g > 0 || rate > 0) continue;
         pm_constraint_bounds x = {.bend = -INFINITY};
         if (rate == 0) pm_constraint_kind(row.kind)->bound(&w->frame, &row, u->a, 0, &x);
@@ -122,7 +122,7 @@ void pm_uniform_gap_note(pm_workspace *w, int contact)
         return;
     }
     pm_uniform_look(w, w->uniform->end);
-    const double gap = pm_contact_gap(w, &w->state, contact, &member);
+    const double gap = pm_contact_gap(&w->frame, &w->state, contact, &member);
     if (gap == INFINITY) return; /* closed */
     pm_contact_member_gap(&w->frame, contact, member, &rate);
     note_near(&w->uniform->closing[contact], w->uniform->end, gap, rate);
@@ -142,18 +142,18 @@ static double advance(pm_workspace *w, int contact, double h, int *root)
                                    &tangent);
         pm_constraint_kind(row.kind)->evaluate(&w->frame, &row);
         double g = row.g, rate = pm_constraint_times(&w->frame, &row, w->frame.v);
-        if (first) begin_exactly(w, &g, &rate);
+        if (first) begin_exactly(&w->frame, &g, &rate);
         if (g == 0 && rate == 0) continue; /* touches and stays clear of it */
         if (g < least) {
             least = g;
             least_rate = rate;
         }
-        if (!(first && g == 0) && g <= noise_of(w, &row) && rate < 0) {
+        if (!(first && g == 0) && g <= noise_of(&w->frame, &row) && rate < 0) {
             *root = NEARLY;
             return -g / rate;
         }
         int exact;
-        const double open = open_for(w, &row, fmax(g, 0), rate, h, &exact);
+        const double open = open_for(&w->frame, w->uniform, &row, fmax(g, 0), rate, h, &exact);
         if (open < safe || (exact && open == safe)) {
             safe = open;
             *root = exact ? EXACTLY : OPEN;

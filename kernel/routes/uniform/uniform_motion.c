@@ -16,28 +16,26 @@
 #include "state/workspace.h"
 
 /* ---- places ---- */
-void pm_uniform_place(const pm_workspace *w, double t, double *q, double *v)
+void pm_uniform_place(const pm_model *model, const pm_uniform *u, double t, double *q, double *v)
 {
-    const pm_uniform *u = w->uniform;
-    for (int i = 0; i < w->model->nq; i++) {
+    for (int i = 0; i < model->nq; i++) {
         q[i] = u->q0[i] + t * (u->v[i] + 0.5 * t * u->a[i]);
         v[i] = u->v[i] + t * u->a[i];
     }
 }
 
-void pm_uniform_know_forces(pm_workspace *w)
+void pm_uniform_know_forces(pm_frame *frame, const pm_uniform *u)
 {
-    const pm_uniform *u = w->uniform;
-    memcpy(w->frame.a, u->a, (size_t)w->model->nq * sizeof(double));
-    memcpy(w->frame.lambda, u->lambda, (size_t)w->model->nrow * sizeof(double));
-    w->frame.level = PM_LEVEL_DYNAMIC;
+    memcpy(frame->a, u->a, (size_t)frame->model->nq * sizeof(double));
+    memcpy(frame->lambda, u->lambda, (size_t)frame->model->nrow * sizeof(double));
+    frame->level = PM_LEVEL_DYNAMIC;
 }
 
 /* Couples that hold locked bodies may change: then reactions are solved for. */
 int pm_uniform_react(pm_workspace *w)
 {
     if (w->uniform->curve.levers) return pm_saddle_accelerate(w);
-    pm_uniform_know_forces(w);
+    pm_uniform_know_forces(&w->frame, w->uniform);
     return PM_OK;
 }
 
@@ -56,13 +54,13 @@ void pm_uniform_look_there(pm_workspace *w, double t)
 
 void pm_uniform_look(pm_workspace *w, double t)
 {
-    pm_uniform_place(w, t, w->uniform->q_look, w->uniform->v_look);
+    pm_uniform_place(w->model, w->uniform, t, w->uniform->q_look, w->uniform->v_look);
     look(w, t);
 }
 
 void pm_uniform_look_at_forces(pm_workspace *w, double t)
 {
-    pm_uniform_place(w, t, w->uniform->q_look, w->uniform->v_look);
+    pm_uniform_place(w->model, w->uniform, t, w->uniform->q_look, w->uniform->v_look);
     pm_uniform_look_there(w, t);
 }
 
@@ -76,7 +74,7 @@ void pm_uniform_rates(pm_workspace *w, double *rate)
 
 void pm_uniform_rates_after(pm_workspace *w, double t, double *rate)
 {
-    pm_uniform_place(w, t, w->uniform->q_look, w->uniform->v_look);
+    pm_uniform_place(w->model, w->uniform, t, w->uniform->q_look, w->uniform->v_look);
     pm_uniform_rates(w, rate);
 }
 
@@ -109,7 +107,7 @@ static void integrate_paths(pm_workspace *w, double t, double h, double *z)
     const pm_model *m = w->model;
     for (int i = 0; i < m->npath; i++) {
         pm_uniform_look(w, t);
-        pm_uniform_know_forces(w);
+        pm_uniform_know_forces(&w->frame, w->uniform);
         const pm_point p = pm_frame_point_of(&w->frame, PM_MEASURE_ROW(m, m->path[i])[PM_MEASURE_A]);
         double a[2];
         pm_frame_acceleration(&w->frame, &p, a);

@@ -39,9 +39,9 @@
 #define FLIGHT_NODES 5 /* places of a flight where programs are looked at */
 
 /* ---- the series ---- */
-void pm_zeno_reset(pm_workspace *w)
+void pm_zeno_reset(pm_uniform *uniform)
 {
-    pm_series *x = &w->uniform->series;
+    pm_series *x = &uniform->series;
     x->contact = x->pending = PM_NONE;
     x->alike = 0;
     x->flight = 0;
@@ -67,13 +67,13 @@ static int follows_a_blow(const pm_workspace *w)
            x->jumps + 1 == w->result.count[PM_COUNT_JUMPS] && x->pending_end == w->state.t;
 }
 
-static int is_alike(const pm_workspace *w, const double *change, double flight)
+static int is_alike(const pm_frame *frame, const pm_uniform *uniform, const double *change, double flight)
 {
-    const pm_series *x = &w->uniform->series;
-    const double e = pm_contact_restitution(&w->frame, x->contact);
+    const pm_series *x = &uniform->series;
+    const double e = pm_contact_restitution(frame, x->contact);
     double size = 0, off = 0;
-    for (int i = 0; i < w->model->nq; i++) {
-        const double length = i % 3 == 2 ? w->numbers.size : 1;
+    for (int i = 0; i < frame->model->nq; i++) {
+        const double length = i % 3 == 2 ? frame->numbers->size : 1;
         size = fmax(size, length * fabs(change[i]));
         off = fmax(off, length * fabs(change[i] - e * x->change[i]));
     }
@@ -85,15 +85,15 @@ void pm_zeno_begin(pm_workspace *w)
 {
     pm_series *x = &w->uniform->series;
     if (!follows_a_blow(w) ||
-        pm_capture_holds(w)) { /* what a captured pair takes over is not thought through */
-        pm_zeno_reset(w);
+        pm_capture_holds(w->model, &w->state)) { /* what a captured pair takes over is not thought through */
+        pm_zeno_reset(w->uniform);
         return;
     }
     double *change = x->spare;
     const int same = x->contact == x->pending;
     const double flight = same ? x->pending_flight : 0; /* that phase began with the blow before */
     for (int i = 0; i < w->model->nq; i++) change[i] = w->state.v[i] - x->before[i];
-    x->alike = same && is_alike(w, change, flight) ? x->alike + 1 : 0;
+    x->alike = same && is_alike(&w->frame, w->uniform, change, flight) ? x->alike + 1 : 0;
     x->spare = x->change;
     x->change = change;
     x->contact = x->pending;
@@ -107,10 +107,9 @@ typedef struct pm_rest {
     double e, flight, time; /* T */
 } pm_rest;
 
-static int is_awaited(const pm_workspace *w, int event)
+static int is_awaited(const pm_model *m, const pm_firing *firing, int event)
 {
-    const pm_model *m = w->model;
-    const int64_t count = w->firing.count[event];
+    const int64_t count = firing->count[event];
     for (int i = 0; i < m->nask; i++) {
         const int32_t *e = PM_ASK_ROW(m, i);
         if (e[PM_ASK_EVENT_INDEX] != event) continue;
@@ -154,9 +153,9 @@ static int triggers_are_clear(pm_workspace *w, const pm_rest *r)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *e = PM_TRIGGER_ROW(w->model, i);
-        if (!is_awaited(w, e[PM_TRIGGER_EVENT])) continue;
+        if (!is_awaited(w->model, &w->firing, e[PM_TRIGGER_EVENT])) continue;
         if (e[PM_TRIGGER_KIND] == PM_TRIGGER_STRIKE && e[PM_TRIGGER_A] == r->contact) return 0;
-        if (e[PM_TRIGGER_KIND] > PM_TRIGGER_EVERY || pm_trigger_on_time(w, i))
+        if (e[PM_TRIGGER_KIND] > PM_TRIGGER_EVERY || pm_trigger_on_time(w->model, i))
             continue; /* these end the step */
         const pm_outlook x = outlook_of(w, r, e[PM_TRIGGER_PROGRAM]);
         const int every = e[PM_TRIGGER_KIND] == PM_TRIGGER_EVERY;
@@ -165,11 +164,12 @@ static int triggers_are_clear(pm_workspace *w, const pm_rest *r)
     return 1;
 }
 
-static int grid_is_clear(const pm_workspace *w, const int32_t *e, const pm_outlook *x)
+static int grid_is_clear(const pm_numbers *numbers, const struct pm_ask_set *ask, const int32_t *e,
+                         const pm_outlook *x)
 {
     for (int k = 0; k < e[PM_ASK_COUNT]; k++) {
-        const double wanted = w->numbers.value[e[PM_ASK_FIRST_VALUE] + k];
-        if (!w->ask->filled[e[PM_ASK_OUT] + k] && !(wanted < x->least || wanted > x->greatest)) return 0;
+        const double wanted = numbers->value[e[PM_ASK_FIRST_VALUE] + k];
+        if (!ask->filled[e[PM_ASK_OUT] + k] && !(wanted < x->least || wanted > x->greatest)) return 0;
     }
     return 1;
 }
@@ -180,14 +180,14 @@ static int observers_are_clear(pm_workspace *w, const pm_rest *r)
     for (int i = 0; i < w->ask->nobserver; i++) {
         const int ask = w->ask->observer[i];
         const int32_t *e = PM_ASK_ROW(w->model, ask);
-        const pm_outlook x = outlook_of(w, r, pm_ask_watched(w, i));
+        const pm_outlook x = outlook_of(w, r, pm_ask_watched(w->model, w->ask, i));
         int clear;
         switch (e[PM_ASK_KIND]) {
         case PM_ASK_MAX:
         case PM_ASK_AT_MAX: clear = x.rises || x.greatest <= w->ask->best[ask]; break;
         case PM_ASK_MIN:
         case PM_ASK_AT_MIN: clear = x.falls || x.least >= w->ask->best[ask]; break;
-        default: clear = grid_is_clear(w, e, &x);
+        default: clear = grid_is_clear(&w->numbers, w->ask, e, &x);
         }
         if (!clear) return 0;
     }
@@ -218,7 +218,8 @@ static int stays_over(pm_workspace *w, const pm_rest *r)
     if (w->state.slot[slot].member != PM_SEGMENT_FACE) return 0;
     pm_contact_constraint_both(&w->frame, r->contact, slot, PM_SEGMENT_FACE, &row, &tangent);
     pm_constraint_kind(row.kind)->bound(&w->frame, &row, w->uniform->a, r->time, &x);
-    return pm_edge_room(w, r->contact, PM_SEGMENT_FACE) > (x.rate + kicks(w, r, &row)) * r->time;
+    return pm_edge_room(&w->frame, &w->state, r->contact, PM_SEGMENT_FACE) >
+           (x.rate + kicks(w, r, &row)) * r->time;
 }
 
 static int others_stay_open(pm_workspace *w, const pm_rest *r)
@@ -349,6 +350,6 @@ int pm_zeno_leap(pm_workspace *w, int contact, double flight, double t_limit, in
     w->step.begin = w->step.end = w->state.t = u->t0 + t;
     w->result.count[PM_COUNT_JUMPS]++;
     pm_trigger_countless(w, contact);
-    pm_zeno_reset(w);
+    pm_zeno_reset(w->uniform);
     return pm_projection_apply(w, &w->state);
 }
