@@ -8,69 +8,88 @@
 #include "elements/joint.h"
 #include "elements/measure_kinds.h"
 #include "expression/program.h"
+#include "expression/program_class.h"
 #include "state/workspace.h"
 
-enum { ALL_ALLOWED = 1, CAN_START_POSITION = 2, CAN_START_VELOCITY = 4 };
-
-typedef struct pm_measure_ops {
-    int level;
-    int of; /* table that `a` points into; -1: none */
-    pm_scalar *scalar;
-    pm_vector *vector;
-    int flags;
-} pm_measure_ops;
+/* The words of the table below. */
+enum { NOTHING = -1, BODY = PM_TABLE_BODY, POINT = PM_TABLE_POINT, JOINT = PM_TABLE_JOINT };
+enum { CONTACT = PM_TABLE_CONTACT, FORCE = PM_TABLE_FORCE, EVENT = PM_TABLE_EVENT };
+enum {
+    CONSTANT = PM_CLASS_CONSTANT,
+    TIME_ONLY = PM_CLASS_TIME,
+    PLACE = PM_CLASS_PLACE,
+    MOTION = PM_CLASS_MOTION
+};
+enum { SAME = PM_ENERGY_CLASS_NONE, LINEAR = PM_ENERGY_CLASS_LINEAR, ROOT = PM_ENERGY_CLASS_ROOT };
+enum { CONVEX = PM_ENERGY_CLASS_CONVEX, UNKNOWN = PM_ENERGY_CLASS_UNKNOWN, NO_DEGREE = PM_DEGREE_OTHER };
+enum { DYNAMIC = PM_MEASURE_DYNAMIC, OR_ALL = PM_MEASURE_OR_ALL, OF_ALL = PM_MEASURE_OF_ALL };
+enum { STARTS_POSITION = PM_MEASURE_STARTS_POSITION, STARTS_VELOCITY = PM_MEASURE_STARTS_VELOCITY };
 
 static const pm_measure_ops kinds[PM_MEASURE_KINDS] = {
-    [PM_MEASURE_TIME] = {PM_LEVEL_KINEMATIC, -1, pm_measured_time, 0, 0},
-    [PM_MEASURE_ANGLE] = {PM_LEVEL_KINEMATIC, PM_TABLE_BODY, pm_measured_angle, 0, CAN_START_POSITION},
-    [PM_MEASURE_TURNED] = {PM_LEVEL_KINEMATIC, PM_TABLE_BODY, pm_measured_turned, 0, 0},
-    [PM_MEASURE_OMEGA] = {PM_LEVEL_KINEMATIC, PM_TABLE_BODY, pm_measured_omega, 0, CAN_START_VELOCITY},
-    [PM_MEASURE_ALPHA] = {PM_LEVEL_DYNAMIC, PM_TABLE_BODY, pm_measured_alpha, 0, 0},
-    [PM_MEASURE_MASS] = {PM_LEVEL_KINEMATIC, PM_TABLE_BODY, pm_measured_mass, 0, ALL_ALLOWED},
-    [PM_MEASURE_WEIGHT] = {PM_LEVEL_KINEMATIC, PM_TABLE_BODY, pm_measured_weight, 0, ALL_ALLOWED},
-    [PM_MEASURE_INERTIA] = {PM_LEVEL_KINEMATIC, PM_TABLE_BODY, pm_measured_inertia, 0, 0},
-    [PM_MEASURE_KINETIC] = {PM_LEVEL_KINEMATIC, PM_TABLE_BODY, pm_measured_kinetic, 0, ALL_ALLOWED},
-    [PM_MEASURE_MOMENTUM] = {PM_LEVEL_KINEMATIC, PM_TABLE_BODY, 0, pm_measured_momentum, ALL_ALLOWED},
-    [PM_MEASURE_ANGULAR_MOMENTUM] = {PM_LEVEL_KINEMATIC, PM_TABLE_BODY, pm_measured_angular_momentum, 0,
-                                     ALL_ALLOWED},
-    [PM_MEASURE_POLE] = {PM_LEVEL_KINEMATIC, PM_TABLE_BODY, 0, pm_measured_pole, 0},
-    [PM_MEASURE_POSITION] = {PM_LEVEL_KINEMATIC, PM_TABLE_POINT, 0, pm_measured_position, CAN_START_POSITION},
-    [PM_MEASURE_MOVED] = {PM_LEVEL_KINEMATIC, PM_TABLE_POINT, 0, pm_measured_moved, 0},
-    [PM_MEASURE_PATH] = {PM_LEVEL_KINEMATIC, PM_TABLE_POINT, pm_measured_path, 0, 0},
-    [PM_MEASURE_VELOCITY] = {PM_LEVEL_KINEMATIC, PM_TABLE_POINT, 0, pm_measured_velocity, CAN_START_VELOCITY},
-    [PM_MEASURE_ACCELERATION] = {PM_LEVEL_DYNAMIC, PM_TABLE_POINT, 0, pm_measured_acceleration, 0},
-    [PM_MEASURE_JOINT_FORCE] = {PM_LEVEL_DYNAMIC, PM_TABLE_JOINT, 0, pm_measured_joint_force, 0},
-    [PM_MEASURE_JOINT_COUPLE] = {PM_LEVEL_DYNAMIC, PM_TABLE_JOINT, pm_measured_joint_couple, 0, 0},
-    [PM_MEASURE_JOINT_IMPULSE] = {PM_LEVEL_DYNAMIC, PM_TABLE_JOINT, 0, pm_measured_joint_impulse, 0},
-    [PM_MEASURE_JOINT_NORMAL] = {PM_LEVEL_DYNAMIC, PM_TABLE_JOINT, pm_measured_joint_normal, 0, 0},
-    [PM_MEASURE_JOINT_FRICTION] = {PM_LEVEL_DYNAMIC, PM_TABLE_JOINT, pm_measured_joint_friction, 0, 0},
-    [PM_MEASURE_JOINT_FRICTION_NEEDED] = {PM_LEVEL_DYNAMIC, PM_TABLE_JOINT, pm_measured_joint_friction_needed,
-                                          0, 0},
-    [PM_MEASURE_CONTACT_GAP] = {PM_LEVEL_KINEMATIC, PM_TABLE_CONTACT, pm_measured_contact_gap, 0, 0},
-    [PM_MEASURE_CONTACT_CLOSED] = {PM_LEVEL_KINEMATIC, PM_TABLE_CONTACT, pm_measured_contact_closed, 0, 0},
-    [PM_MEASURE_CONTACT_SLIP] = {PM_LEVEL_KINEMATIC, PM_TABLE_CONTACT, pm_measured_contact_slip, 0, 0},
-    [PM_MEASURE_CONTACT_NORMAL] = {PM_LEVEL_DYNAMIC, PM_TABLE_CONTACT, pm_measured_contact_normal, 0, 0},
-    [PM_MEASURE_CONTACT_FRICTION] = {PM_LEVEL_DYNAMIC, PM_TABLE_CONTACT, pm_measured_contact_friction, 0, 0},
-    [PM_MEASURE_CONTACT_FRICTION_NEEDED] = {PM_LEVEL_DYNAMIC, PM_TABLE_CONTACT,
-                                            pm_measured_contact_friction_needed, 0, 0},
-    [PM_MEASURE_CONTACT_FORCE] = {PM_LEVEL_DYNAMIC, PM_TABLE_CONTACT, 0, pm_measured_contact_force, 0},
-    [PM_MEASURE_CONTACT_IMPULSE] = {PM_LEVEL_KINEMATIC, PM_TABLE_CONTACT, 0, pm_measured_contact_impulse, 0},
-    [PM_MEASURE_FORCE_FORCE] = {PM_LEVEL_KINEMATIC, PM_TABLE_FORCE, 0, pm_measured_force_force, 0},
-    [PM_MEASURE_FORCE_COUPLE] = {PM_LEVEL_KINEMATIC, PM_TABLE_FORCE, pm_measured_force_couple, 0, 0},
-    [PM_MEASURE_FORCE_WORK] = {PM_LEVEL_KINEMATIC, PM_TABLE_FORCE, pm_measured_force_work, 0, 0},
-    [PM_MEASURE_FORCE_POWER] = {PM_LEVEL_KINEMATIC, PM_TABLE_FORCE, pm_measured_force_power, 0, 0},
-    [PM_MEASURE_FORCE_STRETCH] = {PM_LEVEL_KINEMATIC, PM_TABLE_FORCE, pm_measured_force_stretch, 0, 0},
-    [PM_MEASURE_FORCE_ENERGY] = {PM_LEVEL_KINEMATIC, PM_TABLE_FORCE, pm_measured_force_energy, 0, 0},
-    [PM_MEASURE_EVENT_COUNT] = {PM_LEVEL_KINEMATIC, PM_TABLE_EVENT, pm_measured_event_count, 0, 0},
-    [PM_MEASURE_EVENT_TIME] = {PM_LEVEL_KINEMATIC, PM_TABLE_EVENT, pm_measured_event_time, 0, 0},
-    [PM_MEASURE_POTENTIAL] = {PM_LEVEL_KINEMATIC, -1, pm_measured_potential, 0, 0},
-    [PM_MEASURE_TOTAL] = {PM_LEVEL_KINEMATIC, -1, pm_measured_total, 0, 0},
-    [PM_MEASURE_LOST] = {PM_LEVEL_KINEMATIC, -1, pm_measured_lost, 0, 0},
-    [PM_MEASURE_SPIN_OMEGA] = {PM_LEVEL_KINEMATIC, -1, pm_measured_spin_omega, 0, 0},
-    [PM_MEASURE_SPIN_ANGLE] = {PM_LEVEL_KINEMATIC, -1, pm_measured_spin_angle, 0, 0},
-    [PM_MEASURE_SPIN_MOMENTUM] = {PM_LEVEL_KINEMATIC, -1, pm_measured_spin_momentum, 0, 0},
-    [PM_MEASURE_SPIN_INERTIA] = {PM_LEVEL_KINEMATIC, -1, pm_measured_spin_inertia, 0, 0},
+    [PM_MEASURE_TIME] = {NOTHING, TIME_ONLY, UNKNOWN, 1, 0, .scalar = pm_measured_time},
+    [PM_MEASURE_ANGLE] = {BODY, PLACE, SAME, 2, STARTS_POSITION, .scalar = pm_measured_angle},
+    [PM_MEASURE_TURNED] = {BODY, PLACE, SAME, 2, 0, .scalar = pm_measured_turned},
+    [PM_MEASURE_OMEGA] = {BODY, MOTION, ROOT, 1, STARTS_VELOCITY, .scalar = pm_measured_omega},
+    [PM_MEASURE_ALPHA] = {BODY, MOTION, LINEAR, 0, DYNAMIC, .scalar = pm_measured_alpha},
+    [PM_MEASURE_MASS] = {BODY, CONSTANT, SAME, 0, OR_ALL, .scalar = pm_measured_mass},
+    [PM_MEASURE_WEIGHT] = {BODY, CONSTANT, SAME, 0, OR_ALL, .scalar = pm_measured_weight},
+    [PM_MEASURE_INERTIA] = {BODY, PLACE, SAME, 0, 0, .scalar = pm_measured_inertia},
+    [PM_MEASURE_KINETIC] = {BODY, MOTION, LINEAR, 2, OR_ALL, .scalar = pm_measured_kinetic},
+    [PM_MEASURE_MOMENTUM] = {BODY, MOTION, ROOT, 1, OR_ALL, .vector = pm_measured_momentum},
+    [PM_MEASURE_ANGULAR_MOMENTUM] = {BODY, MOTION, ROOT, 1, OR_ALL, .scalar = pm_measured_angular_momentum},
+    [PM_MEASURE_POLE] = {BODY, MOTION, SAME, NO_DEGREE, 0, .vector = pm_measured_pole},
+    [PM_MEASURE_POSITION] = {POINT, PLACE, SAME, 2, STARTS_POSITION, .vector = pm_measured_position},
+    [PM_MEASURE_MOVED] = {POINT, PLACE, SAME, 2, 0, .vector = pm_measured_moved},
+    [PM_MEASURE_PATH] = {POINT, MOTION, SAME, NO_DEGREE, 0, .scalar = pm_measured_path},
+    [PM_MEASURE_VELOCITY] = {POINT, MOTION, ROOT, 1, STARTS_VELOCITY, .vector = pm_measured_velocity},
+    [PM_MEASURE_ACCELERATION] = {POINT, MOTION, LINEAR, 0, DYNAMIC, .vector = pm_measured_acceleration},
+    [PM_MEASURE_JOINT_FORCE] = {JOINT, MOTION, LINEAR, 0, DYNAMIC, .vector = pm_measured_joint_force},
+    [PM_MEASURE_JOINT_COUPLE] = {JOINT, MOTION, LINEAR, 0, DYNAMIC, .scalar = pm_measured_joint_couple},
+    [PM_MEASURE_JOINT_IMPULSE] = {JOINT, MOTION, UNKNOWN, 0, DYNAMIC | OF_ALL,
+                                  .vector = pm_measured_joint_impulse},
+    [PM_MEASURE_JOINT_NORMAL] = {JOINT, MOTION, LINEAR, 0, DYNAMIC, .scalar = pm_measured_joint_normal},
+    [PM_MEASURE_JOINT_FRICTION] = {JOINT, MOTION, LINEAR, 0, DYNAMIC, .scalar = pm_measured_joint_friction},
+    [PM_MEASURE_JOINT_FRICTION_NEEDED] = {JOINT, MOTION, CONVEX, 0, DYNAMIC,
+                                          .scalar = pm_measured_joint_friction_needed},
+    [PM_MEASURE_CONTACT_GAP] = {CONTACT, PLACE, SAME, 2, 0, .scalar = pm_measured_contact_gap},
+    [PM_MEASURE_CONTACT_CLOSED] = {CONTACT, MOTION, SAME, 0, 0, .scalar = pm_measured_contact_closed},
+    [PM_MEASURE_CONTACT_SLIP] = {CONTACT, MOTION, ROOT, 1, 0, .scalar = pm_measured_contact_slip},
+    [PM_MEASURE_CONTACT_NORMAL] = {CONTACT, MOTION, LINEAR, 0, DYNAMIC, .scalar = pm_measured_contact_normal},
+    [PM_MEASURE_CONTACT_FRICTION] = {CONTACT, MOTION, LINEAR, 0, DYNAMIC,
+                                     .scalar = pm_measured_contact_friction},
+    [PM_MEASURE_CONTACT_FRICTION_NEEDED] = {CONTACT, MOTION, CONVEX, 0, DYNAMIC,
+                                            .scalar = pm_measured_contact_friction_needed},
+    [PM_MEASURE_CONTACT_FORCE] = {CONTACT, MOTION, LINEAR, 0, DYNAMIC, .vector = pm_measured_contact_force},
+    [PM_MEASURE_CONTACT_IMPULSE] = {CONTACT, MOTION, UNKNOWN, 0, OF_ALL,
+                                    .vector = pm_measured_contact_impulse},
+    [PM_MEASURE_FORCE_FORCE] = {FORCE, MOTION, UNKNOWN, 0, 0, .vector = pm_measured_force_force},
+    [PM_MEASURE_FORCE_COUPLE] = {FORCE, MOTION, UNKNOWN, 0, 0, .scalar = pm_measured_force_couple},
+    [PM_MEASURE_FORCE_WORK] = {FORCE, MOTION, SAME, NO_DEGREE, 0, .scalar = pm_measured_force_work},
+    [PM_MEASURE_FORCE_POWER] = {FORCE, MOTION, ROOT, 1, 0, .scalar = pm_measured_force_power},
+    [PM_MEASURE_FORCE_STRETCH] = {FORCE, PLACE, SAME, NO_DEGREE, 0, .scalar = pm_measured_force_stretch},
+    [PM_MEASURE_FORCE_ENERGY] = {FORCE, PLACE, SAME, NO_DEGREE, 0, .scalar = pm_measured_force_energy},
+    [PM_MEASURE_EVENT_COUNT] = {EVENT, MOTION, UNKNOWN, 0, 0, .scalar = pm_measured_event_count},
+    [PM_MEASURE_EVENT_TIME] = {EVENT, MOTION, UNKNOWN, 0, 0, .scalar = pm_measured_event_time},
+    [PM_MEASURE_POTENTIAL] = {NOTHING, PLACE, SAME, 2, OF_ALL, .scalar = pm_measured_potential},
+    [PM_MEASURE_TOTAL] = {NOTHING, MOTION, LINEAR, 2, OF_ALL, .scalar = pm_measured_total},
+    [PM_MEASURE_LOST] = {NOTHING, MOTION, UNKNOWN, 0, OF_ALL, .scalar = pm_measured_lost},
+    [PM_MEASURE_SPIN_OMEGA] = {NOTHING, PLACE, SAME, NO_DEGREE, 0, .scalar = pm_measured_spin_omega},
+    [PM_MEASURE_SPIN_ANGLE] = {NOTHING, MOTION, UNKNOWN, NO_DEGREE, 0, .scalar = pm_measured_spin_angle},
+    [PM_MEASURE_SPIN_MOMENTUM] = {NOTHING, PLACE, SAME, NO_DEGREE, 0, .scalar = pm_measured_spin_momentum},
+    [PM_MEASURE_SPIN_INERTIA] = {NOTHING, PLACE, SAME, NO_DEGREE, 0, .scalar = pm_measured_spin_inertia},
 };
+
+const pm_measure_ops *pm_measure_kind(int kind) { return &kinds[kind]; }
+
+const pm_measure_ops *pm_measure_ops_of(const pm_model *m, int i)
+{
+    return &kinds[PM_MEASURE_ROW(m, i)[PM_MEASURE_KIND]];
+}
+
+int pm_measure_level(const pm_model *m, int i)
+{
+    return pm_measure_ops_of(m, i)->flags & PM_MEASURE_DYNAMIC ? PM_LEVEL_DYNAMIC : PM_LEVEL_KINEMATIC;
+}
 
 /* ---- reading ---- */
 static double part_of(const pm_numbers *numbers, const int32_t *e, const double v[2])
@@ -109,16 +128,12 @@ double pm_measure(pm_workspace *w, int i)
     return pm_program_takes_size(w->model, i) ? fabs(value) : value;
 }
 
-int pm_measure_of(int kind) { return kinds[kind].of; }
-
-int pm_measure_level(const pm_model *m, int i) { return kinds[PM_MEASURE_ROW(m, i)[PM_MEASURE_KIND]].level; }
-
 int pm_measure_can_start(const pm_model *m, int i, int level)
 {
     const int32_t *e = PM_MEASURE_ROW(m, i);
     const int linear = e[PM_MEASURE_PART] != PM_PART_NORM && e[PM_MEASURE_PART] != PM_PART_ANGLE;
     return linear && (kinds[e[PM_MEASURE_KIND]].flags &
-                      (level == PM_START_POSITION ? CAN_START_POSITION : CAN_START_VELOCITY));
+                      (level == PM_START_POSITION ? STARTS_POSITION : STARTS_VELOCITY));
 }
 
 /* The measure's rate is linear in v: reading it with unit velocities gives the coefficients exactly. */
@@ -167,7 +182,7 @@ static int validate(const pm_model *m, int i, pm_where *where)
     if (kind < 0 || kind >= PM_MEASURE_KINDS) return bad(where, i, kind, PM_MEASURE_KINDS);
     const pm_measure_ops *ops = &kinds[kind];
     const int low = ops->of == PM_TABLE_BODY && kind != PM_MEASURE_POLE ? PM_GROUND : 0;
-    const int all = (ops->flags & ALL_ALLOWED) && a == PM_NONE;
+    const int all = (ops->flags & OR_ALL) && a == PM_NONE;
     if (ops->of >= 0 && !all && (a < low || a >= m->rows[ops->of])) return bad(where, i, a, m->rows[ops->of]);
     if (ops->vector && (part <= PM_PART_NONE || part >= PM_PARTS)) return bad(where, i, part, PM_PARTS);
     if (part == PM_PART_ALONG && e[PM_MEASURE_VALUE] < 0) return bad(where, i, e[PM_MEASURE_VALUE], 0);

@@ -4,13 +4,36 @@
 
 #include "state/workspace.h"
 
+enum pm_measure_flag {
+    PM_MEASURE_OR_ALL = 1,          /* of a body, or with PM_NONE of all there is */
+    PM_MEASURE_OF_ALL = 2,          /* of all that there is, or of the last jump, wherever it was */
+    PM_MEASURE_DYNAMIC = 4,         /* of accelerations or reactions: the frame must be PM_LEVEL_DYNAMIC */
+    PM_MEASURE_STARTS_POSITION = 8, /* may be written in the start table */
+    PM_MEASURE_STARTS_VELOCITY = 16
+};
+
+struct pm_measure_args; /* measure_kinds.h */
+
+/* One kind: what it is of, what is known of it before it is measured (expression/program_class.h), how it is read off. */
+typedef struct pm_measure_ops {
+    int of;     /* the table that `a` points into; -1: none */
+    int class;  /* enum pm_program_class; of a plane that turns: where no couple acts on it */
+    int energy; /* enum pm_program_energy; of a vector: of its components */
+    int degree; /* enum pm_program_degree, unless what it is of says otherwise (scene/program_degree.c) */
+    int flags;  /* enum pm_measure_flag */
+    double (*scalar)(const struct pm_measure_args *x);
+    void (*vector)(const struct pm_measure_args *x, double out[2]); /* of which a part is read */
+} pm_measure_ops;
+
+const pm_measure_ops *pm_measure_kind(int kind);
+const pm_measure_ops *pm_measure_ops_of(const pm_model *m, int i);
+/* enum pm_level to which the frame must be filled. */
+int pm_measure_level(const pm_model *m, int i);
+
 /* Value of measure i at the frame, which must be filled to pm_measure_level.  Not a number where it has none. */
 double pm_measure(pm_workspace *w, int i);
 /* The same; where it is the size of something, that with its sign (what programs read: pm_workspace.read_measure). */
 double pm_measure_signed(pm_workspace *w, int i);
-/* The table that `a` of a kind points into; -1: none. */
-int pm_measure_of(int kind);
-int pm_measure_level(const pm_model *m, int i);
 int pm_measure_validate(const pm_model *m, pm_where *where);
 /* 1 if measure i may be written in the start table at this level (its value is linear in v, or its rate is). */
 int pm_measure_can_start(const pm_model *m, int i, int level);

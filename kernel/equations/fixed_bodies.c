@@ -26,7 +26,7 @@
 #include "equations/orthonormal_rows.h"
 #include "equations/saddle.h"
 #include "equations/solve_cache.h"
-#include "expression/program_class.h"
+#include "expression/operation.h"
 #include "numerics/tolerances.h"
 #include "scene/reference.h"
 #include "state/arena.h"
@@ -53,12 +53,10 @@ static void let_move(const pm_model *m, pm_fixed_bodies *fixed, int table, int r
 /* The joints of which a program reads a reaction. */
 static void ask_read(const pm_model *m, pm_fixed_bodies *fixed, int program)
 {
-    int length;
-    const int32_t *code = pm_program_code(m, program, &length);
-    for (int i = 0; i < length; i++, code += PM_CODE_COLUMNS) {
-        if (code[PM_CODE_OP] != PM_OP_MEASURE) continue;
-        const int32_t *e = PM_MEASURE_ROW(m, code[PM_CODE_ARG]);
-        if (pm_measure_of(e[PM_MEASURE_KIND]) == PM_TABLE_JOINT) fixed->is_asked[e[PM_MEASURE_A]] = 1;
+    for (pm_program_walk x = pm_program_walk_begin(m, program); pm_program_walk_next(&x);) {
+        if (x.op != PM_OP_MEASURE) continue;
+        const int32_t *e = PM_MEASURE_ROW(m, x.arg);
+        if (pm_measure_kind(e[PM_MEASURE_KIND])->of == PM_TABLE_JOINT) fixed->is_asked[e[PM_MEASURE_A]] = 1;
     }
 }
 

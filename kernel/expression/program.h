@@ -45,9 +45,4 @@ double pm_program_of_time(const pm_model *m, int index, const double *param, con
 /* Checks codes, arguments and stack of every program of a table set; returns PM_OK or PM_BAD_TABLE. */
 int pm_program_validate(const pm_model *m, pm_where *where);
 
-/* What an operation takes off the stack; all leave one number; < 0: no such operation. */
-int pm_program_operands(int op);
-double pm_program_unary(int op, double a);
-double pm_program_binary(int op, double a, double b);
-
 #endif

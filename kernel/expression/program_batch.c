@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "expression/operation.h"
 #include "expression/program.h"
 #include "expression/program_fold.h"
 #include "numerics/chebyshev_nodes.h"
@@ -31,7 +32,7 @@ static inline void combine(int op, int n, double *restrict a, const double *rest
         for (int k = 0; k < n; k++) a[k] /= b[step * k];
         break;
     default:
-        for (int k = 0; k < n; k++) a[k] = pm_program_binary(op, a[k], b[step * k]);
+        for (int k = 0; k < n; k++) a[k] = pm_operations[op].two(a[k], b[step * k]);
     }
 }
 
@@ -42,7 +43,7 @@ static void apply(int op, int n, double *a)
     else if (op == PM_OP_ABS)
         for (int k = 0; k < n; k++) a[k] = fabs(a[k]);
     else
-        for (int k = 0; k < n; k++) a[k] = pm_program_unary(op, a[k]);
+        for (int k = 0; k < n; k++) a[k] = pm_operations[op].one(a[k]);
 }
 
 static void choose(int n, double *condition, const double *yes, const double *no)
@@ -50,9 +51,9 @@ static void choose(int n, double *condition, const double *yes, const double *no
     for (int k = 0; k < n; k++) condition[k] = condition[k] != 0 ? yes[k] : no[k];
 }
 
-static int jumps(int op) { return op >= PM_OP_LT && op <= PM_OP_NE; }
+static int jumps(int op) { return pm_operation_has(op, PM_OPERATION_JUMPS); }
 
-static int is_switch(int op) { return op == PM_OP_ABS || op == PM_OP_MIN || op == PM_OP_MAX || jumps(op); }
+static int is_switch(int op) { return pm_operation_has(op, PM_OPERATION_JUMPS | PM_OPERATION_CORNERS); }
 
 int pm_program_switches(const pm_model *m, int index)
 {
@@ -82,7 +83,7 @@ static void take_branch(int op, int n, double *a, const double *b, int step, int
         if (op == PM_OP_ABS)
             a[k] *= sign;
         else if (jumps(op))
-            a[k] = pm_program_binary(op, sign, 0);
+            a[k] = pm_operations[op].two(sign, 0);
         else if (op == PM_OP_MIN ? sign > 0 : sign < 0)
             a[k] = b[step * k];
     }

@@ -23,11 +23,9 @@ enum pm_program_energy {
     PM_ENERGY_CLASS_UNKNOWN = 6
 };
 
-/* The instructions of a program. */
-const int32_t *pm_program_code(const pm_model *m, int program, int *length);
+/* Its degree as a polynomial in the time while accelerations are constant: 0, 1, 2, or none of these. */
+enum pm_program_degree { PM_DEGREE_MOST = 2, PM_DEGREE_OTHER = 3 };
 
-int pm_program_class_of(const pm_model *m, int program);
-int pm_program_energy_of(const pm_model *m, int program);
 /* A program that some measure of time (the time itself, or that of an event) enters. */
 int pm_program_class_reads_time(const pm_model *m, int program);
 /* A program that the count or time of an event enters. */

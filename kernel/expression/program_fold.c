@@ -8,42 +8,33 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "expression/operation.h"
 #include "expression/program.h"
-
-/* Operands that wait on the stack: where each begins, and whether it stays the same. */
-typedef struct pm_operands {
-    int begin[PM_STACK + 1], steady[PM_STACK + 1], n;
-} pm_operands;
 
 static const int32_t *code_at(const pm_model *m, int k)
 {
     return pm_table_row(m, PM_TABLE_CODE, k, PM_CODE_COLUMNS);
 }
 
-static int is_steady(const pm_model *m, const int32_t *code)
+/* What an instruction pushes stays the same through a case. */
+static int is_steady(const pm_model *m, int op, int arg)
 {
-    if (code[PM_CODE_OP] == PM_OP_ANSWER) return 0;
-    if (code[PM_CODE_OP] != PM_OP_MEASURE) return 1;
-    const int kind = PM_MEASURE_ROW(m, code[PM_CODE_ARG])[PM_MEASURE_KIND];
+    if (op == PM_OP_ANSWER) return 0;
+    if (op != PM_OP_MEASURE) return 1;
+    const int kind = PM_MEASURE_ROW(m, arg)[PM_MEASURE_KIND];
     return kind == PM_MEASURE_MASS || kind == PM_MEASURE_WEIGHT;
 }
 
 /* end[k]: where the largest steady operand ends that begins at instruction k, or PM_NONE. */
 static void find_steady(const pm_model *m, int first, int length, int *end)
 {
-    pm_operands x = {.n = 0};
-    for (int k = first; k < first + length; k++) {
-        const int32_t *code = code_at(m, k);
-        const int takes = pm_program_operands(code[PM_CODE_OP]);
-        int begin = k, steady = is_steady(m, code);
+    int begin[PM_STACK], steady[PM_STACK], k = first; /* of the operands that wait */
+    for (pm_program_walk x = pm_program_walk_part(m, first, length); pm_program_walk_next(&x); k++) {
         end[k] = PM_NONE;
-        for (int i = 0; i < takes; i++) {
-            begin = x.begin[--x.n];
-            steady &= x.steady[x.n];
-        }
-        x.begin[x.n] = begin;
-        x.steady[x.n++] = steady;
-        if (steady) end[begin] = k;
+        if (x.takes == 0) begin[x.at] = k;
+        if (x.takes == 0) steady[x.at] = is_steady(m, x.op, x.arg);
+        for (int i = 1; i < x.takes; i++) steady[x.at] &= steady[x.at + i];
+        if (steady[x.at]) end[begin[x.at]] = k;
     }
 }
 
@@ -65,7 +56,7 @@ static pm_program_step step_of(const int32_t *code)
 {
     const int op = code[PM_CODE_OP];
     pm_program_step s = {.op = op, .arg = code[PM_CODE_ARG]};
-    switch (pm_program_operands(op)) {
+    switch (pm_operations[op].takes) {
     case 0: s.kind = op == PM_OP_MEASURE ? STEP_MEASURE : STEP_ANSWER; break;
     case 1: s.kind = STEP_UNARY; break;
     case 2: s.kind = STEP_BINARY; break;

@@ -2,6 +2,7 @@
  * (forward differentiation).  Steps and kinks have the rate of one of their sides. */
 #include <math.h>
 
+#include "expression/operation.h"
 #include "expression/program.h"
 
 typedef struct pm_timed {
@@ -10,7 +11,7 @@ typedef struct pm_timed {
 
 static pm_timed unary(int op, pm_timed a)
 {
-    const double x = pm_program_unary(op, a.x);
+    const double x = pm_operations[op].one(a.x);
     double slope;
     switch (op) {
     case PM_OP_NEG: slope = -1; break;
@@ -37,7 +38,7 @@ static double power_rate(pm_timed a, pm_timed b, double x)
 
 static pm_timed binary(int op, pm_timed a, pm_timed b)
 {
-    const double x = pm_program_binary(op, a.x, b.x), square = a.x * a.x + b.x * b.x;
+    const double x = pm_operations[op].two(a.x, b.x), square = a.x * a.x + b.x * b.x;
     double rate;
     switch (op) {
     case PM_OP_ADD: rate = a.rate + b.rate; break;
@@ -57,28 +58,19 @@ static pm_timed binary(int op, pm_timed a, pm_timed b)
 double pm_program_of_time(const pm_model *m, int index, const double *param, const double *value, double t,
                           double *rate)
 {
-    const int32_t *program = pm_table_row(m, PM_TABLE_PROGRAM, index, PM_PROGRAM_COLUMNS);
-    const int32_t *code = pm_table_row(m, PM_TABLE_CODE, program[PM_PROGRAM_FIRST], PM_CODE_COLUMNS);
     pm_timed stack[PM_STACK];
-    int top = -1;
-    for (int i = 0; i < program[PM_PROGRAM_LENGTH]; i++, code += PM_CODE_COLUMNS) {
-        const int op = code[PM_CODE_OP], arg = code[PM_CODE_ARG];
-        switch (op) {
-        case PM_OP_CONSTANT: stack[++top] = (pm_timed){m->constant[arg], 0}; break;
-        case PM_OP_PARAMETER: stack[++top] = (pm_timed){param[arg], 0}; break;
-        case PM_OP_VALUE: stack[++top] = (pm_timed){value[arg], 0}; break;
-        case PM_OP_MEASURE: stack[++top] = (pm_timed){t, 1}; break; /* build.c allows the time only */
-        case PM_OP_SELECT:
-            top -= 2;
-            stack[top] = stack[top].x != 0 ? stack[top + 1] : stack[top + 2];
+    stack[0] = stack[1] = stack[2] =
+        (pm_timed){NAN, NAN}; /* no valid code reads them before they are pushed */
+    for (pm_program_walk x = pm_program_walk_begin(m, index); pm_program_walk_next(&x);) {
+        pm_timed *a = stack + x.at;
+        switch (x.takes) {
+        case 0: /* check.c allows no measure but the time */
+            *a =
+                x.op == PM_OP_MEASURE ? (pm_timed){t, 1} : (pm_timed){pm_program_number(&x, param, value), 0};
             break;
-        default:
-            if (pm_program_operands(op) == 1) {
-                stack[top] = unary(op, stack[top]);
-            } else {
-                top--;
-                stack[top] = binary(op, stack[top], stack[top + 1]);
-            }
+        case 1: *a = unary(x.op, *a); break;
+        case 2: *a = binary(x.op, a[0], a[1]); break;
+        default: *a = a[0].x != 0 ? a[1] : a[2];
         }
     }
     *rate = stack[0].rate;

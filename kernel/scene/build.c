@@ -5,11 +5,10 @@
 
 #include "elements/force.h"
 #include "elements/joint.h"
-#include "elements/measure.h"
 #include "elements/turning_plane.h"
-#include "expression/program.h"
 #include "expression/program_class.h"
 #include "expression/program_fold.h"
+#include "scene/program_grade.h"
 #include "scene/reference.h"
 #include "state/arena.h"
 #include "state/model.h"
@@ -63,23 +62,6 @@ static void look_for_actions(pm_model *m)
     m->nelement = m->rows[PM_TABLE_JOINT] + m->rows[PM_TABLE_CONTACT] + m->rows[PM_TABLE_FORCE];
     for (int i = 0; i < m->rows[PM_TABLE_ACTION]; i++) m->acts |= PM_ACTION_ROW(m, i)[PM_ACTION_EVENT] >= 0;
     for (int i = 0; i < m->rows[PM_TABLE_EVENT]; i++) m->acts |= PM_EVENT_ROW(m, i)[PM_EVENT_NTH] > 0;
-}
-
-/* What each program needs of a state. */
-static void grade_programs(pm_model *m)
-{
-    for (int i = 0; i < m->rows[PM_TABLE_PROGRAM]; i++) {
-        int level = PM_LEVEL_NONE, length;
-        const int32_t *code = pm_program_code(m, i, &length);
-        for (int k = 0; k < length; k++, code += PM_CODE_COLUMNS) {
-            if (code[PM_CODE_OP] != PM_OP_MEASURE) continue;
-            const int needs = pm_measure_level(m, code[PM_CODE_ARG]);
-            if (needs > level) level = needs;
-        }
-        m->programs.level[i] = (unsigned char)level;
-        m->programs.class[i] = (unsigned char)pm_program_class_of(m, i);
-        m->programs.energy[i] = (unsigned char)pm_program_energy_of(m, i);
-    }
 }
 
 /* Whether a scene at rest may still see something happen: a force, a drive or a trigger that depends on time. */
@@ -167,7 +149,7 @@ static void fill(pm_model *m)
 {
     lay_out(m);
     look_for_actions(m);
-    grade_programs(m);
+    pm_program_grade_all(m);
     look_for_time(m);
     look_at_watched(m);
     look_at_forces(m);

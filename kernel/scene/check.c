@@ -5,8 +5,8 @@
 #include "elements/force.h"
 #include "elements/joint.h"
 #include "elements/measure.h"
+#include "expression/operation.h"
 #include "expression/program.h"
-#include "expression/program_class.h"
 #include "scene/reference.h"
 
 static int bad(pm_where *where, int table, int row, double value, double bound)
@@ -74,18 +74,6 @@ static int check_contacts(const pm_model *m, pm_where *where)
 }
 
 /* ---- what programs may read ---- */
-typedef int pm_reads(const pm_model *m, int measure);
-
-/* The first measure that a program reads although it may not; PM_NONE: none. */
-static int forbidden(const pm_model *m, int program, pm_reads *may_not)
-{
-    int length;
-    const int32_t *code = pm_program_code(m, program, &length);
-    for (int i = 0; i < length; i++, code += PM_CODE_COLUMNS)
-        if (code[PM_CODE_OP] == PM_OP_MEASURE && may_not(m, code[PM_CODE_ARG])) return code[PM_CODE_ARG];
-    return PM_NONE;
-}
-
 static int is_dynamic(const pm_model *m, int measure)
 {
     return pm_measure_level(m, measure) == PM_LEVEL_DYNAMIC;
@@ -118,7 +106,7 @@ static int check_forces(const pm_model *m, pm_where *where)
         if (kind == PM_FORCE_SPRING && (option < PM_SPRING_BOTH || option > PM_SPRING_PUSH))
             return bad(where, PM_TABLE_FORCE, i, option, PM_SPRING_PUSH);
         for (int k = 0; k < pm_force_kind(kind)->programs; k++) {
-            const int measure = forbidden(m, e[PM_FORCE_PROGRAM_X + k], needs_forces);
+            const int measure = pm_program_reads(m, e[PM_FORCE_PROGRAM_X + k], needs_forces);
             if (measure != PM_NONE) return bad(where, PM_TABLE_FORCE, i, measure, PM_NONE);
         }
     }
@@ -131,7 +119,7 @@ static int check_impulses(const pm_model *m, pm_where *where)
     for (int i = 0; i < m->rows[PM_TABLE_ACTION]; i++)
         for (int k = PM_ACTION_PROGRAM_X; k <= PM_ACTION_PROGRAM_Y; k++) {
             const int program = PM_ACTION_ROW(m, i)[k];
-            const int measure = program < 0 ? PM_NONE : forbidden(m, program, is_dynamic);
+            const int measure = program < 0 ? PM_NONE : pm_program_reads(m, program, is_dynamic);
             if (measure != PM_NONE) return bad(where, PM_TABLE_ACTION, i, measure, PM_NONE);
         }
     return PM_OK;
@@ -141,7 +129,8 @@ static int check_drives(const pm_model *m, pm_where *where)
 {
     int table = PM_NONE, row = PM_NONE, program;
     for (int k = 0; (program = pm_reference_drive(m, k, &table, &row)) != PM_NONE; k++)
-        if (forbidden(m, program, is_no_time) != PM_NONE) return bad(where, table, row, program, PM_NONE);
+        if (pm_program_reads(m, program, is_no_time) != PM_NONE)
+            return bad(where, table, row, program, PM_NONE);
     return PM_OK;
 }
 
@@ -158,7 +147,7 @@ static int check_spin(const pm_model *m, pm_where *where)
             return bad(where, PM_TABLE_MEASURE, i, kind, 0);
     }
     const int couple = n > 0 ? pm_table_row(m, PM_TABLE_SPIN, 0, PM_SPIN_COLUMNS)[PM_SPIN_COUPLE] : PM_NONE;
-    const int measure = couple < 0 ? PM_NONE : forbidden(m, couple, is_dynamic);
+    const int measure = couple < 0 ? PM_NONE : pm_program_reads(m, couple, is_dynamic);
     return measure == PM_NONE ? PM_OK : bad(where, PM_TABLE_SPIN, 0, measure, PM_NONE);
 }
 

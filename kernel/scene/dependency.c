@@ -78,19 +78,8 @@ static int is_about_everything(int table, const int32_t *e)
     if (table == PM_TABLE_SPIN) return 1;
     if (table == PM_TABLE_TRIGGER) return e[PM_TRIGGER_KIND] == PM_TRIGGER_REST;
     if (table != PM_TABLE_MEASURE) return 0;
-    switch (e[PM_MEASURE_KIND]) {
-    case PM_MEASURE_MASS:
-    case PM_MEASURE_WEIGHT:
-    case PM_MEASURE_KINETIC:
-    case PM_MEASURE_MOMENTUM:
-    case PM_MEASURE_ANGULAR_MOMENTUM: return e[PM_MEASURE_A] == PM_NONE;
-    case PM_MEASURE_POTENTIAL:
-    case PM_MEASURE_TOTAL:
-    case PM_MEASURE_LOST: /* these three: of the last jump, whichever island it was in */
-    case PM_MEASURE_JOINT_IMPULSE:
-    case PM_MEASURE_CONTACT_IMPULSE: return 1;
-    default: return 0;
-    }
+    const int flags = pm_measure_kind(e[PM_MEASURE_KIND])->flags;
+    return (flags & PM_MEASURE_OF_ALL) || ((flags & PM_MEASURE_OR_ALL) && e[PM_MEASURE_A] == PM_NONE);
 }
 
 /* What row i of a table refers to. */
@@ -164,7 +153,7 @@ static int add_starts(const pm_model *m, pm_dependency *x)
     int more = 0;
     for (int i = 0; i < m->rows[PM_TABLE_START]; i++) {
         const int32_t *e = PM_MEASURE_ROW(m, PM_START_ROW(m, i)[PM_START_MEASURE]);
-        const int body = pm_model_body_of(m, pm_measure_of(e[PM_MEASURE_KIND]), e[PM_MEASURE_A]);
+        const int body = pm_model_body_of(m, pm_measure_kind(e[PM_MEASURE_KIND])->of, e[PM_MEASURE_A]);
         if (is_needed_body(x, body) || is_needed_body(x, e[PM_MEASURE_IN]))
             more |= mark(x, PM_TABLE_START, i);
     }

@@ -3,11 +3,10 @@
 #define PM_PROGRAM_DEGREE_H
 
 #include "elements/constant_motion.h"
+#include "expression/program_class.h"
 #include "state/workspace.h"
 
-enum pm_program_degree { PM_DEGREE_MOST = 2, PM_DEGREE_OTHER = 3 }; /* 0, 1, 2, or no such polynomial */
-
-/* Degree of a program in the time, along the curve. */
+/* enum pm_program_degree of a program, along the curve. */
 int pm_program_degree_of(const pm_frame *frame, const pm_constant_motion *x, int program);
 /* The program is the size of a vector whose components are linear in the time: its square is a parabola. */
 int pm_program_degree_is_size(const pm_frame *frame, const pm_constant_motion *x, int program);

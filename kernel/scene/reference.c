@@ -210,7 +210,7 @@ static int of_code(const int32_t *e, pm_reference *out)
 
 static int of_measure(const int32_t *e, pm_reference *out)
 {
-    const int of = pm_measure_of(e[PM_MEASURE_KIND]);
+    const int of = pm_measure_kind(e[PM_MEASURE_KIND])->of;
     *out = (pm_reference){PM_MEASURE_A, of};
     return of >= 0;
 }

@@ -9,8 +9,7 @@
 #include "elements/force.h"
 #include "elements/joint.h"
 #include "elements/turning_plane.h"
-#include "expression/program.h"
-#include "expression/program_class.h"
+#include "expression/operation.h"
 #include "numerics/tolerances.h"
 #include "state/workspace.h"
 
@@ -238,50 +237,45 @@ static pm_entry binary(int op, pm_entry a, pm_entry b)
     if (op == PM_OP_SUB) return sum(a, b, -1);
     if (a.response == LOST || b.response == LOST) return lost;
     if (a.response == NUMBER && b.response == NUMBER)
-        return (pm_entry){NUMBER, pm_program_binary(op, a.number, b.number)};
+        return (pm_entry){NUMBER, pm_operations[op].two(a.number, b.number)};
     if (a.response != SHIFTED && b.response != SHIFTED) return same_value;
-    if (op == PM_OP_MUL && a.response == NUMBER) return shifted(a.number * b.number);
-    if (op == PM_OP_MUL && b.response == NUMBER) return shifted(a.number * b.number);
-    if (op == PM_OP_DIV && b.response == NUMBER) return shifted(a.number / b.number);
-    return lost;
+    if (op == PM_OP_MUL && (a.response == NUMBER || b.response == NUMBER))
+        return shifted(a.number * b.number);
+    return op == PM_OP_DIV && b.response == NUMBER ? shifted(a.number / b.number) : lost;
 }
 
 static pm_entry unary(int op, pm_entry a)
 {
-    if (a.response == NUMBER) return (pm_entry){NUMBER, pm_program_unary(op, a.number)};
+    if (a.response == NUMBER) return (pm_entry){NUMBER, pm_operations[op].one(a.number)};
     if (a.response != SHIFTED) return a;
     return op == PM_OP_NEG ? shifted(-a.number) : lost;
 }
 
+static pm_entry choice(const pm_entry *a)
+{
+    for (int k = 0; k < 3; k++)
+        if (a[k].response > SAME_VALUE) return lost;
+    return same_value;
+}
+
+static pm_entry pushed(const pm_frame *frame, const pm_symmetry_shift *s, const pm_program_walk *x)
+{
+    if (x->op == PM_OP_MEASURE) return read_measure(frame, s, x->arg);
+    if (x->op == PM_OP_ANSWER) return lost;
+    return (pm_entry){NUMBER, pm_program_number(x, frame->numbers->param, frame->numbers->value)};
+}
+
 int pm_symmetry_program(const pm_frame *frame, const pm_symmetry_shift *shift, int program, double *change)
 {
-    const pm_model *m = frame->model;
     pm_entry stack[PM_STACK];
-    int top = -1, length;
-    const int32_t *code = pm_program_code(m, program, &length);
-    for (int i = 0; i < length; i++, code += PM_CODE_COLUMNS) {
-        const int op = code[PM_CODE_OP], arg = code[PM_CODE_ARG];
-        switch (op) {
-        case PM_OP_CONSTANT: stack[++top] = (pm_entry){NUMBER, m->constant[arg]}; break;
-        case PM_OP_PARAMETER: stack[++top] = (pm_entry){NUMBER, frame->numbers->param[arg]}; break;
-        case PM_OP_VALUE: stack[++top] = (pm_entry){NUMBER, frame->numbers->value[arg]}; break;
-        case PM_OP_MEASURE: stack[++top] = read_measure(frame, shift, arg); break;
-        case PM_OP_ANSWER: stack[++top] = lost; break;
-        case PM_OP_SELECT:
-            top -= 2;
-            if (stack[top].response > SAME_VALUE || stack[top + 1].response > SAME_VALUE ||
-                stack[top + 2].response > SAME_VALUE)
-                stack[top] = lost;
-            else
-                stack[top] = same_value;
-            break;
-        default:
-            if (pm_program_operands(op) == 1) {
-                stack[top] = unary(op, stack[top]);
-            } else {
-                top--;
-                stack[top] = binary(op, stack[top], stack[top + 1]);
-            }
+    stack[0] = stack[1] = stack[2] = lost; /* no valid code reads them before they are pushed */
+    for (pm_program_walk x = pm_program_walk_begin(frame->model, program); pm_program_walk_next(&x);) {
+        pm_entry *a = stack + x.at;
+        switch (x.takes) {
+        case 0: *a = pushed(frame, shift, &x); break;
+        case 1: *a = unary(x.op, *a); break;
+        case 2: *a = binary(x.op, a[0], a[1]); break;
+        default: *a = choice(a);
         }
     }
     *change = stack[0].response == SHIFTED ? stack[0].number : 0;

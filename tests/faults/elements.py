@@ -366,4 +366,10 @@ FAULTS = [
         "momentum / 0.3",
     ),
     Fault("spin: no energy", "elements/turning_plane.c", "return 0.5 * omega * (i", "return 0 * (i"),
+    Fault(
+        "needed: the last jump is of one island",
+        "elements/measure.c",
+        "[PM_MEASURE_LOST] = {NOTHING, MOTION, UNKNOWN, 0, OF_ALL,",
+        "[PM_MEASURE_LOST] = {NOTHING, MOTION, UNKNOWN, 0, 0,",
+    ),
 ]

@@ -39,16 +39,4 @@ FAULTS = [
         "kind == PM_MEASURE_MASS ||",
         "kind != PM_MEASURE_TIME ||",
     ),
-    Fault(
-        "nature: a product of times",
-        "expression/program_class.c",
-        "(op == PM_OP_MUL && a != b)",
-        "op == PM_OP_MUL",
-    ),
-    Fault(
-        "growth: the ratio of two forces",
-        "expression/program_energy.c",
-        "if (b == PM_ENERGY_CLASS_NONE) return product(a, b);",
-        "if (b <= PM_ENERGY_CLASS_LINEAR) return a;",
-    ),
 ]

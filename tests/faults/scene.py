@@ -23,12 +23,6 @@ FAULTS = [
         "",
     ),
     Fault(
-        "needed: the last jump is of one island",
-        "scene/dependency.c",
-        "case PM_MEASURE_LOST:",
-        "case PM_MEASURE_KINDS:",
-    ),
-    Fault(
         "reduce: places of the smaller scene",
         "scene/prune.c",
         "return known ? m->prune.original[table][row] : row;",
@@ -45,5 +39,17 @@ FAULTS = [
         "scene/symmetry.c",
         "return fabs(across) <= PM_SYMMETRY_SAME * hypot(s->by[0], s->by[1])",
         "return 1",
+    ),
+    Fault(
+        "nature: a product of times",
+        "scene/program_grade.c",
+        "(op == PM_OP_MUL && a != b)",
+        "op == PM_OP_MUL",
+    ),
+    Fault(
+        "growth: the ratio of two forces",
+        "scene/program_grade.c",
+        "if (b == PM_ENERGY_CLASS_NONE) return product(a, b);",
+        "if (b <= PM_ENERGY_CLASS_LINEAR) return a;",
     ),
 ]

@@ -4,6 +4,7 @@
 
 #include "check.h"
 #include "scene.h"
+#include "scene/program_grade.h"
 #include "scene/symmetry.h"
 
 #define TURN (4 * acos(0.))
@@ -78,7 +79,7 @@ static void natures(void)
     scene_until(s, scene_when(s, PM_TRIGGER_RISE, expected[9].program), 1);
     if (CHECK(scene_open(s) == PM_OK))
         for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {
-            EQUAL(pm_program_class_of(s->model, expected[i].program), expected[i].nature);
+            EQUAL(pm_program_grade_class(s->model, expected[i].program), expected[i].nature);
             EQUAL(pm_program_class_reads_time(s->model, expected[i].program), expected[i].reads_time);
             EQUAL(pm_program_class_is_discrete(s->model, expected[i].program), expected[i].discrete);
         }
@@ -125,7 +126,7 @@ static void growths(void)
     };
     if (CHECK(scene_open(s) == PM_OK))
         for (size_t i = 0; i < sizeof expected / sizeof *expected; i++)
-            if (!CHECK(pm_program_energy_of(s->model, expected[i].program) == expected[i].growth))
+            if (!CHECK(pm_program_grade_energy(s->model, expected[i].program) == expected[i].growth))
                 fprintf(stderr, "program %d\n", (int)i);
     scene_free(s);
 }

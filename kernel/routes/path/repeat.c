@@ -4,7 +4,7 @@
  * the same configuration but for a shift that the scene does not notice (symmetry.c), velocities in the same proportion -
  * then its path, its blow and its marks are the same, and its kinetic energies follow (repeat_energy.c).
  *
- * At every place velocities go by sqrt(T) and forces of contacts linearly by T (program_energy.c).  So what did not happen in
+ * At every place velocities go by sqrt(T) and forces of contacts linearly by T (program_grade.c).  So what did not happen in
  * the segment that was computed and would not happen in the one after those to be passed over does not happen between; extremes
  * lie in these two (repeat_limit.c).  That one is looked at before anything is passed over (repeat_replay.c): where
  * something would happen in it, fewer are tried, and from the last sure one on segments are computed, one by one.  The least

@@ -1,6 +1,6 @@
 /* repeat_limit.c - how many segments may be passed over, and nobody notices.
  *
- * A value that is watched changes by a constant from segment to segment (symmetry.c) or goes with a power of T (program_energy.c), and T
+ * A value that is watched changes by a constant from segment to segment (symmetry.c) or goes with a power of T (program_grade.c), and T
  * rises or falls throughout.  If it does one of both, its extremes lie in the first or the last segment, which are computed;
  * and if it has the same sign throughout these two it has that in between.  What stays in [low, high] in one segment, low > 0,
  * and changes by d from segment to segment stays off its zero for (low - (high - low)) / |d| segments. */
