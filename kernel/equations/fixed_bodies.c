@@ -15,7 +15,6 @@
 #include "equations/fixed_bodies.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "elements/constraint.h"
@@ -80,13 +79,6 @@ static void note_others(const pm_model *m, pm_fixed_bodies *fixed)
     for (int k = 0; k < m->nfriction; k++) fixed->is_asked[pm_joint_friction_joint(m, k)] = 1;
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++)
         if (pm_joint_of(m, i)->programs > 0) fixed->is_asked[i] = 1;
-}
-
-void pm_fixed_bodies_free(pm_workspace *w)
-{
-    if (w->fixed) free(w->fixed->block);
-    free(w->fixed);
-    w->fixed = NULL;
 }
 
 void pm_fixed_bodies_begin(pm_workspace *w)
@@ -250,8 +242,8 @@ static void find_possible(pm_workspace *w)
 int pm_fixed_bodies_create(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    pm_fixed_bodies *x = w->fixed = calloc(1, sizeof *x);
-    if (!x) return PM_NO_MEMORY;
+    if (PM_ARENA_NEW(&w->memory, w->fixed)) return PM_NO_MEMORY;
+    pm_fixed_bodies *x = w->fixed;
     const pm_array array[] = {
         PM_ARRAY(x->first, m->nbody),
         PM_ARRAY(x->next, 2 * m->njoint_row),
@@ -259,7 +251,7 @@ int pm_fixed_bodies_create(pm_workspace *w)
         PM_ARRAY(x->is_left, m->nbody),
         PM_ARRAY(x->is_asked, m->rows[PM_TABLE_JOINT]),
     };
-    const int status = pm_arena_create(&x->block, PM_ARRAYS(array));
+    const int status = pm_arena_take(&w->memory, PM_ARRAYS(array));
     if (status) return status;
     note_asked(w->model, w->fixed);
     note_others(w->model, w->fixed);

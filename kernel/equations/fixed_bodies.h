@@ -14,12 +14,10 @@ typedef struct pm_fixed_bodies {
     int possible; /* in some case of the scene a body may be */
     int counts;   /* constraints are counted, not measured */
     int wanted;   /* they are looked for: not where all is asked, as by a check or a history */
-    void *block;
 } pm_fixed_bodies;
 
 /* Memory, and what the scene alone tells; PM_NO_MEMORY. */
 int pm_fixed_bodies_create(pm_workspace *w);
-void pm_fixed_bodies_free(pm_workspace *w);
 
 /* A case begins: nothing but the ground is fixed. */
 void pm_fixed_bodies_begin(pm_workspace *w);

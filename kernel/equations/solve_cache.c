@@ -6,7 +6,6 @@
 #include "equations/solve_cache.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "elements/constraint.h"
@@ -17,21 +16,14 @@
 int pm_solve_cache_create(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    pm_solve_cache *r = w->cache = calloc(1, sizeof *r);
-    if (!r) return PM_NO_MEMORY;
+    if (PM_ARENA_NEW(&w->memory, w->cache)) return PM_NO_MEMORY;
+    pm_solve_cache *r = w->cache;
     const pm_array array[] = {
         PM_ARRAY(r->pose, m->nq),  PM_ARRAY(r->velocity, m->nq), PM_ARRAY(r->a, m->nq),
         PM_ARRAY(r->q, m->nq),     PM_ARRAY(r->lambda, m->nrow), PM_ARRAY(r->memory, m->nmemory),
         PM_ARRAY(r->row, m->nrow), PM_ARRAY(r->slot, m->nslot),
     };
-    return pm_arena_create(&r->block, PM_ARRAYS(array));
-}
-
-void pm_solve_cache_free(pm_workspace *w)
-{
-    if (w->cache) free(w->cache->block);
-    free(w->cache);
-    w->cache = NULL;
+    return pm_arena_take(&w->memory, PM_ARRAYS(array));
 }
 
 /* No angle is that of the case before: its sine might have the other sign of zero. */

@@ -17,11 +17,9 @@ typedef struct pm_solve_cache {
     int64_t built; /* its version, or PM_NONE */
     pm_slot *slot; /* [nslot] */
     double *q;     /* [nq] */
-    void *block;
 } pm_solve_cache;
 
 int pm_solve_cache_create(pm_workspace *w);
-void pm_solve_cache_free(pm_workspace *w);
 /* Another case begins. */
 void pm_solve_cache_forget(pm_frame *frame, pm_solve_cache *cache);
 

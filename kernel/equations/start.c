@@ -213,7 +213,7 @@ static void leave_out_added(const pm_model *m, pm_state *s)
 static void draw(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    memset(w->state.block, 0, w->state.bytes);
+    memset(w->state.q, 0, w->state.bytes);
     w->state.t = 0;
     for (int i = 0; i < m->nbody; i++)
         for (int k = 0; k < 3; k++)

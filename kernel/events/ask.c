@@ -2,7 +2,6 @@
 #include "events/ask.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "events/event.h"
@@ -31,8 +30,8 @@ static void note_switches(pm_workspace *w, int ask)
 int pm_ask_create(pm_workspace *w)
 {
     const int nask = w->model->nask, nout = w->model->nout;
-    pm_ask_set *a = w->ask = calloc(1, sizeof *a);
-    if (!a) return PM_NO_MEMORY;
+    if (PM_ARENA_NEW(&w->memory, w->ask)) return PM_NO_MEMORY;
+    pm_ask_set *a = w->ask;
     const pm_array array[] = {
         PM_ARRAY(a->sample, PM_NODES_MOST * nask),
         PM_ARRAY(a->best, nask),
@@ -48,7 +47,9 @@ int pm_ask_create(pm_workspace *w)
     };
     a->solver = pm_bracket_create();
     a->minimum = pm_bracket_minimum_create();
-    if (!a->solver || !a->minimum || pm_arena_create(&a->block, PM_ARRAYS(array))) return PM_NO_MEMORY;
+    int status = pm_arena_keep(&w->memory, a->solver, pm_bracket_free);
+    status |= pm_arena_keep(&w->memory, a->minimum, pm_bracket_minimum_free);
+    if (status || pm_arena_take(&w->memory, PM_ARRAYS(array))) return PM_NO_MEMORY;
     a->level = a->instant_level = a->fired_level = PM_LEVEL_KINEMATIC;
     for (int i = 0; i < w->model->nask; i++) {
         const int32_t *e = PM_ASK_ROW(w->model, i);
@@ -67,16 +68,6 @@ int pm_ask_create(pm_workspace *w)
         }
     }
     return PM_OK;
-}
-
-void pm_ask_free(pm_workspace *w)
-{
-    if (!w->ask) return;
-    free(w->ask->block);
-    pm_bracket_free(w->ask->solver);
-    pm_bracket_minimum_free(w->ask->minimum);
-    free(w->ask);
-    w->ask = NULL;
 }
 
 void pm_ask_reset(pm_workspace *w)

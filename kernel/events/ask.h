@@ -24,11 +24,9 @@ typedef struct pm_ask_set {
     int fresh;     /* something was filled since */
     void *solver;  /* gsl_root_fsolver */
     void *minimum; /* gsl_min_fminimizer */
-    void *block;   /* owns the arrays */
 } pm_ask_set;
 
 int pm_ask_create(pm_workspace *w);
-void pm_ask_free(pm_workspace *w);
 void pm_ask_reset(pm_workspace *w);
 
 /* The program that observer i (of nobserver) watches. */

@@ -6,7 +6,6 @@
 #include "events/event.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "elements/capture.h"
@@ -38,8 +37,8 @@ int pm_event_create(pm_workspace *w)
     const int ntrigger = m->rows[PM_TABLE_TRIGGER], nevent = m->rows[PM_TABLE_EVENT],
               ncontact = m->rows[PM_TABLE_CONTACT];
     const int most = ntrigger + ncontact + 4 * m->nslot + m->nfriction;
-    pm_event_set *e = w->event = calloc(1, sizeof *e);
-    if (!e) return PM_NO_MEMORY;
+    if (PM_ARENA_NEW(&w->memory, w->event)) return PM_NO_MEMORY;
+    pm_event_set *e = w->event;
     e->most = most;
     const pm_array array[] = {
         PM_ARRAY(e->function, most),
@@ -59,22 +58,14 @@ int pm_event_create(pm_workspace *w)
         PM_ARRAY(e->culling.skipped, ncontact),
     };
     e->solver = pm_bracket_create();
-    if (!e->solver || pm_arena_create(&e->block, PM_ARRAYS(array))) return PM_NO_MEMORY;
+    if (pm_arena_keep(&w->memory, e->solver, pm_bracket_free) || pm_arena_take(&w->memory, PM_ARRAYS(array)))
+        return PM_NO_MEMORY;
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *x = PM_TRIGGER_ROW(m, i);
         if (x[PM_TRIGGER_KIND] <= PM_TRIGGER_EVERY)
             pm_watched_samples_add(w->model, w->watched, x[PM_TRIGGER_PROGRAM], PM_SAMPLE_TRIGGERS);
     }
     return PM_OK;
-}
-
-void pm_event_free(pm_workspace *w)
-{
-    if (!w->event) return;
-    pm_bracket_free(w->event->solver);
-    free(w->event->block);
-    free(w->event);
-    w->event = NULL;
 }
 
 /* ---- the functions of a phase ---- */

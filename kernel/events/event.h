@@ -76,14 +76,12 @@ typedef struct pm_event_set {
     double *least, *greatest; /* [ntrigger] of the samples in the phase */
     unsigned char *acted;     /* [nevent] its actions are carried out at this instant */
     void *solver;             /* gsl_root_fsolver */
-    void *block;              /* owns the arrays */
     pm_gap_culling culling;   /* contacts out of reach of the step */
     int first_step;           /* of the phase */
     int most;                 /* size of the function array */
 } pm_event_set;
 
 int pm_event_create(pm_workspace *w);
-void pm_event_free(pm_workspace *w);
 
 /* The phase's functions, from triggers, contacts and modes; the frame looks at w->state (DYNAMIC). */
 void pm_event_begin(pm_workspace *w);

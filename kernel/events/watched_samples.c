@@ -4,8 +4,6 @@
  * is run for all nodes together. */
 #include "events/watched_samples.h"
 
-#include <stdlib.h>
-
 #include "elements/measure.h"
 #include "expression/program.h"
 #include "expression/program_fold.h"
@@ -33,8 +31,8 @@ int pm_watched_samples_create(pm_workspace *w)
 {
     const pm_model *m = w->model;
     const int n = m->rows[PM_TABLE_MEASURE];
-    pm_watched_samples *s = w->watched = calloc(1, sizeof *s);
-    if (!s) return PM_NO_MEMORY;
+    if (PM_ARENA_NEW(&w->memory, w->watched)) return PM_NO_MEMORY;
+    pm_watched_samples *s = w->watched;
     const pm_array array[] = {
         PM_ARRAY(s->measure, n),
         PM_ARRAY(s->place, n),
@@ -42,15 +40,7 @@ int pm_watched_samples_create(pm_workspace *w)
         PM_ARRAY(s->value, n * PM_NODES_MOST),
         PM_ARRAY(s->here, n * PM_NODES_MOST),
     };
-    return pm_arena_create(&s->block, PM_ARRAYS(array));
-}
-
-void pm_watched_samples_free(pm_workspace *w)
-{
-    if (!w->watched) return;
-    free(w->watched->block);
-    free(w->watched);
-    w->watched = NULL;
+    return pm_arena_take(&w->memory, PM_ARRAYS(array));
 }
 
 void pm_watched_samples_read(pm_workspace *w, int node, int who)

@@ -16,14 +16,12 @@ typedef struct pm_watched_samples {
     int *place;         /* [measures] of each among these n */
     double *value;      /* [n][PM_NODES_MOST] at the nodes of the step (sizes with their signs) */
     double *here;       /* the same at the frame, the first of each */
-    void *block;        /* owns the arrays */
 } pm_watched_samples;
 
 /* Nothing is watched yet. */
 int pm_watched_samples_create(pm_workspace *w);
 /* The program is watched by `who` from now on: before any case. */
 void pm_watched_samples_add(const pm_model *model, pm_watched_samples *watched, int program, int who);
-void pm_watched_samples_free(pm_workspace *w);
 
 /* Reads the measures off the frame, which looks at this node of the step. */
 void pm_watched_samples_read(pm_workspace *w, int node, int who);

@@ -13,7 +13,6 @@
  * again the first, a resting one as well; each is a jump of its own. */
 #include "impact/impact.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 #include "elements/capture.h"
@@ -34,20 +33,13 @@
 int pm_impact_create(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    pm_blow *b = w->blow = calloc(1, sizeof *b);
-    if (!b) return PM_NO_MEMORY;
+    if (PM_ARENA_NEW(&w->memory, w->blow)) return PM_NO_MEMORY;
+    pm_blow *b = w->blow;
     const pm_array array[] = {
         PM_ARRAY(b->before, m->nq),     PM_ARRAY(b->after, m->nq),    PM_ARRAY(b->response, m->nq),
         PM_ARRAY(b->resting, m->nslot), PM_ARRAY(b->trial, m->nslot), PM_ARRAY(b->share, m->nslot),
     };
-    return pm_arena_create(&b->block, PM_ARRAYS(array));
-}
-
-void pm_impact_free(pm_workspace *w)
-{
-    if (w->blow) free(w->blow->block);
-    free(w->blow);
-    w->blow = NULL;
+    return pm_arena_take(&w->memory, PM_ARRAYS(array));
 }
 
 /* ---- who is struck ---- */

@@ -6,7 +6,6 @@
 
 /* Memory of a blow. */
 int pm_impact_create(pm_workspace *w);
-void pm_impact_free(pm_workspace *w);
 
 /* Closes the contacts that touch and do not part, and resolves the blows at this instant: all of them, or, where the
  * settings want them one by one, the next; *jumped = how many.  The frame looks at w->state afterwards (KINEMATIC);

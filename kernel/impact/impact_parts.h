@@ -20,7 +20,6 @@ typedef struct pm_blow {
     double *response;         /* [nq] scratch of impact_course.c */
     int alone;                /* slot whose blow is followed by itself (impact_course.c), or PM_NONE */
     pm_impact_course_end end; /* of that */
-    void *block;              /* owns the arrays */
 } pm_blow;
 
 static inline int pm_blow_has(const pm_blow *b, int slot)

@@ -27,11 +27,6 @@ int pm_routes_create(pm_workspace *w)
     return status;
 }
 
-void pm_routes_free(pm_workspace *w)
-{
-    for (int i = 0; i < NROUTES; i++) routes[i]->free(w);
-}
-
 const pm_route_ops *pm_routes_find(int route)
 {
     for (int i = 0; i < NROUTES; i++)

@@ -77,16 +77,16 @@ static int create_arrays(pm_workspace *w)
         PM_ARRAY(w->impulses.applied, nq),
         PM_ARRAY(w->scratch, 8 * (nq + nrow + m->nslot)),
     };
-    return pm_arena_create(&w->block, PM_ARRAYS(array));
+    return pm_arena_take(&w->memory, PM_ARRAYS(array));
 }
 
 /* Memory of the states and of the rooms, from the bottom to the top. */
 static int create_rooms(pm_workspace *w)
 {
-    int status = pm_state_create(w->model, &w->state);
-    if (!status) status = pm_state_create(w->model, &w->start);
-    if (!status) status = pm_state_create(w->model, &w->probe);
-    if (!status) status = pm_state_create(w->model, &w->ahead);
+    int status = pm_state_create(&w->memory, w->model, &w->state);
+    if (!status) status = pm_state_create(&w->memory, w->model, &w->start);
+    if (!status) status = pm_state_create(&w->memory, w->model, &w->probe);
+    if (!status) status = pm_state_create(&w->memory, w->model, &w->ahead);
     if (!status) pm_joint_compose(&w->frame); /* which bodies they fasten is known before any case */
     if (!status) status = pm_solve_cache_create(w);
     if (!status) status = pm_fixed_bodies_create(w);
@@ -125,20 +125,6 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
 void pm_workspace_free(pm_workspace *w)
 {
     if (!w) return;
-    pm_perturbation_free(w);
-    pm_routes_free(w);
-    pm_repeat_free(w);
-    pm_tree_free(w);
-    pm_watched_samples_free(w);
-    pm_impact_free(w);
-    pm_ask_free(w);
-    pm_event_free(w);
-    pm_solve_cache_free(w);
-    pm_fixed_bodies_free(w);
-    pm_state_free(&w->ahead);
-    pm_state_free(&w->probe);
-    pm_state_free(&w->start);
-    pm_state_free(&w->state);
-    free(w->block);
+    pm_arena_free(&w->memory);
     free(w);
 }

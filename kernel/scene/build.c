@@ -141,7 +141,7 @@ static int create_arrays(pm_model *m)
         PM_ARRAY(m->programs.level, nprogram),  PM_ARRAY(m->programs.class, nprogram),
         PM_ARRAY(m->programs.energy, nprogram),
     };
-    const int status = pm_arena_create(&m->block, PM_ARRAYS(array));
+    const int status = pm_arena_take(&m->memory, PM_ARRAYS(array));
     return status ? status : pm_program_fold_create(m);
 }
 
@@ -179,7 +179,7 @@ int pm_model_create(int64_t ntable, const int32_t *table, int64_t nconstant, con
 void pm_model_free(pm_model *model)
 {
     if (!model) return;
-    free(model->block);
+    pm_arena_free(&model->memory);
     pm_program_fold_free(model);
     free(model->prune.table);
     free(model);

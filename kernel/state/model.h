@@ -8,6 +8,7 @@
 #include <stdint.h>
 
 #include "planemotion.h"
+#include "state/arena.h"
 
 #define PM_ROW_SLOTS 4         /* members of one periodic row that may be closed at once */
 #define PM_JOINT_CONSTRAINTS 3 /* most constraints of one joint */
@@ -66,7 +67,7 @@ typedef struct pm_model {
     int *path_z;              /* [nmeasure] running integral of a path measure, or PM_NONE */
     int *path;                /* [npath] the measures of paths: their integrals follow the works */
     int npath;
-    void *block; /* owns the arrays above, and of `programs` the first three */
+    pm_arena memory; /* owns the arrays above, and of `programs` the first three */
     pm_model_programs programs;
     pm_model_prune prune;
 } pm_model;

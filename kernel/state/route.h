@@ -34,9 +34,8 @@ enum pm_when_lost {
 };
 
 typedef struct pm_route_ops {
-    int route; /* enum pm_route */
-    int (*create)(pm_workspace *w);
-    void (*free)(pm_workspace *w);
+    int route;                      /* enum pm_route */
+    int (*create)(pm_workspace *w); /* its memory, which the workspace owns */
     int (*applies)(const pm_workspace *w);
     int (*prepare)(pm_workspace *w);
     int (*begin)(pm_workspace *w);
@@ -71,9 +70,8 @@ static inline int pm_route_prepare(pm_workspace *w, const pm_route_ops *route)
 
 extern const pm_route_ops pm_route_rk, pm_route_ida, pm_route_uniform, pm_route_path;
 
-/* Creates what all routes need; frees it. */
+/* Creates what all routes need. */
 int pm_routes_create(pm_workspace *w);
-void pm_routes_free(pm_workspace *w);
 /* The route of a number of enum pm_route; NULL if there is none. */
 const pm_route_ops *pm_routes_find(int route);
 /* The one that the settings ask for; rk where phases choose, and before anything moves (`state`, `jump`). */

@@ -42,8 +42,7 @@ typedef struct pm_state {
     pm_slot *slot;         /* [nslot] */
     int32_t *friction;     /* [nfriction] enum pm_contact_mode of the frictions of joints */
     unsigned char *absent; /* [nelement] removed, or not there yet (action.h) */
-    void *block;
-    size_t bytes;
+    size_t bytes;          /* of all arrays, from q on */
 } pm_state;
 
 /* Whether it is not there in state s. */
@@ -52,9 +51,8 @@ static inline int pm_state_is_absent(const pm_model *m, const pm_state *s, int t
     return s->absent[pm_model_element(m, table, row)];
 }
 
-/* Memory of a state of the model, zeroed; PM_NO_MEMORY, and *s owns nothing then. */
-int pm_state_create(const pm_model *model, pm_state *s);
-void pm_state_free(pm_state *s);
+/* Memory of a state of the model, zeroed; PM_NO_MEMORY. */
+int pm_state_create(pm_arena *arena, const pm_model *model, pm_state *s);
 void pm_state_copy(pm_state *to, const pm_state *from);
 
 #endif

@@ -182,7 +182,7 @@ struct pm_workspace {
     struct pm_accuracy *accuracy;
     pm_record record;
     double *scratch; /* [8 (nq + nrow + nslot)] of a start: nothing is kept in it */
-    void *block;     /* owns the arrays above */
+    pm_arena memory; /* owns all that is above */
 };
 
 /* Memory of a workspace for the model, and of all rooms; PM_NO_MEMORY, and *workspace is NULL then. */

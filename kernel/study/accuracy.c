@@ -16,7 +16,6 @@
 #include "study/accuracy.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "elements/trigger.h"
@@ -35,11 +34,11 @@
 #include "state/workspace.h"
 #include "study/find.h"
 
-int pm_accuracy_create(pm_workspace *w)
+static int create(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    pm_accuracy *e = w->accuracy = calloc(1, sizeof *e);
-    if (!e) return PM_NO_MEMORY;
+    if (PM_ARENA_NEW(&w->memory, w->accuracy)) return PM_NO_MEMORY;
+    pm_accuracy *e = w->accuracy;
     const int ntrigger = m->rows[PM_TABLE_TRIGGER],
               kept = PM_SETTING(m, PM_SETTING_ESTIMATE) ? PM_DECISIONS : 0;
     pm_pass *const p = e->pass;
@@ -53,7 +52,7 @@ int pm_accuracy_create(pm_workspace *w)
         PM_ARRAY(e->discrete, m->nask),
     };
 #undef OF_EACH_PASS
-    if (pm_arena_create(&e->block, PM_ARRAYS(array))) return PM_NO_MEMORY;
+    if (pm_arena_take(&w->memory, PM_ARRAYS(array))) return PM_NO_MEMORY;
     for (int i = 0; i < m->nask; i++)
         e->discrete[i] = (unsigned char)pm_program_class_is_discrete(m, PM_ASK_ROW(m, i)[PM_ASK_PROGRAM]);
     w->evidence.discrete = e->discrete;
@@ -61,12 +60,15 @@ int pm_accuracy_create(pm_workspace *w)
     return PM_OK;
 }
 
-void pm_accuracy_free(pm_workspace *w)
+int pm_accuracy_create(const pm_model *model, pm_workspace **workspace)
 {
-    if (!w->accuracy) return;
-    free(w->accuracy->block);
-    free(w->accuracy);
-    w->accuracy = NULL;
+    int status = pm_workspace_create(model, workspace);
+    if (!status) status = create(*workspace);
+    if (!status) status = pm_find_create(*workspace);
+    if (!status) return PM_OK;
+    pm_workspace_free(*workspace);
+    *workspace = NULL;
+    return status;
 }
 
 /* ---- passes ---- */

@@ -15,11 +15,10 @@ typedef struct pm_accuracy {
     double *scale;           /* [nask] natural size of each ask */
     double *trigger_scale;   /* [ntrigger] */
     unsigned char *discrete; /* [nask] integers and yes or no: they have no error, but a margin */
-    void *block;
 } pm_accuracy;
 
-int pm_accuracy_create(pm_workspace *w);
-void pm_accuracy_free(pm_workspace *w);
+/* pm_workspace_create, and memory for estimates of errors and for what is sought (find.h). */
+int pm_accuracy_create(const pm_model *model, pm_workspace **workspace);
 
 /* Runs a case as pm_find_run does (with found NULL as pm_run, all parameters as given), and with PM_SETTING_ESTIMATE
  * again, as often as it takes: see accuracy.c.  error[nout] in the unit of out, NaN where there is none; margin[nask], NaN

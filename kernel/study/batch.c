@@ -14,7 +14,6 @@
 #include "scene/prune.h"
 #include "state/workspace.h"
 #include "study/accuracy.h"
-#include "study/study.h"
 
 #define MOST_WORKERS 256
 
@@ -113,7 +112,7 @@ static int run_workers(pm_job *job, int nworker)
     if (job->progress) __atomic_store_n(job->progress, 0, __ATOMIC_RELAXED);
     for (; n < nworker && !status; n++) {
         worker[n] = (pm_worker){.job = job};
-        status = pm_study_create(job->model, &worker[n].workspace);
+        status = pm_accuracy_create(job->model, &worker[n].workspace);
         if (!status) worker[n].workspace->stop = job->stop;
     }
     if (!status) {
@@ -123,7 +122,7 @@ static int run_workers(pm_job *job, int nworker)
         for (int i = 1; i < n; i++)
             if (worker[i].started) pthread_join(worker[i].thread, NULL);
     }
-    for (int i = 0; i < n; i++) pm_study_free(worker[i].workspace);
+    for (int i = 0; i < n; i++) pm_workspace_free(worker[i].workspace);
     return status;
 }
 
@@ -174,7 +173,7 @@ static int open_one(pm_create *create, int64_t ntable, const int32_t *table, int
 {
     pm_where place = nowhere;
     int status = create(ntable, table, nconstant, constant, nparam, model, &place);
-    if (!status) status = pm_study_create(*model, w);
+    if (!status) status = pm_accuracy_create(*model, w);
     report(&place, NAN, where, detail);
     if (status) pm_model_free(*model);
     return status;
@@ -182,7 +181,7 @@ static int open_one(pm_create *create, int64_t ntable, const int32_t *table, int
 
 static int close_one(pm_model *model, pm_workspace *w, int status)
 {
-    pm_study_free(w);
+    pm_workspace_free(w);
     pm_model_free(model);
     return status;
 }

@@ -9,10 +9,7 @@
  * What lies between two samples without showing at them is not seen: more samples see it. */
 #include "study/find.h"
 
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_roots.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "equations/case.h"
@@ -32,8 +29,8 @@ int pm_find_create(pm_workspace *w)
 {
     const pm_model *m = w->model;
     if (m->rows[PM_TABLE_FIND] == 0) return PM_OK;
-    pm_find *f = w->find = calloc(1, sizeof *f);
-    if (!f) return PM_NO_MEMORY;
+    if (PM_ARENA_NEW(&w->memory, w->find)) return PM_NO_MEMORY;
+    pm_find *f = w->find;
     f->nvary = m->rows[PM_TABLE_VARY];
     f->ncondition = m->rows[PM_TABLE_CONDITION];
     f->goal = PM_FIND_ROW(m, 0)[PM_FIND_GOAL];
@@ -46,24 +43,13 @@ int pm_find_create(pm_workspace *w)
         PM_ARRAY(f->node, nodes_of(f)),
         PM_ARRAY(f->found, 2 * nodes_of(f) + 2),
     };
-    gsl_set_error_handler_off(); /* the default one aborts the process */
-    f->root = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
+    f->root = pm_bracket_create();
     f->minimum = pm_bracket_minimum_create();
     f->pair = pm_find_pair_create();
-    if (!f->root || !f->minimum || !f->pair) return PM_NO_MEMORY;
-    return pm_arena_create(&f->block, PM_ARRAYS(array));
-}
-
-void pm_find_free(pm_workspace *w)
-{
-    pm_find *f = w->find;
-    if (!f) return;
-    free(f->block);
-    if (f->root) gsl_root_fsolver_free(f->root);
-    pm_bracket_minimum_free(f->minimum);
-    pm_find_pair_free(f->pair);
-    free(f);
-    w->find = NULL;
+    int status = pm_arena_keep(&w->memory, f->root, pm_bracket_free);
+    status |= pm_arena_keep(&w->memory, f->minimum, pm_bracket_minimum_free);
+    status |= pm_arena_keep(&w->memory, f->pair, pm_find_pair_free);
+    return status ? PM_NO_MEMORY : pm_arena_take(&w->memory, PM_ARRAYS(array));
 }
 
 /* ---- samples ---- */

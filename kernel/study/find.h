@@ -34,12 +34,10 @@ typedef struct pm_find {
     double
         resolution; /* relative: how well the threshold of an outcome can be known; 0 for roots and extremes */
     void *root, *minimum, *pair; /* GSL's solvers */
-    void *block;                 /* owns the arrays */
 } pm_find;
 
 /* ---- find.c ---- */
 int pm_find_create(pm_workspace *w);
-void pm_find_free(pm_workspace *w);
 
 /* Runs a case: as pm_run where nothing is sought; else finds the varied parameters, gives them in found
  * [PM_FOUND_COLUMNS] and leaves the run with them as the case's results. */

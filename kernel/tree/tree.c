@@ -2,7 +2,6 @@
 #include "tree/tree.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "elements/constraint.h"
@@ -12,12 +11,43 @@
 #include "tree/tree_node.h"
 
 /* most: coordinates that move a body, over all bodies; summed: coordinates of which sums are kept. */
-static int create_arrays(pm_tree *t, const pm_model *m)
+static int create_sums(pm_workspace *w, size_t most, size_t summed)
 {
+    const size_t nq = (size_t)w->model->nq, nrow = (size_t)w->model->nrow, square = summed * summed;
+    pm_tree_augmented *a = &w->tree->augmented;
+    pm_elimination *e = &w->tree->elimination;
+    const pm_array array[] = {
+        PM_ARRAY(a->same, square),
+        PM_ARRAY(a->cross, square),
+        PM_ARRAY(a->level, square),
+        PM_ARRAY(a->lower, 2 * square),
+        PM_ARRAY(a->upper, 2 * square),
+        PM_ARRAY(a->fixed, 2 * summed),
+        PM_ARRAY(a->direction, 2 * summed),
+        PM_ARRAY(a->square, summed),
+        PM_ARRAY(a->weight, 2 * summed),
+        PM_ARRAY(a->arm, 2 * most),
+        PM_ARRAY(a->owner, nq),
+        PM_ARRAY(e->low, nrow),
+        PM_ARRAY(e->high, nrow),
+        PM_ARRAY(e->first, nrow),
+        PM_ARRAY(e->last, nrow),
+        PM_ARRAY(e->place, nq),
+        PM_ARRAY(e->filled, nq),
+    };
+    a->most = (int)summed;
+    return pm_arena_take(&w->memory, PM_ARRAYS(array));
+}
+
+int pm_tree_create(pm_workspace *w)
+{
+    const pm_model *m = w->model;
     const size_t nq = (size_t)m->nq, nrow = (size_t)m->nrow, nbody = (size_t)m->nbody, most = nbody * nq,
-                 summed = nq < PM_TREE_SUMMED ? nq : PM_TREE_SUMMED, square = summed * summed;
-    pm_tree_augmented *a = &t->augmented;
-    pm_elimination *e = &t->elimination;
+                 summed = nq < PM_TREE_SUMMED ? nq : PM_TREE_SUMMED;
+    if (PM_ARENA_NEW(&w->memory, w->tree)) return PM_NO_MEMORY;
+    pm_tree *t = w->tree;
+    t->model = m;
+    t->row = w->active.row;
     const pm_array array[] = {
         PM_ARRAY(t->jacobian, nrow * nq),
         PM_ARRAY(t->mass, nq * nq),
@@ -33,17 +63,6 @@ static int create_arrays(pm_tree *t, const pm_model *m)
         PM_ARRAY(t->rate, nq),
         PM_ARRAY(t->part.motion, PM_TREE_FEW * nq),
         PM_ARRAY(t->part.jacobian, nrow * nq),
-        PM_ARRAY(a->same, square),
-        PM_ARRAY(a->cross, square),
-        PM_ARRAY(a->level, square),
-        PM_ARRAY(a->lower, 2 * square),
-        PM_ARRAY(a->upper, 2 * square),
-        PM_ARRAY(a->fixed, 2 * summed),
-        PM_ARRAY(a->direction, 2 * summed),
-        PM_ARRAY(a->square, summed),
-        PM_ARRAY(a->weight, 2 * summed),
-        PM_ARRAY(a->arm, 2 * most),
-        PM_ARRAY(a->owner, nq),
         PM_ARRAY(t->node, nbody),
         PM_ARRAY(t->loop, nrow),
         PM_ARRAY(t->kind, nq),
@@ -62,31 +81,9 @@ static int create_arrays(pm_tree *t, const pm_model *m)
         PM_ARRAY(t->weight, nbody),
         PM_ARRAY(t->top, nbody),
         PM_ARRAY(t->used, nrow),
-        PM_ARRAY(e->low, nrow),
-        PM_ARRAY(e->high, nrow),
-        PM_ARRAY(e->first, nrow),
-        PM_ARRAY(e->last, nrow),
-        PM_ARRAY(e->place, nq),
-        PM_ARRAY(e->filled, nq),
     };
-    a->most = (int)summed;
-    return pm_arena_create(&t->block, PM_ARRAYS(array));
-}
-
-int pm_tree_create(pm_workspace *w)
-{
-    w->tree = calloc(1, sizeof *w->tree);
-    if (!w->tree) return PM_NO_MEMORY;
-    w->tree->model = w->model;
-    w->tree->row = w->active.row;
-    return create_arrays(w->tree, w->model);
-}
-
-void pm_tree_free(pm_workspace *w)
-{
-    if (w->tree) free(w->tree->block);
-    free(w->tree);
-    w->tree = NULL;
+    const int status = pm_arena_take(&w->memory, PM_ARRAYS(array));
+    return status ? status : create_sums(w, most, summed);
 }
 
 /* ---- choice ---- */

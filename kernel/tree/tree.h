@@ -117,11 +117,9 @@ typedef struct pm_tree {
     pm_tree_augmented augmented;
     pm_tree_part part;
     pm_tree_small small;
-    void *block;
 } pm_tree;
 
 int pm_tree_create(pm_workspace *w);
-void pm_tree_free(pm_workspace *w);
 /* From the active rows; called when a phase begins. */
 void pm_tree_build(pm_workspace *w);
 int pm_tree_is_angle(const pm_tree *t, int coordinate);

@@ -96,7 +96,7 @@ static void deviation(double spin, double angle)
     int status;
     EQUAL(scene_begin(x.s), PM_OK);
     pm_workspace *w = x.s->w;
-    EQUAL(pm_fastest_growth_create(w->model, &e), PM_OK);
+    EQUAL(pm_fastest_growth_create(&w->memory, w->model, &e), PM_OK);
     for (int i = 0; i < 6; i++) {
         e.free[i] = 1;
         e.push[i] = i == 3 ? cos(angle) : i == 4 ? sin(angle) : 0;
@@ -111,7 +111,6 @@ static void deviation(double spin, double angle)
     NEAR(e.v[4] * along[0] - e.v[3] * along[1], spin * r, 1e-9);
     NEAR(e.q[4] * along[0] - e.q[3] * along[1], 0, 1e-9); /* no step off the bar */
     CHECK(fabs(r) > 0.1);
-    pm_fastest_growth_free(&e);
     scene_free(x.s);
 }
 

@@ -22,7 +22,7 @@
 #include "run/run.h"
 #include "scene/build.h"
 #include "state/workspace.h"
-#include "study/study.h"
+#include "study/accuracy.h"
 
 #define SCENE_CELLS 8192
 #define SCENE_OUTS 256
@@ -302,7 +302,7 @@ static inline scene *scene_create(void)
 
 static inline void scene_close(scene *s)
 {
-    pm_study_free(s->w);
+    pm_workspace_free(s->w);
     pm_model_free(s->model);
     s->w = NULL;
     s->model = NULL;
@@ -359,7 +359,7 @@ static inline int scene_open(scene *s)
     scene_pack(s);
     int status =
         pm_model_create(s->ntable, s->table, s->nconstant, s->constant, s->nparam, &s->model, &where);
-    if (!status) status = pm_study_create(s->model, &s->w);
+    if (!status) status = pm_accuracy_create(s->model, &s->w);
     if (status) return status;
     s->w->result.out = s->out;
     s->w->result.reason = s->reason;

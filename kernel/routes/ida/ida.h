@@ -51,7 +51,6 @@ typedef struct pm_ida_jacobian {
     double *work;        /* scratch of the differences and of a solution */
     int has_forces;      /* some force may depend on positions */
     int has_damping;     /* and some on velocities */
-    void *block;         /* owns the arrays */
 } pm_ida_jacobian;
 
 typedef struct pm_ida {
@@ -96,8 +95,8 @@ void pm_ida_system_scale(pm_workspace *w);
 void pm_ida_system_weights(const pm_model *model, const pm_ida *r, const double *y, double *weight);
 
 /* ---- ida_jacobian.c ---- */
-/* Memory for the most active constraints that the scene can have, in x->block, which the caller frees. */
-int pm_ida_jacobian_create(pm_ida_jacobian *x, const pm_model *m);
+/* Memory for the most active constraints that the scene can have. */
+int pm_ida_jacobian_create(pm_arena *arena, pm_ida_jacobian *x, const pm_model *m);
 /* All blocks at (t, y, y'). */
 void pm_ida_jacobian_evaluate(pm_workspace *w, double t, double cj, const double *y, const double *yp);
 
@@ -127,7 +126,6 @@ int pm_ida_linear_jacobian(double t, double cj, N_Vector y, N_Vector yp, N_Vecto
 int pm_ida_sparse_serves(const pm_model *model, const pm_active_set *active);
 /* Memory for the most active rows that the scene can have. */
 int pm_ida_sparse_create(pm_workspace *w);
-void pm_ida_sparse_free(pm_workspace *w);
 /* Factors the blocks of w->ida->jacobian; PM_SINGULAR if the rows depend on each other, PM_SOLVER if the rest has no pivot,
  * PM_NO_MEMORY. */
 int pm_ida_sparse_factor(pm_workspace *w);

@@ -51,7 +51,7 @@ static int has_damping(const pm_model *m)
     return 0;
 }
 
-int pm_ida_jacobian_create(pm_ida_jacobian *x, const pm_model *m)
+int pm_ida_jacobian_create(pm_arena *arena, pm_ida_jacobian *x, const pm_model *m)
 {
     const size_t nq = (size_t)m->nq, nrow = (size_t)m->nrow, nz = (size_t)m->nz, both = nq + nrow;
     const pm_array array[] = {
@@ -75,7 +75,7 @@ int pm_ida_jacobian_create(pm_ida_jacobian *x, const pm_model *m)
     };
     x->has_forces = m->rows[PM_TABLE_FORCE] > 0 || pm_turning_plane_turns(m);
     x->has_damping = has_damping(m);
-    return pm_arena_create(&x->block, PM_ARRAYS(array));
+    return pm_arena_take(arena, PM_ARRAYS(array));
 }
 
 /* A row's six numbers on all coordinates. */

@@ -39,7 +39,6 @@ struct pm_ida_sparse {
     double *entry; /* [room] */
     double *x;     /* [n] */
     double *left;  /* [n] what a solution leaves of the right-hand side */
-    void *block;   /* owns start, old_start, x, left */
 };
 
 int pm_ida_sparse_serves(const pm_model *model, const pm_active_set *active)
@@ -61,12 +60,24 @@ static int grow(pm_ida_sparse *s, int room)
     return 1;
 }
 
+/* What is no array of fixed length: of a struct pm_ida_sparse. */
+static void destroy(void *sparse)
+{
+    pm_ida_sparse *s = sparse;
+    if (s->numeric) klu_free_numeric(&s->numeric, &s->common);
+    if (s->symbolic) klu_free_symbolic(&s->symbolic, &s->common);
+    free(s->row);
+    free(s->old_row);
+    free(s->entry);
+}
+
 int pm_ida_sparse_create(pm_workspace *w)
 {
     const pm_model *m = w->model;
     if (m->nq + m->nrow <= PM_IDA_MANY) return PM_OK;
-    pm_ida_sparse *s = w->ida->sparse = calloc(1, sizeof *s);
-    if (!s) return PM_NO_MEMORY;
+    if (PM_ARENA_NEW(&w->memory, w->ida->sparse) || pm_arena_keep(&w->memory, w->ida->sparse, destroy))
+        return PM_NO_MEMORY;
+    pm_ida_sparse *s = w->ida->sparse;
     s->most = 2 * (m->nq + m->nrow);
     const pm_array array[] = {
         PM_ARRAY(s->start, s->most + 1),
@@ -76,22 +87,8 @@ int pm_ida_sparse_create(pm_workspace *w)
     };
     klu_defaults(&s->common);
     s->common.tol = PM_IDA_PIVOT;
-    const int status = pm_arena_create(&s->block, PM_ARRAYS(array));
+    const int status = pm_arena_take(&w->memory, PM_ARRAYS(array));
     return !status && grow(s, FIRST_ROOM * s->most) ? PM_OK : PM_NO_MEMORY;
-}
-
-void pm_ida_sparse_free(pm_workspace *w)
-{
-    pm_ida_sparse *s = w->ida->sparse;
-    if (!s) return;
-    if (s->numeric) klu_free_numeric(&s->numeric, &s->common);
-    if (s->symbolic) klu_free_symbolic(&s->symbolic, &s->common);
-    free(s->row);
-    free(s->old_row);
-    free(s->entry);
-    free(s->block);
-    free(s);
-    w->ida->sparse = NULL;
 }
 
 /* ---- the matrix ---- */

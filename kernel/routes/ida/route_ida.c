@@ -8,7 +8,6 @@
  * Near a singular position (one row depends on the others: reactions without bound) steps shrink to nothing: there the
  * phase is handed over, by w->singular (plan.c). */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <nvector/nvector_serial.h>
@@ -104,30 +103,10 @@ static int set_up(pm_workspace *w)
     return status_of(&w->result, w->ida, flag);
 }
 
-static int create(pm_workspace *w)
+/* Objects of SUNDIALS: of a struct pm_ida. */
+static void destroy(void *ida)
 {
-    const pm_model *m = w->model;
-    pm_ida *r = w->ida = calloc(1, sizeof *r);
-    if (!r) return PM_NO_MEMORY;
-    r->n = r->most = 2 * m->nq + m->nz + 2 * m->nrow;
-    if (pm_ida_library_open(&r->context)) return PM_NO_MEMORY;
-    r->memory = IDACreate(r->context);
-    if (!r->memory) return PM_NO_MEMORY;
-    r->weight = calloc((size_t)r->most + 1, sizeof *r->weight);
-    if (!r->weight) return PM_NO_MEMORY;
-    int status = pm_ida_jacobian_create(&r->jacobian, m);
-    if (!status) status = create_vectors(w->model, w->ida);
-    if (!status) status = set_up(w);
-    if (!status) status = create_solver(w);
-    if (!status) status = pm_ida_sparse_create(w);
-    return status;
-}
-
-static void destroy(pm_workspace *w)
-{
-    pm_ida *r = w->ida;
-    if (!r) return;
-    pm_ida_sparse_free(w);
+    pm_ida *r = ida;
     if (r->memory) IDAFree(&r->memory);
     if (PM_IDA_STOCK) {
         if (r->solver) SUNLinSolFree(r->solver);
@@ -139,10 +118,25 @@ static void destroy(pm_workspace *w)
     for (int i = 0; i < 4; i++)
         if (vector[i]) N_VDestroy(vector[i]);
     if (r->context) SUNContext_Free(&r->context);
-    free(r->jacobian.block);
-    free(r->weight);
-    free(r);
-    w->ida = NULL;
+}
+
+static int create(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    if (PM_ARENA_NEW(&w->memory, w->ida) || pm_arena_keep(&w->memory, w->ida, destroy)) return PM_NO_MEMORY;
+    pm_ida *r = w->ida;
+    r->n = r->most = 2 * m->nq + m->nz + 2 * m->nrow;
+    if (pm_ida_library_open(&r->context)) return PM_NO_MEMORY;
+    r->memory = IDACreate(r->context);
+    if (!r->memory) return PM_NO_MEMORY;
+    const pm_array array[] = {PM_ARRAY(r->weight, r->most + 1)};
+    int status = pm_arena_take(&w->memory, PM_ARRAYS(array));
+    if (!status) status = pm_ida_jacobian_create(&w->memory, &r->jacobian, m);
+    if (!status) status = create_vectors(w->model, w->ida);
+    if (!status) status = set_up(w);
+    if (!status) status = create_solver(w);
+    if (!status) status = pm_ida_sparse_create(w);
+    return status;
 }
 
 /* ---- a phase ---- */
@@ -331,7 +325,6 @@ static int applies(const pm_workspace *w)
 const pm_route_ops pm_route_ida = {
     .route = PM_ROUTE_IDA,
     .create = create,
-    .free = destroy,
     .applies = applies,
     .begin = begin,
     .step = step,

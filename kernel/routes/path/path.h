@@ -128,7 +128,6 @@ typedef struct pm_path {
     double least, lowest;      /* T of the step, of the phase */
     double way;                /* of the driver since the phase began, or since the last lap */
     double impulse[PM_LEDGER]; /* what the ledger of the outer impulses exceeds the momenta by */
-    void *block;
 } pm_path;
 
 /* path_place.c: the place at driver value u; place->y holds a guess on entry. */

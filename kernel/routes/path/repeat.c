@@ -14,7 +14,6 @@
 #include "routes/path/repeat.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "events/event.h"
@@ -30,21 +29,12 @@
 int pm_repeat_create(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    pm_repeat *l = w->repeat = calloc(1, sizeof *l);
-    if (!l) return PM_NO_MEMORY;
+    if (PM_ARENA_NEW(&w->memory, w->repeat)) return PM_NO_MEMORY;
+    pm_repeat *l = w->repeat;
     const pm_array array[] = {PM_ARRAY(l->turn, m->nbody), PM_ARRAY(l->event_count, m->rows[PM_TABLE_EVENT]),
                               PM_ARRAY(l->side, m->rows[PM_TABLE_TRIGGER])};
-    const int status = pm_state_create(m, &l->begin);
-    return status ? status : pm_arena_create(&l->block, PM_ARRAYS(array));
-}
-
-void pm_repeat_free(pm_workspace *w)
-{
-    if (!w->repeat) return;
-    pm_state_free(&w->repeat->begin);
-    free(w->repeat->block);
-    free(w->repeat);
-    w->repeat = NULL;
+    const int status = pm_state_create(&w->memory, m, &l->begin);
+    return status ? status : pm_arena_take(&w->memory, PM_ARRAYS(array));
 }
 
 void pm_repeat_forget(pm_repeat *repeat)

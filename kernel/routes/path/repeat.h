@@ -7,7 +7,6 @@
 
 /* Memory of the last segment; PM_NO_MEMORY. */
 int pm_repeat_create(pm_workspace *w);
-void pm_repeat_free(pm_workspace *w);
 
 /* A new case, or a phase on another route: nothing is known. */
 void pm_repeat_forget(struct pm_repeat *repeat);

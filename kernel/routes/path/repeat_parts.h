@@ -25,7 +25,6 @@ typedef struct pm_repeat {
     double *turn;       /* [nbody] rad, how far each body has turned */
     int member;         /* so many members on in a row */
     double work, ratio; /* J, W and m of repeat_energy.c */
-    void *block;
 } pm_repeat;
 
 /* Segments from now on. */

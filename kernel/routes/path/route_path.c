@@ -7,7 +7,6 @@
  * error of integration; the time, where anybody asks for it, is the integral of sqrt(mass / 2T), with the root taken out
  * where the step begins or ends at rest.  The motion turns back where T vanishes. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "elements/contact.h"
@@ -50,8 +49,8 @@ static double *carve(const pm_model *m, pm_place *x, double *p)
 static int create(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    pm_path *p = w->path = calloc(1, sizeof *p);
-    if (!p) return PM_NO_MEMORY;
+    if (PM_ARENA_NEW(&w->memory, w->path)) return PM_NO_MEMORY;
+    pm_path *p = w->path;
     const size_t n = (size_t)m->nq, nz = (size_t)m->nz_controlled;
     pm_bridge *b = &p->bridge;
     double *place;
@@ -72,20 +71,12 @@ static int create(pm_workspace *w)
         PM_ARRAY(p->loop.high, n),
         PM_ARRAY(p->rigid.body, m->nbody + 1),
     };
-    const int status = pm_arena_create(&p->block, PM_ARRAYS(array));
+    const int status = pm_arena_take(&w->memory, PM_ARRAYS(array));
     if (status) return status;
     for (int k = 0; k < PM_NODES_MOST; k++) place = carve(m, &p->node[k], place);
     carve(m, &p->begin, carve(m, &p->spare, place));
     pm_path_clock_fill_table(&p->clock.table);
     return PM_OK;
-}
-
-static void destroy(pm_workspace *w)
-{
-    if (!w->path) return;
-    free(w->path->block);
-    free(w->path);
-    w->path = NULL;
 }
 
 /* ---- a phase ---- */
@@ -309,7 +300,6 @@ static int step(pm_workspace *w, double t_limit)
 const pm_route_ops pm_route_path = {
     .route = PM_ROUTE_PATH,
     .create = create,
-    .free = destroy,
     .applies = pm_path_applies,
     .prepare = pm_path_prepare,
     .begin = pm_path_begin,

@@ -38,7 +38,6 @@ struct pm_rk {
     int64_t first;                                       /* number of the phase's first step */
     int swift;                                           /* accelerations need no frame: tree_small.c */
     double momentum[PM_LEDGER], momentum_now[PM_LEDGER]; /* at its begin; at w->state */
-    void *block;
 };
 
 /* rk_derivative.c: k = y' at (t, y); the rates of the ledger only if asked for. */

@@ -8,7 +8,6 @@
  * world is in it, and they are evidence alone: the first step of PM_RK_LEDGER_STEPS is a sample of it, the others
  * take what the momenta say. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "equations/case.h"
@@ -28,8 +27,8 @@
 
 static int create(pm_workspace *w)
 {
-    struct pm_rk *r = w->rk = calloc(1, sizeof *r);
-    if (!r) return PM_NO_MEMORY;
+    if (PM_ARENA_NEW(&w->memory, w->rk)) return PM_NO_MEMORY;
+    struct pm_rk *r = w->rk;
     const size_t n = 2 * (size_t)w->model->nq + (size_t)w->model->nz;
     const pm_array array[] = {
         PM_ARRAY(r->now, n),
@@ -41,15 +40,7 @@ static int create(pm_workspace *w)
         PM_ARRAY(r->dense, PM_RK_DENSE * n),
         PM_ARRAY(r->middle, n),
     };
-    return pm_arena_create(&r->block, PM_ARRAYS(array));
-}
-
-static void destroy(pm_workspace *w)
-{
-    if (!w->rk) return;
-    free(w->rk->block);
-    free(w->rk);
-    w->rk = NULL;
+    return pm_arena_take(&w->memory, PM_ARRAYS(array));
 }
 
 static void set_scale(pm_workspace *w)
@@ -256,7 +247,6 @@ static int step(pm_workspace *w, double t_limit)
 const pm_route_ops pm_route_rk = {
     .route = PM_ROUTE_RK,
     .create = create,
-    .free = destroy,
     .begin = begin,
     .step = step,
     .at = pm_rk_at,

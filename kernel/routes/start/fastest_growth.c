@@ -12,7 +12,6 @@
 #include "routes/start/fastest_growth.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "equations/projection.h"
@@ -22,7 +21,7 @@
 #include "state/frame.h"
 #include "state/workspace.h"
 
-int pm_fastest_growth_create(const pm_model *m, pm_fastest_growth *e)
+int pm_fastest_growth_create(pm_arena *arena, const pm_model *m, pm_fastest_growth *e)
 {
     const size_t nq = (size_t)m->nq, square = 4 * nq * nq;
     const pm_array array[] = {
@@ -32,10 +31,8 @@ int pm_fastest_growth_create(const pm_model *m, pm_fastest_growth *e)
         PM_ARRAY(e->power, square), PM_ARRAY(e->spare, square), PM_ARRAY(e->at, nq),
         PM_ARRAY(e->free, nq),
     };
-    return pm_arena_create(&e->block, PM_ARRAYS(array));
+    return pm_arena_take(arena, PM_ARRAYS(array));
 }
-
-void pm_fastest_growth_free(pm_fastest_growth *e) { free(e->block); }
 
 static void clear(double *x, int n) { memset(x, 0, (size_t)n * sizeof *x); }
 

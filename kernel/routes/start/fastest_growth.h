@@ -18,11 +18,9 @@ typedef struct pm_fastest_growth {
     double *dq, *dv, *da;           /* [nq] */
     double *x, *y;                  /* [2 nq] */
     double *matrix, *power, *spare; /* [2 nq][2 nq] */
-    void *block;
 } pm_fastest_growth;
 
-int pm_fastest_growth_create(const pm_model *m, pm_fastest_growth *e);
-void pm_fastest_growth_free(pm_fastest_growth *e);
+int pm_fastest_growth_create(pm_arena *arena, const pm_model *m, pm_fastest_growth *e);
 
 /* The motion of the free coordinates from w->state is steady, seen in axes that turn at some body's spin, or do not; 0 if
  * it is not.  *status: of the systems that were solved. */

@@ -6,7 +6,6 @@
 #include "routes/start/perturbation.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "elements/constraint.h"
@@ -29,7 +28,6 @@ struct pm_perturbation {
     double *gradient;       /* [nq] of the program by velocities */
     unsigned char *touched; /* [nbody + 1] bodies whose motion hangs together with what the program reads */
     pm_fastest_growth escape;
-    void *block;
 };
 
 int pm_perturbation_any(const pm_model *m)
@@ -43,20 +41,11 @@ int pm_perturbation_create(pm_workspace *w)
 {
     const pm_model *m = w->model;
     if (!pm_perturbation_any(m)) return PM_OK;
-    struct pm_perturbation *x = w->perturbation = calloc(1, sizeof *x);
-    if (!x) return PM_NO_MEMORY;
+    if (PM_ARENA_NEW(&w->memory, w->perturbation)) return PM_NO_MEMORY;
+    struct pm_perturbation *x = w->perturbation;
     const pm_array array[] = {PM_ARRAY(x->gradient, m->nq), PM_ARRAY(x->touched, m->nbody + 1)};
-    const int status = pm_arena_create(&x->block, PM_ARRAYS(array));
-    return status ? status : pm_fastest_growth_create(m, &x->escape);
-}
-
-void pm_perturbation_free(pm_workspace *w)
-{
-    if (!w->perturbation) return;
-    pm_fastest_growth_free(&w->perturbation->escape);
-    free(w->perturbation->block);
-    free(w->perturbation);
-    w->perturbation = NULL;
+    const int status = pm_arena_take(&w->memory, PM_ARRAYS(array));
+    return status ? status : pm_fastest_growth_create(&w->memory, m, &x->escape);
 }
 
 /* ---- what waits ---- */

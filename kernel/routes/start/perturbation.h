@@ -10,7 +10,6 @@
 /* The scene has nudges, at its start or by events. */
 int pm_perturbation_any(const pm_model *m);
 int pm_perturbation_create(pm_workspace *w);
-void pm_perturbation_free(pm_workspace *w);
 
 /* A case begins: that of the start waits, if there is one. */
 void pm_perturbation_begin(const pm_model *model, pm_request *request);

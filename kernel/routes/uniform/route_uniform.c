@@ -7,7 +7,6 @@
  * that each is monotonic in its step; others as densely as the motion itself is fast.  Where nothing is watched one step is
  * the phase. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "elements/capture.h"
@@ -33,8 +32,8 @@
 static int create(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    pm_uniform *u = w->uniform = calloc(1, sizeof *u);
-    if (!u) return PM_NO_MEMORY;
+    if (PM_ARENA_NEW(&w->memory, w->uniform)) return PM_NO_MEMORY;
+    pm_uniform *u = w->uniform;
     const int nq = m->nq, nz = m->nz, ncontact = m->rows[PM_TABLE_CONTACT];
     const pm_array array[] = {
         PM_ARRAY(u->closing, ncontact),
@@ -56,15 +55,7 @@ static int create(pm_workspace *w)
         PM_ARRAY(u->turns, m->nbody + 1),
         PM_ARRAY(u->locked, m->nbody + 1),
     };
-    return pm_arena_create(&u->block, PM_ARRAYS(array));
-}
-
-static void destroy(pm_workspace *w)
-{
-    if (!w->uniform) return;
-    free(w->uniform->block);
-    free(w->uniform);
-    w->uniform = NULL;
+    return pm_arena_take(&w->memory, PM_ARRAYS(array));
 }
 
 /* ---- a phase is made ready ---- */
@@ -328,7 +319,6 @@ static int exact(pm_workspace *w, double t, pm_state *s)
 const pm_route_ops pm_route_uniform = {
     .route = PM_ROUTE_UNIFORM,
     .create = create,
-    .free = destroy,
     .prepare = prepare,
     .begin = begin,
     .step = step,

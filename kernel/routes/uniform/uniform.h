@@ -59,7 +59,6 @@ typedef struct pm_uniform {
     double *z0;              /* [nz] at the begin of the step */
     double *v_look, *q_look; /* [nq] of the place that is looked at */
     pm_series series;
-    void *block;
 } pm_uniform;
 
 /* uniform_motion.c: the frame looks at `t` seconds after the begin of the phase; the same with all accelerations and
