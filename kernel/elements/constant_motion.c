@@ -62,20 +62,28 @@ int pm_constant_motion_mark(const pm_frame *frame, const pm_constant_motion *x, 
     return !x->turns[body] || fabs(at[0]) + fabs(at[1]) <= PM_CENTRED * frame->numbers->size;
 }
 
-int pm_constant_motion_marks(const pm_frame *frame, const pm_constant_motion *x, const pm_constraint *row)
+int pm_constant_motion_point(const pm_frame *frame, const pm_constant_motion *x, int index)
+{
+    const int32_t *e = PM_POINT_ROW(frame->model, index);
+    const double at[2] = {frame->numbers->value[e[PM_POINT_X]], frame->numbers->value[e[PM_POINT_Y]]};
+    return pm_constant_motion_mark(frame, x, pm_body_index(frame->model, e[PM_POINT_BODY]), at);
+}
+
+int pm_constant_motion_marks(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x)
 {
     return pm_constant_motion_mark(frame, x, row->body[0], row->a) &&
            pm_constant_motion_mark(frame, x, row->body[1], row->b);
 }
 
-int pm_constant_motion_drive(const pm_frame *frame, const pm_constraint *row)
+int pm_constant_motion_drive(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x)
 {
+    (void)x;
     return row->drive == PM_NONE || frame->model->programs.class[row->drive] == PM_CLASS_CONSTANT;
 }
 
-int pm_constant_motion_together(const pm_frame *frame, const pm_constant_motion *x, const pm_constraint *row)
+int pm_constant_motion_together(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x)
 {
-    if (!pm_constant_motion_marks(frame, x, row)) return 0;
+    if (!pm_constant_motion_marks(frame, row, x)) return 0;
     for (int k = 0; k < 2; k++) {
         const int a = 3 * row->body[0] + k, b = 3 * row->body[1] + k;
         if (fabs(x->v[a] - x->v[b]) > x->speed || fabs(x->a[a] - x->a[b]) > x->acceleration) return 0;

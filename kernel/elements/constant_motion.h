@@ -31,10 +31,13 @@ void pm_constant_motion_curve(const pm_workspace *w, double *v, double *a, unsig
 /* The mark keeps its place relative to its body's mass centre as seen in the scene: the body does not turn, or the mark
  * is the mass centre. */
 int pm_constant_motion_mark(const pm_frame *frame, const pm_constant_motion *x, int body, const double at[2]);
-int pm_constant_motion_marks(const pm_frame *frame, const pm_constant_motion *x, const pm_constraint *row);
-/* What drives the row, if anything, prescribes a constant rate. */
-int pm_constant_motion_drive(const pm_frame *frame, const pm_constraint *row);
-/* Both marks are steady and keep their distance vector. */
-int pm_constant_motion_together(const pm_frame *frame, const pm_constant_motion *x, const pm_constraint *row);
+/* The same of point `index` of the point table. */
+int pm_constant_motion_point(const pm_frame *frame, const pm_constant_motion *x, int index);
+/* Rules of constraints: both marks are steady; */
+int pm_constant_motion_marks(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x);
+/* they keep their distance vector, too; */
+int pm_constant_motion_together(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x);
+/* what drives the constraint, if anything, prescribes a constant rate. */
+int pm_constant_motion_drive(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x);
 
 #endif

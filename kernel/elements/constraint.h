@@ -14,7 +14,7 @@ struct pm_constraint {
     double a[2], b[2];         /* marks in body axes */
     double radius_a, radius_b; /* signed: see constraint_distance.c, constraint_strand.c */
     double value;              /* length, angle, or direction of a line in its body */
-    double axis[2];            /* cosine and sine of that direction */
+    double axis[2];            /* cosine and sine of that direction; of a drive: its axis of the scene */
     double sign;               /* distance rows: which way is positive */
     double ratio;              /* turn rows: so many turns of b count against one of a */
     int memory;                /* index of its memory, or PM_NONE */
@@ -38,10 +38,9 @@ enum pm_constraint_kind {
     PM_CONSTRAINT_CIRCLE_TANGENT = 5,
     PM_CONSTRAINT_ANGLE = 6,
     PM_CONSTRAINT_STRAND = 7,
-    PM_CONSTRAINT_DRIVE_X = 8,
-    PM_CONSTRAINT_DRIVE_Y = 9,
-    PM_CONSTRAINT_RATIO = 10,
-    PM_CONSTRAINT_KINDS = 11
+    PM_CONSTRAINT_DRIVE = 8,
+    PM_CONSTRAINT_RATIO = 9,
+    PM_CONSTRAINT_KINDS = 10
 };
 
 /* Where a unit reaction acts on body[0], from geometry alone: the audit uses it instead of the Jacobian.  On body[1] the
@@ -75,7 +74,7 @@ typedef struct pm_constraint_ops {
 
 extern const pm_constraint_ops pm_constraint_point_x, pm_constraint_point_y, pm_constraint_line_normal,
     pm_constraint_line_tangent, pm_constraint_distance, pm_constraint_circle_tangent, pm_constraint_angle,
-    pm_constraint_strand, pm_constraint_drive_x, pm_constraint_drive_y, pm_constraint_ratio;
+    pm_constraint_strand, pm_constraint_drive, pm_constraint_ratio;
 
 const pm_constraint_ops *pm_constraint_kind(int kind);
 

@@ -33,11 +33,6 @@ static void act(const pm_frame *frame, const pm_constraint *row, pm_line_of_acti
     }
 }
 
-static int steady(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x)
-{
-    return pm_constant_motion_together(frame, x, row);
-}
-
 /* C'' = s (d''.n + (d'.t)^2 / D): apart the last part only helps; one inside the other it counts against, as long as the
  * centres do not meet. */
 static void bound(const pm_frame *frame, const pm_constraint *row, const double *a, double h,
@@ -53,4 +48,4 @@ static void bound(const pm_frame *frame, const pm_constraint *row, const double 
 }
 
 const pm_constraint_ops pm_constraint_distance = {
-    .evaluate = evaluate, .act = act, .steady = steady, .bound = bound};
+    .evaluate = evaluate, .act = act, .steady = pm_constant_motion_together, .bound = bound};

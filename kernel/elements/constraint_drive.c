@@ -1,4 +1,4 @@
-/* constraint_drive.c - prescribed motion: the velocity of a point, along an axis e of the scene, or the spin of a body, relative to
+/* constraint_drive.c - prescribed motion: the velocity of a point, along an axis e of the scene (row.axis), or the spin of a body, relative to
  * another body, is a given w(t).
  *
  *   point   C = e.(p_a - p_b) - anchor - W(t)     Cdot = e.(v_a - v_b) - w       gamma = -e.quad + dw/dt
@@ -9,8 +9,6 @@
 #include "elements/constraint.h"
 #include "elements/drive.h"
 #include "state/workspace.h"
-
-static const double axis_x[2] = {1, 0}, axis_y[2] = {0, 1};
 
 /* What all driven rows share: the residual is `place` less what is prescribed. */
 static void prescribe(const pm_frame *frame, pm_constraint *row, double place)
@@ -32,24 +30,29 @@ static void keep(const pm_frame *frame, const pm_constraint *row, double place, 
     }
 }
 
-static double along(const pm_frame *frame, const pm_constraint *row, const double e[2])
+static void evaluate_point(const pm_frame *frame, pm_constraint *row)
 {
     const pm_marks x = pm_constraint_marks(frame, row);
-    return pm_dot(x.d, e);
+    pm_constraint_along(row, &x, row->axis, 1);
+    row->gamma = -pm_dot(x.quad, row->axis);
+    prescribe(frame, row, pm_dot(x.d, row->axis));
 }
 
-static void evaluate(const pm_frame *frame, pm_constraint *row, const double e[2])
-{
-    const pm_marks x = pm_constraint_marks(frame, row);
-    pm_constraint_along(row, &x, e, 1);
-    row->gamma = -pm_dot(x.quad, e);
-    prescribe(frame, row, pm_dot(x.d, e));
-}
-
-static void act(const pm_frame *frame, const pm_constraint *row, pm_line_of_action *x, const double e[2])
+static void act_point(const pm_frame *frame, const pm_constraint *row, pm_line_of_action *x)
 {
     const pm_point a = pm_frame_point(frame, row->body[0], row->a[0], row->a[1]);
-    *x = (pm_line_of_action){.at = {a.p[0], a.p[1]}, .direction = {e[0], e[1]}};
+    *x = (pm_line_of_action){.at = {a.p[0], a.p[1]}, .direction = {row->axis[0], row->axis[1]}};
+}
+
+static void remember_point(const pm_frame *frame, const pm_constraint *row, pm_memory *memory, int anchor_too)
+{
+    const pm_marks x = pm_constraint_marks(frame, row);
+    keep(frame, row, pm_dot(x.d, row->axis), memory, anchor_too);
+}
+
+static int steady_point(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x)
+{
+    return pm_constant_motion_drive(frame, row, x) && pm_constant_motion_marks(frame, row, x);
 }
 
 static double turned(const pm_frame *frame, const pm_constraint *row)
@@ -57,8 +60,6 @@ static double turned(const pm_frame *frame, const pm_constraint *row)
     return frame->pose[5 * row->body[0] + 2] - row->ratio * frame->pose[5 * row->body[1] + 2];
 }
 
-static void evaluate_x(const pm_frame *frame, pm_constraint *row) { evaluate(frame, row, axis_x); }
-static void evaluate_y(const pm_frame *frame, pm_constraint *row) { evaluate(frame, row, axis_y); }
 static void evaluate_turn(const pm_frame *frame, pm_constraint *row)
 {
     for (int k = 0; k < 6; k++) row->j[k] = 0;
@@ -68,46 +69,20 @@ static void evaluate_turn(const pm_frame *frame, pm_constraint *row)
     prescribe(frame, row, turned(frame, row));
 }
 
-static void act_x(const pm_frame *frame, const pm_constraint *row, pm_line_of_action *x)
-{
-    act(frame, row, x, axis_x);
-}
-static void act_y(const pm_frame *frame, const pm_constraint *row, pm_line_of_action *x)
-{
-    act(frame, row, x, axis_y);
-}
 static void act_turn(const pm_frame *frame, const pm_constraint *row, pm_line_of_action *x)
 {
     (void)frame;
     *x = (pm_line_of_action){.couple = {1, -row->ratio}};
 }
 
-static void remember_x(const pm_frame *frame, const pm_constraint *row, pm_memory *memory, int anchor_too)
-{
-    keep(frame, row, along(frame, row, axis_x), memory, anchor_too);
-}
-static void remember_y(const pm_frame *frame, const pm_constraint *row, pm_memory *memory, int anchor_too)
-{
-    keep(frame, row, along(frame, row, axis_y), memory, anchor_too);
-}
 static void remember_turn(const pm_frame *frame, const pm_constraint *row, pm_memory *memory, int anchor_too)
 {
     keep(frame, row, turned(frame, row), memory, anchor_too);
 }
 
-static int steady(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x)
-{
-    return pm_constant_motion_drive(frame, row) && pm_constant_motion_marks(frame, x, row);
-}
-static int steady_turn(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x)
-{
-    (void)x;
-    return pm_constant_motion_drive(frame, row);
-}
-
-const pm_constraint_ops pm_constraint_drive_x = {
-    .evaluate = evaluate_x, .act = act_x, .remember = remember_x, .steady = steady};
-const pm_constraint_ops pm_constraint_drive_y = {
-    .evaluate = evaluate_y, .act = act_y, .remember = remember_y, .steady = steady};
-const pm_constraint_ops pm_constraint_ratio = {
-    .evaluate = evaluate_turn, .act = act_turn, .remember = remember_turn, .steady = steady_turn};
+const pm_constraint_ops pm_constraint_drive = {
+    .evaluate = evaluate_point, .act = act_point, .remember = remember_point, .steady = steady_point};
+const pm_constraint_ops pm_constraint_ratio = {.evaluate = evaluate_turn,
+                                               .act = act_turn,
+                                               .remember = remember_turn,
+                                               .steady = pm_constant_motion_drive};

@@ -14,8 +14,7 @@ const pm_constraint_ops *pm_constraint_kind(int kind)
         [PM_CONSTRAINT_CIRCLE_TANGENT] = &pm_constraint_circle_tangent,
         [PM_CONSTRAINT_ANGLE] = &pm_constraint_angle,
         [PM_CONSTRAINT_STRAND] = &pm_constraint_strand,
-        [PM_CONSTRAINT_DRIVE_X] = &pm_constraint_drive_x,
-        [PM_CONSTRAINT_DRIVE_Y] = &pm_constraint_drive_y,
+        [PM_CONSTRAINT_DRIVE] = &pm_constraint_drive,
         [PM_CONSTRAINT_RATIO] = &pm_constraint_ratio,
     };
     return kinds[kind];

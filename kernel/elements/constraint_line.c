@@ -98,16 +98,16 @@ static void act_tangent(const pm_frame *frame, const pm_constraint *row, pm_line
 static int steady_normal(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x)
 {
     const int b = row->body[1];
-    if (x->turns[b] || !pm_constant_motion_marks(frame, x, row)) return 0;
+    if (x->turns[b] || !pm_constant_motion_marks(frame, row, x)) return 0;
     return x->locked[b] || frame->numbers->inverse_mass[3 * b + 2] == 0 ||
-           pm_constant_motion_together(frame, x, row);
+           pm_constant_motion_together(frame, row, x);
 }
 
 /* While the circle stays on the line (its normal row) the lever of the tangent on the line's body stays. */
 static int steady_tangent(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x)
 {
-    return !x->turns[row->body[1]] && pm_constant_motion_marks(frame, x, row) &&
-           pm_constant_motion_drive(frame, row);
+    return !x->turns[row->body[1]] && pm_constant_motion_marks(frame, row, x) &&
+           pm_constant_motion_drive(frame, row, x);
 }
 
 /* C'' = d''.n + 2 d'.n' + d.n'' with n' = -w_b t: exact where the line does not turn and the point does not go round. */

@@ -51,11 +51,8 @@ static void act_y(const pm_frame *frame, const pm_constraint *row, pm_line_of_ac
     act(frame, row, x, axis_y);
 }
 
-/* The levers stay: neither mark goes round. */
-static int steady(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x)
-{
-    return pm_constant_motion_marks(frame, x, row);
-}
-
-const pm_constraint_ops pm_constraint_point_x = {.evaluate = evaluate_x, .act = act_x, .steady = steady};
-const pm_constraint_ops pm_constraint_point_y = {.evaluate = evaluate_y, .act = act_y, .steady = steady};
+/* The levers stay where neither mark goes round. */
+const pm_constraint_ops pm_constraint_point_x = {
+    .evaluate = evaluate_x, .act = act_x, .steady = pm_constant_motion_marks};
+const pm_constraint_ops pm_constraint_point_y = {
+    .evaluate = evaluate_y, .act = act_y, .steady = pm_constant_motion_marks};

@@ -91,7 +91,7 @@ static void act(const pm_frame *frame, const pm_constraint *row, pm_line_of_acti
 /* The strand keeps its direction: its ends part along it. */
 static int steady(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x)
 {
-    if (!pm_constant_motion_marks(frame, x, row)) return 0;
+    if (!pm_constant_motion_marks(frame, row, x)) return 0;
     pm_marks y;
     const pm_strand strand = look(frame, row, &y);
     double speed = 0, acceleration = 0;

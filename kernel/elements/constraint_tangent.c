@@ -57,10 +57,5 @@ static void act(const pm_frame *frame, const pm_constraint *row, pm_line_of_acti
     x->couple[0] = x->couple[1] = 0;
 }
 
-static int steady(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x)
-{
-    return pm_constant_motion_together(frame, x, row);
-}
-
 const pm_constraint_ops pm_constraint_circle_tangent = {
-    .evaluate = evaluate, .act = act, .remember = remember, .steady = steady};
+    .evaluate = evaluate, .act = act, .remember = remember, .steady = pm_constant_motion_together};

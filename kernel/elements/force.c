@@ -128,11 +128,9 @@ static int steady_couple(const pm_frame *frame, const int32_t *e, const pm_const
 
 static int steady_applied(const pm_frame *frame, const int32_t *e, const pm_constant_motion *x)
 {
-    const int32_t *p = PM_POINT_ROW(frame->model, e[PM_FORCE_A]);
-    const double at[2] = {frame->numbers->value[p[PM_POINT_X]], frame->numbers->value[p[PM_POINT_Y]]};
     return constant(frame, e[PM_FORCE_PROGRAM_X]) && constant(frame, e[PM_FORCE_PROGRAM_Y]) &&
            !x->turns[pm_body_index(frame->model, e[PM_FORCE_B])] &&
-           pm_constant_motion_mark(frame, x, pm_body_index(frame->model, p[PM_POINT_BODY]), at);
+           pm_constant_motion_point(frame, x, e[PM_FORCE_A]);
 }
 
 static int steady_friction(const pm_frame *frame, const int32_t *e, const pm_constant_motion *x)

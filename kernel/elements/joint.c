@@ -110,10 +110,12 @@ static void ratio(const pm_frame *frame, const int32_t *e, pm_constraint *row)
 
 static void drive(const pm_frame *frame, const int32_t *e, pm_constraint *row)
 {
-    put(frame, e, &row[0], PM_CONSTRAINT_DRIVE_X, pm_constraint_marks_points);
-    put_beside(&row[1], PM_CONSTRAINT_DRIVE_Y, &row[0]);
-    row[0].drive = e[PM_JOINT_PROGRAM_X];
-    row[1].drive = e[PM_JOINT_PROGRAM_Y];
+    put(frame, e, &row[0], PM_CONSTRAINT_DRIVE, pm_constraint_marks_points);
+    row[1] = row[0];
+    for (int k = 0; k < 2; k++) {
+        row[k].axis[k] = 1;
+        row[k].drive = e[PM_JOINT_PROGRAM_X + k];
+    }
 }
 
 enum { BODY = PM_TABLE_BODY, POINT = PM_TABLE_POINT, LINE = PM_TABLE_LINE, CIRCLE = PM_TABLE_CIRCLE };

@@ -156,12 +156,6 @@ void pm_measure_start_row(pm_workspace *w, int i, int level, double *coefficient
 }
 
 /* ---- the tables of a scene ---- */
-static int bad(pm_where *where, int row, double value, double bound)
-{
-    *where = (pm_where){PM_TABLE_MEASURE, row, PM_NONE, value, bound};
-    return PM_BAD_TABLE;
-}
-
 /* Whether joints of its kind have the normal force or the friction that is to be read. */
 static int joint_has(const pm_model *m, int kind, int joint)
 {
@@ -179,15 +173,19 @@ static int validate(const pm_model *m, int i, pm_where *where)
 {
     const int32_t *e = PM_MEASURE_ROW(m, i);
     const int kind = e[PM_MEASURE_KIND], a = e[PM_MEASURE_A], part = e[PM_MEASURE_PART];
-    if (kind < 0 || kind >= PM_MEASURE_KINDS) return bad(where, i, kind, PM_MEASURE_KINDS);
+    if (kind < 0 || kind >= PM_MEASURE_KINDS)
+        return pm_bad_table(where, PM_TABLE_MEASURE, i, kind, PM_MEASURE_KINDS);
     const pm_measure_ops *ops = &kinds[kind];
     const int low = ops->of == PM_TABLE_BODY && kind != PM_MEASURE_POLE ? PM_GROUND : 0;
     const int all = (ops->flags & OR_ALL) && a == PM_NONE;
-    if (ops->of >= 0 && !all && (a < low || a >= m->rows[ops->of])) return bad(where, i, a, m->rows[ops->of]);
-    if (ops->vector && (part <= PM_PART_NONE || part >= PM_PARTS)) return bad(where, i, part, PM_PARTS);
-    if (part == PM_PART_ALONG && e[PM_MEASURE_VALUE] < 0) return bad(where, i, e[PM_MEASURE_VALUE], 0);
+    if (ops->of >= 0 && !all && (a < low || a >= m->rows[ops->of]))
+        return pm_bad_table(where, PM_TABLE_MEASURE, i, a, m->rows[ops->of]);
+    if (ops->vector && (part <= PM_PART_NONE || part >= PM_PARTS))
+        return pm_bad_table(where, PM_TABLE_MEASURE, i, part, PM_PARTS);
+    if (part == PM_PART_ALONG && e[PM_MEASURE_VALUE] < 0)
+        return pm_bad_table(where, PM_TABLE_MEASURE, i, e[PM_MEASURE_VALUE], 0);
     if (ops->of == PM_TABLE_JOINT && !joint_has(m, kind, a))
-        return bad(where, i, PM_JOINT_ROW(m, a)[PM_JOINT_KIND], PM_JOINT_KINDS);
+        return pm_bad_table(where, PM_TABLE_MEASURE, i, PM_JOINT_ROW(m, a)[PM_JOINT_KIND], PM_JOINT_KINDS);
     return PM_OK;
 }
 
@@ -198,8 +196,7 @@ static int validate_start(const pm_model *m, int i, pm_where *where)
     if (level >= PM_START_POSITION && level <= PM_START_VELOCITY &&
         pm_measure_can_start(m, e[PM_START_MEASURE], level))
         return PM_OK;
-    *where = (pm_where){PM_TABLE_START, i, PM_NONE, e[PM_START_MEASURE], level};
-    return PM_BAD_TABLE;
+    return pm_bad_table(where, PM_TABLE_START, i, e[PM_START_MEASURE], level);
 }
 
 int pm_measure_validate(const pm_model *m, pm_where *where)

@@ -37,13 +37,6 @@ void pm_turning_plane_lay_out(pm_model *m)
 }
 
 /* ---- case and start ---- */
-static int out_of_bound(pm_result *result, int table, int row, int column, double value, double bound)
-{
-    pm_fail(result, PM_BAD_VALUE, table, row, value, bound);
-    result->where.member = column;
-    return PM_BAD_VALUE;
-}
-
 static int read_axis(pm_workspace *w)
 {
     pm_turning_plane *s = &w->numbers.plane;
@@ -52,7 +45,8 @@ static int read_axis(pm_workspace *w)
         const double value = w->numbers.value[e[k]];
         const int ok = isfinite(value) && (k != PM_SPIN_INERTIA || value >= 0);
         if (!ok)
-            return out_of_bound(&w->result, PM_TABLE_SPIN, 0, k, value, k == PM_SPIN_INERTIA ? 0 : -INFINITY);
+            return pm_fail_member(&w->result, PM_BAD_VALUE, PM_TABLE_SPIN, 0, k, value,
+                                  k == PM_SPIN_INERTIA ? 0 : -INFINITY);
     }
     s->through[0] = w->numbers.value[e[PM_SPIN_X]];
     s->through[1] = w->numbers.value[e[PM_SPIN_Y]];
@@ -63,8 +57,9 @@ static int read_axis(pm_workspace *w)
     /* a plane that turns takes the direction of the gravity along only if that is the axis' own */
     const double across = fabs(w->numbers.gravity[0] * s->normal[0] + w->numbers.gravity[1] * s->normal[1]);
     const double allowed = PM_SPIN_ACROSS * hypot(w->numbers.gravity[0], w->numbers.gravity[1]);
-    return across > allowed ? out_of_bound(&w->result, PM_TABLE_SPIN, 0, PM_SPIN_ANGLE, across, allowed)
-                            : PM_OK;
+    return across > allowed
+               ? pm_fail_member(&w->result, PM_BAD_VALUE, PM_TABLE_SPIN, 0, PM_SPIN_ANGLE, across, allowed)
+               : PM_OK;
 }
 
 int pm_turning_plane_case(pm_workspace *w)
@@ -75,7 +70,7 @@ int pm_turning_plane_case(pm_workspace *w)
         for (int k = 0; k < PM_SECOND_COLUMNS; k++) {
             const double value = w->numbers.value[PM_SECOND_ROW(w->model, i)[k]];
             if (!isfinite(value) || value < 0)
-                return out_of_bound(&w->result, PM_TABLE_SECOND, i, k, value, 0);
+                return pm_fail_member(&w->result, PM_BAD_VALUE, PM_TABLE_SECOND, i, k, value, 0);
         }
     return read_axis(w);
 }
@@ -84,7 +79,8 @@ int pm_turning_plane_start(pm_workspace *w)
 {
     if (!pm_turning_plane_turns(w->model)) return PM_OK;
     const double inertia = pm_turning_plane_inertia(&w->frame);
-    if (!(inertia > 0)) return out_of_bound(&w->result, PM_TABLE_SPIN, 0, PM_SPIN_INERTIA, inertia, 0);
+    if (!(inertia > 0))
+        return pm_fail_member(&w->result, PM_BAD_VALUE, PM_TABLE_SPIN, 0, PM_SPIN_INERTIA, inertia, 0);
     w->numbers.plane.momentum = inertia * w->numbers.value[row_of(w->model)[PM_SPIN_OMEGA]];
     return PM_OK;
 }

@@ -8,15 +8,14 @@
 #include "elements/turning_plane.h"
 #include "expression/program.h"
 #include "numerics/tolerances.h"
+#include "scene/reference.h"
 #include "state/evidence.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 
 static int out_of_bound(pm_result *result, int table, int row, int member, double value, double bound)
 {
-    pm_fail(result, PM_BAD_VALUE, table, row, value, bound);
-    result->where.member = member;
-    return PM_BAD_VALUE;
+    return pm_fail_member(result, PM_BAD_VALUE, table, row, member, value, bound);
 }
 
 int pm_case_values(pm_workspace *w, const double *param)
@@ -35,25 +34,65 @@ int pm_case_values(pm_workspace *w, const double *param)
 }
 
 /* value must be finite and > low (or >= low). */
-static int check(const pm_numbers *numbers, pm_result *result, int table, int row, int column, int index,
-                 double low, int strict)
+static int check(pm_workspace *w, int table, int row, int column, double low, int strict)
 {
-    const double value = numbers->value[index];
+    const int index = pm_table_row(w->model, table, row, pm_table_columns[table])[column];
+    const double value = w->numbers.value[index];
     if (isfinite(value) && (strict ? value > low : value >= low)) return PM_OK;
-    return out_of_bound(result, table, row, column, value, low);
+    return out_of_bound(&w->result, table, row, column, value, low);
+}
+
+/* What the numbers of a column must be, where they are given: finite, at least `low` (strict: more), at most `high`. */
+typedef struct pm_bounds {
+    int table, column;
+    double low, high;
+    int strict;
+} pm_bounds;
+
+static const pm_bounds bounds[] = {
+    {PM_TABLE_SETTING, PM_SETTING_GRAVITY_X, -INFINITY, INFINITY, 0},
+    {PM_TABLE_SETTING, PM_SETTING_GRAVITY_Y, -INFINITY, INFINITY, 0},
+    {PM_TABLE_SETTING, PM_SETTING_ACCURACY, 1e-14, 1e-2, 0},
+    {PM_TABLE_SETTING, PM_SETTING_MAX_TIME, 0, INFINITY, 1},
+    {PM_TABLE_SETTING, PM_SETTING_ASSEMBLY, 0, INFINITY, 1},
+    {PM_TABLE_BODY, PM_BODY_MASS, 0, INFINITY, 0},
+    {PM_TABLE_BODY, PM_BODY_X, -INFINITY, INFINITY, 0},
+    {PM_TABLE_BODY, PM_BODY_Y, -INFINITY, INFINITY, 0},
+    {PM_TABLE_BODY, PM_BODY_ANGLE, -INFINITY, INFINITY, 0},
+    {PM_TABLE_POINT, PM_POINT_X, -INFINITY, INFINITY, 0},
+    {PM_TABLE_POINT, PM_POINT_Y, -INFINITY, INFINITY, 0},
+    {PM_TABLE_LINE, PM_LINE_ANGLE, -INFINITY, INFINITY, 0},
+    {PM_TABLE_CIRCLE, PM_CIRCLE_RADIUS, 0, INFINITY, 0},
+    {PM_TABLE_ROW, PM_ROW_COUNT, -INFINITY, PM_MOST_MEMBERS, 0},
+    {PM_TABLE_CONTACT, PM_CONTACT_RESTITUTION, 0, 1, 0},
+    {PM_TABLE_CONTACT, PM_CONTACT_TANGENTIAL, 0, 1, 0},
+    {PM_TABLE_CONTACT, PM_CONTACT_SLACK, 0, INFINITY, 0},
+    {PM_TABLE_CONTACT, PM_CONTACT_STATIC, 0, INFINITY, 0},
+    {PM_TABLE_CONTACT, PM_CONTACT_KINETIC, 0, INFINITY, 0},
+    {PM_TABLE_START, PM_START_VALUE, -INFINITY, INFINITY, 0},
+};
+
+static int check_bounds(pm_workspace *w)
+{
+    for (size_t k = 0; k < sizeof bounds / sizeof *bounds; k++) {
+        const pm_bounds *x = &bounds[k];
+        for (int i = 0; i < w->model->rows[x->table]; i++) {
+            const int index = pm_table_row(w->model, x->table, i, pm_table_columns[x->table])[x->column];
+            if (index == PM_NONE) continue;
+            const int status = check(w, x->table, i, x->column, x->low, x->strict);
+            if (status) return status;
+            const double value = w->numbers.value[index];
+            if (value > x->high) return out_of_bound(&w->result, x->table, i, x->column, value, x->high);
+        }
+    }
+    return PM_OK;
 }
 
 static int read_bodies(pm_workspace *w)
 {
-    const pm_model *m = w->model;
-    for (int i = 0; i < m->nbody; i++) {
-        const int32_t *e = PM_BODY_ROW(m, i);
-        int status = check(&w->numbers, &w->result, PM_TABLE_BODY, i, PM_BODY_MASS, e[PM_BODY_MASS], 0, 0);
-        if (!status && e[PM_BODY_TURNS])
-            status =
-                check(&w->numbers, &w->result, PM_TABLE_BODY, i, PM_BODY_INERTIA, e[PM_BODY_INERTIA], 0, 0);
-        for (int k = PM_BODY_X; !status && k <= PM_BODY_ANGLE; k++)
-            status = check(&w->numbers, &w->result, PM_TABLE_BODY, i, k, e[k], -INFINITY, 0);
+    for (int i = 0; i < w->model->nbody; i++) {
+        const int32_t *e = PM_BODY_ROW(w->model, i);
+        const int status = e[PM_BODY_TURNS] ? check(w, PM_TABLE_BODY, i, PM_BODY_INERTIA, 0, 0) : PM_OK;
         if (status) return status;
         w->numbers.mass[i] = w->numbers.value[e[PM_BODY_MASS]];
         w->numbers.inverse_mass[3 * i] = w->numbers.inverse_mass[3 * i + 1] = 1 / w->numbers.mass[i];
@@ -62,33 +101,15 @@ static int read_bodies(pm_workspace *w)
     return PM_OK;
 }
 
-static int check_marks(pm_workspace *w)
+static int check_rows(pm_workspace *w)
 {
-    const pm_model *m = w->model;
-    int status = PM_OK;
-    for (int i = 0; !status && i < m->rows[PM_TABLE_POINT]; i++)
-        for (int k = PM_POINT_X; !status && k <= PM_POINT_Y; k++)
-            status =
-                check(&w->numbers, &w->result, PM_TABLE_POINT, i, k, PM_POINT_ROW(m, i)[k], -INFINITY, 0);
-    for (int i = 0; !status && i < m->rows[PM_TABLE_LINE]; i++)
-        status = check(&w->numbers, &w->result, PM_TABLE_LINE, i, PM_LINE_ANGLE,
-                       PM_LINE_ROW(m, i)[PM_LINE_ANGLE], -INFINITY, 0);
-    for (int i = 0; !status && i < m->rows[PM_TABLE_CIRCLE]; i++)
-        status = check(&w->numbers, &w->result, PM_TABLE_CIRCLE, i, PM_CIRCLE_RADIUS,
-                       PM_CIRCLE_ROW(m, i)[PM_CIRCLE_RADIUS], 0, 0);
-    for (int i = 0; !status && i < m->rows[PM_TABLE_ROW]; i++) {
-        const int32_t *e = PM_ROW_ROW(m, i);
+    for (int i = 0; i < w->model->rows[PM_TABLE_ROW]; i++) {
+        const int32_t *e = PM_ROW_ROW(w->model, i);
         const double step = hypot(w->numbers.value[e[PM_ROW_STEP_X]], w->numbers.value[e[PM_ROW_STEP_Y]]);
         if (!(step > 0) || !isfinite(step))
-            status = out_of_bound(&w->result, PM_TABLE_ROW, i, PM_ROW_STEP_X, step, 0);
-        if (!status)
-            status =
-                check(&w->numbers, &w->result, PM_TABLE_ROW, i, PM_ROW_COUNT, e[PM_ROW_COUNT], -INFINITY, 0);
-        const double count = w->numbers.value[e[PM_ROW_COUNT]];
-        if (!status && count > PM_MOST_MEMBERS)
-            status = out_of_bound(&w->result, PM_TABLE_ROW, i, PM_ROW_COUNT, count, PM_MOST_MEMBERS);
+            return out_of_bound(&w->result, PM_TABLE_ROW, i, PM_ROW_STEP_X, step, 0);
     }
-    return status;
+    return PM_OK;
 }
 
 /* 1, -1 or -2: which circle is inside the other. */
@@ -124,77 +145,35 @@ static int check_partners(pm_workspace *w, int contact)
     return radius > 0 ? PM_OK : out_of_bound(&w->result, PM_TABLE_CONTACT, contact, PM_CONTACT_A, radius, 0);
 }
 
-/* Between 0 and 1. */
-static int check_restitution(pm_workspace *w, int contact, int column)
-{
-    const int index = PM_CONTACT_ROW_OF(w->model, contact)[column];
-    const int status = check(&w->numbers, &w->result, PM_TABLE_CONTACT, contact, column, index, 0, 0);
-    if (status || w->numbers.value[index] <= 1) return status;
-    return out_of_bound(&w->result, PM_TABLE_CONTACT, contact, column, w->numbers.value[index], 1);
-}
-
 static int check_elements(pm_workspace *w)
 {
     const pm_model *m = w->model;
     int status = PM_OK;
     for (int i = 0; !status && i < m->rows[PM_TABLE_JOINT]; i++) {
-        const int number = pm_joint_of(m, i)->number, index = PM_JOINT_ROW(m, i)[PM_JOINT_VALUE];
+        const int number = pm_joint_of(m, i)->number, length = number == PM_NUMBER_LENGTH;
         if (number == PM_NUMBER_SIDE)
-            status = check_side(&w->numbers, &w->result, PM_TABLE_JOINT, i, PM_JOINT_VALUE, index);
-        else if (number) {
-            const int length = number == PM_NUMBER_LENGTH;
-            status = check(&w->numbers, &w->result, PM_TABLE_JOINT, i, PM_JOINT_VALUE, index,
-                           length ? 0 : -INFINITY, length);
-        }
+            status = check_side(&w->numbers, &w->result, PM_TABLE_JOINT, i, PM_JOINT_VALUE,
+                                PM_JOINT_ROW(m, i)[PM_JOINT_VALUE]);
+        else if (number)
+            status = check(w, PM_TABLE_JOINT, i, PM_JOINT_VALUE, length ? 0 : -INFINITY, length);
     }
-    for (int i = 0; !status && i < m->rows[PM_TABLE_CONTACT]; i++) {
-        const int32_t *e = PM_CONTACT_ROW_OF(m, i);
-        status = check_restitution(w, i, PM_CONTACT_RESTITUTION);
-        if (!status && e[PM_CONTACT_TANGENTIAL] >= 0) status = check_restitution(w, i, PM_CONTACT_TANGENTIAL);
-        if (!status && e[PM_CONTACT_SLACK] >= 0)
-            status = check(&w->numbers, &w->result, PM_TABLE_CONTACT, i, PM_CONTACT_SLACK,
-                           e[PM_CONTACT_SLACK], 0, 0);
-        for (int k = PM_CONTACT_STATIC; !status && k <= PM_CONTACT_KINETIC; k++)
-            if (e[PM_CONTACT_FRICTION] == PM_FRICTION_COULOMB)
-                status = check(&w->numbers, &w->result, PM_TABLE_CONTACT, i, k, e[k], 0, 0);
-        if (!status) status = check_partners(w, i);
-    }
+    for (int i = 0; !status && i < m->rows[PM_TABLE_CONTACT]; i++) status = check_partners(w, i);
     for (int i = 0; !status && i < m->rows[PM_TABLE_FORCE]; i++) {
         const int *number = pm_force_of(m, i)->number;
-        for (int k = 0; !status && k < 2 && number[k]; k++) {
-            const int column = PM_FORCE_VALUE_1 + k, index = PM_FORCE_ROW(m, i)[column];
-            const double low = number[k] == PM_FORCE_NOT_NEGATIVE ? 0 : -INFINITY;
-            status = check(&w->numbers, &w->result, PM_TABLE_FORCE, i, column, index, low, 0);
-        }
+        for (int k = 0; !status && k < 2 && number[k]; k++)
+            status = check(w, PM_TABLE_FORCE, i, PM_FORCE_VALUE_1 + k,
+                           number[k] == PM_FORCE_NOT_NEGATIVE ? 0 : -INFINITY, 0);
     }
-    for (int i = 0; !status && i < m->rows[PM_TABLE_START]; i++)
-        status = check(&w->numbers, &w->result, PM_TABLE_START, i, PM_START_VALUE,
-                       PM_START_ROW(m, i)[PM_START_VALUE], -INFINITY, 0);
     return status;
 }
 
-static int read_settings(pm_workspace *w)
+static void read_settings(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    static const int columns[] = {PM_SETTING_GRAVITY_X, PM_SETTING_GRAVITY_Y};
-    for (int k = 0; k < 2; k++) {
-        const int status = check(&w->numbers, &w->result, PM_TABLE_SETTING, 0, columns[k],
-                                 PM_SETTING(m, columns[k]), -INFINITY, 0);
-        if (status) return status;
-        w->numbers.gravity[k] = w->numbers.value[PM_SETTING(m, columns[k])];
-    }
-    static const double least[] = {1e-14, 0, 0};
-    for (int k = PM_SETTING_ACCURACY; k <= PM_SETTING_ASSEMBLY; k++) {
-        if (PM_SETTING(m, k) == PM_NONE) continue;
-        const int status = check(&w->numbers, &w->result, PM_TABLE_SETTING, 0, k, PM_SETTING(m, k),
-                                 least[k - PM_SETTING_ACCURACY], k > PM_SETTING_ACCURACY);
-        if (status) return status;
-    }
+    w->numbers.gravity[0] = w->numbers.value[PM_SETTING(m, PM_SETTING_GRAVITY_X)];
+    w->numbers.gravity[1] = w->numbers.value[PM_SETTING(m, PM_SETTING_GRAVITY_Y)];
     w->numbers.accuracy = w->numbers.value[PM_SETTING(m, PM_SETTING_ACCURACY)];
-    if (w->numbers.accuracy > 1e-2)
-        return out_of_bound(&w->result, PM_TABLE_SETTING, 0, PM_SETTING_ACCURACY, w->numbers.accuracy, 1e-2);
     w->numbers.tolerance = pm_evidence_tolerance(w);
-    return PM_OK;
 }
 
 /* What has no mass is given some in the metric of the rows; saddle.c takes it off again.  Without any mass in the scene
@@ -288,10 +267,12 @@ double pm_case_time_scale(const pm_model *model, const pm_numbers *numbers, cons
 int pm_case_begin(pm_workspace *w, const double *param)
 {
     int status = pm_case_values(w, param);
-    if (!status) status = read_settings(w);
-    if (!status) status = read_bodies(w);
+    if (!status) status = check_bounds(w);
+    if (status) return status;
+    read_settings(w);
+    status = read_bodies(w);
     if (!status) status = pm_turning_plane_case(w);
-    if (!status) status = check_marks(w);
+    if (!status) status = check_rows(w);
     if (!status) status = check_elements(w);
     if (status) return status;
     pm_joint_compose(&w->frame);

@@ -39,14 +39,10 @@ enum { WIDE = 3 * FEW };
 /* All bodies that a row of a table refers to move. */
 static void let_move(const pm_model *m, pm_fixed_bodies *fixed, int table, int row)
 {
-    const int32_t *e = pm_table_row(m, table, row, pm_table_columns[table]);
-    pm_reference ref[PM_REFERENCES];
-    const int n = pm_reference_of(m, table, e, ref);
-    for (int k = 0; k < n; k++) {
-        if (ref[k].of < PM_TABLE_BODY || ref[k].of > PM_TABLE_ROW) continue;
-        const int body = pm_model_body_of(m, ref[k].of, e[ref[k].column]);
-        if (body >= 0) fixed->moves[body] = 1;
-    }
+    int body[PM_REFERENCES];
+    const int n = pm_reference_bodies(m, table, row, body);
+    for (int k = 0; k < n; k++)
+        if (body[k] >= 0) fixed->moves[body[k]] = 1;
 }
 
 /* The joints of which a program reads a reaction. */
@@ -65,10 +61,9 @@ static void note_asked(const pm_model *m, pm_fixed_bodies *fixed)
     for (int table = PM_TABLE_BODY; table < PM_TABLES; table++)
         for (int i = 0; i < m->rows[table]; i++) {
             pm_reference ref[PM_REFERENCES];
-            const int32_t *e = pm_table_row(m, table, i, pm_table_columns[table]);
-            const int n = pm_reference_of(m, table, e, ref);
+            const int n = pm_reference_of(m, table, i, ref);
             for (int k = 0; k < n; k++)
-                if (ref[k].of == PM_TABLE_PROGRAM) ask_read(m, fixed, e[ref[k].column]);
+                if (ref[k].of == PM_TABLE_PROGRAM) ask_read(m, fixed, ref[k].index);
         }
 }
 

@@ -231,9 +231,8 @@ static int check_overlap(pm_workspace *w)
         const double gap = pm_contact_gap(&w->frame, &w->state, i, &member);
         if (gap >= -pm_contact_length(&w->frame) || !pm_contact_touches(&w->frame, &w->state, i, &member))
             continue;
-        pm_fail(&w->result, PM_PENETRATION, PM_TABLE_CONTACT, i, gap, -pm_contact_length(&w->frame));
-        w->result.where.member = member;
-        return PM_PENETRATION;
+        return pm_fail_member(&w->result, PM_PENETRATION, PM_TABLE_CONTACT, i, member, gap,
+                              -pm_contact_length(&w->frame));
     }
     return PM_OK;
 }

@@ -101,12 +101,6 @@ void pm_program_numbers(pm_workspace *w)
     w->numbers.is_folded = 1;
 }
 
-static int bad(pm_where *where, int row, double value, double bound)
-{
-    *where = (pm_where){PM_TABLE_PROGRAM, row, PM_NONE, value, bound};
-    return PM_BAD_TABLE;
-}
-
 /* Answers may be read only when a run has ended. */
 static int is_of_find(const pm_model *m, int program)
 {
@@ -122,7 +116,7 @@ static int validate_one(const pm_model *m, int index, int first_value_allowed, p
     const int32_t *program = pm_table_row(m, PM_TABLE_PROGRAM, index, PM_PROGRAM_COLUMNS);
     const int first = program[PM_PROGRAM_FIRST], length = program[PM_PROGRAM_LENGTH];
     if (first < 0 || length < 1 || (int64_t)first + length > m->rows[PM_TABLE_CODE])
-        return bad(where, index, first, m->rows[PM_TABLE_CODE]);
+        return pm_bad_table(where, PM_TABLE_PROGRAM, index, first, m->rows[PM_TABLE_CODE]);
     const int is_value = first_value_allowed < m->nvalue;
     const int limit[PM_OPS] = {
         [PM_OP_CONSTANT] = m->nconstant,
@@ -135,14 +129,15 @@ static int validate_one(const pm_model *m, int index, int first_value_allowed, p
     for (int i = first; i < first + length; i++) {
         const int32_t *code = pm_table_row(m, PM_TABLE_CODE, i, PM_CODE_COLUMNS);
         const int op = code[PM_CODE_OP], arg = code[PM_CODE_ARG];
-        if (op < 0 || op >= PM_OPS) return bad(where, index, op, PM_OPS);
+        if (op < 0 || op >= PM_OPS) return pm_bad_table(where, PM_TABLE_PROGRAM, index, op, PM_OPS);
         const int takes = pm_operations[op].takes;
-        if (takes == 0 && (arg < 0 || arg >= limit[op])) return bad(where, index, arg, limit[op]);
-        if (depth < takes) return bad(where, index, depth, takes);
+        if (takes == 0 && (arg < 0 || arg >= limit[op]))
+            return pm_bad_table(where, PM_TABLE_PROGRAM, index, arg, limit[op]);
+        if (depth < takes) return pm_bad_table(where, PM_TABLE_PROGRAM, index, depth, takes);
         depth += 1 - takes;
-        if (depth > PM_STACK) return bad(where, index, depth, PM_STACK);
+        if (depth > PM_STACK) return pm_bad_table(where, PM_TABLE_PROGRAM, index, depth, PM_STACK);
     }
-    return depth == 1 ? PM_OK : bad(where, index, depth, 1);
+    return depth == 1 ? PM_OK : pm_bad_table(where, PM_TABLE_PROGRAM, index, depth, 1);
 }
 
 int pm_program_validate(const pm_model *m, pm_where *where)

@@ -103,28 +103,27 @@ static void look_at_forces(pm_model *m)
         m->programs.forces_by_place && !m->acts && m->nfriction == 0 && !pm_model_is_driven(m);
 }
 
-/* Whether some program reads the time; whether one that is watched within steps does, or the count or time of an event: it
- * jumps where one is marked. */
-static void look_at_watched(pm_model *m)
+/* A program that is watched within steps: it may read the time, or the count or time of an event, which jumps where one is
+ * marked. */
+static void look_at_watched(pm_model *m, int program)
 {
-    pm_model_programs *p = &m->programs;
-    for (int i = 0; i < m->rows[PM_TABLE_PROGRAM]; i++) p->read_time |= pm_program_class_reads_time(m, i);
-    p->read_time |= PM_SETTING(m, PM_SETTING_MAX_TIME) >= 0;
-    for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
-        const int32_t *e = PM_TRIGGER_ROW(m, i);
-        const int program = e[PM_TRIGGER_PROGRAM];
-        p->sample_time |= program >= 0 && pm_program_class_reads_time(m, program);
-        if (e[PM_TRIGGER_KIND] <= PM_TRIGGER_EVERY)
-            p->watch_counts |= pm_program_class_reads_counts(m, program);
-    }
+    m->programs.sample_time |= pm_program_class_reads_time(m, program);
+    m->programs.watch_counts |= pm_program_class_reads_counts(m, program);
+}
+
+static void look_at_programs(pm_model *m)
+{
+    for (int i = 0; i < m->rows[PM_TABLE_PROGRAM]; i++)
+        m->programs.read_time |= pm_program_class_reads_time(m, i);
+    m->programs.read_time |= PM_SETTING(m, PM_SETTING_MAX_TIME) >= 0;
+    for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++)
+        if (PM_TRIGGER_ROW(m, i)[PM_TRIGGER_PROGRAM] >= 0)
+            look_at_watched(m, PM_TRIGGER_ROW(m, i)[PM_TRIGGER_PROGRAM]);
     for (int i = 0; i < m->nask; i++) {
         const int32_t *e = PM_ASK_ROW(m, i);
-        const int program[] = {e[PM_ASK_PROGRAM], e[PM_ASK_PROGRAM_2]};
         if (e[PM_ASK_KIND] < PM_ASK_MAX || e[PM_ASK_KIND] > PM_ASK_GRID) continue;
-        for (int k = 0; k < 2 && program[k] >= 0; k++) {
-            p->sample_time |= pm_program_class_reads_time(m, program[k]);
-            p->watch_counts |= pm_program_class_reads_counts(m, program[k]);
-        }
+        look_at_watched(m, e[PM_ASK_PROGRAM]);
+        if (e[PM_ASK_PROGRAM_2] >= 0) look_at_watched(m, e[PM_ASK_PROGRAM_2]);
     }
 }
 
@@ -151,7 +150,7 @@ static void fill(pm_model *m)
     look_for_actions(m);
     pm_program_grade_all(m);
     look_for_time(m);
-    look_at_watched(m);
+    look_at_programs(m);
     look_at_forces(m);
 }
 

@@ -9,19 +9,14 @@
 #include "expression/program.h"
 #include "scene/reference.h"
 
-static int bad(pm_where *where, int table, int row, double value, double bound)
-{
-    *where = (pm_where){table, row, PM_NONE, value, bound};
-    return PM_BAD_TABLE;
-}
-
 int pm_check_directory(pm_model *m, int64_t ntable, const int32_t *table, pm_where *where)
 {
-    if (ntable < 2 * PM_TABLES) return bad(where, PM_NONE, 0, (double)ntable, 2 * PM_TABLES);
+    if (ntable < 2 * PM_TABLES) return pm_bad_table(where, PM_NONE, 0, (double)ntable, 2 * PM_TABLES);
     for (int i = 0; i < PM_TABLES; i++) {
         const int64_t first = table[2 * i], rows = table[2 * i + 1];
         if (first < 0 || rows < 0 || first + rows * pm_table_columns[i] > ntable)
-            return bad(where, i, PM_NONE, (double)(first + rows * pm_table_columns[i]), (double)ntable);
+            return pm_bad_table(where, i, PM_NONE, (double)(first + rows * pm_table_columns[i]),
+                                (double)ntable);
         m->table[i] = table + first;
         m->rows[i] = (int)rows;
     }
@@ -31,7 +26,41 @@ int pm_check_directory(pm_model *m, int64_t ntable, const int32_t *table, pm_whe
     m->nask = m->rows[PM_TABLE_ASK];
     return m->rows[PM_TABLE_SETTING] == 1
                ? PM_OK
-               : bad(where, PM_TABLE_SETTING, PM_NONE, m->rows[PM_TABLE_SETTING], 1);
+               : pm_bad_table(where, PM_TABLE_SETTING, PM_NONE, m->rows[PM_TABLE_SETTING], 1);
+}
+
+/* Kinds and counts: what stands in a column lies between low and high; `told` is the bound that is told otherwise. */
+typedef struct pm_span {
+    int table, column, low, high, told;
+} pm_span;
+
+static const pm_span spans[] = {
+    {PM_TABLE_CONTACT, PM_CONTACT_FRICTION, PM_FRICTION_SMOOTH, PM_FRICTION_ROUGH, PM_FRICTION_ROUGH},
+    {PM_TABLE_CONTACT, PM_CONTACT_LAW, PM_LAW_NEWTON, PM_LAWS - 1, PM_LAWS},
+    {PM_TABLE_TRIGGER, PM_TRIGGER_KIND, 0, PM_TRIGGER_KINDS - 1, PM_TRIGGER_KINDS},
+    {PM_TABLE_ASK, PM_ASK_KIND, 0, PM_ASK_KINDS - 1, PM_ASK_KINDS},
+    {PM_TABLE_UNTIL, PM_UNTIL_NTH, 1, INT32_MAX, 1},
+    {PM_TABLE_EVENT, PM_EVENT_NTH, 0, INT32_MAX, 0},
+    {PM_TABLE_ACTION, PM_ACTION_KIND, 0, PM_ACTION_KINDS - 1, PM_ACTION_KINDS},
+    {PM_TABLE_SETTING, PM_SETTING_ROUTE, 0, PM_ROUTES - 1, PM_ROUTES},
+    {PM_TABLE_SETTING, PM_SETTING_ESTIMATE, 0, 1, 1},
+    {PM_TABLE_SETTING, PM_SETTING_SIMULTANEOUS, 0, PM_SIMULTANEOUS_KINDS - 1, PM_SIMULTANEOUS_KINDS},
+    {PM_TABLE_SETTING, PM_SETTING_MAX_EVENTS, 1, INT32_MAX, 1},
+    {PM_TABLE_SETTING, PM_SETTING_MAX_STEPS, 1, INT32_MAX, 1},
+    {PM_TABLE_FIND, PM_FIND_GOAL, 0, PM_FIND_GOALS - 1, PM_FIND_GOALS},
+    {PM_TABLE_CONDITION, PM_CONDITION_KIND, 0, PM_CONDITION_KINDS - 1, PM_CONDITION_KINDS},
+};
+
+static int check_spans(const pm_model *m, pm_where *where)
+{
+    for (size_t k = 0; k < sizeof spans / sizeof *spans; k++) {
+        const pm_span *x = &spans[k];
+        for (int i = 0; i < m->rows[x->table]; i++) {
+            const int value = pm_table_row(m, x->table, i, pm_table_columns[x->table])[x->column];
+            if (value < x->low || value > x->high) return pm_bad_table(where, x->table, i, value, x->told);
+        }
+    }
+    return PM_OK;
 }
 
 /* A contact that captures has no other law; two points must. */
@@ -48,27 +77,25 @@ static int check_contacts(const pm_model *m, pm_where *where)
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
         const int32_t *e = PM_CONTACT_ROW_OF(m, i);
         const int friction = e[PM_CONTACT_FRICTION];
-        if (!captures_soundly(e)) return bad(where, PM_TABLE_CONTACT, i, e[PM_CONTACT_CAPTURE], PM_CAPTURES);
-        if (friction < PM_FRICTION_SMOOTH || friction > PM_FRICTION_ROUGH)
-            return bad(where, PM_TABLE_CONTACT, i, friction, PM_FRICTION_ROUGH);
+        if (!captures_soundly(e))
+            return pm_bad_table(where, PM_TABLE_CONTACT, i, e[PM_CONTACT_CAPTURE], PM_CAPTURES);
         if (friction == PM_FRICTION_COULOMB && (e[PM_CONTACT_STATIC] < 0 || e[PM_CONTACT_KINETIC] < 0))
-            return bad(where, PM_TABLE_CONTACT, i, PM_NONE, 0);
+            return pm_bad_table(where, PM_TABLE_CONTACT, i, PM_NONE, 0);
         if (e[PM_CONTACT_KIND] == PM_CONTACT_CIRCLE && e[PM_CONTACT_SIDE] < 0)
-            return bad(where, PM_TABLE_CONTACT, i, PM_NONE, 0);
+            return pm_bad_table(where, PM_TABLE_CONTACT, i, PM_NONE, 0);
         const int segment = e[PM_CONTACT_KIND] == PM_CONTACT_SEGMENT;
         if (segment && (e[PM_CONTACT_FROM] < 0 || e[PM_CONTACT_TO] < 0))
-            return bad(where, PM_TABLE_CONTACT, i, PM_NONE, 0);
+            return pm_bad_table(where, PM_TABLE_CONTACT, i, PM_NONE, 0);
         if (e[PM_CONTACT_SPEED] >= 0 && e[PM_CONTACT_KIND] != PM_CONTACT_LINE && !segment)
-            return bad(where, PM_TABLE_CONTACT, i, e[PM_CONTACT_SPEED], PM_NONE);
+            return pm_bad_table(where, PM_TABLE_CONTACT, i, e[PM_CONTACT_SPEED], PM_NONE);
         const int law = e[PM_CONTACT_LAW];
-        if (law < PM_LAW_NEWTON || law >= PM_LAWS) return bad(where, PM_TABLE_CONTACT, i, law, PM_LAWS);
         if (e[PM_CONTACT_TANGENTIAL] >= 0 && (friction == PM_FRICTION_SMOOTH || law != PM_LAW_NEWTON))
-            return bad(where, PM_TABLE_CONTACT, i, e[PM_CONTACT_TANGENTIAL], PM_NONE);
+            return pm_bad_table(where, PM_TABLE_CONTACT, i, e[PM_CONTACT_TANGENTIAL], PM_NONE);
         if (e[PM_CONTACT_KIND] != PM_CONTACT_CORD) continue;
         if (friction != PM_FRICTION_SMOOTH || e[PM_CONTACT_SLACK] < 0)
-            return bad(where, PM_TABLE_CONTACT, i, e[PM_CONTACT_SLACK], 0);
+            return pm_bad_table(where, PM_TABLE_CONTACT, i, e[PM_CONTACT_SLACK], 0);
         for (int k = PM_CONTACT_SENSE_A; k <= PM_CONTACT_SENSE_B; k++)
-            if (e[k] != 1 && e[k] != -1) return bad(where, PM_TABLE_CONTACT, i, e[k], 1);
+            if (e[k] != 1 && e[k] != -1) return pm_bad_table(where, PM_TABLE_CONTACT, i, e[k], 1);
     }
     return PM_OK;
 }
@@ -102,12 +129,12 @@ static int check_forces(const pm_model *m, pm_where *where)
         const int32_t *e = PM_FORCE_ROW(m, i);
         const int kind = e[PM_FORCE_KIND], option = e[PM_FORCE_OPTION];
         if (kind == PM_FORCE_FRICTION && pm_joint_of(m, e[PM_FORCE_A])->rubs == PM_NONE)
-            return bad(where, PM_TABLE_FORCE, i, e[PM_FORCE_A], PM_NONE);
+            return pm_bad_table(where, PM_TABLE_FORCE, i, e[PM_FORCE_A], PM_NONE);
         if (kind == PM_FORCE_SPRING && (option < PM_SPRING_BOTH || option > PM_SPRING_PUSH))
-            return bad(where, PM_TABLE_FORCE, i, option, PM_SPRING_PUSH);
+            return pm_bad_table(where, PM_TABLE_FORCE, i, option, PM_SPRING_PUSH);
         for (int k = 0; k < pm_force_kind(kind)->programs; k++) {
             const int measure = pm_program_reads(m, e[PM_FORCE_PROGRAM_X + k], needs_forces);
-            if (measure != PM_NONE) return bad(where, PM_TABLE_FORCE, i, measure, PM_NONE);
+            if (measure != PM_NONE) return pm_bad_table(where, PM_TABLE_FORCE, i, measure, PM_NONE);
         }
     }
     return PM_OK;
@@ -120,7 +147,7 @@ static int check_impulses(const pm_model *m, pm_where *where)
         for (int k = PM_ACTION_PROGRAM_X; k <= PM_ACTION_PROGRAM_Y; k++) {
             const int program = PM_ACTION_ROW(m, i)[k];
             const int measure = program < 0 ? PM_NONE : pm_program_reads(m, program, is_dynamic);
-            if (measure != PM_NONE) return bad(where, PM_TABLE_ACTION, i, measure, PM_NONE);
+            if (measure != PM_NONE) return pm_bad_table(where, PM_TABLE_ACTION, i, measure, PM_NONE);
         }
     return PM_OK;
 }
@@ -130,7 +157,7 @@ static int check_drives(const pm_model *m, pm_where *where)
     int table = PM_NONE, row = PM_NONE, program;
     for (int k = 0; (program = pm_reference_drive(m, k, &table, &row)) != PM_NONE; k++)
         if (pm_program_reads(m, program, is_no_time) != PM_NONE)
-            return bad(where, table, row, program, PM_NONE);
+            return pm_bad_table(where, table, row, program, PM_NONE);
     return PM_OK;
 }
 
@@ -138,17 +165,17 @@ static int check_drives(const pm_model *m, pm_where *where)
 static int check_spin(const pm_model *m, pm_where *where)
 {
     const int n = m->rows[PM_TABLE_SPIN], bodies = n > 0 ? m->rows[PM_TABLE_BODY] : 0;
-    if (n > 1) return bad(where, PM_TABLE_SPIN, 0, n, 1);
+    if (n > 1) return pm_bad_table(where, PM_TABLE_SPIN, 0, n, 1);
     if (m->rows[PM_TABLE_SECOND] != bodies)
-        return bad(where, PM_TABLE_SECOND, 0, m->rows[PM_TABLE_SECOND], bodies);
+        return pm_bad_table(where, PM_TABLE_SECOND, 0, m->rows[PM_TABLE_SECOND], bodies);
     for (int i = 0; i < m->rows[PM_TABLE_MEASURE]; i++) {
         const int kind = PM_MEASURE_ROW(m, i)[PM_MEASURE_KIND];
         if (n == 0 && kind >= PM_MEASURE_SPIN_OMEGA && kind <= PM_MEASURE_SPIN_INERTIA)
-            return bad(where, PM_TABLE_MEASURE, i, kind, 0);
+            return pm_bad_table(where, PM_TABLE_MEASURE, i, kind, 0);
     }
     const int couple = n > 0 ? pm_table_row(m, PM_TABLE_SPIN, 0, PM_SPIN_COLUMNS)[PM_SPIN_COUPLE] : PM_NONE;
     const int measure = couple < 0 ? PM_NONE : pm_program_reads(m, couple, is_dynamic);
-    return measure == PM_NONE ? PM_OK : bad(where, PM_TABLE_SPIN, 0, measure, PM_NONE);
+    return measure == PM_NONE ? PM_OK : pm_bad_table(where, PM_TABLE_SPIN, 0, measure, PM_NONE);
 }
 
 /* ---- the other tables ---- */
@@ -157,17 +184,15 @@ static int check_triggers(const pm_model *m, pm_where *where)
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *e = PM_TRIGGER_ROW(m, i);
         const int kind = e[PM_TRIGGER_KIND], a = e[PM_TRIGGER_A];
-        if (kind < 0 || kind >= PM_TRIGGER_KINDS)
-            return bad(where, PM_TABLE_TRIGGER, i, kind, PM_TRIGGER_KINDS);
         if (kind <= PM_TRIGGER_EVERY && e[PM_TRIGGER_PROGRAM] < 0)
-            return bad(where, PM_TABLE_TRIGGER, i, e[PM_TRIGGER_PROGRAM], 0);
+            return pm_bad_table(where, PM_TABLE_TRIGGER, i, e[PM_TRIGGER_PROGRAM], 0);
         if (kind >= PM_TRIGGER_STRIKE && kind <= PM_TRIGGER_STICK &&
             !pm_reference_in_range(m, PM_TABLE_CONTACT, a))
-            return bad(where, PM_TABLE_TRIGGER, i, a, m->rows[PM_TABLE_CONTACT]);
+            return pm_bad_table(where, PM_TABLE_TRIGGER, i, a, m->rows[PM_TABLE_CONTACT]);
         if (kind >= PM_TRIGGER_JOINT_SLIP && !pm_reference_in_range(m, PM_TABLE_JOINT, a))
-            return bad(where, PM_TABLE_TRIGGER, i, a, m->rows[PM_TABLE_JOINT]);
+            return pm_bad_table(where, PM_TABLE_TRIGGER, i, a, m->rows[PM_TABLE_JOINT]);
         if (kind == PM_TRIGGER_REST && a != PM_NONE && (a < 0 || a >= m->nbody))
-            return bad(where, PM_TABLE_TRIGGER, i, a, m->nbody);
+            return pm_bad_table(where, PM_TABLE_TRIGGER, i, a, m->nbody);
     }
     return PM_OK;
 }
@@ -177,38 +202,21 @@ static int check_asks(pm_model *m, pm_where *where)
     for (int i = 0; i < m->nask; i++) {
         const int32_t *e = PM_ASK_ROW(m, i);
         const int kind = e[PM_ASK_KIND], count = e[PM_ASK_COUNT];
-        if (kind < 0 || kind >= PM_ASK_KINDS) return bad(where, PM_TABLE_ASK, i, kind, PM_ASK_KINDS);
-        if (kind == PM_ASK_EVENT && e[PM_ASK_NTH] < 1) return bad(where, PM_TABLE_ASK, i, e[PM_ASK_NTH], 1);
-        if (count < 1 || e[PM_ASK_OUT] != m->nout) return bad(where, PM_TABLE_ASK, i, e[PM_ASK_OUT], m->nout);
+        if (kind == PM_ASK_EVENT && e[PM_ASK_NTH] < 1)
+            return pm_bad_table(where, PM_TABLE_ASK, i, e[PM_ASK_NTH], 1);
+        if (count < 1 || e[PM_ASK_OUT] != m->nout)
+            return pm_bad_table(where, PM_TABLE_ASK, i, e[PM_ASK_OUT], m->nout);
         if (kind != PM_ASK_GRID && kind != PM_ASK_EACH && count != 1)
-            return bad(where, PM_TABLE_ASK, i, count, 1);
+            return pm_bad_table(where, PM_TABLE_ASK, i, count, 1);
         if ((kind == PM_ASK_EVENT || kind == PM_ASK_EACH) && e[PM_ASK_EVENT_INDEX] < 0)
-            return bad(where, PM_TABLE_ASK, i, e[PM_ASK_EVENT_INDEX], m->rows[PM_TABLE_EVENT]);
+            return pm_bad_table(where, PM_TABLE_ASK, i, e[PM_ASK_EVENT_INDEX], m->rows[PM_TABLE_EVENT]);
         if ((kind == PM_ASK_AT_MAX || kind == PM_ASK_AT_MIN || kind == PM_ASK_GRID) &&
             e[PM_ASK_PROGRAM_2] < 0)
-            return bad(where, PM_TABLE_ASK, i, e[PM_ASK_PROGRAM_2], m->rows[PM_TABLE_PROGRAM]);
+            return pm_bad_table(where, PM_TABLE_ASK, i, e[PM_ASK_PROGRAM_2], m->rows[PM_TABLE_PROGRAM]);
         if (kind == PM_ASK_GRID && (e[PM_ASK_FIRST_VALUE] < 0 || e[PM_ASK_FIRST_VALUE] > m->nvalue - count))
-            return bad(where, PM_TABLE_ASK, i, (double)e[PM_ASK_FIRST_VALUE] + count, m->nvalue);
-        if (count > INT32_MAX - m->nout) return bad(where, PM_TABLE_ASK, i, count, INT32_MAX);
+            return pm_bad_table(where, PM_TABLE_ASK, i, (double)e[PM_ASK_FIRST_VALUE] + count, m->nvalue);
+        if (count > INT32_MAX - m->nout) return pm_bad_table(where, PM_TABLE_ASK, i, count, INT32_MAX);
         m->nout += count;
-    }
-    return PM_OK;
-}
-
-static int check_untils(const pm_model *m, pm_where *where)
-{
-    for (int i = 0; i < m->rows[PM_TABLE_UNTIL]; i++) {
-        const int nth = PM_UNTIL_ROW(m, i)[PM_UNTIL_NTH];
-        if (nth < 1) return bad(where, PM_TABLE_UNTIL, i, nth, 1);
-    }
-    return PM_OK;
-}
-
-static int check_events(const pm_model *m, pm_where *where)
-{
-    for (int i = 0; i < m->rows[PM_TABLE_EVENT]; i++) {
-        const int nth = PM_EVENT_ROW(m, i)[PM_EVENT_NTH];
-        if (nth < 0) return bad(where, PM_TABLE_EVENT, i, nth, 0);
     }
     return PM_OK;
 }
@@ -218,27 +226,29 @@ static int check_action(const pm_model *m, int i, pm_where *where)
 {
     const int32_t *e = PM_ACTION_ROW(m, i);
     const int kind = e[PM_ACTION_KIND], of = e[PM_ACTION_TABLE], a = e[PM_ACTION_A];
-    if (kind < 0 || kind >= PM_ACTION_KINDS) return bad(where, PM_TABLE_ACTION, i, kind, PM_ACTION_KINDS);
     if (e[PM_ACTION_EVENT] == PM_NONE && kind != PM_ACTION_REMOVE)
-        return bad(where, PM_TABLE_ACTION, i, kind, PM_ACTION_REMOVE);
+        return pm_bad_table(where, PM_TABLE_ACTION, i, kind, PM_ACTION_REMOVE);
     if (kind <= PM_ACTION_REMOVE) {
         if (of != PM_TABLE_JOINT && of != PM_TABLE_CONTACT && of != PM_TABLE_FORCE)
-            return bad(where, PM_TABLE_ACTION, i, of, PM_TABLE_FORCE);
-        return pm_reference_in_range(m, of, a) ? PM_OK : bad(where, PM_TABLE_ACTION, i, a, m->rows[of]);
+            return pm_bad_table(where, PM_TABLE_ACTION, i, of, PM_TABLE_FORCE);
+        return pm_reference_in_range(m, of, a) ? PM_OK
+                                               : pm_bad_table(where, PM_TABLE_ACTION, i, a, m->rows[of]);
     }
-    if (of != PM_NONE) return bad(where, PM_TABLE_ACTION, i, of, PM_NONE);
+    if (of != PM_NONE) return pm_bad_table(where, PM_TABLE_ACTION, i, of, PM_NONE);
     if (kind == PM_ACTION_NUDGE) {
         const int program = e[PM_ACTION_PROGRAM_X];
-        if (a != PM_NONE) return bad(where, PM_TABLE_ACTION, i, a, PM_NONE);
-        return program >= 0 ? PM_OK : bad(where, PM_TABLE_ACTION, i, program, m->rows[PM_TABLE_PROGRAM]);
+        if (a != PM_NONE) return pm_bad_table(where, PM_TABLE_ACTION, i, a, PM_NONE);
+        return program >= 0 ? PM_OK
+                            : pm_bad_table(where, PM_TABLE_ACTION, i, program, m->rows[PM_TABLE_PROGRAM]);
     }
     const int at = kind == PM_ACTION_IMPULSE ? PM_TABLE_POINT : PM_TABLE_BODY;
-    if (a < 0 || a >= m->rows[at]) return bad(where, PM_TABLE_ACTION, i, a, m->rows[at]);
+    if (a < 0 || a >= m->rows[at]) return pm_bad_table(where, PM_TABLE_ACTION, i, a, m->rows[at]);
     const int turns = kind == PM_ACTION_IMPULSE || PM_BODY_ROW(m, a)[PM_BODY_TURNS];
-    if (!turns) return bad(where, PM_TABLE_ACTION, i, a, PM_BODY_TURNS);
+    if (!turns) return pm_bad_table(where, PM_TABLE_ACTION, i, a, PM_BODY_TURNS);
     for (int k = 0; k < (kind == PM_ACTION_IMPULSE ? 2 : 1); k++)
         if (e[PM_ACTION_PROGRAM_X + k] < 0)
-            return bad(where, PM_TABLE_ACTION, i, e[PM_ACTION_PROGRAM_X + k], m->rows[PM_TABLE_PROGRAM]);
+            return pm_bad_table(where, PM_TABLE_ACTION, i, e[PM_ACTION_PROGRAM_X + k],
+                                m->rows[PM_TABLE_PROGRAM]);
     return PM_OK;
 }
 
@@ -249,61 +259,42 @@ static int check_actions(const pm_model *m, pm_where *where)
     return status;
 }
 
-static int check_settings(const pm_model *m, pm_where *where)
-{
-    const int route = PM_SETTING(m, PM_SETTING_ROUTE);
-    if (route < 0 || route >= PM_ROUTES) return bad(where, PM_TABLE_SETTING, 0, route, PM_ROUTES);
-    const int estimate = PM_SETTING(m, PM_SETTING_ESTIMATE);
-    if (estimate < 0 || estimate > 1) return bad(where, PM_TABLE_SETTING, 0, estimate, 1);
-    const int simultaneous = PM_SETTING(m, PM_SETTING_SIMULTANEOUS);
-    if (simultaneous < 0 || simultaneous >= PM_SIMULTANEOUS_KINDS)
-        return bad(where, PM_TABLE_SETTING, 0, simultaneous, PM_SIMULTANEOUS_KINDS);
-    if (PM_SETTING(m, PM_SETTING_MAX_EVENTS) < 1) return bad(where, PM_TABLE_SETTING, 0, 0, 1);
-    if (PM_SETTING(m, PM_SETTING_MAX_STEPS) < 1) return bad(where, PM_TABLE_SETTING, 0, 0, 1);
-    return PM_OK;
-}
-
 /* A find: one or two parameters, and as many conditions ZERO as it needs. */
 static int check_find(const pm_model *m, pm_where *where)
 {
     const int nvary = m->rows[PM_TABLE_VARY], nfind = m->rows[PM_TABLE_FIND];
-    if (nfind > 1) return bad(where, PM_TABLE_FIND, 1, nfind, 1);
+    if (nfind > 1) return pm_bad_table(where, PM_TABLE_FIND, 1, nfind, 1);
     if (nfind == 0) return PM_OK;
     const int32_t *find = PM_FIND_ROW(m, 0);
-    if (nvary < 1 || nvary > PM_FIND_MOST) return bad(where, PM_TABLE_VARY, PM_NONE, nvary, PM_FIND_MOST);
-    if (find[PM_FIND_GOAL] < 0 || find[PM_FIND_GOAL] >= PM_FIND_GOALS)
-        return bad(where, PM_TABLE_FIND, 0, find[PM_FIND_GOAL], PM_FIND_GOALS);
+    if (nvary < 1 || nvary > PM_FIND_MOST)
+        return pm_bad_table(where, PM_TABLE_VARY, PM_NONE, nvary, PM_FIND_MOST);
     const int most = nvary == 2 ? PM_FIND_MOST_PAIR_SAMPLES : PM_FIND_MOST_SAMPLES;
     if (find[PM_FIND_SAMPLES] < 2 || find[PM_FIND_SAMPLES] > most)
-        return bad(where, PM_TABLE_FIND, 0, find[PM_FIND_SAMPLES], most);
+        return pm_bad_table(where, PM_TABLE_FIND, 0, find[PM_FIND_SAMPLES], most);
     for (int i = 0; i < nvary; i++) {
         const int parameter = PM_VARY_ROW(m, i)[PM_VARY_PARAMETER];
         if (parameter < 0 || parameter >= m->nparam)
-            return bad(where, PM_TABLE_VARY, i, parameter, m->nparam);
+            return pm_bad_table(where, PM_TABLE_VARY, i, parameter, m->nparam);
     }
     int zeros = 0;
     if (m->rows[PM_TABLE_CONDITION] > PM_FIND_MOST_CONDITIONS)
-        return bad(where, PM_TABLE_CONDITION, PM_NONE, m->rows[PM_TABLE_CONDITION], PM_FIND_MOST_CONDITIONS);
-    for (int i = 0; i < m->rows[PM_TABLE_CONDITION]; i++) {
-        const int kind = PM_CONDITION_ROW(m, i)[PM_CONDITION_KIND];
-        if (kind < 0 || kind >= PM_CONDITION_KINDS)
-            return bad(where, PM_TABLE_CONDITION, i, kind, PM_CONDITION_KINDS);
-        zeros += kind == PM_CONDITION_ZERO;
-    }
+        return pm_bad_table(where, PM_TABLE_CONDITION, PM_NONE, m->rows[PM_TABLE_CONDITION],
+                            PM_FIND_MOST_CONDITIONS);
+    for (int i = 0; i < m->rows[PM_TABLE_CONDITION]; i++)
+        zeros += PM_CONDITION_ROW(m, i)[PM_CONDITION_KIND] == PM_CONDITION_ZERO;
     const int fewest = nvary == 2 || find[PM_FIND_GOAL] == PM_FIND_VALUE ? nvary : 0;
-    return zeros < fewest || zeros > nvary ? bad(where, PM_TABLE_CONDITION, PM_NONE, zeros, nvary) : PM_OK;
+    return zeros < fewest || zeros > nvary ? pm_bad_table(where, PM_TABLE_CONDITION, PM_NONE, zeros, nvary)
+                                           : PM_OK;
 }
 
 int pm_check_tables(pm_model *m, pm_where *where)
 {
     int status = pm_reference_check(m, where);
+    if (!status) status = check_spans(m, where);
     if (!status) status = check_contacts(m, where);
     if (!status) status = check_triggers(m, where);
     if (!status) status = check_asks(m, where);
-    if (!status) status = check_untils(m, where);
-    if (!status) status = check_events(m, where);
     if (!status) status = check_actions(m, where);
-    if (!status) status = check_settings(m, where);
     if (!status) status = check_find(m, where);
     if (!status) status = pm_measure_validate(m, where);
     if (!status) status = pm_program_validate(m, where);

@@ -33,13 +33,10 @@ static void bodies_of(const pm_model *m, int table, int row, int body[2])
         bodies_of(m, PM_TABLE_JOINT, e[PM_FORCE_A], body);
         return;
     }
+    int of[PM_REFERENCES];
     const int alone = table == PM_TABLE_FORCE && e[PM_FORCE_KIND] == PM_FORCE_APPLIED;
-    pm_reference ref[PM_REFERENCES];
-    const int n = pm_reference_of(m, table, e, ref);
-    body[0] = body[1] = PM_GROUND;
-    for (int k = 0, found = 0; k < n && found < (alone ? 1 : 2); k++)
-        if (ref[k].of >= PM_TABLE_BODY && ref[k].of <= PM_TABLE_ROW)
-            body[found++] = pm_model_body_of(m, ref[k].of, e[ref[k].column]);
+    const int n = pm_reference_bodies(m, table, row, of);
+    for (int k = 0; k < 2; k++) body[k] = k < n && !(alone && k == 1) ? of[k] : PM_GROUND;
 }
 
 static const int elements[] = {PM_TABLE_JOINT, PM_TABLE_CONTACT, PM_TABLE_FORCE};
@@ -88,10 +85,10 @@ static int follow(const pm_model *m, pm_dependency *x, int table, int i)
     const int32_t *e = pm_table_row(m, table, i, pm_table_columns[table]);
     pm_reference ref[PM_REFERENCES];
     int more = 0;
-    const int n = pm_reference_of(m, table, e, ref);
+    const int n = pm_reference_of(m, table, i, ref);
     x->row[table][i] = FOLLOWED;
     x->everything |= is_about_everything(table, e);
-    for (int k = 0; k < n; k++) more |= mark(x, ref[k].of, e[ref[k].column]);
+    for (int k = 0; k < n; k++) more |= mark(x, ref[k].of, ref[k].index);
     if (table == PM_TABLE_PROGRAM)
         more |= mark_range(x, PM_TABLE_CODE, e[PM_PROGRAM_FIRST], e[PM_PROGRAM_LENGTH]);
     if (table == PM_TABLE_ASK && e[PM_ASK_KIND] == PM_ASK_GRID)
@@ -123,69 +120,64 @@ static int add_islands(const pm_model *m, pm_dependency *x)
     return more;
 }
 
+/* ---- which rows of a table are needed with what is marked already ---- */
 /* Marks of the ground cost nothing; of some that nothing refers to the scene takes its size. */
-static int add_marks(const pm_model *m, pm_dependency *x)
+static int mark_is_needed(const pm_model *m, const pm_dependency *x, int table, int i)
 {
-    int more = 0;
-    for (int of = PM_TABLE_POINT; of <= PM_TABLE_ROW; of++)
-        for (int i = 0; i < m->rows[of]; i++) {
-            const int body = pm_model_body_of(m, of, i);
-            if (body == PM_GROUND || is_needed_body(x, body)) more |= mark(x, of, i);
-        }
-    return more;
+    const int body = pm_model_body_of(m, table, i);
+    return body == PM_GROUND || is_needed_body(x, body);
 }
 
-static int add_elements(const pm_model *m, pm_dependency *x)
+static int element_is_needed(const pm_model *m, const pm_dependency *x, int table, int i)
 {
-    int more = 0;
-    for (int k = 0; k < NELEMENTS; k++)
-        for (int i = 0; i < m->rows[elements[k]]; i++) {
-            int body[2];
-            bodies_of(m, elements[k], i, body);
-            if (is_needed_body(x, body[0]) || is_needed_body(x, body[1])) more |= mark(x, elements[k], i);
-        }
-    return more;
+    int body[2];
+    bodies_of(m, table, i, body);
+    return is_needed_body(x, body[0]) || is_needed_body(x, body[1]);
 }
 
 /* A start value relative to a body says something of both. */
-static int add_starts(const pm_model *m, pm_dependency *x)
+static int start_is_needed(const pm_model *m, const pm_dependency *x, int table, int i)
 {
-    int more = 0;
-    for (int i = 0; i < m->rows[PM_TABLE_START]; i++) {
-        const int32_t *e = PM_MEASURE_ROW(m, PM_START_ROW(m, i)[PM_START_MEASURE]);
-        const int body = pm_model_body_of(m, pm_measure_kind(e[PM_MEASURE_KIND])->of, e[PM_MEASURE_A]);
-        if (is_needed_body(x, body) || is_needed_body(x, e[PM_MEASURE_IN]))
-            more |= mark(x, PM_TABLE_START, i);
-    }
-    return more;
+    const int32_t *e = PM_MEASURE_ROW(m, pm_table_row(m, table, i, PM_START_COLUMNS)[PM_START_MEASURE]);
+    const int body = pm_model_body_of(m, pm_measure_kind(e[PM_MEASURE_KIND])->of, e[PM_MEASURE_A]);
+    return is_needed_body(x, body) || is_needed_body(x, e[PM_MEASURE_IN]);
 }
 
-static int add_actions(const pm_model *m, pm_dependency *x)
+/* Where a nudge leads nowhere the run says so. */
+static int action_is_needed(const pm_model *m, const pm_dependency *x, int table, int i)
 {
-    int more = 0;
-    for (int i = 0; i < m->rows[PM_TABLE_ACTION]; i++) {
-        const int32_t *e = PM_ACTION_ROW(m, i);
-        const int kind = e[PM_ACTION_KIND], a = e[PM_ACTION_A];
-        const int body = pm_model_body_of(m, kind == PM_ACTION_IMPULSE ? PM_TABLE_POINT : PM_TABLE_BODY, a);
-        const int needed = kind <= PM_ACTION_REMOVE ? x->row[e[PM_ACTION_TABLE]][a] : is_needed_body(x, body);
-        if (kind == PM_ACTION_NUDGE || needed) /* where a nudge leads nowhere the run says so */
-            more |= mark(x, PM_TABLE_ACTION, i);
-    }
-    return more;
+    const int32_t *e = pm_table_row(m, table, i, PM_ACTION_COLUMNS);
+    const int kind = e[PM_ACTION_KIND], a = e[PM_ACTION_A];
+    if (kind == PM_ACTION_NUDGE) return 1;
+    if (kind <= PM_ACTION_REMOVE) return x->row[e[PM_ACTION_TABLE]][a];
+    return is_needed_body(x,
+                          pm_model_body_of(m, kind == PM_ACTION_IMPULSE ? PM_TABLE_POINT : PM_TABLE_BODY, a));
 }
 
-static int add_triggers(const pm_model *m, pm_dependency *x)
+static int trigger_is_needed(const pm_model *m, const pm_dependency *x, int table, int i)
 {
-    int more = 0;
-    for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++)
-        if (x->row[PM_TABLE_EVENT][PM_TRIGGER_ROW(m, i)[PM_TRIGGER_EVENT]])
-            more |= mark(x, PM_TABLE_TRIGGER, i);
-    return more;
+    return x->row[PM_TABLE_EVENT][pm_table_row(m, table, i, PM_TRIGGER_COLUMNS)[PM_TRIGGER_EVENT]];
 }
 
-typedef int pm_rule_of_need(const pm_model *m, pm_dependency *x);
-static pm_rule_of_need *const rules[] = {follow_all, add_islands, add_marks,   add_elements,
-                                         add_starts, add_actions, add_triggers};
+static const struct {
+    int table;
+    int (*is_needed)(const pm_model *m, const pm_dependency *x, int table, int i);
+} needs[] = {
+    {PM_TABLE_POINT, mark_is_needed},    {PM_TABLE_LINE, mark_is_needed},
+    {PM_TABLE_CIRCLE, mark_is_needed},   {PM_TABLE_ROW, mark_is_needed},
+    {PM_TABLE_JOINT, element_is_needed}, {PM_TABLE_CONTACT, element_is_needed},
+    {PM_TABLE_FORCE, element_is_needed}, {PM_TABLE_START, start_is_needed},
+    {PM_TABLE_ACTION, action_is_needed}, {PM_TABLE_TRIGGER, trigger_is_needed},
+};
+
+static int add_needed(const pm_model *m, pm_dependency *x)
+{
+    int more = 0;
+    for (size_t k = 0; k < sizeof needs / sizeof *needs; k++)
+        for (int i = 0; i < m->rows[needs[k].table]; i++)
+            if (needs[k].is_needed(m, x, needs[k].table, i)) more |= mark(x, needs[k].table, i);
+    return more;
+}
 
 static void mark_roots(const pm_model *m, pm_dependency *x)
 {
@@ -212,10 +204,8 @@ int pm_dependency_find(const pm_model *m, pm_dependency *x)
     if (status) return status;
     find_islands(m, x);
     mark_roots(m, x);
-    for (int more = 1; more && !x->everything;) {
-        more = 0;
-        for (size_t k = 0; k < sizeof rules / sizeof *rules; k++) more |= rules[k](m, x);
-    }
+    for (int more = 1; more && !x->everything;)
+        more = follow_all(m, x) | add_islands(m, x) | add_needed(m, x);
     for (int i = 0; x->everything && i < PM_TABLES; i++) mark_range(x, i, 0, m->rows[i]);
     return PM_OK;
 }

@@ -13,13 +13,6 @@ static int observer_turns(const pm_frame *frame, const pm_constant_motion *x, co
     return e[PM_MEASURE_IN] != PM_NONE && x->turns[pm_body_index(frame->model, e[PM_MEASURE_IN])];
 }
 
-static int point_is_steady(const pm_frame *frame, const pm_constant_motion *x, int point)
-{
-    const int32_t *p = PM_POINT_ROW(frame->model, point);
-    const double at[2] = {frame->numbers->value[p[PM_POINT_X]], frame->numbers->value[p[PM_POINT_Y]]};
-    return pm_constant_motion_mark(frame, x, pm_body_index(frame->model, p[PM_POINT_BODY]), at);
-}
-
 /* Gap and slip are on a straight line that keeps its direction. */
 static int line_is_steady(const pm_frame *frame, const pm_constant_motion *x, int contact)
 {
@@ -28,7 +21,7 @@ static int line_is_steady(const pm_frame *frame, const pm_constant_motion *x, in
     const int body =
         pm_body_index(frame->model, pm_model_body_of(frame->model, PM_TABLE_LINE, c[PM_CONTACT_B]));
     return !x->turns[body] &&
-           point_is_steady(frame, x, PM_CIRCLE_ROW(frame->model, c[PM_CONTACT_A])[PM_CIRCLE_POINT]);
+           pm_constant_motion_point(frame, x, PM_CIRCLE_ROW(frame->model, c[PM_CONTACT_A])[PM_CIRCLE_POINT]);
 }
 
 /* What a measure is of lets it be the polynomial that its kind is. */
@@ -41,7 +34,7 @@ static int is_steady(const pm_frame *frame, const pm_constant_motion *x, const i
     case PM_MEASURE_MOVED:
     case PM_MEASURE_VELOCITY:
     case PM_MEASURE_ACCELERATION:
-        return !observer_turns(frame, x, e) && point_is_steady(frame, x, e[PM_MEASURE_A]);
+        return !observer_turns(frame, x, e) && pm_constant_motion_point(frame, x, e[PM_MEASURE_A]);
     case PM_MEASURE_CONTACT_GAP:
     case PM_MEASURE_CONTACT_SLIP: return line_is_steady(frame, x, e[PM_MEASURE_A]);
     default: return 1;
@@ -115,5 +108,5 @@ int pm_program_degree_is_size(const pm_frame *frame, const pm_constant_motion *x
     if (e[PM_MEASURE_PART] != PM_PART_NORM) return 0;
     if (e[PM_MEASURE_KIND] == PM_MEASURE_MOMENTUM) return 1;
     return e[PM_MEASURE_KIND] == PM_MEASURE_VELOCITY && !observer_turns(frame, x, e) &&
-           point_is_steady(frame, x, e[PM_MEASURE_A]);
+           pm_constant_motion_point(frame, x, e[PM_MEASURE_A]);
 }

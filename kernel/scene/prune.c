@@ -62,9 +62,9 @@ static void write_row(const pm_reduction *x, int of, int row, int32_t *out)
 {
     const int32_t *e = pm_table_row(x->m, of, row, pm_table_columns[of]);
     pm_reference ref[PM_REFERENCES];
-    const int n = pm_reference_of(x->m, of, e, ref);
+    const int n = pm_reference_of(x->m, of, row, ref);
     memcpy(out, e, (size_t)pm_table_columns[of] * sizeof *e);
-    for (int k = 0; k < n; k++) out[ref[k].column] = x->place[ref[k].of][e[ref[k].column]];
+    for (int k = 0; k < n; k++) out[ref[k].column] = x->place[ref[k].of][ref[k].index];
     if (of == PM_TABLE_PROGRAM) out[PM_PROGRAM_FIRST] = x->place[PM_TABLE_CODE][e[PM_PROGRAM_FIRST]];
 }
 

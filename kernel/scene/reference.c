@@ -32,12 +32,6 @@ const int pm_table_columns[PM_TABLES] = {
     [PM_TABLE_ACTION] = PM_ACTION_COLUMNS,
 };
 
-static int bad(pm_where *where, int table, int row, double value, double bound)
-{
-    *where = (pm_where){table, row, PM_NONE, value, bound};
-    return PM_BAD_TABLE;
-}
-
 /* One column of one table must lie in [low, rows of `of`), or be PM_NONE where that is allowed. */
 typedef struct pm_range {
     int table, column, of, low, none_allowed;
@@ -132,7 +126,7 @@ static int check_ranges(const pm_model *m, pm_where *where)
             const int index = pm_table_row(m, x->table, i, pm_table_columns[x->table])[x->column];
             if (index == PM_NONE && x->none_allowed) continue;
             if (index < x->low || index >= m->rows[x->of])
-                return bad(where, x->table, i, index, m->rows[x->of]);
+                return pm_bad_table(where, x->table, i, index, m->rows[x->of]);
         }
     }
     return PM_OK;
@@ -141,8 +135,8 @@ static int check_ranges(const pm_model *m, pm_where *where)
 /* ---- joints, contacts and forces: their kind and partners stand in the same columns ---- */
 static int partners(int a, int b, pm_reference *out)
 {
-    out[0] = (pm_reference){PM_JOINT_A, a};
-    out[1] = (pm_reference){PM_JOINT_B, b};
+    out[0] = (pm_reference){.column = PM_JOINT_A, .of = a};
+    out[1] = (pm_reference){.column = PM_JOINT_B, .of = b};
     return 2;
 }
 
@@ -150,9 +144,9 @@ static int of_joint(const int32_t *e, pm_reference *out)
 {
     const pm_joint_ops *ops = pm_joint_kind(e[PM_JOINT_KIND]);
     int n = partners(ops->a, ops->b, out);
-    if (ops->number) out[n++] = (pm_reference){PM_JOINT_VALUE, PM_TABLE_VALUE};
+    if (ops->number) out[n++] = (pm_reference){.column = PM_JOINT_VALUE, .of = PM_TABLE_VALUE};
     for (int k = 0; k < ops->programs; k++)
-        out[n++] = (pm_reference){PM_JOINT_PROGRAM_X + k, PM_TABLE_PROGRAM};
+        out[n++] = (pm_reference){.column = PM_JOINT_PROGRAM_X + k, .of = PM_TABLE_PROGRAM};
     return n;
 }
 
@@ -167,9 +161,9 @@ static int of_force(const int32_t *e, pm_reference *out)
     const pm_force_ops *ops = pm_force_kind(e[PM_FORCE_KIND]);
     int n = partners(ops->a, ops->b, out);
     for (int k = 0; k < 2 && ops->number[k]; k++)
-        out[n++] = (pm_reference){PM_FORCE_VALUE_1 + k, PM_TABLE_VALUE};
+        out[n++] = (pm_reference){.column = PM_FORCE_VALUE_1 + k, .of = PM_TABLE_VALUE};
     for (int k = 0; k < ops->programs; k++)
-        out[n++] = (pm_reference){PM_FORCE_PROGRAM_X + k, PM_TABLE_PROGRAM};
+        out[n++] = (pm_reference){.column = PM_FORCE_PROGRAM_X + k, .of = PM_TABLE_PROGRAM};
     return n;
 }
 
@@ -180,12 +174,12 @@ static int check_elements(const pm_model *m, int table, int kinds, pm_refers *re
     for (int i = 0; i < m->rows[table]; i++) {
         const int32_t *e = pm_table_row(m, table, i, pm_table_columns[table]);
         if (e[PM_JOINT_KIND] < 0 || e[PM_JOINT_KIND] >= kinds)
-            return bad(where, table, i, e[PM_JOINT_KIND], kinds);
+            return pm_bad_table(where, table, i, e[PM_JOINT_KIND], kinds);
         pm_reference ref[PM_REFERENCES];
         const int n = refers(e, ref);
         for (int k = 0; k < n; k++)
             if (!pm_reference_in_range(m, ref[k].of, e[ref[k].column]))
-                return bad(where, table, i, e[ref[k].column], m->rows[ref[k].of]);
+                return pm_bad_table(where, table, i, e[ref[k].column], m->rows[ref[k].of]);
     }
     return PM_OK;
 }
@@ -203,15 +197,15 @@ int pm_reference_check(const pm_model *m, pm_where *where)
 static int of_code(const int32_t *e, pm_reference *out)
 {
     const int op = e[PM_CODE_OP];
-    if (op == PM_OP_VALUE) *out = (pm_reference){PM_CODE_ARG, PM_TABLE_VALUE};
-    if (op == PM_OP_MEASURE) *out = (pm_reference){PM_CODE_ARG, PM_TABLE_MEASURE};
+    if (op == PM_OP_VALUE) *out = (pm_reference){.column = PM_CODE_ARG, .of = PM_TABLE_VALUE};
+    if (op == PM_OP_MEASURE) *out = (pm_reference){.column = PM_CODE_ARG, .of = PM_TABLE_MEASURE};
     return op == PM_OP_VALUE || op == PM_OP_MEASURE;
 }
 
 static int of_measure(const int32_t *e, pm_reference *out)
 {
     const int of = pm_measure_kind(e[PM_MEASURE_KIND])->of;
-    *out = (pm_reference){PM_MEASURE_A, of};
+    *out = (pm_reference){.column = PM_MEASURE_A, .of = of};
     return of >= 0;
 }
 
@@ -219,16 +213,20 @@ static int of_trigger(const int32_t *e, pm_reference *out)
 {
     const int kind = e[PM_TRIGGER_KIND], rest = kind == PM_TRIGGER_REST,
               joint = kind >= PM_TRIGGER_JOINT_SLIP;
-    *out = (pm_reference){PM_TRIGGER_A, rest ? PM_TABLE_BODY : joint ? PM_TABLE_JOINT : PM_TABLE_CONTACT};
+    *out = (pm_reference){.column = PM_TRIGGER_A,
+                          .of = rest    ? PM_TABLE_BODY
+                                : joint ? PM_TABLE_JOINT
+                                        : PM_TABLE_CONTACT};
     return rest || joint || (kind >= PM_TRIGGER_STRIKE && kind <= PM_TRIGGER_STICK);
 }
 
 static int of_action(const int32_t *e, pm_reference *out)
 {
     const int kind = e[PM_ACTION_KIND];
-    *out = (pm_reference){PM_ACTION_A, kind <= PM_ACTION_REMOVE    ? e[PM_ACTION_TABLE]
-                                       : kind == PM_ACTION_IMPULSE ? PM_TABLE_POINT
-                                                                   : PM_TABLE_BODY};
+    *out = (pm_reference){.column = PM_ACTION_A,
+                          .of = kind <= PM_ACTION_REMOVE    ? e[PM_ACTION_TABLE]
+                                : kind == PM_ACTION_IMPULSE ? PM_TABLE_POINT
+                                                            : PM_TABLE_BODY};
     return 1;
 }
 
@@ -246,35 +244,46 @@ static int by_kind(int table, const int32_t *e, pm_reference *out)
     }
 }
 
-int pm_reference_of(const pm_model *m, int table, const int32_t *e, pm_reference out[PM_REFERENCES])
+int pm_reference_of(const pm_model *m, int table, int row, pm_reference out[PM_REFERENCES])
 {
+    const int32_t *e = pm_table_row(m, table, row, pm_table_columns[table]);
     pm_reference all[PM_REFERENCES];
     int most = by_kind(table, e, all), n = 0;
     for (size_t r = 0; r < sizeof ranges / sizeof *ranges; r++)
-        if (ranges[r].table == table) all[most++] = (pm_reference){ranges[r].column, ranges[r].of};
-    for (int i = 0; i < most; i++)
-        if (e[all[i].column] >= 0 && e[all[i].column] < m->rows[all[i].of]) out[n++] = all[i];
+        if (ranges[r].table == table)
+            all[most++] = (pm_reference){.column = ranges[r].column, .of = ranges[r].of};
+    for (int i = 0; i < most; i++) {
+        all[i].index = e[all[i].column];
+        if (all[i].index >= 0 && all[i].index < m->rows[all[i].of]) out[n++] = all[i];
+    }
     return n;
+}
+
+int pm_reference_bodies(const pm_model *m, int table, int row, int body[PM_REFERENCES])
+{
+    pm_reference ref[PM_REFERENCES];
+    int found = 0;
+    const int n = pm_reference_of(m, table, row, ref);
+    for (int k = 0; k < n; k++)
+        if (ref[k].of >= PM_TABLE_BODY && ref[k].of <= PM_TABLE_ROW)
+            body[found++] = pm_model_body_of(m, ref[k].of, ref[k].index);
+    return found;
 }
 
 /* ---- drives ---- */
 int pm_reference_drive(const pm_model *m, int k, int *table, int *row)
 {
-    static const int joint_column[] = {PM_JOINT_PROGRAM_X, PM_JOINT_PROGRAM_Y};
-    for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++)
-        for (int c = 0; c < 2; c++) {
-            const int program = PM_JOINT_ROW(m, i)[joint_column[c]];
-            if (program < 0 || k-- > 0) continue;
-            *table = PM_TABLE_JOINT;
-            *row = i;
-            return program;
-        }
-    for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
-        const int program = PM_CONTACT_ROW_OF(m, i)[PM_CONTACT_SPEED];
-        if (program < 0 || k-- > 0) continue;
-        *table = PM_TABLE_CONTACT;
-        *row = i;
-        return program;
-    }
+    static const int of[2] = {PM_TABLE_JOINT, PM_TABLE_CONTACT};
+    static const int first[2] = {PM_JOINT_PROGRAM_X, PM_CONTACT_SPEED},
+                     last[2] = {PM_JOINT_PROGRAM_Y, PM_CONTACT_SPEED}; /* columns */
+    for (int t = 0; t < 2; t++)
+        for (int i = 0; i < m->rows[of[t]]; i++)
+            for (int c = first[t]; c <= last[t]; c++) {
+                const int program = pm_table_row(m, of[t], i, pm_table_columns[of[t]])[c];
+                if (program < 0 || k-- > 0) continue;
+                *table = of[t];
+                *row = i;
+                return program;
+            }
     return PM_NONE;
 }

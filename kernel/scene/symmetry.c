@@ -38,7 +38,7 @@ static int circle_stays(const pm_frame *frame, const pm_symmetry_shift *s, int c
 static int line_stays(const pm_frame *frame, const pm_symmetry_shift *s, int line)
 {
     const int32_t *e = PM_LINE_ROW(frame->model, line);
-    const int body = PM_POINT_ROW(frame->model, e[PM_LINE_POINT])[PM_POINT_BODY];
+    const int body = pm_model_body_of(frame->model, PM_TABLE_LINE, line);
     if (body != PM_GROUND) return !turned(s, body);
     const double angle = frame->numbers->value[e[PM_LINE_ANGLE]],
                  across = s->by[1] * cos(angle) - s->by[0] * sin(angle);
@@ -48,7 +48,7 @@ static int line_stays(const pm_frame *frame, const pm_symmetry_shift *s, int lin
 static int row_stays(const pm_frame *frame, const pm_symmetry_shift *s, int row)
 {
     const int32_t *e = PM_ROW_ROW(frame->model, row);
-    const int body = PM_POINT_ROW(frame->model, e[PM_ROW_POINT])[PM_POINT_BODY];
+    const int body = pm_model_body_of(frame->model, PM_TABLE_ROW, row);
     if (body != PM_GROUND) return !turned(s, body);
     if (!moved(s)) return 1;
     const double x = frame->numbers->value[e[PM_ROW_STEP_X]], y = frame->numbers->value[e[PM_ROW_STEP_Y]],
@@ -56,16 +56,6 @@ static int row_stays(const pm_frame *frame, const pm_symmetry_shift *s, int row)
     const double along = (s->by[0] * x + s->by[1] * y) / (step * step);
     const double across = (s->by[0] * y - s->by[1] * x) / (step * step);
     return frame->numbers->value[e[PM_ROW_COUNT]] < 0 && whole(along) && fabs(across) <= PM_SYMMETRY_SAME;
-}
-
-static int body_of_point(const pm_frame *frame, int point)
-{
-    return PM_POINT_ROW(frame->model, point)[PM_POINT_BODY];
-}
-
-static int body_of_line(const pm_frame *frame, int line)
-{
-    return body_of_point(frame, PM_LINE_ROW(frame->model, line)[PM_LINE_POINT]);
 }
 
 /* Two bodies keep their relative angle, whole turns included. */
@@ -80,11 +70,6 @@ static int mark_stays(const pm_frame *frame, const pm_symmetry_shift *s, int tab
     return table == PM_TABLE_LINE ? line_stays(frame, s, mark) : circle_stays(frame, s, mark);
 }
 
-static int body_of(const pm_frame *frame, int table, int mark)
-{
-    return table == PM_TABLE_LINE ? body_of_line(frame, mark) : body_of_point(frame, mark);
-}
-
 /* ---- elements ---- */
 static int joint_stays(const pm_frame *frame, const pm_symmetry_shift *s, int joint)
 {
@@ -95,7 +80,7 @@ static int joint_stays(const pm_frame *frame, const pm_symmetry_shift *s, int jo
         !mark_stays(frame, s, ops->b, b))
         return 0;
     return ops->repeats == PM_REPEATS_MARKS ||
-           together(s, body_of(frame, ops->a, a), body_of(frame, ops->b, b));
+           together(s, pm_model_body_of(frame->model, ops->a, a), pm_model_body_of(frame->model, ops->b, b));
 }
 
 static int contact_stays(const pm_frame *frame, const pm_symmetry_shift *s, int contact)
@@ -177,7 +162,7 @@ static const pm_entry lost = {LOST, 0}, same_value = {SAME_VALUE, 0};
 
 static pm_entry place_of(const pm_frame *frame, const pm_symmetry_shift *s, const int32_t *e)
 {
-    const int body = body_of_point(frame, e[PM_MEASURE_A]);
+    const int body = pm_model_body_of(frame->model, PM_TABLE_POINT, e[PM_MEASURE_A]);
     if (body == PM_GROUND) return same_value;
     if (!moved(s)) return point_stays(frame, s, e[PM_MEASURE_A]) ? same_value : lost;
     if (!point_stays(frame, s, e[PM_MEASURE_A])) return lost;
@@ -207,7 +192,9 @@ static pm_entry read_measure(const pm_frame *frame, const pm_symmetry_shift *s, 
     case PM_MEASURE_MOVED: return in == PM_NONE ? place_of(frame, s, e) : same_value;
     case PM_MEASURE_VELOCITY:
     case PM_MEASURE_ACCELERATION:
-        return point_stays(frame, s, a) || !turned(s, body_of_point(frame, a)) ? same_value : lost;
+        return point_stays(frame, s, a) || !turned(s, pm_model_body_of(frame->model, PM_TABLE_POINT, a))
+                   ? same_value
+                   : lost;
     case PM_MEASURE_ANGULAR_MOMENTUM: return a == PM_NONE && moved(s) ? lost : same_value;
     case PM_MEASURE_POLE:
     case PM_MEASURE_POTENTIAL:

@@ -134,4 +134,11 @@ typedef struct pm_where {
     double value, bound;
 } pm_where;
 
+/* PM_BAD_TABLE at that row. */
+static inline int pm_bad_table(pm_where *where, int table, int row, double value, double bound)
+{
+    *where = (pm_where){table, row, PM_NONE, value, bound};
+    return PM_BAD_TABLE;
+}
+
 #endif

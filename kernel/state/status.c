@@ -54,7 +54,12 @@ int pm_status_text(int status, int64_t ntext, int8_t *text)
 
 int pm_fail(pm_result *result, int status, int table, int row, double value, double bound)
 {
-    result->where = (pm_where){table, row, PM_NONE, value, bound};
+    return pm_fail_member(result, status, table, row, PM_NONE, value, bound);
+}
+
+int pm_fail_member(pm_result *result, int status, int table, int row, int member, double value, double bound)
+{
+    result->where = (pm_where){table, row, member, value, bound};
     return status;
 }
 

@@ -190,6 +190,8 @@ int pm_workspace_create(const pm_model *model, pm_workspace **workspace);
 void pm_workspace_free(pm_workspace *w);
 /* Notes where the case failed, and by which numbers; returns the status. */
 int pm_fail(pm_result *result, int status, int table, int row, double value, double bound);
+/* The same with a member of the row: of a periodic row, an edge, or a column of the table. */
+int pm_fail_member(pm_result *result, int status, int table, int row, int member, double value, double bound);
 /* The same where a search of numerics/bracket.h has ended: PM_OK if it has found, else PM_SOLVER. */
 int pm_fail_search(pm_result *result, int search_end);
 

@@ -234,5 +234,10 @@ FAULTS = [
         "e[PM_ACTION_A])] = 0",
     ),
     Fault("audit: blind at loose accuracy", "equations/ledger.c", "PM_LEDGER_MOST * (", "1e3 * ("),
-    Fault("case: rows of any length", "equations/case.c", "count > PM_MOST_MEMBERS", "count > INFINITY"),
+    Fault(
+        "case: rows of any length",
+        "equations/case.c",
+        "PM_ROW_COUNT, -INFINITY, PM_MOST_MEMBERS",
+        "PM_ROW_COUNT, -INFINITY, INFINITY",
+    ),
 ]

@@ -12,10 +12,10 @@ FAULTS = [
     Fault(
         "needed: what a program reads is not followed",
         "scene/dependency.c",
-        "more |= mark(x, ref[k].of, e[ref[k].column])",
-        "if (table != PM_TABLE_CODE) more |= mark(x, ref[k].of, e[ref[k].column])",
+        "more |= mark(x, ref[k].of, ref[k].index)",
+        "if (table != PM_TABLE_CODE) more |= mark(x, ref[k].of, ref[k].index)",
     ),
-    Fault("needed: events do nothing", "scene/dependency.c", "more |= mark(x, PM_TABLE_ACTION, i);", ";"),
+    Fault("needed: events do nothing", "scene/dependency.c", "{PM_TABLE_ACTION, action_is_needed},", ""),
     Fault(
         "needed: a start beside another is its own",
         "scene/dependency.c",

@@ -37,8 +37,7 @@ static void check_row(pm_workspace *w, pm_constraint row)
     NEAR((after + before) / (STEP * STEP), -row.gamma, 1e-6);
     pm_frame_look_state(&w->frame, &w->state);
     /* the force of a drive is taken at the point of a, friction where the circle touches the line */
-    const int off = row.kind == PM_CONSTRAINT_DRIVE_X || row.kind == PM_CONSTRAINT_DRIVE_Y ||
-                    row.kind == PM_CONSTRAINT_LINE_TANGENT;
+    const int off = row.kind == PM_CONSTRAINT_DRIVE || row.kind == PM_CONSTRAINT_LINE_TANGENT;
     if (!off)
         NEAR(pm_constraint_rate(&w->frame, &row), pm_constraint_times(&w->frame, &row, w->state.v), 1e-13);
     NEAR(pm_constraint_slip(&w->frame, &row), pm_constraint_rate(&w->frame, &row) - row.rate, 1e-15);

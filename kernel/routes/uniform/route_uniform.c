@@ -63,12 +63,10 @@ static int create(pm_workspace *w)
 static int paths_are_parabolas(const pm_workspace *w)
 {
     const pm_model *m = w->model;
-    for (int i = 0; i < m->npath; i++) {
-        const int32_t *p = PM_POINT_ROW(m, PM_MEASURE_ROW(m, m->path[i])[PM_MEASURE_A]);
-        const double at[2] = {w->numbers.value[p[PM_POINT_X]], w->numbers.value[p[PM_POINT_Y]]};
-        if (!pm_constant_motion_mark(&w->frame, &w->uniform->curve, pm_body_index(m, p[PM_POINT_BODY]), at))
+    for (int i = 0; i < m->npath; i++)
+        if (!pm_constant_motion_point(&w->frame, &w->uniform->curve,
+                                      PM_MEASURE_ROW(m, m->path[i])[PM_MEASURE_A]))
             return 0;
-    }
     return 1;
 }
 

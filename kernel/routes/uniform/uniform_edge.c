@@ -228,10 +228,8 @@ int pm_uniform_edge_hold(const pm_workspace *w)
         const pm_slot *slot = &w->state.slot[m->contact_slot[i]];
         int point[2], body[2];
         bodies_of(w->model, i, point, body);
-        const int32_t *p = PM_POINT_ROW(m, point[0]);
-        const double at[2] = {w->numbers.value[p[PM_POINT_X]], w->numbers.value[p[PM_POINT_Y]]};
         if (w->uniform->curve.turns[body[1]] ||
-            !pm_constant_motion_mark(&w->frame, &w->uniform->curve, body[0], at))
+            !pm_constant_motion_point(&w->frame, &w->uniform->curve, point[0]))
             return 0;
         if (slot->mode == PM_OPEN) continue;
         if (slot->member != PM_SEGMENT_FACE || pm_edge_meets_another(&w->frame, &w->state, i)) return 0;
