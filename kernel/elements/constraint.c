@@ -57,3 +57,34 @@ double pm_constraint_times(const pm_frame *frame, const pm_constraint *row, cons
     }
     return sum;
 }
+
+double pm_constraint_square(const pm_frame *frame, const pm_constraint *row)
+{
+    double sum = 0;
+    for (int p = 0; p < 2; p++)
+        for (int k = 0; k < 3 && row->body[p] != frame->model->nbody; k++)
+            sum += row->j[3 * p + k] * row->j[3 * p + k] * frame->numbers->inverse_mass[3 * row->body[p] + k];
+    return sum;
+}
+
+double pm_constraint_openings(const pm_constraint *row, int n, const int *which, double *off)
+{
+    double worst = 0;
+    for (int i = 0; i < n; i++) {
+        off[i] = -row[which ? which[i] : i].g;
+        worst = fmax(worst, fabs(off[i]));
+    }
+    return worst;
+}
+
+double pm_constraint_slips(const pm_frame *frame, const pm_constraint *row, int n, const int *which,
+                           const double *v, double *off)
+{
+    double worst = 0;
+    for (int i = 0; i < n; i++) {
+        const pm_constraint *x = &row[which ? which[i] : i];
+        off[i] = x->rate - pm_constraint_times(frame, x, v);
+        worst = fmax(worst, fabs(off[i]));
+    }
+    return worst;
+}

@@ -102,6 +102,13 @@ static inline int pm_constraint_is_inner(const pm_numbers *numbers, const pm_con
 
 /* j x of a row that is evaluated; x[nq]: velocities, accelerations, a direction. */
 double pm_constraint_times(const pm_frame *frame, const pm_constraint *row, const double *x);
+/* j M^-1 j^T of an evaluated row: a reaction l moves the scene like l sqrt(this) in the metric of M. */
+double pm_constraint_square(const pm_frame *frame, const pm_constraint *row);
+/* What evaluated rows are missed by, off[n], and the greatest of it: -g, or the prescribed rate less that of velocities v[nq].
+ * which[n]: places of these rows; NULL: the first n. */
+double pm_constraint_openings(const pm_constraint *row, int n, const int *which, double *off);
+double pm_constraint_slips(const pm_frame *frame, const pm_constraint *row, int n, const int *which,
+                           const double *v, double *off);
 /* All active constraints keep their Jacobian along the curve. */
 int pm_constraint_all_steady(const pm_frame *frame, const pm_active_set *active, const pm_constant_motion *x);
 /* Rate of a row from the geometry of its line of action (equals j v). */

@@ -25,5 +25,12 @@ static inline int pm_active_set_is_idle(const pm_numbers *numbers, const pm_cons
 {
     return numbers->fixed[row->body[0]] && numbers->fixed[row->body[1]];
 }
+/* Whether a drive prescribes the rate of some constraint. */
+static inline int pm_active_set_is_driven(const pm_active_set *active)
+{
+    for (int i = 0; i < active->n; i++)
+        if (active->row[i].drive != PM_NONE) return 1;
+    return 0;
+}
 
 #endif

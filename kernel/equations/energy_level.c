@@ -13,10 +13,10 @@
 
 #include <math.h>
 
-#include "elements/constraint.h"
 #include "elements/force.h"
 #include "elements/joint_friction.h"
 #include "elements/turning_plane.h"
+#include "equations/active_set.h"
 #include "numerics/tolerances.h"
 #include "state/frame.h"
 #include "state/workspace.h"
@@ -25,13 +25,6 @@ static int only_potentials(const pm_model *m, const pm_state *state)
 {
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++)
         if (m->force_z[i] != PM_NONE && !pm_state_is_absent(m, state, PM_TABLE_FORCE, i)) return 0;
-    return 1;
-}
-
-static int drives_nothing(const pm_active_set *active)
-{
-    for (int i = 0; i < active->n; i++)
-        if (active->row[i].drive != PM_NONE) return 0;
     return 1;
 }
 
@@ -52,7 +45,7 @@ void pm_energy_level_begin(pm_workspace *w, pm_energy_level_level *level)
     if (w->result.count[PM_COUNT_STEPS] == 0) level->returned = 0;
     level->kept = !w->active.asymmetric && !w->numbers.massless && !pm_turning_plane_turns(w->model) &&
                   !pm_joint_friction_any(w->model) && only_potentials(w->model, &w->state) &&
-                  drives_nothing(&w->active);
+                  !pm_active_set_is_driven(&w->active);
     if (!level->kept) return;
     level->kinetic = pm_body_kinetic(&w->frame, PM_NONE);
     level->energy = level->kinetic + potential(w);

@@ -91,11 +91,9 @@ void pm_ledger_controlled_rates(pm_workspace *w, double *zdot)
 double pm_ledger_controlled_scale(const pm_frame *frame, int z)
 {
     const double spin = pm_turning_plane_scale(frame, z);
-    double mass = 0;
     if (spin > 0) return spin;
     if (z >= frame->model->nz_work) return frame->numbers->size;
-    for (int i = 0; i < frame->model->nbody; i++) mass += frame->numbers->mass[i];
-    return mass * frame->numbers->speed * frame->numbers->speed;
+    return pm_body_total_mass(frame) * frame->numbers->speed * frame->numbers->speed;
 }
 
 void pm_ledger_rates(pm_workspace *w, double *zdot)
@@ -161,6 +159,13 @@ static void update_scales(pm_workspace *w)
     w->ledger.momentum_scale = fmax(
         w->ledger.momentum_scale, fmax(momentum_size(&w->numbers, p),
                                        momentum_size(&w->numbers, w->state.z + pm_ledger_ledger(w->model))));
+}
+
+void pm_ledger_follow(const pm_frame *frame, const double before[PM_LEDGER], double *z)
+{
+    double *ledger = z + pm_ledger_ledger(frame->model), momentum[PM_LEDGER];
+    pm_body_momentum(frame, PM_NONE, momentum);
+    for (int i = 0; i < PM_LEDGER; i++) ledger[i] += momentum[i] - before[i];
 }
 
 void pm_ledger_step(pm_workspace *w)
@@ -257,8 +262,7 @@ static void weigh(pm_workspace *w, double *audit, double *bound)
         open[i] = p[i] - w->ledger.momentum_start[i] - w->state.z[pm_ledger_ledger(m) + i];
     const double energy_open =
         energy(w) - w->ledger.energy_start - work_of_forces(w->model, &w->state) + w->ledger.energy_lost;
-    double mass = 0;
-    for (int i = 0; i < m->nbody; i++) mass += w->numbers.mass[i];
+    const double mass = pm_body_total_mass(&w->frame);
     w->ledger.momentum_scale = fmax(w->ledger.momentum_scale, PM_LEDGER_SLOWEST * mass * w->numbers.speed);
     w->ledger.energy_scale = fmax(w->ledger.energy_scale, PM_LEDGER_SLOWEST * PM_LEDGER_SLOWEST * mass *
                                                               w->numbers.speed * w->numbers.speed);

@@ -16,6 +16,8 @@ double pm_ledger_controlled_scale(const pm_frame *frame, int z);
 int pm_ledger_ledger(const pm_model *m);
 /* Opens the ledger at the start of the run (after the assembly). */
 void pm_ledger_begin(pm_workspace *w);
+/* The impulses of the outer world in z[nz] grow by the momenta of the frame beyond those before. */
+void pm_ledger_follow(const pm_frame *frame, const double before[PM_LEDGER], double *z);
 /* After an accepted step, at the KINEMATIC frame of w->state. */
 void pm_ledger_step(pm_workspace *w);
 /* A jump from velocities `before` to those of the frame, with w->rhs the impulses of the active rows. */

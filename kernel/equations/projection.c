@@ -22,20 +22,10 @@ static int factor_symmetric(pm_workspace *w)
     return status;
 }
 
-static double worst_opening(const pm_active_set *active)
-{
-    double worst = 0;
-    for (int i = 0; i < active->n; i++) worst = fmax(worst, fabs(active->row[i].g));
-    return worst;
-}
-
 int pm_projection_velocity(pm_workspace *w, pm_state *s)
 {
-    double worst = 0;
-    for (int i = 0; i < w->active.n; i++) {
-        w->saddle.rhs[i] = w->active.row[i].rate - pm_constraint_times(&w->frame, &w->active.row[i], s->v);
-        worst = fmax(worst, fabs(w->saddle.rhs[i]));
-    }
+    const double worst =
+        pm_constraint_slips(&w->frame, w->active.row, w->active.n, NULL, s->v, w->saddle.rhs);
     w->active.evaluated = worst <= PM_MET * w->numbers.speed;
     if (w->active.evaluated) return PM_OK;
     const int status = factor_symmetric(w);
@@ -52,13 +42,12 @@ static int project(pm_workspace *w, pm_state *s, int evaluated)
     for (int sweep = 0;; sweep++) {
         if ((sweep > 0 || !evaluated) && !pm_solve_cache_take_rows(w))
             pm_saddle_evaluate(&w->active, &w->frame);
-        const double worst = worst_opening(&w->active);
+        const double worst = pm_constraint_openings(w->active.row, w->active.n, NULL, w->saddle.rhs);
         /* at the rounding of large coordinates Newton stalls: stop when it no longer gains */
         if (worst <= PM_MET * w->numbers.size || sweep == PM_PROJECTION_SWEEPS ||
             (sweep > 1 && worst > 0.5 * before))
             break;
         before = worst;
-        for (int i = 0; i < w->active.n; i++) w->saddle.rhs[i] = -w->active.row[i].g;
         const int status = factor_symmetric(w);
         if (status) return status;
         pm_saddle_spread(&w->saddle, 0, s->q);
@@ -77,10 +66,11 @@ int pm_projection_built(pm_workspace *w, pm_state *s) { return project(w, s, w->
 
 double pm_projection_residual(const pm_frame *frame, const pm_active_set *active)
 {
-    double worst = worst_opening(active) / frame->numbers->size;
-    for (int i = 0; i < active->n; i++)
-        worst =
-            fmax(worst, fabs(pm_constraint_times(frame, &active->row[i], frame->v) - active->row[i].rate) /
-                            frame->numbers->speed);
+    double worst = 0;
+    for (int i = 0; i < active->n; i++) {
+        const pm_constraint *x = &active->row[i];
+        const double slip = pm_constraint_times(frame, x, frame->v) - x->rate;
+        worst = fmax(worst, fmax(fabs(x->g) / frame->numbers->size, fabs(slip) / frame->numbers->speed));
+    }
     return worst;
 }

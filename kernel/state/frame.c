@@ -140,3 +140,10 @@ double pm_body_weight_energy(const pm_frame *frame)
                                           frame->numbers->gravity[1] * frame->pose[5 * i + 1]);
     return sum;
 }
+
+double pm_body_total_mass(const pm_frame *frame)
+{
+    double sum = 0;
+    for (int i = 0; i < frame->model->nbody; i++) sum += frame->numbers->mass[i];
+    return sum;
+}

@@ -47,6 +47,8 @@ void pm_frame_acceleration(const pm_frame *frame, const pm_point *p, double a[2]
 double pm_body_kinetic(const pm_frame *frame, int i);
 void pm_body_momentum(const pm_frame *frame, int i, double momentum[3]);
 double pm_body_inertia(const pm_frame *frame, int i);
+/* kg, of all bodies. */
+double pm_body_total_mass(const pm_frame *frame);
 /* Potential energy of weight (zero at the origin). */
 double pm_body_weight_energy(const pm_frame *frame);
 

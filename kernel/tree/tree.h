@@ -123,6 +123,11 @@ int pm_tree_create(pm_workspace *w);
 /* From the active rows; called when a phase begins. */
 void pm_tree_build(pm_workspace *w);
 int pm_tree_is_angle(const pm_tree *t, int coordinate);
+/* Its natural size: 1 rad, or the length of the scene. */
+static inline double pm_tree_scale(const pm_tree *t, const pm_numbers *numbers, int coordinate)
+{
+    return pm_tree_is_angle(t, coordinate) ? 1 : numbers->size;
+}
 void pm_tree_forget_regular(pm_tree *t);
 /* Fails: loop row number `loop` depends on those before it. */
 int pm_tree_singular_loop(pm_workspace *w, int loop);
@@ -143,6 +148,7 @@ void pm_tree_spread(const pm_tree *t, const double *ydot, double *v);
 void pm_tree_bias(const pm_tree *t, const pm_frame *frame, double *a);
 /* The first and the last coordinate that move a body of the row; n and -1 if none does. */
 void pm_tree_row_ends(const pm_tree *t, const pm_constraint *row, int *low, int *high);
+void pm_tree_evaluate_loops(const pm_tree *t, const pm_frame *frame);
 /* The loop rows' Jacobian on the coordinates, [nloop][n]; the rows are evaluated. */
 void pm_tree_loops(const pm_tree *t, const pm_frame *frame, const pm_loops *x);
 /* Anything may be in x. */

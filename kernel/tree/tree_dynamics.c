@@ -48,16 +48,6 @@ static int factor_mass(pm_result *result, pm_tree *t)
                : PM_OK;
 }
 
-/* Of a row in the metric of M^-1, if nothing held its bodies. */
-static double square_of(const pm_model *model, const pm_numbers *numbers, const pm_constraint *row)
-{
-    double sum = 0;
-    for (int p = 0; p < 2; p++)
-        for (int k = 0; k < 3 && row->body[p] != model->nbody; k++)
-            sum += row->j[3 * p + k] * row->j[3 * p + k] * numbers->inverse_mass[3 * row->body[p] + k];
-    return sum;
-}
-
 /* X of the evaluated loop rows, and the factor of S; row i of X is kept from t->from[i] to t->to[i]. */
 static int factor_loops(pm_workspace *w)
 {
@@ -81,7 +71,7 @@ static int factor_loops(pm_workspace *w)
     for (int i = 0; i < t->nloop && !bad;
          i++) { /* the factor holds the reciprocal of what is left of the row */
         const double left = t->schur[i * t->nloop + i];
-        const double part = 1 / (square_of(w->model, &w->numbers, &w->active.row[t->loop[i]]) * left * left);
+        const double part = 1 / (pm_constraint_square(&w->frame, &w->active.row[t->loop[i]]) * left * left);
         if (part < t->part.independence) t->part.independence = part;
     }
     return bad ? pm_tree_singular_loop(w, bad - 1) : PM_OK;
@@ -94,14 +84,6 @@ static void add_loops(const pm_tree *t, double *x)
     pm_dense_skyline_upper(t->nloop, t->first_loop, t->schur, t->residual);
     for (int i = 0; i < t->nloop; i++)
         for (int k = t->from[i]; k < t->to[i]; k++) x[k] += t->residual[i] * t->reduced[i * t->n + k];
-}
-
-static void evaluate_loops(pm_workspace *w)
-{
-    for (int i = 0; i < w->tree->nloop; i++) {
-        pm_constraint *row = &w->active.row[w->tree->loop[i]];
-        pm_constraint_kind(row->kind)->evaluate(&w->frame, row);
-    }
 }
 
 /* x += B^T (f - M c); the frame has the forces.  Without `inertial` the part of c is in x already. */
@@ -156,7 +138,7 @@ static int accelerate_all(pm_workspace *w, double *yddot)
 static int close_loops(pm_workspace *w, double *x)
 {
     pm_tree *t = w->tree;
-    evaluate_loops(w);
+    pm_tree_evaluate_loops(w->tree, &w->frame);
     const int status = factor_loops(w);
     if (status) return status;
     for (int i = 0; i < t->nloop; i++) {
@@ -292,13 +274,6 @@ void pm_tree_tell(pm_workspace *w, const double *yddot)
 }
 
 /* ---- back onto the loop rows ---- */
-static double worst_of(const double *residual, int n)
-{
-    double worst = 0;
-    for (int i = 0; i < n; i++) worst = fmax(worst, fabs(residual[i]));
-    return worst;
-}
-
 static int factor(pm_workspace *w)
 {
     if (w->tree->augmented.on) {
@@ -335,9 +310,8 @@ int pm_tree_project(pm_workspace *w, double time, double *y, double *ydot, const
     }
     pm_tree_look(w, time, y, ydot, z);
     for (int sweep = 0; t->nloop > 0; sweep++) {
-        evaluate_loops(w);
-        for (int i = 0; i < t->nloop; i++) t->residual[i] = -w->active.row[t->loop[i]].g;
-        const double worst = worst_of(t->residual, t->nloop);
+        pm_tree_evaluate_loops(w->tree, &w->frame);
+        const double worst = pm_constraint_openings(t->row, t->nloop, t->loop, t->residual);
         if (worst <= PM_MET * w->numbers.size || sweep == PM_PROJECTION_SWEEPS ||
             (sweep > 1 && worst > 0.5 * before))
             break;
@@ -348,11 +322,7 @@ int pm_tree_project(pm_workspace *w, double time, double *y, double *ydot, const
         correct(t, y);
         pm_tree_look(w, time, y, ydot, z);
     }
-    for (int i = 0; i < t->nloop; i++) {
-        const pm_constraint *row = &w->active.row[t->loop[i]];
-        t->residual[i] = row->rate - pm_constraint_times(&w->frame, row, t->v);
-    }
-    const double worst = worst_of(t->residual, t->nloop);
+    const double worst = pm_constraint_slips(&w->frame, t->row, t->nloop, t->loop, t->v, t->residual);
     if (worst <= PM_MET * w->numbers.speed) return PM_OK;
     if (!(factored && worst <= PM_FACTORS_STAY * w->numbers.speed) && (status = factor(w))) return status;
     correct(t, ydot);

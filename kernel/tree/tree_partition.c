@@ -12,18 +12,12 @@
 
 #include "elements/constraint.h"
 #include "elements/force.h"
-#include "equations/saddle.h"
 #include "numerics/dense.h"
 #include "numerics/tolerances.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 #include "tree/tree.h"
 #include "tree/tree_node.h"
-
-static double scale_of(const pm_numbers *numbers, const pm_tree *tree, int coordinate)
-{
-    return pm_tree_is_angle(tree, coordinate) ? 1 : numbers->size;
-}
 
 void pm_tree_hold(pm_tree *t, int held)
 {
@@ -43,7 +37,8 @@ void pm_tree_partition(const pm_frame *frame, pm_tree *t)
     pm_tree_loops_unknown(t, &loops); /* other things have been kept there */
     pm_tree_loops(t, frame, &loops);
     for (int i = 0; i < t->nloop; i++)
-        for (int k = loops.low[i]; k <= loops.high[i]; k++) a[i * n + k] *= scale_of(frame->numbers, t, k);
+        for (int k = loops.low[i]; k <= loops.high[i]; k++)
+            a[i * n + k] *= pm_tree_scale(t, frame->numbers, k);
     if (pm_elimination_run(t->nloop, n, a, order, &t->elimination) > PM_LOOP_RANK) {
         memcpy(t->part.column + t->nloop, order + t->nloop, (size_t)(n - t->nloop) * sizeof *order);
         t->part.few = 1;
@@ -67,26 +62,14 @@ static void correct(const pm_tree *t, double *y)
 }
 
 /* Residuals of the evaluated loop rows; the worst. */
-static double read_residuals(const pm_active_set *active, pm_tree *t)
+static double read_residuals(const pm_tree *t)
 {
-    double worst = 0;
-    for (int i = 0; i < t->nloop; i++) {
-        t->residual[i] = -active->row[t->loop[i]].g;
-        worst = fmax(worst, fabs(t->residual[i]));
-    }
-    return worst;
+    return pm_constraint_openings(t->row, t->nloop, t->loop, t->residual);
 }
 
-static double read_rate_residuals(const pm_workspace *w, const double *v)
+static double read_rate_residuals(const pm_frame *frame, const pm_tree *t)
 {
-    const pm_tree *t = w->tree;
-    double worst = 0;
-    for (int i = 0; i < t->nloop; i++) {
-        const pm_constraint *row = &w->active.row[t->loop[i]];
-        t->residual[i] = row->rate - pm_constraint_times(&w->frame, row, v);
-        worst = fmax(worst, fabs(t->residual[i]));
-    }
-    return worst;
+    return pm_constraint_slips(frame, t->row, t->nloop, t->loop, t->v, t->residual);
 }
 
 /* ---- positions alone ---- */
@@ -96,7 +79,7 @@ static double place(pm_workspace *w, const double *y, double *q, const pm_loops 
     pm_tree_place(w->tree, &w->frame, w->state.memory, y, q);
     if (w->tree->nloop == 0) return 0;
     pm_tree_loops(w->tree, &w->frame, loops);
-    return read_residuals(&w->active, w->tree);
+    return read_residuals(w->tree);
 }
 
 int pm_tree_close(pm_workspace *w, double *y, double *q, const pm_loops *loops)
@@ -134,13 +117,9 @@ int pm_tree_slope(pm_workspace *w, const pm_loops *loops, double *slope)
 /* ---- motion ---- */
 static double look(pm_workspace *w, double time, const double *y, const double *ydot, const double *z)
 {
-    pm_tree *t = w->tree;
     pm_tree_look(w, time, y, ydot, z);
-    for (int i = 0; i < t->nloop; i++) {
-        pm_constraint *row = &w->active.row[t->loop[i]];
-        pm_constraint_kind(row->kind)->evaluate(&w->frame, row);
-    }
-    return read_residuals(&w->active, w->tree);
+    pm_tree_evaluate_loops(w->tree, &w->frame);
+    return read_residuals(w->tree);
 }
 
 /* The Jacobian of the evaluated loop rows, and the factors of its dependent part. */
@@ -163,7 +142,7 @@ int pm_tree_settle(pm_workspace *w, double time, double *y, double *ydot, const 
     for (int sweep = 0; sweep < PM_LOOP_SWEEPS; sweep++) {
         const int met = worst <= PM_LOOP_FINEST * w->numbers.size ||
                         (worst <= PM_LOOP_STALLED * w->numbers.size && worst > 0.25 * before);
-        if (met && read_rate_residuals(w, t->v) <= PM_LOOP_FINEST * w->numbers.speed) return PM_OK;
+        if (met && read_rate_residuals(&w->frame, t) <= PM_LOOP_FINEST * w->numbers.speed) return PM_OK;
         if (met && sweep > 0 &&
             before <= PM_FACTORS_STAY * w->numbers.size) { /* the factors are those of this place */
             correct(t, ydot);
@@ -172,9 +151,9 @@ int pm_tree_settle(pm_workspace *w, double time, double *y, double *ydot, const 
         }
         const int status = factor_here(w);
         if (status) return status;
-        read_residuals(&w->active, w->tree);
+        read_residuals(w->tree);
         correct(t, y);
-        read_rate_residuals(w, t->v);
+        read_rate_residuals(&w->frame, t);
         correct(t, ydot);
         before = worst;
         worst = look(w, time, y, ydot, z);
@@ -217,9 +196,9 @@ int pm_tree_accelerate_few(pm_workspace *w, double *yddot)
         const int own = t->part.column[t->nloop + k];
         slope_of(t, own, t->part.jacobian, t->rate);
         for (int c = 0; c < t->nloop; c++)
-            t->part.steepest = fmax(t->part.steepest, fabs(t->rate[t->part.column[c]]) *
-                                                          scale_of(&w->numbers, w->tree, own) /
-                                                          scale_of(&w->numbers, w->tree, t->part.column[c]));
+            t->part.steepest =
+                fmax(t->part.steepest, fabs(t->rate[t->part.column[c]]) * pm_tree_scale(t, &w->numbers, own) /
+                                           pm_tree_scale(t, &w->numbers, t->part.column[c]));
         pm_tree_spread(w->tree, t->rate, v);
         force[k] = 0;
         for (int i = 0; i < nq; i++) force[k] += v[i] * (w->frame.f[i] - inertia_of(&w->frame, i) * a[i]);

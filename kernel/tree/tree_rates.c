@@ -95,6 +95,14 @@ void pm_tree_influence(const pm_tree *t)
 }
 
 /* ---- loop rows ---- */
+void pm_tree_evaluate_loops(const pm_tree *t, const pm_frame *frame)
+{
+    for (int i = 0; i < t->nloop; i++) {
+        pm_constraint *row = &t->row[t->loop[i]];
+        pm_constraint_kind(row->kind)->evaluate(frame, row);
+    }
+}
+
 int pm_tree_singular_loop(pm_workspace *w, int loop)
 {
     const pm_constraint *row = &w->active.row[w->tree->loop[loop]];

@@ -372,4 +372,16 @@ FAULTS = [
         "[PM_MEASURE_LOST] = {NOTHING, MOTION, UNKNOWN, 0, OF_ALL,",
         "[PM_MEASURE_LOST] = {NOTHING, MOTION, UNKNOWN, 0, 0,",
     ),
+    Fault(
+        "projection: position goes away",
+        "elements/constraint.c",
+        "off[i] = -row[which ? which[i] : i].g",
+        "off[i] = row[which ? which[i] : i].g",
+    ),
+    Fault(
+        "projection: velocity goes away",
+        "elements/constraint.c",
+        "x->rate - pm_constraint_times",
+        "x->rate + pm_constraint_times",
+    ),
 ]

@@ -203,7 +203,7 @@ FAULTS = [
     Fault(
         "leg: momentum ledger",
         "routes/path/repeat_pass.c",
-        "close_momentum(&w->frame, &w->state, momentum); return pm_active_set_build(w)",
+        "pm_ledger_follow(&w->frame, momentum, w->state.z); return pm_active_set_build(w)",
         "return pm_active_set_build(w)",
     ),
     Fault(

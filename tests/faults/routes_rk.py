@@ -39,8 +39,8 @@ FAULTS = [
     Fault(
         "rk: impulses of a sampled step",
         "routes/rk/rk_settle.c",
-        "if (!w->rk->ledger) follow_momenta",
-        "follow_momenta",
+        "if (!w->rk->ledger) pm_ledger_follow",
+        "pm_ledger_follow",
     ),
     Fault(
         "rk: stages near a singular position only shorten the step",

@@ -98,8 +98,8 @@ FAULTS = [
     Fault(
         "tree: sign of a loop row's step",
         "tree/tree_partition.c",
-        "t->residual[i] = -active->row[t->loop[i]].g",
-        "t->residual[i] = active->row[t->loop[i]].g",
+        "y[t->part.column[c]] += t->residual[c]",
+        "y[t->part.column[c]] -= t->residual[c]",
     ),
     Fault(
         "tree: the other side of a line",

@@ -251,27 +251,16 @@ void pm_ida_linear_solve(const pm_model *model, struct pm_ida *ida, const double
 }
 
 /* ---- back on the rows ---- */
-/* The greatest of what the rows are missed by, in w->wanted, by positions. */
+/* The greatest of what the rows are missed by, in saddle.wanted: by positions, and by velocities. */
 static double openings(pm_workspace *w)
 {
-    double worst = 0;
     pm_saddle_evaluate(&w->active, &w->frame);
-    for (int i = 0; i < w->active.n; i++) {
-        w->saddle.wanted[i] = -w->active.row[i].g;
-        worst = fmax(worst, fabs(w->saddle.wanted[i]));
-    }
-    return worst;
+    return pm_constraint_openings(w->active.row, w->active.n, NULL, w->saddle.wanted);
 }
 
-/* By velocities. */
 static double slips(pm_workspace *w, const double *v)
 {
-    double worst = 0;
-    for (int i = 0; i < w->active.n; i++) {
-        w->saddle.wanted[i] = w->active.row[i].rate - pm_constraint_times(&w->frame, &w->active.row[i], v);
-        worst = fmax(worst, fabs(w->saddle.wanted[i]));
-    }
-    return worst;
+    return pm_constraint_slips(&w->frame, w->active.row, w->active.n, NULL, v, w->saddle.wanted);
 }
 
 /* One correction each; whether that was enough. */

@@ -89,16 +89,6 @@ int pm_ida_system_residual(pm_workspace *w, double t, const double *y, const dou
     return !isnan(none);
 }
 
-/* j M^-1 j^T: a row's reaction l moves the scene like l sqrt(this) in the metric of M. */
-static double mobility(const pm_model *model, const pm_numbers *numbers, const pm_constraint *row)
-{
-    double sum = 0;
-    for (int p = 0; p < 2; p++)
-        for (int k = 0; k < 3 && row->body[p] != model->nbody; k++)
-            sum += row->j[3 * p + k] * row->j[3 * p + k] * numbers->inverse_mass[3 * row->body[p] + k];
-    return sum;
-}
-
 static void weigh_ledger(const pm_frame *frame, const pm_ida *ida, double *weight, double mass)
 {
     const pm_model *m = frame->model;
@@ -118,8 +108,8 @@ void pm_ida_system_scale(pm_workspace *w)
     pm_ida *r = w->ida;
     const int l = pm_ida_place_l(w->model), mu = pm_ida_place_mu(w->model, w->ida);
     const double tolerance = r->tolerance = fmax(PM_IDA_TIGHTER * w->numbers.tolerance, PM_IDA_TIGHTEST);
-    double *weight = r->weight, mass = 0;
-    for (int i = 0; i < m->nbody; i++) mass += w->numbers.mass[i];
+    const double mass = pm_body_total_mass(&w->frame);
+    double *weight = r->weight;
     for (int i = 0; i < m->nq; i++) {
         const int angle = i % 3 == 2; /* angles by the absolute tolerance only: they grow with every turn */
         weight[i] = 1 / (tolerance * (angle ? 1 : w->numbers.size));
@@ -128,7 +118,7 @@ void pm_ida_system_scale(pm_workspace *w)
     weigh_ledger(&w->frame, w->ida, weight + 2 * m->nq, mass);
     for (int i = 0; i < r->stride; i++) {
         const double unit =
-            i < w->active.n ? sqrt(mobility(w->model, &w->numbers, &w->active.row[i]) / mass) : 1 / mass;
+            i < w->active.n ? sqrt(pm_constraint_square(&w->frame, &w->active.row[i]) / mass) : 1 / mass;
         weight[l + i] = unit / (tolerance * w->numbers.speed);
         weight[mu + i] = unit / (tolerance * w->numbers.size);
     }

@@ -145,6 +145,8 @@ void pm_path_open_accelerate(pm_workspace *w, const pm_place *place);
  * the frame looks at the state. */
 void pm_path_open_begin(pm_workspace *w);
 void pm_path_open_place(pm_workspace *w, pm_place *place);
+/* The force along the place and its potential, the rates of the running integrals; the frame looks at unit rate. */
+void pm_path_measure_forces(pm_workspace *w, pm_place *place);
 /* Chooses the coordinate that moves most as driver, unless the present one still does, and tells the place by it. */
 int pm_path_drive(pm_workspace *w, pm_place *place);
 
@@ -195,8 +197,6 @@ void pm_path_rigid_place(const pm_workspace *w, double u, pm_place *place);
 int pm_path_applies(const pm_workspace *w);
 int pm_path_prepare(pm_workspace *w);
 int pm_path_begin(pm_workspace *w);
-/* kg, of all bodies. */
-double pm_path_total_mass(const pm_model *model, const pm_numbers *numbers);
 /* What the generalised force at x would be if the forces of the frame were along the motion. */
 double pm_path_force_size(const pm_frame *frame, const pm_place *x);
 

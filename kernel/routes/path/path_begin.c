@@ -5,8 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "elements/constraint.h"
 #include "elements/turning_plane.h"
+#include "equations/active_set.h"
 #include "equations/ledger.h"
 #include "expression/program.h"
 #include "numerics/tolerances.h"
@@ -15,13 +15,6 @@
 #include "state/frame.h"
 #include "state/workspace.h"
 #include "tree/tree.h"
-
-double pm_path_total_mass(const pm_model *model, const pm_numbers *numbers)
-{
-    double sum = 0;
-    for (int i = 0; i < model->nbody; i++) sum += numbers->mass[i];
-    return sum;
-}
 
 /* Rate of the driver from given velocities: their part along the path. */
 static double rate_of(const pm_frame *frame, const pm_place *x, const double *v)
@@ -68,17 +61,10 @@ static int leave_rest(pm_workspace *w, const pm_place *x)
 }
 
 /* A prescribed rate makes the motion one in time. */
-static int is_driven(const pm_active_set *active)
-{
-    for (int i = 0; i < active->n; i++)
-        if (active->row[i].drive != PM_NONE) return 1;
-    return 0;
-}
-
 int pm_path_applies(const pm_workspace *w)
 {
     return w->model->programs.forces_by_place && !w->active.asymmetric && !w->numbers.massless &&
-           !w->phase.path_left && !is_driven(&w->active);
+           !w->phase.path_left && !pm_active_set_is_driven(&w->active);
 }
 
 /* The tree of the phase and its first place; 0: more than one freedom, no direction there, or it stays at rest. */
@@ -101,9 +87,8 @@ int pm_path_prepare(pm_workspace *w)
     x->kinetic = 0.5 * x->mass * rate * rate;
     p->sense = rate > 0 ? 1 : -1;
     p->balanced = 0;
-    p->at_rest =
-        !(2 * x->kinetic > PM_PATH_STILL * PM_PATH_STILL * pm_path_total_mass(w->model, &w->numbers) *
-                               w->numbers.speed * w->numbers.speed);
+    p->at_rest = !(2 * x->kinetic > PM_PATH_STILL * PM_PATH_STILL * pm_body_total_mass(&w->frame) *
+                                        w->numbers.speed * w->numbers.speed);
     /* the contacts are met anew, to rounding: what the forces do on that way is not lost */
     for (int i = 0; i < w->model->nq; i++) x->kinetic += w->frame.f[i] * (x->q[i] - w->state.q[i]);
     if (p->at_rest) x->kinetic = 0;

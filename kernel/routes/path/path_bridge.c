@@ -23,7 +23,7 @@
 
 static double reach_of(const pm_workspace *w)
 {
-    return PM_BRIDGE_REACH * (pm_tree_is_angle(w->tree, w->path->driver) ? 1 : w->numbers.size);
+    return PM_BRIDGE_REACH * pm_tree_scale(w->tree, &w->numbers, w->path->driver);
 }
 
 static double support(int j) { return cos((2 * j + 1) * HALF_TURN / (2 * PM_BRIDGE_PLACES)); }

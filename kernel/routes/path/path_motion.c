@@ -7,7 +7,6 @@
  *
  * and the reactions follow from M a - f body by body (tree_dynamics.c).  Where rows close loops the coordinates are
  * partitioned with the driver as the independent one (tree_partition.c). */
-#include "elements/constraint.h"
 #include "elements/force.h"
 #include "elements/joint_friction.h"
 #include "equations/saddle.h"
@@ -33,11 +32,8 @@ static void accelerate_open(pm_workspace *w, const double *t)
 static int accelerate_closed(pm_workspace *w)
 {
     pm_tree *t = w->tree;
-    pm_tree_hold(w->tree, w->path->driver);
-    for (int i = 0; i < t->nloop; i++) {
-        pm_constraint *row = &w->active.row[t->loop[i]];
-        pm_constraint_kind(row->kind)->evaluate(&w->frame, row);
-    }
+    pm_tree_hold(t, w->path->driver);
+    pm_tree_evaluate_loops(t, &w->frame);
     return pm_tree_accelerate_few(w, t->force);
 }
 

@@ -60,18 +60,15 @@ static void add_weights(const pm_frame *frame, pm_place *place)
     }
 }
 
-static void add_forces(pm_workspace *w, pm_place *place)
+void pm_path_measure_forces(pm_workspace *w, pm_place *place)
 {
+    pm_frame_look_placed(&w->frame, &w->state, place->q, place->tangent);
     pm_force_all(w); /* powers and speeds at a unit rate, too */
+    place->force = 0;
     for (int i = 0; i < w->model->nq; i++) place->force += w->frame.f[i] * place->tangent[i];
     if (w->model->nz_controlled > 0) pm_ledger_controlled_rates(w, place->rate);
     place->potential = pm_body_weight_energy(&w->frame) + pm_force_potential(w) +
                        pm_turning_plane_kinetic(&w->frame, PM_NONE);
-}
-
-static void look_at(pm_frame *frame, const pm_state *state, const pm_place *place)
-{
-    pm_frame_look_placed(frame, state, place->q, place->tangent);
 }
 
 static void place_by_tree(pm_workspace *w, pm_place *place)
@@ -81,11 +78,12 @@ static void place_by_tree(pm_workspace *w, pm_place *place)
     memcpy(place->pose, w->frame.pose, 5 * (size_t)w->model->nbody * sizeof *place->pose);
     for (int i = 0; i < w->fixed->n; i++) measure_still(&w->tree->node[i], place);
     for (int i = w->fixed->n; i < w->model->nbody; i++) measure_body(w, &w->tree->node[i], place);
-    look_at(&w->frame, &w->state, place);
-    if (w->path->rigid.weights_alone)
-        add_weights(&w->frame, place);
-    else
-        add_forces(w, place);
+    if (!w->path->rigid.weights_alone) {
+        pm_path_measure_forces(w, place);
+        return;
+    }
+    pm_frame_look_placed(&w->frame, &w->state, place->q, place->tangent);
+    add_weights(&w->frame, place);
 }
 
 static void place_rigid(pm_workspace *w, pm_place *place)
@@ -93,9 +91,7 @@ static void place_rigid(pm_workspace *w, pm_place *place)
     pm_path_rigid_place(w, place->y[0], place);
     if (w->path->rigid.weights_alone) return;
     memcpy(w->frame.pose, place->pose, 5 * (size_t)w->model->nbody * sizeof *place->pose);
-    look_at(&w->frame, &w->state, place);
-    place->force = 0;
-    add_forces(w, place);
+    pm_path_measure_forces(w, place);
 }
 
 void pm_path_open_begin(pm_workspace *w)

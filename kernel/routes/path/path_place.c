@@ -7,10 +7,6 @@
 #include <string.h>
 
 #include "elements/constraint.h"
-#include "elements/force.h"
-#include "elements/turning_plane.h"
-#include "equations/ledger.h"
-#include "equations/saddle.h"
 #include "numerics/tolerances.h"
 #include "routes/path/path.h"
 #include "state/frame.h"
@@ -18,28 +14,18 @@
 #include "tree/tree.h"
 #include "tree/tree_node.h"
 
-static double scale_of(const pm_numbers *numbers, const struct pm_tree *tree, int coordinate)
-{
-    return pm_tree_is_angle(tree, coordinate) ? 1 : numbers->size;
-}
-
 /* What motion at a unit rate of the driver makes of masses and forces. */
 static void measure_motion(pm_workspace *w, pm_place *place)
 {
     const pm_model *m = w->model;
     pm_tree_spread(w->tree, place->slope, place->tangent);
     const double *t = place->tangent;
-    place->mass = place->force = 0;
+    place->mass = 0;
     for (int i = 0; i < m->nbody; i++)
         place->mass += w->numbers.mass[i] * (t[3 * i] * t[3 * i] + t[3 * i + 1] * t[3 * i + 1]) +
                        pm_body_inertia(&w->frame, i) * t[3 * i + 2] * t[3 * i + 2];
     memcpy(place->pose, w->frame.pose, 5 * (size_t)m->nbody * sizeof *place->pose);
-    pm_frame_look_placed(&w->frame, &w->state, place->q, t); /* powers and speeds at a unit rate */
-    pm_force_all(w);
-    for (int i = 0; i < m->nq; i++) place->force += w->frame.f[i] * t[i];
-    if (m->nz_controlled > 0) pm_ledger_controlled_rates(w, place->rate);
-    place->potential = pm_body_weight_energy(&w->frame) + pm_force_potential(w) +
-                       pm_turning_plane_kinetic(&w->frame, PM_NONE);
+    pm_path_measure_forces(w, place);
 }
 
 /* The greatest distance of a joint from a mass centre: a long chain is large, its links are not. */
@@ -72,7 +58,8 @@ static int is_determined(const pm_workspace *w)
     const double weak = PM_PATH_WEAK * row_size(w);
     for (int i = 0; i < n; i++) {
         const int column = w->tree->part.column[i];
-        if (!(fabs(w->tree->jacobian[i * n + i]) * scale_of(&w->numbers, w->tree, column) > weak)) return 0;
+        if (!(fabs(w->tree->jacobian[i * n + i]) * pm_tree_scale(w->tree, &w->numbers, column) > weak))
+            return 0;
     }
     return 1;
 }
@@ -90,7 +77,7 @@ static int null_vector(pm_workspace *w, double *t)
     t[column[n - 1]] = 1;
     for (int i = rows - 1; i >= 0; i--) {
         const double *a = p->loop.entry + i * n, pivot = a[column[i]];
-        if (!(fabs(pivot) * scale_of(&w->numbers, w->tree, column[i]) > weak)) return 0;
+        if (!(fabs(pivot) * pm_tree_scale(w->tree, &w->numbers, column[i]) > weak)) return 0;
         double sum = 0;
         for (int c = x.low[i]; c <= x.high[i]; c++)
             if (x.place[c] > i) sum += a[c] * t[c];
@@ -160,14 +147,15 @@ int pm_path_drive(pm_workspace *w, pm_place *place)
     double fastest = 0;
     int best = PM_NONE;
     for (int i = 0; i < p->n; i++) {
-        const double rate = fabs(place->slope[i]) / scale_of(&w->numbers, w->tree, i);
+        const double rate = fabs(place->slope[i]) / pm_tree_scale(w->tree, &w->numbers, i);
         if (!(rate > fastest)) continue;
         fastest = rate;
         best = i;
     }
     if (best == PM_NONE) return pm_fail(&w->result, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
     if (p->driver != PM_NONE &&
-        fabs(place->slope[p->driver]) / scale_of(&w->numbers, w->tree, p->driver) >= PM_PATH_KEEP * fastest)
+        fabs(place->slope[p->driver]) / pm_tree_scale(w->tree, &w->numbers, p->driver) >=
+            PM_PATH_KEEP * fastest)
         return PM_OK;
     if (place->slope[best] < 0) p->sense = -p->sense;
     p->driver = best;

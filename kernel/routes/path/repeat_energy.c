@@ -12,13 +12,14 @@
 
 #include "numerics/tolerances.h"
 #include "routes/path/repeat_parts.h"
+#include "state/frame.h"
 #include "state/workspace.h"
 
 double pm_repeat_energy_work(const pm_workspace *w)
 {
     const pm_repeat *l = w->repeat;
-    double mass = 0, work = 0;
-    for (int i = 0; i < w->model->nbody; i++) mass += w->numbers.mass[i];
+    const double mass = pm_body_total_mass(&w->frame);
+    double work = 0;
     for (int i = 0; i < w->model->nz_work; i++) work += w->state.z[i] - l->begin.z[i];
     return work + mass * (w->numbers.gravity[0] * l->by[0] + w->numbers.gravity[1] * l->by[1]);
 }

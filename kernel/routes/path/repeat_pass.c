@@ -46,13 +46,6 @@ static void count_segments(pm_workspace *w, int64_t segments, double time)
     w->result.count[PM_COUNT_LEGS] += segments;
 }
 
-static void close_momentum(const pm_frame *frame, pm_state *state, const double *before)
-{
-    double *ledger = state->z + pm_ledger_ledger(frame->model), after[PM_LEDGER];
-    pm_body_momentum(frame, PM_NONE, after);
-    for (int i = 0; i < PM_LEDGER; i++) ledger[i] += after[i] - before[i];
-}
-
 int pm_repeat_pass(pm_workspace *w, const pm_repeats *segments, double kinetic, double time)
 {
     double momentum[PM_LEDGER];
@@ -65,6 +58,6 @@ int pm_repeat_pass(pm_workspace *w, const pm_repeats *segments, double kinetic, 
     pm_frame_look_state(&w->frame, &w->state);
     for (int i = 0; i < w->model->nslot; i++)
         if (w->state.slot[i].mode == PM_STICK) pm_active_set_anchor(&w->frame, &w->state, i);
-    close_momentum(&w->frame, &w->state, momentum);
+    pm_ledger_follow(&w->frame, momentum, w->state.z);
     return pm_active_set_build(w);
 }

@@ -5,7 +5,6 @@
 #include "elements/constraint.h"
 #include "equations/ledger.h"
 #include "routes/rk/rk.h"
-#include "state/frame.h"
 #include "state/workspace.h"
 #include "tree/tree.h"
 
@@ -30,20 +29,12 @@ static double restore_energy(pm_workspace *w, double *rates)
     return gained;
 }
 
-/* Impulses of the outer world since the begin of the step, where the frame looks. */
-static void follow_momenta(const pm_frame *frame, const struct pm_rk *rk, double *impulse)
-{
-    double momentum[PM_LEDGER];
-    pm_body_momentum(frame, PM_NONE, momentum);
-    for (int i = 0; i < PM_LEDGER; i++) impulse[i] += momentum[i] - rk->momentum[i];
-}
-
 int pm_rk_settle(pm_workspace *w, double t, double *y, pm_state *s, double *gained)
 {
     const int n = w->rk->n, status = pm_tree_project(w, t, y, y + n, y + 2 * n);
     if (status) return status;
     *gained = restore_energy(w, y + n);
-    if (!w->rk->ledger) follow_momenta(&w->frame, w->rk, y + 2 * n + pm_ledger_ledger(w->model));
+    if (!w->rk->ledger) pm_ledger_follow(&w->frame, w->rk->momentum, y + 2 * n);
     pm_rk_tell(w->tree, w->rk, t, y, s);
     return PM_OK;
 }

@@ -202,12 +202,11 @@ static int set_out(pm_workspace *w, double part, double *shows)
 /* What the outer world has given until the deviation was that large is read off it: the ledger of w->probe. */
 static void give_momentum(pm_workspace *w)
 {
-    double before[PM_LEDGER], after[PM_LEDGER], *ledger = w->probe.z + pm_ledger_ledger(w->model);
+    double before[PM_LEDGER];
     pm_frame_look_state(&w->frame, &w->state);
     pm_body_momentum(&w->frame, PM_NONE, before);
     pm_frame_look_state(&w->frame, &w->probe);
-    pm_body_momentum(&w->frame, PM_NONE, after);
-    for (int i = 0; i < PM_LEDGER; i++) ledger[i] += after[i] - before[i];
+    pm_ledger_follow(&w->frame, before, w->probe.z);
 }
 
 static int overlaps(pm_workspace *w)
