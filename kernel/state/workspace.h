@@ -115,7 +115,7 @@ typedef struct pm_firing {
 typedef struct pm_evidence {
     int active;                    /* the present case is run for its errors too */
     int seeks;                     /* a pass is a find with all its runs */
-    int by_places;                 /* the path route tells its own errors (routes/path/path_error.h) */
+    int by_places;                 /* the path route tells its own errors (routes/path/path.h) */
     const unsigned char *discrete; /* [nask] integers and yes or no: they have no error, but a margin */
     uint64_t noise;                /* state of the generator of disturbances */
     struct pm_pass *present;

@@ -26,7 +26,7 @@
 #include "expression/program.h"
 #include "expression/program_class.h"
 #include "numerics/tolerances.h"
-#include "routes/path/path_error.h"
+#include "routes/path/path.h"
 #include "run/run.h"
 #include "state/arena.h"
 #include "state/frame.h"

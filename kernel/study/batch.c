@@ -3,7 +3,6 @@
 #include <math.h>
 #include <pthread.h>
 #include <stdatomic.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "equations/active_set.h"
@@ -191,19 +190,16 @@ static int run_recorded(pm_workspace *w, const double *param, int32_t *where, do
 {
     const pm_model *m = w->model;
     double audit[PM_AUDITS], trust[PM_TRUSTS];
-    double *out = calloc(2 * (size_t)m->nout + (size_t)m->nask + 1, sizeof *out);
-    int32_t *reason = calloc((size_t)m->nask + 1, sizeof *reason);
-    int status = out && reason ? PM_OK : PM_NO_MEMORY;
-    if (!status) {
-        double *error = out + m->nout;
-        w->result.out = out;
-        w->result.reason = reason;
-        w->result.audit = audit;
-        status = pm_accuracy_run(w, param, NULL, error, error + m->nout, trust);
-        report_case(w, where, detail);
-    }
-    free(out);
-    free(reason);
+    double *out, *error, *margin;
+    int32_t *reason;
+    const pm_array array[] = {PM_ARRAY(out, m->nout), PM_ARRAY(error, m->nout), PM_ARRAY(margin, m->nask),
+                              PM_ARRAY(reason, m->nask)};
+    if (pm_arena_take(&w->memory, PM_ARRAYS(array))) return PM_NO_MEMORY;
+    w->result.out = out;
+    w->result.reason = reason;
+    w->result.audit = audit;
+    const int status = pm_accuracy_run(w, param, NULL, error, margin, trust);
+    report_case(w, where, detail);
     return status;
 }
 

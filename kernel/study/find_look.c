@@ -10,8 +10,6 @@
 #include "state/frame.h"
 #include "state/workspace.h"
 
-static double read_program(pm_workspace *w, int program) { return pm_program_run(w, program); }
-
 static int condition_holds(int kind, double reading)
 {
     switch ((enum pm_condition_kind)kind) {
@@ -35,11 +33,11 @@ static void read_end(pm_workspace *w, pm_look *look)
     for (int i = 0; i < f->ncondition; i++) {
         const int32_t *e = PM_CONDITION_ROW(w->model, i);
         if (look->status == PM_OK || e[PM_CONDITION_KIND] == PM_CONDITION_HOLDS)
-            look->reading[i] = read_program(w, e[PM_CONDITION_PROGRAM]);
+            look->reading[i] = pm_program_run(w, e[PM_CONDITION_PROGRAM]);
         look->holds = look->holds && condition_holds(e[PM_CONDITION_KIND], look->reading[i]);
     }
     if (f->goal != PM_FIND_VALUE && f->program != PM_NONE && look->status == PM_OK)
-        look->goal = (f->goal == PM_FIND_GREATEST ? 1 : -1) * read_program(w, f->program);
+        look->goal = (f->goal == PM_FIND_GREATEST ? 1 : -1) * pm_program_run(w, f->program);
 }
 
 int pm_find_look(pm_workspace *w, const double *x, pm_look *look)

@@ -32,13 +32,13 @@ FAULTS = [
     ),
     Fault(
         "rk: loop rows keep the rates that the energy did not return",
-        "routes/rk/rk_settle.c",
+        "routes/rk/rk_state.c",
         "gamma *= factor * factor",
         "gamma *= 1",
     ),
     Fault(
         "rk: impulses of a sampled step",
-        "routes/rk/rk_settle.c",
+        "routes/rk/rk_state.c",
         "if (!w->rk->ledger) pm_ledger_follow",
         "pm_ledger_follow",
     ),

@@ -57,8 +57,8 @@ FAULTS = [
     Fault(
         "find: the least is taken for the greatest",
         "study/find_look.c",
-        "(f->goal == PM_FIND_GREATEST ? 1 : -1) * read_program",
-        "(f->goal == PM_FIND_GREATEST ? 1 : 1) * read_program",
+        "(f->goal == PM_FIND_GREATEST ? 1 : -1) * pm_program_run",
+        "(f->goal == PM_FIND_GREATEST ? 1 : 1) * pm_program_run",
     ),
     Fault(
         "find: the other value is given for the second parameter",

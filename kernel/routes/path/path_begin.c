@@ -11,7 +11,6 @@
 #include "expression/program.h"
 #include "numerics/tolerances.h"
 #include "routes/path/path.h"
-#include "routes/path/path_error.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 #include "tree/tree.h"

@@ -6,7 +6,7 @@
  * something happens; where speeds, forces or the time do, the run says nothing of its errors, and accuracy.c makes its
  * companion.  Events that speeds or forces fire may be counted, though: their functions are off by no more than their
  * natural size times dT / T, and their counts are right as long as none of their extremes lies that near to zero. */
-#include "routes/path/path_error.h"
+#include "routes/path/path.h"
 
 #include <float.h>
 #include <math.h>
@@ -20,7 +20,6 @@
 #include "numerics/chebyshev.h"
 #include "numerics/minmax.h"
 #include "numerics/tolerances.h"
-#include "routes/path/path.h"
 #include "state/evidence.h"
 #include "state/frame.h"
 #include "state/workspace.h"

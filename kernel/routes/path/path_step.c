@@ -11,7 +11,6 @@
 #include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "routes/path/path.h"
-#include "routes/path/path_error.h"
 #include "state/workspace.h"
 
 /* ---- places ---- */

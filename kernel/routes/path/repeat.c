@@ -19,7 +19,6 @@
 #include "events/event.h"
 #include "numerics/tolerances.h"
 #include "routes/path/path.h"
-#include "routes/path/repeat_parts.h"
 #include "scene/symmetry.h"
 #include "state/arena.h"
 #include "state/frame.h"

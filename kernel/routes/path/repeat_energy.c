@@ -11,7 +11,7 @@
 #include <math.h>
 
 #include "numerics/tolerances.h"
-#include "routes/path/repeat_parts.h"
+#include "routes/path/repeat.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 

@@ -12,7 +12,7 @@
 #include "events/event.h"
 #include "expression/program_class.h"
 #include "numerics/tolerances.h"
-#include "routes/path/repeat_parts.h"
+#include "routes/path/repeat.h"
 #include "state/workspace.h"
 
 /* `segments`, but no less than none and no more than `most`. */

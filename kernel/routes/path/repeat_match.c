@@ -8,7 +8,7 @@
 
 #include "elements/contact.h"
 #include "numerics/tolerances.h"
-#include "routes/path/repeat_parts.h"
+#include "routes/path/repeat.h"
 #include "state/workspace.h"
 
 #define TURN (2 * 3.14159265358979323846)

@@ -10,7 +10,7 @@
 #include "equations/ledger.h"
 #include "events/event.h"
 #include "routes/path/path.h"
-#include "routes/path/repeat_parts.h"
+#include "routes/path/repeat.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 

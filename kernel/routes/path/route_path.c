@@ -18,7 +18,6 @@
 #include "numerics/bracket.h"
 #include "numerics/tolerances.h"
 #include "routes/path/path.h"
-#include "routes/path/path_error.h"
 #include "state/arena.h"
 #include "state/frame.h"
 #include "state/route.h"

@@ -3,8 +3,7 @@
  *   route_rk.c       the route: begin, errors allowed, step control
  *   rk_derivative.c  y'
  *   rk_formula.c     stages and end of a step, its error, y inside it
- *   rk_settle.c      y as a state
- *   rk_inside.c      states inside the last step: at, exact, look
+ *   rk_state.c       y as a state; states inside the last step: at, exact, look
  *
  * y = (coordinates, their rates, z), in z the ledger last.  Numbers of stages are those of dop853.h. */
 #ifndef PM_RK_H
@@ -55,12 +54,10 @@ double pm_rk_error(const struct pm_rk *r, double h);
 /* r->y at t inside the last step; the ledger is not asked for there and stays as at its begin. */
 int pm_rk_dense(pm_workspace *w, double t);
 
-/* rk_settle.c: coordinates y, where the frame looks, as a state. */
-void pm_rk_tell(const struct pm_tree *tree, const struct pm_rk *rk, double t, const double *y, pm_state *s);
-/* y back on the rows and on the energy level, and the state there; *gained: the energy that comes with it. */
+/* rk_state.c: y back on the rows and on the energy level, and the state there; *gained: the energy that comes with it. */
 int pm_rk_settle(pm_workspace *w, double t, double *y, pm_state *s, double *gained);
 
-/* rk_inside.c: see route.h. */
+/* rk_state.c, of the last step: see route.h. */
 int pm_rk_at(pm_workspace *w, double t, pm_state *s);
 int pm_rk_exact(pm_workspace *w, double t, pm_state *s);
 int pm_rk_look(pm_workspace *w, double t, int level);
