@@ -76,13 +76,15 @@ static int check_bounds(pm_workspace *w)
 {
     for (size_t k = 0; k < sizeof bounds / sizeof *bounds; k++) {
         const pm_bounds *x = &bounds[k];
-        for (int i = 0; i < w->model->rows[x->table]; i++) {
-            const int index = pm_table_row(w->model, x->table, i, pm_table_columns[x->table])[x->column];
-            if (index == PM_NONE) continue;
-            const int status = check(w, x->table, i, x->column, x->low, x->strict);
-            if (status) return status;
-            const double value = w->numbers.value[index];
-            if (value > x->high) return out_of_bound(&w->result, x->table, i, x->column, value, x->high);
+        const int columns = pm_table_columns[x->table], rows = w->model->rows[x->table];
+        const int32_t *e = w->model->table[x->table] + x->column;
+        for (int i = 0; i < rows; i++, e += columns) {
+            if (*e == PM_NONE) continue;
+            const double value = w->numbers.value[*e];
+            const int finite = isfinite(value), enough = x->strict ? value > x->low : value >= x->low;
+            if (finite && enough && value <= x->high) continue;
+            return out_of_bound(&w->result, x->table, i, x->column, value,
+                                finite && value > x->high ? x->high : x->low);
         }
     }
     return PM_OK;

@@ -35,8 +35,8 @@ static double measured(pm_workspace *w, int measure)
 static inline double pushed(const pm_program_walk *x, const double *param, const double *value,
                             pm_workspace *w)
 {
-    if (x->op == PM_OP_MEASURE) return measured(w, x->arg);
-    return x->op == PM_OP_ANSWER ? w->result.out[x->arg] : pm_program_number(x, param, value);
+    if (x->op <= PM_OP_VALUE) return pm_program_number(x, param, value);
+    return x->op == PM_OP_MEASURE ? measured(w, x->arg) : w->result.out[x->arg];
 }
 
 /* Instructions as they stand in the table. */
