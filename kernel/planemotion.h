@@ -55,8 +55,8 @@ enum pm_status {
         -19, /* the law is for one contact at a time: where = contact; detail = how many take part */
     PM_NO_IMPULSE =
         -20, /* no impulse does that work: where = action; detail = work, the least that is possible */
-    PM_BLOW_TURNS =
-        -21, /* a slip turns in a blow of several contacts: where = contact; detail = m/s after it */
+    PM_BLOW_REVERSES =
+        -21, /* a slip reverses in a blow of several contacts: where = contact; detail = m/s after it */
     PM_NUDGE_UNSTEADY =
         -22, /* where it acts there is neither rest nor a steady motion: where = action, or setting */
     PM_NUDGE_STABLE =
@@ -190,17 +190,17 @@ enum pm_count_column {
     PM_COUNT_FOUND = 7, /* brackets of a find in which something was found; changes of an outcome */
     PM_COUNT_PASSES =
         8, /* of the case, the others for its errors; all other counts are of the one that answers */
-    PM_COUNT_ROUTES = 9, /* sum of 2^route over all that ran */
-    PM_COUNT_LEGS = 10,  /* legs that repeat one that was computed, and were passed over */
+    PM_COUNT_ROUTES = 9,             /* sum of 2^route over all that ran */
+    PM_COUNT_REPEATED_SEGMENTS = 10, /* legs that repeat one that was computed, and were passed over */
     PM_COUNT_COLUMNS = 11
 };
 /* What pm_check reports of the assembled start. */
 enum pm_check_column {
     PM_CHECK_COORDINATES = 0,
-    PM_CHECK_ROWS = 1,      /* joint and closed contact rows at the start */
-    PM_CHECK_REDUNDANT = 2, /* rows that depend on others */
-    PM_CHECK_FREEDOM = 3,   /* degrees of freedom */
-    PM_CHECK_CLOSED = 4,    /* contacts closed at the start */
+    PM_CHECK_CONSTRAINTS = 1, /* joint and closed contact rows at the start */
+    PM_CHECK_REDUNDANT = 2,   /* rows that depend on others */
+    PM_CHECK_FREEDOM = 3,     /* degrees of freedom */
+    PM_CHECK_CLOSED = 4,      /* contacts closed at the start */
     PM_CHECK_COLUMNS = 5
 };
 enum pm_check_number {
@@ -243,17 +243,17 @@ enum pm_phase_column {
     PM_PHASE_UNKNOWNS = 2, /* coordinates that the route integrates or follows */
     PM_PHASE_LOOPS =
         3, /* rows of joints and contacts between them; all others these coordinates meet by themselves */
-    PM_PHASE_ROWS = 4, /* rows of joints and closed contacts, redundant ones not counted */
+    PM_PHASE_CONSTRAINTS = 4, /* rows of joints and closed contacts, redundant ones not counted */
     PM_PHASE_REDUNDANT = 5,
     PM_PHASE_FREEDOM = 6,
     PM_PHASE_WATCHED = 7, /* event functions */
     PM_PHASE_CLOCK = 8,   /* 1: the time is computed */
     PM_PHASE_DYNAMIC = 9, /* 1: accelerations and reactions are needed within it */
     PM_PHASE_STEPS = 10,
-    PM_PHASE_LEGS = 11,      /* legs passed over before it */
-    PM_PHASE_UNREACHED = 12, /* contacts that can never close (gap_bounds.h) */
-    PM_PHASE_STILL = 13,     /* bodies that joints hold still (fixed_bodies.h) */
-    PM_PHASE_SPARED =
+    PM_PHASE_REPEATED_SEGMENTS = 11, /* legs passed over before it */
+    PM_PHASE_OUT_OF_REACH = 12,      /* contacts that can never close (gap_bounds.h) */
+    PM_PHASE_FIXED = 13,             /* bodies that joints hold still (fixed_bodies.h) */
+    PM_PHASE_SKIPPED =
         14, /* gaps that were not looked at in its steps, out of reach of them (gap_culling.h) */
     PM_PHASE_COLUMNS = 15
 };

@@ -21,7 +21,7 @@ enum pm_table {
     PM_TABLE_POINT = 4,
     PM_TABLE_LINE = 5,
     PM_TABLE_CIRCLE = 6,
-    PM_TABLE_ROW = 7, /* periodic rows of points */
+    PM_TABLE_PATTERN = 7, /* periodic rows of points */
     PM_TABLE_JOINT = 8,
     PM_TABLE_CONTACT = 9,
     PM_TABLE_FORCE = 10,
@@ -94,7 +94,7 @@ enum pm_value_column { PM_VALUE_PROGRAM = 0, PM_VALUE_COLUMNS = 1 };
  * assembly keeps what the start table fixes and moves the rest.  Points are given in body axes from G (of
  * the ground: scene coordinates). */
 enum pm_body_column {
-    PM_BODY_TURNS = 0,   /* 0: a particle, its angle stays 0 */
+    PM_BODY_ROTATES = 0, /* 0: a particle, its angle stays 0 */
     PM_BODY_MASS = 1,    /* value index, >= 0; 0 where rows determine the motion all the same */
     PM_BODY_INERTIA = 2, /* value index, centroidal, >= 0 if the body turns */
     PM_BODY_X = 3,       /* value indices of the pose of G as drawn */
@@ -109,12 +109,12 @@ enum pm_line_column { PM_LINE_POINT = 0, PM_LINE_ANGLE = 1, PM_LINE_COLUMNS = 2 
 enum pm_circle_column { PM_CIRCLE_POINT = 0, PM_CIRCLE_RADIUS = 1, PM_CIRCLE_COLUMNS = 2 };
 /* Members point + k*(step_x, step_y) in the axes of the point's body, k = 0 .. count-1; count < 0: endless
  * both ways. */
-enum pm_row_column {
-    PM_ROW_POINT = 0,
-    PM_ROW_STEP_X = 1,
-    PM_ROW_STEP_Y = 2,
-    PM_ROW_COUNT = 3,
-    PM_ROW_COLUMNS = 4
+enum pm_pattern_column {
+    PM_PATTERN_POINT = 0,
+    PM_PATTERN_STEP_X = 1,
+    PM_PATTERN_STEP_Y = 2,
+    PM_PATTERN_COUNT = 3,
+    PM_PATTERN_COLUMNS = 4
 };
 
 /* ---- joints: held both ways --------------------------------------------------------------------------- */
@@ -151,9 +151,9 @@ enum pm_joint_column {
 
 /* ---- contacts: push only ------------------------------------------------------------------------------ */
 enum pm_contact_kind {
-    PM_CONTACT_LINE = 0,   /* circle a (radius 0: a point) against line b */
-    PM_CONTACT_CIRCLE = 1, /* circle a against circle b; side value as for rolling; not both radii 0 */
-    PM_CONTACT_ROW = 2,    /* circle a (radius > 0) against the members of row b */
+    PM_CONTACT_LINE = 0,    /* circle a (radius 0: a point) against line b */
+    PM_CONTACT_CIRCLE = 1,  /* circle a against circle b; side value as for rolling; not both radii 0 */
+    PM_CONTACT_PATTERN = 2, /* circle a (radius > 0) against the members of row b */
     PM_CONTACT_CORD =
         3, /* a straight strand from circle a (radius 0: a point) to circle b: pulls only, the gap is its
                             slack; it is wound on the circles and does not slip there */

@@ -21,14 +21,11 @@
 #include "state/frame.h"
 #include "state/workspace.h"
 
-int pm_capture_kind(const pm_model *m, int contact)
-{
-    return PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_CAPTURE];
-}
+int pm_capture_kind(const pm_model *m, int contact) { return PM_CONTACT_ROW(m, contact)[PM_CONTACT_CAPTURE]; }
 
 int pm_capture_is_meeting(const pm_model *m, int contact)
 {
-    return PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_KIND] == PM_CONTACT_POINT;
+    return PM_CONTACT_ROW(m, contact)[PM_CONTACT_KIND] == PM_CONTACT_POINT;
 }
 
 static pm_marks marks_of(const pm_frame *frame, int contact)
@@ -93,13 +90,13 @@ void pm_capture_keep(const pm_frame *frame, pm_state *s, int slot)
 }
 
 /* A particle has no direction that could be held. */
-static int can_turn(const pm_frame *frame, int body)
+static int can_rotate(const pm_frame *frame, int body)
 {
-    return body == frame->model->nbody || PM_BODY_ROW(frame->model, body)[PM_BODY_TURNS];
+    return body == frame->model->nbody || PM_BODY_ROW(frame->model, body)[PM_BODY_ROTATES];
 }
 
-int pm_capture_rows(const pm_frame *frame, const pm_state *state, int slot,
-                    pm_constraint row[PM_JOINT_CONSTRAINTS])
+int pm_capture_constraints(const pm_frame *frame, const pm_state *state, int slot,
+                           pm_constraint c[PM_JOINT_CONSTRAINTS])
 {
     static const int kind[PM_JOINT_CONSTRAINTS] = {PM_CONSTRAINT_POINT_X, PM_CONSTRAINT_POINT_Y,
                                                    PM_CONSTRAINT_ANGLE};
@@ -108,31 +105,31 @@ int pm_capture_rows(const pm_frame *frame, const pm_state *state, int slot,
     pm_constraint normal, tangent;
     pm_contact_constraint_both(frame, contact, slot, state->slot[slot].member, &normal, &tangent);
     const int whole = pm_capture_kind(frame->model, contact) == PM_CAPTURE_BODY;
-    const int n = whole && can_turn(frame, normal.body[0]) && can_turn(frame, normal.body[1]) ? 3 : 2;
+    const int n = whole && can_rotate(frame, normal.body[0]) && can_rotate(frame, normal.body[1]) ? 3 : 2;
     for (int i = 0; i < n; i++) {
-        row[i] = (pm_constraint){.kind = kind[i],
-                                 .body = {normal.body[0], normal.body[1]},
-                                 .a = {kept->a[0], kept->a[1]},
-                                 .b = {kept->b[0], kept->b[1]},
-                                 .value = kept->angle,
-                                 .sign = 1,
-                                 .memory = PM_NONE,
-                                 .joint = PM_NONE,
-                                 .slot = slot,
-                                 .normal = PM_NONE,
-                                 .drive = PM_NONE};
+        c[i] = (pm_constraint){.kind = kind[i],
+                               .body = {normal.body[0], normal.body[1]},
+                               .a = {kept->a[0], kept->a[1]},
+                               .b = {kept->b[0], kept->b[1]},
+                               .value = kept->angle,
+                               .sign = 1,
+                               .memory = PM_NONE,
+                               .joint = PM_NONE,
+                               .slot = slot,
+                               .normal = PM_NONE,
+                               .drive = PM_NONE};
     }
     return n;
 }
 
 double pm_capture_speed(const pm_frame *frame, const pm_state *state, int slot)
 {
-    pm_constraint row[PM_JOINT_CONSTRAINTS];
-    const int n = pm_capture_rows(frame, state, slot, row);
+    pm_constraint c[PM_JOINT_CONSTRAINTS];
+    const int n = pm_capture_constraints(frame, state, slot, c);
     double fastest = 0;
     for (int i = 0; i < n; i++) {
-        const double length = row[i].kind == PM_CONSTRAINT_ANGLE ? frame->numbers->size : 1;
-        fastest = fmax(fastest, fabs(pm_constraint_rate(frame, &row[i])) * length);
+        const double length = c[i].kind == PM_CONSTRAINT_ANGLE ? frame->numbers->size : 1;
+        fastest = fmax(fastest, fabs(pm_constraint_rate(frame, &c[i])) * length);
     }
     return fastest;
 }

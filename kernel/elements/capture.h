@@ -19,8 +19,8 @@ int pm_capture_meets(const pm_numbers *numbers, pm_evidence *evidence, int conta
 /* Keeps in the state where, and how turned, the pair of a slot is caught at the frame. */
 void pm_capture_keep(const pm_frame *frame, pm_state *s, int slot);
 /* The rows that hold the captured pair of a slot; returns how many. */
-int pm_capture_rows(const pm_frame *frame, const pm_state *state, int slot,
-                    pm_constraint row[PM_JOINT_CONSTRAINTS]);
+int pm_capture_constraints(const pm_frame *frame, const pm_state *state, int slot,
+                           pm_constraint c[PM_JOINT_CONSTRAINTS]);
 /* Greatest speed at the frame against which these rows would hold, m/s. */
 double pm_capture_speed(const pm_frame *frame, const pm_state *state, int slot);
 

@@ -32,8 +32,8 @@ static void find_locked(const pm_model *model, const pm_active_set *active, pm_c
     for (int more = 1; more;) {
         more = 0;
         for (int i = 0; i < active->n; i++) {
-            const int *body = active->row[i].body;
-            if (active->row[i].kind != PM_CONSTRAINT_ANGLE || x->locked[body[0]] == x->locked[body[1]])
+            const int *body = active->constraint[i].body;
+            if (active->constraint[i].kind != PM_CONSTRAINT_ANGLE || x->locked[body[0]] == x->locked[body[1]])
                 continue;
             x->locked[body[0]] = x->locked[body[1]] = 1;
             x->levers = more = 1;
@@ -41,11 +41,11 @@ static void find_locked(const pm_model *model, const pm_active_set *active, pm_c
     }
 }
 
-void pm_constant_motion_curve(const pm_workspace *w, double *v, double *a, unsigned char *turns,
+void pm_constant_motion_curve(const pm_workspace *w, double *v, double *a, unsigned char *rotates,
                               unsigned char *locked, pm_constant_motion *x)
 {
     const int nq = w->model->nq, nbody = w->model->nbody;
-    *x = (pm_constant_motion){.v = v, .a = a, .turns = turns, .locked = locked};
+    *x = (pm_constant_motion){.v = v, .a = a, .rotates = rotates, .locked = locked};
     x->speed = PM_STEADY_ROUNDING * w->numbers.speed;
     x->acceleration = PM_STEADY_ROUNDING * acceleration_scale(&w->frame);
     for (int i = 0; i < nq; i++) {
@@ -53,39 +53,39 @@ void pm_constant_motion_curve(const pm_workspace *w, double *v, double *a, unsig
         a[i] = fabs(w->frame.a[i]) * length_of(&w->frame, i) <= x->acceleration ? 0 : w->frame.a[i];
     }
     for (int k = nq; k < nq + 3; k++) v[k] = a[k] = 0;
-    for (int i = 0; i <= nbody; i++) turns[i] = v[3 * i + 2] != 0 || a[3 * i + 2] != 0;
+    for (int i = 0; i <= nbody; i++) rotates[i] = v[3 * i + 2] != 0 || a[3 * i + 2] != 0;
     find_locked(w->model, &w->active, x);
 }
 
 int pm_constant_motion_mark(const pm_frame *frame, const pm_constant_motion *x, int body, const double at[2])
 {
-    return !x->turns[body] || fabs(at[0]) + fabs(at[1]) <= PM_CENTRED * frame->numbers->size;
+    return !x->rotates[body] || fabs(at[0]) + fabs(at[1]) <= PM_CENTRED * frame->numbers->size;
 }
 
 int pm_constant_motion_point(const pm_frame *frame, const pm_constant_motion *x, int index)
 {
     const int32_t *e = PM_POINT_ROW(frame->model, index);
     const double at[2] = {frame->numbers->value[e[PM_POINT_X]], frame->numbers->value[e[PM_POINT_Y]]};
-    return pm_constant_motion_mark(frame, x, pm_body_index(frame->model, e[PM_POINT_BODY]), at);
+    return pm_constant_motion_mark(frame, x, pm_model_body_index(frame->model, e[PM_POINT_BODY]), at);
 }
 
-int pm_constant_motion_marks(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x)
+int pm_constant_motion_marks(const pm_frame *frame, const pm_constraint *c, const pm_constant_motion *x)
 {
-    return pm_constant_motion_mark(frame, x, row->body[0], row->a) &&
-           pm_constant_motion_mark(frame, x, row->body[1], row->b);
+    return pm_constant_motion_mark(frame, x, c->body[0], c->a) &&
+           pm_constant_motion_mark(frame, x, c->body[1], c->b);
 }
 
-int pm_constant_motion_drive(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x)
+int pm_constant_motion_drive(const pm_frame *frame, const pm_constraint *c, const pm_constant_motion *x)
 {
     (void)x;
-    return row->drive == PM_NONE || frame->model->programs.class[row->drive] == PM_CLASS_CONSTANT;
+    return c->drive == PM_NONE || frame->model->programs.class[c->drive] == PM_CLASS_CONSTANT;
 }
 
-int pm_constant_motion_together(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x)
+int pm_constant_motion_together(const pm_frame *frame, const pm_constraint *c, const pm_constant_motion *x)
 {
-    if (!pm_constant_motion_marks(frame, row, x)) return 0;
+    if (!pm_constant_motion_marks(frame, c, x)) return 0;
     for (int k = 0; k < 2; k++) {
-        const int a = 3 * row->body[0] + k, b = 3 * row->body[1] + k;
+        const int a = 3 * c->body[0] + k, b = 3 * c->body[1] + k;
         if (fabs(x->v[a] - x->v[b]) > x->speed || fabs(x->a[a] - x->a[b]) > x->acceleration) return 0;
     }
     return 1;

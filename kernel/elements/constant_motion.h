@@ -17,15 +17,15 @@
 
 /* The curve; v and a have exact zeros where only rounding was. */
 struct pm_constant_motion {
-    const double *v, *a;        /* [nq + 3]: the ground's follow, 0 */
-    const unsigned char *turns; /* [nbody + 1] the angle changes */
-    unsigned char *locked;      /* [nbody + 1] the angle is held by angle rows alone, from the ground on */
+    const double *v, *a;          /* [nq + 3]: the ground's follow, 0 */
+    const unsigned char *rotates; /* [nbody + 1] the angle changes */
+    unsigned char *locked;        /* [nbody + 1] the angle is held by angle rows alone, from the ground on */
     int levers;                 /* some body but the ground is locked: the couples that hold it may change */
     double speed, acceleration; /* below these there is none */
 };
 
 /* Copies v and a with rounding set to zero and fills x->turns (also `turns`) and x->locked; v, a: [nq + 3]. */
-void pm_constant_motion_curve(const pm_workspace *w, double *v, double *a, unsigned char *turns,
+void pm_constant_motion_curve(const pm_workspace *w, double *v, double *a, unsigned char *rotates,
                               unsigned char *locked, pm_constant_motion *x);
 
 /* The mark keeps its place relative to its body's mass centre as seen in the scene: the body does not turn, or the mark
@@ -34,10 +34,10 @@ int pm_constant_motion_mark(const pm_frame *frame, const pm_constant_motion *x, 
 /* The same of point `index` of the point table. */
 int pm_constant_motion_point(const pm_frame *frame, const pm_constant_motion *x, int index);
 /* Rules of constraints: both marks are steady; */
-int pm_constant_motion_marks(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x);
+int pm_constant_motion_marks(const pm_frame *frame, const pm_constraint *c, const pm_constant_motion *x);
 /* they keep their distance vector, too; */
-int pm_constant_motion_together(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x);
+int pm_constant_motion_together(const pm_frame *frame, const pm_constraint *c, const pm_constant_motion *x);
 /* what drives the constraint, if anything, prescribes a constant rate. */
-int pm_constant_motion_drive(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x);
+int pm_constant_motion_drive(const pm_frame *frame, const pm_constraint *c, const pm_constant_motion *x);
 
 #endif

@@ -80,9 +80,9 @@ const pm_constraint_ops *pm_constraint_kind(int kind);
 
 /* The rows of joint i with the numbers of the case; returns how many. */
 int pm_joint_constraints(const pm_frame *frame, const pm_state *state, int joint,
-                         pm_constraint row[PM_JOINT_CONSTRAINTS]);
+                         pm_constraint c[PM_JOINT_CONSTRAINTS]);
 /* The same, whether the joint is there or not. */
-int pm_joint_constraints_of_any(const pm_frame *frame, int joint, pm_constraint row[PM_JOINT_CONSTRAINTS]);
+int pm_joint_constraints_of_any(const pm_frame *frame, int joint, pm_constraint c[PM_JOINT_CONSTRAINTS]);
 /* The normal row alone of a contact that is closed (or may close) in `slot` with `member`. */
 void pm_contact_constraint_normal(const pm_frame *frame, int contact, int slot, int member,
                                   pm_constraint *normal);
@@ -94,27 +94,27 @@ void pm_contact_constraint_both(const pm_frame *frame, int contact, int slot, in
                                 pm_constraint *normal, pm_constraint *tangent);
 
 /* Whether its two bodies act on each other and on nothing else. */
-static inline int pm_constraint_is_inner(const pm_numbers *numbers, const pm_constraint *row)
+static inline int pm_constraint_is_inner(const pm_numbers *numbers, const pm_constraint *c)
 {
-    const unsigned char *still = numbers->fixed;
-    return !still[row->body[0]] && !still[row->body[1]] && row->ratio == 1;
+    const unsigned char *fixed = numbers->fixed;
+    return !fixed[c->body[0]] && !fixed[c->body[1]] && c->ratio == 1;
 }
 
 /* j x of a row that is evaluated; x[nq]: velocities, accelerations, a direction. */
-double pm_constraint_times(const pm_frame *frame, const pm_constraint *row, const double *x);
+double pm_constraint_times(const pm_frame *frame, const pm_constraint *c, const double *x);
 /* j M^-1 j^T of an evaluated row: a reaction l moves the scene like l sqrt(this) in the metric of M. */
-double pm_constraint_square(const pm_frame *frame, const pm_constraint *row);
+double pm_constraint_square(const pm_frame *frame, const pm_constraint *c);
 /* What evaluated rows are missed by, off[n], and the greatest of it: -g, or the prescribed rate less that of velocities v[nq].
  * which[n]: places of these rows; NULL: the first n. */
-double pm_constraint_openings(const pm_constraint *row, int n, const int *which, double *off);
-double pm_constraint_slips(const pm_frame *frame, const pm_constraint *row, int n, const int *which,
+double pm_constraint_openings(const pm_constraint *c, int n, const int *which, double *off);
+double pm_constraint_slips(const pm_frame *frame, const pm_constraint *c, int n, const int *which,
                            const double *v, double *off);
 /* All active constraints keep their Jacobian along the curve. */
 int pm_constraint_all_steady(const pm_frame *frame, const pm_active_set *active, const pm_constant_motion *x);
 /* Rate of a row from the geometry of its line of action (equals j v). */
-double pm_constraint_rate(const pm_frame *frame, const pm_constraint *row);
+double pm_constraint_rate(const pm_frame *frame, const pm_constraint *c);
 /* The same relative to its prescribed rate: how a surface slips on a moving belt. */
-double pm_constraint_slip(const pm_frame *frame, const pm_constraint *row);
+double pm_constraint_slip(const pm_frame *frame, const pm_constraint *c);
 
 /* The two marks of a row in the frame, and what all kinds share. */
 typedef struct pm_marks {
@@ -124,9 +124,9 @@ typedef struct pm_marks {
     double quad[2]; /* relative acceleration of the marks when the coordinates do not accelerate */
     double omega_a, omega_b;
 } pm_marks;
-pm_marks pm_constraint_marks(const pm_frame *frame, const pm_constraint *row);
+pm_marks pm_constraint_marks(const pm_frame *frame, const pm_constraint *c);
 /* j = (n, r_a x n) on a, -(n, r_b x n) on b. */
-void pm_constraint_along(pm_constraint *row, const pm_marks *x, const double n[2], double factor);
+void pm_constraint_along(pm_constraint *c, const pm_marks *x, const double n[2], double factor);
 
 /* How far, how fast and how hard (beyond the constant accelerations of their mass centres) two marks part at most over the
  * next h seconds; `turn`, `spin`: how fast and how hard body[1] turns. */
@@ -134,26 +134,26 @@ typedef struct pm_constraint_reach {
     double apart[2]; /* accelerations of the mass centres, relative */
     double swing;    /* of accelerations by turning: rho sqrt(omega^4 + alpha^2), both marks */
     double distance, rate;
-    double turn, spin;
+    double omega, spin;
 } pm_constraint_reach;
-pm_constraint_reach pm_constraint_reach_of(const pm_constraint *row, const pm_marks *x, const double *a,
+pm_constraint_reach pm_constraint_reach_of(const pm_constraint *c, const pm_marks *x, const double *a,
                                            double h);
 
 /* ---- marks: points, lines and circles of the tables, with the numbers of the case (constraint_marks.c) ---- */
 /* A row of a kind that belongs to nothing yet. */
 pm_constraint pm_constraint_marks_blank(int kind);
 
-void pm_constraint_marks_points(const pm_frame *frame, pm_constraint *row, int a, int b);
-void pm_constraint_marks_point_and_line(const pm_frame *frame, pm_constraint *row, int point, int line);
-void pm_constraint_marks_circle_and_line(const pm_frame *frame, pm_constraint *row, int circle, int line);
+void pm_constraint_marks_points(const pm_frame *frame, pm_constraint *c, int a, int b);
+void pm_constraint_marks_point_and_line(const pm_frame *frame, pm_constraint *c, int point, int line);
+void pm_constraint_marks_circle_and_line(const pm_frame *frame, pm_constraint *c, int circle, int line);
 /* Side 1: outside each other; -1: a inside b; -2: b inside a. */
-void pm_constraint_marks_circles(const pm_frame *frame, pm_constraint *row, int a, int b, double side);
-void pm_constraint_marks_radii(pm_constraint *row, double radius_a, double radius_b, double side);
+void pm_constraint_marks_circles(const pm_frame *frame, pm_constraint *c, int a, int b, double side);
+void pm_constraint_marks_radii(pm_constraint *c, double radius_a, double radius_b, double side);
 /* A strand from circle a to circle b; which way round each it goes is the sign of its radius. */
-void pm_constraint_marks_strand(const pm_frame *frame, pm_constraint *row, int a, int b, double sense_a,
+void pm_constraint_marks_strand(const pm_frame *frame, pm_constraint *c, int a, int b, double sense_a,
                                 double sense_b);
 /* Circle and member of a periodic row of points. */
-void pm_constraint_marks_member(const pm_frame *frame, pm_constraint *row, int circle, int of, int member);
+void pm_constraint_marks_member(const pm_frame *frame, pm_constraint *c, int circle, int of, int member);
 
 /* No overflow is possible at the scale of scenes: a plain root is an eighth of hypot's price. */
 static inline double pm_length(const double a[2]) { return sqrt(a[0] * a[0] + a[1] * a[1]); }

@@ -2,26 +2,26 @@
 #include "elements/constraint.h"
 #include "state/workspace.h"
 
-static void evaluate(const pm_frame *frame, pm_constraint *row)
+static void evaluate(const pm_frame *frame, pm_constraint *c)
 {
-    for (int k = 0; k < 6; k++) row->j[k] = 0;
-    row->j[2] = 1;
-    row->j[5] = -1;
-    row->g = frame->pose[5 * row->body[0] + 2] - frame->pose[5 * row->body[1] + 2] - row->value;
-    row->gamma = 0;
+    for (int k = 0; k < 6; k++) c->j[k] = 0;
+    c->j[2] = 1;
+    c->j[5] = -1;
+    c->g = frame->pose[5 * c->body[0] + 2] - frame->pose[5 * c->body[1] + 2] - c->value;
+    c->gamma = 0;
 }
 
-static void act(const pm_frame *frame, const pm_constraint *row, pm_line_of_action *x)
+static void act(const pm_frame *frame, const pm_constraint *c, pm_line_of_action *x)
 {
     (void)frame;
-    (void)row;
+    (void)c;
     *x = (pm_line_of_action){.couple = {1, -1}};
 }
 
-static int steady(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x)
+static int steady(const pm_frame *frame, const pm_constraint *c, const pm_constant_motion *x)
 {
     (void)frame;
-    (void)row;
+    (void)c;
     (void)x;
     return 1;
 }

@@ -10,41 +10,41 @@
 #include "elements/constraint.h"
 #include "state/workspace.h"
 
-static void evaluate(const pm_frame *frame, pm_constraint *row)
+static void evaluate(const pm_frame *frame, pm_constraint *c)
 {
-    const pm_marks x = pm_constraint_marks(frame, row);
+    const pm_marks x = pm_constraint_marks(frame, c);
     const double distance = pm_length(x.d);
     const double n[2] = {x.d[0] / distance, x.d[1] / distance}, t[2] = {-n[1], n[0]};
     const double across = pm_dot(x.u, t);
-    pm_constraint_along(row, &x, n, row->sign);
-    row->g = row->sign * (distance - row->value);
-    row->gamma = -row->sign * (pm_dot(x.quad, n) + across * across / distance);
+    pm_constraint_along(c, &x, n, c->sign);
+    c->g = c->sign * (distance - c->value);
+    c->gamma = -c->sign * (pm_dot(x.quad, n) + across * across / distance);
 }
 
-static void act(const pm_frame *frame, const pm_constraint *row, pm_line_of_action *x)
+static void act(const pm_frame *frame, const pm_constraint *c, pm_line_of_action *x)
 {
-    const pm_point a = pm_frame_point(frame, row->body[0], row->a[0], row->a[1]);
-    const pm_point b = pm_frame_point(frame, row->body[1], row->b[0], row->b[1]);
+    const pm_point a = pm_frame_point(frame, c->body[0], c->a[0], c->a[1]);
+    const pm_point b = pm_frame_point(frame, c->body[1], c->b[0], c->b[1]);
     const double d[2] = {a.p[0] - b.p[0], a.p[1] - b.p[1]}, distance = pm_length(d);
     x->couple[0] = x->couple[1] = 0;
     for (int k = 0; k < 2; k++) {
-        x->direction[k] = row->sign * d[k] / distance;
-        x->at[k] = a.p[k] - row->radius_a * d[k] / distance;
+        x->direction[k] = c->sign * d[k] / distance;
+        x->at[k] = a.p[k] - c->radius_a * d[k] / distance;
     }
 }
 
 /* C'' = s (d''.n + (d'.t)^2 / D): apart the last part only helps; one inside the other it counts against, as long as the
  * centres do not meet. */
-static void bound(const pm_frame *frame, const pm_constraint *row, const double *a, double h,
+static void bound(const pm_frame *frame, const pm_constraint *c, const double *a, double h,
                   pm_constraint_bounds *x)
 {
-    const pm_marks m = pm_constraint_marks(frame, row);
-    const pm_constraint_reach r = pm_constraint_reach_of(row, &m, a, h);
+    const pm_marks m = pm_constraint_marks(frame, c);
+    const pm_constraint_reach r = pm_constraint_reach_of(c, &m, a, h);
     const double hardest = pm_length(r.apart) + r.swing, nearest = pm_length(m.d) - r.rate * h;
     x->rate = r.rate;
     x->exact = 0;
     x->bend = -hardest;
-    if (row->sign < 0) x->bend = nearest > 0 ? -(hardest + r.rate * r.rate / nearest) : -INFINITY;
+    if (c->sign < 0) x->bend = nearest > 0 ? -(hardest + r.rate * r.rate / nearest) : -INFINITY;
 }
 
 const pm_constraint_ops pm_constraint_distance = {

@@ -11,78 +11,78 @@
 #include "state/workspace.h"
 
 /* What all driven rows share: the residual is `place` less what is prescribed. */
-static void prescribe(const pm_frame *frame, pm_constraint *row, double place)
+static void prescribe(const pm_frame *frame, pm_constraint *c, double place)
 {
-    const pm_memory *memory = &frame->memory[row->memory];
-    row->g = place - memory->anchor - pm_drive_way(frame, row->drive, memory);
-    row->gamma += pm_drive_change(frame, row->drive);
-    row->rate = pm_drive_rate(frame, row->drive);
+    const pm_memory *memory = &frame->memory[c->memory];
+    c->g = place - memory->anchor - pm_drive_way(frame, c->drive, memory);
+    c->gamma += pm_drive_change(frame, c->drive);
+    c->rate = pm_drive_rate(frame, c->drive);
 }
 
-static void keep(const pm_frame *frame, const pm_constraint *row, double place, pm_memory *memory,
+static void keep(const pm_frame *frame, const pm_constraint *c, double place, pm_memory *memory,
                  int anchor_too)
 {
     if (anchor_too) {
         memory->anchor = place;
         memory->time = frame->t;
     } else {
-        pm_drive_follow(frame, row->drive, memory);
+        pm_drive_follow(frame, c->drive, memory);
     }
 }
 
-static void evaluate_point(const pm_frame *frame, pm_constraint *row)
+static void evaluate_point(const pm_frame *frame, pm_constraint *c)
 {
-    const pm_marks x = pm_constraint_marks(frame, row);
-    pm_constraint_along(row, &x, row->axis, 1);
-    row->gamma = -pm_dot(x.quad, row->axis);
-    prescribe(frame, row, pm_dot(x.d, row->axis));
+    const pm_marks x = pm_constraint_marks(frame, c);
+    pm_constraint_along(c, &x, c->axis, 1);
+    c->gamma = -pm_dot(x.quad, c->axis);
+    prescribe(frame, c, pm_dot(x.d, c->axis));
 }
 
-static void act_point(const pm_frame *frame, const pm_constraint *row, pm_line_of_action *x)
+static void act_point(const pm_frame *frame, const pm_constraint *c, pm_line_of_action *x)
 {
-    const pm_point a = pm_frame_point(frame, row->body[0], row->a[0], row->a[1]);
-    *x = (pm_line_of_action){.at = {a.p[0], a.p[1]}, .direction = {row->axis[0], row->axis[1]}};
+    const pm_point a = pm_frame_point(frame, c->body[0], c->a[0], c->a[1]);
+    *x = (pm_line_of_action){.at = {a.p[0], a.p[1]}, .direction = {c->axis[0], c->axis[1]}};
 }
 
-static void remember_point(const pm_frame *frame, const pm_constraint *row, pm_memory *memory, int anchor_too)
+static void remember_point(const pm_frame *frame, const pm_constraint *c, pm_memory *memory, int anchor_too)
 {
-    const pm_marks x = pm_constraint_marks(frame, row);
-    keep(frame, row, pm_dot(x.d, row->axis), memory, anchor_too);
+    const pm_marks x = pm_constraint_marks(frame, c);
+    keep(frame, c, pm_dot(x.d, c->axis), memory, anchor_too);
 }
 
-static int steady_point(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x)
+static int steady_point(const pm_frame *frame, const pm_constraint *c, const pm_constant_motion *x)
 {
-    return pm_constant_motion_drive(frame, row, x) && pm_constant_motion_marks(frame, row, x);
+    return pm_constant_motion_drive(frame, c, x) && pm_constant_motion_marks(frame, c, x);
 }
 
-static double turned(const pm_frame *frame, const pm_constraint *row)
+static double relative_angle(const pm_frame *frame, const pm_constraint *c)
 {
-    return frame->pose[5 * row->body[0] + 2] - row->ratio * frame->pose[5 * row->body[1] + 2];
+    return frame->pose[5 * c->body[0] + 2] - c->ratio * frame->pose[5 * c->body[1] + 2];
 }
 
-static void evaluate_turn(const pm_frame *frame, pm_constraint *row)
+static void evaluate_ratio(const pm_frame *frame, pm_constraint *c)
 {
-    for (int k = 0; k < 6; k++) row->j[k] = 0;
-    row->j[2] = 1;
-    row->j[5] = -row->ratio;
-    row->gamma = 0;
-    prescribe(frame, row, turned(frame, row));
+    for (int k = 0; k < 6; k++) c->j[k] = 0;
+    c->j[2] = 1;
+    c->j[5] = -c->ratio;
+    c->gamma = 0;
+    prescribe(frame, c, relative_angle(frame, c));
 }
 
-static void act_turn(const pm_frame *frame, const pm_constraint *row, pm_line_of_action *x)
+static void act_ratio(const pm_frame *frame, const pm_constraint *c, pm_line_of_action *x)
 {
     (void)frame;
-    *x = (pm_line_of_action){.couple = {1, -row->ratio}};
+    *x = (pm_line_of_action){.couple = {1, -c->ratio}};
 }
 
-static void remember_turn(const pm_frame *frame, const pm_constraint *row, pm_memory *memory, int anchor_too)
+static void remember_ratio(const pm_frame *frame, const pm_constraint *c, pm_memory *memory, int anchor_too)
 {
-    keep(frame, row, turned(frame, row), memory, anchor_too);
+    keep(frame, c, relative_angle(frame, c), memory, anchor_too);
 }
 
 const pm_constraint_ops pm_constraint_drive = {
     .evaluate = evaluate_point, .act = act_point, .remember = remember_point, .steady = steady_point};
-const pm_constraint_ops pm_constraint_ratio = {.evaluate = evaluate_turn,
-                                               .act = act_turn,
-                                               .remember = remember_turn,
+const pm_constraint_ops pm_constraint_ratio = {.evaluate = evaluate_ratio,
+                                               .act = act_ratio,
+                                               .remember = remember_ratio,
                                                .steady = pm_constant_motion_drive};

@@ -20,30 +20,30 @@ const pm_constraint_ops *pm_constraint_kind(int kind)
     return kinds[kind];
 }
 
-double pm_constraint_rate(const pm_frame *frame, const pm_constraint *row)
+double pm_constraint_rate(const pm_frame *frame, const pm_constraint *c)
 {
     pm_line_of_action x;
-    pm_constraint_kind(row->kind)->act(frame, row, &x);
+    pm_constraint_kind(c->kind)->act(frame, c, &x);
     double u[2];
-    const double *va = frame->velocity + 3 * row->body[0], *vb = frame->velocity + 3 * row->body[1];
-    const double *pa = frame->pose + 5 * row->body[0], *pb = frame->pose + 5 * row->body[1];
+    const double *va = frame->velocity + 3 * c->body[0], *vb = frame->velocity + 3 * c->body[1];
+    const double *pa = frame->pose + 5 * c->body[0], *pb = frame->pose + 5 * c->body[1];
     u[0] = (va[0] - va[2] * (x.at[1] - pa[1])) - (vb[0] - vb[2] * (x.at[1] - pb[1]));
     u[1] = (va[1] + va[2] * (x.at[0] - pa[0])) - (vb[1] + vb[2] * (x.at[0] - pb[0]));
     return pm_dot(u, x.direction) + x.couple[0] * va[2] + x.couple[1] * vb[2];
 }
 
-double pm_constraint_slip(const pm_frame *frame, const pm_constraint *row)
+double pm_constraint_slip(const pm_frame *frame, const pm_constraint *c)
 {
-    return pm_constraint_rate(frame, row) - pm_drive_rate(frame, row->drive);
+    return pm_constraint_rate(frame, c) - pm_drive_rate(frame, c->drive);
 }
 
 /* Active constraints, and behind them the tangents that sliding normals carry, closed by an entry without normal. */
 int pm_constraint_all_steady(const pm_frame *frame, const pm_active_set *active, const pm_constant_motion *x)
 {
-    const pm_constraint *row = active->row;
-    for (int i = 0; i < active->n || row[i].normal != PM_NONE; i++) {
-        const pm_constraint_ops *ops = pm_constraint_kind(row[i].kind);
-        if (!ops->steady || !ops->steady(frame, &row[i], x)) return 0;
+    const pm_constraint *c = active->constraint;
+    for (int i = 0; i < active->n || c[i].normal != PM_NONE; i++) {
+        const pm_constraint_ops *ops = pm_constraint_kind(c[i].kind);
+        if (!ops->steady || !ops->steady(frame, &c[i], x)) return 0;
     }
     return 1;
 }

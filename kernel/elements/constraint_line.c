@@ -18,109 +18,107 @@ typedef struct pm_line_frame {
     double t[2], n[2];
 } pm_line_frame;
 
-static pm_line_frame line_frame(const pm_frame *frame, const pm_constraint *row)
+static pm_line_frame line_frame(const pm_frame *frame, const pm_constraint *constraint)
 {
-    const double *pose = frame->pose + 5 * row->body[1], *axis = row->axis;
+    const double *pose = frame->pose + 5 * constraint->body[1], *axis = constraint->axis;
     const double c = pose[3] * axis[0] - pose[4] * axis[1], s = pose[4] * axis[0] + pose[3] * axis[1];
     return (pm_line_frame){.t = {c, s}, .n = {-s, c}};
 }
 
-static void evaluate_normal(const pm_frame *frame, pm_constraint *row)
+static void evaluate_normal(const pm_frame *frame, pm_constraint *c)
 {
-    const pm_marks x = pm_constraint_marks(frame, row);
-    const pm_line_frame l = line_frame(frame, row);
-    pm_constraint_along(row, &x, l.n, 1);
-    row->j[5] -= pm_dot(x.d, l.t);
-    row->g = pm_dot(x.d, l.n) - row->radius_a;
-    row->gamma =
+    const pm_marks x = pm_constraint_marks(frame, c);
+    const pm_line_frame l = line_frame(frame, c);
+    pm_constraint_along(c, &x, l.n, 1);
+    c->j[5] -= pm_dot(x.d, l.t);
+    c->g = pm_dot(x.d, l.n) - c->radius_a;
+    c->gamma =
         -(pm_dot(x.quad, l.n) - 2 * x.omega_b * pm_dot(x.u, l.t) - x.omega_b * x.omega_b * pm_dot(x.d, l.n));
 }
 
-static double rolled(const pm_frame *frame, const pm_constraint *row, const pm_marks *x,
-                     const pm_line_frame *l)
+static double rolled(const pm_frame *frame, const pm_constraint *c, const pm_marks *x, const pm_line_frame *l)
 {
-    const double turned = frame->pose[5 * row->body[0] + 2] - frame->pose[5 * row->body[1] + 2];
-    return pm_dot(x->d, l->t) + row->radius_a * turned;
+    const double rotation = frame->pose[5 * c->body[0] + 2] - frame->pose[5 * c->body[1] + 2];
+    return pm_dot(x->d, l->t) + c->radius_a * rotation;
 }
 
-static void evaluate_tangent(const pm_frame *frame, pm_constraint *row)
+static void evaluate_tangent(const pm_frame *frame, pm_constraint *c)
 {
-    const pm_marks x = pm_constraint_marks(frame, row);
-    const pm_line_frame l = line_frame(frame, row);
-    pm_constraint_along(row, &x, l.t, 1);
-    row->j[2] += row->radius_a;
-    row->j[5] += pm_dot(x.d, l.n) - row->radius_a;
-    row->g = rolled(frame, row, &x, &l) - frame->memory[row->memory].anchor;
-    row->gamma =
+    const pm_marks x = pm_constraint_marks(frame, c);
+    const pm_line_frame l = line_frame(frame, c);
+    pm_constraint_along(c, &x, l.t, 1);
+    c->j[2] += c->radius_a;
+    c->j[5] += pm_dot(x.d, l.n) - c->radius_a;
+    c->g = rolled(frame, c, &x, &l) - frame->memory[c->memory].anchor;
+    c->gamma =
         -(pm_dot(x.quad, l.t) + 2 * x.omega_b * pm_dot(x.u, l.n) - x.omega_b * x.omega_b * pm_dot(x.d, l.t));
-    if (row->drive == PM_NONE) return;
-    row->g -= pm_drive_way(frame, row->drive, &frame->memory[row->memory]);
-    row->gamma += pm_drive_change(frame, row->drive);
-    row->rate = pm_drive_rate(frame, row->drive);
+    if (c->drive == PM_NONE) return;
+    c->g -= pm_drive_way(frame, c->drive, &frame->memory[c->memory]);
+    c->gamma += pm_drive_change(frame, c->drive);
+    c->rate = pm_drive_rate(frame, c->drive);
 }
 
-static void remember(const pm_frame *frame, const pm_constraint *row, pm_memory *memory, int anchor_too)
+static void remember(const pm_frame *frame, const pm_constraint *c, pm_memory *memory, int anchor_too)
 {
     if (!anchor_too) {
-        pm_drive_follow(frame, row->drive, memory);
+        pm_drive_follow(frame, c->drive, memory);
         return;
     }
-    const pm_marks x = pm_constraint_marks(frame, row);
-    const pm_line_frame l = line_frame(frame, row);
-    memory->anchor = rolled(frame, row, &x, &l);
+    const pm_marks x = pm_constraint_marks(frame, c);
+    const pm_line_frame l = line_frame(frame, c);
+    memory->anchor = rolled(frame, c, &x, &l);
     memory->time = frame->t;
 }
 
-static void touch(const pm_frame *frame, const pm_constraint *row, const pm_line_frame *l,
-                  pm_line_of_action *x)
+static void touch(const pm_frame *frame, const pm_constraint *c, const pm_line_frame *l, pm_line_of_action *x)
 {
-    const pm_point a = pm_frame_point(frame, row->body[0], row->a[0], row->a[1]);
-    for (int k = 0; k < 2; k++) x->at[k] = a.p[k] - row->radius_a * l->n[k];
+    const pm_point a = pm_frame_point(frame, c->body[0], c->a[0], c->a[1]);
+    for (int k = 0; k < 2; k++) x->at[k] = a.p[k] - c->radius_a * l->n[k];
     x->couple[0] = x->couple[1] = 0;
 }
 
-static void act_normal(const pm_frame *frame, const pm_constraint *row, pm_line_of_action *x)
+static void act_normal(const pm_frame *frame, const pm_constraint *c, pm_line_of_action *x)
 {
-    const pm_line_frame l = line_frame(frame, row);
-    touch(frame, row, &l, x);
+    const pm_line_frame l = line_frame(frame, c);
+    touch(frame, c, &l, x);
     for (int k = 0; k < 2; k++) x->direction[k] = l.n[k];
 }
 
-static void act_tangent(const pm_frame *frame, const pm_constraint *row, pm_line_of_action *x)
+static void act_tangent(const pm_frame *frame, const pm_constraint *c, pm_line_of_action *x)
 {
-    const pm_line_frame l = line_frame(frame, row);
-    touch(frame, row, &l, x);
+    const pm_line_frame l = line_frame(frame, c);
+    touch(frame, c, &l, x);
     for (int k = 0; k < 2; k++) x->direction[k] = l.t[k];
 }
 
 /* The line keeps its direction.  Where the point runs along it its lever on the line's body changes: that is felt unless
  * the body cannot turn at all. */
-static int steady_normal(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x)
+static int steady_normal(const pm_frame *frame, const pm_constraint *c, const pm_constant_motion *x)
 {
-    const int b = row->body[1];
-    if (x->turns[b] || !pm_constant_motion_marks(frame, row, x)) return 0;
+    const int b = c->body[1];
+    if (x->rotates[b] || !pm_constant_motion_marks(frame, c, x)) return 0;
     return x->locked[b] || frame->numbers->inverse_mass[3 * b + 2] == 0 ||
-           pm_constant_motion_together(frame, row, x);
+           pm_constant_motion_together(frame, c, x);
 }
 
 /* While the circle stays on the line (its normal row) the lever of the tangent on the line's body stays. */
-static int steady_tangent(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x)
+static int steady_tangent(const pm_frame *frame, const pm_constraint *c, const pm_constant_motion *x)
 {
-    return !x->turns[row->body[1]] && pm_constant_motion_marks(frame, row, x) &&
-           pm_constant_motion_drive(frame, row, x);
+    return !x->rotates[c->body[1]] && pm_constant_motion_marks(frame, c, x) &&
+           pm_constant_motion_drive(frame, c, x);
 }
 
 /* C'' = d''.n + 2 d'.n' + d.n'' with n' = -w_b t: exact where the line does not turn and the point does not go round. */
-static void bound(const pm_frame *frame, const pm_constraint *row, const double *a, double h,
+static void bound(const pm_frame *frame, const pm_constraint *c, const double *a, double h,
                   pm_constraint_bounds *x)
 {
-    const pm_marks m = pm_constraint_marks(frame, row);
-    const pm_constraint_reach r = pm_constraint_reach_of(row, &m, a, h);
-    const pm_line_frame l = line_frame(frame, row);
-    x->rate = r.rate + r.turn * r.distance;
+    const pm_marks m = pm_constraint_marks(frame, c);
+    const pm_constraint_reach r = pm_constraint_reach_of(c, &m, a, h);
+    const pm_line_frame l = line_frame(frame, c);
+    x->rate = r.rate + r.omega * r.distance;
     x->exact = r.spin == 0 && r.swing == 0;
     x->bend = r.spin == 0 ? pm_dot(r.apart, l.n) - r.swing
-                          : -(pm_length(r.apart) + r.swing + 2 * r.turn * r.rate + r.spin * r.distance);
+                          : -(pm_length(r.apart) + r.swing + 2 * r.omega * r.rate + r.spin * r.distance);
 }
 
 const pm_constraint_ops pm_constraint_line_normal = {

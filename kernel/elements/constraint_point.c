@@ -17,38 +17,38 @@ static inline void lever_of(const pm_frame *frame, int body, const double mark[2
 }
 
 /* Written out for each axis, k = 0 or 1: these are the rows of all pins. */
-static inline void evaluate(const pm_frame *frame, pm_constraint *row, int k)
+static inline void evaluate(const pm_frame *frame, pm_constraint *c, int k)
 {
     const pm_frame *f = frame;
-    const double omega_a = f->velocity[3 * row->body[0] + 2], omega_b = f->velocity[3 * row->body[1] + 2];
+    const double omega_a = f->velocity[3 * c->body[0] + 2], omega_b = f->velocity[3 * c->body[1] + 2];
     double a[2], b[2];
-    lever_of(frame, row->body[0], row->a, a);
-    lever_of(frame, row->body[1], row->b, b);
-    row->j[k] = 1;
-    row->j[1 - k] = 0;
-    row->j[2] = k ? a[0] : -a[1];
-    row->j[3 + k] = -1;
-    row->j[4 - k] = 0;
-    row->j[5] = k ? -b[0] : b[1];
-    row->g = (f->pose[5 * row->body[0] + k] + a[k]) - (f->pose[5 * row->body[1] + k] + b[k]);
-    row->gamma = omega_a * omega_a * a[k] - omega_b * omega_b * b[k];
+    lever_of(frame, c->body[0], c->a, a);
+    lever_of(frame, c->body[1], c->b, b);
+    c->j[k] = 1;
+    c->j[1 - k] = 0;
+    c->j[2] = k ? a[0] : -a[1];
+    c->j[3 + k] = -1;
+    c->j[4 - k] = 0;
+    c->j[5] = k ? -b[0] : b[1];
+    c->g = (f->pose[5 * c->body[0] + k] + a[k]) - (f->pose[5 * c->body[1] + k] + b[k]);
+    c->gamma = omega_a * omega_a * a[k] - omega_b * omega_b * b[k];
 }
 
-static void act(const pm_frame *frame, const pm_constraint *row, pm_line_of_action *x, const double n[2])
+static void act(const pm_frame *frame, const pm_constraint *c, pm_line_of_action *x, const double n[2])
 {
-    const pm_point a = pm_frame_point(frame, row->body[0], row->a[0], row->a[1]);
+    const pm_point a = pm_frame_point(frame, c->body[0], c->a[0], c->a[1]);
     *x = (pm_line_of_action){.at = {a.p[0], a.p[1]}, .direction = {n[0], n[1]}};
 }
 
-static void evaluate_x(const pm_frame *frame, pm_constraint *row) { evaluate(frame, row, 0); }
-static void evaluate_y(const pm_frame *frame, pm_constraint *row) { evaluate(frame, row, 1); }
-static void act_x(const pm_frame *frame, const pm_constraint *row, pm_line_of_action *x)
+static void evaluate_x(const pm_frame *frame, pm_constraint *c) { evaluate(frame, c, 0); }
+static void evaluate_y(const pm_frame *frame, pm_constraint *c) { evaluate(frame, c, 1); }
+static void act_x(const pm_frame *frame, const pm_constraint *c, pm_line_of_action *x)
 {
-    act(frame, row, x, axis_x);
+    act(frame, c, x, axis_x);
 }
-static void act_y(const pm_frame *frame, const pm_constraint *row, pm_line_of_action *x)
+static void act_y(const pm_frame *frame, const pm_constraint *c, pm_line_of_action *x)
 {
-    act(frame, row, x, axis_y);
+    act(frame, c, x, axis_y);
 }
 
 /* The levers stay where neither mark goes round. */

@@ -22,9 +22,9 @@ typedef struct pm_strand {
     double u[2], n[2], length, direction; /* in (-pi, pi] */
 } pm_strand;
 
-static pm_strand strand_of(const pm_constraint *row, const double d[2])
+static pm_strand strand_of(const pm_constraint *c, const double d[2])
 {
-    const double h = row->radius_b - row->radius_a, square = pm_dot(d, d);
+    const double h = c->radius_b - c->radius_a, square = pm_dot(d, d);
     pm_strand x = {.length = sqrt(square - h * h)};
     for (int k = 0; k < 2; k++) {
         const double across = k == 0 ? d[1] : -d[0]; /* -k x d */
@@ -42,61 +42,61 @@ static double unwrapped(double direction, double reference)
 }
 
 /* The slack but for the anchor. */
-static double paid_out(const pm_frame *frame, const pm_constraint *row, const pm_strand *x, double direction)
+static double paid_out(const pm_frame *frame, const pm_constraint *c, const pm_strand *x, double direction)
 {
     const double *pose = frame->pose;
-    return (row->radius_b - row->radius_a) * direction + row->radius_a * pose[5 * row->body[0] + 2] -
-           row->radius_b * pose[5 * row->body[1] + 2] - x->length;
+    return (c->radius_b - c->radius_a) * direction + c->radius_a * pose[5 * c->body[0] + 2] -
+           c->radius_b * pose[5 * c->body[1] + 2] - x->length;
 }
 
-static pm_strand look(const pm_frame *frame, const pm_constraint *row, pm_marks *marks)
+static pm_strand look(const pm_frame *frame, const pm_constraint *c, pm_marks *marks)
 {
-    *marks = pm_constraint_marks(frame, row);
+    *marks = pm_constraint_marks(frame, c);
     const double d[2] = {-marks->d[0], -marks->d[1]};
-    return strand_of(row, d);
+    return strand_of(c, d);
 }
 
-static void evaluate(const pm_frame *frame, pm_constraint *row)
+static void evaluate(const pm_frame *frame, pm_constraint *c)
 {
     pm_marks y;
-    const pm_strand x = look(frame, row, &y);
-    const pm_memory *memory = &frame->memory[row->memory];
+    const pm_strand x = look(frame, c, &y);
+    const pm_memory *memory = &frame->memory[c->memory];
     const double across = pm_dot(y.u, x.n);
-    pm_constraint_along(row, &y, x.u, 1);
-    row->j[2] += row->radius_a;
-    row->j[5] -= row->radius_b;
-    row->g = memory->anchor + paid_out(frame, row, &x, unwrapped(x.direction, memory->direction));
-    row->gamma = across * across / x.length - pm_dot(x.u, y.quad);
+    pm_constraint_along(c, &y, x.u, 1);
+    c->j[2] += c->radius_a;
+    c->j[5] -= c->radius_b;
+    c->g = memory->anchor + paid_out(frame, c, &x, unwrapped(x.direction, memory->direction));
+    c->gamma = across * across / x.length - pm_dot(x.u, y.quad);
 }
 
-static void remember(const pm_frame *frame, const pm_constraint *row, pm_memory *memory, int anchor_too)
+static void remember(const pm_frame *frame, const pm_constraint *c, pm_memory *memory, int anchor_too)
 {
     pm_marks y;
-    const pm_strand x = look(frame, row, &y);
+    const pm_strand x = look(frame, c, &y);
     memory->direction = anchor_too ? x.direction : unwrapped(x.direction, memory->direction);
-    if (anchor_too) memory->anchor = -paid_out(frame, row, &x, memory->direction);
+    if (anchor_too) memory->anchor = -paid_out(frame, c, &x, memory->direction);
 }
 
-static void act(const pm_frame *frame, const pm_constraint *row, pm_line_of_action *x)
+static void act(const pm_frame *frame, const pm_constraint *c, pm_line_of_action *x)
 {
     pm_marks y;
-    const pm_strand strand = look(frame, row, &y);
+    const pm_strand strand = look(frame, c, &y);
     x->couple[0] = x->couple[1] = 0;
     for (int k = 0; k < 2; k++) {
-        x->at[k] = y.a.p[k] - row->radius_a * strand.n[k];
+        x->at[k] = y.a.p[k] - c->radius_a * strand.n[k];
         x->direction[k] = strand.u[k];
     }
 }
 
 /* The strand keeps its direction: its ends part along it. */
-static int steady(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x)
+static int steady(const pm_frame *frame, const pm_constraint *c, const pm_constant_motion *x)
 {
-    if (!pm_constant_motion_marks(frame, row, x)) return 0;
+    if (!pm_constant_motion_marks(frame, c, x)) return 0;
     pm_marks y;
-    const pm_strand strand = look(frame, row, &y);
+    const pm_strand strand = look(frame, c, &y);
     double speed = 0, acceleration = 0;
     for (int k = 0; k < 2; k++) {
-        const int a = 3 * row->body[0] + k, b = 3 * row->body[1] + k;
+        const int a = 3 * c->body[0] + k, b = 3 * c->body[1] + k;
         speed += (x->v[a] - x->v[b]) * strand.n[k];
         acceleration += (x->a[a] - x->a[b]) * strand.n[k];
     }
@@ -104,17 +104,17 @@ static int steady(const pm_frame *frame, const pm_constraint *row, const pm_cons
 }
 
 /* C'' = u.d'' + R_a alpha_a - R_b alpha_b - (d'.n)^2 / l: the last part counts against, as long as some strand is left. */
-static void bound(const pm_frame *frame, const pm_constraint *row, const double *a, double h,
+static void bound(const pm_frame *frame, const pm_constraint *c, const double *a, double h,
                   pm_constraint_bounds *x)
 {
-    const pm_marks m = pm_constraint_marks(frame, row);
-    const pm_constraint_reach r = pm_constraint_reach_of(row, &m, a, h);
-    const double alpha_a = a[3 * row->body[0] + 2], alpha_b = a[3 * row->body[1] + 2];
-    const double past = row->radius_b - row->radius_a, nearest = pm_length(m.d) - r.rate * h;
+    const pm_marks m = pm_constraint_marks(frame, c);
+    const pm_constraint_reach r = pm_constraint_reach_of(c, &m, a, h);
+    const double alpha_a = a[3 * c->body[0] + 2], alpha_b = a[3 * c->body[1] + 2];
+    const double past = c->radius_b - c->radius_a, nearest = pm_length(m.d) - r.rate * h;
     const double square = nearest * fabs(nearest) - past * past;
-    const double wound = row->radius_a * alpha_a - row->radius_b * alpha_b;
-    x->rate = r.rate + fabs(row->radius_a) * (fabs(m.omega_a) + fabs(alpha_a) * h) +
-              fabs(row->radius_b) * (fabs(m.omega_b) + fabs(alpha_b) * h);
+    const double wound = c->radius_a * alpha_a - c->radius_b * alpha_b;
+    x->rate = r.rate + fabs(c->radius_a) * (fabs(m.omega_a) + fabs(alpha_a) * h) +
+              fabs(c->radius_b) * (fabs(m.omega_b) + fabs(alpha_b) * h);
     x->exact = 0;
     x->bend = square > 0 ? wound - pm_length(r.apart) - r.swing - r.rate * r.rate / sqrt(square) : -INFINITY;
 }

@@ -13,45 +13,45 @@
 
 #define TWO_PI 6.283185307179586476925286766559
 
-static double rolled(const pm_frame *frame, const pm_constraint *row, const double d[2])
+static double rolled(const pm_frame *frame, const pm_constraint *c, const double d[2])
 {
     const double *pose = frame->pose;
-    return row->value * atan2(d[1], d[0]) - row->radius_a * pose[5 * row->body[0] + 2] -
-           row->radius_b * pose[5 * row->body[1] + 2];
+    return c->value * atan2(d[1], d[0]) - c->radius_a * pose[5 * c->body[0] + 2] -
+           c->radius_b * pose[5 * c->body[1] + 2];
 }
 
-static double unwrapped(const pm_constraint *row, double c)
+static double unwrapped(const pm_constraint *constraint, double c)
 {
-    const double turn = TWO_PI * row->value;
-    return c - turn * round(c / turn);
+    const double rotation = TWO_PI * constraint->value;
+    return c - rotation * round(c / rotation);
 }
 
-static void evaluate(const pm_frame *frame, pm_constraint *row)
+static void evaluate(const pm_frame *frame, pm_constraint *c)
 {
-    const pm_marks x = pm_constraint_marks(frame, row);
+    const pm_marks x = pm_constraint_marks(frame, c);
     const double distance = pm_length(x.d);
     const double n[2] = {x.d[0] / distance, x.d[1] / distance}, t[2] = {-n[1], n[0]};
-    const double factor = row->value / distance, spin = pm_dot(x.u, t) / distance;
-    pm_constraint_along(row, &x, t, factor);
-    row->j[2] -= row->radius_a;
-    row->j[5] -= row->radius_b;
-    row->g = unwrapped(row, rolled(frame, row, x.d) - frame->memory[row->memory].anchor);
-    row->gamma = -factor * (pm_dot(x.quad, t) - 2 * pm_dot(x.u, n) * spin);
+    const double factor = c->value / distance, spin = pm_dot(x.u, t) / distance;
+    pm_constraint_along(c, &x, t, factor);
+    c->j[2] -= c->radius_a;
+    c->j[5] -= c->radius_b;
+    c->g = unwrapped(c, rolled(frame, c, x.d) - frame->memory[c->memory].anchor);
+    c->gamma = -factor * (pm_dot(x.quad, t) - 2 * pm_dot(x.u, n) * spin);
 }
 
-static void remember(const pm_frame *frame, const pm_constraint *row, pm_memory *memory, int anchor_too)
+static void remember(const pm_frame *frame, const pm_constraint *c, pm_memory *memory, int anchor_too)
 {
     if (!anchor_too) return;
-    const pm_marks x = pm_constraint_marks(frame, row);
-    memory->anchor = rolled(frame, row, x.d);
+    const pm_marks x = pm_constraint_marks(frame, c);
+    memory->anchor = rolled(frame, c, x.d);
 }
 
-static void act(const pm_frame *frame, const pm_constraint *row, pm_line_of_action *x)
+static void act(const pm_frame *frame, const pm_constraint *c, pm_line_of_action *x)
 {
-    const pm_marks y = pm_constraint_marks(frame, row);
+    const pm_marks y = pm_constraint_marks(frame, c);
     const double distance = pm_length(y.d);
     const double n[2] = {y.d[0] / distance, y.d[1] / distance};
-    for (int k = 0; k < 2; k++) x->at[k] = y.a.p[k] - row->radius_a * n[k];
+    for (int k = 0; k < 2; k++) x->at[k] = y.a.p[k] - c->radius_a * n[k];
     x->direction[0] = -n[1];
     x->direction[1] = n[0];
     x->couple[0] = x->couple[1] = 0;

@@ -28,14 +28,14 @@ double pm_contact_reach(const pm_workspace *w)
     return reach;
 }
 
-int pm_contact_is_row(const pm_model *m, int contact)
+int pm_contact_is_pattern(const pm_model *m, int contact)
 {
-    return PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_KIND] == PM_CONTACT_ROW;
+    return PM_CONTACT_ROW(m, contact)[PM_CONTACT_KIND] == PM_CONTACT_PATTERN;
 }
 
 int pm_contact_slots(const pm_model *m, int contact)
 {
-    return pm_contact_is_row(m, contact) ? PM_ROW_SLOTS : 1;
+    return pm_contact_is_pattern(m, contact) ? PM_PATTERN_SLOTS : 1;
 }
 
 int pm_contact_of_slot(const pm_model *m, int slot)
@@ -65,31 +65,31 @@ static int is_closed(const pm_frame *frame, const pm_state *s, int contact, int 
 
 double pm_contact_restitution(const pm_frame *frame, int contact)
 {
-    return frame->numbers->value[PM_CONTACT_ROW_OF(frame->model, contact)[PM_CONTACT_RESTITUTION]];
+    return frame->numbers->value[PM_CONTACT_ROW(frame->model, contact)[PM_CONTACT_RESTITUTION]];
 }
 
 double pm_contact_tangential(const pm_frame *frame, int contact)
 {
-    const int index = PM_CONTACT_ROW_OF(frame->model, contact)[PM_CONTACT_TANGENTIAL];
+    const int index = PM_CONTACT_ROW(frame->model, contact)[PM_CONTACT_TANGENTIAL];
     return index == PM_NONE ? 0 : frame->numbers->value[index];
 }
 
-int pm_contact_law(const pm_model *m, int contact) { return PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_LAW]; }
+int pm_contact_law(const pm_model *m, int contact) { return PM_CONTACT_ROW(m, contact)[PM_CONTACT_LAW]; }
 
 int pm_contact_friction(const pm_model *m, int contact)
 {
-    return PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_FRICTION];
+    return PM_CONTACT_ROW(m, contact)[PM_CONTACT_FRICTION];
 }
 
 int pm_contact_is_cord(const pm_model *m, int contact)
 {
-    return PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_KIND] == PM_CONTACT_CORD;
+    return PM_CONTACT_ROW(m, contact)[PM_CONTACT_KIND] == PM_CONTACT_CORD;
 }
 
 static double coefficient(const pm_frame *frame, int contact, int column)
 {
     return pm_contact_friction(frame->model, contact) == PM_FRICTION_COULOMB
-               ? frame->numbers->value[PM_CONTACT_ROW_OF(frame->model, contact)[column]]
+               ? frame->numbers->value[PM_CONTACT_ROW(frame->model, contact)[column]]
                : 0;
 }
 
@@ -114,14 +114,15 @@ static double meeting_gap(const pm_frame *frame, int contact, double *rate)
 static double point_gap(const pm_frame *frame, int contact, int member, double *rate)
 {
     const pm_model *m = frame->model;
-    const int32_t *e = PM_CONTACT_ROW_OF(m, contact);
-    const int32_t *row = PM_ROW_ROW(m, e[PM_CONTACT_B]), *circle = PM_CIRCLE_ROW(m, e[PM_CONTACT_A]);
-    const int32_t *first = PM_POINT_ROW(m, row[PM_ROW_POINT]);
+    const int32_t *e = PM_CONTACT_ROW(m, contact);
+    const int32_t *pattern = PM_PATTERN_ROW(m, e[PM_CONTACT_B]), *circle = PM_CIRCLE_ROW(m, e[PM_CONTACT_A]);
+    const int32_t *first = PM_POINT_ROW(m, pattern[PM_PATTERN_POINT]);
     const pm_point a = pm_frame_point_of(frame, circle[PM_CIRCLE_POINT]);
-    const pm_point b = pm_frame_point(
-        frame, pm_body_index(m, first[PM_POINT_BODY]),
-        frame->numbers->value[first[PM_POINT_X]] + member * frame->numbers->value[row[PM_ROW_STEP_X]],
-        frame->numbers->value[first[PM_POINT_Y]] + member * frame->numbers->value[row[PM_ROW_STEP_Y]]);
+    const pm_point b = pm_frame_point(frame, pm_model_body_index(m, first[PM_POINT_BODY]),
+                                      frame->numbers->value[first[PM_POINT_X]] +
+                                          member * frame->numbers->value[pattern[PM_PATTERN_STEP_X]],
+                                      frame->numbers->value[first[PM_POINT_Y]] +
+                                          member * frame->numbers->value[pattern[PM_PATTERN_STEP_Y]]);
     const double d[2] = {a.p[0] - b.p[0], a.p[1] - b.p[1]}, u[2] = {a.v[0] - b.v[0], a.v[1] - b.v[1]};
     const double distance = pm_length(d);
     if (rate) *rate = pm_dot(u, d) / distance;
@@ -131,7 +132,7 @@ static double point_gap(const pm_frame *frame, int contact, int member, double *
 double pm_contact_member_gap(const pm_frame *frame, int contact, int member, double *rate)
 {
     if (pm_capture_is_meeting(frame->model, contact)) return meeting_gap(frame, contact, rate);
-    if (pm_contact_is_row(frame->model, contact)) return point_gap(frame, contact, member, rate);
+    if (pm_contact_is_pattern(frame->model, contact)) return point_gap(frame, contact, member, rate);
     pm_constraint normal;
     pm_contact_constraint_normal(frame, contact, frame->model->contact_slot[contact], member, &normal);
     pm_constraint_kind(normal.kind)->evaluate(frame, &normal);
@@ -151,7 +152,7 @@ double pm_contact_member_slip(const pm_frame *frame, int contact, int member)
 static inline const double *place_of(const pm_frame *frame, int point, double p[2])
 {
     const int32_t *e = PM_POINT_ROW(frame->model, point);
-    const double *pose = frame->pose + 5 * pm_body_index(frame->model, e[PM_POINT_BODY]);
+    const double *pose = frame->pose + 5 * pm_model_body_index(frame->model, e[PM_POINT_BODY]);
     const double x = frame->numbers->value[e[PM_POINT_X]], y = frame->numbers->value[e[PM_POINT_Y]];
     p[0] = pose[0] + (pose[3] * x - pose[4] * y);
     p[1] = pose[1] + (pose[4] * x + pose[3] * y);
@@ -161,13 +162,13 @@ static inline const double *place_of(const pm_frame *frame, int point, double p[
 pm_beside pm_contact_beside(const pm_frame *frame, int contact)
 {
     const pm_model *m = frame->model;
-    const int32_t *e = PM_CONTACT_ROW_OF(m, contact);
-    const int32_t *row = PM_ROW_ROW(m, e[PM_CONTACT_B]), *circle = PM_CIRCLE_ROW(m, e[PM_CONTACT_A]);
+    const int32_t *e = PM_CONTACT_ROW(m, contact);
+    const int32_t *pattern = PM_PATTERN_ROW(m, e[PM_CONTACT_B]), *circle = PM_CIRCLE_ROW(m, e[PM_CONTACT_A]);
     double c[2], first[2];
     place_of(frame, circle[PM_CIRCLE_POINT], c);
-    const double *axes = place_of(frame, row[PM_ROW_POINT], first);
-    const double sx = frame->numbers->value[row[PM_ROW_STEP_X]],
-                 sy = frame->numbers->value[row[PM_ROW_STEP_Y]];
+    const double *axes = place_of(frame, pattern[PM_PATTERN_POINT], first);
+    const double sx = frame->numbers->value[pattern[PM_PATTERN_STEP_X]],
+                 sy = frame->numbers->value[pattern[PM_PATTERN_STEP_Y]];
     return (pm_beside){.d = {c[0] - first[0], c[1] - first[1]},
                        .step = {axes[3] * sx - axes[4] * sy, axes[4] * sx + axes[3] * sy},
                        .radius = frame->numbers->value[circle[PM_CIRCLE_RADIUS]]};
@@ -183,14 +184,14 @@ double pm_contact_gap_beside(const pm_beside *x, int member)
 /* The members of a row that are closed. */
 typedef struct pm_closed {
     int n;
-    int32_t member[PM_ROW_SLOTS];
+    int32_t member[PM_PATTERN_SLOTS];
 } pm_closed;
 
 static pm_closed closed_of(const pm_frame *frame, const pm_state *s, int contact)
 {
     const pm_slot *slot = s->slot + frame->model->contact_slot[contact];
     pm_closed x = {.n = 0};
-    for (int i = 0; i < PM_ROW_SLOTS; i++)
+    for (int i = 0; i < PM_PATTERN_SLOTS; i++)
         if (slot[i].mode != PM_OPEN) x.member[x.n++] = slot[i].member;
     return x;
 }
@@ -219,11 +220,12 @@ static int below_of(double place)
 /* Place along the row, in steps from its first member. */
 static double place_beside(const pm_beside *x) { return pm_dot(x->d, x->step) / pm_dot(x->step, x->step); }
 
-static int members_of_row(const pm_frame *frame, const pm_state *s, int contact, const pm_beside *x, int most,
-                          int *member)
+static int members_of_pattern(const pm_frame *frame, const pm_state *s, int contact, const pm_beside *x,
+                              int most, int *member)
 {
-    const int32_t *row = PM_ROW_ROW(frame->model, PM_CONTACT_ROW_OF(frame->model, contact)[PM_CONTACT_B]);
-    const double count = frame->numbers->value[row[PM_ROW_COUNT]];
+    const int32_t *pattern =
+        PM_PATTERN_ROW(frame->model, PM_CONTACT_ROW(frame->model, contact)[PM_CONTACT_B]);
+    const double count = frame->numbers->value[pattern[PM_PATTERN_COUNT]];
     const double place = place_beside(x);
     const int most_members = (int)PM_MOST_MEMBERS, last = count < 0 ? most_members : (int)count - 1,
               first = count < 0 ? -most_members : 0;
@@ -243,9 +245,9 @@ static int members_of_row(const pm_frame *frame, const pm_state *s, int contact,
 /* It is there, with a row that has no end. */
 static int is_endless(const pm_workspace *w, int contact)
 {
-    if (!pm_contact_is_row(w->model, contact)) return 0;
-    const int32_t *row = PM_ROW_ROW(w->model, PM_CONTACT_ROW_OF(w->model, contact)[PM_CONTACT_B]);
-    return w->numbers.value[row[PM_ROW_COUNT]] < 0 &&
+    if (!pm_contact_is_pattern(w->model, contact)) return 0;
+    const int32_t *pattern = PM_PATTERN_ROW(w->model, PM_CONTACT_ROW(w->model, contact)[PM_CONTACT_B]);
+    return w->numbers.value[pattern[PM_PATTERN_COUNT]] < 0 &&
            !pm_state_is_absent(w->model, &w->state, PM_TABLE_CONTACT, contact);
 }
 
@@ -263,11 +265,11 @@ int pm_contact_check_places(pm_workspace *w)
 
 int pm_contact_near(const pm_frame *frame, const pm_state *s, int contact, int most, int *member)
 {
-    const int32_t *e = PM_CONTACT_ROW_OF(frame->model, contact);
+    const int32_t *e = PM_CONTACT_ROW(frame->model, contact);
     if (pm_state_is_absent(frame->model, s, PM_TABLE_CONTACT, contact)) return 0;
-    if (e[PM_CONTACT_KIND] == PM_CONTACT_ROW) {
+    if (e[PM_CONTACT_KIND] == PM_CONTACT_PATTERN) {
         const pm_beside x = pm_contact_beside(frame, contact);
-        return members_of_row(frame, s, contact, &x, most, member);
+        return members_of_pattern(frame, s, contact, &x, most, member);
     }
     member[0] = 0;
     return !is_closed(frame, s, contact, 0);
@@ -277,7 +279,7 @@ double pm_contact_nearest_beside(const pm_frame *frame, const pm_state *s, int c
                                  int *member)
 {
     int near[2];
-    const int n = members_of_row(frame, s, contact, x, 2, near);
+    const int n = members_of_pattern(frame, s, contact, x, 2, near);
     double least = INFINITY;
     *member = 0;
     for (int i = 0; i < n; i++) {
@@ -289,7 +291,7 @@ double pm_contact_nearest_beside(const pm_frame *frame, const pm_state *s, int c
     return least;
 }
 
-static double row_gap(const pm_frame *frame, const pm_state *s, int contact, int *member)
+static double pattern_gap(const pm_frame *frame, const pm_state *s, int contact, int *member)
 {
     const pm_beside x = pm_contact_beside(frame, contact);
     return pm_contact_nearest_beside(frame, s, contact, &x, member);
@@ -311,9 +313,9 @@ double pm_contact_gap(const pm_frame *frame, const pm_state *s, int contact, int
 
 double pm_contact_apart(const pm_frame *frame, const pm_state *s, int contact, int *member)
 {
-    const int32_t *e = PM_CONTACT_ROW_OF(frame->model, contact);
+    const int32_t *e = PM_CONTACT_ROW(frame->model, contact);
     *member = 0;
-    if (e[PM_CONTACT_KIND] == PM_CONTACT_ROW) return row_gap(frame, s, contact, member);
+    if (e[PM_CONTACT_KIND] == PM_CONTACT_PATTERN) return pattern_gap(frame, s, contact, member);
     if (is_closed(frame, s, contact, 0)) return INFINITY;
     if (!pm_edge_is(frame->model, contact)) return pm_contact_member_gap(frame, contact, 0, 0);
     return pm_edge_is_covered(frame, s, contact) ? INFINITY : pm_edge_gap(frame, contact, member);

@@ -45,7 +45,7 @@ double pm_contact_restitution(const pm_frame *frame, int contact);
 double pm_contact_tangential(const pm_frame *frame, int contact);
 int pm_contact_law(const pm_model *m, int contact); /* enum pm_law */
 int pm_contact_friction(const pm_model *m, int contact);
-int pm_contact_is_row(const pm_model *m, int contact);
+int pm_contact_is_pattern(const pm_model *m, int contact);
 int pm_contact_is_cord(const pm_model *m, int contact);
 double pm_contact_static(const pm_frame *frame, int contact);
 double pm_contact_kinetic(const pm_frame *frame, int contact);

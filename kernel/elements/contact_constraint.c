@@ -5,17 +5,17 @@
 
 static int memory_of(const pm_model *m, int slot) { return m->nmemory - m->nslot + slot; }
 
-static void corner_of_segment(const pm_frame *frame, pm_constraint *row, int contact, int member)
+static void corner_of_segment(const pm_frame *frame, pm_constraint *c, int contact, int member)
 {
-    pm_edge_corner(frame, contact, member, row->b);
-    pm_constraint_marks_radii(row, row->radius_a, 0, 1);
+    pm_edge_corner(frame, contact, member, c->b);
+    pm_constraint_marks_radii(c, c->radius_a, 0, 1);
 }
 
 void pm_contact_constraint_normal(const pm_frame *frame, int contact, int slot, int member,
                                   pm_constraint *normal)
 {
     const pm_model *m = frame->model;
-    const int32_t *e = PM_CONTACT_ROW_OF(m, contact);
+    const int32_t *e = PM_CONTACT_ROW(m, contact);
     const int a = e[PM_CONTACT_A], b = e[PM_CONTACT_B];
     switch ((enum pm_contact_kind)e[PM_CONTACT_KIND]) {
     case PM_CONTACT_LINE:
@@ -40,7 +40,7 @@ void pm_contact_constraint_normal(const pm_frame *frame, int contact, int slot, 
         *normal = pm_constraint_marks_blank(PM_CONSTRAINT_STRAND);
         pm_constraint_marks_strand(frame, normal, a, b, e[PM_CONTACT_SENSE_A], e[PM_CONTACT_SENSE_B]);
         break;
-    case PM_CONTACT_ROW:
+    case PM_CONTACT_PATTERN:
     case PM_CONTACT_KINDS:
         *normal = pm_constraint_marks_blank(PM_CONSTRAINT_DISTANCE);
         pm_constraint_marks_member(frame, normal, a, b, member);
@@ -53,7 +53,7 @@ void pm_contact_constraint_normal(const pm_frame *frame, int contact, int slot, 
 void pm_contact_constraint_tangent(const pm_frame *frame, int contact, const pm_constraint *normal,
                                    pm_constraint *tangent)
 {
-    const int32_t *e = PM_CONTACT_ROW_OF(frame->model, contact);
+    const int32_t *e = PM_CONTACT_ROW(frame->model, contact);
     *tangent = *normal;
     tangent->memory = memory_of(frame->model, normal->slot);
     if (normal->kind == PM_CONSTRAINT_STRAND) return; /* nothing acts across a cord: it is smooth */

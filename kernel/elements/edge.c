@@ -24,18 +24,18 @@
 
 int pm_edge_is(const pm_model *m, int contact)
 {
-    return PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_KIND] == PM_CONTACT_SEGMENT;
+    return PM_CONTACT_ROW(m, contact)[PM_CONTACT_KIND] == PM_CONTACT_SEGMENT;
 }
 
 static double end_of(const pm_frame *frame, int contact, int column)
 {
-    return frame->numbers->value[PM_CONTACT_ROW_OF(frame->model, contact)[column]];
+    return frame->numbers->value[PM_CONTACT_ROW(frame->model, contact)[column]];
 }
 
 pm_edge_place pm_edge_beside(const pm_frame *frame, int contact)
 {
     const pm_model *m = frame->model;
-    const int32_t *e = PM_CONTACT_ROW_OF(m, contact);
+    const int32_t *e = PM_CONTACT_ROW(m, contact);
     const int32_t *circle = PM_CIRCLE_ROW(m, e[PM_CONTACT_A]), *line = PM_LINE_ROW(m, e[PM_CONTACT_B]);
     const pm_point a = pm_frame_point_of(frame, circle[PM_CIRCLE_POINT]),
                    b = pm_frame_point_of(frame, line[PM_LINE_POINT]);
@@ -84,7 +84,7 @@ double pm_edge_gap_from_below(const pm_frame *frame, int contact)
 void pm_edge_corner(const pm_frame *frame, int contact, int member, double at[2])
 {
     const pm_model *m = frame->model;
-    const int32_t *line = PM_LINE_ROW(m, PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_B]);
+    const int32_t *line = PM_LINE_ROW(m, PM_CONTACT_ROW(m, contact)[PM_CONTACT_B]);
     const int32_t *point = PM_POINT_ROW(m, line[PM_LINE_POINT]);
     const double angle = frame->numbers->value[line[PM_LINE_ANGLE]];
     const double along = end_of(frame, contact, member == PM_SEGMENT_FROM ? PM_CONTACT_FROM : PM_CONTACT_TO);
@@ -96,8 +96,8 @@ void pm_edge_corner(const pm_frame *frame, int contact, int member, double at[2]
 static int same_circle(const pm_frame *frame, int contact, int other)
 {
     const pm_model *m = frame->model;
-    const int32_t *a = PM_CIRCLE_ROW(m, PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_A]),
-                  *b = PM_CIRCLE_ROW(m, PM_CONTACT_ROW_OF(m, other)[PM_CONTACT_A]);
+    const int32_t *a = PM_CIRCLE_ROW(m, PM_CONTACT_ROW(m, contact)[PM_CONTACT_A]),
+                  *b = PM_CIRCLE_ROW(m, PM_CONTACT_ROW(m, other)[PM_CONTACT_A]);
     const int32_t *p = PM_POINT_ROW(m, a[PM_CIRCLE_POINT]), *q = PM_POINT_ROW(m, b[PM_CIRCLE_POINT]);
     return p[PM_POINT_BODY] == q[PM_POINT_BODY] &&
            frame->numbers->value[p[PM_POINT_X]] == frame->numbers->value[q[PM_POINT_X]] &&
@@ -107,7 +107,7 @@ static int same_circle(const pm_frame *frame, int contact, int other)
 
 static int body_of_edge(const pm_model *m, int contact)
 {
-    const int point = PM_LINE_ROW(m, PM_CONTACT_ROW_OF(m, contact)[PM_CONTACT_B])[PM_LINE_POINT];
+    const int point = PM_LINE_ROW(m, PM_CONTACT_ROW(m, contact)[PM_CONTACT_B])[PM_LINE_POINT];
     return PM_POINT_ROW(m, point)[PM_POINT_BODY];
 }
 

@@ -57,10 +57,10 @@ static void damper(pm_workspace *w, const int32_t *e, pm_action *x)
 }
 
 /* Two bodies: their relative angle and its rate; the couple acts on a, the opposite on b. */
-static double relative_turn(const pm_frame *frame, const int32_t *e, pm_action *x)
+static double relative_rotation(const pm_frame *frame, const int32_t *e, pm_action *x)
 {
-    x->body_a = pm_body_index(frame->model, e[PM_FORCE_A]);
-    x->body_b = pm_body_index(frame->model, e[PM_FORCE_B]);
+    x->body_a = pm_model_body_index(frame->model, e[PM_FORCE_A]);
+    x->body_b = pm_model_body_index(frame->model, e[PM_FORCE_B]);
     x->rate = frame->velocity[3 * x->body_a + 2] - frame->velocity[3 * x->body_b + 2];
     return frame->pose[5 * x->body_a + 2] - frame->pose[5 * x->body_b + 2];
 }
@@ -69,7 +69,7 @@ static void torsion(pm_workspace *w, const int32_t *e, pm_action *x)
 {
     const pm_frame *frame = &w->frame;
     const double stiffness = frame->numbers->value[e[PM_FORCE_VALUE_1]];
-    x->stretch = relative_turn(frame, e, x) - frame->numbers->value[e[PM_FORCE_VALUE_2]];
+    x->stretch = relative_rotation(frame, e, x) - frame->numbers->value[e[PM_FORCE_VALUE_2]];
     x->couple = -stiffness * x->stretch;
     x->energy = 0.5 * stiffness * x->stretch * x->stretch;
     x->power = x->couple * x->rate;
@@ -78,14 +78,14 @@ static void torsion(pm_workspace *w, const int32_t *e, pm_action *x)
 static void rotary_damper(pm_workspace *w, const int32_t *e, pm_action *x)
 {
     const pm_frame *frame = &w->frame;
-    relative_turn(frame, e, x);
+    relative_rotation(frame, e, x);
     x->couple = -frame->numbers->value[e[PM_FORCE_VALUE_1]] * x->rate;
     x->power = x->couple * x->rate;
 }
 
 static void couple(pm_workspace *w, const int32_t *e, pm_action *x)
 {
-    relative_turn(&w->frame, e, x);
+    relative_rotation(&w->frame, e, x);
     x->couple = pm_program_run(w, e[PM_FORCE_PROGRAM_X]);
     x->power = x->couple * x->rate;
 }
@@ -93,7 +93,7 @@ static void couple(pm_workspace *w, const int32_t *e, pm_action *x)
 static void applied(pm_workspace *w, const int32_t *e, pm_action *x)
 {
     const pm_point a = pm_frame_point_of(&w->frame, e[PM_FORCE_A]);
-    const double *axes = w->frame.pose + 5 * pm_body_index(w->model, e[PM_FORCE_B]);
+    const double *axes = w->frame.pose + 5 * pm_model_body_index(w->model, e[PM_FORCE_B]);
     const double fx = pm_program_run(w, e[PM_FORCE_PROGRAM_X]);
     const double fy = pm_program_run(w, e[PM_FORCE_PROGRAM_Y]);
     x->body_a = a.body;
@@ -129,7 +129,7 @@ static int steady_couple(const pm_frame *frame, const int32_t *e, const pm_const
 static int steady_applied(const pm_frame *frame, const int32_t *e, const pm_constant_motion *x)
 {
     return constant(frame, e[PM_FORCE_PROGRAM_X]) && constant(frame, e[PM_FORCE_PROGRAM_Y]) &&
-           !x->turns[pm_body_index(frame->model, e[PM_FORCE_B])] &&
+           !x->rotates[pm_model_body_index(frame->model, e[PM_FORCE_B])] &&
            pm_constant_motion_point(frame, x, e[PM_FORCE_A]);
 }
 

@@ -9,18 +9,18 @@
 #include "elements/constraint.h"
 #include "state/workspace.h"
 
-static void put(const pm_frame *frame, const int32_t *e, pm_constraint *row, int kind,
-                void (*marks)(const pm_frame *frame, pm_constraint *row, int a, int b))
+static void put(const pm_frame *frame, const int32_t *e, pm_constraint *c, int kind,
+                void (*marks)(const pm_frame *frame, pm_constraint *c, int a, int b))
 {
-    row->kind = kind;
-    marks(frame, row, e[PM_JOINT_A], e[PM_JOINT_B]);
+    c->kind = kind;
+    marks(frame, c, e[PM_JOINT_A], e[PM_JOINT_B]);
 }
 
 /* A row with the marks of another. */
-static void put_beside(pm_constraint *row, int kind, const pm_constraint *other)
+static void put_beside(pm_constraint *c, int kind, const pm_constraint *other)
 {
-    *row = *other;
-    row->kind = kind;
+    *c = *other;
+    c->kind = kind;
 }
 
 static double number(const pm_frame *frame, const int32_t *e)
@@ -28,122 +28,124 @@ static double number(const pm_frame *frame, const int32_t *e)
     return frame->numbers->value[e[PM_JOINT_VALUE]];
 }
 
-static void keep_angle(const pm_frame *frame, const int32_t *e, pm_constraint *row,
-                       const pm_constraint *first)
+static void keep_angle(const pm_frame *frame, const int32_t *e, pm_constraint *c, const pm_constraint *first)
 {
-    row->kind = PM_CONSTRAINT_ANGLE;
-    row->body[0] = first->body[0];
-    row->body[1] = first->body[1];
-    row->value = number(frame, e);
+    c->kind = PM_CONSTRAINT_ANGLE;
+    c->body[0] = first->body[0];
+    c->body[1] = first->body[1];
+    c->value = number(frame, e);
 }
 
-static void pin(const pm_frame *frame, const int32_t *e, pm_constraint *row)
+static void pin(const pm_frame *frame, const int32_t *e, pm_constraint *c)
 {
-    put(frame, e, &row[0], PM_CONSTRAINT_POINT_X, pm_constraint_marks_points);
-    put_beside(&row[1], PM_CONSTRAINT_POINT_Y, &row[0]);
+    put(frame, e, &c[0], PM_CONSTRAINT_POINT_X, pm_constraint_marks_points);
+    put_beside(&c[1], PM_CONSTRAINT_POINT_Y, &c[0]);
 }
 
-static void weld(const pm_frame *frame, const int32_t *e, pm_constraint *row)
+static void weld(const pm_frame *frame, const int32_t *e, pm_constraint *c)
 {
-    pin(frame, e, row);
-    keep_angle(frame, e, &row[2], &row[0]);
+    pin(frame, e, c);
+    keep_angle(frame, e, &c[2], &c[0]);
 }
 
-static void slider(const pm_frame *frame, const int32_t *e, pm_constraint *row)
+static void slider(const pm_frame *frame, const int32_t *e, pm_constraint *c)
 {
-    put(frame, e, &row[0], PM_CONSTRAINT_LINE_NORMAL, pm_constraint_marks_point_and_line);
+    put(frame, e, &c[0], PM_CONSTRAINT_LINE_NORMAL, pm_constraint_marks_point_and_line);
 }
 
-static void slider_fixed(const pm_frame *frame, const int32_t *e, pm_constraint *row)
+static void slider_fixed(const pm_frame *frame, const int32_t *e, pm_constraint *c)
 {
-    slider(frame, e, row);
-    keep_angle(frame, e, &row[1], &row[0]);
+    slider(frame, e, c);
+    keep_angle(frame, e, &c[1], &c[0]);
 }
 
-static void link(const pm_frame *frame, const int32_t *e, pm_constraint *row)
+static void link(const pm_frame *frame, const int32_t *e, pm_constraint *c)
 {
-    put(frame, e, &row[0], PM_CONSTRAINT_DISTANCE, pm_constraint_marks_points);
-    row[0].value = number(frame, e);
+    put(frame, e, &c[0], PM_CONSTRAINT_DISTANCE, pm_constraint_marks_points);
+    c[0].value = number(frame, e);
 }
 
-static void rolling_line(const pm_frame *frame, const int32_t *e, pm_constraint *row)
+static void rolling_line(const pm_frame *frame, const int32_t *e, pm_constraint *c)
 {
-    put(frame, e, &row[0], PM_CONSTRAINT_LINE_NORMAL, pm_constraint_marks_circle_and_line);
-    put_beside(&row[1], PM_CONSTRAINT_LINE_TANGENT, &row[0]);
+    put(frame, e, &c[0], PM_CONSTRAINT_LINE_NORMAL, pm_constraint_marks_circle_and_line);
+    put_beside(&c[1], PM_CONSTRAINT_LINE_TANGENT, &c[0]);
 }
 
-static void gears(const pm_frame *frame, const int32_t *e, pm_constraint *row)
+static void gears(const pm_frame *frame, const int32_t *e, pm_constraint *c)
 {
-    row->kind = PM_CONSTRAINT_CIRCLE_TANGENT;
-    pm_constraint_marks_circles(frame, row, e[PM_JOINT_A], e[PM_JOINT_B], number(frame, e));
+    c->kind = PM_CONSTRAINT_CIRCLE_TANGENT;
+    pm_constraint_marks_circles(frame, c, e[PM_JOINT_A], e[PM_JOINT_B], number(frame, e));
 }
 
-static void rolling_circle(const pm_frame *frame, const int32_t *e, pm_constraint *row)
+static void rolling_circle(const pm_frame *frame, const int32_t *e, pm_constraint *c)
 {
-    gears(frame, e, &row[1]);
-    put_beside(&row[0], PM_CONSTRAINT_DISTANCE, &row[1]);
+    gears(frame, e, &c[1]);
+    put_beside(&c[0], PM_CONSTRAINT_DISTANCE, &c[1]);
 }
 
 /* The strand that leaves circle a counterclockwise, and the one that leaves it clockwise. */
-static void belt(const pm_frame *frame, const int32_t *e, pm_constraint *row)
+static void belt(const pm_frame *frame, const int32_t *e, pm_constraint *c)
 {
     for (int k = 0; k < 2; k++) {
         const double sense = k == 0 ? 1 : -1;
-        pm_constraint_marks_strand(frame, &row[k], e[PM_JOINT_A], e[PM_JOINT_B], sense,
+        pm_constraint_marks_strand(frame, &c[k], e[PM_JOINT_A], e[PM_JOINT_B], sense,
                                    number(frame, e) * sense);
     }
 }
 
-static void rate(const pm_frame *frame, const int32_t *e, pm_constraint *row)
+static void rate(const pm_frame *frame, const int32_t *e, pm_constraint *c)
 {
-    row->kind = PM_CONSTRAINT_RATIO;
-    row->body[0] = pm_body_index(frame->model, e[PM_JOINT_A]);
-    row->body[1] = pm_body_index(frame->model, e[PM_JOINT_B]);
-    row->drive = e[PM_JOINT_PROGRAM_X];
+    c->kind = PM_CONSTRAINT_RATIO;
+    c->body[0] = pm_model_body_index(frame->model, e[PM_JOINT_A]);
+    c->body[1] = pm_model_body_index(frame->model, e[PM_JOINT_B]);
+    c->drive = e[PM_JOINT_PROGRAM_X];
 }
 
-static void ratio(const pm_frame *frame, const int32_t *e, pm_constraint *row)
+static void ratio(const pm_frame *frame, const int32_t *e, pm_constraint *c)
 {
-    rate(frame, e, row);
-    row->ratio = number(frame, e);
+    rate(frame, e, c);
+    c->ratio = number(frame, e);
 }
 
-static void drive(const pm_frame *frame, const int32_t *e, pm_constraint *row)
+static void drive(const pm_frame *frame, const int32_t *e, pm_constraint *c)
 {
-    put(frame, e, &row[0], PM_CONSTRAINT_DRIVE, pm_constraint_marks_points);
-    row[1] = row[0];
+    put(frame, e, &c[0], PM_CONSTRAINT_DRIVE, pm_constraint_marks_points);
+    c[1] = c[0];
     for (int k = 0; k < 2; k++) {
-        row[k].axis[k] = 1;
-        row[k].drive = e[PM_JOINT_PROGRAM_X + k];
+        c[k].axis[k] = 1;
+        c[k].drive = e[PM_JOINT_PROGRAM_X + k];
     }
 }
 
 enum { BODY = PM_TABLE_BODY, POINT = PM_TABLE_POINT, LINE = PM_TABLE_LINE, CIRCLE = PM_TABLE_CIRCLE };
 
 static const pm_joint_ops kinds[PM_JOINT_KINDS] = {
-    [PM_JOINT_PIN] = {POINT, POINT, .rows = 2, .rubs = PM_CONSTRAINT_RATIO, .repeats = PM_REPEATS_MARKS,
-                      .compose = pin},
-    [PM_JOINT_SLIDER] = {POINT, LINE, .rows = 1, .rubs = PM_CONSTRAINT_LINE_TANGENT,
+    [PM_JOINT_PIN] = {POINT, POINT, .nconstraint = 2, .slip = PM_CONSTRAINT_RATIO,
+                      .repeats = PM_REPEATS_MARKS, .compose = pin},
+    [PM_JOINT_SLIDER] = {POINT, LINE, .nconstraint = 1, .slip = PM_CONSTRAINT_LINE_TANGENT,
                          .repeats = PM_REPEATS_MARKS, .compose = slider},
-    [PM_JOINT_SLIDER_FIXED] = {POINT, LINE, PM_NUMBER_ANY, .rows = 2, .rubs = PM_CONSTRAINT_LINE_TANGENT,
-                               .repeats = PM_REPEATS_TURN, .compose = slider_fixed},
+    [PM_JOINT_SLIDER_FIXED] = {POINT, LINE, PM_NUMBER_ANY, .nconstraint = 2,
+                               .slip = PM_CONSTRAINT_LINE_TANGENT, .repeats = PM_REPEATS_ROTATION,
+                               .compose = slider_fixed},
     /* a slot is one too: a circle round a point */
-    [PM_JOINT_LINK] = {POINT, POINT, PM_NUMBER_LENGTH, .rows = 1, .rubs = PM_CONSTRAINT_CIRCLE_TANGENT,
+    [PM_JOINT_LINK] = {POINT, POINT, PM_NUMBER_LENGTH, .nconstraint = 1, .slip = PM_CONSTRAINT_CIRCLE_TANGENT,
                        .repeats = PM_REPEATS_MARKS, .compose = link},
-    [PM_JOINT_WELD] = {POINT, POINT, PM_NUMBER_ANY, .rows = 3, .rubs = PM_NONE, .repeats = PM_REPEATS_TURN,
-                       .compose = weld},
-    [PM_JOINT_ROLLING_LINE] = {CIRCLE, LINE, .rows = 2, .memories = 1, .presses = 1, .rubs = PM_NONE,
+    [PM_JOINT_WELD] = {POINT, POINT, PM_NUMBER_ANY, .nconstraint = 3, .slip = PM_NONE,
+                       .repeats = PM_REPEATS_ROTATION, .compose = weld},
+    [PM_JOINT_ROLLING_LINE] = {CIRCLE, LINE, .nconstraint = 2, .memories = 1, .presses = 1, .slip = PM_NONE,
                                .repeats = PM_REPEATS_MARKS, .compose = rolling_line},
-    [PM_JOINT_ROLLING_CIRCLE] = {CIRCLE, CIRCLE, PM_NUMBER_SIDE, .rows = 2, .memories = 1, .presses = 1,
-                                 .rubs = PM_NONE, .repeats = PM_REPEATS_MARKS, .compose = rolling_circle},
-    [PM_JOINT_GEARS] = {CIRCLE, CIRCLE, PM_NUMBER_SIDE, .rows = 1, .memories = 1, .rubs = PM_NONE,
+    [PM_JOINT_ROLLING_CIRCLE] = {CIRCLE, CIRCLE, PM_NUMBER_SIDE, .nconstraint = 2, .memories = 1,
+                                 .presses = 1, .slip = PM_NONE, .repeats = PM_REPEATS_MARKS,
+                                 .compose = rolling_circle},
+    [PM_JOINT_GEARS] = {CIRCLE, CIRCLE, PM_NUMBER_SIDE, .nconstraint = 1, .memories = 1, .slip = PM_NONE,
                         .compose = gears},
-    [PM_JOINT_BELT] = {CIRCLE, CIRCLE, PM_NUMBER_ANY, .rows = 2, .memories = 2, .presses = 1, .rubs = PM_NONE,
-                       .compose = belt},
-    [PM_JOINT_RATE] = {BODY, BODY, .programs = 1, .rows = 1, .memories = 1, .rubs = PM_NONE, .compose = rate},
-    [PM_JOINT_DRIVE] = {POINT, POINT, .programs = 2, .rows = 2, .memories = 2, .rubs = PM_NONE,
+    [PM_JOINT_BELT] = {CIRCLE, CIRCLE, PM_NUMBER_ANY, .nconstraint = 2, .memories = 2, .presses = 1,
+                       .slip = PM_NONE, .compose = belt},
+    [PM_JOINT_RATE] = {BODY, BODY, .programs = 1, .nconstraint = 1, .memories = 1, .slip = PM_NONE,
+                       .compose = rate},
+    [PM_JOINT_DRIVE] = {POINT, POINT, .programs = 2, .nconstraint = 2, .memories = 2, .slip = PM_NONE,
                         .compose = drive},
-    [PM_JOINT_RATIO] = {BODY, BODY, PM_NUMBER_ANY, .rows = 1, .memories = 1, .rubs = PM_NONE,
+    [PM_JOINT_RATIO] = {BODY, BODY, PM_NUMBER_ANY, .nconstraint = 1, .memories = 1, .slip = PM_NONE,
                         .compose = ratio},
 };
 
@@ -155,33 +157,33 @@ const pm_joint_ops *pm_joint_of(const pm_model *m, int joint)
 }
 
 int pm_joint_constraints(const pm_frame *frame, const pm_state *state, int joint,
-                         pm_constraint row[PM_JOINT_CONSTRAINTS])
+                         pm_constraint c[PM_JOINT_CONSTRAINTS])
 {
     if (pm_state_is_absent(frame->model, state, PM_TABLE_JOINT, joint)) return 0;
-    return pm_joint_constraints_of_any(frame, joint, row);
+    return pm_joint_constraints_of_any(frame, joint, c);
 }
 
-int pm_joint_constraints_of_any(const pm_frame *frame, int joint, pm_constraint row[PM_JOINT_CONSTRAINTS])
+int pm_joint_constraints_of_any(const pm_frame *frame, int joint, pm_constraint c[PM_JOINT_CONSTRAINTS])
 {
-    const int n = pm_joint_of(frame->model, joint)->rows;
-    memcpy(row, frame->numbers->of_joint + frame->model->joint_row[joint], (size_t)n * sizeof *row);
+    const int n = pm_joint_of(frame->model, joint)->nconstraint;
+    memcpy(c, frame->numbers->of_joint + frame->model->joint_constraint[joint], (size_t)n * sizeof *c);
     return n;
 }
 
-static void compose(const pm_frame *frame, int joint, pm_constraint *row)
+static void compose(const pm_frame *frame, int joint, pm_constraint *c)
 {
     const pm_joint_ops *ops = pm_joint_of(frame->model, joint);
-    for (int k = 0; k < ops->rows; k++) {
-        row[k] = pm_constraint_marks_blank(PM_NONE);
-        row[k].joint = joint;
+    for (int k = 0; k < ops->nconstraint; k++) {
+        c[k] = pm_constraint_marks_blank(PM_NONE);
+        c[k].joint = joint;
     }
-    ops->compose(frame, PM_JOINT_ROW(frame->model, joint), row);
-    const int memory = frame->model->joint_memory[joint], first = ops->rows - ops->memories;
-    for (int k = first; k < ops->rows; k++) row[k].memory = memory + k - first;
+    ops->compose(frame, PM_JOINT_ROW(frame->model, joint), c);
+    const int memory = frame->model->joint_memory[joint], first = ops->nconstraint - ops->memories;
+    for (int k = first; k < ops->nconstraint; k++) c[k].memory = memory + k - first;
 }
 
 void pm_joint_compose(const pm_frame *frame)
 {
     for (int i = 0; i < frame->model->rows[PM_TABLE_JOINT]; i++)
-        compose(frame, i, frame->numbers->of_joint + frame->model->joint_row[i]);
+        compose(frame, i, frame->numbers->of_joint + frame->model->joint_constraint[i]);
 }

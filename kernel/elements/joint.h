@@ -14,9 +14,9 @@ enum pm_joint_number {
 
 /* When a shifted scene (symmetry.h) has the same joint. */
 enum pm_joint_repeats {
-    PM_REPEATS_NEVER = 0, /* nobody has thought it through */
-    PM_REPEATS_MARKS = 1, /* its marks stay */
-    PM_REPEATS_TURN = 2   /* its marks stay, and its bodies keep their relative angle */
+    PM_REPEATS_NEVER = 0,   /* nobody has thought it through */
+    PM_REPEATS_MARKS = 1,   /* its marks stay */
+    PM_REPEATS_ROTATION = 2 /* its marks stay, and its bodies keep their relative angle */
 };
 
 /* One kind.  `compose` fills row[0 .. rows), which come blank, from the table row e of the joint. */
@@ -24,10 +24,10 @@ typedef struct pm_joint_ops {
     int a, b;     /* the tables of its partners */
     int number;   /* enum pm_joint_number */
     int programs; /* 0, 1 or 2 of prescribed rates */
-    int rows;
+    int nconstraint;
     int memories; /* so many of its last rows keep an anchor */
     int presses;  /* row 0 is a normal force */
-    int rubs;     /* the kind of row along which it slips where it has friction, or PM_NONE */
+    int slip;     /* the kind of row along which it slips where it has friction, or PM_NONE */
     int repeats;  /* enum pm_joint_repeats */
     void (*compose)(const pm_frame *frame, const int32_t *e, pm_constraint *row);
 } pm_joint_ops;

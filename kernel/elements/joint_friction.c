@@ -53,38 +53,38 @@ int pm_joint_friction_any_by_load(const pm_frame *frame)
     return 0;
 }
 
-void pm_joint_friction_row(const pm_frame *frame, int k, pm_constraint *row)
+void pm_joint_friction_constraint(const pm_frame *frame, int k, pm_constraint *c)
 {
     const int joint = joint_of(frame, k);
-    pm_constraint rows[PM_JOINT_CONSTRAINTS];
-    pm_joint_constraints_of_any(frame, joint, rows);
-    *row = rows[0];
-    row->memory = frame->model->friction_memory + k;
-    row->kind = pm_joint_of(frame->model, joint)->rubs;
-    if (row->kind == PM_CONSTRAINT_CIRCLE_TANGENT) { /* the slot's circle round a point */
-        row->radius_b = row->value;
-        row->sign = -1;
+    pm_constraint constraint[PM_JOINT_CONSTRAINTS];
+    pm_joint_constraints_of_any(frame, joint, constraint);
+    *c = constraint[0];
+    c->memory = frame->model->friction_memory + k;
+    c->kind = pm_joint_of(frame->model, joint)->slip;
+    if (c->kind == PM_CONSTRAINT_CIRCLE_TANGENT) { /* the slot's circle round a point */
+        c->radius_b = c->value;
+        c->sign = -1;
     }
 }
 
 double pm_joint_friction_slip(const pm_frame *frame, int k)
 {
-    pm_constraint row;
-    pm_joint_friction_row(frame, k, &row);
-    return pm_constraint_slip(frame, &row);
+    pm_constraint c;
+    pm_joint_friction_constraint(frame, k, &c);
+    return pm_constraint_slip(frame, &c);
 }
 
-double pm_joint_friction_still(const pm_frame *frame, int k)
+double pm_joint_friction_no_slip(const pm_frame *frame, int k)
 {
-    const int turns = pm_joint_of(frame->model, joint_of(frame, k))->rubs == PM_CONSTRAINT_RATIO;
-    return pm_contact_speed(frame) / (turns ? frame->numbers->size : 1);
+    const int rotates = pm_joint_of(frame->model, joint_of(frame, k))->slip == PM_CONSTRAINT_RATIO;
+    return pm_contact_speed(frame) / (rotates ? frame->numbers->size : 1);
 }
 
 /* Size of the reactions x[active row] of the joint; the couple that keeps a slider's direction is none of them. */
 static double load(const pm_workspace *w, int k, const double *x)
 {
-    const int joint = joint_of(&w->frame, k), first = w->model->joint_row[joint];
-    const int n = pm_joint_of(w->model, joint)->rubs == PM_CONSTRAINT_RATIO ? 2 : 1;
+    const int joint = joint_of(&w->frame, k), first = w->model->joint_constraint[joint];
+    const int n = pm_joint_of(w->model, joint)->slip == PM_CONSTRAINT_RATIO ? 2 : 1;
     double sum = 0;
     for (int i = first; i < first + n; i++) {
         const int active = w->active.of_joint[i];
@@ -107,13 +107,14 @@ static double sliding(const pm_workspace *w, int k)
                                                        : 0;
 }
 
-double pm_joint_friction_of_joint(const pm_workspace *w, int joint, pm_constraint *row)
+double pm_joint_friction_of_joint(const pm_workspace *w, int joint, pm_constraint *c)
 {
     for (int k = 0; k < w->model->nfriction; k++) {
         if (joint_of(&w->frame, k) != joint) continue;
-        pm_joint_friction_row(&w->frame, k, row);
-        return w->active.friction_row[k] == PM_NONE ? sliding(w, k)
-                                                    : w->frame.lambda[w->active.friction_row[k]];
+        pm_joint_friction_constraint(&w->frame, k, c);
+        return w->active.friction_constraint[k] == PM_NONE
+                   ? sliding(w, k)
+                   : w->frame.lambda[w->active.friction_constraint[k]];
     }
     return 0;
 }
@@ -128,28 +129,28 @@ static int of_force(const pm_frame *frame, int force)
 void pm_joint_friction_action(const pm_workspace *w, int force, pm_action *x)
 {
     const int k = of_force(&w->frame, force);
-    pm_constraint row;
+    pm_constraint c;
     pm_line_of_action along;
-    pm_joint_friction_row(&w->frame, k, &row);
-    pm_constraint_kind(row.kind)->act(&w->frame, &row, &along);
+    pm_joint_friction_constraint(&w->frame, k, &c);
+    pm_constraint_kind(c.kind)->act(&w->frame, &c, &along);
     const double size = sliding(w, k);
-    x->body_a = row.body[0];
-    x->body_b = row.body[1];
+    x->body_a = c.body[0];
+    x->body_b = c.body[1];
     for (int i = 0; i < 2; i++) {
         x->at_a[i] = x->at_b[i] = along.at[i];
         x->force[i] = size * along.direction[i];
     }
     x->couple = size * along.couple[0]; /* joints rub between their two bodies: the opposite acts on b */
-    x->rate = pm_constraint_slip(&w->frame, &row);
+    x->rate = pm_constraint_slip(&w->frame, &c);
     x->power = size * x->rate;
 }
 
 int pm_joint_friction_steady(const pm_frame *frame, int force, const pm_constant_motion *x)
 {
-    pm_constraint row;
-    pm_joint_friction_row(frame, of_force(frame, force), &row);
-    const pm_constraint_ops *ops = pm_constraint_kind(row.kind);
-    return ops->steady && ops->steady(frame, &row, x);
+    pm_constraint c;
+    pm_joint_friction_constraint(frame, of_force(frame, force), &c);
+    const pm_constraint_ops *ops = pm_constraint_kind(c.kind);
+    return ops->steady && ops->steady(frame, &c, x);
 }
 
 int pm_joint_friction_update(pm_workspace *w)
@@ -175,10 +176,10 @@ void pm_joint_friction_release(pm_workspace *w)
 
 static void hold(const pm_frame *frame, pm_state *state, int k)
 {
-    pm_constraint row;
+    pm_constraint c;
     state->friction[k] = PM_STICK;
-    pm_joint_friction_row(frame, k, &row);
-    pm_constraint_kind(row.kind)->remember(frame, &row, &state->memory[row.memory], 1);
+    pm_joint_friction_constraint(frame, k, &c);
+    pm_constraint_kind(c.kind)->remember(frame, &c, &state->memory[c.memory], 1);
 }
 
 void pm_joint_friction_close(const pm_frame *frame, pm_state *state)
@@ -187,7 +188,7 @@ void pm_joint_friction_close(const pm_frame *frame, pm_state *state)
         const double slip = pm_joint_friction_slip(frame, k);
         if (pm_state_is_absent(frame->model, state, PM_TABLE_JOINT, joint_of(frame, k)))
             state->friction[k] = PM_OPEN;
-        else if (fabs(slip) <= pm_joint_friction_still(frame, k))
+        else if (fabs(slip) <= pm_joint_friction_no_slip(frame, k))
             hold(frame, state, k);
         else
             state->friction[k] = slip > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
@@ -197,7 +198,7 @@ void pm_joint_friction_close(const pm_frame *frame, pm_state *state)
 /* Against the friction that would have held it. */
 void pm_joint_friction_slides(pm_workspace *w, int k)
 {
-    const double friction = w->frame.lambda[w->active.friction_row[k]];
+    const double friction = w->frame.lambda[w->active.friction_constraint[k]];
     w->state.friction[k] = friction > 0 ? PM_SLIDE_BACKWARD : PM_SLIDE_FORWARD;
 }
 
@@ -206,11 +207,11 @@ void pm_joint_friction_stops(const pm_frame *frame, pm_state *state, int k) { ho
 int pm_joint_friction_overcome(pm_workspace *w, double slack)
 {
     for (int k = 0; k < w->model->nfriction; k++) {
-        if (w->state.friction[k] != PM_STICK || w->active.friction_row[k] == PM_NONE) continue;
-        const int turns = pm_joint_of(w->model, joint_of(&w->frame, k))->rubs == PM_CONSTRAINT_RATIO;
-        const double needed = fabs(w->frame.lambda[w->active.friction_row[k]]),
+        if (w->state.friction[k] != PM_STICK || w->active.friction_constraint[k] == PM_NONE) continue;
+        const int rotates = pm_joint_of(w->model, joint_of(&w->frame, k))->slip == PM_CONSTRAINT_RATIO;
+        const double needed = fabs(w->frame.lambda[w->active.friction_constraint[k]]),
                      limit = pm_joint_friction_limit(w, k);
-        if (needed <= limit + slack * (turns ? w->numbers.size : 1)) continue;
+        if (needed <= limit + slack * (rotates ? w->numbers.size : 1)) continue;
         pm_joint_friction_slides(w, k);
         return 1;
     }

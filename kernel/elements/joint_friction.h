@@ -15,14 +15,14 @@ int pm_joint_friction_any_by_load(const pm_frame *frame);
 /* The joint whose friction grip k is. */
 int pm_joint_friction_joint(const pm_model *m, int k);
 /* The row of the slip of grip k, whether it holds or not. */
-void pm_joint_friction_row(const pm_frame *frame, int k, pm_constraint *row);
+void pm_joint_friction_constraint(const pm_frame *frame, int k, pm_constraint *c);
 /* Slip at the frame, m/s or rad/s; below this it is none. */
 double pm_joint_friction_slip(const pm_frame *frame, int k);
-double pm_joint_friction_still(const pm_frame *frame, int k);
+double pm_joint_friction_no_slip(const pm_frame *frame, int k);
 /* Greatest friction, N or N m, with the reactions of the frame. */
 double pm_joint_friction_limit(const pm_workspace *w, int k);
 /* What the friction of a joint does to its first partner, along its row; the frame is DYNAMIC.  0 where there is none. */
-double pm_joint_friction_of_joint(const pm_workspace *w, int joint, pm_constraint *row);
+double pm_joint_friction_of_joint(const pm_workspace *w, int joint, pm_constraint *c);
 /* The force of sliding; nothing where the grip holds. */
 void pm_joint_friction_action(const pm_workspace *w, int force, pm_action *x);
 /* It stays the same along a motion with constant accelerations. */

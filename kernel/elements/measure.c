@@ -137,7 +137,7 @@ int pm_measure_can_start(const pm_model *m, int i, int level)
 }
 
 /* The measure's rate is linear in v: reading it with unit velocities gives the coefficients exactly. */
-void pm_measure_start_row(pm_workspace *w, int i, int level, double *coefficient)
+void pm_measure_start_gradient(pm_workspace *w, int i, int level, double *coefficient)
 {
     int32_t rate[PM_MEASURE_COLUMNS];
     memcpy(rate, PM_MEASURE_ROW(w->model, i), sizeof rate);
@@ -160,7 +160,7 @@ void pm_measure_start_row(pm_workspace *w, int i, int level, double *coefficient
 static int joint_has(const pm_model *m, int kind, int joint)
 {
     const pm_joint_ops *ops = pm_joint_of(m, joint);
-    const int slides = ops->rubs != PM_NONE && ops->rubs != PM_CONSTRAINT_RATIO;
+    const int slides = ops->slip != PM_NONE && ops->slip != PM_CONSTRAINT_RATIO;
     switch (kind) {
     case PM_MEASURE_JOINT_FRICTION: return ops->presses || slides;
     case PM_MEASURE_JOINT_NORMAL:

@@ -9,11 +9,11 @@
 /* ---- bodies ---- */
 static const double *velocity(const pm_measure_args *x, int body)
 {
-    return x->w->frame.velocity + 3 * pm_body_index(x->w->model, body);
+    return x->w->frame.velocity + 3 * pm_model_body_index(x->w->model, body);
 }
 static const double *pose(const pm_measure_args *x, int body)
 {
-    return x->w->frame.pose + 5 * pm_body_index(x->w->model, body);
+    return x->w->frame.pose + 5 * pm_model_body_index(x->w->model, body);
 }
 
 static int seen_from(const pm_measure_args *x)
@@ -50,7 +50,7 @@ double pm_measured_weight(const pm_measure_args *x)
 double pm_measured_inertia(const pm_measure_args *x)
 {
     if (x->a == PM_GROUND) return 0;
-    double sum = pm_body_inertia(&x->w->frame, x->a);
+    double sum = pm_frame_inertia(&x->w->frame, x->a);
     if (x->e[PM_MEASURE_ABOUT] != PM_NONE) {
         const pm_point p = pm_frame_point_of(&x->w->frame, x->e[PM_MEASURE_ABOUT]);
         const double *g = pose(x, x->a), dx = g[0] - p.p[0], dy = g[1] - p.p[1];
@@ -63,13 +63,13 @@ double pm_measured_kinetic(const pm_measure_args *x)
 {
     return x->a == PM_GROUND
                ? 0
-               : pm_body_kinetic(&x->w->frame, x->a) + pm_turning_plane_kinetic(&x->w->frame, x->a);
+               : pm_frame_kinetic(&x->w->frame, x->a) + pm_turning_plane_kinetic(&x->w->frame, x->a);
 }
 
 void pm_measured_momentum(const pm_measure_args *x, double out[2])
 {
     double m[3] = {0, 0, 0};
-    if (x->a != PM_GROUND) pm_body_momentum(&x->w->frame, x->a, m);
+    if (x->a != PM_GROUND) pm_frame_momentum(&x->w->frame, x->a, m);
     out[0] = m[0];
     out[1] = m[1];
 }
@@ -78,13 +78,13 @@ double pm_measured_angular_momentum(const pm_measure_args *x)
 {
     double m[3] = {0, 0, 0}, about[2] = {0, 0};
     if (x->a == PM_GROUND) return 0;
-    pm_body_momentum(&x->w->frame, x->a, m);
+    pm_frame_momentum(&x->w->frame, x->a, m);
     if (x->e[PM_MEASURE_ABOUT] != PM_NONE) {
         const pm_point p = pm_frame_point_of(&x->w->frame, x->e[PM_MEASURE_ABOUT]);
         about[0] = p.p[0];
         about[1] = p.p[1];
     } else if (x->a != PM_NONE) {
-        return pm_body_inertia(&x->w->frame, x->a) * velocity(x, x->a)[2];
+        return pm_frame_inertia(&x->w->frame, x->a) * velocity(x, x->a)[2];
     }
     return m[2] - (about[0] * m[1] - about[1] * m[0]);
 }

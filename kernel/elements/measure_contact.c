@@ -76,7 +76,7 @@ static double slot_friction(const pm_workspace *w, int slot)
     if (active != PM_NONE) return w->frame.lambda[active];
     return w->active.slot_normal[slot] == PM_NONE
                ? 0
-               : w->active.row[w->active.slot_normal[slot]].slide * slot_normal(w, slot);
+               : w->active.constraint[w->active.slot_normal[slot]].slide * slot_normal(w, slot);
 }
 
 double pm_measured_contact_normal(const pm_measure_args *x)
@@ -110,7 +110,7 @@ static double side_of(const pm_measure_args *x)
     if (x->e[PM_MEASURE_ON] == PM_NONE) return 1;
     pm_constraint normal, tangent;
     pm_contact_constraint_both(&x->w->frame, x->a, x->w->model->contact_slot[x->a], 0, &normal, &tangent);
-    return normal.body[0] == pm_body_index(x->w->model, x->e[PM_MEASURE_ON]) ? 1 : -1;
+    return normal.body[0] == pm_model_body_index(x->w->model, x->e[PM_MEASURE_ON]) ? 1 : -1;
 }
 
 static double held_force(const pm_workspace *w, int slot, int axis)
@@ -119,10 +119,10 @@ static double held_force(const pm_workspace *w, int slot, int axis)
     return active == PM_NONE ? 0 : w->frame.lambda[active];
 }
 
-static void add_row(const pm_measure_args *x, const pm_constraint *row, double force, double out[2])
+static void add_constraint(const pm_measure_args *x, const pm_constraint *c, double force, double out[2])
 {
     pm_line_of_action along;
-    pm_constraint_kind(row->kind)->act(&x->w->frame, row, &along);
+    pm_constraint_kind(c->kind)->act(&x->w->frame, c, &along);
     for (int k = 0; k < 2; k++) out[k] += force * along.direction[k];
 }
 
@@ -137,8 +137,8 @@ void pm_measured_contact_force(const pm_measure_args *x, double out[2])
         }
         pm_constraint normal, tangent;
         pm_contact_constraint_both(&x->w->frame, x->a, i, member_of(x, i), &normal, &tangent);
-        add_row(x, &normal, side * slot_normal(x->w, i), out);
-        add_row(x, &tangent, side * slot_friction(x->w, i), out);
+        add_constraint(x, &normal, side * slot_normal(x->w, i), out);
+        add_constraint(x, &tangent, side * slot_friction(x->w, i), out);
     }
 }
 

@@ -14,18 +14,17 @@
  * there: nothing acts. */
 static int partner_of(const pm_measure_args *x)
 {
-    pm_constraint row[PM_JOINT_CONSTRAINTS];
+    pm_constraint c[PM_JOINT_CONSTRAINTS];
     if (x->e[PM_MEASURE_ON] == PM_NONE) return 0;
-    if (pm_joint_constraints(&x->w->frame, &x->w->state, x->a, row) == 0) return PM_NONE;
-    return row[0].body[0] != pm_body_index(x->w->model, x->e[PM_MEASURE_ON]);
+    if (pm_joint_constraints(&x->w->frame, &x->w->state, x->a, c) == 0) return PM_NONE;
+    return c[0].body[0] != pm_model_body_index(x->w->model, x->e[PM_MEASURE_ON]);
 }
 
 /* What the reaction of a row does to one of its two bodies. */
-static void add_reaction(const pm_measure_args *x, const pm_constraint *row, double size, int on,
-                         double out[3])
+static void add_reaction(const pm_measure_args *x, const pm_constraint *c, double size, int on, double out[3])
 {
     pm_line_of_action along; /* the rows need not be evaluated where the frame looks */
-    pm_constraint_kind(row->kind)->act(&x->w->frame, row, &along);
+    pm_constraint_kind(c->kind)->act(&x->w->frame, c, &along);
     for (int k = 0; k < 2; k++) out[k] += (on == 0 ? size : -size) * along.direction[k];
     out[2] += size * along.couple[on];
 }
@@ -34,18 +33,19 @@ static void add_reaction(const pm_measure_args *x, const pm_constraint *row, dou
 static void joint_sum(const pm_measure_args *x, const double *reaction, int by_active, double out[3])
 {
     const pm_model *m = x->w->model;
-    const int first = m->joint_row[x->a],
-              last = x->a + 1 < m->rows[PM_TABLE_JOINT] ? m->joint_row[x->a + 1] : m->njoint_row;
+    const int first = m->joint_constraint[x->a], last = x->a + 1 < m->rows[PM_TABLE_JOINT]
+                                                            ? m->joint_constraint[x->a + 1]
+                                                            : m->njoint_constraint;
     const int on = partner_of(x);
     out[0] = out[1] = out[2] = 0;
     for (int i = first; i < last && on != PM_NONE; i++) {
         const int active = x->w->active.of_joint[i];
         if (active == PM_NONE) continue;
-        add_reaction(x, &x->w->active.row[active], reaction[by_active ? active : i], on, out);
+        add_reaction(x, &x->w->active.constraint[active], reaction[by_active ? active : i], on, out);
     }
-    pm_constraint rubbing;
-    const double friction = by_active ? pm_joint_friction_of_joint(x->w, x->a, &rubbing) : 0;
-    if (friction != 0 && on != PM_NONE) add_reaction(x, &rubbing, friction, on, out);
+    pm_constraint slip;
+    const double friction = by_active ? pm_joint_friction_of_joint(x->w, x->a, &slip) : 0;
+    if (friction != 0 && on != PM_NONE) add_reaction(x, &slip, friction, on, out);
 }
 
 void pm_measured_joint_force(const pm_measure_args *x, double out[2])
@@ -67,19 +67,19 @@ void pm_measured_joint_impulse(const pm_measure_args *x, double out[2])
     memcpy(out, sum, 2 * sizeof *out);
 }
 /* Not unique where a row is redundant; the two strands of a belt depend on each other. */
-static double joint_row_reaction(const pm_measure_args *x, int row)
+static double constraint_reaction(const pm_measure_args *x, int row)
 {
-    const int *active = x->w->active.of_joint + x->w->model->joint_row[x->a];
+    const int *active = x->w->active.of_joint + x->w->model->joint_constraint[x->a];
     const int belt = PM_JOINT_ROW(x->w->model, x->a)[PM_JOINT_KIND] == PM_JOINT_BELT;
     if (active[row] == PM_NONE || (belt && active[1 - row] == PM_NONE)) return NAN;
     return x->w->frame.lambda[active[row]];
 }
-double pm_measured_joint_normal(const pm_measure_args *x) { return joint_row_reaction(x, 0); }
+double pm_measured_joint_normal(const pm_measure_args *x) { return constraint_reaction(x, 0); }
 double pm_measured_joint_friction(const pm_measure_args *x)
 {
-    pm_constraint row;
+    pm_constraint c;
     const int presses = pm_joint_of(x->w->model, x->a)->presses;
-    return presses ? joint_row_reaction(x, 1) : pm_joint_friction_of_joint(x->w, x->a, &row);
+    return presses ? constraint_reaction(x, 1) : pm_joint_friction_of_joint(x->w, x->a, &c);
 }
 double pm_measured_joint_friction_needed(const pm_measure_args *x)
 {

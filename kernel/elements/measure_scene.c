@@ -12,7 +12,7 @@ void pm_measured_force_force(const pm_measure_args *x, double out[2])
 {
     const pm_action f = pm_force_action(x->w, x->a);
     const int other =
-        x->e[PM_MEASURE_ON] != PM_NONE && pm_body_index(x->w->model, x->e[PM_MEASURE_ON]) != f.body_a;
+        x->e[PM_MEASURE_ON] != PM_NONE && pm_model_body_index(x->w->model, x->e[PM_MEASURE_ON]) != f.body_a;
     for (int k = 0; k < 2; k++) out[k] = other ? -f.force[k] : f.force[k];
 }
 double pm_measured_force_couple(const pm_measure_args *x) { return pm_force_action(x->w, x->a).couple; }
@@ -32,11 +32,11 @@ double pm_measured_event_time(const pm_measure_args *x) { return pm_trigger_time
 double pm_measured_time(const pm_measure_args *x) { return x->w->frame.t; }
 double pm_measured_potential(const pm_measure_args *x)
 {
-    return pm_body_weight_energy(&x->w->frame) + pm_force_potential(x->w);
+    return pm_frame_weight_energy(&x->w->frame) + pm_force_potential(x->w);
 }
 double pm_measured_total(const pm_measure_args *x)
 {
-    return pm_body_kinetic(&x->w->frame, PM_NONE) + pm_turning_plane_kinetic(&x->w->frame, PM_NONE) +
+    return pm_frame_kinetic(&x->w->frame, PM_NONE) + pm_turning_plane_kinetic(&x->w->frame, PM_NONE) +
            pm_measured_potential(x);
 }
 double pm_measured_lost(const pm_measure_args *x) { return x->w->impulses.energy_lost; }

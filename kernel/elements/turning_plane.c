@@ -23,14 +23,17 @@
 #include "numerics/tolerances.h"
 #include "state/workspace.h"
 
-static const int32_t *row_of(const pm_model *m) { return pm_table_row(m, PM_TABLE_SPIN, 0, PM_SPIN_COLUMNS); }
+static const int32_t *spin_row(const pm_model *m)
+{
+    return pm_model_row(m, PM_TABLE_SPIN, 0, PM_SPIN_COLUMNS);
+}
 
 /* ---- model ---- */
 void pm_turning_plane_lay_out(pm_model *m)
 {
     m->spin_z = m->spin_angle_z = PM_NONE;
     if (!pm_turning_plane_turns(m)) return;
-    if (row_of(m)[PM_SPIN_COUPLE] >= 0) m->spin_z = m->nz++;
+    if (spin_row(m)[PM_SPIN_COUPLE] >= 0) m->spin_z = m->nz++;
     for (int i = 0; i < m->rows[PM_TABLE_MEASURE]; i++)
         if (PM_MEASURE_ROW(m, i)[PM_MEASURE_KIND] == PM_MEASURE_SPIN_ANGLE && m->spin_angle_z == PM_NONE)
             m->spin_angle_z = m->nz++;
@@ -40,7 +43,7 @@ void pm_turning_plane_lay_out(pm_model *m)
 static int read_axis(pm_workspace *w)
 {
     pm_turning_plane *s = &w->numbers.plane;
-    const int32_t *e = row_of(w->model);
+    const int32_t *e = spin_row(w->model);
     for (int k = 0; k < PM_SPIN_COUPLE; k++) {
         const double value = w->numbers.value[e[k]];
         const int ok = isfinite(value) && (k != PM_SPIN_INERTIA || value >= 0);
@@ -81,7 +84,7 @@ int pm_turning_plane_start(pm_workspace *w)
     const double inertia = pm_turning_plane_inertia(&w->frame);
     if (!(inertia > 0))
         return pm_fail_member(&w->result, PM_BAD_VALUE, PM_TABLE_SPIN, 0, PM_SPIN_INERTIA, inertia, 0);
-    w->numbers.plane.momentum = inertia * w->numbers.value[row_of(w->model)[PM_SPIN_OMEGA]];
+    w->numbers.plane.momentum = inertia * w->numbers.value[spin_row(w->model)[PM_SPIN_OMEGA]];
     return PM_OK;
 }
 
@@ -192,7 +195,7 @@ void pm_turning_plane_outer(const pm_frame *frame, double outer[PM_LEDGER])
 /* ---- running integrals ---- */
 static double couple(pm_workspace *w)
 {
-    const int program = pm_turning_plane_turns(w->model) ? row_of(w->model)[PM_SPIN_COUPLE] : PM_NONE;
+    const int program = pm_turning_plane_turns(w->model) ? spin_row(w->model)[PM_SPIN_COUPLE] : PM_NONE;
     return program >= 0 ? pm_program_run(w, program) : 0;
 }
 

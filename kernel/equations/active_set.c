@@ -24,10 +24,10 @@ void pm_active_set_clear(pm_active_set *x, const pm_model *m)
 {
     x->version++;
     x->n = x->njoint = x->nredundant = x->asymmetric = 0;
-    for (int i = 0; i < m->njoint_row; i++) x->of_joint[i] = PM_NONE;
+    for (int i = 0; i < m->njoint_constraint; i++) x->of_joint[i] = PM_NONE;
     for (int i = 0; i < m->nslot; i++) x->slot_normal[i] = x->slot_tangent[i] = PM_NONE;
     for (int i = 0; i < PM_JOINT_CONSTRAINTS * m->nslot; i++) x->slot_held[i] = PM_NONE;
-    for (int i = 0; i < m->nfriction; i++) x->friction_row[i] = PM_NONE;
+    for (int i = 0; i < m->nfriction; i++) x->friction_constraint[i] = PM_NONE;
 }
 
 /* The basis of the rows that are active so far, at the frame; its size. */
@@ -36,8 +36,8 @@ static int basis_of_active(pm_workspace *w)
     pm_orthonormal_rest rest;
     int n = 0;
     for (int i = 0; i < w->active.n; i++) {
-        pm_constraint_kind(w->active.row[i].kind)->evaluate(&w->frame, &w->active.row[i]);
-        n = pm_orthonormal_rows_add(&w->saddle, n, &w->active.row[i], &rest);
+        pm_constraint_kind(w->active.constraint[i].kind)->evaluate(&w->frame, &w->active.constraint[i]);
+        n = pm_orthonormal_rows_add_constraint(&w->saddle, n, &w->active.constraint[i], &rest);
     }
     return n;
 }
@@ -60,15 +60,15 @@ static int go_nearby(pm_workspace *w, pm_state *s)
 
 /* Whether a row that depends on the active ones here does so nearby, too.  A neighbour that cannot be reached tells
  * nothing: the row is then kept. */
-static int depends_nearby(pm_workspace *w, const pm_constraint *row, int *depends)
+static int depends_nearby(pm_workspace *w, const pm_constraint *c, int *depends)
 {
     int status = go_nearby(w, &w->probe);
     *depends = 0;
     if (!status) {
-        pm_constraint copy = *row;
+        pm_constraint copy = *c;
         pm_orthonormal_rest rest;
         pm_constraint_kind(copy.kind)->evaluate(&w->frame, &copy);
-        pm_orthonormal_rows_add(&w->saddle, basis_of_active(w), &copy, &rest);
+        pm_orthonormal_rows_add_constraint(&w->saddle, basis_of_active(w), &copy, &rest);
         *depends = rest.left < PM_DEPENDENT_NEARBY;
     }
     pm_frame_look_state(&w->frame, &w->state);
@@ -77,23 +77,23 @@ static int depends_nearby(pm_workspace *w, const pm_constraint *row, int *depend
 }
 
 /* Appends the row unless it is redundant; *index: its place, or PM_NONE.  Without a basis it is not tested. */
-static int append(pm_workspace *w, const pm_constraint *row, int *nbasis, int *index)
+static int append(pm_workspace *w, const pm_constraint *c, int *nbasis, int *index)
 {
     if (!nbasis) {
-        w->active.row[w->active.n] = *row;
+        w->active.constraint[w->active.n] = *c;
         *index = w->active.n++;
         return PM_OK;
     }
-    pm_constraint *place = &w->active.row[w->active.n];
+    pm_constraint *place = &w->active.constraint[w->active.n];
     pm_orthonormal_rest rest;
     int depends = 0;
-    *place = *row;
+    *place = *c;
     pm_constraint_kind(place->kind)->evaluate(&w->frame, place);
-    const int n = pm_orthonormal_rows_add(&w->saddle, *nbasis, place, &rest);
+    const int n = pm_orthonormal_rows_add_constraint(&w->saddle, *nbasis, place, &rest);
     if (n == *nbasis) {
-        const int status = depends_nearby(w, row, &depends);
+        const int status = depends_nearby(w, c, &depends);
         if (status) return status;
-        *place = *row;
+        *place = *c;
     }
     *nbasis = n;
     *index = PM_NONE;
@@ -108,11 +108,11 @@ static int append_joints(pm_workspace *w, int *nbasis)
 {
     const pm_model *m = w->model;
     for (int j = 0; j < m->rows[PM_TABLE_JOINT]; j++) {
-        pm_constraint row[PM_JOINT_CONSTRAINTS];
-        const int i = w->active.joint_order[j], n = pm_joint_constraints(&w->frame, &w->state, i, row);
+        pm_constraint c[PM_JOINT_CONSTRAINTS];
+        const int i = w->active.joint_order[j], n = pm_joint_constraints(&w->frame, &w->state, i, c);
         for (int k = 0; k < n; k++) {
-            if (pm_active_set_is_idle(&w->numbers, &row[k])) continue;
-            const int status = append(w, &row[k], nbasis, &w->active.of_joint[m->joint_row[i] + k]);
+            if (pm_active_set_is_idle(&w->numbers, &c[k])) continue;
+            const int status = append(w, &c[k], nbasis, &w->active.of_joint[m->joint_constraint[i] + k]);
             if (status) return status;
         }
     }
@@ -124,11 +124,11 @@ static int append_joints(pm_workspace *w, int *nbasis)
 static int append_captured(pm_workspace *w, int *nbasis)
 {
     for (int i = 0; i < w->model->nslot; i++) {
-        pm_constraint row[PM_JOINT_CONSTRAINTS];
+        pm_constraint c[PM_JOINT_CONSTRAINTS];
         if (w->state.slot[i].mode != PM_CAPTURED) continue;
-        const int n = pm_capture_rows(&w->frame, &w->state, i, row);
+        const int n = pm_capture_constraints(&w->frame, &w->state, i, c);
         for (int k = 0; k < n; k++) {
-            const int status = append(w, &row[k], nbasis, &w->active.slot_held[PM_JOINT_CONSTRAINTS * i + k]);
+            const int status = append(w, &c[k], nbasis, &w->active.slot_held[PM_JOINT_CONSTRAINTS * i + k]);
             if (status) return status;
         }
     }
@@ -170,7 +170,7 @@ static int append_tangents(pm_workspace *w, int *nbasis)
         if (active == PM_NONE)
             pm_contact_constraint_both(&w->frame, contact, i, slot[i].member, &normal, &tangent);
         else
-            pm_contact_constraint_tangent(&w->frame, contact, &w->active.row[active], &tangent);
+            pm_contact_constraint_tangent(&w->frame, contact, &w->active.constraint[active], &tangent);
         const int status = append(w, &tangent, nbasis, &w->active.slot_tangent[i]);
         if (status) return status;
     }
@@ -178,13 +178,13 @@ static int append_tangents(pm_workspace *w, int *nbasis)
 }
 
 /* Frictions of joints that hold. */
-static int append_grips(pm_workspace *w, int *nbasis)
+static int append_friction(pm_workspace *w, int *nbasis)
 {
     for (int i = 0; i < w->model->nfriction; i++) {
-        pm_constraint row;
+        pm_constraint c;
         if (w->state.friction[i] != PM_STICK) continue;
-        pm_joint_friction_row(&w->frame, i, &row);
-        const int status = append(w, &row, nbasis, &w->active.friction_row[i]);
+        pm_joint_friction_constraint(&w->frame, i, &c);
+        const int status = append(w, &c, nbasis, &w->active.friction_constraint[i]);
         if (status) return status;
     }
     return PM_OK;
@@ -202,9 +202,9 @@ static void append_carried(pm_workspace *w)
         pm_contact_constraint_both(&w->frame, pm_contact_of_slot(m, i), i, w->state.slot[i].member, &normal,
                                    &tangent);
         tangent.normal = w->active.slot_normal[i];
-        w->active.row[n++] = tangent;
+        w->active.constraint[n++] = tangent;
     }
-    w->active.row[n].normal = PM_NONE;
+    w->active.constraint[n].normal = PM_NONE;
 }
 
 static int append_all(pm_workspace *w, int *nbasis)
@@ -214,7 +214,7 @@ static int append_all(pm_workspace *w, int *nbasis)
     if (!status) status = append_captured(w, nbasis);
     if (!status) status = append_normals(w, nbasis);
     if (!status) status = append_tangents(w, nbasis);
-    if (!status) status = append_grips(w, nbasis);
+    if (!status) status = append_friction(w, nbasis);
     return status;
 }
 
@@ -226,12 +226,12 @@ int pm_active_set_build(pm_workspace *w)
     if (pm_solve_cache_is_built(w)) return PM_OK;
     int status = append_all(w, NULL);
     for (int i = 0; i < w->active.n && !status; i++)
-        pm_constraint_kind(w->active.row[i].kind)->evaluate(&w->frame, &w->active.row[i]);
-    const int clear =
+        pm_constraint_kind(w->active.constraint[i].kind)->evaluate(&w->frame, &w->active.constraint[i]);
+    const int independent =
         !status && (w->active.n == 0 || pm_saddle_independence(&w->saddle) > PM_CLEARLY_INDEPENDENT);
-    if (!status && !clear) status = append_all(w, &nbasis);
+    if (!status && !independent) status = append_all(w, &nbasis);
     if (!status) append_carried(w);
-    w->active.evaluated = clear && !w->active.asymmetric;
+    w->active.evaluated = independent && !w->active.asymmetric;
     if (!status) pm_solve_cache_built(w);
     return status;
 }
@@ -239,15 +239,15 @@ int pm_active_set_build(pm_workspace *w)
 void pm_active_set_carry(pm_workspace *w, int slot, double ratio)
 {
     w->active.version++;
-    w->active.row[w->active.slot_normal[slot]].slide = ratio;
+    w->active.constraint[w->active.slot_normal[slot]].slide = ratio;
     w->active.asymmetric = 1;
     append_carried(w);
 }
 
-static void remember(const pm_frame *frame, pm_state *s, const pm_constraint *row, int anchor_too)
+static void remember(const pm_frame *frame, pm_state *s, const pm_constraint *c, int anchor_too)
 {
-    if (row->memory == PM_NONE || !pm_constraint_kind(row->kind)->remember) return;
-    pm_constraint_kind(row->kind)->remember(frame, row, &s->memory[row->memory], anchor_too);
+    if (c->memory == PM_NONE || !pm_constraint_kind(c->kind)->remember) return;
+    pm_constraint_kind(c->kind)->remember(frame, c, &s->memory[c->memory], anchor_too);
 }
 
 void pm_active_set_anchor(const pm_frame *frame, pm_state *s, int slot)
@@ -265,10 +265,10 @@ void pm_active_set_anchor(const pm_frame *frame, pm_state *s, int slot)
 
 void pm_active_set_anchor_joint(const pm_frame *frame, const pm_state *state, pm_state *s, int joint)
 {
-    pm_constraint row[PM_JOINT_CONSTRAINTS];
+    pm_constraint c[PM_JOINT_CONSTRAINTS];
     if (pm_joint_of(frame->model, joint)->memories == 0) return;
-    const int n = pm_joint_constraints(frame, state, joint, row);
-    for (int k = 0; k < n; k++) remember(frame, s, &row[k], 1);
+    const int n = pm_joint_constraints(frame, state, joint, c);
+    for (int k = 0; k < n; k++) remember(frame, s, &c[k], 1);
 }
 
 /* Measures the cords: as drawn, and what they are slack. */
@@ -280,7 +280,7 @@ static void anchor_cords(const pm_frame *frame, pm_state *s)
         pm_contact_constraint_both(frame, i, frame->model->contact_slot[i], 0, &strand, &unused);
         remember(frame, s, &strand, 1);
         s->memory[strand.memory].anchor +=
-            frame->numbers->value[PM_CONTACT_ROW_OF(frame->model, i)[PM_CONTACT_SLACK]];
+            frame->numbers->value[PM_CONTACT_ROW(frame->model, i)[PM_CONTACT_SLACK]];
     }
 }
 
@@ -305,6 +305,6 @@ static void follow_slack_cords(const pm_frame *frame, pm_state *s)
 
 void pm_active_set_follow(const pm_frame *frame, const pm_active_set *active, pm_state *s)
 {
-    for (int i = 0; i < active->n; i++) remember(frame, s, &active->row[i], 0);
+    for (int i = 0; i < active->n; i++) remember(frame, s, &active->constraint[i], 0);
     follow_slack_cords(frame, s);
 }

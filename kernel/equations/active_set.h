@@ -21,15 +21,15 @@ void pm_active_set_follow(const pm_frame *frame, const pm_active_set *active, pm
 /* Nothing is active: another set from now on. */
 void pm_active_set_clear(pm_active_set *active, const pm_model *model);
 /* Whether both partners of a constraint are fixed for good (fixed_bodies.h): it holds nothing that moves. */
-static inline int pm_active_set_is_idle(const pm_numbers *numbers, const pm_constraint *row)
+static inline int pm_active_set_is_idle(const pm_numbers *numbers, const pm_constraint *c)
 {
-    return numbers->fixed[row->body[0]] && numbers->fixed[row->body[1]];
+    return numbers->fixed[c->body[0]] && numbers->fixed[c->body[1]];
 }
 /* Whether a drive prescribes the rate of some constraint. */
 static inline int pm_active_set_is_driven(const pm_active_set *active)
 {
     for (int i = 0; i < active->n; i++)
-        if (active->row[i].drive != PM_NONE) return 1;
+        if (active->constraint[i].drive != PM_NONE) return 1;
     return 0;
 }
 

@@ -36,7 +36,7 @@ int pm_case_values(pm_workspace *w, const double *param)
 /* value must be finite and > low (or >= low). */
 static int check(pm_workspace *w, int table, int row, int column, double low, int strict)
 {
-    const int index = pm_table_row(w->model, table, row, pm_table_columns[table])[column];
+    const int index = pm_model_row(w->model, table, row, pm_table_columns[table])[column];
     const double value = w->numbers.value[index];
     if (isfinite(value) && (strict ? value > low : value >= low)) return PM_OK;
     return out_of_bound(&w->result, table, row, column, value, low);
@@ -63,7 +63,7 @@ static const pm_bounds bounds[] = {
     {PM_TABLE_POINT, PM_POINT_Y, -INFINITY, INFINITY, 0},
     {PM_TABLE_LINE, PM_LINE_ANGLE, -INFINITY, INFINITY, 0},
     {PM_TABLE_CIRCLE, PM_CIRCLE_RADIUS, 0, INFINITY, 0},
-    {PM_TABLE_ROW, PM_ROW_COUNT, -INFINITY, PM_MOST_MEMBERS, 0},
+    {PM_TABLE_PATTERN, PM_PATTERN_COUNT, -INFINITY, PM_MOST_MEMBERS, 0},
     {PM_TABLE_CONTACT, PM_CONTACT_RESTITUTION, 0, 1, 0},
     {PM_TABLE_CONTACT, PM_CONTACT_TANGENTIAL, 0, 1, 0},
     {PM_TABLE_CONTACT, PM_CONTACT_SLACK, 0, INFINITY, 0},
@@ -94,22 +94,24 @@ static int read_bodies(pm_workspace *w)
 {
     for (int i = 0; i < w->model->nbody; i++) {
         const int32_t *e = PM_BODY_ROW(w->model, i);
-        const int status = e[PM_BODY_TURNS] ? check(w, PM_TABLE_BODY, i, PM_BODY_INERTIA, 0, 0) : PM_OK;
+        const int status = e[PM_BODY_ROTATES] ? check(w, PM_TABLE_BODY, i, PM_BODY_INERTIA, 0, 0) : PM_OK;
         if (status) return status;
         w->numbers.mass[i] = w->numbers.value[e[PM_BODY_MASS]];
         w->numbers.inverse_mass[3 * i] = w->numbers.inverse_mass[3 * i + 1] = 1 / w->numbers.mass[i];
-        w->numbers.inverse_mass[3 * i + 2] = e[PM_BODY_TURNS] ? 1 / w->numbers.value[e[PM_BODY_INERTIA]] : 0;
+        w->numbers.inverse_mass[3 * i + 2] =
+            e[PM_BODY_ROTATES] ? 1 / w->numbers.value[e[PM_BODY_INERTIA]] : 0;
     }
     return PM_OK;
 }
 
 static int check_rows(pm_workspace *w)
 {
-    for (int i = 0; i < w->model->rows[PM_TABLE_ROW]; i++) {
-        const int32_t *e = PM_ROW_ROW(w->model, i);
-        const double step = hypot(w->numbers.value[e[PM_ROW_STEP_X]], w->numbers.value[e[PM_ROW_STEP_Y]]);
+    for (int i = 0; i < w->model->rows[PM_TABLE_PATTERN]; i++) {
+        const int32_t *e = PM_PATTERN_ROW(w->model, i);
+        const double step =
+            hypot(w->numbers.value[e[PM_PATTERN_STEP_X]], w->numbers.value[e[PM_PATTERN_STEP_Y]]);
         if (!(step > 0) || !isfinite(step))
-            return out_of_bound(&w->result, PM_TABLE_ROW, i, PM_ROW_STEP_X, step, 0);
+            return out_of_bound(&w->result, PM_TABLE_PATTERN, i, PM_PATTERN_STEP_X, step, 0);
     }
     return PM_OK;
 }
@@ -125,7 +127,7 @@ static int check_side(const pm_numbers *numbers, pm_result *result, int table, i
 static int check_partners(pm_workspace *w, int contact)
 {
     const pm_model *m = w->model;
-    const int32_t *e = PM_CONTACT_ROW_OF(m, contact);
+    const int32_t *e = PM_CONTACT_ROW(m, contact);
     double radius = w->numbers.value[PM_CIRCLE_ROW(m, e[PM_CONTACT_A])[PM_CIRCLE_RADIUS]];
     if (e[PM_CONTACT_KIND] == PM_CONTACT_LINE || e[PM_CONTACT_KIND] == PM_CONTACT_CORD) return PM_OK;
     if (e[PM_CONTACT_KIND] == PM_CONTACT_POINT) {

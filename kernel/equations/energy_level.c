@@ -28,7 +28,7 @@ static int only_potentials(const pm_model *m, const pm_state *state)
     return 1;
 }
 
-static double potential(pm_workspace *w) { return pm_body_weight_energy(&w->frame) + pm_force_potential(w); }
+static double potential(pm_workspace *w) { return pm_frame_weight_energy(&w->frame) + pm_force_potential(w); }
 
 /* Of weights and springs, each for itself: far from the origin they are great and cancel in what moves. */
 static double size_of_terms(pm_workspace *w)
@@ -47,13 +47,13 @@ void pm_energy_level_begin(pm_workspace *w, pm_energy_level_level *level)
                   !pm_joint_friction_any(w->model) && only_potentials(w->model, &w->state) &&
                   !pm_active_set_is_driven(&w->active);
     if (!level->kept) return;
-    level->kinetic = pm_body_kinetic(&w->frame, PM_NONE);
+    level->kinetic = pm_frame_kinetic(&w->frame, PM_NONE);
     level->energy = level->kinetic + potential(w);
 }
 
 double pm_energy_level_factor(pm_workspace *w, const pm_energy_level_level *level, double *gained)
 {
-    const double kinetic = pm_body_kinetic(&w->frame, PM_NONE);
+    const double kinetic = pm_frame_kinetic(&w->frame, PM_NONE);
     *gained = 0;
     if (!level->kept || !(kinetic > PM_LEVEL_SHARE * level->kinetic)) return 1;
     const double missing = level->energy - potential(w) - kinetic;
@@ -67,7 +67,7 @@ double pm_energy_level_factor(pm_workspace *w, const pm_energy_level_level *leve
 void pm_energy_level_note(const pm_frame *frame, pm_ledger *ledger, pm_energy_level_level *level,
                           double gained)
 {
-    level->kinetic = fmax(level->kinetic, pm_body_kinetic(frame, PM_NONE));
+    level->kinetic = fmax(level->kinetic, pm_frame_kinetic(frame, PM_NONE));
     level->returned += gained;
     ledger->evidence =
         fmax(ledger->evidence, fabs(level->returned) / fmax(ledger->energy_scale, level->kinetic));

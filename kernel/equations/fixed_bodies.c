@@ -85,21 +85,21 @@ void pm_fixed_bodies_begin(pm_workspace *w)
 
 /* ---- which bodies ---- */
 /* The rows of the joints that stay in w->row, evaluated unless they are only counted, and those of each body. */
-static int list_rows(pm_workspace *w)
+static int list_constraints(pm_workspace *w)
 {
     const pm_model *m = w->model;
     pm_fixed_bodies *x = w->fixed;
     int n = 0;
     for (int i = 0; i < m->nbody; i++) x->first[i] = PM_NONE;
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
-        pm_constraint rows[PM_JOINT_CONSTRAINTS];
+        pm_constraint c[PM_JOINT_CONSTRAINTS];
         if (pm_model_is_changed(m, PM_TABLE_JOINT, i) || pm_joint_of(m, i)->programs > 0) continue;
-        const int of_joint = pm_joint_constraints(&w->frame, &w->state, i, rows);
+        const int of_joint = pm_joint_constraints(&w->frame, &w->state, i, c);
         for (int k = 0; k < of_joint; k++, n++) {
-            w->active.row[n] = rows[k];
-            if (!x->counts) pm_constraint_kind(rows[k].kind)->evaluate(&w->frame, &w->active.row[n]);
+            w->active.constraint[n] = c[k];
+            if (!x->counts) pm_constraint_kind(c[k].kind)->evaluate(&w->frame, &w->active.constraint[n]);
             for (int side = 0; side < 2; side++) {
-                const int body = rows[k].body[side];
+                const int body = c[k].body[side];
                 if (body == m->nbody) continue;
                 x->next[2 * n + side] = x->first[body];
                 x->first[body] = 2 * n + side;
@@ -127,11 +127,11 @@ static int place_in(const pm_group *g, int body)
 static void join(const pm_model *model, pm_group *g, int body)
 {
     g->body[g->n++] = body;
-    g->freedom += PM_BODY_ROW(model, body)[PM_BODY_TURNS] ? 3 : 2;
+    g->freedom += PM_BODY_ROW(model, body)[PM_BODY_ROTATES] ? 3 : 2;
 }
 
 /* Counts a row if it is clearly independent of those before it. */
-static void add_row(const pm_numbers *numbers, pm_group *g, const pm_constraint *row)
+static void add_constraint(const pm_numbers *numbers, pm_group *g, const pm_constraint *constraint)
 {
     const pm_orthonormal basis = {&g->basis[0][0], &g->range[0][0], WIDE, PM_CLEARLY_INDEPENDENT};
     pm_orthonormal_rest rest;
@@ -140,11 +140,12 @@ static void add_row(const pm_numbers *numbers, pm_group *g, const pm_constraint 
     g->range[g->rank][1] = 3 * g->n;
     for (int c = 0; c < 3 * g->n; c++) x[c] = 0;
     for (int side = 0; side < 2; side++) {
-        const int at = place_in(g, row->body[side]);
+        const int at = place_in(g, constraint->body[side]);
         for (int k = 0; k < 3 && at != PM_NONE; k++)
-            x[3 * at + k] += row->j[3 * side + k] * numbers->inverse_root[3 * row->body[side] + k];
+            x[3 * at + k] +=
+                constraint->j[3 * side + k] * numbers->inverse_root[3 * constraint->body[side] + k];
     }
-    g->rank = pm_orthonormal_add(&basis, g->rank, &rest);
+    g->rank = pm_orthonormal_rows_add(&basis, g->rank, &rest);
 }
 
 /* Whether constraints between these bodies, and to what is fixed, hold them; then they are fixed, too. */
@@ -153,13 +154,13 @@ static int holds(pm_workspace *w, pm_group *g)
     pm_fixed_bodies *x = w->fixed;
     for (int i = 0; i < g->n; i++)
         for (int at = x->first[g->body[i]]; at != PM_NONE && g->rank < g->freedom; at = x->next[at]) {
-            const pm_constraint *row = &w->active.row[at / 2];
-            const int other = row->body[1 - at % 2], place = place_in(g, other);
+            const pm_constraint *c = &w->active.constraint[at / 2];
+            const int other = c->body[1 - at % 2], place = place_in(g, other);
             if (!w->numbers.fixed[other] && place <= i) continue;
             if (x->counts)
                 g->rank++;
             else
-                add_row(&w->numbers, g, row);
+                add_constraint(&w->numbers, g, c);
         }
     if (g->rank < g->freedom) return 0;
     for (int i = 0; i < g->n; i++) w->numbers.fixed[g->body[i]] = 1;
@@ -184,12 +185,12 @@ static int try_one(pm_workspace *w, int body)
 }
 
 /* The two bodies of a row. */
-static int try_two(pm_workspace *w, const pm_constraint *row)
+static int try_two(pm_workspace *w, const pm_constraint *c)
 {
     pm_group g = {.n = 0};
     for (int side = 0; side < 2; side++) {
-        if (!may_be_fixed(&w->numbers, w->fixed, row->body[side])) return 0;
-        join(w->model, &g, row->body[side]);
+        if (!may_be_fixed(&w->numbers, w->fixed, c->body[side])) return 0;
+        join(w->model, &g, c->body[side]);
     }
     return holds(w, &g);
 }
@@ -203,7 +204,7 @@ static int try_all(pm_workspace *w, int body)
     join(w->model, &g, body);
     for (int i = 0; i < g.n; i++)
         for (int at = x->first[g.body[i]]; at != PM_NONE; at = x->next[at]) {
-            const int other = w->active.row[at / 2].body[1 - at % 2];
+            const int other = w->active.constraint[at / 2].body[1 - at % 2];
             if (w->numbers.fixed[other] || place_in(&g, other) != PM_NONE) continue;
             if (must_move(x, other) || g.n == FEW) return 0;
             join(w->model, &g, other);
@@ -213,11 +214,11 @@ static int try_all(pm_workspace *w, int body)
 
 static void find(pm_workspace *w)
 {
-    const int nbody = w->model->nbody, nrow = list_rows(w);
+    const int nbody = w->model->nbody, nconstraint = list_constraints(w);
     for (int more = 1; more;) {
         more = 0;
         for (int i = 0; i < nbody; i++) more |= try_one(w, i);
-        for (int i = 0; i < nrow; i++) more |= try_two(w, &w->active.row[i]);
+        for (int i = 0; i < nconstraint; i++) more |= try_two(w, &w->active.constraint[i]);
         for (int i = 0; i < nbody; i++) more |= try_all(w, i);
     }
 }
@@ -241,7 +242,7 @@ int pm_fixed_bodies_create(pm_workspace *w)
     pm_fixed_bodies *x = w->fixed;
     const pm_array array[] = {
         PM_ARRAY(x->first, m->nbody),
-        PM_ARRAY(x->next, 2 * m->njoint_row),
+        PM_ARRAY(x->next, 2 * m->njoint_constraint),
         PM_ARRAY(x->moves, m->nbody),
         PM_ARRAY(x->is_left, m->nbody),
         PM_ARRAY(x->is_asked, m->rows[PM_TABLE_JOINT]),
@@ -257,12 +258,12 @@ int pm_fixed_bodies_create(pm_workspace *w)
 
 /* ---- once a case ---- */
 /* Both bodies of a constraint that are fixed are left to the equations of motion. */
-static int let_go(pm_workspace *w, const pm_constraint *row)
+static int let_go(pm_workspace *w, const pm_constraint *c)
 {
     int any = 0;
-    if (!pm_active_set_is_idle(&w->numbers, row)) return 0;
+    if (!pm_active_set_is_idle(&w->numbers, c)) return 0;
     for (int side = 0; side < 2; side++) {
-        const int body = row->body[side];
+        const int body = c->body[side];
         if (body == w->model->nbody || must_move(w->fixed, body)) continue;
         w->fixed->is_left[body] = 1;
         any = 1;
@@ -281,9 +282,9 @@ static int let_asked_move(pm_workspace *w)
         any |= let_go(w, &normal);
     }
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
-        pm_constraint row[PM_JOINT_CONSTRAINTS];
-        if (w->fixed->is_asked[i] && pm_joint_constraints_of_any(&w->frame, i, row) > 0)
-            any |= let_go(w, &row[0]);
+        pm_constraint c[PM_JOINT_CONSTRAINTS];
+        if (w->fixed->is_asked[i] && pm_joint_constraints_of_any(&w->frame, i, c) > 0)
+            any |= let_go(w, &c[0]);
     }
     return any;
 }

@@ -37,7 +37,7 @@ static pm_ring ring_of(const pm_workspace *w, int point)
 {
     const int32_t *e = PM_POINT_ROW(w->model, point);
     const double m[2] = {w->numbers.value[e[PM_POINT_X]], w->numbers.value[e[PM_POINT_Y]]};
-    const pm_hinge_bounds *x = &w->reach.hinge[pm_body_index(w->model, e[PM_POINT_BODY])];
+    const pm_hinge_bounds *x = &w->reach.hinge[pm_model_body_index(w->model, e[PM_POINT_BODY])];
     if (is_fixed(x)) {
         const pm_point p = pm_frame_point_of(&w->frame, point);
         return (pm_ring){.at = {p.p[0], p.p[1]}, .known = 1};
@@ -55,12 +55,12 @@ static int hang(pm_workspace *w, int a, int b, double length, int welded)
 {
     const pm_model *m = w->model;
     const int32_t *e = PM_POINT_ROW(m, b);
-    const int body = pm_body_index(m, e[PM_POINT_BODY]);
+    const int body = pm_model_body_index(m, e[PM_POINT_BODY]);
     const pm_ring from = ring_of(w, a);
     pm_hinge_bounds *x = &w->reach.hinge[body];
     if (!from.known || is_fixed(x)) return 0;
     const int fixed =
-        welded && is_fixed(&w->reach.hinge[pm_body_index(m, PM_POINT_ROW(m, a)[PM_POINT_BODY])]);
+        welded && is_fixed(&w->reach.hinge[pm_model_body_index(m, PM_POINT_ROW(m, a)[PM_POINT_BODY])]);
     const double high = from.high + length;
     if (x->known && !fixed && !(high < x->high)) return 0;
     *x = (pm_hinge_bounds){.known = 1,
@@ -130,7 +130,7 @@ static pm_straight straight(const pm_model *model, const pm_numbers *numbers, in
     const double angle = numbers->value[e[PM_LINE_ANGLE]];
     return (pm_straight){.at = {numbers->value[p[PM_POINT_X]], numbers->value[p[PM_POINT_Y]]},
                          .t = {cos(angle), sin(angle)},
-                         .body = pm_body_index(model, p[PM_POINT_BODY])};
+                         .body = pm_model_body_index(model, p[PM_POINT_BODY])};
 }
 
 /* A place of the scene in the axes of a body, as it is now. */
@@ -176,8 +176,7 @@ static double least_beside_edge(const pm_workspace *w, const int32_t *e, const p
 /* The gap is never less. */
 static double least_gap(const pm_workspace *w, int contact)
 {
-    const int32_t *e = PM_CONTACT_ROW_OF(w->model, contact),
-                  *circle = PM_CIRCLE_ROW(w->model, e[PM_CONTACT_A]);
+    const int32_t *e = PM_CONTACT_ROW(w->model, contact), *circle = PM_CIRCLE_ROW(w->model, e[PM_CONTACT_A]);
     const pm_ring a = ring_of(w, circle[PM_CIRCLE_POINT]);
     const double ra = w->numbers.value[circle[PM_CIRCLE_RADIUS]];
     if (!a.known) return -INFINITY;

@@ -17,27 +17,26 @@ static double norm_of(const pm_model *model, const pm_numbers *numbers, const do
 }
 
 /* Adds a row, times a factor, to a dense one. */
-static void add_sparse(const pm_model *model, const pm_constraint *row, double factor, double *dense)
+static void add_sparse(const pm_model *model, const pm_constraint *c, double factor, double *dense)
 {
     for (int p = 0; p < 2; p++)
-        for (int k = 0; k < 3 && row->body[p] != model->nbody; k++)
-            dense[3 * row->body[p] + k] += factor * row->j[3 * p + k];
+        for (int k = 0; k < 3 && c->body[p] != model->nbody; k++)
+            dense[3 * c->body[p] + k] += factor * c->j[3 * p + k];
 }
 
-static void spread_row(const pm_model *model, const pm_constraint *row, double *dense)
+static void spread_out(const pm_model *model, const pm_constraint *c, double *dense)
 {
     memset(dense, 0, (size_t)model->nq * sizeof *dense);
-    add_sparse(model, row, 1, dense);
+    add_sparse(model, c, 1, dense);
 }
 
 /* G M^-1 d of one row of the block. */
-static double along(const pm_model *model, const pm_numbers *numbers, const pm_constraint *row,
-                    const double *d)
+static double along(const pm_model *model, const pm_numbers *numbers, const pm_constraint *c, const double *d)
 {
     double sum = 0;
     for (int p = 0; p < 2; p++)
-        for (int k = 0; k < 3 && row->body[p] != model->nbody; k++)
-            sum += row->j[3 * p + k] * numbers->inverse_mass[3 * row->body[p] + k] * d[3 * row->body[p] + k];
+        for (int k = 0; k < 3 && c->body[p] != model->nbody; k++)
+            sum += c->j[3 * p + k] * numbers->inverse_mass[3 * c->body[p] + k] * d[3 * c->body[p] + k];
     return sum;
 }
 
@@ -48,10 +47,10 @@ int pm_least_change_add(const pm_active_set *active, pm_saddle *saddle, const pm
     memcpy(s->across, row, (size_t)saddle->model->nq * sizeof *row);
     for (int pass = 0; pass < PM_BLOCK_PASSES; pass++) {
         for (int i = 0; i < active->n; i++)
-            saddle->rhs[i] = -along(saddle->model, saddle->numbers, &active->row[i], s->across);
+            saddle->rhs[i] = -along(saddle->model, saddle->numbers, &active->constraint[i], s->across);
         pm_saddle_solve(saddle);
         for (int i = 0; i < active->n; i++)
-            add_sparse(saddle->model, &active->row[i], saddle->rhs[i], s->across);
+            add_sparse(saddle->model, &active->constraint[i], saddle->rhs[i], s->across);
     }
     const double all = norm_of(saddle->model, saddle->numbers, row),
                  part = norm_of(saddle->model, saddle->numbers, s->across);
@@ -66,24 +65,25 @@ int pm_least_change_add(const pm_active_set *active, pm_saddle *saddle, const pm
 int pm_least_change_block(pm_workspace *w, pm_least_change *s, int level)
 {
     const pm_model *m = w->model;
-    if (m->njoint_row < PM_BLOCK_OF_ROWS) return 0;
+    if (m->njoint_constraint < PM_BLOCK_OF_ROWS) return 0;
     w->active.n = 0;
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
-        pm_constraint rows[PM_JOINT_CONSTRAINTS];
-        const int n = pm_joint_constraints(&w->frame, &w->state, w->active.joint_order[i], rows);
+        pm_constraint constraint[PM_JOINT_CONSTRAINTS];
+        const int n = pm_joint_constraints(&w->frame, &w->state, w->active.joint_order[i], constraint);
         for (int k = 0; k < n; k++) {
-            if (level == PM_START_POSITION && rows[k].memory != PM_NONE) continue;
-            pm_constraint *row = &w->active.row[w->active.n];
-            *row = rows[k];
-            pm_constraint_kind(row->kind)->evaluate(&w->frame, row);
-            w->saddle.wanted[w->active.n++] = level == PM_START_POSITION ? -row->g : row->rate;
+            if (level == PM_START_POSITION && constraint[k].memory != PM_NONE) continue;
+            pm_constraint *c = &w->active.constraint[w->active.n];
+            *c = constraint[k];
+            pm_constraint_kind(c->kind)->evaluate(&w->frame, c);
+            w->saddle.wanted[w->active.n++] = level == PM_START_POSITION ? -c->g : c->rate;
         }
     }
     if (w->active.n < PM_BLOCK_OF_ROWS || !(pm_saddle_independence(&w->saddle) > PM_CLEARLY_INDEPENDENT))
         return 0;
     for (int pass = 0; pass < PM_BLOCK_PASSES; pass++) {
         for (int i = 0; i < w->active.n; i++)
-            w->saddle.rhs[i] = w->saddle.wanted[i] - pm_constraint_times(&w->frame, &w->active.row[i], s->x);
+            w->saddle.rhs[i] =
+                w->saddle.wanted[i] - pm_constraint_times(&w->frame, &w->active.constraint[i], s->x);
         pm_saddle_solve(&w->saddle);
         pm_saddle_spread(&w->saddle, 0, s->x);
     }
@@ -115,14 +115,14 @@ int pm_least_change_take(const pm_active_set *active, pm_saddle *saddle, pm_leas
     return meet(saddle, s, pm_least_change_add(active, saddle, s, row, &rest), &rest, miss);
 }
 
-int pm_least_change_take_row(pm_workspace *w, pm_least_change *s, const pm_constraint *row, double rhs,
-                             double *dense, double *miss)
+int pm_least_change_take_constraint(pm_workspace *w, pm_least_change *s, const pm_constraint *c, double rhs,
+                                    double *dense, double *miss)
 {
     pm_orthonormal_rest rest;
     if (s->block) {
-        spread_row(w->model, row, dense);
+        spread_out(w->model, c, dense);
         return pm_least_change_take(&w->active, &w->saddle, s, dense, rhs, miss);
     }
-    *miss = rhs - pm_constraint_times(&w->frame, row, s->x);
-    return meet(&w->saddle, s, pm_orthonormal_rows_add(&w->saddle, s->n, row, &rest), &rest, miss);
+    *miss = rhs - pm_constraint_times(&w->frame, c, s->x);
+    return meet(&w->saddle, s, pm_orthonormal_rows_add_constraint(&w->saddle, s->n, c, &rest), &rest, miss);
 }

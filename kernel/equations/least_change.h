@@ -28,8 +28,8 @@ int pm_least_change_block(pm_workspace *w, pm_least_change *s, int level);
 int pm_least_change_take(const pm_active_set *active, pm_saddle *saddle, pm_least_change *s,
                          const double *row, double rhs, double *miss);
 /* The same of an evaluated row; dense [nq] is scratch. */
-int pm_least_change_take_row(pm_workspace *w, pm_least_change *s, const pm_constraint *row, double rhs,
-                             double *dense, double *miss);
+int pm_least_change_take_constraint(pm_workspace *w, pm_least_change *s, const pm_constraint *c, double rhs,
+                                    double *dense, double *miss);
 /* Adds a row to the basis if it depends neither on that nor on the block; the new size. */
 int pm_least_change_add(const pm_active_set *active, pm_saddle *saddle, const pm_least_change *s,
                         const double *row, pm_orthonormal_rest *rest);

@@ -34,25 +34,27 @@ static void add_outer(double *impulse, const double at[2], const double force[2]
 }
 
 /* What a row gives the scene from outside by a reaction (or an impulse) of that size. */
-static void add_row(const pm_frame *frame, const pm_constraint *row, double size, double *impulse)
+static void add_constraint(const pm_frame *frame, const pm_constraint *c, double size, double *impulse)
 {
-    if (pm_constraint_is_inner(frame->numbers, row)) return;
-    const int on_a = !frame->numbers->fixed[row->body[0]], on_b = !frame->numbers->fixed[row->body[1]];
+    if (pm_constraint_is_inner(frame->numbers, c)) return;
+    const int on_a = !frame->numbers->fixed[c->body[0]], on_b = !frame->numbers->fixed[c->body[1]];
     pm_line_of_action x;
-    pm_constraint_kind(row->kind)->act(frame, row, &x);
+    pm_constraint_kind(c->kind)->act(frame, c, &x);
     const double sign = size * (on_a - on_b);
     const double force[2] = {sign * x.direction[0], sign * x.direction[1]};
     add_outer(impulse, x.at, force, size * (on_a * x.couple[0] + on_b * x.couple[1]), 1);
 }
 
 /* Forces (or impulses) of the rows on the scene from outside. */
-static void add_rows(const pm_frame *frame, const pm_active_set *active, const double *size, double *impulse)
+static void add_constraints(const pm_frame *frame, const pm_active_set *active, const double *size,
+                            double *impulse)
 {
-    for (int i = 0; i < active->n; i++) add_row(frame, &active->row[i], size[i], impulse);
+    for (int i = 0; i < active->n; i++) add_constraint(frame, &active->constraint[i], size[i], impulse);
     if (!active->asymmetric) return;
-    for (int i = active->n; active->row[i].normal != PM_NONE; i++) { /* sliding friction */
-        const int normal = active->row[i].normal;
-        add_row(frame, &active->row[i], active->row[normal].slide * size[normal], impulse);
+    for (int i = active->n; active->constraint[i].normal != PM_NONE; i++) { /* sliding friction */
+        const int normal = active->constraint[i].normal;
+        add_constraint(frame, &active->constraint[i], active->constraint[normal].slide * size[normal],
+                       impulse);
     }
 }
 
@@ -60,7 +62,7 @@ static void add_rows(const pm_frame *frame, const pm_active_set *active, const d
 static double drive_power(const pm_active_set *active, const double *size)
 {
     double sum = 0;
-    for (int i = 0; i < active->n; i++) sum += size[i] * active->row[i].rate;
+    for (int i = 0; i < active->n; i++) sum += size[i] * active->constraint[i].rate;
     return sum;
 }
 
@@ -68,9 +70,10 @@ static double friction_power(const pm_frame *frame, const pm_active_set *active,
 {
     double sum = 0;
     if (!active->asymmetric) return 0;
-    for (int i = active->n; active->row[i].normal != PM_NONE; i++) {
-        const pm_constraint *normal = &active->row[active->row[i].normal];
-        sum += normal->slide * size[active->row[i].normal] * pm_constraint_rate(frame, &active->row[i]);
+    for (int i = active->n; active->constraint[i].normal != PM_NONE; i++) {
+        const pm_constraint *normal = &active->constraint[active->constraint[i].normal];
+        sum += normal->slide * size[active->constraint[i].normal] *
+               pm_constraint_rate(frame, &active->constraint[i]);
     }
     return sum;
 }
@@ -115,13 +118,13 @@ void pm_ledger_rates(pm_workspace *w, double *zdot)
         if (!w->numbers.fixed[x.body_a]) add_outer(outer, x.at_a, x.force, x.couple, 1);
         if (!w->numbers.fixed[x.body_b]) add_outer(outer, x.at_b, x.force, x.couple, -1);
     }
-    add_rows(&w->frame, &w->active, w->frame.lambda, outer);
+    add_constraints(&w->frame, &w->active, w->frame.lambda, outer);
 }
 
 static double energy(pm_workspace *w)
 {
-    return pm_body_kinetic(&w->frame, PM_NONE) + pm_turning_plane_kinetic(&w->frame, PM_NONE) +
-           pm_body_weight_energy(&w->frame) + pm_force_potential(w);
+    return pm_frame_kinetic(&w->frame, PM_NONE) + pm_turning_plane_kinetic(&w->frame, PM_NONE) +
+           pm_frame_weight_energy(&w->frame) + pm_force_potential(w);
 }
 
 void pm_ledger_begin(pm_workspace *w)
@@ -129,10 +132,10 @@ void pm_ledger_begin(pm_workspace *w)
     pm_frame_look_state(&w->frame, &w->state);
     w->ledger.energy_start = energy(w);
     w->ledger.energy_lost = 0;
-    w->ledger.energy_scale = pm_body_kinetic(&w->frame, PM_NONE);
+    w->ledger.energy_scale = pm_frame_kinetic(&w->frame, PM_NONE);
     w->ledger.momentum_scale = 0;
     w->ledger.constraint_worst = w->ledger.evidence = 0;
-    pm_body_momentum(&w->frame, PM_NONE, w->ledger.momentum_start);
+    pm_frame_momentum(&w->frame, PM_NONE, w->ledger.momentum_start);
 }
 
 static double work_of_forces(const pm_model *m, const pm_state *state)
@@ -152,8 +155,8 @@ static double momentum_size(const pm_numbers *numbers, const double p[PM_LEDGER]
 static void update_scales(pm_workspace *w)
 {
     double p[PM_LEDGER];
-    const double kinetic = pm_body_kinetic(&w->frame, PM_NONE);
-    pm_body_momentum(&w->frame, PM_NONE, p);
+    const double kinetic = pm_frame_kinetic(&w->frame, PM_NONE);
+    pm_frame_momentum(&w->frame, PM_NONE, p);
     w->ledger.energy_scale =
         fmax(w->ledger.energy_scale, fmax(kinetic, fabs(work_of_forces(w->model, &w->state))));
     w->ledger.momentum_scale = fmax(
@@ -164,14 +167,14 @@ static void update_scales(pm_workspace *w)
 void pm_ledger_follow(const pm_frame *frame, const double before[PM_LEDGER], double *z)
 {
     double *ledger = z + pm_ledger_ledger(frame->model), momentum[PM_LEDGER];
-    pm_body_momentum(frame, PM_NONE, momentum);
+    pm_frame_momentum(frame, PM_NONE, momentum);
     for (int i = 0; i < PM_LEDGER; i++) ledger[i] += momentum[i] - before[i];
 }
 
 void pm_ledger_step(pm_workspace *w)
 {
     update_scales(w);
-    if (!pm_solve_cache_take_rows(w)) pm_saddle_evaluate(&w->active, &w->frame);
+    if (!pm_solve_cache_take_constraints(w)) pm_saddle_evaluate(&w->active, &w->frame);
     w->ledger.constraint_worst =
         fmax(w->ledger.constraint_worst, pm_projection_residual(&w->frame, &w->active));
 }
@@ -181,16 +184,16 @@ void pm_ledger_jump(pm_workspace *w, const double *before)
     const pm_model *m = w->model;
     const double *lambda = w->saddle.rhs;
     double *velocity = w->frame.velocity, loss = 0;
-    add_rows(&w->frame, &w->active, lambda, w->state.z + pm_ledger_ledger(m));
+    add_constraints(&w->frame, &w->active, lambda, w->state.z + pm_ledger_ledger(m));
     for (int side = 0; side < 2; side++) { /* mean of the rates before and after */
         if (side == 1) memcpy(velocity, before, (size_t)m->nq * sizeof *velocity);
         for (int i = 0; i < w->active.n; i++)
-            loss -= 0.5 * lambda[i] * pm_constraint_rate(&w->frame, &w->active.row[i]);
+            loss -= 0.5 * lambda[i] * pm_constraint_rate(&w->frame, &w->active.constraint[i]);
         loss -= 0.5 * friction_power(&w->frame, &w->active, lambda);
     }
-    const double kinetic_before = pm_body_kinetic(&w->frame, PM_NONE);
+    const double kinetic_before = pm_frame_kinetic(&w->frame, PM_NONE);
     memcpy(velocity, w->state.v, (size_t)m->nq * sizeof *velocity);
-    w->impulses.energy_lost += kinetic_before - pm_body_kinetic(&w->frame, PM_NONE);
+    w->impulses.energy_lost += kinetic_before - pm_frame_kinetic(&w->frame, PM_NONE);
     w->ledger.energy_lost += loss;
     update_scales(w);
 }
@@ -202,10 +205,10 @@ void pm_ledger_impulse(const pm_model *model, pm_state *state, const double at[2
 }
 
 /* One row's share of a series of blows: what the outer world gives; the energy that it takes. */
-static double add_series_row(const pm_frame *frame, pm_state *state, const pm_constraint *row, double impulse)
+static double add_of_series(const pm_frame *frame, pm_state *state, const pm_constraint *c, double impulse)
 {
-    add_row(frame, row, impulse, state->z + pm_ledger_ledger(frame->model));
-    return -impulse * pm_constraint_rate(frame, row);
+    add_constraint(frame, c, impulse, state->z + pm_ledger_ledger(frame->model));
+    return -impulse * pm_constraint_rate(frame, c);
 }
 
 void pm_ledger_series(pm_workspace *w, double factor)
@@ -213,11 +216,11 @@ void pm_ledger_series(pm_workspace *w, double factor)
     const pm_model *m = w->model;
     double loss = 0;
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
-        pm_constraint row[PM_JOINT_CONSTRAINTS];
-        const int n = pm_joint_constraints(&w->frame, &w->state, i, row);
+        pm_constraint c[PM_JOINT_CONSTRAINTS];
+        const int n = pm_joint_constraints(&w->frame, &w->state, i, c);
         for (int k = 0; k < n; k++)
-            loss += add_series_row(&w->frame, &w->state, &row[k],
-                                   w->impulses.joint[m->joint_row[i] + k] *= factor);
+            loss += add_of_series(&w->frame, &w->state, &c[k],
+                                  w->impulses.joint[m->joint_constraint[i] + k] *= factor);
     }
     for (int i = 0; i < m->nslot; i++) {
         pm_constraint normal, tangent;
@@ -225,8 +228,8 @@ void pm_ledger_series(pm_workspace *w, double factor)
         if (impulse[0] == 0 && impulse[1] == 0) continue;
         pm_contact_constraint_both(&w->frame, pm_contact_of_slot(m, i), i, w->state.slot[i].member, &normal,
                                    &tangent);
-        loss += add_series_row(&w->frame, &w->state, &normal, impulse[0] *= factor);
-        loss += add_series_row(&w->frame, &w->state, &tangent, impulse[1] *= factor);
+        loss += add_of_series(&w->frame, &w->state, &normal, impulse[0] *= factor);
+        loss += add_of_series(&w->frame, &w->state, &tangent, impulse[1] *= factor);
     }
     w->ledger.energy_lost += loss;
     w->impulses.energy_lost = loss;
@@ -247,7 +250,7 @@ static double energy_rounding(const pm_workspace *w, double mass)
  * by a greater part of the whole is no answer at any accuracy.  A coarse run may be as much worse as its tolerance is. */
 static double bound_of_errors(const pm_numbers *numbers, const pm_evidence *evidence)
 {
-    const double most = PM_LEDGER_MOST * (pm_evidence_is_companion(evidence) ? PM_COARSER : 1);
+    const double most = PM_LEDGER_MOST * (pm_evidence_is_coarse(evidence) ? PM_COARSER : 1);
     return fmax(PM_LEDGER_ROUNDING, fmin(PM_LEDGER_ERRORS * numbers->tolerance, most));
 }
 
@@ -257,7 +260,7 @@ static void weigh(pm_workspace *w, double *audit, double *bound)
     const pm_model *m = w->model;
     double p[PM_LEDGER], open[PM_LEDGER];
     pm_frame_look_state(&w->frame, &w->state);
-    pm_body_momentum(&w->frame, PM_NONE, p);
+    pm_frame_momentum(&w->frame, PM_NONE, p);
     for (int i = 0; i < PM_LEDGER; i++)
         open[i] = p[i] - w->ledger.momentum_start[i] - w->state.z[pm_ledger_ledger(m) + i];
     const double energy_open =

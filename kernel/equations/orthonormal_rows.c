@@ -32,7 +32,7 @@ static void take_off(const pm_orthonormal *x, int n, double *row, int *range)
     }
 }
 
-int pm_orthonormal_add(const pm_orthonormal *x, int n, pm_orthonormal_rest *rest)
+int pm_orthonormal_rows_add(const pm_orthonormal *x, int n, pm_orthonormal_rest *rest)
 {
     double *row = x->row + (size_t)n * (size_t)x->wide;
     int *range = x->range + 2 * n;
@@ -62,10 +62,10 @@ int pm_orthonormal_rows_add_dense(pm_saddle *s, int n, const double *row, pm_ort
     for (int i = 0; i < x.wide; i++) to[i] = row[i] * s->numbers->inverse_root[i];
     x.range[2 * n] = 0;
     x.range[2 * n + 1] = x.wide;
-    return pm_orthonormal_add(&x, n, rest);
+    return pm_orthonormal_rows_add(&x, n, rest);
 }
 
-int pm_orthonormal_rows_add(pm_saddle *s, int n, const pm_constraint *row, pm_orthonormal_rest *rest)
+int pm_orthonormal_rows_add_constraint(pm_saddle *s, int n, const pm_constraint *c, pm_orthonormal_rest *rest)
 {
     const pm_orthonormal x = basis_of(s);
     double *to = x.row + (size_t)n * (size_t)x.wide;
@@ -74,11 +74,11 @@ int pm_orthonormal_rows_add(pm_saddle *s, int n, const pm_constraint *row, pm_or
     range[0] = x.wide;
     range[1] = 0;
     for (int p = 0; p < 2; p++) {
-        const int first = 3 * row->body[p];
-        if (row->body[p] == s->model->nbody) continue;
+        const int first = 3 * c->body[p];
+        if (c->body[p] == s->model->nbody) continue;
         if (first < range[0]) range[0] = first;
         if (first + 3 > range[1]) range[1] = first + 3;
-        for (int k = 0; k < 3; k++) to[first + k] += row->j[3 * p + k] * s->numbers->inverse_root[first + k];
+        for (int k = 0; k < 3; k++) to[first + k] += c->j[3 * p + k] * s->numbers->inverse_root[first + k];
     }
-    return pm_orthonormal_add(&x, n, rest);
+    return pm_orthonormal_rows_add(&x, n, rest);
 }

@@ -20,10 +20,11 @@ typedef struct pm_orthonormal_rest {
 
 /* Row n is written, zero outside its range: makes it orthonormal to those before it if it does not depend on them; the new
  * number of rows. */
-int pm_orthonormal_add(const pm_orthonormal *x, int n, pm_orthonormal_rest *rest);
+int pm_orthonormal_rows_add(const pm_orthonormal *x, int n, pm_orthonormal_rest *rest);
 
 /* The same of a row of G, or of any row[nq], in the metric of M^-1, in the basis of the system. */
-int pm_orthonormal_rows_add(pm_saddle *s, int n, const pm_constraint *row, pm_orthonormal_rest *rest);
+int pm_orthonormal_rows_add_constraint(pm_saddle *s, int n, const pm_constraint *c,
+                                       pm_orthonormal_rest *rest);
 int pm_orthonormal_rows_add_dense(pm_saddle *s, int n, const double *row, pm_orthonormal_rest *rest);
 
 #endif

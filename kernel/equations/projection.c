@@ -25,7 +25,7 @@ static int factor_symmetric(pm_workspace *w)
 int pm_projection_velocity(pm_workspace *w, pm_state *s)
 {
     const double worst =
-        pm_constraint_slips(&w->frame, w->active.row, w->active.n, NULL, s->v, w->saddle.rhs);
+        pm_constraint_slips(&w->frame, w->active.constraint, w->active.n, NULL, s->v, w->saddle.rhs);
     w->active.evaluated = worst <= PM_MET * w->numbers.speed;
     if (w->active.evaluated) return PM_OK;
     const int status = factor_symmetric(w);
@@ -40,9 +40,9 @@ static int project(pm_workspace *w, pm_state *s, int evaluated)
     double before = INFINITY;
     if (w->active.n == 0) return PM_OK;
     for (int sweep = 0;; sweep++) {
-        if ((sweep > 0 || !evaluated) && !pm_solve_cache_take_rows(w))
+        if ((sweep > 0 || !evaluated) && !pm_solve_cache_take_constraints(w))
             pm_saddle_evaluate(&w->active, &w->frame);
-        const double worst = pm_constraint_openings(w->active.row, w->active.n, NULL, w->saddle.rhs);
+        const double worst = pm_constraint_openings(w->active.constraint, w->active.n, NULL, w->saddle.rhs);
         /* at the rounding of large coordinates Newton stalls: stop when it no longer gains */
         if (worst <= PM_MET * w->numbers.size || sweep == PM_PROJECTION_SWEEPS ||
             (sweep > 1 && worst > 0.5 * before))
@@ -68,7 +68,7 @@ double pm_projection_residual(const pm_frame *frame, const pm_active_set *active
 {
     double worst = 0;
     for (int i = 0; i < active->n; i++) {
-        const pm_constraint *x = &active->row[i];
+        const pm_constraint *x = &active->constraint[i];
         const double slip = pm_constraint_times(frame, x, frame->v) - x->rate;
         worst = fmax(worst, fmax(fabs(x->g) / frame->numbers->size, fabs(slip) / frame->numbers->speed));
     }

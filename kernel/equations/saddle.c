@@ -23,22 +23,23 @@ void pm_saddle_evaluate(pm_active_set *active, const pm_frame *frame)
 {
     const int n = active->n;
     for (int i = 0; i < n; i++) {
-        pm_constraint *row = &active->row[i];
-        pm_constraint_kind(row->kind)->evaluate(frame, row);
+        pm_constraint *c = &active->constraint[i];
+        pm_constraint_kind(c->kind)->evaluate(frame, c);
     }
     if (!active->asymmetric) return;
-    for (int i = 0; i < n; i++) memcpy(active->row[i].h, active->row[i].j, sizeof active->row[i].h);
-    for (int i = n; active->row[i].normal != PM_NONE;
+    for (int i = 0; i < n; i++)
+        memcpy(active->constraint[i].h, active->constraint[i].j, sizeof active->constraint[i].h);
+    for (int i = n; active->constraint[i].normal != PM_NONE;
          i++) { /* carried tangents; an entry without normal ends them */
-        pm_constraint *tangent = &active->row[i], *normal = &active->row[tangent->normal];
+        pm_constraint *tangent = &active->constraint[i], *normal = &active->constraint[tangent->normal];
         pm_constraint_kind(tangent->kind)->evaluate(frame, tangent);
         for (int k = 0; k < 6; k++) normal->h[k] = normal->j[k] + normal->slide * tangent->j[k];
     }
 }
 
-static const double *force_direction(const pm_saddle *s, const pm_constraint *row)
+static const double *force_direction(const pm_saddle *s, const pm_constraint *c)
 {
-    return s->active->asymmetric ? row->h : row->j;
+    return s->active->asymmetric ? c->h : c->j;
 }
 
 /* Product of two rows over the bodies that they share, in the metric of M^-1. */
@@ -63,12 +64,12 @@ static double coupled(const pm_saddle *s, const pm_constraint *a, const double *
 /* The first row that shares a body with each: before it the row of S is empty.  In w->pivot, which Cholesky leaves. */
 static void find_envelope(pm_saddle *s)
 {
-    int *first = s->pivot, *first_of_body = s->first_row;
+    int *first = s->pivot, *first_of_body = s->first_constraint;
     for (int i = 0; i < s->model->nbody; i++) first_of_body[i] = PM_NONE;
     for (int i = 0; i < s->active->n; i++) {
         first[i] = i;
         for (int p = 0; p < 2; p++) {
-            const int body = s->active->row[i].body[p];
+            const int body = s->active->constraint[i].body[p];
             if (body == s->model->nbody) continue;
             if (first_of_body[body] == PM_NONE) first_of_body[body] = i;
             if (first_of_body[body] < first[i]) first[i] = first_of_body[body];
@@ -85,14 +86,13 @@ static void fill_symmetric(pm_saddle *s)
     const int n = s->active->n, ground = s->model->nbody;
     find_envelope(s);
     for (int i = 0; i < n; i++) {
-        const pm_constraint *row = &s->active->row[i];
-        const int a = row->body[0], b = row->body[1];
+        const pm_constraint *c = &s->active->constraint[i];
+        const int a = c->body[0], b = c->body[1];
         double ja[3] = {0}, jb[3] = {0}, *to = s->schur + i * n; /* in the metric; nothing on the ground */
-        for (int k = 0; k < 3 && a != ground; k++) ja[k] = row->j[k] * s->numbers->inverse_mass[3 * a + k];
-        for (int k = 0; k < 3 && b != ground; k++)
-            jb[k] = row->j[3 + k] * s->numbers->inverse_mass[3 * b + k];
+        for (int k = 0; k < 3 && a != ground; k++) ja[k] = c->j[k] * s->numbers->inverse_mass[3 * a + k];
+        for (int k = 0; k < 3 && b != ground; k++) jb[k] = c->j[3 + k] * s->numbers->inverse_mass[3 * b + k];
         for (int k = s->pivot[i]; k <= i; k++) {
-            const pm_constraint *other = &s->active->row[k];
+            const pm_constraint *other = &s->active->constraint[k];
             double sum = 0;
             if (a == other->body[0]) sum += product(ja, other->j);
             if (a == other->body[1]) sum += product(ja, other->j + 3);
@@ -110,10 +110,10 @@ int pm_saddle_is_factored(const pm_saddle *s)
     if (s->nfactored == 0 || s->nfactored != s->active->n) return 0;
     for (int i = 0; i < s->nfactored; i++) {
         const pm_hold *x = &s->factored[i];
-        const pm_constraint *row = &s->active->row[i];
-        if (x->body[0] != row->body[0] || x->body[1] != row->body[1]) return 0;
+        const pm_constraint *c = &s->active->constraint[i];
+        if (x->body[0] != c->body[0] || x->body[1] != c->body[1]) return 0;
         for (int k = 0; k < 6; k++)
-            if (x->j[k] != row->j[k]) return 0;
+            if (x->j[k] != c->j[k]) return 0;
     }
     return 1;
 }
@@ -122,8 +122,8 @@ static void note_factored(pm_saddle *s)
 {
     s->nfactored = s->active->n;
     for (int i = 0; i < s->nfactored; i++) {
-        memcpy(s->factored[i].body, s->active->row[i].body, sizeof s->factored[i].body);
-        memcpy(s->factored[i].j, s->active->row[i].j, sizeof s->factored[i].j);
+        memcpy(s->factored[i].body, s->active->constraint[i].body, sizeof s->factored[i].body);
+        memcpy(s->factored[i].j, s->active->constraint[i].j, sizeof s->factored[i].j);
     }
 }
 
@@ -146,8 +146,8 @@ static int factor_asymmetric(pm_saddle *s)
     s->nfactored = 0;
     for (int i = 0; i < n; i++)
         for (int k = 0; k < n; k++)
-            s->schur[i * n + k] =
-                coupled(s, &s->active->row[i], s->active->row[i].j, &s->active->row[k], s->active->row[k].h);
+            s->schur[i * n + k] = coupled(s, &s->active->constraint[i], s->active->constraint[i].j,
+                                          &s->active->constraint[k], s->active->constraint[k].h);
     return pm_dense_lu_factor(n, s->schur, s->pivot);
 }
 
@@ -157,8 +157,8 @@ double pm_saddle_independence(pm_saddle *s)
     double least = 1;
     if (factor_symmetric(s)) return 0;
     for (int i = 0; i < n; i++) { /* the factor holds the reciprocal of what is left of the row */
-        const double all = coupled(s, &s->active->row[i], s->active->row[i].j, &s->active->row[i],
-                                   s->active->row[i].j),
+        const double all = coupled(s, &s->active->constraint[i], s->active->constraint[i].j,
+                                   &s->active->constraint[i], s->active->constraint[i].j),
                      *left = s->schur + i * n + i;
         least = fmin(least, 1 / (all * *left * *left));
     }
@@ -177,9 +177,9 @@ int pm_saddle_factor(pm_workspace *w)
     const int bad = w->active.asymmetric ? factor_asymmetric(&w->saddle) : factor_symmetric(&w->saddle);
     w->result.count[PM_COUNT_SOLVES]++;
     if (!bad) return PM_OK;
-    const pm_constraint *row = &w->active.row[bad - 1];
-    return row->joint != PM_NONE ? pm_fail(&w->result, PM_SINGULAR, PM_TABLE_JOINT, row->joint, 0, 0)
-                                 : pm_fail(&w->result, PM_SINGULAR, PM_TABLE_CONTACT, PM_NONE, 0, 0);
+    const pm_constraint *c = &w->active.constraint[bad - 1];
+    return c->joint != PM_NONE ? pm_fail(&w->result, PM_SINGULAR, PM_TABLE_JOINT, c->joint, 0, 0)
+                               : pm_fail(&w->result, PM_SINGULAR, PM_TABLE_CONTACT, PM_NONE, 0, 0);
 }
 
 void pm_saddle_solve(pm_saddle *s)
@@ -196,10 +196,10 @@ void pm_saddle_spread(const pm_saddle *s, int use_h, double *x)
 {
     const int ground = s->model->nbody;
     for (int i = 0; i < s->active->n; i++) {
-        const pm_constraint *row = &s->active->row[i];
-        const double *d = use_h ? force_direction(s, row) : row->j, l = s->rhs[i];
+        const pm_constraint *c = &s->active->constraint[i];
+        const double *d = use_h ? force_direction(s, c) : c->j, l = s->rhs[i];
         for (int p = 0; p < 2; p++) {
-            const int body = row->body[p];
+            const int body = c->body[p];
             if (body == ground) continue;
             for (int k = 0; k < 3; k++)
                 x[3 * body + k] += s->numbers->inverse_mass[3 * body + k] * d[3 * p + k] * l;
@@ -221,7 +221,7 @@ static void respond_once(pm_workspace *w, const double *force, const double *bef
     for (int i = 0; i < w->model->nq; i++)
         x[i] = w->numbers.inverse_mass[i] * ((force ? force[i] : 0) + w->numbers.stand_in[i] * before[i]);
     for (int i = 0; i < w->active.n; i++)
-        w->saddle.rhs[i] = w->saddle.wanted[i] - pm_constraint_times(&w->frame, &w->active.row[i], x);
+        w->saddle.rhs[i] = w->saddle.wanted[i] - pm_constraint_times(&w->frame, &w->active.constraint[i], x);
     pm_saddle_solve(&w->saddle);
     pm_saddle_spread(&w->saddle, 1, x);
 }
@@ -269,7 +269,7 @@ static int accelerate(pm_workspace *w, int evaluated)
         if (!evaluated) pm_saddle_evaluate(&w->active, &w->frame);
         int status = pm_saddle_factor(w);
         if (status) return from_route(w) ? PM_OK : status;
-        for (int i = 0; i < w->active.n; i++) w->saddle.wanted[i] = w->active.row[i].gamma;
+        for (int i = 0; i < w->active.n; i++) w->saddle.wanted[i] = w->active.constraint[i].gamma;
         if ((status = pm_saddle_respond(w, f->f, f->a))) return status;
         memcpy(f->lambda, w->saddle.rhs, (size_t)w->active.n * sizeof(double));
     }

@@ -19,9 +19,14 @@ int pm_solve_cache_create(pm_workspace *w)
     if (PM_ARENA_NEW(&w->memory, w->cache)) return PM_NO_MEMORY;
     pm_solve_cache *r = w->cache;
     const pm_array array[] = {
-        PM_ARRAY(r->pose, m->nq),  PM_ARRAY(r->velocity, m->nq), PM_ARRAY(r->a, m->nq),
-        PM_ARRAY(r->q, m->nq),     PM_ARRAY(r->lambda, m->nrow), PM_ARRAY(r->memory, m->nmemory),
-        PM_ARRAY(r->row, m->nrow), PM_ARRAY(r->slot, m->nslot),
+        PM_ARRAY(r->pose, m->nq),
+        PM_ARRAY(r->velocity, m->nq),
+        PM_ARRAY(r->a, m->nq),
+        PM_ARRAY(r->q, m->nq),
+        PM_ARRAY(r->lambda, m->nconstraint),
+        PM_ARRAY(r->memory, m->nmemory),
+        PM_ARRAY(r->constraint, m->nconstraint),
+        PM_ARRAY(r->slot, m->nslot),
     };
     return pm_arena_take(&w->memory, PM_ARRAYS(array));
 }
@@ -31,7 +36,7 @@ void pm_solve_cache_forget(pm_frame *frame, pm_solve_cache *cache)
 {
     cache->known = 0;
     cache->built = PM_NONE;
-    for (int i = 0; i < frame->model->nbody; i++) frame->turn[3 * i] = NAN;
+    for (int i = 0; i < frame->model->nbody; i++) frame->angle[3 * i] = NAN;
 }
 
 /* Nothing but the configuration, the velocities and the rows makes the accelerations. */
@@ -56,20 +61,20 @@ static int same_memory(const pm_frame *frame, const pm_solve_cache *cache)
     return bytes == 0 || memcmp(cache->memory, frame->memory, bytes) == 0;
 }
 
-int pm_solve_cache_take_rows(pm_workspace *w)
+int pm_solve_cache_take_constraints(pm_workspace *w)
 {
     const pm_solve_cache *r = w->cache;
-    if (!r->known || r->rows != w->active.version || !applies(w) || !same_place(&w->frame, w->cache) ||
-        !same_memory(&w->frame, w->cache))
+    if (!r->known || r->active_version != w->active.version || !applies(w) ||
+        !same_place(&w->frame, w->cache) || !same_memory(&w->frame, w->cache))
         return 0;
-    memcpy(w->active.row, r->row, (size_t)w->active.n * sizeof(pm_constraint));
+    memcpy(w->active.constraint, r->constraint, (size_t)w->active.n * sizeof(pm_constraint));
     return 1;
 }
 
 int pm_solve_cache_take(pm_workspace *w)
 {
     const pm_solve_cache *r = w->cache;
-    if (!pm_solve_cache_take_rows(w)) return 0;
+    if (!pm_solve_cache_take_constraints(w)) return 0;
     memcpy(w->frame.a, r->a, (size_t)w->model->nq * sizeof(double));
     memcpy(w->frame.lambda, r->lambda, (size_t)w->active.n * sizeof(double));
     pm_force_all(w);
@@ -83,13 +88,13 @@ void pm_solve_cache_keep(pm_workspace *w)
     if (r->closed) return;
     r->known = applies(w);
     if (!r->known) return;
-    r->rows = w->active.version;
+    r->active_version = w->active.version;
     for (int i = 0; i < w->model->nbody; i++)
         memcpy(r->pose + 3 * i, w->frame.pose + 5 * i, 3 * sizeof(double));
     memcpy(r->velocity, w->frame.velocity, (size_t)w->model->nq * sizeof(double));
     memcpy(r->a, w->frame.a, (size_t)w->model->nq * sizeof(double));
     memcpy(r->lambda, w->frame.lambda, (size_t)w->active.n * sizeof(double));
-    memcpy(r->row, w->active.row, (size_t)w->active.n * sizeof(pm_constraint));
+    memcpy(r->constraint, w->active.constraint, (size_t)w->active.n * sizeof(pm_constraint));
     memcpy(r->memory, w->frame.memory, (size_t)w->model->nmemory * sizeof(pm_memory));
 }
 

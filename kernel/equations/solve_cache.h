@@ -5,14 +5,14 @@
 #include "state/workspace.h"
 
 typedef struct pm_solve_cache {
-    int known;          /* something is kept */
-    int closed;         /* nothing else is to be kept for now */
-    int64_t rows;       /* version of the active set when it was found */
-    double *pose;       /* [nq] x, y, angle, as the frame had them */
-    double *velocity;   /* [nq] likewise */
-    double *a, *lambda; /* [nq], [nrow] what was found */
-    pm_memory *memory;  /* [nmemory] */
-    pm_constraint *row; /* [nrow] as they were evaluated there */
+    int known;                 /* something is kept */
+    int closed;                /* nothing else is to be kept for now */
+    int64_t active_version;    /* version of the active set when it was found */
+    double *pose;              /* [nq] x, y, angle, as the frame had them */
+    double *velocity;          /* [nq] likewise */
+    double *a, *lambda;        /* [nq], [nrow] what was found */
+    pm_memory *memory;         /* [nmemory] */
+    pm_constraint *constraint; /* [nrow] as they were evaluated there */
     /* the set of rows that was built last */
     int64_t built; /* its version, or PM_NONE */
     pm_slot *slot; /* [nslot] */
@@ -27,7 +27,7 @@ void pm_solve_cache_forget(pm_frame *frame, pm_solve_cache *cache);
 int pm_solve_cache_take(pm_workspace *w);
 void pm_solve_cache_keep(pm_workspace *w);
 /* Evaluates the active rows in the same case. */
-int pm_solve_cache_take_rows(pm_workspace *w);
+int pm_solve_cache_take_constraints(pm_workspace *w);
 
 /* The active rows are those that were built last, here and for the same contacts. */
 int pm_solve_cache_is_built(const pm_workspace *w);

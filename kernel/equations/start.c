@@ -43,10 +43,10 @@ static void join(const pm_model *model, const pm_start_bodies *x, int a, int b)
     if (a != model->nbody && b != model->nbody) pm_islands_join(x->island, a, b);
 }
 
-static void fasten(const pm_model *model, const pm_start_bodies *x, const pm_constraint *row)
+static void fasten(const pm_model *model, const pm_start_bodies *x, const pm_constraint *c)
 {
-    for (int p = 0; p < 2; p++) x->fastened[row->body[p]] = 1;
-    join(model, x, row->body[0], row->body[1]);
+    for (int p = 0; p < 2; p++) x->fastened[c->body[p]] = 1;
+    join(model, x, c->body[0], c->body[1]);
 }
 
 static void note_written(const pm_model *model, const pm_start_bodies *x, const double *row, double value)
@@ -73,13 +73,13 @@ static void hold_joints(pm_workspace *w, pm_least_change *s, double *dense, cons
     const int solved = pm_least_change_block(w, s, PM_START_VELOCITY);
     double miss;
     for (int i = 0; i < w->model->rows[PM_TABLE_JOINT]; i++) {
-        pm_constraint rows[PM_JOINT_CONSTRAINTS];
-        const int n = pm_joint_constraints(&w->frame, &w->state, i, rows);
+        pm_constraint c[PM_JOINT_CONSTRAINTS];
+        const int n = pm_joint_constraints(&w->frame, &w->state, i, c);
         for (int k = 0; k < n; k++) {
-            pm_constraint_kind(rows[k].kind)->evaluate(&w->frame, &rows[k]);
-            fasten(w->model, islands, &rows[k]);
+            pm_constraint_kind(c[k].kind)->evaluate(&w->frame, &c[k]);
+            fasten(w->model, islands, &c[k]);
             if (solved) continue;
-            pm_least_change_take_row(w, s, &rows[k], rows[k].rate, dense, &miss);
+            pm_least_change_take_constraint(w, s, &c[k], c[k].rate, dense, &miss);
         }
     }
 }
@@ -91,15 +91,15 @@ static void hold_contacts(pm_workspace *w, pm_least_change *s, double *dense, co
     double miss;
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
         int member;
-        pm_constraint row[2];
+        pm_constraint c[2];
         const int cord = pm_contact_is_cord(w->model, i);
         if (!cord && pm_contact_friction(w->model, i) != PM_FRICTION_ROUGH) continue;
         if (!pm_contact_touches(&w->frame, &w->state, i, &member)) continue;
-        pm_contact_constraint_both(&w->frame, i, w->model->contact_slot[i], member, &row[0], &row[1]);
+        pm_contact_constraint_both(&w->frame, i, w->model->contact_slot[i], member, &c[0], &c[1]);
         for (int k = 0; k < (cord ? 1 : 2); k++) {
-            pm_constraint_kind(row[k].kind)->evaluate(&w->frame, &row[k]);
-            pm_least_change_take_row(w, s, &row[k], row[k].rate, dense, &miss);
-            fasten(w->model, islands, &row[k]);
+            pm_constraint_kind(c[k].kind)->evaluate(&w->frame, &c[k]);
+            pm_least_change_take_constraint(w, s, &c[k], c[k].rate, dense, &miss);
+            fasten(w->model, islands, &c[k]);
         }
     }
 }
@@ -110,7 +110,7 @@ static int take_written(pm_workspace *w, pm_least_change *s, double *dense, cons
         if (pm_start_level(w->model, i) != PM_START_VELOCITY) continue;
         const double value = pm_start_value(w->model, &w->numbers, i);
         double miss, size = 0;
-        pm_measure_start_row(w, pm_start_measure(w->model, i), PM_START_VELOCITY, dense);
+        pm_measure_start_gradient(w, pm_start_measure(w->model, i), PM_START_VELOCITY, dense);
         note_written(w->model, islands, dense, value);
         for (int k = 0; k < w->model->nq; k++) size = fmax(size, fabs(dense[k] * s->x[k]));
         if (pm_least_change_take(&w->active, &w->saddle, s, dense, value, &miss) ||
@@ -219,7 +219,7 @@ static void draw(pm_workspace *w)
         for (int k = 0; k < 3; k++)
             w->state.q[3 * i + k] = w->numbers.value[PM_BODY_ROW(m, i)[PM_BODY_X + k]];
     for (int i = 0; i < m->nbody; i++)
-        if (!PM_BODY_ROW(m, i)[PM_BODY_TURNS]) w->state.q[3 * i + 2] = 0;
+        if (!PM_BODY_ROW(m, i)[PM_BODY_ROTATES]) w->state.q[3 * i + 2] = 0;
     leave_out_added(m, &w->state);
 }
 

@@ -20,12 +20,12 @@ static double worst_opening(pm_workspace *w, int *table, int *row)
     const pm_model *m = w->model;
     double worst = 0;
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
-        pm_constraint rows[PM_JOINT_CONSTRAINTS];
-        const int n = pm_joint_constraints(&w->frame, &w->state, i, rows);
+        pm_constraint c[PM_JOINT_CONSTRAINTS];
+        const int n = pm_joint_constraints(&w->frame, &w->state, i, c);
         for (int k = 0; k < n; k++) {
-            if (rows[k].memory != PM_NONE) continue; /* no slip: anchored where the assembly ends */
-            pm_constraint_kind(rows[k].kind)->evaluate(&w->frame, &rows[k]);
-            const double size = fabs(rows[k].g) * (rows[k].kind == PM_CONSTRAINT_ANGLE ? w->numbers.size : 1);
+            if (c[k].memory != PM_NONE) continue; /* no slip: anchored where the assembly ends */
+            pm_constraint_kind(c[k].kind)->evaluate(&w->frame, &c[k]);
+            const double size = fabs(c[k].g) * (c[k].kind == PM_CONSTRAINT_ANGLE ? w->numbers.size : 1);
             if (!(size <= worst)) {
                 worst = size;
                 *table = PM_TABLE_JOINT;
@@ -55,7 +55,7 @@ static int take_written_positions(pm_workspace *w, pm_least_change *s, double *d
         if (pm_start_level(w->model, i) != PM_START_POSITION) continue;
         const double residual =
             pm_measure(w, pm_start_measure(w->model, i)) - pm_start_value(w->model, &w->numbers, i);
-        pm_measure_start_row(w, pm_start_measure(w->model, i), PM_START_POSITION, dense);
+        pm_measure_start_gradient(w, pm_start_measure(w->model, i), PM_START_POSITION, dense);
         all &= pm_least_change_take(&w->active, &w->saddle, s, dense, -residual, &miss);
     }
     return all;
@@ -76,12 +76,12 @@ static void position_step(pm_workspace *w, double *x, double *dense)
     memset(x, 0, (size_t)m->nq * sizeof *x);
     take_written_positions(w, &s, dense);
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
-        pm_constraint rows[PM_JOINT_CONSTRAINTS];
-        const int n = pm_joint_constraints(&w->frame, &w->state, i, rows);
+        pm_constraint c[PM_JOINT_CONSTRAINTS];
+        const int n = pm_joint_constraints(&w->frame, &w->state, i, c);
         for (int k = 0; k < n; k++) {
-            if (rows[k].memory != PM_NONE) continue;
-            pm_constraint_kind(rows[k].kind)->evaluate(&w->frame, &rows[k]);
-            pm_least_change_take_row(w, &s, &rows[k], -rows[k].g, dense, &miss);
+            if (c[k].memory != PM_NONE) continue;
+            pm_constraint_kind(c[k].kind)->evaluate(&w->frame, &c[k]);
+            pm_least_change_take_constraint(w, &s, &c[k], -c[k].g, dense, &miss);
         }
     }
 }
@@ -116,7 +116,7 @@ int pm_start_assemble(pm_workspace *w, pm_start_report *report)
     }
     for (int i = 0; i < m->nbody; i++)
         for (int k = 0; k < 3; k++) {
-            const double drawn = PM_BODY_ROW(m, i)[PM_BODY_TURNS] || k < 2
+            const double drawn = PM_BODY_ROW(m, i)[PM_BODY_ROTATES] || k < 2
                                      ? w->numbers.value[PM_BODY_ROW(m, i)[PM_BODY_X + k]]
                                      : 0;
             report->moved =
@@ -127,43 +127,43 @@ int pm_start_assemble(pm_workspace *w, pm_start_report *report)
                : pm_fail(&w->result, PM_ASSEMBLY, table, row, report->opening, allowed);
 }
 
-static double apart(const pm_frame *frame, const pm_constraint *row)
+static double apart(const pm_frame *frame, const pm_constraint *c)
 {
-    const pm_marks x = pm_constraint_marks(frame, row);
+    const pm_marks x = pm_constraint_marks(frame, c);
     return pm_length(x.d);
 }
 
-static int check_gears(const pm_frame *frame, pm_result *result, int joint, const pm_constraint *row)
+static int check_gears(const pm_frame *frame, pm_result *result, int joint, const pm_constraint *c)
 {
-    const double distance = apart(frame, row), open = fabs(distance - fabs(row->value));
+    const double distance = apart(frame, c), open = fabs(distance - fabs(c->value));
     return open <= PM_MESHES * distance
                ? PM_OK
                : pm_fail(result, PM_ASSEMBLY, PM_TABLE_JOINT, joint, open, PM_MESHES * distance);
 }
 
-static int check_strand(const pm_frame *frame, pm_result *result, int table, int at, const pm_constraint *row)
+static int check_strand(const pm_frame *frame, pm_result *result, int table, int at, const pm_constraint *c)
 {
-    const double distance = apart(frame, row), past = fabs(row->radius_b - row->radius_a);
+    const double distance = apart(frame, c), past = fabs(c->radius_b - c->radius_a);
     return distance > past ? PM_OK : pm_fail(result, PM_ASSEMBLY, table, at, past - distance, 0);
 }
 
 int pm_start_check_couplings(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    pm_constraint row[PM_JOINT_CONSTRAINTS];
+    pm_constraint c[PM_JOINT_CONSTRAINTS];
     int status = PM_OK;
     for (int i = 0; !status && i < m->rows[PM_TABLE_JOINT]; i++) {
         const int kind = PM_JOINT_ROW(m, i)[PM_JOINT_KIND];
         if (kind != PM_JOINT_GEARS && kind != PM_JOINT_BELT) continue;
-        const int n = pm_joint_constraints(&w->frame, &w->state, i, row);
+        const int n = pm_joint_constraints(&w->frame, &w->state, i, c);
         for (int k = 0; !status && k < n; k++)
-            status = kind == PM_JOINT_GEARS ? check_gears(&w->frame, &w->result, i, &row[k])
-                                            : check_strand(&w->frame, &w->result, PM_TABLE_JOINT, i, &row[k]);
+            status = kind == PM_JOINT_GEARS ? check_gears(&w->frame, &w->result, i, &c[k])
+                                            : check_strand(&w->frame, &w->result, PM_TABLE_JOINT, i, &c[k]);
     }
     for (int i = 0; !status && i < m->rows[PM_TABLE_CONTACT]; i++) {
         if (!pm_contact_is_cord(m, i)) continue;
-        pm_contact_constraint_normal(&w->frame, i, m->contact_slot[i], 0, &row[0]);
-        status = check_strand(&w->frame, &w->result, PM_TABLE_CONTACT, i, &row[0]);
+        pm_contact_constraint_normal(&w->frame, i, m->contact_slot[i], 0, &c[0]);
+        status = check_strand(&w->frame, &w->result, PM_TABLE_CONTACT, i, &c[0]);
     }
     return status;
 }

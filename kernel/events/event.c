@@ -24,10 +24,10 @@
 #include "state/workspace.h"
 
 /* ---- memory ---- */
-static int rows_watched(const pm_model *m)
+static int patterns_watched(const pm_model *m)
 {
     int n = 0;
-    for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) n += pm_contact_is_row(m, i);
+    for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) n += pm_contact_is_pattern(m, i);
     return n;
 }
 
@@ -43,7 +43,7 @@ int pm_event_create(pm_workspace *w)
     const pm_array array[] = {
         PM_ARRAY(e->function, most),
         PM_ARRAY(e->value, PM_NODES_MOST * most),
-        PM_ARRAY(e->beside, PM_NODES_MOST * rows_watched(m)),
+        PM_ARRAY(e->beside, PM_NODES_MOST * patterns_watched(m)),
         PM_ARRAY(e->hit, most),
         PM_ARRAY(e->root, most),
         PM_ARRAY(e->due, ntrigger),
@@ -81,7 +81,7 @@ static void add(const pm_phase *phase, pm_event_set *e, int kind, int index, int
                                                       .owned = owned,
                                                       .natural = natural,
                                                       .near = INFINITY,
-                                                      .row = PM_NONE};
+                                                      .pattern = PM_NONE};
     if (!owned) e->nsampled++;
     if (level > e->level && !owned) e->level = level;
 }
@@ -113,7 +113,7 @@ static void add_gap(pm_workspace *w, int contact)
     add(&w->phase, w->event, FUNCTION_GAP, contact, -1, PM_LEVEL_KINEMATIC, pm_contact_length(&w->frame),
         w->numbers.size);
     f->below = pm_edge_is(w->model, contact) && pm_edge_is_below(&w->frame, contact);
-    if (pm_contact_is_row(w->model, contact)) f->row = e->nrow++;
+    if (pm_contact_is_pattern(w->model, contact)) f->pattern = e->npattern++;
 }
 
 static void add_contacts(pm_workspace *w)
@@ -133,7 +133,7 @@ static void add_contacts(pm_workspace *w)
         if (mode == PM_OPEN || mode == PM_CAPTURED) continue;
         add(&w->phase, w->event, FUNCTION_NORMAL, i, -1, PM_LEVEL_DYNAMIC, force, size);
         if (mode == PM_STICK && pm_contact_friction(m, pm_contact_of_slot(m, i)) == PM_FRICTION_COULOMB)
-            add(&w->phase, w->event, FUNCTION_GRIP, i, -1, PM_LEVEL_DYNAMIC, force, size);
+            add(&w->phase, w->event, FUNCTION_STICK, i, -1, PM_LEVEL_DYNAMIC, force, size);
         if (pm_edge_is(m, pm_contact_of_slot(m, i)))
             add(&w->phase, w->event, FUNCTION_END, i, -1, PM_LEVEL_KINEMATIC, pm_contact_length(&w->frame),
                 w->numbers.size);
@@ -143,15 +143,15 @@ static void add_contacts(pm_workspace *w)
     }
 }
 
-static void add_grips(pm_workspace *w)
+static void add_joint_friction(pm_workspace *w)
 {
     const double size = pm_case_force(w->model, &w->numbers), force = PM_FORCE_SLACK * size;
     for (int i = 0; i < w->model->nfriction; i++) {
         if (w->state.friction[i] == PM_STICK)
-            add(&w->phase, w->event, FUNCTION_HOLD, i, -1, PM_LEVEL_DYNAMIC, force, size);
+            add(&w->phase, w->event, FUNCTION_JOINT_STICK, i, -1, PM_LEVEL_DYNAMIC, force, size);
         else if (w->state.friction[i] != PM_OPEN)
-            add(&w->phase, w->event, FUNCTION_RUB, i, -1, PM_LEVEL_KINEMATIC,
-                pm_joint_friction_still(&w->frame, i), w->numbers.speed);
+            add(&w->phase, w->event, FUNCTION_JOINT_SLIP, i, -1, PM_LEVEL_KINEMATIC,
+                pm_joint_friction_no_slip(&w->frame, i), w->numbers.speed);
     }
 }
 
@@ -168,7 +168,7 @@ double pm_event_sample(pm_workspace *w, const pm_event_function *f)
     case FUNCTION_NORMAL:
         return w->active.slot_normal[f->index] == PM_NONE ? w->numbers.size
                                                           : w->frame.lambda[w->active.slot_normal[f->index]];
-    case FUNCTION_GRIP: {
+    case FUNCTION_STICK: {
         if (w->active.slot_tangent[f->index] == PM_NONE || w->active.slot_normal[f->index] == PM_NONE)
             return 1;
         const double mu = pm_contact_static(&w->frame, pm_contact_of_slot(w->model, f->index));
@@ -187,10 +187,11 @@ double pm_event_sample(pm_workspace *w, const pm_event_function *f)
     case FUNCTION_END:
         return pm_edge_room(&w->frame, &w->state, pm_contact_of_slot(w->model, f->index),
                             slot[f->index].member);
-    case FUNCTION_HOLD:
-        if (w->active.friction_row[f->index] == PM_NONE) return 1; /* something else holds it, too */
-        return pm_joint_friction_limit(w, f->index) - fabs(w->frame.lambda[w->active.friction_row[f->index]]);
-    case FUNCTION_RUB:
+    case FUNCTION_JOINT_STICK:
+        if (w->active.friction_constraint[f->index] == PM_NONE) return 1; /* something else holds it, too */
+        return pm_joint_friction_limit(w, f->index) -
+               fabs(w->frame.lambda[w->active.friction_constraint[f->index]]);
+    case FUNCTION_JOINT_SLIP:
         return w->state.friction[f->index] == PM_SLIDE_FORWARD ? pm_joint_friction_slip(&w->frame, f->index)
                                                                : -pm_joint_friction_slip(&w->frame, f->index);
     default: return pm_trigger_program(w, f->index);
@@ -239,12 +240,12 @@ static int leaves(const pm_frame *frame, const pm_state *state, int contact)
 void pm_event_begin(pm_workspace *w)
 {
     pm_event_set *e = w->event;
-    e->nfunction = e->nsampled = e->nrow = 0;
+    e->nfunction = e->nsampled = e->npattern = 0;
     e->level = PM_LEVEL_KINEMATIC;
     add_triggers(w);
     e->ntrigger = e->nfunction;
     add_contacts(w);
-    add_grips(w);
+    add_joint_friction(w);
     e->first_step = 1;
     pm_gap_culling_begin(&w->event->culling, &w->frame);
     memset(e->spent, 0, (size_t)w->model->rows[PM_TABLE_CONTACT]);
@@ -263,7 +264,7 @@ int pm_event_contact_change(const pm_event_set *event, int function)
 {
     switch (event->function[function].kind) {
     case FUNCTION_NORMAL: return PM_TRIGGER_OPEN;
-    case FUNCTION_GRIP: return PM_TRIGGER_SLIP;
+    case FUNCTION_STICK: return PM_TRIGGER_SLIP;
     case FUNCTION_SLIP: return PM_TRIGGER_STICK;
     default: return PM_NONE;
     }

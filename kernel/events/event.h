@@ -15,12 +15,12 @@ enum pm_function_kind {
     FUNCTION_TRIGGER,
     FUNCTION_GAP,
     FUNCTION_NORMAL,
-    FUNCTION_GRIP,
+    FUNCTION_STICK,
     FUNCTION_SLIP,
-    FUNCTION_MEETING, /* of two points: where they are nearest, they may meet */
-    FUNCTION_END,     /* of an edge that something touches */
-    FUNCTION_HOLD,    /* friction of a joint that holds: what is left of it */
-    FUNCTION_RUB      /* its slip where it slides */
+    FUNCTION_MEETING,     /* of two points: where they are nearest, they may meet */
+    FUNCTION_END,         /* of an edge that something touches */
+    FUNCTION_JOINT_STICK, /* friction of a joint that holds: what is left of it */
+    FUNCTION_JOINT_SLIP   /* its slip where it slides */
 };
 
 /* What is known of the next zero of a function in the step that was sampled last. */
@@ -49,7 +49,7 @@ typedef struct pm_event_function {
     double near;       /* least value where it came close and went back, since the last instant */
     double near_reach; /* its value on both sides of there */
     double low, high;  /* `every`: the multiples below and above */
-    int row;           /* of a gap to a row: its place among these, else PM_NONE */
+    int pattern;       /* of a gap to a row: its place among these, else PM_NONE */
     int search; /* enum pm_zero_search: it holds until the function has fired, or another step is sampled */
     pm_span bracket; /* of its next zero */
     double found;    /* where that is */
@@ -63,7 +63,7 @@ typedef struct pm_event_set {
     int nfunction;
     int ntrigger;                /* of them triggers: they come first */
     int nsampled;                /* of them those that the route does not find */
-    int nrow;                    /* of them gaps to periodic rows of points */
+    int npattern;                /* of them gaps to periodic rows of points */
     int level;                   /* highest level of all */
     double *value;               /* [most functions][PM_NODES_MOST] samples */
     double place[PM_NODES_MOST]; /* x of the nodes */

@@ -90,8 +90,8 @@ static double slope_at(const pm_step *step, const double *g, int k)
 
 /* A dip between node k and the next, shown by the slopes there: also one beside an end of the step, where three nodes do
  * not show it.  The bottom of the cubic through both values and slopes. */
-static int turns(pm_workspace *w, pm_event_function *f, const double *g, int k, const double *x,
-                 double *where, double *value)
+static int returns(pm_workspace *w, pm_event_function *f, const double *g, int k, const double *x,
+                   double *where, double *value)
 {
     const double s = g[k] > 0 ? 1 : -1, a = s * g[k], b = s * g[k + 1], h = x[1] - x[0];
     if (!(a > 0 && b > 0) || !may_cross(f, s)) return 0;
@@ -214,8 +214,8 @@ static int search(pm_workspace *w, int i, const pm_event_course *of, int first, 
             *x = (pm_span){place[k], place[k + 1], g[k], g[k + 1]};
             return 1;
         }
-        const int turned = near && turns(w, f, g, k, place + k, &where, &value);
-        if ((turned || (k + 2 < of->n && dips(w, f, g + k, of->biggest, place + k, &where, &value))) &&
+        const int returned = near && returns(w, f, g, k, place + k, &where, &value);
+        if ((returned || (k + 2 < of->n && dips(w, f, g + k, of->biggest, place + k, &where, &value))) &&
             where > from) {
             *x = (pm_span){place[k], where, g[k], value};
             return 1;

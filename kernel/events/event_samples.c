@@ -37,9 +37,9 @@ static void begin_samples(pm_workspace *w)
 }
 
 /* As pm_event_sample has it; where the circle is beside the row is kept, for pm_event_samples_of_member. */
-static double sample_row(pm_workspace *w, const pm_event_function *f, int node)
+static double sample_pattern(pm_workspace *w, const pm_event_function *f, int node)
 {
-    pm_beside *x = w->event->beside + f->row * PM_NODES_MOST + node;
+    pm_beside *x = w->event->beside + f->pattern * PM_NODES_MOST + node;
     int member;
     *x = pm_contact_beside(&w->frame, f->index);
     const double gap = pm_contact_nearest_beside(&w->frame, &w->state, f->index, x, &member);
@@ -55,7 +55,7 @@ static void sample_contacts(pm_workspace *w, int node)
         const pm_event_function *f = &e->function[i];
         if (!pm_event_samples_wanted(w->event, f)) continue;
         pm_event_samples(w->event, i)[node] =
-            f->row == PM_NONE ? pm_event_sample(w, f) : sample_row(w, f, node);
+            f->pattern == PM_NONE ? pm_event_sample(w, f) : sample_pattern(w, f, node);
     }
 }
 
@@ -250,7 +250,7 @@ static int member_at(pm_workspace *w, const pm_event_function *f, double x, int 
     for (int k = 0; k < w->step.nodes->n; k++)
         if (e->place[k] == x)
             return !isinf(pm_contact_nearest_beside(&w->frame, &w->state, f->index,
-                                                    e->beside + f->row * PM_NODES_MOST + k, member));
+                                                    e->beside + f->pattern * PM_NODES_MOST + k, member));
     return !pm_step_look(w, x, PM_LEVEL_KINEMATIC) &&
            !isinf(pm_contact_gap(&w->frame, &w->state, f->index, member));
 }
@@ -260,10 +260,10 @@ void pm_event_samples_of_member(pm_workspace *w, int i, double x)
     pm_event_set *e = w->event;
     pm_event_function *f = &e->function[i];
     int member;
-    if (f->row == PM_NONE || !pm_chebyshev_nodes_spectral(w->step.nodes) || !member_at(w, f, x, &member))
+    if (f->pattern == PM_NONE || !pm_chebyshev_nodes_spectral(w->step.nodes) || !member_at(w, f, x, &member))
         return;
     for (int k = 0; k < w->step.nodes->n; k++)
         pm_event_samples(w->event, i)[k] =
-            pm_contact_gap_beside(e->beside + f->row * PM_NODES_MOST + k, member);
+            pm_contact_gap_beside(e->beside + f->pattern * PM_NODES_MOST + k, member);
     f->tail = -1;
 }

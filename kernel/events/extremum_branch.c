@@ -173,7 +173,7 @@ static int extremes_within(pm_workspace *w, const pm_extremum *p, pm_extremum_br
 /* Several switches change between node k and the next. */
 static int several_switches(pm_workspace *w, const pm_extremum *p, pm_extremum_branches *b, int k)
 {
-    double turn[PM_SWITCHES];
+    double switch_at[PM_SWITCHES];
     int n = 0;
     for (int i = 0; i < b->at.n; i++) {
         if (b->sign[k][i] == b->sign[k + 1][i]) continue;
@@ -181,13 +181,13 @@ static int several_switches(pm_workspace *w, const pm_extremum *p, pm_extremum_b
         const int status = offer_switch(w, p, b, i, k, &t);
         if (status) return status;
         int j = n++;
-        for (; j > 0 && turn[j - 1] > t; j--) turn[j] = turn[j - 1];
-        turn[j] = t;
+        for (; j > 0 && switch_at[j - 1] > t; j--) switch_at[j] = switch_at[j - 1];
+        switch_at[j] = t;
     }
     const double apart = PM_SWITCHES_APART * (pm_step_node(&w->step, k + 1) - pm_step_node(&w->step, k));
     for (int j = 0; j + 1 < n; j++) {
-        if (turn[j + 1] - turn[j] <= apart) continue;
-        const int status = extremes_within(w, p, b, k, 0.5 * (turn[j] + turn[j + 1]));
+        if (switch_at[j + 1] - switch_at[j] <= apart) continue;
+        const int status = extremes_within(w, p, b, k, 0.5 * (switch_at[j] + switch_at[j + 1]));
         if (status) return status;
     }
     return PM_OK;

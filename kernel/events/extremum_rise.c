@@ -52,11 +52,11 @@ static pm_extremum_fit fit(const pm_chebyshev_nodes *nodes, const double *g, int
         d2 += c2;
         weight[0] = 1;
     }
-    const double below = pm_pair_sum(d0), first = pm_pair_sum(d1);
+    const double below = pm_lanes_sum(d0), first = pm_lanes_sum(d1);
     pm_extremum_fit x = {
-        .s = s, .value = pm_pair_sum(n0) / below, .pull = first / below, .w = 2 * last / below};
-    x.slope = (x.value * first - pm_pair_sum(n1)) / below;
-    x.bend = 2 * (pm_pair_sum(n2) + x.slope * first - x.value * pm_pair_sum(d2)) / below;
+        .s = s, .value = pm_lanes_sum(n0) / below, .pull = first / below, .w = 2 * last / below};
+    x.slope = (x.value * first - pm_lanes_sum(n1)) / below;
+    x.bend = 2 * (pm_lanes_sum(n2) + x.slope * first - x.value * pm_lanes_sum(d2)) / below;
     x.value += from;
     return x;
 }
@@ -84,8 +84,8 @@ pm_extremum_fit pm_extremum_rise_top(const pm_chebyshev_nodes *nodes, const pm_e
     s = beside(nodes, pm_extremum_rise_side(nodes, k, s), s);
     for (int i = 0;; i++) {
         const pm_extremum_fit x = fit(nodes, p->g, pm_extremum_rise_side(nodes, k, s), s);
-        const double told = pm_max(p->slope_error, sqrt(p->nothing * fabs(x.bend)));
-        if (!(x.bend < 0) || fabs(x.slope) <= told || i == PM_EXTREMUM_STEPS) return x;
+        const double known = pm_max(p->slope_error, sqrt(p->nothing * fabs(x.bend)));
+        if (!(x.bend < 0) || fabs(x.slope) <= known || i == PM_EXTREMUM_STEPS) return x;
         const double next = s - x.slope / x.bend;
         s = beside(nodes, pm_extremum_rise_side(nodes, k, next), next);
         if (s == x.s) return x;

@@ -37,19 +37,19 @@ void pm_gap_culling_begin(pm_gap_culling *x, const pm_frame *frame)
 
 static int body_of_circle(const pm_model *m, int circle)
 {
-    return pm_body_index(m, PM_POINT_ROW(m, PM_CIRCLE_ROW(m, circle)[PM_CIRCLE_POINT])[PM_POINT_BODY]);
+    return pm_model_body_index(m, PM_POINT_ROW(m, PM_CIRCLE_ROW(m, circle)[PM_CIRCLE_POINT])[PM_POINT_BODY]);
 }
 
 /* The bodies of a contact whose gap changes by no more than its marks move; a line that turns is not one. */
 static int bodies_of(const pm_model *m, int contact, int body[2])
 {
-    const int32_t *e = PM_CONTACT_ROW_OF(m, contact);
+    const int32_t *e = PM_CONTACT_ROW(m, contact);
     int point;
     body[0] = body_of_circle(m, e[PM_CONTACT_A]);
     body[1] = m->nbody;
     switch (e[PM_CONTACT_KIND]) {
     case PM_CONTACT_LINE: point = PM_LINE_ROW(m, e[PM_CONTACT_B])[PM_LINE_POINT]; break;
-    case PM_CONTACT_ROW: point = PM_ROW_ROW(m, e[PM_CONTACT_B])[PM_ROW_POINT]; break;
+    case PM_CONTACT_PATTERN: point = PM_PATTERN_ROW(m, e[PM_CONTACT_B])[PM_PATTERN_POINT]; break;
     case PM_CONTACT_CIRCLE: body[1] = body_of_circle(m, e[PM_CONTACT_B]); return 1;
     default: return 0;
     }
@@ -116,10 +116,10 @@ static double part_of_edge(const pm_numbers *numbers, const int32_t *e)
 /* The sum of the radii of two circles, or of a circle and a row's member (a point); 0 of what cannot be gone through. */
 static double through(const pm_model *m, const pm_numbers *numbers, int contact)
 {
-    const int32_t *e = PM_CONTACT_ROW_OF(m, contact);
+    const int32_t *e = PM_CONTACT_ROW(m, contact);
     const double radius = numbers->value[PM_CIRCLE_ROW(m, e[PM_CONTACT_A])[PM_CIRCLE_RADIUS]];
     switch (e[PM_CONTACT_KIND]) {
-    case PM_CONTACT_ROW: return radius;
+    case PM_CONTACT_PATTERN: return radius;
     case PM_CONTACT_CIRCLE: /* side 1: outside each other; what has come through from inside stays there */
         return numbers->value[e[PM_CONTACT_SIDE]] == 1
                    ? radius + numbers->value[PM_CIRCLE_ROW(m, e[PM_CONTACT_B])[PM_CIRCLE_RADIUS]]
@@ -132,7 +132,7 @@ static double through(const pm_model *m, const pm_numbers *numbers, int contact)
 /* The bodies of what a mark may go through between two nodes. */
 static int bodies_of_passage(const pm_model *m, int contact, int body[2])
 {
-    const int32_t *e = PM_CONTACT_ROW_OF(m, contact);
+    const int32_t *e = PM_CONTACT_ROW(m, contact);
     if (e[PM_CONTACT_KIND] != PM_CONTACT_SEGMENT) return bodies_of(m, contact, body);
     const int point = PM_LINE_ROW(m, e[PM_CONTACT_B])[PM_LINE_POINT];
     body[0] = body_of_circle(m, e[PM_CONTACT_A]);
@@ -144,15 +144,15 @@ static int bodies_of_passage(const pm_model *m, int contact, int body[2])
  * accelerations. */
 static double against(const pm_model *model, const pm_event_set *event, const double *rate, const int body[2])
 {
-    static const double still[3] = {0, 0, 0};
+    static const double zero[3] = {0, 0, 0};
     const double *part[2], *radius = event->culling.radius;
-    double turning = 0;
+    double rotation = 0;
     for (int i = 0; i < 2; i++) {
         const int moves = body[i] < model->nbody;
-        part[i] = moves ? rate + 3 * body[i] : still;
-        if (moves) turning += radius[body[i]] * fabs(part[i][2]);
+        part[i] = moves ? rate + 3 * body[i] : zero;
+        if (moves) rotation += radius[body[i]] * fabs(part[i][2]);
     }
-    return hypot(part[0][0] - part[1][0], part[0][1] - part[1][1]) + turning;
+    return hypot(part[0][0] - part[1][0], part[0][1] - part[1][1]) + rotation;
 }
 
 double pm_gap_culling_time(const pm_workspace *w, const double *v, const double *a)

@@ -23,7 +23,7 @@ static int record(pm_workspace *w, const pm_state *state, int mark)
     return PM_OK;
 }
 
-int pm_history_row(pm_workspace *w, int mark)
+int pm_history_append(pm_workspace *w, int mark)
 {
     return w->record.history ? record(w, &w->state, mark) : PM_OK;
 }

@@ -14,7 +14,7 @@ typedef struct pm_history {
 } pm_history;
 
 /* Records w->state (0: step, 1: before an event, 2: after it); does nothing without a trace. */
-int pm_history_row(pm_workspace *w, int mark);
+int pm_history_append(pm_workspace *w, int mark);
 /* A step has been made: w->step_begin to w->step_end. */
 void pm_history_step(const pm_step *step, pm_record *record);
 /* Records the nodes inside the present step up to place x that are not there yet; w->probe is lost. */

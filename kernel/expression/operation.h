@@ -41,14 +41,14 @@ typedef struct pm_program_walk {
 /* A part of the code; a program. */
 static inline pm_program_walk pm_program_walk_part(const pm_model *m, int first, int length)
 {
-    const int32_t *code = pm_table_row(m, PM_TABLE_CODE, first, PM_CODE_COLUMNS);
+    const int32_t *code = pm_model_row(m, PM_TABLE_CODE, first, PM_CODE_COLUMNS);
     return (pm_program_walk){
         .m = m, .next = code, .end = code + length * PM_CODE_COLUMNS, .takes = 0, .at = -1};
 }
 
 static inline pm_program_walk pm_program_walk_begin(const pm_model *m, int program)
 {
-    const int32_t *e = pm_table_row(m, PM_TABLE_PROGRAM, program, PM_PROGRAM_COLUMNS);
+    const int32_t *e = pm_model_row(m, PM_TABLE_PROGRAM, program, PM_PROGRAM_COLUMNS);
     return pm_program_walk_part(m, e[PM_PROGRAM_FIRST], e[PM_PROGRAM_LENGTH]);
 }
 

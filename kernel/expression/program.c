@@ -113,7 +113,7 @@ static int is_of_find(const pm_model *m, int program)
 
 static int validate_one(const pm_model *m, int index, int first_value_allowed, pm_where *where)
 {
-    const int32_t *program = pm_table_row(m, PM_TABLE_PROGRAM, index, PM_PROGRAM_COLUMNS);
+    const int32_t *program = pm_model_row(m, PM_TABLE_PROGRAM, index, PM_PROGRAM_COLUMNS);
     const int first = program[PM_PROGRAM_FIRST], length = program[PM_PROGRAM_LENGTH];
     if (first < 0 || length < 1 || (int64_t)first + length > m->rows[PM_TABLE_CODE])
         return pm_bad_table(where, PM_TABLE_PROGRAM, index, first, m->rows[PM_TABLE_CODE]);
@@ -127,7 +127,7 @@ static int validate_one(const pm_model *m, int index, int first_value_allowed, p
     };
     int depth = 0;
     for (int i = first; i < first + length; i++) {
-        const int32_t *code = pm_table_row(m, PM_TABLE_CODE, i, PM_CODE_COLUMNS);
+        const int32_t *code = pm_model_row(m, PM_TABLE_CODE, i, PM_CODE_COLUMNS);
         const int op = code[PM_CODE_OP], arg = code[PM_CODE_ARG];
         if (op < 0 || op >= PM_OPS) return pm_bad_table(where, PM_TABLE_PROGRAM, index, op, PM_OPS);
         const int takes = pm_operations[op].takes;

@@ -13,7 +13,7 @@
 
 static const int32_t *code_at(const pm_model *m, int k)
 {
-    return pm_table_row(m, PM_TABLE_CODE, k, PM_CODE_COLUMNS);
+    return pm_model_row(m, PM_TABLE_CODE, k, PM_CODE_COLUMNS);
 }
 
 /* What an instruction pushes stays the same through a case. */
@@ -68,7 +68,7 @@ static pm_program_step step_of(const int32_t *code)
 /* Appends the program's steps to n others; returns how many there are then. */
 static int fold_one(const pm_model *m, pm_program_fold *f, int program, int *end, int n)
 {
-    const int32_t *p = pm_table_row(m, PM_TABLE_PROGRAM, program, PM_PROGRAM_COLUMNS);
+    const int32_t *p = pm_model_row(m, PM_TABLE_PROGRAM, program, PM_PROGRAM_COLUMNS);
     const int first = p[PM_PROGRAM_FIRST], last = first + p[PM_PROGRAM_LENGTH];
     const int from = n;
     find_steady(m, first, last - first, end);
@@ -105,7 +105,7 @@ int pm_program_fold_create(pm_model *m)
     const int nprogram = m->rows[PM_TABLE_PROGRAM];
     size_t length = 0;
     for (int i = 0; i < nprogram; i++)
-        length += (size_t)pm_table_row(m, PM_TABLE_PROGRAM, i, PM_PROGRAM_COLUMNS)[PM_PROGRAM_LENGTH];
+        length += (size_t)pm_model_row(m, PM_TABLE_PROGRAM, i, PM_PROGRAM_COLUMNS)[PM_PROGRAM_LENGTH];
     pm_program_fold *f = m->programs.fold = calloc(1, sizeof *f);
     int *end = calloc((size_t)m->rows[PM_TABLE_CODE] + 1, sizeof *end);
     if (f) {

@@ -85,7 +85,7 @@ static int struck_without_mass(const pm_workspace *w)
  * velocities before and after leave over. */
 static int strike(pm_workspace *w)
 {
-    const double kinetic = pm_body_kinetic(&w->frame, PM_NONE), before = work_now(w);
+    const double kinetic = pm_frame_kinetic(&w->frame, PM_NONE), before = work_now(w);
     const int light = struck_without_mass(w);
     if (light != PM_NONE) return pm_fail(&w->result, PM_UNSUPPORTED, PM_TABLE_BODY, light, NAN, NAN);
     for (int i = 0; i < w->model->nq; i++)
@@ -93,7 +93,7 @@ static int strike(pm_workspace *w)
     w->ledger.energy_lost -= 0.5 * (before + work_now(w));
     w->impulses.energy_lost = 0;
     const int status = pm_impact_hold(w);
-    w->impulses.energy_lost = kinetic + 0.5 * (before + work_now(w)) - pm_body_kinetic(&w->frame, PM_NONE);
+    w->impulses.energy_lost = kinetic + 0.5 * (before + work_now(w)) - pm_frame_kinetic(&w->frame, PM_NONE);
     return status;
 }
 
@@ -166,13 +166,13 @@ static void let_slots_go(const pm_model *model, pm_state *state, int contact)
 /* A joint holds from here on: it must be closed here. */
 static int fits(pm_workspace *w, int i, int joint)
 {
-    pm_constraint row[PM_JOINT_CONSTRAINTS];
+    pm_constraint c[PM_JOINT_CONSTRAINTS];
     pm_active_set_anchor_joint(&w->frame, &w->state, &w->state, joint);
-    const int n = pm_joint_constraints(&w->frame, &w->state, joint, row);
+    const int n = pm_joint_constraints(&w->frame, &w->state, joint, c);
     const double allowed = PM_ACTION_OPENING * w->numbers.size;
     for (int k = 0; k < n; k++) {
-        pm_constraint_kind(row[k].kind)->evaluate(&w->frame, &row[k]);
-        const double open = fabs(row[k].g) * (row[k].kind == PM_CONSTRAINT_ANGLE ? w->numbers.size : 1);
+        pm_constraint_kind(c[k].kind)->evaluate(&w->frame, &c[k]);
+        const double open = fabs(c[k].g) * (c[k].kind == PM_CONSTRAINT_ANGLE ? w->numbers.size : 1);
         if (!(open <= allowed)) return pm_fail(&w->result, PM_ASSEMBLY, PM_TABLE_ACTION, i, open, allowed);
     }
     return PM_OK;
@@ -213,10 +213,10 @@ static int clash(pm_workspace *w, int *clashes)
     *clashes = 0;
     pm_saddle_evaluate(&w->active, &w->frame);
     for (int i = 0; !status && i < w->active.n; i++) {
-        const pm_constraint *row = &w->active.row[i];
+        const pm_constraint *c = &w->active.constraint[i];
         const double length =
-            row->kind == PM_CONSTRAINT_ANGLE || row->kind == PM_CONSTRAINT_RATIO ? w->numbers.size : 1;
-        const double rate = pm_constraint_times(&w->frame, row, w->state.v) - row->rate;
+            c->kind == PM_CONSTRAINT_ANGLE || c->kind == PM_CONSTRAINT_RATIO ? w->numbers.size : 1;
+        const double rate = pm_constraint_times(&w->frame, c, w->state.v) - c->rate;
         *clashes |= fabs(rate) * length > pm_contact_speed(&w->frame);
     }
     return status;

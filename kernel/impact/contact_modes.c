@@ -43,7 +43,8 @@ int pm_contact_modes_close(pm_workspace *w, int contact, int member, int *slot)
 {
     *slot = pm_contact_free_slot(&w->frame, &w->state, contact);
     if (*slot == PM_NONE)
-        return pm_fail(&w->result, PM_CONTACT_SLOTS, PM_TABLE_CONTACT, contact, PM_ROW_SLOTS, PM_ROW_SLOTS);
+        return pm_fail(&w->result, PM_CONTACT_SLOTS, PM_TABLE_CONTACT, contact, PM_PATTERN_SLOTS,
+                       PM_PATTERN_SLOTS);
     w->state.slot[*slot] = (pm_slot){pm_contact_modes_of_slip(&w->frame, contact, member), member};
     pm_active_set_anchor(&w->frame, &w->state, *slot);
     return PM_OK;
@@ -123,9 +124,9 @@ int pm_contact_modes_begin(pm_workspace *w)
             const int status = pass_end(w, w->event->function[i].index);
             if (status) return status;
         }
-        if (w->event->function[i].kind == FUNCTION_HOLD)
+        if (w->event->function[i].kind == FUNCTION_JOINT_STICK)
             pm_joint_friction_slides(w, w->event->function[i].index);
-        if (w->event->function[i].kind == FUNCTION_RUB)
+        if (w->event->function[i].kind == FUNCTION_JOINT_SLIP)
             pm_joint_friction_stops(&w->frame, &w->state, w->event->function[i].index);
         const int what = pm_event_contact_change(w->event, i), slot = w->event->function[i].index;
         if (what == PM_TRIGGER_OPEN) {
@@ -252,7 +253,7 @@ static int was_closed_with(const pm_model *model, const pm_slot *slots, int cont
 }
 
 /* What a joint does at the start is no change, as with contacts. */
-static void mark_grips(pm_workspace *w)
+static void mark_friction(pm_workspace *w)
 {
     for (int k = 0; k < w->model->nfriction && w->result.count[PM_COUNT_EVENTS] > 0; k++) {
         const int before = w->instant.friction_before[k], now = w->state.friction[k],
@@ -266,7 +267,7 @@ static void mark_grips(pm_workspace *w)
 
 void pm_contact_modes_mark(pm_workspace *w)
 {
-    mark_grips(w);
+    mark_friction(w);
     for (int i = 0; i < w->model->nslot; i++) {
         const int contact = pm_contact_of_slot(w->model, i);
         if (w->instant.slot_before[i].mode == PM_OPEN) continue;

@@ -37,9 +37,9 @@ typedef struct pm_impact_place {
 } pm_impact_place;
 
 /* Rough: the slip is lost before any normal impulse. */
-static void grip_at_once(const pm_impact_course *x, pm_impact_place *now)
+static void stick_at_once(const pm_impact_course *x, pm_impact_place *now)
 {
-    if (isfinite(x->grip) || x->c <= 0) return;
+    if (isfinite(x->mu_static) || x->c <= 0) return;
     now->friction = -now->slip / x->c;
     now->normal += x->b * now->friction;
     now->slip = 0;
@@ -47,10 +47,10 @@ static void grip_at_once(const pm_impact_course *x, pm_impact_place *now)
 
 static void set_rates(const pm_impact_course *x, pm_impact_place *now)
 {
-    const int held = fabs(x->b) <= x->grip * x->c || x->b == 0;
+    const int held = fabs(x->b) <= x->mu_static * x->c || x->b == 0;
     now->slips = now->slip != 0 || !held;
     if (now->slips)
-        now->ratio = -copysign(x->rub, now->slip != 0 ? now->slip : x->b);
+        now->ratio = -copysign(x->mu_kinetic, now->slip != 0 ? now->slip : x->b);
     else
         now->ratio = x->c > 0 ? -x->b / x->c : 0;
     now->rate_n = x->a + x->b * now->ratio;
@@ -106,10 +106,10 @@ static double until_impulse(const pm_impact_place *now, double impulse) { return
 
 int pm_impact_course_follow(const pm_impact_course *x, pm_impact_course_end *end)
 {
-    pm_impact_place now = {.normal = x->normal, .slip = fabs(x->slip) > x->still ? x->slip : 0};
+    pm_impact_place now = {.normal = x->normal, .slip = fabs(x->slip) > x->no_slip ? x->slip : 0};
     const double e = x->restitution;
     int ends = 1;
-    grip_at_once(x, &now);
+    stick_at_once(x, &now);
     if (!(now.normal < 0) || !follow_phase(x, &now, until_speed, 0)) return 0;
     now.normal = 0;
     if (e > 0) switch ((enum pm_law)x->law) {
@@ -126,23 +126,23 @@ int pm_impact_course_applies(const pm_model *model, int slot)
 {
     const int contact = pm_contact_of_slot(model, slot), friction = pm_contact_friction(model, contact);
     const int newton = pm_contact_law(model, contact) == PM_LAW_NEWTON;
-    if (PM_CONTACT_ROW_OF(model, contact)[PM_CONTACT_TANGENTIAL] != PM_NONE) return 0;
+    if (PM_CONTACT_ROW(model, contact)[PM_CONTACT_TANGENTIAL] != PM_NONE) return 0;
     return friction == PM_FRICTION_COULOMB || (friction == PM_FRICTION_ROUGH && !newton);
 }
 
 /* Velocities that a unit impulse along the constraint gives, with the joints held. */
-static void respond(pm_workspace *w, const pm_constraint *row, double *x)
+static void respond(pm_workspace *w, const pm_constraint *c, double *x)
 {
     memset(x, 0, (size_t)w->model->nq * sizeof *x);
     for (int p = 0; p < 2; p++) {
-        const int body = row->body[p];
+        const int body = c->body[p];
         if (body == w->model->nbody) continue;
         for (int k = 0; k < 3; k++)
-            x[3 * body + k] += w->numbers.inverse_mass[3 * body + k] * row->j[3 * p + k];
+            x[3 * body + k] += w->numbers.inverse_mass[3 * body + k] * c->j[3 * p + k];
     }
     if (w->active.n == 0) return;
     for (int i = 0; i < w->active.n; i++)
-        w->saddle.rhs[i] = -pm_constraint_times(&w->frame, &w->active.row[i], x);
+        w->saddle.rhs[i] = -pm_constraint_times(&w->frame, &w->active.constraint[i], x);
     pm_saddle_solve(&w->saddle);
     pm_saddle_spread(&w->saddle, 0, x);
 }
@@ -158,9 +158,9 @@ int pm_impact_course_read(pm_workspace *w, int slot, double *response, pm_impact
                         tangent = pm_contact_modes_tangent(&w->frame, &w->state, slot);
     x->normal = pm_constraint_times(&w->frame, &normal, w->state.v);
     x->slip = pm_constraint_times(&w->frame, &tangent, w->state.v) - tangent.rate;
-    x->grip = rough ? INFINITY : pm_contact_static(&w->frame, contact);
-    x->rub = rough ? INFINITY : pm_contact_kinetic(&w->frame, contact);
-    x->still = pm_contact_speed(&w->frame);
+    x->mu_static = rough ? INFINITY : pm_contact_static(&w->frame, contact);
+    x->mu_kinetic = rough ? INFINITY : pm_contact_kinetic(&w->frame, contact);
+    x->no_slip = pm_contact_speed(&w->frame);
     x->law = pm_contact_law(w->model, contact);
     respond(w, &normal, response);
     x->a = pm_constraint_times(&w->frame, &normal, response);

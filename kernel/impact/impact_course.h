@@ -8,11 +8,11 @@
  * what drives prescribe; its law. */
 typedef struct pm_impact_course {
     double a, b, c;
-    double normal, slip; /* m/s, normal < 0 */
-    double grip, rub;    /* static and kinetic coefficients; infinite: rough */
+    double normal, slip;          /* m/s, normal < 0 */
+    double mu_static, mu_kinetic; /* static and kinetic coefficients; infinite: rough */
     double restitution;
-    double still; /* m/s: slower than this is no slip */
-    int law;      /* enum pm_law */
+    double no_slip; /* m/s: slower than this is no slip */
+    int law;        /* enum pm_law */
 } pm_impact_course;
 
 typedef struct pm_impact_course_end {

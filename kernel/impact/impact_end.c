@@ -20,18 +20,17 @@ static int gains(pm_workspace *w, const pm_blow *b)
 {
     double given = 0, size = 0, nothing = 0;
     int contact = PM_NONE;
-    for (int i = 0; i < w->active.n || w->active.row[i].normal != PM_NONE; i++) {
-        const pm_constraint *row = &w->active.row[i];
-        if (row->slot == PM_NONE || w->active.slot_normal[row->slot] == PM_NONE)
-            continue; /* captured: a joint */
+    for (int i = 0; i < w->active.n || w->active.constraint[i].normal != PM_NONE; i++) {
+        const pm_constraint *c = &w->active.constraint[i];
+        if (c->slot == PM_NONE || w->active.slot_normal[c->slot] == PM_NONE) continue; /* captured: a joint */
         const double p = i < w->active.n ? w->saddle.rhs[i]
-                                         : w->active.row[row->normal].slide * w->saddle.rhs[row->normal];
+                                         : w->active.constraint[c->normal].slide * w->saddle.rhs[c->normal];
         const double before = pm_impact_trial_rate(w, i),
-                     now = pm_constraint_times(&w->frame, row, b->after) - row->rate;
+                     now = pm_constraint_times(&w->frame, c, b->after) - c->rate;
         given += 0.5 * p * (before + now);
         size += fabs(p * before) + fabs(p * now);
         nothing += PM_BLOW_NOTHING * fabs(p) * w->numbers.speed;
-        contact = pm_contact_of_slot(w->model, row->slot);
+        contact = pm_contact_of_slot(w->model, c->slot);
     }
     return given <= PM_BLOW_ROUNDING * size + nothing
                ? PM_OK
@@ -49,7 +48,7 @@ static int reverses(pm_workspace *w, const pm_blow *b)
         const double slip = way * (pm_constraint_times(&w->frame, &tangent, b->after) - tangent.rate);
         pm_evidence_sign(&w->evidence, PM_SITE_SLIP_LEFT, i, slip, w->numbers.speed);
         if (slip < -pm_contact_speed(&w->frame))
-            return pm_fail(&w->result, PM_BLOW_TURNS, PM_TABLE_CONTACT, pm_contact_of_slot(w->model, i),
+            return pm_fail(&w->result, PM_BLOW_REVERSES, PM_TABLE_CONTACT, pm_contact_of_slot(w->model, i),
                            -slip, 0);
     }
     return PM_OK;
@@ -76,7 +75,7 @@ static void record_captured(pm_workspace *w, int slot)
 /* The tangential constraint of a slot, evaluated: the active one, or else *spare. */
 static const pm_constraint *tangent_of(const pm_workspace *w, int slot, pm_constraint *spare)
 {
-    if (w->active.slot_tangent[slot] != PM_NONE) return &w->active.row[w->active.slot_tangent[slot]];
+    if (w->active.slot_tangent[slot] != PM_NONE) return &w->active.constraint[w->active.slot_tangent[slot]];
     *spare = pm_contact_modes_tangent(&w->frame, &w->state, slot);
     return spare;
 }
@@ -84,16 +83,16 @@ static const pm_constraint *tangent_of(const pm_workspace *w, int slot, pm_const
 void pm_impact_end_record(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    memset(w->impulses.joint, 0, (size_t)m->njoint_row * sizeof(double));
+    memset(w->impulses.joint, 0, (size_t)m->njoint_constraint * sizeof(double));
     memset(w->impulses.slot, 0, 2 * (size_t)m->nslot * sizeof(double));
-    for (int i = 0; i < m->njoint_row; i++)
+    for (int i = 0; i < m->njoint_constraint; i++)
         if (w->active.of_joint[i] != PM_NONE) w->impulses.joint[i] = w->saddle.rhs[w->active.of_joint[i]];
     for (int i = 0; i < m->nslot; i++) {
         if (w->state.slot[i].mode == PM_CAPTURED) record_captured(w, i);
         if (w->active.slot_normal[i] == PM_NONE) continue;
         pm_constraint spare;
         pm_line_of_action along;
-        const pm_constraint *normal = &w->active.row[w->active.slot_normal[i]],
+        const pm_constraint *normal = &w->active.constraint[w->active.slot_normal[i]],
                             *tangent = tangent_of(w, i, &spare);
         const double p = w->saddle.rhs[w->active.slot_normal[i]];
         w->impulses.slot[2 * i] = p;

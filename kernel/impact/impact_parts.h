@@ -38,7 +38,7 @@ double pm_impact_trial_rate(const pm_workspace *w, int i);
 int pm_impact_trial_change(pm_workspace *w, pm_blow *b);
 
 /* ---- impact_end.c: what the blow that was found leaves ---- */
-/* Whether the laws allow it: PM_BLOW_TURNS, PM_BLOW_GAINS if not. */
+/* Whether the laws allow it: PM_BLOW_REVERSES, PM_BLOW_GAINS if not. */
 int pm_impact_end_check(pm_workspace *w, const pm_blow *b);
 /* Its impulses, for measures (w->impulses). */
 void pm_impact_end_record(pm_workspace *w);

@@ -35,18 +35,19 @@ static int build(pm_workspace *w, const pm_blow *b)
 
 double pm_impact_trial_rate(const pm_workspace *w, int i)
 {
-    return pm_constraint_times(&w->frame, &w->active.row[i], w->state.v) - w->active.row[i].rate;
+    return pm_constraint_times(&w->frame, &w->active.constraint[i], w->state.v) -
+           w->active.constraint[i].rate;
 }
 
 static int is_normal(const pm_active_set *active, int i)
 {
-    return active->row[i].slot != PM_NONE && active->slot_normal[active->row[i].slot] == i;
+    return active->constraint[i].slot != PM_NONE && active->slot_normal[active->constraint[i].slot] == i;
 }
 
 /* How much the rate of active constraint i is to change. */
 static double change_wanted(const pm_workspace *w, const pm_blow *b, int i)
 {
-    const int slot = w->active.row[i].slot;
+    const int slot = w->active.constraint[i].slot;
     const double u = pm_impact_trial_rate(w, i);
     if (slot == PM_NONE || b->share[slot] != PM_STRUCK || w->active.slot_normal[slot] == PM_NONE) return -u;
     const double e = pm_last_bounce_restitution(w, pm_contact_of_slot(w->model, slot),

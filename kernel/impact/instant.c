@@ -136,11 +136,11 @@ static int blow(pm_workspace *w)
 static int go_on(pm_workspace *w, int *ended)
 {
     int status = close(w, ended);
-    if (!status) status = pm_history_row(w, 2);
+    if (!status) status = pm_history_append(w, 2);
     pm_trigger_next_blow(w->model, &w->firing);
     if (status || *ended) return status;
     memset(w->event->hit, 0, (size_t)w->event->nfunction * sizeof(int));
-    if ((status = pm_history_row(w, 1))) return status;
+    if ((status = pm_history_append(w, 1))) return status;
     return look_before(w);
 }
 
@@ -209,13 +209,13 @@ int pm_instant_full(pm_workspace *w, int *ended)
 {
     *ended = 0;
     pm_frame_look_state(&w->frame, &w->state);
-    int status = pm_history_row(w, 1);
+    int status = pm_history_append(w, 1);
     if (!status) status = pm_saddle_accelerate(w);
     if (!status && w->step.reverses) status = mark_reversal(w);
     if (!status) status = act(w, ended);
     if (status || *ended) return status;
     status = pm_instant_finish(w, ended);
-    return status ? status : pm_history_row(w, 2);
+    return status ? status : pm_history_append(w, 2);
 }
 
 /* What a mark needs to know: what is asked then; and where errors are estimated, how far all that is watched is from zero. */
@@ -230,7 +230,7 @@ static int level_of_mark(const pm_workspace *w)
 int pm_instant_mark(pm_workspace *w, int *ended)
 {
     const int level = level_of_mark(w);
-    int status = pm_history_row(w, 1);
+    int status = pm_history_append(w, 1);
     pm_frame_look_state(&w->frame, &w->state);
     if (!status && level == PM_LEVEL_DYNAMIC) status = pm_step_react(w);
     if (status) return status;
@@ -238,5 +238,5 @@ int pm_instant_mark(pm_workspace *w, int *ended)
     pm_ask_look_before(w);
     fire(w);
     status = count(w, ended);
-    return status ? status : pm_history_row(w, 2);
+    return status ? status : pm_history_append(w, 2);
 }

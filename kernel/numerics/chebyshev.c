@@ -63,11 +63,11 @@ double pm_chebyshev_high(const pm_chebyshev_nodes *nodes, const double *value)
     const double *one = nodes->last, *other = nodes->last + nodes->n;
     pm_lanes a = {one[end] * value[end], 0}, b = {other[end] * value[end], 0};
     for (int k = 0; k < end; k += 2) {
-        const pm_lanes x = pm_pair_load(value + k);
-        a += pm_pair_load(one + k) * x;
-        b += pm_pair_load(other + k) * x;
+        const pm_lanes x = pm_lanes_load(value + k);
+        a += pm_lanes_load(one + k) * x;
+        b += pm_lanes_load(other + k) * x;
     }
-    return pm_max(fabs(pm_pair_sum(a)), fabs(pm_pair_sum(b)));
+    return pm_max(fabs(pm_lanes_sum(a)), fabs(pm_lanes_sum(b)));
 }
 
 double pm_chebyshev_tail(const pm_chebyshev_nodes *nodes, const double *value)

@@ -6,25 +6,25 @@
 
 typedef double pm_lanes __attribute__((vector_size(2 * sizeof(double))));
 
-static inline pm_lanes pm_pair_load(const double *from)
+static inline pm_lanes pm_lanes_load(const double *from)
 {
     pm_lanes x;
     memcpy(&x, from, sizeof x);
     return x;
 }
 
-static inline void pm_pair_store(double *to, pm_lanes x) { memcpy(to, &x, sizeof x); }
+static inline void pm_lanes_store(double *to, pm_lanes x) { memcpy(to, &x, sizeof x); }
 
 /* With the third number of a body's velocity, acceleration or force. */
-static inline void pm_pair_store_turn(double *to, pm_lanes x, double turn)
+static inline void pm_lanes_store_three(double *to, pm_lanes x, double third)
 {
-    pm_pair_store(to, x);
-    to[2] = turn;
+    pm_lanes_store(to, x);
+    to[2] = third;
 }
 
 /* A vector turned by a right angle. */
-static inline pm_lanes pm_pair_left(pm_lanes v) { return (pm_lanes){-v[1], v[0]}; }
+static inline pm_lanes pm_lanes_left(pm_lanes v) { return (pm_lanes){-v[1], v[0]}; }
 
-static inline double pm_pair_sum(pm_lanes v) { return v[0] + v[1]; }
+static inline double pm_lanes_sum(pm_lanes v) { return v[0] + v[1]; }
 
 #endif

@@ -242,6 +242,6 @@ int pm_advance(pm_workspace *w, int *ended)
         }
         w->phase.lap |= pm_plan_has_passed(w);
         if (w->phase.lap) return PM_OK;
-        if (w->record.history && (status = pm_history_row(w, 0))) return status;
+        if (w->record.history && (status = pm_history_append(w, 0))) return status;
     }
 }

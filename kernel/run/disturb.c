@@ -17,7 +17,7 @@ static int sign(pm_evidence *e)
 
 int pm_disturb(pm_workspace *w)
 {
-    if (!w->evidence.active || !w->evidence.present->companion) return PM_OK;
+    if (!w->evidence.active || !w->evidence.present->coarse) return PM_OK;
     if (w->result.count[PM_COUNT_PHASES] > 0 && !w->phase.route->in_time)
         return PM_OK; /* segments of a path repeat */
     for (int i = 0; i < w->model->nq; i++) {

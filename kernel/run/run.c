@@ -46,7 +46,7 @@ static int begin_case(pm_workspace *w, const double *param, pm_start_report *rep
     pm_trigger_reset(w->model, &w->firing);
     pm_perturbation_begin(w->model, &w->request);
     pm_fixed_bodies_begin(w);
-    memset(w->impulses.joint, 0, (size_t)w->model->njoint_row * sizeof(double));
+    memset(w->impulses.joint, 0, (size_t)w->model->njoint_constraint * sizeof(double));
     memset(w->impulses.slot, 0, 2 * (size_t)w->model->nslot * sizeof(double));
     int status = pm_case_begin(w, param);
     if (!status) status = pm_start(w, report);
@@ -186,7 +186,7 @@ static int run_phases(pm_workspace *w)
         PM_NONE; /* phases when a route was left last: where none has begun since, there is no going on */
     int ended, status = pm_instant_finish(w, &ended);
     if (ended) pm_plan_no_phase(&w->result);
-    if (!status) status = pm_history_row(w, 2);
+    if (!status) status = pm_history_append(w, 2);
     while (!status && !ended) {
         status = phase(w, &ended);
         if (status && w->result.count[PM_COUNT_PHASES] != left && hand_over(w, status)) {

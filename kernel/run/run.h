@@ -55,9 +55,9 @@ int pm_disturb(pm_workspace *w);
 /* ---- phase_report.c ---- */
 typedef struct pm_phase_report {
     int64_t cap, most, needed;
-    int32_t *row;                /* [cap][PM_PHASE_COLUMNS], the caller's */
-    double *time;                /* [cap] s, the caller's */
-    int64_t spared, steps, legs; /* of the case, when the last phase began */
+    int32_t *row;                     /* [cap][PM_PHASE_COLUMNS], the caller's */
+    double *time;                     /* [cap] s, the caller's */
+    int64_t skipped, steps, repeated; /* of the case, when the last phase began */
 } pm_phase_report;
 
 /* The phase that w->phase.route has begun; PM_CANCELLED if no more are wanted.  Does nothing without a list. */

@@ -4,9 +4,9 @@
 #include "elements/constraint.h"
 #include "elements/joint.h"
 #include "elements/measure.h"
+#include "equations/constraint_order.h"
 #include "equations/fixed_bodies.h"
 #include "equations/gap_bounds.h"
-#include "equations/row_order.h"
 #include "equations/saddle.h"
 #include "equations/solve_cache.h"
 #include "events/ask.h"
@@ -25,7 +25,7 @@
 static int create_arrays(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    const int nforce = m->rows[PM_TABLE_FORCE], nrow = m->nrow, nq = m->nq;
+    const int nforce = m->rows[PM_TABLE_FORCE], nconstraint = m->nconstraint, nq = m->nq;
     const pm_array array[] = {
         PM_ARRAY(w->numbers.value, m->nvalue),
         PM_ARRAY(w->numbers.folded, m->programs.fold->nnumber),
@@ -36,32 +36,32 @@ static int create_arrays(pm_workspace *w)
         PM_ARRAY(w->numbers.stand_in, nq),
         PM_ARRAY(w->saddle.previous, nq),
         PM_ARRAY(w->reach.hinge, m->nbody + 1),
-        PM_ARRAY(w->saddle.wanted, nrow),
-        PM_ARRAY(w->numbers.of_joint, m->njoint_row),
-        PM_ARRAY(w->active.row, nrow + 1),
-        PM_ARRAY(w->active.of_joint, m->njoint_row),
+        PM_ARRAY(w->saddle.wanted, nconstraint),
+        PM_ARRAY(w->numbers.of_joint, m->njoint_constraint),
+        PM_ARRAY(w->active.constraint, nconstraint + 1),
+        PM_ARRAY(w->active.of_joint, m->njoint_constraint),
         PM_ARRAY(w->active.slot_normal, m->nslot),
         PM_ARRAY(w->active.slot_tangent, m->nslot),
-        PM_ARRAY(w->active.friction_row, m->nfriction),
+        PM_ARRAY(w->active.friction_constraint, m->nfriction),
         PM_ARRAY(w->active.friction_load, m->nfriction),
         PM_ARRAY(w->active.slot_held, PM_JOINT_CONSTRAINTS * m->nslot),
-        PM_ARRAY(w->saddle.schur, (size_t)nrow * (size_t)nrow),
-        PM_ARRAY(w->saddle.pivot, nrow),
-        PM_ARRAY(w->saddle.factored, nrow),
-        PM_ARRAY(w->saddle.first_row, m->nbody),
+        PM_ARRAY(w->saddle.schur, (size_t)nconstraint * (size_t)nconstraint),
+        PM_ARRAY(w->saddle.pivot, nconstraint),
+        PM_ARRAY(w->saddle.factored, nconstraint),
+        PM_ARRAY(w->saddle.first_constraint, m->nbody),
         PM_ARRAY(w->active.body_place, m->nbody),
         PM_ARRAY(w->active.joint_order, m->rows[PM_TABLE_JOINT]),
         PM_ARRAY(w->saddle.basis_range, 2 * (nq + 1)),
-        PM_ARRAY(w->saddle.rhs, nrow),
+        PM_ARRAY(w->saddle.rhs, nconstraint),
         PM_ARRAY(w->saddle.basis, (size_t)(nq + 1) * (size_t)nq),
         PM_ARRAY(w->frame.pose, 5 * (m->nbody + 1)),
         PM_ARRAY(w->frame.velocity, 3 * (m->nbody + 1)),
-        PM_ARRAY(w->frame.turn, 3 * m->nbody),
+        PM_ARRAY(w->frame.angle, 3 * m->nbody),
         PM_ARRAY(w->frame.f, nq),
         PM_ARRAY(w->frame.power, nforce),
         PM_ARRAY(w->frame.a, nq),
-        PM_ARRAY(w->frame.lambda, nrow),
-        PM_ARRAY(w->impulses.joint, m->njoint_row),
+        PM_ARRAY(w->frame.lambda, nconstraint),
+        PM_ARRAY(w->impulses.joint, m->njoint_constraint),
         PM_ARRAY(w->impulses.slot, 2 * m->nslot),
         PM_ARRAY(w->impulses.slot_direction, 4 * m->nslot),
         PM_ARRAY(w->instant.slot_before, m->nslot),
@@ -75,7 +75,7 @@ static int create_arrays(pm_workspace *w)
         PM_ARRAY(w->ledger.force_energy_start, nforce),
         PM_ARRAY(w->step.reversed, nq),
         PM_ARRAY(w->impulses.applied, nq),
-        PM_ARRAY(w->scratch, 8 * (nq + nrow + m->nslot)),
+        PM_ARRAY(w->scratch, 8 * (nq + nconstraint + m->nslot)),
     };
     return pm_arena_take(&w->memory, PM_ARRAYS(array));
 }
@@ -117,7 +117,7 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
         pm_workspace_free(w);
         return status;
     }
-    pm_row_order_find(w); /* of all joints, whichever a case begins without */
+    pm_constraint_order_find(w); /* of all joints, whichever a case begins without */
     *workspace = w;
     return PM_OK;
 }

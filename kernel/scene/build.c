@@ -24,14 +24,14 @@ static void lay_out(pm_model *m)
 {
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
         const pm_joint_ops *ops = pm_joint_of(m, i);
-        m->joint_row[i] = m->njoint_row;
+        m->joint_constraint[i] = m->njoint_constraint;
         m->joint_memory[i] = ops->memories > 0 ? m->nmemory : PM_NONE;
         m->nmemory += ops->memories;
-        m->njoint_row += ops->rows;
+        m->njoint_constraint += ops->nconstraint;
     }
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
-        const int32_t *e = PM_CONTACT_ROW_OF(m, i);
-        const int slots = e[PM_CONTACT_KIND] == PM_CONTACT_ROW ? PM_ROW_SLOTS : 1;
+        const int32_t *e = PM_CONTACT_ROW(m, i);
+        const int slots = e[PM_CONTACT_KIND] == PM_CONTACT_PATTERN ? PM_PATTERN_SLOTS : 1;
         m->nedge += e[PM_CONTACT_KIND] == PM_CONTACT_SEGMENT;
         m->contact_slot[i] = m->nslot;
         m->nslot += slots;
@@ -42,7 +42,7 @@ static void lay_out(pm_model *m)
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++)
         if (PM_FORCE_ROW(m, i)[PM_FORCE_KIND] == PM_FORCE_FRICTION) m->friction_force[m->nfriction++] = i;
     m->nmemory += m->nfriction + m->nslot; /* the slots' memories come last */
-    m->nrow = m->njoint_row + 2 * m->nslot + m->nkept + m->nfriction;
+    m->nconstraint = m->njoint_constraint + 2 * m->nslot + m->nkept + m->nfriction;
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++)
         m->force_z[i] = pm_force_of(m, i)->stores ? PM_NONE : m->nz++;
     m->nz_work = m->nz;
@@ -134,7 +134,7 @@ static int create_arrays(pm_model *m)
               nprogram = m->rows[PM_TABLE_PROGRAM];
     const pm_array array[] = {
         PM_ARRAY(m->contact_slot, ncontact),    PM_ARRAY(m->contact_kept, ncontact),
-        PM_ARRAY(m->joint_row, njoint),         PM_ARRAY(m->joint_memory, njoint),
+        PM_ARRAY(m->joint_constraint, njoint),  PM_ARRAY(m->joint_memory, njoint),
         PM_ARRAY(m->force_z, nforce),           PM_ARRAY(m->friction_force, nforce),
         PM_ARRAY(m->path_z, nmeasure),          PM_ARRAY(m->path, nmeasure),
         PM_ARRAY(m->programs.level, nprogram),  PM_ARRAY(m->programs.class, nprogram),

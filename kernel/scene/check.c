@@ -56,7 +56,7 @@ static int check_spans(const pm_model *m, pm_where *where)
     for (size_t k = 0; k < sizeof spans / sizeof *spans; k++) {
         const pm_span *x = &spans[k];
         for (int i = 0; i < m->rows[x->table]; i++) {
-            const int value = pm_table_row(m, x->table, i, pm_table_columns[x->table])[x->column];
+            const int value = pm_model_row(m, x->table, i, pm_table_columns[x->table])[x->column];
             if (value < x->low || value > x->high) return pm_bad_table(where, x->table, i, value, x->told);
         }
     }
@@ -75,7 +75,7 @@ static int captures_soundly(const int32_t *e)
 static int check_contacts(const pm_model *m, pm_where *where)
 {
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
-        const int32_t *e = PM_CONTACT_ROW_OF(m, i);
+        const int32_t *e = PM_CONTACT_ROW(m, i);
         const int friction = e[PM_CONTACT_FRICTION];
         if (!captures_soundly(e))
             return pm_bad_table(where, PM_TABLE_CONTACT, i, e[PM_CONTACT_CAPTURE], PM_CAPTURES);
@@ -128,7 +128,7 @@ static int check_forces(const pm_model *m, pm_where *where)
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++) {
         const int32_t *e = PM_FORCE_ROW(m, i);
         const int kind = e[PM_FORCE_KIND], option = e[PM_FORCE_OPTION];
-        if (kind == PM_FORCE_FRICTION && pm_joint_of(m, e[PM_FORCE_A])->rubs == PM_NONE)
+        if (kind == PM_FORCE_FRICTION && pm_joint_of(m, e[PM_FORCE_A])->slip == PM_NONE)
             return pm_bad_table(where, PM_TABLE_FORCE, i, e[PM_FORCE_A], PM_NONE);
         if (kind == PM_FORCE_SPRING && (option < PM_SPRING_BOTH || option > PM_SPRING_PUSH))
             return pm_bad_table(where, PM_TABLE_FORCE, i, option, PM_SPRING_PUSH);
@@ -173,7 +173,7 @@ static int check_spin(const pm_model *m, pm_where *where)
         if (n == 0 && kind >= PM_MEASURE_SPIN_OMEGA && kind <= PM_MEASURE_SPIN_INERTIA)
             return pm_bad_table(where, PM_TABLE_MEASURE, i, kind, 0);
     }
-    const int couple = n > 0 ? pm_table_row(m, PM_TABLE_SPIN, 0, PM_SPIN_COLUMNS)[PM_SPIN_COUPLE] : PM_NONE;
+    const int couple = n > 0 ? pm_model_row(m, PM_TABLE_SPIN, 0, PM_SPIN_COLUMNS)[PM_SPIN_COUPLE] : PM_NONE;
     const int measure = couple < 0 ? PM_NONE : pm_program_reads(m, couple, is_dynamic);
     return measure == PM_NONE ? PM_OK : pm_bad_table(where, PM_TABLE_SPIN, 0, measure, PM_NONE);
 }
@@ -243,8 +243,8 @@ static int check_action(const pm_model *m, int i, pm_where *where)
     }
     const int at = kind == PM_ACTION_IMPULSE ? PM_TABLE_POINT : PM_TABLE_BODY;
     if (a < 0 || a >= m->rows[at]) return pm_bad_table(where, PM_TABLE_ACTION, i, a, m->rows[at]);
-    const int turns = kind == PM_ACTION_IMPULSE || PM_BODY_ROW(m, a)[PM_BODY_TURNS];
-    if (!turns) return pm_bad_table(where, PM_TABLE_ACTION, i, a, PM_BODY_TURNS);
+    const int rotates = kind == PM_ACTION_IMPULSE || PM_BODY_ROW(m, a)[PM_BODY_ROTATES];
+    if (!rotates) return pm_bad_table(where, PM_TABLE_ACTION, i, a, PM_BODY_ROTATES);
     for (int k = 0; k < (kind == PM_ACTION_IMPULSE ? 2 : 1); k++)
         if (e[PM_ACTION_PROGRAM_X + k] < 0)
             return pm_bad_table(where, PM_TABLE_ACTION, i, e[PM_ACTION_PROGRAM_X + k],

@@ -28,7 +28,7 @@ static void unite(pm_dependency *x, const int body[2])
 /* The bodies that a joint, contact or force acts on.  An applied force only takes its axes from its second one. */
 static void bodies_of(const pm_model *m, int table, int row, int body[2])
 {
-    const int32_t *e = pm_table_row(m, table, row, pm_table_columns[table]);
+    const int32_t *e = pm_model_row(m, table, row, pm_table_columns[table]);
     if (table == PM_TABLE_FORCE && e[PM_FORCE_KIND] == PM_FORCE_FRICTION) {
         bodies_of(m, PM_TABLE_JOINT, e[PM_FORCE_A], body);
         return;
@@ -82,7 +82,7 @@ static int is_about_everything(int table, const int32_t *e)
 /* What row i of a table refers to. */
 static int follow(const pm_model *m, pm_dependency *x, int table, int i)
 {
-    const int32_t *e = pm_table_row(m, table, i, pm_table_columns[table]);
+    const int32_t *e = pm_model_row(m, table, i, pm_table_columns[table]);
     pm_reference ref[PM_REFERENCES];
     int more = 0;
     const int n = pm_reference_of(m, table, i, ref);
@@ -138,7 +138,7 @@ static int element_is_needed(const pm_model *m, const pm_dependency *x, int tabl
 /* A start value relative to a body says something of both. */
 static int start_is_needed(const pm_model *m, const pm_dependency *x, int table, int i)
 {
-    const int32_t *e = PM_MEASURE_ROW(m, pm_table_row(m, table, i, PM_START_COLUMNS)[PM_START_MEASURE]);
+    const int32_t *e = PM_MEASURE_ROW(m, pm_model_row(m, table, i, PM_START_COLUMNS)[PM_START_MEASURE]);
     const int body = pm_model_body_of(m, pm_measure_kind(e[PM_MEASURE_KIND])->of, e[PM_MEASURE_A]);
     return is_needed_body(x, body) || is_needed_body(x, e[PM_MEASURE_IN]);
 }
@@ -146,7 +146,7 @@ static int start_is_needed(const pm_model *m, const pm_dependency *x, int table,
 /* Where a nudge leads nowhere the run says so. */
 static int action_is_needed(const pm_model *m, const pm_dependency *x, int table, int i)
 {
-    const int32_t *e = pm_table_row(m, table, i, PM_ACTION_COLUMNS);
+    const int32_t *e = pm_model_row(m, table, i, PM_ACTION_COLUMNS);
     const int kind = e[PM_ACTION_KIND], a = e[PM_ACTION_A];
     if (kind == PM_ACTION_NUDGE) return 1;
     if (kind <= PM_ACTION_REMOVE) return x->row[e[PM_ACTION_TABLE]][a];
@@ -156,7 +156,7 @@ static int action_is_needed(const pm_model *m, const pm_dependency *x, int table
 
 static int trigger_is_needed(const pm_model *m, const pm_dependency *x, int table, int i)
 {
-    return x->row[PM_TABLE_EVENT][pm_table_row(m, table, i, PM_TRIGGER_COLUMNS)[PM_TRIGGER_EVENT]];
+    return x->row[PM_TABLE_EVENT][pm_model_row(m, table, i, PM_TRIGGER_COLUMNS)[PM_TRIGGER_EVENT]];
 }
 
 static const struct {
@@ -164,7 +164,7 @@ static const struct {
     int (*is_needed)(const pm_model *m, const pm_dependency *x, int table, int i);
 } needs[] = {
     {PM_TABLE_POINT, mark_is_needed},    {PM_TABLE_LINE, mark_is_needed},
-    {PM_TABLE_CIRCLE, mark_is_needed},   {PM_TABLE_ROW, mark_is_needed},
+    {PM_TABLE_CIRCLE, mark_is_needed},   {PM_TABLE_PATTERN, mark_is_needed},
     {PM_TABLE_JOINT, element_is_needed}, {PM_TABLE_CONTACT, element_is_needed},
     {PM_TABLE_FORCE, element_is_needed}, {PM_TABLE_START, start_is_needed},
     {PM_TABLE_ACTION, action_is_needed}, {PM_TABLE_TRIGGER, trigger_is_needed},

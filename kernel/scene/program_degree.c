@@ -8,19 +8,19 @@
 #include "state/workspace.h"
 
 /* ---- measures ---- */
-static int observer_turns(const pm_frame *frame, const pm_constant_motion *x, const int32_t *e)
+static int observer_rotates(const pm_frame *frame, const pm_constant_motion *x, const int32_t *e)
 {
-    return e[PM_MEASURE_IN] != PM_NONE && x->turns[pm_body_index(frame->model, e[PM_MEASURE_IN])];
+    return e[PM_MEASURE_IN] != PM_NONE && x->rotates[pm_model_body_index(frame->model, e[PM_MEASURE_IN])];
 }
 
 /* Gap and slip are on a straight line that keeps its direction. */
 static int line_is_steady(const pm_frame *frame, const pm_constant_motion *x, int contact)
 {
-    const int32_t *c = PM_CONTACT_ROW_OF(frame->model, contact);
+    const int32_t *c = PM_CONTACT_ROW(frame->model, contact);
     if (c[PM_CONTACT_KIND] != PM_CONTACT_LINE) return 0;
     const int body =
-        pm_body_index(frame->model, pm_model_body_of(frame->model, PM_TABLE_LINE, c[PM_CONTACT_B]));
-    return !x->turns[body] &&
+        pm_model_body_index(frame->model, pm_model_body_of(frame->model, PM_TABLE_LINE, c[PM_CONTACT_B]));
+    return !x->rotates[body] &&
            pm_constant_motion_point(frame, x, PM_CIRCLE_ROW(frame->model, c[PM_CONTACT_A])[PM_CIRCLE_POINT]);
 }
 
@@ -34,7 +34,7 @@ static int is_steady(const pm_frame *frame, const pm_constant_motion *x, const i
     case PM_MEASURE_MOVED:
     case PM_MEASURE_VELOCITY:
     case PM_MEASURE_ACCELERATION:
-        return !observer_turns(frame, x, e) && pm_constant_motion_point(frame, x, e[PM_MEASURE_A]);
+        return !observer_rotates(frame, x, e) && pm_constant_motion_point(frame, x, e[PM_MEASURE_A]);
     case PM_MEASURE_CONTACT_GAP:
     case PM_MEASURE_CONTACT_SLIP: return line_is_steady(frame, x, e[PM_MEASURE_A]);
     default: return 1;
@@ -107,6 +107,6 @@ int pm_program_degree_is_size(const pm_frame *frame, const pm_constant_motion *x
     const int32_t *e = PM_MEASURE_ROW(frame->model, read.arg);
     if (e[PM_MEASURE_PART] != PM_PART_NORM) return 0;
     if (e[PM_MEASURE_KIND] == PM_MEASURE_MOMENTUM) return 1;
-    return e[PM_MEASURE_KIND] == PM_MEASURE_VELOCITY && !observer_turns(frame, x, e) &&
+    return e[PM_MEASURE_KIND] == PM_MEASURE_VELOCITY && !observer_rotates(frame, x, e) &&
            pm_constant_motion_point(frame, x, e[PM_MEASURE_A]);
 }

@@ -60,7 +60,7 @@ static void number(pm_reduction *x)
 
 static void write_row(const pm_reduction *x, int of, int row, int32_t *out)
 {
-    const int32_t *e = pm_table_row(x->m, of, row, pm_table_columns[of]);
+    const int32_t *e = pm_model_row(x->m, of, row, pm_table_columns[of]);
     pm_reference ref[PM_REFERENCES];
     const int n = pm_reference_of(x->m, of, row, ref);
     memcpy(out, e, (size_t)pm_table_columns[of] * sizeof *e);

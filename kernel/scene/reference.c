@@ -13,7 +13,7 @@ const int pm_table_columns[PM_TABLES] = {
     [PM_TABLE_POINT] = PM_POINT_COLUMNS,
     [PM_TABLE_LINE] = PM_LINE_COLUMNS,
     [PM_TABLE_CIRCLE] = PM_CIRCLE_COLUMNS,
-    [PM_TABLE_ROW] = PM_ROW_COLUMNS,
+    [PM_TABLE_PATTERN] = PM_PATTERN_COLUMNS,
     [PM_TABLE_JOINT] = PM_JOINT_COLUMNS,
     [PM_TABLE_CONTACT] = PM_CONTACT_COLUMNS,
     [PM_TABLE_FORCE] = PM_FORCE_COLUMNS,
@@ -51,10 +51,10 @@ static const pm_range ranges[] = {
     {PM_TABLE_LINE, PM_LINE_ANGLE, PM_TABLE_VALUE, 0, 0},
     {PM_TABLE_CIRCLE, PM_CIRCLE_POINT, PM_TABLE_POINT, 0, 0},
     {PM_TABLE_CIRCLE, PM_CIRCLE_RADIUS, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_ROW, PM_ROW_POINT, PM_TABLE_POINT, 0, 0},
-    {PM_TABLE_ROW, PM_ROW_STEP_X, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_ROW, PM_ROW_STEP_Y, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_ROW, PM_ROW_COUNT, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_PATTERN, PM_PATTERN_POINT, PM_TABLE_POINT, 0, 0},
+    {PM_TABLE_PATTERN, PM_PATTERN_STEP_X, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_PATTERN, PM_PATTERN_STEP_Y, PM_TABLE_VALUE, 0, 0},
+    {PM_TABLE_PATTERN, PM_PATTERN_COUNT, PM_TABLE_VALUE, 0, 0},
     {PM_TABLE_CONTACT, PM_CONTACT_SIDE, PM_TABLE_VALUE, 0, 1},
     {PM_TABLE_CONTACT, PM_CONTACT_RESTITUTION, PM_TABLE_VALUE, 0, 0},
     {PM_TABLE_CONTACT, PM_CONTACT_STATIC, PM_TABLE_VALUE, 0, 1},
@@ -107,7 +107,7 @@ static const pm_range ranges[] = {
 static const int contact_partner[PM_CONTACT_KINDS][2] = {
     [PM_CONTACT_LINE] = {PM_TABLE_CIRCLE, PM_TABLE_LINE},
     [PM_CONTACT_CIRCLE] = {PM_TABLE_CIRCLE, PM_TABLE_CIRCLE},
-    [PM_CONTACT_ROW] = {PM_TABLE_CIRCLE, PM_TABLE_ROW},
+    [PM_CONTACT_PATTERN] = {PM_TABLE_CIRCLE, PM_TABLE_PATTERN},
     [PM_CONTACT_CORD] = {PM_TABLE_CIRCLE, PM_TABLE_CIRCLE},
     [PM_CONTACT_POINT] = {PM_TABLE_CIRCLE, PM_TABLE_CIRCLE},
     [PM_CONTACT_SEGMENT] = {PM_TABLE_CIRCLE, PM_TABLE_LINE},
@@ -123,7 +123,7 @@ static int check_ranges(const pm_model *m, pm_where *where)
     for (size_t r = 0; r < sizeof ranges / sizeof *ranges; r++) {
         const pm_range *x = &ranges[r];
         for (int i = 0; i < m->rows[x->table]; i++) {
-            const int index = pm_table_row(m, x->table, i, pm_table_columns[x->table])[x->column];
+            const int index = pm_model_row(m, x->table, i, pm_table_columns[x->table])[x->column];
             if (index == PM_NONE && x->none_allowed) continue;
             if (index < x->low || index >= m->rows[x->of])
                 return pm_bad_table(where, x->table, i, index, m->rows[x->of]);
@@ -172,7 +172,7 @@ typedef int pm_refers(const int32_t *e, pm_reference *out);
 static int check_elements(const pm_model *m, int table, int kinds, pm_refers *refers, pm_where *where)
 {
     for (int i = 0; i < m->rows[table]; i++) {
-        const int32_t *e = pm_table_row(m, table, i, pm_table_columns[table]);
+        const int32_t *e = pm_model_row(m, table, i, pm_table_columns[table]);
         if (e[PM_JOINT_KIND] < 0 || e[PM_JOINT_KIND] >= kinds)
             return pm_bad_table(where, table, i, e[PM_JOINT_KIND], kinds);
         pm_reference ref[PM_REFERENCES];
@@ -246,7 +246,7 @@ static int by_kind(int table, const int32_t *e, pm_reference *out)
 
 int pm_reference_of(const pm_model *m, int table, int row, pm_reference out[PM_REFERENCES])
 {
-    const int32_t *e = pm_table_row(m, table, row, pm_table_columns[table]);
+    const int32_t *e = pm_model_row(m, table, row, pm_table_columns[table]);
     pm_reference all[PM_REFERENCES];
     int most = by_kind(table, e, all), n = 0;
     for (size_t r = 0; r < sizeof ranges / sizeof *ranges; r++)
@@ -265,7 +265,7 @@ int pm_reference_bodies(const pm_model *m, int table, int row, int body[PM_REFER
     int found = 0;
     const int n = pm_reference_of(m, table, row, ref);
     for (int k = 0; k < n; k++)
-        if (ref[k].of >= PM_TABLE_BODY && ref[k].of <= PM_TABLE_ROW)
+        if (ref[k].of >= PM_TABLE_BODY && ref[k].of <= PM_TABLE_PATTERN)
             body[found++] = pm_model_body_of(m, ref[k].of, ref[k].index);
     return found;
 }
@@ -279,7 +279,7 @@ int pm_reference_drive(const pm_model *m, int k, int *table, int *row)
     for (int t = 0; t < 2; t++)
         for (int i = 0; i < m->rows[of[t]]; i++)
             for (int c = first[t]; c <= last[t]; c++) {
-                const int program = pm_table_row(m, of[t], i, pm_table_columns[of[t]])[c];
+                const int program = pm_model_row(m, of[t], i, pm_table_columns[of[t]])[c];
                 if (program < 0 || k-- > 0) continue;
                 *table = of[t];
                 *row = i;

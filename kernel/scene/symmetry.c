@@ -17,8 +17,8 @@
 
 static int whole(double ratio) { return fabs(ratio - round(ratio)) <= PM_SYMMETRY_SAME; }
 
-static double turn_of(const pm_symmetry_shift *s, int body) { return body < 0 ? 0 : s->turn[body]; }
-static int turned(const pm_symmetry_shift *s, int body) { return !whole(turn_of(s, body) / TURN); }
+static double rotation_of(const pm_symmetry_shift *s, int body) { return body < 0 ? 0 : s->rotation[body]; }
+static int is_rotated(const pm_symmetry_shift *s, int body) { return !whole(rotation_of(s, body) / TURN); }
 static int moved(const pm_symmetry_shift *s) { return s->by[0] != 0 || s->by[1] != 0; }
 
 /* ---- marks ---- */
@@ -26,7 +26,7 @@ static int point_stays(const pm_frame *frame, const pm_symmetry_shift *s, int po
 {
     const int32_t *e = PM_POINT_ROW(frame->model, point);
     if (e[PM_POINT_BODY] == PM_GROUND) return !moved(s);
-    return !turned(s, e[PM_POINT_BODY]) ||
+    return !is_rotated(s, e[PM_POINT_BODY]) ||
            (frame->numbers->value[e[PM_POINT_X]] == 0 && frame->numbers->value[e[PM_POINT_Y]] == 0);
 }
 
@@ -39,29 +39,29 @@ static int line_stays(const pm_frame *frame, const pm_symmetry_shift *s, int lin
 {
     const int32_t *e = PM_LINE_ROW(frame->model, line);
     const int body = pm_model_body_of(frame->model, PM_TABLE_LINE, line);
-    if (body != PM_GROUND) return !turned(s, body);
+    if (body != PM_GROUND) return !is_rotated(s, body);
     const double angle = frame->numbers->value[e[PM_LINE_ANGLE]],
                  across = s->by[1] * cos(angle) - s->by[0] * sin(angle);
     return fabs(across) <= PM_SYMMETRY_SAME * hypot(s->by[0], s->by[1]);
 }
 
-static int row_stays(const pm_frame *frame, const pm_symmetry_shift *s, int row)
+static int pattern_stays(const pm_frame *frame, const pm_symmetry_shift *s, int row)
 {
-    const int32_t *e = PM_ROW_ROW(frame->model, row);
-    const int body = pm_model_body_of(frame->model, PM_TABLE_ROW, row);
-    if (body != PM_GROUND) return !turned(s, body);
+    const int32_t *e = PM_PATTERN_ROW(frame->model, row);
+    const int body = pm_model_body_of(frame->model, PM_TABLE_PATTERN, row);
+    if (body != PM_GROUND) return !is_rotated(s, body);
     if (!moved(s)) return 1;
-    const double x = frame->numbers->value[e[PM_ROW_STEP_X]], y = frame->numbers->value[e[PM_ROW_STEP_Y]],
-                 step = hypot(x, y);
+    const double x = frame->numbers->value[e[PM_PATTERN_STEP_X]],
+                 y = frame->numbers->value[e[PM_PATTERN_STEP_Y]], step = hypot(x, y);
     const double along = (s->by[0] * x + s->by[1] * y) / (step * step);
     const double across = (s->by[0] * y - s->by[1] * x) / (step * step);
-    return frame->numbers->value[e[PM_ROW_COUNT]] < 0 && whole(along) && fabs(across) <= PM_SYMMETRY_SAME;
+    return frame->numbers->value[e[PM_PATTERN_COUNT]] < 0 && whole(along) && fabs(across) <= PM_SYMMETRY_SAME;
 }
 
 /* Two bodies keep their relative angle, whole turns included. */
 static int together(const pm_symmetry_shift *s, int a, int b)
 {
-    return fabs(turn_of(s, a) - turn_of(s, b)) <= PM_SYMMETRY_SAME * TURN;
+    return fabs(rotation_of(s, a) - rotation_of(s, b)) <= PM_SYMMETRY_SAME * TURN;
 }
 
 static int mark_stays(const pm_frame *frame, const pm_symmetry_shift *s, int table, int mark)
@@ -85,13 +85,13 @@ static int joint_stays(const pm_frame *frame, const pm_symmetry_shift *s, int jo
 
 static int contact_stays(const pm_frame *frame, const pm_symmetry_shift *s, int contact)
 {
-    const int32_t *e = PM_CONTACT_ROW_OF(frame->model, contact);
+    const int32_t *e = PM_CONTACT_ROW(frame->model, contact);
     const int a = e[PM_CONTACT_A], b = e[PM_CONTACT_B];
     if (!circle_stays(frame, s, a) || e[PM_CONTACT_CAPTURE] != PM_CAPTURE_NONE) return 0;
     switch ((enum pm_contact_kind)e[PM_CONTACT_KIND]) {
     case PM_CONTACT_LINE: return line_stays(frame, s, b);
     case PM_CONTACT_CIRCLE: return circle_stays(frame, s, b);
-    case PM_CONTACT_ROW: return row_stays(frame, s, b);
+    case PM_CONTACT_PATTERN: return pattern_stays(frame, s, b);
     default: return 0;
     }
 }
@@ -110,7 +110,8 @@ static int force_stays(const pm_frame *frame, const pm_symmetry_shift *s, int fo
     case PM_FORCE_SPRING: return point_stays(frame, s, a) && point_stays(frame, s, b);
     case PM_FORCE_TORSION: return together(s, a, b);
     case PM_FORCE_APPLIED:
-        return point_stays(frame, s, a) && !turned(s, b) && program_stays(frame, s, e[PM_FORCE_PROGRAM_X]) &&
+        return point_stays(frame, s, a) && !is_rotated(s, b) &&
+               program_stays(frame, s, e[PM_FORCE_PROGRAM_X]) &&
                program_stays(frame, s, e[PM_FORCE_PROGRAM_Y]);
     case PM_FORCE_COUPLE: return program_stays(frame, s, e[PM_FORCE_PROGRAM_X]);
     default: return 0;
@@ -122,7 +123,7 @@ static int spin_stays(const pm_frame *frame, const pm_symmetry_shift *s)
 {
     if (!pm_turning_plane_turns(frame->model)) return 1;
     for (int i = 0; i < frame->model->nbody; i++)
-        if (turned(s, i)) return 0;
+        if (is_rotated(s, i)) return 0;
     return !moved(s);
 }
 
@@ -181,18 +182,19 @@ static pm_entry read_measure(const pm_frame *frame, const pm_symmetry_shift *s, 
 {
     const int32_t *e = PM_MEASURE_ROW(frame->model, measure);
     const int a = e[PM_MEASURE_A], in = e[PM_MEASURE_IN], kind = e[PM_MEASURE_KIND];
-    if (in != PM_NONE && kind != PM_MEASURE_ANGLE && kind != PM_MEASURE_OMEGA && (turned(s, in) || moved(s)))
+    if (in != PM_NONE && kind != PM_MEASURE_ANGLE && kind != PM_MEASURE_OMEGA &&
+        (is_rotated(s, in) || moved(s)))
         return lost;
     if (e[PM_MEASURE_ABOUT] != PM_NONE) return moved(s) ? lost : same_value;
     if (e[PM_MEASURE_MEMBER] != PM_NONE && moved(s)) return lost;
     switch ((enum pm_measure_kind)kind) {
     case PM_MEASURE_ANGLE:
-    case PM_MEASURE_TURNED: return shifted(turn_of(s, a) - (in == PM_NONE ? 0 : turn_of(s, in)));
+    case PM_MEASURE_TURNED: return shifted(rotation_of(s, a) - (in == PM_NONE ? 0 : rotation_of(s, in)));
     case PM_MEASURE_POSITION:
     case PM_MEASURE_MOVED: return in == PM_NONE ? place_of(frame, s, e) : same_value;
     case PM_MEASURE_VELOCITY:
     case PM_MEASURE_ACCELERATION:
-        return point_stays(frame, s, a) || !turned(s, pm_model_body_of(frame->model, PM_TABLE_POINT, a))
+        return point_stays(frame, s, a) || !is_rotated(s, pm_model_body_of(frame->model, PM_TABLE_POINT, a))
                    ? same_value
                    : lost;
     case PM_MEASURE_ANGULAR_MOMENTUM: return a == PM_NONE && moved(s) ? lost : same_value;

@@ -7,7 +7,7 @@
 /* All bodies move by the same way, each turns by an angle of its own. */
 typedef struct pm_symmetry_shift {
     double by[2];
-    const double *turn; /* [nbody] */
+    const double *rotation; /* [nbody] */
 } pm_symmetry_shift;
 
 /* 1 if joints, contacts and forces act after the shift as they did before, turned marks included. */

@@ -47,12 +47,12 @@ double pm_evidence_tolerance(const pm_workspace *w)
     const double tightest =
         fmax(fmin(w->numbers.accuracy, PM_EVIDENCE_LOOSEST / PM_COARSER) * e->present->factor,
              w->phase.route->finest);
-    return e->present->companion ? PM_COARSER * tightest : tightest;
+    return e->present->coarse ? PM_COARSER * tightest : tightest;
 }
 
-int pm_evidence_is_companion(const pm_evidence *evidence)
+int pm_evidence_is_coarse(const pm_evidence *evidence)
 {
-    return evidence->active && evidence->present->companion;
+    return evidence->active && evidence->present->coarse;
 }
 
 int pm_evidence_in_halves(const pm_evidence *evidence)

@@ -70,7 +70,7 @@ typedef struct pm_pass {
     int unsure;  /* the extremes of such a function are not known */
     uint64_t outcome; /* hash of status, reasons and event counts */
     int status;
-    int companion;
+    int coarse;
     int halves;
     pm_evidence_log log;
 } pm_pass;
@@ -83,7 +83,7 @@ double pm_evidence_tolerance(const pm_workspace *w);
  * else be the same in both passes that are compared. */
 int pm_evidence_in_halves(const pm_evidence *evidence);
 /* Whether it is a coarse run, which another is compared with. */
-int pm_evidence_is_companion(const pm_evidence *evidence);
+int pm_evidence_is_coarse(const pm_evidence *evidence);
 
 /* For routes that know their errors: that of out[column], absolute; a decision that was taken at `distance` from its
  * threshold, known to `error` in the same unit. */

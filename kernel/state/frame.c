@@ -9,15 +9,15 @@
 #include <string.h>
 
 /* Cosine and sine of an angle: it is often the one of the last look. */
-static void look_up_turn(double turn[3], double *pose)
+static void look_up_angle(double angle[3], double *pose)
 {
-    if (turn[0] != pose[2]) {
-        turn[0] = pose[2];
-        turn[1] = cos(pose[2]);
-        turn[2] = sin(pose[2]);
+    if (angle[0] != pose[2]) {
+        angle[0] = pose[2];
+        angle[1] = cos(pose[2]);
+        angle[2] = sin(pose[2]);
     }
-    pose[3] = turn[1];
-    pose[4] = turn[2];
+    pose[3] = angle[1];
+    pose[4] = angle[2];
 }
 
 void pm_frame_look(pm_frame *frame, double t, const double *q, const double *v, const double *z,
@@ -37,7 +37,7 @@ void pm_frame_look(pm_frame *frame, double t, const double *q, const double *v, 
         pose[0] = q[3 * i];
         pose[1] = q[3 * i + 1];
         pose[2] = q[3 * i + 2];
-        look_up_turn(f->turn + 3 * i, pose);
+        look_up_angle(f->angle + 3 * i, pose);
         velocity[0] = v[3 * i];
         velocity[1] = v[3 * i + 1];
         velocity[2] = v[3 * i + 2];
@@ -78,7 +78,7 @@ pm_point pm_frame_point(const pm_frame *frame, int body, double x, double y)
 pm_point pm_frame_point_of(const pm_frame *frame, int index)
 {
     const int32_t *e = PM_POINT_ROW(frame->model, index);
-    return pm_frame_point(frame, pm_body_index(frame->model, e[PM_POINT_BODY]),
+    return pm_frame_point(frame, pm_model_body_index(frame->model, e[PM_POINT_BODY]),
                           frame->numbers->value[e[PM_POINT_X]], frame->numbers->value[e[PM_POINT_Y]]);
 }
 
@@ -92,36 +92,36 @@ void pm_frame_acceleration(const pm_frame *frame, const pm_point *p, double a[2]
     a[1] = acc[1] + acc[2] * p->r[0] - omega * omega * p->r[1];
 }
 
-double pm_body_inertia(const pm_frame *frame, int i)
+double pm_frame_inertia(const pm_frame *frame, int i)
 {
     const int32_t *e = PM_BODY_ROW(frame->model, i);
-    if (frame->numbers->fixed[i]) return e[PM_BODY_TURNS] ? frame->numbers->value[e[PM_BODY_INERTIA]] : 0;
+    if (frame->numbers->fixed[i]) return e[PM_BODY_ROTATES] ? frame->numbers->value[e[PM_BODY_INERTIA]] : 0;
     const double inverse =
         frame->numbers->stand_in[3 * i + 2] > 0 ? 0 : frame->numbers->inverse_mass[3 * i + 2];
     return inverse > 0 ? 1 / inverse : 0;
 }
 
-double pm_body_kinetic(const pm_frame *frame, int i)
+double pm_frame_kinetic(const pm_frame *frame, int i)
 {
     if (i == PM_NONE) {
         double sum = 0;
         for (int k = 0; k < frame->model->nbody; k++)
-            if (!frame->numbers->fixed[k]) sum += pm_body_kinetic(frame, k);
+            if (!frame->numbers->fixed[k]) sum += pm_frame_kinetic(frame, k);
         return sum;
     }
     const double *v = frame->velocity + 3 * i;
     return 0.5 *
-           (frame->numbers->mass[i] * (v[0] * v[0] + v[1] * v[1]) + pm_body_inertia(frame, i) * v[2] * v[2]);
+           (frame->numbers->mass[i] * (v[0] * v[0] + v[1] * v[1]) + pm_frame_inertia(frame, i) * v[2] * v[2]);
 }
 
-void pm_body_momentum(const pm_frame *frame, int i, double momentum[3])
+void pm_frame_momentum(const pm_frame *frame, int i, double momentum[3])
 {
     if (i == PM_NONE) {
         momentum[0] = momentum[1] = momentum[2] = 0;
         for (int k = 0; k < frame->model->nbody; k++) {
             double one[3];
             if (frame->numbers->fixed[k]) continue;
-            pm_body_momentum(frame, k, one);
+            pm_frame_momentum(frame, k, one);
             for (int c = 0; c < 3; c++) momentum[c] += one[c];
         }
         return;
@@ -129,10 +129,10 @@ void pm_body_momentum(const pm_frame *frame, int i, double momentum[3])
     const double *pose = frame->pose + 5 * i, *v = frame->velocity + 3 * i, m = frame->numbers->mass[i];
     momentum[0] = m * v[0];
     momentum[1] = m * v[1];
-    momentum[2] = pm_body_inertia(frame, i) * v[2] + pose[0] * momentum[1] - pose[1] * momentum[0];
+    momentum[2] = pm_frame_inertia(frame, i) * v[2] + pose[0] * momentum[1] - pose[1] * momentum[0];
 }
 
-double pm_body_weight_energy(const pm_frame *frame)
+double pm_frame_weight_energy(const pm_frame *frame)
 {
     double sum = 0;
     for (int i = 0; i < frame->model->nbody; i++)

@@ -15,7 +15,7 @@ typedef struct pm_frame {
     int level;
     double *pose;     /* [nbody + 1][5]: x, y, angle, cos, sin; last: the ground */
     double *velocity; /* [nbody + 1][3]; last: zero */
-    double *turn;     /* [nbody][3] an angle of the case, its cosine and its sine (pm_frame_look) */
+    double *angle;    /* [nbody][3] an angle of the case, its cosine and its sine (pm_frame_look) */
     double *f;        /* [nq] applied forces */
     double *power;    /* [nforce] of forces without potential */
     double *a;        /* [nq] accelerations */
@@ -44,15 +44,18 @@ pm_point pm_frame_point_of(const pm_frame *frame, int index);
 void pm_frame_acceleration(const pm_frame *frame, const pm_point *p, double a[2]);
 
 /* Kinetic energy and momenta (about the origin) of body i, or of all with PM_NONE. */
-double pm_body_kinetic(const pm_frame *frame, int i);
-void pm_body_momentum(const pm_frame *frame, int i, double momentum[3]);
-double pm_body_inertia(const pm_frame *frame, int i);
+double pm_frame_kinetic(const pm_frame *frame, int i);
+void pm_frame_momentum(const pm_frame *frame, int i, double momentum[3]);
+double pm_frame_inertia(const pm_frame *frame, int i);
 /* kg, of all bodies. */
 double pm_body_total_mass(const pm_frame *frame);
 /* Potential energy of weight (zero at the origin). */
-double pm_body_weight_energy(const pm_frame *frame);
+double pm_frame_weight_energy(const pm_frame *frame);
 
 /* Ground gets the index behind the bodies. */
-static inline int pm_body_index(const pm_model *m, int body) { return body == PM_GROUND ? m->nbody : body; }
+static inline int pm_model_body_index(const pm_model *m, int body)
+{
+    return body == PM_GROUND ? m->nbody : body;
+}
 
 #endif

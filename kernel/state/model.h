@@ -10,7 +10,7 @@
 #include "planemotion.h"
 #include "state/arena.h"
 
-#define PM_ROW_SLOTS 4         /* members of one periodic row that may be closed at once */
+#define PM_PATTERN_SLOTS 4     /* members of one periodic row that may be closed at once */
 #define PM_JOINT_CONSTRAINTS 3 /* most constraints of one joint */
 #define PM_LEDGER 3            /* impulses of the outer world: x, y, moment about the origin */
 
@@ -44,24 +44,24 @@ typedef struct pm_model {
     int nparam;
     int nbody, nq; /* nq = 3 nbody: x, y, angle of each mass centre */
     int nvalue, nask, nout;
-    int nelement;             /* joints, contacts and forces */
-    int njoint_row;           /* constraints of all joints */
-    int nslot;                /* places for closed contacts: 1 per contact, PM_ROW_SLOTS per periodic row */
-    int nedge;                /* contacts with edges that end */
-    int nmemory;              /* joints and slots: what their no-slip and driven rows and strands remember */
-    int nkept;                /* slots of contacts that capture */
-    int nrow;                 /* most active constraints: njoint_row + 2 nslot + nkept */
-    int nfriction;            /* frictions of joints */
-    int friction_memory;      /* first of their memories */
-    int *friction_force;      /* [nfriction] row of each in the table of forces */
-    int nz;                   /* running integrals: forces' work, paths, then PM_LEDGER audit entries */
-    int nz_work;              /* of these the first are works of forces */
-    int nz_controlled;        /* of these the first are under error control */
+    int nelement;          /* joints, contacts and forces */
+    int njoint_constraint; /* constraints of all joints */
+    int nslot;             /* places for closed contacts: 1 per contact, PM_PATTERN_SLOTS per periodic row */
+    int nedge;             /* contacts with edges that end */
+    int nmemory;           /* joints and slots: what their no-slip and driven rows and strands remember */
+    int nkept;             /* slots of contacts that capture */
+    int nconstraint;       /* most active constraints: njoint_row + 2 nslot + nkept */
+    int nfriction;         /* frictions of joints */
+    int friction_memory;   /* first of their memories */
+    int *friction_force;   /* [nfriction] row of each in the table of forces */
+    int nz;                /* running integrals: forces' work, paths, then PM_LEDGER audit entries */
+    int nz_work;           /* of these the first are works of forces */
+    int nz_controlled;     /* of these the first are under error control */
     int spin_z, spin_angle_z; /* running integrals of the spin's momentum and rate, or PM_NONE */
     int acts;                 /* some event does something, or not whenever its triggers fire */
     int *contact_slot;        /* [ncontact] first slot */
     int *contact_kept;        /* [ncontact] first kept place, or PM_NONE */
-    int *joint_row;           /* [njoint] first constraint among those of the joints */
+    int *joint_constraint;    /* [njoint] first constraint among those of the joints */
     int *joint_memory;        /* [njoint] first, or PM_NONE */
     int *force_z;             /* [nforce] running integral of its work, or PM_NONE: it has a potential */
     int *path_z;              /* [nmeasure] running integral of a path measure, or PM_NONE */
@@ -75,29 +75,29 @@ typedef struct pm_model {
 /* What must be known of a state before a program can be run on it. */
 enum pm_level { PM_LEVEL_NONE = 0, PM_LEVEL_KINEMATIC = 1, PM_LEVEL_DYNAMIC = 2 };
 
-static inline const int32_t *pm_table_row(const pm_model *m, int table, int row, int columns)
+static inline const int32_t *pm_model_row(const pm_model *m, int table, int row, int columns)
 {
     return m->table[table] + (ptrdiff_t)row * columns;
 }
-#define PM_BODY_ROW(m, i) pm_table_row(m, PM_TABLE_BODY, i, PM_BODY_COLUMNS)
-#define PM_POINT_ROW(m, i) pm_table_row(m, PM_TABLE_POINT, i, PM_POINT_COLUMNS)
-#define PM_LINE_ROW(m, i) pm_table_row(m, PM_TABLE_LINE, i, PM_LINE_COLUMNS)
-#define PM_CIRCLE_ROW(m, i) pm_table_row(m, PM_TABLE_CIRCLE, i, PM_CIRCLE_COLUMNS)
-#define PM_ROW_ROW(m, i) pm_table_row(m, PM_TABLE_ROW, i, PM_ROW_COLUMNS)
-#define PM_JOINT_ROW(m, i) pm_table_row(m, PM_TABLE_JOINT, i, PM_JOINT_COLUMNS)
-#define PM_CONTACT_ROW_OF(m, i) pm_table_row(m, PM_TABLE_CONTACT, i, PM_CONTACT_COLUMNS)
-#define PM_FORCE_ROW(m, i) pm_table_row(m, PM_TABLE_FORCE, i, PM_FORCE_COLUMNS)
-#define PM_MEASURE_ROW(m, i) pm_table_row(m, PM_TABLE_MEASURE, i, PM_MEASURE_COLUMNS)
-#define PM_START_ROW(m, i) pm_table_row(m, PM_TABLE_START, i, PM_START_COLUMNS)
-#define PM_TRIGGER_ROW(m, i) pm_table_row(m, PM_TABLE_TRIGGER, i, PM_TRIGGER_COLUMNS)
-#define PM_UNTIL_ROW(m, i) pm_table_row(m, PM_TABLE_UNTIL, i, PM_UNTIL_COLUMNS)
-#define PM_ASK_ROW(m, i) pm_table_row(m, PM_TABLE_ASK, i, PM_ASK_COLUMNS)
-#define PM_FIND_ROW(m, i) pm_table_row(m, PM_TABLE_FIND, i, PM_FIND_COLUMNS)
-#define PM_VARY_ROW(m, i) pm_table_row(m, PM_TABLE_VARY, i, PM_VARY_COLUMNS)
-#define PM_SECOND_ROW(m, i) pm_table_row(m, PM_TABLE_SECOND, i, PM_SECOND_COLUMNS)
-#define PM_CONDITION_ROW(m, i) pm_table_row(m, PM_TABLE_CONDITION, i, PM_CONDITION_COLUMNS)
-#define PM_EVENT_ROW(m, i) pm_table_row(m, PM_TABLE_EVENT, i, PM_EVENT_COLUMNS)
-#define PM_ACTION_ROW(m, i) pm_table_row(m, PM_TABLE_ACTION, i, PM_ACTION_COLUMNS)
+#define PM_BODY_ROW(m, i) pm_model_row(m, PM_TABLE_BODY, i, PM_BODY_COLUMNS)
+#define PM_POINT_ROW(m, i) pm_model_row(m, PM_TABLE_POINT, i, PM_POINT_COLUMNS)
+#define PM_LINE_ROW(m, i) pm_model_row(m, PM_TABLE_LINE, i, PM_LINE_COLUMNS)
+#define PM_CIRCLE_ROW(m, i) pm_model_row(m, PM_TABLE_CIRCLE, i, PM_CIRCLE_COLUMNS)
+#define PM_PATTERN_ROW(m, i) pm_model_row(m, PM_TABLE_PATTERN, i, PM_PATTERN_COLUMNS)
+#define PM_JOINT_ROW(m, i) pm_model_row(m, PM_TABLE_JOINT, i, PM_JOINT_COLUMNS)
+#define PM_CONTACT_ROW(m, i) pm_model_row(m, PM_TABLE_CONTACT, i, PM_CONTACT_COLUMNS)
+#define PM_FORCE_ROW(m, i) pm_model_row(m, PM_TABLE_FORCE, i, PM_FORCE_COLUMNS)
+#define PM_MEASURE_ROW(m, i) pm_model_row(m, PM_TABLE_MEASURE, i, PM_MEASURE_COLUMNS)
+#define PM_START_ROW(m, i) pm_model_row(m, PM_TABLE_START, i, PM_START_COLUMNS)
+#define PM_TRIGGER_ROW(m, i) pm_model_row(m, PM_TABLE_TRIGGER, i, PM_TRIGGER_COLUMNS)
+#define PM_UNTIL_ROW(m, i) pm_model_row(m, PM_TABLE_UNTIL, i, PM_UNTIL_COLUMNS)
+#define PM_ASK_ROW(m, i) pm_model_row(m, PM_TABLE_ASK, i, PM_ASK_COLUMNS)
+#define PM_FIND_ROW(m, i) pm_model_row(m, PM_TABLE_FIND, i, PM_FIND_COLUMNS)
+#define PM_VARY_ROW(m, i) pm_model_row(m, PM_TABLE_VARY, i, PM_VARY_COLUMNS)
+#define PM_SECOND_ROW(m, i) pm_model_row(m, PM_TABLE_SECOND, i, PM_SECOND_COLUMNS)
+#define PM_CONDITION_ROW(m, i) pm_model_row(m, PM_TABLE_CONDITION, i, PM_CONDITION_COLUMNS)
+#define PM_EVENT_ROW(m, i) pm_model_row(m, PM_TABLE_EVENT, i, PM_EVENT_COLUMNS)
+#define PM_ACTION_ROW(m, i) pm_model_row(m, PM_TABLE_ACTION, i, PM_ACTION_COLUMNS)
 #define PM_SETTING(m, column) ((m)->table[PM_TABLE_SETTING][column])
 
 /* Place of a joint, contact or force among the elements. */
@@ -110,11 +110,11 @@ static inline int pm_model_element(const pm_model *m, int table, int row)
 /* The body of entry `index` of table `of`: a body itself, or a mark (a point, or what is given by one). */
 static inline int pm_model_body_of(const pm_model *m, int of, int index)
 {
-    const int point = of == PM_TABLE_LINE     ? PM_LINE_ROW(m, index)[PM_LINE_POINT]
-                      : of == PM_TABLE_CIRCLE ? PM_CIRCLE_ROW(m, index)[PM_CIRCLE_POINT]
-                      : of == PM_TABLE_ROW    ? PM_ROW_ROW(m, index)[PM_ROW_POINT]
-                                              : index;
-    return of >= PM_TABLE_POINT && of <= PM_TABLE_ROW ? PM_POINT_ROW(m, point)[PM_POINT_BODY] : index;
+    const int point = of == PM_TABLE_LINE      ? PM_LINE_ROW(m, index)[PM_LINE_POINT]
+                      : of == PM_TABLE_CIRCLE  ? PM_CIRCLE_ROW(m, index)[PM_CIRCLE_POINT]
+                      : of == PM_TABLE_PATTERN ? PM_PATTERN_ROW(m, index)[PM_PATTERN_POINT]
+                                               : index;
+    return of >= PM_TABLE_POINT && of <= PM_TABLE_PATTERN ? PM_POINT_ROW(m, point)[PM_POINT_BODY] : index;
 }
 
 /* Whether some event adds or removes a joint, contact or force. */

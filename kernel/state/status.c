@@ -42,7 +42,7 @@ static const char *text_of(enum pm_status status)
     case PM_NO_IMPULSE: return "no impulse does the work asked";
     case PM_NUDGE_UNSTEADY: return "a nudge acts where there is neither rest nor a steady motion";
     case PM_NUDGE_STABLE: return "nothing that a nudge could begin grows";
-    case PM_BLOW_TURNS: return "a slip turns in a blow in which several contacts take part";
+    case PM_BLOW_REVERSES: return "a slip reverses in a blow in which several contacts take part";
     }
     return "unknown status";
 }

@@ -16,7 +16,7 @@ struct pm_chebyshev_nodes;
 
 /* The active constraints: joints first, then captured pairs, then normals, then tangents (equations/active_set.h). */
 typedef struct pm_active_set {
-    pm_constraint *row; /* [nrow] */
+    pm_constraint *constraint; /* [nrow] */
     int n;
     int njoint;       /* of these the first are the joints' */
     int nredundant;   /* constraints of joints that depend on others, and are left out */
@@ -25,12 +25,12 @@ typedef struct pm_active_set {
     int64_t version;  /* counts the sets */
     int *of_joint;    /* [njoint_row] active row of each constraint of a joint, or PM_NONE (redundant) */
     int *slot_normal; /* [nslot] active row, or PM_NONE */
-    int *slot_tangent;     /* [nslot] likewise */
-    int *slot_held;        /* [nslot][PM_JOINT_CONSTRAINTS] of a captured pair, or PM_NONE */
-    int *friction_row;     /* [nfriction] active row where the friction of a joint holds, or PM_NONE */
-    double *friction_load; /* [nfriction] friction that goes with the load of its joint, N or N m */
-    int *joint_order;      /* [njoint] in which their constraints stand (equations/row_order.h) */
-    int *body_place;       /* [nbody] scratch of row_order.c */
+    int *slot_tangent;        /* [nslot] likewise */
+    int *slot_held;           /* [nslot][PM_JOINT_CONSTRAINTS] of a captured pair, or PM_NONE */
+    int *friction_constraint; /* [nfriction] active row where the friction of a joint holds, or PM_NONE */
+    double *friction_load;    /* [nfriction] friction that goes with the load of its joint, N or N m */
+    int *joint_order;         /* [njoint] in which their constraints stand (equations/constraint_order.h) */
+    int *body_place;          /* [nbody] scratch of constraint_order.c */
 } pm_active_set;
 
 /* The factored system on the active set, and its right-hand side (equations/saddle.h). */
@@ -43,7 +43,7 @@ typedef struct pm_saddle {
     double *rhs;              /* [nrow] right-hand side, then the solution */
     double *wanted;           /* [nrow] rates that a response is to have */
     double *previous;         /* [nq] scratch: the response of the round before */
-    int *first_row;           /* [nbody] scratch */
+    int *first_constraint;    /* [nbody] scratch */
     int nfactored;            /* the factors are of so many constraints; 0: of none */
     struct pm_hold *factored; /* [nrow] which take hold here */
     double *basis;            /* [nq + 1][nq] orthonormal rows (equations/orthonormal_rows.h) */

@@ -87,7 +87,7 @@ static uint64_t outcome_of(const pm_model *model, const pm_firing *firing, const
     return hash;
 }
 
-static void make_pass(pm_workspace *w, const double *param, pm_pass *p, double factor, int companion)
+static void make_pass(pm_workspace *w, const double *param, pm_pass *p, double factor, int coarse)
 {
     pm_accuracy *e = w->accuracy;
     pm_history *const trace = w->record.history;
@@ -95,16 +95,16 @@ static void make_pass(pm_workspace *w, const double *param, pm_pass *p, double f
     w->evidence.present = p;
     e->npass++;
     p->factor = factor;
-    p->companion = companion;
-    p->halves = e->npass > 1 && !(companion ? e->main : e->last)->halves;
-    if (!companion) e->last = p;
+    p->coarse = coarse;
+    p->halves = e->npass > 1 && !(coarse ? e->main : e->last)->halves;
+    if (!coarse) e->last = p;
     w->result.out = p->out;
     w->result.reason = p->reason;
     w->result.audit = p->audit;
-    w->numbers.coarse = companion ? PM_ACCURACY_COARSE : 1;
-    if (companion) w->record.history = NULL, w->record.phases = NULL;
+    w->numbers.coarse = coarse ? PM_ACCURACY_COARSE : 1;
+    if (coarse) w->record.history = NULL, w->record.phases = NULL;
     if (w->record.history) w->record.history->needed = 0; /* the last pass is the one recorded */
-    if (w->record.phases) w->record.phases->needed = w->record.phases->steps = w->record.phases->legs = 0;
+    if (w->record.phases) w->record.phases->needed = w->record.phases->steps = w->record.phases->repeated = 0;
     p->status = run_once(w, param, p->found);
     w->record.history = trace;
     w->record.phases = phases;
@@ -192,7 +192,7 @@ static double judge_decisions(const pm_accuracy *e, double share)
 static double share_of(const pm_phase *phase, const pm_accuracy *e)
 {
     const double share = phase->route->spread * e->main->tolerance / e->other->tolerance;
-    return e->other->companion ? share : fmax(share, PM_ACCURACY_LEAST_SHARE);
+    return e->other->coarse ? share : fmax(share, PM_ACCURACY_LEAST_SHARE);
 }
 
 /* Errors of the sought parameters of the main pass.  What follows from parameters alone is known no better than the
@@ -243,7 +243,7 @@ static void swap(pm_pass **a, pm_pass **b)
 }
 
 /* Finds something to compare the main pass with; 0 if there is nothing. */
-static int find_companion(pm_workspace *w, const double *param)
+static int find_coarse(pm_workspace *w, const double *param)
 {
     pm_accuracy *e = w->accuracy;
     if (knows_itself(w)) {
@@ -252,7 +252,7 @@ static int find_companion(pm_workspace *w, const double *param)
         e->other->log.n = 0; /* its own decisions are in its margin */
         e->other->outcome = e->main->outcome;
         e->other->tolerance = e->main->tolerance;
-        e->other->companion = 1;
+        e->other->coarse = 1;
         return 1;
     }
     make_pass(w, param, e->other, e->main->factor, 1);
@@ -292,7 +292,7 @@ static int refine(pm_workspace *w, const double *param, double *error, double *t
     find_sizes(w);
     /* what a cut loses does not go with the tolerance: only a companion shows it */
     if ((doubtful || e->main->cut || e->main->tolerance < PM_ACCURACY_NEAR_ENOUGH * e->other->tolerance) &&
-        !find_companion(w, param))
+        !find_coarse(w, param))
         return 0;
     judge(w, error, trust);
     return 1;
@@ -302,7 +302,7 @@ static void climb(pm_workspace *w, const double *param, double *error, double *t
 {
     pm_accuracy *e = w->accuracy;
     find_sizes(w);
-    if (find_companion(w, param)) judge(w, error, trust);
+    if (find_coarse(w, param)) judge(w, error, trust);
     for (int i = 0; i < PM_ACCURACY_REFINEMENTS && !good_enough(&w->phase, w->accuracy, trust); i++)
         if (!refine(w, param, error, trust)) break;
     /* a run that sits on the threshold that was sought is not in doubt */

@@ -248,7 +248,7 @@ static void report_check(const pm_workspace *w, const pm_start_report *report, i
     for (int i = 0; i < m->nq; i++) coordinates += w->numbers.inverse_mass[i] > 0;
     for (int i = 0; i < m->nslot; i++) closed += w->state.slot[i].mode != PM_OPEN;
     info[PM_CHECK_COORDINATES] = coordinates;
-    info[PM_CHECK_ROWS] = w->active.n + w->active.nredundant;
+    info[PM_CHECK_CONSTRAINTS] = w->active.n + w->active.nredundant;
     info[PM_CHECK_REDUNDANT] = w->active.nredundant;
     info[PM_CHECK_FREEDOM] = coordinates - w->active.n;
     info[PM_CHECK_CLOSED] = closed;

@@ -13,7 +13,7 @@
 /* most: coordinates that move a body, over all bodies; summed: coordinates of which sums are kept. */
 static int create_sums(pm_workspace *w, size_t most, size_t summed)
 {
-    const size_t nq = (size_t)w->model->nq, nrow = (size_t)w->model->nrow, square = summed * summed;
+    const size_t nq = (size_t)w->model->nq, nrow = (size_t)w->model->nconstraint, square = summed * summed;
     pm_tree_augmented *a = &w->tree->augmented;
     pm_elimination *e = &w->tree->elimination;
     const pm_array array[] = {
@@ -42,12 +42,12 @@ static int create_sums(pm_workspace *w, size_t most, size_t summed)
 int pm_tree_create(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    const size_t nq = (size_t)m->nq, nrow = (size_t)m->nrow, nbody = (size_t)m->nbody, most = nbody * nq,
-                 summed = nq < PM_TREE_SUMMED ? nq : PM_TREE_SUMMED;
+    const size_t nq = (size_t)m->nq, nrow = (size_t)m->nconstraint, nbody = (size_t)m->nbody,
+                 most = nbody * nq, summed = nq < PM_TREE_SUMMED ? nq : PM_TREE_SUMMED;
     if (PM_ARENA_NEW(&w->memory, w->tree)) return PM_NO_MEMORY;
     pm_tree *t = w->tree;
     t->model = m;
-    t->row = w->active.row;
+    t->constraint = w->active.constraint;
     const pm_array array[] = {
         PM_ARRAY(t->jacobian, nrow * nq),
         PM_ARRAY(t->mass, nq * nq),
@@ -89,76 +89,79 @@ int pm_tree_create(pm_workspace *w)
 /* ---- choice ---- */
 /* Active rows that belong to one joint, contact or captured pair. */
 typedef struct pm_group {
-    int row[PM_JOINT_CONSTRAINTS];
+    int constraint[PM_JOINT_CONSTRAINTS];
     int n;
 } pm_group;
 
-static int rows_are(const pm_active_set *active, const pm_group *g, int first, int second, int third)
+static int constraints_are(const pm_active_set *active, const pm_group *g, int first, int second, int third)
 {
     const int wanted[] = {first, second, third};
     int n = 0;
     while (n < 3 && wanted[n] >= 0) n++;
     if (g->n != n) return 0;
     for (int i = 0; i < n; i++)
-        if (active->row[g->row[i]].kind != wanted[i]) return 0;
+        if (active->constraint[g->constraint[i]].kind != wanted[i]) return 0;
     return 1;
 }
 
 static int placement_of(const pm_active_set *active, const pm_group *g)
 {
-    if (rows_are(active, g, PM_CONSTRAINT_POINT_X, PM_CONSTRAINT_POINT_Y, -1)) return PIN;
-    if (rows_are(active, g, PM_CONSTRAINT_POINT_X, PM_CONSTRAINT_POINT_Y, PM_CONSTRAINT_ANGLE)) return WELD;
-    if (rows_are(active, g, PM_CONSTRAINT_LINE_NORMAL, PM_CONSTRAINT_ANGLE, -1)) return SLIDER;
-    if (rows_are(active, g, PM_CONSTRAINT_LINE_NORMAL, PM_CONSTRAINT_LINE_TANGENT, -1)) return ROLL_LINE;
-    if (rows_are(active, g, PM_CONSTRAINT_DISTANCE, PM_CONSTRAINT_CIRCLE_TANGENT, -1) &&
-        active->row[g->row[0]].value > 0)
+    if (constraints_are(active, g, PM_CONSTRAINT_POINT_X, PM_CONSTRAINT_POINT_Y, -1)) return PIN;
+    if (constraints_are(active, g, PM_CONSTRAINT_POINT_X, PM_CONSTRAINT_POINT_Y, PM_CONSTRAINT_ANGLE))
+        return WELD;
+    if (constraints_are(active, g, PM_CONSTRAINT_LINE_NORMAL, PM_CONSTRAINT_ANGLE, -1)) return SLIDER;
+    if (constraints_are(active, g, PM_CONSTRAINT_LINE_NORMAL, PM_CONSTRAINT_LINE_TANGENT, -1))
+        return ROLL_LINE;
+    if (constraints_are(active, g, PM_CONSTRAINT_DISTANCE, PM_CONSTRAINT_CIRCLE_TANGENT, -1) &&
+        active->constraint[g->constraint[0]].value > 0)
         return ROLL_CIRCLE;
     return FREE;
 }
 
-static int turns(const pm_numbers *numbers, int body) { return numbers->inverse_mass[3 * body + 2] > 0; }
+static int rotates(const pm_numbers *numbers, int body) { return numbers->inverse_mass[3 * body + 2] > 0; }
 
 static void place(pm_workspace *w, int *nplaced, int body, int placement, const pm_group *g, int child_is_a)
 {
     pm_tree *t = w->tree;
     pm_tree_node *x = &t->node[*nplaced];
     *x = (pm_tree_node){.body = body, .parent = w->model->nbody, .placement = placement, .first = t->n};
-    x->turns = turns(&w->numbers, body);
-    x->ncoordinate = placement == FREE     ? 2 + x->turns
+    x->rotates = rotates(&w->numbers, body);
+    x->ncoordinate = placement == FREE     ? 2 + x->rotates
                      : placement == WELD   ? 0
                      : placement == SLIDER ? 1
-                                           : x->turns;
+                                           : x->rotates;
     t->n += x->ncoordinate;
     t->placed[body] = ++*nplaced;
     if (placement == FREE) return;
-    const pm_constraint *row = &w->active.row[g->row[0]], *last = &w->active.row[g->row[g->n - 1]];
+    const pm_constraint *c = &w->active.constraint[g->constraint[0]],
+                        *last = &w->active.constraint[g->constraint[g->n - 1]];
     const double sign = child_is_a ? 1 : -1;
-    x->parent = row->body[child_is_a ? 1 : 0];
+    x->parent = c->body[child_is_a ? 1 : 0];
     x->child_is_a = child_is_a;
-    memcpy(x->child, child_is_a ? row->a : row->b, sizeof x->child);
-    memcpy(x->mark, child_is_a ? row->b : row->a, sizeof x->mark);
+    memcpy(x->child, child_is_a ? c->a : c->b, sizeof x->child);
+    memcpy(x->mark, child_is_a ? c->b : c->a, sizeof x->mark);
     if (pm_tree_follows(x)) {
         x->angle = sign * last->value;
-        x->turn[0] = cos(x->angle);
-        x->turn[1] = sin(x->angle);
+        x->rotation[0] = cos(x->angle);
+        x->rotation[1] = sin(x->angle);
     }
-    memcpy(x->line, row->axis, sizeof x->line);
-    x->radius = row->radius_a;
-    x->length = row->value;
+    memcpy(x->line, c->axis, sizeof x->line);
+    x->radius = c->radius_a;
+    x->length = c->value;
     x->memory = last->memory;
-    x->nrow = g->n;
-    memcpy(x->row, g->row, sizeof x->row);
+    x->nconstraint = g->n;
+    memcpy(x->constraint, g->constraint, sizeof x->constraint);
     if (placement == ROLL_LINE) {
-        x->roll_own = -sign * row->radius_a;
-        x->roll_parent = sign * row->radius_a;
+        x->roll_own = -sign * c->radius_a;
+        x->roll_parent = sign * c->radius_a;
     } else if (placement == ROLL_CIRCLE) {
-        x->roll_own = (child_is_a ? row->radius_a : row->radius_b) / x->length;
-        x->roll_parent = (child_is_a ? row->radius_b : row->radius_a) / x->length;
+        x->roll_own = (child_is_a ? c->radius_a : c->radius_b) / x->length;
+        x->roll_parent = (child_is_a ? c->radius_b : c->radius_a) / x->length;
         const double direction = w->state.memory[x->memory].anchor / x->length;
         x->touch[0] = x->length * cos(direction);
         x->touch[1] = x->length * sin(direction);
     }
-    for (int i = 0; i < g->n; i++) t->used[g->row[i]] = 1;
+    for (int i = 0; i < g->n; i++) t->used[g->constraint[i]] = 1;
 }
 
 static int is_placed(const pm_tree *tree, int body)
@@ -170,30 +173,31 @@ static int is_placed(const pm_tree *tree, int body)
 static int is_driven(const pm_active_set *active, const pm_group *g)
 {
     for (int i = 0; i < g->n; i++)
-        if (active->row[g->row[i]].drive != PM_NONE) return 1;
+        if (active->constraint[g->constraint[i]].drive != PM_NONE) return 1;
     return 0;
 }
 
 /* Places a body by the group, if just one of its two is placed. */
 static int place_by(pm_workspace *w, const pm_group *g, int *nplaced)
 {
-    if (g->n < 2 || w->tree->used[g->row[0]] || is_driven(&w->active, g)) return 0;
-    const pm_constraint *row = &w->active.row[g->row[0]];
-    const int a = is_placed(w->tree, row->body[0]), b = is_placed(w->tree, row->body[1]);
+    if (g->n < 2 || w->tree->used[g->constraint[0]] || is_driven(&w->active, g)) return 0;
+    const pm_constraint *c = &w->active.constraint[g->constraint[0]];
+    const int a = is_placed(w->tree, c->body[0]), b = is_placed(w->tree, c->body[1]);
     if (a == b) return 0;
-    const int placement = placement_of(&w->active, g), body = row->body[a ? 1 : 0];
-    if (placement == FREE || (!turns(&w->numbers, body) && placement != PIN)) return 0;
+    const int placement = placement_of(&w->active, g), body = c->body[a ? 1 : 0];
+    if (placement == FREE || (!rotates(&w->numbers, body) && placement != PIN)) return 0;
     place(w, nplaced, body, placement, g, !a);
     return 1;
 }
 
 static pm_group joint_group(const pm_model *m, const pm_active_set *active, int joint)
 {
-    const int first = m->joint_row[joint];
-    const int end = joint + 1 < m->rows[PM_TABLE_JOINT] ? m->joint_row[joint + 1] : m->njoint_row;
+    const int first = m->joint_constraint[joint];
+    const int end =
+        joint + 1 < m->rows[PM_TABLE_JOINT] ? m->joint_constraint[joint + 1] : m->njoint_constraint;
     pm_group g = {.n = 0};
     for (int i = first; i < end && g.n < PM_JOINT_CONSTRAINTS; i++)
-        if (active->of_joint[i] != PM_NONE) g.row[g.n++] = active->of_joint[i];
+        if (active->of_joint[i] != PM_NONE) g.constraint[g.n++] = active->of_joint[i];
     return g;
 }
 
@@ -201,9 +205,9 @@ static pm_group slot_group(const pm_active_set *active, int slot)
 {
     pm_group g = {.n = 0};
     for (int i = PM_JOINT_CONSTRAINTS * slot; i < PM_JOINT_CONSTRAINTS * (slot + 1); i++)
-        if (active->slot_held[i] != PM_NONE) g.row[g.n++] = active->slot_held[i];
-    if (active->slot_normal[slot] != PM_NONE) g.row[g.n++] = active->slot_normal[slot];
-    if (active->slot_tangent[slot] != PM_NONE) g.row[g.n++] = active->slot_tangent[slot];
+        if (active->slot_held[i] != PM_NONE) g.constraint[g.n++] = active->slot_held[i];
+    if (active->slot_normal[slot] != PM_NONE) g.constraint[g.n++] = active->slot_normal[slot];
+    if (active->slot_tangent[slot] != PM_NONE) g.constraint[g.n++] = active->slot_tangent[slot];
     return g;
 }
 
@@ -218,10 +222,10 @@ static void place_fixed(pm_workspace *w, int *nplaced)
                                                  .placement = WELD,
                                                  .child_is_a = 1,
                                                  .first = w->tree->n,
-                                                 .turns = turns(&w->numbers, i),
+                                                 .rotates = rotates(&w->numbers, i),
                                                  .mark = {pose[0], pose[1]},
                                                  .angle = pose[2],
-                                                 .turn = {pose[3], pose[4]}};
+                                                 .rotation = {pose[3], pose[4]}};
         w->tree->placed[i] = ++*nplaced;
         for (int k = 3 * i; k < 3 * i + 3; k++) {
             w->tree->q[k] = w->state.q[k];
@@ -234,8 +238,8 @@ static void place_fixed(pm_workspace *w, int *nplaced)
 static int is_spent(const pm_active_set *active, const pm_tree *tree, const pm_group *g)
 {
     if (g->n < 2) return 1;
-    const pm_constraint *row = &active->row[g->row[0]];
-    return is_placed(tree, row->body[0]) && is_placed(tree, row->body[1]);
+    const pm_constraint *c = &active->constraint[g->constraint[0]];
+    return is_placed(tree, c->body[0]) && is_placed(tree, c->body[1]);
 }
 
 /* *spent: joints, from the first on, that will place nothing any more. */
@@ -300,13 +304,13 @@ static void list_coordinates(pm_tree *t)
     }
 }
 
-void pm_tree_row_ends(const pm_tree *t, const pm_constraint *row, int *low, int *high)
+void pm_tree_loop_ends(const pm_tree *t, const pm_constraint *c, int *low, int *high)
 {
     *low = t->n;
     *high = -1;
     for (int p = 0; p < 2; p++) {
-        if (row->body[p] == t->model->nbody) continue;
-        const pm_tree_node *x = &t->node[t->placed[row->body[p]] - 1];
+        if (c->body[p] == t->model->nbody) continue;
+        const pm_tree_node *x = &t->node[t->placed[c->body[p]] - 1];
         if (x->nlist == 0) continue;
         const int first = t->moved_by[x->list], last = t->moved_by[x->list + x->nlist - 1]; /* they fall */
         if (last < *low) *low = last;
@@ -320,7 +324,7 @@ static void list_loops(const pm_active_set *active, pm_tree *t)
     for (int i = 0; i < active->n; i++) {
         if (t->used[i]) continue;
         int low, key, at = t->nloop++;
-        pm_tree_row_ends(t, &active->row[i], &low, &key);
+        pm_tree_loop_ends(t, &active->constraint[i], &low, &key);
         for (; at > 0 && t->to[at - 1] < key; at--) {
             t->loop[at] = t->loop[at - 1];
             t->to[at] = t->to[at - 1];
@@ -336,7 +340,7 @@ static void list_loops(const pm_active_set *active, pm_tree *t)
 static void bound_loops(const pm_active_set *active, pm_tree *t)
 {
     for (int i = 0, first = 0; i < t->nloop; i++) {
-        pm_tree_row_ends(t, &active->row[t->loop[i]], &t->from[i], &t->to[i]);
+        pm_tree_loop_ends(t, &active->constraint[t->loop[i]], &t->from[i], &t->to[i]);
         t->to[i]++;
         while (first < i && t->from[first] >= t->to[i]) first++;
         t->first_loop[i] = first;
@@ -348,7 +352,7 @@ void pm_tree_build(pm_workspace *w)
     pm_tree *t = w->tree;
     int nplaced = 0, spent = 0;
     t->n = t->nloop = t->part.few = t->augmented.on = t->small.on = 0;
-    memset(t->used, 0, (size_t)w->model->nrow);
+    memset(t->used, 0, (size_t)w->model->nconstraint);
     memset(t->placed, 0, (size_t)w->model->nbody * sizeof *t->placed);
     place_fixed(w, &nplaced);
     t->nfixed = nplaced;

@@ -62,15 +62,15 @@ typedef struct pm_tree_small_wave {
 
 /* A loop row  g = constant + sum_k (shift_k y_k + wave_k), and its Jacobian's square in the metric of M^-1 if nothing held
  * its bodies: with the levers of its own marks. */
-typedef struct pm_tree_small_row {
+typedef struct pm_tree_small_loop {
     double constant;
     double shift[PM_TREE_SMALL_MOST];
     pm_tree_small_wave wave[PM_TREE_SMALL_MOST];
     double square;
-    int turning[2]; /* the coordinates that turn its bodies, or PM_NONE */
+    int rotates[2]; /* the coordinates that turn its bodies, or PM_NONE */
     pm_tree_small_wave lever[2];
     double inverse_inertia[2];
-} pm_tree_small_row;
+} pm_tree_small_loop;
 
 typedef struct pm_tree_small {
     int on, n, nloop;
@@ -80,23 +80,23 @@ typedef struct pm_tree_small {
     int shifts;
     pm_tree_small_wave fixed[PM_TREE_SMALL_MOST][PM_TREE_SMALL_MOST]; /* e_i . R_k d_k, summed */
     double weight[PM_TREE_SMALL_MOST];
-    pm_tree_small_wave turned_weight[PM_TREE_SMALL_MOST];
+    pm_tree_small_wave rotated_weight[PM_TREE_SMALL_MOST];
     int owner[PM_TREE_SMALL_MOST];      /* the body whose direction it is, or PM_NONE */
-    double turning[PM_TREE_SMALL_MOST]; /* 1, or 0 where it turns nothing */
-    pm_tree_small_row row[PM_TREE_SMALL_MOST - 1];
+    double rotates[PM_TREE_SMALL_MOST]; /* 1, or 0 where it turns nothing */
+    pm_tree_small_loop loop[PM_TREE_SMALL_MOST - 1];
     /* where directions were computed last */
     double y[PM_TREE_SMALL_MOST], cosine[PM_TREE_SMALL_MOST], sine[PM_TREE_SMALL_MOST];
 } pm_tree_small;
 
 typedef struct pm_tree {
     const pm_model *model;
-    pm_constraint *row;  /* the active constraints */
-    int nfixed;          /* the first nodes are fixed bodies */
-    int n;               /* coordinates */
-    int nloop;           /* active rows that are not solved */
-    int *loop;           /* [nrow] their places in w->row */
-    int *kind;           /* [nq] of each coordinate: 0, 1 a length (x, y or along a line), 2 an angle */
-    pm_tree_node *node;  /* [nbody] in the order of placing */
+    pm_constraint *constraint; /* the active constraints */
+    int nfixed;                /* the first nodes are fixed bodies */
+    int n;                     /* coordinates */
+    int nloop;                 /* active rows that are not solved */
+    int *loop;                 /* [nrow] their places in w->row */
+    int *kind;                 /* [nq] of each coordinate: 0, 1 a length (x, y or along a line), 2 an angle */
+    pm_tree_node *node;        /* [nbody] in the order of placing */
     int *from, *to;      /* [nrow] of each loop row: the coordinates that L^-1 J^T has, from .. to - 1 */
     int *first_loop;     /* [nrow] the first loop row that shares some of them */
     unsigned char *used; /* [nrow] */
@@ -147,7 +147,7 @@ void pm_tree_spread(const pm_tree *t, const double *ydot, double *v);
 /* At the frame's velocities: accelerations at yddot = 0. */
 void pm_tree_bias(const pm_tree *t, const pm_frame *frame, double *a);
 /* The first and the last coordinate that move a body of the row; n and -1 if none does. */
-void pm_tree_row_ends(const pm_tree *t, const pm_constraint *row, int *low, int *high);
+void pm_tree_loop_ends(const pm_tree *t, const pm_constraint *c, int *low, int *high);
 void pm_tree_evaluate_loops(const pm_tree *t, const pm_frame *frame);
 /* The loop rows' Jacobian on the coordinates, [nloop][n]; the rows are evaluated. */
 void pm_tree_loops(const pm_tree *t, const pm_frame *frame, const pm_loops *x);
@@ -227,8 +227,8 @@ int pm_tree_factor_dependent(pm_workspace *w, const double *jacobian);
 void pm_tree_solve_dependent(const pm_tree *t, double *x);
 void pm_tree_solve_dependent_transposed(const pm_tree *t, double *x);
 /* Zeros what of a loop row's Jacobian counts. */
-void pm_tree_clear_loop(const pm_tree *t, const pm_constraint *row, double *on_coordinates);
+void pm_tree_loop_zero(const pm_tree *t, const pm_constraint *c, double *on_coordinates);
 /* Adds a row's Jacobian on the coordinates. */
-void pm_tree_loop_row(const pm_tree *t, const pm_constraint *row, double *on_coordinates);
+void pm_tree_loop_add(const pm_tree *t, const pm_constraint *c, double *on_coordinates);
 
 #endif

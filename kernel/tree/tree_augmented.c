@@ -22,7 +22,7 @@
 
 /* ---- once a phase ---- */
 /* A direction that turns with one coordinate, or not at all. */
-static int turns_simply(const pm_model *model, const pm_tree_node *x)
+static int rotates_simply(const pm_model *model, const pm_tree_node *x)
 {
     const int on_ground = x->parent == model->nbody;
     if (x->placement == SLIDER) return on_ground;
@@ -68,7 +68,7 @@ static void add_pair(const pm_frame *frame, const pm_tree *t, const pm_tree_node
                  *e = a->fixed + 2 * i, *f = a->fixed + 2 * j;
     a->same[at] += m * (p[0] * q[0] + p[1] * q[1]);
     a->cross[at] += m * (p[0] * q[1] - p[1] * q[0]);
-    a->level[at] += pm_body_inertia(frame, x->body) * t->influence[3 * k + 2] * t->influence[3 * l + 2] +
+    a->level[at] += pm_frame_inertia(frame, x->body) * t->influence[3 * k + 2] * t->influence[3 * l + 2] +
                     m * (e[0] * f[0] + e[1] * f[1]);
     for (int c = 0; c < 2; c++) {
         a->lower[2 * at + c] += m * q[c];
@@ -105,7 +105,7 @@ static void list_needed(const pm_active_set *active, pm_tree *t)
     for (int i = 0; i < t->model->nbody; i++) t->node[i].needed = t->augmented.forced;
     for (int i = 0; i < t->nloop; i++)
         for (int p = 0; p < 2; p++) {
-            const int body = active->row[t->loop[i]].body[p];
+            const int body = active->constraint[t->loop[i]].body[p];
             if (body != t->model->nbody) t->node[t->placed[body] - 1].needed = 1;
         }
 }
@@ -115,7 +115,7 @@ void pm_tree_sum_up(pm_workspace *w)
     pm_tree *t = w->tree;
     pm_tree_augmented *a = &t->augmented;
     a->on = t->n <= a->most && !w->numbers.massless && !w->active.asymmetric;
-    for (int i = 0; i < w->model->nbody; i++) a->on = a->on && turns_simply(w->model, &t->node[i]);
+    for (int i = 0; i < w->model->nbody; i++) a->on = a->on && rotates_simply(w->model, &t->node[i]);
     if (!a->on) return;
     a->forced = w->model->rows[PM_TABLE_FORCE] > 0 || pm_turning_plane_turns(w->model);
     a->shifts = 0;
@@ -159,7 +159,7 @@ void pm_tree_augmented_set(const pm_tree *t, const double *y, const double *ydot
 }
 
 /* v = R d */
-static void turned(const double *r, const double *d, double *v)
+static void rotated(const double *r, const double *d, double *v)
 {
     v[0] = r[0] * d[0] - r[1] * d[1];
     v[1] = r[1] * d[0] + r[0] * d[1];
@@ -170,8 +170,8 @@ static void add_shifts(const pm_tree_augmented *a, int n, int i, int k, double *
 {
     const double *e = a->fixed + 2 * i, *f = a->fixed + 2 * k;
     double p[2], q[2];
-    turned(a->direction + 2 * k, a->lower + 2 * (i * n + k), p);
-    turned(a->direction + 2 * i, a->upper + 2 * (i * n + k), q);
+    rotated(a->direction + 2 * k, a->lower + 2 * (i * n + k), p);
+    rotated(a->direction + 2 * i, a->upper + 2 * (i * n + k), q);
     *mass += e[1] * p[0] - e[0] * p[1] + f[1] * q[0] - f[0] * q[1];
     x[i] += a->square[k] * (e[0] * p[0] + e[1] * p[1]);
     if (i != k) x[k] += a->square[i] * (f[0] * q[0] + f[1] * q[1]);
@@ -182,7 +182,7 @@ static double weight_on(const pm_numbers *numbers, const pm_tree *tree, int i)
 {
     const pm_tree_augmented *a = &tree->augmented;
     double p[2];
-    turned(a->direction + 2 * i, a->upper + 2 * (i * tree->n + i), p);
+    rotated(a->direction + 2 * i, a->upper + 2 * (i * tree->n + i), p);
     return a->weight[i] + numbers->gravity[1] * p[0] - numbers->gravity[0] * p[1];
 }
 
@@ -219,7 +219,7 @@ void pm_tree_augmented_influence(pm_tree *t)
         for (int k = x->list; k < x->list + x->nlist; k++) {
             const int by = t->moved_by[k];
             double *b = t->influence + 3 * k, arm[2]; /* b[2] stays from pm_tree_sum_up */
-            turned(a->direction + 2 * by, a->arm + 2 * k, arm);
+            rotated(a->direction + 2 * by, a->arm + 2 * k, arm);
             b[0] = a->fixed[2 * by] - arm[1];
             b[1] = a->fixed[2 * by + 1] + arm[0];
             c[0] -= a->square[by] * arm[0];

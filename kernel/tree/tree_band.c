@@ -14,15 +14,15 @@
 #include "tree/tree_node.h"
 
 /* The node of a row's partner; NULL for the ground. */
-static const pm_tree_node *node_of(const pm_tree *t, const pm_constraint *row, int side)
+static const pm_tree_node *node_of(const pm_tree *t, const pm_constraint *c, int side)
 {
-    return row->body[side] == t->model->nbody ? NULL : &t->node[t->placed[row->body[side]] - 1];
+    return c->body[side] == t->model->nbody ? NULL : &t->node[t->placed[c->body[side]] - 1];
 }
 
-void pm_tree_clear_loop(const pm_tree *t, const pm_constraint *row, double *on_coordinates)
+void pm_tree_loop_zero(const pm_tree *t, const pm_constraint *constraint, double *on_coordinates)
 {
     for (int side = 0; side < 2; side++) {
-        const pm_tree_node *x = node_of(t, row, side);
+        const pm_tree_node *x = node_of(t, constraint, side);
         for (int k = 0; x && k < x->nlist; k++) on_coordinates[t->moved_by[x->list + k]] = 0;
     }
     for (int c = t->nloop; c < t->n; c++) on_coordinates[t->part.column[c]] = 0;
@@ -43,7 +43,7 @@ static void span_of(const pm_tree *t, int i, int *first, int *last)
 {
     *first = *last = i;
     for (int side = 0, any = 0; side < 2; side++) {
-        const pm_tree_node *x = node_of(t, &t->row[t->loop[i]], side);
+        const pm_tree_node *x = node_of(t, &t->constraint[t->loop[i]], side);
         for (int k = 0; x && k < x->nlist; k++) {
             const int at = t->part.position[t->moved_by[x->list + k]];
             if (at >= t->nloop) continue;
@@ -105,7 +105,7 @@ int pm_tree_factor_dependent(pm_workspace *w, const double *jacobian)
         double *row = t->jacobian + i * n;
         for (int c = t->part.left[i]; c <= t->part.right[i]; c++) row[c] = 0;
         for (int side = 0; side < 2; side++) {
-            const pm_tree_node *x = node_of(w->tree, &w->active.row[t->loop[i]], side);
+            const pm_tree_node *x = node_of(w->tree, &w->active.constraint[t->loop[i]], side);
             for (int k = 0; x && k < x->nlist; k++) {
                 const int coordinate = t->moved_by[x->list + k], at = t->part.position[coordinate];
                 if (at < n) row[at] = jacobian[i * t->n + coordinate];

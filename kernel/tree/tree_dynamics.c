@@ -28,7 +28,7 @@ static void fill_mass(const pm_frame *frame, pm_tree *t)
     for (int i = t->nfixed; i < frame->model->nbody; i++) {
         const pm_tree_node *x = &t->node[i];
         const double m = frame->numbers->mass[x->body] + frame->numbers->stand_in[3 * x->body],
-                     inertia = pm_body_inertia(frame, x->body) + frame->numbers->stand_in[3 * x->body + 2];
+                     inertia = pm_frame_inertia(frame, x->body) + frame->numbers->stand_in[3 * x->body + 2];
         const double *b = t->influence + 3 * x->list;
         const int *by = t->moved_by + x->list;
         for (int k = 0; k < x->nlist; k++, b += 3, by++) {
@@ -57,7 +57,7 @@ static int factor_loops(pm_workspace *w)
         double *x = t->reduced + i * n;
         const int from = t->from[i], to = t->to[i];
         for (int c = from; c < to; c++) x[c] = 0;
-        pm_tree_loop_row(w->tree, &w->active.row[t->loop[i]], x);
+        pm_tree_loop_add(w->tree, &w->active.constraint[t->loop[i]], x);
         pm_dense_skyline_part(n, from, to, t->first_coupled, t->mass, x);
         for (int k = t->first_loop[i]; k <= i; k++) {
             const double *other = t->reduced + k * n;
@@ -71,7 +71,8 @@ static int factor_loops(pm_workspace *w)
     for (int i = 0; i < t->nloop && !bad;
          i++) { /* the factor holds the reciprocal of what is left of the row */
         const double left = t->schur[i * t->nloop + i];
-        const double part = 1 / (pm_constraint_square(&w->frame, &w->active.row[t->loop[i]]) * left * left);
+        const double part =
+            1 / (pm_constraint_square(&w->frame, &w->active.constraint[t->loop[i]]) * left * left);
         if (part < t->part.independence) t->part.independence = part;
     }
     return bad ? pm_tree_singular_loop(w, bad - 1) : PM_OK;
@@ -97,7 +98,7 @@ static void add_forces(const pm_frame *frame, const pm_tree *t, int inertial, do
             const double m = frame->numbers->mass[node->body];
             p[0] -= m * c[0];
             p[1] -= m * c[1];
-            p[2] -= pm_body_inertia(frame, node->body) * c[2];
+            p[2] -= pm_frame_inertia(frame, node->body) * c[2];
         }
         for (int k = node->list; k < node->list + node->nlist; k++) {
             const double *b = t->influence + 3 * k;
@@ -142,8 +143,8 @@ static int close_loops(pm_workspace *w, double *x)
     const int status = factor_loops(w);
     if (status) return status;
     for (int i = 0; i < t->nloop; i++) {
-        const pm_constraint *row = &w->active.row[t->loop[i]];
-        t->residual[i] = row->gamma - pm_constraint_times(&w->frame, row, t->bias);
+        const pm_constraint *c = &w->active.constraint[t->loop[i]];
+        t->residual[i] = c->gamma - pm_constraint_times(&w->frame, c, t->bias);
         for (int k = t->from[i]; k < t->to[i]; k++) t->residual[i] -= t->reduced[i * t->n + k] * x[k];
     }
     add_loops(t, x);
@@ -192,26 +193,26 @@ static void read_reactions(pm_frame *frame, const pm_active_set *active, const p
     const double sign = x->child_is_a ? 1 : -1, fx = sign * wrench[0], fy = sign * wrench[1];
     double *lambda = frame->lambda;
     if (x->placement == PIN || x->placement == WELD) {
-        lambda[x->row[0]] = fx;
-        lambda[x->row[1]] = fy;
+        lambda[x->constraint[0]] = fx;
+        lambda[x->constraint[1]] = fy;
         if (x->placement == WELD)
-            lambda[x->row[2]] = sign * (wrench[2] - r_child[0] * wrench[1] + r_child[1] * wrench[0]);
+            lambda[x->constraint[2]] = sign * (wrench[2] - r_child[0] * wrench[1] + r_child[1] * wrench[0]);
     } else if (x->placement == ROLL_CIRCLE) {
-        const double inward = active->row[x->row[0]].sign;
-        lambda[x->row[0]] = inward * (fx * t[1] - fy * t[0]);
-        lambda[x->row[1]] = fx * t[0] + fy * t[1];
+        const double inward = active->constraint[x->constraint[0]].sign;
+        lambda[x->constraint[0]] = inward * (fx * t[1] - fy * t[0]);
+        lambda[x->constraint[1]] = fx * t[0] + fy * t[1];
     } else {
         const double normal = -fx * t[1] + fy * t[0];
-        lambda[x->row[0]] = normal;
+        lambda[x->constraint[0]] = normal;
         if (x->placement == ROLL_LINE) {
-            lambda[x->row[1]] = fx * t[0] + fy * t[1];
+            lambda[x->constraint[1]] = fx * t[0] + fy * t[1];
             return;
         }
         /* the normal force acts through P_a */
         double r[2] = {r_child[0], r_child[1]};
         for (int k = 0; k < 2 && !x->child_is_a; k++) r[k] += rho[k];
         const double moment = normal * (r[0] * t[0] + r[1] * t[1]);
-        lambda[x->row[1]] = sign * wrench[2] - moment;
+        lambda[x->constraint[1]] = sign * wrench[2] - moment;
     }
 }
 
@@ -220,11 +221,11 @@ static void take_off_loops(const pm_workspace *w, double *wrench)
 {
     const pm_tree *t = w->tree;
     for (int i = 0; i < t->nloop; i++) {
-        const pm_constraint *row = &w->active.row[t->loop[i]];
+        const pm_constraint *c = &w->active.constraint[t->loop[i]];
         const double lambda = w->frame.lambda[t->loop[i]];
         for (int side = 0; side < 2; side++)
-            for (int k = 0; k < 3 && row->body[side] != w->model->nbody; k++)
-                wrench[3 * row->body[side] + k] -= lambda * row->j[3 * side + k];
+            for (int k = 0; k < 3 && c->body[side] != w->model->nbody; k++)
+                wrench[3 * c->body[side] + k] -= lambda * c->j[3 * side + k];
     }
 }
 
@@ -241,7 +242,7 @@ void pm_tree_react_inward(pm_workspace *w, const double *arm)
         if (w->numbers.fixed[x->parent]) continue;
         const double *child = f->pose + 5 * x->body, *parent = f->pose + 5 * x->parent;
         double *to = t->wrench + 3 * x->parent;
-        pm_pair_store(to, pm_pair_load(to) + pm_pair_load(wrench));
+        pm_lanes_store(to, pm_lanes_load(to) + pm_lanes_load(wrench));
         to[2] += wrench[2] + (child[0] - parent[0]) * wrench[1] - (child[1] - parent[1]) * wrench[0];
     }
     f->level = PM_LEVEL_DYNAMIC;
@@ -255,7 +256,7 @@ void pm_tree_react(pm_workspace *w)
     if (f->level == PM_LEVEL_DYNAMIC) return;
     for (int n = w->tree->nfixed; n < ground; n++) {
         const int i = t->node[n].body;
-        const double inertia = pm_body_inertia(&w->frame, i);
+        const double inertia = pm_frame_inertia(&w->frame, i);
         for (int k = 0; k < 3; k++)
             t->wrench[3 * i + k] = (k < 2 ? w->numbers.mass[i] : inertia) * f->a[3 * i + k] - f->f[3 * i + k];
     }
@@ -311,7 +312,7 @@ int pm_tree_project(pm_workspace *w, double time, double *y, double *ydot, const
     pm_tree_look(w, time, y, ydot, z);
     for (int sweep = 0; t->nloop > 0; sweep++) {
         pm_tree_evaluate_loops(w->tree, &w->frame);
-        const double worst = pm_constraint_openings(t->row, t->nloop, t->loop, t->residual);
+        const double worst = pm_constraint_openings(t->constraint, t->nloop, t->loop, t->residual);
         if (worst <= PM_MET * w->numbers.size || sweep == PM_PROJECTION_SWEEPS ||
             (sweep > 1 && worst > 0.5 * before))
             break;
@@ -322,7 +323,7 @@ int pm_tree_project(pm_workspace *w, double time, double *y, double *ydot, const
         correct(t, y);
         pm_tree_look(w, time, y, ydot, z);
     }
-    const double worst = pm_constraint_slips(&w->frame, t->row, t->nloop, t->loop, t->v, t->residual);
+    const double worst = pm_constraint_slips(&w->frame, t->constraint, t->nloop, t->loop, t->v, t->residual);
     if (worst <= PM_MET * w->numbers.speed) return PM_OK;
     if (!(factored && worst <= PM_FACTORS_STAY * w->numbers.speed) && (status = factor(w))) return status;
     correct(t, ydot);

@@ -11,18 +11,18 @@ enum pm_placement { FREE, PIN, WELD, SLIDER, ROLL_LINE, ROLL_CIRCLE };
 struct pm_tree_node {
     int body, parent, placement;
     int child_is_a;
-    int first, ncoordinate;              /* its own coordinates */
-    int list, nlist;                     /* those that move it, in tree->moved_by */
-    int turns;                           /* its body does */
-    int needed;                          /* at a solve: tree_augmented.c */
-    int row[PM_JOINT_CONSTRAINTS], nrow; /* the active rows that it solves */
-    double child[2];                     /* mark on the body */
-    double mark[2];                      /* mark on the parent */
-    double angle;                        /* weld, slider: of the body minus that of the parent */
-    double turn[2];                      /* its cosine and sine */
-    double line[2];                      /* direction of the line in b */
-    double radius;                       /* of a circle on a line */
-    double length;                       /* distance of the centres */
+    int first, ncoordinate;                            /* its own coordinates */
+    int list, nlist;                                   /* those that move it, in tree->moved_by */
+    int rotates;                                       /* its body does */
+    int needed;                                        /* at a solve: tree_augmented.c */
+    int constraint[PM_JOINT_CONSTRAINTS], nconstraint; /* the active rows that it solves */
+    double child[2];                                   /* mark on the body */
+    double mark[2];                                    /* mark on the parent */
+    double angle;       /* weld, slider: of the body minus that of the parent */
+    double rotation[2]; /* its cosine and sine */
+    double line[2];     /* direction of the line in b */
+    double radius;      /* of a circle on a line */
+    double length;      /* distance of the centres */
     double roll_own,
         roll_parent; /* rolling: way, or direction, by the angles of the body and of the parent */
     double touch[2]; /* rolling on a point: P_a - p_b in the axes of the circle's body */
@@ -52,10 +52,10 @@ static inline void pm_tree_move(const struct pm_tree_node *x, const double paren
     if (x->placement == FREE) {
         to[0] = own[0];
         to[1] = own[1];
-        to[2] = x->turns ? own[2] : 0;
+        to[2] = x->rotates ? own[2] : 0;
         return;
     }
-    const double omega = pm_tree_follows(x) ? parent[2] : x->turns ? own[0] : 0;
+    const double omega = pm_tree_follows(x) ? parent[2] : x->rotates ? own[0] : 0;
     to[0] = parent[0] + parent[2] * x->by_parent[0] + omega * x->by_own[0];
     to[1] = parent[1] + parent[2] * x->by_parent[1] + omega * x->by_own[1];
     to[2] = omega;

@@ -64,12 +64,12 @@ static void correct(const pm_tree *t, double *y)
 /* Residuals of the evaluated loop rows; the worst. */
 static double read_residuals(const pm_tree *t)
 {
-    return pm_constraint_openings(t->row, t->nloop, t->loop, t->residual);
+    return pm_constraint_openings(t->constraint, t->nloop, t->loop, t->residual);
 }
 
 static double read_rate_residuals(const pm_frame *frame, const pm_tree *t)
 {
-    return pm_constraint_slips(frame, t->row, t->nloop, t->loop, t->v, t->residual);
+    return pm_constraint_slips(frame, t->constraint, t->nloop, t->loop, t->v, t->residual);
 }
 
 /* ---- positions alone ---- */
@@ -128,9 +128,9 @@ static int factor_here(pm_workspace *w)
     pm_tree *t = w->tree;
     pm_tree_influence(w->tree);
     for (int i = 0; i < t->nloop; i++) {
-        const pm_constraint *row = &w->active.row[t->loop[i]];
-        pm_tree_clear_loop(w->tree, row, t->part.jacobian + i * t->n);
-        pm_tree_loop_row(w->tree, row, t->part.jacobian + i * t->n);
+        const pm_constraint *c = &w->active.constraint[t->loop[i]];
+        pm_tree_loop_zero(w->tree, c, t->part.jacobian + i * t->n);
+        pm_tree_loop_add(w->tree, c, t->part.jacobian + i * t->n);
     }
     return pm_tree_factor_dependent(w, t->part.jacobian);
 }
@@ -168,8 +168,8 @@ static void follow(pm_workspace *w, double *yddot, double *a)
     pm_tree *t = w->tree;
     pm_tree_spread_accelerations(w->tree, &w->frame, yddot, a);
     for (int i = 0; i < t->nloop; i++) {
-        const pm_constraint *row = &w->active.row[t->loop[i]];
-        t->residual[i] = row->gamma - pm_constraint_times(&w->frame, row, a);
+        const pm_constraint *c = &w->active.constraint[t->loop[i]];
+        t->residual[i] = c->gamma - pm_constraint_times(&w->frame, c, a);
     }
     correct(t, yddot);
     pm_tree_spread_accelerations(w->tree, &w->frame, yddot, a);
@@ -177,7 +177,7 @@ static void follow(pm_workspace *w, double *yddot, double *a)
 
 static double inertia_of(const pm_frame *frame, int i)
 {
-    return i % 3 < 2 ? frame->numbers->mass[i / 3] : pm_body_inertia(frame, i / 3);
+    return i % 3 < 2 ? frame->numbers->mass[i / 3] : pm_frame_inertia(frame, i / 3);
 }
 
 int pm_tree_accelerate_few(pm_workspace *w, double *yddot)

@@ -14,7 +14,7 @@
 #include "tree/tree.h"
 #include "tree/tree_node.h"
 
-static void turned(const double *pose, const double mark[2], double r[2])
+static void rotated(const double *pose, const double mark[2], double r[2])
 {
     r[0] = pose[3] * mark[0] - pose[4] * mark[1];
     r[1] = pose[4] * mark[0] + pose[3] * mark[1];
@@ -29,7 +29,7 @@ static void place_free(const pm_tree_node *x, const double *own, double *at)
 {
     at[0] = own[0];
     at[1] = own[1];
-    at[2] = x->turns ? own[2] : 0;
+    at[2] = x->rotates ? own[2] : 0;
     at[3] = cos(at[2]);
     at[4] = sin(at[2]);
 }
@@ -38,10 +38,10 @@ static void place_angle(const pm_tree_node *x, const double *own, const double *
 {
     if (pm_tree_follows(x)) {
         at[2] = from[2] + x->angle;
-        at[3] = from[3] * x->turn[0] - from[4] * x->turn[1];
-        at[4] = from[4] * x->turn[0] + from[3] * x->turn[1];
+        at[3] = from[3] * x->rotation[0] - from[4] * x->rotation[1];
+        at[4] = from[4] * x->rotation[0] + from[3] * x->rotation[1];
     } else {
-        at[2] = x->turns ? own[0] : 0;
+        at[2] = x->rotates ? own[0] : 0;
         at[3] = cos(at[2]);
         at[4] = sin(at[2]);
     }
@@ -53,16 +53,16 @@ static void distance_of_marks(const pm_frame *frame, const pm_tree_node *x, cons
 {
     if (x->placement == SLIDER || x->placement == ROLL_LINE) {
         double t[2];
-        turned(pose_of_b(frame, x), x->line, t);
+        rotated(pose_of_b(frame, x), x->line, t);
         const double s = x->placement == SLIDER
                              ? own
                              : memory[x->memory].anchor + x->roll_own * at[2] + x->roll_parent * from[2];
         rho[0] = s * t[0] - x->radius * t[1];
         rho[1] = s * t[1] + x->radius * t[0];
     } else if (x->placement == ROLL_CIRCLE && x->roll_own == 1 && x->roll_parent == 0) {
-        turned(at, x->touch, rho); /* on a point: pinned to it where they touch */
+        rotated(at, x->touch, rho); /* on a point: pinned to it where they touch */
     } else if (x->placement == ROLL_CIRCLE && x->roll_own == 0 && x->roll_parent == 1) {
-        turned(from, x->touch, rho);
+        rotated(from, x->touch, rho);
     } else if (x->placement == ROLL_CIRCLE) {
         const double phi =
             memory[x->memory].anchor / x->length + x->roll_own * at[2] + x->roll_parent * from[2];
@@ -91,7 +91,7 @@ static void couple(const pm_frame *frame, pm_tree_node *x)
     }
     const double across[2] = {-sign * x->rho[1], sign * x->rho[0]};
     double *by_b = x->child_is_a ? x->by_parent : x->by_own;
-    turned(pose_of_b(frame, x), x->line, x->t);
+    rotated(pose_of_b(frame, x), x->line, x->t);
     for (int k = 0; k < 2; k++) {
         by_b[k] += across[k];
         x->by_slide[k] = sign * x->t[k];
@@ -105,11 +105,11 @@ static void place_pinned(const pm_frame *frame, pm_tree_node *x, const double *y
 {
     const double *from = frame->pose + 5 * x->parent;
     double *at = frame->pose + 5 * x->body;
-    at[2] = x->turns ? y[x->first] : 0;
+    at[2] = x->rotates ? y[x->first] : 0;
     at[3] = cos(at[2]);
     at[4] = sin(at[2]);
-    turned(from, x->mark, x->r_mark);
-    turned(at, x->child, x->r_child);
+    rotated(from, x->mark, x->r_mark);
+    rotated(at, x->child, x->r_child);
     for (int k = 0; k < 2; k++) at[k] = from[k] + x->r_mark[k] - x->r_child[k];
     x->by_parent[0] = -x->r_mark[1];
     x->by_parent[1] = x->r_mark[0];
@@ -130,8 +130,8 @@ static void place_node(const pm_frame *frame, pm_tree_node *x, const pm_memory *
         return;
     }
     place_angle(x, own, from, at);
-    turned(from, x->mark, x->r_mark);
-    turned(at, x->child, x->r_child);
+    rotated(from, x->mark, x->r_mark);
+    rotated(at, x->child, x->r_child);
     if (x->placement > WELD) distance_of_marks(frame, x, memory, own[0], from, at, x->rho);
     const double sign = x->child_is_a ? 1 : -1;
     for (int k = 0; k < 2; k++) {
@@ -154,8 +154,8 @@ static void look_at_marks(const pm_frame *frame, pm_tree_node *x)
 {
     const double *at = frame->pose + 5 * x->body, *from = frame->pose + 5 * x->parent;
     const double sign = x->child_is_a ? 1 : -1;
-    turned(from, x->mark, x->r_mark);
-    turned(at, x->child, x->r_child);
+    rotated(from, x->mark, x->r_mark);
+    rotated(at, x->child, x->r_child);
     for (int k = 0; k < 2; k++) x->rho[k] = sign * (at[k] + x->r_child[k] - from[k] - x->r_mark[k]);
     couple(frame, x);
 }
@@ -187,7 +187,7 @@ void pm_tree_marks(const pm_tree *t, const pm_frame *frame)
 
 void pm_tree_look(pm_workspace *w, double t, const double *y, const double *ydot, const double *z)
 {
-    static const double still[3] = {0, 0, 0};
+    static const double zero[3] = {0, 0, 0};
     pm_tree *tree = w->tree;
     pm_frame *f = &w->frame;
     const int ground = w->model->nbody;
@@ -201,7 +201,7 @@ void pm_tree_look(pm_workspace *w, double t, const double *y, const double *ydot
         pm_tree_node *x = &tree->node[i];
         double *velocity = f->velocity + 3 * x->body;
         place_node(&w->frame, x, f->memory, y);
-        pm_tree_move(x, x->parent == ground ? still : f->velocity + 3 * x->parent, ydot + x->first, velocity);
+        pm_tree_move(x, x->parent == ground ? zero : f->velocity + 3 * x->parent, ydot + x->first, velocity);
         for (int k = 0; k < 3; k++) {
             tree->q[3 * x->body + k] = f->pose[5 * x->body + k];
             tree->v[3 * x->body + k] = velocity[k];

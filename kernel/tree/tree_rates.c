@@ -15,8 +15,8 @@
 
 static const double *rates_of(const pm_tree *t, const double *v, int body)
 {
-    static const double still[3] = {0, 0, 0};
-    return body == t->model->nbody ? still : v + 3 * body;
+    static const double zero[3] = {0, 0, 0};
+    return body == t->model->nbody ? zero : v + 3 * body;
 }
 
 void pm_tree_spread(const pm_tree *t, const double *ydot, double *v)
@@ -98,25 +98,25 @@ void pm_tree_influence(const pm_tree *t)
 void pm_tree_evaluate_loops(const pm_tree *t, const pm_frame *frame)
 {
     for (int i = 0; i < t->nloop; i++) {
-        pm_constraint *row = &t->row[t->loop[i]];
-        pm_constraint_kind(row->kind)->evaluate(frame, row);
+        pm_constraint *c = &t->constraint[t->loop[i]];
+        pm_constraint_kind(c->kind)->evaluate(frame, c);
     }
 }
 
 int pm_tree_singular_loop(pm_workspace *w, int loop)
 {
-    const pm_constraint *row = &w->active.row[w->tree->loop[loop]];
+    const pm_constraint *c = &w->active.constraint[w->tree->loop[loop]];
     w->tree->part.independence = 0;
-    return row->joint != PM_NONE ? pm_fail(&w->result, PM_SINGULAR, PM_TABLE_JOINT, row->joint, 0, 0)
-                                 : pm_fail(&w->result, PM_SINGULAR, PM_TABLE_CONTACT, PM_NONE, 0, 0);
+    return c->joint != PM_NONE ? pm_fail(&w->result, PM_SINGULAR, PM_TABLE_JOINT, c->joint, 0, 0)
+                               : pm_fail(&w->result, PM_SINGULAR, PM_TABLE_CONTACT, PM_NONE, 0, 0);
 }
 
-void pm_tree_loop_row(const pm_tree *t, const pm_constraint *row, double *on_coordinates)
+void pm_tree_loop_add(const pm_tree *t, const pm_constraint *c, double *on_coordinates)
 {
     for (int side = 0; side < 2; side++) {
-        if (row->body[side] == t->model->nbody) continue;
-        const pm_tree_node *x = &t->node[t->placed[row->body[side]] - 1];
-        const double *j = row->j + 3 * side;
+        if (c->body[side] == t->model->nbody) continue;
+        const pm_tree_node *x = &t->node[t->placed[c->body[side]] - 1];
+        const double *j = c->j + 3 * side;
         for (int k = x->list; k < x->list + x->nlist; k++) {
             const double *b = t->influence + 3 * k;
             on_coordinates[t->moved_by[k]] += j[0] * b[0] + j[1] * b[1] + j[2] * b[2];
@@ -128,12 +128,12 @@ void pm_tree_loops(const pm_tree *t, const pm_frame *frame, const pm_loops *x)
 {
     pm_tree_influence(t);
     for (int i = 0; i < t->nloop; i++) {
-        pm_constraint *row = &t->row[t->loop[i]];
+        pm_constraint *constraint = &t->constraint[t->loop[i]];
         double *entry = x->entry + i * t->n;
-        pm_constraint_kind(row->kind)->evaluate(frame, row);
+        pm_constraint_kind(constraint->kind)->evaluate(frame, constraint);
         for (int c = x->low[i]; c <= x->high[i]; c++) entry[c] = 0;
-        pm_tree_row_ends(t, row, &x->low[i], &x->high[i]);
-        pm_tree_loop_row(t, row, entry);
+        pm_tree_loop_ends(t, constraint, &x->low[i], &x->high[i]);
+        pm_tree_loop_add(t, constraint, entry);
     }
 }
 

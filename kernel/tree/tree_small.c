@@ -31,10 +31,10 @@ typedef struct pm_tree_small_direction {
 } pm_tree_small_direction;
 
 /* Of two coordinates, y from x->y at k, which are close to those. */
-INLINE void turn_by(const pm_tree_small *x, int k, pm_lanes by, pm_tree_small_direction *to)
+INLINE void rotate_by(const pm_tree_small *x, int k, pm_lanes by, pm_tree_small_direction *to)
 {
-    const pm_lanes z = by * by, z2 = z * z, z4 = z2 * z2, c = pm_pair_load(x->cosine + k),
-                   s = pm_pair_load(x->sine + k);
+    const pm_lanes z = by * by, z2 = z * z, z4 = z2 * z2, c = pm_lanes_load(x->cosine + k),
+                   s = pm_lanes_load(x->sine + k);
     const pm_lanes sine = by + by * z *
                                    (-1. / 6 + z * (1. / 120) + z2 * (-1. / 5040 + z * (1. / 362880)) +
                                     z4 * (-1. / 39916800 + z * (1. / 6227020800)));
@@ -48,10 +48,10 @@ INLINE void turn_by(const pm_tree_small *x, int k, pm_lanes by, pm_tree_small_di
 INLINE void direct(const pm_tree_small *x, int n, const double *y, pm_tree_small_direction *to)
 {
     for (int k = 0; k < n; k += 2) {
-        const pm_lanes by = (pm_pair_load(y + k) - pm_pair_load(x->y + k)) * pm_pair_load(x->turning + k);
+        const pm_lanes by = (pm_lanes_load(y + k) - pm_lanes_load(x->y + k)) * pm_lanes_load(x->rotates + k);
         if (by[0] < PM_SERIES_REACH && by[0] > -PM_SERIES_REACH &&
             (k + 1 == n || (by[1] < PM_SERIES_REACH && by[1] > -PM_SERIES_REACH))) {
-            turn_by(x, k, by, to);
+            rotate_by(x, k, by, to);
             continue;
         }
         for (int i = k; i < k + 2 && i < n; i++)
@@ -80,16 +80,16 @@ INLINE double height(const pm_tree_small_wave *x, pm_tree_small_direction at)
 }
 
 /* J_k */
-INLINE double jacobian(const pm_tree_small_row *row, int k, const pm_tree_small_place *p)
+INLINE double jacobian(const pm_tree_small_loop *loop, int k, const pm_tree_small_place *p)
 {
-    return row->shift[k] + slope(&row->wave[k], p->direction[k]);
+    return loop->shift[k] + slope(&loop->wave[k], p->direction[k]);
 }
 
 /* The mass matrix, and with `square` (of the rates) the forces f. */
 INLINE void equations(const pm_tree_small *x, int n, const double *square, pm_tree_small_place *p, double *f)
 {
     for (int i = 0; i < n; i++) {
-        if (square) f[i] = x->weight[i] + height(&x->turned_weight[i], p->direction[i]);
+        if (square) f[i] = x->weight[i] + height(&x->rotated_weight[i], p->direction[i]);
         p->mass[i][i] = x->level[i][i] + x->same[i][i];
     }
     for (int i = 1; i < n; i++)
@@ -148,14 +148,14 @@ INLINE void upper(int n, double a[MOST][MOST], double *b)
 }
 
 /* Of a row as in tree_dynamics.c: left / all is what those before leave of it. */
-INLINE void watch_independence(struct pm_tree *tree, const pm_tree_small_row *row,
+INLINE void watch_independence(struct pm_tree *tree, const pm_tree_small_loop *loop,
                                const pm_tree_small_place *p, double left, double all)
 {
-    double square = row->square * all;
+    double square = loop->square * all;
     for (int side = 0; side < 2; side++) {
-        if (row->turning[side] == PM_NONE) continue;
-        const double lever = slope(&row->lever[side], p->direction[row->turning[side]]);
-        square += lever * lever * row->inverse_inertia[side] * all;
+        if (loop->rotates[side] == PM_NONE) continue;
+        const double lever = slope(&loop->lever[side], p->direction[loop->rotates[side]]);
+        square += lever * lever * loop->inverse_inertia[side] * all;
     }
     if (tree->part.independence * square > left) tree->part.independence = left / square;
 }
@@ -165,7 +165,7 @@ INLINE int factor_all(pm_workspace *w, const pm_tree_small *x, int n, int nloop,
     w->result.count[PM_COUNT_SOLVES]++;
     if (factor(n, p->mass)) return pm_fail(&w->result, PM_SINGULAR, PM_TABLE_BODY, 0, 0, 0);
     for (int i = 0; i < nloop; i++) {
-        for (int k = 0; k < n; k++) p->reduced[i][k] = jacobian(&x->row[i], k, p);
+        for (int k = 0; k < n; k++) p->reduced[i][k] = jacobian(&x->loop[i], k, p);
         lower(n, p->mass, p->reduced[i]);
         for (int l = 0; l <= i; l++) {
             p->schur[i][l] = 0;
@@ -174,7 +174,7 @@ INLINE int factor_all(pm_workspace *w, const pm_tree_small *x, int n, int nloop,
     }
     const int bad = factor(nloop, p->schur);
     if (bad) return pm_tree_singular_loop(w, bad - 1);
-    for (int i = 0; i < nloop; i++) watch_independence(w->tree, &x->row[i], p, 1, p->schur[i][i]);
+    for (int i = 0; i < nloop; i++) watch_independence(w->tree, &x->loop[i], p, 1, p->schur[i][i]);
     return PM_OK;
 }
 
@@ -227,17 +227,18 @@ INLINE double adjugate(double m[MOST][MOST], double to[MOST][MOST])
 }
 
 /* The independence of the rows, `along` the square of the way that they leave, in the metric of M. */
-INLINE void watch_rows(struct pm_tree *tree, int n, double row[2][MOST], pm_tree_small_place *p, double along)
+INLINE void watch_constraints(struct pm_tree *tree, int n, double row[2][MOST], pm_tree_small_place *p,
+                              double along)
 {
     const pm_tree_small *x = &tree->small;
     if (n == 2) {
         const double whole = p->mass[0][0] * p->mass[1][1] - p->mass[1][0] * p->mass[1][0];
-        watch_independence(tree, &x->row[0], p, along, whole);
+        watch_independence(tree, &x->loop[0], p, along, whole);
     } else if (n == 3) {
         double inverse[MOST][MOST];
         const double whole = adjugate(p->mass, inverse), first = between(3, inverse, row[0], row[0]);
-        watch_independence(tree, &x->row[0], p, first, whole);
-        watch_independence(tree, &x->row[1], p, along, first);
+        watch_independence(tree, &x->loop[0], p, first, whole);
+        watch_independence(tree, &x->loop[1], p, along, first);
     }
 }
 
@@ -250,7 +251,7 @@ INLINE int solve_along(pm_workspace *w, int n, pm_tree_small_place *p, const dou
     double row[2][MOST], way[MOST] = {1}, a[MOST] = {0};
     w->result.count[PM_COUNT_SOLVES]++;
     for (int i = 0; i < n - 1; i++)
-        for (int k = 0; k < n; k++) row[i][k] = jacobian(&x->row[i], k, p);
+        for (int k = 0; k < n; k++) row[i][k] = jacobian(&x->loop[i], k, p);
     if (n == 2) {
         way[0] = -row[0][1];
         way[1] = row[0][0];
@@ -272,7 +273,7 @@ INLINE int solve_along(pm_workspace *w, int n, pm_tree_small_place *p, const dou
                      : pm_fail(&w->result, PM_SINGULAR, PM_TABLE_BODY, 0, 0, 0);
     const double s = (dot(n, way, f) - between(n, p->mass, way, a)) / along;
     for (int k = 0; k < n; k++) yddot[k] = a[k] + s * way[k];
-    watch_rows(w->tree, n, row, p, along);
+    watch_constraints(w->tree, n, row, p, along);
     return PM_OK;
 }
 
@@ -284,12 +285,12 @@ INLINE int derivative(pm_workspace *w, int n, int nloop, const double *y, double
     direct(x, n, y, p.direction);
     for (int k = 0; k < n; k++) {
         rate[k] = y[n + k];
-        square[k] = x->turning[k] * y[n + k] * y[n + k];
+        square[k] = x->rotates[k] * y[n + k] * y[n + k];
     }
     equations(x, n, square, &p, f);
     for (int i = 0; i < nloop; i++) {
         gamma[i] = 0;
-        for (int k = 0; k < n; k++) gamma[i] += square[k] * height(&x->row[i].wave[k], p.direction[k]);
+        for (int k = 0; k < n; k++) gamma[i] += square[k] * height(&x->loop[i].wave[k], p.direction[k]);
     }
     if (n <= 3 && nloop == n - 1) return solve_along(w, n, &p, gamma, f, rate + n);
     const int status = factor_all(w, x, n, nloop, &p);
@@ -306,9 +307,9 @@ INLINE double openings(const pm_tree_small *x, int n, int nloop, const double *y
 {
     double worst = 0;
     for (int i = 0; i < nloop; i++) {
-        double g = x->row[i].constant;
+        double g = x->loop[i].constant;
         for (int k = 0; k < n; k++)
-            g += x->row[i].shift[k] * y[k] + height(&x->row[i].wave[k], p->direction[k]);
+            g += x->loop[i].shift[k] * y[k] + height(&x->loop[i].wave[k], p->direction[k]);
         opening[i] = -g;
         if (fabs(g) > worst) worst = fabs(g);
     }
@@ -349,7 +350,7 @@ INLINE int project(pm_workspace *w, int n, int nloop, double *y, double *ydot)
     worst = 0;
     for (int i = 0; i < nloop; i++) {
         opening[i] = 0;
-        for (int k = 0; k < n; k++) opening[i] -= jacobian(&x->row[i], k, &p) * ydot[k];
+        for (int k = 0; k < n; k++) opening[i] -= jacobian(&x->loop[i], k, &p) * ydot[k];
         if (fabs(opening[i]) > worst) worst = fabs(opening[i]);
     }
     if (worst <= PM_MET * w->numbers.speed) return PM_OK;

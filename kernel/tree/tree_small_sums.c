@@ -32,62 +32,62 @@ static double value_of(pm_tree_small_wave x, const double direction[2])
 }
 
 /* The direction of a row that stays; 0 if it does not. */
-static int direction_of(const pm_model *model, const pm_constraint *row, double n[2])
+static int direction_of(const pm_model *model, const pm_constraint *c, double n[2])
 {
     n[0] = n[1] = 0;
-    if (row->drive != PM_NONE) return 0;
-    switch (row->kind) {
+    if (c->drive != PM_NONE) return 0;
+    switch (c->kind) {
     case PM_CONSTRAINT_ANGLE: return 1;
     case PM_CONSTRAINT_POINT_X: n[0] = 1; return 1;
     case PM_CONSTRAINT_POINT_Y: n[1] = 1; return 1;
     case PM_CONSTRAINT_LINE_NORMAL:
-        n[0] = -row->axis[1];
-        n[1] = row->axis[0];
-        return row->body[1] == model->nbody;
+        n[0] = -c->axis[1];
+        n[1] = c->axis[0];
+        return c->body[1] == model->nbody;
     default: return 0;
     }
 }
 
 /* What moves one of a row's marks. */
-static void add_side(const pm_frame *frame, const pm_tree *t, const pm_constraint *row, int side,
-                     const double n[2], pm_tree_small_row *x)
+static void add_side(const pm_frame *frame, const pm_tree *t, const pm_constraint *c, int side,
+                     const double n[2], pm_tree_small_loop *x)
 {
     const pm_tree_augmented *a = &t->augmented;
-    const int body = row->body[side];
-    const double sign = side == 0 ? 1 : -1, *mark = side == 0 ? row->a : row->b;
-    x->turning[side] = PM_NONE;
+    const int body = c->body[side];
+    const double sign = side == 0 ? 1 : -1, *mark = side == 0 ? c->a : c->b;
+    x->rotates[side] = PM_NONE;
     if (body == frame->model->nbody) return;
     const double *im = frame->numbers->inverse_mass + 3 * body;
     const pm_tree_node *node = &t->node[t->placed[body] - 1];
     const pm_point p = pm_frame_point(frame, body, mark[0], mark[1]);
     x->square += n[0] * n[0] * im[0] + n[1] * n[1] * im[1];
     for (int i = node->list; i < node->list + node->nlist; i++) {
-        const int k = t->moved_by[i], turns = t->influence[3 * i + 2] != 0;
+        const int k = t->moved_by[i], rotates = t->influence[3 * i + 2] != 0;
         const double *e = a->fixed + 2 * k, *b = t->influence + 3 * i, *direction = a->direction + 2 * k;
         double lever[2] = {b[1] - e[1], e[0] - b[0]};
         x->shift[k] += sign * (n[0] * e[0] + n[1] * e[1]);
-        if (turns) {
+        if (rotates) {
             lever[0] += p.r[0];
             lever[1] += p.r[1];
-            x->turning[side] = k;
+            x->rotates[side] = k;
             x->lever[side] = wave_of(n, p.r, direction);
             x->inverse_inertia[side] = im[2];
-            if (row->kind == PM_CONSTRAINT_ANGLE) x->shift[k] += sign;
+            if (c->kind == PM_CONSTRAINT_ANGLE) x->shift[k] += sign;
         }
         add_wave(&x->wave[k], sign, wave_of(n, lever, direction));
     }
-    if (row->kind == PM_CONSTRAINT_ANGLE) x->square += im[2];
+    if (c->kind == PM_CONSTRAINT_ANGLE) x->square += im[2];
 }
 
-static int read_row(const pm_frame *frame, const pm_tree *tree, const double *y, pm_constraint *row,
-                    pm_tree_small_row *x)
+static int read_loop(const pm_frame *frame, const pm_tree *tree, const double *y, pm_constraint *c,
+                     pm_tree_small_loop *x)
 {
     double n[2];
-    if (!direction_of(frame->model, row, n)) return 0;
-    pm_constraint_kind(row->kind)->evaluate(frame, row);
+    if (!direction_of(frame->model, c, n)) return 0;
+    pm_constraint_kind(c->kind)->evaluate(frame, c);
     memset(x, 0, sizeof *x);
-    for (int side = 0; side < 2; side++) add_side(frame, tree, row, side, n, x);
-    x->constant = row->g;
+    for (int side = 0; side < 2; side++) add_side(frame, tree, c, side, n, x);
+    x->constant = c->g;
     for (int k = 0; k < tree->n; k++)
         x->constant -= x->shift[k] * y[k] + value_of(x->wave[k], tree->augmented.direction + 2 * k);
     return 1;
@@ -110,15 +110,15 @@ static void read_sums(const pm_numbers *numbers, const pm_tree *tree, pm_tree_sm
         }
     for (int i = 0; i < MOST; i++) {
         x->owner[i] = PM_NONE;
-        x->turning[i] = 0;
+        x->rotates[i] = 0;
     }
     for (int i = 0; i < n; i++) {
         const double *p = a->upper + 2 * (i * n + i);
         x->weight[i] = a->weight[i];
-        x->turned_weight[i].a = numbers->gravity[1] * p[0] - numbers->gravity[0] * p[1];
-        x->turned_weight[i].b = -numbers->gravity[1] * p[1] - numbers->gravity[0] * p[0];
+        x->rotated_weight[i].a = numbers->gravity[1] * p[0] - numbers->gravity[0] * p[1];
+        x->rotated_weight[i].b = -numbers->gravity[1] * p[1] - numbers->gravity[0] * p[0];
         x->owner[i] = a->owner[i];
-        x->turning[i] = a->owner[i] != PM_NONE;
+        x->rotates[i] = a->owner[i] != PM_NONE;
     }
     x->shifts = a->shifts;
 }
@@ -154,7 +154,7 @@ void pm_tree_small_sum_up(pm_workspace *w)
     pm_tree_read(w->tree, &w->frame, y);
     pm_tree_influence(w->tree);
     for (int i = 0; i < t->nloop && x->on; i++)
-        x->on = read_row(&w->frame, w->tree, y, &w->active.row[t->loop[i]], &x->row[i]);
+        x->on = read_loop(&w->frame, w->tree, y, &w->active.constraint[t->loop[i]], &x->loop[i]);
     if (!x->on) return;
     read_sums(&w->numbers, w->tree, x);
     for (int k = 0; k < MOST; k++) x->y[k] = NAN;

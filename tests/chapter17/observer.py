@@ -153,7 +153,7 @@ class _Rewriter:
             self.scale(row, L.PM_BODY_MASS, change.mass)
             self.scale(row, L.PM_BODY_INERTIA, change.size(1, 2, 0))
             self.turn(row, L.PM_BODY_X, L.PM_BODY_Y, change.length)
-            if row[L.PM_BODY_TURNS]:
+            if row[L.PM_BODY_ROTATES]:
                 self.scale(row, L.PM_BODY_ANGLE, change.sign, change.phi)
         for row in rows[L.PM_TABLE_POINT]:
             self.place(row, L.PM_POINT_X, L.PM_POINT_Y, row[L.PM_POINT_BODY])
@@ -161,8 +161,8 @@ class _Rewriter:
             self.scale(row, L.PM_LINE_ANGLE, change.sign, self.phi_of(row[L.PM_LINE_POINT]))
         for row in rows[L.PM_TABLE_CIRCLE]:
             self.scale(row, L.PM_CIRCLE_RADIUS, change.length)
-        for row in rows[L.PM_TABLE_ROW]:
-            self.place(row, L.PM_ROW_STEP_X, L.PM_ROW_STEP_Y, self.body_of(row[L.PM_ROW_POINT]))
+        for row in rows[L.PM_TABLE_PATTERN]:
+            self.place(row, L.PM_PATTERN_STEP_X, L.PM_PATTERN_STEP_Y, self.body_of(row[L.PM_PATTERN_POINT]))
 
     def body_of(self, point: int) -> int:
         return self.rows[L.PM_TABLE_POINT][point][L.PM_POINT_BODY]
@@ -174,7 +174,7 @@ class _Rewriter:
         """What the difference of two bodies' angles gains: particles and the ground do not turn along."""
 
         def gain(body: int) -> float:
-            turns = body >= 0 and self.rows[L.PM_TABLE_BODY][body][L.PM_BODY_TURNS]
+            turns = body >= 0 and self.rows[L.PM_TABLE_BODY][body][L.PM_BODY_ROTATES]
             return self.change.phi if turns else 0.0
 
         return gain(a) - gain(b)

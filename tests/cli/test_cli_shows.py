@@ -16,7 +16,7 @@ from tests.scenes.pendulum import RELEASED
 def test_check_counts_freedom(folder: Path) -> None:
     done = invoke("check", write(folder, "a.toml", RELEASED))
     assert done.exit_code == 0
-    assert "1 degree of freedom: 3 coordinates, 2 rows of joints" in done.stdout
+    assert "1 degree of freedom: 3 coordinates, 2 constraints of joints" in done.stdout
     assert "0 of them redundant" in done.stdout
 
 

@@ -100,7 +100,7 @@ def test_check_assembles_the_start() -> None:
     start = check(flat)
     assert (start.status, start.message) == (layout.PM_OK, "")
     assert start.info["coordinates"] == 6
-    assert (start.info["rows"], start.info["redundant"], start.info["freedom"]) == (4, 0, 2)
+    assert (start.info["constraints"], start.info["redundant"], start.info["freedom"]) == (4, 0, 2)
     assert start.pose[0] == pytest.approx(
         [0.6 * math.cos(-math.pi / 18), 0.6 * math.sin(-math.pi / 18), -math.pi / 18]
     )

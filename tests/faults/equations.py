@@ -109,14 +109,14 @@ FAULTS = [
     Fault(
         "start: a block of joints pushed the wrong way",
         "equations/least_change.c",
-        "level == PM_START_POSITION ? -row->g : row->rate",
-        "level == PM_START_POSITION ? row->g : row->rate",
+        "level == PM_START_POSITION ? -c->g : c->rate",
+        "level == PM_START_POSITION ? c->g : c->rate",
     ),
     Fault(
         "start: what lies across a block of joints",
         "equations/least_change.c",
-        "saddle->rhs[i] = -along(saddle->model, saddle->numbers, &active->row[i], s->across)",
-        "saddle->rhs[i] = along(saddle->model, saddle->numbers, &active->row[i], s->across)",
+        "saddle->rhs[i] = -along(saddle->model, saddle->numbers, &active->constraint[i], s->across)",
+        "saddle->rhs[i] = along(saddle->model, saddle->numbers, &active->constraint[i], s->across)",
     ),
     Fault("still: weights are carried twice", "equations/ledger.c", "if (w->numbers.fixed[i]) continue;", ""),
     Fault(
@@ -164,14 +164,14 @@ FAULTS = [
     Fault(
         "saddle: sign of gamma",
         "equations/saddle.c",
-        "w->saddle.wanted[i] = w->active.row[i].gamma;",
-        "w->saddle.wanted[i] = -w->active.row[i].gamma;",
+        "w->saddle.wanted[i] = w->active.constraint[i].gamma;",
+        "w->saddle.wanted[i] = -w->active.constraint[i].gamma;",
     ),
     Fault(
         "saddle: friction left out of the force",
         "equations/saddle.c",
-        "use_h ? force_direction(s, row) : row->j",
-        "use_h ? row->j : row->j",
+        "use_h ? force_direction(s, c) : c->j",
+        "use_h ? c->j : c->j",
     ),
     Fault(
         "saddle: coupling of the second partner",
@@ -192,7 +192,10 @@ FAULTS = [
         "",
     ),
     Fault(
-        "recall: other rows do not count", "equations/solve_cache.c", "r->rows != w->active.version ||", ""
+        "recall: other rows do not count",
+        "equations/solve_cache.c",
+        "r->active_version != w->active.version ||",
+        "",
     ),
     Fault(
         "recall: forces of the time do not count",
@@ -206,8 +209,8 @@ FAULTS = [
         "memcmp(r->q, w->state.q,",
         "memcmp(r->q, r->q,",
     ),
-    Fault("recall: factors of other rows", "equations/saddle.c", "if (x->j[k] != row->j[k]) return 0;", ";"),
-    Fault("recall: factors of other bodies", "equations/saddle.c", "x->body[1] != row->body[1]", "0"),
+    Fault("recall: factors of other rows", "equations/saddle.c", "if (x->j[k] != c->j[k]) return 0;", ";"),
+    Fault("recall: factors of other bodies", "equations/saddle.c", "x->body[1] != c->body[1]", "0"),
     Fault("start: contradictions pass", "equations/start.c", "return PM_START_CONFLICT", "continue"),
     Fault(
         "start: open motions pass",
@@ -225,7 +228,7 @@ FAULTS = [
     Fault(
         "case: rows of any length",
         "equations/case.c",
-        "PM_ROW_COUNT, -INFINITY, PM_MOST_MEMBERS",
-        "PM_ROW_COUNT, -INFINITY, INFINITY",
+        "PM_PATTERN_COUNT, -INFINITY, PM_MOST_MEMBERS",
+        "PM_PATTERN_COUNT, -INFINITY, INFINITY",
     ),
 ]

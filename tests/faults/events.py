@@ -56,7 +56,7 @@ FAULTS = [
     Fault(
         "missed root: grip",
         "events/event.c",
-        "add(&w->phase, w->event, FUNCTION_GRIP, i",
+        "add(&w->phase, w->event, FUNCTION_STICK, i",
         "add(&w->phase, w->event, FUNCTION_NORMAL, i",
     ),
     Fault(
@@ -76,8 +76,8 @@ FAULTS = [
     Fault(
         "missed root: a dip beside the end of a step",
         "events/event_bracket.c",
-        "const int turned = near &&",
-        "const int turned = 0 &&",
+        "const int returned = near &&",
+        "const int returned = 0 &&",
     ),
     Fault(
         "missed root: dips do not show at nodes",
@@ -188,7 +188,7 @@ FAULTS = [
     Fault(
         "branch: one that no node shows",
         "events/extremum_branch.c",
-        "if (turn[j + 1] - turn[j] <= apart)",
+        "if (switch_at[j + 1] - switch_at[j] <= apart)",
         "if (1)",
     ),
     Fault(

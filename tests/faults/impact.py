@@ -134,8 +134,8 @@ FAULTS = [
     Fault(
         "drive: not in a blow",
         "impact/impact_trial.c",
-        "pm_constraint_times(&w->frame, &w->active.row[i], w->state.v) - w->active.row[i].rate",
-        "pm_constraint_times(&w->frame, &w->active.row[i], w->state.v)",
+        "pm_constraint_times(&w->frame, &w->active.constraint[i], w->state.v) - w->active.constraint[i].rate",
+        "pm_constraint_times(&w->frame, &w->active.constraint[i], w->state.v)",
     ),
     Fault(
         "blow: sign of restitution", "impact/impact_trial.c", "return -(1 + e) * u;", "return -(1 - e) * u;"
@@ -198,9 +198,14 @@ FAULTS = [
     ),
     Fault("jump: its blows can be counted", "impact/impact_end.c", "pm_trigger_countless(w, contact);", ""),
     Fault(
-        "impact: friction drives the slip", "impact/impact_course.c", "-copysign(x->rub,", "copysign(x->rub,"
+        "impact: friction drives the slip",
+        "impact/impact_course.c",
+        "-copysign(x->mu_kinetic,",
+        "copysign(x->mu_kinetic,",
     ),
-    Fault("impact: what has stopped holds", "impact/impact_course.c", "fabs(x->b) <= x->grip * x->c", "1"),
+    Fault(
+        "impact: what has stopped holds", "impact/impact_course.c", "fabs(x->b) <= x->mu_static * x->c", "1"
+    ),
     Fault("impact: slip does not end", "impact/impact_course.c", "now->slip * now->rate_t < 0 ?", "0 ?"),
     Fault(
         "impact: restitution of the whole impulse",

@@ -3,7 +3,7 @@
 from tests.faults.fault import Fault
 
 FAULTS = [
-    Fault("ida: sign of the bends", "routes/ida/ida_linear.c", "= -j->turn[", "= j->turn["),
+    Fault("ida: sign of the bends", "routes/ida/ida_linear.c", "= -j->gv_slope[", "= j->gv_slope["),
     Fault(
         "ida: what begins on its zero is not held there",
         "routes/ida/route_ida.c",
@@ -31,8 +31,8 @@ FAULTS = [
     Fault(
         "ida, sparse: turns of the rows",
         "routes/ida/ida_sparse.c",
-        "ic * e[r] * j->turn",
-        "0 * ic * e[r] * j->turn",
+        "ic * e[r] * j->gv_slope",
+        "0 * ic * e[r] * j->gv_slope",
     ),
     Fault(
         "ida, sparse: forces by the rows",

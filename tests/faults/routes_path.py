@@ -64,7 +64,7 @@ FAULTS = [
         "(place->force - place->change * square)",
         "place->force",
     ),
-    Fault("path: what bends it does not react", "routes/path/path_open.c", "+ pm_pair_load(c) * square", ""),
+    Fault("path: what bends it does not react", "routes/path/path_open.c", "+ pm_lanes_load(c) * square", ""),
     Fault(
         "path: levers of another place",
         "routes/path/path_open.c",
@@ -96,7 +96,10 @@ FAULTS = [
         "c = x->bend + spin * r",
     ),
     Fault(
-        "path: a welded body that is not turned", "routes/path/path_rigid.c", "turned(turn, b->turn)", "turn"
+        "path: a welded body that is not rotationed",
+        "routes/path/path_rigid.c",
+        "rotated(rotation, b->rotation)",
+        "turn",
     ),
     Fault(
         "path: a missed turning point",
@@ -155,8 +158,8 @@ FAULTS = [
     Fault(
         "replay: the leg is not passed over",
         "routes/path/repeat.c",
-        "if (told) pm_repeat_energy_add(l, &segments)",
-        "if (told) (void)segments",
+        "if (found) pm_repeat_energy_add(l, &segments)",
+        "if (found) (void)segments",
     ),
     Fault(
         "leg: forces in later ones are not looked at",
@@ -246,7 +249,7 @@ FAULTS = [
     Fault(
         "path: no evidence of the rows",
         "routes/path/path_check.c",
-        "pm_max(broken_row(w), w->ledger.evidence)",
+        "pm_max(worst_broken(w), w->ledger.evidence)",
         "w->ledger.evidence",
     ),
     Fault(

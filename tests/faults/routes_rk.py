@@ -51,7 +51,7 @@ FAULTS = [
     Fault(
         "rk: steps outrun the reactions",
         "routes/rk/route_rk.c",
-        "return w->active.n > 0 ? w->rk->turning : INFINITY;",
+        "return w->active.n > 0 ? w->rk->rotation_time : INFINITY;",
         "return INFINITY;",
     ),
     Fault(

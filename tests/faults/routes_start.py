@@ -6,8 +6,8 @@ FAULTS = [
     Fault(
         "escape: axes that turn the other way",
         "routes/start/fastest_growth.c",
-        "(e->dv[i] - turned(e->spin",
-        "(e->dv[i] + turned(e->spin",
+        "(e->dv[i] - rotated(e->spin",
+        "(e->dv[i] + rotated(e->spin",
     ),
     Fault(
         "escape: steady at one time only",
@@ -37,7 +37,8 @@ FAULTS = [
     Fault(
         "nudge: bodies that hang together",
         "routes/start/perturbation.c",
-        "more |= join(w->model, w->perturbation, w->active.row[i].body[0], w->active.row[i].body[1])",
+        "more |= join(w->model, w->perturbation, w->active.constraint[i].body[0], "
+        "w->active.constraint[i].body[1])",
         "more |= 0",
     ),
 ]

@@ -6,7 +6,7 @@ FAULTS = [
     Fault(
         "uniform: joints rub for ever",
         "routes/uniform/route_uniform.c",
-        "end = fmin(end, u->rub_end[i])",
+        "end = fmin(end, u->joint_slip_end[i])",
         "end = fmin(end, INFINITY)",
     ),
     Fault(
@@ -30,8 +30,8 @@ FAULTS = [
     Fault(
         "uniform: a parabola passes twice",
         "routes/uniform/route_uniform.c",
-        "if (turn > PM_UNIFORM_TURNED && turn < 1)",
-        "if (turn < 0)",
+        "if (reversal > PM_UNIFORM_TURNED && reversal < 1)",
+        "if (reversal < 0)",
     ),
     Fault(
         "uniform: distance travelled",
@@ -60,7 +60,7 @@ FAULTS = [
     Fault(
         "edge: only the first root",
         "routes/uniform/uniform_edge.c",
-        "for (int i = 0; i <= nturn; i++) {",
+        "for (int i = 0; i <= ntop; i++) {",
         "for (int i = 0; i < 1; i++) {",
     ),
     Fault(

@@ -31,7 +31,7 @@ FAULTS = [
     Fault(
         "symmetry: any body is round",
         "scene/symmetry.c",
-        "return !turned(s, e[PM_POINT_BODY]) ||",
+        "return !is_rotated(s, e[PM_POINT_BODY]) ||",
         "return 1 ||",
     ),
     Fault(

@@ -6,7 +6,7 @@ FAULTS = [
     Fault(
         "error: steps that nothing limits are the same",
         "study/accuracy.c",
-        "w->numbers.coarse = companion ? PM_ACCURACY_COARSE : 1",
+        "w->numbers.coarse = coarse ? PM_ACCURACY_COARSE : 1",
         "w->numbers.coarse = 1",
     ),
     Fault(

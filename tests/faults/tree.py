@@ -16,7 +16,7 @@ FAULTS = [
     Fault(
         "tree: the other partner is the parent",
         "tree/tree.c",
-        "x->parent = row->body[child_is_a ? 1 : 0]",
+        "x->parent = c->body[child_is_a ? 1 : 0]",
         "x->parent = w->model->nbody",
     ),
     Fault(
@@ -28,8 +28,8 @@ FAULTS = [
     Fault(
         "tree: rolls the wrong way",
         "tree/tree.c",
-        "x->roll_own = -sign * row->radius_a",
-        "x->roll_own = sign * row->radius_a",
+        "x->roll_own = -sign * c->radius_a",
+        "x->roll_own = sign * c->radius_a",
     ),
     Fault(
         "tree: angle of the second partner",
@@ -59,8 +59,8 @@ FAULTS = [
     Fault(
         "tree: reactions of children are forgotten",
         "tree/tree_dynamics.c",
-        "pm_pair_load(to) + pm_pair_load(wrench)",
-        "pm_pair_load(to)",
+        "pm_lanes_load(to) + pm_lanes_load(wrench)",
+        "pm_lanes_load(to)",
     ),
     Fault(
         "tree: bias of a mark",
@@ -80,8 +80,8 @@ FAULTS = [
     Fault(
         "tree: partitioned, without the quadratic part",
         "tree/tree_partition.c",
-        "row->gamma - pm_constraint_times(&w->frame, row, a)",
-        "-pm_constraint_times(&w->frame, row, a)",
+        "c->gamma - pm_constraint_times(&w->frame, c, a)",
+        "-pm_constraint_times(&w->frame, c, a)",
     ),
     Fault(
         "tree: partitioned, a rate of the wrong sign",
@@ -141,7 +141,7 @@ FAULTS = [
     Fault(
         "swift: any moving line",
         "tree/tree_small_sums.c",
-        "return row->body[1] == model->nbody;",
+        "return c->body[1] == model->nbody;",
         "return 1;",
     ),
 ]

@@ -24,9 +24,9 @@ static scene *bars(void)
     scene *s = scene_create();
     const int d = scene_parameter(s), omega = scene_parameter(s);
     const int b = scene_body(s, 3, 0.4 * 3 * 0.0625, 0, 0.25, 0), g = scene_point(s, b, 0, 0);
-    const int row =
-        SCENE_ROW(s, PM_TABLE_ROW, scene_point(s, PM_GROUND, 0, 0), d, scene_value(s, 0), scene_value(s, -1));
-    scene_contact(s, PM_CONTACT_ROW, scene_circle(s, g, 0.25), row, 0, 0, PM_FRICTION_ROUGH, 0);
+    const int row = SCENE_ROW(s, PM_TABLE_PATTERN, scene_point(s, PM_GROUND, 0, 0), d, scene_value(s, 0),
+                              scene_value(s, -1));
+    scene_contact(s, PM_CONTACT_PATTERN, scene_circle(s, g, 0.25), row, 0, 0, PM_FRICTION_ROUGH, 0);
     const int w = scene_measure(s, PM_MEASURE_OMEGA, b);
     SCENE_ROW(s, PM_TABLE_START, PM_START_VELOCITY, w, omega);
     const int strike = scene_on(s, PM_TRIGGER_STRIKE, 0);

@@ -369,9 +369,9 @@ static void post_of_a_row(int capture)
     scene *s = scene_create();
     scene_set(s, PM_SETTING_GRAVITY_Y, 0);
     const int disk = scene_body(s, m, inertia, 7 + off, 1, 0), centre = scene_point(s, disk, 0, 0);
-    const int row = SCENE_ROW(s, PM_TABLE_ROW, scene_point(s, PM_GROUND, 0, 0), scene_value(s, 1),
+    const int row = SCENE_ROW(s, PM_TABLE_PATTERN, scene_point(s, PM_GROUND, 0, 0), scene_value(s, 1),
                               scene_value(s, 0), scene_value(s, -1));
-    const int hit = scene_capture(s, PM_CONTACT_ROW, scene_circle(s, centre, r), row, 0, capture);
+    const int hit = scene_capture(s, PM_CONTACT_PATTERN, scene_circle(s, centre, r), row, 0, capture);
     scene_start_velocity(s, centre, 0, -v);
     scene_start_omega(s, disk, spin);
     scene_until(s, scene_on(s, PM_TRIGGER_STRIKE, hit), 1);

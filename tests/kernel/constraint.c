@@ -199,17 +199,18 @@ static void periodic_row(int ground_side)
 {
     pair x = make_pair(ground_side);
     const int circle = scene_circle(x.s, x.point[0], x.distance);
-    const int row = SCENE_ROW(x.s, PM_TABLE_ROW, x.point[1], scene_value(x.s, 0.3), scene_value(x.s, 0.05),
-                              scene_value(x.s, -1));
-    scene_contact(x.s, PM_CONTACT_ROW, circle, row, 0, 0, PM_FRICTION_ROUGH, 0);
+    const int row = SCENE_ROW(x.s, PM_TABLE_PATTERN, x.point[1], scene_value(x.s, 0.3),
+                              scene_value(x.s, 0.05), scene_value(x.s, -1));
+    scene_contact(x.s, PM_CONTACT_PATTERN, circle, row, 0, 0, PM_FRICTION_ROUGH, 0);
     check_scene(x.s, 1);
     scene_free(x.s);
     x = make_pair(ground_side); /* member 2 */
     scene_contact(x.s, PM_CONTACT_LINE, scene_circle(x.s, x.point[0], 0), scene_line(x.s, x.point[1], 0), 0,
                   0, PM_FRICTION_SMOOTH, 0);
-    const int again = SCENE_ROW(x.s, PM_TABLE_ROW, x.point[1], scene_value(x.s, 0.3), scene_value(x.s, 0.05),
-                                scene_value(x.s, -1));
-    scene_contact(x.s, PM_CONTACT_ROW, scene_circle(x.s, x.point[0], 0.2), again, 0, 0, PM_FRICTION_ROUGH, 0);
+    const int again = SCENE_ROW(x.s, PM_TABLE_PATTERN, x.point[1], scene_value(x.s, 0.3),
+                                scene_value(x.s, 0.05), scene_value(x.s, -1));
+    scene_contact(x.s, PM_CONTACT_PATTERN, scene_circle(x.s, x.point[0], 0.2), again, 0, 0, PM_FRICTION_ROUGH,
+                  0);
     check_scene(x.s, 0);
     scene_free(x.s);
 }

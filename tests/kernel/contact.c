@@ -13,9 +13,9 @@ static scene *row_scene(double x, double y, double count)
 {
     scene *s = scene_create();
     const int c = scene_circle(s, scene_point(s, scene_body(s, 1, 0.1, x, y, 0.3), 0, 0), 0.2);
-    const int row = SCENE_ROW(s, PM_TABLE_ROW, scene_point(s, PM_GROUND, 0.1, -0.2), scene_value(s, STEP_X),
-                              scene_value(s, STEP_Y), scene_value(s, count));
-    scene_contact(s, PM_CONTACT_ROW, c, row, 0, 0, PM_FRICTION_SMOOTH, 0);
+    const int row = SCENE_ROW(s, PM_TABLE_PATTERN, scene_point(s, PM_GROUND, 0.1, -0.2),
+                              scene_value(s, STEP_X), scene_value(s, STEP_Y), scene_value(s, count));
+    scene_contact(s, PM_CONTACT_PATTERN, c, row, 0, 0, PM_FRICTION_SMOOTH, 0);
     scene_until_time(s, 1);
     return s;
 }
@@ -64,9 +64,9 @@ static void rates(void)
                   scene_line(s, scene_point(s, b, 0, 0.1), 0.2), 0, 0, PM_FRICTION_ROUGH, 0);
     scene_contact(s, PM_CONTACT_CIRCLE, scene_circle(s, scene_point(s, a, 0.1, 0.1), 0.2),
                   scene_circle(s, scene_point(s, b, 0, 0.1), 0.3), 1, 0, PM_FRICTION_ROUGH, 0);
-    const int row = SCENE_ROW(s, PM_TABLE_ROW, scene_point(s, b, 0.2, 0.1), scene_value(s, 0.3),
+    const int row = SCENE_ROW(s, PM_TABLE_PATTERN, scene_point(s, b, 0.2, 0.1), scene_value(s, 0.3),
                               scene_value(s, -0.1), scene_value(s, 3));
-    scene_contact(s, PM_CONTACT_ROW, scene_circle(s, scene_point(s, a, 0.1, 0.1), 0.2), row, 0, 0,
+    scene_contact(s, PM_CONTACT_PATTERN, scene_circle(s, scene_point(s, a, 0.1, 0.1), 0.2), row, 0, 0,
                   PM_FRICTION_ROUGH, 0);
     scene_start_velocity(s, scene_point(s, a, 0, 0), 0.3, -0.8);
     scene_start_velocity(s, scene_point(s, b, 0, 0), -0.5, 0.4);
@@ -98,9 +98,9 @@ static void too_many(void)
 {
     scene *s = scene_create(); /* bars much closer than what counts as touching */
     const int c = scene_circle(s, scene_point(s, scene_body(s, 1, 0.1, 0, 0.2, 0), 0, 0), 0.2);
-    const int row = SCENE_ROW(s, PM_TABLE_ROW, scene_point(s, PM_GROUND, 0, 0), scene_value(s, 1e-12),
+    const int row = SCENE_ROW(s, PM_TABLE_PATTERN, scene_point(s, PM_GROUND, 0, 0), scene_value(s, 1e-12),
                               scene_value(s, 0), scene_value(s, -1));
-    scene_contact(s, PM_CONTACT_ROW, c, row, 0, 0, PM_FRICTION_SMOOTH, 0);
+    scene_contact(s, PM_CONTACT_PATTERN, c, row, 0, 0, PM_FRICTION_SMOOTH, 0);
     scene_until_time(s, 1);
     EQUAL(scene_run(s, NULL), PM_CONTACT_SLOTS);
     EQUAL(s->where[PM_WHERE_TABLE], PM_TABLE_CONTACT);
@@ -115,12 +115,12 @@ static void too_long(void)
     for (int i = 0; i < 3; i++) {
         scene *s = scene_create();
         const int c = scene_circle(s, scene_point(s, scene_body(s, 1, 0.1, 0, 0.5, 0), 0, 0), 0.2);
-        const int row = SCENE_ROW(s, PM_TABLE_ROW, scene_point(s, PM_GROUND, 0, 0), scene_value(s, 0.1),
+        const int row = SCENE_ROW(s, PM_TABLE_PATTERN, scene_point(s, PM_GROUND, 0, 0), scene_value(s, 0.1),
                                   scene_value(s, 0), scene_value(s, count[i]));
-        scene_contact(s, PM_CONTACT_ROW, c, row, 0, 0, PM_FRICTION_SMOOTH, 0);
+        scene_contact(s, PM_CONTACT_PATTERN, c, row, 0, 0, PM_FRICTION_SMOOTH, 0);
         scene_until_time(s, 0.1);
         EQUAL(scene_run(s, NULL), i == 0 ? PM_OK : PM_BAD_VALUE);
-        if (i > 0) EQUAL(s->where[PM_WHERE_TABLE], PM_TABLE_ROW);
+        if (i > 0) EQUAL(s->where[PM_WHERE_TABLE], PM_TABLE_PATTERN);
         scene_free(s);
     }
 }

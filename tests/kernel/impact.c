@@ -26,7 +26,7 @@ static void look(pm_workspace *w, const double *v)
 static double kinetic(pm_workspace *w, const double *v)
 {
     look(w, v);
-    return pm_body_kinetic(&w->frame, PM_NONE);
+    return pm_frame_kinetic(&w->frame, PM_NONE);
 }
 
 /* Gives the assembled scene the velocities v at an instant; contact i rests before if bit i of `resting` is set. */
@@ -44,7 +44,7 @@ static blow strike(scene *s, const double *v, unsigned resting)
     w->numbers.speed = fastest;
     pm_frame_look_state(&w->frame, &w->state);
     const int status = pm_impact(w, &x.jumped);
-    x.refused = status == PM_BLOW_GAINS || status == PM_BLOW_TURNS;
+    x.refused = status == PM_BLOW_GAINS || status == PM_BLOW_REVERSES;
     if (!x.refused) EQUAL(status, PM_OK);
     memcpy(x.after, w->state.v, (size_t)w->model->nq * sizeof *v);
     return x;
@@ -67,7 +67,7 @@ static void momentum_balance(scene *s, const blow *x)
                                            &row[0], &row[1]);
             for (int k = 0; k < rows; k++) {
                 const double size =
-                    pass ? w->impulses.slot[2 * i + k] : w->impulses.joint[m->joint_row[i] + k];
+                    pass ? w->impulses.slot[2 * i + k] : w->impulses.joint[m->joint_constraint[i] + k];
                 pm_line_of_action a;
                 pm_constraint_kind(row[k].kind)->act(&w->frame, &row[k], &a);
                 for (int p = 0; p < 2; p++) {
@@ -345,9 +345,9 @@ static void never_wedged(void)
         const double beta = asin(0.5 * d), k = (2 + 5 * cos(2 * beta)) / 7;
         scene *s = scene_create();
         const int b = scene_body(s, 3, 0.4 * 3, 0, 1, 0), g = scene_point(s, b, 0, 0);
-        const int row = SCENE_ROW(s, PM_TABLE_ROW, scene_point(s, PM_GROUND, 0, 0), scene_value(s, d),
+        const int row = SCENE_ROW(s, PM_TABLE_PATTERN, scene_point(s, PM_GROUND, 0, 0), scene_value(s, d),
                                   scene_value(s, 0), scene_value(s, -1));
-        scene_contact(s, PM_CONTACT_ROW, scene_circle(s, g, 1), row, 0, 0, PM_FRICTION_ROUGH, 0);
+        scene_contact(s, PM_CONTACT_PATTERN, scene_circle(s, g, 1), row, 0, 0, PM_FRICTION_ROUGH, 0);
         scene_start_omega(s, b, -1.5);
         const int hit = scene_on(s, PM_TRIGGER_STRIKE, 0), omega = scene_measure(s, PM_MEASURE_OMEGA, b);
         const int before = scene_ask_event(s, scene_read(s, omega), hit, 1, 1);

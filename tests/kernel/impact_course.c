@@ -12,13 +12,13 @@
 
 static pm_impact_course some(int law)
 {
-    pm_impact_course x = {.law = law, .still = 1e-12};
+    pm_impact_course x = {.law = law, .no_slip = 1e-12};
     x.a = check_random(0.5, 2);
     x.c = check_random(0.5, 4);
     x.b = check_random(-0.95, 0.95) * sqrt(x.a * x.c);
     x.normal = check_random(-4, -1);
     x.slip = check_random(-3, 3);
-    x.grip = x.rub = check_random(0, 1.5);
+    x.mu_static = x.mu_kinetic = check_random(0, 1.5);
     x.restitution = check_random(0, 1);
     return x;
 }
@@ -36,7 +36,7 @@ static stepped step_through(const pm_impact_course *x)
     int compressed = 0;
     for (int i = 0; i < 4 * STEPS; i++) {
         const double hold = -(s.slip + x->b * dp) / x->c; /* would end the slip within the step */
-        const double most = x->rub * dp, f = fmax(-most, fmin(most, hold));
+        const double most = x->mu_kinetic * dp, f = fmax(-most, fmin(most, hold));
         const double before = s.normal;
         s.normal += x->a * dp + x->b * f;
         s.slip += x->b * dp + x->c * f;
@@ -85,8 +85,8 @@ static void balances(void)
         CHECK(pm_impact_course_follow(&x, &end));
         NEAR(end.normal, x.normal + (x.a + x.b * end.ratio) * end.impulse, CLOSE * 100);
         NEAR(end.slip, x.slip + (x.b + x.c * end.ratio) * end.impulse, CLOSE * 100);
-        CHECK(fabs(end.ratio) <= x.rub * (1 + CLOSE));
-        if (end.slip * x.slip > 0) NEAR(end.ratio, -copysign(x.rub, x.slip), CLOSE);
+        CHECK(fabs(end.ratio) <= x.mu_kinetic * (1 + CLOSE));
+        if (end.slip * x.slip > 0) NEAR(end.ratio, -copysign(x.mu_kinetic, x.slip), CLOSE);
     }
 }
 
@@ -94,7 +94,7 @@ static void without_friction(void)
 {
     for (int n = 0; n < 60; n++) {
         pm_impact_course x = some(n % PM_LAWS);
-        x.grip = x.rub = 0;
+        x.mu_static = x.mu_kinetic = 0;
         pm_impact_course_end end;
         CHECK(pm_impact_course_follow(&x, &end));
         NEAR(end.impulse, -(1 + x.restitution) * x.normal / x.a, CLOSE * 10);
@@ -145,7 +145,7 @@ static void rough(void)
 {
     for (int n = 0; n < 60; n++) {
         pm_impact_course x = some(n % PM_LAWS);
-        x.grip = x.rub = INFINITY;
+        x.mu_static = x.mu_kinetic = INFINITY;
         pm_impact_course_end end;
         const double gripped = x.normal - x.b * x.slip / x.c, stiffness = x.a - x.b * x.b / x.c;
         const int ends = pm_impact_course_follow(&x, &end);
@@ -174,7 +174,7 @@ static void locked(void)
                                                       : e * sqrt(-u * compression * out);
         NEAR(end.normal, normal, CLOSE);
         NEAR(end.slip, normal * b / a, CLOSE);
-        x.grip = x.rub = 1.3; /* > a/b */
+        x.mu_static = x.mu_kinetic = 1.3; /* > a/b */
         EQUAL(pm_impact_course_follow(&x, &end), law == PM_LAW_POISSON);
         x.restitution = 0;
         CHECK(pm_impact_course_follow(&x, &end));

@@ -70,7 +70,7 @@ static void lever(int route)
     const double m = 1.3, big = 2.1, a = 0.7, b = 0.4;
     const int bar = scene_body(s, 0, 0, 0, 0, 0), one = scene_body(s, m, 0, -a, 0, 0),
               two = scene_body(s, big, 0, b, 0, 0);
-    scene_cell(s, PM_TABLE_BODY, bar, PM_BODY_TURNS, 1);
+    scene_cell(s, PM_TABLE_BODY, bar, PM_BODY_ROTATES, 1);
     scene_joint(s, PM_JOINT_PIN, scene_point(s, bar, 0, 0), scene_point(s, PM_GROUND, 0, 0), 0);
     scene_joint(s, PM_JOINT_PIN, scene_point(s, bar, -a, 0), scene_point(s, one, 0, 0), 0);
     scene_joint(s, PM_JOINT_PIN, scene_point(s, bar, b, 0), scene_point(s, two, 0, 0), 0);

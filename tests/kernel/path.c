@@ -185,10 +185,11 @@ static scene *bars(void)
     scene *s = scene_create();
     const double r = 0.1, d = 0.04, lean = asin(0.5 * d / r);
     const int b = scene_body(s, 1, 0.4 * r * r, -0.5 * d, r * cos(lean), 0);
-    const int row = SCENE_ROW(s, PM_TABLE_ROW, ground(s, -d, 0), scene_value(s, d), scene_value(s, 0),
+    const int row = SCENE_ROW(s, PM_TABLE_PATTERN, ground(s, -d, 0), scene_value(s, d), scene_value(s, 0),
                               scene_value(s, -1));
     const int g = scene_point(s, b, 0, 0);
-    const int c = scene_contact(s, PM_CONTACT_ROW, scene_circle(s, g, r), row, 0, 0, PM_FRICTION_ROUGH, 0);
+    const int c =
+        scene_contact(s, PM_CONTACT_PATTERN, scene_circle(s, g, r), row, 0, 0, PM_FRICTION_ROUGH, 0);
     scene_start_omega(s, b, -5.5);
     const int strike = scene_on(s, PM_TRIGGER_STRIKE, c);
     scene_until(s, strike, 9);
@@ -340,7 +341,7 @@ static double evidence(maker *make, double shift, double more)
         pm_frame_look_state(&w->frame, &w->state);
         CHECK(pm_route_prepare(w, &pm_route_path));
         EQUAL(pm_route_path.begin(w), PM_OK);
-        w->active.row[1].a[0] += shift;
+        w->active.constraint[1].a[0] += shift;
         w->numbers.gravity[1] *= 1 + more;
         w->ledger.evidence = 0;
         EQUAL(pm_route_path.step(w, INFINITY), PM_OK);

@@ -23,10 +23,11 @@ static bars make_bars(double r, double d, double slope, double omega)
     *scene_setting(s, PM_SETTING_MAX_TIME) = PM_NONE; /* nobody asks for the time */
     const double c = cos(slope), n = sin(slope);
     x.body = scene_body(s, 1, 0.4 * r * r, r * n, r * c, 0);
-    const int row = SCENE_ROW(s, PM_TABLE_ROW, scene_point(s, PM_GROUND, 0, 0), scene_value(s, d * c),
+    const int row = SCENE_ROW(s, PM_TABLE_PATTERN, scene_point(s, PM_GROUND, 0, 0), scene_value(s, d * c),
                               scene_value(s, -d * n), scene_value(s, -1));
     x.g = scene_point(s, x.body, 0, 0);
-    x.contact = scene_contact(s, PM_CONTACT_ROW, scene_circle(s, x.g, r), row, 0, 0, PM_FRICTION_ROUGH, 0);
+    x.contact =
+        scene_contact(s, PM_CONTACT_PATTERN, scene_circle(s, x.g, r), row, 0, 0, PM_FRICTION_ROUGH, 0);
     x.strike = scene_on(s, PM_TRIGGER_STRIKE, x.contact);
     scene_start_omega(s, x.body, -omega);
     return x;
@@ -79,11 +80,11 @@ static void against_recursion(void)
             NEAR(s->out[last], -sqrt(square), 1e-10);
             NEAR(s->out[least], -sqrt(fmin(slowest, square)), 1e-10);
             NEAR(s->out[moved], (every - 0.5) * d * cos(slope) + r * cos(x.lean) * sin(slope), 1e-9);
-            CHECK(s->count[PM_COUNT_LEGS] > every / 2);
+            CHECK(s->count[PM_COUNT_REPEATED_SEGMENTS] > every / 2);
         } else {
             CHECK(n > 5);
             NEAR(s->out[last], 0, 1e-7);
-            CHECK(s->count[PM_COUNT_LEGS] > 0);
+            CHECK(s->count[PM_COUNT_REPEATED_SEGMENTS] > 0);
         }
         EQUAL(s->count[PM_COUNT_JUMPS], n);
         CHECK(s->audit[PM_AUDIT_ENERGY] < 1e-12);
@@ -113,8 +114,8 @@ static void compare(double r, double d, double slope, double omega, asker *ask, 
     EQUAL(a->status, b->status);
     for (int i = 0; i < a->nout; i++) NEAR(a->out[i], b->out[i], 1e-11 * (1 + fabs(b->out[i])));
     for (int i = 0; i < a->rows[PM_TABLE_ASK]; i++) EQUAL(a->reason[i], b->reason[i]);
-    CHECK(a->count[PM_COUNT_LEGS] >= fewest);
-    EQUAL(b->count[PM_COUNT_LEGS], 0);
+    CHECK(a->count[PM_COUNT_REPEATED_SEGMENTS] >= fewest);
+    EQUAL(b->count[PM_COUNT_REPEATED_SEGMENTS], 0);
     EQUAL(a->count[PM_COUNT_EVENTS], b->count[PM_COUNT_EVENTS]);
     EQUAL(a->count[PM_COUNT_JUMPS], b->count[PM_COUNT_JUMPS]);
     if (fewest > 0) CHECK(a->count[PM_COUNT_STEPS] < b->count[PM_COUNT_STEPS]);
@@ -356,7 +357,7 @@ static void last_over_barrier(double d, double slope, double omega, int estimate
         EQUAL(told->count[PM_COUNT_JUMPS], s->count[PM_COUNT_JUMPS]);
         EQUAL(told->count[PM_COUNT_EVENTS], s->count[PM_COUNT_EVENTS]);
     }
-    EQUAL(told->count[PM_COUNT_LEGS], x[ASKED].s->count[PM_COUNT_LEGS] + 1);
+    EQUAL(told->count[PM_COUNT_REPEATED_SEGMENTS], x[ASKED].s->count[PM_COUNT_REPEATED_SEGMENTS] + 1);
     CHECK(told->count[PM_COUNT_STEPS] < x[ASKED].s->count[PM_COUNT_STEPS]);
     CHECK(told->audit[PM_AUDIT_ENERGY] < 1e-12);
     for (int i = 0; i < RUNS; i++) scene_free(x[i].s);
@@ -403,7 +404,7 @@ static void turns_until_a_time(void)
         if (i == 2) NEAR(s->out[angle], 2000 * PI, 1e-8);
         if (i == 2) NEAR(s->out[speed], 9, 1e-9);
         CHECK(s->out[slowest] < 8.9);
-        CHECK(s->count[PM_COUNT_LEGS] > 900);
+        CHECK(s->count[PM_COUNT_REPEATED_SEGMENTS] > 900);
         CHECK(s->count[PM_COUNT_STEPS] < 200);
         CHECK(s->audit[PM_AUDIT_ENERGY] < 1e-11);
         scene_free(s);
@@ -438,7 +439,7 @@ static void wheel_downhill(void)
     NEAR(s->out[speed], -sqrt(9 + 2 * m * G * 2 * PI * r * turns * n / mass), 1e-10);
     NEAR(s->out[place], r * n + 2 * PI * r * turns * c, 1e-9);
     CHECK(s->out[fastest] <= s->out[speed]);
-    CHECK(s->count[PM_COUNT_LEGS] > turns / 2);
+    CHECK(s->count[PM_COUNT_REPEATED_SEGMENTS] > turns / 2);
     scene_free(s);
 }
 

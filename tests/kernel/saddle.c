@@ -50,7 +50,7 @@ static void recompute(pm_workspace *w)
     EQUAL(pm_saddle_accelerate(w), PM_OK);
     for (int i = 0; i < nq; i++) sum[i] = w->frame.f[i];
     for (int i = 0; i < w->active.n; i++) {
-        const pm_constraint *row = &w->active.row[i];
+        const pm_constraint *row = &w->active.constraint[i];
         const double *h = w->active.asymmetric ? row->h : row->j;
         NEAR(pm_constraint_times(&w->frame, row, w->frame.a), row->gamma, 1e-10);
         for (int p = 0; p < 2; p++)
@@ -139,7 +139,7 @@ static void forces(void)
             pm_state_copy(&w->probe, &w->state);
             for (int i = 0; i < nq; i++) w->probe.q[i] += side * 1e-6 * w->state.v[i];
             pm_frame_look_state(&w->frame, &w->probe);
-            gradient += side * (pm_body_weight_energy(&w->frame) + pm_force_potential(w)) / 2e-6;
+            gradient += side * (pm_frame_weight_energy(&w->frame) + pm_force_potential(w)) / 2e-6;
         }
         NEAR(power, work - gradient, 1e-7);
     }

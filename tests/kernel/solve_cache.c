@@ -41,14 +41,14 @@ static void as_if_solved(pm_workspace *w)
     memcpy(w->frame.a, other, sizeof other);
     memset(w->frame.lambda, 0, sizeof lambda);
     memset(w->frame.f, 0, sizeof other);
-    for (int i = 0; i < w->active.n; i++) w->active.row[i].gamma = NAN;
+    for (int i = 0; i < w->active.n; i++) w->active.constraint[i].gamma = NAN;
     pm_frame_look_state(&w->frame, &w->state);
     EQUAL(pm_saddle_accelerate(w), PM_OK);
     EQUAL(w->result.count[PM_COUNT_SOLVES], solves);
     EQUAL(w->frame.level, PM_LEVEL_DYNAMIC);
     for (int i = 0; i < 6; i++) EQUAL(w->frame.a[i], a[i]);
     for (int i = 0; i < 4; i++) EQUAL(w->frame.lambda[i], lambda[i]);
-    for (int i = 0; i < 4; i++) CHECK(!isnan(w->active.row[i].gamma));
+    for (int i = 0; i < 4; i++) CHECK(!isnan(w->active.constraint[i].gamma));
     double left = 0;
     for (int i = 0; i < 6; i++) left = fmax(left, fabs(w->frame.f[i]));
     CHECK(left > 0);
@@ -102,18 +102,18 @@ static void factors_of_rows(pm_workspace *w)
     EQUAL(pm_saddle_factor(w), PM_OK);
     for (int i = 0; i < w->active.n; i++)
         for (int k = 0; k < 6; k++) {
-            double *j = &w->active.row[i].j[k];
+            double *j = &w->active.constraint[i].j[k];
             const double before = *j;
             EQUAL(pm_saddle_is_factored(&w->saddle), 1);
             *j = before + 1e-15;
             EQUAL(pm_saddle_is_factored(&w->saddle), 0);
             *j = before;
         }
-    w->active.row[0].gamma += 1;
+    w->active.constraint[0].gamma += 1;
     EQUAL(pm_saddle_is_factored(&w->saddle), 1);
-    w->active.row[0].body[1] = !w->active.row[0].body[1];
+    w->active.constraint[0].body[1] = !w->active.constraint[0].body[1];
     EQUAL(pm_saddle_is_factored(&w->saddle), 0);
-    w->active.row[0].body[1] = !w->active.row[0].body[1];
+    w->active.constraint[0].body[1] = !w->active.constraint[0].body[1];
     w->active.n--;
     EQUAL(pm_saddle_is_factored(&w->saddle), 0);
     w->active.n++;

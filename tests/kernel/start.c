@@ -51,7 +51,7 @@ static void moves_least(void)
     CHECK(x.number[PM_CHECK_MOVED] > 0.02 && x.number[PM_CHECK_MOVED] < 0.06);
     CHECK(x.number[PM_CHECK_OPENING] < 1e-14);
     EQUAL(x.info[PM_CHECK_COORDINATES], 3);
-    EQUAL(x.info[PM_CHECK_ROWS], 2);
+    EQUAL(x.info[PM_CHECK_CONSTRAINTS], 2);
     EQUAL(x.info[PM_CHECK_REDUNDANT], 0);
     EQUAL(x.info[PM_CHECK_FREEDOM], 1);
     scene_free(s);

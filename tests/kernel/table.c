@@ -12,7 +12,8 @@ static scene *everything(void)
     const int pa = scene_point(s, a, 0.5, 0), pb = scene_point(s, b, -0.5, 0),
               o = scene_point(s, PM_GROUND, 0, 0);
     const int line = scene_line(s, o, 0.1), ca = scene_circle(s, pa, 0.1), cb = scene_circle(s, pb, 0.2);
-    const int row = SCENE_ROW(s, PM_TABLE_ROW, o, scene_value(s, 1), scene_value(s, 0), scene_value(s, 3));
+    const int row =
+        SCENE_ROW(s, PM_TABLE_PATTERN, o, scene_value(s, 1), scene_value(s, 0), scene_value(s, 3));
     scene_joint(s, PM_JOINT_PIN, pa, pb, 0);
     scene_joint(s, PM_JOINT_SLIDER, pa, line, 0);
     scene_joint(s, PM_JOINT_SLIDER_FIXED, pa, line, 0);
@@ -22,7 +23,7 @@ static scene *everything(void)
     scene_joint(s, PM_JOINT_ROLLING_CIRCLE, ca, cb, 1);
     scene_contact(s, PM_CONTACT_LINE, ca, line, 0, 0, PM_FRICTION_COULOMB, 0.2);
     scene_contact(s, PM_CONTACT_CIRCLE, ca, cb, 1, 0, PM_FRICTION_SMOOTH, 0);
-    scene_contact(s, PM_CONTACT_ROW, ca, row, 0, 0, PM_FRICTION_ROUGH, 0);
+    scene_contact(s, PM_CONTACT_PATTERN, ca, row, 0, 0, PM_FRICTION_ROUGH, 0);
     const int time = scene_time(s), program = scene_read(s, time);
     scene_force(s, PM_FORCE_SPRING, pa, pb, 10, 1);
     scene_force(s, PM_FORCE_TORSION, a, b, 10, 0);
@@ -63,7 +64,7 @@ static scene *everything(void)
 /* Columns of which every number has a meaning. */
 static int is_free(int table, int column)
 {
-    return (table == PM_TABLE_BODY && column == PM_BODY_TURNS) || table == PM_TABLE_EVENT ||
+    return (table == PM_TABLE_BODY && column == PM_BODY_ROTATES) || table == PM_TABLE_EVENT ||
            (table == PM_TABLE_UNTIL && (column == PM_UNTIL_GROUP || column == PM_UNTIL_NTH)) ||
            (table == PM_TABLE_ASK &&
             (column == PM_ASK_COUNT || column == PM_ASK_NTH || column == PM_ASK_BEFORE)) ||
@@ -204,7 +205,7 @@ static void out_of_bound(int table, int row, int column, double number)
     EQUAL(scene_run(s, NULL), PM_BAD_VALUE);
     EQUAL(s->where[PM_WHERE_TABLE], table);
     EQUAL(s->where[PM_WHERE_ROW], row);
-    CHECK(s->detail[PM_DETAIL_VALUE] == number || isnan(number) || table == PM_TABLE_ROW);
+    CHECK(s->detail[PM_DETAIL_VALUE] == number || isnan(number) || table == PM_TABLE_PATTERN);
     for (int i = 0; i < s->nout; i++) CHECK(isnan(s->out[i]));
     EQUAL(s->reason[0], PM_REASON_FAILED);
     scene_free(s);
@@ -219,8 +220,8 @@ static void numbers(void)
         out_of_bound(PM_TABLE_POINT, 1, PM_POINT_X, x);
         out_of_bound(PM_TABLE_LINE, 0, PM_LINE_ANGLE, x);
         out_of_bound(PM_TABLE_CIRCLE, 1, PM_CIRCLE_RADIUS, x);
-        out_of_bound(PM_TABLE_ROW, 0, PM_ROW_STEP_X, x);
-        out_of_bound(PM_TABLE_ROW, 0, PM_ROW_COUNT, x);
+        out_of_bound(PM_TABLE_PATTERN, 0, PM_PATTERN_STEP_X, x);
+        out_of_bound(PM_TABLE_PATTERN, 0, PM_PATTERN_COUNT, x);
         out_of_bound(PM_TABLE_JOINT, 3, PM_JOINT_VALUE, x);
         out_of_bound(PM_TABLE_CONTACT, 1, PM_CONTACT_RESTITUTION, x);
         out_of_bound(PM_TABLE_CONTACT, 0, PM_CONTACT_STATIC, x);
@@ -247,13 +248,13 @@ static void numbers(void)
 /* Two points cannot touch, nor can a point touch a row of points. */
 static void points_that_touch(void)
 {
-    for (int kind = PM_CONTACT_CIRCLE; kind <= PM_CONTACT_ROW; kind++) {
+    for (int kind = PM_CONTACT_CIRCLE; kind <= PM_CONTACT_PATTERN; kind++) {
         scene *s = scene_create();
         const int o = scene_point(s, PM_GROUND, 0, 0),
                   c = scene_circle(s, scene_point(s, scene_body(s, 1, 0, 0, 1, 0), 0, 0), 0);
         const int row =
-            SCENE_ROW(s, PM_TABLE_ROW, o, scene_value(s, 1), scene_value(s, 0), scene_value(s, -1));
-        scene_contact(s, kind, c, kind == PM_CONTACT_ROW ? row : scene_circle(s, o, 0), 1, 0,
+            SCENE_ROW(s, PM_TABLE_PATTERN, o, scene_value(s, 1), scene_value(s, 0), scene_value(s, -1));
+        scene_contact(s, kind, c, kind == PM_CONTACT_PATTERN ? row : scene_circle(s, o, 0), 1, 0,
                       PM_FRICTION_SMOOTH, 0);
         scene_until_time(s, 1);
         EQUAL(scene_run(s, NULL), PM_BAD_VALUE);

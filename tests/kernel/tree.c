@@ -266,9 +266,9 @@ static void rates(pm_workspace *w, const double *y)
     for (int i = 0; i < nq; i++) NEAR(rate[i], velocity[i], 1e-13);
     for (int k = 0; k < w->active.n; k++) { /* the solved rows hold whatever the rates */
         if (!w->tree->used[k]) continue;
-        pm_constraint_kind(w->active.row[k].kind)->evaluate(&w->frame, &w->active.row[k]);
-        NEAR(pm_constraint_times(&w->frame, &w->active.row[k], velocity), 0, 1e-12);
-        NEAR(w->active.row[k].g, 0, 1e-12);
+        pm_constraint_kind(w->active.constraint[k].kind)->evaluate(&w->frame, &w->active.constraint[k]);
+        NEAR(pm_constraint_times(&w->frame, &w->active.constraint[k], velocity), 0, 1e-12);
+        NEAR(w->active.constraint[k].g, 0, 1e-12);
     }
 }
 
@@ -301,9 +301,9 @@ static void projects(pm_workspace *w, const double *y)
     }
     EQUAL(pm_tree_project(w, 0, off, ydot, w->state.z), PM_OK);
     for (int i = 0; i < w->active.n; i++) {
-        pm_constraint_kind(w->active.row[i].kind)->evaluate(&w->frame, &w->active.row[i]);
-        NEAR(w->active.row[i].g, 0, 1e-14);
-        NEAR(pm_constraint_times(&w->frame, &w->active.row[i], w->tree->v), 0, 1e-14);
+        pm_constraint_kind(w->active.constraint[i].kind)->evaluate(&w->frame, &w->active.constraint[i]);
+        NEAR(w->active.constraint[i].g, 0, 1e-14);
+        NEAR(pm_constraint_times(&w->frame, &w->active.constraint[i], w->tree->v), 0, 1e-14);
     }
 }
 
@@ -371,7 +371,7 @@ static void turns_on(pm_workspace *w, const double *y)
     }
     pm_tree_look(w, 0, far, still, w->state.z);
     for (int i = 0; i < w->active.n; i++) {
-        pm_constraint *row = &w->active.row[i];
+        pm_constraint *row = &w->active.constraint[i];
         if (!w->tree->used[i] || row->kind == PM_CONSTRAINT_CIRCLE_TANGENT)
             continue; /* followed step by step */
         pm_constraint_kind(row->kind)->evaluate(&w->frame, row);

@@ -202,8 +202,8 @@ static void meets_rows(pm_workspace *w, const double *q)
     look(w, q, w->state.v);
     for (int i = 0; i < w->active.n; i++) {
         if (!w->tree->used[i]) continue;
-        pm_constraint_kind(w->active.row[i].kind)->evaluate(&w->frame, &w->active.row[i]);
-        NEAR(w->active.row[i].g, 0, 1e-13);
+        pm_constraint_kind(w->active.constraint[i].kind)->evaluate(&w->frame, &w->active.constraint[i]);
+        NEAR(w->active.constraint[i].g, 0, 1e-13);
     }
 }
 
@@ -265,7 +265,7 @@ static void closes(pm_workspace *w)
             look(w, q, w->state.v);
             columns(w, basis);
             pm_tree_loops(w->tree, &w->frame, &loops);
-            for (int i = 0; i < nloop; i++) g[side][i] = w->active.row[w->tree->loop[i]].g;
+            for (int i = 0; i < nloop; i++) g[side][i] = w->active.constraint[w->tree->loop[i]].g;
         }
         look(w, w->state.q, w->state.v);
         pm_tree_read(w->tree, &w->frame, y);
@@ -284,8 +284,8 @@ static void closes(pm_workspace *w)
     place(w, y, q);
     look(w, q, w->state.v);
     for (int i = 0; i < w->active.n; i++) {
-        pm_constraint_kind(w->active.row[i].kind)->evaluate(&w->frame, &w->active.row[i]);
-        NEAR(w->active.row[i].g, 0, 1e-13);
+        pm_constraint_kind(w->active.constraint[i].kind)->evaluate(&w->frame, &w->active.constraint[i]);
+        NEAR(w->active.constraint[i].g, 0, 1e-13);
     }
     y[n - 1] += 50; /* out of reach for lengths, another turn for angles: it converges or says so */
     const int status = pm_tree_close(w, y, q, &loops);

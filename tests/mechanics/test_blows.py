@@ -227,7 +227,7 @@ slip = "a.slip"
 """
     other_way = text.replace('"0.01 m/s"', '"-0.01 m/s"')
     with pytest.raises(
-        planemotion.SimulationError, match=r"contacts\.a: its slip turns \(to .* m/s\) in a blow"
+        planemotion.SimulationError, match=r"contacts\.a: its slip reverses \(to .* m/s\) in a blow"
     ):
         planemotion.load_text(text).run()
     assert run(other_way)["omega"] == pytest.approx(-2, rel=1e-12)

@@ -47,7 +47,7 @@ def test_what_is_skipped() -> None:
     assert "skipped: accelerations" in timed
     felt = plan_of(SWING + 'ask.most = { max = "A.force.norm", unit = "N" }\n')
     assert "skipped: accelerations" not in felt
-    assert "1 coordinate (they meet 2 rows by themselves), 0 rows to be solved with" in felt
+    assert "1 coordinate (they meet 2 constraints by themselves), 0 constraints to be solved with" in felt
 
 
 TRUSS = f"""
@@ -62,13 +62,13 @@ total = {{ of = "energy.total", unit = "J" }}
 """
 
 
-def test_what_joints_hold_still() -> None:
+def test_bodies_fixed_by_joints() -> None:
     """They are no coordinates; whoever asks for a reaction between them has their equations."""
     told = plan_of(TRUSS)
-    assert "skipped: 2 bodies (joints hold them still)" in told
-    assert "2 coordinates, 0 rows to be solved with, 2 degrees of freedom" in told
+    assert "skipped: 2 bodies (fixed by their joints)" in told
+    assert "2 coordinates, 0 constraints to be solved with, 2 degrees of freedom" in told
     felt = planemotion.load_text(TRUSS + 'force = { of = "Q.force.norm", unit = "N" }\n')
-    assert "still" not in explain(felt).text
+    assert "fixed" not in explain(felt).text
     # Half of each bar's weight comes to Q, level by symmetry: H sin 60 deg = (W/2) cos 60 deg.
     assert felt.run().force == pytest.approx(9.81 / 2 / np.tan(np.pi / 3), rel=1e-9)
 
@@ -84,8 +84,8 @@ def test_phases_that_repeat_stand_on_one_line(bars: int) -> None:
     assert result.bars_passed == bars
     text = explain_run(scene, result)
     assert text.count("path (one degree") == 1
-    assert f"{result.counts['legs']} legs that repeat passed over" in text
-    assert result.counts["legs"] > bars / 2 - 2
+    assert f"{result.counts['repeated_segments']} segments that repeat passed over" in text
+    assert result.counts["repeated_segments"] > bars / 2 - 2
 
 
 @pytest.mark.parametrize("route", ["auto", "rk", "ida"])
@@ -94,7 +94,7 @@ def test_contacts_out_of_reach_are_dropped(route: str) -> None:
     contact = 'contacts.floor = { touch = ["rod.B", "ground.floor"], restitution = 0.5 }\n'
     scene = SWING.replace("-90 deg", "-200 deg") + f'solve.route = "{route}"\nstart.rod.omega = "-6 rad/s"\n'
     far, near = (scene + line.format(y) + contact for y in ("-1.001 m", "-0.999 m"))
-    told = "the gap of 1 contact (open wherever the joints let the bodies go)"
+    told = "the gap of 1 contact (out of reach wherever the joints let the bodies go)"
     assert told in plan_of(far)
     assert told not in plan_of(near)
     assert planemotion.load_text(far).run().omega == planemotion.load_text(scene).run().omega

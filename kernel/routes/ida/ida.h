@@ -30,7 +30,7 @@ typedef struct pm_ida_jacobian {
     int nactive;
     double cj;
     double *g, *h;         /* [nrow][nq] rows and the directions of their forces */
-    double *turn;          /* [nrow][nq] d(G v)/dq */
+    double *gv_slope;      /* [nrow][nq] d(G v)/dq */
     double *stiffness;     /* [nq][nq] M^-1 d(f + H^T lambda)/dq */
     double *damping;       /* [nq][nq] M^-1 df/dv */
     double *ledger;        /* [nrow + 2 nq][nz] dz'/dlambda, dz'/dq, dz'/dv: by columns, as all that follow */

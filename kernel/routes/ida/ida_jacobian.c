@@ -29,7 +29,7 @@ typedef struct pm_ida_differences {
 
 static size_t work_size(const pm_model *m) /* as much as ida_linear.c needs, too */
 {
-    return 5 * (size_t)m->nq + 3 * (size_t)m->nz + 3 * (size_t)m->nrow;
+    return 5 * (size_t)m->nq + 3 * (size_t)m->nz + 3 * (size_t)m->nconstraint;
 }
 
 static pm_ida_differences differences(const pm_model *m, double *work)
@@ -38,8 +38,8 @@ static pm_ida_differences differences(const pm_model *m, double *work)
     d.force = d.y + 2 * m->nq + m->nz;
     d.force_moved = d.force + m->nq;
     d.rate = d.force_moved + m->nq;
-    d.rate_moved = d.rate + m->nrow;
-    d.z = d.rate_moved + m->nrow;
+    d.rate_moved = d.rate + m->nconstraint;
+    d.z = d.rate_moved + m->nconstraint;
     d.z_moved = d.z + m->nz;
     return d;
 }
@@ -53,19 +53,19 @@ static int has_damping(const pm_model *m)
 
 int pm_ida_jacobian_create(pm_arena *arena, pm_ida_jacobian *x, const pm_model *m)
 {
-    const size_t nq = (size_t)m->nq, nrow = (size_t)m->nrow, nz = (size_t)m->nz, both = nq + nrow;
+    const size_t nq = (size_t)m->nq, most = (size_t)m->nconstraint, nz = (size_t)m->nz, both = nq + most;
     const pm_array array[] = {
-        PM_ARRAY(x->g, nrow * nq),
-        PM_ARRAY(x->h, nrow * nq),
-        PM_ARRAY(x->turn, nrow * nq),
-        PM_ARRAY(x->spread, nq * nrow),
-        PM_ARRAY(x->share, nq * nrow),
+        PM_ARRAY(x->g, most * nq),
+        PM_ARRAY(x->h, most * nq),
+        PM_ARRAY(x->gv_slope, most * nq),
+        PM_ARRAY(x->spread, nq * most),
+        PM_ARRAY(x->share, nq * most),
         PM_ARRAY(x->project, nq * nq),
         PM_ARRAY(x->stiffness, nq * nq),
         PM_ARRAY(x->damping, nq * nq),
-        PM_ARRAY(x->ledger, nz * (nrow + 2 * nq)),
-        PM_ARRAY(x->schur, nrow * nrow),
-        PM_ARRAY(x->inverse_schur, nrow * nrow),
+        PM_ARRAY(x->ledger, nz * (most + 2 * nq)),
+        PM_ARRAY(x->schur, most * most),
+        PM_ARRAY(x->inverse_schur, most * most),
         PM_ARRAY(x->bend, nq * both),
         PM_ARRAY(x->system, both * both),
         PM_ARRAY(x->scale, both),
@@ -79,12 +79,11 @@ int pm_ida_jacobian_create(pm_arena *arena, pm_ida_jacobian *x, const pm_model *
 }
 
 /* A row's six numbers on all coordinates. */
-static void spread_out(const pm_model *model, const pm_constraint *row, const double *six, double *dense)
+static void spread_out(const pm_model *model, const pm_constraint *c, const double *six, double *dense)
 {
     memset(dense, 0, (size_t)model->nq * sizeof *dense);
     for (int p = 0; p < 2; p++)
-        for (int k = 0; k < 3 && row->body[p] != model->nbody; k++)
-            dense[3 * row->body[p] + k] += six[3 * p + k];
+        for (int k = 0; k < 3 && c->body[p] != model->nbody; k++) dense[3 * c->body[p] + k] += six[3 * p + k];
 }
 
 /* M^-1 (f + H^T lambda) and G v at the frame, lambda as there. */
@@ -93,16 +92,17 @@ static void force_and_rate(pm_workspace *w, const double *v, double *force, doub
     for (int i = 0; i < w->model->nq; i++) force[i] = w->numbers.inverse_mass[i] * w->frame.f[i];
     memcpy(w->saddle.rhs, w->frame.lambda, (size_t)w->active.n * sizeof(double));
     pm_saddle_spread(&w->saddle, 1, force);
-    for (int i = 0; i < w->active.n; i++) rate[i] = pm_constraint_times(&w->frame, &w->active.row[i], v);
+    for (int i = 0; i < w->active.n; i++)
+        rate[i] = pm_constraint_times(&w->frame, &w->active.constraint[i], v);
 }
 
-static void rows(const pm_model *model, pm_active_set *active, pm_ida_jacobian *x)
+static void constraints(const pm_model *model, pm_active_set *active, pm_ida_jacobian *x)
 {
     const int nq = model->nq;
     for (int i = 0; i < active->n; i++) {
-        spread_out(model, &active->row[i], active->row[i].j, x->g + i * nq);
-        spread_out(model, &active->row[i], active->asymmetric ? active->row[i].h : active->row[i].j,
-                   x->h + i * nq);
+        spread_out(model, &active->constraint[i], active->constraint[i].j, x->g + i * nq);
+        spread_out(model, &active->constraint[i],
+                   active->asymmetric ? active->constraint[i].h : active->constraint[i].j, x->h + i * nq);
     }
 }
 
@@ -149,7 +149,7 @@ static void velocities(pm_workspace *w, pm_ida_jacobian *x, double t, const pm_i
         v[k] = old;
         for (int i = 0; i < nq; i++)
             x->damping[i * nq + k] = w->numbers.inverse_mass[i] * (w->frame.f[i] - d->force[i]) / step;
-        ledger_column(w, x, d, w->model->nrow + nq + k, step);
+        ledger_column(w, x, d, w->model->nconstraint + nq + k, step);
     }
 }
 
@@ -165,8 +165,9 @@ static void positions(pm_workspace *w, pm_ida_jacobian *x, double t, const doubl
         force_and_rate(w, d->y + nq, d->force_moved, d->rate_moved);
         d->y[k] = old;
         for (int i = 0; i < nq; i++) x->stiffness[i * nq + k] = (d->force_moved[i] - d->force[i]) / step;
-        for (int i = 0; i < w->active.n; i++) x->turn[i * nq + k] = (d->rate_moved[i] - d->rate[i]) / step;
-        if (x->has_forces) ledger_column(w, x, d, w->model->nrow + k, step);
+        for (int i = 0; i < w->active.n; i++)
+            x->gv_slope[i * nq + k] = (d->rate_moved[i] - d->rate[i]) / step;
+        if (x->has_forces) ledger_column(w, x, d, w->model->nconstraint + k, step);
     }
 }
 
@@ -180,7 +181,7 @@ void pm_ida_jacobian_evaluate(pm_workspace *w, double t, double cj, const double
     x->cj = cj;
     pm_ida_system_look(w, t, d.y, yp);
     if (x->sparse) x->independence = pm_saddle_independence(&w->saddle);
-    rows(w->model, &w->active, x);
+    constraints(w->model, &w->active, x);
     ledger(w, x, &d);
     if (x->has_damping) velocities(w, x, t, &d);
     positions(w, x, t, yp, &d);

@@ -51,7 +51,7 @@ void pm_ida_linear_scale(const pm_workspace *w, const double *square, int stride
 }
 
 /* S, its inverse; the scale of L from the diagonal of S. */
-static int invert_rows(pm_workspace *w)
+static int invert_constraints(pm_workspace *w)
 {
     pm_ida_jacobian *j = &w->ida->jacobian;
     const int nq = w->model->nq, na = j->nactive;
@@ -66,7 +66,8 @@ static int invert_rows(pm_workspace *w)
     pm_ida_linear_scale(w, s, na + 1);
     const int bad = pm_dense_cholesky_factor(na, s);
     j->independence = 0;
-    if (bad) return pm_fail(&w->result, PM_SINGULAR, PM_TABLE_JOINT, w->active.row[bad - 1].joint, 0, 0);
+    if (bad)
+        return pm_fail(&w->result, PM_SINGULAR, PM_TABLE_JOINT, w->active.constraint[bad - 1].joint, 0, 0);
     j->independence = 1;
     for (int r = 0; r < na; r++) j->independence = fmin(j->independence, s[r * na + r] * j->scale[nq + r]);
     for (int r = 0; r < na; r++) {
@@ -79,7 +80,7 @@ static int invert_rows(pm_workspace *w)
 }
 
 /* Y, W Y^T and P, each by columns. */
-static void project_on_rows(pm_workspace *w)
+static void project_on_constraints(pm_workspace *w)
 {
     pm_ida_jacobian *j = &w->ida->jacobian;
     const int nq = w->model->nq, na = j->nactive;
@@ -104,7 +105,7 @@ static void project_on_rows(pm_workspace *w)
 }
 
 /* One row of a P into `out`: a has nq numbers, most of them 0. */
-static void on_rows(const pm_workspace *w, const double *a, double *out)
+static void project_row(const pm_workspace *w, const double *a, double *out)
 {
     const pm_ida_jacobian *j = &w->ida->jacobian;
     const int nq = w->model->nq, na = j->nactive;
@@ -129,7 +130,7 @@ static void fill_system(pm_workspace *w)
     const double ic = 1 / j->cj, *im = w->numbers.inverse_mass;
     double *const s = j->scale, *const a = j->system, *const row = j->work + na;
     for (int i = 0; i < nq; i++) {
-        on_rows(w, j->stiffness + i * nq, row);
+        project_row(w, j->stiffness + i * nq, row);
         for (int k = 0; k < nq; k++) {
             const double damping = j->has_damping ? j->damping[i * nq + k] : 0;
             a[k * n + i] = ((i == k) - ic * (damping + ic * row[k])) * s[k] / s[i];
@@ -137,7 +138,7 @@ static void fill_system(pm_workspace *w)
         for (int r = 0; r < na; r++) a[(nq + r) * n + i] = -im[i] * j->h[r * nq + i] * s[nq + r] / s[i];
     }
     for (int r = 0; r < na; r++) {
-        on_rows(w, j->turn + r * nq, row);
+        project_row(w, j->gv_slope + r * nq, row);
         for (int k = 0; k < nq; k++) a[k * n + nq + r] = s[nq + r] * (j->g[r * nq + k] + ic * row[k]) * s[k];
         for (int c = 0; c < na; c++) a[(nq + c) * n + nq + r] = 0;
     }
@@ -165,7 +166,7 @@ static void pack_bends(const pm_model *model, struct pm_ida *ida)
         double *column = j->bend + j->nbend * n;
         int any = 0;
         for (int i = 0; i < nq; i++) any |= (column[i] = j->stiffness[i * nq + k]) != 0;
-        for (int r = 0; r < na; r++) any |= (column[nq + r] = -j->turn[r * nq + k]) != 0;
+        for (int r = 0; r < na; r++) any |= (column[nq + r] = -j->gv_slope[r * nq + k]) != 0;
         if (any) j->bending[j->nbend++] = k;
     }
 }
@@ -173,9 +174,9 @@ static void pack_bends(const pm_model *model, struct pm_ida *ida)
 static int factor_dense(pm_workspace *w)
 {
     pm_ida_jacobian *j = &w->ida->jacobian;
-    const int status = invert_rows(w);
+    const int status = invert_constraints(w);
     if (status) return status;
-    project_on_rows(w);
+    project_on_constraints(w);
     fill_system(w);
     if (pm_dense_lu_invert(w->model->nq + j->nactive, j->system, j->pivot)) return PM_SOLVER;
     take_scales(w->model, w->ida);
@@ -226,9 +227,9 @@ static void solve_ledger(const pm_model *model, const struct pm_ida *ida, const 
                          double *z)
 {
     const pm_ida_jacobian *j = &ida->jacobian;
-    const int nq = model->nq, nz = model->nz, nrow = model->nrow;
-    if (j->has_forces) add_columns(nz, nq, j->ledger + nz * nrow, q, z);
-    if (j->has_damping) add_columns(nz, nq, j->ledger + nz * (nrow + nq), vl, z);
+    const int nq = model->nq, nz = model->nz, nactive = model->nconstraint;
+    if (j->has_forces) add_columns(nz, nq, j->ledger + nz * nactive, q, z);
+    if (j->has_damping) add_columns(nz, nq, j->ledger + nz * (nactive + nq), vl, z);
     for (int i = 0; i < nz; i++) z[i] /= j->cj;
     add_columns(nz, j->nactive, j->ledger, vl + nq, z);
 }
@@ -255,12 +256,12 @@ void pm_ida_linear_solve(const pm_model *model, struct pm_ida *ida, const double
 static double openings(pm_workspace *w)
 {
     pm_saddle_evaluate(&w->active, &w->frame);
-    return pm_constraint_openings(w->active.row, w->active.n, NULL, w->saddle.wanted);
+    return pm_constraint_openings(w->active.constraint, w->active.n, NULL, w->saddle.wanted);
 }
 
 static double slips(pm_workspace *w, const double *v)
 {
-    return pm_constraint_slips(&w->frame, w->active.row, w->active.n, NULL, v, w->saddle.wanted);
+    return pm_constraint_slips(&w->frame, w->active.constraint, w->active.n, NULL, v, w->saddle.wanted);
 }
 
 /* One correction each; whether that was enough. */

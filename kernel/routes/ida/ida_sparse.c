@@ -74,11 +74,11 @@ static void destroy(void *sparse)
 int pm_ida_sparse_create(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    if (m->nq + m->nrow <= PM_IDA_MANY) return PM_OK;
+    if (m->nq + m->nconstraint <= PM_IDA_MANY) return PM_OK;
     if (PM_ARENA_NEW(&w->memory, w->ida->sparse) || pm_arena_keep(&w->memory, w->ida->sparse, destroy))
         return PM_NO_MEMORY;
     pm_ida_sparse *s = w->ida->sparse;
-    s->most = 2 * (m->nq + m->nrow);
+    s->most = 2 * (m->nq + m->nconstraint);
     const pm_array array[] = {
         PM_ARRAY(s->start, s->most + 1),
         PM_ARRAY(s->old_start, s->most + 1),
@@ -130,7 +130,7 @@ static void put_position(pm_ida_sparse *s, const pm_ida_jacobian *j, int nq, int
     put(s, k, k, 1);
     for (int i = 0; i < nq; i++) put(s, k, nq + i, -ic * ic * j->stiffness[i * nq + k] * u[k] / u[i]);
     for (int r = 0; r < na; r++) put(s, k, 2 * nq + r, e[r] * j->g[r * nq + k] * u[k]);
-    for (int r = 0; r < na; r++) put(s, k, 2 * nq + na + r, ic * e[r] * j->turn[r * nq + k] * u[k]);
+    for (int r = 0; r < na; r++) put(s, k, 2 * nq + na + r, ic * e[r] * j->gv_slope[r * nq + k] * u[k]);
 }
 
 static void put_velocity(pm_ida_sparse *s, const pm_ida_jacobian *j, int nq, int k)

@@ -28,7 +28,7 @@
 void pm_ida_system_layout(pm_workspace *w)
 {
     pm_ida *r = w->ida;
-    r->stride = PM_IDA_STOCK ? w->model->nrow : w->active.n;
+    r->stride = PM_IDA_STOCK ? w->model->nconstraint : w->active.n;
     r->n = 2 * w->model->nq + w->model->nz + 2 * r->stride;
     r->jacobian.sparse = pm_ida_sparse_serves(w->model, &w->active);
 }
@@ -80,8 +80,9 @@ int pm_ida_system_residual(pm_workspace *w, double t, const double *y, const dou
     for (int i = 2 * nq; i < 2 * nq + nz; i++) r[i] = yp[i] - r[i];
     for (int i = 0; i < w->ida->stride; i++) {
         const int active = i < w->active.n;
-        r[l + i] = active ? w->active.row[i].g : yp[l + i];
-        r[mu + i] = active ? pm_constraint_times(&w->frame, &w->active.row[i], v) - w->active.row[i].rate
+        r[l + i] = active ? w->active.constraint[i].g : yp[l + i];
+        r[mu + i] = active ? pm_constraint_times(&w->frame, &w->active.constraint[i], v) -
+                                 w->active.constraint[i].rate
                            : yp[mu + i];
     }
     double none = 0;
@@ -117,8 +118,9 @@ void pm_ida_system_scale(pm_workspace *w)
     }
     weigh_ledger(&w->frame, w->ida, weight + 2 * m->nq, mass);
     for (int i = 0; i < r->stride; i++) {
-        const double unit =
-            i < w->active.n ? sqrt(pm_constraint_square(&w->frame, &w->active.row[i]) / mass) : 1 / mass;
+        const double unit = i < w->active.n
+                                ? sqrt(pm_constraint_square(&w->frame, &w->active.constraint[i]) / mass)
+                                : 1 / mass;
         weight[l + i] = unit / (tolerance * w->numbers.speed);
         weight[mu + i] = unit / (tolerance * w->numbers.size);
     }

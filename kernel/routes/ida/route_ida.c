@@ -125,7 +125,7 @@ static int create(pm_workspace *w)
     const pm_model *m = w->model;
     if (PM_ARENA_NEW(&w->memory, w->ida) || pm_arena_keep(&w->memory, w->ida, destroy)) return PM_NO_MEMORY;
     pm_ida *r = w->ida;
-    r->n = r->most = 2 * m->nq + m->nz + 2 * m->nrow;
+    r->n = r->most = 2 * m->nq + m->nz + 2 * m->nconstraint;
     if (pm_ida_library_open(&r->context)) return PM_NO_MEMORY;
     r->memory = IDACreate(r->context);
     if (!r->memory) return PM_NO_MEMORY;

@@ -59,13 +59,13 @@ typedef struct pm_clock_table {
 /* path_rigid.c: an open tree in which one rigid group moves. */
 typedef struct pm_rigid_body {
     int body;
-    int turns;            /* with the group */
+    int rotates;          /* with the group */
     int holds;            /* its reactions go by levers */
     double angle;         /* against the first body */
     double mass, inertia; /* inertia 0: it does not turn */
     pm_lanes weight;
     pm_lanes d, lever,
-        turn; /* in the axes of the first body: from its mark to the mass centre, from there to the mark on
+        rotation; /* in the axes of the first body: from its mark to the mass centre, from there to the mark on
                                  what carries it; cosine and sine of the angle */
 } pm_rigid_body;
 
@@ -73,13 +73,13 @@ typedef struct pm_rigid {
     int n; /* bodies; 0: the tree is none such */
     pm_rigid_body *body;
     const struct pm_tree_node *first;
-    int turns;
+    int rotates;
     int weights_alone; /* act on it */
     double fixed;      /* angle of what it moves on */
     pm_lanes from;     /* the mark there */
     pm_lanes line;     /* direction of its line, in the scene, or in the axes of the first body */
     double angle;      /* of the first body, where it does not turn */
-    pm_lanes turn;     /* its cosine and sine */
+    pm_lanes rotation; /* its cosine and sine */
     double potential;  /* of the weight of what stands still */
 } pm_rigid;
 
@@ -113,8 +113,8 @@ typedef struct pm_path {
     double most;   /* length that the nodes of the last steps resolved; INFINITY: any did */
     pm_place begin; /* of a phase that has been planned */
     pm_place node[PM_NODES_MOST], spare;
-    int told_by; /* driver and sense of the step in the nodes */
-    double told_sense;
+    int node_driver; /* driver and sense of the step in the nodes */
+    double node_sense;
     int repeats; /* the phase that has been planned begins like the one step in the nodes, but for a shift */
     int filled;  /* the nodes hold the places of a step of length h already */
     double *inertia; /* [nbody] of the phase on an open tree */

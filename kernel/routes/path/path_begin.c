@@ -22,7 +22,7 @@ static double rate_of(const pm_frame *frame, const pm_place *x, const double *v)
     for (int i = 0; i < frame->model->nbody; i++)
         sum +=
             frame->numbers->mass[i] * (v[3 * i] * x->tangent[3 * i] + v[3 * i + 1] * x->tangent[3 * i + 1]) +
-            pm_body_inertia(frame, i) * v[3 * i + 2] * x->tangent[3 * i + 2];
+            pm_frame_inertia(frame, i) * v[3 * i + 2] * x->tangent[3 * i + 2];
     return sum / x->mass;
 }
 
@@ -107,7 +107,7 @@ int pm_path_begin(pm_workspace *w)
     p->lowest = x->kinetic;
     p->energy = x->kinetic + x->potential - pm_path_work(w->model, w->state.z);
     pm_frame_look_state(&w->frame, &w->state);
-    pm_body_momentum(&w->frame, PM_NONE, momentum);
+    pm_frame_momentum(&w->frame, PM_NONE, momentum);
     for (int i = 0; i < PM_LEDGER; i++) p->impulse[i] = ledger[i] - momentum[i];
     return PM_OK;
 }

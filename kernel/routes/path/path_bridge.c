@@ -110,10 +110,10 @@ static int build(pm_workspace *w, double u)
     return PM_OK;
 }
 
-static int meets_rows(const pm_workspace *w)
+static int meets_loops(const pm_workspace *w)
 {
     for (int i = 0; i < w->tree->nloop; i++)
-        if (!(fabs(w->active.row[w->tree->loop[i]].g) <= PM_BRIDGE_MET * w->numbers.size)) return 0;
+        if (!(fabs(w->active.constraint[w->tree->loop[i]].g) <= PM_BRIDGE_MET * w->numbers.size)) return 0;
     return 1;
 }
 
@@ -145,7 +145,7 @@ int pm_path_bridge_place(pm_workspace *w, double u, pm_place *place)
     read(p, u, place->y, place->slope, b->bend);
     pm_tree_place(w->tree, &w->frame, w->state.memory, place->y, place->q);
     pm_tree_loops(w->tree, &w->frame, &p->loop);
-    return meets_rows(w) ? PM_OK : pm_fail(&w->result, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
+    return meets_loops(w) ? PM_OK : pm_fail(&w->result, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
 }
 
 int pm_path_bridge_accelerate(pm_workspace *w)
@@ -166,7 +166,7 @@ int pm_path_bridge_accelerate(pm_workspace *w)
     memcpy(f->velocity, f->v, (size_t)nq * sizeof *tangent);
     double mass = 0, momentum = 0, change = 0, force = 0;
     for (int i = 0; i < nq; i++) {
-        const double m = i % 3 == 2 ? pm_body_inertia(&w->frame, i / 3) : w->numbers.mass[i / 3];
+        const double m = i % 3 == 2 ? pm_frame_inertia(&w->frame, i / 3) : w->numbers.mass[i / 3];
         mass += m * tangent[i] * tangent[i];
         momentum += m * tangent[i] * f->v[i];
         change += m * tangent[i] * bend[i];

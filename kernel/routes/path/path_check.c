@@ -32,15 +32,15 @@ static double open_work(const pm_workspace *w)
 
 /* The direction of the motion at the end against the rows, which were evaluated there and which the tree knows nothing of:
  * the greatest part of it that breaks one. */
-static double broken_row(const pm_workspace *w)
+static double worst_broken(const pm_workspace *w)
 {
     const double *t = w->path->node[PM_NODES_MOST - 1].tangent;
     double fastest = 0, worst = 0;
     for (int i = 0; i < w->model->nq; i++)
         fastest = pm_max(fabs(t[i]) * (i % 3 == 2 ? w->numbers.size : 1), fastest);
     for (int i = 0; i < w->active.n; i++) {
-        const double *j = w->active.row[i].j,
-                     off = fabs(pm_constraint_times(&w->frame, &w->active.row[i], t));
+        const double *j = w->active.constraint[i].j,
+                     off = fabs(pm_constraint_times(&w->frame, &w->active.constraint[i], t));
         double size = 0;
         for (int k = 0; k < 6; k++) size += fabs(j[k]) / (k % 3 == 2 ? w->numbers.size : 1);
         worst = pm_max(off / (size * fastest), worst);
@@ -63,6 +63,6 @@ void pm_path_check(pm_workspace *w)
     pm_force_all(w);
     pm_saddle_evaluate(&w->active, &w->frame);
     w->ledger.evidence = pm_max(open_work(w), w->ledger.evidence);
-    w->ledger.evidence = pm_max(broken_row(w), w->ledger.evidence);
+    w->ledger.evidence = pm_max(worst_broken(w), w->ledger.evidence);
     w->ledger.evidence = pm_max(missed_force(&w->frame, w->path), w->ledger.evidence);
 }

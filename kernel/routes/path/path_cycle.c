@@ -16,7 +16,7 @@ int pm_path_cycle(const pm_workspace *w)
     pm_path *p = w->path;
     const pm_place *const then = &p->node[0], *now = &p->begin;
     double size = 0, off = 0;
-    if (p->driver != p->told_by || p->sense != p->told_sense) return 0;
+    if (p->driver != p->node_driver || p->sense != p->node_sense) return 0;
     for (int i = 0; i < w->model->nq; i++) {
         const double length = i % 3 == 2 ? w->numbers.size : 1;
         size = fmax(size, fabs(then->tangent[i]) * length);
@@ -32,9 +32,9 @@ static void shift(const pm_model *model, const pm_path *path, const pm_place *fr
     for (int i = 0; i < model->nbody; i++) {
         const double *to = path->begin.q + 3 * i;
         double *q = x->q + 3 * i, *pose = x->pose + 5 * i;
-        const double turn = to[2] - from->q[3 * i + 2];
+        const double rotation = to[2] - from->q[3 * i + 2];
         for (int k = 0; k < 3; k++) q[k] = pose[k] += to[k] - from->q[3 * i + k];
-        if (turn == 0) continue;
+        if (rotation == 0) continue;
         pose[3] = cos(pose[2]);
         pose[4] = sin(pose[2]);
     }

@@ -114,7 +114,7 @@ int pm_path_error_by_places(const pm_model *m)
 /* A function that is watched, at the nodes; how far it may be from the polynomial through them. */
 typedef struct pm_approach {
     const double *value;
-    double reach, untold;
+    double reach, remainder;
 } pm_approach;
 
 /* An extreme between node k and the next, at the root of the secant of the slopes. */
@@ -126,8 +126,8 @@ static void take_extreme(const pm_workspace *w, int trigger, const pm_approach *
                  b = pm_chebyshev_slope_at(nodes, x->value, k + 1);
     if (a * b > 0) return;
     const double s = nodes->at[k] + (a == b ? 0 : a / (a - b)) * (nodes->at[k + 1] - nodes->at[k]);
-    const double there = fabs(pm_chebyshev_value(nodes, x->value, 1, s)) - x->untold;
-    if (there <= 0 && x->untold > 0) w->evidence.present->unsure = 1;
+    const double there = fabs(pm_chebyshev_value(nodes, x->value, 1, s)) - x->remainder;
+    if (there <= 0 && x->remainder > 0) w->evidence.present->unsure = 1;
     if (!(there < *extreme)) return;
     *extreme = there;
     extreme[w->model->rows[PM_TABLE_TRIGGER]] = x->reach;
@@ -142,12 +142,12 @@ static void take_extremes(const pm_workspace *w, int trigger, const double *valu
     pm_approach x = {.value = value};
     for (int k = 0; k < n; k++) x.reach = pm_max(fabs(value[k]), x.reach);
     const double high = pm_chebyshev_high(w->step.nodes, value);
-    x.untold = high < PM_ERROR_EXACT * x.reach ? 0 : PM_ERROR_RESIDUAL * high;
+    x.remainder = high < PM_ERROR_EXACT * x.reach ? 0 : PM_ERROR_RESIDUAL * high;
     for (int k = 0; k < n; k++) {
         const double here = fabs(value[k]), before = fabs(value[k > 0 ? k - 1 : k + 1]),
                      after = fabs(value[k + 1 < n ? k + 1 : k - 1]);
         if (!(here <= before && here <= after)) continue;
-        if (here - PM_ERROR_WIDE * (pm_max(before, after) - here) - x.untold > *known) continue;
+        if (here - PM_ERROR_WIDE * (pm_max(before, after) - here) - x.remainder > *known) continue;
         if (k > 0) take_extreme(w, trigger, &x, k - 1);
         if (k + 1 < n) take_extreme(w, trigger, &x, k);
     }
@@ -201,7 +201,7 @@ static double error_of_time(pm_workspace *w, int program, double value)
 {
     pm_frame *f = &w->frame;
     const double t = f->t, shift = fmax(t, w->path->clock.error);
-    if (w->result.count[PM_COUNT_LEGS] > 0) return NAN;
+    if (w->result.count[PM_COUNT_REPEATED_SEGMENTS] > 0) return NAN;
     if (!(shift > 0)) return 0;
     f->t = t + shift;
     const double changed = pm_program_run(w, program);
@@ -233,7 +233,7 @@ static void put_back(pm_workspace *w, const double *keep)
 /* By a difference in the speeds. */
 static double error_of_motion(pm_workspace *w, int program, double value)
 {
-    const double kinetic = pm_body_kinetic(&w->frame, PM_NONE);
+    const double kinetic = pm_frame_kinetic(&w->frame, PM_NONE);
     const int dynamic = w->model->programs.level[program] == PM_LEVEL_DYNAMIC;
     if (w->model->programs.energy[program] == PM_ENERGY_CLASS_UNKNOWN || !(kinetic > 0)) return NAN;
     if (dynamic) set_aside(w, w->scratch);

@@ -22,7 +22,7 @@ static void accelerate_open(pm_workspace *w, const double *t)
     pm_force_all(w);
     pm_tree_bias(w->tree, &w->frame, a);
     for (int i = 0; i < w->model->nq; i++) {
-        const double inertia = i % 3 == 2 ? pm_body_inertia(&w->frame, i / 3) : w->numbers.mass[i / 3];
+        const double inertia = i % 3 == 2 ? pm_frame_inertia(&w->frame, i / 3) : w->numbers.mass[i / 3];
         mass += inertia * t[i] * t[i];
         force += t[i] * (f[i] - inertia * a[i]);
     }

@@ -45,7 +45,7 @@ static void measure_body(const pm_workspace *w, const pm_tree_node *x, pm_place 
     place->change += m * (t[0] * c[0] + t[1] * c[1]) + inertia * t[2] * c[2];
 }
 
-static void measure_still(const pm_tree_node *x, pm_place *place)
+static void measure_fixed(const pm_tree_node *x, pm_place *place)
 {
     memset(place->tangent + 3 * x->body, 0, sizeof none);
     memset(place->bend + 3 * x->body, 0, sizeof none);
@@ -67,7 +67,7 @@ void pm_path_measure_forces(pm_workspace *w, pm_place *place)
     place->force = 0;
     for (int i = 0; i < w->model->nq; i++) place->force += w->frame.f[i] * place->tangent[i];
     if (w->model->nz_controlled > 0) pm_ledger_controlled_rates(w, place->rate);
-    place->potential = pm_body_weight_energy(&w->frame) + pm_force_potential(w) +
+    place->potential = pm_frame_weight_energy(&w->frame) + pm_force_potential(w) +
                        pm_turning_plane_kinetic(&w->frame, PM_NONE);
 }
 
@@ -76,7 +76,7 @@ static void place_by_tree(pm_workspace *w, pm_place *place)
     pm_tree_place(w->tree, &w->frame, w->state.memory, place->y, place->q);
     place->mass = place->change = place->force = place->potential = 0;
     memcpy(place->pose, w->frame.pose, 5 * (size_t)w->model->nbody * sizeof *place->pose);
-    for (int i = 0; i < w->fixed->n; i++) measure_still(&w->tree->node[i], place);
+    for (int i = 0; i < w->fixed->n; i++) measure_fixed(&w->tree->node[i], place);
     for (int i = w->fixed->n; i < w->model->nbody; i++) measure_body(w, &w->tree->node[i], place);
     if (!w->path->rigid.weights_alone) {
         pm_path_measure_forces(w, place);
@@ -96,7 +96,7 @@ static void place_rigid(pm_workspace *w, pm_place *place)
 
 void pm_path_open_begin(pm_workspace *w)
 {
-    for (int i = 0; i < w->model->nbody; i++) w->path->inertia[i] = pm_body_inertia(&w->frame, i);
+    for (int i = 0; i < w->model->nbody; i++) w->path->inertia[i] = pm_frame_inertia(&w->frame, i);
     w->path->rigid.weights_alone = only_weights(w->model);
     pm_path_rigid_build(w);
     pm_force_all(w); /* weights stay as they are */
@@ -123,11 +123,11 @@ void pm_path_open_accelerate(pm_workspace *w, const pm_place *place)
         const int b = w->tree->node[i].body, k = 3 * b;
         const double *t = place->tangent + k, *c = place->bend + k, *force = f->f + k;
         double *a = f->a + k, *wrench = w->tree->wrench + k;
-        const pm_lanes way = pm_pair_load(t) * own + pm_pair_load(c) * square;
-        const double turn = t[2] * own + c[2] * square;
-        pm_pair_store_turn(a, way, turn);
-        pm_pair_store_turn(wrench, w->numbers.mass[b] * way - pm_pair_load(force),
-                           w->path->inertia[b] * turn - force[2]);
+        const pm_lanes way = pm_lanes_load(t) * own + pm_lanes_load(c) * square;
+        const double alpha = t[2] * own + c[2] * square;
+        pm_lanes_store_three(a, way, alpha);
+        pm_lanes_store_three(wrench, w->numbers.mass[b] * way - pm_lanes_load(force),
+                             w->path->inertia[b] * alpha - force[2]);
     }
     pm_tree_react_inward(w, place->arm);
 }

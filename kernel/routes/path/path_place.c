@@ -23,7 +23,7 @@ static void measure_motion(pm_workspace *w, pm_place *place)
     place->mass = 0;
     for (int i = 0; i < m->nbody; i++)
         place->mass += w->numbers.mass[i] * (t[3 * i] * t[3 * i] + t[3 * i + 1] * t[3 * i + 1]) +
-                       pm_body_inertia(&w->frame, i) * t[3 * i + 2] * t[3 * i + 2];
+                       pm_frame_inertia(&w->frame, i) * t[3 * i + 2] * t[3 * i + 2];
     memcpy(place->pose, w->frame.pose, 5 * (size_t)m->nbody * sizeof *place->pose);
     pm_path_measure_forces(w, place);
 }
@@ -42,12 +42,12 @@ static double greatest_lever(const struct pm_tree *tree)
 }
 
 /* What a loop row changes by when its coordinates do by their natural size. */
-static double row_size(const pm_workspace *w)
+static double loop_size(const pm_workspace *w)
 {
     const double lever = greatest_lever(w->tree),
                  size = lever > 0 ? fmin(w->numbers.size, PM_PATH_LINKS * lever) : w->numbers.size;
     for (int i = 0; i < w->tree->nloop; i++)
-        if (w->active.row[w->tree->loop[i]].kind == PM_CONSTRAINT_ANGLE) return fmin(size, 1);
+        if (w->active.constraint[w->tree->loop[i]].kind == PM_CONSTRAINT_ANGLE) return fmin(size, 1);
     return size;
 }
 
@@ -55,7 +55,7 @@ static double row_size(const pm_workspace *w)
 static int is_determined(const pm_workspace *w)
 {
     const int n = w->tree->nloop;
-    const double weak = PM_PATH_WEAK * row_size(w);
+    const double weak = PM_PATH_WEAK * loop_size(w);
     for (int i = 0; i < n; i++) {
         const int column = w->tree->part.column[i];
         if (!(fabs(w->tree->jacobian[i * n + i]) * pm_tree_scale(w->tree, &w->numbers, column) > weak))
@@ -68,14 +68,14 @@ static int is_determined(const pm_workspace *w)
 static int null_vector(pm_workspace *w, double *t)
 {
     pm_path *p = w->path;
-    const int n = p->n, rows = w->tree->nloop, *column = p->column;
-    const double weak = PM_PATH_WEAK * row_size(w);
+    const int n = p->n, nloop = w->tree->nloop, *column = p->column;
+    const double weak = PM_PATH_WEAK * loop_size(w);
     pm_elimination x = w->tree->elimination;
     x.low = p->loop.low;
     x.high = p->loop.high;
-    pm_elimination_run(rows, n, p->loop.entry, p->column, &x);
+    pm_elimination_run(nloop, n, p->loop.entry, p->column, &x);
     t[column[n - 1]] = 1;
-    for (int i = rows - 1; i >= 0; i--) {
+    for (int i = nloop - 1; i >= 0; i--) {
         const double *a = p->loop.entry + i * n, pivot = a[column[i]];
         if (!(fabs(pivot) * pm_tree_scale(w->tree, &w->numbers, column[i]) > weak)) return 0;
         double sum = 0;

@@ -23,26 +23,29 @@
 #include "tree/tree_node.h"
 
 /* v turned by the angle with that cosine and sine. */
-static inline pm_lanes turned(pm_lanes turn, pm_lanes v) { return turn[0] * v + turn[1] * pm_pair_left(v); }
+static inline pm_lanes rotated(pm_lanes rotation, pm_lanes v)
+{
+    return rotation[0] * v + rotation[1] * pm_lanes_left(v);
+}
 
 /* ---- once a phase ---- */
 static void add(const pm_workspace *w, const pm_tree_node *x, const pm_rigid_body *on, pm_rigid_body *b)
 {
-    const pm_lanes gravity = pm_pair_load(w->numbers.gravity);
+    const pm_lanes gravity = pm_lanes_load(w->numbers.gravity);
     *b = (pm_rigid_body){.body = x->body,
-                         .turns = x->turns,
+                         .rotates = x->rotates,
                          .holds = x->placement != PIN,
                          .mass = w->numbers.mass[x->body],
-                         .inertia = x->turns ? pm_body_inertia(&w->frame, x->body) : 0,
-                         .turn = {1, 0}};
+                         .inertia = x->rotates ? pm_frame_inertia(&w->frame, x->body) : 0,
+                         .rotation = {1, 0}};
     b->weight = b->mass * gravity;
     pm_lanes mark = {0, 0};
     if (on) {
-        mark = on->d + turned(on->turn, pm_pair_load(x->mark));
+        mark = on->d + rotated(on->rotation, pm_lanes_load(x->mark));
         b->angle = on->angle + x->angle;
-        b->turn = turned(on->turn, pm_pair_load(x->turn));
+        b->rotation = rotated(on->rotation, pm_lanes_load(x->rotation));
     }
-    b->lever = turned(b->turn, pm_pair_load(x->child));
+    b->lever = rotated(b->rotation, pm_lanes_load(x->child));
     b->d = mark - b->lever;
 }
 
@@ -50,14 +53,14 @@ static void begin_at(const pm_workspace *w, const pm_tree_node *x)
 {
     pm_rigid *g = &w->path->rigid;
     const double *from = w->frame.pose + 5 * x->parent;
-    const pm_lanes turn = pm_pair_load(from + 3), line = pm_pair_load(x->line);
-    g->from = pm_pair_load(from) + turned(turn, pm_pair_load(x->mark));
-    g->line = x->child_is_a ? turned(turn, line) : line;
+    const pm_lanes rotation = pm_lanes_load(from + 3), line = pm_lanes_load(x->line);
+    g->from = pm_lanes_load(from) + rotated(rotation, pm_lanes_load(x->mark));
+    g->line = x->child_is_a ? rotated(rotation, line) : line;
     g->first = x;
-    g->turns = x->placement != SLIDER;
+    g->rotates = x->placement != SLIDER;
     g->fixed = from[2];
     g->angle = from[2] + x->angle; /* of a slider */
-    g->turn = turned(turn, pm_pair_load(x->turn));
+    g->rotation = rotated(rotation, pm_lanes_load(x->rotation));
     add(w, x, NULL, &g->body[g->n++]);
 }
 
@@ -65,7 +68,7 @@ static void begin_at(const pm_workspace *w, const pm_tree_node *x)
 static const pm_rigid_body *carrier(const pm_rigid *g, int index)
 {
     for (int i = 0; i < g->n; i++)
-        if (g->body[i].body == index) return g->body[i].turns ? &g->body[i] : NULL;
+        if (g->body[i].body == index) return g->body[i].rotates ? &g->body[i] : NULL;
     return NULL;
 }
 
@@ -78,14 +81,14 @@ static int join(const pm_workspace *w, const pm_tree_node *x)
         return 1;
     }
     const pm_rigid_body *on = carrier(g, x->parent);
-    const int particle = x->placement == PIN && !x->turns && x->child[0] == 0 && x->child[1] == 0;
+    const int particle = x->placement == PIN && !x->rotates && x->child[0] == 0 && x->child[1] == 0;
     if (!on || !(x->placement == WELD || particle)) return 0;
     add(w, x, on, &g->body[g->n]);
     g->n++;
     return 1;
 }
 
-static double potential_of_still(const pm_workspace *w)
+static double potential_of_fixed(const pm_workspace *w)
 {
     double sum = 0;
     for (int i = 0; i < w->fixed->n; i++) {
@@ -103,7 +106,7 @@ int pm_path_rigid_build(pm_workspace *w)
     g->n = 0;
     for (int i = w->fixed->n; i < w->model->nbody && all; i++) all = join(w, &w->tree->node[i]);
     if (!all) g->n = 0;
-    g->potential = potential_of_still(w);
+    g->potential = potential_of_fixed(w);
     return g->n > 0;
 }
 
@@ -114,7 +117,7 @@ typedef struct pm_track {
     pm_lanes rho, t;         /* of the node (tree_node.h) */
 } pm_track;
 
-static inline void go_along_line(const pm_state *state, const pm_rigid *g, double u, pm_lanes turn,
+static inline void go_along_line(const pm_state *state, const pm_rigid *g, double u, pm_lanes rotation,
                                  pm_track *x)
 {
     const pm_tree_node *node = g->first;
@@ -122,8 +125,8 @@ static inline void go_along_line(const pm_state *state, const pm_rigid *g, doubl
     const double r = node->radius, rate = slides ? 1 : node->roll_own;
     double s = u;
     if (!slides) s = state->memory[node->memory].anchor + rate * u + node->roll_parent * g->fixed;
-    x->t = node->child_is_a ? g->line : turned(turn, g->line);
-    const pm_lanes n = pm_pair_left(x->t);
+    x->t = node->child_is_a ? g->line : rotated(rotation, g->line);
+    const pm_lanes n = pm_lanes_left(x->t);
     x->rho = s * x->t + r * n;
     x->rate = rate * x->t;
     if (slides || node->child_is_a) return;
@@ -131,47 +134,48 @@ static inline void go_along_line(const pm_state *state, const pm_rigid *g, doubl
     x->bend = 2 * rate * n - x->rho;
 }
 
-static void go_round_circle(const pm_state *state, const pm_rigid *g, double u, pm_lanes turn, pm_track *x)
+static void go_round_circle(const pm_state *state, const pm_rigid *g, double u, pm_lanes rotation,
+                            pm_track *x)
 {
     const pm_tree_node *node = g->first;
     const double rate = node->roll_own;
     if (rate == 1 && node->roll_parent == 0) { /* on a point */
-        x->rho = turned(turn, pm_pair_load(node->touch));
+        x->rho = rotated(rotation, pm_lanes_load(node->touch));
     } else {
         const double begin = state->memory[node->memory].anchor / node->length,
                      phi = begin + rate * u + node->roll_parent * g->fixed;
         x->rho = node->length * (pm_lanes){cos(phi), sin(phi)};
     }
-    x->t = pm_pair_left(x->rho) / node->length;
+    x->t = pm_lanes_left(x->rho) / node->length;
     x->rate = rate * node->length * x->t;
     x->bend = -rate * rate * x->rho;
 }
 
-static inline void go(const pm_state *state, const pm_rigid *g, double u, pm_lanes turn, pm_track *x)
+static inline void go(const pm_state *state, const pm_rigid *g, double u, pm_lanes rotation, pm_track *x)
 {
     const pm_tree_node *node = g->first;
     const double sign = node->child_is_a ? 1 : -1;
     x->rate = x->bend = x->rho = x->t = (pm_lanes){0, 0};
     if (node->placement == ROLL_CIRCLE)
-        go_round_circle(state, g, u, turn, x);
+        go_round_circle(state, g, u, rotation, x);
     else if (node->placement != PIN)
-        go_along_line(state, g, u, turn, x);
+        go_along_line(state, g, u, rotation, x);
     x->at = g->from + sign * x->rho;
     x->rate *= sign;
     x->bend *= sign;
 }
 
 /* Its angle, and the levers of its reactions. */
-static inline void turn_body(const pm_rigid_body *b, double angle, pm_lanes turn, const pm_track *x,
-                             const pm_place *place)
+static inline void rotate_body(const pm_rigid_body *b, double angle, pm_lanes rotation, const pm_track *x,
+                               const pm_place *place)
 {
     double *pose = place->pose + 5 * b->body, *arm = place->arm + PM_TREE_ARM * b->body;
     pose[2] = place->q[3 * b->body + 2] = angle + b->angle;
-    pm_pair_store(pose + 3, turned(turn, b->turn));
+    pm_lanes_store(pose + 3, rotated(rotation, b->rotation));
     if (!b->holds) return;
-    pm_pair_store(arm, turned(turn, b->lever));
-    pm_pair_store(arm + 2, x->rho);
-    pm_pair_store(arm + 4, x->t);
+    pm_lanes_store(arm, rotated(rotation, b->lever));
+    pm_lanes_store(arm + 2, x->rho);
+    pm_lanes_store(arm + 4, x->t);
 }
 
 /* What the bodies make of a place, in both directions. */
@@ -180,27 +184,27 @@ typedef struct pm_sums {
     double inertia;
 } pm_sums;
 
-static inline pm_sums place_body(const pm_rigid_body *b, double angle, pm_lanes turn, double spin,
+static inline pm_sums place_body(const pm_rigid_body *b, double angle, pm_lanes rotation, double spin,
                                  const pm_track *x, const pm_place *place, pm_sums sum)
 {
-    const pm_lanes r = turned(turn, b->d), at = x->at + r, c = x->bend - spin * r,
-                   t = x->rate + spin * pm_pair_left(r);
+    const pm_lanes r = rotated(rotation, b->d), at = x->at + r, c = x->bend - spin * r,
+                   t = x->rate + spin * pm_lanes_left(r);
     double *pose = place->pose + 5 * b->body;
     sum.mass += b->mass * t * t;
     sum.change += b->mass * t * c;
     sum.force += b->weight * t;
     sum.potential += b->weight * at;
     sum.inertia += b->inertia;
-    pm_pair_store_turn(place->q + 3 * b->body, at, 0);
-    pm_pair_store_turn(place->tangent + 3 * b->body, t, b->turns ? spin : 0);
-    pm_pair_store_turn(place->bend + 3 * b->body, c, 0);
-    pm_pair_store_turn(pose, at, 0);
-    pm_pair_store(pose + 3, (pm_lanes){1, 0});
-    if (b->turns) turn_body(b, angle, turn, x, place);
+    pm_lanes_store_three(place->q + 3 * b->body, at, 0);
+    pm_lanes_store_three(place->tangent + 3 * b->body, t, b->rotates ? spin : 0);
+    pm_lanes_store_three(place->bend + 3 * b->body, c, 0);
+    pm_lanes_store_three(pose, at, 0);
+    pm_lanes_store(pose + 3, (pm_lanes){1, 0});
+    if (b->rotates) rotate_body(b, angle, rotation, x, place);
     return sum;
 }
 
-static void leave_still(const pm_workspace *w, const pm_place *place)
+static void leave_fixed(const pm_workspace *w, const pm_place *place)
 {
     for (int i = 0; i < w->fixed->n; i++) {
         const int b = w->tree->node[i].body;
@@ -214,15 +218,15 @@ static void leave_still(const pm_workspace *w, const pm_place *place)
 void pm_path_rigid_place(const pm_workspace *w, double u, pm_place *place)
 {
     const pm_rigid *g = &w->path->rigid;
-    const double angle = g->turns ? u : g->angle, spin = g->turns;
-    const pm_lanes turn = g->turns ? (pm_lanes){cos(u), sin(u)} : g->turn;
+    const double angle = g->rotates ? u : g->angle, spin = g->rotates;
+    const pm_lanes rotation = g->rotates ? (pm_lanes){cos(u), sin(u)} : g->rotation;
     pm_track track;
     pm_sums sum = {.inertia = 0};
-    go(&w->state, g, u, turn, &track);
-    for (int i = 0; i < g->n; i++) sum = place_body(&g->body[i], angle, turn, spin, &track, place, sum);
-    place->mass = pm_pair_sum(sum.mass) + spin * sum.inertia;
-    place->change = pm_pair_sum(sum.change);
-    place->force = pm_pair_sum(sum.force);
-    place->potential = g->potential - pm_pair_sum(sum.potential);
-    if (w->fixed->n > 0) leave_still(w, place);
+    go(&w->state, g, u, rotation, &track);
+    for (int i = 0; i < g->n; i++) sum = place_body(&g->body[i], angle, rotation, spin, &track, place, sum);
+    place->mass = pm_lanes_sum(sum.mass) + spin * sum.inertia;
+    place->change = pm_lanes_sum(sum.change);
+    place->force = pm_lanes_sum(sum.force);
+    place->potential = g->potential - pm_lanes_sum(sum.potential);
+    if (w->fixed->n > 0) leave_fixed(w, place);
 }

@@ -201,7 +201,7 @@ static double exact_kinetic(void *of, double s, void *context, double *slope)
 }
 
 /* The way to the first place of the step where T vanishes; INFINITY if there is none. */
-static int find_turning(pm_workspace *w, double *way)
+static int find_reversal(pm_workspace *w, double *way)
 {
     pm_path *p = w->path;
     const pm_chebyshev_nodes *nodes = p->nodes;
@@ -239,19 +239,19 @@ static void end_at_rest(pm_path *p)
 }
 
 /* Is the filled step one that can be taken?  *next is a shorter one to try instead, or 0. */
-static int judge(pm_workspace *w, int turning, double *next)
+static int judge(pm_workspace *w, int reverses, double *next)
 {
     pm_path *p = w->path;
     const int half = p->every > 1 || p->h > p->safe; /* else what is not smooth is sampled as it is */
     *next = 0;
     if ((w->model->nz_controlled > 0 && !rates_resolved(w->model, w->path)) || (half && !motion_resolved(p)))
         *next = 0.5 * p->h;
-    if (!p->at_rest && !turning && watches_speed(w->model) && !speed_resolved(p)) *next = 0.5 * p->h;
-    if (turning) {
+    if (!p->at_rest && !reverses && watches_speed(w->model) && !speed_resolved(p)) *next = 0.5 * p->h;
+    if (reverses) {
         end_at_rest(p);
     } else if (*next == 0) {
         double way;
-        const int status = find_turning(w, &way);
+        const int status = find_reversal(w, &way);
         if (status) return status;
         if (way < INFINITY) *next = p->at_rest ? 0.5 * way : way; /* each root needs a step of its own */
     }
@@ -259,7 +259,7 @@ static int judge(pm_workspace *w, int turning, double *next)
     const int watched = w->model->programs.read_time || w->record.history;
     const int clock = !watched || p->balanced ? PM_CLOCK_NONE
                       : p->at_rest            ? PM_CLOCK_LEAVES
-                      : turning               ? PM_CLOCK_RESTS
+                      : reverses              ? PM_CLOCK_RESTS
                                               : PM_CLOCK_PLAIN;
     if (!pm_path_clock_set(p, clock, fmax(PM_PATH_TIME_TAIL * w->numbers.tolerance, PM_CLOCK_TAIL)))
         *next = 0.5 * p->h;
@@ -267,15 +267,15 @@ static int judge(pm_workspace *w, int turning, double *next)
 }
 
 /* Tries a step of length h, with more nodes if few do not resolve it; *next as above. */
-static int try_step(pm_workspace *w, double h, int turning, double *next)
+static int try_step(pm_workspace *w, double h, int reverses, double *next)
 {
     pm_path *p = w->path;
     int status = p->filled ? PM_OK : fill(w, h);
     p->filled = 0;
-    if (!status) status = judge(w, turning, next);
+    if (!status) status = judge(w, reverses, next);
     if (!status && *next == 0.5 * h && p->every > 1) {
         status = fill_between(w);
-        if (!status) status = judge(w, turning, next);
+        if (!status) status = judge(w, reverses, next);
     }
     if (status != PM_SINGULAR && status != PM_ASSEMBLY) return status;
     *next = 0.5 * h;
@@ -286,16 +286,17 @@ int pm_path_take_step(pm_workspace *w, double full)
 {
     pm_path *p = w->path;
     double h = full, next;
-    int turning = 0, halved = 0;
+    int reverses = 0, halved = 0;
     p->clock.tail = INFINITY;
     for (;;) {
-        const int status = try_step(w, h, turning, &next);
+        const int status = try_step(w, h, reverses, &next);
         if (status) return status;
         if (next == 0) break;
-        turning = next != 0.5 * h && !p->at_rest; /* not a halving: the way to a turning point */
-        if (turning && w->numbers.coarse > 1 && next > PM_PATH_PART * full) { /* other steps in a companion */
+        reverses = next != 0.5 * h && !p->at_rest; /* not a halving: the way to a turning point */
+        if (reverses && w->numbers.coarse > 1 &&
+            next > PM_PATH_PART * full) { /* other steps in a companion */
             next *= 0.5;
-            turning = 0;
+            reverses = 0;
         }
         halved |= next == 0.5 * h;
         h = next;
@@ -306,7 +307,7 @@ int pm_path_take_step(pm_workspace *w, double full)
         p->most = h;
     else if (p->every > 1)
         p->most *= PM_PATH_LENGTHEN;
-    w->step.reverses = turning;
-    p->lowest = fmin(p->lowest, turning ? 0 : p->least);
+    w->step.reverses = reverses;
+    p->lowest = fmin(p->lowest, reverses ? 0 : p->least);
     return PM_OK;
 }

@@ -30,7 +30,8 @@ int pm_repeat_create(pm_workspace *w)
     const pm_model *m = w->model;
     if (PM_ARENA_NEW(&w->memory, w->repeat)) return PM_NO_MEMORY;
     pm_repeat *l = w->repeat;
-    const pm_array array[] = {PM_ARRAY(l->turn, m->nbody), PM_ARRAY(l->event_count, m->rows[PM_TABLE_EVENT]),
+    const pm_array array[] = {PM_ARRAY(l->rotation, m->nbody),
+                              PM_ARRAY(l->event_count, m->rows[PM_TABLE_EVENT]),
                               PM_ARRAY(l->side, m->rows[PM_TABLE_TRIGGER])};
     const int status = pm_state_create(&w->memory, m, &l->begin);
     return status ? status : pm_arena_take(&w->memory, PM_ARRAYS(array));
@@ -62,7 +63,7 @@ static int keep_sure(pm_workspace *w, double kinetic, pm_repeats *segments)
 static int repeat(pm_workspace *w, double kinetic, int *passed)
 {
     pm_repeat *l = w->repeat;
-    const pm_symmetry_shift shift = {{l->by[0], l->by[1]}, l->turn};
+    const pm_symmetry_shift shift = {{l->by[0], l->by[1]}, l->rotation};
     const int in_time = w->model->programs.read_time || w->record.history;
     const int steady = fabs(kinetic - l->kinetic) <= PM_REPEAT_SAME_ENERGY * kinetic;
     if (w->record.history || ((in_time || l->ends_by_force) && !steady) ||
@@ -74,9 +75,9 @@ static int repeat(pm_workspace *w, double kinetic, int *passed)
     const int64_t most = pm_repeat_limit(w, &shift, time);
     w->path->repeats = !w->phase.lap && l->steps == 1;
     pm_repeats segments = pm_repeat_energy_over_barrier(l, kinetic, most, w->path->error);
-    int told = 0, status = PM_OK;
-    if (segments.is_last) status = pm_repeat_replay_tell(w, &segments, &told);
-    if (told)
+    int found = 0, status = PM_OK;
+    if (segments.is_last) status = pm_repeat_replay_tell(w, &segments, &found);
+    if (found)
         pm_repeat_energy_add(l, &segments);
     else if (!status && !steady)
         status = keep_sure(w, kinetic, &segments);
@@ -89,7 +90,7 @@ static void remember(pm_workspace *w)
 {
     pm_repeat *l = w->repeat;
     pm_state_copy(&l->begin, &w->state);
-    l->kinetic = l->before = pm_body_kinetic(&w->frame, PM_NONE);
+    l->kinetic = l->before = pm_frame_kinetic(&w->frame, PM_NONE);
     l->ends_by_force = 0;
     memcpy(l->count, w->result.count, sizeof l->count);
     memcpy(l->event_count, w->firing.count, (size_t)w->model->rows[PM_TABLE_EVENT] * sizeof *l->event_count);
@@ -99,7 +100,7 @@ static void remember(pm_workspace *w)
 int pm_repeat_begin(pm_workspace *w, int *passed)
 {
     pm_repeat *l = w->repeat;
-    const double kinetic = pm_body_kinetic(&w->frame, PM_NONE);
+    const double kinetic = pm_frame_kinetic(&w->frame, PM_NONE);
     int status = PM_OK;
     *passed = w->path->repeats = 0;
     const int alike = l->known && kinetic != 0 && pm_repeat_match(w, kinetic);
@@ -112,7 +113,7 @@ int pm_repeat_begin(pm_workspace *w, int *passed)
 /* ---- the end of a segment ---- */
 static int is_force(int kind)
 {
-    return kind == FUNCTION_NORMAL || kind == FUNCTION_GRIP || kind == FUNCTION_HOLD;
+    return kind == FUNCTION_NORMAL || kind == FUNCTION_STICK || kind == FUNCTION_JOINT_STICK;
 }
 
 void pm_repeat_end(pm_workspace *w)
@@ -120,7 +121,7 @@ void pm_repeat_end(pm_workspace *w)
     pm_repeat *l = w->repeat;
     const pm_event_set *e = w->event;
     if (!l->known) return;
-    l->before = pm_body_kinetic(&w->frame, PM_NONE);
+    l->before = pm_frame_kinetic(&w->frame, PM_NONE);
     l->end = w->step.end;
     l->steps = w->result.count[PM_COUNT_STEPS] - l->count[PM_COUNT_STEPS];
     l->lowest = fmin(w->path->lowest, l->kinetic);

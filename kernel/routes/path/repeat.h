@@ -36,7 +36,7 @@ typedef struct pm_repeat {
     int *side;            /* [ntrigger] 1, -1: sign of a trigger all along it; 0: it had both */
     double unsure;      /* J, T of the nearest segment of this series that is not sure; NAN: none is known */
     double by[2];       /* m, the shift to the next one */
-    double *turn;       /* [nbody] rad, how far each body has turned */
+    double *rotation;   /* [nbody] rad, how far each body has turned */
     int member;         /* so many members on in a row */
     double work, ratio; /* J, W and m of repeat_energy.c */
 } pm_repeat;
@@ -78,8 +78,8 @@ pm_repeats pm_repeat_energy_over_barrier(const pm_repeat *l, double begin, int64
  *
  * *sure = 1: nothing that goes with T becomes zero in a segment that begins with T = kinetic; so it does in none between. */
 int pm_repeat_replay_check(pm_workspace *w, double kinetic, int *sure);
-/* The segment after these, if it is sure, is told: extremes that are asked see it; *told = 0: it must be computed. */
-int pm_repeat_replay_tell(pm_workspace *w, const pm_repeats *segments, int *told);
+/* The segment after these, if it is sure, is told: extremes that are asked see it; *found = 0: it must be computed. */
+int pm_repeat_replay_tell(pm_workspace *w, const pm_repeats *segments, int *found);
 
 /* repeat_pass.c: moves w->state on by these segments, and counts them; kinetic: T there now, time: s, of each, or 0.  The
  * frame looks at w->state, the rows are built for it. */

@@ -29,7 +29,7 @@ static int same_modes(pm_workspace *w)
         if (na != nb || na > 1) return 0; /* several members closed at once: not looked into */
         if (na == 0) continue;
         if (then[a].mode != now[b].mode) return 0;
-        if (PM_CONTACT_ROW_OF(m, c)[PM_CONTACT_KIND] != PM_CONTACT_ROW) continue;
+        if (PM_CONTACT_ROW(m, c)[PM_CONTACT_KIND] != PM_CONTACT_PATTERN) continue;
         const int step = now[b].member - then[a].member;
         if (found && step != member) return 0;
         found = 1;
@@ -54,12 +54,12 @@ static int find_way(pm_workspace *w)
         return 1;
     }
     for (int c = 0; c < m->rows[PM_TABLE_CONTACT]; c++) {
-        const int32_t *e = PM_CONTACT_ROW_OF(m, c);
-        if (e[PM_CONTACT_KIND] != PM_CONTACT_ROW) continue;
-        const int32_t *row = PM_ROW_ROW(m, e[PM_CONTACT_B]);
-        if (PM_POINT_ROW(m, row[PM_ROW_POINT])[PM_POINT_BODY] != PM_GROUND) return 0;
-        const double x = l->member * w->numbers.value[row[PM_ROW_STEP_X]],
-                     y = l->member * w->numbers.value[row[PM_ROW_STEP_Y]];
+        const int32_t *e = PM_CONTACT_ROW(m, c);
+        if (e[PM_CONTACT_KIND] != PM_CONTACT_PATTERN) continue;
+        const int32_t *pattern = PM_PATTERN_ROW(m, e[PM_CONTACT_B]);
+        if (PM_POINT_ROW(m, pattern[PM_PATTERN_POINT])[PM_POINT_BODY] != PM_GROUND) return 0;
+        const double x = l->member * w->numbers.value[pattern[PM_PATTERN_STEP_X]],
+                     y = l->member * w->numbers.value[pattern[PM_PATTERN_STEP_Y]];
         if (found && (x != l->by[0] || y != l->by[1])) return 0;
         found = 1;
         l->by[0] = x;
@@ -82,10 +82,10 @@ static int same_place_and_motion(pm_workspace *w, double kinetic)
             if (fabs(v[k] - faster * v0[k]) > motion) return 0;
         }
         if (fabs(v[2] - faster * v0[2]) * w->numbers.size > motion) return 0;
-        l->turn[i] = q[2] - q0[2];
-        const double turns = l->turn[i] / TURN;
-        if (fabs(turns - round(turns)) <= PM_REPEAT_SAME_PLACE * fmax(1, fabs(turns)))
-            l->turn[i] = TURN * round(turns);
+        l->rotation[i] = q[2] - q0[2];
+        const double number = l->rotation[i] / TURN;
+        if (fabs(number - round(number)) <= PM_REPEAT_SAME_PLACE * fmax(1, fabs(number)))
+            l->rotation[i] = TURN * round(number);
     }
     return 1;
 }

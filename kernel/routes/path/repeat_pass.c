@@ -23,12 +23,12 @@ static void move_state(pm_workspace *w, int64_t segments, double faster, double 
     for (int i = 0; i < m->nz_controlled; i++) s->z[i] += n * (s->z[i] - l->begin.z[i]);
     for (int i = 0; i < m->nbody; i++) {
         for (int k = 0; k < 2; k++) s->q[3 * i + k] += n * l->by[k];
-        s->q[3 * i + 2] += n * l->turn[i];
+        s->q[3 * i + 2] += n * l->rotation[i];
     }
     for (int i = 0; i < m->nq; i++) s->v[i] *= faster;
     s->t += n * time;
     for (int i = 0; i < m->nslot; i++)
-        if (s->slot[i].mode != PM_OPEN && pm_contact_is_row(m, pm_contact_of_slot(m, i)))
+        if (s->slot[i].mode != PM_OPEN && pm_contact_is_pattern(m, pm_contact_of_slot(m, i)))
             s->slot[i].member += (int32_t)(segments * l->member);
 }
 
@@ -43,13 +43,13 @@ static void count_segments(pm_workspace *w, int64_t segments, double time)
     for (int i = 0; i < 3; i++)
         w->result.count[counted[i]] +=
             segments * (w->result.count[counted[i]] - w->repeat->count[counted[i]]);
-    w->result.count[PM_COUNT_LEGS] += segments;
+    w->result.count[PM_COUNT_REPEATED_SEGMENTS] += segments;
 }
 
 int pm_repeat_pass(pm_workspace *w, const pm_repeats *segments, double kinetic, double time)
 {
     double momentum[PM_LEDGER];
-    pm_body_momentum(&w->frame, PM_NONE, momentum);
+    pm_frame_momentum(&w->frame, PM_NONE, momentum);
     move_state(w, segments->n, sqrt(segments->kinetic / kinetic), time);
     count_segments(w, segments->n, time);
     w->ledger.energy_lost += segments->lost;

@@ -51,7 +51,7 @@ static void fill_step(pm_workspace *w, double kinetic)
 static int goes_with_energy(const pm_model *model, const pm_event_function *f)
 {
     if (f->kind == FUNCTION_TRIGGER) return pm_repeat_limit_moves(model, f->index);
-    return f->kind == FUNCTION_NORMAL || f->kind == FUNCTION_GRIP || f->kind == FUNCTION_HOLD;
+    return f->kind == FUNCTION_NORMAL || f->kind == FUNCTION_STICK || f->kind == FUNCTION_JOINT_STICK;
 }
 
 /* The slot of the same contact that is closed now. */
@@ -72,7 +72,7 @@ static int choose_functions(pm_workspace *w)
         pm_event_function *f = &e->function[i];
         f->owned = !goes_with_energy(w->model, f);
         any |= !f->owned;
-        if (f->kind == FUNCTION_NORMAL || f->kind == FUNCTION_GRIP)
+        if (f->kind == FUNCTION_NORMAL || f->kind == FUNCTION_STICK)
             f->index = closed_slot(w->model, &w->state, f->index);
     }
     return any;
@@ -109,7 +109,7 @@ static int signs_stay(const pm_workspace *w)
         const pm_event_function *f = &w->event->function[i];
         if (f->owned) continue;
         const int side = f->kind == FUNCTION_TRIGGER ? w->repeat->side[f->index] : 1;
-        if (side == 0 || f->kind == FUNCTION_HOLD || !(least_of(w, i, side) > 0)) return 0;
+        if (side == 0 || f->kind == FUNCTION_JOINT_STICK || !(least_of(w, i, side) > 0)) return 0;
     }
     return 1;
 }
@@ -151,15 +151,15 @@ static int is_missed(const pm_model *m)
 }
 
 /* Extremes that are asked see the step, up to where the segment ends. */
-static int watch(pm_workspace *w, const pm_repeats *segments, int *told)
+static int watch(pm_workspace *w, const pm_repeats *segments, int *found)
 {
     const pm_repeat *l = w->repeat;
     const double kinetic = segments->kinetic + l->work;
     pm_state_copy(&w->ahead, &w->state);
     w->step.end = l->end;
     int status = w->phase.route->exact(w, l->end, &w->probe); /* the frame looks there, too */
-    *told = !status && fabs(pm_body_kinetic(&w->frame, PM_NONE) - kinetic) <= PM_REPEAT_SAME_END * kinetic;
-    if (!*told) return status;
+    *found = !status && fabs(pm_frame_kinetic(&w->frame, PM_NONE) - kinetic) <= PM_REPEAT_SAME_END * kinetic;
+    if (!*found) return status;
     pm_state_copy(&w->state, &w->probe);
     pm_path_error_sampled(w);
     pm_path_error_step(w, kinetic);
@@ -170,18 +170,18 @@ static int watch(pm_workspace *w, const pm_repeats *segments, int *told)
     return status;
 }
 
-int pm_repeat_replay_tell(pm_workspace *w, const pm_repeats *segments, int *told)
+int pm_repeat_replay_tell(pm_workspace *w, const pm_repeats *segments, int *found)
 {
     pm_path *p = w->path;
     const double error = p->error, ended = p->ended;
     int sure;
-    *told = 0;
+    *found = 0;
     if (is_missed(w->model)) return PM_OK;
     choose_functions(w);
     int status = look_at(w, segments->kinetic, &sure);
     if (!status && sure && pm_ask_keeps_samples(&w->step, w->ask)) {
         p->error = segments->error;
-        status = watch(w, segments, told);
+        status = watch(w, segments, found);
         p->error = error;
         p->ended = ended;
     }

@@ -129,7 +129,7 @@ static double next_contact(pm_workspace *w, const pm_place *x)
     pm_frame_look(&w->frame, w->state.t, x->q, x->tangent, w->state.z, w->state.memory);
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
         int member[2];
-        if (pm_contact_is_row(w->model, i)) {
+        if (pm_contact_is_pattern(w->model, i)) {
             const int n = pm_contact_near(&w->frame, &w->state, i, 2, member);
             for (int k = 0; k < n; k++)
                 h = fmin(
@@ -153,7 +153,7 @@ static void state_of(const pm_model *model, const pm_path *p, const pm_place *x,
 }
 
 /* How fast the bodies would move at the scene's speed where the motion turns back. */
-static void set_turn(pm_workspace *w)
+static void set_reversal(pm_workspace *w)
 {
     const pm_place *x = &w->path->node[PM_NODES_MOST - 1];
     const double rate = w->path->sense * w->numbers.speed * sqrt(pm_body_total_mass(&w->frame) / x->mass);
@@ -211,7 +211,7 @@ static int look(pm_workspace *w, double x, int level)
 static void close_momentum(const pm_frame *frame, const pm_path *path, pm_state *state)
 {
     double *ledger = state->z + pm_ledger_ledger(frame->model), momentum[PM_LEDGER];
-    pm_body_momentum(frame, PM_NONE, momentum);
+    pm_frame_momentum(frame, PM_NONE, momentum);
     for (int i = 0; i < PM_LEDGER; i++) ledger[i] = path->impulse[i] + momentum[i];
 }
 
@@ -264,8 +264,8 @@ static int step(pm_workspace *w, double t_limit)
     if (!p->fresh) p->at_rest = p->balanced = 0;
     p->fresh = 0;
     int status = pm_path_drive(w, &p->node[0]);
-    p->told_by = p->driver;
-    p->told_sense = p->sense;
+    p->node_driver = p->driver;
+    p->node_sense = p->sense;
     p->u0 = p->node[0].y[p->driver];
     p->clock.t0 = w->state.t;
     memcpy(p->weight, w->state.z, (size_t)w->model->nz_controlled * sizeof(double));
@@ -275,7 +275,7 @@ static int step(pm_workspace *w, double t_limit)
         fmin(fmin(p->most, step_factor(w) * p->safe), w->numbers.coarse * next_contact(w, &p->node[0]));
     if (!status) status = pm_path_take_step(w, repeat(w->path, may_close ? fmin(full, TURN - p->way) : full));
     if (status) return status;
-    if (w->step.reverses) set_turn(w);
+    if (w->step.reverses) set_reversal(w);
     w->step.begin = 0;
     w->step.end = p->h;
     p->way += p->h;

@@ -15,22 +15,22 @@
 #define PM_RK_DENSE 7 /* coefficients of the dense output */
 
 struct pm_rk {
-    int n;          /* coordinates of the phase */
-    int all;        /* 2 n + nz */
-    int controlled; /* 2 n + nz_controlled: what stages need */
-    double *now;    /* [all] at w->state */
-    double *y0, *y; /* [all] begin of the step; stage */
-    double *k;      /* [ALL_STAGES][all] */
-    double *side;   /* [STAGES][all] stages of pm_rk_exact, so that the dense output stays */
-    double *dense;  /* [PM_RK_DENSE][controlled] */
-    double *middle; /* [all] between the halves of a step */
-    double *scale;  /* [controlled] reciprocal error weights */
-    double own;     /* the motion's own time at the end of the last step */
-    double turning; /* that of the bodies' turning alone */
-    double meeting; /* that of open contacts (gap_culling.c) */
-    double t0, h;   /* the last step as integrated */
-    double end;     /* where it ended */
-    double next;    /* step to try next, 0: none known */
+    int n;                /* coordinates of the phase */
+    int all;              /* 2 n + nz */
+    int controlled;       /* 2 n + nz_controlled: what stages need */
+    double *now;          /* [all] at w->state */
+    double *y0, *y;       /* [all] begin of the step; stage */
+    double *k;            /* [ALL_STAGES][all] */
+    double *side;         /* [STAGES][all] stages of pm_rk_exact, so that the dense output stays */
+    double *dense;        /* [PM_RK_DENSE][controlled] */
+    double *middle;       /* [all] between the halves of a step */
+    double *scale;        /* [controlled] reciprocal error weights */
+    double own;           /* the motion's own time at the end of the last step */
+    double rotation_time; /* that of the bodies' turning alone */
+    double meeting;       /* that of open contacts (gap_culling.c) */
+    double t0, h;         /* the last step as integrated */
+    double end;           /* where it ended */
+    double next;          /* step to try next, 0: none known */
     int dense_ready, k0_ready;
     pm_energy_level_level level;                         /* of the energy, where it is kept */
     int ledger;                                          /* the last step integrates the ledger */

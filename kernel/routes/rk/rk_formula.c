@@ -21,14 +21,14 @@ static inline void combine(int n, int stride, const double *y0, double h, const 
     int i = 0;
     for (; i + 4 <= n; i += 4) {
         const double *x = stage + i;
-        pm_lanes first = weight[0] * pm_pair_load(x), second = weight[0] * pm_pair_load(x + 2);
+        pm_lanes first = weight[0] * pm_lanes_load(x), second = weight[0] * pm_lanes_load(x + 2);
         x += from * stride;
         for (int k = from; k < to; k++, x += stride) {
-            first += weight[k] * pm_pair_load(x);
-            second += weight[k] * pm_pair_load(x + 2);
+            first += weight[k] * pm_lanes_load(x);
+            second += weight[k] * pm_lanes_load(x + 2);
         }
-        pm_pair_store(y + i, pm_pair_load(y0 + i) + h * first);
-        pm_pair_store(y + i + 2, pm_pair_load(y0 + i + 2) + h * second);
+        pm_lanes_store(y + i, pm_lanes_load(y0 + i) + h * first);
+        pm_lanes_store(y + i + 2, pm_lanes_load(y0 + i + 2) + h * second);
     }
     for (; i < n; i++) {
         double sum = weight[0] * stage[i];
@@ -63,9 +63,9 @@ static double error_square(const struct pm_rk *r, const double *weight)
     for (int i = 0; i < n; i += 2) {
         const double *k =
             r->k + STEP_FROM * r->all + i; /* one number more than there are is read, not used */
-        pm_lanes e = weight[0] * pm_pair_load(r->k + i);
-        for (int s = STEP_FROM; s < STAGES; s++, k += r->all) e += weight[s] * pm_pair_load(k);
-        e *= pm_pair_load(r->scale + i);
+        pm_lanes e = weight[0] * pm_lanes_load(r->k + i);
+        for (int s = STEP_FROM; s < STAGES; s++, k += r->all) e += weight[s] * pm_lanes_load(k);
+        e *= pm_lanes_load(r->scale + i);
         if (i + 1 == n) e[1] = 0;
         sum += e * e;
     }

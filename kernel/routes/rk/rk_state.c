@@ -32,7 +32,7 @@ static double restore_energy(pm_workspace *w, double *rates)
     for (int i = 0; i < w->model->nq && factor != 1; i++) w->frame.velocity[i] = w->tree->v[i] *= factor;
     /* evaluated loop rows; nothing drives them, so that this is quadratic in the rates */
     for (int i = 0; i < w->tree->nloop && factor != 1; i++)
-        w->active.row[w->tree->loop[i]].gamma *= factor * factor;
+        w->active.constraint[w->tree->loop[i]].gamma *= factor * factor;
     return gained;
 }
 

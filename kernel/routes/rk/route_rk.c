@@ -85,7 +85,7 @@ static int begin(pm_workspace *w)
     memcpy(r->now + 2 * r->n, w->state.z, (size_t)w->model->nz * sizeof(double));
     r->k0_ready = r->dense_ready = 0;
     r->first = w->result.count[PM_COUNT_STEPS];
-    pm_body_momentum(&w->frame, PM_NONE, r->momentum_now);
+    pm_frame_momentum(&w->frame, PM_NONE, r->momentum_now);
     /* a new case owes nothing to the last one, nor a phase to what another route has left behind */
     if (w->result.count[PM_COUNT_STEPS] == 0 || w->state.t > r->end) r->next = 0;
     pm_energy_level_begin(w, &r->level);
@@ -95,7 +95,7 @@ static int begin(pm_workspace *w)
 
 /* In which a body turns by about 1: of rates and accelerations k[2 n] of the coordinates, or of the bodies
  * in the frame. */
-static double turning_time(const pm_workspace *w, const double *k)
+static double rotation_time(const pm_workspace *w, const double *k)
 {
     const int n = w->rk->n;
     double square = 0;
@@ -115,7 +115,7 @@ static int is_sampled(const struct pm_event_set *event, const struct pm_ask_set 
 static void set_times(pm_workspace *w, const double *k)
 {
     struct pm_rk *r = w->rk;
-    r->turning = turning_time(w, k);
+    r->rotation_time = rotation_time(w, k);
     if (!is_sampled(w->event, w->ask)) return;
     r->own = pm_case_time_scale(w->model, &w->numbers, w->state.v, w->frame.a);
     r->meeting = w->event->nfunction > 0 ? pm_gap_culling_time(w, w->frame.velocity, w->frame.a) : INFINITY;
@@ -127,7 +127,7 @@ static void set_times(pm_workspace *w, const double *k)
 static double longest_step(const pm_workspace *w)
 {
     if (is_sampled(w->event, w->ask)) return fmin(w->rk->own, w->rk->meeting);
-    return w->active.n > 0 ? w->rk->turning : INFINITY;
+    return w->active.n > 0 ? w->rk->rotation_time : INFINITY;
 }
 
 /* Whether the next step integrates the ledger, and needs reactions for it. */
@@ -160,7 +160,7 @@ static int accept(pm_workspace *w, double t)
     int status = pm_rk_settle(w, t, r->now, &w->state, &gained);
     if (status) return status;
     pm_energy_level_note(&w->frame, &w->ledger, &r->level, gained);
-    pm_body_momentum(&w->frame, PM_NONE, r->momentum_now);
+    pm_frame_momentum(&w->frame, PM_NONE, r->momentum_now);
     w->result.count[PM_COUNT_STEPS]++;
     if ((status = last_stage(w))) return status;
     set_times(w, r->k + STAGES * r->all);

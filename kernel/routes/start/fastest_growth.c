@@ -43,7 +43,7 @@ static double length_of(const pm_numbers *numbers, int i) { return i % 3 == 2 ? 
 static double unit_of_time(const pm_numbers *numbers) { return numbers->size / numbers->speed; }
 
 /* Part i of spin x d: d turned left; angles do not turn. */
-static double turned(double spin, const double *d, int i)
+static double rotated(double spin, const double *d, int i)
 {
     return i % 3 == 2 ? 0 : i % 3 == 0 ? -spin * d[i + 1] : spin * d[i - 1];
 }
@@ -60,8 +60,8 @@ static void move_on(const pm_model *model, const pm_state *state, const pm_faste
     for (int i = 0; i < model->nq; i++) {
         if (!e->free[i]) continue;
         const double *v = state->v;
-        s->q[i] += i % 3 == 2 ? v[i] * t : along * v[i] + across * turned(1, v, i);
-        if (i % 3 != 2) s->v[i] = c * v[i] + si * turned(1, v, i);
+        s->q[i] += i % 3 == 2 ? v[i] * t : along * v[i] + across * rotated(1, v, i);
+        if (i % 3 != 2) s->v[i] = c * v[i] + si * rotated(1, v, i);
     }
 }
 
@@ -72,7 +72,7 @@ static int accelerate(pm_workspace *w, pm_state *s)
 }
 
 /* The accelerations at s are those of a turning as a whole. */
-static int turns_as_a_whole(pm_workspace *w, const pm_fastest_growth *e, pm_state *s, int *status)
+static int rotates_as_a_whole(pm_workspace *w, const pm_fastest_growth *e, pm_state *s, int *status)
 {
     double scale = w->numbers.speed * w->numbers.speed / w->numbers.size, worst = 0;
     if ((*status = accelerate(w, s))) return 0;
@@ -80,7 +80,7 @@ static int turns_as_a_whole(pm_workspace *w, const pm_fastest_growth *e, pm_stat
         if (!e->free[i]) continue;
         const double length = i % 3 == 2 ? w->numbers.size : 1;
         const double applied = w->numbers.stand_in[i] > 0 ? 0 : w->numbers.inverse_mass[i] * w->frame.f[i];
-        worst = fmax(worst, fabs(w->frame.a[i] - turned(e->spin, s->v, i)) * length);
+        worst = fmax(worst, fabs(w->frame.a[i] - rotated(e->spin, s->v, i)) * length);
         scale = fmax(scale, fabs(applied) * length);
     }
     return worst <= PM_GROWTH_STEADY * scale;
@@ -96,7 +96,7 @@ static void list_free(const pm_model *model, const pm_numbers *numbers, pm_faste
 
 /* d[nq] of bodies, in the axes turned by the angle whose cosine and sine are turn[2], from e->at's coordinates in units. */
 static void spread(const pm_model *model, const pm_numbers *numbers, const pm_fastest_growth *e,
-                   const double *x, const double turn[2], double *d)
+                   const double *x, const double rotation[2], double *d)
 {
     clear(d, model->nq);
     for (int i = 0; i < e->n; i++) {
@@ -105,33 +105,33 @@ static void spread(const pm_model *model, const pm_numbers *numbers, const pm_fa
         if (c % 3 == 2) {
             d[c] += value;
         } else {
-            d[c] += turn[0] * value;
-            d[c % 3 == 0 ? c + 1 : c - 1] += (c % 3 == 0 ? turn[1] : -turn[1]) * value;
+            d[c] += rotation[0] * value;
+            d[c % 3 == 0 ? c + 1 : c - 1] += (c % 3 == 0 ? rotation[1] : -rotation[1]) * value;
         }
     }
 }
 
 /* Back. */
 static void gather(const pm_numbers *numbers, const pm_fastest_growth *e, const double *d,
-                   const double turn[2], double *x)
+                   const double rotation[2], double *x)
 {
     for (int i = 0; i < e->n; i++) {
         const int c = e->at[i];
-        const double value = c % 3 == 2 ? d[c] : turn[0] * d[c] - turned(turn[1], d, c);
+        const double value = c % 3 == 2 ? d[c] : rotation[0] * d[c] - rotated(rotation[1], d, c);
         x[i] = value / length_of(numbers, c);
     }
 }
 
 /* y = L x at the state `base`, in units of the scene's size and time and in axes turned by turn[2]; x is projected on the
  * rows first. */
-static int change_of(pm_workspace *w, pm_fastest_growth *e, const pm_state *base, const double turn[2],
+static int change_of(pm_workspace *w, pm_fastest_growth *e, const pm_state *base, const double rotation[2],
                      const double *x, double *y)
 {
     static const double weight[] = {8 / 12.0, -8 / 12.0, -1 / 12.0, 1 / 12.0}, place[] = {1, -1, 2, -2};
     const int nq = w->model->nq, n = e->n;
     const double time = unit_of_time(&w->numbers);
-    spread(w->model, &w->numbers, e, x, turn, e->q);
-    spread(w->model, &w->numbers, e, x + n, turn, e->v);
+    spread(w->model, &w->numbers, e, x, rotation, e->q);
+    spread(w->model, &w->numbers, e, x + n, rotation, e->v);
     clear(e->dq, nq);
     clear(e->dv, nq);
     clear(e->da, nq);
@@ -151,22 +151,22 @@ static int change_of(pm_workspace *w, pm_fastest_growth *e, const pm_state *base
         }
     }
     for (int i = 0; i < nq; i++) {
-        e->q[i] = (e->dv[i] - turned(e->spin, e->dq, i)) * time;
-        e->v[i] = (e->da[i] - turned(e->spin, e->dv, i)) * time * time;
+        e->q[i] = (e->dv[i] - rotated(e->spin, e->dq, i)) * time;
+        e->v[i] = (e->da[i] - rotated(e->spin, e->dv, i)) * time * time;
     }
-    gather(&w->numbers, e, e->q, turn, y);
-    gather(&w->numbers, e, e->v, turn, y + n);
+    gather(&w->numbers, e, e->q, rotation, y);
+    gather(&w->numbers, e, e->v, rotation, y + n);
     return PM_OK;
 }
 
 /* ---- is it steady? ---- */
 /* What some deviation changes by does not depend on when it happens. */
-static int changes_alike(pm_workspace *w, pm_fastest_growth *e, const double turn[2], int *status)
+static int changes_alike(pm_workspace *w, pm_fastest_growth *e, const double rotation[2], int *status)
 {
     const int n = 2 * e->n;
     double off = 0, most = 0;
     for (int i = 0; i < n; i++) e->x[i] = sin(1 + i); /* any deviation that is not special */
-    if ((*status = change_of(w, e, &w->ahead, turn, e->x, e->y))) return 0;
+    if ((*status = change_of(w, e, &w->ahead, rotation, e->x, e->y))) return 0;
     memcpy(e->spare, e->y, (size_t)n * sizeof *e->y);
     if ((*status = change_of(w, e, &w->state, ahead, e->x, e->y))) return 0;
     for (int i = 0; i < n; i++) {
@@ -183,10 +183,10 @@ static int is_steady_at(pm_workspace *w, pm_fastest_growth *e, double spin, int 
     const double unit = spin != 0 ? 1 / fabs(spin) : unit_of_time(&w->numbers);
     e->spin = spin;
     for (int i = 0; i < 3; i++) {
-        const double t = when[i] * unit, turn[] = {cos(spin * t), sin(spin * t)};
+        const double t = when[i] * unit, rotation[] = {cos(spin * t), sin(spin * t)};
         move_on(w->model, &w->state, e, t, &w->ahead);
-        if (!turns_as_a_whole(w, e, &w->ahead, status)) return 0;
-        if (i > 0 && !changes_alike(w, e, turn, status)) return 0;
+        if (!rotates_as_a_whole(w, e, &w->ahead, status)) return 0;
+        if (i > 0 && !changes_alike(w, e, rotation, status)) return 0;
     }
     return 1;
 }

@@ -141,7 +141,8 @@ static void find_island(pm_workspace *w)
     for (int more = 1; more;) {
         more = 0;
         for (int i = 0; i < w->active.n; i++)
-            more |= join(w->model, w->perturbation, w->active.row[i].body[0], w->active.row[i].body[1]);
+            more |= join(w->model, w->perturbation, w->active.constraint[i].body[0],
+                         w->active.constraint[i].body[1]);
         for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++) {
             const pm_action f = pm_force_action(w, i);
             more |= join(w->model, w->perturbation, f.body_a, f.body_b);
@@ -204,7 +205,7 @@ static void give_momentum(pm_workspace *w)
 {
     double before[PM_LEDGER];
     pm_frame_look_state(&w->frame, &w->state);
-    pm_body_momentum(&w->frame, PM_NONE, before);
+    pm_frame_momentum(&w->frame, PM_NONE, before);
     pm_frame_look_state(&w->frame, &w->probe);
     pm_ledger_follow(&w->frame, before, w->probe.z);
 }

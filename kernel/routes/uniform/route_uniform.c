@@ -40,10 +40,10 @@ static int create(pm_workspace *w)
         PM_ARRAY(u->q0, nq + 3),
         PM_ARRAY(u->v, nq + 3),
         PM_ARRAY(u->a, nq + 3),
-        PM_ARRAY(u->lambda, m->nrow),
+        PM_ARRAY(u->lambda, m->nconstraint),
         PM_ARRAY(u->slip_end, m->nslot),
         PM_ARRAY(u->edge_end, m->nslot),
-        PM_ARRAY(u->rub_end, m->nfriction),
+        PM_ARRAY(u->joint_slip_end, m->nfriction),
         PM_ARRAY(u->rate, 3 * (size_t)nz),
         PM_ARRAY(u->z0, nz),
         PM_ARRAY(u->q_look, nq),
@@ -52,7 +52,7 @@ static int create(pm_workspace *w)
         PM_ARRAY(u->series.change, nq),
         PM_ARRAY(u->series.spare, nq),
         PM_ARRAY(u->watched, m->rows[PM_TABLE_TRIGGER] + m->nask),
-        PM_ARRAY(u->turns, m->nbody + 1),
+        PM_ARRAY(u->rotates, m->nbody + 1),
         PM_ARRAY(u->locked, m->nbody + 1),
     };
     return pm_arena_take(&w->memory, PM_ARRAYS(array));
@@ -73,7 +73,7 @@ static int paths_are_parabolas(const pm_workspace *w)
 /* A slip, positive while it lasts, of a slot or of a grip. */
 typedef double pm_slip(pm_workspace *w, int which, double t);
 
-static double rub_at(pm_workspace *w, int grip, double t)
+static double joint_slip_at(pm_workspace *w, int grip, double t)
 {
     pm_uniform_look(w, t);
     const double slip = pm_joint_friction_slip(&w->frame, grip);
@@ -95,10 +95,10 @@ static double slip_rate(pm_workspace *w, pm_slip *at, int which)
 }
 
 /* The slip is linear in t: a secant gives its root, a second one from there its last digits. */
-static double slip_ends(pm_workspace *w, pm_slip *at, int which, double still)
+static double slip_ends(pm_workspace *w, pm_slip *at, int which, double no_slip)
 {
     const double now = at(w, which, 0), slope = slip_rate(w, at, which);
-    if (now <= still) { /* has just begun to slide */
+    if (now <= no_slip) { /* has just begun to slide */
         w->uniform->irregular |= slope < -PM_UNIFORM_DEFINITE * w->uniform->curve.acceleration;
         return INFINITY;
     }
@@ -117,9 +117,9 @@ static void begin_contacts(pm_workspace *w)
         u->edge_end[i] = INFINITY;
     }
     for (int i = 0; i < w->model->nfriction; i++)
-        u->rub_end[i] = w->state.friction[i] == PM_STICK || w->state.friction[i] == PM_OPEN
-                            ? INFINITY
-                            : slip_ends(w, rub_at, i, pm_joint_friction_still(&w->frame, i));
+        u->joint_slip_end[i] = w->state.friction[i] == PM_STICK || w->state.friction[i] == PM_OPEN
+                                   ? INFINITY
+                                   : slip_ends(w, joint_slip_at, i, pm_joint_friction_no_slip(&w->frame, i));
     pm_uniform_look(w, 0);
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) pm_uniform_gap_begin(w, i);
 }
@@ -130,7 +130,7 @@ static int prepare(pm_workspace *w)
     pm_uniform *u = w->uniform;
     const int nq = w->model->nq;
     if (w->result.count[PM_COUNT_PHASES] == 0) pm_zeno_reset(w->uniform);
-    pm_constant_motion_curve(w, u->v, u->a, u->turns, u->locked, &u->curve);
+    pm_constant_motion_curve(w, u->v, u->a, u->rotates, u->locked, &u->curve);
     if (u->curve.levers && pm_joint_friction_any(w->model))
         return 0; /* reactions change, and friction with them */
     if (!pm_uniform_edge_hold(w) || !pm_constraint_all_steady(&w->frame, &w->active, &u->curve) ||
@@ -141,7 +141,7 @@ static int prepare(pm_workspace *w)
     u->begin = u->end = 0;
     u->irregular = u->status = 0;
     memcpy(u->q0, w->state.q, (size_t)nq * sizeof(double));
-    memcpy(u->lambda, w->frame.lambda, (size_t)w->model->nrow * sizeof(double));
+    memcpy(u->lambda, w->frame.lambda, (size_t)w->model->nconstraint * sizeof(double));
     begin_contacts(w);
     pm_frame_look_state(&w->frame, &w->state);
     pm_uniform_know_forces(&w->frame, w->uniform);
@@ -175,7 +175,7 @@ static int begin(pm_workspace *w)
 
 /* ---- one step ---- */
 /* Where in the step the first of the watched parabolas turns, or its end. */
-static double first_turn(pm_workspace *w, double from, double to)
+static double first_reversal(pm_workspace *w, double from, double to)
 {
     const double h = to - from;
     for (int i = 0; i < w->uniform->nwatched; i++) {
@@ -187,8 +187,8 @@ static double first_turn(pm_workspace *w, double from, double to)
             if (x.squared) p[k] *= p[k];
         }
         const double slope = 4 * p[1] - 3 * p[0] - p[2], bend = 2 * (p[0] - 2 * p[1] + p[2]);
-        const double turn = bend != 0 ? -0.5 * slope / bend : INFINITY; /* of h */
-        if (turn > PM_UNIFORM_TURNED && turn < 1) to = fmin(to, from + turn * h);
+        const double reversal = bend != 0 ? -0.5 * slope / bend : INFINITY; /* of h */
+        if (reversal > PM_UNIFORM_TURNED && reversal < 1) to = fmin(to, from + reversal * h);
     }
     return to;
 }
@@ -198,7 +198,7 @@ static double first_contact(pm_workspace *w, double end)
 {
     pm_uniform *u = w->uniform;
     for (int i = 0; i < w->model->nslot; i++) end = fmin(end, fmin(u->slip_end[i], u->edge_end[i]));
-    for (int i = 0; i < w->model->nfriction; i++) end = fmin(end, u->rub_end[i]);
+    for (int i = 0; i < w->model->nfriction; i++) end = fmin(end, u->joint_slip_end[i]);
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
         const pm_closing *x = &u->closing[i];
         pm_uniform_gap(w, i, end);
@@ -232,7 +232,7 @@ static int mark_roots(struct pm_event_set *event, const pm_uniform *u)
         event->root[i] = (gap && u->closing[f->index].root <= end) ||
                          (f->kind == FUNCTION_END && u->edge_end[f->index] <= end) ||
                          (f->kind == FUNCTION_SLIP && u->slip_end[f->index] <= end) ||
-                         (f->kind == FUNCTION_RUB && u->rub_end[f->index] <= end);
+                         (f->kind == FUNCTION_JOINT_SLIP && u->joint_slip_end[f->index] <= end);
         if (!event->root[i]) continue;
         others += !gap || struck != PM_NONE;
         struck = f->index;
@@ -246,9 +246,10 @@ static void note_decisions(pm_workspace *w)
     const pm_uniform *u = w->uniform;
     for (int i = 0; i < w->event->nfunction; i++) {
         pm_event_function *f = &w->event->function[i];
-        const int slides = f->kind == FUNCTION_SLIP || f->kind == FUNCTION_RUB;
+        const int slides = f->kind == FUNCTION_SLIP || f->kind == FUNCTION_JOINT_SLIP;
         if (slides && w->event->root[i])
-            pm_event_evidence_rate(w, i, slip_rate(w, f->kind == FUNCTION_SLIP ? slip_at : rub_at, f->index));
+            pm_event_evidence_rate(
+                w, i, slip_rate(w, f->kind == FUNCTION_SLIP ? slip_at : joint_slip_at, f->index));
         if (f->kind != FUNCTION_GAP && f->kind != FUNCTION_END) continue;
         const int contact = f->kind == FUNCTION_END ? pm_contact_of_slot(w->model, f->index) : f->index;
         pm_uniform_gap_note(w, contact);
@@ -282,7 +283,7 @@ static int step(pm_workspace *w, double t_limit)
     u->end = first_contact(w, sampled_end(w, limit));
     int status = pm_zeno_leap(w, mark_roots(w->event, w->uniform), u->end, t_limit, &leapt);
     if (status || leapt) return status;
-    if (u->nwatched > 0) u->end = first_turn(w, u->begin, u->end);
+    if (u->nwatched > 0) u->end = first_reversal(w, u->begin, u->end);
     const int struck = mark_roots(w->event, w->uniform);
     if (w->evidence.active) note_decisions(w);
     status = go_to_end(w, limit, t_limit);

@@ -39,14 +39,14 @@ typedef struct pm_uniform {
     double t0;
     double *q0, *v, *a; /* [nq + 3]: the ground's follow */
     double *lambda;     /* [nrow] */
-    unsigned char *turns, *locked;
+    unsigned char *rotates, *locked;
     pm_constant_motion curve;
-    pm_closing *closing; /* [ncontact] */
-    double *slip_end;    /* [nslot] when a sliding contact stops, from the begin of the phase */
-    double *edge_end;    /* [nslot] when what touches an edge comes to its end */
-    double *rub_end;     /* [ngrip] when the slip of a joint does */
-    int irregular;       /* a contact touches and does neither leave nor rest */
-    int status;          /* of looks */
+    pm_closing *closing;    /* [ncontact] */
+    double *slip_end;       /* [nslot] when a sliding contact stops, from the begin of the phase */
+    double *edge_end;       /* [nslot] when what touches an edge comes to its end */
+    double *joint_slip_end; /* [ngrip] when the slip of a joint does */
+    int irregular;          /* a contact touches and does neither leave nor rest */
+    int status;             /* of looks */
     /* the last step, from the begin of the phase */
     double begin, end;
     /* what the shared machinery samples */

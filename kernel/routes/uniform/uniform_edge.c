@@ -76,13 +76,13 @@ static int roots_of(pm_poly p, double root[MOST_DEGREE])
 {
     while (p.n > 0 && p.c[p.n] == 0) p.n--;
     if (p.n == 0) return 0;
-    double turn[MOST_DEGREE];
+    double top[MOST_DEGREE];
     const pm_poly slope = derivative_of(&p);
-    int nturn = roots_of(slope, turn), n = 0;
+    int ntop = roots_of(slope, top), n = 0;
     const double end = farthest_root(&p);
     double from = 0;
-    for (int i = 0; i <= nturn; i++) {
-        const double to = i < nturn ? turn[i] : fmax(end, from);
+    for (int i = 0; i <= ntop; i++) {
+        const double to = i < ntop ? top[i] : fmax(end, from);
         if (to > from && (value_of(&p, from) > 0) != (value_of(&p, to) > 0))
             root[n++] = root_between(&p, from, to);
         from = to;
@@ -98,10 +98,10 @@ typedef struct pm_edge_motion {
 
 static void bodies_of(const pm_model *m, int contact, int point[2], int body[2])
 {
-    const int32_t *e = PM_CONTACT_ROW_OF(m, contact);
+    const int32_t *e = PM_CONTACT_ROW(m, contact);
     point[0] = PM_CIRCLE_ROW(m, e[PM_CONTACT_A])[PM_CIRCLE_POINT];
     point[1] = PM_LINE_ROW(m, e[PM_CONTACT_B])[PM_LINE_POINT];
-    for (int i = 0; i < 2; i++) body[i] = pm_body_index(m, PM_POINT_ROW(m, point[i])[PM_POINT_BODY]);
+    for (int i = 0; i < 2; i++) body[i] = pm_model_body_index(m, PM_POINT_ROW(m, point[i])[PM_POINT_BODY]);
 }
 
 static pm_edge_motion motion_of(const pm_frame *frame, const pm_uniform *u, int contact)
@@ -228,7 +228,7 @@ int pm_uniform_edge_hold(const pm_workspace *w)
         const pm_slot *slot = &w->state.slot[m->contact_slot[i]];
         int point[2], body[2];
         bodies_of(w->model, i, point, body);
-        if (w->uniform->curve.turns[body[1]] ||
+        if (w->uniform->curve.rotates[body[1]] ||
             !pm_constant_motion_point(&w->frame, &w->uniform->curve, point[0]))
             return 0;
         if (slot->mode == PM_OPEN) continue;
@@ -266,12 +266,12 @@ static int is_inside(double t, const double step[2]) { return t >= step[0] && t 
 /* Along an edge: how near to an end it turned back; how fast it comes to it. */
 static void note_end(pm_closing *x, const pm_edge_motion *edge, double reach, const double step[2])
 {
-    double turn[MOST_DEGREE], nearest = -INFINITY;
+    double top[MOST_DEGREE], nearest = -INFINITY;
     for (int side = 0; side < SIDES; side++) {
         const pm_poly *beyond = &edge->beyond[side], rate = derivative_of(beyond);
-        const int n = roots_of(rate, turn);
+        const int n = roots_of(rate, top);
         for (int i = 0; i < n; i++)
-            if (is_inside(turn[i], step)) keep_least(x, -value_of(beyond, turn[i]), reach);
+            if (is_inside(top[i], step)) keep_least(x, -value_of(beyond, top[i]), reach);
         if (value_of(beyond, step[1]) < nearest) continue;
         nearest = value_of(beyond, step[1]);
         x->rate = -value_of(&rate, step[1]);
@@ -281,20 +281,20 @@ static void note_end(pm_closing *x, const pm_edge_motion *edge, double reach, co
 /* Beside an edge: how near it came to its face and its corners; how fast it strikes what is next. */
 static void note_open(pm_closing *x, const pm_edge_motion *edge, double reach, const double step[2])
 {
-    double turn[MOST_DEGREE];
+    double top[MOST_DEGREE];
     const pm_poly fall = derivative_of(&edge->height);
-    const int nfall = roots_of(fall, turn);
+    const int nfall = roots_of(fall, top);
     for (int i = 0; i < nfall; i++)
-        if (is_inside(turn[i], step) && is_within(edge, 0, turn[i]))
-            keep_least(x, value_of(&edge->height, turn[i]) - edge->radius, reach);
+        if (is_inside(top[i], step) && is_within(edge, 0, top[i]))
+            keep_least(x, value_of(&edge->height, top[i]) - edge->radius, reach);
     x->rate = value_of(&fall, step[1]);
     for (int side = 0; side < SIDES; side++) {
         const pm_poly corner = corner_of(edge, side), rate = derivative_of(&corner);
-        const int n = roots_of(rate, turn);
+        const int n = roots_of(rate, top);
         for (int i = 0; i < n; i++)
-            if (is_inside(turn[i], step) && is_beyond(edge, side, turn[i]))
+            if (is_inside(top[i], step) && is_beyond(edge, side, top[i]))
                 keep_least(x,
-                           hypot(value_of(&edge->beyond[side], turn[i]), value_of(&edge->height, turn[i])) -
+                           hypot(value_of(&edge->beyond[side], top[i]), value_of(&edge->height, top[i])) -
                                edge->radius,
                            reach);
         if (edge->radius > 0 && is_beyond(edge, side, step[1]))

@@ -33,7 +33,7 @@ static double first_root(double g, double rate, double bend)
 }
 
 /* How long a member stays open, at most h; *exact: it closes there. */
-static double open_for(const pm_frame *frame, const pm_uniform *uniform, const pm_constraint *row, double g,
+static double open_for(const pm_frame *frame, const pm_uniform *uniform, const pm_constraint *c, double g,
                        double rate, double h, int *exact)
 {
     const double *a = uniform->a;
@@ -41,7 +41,7 @@ static double open_for(const pm_frame *frame, const pm_uniform *uniform, const p
     *exact = 0;
     for (int i = 0; i < PM_UNIFORM_REFINEMENTS; i++) {
         pm_constraint_bounds x;
-        pm_constraint_kind(row->kind)->bound(frame, row, a, h, &x);
+        pm_constraint_kind(c->kind)->bound(frame, c, a, h, &x);
         if (x.exact) {
             safe = first_root(g, rate, x.bend);
             *exact = safe < h;
@@ -55,11 +55,11 @@ static double open_for(const pm_frame *frame, const pm_uniform *uniform, const p
     return safe;
 }
 
-static double noise_of(const pm_frame *frame, const pm_constraint *row)
+static double noise_of(const pm_frame *frame, const pm_constraint *c)
 {
-    const pm_marks m = pm_constraint_marks(frame, row);
+    const pm_marks m = pm_constraint_marks(frame, c);
     return PM_UNIFORM_ROUNDING * (fabs(m.a.p[0]) + fabs(m.a.p[1]) + fabs(m.b.p[0]) + fabs(m.b.p[1]) +
-                                  fabs(row->radius_a) + fabs(row->radius_b));
+                                  fabs(c->radius_a) + fabs(c->radius_b));
 }
 
 /* A member that touches when the phase begins touches exactly, and one without speed has none. */
@@ -82,15 +82,15 @@ void pm_uniform_gap_begin(pm_workspace *w, int contact)
     }
     u->closing[contact] = (pm_closing){.root = INFINITY, .near = INFINITY};
     for (int i = 0; i < n; i++) {
-        pm_constraint row, tangent;
-        pm_contact_constraint_both(&w->frame, contact, w->model->contact_slot[contact], member[i], &row,
+        pm_constraint c, tangent;
+        pm_contact_constraint_both(&w->frame, contact, w->model->contact_slot[contact], member[i], &c,
                                    &tangent);
-        pm_constraint_kind(row.kind)->evaluate(&w->frame, &row);
-        double g = row.g, rate = pm_constraint_times(&w->frame, &row, w->frame.v);
+        pm_constraint_kind(c.kind)->evaluate(&w->frame, &c);
+        double g = c.g, rate = pm_constraint_times(&w->frame, &c, w->frame.v);
         begin_exactly(&w->frame, &g, &rate);
         if (g > 0 || rate > 0) continue;
         pm_constraint_bounds x = {.bend = -INFINITY};
-        if (rate == 0) pm_constraint_kind(row.kind)->bound(&w->frame, &row, u->a, 0, &x);
+        if (rate == 0) pm_constraint_kind(c.kind)->bound(&w->frame, &c, u->a, 0, &x);
         u->irregular |= x.bend < -PM_UNIFORM_DEFINITE * u->curve.acceleration; /* must not approach */
     }
 }
@@ -137,23 +137,23 @@ static double advance(pm_workspace *w, int contact, double h, int *root)
     double safe = h, least = INFINITY, least_rate = 0;
     *root = OPEN;
     for (int i = 0; i < n; i++) {
-        pm_constraint row, tangent;
-        pm_contact_constraint_both(&w->frame, contact, w->model->contact_slot[contact], member[i], &row,
+        pm_constraint c, tangent;
+        pm_contact_constraint_both(&w->frame, contact, w->model->contact_slot[contact], member[i], &c,
                                    &tangent);
-        pm_constraint_kind(row.kind)->evaluate(&w->frame, &row);
-        double g = row.g, rate = pm_constraint_times(&w->frame, &row, w->frame.v);
+        pm_constraint_kind(c.kind)->evaluate(&w->frame, &c);
+        double g = c.g, rate = pm_constraint_times(&w->frame, &c, w->frame.v);
         if (first) begin_exactly(&w->frame, &g, &rate);
         if (g == 0 && rate == 0) continue; /* touches and stays clear of it */
         if (g < least) {
             least = g;
             least_rate = rate;
         }
-        if (!(first && g == 0) && g <= noise_of(&w->frame, &row) && rate < 0) {
+        if (!(first && g == 0) && g <= noise_of(&w->frame, &c) && rate < 0) {
             *root = NEARLY;
             return -g / rate;
         }
         int exact;
-        const double open = open_for(&w->frame, w->uniform, &row, fmax(g, 0), rate, h, &exact);
+        const double open = open_for(&w->frame, w->uniform, &c, fmax(g, 0), rate, h, &exact);
         if (open < safe || (exact && open == safe)) {
             safe = open;
             *root = exact ? EXACTLY : OPEN;
@@ -161,7 +161,7 @@ static double advance(pm_workspace *w, int contact, double h, int *root)
         if (i + 2 >= n &&
             n == PM_UNIFORM_NEAR) { /* members farther off have a larger gap than the outermost of these */
             pm_constraint_bounds x;
-            pm_constraint_kind(row.kind)->bound(&w->frame, &row, w->uniform->a, h, &x);
+            pm_constraint_kind(c.kind)->bound(&w->frame, &c, w->uniform->a, h, &x);
             if (x.rate > 0 && fmax(g, 0) / x.rate < safe) {
                 safe = fmax(g, 0) / x.rate;
                 *root = OPEN;

@@ -27,7 +27,7 @@ void pm_uniform_place(const pm_model *model, const pm_uniform *u, double t, doub
 void pm_uniform_know_forces(pm_frame *frame, const pm_uniform *u)
 {
     memcpy(frame->a, u->a, (size_t)frame->model->nq * sizeof(double));
-    memcpy(frame->lambda, u->lambda, (size_t)frame->model->nrow * sizeof(double));
+    memcpy(frame->lambda, u->lambda, (size_t)frame->model->nconstraint * sizeof(double));
     frame->level = PM_LEVEL_DYNAMIC;
 }
 

@@ -195,13 +195,13 @@ static int observers_are_clear(pm_workspace *w, const pm_rest *r)
 }
 
 /* How fast the blows to come may still make two bodies part. */
-static double kicks(const pm_workspace *w, const pm_rest *r, const pm_constraint *row)
+static double kicks(const pm_workspace *w, const pm_rest *r, const pm_constraint *c)
 {
     const double lever = w->numbers.size + pm_contact_reach(w);
     double sum = 0;
     for (int p = 0; p < 2; p++) {
-        if (row->body[p] == w->model->nbody) continue;
-        const double *d = w->uniform->series.change + 3 * row->body[p];
+        if (c->body[p] == w->model->nbody) continue;
+        const double *d = w->uniform->series.change + 3 * c->body[p];
         sum += pm_length(d) + lever * fabs(d[2]);
     }
     return sum / (1 - r->e);
@@ -210,16 +210,16 @@ static double kicks(const pm_workspace *w, const pm_rest *r, const pm_constraint
 /* What is struck lies below, if it ends. */
 static int stays_over(pm_workspace *w, const pm_rest *r)
 {
-    pm_constraint row, tangent;
+    pm_constraint c, tangent;
     pm_constraint_bounds x;
     const int slot = w->model->contact_slot[r->contact];
     if (!pm_edge_is(w->model, r->contact)) return 1;
     pm_uniform_look(w, 0);
     if (w->state.slot[slot].member != PM_SEGMENT_FACE) return 0;
-    pm_contact_constraint_both(&w->frame, r->contact, slot, PM_SEGMENT_FACE, &row, &tangent);
-    pm_constraint_kind(row.kind)->bound(&w->frame, &row, w->uniform->a, r->time, &x);
+    pm_contact_constraint_both(&w->frame, r->contact, slot, PM_SEGMENT_FACE, &c, &tangent);
+    pm_constraint_kind(c.kind)->bound(&w->frame, &c, w->uniform->a, r->time, &x);
     return pm_edge_room(&w->frame, &w->state, r->contact, PM_SEGMENT_FACE) >
-           (x.rate + kicks(w, r, &row)) * r->time;
+           (x.rate + kicks(w, r, &c)) * r->time;
 }
 
 static int others_stay_open(pm_workspace *w, const pm_rest *r)
@@ -230,12 +230,12 @@ static int others_stay_open(pm_workspace *w, const pm_rest *r)
         int member[2];
         const int n = i == r->contact ? 0 : pm_contact_near(&w->frame, &w->state, i, 2, member);
         for (int k = 0; k < n; k++) {
-            pm_constraint row, tangent;
+            pm_constraint c, tangent;
             pm_constraint_bounds x;
-            pm_contact_constraint_both(&w->frame, i, m->contact_slot[i], member[k], &row, &tangent);
-            pm_constraint_kind(row.kind)->evaluate(&w->frame, &row);
-            pm_constraint_kind(row.kind)->bound(&w->frame, &row, w->uniform->a, r->time, &x);
-            if (!(row.g > (x.rate + kicks(w, r, &row)) * r->time)) return 0;
+            pm_contact_constraint_both(&w->frame, i, m->contact_slot[i], member[k], &c, &tangent);
+            pm_constraint_kind(c.kind)->evaluate(&w->frame, &c);
+            pm_constraint_kind(c.kind)->bound(&w->frame, &c, w->uniform->a, r->time, &x);
+            if (!(c.g > (x.rate + kicks(w, r, &c)) * r->time)) return 0;
         }
     }
     return 1;

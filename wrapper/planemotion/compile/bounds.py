@@ -40,7 +40,7 @@ class _Bound:
 
 _BOUNDS = (
     _Bound(layout.PM_TABLE_BODY, layout.PM_BODY_MASS, 0),
-    _Bound(layout.PM_TABLE_BODY, layout.PM_BODY_INERTIA, 0, only=(layout.PM_BODY_TURNS, 1)),
+    _Bound(layout.PM_TABLE_BODY, layout.PM_BODY_INERTIA, 0, only=(layout.PM_BODY_ROTATES, 1)),
     _Bound(layout.PM_TABLE_CIRCLE, layout.PM_CIRCLE_RADIUS, 0),
     _Bound(
         layout.PM_TABLE_JOINT,

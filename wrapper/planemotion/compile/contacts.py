@@ -125,7 +125,7 @@ class Contacts:
                 raise SceneError(
                     "a circle is wanted to touch a row of points", path=a.where, value=str(a.ref)
                 )
-            kind, other = layout.PM_CONTACT_ROW, self.drawn.row(b.mark, b.where)
+            kind, other = layout.PM_CONTACT_PATTERN, self.drawn.row(b.mark, b.where)
         elif points and contact.capture != "none" and contact.normal is None:
             kind, other = layout.PM_CONTACT_POINT, kernel_circle(self.drawn, b)
         elif points:

@@ -195,8 +195,8 @@ _DESCRIPTIONS: dict[int, Any] = {
         f"{place}: with this friction its law of restitution would create energy ({found:.4g} J): "
         'the slip changes in the blow; law = "stronge" cannot'
     ),
-    layout.PM_BLOW_TURNS: lambda place, found, bound: (
-        f"{place}: its slip turns (to {found:.3g} m/s) in a blow in which several contacts take part, "
+    layout.PM_BLOW_REVERSES: lambda place, found, bound: (
+        f"{place}: its slip reverses (to {found:.3g} m/s) in a blow in which several contacts take part, "
         'and no law says how; solve.impacts = "sequential" follows each'
     ),
     layout.PM_BLOW_SEVERAL: lambda place, found, bound: (

@@ -74,12 +74,12 @@ class DrawnRows:
     def row(self, mark: RowMark, where: str) -> int:
         """A kernel row of ground points."""
         row = {
-            layout.PM_ROW_POINT: self.point_at(GROUND, mark.start, where),
-            layout.PM_ROW_STEP_X: self.tables.value(mark.step[0], where),
-            layout.PM_ROW_STEP_Y: self.tables.value(mark.step[1], where),
-            layout.PM_ROW_COUNT: self.tables.value(mark.count, where),
+            layout.PM_PATTERN_POINT: self.point_at(GROUND, mark.start, where),
+            layout.PM_PATTERN_STEP_X: self.tables.value(mark.step[0], where),
+            layout.PM_PATTERN_STEP_Y: self.tables.value(mark.step[1], where),
+            layout.PM_PATTERN_COUNT: self.tables.value(mark.count, where),
         }
-        return self.tables.add(layout.PM_TABLE_ROW, row, where)
+        return self.tables.add(layout.PM_TABLE_PATTERN, row, where)
 
     def _add_body(self, name: str, body: Body) -> None:
         path = f"bodies.{name}"
@@ -91,7 +91,7 @@ class DrawnRows:
         self.masses[name] = mass
         value = self.tables.value
         row = {
-            layout.PM_BODY_TURNS: int(body.turns),
+            layout.PM_BODY_ROTATES: int(body.turns),
             layout.PM_BODY_MASS: value(
                 mass.mass, f"{path}.{'weight' if body.weight is not None else 'mass'}"
             ),

@@ -154,7 +154,7 @@ def _assembly(start: Start) -> list[str]:
     if not start.message:
         lines += [
             f"{_count(info['freedom'], 'degree')} of freedom: {_count(info['coordinates'], 'coordinate')}, "
-            f"{_count(info['rows'], 'row')} of joints and closed contacts, "
+            f"{_count(info['constraints'], 'constraint')} of joints and closed contacts, "
             f"{info['redundant']} of them redundant",
             f"{_count(info['closed'], 'contact')} closed at the start",
         ]

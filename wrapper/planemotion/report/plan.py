@@ -11,8 +11,8 @@ from ..compile.flatten import FlatScene
 from ..engine import call
 from ..engine.outcome import Phase, Start
 
-# What a phase is alike another by: all but its time, its steps and the legs before it.
-_OWN = ("steps", "legs", "spared")
+# Phases are alike in all but the time, the steps, the segments passed over before them and the gaps skipped.
+_OWN = ("steps", "repeated_segments", "skipped")
 
 
 def plan(flat: FlatScene, start: Start) -> list[str]:
@@ -44,19 +44,15 @@ def ran(flat: FlatScene) -> list[str]:
         first, number = number + 1, number + len(alike)
         which = f"{first}" if number == first else f"{first} to {number}"
         steps = sum(phase.column["steps"] for phase in alike)
-        legs = sum(phase.column["legs"] for phase in alike)
-        spared = sum(phase.column["spared"] for phase in alike)
+        repeated = sum(phase.column["repeated_segments"] for phase in alike)
+        gaps = sum(phase.column["skipped"] for phase in alike)
         time = "" if math.isnan(alike[0].time) else f" from t = {alike[0].time:.6g} s"
         lines += [
             f"  {which}{time}: {alike[0].route} ({alike[0].reason})",
             f"    {_sizes(alike[0])}; {_count(steps, 'step')}"
-            + (f", {_count(legs, 'leg')} that repeat passed over" if legs else ""),
+            + (f", {_count(repeated, 'segment')} that repeat passed over" if repeated else ""),
             *(f"    skipped: {what}" for what in _skipped(alike[0])),
-            *(
-                [f"    skipped: {_count(spared, 'look')} at gaps (out of reach of the step)"]
-                if spared
-                else []
-            ),
+            *([f"    skipped: {_count(gaps, 'look')} at gaps (out of reach of the step)"] if gaps else []),
         ]
     idle = [f"  skipped throughout: {what}" for what in _idle(flat)]
     return [_title("phases", flat), *lines, *idle] if lines else []
@@ -100,11 +96,11 @@ def _kind(phase: Phase) -> tuple[object, ...]:
 
 def _sizes(phase: Phase) -> str:
     x = phase.column
-    solved = x["rows"] - x["loops"]
+    solved = x["constraints"] - x["loops"]
     parts = [
         _count(x["unknowns"], "coordinate")
-        + (f" (they meet {_count(solved, 'row')} by themselves)" if solved else ""),
-        f"{_count(x['loops'], 'row')} to be solved with"
+        + (f" (they meet {_count(solved, 'constraint')} by themselves)" if solved else ""),
+        f"{_count(x['loops'], 'constraint')} to be solved with"
         + (f", {x['redundant']} left out" if x["redundant"] else ""),
         f"{_count(x['freedom'], 'degree')} of freedom",
         f"{_count(x['watched'], 'event function')} watched",
@@ -119,10 +115,11 @@ def _skipped(phase: Phase) -> Iterator[str]:
         yield "the time (nothing asks for it)"
     if not x["dynamic"]:
         yield "accelerations and reactions within steps (nothing that is watched needs them)"
-    if x["still"]:
-        yield f"{_bodies(x['still'])} (joints hold {'it' if x['still'] == 1 else 'them'} still)"
-    if x["unreached"]:
-        yield f"the gap of {_count(x['unreached'], 'contact')} (open wherever the joints let the bodies go)"
+    if x["fixed"]:
+        yield f"{_bodies(x['fixed'])} (fixed by {'its' if x['fixed'] == 1 else 'their'} joints)"
+    if x["out_of_reach"]:
+        gaps = _count(x["out_of_reach"], "contact")
+        yield f"the gap of {gaps} (out of reach wherever the joints let the bodies go)"
     if not x["watched"]:
         yield "the search for events (none can come before the time that is asked for)"
     if phase.route == "path":

@@ -1,8 +1,8 @@
-/* row_order.c - in which order the joints' rows stand, so that the saddle-point system has a narrow envelope.
+/* constraint_order.c - in which order the joints' rows stand, so that the saddle-point system has a narrow envelope.
  *
  * Bodies are numbered by breadth-first levels from one that hangs at an end (Cuthill and McKee, Proc. 24th ACM National
  * Conf., 1969), joints by the later of their bodies. */
-#include "equations/row_order.h"
+#include "equations/constraint_order.h"
 
 #include "elements/constraint.h"
 #include "numerics/tolerances.h"
@@ -11,11 +11,11 @@
 /* The two bodies that a joint fastens; PM_GROUND for the ground. */
 static void find_bodies(const pm_frame *frame, const pm_state *state, int joint, int body[2])
 {
-    pm_constraint row[PM_JOINT_CONSTRAINTS];
+    pm_constraint c[PM_JOINT_CONSTRAINTS];
     body[0] = body[1] = PM_GROUND;
-    if (pm_joint_constraints(frame, state, joint, row) == 0) return;
+    if (pm_joint_constraints(frame, state, joint, c) == 0) return;
     for (int p = 0; p < 2; p++)
-        if (row[0].body[p] != frame->model->nbody) body[p] = row[0].body[p];
+        if (c[0].body[p] != frame->model->nbody) body[p] = c[0].body[p];
 }
 
 /* The greatest number of a joint's bodies; PM_GROUND if all are the ground. */
@@ -31,7 +31,7 @@ static int last_place(const pm_active_set *active, const int body[2])
 static int number_bodies(pm_active_set *active, pm_saddle *saddle, const int *bodies, int first)
 {
     const int nbody = saddle->model->nbody, njoint = saddle->model->rows[PM_TABLE_JOINT];
-    int *place = active->body_place, *queue = saddle->first_row, n = 0;
+    int *place = active->body_place, *queue = saddle->first_constraint, n = 0;
     for (int i = 0; i < nbody; i++) place[i] = PM_NONE;
     for (int next = 0, start = first; n < nbody; next++) {
         if (next == n) {
@@ -51,7 +51,7 @@ static int number_bodies(pm_active_set *active, pm_saddle *saddle, const int *bo
     return queue[nbody - 1];
 }
 
-void pm_row_order_find(pm_workspace *w)
+void pm_constraint_order_find(pm_workspace *w)
 {
     const int nbody = w->model->nbody, njoint = w->model->rows[PM_TABLE_JOINT];
     for (int i = 0; i < njoint; i++) w->active.joint_order[i] = i;
