@@ -28,7 +28,7 @@ enum pm_status {
                              varied parameter; detail = its value */
     PM_UNDECIDED = 8, /* the run came to its end, but its errors might have changed a decision on the way */
     PM_ENDS_SINGULAR =
-        9, /* on the way a position was reached where nothing tells how it goes on: where = joint */
+        9, /* on the way a position was reached where nothing determines how it goes on: where = joint */
     PM_NO_TIME_ROUTE =
         10, /* a route in time was asked for and no time passes; all answers stand: where = setting */
     PM_BAD_TABLE = -1, /* the tables contradict this header: where = table, row */
@@ -44,7 +44,7 @@ enum pm_status {
     PM_SOLVER = -11,        /* IDA or GSL reported a failure: detail = its code */
     PM_PENETRATION = -12,   /* contacts overlap at the start: where; detail = gap */
     PM_UNSUPPORTED = -13,   /* the scene needs something that this route or build does not do */
-    PM_CONTACT_SLOTS = -14, /* more members of one row are closed at once than the kernel keeps */
+    PM_CONTACT_SLOTS = -14, /* more members of one pattern are closed at once than the kernel keeps */
     PM_FIND_NONE = -15,     /* nothing found: where = condition or find; detail = what it is at both bounds */
     PM_FIND_JUMP = -16, /* the condition jumps over zero: where = condition; detail = value on both sides */
     PM_BLOWS_ENDLESS =
@@ -191,14 +191,14 @@ enum pm_count_column {
     PM_COUNT_PASSES =
         8, /* of the case, the others for its errors; all other counts are of the one that answers */
     PM_COUNT_ROUTES = 9,             /* sum of 2^route over all that ran */
-    PM_COUNT_REPEATED_SEGMENTS = 10, /* legs that repeat one that was computed, and were passed over */
+    PM_COUNT_REPEATED_SEGMENTS = 10, /* that repeat one that was computed, and were passed over */
     PM_COUNT_COLUMNS = 11
 };
 /* What pm_check reports of the assembled start. */
 enum pm_check_column {
     PM_CHECK_COORDINATES = 0,
-    PM_CHECK_CONSTRAINTS = 1, /* joint and closed contact rows at the start */
-    PM_CHECK_REDUNDANT = 2,   /* rows that depend on others */
+    PM_CHECK_CONSTRAINTS = 1, /* constraints of joints and closed contacts at the start */
+    PM_CHECK_REDUNDANT = 2,   /* constraints that depend on others */
     PM_CHECK_FREEDOM = 3,     /* degrees of freedom */
     PM_CHECK_CLOSED = 4,      /* contacts closed at the start */
     PM_CHECK_COLUMNS = 5
@@ -242,30 +242,30 @@ enum pm_phase_column {
     PM_PHASE_RULE = 1,     /* of the planner, for pm_rule_text */
     PM_PHASE_UNKNOWNS = 2, /* coordinates that the route integrates or follows */
     PM_PHASE_LOOPS =
-        3, /* rows of joints and contacts between them; all others these coordinates meet by themselves */
-    PM_PHASE_CONSTRAINTS = 4, /* rows of joints and closed contacts, redundant ones not counted */
+        3, /* constraints of joints and contacts between them; all others these coordinates meet by themselves */
+    PM_PHASE_CONSTRAINTS = 4, /* constraints of joints and closed contacts, redundant ones not counted */
     PM_PHASE_REDUNDANT = 5,
     PM_PHASE_FREEDOM = 6,
     PM_PHASE_WATCHED = 7, /* event functions */
     PM_PHASE_CLOCK = 8,   /* 1: the time is computed */
     PM_PHASE_DYNAMIC = 9, /* 1: accelerations and reactions are needed within it */
     PM_PHASE_STEPS = 10,
-    PM_PHASE_REPEATED_SEGMENTS = 11, /* legs passed over before it */
+    PM_PHASE_REPEATED_SEGMENTS = 11, /* segments passed over before it */
     PM_PHASE_OUT_OF_REACH = 12,      /* contacts that can never close (gap_bounds.h) */
-    PM_PHASE_FIXED = 13,             /* bodies that joints hold still (fixed_bodies.h) */
+    PM_PHASE_FIXED = 13,             /* fixed bodies (fixed_bodies.h) */
     PM_PHASE_SKIPPED =
         14, /* gaps that were not looked at in its steps, out of reach of them (gap_culling.h) */
     PM_PHASE_COLUMNS = 15
 };
-/* Runs one case as pm_trace does and tells its phases: phase[cap][PM_PHASE_COLUMNS], time[cap] of their begins, s
+/* Runs one case as pm_trace does and reports its phases: phase[cap][PM_PHASE_COLUMNS], time[cap] of their begins, s
  * (not a number where the time is not computed); needed[1]: rows wanted.  most > 0: stops as the phase of that number
  * begins (its row is there).  Returns a status of the case; PM_CANCELLED where it was stopped. */
 int pm_phases(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t nparam,
               const double *param, int64_t most, int64_t cap, int32_t *phase, double *time, int64_t *needed,
               int32_t *where, double *detail);
 
-/* Which rows of table `of` the answers of the scene depend on: needed[nrow], 1 or 0.  A run leaves the others out (a trace
- * and a check do not).  Returns PM_OK, PM_BAD_TABLE or PM_NO_MEMORY. */
+/* Which rows of table `of` the answers of the scene depend on: needed[nconstraint], 1 or 0.  A run leaves the others out
+ * (a trace and a check do not).  Returns PM_OK, PM_BAD_TABLE or PM_NO_MEMORY. */
 int pm_needs(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t nparam,
              int of, int64_t nrow, int32_t *needed, int32_t *where, double *detail);
 

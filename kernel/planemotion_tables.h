@@ -21,7 +21,7 @@ enum pm_table {
     PM_TABLE_POINT = 4,
     PM_TABLE_LINE = 5,
     PM_TABLE_CIRCLE = 6,
-    PM_TABLE_PATTERN = 7, /* periodic rows of points */
+    PM_TABLE_PATTERN = 7, /* patterns */
     PM_TABLE_JOINT = 8,
     PM_TABLE_CONTACT = 9,
     PM_TABLE_FORCE = 10,
@@ -95,8 +95,8 @@ enum pm_value_column { PM_VALUE_PROGRAM = 0, PM_VALUE_COLUMNS = 1 };
  * the ground: scene coordinates). */
 enum pm_body_column {
     PM_BODY_ROTATES = 0, /* 0: a particle, its angle stays 0 */
-    PM_BODY_MASS = 1,    /* value index, >= 0; 0 where rows determine the motion all the same */
-    PM_BODY_INERTIA = 2, /* value index, centroidal, >= 0 if the body turns */
+    PM_BODY_MASS = 1,    /* value index, >= 0; 0 where constraints determine the motion all the same */
+    PM_BODY_INERTIA = 2, /* value index, centroidal, >= 0 if the body rotates */
     PM_BODY_X = 3,       /* value indices of the pose of G as drawn */
     PM_BODY_Y = 4,
     PM_BODY_ANGLE = 5,
@@ -117,25 +117,25 @@ enum pm_pattern_column {
     PM_PATTERN_COLUMNS = 4
 };
 
-/* ---- joints: held both ways --------------------------------------------------------------------------- */
+/* ---- joints: held both ways; at the end of a line: how many constraints ---------- */
 enum pm_joint_kind {
-    PM_JOINT_PIN = 0,            /* a, b points: coincide.                                  2 rows */
-    PM_JOINT_SLIDER = 1,         /* a point on line b.                                      1 row  */
-    PM_JOINT_SLIDER_FIXED = 2,   /* the same, angle(a) - angle(b) = value held.             2 rows */
-    PM_JOINT_LINK = 3,           /* a, b points at distance value > 0 (also: point in circular slot). 1 row */
-    PM_JOINT_WELD = 4,           /* a, b points coincide and angle(a) - angle(b) = value.   3 rows */
-    PM_JOINT_ROLLING_LINE = 5,   /* a circle rolls on line b, on its left.                  2 rows */
-    PM_JOINT_ROLLING_CIRCLE = 6, /* a circle rolls on circle b; value = side (below).       2 rows */
+    PM_JOINT_PIN = 0,            /* a, b points: coincide.                                  2 */
+    PM_JOINT_SLIDER = 1,         /* a point on line b.                                      1  */
+    PM_JOINT_SLIDER_FIXED = 2,   /* the same, angle(a) - angle(b) = value held.             2 */
+    PM_JOINT_LINK = 3,           /* a, b points at distance value > 0 (also: point in circular slot). 1 */
+    PM_JOINT_WELD = 4,           /* a, b points coincide and angle(a) - angle(b) = value.   3 */
+    PM_JOINT_ROLLING_LINE = 5,   /* a circle rolls on line b, on its left.                  2 */
+    PM_JOINT_ROLLING_CIRCLE = 6, /* a circle rolls on circle b; value = side (below).       2 */
     PM_JOINT_GEARS =
-        7, /* a, b circles mesh at their pitch point; value = side; axles or a carrier keep their distance.  1 row */
-    PM_JOINT_BELT = 8, /* a tight belt round circles a, b; value = 1 open, -1 crossed.     2 rows */
-    PM_JOINT_RATE = 9, /* a, b bodies: the spin of a relative to b is program_x.           1 row  */
+        7, /* a, b circles mesh at their pitch point; value = side; axles or a carrier keep their distance.  1 */
+    PM_JOINT_BELT = 8, /* a tight belt round circles a, b; value = 1 open, -1 crossed.     2 */
+    PM_JOINT_RATE = 9, /* a, b bodies: the spin of a relative to b is program_x.           1  */
     PM_JOINT_DRIVE =
         10, /* a, b points: the velocity of a relative to b is program_x, program_y in the scene's axes.
-                            2 rows */
+                            2 */
     PM_JOINT_RATIO =
         11, /* a, b bodies: angle(a) - value angle(b) as at the start; the ground takes the couples'
-                            difference.  1 row */
+                            difference.  1 */
     PM_JOINT_KINDS = 12
 };
 /* side of two circles: 1 outside each other, -1 a inside b, -2 b inside a */
@@ -153,7 +153,7 @@ enum pm_joint_column {
 enum pm_contact_kind {
     PM_CONTACT_LINE = 0,    /* circle a (radius 0: a point) against line b */
     PM_CONTACT_CIRCLE = 1,  /* circle a against circle b; side value as for rolling; not both radii 0 */
-    PM_CONTACT_PATTERN = 2, /* circle a (radius > 0) against the members of row b */
+    PM_CONTACT_PATTERN = 2, /* circle a (radius > 0) against the members of pattern b */
     PM_CONTACT_CORD =
         3, /* a straight strand from circle a (radius 0: a point) to circle b: pulls only, the gap is its
                             slack; it is wound on the circles and does not slip there */
@@ -228,7 +228,7 @@ enum pm_force_column {
  * `a` is a body, point, joint, contact, force or event index as the kind says.  Vector kinds take a part.
  * `in_body`: the quantity as seen from a moving body, in its axes (PM_NONE: scene).  `about`: point index
  * (PM_NONE: the body's own G; scene: the origin).  `on`: body on which a joint's force acts (PM_NONE: the first
- * partner).  `value`: value index of the direction angle of part ALONG.  `member`: of a row (PM_NONE: all). */
+ * partner).  `value`: value index of the direction angle of part ALONG.  `member`: of a pattern (PM_NONE: all). */
 enum pm_measure_kind {
     PM_MEASURE_TIME = 0,
     PM_MEASURE_ANGLE = 1,             /* body a; in_body: relative angle */
@@ -254,7 +254,7 @@ enum pm_measure_kind {
     PM_MEASURE_JOINT_FRICTION = 21,        /* rolling: along the line, or left of the normal on a */
     PM_MEASURE_JOINT_FRICTION_NEEDED = 22, /* |F|/N; undefined (not a number) unless N > 0 */
     PM_MEASURE_CONTACT_GAP = 23,
-    PM_MEASURE_CONTACT_CLOSED = 24, /* 1 or 0; a row without member: how many are closed */
+    PM_MEASURE_CONTACT_CLOSED = 24, /* 1 or 0; a pattern without member: how many are closed */
     PM_MEASURE_CONTACT_SLIP = 25,
     PM_MEASURE_CONTACT_NORMAL = 26, /* sum over the closed members; 0 when open */
     PM_MEASURE_CONTACT_FRICTION = 27,

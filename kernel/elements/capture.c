@@ -4,7 +4,7 @@
  * Its place P is kept in the axes of both bodies, r_a and r_b; with A(q) the rotation of a body,
  *     point:  x_a + A_a r_a - x_b - A_b r_b = 0                   a pin
  *     body:   the same, and angle_a - angle_b as it was           a weld
- * The blow that catches it is plastic through all of these rows: the relative velocity of a and b at P (and their
+ * The blow that catches it is plastic through all of these constraints: the relative velocity of a and b at P (and their
  * relative spin) is taken away by an impulse at P of any direction (and a couple), so that the angular momentum about P
  * of each body free of other impulses is kept by a point, that of both together by a body.
  *

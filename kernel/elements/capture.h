@@ -1,4 +1,4 @@
-/* capture.h - contacts that capture: when a pair is caught, where it is held, and by which rows. */
+/* capture.h - contacts that capture: when a pair is caught, where it is held, and by which constraints. */
 #ifndef PM_CAPTURE_H
 #define PM_CAPTURE_H
 
@@ -16,12 +16,12 @@ double pm_capture_approach(const pm_frame *frame, int contact);
 /* Points that are so far apart (INFINITY: they do not meet any more) are at one place. */
 int pm_capture_meets(const pm_numbers *numbers, pm_evidence *evidence, int contact, double distance);
 
-/* Keeps in the state where, and how turned, the pair of a slot is caught at the frame. */
+/* Keeps in the state where, and at which angle, the pair of a slot is caught at the frame. */
 void pm_capture_keep(const pm_frame *frame, pm_state *s, int slot);
-/* The rows that hold the captured pair of a slot; returns how many. */
+/* The constraints that hold the captured pair of a slot; returns how many. */
 int pm_capture_constraints(const pm_frame *frame, const pm_state *state, int slot,
                            pm_constraint c[PM_JOINT_CONSTRAINTS]);
-/* Greatest speed at the frame against which these rows would hold, m/s. */
+/* Greatest speed at the frame against which these constraints would hold, m/s. */
 double pm_capture_speed(const pm_frame *frame, const pm_state *state, int slot);
 
 /* Some slot holds a captured pair; some contact may yet catch a pair of points. */

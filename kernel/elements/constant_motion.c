@@ -23,7 +23,7 @@ static double acceleration_scale(const pm_frame *frame)
     return scale;
 }
 
-/* From the ground along angle rows, as far as they reach. */
+/* From the ground along angle constraints, as far as they reach. */
 static void find_locked(const pm_model *model, const pm_active_set *active, pm_constant_motion *x)
 {
     memset(x->locked, 0, (size_t)model->nbody);

@@ -1,4 +1,4 @@
-/* constraint.h - scalar constraint rows: one table of kinds, each with residual, Jacobian, gamma and line of action. */
+/* constraint.h - scalar constraints: one table of kinds, each with residual, Jacobian, gamma and line of action. */
 #ifndef PM_CONSTRAINT_H
 #define PM_CONSTRAINT_H
 
@@ -7,7 +7,7 @@
 #include "state/frame.h"
 #include "state/workspace.h"
 
-/* One scalar constraint row of the active set; which formula is constraint.c's table of kinds. */
+/* One scalar constraint of the active set; which formula is constraint.c's table of kinds. */
 struct pm_constraint {
     int kind;                  /* enum pm_constraint_kind */
     int body[2];               /* body index, or nbody for the ground */
@@ -15,12 +15,12 @@ struct pm_constraint {
     double radius_a, radius_b; /* signed: see constraint_distance.c, constraint_strand.c */
     double value;              /* length, angle, or direction of a line in its body */
     double axis[2];            /* cosine and sine of that direction; of a drive: its axis of the scene */
-    double sign;               /* distance rows: which way is positive */
-    double ratio;              /* turn rows: so many turns of b count against one of a */
+    double sign;               /* distance constraints: which way is positive */
+    double ratio;              /* ratio constraints: angle(a) - ratio angle(b) */
     int memory;                /* index of its memory, or PM_NONE */
     int joint, slot;           /* owner: one of both is PM_NONE */
-    int normal;   /* sliding rows and friction: index of the active row of its normal, else PM_NONE */
-    double slide; /* normal row of a sliding contact: -mu sgn(slip) rides on it; else 0 */
+    int normal; /* sliding constraints and friction: index of the active constraint of its normal, else PM_NONE */
+    double slide; /* normal constraint of a sliding contact: -mu sgn(slip) rides on it; else 0 */
     double j[6];  /* Jacobian on (x, y, angle) of body[0] and body[1], at the frame's state */
     double h[6];  /* direction of the force: j, but for sliding contacts */
     double g;     /* residual, m or rad */
@@ -59,10 +59,10 @@ typedef struct pm_constraint_bounds {
     int exact;   /* the second rate *is* bend, throughout */
 } pm_constraint_bounds;
 
-/* One kind: `evaluate` fills j, g, gamma at the frame; `act` gives the line of action; `remember` (no-slip rows)
- * sets or refreshes the memory from the frame: anchor_too = 1 closes the row here.  `steady`: the Jacobian stays the same
- * along the curve (NULL: it never does); `bound` (rows that are gaps): of the row as evaluated at the frame, with the
- * accelerations a[nq + 3]. */
+/* One kind: `evaluate` fills j, g, gamma at the frame; `act` gives the line of action; `remember` (no-slip constraints)
+ * sets or refreshes the memory from the frame: anchor_too = 1 closes the constraint here.  `steady`: the Jacobian stays
+ * the same along the curve (NULL: it never does); `bound` (constraints that are gaps): of the constraint as evaluated at
+ * the frame, with the accelerations a[nq + 3]. */
 typedef struct pm_constraint_ops {
     void (*evaluate)(const pm_frame *frame, pm_constraint *row);
     void (*act)(const pm_frame *frame, const pm_constraint *row, pm_line_of_action *x);
@@ -78,15 +78,15 @@ extern const pm_constraint_ops pm_constraint_point_x, pm_constraint_point_y, pm_
 
 const pm_constraint_ops *pm_constraint_kind(int kind);
 
-/* The rows of joint i with the numbers of the case; returns how many. */
+/* The constraints of joint i with the numbers of the case; returns how many. */
 int pm_joint_constraints(const pm_frame *frame, const pm_state *state, int joint,
                          pm_constraint c[PM_JOINT_CONSTRAINTS]);
 /* The same, whether the joint is there or not. */
 int pm_joint_constraints_of_any(const pm_frame *frame, int joint, pm_constraint c[PM_JOINT_CONSTRAINTS]);
-/* The normal row alone of a contact that is closed (or may close) in `slot` with `member`. */
+/* The normal constraint alone of a contact that is closed (or may close) in `slot` with `member`. */
 void pm_contact_constraint_normal(const pm_frame *frame, int contact, int slot, int member,
                                   pm_constraint *normal);
-/* Its tangential row, from the normal one. */
+/* Its tangential constraint, from the normal one. */
 void pm_contact_constraint_tangent(const pm_frame *frame, int contact, const pm_constraint *normal,
                                    pm_constraint *tangent);
 /* Both. */
@@ -100,23 +100,23 @@ static inline int pm_constraint_is_inner(const pm_numbers *numbers, const pm_con
     return !fixed[c->body[0]] && !fixed[c->body[1]] && c->ratio == 1;
 }
 
-/* j x of a row that is evaluated; x[nq]: velocities, accelerations, a direction. */
+/* j x of a constraint that is evaluated; x[nq]: velocities, accelerations, a direction. */
 double pm_constraint_times(const pm_frame *frame, const pm_constraint *c, const double *x);
-/* j M^-1 j^T of an evaluated row: a reaction l moves the scene like l sqrt(this) in the metric of M. */
+/* j M^-1 j^T of an evaluated constraint: a reaction l moves the scene like l sqrt(this) in the metric of M. */
 double pm_constraint_square(const pm_frame *frame, const pm_constraint *c);
-/* What evaluated rows are missed by, off[n], and the greatest of it: -g, or the prescribed rate less that of velocities v[nq].
- * which[n]: places of these rows; NULL: the first n. */
+/* What evaluated constraints are missed by, off[n], and the greatest of it: -g, or the prescribed rate less that of
+ * velocities v[nq].  which[n]: places of these constraints; NULL: the first n. */
 double pm_constraint_openings(const pm_constraint *c, int n, const int *which, double *off);
 double pm_constraint_slips(const pm_frame *frame, const pm_constraint *c, int n, const int *which,
                            const double *v, double *off);
 /* All active constraints keep their Jacobian along the curve. */
 int pm_constraint_all_steady(const pm_frame *frame, const pm_active_set *active, const pm_constant_motion *x);
-/* Rate of a row from the geometry of its line of action (equals j v). */
+/* Rate of a constraint from the geometry of its line of action (equals j v). */
 double pm_constraint_rate(const pm_frame *frame, const pm_constraint *c);
 /* The same relative to its prescribed rate: how a surface slips on a moving belt. */
 double pm_constraint_slip(const pm_frame *frame, const pm_constraint *c);
 
-/* The two marks of a row in the frame, and what all kinds share. */
+/* The two marks of a constraint in the frame, and what all kinds share. */
 typedef struct pm_marks {
     pm_point a, b;
     double d[2];    /* a - b */
@@ -129,10 +129,10 @@ pm_marks pm_constraint_marks(const pm_frame *frame, const pm_constraint *c);
 void pm_constraint_along(pm_constraint *c, const pm_marks *x, const double n[2], double factor);
 
 /* How far, how fast and how hard (beyond the constant accelerations of their mass centres) two marks part at most over the
- * next h seconds; `turn`, `spin`: how fast and how hard body[1] turns. */
+ * next h seconds; `omega`, `spin`: how fast and how hard body[1] rotates. */
 typedef struct pm_constraint_reach {
     double apart[2]; /* accelerations of the mass centres, relative */
-    double swing;    /* of accelerations by turning: rho sqrt(omega^4 + alpha^2), both marks */
+    double swing;    /* of accelerations by rotation: rho sqrt(omega^4 + alpha^2), both marks */
     double distance, rate;
     double omega, spin;
 } pm_constraint_reach;
@@ -140,7 +140,7 @@ pm_constraint_reach pm_constraint_reach_of(const pm_constraint *c, const pm_mark
                                            double h);
 
 /* ---- marks: points, lines and circles of the tables, with the numbers of the case (constraint_marks.c) ---- */
-/* A row of a kind that belongs to nothing yet. */
+/* A constraint of a kind that belongs to nothing yet. */
 pm_constraint pm_constraint_marks_blank(int kind);
 
 void pm_constraint_marks_points(const pm_frame *frame, pm_constraint *c, int a, int b);
@@ -152,7 +152,7 @@ void pm_constraint_marks_radii(pm_constraint *c, double radius_a, double radius_
 /* A strand from circle a to circle b; which way round each it goes is the sign of its radius. */
 void pm_constraint_marks_strand(const pm_frame *frame, pm_constraint *c, int a, int b, double sense_a,
                                 double sense_b);
-/* Circle and member of a periodic row of points. */
+/* Circle and member of a pattern. */
 void pm_constraint_marks_member(const pm_frame *frame, pm_constraint *c, int circle, int of, int member);
 
 /* No overflow is possible at the scale of scenes: a plain root is an eighth of hypot's price. */

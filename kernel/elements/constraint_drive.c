@@ -1,16 +1,16 @@
-/* constraint_drive.c - prescribed motion: the velocity of a point, along an axis e of the scene (row.axis), or the spin of a body, relative to
- * another body, is a given w(t).
+/* constraint_drive.c - prescribed motion: the velocity of a point, along an axis e of the scene (constraint.axis), or the
+ * spin of a body, relative to another body, is a given w(t).
  *
  *   point   C = e.(p_a - p_b) - anchor - W(t)     Cdot = e.(v_a - v_b) - w       gamma = -e.quad + dw/dt
  *   spin    C = angle_a - r angle_b - anchor - W  Cdot = omega_a - r omega_b - w gamma = dw/dt
- * W is the integral of w (drive.c), nothing where nothing is prescribed.  The couples on the bodies are as 1 to -r: what is
- * left over is held by the ground. */
+ * W is the integral of w (drive.c), nothing where nothing is prescribed.  The couples on the bodies are as 1 to -r: what
+ * is left over is held by the ground. */
 #include "elements/constant_motion.h"
 #include "elements/constraint.h"
 #include "elements/drive.h"
 #include "state/workspace.h"
 
-/* What all driven rows share: the residual is `place` less what is prescribed. */
+/* What all driven constraints share: the residual is `place` less what is prescribed. */
 static void prescribe(const pm_frame *frame, pm_constraint *c, double place)
 {
     const pm_memory *memory = &frame->memory[c->memory];

@@ -92,7 +92,7 @@ static void act_tangent(const pm_frame *frame, const pm_constraint *c, pm_line_o
 }
 
 /* The line keeps its direction.  Where the point runs along it its lever on the line's body changes: that is felt unless
- * the body cannot turn at all. */
+ * the body cannot rotate at all. */
 static int steady_normal(const pm_frame *frame, const pm_constraint *c, const pm_constant_motion *x)
 {
     const int b = c->body[1];
@@ -101,14 +101,14 @@ static int steady_normal(const pm_frame *frame, const pm_constraint *c, const pm
            pm_constant_motion_together(frame, c, x);
 }
 
-/* While the circle stays on the line (its normal row) the lever of the tangent on the line's body stays. */
+/* While the circle stays on the line (its normal constraint) the lever of the tangent on the line's body stays. */
 static int steady_tangent(const pm_frame *frame, const pm_constraint *c, const pm_constant_motion *x)
 {
     return !x->rotates[c->body[1]] && pm_constant_motion_marks(frame, c, x) &&
            pm_constant_motion_drive(frame, c, x);
 }
 
-/* C'' = d''.n + 2 d'.n' + d.n'' with n' = -w_b t: exact where the line does not turn and the point does not go round. */
+/* C'' = d''.n + 2 d'.n' + d.n'' with n' = -w_b t: exact where the line does not rotate and the point does not go round. */
 static void bound(const pm_frame *frame, const pm_constraint *c, const double *a, double h,
                   pm_constraint_bounds *x)
 {

@@ -1,4 +1,5 @@
-/* constraint_marks.c - the two marks of a row (points, lines, circles of the model's tables) with the numbers of the case. */
+/* constraint_marks.c - the two marks of a constraint (points, lines, circles of the model's tables) with the numbers of
+ * the case. */
 
 #include <math.h>
 #include <string.h>

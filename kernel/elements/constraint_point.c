@@ -1,4 +1,4 @@
-/* constraint_point.c - two points coincide (pin): p_a - p_b = 0, one row for each axis of the scene.
+/* constraint_point.c - two points coincide (pin): p_a - p_b = 0, one constraint for each axis of the scene.
  *
  * With n the axis:  C = n.(p_a - p_b),  Cdot = n.(v_a - v_b),
  * gamma = -n.(-omega_a^2 r_a + omega_b^2 r_b). */
@@ -8,7 +8,7 @@
 
 static const double axis_x[2] = {1, 0}, axis_y[2] = {0, 1};
 
-/* The way from a body's mass centre to its mark; the ground turns nothing. */
+/* The way from a body's mass centre to its mark; the ground rotates nothing. */
 static inline void lever_of(const pm_frame *frame, int body, const double mark[2], double r[2])
 {
     const double *pose = frame->pose + 5 * body;
@@ -16,7 +16,7 @@ static inline void lever_of(const pm_frame *frame, int body, const double mark[2
     r[1] = pose[4] * mark[0] + pose[3] * mark[1];
 }
 
-/* Written out for each axis, k = 0 or 1: these are the rows of all pins. */
+/* Written out for each axis, k = 0 or 1: these are the constraints of all pins. */
 static inline void evaluate(const pm_frame *frame, pm_constraint *c, int k)
 {
     const pm_frame *f = frame;

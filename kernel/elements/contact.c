@@ -1,5 +1,5 @@
-/* contact.c - gaps of potential contacts.  A periodic row has members k = .. -1, 0, 1 ..: the gap of a circle to a member
- * grows with |k - k0|, k0 its place along the row, so the nearest open member is the first open one below or above k0. */
+/* contact.c - gaps of potential contacts.  A pattern has members k = .. -1, 0, 1 ..: the gap of a circle to a member
+ * grows with |k - k0|, k0 its place along the pattern, so the nearest open member is the first open one below or above k0. */
 #include "elements/contact.h"
 
 #include <math.h>
@@ -110,7 +110,7 @@ static double meeting_gap(const pm_frame *frame, int contact, double *rate)
     return distance;
 }
 
-/* Of a circle and a point of a row, as constraint_distance.c has it. */
+/* Of a circle and a point of a pattern, as constraint_distance.c has it. */
 static double point_gap(const pm_frame *frame, int contact, int member, double *rate)
 {
     const pm_model *m = frame->model;
@@ -181,7 +181,7 @@ double pm_contact_gap_beside(const pm_beside *x, int member)
     return pm_length(d) - x->radius;
 }
 
-/* The members of a row that are closed. */
+/* The members of a pattern that are closed. */
 typedef struct pm_closed {
     int n;
     int32_t member[PM_PATTERN_SLOTS];
@@ -217,7 +217,7 @@ static int below_of(double place)
     return k > place ? k - 1 : k;
 }
 
-/* Place along the row, in steps from its first member. */
+/* Place along the pattern, in steps from its first member. */
 static double place_beside(const pm_beside *x) { return pm_dot(x->d, x->step) / pm_dot(x->step, x->step); }
 
 static int members_of_pattern(const pm_frame *frame, const pm_state *s, int contact, const pm_beside *x,
@@ -242,7 +242,7 @@ static int members_of_pattern(const pm_frame *frame, const pm_state *s, int cont
     return n;
 }
 
-/* It is there, with a row that has no end. */
+/* It is there, with a pattern that has no end. */
 static int is_endless(const pm_workspace *w, int contact)
 {
     if (!pm_contact_is_pattern(w->model, contact)) return 0;

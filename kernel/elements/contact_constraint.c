@@ -1,4 +1,4 @@
-/* contact_constraint.c - the normal and the tangential row of a contact that is closed, or may close. */
+/* contact_constraint.c - the normal and the tangential constraint of a contact that is closed, or may close. */
 #include "elements/constraint.h"
 #include "elements/edge.h"
 #include "state/workspace.h"

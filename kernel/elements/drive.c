@@ -1,8 +1,8 @@
 /* drive.c - prescribed rates w(t).
  *
- * A driven row has  G v = w(t),  and so  G a = dw/dt - (dG/dt) v.  Its residual needs the way, the integral of w: its anchor
- * holds it up to the last accepted step, and from there on it is taken by Gauss' formula, exact to rounding over one step
- * of a smooth w. */
+ * A driven constraint has  G v = w(t),  and so  G a = dw/dt - (dG/dt) v.  Its residual needs the way, the integral of w:
+ * its anchor holds it up to the last accepted step, and from there on it is taken by Gauss' formula, exact to rounding
+ * over one step of a smooth w. */
 #include "elements/drive.h"
 
 #include "expression/program.h"

@@ -38,6 +38,6 @@ int pm_edge_next(const pm_frame *frame, const pm_state *state, int contact, int 
 /* The end of a corner member, in the axes of the line's body. */
 void pm_edge_corner(const pm_frame *frame, int contact, int member, double at[2]);
 
-/* Which way the tangent of a member's rows goes: 1 along the edge, -1 against it. */
+/* Which way the tangent of a member's constraints goes: 1 along the edge, -1 against it. */
 int pm_edge_way(const pm_model *m, int contact, int member);
 #endif

@@ -1,7 +1,7 @@
-/* joint.c - the table of kinds of joints and couplings, and their rows.
+/* joint.c - the table of kinds of joints and couplings, and their constraints.
  *
- * A new kind is one entry of the table and the function that composes its rows; where no row of constraint.h says what it needs, a
- * file row_name.c with one. */
+ * A new kind is one entry of the table and the function that composes its constraints; where no constraint of
+ * constraint.h says what it needs, a file constraint_name.c with it. */
 #include "elements/joint.h"
 
 #include <string.h>
@@ -16,7 +16,7 @@ static void put(const pm_frame *frame, const int32_t *e, pm_constraint *c, int k
     marks(frame, c, e[PM_JOINT_A], e[PM_JOINT_B]);
 }
 
-/* A row with the marks of another. */
+/* A constraint with the marks of another. */
 static void put_beside(pm_constraint *c, int kind, const pm_constraint *other)
 {
     *c = *other;

@@ -19,15 +19,15 @@ enum pm_joint_repeats {
     PM_REPEATS_ROTATION = 2 /* its marks stay, and its bodies keep their relative angle */
 };
 
-/* One kind.  `compose` fills row[0 .. rows), which come blank, from the table row e of the joint. */
+/* One kind.  `compose` fills c[0 .. nconstraint), which come blank, from row e of the table of the joint. */
 typedef struct pm_joint_ops {
     int a, b;     /* the tables of its partners */
     int number;   /* enum pm_joint_number */
     int programs; /* 0, 1 or 2 of prescribed rates */
     int nconstraint;
-    int memories; /* so many of its last rows keep an anchor */
-    int presses;  /* row 0 is a normal force */
-    int slip;     /* the kind of row along which it slips where it has friction, or PM_NONE */
+    int memories; /* so many of its last constraints keep an anchor */
+    int presses;  /* constraint 0 is a normal force */
+    int slip;     /* the kind of constraint along which it slips where it has friction, or PM_NONE */
     int repeats;  /* enum pm_joint_repeats */
     void (*compose)(const pm_frame *frame, const int32_t *e, pm_constraint *row);
 } pm_joint_ops;
@@ -35,7 +35,7 @@ typedef struct pm_joint_ops {
 const pm_joint_ops *pm_joint_kind(int kind);
 const pm_joint_ops *pm_joint_of(const pm_model *m, int joint);
 
-/* The rows of all joints, with the numbers of the case: pm_joint_constraints copies them. */
+/* The constraints of all joints, with the numbers of the case: pm_joint_constraints copies them. */
 void pm_joint_compose(const pm_frame *frame);
 
 #endif

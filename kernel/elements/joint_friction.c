@@ -2,8 +2,8 @@
  *
  *   |F| <= F0 + c |R|  where it holds,   F = -(F0 + c |R|) sgn(slip)  where it slides
  *
- * F0 is given; c is mu of a slider or slot, mu r of a bearing of radius r; R is the reaction of the joint.  A grip that
- * holds is a row more; one that slides is a force, whose size is found with the reactions by iteration where c > 0
+ * F0 is given; c is mu of a slider or slot, mu r of a bearing of radius r; R is the reaction of the joint.  A friction that
+ * holds is a constraint more; one that slides is a force, whose size is found with the reactions by iteration where c > 0
  * (pm_saddle_accelerate).  In a blow a friction of given size has no impulse. */
 #include "elements/joint_friction.h"
 
@@ -80,7 +80,7 @@ double pm_joint_friction_no_slip(const pm_frame *frame, int k)
     return pm_contact_speed(frame) / (rotates ? frame->numbers->size : 1);
 }
 
-/* Size of the reactions x[active row] of the joint; the couple that keeps a slider's direction is none of them. */
+/* Size of the reactions x[active constraint] of the joint; the couple that keeps a slider's direction is none of them. */
 static double load(const pm_workspace *w, int k, const double *x)
 {
     const int joint = joint_of(&w->frame, k), first = w->model->joint_constraint[joint];
@@ -140,7 +140,7 @@ void pm_joint_friction_action(const pm_workspace *w, int force, pm_action *x)
         x->at_a[i] = x->at_b[i] = along.at[i];
         x->force[i] = size * along.direction[i];
     }
-    x->couple = size * along.couple[0]; /* joints rub between their two bodies: the opposite acts on b */
+    x->couple = size * along.couple[0]; /* the opposite acts on b */
     x->rate = pm_constraint_slip(&w->frame, &c);
     x->power = size * x->rate;
 }

@@ -1,4 +1,4 @@
-/* joint_friction.h - friction of joints: bearings, sliders and slots that rub. */
+/* joint_friction.h - friction of joints: bearings, sliders and slots that have it. */
 #ifndef PM_JOINT_FRICTION_H
 #define PM_JOINT_FRICTION_H
 
@@ -12,18 +12,19 @@ int pm_joint_friction_by_load(const pm_frame *frame, const pm_state *state);
 /* Whether one would, if it did slide. */
 int pm_joint_friction_any_by_load(const pm_frame *frame);
 
-/* The joint whose friction grip k is. */
+/* The joint of friction k. */
 int pm_joint_friction_joint(const pm_model *m, int k);
-/* The row of the slip of grip k, whether it holds or not. */
+/* The constraint of the slip of friction k, whether it holds or not. */
 void pm_joint_friction_constraint(const pm_frame *frame, int k, pm_constraint *c);
 /* Slip at the frame, m/s or rad/s; below this it is none. */
 double pm_joint_friction_slip(const pm_frame *frame, int k);
 double pm_joint_friction_no_slip(const pm_frame *frame, int k);
 /* Greatest friction, N or N m, with the reactions of the frame. */
 double pm_joint_friction_limit(const pm_workspace *w, int k);
-/* What the friction of a joint does to its first partner, along its row; the frame is DYNAMIC.  0 where there is none. */
+/* What the friction of a joint does to its first partner, along its constraint; the frame is DYNAMIC.  0 where there is
+ * none. */
 double pm_joint_friction_of_joint(const pm_workspace *w, int joint, pm_constraint *c);
-/* The force of sliding; nothing where the grip holds. */
+/* The force of sliding; nothing where it holds. */
 void pm_joint_friction_action(const pm_workspace *w, int force, pm_action *x);
 /* It stays the same along a motion with constant accelerations. */
 int pm_joint_friction_steady(const pm_frame *frame, int force, const pm_constant_motion *x);
@@ -31,14 +32,14 @@ int pm_joint_friction_steady(const pm_frame *frame, int force, const pm_constant
 /* Sliding friction that goes with the load takes up the reactions just found; 1 if it has changed. */
 int pm_joint_friction_update(pm_workspace *w);
 
-/* No grip holds or slides (before a start, and in a blow). */
+/* No friction holds or slides (before a start, and in a blow). */
 void pm_joint_friction_release(pm_workspace *w);
-/* Grips by their slip at the frame: what does not slip holds. */
+/* Frictions by their slip at the frame: what does not slip holds. */
 void pm_joint_friction_close(const pm_frame *frame, pm_state *state);
-/* What the phase found: grip k of the function has begun to slide, or has stopped. */
+/* What the phase found: friction k has begun to slide, or has stopped. */
 void pm_joint_friction_slides(pm_workspace *w, int k);
 void pm_joint_friction_stops(const pm_frame *frame, pm_state *state, int k);
-/* The first holding grip that needs more than its limit begins to slide; 1 if there was one. */
+/* The first friction that holds and that needs more than its limit begins to slide; 1 if there was one. */
 int pm_joint_friction_overcome(pm_workspace *w, double slack);
 /* PM_UNSUPPORTED if a blow of active impulses w->rhs loads a joint whose friction goes with its load. */
 int pm_joint_friction_check_blow(pm_workspace *w);

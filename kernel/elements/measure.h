@@ -37,7 +37,8 @@ double pm_measure_signed(pm_workspace *w, int i);
 int pm_measure_validate(const pm_model *m, pm_where *where);
 /* 1 if measure i may be written in the start table at this level (its value is linear in v, or its rate is). */
 int pm_measure_can_start(const pm_model *m, int i, int level);
-/* Row of a start value on v: coefficient[nq] of d(measure)/dt (POSITION) or of the measure itself (VELOCITY). */
+/* Gradient of a start value with respect to v: coefficient[nq] of d(measure)/dt (POSITION) or of the measure itself
+ * (VELOCITY). */
 void pm_measure_start_gradient(pm_workspace *w, int i, int level, double *coefficient);
 
 #endif

@@ -1,8 +1,8 @@
 /* measure_contact.c - what is read off contacts: where they are, and what acts there.
  *
- * Of all slots of a contact those count that are closed, with the member that is meant, if any is.  Forces are those on the
- * first partner: N n + F t, n and t the directions of the normal and the tangential row (constraint.h); of a captured pair those of
- * the rows that hold it. */
+ * Of all slots of a contact those count that are closed, with the member that is meant, if any is.  Forces are those on
+ * the first partner: N n + F t, n and t the directions of the normal and the tangential constraint (constraint.h); of a
+ * captured pair those of the constraints that hold it. */
 #include "elements/constraint.h"
 #include "elements/contact.h"
 #include "elements/edge.h"

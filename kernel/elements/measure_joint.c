@@ -1,7 +1,7 @@
 /* measure_joint.c - what joints do to their bodies.
  *
- * A row with reaction lambda does lambda n to the first body and -lambda n to the second, and its couples (constraint.h); what acts
- * at a joint is the sum over its rows, and the dry friction in it (joint_friction.h). */
+ * A constraint with reaction lambda does lambda n to the first body and -lambda n to the second, and its couples
+ * (constraint.h); what acts at a joint is the sum over its constraints, and the dry friction in it (joint_friction.h). */
 #include <string.h>
 
 #include "elements/constraint.h"
@@ -20,16 +20,16 @@ static int partner_of(const pm_measure_args *x)
     return c[0].body[0] != pm_model_body_index(x->w->model, x->e[PM_MEASURE_ON]);
 }
 
-/* What the reaction of a row does to one of its two bodies. */
+/* What the reaction of a constraint does to one of its two bodies. */
 static void add_reaction(const pm_measure_args *x, const pm_constraint *c, double size, int on, double out[3])
 {
-    pm_line_of_action along; /* the rows need not be evaluated where the frame looks */
+    pm_line_of_action along; /* the constraints need not be evaluated where the frame looks */
     pm_constraint_kind(c->kind)->act(&x->w->frame, c, &along);
     for (int k = 0; k < 2; k++) out[k] += (on == 0 ? size : -size) * along.direction[k];
     out[2] += size * along.couple[on];
 }
 
-/* Sum over the rows of a joint of size[row] times what a unit of it does. */
+/* Sum over the constraints of a joint of its reaction times what a unit of it does. */
 static void joint_sum(const pm_measure_args *x, const double *reaction, int by_active, double out[3])
 {
     const pm_model *m = x->w->model;
@@ -66,7 +66,7 @@ void pm_measured_joint_impulse(const pm_measure_args *x, double out[2])
     joint_sum(x, x->w->impulses.joint, 0, sum);
     memcpy(out, sum, 2 * sizeof *out);
 }
-/* Not unique where a row is redundant; the two strands of a belt depend on each other. */
+/* Not unique where a constraint is redundant; the two strands of a belt depend on each other. */
 static double constraint_reaction(const pm_measure_args *x, int row)
 {
     const int *active = x->w->active.of_joint + x->w->model->joint_constraint[x->a];

@@ -1,6 +1,6 @@
 /* active_set.c - the active set of a phase.
  *
- * A row that depends on the rows before it is *redundant* if it also does so at a neighbouring configuration on the
+ * A constraint that depends on those before it is *redundant* if it also does so at a neighbouring configuration on the
  * constraints: it is left out.  If it does so here only (a dead centre), it is kept. */
 #include "equations/active_set.h"
 
@@ -30,7 +30,7 @@ void pm_active_set_clear(pm_active_set *x, const pm_model *m)
     for (int i = 0; i < m->nfriction; i++) x->friction_constraint[i] = PM_NONE;
 }
 
-/* The basis of the rows that are active so far, at the frame; its size. */
+/* The basis of the constraints that are active so far, at the frame; its size. */
 static int basis_of_active(pm_workspace *w)
 {
     pm_orthonormal_rest rest;
@@ -42,7 +42,7 @@ static int basis_of_active(pm_workspace *w)
     return n;
 }
 
-/* A neighbour of the state on the active rows: a little along the motion or, at rest, any way that they allow. */
+/* A neighbour of the state on the active constraints: a little along the motion or, at rest, any way that they allow. */
 static int go_nearby(pm_workspace *w, pm_state *s)
 {
     static const double step[3] = {0.91, 0.57, 0.73}; /* no direction of the scene */
@@ -58,8 +58,8 @@ static int go_nearby(pm_workspace *w, pm_state *s)
     return pm_projection_apply(w, s);
 }
 
-/* Whether a row that depends on the active ones here does so nearby, too.  A neighbour that cannot be reached tells
- * nothing: the row is then kept. */
+/* Whether a constraint that depends on the active ones here does so nearby, too.  A neighbour that cannot be reached tells
+ * nothing: the constraint is then kept. */
 static int depends_nearby(pm_workspace *w, const pm_constraint *c, int *depends)
 {
     int status = go_nearby(w, &w->probe);
@@ -76,7 +76,7 @@ static int depends_nearby(pm_workspace *w, const pm_constraint *c, int *depends)
     return status == PM_SINGULAR ? PM_OK : status;
 }
 
-/* Appends the row unless it is redundant; *index: its place, or PM_NONE.  Without a basis it is not tested. */
+/* Appends the constraint unless it is redundant; *index: its place, or PM_NONE.  Without a basis it is not tested. */
 static int append(pm_workspace *w, const pm_constraint *c, int *nbasis, int *index)
 {
     if (!nbasis) {
@@ -190,7 +190,7 @@ static int append_friction(pm_workspace *w, int *nbasis)
     return PM_OK;
 }
 
-/* Tangents that sliding normals carry stand behind the active rows; an entry without a normal ends them. */
+/* Tangents that sliding normals carry stand behind the active constraints; an entry without a normal ends them. */
 static void append_carried(pm_workspace *w)
 {
     const pm_model *m = w->model;
@@ -218,7 +218,7 @@ static int append_all(pm_workspace *w, int *nbasis)
     return status;
 }
 
-/* A basis is dear: it is made only where rows that depend on each other are in sight. */
+/* A basis is dear: it is made only where constraints that depend on each other are in sight. */
 int pm_active_set_build(pm_workspace *w)
 {
     int nbasis = 0;
@@ -291,7 +291,7 @@ void pm_active_set_anchor_start(const pm_frame *frame, const pm_state *state, pm
     anchor_cords(frame, s);
 }
 
-/* Slack cords are no active rows, and yet their strands turn. */
+/* Slack cords are no active constraints, and yet their strands rotate. */
 static void follow_slack_cords(const pm_frame *frame, pm_state *s)
 {
     for (int i = 0; i < frame->model->rows[PM_TABLE_CONTACT]; i++) {

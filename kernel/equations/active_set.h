@@ -1,18 +1,18 @@
-/* active_set.h - which rows hold now: independent rows of joints and captured pairs, normals of closed contacts, tangents of
- * sticking ones. */
+/* active_set.h - which constraints hold now: independent constraints of joints and captured pairs, normals of closed
+ * contacts, tangents of sticking ones. */
 #ifndef PM_ACTIVE_SET_H
 #define PM_ACTIVE_SET_H
 
 #include "elements/constraint.h"
 #include "state/workspace.h"
 
-/* Fills w->row from the joints and the modes of the slots in w->state; the frame must look at w->state. */
+/* Fills w->active.constraint from the joints and the modes of the slots in w->state; the frame must look at w->state. */
 int pm_active_set_build(pm_workspace *w);
 /* The normal of a sliding slot carries its tangent with this ratio of impulses, whatever its law says. */
 void pm_active_set_carry(pm_workspace *w, int slot, double ratio);
-/* Anchors the no-slip rows of slot (just closed, stuck or captured) at the frame. */
+/* Anchors the no-slip constraints of slot (just closed, stuck or captured) at the frame. */
 void pm_active_set_anchor(const pm_frame *frame, pm_state *s, int slot);
-/* Anchors the rows with memory of a joint at the frame. */
+/* Anchors the constraints with memory of a joint at the frame. */
 void pm_active_set_anchor_joint(const pm_frame *frame, const pm_state *state, pm_state *s, int joint);
 /* Anchors all joints with memory at the frame and measures the cords (once, after the assembly). */
 void pm_active_set_anchor_start(const pm_frame *frame, const pm_state *state, pm_state *s);

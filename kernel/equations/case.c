@@ -123,7 +123,7 @@ static int check_side(const pm_numbers *numbers, pm_result *result, int table, i
     return side == 1 || side == -1 || side == -2 ? PM_OK : out_of_bound(result, table, row, column, side, 1);
 }
 
-/* A point touches neither a point nor a row of points; points that meet have no radius. */
+/* A point touches neither a point nor a pattern; points that meet have no radius. */
 static int check_partners(pm_workspace *w, int contact)
 {
     const pm_model *m = w->model;
@@ -180,8 +180,8 @@ static void read_settings(pm_workspace *w)
     w->numbers.tolerance = pm_evidence_tolerance(w);
 }
 
-/* What has no mass is given some in the metric of the rows; saddle.c takes it off again.  Without any mass in the scene
- * nothing could be told. */
+/* What has no mass is given some in the metric of the constraints; saddle.c takes it off again.  Without any mass in the
+ * scene nothing could be said. */
 static int set_stand_ins(pm_workspace *w)
 {
     const pm_model *m = w->model;

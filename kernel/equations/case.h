@@ -13,7 +13,7 @@ double pm_case_max_time(const pm_model *model, const pm_numbers *numbers);
 /* Lets the speed scale follow v; 1 if it grew noticeably. */
 int pm_case_speed(const pm_model *model, pm_numbers *numbers, const double *v);
 
-/* Forces of the size of the scene's weight, or that turn its motion within its size, N. */
+/* Forces of the size of the scene's weight, or that change its motion within its size, N. */
 double pm_case_force(const pm_model *model, const pm_numbers *numbers);
 
 /* The shortest time in which motion with velocities v and accelerations a changes its own kind, s: 1/omega,

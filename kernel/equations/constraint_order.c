@@ -1,4 +1,4 @@
-/* constraint_order.c - in which order the joints' rows stand, so that the saddle-point system has a narrow envelope.
+/* constraint_order.c - in which order the joints' constraints stand, so that the saddle-point system has a narrow envelope.
  *
  * Bodies are numbered by breadth-first levels from one that hangs at an end (Cuthill and McKee, Proc. 24th ACM National
  * Conf., 1969), joints by the later of their bodies. */

@@ -1,4 +1,4 @@
-/* constraint_order.h - the order of the joints' rows. */
+/* constraint_order.h - the order of the joints' constraints. */
 #ifndef PM_CONSTRAINT_ORDER_H
 #define PM_CONSTRAINT_ORDER_H
 

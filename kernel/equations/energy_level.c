@@ -5,8 +5,8 @@
  * velocities are multiplied by
  *     s = sqrt((E - V) / T),
  * the least correction in the metric of M that has the energy E (projection: Hairer, Lubich, Wanner, Geometric Numerical
- * Integration, IV.4); rows that prescribe no rate hold for any multiple.  Near a turning point velocities say little of
- * the energy, and nothing is corrected: the level stays, so that a later step makes up for it.
+ * Integration, IV.4); constraints that prescribe no rate hold for any multiple.  Near a turning point velocities say
+ * little of the energy, and nothing is corrected: the level stays, so that a later step makes up for it.
  *
  * What the corrections return would have drifted off: it remains the evidence of the energy ledger (ledger.c). */
 #include "equations/energy_level.h"

@@ -84,7 +84,7 @@ void pm_fixed_bodies_begin(pm_workspace *w)
 }
 
 /* ---- which bodies ---- */
-/* The rows of the joints that stay in w->row, evaluated unless they are only counted, and those of each body. */
+/* The constraints of the joints that stay, in w->active, evaluated unless they are only counted, and those of each body. */
 static int list_constraints(pm_workspace *w)
 {
     const pm_model *m = w->model;
@@ -109,7 +109,7 @@ static int list_constraints(pm_workspace *w)
     return n;
 }
 
-/* Bodies that are tried together, and the rows that hold them so far. */
+/* Bodies that are tried together, and the constraints that hold them so far. */
 typedef struct pm_group {
     int body[FEW], n;
     int freedom, rank;
@@ -130,7 +130,7 @@ static void join(const pm_model *model, pm_group *g, int body)
     g->freedom += PM_BODY_ROW(model, body)[PM_BODY_ROTATES] ? 3 : 2;
 }
 
-/* Counts a row if it is clearly independent of those before it. */
+/* Counts a constraint if it is clearly independent of those before it. */
 static void add_constraint(const pm_numbers *numbers, pm_group *g, const pm_constraint *constraint)
 {
     const pm_orthonormal basis = {&g->basis[0][0], &g->range[0][0], WIDE, PM_CLEARLY_INDEPENDENT};
@@ -184,7 +184,7 @@ static int try_one(pm_workspace *w, int body)
     return holds(w, &g);
 }
 
-/* The two bodies of a row. */
+/* The two bodies of a constraint. */
 static int try_two(pm_workspace *w, const pm_constraint *c)
 {
     pm_group g = {.n = 0};

@@ -1,7 +1,7 @@
 /* gap_bounds.c - bounds of gaps from what the joints allow, whatever the motion.
  *
- * A body that hangs by pins, welds and links from the ground keeps one of its points, the hinge H, at a distance
- * from a fixed place O that lies in [low, high]: for a pin on the ground both are 0; by a mark m of a body that hangs, and a
+ * A body that hangs by pins, welds and links from the ground keeps one of its points, the hinge H, at a distance from a
+ * fixed place O that lies in [low, high]: for a pin on the ground both are 0; by a mark m of a body that hangs, and a
  * link of length l (a pin: 0), what hangs there has H in
  *     [max(0, |m - H| - high, low - |m - H|) - l, |m - H| + high + l]
  * about the same O (triangle inequality).  What is welded to the ground is as fixed as the ground.  Joints that
@@ -13,7 +13,7 @@
  *     a over a fixed line            height of O_a - high_a - r_a
  *     a over a line that hangs       height of its hinge over it - (d + high_a + high_H) - r_a
  *     a beside a fixed edge          distance of O_a from it - high_a - r_a
- * Cords and periodic rows keep their own bounds. */
+ * Cords and patterns keep their own bounds. */
 #include "equations/gap_bounds.h"
 
 #include <math.h>

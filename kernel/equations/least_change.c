@@ -16,7 +16,7 @@ static double norm_of(const pm_model *model, const pm_numbers *numbers, const do
     return sqrt(sum);
 }
 
-/* Adds a row, times a factor, to a dense one. */
+/* Adds the gradient of a constraint, times a factor, to a dense row. */
 static void add_sparse(const pm_model *model, const pm_constraint *c, double factor, double *dense)
 {
     for (int p = 0; p < 2; p++)
@@ -30,7 +30,7 @@ static void spread_out(const pm_model *model, const pm_constraint *c, double *de
     add_sparse(model, c, 1, dense);
 }
 
-/* G M^-1 d of one row of the block. */
+/* G M^-1 d of one constraint of the block. */
 static double along(const pm_model *model, const pm_numbers *numbers, const pm_constraint *c, const double *d)
 {
     double sum = 0;

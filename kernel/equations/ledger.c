@@ -3,8 +3,9 @@
  * Work and energy:      T1 + V1 + (work of forces without potential, friction, drives) - (losses of blows) = T2 + V2
  *                                                                                                             (17.11)
  * Impulse and momentum: momenta1 + impulses of the outer world = momenta2, about the origin                   (17.14)
- * Outer impulses are taken from points and directions of the forces (row.act), never from the Jacobian; the energy of
- * a blow from sum P (u + u')/2 with the touching points' own velocities.  A wrong sign in a Jacobian opens a ledger. */
+ * Outer impulses are taken from points and directions of the forces (pm_constraint_ops.act), never from the Jacobian; the
+ * energy of a blow from sum P (u + u')/2 with the touching points' own velocities.  A wrong sign in a Jacobian opens a
+ * ledger. */
 #include "equations/ledger.h"
 
 #include <math.h>
@@ -33,7 +34,7 @@ static void add_outer(double *impulse, const double at[2], const double force[2]
     impulse[2] += sign * (couple + at[0] * force[1] - at[1] * force[0]);
 }
 
-/* What a row gives the scene from outside by a reaction (or an impulse) of that size. */
+/* What a constraint gives the scene from outside by a reaction (or an impulse) of that size. */
 static void add_constraint(const pm_frame *frame, const pm_constraint *c, double size, double *impulse)
 {
     if (pm_constraint_is_inner(frame->numbers, c)) return;
@@ -45,7 +46,7 @@ static void add_constraint(const pm_frame *frame, const pm_constraint *c, double
     add_outer(impulse, x.at, force, size * (on_a * x.couple[0] + on_b * x.couple[1]), 1);
 }
 
-/* Forces (or impulses) of the rows on the scene from outside. */
+/* Forces (or impulses) of the constraints on the scene from outside. */
 static void add_constraints(const pm_frame *frame, const pm_active_set *active, const double *size,
                             double *impulse)
 {
@@ -58,7 +59,7 @@ static void add_constraints(const pm_frame *frame, const pm_active_set *active, 
     }
 }
 
-/* What drives put in through their rows, by the rates that they prescribe. */
+/* What drives put in through their constraints, by the rates that they prescribe. */
 static double drive_power(const pm_active_set *active, const double *size)
 {
     double sum = 0;
@@ -204,7 +205,7 @@ void pm_ledger_impulse(const pm_model *model, pm_state *state, const double at[2
     add_outer(state->z + pm_ledger_ledger(model), at, force, couple, 1);
 }
 
-/* One row's share of a series of blows: what the outer world gives; the energy that it takes. */
+/* One constraint's share of a series of blows: what the outer world gives; the energy that it takes. */
 static double add_of_series(const pm_frame *frame, pm_state *state, const pm_constraint *c, double impulse)
 {
     add_constraint(frame, c, impulse, state->z + pm_ledger_ledger(frame->model));

@@ -20,7 +20,7 @@ void pm_ledger_begin(pm_workspace *w);
 void pm_ledger_follow(const pm_frame *frame, const double before[PM_LEDGER], double *z);
 /* After an accepted step, at the KINEMATIC frame of w->state. */
 void pm_ledger_step(pm_workspace *w);
-/* A jump from velocities `before` to those of the frame, with w->rhs the impulses of the active rows. */
+/* A jump from velocities `before` to those of the frame, with w->rhs the impulses of the active constraints. */
 void pm_ledger_jump(pm_workspace *w, const double *before);
 /* An impulse that the outer world applies. */
 void pm_ledger_impulse(const pm_model *model, pm_state *state, const double at[2], const double force[2],

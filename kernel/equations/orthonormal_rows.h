@@ -1,4 +1,5 @@
-/* orthonormal_rows.h - which rows are independent: an orthonormal basis of rows, of constraints in the metric of M^-1. */
+/* orthonormal_rows.h - which rows are independent: an orthonormal basis of rows, such as the gradients of constraints in
+ * the metric of M^-1. */
 #ifndef PM_ORTHONORMAL_ROWS_H
 #define PM_ORTHONORMAL_ROWS_H
 

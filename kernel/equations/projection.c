@@ -1,5 +1,5 @@
-/* projection.c - Newton on g(q) = 0 with dq = -M^-1 G^T (G M^-1 G^T)^-1 g, then the same once for G v = w, the prescribed rates (0 of all rows
- * that are not driven). */
+/* projection.c - Newton on g(q) = 0 with dq = -M^-1 G^T (G M^-1 G^T)^-1 g, then the same once for G v = w, the prescribed
+ * rates (0 of all constraints that are not driven). */
 #include "equations/projection.h"
 
 #include <math.h>

@@ -1,16 +1,16 @@
-/* projection.h - removes drift: q and v back onto the active rows, by the least change in the metric of M. */
+/* projection.h - removes drift: q and v back onto the active constraints, by the least change in the metric of M. */
 #ifndef PM_PROJECTION_H
 #define PM_PROJECTION_H
 
 #include "state/workspace.h"
 
-/* Projects the state; on return the frame looks at it (KINEMATIC, rows evaluated). */
+/* Projects the state; on return the frame looks at it (KINEMATIC, constraints evaluated). */
 int pm_projection_apply(pm_workspace *w, pm_state *s);
-/* The same where the active rows have just been built at this state, and the frame looks at it. */
+/* The same where the active constraints have just been built at this state, and the frame looks at it. */
 int pm_projection_built(pm_workspace *w, pm_state *s);
 /* Velocities only: G v = 0 at the state's position. */
 int pm_projection_velocity(pm_workspace *w, pm_state *s);
-/* Residuals of the active rows at the frame relative to size and speed: the greater one. */
+/* Residuals of the active constraints at the frame relative to size and speed: the greater one. */
 double pm_projection_residual(const pm_frame *frame, const pm_active_set *active);
 
 #endif

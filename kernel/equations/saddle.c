@@ -3,7 +3,7 @@
  *
  * Where M has zeros (a body without mass) it is M + D that is factored, D > 0 there, and
  *   (M + D) a_k+1 = f + D a_k + H^T l
- * is repeated: the error shrinks by D over the inertia that the rows lend to the body.  If they lend none it stays. */
+ * is repeated: the error shrinks by D over the inertia that the constraints lend to the body.  If they lend none it stays. */
 #include "equations/saddle.h"
 
 #include <math.h>
@@ -42,7 +42,7 @@ static const double *force_direction(const pm_saddle *s, const pm_constraint *c)
     return s->active->asymmetric ? c->h : c->j;
 }
 
-/* Product of two rows over the bodies that they share, in the metric of M^-1. */
+/* Product of two constraints over the bodies that they share, in the metric of M^-1. */
 static double coupled(const pm_saddle *s, const pm_constraint *a, const double *ja, const pm_constraint *b,
                       const double *jb)
 {
@@ -61,7 +61,7 @@ static double coupled(const pm_saddle *s, const pm_constraint *a, const double *
     return sum;
 }
 
-/* The first row that shares a body with each: before it the row of S is empty.  In w->pivot, which Cholesky leaves. */
+/* The first constraint that shares a body with each: before it the row of S is empty.  In w->pivot, which Cholesky leaves. */
 static void find_envelope(pm_saddle *s)
 {
     int *first = s->pivot, *first_of_body = s->first_constraint;
@@ -127,7 +127,8 @@ static void note_factored(pm_saddle *s)
     }
 }
 
-/* 0, or one more than the row that depends on those before it.  At one place the same rows are asked for several times. */
+/* 0, or one more than the constraint that depends on those before it.  At one place the same constraints are asked for
+ * several times. */
 static int factor_symmetric(pm_saddle *s)
 {
     if (pm_saddle_is_factored(s)) return 0;

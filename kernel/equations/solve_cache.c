@@ -2,7 +2,7 @@
  *
  * Around an event one state is looked at again and again: at the end of a step, before the blow, after the modes are
  * found, when the next phase begins.  Where forces depend on the configuration alone, accelerations and reactions follow
- * from positions, velocities and the active rows; where all of these are the same to the last bit, so are they. */
+ * from positions, velocities and the active constraints; where all of these are the same to the last bit, so are they. */
 #include "equations/solve_cache.h"
 
 #include <math.h>
@@ -39,7 +39,7 @@ void pm_solve_cache_forget(pm_frame *frame, pm_solve_cache *cache)
     for (int i = 0; i < frame->model->nbody; i++) frame->angle[3 * i] = NAN;
 }
 
-/* Nothing but the configuration, the velocities and the rows makes the accelerations. */
+/* Nothing but the configuration, the velocities and the constraints makes the accelerations. */
 static int applies(const pm_workspace *w)
 {
     return w->model->programs.cacheable && !w->active.asymmetric && !w->numbers.massless;
@@ -112,7 +112,8 @@ int pm_solve_cache_is_built(const pm_workspace *w)
     return 1;
 }
 
-/* Where elements come and go, or pairs are held as they were caught, or friction holds joints, rows are always built. */
+/* Where elements come and go, or pairs are held as they were caught, or friction holds joints, constraints are always
+ * built. */
 void pm_solve_cache_built(pm_workspace *w)
 {
     pm_solve_cache *r = w->cache;

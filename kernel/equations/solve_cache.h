@@ -10,10 +10,10 @@ typedef struct pm_solve_cache {
     int64_t active_version;    /* version of the active set when it was found */
     double *pose;              /* [nq] x, y, angle, as the frame had them */
     double *velocity;          /* [nq] likewise */
-    double *a, *lambda;        /* [nq], [nrow] what was found */
+    double *a, *lambda;        /* [nq], [nconstraint] what was found */
     pm_memory *memory;         /* [nmemory] */
-    pm_constraint *constraint; /* [nrow] as they were evaluated there */
-    /* the set of rows that was built last */
+    pm_constraint *constraint; /* [nconstraint] as they were evaluated there */
+    /* the set of constraints that was built last */
     int64_t built; /* its version, or PM_NONE */
     pm_slot *slot; /* [nslot] */
     double *q;     /* [nq] */
@@ -26,10 +26,10 @@ void pm_solve_cache_forget(pm_frame *frame, pm_solve_cache *cache);
 /* Makes the frame DYNAMIC where it looks at what it looked at when pm_solve_cache_keep was called last; 0 if it does not. */
 int pm_solve_cache_take(pm_workspace *w);
 void pm_solve_cache_keep(pm_workspace *w);
-/* Evaluates the active rows in the same case. */
+/* Evaluates the active constraints in the same case. */
 int pm_solve_cache_take_constraints(pm_workspace *w);
 
-/* The active rows are those that were built last, here and for the same contacts. */
+/* The active constraints are those that were built last, here and for the same contacts. */
 int pm_solve_cache_is_built(const pm_workspace *w);
 void pm_solve_cache_built(pm_workspace *w);
 

@@ -1,9 +1,9 @@
 /* start.c - the start of a case: drawn, assembled (start_positions.c), set in motion, and looked at.
  *
  * Velocities meet the constraints of joints and of contacts that rest (rough ones hold their tangents too), then what is
- * written.  A row that depends on the others must agree with them (else a conflict that names it); directions that stay open
- * are an error for fastened bodies, unless nothing is written of any that are fastened to each other (those rest), and
- * zero for a body on its own. */
+ * written.  A constraint that depends on the others must agree with them (else a conflict that names it); directions that
+ * stay open are an error for fastened bodies, unless nothing is written of any that are fastened to each other (those
+ * rest), and zero for a body on its own. */
 #include "equations/start.h"
 
 #include <math.h>

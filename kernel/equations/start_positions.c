@@ -1,5 +1,5 @@
-/* start_positions.c - positions of a start: Gauss-Newton on joint rows and written positions together, each step the least one
- * (in the metric of M), so what is written stays and the rest moves as little as possible. */
+/* start_positions.c - positions of a start: Gauss-Newton on constraints of joints and written positions together, each
+ * step the least one (in the metric of M), so what is written stays and the rest moves as little as possible. */
 #include "equations/start_positions.h"
 
 #include <math.h>
@@ -61,7 +61,7 @@ static int take_written_positions(pm_workspace *w, pm_least_change *s, double *d
     return all;
 }
 
-/* One Gauss-Newton step in w->scratch; what is written comes first, so that it decides where rows disagree. */
+/* One Gauss-Newton step in w->scratch; what is written comes first, so that it decides where constraints disagree. */
 static void position_step(pm_workspace *w, double *x, double *dense)
 {
     const pm_model *m = w->model;

@@ -1,8 +1,8 @@
 /* event.c - the functions of a phase: which there are, and their values.
  *
- * Each is zero where something may happen: a trigger its program less what it crosses, or, of multiples, the way to the next
- * one on either side; a contact its gap, its normal force N, what is left of its grip mu N - |F|, its slip, the room on its
- * edge; friction of a joint what is left of it, or its slip. */
+ * Each is zero where something may happen: a trigger its program less what it crosses, or, of multiples, the way to the
+ * next one on either side; a contact its gap, its normal force N, what is left of its friction mu N - |F|, its slip, the
+ * room on its edge; friction of a joint what is left of it, or its slip. */
 #include "events/event.h"
 
 #include <math.h>

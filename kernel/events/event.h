@@ -49,7 +49,7 @@ typedef struct pm_event_function {
     double near;       /* least value where it came close and went back, since the last instant */
     double near_reach; /* its value on both sides of there */
     double low, high;  /* `every`: the multiples below and above */
-    int pattern;       /* of a gap to a row: its place among these, else PM_NONE */
+    int pattern;       /* of a gap to a pattern: its place among these, else PM_NONE */
     int search; /* enum pm_zero_search: it holds until the function has fired, or another step is sampled */
     pm_span bracket; /* of its next zero */
     double found;    /* where that is */
@@ -63,11 +63,11 @@ typedef struct pm_event_set {
     int nfunction;
     int ntrigger;                /* of them triggers: they come first */
     int nsampled;                /* of them those that the route does not find */
-    int npattern;                /* of them gaps to periodic rows of points */
+    int npattern;                /* of them gaps to patterns */
     int level;                   /* highest level of all */
     double *value;               /* [most functions][PM_NODES_MOST] samples */
     double place[PM_NODES_MOST]; /* x of the nodes */
-    pm_beside *beside;           /* [rows that are watched][PM_NODES_MOST] at the nodes */
+    pm_beside *beside;           /* [patterns that are watched][PM_NODES_MOST] at the nodes */
     int *hit;                    /* [most functions] fired at this instant */
     int *root;                   /* [most functions] roots that the route itself found, or 0 */
     int at_root;                 /* the step ends at one of these */

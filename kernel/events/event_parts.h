@@ -28,8 +28,8 @@ int pm_event_samples_resolved(const pm_step *step, struct pm_event_set *event, i
                               const pm_event_course *x);
 /* How far a function of known tail may be from the polynomial through samples of that size. */
 double pm_event_samples_residual(const pm_event_function *f, double biggest);
-/* The gap to the nearest member of a row has corners, that to one member has none: from now on the samples of function i
- * are those of the member that is met at x.  Whether it is the nearest at the root is seen there. */
+/* The gap to the nearest member of a pattern has corners, that to one member has none: from now on the samples of
+ * function i are those of the member that is met at x.  Whether it is the nearest at the root is seen there. */
 void pm_event_samples_of_member(pm_workspace *w, int i, double x);
 
 /* ---- event_bracket.c: between which places of a step a function goes through zero ---- */
@@ -37,7 +37,7 @@ void pm_event_samples_of_member(pm_workspace *w, int i, double x);
 int pm_event_bracket_first(pm_workspace *w, int i, double from, pm_span *x);
 
 /* ---- event_locate.c: where in its bracket it is zero ---- */
-/* The root of function i in the bracket x, on the dense output; the samples may become those of one member of a row. */
+/* The root of function i in the bracket x, on the dense output; the samples may become those of one member of a pattern. */
 int pm_event_locate_root(pm_workspace *w, int i, const pm_span *x, double *place);
 /* That root is taken: its rate is noted as a decision, and *place moves onto the zero of the exact states; *taken is where
  * w->probe holds one.  Neither is touched where the step ends exactly there. */

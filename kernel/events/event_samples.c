@@ -36,7 +36,7 @@ static void begin_samples(pm_workspace *w)
     pm_gap_culling_step(&w->event->culling, w->model);
 }
 
-/* As pm_event_sample has it; where the circle is beside the row is kept, for pm_event_samples_of_member. */
+/* As pm_event_sample has it; where the circle is beside the pattern is kept, for pm_event_samples_of_member. */
 static double sample_pattern(pm_workspace *w, const pm_event_function *f, int node)
 {
     pm_beside *x = w->event->beside + f->pattern * PM_NODES_MOST + node;
@@ -242,7 +242,7 @@ double pm_event_samples_residual(const pm_event_function *f, double biggest)
     return PM_TAIL_RESIDUAL * f->tail * biggest;
 }
 
-/* ---- one member of a row ---- */
+/* ---- one member of a pattern ---- */
 /* The member that is met at x, of those that are open; 0 if there is none. */
 static int member_at(pm_workspace *w, const pm_event_function *f, double x, int *member)
 {

@@ -40,7 +40,7 @@ static int body_of_circle(const pm_model *m, int circle)
     return pm_model_body_index(m, PM_POINT_ROW(m, PM_CIRCLE_ROW(m, circle)[PM_CIRCLE_POINT])[PM_POINT_BODY]);
 }
 
-/* The bodies of a contact whose gap changes by no more than its marks move; a line that turns is not one. */
+/* The bodies of a contact whose gap changes by no more than its marks move; a line that rotates is not one. */
 static int bodies_of(const pm_model *m, int contact, int body[2])
 {
     const int32_t *e = PM_CONTACT_ROW(m, contact);
@@ -113,7 +113,8 @@ static double part_of_edge(const pm_numbers *numbers, const int32_t *e)
     return PM_CULLING_EDGE * (numbers->value[e[PM_CONTACT_TO]] - numbers->value[e[PM_CONTACT_FROM]]);
 }
 
-/* The sum of the radii of two circles, or of a circle and a row's member (a point); 0 of what cannot be gone through. */
+/* The sum of the radii of two circles, or of a circle and a member of a pattern (a point); 0 of what cannot be gone
+ * through. */
 static double through(const pm_model *m, const pm_numbers *numbers, int contact)
 {
     const int32_t *e = PM_CONTACT_ROW(m, contact);

@@ -1,4 +1,4 @@
-/* history.c - appends rows while there is room, and counts all of them. */
+/* history.c - appends records while there is room, and counts all of them. */
 #include "events/history.h"
 
 #include "equations/saddle.h"

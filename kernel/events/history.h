@@ -1,5 +1,5 @@
-/* history.h - the record of one case: a row at every step, before and after every event; in the long steps of a route that
- * goes along the way, also at the nodes inside. */
+/* history.h - the record of one case: a record at every step, before and after every event; in the long steps of a route
+ * that goes along the way, also at the nodes inside. */
 #ifndef PM_HISTORY_H
 #define PM_HISTORY_H
 
@@ -10,7 +10,7 @@ typedef struct pm_history {
     const int32_t *program;
     double *history;       /* [cap][1 + nprogram] */
     int32_t *mark;         /* [cap] */
-    double length, inside; /* of the present step: its full length; rows are there up to this place */
+    double length, inside; /* of the present step: its full length; records are there up to this place */
 } pm_history;
 
 /* Records w->state (0: step, 1: before an event, 2: after it); does nothing without a trace. */

@@ -9,7 +9,7 @@ int pm_action_of(const pm_model *m, int event);
 /* A new instant: nothing is done yet. */
 void pm_action_instant(const pm_model *model, struct pm_event_set *event);
 /* Carries out the actions of the events that fire and have not yet acted at this instant; *acted = 1 if there were any.
- * Velocities are those after the impulses, active rows and reactions are old. */
+ * Velocities are those after the impulses, active constraints and reactions are old. */
 int pm_action_carry_out(pm_workspace *w, int *acted);
 
 #endif

@@ -25,8 +25,8 @@ int pm_contact_modes_slides(int mode);
 pm_constraint pm_contact_modes_normal(const pm_frame *frame, const pm_state *state, int slot);
 pm_constraint pm_contact_modes_tangent(const pm_frame *frame, const pm_state *state, int slot);
 
-/* For forces and for impulses: load[] of the active rows, of that size; decisions are noted at `site` (enum pm_evidence_site).
- * The slot whose normal load pulls most, or PM_NONE if none does by more than rounding. */
+/* For forces and for impulses: load[] of the active constraints, of that size; decisions are noted at `site` (enum
+ * pm_evidence_site).  The slot whose normal load pulls most, or PM_NONE if none does by more than rounding. */
 int pm_contact_modes_pulling(pm_workspace *w, const double *load, int site, double size);
 /* The first slot that sticks and whose tangential load is more than its friction can be, or PM_NONE. */
 int pm_contact_modes_overcome(pm_workspace *w, const double *load, int site, double size);

@@ -22,8 +22,8 @@ typedef struct pm_impact_course_end {
 
 /* Follows the blow to its end; 0 if the law has none: friction holds the pair so that it cannot part. */
 int pm_impact_course_follow(const pm_impact_course *x, pm_impact_course_end *end);
-/* Reads all of it but the restitution, of the contact in `slot` at the frame; the active rows are those of the joints
- * alone, evaluated.  response[nq] is scratch. */
+/* Reads all of it but the restitution, of the contact in `slot` at the frame; the active constraints are those of the
+ * joints alone, evaluated.  response[nq] is scratch. */
 int pm_impact_course_read(pm_workspace *w, int slot, double *response, pm_impact_course *x);
 /* 1 if the blow of the contact in `slot` is to be followed: its law differs from Newton's, or its slip may change. */
 int pm_impact_course_applies(const pm_model *model, int slot);

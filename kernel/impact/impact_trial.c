@@ -22,7 +22,7 @@
 #include "state/frame.h"
 #include "state/workspace.h"
 
-/* Rows of this trial: modes of the contacts that take part; the others are open for the blow. */
+/* Constraints of this trial: modes of the contacts that take part; the others are open for the blow. */
 static int build(pm_workspace *w, const pm_blow *b)
 {
     const pm_model *m = w->model;

@@ -1,4 +1,4 @@
-/* elimination.c - elimination of rows that have few entries, near each other; they tell all columns but some.
+/* elimination.c - elimination of rows that have few entries, near each other; they determine all columns but some.
  *
  * Columns are exchanged, rows are not: with them in an order in which those that share columns are near, their entries stay
  * near each other.  It is the partial pivoting of the transposed matrix, and as stable. */

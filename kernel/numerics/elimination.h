@@ -1,10 +1,10 @@
-/* elimination.h - elimination of rows that have few entries, near each other; they tell all columns but some. */
+/* elimination.h - elimination of rows that have few entries, near each other; they determine all columns but some. */
 #ifndef PM_ELIMINATION_H
 #define PM_ELIMINATION_H
 
 /* Memory of whoever runs it. */
 typedef struct pm_elimination {
-    int *low, *high; /* [rows] between which columns each row has entries: told before, and left after */
+    int *low, *high; /* [rows] between which columns each row has entries: given before, and left after */
     int *place;      /* [n] place[column[k]] = k */
     /* scratch */
     int *first, *last; /* [rows] between which columns a row, and those after it, have entries */

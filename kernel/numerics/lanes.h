@@ -22,7 +22,7 @@ static inline void pm_lanes_store_three(double *to, pm_lanes x, double third)
     to[2] = third;
 }
 
-/* A vector turned by a right angle. */
+/* A vector rotated by a right angle. */
 static inline pm_lanes pm_lanes_left(pm_lanes v) { return (pm_lanes){-v[1], v[0]}; }
 
 static inline double pm_lanes_sum(pm_lanes v) { return v[0] + v[1]; }

@@ -28,8 +28,8 @@
 /* ---- state ---- */
 
 #define PM_EVIDENCE_NOTHING 1e-14 /* of its natural size: zero in both passes, by the structure of the scene; larger: hides decisions */
-#define PM_EVIDENCE_LOOSEST 1e-2 /* tolerance of a coarse run: beyond it steps are not resolved; larger: errors told too large */
-#define PM_COARSER 30.0 /* times the tolerance of the run that a coarse one is compared with; larger: errors told too large */
+#define PM_EVIDENCE_LOOSEST 1e-2 /* tolerance of a coarse run: beyond it steps are not resolved; larger: errors are estimated too large */
+#define PM_COARSER 30.0 /* times the tolerance of the run that a coarse one is compared with; larger: errors are estimated too large */
 
 /* ---- expression ---- */
 
@@ -47,19 +47,19 @@
 
 /* ---- scene ---- */
 
-#define PM_SYMMETRY_SAME 1e-9 /* of a turn, of a step of a row, of the way: the same; larger: segments that differ are repeated */
+#define PM_SYMMETRY_SAME 1e-9 /* of a revolution, of a step of a pattern, of the way: the same; larger: segments that differ are repeated */
 
 /* ---- equations ---- */
 /* natural sizes */
 #define PM_SHIFT 1e-6 /* of a state's own size: shows the size of what is read there; larger: not linear */
 /* which constraints depend on each other */
 #define PM_INDEPENDENT \
-    1e-9 /* part of a row that others leave, of the row: it counts; larger: holds too little */
+    1e-9 /* part of a constraint that others leave, of it: it counts; larger: holds too little */
 #define PM_CLEARLY_INDEPENDENT 1e-3 /* the same, above which nothing else is asked; larger: slower */
 #define PM_NEIGHBOUR 1e-3 /* of the scene's size: how far a dead centre is left; larger: another place */
 #define PM_DEPENDENT_NEARBY 1e-6 /* part left at the neighbour: redundant below; larger: drops what holds */
 #define PM_TAKEN_OFF_ENOUGH \
-    0.5 /* of the square of a row: if that stays, rounding has not grown; larger: slower */
+    0.5 /* of the square of a row of G: if that stays, rounding has not grown; larger: slower */
 #define PM_BLOCK_OF_ROWS \
     24 /* constraints solved as one block; fewer are as quick one by one, and told sharply */
 #define PM_BLOCK_PASSES 2 /* with the factors of a block: the second takes off the rounding of the first */
@@ -81,7 +81,7 @@
     1e-9 /* relative: start velocities that differ by less agree; larger: hides contradictions */
 #define PM_START_OPEN_PART 1e-6 /* of a unit velocity: left open; larger: hides open motions */
 /* sizes and bounds */
-#define PM_MOST_MEMBERS 1e9 /* of a periodic row: int32 numbers them; more would not be told apart */
+#define PM_MOST_MEMBERS 1e9 /* of a pattern: int32 numbers them; more would not be distinguished */
 #define PM_FASTER 1.1       /* growth of the speed scale that is worth new weights; larger: coarser weights */
 #define PM_OUT_OF_REACH \
     1e-6 /* of the scene's reach: gaps above stay open whatever the drift; larger: skips fewer */
@@ -133,7 +133,7 @@
 #define PM_LEAVING_HALVINGS 20 /* of a step: a trigger has left its zero where it is first seen off it; more: earlier zeros are seen */
 #define PM_EVENT_RATE_STEP 1e-4 /* of the step: differences that make the rate at a zero; larger: less exact, smaller: rounding */
 #define PM_PLACE_ROUNDING 1e-15 /* of the step: rounding of a place; larger: zeros are polished less */
-#define PM_PLACE_RESOLVED 1e-14 /* of the step: a zero is known so well by the samples that no look tells more; larger: zeros less exact */
+#define PM_PLACE_RESOLVED 1e-14 /* of the step: a zero is known so well by the samples that no look shows more; larger: zeros less exact */
 #define PM_OFF_ZERO 1e-9 /* of a function's values beside its zero: it is not on it; larger: corners are met less exactly */
 #define PM_TAIL_WAVES 1e-4 /* tail of samples between which there may be waves: finer nodes are taken; larger: extremes are missed */
 #define PM_TAIL_RESOLVED 1e-6 /* tail of samples that show a function between the nodes; larger: zeros less exact, or missed */
@@ -146,7 +146,7 @@
 #define PM_EXTREMUM_FLAT 0.1 /* of the spread in a step: a slope between nodes that may have either sign; larger: more is searched */
 #define PM_EXTREMUM_SHARP 0.1 /* tail of samples whose slopes are known roughly, at the best; larger: corners are climbed in vain */
 #define PM_EXTREMUM_END_TAIL 4.0 /* as PM_EXTREMUM_SLOPE_TAIL, at the ends of a step; larger: more looks */
-#define PM_EXTREMUM_LIKELY 0.1 /* of the most that a slope may be off by: what it is; larger: errors told too large */
+#define PM_EXTREMUM_LIKELY 0.1 /* of the most that a slope may be off by: what it is; larger: errors are estimated too large */
 #define PM_EXTREMUM_WIDE 3.0 /* times the fall beside a node: so far may rise what the nodes do not show; larger: more is searched */
 #define PM_EXTREMUM_NEAR 0.3 /* of a bend: so much it changes over this part of 1 / n^2 of the step; larger: extremes at nodes less exact */
 #define PM_EXTREMUM_DIPS 1e-5 /* tail of a value whose corners can only be dips: looks show what they change; larger: extremes less exact */
@@ -172,21 +172,21 @@
 #define PM_LAST_BOUNCE 1e-7 /* of the scene's speed: the height of slower rebounds, v^2 / 2g, is lost in rounding; larger: rests too early */
 #define PM_BOUNCE_SPENT 1e-6 /* of the scene's speed: a rebound that cannot be seen and is slower is over; likewise */
 #define PM_BOUNCE_UNKNOWN 30.0 /* times PM_LAST_BOUNCE: heights are known to some percent; larger: fewer blows are decisions */
-#define PM_BOUNCE_EARLIER 4.0 /* times PM_LAST_BOUNCE in a coarse run: shows what the cut loses; larger: errors told too large */
+#define PM_BOUNCE_EARLIER 4.0 /* times PM_LAST_BOUNCE in a coarse run: shows what the cut loses; larger: errors are estimated too large */
 
 /* ---- impact ---- */
 #define PM_PULLS 1e-11 /* of the forces, or of the impulses in a blow: a load this small does not pull or slip; larger: contacts part late */
 #define PM_BLOWS_AT_ONCE 64 /* rounds of blows of all contacts at one instant; more: an endless series ends later */
 #define PM_BLOWS_IN_ORDER 10000 /* blows one by one at one instant; likewise */
-#define PM_BLOW_ROUNDING 1e-10 /* of the energies that a blow turns over: rounding; larger: a law that gains energy passes */
-#define PM_BLOW_NOTHING 1e-14 /* of its impulses at the scene's speed: a blow that turns over no more is rounding itself; likewise */
+#define PM_BLOW_ROUNDING 1e-10 /* of the energies that a blow moves: rounding; larger: a law that gains energy passes */
+#define PM_BLOW_NOTHING 1e-14 /* of its impulses at the scene's speed: a blow that moves no more is rounding itself; likewise */
 #define PM_COURSE_LOCKED 1e-13 /* of the normal response: what friction leaves of it where it holds the pair; larger: pairs that part are held */
 #define PM_COURSE_IMMOBILE 1e-14 /* of the normal response: along the tangent nothing moves; larger: friction is left out */
 #define PM_ACTION_OPENING 1e-9 /* of the scene's size: a joint added that is open by more does not fit there; larger: it jumps */
 #define PM_ACTION_FITTED 1e-13 /* of the work: the impulse that does it is found; larger: less exact */
 #define PM_ACTION_FITS 32 /* tries to find it: the answer is linear but where contacts join or let go; more: slower */
 #define PM_AT_REST 1e-11 /* of the scene's speed, and of that squared over its size: at rest; larger: what creeps rests */
-#define PM_REVERSAL 1e-7 /* of the scene's speed: how fast it is looked at just before and after it turns back; larger: less exact */
+#define PM_REVERSAL 1e-7 /* of the scene's speed: how fast it is looked at just before and after it reverses; larger: less exact */
 
 /* ---- routes ---- */
 
@@ -195,7 +195,7 @@
 /* ---- run ---- */
 
 #define PM_DISTURBED_SPEED \
-    3e-14 /* of velocities, in coarse runs: PM_COARSER times some roundings; more: larger errors told */
+    3e-14 /* of velocities, in coarse runs: PM_COARSER times some roundings; more: errors estimated larger */
 #define PM_DISTURBED_PLACE 2e-15 /* of positions; more: a contact that has just been left would overlap */
 #define PM_PLAN_PASSED \
     0.2 /* independent part of each constraint: a singular position lies behind; more: later */
@@ -226,7 +226,7 @@
 #define PM_FIND_TIE 1e-9  /* of their size: extremes that differ by less are several; more: more remarks */
 #define PM_FIND_SAME 1e-9 /* of the bounds' distance: places that are one; more: takes two for one */
 #define PM_FIND_OUTCOME \
-    5e-11 /* of a threshold: what the tolerances of decisions (1e-11) leave; more: larger errors told */
+    5e-11 /* of a threshold: what the tolerances of decisions (1e-11) leave; more: errors estimated larger */
 #define PM_FIND_TOUCH \
     4 /* times nearer to zero than its samples: a condition may reach it; more: fewer looks, misses */
 #define PM_FIND_WIDEST 0.25 /* of the interval: first distance of differences; more: leaves the interval */

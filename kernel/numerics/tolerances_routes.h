@@ -27,7 +27,7 @@
 #define PM_PATH_KEEP \
     0.3 /* of the fastest coordinate: a driver this fast stays; more: more changes of driver */
 #define PM_PATH_WEAK \
-    3e-2 /* of the rows' natural size: weaker pivots leave slopes to rounding over its square; more: more bridges */
+    3e-2 /* of the constraints' natural size: weaker pivots leave slopes to rounding over its square; more: more bridges */
 #define PM_PATH_LINKS 8 /* levers in the size of a scene that is no long chain; more: chains seem singular */
 #define PM_BRIDGE_REACH \
     0.2 /* rad, or of the scene's size: from the centre to the places that bear a bridge; more: less exact */
@@ -35,7 +35,7 @@
 #define PM_BRIDGE_STRIDE \
     0.25 /* of the reach: strides to the first place that bears; more: Newton may leave the branch */
 #define PM_BRIDGE_MET \
-    1e-11 /* of the scene's size: the loop rows on the bridge are met; more: drift at singular places */
+    1e-11 /* of the scene's size: the loop constraints on the bridge are met; more: drift at singular places */
 #define PM_PATH_FORM_TAIL 1e-8 /* tail of T at nodes that resolve it; more: places of rest are missed */
 #define PM_PATH_SPEED_TAIL \
     1e-6 /* tail of the speed where triggers watch it; more: dips over a barrier are missed */
@@ -52,14 +52,14 @@
 #define PM_CLOCK_FEWER \
     4.0 /* weight of the tail at the nodes of a step, which are fewer; more: finer nodes are taken more often */
 #define PM_CLOCK_OPEN \
-    32.0 /* weight of that tail inside a step, by 1/2k and not 1/k^2; more: errors of time told larger */
+    32.0 /* weight of that tail inside a step, by 1/2k and not 1/k^2; more: errors of time estimated larger */
 #define PM_CLOCK_NOTHING \
     1e-17 /* of the greatest coefficient: smaller ones are dropped; more: less exact times */
 #define PM_ENERGY_ROUNDINGS \
-    1e-15 /* of the energies: roundings of a step, or of a blow and the segment after it; more: errors told larger */
+    1e-15 /* of the energies: roundings of a step, or of a blow and the segment after it; more: errors are estimated larger */
 #define PM_ERROR_FASTER 1e-6 /* of the speeds: step of a difference by T; more: curvature spoils it */
 #define PM_ERROR_UNRESOLVED \
-    2e-3 /* of the tail of dt/du: what its integral is off by; more: errors of time told larger */
+    2e-3 /* of the tail of dt/du: what its integral is off by; more: errors of time estimated larger */
 #define PM_ERROR_EXACT \
     1e-12 /* tail of a function that its samples show to rounding; more: extremes seem exact */
 #define PM_ERROR_RESIDUAL \
@@ -67,7 +67,7 @@
 #define PM_ERROR_WIDE \
     3.0 /* of what a node is nearer to zero than its neighbours: so much nearer an extreme may be; more: slower */
 #define PM_ERROR_RESTING \
-    10.0 /* an error of T moves the place of rest, too; more: errors of time told larger */
+    10.0 /* an error of T moves the place of rest, too; more: errors of time estimated larger */
 #define PM_REPEAT_SAME_ENERGY 1e-13 /* of T: a lap without gain or loss; more: slow losses are left out */
 #define PM_REPEAT_SAME_STEP \
     1e-16 /* of T: from one segment to the next it does not change in its last digit; more: series end early */
@@ -75,7 +75,7 @@
     1e-6 /* of the segment's energies: so near to the barrier it is computed; more: fewer are passed over */
 #define PM_REPEAT_WHOLE 1e-9 /* of a multiple: a whole number of them; more: marks shift */
 #define PM_REPEAT_SAME_PLACE \
-    1e-11 /* of the scene's reach: the same configuration; more: places drift along a row */
+    1e-11 /* of the scene's reach: the same configuration; more: places drift along a pattern */
 #define PM_REPEAT_SAME_MOTION \
     1e-9 /* of the scene's speed: velocities in the same proportion; more: likewise speeds */
 #define PM_REPEAT_SAME_END 1e-9 /* of T: the segment that is told ends as it should; more: wrong ends pass */
@@ -89,7 +89,7 @@
 #define PM_RK_TIGHTEST \
     5e-15 /* relative: below it the estimate of errors is rounding; more: less can be asked for */
 #define PM_RK_SAFETY 0.7       /* of the step that the error allows; more: more steps are rejected */
-#define PM_RK_SHRINK 0.2       /* of a step: the shortest next one; more: more rejections in a row */
+#define PM_RK_SHRINK 0.2       /* of a step: the shortest next one; more: more rejections one after the other */
 #define PM_RK_GROW 4.0         /* of a step: the longest next one; more: more rejections */
 #define PM_RK_LEAST_STEP 8e-16 /* of the time: a shorter step changes nothing; more: a run gives up earlier */
 #define PM_RK_FIRST_RETRY 0.25 /* of a step in which there is no value: the next try; more: more tries */
@@ -145,7 +145,7 @@
     4.0 /* of the motion's own time: first step where polynomials are watched; more: coarser samples */
 #define PM_UNIFORM_LONGER 2.0 /* of a step: the next one; likewise */
 #define PM_UNIFORM_TURNED \
-    1e-9 /* of a step: a parabola that turns so near to its begin has turned; more: extremes are missed */
+    1e-9 /* of a step: a parabola whose extremum is so near to its begin has passed it; more: extremes are missed */
 #define PM_UNIFORM_DEFINITE \
     100.0 /* roundings of accelerations: a definite one; more: more phases are left to rk */
 #define PM_UNIFORM_SAME_TIME \
@@ -154,7 +154,7 @@
     0.1 /* of the speed in the interval: below, Gauss is exact and the closed form cancels; more: less exact */
 #define PM_UNIFORM_HALVINGS \
     200                   /* halvings: more than doubles have digits and exponents; more changes nothing */
-#define PM_UNIFORM_NEAR 4 /* members of a row that are looked at one by one; more: slower */
+#define PM_UNIFORM_NEAR 4 /* members of a pattern that are looked at one by one; more: slower */
 #define PM_UNIFORM_ROUNDING \
     1e-15 /* of the places of marks: a gap below it is closed; more: contacts close early */
 #define PM_UNIFORM_TIME_ROUNDING 4.5e-16 /* of a time: two roundings; more: roots less exact */
@@ -163,7 +163,7 @@
 #define PM_UNIFORM_SHORTER 0.01 /* the same where nothing was safe; more: more tries */
 #define PM_UNIFORM_ADVANCES \
     100000              /* safe steps in one step of the route; more: endless approaches last longer */
-#define PM_ZENO_ALIKE 2 /* blows in a row that were e times the one before; more: the leap comes later */
+#define PM_ZENO_ALIKE 2 /* successive blows that were e times the one before; more: the leap comes later */
 #define PM_ZENO_GEOMETRIC \
     1e-8 /* of a blow: rounding of a slow one in a fast scene; more: series that are none are taken */
 #define PM_ZENO_SLOW \

@@ -1,4 +1,4 @@
-/* phase_report.c - appends a row for each phase while there is room, and counts all of them. */
+/* phase_report.c - appends a record for each phase while there is room, and counts all of them. */
 #include "run/run.h"
 
 #include <math.h>

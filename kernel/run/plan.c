@@ -25,9 +25,10 @@ typedef struct pm_rule {
 enum { NUDGED = 0, PASSING = 1, FIRST = 2 }; /* the rules from FIRST on are tried in turn */
 static const pm_rule rules[] = {
     {&pm_route_path, "it leaves an unstable rest on the side that a nudge states: by energy along the path"},
-    {&pm_route_rk,
-     "a singular position, where the rows do not tell the motion: passed in independent coordinates"},
-    {&pm_route_uniform, "no force changes and no row turns: constant accelerations, polynomials of the time"},
+    {&pm_route_rk, "a singular position, where the constraints do not determine the motion: passed in "
+                   "independent coordinates"},
+    {&pm_route_uniform,
+     "no force changes and no constraint rotates: constant accelerations, polynomials of the time"},
     {&pm_route_path, ONE_FREEDOM ": work and energy along the path"},
     {&pm_route_rk, "smooth motion in time: explicit integration of order 8"},
 };
@@ -40,7 +41,7 @@ static const char *const scope[PM_ROUTES] = {
     [PM_ROUTE_IDA] = "smooth motion of bodies that have mass, without joint friction that goes with the load",
     [PM_ROUTE_STATE] = "what is answered at the start; here time passes",
     [PM_ROUTE_JUMP] = "what is answered before and after a blow at the start; here time passes",
-    [PM_ROUTE_UNIFORM] = "constant forces, and joints and contacts that do not turn with the motion",
+    [PM_ROUTE_UNIFORM] = "constant forces, and joints and contacts that do not rotate with the motion",
     [PM_ROUTE_PATH] = ONE_FREEDOM,
 };
 

@@ -83,7 +83,7 @@ static int open_ledger(pm_workspace *w)
     return PM_OK;
 }
 
-/* The rows have just been built.  Before contacts and cords are closed: what has no mass may need them, and its
+/* The constraints have just been built.  Before contacts and cords are closed: what has no mass may need them, and its
  * acceleration is not known yet. */
 static int accelerate_unfastened(pm_workspace *w)
 {
@@ -139,7 +139,7 @@ static int phase(pm_workspace *w, int *ended)
     return pm_saddle_accelerate(w);
 }
 
-/* A path that cannot be followed (it approaches an equilibrium for ever, its rows are singular) is left to the next
+/* A path that cannot be followed (it approaches an equilibrium for ever, its constraints are singular) is left to the next
  * rule, from where the last step ended. */
 static int to_next_rule(pm_workspace *w, int status)
 {

@@ -29,9 +29,9 @@ static inline int pm_run_is_stopped(const int32_t *stop)
 }
 
 /* ---- advance.c ---- */
-/* Steps until something happens or a limit is met.  On an event w->state is at it (before the jump), the phase's rows
- * still hold, w->event->hit and ->fired tell what.  Instants that only mark something are passed on the way: *ended = 1
- * if one of them ends the run. */
+/* Steps until something happens or a limit is met.  On an event w->state is at it (before the jump), the phase's
+ * constraints still hold, w->event->hit and ->fired say what.  Instants that only mark something are passed on the way:
+ * *ended = 1 if one of them ends the run. */
 int pm_advance(pm_workspace *w, int *ended);
 
 /* ---- plan.c ---- */

@@ -19,7 +19,7 @@ int pm_model_is_driven(const pm_model *m)
     return pm_reference_drive(m, 0, &table, &row) != PM_NONE;
 }
 
-/* Numbers rows, slots, memories and running integrals. */
+/* Numbers constraints, slots, memories and running integrals. */
 static void lay_out(pm_model *m)
 {
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {

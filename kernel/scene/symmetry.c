@@ -1,7 +1,8 @@
-/* symmetry.c - invariance of a scene under a shift along its lines and periodic rows, and under whole turns.
+/* symmetry.c - invariance of a scene under a shift along its lines and patterns, and under whole revolutions.
  *
- * A body that is turned by anything but whole turns must be round: all marks by which it is held, touched or pulled lie at
- * its mass centre.  Weight is the same everywhere; the height that is lost or gained is the caller's affair. */
+ * A body that is rotated by anything but whole revolutions must be round: all marks by which it is held, touched or
+ * pulled lie at its mass centre.  Weight is the same everywhere; the height that is lost or gained is the caller's
+ * affair. */
 #include "scene/symmetry.h"
 
 #include <math.h>
@@ -58,7 +59,7 @@ static int pattern_stays(const pm_frame *frame, const pm_symmetry_shift *s, int 
     return frame->numbers->value[e[PM_PATTERN_COUNT]] < 0 && whole(along) && fabs(across) <= PM_SYMMETRY_SAME;
 }
 
-/* Two bodies keep their relative angle, whole turns included. */
+/* Two bodies keep their relative angle, whole revolutions included. */
 static int together(const pm_symmetry_shift *s, int a, int b)
 {
     return fabs(rotation_of(s, a) - rotation_of(s, b)) <= PM_SYMMETRY_SAME * TURN;
@@ -118,7 +119,7 @@ static int force_stays(const pm_frame *frame, const pm_symmetry_shift *s, int fo
     }
 }
 
-/* The inertia about the axis of a spin stays under whole turns in place. */
+/* The inertia about the axis of a spin stays under whole revolutions in place. */
 static int spin_stays(const pm_frame *frame, const pm_symmetry_shift *s)
 {
     if (!pm_turning_plane_turns(frame->model)) return 1;
@@ -131,7 +132,7 @@ int pm_symmetry_holds(const pm_frame *frame, const pm_symmetry_shift *shift)
 {
     const pm_model *m = frame->model;
     if (!spin_stays(frame, shift)) return 0;
-    if (m->acts) return 0; /* what an event does is not part of a leg */
+    if (m->acts) return 0; /* what an event does is not part of a segment */
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++)
         if (!joint_stays(frame, shift, i)) return 0;
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++)

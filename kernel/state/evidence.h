@@ -12,8 +12,8 @@
 
 enum pm_evidence_kind {
     PM_EVIDENCE_VALUE = 0, /* of a function of the phase that did not fire at this instant */
-    PM_EVIDENCE_RATE = 1,  /* at which a function went through zero: none, and it would have turned back */
-    PM_EVIDENCE_NEAR = 2,  /* least value of a function that came close and turned back */
+    PM_EVIDENCE_RATE = 1,  /* at which a function went through zero: none, and it would have reversed */
+    PM_EVIDENCE_NEAR = 2,  /* least value of a function that came close and reversed */
     PM_EVIDENCE_SIGN = 3   /* of an impulse, a force, a speed: compared in a blow or a choice of modes */
 };
 
@@ -89,7 +89,7 @@ int pm_evidence_is_coarse(const pm_evidence *evidence);
  * threshold, known to `error` in the same unit. */
 void pm_evidence_answer(pm_evidence *evidence, int column, double error);
 void pm_evidence_decide(pm_evidence *evidence, double distance, double error);
-/* What is added to the error of out[column], whoever tells that. */
+/* What is added to the error of out[column], whoever knows it. */
 void pm_evidence_more(pm_evidence *evidence, int column, double more);
 /* A series of ever smaller blows was ended although its last rebound would have lasted: earlier in a coarse run. */
 void pm_evidence_cut(pm_evidence *evidence);

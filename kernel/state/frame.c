@@ -1,7 +1,7 @@
 /* frame.c - bodies in absolute coordinates q = (x, y, angle) of their mass centres.
  *
  * M is diagonal and constant: T = sum (m (vx^2 + vy^2) + I omega^2) / 2, (17.9) of the book.  A point at r from G has
- * v = v_G + omega k x r and a = a_G + alpha k x r - omega^2 r.  A particle does not turn: the inverse of its inertia is
+ * v = v_G + omega k x r and a = a_G + alpha k x r - omega^2 r.  A particle does not rotate: the inverse of its inertia is
  * 0.  Nothing outside this file may assume that M is constant. */
 #include "state/frame.h"
 
@@ -33,7 +33,7 @@ void pm_frame_look(pm_frame *frame, double t, const double *q, const double *v, 
     f->level = PM_LEVEL_KINEMATIC;
     for (int i = 0; i < n; i++) {
         double *pose = f->pose + 5 * i, *velocity = f->velocity + 3 * i;
-        if (frame->numbers->fixed[i]) continue; /* as it was looked at when it was found to stand still */
+        if (frame->numbers->fixed[i]) continue; /* as it was looked at when it was found to be fixed */
         pose[0] = q[3 * i];
         pose[1] = q[3 * i + 1];
         pose[2] = q[3 * i + 2];

@@ -19,7 +19,7 @@ typedef struct pm_frame {
     double *f;        /* [nq] applied forces */
     double *power;    /* [nforce] of forces without potential */
     double *a;        /* [nq] accelerations */
-    double *lambda;   /* [nrow] reactions of the active rows */
+    double *lambda;   /* [nconstraint] reactions of the active constraints */
 } pm_frame;
 
 /* A point of a body in the frame: r from the body's mass centre, p in the scene, v its velocity. */

@@ -10,7 +10,7 @@
 #include "planemotion.h"
 #include "state/arena.h"
 
-#define PM_PATTERN_SLOTS 4     /* members of one periodic row that may be closed at once */
+#define PM_PATTERN_SLOTS 4     /* members of one pattern that may be closed at once */
 #define PM_JOINT_CONSTRAINTS 3 /* most constraints of one joint */
 #define PM_LEDGER 3            /* impulses of the outer world: x, y, moment about the origin */
 
@@ -22,11 +22,11 @@ typedef struct pm_model_programs {
     unsigned char *class;  /* [nprogram] enum pm_program_class */
     unsigned char *energy; /* [nprogram] enum pm_program_energy */
     int forces_by_place;   /* all forces depend on the configuration alone */
-    int cacheable; /* and so do accelerations on given rows, but for the velocities: nothing drives, holds by load, acts */
-    int use_time;     /* some force or trigger depends on t: rest does not last, or is waited out */
-    int read_time;    /* some program reads the time */
-    int sample_time;  /* some trigger, extreme or grid does */
-    int watch_counts; /* what is watched in a step reads the count or time of an event */
+    int cacheable; /* and so do accelerations on given constraints, but for the velocities: nothing drives, holds by load, acts */
+    int use_time;  /* some force or trigger depends on t: rest does not last, or is waited out */
+    int read_time; /* some program reads the time */
+    int sample_time;              /* some trigger, extreme or grid does */
+    int watch_counts;             /* what is watched in a step reads the count or time of an event */
     struct pm_program_fold *fold; /* the programs as they are run within a case */
 } pm_model_programs;
 
@@ -46,17 +46,17 @@ typedef struct pm_model {
     int nvalue, nask, nout;
     int nelement;          /* joints, contacts and forces */
     int njoint_constraint; /* constraints of all joints */
-    int nslot;             /* places for closed contacts: 1 per contact, PM_PATTERN_SLOTS per periodic row */
+    int nslot;             /* places for closed contacts: 1 per contact, PM_PATTERN_SLOTS per pattern */
     int nedge;             /* contacts with edges that end */
-    int nmemory;           /* joints and slots: what their no-slip and driven rows and strands remember */
-    int nkept;             /* slots of contacts that capture */
-    int nconstraint;       /* most active constraints: njoint_row + 2 nslot + nkept */
-    int nfriction;         /* frictions of joints */
-    int friction_memory;   /* first of their memories */
-    int *friction_force;   /* [nfriction] row of each in the table of forces */
-    int nz;                /* running integrals: forces' work, paths, then PM_LEDGER audit entries */
-    int nz_work;           /* of these the first are works of forces */
-    int nz_controlled;     /* of these the first are under error control */
+    int nmemory;     /* joints and slots: what their no-slip and driven constraints and strands remember */
+    int nkept;       /* slots of contacts that capture */
+    int nconstraint; /* most active constraints: njoint_constraint + 2 nslot + nkept */
+    int nfriction;   /* frictions of joints */
+    int friction_memory;      /* first of their memories */
+    int *friction_force;      /* [nfriction] row of each in the table of forces */
+    int nz;                   /* running integrals: forces' work, paths, then PM_LEDGER audit entries */
+    int nz_work;              /* of these the first are works of forces */
+    int nz_controlled;        /* of these the first are under error control */
     int spin_z, spin_angle_z; /* running integrals of the spin's momentum and rate, or PM_NONE */
     int acts;                 /* some event does something, or not whenever its triggers fire */
     int *contact_slot;        /* [ncontact] first slot */

@@ -22,12 +22,12 @@ typedef struct pm_numbers {
         *inverse_mass; /* [nq] 1/kg, 1/(kg m^2): inverse of the diagonal of M; 0: held (a particle's angle) */
     double *inverse_root; /* [nq] its square root */
     double *stand_in;     /* [nq] what stands for a mass or inertia of 0 in inverse_mass; else 0 */
-    unsigned char *
-        fixed; /* [nbody + 1] the body stands still for good (equations/fixed_bodies.h); last: the ground, which does */
-    int massless;      /* some coordinate has such */
+    unsigned char
+        *fixed;   /* [nbody + 1] the body is fixed (equations/fixed_bodies.h); last: the ground, which is */
+    int massless; /* some coordinate has such */
     double gravity[2]; /* m/s^2 */
     pm_turning_plane plane;
-    struct pm_constraint *of_joint; /* [njoint_row] constraints of all joints (elements/joint.h) */
+    struct pm_constraint *of_joint; /* [njoint_constraint] constraints of all joints (elements/joint.h) */
     double size;                    /* m, length scale of the scene */
     double speed;                   /* m/s, speed scale; grows with the motion */
     double accuracy;                /* relative, asked of the answers */

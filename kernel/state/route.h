@@ -1,12 +1,12 @@
 /* route.h - the one interface of all ways to compute a phase.
  *
- * A phase is smooth motion with the fixed active rows of the workspace (active_set.h).  The event loop calls
+ * A phase is smooth motion with the fixed active constraints of the workspace (active_set.h).  The event loop calls
  *   applies whether the phase that starts at w->state may be of its kind, by structure and modes; NULL: always
  *   prepare looks at that phase: 1 if the route can compute it, and is ready to begin it; NULL: it can
- *   begin   the phase starts at w->state: consistent with the rows, the frame looks at it
+ *   begin   the phase starts at w->state: consistent with the constraints, the frame looks at it
  *   step    one accepted step from w->state towards the time t_limit, never beyond it: afterwards w->state is at
- *           w->step_end, projected on the rows; w->step_begin is where the step began; w->turns tells that the motion
- *           turns back there
+ *           w->step_end, projected on the constraints; w->step_begin is where the step began; w->step.reverses: the motion
+ *           reverses there
  *   at      a state inside the last step (slightly outside is allowed), from the route's dense output: t, q, v, z;
  *           memory and slots are those of w->state
  * Places in a step are given by the route's progress coordinate x: the time, or the way along the path.
@@ -18,8 +18,9 @@
  *   error_of  notes the error of out[column], the value of the program at the frame, where the route knows its own errors
  *           (pm_evidence_answer); NULL: never
  *   resolves  1 if positions of the route resolve any bounce of the contact that has just closed; NULL: never
- * All return a status.  Events are found in the samples of a step (events/event_search.h).  A route that knows in closed form where
- * contacts close ends its step at the first and marks it in w->event->root, which advance.c clears before the step. */
+ * All return a status.  Events are found in the samples of a step (events/event_search.h).  A route that knows in closed
+ * form where contacts close ends its step at the first and marks it in w->event->root, which advance.c clears before the
+ * step. */
 #ifndef PM_ROUTE_H
 #define PM_ROUTE_H
 
@@ -48,7 +49,7 @@ typedef struct pm_route_ops {
     void (*error_of)(pm_workspace *w, int ask, int column, int program, double value);
     int (*resolves)(const pm_workspace *w, int contact);
     int (*accelerate)(
-        pm_workspace *w); /* at the frame, where the rows are singular; 0: it cannot; NULL: never */
+        pm_workspace *w); /* at the frame, where the constraints are singular; 0: it cannot; NULL: never */
     double finest;        /* tolerance below which it does not get better */
     double spread;        /* how far its errors scatter about what goes with the tolerance, as a factor */
     int locates_contacts; /* it ends its steps where functions of contacts are zero; the others are sampled */

@@ -19,10 +19,10 @@ enum pm_contact_mode {
 
 typedef struct pm_slot {
     int32_t mode;   /* enum pm_contact_mode */
-    int32_t member; /* of a periodic row, else 0 */
+    int32_t member; /* of a pattern, else 0 */
 } pm_slot;
 
-/* A no-slip row is holonomic with memory: its constant, and the last unwrapped direction of a strand. */
+/* A no-slip constraint is holonomic with memory: its constant, and the last unwrapped direction of a strand. */
 typedef struct pm_memory {
     double anchor;
     double direction;

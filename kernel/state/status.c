@@ -32,7 +32,7 @@ static const char *text_of(enum pm_status status)
     case PM_SOLVER: return "a numerical library reported a failure";
     case PM_PENETRATION: return "contacts overlap at the start";
     case PM_UNSUPPORTED: return "the scene needs something that this route does not do";
-    case PM_CONTACT_SLOTS: return "too many members of one row are in contact at once";
+    case PM_CONTACT_SLOTS: return "too many members of one pattern are in contact at once";
     case PM_FIND_NONE: return "no value between the bounds does what is sought";
     case PM_FIND_JUMP: return "what is sought jumps over the value wanted";
     case PM_BLOWS_ENDLESS: return "blows one by one at the same instant do not end";

@@ -16,18 +16,18 @@ struct pm_chebyshev_nodes;
 
 /* The active constraints: joints first, then captured pairs, then normals, then tangents (equations/active_set.h). */
 typedef struct pm_active_set {
-    pm_constraint *constraint; /* [nrow] */
+    pm_constraint *constraint; /* [nconstraint] */
     int n;
-    int njoint;       /* of these the first are the joints' */
-    int nredundant;   /* constraints of joints that depend on others, and are left out */
-    int asymmetric;   /* some contact slides: H differs from G */
-    int evaluated;    /* the last projection, or building, has left the frame where the rows were evaluated */
-    int64_t version;  /* counts the sets */
-    int *of_joint;    /* [njoint_row] active row of each constraint of a joint, or PM_NONE (redundant) */
-    int *slot_normal; /* [nslot] active row, or PM_NONE */
+    int njoint;      /* of these the first are the joints' */
+    int nredundant;  /* constraints of joints that depend on others, and are left out */
+    int asymmetric;  /* some contact slides: H differs from G */
+    int evaluated;   /* the last projection, or building, has left the frame where it evaluated them */
+    int64_t version; /* counts the sets */
+    int *of_joint; /* [njoint_constraint] active one of each constraint of a joint, or PM_NONE (redundant) */
+    int *slot_normal;         /* [nslot] active constraint, or PM_NONE */
     int *slot_tangent;        /* [nslot] likewise */
     int *slot_held;           /* [nslot][PM_JOINT_CONSTRAINTS] of a captured pair, or PM_NONE */
-    int *friction_constraint; /* [nfriction] active row where the friction of a joint holds, or PM_NONE */
+    int *friction_constraint; /* [nfriction] that of the friction of a joint that holds, or PM_NONE */
     double *friction_load;    /* [nfriction] friction that goes with the load of its joint, N or N m */
     int *joint_order;         /* [njoint] in which their constraints stand (equations/constraint_order.h) */
     int *body_place;          /* [nbody] scratch of constraint_order.c */
@@ -38,21 +38,21 @@ typedef struct pm_saddle {
     const pm_model *model;
     const pm_numbers *numbers;
     const pm_active_set *active;
-    double *schur;            /* [nrow][nrow] S = G M^-1 H^T, then its factors */
-    int *pivot;               /* [nrow] */
-    double *rhs;              /* [nrow] right-hand side, then the solution */
-    double *wanted;           /* [nrow] rates that a response is to have */
+    double *schur;            /* [nconstraint][nconstraint] S = G M^-1 H^T, then its factors */
+    int *pivot;               /* [nconstraint] */
+    double *rhs;              /* [nconstraint] right-hand side, then the solution */
+    double *wanted;           /* [nconstraint] rates that a response is to have */
     double *previous;         /* [nq] scratch: the response of the round before */
     int *first_constraint;    /* [nbody] scratch */
     int nfactored;            /* the factors are of so many constraints; 0: of none */
-    struct pm_hold *factored; /* [nrow] which take hold here */
+    struct pm_hold *factored; /* [nconstraint] which take hold here */
     double *basis;            /* [nq + 1][nq] orthonormal rows (equations/orthonormal_rows.h) */
     int *basis_range;         /* [nq + 1][2] coordinates between which each is not zero */
 } pm_saddle;
 
 /* What the last blow did (impact/impact.h). */
 typedef struct pm_impulses {
-    double *joint;          /* [njoint_row] N s, N m s */
+    double *joint;          /* [njoint_constraint] N s, N m s */
     double *slot;           /* [2 nslot] N s: normal, tangential; of a captured pair x, y */
     double *slot_direction; /* [nslot][4] normal x, y, tangent x, y on the first partner */
     double *applied;        /* [nq] N s, N m s: by the actions of an event */
@@ -91,7 +91,7 @@ typedef struct pm_step {
     double begin, end;
     double sampled_end;                     /* where the step ended when it was sampled */
     const struct pm_chebyshev_nodes *nodes; /* where it is sampled */
-    int reverses;                           /* the motion turns back at the end of the step */
+    int reverses;                           /* the motion reverses at the end of the step */
     double *reversed;                       /* [nq] the velocities with which it does, at the scene's speed */
 } pm_step;
 
@@ -115,7 +115,7 @@ typedef struct pm_firing {
 typedef struct pm_evidence {
     int active;                    /* the present case is run for its errors too */
     int seeks;                     /* a pass is a find with all its runs */
-    int by_places;                 /* the path route tells its own errors (routes/path/path.h) */
+    int by_places;                 /* the path route knows its own errors (routes/path/path.h) */
     const unsigned char *discrete; /* [nask] integers and yes or no: they have no error, but a margin */
     uint64_t noise;                /* state of the generator of disturbances */
     struct pm_pass *present;
@@ -181,7 +181,7 @@ struct pm_workspace {
     struct pm_find *find;                 /* NULL where nothing is sought */
     struct pm_accuracy *accuracy;
     pm_record record;
-    double *scratch; /* [8 (nq + nrow + nslot)] of a start: nothing is kept in it */
+    double *scratch; /* [8 (nq + nconstraint + nslot)] of a start: nothing is kept in it */
     pm_arena memory; /* owns all that is above */
 };
 
@@ -190,7 +190,7 @@ int pm_workspace_create(const pm_model *model, pm_workspace **workspace);
 void pm_workspace_free(pm_workspace *w);
 /* Notes where the case failed, and by which numbers; returns the status. */
 int pm_fail(pm_result *result, int status, int table, int row, double value, double bound);
-/* The same with a member of the row: of a periodic row, an edge, or a column of the table. */
+/* The same with a member of the row: of a pattern, an edge, or a column of the table. */
 int pm_fail_member(pm_result *result, int status, int table, int row, int member, double value, double bound);
 /* The same where a search of numerics/bracket.h has ended: PM_OK if it has found, else PM_SOLVER. */
 int pm_fail_search(pm_result *result, int search_end);

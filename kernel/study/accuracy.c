@@ -1,17 +1,18 @@
 /* accuracy.c - estimated errors of the answers, from a second pass of the case, and the promise of accuracy.
  *
- * The companion of a pass is the same case at a tolerance PM_COARSER times as large, with longer steps where the tolerance
- * does not limit them and less care about what counts as touching or still, and with positions and velocities disturbed
- * by some roundings when a phase begins.  Its answers a' differ from the answers a by its own error: truncation,
- * amplified as the scene amplifies errors, and rounding, amplified likewise.  The errors of a method go with its
- * tolerance, so that a's own error is expected at |a' - a| / PM_COARSER; errors have signs and may be small by chance:
+ * The coarse run of a pass is the same case at a tolerance PM_COARSER times as large, with longer steps where the
+ * tolerance does not limit them and less care about what counts as touching or still, and with positions and velocities
+ * disturbed by some roundings when a phase begins.  Its answers a' differ from the answers a by its own error:
+ * truncation, amplified as the scene amplifies errors, and rounding, amplified likewise.  The errors of a method go with
+ * its tolerance, so that a's own error is expected at |a' - a| / PM_COARSER; errors have signs and may be small by
+ * chance:
  *
  *     error = max(spread |a' - a| / PM_COARSER, PM_ACCURACY_CLAIMED scale)
  *
- * scale is the natural size of the ask: |a|, or how much it would change if the state changed by its own size.  Where
- * an error is greater than accuracy times scale, or passes have decided differently, the case is run again at a
- * tighter tolerance, at most PM_ACCURACY_REFINEMENTS times; a pass that is not too far off serves as the companion of the next.
- * The spread of a route is above PM_COARSER: where a phase is one step, the companion, which takes it in two, shows a's
+ * scale is the natural size of the ask: |a|, or how much it would change if the state changed by its own size.  Where an
+ * error is greater than accuracy times scale, or passes have decided differently, the case is run again at a tighter
+ * tolerance, at most PM_ACCURACY_REFINEMENTS times; a pass that is not too far off serves as the coarse run of the next.
+ * The spread of a route is above PM_COARSER: where a phase is one step, the coarse run, which takes it in two, shows a's
  * own error and no more.  It is calibrated: studies/benchmarks/calibration.py. */
 #include "study/accuracy.h"
 
@@ -290,7 +291,7 @@ static int refine(pm_workspace *w, const double *param, double *error, double *t
     swap(&e->main, &e->spare);
     swap(&e->other, &e->spare); /* the last main pass; what it was compared with is free */
     find_sizes(w);
-    /* what a cut loses does not go with the tolerance: only a companion shows it */
+    /* what a cut loses does not go with the tolerance: only a coarse run shows it */
     if ((doubtful || e->main->cut || e->main->tolerance < PM_ACCURACY_NEAR_ENOUGH * e->other->tolerance) &&
         !find_coarse(w, param))
         return 0;

@@ -1,7 +1,7 @@
 /* accuracy.h - how far each answer can be trusted: estimated errors of the asks and the margin of the run's decisions.
  *
  * pm_accuracy_run makes the passes of a case and fills error and trust.  A route that knows its own errors says so while
- * it answers (pm_evidence_answer for every column of out, pm_evidence_decide for every decision): then no companion runs. */
+ * it answers (pm_evidence_answer for every column of out, pm_evidence_decide for every decision): then no coarse run runs. */
 #ifndef PM_ACCURACY_H
 #define PM_ACCURACY_H
 

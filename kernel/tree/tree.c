@@ -87,7 +87,7 @@ int pm_tree_create(pm_workspace *w)
 }
 
 /* ---- choice ---- */
-/* Active rows that belong to one joint, contact or captured pair. */
+/* Active constraints that belong to one joint, contact or captured pair. */
 typedef struct pm_group {
     int constraint[PM_JOINT_CONSTRAINTS];
     int n;
@@ -169,7 +169,7 @@ static int is_placed(const pm_tree *tree, int body)
     return body == tree->model->nbody || tree->placed[body];
 }
 
-/* Driven rows are not solved: they depend on the time. */
+/* Driven constraints are not solved: they depend on the time. */
 static int is_driven(const pm_active_set *active, const pm_group *g)
 {
     for (int i = 0; i < g->n; i++)
@@ -318,7 +318,7 @@ void pm_tree_loop_ends(const pm_tree *t, const pm_constraint *c, int *low, int *
     }
 }
 
-/* Loop rows in the order of the bodies that they hold, so that what each shares with others is near. */
+/* Loop constraints in the order of the bodies that they hold, so that what each shares with others is near. */
 static void list_loops(const pm_active_set *active, pm_tree *t)
 {
     for (int i = 0; i < active->n; i++) {
@@ -334,9 +334,9 @@ static void list_loops(const pm_active_set *active, pm_tree *t)
     }
 }
 
-/* Where the loop rows, and what elimination makes of them, are not zero: up to the last coordinate of what they hold, which
- * the mass matrix does not couple to those after it.  No row ends, or meets the first that shares some of that with it,
- * before the row before it does. */
+/* Where the loop constraints, and what elimination makes of them, are not zero: up to the last coordinate of what they
+ * hold, which the mass matrix does not couple to those after it.  No row ends, or meets the first that shares some of
+ * that with it, before the row before it does. */
 static void bound_loops(const pm_active_set *active, pm_tree *t)
 {
     for (int i = 0, first = 0; i < t->nloop; i++) {

@@ -1,7 +1,7 @@
 /* tree.h - explicit coordinates of a phase: bodies placed one after the other, outward from the ground.
  *
- * Many active rows can be solved body by body: a pin leaves its body an angle, a weld nothing, a slider that keeps the
- * direction a length, rolling an angle.  What closes a loop stays as a loop row. */
+ * Many active constraints can be solved body by body: a pin leaves its body an angle, a weld nothing, a slider that keeps
+ * the direction a length, rolling an angle.  What closes a loop stays as a loop constraint. */
 #ifndef PM_TREE_H
 #define PM_TREE_H
 
@@ -10,7 +10,7 @@
 
 typedef struct pm_tree_node pm_tree_node;
 
-enum { PM_TREE_ARM = 6 }; /* numbers that tell the levers of the reactions on a body */
+enum { PM_TREE_ARM = 6 }; /* numbers that give the levers of the reactions on a body */
 
 #define PM_TREE_SUMMED \
     64 /* coordinates up to which the sums of tree_augmented.c are kept: their square in memory */
@@ -21,7 +21,7 @@ typedef struct pm_tree_augmented {
     int on, most;
     int forced;                   /* there are other forces than weights */
     int shifts;                   /* some e_k is not zero */
-    int *owner;                   /* [n] the body whose direction it is, or PM_NONE: it turns nothing */
+    int *owner;                   /* [n] the body whose direction it is, or PM_NONE: it rotates nothing */
     double *same, *cross, *level; /* [n][n] C, S, T of coordinates i >= k that move one body */
     double *lower, *upper;        /* [n][n][2] P, Q */
     double *fixed;                /* [n][2] e_k */
@@ -30,22 +30,23 @@ typedef struct pm_tree_augmented {
     double *direction, *square;   /* [n][2] cosine and sine; [n] ydot^2 */
 } pm_tree_augmented;
 
-/* Loop rows on the coordinates of the tree: entry[nloop][n], zero but between low[nloop] and high[nloop]. */
+/* Loop constraints on the coordinates of the tree: entry[nloop][n], zero but between low[nloop] and high[nloop]. */
 typedef struct pm_loops {
     double *entry;
     int *low, *high;
 } pm_loops;
 
-/* Coordinates in two parts: the dependent ones follow from the independent ones through the loop rows (tree_partition.c). */
+/* Coordinates in two parts: the dependent ones follow from the independent ones through the loop constraints
+ * (tree_partition.c). */
 typedef struct pm_tree_part {
     int few;                    /* coordinates are partitioned */
     int *column;                /* [nq] the dependent coordinates, nloop of them, then the independent ones */
     int *position;              /* [nq] of each coordinate in column */
-    int *left, *bottom, *right; /* [nrow] where J_v may differ from zero: tree_band.c, dense.h */
-    double *jacobian;           /* [nrow][n] of the loop rows, where pm_tree_accelerate was */
+    int *left, *bottom, *right; /* [nconstraint] where J_v may differ from zero: tree_band.c, dense.h */
+    double *jacobian;           /* [nconstraint][n] of the loop constraints, where pm_tree_accelerate was */
     double *motion;             /* [few][nq] velocities at a unit rate of each independent coordinate */
     double
-        independence; /* least square of the part of a loop row that those before it leave, while they are not */
+        independence; /* least square of the part of a loop constraint that those before it leave, while they are not */
     double steepest; /* rate of a dependent coordinate, lengths by the scene's size */
     double least_regular,
         most_regular; /* least pivot of J_v over its greatest, 0 in a singular position: range since
@@ -60,14 +61,14 @@ typedef struct pm_tree_small_wave {
     double a, b;
 } pm_tree_small_wave;
 
-/* A loop row  g = constant + sum_k (shift_k y_k + wave_k), and its Jacobian's square in the metric of M^-1 if nothing held
- * its bodies: with the levers of its own marks. */
+/* A loop constraint  g = constant + sum_k (shift_k y_k + wave_k), and its Jacobian's square in the metric of M^-1 if
+ * nothing held its bodies: with the levers of its own marks. */
 typedef struct pm_tree_small_loop {
     double constant;
     double shift[PM_TREE_SMALL_MOST];
     pm_tree_small_wave wave[PM_TREE_SMALL_MOST];
     double square;
-    int rotates[2]; /* the coordinates that turn its bodies, or PM_NONE */
+    int rotates[2]; /* the coordinates that rotate its bodies, or PM_NONE */
     pm_tree_small_wave lever[2];
     double inverse_inertia[2];
 } pm_tree_small_loop;
@@ -82,7 +83,7 @@ typedef struct pm_tree_small {
     double weight[PM_TREE_SMALL_MOST];
     pm_tree_small_wave rotated_weight[PM_TREE_SMALL_MOST];
     int owner[PM_TREE_SMALL_MOST];      /* the body whose direction it is, or PM_NONE */
-    double rotates[PM_TREE_SMALL_MOST]; /* 1, or 0 where it turns nothing */
+    double rotates[PM_TREE_SMALL_MOST]; /* 1, or 0 where it rotates nothing */
     pm_tree_small_loop loop[PM_TREE_SMALL_MOST - 1];
     /* where directions were computed last */
     double y[PM_TREE_SMALL_MOST], cosine[PM_TREE_SMALL_MOST], sine[PM_TREE_SMALL_MOST];
@@ -93,34 +94,34 @@ typedef struct pm_tree {
     pm_constraint *constraint; /* the active constraints */
     int nfixed;                /* the first nodes are fixed bodies */
     int n;                     /* coordinates */
-    int nloop;                 /* active rows that are not solved */
-    int *loop;                 /* [nrow] their places in w->row */
+    int nloop;                 /* active constraints that are not solved */
+    int *loop;                 /* [nconstraint] their places in w->active.constraint */
     int *kind;                 /* [nq] of each coordinate: 0, 1 a length (x, y or along a line), 2 an angle */
     pm_tree_node *node;        /* [nbody] in the order of placing */
-    int *from, *to;      /* [nrow] of each loop row: the coordinates that L^-1 J^T has, from .. to - 1 */
-    int *first_loop;     /* [nrow] the first loop row that shares some of them */
-    unsigned char *used; /* [nrow] */
+    int *from, *to;      /* [nconstraint] of each loop: the coordinates that L^-1 J^T has, from .. to - 1 */
+    int *first_loop;     /* [nconstraint] the first loop constraint that shares some of them */
+    unsigned char *used; /* [nconstraint] */
     int *placed;         /* [nbody] 1 + index of its node */
     int *weight, *top;   /* [nbody] coordinates of a node and of all that it carries; scratch */
     pm_elimination elimination;
     int *moved_by;      /* the coordinates that move each body: node->list, node->nlist */
     int *first_coupled; /* [nq] the first coordinate to which the mass matrix couples each */
     double *influence;  /* [3] for each entry of moved_by: velocity of the body at a unit rate */
-    double *jacobian;   /* [nrow][n] of the loop rows */
-    double *residual;   /* [2 nrow] */
+    double *jacobian;   /* [nconstraint][n] of the loop constraints */
+    double *residual;   /* [2 nconstraint] */
     double *mass;       /* [n][n] lower triangle of B^T M B, then its factor */
-    double *reduced;    /* [nrow][n] L^-1 of each row of the Jacobian, L the factor of the mass matrix */
-    double *schur;      /* [nrow][nrow] */
+    double *reduced; /* [nconstraint][n] L^-1 of each row of the Jacobian, L the factor of the mass matrix */
+    double *schur;   /* [nconstraint][nconstraint] */
     double *force, *bias, *rate, *wrench; /* [nq] */
     double *q, *v;                        /* [nq] where pm_tree_look looks */
-    int *pivot;                           /* [nq + nrow] */
+    int *pivot;                           /* [nq + nconstraint] */
     pm_tree_augmented augmented;
     pm_tree_part part;
     pm_tree_small small;
 } pm_tree;
 
 int pm_tree_create(pm_workspace *w);
-/* From the active rows; called when a phase begins. */
+/* From the active constraints; called when a phase begins. */
 void pm_tree_build(pm_workspace *w);
 int pm_tree_is_angle(const pm_tree *t, int coordinate);
 /* Its natural size: 1 rad, or the length of the scene. */
@@ -129,16 +130,16 @@ static inline double pm_tree_scale(const pm_tree *t, const pm_numbers *numbers, 
     return pm_tree_is_angle(t, coordinate) ? 1 : numbers->size;
 }
 void pm_tree_forget_regular(pm_tree *t);
-/* Fails: loop row number `loop` depends on those before it. */
+/* Fails: loop constraint number `loop` depends on those before it. */
 int pm_tree_singular_loop(pm_workspace *w, int loop);
 
-/* Coordinates y[n] of a configuration q[nq] that meets the solved rows (the frame looks at it); and back. */
+/* Coordinates y[n] of a configuration q[nq] that meets the solved constraints (the frame looks at it); and back. */
 void pm_tree_read(const pm_tree *t, const pm_frame *frame, double *y);
 void pm_tree_place(const pm_tree *t, pm_frame *frame, const pm_memory *memory, const double *y, double *q);
 /* All that follows is at the pose where pm_tree_read, pm_tree_place or pm_tree_look has looked last. */
-/* Rates ydot[n] of velocities that meet the solved rows. */
+/* Rates ydot[n] of velocities that meet the solved constraints. */
 void pm_tree_read_rates(const pm_tree *t, const double *v, double *ydot);
-/* The same from the poses of the frame, which meet the solved rows; no coordinates are wanted. */
+/* The same from the poses of the frame, which meet the solved constraints; no coordinates are wanted. */
 void pm_tree_marks(const pm_tree *t, const pm_frame *frame);
 /* The frame looks at coordinates y with rates ydot: positions and velocities are in t->q, t->v. */
 void pm_tree_look(pm_workspace *w, double t, const double *y, const double *ydot, const double *z);
@@ -146,10 +147,10 @@ void pm_tree_look(pm_workspace *w, double t, const double *y, const double *ydot
 void pm_tree_spread(const pm_tree *t, const double *ydot, double *v);
 /* At the frame's velocities: accelerations at yddot = 0. */
 void pm_tree_bias(const pm_tree *t, const pm_frame *frame, double *a);
-/* The first and the last coordinate that move a body of the row; n and -1 if none does. */
+/* The first and the last coordinate that move a body of the constraint; n and -1 if none does. */
 void pm_tree_loop_ends(const pm_tree *t, const pm_constraint *c, int *low, int *high);
 void pm_tree_evaluate_loops(const pm_tree *t, const pm_frame *frame);
-/* The loop rows' Jacobian on the coordinates, [nloop][n]; the rows are evaluated. */
+/* The loop constraints' Jacobian on the coordinates, [nloop][n]; the constraints are evaluated. */
 void pm_tree_loops(const pm_tree *t, const pm_frame *frame, const pm_loops *x);
 /* Anything may be in x. */
 void pm_tree_loops_unknown(const pm_tree *t, const pm_loops *x);
@@ -162,7 +163,7 @@ int pm_tree_accelerate(pm_workspace *w, double *yddot);
 int pm_tree_accelerate_at(pm_workspace *w, double time, const double *y, const double *ydot, const double *z,
                           double *yddot);
 /* After pm_tree_look and pm_tree_accelerate: forces, accelerations of the bodies and reactions in the frame, which is
- * DYNAMIC then (the rows are not evaluated). */
+ * DYNAMIC then (the constraints are not evaluated). */
 void pm_tree_tell(pm_workspace *w, const double *yddot);
 /* Reactions alone, with forces and accelerations in the frame. */
 void pm_tree_react(pm_workspace *w);
@@ -172,30 +173,30 @@ void pm_tree_react_inward(pm_workspace *w, const double *arm);
 
 /* One freedom, n = nloop + 1: coordinate `held` is the independent one. */
 void pm_tree_hold(pm_tree *t, int held);
-/* Few freedoms: chooses the coordinates that the loop rows tell best, at the pose of the frame, unless they are singular
- * there; t->few says whether there is a choice. */
+/* Few freedoms: chooses the coordinates that the loop constraints determine best, at the pose of the frame, unless they
+ * are singular there; t->few says whether there is a choice. */
 void pm_tree_partition(const pm_frame *frame, pm_tree *t);
 /* The choice is a bad one where pm_tree_accelerate was last. */
 int pm_tree_is_steep(const pm_tree *tree);
-/* Not partitioned, and the loop rows nearly depended on each other, or are so many that a partition is cheaper. */
+/* Not partitioned, and the loop constraints nearly depended on each other, or are so many that a partition is cheaper. */
 int pm_tree_is_flat(const pm_tree *t);
-/* Meets the loop rows by Newton's method with the independent coordinates kept.  Leaves q, the poses of the frame, and the
- * Jacobian of the loop rows there.  PM_SINGULAR or PM_ASSEMBLY if it does not converge. */
+/* Meets the loop constraints by Newton's method with the independent coordinates kept.  Leaves q, the poses of the frame,
+ * and the Jacobian of the loop constraints there.  PM_SINGULAR or PM_ASSEMBLY if it does not converge. */
 int pm_tree_close(pm_workspace *w, double *y, double *q, const pm_loops *loops);
-/* Rates of all coordinates at a unit rate of the first independent one, by that Jacobian; PM_SINGULAR if it does not tell
- * them. */
+/* Rates of all coordinates at a unit rate of the first independent one, by that Jacobian; PM_SINGULAR if it does not
+ * determine them. */
 int pm_tree_slope(pm_workspace *w, const pm_loops *loops, double *slope);
-/* Like pm_tree_look at coordinates and rates of which the dependent ones are made to meet the loop rows. */
+/* Like pm_tree_look at coordinates and rates of which the dependent ones are made to meet the loop constraints. */
 int pm_tree_settle(pm_workspace *w, double t, double *y, double *ydot, const double *z);
 /* Meets them by the least corrections in the metric of M, of coordinates and rates; the frame looks there. */
 int pm_tree_project(pm_workspace *w, double t, double *y, double *ydot, const double *z);
 
 /* ---- small trees: accelerations from coordinates and rates alone ---- */
-/* Once a phase, after pm_tree_sum_up, where the frame looks and the loop rows are evaluated. */
+/* Once a phase, after pm_tree_sum_up, where the frame looks and the loop constraints are evaluated. */
 void pm_tree_small_sum_up(pm_workspace *w);
 /* Whether the functions below may be called. */
 int pm_tree_small_applies(const pm_workspace *w);
-/* Directions are computed at y; near it they are turned on from there. */
+/* Directions are computed at y; near it they are rotated on from there. */
 void pm_tree_small_refer(const pm_frame *frame, pm_tree *tree, const double *y);
 /* Of y[2 n], coordinates and their rates: rates and accelerations.  The frame stays where it is. */
 int pm_tree_small_derivative(pm_workspace *w, const double *y, double *rate);
@@ -203,15 +204,15 @@ int pm_tree_small_derivative(pm_workspace *w, const double *y, double *rate);
 int pm_tree_small_project(pm_workspace *w, double *y, double *ydot);
 
 /* ---- for the tree's own files ---- */
-/* Directions and rates of the turning coordinates from the frame; or from coordinates and rates alone. */
+/* Directions and rates of the rotating coordinates from the frame; or from coordinates and rates alone. */
 void pm_tree_augmented_read(const pm_frame *frame, const pm_tree *t);
 void pm_tree_augmented_set(const pm_tree *t, const double *y, const double *ydot);
 /* The lower triangle of B^T M B in t->mass, and right-hand side -B^T M c + weights (unless there are other forces: then all
  * of frame.f). */
 void pm_tree_augmented_equations(const pm_numbers *numbers, pm_tree *t, double *x);
-/* Velocities of the bodies that loop rows or forces need, by unit rates (t->influence), and their c (t->bias). */
+/* Velocities of the bodies that loop constraints or forces need, by unit rates (t->influence), and their c (t->bias). */
 void pm_tree_augmented_influence(pm_tree *t);
-/*  Partitioned: accelerations; reactions of the loop rows from t->wrench. */
+/*  Partitioned: accelerations; reactions of the loop constraints from t->wrench. */
 int pm_tree_accelerate_few(pm_workspace *w, double *yddot);
 void pm_tree_react_loops(pm_frame *frame, pm_tree *t);
 /*  Columns of all bodies' velocities. */
@@ -221,14 +222,14 @@ void pm_tree_spread_accelerations(const pm_tree *t, const pm_frame *frame, const
 void pm_tree_read_accelerations(const pm_tree *t, const pm_frame *frame, const double *a, double *yddot);
 /* After a choice of t->column: orders it, and finds where J_v may differ from zero. */
 void pm_tree_arrange(pm_tree *t);
-/* The factors of J_v, from the loop rows' Jacobian of which only what moves a row, and the independent coordinates, count;
- * J_v^-1 x and J_v^-T x in place. */
+/* The factors of J_v, from the loop constraints' Jacobian of which only what moves a constraint, and the independent
+ * coordinates, count; J_v^-1 x and J_v^-T x in place. */
 int pm_tree_factor_dependent(pm_workspace *w, const double *jacobian);
 void pm_tree_solve_dependent(const pm_tree *t, double *x);
 void pm_tree_solve_dependent_transposed(const pm_tree *t, double *x);
-/* Zeros what of a loop row's Jacobian counts. */
+/* Zeros what of a loop constraint's Jacobian counts. */
 void pm_tree_loop_zero(const pm_tree *t, const pm_constraint *c, double *on_coordinates);
-/* Adds a row's Jacobian on the coordinates. */
+/* Adds a constraint's Jacobian on the coordinates. */
 void pm_tree_loop_add(const pm_tree *t, const pm_constraint *c, double *on_coordinates);
 
 #endif

@@ -1,8 +1,8 @@
-/* tree_augmented.c - the equations of a tree whose parts turn about each other, with what stays the same summed up once.
+/* tree_augmented.c - the equations of a tree whose parts rotate about each other, with what stays the same summed up once.
  *
- * Where all directions turn with single coordinates - pins, welds, rolling and sliding on lines of the ground - a unit rate
- * of coordinate k moves body b with the velocity
- *     b_bk = e_k + k x R_k d_bk,        R_k the turn by y_k; e_k and the arm d_bk stay the same,
+ * Where all directions rotate with single coordinates - pins, welds, rolling and sliding on lines of the ground - a unit
+ * rate of coordinate k moves body b with the velocity
+ *     b_bk = e_k + k x R_k d_bk,        R_k the rotation by y_k; e_k and the arm d_bk stay the same,
  * so that with D = y_k - y_l, c_b = -sum_k ydot_k^2 R_k d_bk and sums over the bodies that both k and l move
  *     (B^T M B)_kl = C_kl cos D + S_kl sin D + T_kl + e_k . k x R_l P_kl + e_l . k x R_k Q_kl
  *     (B^T M c)_k  = -sum_l ydot_l^2 (S_kl cos D - C_kl sin D + e_k . R_l P_kl)
@@ -21,7 +21,7 @@
 #include "tree/tree_node.h"
 
 /* ---- once a phase ---- */
-/* A direction that turns with one coordinate, or not at all. */
+/* A direction that rotates with one coordinate, or not at all. */
 static int rotates_simply(const pm_model *model, const pm_tree_node *x)
 {
     const int on_ground = x->parent == model->nbody;
@@ -43,7 +43,7 @@ static void read_fixed(const pm_tree_node *x, double *fixed)
     }
 }
 
-/* d_bk from the influences where the frame looks: R_k^-1 of (b_bk - e_k) turned back by a right angle. */
+/* d_bk from the influences where the frame looks: R_k^-1 of (b_bk - e_k) rotated back by a right angle. */
 static void read_arms(const pm_tree *t)
 {
     const pm_tree_augmented *a = &t->augmented;
@@ -99,7 +99,7 @@ static void sum_up(const pm_frame *frame, const pm_tree *t)
     }
 }
 
-/* The bodies that are looked at in a solve: all where there are forces, else those of the loop rows. */
+/* The bodies that are looked at in a solve: all where there are forces, else those of the loop constraints. */
 static void list_needed(const pm_active_set *active, pm_tree *t)
 {
     for (int i = 0; i < t->model->nbody; i++) t->node[i].needed = t->augmented.forced;

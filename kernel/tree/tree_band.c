@@ -1,9 +1,9 @@
-/* tree_band.c - the loop rows' Jacobian on the dependent coordinates, J_v of tree_partition.c: which of its entries may
- * differ from zero, and its factors.
+/* tree_band.c - the loop constraints' Jacobian on the dependent coordinates, J_v of tree_partition.c: which of its
+ * entries may differ from zero, and its factors.
  *
- * A loop row is moved by the coordinates of two bodies and of what carries them.  Numbered by the tree (tree.c) these are
- * neighbours in a chain of loops: J_v is banded, and the work grows with the number of loops.  Where it is not nothing
- * is lost. */
+ * A loop constraint is moved by the coordinates of two bodies and of what carries them.  Numbered by the tree (tree.c)
+ * these are neighbours in a chain of loops: J_v is banded, and the work grows with the number of loops.  Where it is not
+ * nothing is lost. */
 #include <math.h>
 #include <string.h>
 
@@ -13,7 +13,7 @@
 #include "tree/tree.h"
 #include "tree/tree_node.h"
 
-/* The node of a row's partner; NULL for the ground. */
+/* The node of a constraint's partner; NULL for the ground. */
 static const pm_tree_node *node_of(const pm_tree *t, const pm_constraint *c, int side)
 {
     return c->body[side] == t->model->nbody ? NULL : &t->node[t->placed[c->body[side]] - 1];
@@ -38,7 +38,7 @@ static void sort_dependent(pm_tree *t)
     for (int c = 0; c < t->n; c++) t->part.position[t->part.column[c]] = c;
 }
 
-/* First and last place of the dependent coordinates that move loop row i; none: from its diagonal to it. */
+/* First and last place of the dependent coordinates that move loop constraint i; none: from its diagonal to it. */
 static void span_of(const pm_tree *t, int i, int *first, int *last)
 {
     *first = *last = i;

@@ -1,9 +1,9 @@
 /* tree_dynamics.c - motion in tree coordinates: v = B ydot, a = B yddot + c.
  *
  *   [ B^T M B  J^T ] [ yddot ]   [ B^T (f - M c)   ]
- *   [ J        0   ] [  -l   ] = [ gamma - G c     ]      J = G B of the loop rows
- * by Cholesky: with B^T M B = L L^T and X = J L^-T the loops have S = X X^T.  What the solved rows carry follows inward
- * from M a - f, body by body (d'Alembert): a parent gives each body what its mass and its children need. */
+ *   [ J        0   ] [  -l   ] = [ gamma - G c     ]      J = G B of the loop constraints
+ * by Cholesky: with B^T M B = L L^T and X = J L^-T the loops have S = X X^T.  What the solved constraints carry follows
+ * inward from M a - f, body by body (d'Alembert): a parent gives each body what its mass and its children need. */
 #include <math.h>
 #include <string.h>
 
@@ -48,7 +48,7 @@ static int factor_mass(pm_result *result, pm_tree *t)
                : PM_OK;
 }
 
-/* X of the evaluated loop rows, and the factor of S; row i of X is kept from t->from[i] to t->to[i]. */
+/* X of the evaluated loop constraints, and the factor of S; row i of X is kept from t->from[i] to t->to[i]. */
 static int factor_loops(pm_workspace *w)
 {
     pm_tree *t = w->tree;
@@ -135,7 +135,7 @@ static int accelerate_all(pm_workspace *w, double *yddot)
     return status;
 }
 
-/* The rates of the loop rows in the right-hand side L^-1 x: x, and the reactions of the loops. */
+/* The rates of the loop constraints in the right-hand side L^-1 x: x, and the reactions of the loops. */
 static int close_loops(pm_workspace *w, double *x)
 {
     pm_tree *t = w->tree;
@@ -185,7 +185,7 @@ int pm_tree_accelerate_at(pm_workspace *w, double time, const double *y, const d
     return pm_tree_accelerate(w, yddot);
 }
 
-/* Reactions of the rows of a node: force and couple about its mass centre that its parent gives. */
+/* Reactions of the constraints of a node: force and couple about its mass centre that its parent gives. */
 static void read_reactions(pm_frame *frame, const pm_active_set *active, const pm_tree_node *x,
                            const double *arm, const double *wrench)
 {
@@ -216,7 +216,7 @@ static void read_reactions(pm_frame *frame, const pm_active_set *active, const p
     }
 }
 
-/* What the loop rows give is not the parent's to give. */
+/* What the loop constraints give is not the parent's to give. */
 static void take_off_loops(const pm_workspace *w, double *wrench)
 {
     const pm_tree *t = w->tree;
@@ -274,7 +274,7 @@ void pm_tree_tell(pm_workspace *w, const double *yddot)
     pm_tree_react(w);
 }
 
-/* ---- back onto the loop rows ---- */
+/* ---- back onto the loop constraints ---- */
 static int factor(pm_workspace *w)
 {
     if (w->tree->augmented.on) {

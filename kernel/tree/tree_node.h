@@ -15,7 +15,7 @@ struct pm_tree_node {
     int list, nlist;                                   /* those that move it, in tree->moved_by */
     int rotates;                                       /* its body does */
     int needed;                                        /* at a solve: tree_augmented.c */
-    int constraint[PM_JOINT_CONSTRAINTS], nconstraint; /* the active rows that it solves */
+    int constraint[PM_JOINT_CONSTRAINTS], nconstraint; /* the active constraints that it solves */
     double child[2];                                   /* mark on the body */
     double mark[2];                                    /* mark on the parent */
     double angle;       /* weld, slider: of the body minus that of the parent */

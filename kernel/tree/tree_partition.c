@@ -1,7 +1,7 @@
-/* tree_partition.c - few freedoms: the loop rows tell all coordinates but some independent ones (coordinate partitioning:
- * Wehage and Haug, J. Mech. Des. 104, 1982).
+/* tree_partition.c - few freedoms: the loop constraints determine all coordinates but some independent ones (coordinate
+ * partitioning: Wehage and Haug, J. Mech. Des. 104, 1982).
  *
- * With y = (u, v), u independent, v dependent, and J = (J_u, J_v) the loop rows' Jacobian:
+ * With y = (u, v), u independent, v dependent, and J = (J_u, J_v) the loop constraints' Jacobian:
  *   g(u, v) = 0     J_v vdot = w - J_u udot     J_v vddot = gamma - G c - J_u uddot
  *   N^T M N uddot = N^T (f - M a_0)             N = B (1; -J_v^-1 J_u),  a_0 the accelerations at uddot = 0
  *   J_v^T l = (B^T (M a - f))_v
@@ -61,7 +61,7 @@ static void correct(const pm_tree *t, double *y)
     for (int c = 0; c < t->nloop; c++) y[t->part.column[c]] += t->residual[c];
 }
 
-/* Residuals of the evaluated loop rows; the worst. */
+/* Residuals of the evaluated loop constraints; the worst. */
 static double read_residuals(const pm_tree *t)
 {
     return pm_constraint_openings(t->constraint, t->nloop, t->loop, t->residual);
@@ -73,7 +73,7 @@ static double read_rate_residuals(const pm_frame *frame, const pm_tree *t)
 }
 
 /* ---- positions alone ---- */
-/* Places the bodies and evaluates the loop rows; their greatest residual. */
+/* Places the bodies and evaluates the loop constraints; their greatest residual. */
 static double place(pm_workspace *w, const double *y, double *q, const pm_loops *loops)
 {
     pm_tree_place(w->tree, &w->frame, w->state.memory, y, q);
@@ -122,7 +122,7 @@ static double look(pm_workspace *w, double time, const double *y, const double *
     return read_residuals(w->tree);
 }
 
-/* The Jacobian of the evaluated loop rows, and the factors of its dependent part. */
+/* The Jacobian of the evaluated loop constraints, and the factors of its dependent part. */
 static int factor_here(pm_workspace *w)
 {
     pm_tree *t = w->tree;

@@ -1,10 +1,10 @@
 /* tree_place.c - positions outward along the tree, and what its rates need of them.
  *
- * Placements of a body c on its parent p, with a, b the first and second partner of the rows as in row_*.c:
+ * Placements of a body c on its parent p, with a, b the first and second partner of the constraints as in constraint_*.c:
  *   pin, weld   the marks coincide
  *   line        P_a = p_b + s t + R n:   rolling   s = anchor - R (angle_a - angle_b);   slider   s is the coordinate
  *   circles     P_a = p_b + L (cos phi, sin phi),   phi = (anchor + R_a angle_a + R_b angle_b) / L
- * Either partner may be the child.  With rho = P_a - p_b and k x the turn by a right angle their rates are
+ * Either partner may be the child.  With rho = P_a - p_b and k x the rotation by a right angle their rates are
  *   line        rhodot = omega_b k x rho + sdot t,     circles   rhodot = phidot k x rho. */
 #include <math.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* tree_rates.c - velocities and accelerations outward along the tree, and its loop rows.
+/* tree_rates.c - velocities and accelerations outward along the tree, and its loop constraints.
  *
  * By tree_node.h velocities are linear in the rates; what the accelerations have beside the same form is, with r from
  * the mass centres to the marks (of the child r_c, of the parent r_p) and rho = P_a - p_b,
@@ -94,7 +94,7 @@ void pm_tree_influence(const pm_tree *t)
     }
 }
 
-/* ---- loop rows ---- */
+/* ---- loop constraints ---- */
 void pm_tree_evaluate_loops(const pm_tree *t, const pm_frame *frame)
 {
     for (int i = 0; i < t->nloop; i++) {

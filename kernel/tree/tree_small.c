@@ -1,16 +1,16 @@
 /* tree_small.c - accelerations of trees of a few coordinates in a few hundred instructions: no body is looked at, no row
  * evaluated.
  *
- * By tree_augmented.c a mark P of body b is at  P = const + sum_k (e_k y_k + R_k d_k),  where d_k is the arm of b, and of the
- * coordinate that turns b the way on to the mark, too.  A row along a direction n that stays - a pin, a line of the
- * ground - or between two angles is then, of both its marks,
+ * By tree_augmented.c a mark P of body b is at  P = const + sum_k (e_k y_k + R_k d_k),  where d_k is the arm of b, and of
+ * the coordinate that rotates b the way on to the mark, too.  A constraint along a direction n that stays - a pin, a line
+ * of the ground - or between two angles is then, of both its marks,
  *     g = const + sum_k (E_k y_k + A_k cos y_k + B_k sin y_k),     A = n . d, B = n . (k x d), E = n . e,
  *     J_k = E_k - A_k sin y_k + B_k cos y_k,     gamma = sum_k ydot_k^2 (A_k cos y_k + B_k sin y_k)
  * and the equations of tree_dynamics.c are some dozens of products:  with B^T M B = L D L^T, X = L^-1 J^T,
  *     S = X^T D^-1 X,    S l = gamma - X^T D^-1 L^-1 f,    yddot = L^-T D^-1 (L^-1 f + X l).
- * For each number of coordinates and loop rows the compiler writes the code without loops.
+ * For each number of coordinates and loop constraints the compiler writes the code without loops.
  *
- * Cosine and sine of y + x, x small, are those of y turned by x, whose own are short series. */
+ * Cosine and sine of y + x, x small, are those of y rotated by x, whose own are short series. */
 #include "tree/tree.h"
 
 #include <math.h>
@@ -147,7 +147,7 @@ INLINE void upper(int n, double a[MOST][MOST], double *b)
         for (int k = 0; k < i; k++) b[k] -= a[i][k] * b[i];
 }
 
-/* Of a row as in tree_dynamics.c: left / all is what those before leave of it. */
+/* Of a constraint as in tree_dynamics.c: left / all is what those before leave of it. */
 INLINE void watch_independence(struct pm_tree *tree, const pm_tree_small_loop *loop,
                                const pm_tree_small_place *p, double left, double all)
 {
@@ -226,7 +226,7 @@ INLINE double adjugate(double m[MOST][MOST], double to[MOST][MOST])
     return m[0][0] * to[0][0] + m[1][0] * to[1][0] + m[2][0] * to[2][0];
 }
 
-/* The independence of the rows, `along` the square of the way that they leave, in the metric of M. */
+/* The independence of the constraints, `along` the square of the way that they leave, in the metric of M. */
 INLINE void watch_constraints(struct pm_tree *tree, int n, double row[2][MOST], pm_tree_small_place *p,
                               double along)
 {
@@ -242,8 +242,8 @@ INLINE void watch_constraints(struct pm_tree *tree, int n, double row[2][MOST], 
     }
 }
 
-/* The rows leave one way, along N, the vector product of the rows:  yddot = a + s N  with any a of J a = rate;
- * s = N . (f - M a) / (N . M N).  What the rows hold at rest stays so to the last figure. */
+/* The constraints leave one way, along N, the vector product of their rows of J:  yddot = a + s N  with any a of J a =
+ * rate; s = N . (f - M a) / (N . M N).  What the constraints hold at rest stays so to the last figure. */
 INLINE int solve_along(pm_workspace *w, int n, pm_tree_small_place *p, const double *rate, const double *f,
                        double *yddot)
 {
@@ -300,7 +300,7 @@ INLINE int derivative(pm_workspace *w, int n, int nloop, const double *y, double
     return PM_OK;
 }
 
-/* ---- back onto the loop rows ---- */
+/* ---- back onto the loop constraints ---- */
 /* -g at the place; the worst. */
 INLINE double openings(const pm_tree_small *x, int n, int nloop, const double *y,
                        const pm_tree_small_place *p, double *opening)

@@ -1,5 +1,5 @@
 /* tree_small_sums.c - what stays the same in the equations of tree_small.c, once a phase: the sums of tree_augmented.c by
- * numbers of coordinates, and of each loop row the waves by which its marks move. */
+ * numbers of coordinates, and of each loop constraint the waves by which its marks move. */
 #include <math.h>
 #include <string.h>
 
@@ -31,7 +31,7 @@ static double value_of(pm_tree_small_wave x, const double direction[2])
     return x.a * direction[0] + x.b * direction[1];
 }
 
-/* The direction of a row that stays; 0 if it does not. */
+/* The direction of a constraint that stays; 0 if it does not. */
 static int direction_of(const pm_model *model, const pm_constraint *c, double n[2])
 {
     n[0] = n[1] = 0;
@@ -48,7 +48,7 @@ static int direction_of(const pm_model *model, const pm_constraint *c, double n[
     }
 }
 
-/* What moves one of a row's marks. */
+/* What moves one of a constraint's marks. */
 static void add_side(const pm_frame *frame, const pm_tree *t, const pm_constraint *c, int side,
                      const double n[2], pm_tree_small_loop *x)
 {

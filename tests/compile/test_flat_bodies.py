@@ -33,7 +33,7 @@ def test_mass_and_inertia(keys: str, mass: float, inertia: float) -> None:
     row = tables.row("BODY", "bodies.Q")
     assert tables.value[row["MASS"]] == pytest.approx(mass, rel=1e-15)
     assert tables.value[row["INERTIA"]] == pytest.approx(inertia, rel=1e-15)
-    assert row["TURNS"] == (inertia > 0)
+    assert row["ROTATES"] == (inertia > 0)
 
 
 def test_weight_is_divided_by_g_also_in_a_horizontal_plane() -> None:

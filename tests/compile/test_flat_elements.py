@@ -128,8 +128,8 @@ def contacts(text: str) -> list[dict[str, Any]]:
         ('["wheel.rim", "rim.rim"]', "CIRCLE", 1),
         ('["wheel.rim", "ground.O"]', "CIRCLE", 1),
         ('["ground.O", "wheel.rim"]', "CIRCLE", 0),
-        ('["wheel.rim", "ground.bars"]', "ROW", 1),
-        ('["ground.bars", "wheel.rim"]', "ROW", 1),
+        ('["wheel.rim", "ground.bars"]', "PATTERN", 1),
+        ('["ground.bars", "wheel.rim"]', "PATTERN", 1),
     ],
 )
 def test_marks_that_touch(touch: str, kind: str, radius: float) -> None:

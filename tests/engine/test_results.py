@@ -137,7 +137,7 @@ def test_an_accuracy_that_cannot_be_kept_is_told() -> None:
 FORCED = {
     "state": "it takes what is answered at the start; here time passes",
     "jump": "it takes what is answered before and after a blow at the start; here time passes",
-    "uniform": "it takes constant forces, and joints and contacts that do not turn with the motion",
+    "uniform": "it takes constant forces, and joints and contacts that do not rotate with the motion",
     "path": "it takes one degree of freedom, and work that depends on position only",
 }
 

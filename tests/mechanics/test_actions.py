@@ -71,7 +71,7 @@ def test_work_that_no_impulse_does() -> None:
     assert "events.punch.do[0]: no impulse on this body does the work -50 J" in text
     assert "-9 J would stop it" in text
     text = fault(PUNCH.replace("3 rad/s", "0 rad/s"))
-    assert "it does not turn" in text
+    assert "it does not rotate" in text
 
 
 def test_a_joint_that_does_not_fit_where_it_is_added() -> None:

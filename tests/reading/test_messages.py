@@ -165,7 +165,7 @@ FAULTS = [
         'bodies.Q = { mass = "1 kg", at = "R" }\nbodies.R = { mass = "1 kg", at = "Q" }',
         'bodies.Q.at = "Q": bodies that are placed at each other in a circle: Q -> R -> Q',
     ),
-    ('bodies.Q = { mass = "1 kg", angle = "3 deg" }', "a particle does not turn; leave out angle"),
+    ('bodies.Q = { mass = "1 kg", angle = "3 deg" }', "a particle does not rotate; leave out angle"),
     ('bodies.Q = { disk = "1 m" }', "bodies.Q.mass: mass or weight is wanted"),
     (
         'bodies.Q = { inertia = "1 kg*m^2" }',
@@ -247,7 +247,7 @@ FAULTS = [
     ),
     (
         'joints.S = { pin = ["P", "ground"], friction_couple = "1 N*m" }',
-        "joints.S.friction_couple: a particle does not turn: its pin has no friction",
+        "joints.S.friction_couple: a particle does not rotate: its pin has no friction",
     ),
     ('forces.f = { couple = "AB", power = "3 N" }', 'forces.f.power = "3 N": a power (mass*length^2/time^3'),
     (

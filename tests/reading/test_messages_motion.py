@@ -73,11 +73,11 @@ FAULTS = [
     ),
     (
         "couplings.c = { ratio = { disk.turned = 1, P.turned = 2 } }",
-        'couplings.c.ratio.P.turned = "P": a particle does not turn; a body with an inertia is wanted',
+        'couplings.c.ratio.P.turned = "P": a particle does not rotate; a body with an inertia is wanted',
     ),
     (
         "couplings.c = { ratio = { disk.turned = 1, ground.turned = 2 } }",
-        "couplings.c.ratio.ground.turned: the ground does not turn; a body is wanted",
+        "couplings.c.ratio.ground.turned: the ground does not rotate; a body is wanted",
     ),
     (
         'couplings.c = { motor = ["disk", "AB"] }',
@@ -85,7 +85,7 @@ FAULTS = [
     ),
     (
         'couplings.c = { motor = ["disk", "P"], value = "3 rad/s" }',
-        'couplings.c.motor[1] = "P": a particle does not turn; a body with an inertia is wanted',
+        'couplings.c.motor[1] = "P": a particle does not rotate; a body with an inertia is wanted',
     ),
     (
         'couplings.c = { motor = ["disk", "AB"], value = "3 m/s" }',
@@ -94,7 +94,7 @@ FAULTS = [
     ("bodies.AB.driven = { speed = 3 }", "bodies.AB.driven.speed: unknown key; a driven body has velocity"),
     (
         'bodies.P.driven = { omega = "3 rad/s" }',
-        "bodies.P.driven.omega: a particle does not turn; leave out omega",
+        "bodies.P.driven.omega: a particle does not rotate; leave out omega",
     ),
     (
         'bodies.AB.driven = { velocity = ["3 rad/s", 0] }',
@@ -288,7 +288,7 @@ FAULTS = [
         doing('impulse = "AB.A", value = "1 N*m*s"'),
         'events.e.do[0].impulse = "AB.A": a number is an angular impulse, on a body',
     ),
-    (doing('impulse = "P", work = "1 J"'), 'events.e.do[0].impulse = "P": a body that turns is wanted'),
+    (doing('impulse = "P", work = "1 J"'), 'events.e.do[0].impulse = "P": a body that rotates is wanted'),
     (
         doing('impulse = "ground", value = ["1 N*s", 0]'),
         'events.e.do[0].impulse = "ground": a point of a body is wanted',

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def simulate(scene: Scene) -> RunResult:
-    """Runs a scene as it is.  A run that fails is told by the result's status, not by an exception.
+    """Runs a scene as it is.  A run that fails is seen by the result's status, not by an exception.
 
     Raises SceneError for a fault in the scene.
     """

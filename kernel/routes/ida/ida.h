@@ -8,7 +8,7 @@
  *   ida_vector.c    vector operations
  *   ida_library.c   versions of SUNDIALS
  *
- * Unknowns y = (q, v, z, L, Mu) with L' = lambda and Mu' = mu, one of each for an active row. */
+ * Unknowns y = (q, v, z, L, Mu) with L' = lambda and Mu' = mu, one of each for an active constraint. */
 #ifndef PM_IDA_H
 #define PM_IDA_H
 
@@ -18,7 +18,7 @@
 #include "state/workspace.h"
 
 /* 1: vectors, matrix, linear solver and Jacobian (by differences) of the library, to measure what ours save.
- * The library's vectors have a fixed length: rows that are not active get the equations L' = 0, Mu' = 0. */
+ * The library's vectors have a fixed length: constraints that are not active get the equations L' = 0, Mu' = 0. */
 #ifndef PM_IDA_STOCK
 #define PM_IDA_STOCK 0
 #endif
@@ -29,25 +29,25 @@ typedef struct pm_ida_sparse pm_ida_sparse;
 typedef struct pm_ida_jacobian {
     int nactive;
     double cj;
-    double *g, *h;         /* [nrow][nq] rows and the directions of their forces */
-    double *gv_slope;      /* [nrow][nq] d(G v)/dq */
-    double *stiffness;     /* [nq][nq] M^-1 d(f + H^T lambda)/dq */
-    double *damping;       /* [nq][nq] M^-1 df/dv */
-    double *ledger;        /* [nrow + 2 nq][nz] dz'/dlambda, dz'/dq, dz'/dv: by columns, as all that follow */
-    double *schur;         /* [nactive][nactive] Cholesky factor of G M^-1 G^T */
+    double *g, *h;    /* [nconstraint][nq] gradients of the constraints, and the directions of their forces */
+    double *gv_slope; /* [nconstraint][nq] d(G v)/dq */
+    double *stiffness; /* [nq][nq] M^-1 d(f + H^T lambda)/dq */
+    double *damping;   /* [nq][nq] M^-1 df/dv */
+    double *ledger; /* [nconstraint + 2 nq][nz] dz'/dlambda, dz'/dq, dz'/dv: by columns, as all that follow */
+    double *schur;  /* [nactive][nactive] Cholesky factor of G M^-1 G^T */
     double *inverse_schur; /* [nactive][nactive] */
     double *share;         /* [nq][nactive] (G M^-1 G^T)^-1 G */
     double *spread;        /* [nactive][nq] M^-1 G^T (G M^-1 G^T)^-1 */
     double *project;       /* [nq][nq] 1 - M^-1 G^T (G M^-1 G^T)^-1 G */
-    double *bend;          /* [nbend][nq + nactive] stiffness and -turn */
+    double *bend;          /* [nbend][nq + nactive] stiffness and -gv_slope */
     double *system;        /* [nq + nactive][nq + nactive] the inverse in (v, L) */
-    int *pivot;            /* [nq + nrow] */
+    int *pivot;            /* [nq + nconstraint] */
     int *bending;          /* [nq] coordinates that `bend` is of */
     int nbend;
-    double independence; /* least independent part of a row, of the row, at the last matrix */
+    double independence; /* least independent part of a row of G, of that row, at the last matrix */
     int known;           /* the factors are of this phase */
     int sparse;          /* there are many unknowns: ida_sparse.c */
-    double *scale;       /* [nq + nrow] of the unknowns of `system` */
+    double *scale;       /* [nq + nconstraint] of the unknowns of `system` */
     double *work;        /* scratch of the differences and of a solution */
     int has_forces;      /* some force may depend on positions */
     int has_damping;     /* and some on velocities */
@@ -56,7 +56,7 @@ typedef struct pm_ida_jacobian {
 typedef struct pm_ida {
     /* the phase */
     int n;      /* unknowns */
-    int stride; /* places of L, and of Mu: the active rows (PM_IDA_STOCK: all rows) */
+    int stride; /* places of L, and of Mu: the active constraints (PM_IDA_STOCK: all constraints) */
     /* SUNDIALS */
     SUNContext context;
     void *memory;
@@ -65,7 +65,7 @@ typedef struct pm_ida {
     N_Vector id;    /* 1: under error control */
     SUNMatrix matrix;
     SUNLinearSolver solver;
-    int most;           /* unknowns with all rows active */
+    int most;           /* unknowns with all constraints active */
     double tolerance;   /* of IDA */
     double *weight;     /* [most] reciprocal of the allowed errors, rounding left aside */
     double first, last; /* the step as integrated: dense output is known there */
@@ -88,7 +88,7 @@ int pm_ida_system_start(pm_workspace *w, double *y, double *yp);
 void pm_ida_system_look(pm_workspace *w, double t, const double *y, const double *yp);
 /* r = F(t, y, y'); 0 where some of it is not finite. */
 int pm_ida_system_residual(pm_workspace *w, double t, const double *y, const double *yp, double *r);
-/* Tolerance and the reciprocal of what each unknown may err by, from the scales of the case; the rows must
+/* Tolerance and the reciprocal of what each unknown may err by, from the scales of the case; the constraints must
  * be evaluated. */
 void pm_ida_system_scale(pm_workspace *w);
 /* Error weights at y. */
@@ -101,7 +101,7 @@ int pm_ida_jacobian_create(pm_arena *arena, pm_ida_jacobian *x, const pm_model *
 void pm_ida_jacobian_evaluate(pm_workspace *w, double t, double cj, const double *y, const double *yp);
 
 /* ---- ida_linear.c ---- */
-/* Inverts the blocks of w->ida->jacobian; PM_SINGULAR if the rows depend on each other, PM_SOLVER if the
+/* Inverts the blocks of w->ida->jacobian; PM_SINGULAR if the constraints depend on each other, PM_SOLVER if the
  * rest has no pivot. */
 int pm_ida_linear_factor(pm_workspace *w);
 /* Scales of the unknowns (v, L): the square roots of M^-1 and the reciprocal ones of square[nactive], which is the diagonal of
@@ -110,7 +110,7 @@ void pm_ida_linear_scale(const pm_workspace *w, const double *square, int stride
 /* J x = b for all unknowns of the phase; x may be b. */
 void pm_ida_linear_solve(const pm_model *model, pm_ida *ida, const double *b, double *x);
 
-/* pm_projection_apply by the rows of the last matrix, if it is of this phase and what they are missed by is slight. */
+/* pm_projection_apply by the constraints of the last matrix, if it is of this phase and what they are missed by is slight. */
 int pm_ida_linear_project(pm_workspace *w, pm_state *s);
 
 /* The same as objects of SUNDIALS; NULL: out of memory.  The workspace must outlive them. */
@@ -124,10 +124,10 @@ int pm_ida_linear_jacobian(double t, double cj, N_Vector y, N_Vector yp, N_Vecto
 /* ---- ida_sparse.c ---- */
 /* Is the phase one of many unknowns? */
 int pm_ida_sparse_serves(const pm_model *model, const pm_active_set *active);
-/* Memory for the most active rows that the scene can have. */
+/* Memory for the most active constraints that the scene can have. */
 int pm_ida_sparse_create(pm_workspace *w);
-/* Factors the blocks of w->ida->jacobian; PM_SINGULAR if the rows depend on each other, PM_SOLVER if the rest has no pivot,
- * PM_NO_MEMORY. */
+/* Factors the blocks of w->ida->jacobian; PM_SINGULAR if the constraints depend on each other, PM_SOLVER if the rest has
+ * no pivot, PM_NO_MEMORY. */
 int pm_ida_sparse_factor(pm_workspace *w);
 /* Of b, all unknowns of the phase: q[nq], vl[nq + nactive] = (v, L) and mu[nactive]. */
 void pm_ida_sparse_solve(const pm_model *model, pm_ida *ida, const double *b, double *q, double *vl,

@@ -1,6 +1,6 @@
 /* ida_jacobian.c - derivatives of the system of ida_system.c.
  *
- * Rows give G, H and dz'/dlambda as they are.  Differences give M^-1 d(f + H^T lambda)/dq (stiffness of
+ * Constraints give G, H and dz'/dlambda as they are.  Differences give M^-1 d(f + H^T lambda)/dq (stiffness of
  * springs and of the geometry), M^-1 df/dv where some force may depend on velocities, and d(G v)/dq.  Left
  * out, because Newton's iteration does not need them: d(M^-1 G^T Mu')/dq, where Mu' is small, and dz'/dq,
  * dz'/dv of what is not stiff. */
@@ -23,7 +23,7 @@
 typedef struct pm_ida_differences {
     double *y;                   /* [2 nq + nz] moved in one coordinate at a time */
     double *force, *force_moved; /* [nq] M^-1 (f + H^T lambda) */
-    double *rate, *rate_moved;   /* [nrow] G v */
+    double *rate, *rate_moved;   /* [nconstraint] G v */
     double *z, *z_moved;         /* [nz] */
 } pm_ida_differences;
 
@@ -78,7 +78,7 @@ int pm_ida_jacobian_create(pm_arena *arena, pm_ida_jacobian *x, const pm_model *
     return pm_arena_take(arena, PM_ARRAYS(array));
 }
 
-/* A row's six numbers on all coordinates. */
+/* A constraint's six numbers on all coordinates. */
 static void spread_out(const pm_model *model, const pm_constraint *c, const double *six, double *dense)
 {
     memset(dense, 0, (size_t)model->nq * sizeof *dense);

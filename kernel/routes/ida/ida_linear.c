@@ -156,7 +156,7 @@ static void take_scales(const pm_model *model, const struct pm_ida *ida)
     }
 }
 
-/* (K; -N) by columns, those of zeros left out: what moves without a turn bends nothing. */
+/* (K; -N) by columns, those of zeros left out: what moves without a rotation bends nothing. */
 static void pack_bends(const pm_model *model, struct pm_ida *ida)
 {
     pm_ida_jacobian *j = &ida->jacobian;
@@ -251,8 +251,8 @@ void pm_ida_linear_solve(const pm_model *model, struct pm_ida *ida, const double
     memcpy(x + pm_ida_place_mu(model, ida), mu, (size_t)na * sizeof *x);
 }
 
-/* ---- back on the rows ---- */
-/* The greatest of what the rows are missed by, in saddle.wanted: by positions, and by velocities. */
+/* ---- back on the constraints ---- */
+/* The greatest of what the constraints are missed by, in saddle.wanted: by positions, and by velocities. */
 static double openings(pm_workspace *w)
 {
     pm_saddle_evaluate(&w->active, &w->frame);

@@ -146,7 +146,8 @@ static void put_velocity(pm_ida_sparse *s, const pm_ida_jacobian *j, int nq, int
     for (int r = 0; r < na; r++) put(s, column, 2 * nq + na + r, e[r] * j->g[r * nq + k] * u[k]);
 }
 
-/* Column k, of what a reaction, or the displacement that keeps a row, makes: by the direction of the row, in block `block`. */
+/* Column k, of what a reaction, or the displacement that keeps a constraint, makes: by the direction of the constraint,
+ * in block `block`. */
 static void put_reaction(const pm_workspace *w, pm_ida_sparse *s, int k, int block, int r,
                          const double *direction, double sign)
 {
@@ -178,7 +179,7 @@ static int same_pattern(const pm_ida_sparse *s, int n)
            memcmp(s->row, s->old_row, (size_t)s->start[n] * sizeof *s->row) == 0;
 }
 
-/* The order of elimination, which the pattern tells. */
+/* The order of elimination, which the pattern of entries gives. */
 static int order(pm_ida_sparse *s, int n)
 {
     if (same_pattern(s, n)) return PM_OK;

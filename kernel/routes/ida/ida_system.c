@@ -1,10 +1,10 @@
 /* ida_system.c - stabilised index 2 (Gear, Gupta, Leimkuhler) with integrated multipliers:
  *
- *   q' - v + M^-1 G^T Mu' = 0         the motion, kept on the rows
+ *   q' - v + M^-1 G^T Mu' = 0         the motion, kept on the constraints
  *   v' - M^-1 (f + H^T L') = 0        signs as in saddle.c; v' = 0 where M^-1 = 0 (held)
  *   z' - rates(t, q, v, L') = 0       work, paths, the ledger
  *   g(t, q) = 0
- *   G v = w             prescribed rates: 0 of rows that are not driven
+ *   G v = w             prescribed rates: 0 of constraints that are not driven
  *
  * Only L' and Mu' appear, so the multipliers may be wrong by jumps without a trace in the error test, from
  * which L, Mu and the entries of the ledger are left out.  In the test of Newton's iteration L weighs as

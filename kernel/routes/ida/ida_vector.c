@@ -2,8 +2,8 @@
  * may come without optimisation, and these loops are most of its time.
  *
  * All clones of a vector share one length that their owner may change between two runs of the integrator:
- * the number of active rows changes with the phase, and neither the work nor the root mean squares may
- * depend on rows that a scene could have but has not. */
+ * the number of active constraints changes with the phase, and neither the work nor the root mean squares may
+ * depend on constraints that a scene could have but has not. */
 #include "routes/ida/ida.h"
 
 #include <math.h>

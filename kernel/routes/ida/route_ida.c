@@ -1,12 +1,12 @@
 /* route_ida.c - SUNDIALS IDA on the stabilised index-2 system of ida_system.c: the reference; stiff forces.
  *
- * One instance per thread, made for the most active rows that the scene can have; each phase is a restart
+ * One instance per thread, made for the most active constraints that the scene can have; each phase is a restart
  * with its own number of unknowns (ida_vector.c), from values that the saddle-point system makes
- * consistent.  The state after a step is projected on the rows; IDA's own history is not touched: the rows
+ * consistent.  The state after a step is projected on the constraints; IDA's own history is not touched: the constraints
  * are among its equations.
  *
- * Near a singular position (one row depends on the others: reactions without bound) steps shrink to nothing: there the
- * phase is handed over, by w->singular (plan.c). */
+ * Near a singular position (one constraint depends on the others: reactions without bound) steps shrink to nothing: there
+ * the phase is handed over, by w->singular (plan.c). */
 #include <math.h>
 #include <string.h>
 
@@ -157,7 +157,7 @@ static int limit_step(pm_workspace *w)
     return IDASetMaxStep(w->ida->memory, isfinite(longest) ? longest : 0); /* 0: no limit */
 }
 
-/* Where a couple has just overcome what held, accelerations are rounding and tell no time: the scene's own does. */
+/* Where a couple has just overcome what held, accelerations are rounding and give no time: the scene's own does. */
 static double time_to_begin_with(const pm_frame *frame, const pm_state *state)
 {
     const double scale = pm_case_time_scale(frame->model, frame->numbers, state->v, frame->a);
@@ -172,8 +172,8 @@ static double value_at(pm_workspace *w, const pm_event_function *f, const pm_sta
     return pm_event_value(w, f);
 }
 
-/* A trigger that is zero at the begin but for rounding is held until it has left its zero.  First steps are so short that their
- * samples do not tell: its natural size does. */
+/* A trigger that is zero at the begin but for rounding is held until it has left its zero.  First steps are so short that
+ * their samples do not show it: its natural size does. */
 static void hold_on_zero(pm_workspace *w, pm_event_function *f)
 {
     const double now = value_at(w, f, &w->state), part = pm_case_shift(w, &w->probe);

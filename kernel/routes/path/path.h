@@ -16,9 +16,9 @@ typedef struct pm_place {
     double *tangent;         /* [nq] dq/du */
     double *rate;            /* [nz_controlled] of the running integrals, by u */
     double *pose;            /* [nbody][5] of the frame */
-    double *bend;            /* [nq] dtangent/du, where no row closes a loop */
+    double *bend;            /* [nq] dtangent/du, where no constraint closes a loop */
     double *arm;             /* [nbody][PM_TREE_ARM] the levers of the tree that reactions go by, likewise */
-    int determined;          /* by the rows: not a place on a bridge */
+    int determined;          /* by the constraints: not a place on a bridge */
     double mass;             /* generalised: T = mass (du/dt)^2 / 2 */
     double change;           /* tangent . M bend: half of dmass/du */
     double potential, force; /* V, and the generalised force of all applied forces */
@@ -37,7 +37,7 @@ enum { PM_BRIDGE_PLACES = 12 };
 /* path_bridge.c: the branch next to a singular position, as polynomials of the driver. */
 typedef struct pm_bridge {
     double centre, reach;          /* of the driver; reach 0: there is none */
-    int has_known;                 /* a place that the rows determine: the last one */
+    int has_known;                 /* a place that the constraints determine: the last one */
     double known;                  /* its driver value */
     double *known_y, *known_slope; /* [n] */
     double *c;                     /* [PM_BRIDGE_PLACES][n] coefficients */
@@ -62,7 +62,7 @@ typedef struct pm_rigid_body {
     int rotates;          /* with the group */
     int holds;            /* its reactions go by levers */
     double angle;         /* against the first body */
-    double mass, inertia; /* inertia 0: it does not turn */
+    double mass, inertia; /* inertia 0: it does not rotate */
     pm_lanes weight;
     pm_lanes d, lever,
         rotation; /* in the axes of the first body: from its mark to the mass centre, from there to the mark on
@@ -78,9 +78,9 @@ typedef struct pm_rigid {
     double fixed;      /* angle of what it moves on */
     pm_lanes from;     /* the mark there */
     pm_lanes line;     /* direction of its line, in the scene, or in the axes of the first body */
-    double angle;      /* of the first body, where it does not turn */
+    double angle;      /* of the first body, where it does not rotate */
     pm_lanes rotation; /* its cosine and sine */
-    double potential;  /* of the weight of what stands still */
+    double potential;  /* of the weight of the fixed bodies */
 } pm_rigid;
 
 /* The time along the step (path_clock.c). */
@@ -120,7 +120,7 @@ typedef struct pm_path {
     double *inertia; /* [nbody] of the phase on an open tree */
     pm_bridge bridge;
     pm_rigid rigid;
-    pm_loops loop;             /* rows that the tree does not solve */
+    pm_loops loop;             /* constraints that the tree does not solve */
     double *weight;            /* [nz_controlled] z at the begin of the step */
     double *work;              /* [nz_controlled] z somewhere in the step */
     int *column;               /* [n] pivots */
@@ -133,12 +133,12 @@ typedef struct pm_path {
 
 /* path_place.c: the place at driver value u; place->y holds a guess on entry. */
 int pm_path_place(pm_workspace *w, double u, pm_place *place);
-/* The place at the tree coordinates place->y, told by some rate; PM_SINGULAR where the path has no direction. */
+/* The place at the tree coordinates place->y, given by some rate; PM_SINGULAR where the path has no direction. */
 int pm_path_look(pm_workspace *w, pm_place *place);
-/* path_motion.c: makes the frame, which looks at a place that the rows determine, DYNAMIC.  along[nq]: velocities at any
- * rate of the driver. */
+/* path_motion.c: makes the frame, which looks at a place that the constraints determine, DYNAMIC.  along[nq]: velocities
+ * at any rate of the driver. */
 int pm_path_accelerate(pm_workspace *w, const double *along);
-/* The same at any state of the last step; by the saddle point where rows close loops. */
+/* The same at any state of the last step; by the saddle point where constraints close loops. */
 int pm_path_react(pm_workspace *w);
 /* path_open.c: pm_path_accelerate for a place of an open tree, at the rate that goes with its T; the frame looks at it. */
 void pm_path_open_accelerate(pm_workspace *w, const pm_place *place);
@@ -148,7 +148,7 @@ void pm_path_open_begin(pm_workspace *w);
 void pm_path_open_place(pm_workspace *w, pm_place *place);
 /* The force along the place and its potential, the rates of the running integrals; the frame looks at unit rate. */
 void pm_path_measure_forces(pm_workspace *w, pm_place *place);
-/* Chooses the coordinate that moves most as driver, unless the present one still does, and tells the place by it. */
+/* Chooses the coordinate that moves most as driver, unless the present one still does, and gives the place by it. */
 int pm_path_drive(pm_workspace *w, pm_place *place);
 
 /* path_step.c: a step from node 0, at most `full` long, into w->path. */
@@ -169,11 +169,11 @@ double pm_path_requested(pm_workspace *w, const double *velocity);
 static inline pm_place *pm_path_node(pm_path *p, int k) { return &p->node[k * p->every]; }
 
 /* ---- path_bridge.c: places next to a singular position, and at it ---- */
-/* A phase begins, or another driver tells the path. */
+/* A phase begins, or another driver describes the path. */
 void pm_path_bridge_forget(pm_path *p);
-/* A place at u that the rows determine well. */
+/* A place at u that the constraints determine well. */
 void pm_path_bridge_determined(pm_path *p, double u, const pm_place *place);
-/* The coordinates, their slopes and the pose of the frame at u, which the rows determine badly or not at all.
+/* The coordinates, their slopes and the pose of the frame at u, which the constraints determine badly or not at all.
  * PM_SINGULAR or PM_ASSEMBLY where the branch cannot be followed. */
 int pm_path_bridge_place(pm_workspace *w, double u, pm_place *place);
 /* Accelerations at the frame (its forces are known) from the branch, reactions left open; 0 if there is no bridge. */
@@ -204,12 +204,12 @@ double pm_path_force_size(const pm_frame *frame, const pm_place *x);
 /* ---- path_check.c: a step has ended at w->state, where the frame looks: notes the evidence of it in the ledger ---- */
 void pm_path_check(pm_workspace *w);
 
-/* ---- path_error.c: what rounding makes of the answers of a run along paths: no companion run is needed ---- */
+/* ---- path_error.c: what rounding makes of the answers of a run along paths: no coarse run is needed ---- */
 /* The error of T at the begin of a path phase, from that at the end of the phase before it. */
 void pm_path_error_begin(const pm_result *result, struct pm_path *p, double kinetic);
 /* After a step that ends with `kinetic`. */
 void pm_path_error_step(pm_workspace *w, double kinetic);
-/* T passed a barrier at `distance` above it, or turned back as much below. */
+/* T passed a barrier at `distance` above it, or reversed as much below. */
 void pm_path_error_barrier(pm_evidence *evidence, const struct pm_path *path, double distance);
 /* Tells the error of out[column], the value of the program at the frame, if it is known. */
 void pm_path_error_answer(pm_workspace *w, int ask, int column, int program, double value);

@@ -1,5 +1,5 @@
-/* path_bridge.c - the path at and next to a singular position, where the rank of the loop rows falls: branches of the
- * path cross there, and neither Newton's method nor the null vector tells which one the motion is on.
+/* path_bridge.c - the path at and next to a singular position, where the rank of the loop constraints falls: branches of
+ * the path cross there, and neither Newton's method nor the null vector tells which one the motion is on.
  *
  * The branch itself is smooth.  It is followed past the position by places on both sides, far enough from it to be
  * determined, and what lies between is the polynomial through them: with nodes c_j = cos((2 j + 1) pi / 2 N) about the
@@ -7,7 +7,7 @@
  *
  *   y(u) = a_0 / 2 + sum a_m T_m(x)      a_m = 2/N sum_j y(centre + R c_j) cos(m (2 j + 1) pi / 2 N)
  *
- * (Chebyshev interpolation; T_m and its derivatives by their recurrences).  The polynomial must meet the loop rows. */
+ * (Chebyshev interpolation; T_m and its derivatives by their recurrences).  The polynomial must meet the loop constraints. */
 
 #include <math.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* path_check.c - what the route does not use, against what it does: evidence for the audit.
  *
  *   open work       V1 - V2 + work of forces without potential   against   the integral of the generalised force by u
- *   broken row      G t                                          against   0,  t the direction of the motion
+ *   broken constraint      G t                                          against   0,  t the direction of the motion
  *   missed force    f . t of the frame                           against   dT/du */
 #include <float.h>
 #include <math.h>
@@ -30,8 +30,8 @@ static double open_work(const pm_workspace *w)
     return fmax(fabs(first - last + z - work) - rounding, 0) / scale;
 }
 
-/* The direction of the motion at the end against the rows, which were evaluated there and which the tree knows nothing of:
- * the greatest part of it that breaks one. */
+/* The direction of the motion at the end against the constraints, which were evaluated there and which the tree knows
+ * nothing of: the greatest part of it that breaks one. */
 static double worst_broken(const pm_workspace *w)
 {
     const double *t = w->path->node[PM_NODES_MOST - 1].tangent;

@@ -4,7 +4,7 @@
  * a blow that leaves m T_end leaves m times the error.  An answer f(place, T) is then known to |df/dT| dT, by a difference.
  * The time's error is that of its quadrature, and what T makes of it.  All this holds as long as places alone decide when
  * something happens; where speeds, forces or the time do, the run says nothing of its errors, and accuracy.c makes its
- * companion.  Events that speeds or forces fire may be counted, though: their functions are off by no more than their
+ * coarse run.  Events that speeds or forces fire may be counted, though: their functions are off by no more than their
  * natural size times dT / T, and their counts are right as long as none of their extremes lies that near to zero. */
 #include "routes/path/path.h"
 
@@ -81,7 +81,7 @@ static int only_counted(const pm_model *m)
     return 1;
 }
 
-/* An event that is only watched: nothing ends or acts, and nothing is asked or told by the instants when it fires. */
+/* An event that is only watched: nothing ends or acts, and nothing is asked or known of the instants when it fires. */
 static int only_watched(const pm_model *m, int event)
 {
     for (int i = 0; i < m->rows[PM_TABLE_UNTIL]; i++)
@@ -93,7 +93,7 @@ static int only_watched(const pm_model *m, int event)
     return only_counted(m);
 }
 
-/* Places tell when a trigger fires, or sqrt(T) does and it fires where the motion turns back. */
+/* Places tell when a trigger fires, or sqrt(T) does and it fires where the motion reverses. */
 static int fires_by_place(const pm_model *m, const int32_t *e)
 {
     const int kind = e[PM_TRIGGER_KIND], program = e[PM_TRIGGER_PROGRAM];

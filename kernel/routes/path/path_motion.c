@@ -5,7 +5,7 @@
  *
  *   (t . M t) uddot = t . (f - M c)
  *
- * and the reactions follow from M a - f body by body (tree_dynamics.c).  Where rows close loops the coordinates are
+ * and the reactions follow from M a - f body by body (tree_dynamics.c).  Where constraints close loops the coordinates are
  * partitioned with the driver as the independent one (tree_partition.c). */
 #include "elements/force.h"
 #include "elements/joint_friction.h"
@@ -52,7 +52,7 @@ int pm_path_accelerate(pm_workspace *w, const double *along)
     return status;
 }
 
-/* Nothing is factored where no row closes a loop. */
+/* Nothing is factored where no constraint closes a loop. */
 int pm_path_react(pm_workspace *w)
 {
     if (w->tree->nloop > 0 || pm_joint_friction_by_load(&w->frame, &w->state)) return pm_saddle_accelerate(w);

@@ -1,8 +1,8 @@
 /* path_place.c - one place on the path: the configuration at a value of the driver, and the direction of motion there.
  *
- * With one degree of freedom one tree coordinate, the driver u, tells the whole configuration: what the tree does not
- * solve explicitly (loop rows) is met by Newton's method with u kept (coordinate partitioning: Wehage and Haug, J. Mech.
- * Des. 104, 1982).  The direction t = dy/du is the null vector of the loop rows on the tree coordinates. */
+ * With one degree of freedom one tree coordinate, the driver u, gives the whole configuration: what the tree does not
+ * solve explicitly (loop constraints) is met by Newton's method with u kept (coordinate partitioning: Wehage and Haug, J.
+ * Mech.  Des. 104, 1982).  The direction t = dy/du is the null vector of the loop constraints on the tree coordinates. */
 #include <math.h>
 #include <string.h>
 
@@ -41,7 +41,7 @@ static double greatest_lever(const struct pm_tree *tree)
     return lever;
 }
 
-/* What a loop row changes by when its coordinates do by their natural size. */
+/* What a loop constraint changes by when its coordinates do by their natural size. */
 static double loop_size(const pm_workspace *w)
 {
     const double lever = greatest_lever(w->tree),
@@ -51,7 +51,7 @@ static double loop_size(const pm_workspace *w)
     return size;
 }
 
-/* Do the loop rows determine the other coordinates well, going by the pivots of pm_tree_slope? */
+/* Do the loop constraints determine the other coordinates well, going by the pivots of pm_tree_slope? */
 static int is_determined(const pm_workspace *w)
 {
     const int n = w->tree->nloop;
@@ -64,7 +64,7 @@ static int is_determined(const pm_workspace *w)
     return 1;
 }
 
-/* Null vector of the loop rows (one more column than rows) by elimination; 0 where the rank falls, or nearly so. */
+/* Null vector of the loop constraints (one more column than rows) by elimination; 0 where the rank falls, or nearly so. */
 static int null_vector(pm_workspace *w, double *t)
 {
     pm_path *p = w->path;
@@ -86,7 +86,7 @@ static int null_vector(pm_workspace *w, double *t)
     return 1;
 }
 
-/* A place that the rows do not determine well with the driver kept: on a bridge, if no other driver would do. */
+/* A place that the constraints do not determine well with the driver kept: on a bridge, if no other driver would do. */
 static int place_on_bridge(pm_workspace *w, double u, pm_place *place, int status)
 {
     pm_path *p = w->path;
@@ -130,7 +130,7 @@ int pm_path_look(pm_workspace *w, pm_place *place)
     return PM_OK;
 }
 
-/* The same motion, told by a unit rate of coordinate i. */
+/* The same motion, described by a unit rate of coordinate i. */
 static void tell_by(const pm_model *m, const pm_path *path, pm_place *place, int i)
 {
     const double factor = 1 / place->slope[i];

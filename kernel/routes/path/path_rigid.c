@@ -1,8 +1,8 @@
 /* path_rigid.c - places of a rigid group that one coordinate u moves: a body on a fixed pin, slider or track, and all that
  * is welded to it.
  *
- * Let P be the mark of that body on its joint, and R the turn of the group by its angle: u, or a constant (slider).  With
- * d, the way from P to a mass centre in the axes of the first body, and ' by u,
+ * Let P be the mark of that body on its joint, and R the rotation of the group by its angle: u, or a constant (slider).
+ * With d, the way from P to a mass centre in the axes of the first body, and ' by u,
  *
  *   x = P + R d,   t = x' = P' + w k x R d,   c = x'' = P'' - w^2 R d,   w the rate of the angle: 1 or 0
  *
@@ -22,7 +22,7 @@
 #include "tree/tree.h"
 #include "tree/tree_node.h"
 
-/* v turned by the angle with that cosine and sine. */
+/* v rotated by the angle with that cosine and sine. */
 static inline pm_lanes rotated(pm_lanes rotation, pm_lanes v)
 {
     return rotation[0] * v + rotation[1] * pm_lanes_left(v);

@@ -1,7 +1,7 @@
 /* path_step.c - one step of the path: its places, T there, and whether such a step can be taken.
  *
  * A step is tried at 9 nodes, and at 17 where these do not resolve what is made of them; it is halved where those do not
- * either.  It ends where T vanishes: there the motion turns back. */
+ * either.  It ends where T vanishes: there the motion reverses. */
 #include <float.h>
 #include <math.h>
 
@@ -96,7 +96,7 @@ static int speed_resolved(const pm_path *p)
     double speed[PM_NODES_MOST];
     for (int k = 0; k < p->nodes->n; k++) {
         const pm_place *x = &p->node[k * p->every];
-        if (!(x->kinetic > 0)) return 1; /* it turns back there */
+        if (!(x->kinetic > 0)) return 1; /* it reverses there */
         speed[k] = sqrt(x->kinetic / x->mass);
     }
     return pm_chebyshev_tail(p->nodes, speed) <= PM_PATH_SPEED_TAIL;
@@ -294,7 +294,7 @@ int pm_path_take_step(pm_workspace *w, double full)
         if (next == 0) break;
         reverses = next != 0.5 * h && !p->at_rest; /* not a halving: the way to a turning point */
         if (reverses && w->numbers.coarse > 1 &&
-            next > PM_PATH_PART * full) { /* other steps in a companion */
+            next > PM_PATH_PART * full) { /* other steps in a coarse run */
             next *= 0.5;
             reverses = 0;
         }

@@ -1,4 +1,4 @@
-/* repeat.h - what a path phase has shown once is used again: for the next period of a row, for the next turn of a closed
+/* repeat.h - what a path phase has shown once is used again: for the next period of a pattern, for the next lap of a closed
  * path. */
 #ifndef PM_REPEAT_H
 #define PM_REPEAT_H
@@ -11,9 +11,9 @@ int pm_repeat_create(pm_workspace *w);
 
 /* A new case, or a phase on another route: nothing is known. */
 void pm_repeat_forget(struct pm_repeat *repeat);
-/* A path phase begins at w->state (the frame looks at it, the rows are built): if it repeats the last segment, as many
- * segments are passed over as nobody asks about and as are sure to go like it; *passed = 1: w->state is the begin of a later
- * one and the rows are built for it.  Statuses of the route and of the rows. */
+/* A path phase begins at w->state (the frame looks at it, the constraints are built): if it repeats the last segment, as
+ * many segments are passed over as nobody asks about and as are sure to go like it; *passed = 1: w->state is the begin of
+ * a later one and the constraints are built for it.  Statuses of the route and of the constraints. */
 int pm_repeat_begin(pm_workspace *w, int *passed);
 /* The segment ends at w->state, where the frame looks, before the blows of the instant. */
 void pm_repeat_end(pm_workspace *w);
@@ -36,8 +36,8 @@ typedef struct pm_repeat {
     int *side;            /* [ntrigger] 1, -1: sign of a trigger all along it; 0: it had both */
     double unsure;      /* J, T of the nearest segment of this series that is not sure; NAN: none is known */
     double by[2];       /* m, the shift to the next one */
-    double *rotation;   /* [nbody] rad, how far each body has turned */
-    int member;         /* so many members on in a row */
+    double *rotation;   /* [nbody] rad, how far each body has rotated */
+    int member;         /* so many members on in a pattern */
     double work, ratio; /* J, W and m of repeat_energy.c */
 } pm_repeat;
 
@@ -50,8 +50,8 @@ typedef struct pm_repeats {
     int is_last;    /* the one after them is the last that gets over the barrier */
 } pm_repeats;
 
-/* repeat_match.c: 1 if the phase at w->state, where T = kinetic, begins like the last segment: then by, turn and member lead
- * there from the begin of that. */
+/* repeat_match.c: 1 if the phase at w->state, where T = kinetic, begins like the last segment: then by, rotation and
+ * member lead there from the begin of that. */
 int pm_repeat_match(pm_workspace *w, double kinetic);
 
 /* repeat_limit.c: how many segments from w->state on triggers, asks and limits allow to pass over; time: s, of each, or 0. */
@@ -82,7 +82,7 @@ int pm_repeat_replay_check(pm_workspace *w, double kinetic, int *sure);
 int pm_repeat_replay_tell(pm_workspace *w, const pm_repeats *segments, int *found);
 
 /* repeat_pass.c: moves w->state on by these segments, and counts them; kinetic: T there now, time: s, of each, or 0.  The
- * frame looks at w->state, the rows are built for it. */
+ * frame looks at w->state, the constraints are built for it. */
 int pm_repeat_pass(pm_workspace *w, const pm_repeats *segments, double kinetic, double time);
 
 #endif

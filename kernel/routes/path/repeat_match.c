@@ -1,7 +1,7 @@
 /* repeat_match.c - whether a phase begins like the last segment.
  *
- * The contacts that are closed are the same, in the same modes, each row's member so many further on; every body has moved
- * by the same way b and turned by an angle of its own,
+ * The contacts that are closed are the same, in the same modes, the member of each pattern so many further on; every body
+ * has moved by the same way b and rotated by an angle of its own,
  *
  *   q = q_0 + b,    v = sqrt(T / T_0) v_0      q_0, v_0, T_0 at the begin of the last segment */
 #include <math.h>
@@ -39,7 +39,7 @@ static int same_modes(pm_workspace *w)
     return 1;
 }
 
-/* The way that goes with the members, or, where none is passed, that of the first body; 0 if rows of several steps, or
+/* The way that goes with the members, or, where none is passed, that of the first body; 0 if patterns of several steps, or
  * moving ones, are in touch. */
 static int find_way(pm_workspace *w)
 {

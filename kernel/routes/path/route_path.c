@@ -5,7 +5,7 @@
  *
  * u is the driver of path_place.c.  Every place on the path is met exactly, so that neither positions nor speeds carry any
  * error of integration; the time, where anybody asks for it, is the integral of sqrt(mass / 2T), with the root taken out
- * where the step begins or ends at rest.  The motion turns back where T vanishes. */
+ * where the step begins or ends at rest.  The motion reverses where T vanishes. */
 #include <math.h>
 #include <string.h>
 
@@ -121,7 +121,7 @@ static double way_to(const pm_frame *frame, const pm_path *path, int contact, in
     return gap > pm_contact_length(frame) && rate < 0 ? -gap / rate : INFINITY;
 }
 
-/* The step may end soon: at the nearest contacts that seem to come, of a row on either side. */
+/* The step may end soon: at the nearest contacts that seem to come, of a pattern on either side. */
 static double next_contact(pm_workspace *w, const pm_place *x)
 {
     double h = INFINITY;
@@ -152,7 +152,7 @@ static void state_of(const pm_model *model, const pm_path *p, const pm_place *x,
     state->t = t;
 }
 
-/* How fast the bodies would move at the scene's speed where the motion turns back. */
+/* How fast the bodies would move at the scene's speed where the motion reverses. */
 static void set_reversal(pm_workspace *w)
 {
     const pm_place *x = &w->path->node[PM_NODES_MOST - 1];
@@ -185,8 +185,8 @@ static int at(pm_workspace *w, double x, pm_state *state)
     return status;
 }
 
-/* Poses are known, and at a place that the rows determine nothing is factored to have accelerations and reactions.  The
- * time is told where something that is sampled reads it. */
+/* Poses are known, and at a place that the constraints determine nothing is factored to have accelerations and reactions.
+ * The time is known where something that is sampled reads it. */
 static int look(pm_workspace *w, double x, int level)
 {
     const pm_place *place;

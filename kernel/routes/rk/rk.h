@@ -54,7 +54,8 @@ double pm_rk_error(const struct pm_rk *r, double h);
 /* r->y at t inside the last step; the ledger is not asked for there and stays as at its begin. */
 int pm_rk_dense(pm_workspace *w, double t);
 
-/* rk_state.c: y back on the rows and on the energy level, and the state there; *gained: the energy that comes with it. */
+/* rk_state.c: y back on the constraints and on the energy level, and the state there; *gained: the energy that comes with
+ * it. */
 int pm_rk_settle(pm_workspace *w, double t, double *y, pm_state *s, double *gained);
 
 /* rk_state.c, of the last step: see route.h. */

@@ -2,9 +2,9 @@
  *
  *   y = (coordinates, their rates, z),    y' = (rates, accelerations(t, y), z')
  *
- * Accelerations of small trees need no look of the frame (tree_small.c).  Where the loop rows nearly depend
+ * Accelerations of small trees need no look of the frame (tree_small.c).  Where the loop constraints nearly depend
  * on each other the coordinates are partitioned (tree_partition.c): then each stage is made to meet these
- * rows first. */
+ * constraints first. */
 #include "equations/ledger.h"
 #include "routes/rk/rk.h"
 #include "state/workspace.h"

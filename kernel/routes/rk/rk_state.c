@@ -1,6 +1,6 @@
 /* rk_state.c - y of the rk route as a state of the scene.
  *
- * At the end of a step y is put back on the loop rows, and on the energy level of the phase where energy is kept
+ * At the end of a step y is put back on the loop constraints, and on the energy level of the phase where energy is kept
  * (energy_level.h).  Inside a step it is that of the dense output; exact states are those of a step that ends there. */
 #include <string.h>
 
@@ -30,7 +30,7 @@ static double restore_energy(pm_workspace *w, double *rates)
     const double factor = pm_energy_level_factor(w, &w->rk->level, &gained);
     for (int i = 0; i < w->rk->n && factor != 1; i++) rates[i] *= factor;
     for (int i = 0; i < w->model->nq && factor != 1; i++) w->frame.velocity[i] = w->tree->v[i] *= factor;
-    /* evaluated loop rows; nothing drives them, so that this is quadratic in the rates */
+    /* evaluated loop constraints; nothing drives them, so that this is quadratic in the rates */
     for (int i = 0; i < w->tree->nloop && factor != 1; i++)
         w->active.constraint[w->tree->loop[i]].gamma *= factor * factor;
     return gained;
@@ -58,7 +58,7 @@ int pm_rk_at(pm_workspace *w, double t, pm_state *s)
 }
 
 /* Accelerations and reactions for whoever watches, in the coordinates of the phase; where these are
- * partitioned the loop rows are not met to rounding inside a step.  The choice of coordinates does not
+ * partitioned the loop constraints are not met to rounding inside a step.  The choice of coordinates does not
  * depend on being watched. */
 static int accelerate_watched(pm_workspace *w)
 {
@@ -82,7 +82,7 @@ int pm_rk_look(pm_workspace *w, double t, int level)
 }
 
 /* From the begin of the step to t in two halves: a phase that one step covers would have the same error in
- * a companion (accuracy.c).  Stage 0 is in r->side. */
+ * a coarse run (accuracy.c).  Stage 0 is in r->side. */
 static int in_halves(pm_workspace *w, double t)
 {
     struct pm_rk *r = w->rk;

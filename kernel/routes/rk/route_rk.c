@@ -1,7 +1,7 @@
 /* route_rk.c - explicit 8th order (DOP853) in the explicit coordinates of the phase (tree.h), back on the
- * loop rows after each step: begin, what errors are allowed, how long steps are.
+ * loop constraints after each step: begin, what errors are allowed, how long steps are.
  *
- * Errors of lengths count against the scene's size, of angles against 1 rad (they grow with every turn), of
+ * Errors of lengths count against the scene's size, of angles against 1 rad (they grow with every revolution), of
  * speeds against its speed.  The step control aims well below the tolerance (safety 0.7): fewer rejections
  * and errors several times smaller for the same work.  The ledger feeds nothing back: it is integrated over
  * the step by the stages that count.  Where energy is kept (energy_level.h) nothing but the impulses of the outer
@@ -93,7 +93,7 @@ static int begin(pm_workspace *w)
     return PM_OK;
 }
 
-/* In which a body turns by about 1: of rates and accelerations k[2 n] of the coordinates, or of the bodies
+/* In which a body rotates by about 1: of rates and accelerations k[2 n] of the coordinates, or of the bodies
  * in the frame. */
 static double rotation_time(const pm_workspace *w, const double *k)
 {
@@ -196,7 +196,7 @@ static int met_singular(const pm_tree *t)
     return t->part.few && t->part.least_regular < PM_RK_NEAR_SINGULAR * t->part.most_regular;
 }
 
-/* The length to try after n others: by turns longer, as far as that goes, and shorter than the first. */
+/* The length to try after n others: alternately longer, as far as that goes, and shorter than the first. */
 static double sidestep(double first, double longest, int n)
 {
     const double factor = pow(PM_RK_SIDESTEP, (n + 1) / 2);

@@ -1,14 +1,16 @@
 /* fastest_growth.c - the deviation from a steady motion that grows fastest.
  *
- * Seen in axes that turn at the rate W of the steady motion, small deviations x = (dq, dv) that go with the rows obey
+ * Seen in axes that rotate at the rate W of the steady motion, small deviations x = (dq, dv) that go with the constraints
+ * obey
  *
  *   dq' = dv - W x dq,   dv' = (da/dq) dq + (da/dv) dv - W x dv,   x' = L x
  *
  * with a constant L: W = 0 out of rest.  L is read off the equations of motion by differences of fourth order, on states
- * that are projected on the rows.  exp(L h), by the polynomial of the classical Runge-Kutta formula, is squared until one
- * direction is left of it:  exp(L T) / |exp(L T)| -> u w^T,  L u = r u,  r the greatest real part of an eigenvalue.  What a
- * blow dv excites is then u (w^T dv): a swinging or decaying part of it has no share in the end, however small the blow is.
- * Along u the energy and every momentum of the steady motion are kept, to first and to second order. */
+ * that are projected on the constraints.  exp(L h), by the polynomial of the classical Runge-Kutta formula, is squared
+ * until one direction is left of it:  exp(L T) / |exp(L T)| -> u w^T,  L u = r u,  r the greatest real part of an
+ * eigenvalue.  What a blow dv excites is then u (w^T dv): a swinging or decaying part of it has no share in the end,
+ * however small the blow is.  Along u the energy and every momentum of the steady motion are kept, to first and to second
+ * order. */
 #include "routes/start/fastest_growth.h"
 
 #include <math.h>
@@ -36,13 +38,13 @@ int pm_fastest_growth_create(pm_arena *arena, const pm_model *m, pm_fastest_grow
 
 static void clear(double *x, int n) { memset(x, 0, (size_t)n * sizeof *x); }
 
-/* Axes that are not turned. */
+/* Axes that are not rotated. */
 static const double ahead[2] = {1, 0};
 
 static double length_of(const pm_numbers *numbers, int i) { return i % 3 == 2 ? 1 : numbers->size; }
 static double unit_of_time(const pm_numbers *numbers) { return numbers->size / numbers->speed; }
 
-/* Part i of spin x d: d turned left; angles do not turn. */
+/* Part i of spin x d: d rotated left; angles do not rotate. */
 static double rotated(double spin, const double *d, int i)
 {
     return i % 3 == 2 ? 0 : i % 3 == 0 ? -spin * d[i + 1] : spin * d[i - 1];
@@ -71,7 +73,7 @@ static int accelerate(pm_workspace *w, pm_state *s)
     return status ? status : pm_saddle_accelerate(w);
 }
 
-/* The accelerations at s are those of a turning as a whole. */
+/* The accelerations at s are those of a rotation as a whole. */
 static int rotates_as_a_whole(pm_workspace *w, const pm_fastest_growth *e, pm_state *s, int *status)
 {
     double scale = w->numbers.speed * w->numbers.speed / w->numbers.size, worst = 0;
@@ -94,7 +96,8 @@ static void list_free(const pm_model *model, const pm_numbers *numbers, pm_faste
         if (e->free[i] && numbers->inverse_mass[i] > 0) e->at[e->n++] = i;
 }
 
-/* d[nq] of bodies, in the axes turned by the angle whose cosine and sine are turn[2], from e->at's coordinates in units. */
+/* d[nq] of bodies, in the axes rotated by the angle whose cosine and sine are rotation[2], from e->at's coordinates in
+ * units. */
 static void spread(const pm_model *model, const pm_numbers *numbers, const pm_fastest_growth *e,
                    const double *x, const double rotation[2], double *d)
 {
@@ -122,8 +125,8 @@ static void gather(const pm_numbers *numbers, const pm_fastest_growth *e, const 
     }
 }
 
-/* y = L x at the state `base`, in units of the scene's size and time and in axes turned by turn[2]; x is projected on the
- * rows first. */
+/* y = L x at the state `base`, in units of the scene's size and time and in axes rotated by rotation[2]; x is projected
+ * on the constraints first. */
 static int change_of(pm_workspace *w, pm_fastest_growth *e, const pm_state *base, const double rotation[2],
                      const double *x, double *y)
 {

@@ -22,7 +22,7 @@ typedef struct pm_fastest_growth {
 
 int pm_fastest_growth_create(pm_arena *arena, const pm_model *m, pm_fastest_growth *e);
 
-/* The motion of the free coordinates from w->state is steady, seen in axes that turn at some body's spin, or do not; 0 if
+/* The motion of the free coordinates from w->state is steady, seen in axes that rotate at some body's spin, or do not; 0 if
  * it is not.  *status: of the systems that were solved. */
 int pm_fastest_growth_is_steady(pm_workspace *w, pm_fastest_growth *e, int *status);
 /* After it: the deviation, where e->rate > 0. */

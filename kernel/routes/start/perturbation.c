@@ -2,7 +2,7 @@
  *
  * The state is set out by a small part of the deviation that grows fastest: what is then left of the limit of a vanishing
  * nudge is of second order in it, the energy and the momenta are kept to rounding.  How long it takes, and how far the
- * steady motion goes on until then, depends on the size: a companion (accuracy.c), whose tolerance is another, shows it. */
+ * steady motion goes on until then, depends on the size: a coarse run (accuracy.c), whose tolerance is another, shows it. */
 #include "routes/start/perturbation.h"
 
 #include <math.h>
@@ -221,7 +221,7 @@ static int overlaps(pm_workspace *w)
     return PM_OK;
 }
 
-/* To the side on which the program is positive, if it tells both sides apart. */
+/* To the side on which the program is positive, if it distinguishes the sides. */
 static int take_side(pm_workspace *w)
 {
     const pm_fastest_growth *e = &w->perturbation->escape;

@@ -1,11 +1,11 @@
 /* route_uniform.c - constant accelerations: q = q0 + v t + a t^2/2, exactly.
  *
  * That they are constant is proven by the rules of constant_motion.c; no step controls any error.  Contacts close where
- * uniform_gap.c finds it, sliding stops where the slip, linear in t, vanishes; normal forces and grip keep what they were
- * when the phase began.  What else is watched - triggers, extremes, grids - is sampled in steps: programs that are
- * polynomials of the time (program_degree.c) in long ones that end where a parabola, or the square of a speed, turns, so
- * that each is monotonic in its step; others as densely as the motion itself is fast.  Where nothing is watched one step is
- * the phase. */
+ * uniform_gap.c finds it, sliding stops where the slip, linear in t, vanishes; normal forces and friction keep what they
+ * were when the phase began.  What else is watched - triggers, extremes, grids - is sampled in steps: programs that are
+ * polynomials of the time (program_degree.c) in long ones that end where a parabola, or the square of a speed, has its
+ * extremum, so that each is monotonic in its step; others as densely as the motion itself is fast.  Where nothing is
+ * watched one step is the phase. */
 #include <math.h>
 #include <string.h>
 
@@ -70,7 +70,7 @@ static int paths_are_parabolas(const pm_workspace *w)
     return 1;
 }
 
-/* A slip, positive while it lasts, of a slot or of a grip. */
+/* A slip, positive while it lasts, of a slot or of the friction of a joint. */
 typedef double pm_slip(pm_workspace *w, int which, double t);
 
 static double joint_slip_at(pm_workspace *w, int grip, double t)
@@ -174,7 +174,7 @@ static int begin(pm_workspace *w)
 }
 
 /* ---- one step ---- */
-/* Where in the step the first of the watched parabolas turns, or its end. */
+/* Where in the step the first of the watched parabolas has its extremum, or its end. */
 static double first_reversal(pm_workspace *w, double from, double to)
 {
     const double h = to - from;

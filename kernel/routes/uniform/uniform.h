@@ -7,18 +7,17 @@
 
 /* The search for the first closing of one contact: times from the begin of the phase. */
 typedef struct pm_closing {
-    double safe;            /* open until here at least */
-    double root;            /* closes here; INFINITY: not found yet */
-    int exact;              /* that is the root of a parabola, and no rounding of positions in it */
-    double looked, g, rate; /* where it was looked at last, the smallest gap there, and its rate */
-    double near,
-        near_reach; /* least gap where it came close and turned back, or INFINITY; gap around there */
+    double safe;             /* open until here at least */
+    double root;             /* closes here; INFINITY: not found yet */
+    int exact;               /* that is the root of a parabola, and no rounding of positions in it */
+    double looked, g, rate;  /* where it was looked at last, the smallest gap there, and its rate */
+    double near, near_reach; /* least gap where it came close and reversed, or INFINITY; gap around there */
 } pm_closing;
 
 /* Blows of one contact that follow each other like a geometric series: zeno.c. */
 typedef struct pm_series {
     int contact;           /* struck by the last blow, or PM_NONE */
-    int alike;             /* blows in a row that were the one before, times e */
+    int alike;             /* successive blows that were the one before, times e */
     double flight;         /* time from the blow before to the last one; 0: not known */
     double *change;        /* [nq] of the velocities by it */
     double *spare;         /* [nq] */
@@ -38,7 +37,7 @@ typedef struct pm_uniform {
     /* the phase: q = q0 + v t + a t^2/2 */
     double t0;
     double *q0, *v, *a; /* [nq + 3]: the ground's follow */
-    double *lambda;     /* [nrow] */
+    double *lambda;     /* [nconstraint] */
     unsigned char *rotates, *locked;
     pm_constant_motion curve;
     pm_closing *closing;    /* [ncontact] */
@@ -88,7 +87,7 @@ void pm_uniform_gap(pm_workspace *w, int contact, double until);
 /* The last step has ended, at u->end: how near the contact came to closing without doing so. */
 void pm_uniform_gap_note(pm_workspace *w, int contact);
 
-/* uniform_edge.c: of every contact with an edge that ends a polynomial of the time tells all. */
+/* uniform_edge.c: of every contact with an edge that ends a polynomial of the time says all. */
 int pm_uniform_edge_hold(const pm_workspace *w);
 /* At the begin of the phase: when it closes, or comes to its end, if ever. */
 void pm_uniform_edge_begin(pm_workspace *w, int contact);

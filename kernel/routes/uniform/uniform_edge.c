@@ -5,8 +5,8 @@
  *   the face is struck where h - R falls through zero while o <= 0 at both ends,
  *   a corner where o^2 + h^2 - R^2 does, a quartic, while o > 0,
  *   what touches the face comes to its end where o rises through zero.
- * So all that an edge can do in the phase is known when it begins.  Roots of polynomials are told apart by those of their
- * derivatives: between two of these they are monotonic. */
+ * So all that an edge can do in the phase is known when it begins.  Roots of polynomials are distinguished by those of
+ * their derivatives: between two of these they are monotonic. */
 #include <math.h>
 
 #include "elements/constraint.h"
@@ -263,7 +263,7 @@ static void keep_least(pm_closing *x, double gap, double reach)
 
 static int is_inside(double t, const double step[2]) { return t >= step[0] && t <= step[1]; }
 
-/* Along an edge: how near to an end it turned back; how fast it comes to it. */
+/* Along an edge: how near to an end it reversed; how fast it comes to it. */
 static void note_end(pm_closing *x, const pm_edge_motion *edge, double reach, const double step[2])
 {
     double top[MOST_DEGREE], nearest = -INFINITY;

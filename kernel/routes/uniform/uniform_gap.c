@@ -3,7 +3,7 @@
  *
  * From a place where gap g, its rate g' and a lower bound c of g'' over the next h are known,
  *   g(s) >= g + g' s + c s^2/2,   g(s) >= g - L s   (L: a bound of |g'|),
- * so that it is open up to the first root of either.  Where bodies do not turn against a line, c is g'' itself and that
+ * so that it is open up to the first root of either.  Where bodies do not rotate against a line, c is g'' itself and that
  * root is the answer; where they do, the steps close in on it as Newton's do.  A touching contact that leaves starts with
  * g = 0. */
 #include <math.h>

@@ -270,7 +270,7 @@ static int slips_go_on(pm_workspace *w, const pm_rest *r)
     return 1;
 }
 
-/* The struck contact's rows stay the same, too: then its gap is a parabola, and all of its blows are alike. */
+/* The struck contact's constraints stay the same, too: then its gap is a parabola, and all of its blows are alike. */
 static int contact_is_steady(const pm_workspace *w, int contact)
 {
     const int slot = w->model->contact_slot[contact];

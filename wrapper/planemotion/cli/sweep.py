@@ -104,14 +104,14 @@ class _PlainProgress:
 
     def __init__(self) -> None:
         self._pace = _Pace()
-        self._told = time.perf_counter()
+        self._reported = time.perf_counter()
         self._ended = False
 
     def __call__(self, done: int, total: int) -> None:
         now, rate = time.perf_counter(), self._pace.rate(done)
-        if self._ended or (done < total and now - self._told < _PLAIN_PROGRESS_EVERY):
+        if self._ended or (done < total and now - self._reported < _PLAIN_PROGRESS_EVERY):
             return
-        self._told, self._ended = now, done >= total
+        self._reported, self._ended = now, done >= total
         left = (
             f", {rate:.0f} cases/s, {(total - done) / rate:.0f} s left" if rate > 0 and done < total else ""
         )

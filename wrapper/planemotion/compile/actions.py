@@ -125,7 +125,7 @@ class Actions:
             self._row(where, layout.PM_ACTION_WORK, event, nothing, body, program)
 
     def _body(self, name: str, where: str) -> int:
-        """A body that turns."""
+        """A body that rotates."""
         drawing = self.measures.drawing
         try:
             if "." in name:
@@ -133,8 +133,8 @@ class Actions:
                     "a number is an angular impulse, on a body; at a point a vector is wanted: [x, y] or "
                     "{ polar = [size, angle] }"
                 )
-            if name == GROUND or not drawing.body_of(name).turns:
-                raise SceneError("a body that turns is wanted")
+            if name == GROUND or not drawing.body_of(name).rotates:
+                raise SceneError("a body that rotates is wanted")
         except SceneError as error:
             raise error.at(path=where, value=name) from None
         return drawing.body_index(name)

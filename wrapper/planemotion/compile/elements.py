@@ -64,8 +64,8 @@ def _rub(to: Writer, joint: RubbingJoint, index: int, partners: tuple[Partner, P
     bearing = isinstance(joint, BearingJoint)
     given = "friction" if "friction" in joint.model_fields_set else "friction_couple"
     where = f"{path}.{given}"
-    if bearing and not all(to.turns(one.owner) for one in partners):
-        raise SceneError(f"a particle does not turn: its {joint.kind} has no friction", path=where)
+    if bearing and not all(to.rotates(one.owner) for one in partners):
+        raise SceneError(f"a particle does not rotate: its {joint.kind} has no friction", path=where)
     if isinstance(joint.friction, Bearing):
         if not bearing:
             raise SceneError(f"a {joint.kind} has no radius; give the coefficient", path=where)
@@ -126,12 +126,12 @@ def drive(to: Writer, name: str, body: Body) -> None:
     origin = to.drawn.point_at(GROUND, (ZERO, ZERO), path)
     centre = to.drawn.point(PointRef(name, "G"))
     to.joint(layout.PM_JOINT_DRIVE, centre, origin, path, programs=(x, y))
-    if body.turns:
+    if body.rotates:
         omega = to.over_time(driven.omega, f"{path}.omega", ANGULAR_VELOCITY)
         index = to.drawing.body_index(name)
         to.joint(layout.PM_JOINT_RATE, index, layout.PM_GROUND, path, programs=(omega,))
     elif driven.omega != 0:
-        raise SceneError("a particle does not turn; leave out omega", path=f"{path}.omega")
+        raise SceneError("a particle does not rotate; leave out omega", path=f"{path}.omega")
 
 
 @dataclass(frozen=True)

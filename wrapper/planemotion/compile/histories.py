@@ -24,7 +24,7 @@ def trace_columns(
     """Column name (an address) -> program and SI unit."""
     addresses: list[str] = []
     for name, body in drawing.bodies.items():
-        quantities = (*_OF_BODY, *(_OF_TURNING_BODY if body.turns else ()))
+        quantities = (*_OF_BODY, *(_OF_TURNING_BODY if body.rotates else ()))
         addresses += [f"{name}.{quantity}" for quantity in quantities]
     for name, joint in scope.joints.items():
         addresses += [f"{name}.{quantity}" for quantity in joint.joint.columns]

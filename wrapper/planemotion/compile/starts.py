@@ -64,7 +64,7 @@ class Starts:
             for part, value, exact in zip(parts, placed.position, placed.exact, strict=True):
                 if exact:
                     self._row(layout.PM_MEASURE_POSITION, point, part, value, path)
-        if pose.angle_exact and self.drawing.bodies[name].turns:
+        if pose.angle_exact and self.drawing.bodies[name].rotates:
             index = self.drawing.body_index(name)
             self._row(layout.PM_MEASURE_ANGLE, index, layout.PM_PART_NONE, pose.angle, f"bodies.{name}.angle")
 

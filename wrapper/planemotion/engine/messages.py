@@ -216,7 +216,11 @@ _DESCRIPTIONS: dict[int, Any] = {
         + "; name a velocity that changes as it is left"
     ),
     layout.PM_NO_IMPULSE: lambda place, found, bound: (
-        f"{place}: no impulse on this body does the work {found:.6g} J and keeps the sense in which it turns"
-        + (f"; {bound:.6g} J would stop it" if math.isfinite(bound) and bound != 0 else "; it does not turn")
+        f"{place}: no impulse on this body does the work {found:.6g} J and keeps the sense of rotation"
+        + (
+            f"; {bound:.6g} J would stop it"
+            if math.isfinite(bound) and bound != 0
+            else "; it does not rotate"
+        )
     ),
 }

@@ -262,9 +262,9 @@ class Drawing:
     def _angle(self, name: str, body: Body, placed: list[Placed]) -> tuple[Node, bool]:
         """The drawn angle, and whether it is written as exact."""
         path = f"bodies.{name}.angle"
-        if not body.turns:
+        if not body.rotates:
             if body.angle is not None:
-                raise SceneError("a particle does not turn; leave out angle", path=path, value=body.angle)
+                raise SceneError("a particle does not rotate; leave out angle", path=path, value=body.angle)
             return ZERO, True
         if len(placed) == 2:
             if body.angle is not None:

@@ -91,7 +91,7 @@ class DrawnRows:
         self.masses[name] = mass
         value = self.tables.value
         row = {
-            layout.PM_BODY_ROTATES: int(body.turns),
+            layout.PM_BODY_ROTATES: int(body.rotates),
             layout.PM_BODY_MASS: value(
                 mass.mass, f"{path}.{'weight' if body.weight is not None else 'mass'}"
             ),

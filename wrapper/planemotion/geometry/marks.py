@@ -127,7 +127,7 @@ def body_marks(reader: Reader, name: str, body: Body, length: Node | None) -> Ma
         _add_edge(marks, radius(reader, name, body))
     elif body.shape in words.ROUND_SHAPES:
         marks.circles["rim"] = CircleMark((ZERO, ZERO), radius(reader, name, body))
-    if not body.turns and (body.points or body.lines or body.circles):
+    if not body.rotates and (body.points or body.lines or body.circles):
         raise SceneError(
             "a particle has no marks; give the body a shape, an inertia or a gyration", path=path
         )

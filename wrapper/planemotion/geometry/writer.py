@@ -36,24 +36,24 @@ class Writer:
         return pairs(names, path, lambda text, where, _index: partner(self.drawing, text, where, "circle"))
 
     def bodies(self, names: tuple[str, ...], path: str) -> tuple[str, str]:
-        """Two different bodies that turn; one may be the ground."""
+        """Two different bodies that rotate; one may be the ground."""
         first, second = (self.body(name, f"{path}[{index}]") for index, name in enumerate(names))
         if first == second:
             raise SceneError("two different bodies are wanted", path=path)
         return first, second
 
     def body(self, name: str, where: str) -> str:
-        """A body that turns, or the ground."""
+        """A body that rotates, or the ground."""
         try:
-            if not self.turns(name):
-                raise SceneError("a particle does not turn; a body with an inertia is wanted")
+            if not self.rotates(name):
+                raise SceneError("a particle does not rotate; a body with an inertia is wanted")
         except SceneError as error:
             raise error.at(path=where, value=name) from None
         return name
 
-    def turns(self, name: str) -> bool:
+    def rotates(self, name: str) -> bool:
         """Whether it is more than a particle.  Raises SceneError if there is no such body."""
-        return name == GROUND or self.drawing.body_of(name).turns
+        return name == GROUND or self.drawing.body_of(name).rotates
 
     # ---- numbers ----
 

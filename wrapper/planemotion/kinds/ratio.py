@@ -1,4 +1,4 @@
-"""A bare relation of how two bodies turn, kept as at the start: a gear box of which only the ratio is told.
+"""A bare relation of how two bodies rotate, kept as at the start: a gear box whose inside is not known.
 
 The couples on the two bodies are not opposite: the ground takes the rest, as the housing of a gear box does.
 """
@@ -63,7 +63,7 @@ class Ratio(Coupling):
         if quantity != "turned":
             raise not_built("relations of anything but BODY.turned", where)
         if name == GROUND:
-            raise SceneError("the ground does not turn; a body is wanted", path=where)
+            raise SceneError("the ground does not rotate; a body is wanted", path=where)
         body = to.body(name, where)
         number = to.reader.number(self.partners[address], where, DIMENSIONLESS)
         if is_zero(number):

@@ -30,7 +30,7 @@ class Slider(RubbingJoint):
         point = one_point(to.drawn, a)
         line = to.drawn.line(b.owner, b.mark, b.where)
         # A particle has no direction that could be kept.
-        if self.turning or not to.turns(a.owner):
+        if self.turning or not to.rotates(a.owner):
             return JointRow(layout.PM_JOINT_SLIDER, point, line)
         held = to.drawing.angle(a.owner) - to.drawing.angle(b.owner)
         return JointRow(layout.PM_JOINT_SLIDER_FIXED, point, line, (held, f"{path}.turning"))

@@ -25,16 +25,18 @@ class Weld(Joint):
             if one.name not in ("", "G"):
                 reason = "bodies are welded as drawn; name the body only"
                 raise SceneError(reason, path=one.where, value=str(one.ref))
-        turning = [to.turns(one.owner) for one in (a, b)]
-        if not any(turning):
-            raise SceneError("two particles would have to turn; give one of the bodies an inertia", path=path)
-        # The place where both are held: the mass centre of the one that does not turn, else of the first.
-        held = b if (turning[0] and not turning[1]) or a.is_ground else a
+        rotating = [to.rotates(one.owner) for one in (a, b)]
+        if not any(rotating):
+            raise SceneError(
+                "two particles would have to rotate; give one of the bodies an inertia", path=path
+            )
+        # The place where both are held: the mass centre of the one that does not rotate, else of the first.
+        held = b if (rotating[0] and not rotating[1]) or a.is_ground else a
         position = to.drawing.position(held.ref)
         points = [
             to.drawn.point_at(one.owner, to.drawing.to_body(one.owner, position), path) for one in (a, b)
         ]
-        if not all(turning):
+        if not all(rotating):
             return JointRow(layout.PM_JOINT_PIN, points[0], points[1])
         angle = to.drawing.angle(a.owner) - to.drawing.angle(b.owner)
         return JointRow(layout.PM_JOINT_WELD, points[0], points[1], (angle, path))

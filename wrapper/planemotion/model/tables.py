@@ -120,7 +120,7 @@ class Body(Table):
         return next((shape for shape in words.SHAPES if getattr(self, shape) is not None), None)
 
     @property
-    def turns(self) -> bool:
+    def rotates(self) -> bool:
         """Whether it is more than a particle."""
         return self.shape is not None or self.inertia is not None or self.gyration is not None
 

@@ -200,7 +200,7 @@ class _ScenePicture:
     def _body(self, name: str, body: Body) -> None:
         pen, center = self.sketch.pen, self.sketch.point(name, "center")
         marks = self.sketch.drawing.marks(name)
-        if not body.turns:
+        if not body.rotates:
             pen.dot(center, BLUE, _PARTICLE)
             pen.name(center, name, BLUE, bold=True)
             return
@@ -218,7 +218,7 @@ class _ScenePicture:
         pen.name(mass_centre, name, BLUE, bold=True)
 
     def _shape(self, name: str, body: Body, center: Place) -> None:
-        """The outline of a body that turns."""
+        """The outline of a body that rotates."""
         pen, marks = self.sketch.pen, self.sketch.drawing.marks(name)
         if body.rod is not None:
             pen.bar(self.sketch.point(name, body.rod[0]), self.sketch.point(name, body.rod[1]), _ROD)

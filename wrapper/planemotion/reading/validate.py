@@ -174,7 +174,7 @@ def _check_spin(data: SceneData) -> None:
             raise SceneError(
                 f"only a {' or a '.join(words.EDGE_ON_SHAPES)} has edge_on", path=f"{path}.edge_on"
             )
-        if body.depth is not None and not body.turns:
+        if body.depth is not None and not body.rotates:
             raise SceneError("a particle has no depth", path=f"{path}.depth", value=body.depth)
 
 

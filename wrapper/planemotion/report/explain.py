@@ -187,9 +187,11 @@ def _bodies(data: SceneData, flat: FlatScene, start: Start) -> list[str]:
             float(values[row[column]]) for column in (layout.PM_BODY_MASS, layout.PM_BODY_INERTIA)
         )
         x, y, angle = (float(part) for part in start.pose[index])
-        kind = body.shape or ("body" if body.turns else "particle")
-        place = f"G at ({_short(x)}, {_short(y)}) m" + (f", angle {_short(angle)} rad" if body.turns else "")
-        turning = f"{inertia:.6g} kg*m^2" if body.turns else ""
+        kind = body.shape or ("body" if body.rotates else "particle")
+        place = f"G at ({_short(x)}, {_short(y)}) m" + (
+            f", angle {_short(angle)} rad" if body.rotates else ""
+        )
+        turning = f"{inertia:.6g} kg*m^2" if body.rotates else ""
         lines.append((name, kind, f"{mass:.6g} kg", turning, place if not start.message else ""))
     return _section(f"bodies of run {flat.run}" if flat.run is not None else "bodies", lines)
 

@@ -48,7 +48,7 @@ class _ChunkCall:
         self._thread.start()
 
     def wait(self, report: Callable[[int], None]) -> Block:
-        """The results; until then `report` is told now and then how many cases are finished."""
+        """The results; until then `report` gets now and then how many cases are finished."""
         while self._thread.is_alive():
             self._thread.join(_POLL)
             report(int(self._done.min()))

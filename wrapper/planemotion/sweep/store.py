@@ -218,10 +218,10 @@ class SweepStore:
         """Raises StudyError naming what differs between the stored manifest and this sweep's."""
         differences = list(_differences(stored, self.manifest))
         if differences:
-            told = [text for text in differences if not text.startswith(f"{CHECKSUMS}.")]
+            named = [text for text in differences if not text.startswith(f"{CHECKSUMS}.")]
             raise StudyError(
                 f"{place}: belongs to another sweep, so this one cannot go on there. Different: "
-                f"{'; '.join(told or differences)}. Give another --out, or undo the change"
+                f"{'; '.join(named or differences)}. Give another --out, or undo the change"
             )
 
     @property

@@ -157,8 +157,8 @@ class _Columns:
     def _reasons(self, first: int, count: int) -> list[str]:
         """Why something is missing: what was wrong with the case, or else with each ask."""
         # Cases that ended well have no message, and texts are slow to read.
-        is_told = self._read("status", first, count).any()
-        texts: list[str] = self._read("message", first, count).tolist() if is_told else [""] * count
+        has_texts = self._read("status", first, count).any()
+        texts: list[str] = self._read("message", first, count).tolist() if has_texts else [""] * count
         reasons = self._read("reason", first, count)
         for row in np.flatnonzero(reasons.any(axis=1)).tolist():
             texts[row] = texts[row] or "; ".join(
