@@ -31,7 +31,12 @@ enum pm_status {
         9, /* on the way a position was reached where nothing determines how it goes on: where = joint */
     PM_NO_TIME_ROUTE =
         10, /* a route in time was asked for and no time passes; all answers stand: where = setting */
-    PM_BAD_TABLE = -1, /* the tables contradict this header: where = table, row */
+    PM_NOT_UNIQUE =
+        11, /* laws of contact allow several motions: where = contact that tells them apart; detail =
+                           its coefficient of friction, contacts that take part */
+    PM_PAINLEVE = 12,         /* no motion obeys the laws of contact without a blow: where, detail likewise */
+    PM_ROUGH_IMPOSSIBLE = 13, /* the same where a contact that may not slip takes part */
+    PM_BAD_TABLE = -1,        /* the tables contradict this header: where = table, row */
     PM_NO_MEMORY = -2,
     PM_BAD_VALUE = -3,      /* not finite or out of its bound: where = table, row; detail = value, bound */
     PM_ASSEMBLY = -4,       /* joints cannot be met from the start given: where; detail = opening */
@@ -49,14 +54,10 @@ enum pm_status {
     PM_FIND_JUMP = -16, /* the condition jumps over zero: where = condition; detail = value on both sides */
     PM_BLOWS_ENDLESS =
         -17, /* blows one by one at one instant do not end: where = contact; detail = how many */
-    PM_BLOW_GAINS =
-        -18, /* the law of a blow with friction would create energy: where = contact; detail = J, bound */
     PM_BLOW_SEVERAL =
         -19, /* the law is for one contact at a time: where = contact; detail = how many take part */
     PM_NO_IMPULSE =
         -20, /* no impulse does that work: where = action; detail = work, the least that is possible */
-    PM_BLOW_REVERSES =
-        -21, /* a slip reverses in a blow of several contacts: where = contact; detail = m/s after it */
     PM_NUDGE_UNSTEADY =
         -22, /* where it acts there is neither rest nor a steady motion: where = action, or setting */
     PM_NUDGE_STABLE =
@@ -192,7 +193,9 @@ enum pm_count_column {
         8, /* of the case, the others for its errors; all other counts are of the one that answers */
     PM_COUNT_ROUTES = 9,             /* sum of 2^route over all that ran */
     PM_COUNT_REPEATED_SEGMENTS = 10, /* that repeat one that was computed, and were passed over */
-    PM_COUNT_COLUMNS = 11
+    PM_COUNT_LIMITED_BLOWS =
+        11, /* whose restitution was lowered: with friction it would have gained energy */
+    PM_COUNT_COLUMNS = 12
 };
 /* What pm_check reports of the assembled start. */
 enum pm_check_column {

@@ -101,6 +101,11 @@ double pm_contact_kinetic(const pm_frame *frame, int contact)
 {
     return coefficient(frame, contact, PM_CONTACT_KINETIC);
 }
+int pm_contact_friction_jumps(const pm_frame *frame, int contact)
+{
+    return pm_contact_friction(frame->model, contact) == PM_FRICTION_COULOMB &&
+           pm_contact_static(frame, contact) > pm_contact_kinetic(frame, contact);
+}
 
 /* Two points that are at one place have no direction: nothing is known of the rate. */
 static double meeting_gap(const pm_frame *frame, int contact, double *rate)

@@ -49,6 +49,8 @@ int pm_contact_is_pattern(const pm_model *m, int contact);
 int pm_contact_is_cord(const pm_model *m, int contact);
 double pm_contact_static(const pm_frame *frame, int contact);
 double pm_contact_kinetic(const pm_frame *frame, int contact);
+/* What slips has less friction than what sticks: only then a motion that slips a little less is another motion. */
+int pm_contact_friction_jumps(const pm_frame *frame, int contact);
 
 /* Gaps below this count as touching, m; normal and tangential speeds below this count as none, m/s. */
 double pm_contact_length(const pm_frame *frame);

@@ -246,6 +246,12 @@ static double change(const pm_active_set *active, const pm_saddle *saddle, const
     return scale > 0 ? most / scale : 0;
 }
 
+void pm_saddle_respond_roughly(pm_workspace *w, const double *force, double *x)
+{
+    memset(w->saddle.previous, 0, (size_t)w->model->nq * sizeof *x);
+    respond_once(w, force, w->saddle.previous, x);
+}
+
 int pm_saddle_respond(pm_workspace *w, const double *force, double *x)
 {
     int worst = 0;

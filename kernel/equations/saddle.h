@@ -32,6 +32,8 @@ void pm_saddle_solve(pm_saddle *s);
 void pm_saddle_spread(const pm_saddle *s, int use_h, double *x);
 /* The constraints are factored: x[nq] with M x = force + H^T l (force[nq] or NULL: none), G x = wanted; l is in rhs. */
 int pm_saddle_respond(pm_workspace *w, const double *force, double *x);
+/* The same with the inertia of what stands in for bodies without mass: near enough to tell which contacts push. */
+void pm_saddle_respond_roughly(pm_workspace *w, const double *force, double *x);
 /* Accelerations and reactions at the frame, which is DYNAMIC then. */
 int pm_saddle_accelerate(pm_workspace *w);
 /* The same right after pm_projection_apply, which may have evaluated the constraints. */

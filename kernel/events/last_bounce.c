@@ -2,7 +2,9 @@
  *
  * A contact with restitution e < 1 bounces infinitely often in a finite time.  The height of a bounce goes by its speed
  * squared, h = v^2 / 2g: it is lost in the rounding of positions, which goes by how far the scene reaches, while v is far
- * from rounding.  So slower rebounds than v ~ sqrt(reach / size) are the last, unless the route knows positions better. */
+ * from rounding.  So slower rebounds than v ~ sqrt(reach / size) are the last, unless the route knows positions better.
+ * Bodies on several contacts rock from one to the other in the same way, without any restitution: what would part so slowly
+ * because another contact has been struck is held. */
 #include "events/last_bounce.h"
 
 #include <math.h>
@@ -33,8 +35,13 @@ double pm_last_bounce_restitution(const pm_workspace *w, int contact, double app
 
 int pm_last_bounce_is_near(const pm_workspace *w, int contact, double rate)
 {
-    return pm_contact_restitution(&w->frame, contact) > 0 && !is_resolved(w, contact) &&
-           fabs(rate) <= PM_BOUNCE_UNKNOWN * cut_speed(w, PM_LAST_BOUNCE);
+    return !is_resolved(w, contact) && fabs(rate) <= PM_BOUNCE_UNKNOWN * cut_speed(w, PM_LAST_BOUNCE);
+}
+
+int pm_last_bounce_is_held(const pm_workspace *w, int contact, double approach, double rate)
+{
+    return approach <= cut_speed(w, PM_BOUNCE_SPENT) && rate > pm_contact_speed(&w->frame) &&
+           rate <= cut_speed(w, PM_BOUNCE_SPENT) && !is_resolved(w, contact);
 }
 
 int pm_last_bounce_is_spent(const pm_workspace *w, int contact, double rate)

@@ -1,6 +1,6 @@
 /* contact_modes.c - complementarity at the level of accelerations: a closed contact pushes (lambda_n >= 0) or opens; friction by
  * Coulomb holds within mu lambda_n or slides against the slip; a rough contact never slips, a smooth one has no friction.
- * Found by an active set: drop what pulls, slide what does not hold, close again what would approach. */
+ * The present modes stand if they do so; else all of them are found as one problem (contact_modes_solve.c). */
 #include "impact/contact_modes.h"
 
 #include <math.h>
@@ -22,9 +22,6 @@
 #include "state/frame.h"
 #include "state/workspace.h"
 
-/* Let go at this instant: it is closed again if its pair would approach; or not, for it was or the edge has ended. */
-enum pm_released { HELD = 0, LET_GO = 1, FOR_GOOD = 2 };
-
 int pm_contact_modes_of_slip(const pm_frame *frame, int contact, int member)
 {
     if (pm_capture_kind(frame->model, contact) != PM_CAPTURE_NONE) return PM_CAPTURED;
@@ -32,6 +29,8 @@ int pm_contact_modes_of_slip(const pm_frame *frame, int contact, int member)
     case PM_FRICTION_SMOOTH: return PM_SMOOTH;
     case PM_FRICTION_ROUGH: return PM_STICK;
     default: {
+        if (pm_contact_static(frame, contact) == 0 && pm_contact_kinetic(frame, contact) == 0)
+            return PM_SMOOTH;
         const double slip = pm_contact_member_slip(frame, contact, member);
         if (fabs(slip) <= pm_contact_speed(frame)) return PM_STICK;
         return slip > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
@@ -102,7 +101,7 @@ static int pass_end(pm_workspace *w, int slot)
     if (next == PM_NONE) {
         const int mode = s->mode;
         s->mode = PM_OPEN;
-        w->instant.slot_released[slot] = FOR_GOOD;
+        w->instant.slot_released[slot] = PM_FOR_GOOD;
         return heir == PM_NONE ? PM_OK : hand_over(w, mode, heir);
     }
     s->member = next;
@@ -131,7 +130,7 @@ int pm_contact_modes_begin(pm_workspace *w)
         const int what = pm_event_contact_change(w->event, i), slot = w->event->function[i].index;
         if (what == PM_TRIGGER_OPEN) {
             w->state.slot[slot].mode = PM_OPEN;
-            w->instant.slot_released[slot] = LET_GO;
+            w->instant.slot_released[slot] = PM_LET_GO;
         } else if (what == PM_TRIGGER_SLIP) {
             w->state.slot[slot].mode = slide_against(w->frame.lambda[w->active.slot_tangent[slot]]);
         } else if (what == PM_TRIGGER_STICK) {
@@ -184,62 +183,54 @@ int pm_contact_modes_overcome(pm_workspace *w, const double *load, int site, dou
         if (pm_contact_friction(w->model, contact) != PM_FRICTION_COULOMB) continue;
         const double room = pm_contact_static(&w->frame, contact) * load[w->active.slot_normal[i]] -
                             fabs(load[w->active.slot_tangent[i]]);
-        pm_evidence_sign(&w->evidence, site, i, room, size);
+        if (pm_contact_friction_jumps(&w->frame, contact))
+            pm_evidence_sign(&w->evidence, site, i, room, size);
         if (!(room >= -PM_PULLS * size)) return i;
     }
     return PM_NONE;
 }
 
-/* The worst pulling contact is let go; 1 if there was one. */
-static int let_go(pm_workspace *w, double size)
+/* A contact let go by this search whose pair would now approach. */
+static int approaches(pm_workspace *w)
 {
-    const int slot = pm_contact_modes_pulling(w, w->frame.lambda, PM_SITE_PULLS, size);
-    if (slot == PM_NONE) return 0;
-    w->state.slot[slot].mode = PM_OPEN;
-    w->instant.slot_released[slot] = LET_GO;
-    return 1;
-}
-
-/* The first sticking contact that needs more than mu N begins to slide; 1 if there was one. */
-static int slide(pm_workspace *w, double size)
-{
-    const int slot = pm_contact_modes_overcome(w, w->frame.lambda, PM_SITE_SLIDES, size);
-    if (slot == PM_NONE) return 0;
-    w->state.slot[slot].mode = slide_against(w->frame.lambda[w->active.slot_tangent[slot]]);
-    return 1;
-}
-
-/* A contact let go by this search whose pair would now approach is closed again; 1 if there was one. */
-static int close_again(pm_workspace *w)
-{
+    const double least = -PM_PULLS * (hypot(w->numbers.gravity[0], w->numbers.gravity[1]) +
+                                      w->numbers.speed * w->numbers.speed / w->numbers.size);
     for (int i = 0; i < w->model->nslot; i++) {
-        if (w->state.slot[i].mode != PM_OPEN || w->instant.slot_released[i] != LET_GO) continue;
+        if (w->state.slot[i].mode != PM_OPEN || w->instant.slot_released[i] != PM_LET_GO) continue;
         const pm_constraint normal = pm_contact_modes_normal(&w->frame, &w->state, i);
-        const double acceleration = pm_constraint_times(&w->frame, &normal, w->frame.a) - normal.gamma;
-        if (acceleration >= -PM_PULLS * (hypot(w->numbers.gravity[0], w->numbers.gravity[1]) +
-                                         w->numbers.speed * w->numbers.speed / w->numbers.size))
-            continue;
-        w->state.slot[i].mode =
-            pm_contact_modes_of_slip(&w->frame, pm_contact_of_slot(w->model, i), w->state.slot[i].member);
-        w->instant.slot_released[i] = FOR_GOOD; /* once only: no cycles */
-        return 1;
+        if (pm_constraint_times(&w->frame, &normal, w->frame.a) - normal.gamma < least) return 1;
     }
     return 0;
 }
 
+/* Nothing pulls, holds by more than its friction, or was let go and would approach. */
+static int stands(pm_workspace *w, double size)
+{
+    return pm_contact_modes_pulling(w, w->frame.lambda, PM_SITE_PULLS, size) == PM_NONE &&
+           pm_contact_modes_overcome(w, w->frame.lambda, PM_SITE_SLIDES, size) == PM_NONE && !approaches(w);
+}
+
+static int accelerate(pm_workspace *w)
+{
+    int status;
+    pm_frame_look_state(&w->frame, &w->state);
+    if ((status = pm_active_set_build(w)) || (status = pm_projection_built(w, &w->state))) return status;
+    return w->phase.kinematic ? PM_OK : pm_saddle_accelerate_projected(w);
+}
+
 int pm_contact_modes_settle(pm_workspace *w)
 {
-    const int most = 4 * w->model->nslot + 2 * w->model->nfriction + 4;
-    for (int i = 0; i < most; i++) {
-        int status;
-        pm_frame_look_state(&w->frame, &w->state);
-        if ((status = pm_active_set_build(w)) || (status = pm_projection_built(w, &w->state))) return status;
-        if (w->phase.kinematic) return PM_OK;
-        if ((status = pm_saddle_accelerate_projected(w))) return status;
+    const int most = 2 * w->model->nfriction + PM_MODES_ROUNDS;
+    for (int i = 0, changed = 1; i < most; i++) {
+        int status = accelerate(w);
+        if (status || w->phase.kinematic) return status;
         const double size = force_size(&w->frame, &w->active);
-        if (!let_go(w, size) && !slide(w, size) && !pm_joint_friction_overcome(w, PM_PULLS * size) &&
-            !close_again(w))
-            return PM_OK;
+        if (!changed || stands(w, size)) {
+            if (!pm_joint_friction_overcome(w, PM_PULLS * size)) return PM_OK;
+            changed = 1;
+        } else if ((status = pm_contact_modes_solve(w, &changed))) {
+            return status;
+        }
     }
     return pm_fail(&w->result, PM_BLOW_UNDECIDED, PM_TABLE_CONTACT, PM_NONE, most, most);
 }

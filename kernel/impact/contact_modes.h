@@ -5,11 +5,19 @@
 #include "elements/constraint.h"
 #include "state/workspace.h"
 
+/* A contact that was let go at this instant: it is closed again if its pair would approach; or not, for its edge has
+ * ended. */
+enum pm_released { PM_HELD = 0, PM_LET_GO = 1, PM_FOR_GOOD = 2 };
+
 /* Opens an instant: remembers the modes, applies what the located events say (a normal force vanished: open; the friction
  * is exceeded: slide; the slip vanished: stick; an edge has ended: its corner, or another edge, or nothing). */
 int pm_contact_modes_begin(pm_workspace *w);
 /* Fixes the modes and the active constraints of the next phase; on return w->state is projected and the frame DYNAMIC. */
 int pm_contact_modes_settle(pm_workspace *w);
+/* The modes that the accelerations at the frame ask for, of all closed contacts and those let go now, instead of the present
+ * ones; *changed: whether any differs.  PM_NOT_UNIQUE, PM_PAINLEVE, PM_ROUGH_IMPOSSIBLE: where = contact; detail = its
+ * coefficient of friction, contacts that take part; the modes are then as they were. */
+int pm_contact_modes_solve(pm_workspace *w, int *changed);
 /* Marks the triggers of contacts that opened, slipped or stuck during the instant. */
 void pm_contact_modes_mark(pm_workspace *w);
 /* Closes `contact` with `member` in a free slot, in the mode that its friction and slip ask for. */

@@ -4,15 +4,15 @@
  *
  * (impact_trial.c).  Captured pairs are joints; one that is caught now is struck in all its constraints.
  *
- * Which contacts take part: the struck ones alone first; a resting contact joins only if its pair would otherwise
- * approach; a contact whose impulse would pull drops out; repeat.  Friction in a blow: rough holds, Coulomb holds while
- * |P_t| <= mu P_n of the same blow and else slides against the slip before it.  Resting contacts that do not join carry
- * nothing, their tangents included.
+ * A contact that is struck alone is followed through its blow (impact_course.c).  Where more are struck, or one that rests
+ * would approach then, all of them are one problem (impact_together.c): each pushes or parts, sticks or slides.  Resting
+ * contacts that do not take part carry nothing, their tangents included.
  *
  * One by one (the settings may say so): the first in the order of the contacts that approaches is struck alone, then
  * again the first, a resting one as well; each is a jump of its own. */
 #include "impact/impact.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "elements/capture.h"
@@ -36,32 +36,41 @@ int pm_impact_create(pm_workspace *w)
     if (PM_ARENA_NEW(&w->memory, w->blow)) return PM_NO_MEMORY;
     pm_blow *b = w->blow;
     const pm_array array[] = {
-        PM_ARRAY(b->before, m->nq),     PM_ARRAY(b->after, m->nq),    PM_ARRAY(b->response, m->nq),
-        PM_ARRAY(b->resting, m->nslot), PM_ARRAY(b->trial, m->nslot), PM_ARRAY(b->share, m->nslot),
+        PM_ARRAY(b->before, m->nq),
+        PM_ARRAY(b->after, m->nq),
+        PM_ARRAY(b->response, m->nq),
+        PM_ARRAY(b->resting, m->nslot),
+        PM_ARRAY(b->trial, m->nslot),
+        PM_ARRAY(b->share, m->nslot),
+        PM_ARRAY(b->held, m->nslot),
+        PM_ARRAY(b->given, m->nslot),
+        PM_ARRAY(b->elastic.slot, 2 * m->nslot),
+        PM_ARRAY(b->elastic.after, m->nq),
     };
-    return pm_arena_take(&w->memory, PM_ARRAYS(array));
+    const int status = pm_arena_take(&w->memory, PM_ARRAYS(array));
+    return status ? status : pm_contact_system_create(&b->system, &w->memory, m);
 }
 
 /* ---- who is struck ---- */
 /* An open member that touches: does it approach, is its bounce over, does it stay? */
 typedef struct pm_touch {
     int member, approaches, rests, stays;
+    double rate; /* m/s */
 } pm_touch;
 
 static int touches(pm_workspace *w, int contact, pm_touch *x)
 {
-    double rate;
     *x = (pm_touch){.stays = 1};
     if (pm_capture_is_meeting(w->model, contact))
         return pm_capture_meets(&w->numbers, &w->evidence, contact,
                                 pm_contact_gap(&w->frame, &w->state, contact, &x->member));
     if (!pm_contact_touches(&w->frame, &w->state, contact, &x->member)) return 0;
-    pm_contact_member_gap(&w->frame, contact, x->member, &rate);
-    if (!pm_last_bounce_is_near(w, contact, rate))
-        pm_evidence_sign(&w->evidence, PM_SITE_STRIKES, contact, rate, w->numbers.speed);
-    x->approaches = rate < -pm_contact_speed(&w->frame);
-    x->rests = pm_last_bounce_is_spent(w, contact, rate);
-    x->stays = rate <= pm_contact_speed(&w->frame) &&
+    pm_contact_member_gap(&w->frame, contact, x->member, &x->rate);
+    if (!pm_last_bounce_is_near(w, contact, x->rate))
+        pm_evidence_sign(&w->evidence, PM_SITE_STRIKES, contact, x->rate, w->numbers.speed);
+    x->approaches = x->rate < -pm_contact_speed(&w->frame);
+    x->rests = pm_last_bounce_is_spent(w, contact, x->rate);
+    x->stays = x->rate <= pm_contact_speed(&w->frame) &&
                (x->approaches || !pm_contact_modes_released(w->model, &w->instant, contact, x->member));
     return 1;
 }
@@ -85,6 +94,7 @@ static int find_struck(pm_workspace *w, pm_blow *b, int *struck)
     const pm_model *m = w->model;
     pm_touch x;
     *struck = 0;
+    b->approach = b->ends_bounce = 0;
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++)
         for (int n = 0; n < pm_contact_slots(m, i) && touches(w, i, &x) && (x.rests || x.stays); n++) {
             int slot;
@@ -95,6 +105,8 @@ static int find_struck(pm_workspace *w, pm_blow *b, int *struck)
                 x.approaches = pm_capture_speed(&w->frame, &w->state, slot) > pm_contact_speed(&w->frame);
             if (!x.approaches && !x.rests) continue;
             b->share[slot] = PM_STRUCK;
+            b->approach = fmax(b->approach, fabs(x.rate));
+            b->ends_bounce |= x.rests;
             if (x.approaches) pm_trigger_mark(w->model, &w->firing, PM_TRIGGER_STRIKE, i);
             ++*struck;
         }
@@ -102,6 +114,26 @@ static int find_struck(pm_workspace *w, pm_blow *b, int *struck)
 }
 
 /* ---- blows ---- */
+/* One contact alone is followed, or solved; where it is not the whole blow all that may take part is found at once.  A blow
+ * that would gain energy is limited. */
+static int find_blow(pm_workspace *w, pm_blow *b)
+{
+    int status = PM_OK, whole = 0, holds = 0;
+    memset(b->held, 0, (size_t)w->model->nslot * sizeof *b->held);
+    b->plastic = b->equations = 0;
+    if (pm_impact_trial_contacts(w->model, b) <= 1) {
+        if ((status = pm_impact_trial_solve(w, b))) return status;
+        whole = pm_impact_trial_is_whole(w, b);
+    }
+    if (whole)
+        pm_impact_end_record(w);
+    else
+        status = pm_impact_together(w, b);
+    if (!status) status = pm_impact_hold_rocking(w, b, &holds);
+    const int exact = !b->ends_bounce && !holds;
+    return !status && exact && pm_impact_end_gains(w, b) > 0 ? pm_impact_limit(w, b) : status;
+}
+
 static int one_blow(pm_workspace *w, pm_blow *b)
 {
     const pm_model *m = w->model;
@@ -110,21 +142,15 @@ static int one_blow(pm_workspace *w, pm_blow *b)
     for (int i = 0; i < m->nslot; i++) {
         const int captured = w->state.slot[i].mode == PM_CAPTURED;
         b->resting[i] = b->share[i] == PM_STRUCK ? PM_OPEN : w->state.slot[i].mode;
-        b->trial[i] = captured ? PM_CAPTURED : pm_impact_trial_mode(m, i);
+        b->trial[i] = captured ? PM_CAPTURED : pm_impact_trial_mode(&w->frame, i);
         if (captured && b->share[i] == PM_OUT) b->share[i] = PM_JOINED; /* joints take part in every blow */
     }
-    const int most = 4 * m->nslot + 4;
-    for (int i = 0, again = 1; again; i++) {
-        if (i == most) return pm_fail(&w->result, PM_BLOW_UNDECIDED, PM_TABLE_CONTACT, PM_NONE, most, most);
-        if ((status = pm_impact_trial_solve(w, b))) return status;
-        again = pm_impact_trial_change(w, b);
-    }
-    if ((status = pm_impact_end_check(w, b)) || (status = pm_joint_friction_check_blow(w))) return status;
-    pm_impact_end_record(w);
+    if ((status = find_blow(w, b)) || (status = pm_joint_friction_check_blow(w))) return status;
     memcpy(b->before, w->state.v, (size_t)m->nq * sizeof *b->before);
     memcpy(w->state.v, b->after, (size_t)m->nq * sizeof *b->after);
     pm_frame_look_state(&w->frame, &w->state);
     pm_ledger_jump(w, b->before);
+    pm_evidence_blow(&w->evidence, b->approach);
     pm_impact_end_modes(w, b);
     pm_joint_friction_close(&w->frame, &w->state);
     w->result.count[PM_COUNT_JUMPS]++;

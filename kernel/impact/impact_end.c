@@ -13,13 +13,12 @@
 #include "state/frame.h"
 #include "state/workspace.h"
 
-/* ---- allowed ---- */
-/* Friction and restitution together may ask for more than the approach has: that is no blow.  The energy that contacts
- * give, sum P (u + u')/2 relative to what drives prescribe. */
-static int gains(pm_workspace *w, const pm_blow *b)
+/* ---- energy ---- */
+/* Friction and restitution together may ask for more than the approach has.  The energy that contacts give:
+ * sum P (u + u')/2 relative to what drives prescribe. */
+double pm_impact_end_gains(pm_workspace *w, const pm_blow *b)
 {
     double given = 0, size = 0, nothing = 0;
-    int contact = PM_NONE;
     for (int i = 0; i < w->active.n || w->active.constraint[i].normal != PM_NONE; i++) {
         const pm_constraint *c = &w->active.constraint[i];
         if (c->slot == PM_NONE || w->active.slot_normal[c->slot] == PM_NONE) continue; /* captured: a joint */
@@ -30,34 +29,8 @@ static int gains(pm_workspace *w, const pm_blow *b)
         given += 0.5 * p * (before + now);
         size += fabs(p * before) + fabs(p * now);
         nothing += PM_BLOW_NOTHING * fabs(p) * w->numbers.speed;
-        contact = pm_contact_of_slot(w->model, c->slot);
     }
-    return given <= PM_BLOW_ROUNDING * size + nothing
-               ? PM_OK
-               : pm_fail(&w->result, PM_BLOW_GAINS, PM_TABLE_CONTACT, contact, given, 0);
-}
-
-/* Several contacts that slide in one blow slide as they did before it: for a slip that would reverse on the way there is no
- * law of all together. */
-static int reverses(pm_workspace *w, const pm_blow *b)
-{
-    for (int i = 0; i < w->model->nslot; i++) {
-        if (!pm_blow_has(b, i) || !pm_contact_modes_slides(b->trial[i])) continue;
-        const pm_constraint tangent = pm_contact_modes_tangent(&w->frame, &w->state, i);
-        const double way = b->trial[i] == PM_SLIDE_FORWARD ? 1 : -1;
-        const double slip = way * (pm_constraint_times(&w->frame, &tangent, b->after) - tangent.rate);
-        pm_evidence_sign(&w->evidence, PM_SITE_SLIP_LEFT, i, slip, w->numbers.speed);
-        if (slip < -pm_contact_speed(&w->frame))
-            return pm_fail(&w->result, PM_BLOW_REVERSES, PM_TABLE_CONTACT, pm_contact_of_slot(w->model, i),
-                           -slip, 0);
-    }
-    return PM_OK;
-}
-
-int pm_impact_end_check(pm_workspace *w, const pm_blow *b)
-{
-    const int status = b->alone == PM_NONE ? reverses(w, b) : PM_OK;
-    return status ? status : gains(w, b);
+    return given <= PM_BLOW_ROUNDING * size + nothing ? 0 : given;
 }
 
 /* ---- impulses ---- */
@@ -132,7 +105,7 @@ void pm_impact_end_modes(pm_workspace *w, const pm_blow *b)
             b->share[i] == PM_STRUCK && w->state.slot[i].mode != PM_CAPTURED; /* anchored then */
         if (!closed_here && (b->share[i] != PM_OUT || w->state.slot[i].mode != b->resting[i]))
             pm_active_set_anchor(&w->frame, &w->state, i);
-        if (b->share[i] == PM_STRUCK && pm_contact_restitution(&w->frame, contact) > 0) {
+        if (b->held[i] || (b->share[i] == PM_STRUCK && pm_contact_restitution(&w->frame, contact) > 0)) {
             pm_trigger_countless(w, contact);
             pm_evidence_part(&w->evidence, contact);
             pm_evidence_cut(&w->evidence);

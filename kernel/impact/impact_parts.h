@@ -5,21 +5,38 @@
 #define PM_IMPACT_PARTS_H
 
 #include "elements/constraint.h"
+#include "impact/contact_system.h"
 #include "impact/impact_course.h"
 #include "state/workspace.h"
 
 /* Which part a slot takes. */
 enum pm_share { PM_OUT = 0, PM_STRUCK = 1, PM_JOINED = 2, PM_DROPPED = 3 };
 
+/* How the blow of one contact ends, where that is known before its equations are solved. */
+typedef struct pm_impact_given {
+    int is;
+    double normal; /* m/s, after the blow */
+    double ratio;  /* tangential impulse over the normal one */
+} pm_impact_given;
+
 typedef struct pm_blow {
-    unsigned char *share;     /* [nslot] enum pm_share */
-    int32_t *resting;         /* [nslot] enum pm_contact_mode before the blow; PM_OPEN if struck */
-    int32_t *trial;           /* [nslot] enum pm_contact_mode in the blow of what takes part */
-    double *before;           /* [nq] velocities before the blow, m/s and rad/s */
-    double *after;            /* [nq] and after it */
-    double *response;         /* [nq] scratch of impact_course.c */
+    unsigned char *share; /* [nslot] enum pm_share */
+    unsigned char *held;  /* [nslot] closed after the blow, whatever it would do */
+    int32_t *resting;     /* [nslot] enum pm_contact_mode before the blow; PM_OPEN if struck */
+    int32_t *trial;       /* [nslot] enum pm_contact_mode in the blow of what takes part */
+    double *before;       /* [nq] velocities before the blow, m/s and rad/s */
+    double *after;        /* [nq] and after it */
+    double *response;     /* [nq] scratch of impact_course.c */
+    double approach;      /* m/s, greatest of what is struck */
+    int ends_bounce;      /* a contact whose bounce is over is closed: what it was left with is rounding */
+    int plastic;          /* without restitution */
+    int equations;        /* one contact alone is solved as several are, not followed */
+    pm_contact_system system; /* several contacts at once */
+    struct {
+        double *after, *slot; /* [nq], [2 nslot] */
+    } elastic;                /* the blow with restitution, while the one without is found */
     int alone;                /* slot whose blow is followed by itself (impact_course.c), or PM_NONE */
-    pm_impact_course_end end; /* of that */
+    pm_impact_given *given;   /* [nslot] */
 } pm_blow;
 
 static inline int pm_blow_has(const pm_blow *b, int slot)
@@ -29,17 +46,33 @@ static inline int pm_blow_has(const pm_blow *b, int slot)
 
 /* ---- impact_trial.c: the constraints of a trial, and its impulses ---- */
 /* Mode in which the contact of a slot enters a blow. */
-int32_t pm_impact_trial_mode(const pm_model *m, int slot);
+int32_t pm_impact_trial_mode(const pm_frame *frame, int slot);
 /* The active constraints, their impulses (w->saddle.rhs) and b->after, of the shares and modes that are tried. */
 int pm_impact_trial_solve(pm_workspace *w, pm_blow *b);
+/* The same of contacts whose ends are b->given; *independent = 0, and nothing is solved, where their normals depend on each
+ * other. */
+int pm_impact_trial_solve_given(pm_workspace *w, pm_blow *b, int *independent);
 /* Rate of active constraint i before the blow, relative to what drives prescribe. */
 double pm_impact_trial_rate(const pm_workspace *w, int i);
-/* What the impulses of the trial forbid: 1 if shares or modes have changed, and the trial must be repeated. */
-int pm_impact_trial_change(pm_workspace *w, pm_blow *b);
+
+/* 1 if the trial of one contact, or none, is a blow: it does not pull, and nothing else would approach. */
+int pm_impact_trial_is_whole(pm_workspace *w, const pm_blow *b);
+/* How many contacts take part; captured pairs are joints. */
+int pm_impact_trial_contacts(const pm_model *m, const pm_blow *b);
+
+/* ---- impact_together.c: several contacts at once ---- */
+/* The blow of all that is struck or rests, recorded.  PM_BLOW_UNDECIDED, PM_NOT_UNIQUE: where = contact; detail = its
+ * coefficient of friction, how many contacts. */
+int pm_impact_together(pm_workspace *w, pm_blow *b);
+/* A blow so slow that nothing could be seen of how its contacts part: all of them are held; *holds: whether it is one. */
+int pm_impact_hold_rocking(pm_workspace *w, pm_blow *b, int *holds);
+/* The blow that was found and recorded would gain energy: it is mixed with the one without restitution until it does not,
+ * and counted (PM_COUNT_LIMITED_BLOWS). */
+int pm_impact_limit(pm_workspace *w, pm_blow *b);
 
 /* ---- impact_end.c: what the blow that was found leaves ---- */
-/* Whether the laws allow it: PM_BLOW_REVERSES, PM_BLOW_GAINS if not. */
-int pm_impact_end_check(pm_workspace *w, const pm_blow *b);
+/* The energy, J, that contacts give beyond rounding; 0 if they give none. */
+double pm_impact_end_gains(pm_workspace *w, const pm_blow *b);
 /* Its impulses, for measures (w->impulses). */
 void pm_impact_end_record(pm_workspace *w);
 /* Modes after it: the frame looks at the velocities after the blow. */

@@ -1,13 +1,10 @@
-/* impact_trial.c - the blow of given contacts in given modes, and what its impulses forbid of these.
+/* impact_trial.c - the blow of given contacts in given modes.
  *
  *   G v' = -e (G v) at struck normals, w at joints and at tangents that hold                           (17.19)
  *
  * w is what a drive prescribes, 0 elsewhere.  A tangent with a restitution of its own is left with -e_t times its slip
  * where it can be held; only while its normal rebounds: what stays in contact holds.  One contact alone with friction is
- * followed through its blow (impact_course.c).
- *
- * A contact whose impulse would pull drops out, one that needs |P_t| > mu P_n slides, a resting one whose pair would
- * approach joins: one of these at a time. */
+ * followed through its blow (impact_course.c). */
 #include <math.h>
 #include <string.h>
 
@@ -49,7 +46,10 @@ static double change_wanted(const pm_workspace *w, const pm_blow *b, int i)
 {
     const int slot = w->active.constraint[i].slot;
     const double u = pm_impact_trial_rate(w, i);
-    if (slot == PM_NONE || b->share[slot] != PM_STRUCK || w->active.slot_normal[slot] == PM_NONE) return -u;
+    if (slot != PM_NONE && b->given[slot].is) return b->given[slot].normal - u;
+    if (slot == PM_NONE || b->plastic || b->held[slot] || b->share[slot] != PM_STRUCK ||
+        w->active.slot_normal[slot] == PM_NONE)
+        return -u;
     const double e = pm_last_bounce_restitution(w, pm_contact_of_slot(w->model, slot),
                                                 pm_impact_trial_rate(w, w->active.slot_normal[slot]));
     if (is_normal(&w->active, i)) return -(1 + e) * u;
@@ -62,111 +62,139 @@ static int respond(pm_workspace *w, pm_blow *b)
     const int nq = w->model->nq;
     memcpy(b->after, w->state.v, (size_t)nq * sizeof *b->after);
     if (w->active.n == 0) return PM_OK;
-    for (int i = 0; i < w->active.n; i++)
-        w->saddle.wanted[i] = b->alone != PM_NONE && is_normal(&w->active, i)
-                                  ? b->end.normal - pm_impact_trial_rate(w, i)
-                                  : change_wanted(w, b, i);
+    for (int i = 0; i < w->active.n; i++) w->saddle.wanted[i] = change_wanted(w, b, i);
     int status = pm_saddle_factor(w);
     if (status || (status = pm_saddle_respond(w, NULL, b->after))) return status;
     for (int i = 0; i < nq; i++) b->after[i] += w->state.v[i];
     return PM_OK;
 }
 
+static int takes_part(const pm_blow *b, int slot)
+{
+    return pm_blow_has(b, slot) && !(b->share[slot] == PM_JOINED && b->trial[slot] == PM_CAPTURED);
+}
+
+int pm_impact_trial_contacts(const pm_model *m, const pm_blow *b)
+{
+    int n = 0;
+    for (int i = 0; i < m->nslot; i++) n += takes_part(b, i);
+    return n;
+}
+
 /* The slot that takes part alone and whose blow is to be followed; a law for one contact is refused where several take
  * part.  Pairs that were captured before are joints. */
 static int find_alone(const pm_model *model, pm_result *result, pm_blow *b)
 {
-    int n = 0, single = PM_NONE;
+    int single = PM_NONE;
     b->alone = PM_NONE;
     for (int i = 0; i < model->nslot; i++) {
-        if (!pm_blow_has(b, i) || (b->share[i] == PM_JOINED && b->trial[i] == PM_CAPTURED)) continue;
-        const int contact = pm_contact_of_slot(model, i);
-        if (pm_contact_law(model, contact) != PM_LAW_NEWTON) single = contact;
+        if (!takes_part(b, i)) continue;
+        if (pm_contact_law(model, pm_contact_of_slot(model, i)) != PM_LAW_NEWTON)
+            single = pm_contact_of_slot(model, i);
         if (pm_impact_course_applies(model, i)) b->alone = i;
-        n++;
     }
-    if (n == 1) return PM_OK;
+    const int n = pm_impact_trial_contacts(model, b);
+    if (n == 1 && !b->equations) return PM_OK;
     b->alone = PM_NONE;
     return single == PM_NONE ? PM_OK : pm_fail(result, PM_BLOW_SEVERAL, PM_TABLE_CONTACT, single, n, 1);
 }
 
-/* Follows the blow of one contact and leaves its constraints as build does. */
+/* The constraints of contacts whose end is given: each normal carries its tangent with the ratio of its impulses.  1: none of
+ * these depends on the others. */
+static int build_given(pm_workspace *w, pm_blow *b, int *independent)
+{
+    *independent = 1;
+    for (int i = 0; i < w->model->nslot; i++)
+        if (b->given[i].is) b->trial[i] = PM_SLIDE_FORWARD;
+    const int status = build(w, b);
+    if (status) return status;
+    for (int i = 0; i < w->model->nslot; i++) {
+        if (!b->given[i].is) continue;
+        if (w->active.slot_normal[i] == PM_NONE)
+            *independent = 0;
+        else
+            pm_active_set_carry(w, i, b->given[i].ratio);
+    }
+    pm_saddle_evaluate(&w->active, &w->frame);
+    return PM_OK;
+}
+
+int pm_impact_trial_solve_given(pm_workspace *w, pm_blow *b, int *independent)
+{
+    const int status = build_given(w, b, independent);
+    return status || !*independent ? status : respond(w, b);
+}
+
+/* Follows the blow of one contact: its end is given then, unless its bounce is over and rounding has left it a speed. */
 static int follow_alone(pm_workspace *w, pm_blow *b)
 {
     const int slot = b->alone, contact = pm_contact_of_slot(w->model, slot);
     const unsigned char part = b->share[slot];
     pm_impact_course x;
+    pm_impact_course_end end = {0};
     b->share[slot] = PM_OUT;
     int status = build(w, b);
     if (!status) status = pm_impact_course_read(w, slot, b->response, &x);
     b->share[slot] = part;
     if (status) return status;
-    x.restitution = part == PM_STRUCK ? pm_last_bounce_restitution(w, contact, x.normal)
-                                      : 0; /* what rests is pressed on */
-    const int ends = pm_impact_course_follow(&x, &b->end);
-    pm_evidence_sign(&w->evidence, PM_SITE_SLIP_LEFT, slot, b->end.slip, w->numbers.speed);
+    if (!(x.normal < 0)) {
+        b->alone = PM_NONE;
+        return PM_OK;
+    }
+    x.restitution = part == PM_STRUCK && !b->plastic && !b->held[slot]
+                        ? pm_last_bounce_restitution(w, contact, x.normal)
+                        : 0; /* what rests is pressed on */
+    const int ends = pm_impact_course_follow(&x, &end);
+    if (pm_contact_friction_jumps(&w->frame, contact))
+        pm_evidence_sign(&w->evidence, PM_SITE_SLIP_LEFT, slot, end.slip, w->numbers.speed);
     if (!ends) return pm_fail(&w->result, PM_BLOW_UNDECIDED, PM_TABLE_CONTACT, contact, x.normal, 0);
-    w->state.slot[slot].mode = PM_SLIDE_FORWARD;
-    if ((status = pm_active_set_build(w))) return status;
-    if (w->active.slot_normal[slot] == PM_NONE)
-        return pm_fail(&w->result, PM_SINGULAR, PM_TABLE_CONTACT, contact, 0, 0);
-    pm_active_set_carry(w, slot, b->end.ratio);
-    pm_saddle_evaluate(&w->active, &w->frame);
+    b->given[slot] = (pm_impact_given){1, end.normal, end.ratio};
     return PM_OK;
 }
 
 int pm_impact_trial_solve(pm_workspace *w, pm_blow *b)
 {
+    int independent;
+    memset(b->given, 0, (size_t)w->model->nslot * sizeof *b->given);
     int status = find_alone(w->model, &w->result, b);
-    if (!status) status = b->alone != PM_NONE ? follow_alone(w, b) : build(w, b);
-    return status ? status : respond(w, b);
+    if (!status && b->alone != PM_NONE) status = follow_alone(w, b);
+    if (status) return status;
+    if (b->alone == PM_NONE) return (status = build(w, b)) ? status : respond(w, b);
+    status = pm_impact_trial_solve_given(w, b, &independent);
+    return status || independent ? status
+                                 : pm_fail(&w->result, PM_SINGULAR, PM_TABLE_CONTACT,
+                                           pm_contact_of_slot(w->model, b->alone), 0, 0);
 }
 
-/* ---- what the impulses forbid ---- */
-static int drop_pulling(pm_workspace *w, pm_blow *b, double size)
+int32_t pm_impact_trial_mode(const pm_frame *frame, int slot)
 {
-    const int slot = pm_contact_modes_pulling(w, w->saddle.rhs, PM_SITE_PULLS_IN_BLOW, size);
-    if (slot != PM_NONE) b->share[slot] = PM_DROPPED;
-    return slot != PM_NONE;
+    const int contact = pm_contact_of_slot(frame->model, slot),
+              friction = pm_contact_friction(frame->model, contact);
+    const int rubs = friction == PM_FRICTION_ROUGH || pm_contact_static(frame, contact) > 0 ||
+                     pm_contact_kinetic(frame, contact) > 0;
+    return friction != PM_FRICTION_SMOOTH && rubs ? PM_STICK : PM_SMOOTH;
 }
 
-static int slide_where_it_must(pm_workspace *w, pm_blow *b, double size)
-{
-    const int i = pm_contact_modes_overcome(w, w->saddle.rhs, PM_SITE_SLIDES_IN_BLOW, size);
-    if (i == PM_NONE) return 0;
-    const double slip =
-        pm_contact_member_slip(&w->frame, pm_contact_of_slot(w->model, i), w->state.slot[i].member);
-    const int slips = fabs(slip) > pm_contact_speed(&w->frame);
-    const int forward = slips ? slip > 0 : w->saddle.rhs[w->active.slot_tangent[i]] < 0;
-    b->trial[i] = forward ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
-    return 1;
-}
-
-int32_t pm_impact_trial_mode(const pm_model *m, int slot)
-{
-    return pm_contact_friction(m, pm_contact_of_slot(m, slot)) == PM_FRICTION_SMOOTH ? PM_SMOOTH : PM_STICK;
-}
-
-/* A resting contact whose pair would approach joins. */
-static int join_approaching(pm_workspace *w, pm_blow *b)
+/* ---- one contact alone ---- */
+/* A contact that does not take part, and whose pair would approach. */
+static int one_approaches(pm_workspace *w, const pm_blow *b)
 {
     for (int i = 0; i < w->model->nslot; i++) {
-        if (b->share[i] != PM_OUT || b->resting[i] == PM_OPEN) continue;
+        const int waits = b->share[i] == PM_DROPPED || (b->share[i] == PM_OUT && b->resting[i] != PM_OPEN);
+        if (!waits) continue;
         const pm_constraint normal = pm_contact_modes_normal(&w->frame, &w->state, i);
-        const double rate = pm_constraint_times(&w->frame, &normal, b->after);
+        const double rate = pm_constraint_times(&w->frame, &normal, b->after) - normal.rate;
         pm_evidence_sign(&w->evidence, PM_SITE_JOINS, i, rate, w->numbers.speed);
-        if (rate >= -pm_contact_speed(&w->frame)) continue;
-        b->share[i] = PM_JOINED;
-        b->trial[i] = pm_impact_trial_mode(w->model, i);
-        return 1;
+        if (rate < -pm_contact_speed(&w->frame)) return 1;
     }
     return 0;
 }
 
-int pm_impact_trial_change(pm_workspace *w, pm_blow *b)
+int pm_impact_trial_is_whole(pm_workspace *w, const pm_blow *b)
 {
     double size = 0;
     for (int i = 0; i < w->active.n; i++) size = fmax(size, fabs(w->saddle.rhs[i]));
-    return drop_pulling(w, b, size) || slide_where_it_must(w, b, size) ||
-           (!pm_impact_one_by_one(w->model) && join_approaching(w, b));
+    return pm_contact_modes_pulling(w, w->saddle.rhs, PM_SITE_PULLS_IN_BLOW, size) == PM_NONE &&
+           pm_contact_modes_overcome(w, w->saddle.rhs, PM_SITE_SLIDES_IN_BLOW, size) == PM_NONE &&
+           (pm_impact_one_by_one(w->model) || !one_approaches(w, b));
 }

@@ -23,6 +23,9 @@
 #define PM_BRACKET_SLOPE_STEP 1e-4 /* of the step: distance of differences; more: curvature spoils slopes */
 #define PM_BRACKET_FAR 0.1       /* of the step: a longer shift is no polish, it may leave for another root */
 #define PM_PIVOT_LOSS 1e-14 /* of its diagonal: a pivot that is lost; larger: more matrices count as singular */
+#define PM_LEMKE_TIE 1e-8    /* of the scaled problem: ratios that are equal; taken as exact a third of all problems fails */
+#define PM_LEMKE_PIVOT 1e-11 /* of the column's largest entry, at least 1: no pivot; larger: bases are passed over */
+#define PM_LEMKE_PIVOTS 20   /* for each unknown; more would only put off the failure */
 #define PM_CHEBYSHEV_SMOOTH 1e-3 /* of the values: tail of what has no corners; more would miss some */
 
 /* ---- state ---- */
@@ -176,6 +179,15 @@
 
 /* ---- impact ---- */
 #define PM_PULLS 1e-11 /* of the forces, or of the impulses in a blow: a load this small does not pull or slip; larger: contacts part late */
+#define PM_MODES_ROUNDS 8 /* of modes found anew, where friction of joints goes with their load; more would only put off the failure */
+#define PM_PROBLEM_TIE 1e-10 /* of the scaled loads, at least 1: none; larger: contacts that pull or part are kept closed */
+#define PM_PROBLEM_LEMKE_TIE 1e-9 /* likewise of Lemke's loads, which only propose modes; likewise */
+#define PM_PROBLEM_SAME 1e-7 /* of the scaled rates: the same motion; larger: motions that differ are taken for one */
+#define PM_PROBLEM_LARGEST 1e9 /* scaled load: beyond it the mode has no unique loads; larger: rounding is taken for loads */
+#define PM_PROBLEM_IMMOBILE 1e-14 /* of the contact's other response: nothing moves that way; larger: friction is left out */
+#define PM_PROBLEM_DEPENDS 1e-12 /* of its response: a rough tangent that others hold; larger: what holds is left out */
+#define PM_PROBLEM_COUNTED 4 /* contacts: up to here all modes are tried and motions counted; more: 4 times dearer each */
+#define PM_PROBLEM_TRIED 7 /* contacts: up to here all modes are tried where Lemke's method fails; likewise */
 #define PM_BLOWS_AT_ONCE 64 /* rounds of blows of all contacts at one instant; more: an endless series ends later */
 #define PM_BLOWS_IN_ORDER 10000 /* blows one by one at one instant; likewise */
 #define PM_BLOW_ROUNDING 1e-10 /* of the energies that a blow moves: rounding; larger: a law that gains energy passes */
@@ -219,6 +231,7 @@
     1e-3 /* of the tolerance: so far the last pass serves for a comparison; less: loose errors */
 #define PM_ACCURACY_LEAST_SHARE \
     0.1 /* of a difference that is not disturbed: rounding does not go with the tolerance */
+#define PM_MARGIN_SAME_BLOW 1.5 /* between the speeds of approach of two passes: more, and they are other blows of a series; larger: right answers are called undecided */
 #define PM_MARGIN_LEAST \
     2.2e-16 /* of the natural size: least difference of two passes; more: smaller margins */
 #define PM_FIND_PROBE \

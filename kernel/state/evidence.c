@@ -113,6 +113,14 @@ void pm_evidence_sign(pm_evidence *evidence, int site, int what, double x, doubl
                                                        .unit = unit});
 }
 
+void pm_evidence_blow(pm_evidence *evidence, double approach)
+{
+    if (!evidence->active) return;
+    pm_evidence_log *log = &evidence->present->log;
+    for (int i = log->n - 1; i >= 0 && log->entry[i].instant == log->instant; i--)
+        if (log->entry[i].approach == 0) log->entry[i].approach = approach;
+}
+
 int32_t pm_evidence_part_of(const pm_evidence_decision *x) { return x->instant / PART; }
 
 void pm_evidence_part(pm_evidence *evidence, int contact)

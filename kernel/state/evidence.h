@@ -38,6 +38,7 @@ typedef struct pm_evidence_decision {
     double distance;  /* from the threshold */
     double reach;     /* how far it was nearby: nothing by the scene's structure if that is rounding */
     double unit;      /* natural size of the distance; of triggers over the size of their program */
+    double approach;  /* m/s, greatest of the blow that it belongs to; 0: of none */
 } pm_evidence_decision;
 
 typedef struct pm_evidence_log {
@@ -98,6 +99,8 @@ void pm_evidence_cut(pm_evidence *evidence);
 void pm_evidence_take(pm_evidence *evidence, const pm_evidence_decision *decision);
 /* The sign of x, of natural size `unit`, decides what contact slot (or contact) `what` does. */
 void pm_evidence_sign(pm_evidence *evidence, int site, int what, double x, double unit);
+/* What was decided at the present instant so far belongs to a blow with this greatest speed of approach. */
+void pm_evidence_blow(pm_evidence *evidence, double approach);
 /* A contact has been struck infinitely often: other passes may have seen other numbers of its blows. */
 void pm_evidence_part(pm_evidence *evidence, int contact);
 /* What came of the present instant is mixed into the history of the log; the next one begins. */

@@ -16,6 +16,9 @@ static const char *text_of(enum pm_status status)
     case PM_STAYS_AT_REST: return "everything is at rest and stays so; the end of the run cannot come";
     case PM_FIND_SEVERAL: return "several values were found; the answers are those of the first";
     case PM_FIND_AT_BOUND: return "what is sought lies at a bound";
+    case PM_NOT_UNIQUE: return "the laws of contact allow several motions";
+    case PM_PAINLEVE: return "no motion obeys the laws of contact (Painleve)";
+    case PM_ROUGH_IMPOSSIBLE: return "no motion keeps a rough contact from slipping";
     case PM_ENDS_SINGULAR: return "a singular position was reached before the end of the run";
     case PM_UNDECIDED: return "the errors of the run might have changed a decision on the way";
     case PM_NO_TIME_ROUTE: return "a route in time was asked for, and no time passes";
@@ -36,13 +39,11 @@ static const char *text_of(enum pm_status status)
     case PM_FIND_NONE: return "no value between the bounds does what is sought";
     case PM_FIND_JUMP: return "what is sought jumps over the value wanted";
     case PM_BLOWS_ENDLESS: return "blows one by one at the same instant do not end";
-    case PM_BLOW_GAINS: return "the law of this blow with friction would create energy";
     case PM_BLOW_SEVERAL:
         return "this impact law is for one contact at a time, and several take part in a blow";
     case PM_NO_IMPULSE: return "no impulse does the work asked";
     case PM_NUDGE_UNSTEADY: return "a nudge acts where there is neither rest nor a steady motion";
     case PM_NUDGE_STABLE: return "nothing that a nudge could begin grows";
-    case PM_BLOW_REVERSES: return "a slip reverses in a blow in which several contacts take part";
     }
     return "unknown status";
 }

@@ -9,10 +9,19 @@
 
 #include <math.h>
 
+/* Late in a series of ever smaller blows two passes are not at the same blow; its decisions then decide nothing that the
+ * errors of the speeds do not hold already. */
+static int are_other_blows(const pm_evidence_decision *x, const pm_evidence_decision *y)
+{
+    const double low = fmin(x->approach, y->approach), high = fmax(x->approach, y->approach);
+    return high > PM_MARGIN_SAME_BLOW * low;
+}
+
 static double margin_of(const pm_evidence_decision *x, const pm_evidence_decision *y,
                         const double *trigger_scale)
 {
     if (x->kind == PM_EVIDENCE_RATE && x->in_time != y->in_time) return INFINITY;
+    if (are_other_blows(x, y)) return INFINITY;
     const double unit = x->unit * (x->trigger == PM_NONE ? 1 : trigger_scale[x->trigger]);
     const double a = fabs(x->distance), b = fabs(y->distance), apart = fabs(x->distance - y->distance);
     if (!pm_evidence_is_open(x, unit) && !pm_evidence_is_open(y, unit)) return INFINITY;

@@ -80,8 +80,8 @@ FAULTS = [
     Fault(
         "edge: what has left it comes back",
         "impact/contact_modes.c",
-        "w->instant.slot_released[slot] = FOR_GOOD;",
-        "w->instant.slot_released[slot] = LET_GO;",
+        "w->instant.slot_released[slot] = PM_FOR_GOOD;",
+        "w->instant.slot_released[slot] = PM_LET_GO;",
     ),
     Fault(
         "edge: nobody takes over",
@@ -98,8 +98,8 @@ FAULTS = [
     Fault(
         "mode: contacts may pull",
         "impact/contact_modes.c",
-        "if (slot == PM_NONE) return 0; w->state.slot[slot].mode = PM_OPEN",
-        "return 0; w->state.slot[slot].mode = PM_OPEN",
+        "return pm_contact_modes_pulling(w, w->frame.lambda, PM_SITE_PULLS, size) == PM_NONE &&",
+        "return",
     ),
     Fault(
         "mode: stick has no bound",
@@ -116,8 +116,8 @@ FAULTS = [
     Fault(
         "jump: what is pressed on rebounds",
         "impact/impact_trial.c",
-        "part == PM_STRUCK ? pm_last_bounce_restitution(w, contact, x.normal) : 0",
-        "pm_last_bounce_restitution(w, contact, x.normal)",
+        "part == PM_STRUCK && !b->plastic && !b->held[slot]",
+        "!b->plastic && !b->held[slot]",
     ),
     Fault(
         "capture: what is held takes no part in later blows",
@@ -161,22 +161,27 @@ FAULTS = [
     Fault(
         "one by one: resting contacts join",
         "impact/impact_trial.c",
-        "(!pm_impact_one_by_one(w->model) && join_",
-        "(join_",
+        "(pm_impact_one_by_one(w->model) || !one_approaches(w, b))",
+        "!one_approaches(w, b)",
     ),
     Fault(
         "blow: reversed slip",
-        "impact/impact_end.c",
-        "trial[i] == PM_SLIDE_FORWARD ? 1 : -1",
-        "trial[i] == PM_SLIDE_FORWARD ? -1 : 1",
+        "impact/contact_problem.c",
+        "sense(x->trial[i]) * a[1] >= -slack",
+        "sense(x->trial[i]) * a[1] <= slack",
     ),
     Fault(
         "blow: row of a resting contact dropped",
-        "impact/impact_trial.c",
-        "b->share[i] = PM_JOINED; b->trial",
-        "b->share[i] = PM_DROPPED; b->trial",
+        "impact/impact_together.c",
+        "struck ? PM_STRUCK : PM_JOINED; if",
+        "struck ? PM_STRUCK : PM_DROPPED; if",
     ),
-    Fault("blow: pulling contacts stay", "impact/impact_trial.c", "return slot != PM_NONE", "return 0"),
+    Fault(
+        "blow: pulling contacts stay",
+        "impact/contact_problem.c",
+        "load < -slack ||",
+        "",
+    ),
     Fault(
         "blow: friction beyond its bound",
         "impact/contact_modes.c",
@@ -186,9 +191,9 @@ FAULTS = [
     ),
     Fault(
         "blow: friction along the slip",
-        "impact/impact_trial.c",
-        "slips ? slip > 0 : w->saddle.rhs[w->active.slot_tangent[i]] < 0",
-        "slips ? slip < 0 : w->saddle.rhs[w->active.slot_tangent[i]] > 0",
+        "impact/contact_problem.c",
+        "return sense(mode) ? -sense(mode) *",
+        "return sense(mode) ? sense(mode) *",
     ),
     Fault(
         "blow: what stays is opened",
@@ -223,5 +228,42 @@ FAULTS = [
         "impact/instant.c",
         "return asked > watched ? asked : watched;",
         "return asked;",
+    ),
+    Fault(
+        "problem: friction is not scaled",
+        "impact/contact_problem.c",
+        "mu * x->scale[2 * i] / x->scale[2 * i + 1] : 0",
+        "mu : 0",
+    ),
+    Fault("problem: what parts approaches", "impact/contact_problem.c", "if (a[0] < -slack) return 0;", ""),
+    Fault(
+        "problem: motions are not told apart",
+        "impact/contact_problem.c",
+        "if (!first && (other == PM_NONE || law < by_law)) continue;",
+        "if (!first) continue;",
+    ),
+    Fault(
+        "problem: friction of Lemke's method on one side only",
+        "impact/contact_problem.c",
+        "= 2 * scaled_friction(x, i, x->contact[i].rub);",
+        "= scaled_friction(x, i, x->contact[i].rub);",
+    ),
+    Fault(
+        "together: restitution left out",
+        "impact/impact_together.c",
+        "pm_last_bounce_restitution(w, contact, before) * fmin(before, 0)",
+        "0",
+    ),
+    Fault(
+        "limit: a gain is left",
+        "impact/impact_together.c",
+        "-2 * none / (slope + root)",
+        "-3 * none / (slope + root)",
+    ),
+    Fault(
+        "system: joints give way",
+        "impact/contact_system.c",
+        "pm_saddle_respond_roughly(w, x->force, x->response);",
+        "pm_saddle_respond_roughly(w, x->force, x->response); x->response[0] *= 1.01;",
     ),
 ]

@@ -81,4 +81,11 @@ FAULTS = [
         "PM_PERTURBATION_SIZE \\ 0.1",
         "PM_PERTURBATION_SIZE 1e5",
     ),
+    Fault(
+        "lemke: the complement of another",
+        "numerics/lemke.c",
+        "column = out < m ? out + m : out - m;",
+        "column = out;",
+    ),
+    Fault("lemke: the greatest ratio leaves", "numerics/lemke.c", "return less < 0;", "return less > 0;"),
 ]

@@ -14,7 +14,7 @@
 #define CLOSE 1e-11
 
 typedef struct blow {
-    int jumped, refused; /* the law would create energy */
+    int jumped;
     double before[MOST], after[MOST];
 } blow;
 
@@ -44,8 +44,7 @@ static blow strike(scene *s, const double *v, unsigned resting)
     w->numbers.speed = fastest;
     pm_frame_look_state(&w->frame, &w->state);
     const int status = pm_impact(w, &x.jumped);
-    x.refused = status == PM_BLOW_GAINS || status == PM_BLOW_REVERSES;
-    if (!x.refused) EQUAL(status, PM_OK);
+    EQUAL(status, PM_OK);
     memcpy(x.after, w->state.v, (size_t)w->model->nq * sizeof *v);
     return x;
 }
@@ -101,6 +100,13 @@ static double slip_rate(pm_workspace *w, int slot, const double *v)
     return pm_contact_member_slip(&w->frame, pm_contact_of_slot(w->model, slot), w->state.slot[slot].member);
 }
 
+/* A blow that would have gained energy keeps all of it: it lies between two that obey the laws, and obeys their bounds. */
+static int is_between(scene *s, const blow *x)
+{
+    const double before = kinetic(s->w, x->before);
+    return kinetic(s->w, x->after) > before * (1 - 1e-12) && s->w->impulses.energy_lost < 1e-12 * before;
+}
+
 static void contact_laws(scene *s, const blow *x, int slot, int rested)
 {
     pm_workspace *w = s->w;
@@ -111,7 +117,8 @@ static void contact_laws(scene *s, const blow *x, int slot, int rested)
                  mu = pm_contact_static(&w->frame, contact);
     CHECK(p >= -CLOSE);
     CHECK(after >= -CLOSE);
-    if (p > CLOSE)
+    const int between = is_between(s, x);
+    if (p > CLOSE && !between)
         NEAR(after, rested ? 0 : -pm_contact_restitution(&w->frame, contact) * u, CLOSE); /* (17.19) */
     if (p <= CLOSE) NEAR(f, 0, CLOSE); /* no normal impulse, no friction */
     if (friction == PM_FRICTION_SMOOTH) EQUAL(f, 0);
@@ -119,29 +126,15 @@ static void contact_laws(scene *s, const blow *x, int slot, int rested)
     const int several = w->model->nslot > 1 && w->impulses.slot[0] > CLOSE && w->impulses.slot[2] > CLOSE;
     if (friction != PM_FRICTION_COULOMB) return;
     CHECK(fabs(f) <= mu * p + CLOSE);
-    if (fabs(slip) > CLOSE && p > CLOSE && (several || slip * slip_before >= 0)) { /* reversed: impact.c */
-        NEAR(fabs(f), mu * p, CLOSE);
-        CHECK(f * slip_before <= CLOSE);
+    if (fabs(slip) > CLOSE && p > CLOSE && !between && (several || slip * slip_before >= 0)) {
+        NEAR(fabs(f), mu * p, CLOSE); /* one alone whose slip has reversed: tests/kernel/impact_course.c */
+        CHECK(f * slip <= CLOSE);
     }
-}
-
-/* Restitution by velocities may create energy where friction acts, and only there; never without restitution. */
-static int refused(scene *s, const blow *x)
-{
-    pm_workspace *w = s->w;
-    int rough = 0, bounces = 0;
-    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
-        rough |= pm_contact_friction(w->model, i) != PM_FRICTION_SMOOTH;
-        bounces |= pm_contact_restitution(&w->frame, i) > 0;
-    }
-    if (x->refused) CHECK(rough && bounces && w->result.where.value > 0);
-    return x->refused;
 }
 
 static void laws(scene *s, const blow *x, unsigned resting)
 {
     pm_workspace *w = s->w;
-    if (refused(s, x)) return;
     CHECK(kinetic(w, x->after) <= kinetic(w, x->before) * (1 + 1e-13));
     for (int i = 0; i < w->model->rows[PM_TABLE_JOINT]; i++) {
         pm_constraint row[PM_JOINT_CONSTRAINTS];
@@ -183,8 +176,8 @@ static void rod_corner(void)
                 const double v[] = {check_random(-2, 2), check_random(-6, -3), check_random(-2, 2)};
                 const blow x = strike(s, v, 0);
                 laws(s, &x, 0);
-                if (!x.refused) EQUAL(x.jumped, 1);
-                if (!x.refused) CHECK(s->w->impulses.slot[0] > 0);
+                EQUAL(x.jumped, 1);
+                CHECK(s->w->impulses.slot[0] > 0);
                 scene_free(s);
             }
 }
@@ -218,7 +211,7 @@ static void two_ends(void)
             s = rod(0, restitution[i], friction[n % 3], 0.3, 2);
             const double u[] = {check_random(-1, 1), check_random(-3, -1), check_random(-4, 4)};
             x = strike(s, u, 0);
-            CHECK(x.jumped >= 1 || x.refused);
+            CHECK(x.jumped >= 1);
             laws(s, &x, 0);
             scene_free(s);
         }

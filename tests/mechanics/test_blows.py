@@ -183,11 +183,14 @@ def test_explain_tells_the_laws() -> None:
     assert "restitution e, friction mu, law stronge" in text
 
 
-def test_a_law_that_would_create_energy_is_refused() -> None:
+def test_a_law_that_would_create_energy_is_limited() -> None:
+    """Kane's paradox: the restitution is lowered until nothing is gained, and the result says so."""
     text = ROD.replace("e = 0.6", "e = 1").replace("0.3 m/s", "1 m/s")
-    told = r"contacts\.hit: with this friction its law of restitution would create energy"
-    with pytest.raises(planemotion.SimulationError, match=told):
-        planemotion.load_text(text).run()
+    values, result = run(text), planemotion.load_text(text).run()
+    assert values["lost"] == pytest.approx(0, abs=1e-12)
+    assert 0 < abs(values["f"]) < 0.4 * values["p"]
+    assert result.counts["limited_blows"] == 1
+    assert "gained energy" in result.notes[0]
     assert run(text.replace("newton", "stronge"))["lost"] > 0
 
 
@@ -210,7 +213,7 @@ y = "AB.y"
     assert values["y"] == pytest.approx(0, abs=1e-9)
 
 
-def test_a_slip_that_turns_in_a_blow_of_several_is_refused() -> None:
+def test_a_slip_that_reverses_in_a_blow_of_several() -> None:
     """Flat on both lower corners, which rebound differently: the spin turns the slip."""
     text = f"""
 until = "start"
@@ -223,14 +226,13 @@ crate.velocity = ["0.01 m/s", "-2 m/s"]
 crate.omega = 0
 [ask]
 omega = "crate.omega"
-slip = "a.slip"
+slip = "crate.A.velocity.x"
 """
     other_way = text.replace('"0.01 m/s"', '"-0.01 m/s"')
-    with pytest.raises(
-        planemotion.SimulationError, match=r"contacts\.a: its slip reverses \(to .* m/s\) in a blow"
-    ):
-        planemotion.load_text(text).run()
-    assert run(other_way)["omega"] == pytest.approx(-2, rel=1e-12)
+    forward, backward = run(text), run(other_way)
+    for values in (forward, backward):  # friction opposes the slip that is left, whatever it was before
+        assert values["slip"] < 0
+        assert values["omega"] == pytest.approx(-2, rel=1e-12)
     assert run(text + '[solve]\nimpacts = "sequential"\n')["omega"] != 0
 
 

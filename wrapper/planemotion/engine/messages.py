@@ -179,6 +179,18 @@ _DESCRIPTIONS: dict[int, Any] = {
         if place == "solve.route"
         else ""
     ),
+    layout.PM_NOT_UNIQUE: lambda place, found, bound: (
+        f"{place}: with friction {found:.4g} at the {bound:.0f} contacts that take part, the laws of contact "
+        "allow several motions, and nothing tells which; the run ends here"
+    ),
+    layout.PM_PAINLEVE: lambda place, found, bound: (
+        f"{place}: with friction {found:.4g} no motion obeys the laws of contact here "
+        f"({bound:.0f} contacts take part; Painleve's paradox); the run ends here"
+    ),
+    layout.PM_ROUGH_IMPOSSIBLE: lambda place, found, bound: (
+        f"{place}: it is rough, and no motion keeps it from slipping while its normal force pushes; "
+        "the run ends here: give it a coefficient of friction"
+    ),
     layout.PM_NO_TIME_ROUTE: lambda place, found, bound: (
         f'{place} = "{route_name(int(found))}": no time passes: everything that is asked is answered at the '
         "start, without any integration; the answers stand"
@@ -190,14 +202,6 @@ _DESCRIPTIONS: dict[int, Any] = {
     layout.PM_BLOWS_ENDLESS: lambda place, found, bound: (
         f"the blows one by one at this instant do not end ({found:.0f} of them): bodies wedged without loss; "
         'lower a restitution, or solve.impacts = "simultaneous"'
-    ),
-    layout.PM_BLOW_GAINS: lambda place, found, bound: (
-        f"{place}: with this friction its law of restitution would create energy ({found:.4g} J): "
-        'the slip changes in the blow; law = "stronge" cannot'
-    ),
-    layout.PM_BLOW_REVERSES: lambda place, found, bound: (
-        f"{place}: its slip reverses (to {found:.3g} m/s) in a blow in which several contacts take part, "
-        'and no law says how; solve.impacts = "sequential" follows each'
     ),
     layout.PM_BLOW_SEVERAL: lambda place, found, bound: (
         f"{place}.law: it is for one contact at a time and {found:.0f} take part in a blow; "

@@ -189,6 +189,11 @@ def collect(
     sought = any(one.find is not None for one, _ in runs)
     excess = _known(max, (result.trust[0, layout.PM_TRUST_EXCESS] for _, result in runs))
     routes = [route_name(int(result.count[0, layout.PM_COUNT_ROUTE])) for _, result in runs]
+    counts = {
+        name.removeprefix("PM_COUNT_").lower(): int(sum(result.count[0, index] for _, result in runs))
+        for name, index in layout.pm_count_column.items()
+        if name not in ("PM_COUNT_ROUTE", "PM_COUNT_COLUMNS") and (sought or name not in _OF_FINDS)
+    }
     return RunResult(
         id=scene_id,
         file=file,
@@ -200,14 +205,10 @@ def collect(
         audit={
             name: _worst(result.audit[0, index] for _, result in runs) for index, name in enumerate(AUDITS)
         },
-        counts={
-            name.removeprefix("PM_COUNT_").lower(): int(sum(result.count[0, index] for _, result in runs))
-            for name, index in layout.pm_count_column.items()
-            if name not in ("PM_COUNT_ROUTE", "PM_COUNT_COLUMNS") and (sought or name not in _OF_FINDS)
-        },
+        counts=counts,
         found={name: value for one, result in runs for name, value in _found(one, result)},
         time=time if worst != layout.PM_OK and math.isfinite(time) else None,
-        notes=_notes(excess),
+        notes=_notes(excess, counts["limited_blows"]),
         margin=_known(min, (result.trust[0, layout.PM_TRUST_MARGIN] for _, result in runs)),
         excess=excess,
     )
@@ -230,10 +231,19 @@ def _known(choose: Callable[[list[float]], float], numbers: Iterable[float]) -> 
     return None if not found or any(math.isnan(number) for number in found) else choose(found)
 
 
-def _notes(excess: float | None) -> tuple[str, ...]:
-    if excess is None or excess <= 1:
-        return ()
-    return (f"solve.accuracy was not reached: the greatest estimated error is {excess:.2g} times as large",)
+def _notes(excess: float | None, limited: int) -> tuple[str, ...]:
+    notes = []
+    if excess is not None and excess > 1:
+        notes.append(
+            f"solve.accuracy was not reached: the greatest estimated error is {excess:.2g} times as large"
+        )
+    if limited:
+        blows = f"{limited} blows" if limited > 1 else "a blow"
+        notes.append(
+            f"{blows} with friction would have gained energy by the law of restitution, which was lowered "
+            'until nothing is gained; law = "stronge" never gains at one contact'
+        )
+    return tuple(notes)
 
 
 def trust_text(result: RunResult) -> str:

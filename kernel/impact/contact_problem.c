@@ -1,0 +1,390 @@
+/* contact_problem.c - the modes of several contacts: all of them tried, or Lemke's method.
+ *
+ * The problem is scaled first: W to a unit diagonal, friction by the same lengths, b to a largest entry of one.  Modes are
+ * solved as equations, and hold if all inequalities hold.  Where contacts depend on each other a mode may have no unique
+ * loads: it is passed over, for the same motion has another mode whose loads are (a vertex of the loads that are possible).
+ * The modes that are returned are those of the motion: closed where the normal rate is none, sticking where the slip is. */
+#include "impact/contact_problem.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "numerics/dense.h"
+#include "numerics/lemke.h"
+#include "numerics/tolerances.h"
+#include "planemotion.h"
+#include "state/arena.h"
+#include "state/state.h"
+
+int pm_contact_problem_create(pm_contact_problem *x, pm_arena *arena, int most)
+{
+    const size_t n = most, two = 2 * n, m = 3 * n;
+    const pm_array array[] = {
+        PM_ARRAY(x->contact, n),
+        PM_ARRAY(x->mode, n),
+        PM_ARRAY(x->trial, n),
+        PM_ARRAY(x->pivot, two),
+        PM_ARRAY(x->basis, m),
+        PM_ARRAY(x->response, two * two),
+        PM_ARRAY(x->load, two),
+        PM_ARRAY(x->rate, two),
+        PM_ARRAY(x->scaled, two * two),
+        PM_ARRAY(x->scale, two),
+        PM_ARRAY(x->b, two),
+        PM_ARRAY(x->p, two),
+        PM_ARRAY(x->a, two),
+        PM_ARRAY(x->best, two),
+        PM_ARRAY(x->system, m * m),
+        PM_ARRAY(x->right, 2 * m),
+        PM_ARRAY(x->lemke, PM_LEMKE_SCRATCH(m)),
+    };
+    x->counted = PM_PROBLEM_COUNTED;
+    return pm_arena_take(arena, PM_ARRAYS(array));
+}
+
+/* ---- scale ---- */
+static int is_smooth(const pm_problem_contact *c)
+{
+    return c->friction == PM_FRICTION_SMOOTH ||
+           (c->friction == PM_FRICTION_COULOMB && c->hold == 0 && c->rub == 0);
+}
+
+/* Coefficient of friction in the scaled problem. */
+static double scaled_friction(const pm_contact_problem *x, int i, double mu)
+{
+    return x->scale[2 * i + 1] > 0 ? mu * x->scale[2 * i] / x->scale[2 * i + 1] : 0;
+}
+
+/* What nothing moves has the scale 0: its load does nothing. */
+static double scale_problem(pm_contact_problem *x)
+{
+    const int n = 2 * x->n;
+    double largest = 0, most = 0;
+    for (int i = 0; i < n; i++) most = fmax(most, x->response[i * n + i]);
+    for (int i = 0; i < n; i++) {
+        const double own = x->response[i * n + i], peer = fmax(own, x->response[(i ^ 1) * n + (i ^ 1)]);
+        x->scale[i] = own > PM_PROBLEM_IMMOBILE * peer ? 1 / sqrt(own) : 0;
+    }
+    for (int i = 0; i < n; i++)
+        for (int k = 0; k < n; k++) x->scaled[i * n + k] = x->response[i * n + k] * x->scale[i] * x->scale[k];
+    for (int i = 0; i < n; i++) {
+        const double unit = x->scale[i] > 0 ? x->scale[i] : most > 0 ? 1 / sqrt(most) : 1;
+        x->b[i] = x->contact[i / 2].bias[i % 2] * unit;
+        largest = fmax(largest, fabs(x->b[i]));
+    }
+    for (int i = 0; i < n && largest > 0; i++) x->b[i] /= largest;
+    return largest;
+}
+
+/* ---- one mode ---- */
+static int sense(int mode) { return (mode == PM_SLIDE_FORWARD) - (mode == PM_SLIDE_BACKWARD); }
+
+/* T/N of a contact that slides so, and 0 of one that does not. */
+static double ratio(const pm_contact_problem *x, int i, int mode)
+{
+    return sense(mode) ? -sense(mode) * scaled_friction(x, i, x->contact[i].rub) : 0;
+}
+
+/* The equations of the trial: a_n = 0 where closed, a_t = 0 where it sticks; how many. */
+static int assemble(pm_contact_problem *x, int *unknown)
+{
+    const int n = 2 * x->n;
+    int m = 0;
+    for (int i = 0; i < x->n; i++) {
+        if (x->trial[i] == PM_OPEN) continue;
+        unknown[m++] = 2 * i;
+        if (x->trial[i] == PM_STICK && x->scale[2 * i + 1] > 0) unknown[m++] = 2 * i + 1;
+    }
+    for (int r = 0; r < m; r++) {
+        const double *w = x->scaled + unknown[r] * n;
+        x->right[r] = -x->b[unknown[r]];
+        for (int k = 0; k < m; k++) {
+            const int c = unknown[k];
+            x->system[r * m + k] = w[c] + (c % 2 == 0 ? ratio(x, c / 2, x->trial[c / 2]) * w[c + 1] : 0);
+        }
+    }
+    return m;
+}
+
+static void rates(pm_contact_problem *x)
+{
+    const int n = 2 * x->n;
+    for (int i = 0; i < n; i++) {
+        x->a[i] = x->b[i];
+        for (int k = 0; k < n; k++) x->a[i] += x->scaled[i * n + k] * x->p[k];
+    }
+}
+
+/* Loads and rates of the trial; 0 if it has none, or more than one. */
+static int solve_trial(pm_contact_problem *x)
+{
+    int *unknown = x->basis;
+    const int m = assemble(x, unknown);
+    memset(x->p, 0, 2 * (size_t)x->n * sizeof *x->p);
+    if (m > 0) {
+        if (pm_dense_lu_factor(m, x->system, x->pivot)) return 0;
+        pm_dense_lu_solve(m, x->system, x->pivot, x->right);
+    }
+    for (int k = 0; k < m; k++) {
+        if (!(fabs(x->right[k]) < PM_PROBLEM_LARGEST)) return 0;
+        x->p[unknown[k]] = x->right[k];
+    }
+    for (int i = 0; i < x->n; i++)
+        if (sense(x->trial[i])) x->p[2 * i + 1] = ratio(x, i, x->trial[i]) * x->p[2 * i];
+    rates(x);
+    return 1;
+}
+
+static double slack(const pm_contact_problem *x)
+{
+    double largest = 1;
+    for (int i = 0; i < 2 * x->n; i++) largest = fmax(largest, fabs(x->p[i]));
+    return PM_PROBLEM_TIE * largest;
+}
+
+static int contact_holds(const pm_contact_problem *x, int i, double slack)
+{
+    const pm_problem_contact *c = &x->contact[i];
+    const double load = x->p[2 * i], friction = x->p[2 * i + 1], *a = x->a + 2 * i;
+    if (a[0] < -slack) return 0;
+    if (x->trial[i] == PM_OPEN) return 1;
+    if (load < -slack || a[0] > slack) return 0;
+    if (sense(x->trial[i])) return c->slips || sense(x->trial[i]) * a[1] >= -slack;
+    if (is_smooth(c)) return 1;
+    if (fabs(a[1]) > slack && x->scale[2 * i + 1] > 0) return 0;
+    return c->friction == PM_FRICTION_ROUGH ||
+           fabs(friction) <= scaled_friction(x, i, c->hold) * load + slack;
+}
+
+static int trial_holds(pm_contact_problem *x)
+{
+    if (!solve_trial(x)) return 0;
+    const double tie = slack(x);
+    for (int i = 0; i < x->n; i++)
+        if (!contact_holds(x, i, tie)) return 0;
+    return 1;
+}
+
+/* ---- what was found ---- */
+/* The mode of the motion; in a tie what the contact prefers. */
+static int mode_of_motion(const pm_contact_problem *x, int i, double tie)
+{
+    const pm_problem_contact *c = &x->contact[i];
+    const double *a = x->a + 2 * i;
+    if (a[0] > tie || (c->prefers == PM_OPEN && x->p[2 * i] <= tie)) return PM_OPEN;
+    if (is_smooth(c)) return PM_SMOOTH;
+    if (c->slips) return c->slips > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
+    if (fabs(a[1]) > tie) return a[1] > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
+    return sense(c->prefers) && sense(x->trial[i]) == sense(c->prefers) ? c->prefers : PM_STICK;
+}
+
+static void keep(pm_contact_problem *x, double unit)
+{
+    const double tie = slack(x);
+    for (int i = 0; i < x->n; i++) x->mode[i] = mode_of_motion(x, i, tie);
+    for (int i = 0; i < 2 * x->n; i++) {
+        x->load[i] = x->p[i] * x->scale[i] * unit;
+        x->rate[i] = x->scale[i] > 0 ? x->a[i] / x->scale[i] * unit : x->contact[i / 2].bias[i % 2];
+    }
+    memcpy(x->best, x->a, 2 * (size_t)x->n * sizeof *x->a);
+}
+
+/* A contact that moves otherwise than in the motion that is kept, or PM_NONE. */
+static int difference(const pm_contact_problem *x)
+{
+    const double same = PM_PROBLEM_SAME / PM_PROBLEM_TIE * slack(x);
+    for (int i = 0; i < 2 * x->n; i++)
+        if (fabs(x->a[i] - x->best[i]) > same) return i / 2;
+    return PM_NONE;
+}
+
+/* Where friction that holds is the greater one, what may stick does: then it goes before sliding. */
+static int sticks_by_law(const pm_contact_problem *x)
+{
+    for (int i = 0; i < x->n; i++)
+        if (x->contact[i].hold > x->contact[i].rub && x->trial[i] == PM_STICK) return 1;
+    return 0;
+}
+
+/* ---- all modes ---- */
+/* The next mode of a contact after `mode`; PM_NONE after the last.  What may stick begins with it: it goes before.  A rough
+ * one that others keep from slipping may have no friction of its own. */
+static int next_mode(const pm_contact_problem *x, int i, int mode)
+{
+    const pm_problem_contact *c = &x->contact[i];
+    const int slides = c->friction == PM_FRICTION_COULOMB && x->scale[2 * i + 1] > 0;
+    switch (mode) {
+    case PM_NONE:
+        if (is_smooth(c)) return PM_SMOOTH;
+        return c->slips > 0 ? PM_SLIDE_FORWARD : c->slips < 0 ? PM_SLIDE_BACKWARD : PM_STICK;
+    case PM_STICK: return slides ? PM_SLIDE_FORWARD : c->friction == PM_FRICTION_ROUGH ? PM_SMOOTH : PM_OPEN;
+    case PM_SLIDE_FORWARD: return c->slips ? PM_OPEN : PM_SLIDE_BACKWARD;
+    case PM_OPEN: return PM_NONE;
+    default: return PM_OPEN;
+    }
+}
+
+static int next_trial(pm_contact_problem *x)
+{
+    for (int i = 0; i < x->n; i++) {
+        x->trial[i] = next_mode(x, i, x->trial[i]);
+        if (x->trial[i] != PM_NONE) return 1;
+        x->trial[i] = next_mode(x, i, PM_NONE);
+    }
+    return 0;
+}
+
+/* Of several motions the one that leaves the contacts slowest is kept: no order and no mirror decides. */
+static double speed_left(const pm_contact_problem *x)
+{
+    double sum = 0;
+    for (int i = 0; i < 2 * x->n; i++) sum += x->a[i] * x->a[i];
+    return sum;
+}
+
+static void enumerate(pm_contact_problem *x, double unit)
+{
+    int by_law = 0;
+    double slowest = 0;
+    for (int i = 0; i < x->n; i++) x->trial[i] = next_mode(x, i, PM_NONE);
+    do {
+        if (!trial_holds(x)) continue;
+        const int law = sticks_by_law(x), other = x->nmotion > 0 ? difference(x) : PM_NONE;
+        const int first = x->nmotion == 0 || (law > by_law && other != PM_NONE);
+        if (!first && (other == PM_NONE || law < by_law)) continue;
+        x->nmotion = first ? 1 : 2;
+        x->differs = other;
+        if (!first && speed_left(x) >= slowest) continue;
+        by_law = law;
+        slowest = speed_left(x);
+        keep(x, unit);
+    } while (next_trial(x));
+}
+
+/* ---- Lemke's method ---- */
+/* Of a contact that may stick: N, R = mu N + T and l, the slip backward, against a_n, r (the slip forward) and mu N - T:
+ *
+ *   T = R - mu N,   r = a_t + l,   mu N - T = 2 mu N - R
+ *
+ * Others have N alone.  Rough tangents take part as the trial says: they hold, or are out. */
+static int terms(const pm_contact_problem *x, int i)
+{
+    const pm_problem_contact *c = &x->contact[i];
+    return c->friction == PM_FRICTION_COULOMB && !is_smooth(c) && !c->slips && x->scale[2 * i + 1] > 0 ? 3
+                                                                                                       : 1;
+}
+
+/* W and b with the rough tangents that hold taken out: T = -W_tt^-1 (W_t p + b_t). */
+static void take_out_rough(const pm_contact_problem *x, double *w, double *b)
+{
+    const int n = 2 * x->n;
+    memcpy(w, x->scaled, (size_t)n * n * sizeof *w);
+    memcpy(b, x->b, (size_t)n * sizeof *b);
+    for (int t = 1; t < n; t += 2) {
+        const double own = w[t * n + t];
+        if (x->contact[t / 2].friction != PM_FRICTION_ROUGH) continue;
+        if (x->trial[t / 2] != PM_OPEN) x->trial[t / 2] = own > PM_PROBLEM_DEPENDS ? PM_STICK : PM_SMOOTH;
+        for (int r = 0; r < n && x->trial[t / 2] == PM_STICK; r++) {
+            const double factor = w[r * n + t] / own;
+            for (int k = 0; k < n && r != t; k++) w[r * n + k] -= factor * w[t * n + k];
+            if (r != t) b[r] -= factor * b[t];
+        }
+        for (int k = 0; k < n; k++) w[t * n + k] = w[k * n + t] = 0;
+    }
+}
+
+/* Rates and friction that contact i adds to the constraints of the complementarity problem; `at` is its first unknown. */
+static void pose_contact(const pm_contact_problem *x, const double *w, const double *b, int m,
+                         const int *first, int i)
+{
+    const int n = 2 * x->n, at = first[i];
+    double *matrix = x->system, *q = x->right;
+    for (int r = 0; r < terms(x, i); r++) {
+        const double *row = w + (2 * i + (r > 0)) * n;
+        if (r == 2) break;
+        q[at + r] = b[2 * i + (r > 0)];
+        for (int k = 0; k < x->n; k++) {
+            const double mu = terms(x, k) == 3 ? scaled_friction(x, k, x->contact[k].rub)
+                              : x->contact[k].slips
+                                  ? x->contact[k].slips * scaled_friction(x, k, x->contact[k].rub)
+                                  : 0;
+            matrix[(at + r) * m + first[k]] = row[2 * k] - mu * row[2 * k + 1];
+            if (terms(x, k) == 3) matrix[(at + r) * m + first[k] + 1] = row[2 * k + 1];
+        }
+    }
+    if (terms(x, i) < 3) return;
+    matrix[(at + 1) * m + at + 2] = 1;
+    matrix[(at + 2) * m + at] = 2 * scaled_friction(x, i, x->contact[i].rub);
+    matrix[(at + 2) * m + at + 1] = -1;
+    q[at + 2] = 0;
+}
+
+/* The mode that the loads N and T of contact i tell. */
+static int mode_of_loads(const pm_contact_problem *x, int i, double load, double friction, double tie)
+{
+    const pm_problem_contact *c = &x->contact[i];
+    const double room = scaled_friction(x, i, c->rub) * load - fabs(friction);
+    if (load <= tie) return PM_OPEN;
+    if (is_smooth(c)) return PM_SMOOTH;
+    if (c->slips) return c->slips > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
+    if (c->friction == PM_FRICTION_ROUGH) return x->trial[i];
+    if (room > tie || x->scale[2 * i + 1] == 0) return PM_STICK;
+    return friction < 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
+}
+
+static double largest_of(int n, const double *x)
+{
+    double largest = 1;
+    for (int i = 0; i < n; i++) largest = fmax(largest, fabs(x[i]));
+    return largest;
+}
+
+/* One solution by Lemke's method, in the trial; 0 if it finds none. */
+static int lemke(pm_contact_problem *x)
+{
+    int m = 0, *first = x->pivot;
+    double *w = x->lemke, *b = w + 4 * (size_t)x->n * x->n;
+    for (int i = 0; i < x->n; i++) {
+        first[i] = m;
+        m += terms(x, i);
+    }
+    memset(x->system, 0, (size_t)m * m * sizeof *x->system);
+    take_out_rough(x, w, b);
+    for (int i = 0; i < x->n; i++) pose_contact(x, w, b, m, first, i);
+    double *z = x->right + m;
+    if (!pm_lemke_solve(m, x->system, x->right, x->lemke, x->basis, z)) return 0;
+    const double tie = PM_PROBLEM_LEMKE_TIE * largest_of(m, z);
+    for (int i = 0; i < x->n; i++) {
+        const double load = z[first[i]],
+                     friction = terms(x, i) == 3
+                                    ? z[first[i] + 1] - scaled_friction(x, i, x->contact[i].rub) * load
+                                    : 0;
+        x->trial[i] = mode_of_loads(x, i, load, friction, tie);
+    }
+    return 1;
+}
+
+/* Rough contacts that would pull are let go, one round after the other. */
+static int lemke_rounds(pm_contact_problem *x)
+{
+    for (int i = 0; i < x->n; i++) x->trial[i] = PM_STICK;
+    for (int round = 0; round <= x->n; round++) {
+        if (!lemke(x)) return 0;
+        if (trial_holds(x)) return 1;
+    }
+    return 0;
+}
+
+int pm_contact_problem_solve(pm_contact_problem *x)
+{
+    const double unit = scale_problem(x);
+    x->nmotion = 0;
+    x->differs = PM_NONE;
+    if (x->n > x->counted && lemke_rounds(x)) {
+        x->nmotion = 1;
+        keep(x, unit);
+    } else if (x->n <= PM_PROBLEM_TRIED) {
+        enumerate(x, unit);
+    }
+    return x->nmotion;
+}

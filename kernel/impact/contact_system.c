@@ -1,0 +1,75 @@
+/* contact_system.c - W = D A D^T of the contacts' directions D, where A = M^-1 with all that holds otherwise held. */
+#include "impact/contact_system.h"
+
+#include <string.h>
+
+#include "elements/contact.h"
+#include "equations/active_set.h"
+#include "equations/saddle.h"
+#include "impact/contact_modes.h"
+#include "state/frame.h"
+
+int pm_contact_system_create(pm_contact_system *x, pm_arena *arena, const pm_model *m)
+{
+    const pm_array array[] = {
+        PM_ARRAY(x->slot, m->nslot), PM_ARRAY(x->normal, m->nslot), PM_ARRAY(x->tangent, m->nslot),
+        PM_ARRAY(x->free, m->nq),    PM_ARRAY(x->force, m->nq),     PM_ARRAY(x->response, m->nq),
+    };
+    const int status = pm_arena_take(arena, PM_ARRAYS(array));
+    return status ? status : pm_contact_problem_create(&x->problem, arena, m->nslot);
+}
+
+/* The active set of what else holds, evaluated and factored. */
+static int hold_others(pm_workspace *w)
+{
+    pm_frame_look_state(&w->frame, &w->state);
+    const int status = pm_active_set_build(w);
+    if (status) return status;
+    if (!w->active.evaluated) pm_saddle_evaluate(&w->active, &w->frame);
+    return w->active.n > 0 ? pm_saddle_factor(w) : PM_OK;
+}
+
+/* What a unit load along the constraint does. */
+static void respond_along(pm_workspace *w, pm_contact_system *x, const pm_constraint *along)
+{
+    memset(x->force, 0, (size_t)w->model->nq * sizeof *x->force);
+    for (int p = 0; p < 2; p++)
+        for (int k = 0; k < 3 && along->body[p] != w->model->nbody; k++)
+            x->force[3 * along->body[p] + k] += along->j[3 * p + k];
+    for (int i = 0; i < w->active.n; i++) w->saddle.wanted[i] = 0;
+    pm_saddle_respond_roughly(w, x->force, x->response);
+}
+
+static const pm_constraint *direction(const pm_contact_system *x, int i)
+{
+    return i % 2 == 0 ? &x->normal[i / 2] : &x->tangent[i / 2];
+}
+
+int pm_contact_system_respond(pm_workspace *w, pm_contact_system *x)
+{
+    const int n = 2 * x->problem.n;
+    int status = hold_others(w);
+    for (int i = 0; i < x->problem.n; i++) {
+        x->normal[i] = pm_contact_modes_normal(&w->frame, &w->state, x->slot[i]);
+        x->tangent[i] = pm_contact_modes_tangent(&w->frame, &w->state, x->slot[i]);
+    }
+    for (int i = 0; i < n && !status; i++) {
+        respond_along(w, x, direction(x, i));
+        for (int k = 0; k < n; k++)
+            x->problem.response[k * n + i] = pm_constraint_times(&w->frame, direction(x, k), x->response);
+    }
+    return status;
+}
+
+void pm_contact_system_friction(const pm_frame *frame, pm_contact_system *x)
+{
+    for (int i = 0; i < x->problem.n; i++) {
+        const int contact = pm_contact_of_slot(frame->model, x->slot[i]);
+        x->problem.contact[i] = (pm_problem_contact){
+            .friction = pm_contact_friction(frame->model, contact),
+            .hold = pm_contact_static(frame, contact),
+            .rub = pm_contact_kinetic(frame, contact),
+            .prefers = PM_NONE,
+        };
+    }
+}

@@ -1,0 +1,185 @@
+/* Random contact problems of boxes, rods and stacks: what is found obeys the laws, Lemke's method finds the motion that trying
+ * all modes finds, a mirrored problem has the mirrored motion, and what theory leaves open is told. */
+#include "impact/contact_problem.h"
+
+#include <string.h>
+
+#include "check.h"
+#include "planemotion.h"
+
+#define MOST 8
+#define BODIES 4
+#define PROBLEMS 20000
+
+typedef struct problem {
+    int n;
+    double jacobian[2 * MOST][3 * BODIES], inverse[3 * BODIES], velocity[3 * BODIES];
+    double restitution[MOST];
+} problem;
+
+/* A mark of a body at (x, y) from its centre on a floor or wall of slope `angle`; other: the body it belongs to, or -1. */
+static void add_contact(problem *x, int body, int other, const double r[2], const double s[2], double angle)
+{
+    const double way[2][2] = {{-sin(angle), cos(angle)}, {cos(angle), sin(angle)}};
+    for (int k = 0; k < 2; k++) {
+        double *j = x->jacobian[2 * x->n + k];
+        memset(j, 0, sizeof x->jacobian[0]);
+        const double *d = way[k];
+        j[3 * body] = d[0];
+        j[3 * body + 1] = d[1];
+        j[3 * body + 2] = r[0] * d[1] - r[1] * d[0];
+        if (other < 0) continue;
+        j[3 * other] = -d[0];
+        j[3 * other + 1] = -d[1];
+        j[3 * other + 2] = -(s[0] * d[1] - s[1] * d[0]);
+    }
+    x->n++;
+}
+
+static void random_bodies(problem *x, double mass_ratio)
+{
+    memset(x, 0, sizeof *x);
+    for (int i = 0; i < BODIES; i++) {
+        const double mass = exp(check_random(-log(mass_ratio), log(mass_ratio)));
+        x->inverse[3 * i] = x->inverse[3 * i + 1] = 1 / mass;
+        x->inverse[3 * i + 2] = 1 / (mass * check_random(0.02, 0.3));
+        for (int k = 0; k < 3; k++) x->velocity[3 * i + k] = check_random(-1, 1);
+    }
+}
+
+/* A box on a floor with two or three feet, one against a wall, or a stack. */
+static void random_problem(problem *x, int family)
+{
+    random_bodies(x, family == 3 ? 1e4 : 10);
+    const double a = check_random(0.1, 1), b = check_random(0.1, 1), slope = check_random(-0.5, 0.5);
+    const double feet[3][2] = {{-a, -b}, {a, -b}, {check_random(-a, a), -b}};
+    if (family < 3) {
+        for (int i = 0; i < 2 + (family == 1); i++) add_contact(x, 0, -1, feet[i], feet[i], slope);
+        const double side[2] = {a, check_random(-b, b)};
+        if (family == 2) add_contact(x, 0, -1, side, side, slope + M_PI_2);
+    } else {
+        for (int i = 0; i < (family == 3 ? 2 : BODIES); i++)
+            for (int k = 0; k < 2; k++) {
+                const double top[2] = {feet[k][0], b};
+                add_contact(x, i, i - 1, feet[k], top, slope);
+            }
+    }
+}
+
+static void pose(const problem *x, double friction, double restitution, pm_contact_problem *p)
+{
+    p->n = x->n;
+    for (int i = 0; i < 2 * x->n; i++) {
+        double u = 0;
+        for (int k = 0; k < 3 * BODIES; k++) u += x->jacobian[i][k] * x->velocity[k];
+        if (i % 2 == 0) u += restitution * fmin(u, 0);
+        p->contact[i / 2].bias[i % 2] = u;
+        for (int j = 0; j < 2 * x->n; j++) {
+            double sum = 0;
+            for (int k = 0; k < 3 * BODIES; k++) sum += x->jacobian[i][k] * x->inverse[k] * x->jacobian[j][k];
+            p->response[i * 2 * x->n + j] = sum;
+        }
+    }
+    for (int i = 0; i < x->n; i++) {
+        pm_problem_contact *c = &p->contact[i];
+        c->friction = PM_FRICTION_COULOMB;
+        c->hold = c->rub = friction;
+        c->slips = 0;
+        c->prefers = PM_NONE;
+    }
+}
+
+/* Greatest breach of the laws by loads and rates, which are computed again from the loads. */
+static double breach(const pm_contact_problem *p)
+{
+    double worst = 0, largest = 0, fastest = 0;
+    for (int i = 0; i < 2 * p->n; i++) {
+        largest = fmax(largest, fabs(p->load[i]) * sqrt(p->response[i * 2 * p->n + i]));
+        fastest = fmax(fastest, fabs(p->contact[i / 2].bias[i % 2]) / sqrt(p->response[i * 2 * p->n + i]));
+    }
+    const double size = fmax(largest, fastest);
+    for (int i = 0; i < p->n; i++) {
+        const double mu = p->contact[i].rub, load = p->load[2 * i], friction = p->load[2 * i + 1];
+        const double n = sqrt(p->response[2 * i * 2 * p->n + 2 * i]),
+                     t = sqrt(p->response[(2 * i + 1) * (2 * p->n + 1)]);
+        double a[2];
+        for (int k = 0; k < 2; k++) {
+            a[k] = p->contact[i].bias[k];
+            for (int j = 0; j < 2 * p->n; j++) a[k] += p->response[(2 * i + k) * 2 * p->n + j] * p->load[j];
+        }
+        worst = fmax(worst, -load * n);
+        worst = fmax(worst, -a[0] / n);
+        worst = fmax(worst, fmin(fabs(load) * n, fabs(a[0]) / n));
+        worst = fmax(worst, (fabs(friction) - mu * load) * t);
+        worst = fmax(worst, fmin(fabs(a[1]) / t, fabs(friction + copysign(mu, a[1]) * load) * t));
+    }
+    return size > 0 ? worst / size : 0;
+}
+
+typedef struct tally {
+    int none, one, several, failed, other;
+    double worst;
+} tally;
+
+static double difference(int n, const double *a, const double *b)
+{
+    double most = 0, size = 1e-300;
+    for (int i = 0; i < n; i++) {
+        most = fmax(most, fabs(a[i] - b[i]));
+        size = fmax(size, fmax(fabs(a[i]), fabs(b[i])));
+    }
+    return most / fmax(size, 1);
+}
+
+/* All modes are tried, then Lemke's method alone is asked. */
+static void one_problem(const problem *x, double friction, double restitution, pm_contact_problem *p,
+                        tally *t)
+{
+    double rate[2 * MOST];
+    pose(x, friction, restitution, p);
+    p->counted = MOST;
+    const int n = pm_contact_problem_solve(p);
+    if (n > 0) t->worst = fmax(t->worst, breach(p));
+    memcpy(rate, p->rate, sizeof rate);
+    t->none += n == 0;
+    t->one += n == 1;
+    t->several += n == 2;
+    p->counted = 0;
+    const int found = pm_contact_problem_solve(p);
+    if (found) t->worst = fmax(t->worst, breach(p));
+    t->failed += found == 0 && n > 0;
+    t->other += found > 0 && n == 1 && difference(2 * x->n, rate, p->rate) > 1e-6;
+    t->other += found > 0 && n == 0;
+}
+
+static void laws(pm_contact_problem *p, int family, double friction, double restitution)
+{
+    tally t = {0};
+    const int problems = family == 3 ? PROBLEMS / 20 : family == 4 ? 20 : PROBLEMS;
+    for (int i = 0; i < problems; i++) {
+        problem x;
+        random_problem(&x, family);
+        one_problem(&x, friction, restitution, p, &t);
+    }
+    printf("family %d mu %g e %g: none %d one %d several %d; Lemke: failed %d other %d; worst %.1e\n", family,
+           friction, restitution, t.none, t.one, t.several, t.failed, t.other, t.worst);
+    NEAR(t.worst, 0, 1e-8);
+    EQUAL(t.failed, 0);
+    EQUAL(t.other, 0);
+    if (restitution == 0) EQUAL(t.none, 0); /* a plastic blow always has a solution */
+    if (friction == 0)
+        EQUAL(t.several, 0); /* without friction the motion is the least of a convex function */
+}
+
+int main(void)
+{
+    pm_arena arena = {0};
+    pm_contact_problem p;
+    memset(&p, 0, sizeof p);
+    if (pm_contact_problem_create(&p, &arena, MOST)) return 1;
+    for (int family = 0; family < 4; family++)
+        for (int k = 0; k < 3; k++)
+            for (int e = 0; e < 2; e++) laws(&p, family, k == 0 ? 0 : k == 1 ? 0.3 : 1.2, 0.6 * e);
+    pm_arena_free(&arena);
+    return check_failures();
+}

@@ -1,0 +1,168 @@
+"""Several contacts with friction at once: crates that fall, are thrown, stand on slopes."""
+
+import math
+import random
+
+import pytest
+
+import planemotion
+
+G = 9.81
+
+
+def crate(
+    friction: str | float,
+    restitution: float,
+    start: tuple[float, float, float],
+    *,
+    size: tuple[float, float] = (0.2, 0.3),
+    place: float = 0,
+    tilt: float = 0,
+    slope: float = 0,
+    until: str = "start",
+    more: str = "",
+) -> str:
+    """A plate whose corner A is `place` above the origin of a sloping floor; `start`: vx, vy, omega."""
+    return f"""
+until = "{until}"
+{more}
+[ground]
+lines = {{ floor = {{ through = [0, 0], angle = "{slope} deg" }} }}
+[bodies.crate]
+plate = ["{size[0]} m", "{size[1]} m"]
+corners = ["A", "B", "C", "D"]
+mass = "1 kg"
+at = {{ A = [0, "{place} m"] }}
+angle = "{tilt + slope} deg"
+[contacts]
+feet = {{ touch = ["crate.corners", "ground.floor"], friction = {friction}, restitution = {restitution} }}
+[start]
+crate.velocity = ["{start[0]} m/s", "{start[1]} m/s"]
+crate.omega = "{start[2]} rad/s"
+[ask]
+x = "crate.x"
+vx = "crate.velocity.x"
+vy = "crate.velocity.y"
+omega = "crate.omega"
+a = "crate.acceleration.norm"
+"""
+
+
+def answers(text: str) -> dict[str, float]:
+    result = planemotion.load_text(text).run()
+    assert result.status in ("ok", "undecided"), result.error
+    return {key: float(ask.value) for key, ask in result.asks.items() if isinstance(ask.value, float)}
+
+
+@pytest.mark.parametrize(
+    ("friction", "restitution", "expected"),
+    [(0.1, 0.3, (-0.461, 0.09)), (0.05, 0, (-0.485, 0)), (0.1, 0, (-0.47, 0)), (0, 0.5, (-0.5, 0.15))],
+)
+def test_a_plate_falls_flat(friction: float, restitution: float, expected: tuple[float, float]) -> None:
+    """Both corners push: vx' = vx + mu (1 + e) |vy|, vy' = e |vy|, and it does not rotate."""
+    found = answers(crate(friction, restitution, (-0.5, -0.3, 0)))
+    assert (found["vx"], found["vy"]) == pytest.approx(expected, abs=1e-12)
+    assert found["omega"] == pytest.approx(0, abs=1e-12)
+
+
+def test_friction_of_nothing_may_be_a_parameter() -> None:
+    written = answers(crate(0, 0.2, (0.3, -0.3, 1)))
+    swept = answers(crate('"mu"', 0.2, (0.3, -0.3, 1), more="[parameters]\nmu = 0\n"))
+    assert swept == pytest.approx(written, abs=1e-14)
+
+
+@pytest.mark.parametrize("route", ["uniform", "rk", "ida"])
+def test_a_tall_plate_slides_without_tipping(route: str) -> None:
+    text = crate(0.2, 0, (0, 0, 0), size=(0.2, 0.4), slope=35, until="t = 0.1 s")
+    found = answers(text + f'[solve]\nroute = "{route}"\n')
+    slope = math.radians(35)
+    assert found["a"] == pytest.approx(G * (math.sin(slope) - 0.2 * math.cos(slope)), rel=1e-9)
+    assert found["omega"] == pytest.approx(0, abs=1e-9)
+
+
+def test_crates_on_slopes_stay_or_slide() -> None:
+    """Where they do not tip: at rest up to tan(slope) = mu, else with g (sin - mu cos)."""
+    rng = random.Random(17)
+    for _ in range(120):
+        mu, degrees = rng.uniform(0, 1.2), rng.uniform(0, 60)
+        size = rng.uniform(0.05, 0.5), rng.uniform(0.05, 0.5)
+        slope = math.radians(degrees)
+        if min(mu, math.tan(slope)) > 0.99 * size[0] / size[1]:
+            continue
+        found = answers(crate(mu, 0, (0, 0, 0), size=size, slope=degrees, until="t = 0.05 s"))
+        expected = max(0.0, G * (math.sin(slope) - mu * math.cos(slope)))
+        assert found["a"] == pytest.approx(expected, abs=1e-8), (mu, degrees, size)
+
+
+def throw(rng: random.Random, until: str, *, mirrored: bool = False) -> str:
+    """A crate thrown at random; mirrored: its mirror image, B for A, from the same numbers."""
+    sign = -1 if mirrored else 1
+    friction = rng.choice([0.05, 0.2, 0.5, 0.9, rng.uniform(0.02, 1)])
+    restitution = rng.choice([0, 0.3, rng.uniform(0, 0.7)])
+    start = sign * rng.uniform(-3, 3), rng.uniform(-3, 0), sign * rng.uniform(-10, 10)
+    size = rng.uniform(0.05, 0.5), rng.uniform(0.05, 0.5)
+    tilt = sign * rng.uniform(-180, 180)
+    text = crate(friction, restitution, start, size=size, tilt=tilt, place=0.8, until=until)
+    return text.replace("at = { A = ", "at = { B = ") if mirrored else text
+
+
+def test_thrown_crates_come_to_rest() -> None:
+    rng = random.Random(3)
+    for _ in range(60):
+        text = throw(rng, "rest")
+        result = planemotion.load_text(text).run()
+        assert result.status in ("ok", "undecided", "not_unique", "painleve"), (text, result.error)
+
+
+def test_a_mirrored_throw_is_the_mirrored_motion() -> None:
+    for seed in range(25):
+        texts = [throw(random.Random(seed), "t = 0.6 s", mirrored=mirrored) for mirrored in (False, True)]
+        one, other = (planemotion.load_text(text).run() for text in texts)
+        assert one.status == other.status
+        for key, sign in (("vx", -1), ("vy", 1), ("omega", -1)):
+            a, b = one.asks[key].value, other.asks[key].value
+            assert isinstance(a, float)
+            assert isinstance(b, float)
+            assert a == pytest.approx(sign * b, abs=1e-6), texts[0]
+
+
+def rod(degrees: float, friction: str, slip: float, omega: float, until: str = "start") -> str:
+    """A rod of 1 m on its lower end, which slips with this velocity and does not lift."""
+    angle = math.radians(degrees)
+    return f"""
+until = "{until}"
+[ground]
+lines = {{ floor = {{ through = [0, 0] }} }}
+[bodies.rod]
+rod = ["A", "B"]
+length = "1 m"
+mass = "1 kg"
+at = {{ A = [0, 0] }}
+angle = "{degrees} deg"
+[contacts]
+foot = {{ touch = ["rod.A", "ground.floor"], friction = {friction} }}
+[start]
+rod.velocity = ["{slip - omega / 2 * math.sin(angle)} m/s", "{omega / 2 * math.cos(angle)} m/s"]
+rod.omega = "{omega} rad/s"
+[ask]
+alpha = "rod.alpha"
+"""
+
+
+def test_painleves_rod_has_no_motion() -> None:
+    """At 50 degrees with mu = 1.6 the sliding foot would have to pull: 1 + 3 cos (cos - mu sin) < 0."""
+    result = planemotion.load_text(rod(50, "1.6", -1, 0)).run()
+    assert result.status == "painleve"
+    assert "contacts.foot: with friction 1.6 no motion" in result.error
+
+
+def test_sliding_is_found_where_sticking_and_parting_are_not() -> None:
+    """One foot at rest: it would have to pull to stick, and approaches if it is let go."""
+    angle, omega, mu = math.radians(37.5), -4.5425, 0.1
+    result = planemotion.load_text(rod(37.5, "0.1", 0, omega)).run()
+    # It slides forward, T = -mu N: m (a_A)_n = 0 at the foot.
+    r = (-0.5 * math.cos(angle), -0.5 * math.sin(angle))
+    normal = 1 + 12 * r[0] * (r[0] + mu * r[1])
+    load = (G + omega**2 * r[1]) / normal
+    assert load > 0
+    assert result.alpha == pytest.approx(12 * (r[0] + mu * r[1]) * load, rel=1e-9)
