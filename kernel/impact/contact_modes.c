@@ -218,18 +218,29 @@ static int accelerate(pm_workspace *w)
     return w->phase.kinematic ? PM_OK : pm_saddle_accelerate_projected(w);
 }
 
+/* Modes that stand may not be the only ones. */
+static int check_one(pm_workspace *w)
+{
+    if (!pm_contact_modes_are_open_by_theory(w)) return PM_OK;
+    const int status = pm_contact_modes_check_one(w);
+    return status ? status : accelerate(w);
+}
+
 int pm_contact_modes_settle(pm_workspace *w)
 {
     const int most = 2 * w->model->nfriction + PM_MODES_ROUNDS;
+    int solved = 0;
     for (int i = 0, changed = 1; i < most; i++) {
         int status = accelerate(w);
         if (status || w->phase.kinematic) return status;
         const double size = force_size(&w->frame, &w->active);
         if (!changed || stands(w, size)) {
-            if (!pm_joint_friction_overcome(w, PM_PULLS * size)) return PM_OK;
+            if (!pm_joint_friction_overcome(w, PM_PULLS * size)) return solved ? PM_OK : check_one(w);
             changed = 1;
         } else if ((status = pm_contact_modes_solve(w, &changed))) {
             return status;
+        } else {
+            solved = 1;
         }
     }
     return pm_fail(&w->result, PM_BLOW_UNDECIDED, PM_TABLE_CONTACT, PM_NONE, most, most);

@@ -18,6 +18,10 @@ int pm_contact_modes_settle(pm_workspace *w);
  * ones; *changed: whether any differs.  PM_NOT_UNIQUE, PM_PAINLEVE, PM_ROUGH_IMPOSSIBLE: where = contact; detail = its
  * coefficient of friction, contacts that take part; the modes are then as they were. */
 int pm_contact_modes_solve(pm_workspace *w, int *changed);
+/* Whether other modes than the present ones might obey the laws, too: where something rubs. */
+int pm_contact_modes_are_open_by_theory(const pm_workspace *w);
+/* PM_NOT_UNIQUE if more than one motion obeys them.  The modes are as they were; the active set and the frame are not. */
+int pm_contact_modes_check_one(pm_workspace *w);
 /* Marks the triggers of contacts that opened, slipped or stuck during the instant. */
 void pm_contact_modes_mark(pm_workspace *w);
 /* Closes `contact` with `member` in a free slot, in the mode that its friction and slip ask for. */

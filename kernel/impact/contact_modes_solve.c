@@ -78,23 +78,54 @@ static int fail(pm_workspace *w, const pm_contact_system *x, int n)
                    x->problem.contact[i].rub, x->problem.n);
 }
 
+/* Poses the problem at the frame and solves it: *n motions.  The listed slots are open then. */
+static int solve(pm_workspace *w, pm_contact_system *x, int32_t *before, int *n)
+{
+    list(w, x, before);
+    const int status = pm_contact_system_respond(w, x);
+    if (status) return status;
+    accelerate_free(w, x);
+    pose(w, x);
+    *n = pm_contact_problem_solve(&x->problem);
+    return PM_OK;
+}
+
+static void restore(pm_workspace *w, const int32_t *before)
+{
+    for (int i = 0; i < w->model->nslot; i++) w->state.slot[i].mode = before[i];
+}
+
 int pm_contact_modes_solve(pm_workspace *w, int *changed)
 {
     pm_contact_system *x = &w->blow->system;
     int32_t *before = w->blow->resting;
-    list(w, x, before);
-    int status = pm_contact_system_respond(w, x);
-    if (!status) {
-        accelerate_free(w, x);
-        pose(w, x);
-        const int n = pm_contact_problem_solve(&x->problem);
-        if (n != 1) status = fail(w, x, n);
-    }
+    int n = 0, status = solve(w, x, before, &n);
+    if (!status && n != 1) status = fail(w, x, n);
     *changed = 0;
-    if (!status) take(w, x, before);
-    for (int i = 0; i < w->model->nslot; i++) {
-        if (status) w->state.slot[i].mode = before[i];
-        *changed |= w->state.slot[i].mode != before[i];
-    }
+    if (status)
+        restore(w, before);
+    else
+        take(w, x, before);
+    for (int i = 0; i < w->model->nslot; i++) *changed |= w->state.slot[i].mode != before[i];
     return status;
+}
+
+int pm_contact_modes_are_open_by_theory(const pm_workspace *w)
+{
+    for (int i = 0; i < w->model->nslot; i++) {
+        const int contact = pm_contact_of_slot(w->model, i), mode = w->state.slot[i].mode;
+        if ((mode == PM_STICK || pm_contact_modes_slides(mode)) &&
+            pm_contact_friction(w->model, contact) == PM_FRICTION_COULOMB)
+            return 1;
+    }
+    return 0;
+}
+
+int pm_contact_modes_check_one(pm_workspace *w)
+{
+    pm_contact_system *x = &w->blow->system;
+    int n = 0;
+    const int status = solve(w, x, w->blow->resting, &n);
+    restore(w, w->blow->resting);
+    return status ? status : n > 1 ? fail(w, x, n) : PM_OK;
 }

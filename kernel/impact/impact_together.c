@@ -120,6 +120,19 @@ static void record(pm_workspace *w, const pm_blow *b)
         memcpy(w->impulses.slot + 2 * x->slot[i], x->problem.load + 2 * i, 2 * sizeof(double));
 }
 
+/* No blow obeys the laws, or several do. */
+static int fail(pm_workspace *w, const pm_contact_system *x, int n)
+{
+    int status = n == 0 ? PM_BLOW_UNDECIDED : PM_NOT_UNIQUE, i = n == 0 ? 0 : x->problem.differs;
+    for (int k = 0; k < x->problem.n && n == 0; k++)
+        if (x->problem.contact[k].friction == PM_FRICTION_ROUGH) {
+            status = PM_ROUGH_IMPOSSIBLE;
+            i = k;
+        }
+    return pm_fail(&w->result, status, PM_TABLE_CONTACT, pm_contact_of_slot(w->model, x->slot[i]),
+                   x->problem.contact[i].rub, x->problem.n);
+}
+
 /* One blow of what is listed, with or without restitution, solved as a trial. */
 static int solve(pm_workspace *w, pm_blow *b, int plastic)
 {
@@ -130,10 +143,8 @@ static int solve(pm_workspace *w, pm_blow *b, int plastic)
     if (status) return status;
     respond_free(w, x);
     pose(w, b, x);
-    const int n = pm_contact_problem_solve(&x->problem), i = n == 0 ? 0 : x->problem.differs;
-    if (n != 1)
-        return pm_fail(&w->result, n == 0 ? PM_BLOW_UNDECIDED : PM_NOT_UNIQUE, PM_TABLE_CONTACT,
-                       pm_contact_of_slot(w->model, x->slot[i]), x->problem.contact[i].rub, x->problem.n);
+    const int n = pm_contact_problem_solve(&x->problem);
+    if (n != 1) return fail(w, x, n);
     take_modes(b, x);
     status = solve_modes(w, b);
     if (!status) record(w, b);

@@ -156,6 +156,20 @@ def test_painleves_rod_has_no_motion() -> None:
     assert "contacts.foot: with friction 1.6 no motion" in result.error
 
 
+def test_painleves_rod_has_two_motions() -> None:
+    """Turning fast enough to lift, it may slide on, too."""
+    result = planemotion.load_text(rod(50, "1.6", -1, 6)).run()
+    assert result.status == "not_unique"
+    assert "contacts.foot: with friction 1.6" in result.error
+
+
+def test_a_rough_foot_that_cannot_push() -> None:
+    """Where its normal force vanishes the foot neither keeps from slipping nor parts: no livelock."""
+    result = planemotion.load_text(rod(89.9, '"rough"', 0, -2, until="t = 5 s")).run()
+    assert result.status == "rough_impossible"
+    assert result.time is not None and 0.3 < result.time < 0.4
+
+
 def test_sliding_is_found_where_sticking_and_parting_are_not() -> None:
     """One foot at rest: it would have to pull to stick, and approaches if it is let go."""
     angle, omega, mu = math.radians(37.5), -4.5425, 0.1
