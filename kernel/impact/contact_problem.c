@@ -39,6 +39,7 @@ int pm_contact_problem_create(pm_contact_problem *x, pm_arena *arena, int most)
         PM_ARRAY(x->lemke, PM_LEMKE_SCRATCH(m)),
     };
     x->counted = PM_PROBLEM_COUNTED;
+    x->tried = PM_PROBLEM_TRIED;
     return pm_arena_take(arena, PM_ARRAYS(array));
 }
 
@@ -340,7 +341,7 @@ static double largest_of(int n, const double *x)
 }
 
 /* One solution by Lemke's method, in the trial; 0 if it finds none. */
-static int lemke(pm_contact_problem *x)
+static int lemke(pm_contact_problem *x, int try)
 {
     int m = 0, *first = x->pivot;
     double *w = x->lemke, *b = w + 4 * (size_t)x->n * x->n;
@@ -352,7 +353,7 @@ static int lemke(pm_contact_problem *x)
     take_out_rough(x, w, b);
     for (int i = 0; i < x->n; i++) pose_contact(x, w, b, m, first, i);
     double *z = x->right + m;
-    if (!pm_lemke_solve(m, x->system, x->right, x->lemke, x->basis, z)) return 0;
+    if (!pm_lemke_solve(m, x->system, x->right, try, x->lemke, x->basis, z)) return 0;
     const double tie = PM_PROBLEM_LEMKE_TIE * largest_of(m, z);
     for (int i = 0; i < x->n; i++) {
         const double load = z[first[i]],
@@ -365,13 +366,20 @@ static int lemke(pm_contact_problem *x)
 }
 
 /* Rough contacts that would pull are let go, one round after the other. */
-static int lemke_rounds(pm_contact_problem *x)
+static int lemke_rounds(pm_contact_problem *x, int try)
 {
     for (int i = 0; i < x->n; i++) x->trial[i] = PM_STICK;
     for (int round = 0; round <= x->n; round++) {
-        if (!lemke(x)) return 0;
+        if (!lemke(x, try)) return 0;
         if (trial_holds(x)) return 1;
     }
+    return 0;
+}
+
+static int lemke_tries(pm_contact_problem *x)
+{
+    for (int try = 0; try < PM_PROBLEM_TRIES; try++)
+        if (lemke_rounds(x, try)) return 1;
     return 0;
 }
 
@@ -380,10 +388,10 @@ int pm_contact_problem_solve(pm_contact_problem *x)
     const double unit = scale_problem(x);
     x->nmotion = 0;
     x->differs = PM_NONE;
-    if (x->n > x->counted && lemke_rounds(x)) {
+    if (x->n > x->counted && lemke_tries(x)) {
         x->nmotion = 1;
         keep(x, unit);
-    } else if (x->n <= PM_PROBLEM_TRIED) {
+    } else if (x->n <= x->tried) {
         enumerate(x, unit);
     }
     return x->nmotion;

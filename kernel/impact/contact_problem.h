@@ -26,6 +26,7 @@ typedef struct pm_problem_contact {
 typedef struct pm_contact_problem {
     int n;                       /* contacts */
     int counted;                 /* up to so many all modes are tried */
+    int tried;                   /* up to so many where Lemke's method finds nothing, too */
     pm_problem_contact *contact; /* [n] */
     double *response;            /* [2n][2n] W */
     /* what was found */

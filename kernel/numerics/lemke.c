@@ -1,8 +1,8 @@
 /* lemke.c - Lemke's method on the tableau
  *
- *   I w - M z - d z0 = q,   d = (1, ..., 1)
+ *   I w - M z - d z0 = q,   d > 0
  *
- * z0 enters where q is least; from then on the complement of what left enters, until z0 leaves.  The columns of w hold the
+ * z0 enters where q_i/d_i is least; from then on the complement of what left enters, until z0 leaves.  The columns of w hold the
  * inverse of the basis, whose rows order ties. */
 #include "numerics/lemke.h"
 
@@ -22,14 +22,17 @@ static double *entry(const pm_tableau *t, int i, int column)
     return t->row + (size_t)i * t->width + column;
 }
 
-static void fill(pm_tableau *t, const double *matrix, const double *q)
+/* Another covering vector for each try, between 1 and 2: multiples of the golden section, which never fall together. */
+static double covering(int i, int try) { return 1 + fmod(0.6180339887498949 * try * (i + 1), 1); }
+
+static void fill(pm_tableau *t, const double *matrix, const double *q, int try)
 {
     const int m = t->m;
     memset(t->row, 0, (size_t)m * t->width * sizeof *t->row);
     for (int i = 0; i < m; i++) {
         *entry(t, i, i) = 1;
         for (int k = 0; k < m; k++) *entry(t, i, m + k) = -matrix[i * m + k];
-        *entry(t, i, 2 * m) = -1;
+        *entry(t, i, 2 * m) = -covering(i, try);
         *entry(t, i, 2 * m + 1) = q[i];
         t->basis[i] = i;
     }
@@ -80,11 +83,16 @@ static int leaving(const pm_tableau *t, int column)
     return best;
 }
 
+static double start_ratio(const pm_tableau *t, int i)
+{
+    return *entry(t, i, 2 * t->m + 1) / -*entry(t, i, 2 * t->m);
+}
+
 static int begin(const pm_tableau *t)
 {
     int least = 0;
     for (int i = 1; i < t->m; i++)
-        if (*entry(t, i, 2 * t->m + 1) < *entry(t, least, 2 * t->m + 1)) least = i;
+        if (start_ratio(t, i) < start_ratio(t, least)) least = i;
     return least;
 }
 
@@ -96,10 +104,11 @@ static void read_solution(const pm_tableau *t, double *z)
             z[t->basis[i] - t->m] = fmax(0, *entry(t, i, 2 * t->m + 1));
 }
 
-int pm_lemke_solve(int m, const double *matrix, const double *q, double *scratch, int *basis, double *z)
+int pm_lemke_solve(int m, const double *matrix, const double *q, int try, double *scratch, int *basis,
+                   double *z)
 {
     pm_tableau t = {m, 2 * m + 2, scratch, basis};
-    fill(&t, matrix, q);
+    fill(&t, matrix, q, try);
     int row = begin(&t), column = 2 * m;
     if (*entry(&t, row, 2 * m + 1) >= 0) {
         memset(z, 0, (size_t)m * sizeof *z);

@@ -9,7 +9,9 @@
 #define PM_LEMKE_SCRATCH(m) ((size_t)(m) * (2 * (size_t)(m) + 3))
 
 /* z[m] for M[m][m], row-major, and q[m], both scaled to about one; scratch[PM_LEMKE_SCRATCH(m)], basis[m].  Returns 1; or 0
- * where the method ends on a ray, which does not prove that nothing solves the problem. */
-int pm_lemke_solve(int m, const double *matrix, const double *q, double *scratch, int *basis, double *z);
+ * where the method ends on a ray, which does not prove that nothing solves the problem: it may do so with another `try`
+ * (0, 1, 2, ...), which begins elsewhere. */
+int pm_lemke_solve(int m, const double *matrix, const double *q, int try, double *scratch, int *basis,
+                   double *z);
 
 #endif

@@ -187,6 +187,7 @@
 #define PM_PROBLEM_IMMOBILE 1e-14 /* of the contact's other response: nothing moves that way; larger: friction is left out */
 #define PM_PROBLEM_DEPENDS 1e-12 /* of its response: a rough tangent that others hold; larger: what holds is left out */
 #define PM_PROBLEM_COUNTED 4 /* contacts: up to here all modes are tried and motions counted; more: 4 times dearer each */
+#define PM_PROBLEM_TRIES 8 /* of Lemke's method from other beginnings; more: fewer problems without a solution found, slower */
 #define PM_PROBLEM_TRIED 7 /* contacts: up to here all modes are tried where Lemke's method fails; likewise */
 #define PM_BLOWS_AT_ONCE 64 /* rounds of blows of all contacts at one instant; more: an endless series ends later */
 #define PM_BLOWS_IN_ORDER 10000 /* blows one by one at one instant; likewise */

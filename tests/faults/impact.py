@@ -159,12 +159,6 @@ FAULTS = [
         "",
     ),
     Fault(
-        "one by one: resting contacts join",
-        "impact/impact_trial.c",
-        "(pm_impact_one_by_one(w->model) || !one_approaches(w, b))",
-        "!one_approaches(w, b)",
-    ),
-    Fault(
         "blow: reversed slip",
         "impact/contact_problem.c",
         "sense(x->trial[i]) * a[1] >= -slack",
