@@ -218,6 +218,55 @@ static int accelerate(pm_workspace *w)
     return w->phase.kinematic ? PM_OK : pm_saddle_accelerate_projected(w);
 }
 
+/* The slip of a constraint accelerates so, which holds no more. */
+static int way_of(const pm_frame *frame, pm_constraint *c)
+{
+    pm_constraint_kind(c->kind)->evaluate(frame, c);
+    return pm_constraint_times(frame, c, frame->a) - c->gamma > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
+}
+
+/* Lets a friction of a joint slip, where that makes the accelerations known; 1 if it does. */
+static int reverse_joint(pm_workspace *w, int k)
+{
+    pm_constraint slip;
+    if (w->state.friction[k] != PM_STICK) return 0;
+    w->state.friction[k] = PM_SLIDE_FORWARD;
+    if (accelerate(w)) {
+        w->state.friction[k] = PM_STICK;
+        return 0;
+    }
+    pm_joint_friction_constraint(&w->frame, k, &slip);
+    w->state.friction[k] = way_of(&w->frame, &slip);
+    return 1;
+}
+
+static int reverse_contact(pm_workspace *w, int slot)
+{
+    pm_slot *s = &w->state.slot[slot];
+    if (s->mode != PM_STICK ||
+        pm_contact_friction(w->model, pm_contact_of_slot(w->model, slot)) != PM_FRICTION_COULOMB)
+        return 0;
+    s->mode = PM_SLIDE_FORWARD;
+    if (accelerate(w)) {
+        s->mode = PM_STICK;
+        return 0;
+    }
+    pm_constraint slip = pm_contact_modes_tangent(&w->frame, &w->state, slot);
+    s->mode = way_of(&w->frame, &slip);
+    return 1;
+}
+
+/* At a dead centre a slip is zero because its mechanism reverses, and not because friction holds it: held there, it depends
+ * on the joints.  It goes on the other way. */
+static int reverse_slip(pm_workspace *w)
+{
+    for (int k = 0; k < w->model->nfriction; k++)
+        if (reverse_joint(w, k)) return 1;
+    for (int i = 0; i < w->model->nslot; i++)
+        if (reverse_contact(w, i)) return 1;
+    return 0;
+}
+
 /* Modes that stand may not be the only ones. */
 static int check_one(pm_workspace *w)
 {
@@ -232,6 +281,7 @@ int pm_contact_modes_settle(pm_workspace *w)
     int solved = 0;
     for (int i = 0, changed = 1; i < most; i++) {
         int status = accelerate(w);
+        if (status == PM_SINGULAR && reverse_slip(w)) status = accelerate(w);
         if (status || w->phase.kinematic) return status;
         const double size = force_size(&w->frame, &w->active);
         if (!changed || stands(w, size)) {
