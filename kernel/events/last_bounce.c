@@ -38,10 +38,14 @@ int pm_last_bounce_is_near(const pm_workspace *w, int contact, double rate)
     return !is_resolved(w, contact) && fabs(rate) <= PM_BOUNCE_UNKNOWN * cut_speed(w, PM_LAST_BOUNCE);
 }
 
-int pm_last_bounce_is_held(const pm_workspace *w, int contact, double approach, double rate)
+int pm_last_bounce_is_slow(const pm_workspace *w, double approach)
 {
-    return approach <= cut_speed(w, PM_BOUNCE_SPENT) && rate > pm_contact_speed(&w->frame) &&
-           rate <= cut_speed(w, PM_BOUNCE_SPENT) && !is_resolved(w, contact);
+    return approach <= cut_speed(w, PM_BOUNCE_SPENT);
+}
+
+int pm_last_bounce_is_held(const pm_workspace *w, int contact, double rate)
+{
+    return rate > pm_contact_speed(&w->frame) && pm_last_bounce_is_slow(w, rate) && !is_resolved(w, contact);
 }
 
 int pm_last_bounce_is_spent(const pm_workspace *w, int contact, double rate)

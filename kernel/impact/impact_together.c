@@ -237,7 +237,7 @@ static int one_rocks(const pm_workspace *w, const pm_blow *b)
         const pm_constraint normal = pm_contact_modes_normal(&w->frame, &w->state, i);
         const double rate = pm_constraint_times(&w->frame, &normal, b->after) - normal.rate;
         closed++;
-        parts |= pm_last_bounce_is_held(w, pm_contact_of_slot(w->model, i), b->approach, rate);
+        parts |= pm_last_bounce_is_held(w, pm_contact_of_slot(w->model, i), rate);
     }
     return parts && closed > 1;
 }
@@ -254,7 +254,7 @@ static int held_mode(const pm_workspace *w, const pm_blow *b, int slot)
 
 int pm_impact_hold_rocking(pm_workspace *w, pm_blow *b, int *holds)
 {
-    *holds = one_rocks(w, b);
+    *holds = pm_last_bounce_is_slow(w, b->approach) && one_rocks(w, b);
     if (!*holds) return PM_OK;
     for (int i = 0; i < w->model->nslot; i++) {
         if (!is_closed_in(b, i)) continue;
