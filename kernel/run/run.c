@@ -30,6 +30,8 @@ static const pm_where nowhere = {PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
 
 static int begin_case(pm_workspace *w, const double *param, pm_start_report *report)
 {
+    pm_ask_reset(w);
+    for (int i = 0; i < PM_AUDITS; i++) w->result.audit[i] = NAN;
     memset(w->result.count, 0, sizeof w->result.count);
     w->result.where = nowhere;
     w->impulses.energy_lost = 0;
@@ -227,8 +229,6 @@ static void keep_sound(pm_workspace *w, int status)
 int pm_run(pm_workspace *w, const double *param)
 {
     pm_start_report report;
-    pm_ask_reset(w);
-    for (int i = 0; i < PM_AUDITS; i++) w->result.audit[i] = NAN;
     w->fixed->wanted = 1;
     int status = pm_run_start(w, param, &report);
     const int started = status == PM_OK;

@@ -185,19 +185,21 @@ static int close_one(pm_model *model, pm_workspace *w, int status)
     return status;
 }
 
+/* The answers of a case for whose answers nobody has asked: its asks are answered all the same, from its start on. */
+static int keep_answers(pm_workspace *w)
+{
+    const pm_array array[] = {PM_ARRAY(w->result.out, w->model->nout),
+                              PM_ARRAY(w->result.reason, w->model->nask),
+                              PM_ARRAY(w->result.audit, PM_AUDITS)};
+    return pm_arena_take(&w->memory, PM_ARRAYS(array)) ? PM_NO_MEMORY : PM_OK;
+}
+
 /* Runs a case for what it records of itself. */
 static int run_recorded(pm_workspace *w, const double *param, int32_t *where, double *detail)
 {
-    const pm_model *m = w->model;
-    double audit[PM_AUDITS], trust[PM_TRUSTS];
-    double *out, *error, *margin;
-    int32_t *reason;
-    const pm_array array[] = {PM_ARRAY(out, m->nout), PM_ARRAY(error, m->nout), PM_ARRAY(margin, m->nask),
-                              PM_ARRAY(reason, m->nask)};
-    if (pm_arena_take(&w->memory, PM_ARRAYS(array))) return PM_NO_MEMORY;
-    w->result.out = out;
-    w->result.reason = reason;
-    w->result.audit = audit;
+    double trust[PM_TRUSTS], *error, *margin;
+    const pm_array array[] = {PM_ARRAY(error, w->model->nout), PM_ARRAY(margin, w->model->nask)};
+    if (keep_answers(w) || pm_arena_take(&w->memory, PM_ARRAYS(array))) return PM_NO_MEMORY;
     const int status = pm_accuracy_run(w, param, NULL, error, margin, trust);
     report_case(w, where, detail);
     return status;
@@ -268,10 +270,8 @@ int pm_check(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
     if (status) return status;
     if (w->model->nbody != nbody) {
         status = PM_BAD_TABLE;
-    } else {
+    } else if (!(status = keep_answers(w))) {
         pm_start_report report = {0, 0};
-        double audit[PM_AUDITS];
-        w->result.audit = audit;
         memset(info, 0, PM_CHECK_COLUMNS * sizeof *info);
         status = pm_run_start(w, param, &report);
         report_case(w, where, detail);

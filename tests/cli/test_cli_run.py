@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 from pathlib import Path
 
@@ -193,3 +194,18 @@ def test_a_history_is_of_one_scene(folder: Path) -> None:
     done = invoke("run", folder, "--history", "h.h5")
     assert done.exit_code == 2
     assert "one scene" in done.stderr
+
+
+def test_a_file_whose_name_is_no_text_is_read_told_and_answered(folder: Path) -> None:
+    """Bytes that are no UTF-8 in the name of the file, which is also the id of the scene."""
+    name = os.fsdecode(b"caf\xe9.toml")
+    Path(name).write_text(RELEASED.replace('id = "pendulum"', ""), encoding="utf-8")
+    sweep = ("sweep", name, "--out", "o")
+    for call in (
+        *(("check", name), ("explain", name), ("run", name), ("run", name, "--json", "-")),
+        *(("run", name, "--json", "a.json"), sweep, (*sweep, "--resume")),
+    ):
+        done = subprocess.run(command(*call), capture_output=True, check=False)
+        assert done.returncode == 0, done.stderr.decode()
+    said = strict_json(Path("a.json").read_text(encoding="utf-8"))["scenes"][0]
+    assert (said["id"], said["file"]) == ("caf\\xe9", name)

@@ -5,19 +5,19 @@ from __future__ import annotations
 import math
 import os
 import re
-import tomllib
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from .base.bounded import read_bytes
 from .base.errors import SceneError
+from .base.toml import parse_toml
 
 if TYPE_CHECKING:
     from .scene import Scene
 
 _BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
 _CONTROL = re.compile(r"[\x00-\x1f\x7f]")
-_FAULT = re.compile(r"(.*) \(at (?:(line \d+), column \d+|end of document)\)")
 # A file that is larger is no scene.
 _MOST_BYTES = 10_000_000
 
@@ -29,9 +29,7 @@ def load(path: str | os.PathLike[str]) -> Scene:
     """
     name = os.fspath(path)
     try:
-        if Path(path).stat().st_size > _MOST_BYTES:
-            raise SceneError(f"the file is larger than {_MOST_BYTES} bytes", file=name)
-        text = Path(path).read_text(encoding="utf-8")
+        text = read_bytes(Path(path), _MOST_BYTES).decode("utf-8")
     except UnicodeDecodeError:
         raise SceneError("the file is not text in UTF-8", file=name) from None
     except OSError as error:
@@ -43,14 +41,7 @@ def load_text(text: str, *, file: str | None = None) -> Scene:
     """The scene in a TOML text; `file` is named in messages, and its stem is the id if there is none."""
     from .scene import Scene
 
-    try:
-        raw = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        match = _FAULT.fullmatch(str(error))
-        last = f"line {len(text.splitlines())}"
-        reason = f"{match[2] or last}: {match[1]}" if match else str(error)
-        raise SceneError(f"no TOML: {reason}", file=file) from None
-    scene = Scene.from_raw(raw, file=file, text=text)
+    scene = Scene.from_raw(parse_toml(text, file), file=file, text=text)
     scene.data  # noqa: B018 - faults are to be found when the file is read
     return scene
 

@@ -13,13 +13,14 @@ from __future__ import annotations
 
 import copy
 import os
-import tomllib
 import warnings
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
+from .base.bounded import check_table, shown
 from .base.errors import SceneError, SceneHint
+from .base.toml import parse_toml
 from .geometry.parameters import override
 from .language.units import parse_quantity
 from .model.tables import DEFAULT_G
@@ -63,6 +64,7 @@ class Scene:
     @classmethod
     def from_raw(cls, raw: Mapping[str, Any], *, file: str | None = None, text: str | None = None) -> Self:
         """A scene from its table; `text` is the TOML it was read from."""
+        check_table(raw)
         scene = cls()
         scene.raw = copy.deepcopy(dict(raw))
         scene.file = file
@@ -147,7 +149,7 @@ class Scene:
     def data(self) -> SceneData:
         """The validated scene.  Raises SceneError for the first fault."""
         if self._data is None:
-            name = Path(self.file).stem if self.file else "scene"
+            name = shown(Path(self.file).stem) if self.file else "scene"
             self._data = validate(self.raw, file=self.file, name=name)
             self._hint(self._data.hints)
         return self._data
@@ -290,25 +292,30 @@ def _literal(value: Any) -> Any:
     if not isinstance(value, str):
         return value
     try:
-        read = tomllib.loads(f"value = {value}")
-    except tomllib.TOMLDecodeError:
+        read = parse_toml(f"value = {value}")
+    except SceneError:
         return value
     return read["value"] if set(read) == {"value"} else value
 
 
 def _plain(value: Any) -> Any:
     """A value as TOML has it: quantities of pint become texts, numbers of numpy plain ones."""
+    check_table(value)
+    return _plain_value(value)
+
+
+def _plain_value(value: Any) -> Any:
     if isinstance(value, str | bool | int | float):
         return value if type(value) in (str, bool, int, float) else _builtin(value)
     if isinstance(value, Mapping):
-        return {str(key): _plain(one) for key, one in value.items()}
+        return {str(key): _plain_value(one) for key, one in value.items()}
     if isinstance(value, list | tuple):
-        return [_plain(one) for one in value]
+        return [_plain_value(one) for one in value]
     if hasattr(value, "dimensionality"):
         quantity = parse_quantity(value)
         return f"{quantity.value!r} {quantity.unit_text}".strip()
     if hasattr(value, "tolist"):
-        return _plain(value.tolist())
+        return _plain_value(value.tolist())
     raise SceneError(f"a scene has no values of type {type(value).__name__}")
 
 

@@ -14,6 +14,8 @@ from collections.abc import Iterable
 # Similarity (0 to 1) from which on a word is offered as "did you mean": keeps "frictoin", drops unrelated
 # words.
 _SIMILAR_ENOUGH = 0.6
+# Characters of a value that a message shows.
+_MOST_SHOWN = 500
 
 
 class PlanemotionError(Exception):
@@ -101,7 +103,9 @@ def nearest(word: str, candidates: Iterable[str]) -> str | None:
 
 
 def _as_written(value: object) -> str:
-    """A value as it would stand in a TOML file."""
+    """A value as it would stand in a TOML file; of a long text its beginning."""
     if isinstance(value, bool):
         return "true" if value else "false"
-    return f'"{value}"' if isinstance(value, str) else str(value)
+    text = str(value)
+    text = text if len(text) <= _MOST_SHOWN else f"{text[:_MOST_SHOWN]}..."
+    return f'"{text}"' if isinstance(value, str) else text

@@ -7,7 +7,9 @@ an output that cannot be written); 130 stopped by Ctrl-C.  Results go to stdout,
 from __future__ import annotations
 
 import errno
+import sys
 import warnings
+from io import TextIOWrapper
 from typing import Any
 
 import click
@@ -24,6 +26,9 @@ class _Commands(click.Group):
     """Turns the errors of the package into one message and an exit status."""
 
     def invoke(self, ctx: click.Context) -> Any:
+        for stream in (sys.stdout, sys.stderr):  # names of files may hold bytes that are no text
+            if isinstance(stream, TextIOWrapper):
+                stream.reconfigure(errors="backslashreplace")
         try:
             with warnings.catch_warnings():
                 warnings.simplefilter("always", SceneHint)

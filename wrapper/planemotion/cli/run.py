@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from ..base.bounded import shown
 from ..base.errors import SceneError, SimulationError, StudyError
 from ..base.files import appearing
 from .options import FAILED, WRONG, a_path, interruptible, say, set_option, terminal_width
@@ -65,7 +66,7 @@ def run(
             if json_path is None:
                 click.echo(document, nl=False)
             else:
-                json_path.write_text(document, encoding="utf-8")
+                json_path.write_text(document, encoding="utf-8", errors="backslashreplace")
     for written in (json_out if json_out != "-" else None, history_out):
         if written is not None and Path(written).exists():
             say(f"wrote {written}")
@@ -95,7 +96,7 @@ def _run_one(file: Path, values: Mapping[str, str], history: Path | None) -> tup
     from ..file import load
     from ..run import simulate
 
-    identity = file.stem
+    identity = shown(file.stem)
     try:
         scene = load(file).with_values(values)
         identity = scene.id

@@ -120,7 +120,7 @@ class Asks:
         first, _, rest = at.strip().partition(" ")
         before, each = (first == "before" and bool(rest)), (first == "each" and bool(rest))
         name = rest if before or each else at
-        found = firing(name, self.events)
+        found = firing(name, self.events, where)
         if found is None:
             word = (name.split() or [""])[0]
             raise SceneError(unknown(word, [*self.events, "end"], "instant"), path=where, value=at)

@@ -25,6 +25,8 @@ _CHANGE = re.compile(
     rf"(\S+)\s+({'|'.join((*words.CONTACT_CHANGES, *words.CORD_CHANGES, 'rests', 'happens'))})"
 )
 _EVERY = re.compile(r"(.+?)\s+every\s+(.+)")
+# Of the number of a firing: what an index of the kernel can hold.
+_DIGITS = 9
 _FIRING = re.compile(r"([^\W\d]\w*)(?:\s+(\d+))?")
 _CONTACT_TRIGGER = {
     "strikes": layout.PM_TRIGGER_STRIKE,
@@ -36,11 +38,15 @@ _JOINT_TRIGGER = {"slips": layout.PM_TRIGGER_JOINT_SLIP, "sticks": layout.PM_TRI
 _COMPARISON = {"=": layout.PM_TRIGGER_CROSS, ">": layout.PM_TRIGGER_RISE, "<": layout.PM_TRIGGER_FALL}
 
 
-def firing(text: str, events: Mapping[str, int]) -> tuple[int, int | None] | None:
-    """Event and number of "blow" or "blow 3"; None if the text names no event."""
+def firing(text: str, events: Mapping[str, int], where: str) -> tuple[int, int | None] | None:
+    """Event and number of "blow" or "blow 3"; None if the text names no event.
+
+    for a number that no counter holds."""
     match = _FIRING.fullmatch(text.strip())
     if match is None or match[1] not in events:
         return None
+    if len(match[2] or "") > _DIGITS:
+        raise SceneError(f"firings are counted with at most {_DIGITS} digits", path=where, value=text)
     return events[match[1]], int(match[2]) if match[2] is not None else None
 
 
@@ -73,7 +79,7 @@ class Instants:
 
     def _instant(self, text: str, where: str) -> tuple[int, int]:
         """Event and number of its firing; a bare condition becomes an event of its own."""
-        found = firing(text, self.events)
+        found = firing(text, self.events, where)
         if found is not None:
             event, nth = found
             if nth == 0:

@@ -156,7 +156,7 @@ class Finds:
         """Kind, expression of the reading, and its unit unless it is yes or no."""
         happens = _HAPPENS.fullmatch(text)
         if happens is not None:
-            return layout.PM_CONDITION_HOLDS, self._count(happens[1]), None
+            return layout.PM_CONDITION_HOLDS, self._count(happens[1], path), None
         node = parse(text)
         if not _is_truth(node):
             raise SceneError(
@@ -176,9 +176,9 @@ class Finds:
                 return _MARGIN[node.operator], difference, unit
         return layout.PM_CONDITION_HOLDS, self.measures.lower(node, path).node, None
 
-    def _count(self, name: str) -> Node:
+    def _count(self, name: str, path: str) -> Node:
         """Whether an event has fired, or has fired so often, as a number that is not 0."""
-        found = firing(name, self.events)
+        found = firing(name, self.events, path)
         if found is None:
             raise SceneError(unknown(name.split()[0], self.events, "event"))
         nth = found[1]

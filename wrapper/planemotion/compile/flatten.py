@@ -281,7 +281,7 @@ class _Flattener:
         """How often an event can fire, where the end of the run is a firing of it alone."""
         bounds: dict[int, int] = {}
         for group in self.data.until:
-            found = firing(group[0], self.scope.events) if len(group) == 1 else None
+            found = firing(group[0], self.scope.events, "until") if len(group) == 1 else None
             if found is not None:
                 event, nth = found
                 bounds[event] = min(nth or 1, bounds.get(event, nth or 1))

@@ -20,6 +20,8 @@ from .measure_rows import Reading
 
 # Values of one grid: ten million are meant to be possible, more is a slip of the pen.
 _MAX_GRID = 10_000_000
+# Values at which an ask is answered: each is a number of the scene and a column of the answers.
+_MAX_ASKED = 100_000
 # Part of a step by which the last one may miss the end of its range (units are converted on the way).
 _STEP_FITS = 1e-9
 
@@ -118,12 +120,19 @@ def _checked_count(num: int, path: str) -> int:
     return num
 
 
+def _too_many(count: float, most: int) -> str:
+    these = f"these are {count:.3g} values" if count < math.inf else "the steps are too small to be counted"
+    return f"{these}; at most {most} values are possible"
+
+
 def _steps(first: float, last: float, step: float, path: str, written: object) -> tuple[int, float]:
     """Number of values, and the last one: `last`, or where the steps do not reach it the last before it."""
     if step == 0 or (last - first) / step < 0:
         raise SceneError('the step must lead from "from" to "to"', path=path, value=written)
     steps = (last - first) / step
-    whole = _checked_count(math.floor(steps + _STEP_FITS) + 1, path) - 1
+    if not steps < _MAX_GRID:  # also where the steps are too small for the number of them
+        raise SceneError(_too_many(steps, _MAX_GRID), path=path, value=written)
+    whole = math.floor(steps + _STEP_FITS)
     if abs(steps - whole) > _STEP_FITS:
         last = float(Fraction(repr(first)) + whole * Fraction(repr(step)))
     return whole + 1, last
@@ -139,6 +148,8 @@ def grid_nodes(reader: Reader, grid: Grid, where: str, reading: Reading) -> list
     if grid.values is not None:
         if not grid.values:
             raise SceneError("at least 1 value is needed", path=where)
+        if len(grid.values) > _MAX_ASKED:
+            raise SceneError(_too_many(len(grid.values), _MAX_ASKED), path=where)
         return [reader.number(value, f"{where}[{i}]", wanted) for i, value in enumerate(grid.values)]
     assert grid.from_ is not None
     assert grid.to is not None
@@ -151,6 +162,8 @@ def grid_nodes(reader: Reader, grid: Grid, where: str, reading: Reading) -> list
     assert grid.num is not None
     if grid.num < 1:
         raise SceneError("at least 1 value is needed", path=f"{where}.num", value=grid.num)
+    if grid.num > _MAX_ASKED:
+        raise SceneError(_too_many(grid.num, _MAX_ASKED), path=f"{where}.num", value=grid.num)
     if grid.num == 1:
         return [start]
     parts = [i / (grid.num - 1) for i in range(1, grid.num - 1)]
@@ -173,5 +186,8 @@ def _node_steps(
         raise SceneError(
             "the steps do not lead from the first value to the last", path=f"{where}.step", value=written
         )
-    count = int((last - first) / size + _STEP_ROUNDING) + 1
+    steps = (last - first) / size + _STEP_ROUNDING
+    if not steps < _MAX_ASKED:
+        raise SceneError(_too_many(steps, _MAX_ASKED), path=f"{where}.step", value=written)
+    count = int(steps) + 1
     return [start + step * i for i in range(count)]

@@ -21,6 +21,9 @@ from ..language.units import parse_quantity
 from ..model.readers import Value, Vector
 from ..model.words import unknown
 
+# Parameters of a circle that a message names.
+_SHOWN_OF_CIRCLE = 12
+
 
 class Parameters:
     """The parameters of one run.
@@ -64,22 +67,22 @@ class Parameters:
 
     def _sorted(self) -> tuple[str, ...]:
         """Each name after those that its expression needs; SceneError naming a circle."""
-        order: list[str] = []
-
-        def visit(name: str, path: list[str]) -> None:
-            if name in path:
-                circle = " -> ".join([*path[path.index(name) :], name])
-                raise SceneError(
-                    f"parameters that need each other in a circle: {circle}", path=f"parameters.{name}"
-                )
-            if name in order:
-                return
-            for leaf in sorted(names(self.nodes[name]), key=str):
-                visit(str(leaf), [*path, name])
-            order.append(name)
-
-        for name in self.nodes:
-            visit(name, [])
+        order: dict[str, None] = {}
+        for first in self.nodes:
+            # Without recursion: a chain may be as long as the scene.
+            # Each name on the way with what it needs and has not yet.
+            path: dict[str, list[str]] = {}
+            following = [first]
+            while following or path:
+                if not following:
+                    name, _ = path.popitem()
+                    order[name] = None
+                elif (name := following.pop()) in path:
+                    circle = list(path)[list(path).index(name) :]
+                    raise SceneError(_circle([*circle, name]), path=f"parameters.{name}")
+                elif name not in order:
+                    path[name] = sorted(map(str, names(self.nodes[name])), reverse=True)
+                following = next(reversed(path.values()), [])
         return tuple(order)
 
     def _unit(self, name: str, declared: Value) -> str:
@@ -89,6 +92,13 @@ class Parameters:
             return unit
         found = self.dimensions[name]
         return found.unit if found is not None else ""
+
+
+def _circle(names_on_it: list[str]) -> str:
+    shown = names_on_it
+    if len(shown) > _SHOWN_OF_CIRCLE:
+        shown = [*shown[: _SHOWN_OF_CIRCLE - 1], f"... {len(shown) - _SHOWN_OF_CIRCLE} more ...", shown[-1]]
+    return f"parameters that need each other in a circle: {' -> '.join(shown)}"
 
 
 def override(declared: Mapping[str, Value], name: str, value: Value) -> Value:
@@ -191,12 +201,16 @@ class Reader:
     def depends_on(self, node: Node) -> set[str]:
         """The independent parameters that an expression depends on, directly or through others."""
         found: set[str] = set()
-        for leaf in names(node):
+        waiting, seen = names(node), set(names(node))
+        while waiting:
+            leaf = waiting.pop()
             assert isinstance(leaf, Name)
             if leaf.text in self.parameters.independent:
                 found.add(leaf.text)
             else:
-                found |= self.depends_on(self.parameters.nodes[leaf.text])
+                further = names(self.parameters.nodes[leaf.text]) - seen
+                waiting |= further
+                seen |= further
         return found
 
 

@@ -37,6 +37,8 @@ DEFAULT_MAX_EVENTS = 1_000_000
 DEFAULT_MAX_STEPS = 1_000_000
 # Intervals into which a find divides the range of one parameter, and of each of two.
 DEFAULT_SAMPLES = 32
+# What a counter of the kernel can hold.
+MOST_COUNT = 2**31 - 1
 DEFAULT_PAIR_SAMPLES = 8
 
 
@@ -189,7 +191,7 @@ class Event(Table):
 
     when: Annotated[tuple[str, ...], BeforeValidator(read_sequence)]
     do: Annotated[tuple[Action, ...], BeforeValidator(read_actions)] = ()
-    nth: Annotated[int, Field(strict=True)] | None = None
+    nth: Annotated[int, Field(strict=True, le=MOST_COUNT)] | None = None
 
 
 class Ask(Table):
@@ -243,8 +245,8 @@ class Solve(Table):
     accuracy: Number = 1e-10
     estimate: bool = True
     max_time: Number | None = None
-    max_events: int = DEFAULT_MAX_EVENTS
-    max_steps: int = DEFAULT_MAX_STEPS
+    max_events: Annotated[int, Field(le=MOST_COUNT)] = DEFAULT_MAX_EVENTS
+    max_steps: Annotated[int, Field(le=MOST_COUNT)] = DEFAULT_MAX_STEPS
     assembly_tolerance: Number = 1e-12
     impacts: Text = "simultaneous"
 

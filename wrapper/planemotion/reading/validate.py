@@ -12,6 +12,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from .._layout import PM_FIND_MOST_PAIR_SAMPLES, PM_FIND_MOST_SAMPLES
+from ..base.bounded import check_table
 from ..base.errors import SceneError
 from ..kinds import KINDS
 from ..model import words
@@ -29,6 +30,7 @@ def validate(raw: Mapping[str, Any], *, file: str | None = None, name: str = "")
     fault found.
     """
     try:
+        check_table(raw)
         raw, hints = renewed(raw)
         check(raw)
         if "until" not in raw:

@@ -33,7 +33,7 @@ def aligned(
     header: Sequence[Sequence[str]] = (),
     width: int | None = None,
 ) -> list[str]:
-    """The rows as lines of aligned cells, with the rows of a bold `header` before them.
+    """The rows as lines of aligned cells, with the rows of a bold `header` before them; a row may end early.
 
     `width`: of the terminal, in characters; longer words are broken to fit into it, numbers are not.  Without
     it the lines are as long as they have to be.
@@ -41,7 +41,7 @@ def aligned(
     cells = [list(row) for row in rows]
     if not cells and not header:
         return []
-    looks = columns or [Column() for _ in (cells or header)[0]]
+    looks = columns or [Column()] * max(map(len, [*cells, *header]))
     table = Table(box=None, show_header=False, pad_edge=False, padding=(0, _SPACE, 0, 0))
     for look in looks:
         justify: Literal["left", "right"] = "right" if look.right else "left"
@@ -49,7 +49,7 @@ def aligned(
     for row in header:
         table.add_row(*(Text.assemble((cell, "bold")) for cell in row))
     for row in cells:
-        table.add_row(*(Text.assemble((cell, look.style)) for cell, look in zip(row, looks, strict=True)))
+        table.add_row(*(Text.assemble((cell, look.style)) for cell, look in zip(row, looks, strict=False)))
     console = Console(file=io.StringIO(), width=_ENDLESS, color_system="standard", force_terminal=True)
     if width is not None:
         needed = Measurement.get(console, console.options, table).minimum + _SPACE * len(looks)

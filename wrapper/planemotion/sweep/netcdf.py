@@ -17,6 +17,7 @@ import h5py
 import numpy as np
 import numpy.typing as npt
 
+from ..base.bounded import require_file
 from ..base.errors import StudyError
 from .block import Block
 from .layout import MESSAGE, Layout, Tally
@@ -155,6 +156,7 @@ def opened(result: Path) -> Iterator[Any]:
     import h5netcdf
 
     try:
+        require_file(result)
         file = h5netcdf.File(result, "r", decode_vlen_strings=True)
     except OSError as error:
         raise StudyError(f"{result}: cannot be read: {error}") from error
