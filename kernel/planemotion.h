@@ -36,6 +36,7 @@ enum pm_status {
                            its coefficient of friction, contacts that take part */
     PM_PAINLEVE = 12,         /* no motion obeys the laws of contact without a blow: where, detail likewise */
     PM_ROUGH_IMPOSSIBLE = 13, /* the same where a contact that may not slip takes part */
+    PM_LIMIT_CPU = 14,        /* max_cpu reached: detail = the limit */
     PM_BAD_TABLE = -1,        /* the tables contradict this header: where = table, row */
     PM_NO_MEMORY = -2,
     PM_BAD_VALUE = -3,      /* not finite or out of its bound: where = table, row; detail = value, bound */
@@ -125,7 +126,8 @@ enum pm_setting_column {
     PM_SETTING_NUDGE = 8,         /* program or PM_NONE: of a nudge at the start */
     PM_SETTING_ESTIMATE = 9,      /* 1: errors and margins are estimated, by further passes of the case */
     PM_SETTING_SIMULTANEOUS = 10, /* enum pm_simultaneous */
-    PM_SETTING_COLUMNS = 11
+    PM_SETTING_MAX_CPU = 11, /* value index, s of computing time of a case with all its passes; or PM_NONE */
+    PM_SETTING_COLUMNS = 12
 };
 
 /* ---- finds ----------------------------------------------------------------------------------------------------
@@ -216,7 +218,7 @@ enum pm_check_number {
 /* Runs cases first .. over `nworker` threads; every row of the results depends on its own parameters only.
  *   table[ntable], constant[nconstant]   the scene (see above)
  *   param[ncase][nparam]                 parameters of each case, SI
- *   stop[1]                              raised (non-zero) by another thread to end early; cases not begun get PM_CANCELLED
+ *   stop[1]                              raised (non-zero) by another thread to end early; cases not ended get PM_CANCELLED
  *   progress[1]                          number of cases finished, for another thread to read
  *   out[ncase][nout], reason[ncase][nask], status[ncase], where[ncase][PM_WHERE_COLUMNS],
  *   detail[ncase][PM_DETAIL_COLUMNS], audit[ncase][PM_AUDITS], count[ncase][PM_COUNT_COLUMNS],
@@ -236,8 +238,8 @@ int pm_batch(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
  *   trace_program[ntrace]  programs to record;  history[cap][1 + ntrace], mark[cap];  needed[1]: rows wanted.
  * If needed > cap the first cap rows are there: call again with larger buffers. */
 int pm_trace(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t nparam,
-             const double *param, int64_t ntrace, const int32_t *trace_program, int64_t cap, double *history,
-             int32_t *mark, int64_t *needed, int32_t *where, double *detail);
+             const double *param, const int32_t *stop, int64_t ntrace, const int32_t *trace_program,
+             int64_t cap, double *history, int32_t *mark, int64_t *needed, int32_t *where, double *detail);
 
 /* ---- phases of a run: which route computes each, and what it has to do ---- */
 enum pm_phase_column {
@@ -264,8 +266,8 @@ enum pm_phase_column {
  * (not a number where the time is not computed); needed[1]: rows wanted.  most > 0: stops as the phase of that number
  * begins (its row is there).  Returns a status of the case; PM_CANCELLED where it was stopped. */
 int pm_phases(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t nparam,
-              const double *param, int64_t most, int64_t cap, int32_t *phase, double *time, int64_t *needed,
-              int32_t *where, double *detail);
+              const double *param, const int32_t *stop, int64_t most, int64_t cap, int32_t *phase,
+              double *time, int64_t *needed, int32_t *where, double *detail);
 
 /* Which rows of table `of` the answers of the scene depend on: needed[nconstraint], 1 or 0.  A run leaves the others out
  * (a trace and a check do not).  Returns PM_OK, PM_BAD_TABLE or PM_NO_MEMORY. */
@@ -281,8 +283,8 @@ int pm_route_text(int route, int64_t ntext, int8_t *text);
 /* Assembles the start of one case: info[PM_CHECK_COLUMNS], number[PM_CHECK_NUMBERS], pose[nbody][3] (x, y, angle),
  * velocity[nbody][3].  Returns a status of the case. */
 int pm_check(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t nparam,
-             const double *param, int32_t *info, double *number, int64_t nbody, double *pose,
-             double *velocity, int32_t *where, double *detail);
+             const double *param, const int32_t *stop, int32_t *info, double *number, int64_t nbody,
+             double *pose, double *velocity, int32_t *where, double *detail);
 
 /* Text of a status, at most ntext-1 characters and a zero; returns its length. */
 int pm_status_text(int status, int64_t ntext, int8_t *text);

@@ -47,8 +47,9 @@ int pm_trigger_on_time(const pm_model *model, int trigger)
            model->programs.class[e[PM_TRIGGER_PROGRAM]] == PM_CLASS_TIME;
 }
 
-/* p(t) is a straight line: its values now and one time unit later tell where it goes through zero, and which way. */
-double pm_trigger_due(pm_workspace *w, int trigger)
+/* Where p(t) goes through zero, or INFINITY: it is a straight line, of which values now and one time unit later tell where,
+ * and which way. */
+static double root_of(pm_workspace *w, int trigger)
 {
     const int kind = PM_TRIGGER_ROW(w->model, trigger)[PM_TRIGGER_KIND];
     const double now = w->frame.t, here = pm_trigger_program(w, trigger), unit = fmax(1, fabs(now));
@@ -61,7 +62,20 @@ double pm_trigger_due(pm_workspace *w, int trigger)
     w->frame.t = due; /* once more from there: a far root is not left to the rounding of now */
     due -= pm_trigger_program(w, trigger) / slope;
     w->frame.t = now;
-    return due > now ? due : INFINITY;
+    return due;
+}
+
+double pm_trigger_due(pm_workspace *w, int trigger)
+{
+    const double due = root_of(w, trigger);
+    return due > w->frame.t ? due : INFINITY;
+}
+
+void pm_trigger_mark_start(pm_workspace *w)
+{
+    pm_trigger_mark(w->model, &w->firing, PM_TRIGGER_START, PM_NONE);
+    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++)
+        if (pm_trigger_on_time(w->model, i) && root_of(w, i) == w->frame.t) w->firing.fired[i] = PM_FIRED_NOW;
 }
 
 void pm_trigger_look_before(pm_workspace *w)

@@ -26,6 +26,8 @@ void pm_trigger_look_before(pm_workspace *w);
 void pm_trigger_look_after(pm_workspace *w);
 /* Marks the triggers of a contact's change: kind PM_TRIGGER_STRIKE, OPEN, SLIP or STICK. */
 void pm_trigger_mark(const pm_model *model, pm_firing *firing, int kind, int contact);
+/* Marks what fires at the start: triggers of it, and those on time that are due then. */
+void pm_trigger_mark_start(pm_workspace *w);
 /* A contact has been struck infinitely often until now. */
 void pm_trigger_countless(pm_workspace *w, int contact);
 /* The next blow of the same instant: what has fired stays marked as such, and may fire again. */

@@ -54,6 +54,7 @@ static const pm_bounds bounds[] = {
     {PM_TABLE_SETTING, PM_SETTING_GRAVITY_Y, -INFINITY, INFINITY, 0},
     {PM_TABLE_SETTING, PM_SETTING_ACCURACY, 1e-14, 1e-2, 0},
     {PM_TABLE_SETTING, PM_SETTING_MAX_TIME, 0, INFINITY, 1},
+    {PM_TABLE_SETTING, PM_SETTING_MAX_CPU, 0, INFINITY, 1},
     {PM_TABLE_SETTING, PM_SETTING_ASSEMBLY, 0, INFINITY, 1},
     {PM_TABLE_BODY, PM_BODY_MASS, 0, INFINITY, 0},
     {PM_TABLE_BODY, PM_BODY_X, -INFINITY, INFINITY, 0},
@@ -237,6 +238,12 @@ double pm_case_max_time(const pm_model *model, const pm_numbers *numbers)
 {
     const int index = PM_SETTING(model, PM_SETTING_MAX_TIME);
     return index == PM_NONE ? PM_MAX_TIME : numbers->value[index];
+}
+
+double pm_case_max_cpu(const pm_model *model, const pm_numbers *numbers)
+{
+    const int index = PM_SETTING(model, PM_SETTING_MAX_CPU);
+    return index == PM_NONE ? INFINITY : numbers->value[index];
 }
 
 int pm_case_speed(const pm_model *model, pm_numbers *numbers, const double *v)

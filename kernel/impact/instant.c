@@ -177,7 +177,7 @@ int pm_instant_finish(pm_workspace *w, int *ended)
 int pm_instant_start(pm_workspace *w)
 {
     int ended; /* is set again when the start is closed */
-    pm_trigger_mark(w->model, &w->firing, PM_TRIGGER_START, PM_NONE);
+    pm_trigger_mark_start(w);
     return act(w, &ended);
 }
 

@@ -261,4 +261,8 @@
 #define PM_ROOT_JUMP \
     1e-3 /* of the first step of the function: what a closed bracket cannot have left; more: jumps pass for roots */
 
+/* ---- the limit on computing time ---- */
+#define PM_PATIENCE_BETWEEN 2e-4 /* s: looks at the clock that are nearer are made more seldom; more: heard later */
+#define PM_PATIENCE_QUESTIONS 64 /* most questions without a look; more: costs less, and is heard later */
+
 #endif

@@ -76,7 +76,8 @@ static int mark_due(pm_workspace *w)
 
 static int limit_reached(pm_workspace *w, double max_time)
 {
-    if (pm_run_is_stopped(w->stop)) return PM_CANCELLED;
+    const int early = pm_fail_early(&w->result, &w->patience);
+    if (early) return early;
     if (w->state.t >= max_time)
         return pm_fail(&w->result, PM_LIMIT_TIME, PM_TABLE_SETTING, 0, w->state.t, max_time);
     const double most = PM_SETTING(w->model, PM_SETTING_MAX_STEPS);
@@ -169,7 +170,8 @@ static int pass_marks(pm_workspace *w, double *first, double *taken, int *ended)
 {
     double from = w->step.begin;
     for (;;) {
-        int status = pm_event_search_first(w, from, first, taken);
+        int status = pm_fail_early(&w->result, &w->patience);
+        if (!status) status = pm_event_search_first(w, from, first, taken);
         if (!status && *first < INFINITY) join_end(w, first);
         if (status || *first >= w->step.end || *first <= w->step.begin || !only_marks(w->model, w->event))
             return status;

@@ -51,6 +51,7 @@ static int begin_case(pm_workspace *w, const double *param, pm_start_report *rep
     memset(w->impulses.joint, 0, (size_t)w->model->njoint_constraint * sizeof(double));
     memset(w->impulses.slot, 0, 2 * (size_t)w->model->nslot * sizeof(double));
     int status = pm_case_begin(w, param);
+    if (!status) pm_patience_limit(&w->patience, pm_case_max_cpu(w->model, &w->numbers));
     if (!status) status = pm_start(w, report);
     return status;
 }
@@ -115,7 +116,8 @@ int pm_run_start(pm_workspace *w, const double *param, pm_start_report *report)
 
 static int phase(pm_workspace *w, int *ended)
 {
-    int passed = 0, status = pm_disturb(w);
+    int passed = 0, status = pm_fail_early(&w->result, &w->patience);
+    if (!status) status = pm_disturb(w);
     if (!status) status = pm_perturbation_leave(w);
     if (!status) status = pm_plan_phase(w);
     pm_frame_look_state(&w->frame, &w->state);

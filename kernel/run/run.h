@@ -23,11 +23,6 @@ void pm_run_fail_asks(const pm_model *model, pm_result *result);
 /* Only the start of a case, ready for its first phase: constraints built, projected, accelerations known.  What happens at
  * the start is answered: w->result has its arrays, as for a run. */
 int pm_run_start(pm_workspace *w, const double *param, pm_start_report *report);
-/* Whether another thread has raised the flag; stop: NULL where there is none. */
-static inline int pm_run_is_stopped(const int32_t *stop)
-{
-    return stop && __atomic_load_n(stop, __ATOMIC_RELAXED) != 0;
-}
 
 /* ---- advance.c ---- */
 /* Steps until something happens or a limit is met.  On an event w->state is at it (before the jump), the phase's

@@ -12,6 +12,7 @@ static const char *text_of(enum pm_status status)
     case PM_LIMIT_TIME: return "the time limit was reached before the end of the run";
     case PM_LIMIT_EVENTS: return "the limit on events was reached before the end of the run";
     case PM_LIMIT_STEPS: return "the limit on steps was reached before the end of the run";
+    case PM_LIMIT_CPU: return "the limit on computing time was reached before the end of the run";
     case PM_CANCELLED: return "stopped on request";
     case PM_STAYS_AT_REST: return "everything is at rest and stays so; the end of the run cannot come";
     case PM_FIND_SEVERAL: return "several values were found; the answers are those of the first";
@@ -61,6 +62,14 @@ int pm_fail(pm_result *result, int status, int table, int row, double value, dou
 int pm_fail_member(pm_result *result, int status, int table, int row, int member, double value, double bound)
 {
     result->where = (pm_where){table, row, member, value, bound};
+    return status;
+}
+
+int pm_fail_early(pm_result *result, pm_patience *patience)
+{
+    const int status = pm_patience_ends(patience);
+    if (status == PM_LIMIT_CPU)
+        return pm_fail(result, status, PM_TABLE_SETTING, 0, patience->limit, patience->limit);
     return status;
 }
 

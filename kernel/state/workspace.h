@@ -7,6 +7,7 @@
 
 #include "state/frame.h"
 #include "state/numbers.h"
+#include "state/patience.h"
 #include "state/state.h"
 
 typedef struct pm_workspace pm_workspace;
@@ -144,7 +145,7 @@ typedef struct pm_record {
 
 struct pm_workspace {
     const pm_model *model;
-    const int32_t *stop; /* raised by another thread (run/run.h: pm_run_is_stopped), or NULL */
+    pm_patience patience;
     double (*read_measure)(pm_workspace *w,
                            int i); /* what programs read: pm_measure_signed (elements/measure.h) */
     pm_numbers numbers;
@@ -192,6 +193,8 @@ void pm_workspace_free(pm_workspace *w);
 int pm_fail(pm_result *result, int status, int table, int row, double value, double bound);
 /* The same with a member of the row: of a pattern, an edge, or a column of the table. */
 int pm_fail_member(pm_result *result, int status, int table, int row, int member, double value, double bound);
+/* PM_OK, or the status of a case that is given up (pm_patience_ends). */
+int pm_fail_early(pm_result *result, pm_patience *patience);
 /* The same where a search of numerics/bracket.h has ended: PM_OK if it has found, else PM_SOLVER. */
 int pm_fail_search(pm_result *result, int search_end);
 

@@ -116,7 +116,10 @@ static void make_pass(pm_workspace *w, const double *param, pm_pass *p, double f
     p->outcome = outcome_of(w->model, &w->firing, p);
 }
 
-static int stands(const pm_pass *p) { return p->status >= PM_OK && p->status != PM_CANCELLED; }
+static int stands(const pm_pass *p)
+{
+    return p->status >= PM_OK && p->status != PM_CANCELLED && p->status != PM_LIMIT_CPU;
+}
 
 /* ---- natural sizes ---- */
 static int look_at_programs(pm_workspace *w, const pm_state *s, double *ask, double *trigger)
@@ -324,10 +327,11 @@ static int deliver(pm_workspace *w, double *out, int32_t *reason, double *audit)
     memcpy(reason, p->reason, (size_t)w->model->nask * sizeof *reason);
     memcpy(audit, p->audit, sizeof p->audit);
     memcpy(w->result.count, p->count, sizeof p->count);
+    w->state.t = p->t;
     w->result.count[PM_COUNT_PASSES] = w->accuracy->npass;
     w->result.where = p->where;
-    w->state.t = p->t;
-    return p->status;
+    /* it was given up in a later pass: the answers are there, of their errors not all is known */
+    return p->status == PM_OK ? pm_fail_early(&w->result, &w->patience) : p->status;
 }
 
 /* An open ledger may be nothing but the errors of a loose integration: a tighter one shows. */
@@ -345,6 +349,7 @@ static int run(pm_workspace *w, const double *param, double *found, double *erro
     for (int i = 0; i < w->model->nout; i++) error[i] = NAN;
     for (int i = 0; i < w->model->nask; i++) margin[i] = NAN;
     for (int i = 0; i < PM_TRUSTS; i++) trust[i] = NAN;
+    pm_patience_begin(&w->patience);
     w->evidence.active = PM_SETTING(w->model, PM_SETTING_ESTIMATE);
     if (!w->evidence.active) {
         const int status = found ? pm_find_run(w, param, found) : pm_run(w, param);

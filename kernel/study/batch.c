@@ -93,7 +93,7 @@ static void *work(void *x)
     for (;;) {
         const int64_t i = atomic_fetch_add(&job->next, 1);
         if (i >= job->ncase) return NULL;
-        if (pm_run_is_stopped(job->stop))
+        if (pm_patience_is_stopped(job->stop))
             cancel_one(job, i);
         else
             run_one(worker->workspace, job, i);
@@ -112,7 +112,7 @@ static int run_workers(pm_job *job, int nworker)
     for (; n < nworker && !status; n++) {
         worker[n] = (pm_worker){.job = job};
         status = pm_accuracy_create(job->model, &worker[n].workspace);
-        if (!status) worker[n].workspace->stop = job->stop;
+        if (!status) worker[n].workspace->patience.stop = job->stop;
     }
     if (!status) {
         for (int i = 1; i < n; i++)
@@ -206,8 +206,8 @@ static int run_recorded(pm_workspace *w, const double *param, int32_t *where, do
 }
 
 int pm_trace(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t nparam,
-             const double *param, int64_t ntrace, const int32_t *trace_program, int64_t cap, double *history,
-             int32_t *mark, int64_t *needed, int32_t *where, double *detail)
+             const double *param, const int32_t *stop, int64_t ntrace, const int32_t *trace_program,
+             int64_t cap, double *history, int32_t *mark, int64_t *needed, int32_t *where, double *detail)
 {
     pm_model *model;
     pm_workspace *w;
@@ -221,14 +221,15 @@ int pm_trace(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
         if (trace_program[i] < 0 || trace_program[i] >= w->model->rows[PM_TABLE_PROGRAM])
             status = PM_BAD_TABLE;
     w->record.history = &record;
+    w->patience.stop = stop;
     if (!status) status = run_recorded(w, param, where, detail);
     *needed = record.needed;
     return close_one(model, w, status);
 }
 
 int pm_phases(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t nparam,
-              const double *param, int64_t most, int64_t cap, int32_t *phase, double *time, int64_t *needed,
-              int32_t *where, double *detail)
+              const double *param, const int32_t *stop, int64_t most, int64_t cap, int32_t *phase,
+              double *time, int64_t *needed, int32_t *where, double *detail)
 {
     pm_model *model;
     pm_workspace *w;
@@ -238,6 +239,7 @@ int pm_phases(int64_t ntable, const int32_t *table, int64_t nconstant, const dou
     if (status) return status;
     pm_phase_report list = {.cap = cap, .most = most, .row = phase, .time = time};
     w->record.phases = &list;
+    w->patience.stop = stop;
     status = run_recorded(w, param, where, detail);
     *needed = list.needed;
     return close_one(model, w, status);
@@ -260,8 +262,8 @@ static void report_check(const pm_workspace *w, const pm_start_report *report, i
 }
 
 int pm_check(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t nparam,
-             const double *param, int32_t *info, double *number, int64_t nbody, double *pose,
-             double *velocity, int32_t *where, double *detail)
+             const double *param, const int32_t *stop, int32_t *info, double *number, int64_t nbody,
+             double *pose, double *velocity, int32_t *where, double *detail)
 {
     pm_model *model;
     pm_workspace *w;
@@ -273,6 +275,8 @@ int pm_check(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
     } else if (!(status = keep_answers(w))) {
         pm_start_report report = {0, 0};
         memset(info, 0, PM_CHECK_COLUMNS * sizeof *info);
+        w->patience.stop = stop;
+        pm_patience_begin(&w->patience);
         status = pm_run_start(w, param, &report);
         report_case(w, where, detail);
         report_check(w, &report, info, number);

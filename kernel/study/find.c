@@ -333,7 +333,7 @@ static int search(pm_workspace *w)
         else if (!status)
             status = find_threshold(w);
     }
-    if ((status == PM_OK && f->nfound > 0) || status == PM_CANCELLED) return status;
+    if ((status == PM_OK && f->nfound > 0) || w->patience.over) return status;
     if (all_failed(f)) {
         pm_look first;
         const int stopped = pm_find_look(w, f->node[0].x, &first);

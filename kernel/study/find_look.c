@@ -53,7 +53,7 @@ int pm_find_look(pm_workspace *w, const double *x, pm_look *look)
     for (int i = 0; i < PM_FIND_MOST_CONDITIONS; i++) look->reading[i] = NAN;
     look->status = pm_run(w, f->param);
     f->runs++;
-    if (look->status == PM_CANCELLED) return PM_CANCELLED;
+    if (look->status == PM_CANCELLED || look->status == PM_LIMIT_CPU) return look->status;
     if (look->status < 0) return PM_OK;
     pm_frame_look_state(&w->frame, &w->state);
     const pm_where where = w->result.where;

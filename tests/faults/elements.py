@@ -341,8 +341,8 @@ FAULTS = [
     Fault(
         "event: a trigger on time that comes late",
         "elements/trigger.c",
-        "return due > now ? due : INFINITY",
-        "return due > now ? due + 1e-7 : INFINITY",
+        "return due > w->frame.t ? due : INFINITY",
+        "return due > w->frame.t ? due + 1e-7 : INFINITY",
     ),
     Fault(
         "spin: its couple turns the wrong way", "elements/turning_plane.c", "f[2] += square", "f[2] -= square"
@@ -383,5 +383,11 @@ FAULTS = [
         "elements/constraint.c",
         "x->rate - pm_constraint_times",
         "x->rate + pm_constraint_times",
+    ),
+    Fault(
+        "event: at the start the time is not due",
+        "elements/trigger.c",
+        "root_of(w, i) == w->frame.t",
+        "root_of(w, i) == w->frame.t + 1",
     ),
 ]

@@ -24,4 +24,16 @@ FAULTS = [
         "? PM_COARSER * tightest : tightest",
         "? 2 * tightest : tightest",
     ),
+    Fault(
+        "limit: the clock is looked at once only",
+        "state/patience.c",
+        "p->left = p->span;",
+        "p->left = 1 << 30;",
+    ),
+    Fault(
+        "limit: of twice the time",
+        "state/patience.c",
+        "t - p->begun >= p->limit",
+        "t - p->begun >= 2 * p->limit",
+    ),
 ]

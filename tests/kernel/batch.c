@@ -152,28 +152,61 @@ static void *raise_soon(void *stop)
     return NULL;
 }
 
-/* A run without end stops when the flag is raised. */
-static void stopped_inside(void)
+/* The status of a run without end; limit: s of computing time. */
+static int endless(const int32_t *stop, double limit)
 {
     scene *s = scene_create();
+    if (limit > 0) scene_set(s, PM_SETTING_MAX_CPU, limit);
     const int b = scene_body(s, 1, 1, 0, 0, 0);
     scene_joint(s, PM_JOINT_PIN, scene_point(s, b, -1, 0), scene_point(s, PM_GROUND, 0, 0), 0);
     scene_until_time(s, 1e9);
     scene_set(s, PM_SETTING_MAX_TIME, 1e9);
     *scene_setting(s, PM_SETTING_MAX_STEPS) = INT32_MAX;
     scene_pack(s);
-    static int32_t stop = 0;
     int32_t status, reason[1], where[3];
     double out[1], detail[3], audit[3], found[PM_FOUND_COLUMNS], trust[PM_TRUSTS];
     int64_t count[PM_COUNT_COLUMNS], progress = 0;
-    pthread_t thread;
-    CHECK(pthread_create(&thread, NULL, raise_soon, &stop) == 0);
-    EQUAL(pm_batch(s->ntable, s->table, s->nconstant, s->constant, 1, 0, detail, 1, &stop, &progress, 0, out,
+    EQUAL(pm_batch(s->ntable, s->table, s->nconstant, s->constant, 1, 0, detail, 1, stop, &progress, 0, out,
                    0, reason, &status, where, detail, audit, count, found, out, out, trust),
           PM_OK);
-    pthread_join(thread, NULL);
-    EQUAL(status, PM_CANCELLED);
+    if (status == PM_LIMIT_CPU) {
+        EQUAL(where[PM_WHERE_TABLE], PM_TABLE_SETTING);
+        NEAR(detail[PM_DETAIL_BOUND], limit, 0);
+        CHECK(detail[PM_DETAIL_TIME] > 0);
+    }
     scene_free(s);
+    return status;
+}
+
+/* It stops when the flag is raised, also where it has a limit that is far. */
+static void stopped_inside(void)
+{
+    for (int limited = 0; limited < 2; limited++) {
+        int32_t stop = 0;
+        pthread_t thread;
+        CHECK(pthread_create(&thread, NULL, raise_soon, &stop) == 0);
+        EQUAL(endless(&stop, limited ? 1e6 : 0), PM_CANCELLED);
+        pthread_join(thread, NULL);
+    }
+}
+
+static double seconds(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* It stops when its time is spent, and not before; so does the next case of the same thread, which has the same time. */
+static void time_is_spent(void)
+{
+    for (int i = 0; i < 2; i++) {
+        const double begun = seconds();
+        EQUAL(endless(NULL, 0.05), PM_LIMIT_CPU);
+        const double spent = seconds() - begun;
+        CHECK(spent > 0.05);
+        CHECK(spent < 0.1);
+    }
 }
 
 static void wrong_sizes(void)
@@ -200,11 +233,11 @@ static void trace(void)
     int32_t where[3];
     double detail[3];
     const double *p = param[20];
-    const int status = pm_trace(s->ntable, s->table, s->nconstant, s->constant, s->nparam, p, 1, program, 4,
-                                small[0], small_mark, &needed, where, detail);
+    const int status = pm_trace(s->ntable, s->table, s->nconstant, s->constant, s->nparam, p, NULL, 1,
+                                program, 4, small[0], small_mark, &needed, where, detail);
     CHECK(needed > 4 && needed < 20000);
-    EQUAL(pm_trace(s->ntable, s->table, s->nconstant, s->constant, s->nparam, p, 1, program, needed, large[0],
-                   mark, &again, where, detail),
+    EQUAL(pm_trace(s->ntable, s->table, s->nconstant, s->constant, s->nparam, p, NULL, 1, program, needed,
+                   large[0], mark, &again, where, detail),
           status);
     EQUAL(again, needed);
     CHECK(!memcmp(small, large, sizeof small) && !memcmp(small_mark, mark, sizeof small_mark));
@@ -224,7 +257,7 @@ static void trace(void)
     }
     EQUAL(strikes, x.count[20][PM_COUNT_EVENTS] - 1);
     const int32_t wrong[] = {100000};
-    EQUAL(pm_trace(s->ntable, s->table, s->nconstant, s->constant, s->nparam, p, 1, wrong, 4, small[0],
+    EQUAL(pm_trace(s->ntable, s->table, s->nconstant, s->constant, s->nparam, p, NULL, 1, wrong, 4, small[0],
                    small_mark, &needed, where, detail),
           PM_BAD_TABLE);
     scene_free(s);
@@ -249,6 +282,7 @@ int main(void)
     stopped_before();
     progress_only_grows();
     stopped_inside();
+    time_is_spent();
     wrong_sizes();
     trace();
     texts();

@@ -196,6 +196,29 @@ static void start_event(void)
     scene_free(s);
 }
 
+/* A condition on time that is met at the start fires there, on its own side of zero, and not again. */
+static void due_at_the_start(void)
+{
+    static const int kind[] = {PM_TRIGGER_CROSS, PM_TRIGGER_RISE, PM_TRIGGER_FALL};
+    static const int route[] = {PM_ROUTE_AUTO, PM_ROUTE_RK};
+    for (int r = 0; r < 2; r++) {
+        flight t = thrown(2, 8);
+        scene *s = t.s;
+        *scene_setting(s, PM_SETTING_ROUTE) = route[r];
+        int fired[3];
+        for (int i = 0; i < 3; i++) fired[i] = count_of(s, scene_when(s, kind[i], scene_minus(s, t.time, 0)));
+        scene_until_time(s, 1);
+        EQUAL(scene_run(s, NULL), PM_OK);
+        for (int i = 0; i < 3; i++) EQUAL(s->out[fired[i]], kind[i] != PM_TRIGGER_FALL);
+        scene_free(s);
+    }
+    flight t = thrown(2, 8);
+    scene_until(t.s, scene_when(t.s, PM_TRIGGER_CROSS, scene_minus(t.s, t.time, 0)), 1);
+    EQUAL(scene_run(t.s, NULL), PM_NO_TIME_ROUTE);
+    EQUAL(t.s->count[PM_COUNT_STEPS], 0);
+    scene_free(t.s);
+}
+
 /* The run ends when all events of one group have fired. */
 static void groups(void)
 {
@@ -431,6 +454,7 @@ int main(void)
     bounces();
     comes_to_rest();
     start_event();
+    due_at_the_start();
     groups();
     limits();
     once_in_long_steps();

@@ -14,8 +14,8 @@ static start check_scene(scene *s)
     start x = {.status = 0};
     const double none = 0;
     scene_pack(s);
-    x.status = pm_check(s->ntable, s->table, s->nconstant, s->constant, s->nparam, &none, x.info, x.number,
-                        s->rows[PM_TABLE_BODY], x.pose[0], x.velocity[0], x.where, x.detail);
+    x.status = pm_check(s->ntable, s->table, s->nconstant, s->constant, s->nparam, &none, NULL, x.info,
+                        x.number, s->rows[PM_TABLE_BODY], x.pose[0], x.velocity[0], x.where, x.detail);
     return x;
 }
 

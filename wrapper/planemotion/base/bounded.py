@@ -10,7 +10,8 @@ import os
 import select
 import stat
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
 
 from .errors import SceneError
@@ -27,6 +28,7 @@ _DIGITS_OF_A_BIT = 0.30103
 # A pipe that brings nothing for so long, in s, has nobody at its other end.
 _PATIENCE = 10.0
 _PIECE = 1 << 16
+_CONTAINERS = (Mapping, list, tuple)
 
 
 def read_bytes(path: Path, most: int) -> bytes:
@@ -90,40 +92,48 @@ def _is_foreign(text: str) -> bool:
 def check_table(table: object, path: str = "") -> None:
     """Raises SceneError, with the key path, for what is too deep, too much or too long, and for texts that no
     file can hold.  Goes through tables and lists without recursion; what else there is, it leaves alone."""
-    waiting: list[tuple[str, int, object]] = [(path, 0, table)]
-    seen = 0
+    _check_plain(table, lambda: path)
+    waiting = [(path, 0, table)] if isinstance(table, _CONTAINERS) else []
+    entries = 0
     while waiting:
-        place, level, value = waiting.pop()
-        seen += 1
-        if isinstance(value, str):
-            _check_text(value, place, MOST_TEXT, "a text")
-        elif isinstance(value, int) and value.bit_length() > _MOST_BITS:
-            digits, most = (int(bits * _DIGITS_OF_A_BIT) + 1 for bits in (value.bit_length(), _MOST_BITS))
-            raise SceneError(f"an integer of about {digits} digits; at most {most} are read", path=place)
-        if not isinstance(value, Mapping | list | tuple):
-            continue
+        place, level, container = waiting.pop()
+        entries += len(container)
         if level == MOST_LEVELS:
             raise SceneError(f"tables and lists more than {MOST_LEVELS} levels deep", path=place)
-        if seen + len(waiting) + len(value) > MOST_ENTRIES:
+        if entries > MOST_ENTRIES:
             raise SceneError(f"more than {MOST_ENTRIES} entries", path=place)
-        waiting += reversed([(where, level + 1, one) for where, one in _entries(value, place)])
+        items = container.items() if isinstance(container, Mapping) else enumerate(container)
+        for key, value in items:
+            if isinstance(container, Mapping):
+                _check_key(key, place)
+            _check_plain(value, partial(_place_of, place, key))
+            if isinstance(value, _CONTAINERS):
+                waiting.append((_place_of(place, key), level + 1, value))
 
 
-def _entries(
-    value: Mapping[object, object] | list[object] | tuple[object, ...], path: str
-) -> list[tuple[str, object]]:
-    """The entries of a table or a list with their key paths."""
-    if not isinstance(value, Mapping):
-        return [(f"{path}[{index}]", one) for index, one in enumerate(value)]
-    for key in value:
-        if not isinstance(key, str):
-            raise SceneError(f"a key is a text, not {type(key).__name__}", path=path)
-        _check_text(key, path, MOST_KEY, "a key")
-    return [(f"{path}.{key}" if path else str(key), one) for key, one in value.items()]
+def _place_of(path: str, key: object) -> str:
+    if isinstance(key, int):
+        return f"{path}[{key}]"
+    return f"{path}.{key}" if path else str(key)
 
 
-def _check_text(text: str, path: str, most: int, what: str) -> None:
+def _check_key(key: object, path: str) -> None:
+    if not isinstance(key, str):
+        raise SceneError(f"a key is a text, not {type(key).__name__}", path=path)
+    _check_text(key, MOST_KEY, "a key", lambda: path)
+
+
+def _check_plain(value: object, place: Callable[[], str]) -> None:
+    if isinstance(value, str):
+        _check_text(value, MOST_TEXT, "a text", place)
+    elif isinstance(value, int) and value.bit_length() > _MOST_BITS:
+        digits, most = (int(bits * _DIGITS_OF_A_BIT) + 1 for bits in (value.bit_length(), _MOST_BITS))
+        raise SceneError(f"an integer of about {digits} digits; at most {most} are read", path=place())
+
+
+def _check_text(text: str, most: int, what: str, place: Callable[[], str]) -> None:
     if len(text) > most:
-        raise SceneError(f"{what} of {len(text)} characters; at most {most} are read", path=path)
+        raise SceneError(f"{what} of {len(text)} characters; at most {most} are read", path=place())
     if "\0" in text or _is_foreign(text):
-        raise SceneError(f"{what} with a character that no file can hold (NUL, or half of a pair)", path=path)
+        reason = f"{what} with a character that no file can hold (NUL, or half of a pair)"
+        raise SceneError(reason, path=place())

@@ -1,12 +1,11 @@
-"""What the commands share: options, exit statuses, one line on stderr, and work that Ctrl-C can stop."""
+"""What the commands share: options, exit statuses and one line on stderr."""
 
 from __future__ import annotations
 
 import shutil
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 import click
 
@@ -40,27 +39,6 @@ a_path = click.Path(path_type=Path)
 def say(text: str, *, error: bool = False) -> None:
     """One line for people, on stderr."""
     click.echo((click.style("error: ", fg="red", bold=True) if error else "") + text, err=True)
-
-
-def interruptible(work: Callable[[Any], Any], subject: Any) -> Any:
-    """Does work that keeps its thread in the kernel, while this one listens to Ctrl-C."""
-    from threading import Thread
-
-    outcome: list[Any] = []
-    fault: list[BaseException] = []
-
-    def do() -> None:
-        try:
-            outcome.append(work(subject))
-        except BaseException as error:
-            fault.append(error)
-
-    thread = Thread(target=do, daemon=True)  # must not keep a stopped process alive
-    thread.start()
-    thread.join()
-    if fault:
-        raise fault[0]
-    return outcome[0]
 
 
 def terminal_width() -> int | None:

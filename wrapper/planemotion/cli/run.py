@@ -15,7 +15,7 @@ import click
 from ..base.bounded import shown
 from ..base.errors import SceneError, SimulationError, StudyError
 from ..base.files import appearing
-from .options import FAILED, WRONG, a_path, interruptible, say, set_option, terminal_width
+from .options import FAILED, WRONG, a_path, say, set_option, terminal_width
 
 if TYPE_CHECKING:
     from ..engine.result import AskValue, RunResult
@@ -100,7 +100,7 @@ def _run_one(file: Path, values: Mapping[str, str], history: Path | None) -> tup
     try:
         scene = load(file).with_values(values)
         identity = scene.id
-        result = interruptible(simulate, scene)
+        result = simulate(scene)
         if history is not None:
             _record(scene, history)
     except SceneError as error:
@@ -120,7 +120,7 @@ def _record(scene: Scene, path: Path) -> None:
     runs = {}
     for run in scene.run_names or (None,):
         flat = flatten(scene, run)
-        runs[run or ""] = interruptible(lambda one: call.trace(one, one.defaults), flat)
+        runs[run or ""] = call.trace(flat, flat.defaults)
     attributes = {"id": scene.id, "title": scene.data.title, "scene": scene.text}
     history.write(path, runs, attributes)
 

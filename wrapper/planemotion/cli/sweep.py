@@ -42,7 +42,7 @@ def sweep(
     scene = load(study).with_values(values)
     begun = time.perf_counter()
     with _progress() as report:
-        files = sweep_files(scene, out, workers=workers, resume=resume, progress=report)
+        files = sweep_files(scene, out, workers=workers, resume=resume, progress=report, tell=say)
     seconds = time.perf_counter() - begun
 
     from ..pictures.plots import plot

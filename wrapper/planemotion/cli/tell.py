@@ -7,7 +7,7 @@ from pathlib import Path
 
 import click
 
-from .options import FAILED, a_path, interruptible, say, set_option
+from .options import FAILED, a_path, say, set_option
 
 
 @click.command()
@@ -53,6 +53,6 @@ def explain(ctx: click.Context, scene: Path, also_run: bool, values: Mapping[str
     if report.faults:
         ctx.exit(FAILED)
     if also_run:
-        result = interruptible(simulate, read)
+        result = simulate(read)
         click.echo(explanations.explain_run(read, result))
         ctx.exit(0 if result.ok else FAILED)

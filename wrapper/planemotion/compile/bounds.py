@@ -66,6 +66,7 @@ _BOUNDS = (
     _Bound(layout.PM_TABLE_SPIN, layout.PM_SPIN_INERTIA, 0),
     _Bound(layout.PM_TABLE_SETTING, layout.PM_SETTING_ACCURACY, 1e-14, 1e-2),
     _Bound(layout.PM_TABLE_SETTING, layout.PM_SETTING_MAX_TIME, 0, above=True),
+    _Bound(layout.PM_TABLE_SETTING, layout.PM_SETTING_MAX_CPU, 0, above=True),
     _Bound(layout.PM_TABLE_SETTING, layout.PM_SETTING_ASSEMBLY, 0, above=True),
 )
 
@@ -126,6 +127,7 @@ _COLUMNS: dict[tuple[int, int], _Named] = {
     (layout.PM_TABLE_SPIN, layout.PM_SPIN_INERTIA): ("inertia", "kg*m^2"),
     (layout.PM_TABLE_SPIN, layout.PM_SPIN_ANGLE): ("angle", "rad"),
     (layout.PM_TABLE_SETTING, layout.PM_SETTING_MAX_TIME): ("max_time", "s"),
+    (layout.PM_TABLE_SETTING, layout.PM_SETTING_MAX_CPU): ("max_cpu", "s"),
 }
 
 

@@ -33,6 +33,7 @@ from .asks import Asked, Asks
 from .bounds import check_bounds
 from .contacts import Contacts
 from .elements import JointInfo, add_coupling, add_force, add_joint, drive
+from .ends import check_ends
 from .events import Instants, add_event, firing
 from .finds import Finds, FlatFind
 from .histories import trace_columns
@@ -149,6 +150,7 @@ class _Flattener:
         trace = trace_columns(self.measures, tables, self.scope, self.drawing) if history else {}
         self._check_sizes()
         check_bounds(tables, data)
+        check_ends(tables, data, {*data.sweep.grids, *self.varied})
         table, constant = tables.pack()
         independent = self.parameters.independent
         return FlatScene(
@@ -298,9 +300,7 @@ class _Flattener:
             layout.PM_SETTING_GRAVITY_X: value(ZERO, "plane"),
             layout.PM_SETTING_GRAVITY_Y: value(down, "parameters.g"),
             layout.PM_SETTING_ACCURACY: value(accuracy, "solve.accuracy"),
-            layout.PM_SETTING_MAX_TIME: layout.PM_NONE
-            if solve.max_time is None
-            else value(self.reader.number(solve.max_time, "solve.max_time", TIME), "solve.max_time"),
+            layout.PM_SETTING_MAX_TIME: self._limit(solve.max_time, "solve.max_time"),
             layout.PM_SETTING_ASSEMBLY: value(assembly, "solve.assembly_tolerance"),
             layout.PM_SETTING_ROUTE: layout.pm_route[f"PM_ROUTE_{solve.route.upper()}"],
             layout.PM_SETTING_MAX_EVENTS: solve.max_events,
@@ -308,8 +308,15 @@ class _Flattener:
             layout.PM_SETTING_NUDGE: nudge,
             layout.PM_SETTING_ESTIMATE: int(solve.estimate),
             layout.PM_SETTING_SIMULTANEOUS: _IMPACTS[solve.impacts],
+            layout.PM_SETTING_MAX_CPU: self._limit(solve.max_cpu, "solve.max_cpu"),
         }
         self.tables.add(layout.PM_TABLE_SETTING, row, "solve")
+
+    def _limit(self, written: Value | None, where: str) -> int:
+        """The value of a time that ends a run; none if it is left out."""
+        if written is None:
+            return layout.PM_NONE
+        return self.tables.value(self.reader.number(written, where, TIME), where)
 
     # ---- for people ----
 

@@ -7,6 +7,8 @@ convert silently.  The kernel runs without the GIL.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -17,6 +19,7 @@ from ..base.arrays import Floats, Ints, Longs
 from ..base.errors import SimulationError
 from ..compile.flatten import FlatScene
 from .evaluator import value_table
+from .heard import heard
 from .kernel import kernel, kernel_text, route_name
 from .messages import describe, message
 from .outcome import CaseResults, History, Phase, Start
@@ -35,14 +38,14 @@ def run_cases(
 ) -> CaseResults:
     """Runs one case for each row of `param` [ncase, parameters] (SI, in the order of `flat.parameters`).
 
-    `stop` [1]: raised by another thread to end early; cases not begun are then "cancelled".  `progress` [1]:
-    number of cases finished, to be read meanwhile.  A case that fails has a negative status and does not stop
-    the others.  Raises SimulationError if the kernel takes the tables as a whole for wrong, or has no memory.
+    `stop` [1]: raised by another thread to end early; cases not ended are then "cancelled".  Without it
+    Ctrl-C ends them all (KeyboardInterrupt).  `progress` [1]: number of cases finished, to be read meanwhile.
+    A case that fails has a negative status and does not stop the others.  Raises SimulationError if the
+    kernel takes the tables as a whole for wrong, or has no memory.
     """
     cases = _params(flat, param)
     if workers < 1:
         raise ValueError(f"workers is {workers}; at least 1 is wanted")
-    stop = _flag(stop, np.dtype(np.int32), "stop")
     progress = _flag(progress, np.dtype(np.int64), "progress")
     count = len(cases)
     results = CaseResults(
@@ -64,9 +67,15 @@ def run_cases(
     arrays = (results.out, results.reason, results.status, results.where)
     more = (results.detail, results.audit, results.count, results.found)
     errors = (results.error, results.margin, results.trust)
-    status = kernel().pm_batch(
-        flat.table, flat.constant, cases, workers, stop, progress, *arrays, *more, *errors
-    )
+
+    def batch(flag: Ints) -> int:
+        return int(
+            kernel().pm_batch(
+                flat.table, flat.constant, cases, workers, flag, progress, *arrays, *more, *errors
+            )
+        )
+
+    status = heard(batch) if stop is None else batch(_flag(stop, np.dtype(np.int32), "stop"))
     if status != layout.PM_OK:
         _raise(flat, status, results.where[0], results.detail[0])
     return results
@@ -86,8 +95,9 @@ def trace(flat: FlatScene, param: npt.ArrayLike) -> History:
         mark = np.zeros(rows, np.int32)
         needed = np.zeros(1, np.int64)
         where, detail = _place()
-        status = kernel().pm_trace(
-            flat.table, flat.constant, case, programs, history, mark, needed, where, detail
+        given = (history, mark, needed, where, detail)
+        status = heard(
+            partial(_with_stop, kernel().pm_trace, (flat.table, flat.constant, case), (programs, *given))
         )
         if needed[0] <= rows:
             break
@@ -114,7 +124,8 @@ def phases(flat: FlatScene, param: npt.ArrayLike | None = None, most: int = 0) -
         time = np.full(rows, np.nan)
         needed = np.zeros(1, np.int64)
         where, detail = _place()
-        kernel().pm_phases(flat.table, flat.constant, case, most, row, time, needed, where, detail)
+        room = (most, row, time, needed, where, detail)
+        heard(partial(_with_stop, kernel().pm_phases, (flat.table, flat.constant, case), room))
         if needed[0] <= rows:
             break
         rows = int(needed[0])
@@ -151,7 +162,8 @@ def check(flat: FlatScene, param: npt.ArrayLike | None = None) -> Start:
     number = np.zeros(layout.PM_CHECK_NUMBERS)
     pose, velocity = np.zeros((len(flat.bodies), 3)), np.zeros((len(flat.bodies), 3))
     where, detail = _place()
-    status = kernel().pm_check(flat.table, flat.constant, case, info, number, pose, velocity, where, detail)
+    room = (info, number, pose, velocity, where, detail)
+    status = heard(partial(_with_stop, kernel().pm_check, (flat.table, flat.constant, case), room))
     if status in (layout.PM_BAD_TABLE, layout.PM_NO_MEMORY):
         _raise(flat, status, where, detail)
     return Start(
@@ -183,6 +195,13 @@ def _params(flat: FlatScene, param: npt.ArrayLike) -> Floats:
     if given.ndim != 2 or given.shape[1] != len(flat.parameters):
         raise ValueError(f"param has the shape {given.shape}; (cases, {len(flat.parameters)}) is wanted")
     return np.ascontiguousarray(given, dtype=np.float64)
+
+
+def _with_stop(
+    function: Callable[..., int], scene: tuple[Any, ...], more: tuple[Any, ...], stop: Ints
+) -> int:
+    """A function of the kernel that takes the flag behind what it takes of the scene."""
+    return int(function(*scene, stop, *more))
 
 
 def _found(flat: FlatScene, cases: Floats) -> Floats:

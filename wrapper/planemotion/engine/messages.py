@@ -133,6 +133,9 @@ _DESCRIPTIONS: dict[int, Any] = {
     ),
     layout.PM_LIMIT_EVENTS: lambda place, found, bound: "until: not reached within solve.max_events",
     layout.PM_LIMIT_STEPS: lambda place, found, bound: "until: not reached within solve.max_steps",
+    layout.PM_LIMIT_CPU: lambda place, found, bound: (
+        f"solve.max_cpu: given up after {bound:g} s of computing time; what was answered before stands"
+    ),
     layout.PM_CANCELLED: lambda place, found, bound: "cancelled before it was finished",
     layout.PM_STAYS_AT_REST: lambda place, found, bound: (
         "until: not reached; everything has come to rest and stays"

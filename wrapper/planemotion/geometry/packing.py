@@ -64,7 +64,7 @@ class Tables:
         """Index of a value of its own, next to the one made before."""
         row = {layout.PM_VALUE_PROGRAM: self.program(node, where)}
         self._defaults.append(self.default(node))
-        self._needs.append(frozenset().union(*(self._needs_of(str(leaf)) for leaf in names(node))))
+        self._needs.append(frozenset().union(*(self.needs_of(str(leaf)) for leaf in names(node))))
         return self.add(layout.PM_TABLE_VALUE, row, where)
 
     def leaf(self, node: Node, where: str) -> Node:
@@ -83,6 +83,10 @@ class Tables:
             row = {layout.PM_PROGRAM_FIRST: first, layout.PM_PROGRAM_LENGTH: len(code)}
             self._programs[node] = self.add(layout.PM_TABLE_PROGRAM, row, where)
         return self._programs[node]
+
+    def node_of(self, program: int) -> Node:
+        """The expression of a program."""
+        return next(node for node, index in self._programs.items() if index == program)
 
     def measure(self, row: Row, name: str) -> int:
         """Index of a measure; equal measures share one."""
@@ -123,7 +127,7 @@ class Tables:
 
         return evaluate(node, look_up)
 
-    def _needs_of(self, leaf: str) -> frozenset[str]:
+    def needs_of(self, leaf: str) -> frozenset[str]:
         """The independent parameters behind the leaf of a value."""
         if leaf in self._column:
             return frozenset((leaf,))

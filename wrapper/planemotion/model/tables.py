@@ -35,10 +35,13 @@ DEFAULT_G = "9.81 m/s^2"
 # Far beyond what a scene needs: they end runs that would not end by themselves.
 DEFAULT_MAX_EVENTS = 1_000_000
 DEFAULT_MAX_STEPS = 1_000_000
+DEFAULT_MAX_CASES = 100_000_000
 # Intervals into which a find divides the range of one parameter, and of each of two.
 DEFAULT_SAMPLES = 32
 # What a counter of the kernel can hold.
 MOST_COUNT = 2**31 - 1
+# Of a sweep: what the numbers of its cases can hold.
+MOST_CASES = 2**53
 DEFAULT_PAIR_SAMPLES = 8
 
 
@@ -245,6 +248,8 @@ class Solve(Table):
     accuracy: Number = 1e-10
     estimate: bool = True
     max_time: Number | None = None
+    max_cpu: Number | None = None
+    max_cases: Annotated[int, Field(ge=1, le=MOST_CASES)] = DEFAULT_MAX_CASES
     max_events: Annotated[int, Field(le=MOST_COUNT)] = DEFAULT_MAX_EVENTS
     max_steps: Annotated[int, Field(le=MOST_COUNT)] = DEFAULT_MAX_STEPS
     assembly_tolerance: Number = 1e-12

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import re
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -16,6 +17,7 @@ from .chunks import Progress, fill
 from .memory import MemoryStore, dataset
 from .netcdf import write_result
 from .plan import plan_sweep
+from .size import Size, check_cases, check_disk, check_memory, expected_size
 from .store import SweepStore
 from .table import write_csv
 
@@ -50,8 +52,19 @@ def _study_of(scene: WrittenScene, workers: int | None, kept: Kept | None = None
     return Study(scene, plan_sweep(scene), workers or len(os.sched_getaffinity(0)), kept or Kept())
 
 
+def _size_of(study: Study) -> Size:
+    """What the study leaves; SceneError for more cases than it allows."""
+    size = expected_size(study.layout)
+    check_cases(size, study.data.solve.max_cases, study.data.file)
+    return size
+
+
 def _nobody(done: int, total: int) -> None:
     """Progress that is not shown."""
+
+
+def _silent(text: str) -> None:
+    """What is not told."""
 
 
 def sweep_files(
@@ -62,22 +75,28 @@ def sweep_files(
     resume: bool = False,
     progress: Progress | None = None,
     kept: Kept | None = None,
+    tell: Callable[[str], None] = _silent,
 ) -> SweepFiles:
     """Runs all cases of the scene's [sweep] and leaves OUT/ID.h5 and OUT/ID.csv.
 
     `workers`: threads (default: the processors of this process).  `resume`: go on where an earlier sweep into
     `out` was ended; begins where there is none.  `progress(done, total)` is called some times a second in the
-    calling thread.  `kept`: of earlier sweeps of the scene, over whatever grids.  A case that fails becomes
-    NaN, status and message; the sweep goes on.
+    calling thread.  `kept`: of earlier sweeps of the scene, over whatever grids.  `tell(text)` is called
+    before anything is computed with how much it will be.  A case that fails becomes NaN, status and message;
+    the sweep goes on.
 
     Raises SceneError (the scene cannot be swept), StudyError (the output cannot be used or written, or
     belongs to something else; nothing half-written stays) and SweepInterrupted (Ctrl-C).
     """
     study = _study_of(scene, workers, kept)
-    plan, folder = study.plan, Path(out)
+    plan, folder, size = study.plan, Path(out), _size_of(study)
     store = SweepStore(folder, _file_name(scene.data.id), plan.cases, study.manifest(), resume=resume)
     with store:
         missing = plan.cases - store.done
+        if missing == plan.cases:
+            check_disk(size, folder)
+        if missing:
+            tell(size.text)
         try:
             fill(store, study, progress or _nobody)
             if not store.finished:
@@ -113,6 +132,7 @@ def run_sweep(
         files = sweep_files(scene, out, workers=workers, resume=resume, progress=progress, kept=kept)
         return xr.open_dataset(files.result, engine="h5netcdf")
     study = _study_of(scene, workers, kept)
+    check_memory(_size_of(study))
     store = MemoryStore(study.plan.cases)
     fill(store, study, progress or _nobody)
     attributes = {**study.attributes(), "manifest": json.dumps(study.manifest())}
