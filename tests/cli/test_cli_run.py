@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shlex
 import subprocess
 from pathlib import Path
 
@@ -209,3 +210,18 @@ def test_a_file_whose_name_is_no_text_is_read_told_and_answered(folder: Path) ->
         assert done.returncode == 0, done.stderr.decode()
     said = strict_json(Path("a.json").read_text(encoding="utf-8"))["scenes"][0]
     assert (said["id"], said["file"]) == ("caf\\xe9", name)
+
+
+@pytest.mark.parametrize("how", [">&-", "| true"])
+def test_a_closed_standard_output_is_an_error(folder: Path, how: str) -> None:
+    """Nothing is answered and no exit status 0; answers that go to a file need no standard output."""
+    file = write(folder, "scene.toml", RELEASED)
+    for word in ("run", "explain", "check"):
+        shell = f"set -o pipefail; {shlex.join(command(word, file))} {how}"
+        done = subprocess.run(["bash", "-c", shell], capture_output=True, text=True, check=False)
+        assert done.returncode in (1, 2), done.stderr
+        assert "Traceback" not in done.stderr
+        assert how != ">&-" or "standard output: it is closed" in done.stderr
+    shell = shlex.join(command("run", file, "--json", "a.json"))
+    assert subprocess.run(["bash", "-c", f"{shell} >&-"], check=False).returncode == 0
+    assert Path("a.json").exists()

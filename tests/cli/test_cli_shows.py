@@ -108,3 +108,17 @@ def test_every_command_has_a_help() -> None:
         done = invoke(name, "--help")
         assert done.exit_code == 0
         assert found.help
+
+
+def test_check_verifies_a_result_and_a_folder(folder: Path) -> None:
+    invoke("sweep", write(folder, "scene.toml", RELEASED), "--out", "o")
+    for path in ("o", "o/pendulum.h5"):
+        done = invoke("check", path)
+        assert (done.exit_code, done.stderr) == (0, "")
+        assert "o/pendulum.h5: as it was written" in done.stdout
+    Path("o/pendulum.csv").write_text("L\n")
+    done = invoke("check", "o")
+    assert done.exit_code == 1
+    assert "o/pendulum.csv: it is not the table of pendulum.h5" in done.stderr
+    Path("empty").mkdir()
+    assert "empty: there is no result (*.h5) in this folder" in invoke("check", "empty").stderr

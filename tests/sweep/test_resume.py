@@ -114,6 +114,16 @@ def test_a_damaged_part_is_named_and_nothing_is_touched(
     assert (killed / "fake.h5").exists()
 
 
+def test_parts_of_an_earlier_version_are_refused(killed: Path, engine: FakeEngine) -> None:
+    manifest = killed / "fake.parts/manifest.json"
+    manifest.write_text(manifest.read_text().replace('"format": 4', '"format": 3'))
+    with pytest.raises(StudyError, match=r"another version of planemotion, in another format \(3, now 4\)"):
+        run.sweep_files(FakeScene(BIG), killed, resume=True)
+    manifest.write_text("[]")
+    with pytest.raises(StudyError, match=r"in another format \(missing, now 4\)"):
+        run.sweep_files(FakeScene(BIG), killed, resume=True)
+
+
 def test_a_damaged_manifest_is_named(killed: Path, engine: FakeEngine) -> None:
     (killed / "fake.parts/manifest.json").write_text("{")
     with pytest.raises(StudyError, match=r"manifest.json: cannot be read"):

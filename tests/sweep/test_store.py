@@ -22,7 +22,7 @@ from planemotion.compile.asks import Asked
 from planemotion.sweep.block import Block
 from planemotion.sweep.layout import Coordinate, Layout
 from planemotion.sweep.netcdf import hyperslabs, write_result
-from planemotion.sweep.store import OutputLock, SweepStore
+from planemotion.sweep.store import OutputLock, SweepStore, part_faults
 from planemotion.sweep.table import summarise, write_csv
 
 MANIFEST = {"format": 1, "scene": "one\ntwo", "sweep": {"d": {"num": 3}}, "checksums": {"tables": "a"}}
@@ -204,6 +204,18 @@ def test_a_part_that_is_there_twice_is_refused(tmp_path: Path) -> None:
     assert len(list(tmp_path.glob("s.parts/part-*"))) == 3
 
 
+def test_a_part_does_not_pass_for_other_cases(tmp_path: Path) -> None:
+    with store(tmp_path) as first:
+        first.add(0, block(0, 4))
+    (part,) = (tmp_path / "s.parts").glob("part-*")
+    moved = part.rename(part.with_name(part.name.replace("part-000000000000", "part-000000000004")))
+    with pytest.raises(
+        StudyError, match=rf"{moved.name}: this part file is damaged, or is one of other cases"
+    ):
+        store(tmp_path, resume=True).__enter__()
+    assert [moved.name in fault for fault in part_faults(moved.parent)] == [True]
+
+
 def test_the_leftovers_of_a_kill_are_cleared_away(tmp_path: Path) -> None:
     with store(tmp_path) as first:
         first.add(0, block(0, 4))
@@ -223,7 +235,7 @@ def test_the_leftovers_of_a_kill_are_cleared_away(tmp_path: Path) -> None:
             "",
         ),
         ({"checksums": {"tables": "b"}}, 'checksums.tables ("a", now "b")', "scene"),
-        ({"format": 2, "checksums": {"tables": "b"}}, "format (1, now 2)", "tables"),
+        ({"format": 2, "checksums": {"tables": "b"}}, "in another format (1, now 2)", "tables"),
     ],
 )
 def test_what_differs_is_named(tmp_path: Path, changes: dict[str, Any], said: str, not_said: str) -> None:

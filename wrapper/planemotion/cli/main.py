@@ -9,7 +9,7 @@ from __future__ import annotations
 import errno
 import sys
 import warnings
-from io import TextIOWrapper
+from io import TextIOBase, TextIOWrapper
 from typing import Any
 
 import click
@@ -22,10 +22,19 @@ from .sweep import sweep
 from .tell import check, explain
 
 
+class _Closed(TextIOBase):
+    """A standard output that was closed before: to write there is an error, so that nothing is lost."""
+
+    def write(self, text: str) -> int:
+        raise OSError(errno.EBADF, "it is closed, and there is something to write")
+
+
 class _Commands(click.Group):
     """Turns the errors of the package into one message and an exit status."""
 
     def invoke(self, ctx: click.Context) -> Any:
+        if sys.stdout is None:
+            sys.stdout = _Closed()
         for stream in (sys.stdout, sys.stderr):  # names of files may hold bytes that are no text
             if isinstance(stream, TextIOWrapper):
                 stream.reconfigure(errors="backslashreplace")

@@ -11,22 +11,39 @@ from .options import FAILED, a_path, say, set_option
 
 
 @click.command()
-@click.argument("scene", type=a_path)
+@click.argument("path", metavar="SCENE|RESULT", type=a_path)
 @set_option
 @click.pass_context
-def check(ctx: click.Context, scene: Path, values: Mapping[str, str]) -> None:
-    """Read and assemble a scene without running it.
+def check(ctx: click.Context, path: Path, values: Mapping[str, str]) -> None:
+    """Read and assemble a scene without running it, or verify a result.
 
-    Tells degrees of freedom, redundant rows and how far the assembly moved what is drawn.
+    Of a scene it tells degrees of freedom, redundant rows and how far the assembly moved what is drawn. Of
+    an .h5 file that `sweep` or `run --history` wrote, or of a folder of them, whether it is as written.
     """
     from ..file import load
     from ..report import explain as explanations
+    from ..sweep.verify import is_result
 
+    if is_result(path):
+        ctx.exit(_verify(path))
+    scene = path
     report = explanations.check(load(scene).with_values(values))
     click.echo(report.text)
     for fault in report.faults:
         say(fault, error=True)
     ctx.exit(FAILED if report.faults else 0)
+
+
+def _verify(path: Path) -> int:
+    from ..sweep.verify import verify
+
+    found = verify(path)
+    for one in found:
+        if not one.faults:
+            click.echo(f"{one.path}: as it was written")
+        for fault in one.faults:
+            say(f"{one.path}: {fault}", error=True)
+    return FAILED if any(one.faults for one in found) else 0
 
 
 @click.command()

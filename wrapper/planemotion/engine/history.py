@@ -39,6 +39,9 @@ def write(path: Path, runs: Mapping[str, History], attributes: Mapping[str, Any]
     Raises OSError if the file cannot be written.
     """
     import h5netcdf
+    import h5py
+
+    from ..base.checksums import seal
 
     try:
         with h5netcdf.File(path, "w") as file:
@@ -47,6 +50,8 @@ def write(path: Path, runs: Mapping[str, History], attributes: Mapping[str, Any]
                 file.attrs[name] = value
             for run, recorded in runs.items():
                 _write_run(file.create_group(run) if run else file, recorded)
+        with h5py.File(path, "r+") as sealed:
+            seal(sealed)
     except RuntimeError as error:  # what HDF5 says when closing fails
         raise OSError(str(error)) from error
 

@@ -35,7 +35,7 @@ _MAX_BYTES = 1 << 24
 # Other versions of these might compute other bits; the rest only writes files.
 _ROW_VERSIONS = ("planemotion", "kernel", "SUNDIALS", "GSL")
 # Of the part files and the manifest: another number, no resume.
-_FORMAT = 3
+_FORMAT = 4
 
 
 class Study:

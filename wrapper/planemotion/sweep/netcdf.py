@@ -18,6 +18,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ..base.bounded import require_file
+from ..base.checksums import seal
 from ..base.errors import StudyError
 from .block import Block
 from .layout import MESSAGE, Layout, Tally
@@ -61,6 +62,9 @@ def write_result(path: Path, layout: Layout, blocks: Iterable[Block], attributes
             summary = _write_blocks(file, layout, target.checked(blocks))
             for name, value in {**attributes, **summary}.items():
                 file.attrs[name] = value
+        target.check()
+        with h5py.File(target, "r+") as sealed:
+            seal(sealed)
         target.check()
 
 

@@ -19,7 +19,7 @@ from .netcdf import write_result
 from .plan import plan_sweep
 from .size import Size, check_cases, check_disk, check_memory, expected_size
 from .store import SweepStore
-from .table import write_csv
+from .table import is_table_of, write_csv
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -103,7 +103,7 @@ def sweep_files(
                 with store.finish() as path:
                     attributes = {**study.attributes(), "manifest": json.dumps(store.manifest)}
                     write_result(path, study.layout, store.blocks(), attributes)
-            if missing or not store.table.exists():
+            if missing or not _has_table(store, tell):
                 write_csv(store.result, store.table)
             store.remove_parts()
         except KeyboardInterrupt:
@@ -113,6 +113,16 @@ def sweep_files(
                 plan.cases,
             ) from None
     return SweepFiles(store.result, store.table, plan.cases, missing)
+
+
+def _has_table(store: SweepStore, tell: Callable[[str], None]) -> bool:
+    """Whether the table of a result that was there before is whole."""
+    if not store.table.exists():
+        return False
+    if is_table_of(store.result, store.table):
+        return True
+    tell(f"{store.table}: was damaged, or changed; it is written anew from {store.result.name}")
+    return False
 
 
 def run_sweep(

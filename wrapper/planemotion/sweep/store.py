@@ -31,6 +31,8 @@ from typing import Any, Self
 
 import h5py
 
+from ..base.bounded import read_bytes, require_file
+from ..base.checksums import faults_of
 from ..base.errors import StudyError
 from ..base.files import appearing, disk_errors, sync_folder
 from .block import Block
@@ -42,7 +44,10 @@ _CHECKSUM_DIGITS = 16
 _PART = re.compile(rf"part-(\d+)-(\d+)-([0-9a-f]{{{_CHECKSUM_DIGITS}}})\.npy")
 # Cases, and bytes of their answers, that are read at once for the final file: few large writes.
 _SLAB_CASES = 65536
+_MOST_MANIFEST = 100_000_000  # bytes
 _SLAB_BYTES = 1 << 25
+# Variables of a damaged result that a message names.
+_FAULTS_SHOWN = 5
 
 
 class OutputLock:
@@ -164,6 +169,10 @@ class SweepStore:
             self._refuse_old_results()
         if self.result.exists():
             self._compare(_manifest_of_result(self.result), self.result)
+            if faults := faults_of(self.result):
+                raise StudyError(
+                    f"{self.result}: this result is damaged: {_few(faults)}. Remove it to compute it again"
+                )
             self.finished = True
         elif self.parts_folder.exists():
             self._open_parts()
@@ -199,7 +208,7 @@ class SweepStore:
         if not self._manifest_path.exists() and not found:  # killed before the first part
             return self._begin()
         try:
-            stored = json.loads(self._manifest_path.read_text(encoding="utf-8"))
+            stored = json.loads(read_bytes(self._manifest_path, _MOST_MANIFEST))
         except (OSError, ValueError) as error:
             raise StudyError(
                 f"{self._manifest_path}: cannot be read ({error}), so it is not known what the parts beside "
@@ -216,6 +225,13 @@ class SweepStore:
 
     def _compare(self, stored: Mapping[str, Any], place: Path) -> None:
         """Raises StudyError naming what differs between the stored manifest and this sweep's."""
+        formats = [one.get("format") if isinstance(one, dict) else None for one in (stored, self.manifest)]
+        if formats[0] != formats[1]:
+            raise StudyError(
+                f"{place}: was written by another version of planemotion, in another format "
+                f"({_shown(formats[0])}, now {_shown(formats[1])}), so this one cannot go on there. "
+                "Finish it with that version, or give another --out"
+            )
         differences = list(_differences(stored, self.manifest))
         if differences:
             named = [text for text in differences if not text.startswith(f"{CHECKSUMS}.")]
@@ -245,7 +261,7 @@ class SweepStore:
         Raises StudyError if they cannot be written; the parts stored before stay.
         """
         data = block.to_bytes()
-        checksum = _checksum(data)
+        checksum = _checksum(first, len(block), data)
         path = self.parts_folder / f"part-{first:012d}-{len(block):08d}-{checksum}.npy"
         try:
             with appearing(path) as temporary:
@@ -286,8 +302,18 @@ class SweepStore:
         self._parts = []
 
 
-def _checksum(data: bytes) -> str:
-    return hashlib.sha256(data).hexdigest()[:_CHECKSUM_DIGITS]
+def _checksum(first: int, count: int, data: bytes) -> str:
+    """Of a part: its cases and its bytes, so that it cannot pass for another one."""
+    return hashlib.sha256(b"%d %d\n" % (first, count) + data).hexdigest()[:_CHECKSUM_DIGITS]
+
+
+def part_faults(folder: Path) -> Iterator[str]:
+    """What is wrong with the parts of an unfinished sweep, one sentence each."""
+    for part in sorted(_parts_in(folder)):
+        try:
+            _read_part(part)
+        except StudyError as error:
+            yield str(error)
 
 
 def _parts_in(folder: Path) -> Iterator[_Part]:
@@ -300,24 +326,27 @@ def _parts_in(folder: Path) -> Iterator[_Part]:
 def _read_part(part: _Part) -> Block:
     """Raises StudyError if the file is not what was written."""
     try:
+        require_file(part.path)
         data = part.path.read_bytes()
     except OSError as error:
         raise StudyError(f"{part.path}: cannot be read: {error.strerror}") from error
-    if _checksum(data) != part.checksum:
+    found = _checksum(part.first, part.count, data)
+    if found != part.checksum:
         raise StudyError(
-            f"{part.path}: this part file is damaged (checksum {_checksum(data)}, {part.checksum} when it "
-            f"was written). Remove it and go on with --resume: its {part.count} cases, {part.first} to "
-            f"{part.end - 1}, are then computed again"
+            f"{part.path}: this part file is damaged, or is one of other cases (checksum {found}, "
+            f"{part.checksum} when it was written). Remove it and go on with --resume: its {part.count} "
+            f"cases, {part.first} to {part.end - 1}, are then computed again"
         )
     return Block.from_bytes(data)
 
 
 def _manifest_of_result(path: Path) -> dict[str, Any]:
     try:
+        require_file(path)
         with h5py.File(path, "r") as file:
             manifest: dict[str, Any] = json.loads(file.attrs["manifest"])
             return manifest
-    except (OSError, KeyError, ValueError) as error:
+    except Exception as error:  # there is nothing that HDF5 does not say of a damaged file
         raise StudyError(
             f"{path}: is not a whole result of a sweep ({error}); give another --out, or remove it"
         ) from None
@@ -343,6 +372,11 @@ def _different_lines(old: Sequence[str], new: Sequence[str], name: str) -> Itera
             yield f"{name} with the line `{line}`"
     if sorted(old) == sorted(new) and old != new:
         yield f"{name} in another order"
+
+
+def _few(faults: Sequence[str]) -> str:
+    more = [f"and {len(faults) - _FAULTS_SHOWN} more"] if len(faults) > _FAULTS_SHOWN else []
+    return "; ".join([*faults[:_FAULTS_SHOWN], *more])
 
 
 def _shown(value: object) -> str:

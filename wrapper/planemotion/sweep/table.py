@@ -6,6 +6,7 @@ Both stream: memory does not grow with the number of cases.
 from __future__ import annotations
 
 import csv
+import io
 import math
 import re
 from collections import Counter
@@ -19,7 +20,7 @@ import numpy.typing as npt
 
 from .._layout import PM_TRUST_MARGIN
 from ..base.arrays import Floats
-from ..base.files import appearing
+from ..base.files import appearing, disk_errors
 from .layout import REASON_WORDS, STATUS_WORDS, TRUST_WORDS, error_name
 from .netcdf import hyperslabs, opened
 
@@ -43,10 +44,26 @@ def write_csv(result: Path, table: Path) -> None:
     """
     with opened(result) as file, appearing(table) as temporary:
         columns = _Columns(file)
-        with open(temporary, "w", encoding="utf-8", newline="") as text:
-            csv.writer(text, lineterminator="\n").writerow(columns.header)
-            for first, count in columns.slices():
-                text.write(columns.lines(first, count))
+        with open(temporary, "wb") as text:
+            for piece in _text_of(columns):
+                text.write(piece)
+
+
+def is_table_of(result: Path, table: Path) -> bool:
+    """Whether a table is, byte for byte, the one that `write_csv` makes of a result that is sound.
+
+    Raises StudyError if either cannot be read.
+    """
+    with opened(result) as file, disk_errors(table), open(table, "rb") as text:
+        return all(text.read(len(piece)) == piece for piece in _text_of(_Columns(file))) and not text.read(1)
+
+
+def _text_of(columns: _Columns) -> Iterator[bytes]:
+    header = io.StringIO()
+    csv.writer(header, lineterminator="\n").writerow(columns.header)
+    yield header.getvalue().encode()
+    for first, count in columns.slices():
+        yield columns.lines(first, count).encode()
 
 
 @dataclass(frozen=True)
@@ -149,7 +166,10 @@ class _Columns:
 
     def statuses(self, first: int, count: int) -> list[str]:
         """The statuses of these cases as words."""
-        return [STATUS_WORDS[status] for status in self._read("status", first, count).tolist()]
+        return [
+            STATUS_WORDS.get(status, f"status {status}")
+            for status in self._read("status", first, count).tolist()
+        ]
 
     def _is_list(self, key: str) -> bool:
         return len(self._variables[key].dimensions) > len(self._grid)
@@ -162,7 +182,7 @@ class _Columns:
         reasons = self._read("reason", first, count)
         for row in np.flatnonzero(reasons.any(axis=1)).tolist():
             texts[row] = texts[row] or "; ".join(
-                f"{key}: {REASON_WORDS[code].replace('_', ' ')}"
+                f"{key}: {REASON_WORDS.get(code, f'reason {code}').replace('_', ' ')}"
                 for key, code in zip(self._asks, reasons[row].tolist(), strict=True)
                 if code
             )
