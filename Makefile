@@ -13,7 +13,7 @@ export PATH := $(CURDIR)/$(BIN):$(PATH)
 .NOTPARALLEL:
 unexport MAKEFLAGS
 
-.PHONY: help setup demo bench bench-long calibrate gallery test test-kernel test-python lint format sanitize faults clean
+.PHONY: help setup demo bench bench-long calibrate gallery test test-kernel test-python lint format sanitize faults stress clean
 
 help:
 	@echo 'make demo         run the study studies/sphere_over_bars.toml; its files go to build/demo'
@@ -25,6 +25,7 @@ help:
 	@echo 'make format       rewrite the sources in the house style'
 	@echo 'make sanitize     the C tests under ASan and UBSan (SANITIZE=thread: under TSan)'
 	@echo 'make faults       plant faults in a copy of the kernel: the C tests must catch each'
+	@echo 'make stress       changed scenes, 10 000 of them: none may fall, hang or end in a traceback (some minutes)'
 	@echo 'make calibrate    estimated errors against true ones, and what they cost (some minutes)'
 	@echo 'make bench        speed beside error, against the peers: build/bench (about ten minutes)'
 	@echo 'make bench-long   a sweep of a million cases: its time and memory'
@@ -64,6 +65,9 @@ sanitize:
 	@test -f $(SANITIZE_BUILD)/build.ninja || $(BIN)/meson setup $(SANITIZE_BUILD) -Dpython=false \
 	    -Dbuildtype=debug -Doptimization=1 -Dwerror=false -Db_sanitize=$(SANITIZE) -Db_lundef=false
 	$(BIN)/meson test -C $(SANITIZE_BUILD) --print-errorlogs
+
+stress: setup
+	$(BIN)/python -m tests.stress $(STRESS)
 
 faults:
 	@.ci/setup --tools

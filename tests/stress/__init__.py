@@ -1,0 +1,1 @@
+"""Scenes changed at random, as nobody would write them: each is answered or told, and none hurts."""
