@@ -1,4 +1,4 @@
-"""Changed scenes through load, check, explain, run and record, in processes of their own that may fall or hang.
+"""Changed scenes through load, check, explain, run and record, in processes that may fall or hang.
 
 Each mutation has a number, from which alone it follows: `python -m tests.stress --only N` does it again.
 """
