@@ -56,7 +56,8 @@ enum pm_status {
     PM_BLOWS_ENDLESS =
         -17, /* blows one by one at one instant do not end: where = contact; detail = how many */
     PM_BLOW_SEVERAL =
-        -19, /* the law is for one contact at a time: where = contact; detail = how many take part */
+        -19, /* a restitution along a contact goes with newton alone in its blow: where = contact; detail = how
+                many take part */
     PM_NO_IMPULSE =
         -20, /* no impulse does that work: where = action; detail = work, the least that is possible */
     PM_NUDGE_UNSTEADY =
@@ -197,7 +198,9 @@ enum pm_count_column {
     PM_COUNT_REPEATED_SEGMENTS = 10, /* that repeat one that was computed, and were passed over */
     PM_COUNT_LIMITED_BLOWS =
         11, /* whose restitution was lowered: with friction it would have gained energy */
-    PM_COUNT_COLUMNS = 12
+    PM_COUNT_SHARED_BLOWS =
+        12, /* of several contacts, followed: how these share each is what their common pace says */
+    PM_COUNT_COLUMNS = 13
 };
 /* What pm_check reports of the assembled start. */
 enum pm_check_column {

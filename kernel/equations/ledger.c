@@ -199,6 +199,14 @@ void pm_ledger_jump(pm_workspace *w, const double *before)
     update_scales(w);
 }
 
+void pm_ledger_contact(pm_workspace *w, const pm_constraint *along, double impulse, const double *before)
+{
+    add_constraint(&w->frame, along, impulse, w->state.z + pm_ledger_ledger(w->model));
+    w->ledger.energy_lost -=
+        0.5 * impulse *
+        (pm_constraint_times(&w->frame, along, before) + pm_constraint_times(&w->frame, along, w->state.v));
+}
+
 void pm_ledger_impulse(const pm_model *model, pm_state *state, const double at[2], const double force[2],
                        double couple)
 {

@@ -22,6 +22,8 @@ void pm_ledger_follow(const pm_frame *frame, const double before[PM_LEDGER], dou
 void pm_ledger_step(pm_workspace *w);
 /* A jump from velocities `before` to those of the frame, with w->rhs the impulses of the active constraints. */
 void pm_ledger_jump(pm_workspace *w, const double *before);
+/* The impulse along the constraint of a contact that is not among the active ones, in the same jump. */
+void pm_ledger_contact(pm_workspace *w, const pm_constraint *along, double impulse, const double *before);
 /* An impulse that the outer world applies. */
 void pm_ledger_impulse(const pm_model *model, pm_state *state, const double at[2], const double force[2],
                        double couple);

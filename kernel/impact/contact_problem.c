@@ -3,12 +3,15 @@
  * The problem is scaled first: W to a unit diagonal, friction by the same lengths, b to a largest entry of one.  Modes are
  * solved as equations, and hold if all inequalities hold.  Where contacts depend on each other a mode may have no unique
  * loads: it is passed over, for the same motion has another mode whose loads are (a vertex of the loads that are possible).
- * The modes that are returned are those of the motion: closed where the normal rate is none, sticking where the slip is. */
+ * The modes that are returned are those of the motion: closed where the normal rate is none, sticking where the slip is.  The
+ * loads, where all modes are tried, are the mean of all that give the motion: no order and no mirror decides.  (Loads that obey
+ * the laws with one motion are convex.) */
 #include "impact/contact_problem.h"
 
 #include <math.h>
 #include <string.h>
 
+#include "impact/contact_problem_parts.h"
 #include "numerics/dense.h"
 #include "numerics/lemke.h"
 #include "numerics/tolerances.h"
@@ -44,14 +47,13 @@ int pm_contact_problem_create(pm_contact_problem *x, pm_arena *arena, int most)
 }
 
 /* ---- scale ---- */
-static int is_smooth(const pm_problem_contact *c)
+int pm_problem_is_smooth(const pm_problem_contact *c)
 {
     return c->friction == PM_FRICTION_SMOOTH ||
            (c->friction == PM_FRICTION_COULOMB && c->hold == 0 && c->rub == 0);
 }
 
-/* Coefficient of friction in the scaled problem. */
-static double scaled_friction(const pm_contact_problem *x, int i, double mu)
+double pm_problem_friction(const pm_contact_problem *x, int i, double mu)
 {
     return x->scale[2 * i + 1] > 0 ? mu * x->scale[2 * i] / x->scale[2 * i + 1] : 0;
 }
@@ -83,7 +85,7 @@ static int sense(int mode) { return (mode == PM_SLIDE_FORWARD) - (mode == PM_SLI
 /* T/N of a contact that slides so, and 0 of one that does not. */
 static double ratio(const pm_contact_problem *x, int i, int mode)
 {
-    return sense(mode) ? -sense(mode) * scaled_friction(x, i, x->contact[i].rub) : 0;
+    return sense(mode) ? -sense(mode) * pm_problem_friction(x, i, x->contact[i].rub) : 0;
 }
 
 /* The equations of the trial: a_n = 0 where closed, a_t = 0 where it sticks; how many. */
@@ -122,8 +124,10 @@ static int solve_trial(pm_contact_problem *x)
     int *unknown = x->basis;
     const int m = assemble(x, unknown);
     memset(x->p, 0, 2 * (size_t)x->n * sizeof *x->p);
+    x->is_sound = 1;
     if (m > 0) {
         if (pm_dense_lu_factor(m, x->system, x->pivot)) return 0;
+        for (int k = 0; k < m; k++) x->is_sound &= fabs(x->system[k * (m + 1)]) > PM_PROBLEM_SOUND;
         pm_dense_lu_solve(m, x->system, x->pivot, x->right);
     }
     for (int k = 0; k < m; k++) {
@@ -151,13 +155,13 @@ static int contact_holds(const pm_contact_problem *x, int i, double slack)
     if (x->trial[i] == PM_OPEN) return 1;
     if (load < -slack || a[0] > slack) return 0;
     if (sense(x->trial[i])) return c->slips || sense(x->trial[i]) * a[1] >= -slack;
-    if (is_smooth(c)) return 1;
+    if (pm_problem_is_smooth(c)) return 1;
     if (fabs(a[1]) > slack && x->scale[2 * i + 1] > 0) return 0;
     return c->friction == PM_FRICTION_ROUGH ||
-           fabs(friction) <= scaled_friction(x, i, c->hold) * load + slack;
+           fabs(friction) <= pm_problem_friction(x, i, c->hold) * load + slack;
 }
 
-static int trial_holds(pm_contact_problem *x)
+int pm_problem_trial_holds(pm_contact_problem *x)
 {
     if (!solve_trial(x)) return 0;
     const double tie = slack(x);
@@ -173,7 +177,7 @@ static int mode_of_motion(const pm_contact_problem *x, int i, double tie)
     const pm_problem_contact *c = &x->contact[i];
     const double *a = x->a + 2 * i;
     if (a[0] > tie || (c->prefers == PM_OPEN && x->p[2 * i] <= tie)) return PM_OPEN;
-    if (is_smooth(c)) return PM_SMOOTH;
+    if (pm_problem_is_smooth(c)) return PM_SMOOTH;
     if (c->slips) return c->slips > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
     if (fabs(a[1]) > tie) return a[1] > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
     return sense(c->prefers) && sense(x->trial[i]) == sense(c->prefers) ? c->prefers : PM_STICK;
@@ -190,10 +194,9 @@ static void keep(pm_contact_problem *x, double unit)
     memcpy(x->best, x->a, 2 * (size_t)x->n * sizeof *x->a);
 }
 
-/* A contact that moves otherwise than in the motion that is kept, or PM_NONE. */
-static int difference(const pm_contact_problem *x)
+/* A contact that moves otherwise, by more than `same`, than in the motion that is kept, or PM_NONE. */
+static int difference(const pm_contact_problem *x, double same)
 {
-    const double same = PM_PROBLEM_SAME / PM_PROBLEM_TIE * slack(x);
     for (int i = 0; i < 2 * x->n; i++)
         if (fabs(x->a[i] - x->best[i]) > same) return i / 2;
     return PM_NONE;
@@ -216,7 +219,7 @@ static int next_mode(const pm_contact_problem *x, int i, int mode)
     const int slides = c->friction == PM_FRICTION_COULOMB && x->scale[2 * i + 1] > 0;
     switch (mode) {
     case PM_NONE:
-        if (is_smooth(c)) return PM_SMOOTH;
+        if (pm_problem_is_smooth(c)) return PM_SMOOTH;
         return c->slips > 0 ? PM_SLIDE_FORWARD : c->slips < 0 ? PM_SLIDE_BACKWARD : PM_STICK;
     case PM_STICK: return slides ? PM_SLIDE_FORWARD : c->friction == PM_FRICTION_ROUGH ? PM_SMOOTH : PM_OPEN;
     case PM_SLIDE_FORWARD: return c->slips ? PM_OPEN : PM_SLIDE_BACKWARD;
@@ -243,144 +246,37 @@ static double speed_left(const pm_contact_problem *x)
     return sum;
 }
 
+/* Other loads of the motion that is kept, where `count` have been found; those that rounding may have made do not count. */
+static void add_loads(pm_contact_problem *x, double unit, int *count)
+{
+    if (!x->is_sound || difference(x, slack(x)) != PM_NONE) return;
+    for (int i = 0; i < 2 * x->n; i++)
+        x->load[i] = (*count > 0 ? x->load[i] : 0) + x->p[i] * x->scale[i] * unit;
+    ++*count;
+}
+
 static void enumerate(pm_contact_problem *x, double unit)
 {
-    int by_law = 0;
+    int by_law = 0, found = 0;
     double slowest = 0;
     for (int i = 0; i < x->n; i++) x->trial[i] = next_mode(x, i, PM_NONE);
     do {
-        if (!trial_holds(x)) continue;
-        const int law = sticks_by_law(x), other = x->nmotion > 0 ? difference(x) : PM_NONE;
+        if (!pm_problem_trial_holds(x)) continue;
+        const int law = sticks_by_law(x),
+                  other =
+                      x->nmotion > 0 ? difference(x, PM_PROBLEM_SAME / PM_PROBLEM_TIE * slack(x)) : PM_NONE;
         const int first = x->nmotion == 0 || (law > by_law && other != PM_NONE);
+        if (!first && other == PM_NONE) add_loads(x, unit, &found);
         if (!first && (other == PM_NONE || law < by_law)) continue;
         x->nmotion = first ? 1 : 2;
         x->differs = other;
         if (!first && speed_left(x) >= slowest) continue;
         by_law = law;
         slowest = speed_left(x);
+        found = x->is_sound;
         keep(x, unit);
     } while (next_trial(x));
-}
-
-/* ---- Lemke's method ---- */
-/* Of a contact that may stick: N, R = mu N + T and l, the slip backward, against a_n, r (the slip forward) and mu N - T:
- *
- *   T = R - mu N,   r = a_t + l,   mu N - T = 2 mu N - R
- *
- * Others have N alone.  Rough tangents take part as the trial says: they hold, or are out. */
-static int terms(const pm_contact_problem *x, int i)
-{
-    const pm_problem_contact *c = &x->contact[i];
-    return c->friction == PM_FRICTION_COULOMB && !is_smooth(c) && !c->slips && x->scale[2 * i + 1] > 0 ? 3
-                                                                                                       : 1;
-}
-
-/* W and b with the rough tangents that hold taken out: T = -W_tt^-1 (W_t p + b_t). */
-static void take_out_rough(const pm_contact_problem *x, double *w, double *b)
-{
-    const int n = 2 * x->n;
-    memcpy(w, x->scaled, (size_t)n * n * sizeof *w);
-    memcpy(b, x->b, (size_t)n * sizeof *b);
-    for (int t = 1; t < n; t += 2) {
-        const double own = w[t * n + t];
-        if (x->contact[t / 2].friction != PM_FRICTION_ROUGH) continue;
-        if (x->trial[t / 2] != PM_OPEN) x->trial[t / 2] = own > PM_PROBLEM_DEPENDS ? PM_STICK : PM_SMOOTH;
-        for (int r = 0; r < n && x->trial[t / 2] == PM_STICK; r++) {
-            const double factor = w[r * n + t] / own;
-            for (int k = 0; k < n && r != t; k++) w[r * n + k] -= factor * w[t * n + k];
-            if (r != t) b[r] -= factor * b[t];
-        }
-        for (int k = 0; k < n; k++) w[t * n + k] = w[k * n + t] = 0;
-    }
-}
-
-/* Rates and friction that contact i adds to the constraints of the complementarity problem; `at` is its first unknown. */
-static void pose_contact(const pm_contact_problem *x, const double *w, const double *b, int m,
-                         const int *first, int i)
-{
-    const int n = 2 * x->n, at = first[i];
-    double *matrix = x->system, *q = x->right;
-    for (int r = 0; r < terms(x, i); r++) {
-        const double *row = w + (2 * i + (r > 0)) * n;
-        if (r == 2) break;
-        q[at + r] = b[2 * i + (r > 0)];
-        for (int k = 0; k < x->n; k++) {
-            const double mu = terms(x, k) == 3 ? scaled_friction(x, k, x->contact[k].rub)
-                              : x->contact[k].slips
-                                  ? x->contact[k].slips * scaled_friction(x, k, x->contact[k].rub)
-                                  : 0;
-            matrix[(at + r) * m + first[k]] = row[2 * k] - mu * row[2 * k + 1];
-            if (terms(x, k) == 3) matrix[(at + r) * m + first[k] + 1] = row[2 * k + 1];
-        }
-    }
-    if (terms(x, i) < 3) return;
-    matrix[(at + 1) * m + at + 2] = 1;
-    matrix[(at + 2) * m + at] = 2 * scaled_friction(x, i, x->contact[i].rub);
-    matrix[(at + 2) * m + at + 1] = -1;
-    q[at + 2] = 0;
-}
-
-/* The mode that the loads N and T of contact i tell. */
-static int mode_of_loads(const pm_contact_problem *x, int i, double load, double friction, double tie)
-{
-    const pm_problem_contact *c = &x->contact[i];
-    const double room = scaled_friction(x, i, c->rub) * load - fabs(friction);
-    if (load <= tie) return PM_OPEN;
-    if (is_smooth(c)) return PM_SMOOTH;
-    if (c->slips) return c->slips > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
-    if (c->friction == PM_FRICTION_ROUGH) return x->trial[i];
-    if (room > tie || x->scale[2 * i + 1] == 0) return PM_STICK;
-    return friction < 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
-}
-
-static double largest_of(int n, const double *x)
-{
-    double largest = 1;
-    for (int i = 0; i < n; i++) largest = fmax(largest, fabs(x[i]));
-    return largest;
-}
-
-/* One solution by Lemke's method, in the trial; 0 if it finds none. */
-static int lemke(pm_contact_problem *x, int try)
-{
-    int m = 0, *first = x->pivot;
-    double *w = x->lemke, *b = w + 4 * (size_t)x->n * x->n;
-    for (int i = 0; i < x->n; i++) {
-        first[i] = m;
-        m += terms(x, i);
-    }
-    memset(x->system, 0, (size_t)m * m * sizeof *x->system);
-    take_out_rough(x, w, b);
-    for (int i = 0; i < x->n; i++) pose_contact(x, w, b, m, first, i);
-    double *z = x->right + m;
-    if (!pm_lemke_solve(m, x->system, x->right, try, x->lemke, x->basis, z)) return 0;
-    const double tie = PM_PROBLEM_LEMKE_TIE * largest_of(m, z);
-    for (int i = 0; i < x->n; i++) {
-        const double load = z[first[i]],
-                     friction = terms(x, i) == 3
-                                    ? z[first[i] + 1] - scaled_friction(x, i, x->contact[i].rub) * load
-                                    : 0;
-        x->trial[i] = mode_of_loads(x, i, load, friction, tie);
-    }
-    return 1;
-}
-
-/* Rough contacts that would pull are let go, one round after the other. */
-static int lemke_rounds(pm_contact_problem *x, int try)
-{
-    for (int i = 0; i < x->n; i++) x->trial[i] = PM_STICK;
-    for (int round = 0; round <= x->n; round++) {
-        if (!lemke(x, try)) return 0;
-        if (trial_holds(x)) return 1;
-    }
-    return 0;
-}
-
-static int lemke_tries(pm_contact_problem *x)
-{
-    for (int try = 0; try < PM_PROBLEM_TRIES; try++)
-        if (lemke_rounds(x, try)) return 1;
-    return 0;
+    for (int i = 0; i < 2 * x->n && found > 1; i++) x->load[i] /= found;
 }
 
 int pm_contact_problem_solve(pm_contact_problem *x)
@@ -388,7 +284,7 @@ int pm_contact_problem_solve(pm_contact_problem *x)
     const double unit = scale_problem(x);
     x->nmotion = 0;
     x->differs = PM_NONE;
-    if (x->n > x->counted && lemke_tries(x)) {
+    if (x->n > x->counted && pm_problem_lemke(x)) {
         x->nmotion = 1;
         keep(x, unit);
     } else if (x->n <= x->tried) {

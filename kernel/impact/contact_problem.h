@@ -38,6 +38,7 @@ typedef struct pm_contact_problem {
     /* scratch, in units of the problem's own */
     double *scaled, *scale, *b, *p, *a, *best, *system, *right, *lemke;
     int *trial, *pivot, *basis;
+    int is_sound; /* the equations of the trial are far from singular */
 } pm_contact_problem;
 
 /* Memory for `most` contacts, which the arena owns; PM_NO_MEMORY. */

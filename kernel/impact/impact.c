@@ -5,8 +5,8 @@
  * (impact_trial.c).  Captured pairs are joints; one that is caught now is struck in all its constraints.
  *
  * A contact that is struck alone is followed through its blow (impact_course.c).  Where more are struck, or one that rests
- * would approach then, all of them are one problem (impact_together.c): each pushes or parts, sticks or slides.  Resting
- * contacts that do not take part carry nothing, their tangents included.
+ * would approach then, all of them are one problem (impact_together.c): each pushes or parts, sticks or slides; or it is
+ * followed, too, where a law asks for that (impact_followed.c).  Resting contacts that do not take part carry nothing, their tangents included.
  *
  * One by one (the settings may say so): the first in the order of the contacts that approaches is struck alone, then
  * again the first, a resting one as well; each is a jump of its own. */
@@ -47,8 +47,9 @@ int pm_impact_create(pm_workspace *w)
         PM_ARRAY(b->elastic.slot, 2 * m->nslot),
         PM_ARRAY(b->elastic.after, m->nq),
     };
-    const int status = pm_arena_take(&w->memory, PM_ARRAYS(array));
-    return status ? status : pm_contact_system_create(&b->system, &w->memory, m);
+    int status = pm_arena_take(&w->memory, PM_ARRAYS(array));
+    if (!status) status = pm_contact_system_create(&b->system, &w->memory, m);
+    return status ? status : pm_contact_course_create(&b->course, &w->memory, m->nslot);
 }
 
 /* ---- who is struck ---- */
@@ -120,7 +121,7 @@ static int find_blow(pm_workspace *w, pm_blow *b)
 {
     int status = PM_OK, whole = 0, holds = 0;
     memset(b->held, 0, (size_t)w->model->nslot * sizeof *b->held);
-    b->plastic = b->equations = 0;
+    b->plastic = b->equations = b->followed = 0;
     if (pm_impact_trial_contacts(w->model, b) <= 1) {
         if ((status = pm_impact_trial_solve(w, b))) return status;
         whole = pm_impact_trial_is_whole(w, b);
@@ -150,6 +151,7 @@ static int one_blow(pm_workspace *w, pm_blow *b)
     memcpy(w->state.v, b->after, (size_t)m->nq * sizeof *b->after);
     pm_frame_look_state(&w->frame, &w->state);
     pm_ledger_jump(w, b->before);
+    pm_impact_followed_close(w, b);
     pm_evidence_blow(&w->evidence, b->approach);
     pm_impact_end_modes(w, b);
     pm_joint_friction_close(&w->frame, &w->state);

@@ -53,6 +53,18 @@ static const pm_constraint *tangent_of(const pm_workspace *w, int slot, pm_const
     return spare;
 }
 
+void pm_impact_end_record_contact(pm_workspace *w, int slot, const pm_constraint *normal,
+                                  const pm_constraint *tangent, const double impulse[2])
+{
+    const pm_constraint *c[] = {normal, tangent};
+    for (int k = 0; k < 2; k++) {
+        pm_line_of_action along;
+        pm_constraint_kind(c[k]->kind)->act(&w->frame, c[k], &along);
+        w->impulses.slot[2 * slot + k] = impulse[k];
+        memcpy(w->impulses.slot_direction + 4 * slot + 2 * k, along.direction, sizeof along.direction);
+    }
+}
+
 void pm_impact_end_record(pm_workspace *w)
 {
     const pm_model *m = w->model;
@@ -64,18 +76,11 @@ void pm_impact_end_record(pm_workspace *w)
         if (w->state.slot[i].mode == PM_CAPTURED) record_captured(w, i);
         if (w->active.slot_normal[i] == PM_NONE) continue;
         pm_constraint spare;
-        pm_line_of_action along;
-        const pm_constraint *normal = &w->active.constraint[w->active.slot_normal[i]],
-                            *tangent = tangent_of(w, i, &spare);
+        const pm_constraint *normal = &w->active.constraint[w->active.slot_normal[i]];
+        const int tangent = w->active.slot_tangent[i];
         const double p = w->saddle.rhs[w->active.slot_normal[i]];
-        w->impulses.slot[2 * i] = p;
-        w->impulses.slot[2 * i + 1] = w->active.slot_tangent[i] != PM_NONE
-                                          ? w->saddle.rhs[w->active.slot_tangent[i]]
-                                          : normal->slide * p;
-        pm_constraint_kind(normal->kind)->act(&w->frame, normal, &along);
-        memcpy(w->impulses.slot_direction + 4 * i, along.direction, sizeof along.direction);
-        pm_constraint_kind(tangent->kind)->act(&w->frame, tangent, &along);
-        memcpy(w->impulses.slot_direction + 4 * i + 2, along.direction, sizeof along.direction);
+        const double impulse[] = {p, tangent != PM_NONE ? w->saddle.rhs[tangent] : normal->slide * p};
+        pm_impact_end_record_contact(w, i, normal, tangent_of(w, i, &spare), impulse);
     }
 }
 

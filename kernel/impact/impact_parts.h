@@ -5,6 +5,7 @@
 #define PM_IMPACT_PARTS_H
 
 #include "elements/constraint.h"
+#include "impact/contact_course.h"
 #include "impact/contact_system.h"
 #include "impact/impact_course.h"
 #include "state/workspace.h"
@@ -29,9 +30,11 @@ typedef struct pm_blow {
     double *response;     /* [nq] scratch of impact_course.c */
     double approach;      /* m/s, greatest of what is struck */
     int ends_bounce;      /* a contact whose bounce is over is closed: what it was left with is rounding */
+    int followed;         /* the blow is that of impact_followed.c */
     int plastic;          /* without restitution */
     int equations;        /* one contact alone is solved as several are, not followed */
     pm_contact_system system; /* several contacts at once */
+    pm_contact_course course; /* the same where their blow is followed */
     struct {
         double *after, *slot; /* [nq], [2 nslot] */
     } elastic;                /* the blow with restitution, while the one without is found */
@@ -64,17 +67,35 @@ int pm_impact_trial_contacts(const pm_model *m, const pm_blow *b);
 /* The blow of all that is struck or rests, recorded.  PM_BLOW_UNDECIDED, PM_NOT_UNIQUE: where = contact; detail = its
  * coefficient of friction, how many contacts. */
 int pm_impact_together(pm_workspace *w, pm_blow *b);
+/* Lists what is struck or rests, opens it, and finds the response of its contacts and the velocities that they would have
+ * after a blow in which none of them takes part (b->system). */
+int pm_impact_list(pm_workspace *w, pm_blow *b);
+/* What the problem says where it has `n` motions, not one; `at`: the listed contact that it is said of. */
+int pm_impact_fail(pm_workspace *w, const pm_contact_system *x, int n, int at);
 /* A blow so slow that nothing could be seen of how its contacts part: all of them are held; *holds: whether it is one. */
 int pm_impact_hold_rocking(pm_workspace *w, pm_blow *b, int *holds);
 /* The blow that was found and recorded would gain energy: it is mixed with the one without restitution until it does not,
  * and counted (PM_COUNT_LIMITED_BLOWS). */
 int pm_impact_limit(pm_workspace *w, pm_blow *b);
 
+/* ---- impact_followed.c: several contacts whose blow is followed ---- */
+/* 1 if a listed contact has a law that is followed. */
+int pm_impact_is_followed(const pm_model *m, const pm_contact_system *x);
+/* The blow of what is listed, recorded.  As pm_impact_together; PM_UNSUPPORTED with massless bodies; PM_BLOW_SEVERAL where a
+ * contact has a restitution along it. */
+int pm_impact_follow_several(pm_workspace *w, pm_blow *b);
+/* Enters the blow, where it is one, into the counts, and its contacts, which are not among the active constraints, into the
+ * ledger of a jump from b->before. */
+void pm_impact_followed_close(pm_workspace *w, const pm_blow *b);
+
 /* ---- impact_end.c: what the blow that was found leaves ---- */
 /* The energy, J, that contacts give beyond rounding; 0 if they give none. */
 double pm_impact_end_gains(pm_workspace *w, const pm_blow *b);
 /* Its impulses, for measures (w->impulses). */
 void pm_impact_end_record(pm_workspace *w);
+/* Those of one contact, along its constraints. */
+void pm_impact_end_record_contact(pm_workspace *w, int slot, const pm_constraint *normal,
+                                  const pm_constraint *tangent, const double impulse[2]);
 /* Modes after it: the frame looks at the velocities after the blow. */
 void pm_impact_end_modes(pm_workspace *w, const pm_blow *b);
 

@@ -52,6 +52,17 @@ static void respond_free(pm_workspace *w, pm_contact_system *x)
     for (int i = 0; i < w->model->nq; i++) x->free[i] += w->state.v[i];
 }
 
+int pm_impact_list(pm_workspace *w, pm_blow *b)
+{
+    pm_contact_system *x = &b->system;
+    list(w, b, x);
+    const int status = pm_contact_system_respond(w, x);
+    if (status) return status;
+    respond_free(w, x);
+    pm_contact_system_friction(&w->frame, x);
+    return PM_OK;
+}
+
 /* A bounce that is over is closed, though rounding may have left it a speed. */
 static double restitution_rate(const pm_workspace *w, const pm_blow *b, int slot, double before, double now)
 {
@@ -74,7 +85,6 @@ static double slip_rate(const pm_workspace *w, const pm_blow *b, int slot, doubl
 
 static void pose(pm_workspace *w, const pm_blow *b, pm_contact_system *x)
 {
-    pm_contact_system_friction(&w->frame, x);
     for (int i = 0; i < x->problem.n; i++) {
         const pm_constraint *c[2] = {&x->normal[i], &x->tangent[i]};
         double before[2], now[2];
@@ -121,16 +131,16 @@ static void record(pm_workspace *w, const pm_blow *b)
 }
 
 /* No blow obeys the laws, or several do. */
-static int fail(pm_workspace *w, const pm_contact_system *x, int n)
+int pm_impact_fail(pm_workspace *w, const pm_contact_system *x, int n, int at)
 {
-    int status = n == 0 ? PM_BLOW_UNDECIDED : PM_NOT_UNIQUE, i = n == 0 ? 0 : x->problem.differs;
+    int status = n == 0 ? PM_BLOW_UNDECIDED : PM_NOT_UNIQUE;
     for (int k = 0; k < x->problem.n && n == 0; k++)
         if (x->problem.contact[k].friction == PM_FRICTION_ROUGH) {
             status = PM_ROUGH_IMPOSSIBLE;
-            i = k;
+            at = k;
         }
-    return pm_fail(&w->result, status, PM_TABLE_CONTACT, pm_contact_of_slot(w->model, x->slot[i]),
-                   x->problem.contact[i].rub, x->problem.n);
+    return pm_fail(&w->result, status, PM_TABLE_CONTACT, pm_contact_of_slot(w->model, x->slot[at]),
+                   x->problem.contact[at].rub, x->problem.n);
 }
 
 /* One blow of what is listed, with or without restitution, solved as a trial. */
@@ -138,13 +148,12 @@ static int solve(pm_workspace *w, pm_blow *b, int plastic)
 {
     pm_contact_system *x = &b->system;
     b->plastic = plastic;
-    list(w, b, x);
-    int status = pm_contact_system_respond(w, x);
+    int status = pm_impact_list(w, b);
     if (status) return status;
-    respond_free(w, x);
+    if (pm_impact_is_followed(w->model, x)) return pm_impact_follow_several(w, b);
     pose(w, b, x);
     const int n = pm_contact_problem_solve(&x->problem);
-    if (n != 1) return fail(w, x, n);
+    if (n != 1) return pm_impact_fail(w, x, n, n == 0 ? 0 : x->problem.differs);
     take_modes(b, x);
     status = solve_modes(w, b);
     if (!status) record(w, b);
@@ -263,6 +272,7 @@ int pm_impact_hold_rocking(pm_workspace *w, pm_blow *b, int *holds)
         if (b->share[i] != PM_STRUCK) b->share[i] = b->share[i] == PM_DROPPED ? PM_STRUCK : PM_JOINED;
     }
     b->equations = 1;
+    b->followed = 0;
     const int status = pm_impact_trial_solve(w, b);
     if (!status) pm_impact_end_record(w);
     return status;

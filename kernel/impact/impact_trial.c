@@ -81,22 +81,13 @@ int pm_impact_trial_contacts(const pm_model *m, const pm_blow *b)
     return n;
 }
 
-/* The slot that takes part alone and whose blow is to be followed; a law for one contact is refused where several take
- * part.  Pairs that were captured before are joints. */
-static int find_alone(const pm_model *model, pm_result *result, pm_blow *b)
+/* The slot that takes part alone and whose blow is to be followed, or PM_NONE.  Pairs that were captured before are joints. */
+static int find_alone(const pm_model *model, const pm_blow *b)
 {
-    int single = PM_NONE;
-    b->alone = PM_NONE;
-    for (int i = 0; i < model->nslot; i++) {
-        if (!takes_part(b, i)) continue;
-        if (pm_contact_law(model, pm_contact_of_slot(model, i)) != PM_LAW_NEWTON)
-            single = pm_contact_of_slot(model, i);
-        if (pm_impact_course_applies(model, i)) b->alone = i;
-    }
-    const int n = pm_impact_trial_contacts(model, b);
-    if (n == 1 && !b->equations) return PM_OK;
-    b->alone = PM_NONE;
-    return single == PM_NONE ? PM_OK : pm_fail(result, PM_BLOW_SEVERAL, PM_TABLE_CONTACT, single, n, 1);
+    int alone = PM_NONE;
+    for (int i = 0; i < model->nslot; i++)
+        if (takes_part(b, i) && pm_impact_course_applies(model, i)) alone = i;
+    return pm_impact_trial_contacts(model, b) == 1 && !b->equations ? alone : PM_NONE;
 }
 
 /* The constraints of contacts whose end is given: each normal carries its tangent with the ratio of its impulses.  1: none of
@@ -156,9 +147,9 @@ int pm_impact_trial_solve(pm_workspace *w, pm_blow *b)
 {
     int independent;
     memset(b->given, 0, (size_t)w->model->nslot * sizeof *b->given);
-    int status = find_alone(w->model, &w->result, b);
-    if (!status && b->alone != PM_NONE) status = follow_alone(w, b);
-    if (status) return status;
+    int status = PM_OK;
+    b->alone = find_alone(w->model, b);
+    if (b->alone != PM_NONE && (status = follow_alone(w, b))) return status;
     if (b->alone == PM_NONE) return (status = build(w, b)) ? status : respond(w, b);
     status = pm_impact_trial_solve_given(w, b, &independent);
     return status || independent ? status

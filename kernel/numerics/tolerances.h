@@ -186,6 +186,7 @@
 #define PM_PROBLEM_LARGEST 1e9 /* scaled load: beyond it the mode has no unique loads; larger: rounding is taken for loads */
 #define PM_PROBLEM_IMMOBILE 1e-14 /* of the contact's other response: nothing moves that way; larger: friction is left out */
 #define PM_PROBLEM_DEPENDS 1e-12 /* of its response: a rough tangent that others hold; larger: what holds is left out */
+#define PM_PROBLEM_SOUND 1e-8 /* scaled pivot: smaller, and loads are left out of the mean of those that are possible; larger: so are loads that are known */
 #define PM_PROBLEM_COUNTED 4 /* contacts: up to here all modes are tried and motions counted; more: 4 times dearer each */
 #define PM_PROBLEM_TRIES 8 /* of Lemke's method from other beginnings; more: fewer problems without a solution found, slower */
 #define PM_PROBLEM_TRIED 7 /* contacts: up to here all modes are tried where Lemke's method fails; likewise */
@@ -195,6 +196,9 @@
 #define PM_BLOW_NOTHING 1e-14 /* of its impulses at the scene's speed: a blow that moves no more is rounding itself; likewise */
 #define PM_COURSE_LOCKED 1e-13 /* of the normal response: what friction leaves of it where it holds the pair; larger: pairs that part are held */
 #define PM_COURSE_IMMOBILE 1e-14 /* of the normal response: along the tangent nothing moves; larger: friction is left out */
+#define PM_COURSE_ROUNDING 1e-12 /* of the greatest velocity of a blow: none; larger: approaches are passed over */
+#define PM_COURSE_COUNTED 5 /* contacts of a blow that is followed: up to here the order in the file decides nothing; more: 4 times dearer each */
+#define PM_COURSE_EVENTS 16 /* in the course of a blow, for each contact; more: one that does not end is found later */
 #define PM_ACTION_OPENING 1e-9 /* of the scene's size: a joint added that is open by more does not fit there; larger: it jumps */
 #define PM_ACTION_FITTED 1e-13 /* of the work: the impulse that does it is found; larger: less exact */
 #define PM_ACTION_FITS 32 /* tries to find it: the answer is linear but where contacts join or let go; more: slower */

@@ -207,8 +207,8 @@ _DESCRIPTIONS: dict[int, Any] = {
         'lower a restitution, or solve.impacts = "simultaneous"'
     ),
     layout.PM_BLOW_SEVERAL: lambda place, found, bound: (
-        f"{place}.law: it is for one contact at a time and {found:.0f} take part in a blow; "
-        'take law = "newton", or solve.impacts = "sequential"'
+        f"{place}.tangential: it is of the law newton, and in a blow of {found:.0f} contacts another one "
+        "follows poisson or stronge; give all the law newton, or leave it out"
     ),
     layout.PM_PENETRATION: lambda place, found, bound: (
         f"{place}: the two overlap by {abs(found):.4g} m{_here(place)}; move one of them"

@@ -208,7 +208,7 @@ def collect(
         counts=counts,
         found={name: value for one, result in runs for name, value in _found(one, result)},
         time=time if worst != layout.PM_OK and math.isfinite(time) else None,
-        notes=_notes(excess, counts["limited_blows"]),
+        notes=_notes(excess, counts),
         margin=_known(min, (result.trust[0, layout.PM_TRUST_MARGIN] for _, result in runs)),
         excess=excess,
     )
@@ -231,17 +231,25 @@ def _known(choose: Callable[[list[float]], float], numbers: Iterable[float]) -> 
     return None if not found or any(math.isnan(number) for number in found) else choose(found)
 
 
-def _notes(excess: float | None, limited: int) -> tuple[str, ...]:
+def _blows(count: int) -> str:
+    return f"{count} blows" if count > 1 else "a blow"
+
+
+def _notes(excess: float | None, counts: Mapping[str, int]) -> tuple[str, ...]:
     notes = []
     if excess is not None and excess > 1:
         notes.append(
             f"solve.accuracy was not reached: the greatest estimated error is {excess:.2g} times as large"
         )
-    if limited:
-        blows = f"{limited} blows" if limited > 1 else "a blow"
+    if counts["limited_blows"]:
         notes.append(
-            f"{blows} with friction would have gained energy by the law of restitution, which was lowered "
-            'until nothing is gained; law = "stronge" never gains at one contact'
+            f"{_blows(counts['limited_blows'])} with friction would have gained energy by the law of "
+            'restitution, which was lowered until nothing is gained; law = "stronge" never gains'
+        )
+    if counts["shared_blows"]:
+        notes.append(
+            f"{_blows(counts['shared_blows'])} by the laws poisson and stronge took several contacts at "
+            "once: how these share it is assumed, all are compressed and released at one pace"
         )
     return tuple(notes)
 

@@ -1,0 +1,320 @@
+/* contact_course.c - compression, restitution, and the events between which they are linear. */
+#include "impact/contact_course.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "numerics/dense.h"
+#include "numerics/tolerances.h"
+#include "planemotion.h"
+#include "state/state.h"
+
+#define UNLIMITED INFINITY
+
+int pm_contact_course_create(pm_contact_course *x, pm_arena *arena, int most)
+{
+    const size_t n = most, two = 2 * n;
+    const pm_array array[] = {
+        PM_ARRAY(x->contact, n),        PM_ARRAY(x->response, two * two),
+        PM_ARRAY(x->velocity, two),     PM_ARRAY(x->impulse, two),
+        PM_ARRAY(x->of, two),           PM_ARRAY(x->pivot, two),
+        PM_ARRAY(x->start, two),        PM_ARRAY(x->plastic, two),
+        PM_ARRAY(x->system, two * two),
+    };
+    int status = pm_arena_take(arena, PM_ARRAYS(array));
+    if (!status) status = pm_contact_problem_create(&x->stretch, arena, most);
+    x->stretch.counted = PM_COURSE_COUNTED;
+    return status;
+}
+
+static double times_row(const pm_contact_course *x, int row, const double *p)
+{
+    double sum = 0;
+    for (int k = 0; k < 2 * x->n; k++) sum += x->response[row * 2 * x->n + k] * p[k];
+    return sum;
+}
+
+/* A velocity that rounding has left. */
+static double clean(const pm_contact_course *x, double velocity)
+{
+    return fabs(velocity) <= PM_COURSE_ROUNDING * x->size ? 0 : velocity;
+}
+
+/* ---- at once ---- */
+/* Directions whose velocities are taken away before the course: slip of rough contacts, bounces that are over. */
+static int list_at_once(pm_contact_course *x)
+{
+    int m = 0;
+    for (int i = 0; i < x->n; i++) {
+        if (x->contact[i].is_spent && x->velocity[2 * i] > 0) x->of[m++] = 2 * i;
+        if (x->contact[i].friction.friction == PM_FRICTION_ROUGH && x->velocity[2 * i + 1] != 0)
+            x->of[m++] = 2 * i + 1;
+    }
+    return m;
+}
+
+/* W_dd q = -u_d.  One that depends on those before it goes with them. */
+static void take_at_once(pm_contact_course *x)
+{
+    const int n = 2 * x->n;
+    for (int m = list_at_once(x), dependent; m > 0; m--) {
+        for (int r = 0; r < m; r++)
+            for (int k = 0; k < m; k++) x->system[r * m + k] = x->response[x->of[r] * n + x->of[k]];
+        dependent = pm_dense_lu_factor(m, x->system, x->pivot);
+        if (dependent) {
+            memmove(x->of + dependent - 1, x->of + dependent, (size_t)(m - dependent) * sizeof *x->of);
+            continue;
+        }
+        for (int r = 0; r < m; r++) x->plastic[r] = -x->velocity[x->of[r]];
+        pm_dense_lu_solve(m, x->system, x->pivot, x->plastic);
+        for (int r = 0; r < m; r++) x->impulse[x->of[r]] = x->plastic[r];
+        for (int i = 0; i < n; i++) x->velocity[i] = clean(x, x->velocity[i] + times_row(x, i, x->impulse));
+        for (int r = 0; r < m; r++) x->velocity[x->of[r]] = 0;
+        return;
+    }
+}
+
+/* ---- one stretch ---- */
+static void set_pace(pm_course_contact *c, double normal, int compresses)
+{
+    if (compresses)
+        c->pace = normal < 0 ? -normal : 0;
+    else
+        c->pace = c->rebounds ? -c->restitution * c->before : 0;
+}
+
+/* The contacts that may push; how fast their normal velocities are to grow at least. */
+static void pose(pm_contact_course *x, int compresses)
+{
+    pm_contact_problem *s = &x->stretch;
+    s->n = 0;
+    for (int i = 0; i < x->n; i++) {
+        pm_course_contact *c = &x->contact[i];
+        const double *u = x->velocity + 2 * i;
+        set_pace(c, u[0], compresses);
+        memset(c->share, 0, sizeof c->share);
+        if (u[0] > 0 && c->pace == 0) continue;
+        pm_problem_contact *p = &s->contact[s->n];
+        *p = c->friction;
+        p->bias[0] = -c->pace;
+        p->bias[1] = 0;
+        if (p->friction == PM_FRICTION_COULOMB && fabs(u[1]) > x->no_slip) p->slips = u[1] > 0 ? 1 : -1;
+        x->of[s->n++] = i;
+    }
+    for (int r = 0; r < 2 * s->n; r++)
+        for (int k = 0; k < 2 * s->n; k++)
+            s->response[r * 2 * s->n + k] =
+                x->response[(2 * x->of[r / 2] + r % 2) * 2 * x->n + 2 * x->of[k / 2] + k % 2];
+}
+
+/* What closed contacts do is known exactly. */
+static void set_rates(pm_contact_course *x)
+{
+    const pm_contact_problem *s = &x->stretch;
+    for (int i = 0; i < x->n; i++)
+        for (int k = 0; k < 2; k++) {
+            double sum = 0;
+            for (int j = 0; j < 2 * x->n; j++)
+                sum += x->response[(2 * i + k) * 2 * x->n + j] * x->contact[j / 2].share[j % 2];
+            x->contact[i].rate[k] = sum;
+        }
+    for (int i = 0; i < s->n; i++) {
+        pm_course_contact *c = &x->contact[x->of[i]];
+        if (s->mode[i] == PM_OPEN) continue;
+        c->rate[0] = c->pace;
+        if (s->mode[i] == PM_STICK) c->rate[1] = 0;
+    }
+}
+
+static int find_rates(pm_contact_course *x, int compresses)
+{
+    pm_contact_problem *s = &x->stretch;
+    pose(x, compresses);
+    const int found = pm_contact_problem_solve(s);
+    if (found > 1) x->differs = x->of[s->differs];
+    if (found == 0 && s->n > 0) x->differs = x->of[0];
+    for (int i = 0; i < s->n && found == 1; i++) {
+        x->contact[x->of[i]].share[0] = fmax(0, s->load[2 * i]);
+        x->contact[x->of[i]].share[1] = s->load[2 * i + 1];
+    }
+    if (found == 1) set_rates(x);
+    return found;
+}
+
+/* ---- events ---- */
+static double until_none(double velocity, double rate)
+{
+    return velocity * rate < 0 ? -velocity / rate : UNLIMITED;
+}
+
+/* int (u + u' s) p ds = work */
+static double until_work(double u, double rate, double p, double work)
+{
+    if (p <= 0 || !(work > 0)) return work > 0 ? UNLIMITED : 0;
+    const double square = u * u + 2 * rate * work / p;
+    return square > 0 ? 2 * work / p / (u + sqrt(square)) : UNLIMITED;
+}
+
+/* When the restitution of a contact is over. */
+static double until_spent(const pm_course_contact *c, double normal)
+{
+    switch ((enum pm_law)c->law) {
+    case PM_LAW_NEWTON:
+        return c->rate[0] > 0 ? fmax(0, (-c->restitution * c->before - normal) / c->rate[0]) : UNLIMITED;
+    case PM_LAW_POISSON: return c->share[0] > 0 ? fmax(0, c->left[0] - c->load) / c->share[0] : UNLIMITED;
+    case PM_LAW_STRONGE: return until_work(normal, c->rate[0], c->share[0], c->left[1] - c->work);
+    case PM_LAWS: break;
+    }
+    return UNLIMITED;
+}
+
+static double until_slip_ends(const pm_course_contact *c, double slip)
+{
+    return c->friction.friction == PM_FRICTION_COULOMB ? until_none(slip, c->rate[1]) : UNLIMITED;
+}
+
+static double until_met(const pm_course_contact *c, double normal)
+{
+    return normal > 0 ? until_none(normal, c->rate[0]) : UNLIMITED;
+}
+
+/* How long velocities are linear: at the end of compression s = 1. */
+static double length(const pm_contact_course *x, int compresses)
+{
+    double s = compresses ? 1 : UNLIMITED;
+    for (int i = 0; i < x->n; i++) {
+        const pm_course_contact *c = &x->contact[i];
+        const double *u = x->velocity + 2 * i;
+        s = fmin(s, fmin(until_slip_ends(c, u[1]), until_met(c, u[0])));
+        if (c->rebounds) s = fmin(s, until_spent(c, u[0]));
+    }
+    return s;
+}
+
+/* Goes on by s; what ends there is zero, exactly. */
+static void go(pm_contact_course *x, double s)
+{
+    for (int i = 0; i < x->n; i++) {
+        pm_course_contact *c = &x->contact[i];
+        double *u = x->velocity + 2 * i;
+        const double p = c->share[0] * s;
+        const int slip_ends = until_slip_ends(c, u[1]) <= s, meets = until_met(c, u[0]) <= s;
+        if (c->rebounds && until_spent(c, u[0]) <= s) c->rebounds = 0;
+        c->work += p * (u[0] + 0.5 * c->rate[0] * s);
+        c->load += p;
+        x->impulse[2 * i] += p;
+        x->impulse[2 * i + 1] += c->share[1] * s;
+        u[0] = meets ? 0 : clean(x, u[0] + c->rate[0] * s);
+        u[1] = slip_ends ? 0 : u[1] + c->rate[1] * s;
+    }
+}
+
+/* ---- phases ---- */
+static int goes_on(const pm_contact_course *x, int compresses)
+{
+    for (int i = 0; i < x->n; i++)
+        if (compresses ? x->velocity[2 * i] < 0 : x->contact[i].rebounds) return 1;
+    return 0;
+}
+
+static int follow_phase(pm_contact_course *x, int compresses)
+{
+    const int most = PM_COURSE_EVENTS * (x->n + 1);
+    for (int i = 0; i < most; i++) {
+        if (!goes_on(x, compresses)) return 1;
+        const int found = find_rates(x, compresses);
+        if (found != 1) return found;
+        const double s = length(x, compresses);
+        if (!isfinite(s)) return 0;
+        go(x, s);
+    }
+    return 0;
+}
+
+static void begin_restitution(pm_contact_course *x)
+{
+    memcpy(x->plastic, x->impulse, 2 * (size_t)x->n * sizeof *x->impulse);
+    for (int i = 0; i < x->n; i++) {
+        pm_course_contact *c = &x->contact[i];
+        const double e = c->restitution;
+        c->rebounds = e > 0 && c->before < 0 && c->load > 0;
+        c->left[0] = e * c->load;
+        c->left[1] = -e * e * c->work;
+        c->load = c->work = 0;
+    }
+}
+
+/* ---- energy ---- */
+/* What impulses p give, p u + p W p/2, u before; beyond rounding. */
+static double given(const pm_contact_course *x, const double *p)
+{
+    double sum = 0, size = 0;
+    for (int i = 0; i < 2 * x->n; i++) {
+        const double change = times_row(x, i, p);
+        sum += p[i] * (x->start[i] + 0.5 * change);
+        size += fabs(p[i]) * (fabs(x->start[i]) + fabs(change));
+    }
+    return fabs(sum) <= PM_BLOW_ROUNDING * size ? 0 : sum;
+}
+
+/* The largest k <= 1 for which plastic + k (impulse - plastic) gives nothing: c + b k + a k^2. */
+static double share_of(const pm_contact_course *x)
+{
+    double a = 0, b = 0;
+    for (int i = 0; i < 2 * x->n; i++) {
+        const double more = x->impulse[i] - x->plastic[i];
+        b += more * (x->start[i] + times_row(x, i, x->plastic));
+        a += 0.5 * more * (times_row(x, i, x->impulse) - times_row(x, i, x->plastic));
+    }
+    const double none = given(x, x->plastic), root = sqrt(fmax(0, b * b - 4 * a * none));
+    if (!(none < 0)) return 0;
+    return fmin(1, b > 0 ? -2 * none / (b + root) : (root - b) / (2 * a));
+}
+
+static void limit(pm_contact_course *x)
+{
+    x->limited = given(x, x->impulse) > 0;
+    if (!x->limited) return;
+    const double k = share_of(x);
+    for (int i = 0; i < 2 * x->n; i++) x->impulse[i] = k * x->impulse[i] + (1 - k) * x->plastic[i];
+    for (int i = 0; i < 2 * x->n; i++) x->velocity[i] = clean(x, x->start[i] + times_row(x, i, x->impulse));
+}
+
+int pm_contact_course_follow(pm_contact_course *x)
+{
+    const int n = 2 * x->n;
+    x->limited = 0;
+    x->differs = PM_NONE;
+    x->size = 0;
+    memset(x->impulse, 0, (size_t)n * sizeof *x->impulse);
+    for (int i = 0; i < n; i++) x->size = fmax(x->size, fabs(x->velocity[i]));
+    for (int i = 1; i < n; i += 2)
+        if (fabs(x->velocity[i]) <= x->no_slip) x->velocity[i] = 0;
+    memcpy(x->start, x->velocity, (size_t)n * sizeof *x->start);
+    take_at_once(x);
+    for (int i = 0; i < x->n; i++) {
+        pm_course_contact *c = &x->contact[i];
+        c->before = x->start[2 * i];
+        c->load = c->work = 0;
+        c->rebounds = 0;
+    }
+    int found = follow_phase(x, 1);
+    if (found != 1) return found;
+    begin_restitution(x);
+    if ((found = follow_phase(x, 0)) == 1) limit(x);
+    return found;
+}
+
+int pm_contact_course_is_shared(const pm_contact_course *x)
+{
+    const int n = 2 * x->n;
+    for (int i = 0; i < x->n; i++)
+        for (int k = 0; k < i; k++) {
+            const double both = x->response[2 * i * n + 2 * k];
+            const double own = x->response[2 * i * (n + 1)] * x->response[2 * k * (n + 1)];
+            if (x->impulse[2 * i] > 0 && x->impulse[2 * k] > 0 &&
+                both * both > PM_COURSE_ROUNDING * PM_COURSE_ROUNDING * own)
+                return 1;
+        }
+    return 0;
+}

@@ -1,0 +1,16 @@
+/* contact_problem_parts.h - the scaled problem, as its two methods share it. */
+#ifndef PM_CONTACT_PROBLEM_PARTS_H
+#define PM_CONTACT_PROBLEM_PARTS_H
+
+#include "impact/contact_problem.h"
+
+/* A contact that never has a tangential load. */
+int pm_problem_is_smooth(const pm_problem_contact *c);
+/* Coefficient of friction mu of contact i in the scaled problem. */
+double pm_problem_friction(const pm_contact_problem *x, int i, double mu);
+/* Loads and rates of the modes in x->trial; 1 if all inequalities hold. */
+int pm_problem_trial_holds(pm_contact_problem *x);
+/* Finds modes that hold, in x->trial; 0 if it does not. */
+int pm_problem_lemke(pm_contact_problem *x);
+
+#endif

@@ -1,0 +1,117 @@
+/* impact_followed.c - several contacts in one blow that is followed in its impulses (contact_course.h): what the laws of Poisson
+ * and Stronge need.
+ *
+ * Compression and restitution of rigid contacts leave open how fast one contact is compressed beside another, and with it how
+ * they share the blow.  Here all go at one pace: velocities of approach fall in proportion to what they are, velocities of
+ * separation grow in proportion to what restitution asks for, unless other contacts move the pair apart faster.  No stiffness
+ * enters, no order and no mirror.  What rests is held while it is pressed.  Blows that this decides are counted
+ * (PM_COUNT_SHARED_BLOWS). */
+#include <math.h>
+#include <string.h>
+
+#include "elements/contact.h"
+#include "equations/ledger.h"
+#include "equations/saddle.h"
+#include "events/event.h"
+#include "events/last_bounce.h"
+#include "impact/impact_parts.h"
+#include "state/frame.h"
+#include "state/workspace.h"
+
+int pm_impact_is_followed(const pm_model *m, const pm_contact_system *x)
+{
+    for (int i = 0; i < x->problem.n; i++)
+        if (pm_contact_law(m, pm_contact_of_slot(m, x->slot[i])) != PM_LAW_NEWTON) return 1;
+    return 0;
+}
+
+/* What such a blow cannot have. */
+static int check(pm_workspace *w, const pm_contact_system *x)
+{
+    for (int i = 0; i < x->problem.n; i++) {
+        const int contact = pm_contact_of_slot(w->model, x->slot[i]);
+        if (w->numbers.massless)
+            return pm_fail(&w->result, PM_UNSUPPORTED, PM_TABLE_CONTACT, contact, NAN, NAN);
+        if (PM_CONTACT_ROW(w->model, contact)[PM_CONTACT_TANGENTIAL] != PM_NONE)
+            return pm_fail(&w->result, PM_BLOW_SEVERAL, PM_TABLE_CONTACT, contact, x->problem.n, 1);
+    }
+    return PM_OK;
+}
+
+static const pm_constraint *direction(const pm_contact_system *x, int i)
+{
+    return i % 2 == 0 ? &x->normal[i / 2] : &x->tangent[i / 2];
+}
+
+static void pose(const pm_workspace *w, const pm_blow *b, const pm_contact_system *x, pm_contact_course *c)
+{
+    const int n = 2 * x->problem.n;
+    c->n = x->problem.n;
+    c->no_slip = pm_contact_speed(&w->frame);
+    memcpy(c->response, x->problem.response, (size_t)n * n * sizeof *c->response);
+    for (int i = 0; i < n; i++)
+        c->velocity[i] = pm_constraint_times(&w->frame, direction(x, i), x->free) - direction(x, i)->rate;
+    for (int i = 0; i < c->n; i++) {
+        const int contact = pm_contact_of_slot(w->model, x->slot[i]);
+        const int struck = b->share[x->slot[i]] == PM_STRUCK || b->share[x->slot[i]] == PM_DROPPED;
+        const double u = c->velocity[2 * i];
+        c->contact[i] = (pm_course_contact){
+            .friction = x->problem.contact[i],
+            .law = pm_contact_law(w->model, contact),
+            .restitution = struck && u < 0 ? pm_last_bounce_restitution(w, contact, u) : 0,
+            .is_spent = w->event->spent[contact],
+        };
+    }
+}
+
+/* Velocities after the blow, and the impulses of joints, with the impulses that were found. */
+static int apply(pm_workspace *w, pm_blow *b, pm_contact_system *x, const double *impulse)
+{
+    memset(x->force, 0, (size_t)w->model->nq * sizeof *x->force);
+    for (int i = 0; i < 2 * x->problem.n; i++) {
+        const pm_constraint *along = direction(x, i);
+        for (int p = 0; p < 2; p++)
+            for (int k = 0; k < 3 && along->body[p] != w->model->nbody; k++)
+                x->force[3 * along->body[p] + k] += impulse[i] * along->j[3 * p + k];
+    }
+    for (int i = 0; i < w->active.n; i++) w->saddle.wanted[i] = -pm_impact_trial_rate(w, i);
+    const int status = pm_saddle_respond(w, x->force, b->after);
+    for (int i = 0; i < w->model->nq && !status; i++) b->after[i] += w->state.v[i];
+    return status;
+}
+
+static void record(pm_workspace *w, pm_blow *b, const pm_contact_system *x, const double *impulse)
+{
+    pm_impact_end_record(w);
+    for (int i = 0; i < x->problem.n; i++) {
+        const int slot = x->slot[i], pushes = impulse[2 * i] > 0;
+        const int struck = b->share[slot] == PM_STRUCK || b->share[slot] == PM_DROPPED;
+        b->share[slot] = struck ? (pushes ? PM_STRUCK : PM_DROPPED) : pushes ? PM_JOINED : PM_OUT;
+        pm_impact_end_record_contact(w, slot, &x->normal[i], &x->tangent[i], impulse + 2 * i);
+    }
+}
+
+int pm_impact_follow_several(pm_workspace *w, pm_blow *b)
+{
+    pm_contact_system *x = &b->system;
+    pm_contact_course *c = &b->course;
+    int status = check(w, x);
+    if (status) return status;
+    pose(w, b, x, c);
+    const int n = pm_contact_course_follow(c);
+    if (n != 1) return pm_impact_fail(w, x, n, c->differs == PM_NONE ? 0 : c->differs);
+    if ((status = apply(w, b, x, c->impulse))) return status;
+    record(w, b, x, c->impulse);
+    b->followed = 1;
+    return PM_OK;
+}
+
+void pm_impact_followed_close(pm_workspace *w, const pm_blow *b)
+{
+    const pm_contact_system *x = &b->system;
+    if (!b->followed) return;
+    for (int i = 0; i < 2 * x->problem.n; i++)
+        pm_ledger_contact(w, direction(x, i), b->course.impulse[i], b->before);
+    w->result.count[PM_COUNT_SHARED_BLOWS] += pm_contact_course_is_shared(&b->course);
+    w->result.count[PM_COUNT_LIMITED_BLOWS] += b->course.limited;
+}
