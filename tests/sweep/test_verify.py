@@ -10,8 +10,9 @@ import h5py
 import pytest
 
 from planemotion import StudyError, load_text
-from planemotion.base.checksums import faults_of
+from planemotion.base.checksums import faults_of, require_sound
 from planemotion.engine import call, history
+from planemotion.pictures.sweep import open_sweep
 from planemotion.sweep.run import sweep_files
 from planemotion.sweep.verify import verify
 from tests.scenes.pendulum import RELEASED
@@ -160,3 +161,38 @@ def test_a_recorded_run_is_verified(tmp_path: Path) -> None:
     with h5py.File(path, "r+") as file:
         file["AB.omega"][3] += 1e-12
     assert faults(path) == ["AB.omega: not what was written"]
+
+
+def read_all(path: Path) -> None:
+    """All that `plot` reads, without the picture, which takes longer."""
+    require_sound(path)
+    if history.is_history(path):
+        history.read(path)
+    else:
+        open_sweep(path).close()
+
+
+@pytest.mark.parametrize("kind", ["sweep", "history"])
+def test_no_damaged_file_is_drawn(kind: str, result: Path) -> None:
+    """With its checksums, and as an earlier version wrote it: drawn, or told, never anything else."""
+    path = result
+    if kind == "history":
+        path = result.with_name("run.h5")
+        flat = load_text(RELEASED).tables()[0]
+        history.write(path, {"": call.trace(flat, flat.defaults)}, {"id": "x"})
+    for sealed in (True, False):
+        if not sealed:
+            with h5py.File(path, "r+") as file:
+                del file.attrs["checksums"]
+        sound, chosen, told = path.read_bytes(), random.Random(18), 0
+        for _ in range(40):
+            damaged = bytearray(sound)
+            for _ in range(3):
+                damaged[chosen.randrange(min(12_000, len(sound)))] ^= 1 << chosen.randrange(8)
+            path.write_bytes(damaged)
+            try:
+                read_all(path)
+            except StudyError:
+                told += 1
+        assert told > 5
+        path.write_bytes(sound)

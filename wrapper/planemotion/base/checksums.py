@@ -8,7 +8,8 @@ from __future__ import annotations
 import hashlib
 import json
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -16,8 +17,12 @@ import h5py
 import numpy as np
 
 from .bounded import require_file
+from .errors import StudyError
 
 CHECKSUMS = "checksums"
+# Faults that a message names.
+_SHOWN = 5
+_WITHOUT = "it has no checksums: an earlier version wrote it, or it is no result"
 # Numbers that are read at once.
 _PIECE = 1 << 20
 # How HDF5 files hold together, and not what was written into them.
@@ -36,7 +41,7 @@ def faults_of(path: Path) -> list[str]:
         require_file(path)
         with h5py.File(path, "r") as file:
             if CHECKSUMS not in file.attrs:
-                return ["it has no checksums: an earlier version wrote it, or it is no result"]
+                return [_WITHOUT]
             wanted = json.loads(file.attrs[CHECKSUMS])
             found = dict(_checksums(file))
     except Exception as error:  # there is nothing that HDF5 does not say of a damaged file
@@ -48,6 +53,25 @@ def faults_of(path: Path) -> list[str]:
         for name in [*wanted, *(name for name in found if name not in wanted)]
         if wanted.get(name) != found.get(name)
     ]
+
+
+def require_sound(path: Path) -> None:
+    """Raises StudyError for an HDF5 file that is not what was written; one without checksums passes."""
+    with suppress(OSError):  # whoever opens what is no such file says so
+        require_file(path)
+        if not h5py.is_hdf5(path):
+            return
+        faults = faults_of(path)
+        if faults and faults != [_WITHOUT]:
+            raise StudyError(
+                f"{path}: this result is damaged: {in_short(faults)}. Remove it to compute it again"
+            )
+
+
+def in_short(faults: Sequence[str]) -> str:
+    """The first faults of several, for a message."""
+    more = [f"and {len(faults) - _SHOWN} more"] if len(faults) > _SHOWN else []
+    return "; ".join([*faults[:_SHOWN], *more])
 
 
 def _checksums(file: h5py.File) -> Iterator[tuple[str, str]]:

@@ -19,6 +19,7 @@ from typing import Any
 import numpy as np
 
 from ..base.arrays import Floats
+from ..base.bounded import require_file
 from ..base.errors import StudyError
 from .kernel import status_name
 from .outcome import History
@@ -80,9 +81,10 @@ def is_history(path: Path) -> bool:
     import h5py
 
     try:
+        require_file(path)
         with h5py.File(path, "r") as file:
             return bool(file.attrs.get("kind", "") == _KIND)
-    except OSError:
+    except (OSError, KeyError, RuntimeError):
         return False
 
 
@@ -95,7 +97,7 @@ def read(path: Path) -> tuple[dict[str, History], dict[str, Any]]:
             groups = {name: item for name, item in file.items() if isinstance(item, h5py.Group)}
             runs = {name: _read_run(group) for name, group in (groups or {"": file}).items()}
             return runs, dict(file.attrs)
-    except (OSError, KeyError) as error:
+    except Exception as error:  # there is nothing that HDF5 does not say of a damaged file
         raise StudyError(f"{path}: cannot be read: {error}") from error
 
 

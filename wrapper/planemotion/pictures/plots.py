@@ -8,6 +8,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+from ..base.checksums import require_sound
 from ..engine.history import is_history
 from ..engine.history import read as read_history
 from ..pen.page import save, style
@@ -22,6 +23,7 @@ def plot(result: str | os.PathLike[str], out: str | os.PathLike[str] | None = No
     """
     source = Path(result)
     target = source.with_suffix(".png") if out is None else Path(out)
+    require_sound(source)
     with style():
         if is_history(source):
             runs, attributes = read_history(source)

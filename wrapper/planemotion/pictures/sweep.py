@@ -49,7 +49,7 @@ def open_sweep(path: Path) -> xr.Dataset:
         raise StudyError(f"{path}: there is no such file")
     try:
         dataset = xr.open_dataset(path, engine="h5netcdf")
-    except (OSError, ValueError) as error:
+    except Exception as error:  # there is nothing that HDF5 does not say of a damaged file
         raise StudyError(f"{path}: is no result of a sweep or a run: {error}") from error
     if "parameters" not in dataset.attrs or "status" not in dataset:
         dataset.close()

@@ -32,7 +32,7 @@ from typing import Any, Self
 import h5py
 
 from ..base.bounded import read_bytes, require_file
-from ..base.checksums import faults_of
+from ..base.checksums import require_sound
 from ..base.errors import StudyError
 from ..base.files import appearing, disk_errors, sync_folder
 from .block import Block
@@ -46,8 +46,6 @@ _PART = re.compile(rf"part-(\d+)-(\d+)-([0-9a-f]{{{_CHECKSUM_DIGITS}}})\.npy")
 _SLAB_CASES = 65536
 _MOST_MANIFEST = 100_000_000  # bytes
 _SLAB_BYTES = 1 << 25
-# Variables of a damaged result that a message names.
-_FAULTS_SHOWN = 5
 
 
 class OutputLock:
@@ -169,10 +167,7 @@ class SweepStore:
             self._refuse_old_results()
         if self.result.exists():
             self._compare(_manifest_of_result(self.result), self.result)
-            if faults := faults_of(self.result):
-                raise StudyError(
-                    f"{self.result}: this result is damaged: {_few(faults)}. Remove it to compute it again"
-                )
+            require_sound(self.result)
             self.finished = True
         elif self.parts_folder.exists():
             self._open_parts()
@@ -372,11 +367,6 @@ def _different_lines(old: Sequence[str], new: Sequence[str], name: str) -> Itera
             yield f"{name} with the line `{line}`"
     if sorted(old) == sorted(new) and old != new:
         yield f"{name} in another order"
-
-
-def _few(faults: Sequence[str]) -> str:
-    more = [f"and {len(faults) - _FAULTS_SHOWN} more"] if len(faults) > _FAULTS_SHOWN else []
-    return "; ".join([*faults[:_FAULTS_SHOWN], *more])
 
 
 def _shown(value: object) -> str:
