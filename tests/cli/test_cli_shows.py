@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 
+from planemotion.base import bounded
 from planemotion.cli.main import main
 from tests.cli.calls import TORN, invoke, left_in, write
 from tests.scenes.pendulum import RELEASED
@@ -122,3 +124,17 @@ def test_check_verifies_a_result_and_a_folder(folder: Path) -> None:
     assert "o/pendulum.csv: it is not the table of pendulum.h5" in done.stderr
     Path("empty").mkdir()
     assert "empty: there is no result (*.h5) in this folder" in invoke("check", "empty").stderr
+
+
+def test_a_pipe_that_nobody_writes_hangs_no_command(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(bounded, "_PATIENCE", 0.2)
+    os.mkfifo("pipe")
+    Path("o").mkdir()
+    os.mkfifo("o/pipe.h5")
+    for call in (("check", "pipe"), ("explain", "pipe"), ("run", "pipe"), ("draw", "pipe")):
+        done = invoke(*call)
+        assert done.exit_code == 2
+        assert "pipe: cannot be read: nothing was written into it for 0.2 s" in done.stderr
+    assert "pipe: there is no such file" in invoke("plot", "pipe").stderr
+    assert "pipe.h5: it cannot be read: " in invoke("check", "o").stderr
+    assert "pipe: cannot be read" in invoke("sweep", "pipe", "--out", "o").stderr

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
+from ..base.bounded import require_file
 from ..base.checksums import faults_of
 from ..base.errors import StudyError
 from .store import part_faults
@@ -27,8 +28,9 @@ def is_result(path: Path) -> bool:
     if path.is_dir() or path.suffix == ".h5":
         return True
     try:
+        require_file(path)
         with open(path, "rb") as file:
-            return path.is_file() and file.read(len(_SIGNATURE)) == _SIGNATURE
+            return file.read(len(_SIGNATURE)) == _SIGNATURE
     except OSError:
         return False
 
