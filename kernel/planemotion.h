@@ -33,7 +33,7 @@ enum pm_status {
         10, /* a route in time was asked for and no time passes; all answers stand: where = setting */
     PM_NOT_UNIQUE =
         11, /* laws of contact allow several motions: where = contact that tells them apart; detail =
-                           its coefficient of friction, contacts that take part */
+                           its coefficient of friction, contacts that take part; or where = trigger whose load is not unique */
     PM_PAINLEVE = 12,         /* no motion obeys the laws of contact without a blow: where, detail likewise */
     PM_ROUGH_IMPOSSIBLE = 13, /* the same where a contact that may not slip takes part */
     PM_LIMIT_CPU = 14,        /* max_cpu reached: detail = the limit */
@@ -96,10 +96,17 @@ enum pm_reason {
     PM_REASON_NOT_REACHED = 1, /* the instant did not come */
     PM_REASON_UNDEFINED = 2, /* the expression has no value at some instant (a ratio to a force <= 0, 0/0) */
     PM_REASON_FAILED = 3,    /* the run failed */
-    PM_REASON_INFINITE = 4   /* it grows without bound: the count of blows that add up in finite time, 1/0 */
+    PM_REASON_INFINITE = 4,  /* it grows without bound: the count of blows that add up in finite time, 1/0 */
+    PM_REASON_SHARED = 5     /* it is not unique: redundant constraints share it, and nothing tells how */
 };
 
 /* ---- settings ----------------------------------------------------------------------------------------------- */
+/* Reactions and impulses that are not unique: constraints depend on each other. */
+enum pm_shared_setting {
+    PM_SHARED_NONE = 0,  /* they have no number (PM_REASON_SHARED) */
+    PM_SHARED_LEAST = 1, /* those with the least sum of squares that the contacts allow */
+    PM_SHARED_SETTINGS = 2
+};
 enum pm_route {
     PM_ROUTE_AUTO = 0,    /* each phase by the cheapest route that is exact enough */
     PM_ROUTE_RK = 1,      /* smooth motion in time: explicit, 8th order */
@@ -128,7 +135,8 @@ enum pm_setting_column {
     PM_SETTING_ESTIMATE = 9,      /* 1: errors and margins are estimated, by further passes of the case */
     PM_SETTING_SIMULTANEOUS = 10, /* enum pm_simultaneous */
     PM_SETTING_MAX_CPU = 11, /* value index, s of computing time of a case with all its passes; or PM_NONE */
-    PM_SETTING_COLUMNS = 12
+    PM_SETTING_SHARED = 12,  /* enum pm_shared_setting */
+    PM_SETTING_COLUMNS = 13
 };
 
 /* ---- finds ----------------------------------------------------------------------------------------------------
@@ -266,11 +274,12 @@ enum pm_phase_column {
     PM_PHASE_COLUMNS = 15
 };
 /* Runs one case as pm_trace does and reports its phases: phase[cap][PM_PHASE_COLUMNS], time[cap] of their begins, s
- * (not a number where the time is not computed); needed[1]: rows wanted.  most > 0: stops as the phase of that number
+ * (not a number where the time is not computed); needed[1]: rows wanted; joint[cap][njoint], contact[cap][ncontact], 0 before: as pm_check says.  most > 0: stops as the phase of that number
  * begins (its row is there).  Returns a status of the case; PM_CANCELLED where it was stopped. */
 int pm_phases(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t nparam,
               const double *param, const int32_t *stop, int64_t most, int64_t cap, int32_t *phase,
-              double *time, int64_t *needed, int32_t *where, double *detail);
+              double *time, int64_t njoint, int32_t *joint, int64_t ncontact, int32_t *contact,
+              int64_t *needed, int32_t *where, double *detail);
 
 /* Which rows of table `of` the answers of the scene depend on: needed[nconstraint], 1 or 0.  A run leaves the others out
  * (a trace and a check do not).  Returns PM_OK, PM_BAD_TABLE or PM_NO_MEMORY. */
@@ -284,10 +293,12 @@ int pm_rule_text(int rule, int64_t ntext, int8_t *text);
 int pm_route_text(int route, int64_t ntext, int8_t *text);
 
 /* Assembles the start of one case: info[PM_CHECK_COLUMNS], number[PM_CHECK_NUMBERS], pose[nbody][3] (x, y, angle),
- * velocity[nbody][3].  Returns a status of the case. */
+ * velocity[nbody][3]; joint[njoint], contact[ncontact], 0 before: the number of the group of joints and contacts that share
+ * their loads since some of them are redundant, or 0.  Returns a status of the case. */
 int pm_check(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t nparam,
              const double *param, const int32_t *stop, int32_t *info, double *number, int64_t nbody,
-             double *pose, double *velocity, int32_t *where, double *detail);
+             double *pose, double *velocity, int64_t njoint, int32_t *joint, int64_t ncontact,
+             int32_t *contact, int32_t *where, double *detail);
 
 /* Text of a status, at most ntext-1 characters and a zero; returns its length. */
 int pm_status_text(int status, int64_t ntext, int8_t *text);

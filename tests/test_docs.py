@@ -10,7 +10,7 @@ import planemotion
 from tests import ROOT
 
 LAWS = re.findall(r"```toml\n(.*?)```", (ROOT / "docs/impact_laws.md").read_text(encoding="utf-8"), re.DOTALL)
-KANE, CRADLE = LAWS
+KANE, CRADLE, BEAM = LAWS
 
 
 def test_kanes_paradox() -> None:
@@ -27,3 +27,12 @@ def test_the_cradle() -> None:
     assert (together.v1, together.v2, together.v3) == pytest.approx((-1 / 3, 2 / 3, 2 / 3), abs=1e-12)
     in_turn = planemotion.load_text(CRADLE + '[solve]\nimpacts = "sequential"\n').run()
     assert (in_turn.v1, in_turn.v2, in_turn.v3) == pytest.approx((0, 0, 1), abs=1e-12)
+
+
+def test_the_beam_on_three_supports() -> None:
+    least = planemotion.load_text(BEAM).run()
+    assert least.asks["at_a"].value == pytest.approx(98.1 * 11 / 26, rel=1e-11)
+    without = planemotion.load_text(BEAM.replace('"least"', '"none"')).run()
+    assert without.asks["at_a"].value is None
+    for result in (least, without):
+        assert result.asks["all"].value == pytest.approx(98.1, rel=1e-11)

@@ -88,7 +88,7 @@ static double load(const pm_workspace *w, int k, const double *x)
     double sum = 0;
     for (int i = first; i < first + n; i++) {
         const int active = w->active.of_joint[i];
-        if (active != PM_NONE) sum = hypot(sum, x[active]);
+        if (active >= 0) sum = hypot(sum, x[active]);
     }
     return sum;
 }
@@ -112,9 +112,8 @@ double pm_joint_friction_of_joint(const pm_workspace *w, int joint, pm_constrain
     for (int k = 0; k < w->model->nfriction; k++) {
         if (joint_of(&w->frame, k) != joint) continue;
         pm_joint_friction_constraint(&w->frame, k, c);
-        return w->active.friction_constraint[k] == PM_NONE
-                   ? sliding(w, k)
-                   : w->frame.lambda[w->active.friction_constraint[k]];
+        return w->active.friction_constraint[k] == PM_NONE ? sliding(w, k)
+                                                           : pm_reaction(w, w->active.friction_constraint[k]);
     }
     return 0;
 }
@@ -207,7 +206,7 @@ void pm_joint_friction_stops(const pm_frame *frame, pm_state *state, int k) { ho
 int pm_joint_friction_overcome(pm_workspace *w, double slack)
 {
     for (int k = 0; k < w->model->nfriction; k++) {
-        if (w->state.friction[k] != PM_STICK || w->active.friction_constraint[k] == PM_NONE) continue;
+        if (w->state.friction[k] != PM_STICK || w->active.friction_constraint[k] < 0) continue;
         const int rotates = pm_joint_of(w->model, joint_of(&w->frame, k))->slip == PM_CONSTRAINT_RATIO;
         const double needed = fabs(w->frame.lambda[w->active.friction_constraint[k]]),
                      limit = pm_joint_friction_limit(w, k);

@@ -65,18 +65,18 @@ double pm_measured_contact_slip(const pm_measure_args *x)
 static double slot_normal(const pm_workspace *w, int slot)
 {
     if (w->state.slot[slot].mode == PM_CAPTURED) return NAN;
-    const int active = w->active.slot_normal[slot];
-    return active == PM_NONE ? 0 : w->frame.lambda[active];
+    return pm_reaction(w, w->active.slot_normal[slot]);
 }
 
 static double slot_friction(const pm_workspace *w, int slot)
 {
-    const int active = w->active.slot_tangent[slot];
+    const int tangent = w->active.slot_tangent[slot], normal = w->active.slot_normal[slot];
     if (w->state.slot[slot].mode == PM_CAPTURED) return NAN;
-    if (active != PM_NONE) return w->frame.lambda[active];
-    return w->active.slot_normal[slot] == PM_NONE
-               ? 0
-               : w->active.constraint[w->active.slot_normal[slot]].slide * slot_normal(w, slot);
+    if (tangent != PM_NONE) return pm_reaction(w, tangent);
+    if (normal == PM_NONE) return 0;
+    const double slide = normal >= 0 ? w->active.constraint[normal].slide
+                                     : w->active.redundant[PM_REDUNDANT_PLACE(normal)].slide;
+    return slide * slot_normal(w, slot);
 }
 
 double pm_measured_contact_normal(const pm_measure_args *x)
@@ -115,8 +115,7 @@ static double side_of(const pm_measure_args *x)
 
 static double held_force(const pm_workspace *w, int slot, int axis)
 {
-    const int active = w->active.slot_held[PM_JOINT_CONSTRAINTS * slot + axis];
-    return active == PM_NONE ? 0 : w->frame.lambda[active];
+    return pm_reaction(w, w->active.slot_held[PM_JOINT_CONSTRAINTS * slot + axis]);
 }
 
 static void add_constraint(const pm_measure_args *x, const pm_constraint *c, double force, double out[2])

@@ -29,8 +29,13 @@ static void add_reaction(const pm_measure_args *x, const pm_constraint *c, doubl
     out[2] += size * along.couple[on];
 }
 
-/* Sum over the constraints of a joint of its reaction times what a unit of it does. */
-static void joint_sum(const pm_measure_args *x, const double *reaction, int by_active, double out[3])
+static const pm_constraint *constraint_at(const pm_workspace *w, int place)
+{
+    return place >= 0 ? &w->active.constraint[place] : &w->active.redundant[PM_REDUNDANT_PLACE(place)];
+}
+
+/* Sum over the constraints of a joint of its reaction, or impulse[], times what a unit of it does. */
+static void joint_sum(const pm_measure_args *x, const double *impulse, double out[3])
 {
     const pm_model *m = x->w->model;
     const int first = m->joint_constraint[x->a], last = x->a + 1 < m->rows[PM_TABLE_JOINT]
@@ -39,40 +44,37 @@ static void joint_sum(const pm_measure_args *x, const double *reaction, int by_a
     const int on = partner_of(x);
     out[0] = out[1] = out[2] = 0;
     for (int i = first; i < last && on != PM_NONE; i++) {
-        const int active = x->w->active.of_joint[i];
-        if (active == PM_NONE) continue;
-        add_reaction(x, &x->w->active.constraint[active], reaction[by_active ? active : i], on, out);
+        const int place = x->w->active.of_joint[i];
+        if (place == PM_NONE) continue;
+        add_reaction(x, constraint_at(x->w, place), impulse ? impulse[i] : pm_reaction(x->w, place), on, out);
     }
     pm_constraint slip;
-    const double friction = by_active ? pm_joint_friction_of_joint(x->w, x->a, &slip) : 0;
+    const double friction = impulse ? 0 : pm_joint_friction_of_joint(x->w, x->a, &slip);
     if (friction != 0 && on != PM_NONE) add_reaction(x, &slip, friction, on, out);
 }
 
 void pm_measured_joint_force(const pm_measure_args *x, double out[2])
 {
     double sum[3];
-    joint_sum(x, x->w->frame.lambda, 1, sum);
+    joint_sum(x, NULL, sum);
     memcpy(out, sum, 2 * sizeof *out);
 }
 double pm_measured_joint_couple(const pm_measure_args *x)
 {
     double sum[3];
-    joint_sum(x, x->w->frame.lambda, 1, sum);
+    joint_sum(x, NULL, sum);
     return sum[2];
 }
 void pm_measured_joint_impulse(const pm_measure_args *x, double out[2])
 {
     double sum[3];
-    joint_sum(x, x->w->impulses.joint, 0, sum);
+    joint_sum(x, x->w->impulses.joint, sum);
     memcpy(out, sum, 2 * sizeof *out);
 }
-/* Not unique where a constraint is redundant; the two strands of a belt depend on each other. */
 static double constraint_reaction(const pm_measure_args *x, int row)
 {
-    const int *active = x->w->active.of_joint + x->w->model->joint_constraint[x->a];
-    const int belt = PM_JOINT_ROW(x->w->model, x->a)[PM_JOINT_KIND] == PM_JOINT_BELT;
-    if (active[row] == PM_NONE || (belt && active[1 - row] == PM_NONE)) return NAN;
-    return x->w->frame.lambda[active[row]];
+    const int place = x->w->active.of_joint[x->w->model->joint_constraint[x->a] + row];
+    return place == PM_NONE ? NAN : pm_reaction(x->w, place);
 }
 double pm_measured_joint_normal(const pm_measure_args *x) { return constraint_reaction(x, 0); }
 double pm_measured_joint_friction(const pm_measure_args *x)

@@ -1,7 +1,6 @@
 /* active_set.c - the active set of a phase.
  *
- * A constraint that depends on those before it is *redundant* if it also does so at a neighbouring configuration on the
- * constraints: it is left out.  If it does so here only (a dead centre), it is kept. */
+ * What depends on others for good (dependence.h) is *redundant*: the motion is right without it. */
 #include "equations/active_set.h"
 
 #include <math.h>
@@ -12,8 +11,8 @@
 #include "elements/contact.h"
 #include "elements/joint.h"
 #include "elements/joint_friction.h"
+#include "equations/dependence.h"
 #include "equations/orthonormal_rows.h"
-#include "equations/projection.h"
 #include "equations/saddle.h"
 #include "equations/solve_cache.h"
 #include "numerics/tolerances.h"
@@ -30,53 +29,15 @@ void pm_active_set_clear(pm_active_set *x, const pm_model *m)
     for (int i = 0; i < m->nfriction; i++) x->friction_constraint[i] = PM_NONE;
 }
 
-/* The basis of the constraints that are active so far, at the frame; its size. */
-static int basis_of_active(pm_workspace *w)
+/* Adds to the redundant ones; its place. */
+static int leave_out(pm_active_set *x, const pm_constraint *c)
 {
-    pm_orthonormal_rest rest;
-    int n = 0;
-    for (int i = 0; i < w->active.n; i++) {
-        pm_constraint_kind(w->active.constraint[i].kind)->evaluate(&w->frame, &w->active.constraint[i]);
-        n = pm_orthonormal_rows_add_constraint(&w->saddle, n, &w->active.constraint[i], &rest);
-    }
-    return n;
+    x->redundant[x->nredundant] = *c;
+    x->share[x->nredundant] = 0;
+    return PM_REDUNDANT_PLACE(x->nredundant++);
 }
 
-/* A neighbour of the state on the active constraints: a little along the motion or, at rest, any way that they allow. */
-static int go_nearby(pm_workspace *w, pm_state *s)
-{
-    static const double step[3] = {0.91, 0.57, 0.73}; /* no direction of the scene */
-    const int nq = w->model->nq;
-    double norm = 0;
-    pm_state_copy(s, &w->state);
-    for (int i = 0; i < nq; i++) norm += s->v[i] * s->v[i];
-    norm = sqrt(norm);
-    for (int i = 0; i < nq; i++) {
-        const double along = norm > 0 ? s->v[i] / norm : step[i % 3] * (1 + 0.1 * (i / 3));
-        s->q[i] += PM_NEIGHBOUR * w->numbers.size * along * (w->numbers.inverse_mass[i] > 0);
-    }
-    return pm_projection_apply(w, s);
-}
-
-/* Whether a constraint that depends on the active ones here does so nearby, too.  A neighbour that cannot be reached tells
- * nothing: the constraint is then kept. */
-static int depends_nearby(pm_workspace *w, const pm_constraint *c, int *depends)
-{
-    int status = go_nearby(w, &w->probe);
-    *depends = 0;
-    if (!status) {
-        pm_constraint copy = *c;
-        pm_orthonormal_rest rest;
-        pm_constraint_kind(copy.kind)->evaluate(&w->frame, &copy);
-        pm_orthonormal_rows_add_constraint(&w->saddle, basis_of_active(w), &copy, &rest);
-        *depends = rest.left < PM_DEPENDENT_NEARBY;
-    }
-    pm_frame_look_state(&w->frame, &w->state);
-    basis_of_active(w);
-    return status == PM_SINGULAR ? PM_OK : status;
-}
-
-/* Appends the constraint unless it is redundant; *index: its place, or PM_NONE.  Without a basis it is not tested. */
+/* Appends the constraint to the active ones, or to the redundant ones; *index: its place.  Without a basis it is not tested. */
 static int append(pm_workspace *w, const pm_constraint *c, int *nbasis, int *index)
 {
     if (!nbasis) {
@@ -90,17 +51,19 @@ static int append(pm_workspace *w, const pm_constraint *c, int *nbasis, int *ind
     *place = *c;
     pm_constraint_kind(place->kind)->evaluate(&w->frame, place);
     const int n = pm_orthonormal_rows_add_constraint(&w->saddle, *nbasis, place, &rest);
-    if (n == *nbasis) {
-        const int status = depends_nearby(w, c, &depends);
+    const int grows = n > *nbasis;
+    if (!grows) {
+        const int status = pm_dependence_nearby(w, c, &depends);
         if (status) return status;
         *place = *c;
     }
     *nbasis = n;
-    *index = PM_NONE;
-    if (depends)
-        w->active.nredundant++;
-    else
+    if (depends) {
+        *index = leave_out(&w->active, c);
+    } else {
+        w->active.doubtful[w->active.n] = !grows;
         *index = w->active.n++;
+    }
     return PM_OK;
 }
 
@@ -167,7 +130,7 @@ static int append_tangents(pm_workspace *w, int *nbasis)
         pm_constraint normal, tangent;
         if (slot[i].mode != PM_STICK) continue;
         const int contact = pm_contact_of_slot(w->model, i), active = w->active.slot_normal[i];
-        if (active == PM_NONE)
+        if (active < 0)
             pm_contact_constraint_both(&w->frame, contact, i, slot[i].member, &normal, &tangent);
         else
             pm_contact_constraint_tangent(&w->frame, contact, &w->active.constraint[active], &tangent);
@@ -197,7 +160,7 @@ static void append_carried(pm_workspace *w)
     int n = w->active.n;
     for (int i = 0; i < m->nslot && w->active.asymmetric; i++) {
         const int mode = w->state.slot[i].mode;
-        if (!slides(mode) || w->active.slot_normal[i] == PM_NONE) continue;
+        if (!slides(mode) || w->active.slot_normal[i] < 0) continue;
         pm_constraint normal, tangent;
         pm_contact_constraint_both(&w->frame, pm_contact_of_slot(m, i), i, w->state.slot[i].member, &normal,
                                    &tangent);
@@ -205,6 +168,38 @@ static void append_carried(pm_workspace *w)
         w->active.constraint[n++] = tangent;
     }
     w->active.constraint[n].normal = PM_NONE;
+}
+
+static void move_place(int n, int *place, int from, int to)
+{
+    for (int i = 0; i < n; i++)
+        if (place[i] == from)
+            place[i] = to;
+        else if (place[i] > from)
+            place[i]--;
+}
+
+/* An active constraint becomes a redundant one; those behind it move up. */
+static void move_out(const pm_model *m, pm_active_set *x, int one)
+{
+    const int to = leave_out(x, &x->constraint[one]), behind = --x->n - one;
+    memmove(x->constraint + one, x->constraint + one + 1, (size_t)behind * sizeof *x->constraint);
+    memmove(x->doubtful + one, x->doubtful + one + 1, (size_t)behind);
+    move_place(m->njoint_constraint, x->of_joint, one, to);
+    move_place(m->nslot, x->slot_normal, one, to);
+    move_place(m->nslot, x->slot_tangent, one, to);
+    move_place(PM_JOINT_CONSTRAINTS * m->nslot, x->slot_held, one, to);
+    move_place(m->nfriction, x->friction_constraint, one, to);
+    x->njoint -= one < x->njoint;
+}
+
+/* What was kept since the bodies could move when it was appended is left out if all together hold them fast: no order of the
+ * constraints decides. */
+static void leave_out_doubtful(pm_workspace *w)
+{
+    for (int i = w->active.n - 1; i >= 0; i--) {
+        if (w->active.doubtful[i] && pm_dependence_held_fast(w, i)) move_out(w->model, &w->active, i);
+    }
 }
 
 static int append_all(pm_workspace *w, int *nbasis)
@@ -230,6 +225,7 @@ int pm_active_set_build(pm_workspace *w)
     const int independent =
         !status && (w->active.n == 0 || pm_saddle_independence(&w->saddle) > PM_CLEARLY_INDEPENDENT);
     if (!status && !independent) status = append_all(w, &nbasis);
+    if (!status && !independent) leave_out_doubtful(w);
     if (!status) append_carried(w);
     w->active.evaluated = independent && !w->active.asymmetric;
     if (!status) pm_solve_cache_built(w);

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "equations/shared_reading.h"
 #include "events/event.h"
 #include "events/step.h"
 #include "events/watched_samples.h"
@@ -42,6 +43,7 @@ int pm_ask_create(pm_workspace *w)
         PM_ARRAY(a->switches, nask),
         PM_ARRAY(a->dips, nask),
         PM_ARRAY(a->undefined, nask),
+        PM_ARRAY(a->shared, nask),
         PM_ARRAY(a->filled, nout),
         PM_ARRAY(a->sound, nout),
     };
@@ -75,6 +77,7 @@ void pm_ask_reset(pm_workspace *w)
     pm_ask_set *a = w->ask;
     for (int i = 0; i < w->model->nask; i++) a->best[i] = NAN, a->bound[i] = -INFINITY, a->size[i] = 0;
     memset(a->undefined, 0, (size_t)w->model->nask);
+    memset(a->shared, 0, (size_t)w->model->nask);
     memset(a->filled, 0, (size_t)w->model->nout);
     memset(a->sound, 0, (size_t)w->model->nout);
     a->fresh = 0;
@@ -96,10 +99,18 @@ static void answer(pm_workspace *w, int ask, int column, double value)
     w->ask->filled[out] = w->ask->fresh = 1;
 }
 
+/* The value of a program at the frame; not a number where redundant constraints leave it open. */
+static double unique(pm_workspace *w, int ask, int program, double value)
+{
+    if (!pm_shared_matters(w) || pm_shared_is_unique(w, program)) return value;
+    w->ask->shared[ask] = 1;
+    return NAN;
+}
+
 void pm_ask_answer(pm_workspace *w, int ask, int column, int program, double value)
 {
     const pm_route_ops *route = w->phase.route;
-    answer(w, ask, column, value);
+    answer(w, ask, column, unique(w, ask, program, value));
     if (route->error_of)
         route->error_of(w, ask, PM_ASK_ROW(w->model, ask)[PM_ASK_OUT] + column, program, value);
 }
@@ -184,7 +195,7 @@ void pm_ask_instant(pm_workspace *w)
     for (int i = 0; i < w->ask->nobserver; i++) {
         const int ask = w->ask->observer[i];
         const int32_t *e = PM_ASK_ROW(w->model, ask);
-        const double value = pm_ask_run(w, ask);
+        const double value = unique(w, ask, pm_ask_program(e), pm_ask_run(w, ask));
         if (e[PM_ASK_KIND] == PM_ASK_GRID)
             offer_grid(w, ask, value);
         else
@@ -197,7 +208,7 @@ void pm_ask_look_before(pm_workspace *w)
     for (int i = 0; i < w->model->nask; i++) {
         const int32_t *e = PM_ASK_ROW(w->model, i);
         if (e[PM_ASK_BEFORE] && e[PM_ASK_EVENT_INDEX] != PM_NONE)
-            w->ask->before[i] = pm_ask_value(w, e[PM_ASK_PROGRAM]);
+            w->ask->before[i] = unique(w, i, e[PM_ASK_PROGRAM], pm_ask_value(w, e[PM_ASK_PROGRAM]));
     }
 }
 
@@ -252,6 +263,7 @@ void pm_ask_end(pm_workspace *w)
         if (each) filled = w->ask->filled[e[PM_ASK_OUT]];
         if (filled) w->result.reason[i] = infinite ? PM_REASON_INFINITE : PM_REASON_NONE;
         if (filled && undefined && !each) w->result.reason[i] = PM_REASON_UNDEFINED;
+        if (filled && undefined && w->ask->shared[i]) w->result.reason[i] = PM_REASON_SHARED;
     }
 }
 

@@ -17,6 +17,7 @@ typedef struct pm_ask_set {
     double *before;    /* [nask] values before the jump of the present instant */
     double *size;      /* [nask] of a grid: its greatest value, and of those watched at instants */
     unsigned char *undefined; /* [nask] an extreme met a not-a-number */
+    unsigned char *shared;    /* [nask] some value of it was not unique (equations/shared_reading.h) */
     unsigned char *filled;    /* [nout] */
     unsigned char *sound;     /* [nout] filled when the ledgers last closed */
     int *switches; /* [nask] places where the watched program may change its branch, as far as known */

@@ -15,6 +15,8 @@
 #include "elements/trigger.h"
 #include "equations/case.h"
 #include "equations/saddle.h"
+#include "equations/shared_loads.h"
+#include "equations/shared_reading.h"
 #include "events/watched_samples.h"
 #include "numerics/bracket.h"
 #include "numerics/tolerances.h"
@@ -155,6 +157,18 @@ static void add_joint_friction(pm_workspace *w)
     }
 }
 
+/* How far a closed contact is from opening, or from slipping, N; of several that share their loads, how far all of them are. */
+static double contact_stands(pm_workspace *w, const pm_event_function *f)
+{
+    const int normal = w->active.slot_normal[f->index], tangent = w->active.slot_tangent[f->index];
+    double slack;
+    if (w->active.nredundant > 0 && pm_shared_slack(w, f->index, &slack)) return slack;
+    if (f->kind == FUNCTION_NORMAL) return normal < 0 ? w->numbers.size : w->frame.lambda[normal];
+    if (normal < 0 || tangent < 0) return 1;
+    const double mu = pm_contact_static(&w->frame, pm_contact_of_slot(w->model, f->index));
+    return mu * w->frame.lambda[normal] - fabs(w->frame.lambda[tangent]);
+}
+
 double pm_event_sample(pm_workspace *w, const pm_event_function *f)
 {
     const pm_slot *slot = w->state.slot;
@@ -166,15 +180,7 @@ double pm_event_sample(pm_workspace *w, const pm_event_function *f)
         return f->below ? pm_edge_gap_from_below(&w->frame, f->index) : gap;
     }
     case FUNCTION_NORMAL:
-        return w->active.slot_normal[f->index] == PM_NONE ? w->numbers.size
-                                                          : w->frame.lambda[w->active.slot_normal[f->index]];
-    case FUNCTION_STICK: {
-        if (w->active.slot_tangent[f->index] == PM_NONE || w->active.slot_normal[f->index] == PM_NONE)
-            return 1;
-        const double mu = pm_contact_static(&w->frame, pm_contact_of_slot(w->model, f->index));
-        return mu * w->frame.lambda[w->active.slot_normal[f->index]] -
-               fabs(w->frame.lambda[w->active.slot_tangent[f->index]]);
-    }
+    case FUNCTION_STICK: return contact_stands(w, f);
     case FUNCTION_SLIP: {
         const double slip =
             pm_contact_member_slip(&w->frame, pm_contact_of_slot(w->model, f->index), slot[f->index].member);
@@ -188,7 +194,7 @@ double pm_event_sample(pm_workspace *w, const pm_event_function *f)
         return pm_edge_room(&w->frame, &w->state, pm_contact_of_slot(w->model, f->index),
                             slot[f->index].member);
     case FUNCTION_JOINT_STICK:
-        if (w->active.friction_constraint[f->index] == PM_NONE) return 1; /* something else holds it, too */
+        if (w->active.friction_constraint[f->index] < 0) return 1; /* something else holds it, too */
         return pm_joint_friction_limit(w, f->index) -
                fabs(w->frame.lambda[w->active.friction_constraint[f->index]]);
     case FUNCTION_JOINT_SLIP:
@@ -268,4 +274,17 @@ int pm_event_contact_change(const pm_event_set *event, int function)
     case FUNCTION_SLIP: return PM_TRIGGER_STICK;
     default: return PM_NONE;
     }
+}
+
+int pm_event_check_unique(pm_workspace *w)
+{
+    if (!pm_shared_matters(w)) return PM_OK;
+    for (int i = 0; i < w->event->nfunction; i++) {
+        const pm_event_function *f = &w->event->function[i];
+        if (f->kind != FUNCTION_TRIGGER) continue;
+        const int program = PM_TRIGGER_ROW(w->model, f->index)[PM_TRIGGER_PROGRAM];
+        if (program != PM_NONE && !pm_shared_is_unique(w, program))
+            return pm_fail(&w->result, PM_NOT_UNIQUE, PM_TABLE_TRIGGER, f->index, NAN, NAN);
+    }
+    return PM_OK;
 }

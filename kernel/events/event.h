@@ -85,6 +85,8 @@ int pm_event_create(pm_workspace *w);
 
 /* The phase's functions, from triggers, contacts and modes; the frame looks at w->state (DYNAMIC). */
 void pm_event_begin(pm_workspace *w);
+/* PM_NOT_UNIQUE, where = trigger: an event waits for a reaction that is not unique in this phase. */
+int pm_event_check_unique(pm_workspace *w);
 /* The multiples of `every` next to the frame; one that holds must first be left. */
 void pm_event_set_multiples(pm_workspace *w);
 /* Samples of function i at the nodes of the step. */

@@ -16,6 +16,7 @@
 #include "equations/case.h"
 #include "equations/projection.h"
 #include "equations/saddle.h"
+#include "equations/shared_loads.h"
 #include "events/event.h"
 #include "numerics/tolerances.h"
 #include "state/evidence.h"
@@ -78,6 +79,21 @@ pm_constraint pm_contact_modes_tangent(const pm_frame *frame, const pm_state *st
 /* The way a contact begins to slide: against the friction that would have held it. */
 static int slide_against(double friction) { return friction > 0 ? PM_SLIDE_BACKWARD : PM_SLIDE_FORWARD; }
 
+/* Of contacts that share their loads those give way that bound what they can carry. */
+static int gives_way(pm_workspace *w, int slot, int how)
+{
+    const int bound = pm_shared_bound_of(w, slot);
+    double slack;
+    return !pm_shared_slack(w, slot, &slack) || ((bound & how) && !(bound & ~how & PM_BOUND_NORMAL));
+}
+
+static int slide_of(pm_workspace *w, int slot)
+{
+    const int bound = pm_shared_bound_of(w, slot);
+    return slide_against(bound ? (bound & PM_BOUND_FORWARD) - (bound & PM_BOUND_BACKWARD)
+                               : w->frame.lambda[w->active.slot_tangent[slot]]);
+}
+
 /* The slip goes on, or what holds holds on, where a circle comes to the face of the next edge: no blow, though friction may
  * be another there. */
 static int hand_over(pm_workspace *w, int mode, int heir)
@@ -128,11 +144,11 @@ int pm_contact_modes_begin(pm_workspace *w)
         if (w->event->function[i].kind == FUNCTION_JOINT_SLIP)
             pm_joint_friction_stops(&w->frame, &w->state, w->event->function[i].index);
         const int what = pm_event_contact_change(w->event, i), slot = w->event->function[i].index;
-        if (what == PM_TRIGGER_OPEN) {
+        if (what == PM_TRIGGER_OPEN && gives_way(w, slot, PM_BOUND_NORMAL)) {
             w->state.slot[slot].mode = PM_OPEN;
             w->instant.slot_released[slot] = PM_LET_GO;
-        } else if (what == PM_TRIGGER_SLIP) {
-            w->state.slot[slot].mode = slide_against(w->frame.lambda[w->active.slot_tangent[slot]]);
+        } else if (what == PM_TRIGGER_SLIP && gives_way(w, slot, PM_BOUND_FORWARD | PM_BOUND_BACKWARD)) {
+            w->state.slot[slot].mode = slide_of(w, slot);
         } else if (what == PM_TRIGGER_STICK) {
             w->state.slot[slot].mode = PM_STICK;
             pm_active_set_anchor(&w->frame, &w->state, slot);
@@ -159,13 +175,20 @@ static double force_size(const pm_frame *frame, const pm_active_set *active)
     return fmax(sum, pm_case_force(frame->model, frame->numbers));
 }
 
+/* Forces that contacts share are judged together (shared_stand). */
+static int is_shared(pm_workspace *w, const double *load, int slot)
+{
+    double slack;
+    return load == w->frame.lambda && pm_shared_slack(w, slot, &slack);
+}
+
 int pm_contact_modes_pulling(pm_workspace *w, const double *load, int site, double size)
 {
     int worst = PM_NONE;
     double least = -PM_PULLS * size;
     for (int i = 0; i < w->model->nslot; i++) {
         const int normal = w->active.slot_normal[i];
-        if (normal == PM_NONE) continue;
+        if (normal < 0 || is_shared(w, load, i)) continue;
         pm_evidence_sign(&w->evidence, site, i, load[normal], size);
         if (load[normal] >= least) continue;
         if (site == PM_SITE_PULLS_IN_BLOW && w->event->spent[pm_contact_of_slot(w->model, i)]) continue;
@@ -179,7 +202,7 @@ int pm_contact_modes_overcome(pm_workspace *w, const double *load, int site, dou
 {
     for (int i = 0; i < w->model->nslot; i++) {
         const int contact = pm_contact_of_slot(w->model, i);
-        if (w->active.slot_tangent[i] == PM_NONE || w->active.slot_normal[i] == PM_NONE) continue;
+        if (w->active.slot_tangent[i] < 0 || w->active.slot_normal[i] < 0 || is_shared(w, load, i)) continue;
         if (pm_contact_friction(w->model, contact) != PM_FRICTION_COULOMB) continue;
         const double room = pm_contact_static(&w->frame, contact) * load[w->active.slot_normal[i]] -
                             fabs(load[w->active.slot_tangent[i]]);
@@ -203,10 +226,24 @@ static int approaches(pm_workspace *w)
     return 0;
 }
 
+/* Contacts that share their loads can do so. */
+static int shared_stand(pm_workspace *w, double size)
+{
+    int stand = 1;
+    for (int i = 0; i < w->model->nslot; i++) {
+        double slack;
+        if (!pm_shared_is_bounded(w, i, &slack)) continue;
+        pm_evidence_sign(&w->evidence, PM_SITE_PULLS, i, slack, size);
+        stand &= slack >= -PM_PULLS * size;
+    }
+    return stand;
+}
+
 /* Nothing pulls, holds by more than its friction, or was let go and would approach. */
 static int stands(pm_workspace *w, double size)
 {
-    return pm_contact_modes_pulling(w, w->frame.lambda, PM_SITE_PULLS, size) == PM_NONE &&
+    return shared_stand(w, size) &&
+           pm_contact_modes_pulling(w, w->frame.lambda, PM_SITE_PULLS, size) == PM_NONE &&
            pm_contact_modes_overcome(w, w->frame.lambda, PM_SITE_SLIDES, size) == PM_NONE && !approaches(w);
 }
 

@@ -6,6 +6,7 @@
 #include "elements/trigger.h"
 #include "equations/active_set.h"
 #include "equations/saddle.h"
+#include "equations/shared_reading.h"
 #include "impact/contact_modes.h"
 #include "impact/impact_parts.h"
 #include "numerics/tolerances.h"
@@ -21,7 +22,7 @@ double pm_impact_end_gains(pm_workspace *w, const pm_blow *b)
     double given = 0, size = 0, nothing = 0;
     for (int i = 0; i < w->active.n || w->active.constraint[i].normal != PM_NONE; i++) {
         const pm_constraint *c = &w->active.constraint[i];
-        if (c->slot == PM_NONE || w->active.slot_normal[c->slot] == PM_NONE) continue; /* captured: a joint */
+        if (c->slot == PM_NONE || w->active.slot_normal[c->slot] < 0) continue; /* captured: a joint */
         const double p = i < w->active.n ? w->saddle.rhs[i]
                                          : w->active.constraint[c->normal].slide * w->saddle.rhs[c->normal];
         const double before = pm_impact_trial_rate(w, i),
@@ -41,14 +42,14 @@ static void record_captured(pm_workspace *w, int slot)
     memcpy(w->impulses.slot_direction + 4 * slot, axes, sizeof axes);
     for (int k = 0; k < 2; k++) {
         const int active = w->active.slot_held[PM_JOINT_CONSTRAINTS * slot + k];
-        if (active != PM_NONE) w->impulses.slot[2 * slot + k] = w->saddle.rhs[active];
+        if (active >= 0) w->impulses.slot[2 * slot + k] = w->saddle.rhs[active];
     }
 }
 
 /* The tangential constraint of a slot, evaluated: the active one, or else *spare. */
 static const pm_constraint *tangent_of(const pm_workspace *w, int slot, pm_constraint *spare)
 {
-    if (w->active.slot_tangent[slot] != PM_NONE) return &w->active.constraint[w->active.slot_tangent[slot]];
+    if (w->active.slot_tangent[slot] >= 0) return &w->active.constraint[w->active.slot_tangent[slot]];
     *spare = pm_contact_modes_tangent(&w->frame, &w->state, slot);
     return spare;
 }
@@ -65,23 +66,33 @@ void pm_impact_end_record_contact(pm_workspace *w, int slot, const pm_constraint
     }
 }
 
+/* A redundant one carries nothing: another one does. */
+static void record_contact(pm_workspace *w, int slot)
+{
+    const int at = w->active.slot_normal[slot], along = w->active.slot_tangent[slot];
+    if (at == PM_NONE) return;
+    pm_constraint spare;
+    const pm_constraint *normal =
+        at >= 0 ? &w->active.constraint[at] : &w->active.redundant[PM_REDUNDANT_PLACE(at)];
+    const double p = at >= 0 ? w->saddle.rhs[at] : 0;
+    const double impulse[] = {p, along >= 0         ? w->saddle.rhs[along]
+                                 : along == PM_NONE ? normal->slide * p
+                                                    : 0};
+    pm_impact_end_record_contact(w, slot, normal, tangent_of(w, slot, &spare), impulse);
+}
+
 void pm_impact_end_record(pm_workspace *w)
 {
     const pm_model *m = w->model;
     memset(w->impulses.joint, 0, (size_t)m->njoint_constraint * sizeof(double));
     memset(w->impulses.slot, 0, 2 * (size_t)m->nslot * sizeof(double));
     for (int i = 0; i < m->njoint_constraint; i++)
-        if (w->active.of_joint[i] != PM_NONE) w->impulses.joint[i] = w->saddle.rhs[w->active.of_joint[i]];
+        if (w->active.of_joint[i] >= 0) w->impulses.joint[i] = w->saddle.rhs[w->active.of_joint[i]];
     for (int i = 0; i < m->nslot; i++) {
         if (w->state.slot[i].mode == PM_CAPTURED) record_captured(w, i);
-        if (w->active.slot_normal[i] == PM_NONE) continue;
-        pm_constraint spare;
-        const pm_constraint *normal = &w->active.constraint[w->active.slot_normal[i]];
-        const int tangent = w->active.slot_tangent[i];
-        const double p = w->saddle.rhs[w->active.slot_normal[i]];
-        const double impulse[] = {p, tangent != PM_NONE ? w->saddle.rhs[tangent] : normal->slide * p};
-        pm_impact_end_record_contact(w, i, normal, tangent_of(w, i, &spare), impulse);
+        record_contact(w, i);
     }
+    pm_shared_note_impulses(w);
 }
 
 static int slid(const pm_workspace *w, int slot, const double *v)

@@ -15,6 +15,7 @@
 #include "elements/contact.h"
 #include "equations/active_set.h"
 #include "equations/saddle.h"
+#include "equations/shared_reading.h"
 #include "events/event.h"
 #include "events/last_bounce.h"
 #include "impact/contact_modes.h"
@@ -126,7 +127,7 @@ static void record(pm_workspace *w, const pm_blow *b)
 {
     const pm_contact_system *x = &b->system;
     pm_impact_end_record(w);
-    for (int i = 0; i < x->problem.n && w->active.nredundant > 0; i++)
+    for (int i = 0; i < x->problem.n && w->active.nredundant > 0 && !pm_shared_are_told(w); i++)
         memcpy(w->impulses.slot + 2 * x->slot[i], x->problem.load + 2 * i, 2 * sizeof(double));
 }
 

@@ -48,7 +48,7 @@ static double change_wanted(const pm_workspace *w, const pm_blow *b, int i)
     const double u = pm_impact_trial_rate(w, i);
     if (slot != PM_NONE && b->given[slot].is) return b->given[slot].normal - u;
     if (slot == PM_NONE || b->plastic || b->held[slot] || b->share[slot] != PM_STRUCK ||
-        w->active.slot_normal[slot] == PM_NONE)
+        w->active.slot_normal[slot] < 0)
         return -u;
     const double e = pm_last_bounce_restitution(w, pm_contact_of_slot(w->model, slot),
                                                 pm_impact_trial_rate(w, w->active.slot_normal[slot]));
@@ -101,7 +101,7 @@ static int build_given(pm_workspace *w, pm_blow *b, int *independent)
     if (status) return status;
     for (int i = 0; i < w->model->nslot; i++) {
         if (!b->given[i].is) continue;
-        if (w->active.slot_normal[i] == PM_NONE)
+        if (w->active.slot_normal[i] < 0)
             *independent = 0;
         else
             pm_active_set_carry(w, i, b->given[i].ratio);

@@ -66,6 +66,11 @@
 #define PM_BLOCK_OF_ROWS \
     24 /* constraints solved as one block; fewer are as quick one by one, and told sharply */
 #define PM_BLOCK_PASSES 2 /* with the factors of a block: the second takes off the rounding of the first */
+#define PM_SHARED_MOST 24 /* redundant constraints of one group that are treated; more: slower, and larger scratch */
+#define PM_SHARED_NOTHING 1e-9 /* of the largest load of a balance: none; larger: constraints are left out of their group */
+#define PM_SHARED_BOUNDS 1e-6 /* multiplier of a condition that bounds a group (they add to 1); larger: fewer give way */
+#define PM_SHARED_TINY 1e-300 /* N s: a blow without impulses has a size; larger: very small ones are not shared */
+#define PM_SHARED_READ 1e-7 /* of what its parts do: what a balance does not change; larger: shared reactions pass */
 /* what is met */
 #define PM_MET 4e-15 /* of size, speed or terms: residual with nothing left to gain; larger: drift stays */
 #define PM_PROJECTION_SWEEPS 8 /* Newton steps back onto constraints: four do, but for rounding far off */

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "equations/fixed_bodies.h"
+#include "equations/shared_loads.h"
 #include "events/ask.h"
 #include "events/event.h"
 #include "state/route.h"
@@ -65,6 +66,7 @@ int pm_phase_report_add(pm_workspace *w)
         describe(w, w->result.count[PM_COUNT_REPEATED_SEGMENTS] - x->repeated,
                  x->row + x->needed * PM_PHASE_COLUMNS);
         x->time[x->needed] = has_clock(w) ? w->state.t : NAN;
+        pm_shared_elements(w, x->joint + x->needed * x->njoint, x->contact + x->needed * x->ncontact);
     }
     x->repeated = w->result.count[PM_COUNT_REPEATED_SEGMENTS];
     x->needed++;

@@ -50,6 +50,7 @@ static int begin_case(pm_workspace *w, const double *param, pm_start_report *rep
     pm_fixed_bodies_begin(w);
     memset(w->impulses.joint, 0, (size_t)w->model->njoint_constraint * sizeof(double));
     memset(w->impulses.slot, 0, 2 * (size_t)w->model->nslot * sizeof(double));
+    w->impulses.nshared = 0;
     int status = pm_case_begin(w, param);
     if (!status) pm_patience_limit(&w->patience, pm_case_max_cpu(w->model, &w->numbers));
     if (!status) status = pm_start(w, report);
@@ -130,6 +131,7 @@ static int phase(pm_workspace *w, int *ended)
     pm_frame_look_state(&w->frame, &w->state);
     if ((status = pm_saddle_accelerate(w))) return status;
     pm_event_begin(w);
+    if ((status = pm_event_check_unique(w))) return status;
     if (w->phase.lap)
         w->event->first_step = 0; /* the motion goes on: what is on zero need not be left first */
     w->phase.lap = 0;

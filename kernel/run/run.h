@@ -53,6 +53,8 @@ typedef struct pm_phase_report {
     int64_t cap, most, needed;
     int32_t *row;                     /* [cap][PM_PHASE_COLUMNS], the caller's */
     double *time;                     /* [cap] s, the caller's */
+    int64_t njoint, ncontact;         /* of the caller's tables */
+    int32_t *joint, *contact;         /* [cap][njoint], [cap][ncontact]: groups that share loads */
     int64_t skipped, steps, repeated; /* of the case, when the last phase began */
 } pm_phase_report;
 

@@ -8,6 +8,8 @@
 #include "equations/fixed_bodies.h"
 #include "equations/gap_bounds.h"
 #include "equations/saddle.h"
+#include "equations/shared_loads.h"
+#include "equations/shared_reading.h"
 #include "equations/solve_cache.h"
 #include "events/ask.h"
 #include "events/event.h"
@@ -89,6 +91,7 @@ static int create_rooms(pm_workspace *w)
     if (!status) status = pm_state_create(&w->memory, w->model, &w->ahead);
     if (!status) pm_joint_compose(&w->frame); /* which bodies they fasten is known before any case */
     if (!status) status = pm_solve_cache_create(w);
+    if (!status) status = pm_shared_create(w);
     if (!status) status = pm_fixed_bodies_create(w);
     if (!status) status = pm_watched_samples_create(w);
     if (!status) status = pm_event_create(w);
@@ -110,7 +113,8 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
     w->frame.numbers = &w->numbers;
     w->saddle = (pm_saddle){.model = m, .numbers = &w->numbers, .active = &w->active};
     w->numbers.coarse = 1;
-    w->read_measure = pm_measure_signed;
+    w->read_measure =
+        PM_SETTING(m, PM_SETTING_SHARED) == PM_SHARED_LEAST ? pm_shared_read_least : pm_measure_signed;
     int status = create_arrays(w);
     if (!status) status = create_rooms(w);
     if (status) {

@@ -19,19 +19,27 @@ struct pm_chebyshev_nodes;
 typedef struct pm_active_set {
     pm_constraint *constraint; /* [nconstraint] */
     int n;
-    int njoint;      /* of these the first are the joints' */
-    int nredundant;  /* constraints of joints that depend on others, and are left out */
+    int njoint; /* of these the first are the joints' */
+    pm_constraint
+        *redundant; /* [nconstraint] those that depend on the active ones: the motion is right without them */
+    int nredundant;
+    unsigned char
+        *doubtful; /* [nconstraint] active ones that depended on those before them, here but not nearby */
+    double *
+        share; /* [nconstraint] reactions of the redundant ones: 0, or what equations/shared_reading.h gives them */
     int asymmetric;  /* some contact slides: H differs from G */
     int evaluated;   /* the last projection, or building, has left the frame where it evaluated them */
     int64_t version; /* counts the sets */
-    int *of_joint; /* [njoint_constraint] active one of each constraint of a joint, or PM_NONE (redundant) */
-    int *slot_normal;         /* [nslot] active constraint, or PM_NONE */
-    int *slot_tangent;        /* [nslot] likewise */
-    int *slot_held;           /* [nslot][PM_JOINT_CONSTRAINTS] of a captured pair, or PM_NONE */
-    int *friction_constraint; /* [nfriction] that of the friction of a joint that holds, or PM_NONE */
+    /* places: of an active constraint >= 0; of redundant[k] PM_REDUNDANT_PLACE(k) < PM_NONE; else PM_NONE */
+    int *of_joint;            /* [njoint_constraint] of each constraint of a joint */
+    int *slot_normal;         /* [nslot] */
+    int *slot_tangent;        /* [nslot] */
+    int *slot_held;           /* [nslot][PM_JOINT_CONSTRAINTS] of a captured pair */
+    int *friction_constraint; /* [nfriction] that of the friction of a joint that holds */
     double *friction_load;    /* [nfriction] friction that goes with the load of its joint, N or N m */
     int *joint_order;         /* [njoint] in which their constraints stand (equations/constraint_order.h) */
-    int *body_place;          /* [nbody] scratch of constraint_order.c */
+    int *body_place;          /* [nbody] scratch of constraint_order.c, and of active_set.c */
+    struct pm_shared *shared; /* what the redundant ones share with active ones (equations/shared_loads.h) */
 } pm_active_set;
 
 /* The factored system on the active set, and its right-hand side (equations/saddle.h). */
@@ -57,6 +65,8 @@ typedef struct pm_impulses {
     double *slot;           /* [2 nslot] N s: normal, tangential; of a captured pair x, y */
     double *slot_direction; /* [nslot][4] normal x, y, tangent x, y on the first partner */
     double *applied;        /* [nq] N s, N m s: by the actions of an event */
+    int nshared;            /* ways in which the impulses might be others, with the same motion */
+    double *shared;         /* [nconstraint][njoint_constraint + 2 nslot] what each adds to joint and slot */
     double energy_lost;     /* J, kinetic */
 } pm_impulses;
 
@@ -185,6 +195,17 @@ struct pm_workspace {
     double *scratch; /* [8 (nq + nconstraint + nslot)] of a start: nothing is kept in it */
     pm_arena memory; /* owns all that is above */
 };
+
+/* Place of the redundant constraint k, and the k of such a place (pm_active_set). */
+#define PM_REDUNDANT_PLACE(k) (PM_NONE - 1 - (k))
+
+/* Reaction at a place of the active set; 0 where nothing acts. */
+static inline double pm_reaction(const pm_workspace *w, int place)
+{
+    return place >= 0         ? w->frame.lambda[place]
+           : place == PM_NONE ? 0
+                              : w->active.share[PM_REDUNDANT_PLACE(place)];
+}
 
 /* Memory of a workspace for the model, and of all rooms; PM_NO_MEMORY, and *workspace is NULL then. */
 int pm_workspace_create(const pm_model *model, pm_workspace **workspace);

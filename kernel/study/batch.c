@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "equations/active_set.h"
+#include "equations/shared_loads.h"
 #include "events/history.h"
 #include "run/run.h"
 #include "scene/build.h"
@@ -229,7 +230,8 @@ int pm_trace(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
 
 int pm_phases(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t nparam,
               const double *param, const int32_t *stop, int64_t most, int64_t cap, int32_t *phase,
-              double *time, int64_t *needed, int32_t *where, double *detail)
+              double *time, int64_t njoint, int32_t *joint, int64_t ncontact, int32_t *contact,
+              int64_t *needed, int32_t *where, double *detail)
 {
     pm_model *model;
     pm_workspace *w;
@@ -237,7 +239,14 @@ int pm_phases(int64_t ntable, const int32_t *table, int64_t nconstant, const dou
     int status =
         open_one(pm_prune_create, ntable, table, nconstant, constant, nparam, &model, &w, where, detail);
     if (status) return status;
-    pm_phase_report list = {.cap = cap, .most = most, .row = phase, .time = time};
+    pm_phase_report list = {.cap = cap,
+                            .most = most,
+                            .row = phase,
+                            .time = time,
+                            .njoint = njoint,
+                            .joint = joint,
+                            .ncontact = ncontact,
+                            .contact = contact};
     w->record.phases = &list;
     w->patience.stop = stop;
     status = run_recorded(w, param, where, detail);
@@ -263,14 +272,16 @@ static void report_check(const pm_workspace *w, const pm_start_report *report, i
 
 int pm_check(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t nparam,
              const double *param, const int32_t *stop, int32_t *info, double *number, int64_t nbody,
-             double *pose, double *velocity, int32_t *where, double *detail)
+             double *pose, double *velocity, int64_t njoint, int32_t *joint, int64_t ncontact,
+             int32_t *contact, int32_t *where, double *detail)
 {
     pm_model *model;
     pm_workspace *w;
     int status =
         open_one(pm_model_create, ntable, table, nconstant, constant, nparam, &model, &w, where, detail);
     if (status) return status;
-    if (w->model->nbody != nbody) {
+    if (w->model->nbody != nbody || njoint < model->rows[PM_TABLE_JOINT] ||
+        ncontact < model->rows[PM_TABLE_CONTACT]) {
         status = PM_BAD_TABLE;
     } else if (!(status = keep_answers(w))) {
         pm_start_report report = {0, 0};
@@ -280,6 +291,7 @@ int pm_check(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
         status = pm_run_start(w, param, &report);
         report_case(w, where, detail);
         report_check(w, &report, info, number);
+        if (!status) pm_shared_elements(w, joint, contact);
         memcpy(pose, w->state.q, (size_t)w->model->nq * sizeof *pose);
         memcpy(velocity, w->state.v, (size_t)w->model->nq * sizeof *velocity);
     }

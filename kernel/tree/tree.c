@@ -197,7 +197,7 @@ static pm_group joint_group(const pm_model *m, const pm_active_set *active, int 
         joint + 1 < m->rows[PM_TABLE_JOINT] ? m->joint_constraint[joint + 1] : m->njoint_constraint;
     pm_group g = {.n = 0};
     for (int i = first; i < end && g.n < PM_JOINT_CONSTRAINTS; i++)
-        if (active->of_joint[i] != PM_NONE) g.constraint[g.n++] = active->of_joint[i];
+        if (active->of_joint[i] >= 0) g.constraint[g.n++] = active->of_joint[i];
     return g;
 }
 
@@ -205,9 +205,9 @@ static pm_group slot_group(const pm_active_set *active, int slot)
 {
     pm_group g = {.n = 0};
     for (int i = PM_JOINT_CONSTRAINTS * slot; i < PM_JOINT_CONSTRAINTS * (slot + 1); i++)
-        if (active->slot_held[i] != PM_NONE) g.constraint[g.n++] = active->slot_held[i];
-    if (active->slot_normal[slot] != PM_NONE) g.constraint[g.n++] = active->slot_normal[slot];
-    if (active->slot_tangent[slot] != PM_NONE) g.constraint[g.n++] = active->slot_tangent[slot];
+        if (active->slot_held[i] >= 0) g.constraint[g.n++] = active->slot_held[i];
+    if (active->slot_normal[slot] >= 0) g.constraint[g.n++] = active->slot_normal[slot];
+    if (active->slot_tangent[slot] >= 0) g.constraint[g.n++] = active->slot_tangent[slot];
     return g;
 }
 

@@ -13,8 +13,50 @@ FAULTS = [
         "cord: slack ones are not followed", "equations/active_set.c", "follow_slack_cords(frame, s); }", "}"
     ),
     Fault(
+        "shared: normal and friction of a contact are judged apart",
+        "equations/shared_loads.c",
+        "if (sticks_by_friction(w, i)) join_at(",
+        "if (0) join_at(",
+    ),
+    Fault(
+        "shared: friction holds without bound to one side",
+        "equations/shared_loads.c",
+        "i, mu, 1, size, PM_BOUND_BACKWARD",
+        "i, mu, -1, size, PM_BOUND_BACKWARD",
+    ),
+    Fault(
+        "shared: contacts may pull",
+        "equations/shared_loads.c",
+        "add_condition(w, load, n++, *nmember, i, 1, 0, size, PM_BOUND_NORMAL)",
+        "add_condition(w, load, n++, *nmember, i, 0, 0, size, PM_BOUND_NORMAL)",
+    ),
+    Fault(
+        "shared: all loads count as unique",
+        "equations/shared_reading.c",
+        "<= PM_SHARED_READ * parts;",
+        ">= 0;",
+    ),
+    Fault(
+        "shared: no load counts as unique",
+        "equations/shared_reading.c",
+        "<= PM_SHARED_READ * parts;",
+        "< 0;",
+    ),
+    Fault(
+        "shared: the least share of other loads",
+        "equations/shared_reading.c",
+        "x->cost[i] += weight_of(",
+        "x->cost[i] -= weight_of(",
+    ),
+    Fault(
+        "rows: what holds a body fast leaves nothing redundant",
+        "equations/dependence.c",
+        "return rest.left <= PM_INDEPENDENT && joins_fast(w, c, nbasis);",
+        "return 0;",
+    ),
+    Fault(
         "rows: a redundant row stays",
-        "equations/active_set.c",
+        "equations/dependence.c",
         "*depends = rest.left < PM_DEPENDENT_NEARBY",
         "*depends = 0",
     ),

@@ -98,7 +98,7 @@ FAULTS = [
     Fault(
         "mode: contacts may pull",
         "impact/contact_modes.c",
-        "return pm_contact_modes_pulling(w, w->frame.lambda, PM_SITE_PULLS, size) == PM_NONE &&",
+        "pm_contact_modes_pulling(w, w->frame.lambda, PM_SITE_PULLS, size) == PM_NONE &&",
         "return",
     ),
     Fault(

@@ -88,4 +88,10 @@ FAULTS = [
         "column = out;",
     ),
     Fault("lemke: the greatest ratio leaves", "numerics/lemke.c", "return less < 0;", "return less > 0;"),
+    Fault(
+        "program: multipliers push the other way",
+        "numerics/quadratic_program.c",
+        "= -sign * x->A[r * k + i % k];",
+        "= sign * x->A[r * k + i % k];",
+    ),
 ]

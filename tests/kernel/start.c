@@ -7,6 +7,7 @@ typedef struct start {
     int32_t info[PM_CHECK_COLUMNS], where[PM_WHERE_COLUMNS];
     double number[PM_CHECK_NUMBERS], pose[24][3], velocity[24][3], detail[PM_DETAIL_COLUMNS];
     int status;
+    int32_t joint[64], contact[64];
 } start;
 
 static start check_scene(scene *s)
@@ -15,7 +16,8 @@ static start check_scene(scene *s)
     const double none = 0;
     scene_pack(s);
     x.status = pm_check(s->ntable, s->table, s->nconstant, s->constant, s->nparam, &none, NULL, x.info,
-                        x.number, s->rows[PM_TABLE_BODY], x.pose[0], x.velocity[0], x.where, x.detail);
+                        x.number, s->rows[PM_TABLE_BODY], x.pose[0], x.velocity[0], 64, x.joint, 64,
+                        x.contact, x.where, x.detail);
     return x;
 }
 

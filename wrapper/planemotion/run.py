@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from . import _layout as layout
 from .base.errors import SimulationError
 from .engine import call
+from .engine.outcome import CaseResults
 from .engine.result import RunResult, collect
 
 if TYPE_CHECKING:
+    from .compile.flatten import FlatScene
     from .scene import Scene
 
 
@@ -21,7 +25,23 @@ def simulate(scene: Scene) -> RunResult:
     """
     data = scene.data
     results = [(flat, call.run_cases(flat, np.atleast_2d(flat.defaults))) for flat in scene.tables()]
-    return collect(data.id, data.file, tuple(data.ask), results)
+    result = collect(data.id, data.file, tuple(data.ask), results)
+    shared = [group for flat, one in results if _is_shared(one) for group in _shared(flat)]
+    return replace(result, notes=(*result.notes, *dict.fromkeys(shared))) if shared else result
+
+
+def _is_shared(results: CaseResults) -> bool:
+    return bool((results.reason == layout.PM_REASON_SHARED).any())
+
+
+def _shared(flat: FlatScene) -> list[str]:
+    """Which joints and contacts share their loads in some phase of the run."""
+    start = call.check(flat).shared
+    groups = dict.fromkeys([*start, *(group for phase in call.phases(flat) for group in phase.shared)])
+    return [
+        f'{", ".join(group)} share their loads, nothing tells how (solve.shared = "least" gives the least)'
+        for group in groups
+    ]
 
 
 def run(scene: Scene) -> RunResult:

@@ -140,7 +140,7 @@ class Scene:
         return self._update("find", keys)
 
     def solve(self, **settings: Any) -> Self:
-        """Settings: route, accuracy, estimate, impacts, assembly_tolerance, max_time and the like."""
+        """Settings: route, accuracy, estimate, impacts, shared, assembly_tolerance, max_time and the like."""
         return self._update("solve", settings)
 
     # ---- what it says ----

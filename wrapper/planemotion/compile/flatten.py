@@ -26,7 +26,7 @@ from ..language.dimensions import DIMENSIONLESS, LENGTH, TIME
 from ..language.tree import ZERO, Name, negative
 from ..model.readers import Value
 from ..model.tables import Action, Body, Contact
-from ..model.words import IMPACTS, ROUND_SHAPES, unknown
+from ..model.words import IMPACTS, ROUND_SHAPES, SHARED, unknown
 from ..reading.scene import HasData, SceneData
 from .actions import Actions, add_nudge
 from .asks import Asked, Asks
@@ -48,6 +48,7 @@ _COLUMNS = {
     for name, number in layout.pm_table.items()
     if name != "PM_TABLES"
 }
+_SHARED = dict(zip(SHARED, layout.pm_shared_setting.values(), strict=False))
 _IMPACTS = dict(zip(IMPACTS, layout.pm_simultaneous.values(), strict=False))
 
 
@@ -309,6 +310,7 @@ class _Flattener:
             layout.PM_SETTING_ESTIMATE: int(solve.estimate),
             layout.PM_SETTING_SIMULTANEOUS: _IMPACTS[solve.impacts],
             layout.PM_SETTING_MAX_CPU: self._limit(solve.max_cpu, "solve.max_cpu"),
+            layout.PM_SETTING_SHARED: _SHARED[solve.shared],
         }
         self.tables.add(layout.PM_TABLE_SETTING, row, "solve")
 

@@ -123,8 +123,9 @@ def phases(flat: FlatScene, param: npt.ArrayLike | None = None, most: int = 0) -
         row = np.zeros((rows, layout.PM_PHASE_COLUMNS), np.int32)
         time = np.full(rows, np.nan)
         needed = np.zeros(1, np.int64)
+        joint, contact = _groups(flat, rows)
         where, detail = _place()
-        room = (most, row, time, needed, where, detail)
+        room = (most, row, time, joint, contact, needed, where, detail)
         heard(partial(_with_stop, kernel().pm_phases, (flat.table, flat.constant, case), room))
         if needed[0] <= rows:
             break
@@ -136,6 +137,7 @@ def phases(flat: FlatScene, param: npt.ArrayLike | None = None, most: int = 0) -
             route_name(int(row[i, layout.PM_PHASE_ROUTE])),
             kernel_text(kernel().pm_rule_text, int(row[i, layout.PM_PHASE_RULE])),
             {name: int(row[i, column]) for column, name in names.items() if column < row.shape[1]},
+            _shared(flat, joint[i], contact[i]),
         )
         for i in range(int(needed[0]))
     ]
@@ -161,8 +163,9 @@ def check(flat: FlatScene, param: npt.ArrayLike | None = None) -> Start:
     info = np.zeros(layout.PM_CHECK_COLUMNS, np.int32)
     number = np.zeros(layout.PM_CHECK_NUMBERS)
     pose, velocity = np.zeros((len(flat.bodies), 3)), np.zeros((len(flat.bodies), 3))
+    joint, contact = (groups[0] for groups in _groups(flat, 1))
     where, detail = _place()
-    room = (info, number, pose, velocity, where, detail)
+    room = (info, number, pose, velocity, joint, contact, where, detail)
     status = heard(partial(_with_stop, kernel().pm_check, (flat.table, flat.constant, case), room))
     if status in (layout.PM_BAD_TABLE, layout.PM_NO_MEMORY):
         _raise(flat, status, where, detail)
@@ -179,6 +182,7 @@ def check(flat: FlatScene, param: npt.ArrayLike | None = None) -> Start:
         pose=pose,
         velocity=velocity,
         message="" if status == layout.PM_OK else describe(flat, int(status), where, detail),
+        shared=_shared(flat, joint, contact),
     )
 
 
@@ -226,6 +230,25 @@ def _flag(flag: npt.NDArray[Any] | None, dtype: np.dtype[Any], name: str) -> npt
             f"{name} has the type {flag.dtype} and shape {flag.shape}; {dtype} and (1,) are wanted"
         )
     return flag
+
+
+# Joints and contacts: what may share its loads with others.
+_SHARING = (layout.PM_TABLE_JOINT, layout.PM_TABLE_CONTACT)
+
+
+def _groups(flat: FlatScene, rows: int) -> list[Ints]:
+    """For each of `rows` the number of the group of each joint, and of each contact; 0: none."""
+    return [np.zeros((rows, max(1, len(flat.rows(table)))), np.int32) for table in _SHARING]
+
+
+def _shared(flat: FlatScene, *groups: Ints) -> tuple[tuple[str, ...], ...]:
+    """The key paths of each group."""
+    members: dict[int, list[str]] = {}
+    for table, numbers in zip(_SHARING, groups, strict=True):
+        for row, number in enumerate(numbers):
+            if number:
+                members.setdefault(int(number), []).append(flat.names[table][row])
+    return tuple(tuple(dict.fromkeys(members[number])) for number in sorted(members))
 
 
 def _place() -> tuple[Ints, Floats]:

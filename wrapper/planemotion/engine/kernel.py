@@ -20,6 +20,7 @@ REASONS: Mapping[int, str] = {
     layout.PM_REASON_UNDEFINED: "undefined: the expression has no value at some instant",
     layout.PM_REASON_FAILED: "the run failed",
     layout.PM_REASON_INFINITE: "infinite",
+    layout.PM_REASON_SHARED: "not unique: redundant constraints share it",
 }
 
 

@@ -183,8 +183,11 @@ _DESCRIPTIONS: dict[int, Any] = {
         else ""
     ),
     layout.PM_NOT_UNIQUE: lambda place, found, bound: (
-        f"{place}: with friction {found:.4g} at the {bound:.0f} contacts that take part, the laws of contact "
-        "allow several motions, and nothing tells which; the run ends here"
+        f"{place}: it waits for a load that is not unique: redundant constraints share it, and nothing tells "
+        'how; wait for a sum that is, or take solve.shared = "least"'
+        if place.startswith(("events.", "until"))
+        else f"{place}: with friction {found:.4g} at the {bound:.0f} contacts that take part, the laws of "
+        "contact allow several motions, and nothing tells which; the run ends here"
     ),
     layout.PM_PAINLEVE: lambda place, found, bound: (
         f"{place}: with friction {found:.4g} no motion obeys the laws of contact here "

@@ -48,7 +48,7 @@ class History:
 @dataclass(frozen=True)
 class Start:
     """The assembled start: `status`, counts and sizes by name, `pose` and `velocity` [nbody, 3] of the
-    mass centres (x, y, angle) in SI, and the message if it failed."""
+    mass centres (x, y, angle) in SI, and the message if it failed.  `shared`: as in Phase."""
 
     status: int
     info: Mapping[str, int]
@@ -56,14 +56,17 @@ class Start:
     pose: Floats
     velocity: Floats
     message: str
+    shared: tuple[tuple[str, ...], ...] = ()
 
 
 @dataclass(frozen=True)
 class Phase:
     """A phase of a run: when it begins (s, NaN where the time is not computed), its route, why the planner
-    took it, and sizes: a `column` of enum pm_phase_column each."""
+    took it, and sizes: a `column` of enum pm_phase_column each.  `shared`: groups of joints and contacts,
+    by their key paths, whose loads are not unique."""
 
     time: float
     route: str
     reason: str
     column: Mapping[str, int]
+    shared: tuple[tuple[str, ...], ...] = ()

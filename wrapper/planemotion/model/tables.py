@@ -254,6 +254,7 @@ class Solve(Table):
     max_steps: Annotated[int, Field(le=MOST_COUNT)] = DEFAULT_MAX_STEPS
     assembly_tolerance: Number = 1e-12
     impacts: Text = "simultaneous"
+    shared: Text = "none"
 
 
 class Sweep(Table):

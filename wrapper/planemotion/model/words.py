@@ -19,6 +19,7 @@ ROUND_SHAPES = ("disk", "cylinder", "hoop", "sphere", "half_ring")
 SINGULAR = {"joints": "joint", "couplings": "coupling", "contacts": "contact", "forces": "force"}
 
 IMPACTS = ("simultaneous", "sequential")
+SHARED = ("none", "least")
 LAWS = ("newton", "poisson", "stronge")
 ROUTES = ("auto", "state", "jump", "uniform", "path", "rk", "ida")
 

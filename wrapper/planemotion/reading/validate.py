@@ -137,6 +137,9 @@ def _check_more(data: SceneData) -> None:
     if solve.impacts not in words.IMPACTS:
         reason = words.unknown(solve.impacts, words.IMPACTS, "order of impacts")
         raise SceneError(reason, path="solve.impacts")
+    if solve.shared not in words.SHARED:
+        reason = words.unknown(solve.shared, words.SHARED, "way to share a load")
+        raise SceneError(reason, path="solve.shared")
     for key in ("max_events", "max_steps"):
         if getattr(solve, key) < 1:
             raise SceneError("at least 1 is wanted", path=f"solve.{key}", value=getattr(solve, key))

@@ -19,7 +19,7 @@ from ..model.readers import Vector
 from ..model.tables import Action, Event, Friction, Spin
 from ..reading.scene import SceneData
 from .aligned import aligned
-from .plan import plan, ran
+from .plan import plan, ran, shared_lines
 
 if TYPE_CHECKING:
     from ..engine.result import RunResult
@@ -167,7 +167,7 @@ def _assembly(start: Start) -> list[str]:
     if not start.message and share > _FAR:
         lines.append(f"warning: that is far (more than {_FAR:.0%}): look at it with `planemotion draw`")
     if info["redundant"] and not start.message:
-        lines.append("the motion is right, but reactions of redundant rows are not unique")
+        lines += shared_lines(start.shared)
     return lines
 
 

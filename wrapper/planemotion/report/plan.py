@@ -52,10 +52,19 @@ def ran(flat: FlatScene) -> list[str]:
             f"    {_sizes(alike[0])}; {_count(steps, 'step')}"
             + (f", {_count(repeated, 'segment')} that repeat passed over" if repeated else ""),
             *(f"    skipped: {what}" for what in _skipped(alike[0])),
+            *(f"    {line}" for line in shared_lines(alike[0].shared)),
             *([f"    skipped: {_count(gaps, 'look')} at gaps (out of reach of the step)"] if gaps else []),
         ]
     idle = [f"  skipped throughout: {what}" for what in _idle(flat)]
     return [_title("phases", flat), *lines, *idle] if lines else []
+
+
+def shared_lines(groups: tuple[tuple[str, ...], ...]) -> list[str]:
+    """What shares its loads, group by group."""
+    return [
+        f"{', '.join(group)} share their loads: the motion is right, but single reactions may not be unique"
+        for group in groups
+    ]
 
 
 def _title(word: str, flat: FlatScene) -> str:
@@ -91,7 +100,12 @@ def _idle(flat: FlatScene) -> Iterator[str]:
 
 
 def _kind(phase: Phase) -> tuple[object, ...]:
-    return phase.route, phase.reason, *(value for name, value in phase.column.items() if name not in _OWN)
+    return (
+        phase.route,
+        phase.reason,
+        phase.shared,
+        *(value for name, value in phase.column.items() if name not in _OWN),
+    )
 
 
 def _sizes(phase: Phase) -> str:

@@ -1,0 +1,16 @@
+/* dependence.h - whether a constraint that depends on the active ones does so for good, or here only (a dead centre).
+ *
+ * For good: it also does so at a neighbouring configuration on the constraints; or the active ones hold fast both of its
+ * bodies, and all that these are joined to. */
+#ifndef PM_DEPENDENCE_H
+#define PM_DEPENDENCE_H
+
+#include "state/workspace.h"
+
+/* *depends: whether a constraint that depends on the active ones at the frame does so for good.  The frame looks at w->state,
+ * and the basis is that of the active ones, afterwards. */
+int pm_dependence_nearby(pm_workspace *w, const pm_constraint *c, int *depends);
+/* Whether active constraint i depends on the others, which hold fast what it joins. */
+int pm_dependence_held_fast(pm_workspace *w, int i);
+
+#endif
