@@ -234,6 +234,18 @@ void pm_ask_fired(pm_workspace *w, int event)
     }
 }
 
+void pm_ask_fails(pm_workspace *w, int event)
+{
+    const int64_t nth = w->firing.count[event] + 1;
+    for (int i = 0; i < w->model->nask; i++) {
+        const int32_t *e = PM_ASK_ROW(w->model, i);
+        if (e[PM_ASK_EVENT_INDEX] != event || !e[PM_ASK_BEFORE]) continue;
+        if (e[PM_ASK_KIND] == PM_ASK_EVENT && nth == e[PM_ASK_NTH]) answer(w, i, 0, w->ask->before[i]);
+        if (e[PM_ASK_KIND] == PM_ASK_EACH && nth <= e[PM_ASK_COUNT])
+            answer(w, i, (int)nth - 1, w->ask->before[i]);
+    }
+}
+
 /* What an extreme may have above the one that is answered. */
 static void charge_residual(pm_workspace *w, int ask)
 {

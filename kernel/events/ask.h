@@ -79,6 +79,8 @@ double pm_ask_along(void *of, double t, void *watch);
 /* Keeps values before the jump; after it, answers the asks of events that have just fired. */
 void pm_ask_look_before(pm_workspace *w);
 void pm_ask_fired(pm_workspace *w, int event);
+/* An event is due, and what it brings fails: answers what is asked before it. */
+void pm_ask_fails(pm_workspace *w, int event);
 /* Answers what is asked at the end, marks what was not reached. */
 void pm_ask_end(pm_workspace *w);
 /* What is answered so far is sound. */

@@ -125,11 +125,14 @@ static int look_before(pm_workspace *w)
     return pm_contact_modes_begin(w);
 }
 
-/* A blow and what is done because of it. */
+/* A blow and what is done because of it.  Where it fails, what was before it has been nevertheless. */
 static int blow(pm_workspace *w)
 {
-    const int status = settle(w);
-    return status || !w->model->acts ? status : carry_out(w);
+    int status = settle(w);
+    if (!status && w->model->acts) status = carry_out(w);
+    for (int event = 0; status && event < w->model->rows[PM_TABLE_EVENT]; event++)
+        if (pm_trigger_fires(w->model, &w->firing, event)) pm_ask_fails(w, event);
+    return status;
 }
 
 /* Closes the instant of one blow and opens that of the next, at the same time. */

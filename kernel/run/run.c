@@ -99,7 +99,8 @@ static int accelerate_unfastened(pm_workspace *w)
     return PM_OK;
 }
 
-int pm_run_start(pm_workspace *w, const double *param, pm_start_report *report)
+/* All of the start but what happens at its instant. */
+static int assemble(pm_workspace *w, const double *param, pm_start_report *report)
 {
     int status = begin_case(w, param, report);
     if (status) return status;
@@ -111,7 +112,12 @@ int pm_run_start(pm_workspace *w, const double *param, pm_start_report *report)
     pm_joint_friction_close(&w->frame, &w->state);
     w->phase.kinematic = pm_plan_kinematic(w->model, w->ask);
     status = pm_active_set_build(w);
-    if (!status && !w->phase.kinematic) status = accelerate_unfastened(w);
+    return !status && !w->phase.kinematic ? accelerate_unfastened(w) : status;
+}
+
+int pm_run_start(pm_workspace *w, const double *param, pm_start_report *report)
+{
+    const int status = assemble(w, param, report);
     return status ? status : pm_instant_start(w);
 }
 
@@ -234,8 +240,9 @@ int pm_run(pm_workspace *w, const double *param)
 {
     pm_start_report report;
     w->fixed->wanted = 1;
-    int status = pm_run_start(w, param, &report);
+    int status = assemble(w, param, &report);
     const int started = status == PM_OK;
+    if (!status) status = pm_instant_start(w);
     if (!status) status = run_phases(w);
     if (status == PM_SINGULAR && w->result.count[PM_COUNT_STEPS] > 0) status = PM_ENDS_SINGULAR;
     pm_phase_report_end(w);

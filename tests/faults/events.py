@@ -313,4 +313,10 @@ FAULTS = [
         "fabs(rate) <= PM_BOUNCE_UNKNOWN *",
         "fabs(rate) <= 0 *",
     ),
+    Fault(
+        "ask: what was before a blow that fails is of the next one",
+        "events/ask.c",
+        "const int64_t nth = w->firing.count[event] + 1;",
+        "const int64_t nth = w->firing.count[event] + 2;",
+    ),
 ]

@@ -327,12 +327,6 @@ FAULTS = [
         ";",
     ),
     Fault(
-        "followed: what rests rebounds",
-        "impact/impact_followed.c",
-        "struck && u < 0 ?",
-        "1 ?",
-    ),
-    Fault(
         "problem: loads of one way to push for all of them",
         "impact/contact_problem.c",
         "if (!first && other == PM_NONE) add_loads(x, unit, &found);",

@@ -251,6 +251,20 @@ static void pinned_rod(void)
     }
 }
 
+/* So much friction that no impulse stops the end: what was before the blow is known, what is after it is not. */
+static void fails(void)
+{
+    scene *s = rod_on_floor(0.7, 0.5, 3, PM_LAW_NEWTON, 1);
+    const int omega = scene_read(s, scene_measure(s, PM_MEASURE_OMEGA, 0)), strike = 0;
+    const int before = scene_ask_event(s, omega, strike, 1, 1),
+              after = scene_ask_event(s, omega, strike, 1, 0), next = scene_ask_event(s, omega, strike, 2, 1);
+    EQUAL(scene_run(s, NULL), PM_BLOW_UNDECIDED);
+    NEAR(s->out[before], -1.5, CLOSE);
+    CHECK(isnan(s->out[after]));
+    CHECK(isnan(s->out[next]));
+    scene_free(s);
+}
+
 /* Both ends of a rod struck at once: smooth or not, each law lets it rebound with e; a restitution along one of two contacts
  * does not go with a blow that is followed. */
 static void two_ends(void)
@@ -330,6 +344,7 @@ int main(void)
     locked();
     free_rod();
     pinned_rod();
+    fails();
     two_ends();
     tangential();
     return check_failures();

@@ -232,6 +232,39 @@ def test_restitution_along_a_contact_is_not_followed() -> None:
         planemotion.load_text(text).run()
 
 
+@pytest.mark.parametrize("route", ROUTES)
+def test_what_was_before_a_blow_that_fails_is_kept(route: str) -> None:
+    """A rod pinned above the floor jams: with so much friction no impulse stops its tip."""
+    text = f"""
+until = "t = 2 s"
+{rod(mass="1 kg", at={"A": [0, "0.5 m"]}, angle="20 deg")}
+{touching("tip", "AB.B", friction=3, restitution=0.5)}
+[ground]
+lines = {{ floor = {{ through = [0, 0] }} }}
+points = {{ O = [0, "0.5 m"] }}
+[joints]
+pin = {{ pin = ["AB.A", "ground.O"] }}
+[events]
+level = "AB.angle = 0"
+strike = "tip strikes"
+[ask]
+level = {{ of = "AB.omega", at = "level" }}
+before = {{ of = "AB.omega", at = "before strike" }}
+second = {{ of = "AB.omega", at = "before strike 2" }}
+after = {{ of = "AB.omega", at = "strike" }}
+[solve]
+route = "{route}"
+"""
+    with pytest.raises(planemotion.SimulationError, match=r"contacts\.tip") as failure:
+        planemotion.load_text(text).run()
+    asks = failure.value.result.asks
+    assert asks["level"].value == pytest.approx(-math.sqrt(3 * G * math.sin(math.radians(20))), rel=1e-8)
+    down = math.sin(math.radians(20)) + math.sin(math.radians(30))
+    assert asks["before"].value == pytest.approx(-math.sqrt(3 * G * down), rel=1e-8)
+    assert asks["second"].value is None
+    assert asks["after"].value is None
+
+
 def test_a_slip_that_reverses_in_a_blow_of_several() -> None:
     """Flat on both lower corners, which rebound differently: the spin turns the slip."""
     text = f"""
