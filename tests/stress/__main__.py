@@ -44,7 +44,7 @@ def show(table: Table, seconds: float) -> None:
             shown.add_row(word, str(count))
     console = Console(soft_wrap=True)
     console.print(shown)
-    console.print(f"the slowest took {table.slowest:.1f} s")
+    console.print(f"the slowest, number {table.slowest[1]}, took {table.slowest[0]:.1f} s")
     for number, word, detail in table.wrong:
         console.print(f"{word}: python -m tests.stress --only {number}", markup=False)
         console.print(detail.strip().splitlines()[-1] if detail else "", markup=False)
