@@ -1,6 +1,6 @@
 /* shared_loads.h - reactions that are not unique: what constraints that depend on each other carry together.
  *
- *   H^T z = 0      loads z that balance: reactions p + s z go with the same motion, whatever s
+ *   H^T z = 0      a balance z: reactions p + s z go with the same motion, whatever s
  *
  * One z for each redundant constraint (active_set.h).  Those that have a constraint in common make a group.  A group stands
  * as long as some s gives loads that its contacts allow:
