@@ -257,7 +257,9 @@ route = "{route}"
 """
     with pytest.raises(planemotion.SimulationError, match=r"contacts\.tip") as failure:
         planemotion.load_text(text).run()
-    asks = failure.value.result.asks
+    result = failure.value.result
+    assert isinstance(result, planemotion.RunResult)
+    asks = result.asks
     assert asks["level"].value == pytest.approx(-math.sqrt(3 * G * math.sin(math.radians(20))), rel=1e-8)
     down = math.sin(math.radians(20)) + math.sin(math.radians(30))
     assert asks["before"].value == pytest.approx(-math.sqrt(3 * G * down), rel=1e-8)
