@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 import planemotion
+from planemotion.engine.result import RunResult
 from planemotion.report.explain import explain
 from tests.scenes import ROUTES, G, answers, within
 from tests.scenes.parts import FLOOR, body, plate, rod, touching
@@ -258,7 +259,7 @@ route = "{route}"
     with pytest.raises(planemotion.SimulationError, match=r"contacts\.tip") as failure:
         planemotion.load_text(text).run()
     result = failure.value.result
-    assert isinstance(result, planemotion.RunResult)
+    assert isinstance(result, RunResult)
     asks = result.asks
     assert asks["level"].value == pytest.approx(-math.sqrt(3 * G * math.sin(math.radians(20))), rel=1e-8)
     down = math.sin(math.radians(20)) + math.sin(math.radians(30))
