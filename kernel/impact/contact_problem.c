@@ -1,4 +1,4 @@
-/* contact_problem.c - the modes of several contacts: all of them tried, or Lemke's method.
+/* contact_problem.c - the modes of several contacts: all of them tried, or Lemke's method, or sweeps.
  *
  * The problem is scaled first: W to a unit diagonal, friction by the same lengths, b to a largest entry of one.  Modes are
  * solved as equations, and hold if all inequalities hold.  Where contacts depend on each other a mode may have no unique
@@ -43,6 +43,8 @@ int pm_contact_problem_create(pm_contact_problem *x, pm_arena *arena, int most)
     };
     x->counted = PM_PROBLEM_COUNTED;
     x->tried = PM_PROBLEM_TRIED;
+    x->tries = PM_PROBLEM_TRIES;
+    x->sweeps = PM_PROBLEM_SWEEPS;
     return pm_arena_take(arena, PM_ARRAYS(array));
 }
 
@@ -118,7 +120,7 @@ static void rates(pm_contact_problem *x)
     }
 }
 
-/* Loads and rates of the trial; 0 if it has none, or more than one. */
+/* Loads of the trial; 0 if it has none, or more than one. */
 static int solve_trial(pm_contact_problem *x)
 {
     int *unknown = x->basis;
@@ -136,7 +138,6 @@ static int solve_trial(pm_contact_problem *x)
     }
     for (int i = 0; i < x->n; i++)
         if (sense(x->trial[i])) x->p[2 * i + 1] = ratio(x, i, x->trial[i]) * x->p[2 * i];
-    rates(x);
     return 1;
 }
 
@@ -161,14 +162,16 @@ static int contact_holds(const pm_contact_problem *x, int i, double slack)
            fabs(friction) <= pm_problem_friction(x, i, c->hold) * load + slack;
 }
 
-int pm_problem_trial_holds(pm_contact_problem *x)
+int pm_problem_loads_hold(pm_contact_problem *x)
 {
-    if (!solve_trial(x)) return 0;
+    rates(x);
     const double tie = slack(x);
     for (int i = 0; i < x->n; i++)
         if (!contact_holds(x, i, tie)) return 0;
     return 1;
 }
+
+int pm_problem_trial_holds(pm_contact_problem *x) { return solve_trial(x) && pm_problem_loads_hold(x); }
 
 /* ---- what was found ---- */
 /* The mode of the motion; in a tie what the contact prefers. */
@@ -289,6 +292,9 @@ int pm_contact_problem_solve(pm_contact_problem *x)
         keep(x, unit);
     } else if (x->n <= x->tried) {
         enumerate(x, unit);
+    } else if (pm_problem_sweeps(x)) {
+        x->nmotion = 1;
+        keep(x, unit);
     }
     return x->nmotion;
 }

@@ -7,7 +7,8 @@
  * Moreau); or p are forces and a accelerations.  W is the response of the contacts to p with all joints held: symmetric,
  * not negative.  A contact that slips already slides that way or parts; a rough one never slips; a smooth one has no T.
  *
- * Few contacts: all modes are tried, so that the motions are counted.  More: Lemke's method finds one solution.
+ * Few contacts: all modes are tried, so that the motions are counted.  More: Lemke's method finds one solution; where it
+ * ends on a ray sweeps over the contacts do.
  * [D. E. Stewart, SIAM Review 42 (2000) 3; C. Glocker and F. Pfeiffer, Multibody Dynamics with Unilateral Contacts, 1996] */
 #ifndef PM_CONTACT_PROBLEM_H
 #define PM_CONTACT_PROBLEM_H
@@ -24,9 +25,10 @@ typedef struct pm_problem_contact {
 } pm_problem_contact;
 
 typedef struct pm_contact_problem {
-    int n;                       /* contacts */
-    int counted;                 /* up to so many all modes are tried */
-    int tried;                   /* up to so many where Lemke's method finds nothing, too */
+    int n;             /* contacts */
+    int counted;       /* up to so many all modes are tried */
+    int tried;         /* up to so many where Lemke's method finds nothing, too */
+    int tries, sweeps; /* beginnings of Lemke's method; sweeps over the contacts where all else fails */
     pm_problem_contact *contact; /* [n] */
     double *response;            /* [2n][2n] W */
     /* what was found */

@@ -126,7 +126,7 @@ static int lemke_rounds(pm_contact_problem *x, int try)
 
 int pm_problem_lemke(pm_contact_problem *x)
 {
-    for (int try = 0; try < PM_PROBLEM_TRIES; try++)
+    for (int try = 0; try < x->tries; try++)
         if (lemke_rounds(x, try)) return 1;
     return 0;
 }

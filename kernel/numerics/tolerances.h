@@ -194,6 +194,8 @@
 #define PM_PROBLEM_SOUND 1e-8 /* scaled pivot: smaller, and loads are left out of the mean of those that are possible; larger: so are loads that are known */
 #define PM_PROBLEM_COUNTED 4 /* contacts: up to here all modes are tried and motions counted; more: 4 times dearer each */
 #define PM_PROBLEM_TRIES 8 /* of Lemke's method from other beginnings; more: fewer problems without a solution found, slower */
+#define PM_PROBLEM_SWEEPS 4000 /* over contacts one by one, where all else fails; more: fewer problems without a solution found */
+#define PM_PROBLEM_SWEEPS_LOOK 20 /* sweeps: so often the modes are tried as equations; more would only be later */
 #define PM_PROBLEM_TRIED 7 /* contacts: up to here all modes are tried where Lemke's method fails; likewise */
 #define PM_BLOWS_AT_ONCE 64 /* rounds of blows of all contacts at one instant; more: an endless series ends later */
 #define PM_BLOWS_IN_ORDER 10000 /* blows one by one at one instant; likewise */

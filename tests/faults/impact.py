@@ -332,4 +332,16 @@ FAULTS = [
         "if (!first && other == PM_NONE) add_loads(x, unit, &found);",
         "",
     ),
+    Fault(
+        "sweeps: a contact that slides has the friction of another sense",
+        "impact/contact_problem_sweeps.c",
+        "p[1] = ratio * p[0];",
+        "p[1] = -ratio * p[0];",
+    ),
+    Fault(
+        "sweeps: a contact sticks beyond its friction",
+        "impact/contact_problem_sweeps.c",
+        "fabs(p[1]) <= o->mu * p[0]",
+        "fabs(p[1]) <= 9 * o->mu * p[0]",
+    ),
 ]
