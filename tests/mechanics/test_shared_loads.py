@@ -7,6 +7,7 @@ import random
 import pytest
 
 import planemotion
+from planemotion.engine import call
 
 G = 9.81
 FEET = """
@@ -289,3 +290,37 @@ def test_an_event_cannot_wait_for_a_load_that_is_not_unique() -> None:
     assert "events.high: it waits for a load that is not unique" in result.error
     told = planemotion.load_text(text + 'high = "A.normal + B.normal + C.normal > (60 N)"\n').run()
     assert told.status == "ok"
+
+
+BARS = {
+    "ab": '["A", "B"]',
+    "ca": '["ground.C", "A"]',
+    "db": '["ground.D", "B"]',
+    "cb": '["ground.C", "B"]',
+    "da": '["ground.D", "A"]',
+}
+
+
+@pytest.mark.parametrize("order", list(itertools.permutations(BARS))[::13])
+def test_a_truss_with_a_bar_too_many(order: tuple[str, ...]) -> None:
+    """Two joints that five bars hold: one force is free, and the sums at each joint are weights."""
+    text = """
+until = "start"
+[ground]
+points = { C = [0, 0], D = [0, "1 m"] }
+[bodies]
+A = { mass = "10 kg", at = ["1 m", 0] }
+B = { mass = "1 kg", at = ["1 m", "1 m"] }
+[ask]
+bar = "cb.force.norm"
+across = "ca.force.x on A + da.force.x on A"
+up = "ca.force.y on A + da.force.y on A + ab.force.y on A"
+[joints]
+"""
+    scene = planemotion.load_text(text + "\n".join(f"{bar} = {{ link = {BARS[bar]} }}" for bar in order))
+    asks = scene.run().asks
+    assert asks["bar"].value is None
+    assert asks["across"].value == pytest.approx(0, abs=1e-10)
+    assert asks["up"].value == pytest.approx(98.1, rel=1e-12)
+    (group,) = call.check(scene.tables()[0]).shared
+    assert sorted(group) == sorted(f"joints.{bar}" for bar in BARS)
