@@ -39,7 +39,7 @@ def _shared(flat: FlatScene) -> list[str]:
     start = call.check(flat).shared
     groups = dict.fromkeys([*start, *(group for phase in call.phases(flat) for group in phase.shared)])
     return [
-        f'{", ".join(group)} share their loads, nothing tells how (solve.shared = "least" gives the least)'
+        f'{", ".join(group)} share their loads; nothing tells how (solve.shared = "least" gives the least)'
         for group in groups
     ]
 
