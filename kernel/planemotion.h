@@ -120,7 +120,8 @@ enum pm_route {
 enum pm_simultaneous {
     PM_SIMULTANEOUS_TOGETHER = 0,
     PM_SIMULTANEOUS_ONE_BY_ONE = 1, /* in the order of the contacts, each blow an instant of its own */
-    PM_SIMULTANEOUS_KINDS = 2
+    PM_SIMULTANEOUS_OPEN = 2,       /* not chosen: together; blows that are others one by one are counted */
+    PM_SIMULTANEOUS_KINDS = 3
 };
 enum pm_setting_column {
     PM_SETTING_GRAVITY_X = 0, /* value indices */
@@ -187,7 +188,8 @@ enum pm_trust {
         1, /* greatest error of an answer over what the accuracy asked allows; 1 or less: kept */
     PM_TRUSTS = 2
 };
-/* Where a case failed: table and row (PM_NONE if nowhere in particular) and numbers that belong to the message. */
+/* Where a case failed: table and row (PM_NONE if nowhere in particular) and numbers that belong to the message.  Of a case
+ * that is ok: the first of PM_COUNT_ORDERED_BLOWS: row and member are two of its contacts; detail = its time, s. */
 enum pm_where_column { PM_WHERE_TABLE = 0, PM_WHERE_ROW = 1, PM_WHERE_MEMBER = 2, PM_WHERE_COLUMNS = 3 };
 enum pm_detail_column { PM_DETAIL_VALUE = 0, PM_DETAIL_BOUND = 1, PM_DETAIL_TIME = 2, PM_DETAIL_COLUMNS = 3 };
 enum pm_count_column {
@@ -208,7 +210,9 @@ enum pm_count_column {
         11, /* whose restitution was lowered: with friction it would have gained energy */
     PM_COUNT_SHARED_BLOWS =
         12, /* of several contacts, followed: how these share each is what their common pace says */
-    PM_COUNT_COLUMNS = 13
+    PM_COUNT_ORDERED_BLOWS =
+        13, /* of several contacts, which one by one would leave another motion; PM_SIMULTANEOUS_OPEN alone */
+    PM_COUNT_COLUMNS = 14
 };
 /* What pm_check reports of the assembled start. */
 enum pm_check_column {

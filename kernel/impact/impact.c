@@ -9,7 +9,8 @@
  * followed, too, where a law asks for that (impact_followed.c).  Resting contacts that do not take part carry nothing, their tangents included.
  *
  * One by one (the settings may say so): the first in the order of the contacts that approaches is struck alone, then
- * again the first, a resting one as well; each is a jump of its own. */
+ * again the first, a resting one as well; each is a jump of its own.  Where the settings do not choose, blows that this
+ * would change are counted (impact_order.c). */
 #include "impact/impact.h"
 
 #include <math.h>
@@ -46,6 +47,9 @@ int pm_impact_create(pm_workspace *w)
         PM_ARRAY(b->given, m->nslot),
         PM_ARRAY(b->elastic.slot, 2 * m->nslot),
         PM_ARRAY(b->elastic.after, m->nq),
+        PM_ARRAY(b->order.before, 2 * m->nslot),
+        PM_ARRAY(b->order.after, 2 * m->nslot),
+        PM_ARRAY(b->order.now, 2 * m->nslot),
     };
     int status = pm_arena_take(&w->memory, PM_ARRAYS(array));
     if (!status) status = pm_contact_system_create(&b->system, &w->memory, m);
@@ -121,7 +125,7 @@ static int find_blow(pm_workspace *w, pm_blow *b)
 {
     int status = PM_OK, whole = 0, holds = 0;
     memset(b->held, 0, (size_t)w->model->nslot * sizeof *b->held);
-    b->plastic = b->equations = b->followed = 0;
+    b->plastic = b->equations = b->followed = b->several = 0;
     if (pm_impact_trial_contacts(w->model, b) <= 1) {
         if ((status = pm_impact_trial_solve(w, b))) return status;
         whole = pm_impact_trial_is_whole(w, b);
@@ -152,6 +156,8 @@ static int one_blow(pm_workspace *w, pm_blow *b)
     pm_frame_look_state(&w->frame, &w->state);
     pm_ledger_jump(w, b->before);
     pm_impact_followed_close(w, b);
+    if (b->several && PM_SETTING(m, PM_SETTING_SIMULTANEOUS) == PM_SIMULTANEOUS_OPEN)
+        pm_impact_order_look(w, b);
     pm_evidence_blow(&w->evidence, b->approach);
     pm_impact_end_modes(w, b);
     pm_joint_friction_close(&w->frame, &w->state);

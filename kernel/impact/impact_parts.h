@@ -30,7 +30,8 @@ typedef struct pm_blow {
     double *response;     /* [nq] scratch of impact_course.c */
     double approach;      /* m/s, greatest of what is struck */
     int ends_bounce;      /* a contact whose bounce is over is closed: what it was left with is rounding */
-    int followed;         /* the blow is that of impact_followed.c */
+    int several;          /* the blow is that of impact_together.c, and no rounding */
+    int followed;         /* it is that of impact_followed.c */
     int plastic;          /* without restitution */
     int equations;        /* one contact alone is solved as several are, not followed */
     pm_contact_system system; /* several contacts at once */
@@ -38,8 +39,11 @@ typedef struct pm_blow {
     struct {
         double *after, *slot; /* [nq], [2 nslot] */
     } elastic;                /* the blow with restitution, while the one without is found */
-    int alone;                /* slot whose blow is followed by itself (impact_course.c), or PM_NONE */
-    pm_impact_given *given;   /* [nslot] */
+    struct {
+        double *before, *after, *now; /* [2 nslot] velocities at the listed contacts */
+    } order;                          /* scratch of impact_order.c */
+    int alone;              /* slot whose blow is followed by itself (impact_course.c), or PM_NONE */
+    pm_impact_given *given; /* [nslot] */
 } pm_blow;
 
 static inline int pm_blow_has(const pm_blow *b, int slot)
@@ -87,6 +91,11 @@ int pm_impact_follow_several(pm_workspace *w, pm_blow *b);
 /* Enters the blow, where it is one, into the counts, and its contacts, which are not among the active constraints, into the
  * ledger of a jump from b->before. */
 void pm_impact_followed_close(pm_workspace *w, const pm_blow *b);
+
+/* ---- impact_order.c: the same one by one ---- */
+/* Counts the blow of what is listed, from b->before to b->after, if its contacts struck one by one leave another motion
+ * (PM_COUNT_ORDERED_BLOWS; the first of them is w->result.ordered).  The course of the blow is lost. */
+void pm_impact_order_look(pm_workspace *w, pm_blow *b);
 
 /* ---- impact_end.c: what the blow that was found leaves ---- */
 /* The energy, J, that contacts give beyond rounding; 0 if they give none. */

@@ -231,7 +231,11 @@ int pm_impact_limit(pm_workspace *w, pm_blow *b)
     return PM_OK;
 }
 
-int pm_impact_together(pm_workspace *w, pm_blow *b) { return solve(w, b, 0); }
+int pm_impact_together(pm_workspace *w, pm_blow *b)
+{
+    b->several = !b->ends_bounce;
+    return solve(w, b, 0);
+}
 
 static int is_closed_in(const pm_blow *b, int slot)
 {
@@ -273,7 +277,7 @@ int pm_impact_hold_rocking(pm_workspace *w, pm_blow *b, int *holds)
         if (b->share[i] != PM_STRUCK) b->share[i] = b->share[i] == PM_DROPPED ? PM_STRUCK : PM_JOINED;
     }
     b->equations = 1;
-    b->followed = 0;
+    b->followed = b->several = 0;
     const int status = pm_impact_trial_solve(w, b);
     if (!status) pm_impact_end_record(w);
     return status;

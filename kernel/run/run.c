@@ -33,7 +33,7 @@ static int begin_case(pm_workspace *w, const double *param, pm_start_report *rep
     pm_ask_reset(w);
     for (int i = 0; i < PM_AUDITS; i++) w->result.audit[i] = NAN;
     memset(w->result.count, 0, sizeof w->result.count);
-    w->result.where = nowhere;
+    w->result.where = w->result.ordered = nowhere;
     w->impulses.energy_lost = 0;
     w->state.t = 0; /* a case that fails before its start reports no time of another */
     pm_solve_cache_forget(&w->frame, w->cache);

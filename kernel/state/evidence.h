@@ -59,7 +59,7 @@ typedef struct pm_pass {
     double audit[PM_AUDITS];
     double found[PM_FOUND_COLUMNS];
     int64_t count[PM_COUNT_COLUMNS];
-    pm_where where;
+    pm_where where, ordered;
     double t;         /* where it ended */
     double factor;    /* what was asked of it: of the tolerance that the accuracy gives */
     double tolerance; /* of the integration */

@@ -138,7 +138,8 @@ typedef struct pm_result {
     int32_t *reason; /* [nask] enum pm_reason */
     double *audit;   /* [PM_AUDITS] */
     int64_t count[PM_COUNT_COLUMNS];
-    pm_where where; /* of a failure */
+    pm_where where;   /* of a failure */
+    pm_where ordered; /* the first blow of PM_COUNT_ORDERED_BLOWS: contact, member: the other contact; s */
 } pm_result;
 
 /* Where bodies can be, and which contacts are out of reach because of it (equations/gap_bounds.h). */

@@ -111,6 +111,7 @@ static void make_pass(pm_workspace *w, const double *param, pm_pass *p, double f
     w->record.phases = phases;
     memcpy(p->count, w->result.count, sizeof p->count);
     p->where = w->result.where;
+    p->ordered = w->result.ordered;
     p->t = w->state.t;
     p->tolerance = w->numbers.tolerance;
     p->outcome = outcome_of(w->model, &w->firing, p);
@@ -330,6 +331,7 @@ static int deliver(pm_workspace *w, double *out, int32_t *reason, double *audit)
     w->state.t = p->t;
     w->result.count[PM_COUNT_PASSES] = w->accuracy->npass;
     w->result.where = p->where;
+    w->result.ordered = p->ordered;
     /* it was given up in a later pass: the answers are there, of their errors not all is known */
     return p->status == PM_OK ? pm_fail_early(&w->result, &w->patience) : p->status;
 }

@@ -56,6 +56,15 @@ static void report_case(const pm_workspace *w, int32_t *where, double *detail)
     report(&x, w->state.t, where, detail);
 }
 
+/* The blow that a case has to tell of, likewise. */
+static void report_ordered(const pm_workspace *w, int32_t *where, double *detail)
+{
+    pm_where x = w->result.ordered;
+    x.row = pm_prune_original(w->model, x.table, x.row);
+    x.member = pm_prune_original(w->model, x.table, x.member);
+    report(&x, w->state.t, where, detail);
+}
+
 static void run_one(pm_workspace *w, pm_job *job, int64_t i)
 {
     const pm_model *m = job->model;
@@ -65,7 +74,8 @@ static void run_one(pm_workspace *w, pm_job *job, int64_t i)
     job->status[i] =
         pm_accuracy_run(w, job->param + i * m->nparam, job->found + i * PM_FOUND_COLUMNS,
                         job->error + i * m->nout, job->margin + i * m->nask, job->trust + i * PM_TRUSTS);
-    report_case(w, job->where + i * PM_WHERE_COLUMNS, job->detail + i * PM_DETAIL_COLUMNS);
+    (job->status[i] == PM_OK ? report_ordered : report_case)(w, job->where + i * PM_WHERE_COLUMNS,
+                                                             job->detail + i * PM_DETAIL_COLUMNS);
     memcpy(job->count + i * PM_COUNT_COLUMNS, w->result.count, sizeof w->result.count);
 }
 

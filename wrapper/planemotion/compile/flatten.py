@@ -49,7 +49,7 @@ _COLUMNS = {
     if name != "PM_TABLES"
 }
 _SHARED = dict(zip(SHARED, layout.pm_shared_setting.values(), strict=False))
-_IMPACTS = dict(zip(IMPACTS, layout.pm_simultaneous.values(), strict=False))
+_IMPACTS = dict(zip((*IMPACTS, None), layout.pm_simultaneous.values(), strict=False))
 
 
 @dataclass(frozen=True)

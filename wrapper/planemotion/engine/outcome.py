@@ -13,7 +13,7 @@ class CaseResults:
     """What the kernel says of each case; row i belongs to case i.
 
     `out` [ncase, nout] in SI (not-a-number where there is no answer), `reason` [ncase, nask], `status`
-    [ncase], `where` [ncase, 3], `detail` [ncase, 3], `audit` [ncase, 3], `count` [ncase, 9], `found`
+    [ncase], `where` [ncase, 3], `detail` [ncase, 3], `audit` [ncase, 3], `count` [ncase, 14], `found`
     [ncase, 4] (the sought parameters and their errors, SI), `error` [ncase, nout or 1] as `out`, `margin`
     [ncase, nask or 1], `trust` [ncase, 2]: the columns are those of planemotion.h.  `param`
     [ncase, parameters]: as given.

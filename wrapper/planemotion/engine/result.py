@@ -208,7 +208,7 @@ def collect(
         counts=counts,
         found={name: value for one, result in runs for name, value in _found(one, result)},
         time=time if worst != layout.PM_OK and math.isfinite(time) else None,
-        notes=_notes(excess, counts),
+        notes=_notes(excess, counts, _first_ordered(runs)),
         margin=_known(min, (result.trust[0, layout.PM_TRUST_MARGIN] for _, result in runs)),
         excess=excess,
     )
@@ -235,7 +235,21 @@ def _blows(count: int) -> str:
     return f"{count} blows" if count > 1 else "a blow"
 
 
-def _notes(excess: float | None, counts: Mapping[str, int]) -> tuple[str, ...]:
+def _first_ordered(runs: Sequence[tuple[FlatScene, CaseResults]]) -> str:
+    """When the first of the `ordered_blows` was, and of which contacts; "" if no run that is ok has one."""
+    for flat, results in runs:
+        row, other = (
+            int(results.where[0, column]) for column in (layout.PM_WHERE_ROW, layout.PM_WHERE_MEMBER)
+        )
+        if int(results.status[0]) != layout.PM_OK or row < 0:
+            continue
+        names = flat.names[layout.PM_TABLE_CONTACT]
+        struck = " and ".join(dict.fromkeys(names[i] for i in (row, other) if i >= 0))
+        return f"at t = {results.detail[0, layout.PM_DETAIL_VALUE]:.6g} s of {struck}"
+    return ""
+
+
+def _notes(excess: float | None, counts: Mapping[str, int], ordered: str) -> tuple[str, ...]:
     notes = []
     if excess is not None and excess > 1:
         notes.append(
@@ -251,7 +265,19 @@ def _notes(excess: float | None, counts: Mapping[str, int]) -> tuple[str, ...]:
             f"{_blows(counts['shared_blows'])} by the laws poisson and stronge took several contacts at "
             "once: how these share it is assumed, all are compressed and released at one pace"
         )
+    if counts["ordered_blows"]:
+        notes.append(_ordered_note(counts["ordered_blows"], ordered))
     return tuple(notes)
+
+
+def _ordered_note(count: int, first: str) -> str:
+    several = count > 1
+    place = f" ({'the first ' if several else ''}{first})" if first else ""
+    were, leave = ("were", "they leave") if several else ("was", "it leaves")
+    return (
+        f"{_blows(count)} of several contacts{place} {were} taken together; one by one {leave} another "
+        'motion: choose by solve.impacts = "simultaneous" or "sequential"'
+    )
 
 
 def trust_text(result: RunResult) -> str:

@@ -253,7 +253,7 @@ class Solve(Table):
     max_events: Annotated[int, Field(le=MOST_COUNT)] = DEFAULT_MAX_EVENTS
     max_steps: Annotated[int, Field(le=MOST_COUNT)] = DEFAULT_MAX_STEPS
     assembly_tolerance: Number = 1e-12
-    impacts: Text = "simultaneous"
+    impacts: Text | None = None
     shared: Text = "none"
 
 

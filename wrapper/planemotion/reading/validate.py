@@ -134,7 +134,7 @@ def _check_more(data: SceneData) -> None:
     solve = data.solve
     if solve.route not in words.ROUTES:
         raise SceneError(words.unknown(solve.route, words.ROUTES, "route"), path="solve.route")
-    if solve.impacts not in words.IMPACTS:
+    if solve.impacts is not None and solve.impacts not in words.IMPACTS:
         reason = words.unknown(solve.impacts, words.IMPACTS, "order of impacts")
         raise SceneError(reason, path="solve.impacts")
     if solve.shared not in words.SHARED:
