@@ -181,6 +181,21 @@ static void read_settings(pm_workspace *w)
     w->numbers.tolerance = pm_evidence_tolerance(w);
 }
 
+/* Rows of constraints are compared in a metric in which no coordinate is too light: which depend on each other is the same in
+ * any. */
+static void mark_light(pm_numbers *numbers, int nbody)
+{
+    double greatest = 0;
+    for (int i = 0; i < nbody; i++) greatest = fmax(greatest, numbers->mass[i]);
+    numbers->light_any = 0;
+    for (int i = 0; i < 3 * nbody; i++) {
+        const double whole = greatest * (i % 3 == 2 ? numbers->size * numbers->size : 1);
+        numbers->light[i] = numbers->inverse_mass[i] * PM_LIGHT * whole > 1;
+        numbers->light_any |= numbers->light[i];
+        numbers->inverse_root[i] = sqrt(fmin(numbers->inverse_mass[i], 1 / (PM_LIGHT_METRIC * whole)));
+    }
+}
+
 /* What has no mass is given some in the metric of the constraints; saddle.c takes it off again.  Without any mass in the
  * scene nothing could be said. */
 static int set_stand_ins(pm_workspace *w)
@@ -197,8 +212,8 @@ static int set_stand_ins(pm_workspace *w)
             none ? PM_STAND_IN * least * (i % 3 == 2 ? w->numbers.size * w->numbers.size : 1) : 0;
         if (none) w->numbers.inverse_mass[i] = 1 / w->numbers.stand_in[i];
         w->numbers.massless |= none;
-        w->numbers.inverse_root[i] = sqrt(w->numbers.inverse_mass[i]);
     }
+    mark_light(&w->numbers, m->nbody);
     return PM_OK;
 }
 

@@ -296,6 +296,7 @@ static void stop(pm_workspace *w)
     for (int i = 0; i < w->model->nq; i++) {
         if (w->numbers.fixed[i / 3]) {
             w->numbers.inverse_mass[i] = w->numbers.inverse_root[i] = w->numbers.stand_in[i] = 0;
+            w->numbers.light[i] = 0;
             w->state.v[i] = w->start.v[i] = w->frame.a[i] = w->frame.velocity[i] = 0;
         }
         w->numbers.massless |= w->numbers.stand_in[i] > 0;

@@ -65,7 +65,7 @@ int pm_least_change_add(const pm_active_set *active, pm_saddle *saddle, const pm
 int pm_least_change_block(pm_workspace *w, pm_least_change *s, int level)
 {
     const pm_model *m = w->model;
-    if (m->njoint_constraint < PM_BLOCK_OF_ROWS) return 0;
+    if (m->njoint_constraint < PM_BLOCK_OF_ROWS || w->numbers.light_any) return 0;
     w->active.n = 0;
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
         pm_constraint constraint[PM_JOINT_CONSTRAINTS];

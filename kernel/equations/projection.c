@@ -11,13 +11,13 @@
 #include "state/frame.h"
 #include "state/workspace.h"
 
-/* Projection always works on G: the friction that rides on a normal force is no constraint. */
-static int factor_symmetric(pm_workspace *w)
+/* x += M^-1 G^T l, with S l = rhs.  Projection always works on G: the friction that rides on a normal force is no constraint. */
+static int move_symmetric(pm_workspace *w, double *x)
 {
     const int asymmetric = w->active.asymmetric;
     w->active.asymmetric = 0;
     const int status = pm_saddle_factor(w);
-    if (!status) pm_saddle_solve(&w->saddle);
+    if (!status) pm_saddle_move(&w->saddle, x);
     w->active.asymmetric = asymmetric;
     return status;
 }
@@ -28,9 +28,8 @@ int pm_projection_velocity(pm_workspace *w, pm_state *s)
         pm_constraint_slips(&w->frame, w->active.constraint, w->active.n, NULL, s->v, w->saddle.rhs);
     w->active.evaluated = worst <= PM_MET * w->numbers.speed;
     if (w->active.evaluated) return PM_OK;
-    const int status = factor_symmetric(w);
+    const int status = move_symmetric(w, s->v);
     if (status) return status;
-    pm_saddle_spread(&w->saddle, 0, s->v);
     pm_frame_look_state(&w->frame, s);
     return PM_OK;
 }
@@ -48,9 +47,8 @@ static int project(pm_workspace *w, pm_state *s, int evaluated)
             (sweep > 1 && worst > 0.5 * before))
             break;
         before = worst;
-        const int status = factor_symmetric(w);
+        const int status = move_symmetric(w, s->q);
         if (status) return status;
-        pm_saddle_spread(&w->saddle, 0, s->q);
         pm_frame_look_state(&w->frame, s);
     }
     return pm_projection_velocity(w, s);

@@ -3,7 +3,9 @@
  *
  * Where M has zeros (a body without mass) it is M + D that is factored, D > 0 there, and
  *   (M + D) a_k+1 = f + D a_k + H^T l
- * is repeated: the error shrinks by D over the inertia that the constraints lend to the body.  If they lend none it stays. */
+ * is repeated: the error shrinks by D over the inertia that the constraints lend to the body.  If they lend none it stays.
+ *
+ * Where S has lost figures to a body that is light beside the others, the light coordinates stay unknowns (saddle_light.c). */
 #include "equations/saddle.h"
 
 #include <math.h>
@@ -12,6 +14,8 @@
 #include "elements/constraint.h"
 #include "elements/force.h"
 #include "elements/joint_friction.h"
+#include "equations/orthonormal_rows.h"
+#include "equations/saddle_light.h"
 #include "equations/solve_cache.h"
 #include "numerics/dense.h"
 #include "numerics/tolerances.h"
@@ -152,18 +156,37 @@ static int factor_asymmetric(pm_saddle *s)
     return pm_dense_lu_factor(n, s->schur, s->pivot);
 }
 
-double pm_saddle_independence(pm_saddle *s)
+/* The least part of a row that those before it leave, squared, in the metric of M^-1; S is factored. */
+static double least_pivot(const pm_saddle *s)
 {
     const int n = s->active->n;
     double least = 1;
-    if (factor_symmetric(s)) return 0;
     for (int i = 0; i < n; i++) { /* the factor holds the reciprocal of what is left of the row */
         const double all = coupled(s, &s->active->constraint[i], s->active->constraint[i].j,
                                    &s->active->constraint[i], s->active->constraint[i].j),
                      *left = s->schur + i * n + i;
         least = fmin(least, 1 / (all * *left * *left));
     }
-    return sqrt(least);
+    return least;
+}
+
+/* In M^-1 rows that take hold of one light body look alike: by the metric of orthonormal_rows.c. */
+static double independence_of_light(pm_saddle *s)
+{
+    pm_orthonormal_rest rest;
+    double least = 1;
+    for (int i = 0; i < s->active->n && least > 0; i++) {
+        const int grows = pm_orthonormal_rows_add_constraint(s, i, &s->active->constraint[i], &rest) > i;
+        least = grows ? fmin(least, rest.left) : 0;
+    }
+    return least;
+}
+
+double pm_saddle_independence(pm_saddle *s)
+{
+    const double by_mass = factor_symmetric(s) ? 0 : sqrt(least_pivot(s));
+    if (!s->numbers->light_any || by_mass > PM_CLEARLY_INDEPENDENT) return by_mass;
+    return fmax(by_mass, independence_of_light(s));
 }
 
 double pm_saddle_independence_there(pm_workspace *w, const pm_state *s)
@@ -173,9 +196,18 @@ double pm_saddle_independence_there(pm_workspace *w, const pm_state *s)
     return pm_saddle_independence(&w->saddle);
 }
 
+/* 0, or one more than the constraint that is not determined. */
+static int factor(pm_saddle *s)
+{
+    const int asymmetric = s->active->asymmetric;
+    const int bad = asymmetric ? factor_asymmetric(s) : factor_symmetric(s);
+    s->light.is_used = s->numbers->light_any && (asymmetric || bad || least_pivot(s) < PM_LIGHT_LEAST_PIVOT);
+    return s->light.is_used ? pm_saddle_light_factor(s) : bad;
+}
+
 int pm_saddle_factor(pm_workspace *w)
 {
-    const int bad = w->active.asymmetric ? factor_asymmetric(&w->saddle) : factor_symmetric(&w->saddle);
+    const int bad = factor(&w->saddle);
     w->result.count[PM_COUNT_SOLVES]++;
     if (!bad) return PM_OK;
     const pm_constraint *c = &w->active.constraint[bad - 1];
@@ -183,15 +215,22 @@ int pm_saddle_factor(pm_workspace *w)
                                : pm_fail(&w->result, PM_SINGULAR, PM_TABLE_CONTACT, PM_NONE, 0, 0);
 }
 
-void pm_saddle_solve(pm_saddle *s)
+static int keeps_light(const pm_saddle *s) { return s->light.is_used && s->active->n > 0; }
+
+/* S l = rhs, with what else acts on the light coordinates. */
+static void solve(pm_saddle *s, const double *force)
 {
-    if (s->active->asymmetric) {
+    if (keeps_light(s)) {
+        pm_saddle_light_solve(s, force);
+    } else if (s->active->asymmetric) {
         pm_dense_lu_solve(s->active->n, s->schur, s->pivot, s->rhs);
     } else {
         pm_dense_skyline_lower(s->active->n, s->pivot, s->schur, s->rhs);
         pm_dense_skyline_upper(s->active->n, s->pivot, s->schur, s->rhs);
     }
 }
+
+void pm_saddle_solve(pm_saddle *s) { solve(s, NULL); }
 
 void pm_saddle_spread(const pm_saddle *s, int use_h, double *x)
 {
@@ -208,6 +247,21 @@ void pm_saddle_spread(const pm_saddle *s, int use_h, double *x)
     }
 }
 
+/* What was solved for, in its places: x += M^-1 H^T l. */
+static void spread_solved(const pm_saddle *s, int use_h, double *x)
+{
+    const int n = keeps_light(s) ? s->light.n : 0;
+    for (int k = 0; k < n; k++) s->light.response[s->light.at[k]] += x[s->light.at[k]];
+    pm_saddle_spread(s, use_h, x);
+    for (int k = 0; k < n; k++) x[s->light.at[k]] = s->light.response[s->light.at[k]];
+}
+
+void pm_saddle_move(pm_saddle *s, double *x)
+{
+    solve(s, NULL);
+    spread_solved(s, 0, x);
+}
+
 /* In a singular position a route that follows the motion by other means may know the accelerations. */
 static int from_route(pm_workspace *w)
 {
@@ -219,12 +273,17 @@ static int from_route(pm_workspace *w)
 /* The same with stand-ins for what has no mass, whose inertia is taken off by the response before. */
 static void respond_once(pm_workspace *w, const double *force, const double *before, double *x)
 {
-    for (int i = 0; i < w->model->nq; i++)
-        x[i] = w->numbers.inverse_mass[i] * ((force ? force[i] : 0) + w->numbers.stand_in[i] * before[i]);
+    pm_saddle_light *light = &w->saddle.light;
+    for (int i = 0; i < w->model->nq; i++) {
+        const double f = (force ? force[i] : 0) + w->numbers.stand_in[i] * before[i];
+        x[i] = w->numbers.inverse_mass[i] * f;
+        light->force[i] = f;
+    }
+    for (int k = 0; keeps_light(&w->saddle) && k < light->n; k++) x[light->at[k]] = 0;
     for (int i = 0; i < w->active.n; i++)
         w->saddle.rhs[i] = w->saddle.wanted[i] - pm_constraint_times(&w->frame, &w->active.constraint[i], x);
-    pm_saddle_solve(&w->saddle);
-    pm_saddle_spread(&w->saddle, 1, x);
+    solve(&w->saddle, light->force);
+    spread_solved(&w->saddle, 1, x);
 }
 
 /* How far x is from `before`, relative to the greatest terms it is the sum of; *worst: where. */

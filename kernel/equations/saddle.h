@@ -30,6 +30,8 @@ double pm_saddle_independence_there(pm_workspace *w, const pm_state *s);
 void pm_saddle_solve(pm_saddle *s);
 /* x[nq] += M^-1 H^T l (use_h) or M^-1 G^T l, with l = rhs. */
 void pm_saddle_spread(const pm_saddle *s, int use_h, double *x);
+/* S l = rhs in place, and x[nq] += M^-1 G^T l; H = G where the constraints are factored. */
+void pm_saddle_move(pm_saddle *s, double *x);
 /* The constraints are factored: x[nq] with M x = force + H^T l (force[nq] or NULL: none), G x = wanted; l is in rhs. */
 int pm_saddle_respond(pm_workspace *w, const double *force, double *x);
 /* The same with the inertia of what stands in for bodies without mass: near enough to tell which contacts push. */

@@ -1,6 +1,6 @@
 /* shared_loads.c - the vectors z by the factors of S: for a redundant constraint with direction h
  *
- *   S a = G M^-1 h^T,  z = (-a, 1)
+ *   S a = -G M^-1 h^T,  z = (a, 1)
  *
  * and the slack of a group as a linear program: the greatest m with A s - m + b >= 0.  Where loads may grow without limit, as
  * between two walls, m is not bounded: more than the forces of the scene says nothing more. */
@@ -44,6 +44,7 @@ int pm_shared_create(pm_workspace *w)
         PM_ARRAY(x->bounded, nc),
         PM_ARRAY(x->slot_group, m->nslot),
         PM_ARRAY(x->bound, m->nslot),
+        PM_ARRAY(x->force, m->nq),
         PM_ARRAY(x->response, m->nq),
         PM_ARRAY(x->rhs, nc),
         PM_ARRAY(x->kept, nc + m->njoint_constraint + 2 * m->nslot),
@@ -82,18 +83,15 @@ static void find_vector(pm_workspace *w, int k)
     pm_shared *x = w->active.shared;
     const pm_constraint c = direction_of(w, k);
     double *z = x->z + (size_t)k * w->model->nconstraint, largest = 1;
-    memset(x->response, 0, (size_t)w->model->nq * sizeof *x->response);
-    for (int i = 0; i < 6; i++) {
-        const int at = 3 * c.body[i / 3] + i % 3;
-        if (c.body[i / 3] != w->model->nbody) x->response[at] += w->numbers.inverse_mass[at] * c.h[i];
-    }
-    for (int i = 0; i < w->active.n; i++)
-        w->saddle.rhs[i] = pm_constraint_times(&w->frame, &w->active.constraint[i], x->response);
-    if (w->active.n > 0) pm_saddle_solve(&w->saddle);
+    memset(x->force, 0, (size_t)w->model->nq * sizeof *x->force);
+    for (int i = 0; i < 6; i++)
+        if (c.body[i / 3] != w->model->nbody) x->force[3 * c.body[i / 3] + i % 3] += c.h[i];
+    for (int i = 0; i < w->active.n; i++) w->saddle.wanted[i] = 0;
+    if (w->active.n > 0) pm_saddle_respond_roughly(w, x->force, x->response);
     for (int i = 0; i < w->active.n; i++) largest = fmax(largest, fabs(w->saddle.rhs[i]));
     x->own[k] = 1 / largest;
     for (int i = 0; i < w->active.n; i++) {
-        z[i] = -w->saddle.rhs[i] / largest;
+        z[i] = w->saddle.rhs[i] / largest;
         if (fabs(z[i]) < PM_SHARED_NOTHING) z[i] = 0;
     }
 }

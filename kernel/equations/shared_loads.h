@@ -38,10 +38,10 @@ typedef struct pm_shared {
     int *slot_group; /* [nslot] group of a contact, or PM_NONE */
     int *bound;      /* [nslot] enum pm_shared_bound, flags */
     /* scratch */
-    double *response, *rhs; /* [nq], [nconstraint] */
-    double *kept;           /* [njoint_constraint + 2 nslot] at least, and [nconstraint] */
-    double *matrix, *right; /* of a program: conditions [rows][unknowns], and [rows] */
-    double *amount;         /* [n] how much of each the least distribution takes (shared_reading.c) */
+    double *force, *response, *rhs; /* [nq], [nq], [nconstraint] */
+    double *kept;                   /* [njoint_constraint + 2 nslot] at least, and [nconstraint] */
+    double *matrix, *right;         /* of a program: conditions [rows][unknowns], and [rows] */
+    double *amount;                 /* [n] how much of each the least distribution takes (shared_reading.c) */
     double *cost, *found, *multiplier, *square;
     int *member, *row_slot, *row_bound;
     pm_quadratic_program program;

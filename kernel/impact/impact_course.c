@@ -20,6 +20,7 @@
 #include "equations/active_set.h"
 #include "equations/saddle.h"
 #include "impact/contact_modes.h"
+#include "impact/impact_parts.h"
 #include "numerics/tolerances.h"
 #include "state/workspace.h"
 
@@ -133,18 +134,13 @@ int pm_impact_course_applies(const pm_model *model, int slot)
 /* Velocities that a unit impulse along the constraint gives, with the joints held. */
 static void respond(pm_workspace *w, const pm_constraint *c, double *x)
 {
-    memset(x, 0, (size_t)w->model->nq * sizeof *x);
-    for (int p = 0; p < 2; p++) {
-        const int body = c->body[p];
-        if (body == w->model->nbody) continue;
-        for (int k = 0; k < 3; k++)
-            x[3 * body + k] += w->numbers.inverse_mass[3 * body + k] * c->j[3 * p + k];
-    }
-    if (w->active.n == 0) return;
-    for (int i = 0; i < w->active.n; i++)
-        w->saddle.rhs[i] = -pm_constraint_times(&w->frame, &w->active.constraint[i], x);
-    pm_saddle_solve(&w->saddle);
-    pm_saddle_spread(&w->saddle, 0, x);
+    double *force = w->blow->system.force;
+    memset(force, 0, (size_t)w->model->nq * sizeof *force);
+    for (int p = 0; p < 2; p++)
+        for (int k = 0; k < 3 && c->body[p] != w->model->nbody; k++)
+            force[3 * c->body[p] + k] += c->j[3 * p + k];
+    for (int i = 0; i < w->active.n; i++) w->saddle.wanted[i] = 0;
+    pm_saddle_respond_roughly(w, force, x);
 }
 
 int pm_impact_course_read(pm_workspace *w, int slot, double *response, pm_impact_course *x)

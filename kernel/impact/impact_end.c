@@ -117,6 +117,8 @@ void pm_impact_end_modes(pm_workspace *w, const pm_blow *b)
         if (fabs(rate) > pm_contact_speed(&w->frame))
             continue; /* parts, or is struck again by the next blow */
         w->state.slot[i].mode = pm_contact_modes_of_slip(&w->frame, contact, member);
+        if (b->given[i].sticks && pm_contact_modes_slides(w->state.slot[i].mode))
+            w->state.slot[i].mode = PM_STICK;
         const int closed_here =
             b->share[i] == PM_STRUCK && w->state.slot[i].mode != PM_CAPTURED; /* anchored then */
         if (!closed_here && (b->share[i] != PM_OUT || w->state.slot[i].mode != b->resting[i]))

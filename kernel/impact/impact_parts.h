@@ -18,6 +18,7 @@ typedef struct pm_impact_given {
     int is;
     double normal; /* m/s, after the blow */
     double ratio;  /* tangential impulse over the normal one */
+    int sticks;    /* without slip; what it seems to slip after the blow is rounding */
 } pm_impact_given;
 
 typedef struct pm_blow {

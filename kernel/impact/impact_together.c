@@ -149,6 +149,7 @@ static int solve(pm_workspace *w, pm_blow *b, int plastic)
 {
     pm_contact_system *x = &b->system;
     b->plastic = plastic;
+    memset(b->given, 0, (size_t)w->model->nslot * sizeof *b->given);
     int status = pm_impact_list(w, b);
     if (status) return status;
     if (pm_impact_is_followed(w->model, x)) return pm_impact_follow_several(w, b);
@@ -209,7 +210,7 @@ static int solve_between(pm_workspace *w, pm_blow *b, double k, int *independent
         const int pushes = p[0] > 0, struck = b->share[slot] == PM_STRUCK || b->share[slot] == PM_DROPPED;
         if (pushes)
             b->given[slot] =
-                (pm_impact_given){1, pm_constraint_times(&w->frame, &x->normal[i], b->after), p[1] / p[0]};
+                (pm_impact_given){1, pm_constraint_times(&w->frame, &x->normal[i], b->after), p[1] / p[0], 0};
         b->share[slot] = struck ? (pushes ? PM_STRUCK : PM_DROPPED) : pushes ? PM_JOINED : PM_OUT;
     }
     return pm_impact_trial_solve_given(w, b, independent);

@@ -139,7 +139,7 @@ static int follow_alone(pm_workspace *w, pm_blow *b)
     if (pm_contact_friction_jumps(&w->frame, contact))
         pm_evidence_sign(&w->evidence, PM_SITE_SLIP_LEFT, slot, end.slip, w->numbers.speed);
     if (!ends) return pm_fail(&w->result, PM_BLOW_UNDECIDED, PM_TABLE_CONTACT, contact, x.normal, 0);
-    b->given[slot] = (pm_impact_given){1, end.normal, end.ratio};
+    b->given[slot] = (pm_impact_given){1, end.normal, end.ratio, end.slip == 0};
     return PM_OK;
 }
 

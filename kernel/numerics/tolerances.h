@@ -78,6 +78,10 @@
 #define PM_STAND_IN \
     1e-3 /* of the least mass, for what has none: each round gains as many digits; larger: fewer */
 #define PM_STAND_IN_ROUNDS 60    /* three digits each, unless there is too little mass elsewhere */
+#define PM_LIGHT 1e-4 /* of the greatest mass, or that times the scene's size squared: less is next to no inertia; larger: slower */
+#define PM_LIGHT_METRIC 1e-8 /* likewise: no less where rows are compared; larger: starts move light bodies less */
+#define PM_LIGHT_LEAST_PIVOT 1e-4 /* of the diagonal of S: so many figures may be lost; larger: slower */
+#define PM_LIGHT_SCALINGS 4 /* each brings the greatest entry of a row to the root of what it is off; more: slower */
 #define PM_ORDERED_AS_WRITTEN 10 /* bodies: up to here another order of the joints gains nothing */
 /* starts */
 #define PM_ASSEMBLY_SWEEPS 60 /* Gauss-Newton steps; more would wander */

@@ -36,9 +36,8 @@ static int create_arrays(pm_workspace *w)
         PM_ARRAY(w->numbers.inverse_mass, nq),
         PM_ARRAY(w->numbers.inverse_root, nq),
         PM_ARRAY(w->numbers.stand_in, nq),
-        PM_ARRAY(w->saddle.previous, nq),
+        PM_ARRAY(w->numbers.light, nq),
         PM_ARRAY(w->reach.hinge, m->nbody + 1),
-        PM_ARRAY(w->saddle.wanted, nconstraint),
         PM_ARRAY(w->numbers.of_joint, m->njoint_constraint),
         PM_ARRAY(w->active.constraint, nconstraint + 1),
         PM_ARRAY(w->active.of_joint, m->njoint_constraint),
@@ -47,15 +46,8 @@ static int create_arrays(pm_workspace *w)
         PM_ARRAY(w->active.friction_constraint, m->nfriction),
         PM_ARRAY(w->active.friction_load, m->nfriction),
         PM_ARRAY(w->active.slot_held, PM_JOINT_CONSTRAINTS * m->nslot),
-        PM_ARRAY(w->saddle.schur, (size_t)nconstraint * (size_t)nconstraint),
-        PM_ARRAY(w->saddle.pivot, nconstraint),
-        PM_ARRAY(w->saddle.factored, nconstraint),
-        PM_ARRAY(w->saddle.first_constraint, m->nbody),
         PM_ARRAY(w->active.body_place, m->nbody),
         PM_ARRAY(w->active.joint_order, m->rows[PM_TABLE_JOINT]),
-        PM_ARRAY(w->saddle.basis_range, 2 * (nq + 1)),
-        PM_ARRAY(w->saddle.rhs, nconstraint),
-        PM_ARRAY(w->saddle.basis, (size_t)(nq + 1) * (size_t)nq),
         PM_ARRAY(w->frame.pose, 5 * (m->nbody + 1)),
         PM_ARRAY(w->frame.velocity, 3 * (m->nbody + 1)),
         PM_ARRAY(w->frame.angle, 3 * m->nbody),
@@ -82,10 +74,36 @@ static int create_arrays(pm_workspace *w)
     return pm_arena_take(&w->memory, PM_ARRAYS(array));
 }
 
+/* The arrays of the linear system (equations/saddle.h). */
+static int create_saddle(pm_workspace *w)
+{
+    const size_t nq = w->model->nq, nconstraint = w->model->nconstraint, all = nq + nconstraint;
+    const pm_array array[] = {
+        PM_ARRAY(w->saddle.previous, nq),
+        PM_ARRAY(w->saddle.wanted, nconstraint),
+        PM_ARRAY(w->saddle.schur, nconstraint * nconstraint),
+        PM_ARRAY(w->saddle.pivot, nconstraint),
+        PM_ARRAY(w->saddle.factored, nconstraint),
+        PM_ARRAY(w->saddle.first_constraint, w->model->nbody),
+        PM_ARRAY(w->saddle.basis_range, 2 * (nq + 1)),
+        PM_ARRAY(w->saddle.rhs, nconstraint),
+        PM_ARRAY(w->saddle.light.at, nq),
+        PM_ARRAY(w->saddle.light.matrix, all * all),
+        PM_ARRAY(w->saddle.light.pivot, all),
+        PM_ARRAY(w->saddle.light.scale, all),
+        PM_ARRAY(w->saddle.light.unknown, all),
+        PM_ARRAY(w->saddle.light.force, nq),
+        PM_ARRAY(w->saddle.light.response, nq),
+        PM_ARRAY(w->saddle.basis, (nq + 1) * nq),
+    };
+    return pm_arena_take(&w->memory, PM_ARRAYS(array));
+}
+
 /* Memory of the states and of the rooms, from the bottom to the top. */
 static int create_rooms(pm_workspace *w)
 {
-    int status = pm_state_create(&w->memory, w->model, &w->state);
+    int status = create_saddle(w);
+    if (!status) status = pm_state_create(&w->memory, w->model, &w->state);
     if (!status) status = pm_state_create(&w->memory, w->model, &w->start);
     if (!status) status = pm_state_create(&w->memory, w->model, &w->probe);
     if (!status) status = pm_state_create(&w->memory, w->model, &w->ahead);

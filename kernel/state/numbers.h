@@ -20,8 +20,10 @@ typedef struct pm_numbers {
     double *mass;        /* [nbody] kg */
     double
         *inverse_mass; /* [nq] 1/kg, 1/(kg m^2): inverse of the diagonal of M; 0: held (a particle's angle) */
-    double *inverse_root; /* [nq] its square root */
-    double *stand_in;     /* [nq] what stands for a mass or inertia of 0 in inverse_mass; else 0 */
+    double *inverse_root; /* [nq] its square root, but no more than PM_LIGHT_METRIC allows */
+    unsigned char *light; /* [nq] next to no inertia beside the heaviest body, of the scene's size */
+    int light_any;
+    double *stand_in; /* [nq] what stands for a mass or inertia of 0 in inverse_mass; else 0 */
     unsigned char
         *fixed;   /* [nbody + 1] the body is fixed (equations/fixed_bodies.h); last: the ground, which is */
     int massless; /* some coordinate has such */

@@ -42,6 +42,18 @@ typedef struct pm_active_set {
     struct pm_shared *shared; /* what the redundant ones share with active ones (equations/shared_loads.h) */
 } pm_active_set;
 
+/* The same with light coordinates as unknowns (equations/saddle_light.h); N: constraints and these. */
+typedef struct pm_saddle_light {
+    int is_used;      /* the present factors are these */
+    int n, *at;       /* [nq] light coordinates that active constraints move */
+    double *matrix;   /* [N][N] scaled, then its factors */
+    int *pivot;       /* [N] */
+    double *scale;    /* [N] of rows and columns */
+    double *unknown;  /* [N] scratch */
+    double *force;    /* [nq] scratch: on all coordinates */
+    double *response; /* [nq] of the light coordinates, to what was solved for last */
+} pm_saddle_light;
+
 /* The factored system on the active set, and its right-hand side (equations/saddle.h). */
 typedef struct pm_saddle {
     const pm_model *model;
@@ -57,6 +69,7 @@ typedef struct pm_saddle {
     struct pm_hold *factored; /* [nconstraint] which take hold here */
     double *basis;            /* [nq + 1][nq] orthonormal rows (equations/orthonormal_rows.h) */
     int *basis_range;         /* [nq + 1][2] coordinates between which each is not zero */
+    pm_saddle_light light;
 } pm_saddle;
 
 /* What the last blow did (impact/impact.h). */

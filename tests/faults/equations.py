@@ -193,8 +193,32 @@ FAULTS = [
     Fault(
         "projection: position left out",
         "equations/projection.c",
-        "pm_saddle_spread(&w->saddle, 0, s->q)",
-        "(void)0",
+        "move_symmetric(w, s->q)",
+        "PM_OK",
+    ),
+    Fault(
+        "light: other forces on it are left out",
+        "equations/saddle_light.c",
+        "force ? by[n + k] * force[s->light.at[k]] : 0",
+        "0",
+    ),
+    Fault(
+        "light: it has no inertia at all",
+        "equations/saddle_light.c",
+        "= 1 / s->numbers->inverse_mass[s->light.at[k]]",
+        "= 0",
+    ),
+    Fault(
+        "light: S is trusted though it has lost its figures",
+        "equations/saddle.c",
+        "least_pivot(s) < PM_LIGHT_LEAST_PIVOT",
+        "0",
+    ),
+    Fault(
+        "light: rows of light bodies count as dependent",
+        "equations/case.c",
+        "fmin(numbers->inverse_mass[i], 1 / (PM_LIGHT_METRIC * whole))",
+        "numbers->inverse_mass[i]",
     ),
     Fault("massless: a stand-in stays", "equations/saddle.c", "+ w->numbers.stand_in[i] * before[i]", ""),
     Fault(

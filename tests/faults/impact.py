@@ -213,7 +213,18 @@ FAULTS = [
         "2 * e * now.impulse",
     ),
     Fault("impact: restitution of the work", "impact/impact_course.c", "-e * e * now.work", "-e * now.work"),
-    Fault("impact: joints do not hold", "impact/impact_course.c", "pm_saddle_spread(&w->saddle, 0, x);", ""),
+    Fault(
+        "impact: joints do not hold",
+        "impact/impact_course.c",
+        "pm_saddle_respond_roughly(w, force, x);",
+        "memcpy(x, force, (size_t)w->model->nq * sizeof *x);",
+    ),
+    Fault(
+        "impact: what sticks after a blow slides by rounding",
+        "impact/impact_trial.c",
+        "end.slip == 0};",
+        "0};",
+    ),
     Fault(
         "instant: contacts stay as they were", "impact/instant.c", "m->nslot == 0 || contacts_stay(w)", "1"
     ),
