@@ -6,6 +6,8 @@
 
 #include "expression/program.h"
 #include "expression/program_class.h"
+#include "numerics/tolerances.h"
+#include "state/evidence.h"
 #include "state/workspace.h"
 
 void pm_trigger_reset(const pm_model *model, pm_firing *x)
@@ -15,6 +17,8 @@ void pm_trigger_reset(const pm_model *model, pm_firing *x)
         x->time[i] = NAN;
     }
     memset(x->fired, 0, (size_t)model->rows[PM_TABLE_TRIGGER]);
+    for (int i = 0; i < model->rows[PM_TABLE_TRIGGER]; i++) x->size[i] = 0;
+    pm_trigger_end_instant(model, x);
 }
 
 double pm_trigger_count(const pm_firing *firing, int event)
@@ -23,13 +27,18 @@ double pm_trigger_count(const pm_firing *firing, int event)
     return count >= PM_COUNTLESS ? INFINITY : (double)count;
 }
 
-void pm_trigger_countless(pm_workspace *w, int contact)
+void pm_trigger_countless(pm_firing *firing, int event, double t)
+{
+    firing->count[event] = PM_COUNTLESS;
+    firing->time[event] = t;
+}
+
+void pm_trigger_countless_strikes(pm_workspace *w, int contact)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *e = PM_TRIGGER_ROW(w->model, i);
-        if (e[PM_TRIGGER_KIND] != PM_TRIGGER_STRIKE || e[PM_TRIGGER_A] != contact) continue;
-        w->firing.count[e[PM_TRIGGER_EVENT]] = PM_COUNTLESS;
-        w->firing.time[e[PM_TRIGGER_EVENT]] = w->state.t;
+        if (e[PM_TRIGGER_KIND] == PM_TRIGGER_STRIKE && e[PM_TRIGGER_A] == contact)
+            pm_trigger_countless(&w->firing, e[PM_TRIGGER_EVENT], w->state.t);
     }
 }
 
@@ -85,15 +94,52 @@ void pm_trigger_look_before(pm_workspace *w)
             w->firing.before[i] = pm_trigger_program(w, i);
 }
 
+/* Which side of zero x is on; rounding has none. */
+static int side_of(double x, double rounding) { return fabs(x) <= rounding ? 0 : (x > 0) - (x < 0); }
+
+/* What a jump from `before` to `after` makes true was not true before. */
+static int jump_fires(int kind, int before, int after)
+{
+    switch (kind) {
+    case PM_TRIGGER_RISE: return before <= 0 && after > 0;
+    case PM_TRIGGER_FALL: return before >= 0 && after < 0;
+    default: return before != 0 && after != before;
+    }
+}
+
+/* Where it is decided by the side on which a jump ended whether it fired. */
+static void note_side(pm_workspace *w, int trigger, int before, double after)
+{
+    const int kind = PM_TRIGGER_ROW(w->model, trigger)[PM_TRIGGER_KIND];
+    if (!w->evidence.active || jump_fires(kind, before, 1) == jump_fires(kind, before, -1)) return;
+    pm_evidence_take_after(&w->evidence,
+                           &(pm_evidence_decision){.kind = PM_EVIDENCE_VALUE,
+                                                   .what = INT32_MAX - trigger, /* after those of a phase */
+                                                   .trigger = trigger,
+                                                   .distance = after,
+                                                   .reach = fabs(after),
+                                                   .unit = 1});
+}
+
+/* The value before and after the jump, by the greatest of such values so far. */
+static int has_fired(pm_workspace *w, int trigger, double before, double after)
+{
+    double *size = &w->firing.size[trigger];
+    if (isfinite(before)) *size = fmax(*size, fabs(before));
+    if (isfinite(after)) *size = fmax(*size, fabs(after));
+    if (before == after || isnan(before) || isnan(after)) return 0;
+    const int from = side_of(before, PM_ON_ZERO * *size);
+    note_side(w, trigger, from, after);
+    return jump_fires(PM_TRIGGER_ROW(w->model, trigger)[PM_TRIGGER_KIND], from,
+                      side_of(after, PM_ON_ZERO * *size));
+}
+
 void pm_trigger_look_after(pm_workspace *w)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
         const int kind = PM_TRIGGER_ROW(w->model, i)[PM_TRIGGER_KIND];
         if (kind > PM_TRIGGER_FALL || w->firing.fired[i] == PM_FIRED_NOW) continue;
-        const double before = w->firing.before[i], after = pm_trigger_program(w, i);
-        const int rises = before < 0 && after > 0, falls = before > 0 && after < 0;
-        if ((rises && kind != PM_TRIGGER_FALL) || (falls && kind != PM_TRIGGER_RISE))
-            w->firing.fired[i] = PM_FIRED_NOW;
+        if (has_fired(w, i, w->firing.before[i], pm_trigger_program(w, i))) w->firing.fired[i] = PM_FIRED_NOW;
     }
 }
 
@@ -123,18 +169,31 @@ static int is_marked(const pm_model *model, const pm_firing *firing, int event)
 int pm_trigger_fires(const pm_model *model, const pm_firing *firing, int event)
 {
     const int nth = PM_EVENT_ROW(model, event)[PM_EVENT_NTH];
+    if (firing->counted[event]) return firing->counted[event] == PM_COUNTED_FIRED;
     return is_marked(model, firing, event) && (nth == 0 || firing->seen[event] + 1 == nth);
 }
 
 /* The marks stay until the next phase has begun: they tell which triggers start on zero. */
-int pm_trigger_commit(pm_workspace *w, int event)
+int pm_trigger_count_marked(pm_workspace *w)
 {
-    const int fires = pm_trigger_fires(w->model, &w->firing, event);
-    w->firing.seen[event] += is_marked(w->model, &w->firing, event);
-    if (!fires) return 0;
-    w->firing.count[event]++;
-    w->firing.time[event] = w->state.t;
-    return 1;
+    pm_firing *x = &w->firing;
+    int any = 0;
+    for (int event = 0; event < w->model->rows[PM_TABLE_EVENT]; event++) {
+        if (x->counted[event] || !is_marked(w->model, x, event)) continue;
+        const int fires = pm_trigger_fires(w->model, x, event);
+        any = 1;
+        x->seen[event]++;
+        x->counted[event] = fires ? PM_COUNTED_FIRED : PM_COUNTED_MARKED;
+        if (!fires) continue;
+        x->count[event]++;
+        x->time[event] = w->state.t;
+    }
+    return any;
+}
+
+void pm_trigger_end_instant(const pm_model *model, pm_firing *firing)
+{
+    memset(firing->counted, PM_COUNTED_NOT, (size_t)model->rows[PM_TABLE_EVENT]);
 }
 
 int pm_trigger_until(const pm_model *m, const pm_firing *firing)

@@ -236,7 +236,7 @@ void pm_ask_fired(pm_workspace *w, int event)
 
 void pm_ask_fails(pm_workspace *w, int event)
 {
-    const int64_t nth = w->firing.count[event] + 1;
+    const int64_t nth = w->firing.count[event] + !w->firing.counted[event];
     for (int i = 0; i < w->model->nask; i++) {
         const int32_t *e = PM_ASK_ROW(w->model, i);
         if (e[PM_ASK_EVENT_INDEX] != event || !e[PM_ASK_BEFORE]) continue;

@@ -51,6 +51,7 @@ int pm_event_create(pm_workspace *w)
         PM_ARRAY(e->due, ntrigger),
         PM_ARRAY(e->least, ntrigger),
         PM_ARRAY(e->greatest, ntrigger),
+        PM_ARRAY(e->last, ntrigger),
         PM_ARRAY(e->spent, ncontact),
         PM_ARRAY(e->acted, nevent),
         PM_ARRAY(e->culling.left, ncontact),
@@ -98,12 +99,14 @@ static void add_triggers(pm_workspace *w)
         const int in_time = w->phase.route->in_time && pm_trigger_on_time(w->model, i);
         w->event->least[i] = INFINITY;
         w->event->greatest[i] = -INFINITY;
+        if (w->result.count[PM_COUNT_PHASES] == 0) w->event->last[i] = INFINITY;
         w->event->due[i] = in_time ? pm_trigger_due(w, i) : INFINITY;
         if (in_time || e[PM_TRIGGER_KIND] > PM_TRIGGER_EVERY) continue;
         add(&w->phase, w->event, FUNCTION_TRIGGER, i, direction[e[PM_TRIGGER_KIND]],
             w->model->programs.level[e[PM_TRIGGER_PROGRAM]], 0, 1);
         pm_event_function *f = &w->event->function[w->event->nfunction - 1];
         f->held = w->firing.fired[i];
+        f->rested = f->held ? INFINITY : w->event->last[i];
         f->every = e[PM_TRIGGER_KIND] == PM_TRIGGER_EVERY;
     }
 }

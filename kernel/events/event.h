@@ -42,6 +42,7 @@ typedef struct pm_event_function {
     int side;       /* 1, -1: its sign when the step began; 0: not known, or it was on zero */
     int below;      /* of a gap: the mark was below its edge when the phase began */
     double since;   /* x from which it is held */
+    double rested;  /* of a trigger: its greatest size in the last step before the phase */
     double located; /* x of the zero that was located, on the dense output: not quite where it is exactly */
     double
         slack; /* a held function counts as crossed only below -slack; of a held trigger: no more is zero */
@@ -74,11 +75,12 @@ typedef struct pm_event_set {
     double *due;              /* [ntrigger] time at which a trigger on time alone fires next, or INFINITY */
     unsigned char *spent;     /* [ncontact] left its zero by less than rounding: the bounce is over */
     double *least, *greatest; /* [ntrigger] of the samples in the phase */
-    unsigned char *acted;     /* [nevent] its actions are carried out at this instant */
-    void *solver;             /* gsl_root_fsolver */
-    pm_gap_culling culling;   /* contacts out of reach of the step */
-    int first_step;           /* of the phase */
-    int most;                 /* size of the function array */
+    double *last;           /* [ntrigger] greatest size of the samples of the last step; INFINITY: of none */
+    unsigned char *acted;   /* [nevent] its actions are carried out at this instant */
+    void *solver;           /* gsl_root_fsolver */
+    pm_gap_culling culling; /* contacts out of reach of the step */
+    int first_step;         /* of the phase */
+    int most;               /* size of the function array */
 } pm_event_set;
 
 int pm_event_create(pm_workspace *w);

@@ -14,7 +14,8 @@
  *
  * If that comes near to zero, Newton's method on differences of the dense output leads to the bottom itself.
  *
- * A function that is on its zero when the step begins has no side yet: it is looked for where it has left. */
+ * A function that is on its zero when the step begins has no side yet: it is looked for where it has left.  One that has
+ * rested there until the phase began is through when it leaves. */
 #include "events/event_parts.h"
 
 #include <math.h>
@@ -142,6 +143,18 @@ static void leaves_and_returns(pm_workspace *w, pm_event_function *f, double a, 
     if (f->kind == FUNCTION_GAP && x->a == x->b) w->event->spent[f->index] = 1;
 }
 
+/* How far from zero a held trigger has left it.  One that was zero throughout the step before the phase fires as it leaves to
+ * the side on which it counts; at the start of a run it has no past, and later it rests no more. */
+static double left_beyond(const pm_event_set *e, pm_event_function *f, const pm_event_course *of,
+                          double since)
+{
+    const double rounding = PM_ON_ZERO * of->biggest, beyond = fmax(rounding, f->slack);
+    const int begins = e->first_step && since == e->place[0] && fabs(of->g[0]) <= beyond;
+    const int rests = begins && f->rested <= beyond && !f->every;
+    if (!rests) f->rested = INFINITY;
+    return rests ? fmax(rounding, f->rested) : beyond;
+}
+
 /* A trigger that was on zero at a: its side is where it has definitely left; it may have come back before b.  The
  * samples show that where they resolve it, beyond their error. */
 static int leaves_and_crosses(pm_workspace *w, int i, const pm_event_course *of, double a, double b,
@@ -157,8 +170,9 @@ static int leaves_and_crosses(pm_workspace *w, int i, const pm_event_course *of,
         if (!(fabs(g) > fmax(noise, pm_event_samples_residual(f, of->biggest))))
             g = pm_event_samples_along(w, place, f);
         if (!(fabs(g) > noise)) continue;
-        *x = (pm_span){place, b, g, gb};
-        return crosses(f, g, gb);
+        const int now = isfinite(f->rested) && g * f->direction > 0;
+        *x = now ? (pm_span){a, a, 0, 0} : (pm_span){place, b, g, gb};
+        return now || crosses(f, g, gb);
     }
     return 0;
 }
@@ -177,6 +191,7 @@ static void hold_if_on_zero(const pm_event_set *e, pm_event_function *f, const p
 static int enter(pm_workspace *w, int i, const pm_event_course *of, int *first, pm_span *x)
 {
     const double *place = w->event->place, *g = of->g;
+    const pm_event_set *e = w->event;
     pm_event_function *f = &w->event->function[i];
     const int changes_sign = pm_event_changes_sign(f);
     int k = *first;
@@ -184,8 +199,8 @@ static int enter(pm_workspace *w, int i, const pm_event_course *of, int *first, 
         const double since = fmax(f->since, place[0]);
         while (k < of->n - 1 && (place[k] <= since || fabs(g[k]) < f->slack)) k++;
         *first = k;
-        return leaves_and_crosses(w, i, of, since, place[k], g[k], fmax(PM_ON_ZERO * of->biggest, f->slack),
-                                  x);
+        const double beyond = left_beyond(e, f, of, since);
+        return leaves_and_crosses(w, i, of, since, place[k], g[k], beyond, x);
     }
     if (f->held) { /* a contact starts on the open side, and counts again from where it has left its zero */
         for (k = 1; k < of->n && fabs(g[k]) <= f->slack;) k++;

@@ -92,6 +92,9 @@ static void sample_triggers(pm_workspace *w)
             least = pm_min(value[k], least);
             greatest = pm_max(value[k], greatest);
         }
+        double size = 0;
+        for (int k = 0; k < w->step.nodes->n; k++) size = pm_max(fabs(value[k]), size);
+        e->last[f->index] = size;
         e->least[f->index] = least;
         e->greatest[f->index] = greatest;
     }

@@ -124,7 +124,7 @@ void pm_impact_end_modes(pm_workspace *w, const pm_blow *b)
         if (!closed_here && (b->share[i] != PM_OUT || w->state.slot[i].mode != b->resting[i]))
             pm_active_set_anchor(&w->frame, &w->state, i);
         if (b->held[i] || (b->share[i] == PM_STRUCK && pm_contact_restitution(&w->frame, contact) > 0)) {
-            pm_trigger_countless(w, contact);
+            pm_trigger_countless_strikes(w, contact);
             pm_evidence_part(&w->evidence, contact);
             pm_evidence_cut(&w->evidence);
         }

@@ -60,15 +60,17 @@ static int is_settled(const pm_workspace *w)
     const pm_model *m = w->model;
     if (w->result.count[PM_COUNT_PHASES] == 0 || !w->phase.route->meets_places || w->tree->nloop > 0)
         return 0;
-    return m->nfriction == 0 && !m->acts && (m->nslot == 0 || contacts_stay(w));
+    return m->nfriction == 0 && !m->acts && !m->programs.wait_for_counts &&
+           (m->nslot == 0 || contacts_stay(w));
 }
 
-/* Blows, modes, and what fires by them. */
-static int settle(pm_workspace *w)
+/* Blows, modes, and what fires by them.  Where nothing is struck as the run begins, what holds then has not become so. */
+static int settle(pm_workspace *w, int begins)
 {
     int jumped, status;
     if ((status = pm_impact(w, &jumped)) || (status = pm_contact_modes_settle(w))) return status;
     pm_contact_modes_mark(w);
+    if (begins && !jumped) pm_trigger_look_before(w);
     pm_trigger_look_after(w);
     return PM_OK;
 }
@@ -78,11 +80,10 @@ static int settle(pm_workspace *w)
 static int carry_out(pm_workspace *w)
 {
     int acted, rests = 0, status;
-    pm_action_instant(w->model, w->event);
     for (;;) {
         if ((status = pm_action_carry_out(w, &acted))) return status;
         if (acted) {
-            if ((status = settle(w))) return status;
+            if ((status = settle(w, 0))) return status;
         } else if (!rests) {
             mark_rest(&w->frame, &w->firing);
             rests = 1;
@@ -95,9 +96,11 @@ static int carry_out(pm_workspace *w)
 /* Fires what is due at the frame and answers for it. */
 static void fire(pm_workspace *w)
 {
+    while (pm_trigger_count_marked(w) && w->model->programs.wait_for_counts) pm_trigger_look_after(w);
     pm_event_evidence_close(w);
     for (int event = 0; event < w->model->rows[PM_TABLE_EVENT]; event++)
-        if (pm_trigger_commit(w, event)) pm_ask_fired(w, event);
+        if (w->firing.counted[event] == PM_COUNTED_FIRED) pm_ask_fired(w, event);
+    pm_trigger_end_instant(w->model, &w->firing);
 }
 
 static int count(pm_workspace *w, int *ended)
@@ -125,11 +128,17 @@ static int look_before(pm_workspace *w)
     return pm_contact_modes_begin(w);
 }
 
-/* A blow and what is done because of it.  Where it fails, what was before it has been nevertheless. */
-static int blow(pm_workspace *w)
+/* A blow and what is done because of it; what waits for a count of events fires, and acts, as these are counted.  Where it
+ * fails, what was before it has been nevertheless. */
+static int blow(pm_workspace *w, int begins)
 {
-    int status = settle(w);
+    pm_action_instant(w->model, w->event);
+    int status = settle(w, begins);
     if (!status && w->model->acts) status = carry_out(w);
+    while (!status && w->model->programs.wait_for_counts && pm_trigger_count_marked(w)) {
+        pm_trigger_look_after(w);
+        if (w->model->acts) status = carry_out(w);
+    }
     for (int event = 0; status && event < w->model->rows[PM_TABLE_EVENT]; event++)
         if (pm_trigger_fires(w->model, &w->firing, event)) pm_ask_fails(w, event);
     return status;
@@ -147,8 +156,8 @@ static int go_on(pm_workspace *w, int *ended)
     return look_before(w);
 }
 
-/* What happens to the bodies.  The frame is DYNAMIC before and after. */
-static int act(pm_workspace *w, int *ended)
+/* What happens to the bodies, as the run begins or later.  The frame is DYNAMIC before and after. */
+static int act(pm_workspace *w, int begins, int *ended)
 {
     *ended = 0;
     pm_event_evidence_instant(w);
@@ -157,12 +166,12 @@ static int act(pm_workspace *w, int *ended)
         return PM_OK;
     }
     int status = look_before(w);
-    if (!status) status = blow(w);
+    if (!status) status = blow(w, begins);
     for (int i = 1; !status && !*ended && pm_impact_goes_on(w); i++) {
         if (i == PM_BLOWS_IN_ORDER)
             return pm_fail(&w->result, PM_BLOWS_ENDLESS, PM_TABLE_CONTACT, PM_NONE, i, i);
         status = go_on(w, ended);
-        if (!status && !*ended) status = blow(w);
+        if (!status && !*ended) status = blow(w, 0);
     }
     return status;
 }
@@ -181,7 +190,7 @@ int pm_instant_start(pm_workspace *w)
 {
     int ended; /* is set again when the start is closed */
     pm_trigger_mark_start(w);
-    return act(w, &ended);
+    return act(w, 1, &ended);
 }
 
 /* Where the motion reverses speeds are zero: triggers that read them change sign as the velocities do. */
@@ -215,7 +224,7 @@ int pm_instant_full(pm_workspace *w, int *ended)
     int status = pm_history_append(w, 1);
     if (!status) status = pm_saddle_accelerate(w);
     if (!status && w->step.reverses) status = mark_reversal(w);
-    if (!status) status = act(w, ended);
+    if (!status) status = act(w, 0, ended);
     if (status || *ended) return status;
     status = pm_instant_finish(w, ended);
     return status ? status : pm_history_append(w, 2);

@@ -119,6 +119,7 @@ static void look_at_programs(pm_model *m)
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++)
         if (PM_TRIGGER_ROW(m, i)[PM_TRIGGER_PROGRAM] >= 0)
             look_at_watched(m, PM_TRIGGER_ROW(m, i)[PM_TRIGGER_PROGRAM]);
+    m->programs.wait_for_counts = m->programs.watch_counts;
     for (int i = 0; i < m->nask; i++) {
         const int32_t *e = PM_ASK_ROW(m, i);
         if (e[PM_ASK_KIND] < PM_ASK_MAX || e[PM_ASK_KIND] > PM_ASK_GRID) continue;

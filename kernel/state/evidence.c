@@ -102,6 +102,15 @@ void pm_evidence_take(pm_evidence *evidence, const pm_evidence_decision *decisio
     log->entry[log->n++].history = log->history;
 }
 
+void pm_evidence_take_after(pm_evidence *evidence, const pm_evidence_decision *decision)
+{
+    const pm_evidence_log *log = &evidence->present->log;
+    const pm_evidence_decision *last = log->n > 0 ? &log->entry[log->n - 1] : NULL;
+    pm_evidence_decision x = *decision;
+    if (last && last->instant == log->instant) x.approach = last->approach;
+    pm_evidence_take(evidence, &x);
+}
+
 void pm_evidence_sign(pm_evidence *evidence, int site, int what, double x, double unit)
 {
     if (!evidence->active) return;

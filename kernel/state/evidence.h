@@ -11,10 +11,11 @@
 #define PM_EVIDENCE_SEED 2385 /* of the disturbances of a coarse run: any number */
 
 enum pm_evidence_kind {
-    PM_EVIDENCE_VALUE = 0, /* of a function of the phase that did not fire at this instant */
-    PM_EVIDENCE_RATE = 1,  /* at which a function went through zero: none, and it would have reversed */
-    PM_EVIDENCE_NEAR = 2,  /* least value of a function that came close and reversed */
-    PM_EVIDENCE_SIGN = 3   /* of an impulse, a force, a speed: compared in a blow or a choice of modes */
+    PM_EVIDENCE_VALUE =
+        0, /* of a function of the phase that did not fire at this instant; of a trigger after a jump */
+    PM_EVIDENCE_RATE = 1, /* at which a function went through zero: none, and it would have reversed */
+    PM_EVIDENCE_NEAR = 2, /* least value of a function that came close and reversed */
+    PM_EVIDENCE_SIGN = 3  /* of an impulse, a force, a speed: compared in a blow or a choice of modes */
 };
 
 /* What is decided by a sign. */
@@ -97,6 +98,8 @@ void pm_evidence_cut(pm_evidence *evidence);
 
 /* Adds a decision to the log of the pass, at the present instant. */
 void pm_evidence_take(pm_evidence *evidence, const pm_evidence_decision *decision);
+/* Likewise; it belongs to the blow whose decisions were added last at this instant. */
+void pm_evidence_take_after(pm_evidence *evidence, const pm_evidence_decision *decision);
 /* The sign of x, of natural size `unit`, decides what contact slot (or contact) `what` does. */
 void pm_evidence_sign(pm_evidence *evidence, int site, int what, double x, double unit);
 /* What was decided at the present instant so far belongs to a blow with this greatest speed of approach. */

@@ -27,6 +27,7 @@ typedef struct pm_model_programs {
     int read_time; /* some program reads the time */
     int sample_time;              /* some trigger, extreme or grid does */
     int watch_counts;             /* what is watched in a step reads the count or time of an event */
+    int wait_for_counts;          /* some trigger does */
     struct pm_program_fold *fold; /* the programs as they are run within a case */
 } pm_model_programs;
 

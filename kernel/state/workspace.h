@@ -128,11 +128,13 @@ typedef struct pm_instant {
 
 /* Which triggers have fired, and how often and when events did (elements/trigger.h). */
 typedef struct pm_firing {
-    unsigned char *fired; /* [ntrigger] enum pm_fired, at this instant */
-    double *before;       /* [ntrigger] values of their programs before the jump */
-    int64_t *count;       /* [nevent] how often it has fired */
-    int64_t *seen;        /* [nevent] how often its triggers were marked */
-    double *time;         /* [nevent] s, when it fired last; not a number before */
+    unsigned char *fired;   /* [ntrigger] enum pm_fired, at this instant */
+    double *before;         /* [ntrigger] values of their programs before the jump */
+    double *size;           /* [ntrigger] greatest of these values, and of those after jumps, so far */
+    int64_t *count;         /* [nevent] how often it has fired */
+    int64_t *seen;          /* [nevent] how often its triggers were marked */
+    unsigned char *counted; /* [nevent] enum pm_counted, at this instant */
+    double *time;           /* [nevent] s, when it fired last; not a number before */
 } pm_firing;
 
 /* Whether errors and margins are estimated, and the pass that notes them (state/evidence.h). */

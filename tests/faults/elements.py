@@ -335,8 +335,8 @@ FAULTS = [
     Fault(
         "event: a blow's change of sign",
         "elements/trigger.c",
-        "const int rises = before < 0 && after > 0",
-        "const int rises = 0",
+        "return before >= 0 && after < 0;",
+        "return 0;",
     ),
     Fault(
         "event: a trigger on time that comes late",
@@ -389,5 +389,17 @@ FAULTS = [
         "elements/trigger.c",
         "root_of(w, i) == w->frame.t",
         "root_of(w, i) == w->frame.t + 1",
+    ),
+    Fault(
+        "jump: off zero nothing fires",
+        "elements/trigger.c",
+        "return before <= 0 && after > 0;",
+        "return before < 0 && after > 0;",
+    ),
+    Fault(
+        "jump: onto zero nothing is equal",
+        "elements/trigger.c",
+        "return before != 0 && after != before;",
+        "return before * after < 0;",
     ),
 ]

@@ -94,8 +94,8 @@ FAULTS = [
     Fault(
         "missed root: comes back to a held zero at once",
         "events/event_bracket.c",
-        "return crosses(f, g, gb)",
-        "return 0",
+        "return now || crosses(f, g, gb)",
+        "return now",
     ),
     Fault(
         "event: the wrong way",
@@ -316,7 +316,13 @@ FAULTS = [
     Fault(
         "ask: what was before a blow that fails is of the next one",
         "events/ask.c",
-        "const int64_t nth = w->firing.count[event] + 1;",
+        "const int64_t nth = w->firing.count[event] + !w->firing.counted[event];",
         "const int64_t nth = w->firing.count[event] + 2;",
+    ),
+    Fault(
+        "event: what has rested on zero leaves it unseen",
+        "events/event_bracket.c",
+        "isfinite(f->rested) && g * f->direction > 0",
+        "isfinite(f->rested) && g * f->direction < 0",
     ),
 ]

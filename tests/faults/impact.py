@@ -195,7 +195,12 @@ FAULTS = [
         "w->state.slot[i].mode = pm_contact_modes_of_slip(&w->frame, contact, member)",
         "w->state.slot[i].mode = PM_OPEN",
     ),
-    Fault("jump: its blows can be counted", "impact/impact_end.c", "pm_trigger_countless(w, contact);", ""),
+    Fault(
+        "jump: its blows can be counted",
+        "impact/impact_end.c",
+        "pm_trigger_countless_strikes(w, contact);",
+        "",
+    ),
     Fault(
         "impact: friction drives the slip",
         "impact/impact_course.c",
@@ -408,5 +413,17 @@ FAULTS = [
         "impact/contact_problem_sweeps.c",
         "fabs(p[1]) <= o->mu * p[0]",
         "fabs(p[1]) <= 9 * o->mu * p[0]",
+    ),
+    Fault(
+        "jump: what holds from the start on fires",
+        "impact/instant.c",
+        "if (begins && !jumped)",
+        "if (begins && jumped)",
+    ),
+    Fault(
+        "event: nobody waits for a count",
+        "impact/instant.c",
+        "w->model->programs.wait_for_counts && pm_trigger_count_marked(w)",
+        "w->model->programs.wait_for_counts && 0",
     ),
 ]

@@ -121,13 +121,19 @@ FAULTS = [
     Fault(
         "zeno: a trigger on the way",
         "routes/uniform/zeno.c",
-        "!(x.least > 0 || x.greatest < 0)) return 0",
-        "0) return 0",
+        ": !(x->least > 0 || x->greatest < 0);",
+        ": 0;",
     ),
     Fault(
         "uniform: rows are dropped from the proof",
         "routes/uniform/route_uniform.c",
         "!pm_constraint_all_steady(&w->frame, &w->active, &u->curve) ||",
         "",
+    ),
+    Fault(
+        "series: what all its flights fire is counted once",
+        "routes/uniform/zeno.c",
+        "flight && may_fire(w, r, i, &x))",
+        "flight && 0 * may_fire(w, r, i, &x))",
     ),
 ]

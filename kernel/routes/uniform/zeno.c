@@ -149,19 +149,62 @@ static pm_outlook outlook_of(pm_workspace *w, const pm_rest *r, int program)
     return x;
 }
 
+/* State at the end of the series. */
+static void end_of_series(const pm_uniform *u, int nq, const pm_rest *r, double *q, double *v)
+{
+    const double t = r->time, e = r->e;
+    for (int i = 0; i < nq; i++) {
+        const double d = u->series.change[i];
+        q[i] = u->q0[i] + t * (u->v[i] + 0.5 * t * u->a[i] + d * e * e / (1 - e * e));
+        v[i] = u->v[i] + t * u->a[i] + d * e / (1 - e);
+    }
+}
+
+/* A trigger of the motion that the rest of the series may fire; what ends the step is none. */
+static int may_fire(pm_workspace *w, const pm_rest *r, int trigger, pm_outlook *x)
+{
+    const int32_t *e = PM_TRIGGER_ROW(w->model, trigger);
+    if (e[PM_TRIGGER_KIND] > PM_TRIGGER_EVERY || pm_trigger_on_time(w->model, trigger)) return 0;
+    *x = outlook_of(w, r, e[PM_TRIGGER_PROGRAM]);
+    return e[PM_TRIGGER_KIND] == PM_TRIGGER_EVERY ? !(floor(x->least) == floor(x->greatest))
+                                                  : !(x->least > 0 || x->greatest < 0);
+}
+
+/* All flights are alike to it, down to the smallest: at the end of the series it is on its zero. */
+static int fires_alike(pm_workspace *w, const pm_rest *r, int trigger, const pm_outlook *x)
+{
+    pm_uniform *u = w->uniform;
+    const int32_t *e = PM_TRIGGER_ROW(w->model, trigger);
+    end_of_series(u, w->model->nq, r, u->q_look, u->v_look);
+    pm_frame_look(&w->frame, u->t0 + r->time, u->q_look, u->v_look, w->state.z, w->state.memory);
+    const double p = pm_trigger_program(w, trigger);
+    const double off = e[PM_TRIGGER_KIND] == PM_TRIGGER_EVERY ? p - round(p) : p;
+    return fabs(off) <= PM_ZENO_GEOMETRIC * (x->greatest - x->least);
+}
+
 static int triggers_are_clear(pm_workspace *w, const pm_rest *r)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *e = PM_TRIGGER_ROW(w->model, i);
-        if (!is_awaited(w->model, &w->firing, e[PM_TRIGGER_EVENT])) continue;
-        if (e[PM_TRIGGER_KIND] == PM_TRIGGER_STRIKE && e[PM_TRIGGER_A] == r->contact) return 0;
-        if (e[PM_TRIGGER_KIND] > PM_TRIGGER_EVERY || pm_trigger_on_time(w->model, i))
-            continue; /* these end the step */
-        const pm_outlook x = outlook_of(w, r, e[PM_TRIGGER_PROGRAM]);
-        const int every = e[PM_TRIGGER_KIND] == PM_TRIGGER_EVERY;
-        if (every ? !(floor(x.least) == floor(x.greatest)) : !(x.least > 0 || x.greatest < 0)) return 0;
+        const int awaited = is_awaited(w->model, &w->firing, e[PM_TRIGGER_EVENT]);
+        pm_outlook x;
+        if (awaited && e[PM_TRIGGER_KIND] == PM_TRIGGER_STRIKE && e[PM_TRIGGER_A] == r->contact) return 0;
+        if (may_fire(w, r, i, &x) && (awaited || !fires_alike(w, r, i, &x))) return 0;
     }
     return 1;
+}
+
+/* What fired in the last flight, and may do so in the next, has fired without end at the end. */
+static void count_without_end(pm_workspace *w, const pm_rest *r)
+{
+    const double flight = w->uniform->series.flight, t0 = w->uniform->t0;
+    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
+        const int32_t *e = PM_TRIGGER_ROW(w->model, i);
+        const int event = e[PM_TRIGGER_EVENT];
+        pm_outlook x;
+        if (w->firing.time[event] > t0 - (1 - PM_ZENO_GEOMETRIC) * flight && may_fire(w, r, i, &x))
+            pm_trigger_countless(&w->firing, event, t0 + r->time);
+    }
 }
 
 static int grid_is_clear(const pm_numbers *numbers, const struct pm_ask_set *ask, const int32_t *e,
@@ -338,18 +381,14 @@ int pm_zeno_leap(pm_workspace *w, int contact, double flight, double t_limit, in
     const pm_rest r = {contact, e, flight, flight / (1 - e)};
     *taken = contact != PM_NONE && applies(w, &r, t_limit);
     if (!*taken) return PM_OK;
-    const double t = r.time;
     double *q = w->state.q, *v = w->state.v;
-    for (int i = 0; i < w->model->nq; i++) {
-        const double d = u->series.change[i];
-        q[i] = u->q0[i] + t * (u->v[i] + 0.5 * t * u->a[i] + d * e * e / (1 - e * e));
-        v[i] = u->v[i] + t * u->a[i] + d * e / (1 - e);
-    }
+    count_without_end(w, &r);
+    end_of_series(u, w->model->nq, &r, q, v);
     add_forces(w, &r, q);
     add_blows(w, &r, q, v);
-    w->step.begin = w->step.end = w->state.t = u->t0 + t;
+    w->step.begin = w->step.end = w->state.t = u->t0 + r.time;
     w->result.count[PM_COUNT_JUMPS]++;
-    pm_trigger_countless(w, contact);
+    pm_trigger_countless_strikes(w, contact);
     pm_zeno_reset(w->uniform);
     return pm_projection_apply(w, &w->state);
 }
