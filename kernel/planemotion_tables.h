@@ -172,6 +172,8 @@ enum pm_capture {
 };
 /* What restitution multiplies: the velocity of approach, the impulse of compression, (squared) its work. */
 enum pm_law { PM_LAW_NEWTON = 0, PM_LAW_POISSON = 1, PM_LAW_STRONGE = 2, PM_LAWS = 3 };
+/* Where it slips and no motion obeys the laws: the run ends (PM_PAINLEVE), or an impact without collision goes on. */
+enum pm_painleve { PM_PAINLEVE_STOPS = 0, PM_PAINLEVE_STRIKES = 1, PM_PAINLEVE_KINDS = 2 };
 enum pm_contact_column {
     PM_CONTACT_KIND = 0,
     PM_CONTACT_A = 1,
@@ -195,7 +197,8 @@ enum pm_contact_column {
     PM_CONTACT_FROM =
         15, /* segment: value indices, places on the line from its point, from < to; or PM_NONE */
     PM_CONTACT_TO = 16,
-    PM_CONTACT_COLUMNS = 17
+    PM_CONTACT_PAINLEVE = 17, /* enum pm_painleve */
+    PM_CONTACT_COLUMNS = 18
 };
 
 /* ---- forces --------------------------------------------------------------------------------------------- */

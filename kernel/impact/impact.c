@@ -36,6 +36,7 @@ int pm_impact_create(pm_workspace *w)
     const pm_model *m = w->model;
     if (PM_ARENA_NEW(&w->memory, w->blow)) return PM_NO_MEMORY;
     pm_blow *b = w->blow;
+    b->shock = PM_NONE;
     const pm_array array[] = {
         PM_ARRAY(b->before, m->nq),
         PM_ARRAY(b->after, m->nq),
@@ -150,7 +151,9 @@ static int one_blow(pm_workspace *w, pm_blow *b)
         b->trial[i] = captured ? PM_CAPTURED : pm_impact_trial_mode(&w->frame, i);
         if (captured && b->share[i] == PM_OUT) b->share[i] = PM_JOINED; /* joints take part in every blow */
     }
-    if ((status = find_blow(w, b)) || (status = pm_joint_friction_check_blow(w))) return status;
+    if ((status = b->shock == PM_NONE ? find_blow(w, b) : pm_impact_follow_shock(w, b)) ||
+        (status = pm_joint_friction_check_blow(w)))
+        return status;
     memcpy(b->before, w->state.v, (size_t)m->nq * sizeof *b->before);
     memcpy(w->state.v, b->after, (size_t)m->nq * sizeof *b->after);
     pm_frame_look_state(&w->frame, &w->state);
@@ -177,6 +180,35 @@ int pm_impact_hold(pm_workspace *w)
             b->share[i] = PM_JOINED;
     pm_frame_look_state(&w->frame, &w->state);
     return one_blow(w, b);
+}
+
+static int shock(pm_workspace *w, pm_blow *b, int slot)
+{
+    memset(b->share, PM_OUT, (size_t)w->model->nslot);
+    b->share[slot] = PM_JOINED;
+    b->approach = b->ends_bounce = 0;
+    b->shock = slot;
+    pm_frame_look_state(&w->frame, &w->state);
+    const int status = one_blow(w, b);
+    b->shock = PM_NONE;
+    for (int i = 0; i < w->model->nslot && status; i++) w->state.slot[i].mode = b->resting[i];
+    return status;
+}
+
+int pm_impact_without_collision(pm_workspace *w, int jumped)
+{
+    const pm_model *m = w->model;
+    const pm_where where = w->result.where;
+    if (!jumped) w->impulses.energy_lost = 0;
+    for (int i = 0; i < m->nslot; i++) {
+        const int contact = pm_contact_of_slot(m, i);
+        if (!pm_contact_modes_slides(w->state.slot[i].mode)) continue;
+        if (PM_CONTACT_ROW(m, contact)[PM_CONTACT_PAINLEVE] != PM_PAINLEVE_STRIKES) continue;
+        const int status = shock(w, w->blow, i);
+        if (status != PM_PAINLEVE) return status;
+    }
+    w->result.where = where;
+    return PM_PAINLEVE;
 }
 
 int pm_impact(pm_workspace *w, int *jumped)

@@ -8,7 +8,11 @@
  *
  *   newton   u_n = -e u_n(before)      poisson   P = (1 + e) P_c      stronge   int u_n dP = -e^2 W_c  from there on
  *
- * The three agree without friction.  [E. J. Routh, Dynamics of a System of Rigid Bodies, Elementary Part, ch. IV;
+ * The three agree without friction.
+ *
+ * Where a - mu |b| < 0 friction draws a pair that slips together, and a blow begins with u_n = 0: an impact without collision
+ * (Painleve).  The slip ends in it, for a c >= b^2, and compression soon after it.
+ * [F. Genot and B. Brogliato, Eur. J. Mech. A/Solids 18 (1999) 653; E. J. Routh, Dynamics of a System of Rigid Bodies, Elementary Part, ch. IV;
  * Y. Wang and M. T. Mason, J. Appl. Mech. 59 (1992) 635; W. J. Stronge, Proc. R. Soc. A 431 (1990) 169] */
 #include "impact/impact_course.h"
 
@@ -105,13 +109,24 @@ static int follow_phase(const pm_impact_course *x, pm_impact_place *now,
 
 static double until_impulse(const pm_impact_place *now, double impulse) { return impulse - now->impulse; }
 
+static double slip_of(const pm_impact_course *x) { return fabs(x->slip) > x->no_slip ? x->slip : 0; }
+
+int pm_impact_course_draws(const pm_impact_course *x)
+{
+    pm_impact_place now = {.slip = slip_of(x)};
+    set_rates(x, &now);
+    return now.slip != 0 && now.rate_n < 0;
+}
+
 int pm_impact_course_follow(const pm_impact_course *x, pm_impact_course_end *end)
 {
-    pm_impact_place now = {.normal = x->normal, .slip = fabs(x->slip) > x->no_slip ? x->slip : 0};
+    pm_impact_place now = {.normal = x->normal, .slip = slip_of(x)};
     const double e = x->restitution;
     int ends = 1;
     stick_at_once(x, &now);
-    if (!(now.normal < 0) || !follow_phase(x, &now, until_speed, 0)) return 0;
+    if (!(now.normal < 0 || (now.normal == 0 && pm_impact_course_draws(x))) ||
+        !follow_phase(x, &now, until_speed, 0))
+        return 0;
     now.normal = 0;
     if (e > 0) switch ((enum pm_law)x->law) {
         case PM_LAW_NEWTON: ends = follow_phase(x, &now, until_speed, -e * x->normal); break;

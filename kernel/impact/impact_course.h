@@ -8,7 +8,7 @@
  * what drives prescribe; its law. */
 typedef struct pm_impact_course {
     double a, b, c;
-    double normal, slip;          /* m/s, normal < 0 */
+    double normal, slip;          /* m/s, normal < 0; or 0, where it draws */
     double mu_static, mu_kinetic; /* static and kinetic coefficients; infinite: rough */
     double restitution;
     double no_slip; /* m/s: slower than this is no slip */
@@ -20,6 +20,9 @@ typedef struct pm_impact_course_end {
     double impulse, ratio; /* normal impulse; tangential impulse over it */
 } pm_impact_course_end;
 
+/* 1 if its friction draws the pair together while it slips: with no velocity of approach it is a blow nevertheless, an impact
+ * without collision. */
+int pm_impact_course_draws(const pm_impact_course *x);
 /* Follows the blow to its end; 0 if the law has none: friction holds the pair so that it cannot part. */
 int pm_impact_course_follow(const pm_impact_course *x, pm_impact_course_end *end);
 /* Reads all of it but the restitution, of the contact in `slot` at the frame; the active constraints are those of the

@@ -5,7 +5,9 @@
  * they share the blow.  Here all go at one pace: velocities of approach fall in proportion to what they are, velocities of
  * separation grow in proportion to what restitution asks for, unless other contacts move the pair apart faster.  No stiffness
  * enters, no order and no mirror.  What rests is held while it is pressed.  Blows that this decides are counted
- * (PM_COUNT_SHARED_BLOWS). */
+ * (PM_COUNT_SHARED_BLOWS).
+ *
+ * An impact without collision is the course of one contact alone (impact_course.c): friction draws it together while it slips. */
 #include <math.h>
 #include <string.h>
 
@@ -106,6 +108,69 @@ int pm_impact_follow_several(pm_workspace *w, pm_blow *b)
     return PM_OK;
 }
 
+/* ---- impacts without collision ---- */
+/* One contact that slips, as if it were struck alone with no velocity of approach. */
+static pm_impact_course course_of(const pm_workspace *w, const pm_contact_system *x, const double *velocity,
+                                  int i)
+{
+    const int n = 2 * x->problem.n, contact = pm_contact_of_slot(w->model, x->slot[i]);
+    const double *own = x->problem.response + 2 * i * (n + 1);
+    return (pm_impact_course){
+        .a = own[0],
+        .b = own[1],
+        .c = own[n + 1],
+        .slip = velocity[2 * i + 1],
+        .mu_static = x->problem.contact[i].hold,
+        .mu_kinetic = x->problem.contact[i].rub,
+        .restitution = pm_contact_restitution(&w->frame, contact),
+        .no_slip = pm_contact_speed(&w->frame),
+        .law = pm_contact_law(w->model, contact),
+    };
+}
+
+/* Nothing else would be struck. */
+static int others_part(const pm_workspace *w, const pm_blow *b, const pm_contact_system *x)
+{
+    for (int i = 0; i < x->problem.n; i++) {
+        const double rate = pm_constraint_times(&w->frame, &x->normal[i], b->after) - x->normal[i].rate;
+        if (x->slot[i] != b->shock && rate < -pm_contact_speed(&w->frame)) return 0;
+    }
+    return 1;
+}
+
+static int has_course(const pm_workspace *w, int contact)
+{
+    return !w->numbers.massless && PM_CONTACT_ROW(w->model, contact)[PM_CONTACT_TANGENTIAL] == PM_NONE;
+}
+
+int pm_impact_follow_shock(pm_workspace *w, pm_blow *b)
+{
+    pm_contact_system *x = &b->system;
+    pm_contact_course *c = &b->course;
+    const int contact = pm_contact_of_slot(w->model, b->shock);
+    pm_impact_course_end end;
+    int i = 0, status = pm_impact_list(w, b);
+    if (status) return status;
+    pose(w, b, x, c);
+    while (x->slot[i] != b->shock) i++;
+    const pm_impact_course one = course_of(w, x, c->velocity, i);
+    const int draws =
+        has_course(w, contact) && pm_impact_course_draws(&one) && pm_impact_course_follow(&one, &end);
+    memset(c->impulse, 0, 2 * (size_t)c->n * sizeof *c->impulse);
+    c->limited = b->several = 0;
+    if (draws) {
+        c->impulse[2 * i] = end.impulse;
+        c->impulse[2 * i + 1] = end.ratio * end.impulse;
+        if ((status = apply(w, b, x, c->impulse))) return status;
+    }
+    if (!draws || !others_part(w, b, x))
+        return pm_fail(&w->result, PM_PAINLEVE, PM_TABLE_CONTACT, contact, x->problem.contact[i].rub, c->n);
+    record(w, b, x, c->impulse);
+    b->followed = 1;
+    return PM_OK;
+}
+
+/* ---- what it leaves ---- */
 void pm_impact_followed_close(pm_workspace *w, const pm_blow *b)
 {
     const pm_contact_system *x = &b->system;

@@ -31,6 +31,7 @@ typedef struct pm_blow {
     double *response;     /* [nq] scratch of impact_course.c */
     double approach;      /* m/s, greatest of what is struck */
     int ends_bounce;      /* a contact whose bounce is over is closed: what it was left with is rounding */
+    int shock;            /* slot whose blow is an impact without collision, or PM_NONE */
     int several;          /* the blow is that of impact_together.c, and no rounding */
     int followed;         /* it is that of impact_followed.c */
     int plastic;          /* without restitution */
@@ -89,6 +90,9 @@ int pm_impact_is_followed(const pm_model *m, const pm_contact_system *x);
 /* The blow of what is listed, recorded.  As pm_impact_together; PM_UNSUPPORTED with massless bodies; PM_BLOW_SEVERAL where a
  * contact has a restitution along it. */
 int pm_impact_follow_several(pm_workspace *w, pm_blow *b);
+/* The impact without collision of the contact in b->shock, recorded.  PM_PAINLEVE: friction does not draw it together, or
+ * others would have to take part; where = contact, detail = its coefficient of friction, contacts that are closed. */
+int pm_impact_follow_shock(pm_workspace *w, pm_blow *b);
 /* Enters the blow, where it is one, into the counts, and its contacts, which are not among the active constraints, into the
  * ledger of a jump from b->before. */
 void pm_impact_followed_close(pm_workspace *w, const pm_blow *b);

@@ -64,11 +64,24 @@ static int is_settled(const pm_workspace *w)
            (m->nslot == 0 || contacts_stay(w));
 }
 
-/* Blows, modes, and what fires by them.  Where nothing is struck as the run begins, what holds then has not become so. */
+/* Blows, and the modes after them.  Where no motion goes on from there an impact without collision may. */
+static int strike(pm_workspace *w, int *jumped)
+{
+    int status = pm_impact(w, jumped);
+    for (int i = 0; !status; i++) {
+        status = pm_contact_modes_settle(w);
+        if (status != PM_PAINLEVE || i == w->model->nslot) return status;
+        status = pm_impact_without_collision(w, (*jumped)++);
+    }
+    return status;
+}
+
+/* The same, and what fires by them.  Where nothing is struck as the run begins, what holds then has not become so. */
 static int settle(pm_workspace *w, int begins)
 {
-    int jumped, status;
-    if ((status = pm_impact(w, &jumped)) || (status = pm_contact_modes_settle(w))) return status;
+    int jumped;
+    const int status = strike(w, &jumped);
+    if (status) return status;
     pm_contact_modes_mark(w);
     if (begins && !jumped) pm_trigger_look_before(w);
     pm_trigger_look_after(w);

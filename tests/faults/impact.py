@@ -343,6 +343,36 @@ FAULTS = [
         ";",
     ),
     Fault(
+        "shock: friction that does not draw strikes, too",
+        "impact/impact_course.c",
+        "return now.slip != 0 && now.rate_n < 0;",
+        "return now.slip != 0;",
+    ),
+    Fault(
+        "shock: no impulse along the contact",
+        "impact/impact_followed.c",
+        "c->impulse[2 * i + 1] = end.ratio * end.impulse;",
+        "",
+    ),
+    Fault(
+        "shock: others are pressed into what they touch",
+        "impact/impact_followed.c",
+        "if (x->slot[i] != b->shock && rate < -pm_contact_speed(&w->frame)) return 0;",
+        "(void)rate;",
+    ),
+    Fault(
+        "shock: a contact that is to stop is struck",
+        "impact/impact.c",
+        "if (PM_CONTACT_ROW(m, contact)[PM_CONTACT_PAINLEVE] != PM_PAINLEVE_STRIKES) continue;",
+        "",
+    ),
+    Fault(
+        "shock: the response of the tangent to the normal is that of itself",
+        "impact/impact_followed.c",
+        ".b = own[1],",
+        ".b = own[0],",
+    ),
+    Fault(
         "order: nobody looks",
         "impact/impact.c",
         "PM_SETTING(m, PM_SETTING_SIMULTANEOUS) == PM_SIMULTANEOUS_OPEN)",

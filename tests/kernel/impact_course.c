@@ -31,7 +31,8 @@ typedef struct stepped {
 static stepped step_through(const pm_impact_course *x)
 {
     stepped s = {x->normal, x->slip, 0, 0, 0};
-    const double dp = 4 * -x->normal / (x->a - x->b * x->b / x->c) / STEPS;
+    const double reach = x->normal < 0 ? -x->normal : 3 * fabs(x->slip);
+    const double dp = 4 * reach / (x->a - x->b * x->b / x->c) / STEPS;
     double friction = 0, p_end = INFINITY, work_end = INFINITY;
     int compressed = 0;
     for (int i = 0; i < 4 * STEPS; i++) {
@@ -158,6 +159,40 @@ static void rough(void)
     }
 }
 
+/* Friction that draws a pair together strikes it though it does not approach; with less of it there is no blow. */
+static void without_collision(void)
+{
+    int drawn = 0, quiet = 0;
+    while (drawn < 45) {
+        pm_impact_course x = some(drawn % PM_LAWS);
+        pm_impact_course_end end, mirrored;
+        x.normal = 0;
+        x.b = copysign(check_random(0.6, 0.9) * sqrt(x.a * x.c), x.slip);
+        x.mu_static = x.mu_kinetic = check_random(0, 4);
+        const int draws = x.a < x.mu_kinetic * fabs(x.b);
+        EQUAL(pm_impact_course_draws(&x), draws);
+        EQUAL(pm_impact_course_follow(&x, &end), draws);
+        quiet += !draws;
+        if (!draws) continue;
+        const stepped s = step_through(&x);
+        NEAR(end.normal, s.normal, STEPPED * 50);
+        NEAR(end.slip, s.slip, STEPPED * 50);
+        NEAR(end.impulse, s.p, STEPPED * 50);
+        NEAR(end.ratio, s.ratio, STEPPED * 50);
+        CHECK(given(&x, &end) < 0);
+        EQUAL(end.slip, 0);
+        if (x.law == PM_LAW_NEWTON) EQUAL(end.normal, 0);
+        x.slip = -x.slip;
+        EQUAL(pm_impact_course_draws(&x), 0); /* b of a mirror image has the other sign, too */
+        x.b = -x.b;
+        CHECK(pm_impact_course_follow(&x, &mirrored));
+        NEAR(mirrored.ratio, -end.ratio, CLOSE);
+        NEAR(mirrored.normal, end.normal, CLOSE);
+        drawn++;
+    }
+    CHECK(quiet > 5);
+}
+
 /* One degree of freedom: normal and tangent move together.  Friction slows the approach down; what would part again it
  * locks if mu is too great. */
 static void locked(void)
@@ -227,6 +262,53 @@ static void free_rod(void)
                 }
                 scene_free(s);
             }
+}
+
+/* A rod on its foot, which slips and does not approach; angle to the floor, above it. */
+static scene *sliding_rod(double angle, double mu, double slip)
+{
+    const double half = 0.5;
+    scene *s = scene_create();
+    const int b = scene_body(s, 1, half * half / 3, half * cos(angle), half * sin(angle), angle);
+    const int foot = scene_circle(s, scene_point(s, b, -half, 0), 0);
+    const int c = scene_contact(s, PM_CONTACT_LINE, foot, scene_floor(s, 0), 0, 0.5, PM_FRICTION_COULOMB, mu);
+    scene_cell(s, PM_TABLE_CONTACT, c, PM_CONTACT_PAINLEVE, PM_PAINLEVE_STRIKES);
+    scene_until(s, scene_on(s, PM_TRIGGER_START, PM_NONE), 1);
+    scene_start_omega(s, b, 0);
+    scene_start_velocity(s, scene_point(s, b, 0, 0), slip, 0);
+    return s;
+}
+
+/* Its friction strikes it without collision: held by Newton's law it keeps its moment of momentum about the foot.  Not where
+ * its law stops, where a restitution along it has no course, and where a second foot would be pressed into the floor. */
+static void drawn_rod(void)
+{
+    for (int slip = -1; slip <= 1; slip += 2)
+        for (int n = 0; n < 4; n++) {
+            const double angle = slip < 0 ? 0.9 : M_PI - 0.9;
+            scene *s = sliding_rod(angle, 1.6, slip);
+            const int omega = scene_ask_measure(s, scene_measure(s, PM_MEASURE_OMEGA, 0));
+            const int lost = scene_ask_measure(s, scene_measure(s, PM_MEASURE_LOST, PM_NONE));
+            if (n == 1) scene_cell(s, PM_TABLE_CONTACT, 0, PM_CONTACT_PAINLEVE, PM_PAINLEVE_STOPS);
+            if (n == 2) scene_cell(s, PM_TABLE_CONTACT, 0, PM_CONTACT_TANGENTIAL, scene_value(s, 0.5));
+            if (n == 3) {
+                const double x = slip * 0.01 * cos(angle), y = -slip * 0.01 * sin(angle);
+                const int behind = scene_circle(s, scene_point(s, 0, -0.5 + x, y), 0);
+                scene_contact(s, PM_CONTACT_LINE, behind, 0, 0, 0.5, PM_FRICTION_COULOMB, 1.6);
+            }
+            EQUAL(scene_run(s, NULL), n == 0 ? PM_NO_TIME_ROUTE : PM_PAINLEVE);
+            EQUAL(s->count[PM_COUNT_JUMPS], n == 0);
+            if (n == 0) {
+                const double spin = -1.5 * slip * sin(angle), before = 0.5, after = spin * spin / 6;
+                NEAR(s->out[omega], spin, CLOSE);
+                NEAR(s->out[lost], before - after, CLOSE);
+                CHECK(s->audit[PM_AUDIT_ENERGY] < CLOSE && s->audit[PM_AUDIT_MOMENTUM] < CLOSE);
+            } else {
+                EQUAL(s->where[PM_WHERE_ROW], 0);
+                NEAR(s->detail[PM_DETAIL_VALUE], 1.6, CLOSE);
+            }
+            scene_free(s);
+        }
 }
 
 /* A pinned rod: one degree of freedom.  Moments about the pin give its spin after the blow. */
@@ -341,8 +423,10 @@ int main(void)
     mirrored();
     energies();
     rough();
+    without_collision();
     locked();
     free_rod();
+    drawn_rod();
     pinned_rod();
     fails();
     two_ends();

@@ -48,6 +48,9 @@ class ContactInfo:
     captures: bool
 
 
+_PAINLEVE = {"stop": layout.PM_PAINLEVE_STOPS, "impact": layout.PM_PAINLEVE_STRIKES}
+
+
 class Contacts:
     """Adds contacts to the tables."""
 
@@ -194,6 +197,7 @@ class Contacts:
             layout.PM_CONTACT_CAPTURE: _CAPTURES[contact.capture],
             layout.PM_CONTACT_TANGENTIAL: self._tangential(contact, law, path),
             layout.PM_CONTACT_LAW: layout.pm_law[f"PM_LAW_{contact.law.upper()}"],
+            layout.PM_CONTACT_PAINLEVE: _PAINLEVE[contact.painleve],
         }
 
     def _tangential(self, contact: Contact, law: int, path: str) -> int:

@@ -191,7 +191,8 @@ _DESCRIPTIONS: dict[int, Any] = {
     ),
     layout.PM_PAINLEVE: lambda place, found, bound: (
         f"{place}: with friction {found:.4g} no motion obeys the laws of contact here "
-        f"({bound:.0f} contacts take part; Painleve's paradox); the run ends here"
+        f"({bound:.0f} contacts take part; Painleve's paradox); the run ends here; with painleve = "
+        '"impact" at a contact that slips and strikes alone it goes on'
     ),
     layout.PM_ROUGH_IMPOSSIBLE: lambda place, found, bound: (
         f"{place}: it is rough, and no motion keeps it from slipping while its normal force pushes; "

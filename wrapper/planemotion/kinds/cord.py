@@ -66,6 +66,7 @@ class Cord(Coupling):
             row[layout.PM_CONTACT_FRICTION] = layout.PM_FRICTION_SMOOTH
             row[layout.PM_CONTACT_SLACK] = to.tables.value(slack, f"{path}.{key}")
             row[layout.PM_CONTACT_LAW] = layout.PM_LAW_NEWTON
+            row[layout.PM_CONTACT_PAINLEVE] = layout.PM_PAINLEVE_STOPS
             row[layout.PM_CONTACT_SENSE_A] = sense_a
             row[layout.PM_CONTACT_SENSE_B] = sense_b
             row[layout.PM_CONTACT_CAPTURE] = layout.PM_CAPTURE_NONE

@@ -143,6 +143,7 @@ class Contact(Kind):
     tangential: Number | None = None
     normal: Number | None = None
     law: Text = "newton"
+    painleve: Literal["stop", "impact"] = "stop"
     capture: Literal["none", "pin", "body"] = "none"
     surface_speed: Number | None = None
 

@@ -239,7 +239,11 @@ def _laws(contact: Any) -> str:
     text = f"restitution {_written(contact.restitution)}, {text}"
     if contact.tangential is not None:
         text += f", {_written(contact.tangential)} along it"
-    return text if contact.law == "newton" else f"{text}, law {contact.law}"
+    if contact.law != "newton":
+        text += f", law {contact.law}"
+    return (
+        text if contact.painleve == "stop" else f"{text}, where no motion exists an impact without collision"
+    )
 
 
 def _written(value: object) -> str:
