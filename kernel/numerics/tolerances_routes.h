@@ -107,9 +107,20 @@
 #define PM_IDA_TO_MEETING 0.25 /* of the time to what is met: the limit holds a step late; more: steps over it */
 
 #define PM_IDA_TIGHTER \
-    1e-2 /* of the tolerance: IDA's errors are far above what it is asked for; more: less accurate */
-#define PM_IDA_TIGHTEST 1e-12 /* relative: below it steps follow rounding; more: less can be asked for */
-#define PM_IDA_NEWTON 0.1     /* of the error allowed: Newton's iteration may stop; more: its error shows */
+    4e-3 /* of the tolerance to PM_IDA_POWER: what IDA keeps in each step; more: less accurate */
+#define PM_IDA_POWER 1.2 /* errors of order 5 add up over steps that go with 1/6 of it; more: loose runs err */
+#define PM_IDA_FINEST 1e-10 /* relative: below it steps follow rounding; more: less can be asked for */
+#define PM_IDA_NEWTON 0.01  /* of the error allowed: Newton's iteration may stop; more: its error shows */
+#define PM_IDA_NOTHING \
+    1e-4 /* of that: a first change that needs no other to tell how fast they shrink; likewise */
+#define PM_IDA_STALLED 0.9 /* of the change before: the iteration leads nowhere; more: tried longer */
+#define PM_IDA_UNKNOWN \
+    20.0 /* times a change: what it may leave where no rate is known yet; more: one iteration more */
+#define PM_IDA_GAINED 4.0 /* roundings: a change with nothing left to gain; more: unknowns less exact */
+#define PM_IDA_ROUNDINGS \
+    8.0 /* roundings: differences over five steps show no less of an error; more: less accurate far away */
+#define PM_IDA_TRIES \
+    40 /* of a step, each a quarter of the one before: forces that rise from nothing tell no first length; more would only put off the failure */
 #define PM_IDA_FIRST_STEP \
     0.3 /* of sqrt(tolerance) times the motion's own time: a step of order 1; more: rejected */
 #define PM_IDA_RATE_TIME \
@@ -136,8 +147,6 @@
 #define PM_IDA_PIVOT 0.1 /* of the greatest in its column: a pivot that keeps the order; more: more fill-in */
 #define PM_IDA_LEDGER_WEIGHT \
     1e-2 /* of the weight of what is controlled: the ledger feeds nothing back; more: slower */
-#define PM_IDA_ROUNDING \
-    3.6e-15 /* of a value: angles and L grow, smaller errors are rounding; more: less accurate far away */
 
 /* ---- routes/uniform ---- */
 

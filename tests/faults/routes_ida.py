@@ -3,6 +3,18 @@
 from tests.faults.fault import Fault
 
 FAULTS = [
+    Fault(
+        "ida: rounding ends no iteration",
+        "routes/ida/ida_newton.c",
+        "if (is_rounding(r, change)) return",
+        "if (0 * is_rounding(r, change)) return",
+    ),
+    Fault(
+        "ida: a tolerance that is too loose",
+        "routes/ida/ida_system.c",
+        "pow(asked, PM_IDA_POWER)",
+        "pow(asked, 0.95 * PM_IDA_POWER)",
+    ),
     Fault("ida: sign of the bends", "routes/ida/ida_linear.c", "= -j->gv_slope[", "= j->gv_slope["),
     Fault(
         "ida: what begins on its zero is not held there",

@@ -192,9 +192,9 @@ static void routes_agree(void (*make)(scene *, int *), const double bound[3])
 
 static void motions(void)
 {
-    routes_agree(double_pendulum, (double[]){5e-5, 2e-6, 5e-8});
-    routes_agree(slider_crank, (double[]){2e-3, 5e-5, 1e-6});
-    routes_agree(long_chain, (double[]){1e-4, 1e-5, 1e-6});
+    routes_agree(double_pendulum, (double[]){4e-6, 4e-8, 1e-9});
+    routes_agree(slider_crank, (double[]){5e-4, 5e-6, 1e-7});
+    routes_agree(long_chain, (double[]){2e-8, 2e-10, 2e-11});
 }
 
 /* The block stops after v^2 / (2 mu g) and v / (mu g), and stays. */
@@ -212,10 +212,10 @@ static void friction_stops(void)
 }
 
 /* A disk rolls down 30 degrees: a = 2/3 g sin; 200 turns, and still on its anchor. */
-static void rolls_far(void)
+static void rolls_far(double r, double accuracy)
 {
-    const double angle = -0.52359877559829887, r = 0.25, way = 200 * 6.283185307179586 * r;
-    scene *s = with_ida(1e-8);
+    const double angle = -0.52359877559829887, way = 200 * 6.283185307179586 * r;
+    scene *s = with_ida(accuracy);
     const int b = scene_body(s, 3, 3 * r * r / 2, -r * sin(angle), r * cos(angle), 0);
     const int centre = scene_point(s, b, 0, 0);
     scene_joint(s, PM_JOINT_ROLLING_LINE, scene_circle(s, centre, r), scene_floor(s, angle), 0);
@@ -451,7 +451,9 @@ int main(void)
     }
     motions();
     friction_stops();
-    rolls_far();
+    rolls_far(0.25, 1e-8);
+    rolls_far(0.25, 1e-10);
+    rolls_far(0.003, 1e-10);
     stiff_damper();
     grazes();
     held_zeros();

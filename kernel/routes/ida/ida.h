@@ -5,6 +5,8 @@
  *   ida_jacobian.c  the blocks of the Newton matrix
  *   ida_linear.c    their elimination, as a linear solver of SUNDIALS
  *   ida_sparse.c    the same for many unknowns
+ *   ida_rounding.c  rounding of the unknowns
+ *   ida_newton.c    the end of Newton's iteration
  *   ida_vector.c    vector operations
  *   ida_library.c   versions of SUNDIALS
  *
@@ -46,12 +48,21 @@ typedef struct pm_ida_jacobian {
     int nbend;
     double independence; /* least independent part of a row of G, of that row, at the last matrix */
     int known;           /* the factors are of this phase */
+    int fresh;           /* nothing is known of how well they serve */
     int sparse;          /* there are many unknowns: ida_sparse.c */
     double *scale;       /* [nq + nconstraint] of the unknowns of `system` */
     double *work;        /* scratch of the differences and of a solution */
     int has_forces;      /* some force may depend on positions */
     int has_damping;     /* and some on velocities */
 } pm_ida_jacobian;
+
+/* How far rounding moves each unknown. */
+typedef struct pm_ida_rounding {
+    double *all;      /* [n] */
+    double *own;      /* [n] of the numbers themselves */
+    double *residual; /* [n] of what is left of the equations */
+    double *shift;    /* [n] scratch */
+} pm_ida_rounding;
 
 typedef struct pm_ida {
     /* the phase */
@@ -65,6 +76,10 @@ typedef struct pm_ida {
     N_Vector id;    /* 1: under error control */
     SUNMatrix matrix;
     SUNLinearSolver solver;
+    SUNNonlinearSolver newton;
+    double first_change; /* of Newton's iteration in this step, in error weights */
+    double left_over;    /* of a change: what it is believed to leave */
+    pm_ida_rounding rounding;
     int most;           /* unknowns with all constraints active */
     double tolerance;   /* of IDA */
     double *weight;     /* [most] reciprocal of the allowed errors, rounding left aside */
@@ -132,6 +147,22 @@ int pm_ida_sparse_factor(pm_workspace *w);
 /* Of b, all unknowns of the phase: q[nq], vl[nq + nactive] = (v, L) and mu[nactive]. */
 void pm_ida_sparse_solve(const pm_model *model, pm_ida *ida, const double *b, double *q, double *vl,
                          double *mu);
+
+/* ---- ida_rounding.c ---- */
+int pm_ida_rounding_create(pm_arena *arena, pm_ida_rounding *x, int most);
+/* Of all unknowns at y, where the constraints are evaluated; slope: d(G v)/dq, or NULL where it is not known. */
+void pm_ida_rounding_find(pm_workspace *w, const double *y, const double *slope);
+/* The same where the last matrix, which has just been factored, makes more of it. */
+void pm_ida_rounding_solve(pm_workspace *w);
+/* Of unknown i at a value that has grown since. */
+static inline double pm_ida_rounding_at(const pm_ida_rounding *x, int i, double y)
+{
+    const double now = PM_EPSILON * (y < 0 ? -y : y);
+    return x->all[i] > now ? x->all[i] : now;
+}
+
+/* ---- ida_newton.c ---- */
+int pm_ida_newton_create(pm_workspace *w);
 
 /* ---- ida_vector.c ---- */
 /* A vector with room for `most` numbers, all 0, of which *length count at any time; `length` must outlive

@@ -185,4 +185,5 @@ void pm_ida_jacobian_evaluate(pm_workspace *w, double t, double cj, const double
     ledger(w, x, &d);
     if (x->has_damping) velocities(w, x, t, &d);
     positions(w, x, t, yp, &d);
+    pm_ida_rounding_find(w, y, x->gv_slope);
 }

@@ -190,6 +190,7 @@ int pm_ida_linear_factor(pm_workspace *w)
     const int status = j->sparse ? pm_ida_sparse_factor(w) : factor_dense(w);
     w->result.count[PM_COUNT_SOLVES]++;
     j->known = !status;
+    j->fresh = 1;
     return status;
 }
 
@@ -347,6 +348,7 @@ static int setup(SUNLinearSolver solver, SUNMatrix matrix)
     const int status = pm_ida_linear_factor(w);
     if (status == PM_SINGULAR || status == PM_NO_MEMORY)
         w->ida->status = status; /* else it is IDA's to say what failed */
+    if (!status) pm_ida_rounding_solve(w);
     return status == PM_NO_MEMORY ? -1 : status != PM_OK;
 }
 

@@ -22,9 +22,6 @@
 #include "state/frame.h"
 #include "state/workspace.h"
 
-/* The errors of backward differences add up, and the same accuracy should mean about the same error whatever
- * the route. */
-
 void pm_ida_system_layout(pm_workspace *w)
 {
     pm_ida *r = w->ida;
@@ -108,7 +105,8 @@ void pm_ida_system_scale(pm_workspace *w)
     const pm_model *m = w->model;
     pm_ida *r = w->ida;
     const int l = pm_ida_place_l(w->model), mu = pm_ida_place_mu(w->model, w->ida);
-    const double tolerance = r->tolerance = fmax(PM_IDA_TIGHTER * w->numbers.tolerance, PM_IDA_TIGHTEST);
+    const double asked = fmax(w->numbers.tolerance, PM_IDA_FINEST);
+    const double tolerance = r->tolerance = PM_IDA_TIGHTER * pow(asked, PM_IDA_POWER);
     const double mass = pm_body_total_mass(&w->frame);
     double *weight = r->weight;
     for (int i = 0; i < m->nq; i++) {
@@ -124,6 +122,7 @@ void pm_ida_system_scale(pm_workspace *w)
         weight[l + i] = unit / (tolerance * w->numbers.speed);
         weight[mu + i] = unit / (tolerance * w->numbers.size);
     }
+    pm_ida_rounding_find(w, N_VGetArrayPointer(r->y), NULL);
 }
 
 void pm_ida_system_weights(const pm_model *model, const pm_ida *r, const double *y, double *weight)
@@ -131,5 +130,6 @@ void pm_ida_system_weights(const pm_model *model, const pm_ida *r, const double 
     /* IDA takes the root mean square over all unknowns: count those under control only */
     const double share = sqrt((double)r->n / (2 * model->nq + model->nz_controlled));
     for (int i = 0; i < r->n; i++)
-        weight[i] = share * r->weight[i] / (1 + PM_IDA_ROUNDING * r->weight[i] * fabs(y[i]));
+        weight[i] = share * r->weight[i] /
+                    (1 + PM_IDA_ROUNDINGS * r->weight[i] * pm_ida_rounding_at(&r->rounding, i, y[i]));
 }

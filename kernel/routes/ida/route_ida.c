@@ -99,7 +99,8 @@ static int set_up(pm_workspace *w)
     if (flag == IDA_SUCCESS) flag = IDASetId(r->memory, r->id);
     if (flag == IDA_SUCCESS) flag = IDASetSuppressAlg(r->memory, SUNTRUE);
     if (flag == IDA_SUCCESS) flag = IDASetMaxOrd(r->memory, ORDER);
-    if (flag == IDA_SUCCESS) flag = IDASetNonlinConvCoef(r->memory, PM_IDA_NEWTON);
+    if (flag == IDA_SUCCESS) flag = IDASetMaxErrTestFails(r->memory, PM_IDA_TRIES);
+    if (flag == IDA_SUCCESS) flag = IDASetMaxConvFails(r->memory, PM_IDA_TRIES);
     return status_of(&w->result, w->ida, flag);
 }
 
@@ -114,6 +115,7 @@ static void destroy(void *ida)
     } else {
         pm_ida_linear_free(r->matrix, r->solver);
     }
+    if (r->newton) SUNNonlinSolFree(r->newton);
     N_Vector vector[] = {r->y, r->yp, r->dense, r->id};
     for (int i = 0; i < 4; i++)
         if (vector[i]) N_VDestroy(vector[i]);
@@ -131,10 +133,12 @@ static int create(pm_workspace *w)
     if (!r->memory) return PM_NO_MEMORY;
     const pm_array array[] = {PM_ARRAY(r->weight, r->most + 1)};
     int status = pm_arena_take(&w->memory, PM_ARRAYS(array));
+    if (!status) status = pm_ida_rounding_create(&w->memory, &r->rounding, r->most);
     if (!status) status = pm_ida_jacobian_create(&w->memory, &r->jacobian, m);
     if (!status) status = create_vectors(w->model, w->ida);
     if (!status) status = set_up(w);
     if (!status) status = create_solver(w);
+    if (!status) status = pm_ida_newton_create(w);
     if (!status) status = pm_ida_sparse_create(w);
     return status;
 }
@@ -220,6 +224,7 @@ static int begin(pm_workspace *w)
     pm_ida *r = w->ida;
     r->status = PM_OK;
     r->jacobian.known = 0;
+    r->jacobian.fresh = 1;
     r->jacobian.independence = 1;
     pm_ida_system_layout(w);
     int status = pm_ida_system_start(w, N_VGetArrayPointer(r->y), N_VGetArrayPointer(r->yp));
@@ -330,7 +335,7 @@ const pm_route_ops pm_route_ida = {
     .step = step,
     .at = at,
     .exact = exact,
-    .finest = PM_IDA_TIGHTEST / PM_IDA_TIGHTER,
+    .finest = PM_IDA_FINEST,
     .spread = 60, /* its order changes on the way */
     .in_time = 1,
     .when_lost = PM_LOST_TO_PASSAGE,
