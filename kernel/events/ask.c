@@ -255,6 +255,14 @@ static void charge_residual(pm_workspace *w, int ask)
     if (a->bound[ask] > best) pm_evidence_more(&w->evidence, e[PM_ASK_OUT], a->bound[ask] - best);
 }
 
+/* A list of an event that fired more often than it is long. */
+static int is_cut(const pm_workspace *w, int ask)
+{
+    const int32_t *e = PM_ASK_ROW(w->model, ask);
+    return e[PM_ASK_KIND] == PM_ASK_EACH && w->ask->filled[e[PM_ASK_OUT] + e[PM_ASK_COUNT] - 1] &&
+           w->firing.count[e[PM_ASK_EVENT_INDEX]] > e[PM_ASK_COUNT];
+}
+
 void pm_ask_end(pm_workspace *w)
 {
     const pm_model *m = w->model;
@@ -276,6 +284,7 @@ void pm_ask_end(pm_workspace *w)
         if (filled) w->result.reason[i] = infinite ? PM_REASON_INFINITE : PM_REASON_NONE;
         if (filled && undefined && !each) w->result.reason[i] = PM_REASON_UNDEFINED;
         if (filled && undefined && w->ask->shared[i]) w->result.reason[i] = PM_REASON_SHARED;
+        if (is_cut(w, i)) w->result.reason[i] = PM_REASON_CUT;
     }
 }
 
@@ -299,5 +308,6 @@ void pm_ask_keep(pm_workspace *w, int sound, int others)
                 w->result.reason[i] = PM_REASON_NONE;
             else
                 w->result.out[k] = NAN;
+        if (is_cut(w, i)) w->result.reason[i] = PM_REASON_CUT;
     }
 }

@@ -325,4 +325,10 @@ FAULTS = [
         "isfinite(f->rested) && g * f->direction > 0",
         "isfinite(f->rested) && g * f->direction < 0",
     ),
+    Fault(
+        "ask: a list that is cut says nothing",
+        "events/ask.c",
+        "w->firing.count[e[PM_ASK_EVENT_INDEX]] > e[PM_ASK_COUNT];",
+        "w->firing.count[e[PM_ASK_EVENT_INDEX]] < e[PM_ASK_COUNT];",
+    ),
 ]

@@ -74,10 +74,17 @@ static void every(void)
         scene_when(s, PM_TRIGGER_EVERY, SCENE_PROGRAM(s, scene_m(t.x), scene_k(s, 0.4), scene_op(PM_OP_DIV)));
     const int each = scene_ask(s, PM_ASK_EACH, scene_read(s, t.x), step, 1, 0, PM_NONE, PM_NONE, 20),
               count = count_of(s, step);
+    const int few = scene_ask(s, PM_ASK_EACH, scene_read(s, t.x), step, 1, 0, PM_NONE, PM_NONE, 5),
+              as_many = scene_ask(s, PM_ASK_EACH, scene_read(s, t.x), step, 1, 0, PM_NONE, PM_NONE, 14);
     scene_until_time(s, 1.9);
     EQUAL(scene_run(s, NULL), PM_OK);
     EQUAL(s->out[count], 14);
     for (int i = 0; i < 14; i++) NEAR(s->out[each + i], -0.4 * (i + 1), 1e-12);
+    for (int i = 0; i < 5; i++) NEAR(s->out[few + i], -0.4 * (i + 1), 1e-12);
+    NEAR(s->out[as_many + 13], -5.6, 1e-12);
+    EQUAL(s->reason[0], PM_REASON_NONE);
+    EQUAL(s->reason[2], PM_REASON_CUT);
+    EQUAL(s->reason[3], PM_REASON_NONE);
     scene_free(s);
 }
 

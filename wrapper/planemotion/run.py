@@ -9,6 +9,8 @@ import numpy as np
 
 from . import _layout as layout
 from .base.errors import SimulationError
+from .compile.asks import EACH_FIRINGS, MOST_FIRINGS
+from .compile.flatten import flatten
 from .engine import call
 from .engine.outcome import CaseResults
 from .engine.result import RunResult, collect
@@ -18,16 +20,34 @@ if TYPE_CHECKING:
     from .scene import Scene
 
 
+# How much longer lists become at once.
+_LONGER = 16
+
+
 def simulate(scene: Scene) -> RunResult:
     """Runs a scene as it is.  A run that fails is seen by the result's status, not by an exception.
 
     Raises SceneError for a fault in the scene.
     """
     data = scene.data
-    results = [(flat, call.run_cases(flat, np.atleast_2d(flat.defaults))) for flat in scene.tables()]
+    results = [_with_whole_lists(scene, flat, _run_once(flat)) for flat in scene.tables()]
     result = collect(data.id, data.file, tuple(data.ask), results)
     shared = [group for flat, one in results if _is_shared(one) for group in _shared(flat)]
     return replace(result, notes=(*result.notes, *dict.fromkeys(shared))) if shared else result
+
+
+def _run_once(flat: FlatScene) -> CaseResults:
+    return call.run_cases(flat, np.atleast_2d(flat.defaults))
+
+
+def _with_whole_lists(scene: Scene, flat: FlatScene, results: CaseResults) -> tuple[FlatScene, CaseResults]:
+    """Once more with longer lists, up to the longest, as long as an event fires more often than one is long."""
+    firings = EACH_FIRINGS
+    while firings < MOST_FIRINGS and (results.reason == layout.PM_REASON_CUT).any():
+        firings = min(_LONGER * firings, MOST_FIRINGS)
+        flat = flatten(scene, flat.run, firings=firings)
+        results = _run_once(flat)
+    return flat, results
 
 
 def _is_shared(results: CaseResults) -> bool:

@@ -19,8 +19,9 @@ from .events import firing
 from .grids import grid_nodes, read_grid
 from .measures import Measures
 
-# Columns of an answer "each EVENT" where nothing says how often the event fires.
+# Columns of an answer "each EVENT" where nothing says how often the event fires, and the most of them.
 EACH_FIRINGS = 64
+MOST_FIRINGS = 100_000
 
 
 @dataclass(frozen=True)
@@ -53,8 +54,12 @@ class Asks:
         measures: Measures,
         reader: Reader,
         tables: Tables,
+        firings: int = EACH_FIRINGS,
     ) -> None:
-        """`bounds`: how often an event can fire before the run ends, where that is known."""
+        """`bounds`: how often an event can fire before the run ends, where that is known.
+
+        `firings`: how long an answer "each EVENT" may be of any other event."""
+        self.firings = firings
         self.events = events
         self.bounds = bounds
         self.measures = measures
@@ -133,7 +138,7 @@ class Asks:
         row[layout.PM_ASK_EVENT_INDEX] = event
         row[layout.PM_ASK_NTH] = nth or 1
         row[layout.PM_ASK_BEFORE] = int(before)
-        return row, self.bounds.get(event, EACH_FIRINGS) if each else 1
+        return row, self.bounds.get(event, self.firings) if each else 1
 
 
 def _plain_values(at: str | At | None, count: int) -> tuple[str, Floats] | None:

@@ -29,7 +29,7 @@ from ..model.tables import Action, Body, Contact
 from ..model.words import IMPACTS, ROUND_SHAPES, SHARED, unknown
 from ..reading.scene import HasData, SceneData
 from .actions import Actions, add_nudge
-from .asks import Asked, Asks
+from .asks import EACH_FIRINGS, Asked, Asks
 from .bounds import check_bounds
 from .contacts import Contacts
 from .elements import JointInfo, add_coupling, add_force, add_joint, drive
@@ -88,17 +88,23 @@ class FlatScene:
         return self.table[first : first + count * columns].reshape(count, columns)
 
 
-def flatten(scene: SceneData | HasData, run_name: str | None = None, *, history: bool = True) -> FlatScene:
+def flatten(
+    scene: SceneData | HasData,
+    run_name: str | None = None,
+    *,
+    history: bool = True,
+    firings: int = EACH_FIRINGS,
+) -> FlatScene:
     """The tables of a scene.
 
     `run_name` chooses one of [runs]; without it the first is taken if there are any.  An ask that names no
     run is answered in the first.  Swept parameters are columns of `param` even where the file gives an
-    expression.  `history`: with the columns of one, which a sweep does not need.  Raises SceneError with file
-    and key path.
+    expression.  `history`: with the columns of one, which a sweep does not need.  `firings`: how long an
+    answer "each EVENT" may be.  Raises SceneError with file and key path.
     """
     data = scene if isinstance(scene, SceneData) else scene.data
     try:
-        return _Flattener(data, run_name).flat(history)
+        return _Flattener(data, run_name).flat(history, firings)
     except SceneError as error:
         raise error.at(file=data.file) from None
 
@@ -123,7 +129,7 @@ class _Flattener:
         self.scope = self._elements()
         self.measures = Measures(self.drawn, self.reader, self.tables, self.scope)
 
-    def flat(self, history: bool) -> FlatScene:
+    def flat(self, history: bool, firings: int) -> FlatScene:
         data, tables = self.data, self.tables
         self._check_masses()
         Spins(self.drawn, self.reader, tables).add(data)
@@ -138,7 +144,7 @@ class _Flattener:
         for name, done in self.actions.items():
             actions.add(self.scope.events[name], done)
         instants.add_until(data.until)
-        asks = Asks(self.scope.events, self._bounds(), self.measures, self.reader, tables)
+        asks = Asks(self.scope.events, self._bounds(), self.measures, self.reader, tables, firings)
         first_run = next(iter(data.runs), None)
         for key, ask in data.ask.items():
             if (ask.run or first_run) == self.run:

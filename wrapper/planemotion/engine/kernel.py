@@ -21,6 +21,7 @@ REASONS: Mapping[int, str] = {
     layout.PM_REASON_FAILED: "the run failed",
     layout.PM_REASON_INFINITE: "infinite",
     layout.PM_REASON_SHARED: "not unique: redundant constraints share it",
+    layout.PM_REASON_CUT: "the event fired more often than the list is long",
 }
 
 

@@ -28,7 +28,8 @@ Answer = float | list[float | None] | None
 class AskValue:
     """The answer to one ask: `value` in `unit`; None, with the `reason`, where there is none.
 
-    A list has None for each value that was not reached; `reason` then says why.  `error`: the estimated
+    A list has None for each value that was not reached; `reason` then says why, and also where an event
+    fired more often than the list "each EVENT" is long.  `error`: the estimated
     absolute error, in `unit`, shaped as `value`; None where nothing was estimated.  `margin`, of an integer
     or a yes or no: distance over error of the closest decision on which it depends; below 1 it is not
     certain; None if no decision was taken.
@@ -156,7 +157,10 @@ def answer(
     missing = any(value is None for value in values) or (column.open_ended and not values)
     if missing and reason == layout.PM_REASON_NONE:
         reason = layout.PM_REASON_FAILED if status < layout.PM_OK else layout.PM_REASON_NOT_REACHED
-    text = REASONS.get(reason, f"reason {reason}") if missing else ""
+    cut = reason == layout.PM_REASON_CUT
+    text = REASONS.get(reason, f"reason {reason}") if missing or cut else ""
+    if cut:
+        text += f", which is {column.count}"
     return AskValue(
         values if column.is_list else values[0],
         column.unit,
