@@ -41,7 +41,7 @@ def _run_once(flat: FlatScene) -> CaseResults:
 
 
 def _with_whole_lists(scene: Scene, flat: FlatScene, results: CaseResults) -> tuple[FlatScene, CaseResults]:
-    """Once more with longer lists, up to the longest, as long as an event fires more often than one is long."""
+    """Once more with longer lists, up to the longest, while an event fires more often than one is long."""
     firings = EACH_FIRINGS
     while firings < MOST_FIRINGS and (results.reason == layout.PM_REASON_CUT).any():
         firings = min(_LONGER * firings, MOST_FIRINGS)
