@@ -46,13 +46,6 @@ int pm_joint_friction_by_load(const pm_frame *frame, const pm_state *state)
     return 0;
 }
 
-int pm_joint_friction_any_by_load(const pm_frame *frame)
-{
-    for (int k = 0; k < frame->model->nfriction; k++)
-        if (by_load(frame, k) > 0) return 1;
-    return 0;
-}
-
 void pm_joint_friction_constraint(const pm_frame *frame, int k, pm_constraint *c)
 {
     const int joint = joint_of(frame, k);
@@ -152,16 +145,18 @@ int pm_joint_friction_steady(const pm_frame *frame, int force, const pm_constant
     return ops->steady && ops->steady(frame, &c, x);
 }
 
-int pm_joint_friction_update(pm_workspace *w)
+double pm_joint_friction_update(pm_workspace *w)
 {
-    int changed = 0;
+    double most = 0, changed = 0;
+    for (int i = 0; i < w->active.n; i++) most = fmax(most, fabs(w->frame.lambda[i]));
     for (int k = 0; k < w->model->nfriction; k++) {
-        if (!slides(w->state.friction[k]) || !(by_load(&w->frame, k) > 0)) continue;
-        const double next = by_load(&w->frame, k) * load(w, k, w->frame.lambda);
-        changed |= fabs(next - w->active.friction_load[k]) > PM_FRICTION_SAME * fabs(next);
+        const double c = by_load(&w->frame, k);
+        if (!slides(w->state.friction[k]) || !(c > 0)) continue;
+        const double next = c * load(w, k, w->frame.lambda);
+        changed = fmax(changed, fabs(next - w->active.friction_load[k]) / c);
         w->active.friction_load[k] = next;
     }
-    return changed;
+    return changed > 0 ? changed / fmax(most, changed) : 0;
 }
 
 /* ---- modes ---- */

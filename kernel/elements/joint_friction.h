@@ -9,8 +9,6 @@
 /* How many frictions of joints the case has, and whether one that slides depends on the load of its joint. */
 int pm_joint_friction_any(const pm_model *m);
 int pm_joint_friction_by_load(const pm_frame *frame, const pm_state *state);
-/* Whether one would, if it did slide. */
-int pm_joint_friction_any_by_load(const pm_frame *frame);
 
 /* The joint of friction k. */
 int pm_joint_friction_joint(const pm_model *m, int k);
@@ -29,8 +27,9 @@ void pm_joint_friction_action(const pm_workspace *w, int force, pm_action *x);
 /* It stays the same along a motion with constant accelerations. */
 int pm_joint_friction_steady(const pm_frame *frame, int force, const pm_constant_motion *x);
 
-/* Sliding friction that goes with the load takes up the reactions just found; 1 if it has changed. */
-int pm_joint_friction_update(pm_workspace *w);
+/* Sliding friction that goes with the load takes up the reactions just found; how much the loads have changed, of the greatest
+ * reaction. */
+double pm_joint_friction_update(pm_workspace *w);
 
 /* No friction holds or slides (before a start, and in a blow). */
 void pm_joint_friction_release(pm_workspace *w);

@@ -343,12 +343,22 @@ static int accelerate(pm_workspace *w, int evaluated)
     return PM_OK;
 }
 
+/* Takes up the friction that goes with the reactions just found; whether these are those of the round before. */
+static int friction_is_found(pm_workspace *w, double *change)
+{
+    const double before = *change;
+    if (!pm_joint_friction_by_load(&w->frame, &w->state)) return 1;
+    *change = pm_joint_friction_update(w);
+    return *change <= PM_FRICTION_SAME || (*change <= PM_FRICTION_ROUNDING && *change > 0.5 * before);
+}
+
 static int accelerate_from(pm_workspace *w, int evaluated)
 {
+    double change = INFINITY;
     if (pm_solve_cache_take(w)) return PM_OK;
     for (int i = 0; i < PM_FRICTION_ROUNDS; i++) {
         const int status = accelerate(w, evaluated && i == 0);
-        if (status || !pm_joint_friction_by_load(&w->frame, &w->state) || !pm_joint_friction_update(w)) {
+        if (status || friction_is_found(w, &change)) {
             if (!status) pm_solve_cache_keep(w);
             return status;
         }

@@ -45,7 +45,8 @@
 #define PM_CENTRED 1e-15 /* of the scene's size: a mark so near is the mass centre; larger: what goes round is taken for steady */
 #define PM_STEADY_ROUNDING 1e-13 /* of speeds and accelerations in the scene: less is none; larger: slow motions are taken for rest */
 #define PM_EDGE_HANDING_OVER 4 /* touching lengths: so near to their corner two edges in one line are both touched; larger: sooner */
-#define PM_FRICTION_SAME 4e-15 /* of itself: a friction that changes by less has been found; larger: it is less exact */
+#define PM_FRICTION_SAME 4e-15 /* of the greatest reaction: a load that changes by less has been found; larger: it is less exact */
+#define PM_FRICTION_ROUNDING 1e-11 /* likewise: a change this small that shrinks no more is rounding; larger: slow convergence ends early */
 #define PM_SPIN_ACROSS 1e-12 /* of gravity: part across the axis that rounding makes of 90 degrees; larger: a lean axis passes */
 
 /* ---- scene ---- */

@@ -224,8 +224,8 @@ FAULTS = [
     Fault(
         "grip: one round of friction",
         "equations/saddle.c",
-        "|| !pm_joint_friction_update(w)) {",
-        "|| pm_joint_friction_update(w) >= 0) {",
+        "return *change <= PM_FRICTION_SAME ||",
+        "return 1 ||",
     ),
     Fault(
         "saddle: sign of gamma",

@@ -15,6 +15,12 @@ FAULTS = [
         "pow(asked, PM_IDA_POWER)",
         "pow(asked, 0.95 * PM_IDA_POWER)",
     ),
+    Fault(
+        "ida: friction of a joint keeps the load that it began with",
+        "routes/ida/ida_system.c",
+        "    pm_joint_friction_update(w);\n",
+        "",
+    ),
     Fault("ida: sign of the bends", "routes/ida/ida_linear.c", "= -j->gv_slope[", "= j->gv_slope["),
     Fault(
         "ida: what begins on its zero is not held there",

@@ -43,10 +43,12 @@ end = { of = "crank.angle", unit = "deg" }
 """
 
 
-@pytest.mark.parametrize("route", ["auto", "rk"])
+@pytest.mark.parametrize("route", ["auto", "rk", "ida"])
 def test_a_slider_crank_with_friction_passes_its_dead_centre(route: str) -> None:
     """Beside the equation of its one coordinate, integrated independently."""
-    result = planemotion.load_text(CRANK + f'[solve]\nroute = "{route}"\n').run()
+    # just behind it: there the slip is zero at the same instant, and which of the two comes first is rounding
+    text = CRANK.replace("(180 deg)", "(180.0001 deg)")
+    result = planemotion.load_text(text + f'[solve]\nroute = "{route}"\n').run()
     assert result.ok, result.error
     assert result.asks["time"].value == pytest.approx(0.481153, abs=1e-6)
     assert result.omega == pytest.approx(14.41, abs=5e-3)

@@ -12,6 +12,7 @@
 
 #include "elements/constraint.h"
 #include "elements/force.h"
+#include "elements/joint_friction.h"
 #include "elements/turning_plane.h"
 #include "equations/ledger.h"
 #include "equations/saddle.h"
@@ -106,6 +107,36 @@ static void constraints(const pm_model *model, pm_active_set *active, pm_ida_jac
     }
 }
 
+/* Moves *y by a small step of its scale; returns the step as a difference of two numbers. */
+static double move(double *y, double scale)
+{
+    const double old = *y;
+    volatile double moved = old + sqrt(DBL_EPSILON) * fmax(scale, fabs(old));
+    *y = moved;
+    return moved - old;
+}
+
+/* Sliding friction of joints leans the direction of the reactions that it goes with: df/dlambda, by differences. */
+static void friction(pm_workspace *w, pm_ida_jacobian *x, const pm_ida_differences *d)
+{
+    const int nq = w->model->nq;
+    double *lambda = w->frame.lambda, most = 1;
+    if (!pm_joint_friction_by_load(&w->frame, &w->state)) return;
+    memcpy(d->force, w->frame.f, (size_t)nq * sizeof *d->force);
+    for (int k = 0; k < w->active.n; k++) most = fmax(most, fabs(lambda[k]));
+    for (int k = 0; k < w->active.n; k++) {
+        const double old = lambda[k];
+        if (w->active.constraint[k].joint == PM_NONE) continue;
+        const double step = move(&lambda[k], most);
+        pm_joint_friction_update(w);
+        pm_force_all(w);
+        lambda[k] = old;
+        for (int i = 0; i < nq; i++) x->h[k * nq + i] += (w->frame.f[i] - d->force[i]) / step;
+    }
+    pm_joint_friction_update(w);
+    pm_force_all(w);
+}
+
 /* One column of the derivatives of z', from the rates at the frame. */
 static void ledger_column(pm_workspace *w, pm_ida_jacobian *x, const pm_ida_differences *d, int column,
                           double step)
@@ -125,15 +156,6 @@ static void ledger(pm_workspace *w, pm_ida_jacobian *x, const pm_ida_differences
         ledger_column(w, x, d, k, step);
         w->frame.lambda[k] = old;
     }
-}
-
-/* Moves *y by a small step of its scale; returns the step as a difference of two numbers. */
-static double move(double *y, double scale)
-{
-    const double old = *y;
-    volatile double moved = old + sqrt(DBL_EPSILON) * fmax(scale, fabs(old));
-    *y = moved;
-    return moved - old;
 }
 
 static void velocities(pm_workspace *w, pm_ida_jacobian *x, double t, const pm_ida_differences *d)
@@ -182,6 +204,7 @@ void pm_ida_jacobian_evaluate(pm_workspace *w, double t, double cj, const double
     pm_ida_system_look(w, t, d.y, yp);
     if (x->sparse) x->independence = pm_saddle_independence(&w->saddle);
     constraints(w->model, &w->active, x);
+    friction(w, x, &d);
     ledger(w, x, &d);
     if (x->has_damping) velocities(w, x, t, &d);
     positions(w, x, t, yp, &d);

@@ -6,6 +6,8 @@
  *   g(t, q) = 0
  *   G v = w             prescribed rates: 0 of constraints that are not driven
  *
+ * Friction of joints that goes with their load is a part of f that depends on L'.
+ *
  * Only L' and Mu' appear, so the multipliers may be wrong by jumps without a trace in the error test, from
  * which L, Mu and the entries of the ledger are left out.  In the test of Newton's iteration L weighs as
  * the velocity that it makes, Mu as the displacement. */
@@ -16,6 +18,7 @@
 
 #include "elements/constraint.h"
 #include "elements/force.h"
+#include "elements/joint_friction.h"
 #include "equations/ledger.h"
 #include "equations/saddle.h"
 #include "numerics/tolerances.h"
@@ -35,10 +38,11 @@ void pm_ida_system_look(pm_workspace *w, double t, const double *y, const double
     const int nq = w->model->nq;
     pm_frame *f = &w->frame;
     pm_frame_look(&w->frame, t, y, y + nq, y + 2 * nq, w->state.memory);
+    memcpy(f->lambda, yp + pm_ida_place_l(w->model), (size_t)w->active.n * sizeof *yp);
+    pm_joint_friction_update(w);
     pm_force_all(w);
     pm_saddle_evaluate(&w->active, &w->frame);
     memcpy(f->a, yp + nq, (size_t)nq * sizeof *yp);
-    memcpy(f->lambda, yp + pm_ida_place_l(w->model), (size_t)w->active.n * sizeof *yp);
     f->level = PM_LEVEL_DYNAMIC;
 }
 

@@ -14,7 +14,6 @@
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
 
-#include "elements/joint_friction.h"
 #include "equations/case.h"
 #include "equations/saddle.h"
 #include "events/ask.h"
@@ -321,11 +320,8 @@ static int step(pm_workspace *w, double t_limit)
     return status;
 }
 
-/* Friction by the load is not among its unknowns; it divides by masses. */
-static int applies(const pm_workspace *w)
-{
-    return !w->numbers.massless && !pm_joint_friction_any_by_load(&w->frame);
-}
+/* It divides by masses. */
+static int applies(const pm_workspace *w) { return !w->numbers.massless; }
 
 const pm_route_ops pm_route_ida = {
     .route = PM_ROUTE_IDA,
