@@ -17,6 +17,9 @@ int pm_impact_goes_on(pm_workspace *w);
 int pm_impact_one_by_one(const pm_model *m);
 /* Makes the velocities ones that all that holds allows: joints, contacts that rest and would approach, rough ones. */
 int pm_impact_hold(pm_workspace *w);
+/* A contact whose slip has come so far that its friction all but draws it together, where no step goes on: its slot, or
+ * PM_NONE. */
+int pm_impact_jammed(pm_workspace *w);
 /* Where no motion obeys the laws of contact: an impact without collision of one contact that slips, whose settings allow it;
  * PM_PAINLEVE: there is none, or others would have to take part.  jumped: whether this instant has had a blow. */
 int pm_impact_without_collision(pm_workspace *w, int jumped);

@@ -7,16 +7,22 @@
  * enters, no order and no mirror.  What rests is held while it is pressed.  Blows that this decides are counted
  * (PM_COUNT_SHARED_BLOWS).
  *
- * An impact without collision is the course of one contact alone (impact_course.c): friction draws it together while it slips. */
+ * An impact without collision is the course of one contact alone (impact_course.c): friction draws it together while it slips.
+ * Motions that come to that place do so where its acceleration vanishes, too: no step leads there (Genot and Brogliato), and
+ * there it is struck with the friction that just draws it. */
 #include <math.h>
 #include <string.h>
 
 #include "elements/contact.h"
+#include "equations/active_set.h"
 #include "equations/ledger.h"
 #include "equations/saddle.h"
 #include "events/event.h"
 #include "events/last_bounce.h"
+#include "impact/contact_modes.h"
+#include "impact/impact.h"
 #include "impact/impact_parts.h"
+#include "numerics/tolerances.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 
@@ -128,6 +134,41 @@ static pm_impact_course course_of(const pm_workspace *w, const pm_contact_system
     };
 }
 
+/* The friction with which it would just be drawn. */
+static double critical(const pm_impact_course *x) { return x->b != 0 ? x->a / fabs(x->b) : INFINITY; }
+
+/* A contact that slips so that its friction draws it, or would with a little more of it. */
+static int is_near(const pm_workspace *w, const pm_contact_system *x, int i)
+{
+    const int contact = pm_contact_of_slot(w->model, x->slot[i]);
+    if (!pm_contact_modes_slides(w->blow->resting[x->slot[i]])) return 0;
+    if (pm_contact_friction(w->model, contact) != PM_FRICTION_COULOMB) return 0;
+    const pm_impact_course one = course_of(w, x, w->blow->course.velocity, i);
+    return one.slip * one.b > 0 && one.mu_kinetic >= (1 - PM_JAMMED) * critical(&one);
+}
+
+int pm_impact_jammed(pm_workspace *w)
+{
+    pm_blow *b = w->blow;
+    pm_contact_system *x = &b->system;
+    const pm_where where = w->result.where;
+    int slot = PM_NONE;
+    memset(b->share, PM_OUT, (size_t)w->model->nslot);
+    for (int i = 0; i < w->model->nslot; i++) {
+        b->resting[i] = b->trial[i] = w->state.slot[i].mode;
+        if (b->trial[i] == PM_CAPTURED) b->share[i] = PM_JOINED;
+    }
+    pm_frame_look_state(&w->frame, &w->state);
+    const int status = pm_impact_list(w, b);
+    if (!status) pose(w, b, x, &b->course);
+    for (int i = 0; i < x->problem.n && !status && slot == PM_NONE; i++)
+        if (is_near(w, x, i)) slot = x->slot[i];
+    for (int i = 0; i < w->model->nslot; i++) w->state.slot[i].mode = b->resting[i];
+    w->result.where = where;
+    pm_frame_look_state(&w->frame, &w->state);
+    return pm_active_set_build(w) ? PM_NONE : slot;
+}
+
 /* Nothing else would be struck. */
 static int others_part(const pm_workspace *w, const pm_blow *b, const pm_contact_system *x)
 {
@@ -153,7 +194,9 @@ int pm_impact_follow_shock(pm_workspace *w, pm_blow *b)
     if (status) return status;
     pose(w, b, x, c);
     while (x->slot[i] != b->shock) i++;
-    const pm_impact_course one = course_of(w, x, c->velocity, i);
+    pm_impact_course one = course_of(w, x, c->velocity, i);
+    if (w->instant.jams && is_near(w, x, i))
+        one.mu_static = one.mu_kinetic = fmax(one.mu_kinetic, critical(&one));
     const int draws =
         has_course(w, contact) && pm_impact_course_draws(&one) && pm_impact_course_follow(&one, &end);
     memset(c->impulse, 0, 2 * (size_t)c->n * sizeof *c->impulse);

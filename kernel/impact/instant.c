@@ -68,6 +68,8 @@ static int is_settled(const pm_workspace *w)
 static int strike(pm_workspace *w, int *jumped)
 {
     int status = pm_impact(w, jumped);
+    if (!status && w->instant.jams) status = pm_impact_without_collision(w, (*jumped)++);
+    w->instant.jams = 0;
     for (int i = 0; !status; i++) {
         status = pm_contact_modes_settle(w);
         if (status != PM_PAINLEVE || i == w->model->nslot) return status;
@@ -187,6 +189,18 @@ static int act(pm_workspace *w, int begins, int *ended)
         if (!status && !*ended) status = blow(w, 0);
     }
     return status;
+}
+
+int pm_instant_jams(pm_workspace *w, int status)
+{
+    if (status != PM_STEP_TOO_SMALL && status != PM_SOLVER && status != PM_SINGULAR) return status;
+    const int slot = pm_impact_jammed(w);
+    if (slot == PM_NONE) return status;
+    const int contact = pm_contact_of_slot(w->model, slot);
+    w->instant.jams = PM_CONTACT_ROW(w->model, contact)[PM_CONTACT_PAINLEVE] == PM_PAINLEVE_STRIKES;
+    if (w->instant.jams) return PM_OK;
+    return pm_fail(&w->result, PM_PAINLEVE, PM_TABLE_CONTACT, contact, pm_contact_kinetic(&w->frame, contact),
+                   1);
 }
 
 int pm_instant_finish(pm_workspace *w, int *ended)

@@ -211,6 +211,7 @@
 #define PM_COURSE_ROUNDING 1e-12 /* of the greatest velocity of a blow: none; larger: approaches are passed over */
 #define PM_COURSE_COUNTED 5 /* contacts of a blow that is followed: up to here the order in the file decides nothing; more: 4 times dearer each */
 #define PM_COURSE_EVENTS 16 /* in the course of a blow, for each contact; more: one that does not end is found later */
+#define PM_JAMMED 1e-3 /* of the friction that draws a contact together: so near, a route that cannot go on stops for it; larger: other failures are taken for it */
 #define PM_ORDER_SLOW 1e-9 /* of the greatest velocity of a blow: contacts struck one by one have done; larger: some that differ do not count */
 #define PM_ORDER_SAME 1e-7 /* likewise: the same motion as of all at once; likewise */
 #define PM_ORDER_STRIKES 64 /* for each contact, one by one; fewer: blows that go on for long count as other ones */

@@ -206,6 +206,7 @@ static int run_phases(pm_workspace *w)
             status = PM_OK;
             continue;
         }
+        if (status) status = pm_instant_jams(w, status);
         if (status || ended) break;
         close_segment(w);
         if (!w->phase.lap) status = pm_instant_full(w, &ended);

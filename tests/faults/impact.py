@@ -345,7 +345,7 @@ FAULTS = [
     Fault(
         "shock: friction that does not draw strikes, too",
         "impact/impact_course.c",
-        "return now.slip != 0 && now.rate_n < 0;",
+        "return now.slip != 0 && now.rate_n <= 0;",
         "return now.slip != 0;",
     ),
     Fault(
@@ -371,6 +371,18 @@ FAULTS = [
         "impact/impact_followed.c",
         ".b = own[1],",
         ".b = own[0],",
+    ),
+    Fault(
+        "shock: a route that cannot go on does not say why",
+        "impact/instant.c",
+        "const int slot = pm_impact_jammed(w);",
+        "const int slot = PM_NONE;",
+    ),
+    Fault(
+        "shock: friction that just does not draw strikes nothing",
+        "impact/impact_followed.c",
+        "if (w->instant.jams && is_near(w, x, i)) one.mu_static = one.mu_kinetic =",
+        "if (0) one.mu_static = one.mu_kinetic =",
     ),
     Fault(
         "order: nobody looks",

@@ -109,6 +109,20 @@ def test_all_routes_go_on(route: str, law: str, e: float) -> None:
         assert other[key] == pytest.approx(one[key], rel=1e-6)
 
 
+@pytest.mark.parametrize("route", ["auto", "rk", "ida"])
+def test_a_foot_that_comes_there_is_named(route: str) -> None:
+    """At 47.03 degrees 1 + 3 cos (cos - 1.6 sin) vanishes, and with it what would part the foot."""
+    text = rod(35, "1.6", -4, 2, until="t = 0.1 s") + f'[solve]\nroute = "{route}"\n'
+    result = planemotion.load_text(text).run()
+    assert result.status == "painleve"
+    assert result.time == pytest.approx(0.07373, abs=1e-4)
+    struck = planemotion.load_text(
+        text.replace("friction = 1.6", 'friction = 1.6, painleve = "impact"')
+    ).run()
+    assert struck.status in ("ok", "undecided")
+    assert struck.counts["jumps"] == 1
+
+
 def test_what_others_would_join_stays_an_outcome() -> None:
     """A second foot 10 mm behind the first, which the blow at the first alone would press into the floor."""
     angle = math.radians(50)
