@@ -124,7 +124,7 @@ typedef struct pm_instant {
     pm_slot *slot_before;         /* [nslot] */
     int32_t *friction_before;     /* [nfriction] */
     unsigned char *slot_released; /* [nslot] let go at this instant: not closed again at it */
-    int jams; /* it begins with an impact without collision: no step led on */
+    int jams;                     /* it begins with an impact without collision: no step led on */
 } pm_instant;
 
 /* Which triggers have fired, and how often and when events did (elements/trigger.h). */
