@@ -213,7 +213,8 @@ enum pm_count_column {
         12, /* of several contacts, followed: how these share each is what their common pace says */
     PM_COUNT_ORDERED_BLOWS =
         13, /* of several contacts, which one by one would leave another motion; PM_SIMULTANEOUS_OPEN alone */
-    PM_COUNT_COLUMNS = 14
+    PM_COUNT_STIFF_PHASES = 14, /* in which stability made the steps of rk short, not accuracy */
+    PM_COUNT_COLUMNS = 15
 };
 /* What pm_check reports of the assembled start. */
 enum pm_check_column {

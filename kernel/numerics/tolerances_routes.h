@@ -103,6 +103,12 @@
 #define PM_RK_LEDGER_STEPS \
     16 /* steps from one that integrates the ledger to the next; more: a thinner audit */
 
+#define PM_RK_STABLE 6.1 /* |h lambda| to which the formula is stable: no shorter by accuracy; more: stiffness is missed */
+#define PM_RK_STIFF_STEPS 1500 /* of a phase: so many an implicit route needs, too; more: later handed over */
+#define PM_RK_STIFF_EVERY 50   /* steps between looks, where none was in doubt; more: seen later */
+#define PM_RK_STIFF_LOOKS 15   /* that found it stiff; more: later, and surer */
+#define PM_RK_STIFF_CLEAR 6    /* in a row that did not: the others were chance; likewise */
+
 /* ---- routes/ida ---- */
 #define PM_IDA_TO_MEETING 0.25 /* of the time to what is met: the limit holds a step late; more: steps over it */
 

@@ -9,12 +9,12 @@
 static const pm_route_ops *const routes[] = {&pm_route_rk, &pm_route_ida, &pm_route_uniform, &pm_route_path};
 enum { NROUTES = sizeof routes / sizeof *routes };
 
-/* IDA's memory is large, and made only for scenes that ask for it; a nudge takes one step along the path, and rk leads
+/* IDA's memory is large, and made only for scenes that ask for it, or that may be stiff: something follows speeds.  A nudge takes one step along the path, and rk leads
  * ida past singular positions. */
 static int needed(const pm_model *m, int route)
 {
     const int wanted = PM_SETTING(m, PM_SETTING_ROUTE);
-    if (wanted == PM_ROUTE_AUTO) return route != PM_ROUTE_IDA;
+    if (wanted == PM_ROUTE_AUTO) return route != PM_ROUTE_IDA || !m->programs.forces_by_place;
     if (route == PM_ROUTE_RK && (wanted == PM_ROUTE_IDA || !pm_routes_find(wanted))) return 1;
     return route == wanted || (route == PM_ROUTE_PATH && pm_perturbation_any(m));
 }

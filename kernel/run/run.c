@@ -39,6 +39,7 @@ static int begin_case(pm_workspace *w, const double *param, pm_start_report *rep
     pm_solve_cache_forget(&w->frame, w->cache);
     pm_saddle_forget(&w->saddle);
     w->phase.price = w->phase.lap = w->phase.path_left = w->phase.singular = 0;
+    w->phase.stiff = PM_NOT_STIFF;
     w->phase.route = pm_routes_default(w->model); /* until the first phase is planned */
     pm_repeat_forget(w->repeat);
     w->event->nfunction = 0;
@@ -173,12 +174,24 @@ static int to_passage(pm_phase *phase, pm_result *result, int status)
     return 1;
 }
 
+/* A route that was taken because of stiffness and has lost its way leaves the rest to the one before. */
+static int to_route_before(pm_phase *phase, pm_result *result, int status)
+{
+    const int lost = status == PM_STEP_TOO_SMALL || status == PM_SINGULAR || status == PM_SOLVER;
+    if (!lost || phase->stiff != PM_STIFF) return 0;
+    result->where = nowhere;
+    phase->stiff = PM_STIFF_IN_VAIN;
+    phase->lap = 1;
+    return 1;
+}
+
 /* Whether another route goes on where the present one failed with this status. */
 static int hand_over(pm_workspace *w, int status)
 {
     switch ((enum pm_when_lost)w->phase.route->when_lost) {
     case PM_LOST_TO_NEXT_RULE: return to_next_rule(w, status);
-    case PM_LOST_TO_PASSAGE: return to_passage(&w->phase, &w->result, status);
+    case PM_LOST_TO_PASSAGE:
+        return to_passage(&w->phase, &w->result, status) || to_route_before(&w->phase, &w->result, status);
     case PM_LOST_FAILS: break;
     }
     return 0;

@@ -93,6 +93,8 @@ typedef struct pm_ledger {
     double evidence;         /* worst relative disagreement that the path route found */
 } pm_ledger;
 
+enum pm_stiffness { PM_NOT_STIFF = 0, PM_STIFF = 1, PM_STIFF_IN_VAIN = 2 /* no other route goes on */ };
+
 /* How the present phase is computed (run/plan.c). */
 typedef struct pm_phase {
     const struct pm_route_ops *route;
@@ -101,6 +103,7 @@ typedef struct pm_phase {
     int lap;         /* the path may have closed at the end of the step */
     int path_left;   /* the path route has given up in this case */
     int singular;    /* the route ida has come near a singular position */
+    int stiff;       /* enum pm_stiffness of the case so far */
 } pm_phase;
 
 /* A perturbation that waits for the next phase: to which side that leaves a rest or a steady motion.  A setting or an action

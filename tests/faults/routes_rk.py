@@ -4,6 +4,12 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "rk: stiffness is not seen",
+        "routes/rk/rk_stiff.c",
+        "stretch(w) > PM_RK_STABLE",
+        "stretch(w) > 1e9 * PM_RK_STABLE",
+    ),
+    Fault(
         "rk: a digit of the dense output", "routes/rk/dop853.h", "18.148505520854727", "18.148515520854727"
     ),
     Fault(

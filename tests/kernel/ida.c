@@ -232,10 +232,11 @@ static void rolls_far(double r, double accuracy)
 
 /* A rod sinks against a very strong rotary damper c: theta' = -k cos theta, k = m g l / (2 c), so that
  * theta is -2 atan tanh (k t / 2), and the integrator does not see the time constant I / c of 3e-7 s. */
-static void stiff_damper(void)
+static void stiff_damper(int route)
 {
     const double c = 1e6, k = G * 0.5 / c, t = 4e5;
     scene *s = with_ida(1e-6);
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
     const int b = rod(s, 1, 1, 0.5, 0, 0);
     scene_joint(s, PM_JOINT_PIN, scene_point(s, b, -0.5, 0), scene_point(s, PM_GROUND, 0, 0), 0);
     scene_force(s, PM_FORCE_ROTARY_DAMPER, b, PM_GROUND, c, 0);
@@ -244,7 +245,9 @@ static void stiff_damper(void)
     scene_until_time(s, t);
     EQUAL(scene_run(s, NULL), PM_OK);
     NEAR(s->out[theta], -2 * atan(tanh(k * t / 2)), 1e-6);
-    CHECK(s->count[PM_COUNT_STEPS] < 500);
+    EQUAL(s->count[PM_COUNT_ROUTE], PM_ROUTE_IDA);
+    EQUAL(s->count[PM_COUNT_STIFF_PHASES], route == PM_ROUTE_AUTO);
+    CHECK(s->count[PM_COUNT_STEPS] < (route == PM_ROUTE_IDA ? 500 : 3000));
     scene_free(s);
 }
 
@@ -454,7 +457,8 @@ int main(void)
     rolls_far(0.25, 1e-8);
     rolls_far(0.25, 1e-10);
     rolls_far(0.003, 1e-10);
-    stiff_damper();
+    stiff_damper(PM_ROUTE_IDA);
+    stiff_damper(PM_ROUTE_AUTO); /* which finds out */
     grazes();
     held_zeros();
     bounces_to_rest();

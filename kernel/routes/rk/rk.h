@@ -3,6 +3,7 @@
  *   route_rk.c       the route: begin, errors allowed, step control
  *   rk_derivative.c  y'
  *   rk_formula.c     stages and end of a step, its error, y inside it
+ *   rk_stiff.c       whether stability makes the steps short
  *   rk_state.c       y as a state; states inside the last step: at, exact, look
  *
  * y = (coordinates, their rates, z), in z the ledger last.  Numbers of stages are those of dop853.h. */
@@ -32,10 +33,11 @@ struct pm_rk {
     double end;           /* where it ended */
     double next;          /* step to try next, 0: none known */
     int dense_ready, k0_ready;
-    pm_energy_level_level level;                         /* of the energy, where it is kept */
-    int ledger;                                          /* the last step integrates the ledger */
-    int64_t first;                                       /* number of the phase's first step */
-    int swift;                                           /* accelerations need no frame: tree_small.c */
+    pm_energy_level_level level; /* of the energy, where it is kept */
+    int ledger;                  /* the last step integrates the ledger */
+    int64_t first;               /* number of the phase's first step */
+    int suspect, clear;          /* looks in a row, or nearly, that found it stiff; since the last of them */
+    int swift;                   /* accelerations need no frame: tree_small.c */
     double momentum[PM_LEDGER], momentum_now[PM_LEDGER]; /* at its begin; at w->state */
 };
 
@@ -53,6 +55,12 @@ int pm_rk_stages(pm_workspace *w, double h, double *k, double *y);
 double pm_rk_error(const struct pm_rk *r, double h);
 /* r->y at t inside the last step; the ledger is not asked for there and stays as at its begin. */
 int pm_rk_dense(pm_workspace *w, double t);
+
+/* Y of the last stage, which is at the end of the step as y is. */
+void pm_rk_last_stage(const struct pm_rk *r, double *y);
+
+/* rk_stiff.c: after a step, its derivative at the end in k. */
+void pm_rk_look_for_stiffness(pm_workspace *w);
 
 /* rk_state.c: y back on the constraints and on the energy level, and the state there; *gained: the energy that comes with
  * it. */

@@ -55,6 +55,12 @@ int pm_rk_stages(pm_workspace *w, double h, double *k, double *y)
     return PM_OK;
 }
 
+void pm_rk_last_stage(const struct pm_rk *r, double *y)
+{
+    const int s = STAGES - 1;
+    combine(r->controlled, r->all, r->y0, r->h, stage_weight[s], stage_from[s], s, r->k, y);
+}
+
 /* Sum of the squares of scale times sum_k weight[k] stage[k]; k is 0 and STEP_FROM .. STAGES - 1. */
 static double error_square(const struct pm_rk *r, const double *weight)
 {

@@ -84,6 +84,7 @@ static int begin(pm_workspace *w)
         pm_rk_choose_coordinates(w);
     memcpy(r->now + 2 * r->n, w->state.z, (size_t)w->model->nz * sizeof(double));
     r->k0_ready = r->dense_ready = 0;
+    r->suspect = r->clear = 0;
     r->first = w->result.count[PM_COUNT_STEPS];
     pm_frame_momentum(&w->frame, PM_NONE, r->momentum_now);
     /* a new case owes nothing to the last one, nor a phase to what another route has left behind */
@@ -164,6 +165,7 @@ static int accept(pm_workspace *w, double t)
     w->result.count[PM_COUNT_STEPS]++;
     if ((status = last_stage(w))) return status;
     set_times(w, r->k + STAGES * r->all);
+    pm_rk_look_for_stiffness(w);
     r->dense_ready = 0;
     w->step.begin = r->t0;
     w->step.end = r->end = t;

@@ -198,6 +198,8 @@ def collect(
         for name, index in layout.pm_count_column.items()
         if name not in ("PM_COUNT_ROUTE", "PM_COUNT_COLUMNS") and (sought or name not in _OF_FINDS)
     }
+    if error and counts["stiff_phases"] and "ida" not in routes:
+        error += '; the motion is stiff: try solve.route = "ida"'
     return RunResult(
         id=scene_id,
         file=file,
@@ -212,7 +214,7 @@ def collect(
         counts=counts,
         found={name: value for one, result in runs for name, value in _found(one, result)},
         time=time if worst != layout.PM_OK and math.isfinite(time) else None,
-        notes=_notes(excess, counts, _first_ordered(runs)),
+        notes=_notes(excess, counts, routes, _first_ordered(runs)),
         margin=_known(min, (result.trust[0, layout.PM_TRUST_MARGIN] for _, result in runs)),
         excess=excess,
     )
@@ -253,11 +255,19 @@ def _first_ordered(runs: Sequence[tuple[FlatScene, CaseResults]]) -> str:
     return ""
 
 
-def _notes(excess: float | None, counts: Mapping[str, int], ordered: str) -> tuple[str, ...]:
+def _notes(
+    excess: float | None, counts: Mapping[str, int], routes: Sequence[str], ordered: str
+) -> tuple[str, ...]:
     notes = []
     if excess is not None and excess > 1:
         notes.append(
             f"solve.accuracy was not reached: the greatest estimated error is {excess:.2g} times as large"
+        )
+    if counts["stiff_phases"]:
+        notes.append(
+            "the motion is stiff, a force changes far faster than it (a strong damper?): stability made the "
+            "steps of the route rk short, "
+            + ("and ida went on" if "ida" in routes else 'not accuracy; solve.route = "ida" may be faster')
         )
     if counts["limited_blows"]:
         notes.append(
