@@ -255,6 +255,14 @@ static double energy_rounding(const pm_workspace *w, double mass)
     return w->ledger.energy_scale > 0 ? (mass * acceleration * rounding + spin) / w->ledger.energy_scale : 0;
 }
 
+/* The same of moments about the origin: forces of the size of the weight, with arms that are rounded, all the time. */
+static double momentum_rounding(const pm_workspace *w, double mass)
+{
+    const double impulse = mass * hypot(w->numbers.gravity[0], w->numbers.gravity[1]) * w->state.t,
+                 arm = PM_LEDGER_PLACE * pm_contact_reach(w) / w->numbers.size;
+    return w->ledger.momentum_scale > 0 ? impulse * arm / w->ledger.momentum_scale : 0;
+}
+
 /* What the errors of integration may leave of a ledger, relative: it goes with the tolerance, but a run whose energy is wrong
  * by a greater part of the whole is no answer at any accuracy.  A coarse run may be as much worse as its tolerance is. */
 static double bound_of_errors(const pm_numbers *numbers, const pm_evidence *evidence)
@@ -287,6 +295,7 @@ static void weigh(pm_workspace *w, double *audit, double *bound)
     for (int i = 0; i < PM_AUDITS; i++) bound[i] = bound_of_errors(&w->numbers, &w->evidence);
     bound[PM_AUDIT_CONSTRAINT] = PM_LEDGER_ROUNDING;
     bound[PM_AUDIT_ENERGY] += energy_rounding(w, mass);
+    bound[PM_AUDIT_MOMENTUM] += momentum_rounding(w, mass);
 }
 
 /* The first residual above its bound, or PM_NONE. */
