@@ -90,6 +90,17 @@ static void go(pm_impact_place *now, double impulse)
     now->impulse += impulse;
 }
 
+/* Where a joint leaves the pair one way to go, slip and approach end together: which of them is first is rounding. */
+static int ends_with_slip(const pm_impact_course *x, const pm_impact_place *now, double speed)
+{
+    return fabs(now->normal - speed) <= PM_COURSE_ROUNDING * fabs(x->normal);
+}
+
+static int slips_no_more(const pm_impact_course *x, const pm_impact_place *now)
+{
+    return fabs(now->slip) <= PM_COURSE_ROUNDING * fabs(x->slip);
+}
+
 /* Goes on to the end of the phase, which `until` measures; 0 if it has none. */
 static int follow_phase(const pm_impact_course *x, pm_impact_place *now,
                         double (*until)(const pm_impact_place *, double), double bound)
@@ -101,8 +112,8 @@ static int follow_phase(const pm_impact_course *x, pm_impact_place *now,
         const double end = until(now, left), stop = until_slip_ends(now);
         if (!isfinite(fmin(end, stop))) return 0;
         go(now, fmin(end, stop));
-        if (end <= stop) return 1;
-        now->slip = 0;
+        if (end > stop || slips_no_more(x, now)) now->slip = 0;
+        if (end <= stop || (until == until_speed && ends_with_slip(x, now, bound))) return 1;
     }
     return 0;
 }

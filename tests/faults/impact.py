@@ -225,6 +225,12 @@ FAULTS = [
         "memcpy(x, force, (size_t)w->model->nq * sizeof *x);",
     ),
     Fault(
+        "impact: what slips and approaches in one way goes on by rounding",
+        "impact/impact_course.c",
+        "(until == until_speed && ends_with_slip(x, now, bound))",
+        "0",
+    ),
+    Fault(
         "impact: what sticks after a blow slides by rounding",
         "impact/impact_trial.c",
         "end.slip == 0};",

@@ -442,8 +442,30 @@ static void tangential(void)
             }
 }
 
+/* A pair that has one way to go: slip and approach end together, whatever rounding makes of it. */
+static void one_way(void)
+{
+    static const int laws[] = {PM_LAW_NEWTON, PM_LAW_POISSON, PM_LAW_STRONGE};
+    for (int i = 0; i < 3000; i++) {
+        pm_impact_course x = some(laws[i % 3]);
+        pm_impact_course_end end;
+        const double n = check_random(0.2, 1), t = check_random(-1, 1), rate = check_random(-3, -1);
+        x.a = n * n;
+        x.b = n * t;
+        x.c = t * t;
+        x.normal = n * rate;
+        x.slip = t * rate;
+        x.mu_static = x.mu_kinetic = 1.01 * n / fabs(t); /* it is held then */
+        if (x.law != PM_LAW_POISSON) x.restitution = 0;
+        CHECK(pm_impact_course_follow(&x, &end));
+        NEAR(end.normal, 0, CLOSE);
+        NEAR(end.slip, 0, CLOSE);
+    }
+}
+
 int main(void)
 {
+    one_way();
     against_steps();
     balances();
     without_friction();

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import random
 from typing import Any
 
 import pytest
@@ -422,3 +423,51 @@ def test_small_balls_do_not_pass_through_each_other(text: str, route: str) -> No
         along = math.sqrt(1 - 0.75**2)  # of the velocity, in the line of centres
         before = 13.0 if text == SHOT else math.sqrt(2 * 60 * (d - 0.04 * along))
         assert after["y"] == pytest.approx(-0.75 * along * before if met else 0, rel=1e-6), d
+
+
+PINNED = """
+until = "t = 0.5 s"
+[ground]
+lines = { floor = { through = [0, 0] } }
+points = { O = [0, "h"] }
+[parameters]
+h = "0.8 m"
+[bodies.rod]
+rod = ["A", "B"]
+length = "1 m"
+mass = "1 kg"
+at = { A = [0, "h"] }
+angle = "ANGLE deg"
+[joints]
+pin = { pin = ["rod.A", "ground.O"] }
+[contacts]
+tip = { touch = ["rod.B", "ground.floor"], friction = 3, restitution = RESTITUTION, law = "LAW" }
+[events]
+hit = "tip strikes"
+[ask]
+before = { of = "rod.omega", at = "before hit" }
+n = { of = "tip.impulse.y", at = "hit" }
+f = { of = "tip.impulse.x", at = "hit" }
+after = { of = "rod.omega", at = "hit" }
+end = "rod.omega"
+angle = "rod.angle"
+"""
+
+
+@pytest.mark.parametrize("route", ROUTES)
+@pytest.mark.parametrize("height", [0.55, 0.8, 0.93])
+@pytest.mark.parametrize(("law", "restitution"), [("poisson", 0.5), ("newton", 0), ("stronge", 0)])
+def test_the_tip_of_a_pinned_rod_jams(route: str, height: float, law: str, restitution: float) -> None:
+    """Slip and approach end together; then it is held, nothing brings it back.  I w = P (cos + mu sin)."""
+    rng, floor = random.Random(3), math.asin(height)
+    for _ in range(6):
+        text = PINNED.replace("ANGLE", f"{rng.uniform(-20, 10)}").replace("LAW", law)
+        text = text.replace("RESTITUTION", f"{restitution}")
+        values = answers(text, route, h=f"{height} m")
+        assert values["end"] == pytest.approx(0, abs=1e-12)
+        assert values["angle"] == pytest.approx(-floor, abs=1e-9)
+        if restitution > 0:
+            continue  # it ends a series of bounces, which are not counted
+        pressed = -values["before"] / 3 / (math.cos(floor) + 3 * math.sin(floor))
+        assert values["n"] == pytest.approx(pressed, rel=1e-7)
+        assert values["after"] == pytest.approx(0, abs=1e-12)

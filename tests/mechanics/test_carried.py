@@ -1,4 +1,4 @@
-"""What is carried by friction: on slopes, belts, driven tables and walls, at rest for hours and through reversals."""
+"""What is carried by friction: on slopes, belts, driven tables and walls, for hours and through reversals."""
 
 from __future__ import annotations
 
