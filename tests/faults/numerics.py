@@ -94,4 +94,28 @@ FAULTS = [
         "= -sign * x->A[r * k + i % k];",
         "= sign * x->A[r * k + i % k];",
     ),
+    Fault(
+        "lemke: another row begins",
+        "numerics/lemke.c",
+        "if (start_ratio(t, i) < start_ratio(t, least)) least = i;",
+        "if (start_ratio(t, i) > start_ratio(t, least)) least = i;",
+    ),
+    Fault(
+        "lemke: ties go by the rows",
+        "numerics/lemke.c",
+        "for (int n = -1; n < t->m; n++)",
+        "for (int n = -1; n < 0; n++)",
+    ),
+    Fault(
+        "lemke: what would grow leaves, too",
+        "numerics/lemke.c",
+        "if (*entry(t, i, column) <= PM_LEMKE_PIVOT * largest) continue; if",
+        "if (fabs(*entry(t, i, column)) <= PM_LEMKE_PIVOT * largest) continue; if",
+    ),
+    Fault(
+        "lemke: every try has the same covering vector",
+        "numerics/lemke.c",
+        "0.6180339887498949 * try * (i + 1)",
+        "0.6180339887498949 * 0 * try * (i + 1)",
+    ),
 ]
