@@ -149,6 +149,8 @@ void pm_constraint_marks_circle_and_line(const pm_frame *frame, pm_constraint *c
 /* Side 1: outside each other; -1: a inside b; -2: b inside a. */
 void pm_constraint_marks_circles(const pm_frame *frame, pm_constraint *c, int a, int b, double side);
 void pm_constraint_marks_radii(pm_constraint *c, double radius_a, double radius_b, double side);
+/* Length l of a strand, m, and l l', m^2/s: it is least where that is zero. */
+double pm_constraint_strand_left(const pm_frame *frame, const pm_constraint *c, double *approach);
 /* A strand from circle a to circle b; which way round each it goes is the sign of its radius. */
 void pm_constraint_marks_strand(const pm_frame *frame, pm_constraint *c, int a, int b, double sense_a,
                                 double sense_b);

@@ -14,6 +14,7 @@
 
 #include "elements/constant_motion.h"
 #include "elements/constraint.h"
+#include "numerics/tolerances.h"
 #include "state/workspace.h"
 
 #define TWO_PI 6.283185307179586476925286766559
@@ -117,6 +118,15 @@ static void bound(const pm_frame *frame, const pm_constraint *c, const double *a
               fabs(c->radius_b) * (fabs(m.omega_b) + fabs(alpha_b) * h);
     x->exact = 0;
     x->bend = square > 0 ? wound - pm_length(r.apart) - r.swing - r.rate * r.rate / sqrt(square) : -INFINITY;
+}
+
+double pm_constraint_strand_left(const pm_frame *frame, const pm_constraint *c, double *approach)
+{
+    const pm_marks y = pm_constraint_marks(frame, c);
+    const double h = c->radius_b - c->radius_a, square = pm_dot(y.d, y.d) - h * h;
+    *approach = pm_dot(y.d, y.u);
+    if (fabs(*approach) <= PM_STRAND_ACROSS * pm_length(y.d) * pm_length(y.u)) *approach = 0;
+    return square > 0 ? sqrt(square) : 0;
 }
 
 const pm_constraint_ops pm_constraint_strand = {

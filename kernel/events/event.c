@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "elements/capture.h"
+#include "elements/constraint.h"
 #include "elements/contact.h"
 #include "elements/edge.h"
 #include "elements/joint_friction.h"
@@ -38,7 +39,7 @@ int pm_event_create(pm_workspace *w)
     const pm_model *m = w->model;
     const int ntrigger = m->rows[PM_TABLE_TRIGGER], nevent = m->rows[PM_TABLE_EVENT],
               ncontact = m->rows[PM_TABLE_CONTACT];
-    const int most = ntrigger + ncontact + 4 * m->nslot + m->nfriction;
+    const int most = ntrigger + ncontact + 5 * m->nslot + m->nfriction;
     if (PM_ARENA_NEW(&w->memory, w->event)) return PM_NO_MEMORY;
     pm_event_set *e = w->event;
     e->most = most;
@@ -75,7 +76,7 @@ int pm_event_create(pm_workspace *w)
 static void add(const pm_phase *phase, pm_event_set *e, int kind, int index, int direction, int level,
                 double slack, double natural)
 {
-    const int owned = phase->route->locates_contacts && kind != FUNCTION_TRIGGER;
+    const int owned = phase->route->locates_contacts && kind != FUNCTION_TRIGGER && kind != FUNCTION_STRAND;
     e->function[e->nfunction++] = (pm_event_function){.kind = kind,
                                                       .index = index,
                                                       .direction = direction,
@@ -136,6 +137,9 @@ static void add_contacts(pm_workspace *w)
     for (int i = 0; i < m->nslot; i++) {
         const int mode = w->state.slot[i].mode;
         if (mode == PM_OPEN || mode == PM_CAPTURED) continue;
+        if (pm_contact_is_cord(m, pm_contact_of_slot(m, i)))
+            add(&w->phase, w->event, FUNCTION_STRAND, i, 1, PM_LEVEL_KINEMATIC, 0,
+                w->numbers.size * w->numbers.speed);
         add(&w->phase, w->event, FUNCTION_NORMAL, i, -1, PM_LEVEL_DYNAMIC, force, size);
         if (mode == PM_STICK && pm_contact_friction(m, pm_contact_of_slot(m, i)) == PM_FRICTION_COULOMB)
             add(&w->phase, w->event, FUNCTION_STICK, i, -1, PM_LEVEL_DYNAMIC, force, size);
@@ -172,6 +176,27 @@ static double contact_stands(pm_workspace *w, const pm_event_function *f)
     return mu * w->frame.lambda[normal] - fabs(w->frame.lambda[tangent]);
 }
 
+static double strand_left(const pm_frame *frame, int slot, double *approach, double *nothing)
+{
+    pm_constraint c;
+    pm_contact_constraint_normal(frame, pm_contact_of_slot(frame->model, slot), slot, 0, &c);
+    *nothing = PM_STRAND_LEAST * (fabs(c.radius_a) + fabs(c.radius_b));
+    return pm_constraint_strand_left(frame, &c, approach);
+}
+
+double pm_event_strand_left(const pm_workspace *w, int slot, double *nothing)
+{
+    double approach;
+    return strand_left(&w->frame, slot, &approach, nothing);
+}
+
+static double strand_approach(const pm_frame *frame, int slot)
+{
+    double approach, nothing;
+    strand_left(frame, slot, &approach, &nothing);
+    return approach;
+}
+
 double pm_event_sample(pm_workspace *w, const pm_event_function *f)
 {
     const pm_slot *slot = w->state.slot;
@@ -196,6 +221,7 @@ double pm_event_sample(pm_workspace *w, const pm_event_function *f)
     case FUNCTION_END:
         return pm_edge_room(&w->frame, &w->state, pm_contact_of_slot(w->model, f->index),
                             slot[f->index].member);
+    case FUNCTION_STRAND: return strand_approach(&w->frame, f->index);
     case FUNCTION_JOINT_STICK:
         if (w->active.friction_constraint[f->index] < 0) return 1; /* something else holds it, too */
         return pm_joint_friction_limit(w, f->index) -
@@ -209,7 +235,7 @@ double pm_event_sample(pm_workspace *w, const pm_event_function *f)
 
 int pm_event_changes_sign(const pm_event_function *f)
 {
-    return f->kind == FUNCTION_TRIGGER || f->kind == FUNCTION_MEETING;
+    return f->kind == FUNCTION_TRIGGER || f->kind == FUNCTION_MEETING || f->kind == FUNCTION_STRAND;
 }
 
 double pm_event_of_sample(const pm_event_function *f, double sample)
@@ -277,6 +303,36 @@ int pm_event_contact_change(const pm_event_set *event, int function)
     case FUNCTION_SLIP: return PM_TRIGGER_STICK;
     default: return PM_NONE;
     }
+}
+
+static int strand_ends(pm_workspace *w, int slot)
+{
+    return pm_fail(&w->result, PM_STRAND_ENDS, PM_TABLE_CONTACT, pm_contact_of_slot(w->model, slot),
+                   w->state.t, 0);
+}
+
+int pm_event_explain_strand(pm_workspace *w, int status)
+{
+    if (status != PM_STEP_TOO_SMALL && status != PM_SOLVER && status != PM_SINGULAR && status != PM_AUDIT)
+        return status;
+    pm_frame_look_state(&w->frame, &w->state);
+    for (int i = 0; i < w->model->nslot; i++) {
+        double nothing;
+        if (w->state.slot[i].mode == PM_OPEN ||
+            !pm_contact_is_cord(w->model, pm_contact_of_slot(w->model, i)))
+            continue;
+        if (pm_event_strand_left(w, i, &nothing) < PM_STRAND_NEAR * nothing) return strand_ends(w, i);
+    }
+    return status;
+}
+
+int pm_event_check_strands(pm_workspace *w)
+{
+    for (int i = 0; i < w->event->nfunction; i++) {
+        const pm_event_function *f = &w->event->function[i];
+        if (w->event->hit[i] && f->kind == FUNCTION_STRAND) return strand_ends(w, f->index);
+    }
+    return PM_OK;
 }
 
 int pm_event_check_unique(pm_workspace *w)

@@ -17,8 +17,9 @@ enum pm_function_kind {
     FUNCTION_NORMAL,
     FUNCTION_STICK,
     FUNCTION_SLIP,
-    FUNCTION_MEETING,     /* of two points: where they are nearest, they may meet */
-    FUNCTION_END,         /* of an edge that something touches */
+    FUNCTION_MEETING, /* of two points: where they are nearest, they may meet */
+    FUNCTION_END,     /* of an edge that something touches */
+    FUNCTION_STRAND, /* of a taut cord: where it is shortest, nothing may be left of it between its circles */
     FUNCTION_JOINT_STICK, /* friction of a joint that holds: what is left of it */
     FUNCTION_JOINT_SLIP   /* its slip where it slides */
 };
@@ -87,6 +88,12 @@ int pm_event_create(pm_workspace *w);
 
 /* The phase's functions, from triggers, contacts and modes; the frame looks at w->state (DYNAMIC). */
 void pm_event_begin(pm_workspace *w);
+/* Length of the strand of a cord, m, and of its circles' radii how much is nothing. */
+double pm_event_strand_left(const pm_workspace *w, int slot, double *nothing);
+/* Where a run failed close to the end of a taut cord's strand that is why: PM_STRAND_ENDS, else `status`. */
+int pm_event_explain_strand(pm_workspace *w, int status);
+/* PM_STRAND_ENDS, where = contact: at this instant a strand has no length left. */
+int pm_event_check_strands(pm_workspace *w);
 /* PM_NOT_UNIQUE, where = trigger: an event waits for a reaction that is not unique in this phase. */
 int pm_event_check_unique(pm_workspace *w);
 /* The multiples of `every` next to the frame; one that holds must first be left. */

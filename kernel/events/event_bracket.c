@@ -61,7 +61,7 @@ static int reaches(pm_workspace *w, pm_event_function *f, double s, double aroun
 {
     const double least = bottom(w, f, s, low, high, where);
     *value = s * least;
-    if (least > 0 && least < f->near && f->kind != FUNCTION_MEETING) {
+    if (least > 0 && least < f->near && f->kind != FUNCTION_MEETING && f->kind != FUNCTION_STRAND) {
         f->near = least;
         f->near_reach = around;
     }

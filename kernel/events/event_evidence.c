@@ -34,6 +34,8 @@ static double distance_of(pm_workspace *w, const pm_event_function *f)
     int member;
     if (f->kind == FUNCTION_MEETING)
         return fmin(w->numbers.size, pm_contact_gap(&w->frame, &w->state, f->index, &member));
+    double nothing;
+    if (f->kind == FUNCTION_STRAND) return pm_event_strand_left(w, f->index, &nothing);
     const double x = pm_event_sample(w, f);
     return f->every ? fabs(x - round(x)) : x;
 }
@@ -80,7 +82,7 @@ void pm_event_evidence_instant(pm_workspace *w)
         if (!did_not_fire(w, i)) continue;
         x.kind = PM_EVIDENCE_VALUE;
         x.distance = distance_of(w, f);
-        if (f->kind == FUNCTION_MEETING) x.unit = w->numbers.size;
+        if (f->kind == FUNCTION_MEETING || f->kind == FUNCTION_STRAND) x.unit = w->numbers.size;
         x.reach = fabs(x.distance);
         pm_evidence_take(&w->evidence, &x);
     }

@@ -12,13 +12,30 @@
 #include "numerics/tolerances.h"
 #include "state/workspace.h"
 
-/* Two points go by each other at a distance: nothing happens. */
+/* Two points go by each other at a distance, or a strand is shortest, and not at its end: nothing happens. */
 static int goes_by(pm_workspace *w, int i, double place)
 {
     pm_event_function *f = &w->event->function[i];
-    if (f->kind != FUNCTION_MEETING) return 0;
+    if (f->kind != FUNCTION_MEETING && f->kind != FUNCTION_STRAND) return 0;
     pm_event_samples_along(w, place, f);
+    double nothing;
+    if (f->kind == FUNCTION_STRAND) return pm_event_strand_left(w, f->index, &nothing) > nothing;
     return pm_capture_distance(&w->frame, f->index) > PM_POINTS_PASS * w->numbers.size;
+}
+
+/* A strand that was shortest at the place that was found, where the motion ends, was so before if it is longer between:
+ * function i is then bracketed there. */
+static int was_shortest_before(pm_workspace *w, int i)
+{
+    pm_event_function *f = &w->event->function[i];
+    const double middle = 0.5 * (f->bracket.a + f->found);
+    if (f->kind != FUNCTION_STRAND || !(middle > f->bracket.a && middle < f->found)) return 0;
+    const double value = pm_event_samples_along(w, middle, f);
+    if (!(value > 0 && f->bracket.ga < 0)) return 0;
+    f->bracket.b = middle;
+    f->bracket.gb = value;
+    f->search = SEARCH_BRACKETED;
+    return 1;
 }
 
 /* The first place of the step, after `from`, where something happens to function i; *x brackets it; or INFINITY.  What
@@ -38,7 +55,9 @@ static int first_of(pm_workspace *w, int i, double from, double not_after, pm_sp
             f->search = SEARCH_LOCATED;
         }
         if (!goes_by(w, i, f->found)) break;
-        f->held = 1; /* as what has fired: it must be left first */
+        if (was_shortest_before(w, i)) continue;
+        if (f->found <= from) return PM_OK; /* that place again */
+        f->held = 1;                        /* as what has fired: it must be left first */
         f->since = from = f->found;
         f->search = SEARCH_NONE;
     }

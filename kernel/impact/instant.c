@@ -250,6 +250,7 @@ int pm_instant_full(pm_workspace *w, int *ended)
     pm_frame_look_state(&w->frame, &w->state);
     int status = pm_history_append(w, 1);
     if (!status) status = pm_saddle_accelerate(w);
+    if (!status) status = pm_event_check_strands(w);
     if (!status && w->step.reverses) status = mark_reversal(w);
     if (!status) status = act(w, 0, ended);
     if (status || *ended) return status;

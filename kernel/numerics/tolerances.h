@@ -136,6 +136,9 @@
 #define PM_ON_MULTIPLE 1e-9 /* of the multiples' distance: `every` begins on one of them; larger: one right after the begin is lost */
 #define PM_ON_GRID 1e-9 /* of a grid value: it is met at the start or end of the run; larger: answered beside its place */
 #define PM_GRID_ROUNDING 1e-12 /* of the greatest watched value: so much of a grid value, of 0 too, is rounding; larger: as above */
+#define PM_STRAND_ACROSS 1e-12 /* of distance and speed of what a cord pulls: it goes across; larger: a strand is shortest earlier */
+#define PM_STRAND_NEAR 1000 /* times as short: a failure so close to a strand's end comes of it; larger: others are told as that */
+#define PM_STRAND_LEAST 1e-5 /* of the radii of its circles: so short, a strand has come to its end; larger: one that only comes close ends */
 #define PM_ON_ZERO 1e-12 /* of a function's greatest size in the step: it is zero, has no sign; larger: a zero right after the begin is lost */
 #define PM_DIP_NEAR 0.3 /* of a function's greatest size in the step: below it there may be a dip to zero; larger: more is looked at */
 #define PM_DIP_FAR 0.5 /* likewise: above it no parabola of three nodes comes near to zero; larger: more is looked at */

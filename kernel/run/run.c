@@ -236,9 +236,12 @@ void pm_run_fail_asks(const pm_model *model, pm_result *result)
 /* An early stop keeps what was answered; what is asked at the end was not reached. */
 static int end_early(pm_workspace *w, int status)
 {
+    const pm_where where = w->result.where; /* of the stop itself */
     const int audit = pm_ledger_close(w);
     pm_ask_keep(w, audit != PM_OK, audit ? PM_REASON_FAILED : PM_REASON_NOT_REACHED);
-    return audit ? audit : status;
+    if (audit && status != PM_STRAND_ENDS) return audit; /* of a strand's end the cause is known */
+    w->result.where = where;
+    return status;
 }
 
 /* What was answered before a run failed stands if the ledgers closed after it: at the last accepted step, or earlier. */
@@ -259,6 +262,7 @@ int pm_run(pm_workspace *w, const double *param)
     if (!status) status = pm_instant_start(w);
     if (!status) status = run_phases(w);
     if (status == PM_SINGULAR && w->result.count[PM_COUNT_STEPS] > 0) status = PM_ENDS_SINGULAR;
+    if (status && started) status = pm_event_explain_strand(w, status);
     pm_phase_report_end(w);
     if (status > 0) status = end_early(w, status);
     if (!status) {

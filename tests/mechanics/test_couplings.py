@@ -7,6 +7,7 @@ import math
 import pytest
 
 import planemotion
+from tests import CHAPTER
 from tests.scenes import ROUTES, G, answers, within
 from tests.scenes.parts import body, drum_and_block, on_axle
 
@@ -266,3 +267,12 @@ b_end = "B.omega"
     assert values["b"] == pytest.approx(-omega / 2.5, rel=1e-12)
     assert values["a_end"] == pytest.approx(omega + 1 / 0.3, rel=1e-12)
     assert values["b_end"] == pytest.approx(-omega / 2.5, rel=1e-12)
+
+
+@pytest.mark.parametrize("route", ROUTES)
+@pytest.mark.parametrize("changed", [{"k_pulley": "11 in"}, {"W_A": "75 lb"}, {"r_outer": "3 in"}])
+def test_a_block_that_its_cord_pulls_to_the_drum_ends_the_run(changed: dict[str, str], route: str) -> None:
+    run = planemotion.load(CHAPTER / "17-011.toml").run(**{"solve.route": route}, **changed)
+    assert run.status == "strand_ends"
+    assert "couplings.cord_B" in run.error
+    assert run.asks["b_distance_B"].value is None

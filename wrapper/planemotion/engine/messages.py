@@ -168,6 +168,10 @@ _DESCRIPTIONS: dict[int, Any] = {
         "or two joints that have come together), and on this route nothing tells how the motion goes on; "
         'what was answered before stands; end the run before it, or try solve.route = "path"'
     ),
+    layout.PM_STRAND_ENDS: lambda place, found, bound: (
+        f"{place}: at t = {found:.6g} s no free length is left of the cord: what it pulls has reached the "
+        "drum, or its tangent point; what was answered before stands; end the run before it"
+    ),
     layout.PM_STEP_TOO_SMALL: lambda place, found, bound: (
         "the integrator cannot go on at solve.accuracy: the motion has no smooth continuation here (a "
         "singular position, a force that jumps); end the run before it, or lower the accuracy"
