@@ -217,6 +217,11 @@ static int set_stand_ins(pm_workspace *w)
     return PM_OK;
 }
 
+static int is_on_ground(const pm_model *m, int circle)
+{
+    return PM_POINT_ROW(m, PM_CIRCLE_ROW(m, circle)[PM_CIRCLE_POINT])[PM_POINT_BODY] == PM_GROUND;
+}
+
 /* Extent of the marks on bodies and of the bodies as drawn; 1 m where there is none. */
 static void set_size(const pm_model *m, pm_numbers *numbers)
 {
@@ -234,7 +239,7 @@ static void set_size(const pm_model *m, pm_numbers *numbers)
             size = fmax(size, hypot(numbers->value[e[PM_POINT_X]], numbers->value[e[PM_POINT_Y]]));
     }
     for (int i = 0; i < m->rows[PM_TABLE_CIRCLE]; i++)
-        size = fmax(size, numbers->value[PM_CIRCLE_ROW(m, i)[PM_CIRCLE_RADIUS]]);
+        if (!is_on_ground(m, i)) size = fmax(size, numbers->value[PM_CIRCLE_ROW(m, i)[PM_CIRCLE_RADIUS]]);
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
         const int32_t *e = PM_JOINT_ROW(m, i);
         if (e[PM_JOINT_KIND] == PM_JOINT_LINK) size = fmax(size, numbers->value[e[PM_JOINT_VALUE]]);
@@ -246,6 +251,8 @@ static void set_size(const pm_model *m, pm_numbers *numbers)
             size = fmax(
                 size, hypot(numbers->value[e[PM_POINT_X]] - low[0], numbers->value[e[PM_POINT_Y]] - low[1]));
         }
+    for (int i = 0; i < m->rows[PM_TABLE_CIRCLE]; i++) /* a small peg is not all that there is */
+        if (is_on_ground(m, i)) size = fmax(size, numbers->value[PM_CIRCLE_ROW(m, i)[PM_CIRCLE_RADIUS]]);
     numbers->size = size > 0 && isfinite(size) ? size : 1;
 }
 

@@ -6,6 +6,7 @@ import math
 
 import pytest
 
+import planemotion
 from tests.scenes import G, answers
 
 ACCURACIES = ("1e-6", "1e-8", "1e-10")
@@ -116,3 +117,20 @@ def test_it_is_as_accurate_as_it_is_asked_to_be(accuracy: str) -> None:
     other = answers(DOUBLE_PENDULUM, "rk", **{"solve.accuracy": 1e-12})
     values = answers(DOUBLE_PENDULUM, "ida", **{"solve.accuracy": float(accuracy), "solve.estimate": False})
     assert values == pytest.approx(other, rel=3 * float(accuracy), abs=0)
+
+
+@pytest.mark.parametrize("peg", ["1 cm", "10 um"])
+@pytest.mark.parametrize("route", ["rk", "ida"])
+def test_a_small_peg_far_away_makes_no_step_shorter(route: str, peg: str) -> None:
+    text = f"""
+until = "t = 2 s"
+ground = {{ points.O = ["3 m", "-1 m"], circles.peg = {{ center = ["1 m", "5 m"], radius = "{peg}" }} }}
+bodies.P = {{ mass = "1 kg", at = [0, 0] }}
+contacts.c = {{ touch = ["P", "ground.peg"] }}
+forces.d = {{ damper = ["P", "ground.O"], rate = "0.1 N*s/m" }}
+start.P.velocity = ["3 m/s", "2 m/s"]
+ask.x = "P.x"
+"""
+    result = planemotion.load_text(text).run(**{"solve.route": route, "solve.max_steps": 5000})
+    assert result.status == "ok", result.error
+    assert result.x == pytest.approx(5.621146342503826, rel=1e-9)
