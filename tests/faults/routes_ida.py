@@ -13,7 +13,7 @@ FAULTS = [
         "ida: a tolerance that is too loose",
         "routes/ida/ida_system.c",
         "pow(asked, PM_IDA_POWER)",
-        "pow(asked, 0.95 * PM_IDA_POWER)",
+        "pow(asked, 0.5 * PM_IDA_POWER)",
     ),
     Fault(
         "ida: friction of a joint keeps the load that it began with",
