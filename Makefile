@@ -53,7 +53,8 @@ lint: setup
 	@# The type checker reads the generated module of constants as a stub beside its users.
 	@$(BIN)/python kernel/layout.py kernel/planemotion.h wrapper/planemotion/_layout.pyi
 	$(BIN)/mypy
-	$(BIN)/clang-format --dry-run --Werror $(C_FILES)
+	@echo clang-format --dry-run --Werror '<the C files>'
+	@$(BIN)/clang-format --dry-run --Werror $(C_FILES)
 
 format: setup
 	$(BIN)/ruff format .

@@ -37,7 +37,7 @@ enum pm_status {
     PM_PAINLEVE = 12,         /* no motion obeys the laws of contact without a blow: where, detail likewise */
     PM_ROUGH_IMPOSSIBLE = 13, /* the same where a contact that may not slip takes part */
     PM_LIMIT_CPU = 14,        /* max_cpu reached: detail = the limit */
-    PM_STRAND_ENDS = 15,      /* a taut cord has no free length left between its circles: where = contact; detail = t */
+    PM_STRAND_ENDS = 15,      /* a taut cord has no free length left: where = contact; detail = t */
     PM_BAD_TABLE = -1,        /* the tables contradict this header: where = table, row */
     PM_NO_MEMORY = -2,
     PM_BAD_VALUE = -3,      /* not finite or out of its bound: where = table, row; detail = value, bound */
