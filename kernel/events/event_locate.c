@@ -116,10 +116,10 @@ static void take_rate(pm_workspace *w, int function, double x, double slope)
 {
     if (!w->evidence.active) return;
     pm_event_function *f = &w->event->function[function];
-    const double d = PM_EVENT_RATE_STEP * (w->step.end - w->step.begin);
-    const double rate =
-        isnan(slope) ? (pm_event_samples_along(w, x + d, f) - pm_event_samples_along(w, x - d, f)) / (2 * d)
-                     : slope;
+    const double begin = w->step.begin, end = w->step.end;
+    const double rate = isnan(slope) ? pm_bracket_slope(pm_event_samples_along, w, f, begin, end, x,
+                                                        PM_EVENT_RATE_STEP * (end - begin))
+                                     : slope;
     if (f->kind == FUNCTION_GAP && pm_last_bounce_is_near(w, f->index, rate)) return;
     pm_event_evidence_rate(w, function, rate);
 }

@@ -77,9 +77,13 @@ int pm_bracket_newton(pm_sloped *f, void *of, void *context, double a, double fa
     return PM_SEARCH_TOO_MANY;
 }
 
-static double slope_at(pm_along *f, void *of, void *context, double x, double d)
+/* Beyond an end there may be nothing: a path that turns has no time there. */
+double pm_bracket_slope(pm_along *f, void *of, void *context, double begin, double end, double x, double d)
 {
-    return (f(of, x + d, context) - f(of, x - d, context)) / (2 * d);
+    const double slope = (f(of, x + d, context) - f(of, x - d, context)) / (2 * d);
+    if (!isnan(slope)) return slope;
+    const double low = fmax(x - d, begin), high = fmin(x + d, end);
+    return (f(of, high, context) - f(of, low, context)) / (high - low);
 }
 
 int pm_bracket_polish(pm_along *f, pm_exactly *exactly, void *of, void *context, double begin, double end,
@@ -87,7 +91,7 @@ int pm_bracket_polish(pm_along *f, pm_exactly *exactly, void *of, void *context,
 {
     const double h = end - begin, rounding = PM_EPSILON * fabs(*x) + PM_BRACKET_POLISHED * h;
     double best = INFINITY, value, last = 0, place = *x;
-    if (isnan(slope)) slope = slope_at(f, of, context, *x, PM_BRACKET_SLOPE_STEP * h);
+    if (isnan(slope)) slope = pm_bracket_slope(f, of, context, begin, end, *x, PM_BRACKET_SLOPE_STEP * h);
     for (int i = 0; i < POLISH; i++) {
         *taken = *x;
         const int status = exactly(of, *x, context, &value);
@@ -95,7 +99,7 @@ int pm_bracket_polish(pm_along *f, pm_exactly *exactly, void *of, void *context,
         *off = value;
         if (i > 0 && value != last && *x != place) slope = (value - last) / (*x - place); /* secant */
         const double shift = slope != 0 ? -value / slope : 0;
-        if (!(fabs(value) < best) || fabs(shift) <= rounding || fabs(shift) > PM_BRACKET_FAR * h) break;
+        if (!(fabs(value) < best) || fabs(shift) <= rounding || !(fabs(shift) <= PM_BRACKET_FAR * h)) break;
         best = fabs(value);
         last = value;
         place = *x;

@@ -29,6 +29,9 @@ int pm_bracket_find(void *solver, pm_along *f, void *of, void *context, double a
 int pm_bracket_newton(pm_sloped *f, void *of, void *context, double a, double fa, double b, double fb,
                       double *root);
 
+/* The slope of f at x by a difference over d to either side; over what lies in [begin, end] where it has no value beyond. */
+double pm_bracket_slope(pm_along *f, void *of, void *context, double begin, double end, double x, double d);
+
 /* What is known exactly only at places that are looked at: the value there, and a status (0: well). */
 typedef int pm_exactly(void *of, double x, void *context, double *value);
 

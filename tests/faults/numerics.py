@@ -16,6 +16,12 @@ FAULTS = [
         "#define PM_BRACKET_VALUES 100",
     ),
     Fault(
+        "slope: no number where nothing is beyond an end",
+        "numerics/bracket.c",
+        "if (!isnan(slope)) return slope;",
+        "return slope;",
+    ),
+    Fault(
         "dense: Cholesky",
         "numerics/dense.c",
         "k = 0; k < j; k++) s -= ai[k] * aj[k]",

@@ -55,6 +55,14 @@ static void check_failures_are_told(void *solver)
     EQUAL(pm_bracket_newton(power_with_slope, &c, NULL, -1, -1.2385, 2, 1.7615, &root), PM_SEARCH_NO_NUMBER);
 }
 
+/* Where there is nothing beyond an end the difference is over what there is. */
+static void check_slopes_at_ends(void)
+{
+    call c = {.root = 0.2385, .power = 1, .missing = 0.5};
+    NEAR(pm_bracket_slope(power_of, &c, NULL, 0, 0.5, 0.3, 1e-3), 1, 1e-12);
+    NEAR(pm_bracket_slope(power_of, &c, NULL, 0, 0.5, 0.4999, 1e-3), 1, 1e-12);
+}
+
 static double valley(double x, void *context)
 {
     call *c = context;
@@ -79,6 +87,7 @@ int main(void)
 {
     void *roots = pm_bracket_create(), *minima = pm_bracket_minimum_create();
     check_roots(roots);
+    check_slopes_at_ends();
     check_failures_are_told(roots);
     check_minima(minima);
     pm_bracket_free(roots);

@@ -1,0 +1,74 @@
+"""A run that ends close to a turning point ends where the motion is then, on every route."""
+
+from __future__ import annotations
+
+import math
+import random
+from collections.abc import Callable
+
+import pytest
+
+from planemotion import load_text
+from tests.scenes import number
+
+
+def pendulum(draw: random.Random) -> str:
+    length = draw.uniform(0.2, 2)
+    return f"""
+[bodies]
+AB = {{ rod = ["A","B"], length = "{length} m", mass = "1 kg", at = {{ A = [0, 0] }}, \
+angle = "{draw.uniform(-170, -10)} deg" }}
+[joints]
+A = {{ pin = ["AB.A","ground"] }}
+[start]
+AB.omega = "{draw.uniform(-0.3, 0.3) * math.sqrt(9.81 / length)} rad/s"
+[events]
+turn = {{ when = "AB.omega = 0", nth = 2 }}
+[ask]
+end = "t"
+rate = "AB.omega"
+place = "AB.angle"
+"""
+
+
+def slider(draw: random.Random) -> str:
+    return f"""
+plane = "horizontal"
+[ground]
+points = {{ O = [0, 0] }}
+lines = {{ L = {{ through = [0, 0] }} }}
+[bodies]
+P = {{ mass = "{draw.uniform(0.1, 5)} kg", at = ["{draw.uniform(0.4, 1)} m", 0] }}
+[joints]
+s = {{ slider = ["P.G", "ground.L"] }}
+[forces]
+k = {{ spring = ["P.G", "ground.O"], stiffness = "{draw.uniform(10, 900)} N/m", free_length = "0.36 m" }}
+[start]
+P.velocity = ["{draw.uniform(-0.5, 0.5)} m/s", 0]
+[events]
+turn = {{ when = "P.velocity.x = 0", nth = 2 }}
+[ask]
+end = "t"
+rate = "P.velocity.x"
+place = "P.x"
+"""
+
+
+@pytest.mark.parametrize("kind", [pendulum, slider])
+@pytest.mark.parametrize("seed", range(6))
+def test_ends_close_to_turning_points(kind: Callable[[random.Random], str], seed: int) -> None:
+    draw = random.Random(seed)
+    text = kind(draw)
+    turn = number(load_text(f'until = "turn"\n{text}').run().asks["end"].value)
+    for power in (-2, -3, -3.5, -4, -4.5, -5):
+        for sign in (-1, 1):
+            t = turn * (1 + sign * 10**power * draw.uniform(0.3, 1))
+            path, rk = (
+                load_text(f'until = "t = {t!r} s"\n{text}').run(**{"solve.route": route})
+                for route in ("auto", "rk")
+            )
+            assert path.route == ("path",)
+            # A route that follows energy knows its square: of a slow motion it knows less.
+            expected = number(rk.asks["rate"].value)
+            assert path.asks["rate"].value == pytest.approx(expected, abs=1e-9 + 5e-12 / abs(expected))
+            assert path.asks["place"].value == pytest.approx(number(rk.asks["place"].value), abs=1e-9)
