@@ -4,6 +4,8 @@
 BIN := .venv/bin
 SANITIZE ?= address,undefined
 comma := ,
+# A test asks for more memory than there is: the allocator says no, as it does without a sanitizer.
+ASAN := halt_on_error=1:abort_on_error=1:print_summary=1:allocator_may_return_null=1
 SANITIZE_BUILD := build/sanitize-$(subst $(comma),-,$(SANITIZE))
 C_FILES = $(shell find kernel tests/kernel -name '*.[ch]')
 
@@ -65,7 +67,7 @@ sanitize:
 	@.ci/setup --tools
 	@test -f $(SANITIZE_BUILD)/build.ninja || $(BIN)/meson setup $(SANITIZE_BUILD) -Dpython=false \
 	    -Dbuildtype=debug -Doptimization=1 -Dwerror=false -Db_sanitize=$(SANITIZE) -Db_lundef=false
-	$(BIN)/meson test -C $(SANITIZE_BUILD) --print-errorlogs
+	ASAN_OPTIONS=$(ASAN) $(BIN)/meson test -C $(SANITIZE_BUILD) --print-errorlogs
 
 stress: setup
 	$(BIN)/python -m tests.stress $(STRESS)

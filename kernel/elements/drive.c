@@ -1,4 +1,4 @@
-/* drive.c - prescribed rates w(t).
+/* drive.c - what acts on the motion in time: programs of forces; prescribed rates w(t).
  *
  * A driven constraint has  G v = w(t),  and so  G a = dw/dt - (dG/dt) v.  Its residual needs the way, the integral of w:
  * its anchor holds it up to the last accepted step, and from there on it is taken by Gauss' formula, exact to rounding
@@ -7,6 +7,7 @@
 
 #include "expression/program.h"
 #include "expression/program_class.h"
+#include "state/frame.h"
 #include "state/workspace.h"
 
 #define GAUSS 5 /* pairs of nodes: exact for polynomials up to degree 19 */
@@ -19,8 +20,17 @@ static const double gauss_weight[GAUSS] = {0.29552422471475287, 0.26926671930999
 static double rate_at(const pm_frame *frame, int program, double t)
 {
     double change;
-    return pm_program_of_time(frame->model, program, frame->numbers->param, frame->numbers->value, t,
-                              &change);
+    return pm_program_of_time(frame->model, program, frame->numbers->param, frame->numbers->value,
+                              pm_frame_side_time(frame, t), &change);
+}
+
+double pm_drive_program(pm_workspace *w, int program)
+{
+    const double t = w->frame.t;
+    w->frame.t = pm_frame_side_time(&w->frame, t);
+    const double x = pm_program_run(w, program);
+    w->frame.t = t;
+    return x;
 }
 
 double pm_drive_rate(const pm_frame *frame, int program)
@@ -32,8 +42,8 @@ double pm_drive_change(const pm_frame *frame, int program)
 {
     double change = 0;
     if (program != PM_NONE)
-        pm_program_of_time(frame->model, program, frame->numbers->param, frame->numbers->value, frame->t,
-                           &change);
+        pm_program_of_time(frame->model, program, frame->numbers->param, frame->numbers->value,
+                           pm_frame_side_time(frame, frame->t), &change);
     return change;
 }
 

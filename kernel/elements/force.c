@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "elements/constant_motion.h"
+#include "elements/drive.h"
 #include "elements/joint_friction.h"
 #include "elements/turning_plane.h"
 #include "expression/program.h"
@@ -86,7 +87,7 @@ static void rotary_damper(pm_workspace *w, const int32_t *e, pm_action *x)
 static void couple(pm_workspace *w, const int32_t *e, pm_action *x)
 {
     relative_rotation(&w->frame, e, x);
-    x->couple = pm_program_run(w, e[PM_FORCE_PROGRAM_X]);
+    x->couple = pm_drive_program(w, e[PM_FORCE_PROGRAM_X]);
     x->power = x->couple * x->rate;
 }
 
@@ -94,8 +95,8 @@ static void applied(pm_workspace *w, const int32_t *e, pm_action *x)
 {
     const pm_point a = pm_frame_point_of(&w->frame, e[PM_FORCE_A]);
     const double *axes = w->frame.pose + 5 * pm_model_body_index(w->model, e[PM_FORCE_B]);
-    const double fx = pm_program_run(w, e[PM_FORCE_PROGRAM_X]);
-    const double fy = pm_program_run(w, e[PM_FORCE_PROGRAM_Y]);
+    const double fx = pm_drive_program(w, e[PM_FORCE_PROGRAM_X]);
+    const double fy = pm_drive_program(w, e[PM_FORCE_PROGRAM_Y]);
     x->body_a = a.body;
     x->at_a[0] = a.p[0];
     x->at_a[1] = a.p[1];

@@ -19,7 +19,7 @@
 
 #include <math.h>
 
-#include "expression/program.h"
+#include "elements/drive.h"
 #include "numerics/tolerances.h"
 #include "state/workspace.h"
 
@@ -193,10 +193,15 @@ void pm_turning_plane_outer(const pm_frame *frame, double outer[PM_LEDGER])
 }
 
 /* ---- running integrals ---- */
+int pm_turning_plane_program(const pm_model *m)
+{
+    return pm_turning_plane_turns(m) ? spin_row(m)[PM_SPIN_COUPLE] : PM_NONE;
+}
+
 static double couple(pm_workspace *w)
 {
-    const int program = pm_turning_plane_turns(w->model) ? spin_row(w->model)[PM_SPIN_COUPLE] : PM_NONE;
-    return program >= 0 ? pm_program_run(w, program) : 0;
+    const int program = pm_turning_plane_program(w->model);
+    return program >= 0 ? pm_drive_program(w, program) : 0;
 }
 
 void pm_turning_plane_rates(pm_workspace *w, double *zdot)

@@ -12,6 +12,9 @@ int pm_turning_plane_start(pm_workspace *w);
 
 static inline int pm_turning_plane_turns(const pm_model *m) { return m->rows[PM_TABLE_SPIN] > 0; }
 
+/* The program of the couple about the axis; PM_NONE: there is none. */
+int pm_turning_plane_program(const pm_model *m);
+
 /* All of these at the frame; 0 where the plane does not turn. */
 double pm_turning_plane_inertia(const pm_frame *frame);  /* about the axis, of all that turns along */
 double pm_turning_plane_momentum(const pm_frame *frame); /* about the axis */

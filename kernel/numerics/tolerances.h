@@ -26,6 +26,7 @@
 #define PM_LEMKE_TIE 1e-8    /* of the scaled problem: ratios that are equal; taken as exact a third of all problems fails */
 #define PM_LEMKE_PIVOT 1e-11 /* of the column's largest entry, at least 1: no pivot; larger: bases are passed over */
 #define PM_LEMKE_PIVOTS 20   /* for each unknown; more would only put off the failure */
+#define PM_INTERVAL_ROUNDING 1e-15 /* of a bound: widens it by some roundings; more: needless cuts, less: not rigorous */
 #define PM_CHEBYSHEV_SMOOTH 1e-3 /* of the values: tail of what has no corners; more would miss some */
 
 /* ---- state ---- */
@@ -130,6 +131,15 @@
 #define PM_SERIES_REACH 0.5 /* rad: so far the series of cosine and sine have all figures */
 
 /* ---- events ---- */
+#define PM_TIME_HALVINGS 64 /* of a stretch of time, to neighbouring numbers; fewer: switches less exact */
+#define PM_TIME_BUDGET 4096 /* stretches that are looked at for a switch; more would only put off a phase end */
+#define PM_TIME_SAME 2.3e-16 /* of the time: neighbouring numbers; larger: switches less exact */
+#define PM_TIME_TOGETHER 1e-14 /* of the time: a switch that is so near belongs to an instant; larger: switches less exact, less: no step fits between */
+#define PM_TIME_WIDER 0.5 /* of the range of the bends at samples: beyond it they do not tell the stretch; larger: pulses are missed */
+#define PM_TIME_LEVEL 1e-3 /* of their size, likewise */
+#define PM_TIME_PARTS 64 /* of a stretch, halved to be told; more: fewer needless cuts, each dearer */
+#define PM_TIME_AHEAD 4.0 /* times the last step: so far ahead programs are told at once; larger: samples lie less dense */
+#define PM_TIME_ENOUGH 1.5 /* times the last step: so much that is told is enough for the next; larger: told more often */
 #define PM_SAME_PLACE 1e-11 /* of a step: events that are closer are one instant; larger: two blows become one */
 #define PM_GAP_ROUNDING 4e-15 /* of how far bodies are from the origin: gaps are rounded by it; larger: a bounce that comes back at once is lost */
 #define PM_FORCE_SLACK 1e-10 /* of the scene's weight-like force: forces that begin on zero are solved for so well; larger: contacts part late */

@@ -13,6 +13,7 @@
 #include "events/event.h"
 #include "events/event_search.h"
 #include "events/history.h"
+#include "events/time_course.h"
 #include "impact/action.h"
 #include "impact/instant.h"
 #include "numerics/tolerances.h"
@@ -72,6 +73,15 @@ static int mark_due(pm_workspace *w)
         any = 1;
     }
     return any;
+}
+
+/* The time to which the next step may go. */
+static double time_limit(pm_workspace *w, double max_time)
+{
+    if (!w->phase.route->in_time) return max_time;
+    const double length = w->event->first_step ? 0 : w->step.end - w->step.begin;
+    const double due = fmin(max_time, next_due(w->model, w->event)), limit = pm_time_course_limit(w, length);
+    return limit < due - PM_TIME_TOGETHER * fabs(due) ? limit : due;
 }
 
 static int limit_reached(pm_workspace *w, double max_time)
@@ -195,7 +205,7 @@ static int take_step(pm_workspace *w, double *first, double *taken, int *ended)
         pm_event_set_multiples(w);
     }
     w->step.nodes = w->phase.route->nodes;
-    status = w->phase.route->step(w, fmin(max_time, next_due(w->model, w->event)));
+    status = w->phase.route->step(w, time_limit(w, max_time));
     pm_history_step(&w->step, &w->record);
     look_for_roots(w->event);
     if (!status) status = pm_event_samples_fill(w, 1);
@@ -231,7 +241,7 @@ int pm_advance(pm_workspace *w, int *ended)
         if (!*ended) take_roots(&w->step, w->event, &first);
         const int inside = first < w->step.end;
         if ((status = close_step(w, first, taken, *ended))) return status;
-        const int due = first >= w->step.end && mark_due(w);
+        const int due = (first >= w->step.end && mark_due(w)) | pm_time_course_switch(w);
         if (*ended) return PM_OK;
         if (first < INFINITY) mark_hits(&w->firing, w->event);
         if (!inside && marks_end(w, first, due)) {

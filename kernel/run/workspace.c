@@ -13,6 +13,7 @@
 #include "equations/solve_cache.h"
 #include "events/ask.h"
 #include "events/event.h"
+#include "events/time_course.h"
 #include "events/watched_samples.h"
 #include "expression/program_fold.h"
 #include "impact/impact.h"
@@ -114,6 +115,7 @@ static int create_rooms(pm_workspace *w)
     if (!status) status = pm_shared_create(w);
     if (!status) status = pm_fixed_bodies_create(w);
     if (!status) status = pm_watched_samples_create(w);
+    if (!status) status = pm_time_course_create(w);
     if (!status) status = pm_event_create(w);
     if (!status) status = pm_ask_create(w);
     if (!status) status = pm_impact_create(w);

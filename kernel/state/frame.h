@@ -5,11 +5,17 @@
 #include "state/numbers.h"
 #include "state/state.h"
 
+/* A stretch of time between two instants where programs of forces or drives switch (events/time_course.h). */
+typedef struct pm_side {
+    double from, to; /* s */
+} pm_side;
+
 /* A state looked at: positions of marks, forces, accelerations, reactions; filled as far as `level` says. */
 typedef struct pm_frame {
     const pm_model *model;
     const pm_numbers *numbers; /* of the case */
     double t;
+    pm_side side; /* programs of forces and drives are taken as they are within it, at its ends too */
     const double *q, *v, *z;
     const pm_memory *memory;
     int level;
@@ -21,6 +27,12 @@ typedef struct pm_frame {
     double *a;        /* [nq] accelerations */
     double *lambda;   /* [nconstraint] reactions of the active constraints */
 } pm_frame;
+
+/* The time, s, at which programs of forces and drives are run. */
+static inline double pm_frame_side_time(const pm_frame *frame, double t)
+{
+    return t < frame->side.from ? frame->side.from : t > frame->side.to ? frame->side.to : t;
+}
 
 /* A point of a body in the frame: r from the body's mass centre, p in the scene, v its velocity. */
 typedef struct pm_point {

@@ -202,6 +202,7 @@ struct pm_workspace {
     struct pm_event_set *event;
     struct pm_ask_set *ask;
     struct pm_watched_samples *watched;
+    struct pm_time_course *time_course;
     struct pm_blow *blow;
     struct pm_path *path;
     struct pm_repeat *repeat;

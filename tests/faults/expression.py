@@ -4,6 +4,24 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "enclosure: a wave has no top",
+        "numerics/interval.c",
+        "if (meets(a, top) || x.hi > 1) x.hi = 1;",
+        "if (x.hi > 1) x.hi = 1;",
+    ),
+    Fault(
+        "enclosure: a product bends by its factors alone",
+        "expression/enclosure_rules.c",
+        "pm_interval_scaled(2, TIMES(a->rate, b->rate))",
+        "pm_interval_scaled(0, TIMES(a->rate, b->rate))",
+    ),
+    Fault(
+        "enclosure: what comes back has kept its side",
+        "expression/enclosure_rules.c",
+        "return monotonic && !pm_jet_changes(op, x);",
+        "return !pm_jet_changes(op, x);",
+    ),
+    Fault(
         "fold: operands change places",
         "expression/program.c",
         "binary(s->op, *top, number[s->arg])",

@@ -1,0 +1,198 @@
+/* time_course.c - switches of programs of the time, and how far samples tell them between.
+ *
+ * A switch is found by bisection: stretches over which all switches are decided (expression/enclosure.h) are passed, from
+ * left to right, until the stretch that is left is between two neighbouring numbers.
+ *
+ * Samples tell a program over a stretch if its bend f'' stays, everywhere in between, within what it is at the samples: a
+ * pulse between two of them bends it much more.  Parts of the stretch whose enclosure does not show that are halved. */
+#include "events/time_course.h"
+
+#include <math.h>
+
+#include "elements/drive.h"
+#include "elements/force.h"
+#include "elements/turning_plane.h"
+#include "equations/case.h"
+#include "equations/solve_cache.h"
+#include "expression/enclosure.h"
+#include "expression/program_class.h"
+#include "numerics/tolerances.h"
+#include "scene/reference.h"
+#include "state/arena.h"
+#include "state/frame.h"
+
+#define SAMPLES 9 /* of a stretch, its ends included */
+
+typedef struct pm_time_course {
+    int *program; /* [n] that are not linear in the time */
+    double *size; /* [n] greatest value that an enclosure has shown in the run */
+    int n;
+    double end;   /* of the run, s */
+    double next;  /* the next switch, s; INFINITY: there is none before the end */
+    double after; /* the number behind it */
+    double told;  /* up to where all programs are told */
+} pm_time_course;
+
+/* ---- which programs ---- */
+static void add(const pm_model *m, pm_time_course *c, int program)
+{
+    if (program < 0 || m->programs.class[program] == PM_CLASS_CONSTANT ||
+        m->programs.class[program] == PM_CLASS_TIME)
+        return;
+    for (int i = 0; i < c->n; i++)
+        if (c->program[i] == program) return;
+    c->program[c->n++] = program;
+}
+
+static void add_all(const pm_model *m, pm_time_course *c)
+{
+    int table, row, program;
+    for (int k = 0; (program = pm_reference_drive(m, k, &table, &row)) != PM_NONE; k++) add(m, c, program);
+    for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++)
+        for (int k = 0; k < pm_force_of(m, i)->programs; k++)
+            add(m, c, PM_FORCE_ROW(m, i)[PM_FORCE_PROGRAM_X + k]);
+    add(m, c, pm_turning_plane_program(m));
+}
+
+int pm_time_course_create(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    if (PM_ARENA_NEW(&w->memory, w->time_course)) return PM_NO_MEMORY;
+    const int most = m->rows[PM_TABLE_PROGRAM];
+    const pm_array array[] = {PM_ARRAY(w->time_course->program, most), PM_ARRAY(w->time_course->size, most)};
+    const int status = pm_arena_take(&w->memory, PM_ARRAYS(array));
+    if (!status) add_all(m, w->time_course);
+    return status;
+}
+
+static pm_enclosure enclose(const pm_workspace *w, int i, double from, double to)
+{
+    return pm_enclosure_of_time(w->model, w->time_course->program[i], w->numbers.param, w->numbers.value,
+                                from, to);
+}
+
+/* ---- switches ---- */
+/* Open switches of all programs; *changes: those that stand otherwise at the end. */
+static int open_switches(const pm_workspace *w, double from, double to, int *changes)
+{
+    int open = 0;
+    *changes = 0;
+    for (int i = 0; i < w->time_course->n; i++) {
+        const pm_enclosure e = enclose(w, i, from, to);
+        open += e.open;
+        *changes += e.changes;
+    }
+    return open;
+}
+
+/* The first switch after `from`: between two neighbouring numbers, or, where they lie too dense, as near as the budget
+ * leads.  1 if there is one up to the end. */
+static int first_switch(const pm_workspace *w, double from, double *before, double *after)
+{
+    double ends[PM_TIME_HALVINGS];
+    int n = 0, changes;
+    ends[n++] = w->time_course->end;
+    for (int budget = PM_TIME_BUDGET; n > 0; budget--) {
+        const double to = ends[n - 1], middle = 0.5 * (from + to);
+        const int open = open_switches(w, from, to, &changes);
+        const int close = to - from <= PM_TIME_SAME * fmax(fabs(to), PM_TIME_SAME * w->time_course->end);
+        if (!open || (close && !changes)) {
+            from = to;
+            n--;
+        } else if (close || budget <= 0 || n == PM_TIME_HALVINGS) {
+            *before = from;
+            *after = to;
+            return 1;
+        } else {
+            ends[n++] = middle;
+        }
+    }
+    return 0;
+}
+
+/* The next switch behind `from`, which is on the side that holds until then. */
+static void find_next(pm_workspace *w, double from)
+{
+    pm_time_course *c = w->time_course;
+    double before = INFINITY, after = INFINITY;
+    while (first_switch(w, from, &before, &after) && before <= w->state.t) {
+        from = after;
+        before = after = INFINITY;
+    }
+    c->next = before;
+    c->after = after;
+    c->told = -INFINITY;
+    w->frame.side = (pm_side){from, before};
+}
+
+void pm_time_course_begin(pm_workspace *w)
+{
+    pm_time_course *c = w->time_course;
+    w->frame.side = (pm_side){-INFINITY, INFINITY};
+    c->next = INFINITY;
+    if (c->n == 0) return;
+    c->end = pm_case_max_time(w->model, &w->numbers);
+    for (int i = 0; i < c->n; i++) c->size[i] = 0;
+    find_next(w, w->state.t);
+}
+
+int pm_time_course_switch(pm_workspace *w)
+{
+    const double next = w->time_course->next;
+    if (!(w->state.t >= next - PM_TIME_TOGETHER * fabs(next))) return 0;
+    find_next(w, w->time_course->after);
+    pm_solve_cache_forget(&w->frame, w->cache);
+    return 1;
+}
+
+/* ---- between them ---- */
+/* The bends at the samples, widened by what changes nothing. */
+static pm_interval told_bends(const pm_workspace *w, int i, double from, double to)
+{
+    double *size = &w->time_course->size[i];
+    pm_interval seen = {INFINITY, -INFINITY};
+    const double h = to - from, value = pm_interval_size(enclose(w, i, from, to).jet.value);
+    if (isfinite(value)) *size = fmax(*size, value);
+    for (int k = 0; k < SAMPLES; k++) {
+        const double t = from + h * k / (SAMPLES - 1);
+        seen = pm_interval_hull(seen, enclose(w, i, t, t).jet.bend);
+    }
+    const double more = PM_TIME_WIDER * pm_interval_width(seen) + PM_TIME_LEVEL * pm_interval_size(seen) +
+                        w->numbers.tolerance * *size / (h * h);
+    return (pm_interval){seen.lo - more, seen.hi + more};
+}
+
+/* Whether program i stays within its bends over a part of the stretch. */
+static int stays(const pm_workspace *w, int i, pm_interval told, double from, double to, int *budget)
+{
+    const double middle = 0.5 * (from + to);
+    if (pm_interval_inside(enclose(w, i, from, to).jet.bend, told)) return 1;
+    if (--*budget < 0 || !pm_interval_inside(enclose(w, i, middle, middle).jet.bend, told)) return 0;
+    return stays(w, i, told, from, middle, budget) && stays(w, i, told, middle, to, budget);
+}
+
+static int is_told(const pm_workspace *w, double from, double to)
+{
+    const double h = to - from;
+    for (int i = 0; i < w->time_course->n; i++) {
+        const pm_interval told = told_bends(w, i, from, to);
+        int budget = PM_TIME_PARTS;
+        for (int k = 0; k + 1 < SAMPLES; k++)
+            if (!stays(w, i, told, from + h * k / (SAMPLES - 1), from + h * (k + 1) / (SAMPLES - 1), &budget))
+                return 0;
+    }
+    return 1;
+}
+
+double pm_time_course_limit(pm_workspace *w, double length)
+{
+    pm_time_course *c = w->time_course;
+    const double from = w->state.t, most = fmin(c->next, c->end);
+    if (c->n == 0) return INFINITY;
+    if (c->told >= most || from + PM_TIME_ENOUGH * length < c->told) return fmin(c->told, c->next);
+    double to = length > 0 ? fmin(most, from + PM_TIME_AHEAD * length) : most;
+    for (int i = 0; i < PM_TIME_HALVINGS && to > from && !is_told(w, fmax(from, w->frame.side.from), to); i++)
+        to = from + 0.5 * (to - from);
+    c->told = to;
+    return fmin(to, c->next);
+}

@@ -1,0 +1,80 @@
+/* enclosure.c - a program along a stretch of time: its jet, and its switches. */
+#include "expression/enclosure.h"
+
+#include "expression/operation.h"
+
+enum { SWITCHES = PM_OPERATION_JUMPS | PM_OPERATION_CORNERS };
+
+static void note(int op, const pm_jet *x, pm_enclosure *e)
+{
+    if (x->motion || pm_jet_keeps_side(op, x)) return;
+    e->open++;
+    e->changes += pm_jet_changes(op, x);
+}
+
+/* The switches of an operation on the operands a[]. */
+static void note_switches(int op, const pm_jet *a, pm_enclosure *e)
+{
+    if (op == PM_OP_NOT || op == PM_OP_FLOOR || op == PM_OP_ABS || op == PM_OP_SELECT) note(op, a, e);
+    if (op == PM_OP_AND || op == PM_OP_OR) {
+        note(op, a, e);
+        note(op, a + 1, e);
+    }
+    if (pm_operations[op].takes == 2 && pm_operation_has(op, SWITCHES)) {
+        const pm_jet d = pm_jet_difference(a, a + 1);
+        note(op, &d, e);
+    }
+}
+
+static pm_jet time_jet(double from, double to)
+{
+    return (pm_jet){{from, 0.5 * (from + to), to}, {from, to}, {1, 1}, {0, 0}, 0};
+}
+
+static pm_jet number_jet(double x) { return (pm_jet){{x, x, x}, {x, x}, {0, 0}, {0, 0}, 0}; }
+
+/* What the motion does is not known: it stands still, beside what the time does. */
+static pm_jet motion_jet(void)
+{
+    pm_jet x = number_jet(1);
+    x.motion = 1;
+    return x;
+}
+
+static pm_jet leaf(const pm_program_walk *x, const double *param, const double *value, double from, double to)
+{
+    if (x->op == PM_OP_ANSWER) return motion_jet();
+    if (x->op != PM_OP_MEASURE) return number_jet(pm_program_number(x, param, value));
+    if (PM_MEASURE_ROW(x->m, x->arg)[PM_MEASURE_KIND] != PM_MEASURE_TIME) return motion_jet();
+    return time_jet(from, to);
+}
+
+static pm_jet select_jet(const pm_jet *a)
+{
+    pm_jet f = a->motion || !pm_jet_keeps_side(PM_OP_SELECT, a) ? pm_jet_hull(a + 1, a + 2)
+               : a->at[1] != 0                                  ? a[1]
+                                                                : a[2];
+    for (int k = 0; k < 3; k++) f.at[k] = a->at[k] != 0 ? a[1].at[k] : a[2].at[k];
+    f.motion |= a->motion;
+    return f;
+}
+
+pm_enclosure pm_enclosure_of_time(const pm_model *m, int index, const double *param, const double *value,
+                                  double from, double to)
+{
+    pm_enclosure e = {.open = 0};
+    pm_jet stack[PM_STACK];
+    stack[0] = motion_jet();
+    for (pm_program_walk x = pm_program_walk_begin(m, index); pm_program_walk_next(&x);) {
+        pm_jet *a = stack + x.at;
+        note_switches(x.op, a, &e);
+        switch (x.takes) {
+        case 0: *a = leaf(&x, param, value, from, to); break;
+        case 1: *a = pm_jet_of_one(x.op, a); break;
+        case 2: *a = pm_jet_of_two(x.op, a, a + 1); break;
+        default: *a = select_jet(a);
+        }
+    }
+    e.jet = stack[0];
+    return e;
+}

@@ -1,0 +1,42 @@
+/* enclosure.h - a program enclosed over a stretch of time: bounds of its value, rate and bend, and where it switches.
+ *
+ * A program is smooth but where an operation switches: a comparison, a choice, abs, min, max or floor whose operands change
+ * sides.  Over a stretch every switch is decided (its operands keep their sides), or it is open.  What a program reads but
+ * the time - measures of the motion, answers - is taken as the number 1: the enclosure tells what the time alone does.
+ * Switches by the motion are not told. */
+#ifndef PM_ENCLOSURE_H
+#define PM_ENCLOSURE_H
+
+#include "numerics/interval.h"
+#include "state/model.h"
+
+/* A number along a stretch, and its first two derivatives by the time. */
+typedef struct pm_jet {
+    double at[3]; /* its value at the beginning, in the middle, at the end */
+    pm_interval value, rate, bend;
+    int motion; /* something else than the time enters */
+} pm_jet;
+
+typedef struct pm_enclosure {
+    pm_jet jet;
+    int open;    /* switches that are not decided */
+    int changes; /* of them those that stand otherwise at the end than at the beginning */
+} pm_enclosure;
+
+/* Program `index` from the time `from` to `to`, with the numbers of the case: param[nparam], value[nvalue]. */
+pm_enclosure pm_enclosure_of_time(const pm_model *m, int index, const double *param, const double *value,
+                                  double from, double to);
+
+/* ---- enclosure_rules.c: what operations make of jets ---- */
+pm_jet pm_jet_of_one(int op, const pm_jet *a);
+pm_jet pm_jet_of_two(int op, const pm_jet *a, const pm_jet *b);
+pm_jet pm_jet_difference(const pm_jet *a, const pm_jet *b);
+/* Either of the two. */
+pm_jet pm_jet_hull(const pm_jet *a, const pm_jet *b);
+/* Whether an operation that switches by x stands alike all along: x keeps off zero (floor: off integers), or is monotonic and
+ * stands alike at both ends. */
+int pm_jet_keeps_side(int op, const pm_jet *x);
+/* It stands otherwise at the end than at the beginning. */
+int pm_jet_changes(int op, const pm_jet *x);
+
+#endif
