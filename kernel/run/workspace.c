@@ -1,4 +1,5 @@
 /* workspace.c - memory of a thread: allocated once, most of it carved from one block. */
+#include <math.h>
 #include <stdlib.h>
 
 #include "elements/constraint.h"
@@ -133,6 +134,7 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
     if (!w) return PM_NO_MEMORY;
     w->model = w->frame.model = m;
     w->frame.numbers = &w->numbers;
+    w->frame.side = (pm_side){-INFINITY, INFINITY};
     w->saddle = (pm_saddle){.model = m, .numbers = &w->numbers, .active = &w->active};
     w->numbers.coarse = 1;
     w->read_measure =
