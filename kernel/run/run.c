@@ -20,6 +20,7 @@
 #include "events/history.h"
 #include "events/time_course.h"
 #include "impact/instant.h"
+#include "numerics/tolerances.h"
 #include "routes/path/repeat.h"
 #include "routes/start/perturbation.h"
 #include "state/evidence.h"
@@ -73,9 +74,10 @@ static void set_speed_scale(pm_workspace *w)
     }
     fastest = fmax(fastest, fabs(pm_turning_plane_omega(&w->frame)) * w->numbers.size);
     if (fastest > w->numbers.speed) w->numbers.speed = fastest;
-    if (w->numbers.speed ==
-        0) /* nothing acts, nothing moves: as what crosses the scene while the run lasts */
-        w->numbers.speed = w->numbers.size / pm_case_max_time(w->model, &w->numbers);
+    /* nothing to speak of acts or moves: as what crosses the scene, or next to nothing of it, while the run lasts */
+    const double crossing = w->numbers.size / pm_case_max_time(w->model, &w->numbers);
+    if (w->numbers.speed == 0) w->numbers.speed = crossing;
+    w->numbers.speed = fmax(w->numbers.speed, PM_NO_SPEED * crossing);
 }
 
 static int open_ledger(pm_workspace *w)
