@@ -42,7 +42,7 @@ FAULTS = [
     Fault(
         "run: nothing is slow",
         "run/run.c",
-        "w->numbers.speed = w->numbers.size / pm_case_max_time(w->model, &w->numbers)",
-        "w->numbers.speed = w->numbers.size",
+        "if (w->numbers.speed == 0) w->numbers.speed = crossing;",
+        "if (w->numbers.speed == 0) w->numbers.speed = w->numbers.size;",
     ),
 ]
