@@ -4,12 +4,6 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
-        "enclosure: a wave has no top",
-        "numerics/interval.c",
-        "if (meets(a, top) || x.hi > 1) x.hi = 1;",
-        "if (x.hi > 1) x.hi = 1;",
-    ),
-    Fault(
         "enclosure: a product bends by its factors alone",
         "expression/enclosure_rules.c",
         "pm_interval_scaled(2, TIMES(a->rate, b->rate))",

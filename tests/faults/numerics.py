@@ -124,4 +124,10 @@ FAULTS = [
         "0.6180339887498949 * try * (i + 1)",
         "0.6180339887498949 * 0 * try * (i + 1)",
     ),
+    Fault(
+        "enclosure: a wave has no top",
+        "numerics/interval.c",
+        "if (meets(a, top) || x.hi > 1) x.hi = 1;",
+        "if (x.hi > 1) x.hi = 1;",
+    ),
 ]
