@@ -89,7 +89,7 @@ FAULTS = [
         "missed root: leaves its zero on the other side",
         "events/event_bracket.c",
         "resolved ? pm_chebyshev_value(",
-        "told ? -pm_chebyshev_value(",
+        "resolved ? -pm_chebyshev_value(",
     ),
     Fault(
         "missed root: comes back to a held zero at once",

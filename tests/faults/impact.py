@@ -99,7 +99,7 @@ FAULTS = [
         "mode: contacts may pull",
         "impact/contact_modes.c",
         "pm_contact_modes_pulling(w, w->frame.lambda, PM_SITE_PULLS, size) == PM_NONE &&",
-        "return",
+        "",
     ),
     Fault(
         "mode: stick has no bound",

@@ -96,10 +96,10 @@ FAULTS = [
         "c = x->bend + spin * r",
     ),
     Fault(
-        "path: a welded body that is not rotationed",
+        "path: a welded body that does not turn along",
         "routes/path/path_rigid.c",
         "rotated(rotation, b->rotation)",
-        "turn",
+        "rotation",
     ),
     Fault(
         "path: a missed turning point",

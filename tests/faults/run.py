@@ -19,10 +19,10 @@ FAULTS = [
         "x",
     ),
     Fault(
-        "ida: missed root of a normal force",
+        "uniform: missed end of a slip",
         "run/advance.c",
         "e->hit[i] |= e->root[i] != 0",
-        "e->hit[i] |= e->root[i] != 0 && e->function[i].kind != FUNCTION_NORMAL",
+        "e->hit[i] |= e->root[i] != 0 && e->function[i].kind != FUNCTION_SLIP",
     ),
     Fault(
         "run: one that fails late keeps nothing",

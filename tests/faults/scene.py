@@ -6,8 +6,8 @@ FAULTS = [
     Fault(
         "needed: a contact lets nothing act",
         "scene/dependency.c",
-        "{PM_TABLE_JOINT, PM_TABLE_CONTACT, PM_TABLE_FORCE}",
-        "{PM_TABLE_JOINT, PM_TABLE_FORCE}",
+        "{PM_TABLE_CONTACT, element_is_needed},",
+        "",
     ),
     Fault(
         "needed: what a program reads is not followed",

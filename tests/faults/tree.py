@@ -23,7 +23,7 @@ FAULTS = [
         "tree: a dropped loop row",
         "tree/tree.c",
         "if (t->used[i]) continue;\n        int low, key",
-        "if (t->used[i] || i + 1 == w->active.n) continue;\n        int low, key",
+        "if (t->used[i] || i + 1 == active->n) continue;\n        int low, key",
     ),
     Fault(
         "tree: rolls the wrong way",

@@ -198,6 +198,38 @@ static void passes(double miss, int steep, int route)
     scene_free(s);
 }
 
+/* What goes by a post has not met it when something else happens beside it: a ball that strikes a wall, or one that meets a
+ * post of its own. */
+static void others_meet_beside(double miss, int meets, int route)
+{
+    scene *s = scene_create();
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    scene_set(s, PM_SETTING_GRAVITY_Y, 0);
+    const int post = scene_circle(s, scene_point(s, PM_GROUND, 0, 0), 0),
+              away = scene_point(s, PM_GROUND, 0, 9);
+    int hit[2], x[2];
+    for (int i = 0; i < 2; i++) {
+        const int ball = scene_body(s, 1, 0, -2, i ? 9 : miss, 0), centre = scene_point(s, ball, 0, 0);
+        const int rim = scene_circle(s, centre, 0);
+        if (i == 0 || meets)
+            hit[i] = scene_capture(s, PM_CONTACT_POINT, rim, i ? scene_circle(s, away, 0) : post, 0,
+                                   PM_CAPTURE_POINT);
+        else
+            hit[i] = scene_contact(s, PM_CONTACT_LINE, rim, scene_line(s, away, acos(0.)), 0, 0.5,
+                                   PM_FRICTION_SMOOTH, 0);
+        scene_start_velocity(s, centre, 2, 0);
+        x[i] = scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, centre, PM_PART_X));
+    }
+    scene_until_time(s, 2);
+    const int closed = scene_ask_measure(s, scene_measure(s, PM_MEASURE_CONTACT_CLOSED, hit[0]));
+    EQUAL(scene_run(s, NULL), PM_OK);
+    const double close = route == PM_ROUTE_IDA ? 1e-6 : 1e-9;
+    EQUAL(s->out[closed], 0);
+    NEAR(s->out[x[0]], 2, close);
+    NEAR(s->out[x[1]], meets ? 0 : -1, close);
+    scene_free(s);
+}
+
 /* A bead on a rotating arm comes back to a post every turn, a hair's breadth off or not. */
 static void comes_round(double miss, int route)
 {
@@ -413,6 +445,7 @@ int main(void)
         for (int steep = 0; steep < 2; steep++)
             for (int k = 0; k < 3; k++)
                 passes((k == 0 ? 0 : k == 1 ? 1e-3 : -1e-4) * (steep ? 10 : 1), steep, routes[i]);
+        for (int k = 0; k < 4; k++) others_meet_beside(k < 2 ? 1e-3 : -0.05, k % 2, routes[i]);
         package(routes[i]);
         second_lump(i % 2 ? PM_CAPTURE_BODY : PM_CAPTURE_POINT, routes[i]);
     }
