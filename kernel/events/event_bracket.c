@@ -31,6 +31,7 @@ static int crosses(const pm_event_function *f, double a, double b)
     return (f->direction <= 0 && a > 0 && b <= 0) || (f->direction >= 0 && a < 0 && b >= 0);
 }
 
+/* It goes through zero from the side s the way that counts; else it may come back that way. */
 static int may_cross(const pm_event_function *f, double s)
 {
     return !(f->direction > 0 && s > 0) && !(f->direction < 0 && s < 0);
@@ -74,7 +75,7 @@ static int dips(pm_workspace *w, pm_event_function *f, const double *g, double b
 {
     if (fabs(g[1]) > PM_DIP_FAR * biggest) return 0;
     const double s = g[1] > 0 ? 1 : -1, a = s * g[0], b = s * g[1], c = s * g[2];
-    if (!(b < a && b < c) || !(a > 0 && b > 0 && c > 0) || !may_cross(f, s)) return 0;
+    if (!(b < a && b < c) || !(a > 0 && b > 0 && c > 0)) return 0;
     const double left = (a - b) / (x[1] - x[0]), right = (c - b) / (x[2] - x[1]);
     const double bend = (left + right) / (x[2] - x[0]);
     const double slope = (right * (x[1] - x[0]) - left * (x[2] - x[1])) / (x[2] - x[0]);
@@ -95,7 +96,7 @@ static int returns(pm_workspace *w, pm_event_function *f, const double *g, int k
                    double *where, double *value)
 {
     const double s = g[k] > 0 ? 1 : -1, a = s * g[k], b = s * g[k + 1], h = x[1] - x[0];
-    if (!(a > 0 && b > 0) || !may_cross(f, s)) return 0;
+    if (!(a > 0 && b > 0)) return 0;
     const double p = s * slope_at(&w->step, g, k) * h;
     if (!(p < 0)) return 0;
     const double q = s * slope_at(&w->step, g, k + 1) * h;
@@ -107,12 +108,12 @@ static int returns(pm_workspace *w, pm_event_function *f, const double *g, int k
     return reaches(w, f, s, fmax(a, b), x[0], x[1], where, value);
 }
 
-/* All samples are on one side: where the function may not cross from there, or where it stays so far from zero that no
- * parabola of three nodes (of which one interval is at most three times the other) comes near to it. */
-static int stays_away(const pm_event_function *f, const pm_event_course *x)
+/* All samples are on one side, so far from zero that no parabola of three nodes (of which one interval is at most three times
+ * the other) comes near to it. */
+static int stays_away(const pm_event_course *x)
 {
     const double least = x->low > 0 ? x->low : -x->high;
-    return least > (may_cross(f, x->low > 0 ? 1 : -1) ? PM_DIP_FAR * x->biggest : 0);
+    return least > PM_DIP_FAR * x->biggest;
 }
 
 /* A dip between node k and the next shows at one of them, unless the function is not smooth: it is lower there than beside
@@ -229,12 +230,12 @@ static int search(pm_workspace *w, int i, const pm_event_course *of, int first, 
             *x = (pm_span){place[k], place[k + 1], g[k], g[k + 1]};
             return 1;
         }
-        const int returned = near && returns(w, f, g, k, place + k, &where, &value);
-        if ((returned || (k + 2 < of->n && dips(w, f, g + k, of->biggest, place + k, &where, &value))) &&
-            where > from) {
-            *x = (pm_span){place[k], where, g[k], value};
-            return 1;
-        }
+        const int returned = near && returns(w, f, g, k, place + k, &where, &value), after = k + 2 - returned;
+        if (!returned && !(after < of->n && dips(w, f, g + k, of->biggest, place + k, &where, &value)))
+            continue;
+        *x = may_cross(f, g[k]) ? (pm_span){place[k], where, g[k], value}
+                                : (pm_span){where, place[after], value, g[after]};
+        if (x->b > from) return 1;
     }
     return 0;
 }
@@ -252,5 +253,5 @@ int pm_event_bracket_first(pm_workspace *w, int i, double from, pm_span *x)
     if (first == last) return 0;
     if (pm_event_changes_sign(f)) hold_if_on_zero(w->event, f, &of, from);
     if (enter(w, i, &of, &first, x)) return 1;
-    return !stays_away(f, &of) && search(w, i, &of, first, from, x);
+    return !stays_away(&of) && search(w, i, &of, first, from, x);
 }

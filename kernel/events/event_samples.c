@@ -16,6 +16,7 @@
 #include "events/ask.h"
 #include "events/step.h"
 #include "events/watched_samples.h"
+#include "events/waves.h"
 #include "expression/program_class.h"
 #include "numerics/chebyshev.h"
 #include "numerics/minmax.h"
@@ -177,16 +178,47 @@ static int finish_functions(pm_workspace *w)
     return status;
 }
 
-int pm_event_samples_fill(pm_workspace *w, int with_functions)
+static int is_whole(const pm_step *step)
 {
-    const int functions = with_functions && w->event->nsampled > 0, watched = w->ask->nobserver > 0;
-    w->step.sampled_end = w->step.end;
-    if (!functions && !watched) return PM_OK;
+    return step->begin == step->whole_begin && step->end == step->whole_end;
+}
+
+/* Samples at spectral nodes, at finer ones while they do not show all. */
+static int sample_finer(pm_workspace *w, int functions, int watched, int waves, int *shown)
+{
     int status = sample_at_nodes(w, functions, watched);
-    while (!status && w->step.nodes->finer && !are_resolved(w, functions, watched)) {
+    for (;;) {
+        *shown = status || !waves || pm_waves_are_shown(w, functions, watched);
+        if (status || !w->step.nodes->finer || (*shown && are_resolved(w, functions, watched))) return status;
         w->step.nodes = w->step.nodes->finer;
         status = sample_at_nodes(w, functions, watched);
     }
+}
+
+/* Samples at the few nodes of the route, if these tell what more of them do. */
+static int sample_few(pm_workspace *w, int functions, int watched, int waves, int *shown)
+{
+    const pm_chebyshev_nodes *const few = w->step.nodes;
+    const int status = sample_at_nodes(w, functions, watched);
+    *shown = status || !waves || pm_waves_are_excluded(w, functions, watched);
+    if (*shown) return status;
+    w->step.nodes = &pm_chebyshev_nodes_9;
+    const int finer = sample_finer(w, functions, watched, waves, shown);
+    if (finer || !*shown || !is_whole(&w->step) || !pm_waves_are_told_by_few(w, functions, watched))
+        return finer;
+    w->step.nodes = few;
+    return sample_at_nodes(w, functions, watched);
+}
+
+int pm_event_samples_fill(pm_workspace *w, int with_functions, int *shown)
+{
+    const int functions = with_functions && w->event->nsampled > 0, watched = w->ask->nobserver > 0;
+    const int few = !pm_chebyshev_nodes_spectral(w->step.nodes);
+    w->step.sampled_end = w->step.end;
+    *shown = 1;
+    if (!functions && !watched) return PM_OK;
+    const int waves = pm_waves_possible(w, functions, watched);
+    const int status = (few ? sample_few : sample_finer)(w, functions, watched, waves, shown);
     return status || !functions ? status : finish_functions(w);
 }
 

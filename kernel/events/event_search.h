@@ -8,8 +8,9 @@
 
 #include "events/event.h"
 
-/* Samples functions (if asked for) and watched asks at all nodes of the step (w->state at its end). */
-int pm_event_samples_fill(pm_workspace *w, int with_functions);
+/* Samples functions (if asked for) and watched asks at all nodes of the step; *shown = 0: they might do more between the nodes,
+ * and there are no finer ones. */
+int pm_event_samples_fill(pm_workspace *w, int with_functions, int *shown);
 /* 1 if the samples of function i show it between the nodes, too. */
 int pm_event_samples_resolve(const pm_step *step, struct pm_event_set *event, int i);
 

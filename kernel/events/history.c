@@ -32,7 +32,7 @@ void pm_history_step(const pm_step *step, pm_record *record)
 {
     if (!record->history) return;
     record->history->length = step->end - step->begin;
-    record->history->inside = step->begin;
+    record->history->begin = record->history->inside = step->begin;
 }
 
 int pm_history_inside(pm_workspace *w, double x)
@@ -40,7 +40,7 @@ int pm_history_inside(pm_workspace *w, double x)
     pm_history *r = w->record.history;
     if (!r || w->phase.route->in_time) return PM_OK;
     for (int k = 0; k < w->step.nodes->n; k++) {
-        const double place = w->step.begin + r->length * w->step.nodes->at[k];
+        const double place = r->begin + r->length * w->step.nodes->at[k];
         if (place <= r->inside || place >= x) continue;
         int status = w->phase.route->exact(w, place, &w->probe);
         if (!status) status = record(w, &w->probe, 0);

@@ -8,9 +8,9 @@
 typedef struct pm_history {
     int64_t nprogram, cap, needed;
     const int32_t *program;
-    double *history;       /* [cap][1 + nprogram] */
-    int32_t *mark;         /* [cap] */
-    double length, inside; /* of the present step: its full length; records are there up to this place */
+    double *history;              /* [cap][1 + nprogram] */
+    int32_t *mark;                /* [cap] */
+    double begin, length, inside; /* of the present step, in full; records are there up to this place */
 } pm_history;
 
 /* Records w->state (0: step, 1: before an event, 2: after it); does nothing without a trace. */

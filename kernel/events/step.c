@@ -19,7 +19,7 @@ int pm_step_look(pm_workspace *w, double x, int level)
     const pm_state *s = &w->state;
     int status = PM_OK;
     if (w->phase.route->look) return w->phase.route->look(w, x, level);
-    if (x != w->step.end) {
+    if (x != w->step.whole_end) {
         status = w->phase.route->at(w, x, &w->probe);
         s = &w->probe;
     }

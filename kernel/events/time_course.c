@@ -57,17 +57,17 @@ static void add_all(const pm_model *m, pm_time_course *c)
 int pm_time_course_create(pm_workspace *w)
 {
     const pm_model *m = w->model;
-    if (PM_ARENA_NEW(&w->memory, w->time_course)) return PM_NO_MEMORY;
+    if (PM_ARENA_NEW(&w->memory, w->step.course)) return PM_NO_MEMORY;
     const int most = m->rows[PM_TABLE_PROGRAM];
-    const pm_array array[] = {PM_ARRAY(w->time_course->program, most), PM_ARRAY(w->time_course->size, most)};
+    const pm_array array[] = {PM_ARRAY(w->step.course->program, most), PM_ARRAY(w->step.course->size, most)};
     const int status = pm_arena_take(&w->memory, PM_ARRAYS(array));
-    if (!status) add_all(m, w->time_course);
+    if (!status) add_all(m, w->step.course);
     return status;
 }
 
 static pm_enclosure enclose(const pm_workspace *w, int i, double from, double to)
 {
-    return pm_enclosure_of_time(w->model, w->time_course->program[i], w->numbers.param, w->numbers.value,
+    return pm_enclosure_of_time(w->model, w->step.course->program[i], w->numbers.param, w->numbers.value,
                                 from, to);
 }
 
@@ -77,7 +77,7 @@ static int open_switches(const pm_workspace *w, double from, double to, int *cha
 {
     int open = 0;
     *changes = 0;
-    for (int i = 0; i < w->time_course->n; i++) {
+    for (int i = 0; i < w->step.course->n; i++) {
         const pm_enclosure e = enclose(w, i, from, to);
         open += e.open;
         *changes += e.changes;
@@ -91,11 +91,11 @@ static int first_switch(const pm_workspace *w, double from, double *before, doub
 {
     double ends[PM_TIME_HALVINGS];
     int n = 0, changes;
-    ends[n++] = w->time_course->end;
+    ends[n++] = w->step.course->end;
     for (int budget = PM_TIME_BUDGET; n > 0; budget--) {
         const double to = ends[n - 1], middle = 0.5 * (from + to);
         const int open = open_switches(w, from, to, &changes);
-        const int close = to - from <= PM_TIME_SAME * fmax(fabs(to), PM_TIME_SAME * w->time_course->end);
+        const int close = to - from <= PM_TIME_SAME * fmax(fabs(to), PM_TIME_SAME * w->step.course->end);
         if (!open || (close && !changes)) {
             from = to;
             n--;
@@ -113,7 +113,7 @@ static int first_switch(const pm_workspace *w, double from, double *before, doub
 /* The next switch behind `from`, which is on the side that holds until then. */
 static void find_next(pm_workspace *w, double from)
 {
-    pm_time_course *c = w->time_course;
+    pm_time_course *c = w->step.course;
     double before = INFINITY, after = INFINITY;
     while (first_switch(w, from, &before, &after) && before <= w->state.t) {
         from = after;
@@ -127,7 +127,7 @@ static void find_next(pm_workspace *w, double from)
 
 void pm_time_course_begin(pm_workspace *w)
 {
-    pm_time_course *c = w->time_course;
+    pm_time_course *c = w->step.course;
     w->frame.side = (pm_side){-INFINITY, INFINITY};
     c->next = INFINITY;
     if (c->n == 0) return;
@@ -138,9 +138,9 @@ void pm_time_course_begin(pm_workspace *w)
 
 int pm_time_course_switch(pm_workspace *w)
 {
-    const double next = w->time_course->next;
+    const double next = w->step.course->next;
     if (!(w->state.t >= next - PM_TIME_TOGETHER * fabs(next))) return 0;
-    find_next(w, w->time_course->after);
+    find_next(w, w->step.course->after);
     pm_solve_cache_forget(&w->frame, w->cache);
     return 1;
 }
@@ -149,7 +149,7 @@ int pm_time_course_switch(pm_workspace *w)
 /* The bends at the samples, widened by what changes nothing. */
 static pm_interval told_bends(const pm_workspace *w, int i, double from, double to)
 {
-    double *size = &w->time_course->size[i];
+    double *size = &w->step.course->size[i];
     pm_interval seen = {INFINITY, -INFINITY};
     const double h = to - from, value = pm_interval_size(enclose(w, i, from, to).jet.value);
     if (isfinite(value)) *size = fmax(*size, value);
@@ -174,7 +174,7 @@ static int stays(const pm_workspace *w, int i, pm_interval told, double from, do
 static int is_told(const pm_workspace *w, double from, double to)
 {
     const double h = to - from;
-    for (int i = 0; i < w->time_course->n; i++) {
+    for (int i = 0; i < w->step.course->n; i++) {
         const pm_interval told = told_bends(w, i, from, to);
         int budget = PM_TIME_PARTS;
         for (int k = 0; k + 1 < SAMPLES; k++)
@@ -186,7 +186,7 @@ static int is_told(const pm_workspace *w, double from, double to)
 
 double pm_time_course_limit(pm_workspace *w, double length)
 {
-    pm_time_course *c = w->time_course;
+    pm_time_course *c = w->step.course;
     const double from = w->state.t, most = fmin(c->next, c->end);
     if (c->n == 0) return INFINITY;
     if (c->told >= most || from + PM_TIME_ENOUGH * length < c->told) return fmin(c->told, c->next);

@@ -10,12 +10,13 @@
 enum { PM_SAMPLE_TRIGGERS = 1, PM_SAMPLE_ASKS = 2 };
 
 typedef struct pm_watched_samples {
-    int n;              /* measures that any watched program reads */
-    int *measure;       /* [n] */
-    unsigned char *who; /* [n] PM_SAMPLE_TRIGGERS, PM_SAMPLE_ASKS or both read it */
-    int *place;         /* [measures] of each among these n */
-    double *value;      /* [n][PM_NODES_MOST] at the nodes of the step (sizes with their signs) */
-    double *here;       /* the same at the frame, the first of each */
+    int n;                  /* measures that any watched program reads */
+    int *measure;           /* [n] */
+    unsigned char *who;     /* [n] PM_SAMPLE_TRIGGERS, PM_SAMPLE_ASKS or both read it */
+    int *place;             /* [measures] of each among these n */
+    double *value;          /* [n][PM_NODES_MOST] at the nodes of the step (sizes with their signs) */
+    double *here;           /* the same at the frame, the first of each */
+    struct pm_waves *waves; /* waves.h */
 } pm_watched_samples;
 
 /* Nothing is watched yet. */

@@ -2,6 +2,7 @@
 #include "expression/enclosure.h"
 
 #include "expression/operation.h"
+#include "expression/program_fold.h"
 
 enum { SWITCHES = PM_OPERATION_JUMPS | PM_OPERATION_CORNERS };
 
@@ -59,6 +60,17 @@ static pm_jet select_jet(const pm_jet *a)
     return f;
 }
 
+/* The operation on a[0], a[1] ..; its result takes their place. */
+static void operate(int op, pm_jet *a, pm_enclosure *e)
+{
+    note_switches(op, a, e);
+    switch (pm_operations[op].takes) {
+    case 1: *a = pm_jet_of_one(op, a); break;
+    case 2: *a = pm_jet_of_two(op, a, a + 1); break;
+    default: *a = select_jet(a);
+    }
+}
+
 pm_enclosure pm_enclosure_of_time(const pm_model *m, int index, const double *param, const double *value,
                                   double from, double to)
 {
@@ -66,14 +78,41 @@ pm_enclosure pm_enclosure_of_time(const pm_model *m, int index, const double *pa
     pm_jet stack[PM_STACK];
     stack[0] = motion_jet();
     for (pm_program_walk x = pm_program_walk_begin(m, index); pm_program_walk_next(&x);) {
-        pm_jet *a = stack + x.at;
-        note_switches(x.op, a, &e);
-        switch (x.takes) {
-        case 0: *a = leaf(&x, param, value, from, to); break;
-        case 1: *a = pm_jet_of_one(x.op, a); break;
-        case 2: *a = pm_jet_of_two(x.op, a, a + 1); break;
-        default: *a = select_jet(a);
+        if (x.takes == 0)
+            stack[x.at] = leaf(&x, param, value, from, to);
+        else
+            operate(x.op, stack + x.at, &e);
+    }
+    e.jet = stack[0];
+    return e;
+}
+
+static pm_jet series_jet(const pm_chebyshev_series *series, double from, double to)
+{
+    const pm_chebyshev_part x = pm_chebyshev_series_over(series, from, to);
+    return (pm_jet){{x.at[0], x.at[1], x.at[2]}, x.value, x.rate, x.bend, 0};
+}
+
+pm_enclosure pm_enclosure_along(const pm_model *m, int index, const double *number,
+                                const pm_measure_series *along, double from, double to)
+{
+    const pm_program_fold *f = m->programs.fold;
+    pm_enclosure e = {.open = 0};
+    pm_jet stack[PM_STACK + 1];
+    int top = -1;
+    stack[0] = motion_jet();
+    for (int k = f->first[index]; k < f->first[index + 1]; k++) {
+        const pm_program_step *s = &f->step[k];
+        switch (s->kind) {
+        case STEP_NUMBER: stack[++top] = number_jet(number[s->arg]); continue;
+        case STEP_MEASURE:
+            stack[++top] = series_jet(along->series + along->place[s->arg], from, to);
+            continue;
+        case STEP_ANSWER: stack[++top] = motion_jet(); continue;
+        case STEP_WITH_NUMBER: stack[top + 1] = number_jet(number[s->arg]); break;
+        default: top -= pm_operations[s->op].takes - 1;
         }
+        operate(s->op, stack + top, &e);
     }
     e.jet = stack[0];
     return e;

@@ -1,12 +1,14 @@
-/* enclosure.h - a program enclosed over a stretch of time: bounds of its value, rate and bend, and where it switches.
+/* enclosure.h - a program enclosed over a stretch of time, or of a step: bounds of its value, rate and bend, and where it
+ * switches.
  *
  * A program is smooth but where an operation switches: a comparison, a choice, abs, min, max or floor whose operands change
- * sides.  Over a stretch every switch is decided (its operands keep their sides), or it is open.  What a program reads but
- * the time - measures of the motion, answers - is taken as the number 1: the enclosure tells what the time alone does.
- * Switches by the motion are not told. */
+ * sides.  Over a stretch every switch is decided (its operands keep their sides), or it is open.  Over a
+ * stretch of time, what a program reads but the time - measures of the motion, answers - is taken as the number 1: the enclosure
+ * tells what the time alone does, and switches by the motion are not told. */
 #ifndef PM_ENCLOSURE_H
 #define PM_ENCLOSURE_H
 
+#include "numerics/chebyshev_series.h"
 #include "numerics/interval.h"
 #include "state/model.h"
 
@@ -26,6 +28,18 @@ typedef struct pm_enclosure {
 /* Program `index` from the time `from` to `to`, with the numbers of the case: param[nparam], value[nvalue]. */
 pm_enclosure pm_enclosure_of_time(const pm_model *m, int index, const double *param, const double *value,
                                   double from, double to);
+
+/* Measures along a step, as series through their samples (numerics/chebyshev_series.h): that of measure i is
+ * series[place[i]]. */
+typedef struct pm_measure_series {
+    pm_chebyshev_series *series;
+    const int *place;
+} pm_measure_series;
+
+/* Program `index`, folded (program_fold.h) with the numbers of the case number[nnumber], over the part [from, to] of a step,
+ * 0 <= from <= to <= 1, along which its measures are known; rates and bends are by that fraction.  Answers are taken as above. */
+pm_enclosure pm_enclosure_along(const pm_model *m, int index, const double *number,
+                                const pm_measure_series *along, double from, double to);
 
 /* ---- enclosure_rules.c: what operations make of jets ---- */
 pm_jet pm_jet_of_one(int op, const pm_jet *a);

@@ -162,6 +162,12 @@
 #define PM_PLACE_RESOLVED 1e-14 /* of the step: a zero is known so well by the samples that no look shows more; larger: zeros less exact */
 #define PM_OFF_ZERO 1e-9 /* of a function's values beside its zero: it is not on it; larger: corners are met less exactly */
 #define PM_TAIL_WAVES 1e-4 /* tail of samples between which there may be waves: finer nodes are taken; larger: extremes are missed */
+#define PM_SERIES_ROUNDING 1e-14 /* of the coefficients: what rounding leaves of the highest, and values scatter by; larger: less is resolved */
+#define PM_TAIL_FEW 1e-2 /* likewise of up to five, which only tell whether more are needed; larger: waves are missed */
+#define PM_WAVES_CALM 10.0 /* times the range of the samples: a bend over a step that hides nothing between nodes; larger: peaks are missed */
+#define PM_WAVES_FEW 0.01 /* of the range of the samples: what the polynomial through few nodes may leave out; larger: waves are missed */
+#define PM_WAVES_RATES 0.05 /* of the greatest rate: the polynomial through samples has another one at a node: waves; larger: they are missed */
+#define PM_WINDOW_LEAST 1e-9 /* of a step: what is not shown in a window so short is a corner; larger: waves are missed, less: corners cost more */
 #define PM_TAIL_RESOLVED 1e-6 /* tail of samples that show a function between the nodes; larger: zeros less exact, or missed */
 #define PM_TAIL_RESIDUAL 10.0 /* times the tail: how far a function may be from the polynomial through its samples; larger: more looks */
 #define PM_POINTS_PASS 1e-5 /* of the scene's size: two points farther apart where they are nearest do not meet; larger: they meet in passing */

@@ -1,7 +1,8 @@
 /* advance.c - steps until something happens.
  *
- * A step is taken, sampled and searched (event_search.h).  Instants in it that only mark something are passed, one after the
- * other; at the first full one it is cut off, and the asks see what is left of it. */
+ * A step is taken, sampled and searched (event_search.h), as a whole or window by window (step_window.h).  Instants in it that
+ * only mark something are passed, one after the other; at the first full one it is cut off, and the asks see what is left of
+ * it. */
 #include <math.h>
 #include <string.h>
 
@@ -13,6 +14,7 @@
 #include "events/event.h"
 #include "events/event_search.h"
 #include "events/history.h"
+#include "events/step_window.h"
 #include "events/time_course.h"
 #include "impact/action.h"
 #include "impact/instant.h"
@@ -28,7 +30,7 @@ static int stop_at(pm_workspace *w, double x, double taken)
     const int status = taken == x ? PM_OK : w->phase.route->exact(w, x, &w->probe);
     if (status) return status;
     pm_state_copy(&w->state, &w->probe);
-    w->step.end = x;
+    pm_step_set(&w->step, w->step.begin, x);
     return PM_OK;
 }
 
@@ -44,7 +46,7 @@ static void look_for_roots(pm_event_set *e)
 /* A route that finds roots itself has ended its step there, unless something that is sampled comes first. */
 static void take_roots(const pm_step *step, pm_event_set *e, double *first)
 {
-    if (!e->at_root || *first < step->end) return;
+    if (!e->at_root || *first < step->whole_end || !pm_step_window_is_last(step)) return;
     for (int i = 0; i < e->nfunction; i++) e->hit[i] |= e->root[i] != 0;
     *first = step->end;
 }
@@ -79,21 +81,26 @@ static int mark_due(pm_workspace *w)
 static double time_limit(pm_workspace *w, double max_time)
 {
     if (!w->phase.route->in_time) return max_time;
-    const double length = w->event->first_step ? 0 : w->step.end - w->step.begin;
+    const double length = w->event->first_step ? 0 : w->step.whole_end - w->step.whole_begin;
     const double due = fmin(max_time, next_due(w->model, w->event)), limit = pm_time_course_limit(w, length);
     return limit < due - PM_TIME_TOGETHER * fabs(due) ? limit : due;
 }
 
-static int limit_reached(pm_workspace *w, double max_time)
+static int steps_left(pm_workspace *w)
 {
     const int early = pm_fail_early(&w->result, &w->patience);
     if (early) return early;
-    if (w->state.t >= max_time)
-        return pm_fail(&w->result, PM_LIMIT_TIME, PM_TABLE_SETTING, 0, w->state.t, max_time);
     const double most = PM_SETTING(w->model, PM_SETTING_MAX_STEPS);
     if ((double)w->result.count[PM_COUNT_STEPS] >= most)
         return pm_fail(&w->result, PM_LIMIT_STEPS, PM_TABLE_SETTING, 0, most, most);
     return PM_OK;
+}
+
+static int limit_reached(pm_workspace *w, double max_time)
+{
+    if (!pm_fail_early(&w->result, &w->patience) && w->state.t >= max_time)
+        return pm_fail(&w->result, PM_LIMIT_TIME, PM_TABLE_SETTING, 0, w->state.t, max_time);
+    return steps_left(w);
 }
 
 static void end_step(pm_workspace *w)
@@ -102,7 +109,6 @@ static void end_step(pm_workspace *w)
     pm_active_set_follow(&w->frame, &w->active, &w->state);
     pm_ledger_step(w);
     if (w->phase.route->in_time && w->ask->fresh && pm_ledger_closes(w)) pm_ask_seal(w->model, w->ask);
-    w->event->first_step = 0;
 }
 
 static int only_marks(const pm_model *m, const pm_event_set *event)
@@ -152,6 +158,7 @@ static int pass(pm_workspace *w, double x, double taken, int *ended)
 static void join_end(const pm_workspace *w, double *first)
 {
     const double same = PM_SAME_PLACE * (w->step.end - w->step.begin);
+    if (!pm_step_window_is_last(&w->step)) return;
     const int something =
         w->event->at_root || (w->phase.route->in_time && next_due(w->model, w->event) <= w->step.end);
     if (something && *first >= w->step.end - same) *first = w->step.end;
@@ -183,7 +190,8 @@ static int pass_marks(pm_workspace *w, double *first, double *taken, int *ended)
         int status = pm_fail_early(&w->result, &w->patience);
         if (!status) status = pm_event_search_first(w, from, first, taken);
         if (!status && *first < INFINITY) join_end(w, first);
-        if (status || *first >= w->step.end || *first <= w->step.begin || !only_marks(w->model, w->event))
+        if (status || *first >= w->step.whole_end || *first <= w->step.begin ||
+            !only_marks(w->model, w->event))
             return status;
         status = pass(w, *first, *taken, ended);
         if (status || *ended) return status;
@@ -191,9 +199,8 @@ static int pass_marks(pm_workspace *w, double *first, double *taken, int *ended)
     }
 }
 
-/* A step of the route, sampled; its instants that only mark something are passed.  *first: where the phase may end, at
- * `taken` if the state was taken there already. */
-static int take_step(pm_workspace *w, double *first, double *taken, int *ended)
+/* The next step of the route, or a window of it. */
+static int make_step(pm_workspace *w)
 {
     pm_event_set *e = w->event;
     const double max_time = pm_case_max_time(w->model, &w->numbers);
@@ -208,25 +215,40 @@ static int take_step(pm_workspace *w, double *first, double *taken, int *ended)
     status = w->phase.route->step(w, time_limit(w, max_time));
     pm_history_step(&w->step, &w->record);
     look_for_roots(w->event);
-    if (!status) status = pm_event_samples_fill(w, 1);
-    if (status || e->nsampled == 0) return status;
+    return status ? status : pm_step_window_first(w);
+}
+
+/* What is left of the step that was looked at in part. */
+static int go_on_in_step(pm_workspace *w)
+{
+    const int status = steps_left(w);
+    return status ? status : pm_step_window_next(w);
+}
+
+/* A step of the route or a window of it, sampled; its instants that only mark something are passed.  *first: where the phase
+ * may end, at `taken` if the state was taken there already. */
+static int take_step(pm_workspace *w, double *first, double *taken, int *ended)
+{
+    int status = w->event->first_step || pm_step_window_is_last(&w->step) ? make_step(w) : go_on_in_step(w);
+    if (status || w->event->nsampled == 0) return status;
     if (w->phase.route->sampled) w->phase.route->sampled(w);
     status = pass_marks(w, first, taken, ended);
     if (!status) pm_event_search_leave(&w->step, w->event);
     return status;
 }
 
-/* The step ends at `first` if that is inside; the asks see it up to there. */
+/* The step, or a window of it, ends at `first` if that is inside, and w->state is there; the asks see it up to there. */
 static int close_step(pm_workspace *w, double first, double taken, int ended)
 {
-    int status = PM_OK;
-    if (first < w->step.end) {
+    int status = PM_OK, shown;
+    if (first < w->step.whole_end) {
         if (!ended && (status = stop_at(w, first, taken))) return status;
-        w->step.end = first;
-        if (!pm_ask_keeps_samples(&w->step, w->ask) && (status = pm_event_samples_fill(w, 0))) return status;
+        pm_step_set(&w->step, w->step.begin, first);
+        if (!pm_ask_keeps_samples(&w->step, w->ask) && (status = pm_event_samples_fill(w, 0, &shown)))
+            return status;
     }
     if (w->step.end > w->step.begin && (status = pm_ask_step(w))) return status;
-    if ((status = pm_history_inside(w, w->step.end))) return status;
+    if ((status = pm_history_inside(w, w->step.end)) || !pm_step_window_is_last(&w->step)) return status;
     end_step(w);
     return pm_contact_check_places(w);
 }
@@ -239,8 +261,10 @@ int pm_advance(pm_workspace *w, int *ended)
         int status = take_step(w, &first, &taken, ended);
         if (status) return status;
         if (!*ended) take_roots(&w->step, w->event, &first);
-        const int inside = first < w->step.end;
+        const int inside = first < w->step.whole_end;
         if ((status = close_step(w, first, taken, *ended))) return status;
+        w->event->first_step = 0;
+        if (!pm_step_window_is_last(&w->step)) continue;
         const int due = (first >= w->step.end && mark_due(w)) | pm_time_course_switch(w);
         if (*ended) return PM_OK;
         if (first < INFINITY) mark_hits(&w->firing, w->event);

@@ -16,6 +16,7 @@
 #include "events/event.h"
 #include "events/time_course.h"
 #include "events/watched_samples.h"
+#include "events/waves.h"
 #include "expression/program_fold.h"
 #include "impact/impact.h"
 #include "routes/path/repeat.h"
@@ -119,6 +120,7 @@ static int create_rooms(pm_workspace *w)
     if (!status) status = pm_time_course_create(w);
     if (!status) status = pm_event_create(w);
     if (!status) status = pm_ask_create(w);
+    if (!status) status = pm_waves_create(w);
     if (!status) status = pm_impact_create(w);
     if (!status) status = pm_tree_create(w);
     if (!status) status = pm_repeat_create(w);

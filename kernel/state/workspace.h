@@ -115,12 +115,22 @@ typedef struct pm_request {
 
 /* The last accepted step, by the route's progress coordinate; the state is at its end (state/route.h). */
 typedef struct pm_step {
-    double begin, end;
+    double begin, end;                      /* of what is looked at of it: all, or a window */
+    double whole_begin, whole_end;          /* of the route's step; the state is at its end */
+    double least_window;                    /* events/step_window.h */
     double sampled_end;                     /* where the step ended when it was sampled */
     const struct pm_chebyshev_nodes *nodes; /* where it is sampled */
+    struct pm_time_course *course;          /* how far it may go (events/time_course.h) */
     int reverses;                           /* the motion reverses at the end of the step */
     double *reversed;                       /* [nq] the velocities with which it does, at the scene's speed */
 } pm_step;
+
+/* The step of a route, or what is left of it. */
+static inline void pm_step_set(pm_step *step, double begin, double end)
+{
+    step->begin = step->whole_begin = begin;
+    step->end = step->whole_end = end;
+}
 
 /* The modes when the present instant began, and what it let go (impact/contact_modes.h). */
 typedef struct pm_instant {
@@ -202,7 +212,6 @@ struct pm_workspace {
     struct pm_event_set *event;
     struct pm_ask_set *ask;
     struct pm_watched_samples *watched;
-    struct pm_time_course *time_course;
     struct pm_blow *blow;
     struct pm_path *path;
     struct pm_repeat *repeat;

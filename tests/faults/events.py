@@ -68,8 +68,8 @@ FAULTS = [
     Fault(
         "crossing: what is near is far",
         "events/event_bracket.c",
-        "> 0 ? 1 : -1) ? PM_DIP_FAR * x->biggest : 0",
-        "> 0 ? 1 : -1) ? 0 : 0",
+        "return least > PM_DIP_FAR * x->biggest;",
+        "return least > 0;",
     ),
     Fault("margin: near misses", "events/event_bracket.c", "if (least > 0 && least < f->near &&", "if (0 &&"),
     Fault("missed root: two in one step", "events/event_bracket.c", "return least <= 0", "return 0"),
@@ -124,8 +124,8 @@ FAULTS = [
     Fault(
         "nodes: few are enough for waves",
         "events/event_samples.c",
-        "while (!status && w->step.nodes->finer &&",
-        "while (0 &&",
+        "if (status || !w->step.nodes->finer ||",
+        "if (1 || !w->step.nodes->finer ||",
     ),
     Fault(
         "nodes: least of the triggers is not kept",
@@ -330,5 +330,29 @@ FAULTS = [
         "events/ask.c",
         "w->firing.count[e[PM_ASK_EVENT_INDEX]] > e[PM_ASK_COUNT];",
         "w->firing.count[e[PM_ASK_EVENT_INDEX]] < e[PM_ASK_COUNT];",
+    ),
+    Fault(
+        "waves: none are possible",
+        "events/waves.c",
+        "found |= may_wave(&f->step[k]);",
+        "found |= 0 && may_wave(&f->step[k]);",
+    ),
+    Fault(
+        "window: the step is not halved",
+        "events/step_window.c",
+        "s->end = middle;",
+        "return PM_OK;",
+    ),
+    Fault(
+        "window: what is left of the step is passed over",
+        "events/step_window.c",
+        "s->begin = s->end;",
+        "s->begin = s->end = s->whole_end;",
+    ),
+    Fault(
+        "dip: coming back does not count",
+        "events/event_bracket.c",
+        "*x = may_cross(f, g[k]) ?",
+        "*x = may_cross(f, g[k]) || 1 ?",
     ),
 ]

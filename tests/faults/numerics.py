@@ -130,4 +130,34 @@ FAULTS = [
         "if (meets(a, top) || x.hi > 1) x.hi = 1;",
         "if (x.hi > 1) x.hi = 1;",
     ),
+    Fault(
+        "series: derivatives of half the size",
+        "numerics/chebyshev_series.c",
+        "4.0 * j * c[j]",
+        "2.0 * j * c[j]",
+    ),
+    Fault(
+        "series: no bound of the bend",
+        "numerics/chebyshev_series.c",
+        "part.bend = about(sum_up(x->n, x->bend, middle), half * x->third)",
+        "part.bend = about(sum_up(x->n, x->bend, middle), 0)",
+    ),
+    Fault(
+        "series: what nodes do not resolve is resolved",
+        "numerics/chebyshev_series.c",
+        "x->resolved = high <=",
+        "x->resolved = 1 || high <=",
+    ),
+    Fault(
+        "waves: any bend is calm",
+        "numerics/tolerances.h",
+        "#define PM_WAVES_CALM 10.0",
+        "#define PM_WAVES_CALM 1e4",
+    ),
+    Fault(
+        "waves: few nodes tell them all",
+        "numerics/tolerances.h",
+        "#define PM_WAVES_FEW 0.01",
+        "#define PM_WAVES_FEW 100.0",
+    ),
 ]

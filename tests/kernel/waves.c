@@ -1,27 +1,28 @@
-/* Waves in what is watched that are shorter than a step: sums of sines of the angle of a rod that turns evenly go through a
- * level as often as their closed form does. */
+/* Waves in what is watched that are shorter than a step, a little or a hundred times: sums of sines of the angle of a rod that
+ * turns evenly go through a level as often as their closed form does. */
 #include "check.h"
 #include "scene.h"
 
 #define SINES 6
-#define WAVE 0.4 /* the first turns so many times as fast as the rod; the last SINES times this */
 #define CASES 1100
-#define PIECES 3000 /* of the way, in which the closed form is monotonic or turns once */
+#define MANY 30     /* cases of each route with many waves */
+#define PIECES 6000 /* of the way, in which the closed form is monotonic or turns once */
 #define TOUCHES 1e-8
 
+static double wave = 0.4; /* the first turns so many times as fast as the rod; the last SINES times this */
 static double height[SINES], phase[SINES];
 
 static double value(double x)
 {
     double sum = 0;
-    for (int i = 0; i < SINES; i++) sum += height[i] * sin(WAVE * (i + 1) * x + phase[i]);
+    for (int i = 0; i < SINES; i++) sum += height[i] * sin(wave * (i + 1) * x + phase[i]);
     return sum;
 }
 
 static double slope(double x)
 {
     double sum = 0;
-    for (int i = 0; i < SINES; i++) sum += height[i] * WAVE * (i + 1) * cos(WAVE * (i + 1) * x + phase[i]);
+    for (int i = 0; i < SINES; i++) sum += height[i] * wave * (i + 1) * cos(wave * (i + 1) * x + phase[i]);
     return sum;
 }
 
@@ -65,7 +66,7 @@ static int program(scene *s, int turned, double level)
     int n = 0;
     code[n++] = scene_k(s, -level);
     for (int i = 0; i < SINES; i++) {
-        const scene_code sine[] = {scene_m(turned),       scene_k(s, WAVE * (i + 1)), scene_op(PM_OP_MUL),
+        const scene_code sine[] = {scene_m(turned),       scene_k(s, wave * (i + 1)), scene_op(PM_OP_MUL),
                                    scene_k(s, phase[i]),  scene_op(PM_OP_ADD),        scene_op(PM_OP_SIN),
                                    scene_k(s, height[i]), scene_op(PM_OP_MUL),        scene_op(PM_OP_ADD)};
         for (int k = 0; k < 9; k++) code[n++] = sine[k];
@@ -73,13 +74,13 @@ static int program(scene *s, int turned, double level)
     return scene_program(s, n, code);
 }
 
-static double counted(double level, double end)
+static double counted(int route, double level, double end)
 {
     scene *s = scene_create();
     const int rod = scene_body(s, 1, 1.0 / 12, 0, 0, 0);
     scene_joint(s, PM_JOINT_PIN, scene_point(s, rod, 0, 0), scene_point(s, PM_GROUND, 0, 0), 0);
     scene_start_omega(s, rod, 3);
-    *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_PATH;
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
     const int turned = scene_measure(s, PM_MEASURE_TURNED, rod);
     const int event = scene_when(s, PM_TRIGGER_CROSS, program(s, turned, level));
     const int count = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, event));
@@ -90,16 +91,25 @@ static double counted(double level, double end)
     return result;
 }
 
+static void try_route(int route, double longest)
+{
+    for (int k = 0; k < SINES; k++) {
+        height[k] = check_random(-1, 1);
+        phase[k] = check_random(0, 6.3);
+    }
+    const double end = check_random(1, longest), level = check_random(-1.5, 1.5);
+    const int expected = crossings(level, end);
+    if (expected >= 0) EQUAL((int)counted(route, level, end), expected);
+}
+
 int main(void)
 {
-    for (int i = 0; i < CASES; i++) {
-        for (int k = 0; k < SINES; k++) {
-            height[k] = check_random(-1, 1);
-            phase[k] = check_random(0, 6.3);
+    static const int routes[] = {PM_ROUTE_PATH, PM_ROUTE_RK, PM_ROUTE_IDA};
+    for (int i = 0; i < CASES; i++) try_route(PM_ROUTE_PATH, 12);
+    for (size_t r = 0; r < sizeof routes / sizeof *routes; r++)
+        for (int i = 0; i < MANY; i++) {
+            wave = pow(10, check_random(-1, 1.3));
+            try_route(routes[r], 4);
         }
-        const double end = check_random(1, 12), level = check_random(-1.5, 1.5);
-        const int expected = crossings(level, end);
-        if (expected >= 0) EQUAL((int)counted(level, end), expected);
-    }
     return check_failures();
 }

@@ -291,8 +291,7 @@ static int one_step(pm_workspace *w, double t_limit)
     if (!(length > least)) return too_small(&w->result, length, least); /* IDA itself would go on for ever */
     r->first = r->last - length;
     if (w->ask->nobserver > 0) w->step.nodes = &pm_chebyshev_nodes_equal;
-    w->step.begin = w->state.t;
-    w->step.end = t;
+    pm_step_set(&w->step, w->state.t, t);
     memcpy(w->state.q, N_VGetArrayPointer(r->y), (size_t)(2 * w->model->nq + w->model->nz) * sizeof(double));
     w->state.t = t;
     status = pm_ida_linear_project(w, &w->state);

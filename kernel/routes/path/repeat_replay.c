@@ -43,8 +43,7 @@ static void fill_step(pm_workspace *w, double kinetic)
     memcpy(p->weight, w->state.z, (size_t)w->model->nz_controlled * sizeof(double));
     p->energy = kinetic + p->begin.potential - pm_path_work(w->model, w->state.z);
     w->step.nodes = p->nodes;
-    w->step.begin = 0;
-    w->step.end = p->h;
+    pm_step_set(&w->step, 0, p->h);
 }
 
 /* ---- what goes with T ---- */
@@ -120,8 +119,9 @@ static int look_at(pm_workspace *w, double kinetic, int *sure)
     *sure = 0;
     if (!w->path->repeats || !pm_path_cycle(w) || !never_rests(w->path, kinetic)) return PM_OK;
     fill_step(w, kinetic);
-    const int status = pm_event_samples_fill(w, 1);
-    *sure = !status && signs_stay(w);
+    int shown;
+    const int status = pm_event_samples_fill(w, 1, &shown);
+    *sure = !status && shown && signs_stay(w);
     return status;
 }
 
@@ -156,7 +156,7 @@ static int watch(pm_workspace *w, const pm_repeats *segments, int *found)
     const pm_repeat *l = w->repeat;
     const double kinetic = segments->kinetic + l->work;
     pm_state_copy(&w->ahead, &w->state);
-    w->step.end = l->end;
+    pm_step_set(&w->step, 0, l->end);
     int status = w->phase.route->exact(w, l->end, &w->probe); /* the frame looks there, too */
     *found = !status && fabs(pm_frame_kinetic(&w->frame, PM_NONE) - kinetic) <= PM_REPEAT_SAME_END * kinetic;
     if (!*found) return status;

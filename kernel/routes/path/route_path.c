@@ -241,7 +241,7 @@ static int end_at_limit(pm_workspace *w, double t_limit)
                                                    p->clock.t0 - t_limit, 1, w->state.t - t_limit, &s));
     if (!status) status = at(w, s * p->h, &w->state);
     w->state.t = t_limit;
-    w->step.end = s * p->h;
+    pm_step_set(&w->step, 0, s * p->h);
     w->step.reverses = 0;
     return status;
 }
@@ -276,8 +276,7 @@ static int step(pm_workspace *w, double t_limit)
     if (!status) status = pm_path_take_step(w, repeat(w->path, may_close ? fmin(full, TURN - p->way) : full));
     if (status) return status;
     if (w->step.reverses) set_reversal(w);
-    w->step.begin = 0;
-    w->step.end = p->h;
+    pm_step_set(&w->step, 0, p->h);
     p->way += p->h;
     const int hands_over = p->balanced && PM_SETTING(w->model, PM_SETTING_ROUTE) != PM_ROUTE_AUTO &&
                            PM_SETTING(w->model, PM_SETTING_ROUTE) != PM_ROUTE_PATH;

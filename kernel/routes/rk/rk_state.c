@@ -73,7 +73,7 @@ static int accelerate_watched(pm_workspace *w)
 
 int pm_rk_look(pm_workspace *w, double t, int level)
 {
-    if (t == w->step.end) {
+    if (t == w->step.whole_end) {
         pm_frame_look_state(&w->frame, &w->state);
         return level == PM_LEVEL_DYNAMIC ? pm_saddle_accelerate(w) : PM_OK;
     }

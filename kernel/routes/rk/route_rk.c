@@ -167,8 +167,7 @@ static int accept(pm_workspace *w, double t)
     set_times(w, r->k + STAGES * r->all);
     pm_rk_look_for_stiffness(w);
     r->dense_ready = 0;
-    w->step.begin = r->t0;
-    w->step.end = r->end = t;
+    pm_step_set(&w->step, r->t0, r->end = t);
     if (pm_case_speed(w->model, &w->numbers, w->state.v)) set_scale(w);
     return PM_OK;
 }

@@ -266,8 +266,9 @@ static int go_to_end(pm_workspace *w, double limit, double t_limit)
     pm_uniform_rates_after(w, u->begin, u->rate);
     pm_uniform_integrate(w, u->end, w->state.z);
     pm_uniform_place(w->model, w->uniform, u->end, w->state.q, w->state.v);
-    w->step.begin = w->state.t;
-    w->step.end = w->state.t = u->end == limit ? t_limit : u->t0 + u->end;
+    const double begin = w->state.t;
+    w->state.t = u->end == limit ? t_limit : u->t0 + u->end;
+    pm_step_set(&w->step, begin, w->state.t);
     pm_case_speed(w->model, &w->numbers, w->state.v);
     return u->status ? u->status : pm_projection_apply(w, &w->state);
 }

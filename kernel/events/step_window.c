@@ -1,0 +1,43 @@
+/* step_window.c - windows are halved until the samples show all, and grow again behind.
+ *
+ * A corner or a pole is never shown: the window around it is halved down to the least, and taken as it is. */
+#include "events/step_window.h"
+
+#include "events/event_search.h"
+#include "events/waves.h"
+#include "numerics/tolerances.h"
+
+static void set_end(pm_step *step, double end) { step->end = end < step->whole_end ? end : step->whole_end; }
+
+/* Samples [begin, end], a shorter part of it, or less of it still. */
+static int take(pm_workspace *w)
+{
+    pm_step *s = &w->step;
+    for (;;) {
+        int shown;
+        const int status = pm_event_samples_fill(w, 1, &shown);
+        if (status || shown) return status;
+        const double middle = s->begin + 0.5 * (s->end - s->begin);
+        if (s->end - s->begin <= s->least_window || !(middle > s->begin && middle < s->end)) {
+            s->least_window *= 2; /* so that what is never shown is not met at its finest again and again */
+            return PM_OK;
+        }
+        s->end = middle;
+    }
+}
+
+int pm_step_window_first(pm_workspace *w)
+{
+    w->step.least_window = PM_WINDOW_LEAST * (w->step.end - w->step.begin);
+    return take(w);
+}
+
+int pm_step_window_next(pm_workspace *w)
+{
+    pm_step *s = &w->step;
+    const double length = s->end - s->begin;
+    s->begin = s->end;
+    set_end(s, s->begin + 2 * length);
+    w->result.count[PM_COUNT_STEPS]++;
+    return take(w);
+}

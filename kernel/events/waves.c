@@ -1,0 +1,258 @@
+/* waves.c - samples beside enclosures.
+ *
+ * The samples of a smooth program show it if
+ *   its bend is small all along beside the range of the samples, or else
+ *   the highest coefficients of the polynomial p through them are small,
+ *   p' at the nodes is the rate of the program there, and
+ *   its bend stays, everywhere in between, within what it is at the nodes (as events/time_course.c has it).
+ * Where it switches by the motion it has a corner or jumps: it is not shown there, unless it is an ask whose branches are
+ * looked at one by one (extremum_branch.c) and every switch is passed once. */
+#include "events/waves.h"
+
+#include <math.h>
+
+#include "elements/trigger.h"
+#include "events/ask.h"
+#include "events/event.h"
+#include "events/watched_samples.h"
+#include "expression/enclosure.h"
+#include "expression/program.h"
+#include "expression/program_class.h"
+#include "expression/program_fold.h"
+#include "numerics/chebyshev.h"
+#include "numerics/minmax.h"
+#include "numerics/tolerances.h"
+#include "state/arena.h"
+
+typedef struct pm_waves {
+    unsigned char *possible; /* [programs] */
+    pm_measure_series along; /* series[watched measures] */
+} pm_waves;
+
+/* ---- which programs ---- */
+/* Whether a step of a program may have waves, peaks or corners that its operands have not. */
+static int may_wave(const pm_program_step *s)
+{
+    const int op = s->op;
+    switch (s->kind) {
+    case STEP_NUMBER:
+    case STEP_MEASURE:
+    case STEP_ANSWER: return 0;
+    default:
+        return !(op == PM_OP_NEG || op == PM_OP_ADD || op == PM_OP_SUB || op == PM_OP_MUL ||
+                 (op == PM_OP_DIV && s->kind == STEP_WITH_NUMBER));
+    }
+}
+
+/* A measure that is the size of something turns at zero: that is looked after where it is read. */
+static int is_size(const pm_model *m, const pm_program_step *s)
+{
+    return s->kind == STEP_MEASURE && pm_program_takes_size(m, s->arg);
+}
+
+/* Whether program i has such a step; an answer would be no polynomial. */
+static int is_possible(const pm_model *m, int program)
+{
+    const pm_program_fold *f = m->programs.fold;
+    int found = 0;
+    for (int k = f->first[program]; k < f->first[program + 1]; k++) {
+        if (f->step[k].kind == STEP_ANSWER) return 0;
+        found |= may_wave(&f->step[k]);
+        k += is_size(m, &f->step[k]);
+    }
+    return found;
+}
+
+int pm_waves_create(pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    if (PM_ARENA_NEW(&w->memory, w->watched->waves)) return PM_NO_MEMORY;
+    pm_waves *x = w->watched->waves;
+    const pm_array array[] = {PM_ARRAY(x->possible, m->rows[PM_TABLE_PROGRAM]),
+                              PM_ARRAY(x->along.series, w->watched->n)};
+    const int status = pm_arena_take(&w->memory, PM_ARRAYS(array));
+    if (status) return status;
+    x->along.place = w->watched->place;
+    for (int i = 0; i < m->rows[PM_TABLE_PROGRAM]; i++) x->possible[i] = (unsigned char)is_possible(m, i);
+    return PM_OK;
+}
+
+static int trigger_program(const pm_workspace *w, int function)
+{
+    return PM_TRIGGER_ROW(w->model, w->event->function[function].index)[PM_TRIGGER_PROGRAM];
+}
+
+/* A trigger that is sampled and may have waves.  (Speeds fall to zero as the root of the energy does, where the motion
+ * reverses: that is none.) */
+static int is_watched(const pm_workspace *w, int function)
+{
+    const int program = trigger_program(w, function);
+    return !w->event->function[function].owned && w->watched->waves->possible[program] &&
+           w->model->programs.energy[program] != PM_ENERGY_CLASS_ROOT;
+}
+
+int pm_waves_possible(const pm_workspace *w, int functions, int watched)
+{
+    for (int i = 0; functions && i < w->event->ntrigger; i++)
+        if (is_watched(w, i)) return 1;
+    for (int i = 0; watched && i < w->ask->nobserver; i++)
+        if (w->watched->waves->possible[pm_ask_watched(w->model, w->ask, i)]) return 1;
+    return 0;
+}
+
+/* ---- one program ---- */
+typedef struct pm_course {
+    const pm_workspace *w;
+    const double *sample; /* at the nodes */
+    int program;
+    int by_branches; /* a switch that is passed once is no harm */
+} pm_course;
+
+static pm_enclosure enclose(const pm_course *c, double from, double to)
+{
+    const pm_workspace *w = c->w;
+    return pm_enclosure_along(w->model, c->program, w->numbers.folded, &w->watched->waves->along, from, to);
+}
+
+static int is_bounded(pm_interval x) { return isfinite(x.lo) && isfinite(x.hi); }
+
+/* The measures that it reads are the polynomials through their samples; else nothing can be said. */
+static int is_of_polynomials(const pm_course *c)
+{
+    const pm_program_fold *f = c->w->model->programs.fold;
+    const pm_measure_series *x = &c->w->watched->waves->along;
+    for (int k = f->first[c->program]; k < f->first[c->program + 1]; k++)
+        if (f->step[k].kind == STEP_MEASURE && !x->series[x->place[f->step[k].arg]].resolved) return 0;
+    return 1;
+}
+
+/* Least and greatest sample; not bounded where one is no number. */
+static pm_interval range_of(const pm_course *c)
+{
+    pm_interval x = {INFINITY, -INFINITY};
+    for (int k = 0; k < c->w->step.nodes->n; k++) {
+        if (!isfinite(c->sample[k])) return PM_INTERVAL_ALL;
+        x.lo = pm_min(c->sample[k], x.lo);
+        x.hi = pm_max(c->sample[k], x.hi);
+    }
+    return x;
+}
+
+static double nothing_of(const pm_course *c, pm_interval range)
+{
+    return c->w->numbers.tolerance * pm_interval_size(range);
+}
+
+static int is_calm(const pm_course *c, pm_interval range)
+{
+    const pm_enclosure all = enclose(c, 0, 1);
+    return !all.open &&
+           pm_interval_size(all.jet.bend) <= PM_WAVES_CALM * pm_interval_width(range) + nothing_of(c, range);
+}
+
+/* The bends at the nodes, widened by what changes nothing; 0 if the polynomial has other rates there. */
+static int take_bends(const pm_course *c, pm_interval range, pm_interval *bends)
+{
+    const pm_chebyshev_nodes *nodes = c->w->step.nodes;
+    double off = 0, steepest = 0;
+    *bends = (pm_interval){INFINITY, -INFINITY};
+    for (int k = 0; k < nodes->n; k++) {
+        const pm_enclosure here = enclose(c, nodes->at[k], nodes->at[k]);
+        if (!is_bounded(here.jet.rate) || !is_bounded(here.jet.bend)) return 0;
+        *bends = pm_interval_hull(*bends, here.jet.bend);
+        steepest = pm_max(pm_interval_size(here.jet.rate), steepest);
+        off = pm_max(fabs(pm_chebyshev_slope_at(nodes, c->sample, k) - here.jet.rate.lo), off);
+    }
+    const double nothing = nothing_of(c, range), more = PM_TIME_WIDER * pm_interval_width(*bends) +
+                                                        PM_TIME_LEVEL * pm_interval_size(*bends) + nothing;
+    *bends = (pm_interval){bends->lo - more, bends->hi + more};
+    return c->by_branches || off <= PM_WAVES_RATES * steepest + nodes->n * nodes->n * nothing;
+}
+
+/* Whether it stays within its bends over [from, to], and passes no switch that is not known there. */
+static int stays(const pm_course *c, pm_interval bends, double from, double to, int *budget)
+{
+    const double middle = 0.5 * (from + to);
+    const pm_enclosure e = enclose(c, from, to);
+    if (e.open <= (c->by_branches ? e.changes : 0) && pm_interval_inside(e.jet.bend, bends)) return 1;
+    if (--*budget < 0) return 0;
+    return stays(c, bends, from, middle, budget) && stays(c, bends, middle, to, budget);
+}
+
+/* By the nodes of routes that do not care for waves. */
+static int is_calm_by_few(const pm_course *c)
+{
+    const pm_interval range = range_of(c);
+    return !is_bounded(range) || (is_of_polynomials(c) && is_calm(c, range));
+}
+
+static int is_shown(const pm_course *c)
+{
+    const pm_chebyshev_nodes *nodes = c->w->step.nodes;
+    const pm_interval range = range_of(c);
+    pm_interval bends;
+    int budget = PM_TIME_PARTS;
+    if (!is_bounded(range)) return 1; /* whoever watches says so */
+    if (!is_of_polynomials(c)) return 1;
+    if (is_calm(c, range)) return 1;
+    if (!c->by_branches && pm_chebyshev_tail(nodes, c->sample) > PM_TAIL_WAVES) return 0;
+    if (!take_bends(c, range, &bends)) return 0;
+    for (int k = 0; k + 1 < nodes->n; k++)
+        if (!stays(c, bends, nodes->at[k], nodes->at[k + 1], &budget)) return 0;
+    return 1;
+}
+
+/* The few nodes of a route would show it, too: what their polynomial leaves out is little. */
+static int is_told_by_few(const pm_course *c)
+{
+    const pm_interval range = range_of(c);
+    pm_chebyshev_series own;
+    double left_out = 0;
+    if (!is_bounded(range) || c->by_branches) return 1;
+    pm_chebyshev_series_of(&own, c->w->step.nodes, c->sample);
+    for (int k = PM_NODES; k < own.n; k++) left_out += fabs(own.value[k]);
+    return left_out <= PM_WAVES_FEW * pm_interval_width(range) + nothing_of(c, range);
+}
+
+/* ---- all of them ---- */
+/* The series of the measures that such programs read. */
+static void fill_series(pm_workspace *w, int who)
+{
+    const pm_watched_samples *s = w->watched;
+    for (int i = 0; i < s->n; i++)
+        if (s->who[i] & who)
+            pm_chebyshev_series_of(w->watched->waves->along.series + i, w->step.nodes,
+                                   s->value + i * PM_NODES_MOST);
+}
+
+/* Whether `is` holds for all triggers and asks that were sampled. */
+static int holds_for_all(pm_workspace *w, int functions, int watched, int (*is)(const pm_course *))
+{
+    fill_series(w, (functions ? PM_SAMPLE_TRIGGERS : 0) | (watched ? PM_SAMPLE_ASKS : 0));
+    for (int i = 0; functions && i < w->event->ntrigger; i++) {
+        const pm_course c = {w, pm_event_samples(w->event, i), trigger_program(w, i), 0};
+        if (is_watched(w, i) && !is(&c)) return 0;
+    }
+    for (int i = 0; watched && i < w->ask->nobserver; i++) {
+        const int ask = w->ask->observer[i];
+        const pm_course c = {w, pm_ask_samples(w, ask), pm_ask_watched(w->model, w->ask, i),
+                             w->ask->switches[ask] > 0};
+        if (w->watched->waves->possible[c.program] && !is(&c)) return 0;
+    }
+    return 1;
+}
+
+int pm_waves_are_excluded(pm_workspace *w, int functions, int watched)
+{
+    return holds_for_all(w, functions, watched, is_calm_by_few);
+}
+
+int pm_waves_are_told_by_few(pm_workspace *w, int functions, int watched)
+{
+    return holds_for_all(w, functions, watched, is_told_by_few);
+}
+
+int pm_waves_are_shown(pm_workspace *w, int functions, int watched)
+{
+    return holds_for_all(w, functions, watched, is_shown);
+}

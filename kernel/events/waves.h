@@ -1,0 +1,22 @@
+/* waves.h - whether the samples of a step show what triggers and asks do between them.
+ *
+ * Measures are smooth along a step, which is no longer than the motion allows.  An expression of them need not be: cos(100 x)
+ * has many waves in a step, exp(-(x / d)^2) a narrow peak.  Where an operation can do so, the expression is enclosed
+ * (expression/enclosure.h) along the polynomials through the samples of its measures, and compared with its own samples. */
+#ifndef PM_WAVES_H
+#define PM_WAVES_H
+
+#include "state/workspace.h"
+
+/* All watched programs are known (watched_samples.h). */
+int pm_waves_create(pm_workspace *w);
+/* 1 if something that is watched in the phase might have waves. */
+int pm_waves_possible(const pm_workspace *w, int functions, int watched);
+/* 1 if there are none for sure, by samples at any nodes. */
+int pm_waves_are_excluded(pm_workspace *w, int functions, int watched);
+/* 1 if the samples at the nodes of the step, which are spectral, show all triggers and asks that were sampled. */
+int pm_waves_are_shown(pm_workspace *w, int functions, int watched);
+/* 1 if samples at few nodes, as routes have them, would show these, too. */
+int pm_waves_are_told_by_few(pm_workspace *w, int functions, int watched);
+
+#endif

@@ -1,0 +1,101 @@
+/* chebyshev_series.c - coefficients by a cosine transform, derivatives by their recurrence (J. P. Boyd, Chebyshev and Fourier
+ * Spectral Methods, 2001, sections 4.5 and A.2), bounds over a part by Taylor's formula about its middle. */
+#include "numerics/chebyshev_series.h"
+
+#include <math.h>
+
+#include "numerics/minmax.h"
+#include "numerics/tolerances.h"
+
+/* cos(pi j k / last) of nodes that are counted from s = 0, where x = 2 s - 1 = -1. */
+static double basis(int last, int j, int k)
+{
+    const int turn = 2 * PM_NODES_CLOCK - 2, whole = turn / 2 / last;
+    return pm_chebyshev_nodes_cosine[j * (last - k) * whole % turn];
+}
+
+static void transform(const pm_chebyshev_nodes *nodes, const double *sample, double *c)
+{
+    const int last = nodes->n - 1;
+    for (int j = 0; j <= last; j++) {
+        double sum = 0.5 * (sample[0] * basis(last, j, 0) + sample[last] * basis(last, j, last));
+        for (int k = 1; k < last; k++) sum += sample[k] * basis(last, j, k);
+        c[j] = sum * (j == 0 || j == last ? 1.0 : 2.0) / last;
+    }
+}
+
+/* The polynomial through five equidistant samples at those Chebyshev-Lobatto nodes that are none of theirs. */
+static const double between[2][PM_NODES] = {
+    {0.20118446353109126, 1.1380711874576981, -0.5, 0.19526214587563501, -0.034517796864424591},
+    {-0.034517796864424577, 0.19526214587563498, -0.49999999999999989, 1.1380711874576983,
+     0.20118446353109115}};
+
+/* Samples at Chebyshev-Lobatto nodes. */
+static const double *at_nodes(const pm_chebyshev_nodes *nodes, const double *sample, double *moved)
+{
+    if (nodes->n != PM_NODES) return sample;
+    for (int i = 0; i < 2; i++) {
+        moved[2 * i] = sample[2 * i];
+        moved[2 * i + 1] = 0;
+        for (int k = 0; k < PM_NODES; k++) moved[2 * i + 1] += between[i][k] * sample[k];
+    }
+    moved[4] = sample[4];
+    return moved;
+}
+
+/* The series of the derivative by s. */
+static void derive(int n, const double *c, double *d)
+{
+    d[n - 1] = 0;
+    for (int j = n - 1; j > 0; j--) d[j - 1] = (j + 1 < n ? d[j + 1] : 0) + 4.0 * j * c[j];
+    d[0] *= 0.5;
+}
+
+static double sum_of_sizes(int n, const double *c)
+{
+    double sum = 0;
+    for (int j = 0; j < n; j++) sum += fabs(c[j]);
+    return sum;
+}
+
+void pm_chebyshev_series_of(pm_chebyshev_series *x, const pm_chebyshev_nodes *nodes, const double *sample)
+{
+    const int n = x->n = nodes->n;
+    double third[PM_NODES_MOST], moved[PM_NODES];
+    transform(nodes, at_nodes(nodes, sample, moved), x->value);
+    derive(n, x->value, x->rate);
+    derive(n, x->rate, x->bend);
+    derive(n, x->bend, third);
+    x->size = sum_of_sizes(n, x->value);
+    x->third = sum_of_sizes(n, third);
+    const double changes = x->size - fabs(x->value[0]),
+                 high = pm_max(fabs(x->value[n - 1]), fabs(x->value[n - 2]));
+    x->resolved =
+        high <= (n > PM_NODES ? PM_TAIL_WAVES : PM_TAIL_FEW) * changes + PM_SERIES_ROUNDING * x->size;
+}
+
+/* Clenshaw's recurrence. */
+static double sum_up(int n, const double *c, double s)
+{
+    const double x = 2 * s - 1;
+    double b = 0, after = 0;
+    for (int j = n - 1; j > 0; j--) {
+        const double next = 2 * x * b - after + c[j];
+        after = b;
+        b = next;
+    }
+    return x * b - after + c[0];
+}
+
+static pm_interval about(double middle, double by) { return (pm_interval){middle - by, middle + by}; }
+
+pm_chebyshev_part pm_chebyshev_series_over(const pm_chebyshev_series *x, double from, double to)
+{
+    const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
+    pm_chebyshev_part part = {
+        .at = {sum_up(x->n, x->value, from), sum_up(x->n, x->value, middle), sum_up(x->n, x->value, to)}};
+    part.bend = about(sum_up(x->n, x->bend, middle), half * x->third);
+    part.rate = about(sum_up(x->n, x->rate, middle), half * pm_interval_size(part.bend));
+    part.value = about(part.at[1], half * pm_interval_size(part.rate) + PM_SERIES_ROUNDING * x->size);
+    return part;
+}

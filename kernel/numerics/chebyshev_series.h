@@ -1,0 +1,29 @@
+/* chebyshev_series.h - the polynomial through samples as a series, and what bounds it over a part of the step. */
+#ifndef PM_CHEBYSHEV_SERIES_H
+#define PM_CHEBYSHEV_SERIES_H
+
+#include "numerics/chebyshev_nodes.h"
+#include "numerics/interval.h"
+
+/* p(s), s from 0 to 1; derivatives are by s. */
+typedef struct pm_chebyshev_series {
+    int n;
+    double value[PM_NODES_MOST], rate[PM_NODES_MOST], bend[PM_NODES_MOST]; /* coefficients */
+    double size;  /* of the coefficients of the value, summed up */
+    double third; /* bound of p''' */
+    int resolved; /* the highest coefficients are small beside what changes, or beside rounding; of few nodes: rather small */
+} pm_chebyshev_series;
+
+/* Through sample[nodes->n], at nodes of any kind (chebyshev_nodes.h). */
+void pm_chebyshev_series_of(pm_chebyshev_series *series, const pm_chebyshev_nodes *nodes,
+                            const double *sample);
+
+typedef struct pm_chebyshev_part {
+    double at[3]; /* values at the beginning, in the middle, at the end */
+    pm_interval value, rate, bend;
+} pm_chebyshev_part;
+
+/* Over the part [from, to] of [0, 1]. */
+pm_chebyshev_part pm_chebyshev_series_over(const pm_chebyshev_series *series, double from, double to);
+
+#endif
