@@ -55,7 +55,8 @@ enum pm_status {
     PM_FIND_NONE = -15,     /* nothing found: where = condition or find; detail = what it is at both bounds */
     PM_FIND_JUMP = -16, /* the condition jumps over zero: where = condition; detail = value on both sides */
     PM_BLOWS_ENDLESS =
-        -17, /* blows one by one at one instant do not end: where = contact; detail = how many */
+        -17, /* blows one by one at one instant do not end, or one that stiffnesses share: where = contact; detail = how
+                many; how much stiffer it is than another */
     PM_BLOW_SEVERAL =
         -19, /* a restitution along a contact goes with newton alone in its blow: where = contact; detail = how
                 many take part */
@@ -139,7 +140,9 @@ enum pm_setting_column {
     PM_SETTING_SIMULTANEOUS = 10, /* enum pm_simultaneous */
     PM_SETTING_MAX_CPU = 11, /* value index, s of computing time of a case with all its passes; or PM_NONE */
     PM_SETTING_SHARED = 12,  /* enum pm_shared_setting */
-    PM_SETTING_COLUMNS = 13
+    PM_SETTING_EXPONENT =
+        13, /* value index, 1 .. 10: n of contacts with stiffnesses, see PM_CONTACT_STIFFNESS */
+    PM_SETTING_COLUMNS = 14
 };
 
 /* ---- finds ----------------------------------------------------------------------------------------------------

@@ -198,7 +198,10 @@ enum pm_contact_column {
         15, /* segment: value indices, places on the line from its point, from < to; or PM_NONE */
     PM_CONTACT_TO = 16,
     PM_CONTACT_PAINLEVE = 17, /* enum pm_painleve */
-    PM_CONTACT_COLUMNS = 18
+    PM_CONTACT_STIFFNESS =
+        18, /* value index, > 0: k of N = k x^n beside those of other contacts, n = PM_SETTING_EXPONENT; smooth, of
+               Stronge's law; or PM_NONE */
+    PM_CONTACT_COLUMNS = 19
 };
 
 /* ---- forces --------------------------------------------------------------------------------------------- */

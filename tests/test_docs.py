@@ -10,7 +10,7 @@ import planemotion
 from tests import ROOT
 
 LAWS = re.findall(r"```toml\n(.*?)```", (ROOT / "docs/impact_laws.md").read_text(encoding="utf-8"), re.DOTALL)
-KANE, CRADLE, BEAM = LAWS
+KANE, CRADLE, SPHERES, BEAM = LAWS
 
 
 def test_kanes_paradox() -> None:
@@ -27,6 +27,11 @@ def test_the_cradle() -> None:
     assert (together.v1, together.v2, together.v3) == pytest.approx((-1 / 3, 2 / 3, 2 / 3), abs=1e-12)
     in_turn = planemotion.load_text(CRADLE + '[solve]\nimpacts = "sequential"\n').run()
     assert (in_turn.v1, in_turn.v2, in_turn.v3) == pytest.approx((0, 0, 1), abs=1e-12)
+
+
+def test_the_cradle_with_stiffnesses() -> None:
+    spheres = planemotion.load_text(SPHERES).run()
+    assert (spheres.v1, spheres.v2, spheres.v3) == pytest.approx((-0.071, 0.076, 0.995), abs=5e-4)
 
 
 def test_the_beam_on_three_supports() -> None:

@@ -74,6 +74,12 @@ double pm_contact_tangential(const pm_frame *frame, int contact)
     return index == PM_NONE ? 0 : frame->numbers->value[index];
 }
 
+double pm_contact_stiffness(const pm_frame *frame, int contact)
+{
+    const int index = PM_CONTACT_ROW(frame->model, contact)[PM_CONTACT_STIFFNESS];
+    return index == PM_NONE ? 0 : frame->numbers->value[index];
+}
+
 int pm_contact_law(const pm_model *m, int contact) { return PM_CONTACT_ROW(m, contact)[PM_CONTACT_LAW]; }
 
 int pm_contact_friction(const pm_model *m, int contact)

@@ -43,6 +43,8 @@ int pm_contact_free_slot(const pm_frame *frame, const pm_state *s, int contact);
 double pm_contact_restitution(const pm_frame *frame, int contact);
 /* Of the slip; 0 where none is given. */
 double pm_contact_tangential(const pm_frame *frame, int contact);
+/* Beside others; 0 where none is given. */
+double pm_contact_stiffness(const pm_frame *frame, int contact);
 int pm_contact_law(const pm_model *m, int contact); /* enum pm_law */
 int pm_contact_friction(const pm_model *m, int contact);
 int pm_contact_is_pattern(const pm_model *m, int contact);

@@ -24,7 +24,7 @@ int pm_contact_course_create(pm_contact_course *x, pm_arena *arena, int most)
     int status = pm_arena_take(arena, PM_ARRAYS(array));
     if (!status) status = pm_contact_problem_create(&x->stretch, arena, most);
     x->stretch.counted = PM_COURSE_COUNTED;
-    return status;
+    return status ? status : pm_contact_springs_create(&x->springs, arena, most);
 }
 
 static double times_row(const pm_contact_course *x, int row, const double *p)
@@ -244,6 +244,27 @@ static void begin_restitution(pm_contact_course *x)
     }
 }
 
+/* ---- with stiffnesses ---- */
+static int follow_springs(pm_contact_course *x)
+{
+    pm_contact_springs *s = &x->springs;
+    const int n = x->n;
+    s->n = n;
+    s->exponent = x->exponent;
+    for (int i = 0; i < n; i++) {
+        const pm_course_contact *c = &x->contact[i];
+        s->spring[i] = (pm_contact_spring){
+            .stiffness = c->stiffness, .restitution = c->restitution, .before = x->velocity[2 * i]};
+        for (int k = 0; k < n; k++) s->response[i * n + k] = x->response[2 * i * 2 * n + 2 * k];
+    }
+    if (!pm_contact_springs_follow(s)) return 0;
+    for (int i = 0; i < n; i++) {
+        x->impulse[2 * i] += s->spring[i].impulse;
+        x->velocity[2 * i] = s->spring[i].before;
+    }
+    return 1;
+}
+
 /* ---- energy ---- */
 /* What impulses p give, p u + p W p/2, u before; beyond rounding. */
 static double given(const pm_contact_course *x, const double *p)
@@ -292,6 +313,7 @@ int pm_contact_course_follow(pm_contact_course *x)
         if (fabs(x->velocity[i]) <= x->no_slip) x->velocity[i] = 0;
     memcpy(x->start, x->velocity, (size_t)n * sizeof *x->start);
     take_at_once(x);
+    if (x->exponent > 0) return follow_springs(x);
     for (int i = 0; i < x->n; i++) {
         pm_course_contact *c = &x->contact[i];
         c->before = x->start[2 * i];
@@ -308,6 +330,7 @@ int pm_contact_course_follow(pm_contact_course *x)
 int pm_contact_course_is_shared(const pm_contact_course *x)
 {
     const int n = 2 * x->n;
+    if (x->exponent > 0) return 0;
     for (int i = 0; i < x->n; i++)
         for (int k = 0; k < i; k++) {
             const double both = x->response[2 * i * n + 2 * k];

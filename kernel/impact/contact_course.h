@@ -10,19 +10,22 @@
  *   newton   u_n = -e u_n before      poisson   P_n = (1 + e) P_n of compression      stronge   work = -e^2 of compression
  *
  * While no slip ends and nothing meets again all velocities are linear in s: the course goes from one such event to the next,
- * exactly.  One contact alone is followed like this by impact_course.c.
+ * exactly.  One contact alone is followed like this by impact_course.c.  Where all contacts have stiffnesses, these and no
+ * pace tell how they share (contact_springs.h).
  * [E. J. Routh, Dynamics of a System of Rigid Bodies, Elementary Part, ch. IV; W. J. Stronge, Impact Mechanics, 2nd ed.] */
 #ifndef PM_CONTACT_COURSE_H
 #define PM_CONTACT_COURSE_H
 
 #include "impact/contact_problem.h"
+#include "impact/contact_springs.h"
 #include "state/arena.h"
 
 typedef struct pm_course_contact {
     pm_problem_contact friction; /* its bias is not read */
     int law;                     /* enum pm_law */
     double restitution;
-    int is_spent; /* its bounce is over: a velocity with which it parts is taken away first */
+    double stiffness; /* beside the others; read where all have one (exponent > 0) */
+    int is_spent;     /* its bounce is over: a velocity with which it parts is taken away first */
     /* while it is followed */
     double before;   /* m/s, normal, where compression begins */
     double load;     /* N s, normal, of the phase so far; */
@@ -40,12 +43,15 @@ typedef struct pm_contact_course {
     double *response;           /* [2n][2n] W */
     double *velocity;           /* [2n] before; what was found: after */
     double no_slip;             /* m/s: slower than this is no slip */
+    double
+        exponent; /* of all contacts, smooth and with stiffnesses: contact_springs.h says how they share; or 0: the pace */
     /* what was found */
     double *impulse; /* [2n] */
     int limited;     /* it would have gained energy: mixed with the blow without restitution */
     int differs;     /* a contact that tells several motions apart */
     /* scratch */
     pm_contact_problem stretch; /* of the contacts of[] */
+    pm_contact_springs springs;
     int *of, *pivot;
     double *start, *plastic, *system;
     double size; /* m/s, greatest velocity */

@@ -1,5 +1,5 @@
 /* impact_followed.c - several contacts in one blow that is followed in its impulses (contact_course.h): what the laws of Poisson
- * and Stronge need.
+ * and Stronge need.  Where all of them have stiffnesses, these say how they share it (contact_springs.h).
  *
  * Compression and restitution of rigid contacts leave open how fast one contact is compressed beside another, and with it how
  * they share the blow.  Here all go at one pace: velocities of approach fall in proportion to what they are, velocities of
@@ -51,22 +51,43 @@ static const pm_constraint *direction(const pm_contact_system *x, int i)
     return i % 2 == 0 ? &x->normal[i / 2] : &x->tangent[i / 2];
 }
 
+/* The exponent of contacts that all have a stiffness; 0: nothing is known of how they share the blow. */
+static double exponent_of(const pm_workspace *w, const pm_contact_system *x)
+{
+    for (int i = 0; i < x->problem.n; i++)
+        if (!(pm_contact_stiffness(&w->frame, pm_contact_of_slot(w->model, x->slot[i])) > 0)) return 0;
+    return w->numbers.value[PM_SETTING(w->model, PM_SETTING_EXPONENT)];
+}
+
+/* What rests is compressed and released as what is struck where stiffnesses say how, at the speeds of the blow; by the pace it
+ * is only held. */
+static double restitution_of(const pm_workspace *w, const pm_blow *b, const pm_contact_course *c, int slot,
+                             double normal)
+{
+    const int contact = pm_contact_of_slot(w->model, slot);
+    const int struck = b->share[slot] == PM_STRUCK || b->share[slot] == PM_DROPPED;
+    if (w->event->spent[contact]) return 0;
+    if (struck && normal < 0) return pm_last_bounce_restitution(w, contact, normal);
+    return c->exponent > 0 ? pm_last_bounce_restitution(w, contact, -b->approach) : 0;
+}
+
 static void pose(const pm_workspace *w, const pm_blow *b, const pm_contact_system *x, pm_contact_course *c)
 {
     const int n = 2 * x->problem.n;
     c->n = x->problem.n;
     c->no_slip = pm_contact_speed(&w->frame);
+    c->exponent = exponent_of(w, x);
+    c->springs.tolerance = PM_SPRINGS_TOLERANCE * (w->numbers.coarse > 1 ? PM_COARSER : 1);
     memcpy(c->response, x->problem.response, (size_t)n * n * sizeof *c->response);
     for (int i = 0; i < n; i++)
         c->velocity[i] = pm_constraint_times(&w->frame, direction(x, i), x->free) - direction(x, i)->rate;
     for (int i = 0; i < c->n; i++) {
         const int contact = pm_contact_of_slot(w->model, x->slot[i]);
-        const int struck = b->share[x->slot[i]] == PM_STRUCK || b->share[x->slot[i]] == PM_DROPPED;
-        const double u = c->velocity[2 * i];
         c->contact[i] = (pm_course_contact){
             .friction = x->problem.contact[i],
             .law = pm_contact_law(w->model, contact),
-            .restitution = struck && u < 0 ? pm_last_bounce_restitution(w, contact, u) : 0,
+            .restitution = restitution_of(w, b, c, x->slot[i], c->velocity[2 * i]),
+            .stiffness = pm_contact_stiffness(&w->frame, contact),
             .is_spent = w->event->spent[contact],
         };
     }
@@ -99,6 +120,20 @@ static void record(pm_workspace *w, pm_blow *b, const pm_contact_system *x, cons
     }
 }
 
+/* Its stiffest contact is told, and how much stiffer it is than the least. */
+static int fail_endless(pm_workspace *w, const pm_contact_system *x, const pm_contact_course *c)
+{
+    int most = 0;
+    double least = INFINITY;
+    for (int i = 0; i < c->n; i++) {
+        least = fmin(least, c->contact[i].stiffness);
+        if (c->contact[i].stiffness > c->contact[most].stiffness) most = i;
+    }
+    return pm_fail(&w->result, PM_BLOWS_ENDLESS, PM_TABLE_CONTACT,
+                   pm_contact_of_slot(w->model, x->slot[most]), c->contact[most].stiffness / least,
+                   PM_SPRINGS_STEPS);
+}
+
 int pm_impact_follow_several(pm_workspace *w, pm_blow *b)
 {
     pm_contact_system *x = &b->system;
@@ -107,10 +142,12 @@ int pm_impact_follow_several(pm_workspace *w, pm_blow *b)
     if (status) return status;
     pose(w, b, x, c);
     const int n = pm_contact_course_follow(c);
+    if (n == 0 && c->exponent > 0) return fail_endless(w, x, c);
     if (n != 1) return pm_impact_fail(w, x, n, c->differs == PM_NONE ? 0 : c->differs);
     if ((status = apply(w, b, x, c->impulse))) return status;
     record(w, b, x, c->impulse);
     b->followed = 1;
+    if (c->exponent > 0) b->several = 0; /* the scene says how they share: no order is open */
     return PM_OK;
 }
 

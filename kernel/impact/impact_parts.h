@@ -88,7 +88,7 @@ int pm_impact_limit(pm_workspace *w, pm_blow *b);
 /* 1 if a listed contact has a law that is followed. */
 int pm_impact_is_followed(const pm_model *m, const pm_contact_system *x);
 /* The blow of what is listed, recorded.  As pm_impact_together; PM_UNSUPPORTED with massless bodies; PM_BLOW_SEVERAL where a
- * contact has a restitution along it. */
+ * contact has a restitution along it; PM_BLOWS_ENDLESS where stiffnesses share it without end. */
 int pm_impact_follow_several(pm_workspace *w, pm_blow *b);
 /* The impact without collision of the contact in b->shock, recorded.  PM_PAINLEVE: friction does not draw it together, or
  * others would have to take part; where = contact, detail = its coefficient of friction, contacts that are closed. */

@@ -230,6 +230,15 @@
 #define PM_COURSE_ROUNDING 1e-12 /* of the greatest velocity of a blow: none; larger: approaches are passed over */
 #define PM_COURSE_COUNTED 5 /* contacts of a blow that is followed: up to here the order in the file decides nothing; more: 4 times dearer each */
 #define PM_COURSE_EVENTS 16 /* in the course of a blow, for each contact; more: one that does not end is found later */
+#define PM_SPRINGS_COLUMNS 7 /* of the extrapolation in a blow with stiffnesses: order 14; more: longer steps, more rounding */
+#define PM_SPRINGS_TOLERANCE 1e-14 /* of its velocities, in each step; PM_COARSER times as much in a coarse run; smaller: rounding makes steps short */
+#define PM_SPRINGS_FIRST 0.1 /* of the time in which the stiffest contact is compressed: first step; larger: tried again with a shorter one */
+#define PM_SPRINGS_SAFE 0.95 /* of the step that the error allows; larger: more are tried again */
+#define PM_SPRINGS_SHORTER 0.2 /* of the step before: no less; smaller: shorter ones after a sudden error */
+#define PM_SPRINGS_LONGER 3.0 /* likewise: no more; larger: more are tried again */
+#define PM_SPRINGS_EXACT 1e-12 /* of the error allowed: none at all; any small number */
+#define PM_SPRINGS_LOOKS 12 /* for a place in the step: each at a quarter, where a contact is inside its phase; or the nearest to its end; more: slower */
+#define PM_SPRINGS_STEPS 100000 /* of a blow with stiffnesses; more: one that does not end is found later */
 #define PM_JAMMED 1e-3 /* of the friction that draws a contact together: so near, a route that cannot go on stops for it; larger: other failures are taken for it */
 #define PM_ORDER_SLOW 1e-9 /* of the greatest velocity of a blow: contacts struck one by one have done; larger: some that differ do not count */
 #define PM_ORDER_SAME 1e-7 /* likewise: the same motion as of all at once; likewise */

@@ -40,7 +40,7 @@ static const char *text_of(enum pm_status status)
     case PM_CONTACT_SLOTS: return "too many members of one pattern are in contact at once";
     case PM_FIND_NONE: return "no value between the bounds does what is sought";
     case PM_FIND_JUMP: return "what is sought jumps over the value wanted";
-    case PM_BLOWS_ENDLESS: return "blows one by one at the same instant do not end";
+    case PM_BLOWS_ENDLESS: return "the blows at one instant do not end";
     case PM_BLOW_SEVERAL:
         return "this impact law is for one contact at a time, and several take part in a blow";
     case PM_NO_IMPULSE: return "no impulse does the work asked";

@@ -134,7 +134,7 @@ static inline int scene_contact(scene *s, int kind, int a, int b, double side, d
     return SCENE_ROW(s, PM_TABLE_CONTACT, kind, a, b,
                      kind == PM_CONTACT_CIRCLE ? scene_value(s, side) : PM_NONE, scene_value(s, e), friction,
                      value, value, PM_NONE, PM_NONE, 1, 1, PM_CAPTURE_NONE, PM_NONE, PM_LAW_NEWTON, PM_NONE,
-                     PM_NONE, PM_PAINLEVE_STOPS);
+                     PM_NONE, PM_PAINLEVE_STOPS, PM_NONE);
 }
 /* A contact that captures: PM_CONTACT_POINT (circles of radius 0) and any kind but a cord. */
 static inline int scene_capture(scene *s, int kind, int a, int b, double side, int capture)
@@ -161,7 +161,7 @@ static inline int scene_cord(scene *s, int a, int sense_a, int b, int sense_b, d
 {
     return SCENE_ROW(s, PM_TABLE_CONTACT, PM_CONTACT_CORD, a, b, PM_NONE, scene_value(s, e),
                      PM_FRICTION_SMOOTH, PM_NONE, PM_NONE, PM_NONE, scene_value(s, slack), sense_a, sense_b,
-                     PM_CAPTURE_NONE, PM_NONE, PM_LAW_NEWTON, PM_NONE, PM_NONE, PM_PAINLEVE_STOPS);
+                     PM_CAPTURE_NONE, PM_NONE, PM_LAW_NEWTON, PM_NONE, PM_NONE, PM_PAINLEVE_STOPS, PM_NONE);
 }
 /* A drive: PM_JOINT_RATE of bodies or PM_JOINT_DRIVE of points, by programs of the time. */
 static inline int scene_drive(scene *s, int kind, int a, int b, int program_x, int program_y)
@@ -297,7 +297,7 @@ static inline scene *scene_create(void)
     const int none = scene_value(s, 0);
     SCENE_ROW(s, PM_TABLE_SETTING, none, scene_value(s, -9.81), scene_value(s, 1e-11), scene_value(s, 1000),
               scene_value(s, 1e-12), PM_ROUTE_RK, 20000, 40000, PM_NONE, 0, PM_SIMULTANEOUS_TOGETHER, PM_NONE,
-              PM_SHARED_NONE);
+              PM_SHARED_NONE, scene_value(s, 1));
     return s;
 }
 

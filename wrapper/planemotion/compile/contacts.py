@@ -18,7 +18,7 @@ from ..geometry.marks import LineMark, RowMark
 from ..geometry.packing import Tables, over_time
 from ..geometry.parameters import Reader, is_zero
 from ..geometry.partners import Partner, different, kernel_circle, pairs, partner, side
-from ..language.dimensions import DIMENSIONLESS, VELOCITY
+from ..language.dimensions import DIMENSIONLESS, STIFFNESS, VELOCITY
 from ..language.tree import ZERO, Node, Number
 from ..model.readers import Value
 from ..model.tables import Contact, Friction
@@ -198,7 +198,18 @@ class Contacts:
             layout.PM_CONTACT_TANGENTIAL: self._tangential(contact, law, path),
             layout.PM_CONTACT_LAW: layout.pm_law[f"PM_LAW_{contact.law.upper()}"],
             layout.PM_CONTACT_PAINLEVE: _PAINLEVE[contact.painleve],
+            layout.PM_CONTACT_STIFFNESS: self._stiffness(contact, law, path),
         }
+
+    def _stiffness(self, contact: Contact, law: int, path: str) -> int:
+        """The value of the stiffness beside those of other contacts; of smooth contacts alone."""
+        if contact.stiffness is None:
+            return layout.PM_NONE
+        where = f"{path}.stiffness"
+        if law != layout.PM_FRICTION_SMOOTH:
+            reason = "a blow that stiffnesses share is one without friction: leave out friction, or stiffness"
+            raise SceneError(reason, path=where, value=contact.stiffness)
+        return self.tables.value(self.reader.number(contact.stiffness, where, STIFFNESS), where)
 
     def _tangential(self, contact: Contact, law: int, path: str) -> int:
         """The value of the restitution along the contact; none where there is no friction."""

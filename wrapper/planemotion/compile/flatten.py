@@ -303,6 +303,7 @@ class _Flattener:
         down = negative(Name("g")) if self.data.plane == "vertical" else ZERO
         accuracy = self.reader.number(solve.accuracy, "solve.accuracy", DIMENSIONLESS)
         assembly = self.reader.number(solve.assembly_tolerance, "solve.assembly_tolerance", DIMENSIONLESS)
+        exponent = self.reader.number(solve.stiffness_exponent, "solve.stiffness_exponent", DIMENSIONLESS)
         row = {
             layout.PM_SETTING_GRAVITY_X: value(ZERO, "plane"),
             layout.PM_SETTING_GRAVITY_Y: value(down, "parameters.g"),
@@ -317,6 +318,7 @@ class _Flattener:
             layout.PM_SETTING_SIMULTANEOUS: _IMPACTS[solve.impacts],
             layout.PM_SETTING_MAX_CPU: self._limit(solve.max_cpu, "solve.max_cpu"),
             layout.PM_SETTING_SHARED: _SHARED[solve.shared],
+            layout.PM_SETTING_EXPONENT: value(exponent, "solve.stiffness_exponent"),
         }
         self.tables.add(layout.PM_TABLE_SETTING, row, "solve")
 

@@ -211,8 +211,11 @@ _DESCRIPTIONS: dict[int, Any] = {
         'try solve.route = "rk" or another accuracy'
     ),
     layout.PM_BLOWS_ENDLESS: lambda place, found, bound: (
-        f"the blows one by one at this instant do not end ({found:.0f} of them): bodies wedged without loss; "
-        'lower a restitution, or solve.impacts = "simultaneous"'
+        f"{place}.stiffness: the blow did not end in {bound:.0f} steps; this contact is {found:.3g} times "
+        "as stiff as another: stiffnesses nearer to each other, or a restitution below 1, end it"
+        if "." in place
+        else f"the blows one by one at this instant do not end ({found:.0f} of them): bodies wedged without "
+        'loss; lower a restitution, or solve.impacts = "simultaneous"'
     ),
     layout.PM_BLOW_SEVERAL: lambda place, found, bound: (
         f"{place}.tangential: it is of the law newton, and in a blow of {found:.0f} contacts another one "

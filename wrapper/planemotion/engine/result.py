@@ -277,7 +277,8 @@ def _notes(
     if counts["shared_blows"]:
         notes.append(
             f"{_blows(counts['shared_blows'])} by the laws poisson and stronge took several contacts at "
-            "once: how these share it is assumed, all are compressed and released at one pace"
+            "once: how these share it is assumed, all are compressed and released at one pace; smooth "
+            'contacts that all have law = "stronge" and a stiffness share it by that'
         )
     if counts["ordered_blows"]:
         notes.append(_ordered_note(counts["ordered_blows"], ordered))

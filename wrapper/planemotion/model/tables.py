@@ -143,6 +143,7 @@ class Contact(Kind):
     tangential: Number | None = None
     normal: Number | None = None
     law: Text = "newton"
+    stiffness: Number | None = None
     painleve: Literal["stop", "impact"] = "stop"
     capture: Literal["none", "pin", "body"] = "none"
     surface_speed: Number | None = None
@@ -256,6 +257,7 @@ class Solve(Table):
     assembly_tolerance: Number = 1e-12
     impacts: Text | None = None
     shared: Text = "none"
+    stiffness_exponent: Number = 1
 
 
 class Sweep(Table):

@@ -145,6 +145,9 @@ def _check_more(data: SceneData) -> None:
             raise SceneError("at least 1 is wanted", path=f"solve.{key}", value=getattr(solve, key))
     for name, contact in data.contacts.items():
         _check_law(contact, f"contacts.{name}")
+        if contact.stiffness is not None and solve.impacts == "sequential":
+            reason = 'stiffnesses share one blow; with solve.impacts = "sequential" there is nothing to share'
+            raise SceneError(reason, path=f"contacts.{name}.stiffness", value=contact.stiffness)
         if contact.capture != "none":
             _check_capture(contact, f"contacts.{name}")
     for name, event in data.events.items():
@@ -197,6 +200,9 @@ def _check_law(contact: Contact, path: str) -> None:
     """The law of a contact's blows; a restitution along it goes with friction and the law newton."""
     if contact.law not in words.LAWS:
         raise SceneError(words.unknown(contact.law, words.LAWS, "impact law"), path=f"{path}.law")
+    if contact.stiffness is not None and contact.law != "stronge":
+        reason = f'a stiffness shares a blow by its work: write law = "stronge", not "{contact.law}"'
+        raise SceneError(reason, path=f"{path}.stiffness", value=contact.stiffness)
     if contact.tangential is None:
         return
     where = f"{path}.tangential"

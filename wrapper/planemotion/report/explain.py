@@ -241,6 +241,8 @@ def _laws(contact: Any) -> str:
         text += f", {_written(contact.tangential)} along it"
     if contact.law != "newton":
         text += f", law {contact.law}"
+    if contact.stiffness is not None:
+        text += f", stiffness {_written(contact.stiffness)}"
     return (
         text if contact.painleve == "stop" else f"{text}, where no motion exists an impact without collision"
     )
