@@ -166,7 +166,8 @@ static int leaves_and_crosses(pm_workspace *w, int i, const pm_event_course *of,
     const int resolved = pm_event_samples_resolved(&w->step, w->event, i, of);
     for (int k = PM_LEAVING_HALVINGS; k > 0; k--) {
         const double place = a + ldexp(b - a, -k);
-        if (place <= a) continue;
+        if (place - a <= PM_LEAVING_LEAST * fabs(a))
+            continue; /* where it jumps, a may still be before that */
         double g = resolved ? pm_chebyshev_value(w->step.nodes, of->g, 1, (place - begin) / h) : 0;
         if (!(fabs(g) > fmax(noise, pm_event_samples_residual(f, of->biggest))))
             g = pm_event_samples_along(w, place, f);

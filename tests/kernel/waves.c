@@ -74,21 +74,45 @@ static int program(scene *s, int turned, double level)
     return scene_program(s, n, code);
 }
 
-static double counted(int route, double level, double end)
+/* A rod that turns at 3 rad/s. */
+static scene *rod_on_pin(int route, int *turned)
 {
     scene *s = scene_create();
     const int rod = scene_body(s, 1, 1.0 / 12, 0, 0, 0);
     scene_joint(s, PM_JOINT_PIN, scene_point(s, rod, 0, 0), scene_point(s, PM_GROUND, 0, 0), 0);
     scene_start_omega(s, rod, 3);
     *scene_setting(s, PM_SETTING_ROUTE) = route;
-    const int turned = scene_measure(s, PM_MEASURE_TURNED, rod);
-    const int event = scene_when(s, PM_TRIGGER_CROSS, program(s, turned, level));
+    *turned = scene_measure(s, PM_MEASURE_TURNED, rod);
+    return s;
+}
+
+/* How often the event fires until it has turned by `end`; the scene is gone then. */
+static double counted(scene *s, int event, int turned, double end)
+{
     const int count = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, event));
     scene_until(s, scene_when(s, PM_TRIGGER_RISE, scene_minus(s, turned, end)), 1);
     EQUAL(scene_run(s, NULL), PM_OK);
     const double result = s->out[count];
     scene_free(s);
     return result;
+}
+
+static int through_level(int route, double level, double end)
+{
+    int turned;
+    scene *s = rod_on_pin(route, &turned);
+    const int event = scene_when(s, PM_TRIGGER_CROSS, program(s, turned, level));
+    return (int)counted(s, event, turned, end);
+}
+
+/* (u - c)^2 - e falls through zero and rises again, both between two samples: how often it rises, or falls. */
+static int through_dip(int route, int trigger, double c, double e)
+{
+    int turned;
+    scene *s = rod_on_pin(route, &turned);
+    const int program = SCENE_PROGRAM(s, scene_m(turned), scene_k(s, c), scene_op(PM_OP_SUB), scene_k(s, 2),
+                                      scene_op(PM_OP_POW), scene_k(s, e), scene_op(PM_OP_SUB));
+    return (int)counted(s, scene_when(s, trigger, program), turned, 3);
 }
 
 static void try_route(int route, double longest)
@@ -99,7 +123,7 @@ static void try_route(int route, double longest)
     }
     const double end = check_random(1, longest), level = check_random(-1.5, 1.5);
     const int expected = crossings(level, end);
-    if (expected >= 0) EQUAL((int)counted(route, level, end), expected);
+    if (expected >= 0) EQUAL(through_level(route, level, end), expected);
 }
 
 int main(void)
@@ -110,6 +134,12 @@ int main(void)
         for (int i = 0; i < MANY; i++) {
             wave = pow(10, check_random(-1, 1.3));
             try_route(routes[r], 4);
+        }
+    for (size_t r = 0; r < sizeof routes / sizeof *routes; r++)
+        for (int i = 0; i < MANY; i++) {
+            const double c = check_random(0.1, 2.9), e = pow(10, check_random(-8, -3));
+            EQUAL(through_dip(routes[r], PM_TRIGGER_RISE, c, e), 1);
+            EQUAL(through_dip(routes[r], PM_TRIGGER_FALL, c, e), 1);
         }
     return check_failures();
 }
