@@ -114,7 +114,7 @@ static int polish(pm_workspace *w, int i, const pm_span *x, double slope, double
  * there, if its samples resolve it. */
 static void take_rate(pm_workspace *w, int function, double x, double slope)
 {
-    if (!w->evidence.active) return;
+    if (!w->evidence.active || (!w->step.shown && isnan(slope))) return; /* a jump has no rate */
     pm_event_function *f = &w->event->function[function];
     const double begin = w->step.begin, end = w->step.end;
     const double rate = isnan(slope) ? pm_bracket_slope(pm_event_samples_along, w, f, begin, end, x,

@@ -14,9 +14,8 @@ static int take(pm_workspace *w)
 {
     pm_step *s = &w->step;
     for (;;) {
-        int shown;
-        const int status = pm_event_samples_fill(w, 1, &shown);
-        if (status || shown) return status;
+        const int status = pm_event_samples_fill(w, 1, &s->shown);
+        if (status || s->shown) return status;
         const double middle = s->begin + 0.5 * (s->end - s->begin);
         if (s->end - s->begin <= s->least_window || !(middle > s->begin && middle < s->end)) {
             s->least_window *= 2; /* so that what is never shown is not met at its finest again and again */

@@ -118,6 +118,7 @@ typedef struct pm_step {
     double begin, end;                      /* of what is looked at of it: all, or a window */
     double whole_begin, whole_end;          /* of the route's step; the state is at its end */
     double least_window;                    /* events/step_window.h */
+    int shown;                              /* the samples show what is watched, but for corners and jumps */
     double sampled_end;                     /* where the step ended when it was sampled */
     const struct pm_chebyshev_nodes *nodes; /* where it is sampled */
     struct pm_time_course *course;          /* how far it may go (events/time_course.h) */
