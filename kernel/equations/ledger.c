@@ -294,8 +294,9 @@ static void weigh(pm_workspace *w, double *audit, double *bound)
     audit[PM_AUDIT_CONSTRAINT] = w->ledger.constraint_worst;
     for (int i = 0; i < PM_AUDITS; i++) bound[i] = bound_of_errors(&w->numbers, &w->evidence);
     bound[PM_AUDIT_CONSTRAINT] = PM_LEDGER_ROUNDING;
-    bound[PM_AUDIT_ENERGY] += energy_rounding(w, mass);
-    bound[PM_AUDIT_MOMENTUM] += momentum_rounding(w, mass);
+    /* where rounding is as great as what is balanced the ledger says nothing, and the run is not confirmed */
+    bound[PM_AUDIT_ENERGY] += fmin(energy_rounding(w, mass), PM_LEDGER_BLIND);
+    bound[PM_AUDIT_MOMENTUM] += fmin(momentum_rounding(w, mass), PM_LEDGER_BLIND);
 }
 
 /* The first residual above its bound, or PM_NONE. */

@@ -113,6 +113,8 @@
     1e-7 /* relative residual: long runs gather rounding; larger: blind at tight accuracy */
 #define PM_LEDGER_ERRORS \
     2e3 /* of the tolerance: a thousand blows leave 475 (studies, 1e-2 .. 1e-12); larger: blind */
+#define PM_LEDGER_BLIND \
+    1e-3 /* relative: what rounding alone may leave of a ledger; larger: an audit that sees nothing passes */
 #define PM_LEDGER_MOST \
     0.05 /* of all energy or momentum: no answer stands with more; larger: blind when loose */
 

@@ -290,6 +290,18 @@ FAULTS = [
         "e[PM_ACTION_A])] = 1",
         "e[PM_ACTION_A])] = 0",
     ),
+    Fault(
+        "audit: blind where rounding is great",
+        "equations/ledger.c",
+        "fmin(energy_rounding(w, mass), PM_LEDGER_BLIND)",
+        "energy_rounding(w, mass)",
+    ),
+    Fault(
+        "audit: blind after a long time",
+        "equations/ledger.c",
+        "fmin(momentum_rounding(w, mass), PM_LEDGER_BLIND)",
+        "momentum_rounding(w, mass)",
+    ),
     Fault("audit: blind at loose accuracy", "equations/ledger.c", "PM_LEDGER_MOST * (", "1e3 * ("),
     Fault(
         "case: rows of any length",

@@ -134,6 +134,38 @@ static void opens_at_every_accuracy(void)
     }
 }
 
+/* A rod swings in a plane that turns with a great wheel; then a part of the energy of the rod is given by nobody, and of the
+ * momentum after a long time. */
+static int beside_a_wheel(double inertia, double energy, double momentum)
+{
+    scene *s = scene_create();
+    SCENE_ROW(s, PM_TABLE_SECOND, scene_value(s, 0), scene_value(s, 0.0625), scene_value(s, 0));
+    const int rod = scene_body(s, 3, 0.0625, 0, -0.25, 0);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, rod, 0, 0.25), scene_point(s, PM_GROUND, 0, 0), 0);
+    SCENE_ROW(s, PM_TABLE_SPIN, scene_value(s, 0), scene_value(s, 0), scene_value(s, acos(0)),
+              scene_value(s, inertia), scene_value(s, 1), PM_NONE);
+    scene_start_omega(s, rod, 1);
+    scene_until_time(s, 0.3);
+    int status = scene_open(s);
+    if (!CHECK(status == PM_OK)) return status;
+    status = pm_run(s->w, s->constant);
+    s->w->ledger.energy_lost += energy * s->w->ledger.energy_scale;
+    if (momentum > 0) s->w->state.t = 1e20; /* so long that its rounding would excuse anything */
+    s->w->state.z[pm_ledger_ledger(s->w->model)] += momentum * s->w->ledger.momentum_scale;
+    if (!status) status = pm_ledger_close(s->w);
+    scene_free(s);
+    return status;
+}
+
+/* However much rounding there may be: what is wrong by a hundredth is not confirmed. */
+static void opens_at_any_size(void)
+{
+    EQUAL(beside_a_wheel(1e4, 0, 0), PM_OK);
+    for (double inertia = 1; inertia < 1e17; inertia *= 100)
+        EQUAL(beside_a_wheel(inertia, 0.01, 0), PM_AUDIT);
+    EQUAL(beside_a_wheel(1e4, 0, 0.01), PM_AUDIT);
+}
+
 /* A scene at rest has nothing but rounding: that is no reason for distrust. */
 static void at_rest(void)
 {
@@ -188,6 +220,7 @@ int main(void)
     closes_on_moving_partners();
     opens();
     opens_at_every_accuracy();
+    opens_at_any_size();
     at_rest();
     return check_failures();
 }
