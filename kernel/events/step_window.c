@@ -5,9 +5,8 @@
 
 #include "events/event_search.h"
 #include "events/waves.h"
+#include "numerics/minmax.h"
 #include "numerics/tolerances.h"
-
-static void set_end(pm_step *step, double end) { step->end = end < step->whole_end ? end : step->whole_end; }
 
 /* Samples [begin, end], a shorter part of it, or less of it still. */
 static int take(pm_workspace *w)
@@ -36,7 +35,7 @@ int pm_step_window_next(pm_workspace *w)
     pm_step *s = &w->step;
     const double length = s->end - s->begin;
     s->begin = s->end;
-    set_end(s, s->begin + 2 * length);
+    s->end = pm_min(s->begin + 2 * length, s->whole_end);
     w->result.count[PM_COUNT_STEPS]++;
     return take(w);
 }

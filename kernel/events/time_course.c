@@ -157,9 +157,7 @@ static pm_interval told_bends(const pm_workspace *w, int i, double from, double 
         const double t = from + h * k / (SAMPLES - 1);
         seen = pm_interval_hull(seen, enclose(w, i, t, t).jet.bend);
     }
-    const double more = PM_TIME_WIDER * pm_interval_width(seen) + PM_TIME_LEVEL * pm_interval_size(seen) +
-                        w->numbers.tolerance * *size / (h * h);
-    return (pm_interval){seen.lo - more, seen.hi + more};
+    return pm_enclosure_told_bends(seen, w->numbers.tolerance * *size / (h * h));
 }
 
 /* Whether program i stays within its bends over a part of the stretch. */

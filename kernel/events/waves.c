@@ -163,9 +163,8 @@ static int take_bends(const pm_course *c, pm_interval range, pm_interval *bends)
         steepest = pm_max(pm_interval_size(here.jet.rate), steepest);
         off = pm_max(fabs(pm_chebyshev_slope_at(nodes, c->sample, k) - here.jet.rate.lo), off);
     }
-    const double nothing = nothing_of(c, range), more = PM_TIME_WIDER * pm_interval_width(*bends) +
-                                                        PM_TIME_LEVEL * pm_interval_size(*bends) + nothing;
-    *bends = (pm_interval){bends->lo - more, bends->hi + more};
+    const double nothing = nothing_of(c, range);
+    *bends = pm_enclosure_told_bends(*bends, nothing);
     return c->by_branches || off <= PM_WAVES_RATES * steepest + nodes->n * nodes->n * nothing;
 }
 
@@ -216,9 +215,10 @@ static int is_told_by_few(const pm_course *c)
 
 /* ---- all of them ---- */
 /* The series of the measures that such programs read. */
-static void fill_series(pm_workspace *w, int who)
+static void fill_series(pm_workspace *w, int functions, int watched)
 {
     const pm_watched_samples *s = w->watched;
+    const int who = (functions ? PM_SAMPLE_TRIGGERS : 0) | (watched ? PM_SAMPLE_ASKS : 0);
     for (int i = 0; i < s->n; i++)
         if (s->who[i] & who)
             pm_chebyshev_series_of(w->watched->waves->along.series + i, w->step.nodes,
@@ -228,7 +228,6 @@ static void fill_series(pm_workspace *w, int who)
 /* Whether `is` holds for all triggers and asks that were sampled. */
 static int holds_for_all(pm_workspace *w, int functions, int watched, int (*is)(const pm_course *))
 {
-    fill_series(w, (functions ? PM_SAMPLE_TRIGGERS : 0) | (watched ? PM_SAMPLE_ASKS : 0));
     for (int i = 0; functions && i < w->event->ntrigger; i++) {
         const pm_course c = {w, pm_event_samples(w->event, i), trigger_program(w, i), 0};
         if (is_watched(w, i) && !is(&c)) return 0;
@@ -244,6 +243,7 @@ static int holds_for_all(pm_workspace *w, int functions, int watched, int (*is)(
 
 int pm_waves_are_excluded(pm_workspace *w, int functions, int watched)
 {
+    fill_series(w, functions, watched);
     return holds_for_all(w, functions, watched, is_calm_by_few);
 }
 
@@ -254,5 +254,6 @@ int pm_waves_are_told_by_few(pm_workspace *w, int functions, int watched)
 
 int pm_waves_are_shown(pm_workspace *w, int functions, int watched)
 {
+    fill_series(w, functions, watched);
     return holds_for_all(w, functions, watched, is_shown);
 }

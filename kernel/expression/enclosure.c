@@ -3,6 +3,7 @@
 
 #include "expression/operation.h"
 #include "expression/program_fold.h"
+#include "numerics/tolerances.h"
 
 enum { SWITCHES = PM_OPERATION_JUMPS | PM_OPERATION_CORNERS };
 
@@ -58,6 +59,13 @@ static pm_jet select_jet(const pm_jet *a)
     for (int k = 0; k < 3; k++) f.at[k] = a->at[k] != 0 ? a[1].at[k] : a[2].at[k];
     f.motion |= a->motion;
     return f;
+}
+
+pm_interval pm_enclosure_told_bends(pm_interval seen, double nothing)
+{
+    const double more =
+        PM_TIME_WIDER * pm_interval_width(seen) + PM_TIME_LEVEL * pm_interval_size(seen) + nothing;
+    return (pm_interval){seen.lo - more, seen.hi + more};
 }
 
 /* The operation on a[0], a[1] ..; its result takes their place. */

@@ -24,14 +24,12 @@
 #include "state/route.h"
 #include "state/workspace.h"
 
-/* Shortens the step to end at x, with the exact state there (already in w->probe if it was taken at x). */
+/* The exact state at x becomes the present one; it is already in w->probe if it was taken at x. */
 static int stop_at(pm_workspace *w, double x, double taken)
 {
     const int status = taken == x ? PM_OK : w->phase.route->exact(w, x, &w->probe);
-    if (status) return status;
-    pm_state_copy(&w->state, &w->probe);
-    pm_step_set(&w->step, w->step.begin, x);
-    return PM_OK;
+    if (!status) pm_state_copy(&w->state, &w->probe);
+    return status;
 }
 
 static void look_for_roots(pm_event_set *e)
@@ -199,7 +197,7 @@ static int pass_marks(pm_workspace *w, double *first, double *taken, int *ended)
     }
 }
 
-/* The next step of the route, or a window of it. */
+/* The next step of the route, sampled as far as the nodes show it. */
 static int make_step(pm_workspace *w)
 {
     pm_event_set *e = w->event;

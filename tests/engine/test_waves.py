@@ -17,15 +17,7 @@ import pytest
 import planemotion
 from tests.scenes import number
 
-PARTICLE = """
-until = "t = 1 s"
-plane = "horizontal"
-[bodies]
-p = {{ mass = "1 kg", at = [0, 0] }}
-[start]
-p.velocity = ["{speed} m/s", 0]
-[forces]
-f = {{ force = "p", value = ["{push} N", 0] }}
+WATCHED = """
 [events]
 up = "{f} > {level}"
 [ask]
@@ -34,7 +26,22 @@ high = {{ max = "{f}" }}
 low = {{ min = "{f}" }}
 """
 
-ROD = """
+PARTICLE = (
+    """
+until = "t = 1 s"
+plane = "horizontal"
+[bodies]
+p = {{ mass = "1 kg", at = [0, 0] }}
+[start]
+p.velocity = ["{speed} m/s", 0]
+[forces]
+f = {{ force = "p", value = ["{push} N", 0] }}
+"""
+    + WATCHED
+)
+
+ROD = (
+    """
 until = "t = 1 s"
 plane = "horizontal"
 [bodies]
@@ -45,13 +52,9 @@ A = {{ pin = ["p.A", "ground"] }}
 p.omega = "{speed} rad/s"
 [forces]
 f = {{ couple = "p", value = "{push} N*m" }}
-[events]
-up = "{f} > {level}"
-[ask]
-n = "up.count"
-high = {{ max = "{f}" }}
-low = {{ min = "{f}" }}
 """
+    + WATCHED
+)
 
 
 @dataclass

@@ -12,6 +12,18 @@ from planemotion import load_text
 from tests.scenes import number
 
 
+def watched(rate: str, place: str) -> str:
+    """It turns the second time; what is asked."""
+    return f"""
+[events]
+turn = {{ when = "{rate} = 0", nth = 2 }}
+[ask]
+end = "t"
+rate = "{rate}"
+place = "{place}"
+"""
+
+
 def pendulum(draw: random.Random) -> str:
     length = draw.uniform(0.2, 2)
     return f"""
@@ -22,13 +34,7 @@ angle = "{draw.uniform(-170, -10)} deg" }}
 A = {{ pin = ["AB.A","ground"] }}
 [start]
 AB.omega = "{draw.uniform(-0.3, 0.3) * math.sqrt(9.81 / length)} rad/s"
-[events]
-turn = {{ when = "AB.omega = 0", nth = 2 }}
-[ask]
-end = "t"
-rate = "AB.omega"
-place = "AB.angle"
-"""
+{watched("AB.omega", "AB.angle")}"""
 
 
 def slider(draw: random.Random) -> str:
@@ -45,13 +51,7 @@ s = {{ slider = ["P.G", "ground.L"] }}
 k = {{ spring = ["P.G", "ground.O"], stiffness = "{draw.uniform(10, 900)} N/m", free_length = "0.36 m" }}
 [start]
 P.velocity = ["{draw.uniform(-0.5, 0.5)} m/s", 0]
-[events]
-turn = {{ when = "P.velocity.x = 0", nth = 2 }}
-[ask]
-end = "t"
-rate = "P.velocity.x"
-place = "P.x"
-"""
+{watched("P.velocity.x", "P.x")}"""
 
 
 @pytest.mark.parametrize("kind", [pendulum, slider])
