@@ -6,6 +6,7 @@ import os
 import subprocess
 import sys
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 
@@ -63,6 +64,31 @@ def test_draw_and_plot_write_where_they_say(folder: Path) -> None:
     assert invoke("plot", "out/pendulum.h5", "--out", "p.png").stdout.strip() == "p.png"
     for name in ("a.png", "h.png", "p.png"):
         assert (folder / name).read_bytes().startswith(b"\x89PNG")
+
+
+@pytest.mark.parametrize("ending", ["png", "svg", "pdf", "PDF"])
+def test_the_ending_of_a_picture_is_its_format(folder: Path, ending: str) -> None:
+    scene = write(folder, "a.toml", RELEASED)
+    invoke("run", scene, "--history", "h.h5")
+    for call in (("draw", scene), ("plot", "h.h5")):
+        assert invoke(*call, "--out", f"one.{ending}").exit_code == 0
+        invoke(*call, "--out", f"two.{ending}")
+        written = (folder / f"one.{ending}").read_bytes()
+        assert written == (folder / f"two.{ending}").read_bytes(), "the same picture is the same file"
+        if ending == "svg":
+            assert ElementTree.fromstring(written).tag == "{http://www.w3.org/2000/svg}svg"
+        else:
+            assert written.startswith(b"\x89PNG" if ending == "png" else b"%PDF")
+
+
+@pytest.mark.parametrize("name", ["p.jpg", "p", "png", ".svg"])
+@pytest.mark.parametrize("command", ["draw", "plot"])
+def test_another_ending_is_refused_before_anything_is_read(folder: Path, command: str, name: str) -> None:
+    done = invoke(command, "missing", "--out", name)
+    assert done.exit_code == 2
+    assert f"{name}: has " in done.stderr
+    assert "a picture is written as one of .png, .svg, .pdf" in done.stderr
+    assert left_in(folder) == set()
 
 
 def test_draw_shows_a_scene_that_cannot_be_assembled(folder: Path) -> None:

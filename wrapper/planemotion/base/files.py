@@ -4,14 +4,29 @@ from __future__ import annotations
 
 import errno
 import os
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from .errors import StudyError
 
+# Endings of pictures, and so their formats.
+PICTURES = ("png", "svg", "pdf")
 _FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG}
 _FULL_TEXTS = ("no space left", "quota exceeded", "file too large")  # HDF5 does not always pass the number on
+
+
+def ending(path: Path, known: Collection[str], what: str) -> str:
+    """The ending of a file to be written, without its dot and in small letters; it says in which format.
+
+    Raises StudyError for one that is not among `known`; `what` is written there ("a picture").
+    """
+    found = path.suffix.removeprefix(".").lower()
+    if found in known:
+        return found
+    choice = ", ".join(f".{word}" for word in known)
+    has = f"the ending .{found}" if found else "no ending"
+    raise StudyError(f"{path}: has {has}; {what} is written as one of {choice}")
 
 
 @contextmanager

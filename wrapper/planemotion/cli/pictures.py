@@ -7,12 +7,26 @@ from pathlib import Path
 
 import click
 
+from ..base.files import PICTURES, ending
 from .options import FAILED, a_path, say, set_option
+
+
+def _picture(_ctx: click.Context, _option: click.Parameter, out: Path | None) -> Path | None:
+    """An ending that is no picture's is refused before anything is computed."""
+    if out is not None:
+        ending(out, PICTURES, "a picture")
+    return out
 
 
 @click.command()
 @click.argument("result", type=a_path)
-@click.option("--out", metavar="PNG", type=a_path, help="The picture (default: beside RESULT).")
+@click.option(
+    "--out",
+    metavar="FILE",
+    type=a_path,
+    callback=_picture,
+    help="The picture, .png, .svg or .pdf (default: a PNG beside RESULT).",
+)
 def plot(result: Path, out: Path | None) -> None:
     """Draw the result of a sweep, or a recorded history.
 
@@ -27,7 +41,11 @@ def plot(result: Path, out: Path | None) -> None:
 @click.command()
 @click.argument("scene", type=a_path)
 @click.option(
-    "--out", metavar="PNG", type=a_path, help="The picture (default: SCENE's name with .png, here)."
+    "--out",
+    metavar="FILE",
+    type=a_path,
+    callback=_picture,
+    help="The picture, .png, .svg or .pdf (default: SCENE's name with .png, here).",
 )
 @set_option
 @click.pass_context

@@ -12,11 +12,14 @@ from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 
 from ..base.errors import StudyError
+from ..base.files import PICTURES, appearing, ending
 
 INK = "#222222"
 SOFT = "#6b6b6b"
 BLUE = "#1f4e79"
 RED = "#b5362b"
+# A picture of one scene is the same file each time it is drawn.
+_WITHOUT_DATE: dict[str, Any] = {"svg": {"Date": None}, "pdf": {"CreationDate": None}}
 RESOLUTION = 160  # dots per inch
 # A family of curves or the parts of a vector: dark, well apart, also in print and for the colour-blind.
 CURVES = (BLUE, "#c8741a", "#3b7d5e", "#7a4a8c", "#8a8a2b", "#4c9bbf", "#b5362b", "#5d5d5d")
@@ -38,6 +41,7 @@ STYLE: Any = {
     "legend.fontsize": 8.0,
     "legend.frameon": False,
     "lines.linewidth": 1.4,
+    "svg.hashsalt": "planemotion",
     "text.color": INK,
     "text.parse_math": False,  # names and units as written
     "xtick.color": SOFT,
@@ -58,14 +62,18 @@ def style() -> AbstractContextManager[None]:
 
 
 def save(figure: Figure, path: Path) -> None:
-    """Writes the PNG; it appears whole or not at all.  Raises StudyError if it cannot be written."""
-    from ..base.files import appearing
+    """Writes the picture in the format that its ending says; it appears whole or not at all.
 
+    Raises StudyError if the ending says none, or it cannot be written.
+    """
+    kind = ending(path, PICTURES, "a picture")
     if not path.parent.is_dir():
         raise StudyError(f"{path}: cannot be written: there is no folder {path.parent}")
     FigureCanvasAgg(figure)
     with appearing(path) as temporary:
-        figure.savefig(temporary, format="png", dpi=RESOLUTION, facecolor="white")
+        figure.savefig(
+            temporary, format=kind, dpi=RESOLUTION, facecolor="white", metadata=_WITHOUT_DATE.get(kind)
+        )
 
 
 def head(figure: Figure, title: str, subtitle: str) -> None:

@@ -1,4 +1,4 @@
-"""Results as pictures: the file of a sweep or of a recorded run becomes a PNG.
+"""Results as pictures: the file of a sweep or of a recorded run becomes a picture.
 
 Everything is drawn with matplotlib's Agg canvas alone: no window, no global state.
 """
@@ -17,9 +17,11 @@ from .sweep import open_sweep, plot_sweep
 
 
 def plot(result: str | os.PathLike[str], out: str | os.PathLike[str] | None = None) -> Path:
-    """Draws the HDF5 file of a sweep or of a history; returns the path of the PNG (default: beside it).
+    """Draws the HDF5 file of a sweep or of a history; returns the path of the picture, PNG, SVG or PDF by its
+    ending (default: a PNG beside it).
 
-    Raises StudyError if `result` is neither, or the picture cannot be written; nothing half-written stays.
+    Raises StudyError if `result` is neither, the ending says no format, or the picture cannot be written;
+    nothing half-written stays.
     """
     source = Path(result)
     target = source.with_suffix(".png") if out is None else Path(out)

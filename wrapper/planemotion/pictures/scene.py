@@ -88,7 +88,7 @@ def start_of(scene: HasData, run: str | None = None) -> Start:
 
 
 def draw(start: Start, out: Path) -> None:
-    """Writes the picture as a PNG; StudyError if it cannot be written."""
+    """Writes the picture as PNG, SVG or PDF, by its ending; StudyError if it cannot be written."""
     with page.style():
         page.save(figure(start), out)
 
