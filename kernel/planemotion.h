@@ -254,13 +254,19 @@ int pm_batch(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
              double *detail, double *audit, int64_t *count, double *found, double *error, double *margin,
              double *trust);
 
-/* Runs one case as pm_batch does, but with all parameters as given (no find), and records it: one row (t, program values) at every accepted step, before and
- * after every event; `mark` is 0 for a step, 1 before an event, 2 after it.
- *   trace_program[ntrace]  programs to record;  history[cap][1 + ntrace], mark[cap];  needed[1]: rows wanted.
+/* Runs one case as pm_batch does, but with all parameters as given (no find), and records it: rows (t, program values) at its start, before and
+ * after every event, at its end, and between them on a grid of times or at places of every step; `mark` is 0 for those, 1 before
+ * an event, 2 after it.
+ *   every                  > 0: the grid is 0, every, 2 every, ..., s;  0: the ends and nodes of steps
+ *   trace_program[ntrace]  programs to record
+ *   bend[ntrace]           without a grid: what a straight line over t from row to row may miss of each, in its unit, else
+ *                          there are rows between;  INFINITY: whatever it misses
+ *   history[cap][1 + ntrace], mark[cap];  needed[1]: rows wanted.
  * If needed > cap the first cap rows are there: call again with larger buffers. */
 int pm_trace(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t nparam,
-             const double *param, const int32_t *stop, int64_t ntrace, const int32_t *trace_program,
-             int64_t cap, double *history, int32_t *mark, int64_t *needed, int32_t *where, double *detail);
+             const double *param, const int32_t *stop, double every, int64_t ntrace,
+             const int32_t *trace_program, const double *bend, int64_t cap, double *history, int32_t *mark,
+             int64_t *needed, int32_t *where, double *detail);
 
 /* ---- phases of a run: which route computes each, and what it has to do ---- */
 enum pm_phase_column {

@@ -1,33 +1,95 @@
-/* history.c - appends records while there is room, and counts all of them. */
+/* history.c - appends rows while there is room, and counts all of them.
+ *
+ * On a grid: where the time along a step takes a value of it (numerics/bracket.h), as asks find their grid values.  Without
+ * one: a stretch between two nodes of a step is parted while some program at the parting lies farther from the chord, over
+ * the time, than its bend allows.  It is parted off its middle, where a chord through a turning point would be met. */
 #include "events/history.h"
 
+#include <math.h>
+#include <string.h>
+
 #include "equations/saddle.h"
+#include "events/ask.h"
+#include "events/step.h"
 #include "expression/program.h"
+#include "numerics/bracket.h"
+#include "numerics/tolerances.h"
+#include "state/arena.h"
 #include "state/frame.h"
 #include "state/route.h"
 #include "state/workspace.h"
 
-static int record(pm_workspace *w, const pm_state *state, int mark)
+int pm_history_create(pm_workspace *w, pm_history *history)
 {
-    pm_history *x = w->record.history;
-    if (x->needed < x->cap) {
-        double *row = x->history + x->needed * (1 + x->nprogram);
-        pm_frame_look_state(&w->frame, state);
-        const int status = pm_saddle_accelerate(w);
-        if (status) return status;
-        row[0] = state->t;
-        for (int64_t i = 0; i < x->nprogram; i++) row[1 + i] = pm_program_run(w, x->program[i]);
-        x->mark[x->needed] = mark;
+    const pm_array array[] = {PM_ARRAY(history->row, (PM_HISTORY_PARTINGS + 2) * (1 + history->nprogram))};
+    return pm_arena_take(&w->memory, PM_ARRAYS(array)) ? PM_NO_MEMORY : PM_OK;
+}
+
+void pm_history_reset(pm_history *history) { history->needed = history->next = 0; }
+
+static double *row_of(const pm_history *r, int i) { return r->row + i * (1 + r->nprogram); }
+
+static double grid_time(const pm_history *r) { return (double)r->next * r->every; }
+
+/* The time and the programs at a state. */
+static int read(pm_workspace *w, const pm_state *state, double *row)
+{
+    const pm_history *r = w->record.history;
+    pm_frame_look_state(&w->frame, state);
+    const int status = pm_saddle_accelerate(w);
+    row[0] = state->t;
+    for (int64_t i = 0; i < r->nprogram && !status; i++) row[1 + i] = pm_program_run(w, r->program[i]);
+    return status;
+}
+
+/* The same at place x of the present step. */
+static int read_at(pm_workspace *w, double x, double *row)
+{
+    if (x == w->step.whole_end) return read(w, &w->state, row);
+    const int status = w->phase.route->exact(w, x, &w->probe);
+    return status ? status : read(w, &w->probe, row);
+}
+
+static void keep(pm_history *r, const double *row, int mark)
+{
+    if (r->needed < r->cap) {
+        memcpy(r->history + r->needed * (1 + r->nprogram), row, (size_t)(1 + r->nprogram) * sizeof *row);
+        r->mark[r->needed] = mark;
     }
-    x->needed++;
+    r->needed++;
+}
+
+/* ---- instants ---- */
+/* The times of the grid up to t are over. */
+static void pass_grid(pm_history *r, double t)
+{
+    if (r->every > 0 && grid_time(r) <= t + PM_TIME_TOGETHER * fabs(t))
+        r->next = (int64_t)floor((t + PM_TIME_TOGETHER * fabs(t)) / r->every) + 1;
+}
+
+static int record(pm_workspace *w, int mark)
+{
+    pm_history *r = w->record.history;
+    const int status = r->needed < r->cap ? read(w, &w->state, r->row) : PM_OK;
+    if (status) return status;
+    keep(r, r->row, mark);
+    pass_grid(r, w->state.t);
     return PM_OK;
 }
 
 int pm_history_append(pm_workspace *w, int mark)
 {
-    return w->record.history ? record(w, &w->state, mark) : PM_OK;
+    const pm_history *r = w->record.history;
+    return r && (mark || r->every == 0) ? record(w, mark) : PM_OK;
 }
 
+int pm_history_end(pm_workspace *w)
+{
+    const pm_history *r = w->record.history;
+    return r && r->every > 0 ? record(w, 0) : PM_OK;
+}
+
+/* ---- inside steps ---- */
 void pm_history_step(const pm_step *step, pm_record *record)
 {
     if (!record->history) return;
@@ -35,17 +97,116 @@ void pm_history_step(const pm_step *step, pm_record *record)
     record->history->begin = record->history->inside = step->begin;
 }
 
-int pm_history_inside(pm_workspace *w, double x)
+/* Whether a program lies too far from the chord from row a to row b; what is no number is on it. */
+static int is_bent(const pm_history *r, const double *a, const double *row, const double *b)
+{
+    if (!(b[0] > a[0])) return 0;
+    const double part = (row[0] - a[0]) / (b[0] - a[0]);
+    for (int64_t i = 1; i <= r->nprogram; i++)
+        if (PM_HISTORY_SAFETY * fabs(row[i] - a[i] - part * (b[i] - a[i])) > r->bend[i - 1]) return 1;
+    return 0;
+}
+
+/* Where a stretch that is left to record ends, and how often it was parted. */
+typedef struct stretch {
+    double end;
+    int parted;
+} stretch;
+
+/* Records what a line from place a to place b would miss; their rows are the first two.  The first is then that of b. */
+static int record_bends(pm_workspace *w, double a, double b)
 {
     pm_history *r = w->record.history;
-    if (!r || w->phase.route->in_time) return PM_OK;
-    for (int k = 0; k < w->step.nodes->n; k++) {
-        const double place = r->begin + r->length * w->step.nodes->at[k];
-        if (place <= r->inside || place >= x) continue;
-        int status = w->phase.route->exact(w, place, &w->probe);
-        if (!status) status = record(w, &w->probe, 0);
+    stretch left[PM_HISTORY_PARTINGS + 1] = {{b, 0}}; /* the next one last; the row of its end is last + 1 */
+    for (int last = 0; last >= 0;) {
+        const int more = left[last].parted < PM_HISTORY_PARTINGS;
+        const double x = a + PM_HISTORY_PARTING * (left[last].end - a);
+        const int status = more ? read_at(w, x, row_of(r, last + 2)) : PM_OK;
         if (status) return status;
-        r->inside = place;
+        if (more && is_bent(r, r->row, row_of(r, last + 2), row_of(r, last + 1))) {
+            const int parted = ++left[last].parted;
+            left[++last] = (stretch){x, parted};
+            continue;
+        }
+        memcpy(r->row, row_of(r, last + 1), (size_t)(1 + r->nprogram) * sizeof *r->row);
+        if (last > 0) keep(r, r->row, 0);
+        a = left[last--].end;
     }
     return PM_OK;
+}
+
+static int record_nodes(pm_workspace *w, double x)
+{
+    pm_history *r = w->record.history;
+    const pm_chebyshev_nodes *nodes = w->step.nodes;
+    int status = read_at(w, r->inside, r->row);
+    for (int k = 0; k <= nodes->n && !status && r->inside < x; k++) {
+        const double place = k < nodes->n ? fmin(r->begin + r->length * nodes->at[k], x) : x;
+        if (place <= r->inside) continue;
+        status = read_at(w, place, row_of(r, 1));
+        if (!status) status = record_bends(w, r->inside, place);
+        if (!status && place < x) keep(r, r->row, 0);
+        r->inside = place;
+    }
+    return status;
+}
+
+/* ---- on a grid ---- */
+static int exactly(void *of, double x, void *wanted, double *value)
+{
+    pm_workspace *w = of;
+    const int status = w->phase.route->exact(w, x, &w->probe);
+    *value = w->probe.t - *(const double *)wanted;
+    return status;
+}
+
+static double along(void *of, double x, void *wanted)
+{
+    double value;
+    return exactly(of, x, wanted, &value) ? NAN : value;
+}
+
+/* The place up to x where the time is that of the grid; it is less at r->inside and more at x, at time t. */
+static int find_time(pm_workspace *w, double x, double t, double *place)
+{
+    const pm_history *r = w->record.history;
+    double wanted = grid_time(r), before;
+    *place = fmax(wanted, r->inside);
+    if (w->phase.route->in_time) return PM_OK;
+    *place = r->inside;
+    const int status = exactly(w, r->inside, &wanted, &before);
+    if (status || before >= 0) return status;
+    return pm_fail_search(&w->result, pm_bracket_find(w->ask->solver, along, w, &wanted, r->inside, before, x,
+                                                      t - wanted, place));
+}
+
+static int record_grid(pm_workspace *w, double x)
+{
+    pm_history *r = w->record.history;
+    double none = 0, t = x, place;
+    int status = w->phase.route->in_time ? PM_OK : exactly(w, x, &none, &t);
+    while (!status && grid_time(r) < t - PM_TIME_TOGETHER * fabs(t)) {
+        if (r->needed >= r->cap) { /* there is no room: they are only counted */
+            const double more = ceil((t - PM_TIME_TOGETHER * fabs(t) - grid_time(r)) / r->every);
+            r->needed += (int64_t)more;
+            r->next += (int64_t)more;
+            continue;
+        }
+        status = find_time(w, x, t, &place);
+        if (!status) status = read_at(w, place, r->row);
+        if (status) return status;
+        r->row[0] = grid_time(r);
+        keep(r, r->row, 0);
+        r->next++;
+        r->inside = place;
+    }
+    r->inside = x;
+    return status;
+}
+
+int pm_history_inside(pm_workspace *w, double x)
+{
+    const pm_history *r = w->record.history;
+    if (!r || x <= r->inside) return PM_OK;
+    return r->every > 0 ? record_grid(w, x) : record_nodes(w, x);
 }

@@ -137,6 +137,9 @@
 #define PM_TIME_BUDGET 4096 /* stretches that are looked at for a switch; more would only put off a phase end */
 #define PM_TIME_SAME 2.3e-16 /* of the time: neighbouring numbers; larger: switches less exact */
 #define PM_TIME_TOGETHER 1e-14 /* of the time: a switch that is so near belongs to an instant; larger: switches less exact, less: no step fits between */
+#define PM_HISTORY_PARTING 0.4 /* of a stretch between two rows of a history: off the middle, where a chord may cross; less: a worse look */
+#define PM_HISTORY_SAFETY 2.0 /* times what a chord misses there: it misses more elsewhere; larger: more rows, less: bends are passed */
+#define PM_HISTORY_PARTINGS 10 /* of a stretch between two nodes, at a corner or a jump; more: rows nearer to it */
 #define PM_TIME_WIDER 0.5 /* of the range of the bends at samples: beyond it they do not tell the stretch; larger: pulses are missed */
 #define PM_TIME_LEVEL 1e-3 /* of their size, likewise */
 #define PM_TIME_PARTS 64 /* of a stretch, halved to be told; more: fewer needless cuts, each dearer */

@@ -241,6 +241,7 @@ void pm_run_fail_asks(const pm_model *model, pm_result *result)
 static int end_early(pm_workspace *w, int status)
 {
     const pm_where where = w->result.where; /* of the stop itself */
+    (void)pm_history_end(w);                /* a state that has no accelerations has no row */
     const int audit = pm_ledger_close(w);
     pm_ask_keep(w, audit != PM_OK, audit ? PM_REASON_FAILED : PM_REASON_NOT_REACHED);
     if (audit && status != PM_STRAND_ENDS) return audit; /* of a strand's end the cause is known */

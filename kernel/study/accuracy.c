@@ -104,7 +104,7 @@ static void make_pass(pm_workspace *w, const double *param, pm_pass *p, double f
     w->result.audit = p->audit;
     w->numbers.coarse = coarse ? PM_ACCURACY_COARSE : 1;
     if (coarse) w->record.history = NULL, w->record.phases = NULL;
-    if (w->record.history) w->record.history->needed = 0; /* the last pass is the one recorded */
+    if (w->record.history) pm_history_reset(w->record.history); /* the last pass is the one recorded */
     if (w->record.phases) w->record.phases->needed = w->record.phases->steps = w->record.phases->repeated = 0;
     p->status = run_once(w, param, p->found);
     w->record.history = trace;

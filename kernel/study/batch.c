@@ -217,8 +217,9 @@ static int run_recorded(pm_workspace *w, const double *param, int32_t *where, do
 }
 
 int pm_trace(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t nparam,
-             const double *param, const int32_t *stop, int64_t ntrace, const int32_t *trace_program,
-             int64_t cap, double *history, int32_t *mark, int64_t *needed, int32_t *where, double *detail)
+             const double *param, const int32_t *stop, double every, int64_t ntrace,
+             const int32_t *trace_program, const double *bend, int64_t cap, double *history, int32_t *mark,
+             int64_t *needed, int32_t *where, double *detail)
 {
     pm_model *model;
     pm_workspace *w;
@@ -226,13 +227,20 @@ int pm_trace(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
     int status =
         open_one(pm_model_create, ntable, table, nconstant, constant, nparam, &model, &w, where, detail);
     if (status) return status;
-    pm_history record = {
-        .nprogram = ntrace, .cap = cap, .program = trace_program, .history = history, .mark = mark};
+    pm_history record = {.nprogram = ntrace,
+                         .cap = cap,
+                         .program = trace_program,
+                         .bend = bend,
+                         .every = every,
+                         .history = history,
+                         .mark = mark};
     for (int64_t i = 0; i < ntrace && !status; i++)
         if (trace_program[i] < 0 || trace_program[i] >= w->model->rows[PM_TABLE_PROGRAM])
             status = PM_BAD_TABLE;
+    if (!(every >= 0)) status = PM_BAD_TABLE;
     w->record.history = &record;
     w->patience.stop = stop;
+    if (!status) status = pm_history_create(w, &record);
     if (!status) status = run_recorded(w, param, where, detail);
     *needed = record.needed;
     return close_one(model, w, status);

@@ -355,4 +355,34 @@ FAULTS = [
         "*x = may_cross(f, g[k]) ?",
         "*x = may_cross(f, g[k]) || 1 ?",
     ),
+    Fault(
+        "history: times of the grid lie where the step begins",
+        "events/history.c",
+        "*place = fmax(wanted, r->inside);",
+        "*place = r->inside;",
+    ),
+    Fault(
+        "history: along a path times of the grid are not looked for",
+        "events/history.c",
+        "return pm_fail_search(&w->result, pm_bracket_find(",
+        "return PM_OK; pm_fail_search(&w->result, pm_bracket_find(",
+    ),
+    Fault(
+        "history: lines miss what they should not",
+        "events/history.c",
+        "> r->bend[i - 1]) return 1;",
+        "> 16 * r->bend[i - 1]) return 1;",
+    ),
+    Fault(
+        "history: a time of the grid at an instant is told again",
+        "events/history.c",
+        "if (r->every > 0 && grid_time(r) <=",
+        "if (0 && grid_time(r) <=",
+    ),
+    Fault(
+        "history: a run that ends early has no end",
+        "events/history.c",
+        "return r && r->every > 0 ? record(w, 0) : PM_OK;",
+        "return PM_OK * (r == NULL);",
+    ),
 ]

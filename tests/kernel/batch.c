@@ -227,17 +227,18 @@ static void trace(void)
 {
     scene *s = bars();
     const int32_t program[] = {s->cell[PM_TABLE_TRIGGER][PM_TRIGGER_COLUMNS + PM_TRIGGER_PROGRAM]};
+    const double bend[] = {INFINITY};
     static double small[4][2], large[20000][2];
     static int32_t small_mark[4], mark[20000];
     int64_t needed, again;
     int32_t where[3];
     double detail[3];
     const double *p = param[20];
-    const int status = pm_trace(s->ntable, s->table, s->nconstant, s->constant, s->nparam, p, NULL, 1,
-                                program, 4, small[0], small_mark, &needed, where, detail);
+    const int status = pm_trace(s->ntable, s->table, s->nconstant, s->constant, s->nparam, p, NULL, 0, 1,
+                                program, bend, 4, small[0], small_mark, &needed, where, detail);
     CHECK(needed > 4 && needed < 20000);
-    EQUAL(pm_trace(s->ntable, s->table, s->nconstant, s->constant, s->nparam, p, NULL, 1, program, needed,
-                   large[0], mark, &again, where, detail),
+    EQUAL(pm_trace(s->ntable, s->table, s->nconstant, s->constant, s->nparam, p, NULL, 0, 1, program, bend,
+                   needed, large[0], mark, &again, where, detail),
           status);
     EQUAL(again, needed);
     CHECK(!memcmp(small, large, sizeof small) && !memcmp(small_mark, mark, sizeof small_mark));
@@ -257,8 +258,8 @@ static void trace(void)
     }
     EQUAL(strikes, x.count[20][PM_COUNT_EVENTS] - 1);
     const int32_t wrong[] = {100000};
-    EQUAL(pm_trace(s->ntable, s->table, s->nconstant, s->constant, s->nparam, p, NULL, 1, wrong, 4, small[0],
-                   small_mark, &needed, where, detail),
+    EQUAL(pm_trace(s->ntable, s->table, s->nconstant, s->constant, s->nparam, p, NULL, 0, 1, wrong, bend, 4,
+                   small[0], small_mark, &needed, where, detail),
           PM_BAD_TABLE);
     scene_free(s);
 }

@@ -30,6 +30,8 @@ from .reading.validate import validate
 from .sweep.cache import Kept
 
 if TYPE_CHECKING:
+    import xarray
+
     from .compile.flatten import FlatScene
     from .engine.result import RunResult
 
@@ -208,6 +210,26 @@ class Scene:
         from .run import run
 
         return run(self.with_values(parameters) if parameters else self)
+
+    def history(
+        self, *quantities: str, every: Any = None, of_run: str | None = None, **parameters: Any
+    ) -> xarray.Dataset:
+        """The scene over time, with other values for some parameters.
+
+        `quantities`: expressions such as "AB.omega" or "A.force.x", each a variable; without any, positions,
+        velocities and energies, and the reactions that asks read.  `every`: a time such as "10 ms"; without
+        it there are as many instants as straight lines between them need to be true to a thousandth of what
+        is shown.  `of_run`: which of its [runs] (default: the first).  Every event has two rows, before and
+        after its jump.
+
+        The dataset has the dimension t with the coordinates t (s), mark (0 between events, 1 before, 2 after
+        one) and event (its name); every variable has its SI unit in the attribute `units`.  A run that ends
+        early has what there is, and says so in the attribute `status`.  Raises SceneError for a fault,
+        SimulationError if nothing can be recorded.
+        """
+        from .history import history
+
+        return history(self.with_values(parameters), quantities, every=every, run=of_run)
 
     def sweep(
         self,

@@ -12,6 +12,8 @@ from .errors import StudyError
 
 # Endings of pictures, and so their formats.
 PICTURES = ("png", "svg", "pdf")
+# The same of histories.
+HISTORIES = ("h5", "nc", "csv")
 _FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG}
 _FULL_TEXTS = ("no space left", "quota exceeded", "file too large")  # HDF5 does not always pass the number on
 

@@ -6,6 +6,7 @@ import json
 import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager, suppress
+from dataclasses import dataclass
 from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -14,7 +15,7 @@ import click
 
 from ..base.bounded import shown
 from ..base.errors import SceneError, SimulationError, StudyError
-from ..base.files import appearing
+from ..base.files import HISTORIES, appearing, ending
 from .options import FAILED, WRONG, a_path, say, set_option, terminal_width
 
 if TYPE_CHECKING:
@@ -25,12 +26,45 @@ _SHOWN_OF_LIST = 6
 _DIGITS = 8  # significant, of an answer
 
 
+@dataclass(frozen=True)
+class _Recording:
+    """What is written over time: into which file, at which times, which quantities."""
+
+    file: Path | None
+    every: str | None
+    quantities: Sequence[str]
+
+
+def _history_file(_ctx: click.Context, _option: click.Parameter, out: Path | None) -> Path | None:
+    """An ending that is no history's is refused before anything is computed."""
+    if out is not None:
+        ending(out, HISTORIES, "a history")
+    return out
+
+
 @click.command()
 @click.argument("paths", nargs=-1, required=True, type=a_path)
 @click.option("--json", "json_out", metavar="OUT", help="Write the answers as JSON to OUT (- for stdout).")
 @set_option
 @click.option(
-    "--history", "history_out", metavar="FILE.h5", type=a_path, help="Record the motion of one scene."
+    "--history",
+    "history_out",
+    metavar="FILE",
+    type=a_path,
+    callback=_history_file,
+    help="Record one scene over time: .h5, .nc or .csv.",
+)
+@click.option(
+    "--every",
+    metavar="TIME",
+    help='Times of the history ("10 ms"; default: as many as straight lines between them need).',
+)
+@click.option(
+    "--quantity",
+    "quantities",
+    metavar="EXPRESSION",
+    multiple=True,
+    help="What to record, such as A.force.x (default: motion, energies, what the asks read). Repeatable.",
 )
 @click.pass_context
 def run(
@@ -39,12 +73,17 @@ def run(
     json_out: str | None,
     values: Mapping[str, str],
     history_out: Path | None,
+    every: str | None,
+    quantities: Sequence[str],
 ) -> None:
     """Run scenes and answer what they ask.
 
     PATHS are files, or folders whose *.toml files are run. A study runs its base case. A scene that fails
     does not stop the others; the exit status is 0 only if every one is ok.
     """
+    if history_out is None and (every is not None or quantities):
+        raise click.UsageError("--every and --quantity are for --history FILE")
+    wanted = _Recording(history_out, every, quantities)
     files = _scene_files(paths)
     if history_out is not None and len(files) > 1:
         raise click.UsageError(f"--history records one scene, but {len(files)} files are given")
@@ -54,7 +93,7 @@ def run(
         json_path = outputs.enter_context(claimed(Path(json_out))) if json_out not in (None, "-") else None
         history_path = outputs.enter_context(claimed(history_out)) if history_out is not None else None
         for file in files:
-            entry, text, status = _run_one(file, values, history_path)
+            entry, text, status = _run_one(file, values, wanted, history_path)
             worst = max(worst, status)
             entries.append(entry)
             if json_out is None:
@@ -67,9 +106,9 @@ def run(
                 click.echo(document, nl=False)
             else:
                 json_path.write_text(document, encoding="utf-8", errors="backslashreplace")
-    for written in (json_out if json_out != "-" else None, history_out):
-        if written is not None and Path(written).exists():
-            say(f"wrote {written}")
+        written = [history_out] if history_path is not None and _is_written(history_path) else []
+    for path in (*([json_out] if json_path is not None else []), *written):
+        say(f"wrote {path}")
     ctx.exit(worst)
 
 
@@ -91,8 +130,13 @@ def _is_hidden(path: Path) -> bool:
     return any(part.startswith(".") for part in path.parts)
 
 
-def _run_one(file: Path, values: Mapping[str, str], history: Path | None) -> tuple[dict[str, Any], str, int]:
-    """One scene: its entry for JSON, its text for people, its exit status.  Raises no SceneError."""
+def _run_one(
+    file: Path, values: Mapping[str, str], wanted: _Recording, history: Path | None
+) -> tuple[dict[str, Any], str, int]:
+    """One scene: its entry for JSON, its text for people, its exit status.  Raises no SceneError.
+
+    `history`: where it is recorded, if it is.
+    """
     from ..file import load
     from ..run import simulate
 
@@ -102,7 +146,7 @@ def _run_one(file: Path, values: Mapping[str, str], history: Path | None) -> tup
         identity = scene.id
         result = simulate(scene)
         if history is not None:
-            _record(scene, history)
+            _record(scene, wanted, history)
     except SceneError as error:
         entry = {"id": identity, "file": os.fspath(file), "status": "bad_input", "error": str(error)}
         return {**entry, "route": [], "asks": {}, "audit": {}}, "", WRONG
@@ -112,17 +156,15 @@ def _run_one(file: Path, values: Mapping[str, str], history: Path | None) -> tup
     return result.to_json(), _answers(scene, result), 0 if result.ok else FAILED
 
 
-def _record(scene: Scene, path: Path) -> None:
+def _record(scene: Scene, wanted: _Recording, path: Path) -> None:
     """Writes the history of a scene, of each of its [runs]."""
-    from ..compile.flatten import flatten
-    from ..engine import call, history
+    from ..engine import history
+    from ..history import record_runs
 
-    runs = {}
-    for run in scene.run_names or (None,):
-        flat = flatten(scene, run)
-        runs[run or ""] = call.trace(flat, flat.defaults)
+    assert wanted.file is not None
+    runs = record_runs(scene, wanted.quantities, every=wanted.every)
     attributes = {"id": scene.id, "title": scene.data.title, "scene": scene.text}
-    history.write(path, runs, attributes)
+    history.write(path, runs, attributes, ending(wanted.file, HISTORIES, "a history"))
 
 
 def _answers(scene: Scene, result: RunResult) -> str:
@@ -196,6 +238,11 @@ def _number(value: float | None) -> str:
     return "-" if value is None else f"{value:.{_DIGITS}g}"
 
 
+def _is_written(claimed: Path) -> bool:
+    """Whether something stands in a claimed place, or it is a device."""
+    return not claimed.is_file() or claimed.stat().st_size > 0
+
+
 class _NothingWritten(Exception):
     """Leaves a claimed place as it was."""
 
@@ -217,5 +264,5 @@ def claimed(path: Path) -> Iterator[Path]:
     with suppress(_NothingWritten), appearing(path.resolve()) as temporary:
         temporary.touch()
         yield temporary
-        if temporary.stat().st_size == 0:
+        if not _is_written(temporary):
             raise _NothingWritten

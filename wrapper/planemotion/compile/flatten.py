@@ -7,9 +7,9 @@ program over the parameters, so that one `FlatScene` serves all cases of a sweep
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import TypeVar
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TypeAlias, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -36,12 +36,14 @@ from .elements import JointInfo, add_coupling, add_force, add_joint, drive
 from .ends import check_ends
 from .events import Instants, add_event, firing
 from .finds import Finds, FlatFind
-from .histories import trace_columns
+from .histories import Columns, HistoryColumns
 from .measure_rows import Scope
 from .measures import Measures
 from .spin import Spins
 from .starts import Starts
 
+# Whether a history can be made, and of what: all, nothing, or these expressions; none: the usual.
+History: TypeAlias = bool | Sequence[str]
 _E = TypeVar("_E", Body, Joint, Coupling, Contact, Force)
 _COLUMNS = {
     number: getattr(layout, f"{name.replace('_TABLE_', '_')}_COLUMNS")
@@ -59,7 +61,7 @@ class FlatScene:
     `table`, `constant`: as planemotion.h says.  `parameters`: names of the columns of param, with `defaults`
     (SI) and `units` as in the file.  `asks`: columns of out.  `names[table][row]`: key paths.  `trace`:
     column name -> (program, unit) of a history.  `bodies`, `points`: names by kernel index.  `find`: what is
-    sought, if anything.
+    sought, if anything.  `instants`: likewise, what tells which events fired at an instant of a history.
     """
 
     id: str
@@ -75,6 +77,7 @@ class FlatScene:
     trace: Mapping[str, tuple[int, str]]
     bodies: tuple[str, ...]
     find: FlatFind | None = None
+    instants: Mapping[str, tuple[int, str]] = field(default_factory=dict)
 
     @property
     def out_columns(self) -> int:
@@ -92,14 +95,15 @@ def flatten(
     scene: SceneData | HasData,
     run_name: str | None = None,
     *,
-    history: bool = True,
+    history: History = True,
     firings: int = EACH_FIRINGS,
 ) -> FlatScene:
     """The tables of a scene.
 
     `run_name` chooses one of [runs]; without it the first is taken if there are any.  An ask that names no
     run is answered in the first.  Swept parameters are columns of `param` even where the file gives an
-    expression.  `history`: with the columns of one, which a sweep does not need.  `firings`: how long an
+    expression.  `history`: with the columns of one, which a sweep does not need: all there are, or those of
+    motion, energies and what the asks read (empty), or these expressions.  `firings`: how long an
     answer "each EVENT" may be.  Raises SceneError with file and key path.
     """
     data = scene if isinstance(scene, SceneData) else scene.data
@@ -129,7 +133,7 @@ class _Flattener:
         self.scope = self._elements()
         self.measures = Measures(self.drawn, self.reader, self.tables, self.scope)
 
-    def flat(self, history: bool, firings: int) -> FlatScene:
+    def flat(self, history: History, firings: int) -> FlatScene:
         data, tables = self.data, self.tables
         self._check_masses()
         Spins(self.drawn, self.reader, tables).add(data)
@@ -154,7 +158,7 @@ class _Flattener:
             finds = Finds(self.scope.events, asks, self.measures, self.reader, tables)
             found = finds.add(*self.find)
         self._settings(nudge)
-        trace = trace_columns(self.measures, tables, self.scope, self.drawing) if history else {}
+        trace, told = self._recorded(history)
         self._check_sizes()
         check_bounds(tables, data)
         check_ends(tables, data, {*data.sweep.grids, *self.varied})
@@ -174,7 +178,18 @@ class _Flattener:
             trace=trace,
             bodies=tuple(self.drawing.bodies),
             find=found,
+            instants=told,
         )
+
+    def _recorded(self, history: History) -> tuple[Columns, Columns]:
+        """The columns of a history, and what tells of its instants."""
+        columns = HistoryColumns(self.measures, self.tables, self.scope, self.drawing)
+        if history is False:
+            return {}, {}
+        if history is True:
+            return columns.everything(), columns.instants()
+        chosen = columns.chosen(history) if history else columns.of_asks(self.data.ask)
+        return chosen, columns.instants()
 
     # ---- elements ----
 

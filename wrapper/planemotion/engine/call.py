@@ -16,7 +16,7 @@ import numpy.typing as npt
 
 from .. import _layout as layout
 from ..base.arrays import Floats, Ints, Longs
-from ..base.errors import SimulationError
+from ..base.errors import SimulationError, StudyError
 from ..compile.flatten import FlatScene
 from .evaluator import value_table
 from .heard import heard
@@ -26,6 +26,8 @@ from .outcome import CaseResults, History, Phase, Start
 
 # Rows that a history is first given room for; the kernel says how many it needs.
 _FIRST_ROWS = 4096
+# Numbers of the largest history: 1.6 GB.
+_MOST_NUMBERS = 200_000_000
 
 
 def run_cases(
@@ -81,32 +83,44 @@ def run_cases(
     return results
 
 
-def trace(flat: FlatScene, param: npt.ArrayLike) -> History:
-    """Runs one case and records the columns of `flat.trace` at every step and around every event.
+def trace(
+    flat: FlatScene, param: npt.ArrayLike, *, every: float = 0.0, bends: npt.ArrayLike | None = None
+) -> History:
+    """Runs one case and records the columns of `flat.instants` and `flat.trace`, each once, in this order.
 
-    `param` [parameters]; what is sought is found first.  Raises SimulationError only if nothing at all can be
-    recorded; a run that fails on the way gives what it has, with its status.
+    At its start and end, around every event and, between them, every so many seconds, or else at places of
+    every step: so many that a straight line over time misses column i by at most `bends[i]` in its SI unit
+    (None: whatever it misses).  `param` [parameters]; what is sought is found first.  Raises SimulationError
+    only if nothing at all can be recorded, or too much is asked for; a run that fails on the way gives what
+    it has, with its status.
     """
     case = _found(flat, _params(flat, np.atleast_2d(np.asarray(param))))[0]
-    programs = np.array([program for program, _ in flat.trace.values()], np.int32)
+    recorded = {**flat.instants, **flat.trace}
+    programs = np.array([program for program, _ in recorded.values()], np.int32)
+    bend = np.full(len(programs), np.inf) if bends is None else np.ascontiguousarray(bends, np.float64)
+    if bend.shape != programs.shape:
+        raise ValueError(f"bends has the shape {bend.shape}; {programs.shape} is wanted")
     rows = _FIRST_ROWS
     while True:
         history = np.full((rows, 1 + len(programs)), np.nan)
         mark = np.zeros(rows, np.int32)
         needed = np.zeros(1, np.int64)
         where, detail = _place()
-        given = (history, mark, needed, where, detail)
-        status = heard(
-            partial(_with_stop, kernel().pm_trace, (flat.table, flat.constant, case), (programs, *given))
-        )
+        given = (every, programs, bend, history, mark, needed, where, detail)
+        status = heard(partial(_with_stop, kernel().pm_trace, (flat.table, flat.constant, case), given))
         if needed[0] <= rows:
             break
         rows = int(needed[0])
+        if rows * (1 + len(programs)) > _MOST_NUMBERS:
+            raise StudyError(
+                f"a history of {rows:.3g} instants with {len(programs)} columns is too large; "
+                f"record less often, or fewer quantities (at most {_MOST_NUMBERS:.0e} numbers)"
+            )
     if needed[0] == 0 and status < layout.PM_OK:
         _raise(flat, status, where, detail)
     used = int(needed[0])
-    columns = {name: history[:used, 1 + index].copy() for index, name in enumerate(flat.trace)}
-    units = {name: unit for name, (_, unit) in flat.trace.items()}
+    columns = {name: history[:used, 1 + index].copy() for index, name in enumerate(recorded)}
+    units = {name: unit for name, (_, unit) in recorded.items()}
     return History(history[:used, 0].copy(), columns, units, mark[:used], int(status))
 
 

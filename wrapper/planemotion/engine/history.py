@@ -1,22 +1,26 @@
-"""A recorded run as an HDF5 file: everything that moved and pushed, over time.
+"""A recorded run as a file or as a dataset: what moved and pushed, over time.
 
-The file is a netCDF-4 file along the dimension `row`, one row for every step that was taken and two for every
-event, before and after its jump:
+Both have the dimension `t`, with one row for each recorded time and two for every event, before and after its
+jump:
 
     t                    time, s
-    mark                 0 a step, 1 just before an event, 2 just after it
+    mark                 0 a time between events, 1 just before an event, 2 just after it
+    event                names of what happened there, "" between events
     AB.B.velocity.x ...  what was recorded, named by its address, with its unit in the attribute `units`
 
-In a scene with [runs] each run is a group of its own with the same content.
+An HDF5 file (.h5 or .nc) is a netCDF-4 file; in a scene with [runs] each run is a group of its own with the
+same content.  A table (.csv) has the units in its header, and the run in its first column.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import csv
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import numpy.typing as npt
 
 from ..base.arrays import Floats
 from ..base.bounded import require_file
@@ -24,9 +28,14 @@ from ..base.errors import StudyError
 from .kernel import status_name
 from .outcome import History
 
+if TYPE_CHECKING:
+    import xarray
+
 STEP, BEFORE, AFTER = 0, 1, 2
 _MARKS = {STEP: "step", BEFORE: "before_event", AFTER: "after_event"}
 _KIND = "planemotion history"
+# Names of what is no quantity.
+_TIME, _MARK, _EVENT = "t", "mark", "event"
 
 
 def event_times(recorded: History) -> Floats:
@@ -34,11 +43,57 @@ def event_times(recorded: History) -> Floats:
     return np.unique(recorded.time[recorded.mark == AFTER])
 
 
-def write(path: Path, runs: Mapping[str, History], attributes: Mapping[str, Any]) -> None:
+def dataset(recorded: History, attributes: Mapping[str, Any]) -> xarray.Dataset:
+    """The history: coordinates t, mark and event, and a variable [t] with its unit for each column."""
+    import xarray
+
+    variables = {
+        name: ("t", values, {"units": _unit(name, recorded.units[name])})
+        for name, values in recorded.columns.items()
+    }
+    flags = {"flag_values": list(_MARKS), "flag_meanings": " ".join(_MARKS.values())}
+    coordinates = {
+        _TIME: ("t", recorded.time, {"units": "s"}),
+        _MARK: ("t", recorded.mark.astype(np.int8), flags),
+        _EVENT: ("t", np.array(_events(recorded), dtype=object)),
+    }
+    told = {**attributes, "status": status_name(recorded.status)}
+    return xarray.Dataset(variables, coordinates, told)
+
+
+def _events(recorded: History) -> tuple[str, ...]:
+    return recorded.events or ("",) * len(recorded.time)
+
+
+def write(path: Path, runs: Mapping[str, History], attributes: Mapping[str, Any], ending: str = "h5") -> None:
     """Writes the recorded runs; the one run of a scene without [runs] has the name "".
 
-    Raises OSError if the file cannot be written.
+    `ending`: one of HISTORIES, which `path` need not have.  Raises OSError if the file cannot be written.
     """
+    if ending == "csv":
+        _write_table(path, runs)
+    else:
+        _write_hdf5(path, runs, attributes)
+
+
+def _write_table(path: Path, runs: Mapping[str, History]) -> None:
+    """One row for each time of each run; the columns of a run that another does not have are empty there."""
+    units = {name: _unit(name, unit) for recorded in runs.values() for name, unit in recorded.units.items()}
+    named = any(runs)
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        table = csv.writer(file, lineterminator="\n")
+        heads = [f"{name} [{unit}]" for name, unit in units.items()]
+        table.writerow([*(["run"] if named else []), "t [s]", *heads, _MARK, _EVENT])
+        for run, recorded in runs.items():
+            columns = [recorded.columns.get(name) for name in units]
+            events = _events(recorded)
+            for i, time in enumerate(recorded.time):
+                values = ["" if column is None else repr(float(column[i])) for column in columns]
+                mark = _MARKS[int(recorded.mark[i])]
+                table.writerow([*([run] if named else []), repr(float(time)), *values, mark, events[i]])
+
+
+def _write_hdf5(path: Path, runs: Mapping[str, History], attributes: Mapping[str, Any]) -> None:
     import h5netcdf
     import h5py
 
@@ -57,13 +112,24 @@ def write(path: Path, runs: Mapping[str, History], attributes: Mapping[str, Any]
         raise OSError(str(error)) from error
 
 
+def _letters(texts: Sequence[str]) -> npt.NDArray[np.bytes_]:
+    """Texts as bytes [texts, letters]: texts of any length are what a damaged file hangs on."""
+    coded = [text.encode() for text in texts]
+    longest = max(map(len, coded), default=0) or 1
+    return np.array([list(text.ljust(longest, b"\0")) for text in coded], np.uint8).view("S1")
+
+
 def _write_run(group: Any, recorded: History) -> None:
-    group.dimensions["row"] = len(recorded.time)
-    group.create_variable("t", ("row",), "f8", data=recorded.time).attrs["units"] = "s"
-    mark = group.create_variable("mark", ("row",), "i1", data=recorded.mark.astype(np.int8))
+    letters = _letters(_events(recorded))
+    group.dimensions["letter"] = letters.shape[1]
+    group.dimensions["t"] = len(recorded.time)
+    group.create_variable(_TIME, ("t",), "f8", data=recorded.time).attrs["units"] = "s"
+    mark = group.create_variable(_MARK, ("t",), "i1", data=recorded.mark.astype(np.int8))
+    group.create_variable(_EVENT, ("t", "letter"), "S1", data=letters).attrs["_Encoding"] = "utf-8"
+    group.attrs["coordinates"] = f"{_MARK} {_EVENT}"
     mark.attrs.update(flag_values=np.array(list(_MARKS), np.int8), flag_meanings=" ".join(_MARKS.values()))
     for address, values in recorded.columns.items():
-        variable = group.create_variable(address, ("row",), "f8", data=values, fillvalue=np.nan)
+        variable = group.create_variable(address, ("t",), "f8", data=values, fillvalue=np.nan)
         variable.attrs["units"] = _unit(address, recorded.units[address])
     group.attrs.update(status=np.int32(recorded.status), status_word=status_name(recorded.status))
 
@@ -102,8 +168,10 @@ def read(path: Path) -> tuple[dict[str, History], dict[str, Any]]:
 
 
 def _read_run(group: Any) -> History:
-    named = {name: item for name, item in group.items() if name not in ("t", "mark", "row")}
+    named = {name: item for name, item in group.items() if name not in (_TIME, _MARK, _EVENT, "letter")}
     columns = {name: item[...].astype(np.float64) for name, item in named.items()}
     units = {name: str(item.attrs["units"]) for name, item in named.items()}
     status = int(np.ravel(group.attrs["status"])[0])
-    return History(group["t"][...], columns, units, group["mark"][...].astype(np.int32), status)
+    mark = group[_MARK][...].astype(np.int32)
+    events = tuple(b"".join(letters).decode("utf-8", "replace") for letters in group[_EVENT][...])
+    return History(group[_TIME][...], columns, units, mark, status, events)

@@ -36,13 +36,15 @@ class CaseResults:
 @dataclass(frozen=True)
 class History:
     """One run over time: `time` [n], `columns` name -> [n] in SI, `units`; `mark` 0 step, 1 before and 2
-    after an event; `status` as of the run."""
+    after an event; `status` as of the run; `events` [n]: what happened there, by name, "" where nothing or
+    nothing that has a name did."""
 
     time: Floats
     columns: Mapping[str, Floats]
     units: Mapping[str, str]
     mark: Ints
     status: int
+    events: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,63 @@
+"""One scene over time: what moves, recorded between steps as exactly as at their ends."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from .base.errors import SceneError
+from .compile.flatten import flatten
+from .engine import recording
+from .engine.history import dataset
+from .language.dimensions import TIME
+from .language.units import parse_quantity
+
+if TYPE_CHECKING:
+    import xarray
+
+    from .engine.outcome import History
+    from .scene import Scene
+
+
+def history(
+    scene: Scene, quantities: Sequence[str] = (), *, every: Any = None, run: str | None = None
+) -> xarray.Dataset:
+    """The history of one run as a dataset: see Scene.history."""
+    recorded = record(scene, quantities, every=every, run=run)
+    told = {"id": scene.id, "title": scene.data.title, "scene": scene.text}
+    return dataset(recorded, told if run is None else {**told, "run": run})
+
+
+def record(
+    scene: Scene, quantities: Sequence[str] = (), *, every: Any = None, run: str | None = None
+) -> History:
+    """The history of one run, SI.
+
+    `quantities`: expressions; none: positions, velocities and energies, and the reactions that asks read.
+    `every`: a time such as "10 ms", or a number in s; None: as many instants as straight lines need.  Raises
+    SceneError for what the scene does not have, SimulationError if nothing can be recorded.
+    """
+    seconds = None if every is None else seconds_of(every)
+    return recording.record(flatten(scene, run, history=tuple(quantities)), every=seconds)
+
+
+def record_runs(scene: Scene, quantities: Sequence[str] = (), *, every: Any = None) -> dict[str, History]:
+    """The histories of all its [runs] by name; the one of a scene without them has the name "".
+
+    Errors as of `record`."""
+    return {run or "": record(scene, quantities, every=every, run=run) for run in scene.run_names or (None,)}
+
+
+def seconds_of(every: Any) -> float:
+    """A time above zero in s, from a text or a quantity with its unit, or a number.  Raises SceneError."""
+    try:
+        quantity = parse_quantity(every)
+    except SceneError as error:
+        raise error.at(path="every", value=every) from None
+    if quantity.dimension != TIME and quantity.unit_text:
+        raise SceneError(
+            f'{quantity.dimension.phrase}; a time such as "10 ms" is wanted', path="every", value=every
+        )
+    if not quantity.value_si > 0:
+        raise SceneError("a time above zero is wanted", path="every", value=every)
+    return float(quantity.value_si)
