@@ -15,7 +15,7 @@ export PATH := $(CURDIR)/$(BIN):$(PATH)
 .NOTPARALLEL:
 unexport MAKEFLAGS
 
-.PHONY: help setup demo bench bench-long calibrate gallery test test-kernel test-python lint format sanitize faults stress clean
+.PHONY: help setup demo bench bench-long calibrate gallery test test-kernel test-python test-browser lint format sanitize faults stress clean
 
 help:
 	@echo 'make demo         run the study studies/sphere_over_bars.toml; its files go to build/demo'
@@ -24,6 +24,7 @@ help:
 	@echo 'make lint         style and types only'
 	@echo 'make test-kernel  the C tests only'
 	@echo 'make test-python  the Python tests only'
+	@echo 'make test-browser the player of animations in Chromium, which it installs'
 	@echo 'make format       rewrite the sources in the house style'
 	@echo 'make sanitize     the C tests under ASan and UBSan (SANITIZE=thread: under TSan)'
 	@echo 'make faults       plant faults in a copy of the kernel: the C tests must catch each'
@@ -48,6 +49,10 @@ test-kernel: setup
 
 test-python: setup
 	$(BIN)/python -m pytest
+
+test-browser:
+	@.ci/setup --browser
+	PLANEMOTION_BROWSER=required $(BIN)/python -m pytest tests/animation/test_browser.py
 
 lint: setup
 	$(BIN)/ruff check .

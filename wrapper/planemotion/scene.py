@@ -32,6 +32,7 @@ from .sweep.cache import Kept
 if TYPE_CHECKING:
     import xarray
 
+    from .animate import Animation
     from .compile.flatten import FlatScene
     from .engine.result import RunResult
 
@@ -230,6 +231,18 @@ class Scene:
         from .history import history
 
         return history(self.with_values(parameters), quantities, every=every, run=of_run)
+
+    def animate(self, *, of_run: str | None = None, **parameters: Any) -> Animation:
+        """The scene in motion, with other values for some parameters; a notebook shows it, with a player.
+
+            scene.animate(d="2 in").save("scene.html")
+
+        `of_run`: which of its [runs] (default: the first).  `save` writes one page of HTML that needs nothing
+        else, or a GIF or MP4.  Raises SceneError for a fault, SimulationError if nothing can be recorded.
+        """
+        from .animate import animate
+
+        return animate(self.with_values(parameters), of_run)
 
     def sweep(
         self,

@@ -12,6 +12,8 @@ from .errors import StudyError
 
 # Endings of pictures, and so their formats.
 PICTURES = ("png", "svg", "pdf")
+# The same of animations.
+ANIMATIONS = ("html", "gif", "mp4")
 # The same of histories.
 HISTORIES = ("h5", "nc", "csv")
 _FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG}

@@ -1,4 +1,4 @@
-"""The commands that draw: plot, draw."""
+"""The commands that draw: plot, draw, animate."""
 
 from __future__ import annotations
 
@@ -7,7 +7,8 @@ from pathlib import Path
 
 import click
 
-from ..base.files import PICTURES, ending
+from ..animation.needs import require
+from ..base.files import ANIMATIONS, PICTURES, ending
 from .options import FAILED, a_path, say, set_option
 
 
@@ -15,6 +16,13 @@ def _picture(_ctx: click.Context, _option: click.Parameter, out: Path | None) ->
     """An ending that is no picture's is refused before anything is computed."""
     if out is not None:
         ending(out, PICTURES, "a picture")
+    return out
+
+
+def _animation(_ctx: click.Context, _option: click.Parameter, out: Path | None) -> Path | None:
+    """The same for an animation."""
+    if out is not None:
+        require(ending(out, ANIMATIONS, "an animation"))
     return out
 
 
@@ -63,4 +71,33 @@ def draw(ctx: click.Context, scene: Path, out: Path | None, values: Mapping[str,
     click.echo(target)
     if start.fault:
         say(start.fault, error=True)
+        ctx.exit(FAILED)
+
+
+@click.command()
+@click.argument("scene", type=a_path)
+@click.option(
+    "--out",
+    metavar="FILE",
+    type=a_path,
+    callback=_animation,
+    help="The animation, .html, .gif or .mp4 (default: SCENE's name with .html, here).",
+)
+@click.option("--run", "run", metavar="NAME", help="Which of its [runs] (default: the first).")
+@set_option
+@click.pass_context
+def animate(
+    ctx: click.Context, scene: Path, out: Path | None, run: str | None, values: Mapping[str, str]
+) -> None:
+    """Run a scene and show it in motion.
+
+    HTML is one page that needs nothing else: play, scrub, slow motion, step from event to event.
+    """
+    from ..animate import animate as animated
+    from ..file import load
+
+    made = animated(load(scene).with_values(values), run)
+    click.echo(made.save(out or Path(f"{scene.stem}.html")))
+    if made.fault:
+        say(made.fault, error=True)
         ctx.exit(FAILED)

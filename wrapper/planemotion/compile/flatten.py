@@ -7,7 +7,7 @@ program over the parameters, so that one `FlatScene` serves all cases of a sweep
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TypeAlias, TypeVar
 
@@ -43,7 +43,7 @@ from .spin import Spins
 from .starts import Starts
 
 # Whether a history can be made, and of what: all, nothing, or these expressions; none: the usual.
-History: TypeAlias = bool | Sequence[str]
+History: TypeAlias = bool | Sequence[str] | Callable[[HistoryColumns], Columns]
 _E = TypeVar("_E", Body, Joint, Coupling, Contact, Force)
 _COLUMNS = {
     number: getattr(layout, f"{name.replace('_TABLE_', '_')}_COLUMNS")
@@ -103,8 +103,8 @@ def flatten(
     `run_name` chooses one of [runs]; without it the first is taken if there are any.  An ask that names no
     run is answered in the first.  Swept parameters are columns of `param` even where the file gives an
     expression.  `history`: with the columns of one, which a sweep does not need: all there are, or those of
-    motion, energies and what the asks read (empty), or these expressions.  `firings`: how long an
-    answer "each EVENT" may be.  Raises SceneError with file and key path.
+    motion, energies and what the asks read (empty), or these expressions, or what a function chooses.
+    `firings`: how long an answer "each EVENT" may be.  Raises SceneError with file and key path.
     """
     data = scene if isinstance(scene, SceneData) else scene.data
     try:
@@ -186,6 +186,8 @@ class _Flattener:
         columns = HistoryColumns(self.measures, self.tables, self.scope, self.drawing)
         if history is False:
             return {}, {}
+        if callable(history):
+            return history(columns), columns.instants()
         if history is True:
             return columns.everything(), columns.instants()
         chosen = columns.chosen(history) if history else columns.of_asks(self.data.ask)

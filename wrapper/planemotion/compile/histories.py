@@ -20,6 +20,7 @@ from .measures import Measures
 _OF_BODY = ("x", "y", "velocity.x", "velocity.y")
 _OF_TURNING_BODY = ("angle", "omega")
 _OF_FORCE = ("force.x", "force.y")
+_OF_BLOW = ("impulse.x", "impulse.y")
 _OF_CONTACT = ("gap", "normal", "friction")
 _OF_SPIN = ("spin.omega", "spin.inertia")
 _ENERGIES = ("kinetic", "potential", "total")
@@ -48,6 +49,13 @@ class HistoryColumns:
         read = {leaf.thing for ask in asks.values() for leaf in _addresses(ask)}
         reactions = (one for one in self._reactions() if one.partition(".")[0] in read)
         return self._there((*self._motion(), *reactions, *self._energies()))
+
+    def shown(self) -> Columns:
+        """Motion, energies, and forces and impulses by their parts: what a picture that moves shows."""
+        joints, contacts, forces = self.scope.joints, self.scope.contacts, self.scope.forces
+        pushes = [f"{name}.{part}" for name in (*joints, *contacts, *forces) for part in _OF_FORCE]
+        blows = [f"{name}.{part}" for name in (*joints, *contacts) for part in _OF_BLOW]
+        return self._there((*self._motion(), *pushes, *blows, *self._energies()))
 
     def chosen(self, written: Sequence[str]) -> Columns:
         """Expressions, each a column by its text.  Raises SceneError for one that cannot be read."""

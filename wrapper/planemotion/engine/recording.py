@@ -37,26 +37,77 @@ def record(
     param: npt.ArrayLike | None = None,
     *,
     every: float | None = None,
-    straight: float = PIXEL,
+    bends: Mapping[str, float] | None = None,
 ) -> History:
     """The history of one case with the columns of `flat.trace`, SI, and its events by name.
 
     `param` [parameters] defaults to the scene's own values.  `every`: at these times, s; None: at as many as
-    straight lines need to be true to `straight` of the range of all columns with the same unit.  Raises
-    SimulationError if nothing can be recorded, StudyError if it would be too much.
+    straight lines need to be true to a thousandth of the range of all columns with the same unit, or to
+    `bends` of the columns in it, in their SI units, and however far of the others.  Raises SimulationError
+    if nothing can be recorded, StudyError if it would be too much.
     """
     given = flat.defaults if param is None else param
     if every is not None:
         if not every > 0:
             raise StudyError(f"a history every {every:g} s; a time above zero is wanted")
         return _named(flat, call.trace(flat, given, every=every))
-    first = call.trace(flat, given)
-    size = call.check(flat, given).number["size"]
-    bends = [
-        straight * range_ if name in flat.trace else np.inf
-        for name, range_ in _ranges(first, flat.trace, size).items()
-    ]
-    return _named(flat, call.trace(flat, given, bends=bends))
+    if bends is None:
+        first = call.trace(flat, given)
+        size = call.check(flat, given).number["size"]
+        bends = {name: PIXEL * far for name, far in _ranges(first, flat.trace, size).items()}
+    order = {**flat.instants, **flat.trace}
+    allowed = [bends.get(name, np.inf) if name in flat.trace else np.inf for name in order]
+    return _named(flat, call.trace(flat, given, bends=allowed))
+
+
+def thinned(recorded: History, bends: Mapping[str, float]) -> History:
+    """Only the instants that straight lines need to miss no more than half of what `bends` allows.
+
+    Before and after an event there are rows as before, but one where nothing jumps.
+    """
+    scaled = np.column_stack(
+        [recorded.columns[name] / bends[name] for name in bends if name in recorded.columns]
+    )
+    stays = _kept_at_events(recorded)
+    kept = [0]
+    last = len(recorded.time) - 1
+    while kept[-1] < last:
+        first = end = kept[-1]
+        while (
+            end < last
+            and (end == first or not stays[end])
+            and _is_straight(recorded.time, scaled, first, end + 1)
+        ):
+            end += 1
+        kept.append(max(end, first + 1))
+    return replace(
+        recorded,
+        time=recorded.time[kept],
+        columns={name: values[kept] for name, values in recorded.columns.items()},
+        mark=recorded.mark[kept],
+        events=tuple(recorded.events[row] for row in kept),
+    )
+
+
+def _kept_at_events(recorded: History) -> npt.NDArray[np.bool_]:
+    """The rows that stay: after an event, and before one that changes something."""
+    stays = recorded.mark == AFTER
+    table = np.column_stack(list(recorded.columns.values()))
+    size = np.nanmax(np.abs(table), axis=0)
+    for row in np.flatnonzero(recorded.mark == BEFORE):
+        change = np.abs(table[row + 1] - table[row]) if row + 1 < len(table) else size
+        stays[row] = bool(np.any(change > _ROUNDING * size))
+    return stays
+
+
+def _is_straight(time: Floats, scaled: Floats, first: int, end: int) -> bool:
+    """Whether the rows between two lie on the line over time from one to the other, to half of one."""
+    if end - first < 2:
+        return True
+    span = time[end] - time[first]
+    part = ((time[first + 1 : end] - time[first]) / span if span > 0 else np.zeros(end - first - 1))[:, None]
+    line = scaled[first] + part * (scaled[end] - scaled[first])
+    return bool(np.nanmax(np.abs(line - scaled[first + 1 : end]), initial=0.0) <= 0.5)
 
 
 def _ranges(first: History, shown: Mapping[str, tuple[int, str]], size: float) -> dict[str, float]:

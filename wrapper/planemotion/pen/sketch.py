@@ -34,16 +34,23 @@ _NO_SIZE = 1.0
 class Sketch:
     """Axes as large as the drawing needs, and where everything is on them.
 
-    `poses`: x, y (m) and angle (rad) of the mass centre of each body; `unit`: of lengths on the axes.
+    `poses`: x, y (m) and angle (rad) of the mass centre of each body; `unit`: of lengths on the axes;
+    `room`: lower left [2] and upper right [2] of what is to be seen, in that unit; None: what the poses need.
     """
 
-    def __init__(self, drawing: Drawing, poses: Mapping[str, tuple[float, float, float]], unit: str) -> None:
+    def __init__(
+        self,
+        drawing: Drawing,
+        poses: Mapping[str, tuple[float, float, float]],
+        unit: str,
+        room: tuple[np.ndarray, np.ndarray] | None = None,
+    ) -> None:
         self.drawing = drawing
         self.poses = poses
         self.unit = unit
         self.factor = factor(unit)[0]
-        self.low, self.high = self._extent()
-        self.figure, self.pen = self._canvas()
+        self.low, self.high = room if room is not None else self.extent()
+        self.figure, self.pen = self.canvas()
 
     def number(self, node: Node) -> float:
         return self.drawing.tables.default(node)
@@ -98,7 +105,7 @@ class Sketch:
         """The partners of an element."""
         return [partner(self.drawing, text, where, *wanted) for text in texts]
 
-    def _extent(self) -> tuple[np.ndarray, np.ndarray]:
+    def extent(self) -> tuple[np.ndarray, np.ndarray]:
         """Lower left [2] and upper right [2] of all that has a size, in the unit of the picture."""
         places: list[Place] = []
         for owner in (*self.drawing.bodies, GROUND):
@@ -119,26 +126,33 @@ class Sketch:
             low, high = low - 0.5 * size, high + 0.5 * size
         return low, high
 
-    def _canvas(self) -> tuple[Figure, Pen]:
-        """Axes of equal scales, as large as the drawing needs."""
+    def fit(self) -> tuple[float, np.ndarray]:
+        """The length that is an inch on paper, and the size [2] of the paper in inches.
+
+        `low` and `high` become its corners."""
         size = np.maximum(self.high - self.low, 0.12 * float((self.high - self.low).max()))
         room = 2 * _ROOM
-        inch = max(size[0] / (_WIDTH - room), size[1] / (_HEIGHT - room))
+        inch = float(max(size[0] / (_WIDTH - room), size[1] / (_HEIGHT - room)))
         paper = np.maximum(size / inch + room, (3.2, 1.6))
+        middle = 0.5 * (self.low + self.high)
+        self.low, self.high = middle - 0.5 * paper * inch, middle + 0.5 * paper * inch
+        return inch, paper
+
+    def canvas(self) -> tuple[Figure, Pen]:
+        """Axes of equal scales, as large as the drawing needs."""
+        inch, paper = self.fit()
         left, right, below, above = 0.85, 0.15, 0.5, 0.66
         width, height = paper[0] + left + right, paper[1] + below + above
         made = Figure(figsize=(width, height), dpi=RESOLUTION)
         canvas = FigureCanvasAgg(made)
         axes = made.add_axes((left / width, below / height, paper[0] / width, paper[1] / height))
-        middle = 0.5 * (self.low + self.high)
-        self.low, self.high = middle - 0.5 * paper * inch, middle + 0.5 * paper * inch
         axes.set_xlim(self.low[0], self.high[0])
         axes.set_ylim(self.low[1], self.high[1])
         axes.set_xlabel(f"x [{self.unit}]")
         axes.set_ylabel(f"y [{self.unit}]")
         axes.yaxis.set_label_coords(-0.62 / paper[0], 0.5)
         axes.grid(True, color="#f0f0f0", linewidth=0.5)
-        return made, Pen(axes, canvas, float(inch))
+        return made, Pen(axes, canvas, inch)
 
     def ends(self, owner: str, line: LineMark) -> tuple[Place, Place]:
         """Two places of a line: its ends, or where it leaves the picture, or as long as its body is."""

@@ -29,7 +29,7 @@ SPRING = "#3b7d5e"
 TOUCH = "#c8741a"
 
 _WALL = 0.055  # of a hoop, in
-_PIN = 0.05  # radius of a pin, in
+PIN = 0.05  # radius of a pin, in
 _SUPPORT = 0.17  # height of a support's triangle, in
 _HATCH = 0.075  # length of a hatch stroke, in
 _HATCH_STEP = 0.085
@@ -154,7 +154,7 @@ class Pen:
     # ---- joints ----
 
     def pin(self, at: Place) -> None:
-        self.circle(at, _PIN * self.inch, fill="white", edge=INK, linewidth=1.1, zorder=5)
+        self.circle(at, PIN * self.inch, fill="white", edge=INK, linewidth=1.1, zorder=5)
 
     def weld(self, at: Place) -> None:
         size = 0.032 * self.inch

@@ -12,6 +12,7 @@ import re
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -38,7 +39,7 @@ _ROD = 0.1  # width of a rod, in
 _PARTICLE = 0.06  # radius of a particle, in
 _CENTRE_LINE = (0, (7, 2, 1.5, 2))  # dashes of a line on a body
 # Members of an endless row that are drawn at most.
-_MAX_MEMBERS = 200
+_MAX_MEMBERS = 400
 _LENGTHS = ("mm", "cm", "m", "km", "in", "ft", "yd", "mi")
 _WITH_UNIT = re.compile(r"[\d.]\s*([a-z]+)\b(?![*/^\w])")
 
@@ -95,23 +96,72 @@ def draw(start: Start, out: Path) -> None:
 
 def figure(start: Start) -> Figure:
     """The picture of a start."""
-    return _ScenePicture(start).sketch.figure
+    sketch = Sketch(start.drawing, start.poses, usual_length(start.data))
+    SceneDrawing(start.data, sketch).draw()
+    note = f"{plane_of(start.data)}; at the start"
+    if start.fault:
+        note = "as written, not assembled (see the message)"
+    page.head(sketch.figure, title_of(start.data), note)
+    if start.data.plane == "vertical":
+        _gravity(sketch)
+    sketch.pen.write_names()
+    return sketch.figure
 
 
-class _ScenePicture:
-    """A picture under construction."""
+def title_of(data: SceneData) -> str:
+    """What stands above a picture."""
+    return data.title or data.id or "Scene"
 
-    def __init__(self, start: Start) -> None:
-        self.start = start
-        self.sketch = Sketch(start.drawing, start.poses, _usual_length(start.data))
-        self._draw_all()
 
-    def _draw_all(self) -> None:
+def plane_of(data: SceneData) -> str:
+    """Which plane one sees, in words."""
+    if data.spin is not None:
+        return "plane that turns about an axis in it"
+    return "vertical plane" if data.plane == "vertical" else "horizontal plane, seen from above"
+
+
+def _gravity(sketch: Sketch) -> None:
+    """The direction of weight, in the emptiest corner."""
+    inch = sketch.pen.inch
+    ink = np.array([*sketch.pen.ink, *(name.place for name in sketch.pen.names)])
+    corners = [
+        (x, y)
+        for y in (sketch.high[1] - 0.12 * inch, sketch.low[1] + 0.5 * inch)
+        for x in (sketch.high[0] - 0.22 * inch, sketch.low[0] + 0.3 * inch)
+    ]
+
+    def crowd(corner: Place) -> int:
+        x, y = corner
+        near = (np.abs(ink[:, 0] - x) < 0.35 * inch) & (np.abs(ink[:, 1] - y + 0.2 * inch) < 0.4 * inch)
+        return int(np.count_nonzero(near))
+
+    x, y = min(corners, key=crowd)
+    sketch.pen.arrow((x, y), (x, y - 0.38 * inch), SOFT, linewidth=1.0)
+    sketch.pen.axes.text(
+        x - 0.07 * inch, y - 0.19 * inch, "g", color=SOFT, ha="right", va="center", style="italic"
+    )
+
+
+class SceneDrawing:
+    """Draws a scene on a sketch: all signs and names, in the poses of the sketch."""
+
+    def __init__(self, data: SceneData, sketch: Sketch) -> None:
+        self.data = data
+        self.sketch = sketch
+
+    def draw(self) -> None:
+        """All that the scene has."""
+        self.draw_ground()
+        self.draw_moving()
+
+    def draw_ground(self) -> None:
+        """What is the same in all poses."""
         self._ground()
         self._spin()
-        for name in sorted(
-            self.sketch.drawing.bodies, key=self.sketch.reach, reverse=True
-        ):  # small ones on top
+
+    def draw_moving(self) -> None:
+        """Bodies, small ones on top, and what is between them."""
+        for name in sorted(self.sketch.drawing.bodies, key=self._size, reverse=True):
             self._body(name, self.sketch.drawing.bodies[name])
         for name, joint in self._active("joints"):
             self._joint(name, joint)
@@ -122,50 +172,21 @@ class _ScenePicture:
         for name, force in self._active("forces"):
             self._force(name, force)
         self._points()
-        plane = (
-            "vertical plane" if self.start.data.plane == "vertical" else "horizontal plane, seen from above"
-        )
-        if self.start.data.spin is not None:
-            plane = "plane that turns about an axis in it"
-        note = f"{plane}; at the start"
-        if self.start.fault:
-            note = "as written, not assembled (see the message)"
-        page.head(self.sketch.figure, self.start.data.title or self.start.data.id or "Scene", note)
-        if self.start.data.plane == "vertical":
-            self._gravity()
-        self.sketch.pen.write_names()
-
-    def _gravity(self) -> None:
-        """The direction of weight, in the emptiest corner."""
-        inch = self.sketch.pen.inch
-        ink = np.array([*self.sketch.pen.ink, *(name.place for name in self.sketch.pen.names)])
-        corners = [
-            (x, y)
-            for y in (self.sketch.high[1] - 0.12 * inch, self.sketch.low[1] + 0.5 * inch)
-            for x in (self.sketch.high[0] - 0.22 * inch, self.sketch.low[0] + 0.3 * inch)
-        ]
-
-        def crowd(corner: Place) -> int:
-            x, y = corner
-            near = (np.abs(ink[:, 0] - x) < 0.35 * inch) & (np.abs(ink[:, 1] - y + 0.2 * inch) < 0.4 * inch)
-            return int(np.count_nonzero(near))
-
-        x, y = min(corners, key=crowd)
-        self.sketch.pen.arrow((x, y), (x, y - 0.38 * inch), SOFT, linewidth=1.0)
-        self.sketch.pen.axes.text(
-            x - 0.07 * inch, y - 0.19 * inch, "g", color=SOFT, ha="right", va="center", style="italic"
-        )
 
     def _spin(self) -> None:
         """The axis about which the plane turns."""
-        if self.start.data.spin is None:
+        if self.data.spin is None:
             return
         reader = self.sketch.drawing.reader
-        through = reader.vector(self.start.data.spin.through, "spin.through", LENGTH)
-        angle = reader.number(self.start.data.spin.angle, "spin.angle", DIMENSIONLESS)
+        through = reader.vector(self.data.spin.through, "spin.through", LENGTH)
+        angle = reader.number(self.data.spin.angle, "spin.angle", DIMENSIONLESS)
         a, b = self.sketch.ends(GROUND, LineMark(through, angle))
         self.sketch.pen.line([a, b], SOFT, 1.0, linestyle=_CENTRE_LINE)
         self.sketch.pen.name((b[0] + 0.06 * (a[0] - b[0]), b[1] + 0.06 * (a[1] - b[1])), "spin", SOFT)
+
+    def _size(self, name: str) -> float:
+        """How far a body extends; the same in each of its poses."""
+        return float(f"{self.sketch.reach(name):.6g}")
 
     def _ground(self) -> None:
         marks = self.sketch.drawing.marks(GROUND)
@@ -191,10 +212,10 @@ class _ScenePicture:
         count = round(self.sketch.number(row.count))
         reach = float(np.hypot(*(self.sketch.high - self.sketch.low)) / np.hypot(*step))
         members = range(-int(reach), int(reach) + 1) if count < 0 else range(count)
-        for k in list(members)[:_MAX_MEMBERS]:
-            at = start + k * step
-            if np.all(at >= self.sketch.low) and np.all(at <= self.sketch.high):
-                self.sketch.pen.dot((float(at[0]), float(at[1])), INK, 0.035)
+        places = (start + k * step for k in members)
+        seen = (at for at in places if np.all(at >= self.sketch.low) and np.all(at <= self.sketch.high))
+        for at in islice(seen, _MAX_MEMBERS):
+            self.sketch.pen.dot((float(at[0]), float(at[1])), INK, 0.035)
         self.sketch.pen.name((float(start[0]), float(start[1])), f"{name}[0]", SOFT)
 
     def _body(self, name: str, body: Body) -> None:
@@ -248,6 +269,8 @@ class _ScenePicture:
         """A body without a shape: the outline of its points."""
         places = [self.sketch.point(name, key) for key in self.sketch.drawing.marks(name).points]
         outline = _outline(places)
+        first = min(range(len(outline)), key=lambda i: places.index(outline[i]))
+        outline = outline[first:] + outline[:first]  # in one order however it is turned
         if len(outline) > 2:
             self.sketch.pen.polygon(outline, linestyle=(0, (5, 2)))
         elif len(outline) == 2:
@@ -299,7 +322,7 @@ class _ScenePicture:
     def _active(self, table: str) -> Iterator[tuple[str, Any]]:
         """The elements of a table that take part at these parameters."""
         reader = self.sketch.drawing.reader
-        for name, element in getattr(self.start.data, table).items():
+        for name, element in getattr(self.data, table).items():
             if reader.constant(element.active, f"{table}.{name}.active", DIMENSIONLESS):
                 yield name, element
 
@@ -325,7 +348,7 @@ def _turn(a: Place, b: Place, c: Place) -> float:
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 
 
-def _usual_length(data: SceneData) -> str:
+def usual_length(data: SceneData) -> str:
     """The unit of length that the file uses most."""
     found = Counter(_WITH_UNIT.findall(repr(data.model_dump(exclude={"title", "description", "ask"}))))
     used = [unit for unit in _LENGTHS if found[unit]]

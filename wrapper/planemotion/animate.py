@@ -1,0 +1,66 @@
+"""One scene as a picture that moves."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from .animation import moving
+from .animation.needs import require
+from .animation.page import page
+from .base.errors import StudyError
+from .base.files import ANIMATIONS, appearing, ending
+from .engine.kernel import status_name
+
+if TYPE_CHECKING:
+    from .scene import Scene
+
+
+@dataclass(frozen=True)
+class Animation:
+    """A run that moves: a notebook shows it, `save` writes it."""
+
+    motion: moving.Motion
+
+    @property
+    def fault(self) -> str:
+        """Why the run ended early; "" if it came to its end."""
+        status = self.motion.recorded.status
+        return f"{self.motion.data.id}: the run ended early ({status_name(status)})" if status else ""
+
+    def html(self) -> str:
+        """One page with everything in it: the player, the signs, the motion."""
+        return page(moving.document(self.motion))
+
+    def save(self, out: str | os.PathLike[str]) -> Path:
+        """Writes the animation in the format that the ending says; it appears whole or not at all.
+
+        Raises StudyError if the ending says none, or it cannot be written."""
+        path = Path(out)
+        kind = ending(path, ANIMATIONS, "an animation")
+        require(kind)
+        if not path.parent.is_dir():
+            raise StudyError(f"{path}: cannot be written: there is no folder {path.parent}")
+        with appearing(path) as temporary:
+            if kind == "html":
+                temporary.write_text(self.html(), encoding="utf-8")
+            else:
+                from .animation.video import write
+
+                write(self.motion, temporary, kind)
+        return path
+
+    def _repr_html_(self) -> str:
+        """The page in a frame of its own."""
+        from html import escape
+
+        return (
+            f'<iframe srcdoc="{escape(self.html())}" style="width: 100%; height: 720px; border: 0"></iframe>'
+        )
+
+
+def animate(scene: Scene, run: str | None = None) -> Animation:
+    """Runs a scene (one of its [runs]; default: the first): see Scene.animate."""
+    return Animation(moving.record(scene, run))
