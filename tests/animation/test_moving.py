@@ -153,6 +153,13 @@ def test_frames_go_from_the_start_to_the_end(motion: moving.Motion) -> None:
     assert np.abs(shown[0].astype(int) - shown[-1]).max() > 100
 
 
+@pytest.mark.parametrize("number", ["004", "016", "081", "094", "125"])
+def test_scenes_of_the_chapter_have_the_same_signs_at_all_instants(number: str) -> None:
+    found = moving.record(planemotion.load(f"studies/chapter17/17-{number}.toml"))
+    seen = {tuple((sign.kind, len(sign.places)) for sign in found.signs(row)) for row in found.rows(30)}
+    assert len(seen) == 1
+
+
 # ---- files ----
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import subprocess
 import sys
@@ -10,8 +11,10 @@ from xml.etree import ElementTree
 
 import pytest
 
+import planemotion
 from planemotion.base import bounded
 from planemotion.cli.main import main
+from planemotion.pictures.instants import instant_of
 from tests.cli.calls import TORN, invoke, left_in, write
 from tests.scenes.pendulum import RELEASED
 
@@ -164,3 +167,38 @@ def test_a_pipe_that_nobody_writes_hangs_no_command(folder: Path, monkeypatch: p
     assert "pipe: there is no such file" in invoke("plot", "pipe").stderr
     assert "pipe.h5: it cannot be read: " in invoke("check", "o").stderr
     assert "pipe: cannot be read" in invoke("sweep", "pipe", "--out", "o").stderr
+
+
+@pytest.mark.parametrize(
+    ("at", "wanted"),
+    [("0.1 s", 0.1), ("0.35 s", 0.35), ("0 s", 0.0), ("low", None), ("low 1", None)],
+)
+def test_a_scene_is_drawn_at_an_instant(folder: Path, at: str, wanted: float | None) -> None:
+    scene = planemotion.load(write(folder, "a.toml", RELEASED))
+    shown = instant_of(scene, at)
+    if wanted is None:
+        assert shown.poses["AB"][2] == pytest.approx(math.radians(-60), abs=1e-9)
+        assert shown.when.startswith(f"{at}, t = 0.")
+    else:
+        history = scene.history("AB.angle", every="0.05 s")["AB.angle"]
+        assert shown.poses["AB"][2] == pytest.approx(
+            float(history.isel(t=round(wanted / 0.05))) if wanted < 0.3 else float(history[-1]), abs=1e-9
+        )
+    assert invoke("draw", "a.toml", "--at", at).exit_code == 0
+    assert left_in(folder) == {"a.toml", "a.png"}
+
+
+@pytest.mark.parametrize(
+    ("at", "reason"),
+    [
+        ("0.5 s", "the run ends before it, at 0.35 s"),
+        ("strike", "nothing of that name happens; it has low"),
+        ("low 2", "the run has 1 of these"),
+        ("3 kg", "a time such as"),
+    ],
+)
+def test_an_instant_that_does_not_come_is_told(folder: Path, at: str, reason: str) -> None:
+    done = invoke("draw", write(folder, "a.toml", RELEASED), "--at", at)
+    assert done.exit_code == 2
+    assert reason in done.stderr
+    assert left_in(folder) == {"a.toml"}

@@ -55,18 +55,31 @@ def plot(result: Path, out: Path | None) -> None:
     callback=_picture,
     help="The picture, .png, .svg or .pdf (default: SCENE's name with .png, here).",
 )
+@click.option(
+    "--at", metavar="INSTANT", help='A time ("0.3 s") or an event ("strike", "strike 2") of the run.'
+)
+@click.option("--run", "run", metavar="NAME", help="Which of its [runs] (default: the first).")
 @set_option
 @click.pass_context
-def draw(ctx: click.Context, scene: Path, out: Path | None, values: Mapping[str, str]) -> None:
-    """Draw a scene at its start, with names.
+def draw(
+    ctx: click.Context,
+    scene: Path,
+    out: Path | None,
+    at: str | None,
+    run: str | None,
+    values: Mapping[str, str],
+) -> None:
+    """Draw a scene at its start, or at an instant of its run, with names.
 
     It shows most modelling errors.
     """
     from ..file import load
     from ..pictures import scene as sketch
+    from ..pictures.instants import instant_of
 
     target = out or Path(f"{scene.stem}.png")
-    start = sketch.start_of(load(scene).with_values(values))
+    read = load(scene).with_values(values)
+    start = sketch.start_of(read, run) if at is None else instant_of(read, at, run)
     sketch.draw(start, target)
     click.echo(target)
     if start.fault:

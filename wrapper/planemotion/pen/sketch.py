@@ -58,11 +58,16 @@ class Sketch:
     def length(self, node: Node) -> float:
         return self.number(node) / self.factor
 
+    def own_place(self, owner: str, own: Pair) -> Place:
+        """A place of a body from its mass centre along its own axes: the same number in all poses."""
+        x, y = self.drawing.from_mass_center(owner, own)
+        return self.length(x), self.length(y)
+
     def place(self, owner: str, own: Pair) -> Place:
         """Where a place given in the own axes of a body (or of the ground) is."""
         if owner == GROUND:
             return self.length(own[0]), self.length(own[1])
-        x, y = (self.length(part) for part in self.drawing.from_mass_center(owner, own))
+        x, y = self.own_place(owner, own)
         gx, gy, angle = self.poses[owner]
         c, s = math.cos(angle), math.sin(angle)
         return gx / self.factor + c * x - s * y, gy / self.factor + s * x + c * y
@@ -169,12 +174,12 @@ class Sketch:
         return (float(a[0]), float(a[1])), (float(b[0]), float(b[1]))
 
     def reach(self, owner: str) -> float:
-        """How far a body extends from its geometric centre."""
+        """How far a body extends from its geometric centre; the same in all its poses."""
         marks = self.drawing.marks(owner)
-        center = self.point(owner, "center")
-        reaches = [math.dist(center, self.place(owner, point)) for point in marks.points.values()]
+        center = self.own_place(owner, marks.points["center"])
+        reaches = [math.dist(center, self.own_place(owner, point)) for point in marks.points.values()]
         reaches += [
-            math.dist(center, self.place(owner, circle.center)) + self.length(circle.radius)
+            math.dist(center, self.own_place(owner, circle.center)) + self.length(circle.radius)
             for circle in marks.circles.values()
         ]
         return max([*reaches, 0.3 * self.pen.inch])

@@ -48,13 +48,14 @@ _WITH_UNIT = re.compile(r"[\d.]\s*([a-z]+)\b(?![*/^\w])")
 class Start:
     """What is drawn: the scene, its marks as expressions, the pose (x, y, angle of G, SI) of each body.
 
-    `fault`: why the pose is only the written one, "" if the start could be assembled.
+    `fault`: why the pose is only the written one, "" if the start could be assembled.  `when`: for people.
     """
 
     data: SceneData
     drawing: Drawing
     poses: Mapping[str, tuple[float, float, float]]
     fault: str = ""
+    when: str = "at the start"
 
 
 def drawing_of(data: SceneData, run: str | None) -> Drawing:
@@ -98,7 +99,7 @@ def figure(start: Start) -> Figure:
     """The picture of a start."""
     sketch = Sketch(start.drawing, start.poses, usual_length(start.data))
     SceneDrawing(start.data, sketch).draw()
-    note = f"{plane_of(start.data)}; at the start"
+    note = f"{plane_of(start.data)}; {start.when}"
     if start.fault:
         note = "as written, not assembled (see the message)"
     page.head(sketch.figure, title_of(start.data), note)
@@ -161,7 +162,7 @@ class SceneDrawing:
 
     def draw_moving(self) -> None:
         """Bodies, small ones on top, and what is between them."""
-        for name in sorted(self.sketch.drawing.bodies, key=self._size, reverse=True):
+        for name in sorted(self.sketch.drawing.bodies, key=self.sketch.reach, reverse=True):
             self._body(name, self.sketch.drawing.bodies[name])
         for name, joint in self._active("joints"):
             self._joint(name, joint)
@@ -183,10 +184,6 @@ class SceneDrawing:
         a, b = self.sketch.ends(GROUND, LineMark(through, angle))
         self.sketch.pen.line([a, b], SOFT, 1.0, linestyle=_CENTRE_LINE)
         self.sketch.pen.name((b[0] + 0.06 * (a[0] - b[0]), b[1] + 0.06 * (a[1] - b[1])), "spin", SOFT)
-
-    def _size(self, name: str) -> float:
-        """How far a body extends; the same in each of its poses."""
-        return float(f"{self.sketch.reach(name):.6g}")
 
     def _ground(self) -> None:
         marks = self.sketch.drawing.marks(GROUND)
@@ -232,6 +229,8 @@ class SceneDrawing:
                 self.sketch.length(marks.circles[key].radius),
             )
             pen.circle(at, radius, fill="none" if body.shape else BODY_FILL, linewidth=0.9)
+            if not body.shape:
+                self._radius_line(name, at, radius)
         for key in body.lines:
             pen.line(self.sketch.ends(name, marks.lines[key]), BLUE, 0.8, linestyle=_CENTRE_LINE, zorder=3)
         mass_centre = self.sketch.point(name, "G")
@@ -267,10 +266,9 @@ class SceneDrawing:
 
     def _plain_body(self, name: str) -> None:
         """A body without a shape: the outline of its points."""
-        places = [self.sketch.point(name, key) for key in self.sketch.drawing.marks(name).points]
-        outline = _outline(places)
-        first = min(range(len(outline)), key=lambda i: places.index(outline[i]))
-        outline = outline[first:] + outline[:first]  # in one order however it is turned
+        points = self.sketch.drawing.marks(name).points
+        own = {self.sketch.own_place(name, point): key for key, point in points.items()}
+        outline = [self.sketch.point(name, own[place]) for place in _outline(list(own))]
         if len(outline) > 2:
             self.sketch.pen.polygon(outline, linestyle=(0, (5, 2)))
         elif len(outline) == 2:

@@ -1,0 +1,79 @@
+"""A scene as it is at an instant of its run: at a time, or when something happens."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from ..base.errors import SceneError
+from ..compile.flatten import FlatScene, flatten
+from ..compile.histories import HistoryColumns
+from ..engine import recording
+from ..engine.history import AFTER
+from ..engine.outcome import History
+from ..language.dimensions import TIME
+from ..language.units import parse_quantity
+from ..reading.scene import HasData
+from .scene import Start, start_of
+
+
+def instant_of(scene: HasData, at: str, run: str | None = None) -> Start:
+    """What is drawn of a run (default: the first) at an instant: "0.3 s", or "strike", or "strike 2".
+
+    Names are those of events, and of contacts that are struck.  Raises SceneError for a fault in the scene,
+    and for an instant that the run does not come to, SimulationError if nothing can be recorded.
+    """
+    start = start_of(scene, run)
+    if start.fault:
+        return start
+    flat = flatten(scene, run, history=HistoryColumns.shown)
+    seconds = _seconds(at)
+    recorded, row = _at_event(flat, at) if seconds is None else _at_time(flat, at, seconds)
+    poses = {}
+    for name in start.drawing.bodies:
+        turn = recorded.columns.get(f"{name}.angle")
+        x, y = (float(recorded.columns[f"{name}.{part}"][row]) for part in ("x", "y"))
+        poses[name] = (x, y, 0.0 if turn is None else float(turn[row]))
+    time = f"t = {recorded.time[row]:.6g} s"
+    return replace(start, poses=poses, when=time if seconds is not None else f"{at.strip()}, {time}")
+
+
+def _seconds(at: str) -> float | None:
+    """A time; None where it is a name."""
+    if not at.strip()[:1].isdigit():
+        return None
+    try:
+        quantity = parse_quantity(at)
+    except SceneError as error:
+        raise error.at(path="at", value=at) from None
+    if quantity.dimension != TIME and quantity.value_si != 0:
+        raise SceneError(
+            f'{quantity.dimension.phrase}; a time such as "0.3 s", or an event, is wanted',
+            path="at",
+            value=at,
+        )
+    return float(quantity.value_si)
+
+
+def _at_time(flat: FlatScene, at: str, seconds: float) -> tuple[History, int]:
+    """The run and its row at a time: the first of a grid whose second time is that one."""
+    recorded = recording.record(flat, every=seconds or None, bends={} if seconds == 0 else None)
+    row = int(np.searchsorted(recorded.time, seconds))
+    if row == len(recorded.time):
+        raise SceneError(f"the run ends before it, at {recorded.time[-1]:.6g} s", path="at", value=at)
+    return recorded, row
+
+
+def _at_event(flat: FlatScene, at: str) -> tuple[History, int]:
+    """The run and its row right after something has happened for the nth time."""
+    name, _, number = at.strip().partition(" ")
+    recorded = recording.record(flat, bends={})
+    rows = [row for row in np.flatnonzero(recorded.mark == AFTER) if name in recorded.events[row].split(", ")]
+    nth = int(number) if number.strip().isdigit() else 1
+    if not 1 <= nth <= len(rows):
+        happened = sorted({one for event in recorded.events for one in event.split(", ") if one})
+        known = f"it has {', '.join(happened)}" if happened else "it has no events"
+        often = f"the run has {len(rows)} of these" if rows else f"nothing of that name happens; {known}"
+        raise SceneError(often, path="at", value=at)
+    return recorded, int(rows[nth - 1])
