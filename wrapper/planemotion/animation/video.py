@@ -1,4 +1,7 @@
-"""Frames of a motion as GIF and MP4: the picture of `pictures`, drawn at even times."""
+"""Frames of a motion as GIF and MP4: the picture of `pictures`, drawn at even times.
+
+Axes, ground and title are drawn once; each frame adds what moves, with its names as far from it as at first.
+"""
 
 from __future__ import annotations
 
@@ -8,9 +11,12 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
 
 from ..pen import page
+from ..pen.page import SOFT
 from ..pen.sketch import Sketch
+from ..pen.symbols import Pen, Place
 from ..pictures.scene import SceneDrawing, plane_of, title_of
 from .moving import Motion
 
@@ -20,6 +26,7 @@ _SHORTEST, _LONGEST, _USUAL = 3.0, 12.0, 6.0
 _MOST = 240  # frames
 _RESOLUTION = 100  # dots per inch
 _COLOURS = 128  # of a GIF
+_NAME = 8.5  # size of names, in points
 
 Frame = npt.NDArray[np.uint8]
 
@@ -33,21 +40,83 @@ def frames(motion: Motion, most: int | None = None) -> Iterator[Frame]:
     """The frames [height, width, 3], _RATE of them for each second of a viewer, or so many at most."""
     end = float(motion.recorded.time[-1])
     seconds = end if _SHORTEST <= end <= _LONGEST else _USUAL
-    speed = end / seconds
+    paper = _Paper(motion, end / seconds)
     for time in np.linspace(0.0, end, min(max(2, round(seconds * _RATE)), most or _MOST)):
-        yield _frame(motion, float(time), speed)
+        yield paper.frame(float(time))
 
 
-def _frame(motion: Motion, time: float, speed: float) -> Frame:
-    with page.style():
-        sketch = Sketch(motion.drawing, motion.poses_at(time), motion.unit, motion.room)
-        SceneDrawing(motion.data, sketch).draw()
-        slow = "" if 0.99 < speed < 1.01 else f", {speed:.2g} times as fast as it is"
-        page.head(sketch.figure, title_of(motion.data), f"{plane_of(motion.data)}; t = {time:.3f} s{slow}")
-        sketch.figure.set_dpi(_RESOLUTION)
-        canvas = FigureCanvasAgg(sketch.figure)
-        canvas.draw()
-    return np.asarray(canvas.buffer_rgba())[:, :, :3].copy()
+class _SameSketch(Sketch):
+    """A sketch of other poses on the same paper."""
+
+    def __init__(self, first: Sketch, poses: dict[str, tuple[float, float, float]]) -> None:
+        self._first = first
+        super().__init__(first.drawing, poses, first.unit, (first.low, first.high))
+
+    def canvas(self) -> tuple[Figure, Pen]:
+        self.low, self.high = self._first.low, self._first.high
+        pen = self._first.pen
+        return self._first.figure, Pen(pen.axes, pen.canvas, pen.inch)
+
+
+class _Paper:
+    """What stays from frame to frame."""
+
+    def __init__(self, motion: Motion, speed: float) -> None:
+        self.motion = motion
+        self.slow = "" if 0.99 < speed < 1.01 else f", {speed:.2g} times as fast as it is"
+        with page.style():
+            self.sketch = Sketch(motion.drawing, motion.poses(0), motion.unit, motion.room)
+            figure = self.sketch.figure
+            figure.set_dpi(_RESOLUTION)
+            self.offsets = self._name_offsets()
+            SceneDrawing(motion.data, self.sketch).draw_ground()
+            page.head(figure, title_of(motion.data), "")
+            width, height = figure.get_size_inches()
+            self.clock = figure.text(
+                0.12 / width, 1 - 0.37 / height, "", va="top", color=SOFT, size=8.5, animated=True
+            )
+            self.canvas = FigureCanvasAgg(figure)
+            self.canvas.draw()
+            self.background = self.canvas.copy_from_bbox(figure.bbox)
+
+    def frame(self, time: float) -> Frame:
+        """The picture [height, width, 3] at a time."""
+        axes, figure = self.sketch.pen.axes, self.sketch.figure
+        before = set(axes.get_children())
+        with page.style():
+            sketch = _SameSketch(self.sketch, self.motion.poses_at(time))
+            SceneDrawing(self.motion.data, sketch).draw()
+            for name in sketch.pen.names:
+                dx, dy = self.offsets.get(name.text, (0.0, 0.0))
+                weight = "bold" if name.bold else "normal"
+                place = (name.place[0] + dx, name.place[1] + dy)
+                axes.text(*place, name.text, color=name.colour, size=_NAME, weight=weight, zorder=8)
+            self.canvas.restore_region(self.background)
+            new = [artist for artist in axes.get_children() if artist not in before]
+            for artist in sorted(new, key=lambda one: one.get_zorder()):
+                axes.draw_artist(artist)
+                artist.remove()
+            self.clock.set_text(f"{plane_of(self.motion.data)}; t = {time:.3f} s{self.slow}")
+            figure.draw_artist(self.clock)
+        return np.asarray(self.canvas.buffer_rgba())[:, :, :3].copy()
+
+    def _name_offsets(self) -> dict[str, Place]:
+        """How far each name stands from what it names, at the start; the names are taken off again."""
+        axes = self.sketch.pen.axes
+        before = set(axes.get_children())
+        first = _SameSketch(self.sketch, self.motion.poses(0))
+        SceneDrawing(self.motion.data, first).draw()
+        places = {name.text: name.place for name in first.pen.names}
+        first.pen.write_names()
+        offsets = {}
+        for text in axes.texts:
+            x, y = text.get_position()
+            at = places.get(text.get_text(), (x, y))
+            offsets[text.get_text()] = (x - at[0], y - at[1])
+        for artist in axes.get_children():
+            if artist not in before:
+                artist.remove()
+        return offsets
 
 
 def _write_gif(path: Path, shown: Iterator[Frame]) -> None:
