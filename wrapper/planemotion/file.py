@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from .scene import Scene
 
 _BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
+_PLAIN = re.compile(r'[^"\\\x00-\x1f\x7f]*')
 _CONTROL = re.compile(r"[\x00-\x1f\x7f]")
 # A file that is larger is no scene.
 _MOST_BYTES = 10_000_000
@@ -62,6 +63,8 @@ def _key(key: str) -> str:
 
 
 def _quoted(text: str) -> str:
+    if _PLAIN.fullmatch(text):
+        return f'"{text}"'
     escaped = text.replace("\\", "\\\\").replace('"', '\\"')
     return '"' + _CONTROL.sub(lambda found: f"\\u{ord(found[0]):04x}", escaped) + '"'
 

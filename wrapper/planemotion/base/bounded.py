@@ -102,10 +102,13 @@ def check_table(table: object, path: str = "") -> None:
             raise SceneError(f"tables and lists more than {MOST_LEVELS} levels deep", path=place)
         if entries > MOST_ENTRIES:
             raise SceneError(f"more than {MOST_ENTRIES} entries", path=place)
+        keys = isinstance(container, Mapping)
         items = container.items() if isinstance(container, Mapping) else enumerate(container)
         for key, value in items:
-            if isinstance(container, Mapping):
+            if keys:
                 _check_key(key, place)
+            if _is_common(value):
+                continue
             _check_plain(value, partial(_place_of, place, key))
             if isinstance(value, _CONTAINERS):
                 waiting.append((_place_of(place, key), level + 1, value))
@@ -121,6 +124,13 @@ def _check_key(key: object, path: str) -> None:
     if not isinstance(key, str):
         raise SceneError(f"a key is a text, not {type(key).__name__}", path=path)
     _check_text(key, MOST_KEY, "a key", lambda: path)
+
+
+def _is_common(value: object) -> bool:
+    """A short plain text or a number that no bound refuses, as nearly all of a long grid are."""
+    if isinstance(value, str):
+        return len(value) <= MOST_KEY and value.isascii() and "\0" not in value
+    return isinstance(value, float | bool)
 
 
 def _check_plain(value: object, place: Callable[[], str]) -> None:

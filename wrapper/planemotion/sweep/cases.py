@@ -47,7 +47,7 @@ class Study:
     def __init__(self, scene: WrittenScene, plan: SweepPlan, workers: int, kept: Kept) -> None:
         self.data = scene.data
         self.text = scene.text
-        self.words = scene.to_toml()  # without comments: they change no row
+        self._scene = scene
         self.plan = plan
         self.workers = workers
         self.runs = tuple(self.data.runs)
@@ -164,7 +164,7 @@ class Study:
         """All that the rows depend on, for a resumed sweep to compare."""
         return {
             "format": _FORMAT,
-            "scene": self.words,
+            "scene": self._scene.to_toml(),  # without comments: they change no row
             "sweep": {
                 axis.name: {
                     "unit": axis.unit,
