@@ -5,6 +5,7 @@
  *   the highest coefficients of the polynomial p through them are small,
  *   p' at the nodes is the rate of the program there, and
  *   its bend stays, everywhere in between, within what it is at the nodes (as events/time_course.c has it).
+ * What is made of measures by sums, products and switches alone is between the switches as smooth as they are.
  * Where it switches by the motion it has a corner or jumps: it is not shown there, unless it is an ask whose branches are
  * looked at one by one (extremum_branch.c) and every switch is passed once. */
 #include "events/waves.h"
@@ -16,6 +17,7 @@
 #include "events/event.h"
 #include "events/watched_samples.h"
 #include "expression/enclosure.h"
+#include "expression/operation.h"
 #include "expression/program.h"
 #include "expression/program_class.h"
 #include "expression/program_fold.h"
@@ -24,23 +26,30 @@
 #include "numerics/tolerances.h"
 #include "state/arena.h"
 
+enum { SWITCHES = PM_OPERATION_JUMPS | PM_OPERATION_CORNERS | PM_OPERATION_COUNTS };
+
+/* What a program may have along a step that the measures it reads have not. */
+enum { NOTHING_MORE = 0, SWITCHES_ONLY = 1, WAVES = 2 };
+
 typedef struct pm_waves {
-    unsigned char *possible; /* [programs] */
+    unsigned char *possible; /* [programs] of these */
     pm_measure_series along; /* series[watched measures] */
 } pm_waves;
 
 /* ---- which programs ---- */
-/* Whether a step of a program may have waves, peaks or corners that its operands have not. */
-static int may_wave(const pm_program_step *s)
+/* What a step of a program may have that its operands have not. */
+static int more_than_operands(const pm_program_step *s)
 {
     const int op = s->op;
     switch (s->kind) {
     case STEP_NUMBER:
     case STEP_MEASURE:
-    case STEP_ANSWER: return 0;
+    case STEP_ANSWER: return NOTHING_MORE;
     default:
-        return !(op == PM_OP_NEG || op == PM_OP_ADD || op == PM_OP_SUB || op == PM_OP_MUL ||
-                 (op == PM_OP_DIV && s->kind == STEP_WITH_NUMBER));
+        if (op == PM_OP_NEG || op == PM_OP_ADD || op == PM_OP_SUB || op == PM_OP_MUL ||
+            (op == PM_OP_DIV && s->kind == STEP_WITH_NUMBER))
+            return NOTHING_MORE;
+        return op == PM_OP_SELECT || pm_operation_has(op, SWITCHES) ? SWITCHES_ONLY : WAVES;
     }
 }
 
@@ -50,17 +59,18 @@ static int is_size(const pm_model *m, const pm_program_step *s)
     return s->kind == STEP_MEASURE && pm_program_takes_size(m, s->arg);
 }
 
-/* Whether program i has such a step; an answer would be no polynomial. */
-static int is_possible(const pm_model *m, int program)
+/* The most that a step of the program has; an answer would be no polynomial. */
+static int possible_in(const pm_model *m, int program)
 {
     const pm_program_fold *f = m->programs.fold;
-    int found = 0;
+    int most = NOTHING_MORE;
     for (int k = f->first[program]; k < f->first[program + 1]; k++) {
-        if (f->step[k].kind == STEP_ANSWER) return 0;
-        found |= may_wave(&f->step[k]);
+        const int more = more_than_operands(&f->step[k]);
+        if (f->step[k].kind == STEP_ANSWER) return NOTHING_MORE;
+        if (more > most) most = more;
         k += is_size(m, &f->step[k]);
     }
-    return found;
+    return most;
 }
 
 int pm_waves_create(pm_workspace *w)
@@ -73,7 +83,7 @@ int pm_waves_create(pm_workspace *w)
     const int status = pm_arena_take(&w->memory, PM_ARRAYS(array));
     if (status) return status;
     x->along.place = w->watched->place;
-    for (int i = 0; i < m->rows[PM_TABLE_PROGRAM]; i++) x->possible[i] = (unsigned char)is_possible(m, i);
+    for (int i = 0; i < m->rows[PM_TABLE_PROGRAM]; i++) x->possible[i] = (unsigned char)possible_in(m, i);
     return PM_OK;
 }
 
@@ -178,11 +188,29 @@ static int stays(const pm_course *c, pm_interval bends, double from, double to, 
     return stays(c, bends, from, middle, budget) && stays(c, bends, middle, to, budget);
 }
 
+/* From one node to another no switch is passed that is not known. */
+static int has_known_switches(const pm_course *c, int first, int last)
+{
+    const double *at = c->w->step.nodes->at;
+    const int middle = (first + last) / 2;
+    int budget = PM_TIME_PARTS;
+    if (last - first == 1) return stays(c, PM_INTERVAL_ALL, at[first], at[last], &budget);
+    if (enclose(c, at[first], at[last]).open == 0) return 1;
+    return has_known_switches(c, first, middle) && has_known_switches(c, middle, last);
+}
+
+static int switches_only(const pm_course *c)
+{
+    return c->w->watched->waves->possible[c->program] == SWITCHES_ONLY;
+}
+
 /* By the nodes of routes that do not care for waves. */
 static int is_calm_by_few(const pm_course *c)
 {
     const pm_interval range = range_of(c);
-    return !is_bounded(range) || (is_of_polynomials(c) && is_calm(c, range));
+    if (!is_bounded(range)) return 1;
+    if (!is_of_polynomials(c)) return 0;
+    return switches_only(c) ? has_known_switches(c, 0, c->w->step.nodes->n - 1) : is_calm(c, range);
 }
 
 static int is_shown(const pm_course *c)
@@ -193,6 +221,7 @@ static int is_shown(const pm_course *c)
     int budget = PM_TIME_PARTS;
     if (!is_bounded(range)) return 1; /* whoever watches says so */
     if (!is_of_polynomials(c)) return 1;
+    if (switches_only(c)) return has_known_switches(c, 0, nodes->n - 1);
     if (is_calm(c, range)) return 1;
     if (!c->by_branches && pm_chebyshev_tail(nodes, c->sample) > PM_TAIL_WAVES) return 0;
     if (!take_bends(c, range, &bends)) return 0;

@@ -7,19 +7,28 @@
 #include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 
-/* cos(pi j k / last) of nodes that are counted from s = 0, where x = 2 s - 1 = -1. */
-static double basis(int last, int j, int k)
-{
-    const int turn = 2 * PM_NODES_CLOCK - 2, whole = turn / 2 / last;
-    return pm_chebyshev_nodes_cosine[j * (last - k) * whole % turn];
-}
-
+/* c[j] = 2 / last sum of f[m] cos(pi j m / last), f[m] the sample at x = cos(pi m / last), ends halved.  Samples m and
+ * last - m, at x and -x, have the same cosine but for a sign: their sums give the even coefficients, their differences the
+ * odd ones. */
 static void transform(const pm_chebyshev_nodes *nodes, const double *sample, double *c)
 {
-    const int last = nodes->n - 1;
+    const int last = nodes->n - 1, half = last / 2;
+    const int turn = 2 * PM_NODES_CLOCK - 2, whole = turn / 2 / last;
+    double pair[2][PM_NODES_MOST / 2 + 1];
+    for (int m = 0; m < half; m++) {
+        pair[0][m] = sample[last - m] + sample[m];
+        pair[1][m] = sample[last - m] - sample[m];
+    }
+    pair[0][half] = sample[half];
+    pair[1][half] = 0;
     for (int j = 0; j <= last; j++) {
-        double sum = 0.5 * (sample[0] * basis(last, j, 0) + sample[last] * basis(last, j, last));
-        for (int k = 1; k < last; k++) sum += sample[k] * basis(last, j, k);
+        const double *f = pair[j % 2];
+        double sum = 0.5 * f[0];
+        for (int m = 1, at = 0; m <= half; m++) {
+            at += j * whole;
+            if (at >= turn) at -= turn;
+            sum += f[m] * pm_chebyshev_nodes_cosine[at];
+        }
         c[j] = sum * (j == 0 || j == last ? 1.0 : 2.0) / last;
     }
 }
