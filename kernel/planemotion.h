@@ -197,6 +197,25 @@ enum pm_trust {
  * that is ok: the first of PM_COUNT_ORDERED_BLOWS: row and member are two of its contacts; detail = its time, s. */
 enum pm_where_column { PM_WHERE_TABLE = 0, PM_WHERE_ROW = 1, PM_WHERE_MEMBER = 2, PM_WHERE_COLUMNS = 3 };
 enum pm_detail_column { PM_DETAIL_VALUE = 0, PM_DETAIL_BOUND = 1, PM_DETAIL_TIME = 2, PM_DETAIL_COLUMNS = 3 };
+/* Of a case that is PM_UNDECIDED: table and row are those of the event, contact or joint that its least margin belongs to, the
+ * member tells what was decided there; detail = margin, 1 and the time of the decision, s. */
+enum pm_decision {
+    PM_DECISION_OUTCOME =
+        0, /* passes that differ by their errors only have other counts or statuses; no place is known */
+    PM_DECISION_HAPPENS = 1,  /* whether it is reached */
+    PM_DECISION_REVERSES = 2, /* whether what is reached is passed, or turns back there */
+    PM_DECISION_ORDER = 3,    /* whether a blow comes before a time of the scene */
+    PM_DECISION_STRIKES = 4,
+    PM_DECISION_PULLS_IN_BLOW = 5,
+    PM_DECISION_SLIDES_IN_BLOW = 6,
+    PM_DECISION_JOINS = 7,
+    PM_DECISION_PULLS = 8,
+    PM_DECISION_SLIDES = 9,
+    PM_DECISION_SLIP_LEFT = 10,
+    PM_DECISION_MEETS = 11,
+    PM_DECISION_PARTS = 12,
+    PM_DECISION_SHARES = 13
+};
 enum pm_count_column {
     PM_COUNT_PHASES = 0,
     PM_COUNT_EVENTS = 1,

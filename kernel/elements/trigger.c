@@ -18,6 +18,7 @@ void pm_trigger_reset(const pm_model *model, pm_firing *x)
     }
     memset(x->fired, 0, (size_t)model->rows[PM_TABLE_TRIGGER]);
     for (int i = 0; i < model->rows[PM_TABLE_TRIGGER]; i++) x->size[i] = 0;
+    x->jumped = NAN;
     pm_trigger_end_instant(model, x);
 }
 

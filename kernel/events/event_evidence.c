@@ -4,9 +4,14 @@
 #include <math.h>
 
 #include "elements/contact.h"
+#include "elements/trigger.h"
+#include "events/last_bounce.h"
 #include "state/evidence.h"
 #include "state/route.h"
 #include "state/workspace.h"
+
+/* What is noted after all functions of a phase, and before jumps of triggers (elements/trigger.c). */
+#define AFTER_FUNCTIONS (INT32_MAX / 2)
 
 /* A trigger's program is measured by its own size, all else by a natural one. */
 static int trigger_of(const pm_event_function *f)
@@ -14,18 +19,38 @@ static int trigger_of(const pm_event_function *f)
     return f->kind == FUNCTION_TRIGGER && !f->every ? f->index : PM_NONE;
 }
 
+/* Whose function it is; of triggers the log itself knows that. */
+static pm_evidence_decision of_function(const pm_model *m, const pm_event_function *f)
+{
+    pm_evidence_decision x = {.trigger = trigger_of(f), .table = PM_TABLE_CONTACT};
+    switch (f->kind) {
+    case FUNCTION_TRIGGER:
+        x.table = PM_TABLE_EVENT;
+        x.row = PM_TRIGGER_ROW(m, f->index)[PM_TRIGGER_EVENT];
+        return x;
+    case FUNCTION_JOINT_STICK:
+    case FUNCTION_JOINT_SLIP:
+        x.table = PM_TABLE_FORCE;
+        x.row = m->friction_force[f->index];
+        return x;
+    case FUNCTION_GAP:
+    case FUNCTION_MEETING: x.row = f->index; return x;
+    default: x.row = pm_contact_of_slot(m, f->index); return x;
+    }
+}
+
 void pm_event_evidence_rate(pm_workspace *w, int function, double rate)
 {
     if (!w->evidence.active) return;
     const pm_event_function *f = &w->event->function[function];
-    pm_evidence_take(&w->evidence,
-                     &(pm_evidence_decision){.kind = PM_EVIDENCE_RATE,
-                                             .what = function,
-                                             .in_time = w->phase.route->in_time,
-                                             .trigger = trigger_of(f),
-                                             .distance = rate,
-                                             .reach = INFINITY,
-                                             .unit = f->natural * w->numbers.speed / w->numbers.size});
+    pm_evidence_decision x = of_function(w->model, f);
+    x.kind = PM_EVIDENCE_RATE;
+    x.what = function;
+    x.in_time = w->phase.route->in_time;
+    x.distance = rate;
+    x.reach = INFINITY;
+    x.unit = f->natural * w->numbers.speed / w->numbers.size;
+    pm_evidence_take(&w->evidence, &x);
 }
 
 /* Of a function at the frame from its zero, `every` from the nearest multiple; of points that may meet, from each other. */
@@ -57,41 +82,95 @@ static int holds(const pm_step *step, const pm_event_function *f)
     return f->held && !(f->since > step->begin);
 }
 
-static int did_not_fire(const pm_workspace *w, int i)
+/* Late in a series of blows, or at rest beside something: closed or not, the motion is the same. */
+static int meets_slowly(const pm_workspace *w, const pm_event_function *f)
+{
+    int member;
+    double rate;
+    if (f->kind != FUNCTION_GAP) return 0;
+    pm_contact_gap(&w->frame, &w->state, f->index, &member);
+    if (member == PM_NONE) return 0;
+    pm_contact_member_gap(&w->frame, f->index, member, &rate);
+    return pm_last_bounce_is_near(w, f->index, rate);
+}
+
+static int did_not_fire(const pm_workspace *w, int i, int marks)
 {
     const pm_event_function *f = &w->event->function[i];
     const int known = f->level <= w->frame.level;
     return known && !w->event->hit[i] && !holds(&w->step, f) && !is_beyond(f) &&
-           !takes_part(&w->frame, &w->state, f);
+           (marks || !takes_part(&w->frame, &w->state, f));
 }
 
-void pm_event_evidence_instant(pm_workspace *w)
+/* ---- times of the scene and jumps ---- */
+static int time_is_due(const pm_workspace *w)
+{
+    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++)
+        if (w->firing.fired[i] && pm_trigger_on_time(w->model, i)) return 1;
+    return 0;
+}
+
+/* What touches may have been met although its own zero was not found. */
+int pm_event_evidence_located(const pm_workspace *w)
+{
+    if (!w->evidence.active) return 0;
+    for (int i = 0; i < w->event->nfunction; i++) {
+        const pm_event_function *f = &w->event->function[i];
+        const int on_time = f->kind == FUNCTION_TRIGGER && pm_trigger_on_time(w->model, f->index);
+        if ((w->event->hit[i] && !on_time) || takes_part(&w->frame, &w->state, f)) return 1;
+    }
+    return 0;
+}
+
+/* What is answered at a time of the scene depends on whether the last jump came before it. */
+static void take_time_since_jump(pm_workspace *w)
+{
+    const double natural = w->numbers.size / w->numbers.speed;
+    pm_evidence_take(&w->evidence, &(pm_evidence_decision){.kind = PM_EVIDENCE_VALUE,
+                                                           .what = AFTER_FUNCTIONS,
+                                                           .trigger = PM_NONE,
+                                                           .table = PM_NONE,
+                                                           .distance = w->state.t - w->firing.jumped,
+                                                           .reach = INFINITY,
+                                                           .unit = fmax(natural, fabs(w->state.t))});
+}
+
+void pm_event_evidence_jump(pm_workspace *w)
+{
+    w->firing.jumped = w->state.t;
+    if (time_is_due(w)) pm_evidence_ties(&w->evidence, w->state.t);
+}
+
+/* ---- an instant ---- */
+void pm_event_evidence_instant(pm_workspace *w, int marks)
 {
     if (!w->evidence.active) return;
     pm_event_set *e = w->event;
     for (int i = 0; i < e->nfunction; i++) {
         pm_event_function *f = &e->function[i];
-        pm_evidence_decision x = {.kind = PM_EVIDENCE_NEAR,
-                                  .what = i,
-                                  .trigger = trigger_of(f),
-                                  .distance = f->near,
-                                  .reach = f->near_reach,
-                                  .unit = f->natural};
+        pm_evidence_decision x = of_function(w->model, f);
+        x.kind = PM_EVIDENCE_NEAR;
+        x.what = i;
+        x.distance = f->near;
+        x.reach = f->near_reach;
+        x.unit = f->natural;
         if (isfinite(f->near)) pm_evidence_take(&w->evidence, &x);
         f->near = INFINITY;
-        if (!did_not_fire(w, i)) continue;
+        if (!did_not_fire(w, i, marks) || meets_slowly(w, f)) continue;
         x.kind = PM_EVIDENCE_VALUE;
         x.distance = distance_of(w, f);
         if (f->kind == FUNCTION_MEETING || f->kind == FUNCTION_STRAND) x.unit = w->numbers.size;
         x.reach = fabs(x.distance);
         pm_evidence_take(&w->evidence, &x);
     }
+    if (isfinite(w->firing.jumped) && time_is_due(w)) take_time_since_jump(w);
 }
 
 void pm_event_evidence_close(pm_workspace *w)
 {
     if (!w->evidence.active) return;
     pm_evidence_log *log = &w->evidence.present->log;
+    pm_evidence_date(log, w->state.t);
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) pm_evidence_mix(log, w->firing.fired[i]);
     for (int i = 0; i < w->model->nfriction; i++) pm_evidence_mix(log, (uint32_t)w->state.friction[i]);
     for (int i = 0; i < w->model->nslot; i++) {
@@ -99,4 +178,32 @@ void pm_event_evidence_close(pm_workspace *w)
         if (w->state.slot[i].mode != PM_OPEN) pm_evidence_mix(log, (uint32_t)w->state.slot[i].member);
     }
     log->instant++;
+}
+
+/* ---- what a decision is about ---- */
+_Static_assert(PM_DECISION_STRIKES + PM_SITE_SHARES == PM_DECISION_SHARES,
+               "sites are decisions in this order");
+
+static pm_where where_of(const pm_model *m, const pm_evidence_decision *x)
+{
+    const int decision = x->kind == PM_EVIDENCE_RATE ? PM_DECISION_REVERSES : PM_DECISION_HAPPENS;
+    if (x->kind == PM_EVIDENCE_SIGN) {
+        const int site = x->what % PM_EVIDENCE_SITES, of = x->what / PM_EVIDENCE_SITES;
+        const int by_slot = site != PM_SITE_STRIKES && site != PM_SITE_PARTS && site != PM_SITE_MEETS;
+        const int contact = by_slot ? pm_contact_of_slot(m, of) : of;
+        return (pm_where){PM_TABLE_CONTACT, contact, PM_DECISION_STRIKES + site, 0, 0};
+    }
+    if (x->trigger != PM_NONE)
+        return (pm_where){PM_TABLE_EVENT, PM_TRIGGER_ROW(m, x->trigger)[PM_TRIGGER_EVENT], decision, 0, 0};
+    if (x->table == PM_NONE) return (pm_where){PM_NONE, PM_NONE, PM_DECISION_ORDER, 0, 0};
+    return (pm_where){x->table, x->row, decision, 0, 0};
+}
+
+pm_where pm_event_evidence_where(const pm_model *model, const pm_closest *closest, double *t)
+{
+    const pm_evidence_decision trigger = {.kind = PM_EVIDENCE_NEAR, .trigger = closest->trigger};
+    *t = closest->decision ? closest->decision->t : NAN;
+    if (closest->decision) return where_of(model, closest->decision);
+    if (closest->trigger != PM_NONE) return where_of(model, &trigger);
+    return (pm_where){PM_NONE, PM_NONE, PM_DECISION_OUTCOME, 0, 0};
 }

@@ -233,7 +233,7 @@ static int shared_stand(pm_workspace *w, double size)
     for (int i = 0; i < w->model->nslot; i++) {
         double slack;
         if (!pm_shared_is_bounded(w, i, &slack)) continue;
-        pm_evidence_sign(&w->evidence, PM_SITE_PULLS, i, slack, size);
+        pm_evidence_sign(&w->evidence, PM_SITE_SHARES, i, slack, size);
         stand &= slack >= -PM_PULLS * size;
     }
     return stand;

@@ -72,8 +72,12 @@ static int touches(pm_workspace *w, int contact, pm_touch *x)
                                 pm_contact_gap(&w->frame, &w->state, contact, &x->member));
     if (!pm_contact_touches(&w->frame, &w->state, contact, &x->member)) return 0;
     pm_contact_member_gap(&w->frame, contact, x->member, &x->rate);
-    if (!pm_last_bounce_is_near(w, contact, x->rate))
-        pm_evidence_sign(&w->evidence, PM_SITE_STRIKES, contact, x->rate, w->numbers.speed);
+    if (!pm_last_bounce_is_near(w, contact, x->rate)) {
+        /* speeds below it neither strike nor part; that of the main pass in a coarse run, too */
+        const double none = pm_contact_speed(&w->frame) / w->numbers.coarse;
+        pm_evidence_sign(&w->evidence, PM_SITE_STRIKES, contact, x->rate + none, w->numbers.speed);
+        pm_evidence_sign(&w->evidence, PM_SITE_PARTS, contact, x->rate - none, w->numbers.speed);
+    }
     x->approaches = x->rate < -pm_contact_speed(&w->frame);
     x->rests = pm_last_bounce_is_spent(w, contact, x->rate);
     x->stays = x->rate <= pm_contact_speed(&w->frame) &&
@@ -140,6 +144,19 @@ static int find_blow(pm_workspace *w, pm_blow *b)
     return !status && exact && pm_impact_end_gains(w, b) > 0 ? pm_impact_limit(w, b) : status;
 }
 
+/* The last of a series of ever smaller blows, by how slow it is: in another pass it may have been followed by more. */
+static int ends_series(const pm_workspace *w, const pm_blow *b)
+{
+    if (pm_last_bounce_is_slow(w, b->approach)) return 1;
+    for (int i = 0; i < w->model->nslot; i++) {
+        const int contact = pm_contact_of_slot(w->model, i);
+        if (b->share[i] == PM_STRUCK && pm_contact_restitution(&w->frame, contact) > 0 &&
+            pm_last_bounce_restitution(w, contact, -b->approach) == 0)
+            return 1;
+    }
+    return 0;
+}
+
 static int one_blow(pm_workspace *w, pm_blow *b)
 {
     const pm_model *m = w->model;
@@ -161,7 +178,7 @@ static int one_blow(pm_workspace *w, pm_blow *b)
     pm_impact_followed_close(w, b);
     if (b->several && PM_SETTING(m, PM_SETTING_SIMULTANEOUS) == PM_SIMULTANEOUS_OPEN)
         pm_impact_order_look(w, b);
-    pm_evidence_blow(&w->evidence, b->approach);
+    pm_evidence_blow(&w->evidence, ends_series(w, b) ? PM_EVIDENCE_LAST_BLOW : b->approach);
     pm_impact_end_modes(w, b);
     pm_joint_friction_close(&w->frame, &w->state);
     w->result.count[PM_COUNT_JUMPS]++;

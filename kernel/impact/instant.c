@@ -175,7 +175,7 @@ static int go_on(pm_workspace *w, int *ended)
 static int act(pm_workspace *w, int begins, int *ended)
 {
     *ended = 0;
-    pm_event_evidence_instant(w);
+    pm_event_evidence_instant(w, 0);
     if (is_settled(w)) {
         pm_ask_look_before(w);
         return PM_OK;
@@ -252,7 +252,10 @@ int pm_instant_full(pm_workspace *w, int *ended)
     if (!status) status = pm_saddle_accelerate(w);
     if (!status) status = pm_event_check_strands(w);
     if (!status && w->step.reverses) status = mark_reversal(w);
+    const int located = pm_event_evidence_located(w);
+    const int64_t jumps = w->result.count[PM_COUNT_JUMPS];
     if (!status) status = act(w, 0, ended);
+    if (located && w->result.count[PM_COUNT_JUMPS] > jumps) pm_event_evidence_jump(w);
     if (status || *ended) return status;
     status = pm_instant_finish(w, ended);
     return status ? status : pm_history_append(w, 2);
@@ -274,7 +277,7 @@ int pm_instant_mark(pm_workspace *w, int *ended)
     pm_frame_look_state(&w->frame, &w->state);
     if (!status && level == PM_LEVEL_DYNAMIC) status = pm_step_react(w);
     if (status) return status;
-    pm_event_evidence_instant(w);
+    pm_event_evidence_instant(w, 1);
     pm_ask_look_before(w);
     fire(w);
     status = count(w, ended);

@@ -36,6 +36,7 @@ void pm_evidence_begin(const pm_model *model, pm_evidence *evidence)
     p->relative = 0;
     p->unsure = 0;
     p->cut = 0;
+    p->tied = NAN;
     for (int i = 0; i < model->rows[PM_TABLE_TRIGGER]; i++) p->extreme[i] = INFINITY;
     begin_log(&p->log);
 }
@@ -74,6 +75,13 @@ void pm_evidence_cut(pm_evidence *evidence)
 {
     if (evidence->active) evidence->present->cut = 1;
 }
+
+void pm_evidence_ties(pm_evidence *evidence, double t)
+{
+    if (evidence->active && !evidence->seeks) evidence->present->tied = t;
+}
+
+int pm_evidence_has_series(const pm_pass *pass) { return pass->cut || pass->log.instant >= PART; }
 
 void pm_evidence_decide(pm_evidence *evidence, double distance, double error)
 {
@@ -128,6 +136,11 @@ void pm_evidence_blow(pm_evidence *evidence, double approach)
     pm_evidence_log *log = &evidence->present->log;
     for (int i = log->n - 1; i >= 0 && log->entry[i].instant == log->instant; i--)
         if (log->entry[i].approach == 0) log->entry[i].approach = approach;
+}
+
+void pm_evidence_date(pm_evidence_log *log, double t)
+{
+    for (int i = log->n - 1; i >= 0 && log->entry[i].instant == log->instant; i--) log->entry[i].t = t;
 }
 
 int32_t pm_evidence_part_of(const pm_evidence_decision *x) { return x->instant / PART; }

@@ -28,18 +28,22 @@ enum pm_evidence_site {
     PM_SITE_SLIDES = 5,
     PM_SITE_SLIP_LEFT = 6, /* at the end of a blow that was followed */
     PM_SITE_MEETS = 7,
-    PM_EVIDENCE_SITES = 8
+    PM_SITE_PARTS = 8,  /* what touches */
+    PM_SITE_SHARES = 9, /* as PULLS and SLIDES, of contacts that share a load */
+    PM_EVIDENCE_SITES = 10
 };
 
 typedef struct pm_evidence_decision {
     int32_t instant, kind, what; /* what: which of its kind */
     int32_t trigger;             /* whose program the distance is in the unit of, or PM_NONE */
-    int32_t in_time;  /* rates are by time, else by the way along a path: these two cannot be compared */
-    uint32_t history; /* of all that was decided before */
-    double distance;  /* from the threshold */
-    double reach;     /* how far it was nearby: nothing by the scene's structure if that is rounding */
-    double unit;      /* natural size of the distance; of triggers over the size of their program */
-    double approach;  /* m/s, greatest of the blow that it belongs to; 0: of none */
+    int32_t in_time;    /* rates are by time, else by the way along a path: these two cannot be compared */
+    uint32_t history;   /* of all that was decided before */
+    double distance;    /* from the threshold */
+    double reach;       /* how far it was nearby: nothing by the scene's structure if that is rounding */
+    double unit;        /* natural size of the distance; of triggers over the size of their program */
+    double approach;    /* m/s, greatest of the blow that it belongs to; 0: of none */
+    int32_t table, row; /* whose it is, where neither a trigger nor a site tells; PM_NONE: of no place */
+    double t;           /* s, of its instant */
 } pm_evidence_decision;
 
 typedef struct pm_evidence_log {
@@ -70,12 +74,20 @@ typedef struct pm_pass {
         extreme; /* [2][ntrigger] nearest to zero of what forces or speeds decide, and how far it was nearby */
     int cut;     /* a series of blows without end was cut off, by its error in time */
     int unsure;  /* the extremes of such a function are not known */
+    double tied; /* s, when a jump that was located and a time of the scene were at one instant; NaN: never */
     uint64_t outcome; /* hash of status, reasons and event counts */
     int status;
     int coarse;
     int halves;
     pm_evidence_log log;
 } pm_pass;
+
+/* The decision of a case that is closest to its threshold. */
+typedef struct pm_closest {
+    double margin;
+    const pm_evidence_decision *decision; /* NULL where no log has it */
+    int trigger;                          /* then: that comes so close to firing, or PM_NONE */
+} pm_closest;
 
 /* Nothing is known of the errors and decisions of the run that begins. */
 void pm_evidence_begin(const pm_model *model, pm_evidence *evidence);
@@ -96,16 +108,24 @@ void pm_evidence_more(pm_evidence *evidence, int column, double more);
 /* A series of ever smaller blows was ended although its last rebound would have lasted: earlier in a coarse run. */
 void pm_evidence_cut(pm_evidence *evidence);
 
+/* A jump that was located and a time of the scene are at one instant, t: which of both came first is not known. */
+void pm_evidence_ties(pm_evidence *evidence, double t);
+/* Whether a series of ever smaller blows was passed, or ended. */
+int pm_evidence_has_series(const pm_pass *pass);
+
 /* Adds a decision to the log of the pass, at the present instant. */
 void pm_evidence_take(pm_evidence *evidence, const pm_evidence_decision *decision);
 /* Likewise; it belongs to the blow whose decisions were added last at this instant. */
 void pm_evidence_take_after(pm_evidence *evidence, const pm_evidence_decision *decision);
 /* The sign of x, of natural size `unit`, decides what contact slot (or contact) `what` does. */
 void pm_evidence_sign(pm_evidence *evidence, int site, int what, double x, double unit);
-/* What was decided at the present instant so far belongs to a blow with this greatest speed of approach. */
+#define PM_EVIDENCE_LAST_BLOW (-1.0) /* in the place of the speed of approach: of a blow that ends a series */
+/* What was decided at the present instant so far belongs to a blow with this greatest speed of approach, m/s. */
 void pm_evidence_blow(pm_evidence *evidence, double approach);
 /* A contact has been struck infinitely often: other passes may have seen other numbers of its blows. */
 void pm_evidence_part(pm_evidence *evidence, int contact);
+/* The present instant is at t. */
+void pm_evidence_date(pm_evidence_log *log, double t);
 /* What came of the present instant is mixed into the history of the log; the next one begins. */
 void pm_evidence_mix(pm_evidence_log *log, uint32_t what);
 /* The part of the run that a decision belongs to: see pm_evidence_part. */

@@ -150,6 +150,7 @@ typedef struct pm_firing {
     int64_t *seen;          /* [nevent] how often its triggers were marked */
     unsigned char *counted; /* [nevent] enum pm_counted, at this instant */
     double *time;           /* [nevent] s, when it fired last; not a number before */
+    double jumped; /* s, when velocities jumped last at an instant that was located; not a number before */
 } pm_firing;
 
 /* Whether errors and margins are estimated, and the pass that notes them (state/evidence.h). */

@@ -185,14 +185,6 @@ static double judge_answers(const pm_workspace *w, double share, double *error)
     return excess;
 }
 
-/* Passes that came to other counts or statuses have a margin below 1 somewhere, even where no log shows it. */
-static double judge_decisions(const pm_accuracy *e, double share)
-{
-    const double margin = pm_margin_of_logs(&e->main->log, &e->other->log, e->trigger_scale) / share;
-    const double decided = e->main->outcome == e->other->outcome ? margin : 0;
-    return fmin(decided, e->main->margin);
-}
-
 /* Of the difference of both passes: what the error of the main one is taken for. */
 static double share_of(const pm_phase *phase, const pm_accuracy *e)
 {
@@ -223,7 +215,7 @@ static void judge(pm_workspace *w, double *error, double *trust)
     const double share = share_of(&w->phase, w->accuracy);
     trust[PM_TRUST_EXCESS] = judge_answers(w, share, error);
     if (w->evidence.seeks) judge_found(w, share, error);
-    trust[PM_TRUST_MARGIN] = judge_decisions(w->accuracy, share);
+    trust[PM_TRUST_MARGIN] = pm_margin_judge(w->accuracy, share);
 }
 
 static int knows_itself(const pm_workspace *w)
@@ -251,11 +243,14 @@ static void swap(pm_pass **a, pm_pass **b)
 static int find_coarse(pm_workspace *w, const double *param)
 {
     pm_accuracy *e = w->accuracy;
+    e->closest = (pm_closest){INFINITY, NULL, PM_NONE};
     if (knows_itself(w)) {
         memcpy(e->other->out, e->main->out, (size_t)w->model->nout * sizeof(double));
-        e->main->margin = fmin(e->main->margin, pm_path_error_margin(w->model, e->main, e->trigger_scale));
-        e->other->log.n = 0; /* its own decisions are in its margin */
+        e->closest = pm_path_error_margin(w->model, e->main, e->trigger_scale);
+        e->other->log.n = 0; /* its own decisions are judged by that */
         e->other->outcome = e->main->outcome;
+        e->other->tied = e->main->tied;
+        e->other->count[PM_COUNT_JUMPS] = e->main->count[PM_COUNT_JUMPS];
         e->other->tolerance = e->main->tolerance;
         e->other->coarse = 1;
         return 1;
@@ -295,6 +290,7 @@ static int refine(pm_workspace *w, const double *param, double *error, double *t
     swap(&e->main, &e->spare);
     swap(&e->other, &e->spare); /* the last main pass; what it was compared with is free */
     find_sizes(w);
+    e->closest = (pm_closest){INFINITY, NULL, PM_NONE};
     /* what a cut loses does not go with the tolerance: only a coarse run shows it */
     if ((doubtful || e->main->cut || e->main->tolerance < PM_ACCURACY_NEAR_ENOUGH * e->other->tolerance) &&
         !find_coarse(w, param))
@@ -311,10 +307,8 @@ static void climb(pm_workspace *w, const double *param, double *error, double *t
     for (int i = 0; i < PM_ACCURACY_REFINEMENTS && !good_enough(&w->phase, w->accuracy, trust); i++)
         if (!refine(w, param, error, trust)) break;
     /* a run that sits on the threshold that was sought is not in doubt */
-    if (e->main->status == PM_OK && trust[PM_TRUST_MARGIN] < 1 && !w->evidence.seeks) {
-        e->main->status = PM_UNDECIDED;
-        e->main->where = (pm_where){PM_NONE, PM_NONE, PM_NONE, trust[PM_TRUST_MARGIN], 1};
-    }
+    if (e->main->status == PM_OK && trust[PM_TRUST_MARGIN] < 1 && !w->evidence.seeks)
+        pm_margin_undecided(w->model, e, trust[PM_TRUST_MARGIN]);
 }
 
 /* The main pass goes to the caller's arrays, which the workspace points to again. */

@@ -14,6 +14,7 @@ typedef struct pm_accuracy {
     pm_pass pass[3], *main, *other, *spare, *last;
     double *scale;           /* [nask] natural size of each ask */
     double *trigger_scale;   /* [ntrigger] */
+    pm_closest closest;      /* decision of the main pass, as its log, or the route, tells it */
     unsigned char *discrete; /* [nask] integers and yes or no: they have no error, but a margin */
 } pm_accuracy;
 
@@ -29,6 +30,11 @@ int pm_accuracy_run(pm_workspace *w, const double *param, double *found, double 
 /* ---- margin.c ---- */
 /* Least distance over difference of the decisions that both passes took; trigger_scale[ntrigger]: natural sizes of the
  * trigger programs. */
-double pm_margin_of_logs(const pm_evidence_log *a, const pm_evidence_log *b, const double *trigger_scale);
+pm_closest pm_margin_of_logs(const pm_evidence_log *a, const pm_evidence_log *b, const double *trigger_scale);
+/* The margin of the main pass, and its decision in e->closest; share: of the difference of both passes, what its error is taken
+ * for.  Passes that came to other counts or statuses have a margin of 0, even where no log shows why. */
+double pm_margin_judge(pm_accuracy *e, double share);
+/* The main pass ends as PM_UNDECIDED: of which decision, and when it was taken. */
+void pm_margin_undecided(const pm_model *model, pm_accuracy *e, double margin);
 
 #endif

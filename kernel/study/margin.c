@@ -4,6 +4,7 @@
  * impulse that must not pull.  Two passes of a case that differ by their errors only give x and x': the margin of the
  * decision is the smaller of both over |x - x'|.  As long as the passes decide alike their logs run in step, which the
  * history proves; near misses are seen by one pass and perhaps not by the other, and are then left out. */
+#include "events/event_search.h"
 #include "numerics/tolerances.h"
 #include "study/accuracy.h"
 
@@ -13,6 +14,7 @@
  * errors of the speeds do not hold already. */
 static int are_other_blows(const pm_evidence_decision *x, const pm_evidence_decision *y)
 {
+    if (x->approach == PM_EVIDENCE_LAST_BLOW || y->approach == PM_EVIDENCE_LAST_BLOW) return 1;
     const double low = fmin(x->approach, y->approach), high = fmax(x->approach, y->approach);
     return high > PM_MARGIN_SAME_BLOW * low;
 }
@@ -60,10 +62,15 @@ static int next_part(const pm_evidence_log *log, int i)
     return i;
 }
 
-double pm_margin_of_logs(const pm_evidence_log *a, const pm_evidence_log *b, const double *trigger_scale)
+static pm_closest closer(pm_closest x, const pm_evidence_decision *decision, double margin)
+{
+    return margin < x.margin ? (pm_closest){margin, decision, PM_NONE} : x;
+}
+
+pm_closest pm_margin_of_logs(const pm_evidence_log *a, const pm_evidence_log *b, const double *trigger_scale)
 {
     const int32_t stride = a->stride > b->stride ? a->stride : b->stride;
-    double margin = INFINITY;
+    pm_closest closest = {INFINITY, NULL, PM_NONE};
     for (int i = 0, j = 0; i < a->n && j < b->n;) {
         const pm_evidence_decision *x = &a->entry[i], *y = &b->entry[j];
         if (x->instant % stride != 0) {
@@ -75,7 +82,7 @@ double pm_margin_of_logs(const pm_evidence_log *a, const pm_evidence_log *b, con
         } else if (pm_evidence_part_of(x) > pm_evidence_part_of(y)) {
             j++;
         } else if (same(x, y)) {
-            margin = fmin(margin, margin_of(x, y, trigger_scale));
+            closest = closer(closest, x, margin_of(x, y, trigger_scale));
             i++;
             j++;
         } else if (may_lack(x) && (!may_lack(y) || comes_first(x, y))) {
@@ -90,5 +97,40 @@ double pm_margin_of_logs(const pm_evidence_log *a, const pm_evidence_log *b, con
             j = next_part(b, j);
         }
     }
-    return margin;
+    return closest;
+}
+
+/* ---- of a case ---- */
+/* Late in a series of ever smaller blows passes may have seen other numbers of them. */
+static int same_jumps(const pm_pass *a, const pm_pass *b)
+{
+    return pm_evidence_has_series(a) || pm_evidence_has_series(b) ||
+           a->count[PM_COUNT_JUMPS] == b->count[PM_COUNT_JUMPS];
+}
+
+static int is_tied(const pm_pass *p) { return !isnan(p->tied); }
+
+double pm_margin_judge(pm_accuracy *e, double share)
+{
+    const pm_pass *a = e->main, *b = e->other;
+    if (a->outcome != b->outcome || is_tied(a) || is_tied(b) || !same_jumps(a, b)) return 0;
+    pm_closest closest = pm_margin_of_logs(&a->log, &b->log, e->trigger_scale);
+    closest.margin /= share;
+    if (closest.margin < e->closest.margin) e->closest = closest;
+    return fmin(e->closest.margin, a->margin);
+}
+
+void pm_margin_undecided(const pm_model *model, pm_accuracy *e, double margin)
+{
+    pm_pass *p = e->main;
+    double t = is_tied(p) ? p->tied : e->other->tied;
+    p->status = PM_UNDECIDED;
+    p->where = (pm_where){PM_NONE, PM_NONE, PM_DECISION_OUTCOME, 0, 0};
+    if (!isnan(t))
+        p->where.member = PM_DECISION_ORDER;
+    else if (e->closest.margin <= margin)
+        p->where = pm_event_evidence_where(model, &e->closest, &t);
+    p->where.value = margin;
+    p->where.bound = 1;
+    if (!isnan(t)) p->t = t;
 }

@@ -332,10 +332,22 @@ FAULTS = [
         "w->firing.count[e[PM_ASK_EVENT_INDEX]] < e[PM_ASK_COUNT];",
     ),
     Fault(
+        "ties: a blow at the end is none",
+        "events/event_evidence.c",
+        "if (time_is_due(w)) pm_evidence_ties(&w->evidence, w->state.t);",
+        "",
+    ),
+    Fault(
+        "ties: a blow right before the end is not told",
+        "events/event_evidence.c",
+        ".distance = w->state.t - w->firing.jumped,",
+        ".distance = w->numbers.size / w->numbers.speed,",
+    ),
+    Fault(
         "waves: none are possible",
         "events/waves.c",
-        "found |= may_wave(&f->step[k]);",
-        "found |= 0 && may_wave(&f->step[k]);",
+        "if (more > most) most = more;",
+        "if (more > WAVES) most = more;",
     ),
     Fault(
         "window: the step is not halved",

@@ -49,8 +49,8 @@ FAULTS = [
     Fault(
         "error: counts that forces decide",
         "routes/path/path_error.c",
-        "margin = fmin(margin, fabs(x->distance)",
-        "(void)(fabs(x->distance)",
+        "if (pm_evidence_is_open(x, unit) && margin < closest.margin)",
+        "if (0 && margin < closest.margin)",
     ),
     Fault(
         "spin: no potential along the path",

@@ -14,15 +14,21 @@ FAULTS = [
     ),
     Fault(
         "margin: other counts in the companion",
-        "study/accuracy.c",
-        "e->main->outcome == e->other->outcome ? margin",
-        "1 ? margin",
+        "study/margin.c",
+        "if (a->outcome != b->outcome || ",
+        "if (",
+    ),
+    Fault(
+        "margin: other numbers of blows in the companion",
+        "study/margin.c",
+        " || !same_jumps(a, b)",
+        "",
     ),
     Fault(
         "margin: undecided is not told",
-        "study/accuracy.c",
-        "e->main->status = PM_UNDECIDED",
-        "e->main->status = PM_OK",
+        "study/margin.c",
+        "p->status = PM_UNDECIDED;",
+        "",
     ),
     Fault(
         "error: a cut goes with the tolerance",

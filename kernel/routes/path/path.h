@@ -217,7 +217,7 @@ void pm_path_error_answer(pm_workspace *w, int ask, int column, int program, dou
 /* A step has been sampled: how near to zero the functions come that do not fire by place. */
 void pm_path_error_sampled(pm_workspace *w);
 /* The margin of these in a pass; trigger_scale[ntrigger] natural sizes. */
-double pm_path_error_margin(const pm_model *model, const pm_pass *pass, const double *trigger_scale);
+pm_closest pm_path_error_margin(const pm_model *model, const pm_pass *pass, const double *trigger_scale);
 
 /* Once per model: do places alone decide when what matters to the answers happens, but for events that are counted and no
  * more? */

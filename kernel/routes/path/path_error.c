@@ -168,26 +168,34 @@ void pm_path_error_sampled(pm_workspace *w)
     }
 }
 
+/* Gaps, and times since a jump, are values without a trigger: known as the time is at instants that it sets. */
+static int is_told_here(const pm_model *model, const pm_evidence_decision *x)
+{
+    if (x->trigger == PM_NONE) return x->kind == PM_EVIDENCE_VALUE;
+    return x->kind != PM_EVIDENCE_RATE && !fires_by_place(model, PM_TRIGGER_ROW(model, x->trigger));
+}
+
 /* Values at instants are in the log; a rate tells nothing here that the extremes do not tell better. */
-double pm_path_error_margin(const pm_model *model, const pm_pass *pass, const double *trigger_scale)
+pm_closest pm_path_error_margin(const pm_model *model, const pm_pass *pass, const double *trigger_scale)
 {
     const int ntrigger = model->rows[PM_TABLE_TRIGGER];
     const double relative = fmax(pass->relative, DBL_EPSILON);
-    double margin = INFINITY;
+    pm_closest closest = {INFINITY, NULL, PM_NONE};
     for (int i = 0; i < pass->log.n; i++) {
         const pm_evidence_decision *x = &pass->log.entry[i];
-        if (x->trigger == PM_NONE || x->kind == PM_EVIDENCE_RATE ||
-            fires_by_place(model, PM_TRIGGER_ROW(model, x->trigger)))
-            continue;
-        const double unit = x->unit * trigger_scale[x->trigger];
-        if (pm_evidence_is_open(x, unit)) margin = fmin(margin, fabs(x->distance) / (unit * relative));
+        if (!is_told_here(model, x)) continue;
+        const double unit = x->unit * (x->trigger == PM_NONE ? 1 : trigger_scale[x->trigger]);
+        const double margin = fabs(x->distance) / (unit * relative);
+        if (pm_evidence_is_open(x, unit) && margin < closest.margin)
+            closest = (pm_closest){margin, x, PM_NONE};
     }
     for (int i = 0; i < ntrigger; i++) {
         const pm_evidence_decision x = {.reach = pass->extreme[ntrigger + i]};
         if (isinf(pass->extreme[i]) || !pm_evidence_is_open(&x, trigger_scale[i])) continue;
-        margin = fmin(margin, pass->extreme[i] / (trigger_scale[i] * relative));
+        const double margin = pass->extreme[i] / (trigger_scale[i] * relative);
+        if (margin < closest.margin) closest = (pm_closest){margin, NULL, i};
     }
-    return margin;
+    return closest;
 }
 
 /* ---- answers ---- */

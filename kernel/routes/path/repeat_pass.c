@@ -40,6 +40,7 @@ static void count_segments(pm_workspace *w, int64_t segments, double time)
         w->firing.count[i] += segments * each;
         if (each > 0) w->firing.time[i] += (double)segments * time;
     }
+    w->firing.jumped += (double)segments * time;
     for (int i = 0; i < 3; i++)
         w->result.count[counted[i]] +=
             segments * (w->result.count[counted[i]] - w->repeat->count[counted[i]]);

@@ -16,6 +16,23 @@ from .kernel import kernel, kernel_text, route_name, status_text
 from .outcome import CaseResults
 
 _SETTINGS = {layout.PM_SETTING_NUDGE: "start.nudge", layout.PM_SETTING_ROUTE: "solve.route"}
+# What is decided at a place, by enum pm_decision.
+_DECISIONS = {
+    layout.PM_DECISION_OUTCOME: "a decision on the way (what fires first, what touches, what holds)",
+    layout.PM_DECISION_HAPPENS: "whether it comes to it",
+    layout.PM_DECISION_REVERSES: "whether its threshold is passed or the motion turns back there",
+    layout.PM_DECISION_ORDER: "whether a blow comes before a time of the scene or after it",
+    layout.PM_DECISION_STRIKES: "whether it strikes",
+    layout.PM_DECISION_PULLS_IN_BLOW: "whether it takes part in a blow",
+    layout.PM_DECISION_SLIDES_IN_BLOW: "whether it slides in a blow",
+    layout.PM_DECISION_JOINS: "whether it joins a blow",
+    layout.PM_DECISION_PULLS: "whether it stays closed",
+    layout.PM_DECISION_SLIDES: "whether it slides",
+    layout.PM_DECISION_SLIP_LEFT: "whether slip is left after a blow",
+    layout.PM_DECISION_MEETS: "whether the two points meet",
+    layout.PM_DECISION_PARTS: "whether the two part",
+    layout.PM_DECISION_SHARES: "whether it and those that share its load hold",
+}
 _TABLE_NAMES = {value: name.removeprefix("PM_TABLE_").lower() for name, value in layout.pm_table.items()}
 
 
@@ -42,7 +59,9 @@ def describe(flat: FlatScene, status: int, where: Ints, detail: Floats, param: F
         return f"{flat.file}: {sentence}" if flat.file else sentence
     found, bound, time = (float(number) for number in detail)
     text = _DESCRIPTIONS.get(status)
-    if status == layout.PM_BAD_VALUE:
+    if status == layout.PM_UNDECIDED:
+        sentence = _undecided(place, int(where[layout.PM_WHERE_MEMBER]), found)
+    elif status == layout.PM_BAD_VALUE:
         sentence = _bad_value(place, found, bound, _unit(flat, where))
     else:
         sentence = text(place, found, bound) if text is not None else ""
@@ -54,6 +73,15 @@ def describe(flat: FlatScene, status: int, where: Ints, detail: Floats, param: F
     if math.isfinite(time) and time > 0:
         sentence += f", at t = {time:.6g} s"
     return f"{flat.file}: {sentence}" if flat.file else sentence
+
+
+def _undecided(place: str, decision: int, margin: float) -> str:
+    what = _DECISIONS.get(decision, _DECISIONS[layout.PM_DECISION_OUTCOME])
+    here = f"{place}: " if place else ""
+    return (
+        f"{here}{what} lies within the errors of the run (margin {margin:.2g}, at least 1 is wanted); "
+        "the answers are those of one of the outcomes"
+    )
 
 
 def _named(flat: FlatScene, where: Ints) -> tuple[str, str]:
@@ -78,7 +106,7 @@ def _place_name(flat: FlatScene, where: Ints, status: int) -> str:
         member = int(where[layout.PM_WHERE_MEMBER])
         if status == layout.PM_BAD_VALUE:
             return f"{names[row]}.{_named(flat, where)[0]}".removesuffix(".")
-        is_contact = table == layout.PM_TABLE_CONTACT
+        is_contact = table == layout.PM_TABLE_CONTACT and status != layout.PM_UNDECIDED
         return f"{names[row]}[{member}]" if is_contact and member > 0 else names[row]
     return _TABLE_NAMES.get(table, "") if table >= 0 else ""
 
@@ -142,11 +170,6 @@ _DESCRIPTIONS: dict[int, Any] = {
         if found > 0
         else "until: not reached; everything is at rest from the start and stays: give a velocity in "
         "start, or by start.nudge the side to which an unstable rest is left"
-    ),
-    layout.PM_UNDECIDED: lambda place, found, bound: (
-        "the run came to its end, but a decision on the way (what fires first, what touches, what holds) is "
-        f"closer to its threshold than the errors of the run: margin {found:.2g}, at least 1 is wanted; "
-        "ask for more solve.accuracy"
     ),
     layout.PM_ASSEMBLY: _open_joint,
     layout.PM_START_CONFLICT: lambda place, found, bound: (
