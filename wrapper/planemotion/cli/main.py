@@ -1,4 +1,4 @@
-"""The command line: `planemotion run | sweep | check | explain | plot | draw | animate`.
+"""The command line: `planemotion run | sweep | check | explain | plot | draw | animate | schema`.
 
 Exit status: 0 all is well; 1 a run failed or ended early; 2 what was given is wrong (a file, a key, a value,
 an output that cannot be written); 130 stopped by Ctrl-C.  Results go to stdout, all else to stderr.
@@ -18,6 +18,7 @@ from ..base.errors import PlanemotionError, SceneHint, SimulationError
 from .options import FAILED, INTERRUPTED, WRONG, say
 from .pictures import animate, draw, plot
 from .run import run
+from .schema import schema
 from .sweep import sweep
 from .tell import check, explain
 
@@ -75,7 +76,7 @@ def main() -> None:
     """
 
 
-for _command in (run, sweep, check, explain, plot, draw, animate):
+for _command in (run, sweep, check, explain, plot, draw, animate, schema):
     main.add_command(_command)
 
 
