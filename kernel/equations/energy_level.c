@@ -57,7 +57,9 @@ double pm_energy_level_factor(pm_workspace *w, const pm_energy_level_level *leve
     *gained = 0;
     if (!level->kept || !(kinetic > PM_LEVEL_SHARE * level->kinetic)) return 1;
     const double missing = level->energy - potential(w) - kinetic;
-    if (!(fabs(missing) > PM_LEVEL_ROUNDING * (kinetic + size_of_terms(w)) &&
+    /* where it is slow its velocities do not take in the rounding of what was fast */
+    const double most = fmax(kinetic, level->kinetic), terms = most + size_of_terms(w);
+    if (!(fabs(missing) > PM_LEVEL_ROUNDING * terms * most / kinetic &&
           fabs(missing) < PM_LEVEL_MOST * kinetic))
         return 1;
     *gained = missing;

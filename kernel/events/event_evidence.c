@@ -76,6 +76,12 @@ static int takes_part(const pm_frame *frame, const pm_state *state, const pm_eve
     return f->kind == FUNCTION_GAP && pm_contact_touches(frame, state, f->index, &member);
 }
 
+/* What stands at the end of an edge leaves it as far beyond as counts as touching: a little later, whatever the errors. */
+static int is_at_end(const pm_frame *frame, const pm_event_function *f, double distance)
+{
+    return f->kind == FUNCTION_END && fabs(distance) <= 2 * pm_contact_length(frame);
+}
+
 /* Zero since the phase or the step began; what has fired in the step might have had to wait. */
 static int holds(const pm_step *step, const pm_event_function *f)
 {
@@ -159,6 +165,7 @@ void pm_event_evidence_instant(pm_workspace *w, int marks)
         if (!did_not_fire(w, i, marks) || meets_slowly(w, f)) continue;
         x.kind = PM_EVIDENCE_VALUE;
         x.distance = distance_of(w, f);
+        if (is_at_end(&w->frame, f, x.distance)) continue;
         if (f->kind == FUNCTION_MEETING || f->kind == FUNCTION_STRAND) x.unit = w->numbers.size;
         x.reach = fabs(x.distance);
         pm_evidence_take(&w->evidence, &x);

@@ -33,6 +33,9 @@
 
 #define PM_EVIDENCE_NOTHING 1e-14 /* of its natural size: zero in both passes, by the structure of the scene; larger: hides decisions */
 #define PM_EVIDENCE_LOOSEST 1e-2 /* tolerance of a coarse run: beyond it steps are not resolved; larger: errors are estimated too large */
+#define PM_EVIDENCE_DRIFT 0.3 /* of the disturbance of a step: so much of it goes to one side; larger: errors of long runs are estimated larger */
+#define PM_EVIDENCE_MOVES 1e-10 /* of a coordinate, in a step: what changes less rests; larger: rounding of slow motion is not seen */
+#define PM_EVIDENCE_STEP 6e-15 /* of positions and velocities, at each step of a coarse run: PM_COARSER times a unit in the last place, as the weights of a step cancel; larger: likewise */
 #define PM_COARSER 30.0 /* times the tolerance of the run that a coarse one is compared with; larger: errors are estimated too large */
 
 /* ---- expression ---- */
@@ -282,10 +285,15 @@
     2 /* times a route's finest tolerance: nothing is gained below; more: gives up earlier */
 #define PM_ACCURACY_AIM \
     0.2 /* of the accuracy asked, when the tolerance is tightened; more: may need another pass */
-#define PM_ACCURACY_NEAR_ENOUGH \
-    1e-3 /* of the tolerance: so far the last pass serves for a comparison; less: loose errors */
-#define PM_ACCURACY_LEAST_SHARE \
-    0.1 /* of a difference that is not disturbed: rounding does not go with the tolerance */
+#define PM_ACCURACY_OF_TERMS \
+    4e-15 /* of the greatest terms: some roundings of each; more: hides accuracy that is there */
+#define PM_ACCURACY_OF_STEP \
+    2e-16 /* of an answer, for each step: rounding that goes to one side; more: errors of long runs estimated larger */
+#define PM_ACCURACY_PAYS \
+    0.8 /* of the errors before: what a tighter pass must leave to pay; more: passes that gain little */
+#define PM_ACCURACY_LONGER \
+    12 /* times the steps of the first pass: no later one is waited for any longer; more: slower */
+#define PM_ACCURACY_FEW_STEPS 300 /* steps that any pass may take besides; likewise */
 #define PM_MARGIN_SAME_BLOW 1.5 /* between the speeds of approach of two passes: more, and they are other blows of a series; larger: right answers are called undecided */
 #define PM_MARGIN_LEAST \
     2.2e-16 /* of the natural size: least difference of two passes; more: smaller margins */

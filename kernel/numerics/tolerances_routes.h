@@ -53,6 +53,10 @@
     4.0 /* weight of the tail at the nodes of a step, which are fewer; more: finer nodes are taken more often */
 #define PM_CLOCK_OPEN \
     32.0 /* weight of that tail inside a step, by 1/2k and not 1/k^2; more: errors of time estimated larger */
+#define PM_CLOCK_LATE 4e-16 /* of the time: so much rounding may leave out of it; more: other differences are taken for that */
+#define PM_CLOCK_ROUNDING \
+    7e-15 /* of a time, in coarse runs: PM_COARSER roundings, of which no two cancel; more: errors of late answers estimated larger */
+#define PM_CLOCK_LIKELY 0.1 /* of what the tails of the steps allow: what they sum up to; more: errors at loose tolerances estimated larger */
 #define PM_CLOCK_NOTHING \
     1e-17 /* of the greatest coefficient: smaller ones are dropped; more: less exact times */
 #define PM_ENERGY_ROUNDINGS \

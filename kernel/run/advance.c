@@ -88,7 +88,8 @@ static int steps_left(pm_workspace *w)
 {
     const int early = pm_fail_early(&w->result, &w->patience);
     if (early) return early;
-    const double most = PM_SETTING(w->model, PM_SETTING_MAX_STEPS);
+    const double most = fmin(PM_SETTING(w->model, PM_SETTING_MAX_STEPS),
+                             w->evidence.active ? w->evidence.most_steps : INFINITY);
     if ((double)w->result.count[PM_COUNT_STEPS] >= most)
         return pm_fail(&w->result, PM_LIMIT_STEPS, PM_TABLE_SETTING, 0, most, most);
     return PM_OK;

@@ -9,20 +9,14 @@
 #include "state/route.h"
 #include "state/workspace.h"
 
-static int sign(pm_evidence *e)
-{
-    e->noise = e->noise * 6364136223846793005ULL + 1442695040888963407ULL;
-    return e->noise >> 63 ? 1 : -1;
-}
-
 int pm_disturb(pm_workspace *w)
 {
-    if (!w->evidence.active || !w->evidence.present->coarse) return PM_OK;
+    if (!pm_evidence_is_coarse(&w->evidence)) return PM_OK;
     if (w->result.count[PM_COUNT_PHASES] > 0 && !w->phase.route->in_time)
         return PM_OK; /* segments of a path repeat */
     for (int i = 0; i < w->model->nq; i++) {
-        w->state.q[i] *= 1 + PM_DISTURBED_PLACE * sign(&w->evidence);
-        w->state.v[i] *= 1 + PM_DISTURBED_SPEED * sign(&w->evidence);
+        w->state.q[i] *= 1 + PM_DISTURBED_PLACE * pm_evidence_noise(&w->evidence, i);
+        w->state.v[i] *= 1 + PM_DISTURBED_SPEED * pm_evidence_noise(&w->evidence, i);
     }
     const int status = pm_projection_apply(w, &w->state);
     if (status) return status;

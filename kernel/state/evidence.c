@@ -33,7 +33,7 @@ void pm_evidence_begin(const pm_model *model, pm_evidence *evidence)
     evidence->noise = PM_EVIDENCE_SEED;
     for (int i = 0; i < model->nout; i++) p->error[i] = NAN, p->more[i] = 0;
     p->margin = INFINITY;
-    p->relative = 0;
+    p->relative = p->late = 0;
     p->unsure = 0;
     p->cut = 0;
     p->tied = NAN;
@@ -59,6 +59,13 @@ int pm_evidence_is_coarse(const pm_evidence *evidence)
 int pm_evidence_in_halves(const pm_evidence *evidence)
 {
     return evidence->active && evidence->present->halves;
+}
+
+double pm_evidence_noise(pm_evidence *evidence, int i)
+{
+    if (!pm_evidence_is_coarse(evidence)) return 0;
+    evidence->noise = evidence->noise * 6364136223846793005ULL + 1442695040888963407ULL;
+    return (evidence->noise >> 63 ? 1 : -1) + (i % 2 ? PM_EVIDENCE_DRIFT : -PM_EVIDENCE_DRIFT);
 }
 
 void pm_evidence_answer(pm_evidence *evidence, int column, double error)

@@ -70,6 +70,7 @@ typedef struct pm_pass {
     double tolerance; /* of the integration */
     double margin;    /* of the decisions whose errors the route itself gave */
     double relative;  /* greatest error of T on its paths, of T */
+    double late;      /* of the time along them: what the nodes of the steps did not resolve */
     double *
         extreme; /* [2][ntrigger] nearest to zero of what forces or speeds decide, and how far it was nearby */
     int cut;     /* a series of blows without end was cut off, by its error in time */
@@ -98,6 +99,10 @@ double pm_evidence_tolerance(const pm_workspace *w);
 int pm_evidence_in_halves(const pm_evidence *evidence);
 /* Whether it is a coarse run, which another is compared with. */
 int pm_evidence_is_coarse(const pm_evidence *evidence);
+
+/* What a coarse run adds to a rounded value, in units of PM_COARSER roundings of it: to either side by chance, and a little
+ * always to the one of number i, as steps that are alike are rounded alike.  0 in other runs. */
+double pm_evidence_noise(pm_evidence *evidence, int i);
 
 /* For routes that know their errors: that of out[column], absolute; a decision that was taken at `distance` from its
  * threshold, known to `error` in the same unit. */

@@ -160,6 +160,10 @@ typedef struct pm_evidence {
     int by_places;                 /* the path route knows its own errors (routes/path/path.h) */
     const unsigned char *discrete; /* [nask] integers and yes or no: they have no error, but a margin */
     uint64_t noise;                /* state of the generator of disturbances */
+    int calm;                      /* the steps of a coarse run are not disturbed, only its phases */
+    int pattern;                   /* by which what is read is shifted (study/natural_size.c) */
+    double late;                   /* of the main pass, in its coarse run: that of pm_pass */
+    double most_steps;             /* of a pass: what takes longer does not pay */
     struct pm_pass *present;
 } pm_evidence;
 

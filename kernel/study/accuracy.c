@@ -2,38 +2,31 @@
  *
  * The coarse run of a pass is the same case at a tolerance PM_COARSER times as large, with longer steps where the
  * tolerance does not limit them and less care about what counts as touching or still, and with positions and velocities
- * disturbed by some roundings when a phase begins.  Its answers a' differ from the answers a by its own error:
- * truncation, amplified as the scene amplifies errors, and rounding, amplified likewise.  The errors of a method go with
- * its tolerance, so that a's own error is expected at |a' - a| / PM_COARSER; errors have signs and may be small by
- * chance:
+ * disturbed by some roundings when a phase begins and at each step in time.  Its answers a' differ from the answers a by its
+ * own error: truncation and rounding, amplified as the scene amplifies errors.  The errors of a method go with its tolerance,
+ * so that a's own error is expected at |a' - a| / PM_COARSER (judge.c).
  *
- *     error = max(spread |a' - a| / PM_COARSER, PM_ACCURACY_CLAIMED scale)
- *
- * scale is the natural size of the ask: |a|, or how much it would change if the state changed by its own size.  Where an
- * error is greater than accuracy times scale, or passes have decided differently, the case is run again at a tighter
- * tolerance, at most PM_ACCURACY_REFINEMENTS times; a pass that is not too far off serves as the coarse run of the next.
- * The spread of a route is above PM_COARSER: where a phase is one step, the coarse run, which takes it in two, shows a's
- * own error and no more.  It is calibrated: studies/benchmarks/calibration.py. */
+ * Where an error is greater than the accuracy asked, or passes have decided differently, the case is run again at a tighter
+ * tolerance, with a coarse run of its own, at most PM_ACCURACY_REFINEMENTS times; what got no better is not taken, and what
+ * takes much longer than the first pass is not waited for.  The spread of a route is above PM_COARSER: where a phase is one
+ * step, the coarse run, which takes it in two, shows a's own error and no more.  It is calibrated:
+ * studies/benchmarks/calibration.py. */
 #include "study/accuracy.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "elements/trigger.h"
-#include "equations/case.h"
-#include "equations/saddle.h"
 #include "events/event.h"
 #include "events/history.h"
-#include "expression/program.h"
 #include "expression/program_class.h"
 #include "numerics/tolerances.h"
 #include "routes/path/path.h"
 #include "run/run.h"
 #include "state/arena.h"
-#include "state/frame.h"
 #include "state/route.h"
 #include "state/workspace.h"
 #include "study/find.h"
+#include "study/judge.h"
 
 static int create(pm_workspace *w)
 {
@@ -46,10 +39,11 @@ static int create(pm_workspace *w)
 #define OF_EACH_PASS(array, count) \
     PM_ARRAY(p[0].array, count), PM_ARRAY(p[1].array, count), PM_ARRAY(p[2].array, count)
     const pm_array array[] = {
-        OF_EACH_PASS(out, m->nout),     OF_EACH_PASS(error, m->nout),
-        OF_EACH_PASS(more, m->nout),    OF_EACH_PASS(extreme, 2 * ntrigger),
-        OF_EACH_PASS(reason, m->nask),  OF_EACH_PASS(log.entry, kept),
-        PM_ARRAY(e->scale, m->nask),    PM_ARRAY(e->trigger_scale, ntrigger),
+        OF_EACH_PASS(out, m->nout),       OF_EACH_PASS(error, m->nout),
+        OF_EACH_PASS(more, m->nout),      OF_EACH_PASS(extreme, 2 * ntrigger),
+        OF_EACH_PASS(reason, m->nask),    OF_EACH_PASS(log.entry, kept),
+        PM_ARRAY(e->size.ask, m->nask),   PM_ARRAY(e->size.trigger, ntrigger),
+        PM_ARRAY(e->size.terms, m->nask), PM_ARRAY(e->kept, m->nout),
         PM_ARRAY(e->discrete, m->nask),
     };
 #undef OF_EACH_PASS
@@ -103,6 +97,7 @@ static void make_pass(pm_workspace *w, const double *param, pm_pass *p, double f
     w->result.reason = p->reason;
     w->result.audit = p->audit;
     w->numbers.coarse = coarse ? PM_ACCURACY_COARSE : 1;
+    w->evidence.late = coarse ? e->main->late * PM_COARSER / w->phase.route->spread : 0;
     if (coarse) w->record.history = NULL, w->record.phases = NULL;
     if (w->record.history) pm_history_reset(w->record.history); /* the last pass is the one recorded */
     if (w->record.phases) w->record.phases->needed = w->record.phases->steps = w->record.phases->repeated = 0;
@@ -122,100 +117,17 @@ static int stands(const pm_pass *p)
     return p->status >= PM_OK && p->status != PM_CANCELLED && p->status != PM_LIMIT_CPU;
 }
 
-/* ---- natural sizes ---- */
-static int look_at_programs(pm_workspace *w, const pm_state *s, double *ask, double *trigger)
+/* It took more steps than a pass is waited for, not more than the scene allows. */
+static int took_too_long(const pm_evidence *evidence, const pm_pass *p)
 {
-    const pm_model *m = w->model;
-    pm_frame_look(&w->frame, s->t, s->q, s->v, s->z, w->state.memory);
-    const int status = pm_saddle_accelerate(w);
-    if (status) return status;
-    for (int i = 0; i < m->nask; i++) ask[i] = pm_program_run(w, PM_ASK_ROW(m, i)[PM_ASK_PROGRAM]);
-    for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++)
-        trigger[i] = PM_TRIGGER_ROW(m, i)[PM_TRIGGER_PROGRAM] >= 0 ? pm_trigger_program(w, i) : 0;
-    return PM_OK;
+    return p->status == PM_LIMIT_STEPS && (double)p->count[PM_COUNT_STEPS] >= evidence->most_steps;
 }
 
-static double size_of(double changed, double value, double part)
-{
-    const double size = fabs(changed - value) / part;
-    return isfinite(size) ? size : 0;
-}
-
-/* What each ask and each trigger would change by if the state at the end changed by its own size. */
+/* ---- the ladder ---- */
+/* Both arrays are free between passes. */
 static void find_sizes(pm_workspace *w)
 {
-    pm_accuracy *e = w->accuracy;
-    double *ask = e->spare->out, *trigger = w->firing.before; /* both are free between passes */
-    const int nask = w->model->nask, ntrigger = w->model->rows[PM_TABLE_TRIGGER];
-    memset(e->scale, 0, (size_t)nask * sizeof(double));
-    memset(e->trigger_scale, 0, (size_t)ntrigger * sizeof(double));
-    if (look_at_programs(w, &w->state, ask, trigger)) return;
-    const double part = pm_case_shift(w, &w->probe);
-    if (look_at_programs(w, &w->probe, e->scale, e->trigger_scale)) return;
-    for (int i = 0; i < nask; i++) e->scale[i] = size_of(e->scale[i], ask[i], part);
-    for (int i = 0; i < ntrigger; i++) e->trigger_scale[i] = size_of(e->trigger_scale[i], trigger[i], part);
-}
-
-/* ---- judging ---- */
-static double scale_of(const pm_accuracy *e, int ask, int column)
-{
-    return fmax(e->scale[ask], fabs(e->main->out[column]));
-}
-
-/* Estimated errors of the main pass, given how much of the other's difference they are; the greatest over what the
- * accuracy asked allows. */
-static double judge_answers(const pm_workspace *w, double share, double *error)
-{
-    const pm_accuracy *e = w->accuracy;
-    double excess = 0;
-    for (int i = 0; i < w->model->nask; i++) {
-        const int32_t *row = PM_ASK_ROW(w->model, i);
-        for (int k = row[PM_ASK_OUT]; k < row[PM_ASK_OUT] + row[PM_ASK_COUNT]; k++) {
-            const double a = e->main->out[k], b = e->other->out[k], scale = scale_of(e, i, k);
-            error[k] = NAN;
-            if (isnan(a)) continue;
-            error[k] = isnan(b) ? INFINITY : fabs(a - b);
-            if (e->discrete[i]) continue;
-            error[k] = fmax(share * error[k], PM_ACCURACY_CLAIMED * scale);
-            if (!isnan(e->main->error[k])) error[k] = fmax(e->main->error[k], PM_ACCURACY_CLAIMED * scale);
-            error[k] += e->main->more[k];
-            excess = fmax(excess, error[k] / (w->numbers.accuracy * scale));
-        }
-    }
-    return excess;
-}
-
-/* Of the difference of both passes: what the error of the main one is taken for. */
-static double share_of(const pm_phase *phase, const pm_accuracy *e)
-{
-    const double share = phase->route->spread * e->main->tolerance / e->other->tolerance;
-    return e->other->coarse ? share : fmax(share, PM_ACCURACY_LEAST_SHARE);
-}
-
-/* Errors of the sought parameters of the main pass.  What follows from parameters alone is known no better than the
- * threshold of an outcome. */
-static void judge_found(const pm_workspace *w, double share, double *error)
-{
-    const pm_accuracy *e = w->accuracy;
-    const double resolution = pm_find_resolution(w->find);
-    double *found = e->main->found;
-    for (int i = 0; i < PM_FIND_MOST; i++)
-        found[PM_FOUND_FIRST_ERROR + i] = fmax(share * fabs(found[i] - e->other->found[i]),
-                                               fmax(PM_ACCURACY_CLAIMED, resolution) * fabs(found[i]));
-    for (int i = 0; i < w->model->nask; i++) {
-        const int32_t *row = PM_ASK_ROW(w->model, i);
-        if (e->discrete[i] || w->model->programs.class[row[PM_ASK_PROGRAM]] != PM_CLASS_CONSTANT) continue;
-        const int out = row[PM_ASK_OUT];
-        error[out] = fmax(error[out], resolution * fabs(e->main->out[out]));
-    }
-}
-
-static void judge(pm_workspace *w, double *error, double *trust)
-{
-    const double share = share_of(&w->phase, w->accuracy);
-    trust[PM_TRUST_EXCESS] = judge_answers(w, share, error);
-    if (w->evidence.seeks) judge_found(w, share, error);
-    trust[PM_TRUST_MARGIN] = pm_margin_judge(w->accuracy, share);
+    pm_natural_size_find(w, &w->accuracy->size, w->accuracy->other->out, w->firing.before);
 }
 
 static int knows_itself(const pm_workspace *w)
@@ -231,7 +143,6 @@ static int knows_itself(const pm_workspace *w)
     return w->model->nask > 0;
 }
 
-/* ---- the ladder ---- */
 static void swap(pm_pass **a, pm_pass **b)
 {
     pm_pass *const x = *a;
@@ -246,7 +157,7 @@ static int find_coarse(pm_workspace *w, const double *param)
     e->closest = (pm_closest){INFINITY, NULL, PM_NONE};
     if (knows_itself(w)) {
         memcpy(e->other->out, e->main->out, (size_t)w->model->nout * sizeof(double));
-        e->closest = pm_path_error_margin(w->model, e->main, e->trigger_scale);
+        e->closest = pm_path_error_margin(w->model, e->main, e->size.trigger);
         e->other->log.n = 0; /* its own decisions are judged by that */
         e->other->outcome = e->main->outcome;
         e->other->tied = e->main->tied;
@@ -256,10 +167,13 @@ static int find_coarse(pm_workspace *w, const double *param)
         return 1;
     }
     make_pass(w, param, e->other, e->main->factor, 1);
+    w->evidence.calm =
+        e->other->status < PM_OK && w->patience.over == 0; /* a singular place bears no disturbance */
+    if (w->evidence.calm) make_pass(w, param, e->other, e->main->factor, 1);
+    w->evidence.calm = 0;
     return stands(e->other);
 }
 
-/* Without a comparison so far: such that the last pass serves for one. */
 static double next_factor(double factor, const double *trust)
 {
     double change = PM_ACCURACY_AIM / trust[PM_TRUST_EXCESS];
@@ -268,43 +182,83 @@ static double next_factor(double factor, const double *trust)
     return factor * fmin(fmax(change, PM_ACCURACY_LEAST_FACTOR), PM_ACCURACY_MOST_FACTOR);
 }
 
-static int good_enough(const pm_phase *phase, const pm_accuracy *accuracy, const double *trust)
+/* Routes on which nothing goes with the tolerance give the same again. */
+static int goes_with_tolerance(const pm_pass *p)
 {
-    const pm_pass *p = accuracy->main;
-    const int decided = trust[PM_TRUST_MARGIN] >= 1 && trust[PM_TRUST_EXCESS] <= 1;
-    return decided || p->status != PM_OK || p->tolerance <= PM_ACCURACY_FINER * phase->route->finest;
+    return (p->count[PM_COUNT_ROUTES] & ~((int64_t)1 << PM_ROUTE_UNIFORM)) != 0;
 }
 
-/* One pass at a tighter tolerance becomes the main one; 0 if it fails: then all stays as it was. */
+static int good_enough(const pm_workspace *w, const double *trust)
+{
+    const pm_pass *p = w->accuracy->main;
+    const int decided = trust[PM_TRUST_MARGIN] >= 1 && trust[PM_TRUST_EXCESS] <= 1;
+    if (!goes_with_tolerance(p) && !w->evidence.seeks) return 1;
+    return decided || p->status != PM_OK || p->tolerance <= PM_ACCURACY_FINER * w->phase.route->finest;
+}
+
+/* A pass is no answer where it leaves a decision open that the one before did not, or greater errors. */
+static int is_better(const double *trust, const double *before)
+{
+    const int decided = trust[PM_TRUST_MARGIN] >= 1, was = !(before[PM_TRUST_MARGIN] < 1);
+    if (decided != was) return decided;
+    return !(trust[PM_TRUST_EXCESS] > before[PM_TRUST_EXCESS]);
+}
+
+/* Errors that a tighter tolerance leaves as they were are those of rounding: neither estimate is the better one, and a decision
+ * that one of them leaves open is open.  What a cut loses does not go with the tolerance either, but is no rounding. */
+static int has_paid(pm_accuracy *e, double *trust, const double *before, const pm_closest *closest)
+{
+    if (e->main->cut || !(before[PM_TRUST_EXCESS] > 1) ||
+        trust[PM_TRUST_EXCESS] < PM_ACCURACY_PAYS * before[PM_TRUST_EXCESS])
+        return 1;
+    if (!(before[PM_TRUST_MARGIN] < trust[PM_TRUST_MARGIN])) return 0;
+    trust[PM_TRUST_MARGIN] = before[PM_TRUST_MARGIN];
+    e->closest = *closest;
+    return 0;
+}
+
+/* The main pass before is the answer after all. */
+static void go_back(pm_workspace *w, const double *param, const double *before, double *error, double *trust)
+{
+    pm_accuracy *e = w->accuracy;
+    memcpy(error, e->kept, (size_t)w->model->nout * sizeof *error);
+    memcpy(trust, before, PM_TRUSTS * sizeof *trust);
+    if (w->record.history) /* what is recorded is what is answered */
+        make_pass(w, param, e->spare, e->main->factor, 0);
+}
+
+/* One pass at a tighter tolerance, with a coarse run of its own, becomes the main one, unless it is no better: then all stays
+ * as it was.  Whether a further one may pay.  The last pass would not do for a comparison: it is rounded alike, or as it
+ * happens, and nobody would see what the scene makes of rounding. */
 static int refine(pm_workspace *w, const double *param, double *error, double *trust)
 {
     pm_accuracy *e = w->accuracy;
-    const int doubtful = trust[PM_TRUST_MARGIN] < 1; /* rounding may be what decides: see it disturbed */
-    const double factor = next_factor(e->main->factor, trust);
-    make_pass(w, param, e->spare, factor, 0);
-    if (!stands(e->spare)) {
-        if (w->record.history)
-            make_pass(w, param, e->spare, e->main->factor, 0); /* what is recorded is what is answered */
-        return 0;
+    const double before[PM_TRUSTS] = {
+        [PM_TRUST_MARGIN] = trust[PM_TRUST_MARGIN], [PM_TRUST_EXCESS] = trust[PM_TRUST_EXCESS]};
+    const pm_closest closest = e->closest;
+    memcpy(e->kept, error, (size_t)w->model->nout * sizeof *error);
+    make_pass(w, param, e->spare, next_factor(e->main->factor, trust), 0);
+    int better = stands(e->spare) && !took_too_long(&w->evidence, e->spare);
+    if (better) {
+        swap(&e->main, &e->spare);
+        find_sizes(w);
+        better = find_coarse(w, param);
+        if (better) pm_judge(w, error, trust);
+        better = better && is_better(trust, before);
+        if (!better) swap(&e->main, &e->spare);
     }
-    swap(&e->main, &e->spare);
-    swap(&e->other, &e->spare); /* the last main pass; what it was compared with is free */
-    find_sizes(w);
-    e->closest = (pm_closest){INFINITY, NULL, PM_NONE};
-    /* what a cut loses does not go with the tolerance: only a coarse run shows it */
-    if ((doubtful || e->main->cut || e->main->tolerance < PM_ACCURACY_NEAR_ENOUGH * e->other->tolerance) &&
-        !find_coarse(w, param))
-        return 0;
-    judge(w, error, trust);
-    return 1;
+    if (better) return has_paid(e, trust, before, &closest);
+    e->closest = closest;
+    go_back(w, param, before, error, trust);
+    return 0;
 }
 
 static void climb(pm_workspace *w, const double *param, double *error, double *trust)
 {
     pm_accuracy *e = w->accuracy;
     find_sizes(w);
-    if (find_coarse(w, param)) judge(w, error, trust);
-    for (int i = 0; i < PM_ACCURACY_REFINEMENTS && !good_enough(&w->phase, w->accuracy, trust); i++)
+    if (find_coarse(w, param)) pm_judge(w, error, trust);
+    for (int i = 0; i < PM_ACCURACY_REFINEMENTS && !good_enough(w, trust); i++)
         if (!refine(w, param, error, trust)) break;
     /* a run that sits on the threshold that was sought is not in doubt */
     if (e->main->status == PM_OK && trust[PM_TRUST_MARGIN] < 1 && !w->evidence.seeks)
@@ -347,6 +301,7 @@ static int run(pm_workspace *w, const double *param, double *found, double *erro
     for (int i = 0; i < PM_TRUSTS; i++) trust[i] = NAN;
     pm_patience_begin(&w->patience);
     w->evidence.active = PM_SETTING(w->model, PM_SETTING_ESTIMATE);
+    w->evidence.most_steps = INFINITY;
     if (!w->evidence.active) {
         const int status = found ? pm_find_run(w, param, found) : pm_run(w, param);
         w->result.count[PM_COUNT_PASSES] = 1;
@@ -361,7 +316,11 @@ static int run(pm_workspace *w, const double *param, double *found, double *erro
     make_pass(w, param, e->main, 1, 0);
     while (is_too_loose(&w->phase, e->main) && e->npass <= PM_ACCURACY_REFINEMENTS)
         make_pass(w, param, e->main, e->main->factor / PM_COARSER, 0);
-    if (stands(e->main)) climb(w, param, error, trust);
+    if (stands(e->main)) {
+        w->evidence.most_steps =
+            PM_ACCURACY_FEW_STEPS + PM_ACCURACY_LONGER * (double)e->main->count[PM_COUNT_STEPS];
+        climb(w, param, error, trust);
+    }
     for (int i = 0; i < w->model->nask; i++)
         if (e->discrete[i]) margin[i] = trust[PM_TRUST_MARGIN];
     if (found) memcpy(found, e->main->found, sizeof e->main->found);

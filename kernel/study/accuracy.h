@@ -7,13 +7,14 @@
 
 #include "state/evidence.h"
 #include "state/workspace.h"
+#include "study/natural_size.h"
 
 typedef struct pm_accuracy {
     int npass;
     int runs_find; /* a pass goes through find.c */
     pm_pass pass[3], *main, *other, *spare, *last;
-    double *scale;           /* [nask] natural size of each ask */
-    double *trigger_scale;   /* [ntrigger] */
+    pm_natural_size size;    /* of asks and triggers, at the end of the main pass */
+    double *kept;            /* [nout] errors of the main pass, while another is tried */
     pm_closest closest;      /* decision of the main pass, as its log, or the route, tells it */
     unsigned char *discrete; /* [nask] integers and yes or no: they have no error, but a margin */
 } pm_accuracy;

@@ -114,7 +114,7 @@ double pm_margin_judge(pm_accuracy *e, double share)
 {
     const pm_pass *a = e->main, *b = e->other;
     if (a->outcome != b->outcome || is_tied(a) || is_tied(b) || !same_jumps(a, b)) return 0;
-    pm_closest closest = pm_margin_of_logs(&a->log, &b->log, e->trigger_scale);
+    pm_closest closest = pm_margin_of_logs(&a->log, &b->log, e->size.trigger);
     closest.margin /= share;
     if (closest.margin < e->closest.margin) e->closest = closest;
     return fmin(e->closest.margin, a->margin);

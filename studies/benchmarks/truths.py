@@ -126,6 +126,15 @@ def slider_crank(y: State) -> State:
     return [y[1], -(slope * y[1] ** 2 / 2 + g * a / 2 * (m1 + m2) * c) / moment]
 
 
+def crank_inertia(th: mp.mpf) -> mp.mpf:
+    """What the crank feels of the masses of `slider_crank`: T = I(th) th'^2 / 2."""
+    a, length, m1, m2, m3 = (mp.mpf(x) for x in ("0.1", "0.3", "0.2", "0.2", "0.4"))
+    s, c = mp.sin(th), mp.cos(th)
+    phi = a * c / mp.sqrt(length**2 - (a * s) ** 2)
+    x2, y2, x3 = -a * s - a * s * phi / 2, a * c / 2, -a * s - a * s * phi
+    return m1 * a**2 / 3 + m2 * (x2**2 + y2**2) + m2 * length**2 / 12 * phi**2 + m3 * x3**2
+
+
 def midpoint_extrapolated(
     rhs: Callable[[State], State], start: Sequence[mp.mpf], end: float, intervals: int, order: int = 12
 ) -> State:

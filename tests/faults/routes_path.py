@@ -4,6 +4,12 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "clock: what rounding leaves out of a time is lost",
+        "routes/path/path_clock.c",
+        "p->clock.late = fabs(late) <= PM_CLOCK_LATE * t ? late : 0;",
+        "p->clock.late = 0;",
+    ),
+    Fault(
         "path: the bridge's own curvature",
         "routes/path/path_bridge.c",
         "momentum += m * tangent[i] * f->v[i];",
@@ -37,7 +43,7 @@ FAULTS = [
     Fault(
         "error: the clock's own",
         "routes/path/path_error.c",
-        "p->clock.error += (state->t - p->clock.t0)",
+        "p->clock.error += dt",
         "p->clock.error += 0",
     ),
     Fault(

@@ -36,8 +36,8 @@ FAULTS = [
     Fault(
         "error: nothing of rounding",
         "run/disturb.c",
-        "1 + PM_DISTURBED_SPEED * sign(&w->evidence)",
-        "1 + 0 * PM_DISTURBED_SPEED * sign(&w->evidence)",
+        "1 + PM_DISTURBED_SPEED * pm_evidence_noise",
+        "1 + 0 * PM_DISTURBED_SPEED * pm_evidence_noise",
     ),
     Fault(
         "run: nothing is slow",

@@ -31,10 +31,22 @@ FAULTS = [
         "",
     ),
     Fault(
-        "error: a cut goes with the tolerance",
+        "error: zero is known exactly, whatever cancels in it",
+        "study/judge.c",
+        "PM_ACCURACY_OF_TERMS * terms",
+        "0 * terms",
+    ),
+    Fault(
+        "error: a pass that got worse is taken",
         "study/accuracy.c",
-        "doubtful || e->main->cut ||",
-        "doubtful ||",
+        "better = better && is_better(trust, before);",
+        "better = better && (is_better(trust, before) || 1);",
+    ),
+    Fault(
+        "error: a pass is waited for however long it takes",
+        "study/accuracy.c",
+        "PM_ACCURACY_LONGER * (double)e->main->count[PM_COUNT_STEPS]",
+        "INFINITY * (double)e->main->count[PM_COUNT_STEPS]",
     ),
     Fault(
         "find: a change of sign between samples is not seen",

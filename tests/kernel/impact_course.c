@@ -316,8 +316,8 @@ static void drawn_rod(void)
 static void jammed_rod(void)
 {
     int named = 0, struck = 0;
-    for (int n = 0; n < 32; n++) {
-        const double angle = (33 + 0.5 * (n / 2)) * M_PI / 180;
+    for (int n = 0; n < 54; n++) {
+        const double angle = (33 + 0.3 * (n / 2)) * M_PI / 180;
         const int stops = n % 2;
         scene *s = sliding_rod(angle, 1.6, 0);
         s->rows[PM_TABLE_UNTIL] = s->rows[PM_TABLE_START] = 0;

@@ -87,6 +87,9 @@ typedef struct pm_rigid {
 typedef struct pm_clock {
     int kind;                      /* enum pm_path_clock */
     double t0;                     /* s, at the begin of the step */
+    double late;                   /* s, what rounding has left out of t0: it is made up for */
+    double rate;                   /* 1; of a coarse run, what errors that are all alike would make of it */
+    double unresolved;             /* s, since the run began: what the nodes of the steps leave out */
     double tail;                   /* of the clock of the step that was tried before */
     double series[PM_NODES_CLOCK]; /* Chebyshev coefficients of the smooth part of dt/du */
     int terms;                     /* of them: how many matter */
@@ -130,6 +133,9 @@ typedef struct pm_path {
     double way;                /* of the driver since the phase began, or since the last lap */
     double impulse[PM_LEDGER]; /* what the ledger of the outer impulses exceeds the momenta by */
 } pm_path;
+
+/* path_clock.c: the step begins at time t, where the last one ended at s. */
+void pm_path_clock_begin(pm_path *p, double t, double s);
 
 /* path_place.c: the place at driver value u; place->y holds a guess on entry. */
 int pm_path_place(pm_workspace *w, double u, pm_place *place);

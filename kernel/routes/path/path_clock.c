@@ -246,12 +246,27 @@ static double from_rest(const pm_path *p, double w, int reversed)
     return sum;
 }
 
-double pm_path_clock_at(const pm_path *p, double s)
+/* From the begin of the step to s. */
+static double elapsed(const pm_path *p, double s)
 {
     switch (p->clock.kind) {
-    case PM_CLOCK_PLAIN: return p->clock.t0 + p->h * (s == 1 ? whole(p) : plain(p, s));
-    case PM_CLOCK_LEAVES: return p->clock.t0 + p->h * from_rest(p, sqrt(s), 0);
-    case PM_CLOCK_RESTS: return p->clock.t0 + p->h * (from_rest(p, 1, 1) - from_rest(p, sqrt(1 - s), 1));
-    default: return p->clock.t0; /* nobody asks; an equilibrium takes for ever to leave */
+    case PM_CLOCK_PLAIN: return p->h * (s == 1 ? whole(p) : plain(p, s));
+    case PM_CLOCK_LEAVES: return p->h * from_rest(p, sqrt(s), 0);
+    case PM_CLOCK_RESTS: return p->h * (from_rest(p, 1, 1) - from_rest(p, sqrt(1 - s), 1));
+    default: return 0; /* nobody asks; an equilibrium takes for ever to leave */
     }
+}
+
+double pm_path_clock_at(const pm_path *p, double s)
+{
+    if (p->clock.kind == PM_CLOCK_NONE) return p->clock.t0;
+    return p->clock.t0 + (p->clock.late + p->clock.rate * elapsed(p, s));
+}
+
+/* Compensated summation (Kahan): swings of a pendulum are rounded alike, each late in a long run to the same side. */
+void pm_path_clock_begin(pm_path *p, double t, double s)
+{
+    const double late = p->clock.t0 - t + p->clock.rate * elapsed(p, s) + p->clock.late;
+    p->clock.late = fabs(late) <= PM_CLOCK_LATE * t ? late : 0; /* else it is not that step's end */
+    p->clock.t0 = t;
 }

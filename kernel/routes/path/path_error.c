@@ -26,7 +26,7 @@
 
 void pm_path_error_begin(const pm_result *result, pm_path *p, double kinetic)
 {
-    if (result->count[PM_COUNT_PHASES] == 0) p->error = p->ended = p->clock.error = 0;
+    if (result->count[PM_COUNT_PHASES] == 0) p->error = p->ended = p->clock.error = p->clock.unresolved = 0;
     if (p->ended > 0) p->error *= kinetic / p->ended;
     p->error += PM_ENERGY_ROUNDINGS * kinetic;
 }
@@ -50,7 +50,9 @@ static void step_of_clock(const pm_model *model, const pm_state *state, pm_path 
         greatest = pm_max(p->node[k * p->every].kinetic, greatest);
     }
     const double by = p->clock.kind == PM_CLOCK_PLAIN ? least : greatest / PM_ERROR_RESTING;
-    p->clock.error += (state->t - p->clock.t0) * (PM_ERROR_UNRESOLVED * p->clock.tail + 0.5 * p->error / by);
+    const double dt = state->t - p->clock.t0;
+    p->clock.error += dt * (PM_ERROR_UNRESOLVED * p->clock.tail + 0.5 * p->error / by);
+    p->clock.unresolved += dt * PM_ERROR_UNRESOLVED * p->clock.tail;
 }
 
 void pm_path_error_step(pm_workspace *w, double kinetic)
@@ -60,6 +62,8 @@ void pm_path_error_step(pm_workspace *w, double kinetic)
     p->ended = kinetic;
     p->error += PM_ENERGY_ROUNDINGS * (p->node[0].kinetic + kinetic + potential);
     step_of_clock(w->model, &w->state, p);
+    if (w->evidence.active && w->state.t > 0)
+        w->evidence.present->late = PM_CLOCK_LIKELY * p->clock.unresolved / w->state.t;
     if (w->evidence.active)
         w->evidence.present->relative = fmax(w->evidence.present->relative, relative_error(p));
 }

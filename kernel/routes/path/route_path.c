@@ -19,6 +19,7 @@
 #include "numerics/tolerances.h"
 #include "routes/path/path.h"
 #include "state/arena.h"
+#include "state/evidence.h"
 #include "state/frame.h"
 #include "state/route.h"
 #include "state/workspace.h"
@@ -267,7 +268,8 @@ static int step(pm_workspace *w, double t_limit)
     p->node_driver = p->driver;
     p->node_sense = p->sense;
     p->u0 = p->node[0].y[p->driver];
-    p->clock.t0 = w->state.t;
+    p->clock.rate = 1 + w->evidence.late + PM_CLOCK_ROUNDING * pm_evidence_is_coarse(&w->evidence);
+    pm_path_clock_begin(p, w->state.t, w->step.end / p->h);
     memcpy(p->weight, w->state.z, (size_t)w->model->nz_controlled * sizeof(double));
     const int may_close = pm_tree_is_angle(w->tree, p->driver);
     p->safe = w->numbers.coarse * full_step(w, &p->node[0]);

@@ -20,6 +20,7 @@
 #include "routes/rk/dop853.h"
 #include "routes/rk/rk.h"
 #include "state/arena.h"
+#include "state/evidence.h"
 #include "state/frame.h"
 #include "state/route.h"
 #include "state/workspace.h"
@@ -152,10 +153,21 @@ static int last_stage(pm_workspace *w)
     return status;
 }
 
+/* Each step is rounded: what becomes of that in a long run, a coarse one shows (study/accuracy.c).  What does not move is not
+ * rounded anew. */
+static void disturb(pm_evidence *evidence, struct pm_rk *r)
+{
+    if (!pm_evidence_is_coarse(evidence) || evidence->calm) return;
+    for (int i = 0; i < 2 * r->n; i++)
+        if (fabs(r->now[i] - r->y0[i]) > PM_EVIDENCE_MOVES * fabs(r->now[i]))
+            r->now[i] *= 1 + PM_EVIDENCE_STEP * pm_evidence_noise(evidence, i);
+}
+
 static int accept(pm_workspace *w, double t)
 {
     struct pm_rk *r = w->rk;
     memcpy(r->now, r->y, (size_t)r->all * sizeof(double));
+    disturb(&w->evidence, w->rk);
     pm_rk_choose_coordinates(w);
     double gained;
     int status = pm_rk_settle(w, t, r->now, &w->state, &gained);
@@ -217,7 +229,8 @@ static int step(pm_workspace *w, double t_limit)
     double h = fmin(r->next, longest_step(w)), first = h;
     for (int rejected = 0, sidesteps = 0;;) {
         const int last = r->t0 + h >= t_limit;
-        if (last) h = t_limit - r->t0;
+        h = last ? t_limit - r->t0
+                 : r->t0 + h - r->t0; /* exactly what the time goes on by, however late it is */
         if (!(h > PM_RK_LEAST_STEP * fabs(r->t0)))
             return pm_fail(&w->result, PM_STEP_TOO_SMALL, PM_NONE, PM_NONE, h,
                            PM_RK_LEAST_STEP * fabs(r->t0));

@@ -1,0 +1,17 @@
+/* natural_size.h - what asks and triggers are measured against: the size of their terms. */
+#ifndef PM_NATURAL_SIZE_H
+#define PM_NATURAL_SIZE_H
+
+#include "state/workspace.h"
+
+typedef struct pm_natural_size {
+    double *ask;     /* [nask] what it would change by if the state changed by its own size */
+    double *terms;   /* [nask] the same, of all that it reads by the greatest of their kinds in the run */
+    double *trigger; /* [ntrigger] as ask */
+} pm_natural_size;
+
+/* Sizes at the end of the run that has just been made, in the unit of the answer; scratch: ask[nask], trigger[ntrigger].  0
+ * where there is no acceleration at the end. */
+void pm_natural_size_find(pm_workspace *w, pm_natural_size *x, double *ask, double *trigger);
+
+#endif
