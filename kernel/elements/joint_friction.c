@@ -4,7 +4,7 @@
  *
  * F0 is given; c is mu of a slider or slot, mu r of a bearing of radius r; R is the reaction of the joint.  A friction that
  * holds is a constraint more; one that slides is a force, whose size is found with the reactions by iteration where c > 0
- * (pm_saddle_accelerate).  In a blow a friction of given size has no impulse. */
+ * (pm_saddle_accelerate).  In a blow a friction of given size has no impulse; one by the load has (impact/impact_loaded.c). */
 #include "elements/joint_friction.h"
 
 #include <math.h>
@@ -73,17 +73,30 @@ double pm_joint_friction_no_slip(const pm_frame *frame, int k)
     return pm_contact_speed(frame) / (rotates ? frame->numbers->size : 1);
 }
 
-/* Size of the reactions x[active constraint] of the joint; the couple that keeps a slider's direction is none of them. */
+double pm_joint_friction_coefficient(const pm_frame *frame, int k) { return by_load(frame, k); }
+
+/* The couple that keeps a slider's direction is none of them. */
+int pm_joint_friction_places(const pm_workspace *w, int k, int place[2])
+{
+    const int joint = joint_of(&w->frame, k);
+    const int n = pm_joint_of(w->model, joint)->slip == PM_CONSTRAINT_RATIO ? 2 : 1;
+    for (int i = 0; i < n; i++) place[i] = w->active.of_joint[w->model->joint_constraint[joint] + i];
+    return n;
+}
+
+int pm_joint_friction_loads(const pm_workspace *w, int k, const double *x, double load[2])
+{
+    int place[2];
+    const int n = pm_joint_friction_places(w, k, place);
+    for (int i = 0; i < 2; i++) load[i] = i < n && place[i] >= 0 ? x[place[i]] : 0;
+    return n;
+}
+
 static double load(const pm_workspace *w, int k, const double *x)
 {
-    const int joint = joint_of(&w->frame, k), first = w->model->joint_constraint[joint];
-    const int n = pm_joint_of(w->model, joint)->slip == PM_CONSTRAINT_RATIO ? 2 : 1;
-    double sum = 0;
-    for (int i = first; i < first + n; i++) {
-        const int active = w->active.of_joint[i];
-        if (active >= 0) sum = hypot(sum, x[active]);
-    }
-    return sum;
+    double r[2];
+    pm_joint_friction_loads(w, k, x, r);
+    return hypot(r[0], r[1]);
 }
 
 double pm_joint_friction_limit(const pm_workspace *w, int k)
@@ -107,6 +120,16 @@ double pm_joint_friction_of_joint(const pm_workspace *w, int joint, pm_constrain
         pm_joint_friction_constraint(&w->frame, k, c);
         return w->active.friction_constraint[k] == PM_NONE ? sliding(w, k)
                                                            : pm_reaction(w, w->active.friction_constraint[k]);
+    }
+    return 0;
+}
+
+double pm_joint_friction_impulse(const pm_workspace *w, int joint, pm_constraint *c)
+{
+    for (int k = 0; k < w->model->nfriction; k++) {
+        if (joint_of(&w->frame, k) != joint) continue;
+        pm_joint_friction_constraint(&w->frame, k, c);
+        return w->impulses.friction[k];
     }
     return 0;
 }

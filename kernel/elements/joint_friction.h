@@ -22,6 +22,8 @@ double pm_joint_friction_limit(const pm_workspace *w, int k);
 /* What the friction of a joint does to its first partner, along its constraint; the frame is DYNAMIC.  0 where there is
  * none. */
 double pm_joint_friction_of_joint(const pm_workspace *w, int joint, pm_constraint *c);
+/* The same of the impulse of its friction in the last blow. */
+double pm_joint_friction_impulse(const pm_workspace *w, int joint, pm_constraint *c);
 /* The force of sliding; nothing where it holds. */
 void pm_joint_friction_action(const pm_workspace *w, int force, pm_action *x);
 /* It stays the same along a motion with constant accelerations. */
@@ -40,6 +42,11 @@ void pm_joint_friction_slides(pm_workspace *w, int k);
 void pm_joint_friction_stops(const pm_frame *frame, pm_state *state, int k);
 /* The first friction that holds and that needs more than its limit begins to slide; 1 if there was one. */
 int pm_joint_friction_overcome(pm_workspace *w, double slack);
+/* What the friction of a joint is of its load: a number, or m; 0: it does not go with it. */
+double pm_joint_friction_coefficient(const pm_frame *frame, int k);
+/* The components of the reaction by which it goes, of reactions x[active constraint]: 1, and load[1] = 0, or 2; their places. */
+int pm_joint_friction_loads(const pm_workspace *w, int k, const double *x, double load[2]);
+int pm_joint_friction_places(const pm_workspace *w, int k, int place[2]);
 /* PM_UNSUPPORTED if a blow of active impulses w->rhs loads a joint whose friction goes with its load. */
 int pm_joint_friction_check_blow(pm_workspace *w);
 

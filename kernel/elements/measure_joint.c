@@ -49,7 +49,8 @@ static void joint_sum(const pm_measure_args *x, const double *impulse, double ou
         add_reaction(x, constraint_at(x->w, place), impulse ? impulse[i] : pm_reaction(x->w, place), on, out);
     }
     pm_constraint slip;
-    const double friction = impulse ? 0 : pm_joint_friction_of_joint(x->w, x->a, &slip);
+    const double friction = impulse ? pm_joint_friction_impulse(x->w, x->a, &slip)
+                                    : pm_joint_friction_of_joint(x->w, x->a, &slip);
     if (friction != 0 && on != PM_NONE) add_reaction(x, &slip, friction, on, out);
 }
 

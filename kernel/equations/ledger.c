@@ -14,6 +14,7 @@
 #include "elements/constraint.h"
 #include "elements/contact.h"
 #include "elements/force.h"
+#include "elements/joint_friction.h"
 #include "elements/turning_plane.h"
 #include "equations/fixed_bodies.h"
 #include "equations/projection.h"
@@ -230,6 +231,12 @@ void pm_ledger_series(pm_workspace *w, double factor)
         for (int k = 0; k < n; k++)
             loss += add_of_series(&w->frame, &w->state, &c[k],
                                   w->impulses.joint[m->joint_constraint[i] + k] *= factor);
+    }
+    for (int k = 0; k < m->nfriction; k++) {
+        pm_constraint slip;
+        if (w->impulses.friction[k] == 0) continue;
+        pm_joint_friction_constraint(&w->frame, k, &slip);
+        loss += add_of_series(&w->frame, &w->state, &slip, w->impulses.friction[k] *= factor);
     }
     for (int i = 0; i < m->nslot; i++) {
         pm_constraint normal, tangent;

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "impact/contact_course_parts.h"
 #include "numerics/dense.h"
 #include "numerics/tolerances.h"
 #include "planemotion.h"
@@ -11,18 +12,25 @@
 
 #define UNLIMITED INFINITY
 
-int pm_contact_course_create(pm_contact_course *x, pm_arena *arena, int most)
+int pm_contact_course_create(pm_contact_course *x, pm_arena *arena, int most, int joints)
 {
-    const size_t n = most, two = 2 * n;
+    const size_t n = most, two = 2 * n, m = joints, all = two + m;
     const pm_array array[] = {
-        PM_ARRAY(x->contact, n),        PM_ARRAY(x->response, two * two),
-        PM_ARRAY(x->velocity, two),     PM_ARRAY(x->impulse, two),
-        PM_ARRAY(x->of, two),           PM_ARRAY(x->pivot, two),
-        PM_ARRAY(x->start, two),        PM_ARRAY(x->plastic, two),
+        PM_ARRAY(x->contact, n),
+        PM_ARRAY(x->response, all * all),
+        PM_ARRAY(x->velocity, all),
+        PM_ARRAY(x->impulse, all),
+        PM_ARRAY(x->of, two),
+        PM_ARRAY(x->pivot, two),
+        PM_ARRAY(x->start, all),
+        PM_ARRAY(x->plastic, all),
         PM_ARRAY(x->system, two * two),
+        PM_ARRAY(x->joint, m),
+        PM_ARRAY(x->reaction, 2 * m * all),
     };
     int status = pm_arena_take(arena, PM_ARRAYS(array));
     if (!status) status = pm_contact_problem_create(&x->stretch, arena, most);
+    if (!status) status = pm_joints_problem_create(&x->joints, arena, &x->stretch, most, joints);
     x->stretch.counted = PM_COURSE_COUNTED;
     return status ? status : pm_contact_springs_create(&x->springs, arena, most);
 }
@@ -30,7 +38,7 @@ int pm_contact_course_create(pm_contact_course *x, pm_arena *arena, int most)
 static double times_row(const pm_contact_course *x, int row, const double *p)
 {
     double sum = 0;
-    for (int k = 0; k < 2 * x->n; k++) sum += x->response[row * 2 * x->n + k] * p[k];
+    for (int k = 0; k < pm_course_size(x); k++) sum += x->response[row * pm_course_size(x) + k] * p[k];
     return sum;
 }
 
@@ -56,7 +64,7 @@ static int list_at_once(pm_contact_course *x)
 /* W_dd q = -u_d.  One that depends on those before it goes with them. */
 static void take_at_once(pm_contact_course *x)
 {
-    const int n = 2 * x->n;
+    const int n = pm_course_size(x);
     for (int m = list_at_once(x), dependent; m > 0; m--) {
         for (int r = 0; r < m; r++)
             for (int k = 0; k < m; k++) x->system[r * m + k] = x->response[x->of[r] * n + x->of[k]];
@@ -72,73 +80,6 @@ static void take_at_once(pm_contact_course *x)
         for (int r = 0; r < m; r++) x->velocity[x->of[r]] = 0;
         return;
     }
-}
-
-/* ---- one stretch ---- */
-static void set_pace(pm_course_contact *c, double normal, int compresses)
-{
-    if (compresses)
-        c->pace = normal < 0 ? -normal : 0;
-    else
-        c->pace = c->rebounds ? -c->restitution * c->before : 0;
-}
-
-/* The contacts that may push; how fast their normal velocities are to grow at least. */
-static void pose(pm_contact_course *x, int compresses)
-{
-    pm_contact_problem *s = &x->stretch;
-    s->n = 0;
-    for (int i = 0; i < x->n; i++) {
-        pm_course_contact *c = &x->contact[i];
-        const double *u = x->velocity + 2 * i;
-        set_pace(c, u[0], compresses);
-        memset(c->share, 0, sizeof c->share);
-        if (u[0] > 0 && c->pace == 0) continue;
-        pm_problem_contact *p = &s->contact[s->n];
-        *p = c->friction;
-        p->bias[0] = -c->pace;
-        p->bias[1] = 0;
-        if (p->friction == PM_FRICTION_COULOMB && fabs(u[1]) > x->no_slip) p->slips = u[1] > 0 ? 1 : -1;
-        x->of[s->n++] = i;
-    }
-    for (int r = 0; r < 2 * s->n; r++)
-        for (int k = 0; k < 2 * s->n; k++)
-            s->response[r * 2 * s->n + k] =
-                x->response[(2 * x->of[r / 2] + r % 2) * 2 * x->n + 2 * x->of[k / 2] + k % 2];
-}
-
-/* What closed contacts do is known exactly. */
-static void set_rates(pm_contact_course *x)
-{
-    const pm_contact_problem *s = &x->stretch;
-    for (int i = 0; i < x->n; i++)
-        for (int k = 0; k < 2; k++) {
-            double sum = 0;
-            for (int j = 0; j < 2 * x->n; j++)
-                sum += x->response[(2 * i + k) * 2 * x->n + j] * x->contact[j / 2].share[j % 2];
-            x->contact[i].rate[k] = sum;
-        }
-    for (int i = 0; i < s->n; i++) {
-        pm_course_contact *c = &x->contact[x->of[i]];
-        if (s->mode[i] == PM_OPEN) continue;
-        c->rate[0] = c->pace;
-        if (s->mode[i] == PM_STICK) c->rate[1] = 0;
-    }
-}
-
-static int find_rates(pm_contact_course *x, int compresses)
-{
-    pm_contact_problem *s = &x->stretch;
-    pose(x, compresses);
-    const int found = pm_contact_problem_solve(s);
-    if (found > 1) x->differs = x->of[s->differs];
-    if (found == 0 && s->n > 0) x->differs = x->of[0];
-    for (int i = 0; i < s->n && found == 1; i++) {
-        x->contact[x->of[i]].share[0] = fmax(0, s->load[2 * i]);
-        x->contact[x->of[i]].share[1] = s->load[2 * i + 1];
-    }
-    if (found == 1) set_rates(x);
-    return found;
 }
 
 /* ---- events ---- */
@@ -188,6 +129,7 @@ static double length(const pm_contact_course *x, int compresses)
         s = fmin(s, fmin(until_slip_ends(c, u[1]), until_met(c, u[0])));
         if (c->rebounds) s = fmin(s, until_spent(c, u[0]));
     }
+    for (int k = 0; k < x->m; k++) s = fmin(s, until_none(x->velocity[2 * x->n + k], x->joint[k].rate));
     return s;
 }
 
@@ -207,6 +149,11 @@ static void go(pm_contact_course *x, double s)
         u[0] = meets ? 0 : clean(x, u[0] + c->rate[0] * s);
         u[1] = slip_ends ? 0 : u[1] + c->rate[1] * s;
     }
+    for (int k = 0; k < x->m; k++) {
+        double *u = x->velocity + 2 * x->n + k;
+        x->impulse[2 * x->n + k] += x->joint[k].share * s;
+        *u = until_none(*u, x->joint[k].rate) <= s ? 0 : *u + x->joint[k].rate * s;
+    }
 }
 
 /* ---- phases ---- */
@@ -219,10 +166,10 @@ static int goes_on(const pm_contact_course *x, int compresses)
 
 static int follow_phase(pm_contact_course *x, int compresses)
 {
-    const int most = PM_COURSE_EVENTS * (x->n + 1);
+    const int most = PM_COURSE_EVENTS * (x->n + x->m + 1);
     for (int i = 0; i < most; i++) {
         if (!goes_on(x, compresses)) return 1;
-        const int found = find_rates(x, compresses);
+        const int found = pm_course_find_rates(x, compresses);
         if (found != 1) return found;
         const double s = length(x, compresses);
         if (!isfinite(s)) return 0;
@@ -233,7 +180,7 @@ static int follow_phase(pm_contact_course *x, int compresses)
 
 static void begin_restitution(pm_contact_course *x)
 {
-    memcpy(x->plastic, x->impulse, 2 * (size_t)x->n * sizeof *x->impulse);
+    memcpy(x->plastic, x->impulse, (size_t)pm_course_size(x) * sizeof *x->impulse);
     for (int i = 0; i < x->n; i++) {
         pm_course_contact *c = &x->contact[i];
         const double e = c->restitution;
@@ -270,7 +217,7 @@ static int follow_springs(pm_contact_course *x)
 static double given(const pm_contact_course *x, const double *p)
 {
     double sum = 0, size = 0;
-    for (int i = 0; i < 2 * x->n; i++) {
+    for (int i = 0; i < pm_course_size(x); i++) {
         const double change = times_row(x, i, p);
         sum += p[i] * (x->start[i] + 0.5 * change);
         size += fabs(p[i]) * (fabs(x->start[i]) + fabs(change));
@@ -282,7 +229,7 @@ static double given(const pm_contact_course *x, const double *p)
 static double share_of(const pm_contact_course *x)
 {
     double a = 0, b = 0;
-    for (int i = 0; i < 2 * x->n; i++) {
+    for (int i = 0; i < pm_course_size(x); i++) {
         const double more = x->impulse[i] - x->plastic[i];
         b += more * (x->start[i] + times_row(x, i, x->plastic));
         a += 0.5 * more * (times_row(x, i, x->impulse) - times_row(x, i, x->plastic));
@@ -297,21 +244,29 @@ static void limit(pm_contact_course *x)
     x->limited = given(x, x->impulse) > 0;
     if (!x->limited) return;
     const double k = share_of(x);
-    for (int i = 0; i < 2 * x->n; i++) x->impulse[i] = k * x->impulse[i] + (1 - k) * x->plastic[i];
-    for (int i = 0; i < 2 * x->n; i++) x->velocity[i] = clean(x, x->start[i] + times_row(x, i, x->impulse));
+    for (int i = 0; i < pm_course_size(x); i++) x->impulse[i] = k * x->impulse[i] + (1 - k) * x->plastic[i];
+    for (int i = 0; i < pm_course_size(x); i++)
+        x->velocity[i] = clean(x, x->start[i] + times_row(x, i, x->impulse));
 }
 
-int pm_contact_course_follow(pm_contact_course *x)
+static void begin(pm_contact_course *x)
 {
     const int n = 2 * x->n;
     x->limited = 0;
     x->differs = PM_NONE;
     x->size = 0;
-    memset(x->impulse, 0, (size_t)n * sizeof *x->impulse);
+    memset(x->impulse, 0, (size_t)pm_course_size(x) * sizeof *x->impulse);
     for (int i = 0; i < n; i++) x->size = fmax(x->size, fabs(x->velocity[i]));
     for (int i = 1; i < n; i += 2)
         if (fabs(x->velocity[i]) <= x->no_slip) x->velocity[i] = 0;
-    memcpy(x->start, x->velocity, (size_t)n * sizeof *x->start);
+    for (int k = 0; k < x->m; k++)
+        if (fabs(x->velocity[n + k]) <= x->joint[k].no_slip) x->velocity[n + k] = 0;
+    memcpy(x->start, x->velocity, (size_t)pm_course_size(x) * sizeof *x->start);
+}
+
+int pm_contact_course_follow(pm_contact_course *x)
+{
+    begin(x);
     take_at_once(x);
     if (x->exponent > 0) return follow_springs(x);
     for (int i = 0; i < x->n; i++) {
@@ -327,9 +282,54 @@ int pm_contact_course_follow(pm_contact_course *x)
     return found;
 }
 
+/* ---- all at once ---- */
+/* One problem of all contacts and joints, with restitution or without. */
+static int solve_at_once(pm_contact_course *x, int plastic)
+{
+    x->stretch.n = x->n;
+    for (int i = 0; i < x->n; i++) {
+        pm_problem_contact *c = &x->stretch.contact[i];
+        const double *u = x->start + 2 * i;
+        *c = x->contact[i].friction;
+        if (plastic) {
+            c->bias[0] = x->contact[i].is_spent ? -fabs(u[0]) : u[0];
+            c->bias[1] = u[1];
+        }
+        x->of[i] = i;
+    }
+    pm_course_pose(x);
+    for (int k = 0; k < x->m; k++) {
+        x->joints.joint[k].slips = 0;
+        x->joints.joint[k].bias = x->start[2 * x->n + k];
+        memcpy(x->joints.joint[k].start, x->joint[k].start, sizeof x->joint[k].start);
+    }
+    return pm_course_solve(x);
+}
+
+static void take_impulses(const pm_contact_course *x, double *impulse)
+{
+    memcpy(impulse, x->stretch.load, 2 * (size_t)x->n * sizeof *impulse);
+    for (int k = 0; k < x->m; k++) impulse[2 * x->n + k] = x->joints.joint[k].friction;
+}
+
+int pm_contact_course_at_once(pm_contact_course *x)
+{
+    begin(x);
+    int found = solve_at_once(x, 0);
+    if (found != 1) return found;
+    take_impulses(x, x->impulse);
+    for (int i = 0; i < pm_course_size(x); i++)
+        x->velocity[i] = clean(x, x->start[i] + times_row(x, i, x->impulse));
+    if (!(given(x, x->impulse) > 0)) return 1;
+    if ((found = solve_at_once(x, 1)) != 1) return found;
+    take_impulses(x, x->plastic);
+    limit(x);
+    return 1;
+}
+
 int pm_contact_course_is_shared(const pm_contact_course *x)
 {
-    const int n = 2 * x->n;
+    const int n = pm_course_size(x);
     if (x->exponent > 0) return 0;
     for (int i = 0; i < x->n; i++)
         for (int k = 0; k < i; k++) {

@@ -65,9 +65,10 @@ static double scale_problem(pm_contact_problem *x)
 {
     const int n = 2 * x->n;
     double largest = 0, most = 0;
-    for (int i = 0; i < n; i++) most = fmax(most, x->response[i * n + i]);
+    for (int i = 0; i < n; i++) most = fmax(most, fabs(x->response[i * n + i]));
     for (int i = 0; i < n; i++) {
-        const double own = x->response[i * n + i], peer = fmax(own, x->response[(i ^ 1) * n + (i ^ 1)]);
+        const double own = fabs(x->response[i * n + i]),
+                     peer = fmax(own, fabs(x->response[(i ^ 1) * n + (i ^ 1)]));
         x->scale[i] = own > PM_PROBLEM_IMMOBILE * peer ? 1 / sqrt(own) : 0;
     }
     for (int i = 0; i < n; i++)

@@ -29,8 +29,7 @@ static int hold_others(pm_workspace *w)
     return w->active.n > 0 ? pm_saddle_factor(w) : PM_OK;
 }
 
-/* What a unit load along the constraint does. */
-static void respond_along(pm_workspace *w, pm_contact_system *x, const pm_constraint *along)
+void pm_contact_system_respond_along(pm_workspace *w, pm_contact_system *x, const pm_constraint *along)
 {
     memset(x->force, 0, (size_t)w->model->nq * sizeof *x->force);
     for (int p = 0; p < 2; p++)
@@ -54,7 +53,7 @@ int pm_contact_system_respond(pm_workspace *w, pm_contact_system *x)
         x->tangent[i] = pm_contact_modes_tangent(&w->frame, &w->state, x->slot[i]);
     }
     for (int i = 0; i < n && !status; i++) {
-        respond_along(w, x, direction(x, i));
+        pm_contact_system_respond_along(w, x, direction(x, i));
         for (int k = 0; k < n; k++)
             x->problem.response[k * n + i] = pm_constraint_times(&w->frame, direction(x, k), x->response);
     }

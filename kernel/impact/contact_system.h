@@ -19,6 +19,8 @@ int pm_contact_system_create(pm_contact_system *x, pm_arena *arena, const pm_mod
 /* The contacts' constraints and the response W to unit impulses, or forces, of the listed slots, which are open in w->state;
  * the active set is that of what else holds, factored. */
 int pm_contact_system_respond(pm_workspace *w, pm_contact_system *x);
+/* x->response: what a unit load along an evaluated constraint does; the reactions to it are in w->saddle.rhs. */
+void pm_contact_system_respond_along(pm_workspace *w, pm_contact_system *x, const pm_constraint *along);
 /* Friction of the listed slots, as the case has it; no slip, no preference. */
 void pm_contact_system_friction(const pm_frame *frame, pm_contact_system *x);
 

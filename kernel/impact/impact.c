@@ -6,7 +6,8 @@
  *
  * A contact that is struck alone is followed through its blow (impact_course.c).  Where more are struck, or one that rests
  * would approach then, all of them are one problem (impact_together.c): each pushes or parts, sticks or slides; or it is
- * followed, too, where a law asks for that (impact_followed.c).  Resting contacts that do not take part carry nothing, their tangents included.
+ * followed, too, where a law asks for that (impact_followed.c), and joints that rub by their load take part (impact_loaded.c).
+ * Resting contacts that do not take part carry nothing, their tangents included.
  *
  * One by one (the settings may say so): the first in the order of the contacts that approaches is struck alone, then
  * again the first, a resting one as well; each is a jump of its own.  Where the settings do not choose, blows that this
@@ -46,6 +47,8 @@ int pm_impact_create(pm_workspace *w)
         PM_ARRAY(b->share, m->nslot),
         PM_ARRAY(b->held, m->nslot),
         PM_ARRAY(b->given, m->nslot),
+        PM_ARRAY(b->loaded.friction, m->nfriction),
+        PM_ARRAY(b->loaded.along, m->nfriction),
         PM_ARRAY(b->elastic.slot, 2 * m->nslot),
         PM_ARRAY(b->elastic.after, m->nq),
         PM_ARRAY(b->order.before, 2 * m->nslot),
@@ -54,7 +57,7 @@ int pm_impact_create(pm_workspace *w)
     };
     int status = pm_arena_take(&w->memory, PM_ARRAYS(array));
     if (!status) status = pm_contact_system_create(&b->system, &w->memory, m);
-    return status ? status : pm_contact_course_create(&b->course, &w->memory, m->nslot);
+    return status ? status : pm_contact_course_create(&b->course, &w->memory, m->nslot, m->nfriction);
 }
 
 /* ---- who is struck ---- */
@@ -126,21 +129,28 @@ static int find_struck(pm_workspace *w, pm_blow *b, int *struck)
 /* ---- blows ---- */
 /* One contact alone is followed, or solved; where it is not the whole blow all that may take part is found at once.  A blow
  * that would gain energy is limited. */
-static int find_blow(pm_workspace *w, pm_blow *b)
+static int find_of_contacts(pm_workspace *w, pm_blow *b)
 {
-    int status = PM_OK, whole = 0, holds = 0;
-    memset(b->held, 0, (size_t)w->model->nslot * sizeof *b->held);
-    b->plastic = b->equations = b->followed = b->several = 0;
+    int status = PM_OK;
     if (pm_impact_trial_contacts(w->model, b) <= 1) {
         if ((status = pm_impact_trial_solve(w, b))) return status;
-        whole = pm_impact_trial_is_whole(w, b);
+        if (pm_impact_trial_is_whole(w, b)) {
+            pm_impact_end_record(w);
+            return PM_OK;
+        }
     }
-    if (whole)
-        pm_impact_end_record(w);
-    else
-        status = pm_impact_together(w, b);
+    return pm_impact_together(w, b);
+}
+
+static int find_blow(pm_workspace *w, pm_blow *b)
+{
+    int loaded, holds = 0;
+    memset(b->held, 0, (size_t)w->model->nslot * sizeof *b->held);
+    b->plastic = b->equations = b->followed = b->several = 0;
+    int status = pm_impact_loaded(w, b, &loaded);
+    if (!status && !loaded) status = find_of_contacts(w, b);
     if (!status) status = pm_impact_hold_rocking(w, b, &holds);
-    const int exact = !b->ends_bounce && !holds;
+    const int exact = !b->ends_bounce && !holds && !loaded;
     return !status && exact && pm_impact_end_gains(w, b) > 0 ? pm_impact_limit(w, b) : status;
 }
 
@@ -168,9 +178,9 @@ static int one_blow(pm_workspace *w, pm_blow *b)
         b->trial[i] = captured ? PM_CAPTURED : pm_impact_trial_mode(&w->frame, i);
         if (captured && b->share[i] == PM_OUT) b->share[i] = PM_JOINED; /* joints take part in every blow */
     }
-    if ((status = b->shock == PM_NONE ? find_blow(w, b) : pm_impact_follow_shock(w, b)) ||
-        (status = pm_joint_friction_check_blow(w)))
-        return status;
+    status = b->shock == PM_NONE ? find_blow(w, b) : pm_impact_follow_shock(w, b);
+    if (!status && b->shock != PM_NONE) status = pm_joint_friction_check_blow(w);
+    if (status) return status;
     memcpy(b->before, w->state.v, (size_t)m->nq * sizeof *b->before);
     memcpy(w->state.v, b->after, (size_t)m->nq * sizeof *b->after);
     pm_frame_look_state(&w->frame, &w->state);

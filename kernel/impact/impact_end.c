@@ -85,6 +85,7 @@ void pm_impact_end_record(pm_workspace *w)
 {
     const pm_model *m = w->model;
     memset(w->impulses.joint, 0, (size_t)m->njoint_constraint * sizeof(double));
+    memset(w->impulses.friction, 0, (size_t)m->nfriction * sizeof(double));
     memset(w->impulses.slot, 0, 2 * (size_t)m->nslot * sizeof(double));
     for (int i = 0; i < m->njoint_constraint; i++)
         if (w->active.of_joint[i] >= 0) w->impulses.joint[i] = w->saddle.rhs[w->active.of_joint[i]];

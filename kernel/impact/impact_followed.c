@@ -33,8 +33,7 @@ int pm_impact_is_followed(const pm_model *m, const pm_contact_system *x)
     return 0;
 }
 
-/* What such a blow cannot have. */
-static int check(pm_workspace *w, const pm_contact_system *x)
+int pm_impact_check_followed(pm_workspace *w, const pm_contact_system *x)
 {
     for (int i = 0; i < x->problem.n; i++) {
         const int contact = pm_contact_of_slot(w->model, x->slot[i]);
@@ -71,8 +70,10 @@ static double restitution_of(const pm_workspace *w, const pm_blow *b, const pm_c
     return c->exponent > 0 ? pm_last_bounce_restitution(w, contact, -b->approach) : 0;
 }
 
-static void pose(const pm_workspace *w, const pm_blow *b, const pm_contact_system *x, pm_contact_course *c)
+void pm_impact_pose_course(pm_workspace *w, pm_blow *b)
 {
+    const pm_contact_system *x = &b->system;
+    pm_contact_course *c = &b->course;
     const int n = 2 * x->problem.n;
     c->n = x->problem.n;
     c->no_slip = pm_contact_speed(&w->frame);
@@ -93,25 +94,36 @@ static void pose(const pm_workspace *w, const pm_blow *b, const pm_contact_syste
     }
 }
 
-/* Velocities after the blow, and the impulses of joints, with the impulses that were found. */
-static int apply(pm_workspace *w, pm_blow *b, pm_contact_system *x, const double *impulse)
+static void add_impulse(const pm_workspace *w, pm_contact_system *x, const pm_constraint *along,
+                        double impulse)
 {
+    for (int p = 0; p < 2; p++)
+        for (int k = 0; k < 3 && along->body[p] != w->model->nbody; k++)
+            x->force[3 * along->body[p] + k] += impulse * along->j[3 * p + k];
+}
+
+int pm_impact_apply(pm_workspace *w, pm_blow *b)
+{
+    pm_contact_system *x = &b->system;
+    const int n = 2 * x->problem.n;
+    const double *impulse = b->course.impulse;
     memset(x->force, 0, (size_t)w->model->nq * sizeof *x->force);
-    for (int i = 0; i < 2 * x->problem.n; i++) {
-        const pm_constraint *along = direction(x, i);
-        for (int p = 0; p < 2; p++)
-            for (int k = 0; k < 3 && along->body[p] != w->model->nbody; k++)
-                x->force[3 * along->body[p] + k] += impulse[i] * along->j[3 * p + k];
-    }
+    for (int i = 0; i < n; i++) add_impulse(w, x, direction(x, i), impulse[i]);
+    for (int k = 0; k < b->course.m; k++) add_impulse(w, x, &b->loaded.along[k], impulse[n + k]);
     for (int i = 0; i < w->active.n; i++) w->saddle.wanted[i] = -pm_impact_trial_rate(w, i);
     const int status = pm_saddle_respond(w, x->force, b->after);
     for (int i = 0; i < w->model->nq && !status; i++) b->after[i] += w->state.v[i];
     return status;
 }
 
-static void record(pm_workspace *w, pm_blow *b, const pm_contact_system *x, const double *impulse)
+void pm_impact_record_followed(pm_workspace *w, pm_blow *b)
 {
+    const pm_contact_system *x = &b->system;
+    const double *impulse = b->course.impulse;
     pm_impact_end_record(w);
+    for (int k = 0; k < b->course.m; k++)
+        w->impulses.friction[b->loaded.friction[k]] = impulse[2 * x->problem.n + k];
+    b->followed = 1;
     for (int i = 0; i < x->problem.n; i++) {
         const int slot = x->slot[i], pushes = impulse[2 * i] > 0;
         const int struck = b->share[slot] == PM_STRUCK || b->share[slot] == PM_DROPPED;
@@ -138,15 +150,15 @@ int pm_impact_follow_several(pm_workspace *w, pm_blow *b)
 {
     pm_contact_system *x = &b->system;
     pm_contact_course *c = &b->course;
-    int status = check(w, x);
+    int status = pm_impact_check_followed(w, x);
     if (status) return status;
-    pose(w, b, x, c);
+    pm_impact_pose_course(w, b);
+    c->m = 0;
     const int n = pm_contact_course_follow(c);
     if (n == 0 && c->exponent > 0) return fail_endless(w, x, c);
     if (n != 1) return pm_impact_fail(w, x, n, c->differs == PM_NONE ? 0 : c->differs);
-    if ((status = apply(w, b, x, c->impulse))) return status;
-    record(w, b, x, c->impulse);
-    b->followed = 1;
+    if ((status = pm_impact_apply(w, b))) return status;
+    pm_impact_record_followed(w, b);
     if (c->exponent > 0) b->several = 0; /* the scene says how they share: no order is open */
     return PM_OK;
 }
@@ -197,7 +209,7 @@ int pm_impact_jammed(pm_workspace *w)
     }
     pm_frame_look_state(&w->frame, &w->state);
     const int status = pm_impact_list(w, b);
-    if (!status) pose(w, b, x, &b->course);
+    if (!status) pm_impact_pose_course(w, b);
     for (int i = 0; i < x->problem.n && !status && slot == PM_NONE; i++)
         if (is_near(w, x, i)) slot = x->slot[i];
     for (int i = 0; i < w->model->nslot; i++) w->state.slot[i].mode = b->resting[i];
@@ -206,12 +218,12 @@ int pm_impact_jammed(pm_workspace *w)
     return pm_active_set_build(w) ? PM_NONE : slot;
 }
 
-/* Nothing else would be struck. */
-static int others_part(const pm_workspace *w, const pm_blow *b, const pm_contact_system *x)
+int pm_impact_others_part(const pm_workspace *w, const pm_blow *b, int slot)
 {
+    const pm_contact_system *x = &b->system;
     for (int i = 0; i < x->problem.n; i++) {
         const double rate = pm_constraint_times(&w->frame, &x->normal[i], b->after) - x->normal[i].rate;
-        if (x->slot[i] != b->shock && rate < -pm_contact_speed(&w->frame)) return 0;
+        if (x->slot[i] != slot && rate < -pm_contact_speed(&w->frame)) return 0;
     }
     return 1;
 }
@@ -229,7 +241,8 @@ int pm_impact_follow_shock(pm_workspace *w, pm_blow *b)
     pm_impact_course_end end;
     int i = 0, status = pm_impact_list(w, b);
     if (status) return status;
-    pose(w, b, x, c);
+    pm_impact_pose_course(w, b);
+    c->m = 0;
     while (x->slot[i] != b->shock) i++;
     pm_impact_course one = course_of(w, x, c->velocity, i);
     if (w->instant.jams && is_near(w, x, i))
@@ -241,12 +254,11 @@ int pm_impact_follow_shock(pm_workspace *w, pm_blow *b)
     if (draws) {
         c->impulse[2 * i] = end.impulse;
         c->impulse[2 * i + 1] = end.ratio * end.impulse;
-        if ((status = apply(w, b, x, c->impulse))) return status;
+        if ((status = pm_impact_apply(w, b))) return status;
     }
-    if (!draws || !others_part(w, b, x))
+    if (!draws || !pm_impact_others_part(w, b, b->shock))
         return pm_fail(&w->result, PM_PAINLEVE, PM_TABLE_CONTACT, contact, x->problem.contact[i].rub, c->n);
-    record(w, b, x, c->impulse);
-    b->followed = 1;
+    pm_impact_record_followed(w, b);
     return PM_OK;
 }
 
@@ -257,6 +269,8 @@ void pm_impact_followed_close(pm_workspace *w, const pm_blow *b)
     if (!b->followed) return;
     for (int i = 0; i < 2 * x->problem.n; i++)
         pm_ledger_contact(w, direction(x, i), b->course.impulse[i], b->before);
+    for (int k = 0; k < b->course.m; k++)
+        pm_ledger_contact(w, &b->loaded.along[k], b->course.impulse[2 * x->problem.n + k], b->before);
     w->result.count[PM_COUNT_SHARED_BLOWS] += pm_contact_course_is_shared(&b->course);
     w->result.count[PM_COUNT_LIMITED_BLOWS] += b->course.limited;
 }

@@ -31,6 +31,7 @@ static int follow(pm_workspace *w, pm_blow *b, int i, const double *u)
     pm_contact_course *c = &b->course;
     const int n = 2 * b->system.problem.n, contact = pm_contact_of_slot(w->model, b->system.slot[i]);
     c->n = 1;
+    c->m = 0;
     c->exponent = 0;
     c->no_slip = pm_contact_speed(&w->frame);
     for (int k = 0; k < 4; k++)

@@ -39,6 +39,11 @@ typedef struct pm_blow {
     pm_contact_system system; /* several contacts at once */
     pm_contact_course course; /* the same where their blow is followed */
     struct {
+        int *friction;        /* [nfriction] those of the course */
+        pm_constraint *along; /* [nfriction] their slips, evaluated */
+        int captures;         /* the blow has captures */
+    } loaded;                 /* joints that rub by their load */
+    struct {
         double *after, *slot; /* [nq], [2 nslot] */
     } elastic;                /* the blow with restitution, while the one without is found */
     struct {
@@ -76,6 +81,10 @@ int pm_impact_together(pm_workspace *w, pm_blow *b);
 /* Lists what is struck or rests, opens it, and finds the response of its contacts and the velocities that they would have
  * after a blow in which none of them takes part (b->system). */
 int pm_impact_list(pm_workspace *w, pm_blow *b);
+/* Velocities x->free after a blow in which no listed contact takes part; the reactions are in w->saddle.rhs. */
+void pm_impact_respond_free(pm_workspace *w, pm_contact_system *x);
+/* What the blow asks of each listed contact: its bias (b->system). */
+void pm_impact_pose(pm_workspace *w, pm_blow *b);
 /* What the problem says where it has `n` motions, not one; `at`: the listed contact that it is said of. */
 int pm_impact_fail(pm_workspace *w, const pm_contact_system *x, int n, int at);
 /* A blow so slow that nothing could be seen of how its contacts part: all of them are held; *holds: whether it is one. */
@@ -93,9 +102,24 @@ int pm_impact_follow_several(pm_workspace *w, pm_blow *b);
 /* The impact without collision of the contact in b->shock, recorded.  PM_PAINLEVE: friction does not draw it together, or
  * others would have to take part; where = contact, detail = its coefficient of friction, contacts that are closed. */
 int pm_impact_follow_shock(pm_workspace *w, pm_blow *b);
+/* The course (b->course) of what is listed, without joints that rub. */
+void pm_impact_pose_course(pm_workspace *w, pm_blow *b);
+/* What a blow that is followed cannot have: as pm_impact_follow_several. */
+int pm_impact_check_followed(pm_workspace *w, const pm_contact_system *x);
+/* Velocities after it, and the impulses of all that holds, with the impulses of the course. */
+int pm_impact_apply(pm_workspace *w, pm_blow *b);
+/* Whether no listed contact but the one in `slot` would be struck then. */
+int pm_impact_others_part(const pm_workspace *w, const pm_blow *b, int slot);
+/* Its impulses, and who took part. */
+void pm_impact_record_followed(pm_workspace *w, pm_blow *b);
 /* Enters the blow, where it is one, into the counts, and its contacts, which are not among the active constraints, into the
  * ledger of a jump from b->before. */
 void pm_impact_followed_close(pm_workspace *w, const pm_blow *b);
+
+/* ---- impact_loaded.c: joints that rub by their load ---- */
+/* The blow of all that is struck or rests, recorded, where it loads such joints: *loaded = 1.  As pm_impact_together;
+ * PM_UNSUPPORTED, PM_NOT_UNIQUE with where = force: what such a friction cannot take part in, or whose load is shared. */
+int pm_impact_loaded(pm_workspace *w, pm_blow *b, int *loaded);
 
 /* ---- impact_order.c: the same one by one ---- */
 /* Counts the blow of what is listed, from b->before to b->after, if its contacts struck one by one leave another motion

@@ -44,8 +44,7 @@ static void list(pm_workspace *w, const pm_blow *b, pm_contact_system *x)
     }
 }
 
-/* Velocities after a blow in which no listed contact takes part. */
-static void respond_free(pm_workspace *w, pm_contact_system *x)
+void pm_impact_respond_free(pm_workspace *w, pm_contact_system *x)
 {
     memset(x->free, 0, (size_t)w->model->nq * sizeof *x->free);
     for (int i = 0; i < w->active.n; i++) w->saddle.wanted[i] = -pm_impact_trial_rate(w, i);
@@ -59,7 +58,7 @@ int pm_impact_list(pm_workspace *w, pm_blow *b)
     list(w, b, x);
     const int status = pm_contact_system_respond(w, x);
     if (status) return status;
-    respond_free(w, x);
+    pm_impact_respond_free(w, x);
     pm_contact_system_friction(&w->frame, x);
     return PM_OK;
 }
@@ -84,8 +83,9 @@ static double slip_rate(const pm_workspace *w, const pm_blow *b, int slot, doubl
     return rebounds ? now + pm_contact_tangential(&w->frame, contact) * before : now;
 }
 
-static void pose(pm_workspace *w, const pm_blow *b, pm_contact_system *x)
+void pm_impact_pose(pm_workspace *w, pm_blow *b)
 {
+    pm_contact_system *x = &b->system;
     for (int i = 0; i < x->problem.n; i++) {
         const pm_constraint *c[2] = {&x->normal[i], &x->tangent[i]};
         double before[2], now[2];
@@ -153,7 +153,7 @@ static int solve(pm_workspace *w, pm_blow *b, int plastic)
     int status = pm_impact_list(w, b);
     if (status) return status;
     if (pm_impact_is_followed(w->model, x)) return pm_impact_follow_several(w, b);
-    pose(w, b, x);
+    pm_impact_pose(w, b);
     const int n = pm_contact_problem_solve(&x->problem);
     if (n != 1) return pm_impact_fail(w, x, n, n == 0 ? 0 : x->problem.differs);
     take_modes(b, x);

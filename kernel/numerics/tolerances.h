@@ -230,6 +230,11 @@
 #define PM_PROBLEM_SWEEPS 4000 /* over contacts one by one, where all else fails; more: fewer problems without a solution found */
 #define PM_PROBLEM_SWEEPS_LOOK 20 /* sweeps: so often the modes are tried as equations; more would only be later */
 #define PM_PROBLEM_TRIED 7 /* contacts: up to here all modes are tried where Lemke's method fails; likewise */
+#define PM_JOINTS_COUNTED 3 /* joints that rub by their load in a blow: up to here all modes are tried and motions counted; more: 3 to 5 times dearer each */
+#define PM_JOINTS_MENDED 8 /* times the joints, where they are more: modes mended one by one; more: fewer blows undecided */
+#define PM_JOINTS_TURNS 200 /* rounds to find the direction of a bearing's reaction; likewise */
+#define PM_JOINTS_TURNED 1e-14 /* rad: it is found; larger: less exact */
+#define PM_JOINTS_FREE 1e-12 /* of the response of a joint's slip, or of what moves its reaction: none; larger: frictions are left out */
 #define PM_BLOWS_AT_ONCE 64 /* rounds of blows of all contacts at one instant; more: an endless series ends later */
 #define PM_BLOWS_IN_ORDER 10000 /* blows one by one at one instant; likewise */
 #define PM_BLOW_ROUNDING 1e-10 /* of the energies that a blow moves: rounding; larger: a law that gains energy passes */

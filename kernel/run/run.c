@@ -52,6 +52,7 @@ static int begin_case(pm_workspace *w, const double *param, pm_start_report *rep
     pm_perturbation_begin(w->model, &w->request);
     pm_fixed_bodies_begin(w);
     memset(w->impulses.joint, 0, (size_t)w->model->njoint_constraint * sizeof(double));
+    memset(w->impulses.friction, 0, (size_t)w->model->nfriction * sizeof(double));
     memset(w->impulses.slot, 0, 2 * (size_t)w->model->nslot * sizeof(double));
     w->impulses.nshared = 0;
     int status = pm_case_begin(w, param);

@@ -4,6 +4,12 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "the impulse of a joint has no friction",
+        "elements/joint_friction.c",
+        "return w->impulses.friction[k];",
+        "return 0;",
+    ),
+    Fault(
         "capture: the place is not turned into the body",
         "elements/capture.c",
         "out[1] = -pose[4] * x",
@@ -306,11 +312,14 @@ FAULTS = [
     Fault(
         "grip: load of one axis",
         "elements/joint_friction.c",
-        "sum = hypot(sum, x[active])",
-        "sum = x[active]",
+        "return hypot(r[0], r[1]);",
+        "return fabs(r[0]);",
     ),
     Fault(
-        "grip: a load has a sign", "elements/joint_friction.c", "hypot(sum, x[active])", "(sum + x[active])"
+        "grip: a load has a sign",
+        "elements/joint_friction.c",
+        "return hypot(r[0], r[1]);",
+        "return r[0] + r[1];",
     ),
     Fault("grip: no reaction", "elements/joint_friction.c", "x->body_b = c.body[1];", ""),
     Fault(

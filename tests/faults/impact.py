@@ -3,6 +3,54 @@
 from tests.faults.fault import Fault
 
 FAULTS = [
+    Fault(
+        "a joint that rubs drives its slip on",
+        "impact/contact_problem_joints.c",
+        "return (mode == PM_SLIDE_FORWARD) - (mode == PM_SLIDE_BACKWARD);",
+        "return (mode == PM_SLIDE_BACKWARD) - (mode == PM_SLIDE_FORWARD);",
+    ),
+    Fault(
+        "a slider is pressed from one side only",
+        "impact/contact_problem_joints.c",
+        "c->along[0] = i % sides ? -1 : 1;",
+        "c->along[0] = 1;",
+    ),
+    Fault(
+        "a joint that rubs holds in a blow whatever it needs",
+        "impact/contact_problem_joints.c",
+        "fabs(c->friction) <= c->coefficient * (size + tie) ? PM_HOLDS",
+        "1 ? PM_HOLDS",
+    ),
+    Fault(
+        "the reaction of a bearing has one direction",
+        "impact/contact_problem_joints.c",
+        "if (c->nload == 1) continue;",
+        "continue;",
+    ),
+    Fault(
+        "friction of joints does not act on the contacts",
+        "impact/contact_problem_joints.c",
+        "sum += x->response[r * all + n + k] * x->given[k * (n + 1) + i + 1];",
+        "sum += 0;",
+    ),
+    Fault(
+        "the slip of a joint that ends in a blow is passed over",
+        "impact/contact_course.c",
+        "s = fmin(s, until_none(x->velocity[2 * x->n + k], x->joint[k].rate));",
+        "(void)k;",
+    ),
+    Fault(
+        "at once, the slip of a joint before the blow decides",
+        "impact/contact_course.c",
+        "x->joints.joint[k].slips = 0;",
+        "(void)k;",
+    ),
+    Fault(
+        "a blow of one contact and a joint that rubs is not followed",
+        "impact/impact_loaded.c",
+        "if (alone == PM_NONE) return status;",
+        "return status;",
+    ),
     Fault("action: an impulse has no moment", "impact/action.c", "couple + pm_cross(arm, force)", "couple"),
     Fault(
         "action: the moment of an impulse has the other sign",
@@ -284,7 +332,7 @@ FAULTS = [
     ),
     Fault(
         "course: compression keeps no pace",
-        "impact/contact_course.c",
+        "impact/contact_course_stretch.c",
         "c->pace = normal < 0 ? -normal : 0;",
         "c->pace = normal < 0 ? 1 : 0;",
     ),
@@ -326,7 +374,7 @@ FAULTS = [
     ),
     Fault(
         "course: friction with the slip",
-        "impact/contact_course.c",
+        "impact/contact_course_stretch.c",
         "p->slips = u[1] > 0 ? 1 : -1;",
         "p->slips = u[1] > 0 ? -1 : 1;",
     ),
@@ -363,7 +411,7 @@ FAULTS = [
     Fault(
         "shock: others are pressed into what they touch",
         "impact/impact_followed.c",
-        "if (x->slot[i] != b->shock && rate < -pm_contact_speed(&w->frame)) return 0;",
+        "if (x->slot[i] != slot && rate < -pm_contact_speed(&w->frame)) return 0;",
         "(void)rate;",
     ),
     Fault(
@@ -566,7 +614,7 @@ FAULTS = [
     ),
     Fault(
         "course: what has parted pushes",
-        "impact/contact_course.c",
+        "impact/contact_course_stretch.c",
         "if (u[0] > 0 && c->pace == 0) continue;",
         "",
     ),

@@ -319,7 +319,7 @@ static void spent(void)
 
 int main(void)
 {
-    EQUAL(pm_contact_course_create(&course, &memory, MOST), 0);
+    EQUAL(pm_contact_course_create(&course, &memory, MOST, 0), 0);
     against_steps();
     obeys_the_laws();
     without_friction();

@@ -6,7 +6,6 @@ import math
 
 import pytest
 
-import planemotion
 from tests.scenes import ROUTES, G, answers, within
 from tests.scenes.parts import body, drum_and_block, rod
 
@@ -162,13 +161,10 @@ STRUCK = f"""
 until = "stop 2"
 events.stop = "bar rests"
 plane = "horizontal"
-parameters = {{ M = "0.5 N*m", mu = 0.3, by_load = false }}
+parameters.M = "0.5 N*m"
 {rod("bar", mass="3 kg")}
 {body("ball", mass="1 kg", at=["1 m", "1 m"])}
-joints.axle = {{ pin = ["bar.A", "ground"], friction_couple = "M", active = "not by_load" }}
-joints.sleeve.pin = ["bar.A", "ground"]
-joints.sleeve.friction = {{ mu = "mu", radius = "10 mm" }}
-joints.sleeve.active = "by_load"
+joints.axle = {{ pin = ["bar.A", "ground"], friction_couple = "M" }}
 contacts.hit = {{ touch = ["ball", "bar.top"], restitution = 1 }}
 start.ball.velocity.y = "-2 m/s"
 [ask]
@@ -181,11 +177,6 @@ def test_a_friction_of_given_size_has_no_impulse() -> None:
     values = answers(STRUCK)
     omega = 2 * 1 * 2 / (1 + 1)
     assert values["turned"] == pytest.approx(-0.5 * omega**2 / 0.5, rel=EXACT)
-
-
-def test_friction_by_the_load_in_a_blow_is_refused() -> None:
-    with pytest.raises(planemotion.SimulationError, match=r"joints\.sleeve\.friction: .*blow"):
-        planemotion.load_text(STRUCK).run(by_load=True)
 
 
 CHANGES = """

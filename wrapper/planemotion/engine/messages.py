@@ -200,7 +200,9 @@ _DESCRIPTIONS: dict[int, Any] = {
         "singular position, a force that jumps); end the run before it, or lower the accuracy"
     ),
     layout.PM_UNSUPPORTED: lambda place, found, bound: (
-        f"{place}: a blow loads this joint: not built yet for friction that goes with the load"
+        f"{place}: a blow loads this joint, and friction that goes with the load takes no part in one of "
+        "bodies without mass, in an impact without collision, or in one that is followed by its law and has "
+        "rough contacts, captures or stiffnesses"
         if place.endswith(".friction")
         else f"{place}: another nudge acts at the same instant; one at a time"
         if place.endswith(".nudge")
@@ -213,6 +215,9 @@ _DESCRIPTIONS: dict[int, Any] = {
         f"{place}: it waits for a load that is not unique: redundant constraints share it, and nothing tells "
         'how; wait for a sum that is, or take solve.shared = "least"'
         if place.startswith(("events.", "until"))
+        else f"{place}: redundant constraints share the load of this joint in a blow, and with it its "
+        "friction; nothing tells how: take one of them away"
+        if place.endswith(".friction")
         else f"{place}: with friction {found:.4g} at the {bound:.0f} contacts that take part, the laws of "
         "contact allow several motions, and nothing tells which; the run ends here"
     ),
