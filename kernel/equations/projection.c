@@ -60,6 +60,15 @@ int pm_projection_apply(pm_workspace *w, pm_state *s)
     return project(w, s, 0);
 }
 
+int pm_projection_near(pm_workspace *w, pm_state *s)
+{
+    pm_frame_look_state(&w->frame, s);
+    if (w->active.n == 0) return PM_OK;
+    if (!pm_solve_cache_take_constraints(w)) pm_saddle_evaluate(&w->active, &w->frame);
+    const double off = pm_constraint_openings(w->active.constraint, w->active.n, NULL, w->saddle.rhs);
+    return off > PM_PROJECTION_NEAR * w->numbers.size ? PM_OK : project(w, s, 1);
+}
+
 int pm_projection_built(pm_workspace *w, pm_state *s) { return project(w, s, w->active.evaluated); }
 
 double pm_projection_residual(const pm_frame *frame, const pm_active_set *active)

@@ -6,6 +6,9 @@
 
 /* Projects the state; on return the frame looks at it (KINEMATIC, constraints evaluated). */
 int pm_projection_apply(pm_workspace *w, pm_state *s);
+/* The same where the state is near.  One that is far off is left there: its constraints have come to where they end, such as a
+ * strand at its tangent point, and the nearest place that meets them is none of the motion. */
+int pm_projection_near(pm_workspace *w, pm_state *s);
 /* The same where the active constraints have just been built at this state, and the frame looks at it. */
 int pm_projection_built(pm_workspace *w, pm_state *s);
 /* Velocities only: G v = 0 at the state's position. */

@@ -311,17 +311,25 @@ static int strand_ends(pm_workspace *w, int slot)
                    w->state.t, 0);
 }
 
+/* So short, or nothing is left of it after a few steps like the last. */
+static int is_about_to_end(const pm_workspace *w, int slot)
+{
+    double approach, nothing;
+    const double left = strand_left(&w->frame, slot, &approach, &nothing);
+    const double soon = PM_STRAND_SOON * (w->step.whole_end - w->step.whole_begin);
+    return left < PM_STRAND_NEAR * nothing || (w->phase.route->in_time && left * left < -approach * soon);
+}
+
 int pm_event_explain_strand(pm_workspace *w, int status)
 {
     if (status != PM_STEP_TOO_SMALL && status != PM_SOLVER && status != PM_SINGULAR && status != PM_AUDIT)
         return status;
     pm_frame_look_state(&w->frame, &w->state);
     for (int i = 0; i < w->model->nslot; i++) {
-        double nothing;
         if (w->state.slot[i].mode == PM_OPEN ||
             !pm_contact_is_cord(w->model, pm_contact_of_slot(w->model, i)))
             continue;
-        if (pm_event_strand_left(w, i, &nothing) < PM_STRAND_NEAR * nothing) return strand_ends(w, i);
+        if (is_about_to_end(w, i)) return strand_ends(w, i);
     }
     return status;
 }

@@ -79,6 +79,7 @@
 /* what is met */
 #define PM_MET 4e-15 /* of size, speed or terms: residual with nothing left to gain; larger: drift stays */
 #define PM_PROJECTION_SWEEPS 8 /* Newton steps back onto constraints: four do, but for rounding far off */
+#define PM_PROJECTION_NEAR 1e-6 /* of the size: what polynomials of the time miss constraints by is drift; larger: bodies are put elsewhere */
 #define PM_FRICTION_ROUNDS 400 /* of friction and reactions: more, and the joint jams */
 #define PM_STAND_IN \
     1e-3 /* of the least mass, for what has none: each round gains as many digits; larger: fewer */
@@ -156,6 +157,7 @@
 #define PM_GRID_ROUNDING 1e-12 /* of the greatest watched value: so much of a grid value, of 0 too, is rounding; larger: as above */
 #define PM_STRAND_ACROSS 1e-12 /* of distance and speed of what a cord pulls: it goes across; larger: a strand is shortest earlier */
 #define PM_STRAND_NEAR 1000 /* times as short: a failure so close to a strand's end comes of it; larger: others are told as that */
+#define PM_STRAND_SOON 4.0 /* steps like the last: a failure so long before a strand ends comes of it; larger: others are told as that */
 #define PM_STRAND_LEAST 1e-5 /* of the radii of its circles: so short, a strand has come to its end; larger: one that only comes close ends */
 #define PM_ON_ZERO 1e-12 /* of a function's greatest size in the step: it is zero, has no sign; larger: a zero right after the begin is lost */
 #define PM_DIP_NEAR 0.3 /* of a function's greatest size in the step: below it there may be a dip to zero; larger: more is looked at */

@@ -267,8 +267,8 @@ int pm_run(pm_workspace *w, const double *param)
     const int started = status == PM_OK;
     if (!status) status = pm_instant_start(w);
     if (!status) status = run_phases(w);
-    if (status == PM_SINGULAR && w->result.count[PM_COUNT_STEPS] > 0) status = PM_ENDS_SINGULAR;
     if (status && started) status = pm_event_explain_strand(w, status);
+    if (status == PM_SINGULAR && w->result.count[PM_COUNT_STEPS] > 0) status = PM_ENDS_SINGULAR;
     pm_phase_report_end(w);
     if (status > 0) status = end_early(w, status);
     if (!status) {

@@ -276,3 +276,15 @@ def test_a_block_that_its_cord_pulls_to_the_drum_ends_the_run(changed: dict[str,
     assert run.status == "strand_ends"
     assert "couplings.cord_B" in run.error
     assert run.asks["b_distance_B"].value is None
+
+
+@pytest.mark.parametrize("route", ["auto", "rk"])
+@pytest.mark.parametrize("times", [1.25, 2, 3, 5])
+@pytest.mark.parametrize("problem", ["17-060", "17-061"])
+def test_a_hoist_that_coasts_beyond_its_drum_ends_there(problem: str, times: float, route: str) -> None:
+    """Started faster: either what is asked comes before the block is at the drum, or the run ends there."""
+    scene = planemotion.load(CHAPTER / f"{problem}.toml")
+    value, unit = str(scene.raw["parameters"]["omega_0"]).split()
+    run = scene.run(**{"solve.route": route}, omega_0=f"{float(value) * times!r} {unit}")
+    assert run.status in ("ok", "strand_ends")
+    assert run.ok or "couplings.cable" in run.error

@@ -270,7 +270,7 @@ static int go_to_end(pm_workspace *w, double limit, double t_limit)
     w->state.t = u->end == limit ? t_limit : u->t0 + u->end;
     pm_step_set(&w->step, begin, w->state.t);
     pm_case_speed(w->model, &w->numbers, w->state.v);
-    return u->status ? u->status : pm_projection_apply(w, &w->state);
+    return u->status ? u->status : pm_projection_near(w, &w->state);
 }
 
 static int step(pm_workspace *w, double t_limit)
@@ -313,7 +313,7 @@ static int exact(pm_workspace *w, double t, pm_state *s)
     pm_uniform_integrate(w, after, s->z);
     pm_uniform_place(w->model, w->uniform, after, s->q, s->v);
     s->t = t;
-    return pm_projection_apply(w, s);
+    return pm_projection_near(w, s);
 }
 
 const pm_route_ops pm_route_uniform = {
