@@ -35,7 +35,7 @@
 #define PM_EVIDENCE_LOOSEST 1e-2 /* tolerance of a coarse run: beyond it steps are not resolved; larger: errors are estimated too large */
 #define PM_EVIDENCE_DRIFT 0.3 /* of the disturbance of a step: so much of it goes to one side; larger: errors of long runs are estimated larger */
 #define PM_EVIDENCE_MOVES 1e-10 /* of a coordinate, in a step: what changes less rests; larger: rounding of slow motion is not seen */
-#define PM_EVIDENCE_STEP 6e-15 /* of positions and velocities, at each step of a coarse run: PM_COARSER times a unit in the last place, as the weights of a step cancel; larger: likewise */
+#define PM_EVIDENCE_STEP 1e-15 /* of positions and velocities, at each step of a coarse run: of PM_COARSER roundings most cancel in the weights of a step; larger: errors of unstable motion are estimated larger */
 #define PM_COARSER 30.0 /* times the tolerance of the run that a coarse one is compared with; larger: errors are estimated too large */
 
 /* ---- expression ---- */

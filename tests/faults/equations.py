@@ -4,12 +4,6 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
-        "a series of blows rubs no joint",
-        "equations/ledger.c",
-        "loss += add_of_series(&w->frame, &w->state, &slip, w->impulses.friction[k] *= factor);",
-        "w->impulses.friction[k] *= factor;",
-    ),
-    Fault(
         "capture: lets go when it would pull",
         "equations/active_set.c",
         "status = append_captured(w, nbasis)",

@@ -37,18 +37,6 @@ FAULTS = [
         "0 * terms",
     ),
     Fault(
-        "error: a pass that got worse is taken",
-        "study/accuracy.c",
-        "better = better && is_better(trust, before);",
-        "better = better && (is_better(trust, before) || 1);",
-    ),
-    Fault(
-        "error: a pass is waited for however long it takes",
-        "study/accuracy.c",
-        "PM_ACCURACY_LONGER * (double)e->main->count[PM_COUNT_STEPS]",
-        "INFINITY * (double)e->main->count[PM_COUNT_STEPS]",
-    ),
-    Fault(
         "find: a change of sign between samples is not seen",
         "study/find.c",
         "if (value * last < 0) status = close_bracket",
