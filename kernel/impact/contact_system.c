@@ -1,12 +1,14 @@
 /* contact_system.c - W = D A D^T of the contacts' directions D, where A = M^-1 with all that holds otherwise held. */
 #include "impact/contact_system.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "elements/contact.h"
 #include "equations/active_set.h"
 #include "equations/saddle.h"
 #include "impact/contact_modes.h"
+#include "numerics/tolerances.h"
 #include "state/frame.h"
 
 int pm_contact_system_create(pm_contact_system *x, pm_arena *arena, const pm_model *m)
@@ -44,6 +46,18 @@ static const pm_constraint *direction(const pm_contact_system *x, int i)
     return i % 2 == 0 ? &x->normal[i / 2] : &x->tangent[i / 2];
 }
 
+void pm_contact_system_still_held(const pm_frame *frame, const pm_contact_system *x, double *response, int size)
+{
+    const int n = 2 * x->problem.n;
+    double most = 0;
+    for (int i = 0; i < n; i++) most = fmax(most, fabs(response[i * (size + 1)]));
+    for (int i = 0; i < n; i++) {
+        const double alone = pm_constraint_square(frame, direction(x, i));
+        if (fabs(response[i * (size + 1)]) > PM_SYSTEM_HELD * fmin(most, alone)) continue;
+        for (int k = 0; k < size; k++) response[i * size + k] = response[k * size + i] = 0;
+    }
+}
+
 int pm_contact_system_respond(pm_workspace *w, pm_contact_system *x)
 {
     const int n = 2 * x->problem.n;
@@ -57,6 +71,7 @@ int pm_contact_system_respond(pm_workspace *w, pm_contact_system *x)
         for (int k = 0; k < n; k++)
             x->problem.response[k * n + i] = pm_constraint_times(&w->frame, direction(x, k), x->response);
     }
+    pm_contact_system_still_held(&w->frame, x, x->problem.response, n);
     return status;
 }
 

@@ -21,6 +21,9 @@ int pm_contact_system_create(pm_contact_system *x, pm_arena *arena, const pm_mod
 int pm_contact_system_respond(pm_workspace *w, pm_contact_system *x);
 /* x->response: what a unit load along an evaluated constraint does; the reactions to it are in w->saddle.rhs. */
 void pm_contact_system_respond_along(pm_workspace *w, pm_contact_system *x, const pm_constraint *along);
+/* Rounding in the response [size][size], whose first rows are the contacts', becomes zero along directions that others hold:
+ * driven ends, pins, what is captured. */
+void pm_contact_system_still_held(const pm_frame *frame, const pm_contact_system *x, double *response, int size);
 /* Friction of the listed slots, as the case has it; no slip, no preference. */
 void pm_contact_system_friction(const pm_frame *frame, pm_contact_system *x);
 

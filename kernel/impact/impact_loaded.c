@@ -118,6 +118,7 @@ static void pose(pm_workspace *w, pm_blow *b)
     c->exponent = 0;
     for (int i = 0; i < x->problem.n; i++) c->contact[i].friction = x->problem.contact[i];
     for (int i = 0; i < n + c->m; i++) pose_column(w, b, i);
+    pm_contact_system_still_held(&w->frame, x, c->response, n + c->m);
     pm_impact_respond_free(w, x);
     for (int k = 0; k < c->m; k++) {
         const int of = b->loaded.friction[k];

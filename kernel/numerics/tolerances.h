@@ -225,6 +225,7 @@
 #define PM_PROBLEM_SAME 1e-7 /* of the scaled rates: the same motion; larger: motions that differ are taken for one */
 #define PM_PROBLEM_LARGEST 1e9 /* scaled load: beyond it the mode has no unique loads; larger: rounding is taken for loads */
 #define PM_PROBLEM_IMMOBILE 1e-14 /* of the contact's other response: nothing moves that way; larger: friction is left out */
+#define PM_SYSTEM_HELD 1e-14 /* of the greatest response, and of what nothing else would hold: nothing moves; larger: light bodies beside heavy ones stand still */
 #define PM_PROBLEM_DEPENDS 1e-12 /* of its response: a rough tangent that others hold; larger: what holds is left out */
 #define PM_PROBLEM_SOUND 1e-8 /* scaled pivot: smaller, and loads are left out of the mean of those that are possible; larger: so are loads that are known */
 #define PM_PROBLEM_COUNTED 4 /* contacts: up to here all modes are tried and motions counted; more: 4 times dearer each */

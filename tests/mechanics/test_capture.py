@@ -163,3 +163,31 @@ def test_let_go_and_caught_again() -> None:
     assert got["closed"] == 1
     assert got["omega"] == pytest.approx(omega, rel=1e-9)
     assert got["holds"] == pytest.approx(0.3 * 1.2 * omega**2, rel=1e-8)
+
+
+@pytest.mark.parametrize("friction", [0, 0.3])
+@pytest.mark.parametrize("turn", [0.03 + 0.37 * k for k in range(17)])
+def test_a_contact_of_an_end_that_is_held_does_nothing(turn: float, friction: float) -> None:
+    """A hook jerks one end of a rod off the floor it touches; what rounding leaves of a motion there is none."""
+    up = [-math.sin(turn), math.cos(turn)]
+    got = answers(
+        f"""
+until = "start"
+plane = "horizontal"
+ground.lines.floor = {{ through = [0, 0], angle = "{turn} rad" }}
+bodies.rod = {{ rod = ["A", "B"], length = "0.83 m", mass = "2.7 kg", at.A = [0, 0], angle = "{turn} rad" }}
+bodies.hook = {{ at = "rod.A", driven.velocity = ["{1.9 * up[0]} m/s", "{1.9 * up[1]} m/s"] }}
+contacts.catch = {{ touch = ["rod.A", "hook"], capture = "pin" }}
+contacts.held = {{ touch = ["rod.A", "ground.floor"], friction = {friction} }}
+contacts.foot = {{ touch = ["rod.B", "ground.floor"] }}
+[start]
+rod = {{ velocity = [0, 0], omega = 0 }}
+[ask]
+x = "foot.impulse.x on rod"
+y = "foot.impulse.y on rod"
+held = "held.impulse.norm"
+"""
+    )
+    # J_A + J_B = m v/2 and J_A - J_B = m v/6, as B stays on the floor.
+    assert [got["x"], got["y"]] == pytest.approx([2.7 * 1.9 / 6 * u for u in up], rel=1e-9, abs=1e-12)
+    assert got["held"] == pytest.approx(0, abs=1e-12)
