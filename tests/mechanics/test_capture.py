@@ -168,7 +168,7 @@ def test_let_go_and_caught_again() -> None:
 @pytest.mark.parametrize("friction", [0, 0.3])
 @pytest.mark.parametrize("turn", [0.03 + 0.37 * k for k in range(17)])
 def test_a_contact_of_an_end_that_is_held_does_nothing(turn: float, friction: float) -> None:
-    """A hook jerks one end of a rod off the floor it touches; what rounding leaves of a motion there is none."""
+    """A hook jerks one end of a rod off the floor it touches; rounding is no motion."""
     up = [-math.sin(turn), math.cos(turn)]
     got = answers(
         f"""
