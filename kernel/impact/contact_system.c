@@ -46,7 +46,8 @@ static const pm_constraint *direction(const pm_contact_system *x, int i)
     return i % 2 == 0 ? &x->normal[i / 2] : &x->tangent[i / 2];
 }
 
-void pm_contact_system_still_held(const pm_frame *frame, const pm_contact_system *x, double *response, int size)
+void pm_contact_system_still_held(const pm_frame *frame, const pm_contact_system *x, double *response,
+                                  int size)
 {
     const int n = 2 * x->problem.n;
     double most = 0;

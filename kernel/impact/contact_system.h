@@ -23,7 +23,8 @@ int pm_contact_system_respond(pm_workspace *w, pm_contact_system *x);
 void pm_contact_system_respond_along(pm_workspace *w, pm_contact_system *x, const pm_constraint *along);
 /* Rounding in the response [size][size], whose first rows are the contacts', becomes zero along directions that others hold:
  * driven ends, pins, what is captured. */
-void pm_contact_system_still_held(const pm_frame *frame, const pm_contact_system *x, double *response, int size);
+void pm_contact_system_still_held(const pm_frame *frame, const pm_contact_system *x, double *response,
+                                  int size);
 /* Friction of the listed slots, as the case has it; no slip, no preference. */
 void pm_contact_system_friction(const pm_frame *frame, pm_contact_system *x);
 
