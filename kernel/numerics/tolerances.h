@@ -292,7 +292,7 @@
 #define PM_ACCURACY_FINER \
     2 /* times a route's finest tolerance: nothing is gained below; more: gives up earlier */
 #define PM_ACCURACY_AIM \
-    0.2 /* of the accuracy asked, when the tolerance is tightened; more: may need another pass */
+    0.1 /* of the accuracy asked, when the tolerance is tightened; more: may need another pass */
 #define PM_ACCURACY_OF_TERMS \
     4e-15 /* of the greatest terms: some roundings of each; more: hides accuracy that is there */
 #define PM_ACCURACY_OF_STEP \
