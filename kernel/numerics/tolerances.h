@@ -278,6 +278,8 @@
 #define PM_PLAN_PASSED \
     0.2 /* independent part of each constraint: a singular position lies behind; more: later */
 
+#define PM_RUN_SINGULAR 1e-4 /* independent part of a constraint: a ledger that does not close there comes of it; larger: other faults are told as that */
+
 /* ---- study ---- */
 
 #define PM_ACCURACY_CLAIMED \

@@ -245,7 +245,8 @@ static int end_early(pm_workspace *w, int status)
     (void)pm_history_end(w);                /* a state that has no accelerations has no row */
     const int audit = pm_ledger_close(w);
     pm_ask_keep(w, audit != PM_OK, audit ? PM_REASON_FAILED : PM_REASON_NOT_REACHED);
-    if (audit && status != PM_STRAND_ENDS) return audit; /* of a strand's end the cause is known */
+    /* of a strand's end, and of a singular position, the cause is known */
+    if (audit && status != PM_STRAND_ENDS && status != PM_ENDS_SINGULAR) return audit;
     w->result.where = where;
     return status;
 }
@@ -259,6 +260,21 @@ static void keep_sound(pm_workspace *w, int status)
     pm_ask_keep(w, sound, PM_REASON_FAILED);
 }
 
+static int end(pm_workspace *w)
+{
+    pm_ask_end(w);
+    return pm_ledger_close(w);
+}
+
+/* Where next to nothing of a constraint is left beside the others, velocities are rounding, and no ledger closes. */
+static int explain(pm_workspace *w, int status)
+{
+    status = pm_event_explain_strand(w, status);
+    if (status == PM_SINGULAR && w->result.count[PM_COUNT_STEPS] > 0) return PM_ENDS_SINGULAR;
+    if (status != PM_AUDIT || !(pm_saddle_independence_there(w, &w->state) < PM_RUN_SINGULAR)) return status;
+    return pm_fail(&w->result, PM_ENDS_SINGULAR, PM_NONE, PM_NONE, 0, 0);
+}
+
 int pm_run(pm_workspace *w, const double *param)
 {
     pm_start_report report;
@@ -267,14 +283,10 @@ int pm_run(pm_workspace *w, const double *param)
     const int started = status == PM_OK;
     if (!status) status = pm_instant_start(w);
     if (!status) status = run_phases(w);
-    if (status && started) status = pm_event_explain_strand(w, status);
-    if (status == PM_SINGULAR && w->result.count[PM_COUNT_STEPS] > 0) status = PM_ENDS_SINGULAR;
     pm_phase_report_end(w);
+    if (!status) status = end(w);
+    if (status && started) status = explain(w, status);
     if (status > 0) status = end_early(w, status);
-    if (!status) {
-        pm_ask_end(w);
-        status = pm_ledger_close(w);
-    }
     if (status < 0 && started)
         keep_sound(w, status);
     else if (status < 0)

@@ -167,8 +167,9 @@ static int find_coarse(pm_workspace *w, const double *param)
         return 1;
     }
     make_pass(w, param, e->other, e->main->factor, 1);
+    /* a singular place bears no disturbance */
     w->evidence.calm =
-        e->other->status < PM_OK && w->patience.over == 0; /* a singular place bears no disturbance */
+        (e->other->status < PM_OK || e->other->status == PM_ENDS_SINGULAR) && w->patience.over == 0;
     if (w->evidence.calm) make_pass(w, param, e->other, e->main->factor, 1);
     w->evidence.calm = 0;
     return stands(e->other);

@@ -1,5 +1,7 @@
 """A slip that is zero because the mechanism reverses there: friction does not hold it."""
 
+import math
+
 import pytest
 
 import planemotion
@@ -61,3 +63,48 @@ def test_friction_of_nothing_does_not_stop_it() -> None:
     smooth = planemotion.load_text(text.replace(', friction = "mu"', "")).run()
     assert result.ok
     assert result.end == pytest.approx(smooth.end, rel=1e-10)
+
+
+PARALLELOGRAM = """
+until = "a.turned = -90 deg"
+[ground]
+points = { O = [0, 0], P = ["0.6 m", 0] }
+[bodies]
+a = { rod = ["A", "B"], length = "0.4 m", mass = "1 kg", at = { A = [0, 0] }, angle = "90 deg" }
+c = { rod = ["C", "D"], length = "0.4 m", mass = "1 kg", at = { C = ["0.6 m", 0] }, angle = "90 deg" }
+b = { rod = ["E", "F"], length = "0.6 m", mass = "1 kg", at = { E = [0, "0.4 m"] } }
+[joints]
+A = { pin = ["a.A", "ground.O"] }
+C = { pin = ["c.C", "ground.P"] }
+B = { pin = ["a.B", "b.E"] }
+D = { pin = ["c.D", "b.F"] }
+[start]
+a.omega = "-3 rad/s"
+[events]
+half = "a.turned = -45 deg"
+[ask]
+omega = "a.omega"
+before = { of = "a.omega", at = "half" }
+"""
+
+
+def speed(fall: float) -> float:
+    """Of the cranks, in rad/s, by energy: two rods on pins, and one that only translates."""
+    inertia = 2 * 0.4**2 / 3 + 0.4**2
+    return math.sqrt(9 + 2 * (2 * 0.5 + 1) * 9.81 * fall / inertia)
+
+
+def test_a_parallelogram_may_end_stretched_out() -> None:
+    result = planemotion.load_text(PARALLELOGRAM).run()
+    assert result.ok
+    assert result.omega == pytest.approx(-speed(0.4), rel=1e-12)
+
+
+@pytest.mark.parametrize("route", ["rk", "ida"])
+def test_a_route_that_has_no_way_on_says_where_it_ends(route: str) -> None:
+    """There two of its constraints say the same, and rounding alone would tell the speeds."""
+    result = planemotion.load_text(PARALLELOGRAM + f'[solve]\nroute = "{route}"\n').run()
+    assert result.status == "ends_singular"
+    assert "a singular position was reached" in result.error
+    assert result.asks["omega"].value is None
+    assert result.asks["before"].value == pytest.approx(-speed(0.4 * (1 - math.sqrt(0.5))), rel=1e-9)
