@@ -39,10 +39,16 @@ static pm_evidence_decision of_function(const pm_model *m, const pm_event_functi
     }
 }
 
+/* A time of the scene comes whether the motion turns back there or not. */
+static int is_on_time(const pm_model *m, const pm_event_function *f)
+{
+    return f->kind == FUNCTION_TRIGGER && pm_trigger_on_time(m, f->index);
+}
+
 void pm_event_evidence_rate(pm_workspace *w, int function, double rate)
 {
-    if (!w->evidence.active) return;
     const pm_event_function *f = &w->event->function[function];
+    if (!w->evidence.active || is_on_time(w->model, f)) return;
     pm_evidence_decision x = of_function(w->model, f);
     x.kind = PM_EVIDENCE_RATE;
     x.what = function;
@@ -122,8 +128,7 @@ int pm_event_evidence_located(const pm_workspace *w)
     if (!w->evidence.active) return 0;
     for (int i = 0; i < w->event->nfunction; i++) {
         const pm_event_function *f = &w->event->function[i];
-        const int on_time = f->kind == FUNCTION_TRIGGER && pm_trigger_on_time(w->model, f->index);
-        if ((w->event->hit[i] && !on_time) || takes_part(&w->frame, &w->state, f)) return 1;
+        if ((w->event->hit[i] && !is_on_time(w->model, f)) || takes_part(&w->frame, &w->state, f)) return 1;
     }
     return 0;
 }

@@ -1,7 +1,9 @@
 /* bracket.c - roots and minima of functions of one variable.
  *
  * Newton's method: where it would leave the bracket, or gains less than a bisection, the bracket is halved instead.  Its
- * shifts d fall by squares: the next one is d (d / d_before)^2. */
+ * shifts d fall by squares: the next one is d (d / d_before)^2.  Roots of an approximation are polished on exact values by
+ * the secant; where that does not gain, and values on both sides of the root have been seen, the bracket of these is halved:
+ * next to where a motion rests the time goes as the root of the way. */
 #include "numerics/bracket.h"
 
 #include <gsl/gsl_errno.h>
@@ -86,25 +88,52 @@ double pm_bracket_slope(pm_along *f, void *of, void *context, double begin, doub
     return (f(of, high, context) - f(of, low, context)) / (high - low);
 }
 
+/* Exact values on both sides of a root, where both have been seen: a < 0 < b. */
+typedef struct pm_bracket_sides {
+    double below, above; /* places; NAN before */
+} pm_bracket_sides;
+
+static void see(pm_bracket_sides *sides, double x, double value)
+{
+    *(value > 0 ? &sides->above : &sides->below) = x;
+}
+
+static int has_both(const pm_bracket_sides *sides) { return !isnan(sides->below) && !isnan(sides->above); }
+
+static int is_between(const pm_bracket_sides *sides, double x)
+{
+    return (x - sides->below) * (sides->above - x) > 0;
+}
+
 int pm_bracket_polish(pm_along *f, pm_exactly *exactly, void *of, void *context, double begin, double end,
                       double slope, double *x, double *taken, double *off)
 {
     const double h = end - begin, rounding = PM_EPSILON * fabs(*x) + PM_BRACKET_POLISHED * h;
-    double best = INFINITY, value, last = 0, place = *x;
+    double best = INFINITY, value, last = 0, place = *x, at_best = *x;
+    pm_bracket_sides sides = {NAN, NAN};
     if (isnan(slope)) slope = pm_bracket_slope(f, of, context, begin, end, *x, PM_BRACKET_SLOPE_STEP * h);
-    for (int i = 0; i < POLISH; i++) {
+    for (int i = 0; i < (has_both(&sides) ? PM_BRACKET_VALUES : POLISH); i++) {
         *taken = *x;
         const int status = exactly(of, *x, context, &value);
         if (status) return status;
-        *off = value;
+        const int gains = fabs(value) < best;
+        if (gains) {
+            best = fabs(value);
+            at_best = *x;
+            *off = value;
+        }
         if (i > 0 && value != last && *x != place) slope = (value - last) / (*x - place); /* secant */
         const double shift = slope != 0 ? -value / slope : 0;
-        if (!(fabs(value) < best) || fabs(shift) <= rounding || !(fabs(shift) <= PM_BRACKET_FAR * h)) break;
-        best = fabs(value);
+        if (fabs(shift) <= rounding || value == 0 || isnan(value)) break;
+        see(&sides, *x, value);
+        const int inside = has_both(&sides) && fabs(sides.above - sides.below) > rounding;
+        if (!inside && (!gains || !(fabs(shift) <= PM_BRACKET_FAR * h))) break;
         last = value;
         place = *x;
         *x = fmin(fmax(*x + shift, begin), end);
+        if (inside && !(gains && is_between(&sides, *x))) *x = 0.5 * (sides.below + sides.above);
     }
+    *x = at_best;
     return 0;
 }
 

@@ -56,6 +56,8 @@
 #define PM_CLOCK_LATE 4e-16 /* of the time: so much rounding may leave out of it; more: other differences are taken for that */
 #define PM_CLOCK_ROUNDING \
     7e-15 /* of a time, in coarse runs: PM_COARSER roundings, of which no two cancel; more: errors of late answers estimated larger */
+#define PM_PATH_ROUNDED \
+    7e-15 /* of the driver, in coarse runs: PM_COARSER roundings; more: errors beside places of rest estimated larger */
 #define PM_CLOCK_LIKELY 0.1 /* of what the tails of the steps allow: what they sum up to; more: errors at loose tolerances estimated larger */
 #define PM_CLOCK_NOTHING \
     1e-17 /* of the greatest coefficient: smaller ones are dropped; more: less exact times */

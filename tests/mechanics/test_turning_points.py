@@ -6,6 +6,7 @@ import math
 import random
 from collections.abc import Callable
 
+import mpmath
 import pytest
 
 from planemotion import load_text
@@ -72,3 +73,39 @@ def test_ends_close_to_turning_points(kind: Callable[[random.Random], str], seed
             expected = number(rk.asks["rate"].value)
             assert path.asks["rate"].value == pytest.approx(expected, abs=1e-9 + 5e-12 / abs(expected))
             assert path.asks["place"].value == pytest.approx(number(rk.asks["place"].value), abs=1e-9)
+
+
+# A rod on a pin, let go from the level.
+LET_GO = """
+[bodies]
+rod = { rod = ["A", "B"], length = "1.2 m", mass = "1 kg", at.A = [0, 0] }
+[joints]
+A = { pin = ["rod.A", "ground"] }
+[ask]
+omega = "rod.omega"
+angle = "rod.angle"
+"""
+
+
+def swing(half: int, early: str) -> tuple[float, mpmath.mpf, mpmath.mpf]:
+    """A time so close to the end of a half swing; angle and omega then, by Jacobi's elliptic functions."""
+    with mpmath.workdps(40):
+        pace, m = mpmath.sqrt(mpmath.mpf("9.81") * 3 / (2 * mpmath.mpf("1.2"))), mpmath.mpf(1) / 2
+        t = float(2 * half * mpmath.ellipk(m) / pace - mpmath.mpf(early))
+        sn, cn, dn = (mpmath.ellipfun(name, pace * mpmath.mpf(t), m=m) for name in ("sn", "cn", "dn"))
+        k, cd = mpmath.sqrt(m), cn / dn
+        omega = -2 * k * pace * (1 - m) * sn / dn**2 / mpmath.sqrt(1 - m * cd**2)
+        return t, 2 * mpmath.asin(k * cd) - mpmath.pi / 2, omega
+
+
+@pytest.mark.parametrize("early", ["1e-2", "1e-4", "1e-6", "1e-8", "-1e-8", "-1e-6", "-1e-4", "-1e-2"])
+@pytest.mark.parametrize("half", [1, 2, 5])
+def test_what_is_told_next_to_a_turning_point_holds(half: int, early: str) -> None:
+    """A speed is what is left of the energy there: known as well as rounding lets it, and no better told."""
+    t, angle, omega = swing(half, early)
+    result = load_text(f'until = "t = {t!r} s"\n{LET_GO}').run()
+    assert result.ok
+    asks = result.asks
+    assert abs(number(asks["angle"].value) - angle) <= number(asks["angle"].error) <= 1e-12
+    assert abs(number(asks["omega"].value) - omega) <= number(asks["omega"].error)
+    assert abs(number(asks["omega"].value) - omega) <= 1e-15 / abs(float(early)) + 1e-13

@@ -216,10 +216,20 @@ static void close_momentum(const pm_frame *frame, const pm_path *path, pm_state 
     for (int i = 0; i < PM_LEDGER; i++) ledger[i] = path->impulse[i] + momentum[i];
 }
 
+/* Where a coarse run looks for x.  Places are rounded, and with them what they leave of T: little, but next to where the motion
+ * rests it is much of what is left. */
+static double rounded_place(const pm_workspace *w, double x)
+{
+    const pm_path *p = w->path;
+    const double by = PM_PATH_ROUNDED * pm_evidence_is_coarse(&w->evidence) * (fabs(p->u0) + fabs(x));
+    return x + by <= p->h ? x + by : x - by;
+}
+
 static int exact(pm_workspace *w, double x, pm_state *state)
 {
     pm_state_copy(state, &w->state);
-    const int status = at(w, x, state);
+    const int status = at(w, rounded_place(w, x), state);
+    if (w->path->clock.kind != PM_CLOCK_NONE) state->t = pm_path_clock_at(w->path, x / w->path->h);
     pm_frame_look_state(&w->frame, state);
     if (!status) close_momentum(&w->frame, w->path, state);
     return status;
