@@ -83,6 +83,20 @@ int pm_history_append(pm_workspace *w, int mark)
     return r && (mark || r->every == 0) ? record(w, mark) : PM_OK;
 }
 
+void pm_history_open(pm_workspace *w)
+{
+    pm_history *r = w->record.history;
+    if (!r || w->phase.kinematic) return;
+    r->row[0] = w->state.t;
+    for (int64_t i = 0; i < r->nprogram; i++) r->row[1 + i] = pm_program_run(w, r->program[i]);
+    keep(r, r->row, 1);
+}
+
+void pm_history_take_back(pm_history *history)
+{
+    if (history) history->needed = 0;
+}
+
 int pm_history_end(pm_workspace *w)
 {
     const pm_history *r = w->record.history;

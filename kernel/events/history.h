@@ -25,6 +25,10 @@ int pm_history_create(pm_workspace *w, pm_history *history);
 void pm_history_reset(pm_history *history);
 /* Records w->state (0: step, 1: before an event, 2: after it); does nothing without a trace, and on a grid nothing of a step. */
 int pm_history_append(pm_workspace *w, int mark);
+/* What the bodies do as the run begins, before anything has happened to them; the frame is DYNAMIC and stays so.  The row
+ * is taken back where nothing jumps then. */
+void pm_history_open(pm_workspace *w);
+void pm_history_take_back(pm_history *history);
 /* The run ends early, between instants, at w->state. */
 int pm_history_end(pm_workspace *w);
 /* A step has been made: w->step_begin to w->step_end. */

@@ -216,8 +216,12 @@ int pm_instant_finish(pm_workspace *w, int *ended)
 int pm_instant_start(pm_workspace *w)
 {
     int ended; /* is set again when the start is closed */
+    const int64_t jumps = w->result.count[PM_COUNT_JUMPS];
     pm_trigger_mark_start(w);
-    return act(w, 1, &ended);
+    pm_history_open(w);
+    const int status = act(w, 1, &ended);
+    if (w->result.count[PM_COUNT_JUMPS] == jumps) pm_history_take_back(w->record.history);
+    return status;
 }
 
 /* Where the motion reverses speeds are zero: triggers that read them change sign as the velocities do. */

@@ -202,3 +202,56 @@ def test_an_instant_that_does_not_come_is_told(folder: Path, at: str, reason: st
     assert done.exit_code == 2
     assert reason in done.stderr
     assert left_in(folder) == {"a.toml"}
+
+
+STRUCK = """
+until = "strike strikes"
+bodies.AB = { rod = ["A", "B"], length = "1.2 m", mass = "3 kg", at = { A = [0, 0] }, angle = "-90 deg" }
+bodies.ball = { mass = "0.5 kg", at = "AB.B" }
+joints.A = { pin = ["AB.A", "ground"] }
+contacts.strike = { touch = ["ball", "AB.B"], normal = "180 deg" }
+start.ball.velocity.x = "4 m/s"
+"""
+
+
+@pytest.mark.parametrize("kind", ["free-body", "kinetic", "impulse-momentum", "energy"])
+@pytest.mark.parametrize("ending", ["png", "svg", "pdf"])
+def test_a_figure_of_the_book_is_what_its_ending_says(folder: Path, kind: str, ending: str) -> None:
+    scene = write(folder, "a.toml", STRUCK)
+    done = invoke("draw", scene, "--at", "strike", "--as", kind, "--out", f"a.{ending}")
+    assert (done.exit_code, done.stdout.strip()) == (0, f"a.{ending}")
+    written = (folder / f"a.{ending}").read_bytes()
+    if ending == "svg":
+        assert ElementTree.fromstring(written).tag == "{http://www.w3.org/2000/svg}svg"
+    else:
+        assert written.startswith(b"\x89PNG" if ending == "png" else b"%PDF")
+
+
+@pytest.mark.parametrize(
+    ("options", "reason"),
+    [
+        (
+            ("--as", "momentum"),
+            "'momentum' is not one of 'free-body', 'kinetic', 'impulse-momentum', 'energy'",
+        ),
+        (("--as", "kinetic", "--body", "CD"), 'unknown body "CD"; there is AB, ball'),
+        (("--as", "energy", "--body", "AB"), "work and energy are those of all bodies together"),
+        (("--body", "AB"), "--body goes with --as"),
+        (("--as", "kinetic", "--at", "hit"), "nothing of that name happens; it has "),
+        (("--as", "kinetic", "--out", "a.jpg"), "a.jpg: has the ending .jpg; a picture is written as one of"),
+    ],
+)
+def test_a_figure_that_cannot_be_drawn_is_told(folder: Path, options: tuple[str, ...], reason: str) -> None:
+    done = invoke("draw", write(folder, "a.toml", STRUCK), *options)
+    assert done.exit_code == 2
+    assert reason in done.stderr
+    assert left_in(folder) == {"a.toml"}
+
+
+def test_an_instant_without_a_blow_has_no_impulses(folder: Path) -> None:
+    later = STRUCK.replace('"strike strikes"', '"t = 0.1 s"')
+    done = invoke("draw", write(folder, "a.toml", later), "--as", "impulse-momentum", "--at", "0.05 s")
+    assert done.exit_code == 2
+    assert 'at = "0.05 s": nothing is struck there; blows of the run are at 0 s' in done.stderr
+    done = invoke("draw", write(folder, "b.toml", RELEASED), "--as", "impulse-momentum")
+    assert "nothing is struck in the run" in done.stderr

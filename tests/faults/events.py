@@ -392,6 +392,18 @@ FAULTS = [
         "if (0 && grid_time(r) <=",
     ),
     Fault(
+        "history: a blow as the run begins has one side",
+        "events/history.c",
+        "    keep(r, r->row, 1);\n",
+        "",
+    ),
+    Fault(
+        "history: a start without a blow has two sides",
+        "events/history.c",
+        "if (history) history->needed = 0;",
+        "(void)history;",
+    ),
+    Fault(
         "history: a run that ends early has no end",
         "events/history.c",
         "return r && r->every > 0 ? record(w, 0) : PM_OK;",

@@ -59,6 +59,7 @@ static void thrown(int route, double close)
     trace(s, 1, height_of, any, 0.01, &x);
     EQUAL(x.status, PM_OK);
     int k = 0, sides = 0;
+    EQUAL(x.mark[0], 2); /* nothing jumps there: the start has one row */
     for (int64_t i = 0; i < x.n; i++) {
         if (x.mark[i] == 0) EQUAL(x.row[i][0], 0.01 * ++k); /* the grid, and nothing but the grid */
         sides += x.mark[i] == 1;
@@ -72,6 +73,34 @@ static void thrown(int route, double close)
     CHECK(x.n > 40 && x.n < 600);
     for (int64_t i = 1; i < x.n; i++) /* a parabola is farthest from its chord in the middle */
         CHECK(G / 8 * pow(x.row[i][0] - x.row[i - 1][0], 2) <= fine[0] * (1 + 1e-6));
+    scene_free(s);
+}
+
+/* The ball is put on the floor at 3 m/s downwards: it is struck as the run begins, and both sides are there. */
+static void struck_at_once(int route, double close)
+{
+    scene *s = scene_create();
+    const int p = scene_point(s, scene_body(s, 1, 0, 0, 0.1, 0), 0, 0);
+    scene_contact(s, PM_CONTACT_LINE, scene_circle(s, p, 0.1), scene_floor(s, 0), 0, 0.5, PM_FRICTION_SMOOTH,
+                  0);
+    SCENE_ROW(s, PM_TABLE_START, PM_START_VELOCITY, scene_part(s, PM_MEASURE_VELOCITY, p, PM_PART_Y),
+              scene_value(s, -3));
+    scene_until_time(s, 0.1);
+    scene_ask_measure(s, scene_part(s, PM_MEASURE_VELOCITY, p, PM_PART_Y));
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    scene_pack(s);
+    static record x;
+    const int32_t speed_of[] = {s->cell[PM_TABLE_ASK][PM_ASK_PROGRAM]};
+    const double any[] = {INFINITY};
+    trace(s, 1, speed_of, any, 0.01, &x);
+    EQUAL(x.status, PM_OK);
+    for (int i = 0; i < 2; i++) {
+        EQUAL(x.mark[i], i + 1);
+        EQUAL(x.row[i][0], 0);
+        NEAR(x.row[i][1], i ? 1.5 : -3, close);
+    }
+    EQUAL(x.mark[2], 0);
+    NEAR(x.row[2][1], 1.5 - G * 0.01, close);
     scene_free(s);
 }
 
@@ -167,6 +196,9 @@ int main(void)
     thrown(PM_ROUTE_UNIFORM, 1e-13);
     thrown(PM_ROUTE_RK, 1e-12);
     thrown(PM_ROUTE_IDA, 1e-8);
+    struck_at_once(PM_ROUTE_UNIFORM, 1e-14);
+    struck_at_once(PM_ROUTE_RK, 1e-12);
+    struck_at_once(PM_ROUTE_IDA, 1e-8);
     falls(PM_ROUTE_PATH, 1e-11);
     falls(PM_ROUTE_RK, 1e-9);
     falls(PM_ROUTE_IDA, 1e-7);

@@ -14,17 +14,16 @@ from __future__ import annotations
 import copy
 import os
 import warnings
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
 from .base.bounded import check_table, shown
 from .base.errors import SceneError, SceneHint
-from .base.toml import parse_toml
 from .geometry.parameters import override
-from .language.units import parse_quantity
 from .model.tables import DEFAULT_G
 from .model.words import unknown
+from .reading.plain import literal, plain, plain_text
 from .reading.scene import SceneData
 from .reading.validate import validate
 from .sweep.cache import Kept
@@ -34,6 +33,7 @@ if TYPE_CHECKING:
 
     from .animate import Animation
     from .compile.flatten import FlatScene
+    from .draw import Picture
     from .engine.result import RunResult
 
 # Tables that may be set beside parameters, as in "sweep.d.num".
@@ -57,7 +57,7 @@ class Scene:
         until: Any = None,
     ) -> None:
         given = {"id": id or None, "title": title, "description": description, "plane": plane, "until": until}
-        self.raw: dict[str, Any] = {key: _plain(value) for key, value in given.items() if value is not None}
+        self.raw: dict[str, Any] = {key: plain(value) for key, value in given.items() if value is not None}
         self.file: str | None = None
         self._text: str | None = None
         self._data: SceneData | None = None
@@ -90,7 +90,7 @@ class Scene:
     def ground(self, **marks: Any) -> Self:
         """`points`, `lines`, `circles` and `rows` of the ground, each a dict by name."""
         for group, named in marks.items():
-            self._table("ground").setdefault(group, {}).update(_plain(named))
+            self._table("ground").setdefault(group, {}).update(plain(named))
         return self._changed()
 
     def body(self, name: str, **keys: Any) -> Self:
@@ -127,7 +127,7 @@ class Scene:
 
     def until(self, instant: Any) -> Self:
         """What ends the run."""
-        self.raw["until"] = _plain(instant)
+        self.raw["until"] = plain(instant)
         return self._changed()
 
     def ask(self, name: str, of: Any = None, **keys: Any) -> Self:
@@ -197,7 +197,7 @@ class Scene:
         scene = Scene.from_raw(self.raw, file=self.file, text=self._text)
         scene._hinted = self._hinted
         for name, value in values.items():
-            scene._set(name, _plain(value))
+            scene._set(name, plain(value))
         return scene
 
     # ---- running ----
@@ -244,6 +244,34 @@ class Scene:
 
         return animate(self.with_values(parameters), of_run)
 
+    def draw(
+        self,
+        at: Any = None,
+        as_: str | None = None,
+        *,
+        bodies: str | Sequence[str] = (),
+        of_run: str | None = None,
+        **parameters: Any,
+    ) -> Picture:
+        """The scene as a picture, with other values for some parameters; a notebook shows it.
+
+            scene.draw(at="strike", as_="impulse-momentum", bodies="AB").save("strike.svg")
+
+        `at`: a time such as "0.3 s", or an event ("strike", "strike 2"); without it the start.  `as_`: a
+        figure of the book, with names and values: "free-body", "kinetic" (forces = m a), "impulse-momentum"
+        (without `at` of the first blow) or "energy" (the work of each force since the start; without `at` of
+        the whole run); of all bodies, or of `bodies`.  `of_run`: which of its [runs] (default: the first).
+
+        Values are in lb, ft and s where the scene has feet or inches, else in N, m, s and J; vectors by their
+        parts along x and y, or across (N) and along (F) a surface.  "?" is what nothing tells, such as the
+        reaction at a body whose mass was left out.  `save` writes PNG, SVG or PDF, by the ending.  Raises
+        SceneError for a fault in the scene, an unknown figure or body, an instant that the run does not come
+        to or where nothing is struck but shall be; SimulationError if nothing can be recorded.
+        """
+        from .draw import draw
+
+        return draw(self.with_values(parameters), at if at is None else plain_text(at), as_, bodies, of_run)
+
     def sweep(
         self,
         *,
@@ -261,7 +289,7 @@ class Scene:
 
         scene = self
         if grids:
-            scene = type(self).from_raw({**self.raw, "sweep": _plain(grids)}, file=self.file)
+            scene = type(self).from_raw({**self.raw, "sweep": plain(grids)}, file=self.file)
         return run_sweep(scene, out=out, workers=workers, resume=resume, progress=progress, kept=self._kept)
 
     # ---- changing ----
@@ -271,7 +299,7 @@ class Scene:
         return table
 
     def _update(self, table: str, values: Mapping[str, Any]) -> Self:
-        self._table(table).update(_plain(values))
+        self._table(table).update(plain(values))
         return self._changed()
 
     def _changed(self) -> Self:
@@ -304,7 +332,7 @@ class Scene:
             if not isinstance(below, dict):
                 raise SceneError(f"{key} is no table", file=self.file, path=name)
             table = below
-        table[keys[-1]] = _literal(value)
+        table[keys[-1]] = literal(value)
         self._changed()
 
     def _hint(self, hints: Iterable[str]) -> None:
@@ -320,43 +348,3 @@ class Scene:
         own = [run.get("find", top) for run in self.raw.get("runs", {}).values()] or [top]
         if all(find and name in find.get("vary", {}) for find in own):
             raise SceneError(f"[find] looks for it; set find.vary.{name}", path=f"parameters.{name}")
-
-
-def _literal(value: Any) -> Any:
-    """A setting given as a text, such as "200", "true" or "[1, 2]", read as TOML reads it; else the text."""
-    if not isinstance(value, str):
-        return value
-    try:
-        read = parse_toml(f"value = {value}")
-    except SceneError:
-        return value
-    return read["value"] if set(read) == {"value"} else value
-
-
-def _plain(value: Any) -> Any:
-    """A value as TOML has it: quantities of pint become texts, numbers of numpy plain ones."""
-    check_table(value)
-    return _plain_value(value)
-
-
-def _plain_value(value: Any) -> Any:
-    if isinstance(value, str | bool | int | float):
-        return value if type(value) in (str, bool, int, float) else _builtin(value)
-    if isinstance(value, Mapping):
-        return {str(key): _plain_value(one) for key, one in value.items()}
-    if isinstance(value, list | tuple):
-        return [_plain_value(one) for one in value]
-    if hasattr(value, "dimensionality"):
-        quantity = parse_quantity(value)
-        return f"{quantity.value!r} {quantity.unit_text}".strip()
-    if hasattr(value, "tolist"):
-        return _plain_value(value.tolist())
-    raise SceneError(f"a scene has no values of type {type(value).__name__}")
-
-
-def _builtin(value: str | int | float) -> str | int | float:
-    """The plain value of a subclass, such as a float of numpy."""
-    for plain in (str, int, float):
-        if isinstance(value, plain):
-            return plain(value)
-    return value

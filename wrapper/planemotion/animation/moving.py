@@ -103,7 +103,7 @@ def record(scene: HasData, run: str | None = None) -> Motion:
     Raises SceneError for a fault in it, SimulationError if nothing can be recorded.
     """
     flat = flatten(scene, run, history=HistoryColumns.shown)
-    drawing = drawing_of(scene.data, flat.run)
+    drawing = drawing_of(scene.data, flat.run, call.found(flat))
     unit = usual_length(scene.data)
     motion = Motion(
         scene.data, flat, drawing, call.trace(flat, flat.defaults), unit, (np.zeros(2), np.ones(2))

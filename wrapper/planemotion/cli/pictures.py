@@ -11,6 +11,9 @@ from ..animation.needs import require
 from ..base.files import ANIMATIONS, PICTURES, ending
 from .options import FAILED, a_path, say, set_option
 
+# Figures that `pictures.diagrams` draws; written here because that is imported only when it draws.
+_FIGURES = ("free-body", "kinetic", "impulse-momentum", "energy")
+
 
 def _picture(_ctx: click.Context, _option: click.Parameter, out: Path | None) -> Path | None:
     """An ending that is no picture's is refused before anything is computed."""
@@ -58,6 +61,15 @@ def plot(result: Path, out: Path | None) -> None:
 @click.option(
     "--at", metavar="INSTANT", help='A time ("0.3 s") or an event ("strike", "strike 2") of the run.'
 )
+@click.option(
+    "--as",
+    "kind",
+    type=click.Choice(_FIGURES),
+    help="A figure of the book: free bodies, forces = m a, impulses of a blow, work of each force.",
+)
+@click.option(
+    "--body", "bodies", metavar="NAME", multiple=True, help="With --as: only this one (repeatable)."
+)
 @click.option("--run", "run", metavar="NAME", help="Which of its [runs] (default: the first).")
 @set_option
 @click.pass_context
@@ -66,19 +78,29 @@ def draw(
     scene: Path,
     out: Path | None,
     at: str | None,
+    kind: str | None,
+    bodies: tuple[str, ...],
     run: str | None,
     values: Mapping[str, str],
 ) -> None:
     """Draw a scene at its start, or at an instant of its run, with names.
 
-    It shows most modelling errors.
+    It shows most modelling errors.  With --as the figures of the book: without --at at the start, at the
+    first blow (impulse-momentum), or over the whole run (energy).
     """
     from ..file import load
+    from ..pictures import diagrams
     from ..pictures import scene as sketch
     from ..pictures.instants import instant_of
 
     target = out or Path(f"{scene.stem}.png")
     read = load(scene).with_values(values)
+    if kind is not None:
+        diagrams.draw(read, kind, target, at, run, bodies)
+        click.echo(target)
+        return
+    if bodies:
+        raise click.UsageError("--body goes with --as")
     start = sketch.start_of(read, run) if at is None else instant_of(read, at, run)
     sketch.draw(start, target)
     click.echo(target)

@@ -37,7 +37,8 @@ class ContactInfo:
 
     `indices`: its rows, one for each member of a set; `owners`: of the first and second partner as written;
     `swapped`: the kernel has them the other way round; `is_row`: the members are those of a periodic row;
-    `is_set`: the members are the rows of `indices`; `captures`: what arrives stays.
+    `is_set`: the members are the rows of `indices`; `captures`: what arrives stays; `holds_direction`:
+    and does not turn against what it stays at.
     """
 
     indices: tuple[int, ...]
@@ -46,6 +47,7 @@ class ContactInfo:
     is_row: bool
     is_set: bool
     captures: bool
+    holds_direction: bool
 
 
 _PAINLEVE = {"stop": layout.PM_PAINLEVE_STOPS, "impact": layout.PM_PAINLEVE_STRIKES}
@@ -86,7 +88,9 @@ class Contacts:
             rows.append(self.tables.add(layout.PM_TABLE_CONTACT, row, label))
         owners = (first.owner, second.owner)
         captures = contact.capture != "none"
-        return ContactInfo(tuple(rows), owners, swapped, b.kind == "row", is_set, captures)
+        turns = all(one.is_ground or self.drawing.bodies[one.owner].rotates for one in (first, second))
+        whole = contact.capture == "body" and turns
+        return ContactInfo(tuple(rows), owners, swapped, b.kind == "row", is_set, captures, whole)
 
     def _check(self, one: Partner) -> None:
         if one.anywhere:

@@ -42,20 +42,20 @@ class HistoryColumns:
 
     def everything(self) -> Columns:
         """Motion, energies and all reactions."""
-        return self._there((*self._motion(), *self._reactions(), *self._energies()))
+        return self.there((*self._motion(), *self._reactions(), *self._energies()))
 
     def of_asks(self, asks: Mapping[str, Ask]) -> Columns:
         """Motion and energies; reactions of that of which an ask reads something."""
         read = {leaf.thing for ask in asks.values() for leaf in _addresses(ask)}
         reactions = (one for one in self._reactions() if one.partition(".")[0] in read)
-        return self._there((*self._motion(), *reactions, *self._energies()))
+        return self.there((*self._motion(), *reactions, *self._energies()))
 
     def shown(self) -> Columns:
         """Motion, energies, and forces and impulses by their parts: what a picture that moves shows."""
         joints, contacts, forces = self.scope.joints, self.scope.contacts, self.scope.forces
         pushes = [f"{name}.{part}" for name in (*joints, *contacts, *forces) for part in _OF_FORCE]
         blows = [f"{name}.{part}" for name in (*joints, *contacts) for part in _OF_BLOW]
-        return self._there((*self._motion(), *pushes, *blows, *self._energies()))
+        return self.there((*self._motion(), *pushes, *blows, *self._energies()))
 
     def chosen(self, written: Sequence[str]) -> Columns:
         """Expressions, each a column by its text.  Raises SceneError for one that cannot be read."""
@@ -65,7 +65,7 @@ class HistoryColumns:
         """What `engine.history` tells instants by; velocities to see whether there was a blow."""
         counts = [f"{name}.{word}" for name in self.scope.events for word in _OF_EVENT_AT_INSTANT]
         blows = [f"{name}.{word}" for name in self.scope.contacts for word in _OF_CONTACT_AT_INSTANT]
-        return self._there((*counts, *blows, *(one for one in self._motion() if _is_velocity(one))))
+        return self.there((*counts, *blows, *(one for one in self._motion() if _is_velocity(one))))
 
     def _motion(self) -> Iterator[str]:
         for name, body in self.drawing.bodies.items():
@@ -87,7 +87,7 @@ class HistoryColumns:
         if self.tables.rows[layout.PM_TABLE_SPIN]:
             yield from _OF_SPIN
 
-    def _there(self, addresses: Iterable[str]) -> Columns:
+    def there(self, addresses: Iterable[str]) -> Columns:
         """Those that have a value: one that needs a mass which was left out is left out with it."""
         columns = {}
         for address in addresses:

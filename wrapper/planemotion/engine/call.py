@@ -94,7 +94,7 @@ def trace(
     only if nothing at all can be recorded, or too much is asked for; a run that fails on the way gives what
     it has, with its status.
     """
-    case = _found(flat, _params(flat, np.atleast_2d(np.asarray(param))))[0]
+    case = found_cases(flat, _params(flat, np.atleast_2d(np.asarray(param))))[0]
     recorded = {**flat.instants, **flat.trace}
     programs = np.array([program for program, _ in recorded.values()], np.int32)
     bend = np.full(len(programs), np.inf) if bends is None else np.ascontiguousarray(bends, np.float64)
@@ -131,7 +131,7 @@ def phases(flat: FlatScene, param: npt.ArrayLike | None = None, most: int = 0) -
     that fails gives the phases that it has begun.
     """
     cases = _params(flat, np.atleast_2d(flat.defaults if param is None else np.asarray(param)))
-    case = (cases if param is None else _found(flat, cases))[0]
+    case = (cases if param is None else found_cases(flat, cases))[0]
     rows = _FIRST_ROWS
     while True:
         row = np.zeros((rows, layout.PM_PHASE_COLUMNS), np.int32)
@@ -206,6 +206,14 @@ def values(flat: FlatScene, param: npt.ArrayLike | None = None) -> Floats:
     return value_table(flat, _params(flat, np.atleast_2d(np.asarray(given)))[0])
 
 
+def found(flat: FlatScene) -> dict[str, float]:
+    """What is sought, by parameter, SI; empty if nothing is.  Raises SimulationError if it is not found."""
+    if flat.find is None:
+        return {}
+    case = found_cases(flat, np.atleast_2d(flat.defaults))[0]
+    return {name: float(case[flat.parameters.index(name)]) for name in flat.find.vary}
+
+
 def _params(flat: FlatScene, param: npt.ArrayLike) -> Floats:
     given = np.asarray(param)
     if given.dtype.kind not in "fiu":
@@ -222,7 +230,7 @@ def _with_stop(
     return int(function(*scene, stop, *more))
 
 
-def _found(flat: FlatScene, cases: Floats) -> Floats:
+def found_cases(flat: FlatScene, cases: Floats) -> Floats:
     """The cases [ncase, parameters] with what their finds found.  Raises SimulationError if nothing was."""
     if flat.find is None:
         return cases

@@ -180,7 +180,7 @@ def _happened(flat: FlatScene, recorded: History, before: int | None, after: int
         closes = changed(f"{name}.closed")
         if jumped and any(part != 0 for part in parts):
             yield name
-        elif closes:
+        elif closes and before:  # what touches as the run begins does not come to it
             yield f"{name} {'closes' if closes > 0 else 'opens'}"
 
 

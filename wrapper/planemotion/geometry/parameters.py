@@ -52,6 +52,15 @@ class Parameters:
             self.defaults[name] = evaluate(self.nodes[name], lambda leaf: self.defaults[str(leaf)])
         self.units = {name: self._unit(name, value) for name, value in declared.items()}
 
+    def find(self, found: Mapping[str, float]) -> None:
+        """Other defaults (SI) for some independent ones, and for what depends on them."""
+        for name in self.order if found else ():
+            self.defaults[name] = (
+                found[name]
+                if name in found
+                else evaluate(self.nodes[name], lambda leaf: self.defaults[str(leaf)])
+            )
+
     def dimension_of(self, leaf: Leaf) -> Dimension | None:
         """The dimension of a parameter in an expression.  Raises SceneError for anything else."""
         self._check_leaf(leaf, None, None)

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Annotated, ClassVar
 from pydantic import BeforeValidator
 
 from ..geometry.partners import Partner
+from ..geometry.push import Push
 from ..geometry.rows import CouplingRows, ForceRow, JointRow
 from ..geometry.writer import Writer
 from ..model.element import Kind, Number, Partners, Quantity, Table
@@ -41,6 +42,15 @@ class Joint(Kind):
     @abstractmethod
     def draw(self, sketch: Sketch, a: Partner, b: Partner) -> Place:
         """Draws it; gives the place that its name belongs to."""
+
+    @property
+    def holds_direction(self) -> bool:
+        """Whether it keeps one body from turning against the other: a blow has a couple there."""
+        return False
+
+    def pushes(self, sketch: Sketch, a: Partner, b: Partner) -> Push:
+        """Where it acts on its partners."""
+        return Push(sketch.both(a, b))
 
 
 class Bearing(Table):
@@ -76,6 +86,10 @@ class Coupling(Kind):
     def draw(self, sketch: Sketch, where: str) -> Place:
         """Draws it; gives the place that its name belongs to."""
 
+    def pushes(self, sketch: Sketch, where: str) -> tuple[Push, ...]:
+        """Where it acts on its partners: once, or by strands that pull from one end to the other."""
+        return ()
+
 
 class Force(Kind):
     """A force or couple: one row of the kernel's force table."""
@@ -92,3 +106,8 @@ class Force(Kind):
     @abstractmethod
     def draw(self, sketch: Sketch, where: str) -> Place:
         """Draws it; gives the place that its name belongs to."""
+
+    def pushes(self, sketch: Sketch, where: str) -> Push:
+        """Where it acts on its partners."""
+        partners = sketch.read(self.partners, where, "point")
+        return Push(sketch.both(partners[0], partners[-1]))

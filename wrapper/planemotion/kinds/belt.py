@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from .. import _layout as layout
 from ..geometry.partners import kernel_circle
+from ..geometry.push import Push
 from ..geometry.rows import CouplingRows
 from ..geometry.writer import Writer
 from ..language.dimensions import FORCE
@@ -14,7 +15,7 @@ from ..model.element import Partners, Quantity
 from .base import Coupling
 
 if TYPE_CHECKING:
-    from ..pen.sketch import Sketch
+    from ..pen.sketch import Sketch, Strand
     from ..pen.symbols import Place
 
 
@@ -36,7 +37,15 @@ class Belt(Coupling):
         return CouplingRows(index, (), ((a.owner, b.owner),))
 
     def draw(self, sketch: Sketch, where: str) -> Place:
-        a, b = sketch.read(self.partners, where, "circle")
-        at = sketch.strand((a, True), (b, not self.crossed))
-        sketch.strand((a, False), (b, self.crossed))
+        first, second = self._strands(sketch, where)
+        at = sketch.strand(*first)
+        sketch.strand(*second)
         return at
+
+    def pushes(self, sketch: Sketch, where: str) -> tuple[Push, ...]:
+        return tuple(Push(sketch.strand_ends(*strand)) for strand in self._strands(sketch, where))
+
+    def _strands(self, sketch: Sketch, where: str) -> tuple[Strand, Strand]:
+        """The one that leaves the first circle counterclockwise, and the other."""
+        a, b = sketch.read(self.partners, where, "circle")
+        return ((a, True), (b, not self.crossed)), ((a, False), (b, self.crossed))

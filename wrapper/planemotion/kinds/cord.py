@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Annotated
 
 from pydantic import BeforeValidator
@@ -17,6 +17,7 @@ from ..base.errors import SceneError
 from ..geometry.drawing import GROUND
 from ..geometry.marks import distance
 from ..geometry.partners import Partner, different, drawn_pair, kernel_circle, partner
+from ..geometry.push import Push
 from ..geometry.rows import CouplingRows
 from ..geometry.writer import Writer
 from ..language.dimensions import DIMENSIONLESS, FORCE, IMPULSE, LENGTH
@@ -26,7 +27,7 @@ from ..model.readers import read_stops
 from .base import Coupling
 
 if TYPE_CHECKING:
-    from ..pen.sketch import Sketch
+    from ..pen.sketch import Sketch, Strand
     from ..pen.symbols import Place
 
 _RIM = re.compile(r"(\S+)\s+(cw|ccw)")
@@ -95,14 +96,21 @@ class Cord(Coupling):
         return length - distance(*drawn_pair(to.drawing, *stops))
 
     def draw(self, sketch: Sketch, where: str) -> Place:
+        middles = [sketch.strand(a, b) for a, b in self._spans(sketch, where)]
+        return middles[0]
+
+    def pushes(self, sketch: Sketch, where: str) -> tuple[Push, ...]:
+        return tuple(Push(sketch.strand_ends(a, b)) for a, b in self._spans(sketch, where))
+
+    def _spans(self, sketch: Sketch, where: str) -> Iterator[Strand]:
+        """The straight strands, each from stop to stop."""
         names = tuple(text.split()[0] for text in self.partners)
         stops = zip(
             sketch.read(names, where, "point", "circle"),
             (text.endswith(" ccw") for text in self.partners),
             strict=True,
         )
-        middles = [sketch.strand(a, b) for a, b in itertools.pairwise(stops)]
-        return middles[0]
+        return itertools.pairwise(stops)
 
 
 def _stop(to: Writer, text: str, where: str) -> tuple[Partner, int]:

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from .. import _layout as layout
 from ..geometry.partners import kernel_circle, side
+from ..geometry.push import Push
 from ..geometry.rows import CouplingRows
 from ..geometry.writer import Writer
 from ..language.dimensions import FORCE, IMPULSE
@@ -42,3 +43,8 @@ class Gears(Coupling):
         at = sketch.between_circles(a, b)[0]
         sketch.pen.dot(at)
         return at
+
+    def pushes(self, sketch: Sketch, where: str) -> tuple[Push, ...]:
+        a, b = sketch.read(self.partners, where, "circle")
+        at = sketch.between_circles(a, b)[0]
+        return (Push((at, at)),)

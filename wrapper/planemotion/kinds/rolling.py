@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from .. import _layout as layout
 from ..geometry.marks import LineMark
 from ..geometry.partners import Partner, kernel_circle, side
+from ..geometry.push import Push
 from ..geometry.rows import JointRow
 from ..geometry.writer import Writer
 from ..language.dimensions import DIMENSIONLESS, FORCE
@@ -38,11 +39,16 @@ class Rolling(Joint):
         return JointRow(layout.PM_JOINT_ROLLING_CIRCLE, circle, other, (side(to.drawing, a, b), path))
 
     def draw(self, sketch: Sketch, a: Partner, b: Partner) -> Place:
+        push = self.pushes(sketch, a, b)
+        assert push.turn is not None
+        sketch.pen.rolls(push.places[0], push.turn)
+        return push.places[0]
+
+    def pushes(self, sketch: Sketch, a: Partner, b: Partner) -> Push:
         at, _ = sketch.touching(a, b)
         if isinstance(b.mark, LineMark):
             turn = sketch.number(b.mark.angle) + sketch.angle(b.owner)
         else:
             _, center = sketch.both(a, b)
             turn = math.atan2(at[1] - center[1], at[0] - center[0]) + math.pi / 2
-        sketch.pen.rolls(at, turn)
-        return at
+        return Push((at, at), turn)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from .. import _layout as layout
 from ..geometry.marks import LineMark
 from ..geometry.partners import Partner, one_point
+from ..geometry.push import Push
 from ..geometry.rows import JointRow
 from ..geometry.writer import Writer
 from ..language.dimensions import FORCE
@@ -34,6 +35,15 @@ class Slider(RubbingJoint):
             return JointRow(layout.PM_JOINT_SLIDER, point, line)
         held = to.drawing.angle(a.owner) - to.drawing.angle(b.owner)
         return JointRow(layout.PM_JOINT_SLIDER_FIXED, point, line, (held, f"{path}.turning"))
+
+    @property
+    def holds_direction(self) -> bool:
+        return not self.turning
+
+    def pushes(self, sketch: Sketch, a: Partner, b: Partner) -> Push:
+        assert isinstance(b.mark, LineMark)
+        at = sketch.of_partner(a, b)
+        return Push((at, at), sketch.number(b.mark.angle) + sketch.angle(b.owner))
 
     def draw(self, sketch: Sketch, a: Partner, b: Partner) -> Place:
         assert isinstance(b.mark, LineMark)

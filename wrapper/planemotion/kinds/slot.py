@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from .. import _layout as layout
 from ..geometry.marks import CircleMark
 from ..geometry.partners import Partner, one_point
+from ..geometry.push import Push
 from ..geometry.rows import JointRow
 from ..geometry.writer import Writer
 from ..language.dimensions import FORCE
@@ -30,6 +31,10 @@ class Slot(RubbingJoint):
         middle = to.drawing.from_mass_center(b.owner, b.mark.center)
         center = to.drawn.point_at(b.owner, middle, b.where)
         return JointRow(layout.PM_JOINT_LINK, point, center, (b.mark.radius, path))
+
+    def pushes(self, sketch: Sketch, a: Partner, b: Partner) -> Push:
+        at, center = sketch.both(a, b)
+        return Push((at, at), math.atan2(at[1] - center[1], at[0] - center[0]) + math.pi / 2)
 
     def draw(self, sketch: Sketch, a: Partner, b: Partner) -> Place:
         at, center = sketch.both(a, b)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from .. import _layout as layout
 from ..base.errors import SceneError
 from ..geometry.partners import Partner
+from ..geometry.push import Push
 from ..geometry.rows import JointRow
 from ..geometry.writer import Writer
 from .base import Joint
@@ -40,6 +41,16 @@ class Weld(Joint):
             return JointRow(layout.PM_JOINT_PIN, points[0], points[1])
         angle = to.drawing.angle(a.owner) - to.drawing.angle(b.owner)
         return JointRow(layout.PM_JOINT_WELD, points[0], points[1], (angle, path))
+
+    @property
+    def holds_direction(self) -> bool:
+        return True
+
+    def pushes(self, sketch: Sketch, a: Partner, b: Partner) -> Push:
+        # Held as row() says: the kernel's reaction acts there.
+        held = b if (sketch.rotates(a) and not sketch.rotates(b)) or a.is_ground else a
+        at = sketch.of_partner(held, a if held is b else b)
+        return Push((at, at))
 
     def draw(self, sketch: Sketch, a: Partner, b: Partner) -> Place:
         at = sketch.of_partner(a, b)

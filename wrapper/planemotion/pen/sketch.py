@@ -31,6 +31,11 @@ _WIDTH, _HEIGHT, _ROOM = 7.6, 5.6, 0.55
 _NO_SIZE = 1.0
 
 
+# A point or circle at an end of a strand, and whether it is passed counterclockwise.
+Stop = tuple[Partner, bool]
+Strand = tuple[Stop, Stop]
+
+
 class Sketch:
     """Axes as large as the drawing needs, and where everything is on them.
 
@@ -75,6 +80,9 @@ class Sketch:
     def angle(self, owner: str) -> float:
         return 0.0 if owner == GROUND else self.poses[owner][2]
 
+    def rotates(self, one: Partner) -> bool:
+        return one.is_ground or self.drawing.bodies[one.owner].rotates
+
     def point(self, owner: str, name: str) -> Place:
         return self.place(owner, self.drawing.marks(owner).points[name])
 
@@ -114,15 +122,8 @@ class Sketch:
         """Lower left [2] and upper right [2] of all that has a size, in the unit of the picture."""
         places: list[Place] = []
         for owner in (*self.drawing.bodies, GROUND):
-            marks = self.drawing.marks(owner)
-            places += [self.place(owner, point) for point in marks.points.values()]
-            for circle in marks.circles.values():
-                (x, y), radius = self.place(owner, circle.center), self.length(circle.radius)
-                places += [(x - radius, y - radius), (x + radius, y + radius)]
-            places += [self.place(owner, row.start) for row in marks.rows.values()]
-        for name, body in self.drawing.bodies.items():
-            places += self.corners(name, body.plate) if body.plate is not None else []
-            places += self.diameter(name) if body.edge_on else []
+            places += self.outer(owner)
+            places += [self.place(owner, row.start) for row in self.drawing.marks(owner).rows.values()]
         xy = np.array(places)
         low, high = xy.min(axis=0), xy.max(axis=0)
         size = max(float((high - low).max()), 0.0)
@@ -130,6 +131,18 @@ class Sketch:
             size = _NO_SIZE / self.factor
             low, high = low - 0.5 * size, high + 0.5 * size
         return low, high
+
+    def outer(self, owner: str) -> list[Place]:
+        """Places that a body, or the ground, lies between."""
+        marks = self.drawing.marks(owner)
+        places = [self.place(owner, point) for point in marks.points.values()]
+        for circle in marks.circles.values():
+            (x, y), radius = self.place(owner, circle.center), self.length(circle.radius)
+            places += [(x - radius, y - radius), (x + radius, y + radius)]
+        body = None if owner == GROUND else self.drawing.bodies[owner]
+        places += self.corners(owner, body.plate) if body and body.plate is not None else []
+        places += self.diameter(owner) if body and body.edge_on else []
+        return places
 
     def fit(self) -> tuple[float, np.ndarray]:
         """The length that is an inch on paper, and the size [2] of the paper in inches.
@@ -210,8 +223,17 @@ class Sketch:
         self.pen.spiral(at)
         return at
 
-    def strand(self, first: tuple[Partner, bool], second: tuple[Partner, bool]) -> Place:
+    def strand(self, first: Stop, second: Stop) -> Place:
         """A straight strand between its tangent points; gives its middle."""
+        ends = self.strand_ends(first, second)
+        self.pen.line(ends, INK, 1.0)
+        for end, (one, _) in zip(ends, (first, second), strict=True):
+            if one.owner == GROUND and one.kind == "point":
+                self.pen.support(end)
+        return _middle(*ends)
+
+    def strand_ends(self, first: Stop, second: Stop) -> tuple[Place, Place]:
+        """The tangent points of a straight strand; both at the first centre if the centres are one."""
         a, b = first[0], second[0]
         (ax, ay), (bx, by) = self.of_partner(a, b), self.of_partner(b, a)
         radius_a, radius_b = ((1.0 if ccw else -1.0) * self.radius(one) for one, ccw in (first, second))
@@ -219,17 +241,9 @@ class Sketch:
         square = dx * dx + dy * dy
         along = math.sqrt(max(square - offset * offset, 0.0))
         if square == 0:
-            return ax, ay
+            return (ax, ay), (ax, ay)
         ux, uy = (along * dx + offset * dy) / square, (along * dy - offset * dx) / square
-        ends = [
-            (ax + radius_a * uy, ay - radius_a * ux),
-            (bx + radius_b * uy, by - radius_b * ux),
-        ]
-        self.pen.line(ends, INK, 1.0)
-        for end, one in zip(ends, (a, b), strict=True):
-            if one.owner == GROUND and one.kind == "point":
-                self.pen.support(end)
-        return _middle(*ends)
+        return (ax + radius_a * uy, ay - radius_a * ux), (bx + radius_b * uy, by - radius_b * ux)
 
     def between_circles(self, a: Partner, b: Partner) -> tuple[Place, Place]:
         """The places of two circles that are nearest to each other, on the line through their centres."""
@@ -245,8 +259,8 @@ class Sketch:
             (bx + side_b * radius_b * x, by + side_b * radius_b * y),
         )
 
-    def touching(self, a: Partner, b: Partner) -> tuple[Place, Place]:
-        """The nearest places of two marks that may touch."""
+    def touching(self, a: Partner, b: Partner, ends: bool = False) -> tuple[Place, Place]:
+        """The nearest places of two marks that may touch; `ends`: a line goes no further than its body."""
         center = self.of_partner(a, b)
         radius = self.radius(a)
         if isinstance(b.mark, LineMark):
@@ -254,6 +268,12 @@ class Sketch:
             foot = self.place(b.owner, b.mark.through)
             x, y = -math.sin(turn), math.cos(turn)  # towards the free side
             gap = (center[0] - foot[0]) * x + (center[1] - foot[1]) * y
+            if ends and b.mark.extent is not None:
+                reach = (center[0] - foot[0]) * y - (center[1] - foot[1]) * x
+                first, last = (self.length(end) for end in b.mark.extent)
+                if not first <= reach <= last:  # round the corner at its end
+                    part = min(max(reach, first), last)
+                    return _towards(center, radius, (foot[0] + part * y, foot[1] - part * x))
             near = (center[0] - radius * x, center[1] - radius * y)
             return near, (center[0] - gap * x, center[1] - gap * y)
         if isinstance(b.mark, RowMark):
@@ -263,11 +283,15 @@ class Sketch:
             count = round(self.number(b.mark.count))
             k = k if count < 0 else min(max(k, 0), count - 1)
             at = start + k * step
-            away = at - np.array(center)
-            distance = float(np.hypot(*away)) or 1.0
-            near = (center[0] + radius * away[0] / distance, center[1] + radius * away[1] / distance)
-            return (float(near[0]), float(near[1])), (float(at[0]), float(at[1]))
+            return _towards(center, radius, (float(at[0]), float(at[1])))
         return self.between_circles(a, b)
+
+
+def _towards(center: Place, radius: float, at: Place) -> tuple[Place, Place]:
+    """The place of a circle nearest to a point, and the point."""
+    away = at[0] - center[0], at[1] - center[1]
+    distance = math.hypot(*away) or 1.0
+    return (center[0] + radius * away[0] / distance, center[1] + radius * away[1] / distance), at
 
 
 def _middle(a: Place, b: Place) -> Place:

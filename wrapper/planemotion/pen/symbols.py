@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.colors import to_rgba
 from matplotlib.patches import Arc, Circle, FancyArrowPatch, Polygon
 from matplotlib.transforms import BboxBase
 
@@ -254,18 +255,34 @@ class Pen:
 
     def couple(self, at: Place, counterclockwise: bool) -> None:
         """A curved arrow round a place."""
-        radius = 0.24 * self.inch
+        self.curved_arrow(at, counterclockwise, 0.24, RED)
+
+    def curved_arrow(
+        self, at: Place, counterclockwise: bool, size: float, colour: str, style: str = "-"
+    ) -> None:
+        """A curved arrow of a radius in inches."""
+        radius = size * self.inch
         first, last = math.radians(-50), math.radians(190)
         if not counterclockwise:
             first, last = last, first
         self.axes.add_patch(
-            Arc(at, 2 * radius, 2 * radius, theta1=-50, theta2=190, color=RED, linewidth=1.4, zorder=6)
+            Arc(
+                at,
+                2 * radius,
+                2 * radius,
+                theta1=-50,
+                theta2=190,
+                color=colour,
+                linewidth=1.4,
+                zorder=6,
+                linestyle=style,
+            )
         )
         tip = (at[0] + radius * math.cos(last), at[1] + radius * math.sin(last))
         sense = 1.0 if counterclockwise else -1.0
         back = last - sense * 0.35
         tail = (at[0] + radius * math.cos(back), at[1] + radius * math.sin(back))
-        self.arrow(tail, tip)
+        self.arrow(tail, tip, colour)
         turns = np.radians(np.linspace(-50, 190, 25))
         self.remember(np.column_stack([at[0] + radius * np.cos(turns), at[1] + radius * np.sin(turns)]))
 
@@ -279,6 +296,18 @@ class Pen:
             self.axes.add_patch(Polygon(np.vstack([[at], arc]), facecolor=BLUE, edgecolor="none", zorder=4.6))
 
     # ---- names ----
+
+    def cover(self) -> None:
+        """Remembers all that is filled so far, for the names to keep off it."""
+        step = 1.5 * _INK_STEP * self.inch
+        low, high = np.array([self.axes.get_xlim(), self.axes.get_ylim()]).T
+        places = np.stack(
+            np.meshgrid(*(np.arange(a, b, step) for a, b in zip(low, high, strict=True))), axis=-1
+        ).reshape(-1, 2)
+        for patch in self.axes.patches:
+            if patch.get_fill() and to_rgba(patch.get_facecolor())[3]:
+                path = patch.get_path().transformed(patch.get_patch_transform())
+                self.ink += [(float(x), float(y)) for x, y in places[path.contains_points(places)]]
 
     def name(self, at: Place, text: str, colour: str = INK, bold: bool = False) -> None:
         """Remembers a name to be written beside a place; one that stands there already is not repeated."""
@@ -318,7 +347,7 @@ _Box = tuple[float, float, float, float]  # x0, y0, x1, y1 in dots
 
 def _candidates(center: Floats, width: float, height: float, dot: float) -> Iterable[tuple[_Box, float]]:
     """Boxes round a place with their distance, near ones first."""
-    for distance in (5.0, 9.0, 14.0, 21.0, 30.0):
+    for distance in (5.0, 9.0, 14.0, 21.0, 30.0, 42.0, 58.0):
         for i in range(16):
             turn = math.pi / 4 + i * math.pi / 8
             x = center[0] + (distance * dot + 0.5 * width) * _squared(math.cos(turn))

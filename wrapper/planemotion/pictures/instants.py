@@ -9,13 +9,13 @@ import numpy as np
 from ..base.errors import SceneError
 from ..compile.flatten import FlatScene, flatten
 from ..compile.histories import HistoryColumns
-from ..engine import recording
+from ..engine import call, recording
 from ..engine.history import AFTER
 from ..engine.outcome import History
 from ..language.dimensions import TIME
 from ..language.units import parse_quantity
 from ..reading.scene import HasData
-from .scene import Start, start_of
+from .scene import Start, drawing_of, start_of
 
 
 def instant_of(scene: HasData, at: str, run: str | None = None) -> Start:
@@ -28,15 +28,26 @@ def instant_of(scene: HasData, at: str, run: str | None = None) -> Start:
     if start.fault:
         return start
     flat = flatten(scene, run, history=HistoryColumns.shown)
-    seconds = _seconds(at)
-    recorded, row = _at_event(flat, at) if seconds is None else _at_time(flat, at, seconds)
+    recorded, row = row_at(flat, at)
     poses = {}
     for name in start.drawing.bodies:
         turn = recorded.columns.get(f"{name}.angle")
         x, y = (float(recorded.columns[f"{name}.{part}"][row]) for part in ("x", "y"))
         poses[name] = (x, y, 0.0 if turn is None else float(turn[row]))
+    drawing = drawing_of(scene.data, flat.run, call.found(flat))
     time = f"t = {recorded.time[row]:.6g} s"
-    return replace(start, poses=poses, when=time if seconds is not None else f"{at.strip()}, {time}")
+    return replace(
+        start,
+        drawing=drawing,
+        poses=poses,
+        when=time if _seconds(at) is not None else f"{at.strip()}, {time}",
+    )
+
+
+def row_at(flat: FlatScene, at: str) -> tuple[History, int]:
+    """The recorded run and its row at a time, or right after an event.  Errors as of `instant_of`."""
+    seconds = _seconds(at)
+    return _at_event(flat, at) if seconds is None else _at_time(flat, at, seconds)
 
 
 def _seconds(at: str) -> float | None:

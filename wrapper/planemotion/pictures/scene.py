@@ -26,6 +26,7 @@ from ..geometry.marks import LineMark, RowMark
 from ..geometry.packing import Tables
 from ..geometry.parameters import Parameters, Reader
 from ..geometry.partners import Partner
+from ..geometry.push import Push
 from ..kinds.base import Coupling, Force, Joint
 from ..language.dimensions import DIMENSIONLESS, LENGTH
 from ..model.tables import Body, Contact
@@ -38,9 +39,12 @@ from ..reading.scene import HasData, SceneData
 _ROD = 0.1  # width of a rod, in
 _PARTICLE = 0.06  # radius of a particle, in
 _CENTRE_LINE = (0, (7, 2, 1.5, 2))  # dashes of a line on a body
+# Below so many inches a direction between two places means nothing.
+_CLOSE = 1e-6
 # Members of an endless row that are drawn at most.
 _MAX_MEMBERS = 400
-_LENGTHS = ("mm", "cm", "m", "km", "in", "ft", "yd", "mi")
+_IMPERIAL = ("in", "ft", "yd", "mi")
+_LENGTHS = ("mm", "cm", "m", "km", *_IMPERIAL)
 _WITH_UNIT = re.compile(r"[\d.]\s*([a-z]+)\b(?![*/^\w])")
 
 
@@ -58,9 +62,12 @@ class Start:
     when: str = "at the start"
 
 
-def drawing_of(data: SceneData, run: str | None) -> Drawing:
-    """The drawn scene of a run, at the parameters of the file.  Raises SceneError."""
+def drawing_of(data: SceneData, run: str | None, found: Mapping[str, float] | None = None) -> Drawing:
+    """The drawn scene of a run, at the parameters of the file, or at what was `found` for them (SI).
+
+    Raises SceneError."""
     parameters = Parameters(run_parameters(data, run), data.sweep.grids)
+    parameters.find(found or {})
     reader = Reader(parameters)
     bodies = {
         name: body
@@ -163,7 +170,7 @@ class SceneDrawing:
     def draw_moving(self) -> None:
         """Bodies, small ones on top, and what is between them."""
         for name in sorted(self.sketch.drawing.bodies, key=self.sketch.reach, reverse=True):
-            self._body(name, self.sketch.drawing.bodies[name])
+            self.draw_body(name, self.sketch.drawing.bodies[name])
         for name, joint in self._active("joints"):
             self._joint(name, joint)
         for name, coupling in self._active("couplings"):
@@ -215,7 +222,8 @@ class SceneDrawing:
             self.sketch.pen.dot((float(at[0]), float(at[1])), INK, 0.035)
         self.sketch.pen.name((float(start[0]), float(start[1])), f"{name}[0]", SOFT)
 
-    def _body(self, name: str, body: Body) -> None:
+    def draw_body(self, name: str, body: Body) -> None:
+        """A body with its circles and lines, and its name."""
         pen, center = self.sketch.pen, self.sketch.point(name, "center")
         marks = self.sketch.drawing.marks(name)
         if not body.rotates:
@@ -302,15 +310,7 @@ class SceneDrawing:
         )
 
     def _contact(self, name: str, contact: Contact) -> None:
-        any_mark = ("circle", "point", "line", "row", "set")
-        a, b = self.sketch.read(contact.partners, f"contacts.{name}", *any_mark)
-        if a.kind in ("line", "row") or b.kind == "set":
-            a, b = b, a
-        members = [a]
-        if a.kind == "set":
-            assert isinstance(a.mark, tuple)
-            members = [Partner(a.owner, "point", key, a.where) for key in a.mark]
-        pairs = [self.sketch.touching(one, b) for one in members]
+        pairs = [push.places for push in contact_pushes(self.sketch, name, contact)]
         for places in pairs:
             self.sketch.pen.touch(*places)
         self.sketch.pen.name(
@@ -323,6 +323,43 @@ class SceneDrawing:
         for name, element in getattr(self.data, table).items():
             if reader.constant(element.active, f"{table}.{name}.active", DIMENSIONLESS):
                 yield name, element
+
+
+def contact_pushes(sketch: Sketch, name: str, contact: Contact) -> list[Push]:
+    """Where a contact acts on its partners as written: once, or for each member of a set."""
+    any_mark = ("circle", "point", "line", "row", "set")
+    a, b = sketch.read(contact.partners, f"contacts.{name}", *any_mark)
+    swapped = a.kind in ("line", "row") or b.kind == "set"
+    if swapped:
+        a, b = b, a
+    members = [a]
+    if a.kind == "set":
+        assert isinstance(a.mark, tuple)
+        members = [Partner(a.owner, "point", key, a.where) for key in a.mark]
+    return [
+        _contact_push(sketch, one, b, swapped, _written_turn(sketch, name, contact, b)) for one in members
+    ]
+
+
+def _written_turn(sketch: Sketch, name: str, contact: Contact, b: Partner) -> float | None:
+    """Direction of the surface that a normal stands for: it turns with the second of two points."""
+    if contact.normal is None:
+        return None
+    drawing = sketch.drawing
+    normal = drawing.reader.number(contact.normal, f"contacts.{name}.normal", DIMENSIONLESS)
+    return sketch.number(normal - drawing.angle(b.owner)) + sketch.angle(b.owner) - math.pi / 2
+
+
+def _contact_push(sketch: Sketch, a: Partner, b: Partner, swapped: bool, written: float | None) -> Push:
+    places = sketch.touching(a, b, ends=True)
+    center = sketch.of_partner(a, b)
+    away = center[0] - places[1][0], center[1] - places[1][1]
+    turn = math.atan2(away[1], away[0]) - math.pi / 2
+    if isinstance(b.mark, LineMark) and math.hypot(*away) < _CLOSE * sketch.pen.inch:
+        turn = sketch.number(b.mark.angle) + sketch.angle(b.owner)
+    if a.kind == b.kind == "point":
+        return Push(places[::-1] if swapped else places, written)
+    return Push(places[::-1] if swapped else places, turn)
 
 
 def _outline(places: list[Place]) -> list[Place]:
@@ -351,3 +388,8 @@ def usual_length(data: SceneData) -> str:
     found = Counter(_WITH_UNIT.findall(repr(data.model_dump(exclude={"title", "description", "ask"}))))
     used = [unit for unit in _LENGTHS if found[unit]]
     return max(used, key=lambda unit: found[unit]) if used else "m"
+
+
+def is_imperial(data: SceneData) -> bool:
+    """Whether lengths of the file are feet and inches: its forces are then pounds."""
+    return usual_length(data) in _IMPERIAL
