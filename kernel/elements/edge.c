@@ -60,14 +60,6 @@ double pm_edge_gap(const pm_frame *frame, int contact, int *member)
     return x.height < 0 ? fmin(gap, beyond) : gap;
 }
 
-int pm_edge_touches(const pm_frame *frame, int contact)
-{
-    const pm_edge_place x = pm_edge_beside(frame, contact);
-    const double beyond = fmax(x.from, x.to), length = pm_contact_length(frame);
-    if (beyond > 0) return hypot(beyond, x.height) - x.radius <= length;
-    return x.height >= -length && x.height - x.radius <= length;
-}
-
 int pm_edge_is_below(const pm_frame *frame, int contact)
 {
     const pm_edge_place x = pm_edge_beside(frame, contact);
@@ -90,6 +82,56 @@ void pm_edge_corner(const pm_frame *frame, int contact, int member, double at[2]
     const double along = end_of(frame, contact, member == PM_SEGMENT_FROM ? PM_CONTACT_FROM : PM_CONTACT_TO);
     at[0] = frame->numbers->value[point[PM_POINT_X]] + along * cos(angle);
     at[1] = frame->numbers->value[point[PM_POINT_Y]] + along * sin(angle);
+}
+
+/* ---- corners that meet ---- */
+/* The direction from a corner of a body along its edge, in the axes of the body, where `contact` has this edge and the corner is
+ * an end of it. */
+static int goes_from(const pm_frame *frame, int contact, const int32_t *corner, double direction[2])
+{
+    const pm_model *m = frame->model;
+    const int32_t *line = PM_LINE_ROW(m, PM_CONTACT_ROW(m, contact)[PM_CONTACT_B]);
+    if (PM_POINT_ROW(m, line[PM_LINE_POINT])[PM_POINT_BODY] != corner[PM_POINT_BODY]) return 0;
+    const double angle = frame->numbers->value[line[PM_LINE_ANGLE]];
+    for (int end = PM_SEGMENT_FROM; end <= PM_SEGMENT_TO; end++) {
+        double at[2];
+        pm_edge_corner(frame, contact, end, at);
+        const double off = hypot(at[0] - frame->numbers->value[corner[PM_POINT_X]],
+                                 at[1] - frame->numbers->value[corner[PM_POINT_Y]]);
+        if (off > pm_contact_length(frame)) continue;
+        const int way = end == PM_SEGMENT_FROM ? 1 : -1;
+        direction[0] = way * cos(angle);
+        direction[1] = way * sin(angle);
+        return 1;
+    }
+    return 0;
+}
+
+/* At an end of the edge: the point is the corner of a body that lies in part behind the face.  It goes over the end: two boxes
+ * that slide on each other do not catch where their corners pass. */
+static int goes_over_end(const pm_frame *frame, int contact, const pm_edge_place *x)
+{
+    const pm_model *m = frame->model;
+    const int32_t *corner =
+        PM_POINT_ROW(m, PM_CIRCLE_ROW(m, PM_CONTACT_ROW(m, contact)[PM_CONTACT_A])[PM_CIRCLE_POINT]);
+    if (x->radius > 0 || fmax(x->from, x->to) < -PM_EDGE_HANDING_OVER * pm_contact_length(frame)) return 0;
+    const double *pose = frame->pose + 5 * pm_model_body_index(m, corner[PM_POINT_BODY]);
+    for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
+        double d[2];
+        if (!pm_edge_is(m, i) || !goes_from(frame, i, corner, d)) continue;
+        const double along[2] = {pose[3] * d[0] - pose[4] * d[1], pose[4] * d[0] + pose[3] * d[1]};
+        if (pm_cross(x->along, along) < -PM_EDGE_BEHIND) return 1;
+    }
+    return 0;
+}
+
+int pm_edge_touches(const pm_frame *frame, int contact)
+{
+    const pm_edge_place x = pm_edge_beside(frame, contact);
+    const double beyond = fmax(x.from, x.to), length = pm_contact_length(frame);
+    if (goes_over_end(frame, contact, &x)) return 0;
+    if (beyond > 0) return hypot(beyond, x.height) - x.radius <= length;
+    return x.height >= -length && x.height - x.radius <= length;
 }
 
 /* ---- edges that meet ---- */

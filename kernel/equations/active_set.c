@@ -170,36 +170,60 @@ static void append_carried(pm_workspace *w)
     w->active.constraint[n].normal = PM_NONE;
 }
 
-static void move_place(int n, int *place, int from, int to)
+/* Places from `first` on move by `way`; what was at `from` is at `to`. */
+static void move_places(const pm_model *m, pm_active_set *x, int from, int to, int first, int way)
 {
-    for (int i = 0; i < n; i++)
-        if (place[i] == from)
-            place[i] = to;
-        else if (place[i] > from)
-            place[i]--;
+    const struct {
+        int *place, n;
+    } of[] = {{x->of_joint, m->njoint_constraint},
+              {x->slot_normal, m->nslot},
+              {x->slot_tangent, m->nslot},
+              {x->slot_held, PM_JOINT_CONSTRAINTS * m->nslot},
+              {x->friction_constraint, m->nfriction}};
+    for (size_t k = 0; k < sizeof of / sizeof *of; k++)
+        for (int i = 0; i < of[k].n; i++) {
+            int *place = &of[k].place[i];
+            *place = *place == from ? to : *place >= first ? *place + way : *place;
+        }
 }
 
-/* An active constraint becomes a redundant one; those behind it move up. */
+/* An active constraint becomes the last redundant one; those behind it move up. */
 static void move_out(const pm_model *m, pm_active_set *x, int one)
 {
     const int to = leave_out(x, &x->constraint[one]), behind = --x->n - one;
     memmove(x->constraint + one, x->constraint + one + 1, (size_t)behind * sizeof *x->constraint);
     memmove(x->doubtful + one, x->doubtful + one + 1, (size_t)behind);
-    move_place(m->njoint_constraint, x->of_joint, one, to);
-    move_place(m->nslot, x->slot_normal, one, to);
-    move_place(m->nslot, x->slot_tangent, one, to);
-    move_place(PM_JOINT_CONSTRAINTS * m->nslot, x->slot_held, one, to);
-    move_place(m->nfriction, x->friction_constraint, one, to);
+    move_places(m, x, one, to, one + 1, -1);
     x->njoint -= one < x->njoint;
 }
 
-/* What was kept since the bodies could move when it was appended is left out if all together hold them fast: no order of the
- * constraints decides. */
-static void leave_out_doubtful(pm_workspace *w)
+/* The last redundant constraint becomes active again, where it was. */
+static void move_back(const pm_model *m, pm_active_set *x, int one, int joint)
 {
-    for (int i = w->active.n - 1; i >= 0; i--) {
-        if (w->active.doubtful[i] && pm_dependence_held_fast(w, i)) move_out(w->model, &w->active, i);
+    const int from = PM_REDUNDANT_PLACE(--x->nredundant), behind = x->n++ - one;
+    memmove(x->constraint + one + 1, x->constraint + one, (size_t)behind * sizeof *x->constraint);
+    memmove(x->doubtful + one + 1, x->doubtful + one, (size_t)behind);
+    x->constraint[one] = x->redundant[x->nredundant];
+    x->doubtful[one] = 1;
+    move_places(m, x, from, one, one, 1);
+    x->njoint += joint;
+}
+
+/* What was kept since it depended here alone on those appended before it is left out if it depends for good on all the others:
+ * no order of the constraints decides. */
+static int leave_out_doubtful(pm_workspace *w)
+{
+    int status = PM_OK;
+    for (int i = w->active.n - 1; i >= 0 && !status; i--) {
+        const int joint = i < w->active.njoint;
+        int depends;
+        if (!w->active.doubtful[i]) continue;
+        move_out(w->model, &w->active, i);
+        const pm_constraint c = w->active.redundant[w->active.nredundant - 1];
+        status = pm_dependence_on_all(w, &c, &depends);
+        if (!depends) move_back(w->model, &w->active, i, joint);
     }
+    return status;
 }
 
 static int append_all(pm_workspace *w, int *nbasis)
@@ -225,7 +249,7 @@ int pm_active_set_build(pm_workspace *w)
     const int independent =
         !status && (w->active.n == 0 || pm_saddle_independence(&w->saddle) > PM_CLEARLY_INDEPENDENT);
     if (!status && !independent) status = append_all(w, &nbasis);
-    if (!status && !independent) leave_out_doubtful(w);
+    if (!status && !independent) status = leave_out_doubtful(w);
     if (!status) append_carried(w);
     w->active.evaluated = independent && !w->active.asymmetric;
     if (!status) pm_solve_cache_built(w);

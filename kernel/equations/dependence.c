@@ -11,20 +11,17 @@
 #include "state/frame.h"
 #include "state/workspace.h"
 
-/* The basis of the constraints that are active so far but one, or PM_NONE, at the frame; its size. */
-static int basis_without(pm_workspace *w, int one)
+/* The basis of the constraints that are active so far, at the frame; its size. */
+static int basis_of_active(pm_workspace *w)
 {
     pm_orthonormal_rest rest;
     int n = 0;
     for (int i = 0; i < w->active.n; i++) {
-        if (i == one) continue;
         pm_constraint_kind(w->active.constraint[i].kind)->evaluate(&w->frame, &w->active.constraint[i]);
         n = pm_orthonormal_rows_add_constraint(&w->saddle, n, &w->active.constraint[i], &rest);
     }
     return n;
 }
-
-static int basis_of_active(pm_workspace *w) { return basis_without(w, PM_NONE); }
 
 /* A neighbour of the state on the active constraints: a little along the motion or, at rest, any way that they allow. */
 static int go_nearby(pm_workspace *w, pm_state *s)
@@ -104,13 +101,13 @@ int pm_dependence_nearby(pm_workspace *w, const pm_constraint *c, int *depends)
     return status == PM_SINGULAR ? PM_OK : status;
 }
 
-int pm_dependence_held_fast(pm_workspace *w, int i)
+int pm_dependence_on_all(pm_workspace *w, const pm_constraint *c, int *depends)
 {
-    pm_constraint *c = &w->active.constraint[i];
+    pm_constraint copy = *c;
     pm_orthonormal_rest rest;
-    if (c->drive != PM_NONE) return 0;
-    const int nbasis = basis_without(w, i);
-    pm_constraint_kind(c->kind)->evaluate(&w->frame, c);
-    pm_orthonormal_rows_add_constraint(&w->saddle, nbasis, c, &rest);
-    return rest.left <= PM_INDEPENDENT && joins_fast(w, c, nbasis);
+    const int nbasis = basis_of_active(w);
+    pm_constraint_kind(copy.kind)->evaluate(&w->frame, &copy);
+    pm_orthonormal_rows_add_constraint(&w->saddle, nbasis, &copy, &rest);
+    *depends = 0;
+    return rest.left <= PM_INDEPENDENT ? pm_dependence_nearby(w, c, depends) : PM_OK;
 }

@@ -10,7 +10,7 @@
 /* *depends: whether a constraint that depends on the active ones at the frame does so for good.  The frame looks at w->state,
  * and the basis is that of the active ones, afterwards. */
 int pm_dependence_nearby(pm_workspace *w, const pm_constraint *c, int *depends);
-/* Whether active constraint i depends on the others, which hold fast what it joins. */
-int pm_dependence_held_fast(pm_workspace *w, int i);
+/* The same of one that is not among the active ones and may not depend on them here. */
+int pm_dependence_on_all(pm_workspace *w, const pm_constraint *c, int *depends);
 
 #endif

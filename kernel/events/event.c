@@ -205,7 +205,7 @@ double pm_event_sample(pm_workspace *w, const pm_event_function *f)
     case FUNCTION_GAP: {
         const double gap = pm_contact_gap(&w->frame, &w->state, f->index, &member);
         if (isinf(gap)) return w->numbers.size; /* nothing left to close */
-        return f->below ? pm_edge_gap_from_below(&w->frame, f->index) : gap;
+        return f->below ? pm_edge_gap_from_below(&w->frame, f->index) : gap + f->sunk;
     }
     case FUNCTION_NORMAL:
     case FUNCTION_STICK: return contact_stands(w, f);
@@ -272,6 +272,16 @@ static int leaves(const pm_frame *frame, const pm_state *state, int contact)
     return rate > pm_contact_speed(frame);
 }
 
+/* What parts goes up from where it is, though that be too deep by what touching allows: from below zero a short bounce would
+ * not be seen. */
+static void leave_from(pm_workspace *w, pm_event_function *f)
+{
+    f->slack = PM_GAP_ROUNDING * pm_contact_reach(w);
+    const double value = pm_event_value(w, f);
+    if (value < -f->slack && value >= -pm_contact_length(&w->frame) && f->pattern == PM_NONE)
+        f->sunk = -value;
+}
+
 void pm_event_begin(pm_workspace *w)
 {
     pm_event_set *e = w->event;
@@ -289,8 +299,7 @@ void pm_event_begin(pm_workspace *w)
         pm_event_function *f = &e->function[i];
         if (pm_event_changes_sign(f) || pm_event_value(w, f) > f->slack) continue;
         f->held = 1;
-        if (f->kind == FUNCTION_GAP && leaves(&w->frame, &w->state, f->index))
-            f->slack = PM_GAP_ROUNDING * pm_contact_reach(w);
+        if (f->kind == FUNCTION_GAP && leaves(&w->frame, &w->state, f->index)) leave_from(w, f);
     }
     memset(w->firing.fired, 0, (size_t)w->model->rows[PM_TABLE_TRIGGER]);
 }

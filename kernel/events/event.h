@@ -42,6 +42,7 @@ typedef struct pm_event_function {
     int every;      /* the samples are places along multiples: see pm_event_sample */
     int side;       /* 1, -1: its sign when the step began; 0: not known, or it was on zero */
     int below;      /* of a gap: the mark was below its edge when the phase began */
+    double sunk;    /* of a gap: by how much it was below zero as it parted; from there it counts */
     double since;   /* x from which it is held */
     double rested;  /* of a trigger: its greatest size in the last step before the phase */
     double located; /* x of the zero that was located, on the dense output: not quite where it is exactly */

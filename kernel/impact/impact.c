@@ -251,7 +251,7 @@ int pm_impact(pm_workspace *w, int *jumped)
         int status = find_struck(w, b, &struck);
         if (status || struck == 0) return status;
         if (i == PM_BLOWS_AT_ONCE)
-            return pm_fail(&w->result, PM_BLOW_UNDECIDED, PM_TABLE_CONTACT, PM_NONE, i, PM_BLOWS_AT_ONCE);
+            return pm_fail(&w->result, PM_BLOWS_ENDLESS, PM_TABLE_CONTACT, PM_NONE, i, PM_BLOWS_AT_ONCE);
         if (*jumped == 0) w->impulses.energy_lost = 0;
         status = one_blow(w, b);
         if (status) return status;

@@ -104,10 +104,19 @@ static int slid(const pm_workspace *w, int slot, const double *v)
 }
 
 /* ---- modes ---- */
+/* Where a series of blows has ended the passes go on alike only if all contacts stand alike. */
+static void tell_modes(pm_workspace *w)
+{
+    if (!w->evidence.active) return;
+    for (int i = 0; i < w->model->nslot; i++)
+        pm_evidence_mix(&w->evidence.present->log, (uint32_t)w->state.slot[i].mode);
+}
+
 /* Modes after the blow: what parts is open; what stays is closed with the friction its slip asks for.  A struck contact
  * that slid and stays without slip sticks from the blow on. */
 void pm_impact_end_modes(pm_workspace *w, const pm_blow *b)
 {
+    int series_ends = 0;
     for (int i = 0; i < w->model->nslot; i++) {
         const int contact = pm_contact_of_slot(w->model, i), member = w->state.slot[i].member;
         double rate;
@@ -128,8 +137,10 @@ void pm_impact_end_modes(pm_workspace *w, const pm_blow *b)
             pm_trigger_countless_strikes(w, contact);
             pm_evidence_part(&w->evidence, contact);
             pm_evidence_cut(&w->evidence);
+            series_ends = 1;
         }
         if (b->share[i] == PM_STRUCK && w->state.slot[i].mode == PM_STICK && slid(w, i, b->before))
             pm_trigger_mark(w->model, &w->firing, PM_TRIGGER_STICK, contact);
     }
+    if (series_ends) tell_modes(w);
 }

@@ -19,11 +19,18 @@
 #include "state/frame.h"
 #include "state/workspace.h"
 
+/* The mode in which a contact stands in the equations: one whose end is given carries its tangent by a ratio (build_given). */
+static int32_t mode_in(const pm_blow *b, int slot)
+{
+    if (!pm_blow_has(b, slot)) return PM_OPEN;
+    return b->given[slot].is ? PM_SLIDE_FORWARD : b->trial[slot];
+}
+
 /* Constraints of this trial: modes of the contacts that take part; the others are open for the blow. */
 static int build(pm_workspace *w, const pm_blow *b)
 {
     const pm_model *m = w->model;
-    for (int i = 0; i < m->nslot; i++) w->state.slot[i].mode = pm_blow_has(b, i) ? b->trial[i] : PM_OPEN;
+    for (int i = 0; i < m->nslot; i++) w->state.slot[i].mode = mode_in(b, i);
     pm_frame_look_state(&w->frame, &w->state);
     const int status = pm_active_set_build(w);
     if (!status && !w->active.evaluated) pm_saddle_evaluate(&w->active, &w->frame);
@@ -95,8 +102,6 @@ static int find_alone(const pm_model *model, const pm_blow *b)
 static int build_given(pm_workspace *w, pm_blow *b, int *independent)
 {
     *independent = 1;
-    for (int i = 0; i < w->model->nslot; i++)
-        if (b->given[i].is) b->trial[i] = PM_SLIDE_FORWARD;
     const int status = build(w, b);
     if (status) return status;
     for (int i = 0; i < w->model->nslot; i++) {

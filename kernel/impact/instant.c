@@ -183,7 +183,7 @@ static int act(pm_workspace *w, int begins, int *ended)
     int status = look_before(w);
     if (!status) status = blow(w, begins);
     for (int i = 1; !status && !*ended && pm_impact_goes_on(w); i++) {
-        if (i == PM_BLOWS_IN_ORDER)
+        if (i == PM_BLOWS_AT_ONCE)
             return pm_fail(&w->result, PM_BLOWS_ENDLESS, PM_TABLE_CONTACT, PM_NONE, i, i);
         status = go_on(w, ended);
         if (!status && !*ended) status = blow(w, 0);

@@ -127,7 +127,9 @@ int pm_bracket_polish(pm_along *f, pm_exactly *exactly, void *of, void *context,
         if (fabs(shift) <= rounding || value == 0 || isnan(value)) break;
         see(&sides, *x, value);
         const int inside = has_both(&sides) && fabs(sides.above - sides.below) > rounding;
-        if (!inside && (!gains || !(fabs(shift) <= PM_BRACKET_FAR * h))) break;
+        const double far =
+            i > 0 ? fmin(PM_BRACKET_FAR * h, PM_BRACKET_LONGER * fabs(*x - place)) : PM_BRACKET_FAR * h;
+        if (!inside && (!gains || !(fabs(shift) <= far))) break;
         last = value;
         place = *x;
         *x = fmin(fmax(*x + shift, begin), end);

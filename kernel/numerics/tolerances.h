@@ -21,6 +21,7 @@
 #define PM_BRACKET_NOTHING 1e-16 /* of the bracket: a shift of Newton that gains nothing; likewise */
 #define PM_BRACKET_POLISHED 1e-15  /* of the step: a shift that gains nothing on exact states; likewise */
 #define PM_BRACKET_SLOPE_STEP 1e-4 /* of the step: distance of differences; more: curvature spoils slopes */
+#define PM_BRACKET_LONGER 100 /* shifts before: a secant whose values differ by their rounding alone leads anywhere; larger: to another root */
 #define PM_BRACKET_FAR 0.1       /* of the step: a longer shift is no polish, it may leave for another root */
 #define PM_PIVOT_LOSS 1e-14 /* of its diagonal: a pivot that is lost; larger: more matrices count as singular */
 #define PM_LEMKE_TIE 1e-8    /* of the scaled problem: ratios that are equal; taken as exact a third of all problems fails */
@@ -48,6 +49,7 @@
 #define PM_CAPTURE_ACROSS 1e-10 /* cosine of distance and velocity: below it the distance stays; larger: the nearest place is less exact */
 #define PM_CENTRED 1e-15 /* of the scene's size: a mark so near is the mass centre; larger: what goes round is taken for steady */
 #define PM_STEADY_ROUNDING 1e-13 /* of speeds and accelerations in the scene: less is none; larger: slow motions are taken for rest */
+#define PM_EDGE_BEHIND 1e-6 /* rad: an edge that leans by more lies behind a face; larger: corners of boxes that slide on each other catch */
 #define PM_EDGE_HANDING_OVER 4 /* touching lengths: so near to their corner two edges in one line are both touched; larger: sooner */
 #define PM_FRICTION_SAME 4e-15 /* of the greatest reaction: a load that changes by less has been found; larger: it is less exact */
 #define PM_FRICTION_ROUNDING 1e-11 /* likewise: a change this small that shrinks no more is rounding; larger: slow convergence ends early */
@@ -238,8 +240,7 @@
 #define PM_JOINTS_TURNS 200 /* rounds to find the direction of a bearing's reaction; likewise */
 #define PM_JOINTS_TURNED 1e-14 /* rad: it is found; larger: less exact */
 #define PM_JOINTS_FREE 1e-12 /* of the response of a joint's slip, or of what moves its reaction: none; larger: frictions are left out */
-#define PM_BLOWS_AT_ONCE 64 /* rounds of blows of all contacts at one instant; more: an endless series ends later */
-#define PM_BLOWS_IN_ORDER 10000 /* blows one by one at one instant; likewise */
+#define PM_BLOWS_AT_ONCE 10000 /* blows at one instant, each smaller than the one before; more: an endless series ends later */
 #define PM_BLOW_ROUNDING 1e-10 /* of the energies that a blow moves: rounding; larger: a law that gains energy passes */
 #define PM_BLOW_NOTHING 1e-14 /* of its impulses at the scene's speed: a blow that moves no more is rounding itself; likewise */
 #define PM_COURSE_LOCKED 1e-13 /* of the normal response: what friction leaves of it where it holds the pair; larger: pairs that part are held */

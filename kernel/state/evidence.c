@@ -147,7 +147,15 @@ void pm_evidence_blow(pm_evidence *evidence, double approach)
 
 void pm_evidence_date(pm_evidence_log *log, double t)
 {
-    for (int i = log->n - 1; i >= 0 && log->entry[i].instant == log->instant; i--) log->entry[i].t = t;
+    double approach = 0;
+    int first = log->n;
+    while (first > 0 && log->entry[first - 1].instant == log->instant) first--;
+    for (int i = first; i < log->n; i++)
+        if (log->entry[i].approach != 0) approach = log->entry[i].approach;
+    for (int i = first; i < log->n; i++) {
+        log->entry[i].t = t;
+        if (log->entry[i].approach == 0) log->entry[i].approach = approach;
+    }
 }
 
 int32_t pm_evidence_part_of(const pm_evidence_decision *x) { return x->instant / PART; }

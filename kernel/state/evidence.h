@@ -129,7 +129,7 @@ void pm_evidence_sign(pm_evidence *evidence, int site, int what, double x, doubl
 void pm_evidence_blow(pm_evidence *evidence, double approach);
 /* A contact has been struck infinitely often: other passes may have seen other numbers of its blows. */
 void pm_evidence_part(pm_evidence *evidence, int contact);
-/* The present instant is at t. */
+/* The present instant is at t; what was decided after its blows belongs to the last of them. */
 void pm_evidence_date(pm_evidence_log *log, double t);
 /* What came of the present instant is mixed into the history of the log; the next one begins. */
 void pm_evidence_mix(pm_evidence_log *log, uint32_t what);

@@ -32,6 +32,8 @@ int pm_accuracy_run(pm_workspace *w, const double *param, double *found, double 
 /* Least distance over difference of the decisions that both passes took; trigger_scale[ntrigger]: natural sizes of the
  * trigger programs. */
 pm_closest pm_margin_of_logs(const pm_evidence_log *a, const pm_evidence_log *b, const double *trigger_scale);
+/* Late in a series of ever smaller blows passes may have seen other numbers of them; else the same number. */
+int pm_margin_same_jumps(const pm_accuracy *e);
 /* The margin of the main pass, and its decision in e->closest; share: of the difference of both passes, what its error is taken
  * for.  Passes that came to other counts or statuses have a margin of 0, even where no log shows why. */
 double pm_margin_judge(pm_accuracy *e, double share);

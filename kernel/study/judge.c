@@ -81,10 +81,26 @@ static void judge_found(const pm_workspace *w, double share, double *error)
     }
 }
 
+/* Whether the numbers that are counted, yes or no are those of the other pass. */
+static int counts_agree(const pm_workspace *w, const double *error)
+{
+    for (int i = 0; i < w->model->nask; i++) {
+        const int32_t *row = PM_ASK_ROW(w->model, i);
+        for (int k = row[PM_ASK_OUT]; w->accuracy->discrete[i] && k < row[PM_ASK_OUT] + row[PM_ASK_COUNT];
+             k++)
+            if (error[k] > 0) return 0;
+    }
+    return 1;
+}
+
+/* Passes with other numbers of blows have decided otherwise: the whole difference of their answers is the error then, and where
+ * that is more than was asked which of them is right is open. */
 void pm_judge(pm_workspace *w, double *error, double *trust)
 {
-    const double share = share_of(&w->phase, w->accuracy);
+    const int alike = pm_margin_same_jumps(w->accuracy);
+    const double of_errors = share_of(&w->phase, w->accuracy), share = alike ? of_errors : fmax(1, of_errors);
     trust[PM_TRUST_EXCESS] = judge_answers(w, share, error);
     if (w->evidence.seeks) judge_found(w, share, error);
     trust[PM_TRUST_MARGIN] = pm_margin_judge(w->accuracy, share);
+    if (!alike && !(trust[PM_TRUST_EXCESS] <= 1 && counts_agree(w, error))) trust[PM_TRUST_MARGIN] = 0;
 }

@@ -101,9 +101,9 @@ pm_closest pm_margin_of_logs(const pm_evidence_log *a, const pm_evidence_log *b,
 }
 
 /* ---- of a case ---- */
-/* Late in a series of ever smaller blows passes may have seen other numbers of them. */
-static int same_jumps(const pm_pass *a, const pm_pass *b)
+int pm_margin_same_jumps(const pm_accuracy *e)
 {
+    const pm_pass *a = e->main, *b = e->other;
     return pm_evidence_has_series(a) || pm_evidence_has_series(b) ||
            a->count[PM_COUNT_JUMPS] == b->count[PM_COUNT_JUMPS];
 }
@@ -113,7 +113,7 @@ static int is_tied(const pm_pass *p) { return !isnan(p->tied); }
 double pm_margin_judge(pm_accuracy *e, double share)
 {
     const pm_pass *a = e->main, *b = e->other;
-    if (a->outcome != b->outcome || is_tied(a) || is_tied(b) || !same_jumps(a, b)) return 0;
+    if (a->outcome != b->outcome || is_tied(a) || is_tied(b)) return 0;
     pm_closest closest = pm_margin_of_logs(&a->log, &b->log, e->size.trigger);
     closest.margin /= share;
     if (closest.margin < e->closest.margin) e->closest = closest;

@@ -4,6 +4,12 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "boxes that slide on each other catch where their corners pass",
+        "elements/edge.c",
+        "if (pm_cross(x->along, along) < -PM_EDGE_BEHIND) return 1;",
+        "(void)along;",
+    ),
+    Fault(
         "the impulse of a joint has no friction",
         "elements/joint_friction.c",
         "return w->impulses.friction[k];",

@@ -4,6 +4,12 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "a constraint that depends on later ones is kept",
+        "equations/active_set.c",
+        "if (!depends) move_back(",
+        "move_back(",
+    ),
+    Fault(
         "capture: lets go when it would pull",
         "equations/active_set.c",
         "status = append_captured(w, nbasis)",
@@ -51,8 +57,8 @@ FAULTS = [
     Fault(
         "rows: what holds a body fast leaves nothing redundant",
         "equations/dependence.c",
-        "return rest.left <= PM_INDEPENDENT && joins_fast(w, c, nbasis);",
-        "return 0;",
+        "return rest.left <= PM_INDEPENDENT ? pm_dependence_nearby(w, c, depends) : PM_OK;",
+        "return PM_OK;",
     ),
     Fault(
         "rows: a redundant row stays",

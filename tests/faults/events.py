@@ -3,6 +3,12 @@
 from tests.faults.fault import Fault
 
 FAULTS = [
+    Fault(
+        "a short bounce from too deep is not seen",
+        "events/event.c",
+        "f->sunk = -value;",
+        "f->sunk = 0;",
+    ),
     Fault("ask: marks do not solve", "events/ask.c", "raise_to(&a->fired_level, level);", ";"),
     Fault(
         "ask: what is untold is no error",
@@ -38,8 +44,8 @@ FAULTS = [
     Fault(
         "edge: what is behind it stays there",
         "events/event.c",
-        "return f->below ? pm_edge_gap_from_below(&w->frame, f->index) : gap;",
-        "return gap;",
+        "return f->below ? pm_edge_gap_from_below(&w->frame, f->index) : gap + f->sunk;",
+        "return gap + f->sunk;",
     ),
     Fault(
         "missed root: gap of a contact",

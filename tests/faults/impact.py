@@ -4,6 +4,18 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "a blow that was followed in vain leaves its mode behind",
+        "impact/impact_trial.c",
+        "return b->given[slot].is ? PM_SLIDE_FORWARD : b->trial[slot];",
+        "return b->equations ? PM_SLIDE_FORWARD : b->given[slot].is ? PM_SLIDE_FORWARD : b->trial[slot];",
+    ),
+    Fault(
+        "blows at one instant that shrink are given up",
+        "impact/impact.c",
+        "if (i == PM_BLOWS_AT_ONCE)",
+        "if (i == 64)",
+    ),
+    Fault(
         "a joint that rubs drives its slip on",
         "impact/contact_problem_joints.c",
         "return (mode == PM_SLIDE_FORWARD) - (mode == PM_SLIDE_BACKWARD);",

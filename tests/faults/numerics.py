@@ -4,6 +4,12 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "a secant of rounding leads to another root",
+        "numerics/bracket.c",
+        "PM_BRACKET_LONGER * fabs(*x - place)",
+        "INFINITY",
+    ),
+    Fault(
         "root: Newton's method ends too soon",
         "numerics/tolerances.h",
         "#define PM_BRACKET_NOTHING 1e-16",

@@ -70,6 +70,41 @@ static double valley(double x, void *context)
     return (x - c->root) * (x - c->root);
 }
 
+/* A height above what was left a short while ago, v (t - t0) - (t - t0)^2, in steps of its rounding: where the steps of two
+ * values are one their secant leads anywhere, and the place that was left is nearer to zero than the place that is met. */
+static double height_of(double t)
+{
+    const double quantum = 1e-9, flown = t - 0.25;
+    if (flown == 0) return -1e-12;
+    return quantum * round(flown * (1e-3 - flown) / quantum) - 2e-12 * (1 + 100 * flown);
+}
+
+static double height_along(void *of, double t, void *context)
+{
+    (void)of;
+    (void)context;
+    return height_of(t);
+}
+
+static int height_exactly(void *of, double t, void *context, double *value)
+{
+    (void)of;
+    (void)context;
+    *value = height_of(t);
+    return 0;
+}
+
+static void check_polish_stays_with_its_root(void)
+{
+    for (int i = 0; i < 20; i++) {
+        double root = 0.251 + 1e-8 * i, taken, off;
+        EQUAL(pm_bracket_polish(height_along, height_exactly, NULL, NULL, 0.25, 0.55, -1e-3, &root, &taken,
+                                &off),
+              0);
+        NEAR(root, 0.251, 3e-6);
+    }
+}
+
 static void check_minima(void *solver)
 {
     call c = {.root = 0.2385};
@@ -89,6 +124,7 @@ int main(void)
     check_roots(roots);
     check_slopes_at_ends();
     check_failures_are_told(roots);
+    check_polish_stays_with_its_root();
     check_minima(minima);
     pm_bracket_free(roots);
     pm_bracket_minimum_free(minima);

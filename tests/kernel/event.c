@@ -451,8 +451,33 @@ static void small_and_fast(void)
     }
 }
 
+/* A particle that parts from a little below the floor, as deep as touching allows and deeper than it will rise: it strikes again
+ * when it is back where it was. */
+static void parts_from_too_deep(int route)
+{
+    static const double depth[] = {0, 5e-12, 2e-11, 6e-11};
+    for (int k = 0; k < 4; k++) {
+        const double v = 1e-5;
+        scene *s = scene_create();
+        const int b = scene_body(s, 1, 0, 0, -depth[k], 0), c = scene_point(s, b, 0, 0);
+        scene_point(s, PM_GROUND, 1, 1); /* it gives the scene its size */
+        const int floor = scene_contact(s, PM_CONTACT_LINE, scene_circle(s, c, 0), scene_floor(s, 0), 0, 0.5,
+                                        PM_FRICTION_SMOOTH, 0);
+        const int t = scene_ask_measure(s, scene_time(s));
+        scene_start_velocity(s, c, 0, v);
+        scene_until(s, scene_on(s, PM_TRIGGER_STRIKE, floor), 1);
+        *scene_setting(s, PM_SETTING_ROUTE) = route;
+        EQUAL(scene_run(s, NULL), PM_OK);
+        NEAR(s->out[t], 2 * v / 9.81, 1e-9);
+        scene_free(s);
+    }
+}
+
 int main(void)
 {
+    parts_from_too_deep(PM_ROUTE_RK);
+    parts_from_too_deep(PM_ROUTE_IDA);
+    parts_from_too_deep(PM_ROUTE_UNIFORM);
     cross_rise_fall();
     every();
     touches_a_height();

@@ -517,8 +517,56 @@ static void between_floor_and_ceiling(void)
     }
 }
 
+/* One contact carries all of the blow of two, and slides the other way after it; its own course would leave the other one
+ * approaching.  The blow is that of the laws, at once; in a mirror, too. */
+static void carried_by_one(void)
+{
+    static const double place[2][2] = {{0.107, -0.144}, {0.419, -0.129}}, angle[] = {-1.634, -0.938},
+                        mu[] = {1.19, 0.69}, e[] = {0, 0.057};
+    blow x[2];
+    for (int k = 0; k < 2; k++) {
+        const int flip = k ? -1 : 1;
+        scene *s = scene_create();
+        const int b = scene_body(s, 1.2, 0.0194, 0, 0, 0);
+        for (int i = 0; i < 2; i++) {
+            const double at = flip * place[i][0];
+            const int line = scene_line(s, scene_point(s, PM_GROUND, at, place[i][1]), flip * angle[i]);
+            scene_contact(s, PM_CONTACT_LINE, scene_circle(s, scene_point(s, b, at, place[i][1]), 0), line, 1,
+                          e[i], PM_FRICTION_COULOMB, mu[i]);
+        }
+        scene_until_time(s, 1);
+        CHECK(scene_begin(s) == PM_OK);
+        x[k] = strike(s, (double[]){-0.3675 * flip, 0.0821, -3.135 * flip}, 0);
+        laws(s, &x[k], 0);
+        scene_free(s);
+    }
+    for (int i = 0; i < 3; i++) NEAR(x[1].after[i], (i == 1 ? 1 : -1) * x[0].after[i], CLOSE);
+}
+
+/* A particle in the corner of two walls: each blow throws it at the other wall, a little slower, and it takes hundreds of
+ * them. */
+static void dies_out_at_once(void)
+{
+    const double opening = 0.02;
+    scene *s = scene_create();
+    scene_set(s, PM_SETTING_GRAVITY_Y, 0);
+    const int b = scene_body(s, 1, 0, 0, 0, 0), c = scene_circle(s, scene_point(s, b, 0, 0), 0);
+    scene_contact(s, PM_CONTACT_LINE, c, scene_floor(s, 0), 1, 0.9, PM_FRICTION_SMOOTH, 0);
+    scene_contact(s, PM_CONTACT_LINE, c, scene_line(s, scene_point(s, PM_GROUND, 0, 0), opening - acos(-1.)),
+                  1, 0.9, PM_FRICTION_SMOOTH, 0);
+    scene_until_time(s, 1);
+    CHECK(scene_begin(s) == PM_OK);
+    const blow x = strike(s, (double[]){-1, -0.03, 0}, 0);
+    CHECK(x.jumped > 100);
+    CHECK(kinetic(s->w, x.after) < kinetic(s->w, x.before));
+    for (int i = 0; i < 2; i++) CHECK(normal_rate(s->w, i, x.after) > -CLOSE);
+    scene_free(s);
+}
+
 int main(void)
 {
+    carried_by_one();
+    dies_out_at_once();
     rod_corner();
     parts_already();
     two_ends();

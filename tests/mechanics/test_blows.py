@@ -307,7 +307,7 @@ x = "ball.x"
 [solve]
 impacts = "sequential"
 """
-    with pytest.raises(planemotion.SimulationError, match="the blows one by one at this instant do not end"):
+    with pytest.raises(planemotion.SimulationError, match="the blows at this instant do not end"):
         planemotion.load_text(text).run()
 
 

@@ -242,8 +242,17 @@ _DESCRIPTIONS: dict[int, Any] = {
         f"{place}.stiffness: the blow did not end in {bound:.0f} steps; this contact is {found:.3g} times "
         "as stiff as another: stiffnesses nearer to each other, or a restitution below 1, end it"
         if "." in place
-        else f"the blows one by one at this instant do not end ({found:.0f} of them): bodies wedged without "
-        'loss; lower a restitution, or solve.impacts = "simultaneous"'
+        else f"the blows at this instant do not end ({found:.0f} of them): bodies are wedged without loss; "
+        "lower a restitution, or take the other order by solve.impacts"
+    ),
+    layout.PM_BLOW_UNDECIDED: lambda place, found, bound: (
+        f"{place}: with friction {found:.4g} at the {bound:.0f} contacts that take part in this blow, no "
+        "motion obeys its law: the bodies are wedged; take less friction or restitution, or another law"
+        if place and bound > 0
+        else f"what the contacts do at this instant is not settled after {found:.0f} rounds"
+        if not place
+        else f"{place}: this blow has no end by its law: friction wedges the bodies; take less friction, or "
+        "another law"
     ),
     layout.PM_BLOW_SEVERAL: lambda place, found, bound: (
         f"{place}.tangential: it is of the law newton, and in a blow of {found:.0f} contacts another one "

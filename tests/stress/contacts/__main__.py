@@ -1,0 +1,93 @@
+"""`python -m tests.stress.contacts`: random blows, starts from rest and throws, and what became of them."""
+
+from __future__ import annotations
+
+import argparse
+import multiprocessing
+import os
+import sys
+import time
+from collections import Counter
+
+from rich.console import Console
+from rich.table import Table
+
+from tests.stress.contacts import one_body, thrown
+from tests.stress.contacts.verdict import BY_THEORY, is_fault
+
+BATCH = 500  # cases of one law and one number of contacts, run as one sweep
+CONTACTS = (1, 2, 3, 4)
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--blows", type=int, default=2000, help="for each law, over all numbers of contacts")
+    parser.add_argument("--starts", type=int, default=2000, help="from rest")
+    parser.add_argument("--throws", type=int, default=500)
+    parser.add_argument(
+        "--first", type=int, default=0, help="number of the first batch, and of the first throw"
+    )
+    parser.add_argument("--jobs", type=int, default=len(os.sched_getaffinity(0)))
+    given = parser.parse_args()
+    console = Console(soft_wrap=True)
+    begun = time.monotonic()
+    faults = one_body_table(given, console)
+    faults += throw_table(given, console)
+    console.print(f"{time.monotonic() - begun:.0f} s")
+    return 1 if faults else 0
+
+
+def _batch(task: tuple[int, int, str, bool]) -> tuple[tuple[str, int], Counter[str]]:
+    seed, contacts, law, blow = task
+    words = one_body.table(seed, BATCH, contacts, law, blow=blow)
+    return (law if blow else "from rest", contacts), words
+
+
+def one_body_table(given: argparse.Namespace, console: Console) -> int:
+    """Blows by law, and starts, on one body with so many contacts; how many are faults."""
+    tasks = [
+        (given.first + i, contacts, law, blow)
+        for law, blow, count in [
+            *((law, True, given.blows) for law in one_body.LAWS),
+            ("newton", False, given.starts),
+        ]
+        for contacts in CONTACTS
+        for i in range(-(-count // (BATCH * len(CONTACTS))))
+    ]
+    found: dict[tuple[str, int], Counter[str]] = {}
+    with multiprocessing.Pool(given.jobs) as pool:
+        for key, words in pool.imap_unordered(_batch, tasks):
+            found.setdefault(key, Counter()).update(words)
+    shown = Table(
+        "law", "contacts", *BY_THEORY, "wrong or failed", title="one body, beside the laws restated"
+    )
+    for (law, contacts), words in sorted(found.items()):
+        bad = sum(n for word, n in words.items() if is_fault(word))
+        row = [law, str(contacts), *(str(words[word]) for word in BY_THEORY), str(bad)]
+        shown.add_row(*row, style="red" if bad else None)
+    console.print(shown)
+    total: Counter[str] = sum(found.values(), Counter())
+    for word, n in total.items():
+        if is_fault(word):
+            console.print(f"{word}: {n}")
+    return sum(n for word, n in total.items() if is_fault(word))
+
+
+def throw_table(given: argparse.Namespace, console: Console) -> int:
+    """What became of throws, by kind; how many are faults."""
+    rows = list(thrown.table(range(given.first, given.first + given.throws), given.jobs))
+    found = thrown.counts(rows)
+    shown = Table("thrown", *thrown.BY_THEORY, "wrong or failed", title="thrown until they rest")
+    for kind, words in sorted(found.items()):
+        bad = sum(n for word, n in words.items() if word not in thrown.BY_THEORY)
+        row = [kind, *(str(words[word]) for word in thrown.BY_THEORY), str(bad)]
+        shown.add_row(*row, style="red" if bad else None)
+    console.print(shown)
+    bad_rows = [row for row in sorted(rows) if row[2] not in thrown.BY_THEORY]
+    for number, kind, word, why in bad_rows:
+        console.print(f"throw {number} ({kind}): {word}: {why}", markup=False)
+    return len(bad_rows)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

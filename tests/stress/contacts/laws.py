@@ -1,0 +1,196 @@
+"""The laws of contact, restated on plain matrices: a check of motions, all motions, the blow at one contact.
+
+A problem is M (v1 - v0) = J^T p with the rows n_i, t_i of J.  At each contact v1 parts faster than wanted
+(and p_i = 0), or as fast, with p_i in the cone of friction against the slip of v1 (docs/impact_laws.md,
+"Several contacts at once").
+"""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+from scipy.optimize import nnls
+
+Array = npt.NDArray[np.float64]
+CLOSE = 1e-7  # of the velocities: the same
+OPEN, STICK, FORWARD, BACKWARD = range(4)
+
+
+@dataclass(frozen=True)
+class Problem:
+    """`mass` [3]; `jacobian` [n, 2, 3]: normal and tangent; `friction`, `restitution` [n]; `before` [3]."""
+
+    mass: Array
+    jacobian: Array
+    friction: Array
+    restitution: Array
+    before: Array
+
+    def __len__(self) -> int:
+        return len(self.friction)
+
+    @property
+    def scale(self) -> float:
+        """The greatest velocity at a contact before."""
+        return float(np.abs(self.jacobian @ self.before).max())
+
+    @property
+    def wanted(self) -> Array:
+        """[n] normal velocities after: what approaches parts with its restitution, what rests stays."""
+        approach: Array = np.minimum(self.jacobian[:, 0] @ self.before, 0)
+        return -self.restitution * approach
+
+    def energy(self, v: Array) -> float:
+        return float(0.5 * self.mass @ v**2)
+
+    def along(self, i: int, slip: int) -> Array:
+        """The load of contact i that slides so, by unit normal load."""
+        load: Array = self.jacobian[i, 0] - slip * self.friction[i] * self.jacobian[i, 1]
+        return load
+
+
+def can_be_loaded(x: Problem, after: Array, generators: list[Array]) -> bool:
+    """Whether loads on these generators, none of them negative, make `after` of `before`."""
+    change = x.mass * (after - x.before)
+    size = float(np.abs(change).max()) + float(x.mass.max()) * x.scale
+    if not generators:
+        return bool(np.abs(change).max() <= CLOSE * size)
+    _, rest = nnls(np.array(generators).T, change)
+    return bool(rest <= CLOSE * size)
+
+
+def obeys(x: Problem, after: Array) -> bool:
+    """Whether a motion obeys the laws at all contacts at once, by some loads."""
+    close = CLOSE * (x.scale + float(np.abs(x.jacobian @ after).max()))
+    generators = []
+    for i, parts in enumerate(x.jacobian[:, 0] @ after - x.wanted):
+        if parts < -close:
+            return False
+        if parts > close:
+            continue
+        slip = float(x.jacobian[i, 1] @ after)
+        for sign in (1, -1) if abs(slip) <= close else (np.sign(slip),):
+            generators.append(x.along(i, sign))
+    return can_be_loaded(x, after, generators)
+
+
+def is_admissible(x: Problem, after: Array) -> bool:
+    """What any law demands: nothing penetrates, no energy comes from nowhere, loads lie in the cones."""
+    close = CLOSE * (x.scale + float(np.abs(x.jacobian @ after).max()))
+    if (x.jacobian[:, 0] @ after < -close).any():
+        return False
+    if x.energy(after) > x.energy(x.before) * (1 + CLOSE):
+        return False
+    return can_be_loaded(x, after, [x.along(i, sign) for i in range(len(x)) for sign in (1, -1)])
+
+
+def motions(x: Problem) -> list[Array]:
+    """All that obey the laws, by enumeration of what each contact may do."""
+    found: list[Array] = []
+    for modes in itertools.product((OPEN, STICK, FORWARD, BACKWARD), repeat=len(x)):
+        loads, rows, values = [], [], []
+        for i, mode in enumerate(modes):
+            if mode == OPEN:
+                continue
+            normal, tangent = x.jacobian[i]
+            rows.append(normal)
+            values.append(x.wanted[i])
+            if mode == STICK:
+                loads += [normal, tangent]
+                rows.append(tangent)
+                values.append(0)
+            else:
+                loads.append(x.along(i, 1 if mode == FORWARD else -1))
+        after = x.before
+        if loads:
+            a, lever = np.array(rows), np.array(loads).T / x.mass[:, None]
+            size, *_ = np.linalg.lstsq(a @ lever, np.array(values) - a @ x.before, rcond=1e-10)
+            after = x.before + lever @ size
+        if all(np.abs(after - other).max() > 1e2 * CLOSE * x.scale for other in found) and obeys(x, after):
+            found.append(after)
+    return found
+
+
+# ---- one contact, followed in its normal impulse (Routh) ----
+def _slides(x: Problem, i: int, slip: float) -> int:
+    """How contact i slides; 0: it sticks."""
+    normal, tangent = x.jacobian[i]
+    if slip != 0:
+        return 1 if slip > 0 else -1
+    w_tn, w_tt = tangent @ (normal / x.mass), tangent @ (tangent / x.mass)
+    if abs(w_tn) <= x.friction[i] * w_tt:
+        return 0
+    return 1 if w_tn > 0 else -1
+
+
+def _rates(x: Problem, i: int, slides: int) -> tuple[Array, Array]:
+    """Of the velocities, and of those at the contact, by normal impulse."""
+    normal, tangent = x.jacobian[i]
+    if slides:
+        rate = x.along(i, slides) / x.mass
+    else:
+        w_tn, w_tt = tangent @ (normal / x.mass), tangent @ (tangent / x.mass)
+        rate = (normal - w_tn / w_tt * tangent) / x.mass
+    return rate, x.jacobian[i] @ rate
+
+
+def one_contact(x: Problem, i: int, law: str) -> Array | None:
+    """Velocities after a blow at contact i alone, with restitution by this law; None where it never ends."""
+    v, impulse, work = x.before.copy(), 0.0, 0.0
+    compressed = False
+    wanted = float(x.wanted[i])
+    if x.jacobian[i, 0] @ v >= 0:
+        return v
+    left = {"newton": np.inf, "poisson": np.inf, "stronge": np.inf}
+    for _ in range(12):
+        u = x.jacobian[i] @ v
+        slip = float(u[1]) if abs(u[1]) > 1e-12 * x.scale else 0.0
+        slides = _slides(x, i, slip)
+        rate, du = _rates(x, i, slides)
+        until = []  # impulses to what comes next: the end of the slip, of the compression, of the restitution
+        if slides and slip * du[1] < 0:
+            until.append((-u[1] / du[1], "slip"))
+        if not compressed and du[0] > 0:
+            until.append((-u[0] / du[0], "compressed"))
+        if compressed and law == "newton" and du[0] > 0:
+            until.append(((wanted - u[0]) / du[0], "over"))
+        if compressed and law == "poisson":
+            until.append((left[law], "over"))
+        if compressed and law == "stronge":  # u p + du p^2/2 = work that is left
+            root = u[0] ** 2 + 2 * du[0] * left[law]
+            if root >= 0 and u[0] + np.sqrt(root) > 0:
+                until.append((2 * left[law] / (u[0] + np.sqrt(root)), "over"))
+        if not until:
+            return None
+        p, what = min(until)
+        work += u[0] * p + 0.5 * du[0] * p * p
+        left = {
+            "newton": np.inf,
+            "poisson": left["poisson"] - p,
+            "stronge": left["stronge"] - u[0] * p - 0.5 * du[0] * p * p,
+        }
+        impulse += p
+        v = v + rate * p
+        if what == "over":
+            return v
+        if what == "slip":
+            v = (
+                v
+                - x.jacobian[i, 1]
+                * (x.jacobian[i, 1] @ v)
+                / (x.jacobian[i, 1] @ (x.jacobian[i, 1] / x.mass))
+                / x.mass
+            )
+        if what == "compressed":
+            compressed = True
+            left = {
+                "newton": np.inf,
+                "poisson": x.restitution[i] * impulse,
+                "stronge": -(x.restitution[i] ** 2) * work,
+            }
+            if x.restitution[i] == 0:
+                return v
+    return None

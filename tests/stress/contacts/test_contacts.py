@@ -1,0 +1,85 @@
+"""A quick part of `python -m tests.stress.contacts`, and that its checks see what is wrong."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tests.stress.contacts import course, one_body, thrown
+from tests.stress.contacts.laws import Problem, is_admissible, motions, obeys, one_contact
+from tests.stress.contacts.rest import faults
+from tests.stress.contacts.throws import Throw, Thrown, Wall, throw
+from tests.stress.contacts.verdict import RIGHT, is_fault, verdict
+
+BLOWS = [(law, contacts, True) for law in one_body.LAWS for contacts in (1, 2, 3)]
+STARTS = [("newton", contacts, False) for contacts in (1, 2, 3)]
+
+
+@pytest.mark.parametrize(("law", "contacts", "blow"), BLOWS + STARTS)
+def test_one_body_obeys_the_laws_restated(law: str, contacts: int, blow: bool) -> None:
+    words = one_body.table(1, 150, contacts, law, blow=blow)
+    assert {word: n for word, n in words.items() if is_fault(word)} == {}
+    assert words[RIGHT] > 100
+
+
+def test_what_is_thrown_comes_to_rest_in_equilibrium_whatever_the_order_and_the_mirror() -> None:
+    rows = list(thrown.table(range(40), 2))
+    assert [row for row in rows if row[2] not in thrown.BY_THEORY] == []
+    assert sum(row[2] == "ok" for row in rows) > 35
+
+
+def _problem() -> Problem:
+    """A block that falls flat on two feet."""
+    feet = np.array([[[0, 1, -0.5], [1, 0, 0.3]], [[0, 1, 0.5], [1, 0, 0.3]]])
+    return Problem(
+        np.array([1, 1, 0.1]), feet, np.array([0.2, 0.2]), np.array([0.5, 0.5]), np.array([1.0, -1, 0])
+    )
+
+
+def test_the_laws_tell_right_from_wrong() -> None:
+    x = _problem()
+    (after,) = motions(x)
+    assert obeys(x, after)
+    assert is_admissible(x, after)
+    for off in np.eye(3) * 1e-3:
+        assert not obeys(x, after + off)
+    counts = np.ones(20)
+    assert verdict(x, after, 0, 0 * counts, "newton", blow=True) == RIGHT
+    assert is_fault(verdict(x, after + 1e-3, 0, 0 * counts, "newton", blow=True))
+    assert is_fault(verdict(x, after, -9, 0 * counts, "newton", blow=True))
+
+
+def test_the_course_of_one_contact_is_that_of_routh() -> None:
+    """Two ways to follow it: by its shares, enumerated, and by its rates."""
+    rng = np.random.default_rng(3)
+    same = 0
+    for law in ("poisson", "stronge"):
+        drawn = one_body.draw(rng, 60, 1, blow=True)
+        for i in range(60):
+            x = drawn.problem(i)
+            end, alone = course.follow(x, law), one_contact(x, 0, law)
+            if end.after is None:
+                continue
+            assert alone is not None
+            np.testing.assert_allclose(end.after, alone, atol=1e-7)
+            same += 1
+    assert same > 100
+
+
+def test_what_does_not_rest_is_seen() -> None:
+    box = Thrown("plate", (0.4, 0.2), 1, (0, 1, 0), (0, 0, 0))
+    alone = Throw("box", (box,), (Wall(),), (), 0.5, 0, "newton")
+    assert faults(alone, [(0, 0.1, 0)], 0) == []
+    assert "a body is under a wall" in faults(alone, [(0, 0.09, 0)], 0)
+    assert "1 of the weights are not held" in faults(alone, [(0, 0.11, 0)], 0)
+    assert any("not held" in fault for fault in faults(alone, [(0, np.hypot(0.2, 0.1) - 0.02, 0.4)], 0))
+    assert any("nowhere" in fault for fault in faults(alone, [(0, 2, 0)], 0))
+    two = Throw("stack", (box, box), (Wall(),), ((0, 1),), 0.5, 0, "newton")
+    assert faults(two, [(0, 0.1, 0), (0.1, 0.3, 0)], 0) == []
+    assert "two bodies overlap" in faults(two, [(0, 0.1, 0), (0.1, 0.28, 0)], 0)
+    assert any("not held" in fault for fault in faults(two, [(0, 0.1, 0), (0.25, 0.3, 0)], 0))
+
+
+def test_a_number_is_always_the_same_throw() -> None:
+    assert throw(7) == throw(7)
+    assert len({throw(number).kind for number in range(100)}) == 7
