@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import math
+from xml.etree import ElementTree
 
 import pytest
 
-from planemotion import SimulationError, load, load_text
+from planemotion import Scene, SimulationError, load, load_text
 from planemotion.engine.kernel import status_name
+from planemotion.engine.result import RunResult
 from planemotion.run import simulate
 from tests import STUDIES
 from tests.engine.scenes import BROKEN, FAILURES, PENDULUM
@@ -185,3 +188,71 @@ def test_what_was_answered_before_a_singular_position_stands() -> None:
     early, all_of_it = numbers(steps.omega_AB), numbers(path.omega_AB)
     assert early[-1] is None
     assert early[:-1] == pytest.approx(all_of_it[:-1], rel=1e-7)
+
+
+FIELDS = """
+until = "t = 2 s"
+bodies.P = { mass = "1 kg", at = [0, 0] }
+start.P.velocity.x = "1.5 m/s"
+plane = "horizontal"
+[ask]
+time = { of = "t", unit = "ms" }
+asks = { of = "P.x" }
+"a-b" = { of = "P.velocity.x" }
+none = { max = "log(-1 - P.velocity.x^2*(1 s^2/m^2))" }
+"""
+
+
+def test_an_answer_is_had_by_its_name_whatever_it_is() -> None:
+    """Fields of a result do not hide what is asked, and nothing asked hides a field."""
+    result = load_text(FIELDS).run()
+    assert list(result) == ["time", "asks", "a-b", "none"]
+    assert [result[name] for name in result] == [
+        pytest.approx(2000.0),
+        pytest.approx(3.0),
+        pytest.approx(1.5),
+        None,
+    ]
+    assert result.time is None
+    assert result.asks["time"].unit == "ms"
+    assert ("time" in result, "status" in result, len(result)) == (True, False, 4)
+    with pytest.raises(KeyError, match="no ask 'status'; there are time, asks, a-b, none"):
+        result["status"]
+
+
+def test_every_field_can_be_the_name_of_an_ask() -> None:
+    names = [one.name for one in dataclasses.fields(RunResult)] + ["ok", "explain", "to_json"]
+    asks = "\n".join(f'{name} = {{ of = "{number} + 0*t/(1 s)" }}' for number, name in enumerate(names))
+    text = FIELDS.partition("[ask]")[0] + "[ask]\n" + asks
+    result = load_text(text).run()
+    assert [result[name] for name in names] == list(range(len(names)))
+    assert result.ok
+
+
+def test_names_are_completed() -> None:
+    result = load_text(FIELDS).run()
+    assert result._ipython_key_completions_() == ["time", "asks", "a-b", "none"]
+    assert {"time", "status", "none", "explain"} <= set(dir(result))
+    assert "a-b" not in dir(result)
+
+
+def test_a_result_says_what_it_holds() -> None:
+    result = load_text(FIELDS, file="p.toml").run()
+    lines = repr(result).splitlines()
+    assert lines[:3] == ["RunResult p: ok", "  time = 2000 ms", "  asks = 3 m"]
+    assert "undefined" in lines[4]
+    page = ElementTree.fromstring(result._repr_html_())
+    cells = [[cell.text or "" for cell in row] for row in page.iter("tr")]
+    assert cells[0] == ["ask", "value", "unit", "estimated error"]
+    assert cells[1][:3] == ["time", "2000", "ms"]
+    assert cells[4][:2] == ["none", "-"]
+    assert "undefined" in cells[4][3]
+
+
+def test_a_scene_says_what_is_in_it() -> None:
+    scene = load_text('title = "A < B"\n' + FIELDS)
+    assert repr(scene).splitlines() == ["Scene A < B", "  bodies: P", "  ask: time, asks, a-b, none"]
+    page = ElementTree.fromstring(scene._repr_html_())
+    assert page.findtext("b") == "Scene A < B"
+    assert [cell.text for cell in page.iter("td")] == ["bodies", "P", "ask", "time, asks, a-b, none"]
+    assert repr(Scene.from_raw({"bodies": 3})) == "Scene without a title"

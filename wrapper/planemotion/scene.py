@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Any, Self
 
 from .base.bounded import check_table, shown
 from .base.errors import SceneError, SceneHint
+from .base.html import html_table
 from .geometry.parameters import override
 from .model.tables import DEFAULT_G
 from .model.words import unknown
@@ -199,6 +200,30 @@ class Scene:
         for name, value in values.items():
             scene._set(name, plain(value))
         return scene
+
+    # ---- as it is shown ----
+
+    def _counted(self) -> list[tuple[str, str]]:
+        """Its tables with the names of what stands in them."""
+        shown = ("parameters", "bodies", "joints", "couplings", "contacts", "forces", "events", "runs", "ask")
+        tables = ((name, self.raw.get(name)) for name in shown)
+        return [
+            (name, ", ".join(map(str, table))) for name, table in tables if isinstance(table, dict) and table
+        ]
+
+    def _name(self) -> str:
+        """Its title or id, or the file, as it is written; a scene with a fault has one, too."""
+        given = self.raw.get("title") or self.raw.get("id")
+        return str(given or (Path(self.file).name if self.file else "without a title"))
+
+    def __repr__(self) -> str:
+        return "\n".join(
+            [f"Scene {self._name()}", *(f"  {name}: {names}" for name, names in self._counted())]
+        )
+
+    def _repr_html_(self) -> str:
+        """A table of what is in it for a notebook."""
+        return html_table(f"Scene {self._name()}", [("table", "names"), *self._counted()])
 
     # ---- running ----
 

@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .. import _layout as layout
+from ..base.html import html_table
 from ..compile.asks import Asked
 from ..compile.flatten import FlatScene
 from ..language.units import factor
@@ -51,9 +52,12 @@ class AskValue:
         return {**entry, "reason": self.reason} if self.reason else entry
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class RunResult:
-    """The answers of a scene, of all its [runs]; asks can be read as attributes.
+    """The answers of a scene, of all its [runs]: result["omega_B"], in the unit of the ask.
+
+    An ask can be read as an attribute, too (result.omega_B), where its name is none of those below; what
+    else is known of it (unit, error, margin, reason) is in result.asks["omega_B"].
 
     `status`: "ok", or the word of the first run that is not; `code`: its number (enum pm_status);
     `error`: its message.  `route`: the routes taken.  `asks`: answers by key, in the order of the file.
@@ -78,6 +82,41 @@ class RunResult:
     found: Mapping[str, AskValue] = field(default_factory=dict)
     margin: float | None = None
     excess: float | None = None
+
+    def __getitem__(self, name: str) -> Answer:
+        """The answer to an ask, also to one with the name of a field.  Raises KeyError if there is none."""
+        if name not in self.asks:
+            raise KeyError(f"no ask {name!r}; there are {', '.join(self.asks) or 'none'}")
+        return self.asks[name].value
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.asks
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.asks)
+
+    def __len__(self) -> int:
+        return len(self.asks)
+
+    def __bool__(self) -> bool:
+        """A result is there, also one of a scene that asks nothing."""
+        return True
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *(name for name in self.asks if name.isidentifier())})
+
+    def _ipython_key_completions_(self) -> list[str]:
+        return list(self.asks)
+
+    def __repr__(self) -> str:
+        lines = [f"RunResult {self.id}: {self.status}" + (f" - {self.error}" if self.error else "")]
+        return "\n".join([*lines, *(f"  {key} = {_shown(ask)}" for key, ask in self.asks.items())])
+
+    def _repr_html_(self) -> str:
+        """A table of the answers for a notebook."""
+        rows = [("ask", "value", "unit", "estimated error")]
+        rows += [(key, _value_text(ask), _unit_text(ask), _error_text(ask)) for key, ask in self.asks.items()]
+        return html_table(repr(self).partition("\n")[0], rows)
 
     def __getattr__(self, name: str) -> Answer:
         # Only for names that are no field; the fields may not be there yet while a copy is made.
@@ -316,10 +355,24 @@ def _number(value: float | None) -> str:
     return "none" if value is None else f"{value:.1e}"
 
 
-def _shown(ask: AskValue) -> str:
+def _value_text(ask: AskValue) -> str:
     if isinstance(ask.value, list):
-        text = "[" + ", ".join("-" if value is None else f"{value:.9g}" for value in ask.value) + "]"
-    else:
-        text = "-" if ask.value is None else f"{ask.value:.9g}"
-    unit = "" if ask.unit == "1" else f" {ask.unit}"
-    return f"{text}{unit}" + (f" ({ask.reason})" if ask.reason else "")
+        return "[" + ", ".join("-" if value is None else f"{value:.9g}" for value in ask.value) + "]"
+    return "-" if ask.value is None else f"{ask.value:.9g}"
+
+
+def _unit_text(ask: AskValue) -> str:
+    return "" if ask.unit == "1" else ask.unit
+
+
+def _error_text(ask: AskValue) -> str:
+    """The greatest error of a list; the reason where there is no value."""
+    if ask.reason:
+        return ask.reason
+    errors = ask.error if isinstance(ask.error, list) else [ask.error]
+    return max((f"{one:.1e}" for one in errors if one is not None), key=float, default="")
+
+
+def _shown(ask: AskValue) -> str:
+    unit = _unit_text(ask)
+    return _value_text(ask) + (f" {unit}" if unit else "") + (f" ({ask.reason})" if ask.reason else "")
