@@ -17,8 +17,9 @@ from pydantic.fields import FieldInfo
 from ..kinds import KINDS
 from ..model import readers
 from ..model.element import Kind, Table
-from ..model.tables import Find, Grid
+from ..model.tables import Find, Grid, Sweep
 from ..reading.scene import SceneData
+from .meaning import meaning_of
 
 Schema: TypeAlias = dict[str, Any]
 
@@ -87,11 +88,12 @@ def schema() -> Schema:
     made = _Definitions()
     root = made.table(SceneData, beside=(*KINDS, "sweep", "runs"))
     for group, kinds in KINDS.items():
-        root["properties"][group] = _named({"anyOf": [made.kind(kind) for kind in kinds.values()]})
-    root["properties"]["sweep"] = made.sweep()
-    root["properties"]["runs"] = _named(
-        {"type": "object", "properties": {"find": made.reference(Find)}, "additionalProperties": _VALUE}
-    )
+        root["properties"][group] = _said(
+            SceneData, group, _named({"anyOf": [made.kind(kind) for kind in kinds.values()]})
+        )
+    root["properties"]["sweep"] = _said(SceneData, "sweep", made.sweep())
+    run = {"type": "object", "properties": {"find": made.reference(Find)}, "additionalProperties": _VALUE}
+    root["properties"]["runs"] = _said(SceneData, "runs", _named(run))
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "A scene of planemotion",
@@ -123,6 +125,11 @@ def _named(one: Schema) -> Schema:
     return {"type": "object", "additionalProperties": one}
 
 
+def _said(model: type[Table], key: str, one: Schema) -> Schema:
+    """The schema of a key with what the key means."""
+    return {**one, "description": meaning_of(model, key).text}
+
+
 class _Definitions:
     """Schemas of models, each made once."""
 
@@ -145,13 +152,14 @@ class _Definitions:
     def kind(self, kind: type[Kind]) -> Schema:
         """An element of one kind: its word with the partners, and its options."""
         made = self._object(kind, {key: kind.model_fields[key] for key in kind.options()})
-        made["properties"] = {kind.word: self._field(kind.model_fields["partners"]), **made["properties"]}
+        partners = _said(kind, kind.word, self._field(kind.model_fields["partners"]))
+        made["properties"] = {kind.word: partners, **made["properties"]}
         made["required"] = [kind.word, *made.get("required", [])]
         return made
 
     def sweep(self) -> Schema:
         """Grids by parameter, and zip."""
-        zipped = {"type": "array", "items": _NAMES}
+        zipped = _said(Sweep, "zip", {"type": "array", "items": _NAMES})
         grid = self._read(readers.read_grid, Grid)
         return {"type": "object", "properties": {"zip": zipped}, "additionalProperties": grid}
 
@@ -160,7 +168,9 @@ class _Definitions:
         said = inspect.cleandoc(model.__dict__.get("__doc__") or "").split("\n\n")[0]
         if said:
             made["description"] = " ".join(said.split())
-        made["properties"] = {key: self._with_default(field) for key, field in fields.items()}
+        made["properties"] = {
+            key: _said(model, key, self._with_default(field)) for key, field in fields.items()
+        }
         required = [key for key, field in fields.items() if field.is_required()]
         if required:
             made["required"] = required
