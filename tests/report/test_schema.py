@@ -21,7 +21,12 @@ from tests.kinds.test_kinds import scene as example
 
 MADE = schema()
 CHECK = jsonschema.Draft202012Validator(MADE)
-SHIPPED = sorted(path for path in Path("studies").rglob("*.toml") if "bodies" in path.read_text("utf-8"))
+SHIPPED = sorted(
+    path
+    for folder in ("studies", "docs/examples")
+    for path in Path(folder).rglob("*.toml")
+    if "bodies" in path.read_text("utf-8")
+)
 
 
 def faults(scene: Any) -> list[str]:
