@@ -12,6 +12,7 @@ from typing import Any
 import pytest
 
 from planemotion import SceneError, StudyError, load_text
+from planemotion.compile.flatten import flatten
 from planemotion.engine import call
 from planemotion.report import explain as explanations
 from planemotion.scene import Scene
@@ -118,7 +119,7 @@ def _marks(scene: Scene) -> Any:
         _search,
         _marks,
         lambda scene: explanations.explain_run(scene, scene),
-        lambda scene: call.trace(scene.tables()[0], scene.tables()[0].defaults),
+        lambda scene: call.trace(flatten(scene), flatten(scene).defaults),
     ],
 )
 def test_ctrl_c_is_heard_inside_the_kernel(work: Callable[[Scene], Any]) -> None:

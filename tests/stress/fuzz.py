@@ -76,6 +76,7 @@ def outcome(text: str) -> tuple[str, str]:
 
 def _answered(text: str) -> tuple[str, str]:
     from planemotion import load_text
+    from planemotion.compile.flatten import flatten
     from planemotion.engine import call
     from planemotion.report import explain as explanations
     from planemotion.run import simulate
@@ -92,7 +93,8 @@ def _answered(text: str) -> tuple[str, str]:
     result = simulate(read)
     explanations.explain_run(read, result)
     result.to_json()
-    for flat in read.tables():
+    for name in read.run_names or (None,):
+        flat = flatten(read, name)
         call.trace(flat, flat.defaults)
     if result.status == "ok" and not all(_finite(ask.value) for ask in result.asks.values()):
         return "not finite", str(result.asks)

@@ -11,6 +11,7 @@ import pytest
 
 from planemotion import StudyError, load_text
 from planemotion.base.checksums import faults_of, require_sound
+from planemotion.compile.flatten import flatten
 from planemotion.engine import call, history
 from planemotion.pictures.sweep import open_sweep
 from planemotion.sweep.run import sweep_files
@@ -155,7 +156,7 @@ def test_a_damaged_table_is_told_and_written_anew(result: Path, damage: str) -> 
 def test_a_recorded_run_is_verified(tmp_path: Path) -> None:
     path = tmp_path / "run.h5"
     scene = load_text(RELEASED)
-    flat = scene.tables()[0]
+    flat = flatten(scene)
     history.write(path, {"": call.trace(flat, flat.defaults)}, {"id": scene.id})
     assert faults(path) == []
     with h5py.File(path, "r+") as file:
@@ -178,7 +179,7 @@ def test_no_damaged_file_is_drawn(kind: str, result: Path) -> None:
     path = result
     if kind == "history":
         path = result.with_name("run.h5")
-        flat = load_text(RELEASED).tables()[0]
+        flat = flatten(load_text(RELEASED))
         history.write(path, {"": call.trace(flat, flat.defaults)}, {"id": "x"})
     for sealed in (True, False):
         if not sealed:

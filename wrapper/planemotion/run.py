@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -14,9 +15,12 @@ from .compile.flatten import flatten
 from .engine import call
 from .engine.outcome import CaseResults
 from .engine.result import RunResult, collect
+from .geometry.parameters import like_declared
+from .reading.plain import plain
 
 if TYPE_CHECKING:
     from .compile.flatten import FlatScene
+    from .reading.scene import SceneData
     from .scene import Scene
 
 
@@ -45,7 +49,7 @@ def _with_whole_lists(scene: Scene, flat: FlatScene, results: CaseResults) -> tu
     firings = EACH_FIRINGS
     while firings < MOST_FIRINGS and (results.reason == layout.PM_REASON_CUT).any():
         firings = min(_LONGER * firings, MOST_FIRINGS)
-        flat = flatten(scene, flat.run, firings=firings)
+        flat = flatten(scene, flat.run, history=False, firings=firings)
         results = _run_once(flat)
     return flat, results
 
@@ -70,3 +74,38 @@ def run(scene: Scene) -> RunResult:
     if result.code < 0:
         raise SimulationError(result.error, status=result.code, time=result.time, result=result)
     return result
+
+
+def run_near(scene: Scene, values: Mapping[str, Any]) -> RunResult | None:
+    """The result for other sizes of some parameters by the tables that are there.
+
+    None where that may not be all that changes, or if it is not ok: the scene with these values tells more.
+    """
+    data = scene.data
+    results = []
+    for flat in scene.tables():
+        near = _near(flat, data, values)
+        if near is None:
+            return None
+        found = _run_once(near)
+        odd = (found.reason == layout.PM_REASON_CUT) | (found.reason == layout.PM_REASON_SHARED)
+        if odd.any() or found.status[0] != layout.PM_OK:
+            return None
+        results.append((near, found))
+    return collect(data.id, data.file, tuple(data.ask), results)
+
+
+def _near(flat: FlatScene, data: SceneData, values: Mapping[str, Any]) -> FlatScene | None:
+    """The same tables at other values of parameters; None if these are not what the values change alone."""
+    own = data.runs[flat.run] if flat.run is not None else {}
+    sought = flat.find.vary if flat.find is not None else {}
+    defaults = flat.defaults.copy()
+    for name, value in values.items():
+        if name not in flat.parameters or name in flat.decided or name in sought:
+            return None
+        size = like_declared(data.parameters[name], plain(value)) if name in data.parameters else None
+        if size is None:
+            return None
+        if name not in own:
+            defaults[flat.parameters.index(name)] = size
+    return replace(flat, defaults=defaults)

@@ -159,13 +159,16 @@ class Scene:
         return self._data
 
     def tables(self) -> list[FlatScene]:
-        """The tables of each of its [runs], made once until it is changed; SceneError as of `data`."""
+        """The tables of each of its [runs], without a history, made once until it is changed.
+
+        Raises SceneError as `data` does."""
         from .compile.flatten import flatten
 
         data = self.data
-        use = frozenset(data.sweep.grids), True
+        use = frozenset(data.sweep.grids), False
+        names = tuple(data.runs) or (None,)
         return self._kept.flats(
-            self.raw, self.file, use, lambda: [flatten(data, name) for name in data.runs or (None,)]
+            self.raw, self.file, use, lambda: [flatten(data, name, history=False) for name in names]
         )
 
     @property
@@ -233,9 +236,10 @@ class Scene:
         Raises SceneError for a fault in the scene, SimulationError (with the partial result) if a run fails.
         An early stop, such as a limit, is a result whose status is not "ok".
         """
-        from .run import run
+        from .run import run, run_near
 
-        return run(self.with_values(parameters) if parameters else self)
+        near = run_near(self, parameters) if parameters else None
+        return near or run(self.with_values(parameters) if parameters else self)
 
     def history(
         self, *quantities: str, every: Any = None, of_run: str | None = None, **parameters: Any

@@ -62,6 +62,7 @@ class FlatScene:
     (SI) and `units` as in the file.  `asks`: columns of out.  `names[table][row]`: key paths.  `trace`:
     column name -> (program, unit) of a history.  `bodies`, `points`: names by kernel index.  `find`: what is
     sought, if anything.  `instants`: likewise, what tells which events fired at an instant of a history.
+    `decided`: parameters by whose defaults more was decided than the tables say.
     """
 
     id: str
@@ -78,6 +79,7 @@ class FlatScene:
     bodies: tuple[str, ...]
     find: FlatFind | None = None
     instants: Mapping[str, tuple[int, str]] = field(default_factory=dict)
+    decided: frozenset[str] = frozenset()
 
     @property
     def out_columns(self) -> int:
@@ -179,6 +181,7 @@ class _Flattener:
             bodies=tuple(self.drawing.bodies),
             find=found,
             instants=told,
+            decided=frozenset(self.parameters.decided),
         )
 
     def _recorded(self, history: History) -> tuple[Columns, Columns]:

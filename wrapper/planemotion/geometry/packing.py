@@ -63,7 +63,7 @@ class Tables:
     def new_value(self, node: Node, where: str) -> int:
         """Index of a value of its own, next to the one made before."""
         row = {layout.PM_VALUE_PROGRAM: self.program(node, where)}
-        self._defaults.append(self.default(node))
+        self._defaults.append(self._at_defaults(node))
         self._needs.append(frozenset().union(*(self.needs_of(str(leaf)) for leaf in names(node))))
         return self.add(layout.PM_TABLE_VALUE, row, where)
 
@@ -117,8 +117,11 @@ class Tables:
         return self._needs[index]
 
     def default(self, node: Node) -> float:
-        """The value of an expression without measures at the defaults of the parameters, SI."""
+        """The value of an expression without measures at the parameters' defaults, SI, for a decision."""
+        self.parameters.decided.update(*(self.needs_of(str(leaf)) for leaf in names(node)))
+        return self._at_defaults(node)
 
+    def _at_defaults(self, node: Node) -> float:
         def look_up(leaf: Leaf) -> float:
             text = str(leaf)
             return (

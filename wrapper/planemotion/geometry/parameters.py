@@ -30,7 +30,8 @@ class Parameters:
 
     Attributes: `nodes` (expression of each), `order` (all names, each after those it needs), `independent`
     (names, in the order of the file), `dimensions` (None: fits any), `units` (text as in the file),
-    `defaults` (SI).
+    `defaults` (SI), `decided` (independent ones by whose default something was decided or checked, which a
+    table does not say: with another value it is to be looked at anew).
     """
 
     def __init__(self, declared: Mapping[str, Value], swept: Collection[str] = ()) -> None:
@@ -39,6 +40,7 @@ class Parameters:
             for leaf in sorted(names(node), key=str):
                 self._check_leaf(leaf, f"parameters.{name}", declared[name])
         self.order = self._sorted()
+        self.decided: set[str] = set()
         self.independent = tuple(
             name for name, node in self.nodes.items() if name in swept or not names(node)
         )
@@ -137,6 +139,28 @@ def override(declared: Mapping[str, Value], name: str, value: Value) -> Value:
     return text
 
 
+def like_declared(declared: Value, given: Value) -> float | None:
+    """The value (SI) of what is given for a parameter, if it says nothing new but its size; else None.
+
+    Both are quantities in one unit; a bare number has that of the file.  (A bare 0 has any dimension.)
+    """
+    if any(isinstance(one, bool) or not isinstance(one, str | Real) for one in (declared, given)):
+        return None
+    unit = _literal_unit(declared)
+    text = f"{given if isinstance(given, str) else repr(given)} {unit}" if _is_bare(given) and unit else given
+    try:
+        old, new = parse_quantity(declared), parse_quantity(text)
+    except SceneError:
+        return None
+    if new.unit_text != unit or (not unit and 0 in (old.value_si, new.value_si)):
+        return None
+    return evaluate(parse(text), _no_leaf)
+
+
+def _no_leaf(leaf: Leaf) -> float:
+    raise AssertionError(f"a quantity has no {leaf}")
+
+
 def _literal_unit(written: Value) -> str:
     """The unit of a quantity; "" for a bare number or an expression."""
     try:
@@ -204,7 +228,8 @@ class Reader:
         return self.default(self.number(written, where, wanted))
 
     def default(self, node: Node) -> float:
-        """The value of an expression of parameters at their defaults, SI."""
+        """The value of an expression of parameters at their defaults, SI, for a decision."""
+        self.parameters.decided |= self.depends_on(node)
         return evaluate(node, lambda leaf: self.parameters.defaults[str(leaf)])
 
     def depends_on(self, node: Node) -> set[str]:

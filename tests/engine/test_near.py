@@ -1,0 +1,99 @@
+"""Another size of a parameter: what the tables that are there answer is what the changed scene answers."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import planemotion
+from planemotion import SceneError, load_text
+from planemotion.language.units import factor
+from planemotion.run import run_near, simulate
+from tests import CHAPTER, STUDIES
+
+FILES = [*sorted(STUDIES.glob("*.toml")), *sorted(CHAPTER.glob("*.toml"))]
+# Every so many files are in the quick tests.
+QUICK = 12
+TWO_RUNS = """
+until = "t = 1 s"
+parameters = { v = "1 m/s", e = 0, L = "1 m", long = "2*L", there = 1 }
+runs = { slow = {}, fast = { v = 3 } }
+bodies.P = { mass = "1 kg", at = [0, 0] }
+bodies.Q = { rod = ["A", "B"], length = "L", mass = "1 kg", at = [0, "long"], active = "there" }
+plane = "horizontal"
+start.P.velocity.x = "v"
+ask.slow = { of = "P.x", run = "slow" }
+ask.fast = { of = "P.x*(1 + e)", run = "fast" }
+"""
+
+WEIGHED = """
+until = "t = 1 s"
+parameters = { m = "1 kg", g = "9.81 m/s^2" }
+bodies.P = { mass = "m", at = [0, 0] }
+ask.W = { of = "P.weight", unit = "N" }
+"""
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        pytest.param(path, id=path.stem, marks=() if number % QUICK == 0 else pytest.mark.slow)
+        for number, path in enumerate(FILES)
+    ],
+)
+def test_each_parameter_of_each_scene_gives_the_same_bits(path: Path) -> None:
+    scene = planemotion.load(path)
+    flat = scene.tables()[0]
+    for name, value, unit in zip(flat.parameters, flat.defaults, flat.units, strict=True):
+        if name not in scene.raw.get("parameters", {}) or isinstance(scene.raw["parameters"][name], bool):
+            continue
+        size = float(1.013 * value / (factor(unit)[0] if unit else 1.0))
+        near = run_near(scene, {name: f"{size!r} {unit}".strip()})
+        looked_at_anew = {*flat.decided, *(flat.find.vary if flat.find is not None else ())}
+        if near is not None:
+            assert near == simulate(scene.with_values({name: size})), name
+        elif name not in looked_at_anew and not scene.data.runs:
+            other = simulate(scene.with_values({name: size}))
+            assert not other.ok or other.notes or scene.raw["parameters"][name] == 0, name
+
+
+def test_what_a_parameter_is_near_to() -> None:
+    """Sizes in the unit of the file; a run that has its own keeps it; what decides more is looked at anew."""
+    scene = load_text(TWO_RUNS)
+    near = run_near(scene, {"v": "2 m/s"})
+    assert near is not None
+    assert (near["slow"], near["fast"]) == (pytest.approx(2.0), pytest.approx(3.0))
+    assert run_near(scene, {"v": 2}) == near
+    for name, value in (
+        ("v", "2 ft/s"),  # a bare number of a run would take this unit
+        ("v", "2 kg"),
+        ("v", True),
+        ("v", [1]),
+        ("e", 0.5),  # 0 has any dimension
+        ("L", "3 m"),  # must be positive
+        ("long", "3 m"),  # depends on another
+        ("there", 0),
+        ("none", 1),
+        ("solve.route", "rk"),
+    ):
+        assert run_near(scene, {name: value}) is None, name
+
+
+@pytest.mark.parametrize(
+    ("values", "error", "text"),
+    [
+        ({"m": "-1 kg"}, SceneError, "must not be negative"),
+        ({"m": 1e400}, SceneError, "inf"),
+        ({"m": "2 m"}, SceneError, "mass"),
+        ({"k": 3}, SceneError, 'unknown parameter "k"'),
+    ],
+)
+def test_a_fault_is_told_as_ever(values: dict[str, object], error: type[Exception], text: str) -> None:
+    scene = load_text(WEIGHED)
+    assert scene.run(m="2 kg")["W"] == pytest.approx(2 * 9.81)
+    with pytest.raises(error, match=text) as near:
+        scene.run(**values)
+    with pytest.raises(error) as anew:
+        scene.with_values(values).run()
+    assert str(near.value) == str(anew.value)
