@@ -163,7 +163,8 @@ def _figure(here: Instant, rows: Sequence[Sequence[_Panel]], units: _Units, note
     data = here.start.data
     page.head(made, title_of(data), note)
     for number, row in enumerate(rows):
-        most = _most(here.pose(row[0].body), [act for panel in row for act in panel.acts])
+        acts = [act for panel in row for act in panel.acts]
+        most = _most(here.pose(row[0].body), acts)
         for column, panel in enumerate(row):
             x = column * (_PANEL[0] + _BETWEEN) + _BETWEEN
             y = height - page.HEAD_HEIGHT - (number + 1) * _PANEL[1]
@@ -176,7 +177,9 @@ def _figure(here: Instant, rows: Sequence[Sequence[_Panel]], units: _Units, note
                 ha="center",
                 va="center",
             )
-            _draw_panel(_BodySketch(here, panel.body, made, canvas, box), here, panel, units, most)
+            places = [act.place for other in row if other.body == panel.body for act in other.acts]
+            sketch = _BodySketch(here, panel.body, made, canvas, box, places)
+            _draw_panel(sketch, here, panel, units, most)
     return made
 
 
@@ -190,13 +193,16 @@ class _BodySketch(Sketch):
         made: Figure,
         canvas: FigureCanvasAgg,
         box: tuple[float, float, float, float],
+        places: Sequence[Place],
     ) -> None:
         self.body, self.made, self.paper, self.box = body, made, canvas, box
+        self.places = places
         super().__init__(here.start.drawing, here.start.poses, usual_length(here.start.data))
 
     def extent(self) -> tuple[Floats, Floats]:
-        """That of the body alone."""
-        xy = np.array(self.outer(self.body))
+        """That of the body alone, with the places (m) where something acts on it."""
+        acted = [(x / self.factor, y / self.factor) for x, y in self.places]
+        xy = np.array([*self.outer(self.body), *acted])
         return xy.min(axis=0), xy.max(axis=0)
 
     def canvas(self) -> tuple[Figure, Pen]:
