@@ -15,7 +15,7 @@ export PATH := $(CURDIR)/$(BIN):$(PATH)
 .NOTPARALLEL:
 unexport MAKEFLAGS
 
-.PHONY: help setup demo bench bench-long calibrate gallery test test-kernel test-python test-browser lint format sanitize faults stress clean
+.PHONY: help setup demo bench bench-long calibrate gallery test test-kernel test-python test-browser lint format sanitize faults stress docs clean
 
 help:
 	@echo 'make demo         run the study studies/sphere_over_bars.toml; its files go to build/demo'
@@ -32,6 +32,7 @@ help:
 	@echo 'make calibrate    estimated errors against true ones, and what they cost (some minutes)'
 	@echo 'make bench        speed beside error, against the peers: build/bench (about ten minutes)'
 	@echo 'make bench-long   a sweep of a million cases: its time and memory'
+	@echo 'make docs         the pages of docs/: build/docs/index.html'
 	@echo 'make gallery      the index page of studies/chapter17, and how many of its answers are right'
 	@echo 'make clean        remove build/ and .venv/'
 
@@ -95,6 +96,10 @@ calibrate: setup
 
 gallery: setup
 	$(BIN)/python -m tests.chapter17.gallery
+
+docs:
+	@.ci/setup --docs
+	$(BIN)/sphinx-build -q -E -W --keep-going -b html docs build/docs
 
 clean:
 	rm -rf build .venv wrapper/planemotion/_layout.pyi

@@ -46,5 +46,10 @@ def test_the_example_of_a_kind_has_it_and_runs(word: str) -> None:
     assert word in [element.kind for group in groups for element in group.values()]
 
 
+@pytest.mark.parametrize("study", sorted(path.name for path in (EXAMPLES / "studies").glob("*.toml")))
+def test_the_studies_of_the_tutorial_run(study: str) -> None:
+    assert planemotion.load(EXAMPLES / "studies" / study).run().status == "ok"
+
+
 def test_every_example_is_of_a_kind() -> None:
     assert {path.stem for path in EXAMPLES.glob("*.toml")} == set(WORDS)

@@ -78,7 +78,7 @@ def run(
 ) -> None:
     """Run scenes and answer what they ask.
 
-    PATHS are files, or folders whose *.toml files are run. A study runs its base case. A scene that fails
+    PATHS are files, or folders whose TOML files are run. A study runs its base case. A scene that fails
     does not stop the others; the exit status is 0 only if every one is ok.
     """
     if history_out is None and (every is not None or quantities):

@@ -1,0 +1,23 @@
+"""How Sphinx builds the documents: `make docs`; the pages go to build/docs."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).parent
+sys.path.insert(0, str(HERE))
+
+project = "planemotion"
+author = "the authors of planemotion"
+extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx_click", "executed"]
+myst_enable_extensions = ["colon_fence"]
+myst_heading_anchors = 3
+exclude_patterns = ["examples"]
+html_theme = "furo"
+html_title = "planemotion"
+autodoc_typehints = "signature"
+autodoc_member_order = "bysource"
+# TOML has words of its own where Sphinx's lexer is asked for Python.
+highlight_language = "text"
+suppress_warnings = ["myst.xref_missing"]  # links of the README and the changelog to files of the sources

@@ -1,0 +1,77 @@
+"""What Sphinx makes by running the program: the reference of the language, and the output of commands.
+
+    ```{shell} planemotion run touch.toml --set e=0.8
+    ```
+
+shows the command and what it printed, run in a copy of docs/examples.  A command that fails fails the build.
+"""
+
+from __future__ import annotations
+
+import os
+import shlex
+import shutil
+import subprocess
+import sys
+import tempfile
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+from docutils import nodes
+from docutils.parsers.rst import Directive
+
+from planemotion.report.reference import reference
+
+HERE = Path(__file__).parent
+EXAMPLES = HERE / "examples"
+# All commands of a build run in one folder, one after the other, as a reader would.
+_FOLDER = Path(tempfile.mkdtemp(prefix="planemotion-docs-"))
+
+
+class Shell(Directive):
+    """A command and what it prints."""
+
+    required_arguments = 1
+    final_argument_whitespace = True
+
+    def run(self) -> list[nodes.Node]:
+        command = self.arguments[0]
+        words = shlex.split(command)
+        program = Path(sys.executable).with_name(words[0])
+        environment = {**os.environ, "COLUMNS": "100", "NO_COLOR": "1"}
+        done = subprocess.run(
+            [str(program), *words[1:]], cwd=_FOLDER, env=environment, capture_output=True, text=True
+        )
+        if done.returncode != 0:
+            raise self.error(f"{command}: exit code {done.returncode}: {done.stderr or done.stdout}")
+        text = f"$ {command}\n{done.stdout}".rstrip()
+        return [nodes.literal_block(text, text, language="console")]
+
+
+class ModuleText(Directive):
+    """What a module says of itself, as it stands."""
+
+    required_arguments = 1
+
+    def run(self) -> list[nodes.Node]:
+        text = import_module(self.arguments[0]).__doc__
+        return [nodes.literal_block(text, text, language="text")]
+
+
+def _begin(app: Any) -> None:
+    shutil.copytree(EXAMPLES, _FOLDER, dirs_exist_ok=True)
+    page = reference(lambda word: (EXAMPLES / f"{word}.toml").read_text(encoding="utf-8"))
+    (HERE / "reference" / "language.md").write_text(page, encoding="utf-8")
+
+
+def _end(app: Any, error: Exception | None) -> None:
+    shutil.rmtree(_FOLDER, ignore_errors=True)
+
+
+def setup(app: Any) -> dict[str, bool]:
+    app.add_directive("shell", Shell)
+    app.add_directive("module-text", ModuleText)
+    app.connect("builder-inited", _begin)
+    app.connect("build-finished", _end)
+    return {"parallel_read_safe": False}
