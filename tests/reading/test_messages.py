@@ -15,8 +15,8 @@ FAULTS = [
     # words
     (
         'joints.A = { pin = ["AB.A", "ground"], frictoin = 0.1 }',
-        "joints.A.frictoin: unknown key; a pin has friction, friction_couple, active "
-        '(did you mean "friction"?)',
+        'joints.A.frictoin: unknown key (did you mean "friction"?); a pin has friction, '
+        "friction_couple, active",
     ),
     ('untill = "start"', 'did you mean "until"?'),
     ('bodies.AB.colour = "red"', "bodies.AB.colour: unknown key; a body has rod, disk, "),
@@ -30,11 +30,11 @@ FAULTS = [
     ('bodies.Q = { disk = "1 m", length = "1 m" }', "bodies.Q.length: only a rod has length"),
     (
         'ask.a = { of = "AB.omega", att = "end" }',
-        "ask.a.att: unknown key; an ask has of, max, min, at, unit, run",
+        'ask.a.att: unknown key (did you mean "at"?); an ask has of, max, min, at, unit, run',
     ),
     (
         "sweep.L = { from = 1, to = 2, nun = 3 }",
-        "sweep.L.nun: unknown key; a grid has from, to, num, step, scale",
+        'sweep.L.nun: unknown key (did you mean "num"?); a grid has from, to, num, step, scale',
     ),
     (
         'bodies.start = { mass = "1 kg" }',

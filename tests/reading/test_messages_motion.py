@@ -123,7 +123,7 @@ FAULTS = [
     ),
     # finds and nudges
     ("find = {}", "find.vary: what is sought is wanted, such as"),
-    ("find = { vari = {} }", "find.vari: unknown key; a find has vary, where, greatest, least, samples (did"),
+    ("find = { vari = {} }", 'find.vari: unknown key (did you mean "vary"?); a find has vary, where,'),
     ("runs.a.find = { vary = 3 }", "runs.a.find.vary = 3: a table is wanted"),
     ('find.vary.L = "1 m"', 'find.vary.L = "1 m": two bounds are wanted: [lowest, greatest]'),
     ('runs.a.find.vary.L = ["1 m"]', "runs.a.find.vary.L: two bounds are wanted"),
@@ -221,7 +221,7 @@ FAULTS = [
     ("spin = {}", "spin.through: it is wanted and left out"),
     (
         "spin = { throuhg = [0, 0] }",
-        "spin.throuhg: unknown key; a spin has through, angle, inertia, couple (did",
+        'spin.throuhg: unknown key (did you mean "through"?); a spin has through, angle,',
     ),
     (
         'spin = { through = [0, 0], angle = "90 deg", inertia = "-1 kg*m^2" }',

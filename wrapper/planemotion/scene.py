@@ -154,7 +154,7 @@ class Scene:
         """The validated scene.  Raises SceneError for the first fault."""
         if self._data is None:
             name = shown(Path(self.file).stem) if self.file else "scene"
-            self._data = validate(self.raw, file=self.file, name=name)
+            self._data = validate(self.raw, file=self.file, name=name, text=self._text)
             self._hint(self._data.hints)
         return self._data
 

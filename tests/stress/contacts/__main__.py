@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import itertools
 import multiprocessing
 import os
 import sys
@@ -12,7 +13,7 @@ from collections import Counter
 from rich.console import Console
 from rich.table import Table
 
-from tests.stress.contacts import one_body, thrown
+from tests.stress.contacts import one_body, thrown, throws
 from tests.stress.contacts.verdict import BY_THEORY, is_fault
 
 BATCH = 500  # cases of one law and one number of contacts, run as one sweep
@@ -24,6 +25,7 @@ def main() -> int:
     parser.add_argument("--blows", type=int, default=2000, help="for each law, over all numbers of contacts")
     parser.add_argument("--starts", type=int, default=2000, help="from rest")
     parser.add_argument("--throws", type=int, default=500)
+    parser.add_argument("--kind", choices=[kind.__name__ for kind in throws.KINDS], help="throw these alone")
     parser.add_argument(
         "--first", type=int, default=0, help="number of the first batch, and of the first throw"
     )
@@ -75,7 +77,8 @@ def one_body_table(given: argparse.Namespace, console: Console) -> int:
 
 def throw_table(given: argparse.Namespace, console: Console) -> int:
     """What became of throws, by kind; how many are faults."""
-    rows = list(thrown.table(range(given.first, given.first + given.throws), given.jobs))
+    numbers = (n for n in itertools.count(given.first) if given.kind in (None, throws.throw(n).kind))
+    rows = list(thrown.table(itertools.islice(numbers, given.throws), given.jobs))
     found = thrown.counts(rows)
     shown = Table("thrown", *thrown.BY_THEORY, "wrong or failed", title="thrown until they rest")
     for kind, words in sorted(found.items()):

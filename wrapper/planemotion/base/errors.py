@@ -9,11 +9,41 @@ from __future__ import annotations
 
 import difflib
 import os
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from typing import TypeVar
+
+from .lines import line_of
+
+_T = TypeVar("_T")
+_Made = TypeVar("_Made")
 
 # Similarity (0 to 1) from which on a word is offered as "did you mean": keeps "frictoin", drops unrelated
 # words.
 _SIMILAR_ENOUGH = 0.6
+# What others call it -> the words of the language, the likeliest first.
+_MEANT: Mapping[str, tuple[str, ...]] = {
+    "ball": ("sphere",),
+    "bar": ("rod",),
+    "beam": ("rod",),
+    "box": ("plate",),
+    "collar": ("slider",),
+    "dashpot": ("damper",),
+    "fixed": ("weld",),
+    "g": ("parameters.g",),
+    "gravity": ("g", "parameters.g"),
+    "guide": ("slider",),
+    "hinge": ("pin",),
+    "prismatic": ("slider",),
+    "rectangle": ("plate",),
+    "revolute": ("pin",),
+    "ring": ("hoop",),
+    "rope": ("cord",),
+    "string": ("cord",),
+    "torque": ("couple",),
+    "moment": ("couple",),
+    "wheel": ("disk",),
+}
 # Characters of a value that a message shows.
 _MOST_SHOWN = 500
 
@@ -29,8 +59,9 @@ class SceneHint(UserWarning):
 class SceneError(PlanemotionError, ValueError):
     """Something written in a scene, a study or an override is wrong; nothing has been computed.
 
-    Attributes: `reason` (what is wrong and what would be right), `file`, `path` (key path such as
-    "bodies.AB.mass") and `value` (as it was written); the last three are None where they are not known (yet).
+    Attributes: `reason` (what is wrong and what would be right), `file`, `line` (from 1), `path` (key path
+    such as "bodies.AB.mass") and `value` (as it was written), None where they are not known (yet); `others`:
+    further faults of the same scene.
     """
 
     def __init__(
@@ -40,12 +71,16 @@ class SceneError(PlanemotionError, ValueError):
         file: str | os.PathLike[str] | None = None,
         path: str | None = None,
         value: object = None,
+        line: int | None = None,
+        others: Sequence[SceneError] = (),
     ) -> None:
         super().__init__(reason)
         self.reason = reason
         self.file = None if file is None else os.fspath(file)
         self.path = path
         self.value = value
+        self.line = line
+        self.others = tuple(others)
 
     def at(
         self,
@@ -53,22 +88,64 @@ class SceneError(PlanemotionError, ValueError):
         file: str | os.PathLike[str] | None = None,
         path: str | None = None,
         value: object = None,
+        text: str | None = None,
     ) -> SceneError:
-        """The same error with the missing pieces of its place filled in; pieces that it has are kept."""
+        """The same error with the missing pieces of its place filled in; pieces that it has are kept.
+
+        `text`: the TOML of the scene, where its line is looked up.
+        """
+        path = self.path if self.path is not None else path
+        known = self.line is not None or text is None or path is None
         return SceneError(
             self.reason,
             file=self.file if self.file is not None else file,
-            path=self.path if self.path is not None else path,
+            path=path,
             value=self.value if self.value is not None else value,
+            line=self.line if known else line_of(text or "", path or ""),
+            others=[other.at(file=file, text=text) for other in self.others],
         )
 
     def __str__(self) -> str:
-        """`file: path = value: reason`, with missing pieces left out."""
+        """`file:line: path = value: reason` without what is missing; each further fault in its own line."""
         place = self.path or ""
         if self.value is not None:
             shown = _as_written(self.value)
             place = f"{place} = {shown}" if place else shown
-        return ": ".join(piece for piece in (self.file, place, self.reason) if piece)
+        line = "" if self.line is None else f":{self.line}" if self.file else f"line {self.line}"
+        text = ": ".join(piece for piece in (f"{self.file or ''}{line}", place, self.reason) if piece)
+        return "\n".join((text, *map(str, self.others)))
+
+
+class Faults:
+    """Faults of one scene that do not depend on each other: found one by one, told together."""
+
+    def __init__(self) -> None:
+        self._found: list[SceneError] = []
+
+    @contextmanager
+    def noted(self) -> Iterator[None]:
+        """What is raised inside is kept, and the next one is looked for."""
+        try:
+            yield
+        except SceneError as error:
+            if (error.path, error.reason) not in {(one.path, one.reason) for one in self._found}:
+                self._found.append(error)
+
+    def make(self, named: Mapping[str, _T], maker: Callable[[str, _T], _Made]) -> dict[str, _Made]:
+        """What `maker` makes of each, by name; those with a fault are left out, and all faults told then."""
+        made = {}
+        for name, one in named.items():
+            with self.noted():
+                made[name] = maker(name, one)
+        self.tell()
+        return made
+
+    def tell(self) -> None:
+        """Raises SceneError if there are any: the first, with the others."""
+        if self._found:
+            first, *others = self._found
+            first.others = (*first.others, *others)
+            raise first
 
 
 class SimulationError(PlanemotionError, RuntimeError):
@@ -98,6 +175,9 @@ def nearest(word: str, candidates: Iterable[str]) -> str | None:
     for candidate in known:
         if candidate.casefold() == word.casefold():
             return candidate
+    for meant in _MEANT.get(word.casefold(), ()):
+        if meant in known:
+            return meant
     close = difflib.get_close_matches(word, known, n=1, cutoff=_SIMILAR_ENOUGH)
     return close[0] if close else None
 

@@ -6,8 +6,12 @@ import shutil
 import sys
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
+
+if TYPE_CHECKING:
+    from ..scene import Scene
 
 FAILED, WRONG, INTERRUPTED = 1, 2, 130
 
@@ -39,6 +43,12 @@ a_path = click.Path(path_type=Path)
 def say(text: str, *, error: bool = False) -> None:
     """One line for people, on stderr."""
     click.echo((click.style("error: ", fg="red", bold=True) if error else "") + text, err=True)
+
+
+def advise(scene: Scene) -> None:
+    """What is right in a scene and perhaps not meant."""
+    for text in scene.data.advice:
+        say(f"hint: {scene.file}: {text}")
 
 
 def terminal_width() -> int | None:

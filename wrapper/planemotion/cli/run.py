@@ -16,7 +16,7 @@ import click
 from ..base.bounded import shown
 from ..base.errors import SceneError, SimulationError, StudyError
 from ..base.files import HISTORIES, appearing, ending
-from .options import FAILED, WRONG, a_path, say, set_option, terminal_width
+from .options import FAILED, WRONG, a_path, advise, say, set_option, terminal_width
 
 if TYPE_CHECKING:
     from ..engine.result import AskValue, RunResult
@@ -143,6 +143,7 @@ def _run_one(
     identity = shown(file.stem)
     try:
         scene = load(file).with_values(values)
+        advise(scene)
         identity = scene.id
         result = simulate(scene)
         if history is not None:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import click
 
-from .options import FAILED, a_path, say, set_option
+from .options import FAILED, a_path, advise, say, set_option
 
 
 @click.command()
@@ -26,8 +26,9 @@ def check(ctx: click.Context, path: Path, values: Mapping[str, str]) -> None:
 
     if is_result(path):
         ctx.exit(_verify(path))
-    scene = path
-    report = explanations.check(load(scene).with_values(values))
+    scene = load(path).with_values(values)
+    advise(scene)
+    report = explanations.check(scene)
     click.echo(report.text)
     for fault in report.faults:
         say(fault, error=True)

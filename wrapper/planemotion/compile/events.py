@@ -11,7 +11,7 @@ import re
 from collections.abc import Mapping, Sequence
 
 from .. import _layout as layout
-from ..base.errors import SceneError
+from ..base.errors import Faults, SceneError
 from ..geometry.packing import Tables
 from ..language.homogeneity import dimension
 from ..language.leaves import substitute
@@ -60,10 +60,12 @@ class Instants:
 
     def add_events(self, events: Mapping[str, Event]) -> None:
         """Triggers of the named events; their rows are there already."""
-        for name, event in events.items():
-            for index, text in enumerate(event.when):
-                where = f"events.{name}" if len(event.when) == 1 else f"events.{name}[{index}]"
-                self._trigger(text, self.events[name], where)
+        Faults().make(events, self._add_event)
+
+    def _add_event(self, name: str, event: Event) -> None:
+        for index, text in enumerate(event.when):
+            where = f"events.{name}" if len(event.when) == 1 else f"events.{name}[{index}]"
+            self._trigger(text, self.events[name], where)
 
     def add_until(self, groups: Sequence[Sequence[str]]) -> None:
         """The run ends when every instant of one group has come."""

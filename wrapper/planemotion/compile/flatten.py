@@ -9,13 +9,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from typing import TypeAlias, TypeVar
 
 import numpy as np
 import numpy.typing as npt
 
 from .. import _layout as layout
-from ..base.errors import SceneError
+from ..base.errors import Faults, SceneError
 from ..geometry.drawing import GROUND, Drawing
 from ..geometry.drawn_rows import DrawnRows
 from ..geometry.packing import Tables
@@ -112,7 +113,7 @@ def flatten(
     try:
         return _Flattener(data, run_name).flat(history, firings)
     except SceneError as error:
-        raise error.at(file=data.file) from None
+        raise error.at(file=data.file, text=data.source.text) from None
 
 
 class _Flattener:
@@ -152,9 +153,8 @@ class _Flattener:
         instants.add_until(data.until)
         asks = Asks(self.scope.events, self._bounds(), self.measures, self.reader, tables, firings)
         first_run = next(iter(data.runs), None)
-        for key, ask in data.ask.items():
-            if (ask.run or first_run) == self.run:
-                asks.add(key, ask)
+        asked = {key: ask for key, ask in data.ask.items() if (ask.run or first_run) == self.run}
+        Faults().make(asked, asks.add)
         found = None
         if self.find is not None:
             finds = Finds(self.scope.events, asks, self.measures, self.reader, tables)
@@ -257,10 +257,10 @@ class _Flattener:
         for name, body in driven.items():
             drive(to, name, body)
         return Scope(
-            joints={name: add_joint(to, name, joint) for name, joint in joints.items()},
-            couplings={name: add_coupling(to, name, coupling) for name, coupling in couplings.items()},
-            contacts={name: add_contact(name, contact) for name, contact in contacts.items()},
-            forces={name: add_force(to, name, force) for name, force in forces.items()},
+            joints=Faults().make(joints, partial(add_joint, to)),
+            couplings=Faults().make(couplings, partial(add_coupling, to)),
+            contacts=Faults().make(contacts, add_contact),
+            forces=Faults().make(forces, partial(add_force, to)),
             events={
                 name: add_event(self.tables, f"events.{name}", event.nth)
                 for name, event in data.events.items()

@@ -7,7 +7,7 @@ parameter moves the drawing.
 from __future__ import annotations
 
 from .. import _layout as layout
-from ..base.errors import SceneError
+from ..base.errors import Faults, SceneError
 from ..language.tree import Node
 from ..model.tables import Body
 from .drawing import GROUND, Drawing, PointRef
@@ -26,8 +26,7 @@ class DrawnRows:
         self.tables = tables
         self.masses: dict[str, Mass] = {}
         self._points: dict[tuple[int, Node, Node], int] = {}
-        for name, body in drawing.bodies.items():
-            self._add_body(name, body)
+        Faults().make(drawing.bodies, self._add_body)
         self._add_all_points()
 
     def point(self, ref: PointRef) -> int:

@@ -6,10 +6,10 @@ silently ignored.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
-from ..base.errors import SceneError, nearest
+from ..base.errors import Faults, SceneError, nearest
 from ..kinds import KINDS
 from ..model import words
 from ..model.tables import (
@@ -37,35 +37,41 @@ NOT_BUILT: Mapping[str, Mapping[str, str]] = {
 
 
 def check(raw: Mapping[str, Any]) -> None:
-    """Raises SceneError for the first key that is unknown or not built yet, and for names that clash."""
-    _keys(raw, SceneData.file_keys(), "", "a scene")
+    """Raises SceneError for keys that are unknown or not built yet, and for names that clash: all of them."""
+    faults = Faults()
+    _each(faults, _keys, raw, SceneData.file_keys(), "", "a scene", None, ("parameters.g",))
     for name, value in words.table(raw, "parameters").items():
-        if name != "t":  # a parameter may have that name: the time is then called time
-            words.check_name(name, "parameters")
-        if isinstance(value, Mapping):
-            raise SceneError(_VALUE_TABLE, path=f"parameters.{name}")
-    _ground(words.table(raw, "ground"))
-    _keys(words.table(raw, "spin"), Spin.file_keys(), "spin", "a spin")
+        _each(faults, _parameter, name, value)
+    _each(faults, _ground, words.table(raw, "ground"))
+    _each(faults, _keys, words.table(raw, "spin"), Spin.file_keys(), "spin", "a spin")
     for name, body in words.table(raw, "bodies").items():
-        _body(body, f"bodies.{name}")
+        _each(faults, _body, body, f"bodies.{name}")
     for group in KINDS:
         for name, element in words.table(raw, group).items():
-            _element(element, group, name)
-    _unique(raw)
-    _instants(raw)
-    _keys(words.table(raw, "solve"), Solve.file_keys(), "solve", "[solve]")
+            _each(faults, _element, element, group, name)
+    _each(faults, _unique, raw)
+    _instants(raw, faults)
+    _each(faults, _keys, words.table(raw, "solve"), Solve.file_keys(), "solve", "[solve]")
     for name, values in words.table(raw, "runs").items():
-        parameters = ("g", *words.table(raw, "parameters"))
-        _keys(
-            words.mapping(values, f"runs.{name}"),
-            (*parameters, "find"),
-            f"runs.{name}",
-            "a run of this scene",
-        )
-        if "find" in values:
-            _find(values["find"], f"runs.{name}.find")
+        _each(faults, _run, raw, name, values)
     if "find" in raw:
-        _find(raw["find"], "find")
+        _each(faults, _find, raw["find"], "find")
+    faults.tell()
+
+
+def _parameter(name: str, value: Any) -> None:
+    if name != "t":  # a parameter may have that name: the time is then called time
+        words.check_name(name, "parameters")
+    if isinstance(value, Mapping):
+        raise SceneError(_VALUE_TABLE, path=f"parameters.{name}")
+
+
+def _run(raw: Mapping[str, Any], name: str, values: Any) -> None:
+    parameters = ("g", *words.table(raw, "parameters"))
+    path = f"runs.{name}"
+    _keys(words.mapping(values, path), (*parameters, "find"), path, "a run of this scene")
+    if "find" in values:
+        _find(values["find"], f"{path}.find")
 
 
 _VALUE_TABLE = "not built yet: values from a table over time or a measure"
@@ -91,23 +97,43 @@ def kind_of(element: Mapping[str, Any], group: str, path: str) -> str:
     raise SceneError(wanted, path=path)
 
 
+def _each(faults: Faults, one: Callable[..., None], *given: Any) -> None:
+    """Looks at one thing by itself: its fault is noted."""
+    with faults.noted():
+        one(*given)
+
+
 def _keys(
     given: Iterable[str],
     known: tuple[str, ...],
     path: str,
     owner: str,
     unbuilt: Mapping[str, str] | None = None,
+    elsewhere: tuple[str, ...] = (),
 ) -> None:
-    unbuilt = unbuilt or {}
+    """`elsewhere`: what may be meant and stands in another table."""
+    faults = Faults()
     for key in given:
-        full = f"{path}.{key}" if path else key
-        if key in known:
-            continue
-        if key in unbuilt:
-            raise words.not_built(unbuilt[key], full)
-        guess = nearest(key, [*known, *unbuilt])
-        has = f"{owner} has {', '.join(known)}" if known else f"{owner} has no options"
-        raise SceneError(f"unknown key; {has}" + (f' (did you mean "{guess}"?)' if guess else ""), path=full)
+        if key not in known:
+            _each(faults, _unknown_key, key, known, path, owner, unbuilt or {}, elsewhere)
+    faults.tell()
+
+
+def _unknown_key(
+    key: str,
+    known: tuple[str, ...],
+    path: str,
+    owner: str,
+    unbuilt: Mapping[str, str],
+    elsewhere: tuple[str, ...],
+) -> None:
+    full = f"{path}.{key}" if path else key
+    if key in unbuilt:
+        raise words.not_built(unbuilt[key], full)
+    guess = nearest(key, [*known, *unbuilt, *elsewhere])
+    has = f"{owner} has {', '.join(known)}" if known else f"{owner} has no options"
+    hint = f' (did you mean "{guess}"?)' if guess else ""
+    raise SceneError(f"unknown key{hint}; {has}", path=full)
 
 
 def _marks(owner: Mapping[str, Any], path: str) -> None:
@@ -175,22 +201,30 @@ def _unique(raw: Mapping[str, Any]) -> None:
             owner[name] = group
 
 
-def _instants(raw: Mapping[str, Any]) -> None:
+def _instants(raw: Mapping[str, Any], faults: Faults) -> None:
     for name, event in words.table(raw, "events").items():
-        if isinstance(event, Mapping):
-            _keys(event, Event.file_keys(), f"events.{name}", "an event")
-            _actions(event.get("do", ()), f"events.{name}.do")
+        _each(faults, _event, event, f"events.{name}")
     for name, ask in words.table(raw, "ask").items():
-        if not isinstance(ask, Mapping):
-            continue
-        _keys(ask, Ask.file_keys(), f"ask.{name}", "an ask")
-        at = ask.get("at")
-        if isinstance(at, Mapping):
-            _keys(at, At.file_keys(), f"ask.{name}.at", "an instant")
-            _grid(at.get("values"), f"ask.{name}.at.values")
+        _each(faults, _ask, ask, f"ask.{name}")
     for name, grid in words.table(raw, "sweep").items():
         if name != "zip":
-            _grid(grid, f"sweep.{name}")
+            _each(faults, _grid, grid, f"sweep.{name}")
+
+
+def _event(event: Any, path: str) -> None:
+    if isinstance(event, Mapping):
+        _keys(event, Event.file_keys(), path, "an event")
+        _actions(event.get("do", ()), f"{path}.do")
+
+
+def _ask(ask: Any, path: str) -> None:
+    if not isinstance(ask, Mapping):
+        return
+    _keys(ask, Ask.file_keys(), path, "an ask")
+    at = ask.get("at")
+    if isinstance(at, Mapping):
+        _keys(at, At.file_keys(), f"{path}.at", "an instant")
+        _grid(at.get("values"), f"{path}.at.values")
 
 
 def _actions(actions: Any, path: str) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass, field
 from typing import Annotated, Any, Literal, Protocol
 
 from pydantic import BeforeValidator, SerializeAsAny
@@ -12,14 +13,23 @@ from ..model.readers import Value, Vector, read_ask, read_event, read_start, rea
 from ..model.tables import Ask, Body, Contact, Event, Find, Ground, Solve, Spin, Sweep
 
 
-class SceneData(Table):
-    """A scene whose words and types are right.  `file` is where it came from, for messages.
+@dataclass(frozen=True)
+class Source:
+    """The TOML that a scene was read from, None if there is none: it makes no difference between scenes."""
 
-    `hints`: old words in it, one sentence each.
+    text: str | None = field(default=None, compare=False)
+
+
+class SceneData(Table):
+    """A scene whose words and types are right.  `file` and `source` are where it came from, for messages.
+
+    `hints`: old words in it; `advice`: what is right and may not be meant; one sentence each.
     """
 
-    unwritten = ("file", "hints", "nudge", "run_finds")
+    unwritten = ("file", "source", "hints", "advice", "nudge", "run_finds")
     file: str | None = None
+    source: Source = Source()
+    advice: tuple[str, ...] = ()
     hints: tuple[str, ...] = ()
     id: Text = ""
     title: Text = ""

@@ -13,21 +13,24 @@ from pydantic import ValidationError
 
 from .._layout import PM_FIND_MOST_PAIR_SAMPLES, PM_FIND_MOST_SAMPLES
 from ..base.bounded import check_table
-from ..base.errors import SceneError
+from ..base.errors import Faults, SceneError
 from ..kinds import KINDS
 from ..model import words
 from ..model.element import Kind, Table
 from ..model.tables import DEFAULT_G, Ask, At, Contact, Find
+from .advice import advice
 from .check import check, kind_of
 from .renamed import renewed
-from .scene import SceneData
+from .scene import SceneData, Source
 
 
-def validate(raw: Mapping[str, Any], *, file: str | None = None, name: str = "") -> SceneData:
+def validate(
+    raw: Mapping[str, Any], *, file: str | None = None, name: str = "", text: str | None = None
+) -> SceneData:
     """The validated scene of a table as TOML gives it.
 
-    `file` is named in messages; `name` is the id where the table has none.  Raises SceneError for the first
-    fault found.
+    `file` is named in messages, with lines of the `text` that it holds; `name` is the id where the table has
+    none.  Raises SceneError for the first fault found, with those that are independent of it.
     """
     try:
         check_table(raw)
@@ -41,11 +44,12 @@ def validate(raw: Mapping[str, Any], *, file: str | None = None, name: str = "")
             **({} if "g" in words.table(raw, "parameters") else {"g": DEFAULT_G}),
             **raw.get("parameters", {}),
         }
-        content = {**raw, "id": raw.get("id", name), "parameters": parameters, "file": file, "hints": hints}
+        told = {"file": file, "source": Source(text), "hints": hints, "advice": advice(raw)}
+        content = {**raw, "id": raw.get("id", name), "parameters": parameters, **told}
         data = _construct({**content, **_taken_apart(raw), **_elements(raw)})
         _check_more(data)
     except SceneError as error:
-        raise error.at(file=file) from None
+        raise error.at(file=file, text=text) from None
     return data
 
 
@@ -67,13 +71,14 @@ def _taken_apart(raw: Mapping[str, Any]) -> dict[str, Any]:
 
 def _elements(raw: Mapping[str, Any]) -> dict[str, dict[str, Kind]]:
     """Joints, couplings, contacts and forces, each as the model of its kind."""
-    return {
-        group: {
-            name: _element(element, group, f"{group}.{name}")
-            for name, element in words.table(raw, group).items()
-        }
-        for group in KINDS
-    }
+    faults = Faults()
+    made: dict[str, dict[str, Kind]] = {group: {} for group in KINDS}
+    for group in KINDS:
+        for name, element in words.table(raw, group).items():
+            with faults.noted():
+                made[group][name] = _element(element, group, f"{group}.{name}")
+    faults.tell()
+    return made
 
 
 def _element(element: Mapping[str, Any], group: str, path: str) -> Kind:
@@ -93,11 +98,20 @@ def _construct(content: Mapping[str, Any]) -> SceneData:
 
 
 def _translate(fault: ValidationError, path: str = "", called: Mapping[str, str] | None = None) -> SceneError:
-    """Pydantic's first complaint in the manner of this package.
+    """Pydantic's complaints in the manner of this package: one for each key, the first with the others.
 
     `path`: what was constructed; `called`: how a file calls fields that have another name in the model.
     """
-    first = fault.errors()[0]
+    told: dict[str | None, SceneError] = {}
+    for complaint in fault.errors():
+        error = _complaint(complaint, path, called)
+        told.setdefault(error.path, error)
+    first, *others = told.values()
+    first.others = tuple(others)
+    return first
+
+
+def _complaint(first: Any, path: str, called: Mapping[str, str] | None) -> SceneError:
     # Parts of a location that are names of types or models are no keys.
     keys = [part for part in first["loc"] if not (isinstance(part, str) and _is_type(part))]
     for key in keys:

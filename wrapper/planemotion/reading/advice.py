@@ -1,0 +1,60 @@
+"""What a scene says that is right and perhaps not meant: one sentence each, for who runs its file."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from ..model import words
+
+_NAME = re.compile(r"[^\W\d]\w*")
+
+
+def advice(raw: Mapping[str, Any]) -> tuple[str, ...]:
+    """That of a scene whose words are known."""
+    return (*_unused(raw), *_bare_angles(raw, ""), *_nothing_asked(raw))
+
+
+def _unused(raw: Mapping[str, Any]) -> Iterator[str]:
+    """Parameters that nothing reads."""
+    parameters = words.table(raw, "parameters")
+    elsewhere = {key: value for key, value in raw.items() if key not in ("sweep", "runs", "find")}
+    read = set(_NAME.findall(" ".join(_texts(elsewhere))))
+    conditions = [run.get("find") for run in words.table(raw, "runs").values() if isinstance(run, Mapping)]
+    for find in (raw.get("find"), *conditions):
+        if isinstance(find, Mapping):
+            read |= set(_NAME.findall(" ".join(_texts({**find, "vary": {}}))))
+    for name in parameters:
+        if name not in read and name not in ("g", "t"):
+            yield f"parameters.{name}: nothing in the scene reads it"
+
+
+def _texts(value: Any) -> Iterator[str]:
+    """All texts in a table, but for its keys."""
+    if isinstance(value, str):
+        yield value
+    elif isinstance(value, Mapping):
+        for one in value.values():
+            yield from _texts(one)
+    elif isinstance(value, list | tuple):
+        for one in value:
+            yield from _texts(one)
+
+
+def _bare_angles(value: Any, path: str) -> Iterator[str]:
+    """Angles without a unit that are more than a turn: a number alone is in radians."""
+    if isinstance(value, Mapping):
+        for key, one in value.items():
+            below = f"{path}.{key}" if path else str(key)
+            number = isinstance(one, int | float) and not isinstance(one, bool)
+            if key == "angle" and number and 2 * math.pi < abs(one) < math.inf:
+                yield f'{below} = {one}: without a unit it is in radians; "{one} deg" are degrees'
+            else:
+                yield from _bare_angles(one, below)
+
+
+def _nothing_asked(raw: Mapping[str, Any]) -> Iterator[str]:
+    if not words.table(raw, "ask"):
+        yield 'ask: nothing is asked; a line such as omega = "BODY.omega" in [ask] is answered'
