@@ -206,7 +206,7 @@ def test_units_are_those_of_the_scene() -> None:
 
 
 @pytest.mark.parametrize("kind", [diagrams.FREE_BODY, diagrams.KINETIC, diagrams.IMPULSE])
-@pytest.mark.parametrize("stem", [*SAMPLE[::3], "17-SP08"])
+@pytest.mark.parametrize("stem", [*SAMPLE[::3], "17-SP08", "17-099"])
 def test_names_keep_apart_and_inside(stem: str, kind: str) -> None:
     """No two labels overlap by more than a sliver, and each stays in its own drawing."""
     scene = planemotion.load(CHAPTER / f"{stem}.toml")

@@ -39,6 +39,7 @@ _NOTHING = 1e-7  # of the greatest of a picture: less is not drawn
 _ASIDE = 0.08  # arrows on one line are drawn so far beside each other, in
 _COUPLE, _WIDER = 0.24, 0.09  # radius of a couple's arrow, and by how much the next one is wider, in
 _TOUCHES = 1e-9  # inches: a force whose line passes the centre nearer points neither in nor out
+_LETTER = 0.1  # width of a letter of the title, in
 _ROW = 3  # free bodies beside each other
 _UNKNOWN = (1.0, 0.7)  # direction of what nothing tells
 
@@ -156,7 +157,8 @@ def _of(one: Balance, wrench: Wrench, vector: str, couple: str) -> list[Acting]:
 
 def _figure(here: Instant, rows: Sequence[Sequence[_Panel]], units: _Units, note: str) -> Figure:
     columns = max(map(len, rows))
-    width = columns * (_PANEL[0] + _BETWEEN)
+    drawn = columns * (_PANEL[0] + _BETWEEN)
+    width = max(drawn, _LETTER * max(len(title_of(here.start.data)), len(note)))
     height = len(rows) * _PANEL[1] + page.HEAD_HEIGHT
     made = Figure(figsize=(width, height), dpi=page.RESOLUTION)
     canvas = FigureCanvasAgg(made)
@@ -166,7 +168,7 @@ def _figure(here: Instant, rows: Sequence[Sequence[_Panel]], units: _Units, note
         acts = [act for panel in row for act in panel.acts]
         most = _most(here.pose(row[0].body), acts)
         for column, panel in enumerate(row):
-            x = column * (_PANEL[0] + _BETWEEN) + _BETWEEN
+            x = 0.5 * (width - drawn) + column * (_PANEL[0] + _BETWEEN) + _BETWEEN
             y = height - page.HEAD_HEIGHT - (number + 1) * _PANEL[1]
             box = (x / width, y / height, _PANEL[0] / width, _PANEL[1] / height)
             made.text(
