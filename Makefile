@@ -61,6 +61,8 @@ lint: setup
 	@# The type checker reads the generated module of constants as a stub beside its users.
 	@$(BIN)/python kernel/layout.py kernel/planemotion.h wrapper/planemotion/_layout.pyi
 	$(BIN)/mypy
+	@$(BIN)/planemotion schema --out build/scene.schema.json
+	$(BIN)/tombi lint --offline --error-on-warnings studies/*.toml studies/chapter17 docs/examples
 	@echo clang-format --dry-run --Werror '<the C files>'
 	@$(BIN)/clang-format --dry-run --Werror $(C_FILES)
 

@@ -79,7 +79,16 @@ _WHOLE: Mapping[Callable[..., Any], Schema] = {
     readers.read_bounds: _PAIR,
     readers.read_one: _TEXT,
     readers.read_body_or_two: {"anyOf": [_TEXT, {**_NAMES, "minItems": 2, "maxItems": 2}]},
-    readers.read_start: {"type": "object", "description": "Start values by address."},
+    readers.read_start: {  # by address, which dotted keys make tables in tables
+        "type": "object",
+        "properties": {
+            "nudge": {
+                "description": "The side to which an unstable rest is left, such as AB.omega < 0.",
+                **_TEXT,
+            }
+        },
+        "additionalProperties": True,
+    },
 }
 
 
