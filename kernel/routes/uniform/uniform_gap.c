@@ -12,6 +12,7 @@
 #include "elements/contact.h"
 #include "elements/edge.h"
 #include "equations/saddle.h"
+#include "events/event.h"
 #include "numerics/tolerances.h"
 #include "routes/uniform/uniform.h"
 #include "state/frame.h"
@@ -185,6 +186,8 @@ void pm_uniform_gap(pm_workspace *w, int contact, double until)
         if (root != OPEN || step <= PM_UNIFORM_TIME_ROUNDING * (fabs(u->t0) + x->safe)) {
             x->root = fmax(0, x->safe + step);
             x->exact = root == EXACTLY;
+            /* it has parted, and no time shows in which it comes back */
+            if (u->t0 + x->root == u->t0) w->event->spent[contact] = 1;
         } else {
             x->safe = step >= until - x->safe ? until : x->safe + step;
         }
