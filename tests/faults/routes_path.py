@@ -41,6 +41,12 @@ FAULTS = [
         "",
     ),
     Fault(
+        "error: a blow leaves all of it",
+        "routes/path/path_error.c",
+        "return inside || !(p->ended > 0) ? p->error : p->error * kinetic / p->ended;",
+        "return inside || kinetic > 0 ? p->error : 0;",
+    ),
+    Fault(
         "error: the clock's own",
         "routes/path/path_error.c",
         "p->clock.error += dt",

@@ -166,6 +166,32 @@ static void blow_at_the_end(int route)
     }
 }
 
+/* A blow leaves a part of a speed, or nothing: it leaves as much of its error. */
+static void error_after_a_blow(void)
+{
+    static const double restitution[] = {0, 1e-6, 0.3, 1};
+    for (int i = 0; i < 4; i++) {
+        const double length = 1.2, e = restitution[i];
+        scene *s = estimating(PM_ROUTE_AUTO);
+        const int rod = hang(s, length, 0, 0);
+        const int stop = scene_line(s, scene_point(s, PM_GROUND, 0, 0), -PI / 2);
+        const int struck =
+            scene_contact(s, PM_CONTACT_LINE, scene_circle(s, scene_point(s, rod, length / 2, 0), 0), stop, 0,
+                          e, PM_FRICTION_SMOOTH, 0);
+        const int event = scene_on(s, PM_TRIGGER_STRIKE, struck);
+        scene_until(s, event, 1);
+        const int program = scene_read(s, scene_measure(s, PM_MEASURE_OMEGA, rod));
+        const int before = scene_ask_event(s, program, event, 1, 1),
+                  after = scene_ask_event(s, program, event, 1, 0);
+        const double omega = sqrt(3 * G / length);
+        EQUAL(scene_run(s, NULL), PM_OK);
+        NEAR(s->out[before], -omega, s->error[before]);
+        NEAR(s->out[after], e * omega, s->error[after]);
+        CHECK(s->error[after] < 1e-11 * omega);
+        scene_free(s);
+    }
+}
+
 /* A particle between four walls and a disk goes another way in each pass after some fifty blows: where the numbers of blows differ,
  * and the answers, the run is undecided, however clear each blow by itself was. */
 static void billiards(void)
@@ -207,6 +233,7 @@ int main(void)
         blow_at_the_end(routes[i]);
     }
     blow_at_the_end(PM_ROUTE_AUTO);
+    error_after_a_blow();
     billiards();
     return check_failures();
 }

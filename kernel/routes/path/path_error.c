@@ -242,6 +242,14 @@ static void put_back(pm_workspace *w, const double *keep)
     w->cache->closed = 0;
 }
 
+/* The error of T at the frame: what a blow at the end of the step leaves of T it leaves of its error. */
+static double error_of_kinetic(const pm_workspace *w, double kinetic)
+{
+    const pm_path *p = w->path;
+    const int inside = w->frame.q == w->probe.q;
+    return inside || !(p->ended > 0) ? p->error : p->error * kinetic / p->ended;
+}
+
 /* By a difference in the speeds. */
 static double error_of_motion(pm_workspace *w, int program, double value)
 {
@@ -254,7 +262,8 @@ static double error_of_motion(pm_workspace *w, int program, double value)
     const double changed = pm_program_run(w, program);
     shift_velocities(&w->frame, 1);
     if (dynamic) put_back(w, w->scratch);
-    return failed ? NAN : fabs(changed - value) / (2 * PM_ERROR_FASTER * kinetic) * w->path->error;
+    return failed ? NAN
+                  : fabs(changed - value) / (2 * PM_ERROR_FASTER * kinetic) * error_of_kinetic(w, kinetic);
 }
 
 void pm_path_error_answer(pm_workspace *w, int ask, int column, int program, double value)
