@@ -62,7 +62,7 @@ lint: setup
 	@$(BIN)/python kernel/layout.py kernel/planemotion.h wrapper/planemotion/_layout.pyi
 	$(BIN)/mypy
 	@$(BIN)/planemotion schema --out build/scene.schema.json
-	$(BIN)/tombi lint --offline --error-on-warnings studies/*.toml studies/chapter17 docs/examples
+	$(BIN)/tombi lint --offline --error-on-warnings studies/*.toml studies/chapter17 wrapper/planemotion/examples
 	@echo clang-format --dry-run --Werror '<the C files>'
 	@$(BIN)/clang-format --dry-run --Werror $(C_FILES)
 

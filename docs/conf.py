@@ -13,7 +13,6 @@ author = "the authors of planemotion"
 extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx_click", "executed"]
 myst_enable_extensions = ["colon_fence"]
 myst_heading_anchors = 3
-exclude_patterns = ["examples"]
 html_theme = "furo"
 html_title = "planemotion"
 autodoc_typehints = "signature"

@@ -3,7 +3,8 @@
     ```{shell} planemotion run touch.toml --set e=0.8
     ```
 
-shows the command and what it printed, run in a copy of docs/examples.  A command that fails fails the build.
+shows the command and what it printed, run in a folder with the examples of the package.
+A command that fails fails the build.
 """
 
 from __future__ import annotations
@@ -21,10 +22,10 @@ from typing import Any
 from docutils import nodes
 from docutils.parsers.rst import Directive
 
+from planemotion.examples import text_of, titles
 from planemotion.report.reference import reference
 
 HERE = Path(__file__).parent
-EXAMPLES = HERE / "examples"
 # All commands of a build run in one folder, one after the other, as a reader would.
 _FOLDER = Path(tempfile.mkdtemp(prefix="planemotion-docs-"))
 
@@ -60,9 +61,9 @@ class ModuleText(Directive):
 
 
 def _begin(app: Any) -> None:
-    shutil.copytree(EXAMPLES, _FOLDER, dirs_exist_ok=True)
-    page = reference(lambda word: (EXAMPLES / f"{word}.toml").read_text(encoding="utf-8"))
-    (HERE / "reference" / "language.md").write_text(page, encoding="utf-8")
+    for name in titles():
+        (_FOLDER / f"{name}.toml").write_text(text_of(name), encoding="utf-8")
+    (HERE / "reference" / "language.md").write_text(reference(), encoding="utf-8")
 
 
 def _end(app: Any, error: Exception | None) -> None:

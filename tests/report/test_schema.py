@@ -23,7 +23,7 @@ MADE = schema()
 CHECK = jsonschema.Draft202012Validator(MADE)
 SHIPPED = sorted(
     path
-    for folder in ("studies", "docs/examples")
+    for folder in ("studies", "wrapper/planemotion/examples")
     for path in Path(folder).rglob("*.toml")
     if "bodies" in path.read_text("utf-8")
 )

@@ -1,4 +1,4 @@
-"""The command line: `planemotion run | sweep | check | explain | plot | draw | animate | schema`.
+"""The command line: `planemotion run | sweep | check | explain | plot | draw | animate | schema | new`.
 
 Exit status: 0 all is well; 1 a run failed or ended early; 2 what was given is wrong (a file, a key, a value,
 an output that cannot be written); 130 stopped by Ctrl-C.  Results go to stdout, all else to stderr.
@@ -15,6 +15,7 @@ from typing import Any
 import click
 
 from ..base.errors import PlanemotionError, SceneHint, SimulationError
+from .new import new
 from .options import FAILED, INTERRUPTED, WRONG, say
 from .pictures import animate, draw, plot
 from .run import run
@@ -76,7 +77,7 @@ def main() -> None:
     """
 
 
-for _command in (run, sweep, check, explain, plot, draw, animate, schema):
+for _command in (run, sweep, check, explain, plot, draw, animate, schema, new):
     main.add_command(_command)
 
 

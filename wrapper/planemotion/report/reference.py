@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from types import NoneType
 from typing import Any, Literal, get_args, get_origin
 
 from pydantic.fields import FieldInfo
 
+from ..examples import text_of
 from ..kinds import KINDS
 from ..kinds.base import Bearing
 from ..model import tables
@@ -49,12 +50,12 @@ _WORDS = {
 }
 
 
-def reference(example: Callable[[str], str]) -> str:
-    """The page; `example` gives the text of a scene that shows a kind."""
-    return "\n".join(_page(example)) + "\n"
+def reference() -> str:
+    """The page; each kind stands beside the example that shows it."""
+    return "\n".join(_page()) + "\n"
 
 
-def _page(example: Callable[[str], str]) -> Iterator[str]:
+def _page() -> Iterator[str]:
     yield "# The words of a scene\n"
     yield "This page is made of the models that read a scene: it has every word that the program takes.\n"
     for title, models in _CHAPTERS.items():
@@ -64,7 +65,7 @@ def _page(example: Callable[[str], str]) -> Iterator[str]:
     for group, kinds in KINDS.items():
         yield f"## {group.capitalize()}\n"
         for kind in kinds.values():
-            yield from _of_kind(kind, example(kind.word))
+            yield from _of_kind(kind, text_of(kind.word))
     yield "## Options of elements\n"
     for model in _ELEMENT_TABLES:
         yield from _of_table(model)
