@@ -15,6 +15,10 @@ myst_enable_extensions = ["colon_fence"]
 myst_heading_anchors = 3
 html_theme = "furo"
 html_title = "planemotion"
+html_static_path = ["static"]
+html_css_files = ["pages.css"]
+html_show_copyright = False
+smartquotes = False  # "--set" and quoted words are what one types
 autodoc_typehints = "signature"
 autodoc_member_order = "bysource"
 # TOML has words of its own where Sphinx's lexer is asked for Python.

@@ -1,14 +1,21 @@
 """What Sphinx makes by running the program: the reference of the language, and the output of commands.
 
-    ```{shell} planemotion run touch.toml --set e=0.8
+    ```{shell} planemotion run swing.toml --set e=0.8
     ```
 
 shows the command and what it printed, run in a folder with the examples of the package.
 A command that fails fails the build.
+
+    ```{shell} planemotion draw swing.toml --out swing.svg
+    :show: swing.svg
+    ```
+
+puts the picture that it made, or the page that moves, below it.
 """
 
 from __future__ import annotations
 
+import html
 import os
 import shlex
 import shutil
@@ -17,10 +24,11 @@ import sys
 import tempfile
 from importlib import import_module
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 from docutils import nodes
 from docutils.parsers.rst import Directive
+from docutils.parsers.rst.directives import unchanged
 
 from planemotion.examples import text_of, titles
 from planemotion.report.reference import reference
@@ -35,6 +43,7 @@ class Shell(Directive):
 
     required_arguments = 1
     final_argument_whitespace = True
+    option_spec: ClassVar = {"show": unchanged}
 
     def run(self) -> list[nodes.Node]:
         command = self.arguments[0]
@@ -47,7 +56,24 @@ class Shell(Directive):
         if done.returncode != 0:
             raise self.error(f"{command}: exit code {done.returncode}: {done.stderr or done.stdout}")
         text = f"$ {command}\n{done.stdout}".rstrip()
-        return [nodes.literal_block(text, text, language="console")]
+        return [nodes.literal_block(text, text, language="console"), *self._shown(command)]
+
+    def _shown(self, command: str) -> list[nodes.Node]:
+        """What the command made, copied beside the pages; names are those of the folder of examples."""
+        name = self.options.get("show")
+        if name is None:
+            return []
+        environment = self.state.document.settings.env
+        made = Path(environment.app.outdir) / "made"
+        made.mkdir(exist_ok=True)
+        file = Path(shutil.copy(_FOLDER / name, made)).name
+        place = f"{'../' * environment.docname.count('/')}made/{file}"
+        said = html.escape(f"what this made: {command}", quote=True)
+        if name.endswith(".html"):
+            text = f'<iframe class="made" src="{place}" title="{said}"></iframe>'
+        else:
+            text = f'<img class="made" src="{place}" alt="{said}">'
+        return [nodes.raw("", text, format="html")]
 
 
 class ModuleText(Directive):
