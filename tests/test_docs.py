@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+import math
 import re
+from typing import Any
 
+import numpy as np
 import pytest
+from scipy.optimize import least_squares
 
 import planemotion
 from tests import ROOT
 
 LAWS = re.findall(r"```toml\n(.*?)```", (ROOT / "docs/impact_laws.md").read_text(encoding="utf-8"), re.DOTALL)
+HOW_TO = (ROOT / "docs/howto.md").read_text(encoding="utf-8")
+PROGRAMS = re.findall(r"```python\n(.*?)```", HOW_TO, re.DOTALL)
 KANE, CRADLE, SPHERES, BEAM = LAWS
 
 
@@ -41,3 +47,37 @@ def test_the_beam_on_three_supports() -> None:
     assert without.asks["at_a"].value is None
     for result in (least, without):
         assert result.asks["all"].value == pytest.approx(98.1, rel=1e-11)
+
+
+@pytest.mark.parametrize("program", PROGRAMS, ids=lambda program: program.strip().splitlines()[-1])
+def test_the_programs_of_the_how_tos_print_what_they_say(
+    program: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    said = re.findall(r"^print\(.*\)  # (.*)$", program, re.MULTILINE)
+    assert said
+    exec(compile(program, "howto.md", "exec"), {})
+    assert capsys.readouterr().out.splitlines() == said
+
+
+def test_the_optimum_of_the_how_to_is_the_centre_of_percussion() -> None:
+    assert len(PROGRAMS) == 2
+    names: dict[str, Any] = {}
+    exec(compile(PROGRAMS[0], "howto.md", "exec"), names)
+    assert names["best"].x == pytest.approx(2 / 3 * 1.2, abs=1e-5)
+    assert names["best"].fun == pytest.approx(0, abs=1e-4)
+
+
+def test_the_measurements_of_the_how_to_are_a_damped_oscillation() -> None:
+    names: dict[str, Any] = {}
+    exec(compile(PROGRAMS[1], "howto.md", "exec"), names)
+    measured, t = names["measured"], np.arange(names["measured"].size) * 0.1
+    assert measured == pytest.approx(_oscillation(t, 200, 4), abs=5.1e-4)
+    closed = least_squares(lambda x: _oscillation(t, *x) - measured, [150, 1], x_scale=[100, 1])
+    assert names["fit"].x == pytest.approx(closed.x, rel=1e-5)
+
+
+def _oscillation(t: Any, stiffness: float, rate: float) -> Any:
+    """2 kg let go 0.1 m from where its spring is free: damped below the critical rate, in closed form."""
+    decay = rate / (2 * 2)
+    omega = math.sqrt(stiffness / 2 - decay**2)
+    return 0.1 * np.exp(-decay * t) * (np.cos(omega * t) + decay / omega * np.sin(omega * t))
