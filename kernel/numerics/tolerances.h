@@ -305,6 +305,7 @@
 #define PM_ACCURACY_LONGER \
     12 /* times the steps of the first pass: no later one is waited for any longer; more: slower */
 #define PM_ACCURACY_FEW_STEPS 300 /* steps that any pass may take besides; likewise */
+#define PM_MARGIN_SAME_INSTANT 0.5 /* of the time since the instant before: passes that are farther apart are at other instants; larger: right answers are called undecided */
 #define PM_MARGIN_SAME_BLOW 1.5 /* between the speeds of approach of two passes: more, and they are other blows of a series; larger: right answers are called undecided */
 #define PM_MARGIN_LEAST \
     2.2e-16 /* of the natural size: least difference of two passes; more: smaller margins */

@@ -19,6 +19,21 @@ static int are_other_blows(const pm_evidence_decision *x, const pm_evidence_deci
     return high > PM_MARGIN_SAME_BLOW * low;
 }
 
+/* Since the last instant at another time than that of entry i, s. */
+static double time_between(const pm_evidence_log *log, int i)
+{
+    const pm_evidence_decision *x = &log->entry[i];
+    while (i > 0 && log->entry[i - 1].t == x->t) i--;
+    return i > 0 ? x->t - log->entry[i - 1].t : INFINITY;
+}
+
+/* Passes of which one is at another instant by now: it has seen one more of a series, or one less. */
+static int are_other_instants(const pm_evidence_log *a, int i, const pm_evidence_log *b, int j)
+{
+    const double off = fabs(a->entry[i].t - b->entry[j].t);
+    return off > PM_MARGIN_SAME_INSTANT * fmin(time_between(a, i), time_between(b, j));
+}
+
 static double margin_of(const pm_evidence_decision *x, const pm_evidence_decision *y,
                         const double *trigger_scale)
 {
@@ -82,7 +97,7 @@ pm_closest pm_margin_of_logs(const pm_evidence_log *a, const pm_evidence_log *b,
         } else if (pm_evidence_part_of(x) > pm_evidence_part_of(y)) {
             j++;
         } else if (same(x, y)) {
-            closest = closer(closest, x, margin_of(x, y, trigger_scale));
+            if (!are_other_instants(a, i, b, j)) closest = closer(closest, x, margin_of(x, y, trigger_scale));
             i++;
             j++;
         } else if (may_lack(x) && (!may_lack(y) || comes_first(x, y))) {

@@ -25,6 +25,12 @@ FAULTS = [
         "if (0 && !(",
     ),
     Fault(
+        "margin: passes are always at the same instant",
+        "study/margin.c",
+        "if (!are_other_instants(a, i, b, j))",
+        "(void)are_other_instants;\n            if (1)",
+    ),
+    Fault(
         "margin: undecided is not told",
         "study/margin.c",
         "p->status = PM_UNDECIDED;",
