@@ -148,6 +148,19 @@ FAULTS = [
         'ask.a = { of = "AB.omega", at = "strike" }',
         'ask.a.at = "strike": unknown instant "strike"; there is end',
     ),
+    (
+        'ask.a = { of = "AB.omega", at = "start" }',
+        'there is end; a condition gets a name: events.NAME = "start", then at = "NAME"',
+    ),
+    (
+        'ask.a = { of = "AB.omega", at = "before t = 0.1 s" }',
+        'a condition gets a name: events.NAME = "t = 0.1 s", then at = "NAME"',
+    ),
+    (
+        'ask.a = "AB.omega"\nask.b = "2*a"',
+        'ask.b = "2*a": "a" is an ask, and no ask reads another; write its expression in its place',
+    ),
+    ('ask.a = { max = "AB.omega" }\nask.b = { min = "a" }', 'ask.b.min = "a": "a" is an ask'),
     ('ask.a = { of = "AB.omega", run = "b" }', 'ask.a.run: unknown run "b"; there is none'),
     (
         'until = "blow 3"',

@@ -2,22 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
 from .. import _layout as layout
 from ..base.arrays import Floats
-from ..base.errors import SceneError
+from ..base.errors import SceneError, nearest
 from ..geometry.packing import Tables
 from ..geometry.parameters import Reader
 from ..language.dimensions import DIMENSIONLESS, Dimension
+from ..language.leaves import names
+from ..language.parser import parse
+from ..language.tree import Name
 from ..language.units import factor
 from ..model.readers import Value
 from ..model.tables import Ask, At, Grid
 from ..model.words import unknown
 from .events import firing
 from .grids import grid_nodes, read_grid
-from .measures import Measures
+from .measures import Measures, Reading
 
 # Columns of an answer "each EVENT" where nothing says how often the event fires, and the most of them.
 EACH_FIRINGS = 64
@@ -55,11 +58,15 @@ class Asks:
         reader: Reader,
         tables: Tables,
         firings: int = EACH_FIRINGS,
+        keys: Collection[str] = (),
     ) -> None:
         """`bounds`: how often an event can fire before the run ends, where that is known.
 
+        `keys`: the names of all asks, for messages.
+
         `firings`: how long an answer "each EVENT" may be of any other event."""
         self.firings = firings
+        self.keys = keys
         self.events = events
         self.bounds = bounds
         self.measures = measures
@@ -73,7 +80,7 @@ class Asks:
         """Adds the row of one ask and its column.  Raises SceneError for a wrong unit or instant."""
         path = f"ask.{key}"
         word = next(one for one in ("of", "max", "min") if getattr(ask, one) is not None)
-        reading = self.measures.lower(getattr(ask, word), f"{path}.{word}" if ask.of is None else path)
+        reading = self._read(getattr(ask, word), f"{path}.{word}" if ask.of is None else path)
         unit, size = _unit(ask.unit, reading.dimension, path)
         row, count = self._instant(word, ask.at, f"{path}.at")
         row[layout.PM_ASK_PROGRAM] = self.tables.program(reading.node, path)
@@ -88,6 +95,15 @@ class Asks:
         self.columns.append(asked)
         self.dimensions[key] = reading.dimension
         self._width += count
+
+    def _read(self, written: Value, where: str) -> Reading:
+        """The expression of an ask.  Raises SceneError, also where it names another ask."""
+        read = {leaf.text for leaf in names(parse(written, where=where)) if isinstance(leaf, Name)}
+        for name in sorted(read.intersection(self.keys)):
+            if not self.measures.knows(name):
+                reason = f'"{name}" is an ask, and no ask reads another; write its expression in its place'
+                raise SceneError(reason, path=where, value=written)
+        return self.measures.lower(written, where)
 
     def _instant(self, word: str, at: str | At | None, where: str) -> tuple[dict[int, int], int]:
         """The row's kind and instant, and the number of values."""
@@ -128,7 +144,10 @@ class Asks:
         found = firing(name, self.events, where)
         if found is None:
             word = (name.split() or [""])[0]
-            raise SceneError(unknown(word, [*self.events, "end"], "instant"), path=where, value=at)
+            known = [*self.events, "end"]
+            example = f'; a condition gets a name: events.NAME = "{name}", then at = "NAME"'
+            hint = "" if nearest(word, known) else example
+            raise SceneError(unknown(word, known, "instant") + hint, path=where, value=at)
         event, nth = found
         if nth == 0:
             raise SceneError("firings are counted from 1", path=where, value=at)

@@ -151,7 +151,7 @@ class _Flattener:
         for name, done in self.actions.items():
             actions.add(self.scope.events[name], done)
         instants.add_until(data.until)
-        asks = Asks(self.scope.events, self._bounds(), self.measures, self.reader, tables, firings)
+        asks = Asks(self.scope.events, self._bounds(), self.measures, self.reader, tables, firings, data.ask)
         first_run = next(iter(data.runs), None)
         asked = {key: ask for key, ask in data.ask.items() if (ask.run or first_run) == self.run}
         Faults().make(asked, asks.add)

@@ -101,6 +101,10 @@ class Measures:
             else self.reader.parameters.dimension_of(leaf)
         )
 
+    def knows(self, name: str) -> bool:
+        """Whether `name` alone is a parameter, or a measure of the scene."""
+        return name in self.reader.parameters.nodes or self._is_measure(Name(name))
+
     def _is_measure(self, leaf: Leaf) -> bool:
         if isinstance(leaf, Address):
             return True
