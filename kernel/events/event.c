@@ -47,6 +47,7 @@ int pm_event_create(pm_workspace *w)
         PM_ARRAY(e->function, most),
         PM_ARRAY(e->value, PM_NODES_MOST * most),
         PM_ARRAY(e->beside, PM_NODES_MOST * patterns_watched(m)),
+        PM_ARRAY(e->beside_edge, PM_NODES_MOST * m->nedge),
         PM_ARRAY(e->hit, most),
         PM_ARRAY(e->root, most),
         PM_ARRAY(e->due, ntrigger),
@@ -85,7 +86,8 @@ static void add(const pm_phase *phase, pm_event_set *e, int kind, int index, int
                                                       .owned = owned,
                                                       .natural = natural,
                                                       .near = INFINITY,
-                                                      .pattern = PM_NONE};
+                                                      .pattern = PM_NONE,
+                                                      .edge = PM_NONE};
     if (!owned) e->nsampled++;
     if (level > e->level && !owned) e->level = level;
 }
@@ -112,6 +114,11 @@ static void add_triggers(pm_workspace *w)
     }
 }
 
+static int is_open(const pm_workspace *w, int contact)
+{
+    return w->state.slot[w->model->contact_slot[contact]].mode == PM_OPEN;
+}
+
 static void add_gap(pm_workspace *w, int contact)
 {
     pm_event_set *e = w->event;
@@ -120,6 +127,7 @@ static void add_gap(pm_workspace *w, int contact)
         w->numbers.size);
     f->below = pm_edge_is(w->model, contact) && pm_edge_is_below(&w->frame, contact);
     if (pm_contact_is_pattern(w->model, contact)) f->pattern = e->npattern++;
+    if (pm_edge_is(w->model, contact) && !f->owned && is_open(w, contact)) f->edge = e->nedge++;
 }
 
 static void add_contacts(pm_workspace *w)
@@ -285,7 +293,7 @@ static void leave_from(pm_workspace *w, pm_event_function *f)
 void pm_event_begin(pm_workspace *w)
 {
     pm_event_set *e = w->event;
-    e->nfunction = e->nsampled = e->npattern = 0;
+    e->nfunction = e->nsampled = e->npattern = e->nedge = 0;
     e->level = PM_LEVEL_KINEMATIC;
     add_triggers(w);
     e->ntrigger = e->nfunction;

@@ -7,6 +7,7 @@
 #define PM_EVENT_H
 
 #include "elements/contact.h"
+#include "elements/edge.h"
 #include "events/gap_culling.h"
 #include "numerics/chebyshev_nodes.h"
 #include "state/workspace.h"
@@ -53,6 +54,7 @@ typedef struct pm_event_function {
     double near_reach; /* its value on both sides of there */
     double low, high;  /* `every`: the multiples below and above */
     int pattern;       /* of a gap to a pattern: its place among these, else PM_NONE */
+    int edge;          /* of a gap to an edge: its place among those that may be gone through, else PM_NONE */
     int search; /* enum pm_zero_search: it holds until the function has fired, or another step is sampled */
     pm_span bracket; /* of its next zero */
     double found;    /* where that is */
@@ -67,10 +69,12 @@ typedef struct pm_event_set {
     int ntrigger;                /* of them triggers: they come first */
     int nsampled;                /* of them those that the route does not find */
     int npattern;                /* of them gaps to patterns */
+    int nedge;                   /* of them gaps to edges that are open */
     int level;                   /* highest level of all */
     double *value;               /* [most functions][PM_NODES_MOST] samples */
     double place[PM_NODES_MOST]; /* x of the nodes */
     pm_beside *beside;           /* [patterns that are watched][PM_NODES_MOST] at the nodes */
+    pm_edge_place *beside_edge;  /* [edges that are watched][PM_NODES_MOST] likewise */
     int *hit;                    /* [most functions] fired at this instant */
     int *root;                   /* [most functions] roots that the route itself found, or 0 */
     int at_root;                 /* the step ends at one of these */

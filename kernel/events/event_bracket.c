@@ -16,6 +16,7 @@
  *
  * A function that is on its zero when the step begins has no side yet: it is looked for where it has left.  One that has
  * rested there until the phase began is through when it leaves. */
+#include "events/edge_passage.h"
 #include "events/event_parts.h"
 
 #include <math.h>
@@ -222,6 +223,9 @@ static int search(pm_workspace *w, int i, const pm_event_course *of, int first, 
     const double *place = w->event->place, *g = of->g, close = PM_DIP_NEAR * of->biggest;
     pm_event_function *f = &w->event->function[i];
     for (int k = first; k + 1 < of->n; k++) {
+        if (f->edge != PM_NONE && g[k] > 0 && pm_edge_passage_between(w, i, k, pm_event_samples_along, x) &&
+            x->b > from)
+            return 1;
         const int near = fabs(g[k]) < close || fabs(g[k + 1]) < close, dip = shows_dip(of, k);
         if (g[k] * g[k + 1] > 0 && !dip &&
             !(near && pm_event_samples_tail(&w->step, w->event, i, of) >= PM_CHEBYSHEV_SMOOTH))
@@ -254,5 +258,5 @@ int pm_event_bracket_first(pm_workspace *w, int i, double from, pm_span *x)
     if (first == last) return 0;
     if (pm_event_changes_sign(f)) hold_if_on_zero(w->event, f, &of, from);
     if (enter(w, i, &of, &first, x)) return 1;
-    return !stays_away(&of) && search(w, i, &of, first, from, x);
+    return (f->edge != PM_NONE || !stays_away(&of)) && search(w, i, &of, first, from, x);
 }

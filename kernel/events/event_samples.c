@@ -13,6 +13,7 @@
 #include <math.h>
 
 #include "elements/contact.h"
+#include "elements/edge.h"
 #include "events/ask.h"
 #include "events/step.h"
 #include "events/watched_samples.h"
@@ -57,6 +58,8 @@ static void sample_contacts(pm_workspace *w, int node)
         if (!pm_event_samples_wanted(w->event, f)) continue;
         pm_event_samples(w->event, i)[node] =
             f->pattern == PM_NONE ? pm_event_sample(w, f) : sample_pattern(w, f, node);
+        if (f->edge != PM_NONE)
+            e->beside_edge[f->edge * PM_NODES_MOST + node] = pm_edge_beside(&w->frame, f->index);
     }
 }
 

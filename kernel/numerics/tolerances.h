@@ -214,6 +214,8 @@
 #define PM_CULLING_WITHIN 0.9 /* of a gap: so far two circles may come in a step without meeting; larger: one may pass the other */
 #define PM_CULLING_EDGE 0.01 /* of an edge's length: what strikes near its end is behind it for that way; larger: longer steps miss it */
 #define PM_CULLING_LIKE_BEFORE 2.0 /* times what bodies moved in the last step: what they will in the next; larger: more is looked at */
+#define PM_PASSAGE_BEND 2.0 /* times the deviation that differences of nodes show: of a way from its chord; larger: more looks */
+#define PM_PASSAGE_LOOKS 40 /* for a passage through an edge between two nodes; fewer: grazing ones are not seen */
 #define PM_LAST_BOUNCE 1e-7 /* of the scene's speed: the height of slower rebounds, v^2 / 2g, is lost in rounding; larger: rests too early */
 #define PM_BOUNCE_SPENT 1e-6 /* of the scene's speed: a rebound that cannot be seen and is slower is over; likewise */
 #define PM_BOUNCE_UNKNOWN 30.0 /* times PM_LAST_BOUNCE: heights are known to some percent; larger: fewer blows are decisions */

@@ -4,6 +4,24 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "a passage near the end of an edge is not looked for",
+        "events/event_bracket.c",
+        "if (f->edge != PM_NONE && g[k] > 0",
+        "if (0 && g[k] > 0",
+    ),
+    Fault(
+        "passage: an edge is not as wide as a mark's way bends",
+        "events/edge_passage.c",
+        "return distance(c) > c->radius + c->deviation;",
+        "return distance(c) > c->radius;",
+    ),
+    Fault(
+        "passage: what dives under the end later hides what went through before",
+        "events/edge_passage.c",
+        "(through && is_within(c))",
+        "through",
+    ),
+    Fault(
         "a short bounce from too deep is not seen",
         "events/event.c",
         "f->sunk = -value;",
