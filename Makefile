@@ -15,7 +15,7 @@ export PATH := $(CURDIR)/$(BIN):$(PATH)
 .NOTPARALLEL:
 unexport MAKEFLAGS
 
-.PHONY: help setup demo bench bench-long calibrate gallery test test-kernel test-python test-browser lint format sanitize faults stress docs clean
+.PHONY: help setup demo bench bench-long calibrate gallery test test-kernel test-python test-browser lint format sanitize faults stress docs wheel wheel-test clean
 
 help:
 	@echo 'make demo         run the study studies/sphere_over_bars.toml; its files go to build/demo'
@@ -33,8 +33,10 @@ help:
 	@echo 'make bench        speed beside error, against the peers: build/bench (about ten minutes)'
 	@echo 'make bench-long   a sweep of a million cases: its time and memory'
 	@echo 'make docs         the pages of docs/: build/docs/index.html'
+	@echo 'make wheel        a wheel with the libraries in it: dist/'
+	@echo 'make wheel-test   install it into a clean environment and use it there'
 	@echo 'make gallery      the index page of studies/chapter17, and how many of its answers are right'
-	@echo 'make clean        remove build/ and .venv/'
+	@echo 'make clean        remove build/, dist/ and .venv/'
 
 setup:
 	@.ci/setup
@@ -103,5 +105,13 @@ docs:
 	@.ci/setup --docs
 	$(BIN)/sphinx-build -q -E -W --keep-going -b html docs build/docs
 
+wheel:
+	@.ci/setup --wheel
+	@.ci/wheel
+
+wheel-test:
+	@.ci/setup --wheel
+	@.ci/wheel-test $(WHEEL)
+
 clean:
-	rm -rf build .venv wrapper/planemotion/_layout.pyi
+	rm -rf build dist .venv wrapper/planemotion/_layout.pyi

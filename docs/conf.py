@@ -9,7 +9,7 @@ HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE))
 
 project = "planemotion"
-author = "the authors of planemotion"
+author = "The planemotion developers"
 extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx_click", "executed"]
 myst_enable_extensions = ["colon_fence"]
 myst_heading_anchors = 3
