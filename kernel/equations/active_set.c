@@ -47,7 +47,7 @@ static int append(pm_workspace *w, const pm_constraint *c, int *nbasis, int *ind
     }
     pm_constraint *place = &w->active.constraint[w->active.n];
     pm_orthonormal_rest rest;
-    int depends = 0;
+    int depends = PM_DEPENDENCE_NONE;
     *place = *c;
     pm_constraint_kind(place->kind)->evaluate(&w->frame, place);
     const int n = pm_orthonormal_rows_add_constraint(&w->saddle, *nbasis, place, &rest);
@@ -58,7 +58,7 @@ static int append(pm_workspace *w, const pm_constraint *c, int *nbasis, int *ind
         *place = *c;
     }
     *nbasis = n;
-    if (depends) {
+    if (depends == PM_DEPENDENCE_FOR_GOOD) {
         *index = leave_out(&w->active, c);
     } else {
         w->active.doubtful[w->active.n] = !grows;
@@ -209,6 +209,25 @@ static void move_back(const pm_model *m, pm_active_set *x, int one, int joint)
     x->njoint += joint;
 }
 
+/* Of several that are in doubt each may keep the neighbours of the others from being reached: this one beside those alone that are
+ * in no doubt. */
+static int depends_on_sure_ones(pm_workspace *w, const pm_constraint *c, int *depends)
+{
+    pm_active_set *x = &w->active;
+    const int njoint = x->njoint, outside = x->nredundant;
+    for (int i = x->n - 1; i >= 0; i--) {
+        if (!x->doubtful[i]) continue;
+        x->aside[x->nredundant - outside] = i;
+        move_out(w->model, x, i);
+    }
+    const int status = pm_dependence_on_all(w, c, depends);
+    while (x->nredundant > outside) {
+        const int place = x->aside[x->nredundant - 1 - outside];
+        move_back(w->model, x, place, place <= x->njoint && x->njoint < njoint);
+    }
+    return status;
+}
+
 /* What was kept since it depended here alone on those appended before it is left out if it depends for good on all the others:
  * no order of the constraints decides. */
 static int leave_out_doubtful(pm_workspace *w)
@@ -221,7 +240,8 @@ static int leave_out_doubtful(pm_workspace *w)
         move_out(w->model, &w->active, i);
         const pm_constraint c = w->active.redundant[w->active.nredundant - 1];
         status = pm_dependence_on_all(w, &c, &depends);
-        if (!depends) move_back(w->model, &w->active, i, joint);
+        if (!status && depends == PM_DEPENDENCE_UNKNOWN) status = depends_on_sure_ones(w, &c, &depends);
+        if (depends != PM_DEPENDENCE_FOR_GOOD) move_back(w->model, &w->active, i, joint);
     }
     return status;
 }

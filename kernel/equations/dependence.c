@@ -82,7 +82,7 @@ static int joins_fast(pm_workspace *w, const pm_constraint *c, int nbasis)
 }
 
 /* Whether a constraint that depends on the active ones here does so nearby, too: so does one between bodies that these hold
- * fast.  A neighbour that cannot be reached tells nothing: the constraint is then kept. */
+ * fast. */
 int pm_dependence_nearby(pm_workspace *w, const pm_constraint *c, int *depends)
 {
     const int nbasis = basis_of_active(w);
@@ -95,10 +95,13 @@ int pm_dependence_nearby(pm_workspace *w, const pm_constraint *c, int *depends)
         pm_constraint_kind(copy.kind)->evaluate(&w->frame, &copy);
         pm_orthonormal_rows_add_constraint(&w->saddle, basis_of_active(w), &copy, &rest);
         *depends = rest.left < PM_DEPENDENT_NEARBY;
+    } else if (status == PM_SINGULAR) {
+        *depends = PM_DEPENDENCE_UNKNOWN;
+        status = PM_OK;
     }
     pm_frame_look_state(&w->frame, &w->state);
     basis_of_active(w);
-    return status == PM_SINGULAR ? PM_OK : status;
+    return status;
 }
 
 int pm_dependence_on_all(pm_workspace *w, const pm_constraint *c, int *depends)
@@ -108,6 +111,6 @@ int pm_dependence_on_all(pm_workspace *w, const pm_constraint *c, int *depends)
     const int nbasis = basis_of_active(w);
     pm_constraint_kind(copy.kind)->evaluate(&w->frame, &copy);
     pm_orthonormal_rows_add_constraint(&w->saddle, nbasis, &copy, &rest);
-    *depends = 0;
+    *depends = PM_DEPENDENCE_NONE;
     return rest.left <= PM_INDEPENDENT ? pm_dependence_nearby(w, c, depends) : PM_OK;
 }

@@ -33,6 +33,7 @@ int pm_shared_create(pm_workspace *w)
         PM_ARRAY(w->active.redundant, nc),
         PM_ARRAY(w->active.share, nc),
         PM_ARRAY(w->active.doubtful, nc),
+        PM_ARRAY(w->active.aside, nc),
         PM_ARRAY(w->impulses.shared, nc * (size_t)(m->njoint_constraint + 2 * m->nslot)),
         PM_ARRAY(x->pose, 5 * (m->nbody + 1)),
         PM_ARRAY(x->loads, nc),

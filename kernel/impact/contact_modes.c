@@ -1,6 +1,7 @@
 /* contact_modes.c - complementarity at the level of accelerations: a closed contact pushes (lambda_n >= 0) or opens; friction by
  * Coulomb holds within mu lambda_n or slides against the slip; a rough contact never slips, a smooth one has no friction.
- * The present modes stand if they do so; else all of them are found as one problem (contact_modes_solve.c). */
+ * The present modes stand if they do so (contact_modes_settle.c); else all of them are found as one problem
+ * (contact_modes_solve.c). */
 #include "impact/contact_modes.h"
 
 #include <math.h>
@@ -13,9 +14,6 @@
 #include "elements/joint_friction.h"
 #include "elements/trigger.h"
 #include "equations/active_set.h"
-#include "equations/case.h"
-#include "equations/projection.h"
-#include "equations/saddle.h"
 #include "equations/shared_loads.h"
 #include "events/event.h"
 #include "numerics/tolerances.h"
@@ -133,6 +131,7 @@ int pm_contact_modes_begin(pm_workspace *w)
     memcpy(w->instant.slot_before, w->state.slot, (size_t)m->nslot * sizeof(pm_slot));
     memcpy(w->instant.friction_before, w->state.friction, (size_t)m->nfriction * sizeof(int32_t));
     memset(w->instant.slot_released, 0, (size_t)m->nslot);
+    memset(w->instant.slot_reversed, 0, (size_t)m->nslot);
     for (int i = 0; i < w->event->nfunction; i++) {
         if (!w->event->hit[i]) continue;
         if (w->event->function[i].kind == FUNCTION_END) {
@@ -163,16 +162,6 @@ int pm_contact_modes_released(const pm_model *model, const pm_instant *instant, 
     for (int i = first; i < first + pm_contact_slots(model, contact); i++)
         if (instant->slot_released[i] && instant->slot_before[i].member == member) return 1;
     return 0;
-}
-
-/* Never below the natural one: where nothing presses, reactions are rounding. */
-static double force_size(const pm_frame *frame, const pm_active_set *active)
-{
-    double sum = 0;
-    for (int i = 0; i < frame->model->nq; i++)
-        if (i % 3 != 2) sum += fabs(frame->f[i]);
-    for (int i = 0; i < active->n; i++) sum = fmax(sum, fabs(frame->lambda[i]));
-    return fmax(sum, pm_case_force(frame->model, frame->numbers));
 }
 
 /* Forces that contacts share are judged together (shared_stand). */
@@ -211,126 +200,6 @@ int pm_contact_modes_overcome(pm_workspace *w, const double *load, int site, dou
         if (!(room >= -PM_PULLS * size)) return i;
     }
     return PM_NONE;
-}
-
-/* A contact let go by this search whose pair would now approach. */
-static int approaches(pm_workspace *w)
-{
-    const double least = -PM_PULLS * (hypot(w->numbers.gravity[0], w->numbers.gravity[1]) +
-                                      w->numbers.speed * w->numbers.speed / w->numbers.size);
-    for (int i = 0; i < w->model->nslot; i++) {
-        if (w->state.slot[i].mode != PM_OPEN || w->instant.slot_released[i] != PM_LET_GO) continue;
-        const pm_constraint normal = pm_contact_modes_normal(&w->frame, &w->state, i);
-        if (pm_constraint_times(&w->frame, &normal, w->frame.a) - normal.gamma < least) return 1;
-    }
-    return 0;
-}
-
-/* Contacts that share their loads can do so. */
-static int shared_stand(pm_workspace *w, double size)
-{
-    int stand = 1;
-    for (int i = 0; i < w->model->nslot; i++) {
-        double slack;
-        if (!pm_shared_is_bounded(w, i, &slack)) continue;
-        pm_evidence_sign(&w->evidence, PM_SITE_SHARES, i, slack, size);
-        stand &= slack >= -PM_PULLS * size;
-    }
-    return stand;
-}
-
-/* Nothing pulls, holds by more than its friction, or was let go and would approach. */
-static int stands(pm_workspace *w, double size)
-{
-    return shared_stand(w, size) &&
-           pm_contact_modes_pulling(w, w->frame.lambda, PM_SITE_PULLS, size) == PM_NONE &&
-           pm_contact_modes_overcome(w, w->frame.lambda, PM_SITE_SLIDES, size) == PM_NONE && !approaches(w);
-}
-
-static int accelerate(pm_workspace *w)
-{
-    int status;
-    pm_frame_look_state(&w->frame, &w->state);
-    if ((status = pm_active_set_build(w)) || (status = pm_projection_built(w, &w->state))) return status;
-    return w->phase.kinematic ? PM_OK : pm_saddle_accelerate_projected(w);
-}
-
-/* The slip of a constraint accelerates so, which holds no more. */
-static int way_of(const pm_frame *frame, pm_constraint *c)
-{
-    pm_constraint_kind(c->kind)->evaluate(frame, c);
-    return pm_constraint_times(frame, c, frame->a) - c->gamma > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
-}
-
-/* Lets a friction of a joint slip, where that makes the accelerations known; 1 if it does. */
-static int reverse_joint(pm_workspace *w, int k)
-{
-    pm_constraint slip;
-    if (w->state.friction[k] != PM_STICK) return 0;
-    w->state.friction[k] = PM_SLIDE_FORWARD;
-    if (accelerate(w)) {
-        w->state.friction[k] = PM_STICK;
-        return 0;
-    }
-    pm_joint_friction_constraint(&w->frame, k, &slip);
-    w->state.friction[k] = way_of(&w->frame, &slip);
-    return 1;
-}
-
-static int reverse_contact(pm_workspace *w, int slot)
-{
-    pm_slot *s = &w->state.slot[slot];
-    if (s->mode != PM_STICK ||
-        pm_contact_friction(w->model, pm_contact_of_slot(w->model, slot)) != PM_FRICTION_COULOMB)
-        return 0;
-    s->mode = PM_SLIDE_FORWARD;
-    if (accelerate(w)) {
-        s->mode = PM_STICK;
-        return 0;
-    }
-    pm_constraint slip = pm_contact_modes_tangent(&w->frame, &w->state, slot);
-    s->mode = way_of(&w->frame, &slip);
-    return 1;
-}
-
-/* At a dead centre a slip is zero because its mechanism reverses, and not because friction holds it: held there, it depends
- * on the joints.  It goes on the other way. */
-static int reverse_slip(pm_workspace *w)
-{
-    for (int k = 0; k < w->model->nfriction; k++)
-        if (reverse_joint(w, k)) return 1;
-    for (int i = 0; i < w->model->nslot; i++)
-        if (reverse_contact(w, i)) return 1;
-    return 0;
-}
-
-/* Modes that stand may not be the only ones. */
-static int check_one(pm_workspace *w)
-{
-    if (!pm_contact_modes_are_open_by_theory(w)) return PM_OK;
-    const int status = pm_contact_modes_check_one(w);
-    return status ? status : accelerate(w);
-}
-
-int pm_contact_modes_settle(pm_workspace *w)
-{
-    const int most = 2 * w->model->nfriction + PM_MODES_ROUNDS;
-    int solved = 0;
-    for (int i = 0, changed = 1; i < most; i++) {
-        int status = accelerate(w);
-        if (status == PM_SINGULAR && reverse_slip(w)) status = accelerate(w);
-        if (status || w->phase.kinematic) return status;
-        const double size = force_size(&w->frame, &w->active);
-        if (!changed || stands(w, size)) {
-            if (!pm_joint_friction_overcome(w, PM_PULLS * size)) return solved ? PM_OK : check_one(w);
-            changed = 1;
-        } else if ((status = pm_contact_modes_solve(w, &changed))) {
-            return status;
-        } else {
-            solved = 1;
-        }
-    }
-    return pm_fail(&w->result, PM_BLOW_UNDECIDED, PM_TABLE_CONTACT, PM_NONE, most, most);
 }
 
 static int was_closed_with(const pm_model *model, const pm_slot *slots, int contact, int member)

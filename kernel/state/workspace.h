@@ -25,6 +25,7 @@ typedef struct pm_active_set {
     int nredundant;
     unsigned char
         *doubtful; /* [nconstraint] active ones that depended on those before them, here but not nearby */
+    int *aside;    /* [nconstraint] scratch of active_set.c: places of those that are taken out for a while */
     double *
         share; /* [nconstraint] reactions of the redundant ones: 0, or what equations/shared_reading.h gives them */
     int asymmetric;  /* some contact slides: H differs from G */
@@ -139,6 +140,8 @@ typedef struct pm_instant {
     pm_slot *slot_before;         /* [nslot] */
     int32_t *friction_before;     /* [nfriction] */
     unsigned char *slot_released; /* [nslot] let go at this instant: not closed again at it */
+    unsigned char *slot_reversed; /* [nslot] slips at this instant, though without speed yet */
+    double *place, *velocity;     /* [nq] each: those of the state, while modes are tried */
     int jams;                     /* it begins with an impact without collision: no step led on */
 } pm_instant;
 

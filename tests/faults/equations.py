@@ -6,7 +6,7 @@ FAULTS = [
     Fault(
         "a constraint that depends on later ones is kept",
         "equations/active_set.c",
-        "if (!depends) move_back(",
+        "if (depends != PM_DEPENDENCE_FOR_GOOD) move_back(",
         "move_back(",
     ),
     Fault(

@@ -121,7 +121,7 @@ FAULTS = [
     ),
     Fault(
         "modes: forces that are rounding pull",
-        "impact/contact_modes.c",
+        "impact/contact_modes_settle.c",
         "return fmax(sum, pm_case_force(frame->model, frame->numbers));",
         "return sum;",
     ),
@@ -157,7 +157,7 @@ FAULTS = [
     ),
     Fault(
         "mode: contacts may pull",
-        "impact/contact_modes.c",
+        "impact/contact_modes_settle.c",
         "pm_contact_modes_pulling(w, w->frame.lambda, PM_SITE_PULLS, size) == PM_NONE &&",
         "",
     ),

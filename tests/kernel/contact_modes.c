@@ -232,6 +232,42 @@ static void crates(void)
     NEAR(turned, 0.5 * couple / i_edge * 0.04, 5e-2 * turned); /* and a little faster as it goes */
 }
 
+/* ---- a box on a box ---- */
+/* Two boxes of width 1 and height 0.2, one on the other: two corners of each are at one place, and the lower one sticks by two
+ * corners.  The upper box slides as if it touched by two corners alone; the lower one stays. */
+static void slides_on_a_box(int side, int lower_first)
+{
+    const double w = 1, h = 0.2, i = (w * w + h * h) / 12, mu = 0.1, half_turn = acos(-1.);
+    scene *s = scene_create();
+    const int a = scene_body(s, 1, i, 0, h / 2, 0), b = scene_body(s, 1, i, 0, 3 * h / 2, 0);
+    const int top = scene_line(s, scene_point(s, a, 0, h / 2), 0),
+              bottom = scene_line(s, scene_point(s, b, 0, -h / 2), half_turn);
+    for (int group = 0; group < 2; group++) {
+        if (group == lower_first) {
+            for (int k = -1; k <= 1; k += 2)
+                scene_segment(s, scene_circle(s, scene_point(s, b, k * w / 2, -h / 2), 0), top, -w / 2, w / 2,
+                              0, PM_FRICTION_COULOMB, mu);
+            for (int k = -1; k <= 1; k += 2)
+                scene_segment(s, scene_circle(s, scene_point(s, a, k * w / 2, h / 2), 0), bottom, -w / 2,
+                              w / 2, 0, PM_FRICTION_COULOMB, mu);
+        } else {
+            for (int k = -1; k <= 1; k += 2)
+                scene_contact(s, PM_CONTACT_LINE, scene_circle(s, scene_point(s, a, k * w / 2, -h / 2), 0),
+                              scene_floor(s, 0), 0, 0, PM_FRICTION_COULOMB, 0.5);
+        }
+    }
+    const int upper = scene_ask_measure(
+                  s, scene_part(s, PM_MEASURE_VELOCITY, scene_point(s, b, 0, 0), PM_PART_X)),
+              lower = scene_ask_measure(
+                  s, scene_part(s, PM_MEASURE_VELOCITY, scene_point(s, a, 0, 0), PM_PART_X));
+    scene_start_velocity(s, scene_point(s, b, 0, 0), side, 0);
+    scene_until_time(s, 0.3);
+    EQUAL(scene_run(s, NULL), PM_OK);
+    NEAR(s->out[upper], side * (1 - mu * G * 0.3), 1e-9);
+    NEAR(s->out[lower], 0, 1e-12);
+    scene_free(s);
+}
+
 int main(void)
 {
     slopes();
@@ -245,5 +281,6 @@ int main(void)
     leaves_a_circle(0.2, PM_FRICTION_ROUGH);
     ladder();
     crates();
+    for (int k = 0; k < 4; k++) slides_on_a_box(k % 2 ? 1 : -1, k / 2);
     return check_failures();
 }

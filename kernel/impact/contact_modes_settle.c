@@ -1,0 +1,189 @@
+/* contact_modes_settle.c - modes that stand: nothing pulls, holds by more than its friction, or was let go and would approach.
+ *
+ * They are tried from the state as it was when the search began: the projection on modes that do not stand is taken back. */
+#include <math.h>
+#include <string.h>
+
+#include "elements/contact.h"
+#include "elements/joint_friction.h"
+#include "equations/active_set.h"
+#include "equations/case.h"
+#include "equations/ledger.h"
+#include "equations/projection.h"
+#include "equations/saddle.h"
+#include "equations/shared_loads.h"
+#include "impact/contact_modes.h"
+#include "numerics/tolerances.h"
+#include "state/evidence.h"
+#include "state/frame.h"
+#include "state/workspace.h"
+
+/* Never below the natural one: where nothing presses, reactions are rounding. */
+static double force_size(const pm_frame *frame, const pm_active_set *active)
+{
+    double sum = 0;
+    for (int i = 0; i < frame->model->nq; i++)
+        if (i % 3 != 2) sum += fabs(frame->f[i]);
+    for (int i = 0; i < active->n; i++) sum = fmax(sum, fabs(frame->lambda[i]));
+    return fmax(sum, pm_case_force(frame->model, frame->numbers));
+}
+
+/* A contact let go by this search whose pair would now approach. */
+static int approaches(pm_workspace *w)
+{
+    const double least = -PM_PULLS * (hypot(w->numbers.gravity[0], w->numbers.gravity[1]) +
+                                      w->numbers.speed * w->numbers.speed / w->numbers.size);
+    for (int i = 0; i < w->model->nslot; i++) {
+        if (w->state.slot[i].mode != PM_OPEN || w->instant.slot_released[i] != PM_LET_GO) continue;
+        const pm_constraint normal = pm_contact_modes_normal(&w->frame, &w->state, i);
+        if (pm_constraint_times(&w->frame, &normal, w->frame.a) - normal.gamma < least) return 1;
+    }
+    return 0;
+}
+
+/* Contacts that share their loads can do so. */
+static int shared_stand(pm_workspace *w, double size)
+{
+    int stand = 1;
+    for (int i = 0; i < w->model->nslot; i++) {
+        double slack;
+        if (!pm_shared_is_bounded(w, i, &slack)) continue;
+        pm_evidence_sign(&w->evidence, PM_SITE_SHARES, i, slack, size);
+        stand &= slack >= -PM_PULLS * size;
+    }
+    return stand;
+}
+
+/* Nothing pulls, holds by more than its friction, or was let go and would approach. */
+static int stands(pm_workspace *w, double size)
+{
+    return shared_stand(w, size) &&
+           pm_contact_modes_pulling(w, w->frame.lambda, PM_SITE_PULLS, size) == PM_NONE &&
+           pm_contact_modes_overcome(w, w->frame.lambda, PM_SITE_SLIDES, size) == PM_NONE && !approaches(w);
+}
+
+static int accelerate(pm_workspace *w)
+{
+    int status;
+    pm_frame_look_state(&w->frame, &w->state);
+    if ((status = pm_active_set_build(w)) || (status = pm_projection_built(w, &w->state))) return status;
+    return w->phase.kinematic ? PM_OK : pm_saddle_accelerate_projected(w);
+}
+
+/* The slip of a constraint accelerates so, which holds no more. */
+static int way_of(const pm_frame *frame, pm_constraint *c)
+{
+    pm_constraint_kind(c->kind)->evaluate(frame, c);
+    return pm_constraint_times(frame, c, frame->a) - c->gamma > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
+}
+
+/* Lets a friction of a joint slip, where that makes the accelerations known; 1 if it does. */
+static int reverse_joint(pm_workspace *w, int k)
+{
+    pm_constraint slip;
+    if (w->state.friction[k] != PM_STICK) return 0;
+    w->state.friction[k] = PM_SLIDE_FORWARD;
+    if (accelerate(w)) {
+        w->state.friction[k] = PM_STICK;
+        return 0;
+    }
+    pm_joint_friction_constraint(&w->frame, k, &slip);
+    w->state.friction[k] = way_of(&w->frame, &slip);
+    return 1;
+}
+
+static int reverse_contact(pm_workspace *w, int slot)
+{
+    pm_slot *s = &w->state.slot[slot];
+    if (s->mode != PM_STICK ||
+        pm_contact_friction(w->model, pm_contact_of_slot(w->model, slot)) != PM_FRICTION_COULOMB)
+        return 0;
+    s->mode = PM_SLIDE_FORWARD;
+    if (accelerate(w)) {
+        s->mode = PM_STICK;
+        return 0;
+    }
+    pm_constraint slip = pm_contact_modes_tangent(&w->frame, &w->state, slot);
+    s->mode = way_of(&w->frame, &slip);
+    w->instant.slot_reversed[slot] = 1;
+    return 1;
+}
+
+/* At a dead centre a slip is zero because its mechanism reverses, and not because friction holds it: held there, it depends
+ * on the joints.  It goes on the other way. */
+static int reverse_slip(pm_workspace *w)
+{
+    for (int k = 0; k < w->model->nfriction; k++)
+        if (reverse_joint(w, k)) return 1;
+    for (int i = 0; i < w->model->nslot; i++)
+        if (reverse_contact(w, i)) return 1;
+    return 0;
+}
+
+/* Modes that stand may not be the only ones. */
+static int check_one(pm_workspace *w)
+{
+    if (!pm_contact_modes_are_open_by_theory(w)) return PM_OK;
+    const int status = pm_contact_modes_check_one(w);
+    return status ? status : accelerate(w);
+}
+
+/* The projection on modes that were tried and do not stand is taken back: where their constraints nearly depend on each other
+ * it moves bodies that these do not hold. */
+static void keep(pm_workspace *w)
+{
+    memcpy(w->instant.place, w->state.q, (size_t)w->model->nq * sizeof(double));
+    memcpy(w->instant.velocity, w->state.v, (size_t)w->model->nq * sizeof(double));
+}
+
+static void take_back(pm_workspace *w)
+{
+    memcpy(w->state.q, w->instant.place, (size_t)w->model->nq * sizeof(double));
+    memcpy(w->state.v, w->instant.velocity, (size_t)w->model->nq * sizeof(double));
+}
+
+/* What slips by less than counts as slip is stopped by the modes that stand: these impulses belong into the ledger.  Next to a
+ * position where their constraints depend on each other they may be many times the slip. */
+static int account(pm_workspace *w)
+{
+    const size_t velocities = (size_t)w->model->nq * sizeof(double);
+    const double lost = w->impulses.energy_lost;
+    if (w->phase.kinematic || memcmp(w->state.v, w->instant.velocity, velocities) == 0) return PM_OK;
+    memcpy(w->state.v, w->instant.velocity, velocities);
+    pm_frame_look_state(&w->frame, &w->state);
+    pm_saddle_evaluate(&w->active, &w->frame);
+    const int status = pm_projection_velocity(w, &w->state);
+    if (status) return status;
+    pm_ledger_jump(w, w->instant.velocity);
+    w->impulses.energy_lost = lost;
+    return accelerate(w);
+}
+
+static int settled(pm_workspace *w, int solved)
+{
+    const int status = solved ? PM_OK : check_one(w);
+    return status ? status : account(w);
+}
+
+int pm_contact_modes_settle(pm_workspace *w)
+{
+    const int most = 2 * w->model->nfriction + PM_MODES_ROUNDS;
+    int solved = 0;
+    keep(w);
+    for (int i = 0, changed = 1; i < most; i++) {
+        take_back(w);
+        int status = accelerate(w);
+        if (status == PM_SINGULAR && reverse_slip(w)) status = accelerate(w);
+        if (status || w->phase.kinematic) return status;
+        const double size = force_size(&w->frame, &w->active);
+        if (!changed || stands(w, size)) {
+            if (!pm_joint_friction_overcome(w, PM_PULLS * size)) return settled(w, solved);
+            changed = 1;
+        } else if ((status = pm_contact_modes_solve(w, &changed))) {
+            return status;
+        } else {
+            solved = 1;
+        }
+    }
+    return pm_fail(&w->result, PM_BLOW_UNDECIDED, PM_NONE, PM_NONE, most, 0);
+}
