@@ -280,10 +280,14 @@ int pm_case_speed(const pm_model *model, pm_numbers *numbers, const double *v)
     return 1;
 }
 
+double pm_case_acceleration(const pm_numbers *numbers)
+{
+    return hypot(numbers->gravity[0], numbers->gravity[1]) + numbers->speed * numbers->speed / numbers->size;
+}
+
 double pm_case_force(const pm_model *model, const pm_numbers *numbers)
 {
-    const double acceleration =
-        hypot(numbers->gravity[0], numbers->gravity[1]) + numbers->speed * numbers->speed / numbers->size;
+    const double acceleration = pm_case_acceleration(numbers);
     double sum = 0;
     for (int i = 0; i < model->nbody; i++) sum += numbers->mass[i] * acceleration;
     return sum;

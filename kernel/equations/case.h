@@ -8,13 +8,15 @@
 int pm_case_values(pm_workspace *w, const double *param);
 /* Computes the value table from the parameters and checks it; fills masses, gravity, size, tolerance. */
 int pm_case_begin(pm_workspace *w, const double *param);
-/* When a run ends at the latest, s. */
 /* s of computing time, INFINITY where there is no limit. */
 double pm_case_max_cpu(const pm_model *model, const pm_numbers *numbers);
+/* When a run ends at the latest, s. */
 double pm_case_max_time(const pm_model *model, const pm_numbers *numbers);
 /* Lets the speed scale follow v; 1 if it grew noticeably. */
 int pm_case_speed(const pm_model *model, pm_numbers *numbers, const double *v);
 
+/* Of gravity, and such that change its motion within its size, m/s^2. */
+double pm_case_acceleration(const pm_numbers *numbers);
 /* Forces of the size of the scene's weight, or that change its motion within its size, N. */
 double pm_case_force(const pm_model *model, const pm_numbers *numbers);
 

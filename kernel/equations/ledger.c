@@ -16,6 +16,7 @@
 #include "elements/force.h"
 #include "elements/joint_friction.h"
 #include "elements/turning_plane.h"
+#include "equations/case.h"
 #include "equations/fixed_bodies.h"
 #include "equations/projection.h"
 #include "equations/saddle.h"
@@ -254,12 +255,12 @@ void pm_ledger_series(pm_workspace *w, double factor)
 /* Far from the origin positions, and with them heights, are rounded: relative to the energy scale, once per event. */
 static double energy_rounding(const pm_workspace *w, double mass)
 {
-    const double acceleration = hypot(w->numbers.gravity[0], w->numbers.gravity[1]) +
-                                w->numbers.speed * w->numbers.speed / w->numbers.size;
     const double rounding =
         PM_LEDGER_PLACE * pm_contact_reach(w) * (double)(1 + w->result.count[PM_COUNT_EVENTS]);
     const double spin = PM_LEDGER_SPIN * pm_turning_plane_kinetic(&w->frame, PM_NONE);
-    return w->ledger.energy_scale > 0 ? (mass * acceleration * rounding + spin) / w->ledger.energy_scale : 0;
+    return w->ledger.energy_scale > 0
+               ? (mass * pm_case_acceleration(&w->numbers) * rounding + spin) / w->ledger.energy_scale
+               : 0;
 }
 
 /* The same of moments about the origin: forces of the size of the weight, with arms that are rounded, all the time. */

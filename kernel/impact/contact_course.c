@@ -178,15 +178,25 @@ static int follow_phase(pm_contact_course *x, int compresses)
     return 0;
 }
 
+/* What all contacts have taken in compression, J. */
+static double work_of_all(const pm_contact_course *x)
+{
+    double sum = 0;
+    for (int i = 0; i < x->n; i++) sum += fabs(x->contact[i].work);
+    return sum;
+}
+
+/* A contact that was pushed without being compressed has no work to give back, by the law of Stronge. */
 static void begin_restitution(pm_contact_course *x)
 {
+    const double no_work = PM_COURSE_ROUNDING * work_of_all(x);
     memcpy(x->plastic, x->impulse, (size_t)pm_course_size(x) * sizeof *x->impulse);
     for (int i = 0; i < x->n; i++) {
         pm_course_contact *c = &x->contact[i];
         const double e = c->restitution;
-        c->rebounds = e > 0 && c->before < 0 && c->load > 0;
         c->left[0] = e * c->load;
         c->left[1] = -e * e * c->work;
+        c->rebounds = c->before < 0 && c->left[0] > 0 && (c->law != PM_LAW_STRONGE || c->left[1] > no_work);
         c->load = c->work = 0;
     }
 }

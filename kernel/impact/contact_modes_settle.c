@@ -31,8 +31,7 @@ static double force_size(const pm_frame *frame, const pm_active_set *active)
 /* A contact let go by this search whose pair would now approach. */
 static int approaches(pm_workspace *w)
 {
-    const double least = -PM_PULLS * (hypot(w->numbers.gravity[0], w->numbers.gravity[1]) +
-                                      w->numbers.speed * w->numbers.speed / w->numbers.size);
+    const double least = -PM_PULLS * pm_case_acceleration(&w->numbers);
     for (int i = 0; i < w->model->nslot; i++) {
         if (w->state.slot[i].mode != PM_OPEN || w->instant.slot_released[i] != PM_LET_GO) continue;
         const pm_constraint normal = pm_contact_modes_normal(&w->frame, &w->state, i);

@@ -4,10 +4,12 @@
 #include "elements/contact.h"
 #include "elements/force.h"
 #include "equations/active_set.h"
+#include "equations/case.h"
 #include "equations/saddle.h"
 #include "impact/contact_modes.h"
 #include "impact/contact_system.h"
 #include "impact/impact_parts.h"
+#include "numerics/tolerances.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 
@@ -47,13 +49,19 @@ static void accelerate_free(pm_workspace *w, pm_contact_system *x)
     pm_saddle_respond_roughly(w, w->frame.f, x->free);
 }
 
+/* The acceleration along a constraint where no listed contact acts; what rounding has left is none: where all of them are that,
+ * any of the motions that it allows would be found. */
+static double free_acceleration(const pm_workspace *w, const pm_contact_system *x, const pm_constraint *c)
+{
+    const double a = pm_constraint_times(&w->frame, c, x->free) - c->gamma;
+    return fabs(a) <= PM_PULLS * pm_case_acceleration(&w->numbers) ? 0 : a;
+}
+
 static void pose(const pm_workspace *w, pm_contact_system *x)
 {
     for (int i = 0; i < x->problem.n; i++) {
-        x->problem.contact[i].bias[0] =
-            pm_constraint_times(&w->frame, &x->normal[i], x->free) - x->normal[i].gamma;
-        x->problem.contact[i].bias[1] =
-            pm_constraint_times(&w->frame, &x->tangent[i], x->free) - x->tangent[i].gamma;
+        x->problem.contact[i].bias[0] = free_acceleration(w, x, &x->normal[i]);
+        x->problem.contact[i].bias[1] = free_acceleration(w, x, &x->tangent[i]);
     }
 }
 

@@ -118,3 +118,11 @@ def test_throws_that_failed_once(number: int, route: str) -> None:
     ran = thrown.Ran(one.text(route=route), len(one.bodies))
     assert ran.status == "ok", ran.why
     assert faults(one, ran.poses, ran.kinetic) == []
+
+
+def test_a_contact_that_only_carried_others_gives_nothing_back() -> None:
+    """By Stronge's law: it was pushed at no speed, so that it took no work; a body stops dead there."""
+    for seed, contacts, case in ((301, 3, 47), (303, 3, 125), (302, 4, 476)):
+        drawn = one_body.draw(np.random.default_rng([seed, contacts, 2, True]), 500, contacts, blow=True)
+        found = one_body.run(one_body.scene(contacts, "stronge", blow=True), drawn, blow=True)
+        np.testing.assert_allclose(found.out[case], 0, atol=1e-12)
