@@ -10,7 +10,7 @@ sys.path.insert(0, str(HERE))
 
 project = "planemotion"
 author = "The planemotion developers"
-extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx_click", "executed"]
+extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx_click", "executed", "gallery_pages"]
 myst_enable_extensions = ["colon_fence"]
 myst_heading_anchors = 3
 html_theme = "furo"
@@ -23,4 +23,3 @@ autodoc_typehints = "signature"
 autodoc_member_order = "bysource"
 # TOML has words of its own where Sphinx's lexer is asked for Python.
 highlight_language = "text"
-suppress_warnings = ["myst.xref_missing"]  # links of the README and the changelog to files of the sources

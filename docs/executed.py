@@ -29,6 +29,7 @@ from typing import Any, ClassVar
 from docutils import nodes
 from docutils.parsers.rst import Directive
 from docutils.parsers.rst.directives import unchanged
+from status_table import status_table
 
 from planemotion.examples import text_of, titles
 from planemotion.report.reference import reference
@@ -89,6 +90,7 @@ class ModuleText(Directive):
 def _begin(app: Any) -> None:
     for name in titles():
         (_FOLDER / f"{name}.toml").write_text(text_of(name), encoding="utf-8")
+    (HERE / "reference" / "statuses.md").write_text(status_table(), encoding="utf-8")
     (HERE / "reference" / "language.md").write_text(reference(), encoding="utf-8")
 
 

@@ -4,14 +4,19 @@ from __future__ import annotations
 
 import math
 import re
+from pathlib import Path
 from typing import Any
 
+import gallery_pages
 import numpy as np
 import pytest
+import status_table
 from scipy.optimize import least_squares
 
 import planemotion
-from tests import ROOT
+from planemotion._layout import pm_status
+from planemotion.engine.kernel import status_name
+from tests import CHAPTER, ROOT
 
 LAWS = re.findall(r"```toml\n(.*?)```", (ROOT / "docs/impact_laws.md").read_text(encoding="utf-8"), re.DOTALL)
 HOW_TO = (ROOT / "docs/howto.md").read_text(encoding="utf-8")
@@ -74,6 +79,52 @@ def test_the_measurements_of_the_how_to_are_a_damped_oscillation() -> None:
     assert measured == pytest.approx(_oscillation(t, 200, 4), abs=5.1e-4)
     closed = least_squares(lambda x: _oscillation(t, *x) - measured, [150, 1], x_scale=[100, 1])
     assert names["fit"].x == pytest.approx(closed.x, rel=1e-5)
+
+
+def test_the_table_of_statuses_has_each_of_the_kernels_once() -> None:
+    rows = re.findall(
+        r"^\| `(\w+)` \((-?\d+)\) \| [^|]+ \| [^|]+ \|$", status_table.status_table(), re.MULTILINE
+    )
+    wanted = {status_name(number): str(number) for number in pm_status.values()}
+    assert dict(rows) == wanted
+    assert len(rows) == len(wanted)
+
+
+@pytest.mark.parametrize("text", ["ok", "audit"])
+def test_a_status_without_a_line_fails_the_build(text: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    told = status_table.advice()
+    for words in told.values():
+        words.pop(text, None)
+    monkeypatch.setattr(status_table, "advice", lambda: told)
+    with pytest.raises(ValueError, match=text):
+        status_table.status_table()
+
+
+def test_every_scene_of_the_chapter_is_in_one_section_of_the_gallery() -> None:
+    stems = [path.stem for path in CHAPTER.glob("*.toml")]
+    assert set(gallery_pages.MOVING) < set(stems)
+    for stem in stems:
+        sections = [
+            section[0] for section in gallery_pages.SECTIONS if gallery_pages.is_in(stem, *section[2:])
+        ]
+        assert len(sections) == 1, stem
+
+
+def test_the_gallery_computes_a_scene_once_and_keeps_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    scene = tmp_path / "17-C5.toml"
+    scene.write_text((CHAPTER / scene.name).read_text("utf-8"), "utf-8")
+    monkeypatch.setattr(gallery_pages, "KEPT", tmp_path)
+    first = gallery_pages.made(scene, b"installed")
+    assert first["status"].startswith("`ok`")
+    assert [row[0] for row in first["answers"]] == ["ask", *planemotion.load(scene).data.ask]
+    assert {Path(name).suffix for name in first["files"].values()} == {".svg", ".html"}
+    assert all((tmp_path / name).stat().st_size for name in first["files"])
+    monkeypatch.setattr(gallery_pages, "_computed", None)
+    assert gallery_pages.made(scene, b"installed") == first
+    with pytest.raises(TypeError):
+        gallery_pages.made(scene, b"another version")
 
 
 def _oscillation(t: Any, stiffness: float, rate: float) -> Any:

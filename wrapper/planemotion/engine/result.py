@@ -114,9 +114,7 @@ class RunResult:
 
     def _repr_html_(self) -> str:
         """A table of the answers for a notebook."""
-        rows = [("ask", "value", "unit", "estimated error")]
-        rows += [(key, _value_text(ask), _unit_text(ask), _error_text(ask)) for key, ask in self.asks.items()]
-        return html_table(repr(self).partition("\n")[0], rows)
+        return html_table(repr(self).partition("\n")[0], answer_rows(self))
 
     def __getattr__(self, name: str) -> Answer:
         # Only for names that are no field; the fields may not be there yet while a copy is made.
@@ -161,6 +159,13 @@ class RunResult:
         lines += [f"  found: {name} = {_shown(value)}" for name, value in self.found.items()]
         lines += [f"  {key} = {_shown(ask)}" for key, ask in self.asks.items()]
         return "\n".join(lines)
+
+
+def answer_rows(result: RunResult) -> list[tuple[str, str, str, str]]:
+    """A table of the answers in words, its head first."""
+    rows = [("ask", "value", "unit", "estimated error")]
+    rows += [(key, _value_text(ask), _unit_text(ask), _error_text(ask)) for key, ask in result.asks.items()]
+    return rows
 
 
 def answers(flat: FlatScene, results: CaseResults, i: int) -> dict[str, AskValue]:
