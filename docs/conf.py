@@ -11,6 +11,7 @@ sys.path.insert(0, str(HERE))
 project = "planemotion"
 author = "The planemotion developers"
 extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx_click", "executed", "gallery_pages"]
+exclude_patterns = ["reference/statuses.md"]  # a part of trust.md, no page of its own
 myst_enable_extensions = ["colon_fence"]
 myst_heading_anchors = 3
 html_theme = "furo"
