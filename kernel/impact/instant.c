@@ -215,6 +215,7 @@ int pm_instant_finish(pm_workspace *w, int *ended)
 
 int pm_instant_start(pm_workspace *w)
 {
+    w->instant.since = -1;
     int ended; /* is set again when the start is closed */
     const int64_t jumps = w->result.count[PM_COUNT_JUMPS];
     pm_trigger_mark_start(w);
@@ -248,11 +249,35 @@ static int mark_reversal(pm_workspace *w)
     return pm_saddle_accelerate(w);
 }
 
+static int contact_hit(const pm_workspace *w)
+{
+    const pm_event_set *e = w->event;
+    for (int i = e->ntrigger; i < e->nfunction; i++)
+        if (e->hit[i] && e->function[i].kind == FUNCTION_GAP) return e->function[i].index;
+    for (int i = e->ntrigger; i < e->nfunction; i++)
+        if (e->hit[i] && pm_event_contact_change(e, i) != PM_NONE)
+            return pm_contact_of_slot(w->model, e->function[i].index);
+    return PM_NONE;
+}
+
+/* Modes that change in turn lead nowhere where no time passes between their instants. */
+static int check_progress(pm_workspace *w)
+{
+    if (fabs(w->state.t - w->instant.since) > PM_AT_ONCE * fabs(w->state.t)) {
+        w->instant.since = w->state.t;
+        w->instant.at_once = 0;
+    }
+    if (++w->instant.at_once < PM_INSTANTS_AT_ONCE) return PM_OK;
+    const double many = (double)w->instant.at_once;
+    return pm_fail(&w->result, PM_ALTERNATES, PM_TABLE_CONTACT, contact_hit(w), many, many);
+}
+
 int pm_instant_full(pm_workspace *w, int *ended)
 {
     *ended = 0;
     pm_frame_look_state(&w->frame, &w->state);
-    int status = pm_history_append(w, 1);
+    int status = check_progress(w);
+    if (!status) status = pm_history_append(w, 1);
     if (!status) status = pm_saddle_accelerate(w);
     if (!status) status = pm_event_check_strands(w);
     if (!status && w->step.reverses) status = mark_reversal(w);

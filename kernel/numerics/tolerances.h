@@ -242,6 +242,8 @@
 #define PM_JOINTS_TURNS 200 /* rounds to find the direction of a bearing's reaction; likewise */
 #define PM_JOINTS_TURNED 1e-14 /* rad: it is found; larger: less exact */
 #define PM_JOINTS_FREE 1e-12 /* of the response of a joint's slip, or of what moves its reaction: none; larger: frictions are left out */
+#define PM_INSTANTS_AT_ONCE 1000 /* instants with no time between them; more: contacts that change in turn for ever end later */
+#define PM_AT_ONCE 1e-14 /* of the time: so much is none; larger: short phases are none */
 #define PM_BLOWS_AT_ONCE 10000 /* blows at one instant, each smaller than the one before; more: an endless series ends later */
 #define PM_BLOW_ROUNDING 1e-10 /* of the energies that a blow moves: rounding; larger: a law that gains energy passes */
 #define PM_BLOW_NOTHING 1e-14 /* of its impulses at the scene's speed: a blow that moves no more is rounding itself; likewise */

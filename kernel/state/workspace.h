@@ -142,7 +142,9 @@ typedef struct pm_instant {
     unsigned char *slot_released; /* [nslot] let go at this instant: not closed again at it */
     unsigned char *slot_reversed; /* [nslot] slips at this instant, though without speed yet */
     double *place, *velocity;     /* [nq] each: those of the state, while modes are tried */
-    int jams;                     /* it begins with an impact without collision: no step led on */
+    double since;    /* s: since then instants have followed each other with no time between them */
+    int64_t at_once; /* so many */
+    int jams;        /* it begins with an impact without collision: no step led on */
 } pm_instant;
 
 /* Which triggers have fired, and how often and when events did (elements/trigger.h). */

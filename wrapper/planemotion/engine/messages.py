@@ -164,6 +164,10 @@ _DESCRIPTIONS: dict[int, Any] = {
     layout.PM_LIMIT_CPU: lambda place, found, bound: (
         f"solve.max_cpu: given up after {bound:g} s of computing time; what was answered before stands"
     ),
+    layout.PM_ALTERNATES: lambda place, found, bound: (
+        f"{place}: contacts stick, slip or part in turn, {found:.0f} times without time passing: next to a "
+        "position where they lock each other no motion that is found goes on; what was answered before stands"
+    ),
     layout.PM_CANCELLED: lambda place, found, bound: "cancelled before it was finished",
     layout.PM_STAYS_AT_REST: lambda place, found, bound: (
         "until: not reached; everything has come to rest and stays"
