@@ -325,6 +325,19 @@ int pm_saddle_respond(pm_workspace *w, const double *force, double *x)
     return pm_fail(&w->result, PM_SINGULAR, PM_TABLE_BODY, worst / 3, NAN, NAN);
 }
 
+/* Where constraints depend on each other those that are left may nearly do so, too: their accelerations are corrected by what is
+ * left of their equations, once. */
+static void refine(pm_workspace *w)
+{
+    pm_saddle *s = &w->saddle;
+    for (int i = 0; i < w->active.n; i++)
+        s->rhs[i] = w->active.constraint[i].gamma -
+                    pm_constraint_times(&w->frame, &w->active.constraint[i], w->frame.a);
+    solve(s, NULL);
+    spread_solved(s, 1, w->frame.a);
+    for (int i = 0; i < w->active.n; i++) w->frame.lambda[i] += s->rhs[i];
+}
+
 /* With the friction of joints as it was found last. */
 static int accelerate(pm_workspace *w, int evaluated)
 {
@@ -338,6 +351,7 @@ static int accelerate(pm_workspace *w, int evaluated)
         for (int i = 0; i < w->active.n; i++) w->saddle.wanted[i] = w->active.constraint[i].gamma;
         if ((status = pm_saddle_respond(w, f->f, f->a))) return status;
         memcpy(f->lambda, w->saddle.rhs, (size_t)w->active.n * sizeof(double));
+        if (w->active.nredundant > 0 && !w->saddle.light.is_used) refine(w);
     }
     f->level = PM_LEVEL_DYNAMIC;
     return PM_OK;
