@@ -146,18 +146,39 @@ int pm_time_course_switch(pm_workspace *w)
 }
 
 /* ---- between them ---- */
-/* The bends at the samples, widened by what changes nothing. */
-static pm_interval told_bends(const pm_workspace *w, int i, double from, double to)
+/* The bends at the samples, by the squared distance of these, are about the second differences of the values: not so where a
+ * sample falls by chance into a pulse that is narrower than their distance. */
+static int are_dense(const pm_jet *sample, double apart, double nothing)
+{
+    double second[SAMPLES];
+    for (int k = 1; k + 1 < SAMPLES; k++)
+        second[k] = fabs(sample[k - 1].value.lo - 2 * sample[k].value.lo + sample[k + 1].value.lo);
+    for (int k = 0; k < SAMPLES; k++) {
+        const int first = k < 2 ? 1 : k - 1, last = k > SAMPLES - 3 ? SAMPLES - 2 : k + 1;
+        double most = 0;
+        for (int j = first; j <= last; j++) most = fmax(second[j], most);
+        const double bend = pm_interval_size(sample[k].bend); /* not bounded where a root begins */
+        if (isfinite(bend) && bend * apart * apart > PM_TIME_DENSE * most + nothing) return 0;
+    }
+    return 1;
+}
+
+/* The bends at the samples, widened by what changes nothing; 0: the samples are too far from each other to tell. */
+static int told_bends(const pm_workspace *w, int i, double from, double to, pm_interval *told)
 {
     double *size = &w->step.course->size[i];
+    pm_jet sample[SAMPLES];
     pm_interval seen = {INFINITY, -INFINITY};
     const double h = to - from, value = pm_interval_size(enclose(w, i, from, to).jet.value);
     if (isfinite(value)) *size = fmax(*size, value);
     for (int k = 0; k < SAMPLES; k++) {
         const double t = from + h * k / (SAMPLES - 1);
-        seen = pm_interval_hull(seen, enclose(w, i, t, t).jet.bend);
+        sample[k] = enclose(w, i, t, t).jet;
+        seen = pm_interval_hull(seen, sample[k].bend);
     }
-    return pm_enclosure_told_bends(seen, w->numbers.tolerance * *size / (h * h));
+    const double nothing = w->numbers.tolerance * *size;
+    *told = pm_enclosure_told_bends(seen, nothing / (h * h));
+    return are_dense(sample, h / (SAMPLES - 1), nothing);
 }
 
 /* Whether program i stays within its bends over a part of the stretch. */
@@ -173,8 +194,9 @@ static int is_told(const pm_workspace *w, double from, double to)
 {
     const double h = to - from;
     for (int i = 0; i < w->step.course->n; i++) {
-        const pm_interval told = told_bends(w, i, from, to);
+        pm_interval told;
         int budget = PM_TIME_PARTS;
+        if (!told_bends(w, i, from, to, &told)) return 0;
         for (int k = 0; k + 1 < SAMPLES; k++)
             if (!stays(w, i, told, from + h * k / (SAMPLES - 1), from + h * (k + 1) / (SAMPLES - 1), &budget))
                 return 0;
@@ -193,4 +215,10 @@ double pm_time_course_limit(pm_workspace *w, double length)
         to = from + 0.5 * (to - from);
     c->told = to;
     return fmin(to, c->next);
+}
+
+double pm_time_course_first_step(const pm_workspace *w)
+{
+    const pm_time_course *c = w->step.course;
+    return c->n > 0 ? PM_TIME_FIRST * (fmin(c->told, c->next) - w->state.t) : INFINITY;
 }

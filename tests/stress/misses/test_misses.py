@@ -1,0 +1,64 @@
+"""A quick part of `python -m tests.stress.misses`, and that its truth is one."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+import numpy as np
+import pytest
+
+from tests.stress.misses import pulses, waves
+from tests.stress.misses.verdict import BEYOND, MISSED, RIGHT
+
+CASES = 60
+
+
+@pytest.mark.parametrize("kind", [pulses, waves])
+def test_nothing_short_is_missed(kind: object) -> None:
+    found: Counter[str] = Counter()
+    for seed in range(8):
+        found.update(kind.table(seed, CASES)[1])  # type: ignore[attr-defined]
+    assert found[MISSED] == found[BEYOND] == 0
+    assert found[RIGHT] > 0.85 * 8 * CASES
+
+
+def test_a_sample_in_a_pulse_does_not_tell_it() -> None:
+    """A bell of 4 us with one of nine samples in it by chance; half sines, zero at both ends of a step."""
+    for seed, cases in ((4, 200), (3, 40)):
+        _, words, _ = pulses.table(seed, cases)
+        assert Counter(words)[MISSED] == 0
+
+
+@pytest.mark.parametrize("motion", waves.MOTIONS)
+def test_the_truth_of_waves_is_that_of_many_places(motion: str) -> None:
+    rng = np.random.default_rng(5)
+    n, p, c, v = (
+        10 ** rng.uniform(-1, 1, 40),
+        rng.uniform(-3, 3, 40),
+        rng.uniform(-0.9, 0.9, 40),
+        rng.uniform(0.5, 5, 40),
+    )
+    truth, edge = waves.truth_of(motion, n, p, c, v)
+    t = np.linspace(0, 1, 200_001)[:, None]
+    x = {"goes on": v * t, "comes back": v * t - 3 * t**2, "swings": v / 6 * np.sin(6 * t)}[motion]
+    wave = np.cos(2 * np.pi * n * x + p)
+    dips = ((wave[:-1] >= c) & (wave[1:] < c)).sum(axis=0)
+    many = np.stack([dips, wave.max(axis=0), wave.min(axis=0)], axis=1)
+    np.testing.assert_allclose(many[edge == 0], truth[edge == 0], atol=1e-6)
+    assert edge.sum() < 3
+
+
+@pytest.mark.parametrize("shape", pulses.SHAPES)
+def test_the_truth_of_pulses_is_their_integral(shape: str) -> None:
+    impulse, middle, width = np.array([0.7, -0.3]), np.array([0.4, 0.98]), np.array([0.05, 0.3])
+    t = np.linspace(0, 1, 2_000_001)
+    for i in range(2):
+        u = (t - middle[i]) / width[i]
+        force = {
+            "rectangle": np.abs(u) < 0.5,
+            "bell": np.exp(-(u**2)),
+            "half sine": np.cos(np.pi * u) * (np.abs(u) < 0.5),
+        }[shape] * (impulse[i] / width[i])
+        speed, place = pulses._integral(shape, impulse[[i]], middle[[i]], width[[i]], spring=False)
+        np.testing.assert_allclose(speed[0], np.trapezoid(force, t), atol=1e-5)
+        np.testing.assert_allclose(place[0], np.trapezoid(force * (1 - t), t), atol=1e-5)
