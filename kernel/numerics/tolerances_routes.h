@@ -9,6 +9,7 @@
 
 #define PM_CLOCK_TAIL 1e-13      /* tail of dt/du at the least; more: less exact times */
 #define PM_WORK_TAIL 1e-12       /* tail of the rates of work; more: less exact energies */
+#define PM_PATH_TURNS 1e-13 /* of the scene's size, in the driver: a way to the turning point that energies do not show; larger: short ways are left to another route */
 #define PM_PATH_STILL 1e-11      /* of the scene's speed: at rest; more: slow starts lose their speed */
 #define PM_PATH_BALANCED 1e-12   /* of the forces: in equilibrium; more: weak forces move nothing */
 #define PM_PATH_STEPS_PER_TURN 8 /* steps in a turn of a coordinate; more: slower, contacts are seen sooner */

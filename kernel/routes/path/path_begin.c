@@ -66,7 +66,13 @@ int pm_path_applies(const pm_workspace *w)
            !w->phase.path_left && !pm_active_set_is_driven(&w->active);
 }
 
-/* The tree of the phase and its first place; 0: more than one freedom, no direction there, or it stays at rest. */
+/* Against its forces it comes so little far that the differences of energies do not show where it turns. */
+static int turns_at_once(const pm_workspace *w, const pm_place *x, double sense)
+{
+    return x->force * sense < 0 && x->kinetic < PM_PATH_TURNS * w->numbers.size * fabs(x->force);
+}
+
+/* The tree of the phase and its first place; 0: more than one freedom, no direction there, it turns at once or stays at rest. */
 int pm_path_prepare(pm_workspace *w)
 {
     pm_path *p = w->path;
@@ -91,6 +97,7 @@ int pm_path_prepare(pm_workspace *w)
     /* the contacts are met anew, to rounding: what the forces do on that way is not lost */
     for (int i = 0; i < w->model->nq; i++) x->kinetic += w->frame.f[i] * (x->q[i] - w->state.q[i]);
     if (p->at_rest) x->kinetic = 0;
+    if (!p->at_rest && turns_at_once(w, x, p->sense)) return 0;
     return !p->at_rest || leave_rest(w, x);
 }
 

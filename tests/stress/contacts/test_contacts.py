@@ -111,6 +111,7 @@ def test_a_number_is_always_the_same_throw() -> None:
         (2820, "ida"),
         (1579, ""),  # a corner cuts off the end of an edge
         (1743, ""),
+        (102250, ""),  # what turns at once on a path has no way that energies show
     ],
 )
 def test_throws_that_failed_once(number: int, route: str) -> None:
@@ -126,3 +127,10 @@ def test_a_contact_that_only_carried_others_gives_nothing_back() -> None:
         drawn = one_body.draw(np.random.default_rng([seed, contacts, 2, True]), 500, contacts, blow=True)
         found = one_body.run(one_body.scene(contacts, "stronge", blow=True), drawn, blow=True)
         np.testing.assert_allclose(found.out[case], 0, atol=1e-12)
+
+
+def test_what_changes_in_turn_at_one_time_is_told() -> None:
+    """Dominoes that lock each other: no motion that is found goes on."""
+    ran = thrown.Ran(throw(21353).text(), 4)
+    assert ran.status == "alternates"
+    assert ran.why.startswith("contacts.c0[1]: contacts stick, slip or part in turn")
