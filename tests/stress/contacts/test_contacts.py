@@ -130,7 +130,7 @@ def test_a_contact_that_only_carried_others_gives_nothing_back() -> None:
 
 
 def test_what_changes_in_turn_at_one_time_is_told() -> None:
-    """Dominoes that lock each other: no motion that is found goes on; which of them do depends on rounding."""
+    """Dominoes that lock each other: no motion that is found goes on; which do depends on rounding."""
     told = [
         ran.why
         for number in (23180, 23801)
