@@ -20,6 +20,7 @@
 #include "scene/reference.h"
 #include "state/arena.h"
 #include "state/frame.h"
+#include "state/route.h"
 
 #define SAMPLES 9 /* of a stretch, its ends included */
 
@@ -31,6 +32,7 @@ typedef struct pm_time_course {
     double next;  /* the next switch, s; INFINITY: there is none before the end */
     double after; /* the number behind it */
     double told;  /* up to where all programs are told */
+    double apart; /* s, distance of the samples that tell them */
 } pm_time_course;
 
 /* ---- which programs ---- */
@@ -131,6 +133,7 @@ void pm_time_course_begin(pm_workspace *w)
     w->frame.side = (pm_side){-INFINITY, INFINITY};
     c->next = INFINITY;
     if (c->n == 0) return;
+    c->apart = 0;
     c->end = pm_case_max_time(w->model, &w->numbers);
     for (int i = 0; i < c->n; i++) c->size[i] = 0;
     find_next(w, w->state.t);
@@ -204,21 +207,32 @@ static int is_told(const pm_workspace *w, double from, double to)
     return 1;
 }
 
+/* What is told, or for a step that sees its end alone the next sample. */
+static double reach(const pm_workspace *w)
+{
+    const pm_time_course *c = w->step.course;
+    const double told = fmin(c->told, c->next);
+    return w->phase.route->sees_ends ? fmin(told, w->state.t + c->apart) : told;
+}
+
+/* How far programs are told at once, by a last step of this length.  Steps that see their ends alone are as short as the
+ * samples are apart, at least: these may become twice as long. */
+static double ahead(const pm_workspace *w, double length)
+{
+    const double apart = fmax(length, w->step.course->apart);
+    return w->phase.route->sees_ends ? 2 * (SAMPLES - 1) * apart : PM_TIME_AHEAD * length;
+}
+
 double pm_time_course_limit(pm_workspace *w, double length)
 {
     pm_time_course *c = w->step.course;
     const double from = w->state.t, most = fmin(c->next, c->end);
     if (c->n == 0) return INFINITY;
-    if (c->told >= most || from + PM_TIME_ENOUGH * length < c->told) return fmin(c->told, c->next);
-    double to = length > 0 ? fmin(most, from + PM_TIME_AHEAD * length) : most;
+    if (c->told >= most || from + PM_TIME_ENOUGH * length < c->told) return reach(w);
+    double to = length > 0 ? fmin(most, from + ahead(w, length)) : most;
     for (int i = 0; i < PM_TIME_HALVINGS && to > from && !is_told(w, fmax(from, w->frame.side.from), to); i++)
         to = from + 0.5 * (to - from);
     c->told = to;
-    return fmin(to, c->next);
-}
-
-double pm_time_course_first_step(const pm_workspace *w)
-{
-    const pm_time_course *c = w->step.course;
-    return c->n > 0 ? PM_TIME_FIRST * (fmin(c->told, c->next) - w->state.t) : INFINITY;
+    c->apart = (to - from) / (SAMPLES - 1);
+    return reach(w);
 }

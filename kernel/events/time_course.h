@@ -12,8 +12,6 @@ int pm_time_course_create(pm_workspace *w);
 void pm_time_course_begin(pm_workspace *w);
 /* The time to which a step from w->state may go that was as long as `length` the last time (0: not known). */
 double pm_time_course_limit(pm_workspace *w, double length);
-/* Not longer than this may a first step be that looks at its end alone, s; INFINITY: nothing changes with the time. */
-double pm_time_course_first_step(const pm_workspace *w);
 /* 1 if some program switches at w->state.t: from here on it is as after that. */
 int pm_time_course_switch(pm_workspace *w);
 

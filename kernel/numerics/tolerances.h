@@ -151,7 +151,6 @@
 #define PM_TIME_LEVEL 1e-3 /* of their size, likewise */
 #define PM_TIME_PARTS 64 /* of a stretch, halved to be told; more: fewer needless cuts, each dearer */
 #define PM_TIME_AHEAD 4.0 /* times the last step: so far ahead programs are told at once; larger: samples lie less dense */
-#define PM_TIME_FIRST 0.03 /* of the time that samples tell: a first step that sees its end alone; larger: a pulse that is zero there is not seen */
 #define PM_TIME_ENOUGH 1.5 /* times the last step: so much that is told is enough for the next; larger: told more often */
 #define PM_SAME_PLACE 1e-11 /* of a step: events that are closer are one instant; larger: two blows become one */
 #define PM_GAP_ROUNDING 4e-15 /* of how far bodies are from the origin: gaps are rounded by it; larger: a bounce that comes back at once is lost */

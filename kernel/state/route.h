@@ -53,6 +53,7 @@ typedef struct pm_route_ops {
     double finest;        /* tolerance below which it does not get better */
     double spread;        /* how far its errors scatter about what goes with the tolerance, as a factor */
     int locates_contacts; /* it ends its steps where functions of contacts are zero; the others are sampled */
+    int sees_ends;        /* a step sees what drives it at its end alone, not in between */
     int in_time;          /* its progress coordinate is the time */
     int meets_places;     /* it meets every place of a step exactly, to rounding */
     int on_tree;          /* its unknowns are the coordinates of the tree (tree/tree.h) */

@@ -433,4 +433,28 @@ FAULTS = [
         "return r && r->every > 0 ? record(w, 0) : PM_OK;",
         "return PM_OK * (r == NULL);",
     ),
+    Fault(
+        "time: switches of a force end no phase",
+        "events/time_course.c",
+        "c->next = before;",
+        "c->next = INFINITY;",
+    ),
+    Fault(
+        "time: what a force does between samples is not asked",
+        "events/time_course.c",
+        "if (!told_bends(w, i, from, to, &told)) return 0;",
+        "if (!told_bends(w, i, from, to, &told)) return 0; else return 1;",
+    ),
+    Fault(
+        "time: a pulse with a sample in it is taken for what a force does all the time",
+        "events/time_course.c",
+        "&told)) return 0;",
+        "&told)) (void)0;",
+    ),
+    Fault(
+        "time: steps that see their ends alone are as long as what is told",
+        "events/time_course.c",
+        "return w->phase.route->sees_ends ? fmin(told, w->state.t + c->apart) : told;",
+        "return told;",
+    ),
 ]

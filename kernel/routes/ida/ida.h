@@ -83,7 +83,6 @@ typedef struct pm_ida {
     int most;           /* unknowns with all constraints active */
     double tolerance;   /* of IDA */
     double *weight;     /* [most] reciprocal of the allowed errors, rounding left aside */
-    double initial;     /* length of the first step of the phase, s; not finite: as IDA thinks fit */
     double first, last; /* the step as integrated: dense output is known there */
     int status;         /* of the kernel inside a function that IDA called, or PM_OK */
     pm_ida_jacobian jacobian;

@@ -19,7 +19,6 @@
 #include "events/ask.h"
 #include "events/event.h"
 #include "events/gap_culling.h"
-#include "events/time_course.h"
 #include "numerics/tolerances.h"
 #include "routes/ida/ida.h"
 #include "scene/build.h"
@@ -219,11 +218,6 @@ static double begin_functions(pm_workspace *w)
     return back;
 }
 
-static int set_first_step(pm_ida *r, double first)
-{
-    return IDASetInitStep(r->memory, isfinite(first) ? first : 0); /* 0: as IDA thinks fit */
-}
-
 static int begin(pm_workspace *w)
 {
     pm_ida *r = w->ida;
@@ -241,8 +235,7 @@ static int begin(pm_workspace *w)
     if (flag == IDA_SUCCESS) flag = limit_step(w);
     if (flag != IDA_SUCCESS) return failed(&w->result, flag);
     first = fmin(first, fmax(PM_IDA_SHORTEST * first, PM_IDA_FLIGHT * begin_functions(w)));
-    r->initial = first;
-    flag = set_first_step(r, first);
+    flag = IDASetInitStep(r->memory, isfinite(first) ? first : 0); /* 0: as IDA thinks fit */
     r->first = r->last = w->state.t;
     return flag == IDA_SUCCESS ? PM_OK : failed(&w->result, flag);
 }
@@ -289,9 +282,7 @@ static int one_step(pm_workspace *w, double t_limit)
     if (!(room > PM_IDA_LEAST_ROOM * fabs(t_limit)))
         return too_small(&w->result, room, PM_IDA_LEAST_ROOM * fabs(t_limit));
     r->status = PM_OK;
-    int flag = IDA_SUCCESS;
-    if (w->event->first_step) flag = set_first_step(r, fmin(r->initial, pm_time_course_first_step(w)));
-    if (flag == IDA_SUCCESS) flag = IDASetStopTime(r->memory, t_limit);
+    int flag = IDASetStopTime(r->memory, t_limit);
     if (flag == IDA_SUCCESS) flag = IDASolve(r->memory, t_limit, &t, r->y, r->yp, IDA_ONE_STEP);
     int status = status_of(&w->result, w->ida, flag);
     if (status) return status;
@@ -341,6 +332,7 @@ const pm_route_ops pm_route_ida = {
     .exact = exact,
     .finest = PM_IDA_FINEST,
     .spread = 60, /* its order changes on the way */
+    .sees_ends = 1,
     .in_time = 1,
     .when_lost = PM_LOST_TO_PASSAGE,
     .price = 4,
