@@ -24,8 +24,9 @@ from planemotion.engine import history
 from planemotion.engine.outcome import History
 from planemotion.pen import page
 from planemotion.pictures.history import plot_history
+from planemotion.pictures.panels import open_sweep
 from planemotion.pictures.plots import plot
-from planemotion.pictures.sweep import open_sweep, plot_sweep
+from planemotion.pictures.sweep import plot_sweep
 from planemotion.sweep.block import Block
 from planemotion.sweep.layout import Coordinate, Layout
 from planemotion.sweep.netcdf import write_result

@@ -13,7 +13,7 @@ from planemotion import StudyError, load_text
 from planemotion.base.checksums import faults_of, require_sound
 from planemotion.compile.flatten import flatten
 from planemotion.engine import call, history
-from planemotion.pictures.sweep import open_sweep
+from planemotion.pictures.panels import open_sweep
 from planemotion.sweep.run import sweep_files
 from planemotion.sweep.verify import verify
 from tests.scenes.pendulum import RELEASED

@@ -13,7 +13,8 @@ from ..engine.history import is_history
 from ..engine.history import read as read_history
 from ..pen.page import save, style
 from .history import plot_history
-from .sweep import open_sweep, plot_sweep
+from .panels import open_sweep
+from .sweep import plot_sweep
 
 
 def plot(result: str | os.PathLike[str], out: str | os.PathLike[str] | None = None) -> Path:

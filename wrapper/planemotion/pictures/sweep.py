@@ -8,8 +8,6 @@ an answer are gaps, those that did not end well are marked in red, and both are 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import matplotlib
@@ -18,8 +16,8 @@ import numpy.typing as npt
 from matplotlib.figure import Figure
 
 from ..base.arrays import Floats
-from ..base.errors import StudyError
 from ..pen.page import CURVES, FAMILY, HEAD_HEIGHT, RED, ROW_HEIGHT, SOFT, head
+from .panels import Panel, SweptAxis, read_panels
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -36,167 +34,18 @@ _FEW_POINTS = 40
 _STEPS_OF_COLOUR = 12
 # Positive values that span more than this are drawn on a logarithmic axis.
 _LOG_SPAN = 100.0
-# Values along one axis of a map: more than the picture has dots is not drawn.
-_MAP_CELLS = 1200
 _COLUMN_WIDTH, _MAP_HEIGHT = 5.2, 3.1  # inches
-
-
-def open_sweep(path: Path) -> xr.Dataset:
-    """The result of a sweep, lazily.  Raises StudyError if it is none."""
-    import xarray as xr
-
-    if not path.is_file():
-        raise StudyError(f"{path}: there is no such file")
-    try:
-        dataset = xr.open_dataset(path, engine="h5netcdf")
-    except Exception as error:  # there is nothing that HDF5 does not say of a damaged file
-        raise StudyError(f"{path}: is no result of a sweep or a run: {error}") from error
-    if "parameters" not in dataset.attrs or "status" not in dataset:
-        dataset.close()
-        raise StudyError(
-            f"{path}: is no result of a sweep or a run; plot wants an .h5 that planemotion wrote"
-        )
-    return dataset
-
-
-@dataclass(frozen=True)
-class _Axis:
-    """A swept parameter as an axis of the picture."""
-
-    name: str
-    label: str
-    values: Floats
-    log: bool
-
-
-@dataclass(frozen=True)
-class _Panel:
-    """One ask: values over the axes drawn (one axis of curves, or two of a map); `names` of its curves."""
-
-    label: str
-    values: Floats
-    names: tuple[str, ...]
-    note: str
 
 
 def plot_sweep(dataset: xr.Dataset) -> Figure:
     """The figure of a sweep as `xarray.open_dataset` gives it."""
-    held = _held(dataset)
-    shown = dataset.isel(dict.fromkeys(held, 0))
-    axes = [_axis(dataset, dim) for dim in _drawn_dims(dataset)]
-    family = None
-    if len(axes) == 2 and min(len(axis.values) for axis in axes) <= FAMILY:
-        few = min((0, 1), key=lambda i: (len(axes[i].values), -i))
-        family = axes.pop(few)
-    if len(axes) == 2:
-        shown = shown.isel({axis.name: slice(None, None, _stride(axis)) for axis in axes})
-        axes = [_axis(shown, axis.name) for axis in axes]
-    bad = shown["status"].transpose(*[axis.name for axis in axes], ...).values != 0
-    panels = [_panel(shown, str(key), axes, family) for key in dataset["ask"].values]
-    if len(axes) == 2:
-        figure = _maps(axes, panels, bad)
+    shown = read_panels(dataset)
+    if len(shown.axes) == 2:
+        figure = _maps(shown.axes, shown.panels, shown.bad)
     else:
-        figure = _curves(axes[0], panels, bad.reshape(len(axes[0].values), -1))
-    title = str(dataset.attrs.get("title") or dataset.attrs.get("id") or "Sweep")
-    head(figure, title, _counts(dataset, held))
+        figure = _curves(shown.axes[0], shown.panels, shown.bad)
+    head(figure, shown.title, shown.words)
     return figure
-
-
-def _drawn_dims(dataset: xr.Dataset) -> list[str]:
-    """The one or two dimensions that the picture shows, in the order of the study."""
-    dims = [str(dim) for dim in dataset["status"].dims]
-    several = [dim for dim in dims if dataset.sizes[dim] > 1]
-    longest = sorted(several or dims[:1], key=lambda dim: -dataset.sizes[dim])[:2]
-    return [dim for dim in dims if dim in longest]
-
-
-def _held(dataset: xr.Dataset) -> list[str]:
-    drawn = _drawn_dims(dataset)
-    return [str(dim) for dim in dataset["status"].dims if dim not in drawn]
-
-
-def _axis(dataset: xr.Dataset, dim: str) -> _Axis:
-    values = np.asarray(dataset[dim].values, np.float64)
-    along = [str(name) for name in str(dataset.attrs["parameters"]).split() if dataset[name].dims == (dim,)]
-    others = [name for name in along if name != dim]
-    label = _with_unit(dim, dataset[dim]) + (f", moving {', '.join(others)} too" if others else "")
-    return _Axis(dim, label, values, _is_logarithmic(values))
-
-
-def _is_logarithmic(values: Floats) -> bool:
-    """Whether the steps of values [n] are those of a logarithmic grid."""
-    if len(values) < 4 or values.min() <= 0:
-        return False
-    steps = np.diff(np.log(values))
-    return bool(np.ptp(steps) < 1e-6 * abs(steps).max() and np.ptp(values) > 0)
-
-
-def _stride(axis: _Axis) -> int:
-    return -(-len(axis.values) // _MAP_CELLS)
-
-
-def _with_unit(name: str, variable: xr.DataArray) -> str:
-    unit = str(variable.attrs.get("units", "1"))
-    return name if unit in ("", "1") else f"{name} [{unit}]"
-
-
-def _panel(dataset: xr.Dataset, key: str, axes: Sequence[_Axis], family: _Axis | None) -> _Panel:
-    """The numbers of an ask, ordered as the picture wants them."""
-    variable = dataset[key]
-    drawn = [axis.name for axis in axes]
-    curves = [family.name] if family else []
-    lists = [str(dim) for dim in variable.dims if dim not in (*drawn, *curves)]
-    values = np.asarray(variable.transpose(*drawn, *curves, *lists).values, np.float64)
-    missing = int(np.count_nonzero(np.isnan(values)))
-    note = f"no value in {missing} of {values.size}" if missing else ""
-    names: tuple[str, ...] = ()
-    if len(axes) == 2 and lists:
-        values = values[..., 0]  # a map has room for one number
-        note = ", ".join(filter(None, [f"the first of {variable.sizes[lists[0]]}", note]))
-    elif len(axes) == 1:
-        values = values.reshape(len(axes[0].values), -1)
-        names = _curve_names(variable, family, lists)
-    return _Panel(_with_unit(key, variable), values, names, note)
-
-
-def _curve_names(variable: xr.DataArray, family: _Axis | None, lists: Sequence[str]) -> tuple[str, ...]:
-    """What the curves of a panel are called; none where there is one."""
-    names = [""]
-    for dim in [*([family.name] if family else []), *lists]:
-        coordinate = variable[dim]
-        unit = str(coordinate.attrs.get("units", "1"))
-        name = dim.removesuffix("_at") if dim in lists else dim
-        if dim.endswith("_number"):
-            texts = [f"{value:g}" for value in coordinate.values]
-        else:
-            texts = [
-                f"{name} = {value:g}" + (f" {unit}" if unit != "1" else "") for value in coordinate.values
-            ]
-        names = [", ".join(filter(None, [begun, text])) for begun in names for text in texts]
-    return tuple(names) if len(names) > 1 else ()
-
-
-def _counts(dataset: xr.Dataset, held: Sequence[str]) -> str:
-    """How many cases there are, how many did not end well and how, and which parameters are held."""
-    status = dataset["status"]
-    texts = [f"{status.size} case{'s' if status.size != 1 else ''}"]
-    values, counts = np.unique(status.values, return_counts=True)
-    words = str(status.attrs.get("flag_meanings", "")).split()
-    codes = np.atleast_1d(status.attrs.get("flag_values", [])).tolist()
-    word_of = dict(zip(codes, words, strict=False))
-    bad = [
-        f"{count} {word_of.get(value, str(value)).replace('_', ' ')}"
-        for value, count in zip(values.tolist(), counts.tolist(), strict=True)
-        if value != 0
-    ]
-    if bad:
-        texts.append(f"not ok (red): {', '.join(bad)}")
-    for dim in held:
-        coordinate = dataset[dim]
-        unit = str(coordinate.attrs.get("units", "1"))
-        size = f" (the first of {coordinate.size})" if coordinate.size > 1 else ""
-        texts.append(f"at {dim} = {float(coordinate.values[0]):g}{'' if unit == '1' else ' ' + unit}{size}")
-    return "; ".join(texts)
 
 
 def _grid(panels: int, row_height: float) -> tuple[Figure, list[Axes], int]:
@@ -212,7 +61,7 @@ def _grid(panels: int, row_height: float) -> tuple[Figure, list[Axes], int]:
     return figure, axes[:panels], columns
 
 
-def _curves(axis: _Axis, panels: Sequence[_Panel], bad: npt.NDArray[np.bool_]) -> Figure:
+def _curves(axis: SweptAxis, panels: Sequence[Panel], bad: npt.NDArray[np.bool_]) -> Figure:
     figure, places, columns = _grid(len(panels), ROW_HEIGHT)
     for place, panel in zip(places, panels, strict=True):
         colours = _colours(len(panel.names) or 1)
@@ -226,7 +75,7 @@ def _curves(axis: _Axis, panels: Sequence[_Panel], bad: npt.NDArray[np.bool_]) -
             _logarithmic(place, "y")
         if axis.log:
             _logarithmic(place, "x")
-        _ticks_of_bad_cases(place, axis.values[bad.any(axis=1)])
+        _ticks_of_bad_cases(place, axis.values[bad])
     for i, place in enumerate(places):
         below = i + columns < len(places)
         place.tick_params(labelbottom=not below)
@@ -238,7 +87,7 @@ def _curves(axis: _Axis, panels: Sequence[_Panel], bad: npt.NDArray[np.bool_]) -
     return figure
 
 
-def _limits(axis: _Axis) -> tuple[float, float]:
+def _limits(axis: SweptAxis) -> tuple[float, float]:
     low, high = float(axis.values.min()), float(axis.values.max())
     if axis.log:
         return low / 1.05, high * 1.05
@@ -288,7 +137,7 @@ def _whole_ticks(place: Axes) -> None:
     place.set_ylim(min(low, np.ceil(low) - 0.2), max(high, np.floor(high) + 0.2))
 
 
-def _title(place: Axes, panel: _Panel) -> None:
+def _title(place: Axes, panel: Panel) -> None:
     place.set_title(panel.label)
     if panel.note:
         place.set_title(panel.note, loc="right", size=8, weight="normal", color=SOFT)
@@ -333,7 +182,7 @@ def _spans_decades(values: Floats) -> bool:
     return bool(known.size and known.min() > 0 and known.max() / known.min() > _LOG_SPAN)
 
 
-def _legend(figure: Figure, places: Sequence[Axes], panels: Sequence[_Panel]) -> None:
+def _legend(figure: Figure, places: Sequence[Axes], panels: Sequence[Panel]) -> None:
     """One legend above the panels if all show the same curves, else one in each that needs it."""
     sets = {panel.names for panel in panels}
     if len(sets) == 1 and len(panels) > 1 and len(panels[0].names) <= FAMILY:
@@ -346,7 +195,7 @@ def _legend(figure: Figure, places: Sequence[Axes], panels: Sequence[_Panel]) ->
             place.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), handlelength=1.2)
 
 
-def _maps(axes: Sequence[_Axis], panels: Sequence[_Panel], bad: npt.NDArray[np.bool_]) -> Figure:
+def _maps(axes: Sequence[SweptAxis], panels: Sequence[Panel], bad: npt.NDArray[np.bool_]) -> Figure:
     from matplotlib.colors import ListedColormap, LogNorm
 
     figure, places, _ = _grid(len(panels), _MAP_HEIGHT)

@@ -1,0 +1,205 @@
+"""The result of a sweep as what a picture shows: its axes, and the numbers of each ask over them.
+
+Along one parameter each ask becomes a panel of curves; along two a map, or a family of curves where one of
+them has few values; further parameters are held at their first value.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+
+from ..base.arrays import Floats
+from ..base.errors import StudyError
+from ..pen.page import FAMILY
+from .condensed import condensed, middles
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+# Values along one side of a map: more than a picture has dots are not drawn.
+MAP_CELLS = 1200
+
+
+def open_sweep(path: Path) -> xr.Dataset:
+    """The result of a sweep, lazily.  Raises StudyError if it is none."""
+    import xarray as xr
+
+    if not path.is_file():
+        raise StudyError(f"{path}: there is no such file")
+    try:
+        dataset = xr.open_dataset(path, engine="h5netcdf")
+    except Exception as error:  # there is nothing that HDF5 does not say of a damaged file
+        raise StudyError(f"{path}: is no result of a sweep or a run: {error}") from error
+    if "parameters" not in dataset.attrs or "status" not in dataset:
+        dataset.close()
+        raise StudyError(
+            f"{path}: is no result of a sweep or a run; plot wants an .h5 that planemotion wrote"
+        )
+    return dataset
+
+
+@dataclass(frozen=True)
+class SweptAxis:
+    """A swept parameter as an axis of the picture."""
+
+    name: str
+    label: str
+    values: Floats
+    log: bool
+
+
+@dataclass(frozen=True)
+class Panel:
+    """One ask: values over the axes drawn (one axis of curves, or two of a map); `names` of its curves."""
+
+    label: str
+    values: Floats
+    names: tuple[str, ...]
+    note: str
+
+
+@dataclass(frozen=True)
+class Panels:
+    """A sweep as a picture: its title, and in words what is in it; one axis of curves or two of maps, and the
+    parameter that has a curve for each value; a panel for each ask; which cases did not end well, over the
+    axes."""
+
+    title: str
+    words: str
+    axes: Sequence[SweptAxis]
+    family: SweptAxis | None
+    panels: Sequence[Panel]
+    bad: npt.NDArray[np.bool_]
+
+
+def read_panels(dataset: xr.Dataset, cells: int = MAP_CELLS) -> Panels:
+    """What a picture shows of a sweep as `xarray.open_dataset` gives it.
+
+    `cells`: values along each side of a map; a finer grid is condensed (condensed.py) to so many at most."""
+    held = _held(dataset)
+    shown = dataset.isel(dict.fromkeys(held, 0))
+    axes = [_axis(dataset, dim) for dim in _drawn_dims(dataset)]
+    family = None
+    if len(axes) == 2 and min(len(axis.values) for axis in axes) <= FAMILY:
+        few = min((0, 1), key=lambda i: (len(axes[i].values), -i))
+        family = axes.pop(few)
+    status = shown["status"].transpose(*[axis.name for axis in axes], ...).values
+    bad = np.any(status.reshape(*(len(axis.values) for axis in axes), -1) != 0, axis=-1)
+    panels = [_panel(shown, str(key), axes, family) for key in dataset["ask"].values]
+    title = str(dataset.attrs.get("title") or dataset.attrs.get("id") or "Sweep")
+    read = Panels(title, _counts(dataset, held), axes, family, panels, np.asarray(bad))
+    steps = [-(-len(axis.values) // cells) for axis in axes]
+    return _coarser(read, steps) if len(axes) == 2 and max(steps) > 1 else read
+
+
+def _coarser(read: Panels, steps: Sequence[int]) -> Panels:
+    """A map of fewer dots, each of steps[0] x steps[1] cases."""
+    return replace(
+        read,
+        words=f"{read.words}; each dot of a map: the median of {steps[0]} x {steps[1]} cases",
+        axes=[
+            replace(axis, values=middles(axis.values, step))
+            for axis, step in zip(read.axes, steps, strict=True)
+        ],
+        panels=[replace(panel, values=condensed(panel.values, steps)) for panel in read.panels],
+        bad=condensed(read.bad, steps) > 0,
+    )
+
+
+def _drawn_dims(dataset: xr.Dataset) -> list[str]:
+    """The one or two dimensions that the picture shows, in the order of the study."""
+    dims = [str(dim) for dim in dataset["status"].dims]
+    several = [dim for dim in dims if dataset.sizes[dim] > 1]
+    longest = sorted(several or dims[:1], key=lambda dim: -dataset.sizes[dim])[:2]
+    return [dim for dim in dims if dim in longest]
+
+
+def _held(dataset: xr.Dataset) -> list[str]:
+    drawn = _drawn_dims(dataset)
+    return [str(dim) for dim in dataset["status"].dims if dim not in drawn]
+
+
+def _axis(dataset: xr.Dataset, dim: str) -> SweptAxis:
+    values = np.asarray(dataset[dim].values, np.float64)
+    along = [str(name) for name in str(dataset.attrs["parameters"]).split() if dataset[name].dims == (dim,)]
+    others = [name for name in along if name != dim]
+    label = _with_unit(dim, dataset[dim]) + (f", moving {', '.join(others)} too" if others else "")
+    return SweptAxis(dim, label, values, _is_logarithmic(values))
+
+
+def _is_logarithmic(values: Floats) -> bool:
+    """Whether the steps of values [n] are those of a logarithmic grid."""
+    if len(values) < 4 or values.min() <= 0:
+        return False
+    steps = np.diff(np.log(values))
+    return bool(np.ptp(steps) < 1e-6 * abs(steps).max() and np.ptp(values) > 0)
+
+
+def _with_unit(name: str, variable: xr.DataArray) -> str:
+    unit = str(variable.attrs.get("units", "1"))
+    return name if unit in ("", "1") else f"{name} [{unit}]"
+
+
+def _panel(dataset: xr.Dataset, key: str, axes: Sequence[SweptAxis], family: SweptAxis | None) -> Panel:
+    """The numbers of an ask, ordered as the picture wants them."""
+    variable = dataset[key]
+    drawn = [axis.name for axis in axes]
+    curves = [family.name] if family else []
+    lists = [str(dim) for dim in variable.dims if dim not in (*drawn, *curves)]
+    values = np.asarray(variable.transpose(*drawn, *curves, *lists).values, np.float64)
+    missing = int(np.count_nonzero(np.isnan(values)))
+    note = f"no value in {missing} of {values.size}" if missing else ""
+    names: tuple[str, ...] = ()
+    if len(axes) == 2 and lists:
+        values = values[..., 0]  # a map has room for one number
+        note = ", ".join(filter(None, [f"the first of {variable.sizes[lists[0]]}", note]))
+    elif len(axes) == 1:
+        values = values.reshape(len(axes[0].values), -1)
+        names = _curve_names(variable, family, lists)
+    return Panel(_with_unit(key, variable), values, names, note)
+
+
+def _curve_names(variable: xr.DataArray, family: SweptAxis | None, lists: Sequence[str]) -> tuple[str, ...]:
+    """What the curves of a panel are called; none where there is one."""
+    names = [""]
+    for dim in [*([family.name] if family else []), *lists]:
+        coordinate = variable[dim]
+        unit = str(coordinate.attrs.get("units", "1"))
+        name = dim.removesuffix("_at") if dim in lists else dim
+        if dim.endswith("_number"):
+            texts = [f"{value:g}" for value in coordinate.values]
+        else:
+            texts = [
+                f"{name} = {value:g}" + (f" {unit}" if unit != "1" else "") for value in coordinate.values
+            ]
+        names = [", ".join(filter(None, [begun, text])) for begun in names for text in texts]
+    return tuple(names) if len(names) > 1 else ()
+
+
+def _counts(dataset: xr.Dataset, held: Sequence[str]) -> str:
+    """How many cases there are, how many did not end well and how, and which parameters are held."""
+    status = dataset["status"]
+    texts = [f"{status.size} case{'s' if status.size != 1 else ''}"]
+    values, counts = np.unique(status.values, return_counts=True)
+    words = str(status.attrs.get("flag_meanings", "")).split()
+    codes = np.atleast_1d(status.attrs.get("flag_values", [])).tolist()
+    word_of = dict(zip(codes, words, strict=False))
+    bad = [
+        f"{count} {word_of.get(value, str(value)).replace('_', ' ')}"
+        for value, count in zip(values.tolist(), counts.tolist(), strict=True)
+        if value != 0
+    ]
+    if bad:
+        texts.append(f"not ok (red): {', '.join(bad)}")
+    for dim in held:
+        coordinate = dataset[dim]
+        unit = str(coordinate.attrs.get("units", "1"))
+        size = f" (the first of {coordinate.size})" if coordinate.size > 1 else ""
+        texts.append(f"at {dim} = {float(coordinate.values[0]):g}{'' if unit == '1' else ' ' + unit}{size}")
+    return "; ".join(texts)
