@@ -260,10 +260,12 @@ static int contact_hit(const pm_workspace *w)
     return PM_NONE;
 }
 
-/* Modes that change in turn lead nowhere where no time passes between their instants. */
+/* Modes that change in turn lead nowhere where no time passes between their instants; a route along a path may keep no
+ * time, and gets on if it has gone some way. */
 static int check_progress(pm_workspace *w)
 {
-    if (fabs(w->state.t - w->instant.since) > PM_AT_ONCE * fabs(w->state.t)) {
+    const int goes = !w->phase.route->in_time && w->step.whole_end > PM_AT_ONCE * w->numbers.size;
+    if (goes || fabs(w->state.t - w->instant.since) > PM_AT_ONCE * fabs(w->state.t)) {
         w->instant.since = w->state.t;
         w->instant.at_once = 0;
     }

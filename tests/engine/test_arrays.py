@@ -36,7 +36,7 @@ def test_a_bad_case_leaves_the_others_alone() -> None:
     assert results.status.tolist() == [layout.PM_OK, layout.PM_BAD_VALUE, layout.PM_OK]
     assert np.isnan(results.out[1, 0])
     assert results.out[0, 0] == results.out[2, 0]
-    assert "bodies.AB.mass: it is -1 kg; the bound is 0" in message(flat, results, 1)
+    assert "bodies.AB.mass: it is -1 kg; the bound is 0 kg" in message(flat, results, 1)
     assert message(flat, results, 0) == ""
 
 

@@ -45,7 +45,7 @@ FAULTS = [
     # types
     ("bodies = 3", "bodies = 3: a table is wanted"),
     ("id = 3", "id = 3: a text is wanted"),
-    ('plane = "tilted"', "plane = \"tilted\": 'vertical' or 'horizontal' is wanted"),
+    ('plane = "tilted"', 'plane = "tilted": "vertical" or "horizontal" is wanted'),
     ('joints.A = { pin = ["AB.A"] }', "joints.A.pin: two partners are wanted"),
     ("ground.points.Q = [0]", "ground.points.Q: a vector is wanted: [x, y] or { polar = [size, angle] }"),
     ("bodies.AB.mass = nan", "bodies.AB.mass = nan: the number must be finite"),
@@ -193,7 +193,7 @@ FAULTS = [
     ('contacts.c = { touch = ["AB.axis", "ground.floor"] }', "a line and a line do not touch"),
     (
         'contacts.c = { touch = ["P", "ground.O"], capture = "disc" }',
-        "contacts.c.capture = \"disc\": 'none', 'pin' or 'body' is wanted",
+        'contacts.c.capture = "disc": "none", "pin" or "body" is wanted',
     ),
     (
         'contacts.c = { touch = ["P", "ground.O"], capture = "pin", restitution = 0.5 }',
@@ -305,15 +305,38 @@ def test_left_out_end_and_bodies() -> None:
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
-        ("a = 1\na = 2", "no TOML: line 2: Cannot overwrite a value"),
-        ("until = ", "no TOML: line 1: Invalid value"),
-        ("[a]\n[a]", "no TOML: line 2"),
+        ("a = 1\na = 2", "2:6: this is no TOML: given twice: a table or key that stands above"),
+        (
+            "until = ",
+            "1:9: this is no TOML: a number, true, false, a text, a list or a table is wanted; a text",
+        ),
+        (
+            "until = strike",
+            "1:9: this is no TOML: a number, true, false, a text, a list or a table is wanted, not `strike`",
+        ),
+        ("[a]\n[a]", "2:3: this is no TOML: given twice"),
+        ("[a\n", '1:3: this is no TOML: "]" is wanted behind the name of a table'),
+        (
+            "L = 1.2 m",
+            "1:9: this is no TOML: the end of the line is wanted, not `m`; a text stands in quotation marks",
+        ),
+        ("a = { L = 1.2 m }", '1:15: this is no TOML: "," or "}" is wanted, not `m }`; a text'),
+        ("a = [1, 2", '1:10: this is no TOML: "," or "]" is wanted; a text'),
+        ("a = { b = 1 }\n[a.c]", "2:5: this is no TOML: given twice"),
+        ('a = "b\nc = 2', "1:7: this is no TOML: the quotation mark at the end of a text is missing"),
+        ('a = "\\q"', '1:8: this is no TOML: a text in "" has "\\\\" for a backslash'),
+        ("until: 3", '1:6: this is no TOML: "=" is wanted behind the key, not `: 3`'),
+        (
+            "import planemotion as pm",
+            '1:8: this is no TOML: "=" is wanted behind the key, not `planemotion as pm`',
+        ),
+        ("{}", '1:1: this is no TOML: a line is [a.table], key = value, or a comment behind "#"'),
     ],
 )
-def test_toml_faults_name_file_and_line(text: str, expected: str) -> None:
+def test_toml_faults_name_file_and_place(text: str, expected: str) -> None:
     with pytest.raises(SceneError) as caught:
         load_text(text, file="x.toml")
-    assert str(caught.value).startswith(f"x.toml: {expected}")
+    assert str(caught.value).startswith(f"x.toml:{expected}")
 
 
 def test_files_that_cannot_be_read(tmp_path: Path) -> None:

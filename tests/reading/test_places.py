@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 import planemotion
-from planemotion.base.lines import line_of
+from planemotion.base.lines import place_of
 from tests import CHAPTER
 
 SCENES = sorted(CHAPTER.glob("*.toml"))
@@ -25,16 +25,19 @@ def paths(table: Mapping[str, Any], above: str = "") -> Iterator[str]:
 
 
 @pytest.mark.parametrize("file", SCENES, ids=lambda file: file.stem)
-def test_the_line_of_every_key_of_the_chapter(file: Path) -> None:
+def test_the_place_of_every_key_of_the_chapter(file: Path) -> None:
     """A key renamed where it is said to stand is another one when the text is read again."""
     text = file.read_text(encoding="utf-8")
     lines = text.splitlines(keepends=True)
     for path in paths(tomllib.loads(text)):
-        line = line_of(text, path)
-        assert line is not None, path
+        place = place_of(text, path)
+        assert place is not None, path
+        line, column = place
         key = path.rpartition(".")[2]
-        assert key in lines[line - 1], (path, line)
-        changed = [*lines[: line - 1], lines[line - 1].replace(key, f"{key}_x"), *lines[line:]]
+        before, after = lines[line - 1][: column - 1], lines[line - 1][column - 1 :]
+        assert key in after, (path, place)
+        assert before.strip(" \t")[-1:] in ("", "{", ","), (path, place)
+        changed = [*lines[: line - 1], before + after.replace(key, f"{key}_x"), *lines[line:]]
         try:
             found = set(paths(tomllib.loads("".join(changed))))
         except tomllib.TOMLDecodeError:
@@ -62,22 +65,26 @@ pin = [
 
 
 @pytest.mark.parametrize(
-    ("path", "line"),
+    ("path", "place"),
     [
-        ("until", 2),
-        ("bodies.AB", 8),
-        ("bodies.AB.rod[1]", 8),
-        ("bodies.AB.mass", 9),
-        ("bodies.AB.inertia", 8),
-        ("bodies.C D", 10),
-        ("joints.A.pin[1]", 12),
+        ("until", (2, 1)),
+        ("bodies.AB", (8, 1)),
+        ("bodies.AB.rod[1]", (8, 8)),
+        ("bodies.AB.mass", (9, 8)),
+        ("bodies.AB.inertia", (8, 1)),
+        ("bodies.C D", (10, 1)),
+        ("joints.A.pin[1]", (12, 1)),
         ("joints.B", None),
-        ("ask.x", 16),
+        ("ask.x", (16, 1)),
         ("solve.route", None),
     ],
 )
-def test_lines_of_keys_in_tables_over_several_lines(path: str, line: int | None) -> None:
-    assert line_of(TEXT, path) == line
+def test_places_of_keys_in_tables_over_several_lines(path: str, place: tuple[int, int] | None) -> None:
+    assert place_of(TEXT, path) == place
+
+
+def test_an_empty_text_has_no_places() -> None:
+    assert place_of("", "until") is None
 
 
 FAULTY = """
@@ -95,21 +102,21 @@ w = { off = "AB.omega" }
 """
 
 
-def test_all_faults_of_a_file_are_told_at_once_with_their_lines() -> None:
+def test_all_faults_of_a_file_are_told_at_once_with_their_places() -> None:
     with pytest.raises(planemotion.SceneError) as told:
         planemotion.load_text(FAULTY, file="x.toml")
     lines = str(told.value).splitlines()
     assert [line.split(": ")[:2] for line in lines] == [
-        ["x.toml:3", "gravity"],
-        ["x.toml:5", "bodies.AB.lenght"],
-        ["x.toml:6", "bodies.C.Disk"],
-        ["x.toml:8", "joints.A"],
-        ["x.toml:10", "forces.push.vaule"],
-        ["x.toml:12", "ask.w.off"],
+        ["x.toml:3:1", "gravity"],
+        ["x.toml:5:26", "bodies.AB.lenght"],
+        ["x.toml:6:7", "bodies.C.Disk"],
+        ["x.toml:8:1", "joints.A"],
+        ["x.toml:10:26", "forces.push.vaule"],
+        ["x.toml:12:7", "ask.w.off"],
     ]
     meant = ["parameters.g", "length", "disk", "pin", "value", "of"]
     assert all(f'did you mean "{word}"' in line for word, line in zip(meant, lines, strict=True))
-    assert told.value.line == 3
+    assert (told.value.line, told.value.column) == (3, 1)
     assert len(told.value.others) == 5
 
 
@@ -123,7 +130,7 @@ def test_faults_of_values_too() -> None:
     with pytest.raises(planemotion.SceneError) as told:
         planemotion.load_text(UNITS, file="x.toml").run()
     assert [str(one).partition(" = ")[0] for one in (told.value, *told.value.others)][1:] == [
-        "x.toml:6: bodies.C.disk"
+        "x.toml:6:7: bodies.C.disk"
     ]
     asks = UNITS.replace('"1 kg"', '"1 m"').replace('"AB.omega"', '"AB.omga"') + 'v = "AC.omega"\n'
     with pytest.raises(planemotion.SceneError) as told:

@@ -59,41 +59,41 @@ def scene(text: str, **words: str) -> planemotion.Scene:
             WHEEL,
             {"OPTION": 'friction = "M"', "KIND": "motor"},
             {"OPTION": 'friction_couple = "M"', "KIND": "motor"},
-            "old.toml: joints.axle.friction: write friction_couple instead of friction; "
+            "old.toml:7:44: joints.axle.friction: write friction_couple instead of friction; "
             "the old form is still read",
         ),
         (
             WHEEL,
             {"OPTION": "active = true", "KIND": "rate"},
             {"OPTION": "active = true", "KIND": "motor"},
-            "old.toml: couplings.drive.rate: write motor instead of rate; the old form is still read",
+            "old.toml:9:21: couplings.drive.rate: write motor instead of rate; the old form is still read",
         ),
         (
             LANDING,
             {"CAPTURE": 'capture = "point"'},
             {"CAPTURE": 'capture = "pin"'},
-            'old.toml: contacts.post.capture: write capture = "pin" instead of capture = "point"; '
+            'old.toml:4:50: contacts.post.capture: write capture = "pin" instead of capture = "point"; '
             "the old form is still read",
         ),
         (
             BALLS,
             {"SETTING": 'simultaneous = "one by one"'},
             {"SETTING": 'impacts = "sequential"'},
-            'old.toml: solve.simultaneous: write impacts = "sequential" instead of '
+            'old.toml:11:11: solve.simultaneous: write impacts = "sequential" instead of '
             'simultaneous = "one by one"; the old form is still read',
         ),
         (
             BALLS,
             {"SETTING": 'simultaneous = "together"'},
             {"SETTING": 'impacts = "simultaneous"'},
-            'old.toml: solve.simultaneous: write impacts = "simultaneous" instead of '
+            'old.toml:11:11: solve.simultaneous: write impacts = "simultaneous" instead of '
             'simultaneous = "together"; the old form is still read',
         ),
         (
             BALLS,
             {"SETTING": "assembly = 1e-9"},
             {"SETTING": "assembly_tolerance = 1e-9"},
-            "old.toml: solve.assembly: write assembly_tolerance instead of assembly; "
+            "old.toml:11:11: solve.assembly: write assembly_tolerance instead of assembly; "
             "the old form is still read",
         ),
     ],
@@ -171,4 +171,4 @@ def test_the_command_line_shows_a_hint_and_goes_on(tmp_path: Path) -> None:
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 0
     hint = "solve.assembly: write assembly_tolerance instead of assembly; the old form is still read"
-    assert done.stderr == f"hint: {path}: {hint}\n"
+    assert done.stderr == f"hint: {path}:11:11: {hint}\n"

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import math
 import os
-import re
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -12,13 +10,11 @@ from typing import TYPE_CHECKING, Any
 from .base.bounded import read_bytes
 from .base.errors import SceneError
 from .base.toml import parse_toml
+from .base.written import written, written_key
 
 if TYPE_CHECKING:
     from .scene import Scene
 
-_BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
-_PLAIN = re.compile(r'[^"\\\x00-\x1f\x7f]*')
-_CONTROL = re.compile(r"[\x00-\x1f\x7f]")
 # A file that is larger is no scene.
 _MOST_BYTES = 10_000_000
 
@@ -49,37 +45,17 @@ def load_text(text: str, *, file: str | None = None) -> Scene:
 
 def to_toml(raw: Mapping[str, Any]) -> str:
     """A scene's table as TOML: plain keys first, then one table for each group with an entry on each line."""
-    top = [f"{_key(key)} = {_inline(value)}" for key, value in raw.items() if not isinstance(value, Mapping)]
+    top = [
+        f"{written_key(key)} = {written(value)}"
+        for key, value in raw.items()
+        if not isinstance(value, Mapping)
+    ]
     groups = [(key, value) for key, value in raw.items() if isinstance(value, Mapping)]
     texts = ["\n".join(top)] if top else []
     for key, group in groups:
-        lines = [f"[{_key(key)}]", *(f"{_key(name)} = {_inline(value)}" for name, value in group.items())]
+        lines = [
+            f"[{written_key(key)}]",
+            *(f"{written_key(name)} = {written(value)}" for name, value in group.items()),
+        ]
         texts.append("\n".join(lines))
     return "\n\n".join(texts) + "\n"
-
-
-def _key(key: str) -> str:
-    return key if _BARE_KEY.fullmatch(key) else _quoted(key)
-
-
-def _quoted(text: str) -> str:
-    if _PLAIN.fullmatch(text):
-        return f'"{text}"'
-    escaped = text.replace("\\", "\\\\").replace('"', '\\"')
-    return '"' + _CONTROL.sub(lambda found: f"\\u{ord(found[0]):04x}", escaped) + '"'
-
-
-def _inline(value: Any) -> str:
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    if isinstance(value, str):
-        return _quoted(value)
-    if isinstance(value, int):
-        return str(value)
-    if isinstance(value, float):
-        return repr(value) if math.isfinite(value) else str(value)
-    if isinstance(value, Mapping):
-        return "{ " + ", ".join(f"{_key(key)} = {_inline(one)}" for key, one in value.items()) + " }"
-    if isinstance(value, list | tuple):
-        return "[" + ", ".join(_inline(one) for one in value) + "]"
-    raise TypeError(f"a scene has no values of type {type(value).__name__}")

@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
 from .base.bounded import check_table, shown
-from .base.errors import SceneError, SceneHint
+from .base.errors import SceneError, SceneHint, located
 from .base.html import html_table
 from .geometry.parameters import override
 from .model.tables import DEFAULT_G
@@ -369,7 +369,7 @@ class Scene:
         for hint in hints:
             if hint not in self._hinted:
                 self._hinted.add(hint)
-                warnings.warn(f"{self.file}: {hint}" if self.file else hint, SceneHint, stacklevel=4)
+                warnings.warn(located(hint, self.file, self._text), SceneHint, stacklevel=4)
 
     def _check_not_sought(self, name: str) -> None:
         """Raises SceneError for a parameter that every run looks for: setting it would do nothing."""

@@ -9,11 +9,13 @@ from __future__ import annotations
 
 import difflib
 import os
+import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import TypeVar
 
-from .lines import line_of
+from .lines import place_of
+from .written import written
 
 _T = TypeVar("_T")
 _Made = TypeVar("_Made")
@@ -23,29 +25,78 @@ _Made = TypeVar("_Made")
 _SIMILAR_ENOUGH = 0.6
 # What others call it -> the words of the language, the likeliest first.
 _MEANT: Mapping[str, tuple[str, ...]] = {
+    "angular_acceleration": ("alpha",),
+    "angular_velocity": ("omega",),
     "ball": ("sphere",),
     "bar": ("rod",),
     "beam": ("rod",),
+    "bounce": ("restitution",),
     "box": ("plate",),
+    "c": ("rate",),
+    "cable": ("cord",),
+    "chain": ("cord",),
+    "circle": ("disk",),
     "collar": ("slider",),
+    "collide": ("touch",),
+    "collides": ("strikes",),
+    "collisions": ("contacts",),
+    "constraints": ("joints",),
+    "cor": ("restitution",),
+    "damping": ("rate",),
     "dashpot": ("damper",),
+    "drive": ("motor",),
+    "duration": ("until",),
+    "e": ("restitution",),
+    "elasticity": ("restitution",),
+    "end": ("until",),
+    "expression": ("of",),
     "fixed": ("weld",),
     "g": ("parameters.g",),
     "gravity": ("g", "parameters.g"),
     "guide": ("slider",),
     "hinge": ("pin",),
+    "hits": ("strikes",),
+    "initial": ("start",),
+    "k": ("stiffness",),
+    "l0": ("free_length",),
+    "moment": ("couple",),
+    "moment_of_inertia": ("inertia",),
+    "mu": ("friction",),
+    "natural_length": ("free_length",),
+    "options": ("solve",),
+    "outputs": ("ask",),
+    "parts": ("opens",),
+    "pivot": ("pin",),
+    "pos": ("at", "position"),
+    "position": ("at",),
     "prismatic": ("slider",),
+    "questions": ("ask",),
+    "radius": ("disk",),
+    "reaction": ("force",),
     "rectangle": ("plate",),
+    "rest_length": ("free_length",),
     "revolute": ("pin",),
     "ring": ("hoop",),
+    "roller": ("slider",),
+    "rolls": ("rolling",),
     "rope": ("cord",),
+    "rotation": ("turned", "angle"),
+    "solver": ("solve",),
+    "spin": ("omega",),
     "string": ("cord",),
+    "theta": ("angle",),
+    "time": ("until",),
     "torque": ("couple",),
-    "moment": ("couple",),
-    "wheel": ("disk",),
+    "touches": ("strikes",),
+    "value": ("of",),
+    "wall": ("line", "lines"),
+    "walls": ("lines",),
+    "wheel": ("disk", "rolling"),
 }
 # Characters of a value that a message shows.
 _MOST_SHOWN = 500
+# The key path with which a sentence begins.
+_PATH = re.compile(r"\w+(?:\.\w+|\[\d+\])*")
 
 
 class PlanemotionError(Exception):
@@ -59,9 +110,9 @@ class SceneHint(UserWarning):
 class SceneError(PlanemotionError, ValueError):
     """Something written in a scene, a study or an override is wrong; nothing has been computed.
 
-    Attributes: `reason` (what is wrong and what would be right), `file`, `line` (from 1), `path` (key path
-    such as "bodies.AB.mass") and `value` (as it was written), None where they are not known (yet); `others`:
-    further faults of the same scene.
+    Attributes: `reason` (what is wrong and what would be right), `file`, `line` and `column` (from 1),
+    `path` (key path such as "bodies.AB.mass") and `value` (as it was written), None where they are not known
+    (yet); `others`: further faults of the same scene.
     """
 
     def __init__(
@@ -72,6 +123,7 @@ class SceneError(PlanemotionError, ValueError):
         path: str | None = None,
         value: object = None,
         line: int | None = None,
+        column: int | None = None,
         others: Sequence[SceneError] = (),
     ) -> None:
         super().__init__(reason)
@@ -80,6 +132,7 @@ class SceneError(PlanemotionError, ValueError):
         self.path = path
         self.value = value
         self.line = line
+        self.column = column
         self.others = tuple(others)
 
     def at(
@@ -92,28 +145,48 @@ class SceneError(PlanemotionError, ValueError):
     ) -> SceneError:
         """The same error with the missing pieces of its place filled in; pieces that it has are kept.
 
-        `text`: the TOML of the scene, where its line is looked up.
+        `text`: the TOML of the scene, where its line and column are looked up.
         """
         path = self.path if self.path is not None else path
-        known = self.line is not None or text is None or path is None
+        line, column = self.line, self.column
+        if line is None and text is not None and path is not None:
+            line, column = place_of(text, path) or (None, None)
         return SceneError(
             self.reason,
             file=self.file if self.file is not None else file,
             path=path,
             value=self.value if self.value is not None else value,
-            line=self.line if known else line_of(text or "", path or ""),
+            line=line,
+            column=column,
             others=[other.at(file=file, text=text) for other in self.others],
         )
 
     def __str__(self) -> str:
-        """`file:line: path = value: reason` without what is missing; each further fault in its own line."""
+        """`file:line:column: path = value: reason` without what is missing; further faults below."""
         place = self.path or ""
         if self.value is not None:
             shown = _as_written(self.value)
             place = f"{place} = {shown}" if place else shown
-        line = "" if self.line is None else f":{self.line}" if self.file else f"line {self.line}"
-        text = ": ".join(piece for piece in (f"{self.file or ''}{line}", place, self.reason) if piece)
+        where = placed(self.file, self.line, self.column)
+        text = ": ".join(piece for piece in (where, place, self.reason) if piece)
         return "\n".join((text, *map(str, self.others)))
+
+
+def placed(file: str | None, line: int | None, column: int | None) -> str:
+    """`file:line:column` without what is missing."""
+    numbers = [str(number) for number in (line, column) if number is not None]
+    if file is None:
+        return f"line {numbers[0]}" if numbers else ""
+    return ":".join([file, *numbers])
+
+
+def located(sentence: str, file: str | None, text: str | None) -> str:
+    """A sentence that begins with a key path, behind the file, if there is one, and the place of that key."""
+    if file is None:
+        return sentence
+    path = _PATH.match(sentence)
+    place = place_of(text, path[0]) if path and text is not None else None
+    return f"{placed(file, *(place or (None, None)))}: {sentence}"
 
 
 class Faults:
@@ -183,9 +256,11 @@ def nearest(word: str, candidates: Iterable[str]) -> str | None:
 
 
 def _as_written(value: object) -> str:
-    """A value as it would stand in a TOML file; of a long text its beginning."""
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    text = str(value)
-    text = text if len(text) <= _MOST_SHOWN else f"{text[:_MOST_SHOWN]}..."
-    return f'"{text}"' if isinstance(value, str) else text
+    """A value as it would stand in a TOML file; of a long one its beginning."""
+    try:
+        text = written(value)
+    except TypeError:
+        text = str(value)
+    if len(text) <= _MOST_SHOWN:
+        return text
+    return f"{text[:_MOST_SHOWN]}..." + ('"' if isinstance(value, str) else "")

@@ -1,4 +1,4 @@
-"""In which line of a TOML text a key stands: tomllib does not tell it of the tables that it reads.
+"""In which line and column of a TOML text a key stands: tomllib does not tell it of the tables that it reads.
 
 The text is known to be TOML, so that the headers of its tables, the begins of its values and the keys within
 inline tables are all that has to be seen.
@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from functools import lru_cache
 
 _NAME = r"""(?:[\w-]+|"[^"\n]*"|'[^'\n]*')"""
 _KEYS = rf"{_NAME}(?:[ \t]*\.[ \t]*{_NAME})*"
@@ -18,25 +19,35 @@ _INDEX = re.compile(r"\[\d+\]")
 _MULTILINE = re.compile(r'"""|\'\'\'')
 
 
-def line_of(text: str, path: str) -> int | None:
-    """The line, from 1, of the key at a path such as "bodies.AB.mass", or of the nearest table around it.
+@lru_cache(maxsize=64)
+def place_of(text: str, path: str) -> tuple[int, int] | None:
+    """Line and column, from 1, of the key at a path such as "bodies.AB.mass", or of the table around it.
 
     None where nothing of it stands in the text.
     """
     wanted = _INDEX.sub("", path)
-    best: tuple[int, int] | None = None  # how much of the path fits, line
+    best: tuple[int, int] | None = None  # how much of the path fits, where the key begins
     for keys, begin, end in _values(text):
         if not (_leads_to(keys, wanted) or _leads_to(wanted, keys)):
             continue
-        place, fits = begin, min(len(keys), len(wanted))
+        place, fits, at = begin, min(len(keys), len(wanted)), _begin(text, begin)
         for name in wanted[len(keys) + 1 :].split("."):
-            key = re.compile(rf"[{{,]\s*[\"']?{re.escape(name)}[\"']?\s*=").search(text, place, end)
+            key = re.compile(rf"[{{,]\s*([\"']?{re.escape(name)}[\"']?\s*=)").search(text, place, end)
             if key is None:
                 break
-            place, fits = key.end(), fits + 1 + len(name)
+            place, fits, at = key.end(), fits + 1 + len(name), key.start(1)
         if best is None or fits > best[0]:
-            best = fits, text.count("\n", 0, place) + 1
-    return best[1] if best is not None else None
+            best = fits, at
+    if best is None:
+        return None
+    return text.count("\n", 0, best[1]) + 1, best[1] - text.rfind("\n", 0, best[1])
+
+
+def _begin(text: str, place: int) -> int:
+    """Where in its line a header or key begins."""
+    while text[place] in " \t":
+        place += 1
+    return place
 
 
 def _leads_to(keys: str, others: str) -> bool:
@@ -67,5 +78,5 @@ def _values(text: str) -> Iterator[tuple[str, int, int]]:
         if not (header and depth == 0) and not quotes:
             depth = max(0, depth + sum(map(bare.count, "[{")) - sum(map(bare.count, "]}")))
         place += len(line)
-    ends = [*(begin for _, begin in found[1:]), len(text)]
-    return ((keys, begin, end) for (keys, begin), end in zip(found, ends, strict=True))
+    ends = [begin for _, begin in found[1:]] + [len(text)]
+    return ((keys, begin, end) for (keys, begin), end in zip(found, ends, strict=False))

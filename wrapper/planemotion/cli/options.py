@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING
 
 import click
 
+from ..base.errors import located
+
 if TYPE_CHECKING:
     from ..scene import Scene
 
@@ -48,7 +50,7 @@ def say(text: str, *, error: bool = False) -> None:
 def advise(scene: Scene) -> None:
     """What is right in a scene and perhaps not meant."""
     for text in scene.data.advice:
-        say(f"hint: {scene.file}: {text}")
+        say(f"hint: {located(text, scene.file, scene.data.source.text)}")
 
 
 def terminal_width() -> int | None:

@@ -63,7 +63,8 @@ class FlatScene:
     (SI) and `units` as in the file.  `asks`: columns of out.  `names[table][row]`: key paths.  `trace`:
     column name -> (program, unit) of a history.  `bodies`, `points`: names by kernel index.  `find`: what is
     sought, if anything.  `instants`: likewise, what tells which events fired at an instant of a history.
-    `decided`: parameters by whose defaults more was decided than the tables say.
+    `decided`: parameters by whose defaults more was decided than the tables say.  `source`: the text of the
+    file, for lines in messages.
     """
 
     id: str
@@ -81,6 +82,7 @@ class FlatScene:
     find: FlatFind | None = None
     instants: Mapping[str, tuple[int, str]] = field(default_factory=dict)
     decided: frozenset[str] = frozenset()
+    source: str | None = None
 
     @property
     def out_columns(self) -> int:
@@ -182,6 +184,7 @@ class _Flattener:
             find=found,
             instants=told,
             decided=frozenset(self.parameters.decided),
+            source=data.source.text,
         )
 
     def _recorded(self, history: History) -> tuple[Columns, Columns]:

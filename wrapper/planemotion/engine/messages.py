@@ -9,6 +9,7 @@ import numpy as np
 
 from .. import _layout as layout
 from ..base.arrays import Floats, Ints
+from ..base.errors import located
 from ..compile.bounds import named, with_unit
 from ..compile.flatten import FlatScene
 from .find_messages import FIND_STATUSES, describe_find
@@ -56,7 +57,7 @@ def describe(flat: FlatScene, status: int, where: Ints, detail: Floats, param: F
     place = _place_name(flat, where, status)
     if status in FIND_STATUSES and flat.find is not None:
         sentence = describe_find(flat, status, where, detail, flat.defaults if param is None else param)
-        return f"{flat.file}: {sentence}" if flat.file else sentence
+        return located(sentence, flat.file, flat.source)
     found, bound, time = (float(number) for number in detail)
     text = _DESCRIPTIONS.get(status)
     if status == layout.PM_UNDECIDED:
@@ -72,7 +73,7 @@ def describe(flat: FlatScene, status: int, where: Ints, detail: Floats, param: F
             sentence += f" ({numbers})"
     if math.isfinite(time) and time > 0:
         sentence += f", at t = {time:.6g} s"
-    return f"{flat.file}: {sentence}" if flat.file else sentence
+    return located(sentence, flat.file, flat.source)
 
 
 def _undecided(place: str, decision: int, margin: float) -> str:
@@ -151,7 +152,8 @@ def _bad_value(place: str, found: float, bound: float, unit: str) -> str:
     if place == "spin.inertia" and found == 0:
         return f"{place}: nothing that turns has an inertia about the axis at the start; give it"
     if math.isfinite(bound):
-        return f"{place or 'a value'}: it is {with_unit(found, unit)}; the bound is {bound:.6g}"
+        wanted = "it must be greater" if found == bound == 0 else f"the bound is {with_unit(bound, unit)}"
+        return f"{place or 'a value'}: it is {with_unit(found, unit)}; {wanted}"
     return f"{place}: it is {found:.6g} at the start; a force is finite, and a power needs a motion"
 
 

@@ -35,6 +35,11 @@ NOT_BUILT: Mapping[str, Mapping[str, str]] = {
     "contacts": {"table": "spheres on a table"},
 }
 
+# Unknown keys whose hint is more than another word.
+_HINTS: Mapping[str, str] = {
+    "gravity": '; where no weight acts in the plane write plane = "horizontal"',
+}
+
 
 def check(raw: Mapping[str, Any]) -> None:
     """Raises SceneError for keys that are unknown or not built yet, and for names that clash: all of them."""
@@ -94,6 +99,10 @@ def kind_of(element: Mapping[str, Any], group: str, path: str) -> str:
         if guess:
             wanted += f' ("{key}": did you mean "{guess}"?)'
             break
+        owner = next((other for other in KINDS if key in KINDS[other]), None)
+        if owner is not None:
+            wanted += f"; {key} is a {words.SINGULAR[owner]}: write it in [{owner}]"
+            break
     raise SceneError(wanted, path=path)
 
 
@@ -133,7 +142,7 @@ def _unknown_key(
     guess = nearest(key, [*known, *unbuilt, *elsewhere])
     has = f"{owner} has {', '.join(known)}" if known else f"{owner} has no options"
     hint = f' (did you mean "{guess}"?)' if guess else ""
-    raise SceneError(f"unknown key{hint}; {has}", path=full)
+    raise SceneError(f"unknown key{hint}{_HINTS.get(full, '')}; {has}", path=full)
 
 
 def _marks(owner: Mapping[str, Any], path: str) -> None:

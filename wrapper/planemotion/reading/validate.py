@@ -126,7 +126,12 @@ def _complaint(first: Any, path: str, called: Mapping[str, str] | None) -> Scene
         return SceneError("it is wanted and left out", path=path)
     if first["type"] == "value_error":
         return SceneError(str(first["ctx"]["error"]), path=path, value=shown)
-    wanted = first["msg"].removeprefix("Input should be ").replace("a valid boolean", "true or false")
+    wanted = (
+        first["msg"]
+        .removeprefix("Input should be ")
+        .replace("a valid boolean", "true or false")
+        .replace("'", '"')
+    )
     return SceneError(f"{wanted} is wanted", path=path, value=shown)
 
 
