@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from .animation import moving
 from .animation.needs import require
@@ -13,9 +12,7 @@ from .animation.page import page
 from .base.errors import StudyError
 from .base.files import ANIMATIONS, appearing, ending
 from .engine.kernel import status_name
-
-if TYPE_CHECKING:
-    from .scene import Scene
+from .reading.scene import HasData
 
 
 @dataclass(frozen=True)
@@ -61,6 +58,6 @@ class Animation:
         )
 
 
-def animate(scene: Scene, run: str | None = None) -> Animation:
+def animate(scene: HasData, run: str | None = None) -> Animation:
     """Runs a scene (one of its [runs]; default: the first): see Scene.animate."""
     return Animation(moving.record(scene, run))

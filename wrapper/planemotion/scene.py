@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from .compile.flatten import FlatScene
     from .draw import Picture
     from .engine.result import RunResult
+    from .reporting import Report
 
 # Tables that may be set beside parameters, as in "sweep.d.num".
 _SETTABLE = ("parameters", "find", "sweep", "solve")
@@ -300,6 +301,20 @@ class Scene:
         from .draw import draw
 
         return draw(self.with_values(parameters), at if at is None else plain_text(at), as_, bodies, of_run)
+
+    def report(self, *, replays: int = 9, **parameters: Any) -> Report:
+        """The scene, or the study if it has a [sweep], as one page of HTML that needs nothing else.
+
+            scene.report(d="2 in").save("report.html")
+
+        It has the answers with their errors, the motion, the picture and the text of the scene, how it was
+        computed and with what; of a study plots of the answers, how the cases ended, and at most `replays`
+        cases in motion, with a slider for each of the parameters plotted.  Raises SceneError for a fault in
+        the scene, StudyError if what a report is built with (the extra `report`) is not installed.
+        """
+        from .reporting import report
+
+        return report(self.with_values(parameters), replays)
 
     def sweep(
         self,

@@ -14,6 +14,8 @@ from .errors import StudyError
 PICTURES = ("png", "svg", "pdf")
 # The same of animations.
 ANIMATIONS = ("html", "gif", "mp4")
+# The same of reports.
+REPORTS = ("html",)
 # The same of histories.
 HISTORIES = ("h5", "nc", "csv")
 _FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG}

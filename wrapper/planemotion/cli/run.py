@@ -22,9 +22,6 @@ if TYPE_CHECKING:
     from ..engine.result import AskValue, RunResult
     from ..scene import Scene
 
-_SHOWN_OF_LIST = 6
-_DIGITS = 8  # significant, of an answer
-
 
 @dataclass(frozen=True)
 class _Recording:
@@ -187,19 +184,20 @@ def _answers(scene: Scene, result: RunResult) -> str:
 def _answer_lines(asks: Mapping[str, AskValue]) -> list[str]:
     """The answers in their order: numbers stand below each other, lists behind their keys."""
     from ..report.aligned import Column, aligned
+    from ..report.answers import note_text, unit_text, value_text
 
     width = terminal_width()
     singles = [ask for ask in asks.values() if not isinstance(ask.value, list)]
     key, note = Column(least=_longest(asks)), Column(style="dim")
-    number = Column(right=True, least=_longest(map(_shown, singles)))
-    unit = Column(least=_longest(map(_unit, singles)))
+    number = Column(right=True, least=_longest(map(value_text, singles)))
+    unit = Column(least=_longest(map(unit_text, singles)))
     lines = []
     for is_list, group in groupby(asks.items(), key=lambda item: isinstance(item[1].value, list)):
         columns = (key, Column(), note) if is_list else (key, number, unit, note)
         rows = [
-            (name, f"{_shown(ask)}  {_unit(ask)}", _note(ask))
+            (name, f"{value_text(ask)}  {unit_text(ask)}", note_text(ask))
             if is_list
-            else (name, _shown(ask), _unit(ask), _note(ask))
+            else (name, value_text(ask), unit_text(ask), note_text(ask))
             for name, ask in group
         ]
         lines += aligned(rows, columns, width=None if width is None else width - 2)
@@ -208,35 +206,6 @@ def _answer_lines(asks: Mapping[str, AskValue]) -> list[str]:
 
 def _longest(texts: Iterable[str]) -> int:
     return max(map(len, texts), default=0)
-
-
-def _shown(ask: AskValue) -> str:
-    """The number, or the first of a list."""
-    if not isinstance(ask.value, list):
-        return _number(ask.value)
-    shown = [_number(value) for value in ask.value[:_SHOWN_OF_LIST]]
-    more = [f"... {len(ask.value)} values"] if len(ask.value) > _SHOWN_OF_LIST else []
-    return ", ".join([*shown, *more]) or "-"
-
-
-def _unit(ask: AskValue) -> str:
-    return "" if ask.unit == "1" else ask.unit
-
-
-def _note(ask: AskValue) -> str:
-    """The estimated error, of a list the greatest, or the margin; and why something is missing."""
-    notes = [f"({ask.reason})"] if ask.reason else []
-    errors = ask.error if isinstance(ask.error, list) else [ask.error]
-    known = [error for error in errors if error is not None]
-    if ask.margin is not None:
-        notes.insert(0, f"margin {ask.margin:.1e}")
-    elif known:
-        notes.insert(0, f"\u00b1 {max(known):.1e}")
-    return "  ".join(notes)
-
-
-def _number(value: float | None) -> str:
-    return "-" if value is None else f"{value:.{_DIGITS}g}"
 
 
 def _is_written(claimed: Path) -> bool:

@@ -84,7 +84,7 @@ def read_panels(dataset: xr.Dataset, cells: int = MAP_CELLS) -> Panels:
     `cells`: values along each side of a map; a finer grid is condensed (condensed.py) to so many at most."""
     held = _held(dataset)
     shown = dataset.isel(dict.fromkeys(held, 0))
-    axes = [_axis(dataset, dim) for dim in _drawn_dims(dataset)]
+    axes = [_axis(dataset, dim) for dim in drawn_dims(dataset)]
     family = None
     if len(axes) == 2 and min(len(axis.values) for axis in axes) <= FAMILY:
         few = min((0, 1), key=lambda i: (len(axes[i].values), -i))
@@ -112,7 +112,7 @@ def _coarser(read: Panels, steps: Sequence[int]) -> Panels:
     )
 
 
-def _drawn_dims(dataset: xr.Dataset) -> list[str]:
+def drawn_dims(dataset: xr.Dataset) -> list[str]:
     """The one or two dimensions that the picture shows, in the order of the study."""
     dims = [str(dim) for dim in dataset["status"].dims]
     several = [dim for dim in dims if dataset.sizes[dim] > 1]
@@ -121,7 +121,7 @@ def _drawn_dims(dataset: xr.Dataset) -> list[str]:
 
 
 def _held(dataset: xr.Dataset) -> list[str]:
-    drawn = _drawn_dims(dataset)
+    drawn = drawn_dims(dataset)
     return [str(dim) for dim in dataset["status"].dims if dim not in drawn]
 
 

@@ -1,0 +1,129 @@
+"""The panels of a sweep as plots of Plotly: a curve or a map that can be hovered over and zoomed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from ..base.arrays import Floats
+from ..pen.page import CURVES, RED
+from ..pictures.condensed import outline
+from ..pictures.panels import Panel, Panels, SweptAxis
+
+# Values along a side of a map, and runs of neighbours of a curve.
+MAP_CELLS = 300
+_CURVE_PARTS = 1500
+# Curves of so few points show the points as well.
+_FEW_POINTS = 60
+_DIGITS = 9
+
+
+def plots(read: Panels) -> list[dict[str, Any]]:
+    """A plot for each ask: its title, and data and layout as Plotly.newPlot takes them."""
+    make = _map if len(read.axes) == 2 else _curves
+    return [make(read, panel) for panel in read.panels]
+
+
+def _curves(read: Panels, panel: Panel) -> dict[str, Any]:
+    axis = read.axes[0]
+    names = panel.names or ("",)
+    data = [
+        _curve(axis, values, name, CURVES[i % len(CURVES)])
+        for i, (values, name) in enumerate(zip(panel.values.T, names, strict=True))
+    ]
+    if read.bad.any():
+        data.append(_bad_cases(axis, read.bad))
+    layout = {
+        "xaxis": _layout_of(axis),
+        "yaxis": {"title": {"text": panel.label}, **_whole(panel.values)},
+        "yaxis2": {"overlaying": "y", "range": [0, 1], "visible": False, "fixedrange": True},
+        "showlegend": len(names) > 1 or bool(read.bad.any()),
+        "hovermode": "closest",
+    }
+    return _plot(panel, data, layout)
+
+
+def _curve(axis: SweptAxis, values: Floats, name: str, colour: str) -> dict[str, Any]:
+    x, y = outline(axis.values, values, _CURVE_PARTS)
+    return {
+        "type": "scatter",
+        "mode": "lines+markers" if len(x) <= _FEW_POINTS else "lines",
+        "name": name,
+        "x": _numbers(x),
+        "y": _numbers(y),
+        "line": {"color": colour, "width": 2},
+        "marker": {"size": 5},
+        "connectgaps": False,
+        "hovertemplate": f"{axis.name} = %{{x:.6g}}<br>%{{y:.8g}}<extra>{name}</extra>",
+    }
+
+
+def _bad_cases(axis: SweptAxis, bad: npt.NDArray[np.bool_]) -> dict[str, Any]:
+    """Red ticks on the lower edge."""
+    x = axis.values[bad]
+    x = x[np.linspace(0, len(x) - 1, min(len(x), _CURVE_PARTS)).round().astype(int)]
+    return {
+        "type": "scatter",
+        "mode": "markers",
+        "name": "not ok",
+        "x": _numbers(x),
+        "y": [0.02] * len(x),
+        "yaxis": "y2",
+        "marker": {"symbol": "line-ns-open", "size": 9, "color": RED},
+        "hovertemplate": f"{axis.name} = %{{x:.6g}}: not ok<extra></extra>",
+    }
+
+
+def _map(read: Panels, panel: Panel) -> dict[str, Any]:
+    across, up = read.axes
+    data: list[dict[str, Any]] = [
+        {
+            "type": "heatmap",
+            "x": _numbers(across.values),
+            "y": _numbers(up.values),
+            "z": [_numbers(row) for row in panel.values.T],
+            "colorscale": "Viridis",
+            "colorbar": {"thickness": 14, **_whole(panel.values)},
+            "hovertemplate": f"{across.name} = %{{x:.6g}}<br>{up.name} = %{{y:.6g}}<br>%{{z:.8g}}"
+            "<extra></extra>",
+        }
+    ]
+    if read.bad.any():
+        column, row = np.nonzero(read.bad)
+        data.append(
+            {
+                "type": "scatter",
+                "mode": "markers",
+                "name": "not ok",
+                "x": _numbers(across.values[column]),
+                "y": _numbers(up.values[row]),
+                "marker": {"symbol": "x-thin-open", "size": 5, "color": RED},
+                "hovertemplate": f"{across.name} = %{{x:.6g}}<br>{up.name} = %{{y:.6g}}: not ok"
+                "<extra></extra>",
+            }
+        )
+    return _plot(panel, data, {"xaxis": _layout_of(across), "yaxis": _layout_of(up), "showlegend": False})
+
+
+def _plot(panel: Panel, data: Sequence[dict[str, Any]], layout: dict[str, Any]) -> dict[str, Any]:
+    return {"title": panel.label, "note": panel.note, "data": list(data), "layout": layout}
+
+
+def _layout_of(axis: SweptAxis) -> dict[str, Any]:
+    return {"title": {"text": axis.label}, **({"type": "log"} if axis.log else {})}
+
+
+def _whole(values: Floats) -> dict[str, Any]:
+    """Ticks at whole numbers where there are no others."""
+    known = values[np.isfinite(values)]
+    if not known.size or np.any(known != np.round(known)) or np.ptp(known) > 12:
+        return {}
+    return {"tick0": 0, "dtick": 1, "tickformat": "d"}
+
+
+def _numbers(values: Floats) -> list[float | None]:
+    """As JSON has them: no NaN, no more digits than a screen shows."""
+    return [float(f"{value:.{_DIGITS}g}") if np.isfinite(value) else None for value in values]
