@@ -209,7 +209,8 @@ int pm_instant_finish(pm_workspace *w, int *ended)
     const int status = close(w, ended);
     if (!status && !*ended && at_rest(&w->frame, PM_NONE) && !w->model->programs.use_time &&
         w->request.program == PM_NONE)
-        return pm_fail(&w->result, PM_STAYS_AT_REST, PM_NONE, PM_NONE, w->state.t, 0);
+        return pm_fail(&w->result, PM_STAYS_AT_REST, PM_NONE, PM_NONE, w->state.t,
+                       (double)w->result.count[PM_COUNT_STEPS]);
     return status;
 }
 

@@ -25,6 +25,8 @@ def load(path: str | os.PathLike[str]) -> Scene:
     Raises SceneError for a file that cannot be read, is no TOML (with the line), or says what no scene can.
     """
     name = os.fspath(path)
+    if "\n" in name:
+        raise SceneError("load takes the path of a file; load_text takes the text of a scene")
     try:
         text = read_bytes(Path(path), _MOST_BYTES).decode("utf-8")
     except UnicodeDecodeError:

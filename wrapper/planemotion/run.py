@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -17,6 +17,7 @@ from .engine.outcome import CaseResults
 from .engine.result import RunResult, collect
 from .geometry.parameters import like_declared
 from .reading.plain import plain
+from .report.waited import ENDLESS, waited_for
 
 if TYPE_CHECKING:
     from .compile.flatten import FlatScene
@@ -35,9 +36,20 @@ def simulate(scene: Scene) -> RunResult:
     """
     data = scene.data
     results = [_with_whole_lists(scene, flat, _run_once(flat)) for flat in scene.tables()]
-    result = collect(data.id, data.file, tuple(data.ask), results)
+    result = _told_more(data, results, collect(data.id, data.file, tuple(data.ask), results))
     shared = [group for flat, one in results if _is_shared(one) for group in _shared(flat)]
     return replace(result, notes=(*result.notes, *dict.fromkeys(shared))) if shared else result
+
+
+def _told_more(
+    data: SceneData, results: Sequence[tuple[FlatScene, CaseResults]], result: RunResult
+) -> RunResult:
+    """The same; what a run that did not come to its end waited for is told with its error."""
+    for flat, one in results:
+        if result.code in ENDLESS and int(one.status[0]) == result.code and flat.find is None:
+            more = waited_for(data, flat.run)
+            return replace(result, error=f"{result.error}; {more}") if more else result
+    return result
 
 
 def _run_once(flat: FlatScene) -> CaseResults:

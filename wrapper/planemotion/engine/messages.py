@@ -71,7 +71,7 @@ def describe(flat: FlatScene, status: int, where: Ints, detail: Floats, param: F
         if math.isfinite(found):
             numbers = f"{found:.6g}" + (f", bound {bound:.6g}" if math.isfinite(bound) else "")
             sentence += f" ({numbers})"
-    if math.isfinite(time) and time > 0:
+    if math.isfinite(time) and time > 0 and status != layout.PM_LIMIT_TIME:
         sentence += f", at t = {time:.6g} s"
     return located(sentence, flat.file, flat.source)
 
@@ -159,10 +159,14 @@ def _bad_value(place: str, found: float, bound: float, unit: str) -> str:
 
 _DESCRIPTIONS: dict[int, Any] = {
     layout.PM_LIMIT_TIME: lambda place, found, bound: (
-        f"until: not reached within solve.max_time ({bound:g} s); does it happen at all? else allow more"
+        f"until: not reached within solve.max_time ({bound:g} s)"
     ),
-    layout.PM_LIMIT_EVENTS: lambda place, found, bound: "until: not reached within solve.max_events",
-    layout.PM_LIMIT_STEPS: lambda place, found, bound: "until: not reached within solve.max_steps",
+    layout.PM_LIMIT_EVENTS: lambda place, found, bound: (
+        f"until: not reached within solve.max_events ({found:.0f})"
+    ),
+    layout.PM_LIMIT_STEPS: lambda place, found, bound: (
+        f"until: not reached within solve.max_steps ({found:.0f})"
+    ),
     layout.PM_LIMIT_CPU: lambda place, found, bound: (
         f"solve.max_cpu: given up after {bound:g} s of computing time; what was answered before stands"
     ),
@@ -173,7 +177,7 @@ _DESCRIPTIONS: dict[int, Any] = {
     layout.PM_CANCELLED: lambda place, found, bound: "cancelled before it was finished",
     layout.PM_STAYS_AT_REST: lambda place, found, bound: (
         "until: not reached; everything has come to rest and stays"
-        if found > 0
+        if found > 0 or bound > 0
         else "until: not reached; everything is at rest from the start and stays: give a velocity in "
         "start, or by start.nudge the side to which an unstable rest is left"
     ),
