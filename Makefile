@@ -24,7 +24,7 @@ help:
 	@echo 'make lint         style and types only'
 	@echo 'make test-kernel  the C tests only'
 	@echo 'make test-python  the Python tests only'
-	@echo 'make test-browser the player of animations in Chromium, which it installs'
+	@echo 'make test-browser animations and reports in Chromium, which it installs'
 	@echo 'make format       rewrite the sources in the house style'
 	@echo 'make sanitize     the C tests under ASan and UBSan (SANITIZE=thread: under TSan)'
 	@echo 'make faults       plant faults in a copy of the kernel: the C tests must catch each'
@@ -55,7 +55,7 @@ test-python: setup
 
 test-browser:
 	@.ci/setup --browser
-	PLANEMOTION_BROWSER=required $(BIN)/python -m pytest tests/animation/test_browser.py
+	PLANEMOTION_BROWSER=required $(BIN)/python -m pytest tests/animation/test_browser.py tests/report/test_browser.py
 
 lint: setup
 	$(BIN)/ruff check .

@@ -5,8 +5,6 @@
 
 from __future__ import annotations
 
-import os
-import shutil
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -14,39 +12,19 @@ from typing import Any
 import pytest
 
 import planemotion
+from tests.chromium import chromium, opened
 from tests.test_history import BALL
 
-CHROMIUM = shutil.which("chromium")
-if os.environ.get("PLANEMOTION_BROWSER") != "required":
-    pytest.importorskip("playwright", reason="make test-browser installs it")
-    if CHROMIUM is None:
-        pytest.skip("make test-browser installs Chromium", allow_module_level=True)
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    from playwright.sync_api import sync_playwright
-
-    with sync_playwright() as driver:
-        started = driver.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
-        yield started
-        started.close()
+browser = chromium()
 
 
 @pytest.fixture(params=["light", "dark"])
 def player(browser: Any, tmp_path: Path, request: pytest.FixtureRequest) -> Iterator[Any]:
     """A page with the ball; errors in its console and requests to elsewhere are failures."""
     file = planemotion.load_text(BALL).animate().save(tmp_path / "ball.html")
-    page = browser.new_page(viewport={"width": 1100, "height": 760}, color_scheme=request.param)
-    faults: list[str] = []
-    page.on("console", lambda told: faults.append(told.text) if told.type in ("error", "warning") else None)
-    page.on("pageerror", lambda error: faults.append(str(error)))
-    page.on("request", lambda asked: None if asked.url == file.as_uri() else faults.append(asked.url))
-    page.goto(file.as_uri())
-    assert page.evaluate("document.documentElement.dataset.theme") == request.param
-    yield page
-    page.close()
-    assert faults == []
+    with opened(browser, file, request.param) as page:
+        assert page.evaluate("document.documentElement.dataset.theme") == request.param
+        yield page
 
 
 def state(page: Any, name: str) -> Any:

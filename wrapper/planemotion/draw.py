@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from .base.errors import SceneError
 from .pen import page
+from .pen.theme import on_paper, require_theme
 from .pictures import diagrams
 from .pictures.instants import instant_of
 from .pictures.scene import figure, start_of
@@ -30,18 +31,19 @@ class Picture:
 
     figure: Figure
     fault: str = ""
+    theme: str = "light"
 
     def save(self, out: str | os.PathLike[str]) -> Path:
         """Writes it as PNG, SVG or PDF, by the ending.  Raises StudyError if it cannot be written."""
         path = Path(out)
-        with page.style():
+        with page.style(self.theme):
             page.save(self.figure, path)
         return path
 
     def _repr_png_(self) -> bytes:
         made = BytesIO()
-        with page.style():
-            self.figure.savefig(made, format="png", dpi=page.RESOLUTION, facecolor="white")
+        with page.style(self.theme):
+            self.figure.savefig(made, format="png", dpi=page.RESOLUTION)
         return made.getvalue()
 
 
@@ -51,13 +53,18 @@ def draw(
     as_: str | None = None,
     bodies: str | Sequence[str] = (),
     run: str | None = None,
+    theme: str = "light",
 ) -> Picture:
     """Draws a scene: see Scene.draw."""
     chosen = (bodies,) if isinstance(bodies, str) else tuple(bodies)
     if as_ is None and chosen:
         raise SceneError('bodies are chosen of a figure: give as_ too, such as "free-body"', path="bodies")
-    with page.style():
+    require_theme(theme)
+    with page.style(theme):
         if as_ is not None:
-            return Picture(diagrams.figure(scene, as_, at, run, chosen))
-        start = start_of(scene, run) if at is None else instant_of(scene, at, run)
-        return Picture(figure(start), start.fault)
+            made = diagrams.figure(scene, as_, at, run, chosen)
+            fault = ""
+        else:
+            start = start_of(scene, run) if at is None else instant_of(scene, at, run)
+            made, fault = figure(start), start.fault
+        return Picture(on_paper(made, theme), fault, theme)

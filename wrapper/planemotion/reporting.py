@@ -20,6 +20,7 @@ from .base.files import REPORTS, appearing, ending
 from .engine.history import is_history
 from .file import load, load_text
 from .pen import page as pen
+from .pen.theme import THEMES, on_paper
 from .pictures.panels import drawn_dims, open_sweep
 from .pictures.scene import figure, start_of
 from .report import explain as explanations
@@ -138,15 +139,16 @@ def _replay(scene: Scene, place: Sequence[int], words: str) -> Replay:
 
 
 def _told(scene: Scene, explained: str, replays: Sequence[Replay], sliders: Sequence[Slider] = ()) -> Told:
-    return Told(scene.data, scene.text, _picture(scene), explained, replays, sliders)
+    pictures = {theme: _picture(scene, theme) for theme in THEMES}
+    return Told(scene.data, scene.text, pictures, explained, replays, sliders)
 
 
-def _picture(scene: Scene) -> str:
+def _picture(scene: Scene, theme: str) -> str:
     """The start as an SVG in base64; "" where it cannot be drawn."""
     made = BytesIO()
     try:
-        with pen.style():
-            figure(start_of(scene, None)).savefig(made, format="svg")
+        with pen.style(theme):
+            on_paper(figure(start_of(scene, None)), theme).savefig(made, format="svg")
     except PlanemotionError:
         return ""
     return b64encode(made.getvalue()).decode("ascii")

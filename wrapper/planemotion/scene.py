@@ -281,6 +281,7 @@ class Scene:
         *,
         bodies: str | Sequence[str] = (),
         of_run: str | None = None,
+        theme: str = "light",
         **parameters: Any,
     ) -> Picture:
         """The scene as a picture, with other values for some parameters; a notebook shows it.
@@ -291,6 +292,7 @@ class Scene:
         figure of the book, with names and values: "free-body", "kinetic" (forces = m a), "impulse-momentum"
         (without `at` of the first blow) or "energy" (the work of each force since the start; without `at` of
         the whole run); of all bodies, or of `bodies`.  `of_run`: which of its [runs] (default: the first).
+        `theme`: "light" or "dark" paper.
 
         Values are in lb, ft and s where the scene has feet or inches, else in N, m, s and J; vectors by their
         parts along x and y, or across (N) and along (F) a surface.  "?" is what nothing tells, such as the
@@ -300,7 +302,8 @@ class Scene:
         """
         from .draw import draw
 
-        return draw(self.with_values(parameters), at if at is None else plain_text(at), as_, bodies, of_run)
+        when = at if at is None else plain_text(at)
+        return draw(self.with_values(parameters), when, as_, bodies, of_run, theme)
 
     def report(self, *, replays: int = 9, **parameters: Any) -> Report:
         """The scene, or the study if it has a [sweep], as one page of HTML that needs nothing else.

@@ -29,6 +29,11 @@ def _animation(_ctx: click.Context, _option: click.Parameter, out: Path | None) 
     return out
 
 
+_theme_option = click.option(
+    "--theme", type=click.Choice(["light", "dark"]), default="light", help="Ink on light or dark paper."
+)
+
+
 @click.command()
 @click.argument("result", type=a_path)
 @click.option(
@@ -38,7 +43,8 @@ def _animation(_ctx: click.Context, _option: click.Parameter, out: Path | None) 
     callback=_picture,
     help="The picture, .png, .svg or .pdf (default: a PNG beside RESULT).",
 )
-def plot(result: Path, out: Path | None) -> None:
+@_theme_option
+def plot(result: Path, out: Path | None, theme: str) -> None:
     """Draw the result of a sweep, or a recorded history.
 
     RESULT is the .h5 file that `sweep` or `run --history` wrote.
@@ -46,7 +52,7 @@ def plot(result: Path, out: Path | None) -> None:
 
     from ..pictures.plots import plot
 
-    click.echo(plot(result, out))
+    click.echo(plot(result, out, theme))
 
 
 @click.command()
@@ -71,6 +77,7 @@ def plot(result: Path, out: Path | None) -> None:
     "--body", "bodies", metavar="NAME", multiple=True, help="With --as: only this one (repeatable)."
 )
 @click.option("--run", "run", metavar="NAME", help="Which of its [runs] (default: the first).")
+@_theme_option
 @set_option
 @click.pass_context
 def draw(
@@ -81,6 +88,7 @@ def draw(
     kind: str | None,
     bodies: tuple[str, ...],
     run: str | None,
+    theme: str,
     values: Mapping[str, str],
 ) -> None:
     """Draw a scene at its start, or at an instant of its run, with names.
@@ -88,24 +96,15 @@ def draw(
     It shows most modelling errors.  With --as the figures of the book: without --at at the start, at the
     first blow (impulse-momentum), or over the whole run (energy).
     """
+    from ..draw import draw as drawn
     from ..file import load
-    from ..pictures import diagrams
-    from ..pictures import scene as sketch
-    from ..pictures.instants import instant_of
 
-    target = out or Path(f"{scene.stem}.png")
-    read = load(scene).with_values(values)
-    if kind is not None:
-        diagrams.draw(read, kind, target, at, run, bodies)
-        click.echo(target)
-        return
-    if bodies:
+    if bodies and kind is None:
         raise click.UsageError("--body goes with --as")
-    start = sketch.start_of(read, run) if at is None else instant_of(read, at, run)
-    sketch.draw(start, target)
-    click.echo(target)
-    if start.fault:
-        say(start.fault, error=True)
+    made = drawn(load(scene).with_values(values), at, kind, bodies, run, theme)
+    click.echo(made.save(out or Path(f"{scene.stem}.png")))
+    if made.fault:
+        say(made.fault, error=True)
         ctx.exit(FAILED)
 
 

@@ -13,6 +13,7 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 
 from ..base.errors import StudyError
 from ..base.files import PICTURES, appearing, ending
+from .theme import themed
 
 INK = "#222222"
 SOFT = "#6b6b6b"
@@ -56,9 +57,9 @@ _PAD = 0.09  # inches between panels
 HEAD_HEIGHT = 0.62  # inches above the panels for title and subtitle
 
 
-def style() -> AbstractContextManager[None]:
-    """The look of all pictures, for the time of a `with` block."""
-    return matplotlib.rc_context(STYLE)
+def style(theme: str = "light") -> AbstractContextManager[None]:
+    """The look of all pictures, for the time of a `with` block; `theme`: one of THEMES."""
+    return matplotlib.rc_context(themed(STYLE, theme))
 
 
 def save(figure: Figure, path: Path) -> None:
@@ -71,9 +72,7 @@ def save(figure: Figure, path: Path) -> None:
         raise StudyError(f"{path}: cannot be written: there is no folder {path.parent}")
     FigureCanvasAgg(figure)
     with appearing(path) as temporary:
-        figure.savefig(
-            temporary, format=kind, dpi=RESOLUTION, facecolor="white", metadata=_WITHOUT_DATE.get(kind)
-        )
+        figure.savefig(temporary, format=kind, dpi=RESOLUTION, metadata=_WITHOUT_DATE.get(kind))
 
 
 def head(figure: Figure, title: str, subtitle: str) -> None:

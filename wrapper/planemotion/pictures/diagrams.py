@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TypeAlias
 
 import numpy as np
@@ -71,24 +70,6 @@ class _Panel:
     colour: str = RED
 
 
-def draw(
-    scene: HasData,
-    kind: str,
-    out: Path,
-    at: str | None = None,
-    run: str | None = None,
-    bodies: Sequence[str] = (),
-) -> None:
-    """Writes a figure of the book as PNG, SVG or PDF, by its ending.
-
-    `kind`: one of KINDS; `at`: a time, or the name of an event or contact (default: the start, or the first
-    blow, or for energies the end); `bodies`: which (default: all).  Raises SceneError, StudyError and
-    SimulationError as `instants.instant_of` does, and SceneError for a kind or a body that there is not.
-    """
-    with page.style():
-        page.save(figure(scene, kind, at, run, bodies), out)
-
-
 def figure(
     scene: HasData,
     kind: str,
@@ -96,7 +77,12 @@ def figure(
     run: str | None = None,
     bodies: Sequence[str] = (),
 ) -> Figure:
-    """The same as a figure of matplotlib."""
+    """A figure of the book.
+
+    `kind`: one of KINDS; `at`: a time, or the name of an event or contact (default: the start, or the first
+    blow, or for energies the end); `bodies`: which (default: all).  Raises SceneError, StudyError and
+    SimulationError as `instants.instant_of` does, and SceneError for a kind or a body that there is not.
+    """
     if kind not in KINDS:
         raise SceneError(unknown(kind, KINDS, "figure"), path="as")
     if kind == ENERGY:

@@ -12,14 +12,17 @@ from ..base.checksums import require_sound
 from ..engine.history import is_history
 from ..engine.history import read as read_history
 from ..pen.page import save, style
+from ..pen.theme import on_paper, require_theme
 from .history import plot_history
 from .panels import open_sweep
 from .sweep import plot_sweep
 
 
-def plot(result: str | os.PathLike[str], out: str | os.PathLike[str] | None = None) -> Path:
+def plot(
+    result: str | os.PathLike[str], out: str | os.PathLike[str] | None = None, theme: str = "light"
+) -> Path:
     """Draws the HDF5 file of a sweep or of a history; returns the path of the picture, PNG, SVG or PDF by its
-    ending (default: a PNG beside it).
+    ending (default: a PNG beside it), on "light" or "dark" paper.
 
     Raises StudyError if `result` is neither, the ending says no format, or the picture cannot be written;
     nothing half-written stays.
@@ -27,12 +30,13 @@ def plot(result: str | os.PathLike[str], out: str | os.PathLike[str] | None = No
     source = Path(result)
     target = source.with_suffix(".png") if out is None else Path(out)
     require_sound(source)
-    with style():
+    require_theme(theme)
+    with style(theme):
         if is_history(source):
             runs, attributes = read_history(source)
             figure = plot_history(runs, str(attributes.get("title") or attributes.get("id") or "History"))
         else:
             with open_sweep(source) as dataset:
                 figure = plot_sweep(dataset)
-        save(figure, target)
+        save(on_paper(figure, theme), target)
     return target

@@ -13,7 +13,6 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import islice
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -94,12 +93,6 @@ def start_of(scene: HasData, run: str | None = None) -> Start:
             for pose in [drawing.pose(name)]
         }
     return Start(scene.data, drawing, poses, found.message)
-
-
-def draw(start: Start, out: Path) -> None:
-    """Writes the picture as PNG, SVG or PDF, by its ending; StudyError if it cannot be written."""
-    with page.style():
-        page.save(figure(start), out)
 
 
 def figure(start: Start) -> Figure:

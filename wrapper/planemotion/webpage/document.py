@@ -52,11 +52,11 @@ class Slider:
 
 @dataclass(frozen=True)
 class Told:
-    """What both kinds of report tell of a scene: what it is, its text and picture, and how it is computed."""
+    """What both kinds of report tell of a scene: its text, its pictures and how it is computed."""
 
     data: SceneData
     text: str
-    picture: str
+    pictures: Mapping[str, str]  # by theme
     explained: str
     replays: Sequence[Replay]
     sliders: Sequence[Slider] = ()
@@ -102,7 +102,7 @@ def _common(told: Told) -> dict[str, Any]:
         "id": data.id,
         "description": data.description or "",
         "scene": told.text,
-        "picture": told.picture,
+        "pictures": {theme: text for theme, text in told.pictures.items() if text},
         "explained": told.explained,
         "sliders": [{"name": one.name, "values": list(one.values)} for one in told.sliders],
         "replays": {
@@ -135,8 +135,16 @@ def _residual(value: float | None) -> str:
 
 
 def _settings(data: SceneData) -> dict[str, str]:
-    return {"settings": data.solve.model_dump_json()}
+    return {"settings": _settings_text(data.solve.model_dump(exclude_none=True))}
+
+
+def _settings_text(settings: Mapping[str, Any]) -> str:
+    """accuracy = 1e-12, route = auto, ..."""
+    return ", ".join(f"{name} = {value}" for name, value in settings.items())
 
 
 def _of_result(dataset: xr.Dataset) -> dict[str, str]:
-    return {word: str(dataset.attrs[name]) for name, word in _OF_RESULT.items() if name in dataset.attrs}
+    told = {word: str(dataset.attrs[name]) for name, word in _OF_RESULT.items() if name in dataset.attrs}
+    if "settings" in told:
+        told["settings"] = _settings_text(json.loads(told["settings"]))
+    return told

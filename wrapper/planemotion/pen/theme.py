@@ -1,0 +1,94 @@
+"""A picture on dark paper: each colour of the house has its counterpart there, and no other changes."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.colors import to_rgba, to_rgba_array
+
+from ..base.errors import StudyError
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+THEMES = ("light", "dark")
+# Light and dark; the dark ones are as strong, and are those of the player and the report.
+_DARK = {
+    "#ffffff": "#14181c",
+    "#222222": "#e6e8ea",
+    "#000000": "#e6e8ea",
+    "#6b6b6b": "#98a2ab",
+    "#5d5d5d": "#b3bcc4",
+    "#1f4e79": "#8fbce6",
+    "#b5362b": "#ff8a75",
+    "#c8741a": "#f0a95a",
+    "#3b7d5e": "#7fcfa6",
+    "#7a4a8c": "#c79ad8",
+    "#8a8a2b": "#d0d070",
+    "#4c9bbf": "#5fb4d9",
+    "#e3e3e3": "#2c353d",
+    "#f0f0f0": "#20262c",
+    "#ebebeb": "#2a3138",
+    "#cccccc": "#38424b",
+    "#dbe5ef": "#25384a",
+    "#dd9c95": "#8c463e",
+}
+_TABLE = [(np.array(to_rgba(light)[:3]), np.array(to_rgba(dark)[:3])) for light, dark in _DARK.items()]
+_SAME = 1 / 512  # of a channel: half a step of eight bits
+_PARTS = ("color", "facecolor", "edgecolor", "markerfacecolor", "markeredgecolor")
+
+
+def themed(settings: Any, theme: str) -> Any:
+    """Settings of matplotlib on paper of that theme."""
+    paper = {"figure.facecolor": "#ffffff", "axes.facecolor": "#ffffff"}
+    settings = {**paper, **settings}
+    if theme == "light":
+        return settings
+    return {
+        key: _DARK.get(value, value) if isinstance(value, str) else value for key, value in settings.items()
+    }
+
+
+def require_theme(theme: str) -> None:
+    """Raises StudyError for a theme that there is not."""
+    if theme not in THEMES:
+        raise StudyError(f'theme = "{theme}": {" or ".join(THEMES)} is wanted')
+
+
+def on_paper(figure: Figure, theme: str) -> Figure:
+    """The finished picture, everything in it in its colour on that paper; colour maps keep theirs."""
+    from matplotlib.collections import Collection
+
+    if theme == "light":
+        return figure
+    for artist in figure.findobj():
+        mapped = isinstance(artist, Collection) and artist.get_array() is not None
+        for part in _PARTS:
+            getter, setter = (getattr(artist, f"{verb}_{part}", None) for verb in ("get", "set"))
+            if (
+                getter is None
+                or setter is None
+                or mapped
+                or (part == "color" and hasattr(artist, "set_edgecolor"))
+            ):
+                continue
+            _recolour(getter(), setter)
+    return figure
+
+
+def _recolour(colours: Any, setter: Any) -> None:
+    """Sets the counterparts of one colour or of several; "none" and others stay."""
+    if isinstance(colours, str) and colours in ("none", "auto"):
+        return
+    several = to_rgba_array(colours)
+    changed = np.array([_counterpart(one) for one in several]).reshape(-1, 4)
+    if changed.size and not np.array_equal(changed, several):
+        setter(changed if len(changed) > 1 else tuple(changed[0]))
+
+
+def _counterpart(colour: Any) -> Any:
+    for light, dark in _TABLE:
+        if np.all(np.abs(colour[:3] - light) < _SAME):
+            return np.append(dark, colour[3])
+    return colour
