@@ -62,8 +62,7 @@ def built() -> Scene:
     scene.joint("A", pin=["AB.A", "ground"])
     scene.ask("omega", "AB.omega").ask("top", max="AB.B.y", unit="in")
     scene.solve(route="rk")
-    scene.raw["sweep"] = {"L": ["1 m", "2 m"], "m": {"from": "1 kg", "to": "2 kg", "num": 3}, "zip": [["L"]]}
-    return scene
+    return scene.grids({"zip": [["L"]]}, L=["1 m", "2 m"], m={"from": "1 kg", "to": "2 kg", "num": 3})
 
 
 def test_file_and_builder_make_the_same_scene() -> None:
@@ -97,8 +96,8 @@ def test_quantities_of_pint_and_numbers_of_numpy_are_taken() -> None:
     scene = Scene("x", until="start")
     scene.parameters(L=units.Quantity(10, "inch"), n=np.float64(2.5), k=np.int64(3))
     scene.body("P", mass=units.Quantity(1.5, "kg"), at=np.array([0.0, 0.0]))
-    assert scene.raw["parameters"]["n"] == 2.5
-    assert type(scene.raw["parameters"]["n"]) is float
+    assert scene.table["parameters"]["n"] == 2.5
+    assert type(scene.table["parameters"]["n"]) is float
     flat = flatten(scene)
     assert dict(zip(flat.parameters, flat.defaults, strict=True)) == pytest.approx(
         {"g": 9.81, "L": 0.254, "n": 2.5, "k": 3}
@@ -152,7 +151,7 @@ def test_overrides_that_are_refused(values: dict[str, object], expected: str) ->
 def test_a_copy_with_values_leaves_the_scene_alone() -> None:
     scene = load_text(FILE)
     scene.with_values({"L": 3, "sweep.m.num": 9})
-    assert scene.raw == load_text(FILE).raw
+    assert scene.table == load_text(FILE).table
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
@@ -200,3 +199,25 @@ def test_a_scene_that_stays_the_same_makes_its_tables_once() -> None:
     scene.start({"AB.omega": "4 rad/s"})
     assert scene.tables()[0] is not first[0]
     assert scene.run().top != before
+
+
+def test_every_name_of_the_package_is_there() -> None:
+    for name in planemotion.__all__:
+        assert getattr(planemotion, name) is not None, name
+    assert isinstance(load_text(FILE).with_values({"L": 2}).run(), planemotion.RunResult)
+
+
+def test_a_parameter_may_have_the_name_of_an_option() -> None:
+    scene = load_text(FILE.replace("n = 3", "workers = 3")).ask("n", "workers")
+    with pytest.raises(
+        SceneError, match=r'workers: a number of threads is wanted.*grids={"workers": \.\.\.}'
+    ):
+        scene.sweep(workers=[1, 2])
+    assert scene.sweep(grids={"workers": [1, 2]}, L=["1 m"]).n.values.tolist() == [[1], [2]]
+
+
+def test_the_table_of_a_scene_is_a_copy() -> None:
+    scene = load_text(FILE)
+    scene.table["parameters"]["L"] = "9 m"
+    assert scene.table == load_text(FILE).table
+    assert Scene.from_table(scene.table).data.parameters == scene.data.parameters

@@ -30,7 +30,7 @@ def quantity(value: float, unit: str) -> str:
 def known(name: str, raw: Numbers, truth: Truth, routes: tuple[str, ...], draw: random.Random) -> Known:
     """With an accuracy that is drawn, too."""
     power = round(draw.uniform(5, 12), 2)
-    scene = planemotion.Scene.from_raw({"id": name.replace(" ", "_"), **raw})
+    scene = planemotion.Scene.from_table({"id": name.replace(" ", "_"), **raw})
     return Known(name, scene, truth, dict.fromkeys(routes, (power,)))
 
 
@@ -262,7 +262,7 @@ def crank(draw: random.Random) -> Known:
         "piston": float(a * mp.cos(last) + root),
         "speed": float(rate * mp.sqrt(square(last))),
     }
-    study = planemotion.load(STUDIES / "slider_crank.toml").raw
+    study = planemotion.load(STUDIES / "slider_crank.toml").table
     raw = {
         **{key: study[key] for key in ("ground", "bodies", "joints", "parameters")},
         "until": f"crank.turned = {float(2 * mp.pi * turns + rest)!r} rad",
@@ -290,7 +290,7 @@ def two_rods(draw: random.Random) -> Known:
         "tip_y": float(mp.sin(a) + mp.sin(b)),
         "turns_apart": float(wa - wb),
     }  # fmt: skip
-    study = planemotion.load(STUDIES / "double_pendulum.toml").raw
+    study = planemotion.load(STUDIES / "double_pendulum.toml").table
     bodies = {
         name: {**study["bodies"][name], "angle": quantity(angles[i], "rad")}
         for i, name in enumerate(("upper", "lower"))

@@ -21,9 +21,9 @@ def four_bars(n: int, until: str = "t = 10 s") -> planemotion.Scene:
     return scene.ask("angle", "c0.angle", unit="rad").ask("energy", "energy.total", unit="J")
 
 
-def pendulums(n: int, until: str = "t = 1 s") -> planemotion.Scene:
+def pendulums(n: int, until: str = "t = 1 s", name: str = "") -> planemotion.Scene:
     """n rods of 1 m and 1 kg in series, let go from the level."""
-    scene = planemotion.Scene(f"pendulums_{n}", until=until)
+    scene = planemotion.Scene(name or f"pendulums_{n}", until=until)
     end = "ground"
     for i in range(n):
         scene.body(f"r{i}", rod=["A", "B"], length="1 m", mass="1 kg", at={"A": [f"{i} m", 0]}, angle="0 deg")
@@ -34,8 +34,7 @@ def pendulums(n: int, until: str = "t = 1 s") -> planemotion.Scene:
 
 def floors(n: int, until: str = "t = 2 s") -> planemotion.Scene:
     """A double pendulum above n level lines that it does not reach: contacts that are watched in vain."""
-    scene = pendulums(2, until)
-    scene.raw["id"] = f"floors_{n}"
+    scene = pendulums(2, until, f"floors_{n}")
     scene.ground(lines={f"f{i}": {"through": [0, f"{-3 - i / 100} m"]} for i in range(n)})
     for i in range(n):
         scene.contact(f"f{i}", touch=["r1.B", f"ground.f{i}"], restitution=0.5)
@@ -44,8 +43,7 @@ def floors(n: int, until: str = "t = 2 s") -> planemotion.Scene:
 
 def idle(n: int, until: str = "t = 2 s") -> planemotion.Scene:
     """A double pendulum that is asked for, and n others beside it that are not."""
-    scene = pendulums(2, until)
-    scene.raw["id"] = f"idle_{n}"
+    scene = pendulums(2, until, f"idle_{n}")
     for i in range(n):
         at = {"A": [f"{5 + 2 * i} m", 0]}
         scene.body(f"i{i}", rod=["A", "B"], length="1 m", mass="1 kg", at=at, angle="0 deg")

@@ -79,7 +79,7 @@ def bodies(quick: bool, out: Path) -> Table:
             for n, one, (figures, missed) in zip(
                 sizes, scenes, in_turn(scenes, ("energy",), route), strict=False
             ):
-                count = len(one.raw["bodies"])
+                count = len(one.table["bodies"])
                 table.rows.append([name, method, n, count, *per_step(figures, count), missed])
                 if missed:
                     break
@@ -202,7 +202,7 @@ def cases(quick: bool) -> Table:
         "and their medians.",
     )
     scene = planemotion.load(STUDIES / "rolling_collar.toml")
-    flat = flat_of(scene, tuple(scene.raw["ask"]), {})
+    flat = flat_of(scene, tuple(scene.table["ask"]), {})
     scales = (1e3, 1e6, 1e3, 1e3, 1e6, 1e3)
     for n in CASES[:3] if quick else CASES:
         d = {"from": "0 m", "to": "0.3 m", "num": n} if n > 1 else ["0.2 m"]
@@ -239,7 +239,7 @@ def threads(quick: bool) -> Table:
     ]
     batches = []
     for problem, route in rows:
-        flat = flat_of(problem.scene(), tuple(problem.scene().raw["ask"]), {"solve.route": route})
+        flat = flat_of(problem.scene(), tuple(problem.scene().table["ask"]), {"solve.route": route})
         cases = columns(flat, problem.names, problem.cases)
         batches.append((flat, batch_for(flat, cases, 0.1 if quick else THREAD_SECONDS)))
     calls = [

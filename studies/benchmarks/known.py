@@ -101,12 +101,12 @@ def bouncing_ball() -> Iterator[Known]:
 
 
 def sphere() -> Iterator[Known]:
-    raw = planemotion.load(STUDIES / "sphere_over_bars.toml").raw
+    raw = planemotion.load(STUDIES / "sphere_over_bars.toml").table
     ask = {
         "omegas": {"of": "-sphere.omega", "at": "each over", "unit": "rad/s"},
         "bars_passed": "over.count",
     }
-    scene = planemotion.Scene.from_raw({**raw, "ask": ask})
+    scene = planemotion.Scene.from_table({**raw, "ask": ask})
     for d, r, omega in (
         (1.8, 10, 1.5),
         (2.2, 10, 1.7),
@@ -130,7 +130,7 @@ def stored() -> Iterator[Known]:
     for name in ("double_pendulum", "slider_crank"):
         scene = planemotion.load(STUDIES / f"{name}.toml")
         for entry in truths[name]:
-            cut = planemotion.Scene.from_raw({**scene.raw, "until": f"t = {entry['t']} s"})
+            cut = planemotion.Scene.from_table({**scene.table, "until": f"t = {entry['t']} s"})
             yield Known(name.replace("_", " "), cut, {k: v for k, v in entry.items() if k != "t"})
 
 

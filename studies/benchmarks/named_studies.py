@@ -184,8 +184,8 @@ def sweep(path: Path, asks: Sequence[str], grids: dict[str, Any], out: str | Non
 
 def with_asks(path: Path, asks: Sequence[str]) -> planemotion.Scene:
     scene = planemotion.load(path)
-    raw = {**scene.raw, "ask": {key: scene.raw["ask"][key] for key in asks}}
-    return planemotion.Scene.from_raw(raw, file=scene.file)
+    raw = {**scene.table, "ask": {key: scene.table["ask"][key] for key in asks}}
+    return planemotion.Scene.from_table(raw, file=scene.file)
 
 
 def kernel_seconds(path: Path, asks: Sequence[str], grids: dict[str, Any]) -> float:
@@ -193,7 +193,7 @@ def kernel_seconds(path: Path, asks: Sequence[str], grids: dict[str, Any]) -> fl
     from planemotion.sweep.plan import plan_sweep
 
     scene = with_asks(path, asks)
-    scene = planemotion.Scene.from_raw({**scene.raw, "sweep": grids}, file=scene.file)
+    scene = planemotion.Scene.from_table({**scene.table, "sweep": grids}, file=scene.file)
     plan = plan_sweep(scene)
     flat = flat_of(scene, asks, {})
     param = columns(flat, plan.names, plan.block(0, plan.cases))

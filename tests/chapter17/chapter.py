@@ -6,7 +6,6 @@ status can tell.
 
 from __future__ import annotations
 
-import copy
 import functools
 import tomllib
 from collections.abc import Iterator, Mapping
@@ -55,9 +54,9 @@ def load(path: Path) -> Scene:
 
 def on_route(scene: Scene, route: str) -> Scene:
     """The same scene, told to take one route."""
-    raw = copy.deepcopy(scene.raw)
+    raw = scene.table
     raw["solve"] = {**raw.get("solve", {}), "route": route}
-    return Scene.from_raw(raw, file=scene.file)
+    return Scene.from_table(raw, file=scene.file)
 
 
 @functools.cache

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 import math
 from pathlib import Path
 
@@ -92,11 +91,11 @@ def test_the_audit_closes(path: Path) -> None:
 def test_a_find_that_takes_too_long_is_right_where_it_was_found(stem: str, route: str) -> None:
     """One run on the route, with what the default route found, does what is sought."""
     path = CHAPTER / f"{stem}.toml"
-    raw = copy.deepcopy(load(path).raw)
+    raw = load(path).table
     left, right = raw.pop("find")["where"].split("=")
     raw["ask"] = {side: {"of": of, "unit": "rad/s"} for side, of in (("left", left), ("right", right))}
     values = {name: f"{found.value!r} {found.unit}" for name, found in run(path).found.items()}
-    result = on_route(Scene.from_raw(raw), route).run(**values)
+    result = on_route(Scene.from_table(raw), route).run(**values)
     assert (result.status, result.route) == ("ok", (route,))
     assert result.left == pytest.approx(result.right, rel=BETWEEN_ROUTES)
 

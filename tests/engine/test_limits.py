@@ -69,7 +69,7 @@ def test_an_end_that_may_come_is_left_to_the_run(until: str, more: str) -> None:
 @pytest.mark.parametrize("route", ["auto", "rk", "ida"])
 def test_what_is_due_at_the_start_happens_there(route: str) -> None:
     at_once = load_text(f'until = "t = 0 s"\n{POINT}ask.y = "P.y"\nsolve.route = "{route}"').run()
-    assert (at_once.y, at_once.time or 0.0) == (0, 0)
+    assert (at_once.y, at_once.stopped_at or 0.0) == (0, 0)
     asks = "".join(f'ask.{one} = "{one}.count"\n' for one in "efgh")
     events = 'events = { e = "t = 0 s", f = "t > 0 s", g = "t < 0 s", h = "2*t = t" }\n'
     later = load_text(f'until = "t = 1 s"\n{events}{POINT}{asks}solve.route = "{route}"').run()
@@ -85,7 +85,7 @@ def test_a_limit_on_computing_time_ends_a_case_with_what_it_has(route: str) -> N
     assert "solve.max_cpu: given up after 0.05 s of computing time" in result.error
     assert result.asks["omega"].value is None
     assert result.asks["early"].value is not None
-    assert 0 < (result.time or 0) < 900
+    assert 0 < (result.stopped_at or 0) < 900
     assert time.thread_time() - begun < 10
 
 

@@ -46,7 +46,7 @@ def test_each_parameter_of_each_scene_gives_the_same_bits(path: Path) -> None:
     scene = planemotion.load(path)
     flat = scene.tables()[0]
     for name, value, unit in zip(flat.parameters, flat.defaults, flat.units, strict=True):
-        if name not in scene.raw.get("parameters", {}) or isinstance(scene.raw["parameters"][name], bool):
+        if name not in scene.table.get("parameters", {}) or isinstance(scene.table["parameters"][name], bool):
             continue
         size = float(1.013 * value / (factor(unit)[0] if unit else 1.0))
         near = run_near(scene, {name: f"{size!r} {unit}".strip()})
@@ -55,7 +55,7 @@ def test_each_parameter_of_each_scene_gives_the_same_bits(path: Path) -> None:
             assert near == simulate(scene.with_values({name: size})), name
         elif name not in looked_at_anew and not scene.data.runs:
             other = simulate(scene.with_values({name: size}))
-            assert not other.ok or other.notes or scene.raw["parameters"][name] == 0, name
+            assert not other.ok or other.notes or scene.table["parameters"][name] == 0, name
 
 
 def test_what_a_parameter_is_near_to() -> None:
@@ -71,7 +71,7 @@ def test_what_a_parameter_is_near_to() -> None:
         ("v", True),
         ("v", [1]),
         ("e", 0.5),  # 0 has any dimension
-        ("L", "3 m"),  # must be positive
+        ("L", "-3 m"),  # must be positive
         ("long", "3 m"),  # depends on another
         ("there", 0),
         ("none", 1),
@@ -97,3 +97,21 @@ def test_a_fault_is_told_as_ever(values: dict[str, object], error: type[Exceptio
     with pytest.raises(error) as anew:
         scene.with_values(values).run()
     assert str(near.value) == str(anew.value)
+
+
+@pytest.mark.parametrize("end", ["1 m", "L"])
+def test_points_that_must_fit_are_checked_at_each_size(end: str) -> None:
+    text = 'until = "t = 1 s"\nparameters = { L = "1 m" }\nask.y = "AB.B.y"\n'
+    text += 'joints.A = { pin = ["AB.A", "ground"] }\n'
+    at = f'at = {{ A = [0, 0], B = ["{end}", 0] }}'
+    scene = load_text(text + f'bodies.AB = {{ rod = ["A", "B"], length = "L", mass = "1 kg", {at} }}')
+    assert run_near(scene, {"L": "1 m"}) == simulate(scene)
+    if end == "L":
+        assert run_near(scene, {"L": "2 m"}) == simulate(scene.with_values({"L": "2 m"}))
+    else:
+        assert run_near(scene, {"L": "2 m"}) is None
+        with pytest.raises(SceneError, match="are 1 m apart here and 2 m on the body; they must fit"):
+            scene.run(L="2 m")
+    assert run_near(scene, {"L": "-1 m"}) is None
+    with pytest.raises(SceneError, match="it is -1 m; a size must be positive"):
+        scene.run(L="-1 m")

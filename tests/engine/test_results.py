@@ -230,7 +230,7 @@ def test_an_answer_is_had_by_its_name_whatever_it_is() -> None:
         pytest.approx(1.5),
         None,
     ]
-    assert result.time is None
+    assert result.stopped_at is None
     assert result.asks["time"].unit == "ms"
     assert ("time" in result, "status" in result, len(result)) == (True, False, 4)
     with pytest.raises(KeyError, match="no ask 'status'; there are time, asks, a-b, none"):
@@ -272,4 +272,4 @@ def test_a_scene_says_what_is_in_it() -> None:
     page = ElementTree.fromstring(scene._repr_html_())
     assert page.findtext("b") == "Scene A < B"
     assert [cell.text for cell in page.iter("td")] == ["bodies", "P", "ask", "time, asks, a-b, none"]
-    assert repr(Scene.from_raw({"bodies": 3})) == "Scene without a title"
+    assert repr(Scene.from_table({"bodies": 3})) == "Scene without a title"

@@ -284,7 +284,7 @@ def test_a_block_that_its_cord_pulls_to_the_drum_ends_the_run(changed: dict[str,
 def test_a_hoist_that_coasts_beyond_its_drum_ends_there(problem: str, times: float, route: str) -> None:
     """Started faster: either what is asked comes before the block is at the drum, or the run ends there."""
     scene = planemotion.load(CHAPTER / f"{problem}.toml")
-    value, unit = str(scene.raw["parameters"]["omega_0"]).split()
+    value, unit = str(scene.table["parameters"]["omega_0"]).split()
     run = scene.run(**{"solve.route": route}, omega_0=f"{float(value) * times!r} {unit}")
     assert run.status in ("ok", "strand_ends")
     assert run.ok or "couplings.cable" in run.error

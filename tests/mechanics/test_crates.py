@@ -235,8 +235,8 @@ def test_a_rough_foot_that_cannot_push() -> None:
     """Where its normal force vanishes the foot neither keeps from slipping nor parts: no livelock."""
     result = planemotion.load_text(rod(89.9, '"rough"', 0, -2, until="t = 5 s")).run()
     assert result.status == "rough_impossible"
-    assert result.time is not None
-    assert 0.3 < result.time < 0.4
+    assert result.stopped_at is not None
+    assert 0.3 < result.stopped_at < 0.4
 
 
 def test_sliding_is_found_where_sticking_and_parting_are_not() -> None:

@@ -115,7 +115,7 @@ def keys(table: Any) -> Iterator[tuple[str, Any]]:
 def does_more(scene: Scene) -> bool:
     """Whether friction or drives may work in a scene."""
     works = ("friction", "friction_couple", "driven", "motor")
-    return any(key in works and value != "rough" for key, value in keys(scene.raw))
+    return any(key in works and value != "rough" for key, value in keys(scene.table))
 
 
 @pytest.mark.parametrize("path", chapter())

@@ -39,6 +39,6 @@ def merged(change: str) -> dict[str, Any]:
 
 def message(change: str) -> str:
     with pytest.raises(SceneError) as caught:
-        flatten(Scene.from_raw(merged(change), file="x.toml"))
+        flatten(Scene.from_table(merged(change), file="x.toml"))
     assert caught.value.file == "x.toml"
     return str(caught.value)

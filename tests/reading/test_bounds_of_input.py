@@ -91,7 +91,7 @@ def test_the_builder_has_the_same_bounds(value: Any) -> None:
     with pytest.raises(SceneError):
         Scene("x").body("A", mass=value).data  # noqa: B018
     with pytest.raises(SceneError):
-        Scene.from_raw({"until": value}).data  # noqa: B018
+        Scene.from_table({"until": value}).data  # noqa: B018
 
 
 def test_a_chain_of_parameters_may_be_as_long_as_the_scene() -> None:

@@ -99,7 +99,7 @@ def test_what_the_reader_refuses_does_not_pass(keys: tuple[str, ...], wrong: Any
 
 @pytest.mark.parametrize("word", EXAMPLES)
 def test_an_example_of_each_kind_passes(word: str) -> None:
-    assert faults(example(word, EXAMPLES[word]).raw) == []
+    assert faults(example(word, EXAMPLES[word]).table) == []
 
 
 def test_the_command_writes_it(folder: Path) -> None:

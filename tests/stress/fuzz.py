@@ -83,7 +83,7 @@ def _answered(text: str) -> tuple[str, str]:
     from planemotion.sweep.plan import plan_sweep
 
     read = load_text(text)
-    solve = read.raw.get("solve", {})
+    solve = read.table.get("solve", {})
     if "max_cpu" not in solve:
         read = read.with_values({"solve.max_cpu": f"{MOST_CPU} s"})
     if read.data.sweep.grids:

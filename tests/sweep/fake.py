@@ -48,7 +48,7 @@ class FakeScene:
             "sweep": sweep,
             "runs": runs or {},
         }
-        self.raw: dict[str, Any] = raw
+        self.table: dict[str, Any] = raw
         self.file: str | None = "fake.toml"
         self.data = validate(raw, file=self.file)
         self.run_names = tuple(self.data.runs)

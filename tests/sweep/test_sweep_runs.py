@@ -63,7 +63,7 @@ def test_tables_are_made_once_for_all_grids_and_anew_for_another_scene(
         before = len(made)
         found = scene.sweep(workers=1, **grids)
         assert len(made) - before == tables
-        anew = planemotion.Scene.from_raw(scene.raw)
+        anew = planemotion.Scene.from_table(scene.table)
         assert content(found).identical(content(anew.sweep(workers=1, **grids)))
         return found
 
@@ -74,7 +74,8 @@ def test_tables_are_made_once_for_all_grids_and_anew_for_another_scene(
     lighter = agrees(0, L=["18 in"]).height.item()
     scene.parameters(omega0="40 deg/s")
     assert agrees(1, L=["18 in"]).height.item() > lighter
-    scene.raw["parameters"]["omega0"] = "50 deg/s"
+    scene.parameters(omega0="50 deg/s")
+    scene.table["parameters"]["omega0"] = "60 deg/s"  # of a copy
     assert agrees(1, L=["18 in"]).attrs["scene"].count("50 deg/s") == 1
     stored = scene.sweep(workers=1, out=tmp_path, L=["18 in"])
     with stored:

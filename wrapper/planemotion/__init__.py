@@ -13,12 +13,21 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from .animate import Animation
     from .base.errors import PlanemotionError, SceneError, SimulationError, StudyError
+    from .draw import Picture
+    from .engine.result import AskValue, RunResult
     from .file import load, load_text
+    from .reporting import Report
     from .scene import Scene
 
 __all__ = [
+    "Animation",
+    "AskValue",
+    "Picture",
     "PlanemotionError",
+    "Report",
+    "RunResult",
     "Scene",
     "SceneError",
     "SimulationError",
@@ -29,7 +38,12 @@ __all__ = [
 ]
 
 _HOME = {
+    "Animation": "animate",
+    "AskValue": "engine.result",
+    "Picture": "draw",
     "PlanemotionError": "base.errors",
+    "Report": "reporting",
+    "RunResult": "engine.result",
     "Scene": "scene",
     "SceneError": "base.errors",
     "SimulationError": "base.errors",

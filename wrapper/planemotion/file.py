@@ -40,7 +40,7 @@ def load_text(text: str, *, file: str | None = None) -> Scene:
     """The scene in a TOML text; `file` is named in messages, and its stem is the id if there is none."""
     from .scene import Scene
 
-    scene = Scene.from_raw(parse_toml(text, file), file=file, text=text)
+    scene = Scene.from_table(parse_toml(text, file), file=file, text=text)
     scene.data  # noqa: B018 - faults are to be found when the file is read
     return scene
 

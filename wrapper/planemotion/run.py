@@ -84,7 +84,7 @@ def run(scene: Scene) -> RunResult:
     """The same, but a failure (negative status) raises SimulationError, which carries the partial result."""
     result = simulate(scene)
     if result.code < 0:
-        raise SimulationError(result.error, status=result.code, time=result.time, result=result)
+        raise SimulationError(result.error, status=result.code, time=result.stopped_at, result=result)
     return result
 
 
@@ -120,4 +120,6 @@ def _near(flat: FlatScene, data: SceneData, values: Mapping[str, Any]) -> FlatSc
             return None
         if name not in own:
             defaults[flat.parameters.index(name)] = size
+    if not flat.checks.hold(dict(zip(flat.parameters, defaults.tolist(), strict=True))):
+        return None
     return replace(flat, defaults=defaults)

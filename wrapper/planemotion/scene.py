@@ -6,7 +6,8 @@
     s.ask("omega", of="AB.omega", unit="rad/s")
     s.run().omega
 
-A scene holds its table as TOML would give it (`raw`); it is validated when it is first needed (`data`).
+A scene holds its table as TOML would give it (`table` is a copy); it is validated when `data` is first
+needed.
 """
 
 from __future__ import annotations
@@ -59,7 +60,7 @@ class Scene:
         until: Any = None,
     ) -> None:
         given = {"id": id or None, "title": title, "description": description, "plane": plane, "until": until}
-        self.raw: dict[str, Any] = {key: plain(value) for key, value in given.items() if value is not None}
+        self._raw: dict[str, Any] = {key: plain(value) for key, value in given.items() if value is not None}
         self.file: str | None = None
         self._text: str | None = None
         self._data: SceneData | None = None
@@ -67,11 +68,13 @@ class Scene:
         self._hinted: set[str] = set()
 
     @classmethod
-    def from_raw(cls, raw: Mapping[str, Any], *, file: str | None = None, text: str | None = None) -> Self:
+    def from_table(
+        cls, table: Mapping[str, Any], *, file: str | None = None, text: str | None = None
+    ) -> Self:
         """A scene from its table; `text` is the TOML it was read from."""
-        check_table(raw)
+        check_table(table)
         scene = cls()
-        scene.raw = copy.deepcopy(dict(raw))
+        scene._raw = copy.deepcopy(dict(table))
         scene.file = file
         scene._text = text
         return scene
@@ -92,7 +95,7 @@ class Scene:
     def ground(self, **marks: Any) -> Self:
         """`points`, `lines`, `circles` and `rows` of the ground, each a dict by name."""
         for group, named in marks.items():
-            self._table("ground").setdefault(group, {}).update(plain(named))
+            self._part("ground").setdefault(group, {}).update(plain(named))
         return self._changed()
 
     def body(self, name: str, **keys: Any) -> Self:
@@ -129,7 +132,7 @@ class Scene:
 
     def until(self, instant: Any) -> Self:
         """What ends the run."""
-        self.raw["until"] = plain(instant)
+        self._raw["until"] = plain(instant)
         return self._changed()
 
     def ask(self, name: str, of: Any = None, **keys: Any) -> Self:
@@ -144,6 +147,13 @@ class Scene:
         """What is sought: `vary`, with `where`, `greatest` or `least`."""
         return self._update("find", keys)
 
+    def grids(self, values: Mapping[str, Any] | None = None, /, **more: Any) -> Self:
+        """The grids of its [sweep], by parameter.
+
+        scene.grids(d=["1 in", "2 in"], e={"from": 0, "to": 1, "num": 9}).sweep()
+        """
+        return self._update("sweep", {**(values or {}), **more})
+
     def solve(self, **settings: Any) -> Self:
         """Settings: route, accuracy, estimate, impacts, shared, assembly_tolerance, max_time and the like."""
         return self._update("solve", settings)
@@ -155,7 +165,7 @@ class Scene:
         """The validated scene.  Raises SceneError for the first fault."""
         if self._data is None:
             name = shown(Path(self.file).stem) if self.file else "scene"
-            self._data = validate(self.raw, file=self.file, name=name, text=self._text)
+            self._data = validate(self._raw, file=self.file, name=name, text=self._text)
             self._hint(self._data.hints)
         return self._data
 
@@ -169,8 +179,13 @@ class Scene:
         use = frozenset(data.sweep.grids), False
         names = tuple(data.runs) or (None,)
         return self._kept.flats(
-            self.raw, self.file, use, lambda: [flatten(data, name, history=False) for name in names]
+            self._raw, self.file, use, lambda: [flatten(data, name, history=False) for name in names]
         )
+
+    @property
+    def table(self) -> dict[str, Any]:
+        """The table of the scene, as TOML would give it: a copy; `Scene.from_table` makes a scene of it."""
+        return copy.deepcopy(self._raw)
 
     @property
     def id(self) -> str:
@@ -191,7 +206,7 @@ class Scene:
         """The scene as TOML, written anew."""
         from .file import to_toml
 
-        return to_toml(self.raw)
+        return to_toml(self._raw)
 
     def with_values(self, values: Mapping[str, Any]) -> Scene:
         """A copy with other values: parameters by name (a bare number takes the unit of the file), or
@@ -199,7 +214,7 @@ class Scene:
 
         Raises SceneError for an unknown name or a value of another dimension.
         """
-        scene = Scene.from_raw(self.raw, file=self.file, text=self._text)
+        scene = Scene.from_table(self._raw, file=self.file, text=self._text)
         scene._hinted = self._hinted
         for name, value in values.items():
             scene._set(name, plain(value))
@@ -210,14 +225,14 @@ class Scene:
     def _counted(self) -> list[tuple[str, str]]:
         """Its tables with the names of what stands in them."""
         shown = ("parameters", "bodies", "joints", "couplings", "contacts", "forces", "events", "runs", "ask")
-        tables = ((name, self.raw.get(name)) for name in shown)
+        tables = ((name, self._raw.get(name)) for name in shown)
         return [
             (name, ", ".join(map(str, table))) for name, table in tables if isinstance(table, dict) and table
         ]
 
     def _name(self) -> str:
         """Its title or id, or the file, as it is written; a scene with a fault has one, too."""
-        given = self.raw.get("title") or self.raw.get("id")
+        given = self._raw.get("title") or self._raw.get("id")
         return str(given or (Path(self.file).name if self.file else "without a title"))
 
     def __repr__(self) -> str:
@@ -323,30 +338,40 @@ class Scene:
         self,
         *,
         out: str | os.PathLike[str] | None = None,
-        workers: int | None = None,
+        workers: Any = None,
         resume: bool = False,
         progress: Any = None,
-        **grids: Any,
+        grids: Mapping[str, Any] | None = None,
+        **more_grids: Any,
     ) -> Any:
         """The study over grids of parameters: those given here, else those of [sweep].
 
-        See `sweep.study.run_sweep` for `out`, `workers`, `resume`, `progress` and what it returns.
+            scene.sweep(d=["1 in", "2 in"], e={"from": 0, "to": 1, "num": 11})
+
+        `grids`: the same as a dict, also of parameters with the name of an option, such as "workers".  See
+        `sweep.run.run_sweep` for `out`, `workers`, `resume`, `progress` and what it returns.
         """
         from .sweep.run import run_sweep
 
+        if workers is not None and not isinstance(workers, int):
+            reason = (
+                'a number of threads is wanted; a parameter of that name is swept by grids={"workers": ...}'
+            )
+            raise SceneError(reason, file=self.file, path="workers")
         scene = self
-        if grids:
-            scene = type(self).from_raw({**self.raw, "sweep": plain(grids)}, file=self.file)
+        chosen = {**(grids or {}), **more_grids}
+        if chosen:
+            scene = type(self).from_table({**self._raw, "sweep": plain(chosen)}, file=self.file)
         return run_sweep(scene, out=out, workers=workers, resume=resume, progress=progress, kept=self._kept)
 
     # ---- changing ----
 
-    def _table(self, key: str) -> dict[str, Any]:
-        table: dict[str, Any] = self.raw.setdefault(key, {})
+    def _part(self, key: str) -> dict[str, Any]:
+        table: dict[str, Any] = self._raw.setdefault(key, {})
         return table
 
     def _update(self, table: str, values: Mapping[str, Any]) -> Self:
-        self._table(table).update(plain(values))
+        self._part(table).update(plain(values))
         return self._changed()
 
     def _changed(self) -> Self:
@@ -356,7 +381,7 @@ class Scene:
     def _set(self, name: str, value: Any) -> None:
         """Sets a parameter or a setting by its dotted name."""
         first, _, rest = name.partition(".")
-        declared = {"g": DEFAULT_G, **self.raw.get("parameters", {})}
+        declared = {"g": DEFAULT_G, **self._raw.get("parameters", {})}
         if not rest or first == "parameters":
             key = rest or name
             if key not in declared and not rest:
@@ -373,7 +398,7 @@ class Scene:
             reason = f"only parameters, find, sweep and solve can be set, not {first}"
             raise SceneError(reason, file=self.file, path=name)
         keys = name.split(".")
-        table = self.raw
+        table = self._raw
         for key in keys[:-1]:
             below = table.setdefault(key, {})
             if not isinstance(below, dict):
@@ -391,7 +416,7 @@ class Scene:
 
     def _check_not_sought(self, name: str) -> None:
         """Raises SceneError for a parameter that every run looks for: setting it would do nothing."""
-        top = self.raw.get("find")
-        own = [run.get("find", top) for run in self.raw.get("runs", {}).values()] or [top]
+        top = self._raw.get("find")
+        own = [run.get("find", top) for run in self._raw.get("runs", {}).values()] or [top]
         if all(find and name in find.get("vary", {}) for find in own):
             raise SceneError(f"[find] looks for it; set find.vary.{name}", path=f"parameters.{name}")

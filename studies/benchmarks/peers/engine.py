@@ -85,8 +85,8 @@ def finishes(batch: Batch) -> bool:
 def flat_of(scene: planemotion.Scene, asks: Sequence[str], settings: Mapping[str, Any]) -> FlatScene:
     """The tables of a scene with the given asks alone, so that what is not compared costs nothing."""
     chosen = scene.with_values(settings)
-    raw = {**chosen.raw, "ask": {key: chosen.raw["ask"][key] for key in asks}}
-    return flatten(planemotion.Scene.from_raw(raw, file=scene.file))
+    raw = {**chosen.table, "ask": {key: chosen.table["ask"][key] for key in asks}}
+    return flatten(planemotion.Scene.from_table(raw, file=scene.file))
 
 
 def columns(flat: FlatScene, names: Sequence[str], cases: Floats) -> Floats:

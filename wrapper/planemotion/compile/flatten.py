@@ -17,6 +17,7 @@ import numpy.typing as npt
 
 from .. import _layout as layout
 from ..base.errors import Faults, SceneError
+from ..geometry.checks import Checks
 from ..geometry.drawing import GROUND, Drawing
 from ..geometry.drawn_rows import DrawnRows
 from ..geometry.packing import Tables
@@ -63,7 +64,8 @@ class FlatScene:
     (SI) and `units` as in the file.  `asks`: columns of out.  `names[table][row]`: key paths.  `trace`:
     column name -> (program, unit) of a history.  `bodies`, `points`: names by kernel index.  `find`: what is
     sought, if anything.  `instants`: likewise, what tells which events fired at an instant of a history.
-    `decided`: parameters by whose defaults more was decided than the tables say.  `source`: the text of the
+    `decided`: parameters by whose defaults more was decided than the tables say; `checks`: what their
+    values must satisfy.  `source`: the text of the
     file, for lines in messages.
     """
 
@@ -82,6 +84,7 @@ class FlatScene:
     find: FlatFind | None = None
     instants: Mapping[str, tuple[int, str]] = field(default_factory=dict)
     decided: frozenset[str] = frozenset()
+    checks: Checks = field(default_factory=Checks)
     source: str | None = None
 
     @property
@@ -184,6 +187,7 @@ class _Flattener:
             find=found,
             instants=told,
             decided=frozenset(self.parameters.decided),
+            checks=tables.checks(),
             source=data.source.text,
         )
 
@@ -288,8 +292,8 @@ class _Flattener:
                     continue
                 where = f"bodies.{name}.{key}"
                 node = self.reader.number(size, where, LENGTH)
-                found = self.tables.default(node)
-                if found <= 0:
+                if not self.tables.is_positive(node):
+                    found = self.tables.default(node)
                     raise SceneError(f"it is {found:.6g} m; a size must be positive", path=where, value=size)
 
     def _check_masses(self) -> None:

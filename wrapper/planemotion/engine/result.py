@@ -60,7 +60,8 @@ class RunResult:
     else is known of it (unit, error, margin, reason) is in result.asks["omega_B"].
 
     `status`: "ok", or the word of the first run that is not; `code`: its number (enum pm_status);
-    `error`: its message.  `route`: the routes taken.  `asks`: answers by key, in the order of the file.
+    `error`: its message, `stopped_at` when it stopped [s] (None where all is ok).  `route`: the routes taken.
+    `asks`: answers by key, in the order of the file.
     `audit`: greatest residuals of energy, momentum and constraints (None where there is none).  `counts`:
     phases, events, jumps, steps, solves and passes of all runs; with a find also whole runs and brackets.
     `found`: what was sought, by parameter ("h"), or by run and parameter ("kept.h") where the scene has runs.
@@ -77,7 +78,7 @@ class RunResult:
     asks: Mapping[str, AskValue]
     audit: Mapping[str, float | None]
     counts: Mapping[str, int]
-    time: float | None = None
+    stopped_at: float | None = None
     notes: tuple[str, ...] = field(default=())
     found: Mapping[str, AskValue] = field(default_factory=dict)
     margin: float | None = None
@@ -257,7 +258,7 @@ def collect(
         },
         counts=counts,
         found={name: value for one, result in runs for name, value in _found(one, result)},
-        time=time if worst != layout.PM_OK and math.isfinite(time) else None,
+        stopped_at=time if worst != layout.PM_OK and math.isfinite(time) else None,
         notes=_notes(excess, counts, routes, _first_ordered(runs)),
         margin=_known(min, (result.trust[0, layout.PM_TRUST_MARGIN] for _, result in runs)),
         excess=excess,

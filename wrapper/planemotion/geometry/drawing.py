@@ -287,11 +287,13 @@ class Drawing:
         """Two points written with `at` must be as far apart as they are on the body."""
         if not all(one.exact == (True, True) for one in placed):
             return
-        own = self.tables.default(distance(*(self.marks(name).points[one.point] for one in placed)))
-        drawn = self.tables.default(distance(*(one.position for one in placed)))
-        if abs(own - drawn) > _FITS * max(own, drawn) or own == 0:
+        own = distance(*(self.marks(name).points[one.point] for one in placed))
+        drawn = distance(*(one.position for one in placed))
+        off, allowed = own - drawn, own * _FITS
+        if not self.tables.is_positive(allowed * allowed - off * off):
             a, b = (one.point for one in placed)
-            reason = f"{a} and {b} are {drawn:.6g} m apart here and {own:.6g} m on the body; they must fit"
+            here, there = (self.tables.default(length) for length in (drawn, own))
+            reason = f"{a} and {b} are {here:.6g} m apart here and {there:.6g} m on the body; they must fit"
             raise SceneError(reason, path=f"bodies.{name}.at")
 
 

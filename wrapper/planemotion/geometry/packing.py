@@ -17,6 +17,7 @@ from ..language.dimensions import TIME, Dimension
 from ..language.leaves import Leaf, evaluate, names, substitute
 from ..language.tree import Name, Node, Number
 from ..model.readers import Value
+from .checks import Checks
 from .parameters import Parameters, Reader
 
 Row = Mapping[int, int]
@@ -35,6 +36,8 @@ class Tables:
         self.constants = ConstantPool()
         self.constants.index(0.0)
         self._values: dict[Node, int] = {}
+        self._nodes: list[Node] = []
+        self._positive: dict[Node, None] = {}
         self._defaults: list[float] = []
         self._needs: list[frozenset[str]] = []
         self._programs: dict[Node, int] = {}
@@ -63,6 +66,7 @@ class Tables:
     def new_value(self, node: Node, where: str) -> int:
         """Index of a value of its own, next to the one made before."""
         row = {layout.PM_VALUE_PROGRAM: self.program(node, where)}
+        self._nodes.append(node)
         self._defaults.append(self._at_defaults(node))
         self._needs.append(frozenset().union(*(self.needs_of(str(leaf)) for leaf in names(node))))
         return self.add(layout.PM_TABLE_VALUE, row, where)
@@ -120,6 +124,29 @@ class Tables:
         """The value of an expression without measures at the parameters' defaults, SI, for a decision."""
         self.parameters.decided.update(*(self.needs_of(str(leaf)) for leaf in names(node)))
         return self._at_defaults(node)
+
+    def is_positive(self, node: Node) -> bool:
+        """Whether an expression without measures is positive, as it must be at other values, too."""
+        self._positive[node] = None
+        return self._at_defaults(node) > 0
+
+    def checks(self) -> Checks:
+        """What must be positive at whatever values the parameters have."""
+        needed: set[str] = set()
+        waiting = [str(leaf) for node in self._positive for leaf in names(node)]
+        while waiting:
+            leaf = waiting.pop()
+            if leaf not in needed and leaf not in self._column:
+                needed.add(leaf)
+                waiting += map(str, names(self._node(leaf)))
+        order = (*self.parameters.order, *(f"{_VALUE}{index}" for index in range(len(self._nodes))))
+        return Checks(
+            tuple(self._positive), tuple((leaf, self._node(leaf)) for leaf in order if leaf in needed)
+        )
+
+    def _node(self, leaf: str) -> Node:
+        """What the leaf of a value stands for."""
+        return self._nodes[int(leaf[1:])] if leaf.startswith(_VALUE) else self.parameters.nodes[leaf]
 
     def _at_defaults(self, node: Node) -> float:
         def look_up(leaf: Leaf) -> float:

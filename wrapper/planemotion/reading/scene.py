@@ -69,10 +69,12 @@ class HasData(Protocol):
 
 
 class WrittenScene(HasData, Protocol):
-    """A scene with what is written: its table `raw` as TOML gives it, its file and its text."""
+    """A scene with what is written: its table as TOML gives it, its file and its text."""
 
-    raw: dict[str, Any]
     file: str | None
+
+    @property
+    def table(self) -> dict[str, Any]: ...
 
     @property
     def text(self) -> str: ...

@@ -53,7 +53,7 @@ class Study:
         self.runs = tuple(self.data.runs)
         self.kept = kept
         self.flats = kept.flats(
-            scene.raw,
+            scene.table,
             scene.file,
             (frozenset(plan.names), False),
             lambda: [flatten(scene, run, history=False) for run in self.runs or (None,)],
