@@ -38,9 +38,9 @@ enum pm_status {
     PM_ROUGH_IMPOSSIBLE = 13, /* the same where a contact that may not slip takes part */
     PM_LIMIT_CPU = 14,        /* max_cpu reached: detail = the limit */
     PM_STRAND_ENDS = 15,      /* a taut cord has no free length left: where = contact; detail = t */
-    PM_ALTERNATES = 16, /* modes of contacts change in turn and no time passes: where = contact; detail =
-                                 how often */
-    PM_BAD_TABLE = -1,  /* the tables contradict this header: where = table, row */
+    PM_ALTERNATES = 16,       /* modes of contacts change in turn and no time passes: where = contact; or a
+                                 force switches to and fro: where = event of its switch; detail = how often */
+    PM_BAD_TABLE = -1,        /* the tables contradict this header: where = table, row */
     PM_NO_MEMORY = -2,
     PM_BAD_VALUE = -3,      /* not finite or out of its bound: where = table, row; detail = value, bound */
     PM_ASSEMBLY = -4,       /* joints cannot be met from the start given: where; detail = opening */

@@ -215,7 +215,8 @@ enum pm_force_kind {
     PM_FORCE_FRICTION =
         6, /* dry friction of joint a (= b): a pin, a slider, or a link as a slot; a couple or a force up to
                                    value_1 + value_2 * its reaction */
-    PM_FORCE_KINDS = 7
+    PM_FORCE_LINE = 7, /* points a, b: program_x draws them together along their connection */
+    PM_FORCE_KINDS = 8
 };
 enum pm_spring_only { PM_SPRING_BOTH = 0, PM_SPRING_PULL = 1, PM_SPRING_PUSH = 2 };
 enum pm_force_column {
@@ -282,7 +283,10 @@ enum pm_measure_kind {
     PM_MEASURE_SPIN_ANGLE = 43,
     PM_MEASURE_SPIN_MOMENTUM = 44,
     PM_MEASURE_SPIN_INERTIA = 45, /* of all that turns along, about the axis */
-    PM_MEASURE_KINDS = 46
+    PM_MEASURE_FORCE_RATE = 46,   /* d/dt of its stretch */
+    PM_MEASURE_EVENT_SIDE =
+        47, /* of PM_EFFECT_SWITCH: 1 from where its program became > 0, 0 from where it became < 0 */
+    PM_MEASURE_KINDS = 48
 };
 enum pm_part {
     PM_PART_NONE = 0,
@@ -353,8 +357,14 @@ enum pm_trigger_column {
     PM_TRIGGER_COLUMNS = 4
 };
 enum pm_event_column {
-    PM_EVENT_NTH = 0, /* it fires only when its triggers do so for the nth time; 0: whenever they do */
-    PM_EVENT_COLUMNS = 1
+    PM_EVENT_NTH = 0,    /* it fires only when its triggers do so for the nth time; 0: whenever they do */
+    PM_EVENT_EFFECT = 1, /* enum pm_event_effect */
+    PM_EVENT_COLUMNS = 2
+};
+enum pm_event_effect {
+    PM_EFFECT_NONE = 0,  /* on what acts on the bodies, but by actions of the event */
+    PM_EFFECT_COUNT = 1, /* programs of forces read its count or time: a phase ends, another begins */
+    PM_EFFECT_SWITCH = 2 /* programs of forces read its side: two triggers, rise and fall of one program */
 };
 /* What an event does when it fires: its rows, in order.  What is added holds from then on, what is removed no longer;
  * velocities that then clash meet in a plastic blow.  Impulses that follow each other in the table act at once. */

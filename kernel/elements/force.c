@@ -12,84 +12,95 @@
 #include "state/frame.h"
 #include "state/workspace.h"
 
-/* Two points: direction and rate of their distance; `pull` N draws them together. */
-static void line_action(const pm_frame *frame, const int32_t *e, pm_action *x,
-                        double (*law)(const pm_frame *, const int32_t *, pm_action *))
+/* ---- between two points: along their connection ---- */
+/* Their distance and its rate; the force has the direction from a to b. */
+static void line_place(const pm_frame *frame, const int32_t *e, pm_action *x)
 {
     const pm_point a = pm_frame_point_of(frame, e[PM_FORCE_A]), b = pm_frame_point_of(frame, e[PM_FORCE_B]);
     const double d[2] = {b.p[0] - a.p[0], b.p[1] - a.p[1]}, length = hypot(d[0], d[1]);
-    const double n[2] = {length > 0 ? d[0] / length : 0, length > 0 ? d[1] / length : 0};
     x->body_a = a.body;
     x->body_b = b.body;
-    x->stretch = length;
-    x->rate = (b.v[0] - a.v[0]) * n[0] + (b.v[1] - a.v[1]) * n[1];
-    const double pull = law(frame, e, x);
     for (int k = 0; k < 2; k++) {
         x->at_a[k] = a.p[k];
         x->at_b[k] = b.p[k];
-        x->force[k] = pull * n[k];
+        x->force[k] = length > 0 ? d[k] / length : 0;
     }
-    x->power = -pull * x->rate;
+    x->stretch = length;
+    x->rate = (b.v[0] - a.v[0]) * x->force[0] + (b.v[1] - a.v[1]) * x->force[1];
 }
 
-static double spring_pull(const pm_frame *frame, const int32_t *e, pm_action *x)
+static void spring_place(const pm_frame *frame, const int32_t *e, pm_action *x)
 {
-    const double stiffness = frame->numbers->value[e[PM_FORCE_VALUE_1]];
+    line_place(frame, e, x);
     x->stretch -= frame->numbers->value[e[PM_FORCE_VALUE_2]];
-    if ((e[PM_FORCE_OPTION] == PM_SPRING_PULL && x->stretch < 0) ||
-        (e[PM_FORCE_OPTION] == PM_SPRING_PUSH && x->stretch > 0))
-        return 0;
-    x->energy = 0.5 * stiffness * x->stretch * x->stretch;
-    return stiffness * x->stretch;
 }
 
-static double damper_pull(const pm_frame *frame, const int32_t *e, pm_action *x)
+/* `size` N draw them together. */
+static void pull(pm_action *x, double size)
 {
-    return frame->numbers->value[e[PM_FORCE_VALUE_1]] * x->rate;
+    for (int k = 0; k < 2; k++) x->force[k] *= size;
+    x->power = -size * x->rate;
 }
 
 static void spring(pm_workspace *w, const int32_t *e, pm_action *x)
 {
-    line_action(&w->frame, e, x, spring_pull);
-}
-static void damper(pm_workspace *w, const int32_t *e, pm_action *x)
-{
-    line_action(&w->frame, e, x, damper_pull);
+    const double stiffness = w->numbers.value[e[PM_FORCE_VALUE_1]];
+    const int slack = (e[PM_FORCE_OPTION] == PM_SPRING_PULL && x->stretch < 0) ||
+                      (e[PM_FORCE_OPTION] == PM_SPRING_PUSH && x->stretch > 0);
+    if (!slack) x->energy = 0.5 * stiffness * x->stretch * x->stretch;
+    pull(x, slack ? 0 : stiffness * x->stretch);
 }
 
-/* Two bodies: their relative angle and its rate; the couple acts on a, the opposite on b. */
-static double relative_rotation(const pm_frame *frame, const int32_t *e, pm_action *x)
+static void damper(pm_workspace *w, const int32_t *e, pm_action *x)
+{
+    pull(x, w->numbers.value[e[PM_FORCE_VALUE_1]] * x->rate);
+}
+
+static void line(pm_workspace *w, const int32_t *e, pm_action *x)
+{
+    pull(x, pm_drive_program(w, e[PM_FORCE_PROGRAM_X]));
+}
+
+/* ---- between two bodies: the couple acts on a, the opposite on b ---- */
+/* Their relative angle and its rate. */
+static void rotary_place(const pm_frame *frame, const int32_t *e, pm_action *x)
 {
     x->body_a = pm_model_body_index(frame->model, e[PM_FORCE_A]);
     x->body_b = pm_model_body_index(frame->model, e[PM_FORCE_B]);
     x->rate = frame->velocity[3 * x->body_a + 2] - frame->velocity[3 * x->body_b + 2];
-    return frame->pose[5 * x->body_a + 2] - frame->pose[5 * x->body_b + 2];
+    x->stretch = frame->pose[5 * x->body_a + 2] - frame->pose[5 * x->body_b + 2];
+}
+
+static void torsion_place(const pm_frame *frame, const int32_t *e, pm_action *x)
+{
+    rotary_place(frame, e, x);
+    x->stretch -= frame->numbers->value[e[PM_FORCE_VALUE_2]];
+}
+
+static void turn(pm_action *x, double size)
+{
+    x->couple = size;
+    x->power = size * x->rate;
 }
 
 static void torsion(pm_workspace *w, const int32_t *e, pm_action *x)
 {
-    const pm_frame *frame = &w->frame;
-    const double stiffness = frame->numbers->value[e[PM_FORCE_VALUE_1]];
-    x->stretch = relative_rotation(frame, e, x) - frame->numbers->value[e[PM_FORCE_VALUE_2]];
-    x->couple = -stiffness * x->stretch;
+    const double stiffness = w->numbers.value[e[PM_FORCE_VALUE_1]];
     x->energy = 0.5 * stiffness * x->stretch * x->stretch;
-    x->power = x->couple * x->rate;
+    turn(x, -stiffness * x->stretch);
 }
 
 static void rotary_damper(pm_workspace *w, const int32_t *e, pm_action *x)
 {
-    const pm_frame *frame = &w->frame;
-    relative_rotation(frame, e, x);
-    x->couple = -frame->numbers->value[e[PM_FORCE_VALUE_1]] * x->rate;
-    x->power = x->couple * x->rate;
+    turn(x, -w->numbers.value[e[PM_FORCE_VALUE_1]] * x->rate);
 }
 
 static void couple(pm_workspace *w, const int32_t *e, pm_action *x)
 {
-    relative_rotation(&w->frame, e, x);
-    x->couple = pm_drive_program(w, e[PM_FORCE_PROGRAM_X]);
-    x->power = x->couple * x->rate;
+    turn(x, pm_drive_program(w, e[PM_FORCE_PROGRAM_X]));
 }
+
+/* ---- at a point; in a joint ---- */
 
 static void applied(pm_workspace *w, const int32_t *e, pm_action *x)
 {
@@ -142,12 +153,25 @@ static int steady_friction(const pm_frame *frame, const int32_t *e, const pm_con
 enum { BODY = PM_TABLE_BODY, POINT = PM_TABLE_POINT, JOINT = PM_TABLE_JOINT };
 
 static const pm_force_ops kinds[PM_FORCE_KINDS] = {
-    [PM_FORCE_SPRING] = {POINT, POINT, {PM_FORCE_NOT_NEGATIVE, PM_FORCE_ANY}, .stores = 1, .law = spring},
-    [PM_FORCE_TORSION] = {BODY, BODY, {PM_FORCE_NOT_NEGATIVE, PM_FORCE_ANY}, .stores = 1, .law = torsion},
-    [PM_FORCE_DAMPER] = {POINT, POINT, {PM_FORCE_NOT_NEGATIVE}, .law = damper},
-    [PM_FORCE_ROTARY_DAMPER] = {BODY, BODY, {PM_FORCE_NOT_NEGATIVE}, .law = rotary_damper},
+    [PM_FORCE_SPRING] = {POINT,
+                         POINT,
+                         {PM_FORCE_NOT_NEGATIVE, PM_FORCE_ANY},
+                         .stores = 1,
+                         .place = spring_place,
+                         .law = spring},
+    [PM_FORCE_TORSION] = {BODY,
+                          BODY,
+                          {PM_FORCE_NOT_NEGATIVE, PM_FORCE_ANY},
+                          .stores = 1,
+                          .place = torsion_place,
+                          .law = torsion},
+    [PM_FORCE_DAMPER] = {POINT, POINT, {PM_FORCE_NOT_NEGATIVE}, .place = line_place, .law = damper},
+    [PM_FORCE_ROTARY_DAMPER] =
+        {BODY, BODY, {PM_FORCE_NOT_NEGATIVE}, .place = rotary_place, .law = rotary_damper},
     [PM_FORCE_APPLIED] = {POINT, BODY, .programs = 2, .law = applied, .steady = steady_applied},
-    [PM_FORCE_COUPLE] = {BODY, BODY, .programs = 1, .law = couple, .steady = steady_couple},
+    [PM_FORCE_COUPLE] = {BODY, BODY, .programs = 1, .place = rotary_place, .law = couple,
+                         .steady = steady_couple},
+    [PM_FORCE_LINE] = {POINT, POINT, .programs = 1, .place = line_place, .law = line},
     [PM_FORCE_FRICTION] = {JOINT,
                            JOINT,
                            {PM_FORCE_NOT_NEGATIVE, PM_FORCE_NOT_NEGATIVE},
@@ -173,9 +197,17 @@ int pm_force_all_steady(const pm_frame *frame, const pm_state *state, const pm_c
     return 1;
 }
 
+pm_action pm_force_place(const pm_frame *frame, int i)
+{
+    pm_action x = {.body_a = frame->model->nbody, .body_b = frame->model->nbody};
+    const pm_force_ops *ops = pm_force_of(frame->model, i);
+    if (ops->place) ops->place(frame, PM_FORCE_ROW(frame->model, i), &x);
+    return x;
+}
+
 pm_action pm_force_action(pm_workspace *w, int i)
 {
-    pm_action x = {.body_a = w->model->nbody, .body_b = w->model->nbody};
+    pm_action x = pm_force_place(&w->frame, i);
     pm_force_of(w->model, i)->law(w, PM_FORCE_ROW(w->model, i), &x);
     if (pm_state_is_absent(w->model, &w->state, PM_TABLE_FORCE, i))
         x.force[0] = x.force[1] = x.couple = x.power = x.energy = 0;

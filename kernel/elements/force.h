@@ -19,13 +19,15 @@ enum pm_force_number { PM_FORCE_NO_NUMBER = 0, PM_FORCE_ANY = 1, PM_FORCE_NOT_NE
 
 struct pm_constant_motion;
 
-/* One kind.  `law` gives the action at the frame.  `steady`: its generalised forces stay the same along a motion with constant
+/* One kind.  `place` says what the frame alone tells of an action: bodies, points, stretch and rate, the direction of a force
+ * along a line (NULL: nothing); `law` completes it.  `steady`: its generalised forces stay the same along a motion with constant
  * accelerations (constant_motion.h); NULL: they never do. */
 typedef struct pm_force_ops {
     int a, b;      /* the tables of its partners */
     int number[2]; /* enum pm_force_number of PM_FORCE_VALUE_1 and _2 */
     int programs;  /* 0, 1 or 2 */
     int stores;    /* energy, by place alone: the ledger has its potential instead of its work */
+    void (*place)(const pm_frame *frame, const int32_t *e, pm_action *x);
     void (*law)(pm_workspace *w, const int32_t *e, pm_action *x);
     int (*steady)(const pm_frame *frame, const int32_t *e, const struct pm_constant_motion *x);
 } pm_force_ops;
@@ -33,6 +35,8 @@ typedef struct pm_force_ops {
 const pm_force_ops *pm_force_kind(int kind);
 const pm_force_ops *pm_force_of(const pm_model *m, int force);
 
+/* What the frame alone tells of force i: its stretch and rate are known before any force is. */
+pm_action pm_force_place(const pm_frame *frame, int i);
 pm_action pm_force_action(pm_workspace *w, int i);
 /* Fills frame.f (all applied forces on q, weight included) and frame.power. */
 void pm_force_all(pm_workspace *w);

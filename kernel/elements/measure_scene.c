@@ -23,10 +23,15 @@ double pm_measured_force_work(const pm_measure_args *x)
     return x->w->ledger.force_energy_start[x->a] - pm_force_action(x->w, x->a).energy;
 }
 double pm_measured_force_power(const pm_measure_args *x) { return pm_force_action(x->w, x->a).power; }
-double pm_measured_force_stretch(const pm_measure_args *x) { return pm_force_action(x->w, x->a).stretch; }
+double pm_measured_force_stretch(const pm_measure_args *x)
+{
+    return pm_force_place(&x->w->frame, x->a).stretch;
+}
+double pm_measured_force_rate(const pm_measure_args *x) { return pm_force_place(&x->w->frame, x->a).rate; }
 double pm_measured_force_energy(const pm_measure_args *x) { return pm_force_action(x->w, x->a).energy; }
 double pm_measured_event_count(const pm_measure_args *x) { return pm_trigger_count(&x->w->firing, x->a); }
 double pm_measured_event_time(const pm_measure_args *x) { return pm_trigger_time(&x->w->firing, x->a); }
+double pm_measured_event_side(const pm_measure_args *x) { return x->w->firing.side[x->a]; }
 
 /* ---- the scene ---- */
 double pm_measured_time(const pm_measure_args *x) { return x->w->frame.t; }

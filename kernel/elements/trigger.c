@@ -50,6 +50,12 @@ double pm_trigger_program(pm_workspace *w, int trigger)
     return pm_program_run(w, PM_TRIGGER_ROW(w->model, trigger)[PM_TRIGGER_PROGRAM]);
 }
 
+int pm_trigger_of_switch(const pm_model *model, int i)
+{
+    const int event = PM_TRIGGER_ROW(model, i)[PM_TRIGGER_EVENT];
+    return PM_EVENT_ROW(model, event)[PM_EVENT_EFFECT] == PM_EFFECT_SWITCH;
+}
+
 int pm_trigger_on_time(const pm_model *model, int trigger)
 {
     const int32_t *e = PM_TRIGGER_ROW(model, trigger);
@@ -95,6 +101,34 @@ void pm_trigger_look_before(pm_workspace *w)
             w->firing.before[i] = pm_trigger_program(w, i);
 }
 
+/* ---- switches of forces ---- */
+void pm_trigger_take_sides(pm_workspace *w)
+{
+    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++)
+        if (pm_trigger_of_switch(w->model, i))
+            w->firing.side[PM_TRIGGER_ROW(w->model, i)[PM_TRIGGER_EVENT]] = pm_trigger_program(w, i) > 0;
+}
+
+void pm_trigger_turn_sides(const pm_model *model, pm_firing *firing)
+{
+    for (int i = 0; i < model->rows[PM_TABLE_TRIGGER]; i++) {
+        const int32_t *e = PM_TRIGGER_ROW(model, i);
+        if (firing->fired[i] && pm_trigger_of_switch(model, i))
+            firing->side[e[PM_TRIGGER_EVENT]] = e[PM_TRIGGER_KIND] == PM_TRIGGER_RISE;
+    }
+}
+
+void pm_trigger_jump_sides(pm_workspace *w)
+{
+    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
+        if (!pm_trigger_of_switch(w->model, i)) continue;
+        const double before = w->firing.before[i], after = pm_trigger_program(w, i);
+        if (fabs(after - before) > PM_ON_ZERO * fmax(fabs(before), fabs(after)))
+            w->firing.side[PM_TRIGGER_ROW(w->model, i)[PM_TRIGGER_EVENT]] = after > 0;
+    }
+}
+
+/* ---- jumps ---- */
 /* Which side of zero x is on; rounding has none. */
 static int side_of(double x, double rounding) { return fabs(x) <= rounding ? 0 : (x > 0) - (x < 0); }
 

@@ -39,16 +39,18 @@ static pm_evidence_decision of_function(const pm_model *m, const pm_event_functi
     }
 }
 
-/* A time of the scene comes whether the motion turns back there or not. */
-static int is_on_time(const pm_model *m, const pm_event_function *f)
+/* A time of the scene comes whether the motion turns back there or not; and where a force switches, the motion tells all that
+ * it decides. */
+static int is_no_decision(const pm_model *m, const pm_event_function *f)
 {
-    return f->kind == FUNCTION_TRIGGER && pm_trigger_on_time(m, f->index);
+    return f->kind == FUNCTION_TRIGGER &&
+           (pm_trigger_on_time(m, f->index) || pm_trigger_of_switch(m, f->index));
 }
 
 void pm_event_evidence_rate(pm_workspace *w, int function, double rate)
 {
     const pm_event_function *f = &w->event->function[function];
-    if (!w->evidence.active || is_on_time(w->model, f)) return;
+    if (!w->evidence.active || is_no_decision(w->model, f)) return;
     pm_evidence_decision x = of_function(w->model, f);
     x.kind = PM_EVIDENCE_RATE;
     x.what = function;
@@ -110,6 +112,7 @@ static int did_not_fire(const pm_workspace *w, int i, int marks)
 {
     const pm_event_function *f = &w->event->function[i];
     const int known = f->level <= w->frame.level;
+    if (f->kind == FUNCTION_TRIGGER && pm_trigger_of_switch(w->model, f->index)) return 0;
     return known && !w->event->hit[i] && !holds(&w->step, f) && !is_beyond(f) &&
            (marks || !takes_part(&w->frame, &w->state, f));
 }
@@ -128,7 +131,8 @@ int pm_event_evidence_located(const pm_workspace *w)
     if (!w->evidence.active) return 0;
     for (int i = 0; i < w->event->nfunction; i++) {
         const pm_event_function *f = &w->event->function[i];
-        if ((w->event->hit[i] && !is_on_time(w->model, f)) || takes_part(&w->frame, &w->state, f)) return 1;
+        if ((w->event->hit[i] && !is_no_decision(w->model, f)) || takes_part(&w->frame, &w->state, f))
+            return 1;
     }
     return 0;
 }

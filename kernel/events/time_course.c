@@ -38,8 +38,8 @@ typedef struct pm_time_course {
 /* ---- which programs ---- */
 static void add(const pm_model *m, pm_time_course *c, int program)
 {
-    if (program < 0 || m->programs.class[program] == PM_CLASS_CONSTANT ||
-        m->programs.class[program] == PM_CLASS_TIME)
+    if (program < 0 || m->programs.class[program] == PM_CLASS_TIME ||
+        !pm_program_class_reads_time(m, program))
         return;
     for (int i = 0; i < c->n; i++)
         if (c->program[i] == program) return;

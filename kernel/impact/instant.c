@@ -15,6 +15,7 @@
 #include "impact/action.h"
 #include "impact/contact_modes.h"
 #include "impact/impact.h"
+#include "impact/switches.h"
 #include "numerics/tolerances.h"
 #include "state/evidence.h"
 #include "state/frame.h"
@@ -70,6 +71,7 @@ static int strike(pm_workspace *w, int *jumped)
     int status = pm_impact(w, jumped);
     if (!status && w->instant.jams) status = pm_impact_without_collision(w, (*jumped)++);
     w->instant.jams = 0;
+    if (*jumped) pm_trigger_jump_sides(w);
     for (int i = 0; !status; i++) {
         status = pm_contact_modes_settle(w);
         if (status != PM_PAINLEVE || i == w->model->nslot) return status;
@@ -219,9 +221,11 @@ int pm_instant_start(pm_workspace *w)
     w->instant.since = -1;
     int ended; /* is set again when the start is closed */
     const int64_t jumps = w->result.count[PM_COUNT_JUMPS];
+    pm_switches_begin(w);
     pm_trigger_mark_start(w);
     pm_history_open(w);
-    const int status = act(w, 1, &ended);
+    int status = act(w, 1, &ended);
+    if (!status) status = pm_switches_settle(w);
     if (w->result.count[PM_COUNT_JUMPS] == jumps) pm_history_take_back(w->record.history);
     return status;
 }
@@ -282,12 +286,15 @@ int pm_instant_full(pm_workspace *w, int *ended)
     int status = check_progress(w);
     if (!status) status = pm_history_append(w, 1);
     if (!status) status = pm_saddle_accelerate(w);
+    if (!status) status = pm_switches_turn(w);
+    if (!status) status = pm_switches_settle(w);
     if (!status) status = pm_event_check_strands(w);
     if (!status && w->step.reverses) status = mark_reversal(w);
     const int located = pm_event_evidence_located(w);
     const int64_t jumps = w->result.count[PM_COUNT_JUMPS];
     if (!status) status = act(w, 0, ended);
     if (located && w->result.count[PM_COUNT_JUMPS] > jumps) pm_event_evidence_jump(w);
+    if (!status && !*ended) status = pm_switches_settle(w);
     if (status || *ended) return status;
     status = pm_instant_finish(w, ended);
     return status ? status : pm_history_append(w, 2);

@@ -245,6 +245,10 @@
 #define PM_JOINTS_FREE 1e-12 /* of the response of a joint's slip, or of what moves its reaction: none; larger: frictions are left out */
 #define PM_INSTANTS_AT_ONCE 1000 /* instants with no time between them; more: contacts that change in turn for ever end later */
 #define PM_AT_ONCE 1e-14 /* of the time: so much is none; larger: short phases are none */
+#define PM_SWITCH_LOOK 1e-4 /* of the time size / speed: so far ahead a look tells to which side a switch is left; larger: it may turn back */
+#define PM_SWITCH_ON_ZERO 1e-7 /* of what it changes by in that look: on zero; larger: a switch that is passed soon is on zero */
+#define PM_SWITCH_AGAIN 1e-7 /* of the time size / speed: a force that switches again within it does so at once; larger: fast vibrations through a switch end the run */
+#define PM_SWITCHES_AT_ONCE 1000 /* so many running: the motion cannot leave the switch; more: that is told later */
 #define PM_BLOWS_AT_ONCE 10000 /* blows at one instant, each smaller than the one before; more: an endless series ends later */
 #define PM_BLOW_ROUNDING 1e-10 /* of the energies that a blow moves: rounding; larger: a law that gains energy passes */
 #define PM_BLOW_NOTHING 1e-14 /* of its impulses at the scene's speed: a blow that moves no more is rounding itself; likewise */

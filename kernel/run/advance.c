@@ -117,7 +117,9 @@ static int only_marks(const pm_model *m, const pm_event_set *event)
         const pm_event_function *f = &event->function[i];
         if (!event->hit[i]) continue;
         if (f->kind != FUNCTION_TRIGGER) return 0;
-        if (m->acts && pm_action_of(m, PM_TRIGGER_ROW(m, f->index)[PM_TRIGGER_EVENT])) return 0;
+        const int of = PM_TRIGGER_ROW(m, f->index)[PM_TRIGGER_EVENT];
+        if (PM_EVENT_ROW(m, of)[PM_EVENT_EFFECT] != PM_EFFECT_NONE || (m->acts && pm_action_of(m, of)))
+            return 0;
     }
     return 1;
 }

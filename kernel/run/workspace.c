@@ -75,6 +75,7 @@ static int create_arrays(pm_workspace *w)
         PM_ARRAY(w->firing.seen, m->rows[PM_TABLE_EVENT]),
         PM_ARRAY(w->firing.counted, m->rows[PM_TABLE_EVENT]),
         PM_ARRAY(w->firing.time, m->rows[PM_TABLE_EVENT]),
+        PM_ARRAY(w->firing.side, m->rows[PM_TABLE_EVENT]),
         PM_ARRAY(w->ledger.force_energy_start, nforce),
         PM_ARRAY(w->step.reversed, nq),
         PM_ARRAY(w->impulses.applied, nq),

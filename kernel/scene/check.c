@@ -42,6 +42,7 @@ static const pm_span spans[] = {
     {PM_TABLE_ASK, PM_ASK_KIND, 0, PM_ASK_KINDS - 1, PM_ASK_KINDS},
     {PM_TABLE_UNTIL, PM_UNTIL_NTH, 1, INT32_MAX, 1},
     {PM_TABLE_EVENT, PM_EVENT_NTH, 0, INT32_MAX, 0},
+    {PM_TABLE_EVENT, PM_EVENT_EFFECT, PM_EFFECT_NONE, PM_EFFECT_SWITCH, PM_EFFECT_SWITCH},
     {PM_TABLE_ACTION, PM_ACTION_KIND, 0, PM_ACTION_KINDS - 1, PM_ACTION_KINDS},
     {PM_TABLE_SETTING, PM_SETTING_ROUTE, 0, PM_ROUTES - 1, PM_ROUTES},
     {PM_TABLE_SETTING, PM_SETTING_ESTIMATE, 0, 1, 1},
@@ -115,8 +116,7 @@ static int needs_forces(const pm_model *m, int measure)
     const int32_t *e = PM_MEASURE_ROW(m, measure);
     const int kind = e[PM_MEASURE_KIND];
     const int of_force = kind == PM_MEASURE_FORCE_FORCE || kind == PM_MEASURE_FORCE_COUPLE ||
-                         kind == PM_MEASURE_FORCE_POWER || kind == PM_MEASURE_FORCE_STRETCH ||
-                         kind == PM_MEASURE_FORCE_ENERGY;
+                         kind == PM_MEASURE_FORCE_POWER || kind == PM_MEASURE_FORCE_ENERGY;
     return is_dynamic(m, measure) ||
            (of_force && PM_FORCE_ROW(m, e[PM_MEASURE_A])[PM_FORCE_KIND] >= PM_FORCE_APPLIED);
 }

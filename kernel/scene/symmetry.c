@@ -114,6 +114,9 @@ static int force_stays(const pm_frame *frame, const pm_symmetry_shift *s, int fo
         return point_stays(frame, s, a) && !is_rotated(s, b) &&
                program_stays(frame, s, e[PM_FORCE_PROGRAM_X]) &&
                program_stays(frame, s, e[PM_FORCE_PROGRAM_Y]);
+    case PM_FORCE_LINE:
+        return point_stays(frame, s, a) && point_stays(frame, s, b) &&
+               program_stays(frame, s, e[PM_FORCE_PROGRAM_X]);
     case PM_FORCE_COUPLE: return program_stays(frame, s, e[PM_FORCE_PROGRAM_X]);
     default: return 0;
     }

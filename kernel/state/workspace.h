@@ -142,9 +142,11 @@ typedef struct pm_instant {
     unsigned char *slot_released; /* [nslot] let go at this instant: not closed again at it */
     unsigned char *slot_reversed; /* [nslot] slips at this instant, though without speed yet */
     double *place, *velocity;     /* [nq] each: those of the state, while modes are tried */
-    double since;    /* s: since then instants have followed each other with no time between them */
-    int64_t at_once; /* so many */
-    int jams;        /* it begins with an impact without collision: no step led on */
+    double since;       /* s: since then instants have followed each other with no time between them */
+    int64_t at_once;    /* so many */
+    double switched;    /* s: when a force switched last */
+    int64_t to_and_fro; /* so many times running it did so again at once */
+    int jams;           /* it begins with an impact without collision: no step led on */
 } pm_instant;
 
 /* Which triggers have fired, and how often and when events did (elements/trigger.h). */
@@ -156,6 +158,7 @@ typedef struct pm_firing {
     int64_t *seen;          /* [nevent] how often its triggers were marked */
     unsigned char *counted; /* [nevent] enum pm_counted, at this instant */
     double *time;           /* [nevent] s, when it fired last; not a number before */
+    unsigned char *side;    /* [nevent] of a switch of forces: its program counts as positive */
     double jumped; /* s, when velocities jumped last at an instant that was located; not a number before */
 } pm_firing;
 

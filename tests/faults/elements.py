@@ -281,14 +281,14 @@ FAULTS = [
     Fault(
         "force: spring pushes",
         "elements/force.c",
-        "return stiffness * x->stretch",
-        "return -stiffness * x->stretch",
+        "slack ? 0 : stiffness * x->stretch",
+        "slack ? 0 : -stiffness * x->stretch",
     ),
     Fault(
         "force: couple of a torsion spring",
         "elements/force.c",
-        "x->couple = -stiffness",
-        "x->couple = stiffness",
+        "turn(x, -stiffness * x->stretch)",
+        "turn(x, stiffness * x->stretch)",
     ),
     Fault("force: no reaction on the second partner", "elements/force.c", "x.couple, -1)", "x.couple, 0)"),
     Fault(

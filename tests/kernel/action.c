@@ -328,7 +328,7 @@ static void third_time(void)
     scene_contact(s, PM_CONTACT_LINE, circle, scene_line(s, scene_point(s, PM_GROUND, 1, 0), PI / 2), 0, 1,
                   PM_FRICTION_SMOOTH, 0);
     scene_start_velocity(s, g, -1, 0);
-    const int e = SCENE_ROW(s, PM_TABLE_EVENT, 3), passes = SCENE_ROW(s, PM_TABLE_EVENT, 0);
+    const int e = SCENE_ROW(s, PM_TABLE_EVENT, 3, 0), passes = SCENE_ROW(s, PM_TABLE_EVENT, 0, 0);
     scene_trigger(s, PM_TRIGGER_STRIKE, e, PM_NONE, left);
     scene_trigger(s, PM_TRIGGER_STRIKE, passes, PM_NONE, left);
     strike(s, e, g, 1, 0);

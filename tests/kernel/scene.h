@@ -219,7 +219,7 @@ static inline int scene_minus(scene *s, int measure, double x)
 static inline int scene_time(scene *s) { return scene_measure(s, PM_MEASURE_TIME, PM_NONE); }
 
 /* ---- events and asks ---- */
-static inline int scene_event(scene *s) { return SCENE_ROW(s, PM_TABLE_EVENT, 0); }
+static inline int scene_event(scene *s) { return SCENE_ROW(s, PM_TABLE_EVENT, 0, 0); }
 static inline int scene_trigger(scene *s, int kind, int event, int program, int a)
 {
     return SCENE_ROW(s, PM_TABLE_TRIGGER, kind, event, program, a);

@@ -245,7 +245,22 @@ FAULTS = [
     ('ask.a = { max = "AB.omega", at = "end" }', "ask.a.at: an extreme over the run has no instant"),
     ("ask.a = {}", "ask.a: one of of, max, min is wanted"),
     ('start.AB.speed = "3 m/s"', 'start.AB.speed = "3 m/s": it cannot be given at the start'),
-    ('forces.f = { force = "AB.B", value = ["(3 N/m)*AB.x", 0] }', "only parameters can stand here"),
+    (
+        'forces.f = { force = "AB.B", value = ["(3 kg)*AB.acceleration.x", 0] }',
+        '"AB.acceleration.x" is known only when all forces are',
+    ),
+    (
+        'forces.f = { force = "AB.B", value = ["(3 N/m)*AB.u", 0] }',
+        'forces.f.value[0] = "(3 N/m)*AB.u": body "AB" has no point or quantity "u"',
+    ),
+    (
+        'forces.f = { force = "AB.B", value = ["(3 kg)*AB.x", 0] }',
+        "a force (mass*length/time^2, such as N) is wanted; this is a quantity of mass*length",
+    ),
+    (
+        'forces.f = { force = ["AB.B", "ground.O"], value = [0, "1 N"] }',
+        "a number is wanted: the force that draws the two points together",
+    ),
     (
         'joints.A = { pin = ["AB.A", "ground"], friction_couple = 0.3 }',
         "joints.A.friction_couple = 0.3: a moment",

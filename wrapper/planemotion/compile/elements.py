@@ -136,11 +136,14 @@ def drive(to: Writer, name: str, body: Body) -> None:
 
 @dataclass(frozen=True)
 class ForceInfo:
-    """What measures need to know of a force: its row, the owners of its partners, whether it is a couple."""
+    """What measures need to know of a force: its row, the owners of its partners, whether it is a couple,
+    from what its stretch counts where the row does not say it, and whether it has a potential."""
 
     index: int
     owners: tuple[str, ...]
     rotary: bool
+    free: Node | None
+    stores: bool
 
 
 def add_force(to: Writer, name: str, force: Force) -> ForceInfo:
@@ -153,4 +156,4 @@ def add_force(to: Writer, name: str, force: Force) -> ForceInfo:
         )
     except SceneError as error:
         raise error.at(path=path) from None
-    return ForceInfo(index, row.owners, row.rotary)
+    return ForceInfo(index, row.owners, row.rotary, row.free, row.stores)

@@ -217,6 +217,9 @@ class Instants:
             raise SceneError(f"nothing in this condition changes with the motion{hint}")
 
 
-def add_event(tables: Tables, path: str, nth: int | None = None) -> int:
+def add_event(
+    tables: Tables, path: str, nth: int | None = None, *, effect: int = layout.PM_EFFECT_NONE
+) -> int:
     """A row of the event table."""
-    return tables.add(layout.PM_TABLE_EVENT, {layout.PM_EVENT_NTH: nth or 0}, path)
+    row = {layout.PM_EVENT_NTH: nth or 0, layout.PM_EVENT_EFFECT: effect}
+    return tables.add(layout.PM_TABLE_EVENT, row, path)

@@ -43,6 +43,7 @@ from .measure_rows import Scope
 from .measures import Measures
 from .spin import Spins
 from .starts import Starts
+from .switches import Switches
 
 # Whether a history can be made, and of what: all, nothing, or these expressions; none: the usual.
 History: TypeAlias = bool | Sequence[str] | Callable[[HistoryColumns], Columns]
@@ -138,8 +139,11 @@ class _Flattener:
         bodies = self._active("bodies", data.bodies)
         self.drawing = Drawing(data, bodies, self.reader, self.tables)
         self.drawn = DrawnRows(self.drawing, self.tables)
+        self.writer = Writer(self.drawn, self.reader, self.tables)
         self.scope = self._elements()
         self.measures = Measures(self.drawn, self.reader, self.tables, self.scope)
+        switches = Switches(self.measures, self.tables)
+        self.writer.motion.finish(switches.read, switches.program)
 
     def flat(self, history: History, firings: int) -> FlatScene:
         data, tables = self.data, self.tables
@@ -258,7 +262,7 @@ class _Flattener:
             (data.forces, forces),
         )
         inactive = {name for written, active in groups for name in written if name not in active}
-        to = Writer(self.drawn, self.reader, self.tables)
+        to = self.writer
         add_contact = Contacts(self.drawn, self.reader, self.tables).add
         driven = {name: body for name, body in self.drawing.bodies.items() if body.driven is not None}
         for name, body in driven.items():

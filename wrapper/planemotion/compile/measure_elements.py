@@ -48,6 +48,7 @@ _FORCE: dict[str, tuple[int, Dimension | None]] = {
     "work": (layout.PM_MEASURE_FORCE_WORK, ENERGY),
     "power": (layout.PM_MEASURE_FORCE_POWER, POWER),
     "stretch": (layout.PM_MEASURE_FORCE_STRETCH, None),
+    "stretch_rate": (layout.PM_MEASURE_FORCE_RATE, None),
     "energy": (layout.PM_MEASURE_FORCE_ENERGY, ENERGY),
 }
 
@@ -200,9 +201,13 @@ class ElementMeasures:
         self.rows.ends(address, 1)
         self.rows.plain(address, ())
         kind, found = _FORCE[quantity]
+        if quantity == "energy" and not force.stores:
+            raise SceneError(f'"{address}": it has no potential; ask for its work')
         if found is None:
             found = DIMENSIONLESS if force.rotary else LENGTH
-        return Reading(self.rows.leaf(kind, force.index, address), found)
+            found = found / TIME if quantity == "stretch_rate" else found
+        leaf = self.rows.leaf(kind, force.index, address)
+        return Reading(leaf - force.free if quantity == "stretch" and force.free is not None else leaf, found)
 
     def event(self, address: Address, event: int) -> Reading:
         quantity = self.rows.word(address, words.EVENT_QUANTITIES, "an event")

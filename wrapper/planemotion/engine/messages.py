@@ -157,6 +157,19 @@ def _bad_value(place: str, found: float, bound: float, unit: str) -> str:
     return f"{place}: it is {found:.6g} at the start; a force is finite, and a power needs a motion"
 
 
+def _alternates(place: str, found: float, bound: float) -> str:
+    if place.endswith("switches"):
+        return (
+            f"{place} and pushes the motion back from both sides, which holds it there: no value of the "
+            "force does that; take friction of a contact or a joint, or a smooth expression; what was "
+            "answered before stands"
+        )
+    return (
+        f"{place}: contacts stick, slip or part in turn, {found:.0f} times without time passing: next to a "
+        "position where they lock each other no motion that is found goes on; what was answered before stands"
+    )
+
+
 _DESCRIPTIONS: dict[int, Any] = {
     layout.PM_LIMIT_TIME: lambda place, found, bound: (
         f"until: not reached within solve.max_time ({bound:g} s)"
@@ -170,10 +183,7 @@ _DESCRIPTIONS: dict[int, Any] = {
     layout.PM_LIMIT_CPU: lambda place, found, bound: (
         f"solve.max_cpu: given up after {bound:g} s of computing time; what was answered before stands"
     ),
-    layout.PM_ALTERNATES: lambda place, found, bound: (
-        f"{place}: contacts stick, slip or part in turn, {found:.0f} times without time passing: next to a "
-        "position where they lock each other no motion that is found goes on; what was answered before stands"
-    ),
+    layout.PM_ALTERNATES: _alternates,
     layout.PM_CANCELLED: lambda place, found, bound: "cancelled before it was finished",
     layout.PM_STAYS_AT_REST: lambda place, found, bound: (
         "until: not reached; everything has come to rest and stays"

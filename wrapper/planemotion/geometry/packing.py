@@ -57,6 +57,11 @@ class Tables:
         self.names[table].append(name)
         return len(self.rows[table]) - 1
 
+    def put(self, table: int, index: int, column: int, entry: int) -> None:
+        """Another entry in a row that is there."""
+        row = self.rows[table][index]
+        self.rows[table][index] = (*row[:column], entry, *row[column + 1 :])
+
     def value(self, node: Node, where: str) -> int:
         """Index of the value of an expression; equal expressions share one."""
         if node not in self._values:

@@ -25,7 +25,8 @@ class CouplingRows:
 class ForceRow:
     """A row of the kernel's force table: enum pm_force_kind, partners, numbers and programs with key paths.
 
-    `owners`: of its partners; `rotary`: whether it is a couple.
+    `owners`: of its partners; `rotary`: whether it is a couple; `free`: length or angle
+    from which its stretch counts, where the row has it not; `stores`: it has a potential.
     """
 
     kind: int
@@ -36,6 +37,8 @@ class ForceRow:
     programs: tuple[tuple[Node, str], ...] = ()
     option: int = 0
     rotary: bool = False
+    free: Node | None = None
+    stores: bool = False
 
 
 class JointRow(NamedTuple):

@@ -7,10 +7,13 @@ from collections.abc import Sequence
 from .. import _layout as layout
 from ..base.errors import SceneError
 from ..language.dimensions import POWER, Dimension
+from ..language.leaves import names
+from ..language.parser import parse
 from ..language.tree import Node
 from ..model.readers import Value
 from .drawing import GROUND
 from .drawn_rows import DrawnRows
+from .motion import MotionPrograms, Waiting, reads_motion
 from .packing import Tables, empty_measure, over_time
 from .parameters import Reader
 from .partners import Partner, pairs, partner
@@ -24,6 +27,7 @@ class Writer:
         self.drawing = drawn.drawing
         self.reader = reader
         self.tables = tables
+        self.motion = MotionPrograms(tables)
 
     # ---- partners ----
 
@@ -61,6 +65,23 @@ class Writer:
         """A number that may depend on t."""
         return over_time(self.reader, self.tables, written, where, wanted)
 
+    def over_motion(self, written: Value, where: str, wanted: Dimension) -> Node:
+        """A number that may depend on t and on the motion: what it says of that is read at the end."""
+        text = written.strip().removeprefix("~") if isinstance(written, str) else written
+        node = parse(text, where=where)
+        if not reads_motion(node, self.reader.parameters.nodes):
+            return self.over_time(written, where, wanted)
+        return self.motion.leaf(Waiting(node, written, where, wanted))
+
+    def is_steady(self, *numbers: Node) -> bool:
+        """Whether they depend on parameters alone."""
+        leaves = {leaf for node in numbers for leaf in names(node)}
+        return all(str(leaf) in self.reader.parameters.nodes for leaf in leaves)
+
+    def own(self, kind: int, where: str) -> Node:
+        """A measure of the force whose row is added next."""
+        return self.measured(kind, len(self.tables.rows[layout.PM_TABLE_FORCE]), where)
+
     def power(self, written: Value | None, where: str, **others: object) -> Node:
         """The power of a force or couple in W, as an expression: it goes the way of the motion, or against it
         (power < 0).  Raises SceneError if one of the `others` is given beside it."""
@@ -68,7 +89,7 @@ class Writer:
         for key, other in others.items():
             if other is not None:
                 raise SceneError(f"give power or {key}, not both", path=where)
-        return self.over_time(written, where, POWER)
+        return self.over_motion(written, where, POWER)
 
     def measured(self, kind: int, a: int, where: str, part: int = layout.PM_PART_NONE) -> Node:
         """A measure of the motion: of a point, or of a body."""
@@ -114,6 +135,7 @@ class Writer:
         for column, value in zip((layout.PM_FORCE_VALUE_1, layout.PM_FORCE_VALUE_2), values, strict=False):
             row[column] = self.tables.value(*value)
         columns = (layout.PM_FORCE_PROGRAM_X, layout.PM_FORCE_PROGRAM_Y)
+        index = len(self.tables.rows[layout.PM_TABLE_FORCE])
         for column, program in zip(columns, programs, strict=False):
-            row[column] = self.tables.program(*program)
+            row[column] = self.motion.program(*program, index, column)
         return self.tables.add(layout.PM_TABLE_FORCE, row, path)

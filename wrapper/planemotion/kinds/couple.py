@@ -43,7 +43,7 @@ class Couple(Force):
             raise SceneError(reason, path=f"{path}.value")
         else:
             key = f"{path}.value"
-            value = to.over_time(self.value, key, MOMENT)
+            value = to.over_motion(self.value, key, MOMENT)
         a, b = (to.drawing.body_index(owner) for owner in (*owners, GROUND)[:2])
         return ForceRow(layout.PM_FORCE_COUPLE, a, b, owners=owners, programs=((value, key),), rotary=True)
 

@@ -10,6 +10,7 @@ from ..geometry.partners import drawn_pair, point_pair
 from ..geometry.rows import ForceRow
 from ..geometry.writer import Writer
 from ..language.dimensions import LENGTH, STIFFNESS
+from ..language.tree import ZERO, Node, binary, call
 from ..model.element import Number
 from .base import Force
 
@@ -29,18 +30,32 @@ class Spring(Force):
 
     def row(self, to: Writer, path: str) -> ForceRow:
         a, b = to.points(self.partners, f"{path}.spring")
-        stiffness = to.reader.number(self.stiffness, f"{path}.stiffness", STIFFNESS)
+        stiffness = to.over_motion(self.stiffness, f"{path}.stiffness", STIFFNESS)
         if self.free_length is not None:
-            free = to.reader.number(self.free_length, f"{path}.free_length", LENGTH)
+            free = to.over_time(self.free_length, f"{path}.free_length", LENGTH)
         else:
             free = distance(*drawn_pair(to.drawing, a, b))
+        points, owners = point_pair(to.drawn, a, b), (a.owner, b.owner)
+        if not to.is_steady(stiffness, free):
+            stretch = to.own(layout.PM_MEASURE_FORCE_STRETCH, path) - free
+            pull = self._one_sided(stiffness * stretch, stretch)
+            programs = ((pull, f"{path}.stiffness"),)
+            return ForceRow(layout.PM_FORCE_LINE, *points, owners=owners, programs=programs, free=free)
         return ForceRow(
             layout.PM_FORCE_SPRING,
-            *point_pair(to.drawn, a, b),
-            owners=(a.owner, b.owner),
+            *points,
+            owners=owners,
+            stores=True,
             values=((stiffness, f"{path}.stiffness"), (free, f"{path}.free_length")),
             option=_ONLY[self.only],
         )
+
+    def _one_sided(self, pull: Node, stretch: Node) -> Node:
+        """The same where it acts, else 0."""
+        if self.only is None:
+            return pull
+        slack = binary("<" if self.only == "pull" else ">", stretch, ZERO)
+        return call("select", slack, ZERO, pull)
 
     def draw(self, sketch: Sketch, where: str) -> Place:
         return sketch.across(self.partners, where, sketch.pen.spring)

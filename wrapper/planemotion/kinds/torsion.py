@@ -25,17 +25,24 @@ class Torsion(Force):
     def row(self, to: Writer, path: str) -> ForceRow:
         owners = to.bodies(self.partners, f"{path}.torsion")
         # N*m for each radian: a moment.
-        stiffness = to.reader.number(self.stiffness, f"{path}.stiffness", MOMENT)
+        stiffness = to.over_motion(self.stiffness, f"{path}.stiffness", MOMENT)
         if self.free_angle is not None:
-            free = to.reader.number(self.free_angle, f"{path}.free_angle", DIMENSIONLESS)
+            free = to.over_time(self.free_angle, f"{path}.free_angle", DIMENSIONLESS)
         else:
             free = to.drawing.angle(owners[0]) - to.drawing.angle(owners[1])
         a, b = (to.drawing.body_index(owner) for owner in owners)
+        if not to.is_steady(stiffness, free):
+            couple = stiffness * (free - to.own(layout.PM_MEASURE_FORCE_STRETCH, path))
+            programs = ((couple, f"{path}.stiffness"),)
+            return ForceRow(
+                layout.PM_FORCE_COUPLE, a, b, owners=owners, programs=programs, free=free, rotary=True
+            )
         return ForceRow(
             layout.PM_FORCE_TORSION,
             a,
             b,
             owners=owners,
+            stores=True,
             values=((stiffness, f"{path}.stiffness"), (free, f"{path}.free_angle")),
             rotary=True,
         )

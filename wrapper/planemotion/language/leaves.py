@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from typing import TypeAlias
 
 from .address import Address
@@ -21,6 +21,20 @@ def operands(node: Node) -> tuple[Node, ...]:
         case Call():
             return node.arguments
     return ()
+
+
+def with_operands(node: Node, others: Sequence[Node]) -> Node:
+    """The same operation on other operands."""
+    match node:
+        case Unary(operator="-"):
+            return negative(others[0])
+        case Unary():
+            return Unary(node.operator, others[0])
+        case Binary():
+            return binary(node.operator, others[0], others[1])
+        case Call():
+            return call(node.function, *others)
+    return node
 
 
 def height(node: Node) -> int:
@@ -46,20 +60,9 @@ def names(node: Node) -> set[Leaf]:
 
 def substitute(node: Node, leaf: Callable[[Leaf], Node]) -> Node:
     """The expression with every name and address replaced by what `leaf` gives for it."""
-    match node:
-        case Number():
-            return node
-        case Name() | Address():
-            return leaf(node)
-        case Unary(operator="-"):
-            return negative(substitute(node.operand, leaf))
-        case Unary():
-            return Unary(node.operator, substitute(node.operand, leaf))
-        case Binary():
-            return binary(node.operator, substitute(node.left, leaf), substitute(node.right, leaf))
-        case Call():
-            return call(node.function, *(substitute(argument, leaf) for argument in node.arguments))
-    raise TypeError(f"no node of an expression: {node!r}")
+    if isinstance(node, Name | Address):
+        return leaf(node)
+    return with_operands(node, [substitute(one, leaf) for one in operands(node)])
 
 
 def evaluate(node: Node, values: Callable[[Leaf], float]) -> float:

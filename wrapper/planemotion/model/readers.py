@@ -185,9 +185,11 @@ def read_value_or_vector(written: Any) -> Value | Vector:
     return read_vector(written) if isinstance(written, list | tuple | Mapping) else read_value(written)
 
 
-def read_one(written: Any) -> tuple[str, ...]:
-    """One partner."""
-    return (read_text(written),)
+def read_point_or_two(written: Any) -> tuple[str, ...]:
+    """A point, or the two points that a force draws together."""
+    if isinstance(written, str):
+        return (written,)
+    return read_names(2, "a point, or two points that are drawn together,")(written)
 
 
 def read_body_or_two(written: Any) -> tuple[str, ...]:

@@ -37,7 +37,7 @@ CONTACT_QUANTITIES = (
     *("gap", "closed", "slip", "normal", "friction", "friction_needed", "force", "impulse"),
 )
 CAPTURE_QUANTITIES = ("gap", "closed", "force", "impulse")  # what holds has no normal and no friction
-FORCE_QUANTITIES = ("force", "couple", "work", "power", "stretch", "energy")
+FORCE_QUANTITIES = ("force", "couple", "work", "power", "stretch", "stretch_rate", "energy")
 EVENT_QUANTITIES = ("count", "time")
 ENERGIES = ("kinetic", "potential", "total", "lost")
 SPIN_QUANTITIES = ("omega", "angle", "momentum", "inertia")

@@ -9,7 +9,9 @@ from typing import Any
 import matplotlib
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.font_manager import FontProperties
 from matplotlib.layout_engine import ConstrainedLayoutEngine
+from matplotlib.textpath import TextPath
 
 from ..base.errors import StudyError
 from ..base.files import PICTURES, appearing, ending
@@ -75,11 +77,19 @@ def save(figure: Figure, path: Path) -> None:
         figure.savefig(temporary, format=kind, dpi=RESOLUTION, metadata=_WITHOUT_DATE.get(kind))
 
 
+def _fitting(text: str, most: float, width: float) -> float:
+    """The size of letters in points, at most `most`, with which a bold line is no wider than that [in]."""
+    bold = FontProperties(weight="bold", size=most)
+    needed = TextPath((0, 0), text, prop=bold).get_extents().width / 72 if text else 0.0
+    return most * min(1.0, width / needed) if needed else most
+
+
 def head(figure: Figure, title: str, subtitle: str) -> None:
     """Title and subtitle at the upper left, with room kept for them."""
-    height = figure.get_figheight()
-    figure.text(0.12 / figure.get_figwidth(), 1 - 0.12 / height, title, va="top", weight="bold", size=11)
-    figure.text(0.12 / figure.get_figwidth(), 1 - 0.37 / height, subtitle, va="top", color=SOFT, size=8.5)
+    height, width = figure.get_figheight(), figure.get_figwidth()
+    size, small = (_fitting(text, most, width - 0.24) for text, most in ((title, 11.0), (subtitle, 8.5)))
+    figure.text(0.12 / width, 1 - 0.12 / height, title, va="top", weight="bold", size=size)
+    figure.text(0.12 / width, 1 - 0.37 / height, subtitle, va="top", color=SOFT, size=small)
     engine = figure.get_layout_engine()
     if isinstance(engine, ConstrainedLayoutEngine):
         engine.set(rect=(0, 0, 1, 1 - HEAD_HEIGHT / height), w_pad=_PAD, h_pad=_PAD)

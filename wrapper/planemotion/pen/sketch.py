@@ -15,6 +15,7 @@ from matplotlib.figure import Figure
 
 from ..geometry.drawing import GROUND, Drawing
 from ..geometry.marks import CircleMark, LineMark, Pair, RowMark
+from ..geometry.motion import reads_motion
 from ..geometry.partners import Partner, partner
 from ..language.dimensions import LENGTH
 from ..language.leaves import evaluate
@@ -109,9 +110,11 @@ class Sketch:
         """The centre of the first of some bodies that is not the ground."""
         return self.point(next(body for body in bodies if body != GROUND), "center")
 
-    def at_start(self, written: Value) -> float:
-        """A number of a force, which may depend on t, at t = 0."""
+    def at_start(self, written: Value) -> float | None:
+        """A number of a force, which may depend on t, at t = 0; None if it depends on the motion."""
         defaults = self.drawing.reader.parameters.defaults
+        if reads_motion(parse(written), defaults):
+            return None
         return evaluate(parse(written), lambda leaf: 0.0 if str(leaf) == "t" else defaults[str(leaf)])
 
     def read(self, texts: tuple[str, ...], where: str, *wanted: str) -> list[Partner]:

@@ -28,6 +28,7 @@ _VALUE: Schema = {"$ref": "#/$defs/value"}
 _VECTOR: Schema = {"$ref": "#/$defs/vector"}
 _NAMES: Schema = {"type": "array", "items": _TEXT}
 _TEXTS: Schema = {"anyOf": [_TEXT, {**_NAMES, "minItems": 1}]}
+_ONE_OR_TWO: Schema = {"anyOf": [_TEXT, {**_NAMES, "minItems": 2, "maxItems": 2}]}
 _PAIR: Schema = {"type": "array", "items": _VALUE, "minItems": 2, "maxItems": 2}
 # What readers take that is no table of their model: reader -> schemas.
 _BARE: Mapping[Callable[..., Any], list[Schema]] = {
@@ -77,8 +78,8 @@ _WHOLE: Mapping[Callable[..., Any], Schema] = {
         ]
     },
     readers.read_bounds: _PAIR,
-    readers.read_one: _TEXT,
-    readers.read_body_or_two: {"anyOf": [_TEXT, {**_NAMES, "minItems": 2, "maxItems": 2}]},
+    readers.read_point_or_two: _ONE_OR_TWO,
+    readers.read_body_or_two: _ONE_OR_TWO,
     readers.read_start: {  # by address, which dotted keys make tables in tables
         "type": "object",
         "properties": {

@@ -1,0 +1,146 @@
+"""What a force reads of the motion: how it is made a program, and where that switches.
+
+Where a comparison, abs, min or max changes sides a phase ends, and meanwhile the program reads the side that
+holds: within a phase a force is smooth.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from .. import _layout as layout
+from ..base.errors import SceneError
+from ..geometry.motion import Waiting
+from ..geometry.packing import Tables, empty_measure
+from ..language.address import Address
+from ..language.homogeneity import require
+from ..language.leaves import names, operands, with_operands
+from ..language.tree import ZERO, Binary, Call, Name, Node
+from .events import add_event
+from .measures import Measures
+
+# Measures that are known only when all forces are.
+_AFTER_FORCES = frozenset(
+    getattr(layout, f"PM_MEASURE_{word}")
+    for word in (
+        "ALPHA",
+        "ACCELERATION",
+        "JOINT_FORCE",
+        "JOINT_COUPLE",
+        "JOINT_IMPULSE",
+        "JOINT_NORMAL",
+        "JOINT_FRICTION",
+        "JOINT_FRICTION_NEEDED",
+        "CONTACT_NORMAL",
+        "CONTACT_FRICTION",
+        "CONTACT_FRICTION_NEEDED",
+        "CONTACT_FORCE",
+        "CONTACT_IMPULSE",
+        "FORCE_FORCE",
+        "FORCE_COUPLE",
+        "FORCE_POWER",
+        "FORCE_ENERGY",
+        "LOST",
+    )
+)
+_OF_EVENT = (layout.PM_MEASURE_EVENT_COUNT, layout.PM_MEASURE_EVENT_TIME)
+
+
+class Switches:
+    """Reads what forces say of the motion; where that switches, a phase ends."""
+
+    def __init__(self, measures: Measures, tables: Tables) -> None:
+        self.measures = measures
+        self.tables = tables
+        self._sides: dict[Node, Node] = {}
+
+    def read(self, waiting: Waiting) -> Node:
+        """The expression over the kernel's leaves.  Raises SceneError for another dimension, or for what is
+        known only when all forces are."""
+        try:
+            require(waiting.node, waiting.wanted, self.measures.dimension_of)
+            for leaf in sorted(names(waiting.node), key=str):
+                self._check(leaf)
+        except SceneError as error:
+            raise error.at(path=waiting.where, value=waiting.written) from None
+        return self.measures.lower(waiting.node, waiting.where).node
+
+    def _check(self, leaf: Name | Address) -> None:
+        if str(leaf) in self.measures.reader.parameters.nodes:
+            return
+        for row in self._rows(self.measures.reading(leaf).node):
+            if row[layout.PM_MEASURE_KIND] in _AFTER_FORCES:
+                raise SceneError(
+                    f'"{leaf}" is known only when all forces are; a force may read positions, velocities, '
+                    "stretches, gaps, slips and counts of events"
+                )
+
+    def _rows(self, node: Node) -> Iterator[tuple[int, ...]]:
+        """The rows of the measures in it."""
+        for leaf in names(node):
+            index = self.tables.measure_index(leaf)
+            if index is not None:
+                yield self.tables.rows[layout.PM_TABLE_MEASURE][index]
+
+    def program(self, node: Node, where: str) -> Node:
+        """The same; what switches by the motion reads the side of its switch, where a phase ends."""
+        for row in self._rows(node):
+            if row[layout.PM_MEASURE_KIND] in _OF_EVENT:
+                event, column = row[layout.PM_MEASURE_A], layout.PM_EVENT_EFFECT
+                self.tables.put(layout.PM_TABLE_EVENT, event, column, layout.PM_EFFECT_COUNT)
+        return self._by_sides(node, where)
+
+    def _by_sides(self, node: Node, where: str) -> Node:
+        """With the sides of switches in the place of operations that switch by the motion."""
+        node = with_operands(node, [self._by_sides(one, where) for one in operands(node)])
+        if not self._moves(node):
+            return node
+        match node:
+            case Binary(operator="<" | "<="):
+                return self._side(node.right, node.left, where)
+            case Binary(operator=">" | ">="):
+                return self._side(node.left, node.right, where)
+            case Call(function="abs"):
+                (inner,) = node.arguments
+                return inner * (2.0 * self._side(inner, ZERO, where) - 1.0)
+            case Call(function="min" | "max"):
+                first, *others = node.arguments
+                for other in others:
+                    greater = self._side(first, other, where)
+                    a, b = (first, other) if node.function == "max" else (other, first)
+                    first = b + greater * (a - b)
+                return first
+            case Call(function="floor"):
+                trigger = (layout.PM_TRIGGER_EVERY, node.arguments[0])
+                self._event((trigger,), where, layout.PM_EFFECT_COUNT)
+        return node
+
+    def _side(self, a: Node, b: Node, where: str) -> Node:
+        """1 where a > b, else 0."""
+        switch = a - b
+        for sign, known in ((1, switch), (-1, b - a)):
+            if known in self._sides:
+                return self._sides[known] if sign > 0 else 1.0 - self._sides[known]
+        rise, fall = (layout.PM_TRIGGER_RISE, switch), (layout.PM_TRIGGER_FALL, switch)
+        event = self._event((rise, fall), where, layout.PM_EFFECT_SWITCH)
+        row = empty_measure(layout.PM_MEASURE_EVENT_SIDE) | {layout.PM_MEASURE_A: event}
+        self._sides[switch] = self.tables.measure_leaf(row, where)
+        return self._sides[switch]
+
+    def _event(self, triggers: Sequence[tuple[int, Node]], where: str, effect: int) -> int:
+        name = f"{where} switches"
+        event = add_event(self.tables, name, effect=effect)
+        for kind, node in triggers:
+            row = {
+                layout.PM_TRIGGER_KIND: kind,
+                layout.PM_TRIGGER_EVENT: event,
+                layout.PM_TRIGGER_PROGRAM: self.tables.program(node, name),
+                layout.PM_TRIGGER_A: layout.PM_NONE,
+            }
+            self.tables.add(layout.PM_TABLE_TRIGGER, row, name)
+        return event
+
+    def _moves(self, node: Node) -> bool:
+        """Whether it changes by more than the time, whose switches the kernel knows, and what events tell."""
+        still = (layout.PM_MEASURE_TIME, *_OF_EVENT, layout.PM_MEASURE_EVENT_SIDE)
+        return any(row[layout.PM_MEASURE_KIND] not in still for row in self._rows(node))
