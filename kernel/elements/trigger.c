@@ -109,15 +109,6 @@ void pm_trigger_take_sides(pm_workspace *w)
             w->firing.side[PM_TRIGGER_ROW(w->model, i)[PM_TRIGGER_EVENT]] = pm_trigger_program(w, i) > 0;
 }
 
-void pm_trigger_turn_sides(const pm_model *model, pm_firing *firing)
-{
-    for (int i = 0; i < model->rows[PM_TABLE_TRIGGER]; i++) {
-        const int32_t *e = PM_TRIGGER_ROW(model, i);
-        if (firing->fired[i] && pm_trigger_of_switch(model, i))
-            firing->side[e[PM_TRIGGER_EVENT]] = e[PM_TRIGGER_KIND] == PM_TRIGGER_RISE;
-    }
-}
-
 void pm_trigger_jump_sides(pm_workspace *w)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {

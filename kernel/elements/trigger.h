@@ -20,10 +20,9 @@ double pm_trigger_time(const pm_firing *firing, int event);
 double pm_trigger_program(pm_workspace *w, int trigger);
 /* The trigger's program depends on time alone, and linearly: it needs no watching. */
 int pm_trigger_on_time(const pm_model *model, int trigger);
-/* Sides of the switches of forces (PM_EFFECT_SWITCH), by the frame: as the run begins; by the triggers that have fired; after
- * a jump from what firing.before says. */
+/* Sides of the switches of forces (PM_EFFECT_SWITCH), by the frame: as the run begins; after a jump from what firing.before
+ * says. */
 void pm_trigger_take_sides(pm_workspace *w);
-void pm_trigger_turn_sides(const pm_model *model, pm_firing *firing);
 void pm_trigger_jump_sides(pm_workspace *w);
 /* It tells where a force switches (PM_EFFECT_SWITCH). */
 int pm_trigger_of_switch(const pm_model *model, int trigger);

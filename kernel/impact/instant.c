@@ -286,7 +286,7 @@ int pm_instant_full(pm_workspace *w, int *ended)
     int status = check_progress(w);
     if (!status) status = pm_history_append(w, 1);
     if (!status) status = pm_saddle_accelerate(w);
-    if (!status) status = pm_switches_turn(w);
+    if (!status) status = pm_switches_check(w);
     if (!status) status = pm_switches_settle(w);
     if (!status) status = pm_event_check_strands(w);
     if (!status && w->step.reverses) status = mark_reversal(w);

@@ -1,4 +1,4 @@
-/* switches.c - sides by the triggers that have fired, and by a look a little ahead. */
+/* switches.c - sides by a look a little ahead. */
 #include "impact/switches.h"
 
 #include <math.h>
@@ -49,9 +49,18 @@ static int settle(pm_workspace *w, int trigger, int event)
     return pm_fail(&w->result, PM_ALTERNATES, PM_TABLE_EVENT, event, 1, 1);
 }
 
-/* The same switch again and again, each time at once. */
-static int check_progress(pm_workspace *w, int event)
+static int has_switched(const pm_workspace *w)
 {
+    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++)
+        if (w->firing.fired[i] && pm_trigger_of_switch(w->model, i))
+            return PM_TRIGGER_ROW(w->model, i)[PM_TRIGGER_EVENT];
+    return PM_NONE;
+}
+
+int pm_switches_check(pm_workspace *w)
+{
+    const int event = has_switched(w);
+    if (event == PM_NONE) return PM_OK;
     pm_instant *x = &w->instant;
     const double again = PM_SWITCH_AGAIN * w->numbers.size / w->numbers.speed;
     x->to_and_fro = fabs(w->state.t - x->switched) < again ? x->to_and_fro + 1 : 0;
@@ -61,28 +70,11 @@ static int check_progress(pm_workspace *w, int event)
     return pm_fail(&w->result, PM_ALTERNATES, PM_TABLE_EVENT, event, many, many);
 }
 
-static int has_switched(const pm_workspace *w)
-{
-    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++)
-        if (w->firing.fired[i] && pm_trigger_of_switch(w->model, i))
-            return PM_TRIGGER_ROW(w->model, i)[PM_TRIGGER_EVENT];
-    return PM_NONE;
-}
-
 void pm_switches_begin(pm_workspace *w)
 {
     w->instant.switched = -1;
     w->instant.to_and_fro = 0;
     pm_trigger_take_sides(w);
-}
-
-int pm_switches_turn(pm_workspace *w)
-{
-    const int event = has_switched(w);
-    if (event == PM_NONE) return PM_OK;
-    const int status = check_progress(w, event);
-    pm_trigger_turn_sides(w->model, &w->firing);
-    return status ? status : pm_saddle_accelerate(w);
 }
 
 int pm_switches_settle(pm_workspace *w)

@@ -9,10 +9,11 @@
 
 /* The run begins at w->state; the frame looks at it. */
 void pm_switches_begin(pm_workspace *w);
-/* At an instant: sides by the triggers that have fired; by the motion that begins there, of switches on zero.  The frame looks
- * at w->state (DYNAMIC), also afterwards.  PM_ALTERNATES, where = event: the force switches to and fro while no time passes, or
- * pushes back to its switch from either side. */
-int pm_switches_turn(pm_workspace *w);
+/* Both return PM_ALTERNATES, where = event.  At an instant: a force has switched to and fro again and again while no time
+ * passed. */
+int pm_switches_check(pm_workspace *w);
+/* Sides of the switches that are on zero, by the motion that begins there; the frame looks at w->state (DYNAMIC), also
+ * afterwards.  A force pushes back to its switch from either side. */
 int pm_switches_settle(pm_workspace *w);
 
 #endif

@@ -716,4 +716,28 @@ FAULTS = [
         "x->response[2 * i * 2 * n + 2 * k]",
         "(i == k) * x->response[2 * i * 2 * n + 2 * k]",
     ),
+    Fault(
+        "switch: one that is left from zero keeps its side",
+        "impact/switches.c",
+        "if (side_of(ahead) == w->firing.side[event]) return PM_OK;",
+        "return PM_OK;",
+    ),
+    Fault(
+        "switch: a force that holds the motion is let go on",
+        "impact/switches.c",
+        "if (side_of(otherwise) == w->firing.side[event] || otherwise == here) return PM_OK;",
+        "return PM_OK;",
+    ),
+    Fault(
+        "switch: a blow does not change sides",
+        "impact/instant.c",
+        "    if (*jumped) pm_trigger_jump_sides(w);\n",
+        "",
+    ),
+    Fault(
+        "switch: sides are not taken as a run begins",
+        "impact/switches.c",
+        "    pm_trigger_take_sides(w);\n",
+        "",
+    ),
 ]

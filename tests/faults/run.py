@@ -45,4 +45,10 @@ FAULTS = [
         "if (w->numbers.speed == 0) w->numbers.speed = crossing;",
         "if (w->numbers.speed == 0) w->numbers.speed = w->numbers.size;",
     ),
+    Fault(
+        "switch: it ends no phase",
+        "run/advance.c",
+        "PM_EVENT_ROW(m, of)[PM_EVENT_EFFECT] != PM_EFFECT_NONE || ",
+        "",
+    ),
 ]

@@ -1,0 +1,144 @@
+/* Forces that switch by the motion: against closed forms, where a place is passed, a speed changes sign, a blow reverses it, from
+ * rest on a switch, and where a switch holds the motion; and forces along a line by programs. */
+#include "check.h"
+#include "scene.h"
+#include "state/workspace.h"
+
+#define CASES 40
+#define G 9.81
+
+/* A measure that is 1 where a program became positive. */
+static int scene_side(scene *s, int program)
+{
+    const int event = SCENE_ROW(s, PM_TABLE_EVENT, 0, PM_EFFECT_SWITCH);
+    scene_trigger(s, PM_TRIGGER_RISE, event, program, PM_NONE);
+    scene_trigger(s, PM_TRIGGER_FALL, event, program, PM_NONE);
+    return scene_measure(s, PM_MEASURE_EVENT_SIDE, event);
+}
+
+/* A particle, and what is asked of it. */
+typedef struct particle {
+    scene *s;
+    int point, place, speed, out_place, out_speed;
+} particle;
+
+static particle particle_at(double y, double vy, int route)
+{
+    particle p = {.s = scene_create()};
+    *scene_setting(p.s, PM_SETTING_ROUTE) = route;
+    scene_set(p.s, PM_SETTING_GRAVITY_Y, 0);
+    p.point = scene_point(p.s, scene_body(p.s, 1, 0, 0, y, 0), 0, 0);
+    p.place = scene_part(p.s, PM_MEASURE_POSITION, p.point, PM_PART_Y);
+    p.speed = scene_part(p.s, PM_MEASURE_VELOCITY, p.point, PM_PART_Y);
+    p.out_place = scene_ask_measure(p.s, p.place);
+    p.out_speed = scene_ask_measure(p.s, p.speed);
+    scene_start_velocity(p.s, p.point, 0, vy);
+    return p;
+}
+
+static void push(particle *p, int program)
+{
+    scene_applied(p->s, p->point, PM_GROUND, SCENE_PROGRAM(p->s, scene_k(p->s, 0)), program);
+}
+
+static void ends_at(particle *p, double t, double place, double speed, double close)
+{
+    scene_until_time(p->s, t);
+    EQUAL(scene_run(p->s, NULL), PM_OK);
+    NEAR(p->s->out[p->out_place], place, close);
+    NEAR(p->s->out[p->out_speed], speed, close);
+    scene_free(p->s);
+}
+
+/* -F beyond a place: there and back, and on with the speed it came with. */
+static void a_place(int route)
+{
+    for (int i = 0; i < CASES; i++) {
+        const double knot = check_random(0.2, 2), force = check_random(1, 5), v = check_random(0.5, 2);
+        const double back = knot / v + 2 * v / force, t = back + check_random(0.1, 1);
+        particle p = particle_at(0, v, route);
+        const int side = scene_side(p.s, scene_minus(p.s, p.place, knot));
+        push(&p, SCENE_PROGRAM(p.s, scene_m(side), scene_k(p.s, -force), scene_op(PM_OP_MUL)));
+        ends_at(&p, t, knot - v * (t - back), -v, 1e-9);
+    }
+}
+
+/* Weight and drag c v |v|, |v| by the side of v: from rest, which is on the switch, and thrown upwards. */
+static void drag(double up, int route)
+{
+    const double c = 0.05, last = sqrt(G / c), rate = sqrt(G * c), t = 2;
+    particle p = particle_at(0, up, route);
+    const scene_code v = scene_m(p.speed), side = scene_m(scene_side(p.s, scene_read(p.s, p.speed)));
+    push(&p, SCENE_PROGRAM(p.s, scene_k(p.s, -G), scene_k(p.s, c), v, scene_op(PM_OP_MUL), v,
+                           scene_op(PM_OP_MUL), side, scene_k(p.s, 2), scene_op(PM_OP_MUL), scene_k(p.s, 1),
+                           scene_op(PM_OP_SUB), scene_op(PM_OP_MUL), scene_op(PM_OP_SUB)));
+    const double top = atan(up / last) / rate, height = log(1 + up * up / (last * last)) / (2 * c);
+    ends_at(&p, t, height - log(cosh(rate * (t - top))) / c, -last * tanh(rate * (t - top)), 1e-9);
+}
+
+/* Falls by 2 m/s^2, is thrown back by an elastic blow, and rises against 6 m/s^2. */
+static void a_blow(int route)
+{
+    particle p = particle_at(1, 0, route);
+    const int side = scene_side(p.s, scene_read(p.s, p.speed));
+    push(&p, SCENE_PROGRAM(p.s, scene_k(p.s, -2), scene_m(side), scene_k(p.s, 4), scene_op(PM_OP_MUL),
+                           scene_op(PM_OP_SUB)));
+    const int circle = scene_circle(p.s, p.point, 0), floor = scene_floor(p.s, 0);
+    scene_contact(p.s, PM_CONTACT_LINE, circle, floor, 0, 1, PM_FRICTION_SMOOTH, 0);
+    const double struck = 1, speed = 2, rises = speed / 6, t = struck + rises + 0.2;
+    ends_at(&p, t, speed * rises / 2 - 0.5 * 2 * 0.2 * 0.2, -2 * 0.2, 1e-9);
+}
+
+/* 1 - 2 side(v - 0.5) holds v there. */
+static void held(int route)
+{
+    particle p = particle_at(0, 0, route);
+    const int side = scene_side(p.s, scene_minus(p.s, p.speed, 0.5));
+    push(&p, SCENE_PROGRAM(p.s, scene_k(p.s, 1), scene_m(side), scene_k(p.s, 2), scene_op(PM_OP_MUL),
+                           scene_op(PM_OP_SUB)));
+    scene_until_time(p.s, 2);
+    EQUAL(scene_run(p.s, NULL), PM_ALTERNATES);
+    EQUAL(p.s->where[PM_WHERE_TABLE], PM_TABLE_EVENT);
+    scene_free(p.s);
+}
+
+/* The force of a spring as a program of its stretch; the rate of the stretch. */
+static void line(int program, int route)
+{
+    particle p = particle_at(2, 0.3, route);
+    const int origin = scene_point(p.s, PM_GROUND, 0, 0);
+    int force;
+    if (program) {
+        force =
+            SCENE_ROW(p.s, PM_TABLE_FORCE, PM_FORCE_LINE, p.point, origin, PM_NONE, PM_NONE, 0, PM_NONE, 0);
+        const int stretch = scene_measure(p.s, PM_MEASURE_FORCE_STRETCH, force);
+        const int pull = SCENE_PROGRAM(p.s, scene_m(stretch), scene_k(p.s, 1.5), scene_op(PM_OP_SUB),
+                                       scene_k(p.s, 4), scene_op(PM_OP_MUL));
+        scene_cell(p.s, PM_TABLE_FORCE, force, PM_FORCE_PROGRAM_X, pull);
+    } else {
+        force = scene_force(p.s, PM_FORCE_SPRING, p.point, origin, 4, 1.5);
+    }
+    const int rate = scene_ask_measure(p.s, scene_measure(p.s, PM_MEASURE_FORCE_RATE, force));
+    const double t = 3, y = 0.5 * cos(2 * t) + 0.15 * sin(2 * t), v = -sin(2 * t) + 0.3 * cos(2 * t);
+    scene_until_time(p.s, t);
+    EQUAL(scene_run(p.s, NULL), PM_OK);
+    NEAR(p.s->out[p.out_place], 1.5 + y, 1e-9);
+    NEAR(p.s->out[p.out_speed], v, 1e-9);
+    NEAR(p.s->out[rate], v, 1e-9);
+    scene_free(p.s);
+}
+
+int main(void)
+{
+    static const int route[] = {PM_ROUTE_RK, PM_ROUTE_IDA};
+    for (int i = 0; i < 2; i++) {
+        a_place(route[i]);
+        drag(0, route[i]);
+        drag(7, route[i]);
+        a_blow(route[i]);
+        held(route[i]);
+        line(0, route[i]);
+        line(1, route[i]);
+    }
+    return check_failures();
+}
