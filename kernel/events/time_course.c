@@ -1,10 +1,7 @@
-/* time_course.c - switches of programs of the time, and how far samples tell them between.
+/* time_course.c - switches of programs of the time, and how far samples tell them between (events/told.h).
  *
  * A switch is found by bisection: stretches over which all switches are decided (expression/enclosure.h) are passed, from
- * left to right, until the stretch that is left is between two neighbouring numbers.
- *
- * Samples tell a program over a stretch if its bend f'' stays, everywhere in between, within what it is at the samples: a
- * pulse between two of them bends it much more.  Parts of the stretch whose enclosure does not show that are halved. */
+ * left to right, until the stretch that is left is between two neighbouring numbers. */
 #include "events/time_course.h"
 
 #include <math.h>
@@ -14,6 +11,7 @@
 #include "elements/turning_plane.h"
 #include "equations/case.h"
 #include "equations/solve_cache.h"
+#include "events/told.h"
 #include "expression/enclosure.h"
 #include "expression/program_class.h"
 #include "numerics/tolerances.h"
@@ -21,8 +19,6 @@
 #include "state/arena.h"
 #include "state/frame.h"
 #include "state/route.h"
-
-#define SAMPLES 9 /* of a stretch, its ends included */
 
 typedef struct pm_time_course {
     int *program; /* [n] that are not linear in the time */
@@ -149,60 +145,16 @@ int pm_time_course_switch(pm_workspace *w)
 }
 
 /* ---- between them ---- */
-/* The bends at the samples, by the squared distance of these, are about the second differences of the values: not so where a
- * sample falls by chance into a pulse that is narrower than their distance. */
-static int are_dense(const pm_jet *sample, double apart, double nothing)
+static pm_enclosure enclose_time(const pm_told *x, double from, double to)
 {
-    double second[SAMPLES];
-    for (int k = 1; k + 1 < SAMPLES; k++)
-        second[k] = fabs(sample[k - 1].value.lo - 2 * sample[k].value.lo + sample[k + 1].value.lo);
-    for (int k = 0; k < SAMPLES; k++) {
-        const int first = k < 2 ? 1 : k - 1, last = k > SAMPLES - 3 ? SAMPLES - 2 : k + 1;
-        double most = 0;
-        for (int j = first; j <= last; j++) most = fmax(second[j], most);
-        const double bend = pm_interval_size(sample[k].bend); /* not bounded where a root begins */
-        if (isfinite(bend) && bend * apart * apart > PM_TIME_DENSE * most + nothing) return 0;
-    }
-    return 1;
-}
-
-/* The bends at the samples, widened by what changes nothing; 0: the samples are too far from each other to tell. */
-static int told_bends(const pm_workspace *w, int i, double from, double to, pm_interval *told)
-{
-    double *size = &w->step.course->size[i];
-    pm_jet sample[SAMPLES];
-    pm_interval seen = {INFINITY, -INFINITY};
-    const double h = to - from, value = pm_interval_size(enclose(w, i, from, to).jet.value);
-    if (isfinite(value)) *size = fmax(*size, value);
-    for (int k = 0; k < SAMPLES; k++) {
-        const double t = from + h * k / (SAMPLES - 1);
-        sample[k] = enclose(w, i, t, t).jet;
-        seen = pm_interval_hull(seen, sample[k].bend);
-    }
-    const double nothing = w->numbers.tolerance * *size;
-    *told = pm_enclosure_told_bends(seen, nothing / (h * h));
-    return are_dense(sample, h / (SAMPLES - 1), nothing);
-}
-
-/* Whether program i stays within its bends over a part of the stretch. */
-static int stays(const pm_workspace *w, int i, pm_interval told, double from, double to, int *budget)
-{
-    const double middle = 0.5 * (from + to);
-    if (pm_interval_inside(enclose(w, i, from, to).jet.bend, told)) return 1;
-    if (--*budget < 0 || !pm_interval_inside(enclose(w, i, middle, middle).jet.bend, told)) return 0;
-    return stays(w, i, told, from, middle, budget) && stays(w, i, told, middle, to, budget);
+    return pm_enclosure_of_time(x->w->model, x->program, x->w->numbers.param, x->w->numbers.value, from, to);
 }
 
 static int is_told(const pm_workspace *w, double from, double to)
 {
-    const double h = to - from;
     for (int i = 0; i < w->step.course->n; i++) {
-        pm_interval told;
-        int budget = PM_TIME_PARTS;
-        if (!told_bends(w, i, from, to, &told)) return 0;
-        for (int k = 0; k + 1 < SAMPLES; k++)
-            if (!stays(w, i, told, from + h * k / (SAMPLES - 1), from + h * (k + 1) / (SAMPLES - 1), &budget))
-                return 0;
+        const pm_told x = {enclose_time, w, w->step.course->program[i], NULL, &w->step.course->size[i]};
+        if (!pm_told_between(&x, from, to)) return 0;
     }
     return 1;
 }
@@ -220,7 +172,7 @@ static double reach(const pm_workspace *w)
 static double ahead(const pm_workspace *w, double length)
 {
     const double apart = fmax(length, w->step.course->apart);
-    return w->phase.route->sees_ends ? 2 * (SAMPLES - 1) * apart : PM_TIME_AHEAD * length;
+    return w->phase.route->sees_ends ? 2 * (PM_TOLD_SAMPLES - 1) * apart : PM_TIME_AHEAD * length;
 }
 
 double pm_time_course_limit(pm_workspace *w, double length)
@@ -233,6 +185,6 @@ double pm_time_course_limit(pm_workspace *w, double length)
     for (int i = 0; i < PM_TIME_HALVINGS && to > from && !is_told(w, fmax(from, w->frame.side.from), to); i++)
         to = from + 0.5 * (to - from);
     c->told = to;
-    c->apart = (to - from) / (SAMPLES - 1);
+    c->apart = (to - from) / (PM_TOLD_SAMPLES - 1);
     return reach(w);
 }

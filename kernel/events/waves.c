@@ -87,6 +87,11 @@ int pm_waves_create(pm_workspace *w)
     return PM_OK;
 }
 
+int pm_waves_may_be(const pm_workspace *w, int program)
+{
+    return w->watched->waves->possible[program] == WAVES;
+}
+
 static int trigger_program(const pm_workspace *w, int function)
 {
     return PM_TRIGGER_ROW(w->model, w->event->function[function].index)[PM_TRIGGER_PROGRAM];

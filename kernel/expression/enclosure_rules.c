@@ -91,6 +91,20 @@ static pm_slopes of_size(const pm_jet *a)
     return (pm_slopes){pm_interval_size_of(a->value), first, zero};
 }
 
+/* Beyond this exponent it is taken as constant, so that what it divides keeps bounds: 1 / (e^x + e^-x) is nothing there. */
+#define EXPONENT_MOST 150.0
+
+static double exponential(double x) { return exp(fmin(x, EXPONENT_MOST)); }
+
+static pm_slopes of_exponential(pm_interval x)
+{
+    const pm_interval f = pm_interval_rising(exponential, x, -INFINITY, INFINITY);
+    const pm_interval slope = x.hi <= EXPONENT_MOST   ? f
+                              : x.lo >= EXPONENT_MOST ? zero
+                                                      : pm_interval_hull(zero, f);
+    return (pm_slopes){f, slope, slope};
+}
+
 static pm_slopes slopes(int op, const pm_jet *a)
 {
     const pm_interval x = a->value;
@@ -110,10 +124,7 @@ static pm_slopes slopes(int op, const pm_jet *a)
     case PM_OP_ATAN: return of_arc_tangent(x);
     case PM_OP_SQRT: return of_root(x);
     case PM_OP_ABS: return of_size(a);
-    case PM_OP_EXP: {
-        const pm_interval f = pm_interval_rising(exp, x, -INFINITY, INFINITY);
-        return (pm_slopes){f, f, f};
-    }
+    case PM_OP_EXP: return of_exponential(x);
     case PM_OP_LOG: return of_logarithm(x);
     case PM_OP_FLOOR: return (pm_slopes){pm_interval_rising(floor, x, -INFINITY, INFINITY), zero, zero};
     default: /* not */
@@ -125,7 +136,8 @@ static pm_slopes slopes(int op, const pm_jet *a)
 pm_jet pm_jet_of_one(int op, const pm_jet *a)
 {
     pm_jet f = {.motion = a->motion};
-    for (int k = 0; k < 3; k++) f.at[k] = pm_operations[op].one(a->at[k]);
+    for (int k = 0; k < 3; k++)
+        f.at[k] = op == PM_OP_EXP ? exponential(a->at[k]) : pm_operations[op].one(a->at[k]);
     const pm_slopes s = slopes(op, a);
     f.value = s.value;
     f.rate = TIMES(s.first, a->rate);

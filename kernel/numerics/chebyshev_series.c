@@ -67,20 +67,34 @@ static double sum_of_sizes(int n, const double *c)
     return sum;
 }
 
+static void derive_all(pm_chebyshev_series *x)
+{
+    double third[PM_NODES_MOST];
+    derive(x->n, x->value, x->rate);
+    derive(x->n, x->rate, x->bend);
+    derive(x->n, x->bend, third);
+    x->third = sum_of_sizes(x->n, third);
+}
+
 void pm_chebyshev_series_of(pm_chebyshev_series *x, const pm_chebyshev_nodes *nodes, const double *sample)
 {
     const int n = x->n = nodes->n;
-    double third[PM_NODES_MOST], moved[PM_NODES];
+    double moved[PM_NODES];
     transform(nodes, at_nodes(nodes, sample, moved), x->value);
-    derive(n, x->value, x->rate);
-    derive(n, x->rate, x->bend);
-    derive(n, x->bend, third);
+    derive_all(x);
     x->size = sum_of_sizes(n, x->value);
-    x->third = sum_of_sizes(n, third);
     const double changes = x->size - fabs(x->value[0]),
                  high = pm_max(fabs(x->value[n - 1]), fabs(x->value[n - 2]));
     x->resolved =
         high <= (n > PM_NODES ? PM_TAIL_WAVES : PM_TAIL_FEW) * changes + PM_SERIES_ROUNDING * x->size;
+}
+
+void pm_chebyshev_series_cut(pm_chebyshev_series *x, double part)
+{
+    const double changes = x->size - fabs(x->value[0]),
+                 least = pm_max(part * changes, PM_SERIES_ROUNDING * x->size);
+    for (int j = x->n - 1; j > 0 && fabs(x->value[j]) <= least; j--) x->value[j] = 0;
+    derive_all(x);
 }
 
 /* Clenshaw's recurrence. */

@@ -18,6 +18,9 @@ typedef struct pm_chebyshev_series {
 void pm_chebyshev_series_of(pm_chebyshev_series *series, const pm_chebyshev_nodes *nodes,
                             const double *sample);
 
+/* Without the highest coefficients up to this part of what changes, or up to rounding: bends make both 1000 times larger. */
+void pm_chebyshev_series_cut(pm_chebyshev_series *series, double part);
+
 typedef struct pm_chebyshev_part {
     double at[3]; /* values at the beginning, in the middle, at the end */
     pm_interval value, rate, bend;

@@ -146,6 +146,10 @@
 #define PM_HISTORY_PARTING 0.4 /* of a stretch between two rows of a history: off the middle, where a chord may cross; less: a worse look */
 #define PM_HISTORY_SAFETY 2.0 /* times what a chord misses there: it misses more elsewhere; larger: more rows, less: bends are passed */
 #define PM_HISTORY_PARTINGS 10 /* of a stretch between two nodes, at a corner or a jump; more: rows nearer to it */
+#define PM_MOTION_HALVINGS 30 /* of a step, until its samples tell forces that read the motion; fewer: narrow peaks are met unprepared */
+#define PM_MOTION_GROW 4.0 /* times a step that told them: the longest next one; larger: cut more often */
+#define PM_MOTION_CUT 1e-9 /* of a measure's change in a step: waves so small are rounding; larger: narrow peaks are missed, less: rounding makes steps short */
+#define PM_TOLD_SIZE 4.0 /* times a value: as near as the bound of the greatest one is brought; larger: what is nothing is larger */
 #define PM_TIME_WIDER 0.5 /* of the range of the bends at samples: beyond it they do not tell the stretch; larger: pulses are missed */
 #define PM_TIME_DENSE 4.0 /* times the second differences of samples: what their bends may be; larger: pulses into which a sample falls are missed */
 #define PM_TIME_LEVEL 1e-3 /* of their size, likewise */

@@ -10,10 +10,12 @@
 #include "equations/active_set.h"
 #include "equations/case.h"
 #include "equations/ledger.h"
+#include "equations/saddle.h"
 #include "events/ask.h"
 #include "events/event.h"
 #include "events/event_search.h"
 #include "events/history.h"
+#include "events/motion_course.h"
 #include "events/step_window.h"
 #include "events/time_course.h"
 #include "impact/action.h"
@@ -80,7 +82,8 @@ static double time_limit(pm_workspace *w, double max_time)
 {
     if (!w->phase.route->in_time) return max_time;
     const double length = w->event->first_step ? 0 : w->step.whole_end - w->step.whole_begin;
-    const double due = fmin(max_time, next_due(w->model, w->event)), limit = pm_time_course_limit(w, length);
+    const double due = fmin(max_time, next_due(w->model, w->event));
+    const double limit = fmin(pm_time_course_limit(w, length), w->state.t + pm_motion_course_limit(w));
     return limit < due - PM_TIME_TOGETHER * fabs(due) ? limit : due;
 }
 
@@ -200,6 +203,22 @@ static int pass_marks(pm_workspace *w, double *first, double *taken, int *ended)
     }
 }
 
+/* A step of the route; once more from where it began, but shorter, as long as forces that read the motion are not told by it. */
+static int step_of_route(pm_workspace *w, double limit)
+{
+    const int needed = pm_motion_course_is_needed(w);
+    if (needed) pm_state_copy(&w->ahead, &w->state);
+    int status = w->phase.route->step(w, limit);
+    while (needed && !status && !pm_motion_course_told(w, &w->ahead, &limit)) {
+        pm_state_copy(&w->state, &w->ahead);
+        pm_frame_look_state(&w->frame, &w->state);
+        status = pm_saddle_accelerate(w);
+        if (!status) status = w->phase.route->begin(w);
+        if (!status) status = w->phase.route->step(w, limit);
+    }
+    return status;
+}
+
 /* The next step of the route, sampled as far as the nodes show it. */
 static int make_step(pm_workspace *w)
 {
@@ -213,7 +232,7 @@ static int make_step(pm_workspace *w)
         pm_event_set_multiples(w);
     }
     w->step.nodes = w->phase.route->nodes;
-    status = w->phase.route->step(w, time_limit(w, max_time));
+    status = step_of_route(w, time_limit(w, max_time));
     pm_history_step(&w->step, &w->record);
     look_for_roots(w->event);
     return status ? status : pm_step_window_first(w);

@@ -18,6 +18,7 @@
 #include "events/ask.h"
 #include "events/event.h"
 #include "events/history.h"
+#include "events/motion_course.h"
 #include "events/time_course.h"
 #include "impact/instant.h"
 #include "numerics/tolerances.h"
@@ -58,6 +59,7 @@ static int begin_case(pm_workspace *w, const double *param, pm_start_report *rep
     int status = pm_case_begin(w, param);
     if (!status) pm_patience_limit(&w->patience, pm_case_max_cpu(w->model, &w->numbers));
     if (!status) pm_time_course_begin(w);
+    if (!status) pm_motion_course_begin(w);
     if (!status) status = pm_start(w, report);
     return status;
 }

@@ -14,6 +14,7 @@
 #include "equations/solve_cache.h"
 #include "events/ask.h"
 #include "events/event.h"
+#include "events/motion_course.h"
 #include "events/time_course.h"
 #include "events/watched_samples.h"
 #include "events/waves.h"
@@ -126,6 +127,7 @@ static int create_rooms(pm_workspace *w)
     if (!status) status = pm_event_create(w);
     if (!status) status = pm_ask_create(w);
     if (!status) status = pm_waves_create(w);
+    if (!status) status = pm_motion_course_create(w);
     if (!status) status = pm_impact_create(w);
     if (!status) status = pm_tree_create(w);
     if (!status) status = pm_repeat_create(w);

@@ -124,6 +124,7 @@ typedef struct pm_step {
     double sampled_end;                     /* where the step ended when it was sampled */
     const struct pm_chebyshev_nodes *nodes; /* where it is sampled */
     struct pm_time_course *course;          /* how far it may go (events/time_course.h) */
+    struct pm_motion_course *motion;        /* the same by what forces read (events/motion_course.h) */
     int reverses;                           /* the motion reverses at the end of the step */
     double *reversed;                       /* [nq] the velocities with which it does, at the scene's speed */
 } pm_step;

@@ -441,13 +441,13 @@ FAULTS = [
     ),
     Fault(
         "time: what a force does between samples is not asked",
-        "events/time_course.c",
-        "if (!told_bends(w, i, from, to, &told)) return 0;",
-        "if (!told_bends(w, i, from, to, &told)) return 0; else return 1;",
+        "events/told.c",
+        "if (!told_bends(x, from, to, &told)) return 0;",
+        "if (!told_bends(x, from, to, &told)) return 0; else return 1;",
     ),
     Fault(
         "time: a pulse with a sample in it is taken for what a force does all the time",
-        "events/time_course.c",
+        "events/told.c",
         "&told)) return 0;",
         "&told)) (void)0;",
     ),
@@ -456,5 +456,23 @@ FAULTS = [
         "events/time_course.c",
         "return w->phase.route->sees_ends ? fmin(told, w->state.t + c->apart) : told;",
         "return told;",
+    ),
+    Fault(
+        "motion: a peak of a force between samples",
+        "events/motion_course.c",
+        "if (!pm_told_between(&x, 0, 1)) return 0;",
+        "(void)x;",
+    ),
+    Fault(
+        "motion: the bound of a wide stretch is its size",
+        "events/told.c",
+        "if (part[k].most <= PM_TOLD_SIZE * *x->size) break;",
+        "if (isfinite(part[k].most)) *x->size = fmax(*x->size, part[k].most);",
+    ),
+    Fault(
+        "motion: bends of rounding",
+        "events/motion_course.c",
+        "pm_chebyshev_series_cut(&c->along.series[i], PM_MOTION_CUT);",
+        "",
     ),
 ]

@@ -128,6 +128,27 @@ static void line(int program, int route)
     scene_free(p.s);
 }
 
+/* A force F / cosh^2(y - knot / width), narrow beside the way of a step: its work tells the speed. */
+static void a_peak(int route)
+{
+    for (int i = 0; i < CASES; i++) {
+        const double knot = check_random(1, 9), width = pow(10, check_random(-5, -1)),
+                     v = check_random(0.5, 3);
+        const double force = check_random(-0.1, 0.3) * v * v / width;
+        particle p = particle_at(0, v, route);
+        const scene_code y = scene_m(p.place), k = scene_k(p.s, knot), d = scene_k(p.s, width);
+        const scene_code sub = scene_op(PM_OP_SUB), div = scene_op(PM_OP_DIV), e = scene_op(PM_OP_EXP);
+        push(&p, SCENE_PROGRAM(p.s, scene_k(p.s, 4 * force), y, k, sub, d, div, e, k, y, sub, d, div, e,
+                               scene_op(PM_OP_ADD), scene_k(p.s, 2), scene_op(PM_OP_POW), div));
+        const int there = scene_when(p.s, PM_TRIGGER_RISE, scene_minus(p.s, p.place, 10));
+        scene_until(p.s, there, 1);
+        EQUAL(scene_run(p.s, NULL), PM_OK);
+        const double work = force * width * (tanh((10 - knot) / width) + tanh(knot / width));
+        NEAR(p.s->out[p.out_speed], sqrt(v * v + 2 * work), 1e-8);
+        scene_free(p.s);
+    }
+}
+
 int main(void)
 {
     static const int route[] = {PM_ROUTE_RK, PM_ROUTE_IDA};
@@ -139,6 +160,7 @@ int main(void)
         held(route[i]);
         line(0, route[i]);
         line(1, route[i]);
+        a_peak(route[i]);
     }
     return check_failures();
 }

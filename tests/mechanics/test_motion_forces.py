@@ -152,7 +152,7 @@ v = "m.velocity.x"
         "-F*(m.x > 0)",
         "-F + F*(m.x < 0)",
         "-F*min((m.x > (0 m)), 1)",
-        "-F/2*(1 + abs(m.x)/(m.x + (m.x = 0)*(1 m)))",
+        "-F/2*abs(1 + (m.x > 0) - (m.x < 0))",
     ],
 )
 def test_a_force_that_jumps_where_a_place_is_passed(route: str, force: str) -> None:
@@ -192,6 +192,36 @@ def test_random_laws_with_corners_and_jumps(seed: int) -> None:
     for route in ROUTES:
         close(abs(number(found[route]["v"])), math.sqrt(4 + 2 * work), route)
         close(found[route]["x"], end, route)
+
+
+# A force that is a peak over the place, and its integral from -inf to u widths.
+PEAKS = {
+    "bell": ("exp(-((m.x - x0)/w)^2)", lambda u: 0.5 * math.sqrt(math.pi) * (1 + math.erf(u))),
+    "lorentz": ("1/(1 + ((m.x - x0)/w)^2)", lambda u: math.atan(u) + 0.5 * math.pi),
+    "sech": ("4/(exp((m.x - x0)/w) + exp(-(m.x - x0)/w))^2", lambda u: 1 + math.tanh(u)),
+}
+
+
+@pytest.mark.parametrize("shape", PEAKS)
+@pytest.mark.parametrize("seed", range(8))
+def test_a_peak_in_space_is_not_passed_over(shape: str, seed: int) -> None:
+    """Steps are as long as the motion allows: a free flight but for a force over some um to cm of 10 m."""
+    rng = np.random.default_rng(seed)
+    width, middle, speed = 10 ** rng.uniform(-5, -1), rng.uniform(1, 9), rng.uniform(0.5, 3)
+    law, integral = PEAKS[shape]
+    size = rng.uniform(-0.1, 0.3) * speed**2 / width
+    text = f"""
+    plane = "horizontal"
+    parameters = {{ F = "{size!r} N", w = "{width!r} m", x0 = "{middle!r} m" }}
+    bodies.m = {{ mass = "1 kg", at = [0, 0] }}
+    start.m.velocity.x = "{speed!r} m/s"
+    until = "m.x = 10 m"
+    forces.W = {{ force = "m", value = ["F*{law}", 0] }}
+    ask.v = "m.velocity.x"
+    """
+    work = size * width * (integral((10 - middle) / width) - integral(-middle / width))
+    for route in ("auto", "ida"):
+        close(answers(text, route)["v"], math.sqrt(speed**2 + 2 * work), route)
 
 
 def test_a_switch_that_holds_the_motion_is_told() -> None:
