@@ -81,7 +81,8 @@ enum pm_op {
     PM_OP_SELECT = 33, /* c a b -> a if c != 0, else b */
     PM_OP_ATAN = 34,
     PM_OP_ANSWER = 35, /* push out[arg], answered before (only in the programs of a find) */
-    PM_OPS = 36
+    PM_OP_TANH = 36,
+    PM_OPS = 37
 };
 #define PM_MAX_TIME 1000 /* s: limit of runs for which none is set */
 #define PM_STACK 64      /* greatest depth of the stack */

@@ -22,6 +22,7 @@ static void note_switches(int op, const pm_jet *a, pm_enclosure *e)
         note(op, a, e);
         note(op, a + 1, e);
     }
+    if (op == PM_OP_ATAN2 && pm_jet_may_leap(a, a + 1)) note(PM_OP_GE, a, e);
     if (pm_operations[op].takes == 2 && pm_operation_has(op, SWITCHES)) {
         const pm_jet d = pm_jet_difference(a, a + 1);
         note(op, &d, e);
@@ -30,10 +31,10 @@ static void note_switches(int op, const pm_jet *a, pm_enclosure *e)
 
 static pm_jet time_jet(double from, double to)
 {
-    return (pm_jet){{from, 0.5 * (from + to), to}, {from, to}, {1, 1}, {0, 0}, 0};
+    return (pm_jet){{from, 0.5 * (from + to), to}, {from, to}, {1, 1}, {0, 0}, 0, 0};
 }
 
-static pm_jet number_jet(double x) { return (pm_jet){{x, x, x}, {x, x}, {0, 0}, {0, 0}, 0}; }
+static pm_jet number_jet(double x) { return (pm_jet){{x, x, x}, {x, x}, {0, 0}, {0, 0}, 0, 0}; }
 
 /* What the motion does is not known: it stands still, beside what the time does. */
 static pm_jet motion_jet(void)
@@ -98,7 +99,7 @@ pm_enclosure pm_enclosure_of_time(const pm_model *m, int index, const double *pa
 static pm_jet series_jet(const pm_chebyshev_series *series, double from, double to)
 {
     const pm_chebyshev_part x = pm_chebyshev_series_over(series, from, to);
-    return (pm_jet){{x.at[0], x.at[1], x.at[2]}, x.value, x.rate, x.bend, 0};
+    return (pm_jet){{x.at[0], x.at[1], x.at[2]}, x.value, x.rate, x.bend, 0, 0};
 }
 
 pm_enclosure pm_enclosure_along(const pm_model *m, int index, const double *number,

@@ -2,7 +2,7 @@
  * switches.
  *
  * A program is smooth but where an operation switches: a comparison, a choice, abs, min, max or floor whose operands change
- * sides.  Over a stretch every switch is decided (its operands keep their sides), or it is open.  Over a
+ * sides, and atan2 that leaps from pi to -pi.  Over a stretch every switch is decided (its operands keep their sides), or it is open.  Over a
  * stretch of time, what a program reads but the time - measures of the motion, answers - is taken as the number 1: the enclosure
  * tells what the time alone does, and switches by the motion are not told. */
 #ifndef PM_ENCLOSURE_H
@@ -12,11 +12,15 @@
 #include "numerics/interval.h"
 #include "state/model.h"
 
+/* Where it is no number: beyond the domain of a root, a logarithm, an arc. */
+enum pm_gaps { PM_GAPS_NONE = 0, PM_GAPS_SOMEWHERE = 1, PM_GAPS_EVERYWHERE = 2 };
+
 /* A number along a stretch, and its first two derivatives by the time. */
 typedef struct pm_jet {
     double at[3]; /* its value at the beginning, in the middle, at the end */
     pm_interval value, rate, bend;
     int motion; /* something else than the time enters */
+    int gaps;   /* enum pm_gaps: in the stretch, as far as is known */
 } pm_jet;
 
 typedef struct pm_enclosure {
@@ -54,6 +58,8 @@ pm_jet pm_jet_hull(const pm_jet *a, const pm_jet *b);
 /* Whether an operation that switches by x stands alike all along: x keeps off zero (floor: off integers), or is monotonic and
  * stands alike at both ends. */
 int pm_jet_keeps_side(int op, const pm_jet *x);
+/* atan2(y, x) is where it may leap: beside x <= 0, where y is 0 or changes its sign. */
+int pm_jet_may_leap(const pm_jet *y, const pm_jet *x);
 /* It stands otherwise at the end than at the beginning. */
 int pm_jet_changes(int op, const pm_jet *x);
 

@@ -50,6 +50,21 @@ static pm_slopes of_arc_tangent(pm_interval a)
                        TIMES(pm_interval_scaled(-2, a), pm_interval_square(first))};
 }
 
+/* (tanh)' = 1 / cosh^2 falls off on both sides of 0, and keeps its figures where 1 - tanh^2 has none. */
+static double slope_of_hyperbolic(double x)
+{
+    const double e = exp(-2 * fabs(x)), sum = 1 + e;
+    return 4 * e / (sum * sum);
+}
+
+static pm_slopes of_hyperbolic_tangent(pm_interval a)
+{
+    const pm_interval f = pm_interval_rising(tanh, a, -INFINITY, INFINITY);
+    const pm_interval far = pm_interval_size_of(a), less = pm_interval_negative(far);
+    const pm_interval first = pm_interval_rising(slope_of_hyperbolic, less, -INFINITY, 0);
+    return (pm_slopes){f, first, TIMES(pm_interval_scaled(-2, f), first)};
+}
+
 static pm_slopes of_tangent(pm_interval a)
 {
     const pm_interval f = pm_interval_tangent(a), first = SUM(one, pm_interval_square(f));
@@ -73,15 +88,20 @@ static int stands_alike(int op, double x, double y)
     }
 }
 
-int pm_jet_changes(int op, const pm_jet *x) { return !stands_alike(op, x->at[0], x->at[2]); }
+/* Comparisons with what is no number are false: where numbers end is a switch, too. */
+int pm_jet_changes(int op, const pm_jet *x)
+{
+    return isnan(x->at[0]) != isnan(x->at[2]) || !stands_alike(op, x->at[0], x->at[2]);
+}
 
 int pm_jet_keeps_side(int op, const pm_jet *x)
 {
-    if (x->value.lo == x->value.hi) return 1;
+    if (x->value.lo == x->value.hi && !x->gaps) return 1;
+    if (x->gaps) return x->gaps == PM_GAPS_EVERYWHERE;
     if (op == PM_OP_FLOOR ? floor(x->value.lo) == floor(x->value.hi) : !pm_interval_holds(x->value, 0))
         return 1;
-    const int monotonic = x->rate.lo >= 0 || x->rate.hi <= 0;
-    return monotonic && !pm_jet_changes(op, x);
+    const int monotonic = x->rate.lo >= 0 || x->rate.hi <= 0, no_pole = isfinite(pm_interval_size(x->value));
+    return monotonic && no_pole && !pm_jet_changes(op, x);
 }
 
 static pm_slopes of_size(const pm_jet *a)
@@ -94,7 +114,7 @@ static pm_slopes of_size(const pm_jet *a)
 /* Beyond this exponent it is taken as constant, so that what it divides keeps bounds: 1 / (e^x + e^-x) is nothing there. */
 #define EXPONENT_MOST 150.0
 
-static double exponential(double x) { return exp(fmin(x, EXPONENT_MOST)); }
+static double exponential(double x) { return exp(x > EXPONENT_MOST ? EXPONENT_MOST : x); }
 
 static pm_slopes of_exponential(pm_interval x)
 {
@@ -122,6 +142,7 @@ static pm_slopes slopes(int op, const pm_jet *a)
     case PM_OP_ASIN: return of_arc(x, 1);
     case PM_OP_ACOS: return of_arc(x, 0);
     case PM_OP_ATAN: return of_arc_tangent(x);
+    case PM_OP_TANH: return of_hyperbolic_tangent(x);
     case PM_OP_SQRT: return of_root(x);
     case PM_OP_ABS: return of_size(a);
     case PM_OP_EXP: return of_exponential(x);
@@ -133,9 +154,38 @@ static pm_slopes slopes(int op, const pm_jet *a)
     }
 }
 
+/* ---- where there is no number ---- */
+static int beyond(pm_interval a, double from, double to)
+{
+    const double rounding = 1e-15 * fmin(fabs(from), fabs(to));
+    if (a.hi < from - rounding || a.lo > to + rounding) return PM_GAPS_EVERYWHERE;
+    return a.lo < from - rounding || a.hi > to + rounding ? PM_GAPS_SOMEWHERE : PM_GAPS_NONE;
+}
+
+/* Of the function of one operand, where that is a number. */
+static int gaps_of(int op, pm_interval a)
+{
+    switch (op) {
+    case PM_OP_ASIN:
+    case PM_OP_ACOS: return beyond(a, -1, 1);
+    case PM_OP_SQRT:
+    case PM_OP_LOG: return beyond(a, 0, INFINITY);
+    default: return PM_GAPS_NONE;
+    }
+}
+
+static int gaps_of_power(const pm_jet *a, const pm_jet *b)
+{
+    const double n = b->value.lo;
+    if (n == b->value.hi && n == floor(n)) return PM_GAPS_NONE;
+    return a->value.lo < 0 ? PM_GAPS_SOMEWHERE : PM_GAPS_NONE;
+}
+
+static int more_gaps(int x, int y) { return x > y ? x : y; }
+
 pm_jet pm_jet_of_one(int op, const pm_jet *a)
 {
-    pm_jet f = {.motion = a->motion};
+    pm_jet f = {.motion = a->motion, .gaps = op == PM_OP_NOT ? 0 : more_gaps(a->gaps, gaps_of(op, a->value))};
     for (int k = 0; k < 3; k++)
         f.at[k] = op == PM_OP_EXP ? exponential(a->at[k]) : pm_operations[op].one(a->at[k]);
     const pm_slopes s = slopes(op, a);
@@ -181,6 +231,10 @@ static void raise(const pm_jet *a, const pm_jet *b, pm_jet *f)
         f->bend = SUM(TIMES(second, pm_interval_square(a->rate)), TIMES(first, a->bend));
         return;
     }
+    if (!(a->value.lo > 0)) {
+        f->value = f->rate = f->bend = PM_INTERVAL_ALL;
+        return;
+    }
     const pm_jet logarithm = pm_jet_of_one(PM_OP_LOG, a), exponent = pm_jet_of_two(PM_OP_MUL, b, &logarithm),
                  power = pm_jet_of_one(PM_OP_EXP, &exponent);
     f->value = power.value;
@@ -207,8 +261,19 @@ static void length(const pm_jet *a, const pm_jet *b, pm_jet *f)
     f->bend = OVER(LESS(s.second, pm_interval_square(f->rate)), f->value);
 }
 
+int pm_jet_may_leap(const pm_jet *y, const pm_jet *x)
+{
+    const int stands = y->value.lo == y->value.hi && !y->gaps;
+    return x->value.lo <= 0 && pm_interval_holds(y->value, 0) && !stands;
+}
+
 static void angle(const pm_jet *y, const pm_jet *x, pm_jet *f)
 {
+    if (pm_jet_may_leap(y, x)) {
+        f->value = (pm_interval){-M_PI, M_PI};
+        f->rate = f->bend = PM_INTERVAL_ALL;
+        return;
+    }
     const pm_slopes s = squares(x, y);
     f->value = pm_interval_angle(y->value, x->value);
     f->rate = OVER(LESS(TIMES(y->rate, x->value), TIMES(y->value, x->rate)), s.value);
@@ -222,7 +287,8 @@ pm_jet pm_jet_hull(const pm_jet *a, const pm_jet *b)
     return (pm_jet){.value = pm_interval_hull(a->value, b->value),
                     .rate = pm_interval_hull(a->rate, b->rate),
                     .bend = pm_interval_hull(a->bend, b->bend),
-                    .motion = a->motion || b->motion};
+                    .motion = a->motion || b->motion,
+                    .gaps = a->gaps == b->gaps ? a->gaps : PM_GAPS_SOMEWHERE};
 }
 
 /* The one that is less (or greater), or either where that is open. */
@@ -239,6 +305,7 @@ static void choose(int op, const pm_jet *a, const pm_jet *b, pm_jet *f)
 pm_jet pm_jet_difference(const pm_jet *a, const pm_jet *b)
 {
     pm_jet f = {.motion = a->motion || b->motion,
+                .gaps = more_gaps(a->gaps, b->gaps),
                 .value = LESS(a->value, b->value),
                 .rate = LESS(a->rate, b->rate),
                 .bend = LESS(a->bend, b->bend)};
@@ -259,7 +326,8 @@ static void decide(int op, const pm_jet *a, const pm_jet *b, pm_jet *f)
 
 pm_jet pm_jet_of_two(int op, const pm_jet *a, const pm_jet *b)
 {
-    pm_jet f = {.motion = a->motion || b->motion};
+    const int gaps = more_gaps(a->gaps, b->gaps), counts = pm_operation_has(op, PM_OPERATION_COUNTS);
+    pm_jet f = {.motion = a->motion || b->motion, .gaps = counts ? 0 : gaps};
     for (int k = 0; k < 3; k++) f.at[k] = pm_operations[op].two(a->at[k], b->at[k]);
     switch (op) {
     case PM_OP_ADD:
@@ -276,7 +344,10 @@ pm_jet pm_jet_of_two(int op, const pm_jet *a, const pm_jet *b)
     }
     case PM_OP_MUL: multiply(a, b, &f); break;
     case PM_OP_DIV: divide(a, b, &f); break;
-    case PM_OP_POW: raise(a, b, &f); break;
+    case PM_OP_POW:
+        raise(a, b, &f);
+        f.gaps = more_gaps(gaps, gaps_of_power(a, b));
+        break;
     case PM_OP_HYPOT: length(a, b, &f); break;
     case PM_OP_ATAN2: angle(a, b, &f); break;
     case PM_OP_MIN:

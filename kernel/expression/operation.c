@@ -42,6 +42,7 @@ const pm_operation pm_operations[PM_OPS] = {
     [PM_OP_ASIN] = {1, .one = asin},
     [PM_OP_ACOS] = {1, .one = acos},
     [PM_OP_ATAN] = {1, RISES, .one = atan},
+    [PM_OP_TANH] = {1, RISES, .one = tanh},
     [PM_OP_SQRT] = {1, RISES, .one = sqrt},
     [PM_OP_ABS] = {1, CORNERS, .one = fabs},
     [PM_OP_EXP] = {1, RISES, .one = exp},

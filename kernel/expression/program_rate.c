@@ -21,6 +21,7 @@ static pm_timed unary(int op, pm_timed a)
     case PM_OP_ASIN: slope = 1 / sqrt(1 - a.x * a.x); break;
     case PM_OP_ACOS: slope = -1 / sqrt(1 - a.x * a.x); break;
     case PM_OP_ATAN: slope = 1 / (1 + a.x * a.x); break;
+    case PM_OP_TANH: slope = 1 - x * x; break;
     case PM_OP_SQRT: slope = 0.5 / x; break;
     case PM_OP_ABS: slope = a.x < 0 ? -1 : 1; break;
     case PM_OP_EXP: slope = x; break;

@@ -12,8 +12,38 @@ FAULTS = [
     Fault(
         "enclosure: what comes back has kept its side",
         "expression/enclosure_rules.c",
-        "return monotonic && !pm_jet_changes(op, x);",
-        "return !pm_jet_changes(op, x);",
+        "return monotonic && no_pole && !pm_jet_changes(op, x);",
+        "return no_pole && !pm_jet_changes(op, x);",
+    ),
+    Fault(
+        "enclosure: numbers have no end",
+        "expression/enclosure_rules.c",
+        "if (x->gaps) return x->gaps == PM_GAPS_EVERYWHERE;",
+        "",
+    ),
+    Fault(
+        "enclosure: what passes a pole keeps its side",
+        "expression/enclosure_rules.c",
+        "return monotonic && no_pole && !",
+        "return monotonic && !",
+    ),
+    Fault(
+        "enclosure: a power of a negative base is one of a positive",
+        "expression/enclosure_rules.c",
+        "if (!(a->value.lo > 0)) {",
+        "if (0) {",
+    ),
+    Fault(
+        "enclosure: the exponential of no number is a number",
+        "expression/enclosure_rules.c",
+        "exp(x > EXPONENT_MOST ? EXPONENT_MOST : x)",
+        "exp(fmin(x, EXPONENT_MOST))",
+    ),
+    Fault(
+        "enclosure: an angle does not leap",
+        "expression/enclosure_rules.c",
+        "return x->value.lo <= 0 && pm_interval_holds(y->value, 0) && !stands;",
+        "return 0 * stands;",
     ),
     Fault(
         "fold: operands change places",

@@ -56,6 +56,7 @@ static void unary_operations(void)
         EQUAL(unary(PM_OP_SQRT, a), sqrt(a));
         EQUAL(unary(PM_OP_ABS, a), fabs(a));
         EQUAL(unary(PM_OP_EXP, a), exp(a));
+        EQUAL(unary(PM_OP_TANH, a), tanh(a));
         EQUAL(unary(PM_OP_LOG, a), log(a));
         EQUAL(unary(PM_OP_FLOOR, a), floor(a));
     }

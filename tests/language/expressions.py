@@ -55,7 +55,9 @@ BINARY_CODES = {
     "ADD": "+", "SUB": "-", "MUL": "*", "DIV": "/", "POW": "^", "LT": "<", "LE": "<=", "GT": ">", "GE": ">=",
     "EQ": "=", "NE": "!=", "AND": "and", "OR": "or",
 }  # fmt: skip
-UNARY_NAMES = ("sin", "cos", "tan", "asin", "acos", "atan", "sqrt", "abs", "exp", "log", "floor", "not")
+UNARY_NAMES = (
+    *("sin", "cos", "tan", "asin", "acos", "atan", "tanh", "sqrt", "abs", "exp", "log", "floor", "not"),
+)
 
 
 def run(code: Any, pool: Any, parameters: Any) -> float:

@@ -88,7 +88,7 @@ def test_arithmetic_is_that_of_c(x: float, y: float) -> None:
     for name, function in {"^": LIBM.pow, "norm": LIBM.hypot, "atan2": LIBM.atan2}.items():
         function.restype, function.argtypes = ctypes.c_double, [ctypes.c_double, ctypes.c_double]
         assert bits(apply(name, [x, y])) == bits(function(x, y)), name
-    for name in ("sin", "cos", "tan", "asin", "acos", "atan", "sqrt", "exp", "log", "floor"):
+    for name in ("sin", "cos", "tan", "asin", "acos", "atan", "sqrt", "tanh", "exp", "log", "floor"):
         function = getattr(LIBM, name)
         function.restype, function.argtypes = ctypes.c_double, [ctypes.c_double]
         assert bits(apply(name, [x])) == bits(function(x)), name

@@ -224,6 +224,42 @@ def test_a_peak_in_space_is_not_passed_over(shape: str, seed: int) -> None:
         close(answers(text, route)["v"], math.sqrt(speed**2 + 2 * work), route)
 
 
+@pytest.mark.parametrize("route", ROUTES)
+@pytest.mark.parametrize("width", [3.0, 0.3, 0.03])
+def test_friction_as_tanh(width: float, route: str) -> None:
+    """m v' = -F tanh(v/w): sinh(v/w) = sinh(v0/w) exp(-F t/(m w))."""
+    text = f"""
+    plane = "horizontal"
+    parameters = {{ F = "2 N", w = "{width} m/s" }}
+    bodies.m = {{ mass = "1 kg", at = [0, 0] }}
+    start.m.velocity.x = "4 m/s"
+    until = "t = 2.1 s"
+    forces.W = {{ force = "m", value = ["-F*tanh(m.velocity.x/w)", 0] }}
+    ask.v = "m.velocity.x"
+    """
+    # log sinh(u) = u + log((1 - exp(-2 u))/2): sinh(4/0.03) is beyond all numbers
+    left = 4 / width + math.log1p(-math.exp(-8 / width)) - 2 * 2.1 / width
+    close(answers(text, route)["v"], width * math.asinh(0.5 * math.exp(left)), route)
+
+
+@pytest.mark.parametrize("route", ROUTES)
+def test_a_force_by_the_sign_of_a_place(route: str) -> None:
+    """Between two parabolas: a period lasts 4 sqrt(2 a m/F)."""
+    text = """
+    plane = "horizontal"
+    bodies.m = { mass = "2 kg", at = ["0.7 m", 0] }
+    until = "t = 5 s"
+    forces.W = { force = "m", value = ["(-5 N)*sign(m.x)", 0] }
+    ask.x = "m.x"
+    """
+    found = answers(text, route)
+    quarter = math.sqrt(2 * 0.7 * 2 / 5)
+    turns, rest = divmod(5.0, quarter)
+    side = (1, -1, -1, 1)[int(turns) % 4]
+    since = rest if int(turns) % 2 == 0 else quarter - rest
+    close(found["x"], side * (0.7 - 0.5 * 2.5 * since**2), route)
+
+
 def test_a_switch_that_holds_the_motion_is_told() -> None:
     text = STEPS.format(force="-F*((m.velocity.x > (1 m/s)) - (m.velocity.x < (1 m/s)))", width="1 m")
     result = load_text(text).run()

@@ -13,7 +13,7 @@ from planemotion.compile.flatten import flatten
 from planemotion.kinds import KINDS
 from planemotion.kinds.base import Bearing
 from planemotion.language.address import KEYWORDS
-from planemotion.language.parser import _WRITTEN_FUNCTIONS
+from planemotion.language.tree import WRITTEN_FUNCTIONS
 from planemotion.language.units import factor
 from planemotion.model import tables, words
 from planemotion.model.element import Element, Table
@@ -58,7 +58,7 @@ WORDS: Mapping[str, Mapping[str, set[str]]] = {
         "parts": set(words.PARTS),
         "keywords": set(KEYWORDS),
         "changes": {*words.CONTACT_CHANGES, *words.CORD_CHANGES},
-        "functions": set(_WRITTEN_FUNCTIONS),
+        "functions": set(WRITTEN_FUNCTIONS),
         "laws": set(words.LAWS),
         "routes": set(words.ROUTES),
     },

@@ -97,6 +97,7 @@ _ARITHMETIC: dict[str, Callable[..., float]] = {
     "or": lambda a, b: float(a != 0 or b != 0),
     "not": lambda a: float(a == 0),
     **{name: _or_nan(getattr(math, name)) for name in ("sin", "cos", "tan", "asin", "acos", "atan", "sqrt")},
+    "tanh": math.tanh,
     "atan2": math.atan2,
     "abs": math.fabs,
     "exp": _exponential,

@@ -44,6 +44,7 @@ _FUNCTION_CODES: dict[str, int] = {
     "max": layout.PM_OP_MAX,
     "exp": layout.PM_OP_EXP,
     "log": layout.PM_OP_LOG,
+    "tanh": layout.PM_OP_TANH,
     "norm": layout.PM_OP_HYPOT,
     "floor": layout.PM_OP_FLOOR,
     "select": layout.PM_OP_SELECT,

@@ -23,8 +23,9 @@ from .address import Scanner, read_address
 from .leaves import height
 from .tree import (
     COMPARISON_RANK,
-    FUNCTIONS,
     RANK,
+    WRITTEN_FUNCTIONS,
+    ZERO,
     Binary,
     Call,
     Name,
@@ -41,8 +42,6 @@ from .units import NUMBER, UNIT, factor, parse_quantity
 MAX_TEXT = 4000
 MAX_NESTING = 60
 MAX_HEIGHT = 200
-# `select` is for composed nodes only.
-_WRITTEN_FUNCTIONS = tuple(name for name in FUNCTIONS if name != "select")
 _OPERATOR = r"<=|>=|!=|[-+*/^=<>]|(?:and|or)\b"
 # A unit directly behind a number; "in" is one there, and "x > 0 and y > 0" has none.
 _UNIT_HERE = rf"(?!(?:and|or|not)\b){UNIT}"
@@ -67,6 +66,10 @@ def parse(written: object, *, where: str | None = None) -> Node:
 def _read(text: str) -> Node:
     """Nodes are frozen: a text that is read again, as in every sweep of a scene, is the same one."""
     return _Parser(text).parse()
+
+
+def _sign(x: Node) -> Node:
+    return Binary("-", Binary(">", x, ZERO), Binary("<", x, ZERO))
 
 
 class _Parser:
@@ -169,19 +172,19 @@ class _Parser:
 
     def call(self, word: str) -> Node:
         """A function and its arguments; the scanner stands at the opening parenthesis."""
-        if word not in _WRITTEN_FUNCTIONS:
-            guess = nearest(word, _WRITTEN_FUNCTIONS)
-            known = f'did you mean "{guess}"?' if guess else f"there are {', '.join(_WRITTEN_FUNCTIONS)}"
+        if word not in WRITTEN_FUNCTIONS:
+            guess = nearest(word, WRITTEN_FUNCTIONS)
+            known = f'did you mean "{guess}"?' if guess else f"there are {', '.join(WRITTEN_FUNCTIONS)}"
             raise SceneError(f'unknown function "{word}" ({known})')
         self.scanner.take(r"\(")
         arguments = [self.expression(1)]
         while self.scanner.take(r","):
             arguments.append(self.expression(1))
         self.close()
-        least, most = FUNCTIONS[word]
+        least, most = WRITTEN_FUNCTIONS[word]
         if len(arguments) < least or (most is not None and len(arguments) > most):
             raise SceneError(f"{word} takes {count_text(word)}, not {len(arguments)}")
-        return Call(word, tuple(arguments))
+        return _sign(arguments[0]) if word == "sign" else Call(word, tuple(arguments))
 
     def close(self) -> None:
         if not self.scanner.take(r"\)"):

@@ -137,11 +137,13 @@ _LEAF_RANK = 10
 # Function: least and greatest number of arguments (None: any number).
 FUNCTIONS: dict[str, tuple[int, int | None]] = {
     **dict.fromkeys(("sin", "cos", "tan", "asin", "acos", "atan"), (1, 1)),
-    **dict.fromkeys(("sqrt", "abs", "exp", "log", "floor"), (1, 1)),
+    **dict.fromkeys(("sqrt", "abs", "exp", "log", "tanh", "floor"), (1, 1)),
     **dict.fromkeys(("atan2", "norm"), (2, 2)),
     **dict.fromkeys(("min", "max"), (2, None)),
     "select": (3, 3),
 }
+# What may be written: `select` is for composed nodes only, sign(x) is (x > 0) - (x < 0).
+WRITTEN_FUNCTIONS = {name: n for name, n in FUNCTIONS.items() if name != "select"} | {"sign": (1, 1)}
 ZERO = Number(0.0, wild=True, text="0")
 ONE = Number(1.0, text="1")
 
@@ -184,7 +186,7 @@ def call(function: str, *arguments: Node | float) -> Node:
 
 def count_text(function: str) -> str:
     """How many arguments a function takes, in words."""
-    least, most = FUNCTIONS[function]
+    least, most = (FUNCTIONS | WRITTEN_FUNCTIONS)[function]
     if most is None:
         return f"at least {least} arguments"
     return f"{most} argument{'s' if most > 1 else ''}"
